@@ -1,0 +1,86 @@
+# From circles to rays: build, draw, grade, test. `make help` lists the targets.
+# Everything that is made goes under build/. A new folder in solutions/ needs no edit here.
+
+BUILD ?= build
+CC = gcc
+CXX = g++
+WARNINGS = -Wall -Wextra -Werror
+INCLUDES = -Icommon -Ikernels
+DEPENDENCIES = -MMD -MP
+# `make SANITIZE=1` builds the same under build/sanitized with the address and undefined sanitizers.
+ifdef SANITIZE
+BUILD := build/sanitized
+SANITIZERS = -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer
+endif
+OPTIMISATION = -O2 -g
+CFLAGS = -std=c11 -D_GNU_SOURCE $(OPTIMISATION) $(WARNINGS) $(SANITIZERS)
+CXXFLAGS = -std=c++17 $(OPTIMISATION) $(WARNINGS) $(SANITIZERS)
+
+.DELETE_ON_ERROR:
+.SECONDARY:
+.DEFAULT_GOAL := all
+
+# Asked only when something is compiled, so that `make demo` can install pkg-config first.
+IMAGE_CFLAGS = $(shell pkg-config --cflags OpenImageIO)
+LIBRARIES = $(shell pkg-config --libs OpenImageIO jansson) -lcsv -lOpenCL -lstdc++ -lm
+
+LABS := $(sort $(notdir $(wildcard solutions/*)))
+
+# The labs before one: what they deliver comes from their solutions.
+earlier = $(strip $(eval reached :=)$(foreach l,$(LABS),$(if $(filter $(1),$(l)),$(eval \
+    reached := 1))$(if $(reached),,$(l))))
+# What is linked from those: every file of theirs but main.c.
+earlier_sources = $(foreach l,$(call earlier,$(1)),\
+    $(filter-out %/main.c,$(wildcard solutions/$(l)/*.c)))
+# Where headers and kernels are looked for, after the lab's own folder.
+include_path = -I kernels $(foreach l,$(call earlier,$(1)),-I solutions/$(l))
+
+objects = $(patsubst %,$(BUILD)/obj/%.o,$(1))
+COMMON_OBJECTS := $(call objects,$(wildcard common/*.c common/*.cpp))
+PROGRAMS := $(foreach tree,labs solutions,$(foreach l,$(notdir $(wildcard $(tree)/*)),$(BUILD)/$(tree)/$(l)))
+
+.PHONY: all
+all: $(PROGRAMS) $(BUILD)/grade  ## build every lab, every solution and the grader
+
+# ---- Compiling ------------------------------------------------------------------------------
+
+$(BUILD)/obj/%.c.o: %.c
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $(DEPENDENCIES) $(INCLUDES) $(EXTRA) -c $< -o $@
+
+$(BUILD)/obj/%.cpp.o: %.cpp
+	@mkdir -p $(@D)
+	$(CXX) $(CXXFLAGS) $(DEPENDENCIES) $(INCLUDES) $(IMAGE_CFLAGS) -c $< -o $@
+
+$(BUILD)/libcommon.a: $(COMMON_OBJECTS)
+	@rm -f $@
+	ar rcs $@ $^
+
+# One program a lab: $(1) is labs or solutions, $(2) the lab's name.
+define lab_program
+$(BUILD)/obj/$(1)/$(2)/%.o: EXTRA = -I $(1)/$(2) $(call include_path,$(2)) \
+    -DLAB_NAME='"$(2)"' -DLAB_FOLDER='"$(1)/$(2)"' -DKERNEL_OPTIONS='"$(call include_path,$(2))"'
+$(BUILD)/$(1)/$(2): $(call objects,$(wildcard $(1)/$(2)/*.c)) $(BUILD)/earlier/$(2).a $(BUILD)/libcommon.a
+	@mkdir -p $$(@D)
+	$(CC) $(SANITIZERS) $$^ $$(LIBRARIES) -o $$@
+endef
+# The solutions of the labs before $(1) as an archive: the linker takes from it what the lab calls.
+define earlier_archive
+$(BUILD)/earlier/$(1).a: $(call objects,$(call earlier_sources,$(1)))
+	@mkdir -p $$(@D)
+	@rm -f $$@
+	ar rcs $$@ $$^
+endef
+$(foreach tree,labs solutions,$(foreach l,$(notdir $(wildcard $(tree)/*)),$(eval $(call lab_program,$(tree),$(l)))))
+$(foreach l,$(LABS),$(eval $(call earlier_archive,$(l))))
+
+# ---- Skeletons: labs/ is cut from solutions/ ------------------------------------------------
+
+$(BUILD)/holes: $(call objects,tests/grader/holes_tool.c tests/grader/holes.c common/text_file.c)
+	$(CC) $(SANITIZERS) $^ -o $@
+
+.PHONY: labs
+labs: $(BUILD)/holes  ## cut the skeletons in labs/ anew from solutions/
+	tests/cut_labs.sh $(BUILD)/holes labs
+
+-include $(shell find $(BUILD)/obj -name '*.d' 2>/dev/null)

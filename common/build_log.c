@@ -1,0 +1,137 @@
+// The compiler's log of an OpenCL program, made readable (see build_log.h).
+//
+// Flow: scene -> buffers -> KERNEL -> image -> comparison. One pass over the log, line by line; what
+// is understood as a diagnostic is followed by the source line it speaks of. Read next: cl_build.c.
+#include "build_log.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#define MAX_FILE_NAME 1024
+
+// One message about one place in a file.
+typedef struct Diagnostic {
+    char file[MAX_FILE_NAME];
+    int line;          // counts from 1
+    int column;        // counts from 1, in bytes
+    char severity[8];  // "error", "warning", "note"
+    const char *text;  // points into the log line
+} Diagnostic;
+
+// Take a log line apart. Returns 1, or 0 when it is no diagnostic.
+static int diagnostic_read(const char *line, Diagnostic *diagnostic)
+{
+    static const char *const SEVERITIES[] = {"error", "warning", "note"};
+    for (size_t i = 0; i < sizeof SEVERITIES / sizeof SEVERITIES[0]; i++) {
+        const char *severity = SEVERITIES[i];
+        size_t length = strlen(severity);
+        int n_read = 0;
+        if (strncmp(line, severity, length) == 0 &&
+            sscanf(line + length, ": %1023[^:]:%d:%d: %n", diagnostic->file, &diagnostic->line,
+                   &diagnostic->column, &n_read) == 3 &&
+            n_read > 0) {
+            strcpy(diagnostic->severity, severity);
+            diagnostic->text = line + length + n_read;
+            return 1;
+        }
+    }
+    return 0;
+}
+
+// Does the driver draw carets itself? Then its log is left as it is.
+static int log_has_carets(const char *log)
+{
+    for (const char *caret = strchr(log, '^'); caret != NULL; caret = strchr(caret + 1, '^')) {
+        const char *before = caret;
+        while (before > log && (before[-1] == ' ' || before[-1] == '\t' || before[-1] == '~'))
+            before--;
+        if (before < caret && (before == log || before[-1] == '\n'))
+            return 1;
+    }
+    return 0;
+}
+
+static int line_is_noise(const char *line)
+{
+    return line[strspn(line, " \t\r")] == '\0' ||
+           (strncmp(line, "Device ", 7) == 0 && strstr(line, "failed to build") != NULL) ||
+           strncmp(line, "Error(s) while linking", 22) == 0 || strstr(line, " generated.") != NULL;
+}
+
+// Was the same line in the log before? PoCL reads a program twice and repeats warnings.
+static int line_is_repeated(const char *log, const char *line, size_t length)
+{
+    for (const char *earlier = log; earlier < line; earlier = strchr(earlier, '\n') + 1) {
+        if (strncmp(earlier, line, length) == 0 && earlier[length] == '\n')
+            return 1;
+    }
+    return 0;
+}
+
+// Print line number `line` of a file and a caret under its column; nothing where there is no such
+// line.
+static void source_line_print(FILE *out, const char *path, int line, int column)
+{
+    FILE *file = fopen(path, "r");
+    if (file == NULL)
+        return;
+    char *text = NULL;
+    size_t capacity = 0;
+    ssize_t length = 0;
+    for (int i = 0; i < line && length >= 0; i++)
+        length = getline(&text, &capacity, file);
+    if (line > 0 && length > 0) {
+        text[strcspn(text, "\r\n")] = '\0';
+        fprintf(out, "%s\n", text);
+        for (int i = 0; i < column - 1 && text[i] != '\0'; i++) {
+            // A tab stays one, and a letter of several bytes (UTF-8) is one column wide on screen.
+            int is_continuation = ((unsigned char)text[i] & 0xC0) == 0x80;
+            if (!is_continuation)
+                fputc(text[i] == '\t' ? '\t' : ' ', out);
+        }
+        fprintf(out, "^\n");
+    }
+    free(text);
+    fclose(file);
+}
+
+// Call the program's folder what its author calls it.
+static void file_rename(char *file, const char *alias, const char *folder)
+{
+    size_t length = alias == NULL ? 0 : strlen(alias);
+    if (length == 0 || strncmp(file, alias, length) != 0 || file[length] != '/')
+        return;
+    char renamed[MAX_FILE_NAME];
+    if (snprintf(renamed, sizeof renamed, "%s%s", folder, file + length) < (int)sizeof renamed)
+        strcpy(file, renamed);
+}
+
+int build_log_print(FILE *out, const char *log, const char *path, const char *alias,
+                    const char *folder)
+{
+    if (log_has_carets(log)) {
+        fprintf(out, "%s: the compiler says:\n%s\n", path, log);
+        return 1;
+    }
+    int n_messages = 0;
+    for (const char *start = log; *start != '\0';) {
+        size_t length = strcspn(start, "\n");
+        char *line = strndup(start, length);
+        Diagnostic diagnostic;
+        if (line == NULL || line_is_noise(line) || line_is_repeated(log, start, length)) {
+            // Nothing to tell the author.
+        } else if (diagnostic_read(line, &diagnostic)) {
+            file_rename(diagnostic.file, alias, folder);
+            fprintf(out, "%s:%d:%d: %s: %s\n", diagnostic.file, diagnostic.line, diagnostic.column,
+                    diagnostic.severity, diagnostic.text);
+            source_line_print(out, diagnostic.file, diagnostic.line, diagnostic.column);
+            n_messages++;
+        } else {
+            fprintf(out, "%s: %s\n", path, line);
+            n_messages++;
+        }
+        free(line);
+        start += length + (start[length] == '\n');
+    }
+    return n_messages;
+}

@@ -1,0 +1,32 @@
+// Device memory: clCreateImage and clCreateBuffer with the course's one format and its limits.
+#include "cl_memory.h"
+
+cl_mem cl_image_create(const ClSetup *cl, int width, int height)
+{
+    size_t max_width, max_height;
+    cl_setup_image_limit(cl, &max_width, &max_height);
+    if ((size_t)width > max_width || (size_t)height > max_height) {
+        fprintf(stderr, "--size: found %dx%d, expected at most %zux%zu on this device (%s)\n", width,
+                height, max_width, max_height, cl->device_name);
+        return NULL;
+    }
+    const cl_image_format format = {CL_RGBA, CL_FLOAT};
+    const cl_image_desc desc = {.image_type = CL_MEM_OBJECT_IMAGE2D,
+                                .image_width = (size_t)width,
+                                .image_height = (size_t)height};
+    cl_int error;
+    cl_mem d_image = clCreateImage(cl->context, CL_MEM_WRITE_ONLY, &format, &desc, NULL, &error);
+    CL_CHECK_CREATED(error, clCreateImage);
+    return d_image;
+}
+
+cl_mem cl_buffer_create(const ClSetup *cl, const void *h_bytes, size_t n_bytes)
+{
+    static const char unused_byte = 0;
+    cl_int error;
+    cl_mem d_buffer = clCreateBuffer(cl->context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR,
+                                     n_bytes ? n_bytes : sizeof unused_byte,
+                                     (void *)(n_bytes ? h_bytes : &unused_byte), &error);
+    CL_CHECK_CREATED(error, clCreateBuffer);
+    return d_buffer;
+}

@@ -1,0 +1,15 @@
+// Device memory as every lab needs it: the image it draws into, and read-only buffers.
+#ifndef COMMON_CL_MEMORY_H
+#define COMMON_CL_MEMORY_H
+
+#include "cl_setup.h"
+
+// Make an RGBA float image that kernels write. Returns it, or NULL after one message on stderr when
+// the picture is larger than the device takes. Release with clReleaseMemObject.
+cl_mem cl_image_create(const ClSetup *cl, int width, int height);
+
+// A buffer the kernel only reads, filled from the host; of one unused byte where n_bytes is 0, as
+// OpenCL knows no empty buffer. Release with clReleaseMemObject.
+cl_mem cl_buffer_create(const ClSetup *cl, const void *h_bytes, size_t n_bytes);
+
+#endif

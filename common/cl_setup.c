@@ -1,0 +1,154 @@
+// A device, its context and its queue (see cl_setup.h).
+//
+// Flow: scene -> BUFFERS -> KERNEL -> image -> comparison: opened before the first buffer is made.
+// Read next: cl_build.c, where programs are built.
+#include "cl_setup.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+// More than any machine of a course has; what is beyond is not listed.
+#define MAX_PLATFORMS 16
+#define MAX_DEVICES 64
+
+typedef struct DeviceList {
+    cl_device_id ids[MAX_DEVICES];
+    char names[MAX_DEVICES][256];  // "platform: device"
+    int n_devices;
+} DeviceList;
+
+static void devices_add_platform(DeviceList *list, cl_platform_id platform)
+{
+    cl_device_id ids[MAX_DEVICES];
+    cl_uint n_ids = 0;
+    // A platform without devices reports an error; the others may still have some.
+    if (clGetDeviceIDs(platform, CL_DEVICE_TYPE_ALL, MAX_DEVICES, ids, &n_ids) != CL_SUCCESS)
+        return;
+
+    char platform_name[120] = "unnamed platform";
+    clGetPlatformInfo(platform, CL_PLATFORM_NAME, sizeof platform_name, platform_name, NULL);
+    for (cl_uint i = 0; i < n_ids && list->n_devices < MAX_DEVICES; i++) {
+        char device_name[120] = "unnamed device";
+        clGetDeviceInfo(ids[i], CL_DEVICE_NAME, sizeof device_name, device_name, NULL);
+        snprintf(list->names[list->n_devices], sizeof list->names[0], "%s: %s", platform_name,
+                 device_name);
+        list->ids[list->n_devices++] = ids[i];
+    }
+}
+
+// Find every device, platform by platform. Returns 0, or -1 after one message when there is none.
+static int devices_find(DeviceList *list)
+{
+    cl_platform_id platforms[MAX_PLATFORMS];
+    cl_uint n_platforms = 0;
+    list->n_devices = 0;
+    // Without any driver the loader reports an error instead of zero platforms.
+    if (clGetPlatformIDs(MAX_PLATFORMS, platforms, &n_platforms) != CL_SUCCESS)
+        n_platforms = 0;
+    if (n_platforms > MAX_PLATFORMS)
+        n_platforms = MAX_PLATFORMS;
+    for (cl_uint i = 0; i < n_platforms; i++)
+        devices_add_platform(list, platforms[i]);
+
+    if (list->n_devices == 0) {
+        fprintf(stderr, "OpenCL: found no %s; install a driver (apt install pocl-opencl-icd runs on "
+                        "every CPU) and check with clinfo\n",
+                n_platforms == 0 ? "platform" : "device on any platform");
+        return -1;
+    }
+    return 0;
+}
+
+static int contains_in_any_case(const char *text, const char *part)
+{
+    size_t part_length = strlen(part);
+    for (; *text != '\0'; text++) {
+        if (strncasecmp(text, part, part_length) == 0)
+            return 1;
+    }
+    return 0;
+}
+
+// The position in the list of the device that a user named, or -1 after one message.
+static int devices_choose(const DeviceList *list, const char *choice)
+{
+    if (choice[strspn(choice, "0123456789")] == '\0') {
+        long number = strtol(choice, NULL, 10);
+        if (number < list->n_devices)
+            return (int)number;
+    } else {
+        for (int i = 0; i < list->n_devices; i++) {
+            if (contains_in_any_case(list->names[i], choice))
+                return i;
+        }
+    }
+    fprintf(stderr, "OpenCL: found no device \"%s\", expected a number or a part of a name from:",
+            choice);
+    for (int i = 0; i < list->n_devices; i++)
+        fprintf(stderr, "%s %d \"%s\"", i > 0 ? "," : "", i, list->names[i]);
+    fprintf(stderr, "\n");
+    return -1;
+}
+
+int cl_setup_open(const char *device_choice, ClSetup *setup)
+{
+    *setup = (ClSetup){0};
+    DeviceList list;
+    if (devices_find(&list) != 0)
+        return -1;
+
+    if (device_choice == NULL || device_choice[0] == '\0')
+        device_choice = getenv(CL_DEVICE_VARIABLE);
+    if (device_choice == NULL || device_choice[0] == '\0')
+        device_choice = "0";
+    int chosen = devices_choose(&list, device_choice);
+    if (chosen < 0)
+        return -1;
+    cl_device_id device = list.ids[chosen];
+
+    cl_bool has_images = CL_FALSE;
+    CL_CHECK(clGetDeviceInfo(device, CL_DEVICE_IMAGE_SUPPORT, sizeof has_images, &has_images, NULL));
+    if (!has_images) {
+        fprintf(stderr, "OpenCL: device %d \"%s\" has no images; choose another with --device\n",
+                chosen, list.names[chosen]);
+        return -1;
+    }
+
+    cl_int error = CL_SUCCESS;
+    setup->device = device;
+    setup->context = clCreateContext(NULL, 1, &device, NULL, NULL, &error);
+    CL_CHECK_CREATED(error, clCreateContext);
+    setup->queue = clCreateCommandQueue(setup->context, device, 0, &error);
+    CL_CHECK_CREATED(error, clCreateCommandQueue);
+    CL_CHECK(clGetDeviceInfo(device, CL_DEVICE_NAME, sizeof setup->device_name - 1,
+                             setup->device_name, NULL));
+    return 0;
+}
+
+void cl_setup_close(ClSetup *setup)
+{
+    if (setup->queue != NULL)
+        CL_CHECK(clReleaseCommandQueue(setup->queue));
+    if (setup->context != NULL)
+        CL_CHECK(clReleaseContext(setup->context));
+    *setup = (ClSetup){0};
+}
+
+int cl_setup_list(FILE *out)
+{
+    DeviceList list;
+    if (devices_find(&list) != 0)
+        return -1;
+    for (int i = 0; i < list.n_devices; i++)
+        fprintf(out, "%d  %s\n", i, list.names[i]);
+    return 0;
+}
+
+void cl_setup_image_limit(const ClSetup *setup, size_t *max_width, size_t *max_height)
+{
+    CL_CHECK(clGetDeviceInfo(setup->device, CL_DEVICE_IMAGE2D_MAX_WIDTH, sizeof *max_width,
+                             max_width, NULL));
+    CL_CHECK(clGetDeviceInfo(setup->device, CL_DEVICE_IMAGE2D_MAX_HEIGHT, sizeof *max_height,
+                             max_height, NULL));
+}

@@ -1,0 +1,61 @@
+// Pictures in memory and in files: RGBA float, row 0 on top, through OpenImageIO.
+//
+// The only door to OpenImageIO: image.cpp wraps it and no C++ exception passes. EXR keeps every float
+// and is what gets compared; PNG is for people.
+// Flow: scene -> buffers -> kernel -> IMAGE -> COMPARISON.
+#ifndef COMMON_IMAGE_H
+#define COMMON_IMAGE_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define IMAGE_CHANNELS 4  // red, green, blue, alpha
+
+typedef struct Image {
+    int width;      // pixels
+    int height;     // pixels
+    float *pixels;  // [height][width][IMAGE_CHANNELS]
+} Image;
+
+// Make a picture with every value 0. Returns 0, or -1 after one message on stderr (size not
+// positive, no memory). Release with image_free().
+int image_create(int width, int height, Image *image);
+
+// Release the pixels; a zeroed Image is fine.
+void image_free(Image *image);
+
+// Write a picture; the ending decides: .exr (32-bit float) or .png (8 bits, values clamped to [0, 1];
+// the picture is shown over black, opaque, as the lecture shows it).
+// The file appears whole or not at all: it is written beside its place and renamed.
+// Returns 0, or -1 after one message on stderr.
+int image_save(const Image *image, const char *path);
+
+// Read a picture of any kind OpenImageIO knows into 4 channels (grey is spread, a missing alpha is
+// 1). Returns 0, or -1 after one message on stderr. Release with image_free().
+int image_load(const char *path, Image *image);
+
+typedef struct ImageDifference {
+    int same_size;         // 0: width or height differ, and nothing below is set
+    int n_not_finite;      // pixels with a NaN or an infinity in either picture
+    int n_different;       // pixels with a channel that differs by more than the tolerance, or not finite
+    int first_x, first_y;  // the first of those in reading order; -1, -1 when there is none
+    float max_difference;  // the largest difference of one channel over finite pixels
+} ImageDifference;
+
+// Compare two pictures channel by channel. Sizes and finiteness are checked before anything else:
+// a picture of NaNs, or a smaller one, never passes.
+ImageDifference image_compare(const Image *image, const Image *reference, float tolerance);
+
+// Where two pictures differ, for people: black where equal, the brighter the further apart
+// (|difference| summed over the channels, doubled, in the inferno colours). Both of the same size.
+// Returns 0, or -1 after one message on stderr. Release with image_free().
+int image_difference_picture(const Image *image, const Image *reference, Image *difference);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

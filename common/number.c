@@ -1,0 +1,63 @@
+// Numbers from text and back (see number.h).
+//
+// Flow: SCENE -> buffers -> kernel -> image -> comparison: the first thing that touches what a user
+// typed. Read next: scene2d_csv.c.
+#include "number.h"
+
+#include <errno.h>
+#include <locale.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+int number_read_integer(const char *text, int64_t lowest, int64_t highest, int64_t *value)
+{
+    // strtoll() skips spaces and takes a plus sign; a user who typed those typed something else.
+    size_t sign = text[0] == '-';
+    if (text[sign] == '\0' || strspn(text + sign, "0123456789") != strlen(text + sign))
+        return -1;
+    errno = 0;
+    long long number = strtoll(text, NULL, 10);
+    if (errno != 0 || number < lowest || number > highest)
+        return -1;
+    *value = number;
+    return 0;
+}
+
+// strtof() and printf() follow the locale of the thread. A library that sets it to one with a decimal
+// comma must not change what a scene file means, so both run under the "C" locale.
+static locale_t locale_enter(void)
+{
+    static locale_t c_locale = (locale_t)0;
+    if (c_locale == (locale_t)0)
+        c_locale = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+    return uselocale(c_locale);
+}
+
+int number_read_float(const char *text, float *value)
+{
+    // Only these characters: strtof() alone would take "nan", "infinity", "0x10" and leading spaces.
+    if (text[0] == '\0' || strspn(text, "+-.0123456789eE") != strlen(text))
+        return -1;
+    locale_t caller_locale = locale_enter();
+    char *end = NULL;
+    float number = strtof(text, &end);
+    uselocale(caller_locale);
+    if (*end != '\0' || !isfinite(number))
+        return -1;
+    *value = number;
+    return 0;
+}
+
+void number_write_float(float value, char *text)
+{
+    locale_t caller_locale = locale_enter();
+    // 9 digits always bring a float back; most need fewer, and "7.5" reads better than "7.50000000".
+    for (int n_digits = 1; n_digits <= 9; n_digits++) {
+        snprintf(text, NUMBER_TEXT_SIZE, "%.*g", n_digits, (double)value);
+        if (strtof(text, NULL) == value)
+            break;
+    }
+    uselocale(caller_locale);
+}

@@ -1,0 +1,247 @@
+// The command line (see options.h).
+//
+// Flow: SCENE -> buffers -> kernel -> image -> comparison: what the user wants, before all else. One
+// table holds every option; reading, refusing and --help all follow it. Read next: a lab's main.c.
+#include "options.h"
+
+#include "cl_setup.h"
+#include "number.h"
+
+#include <errno.h>
+#include <getopt.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+// A picture's side at most: pixel coordinates stay exact in float, with 1/16 px to spare.
+#define LARGEST_SIDE 1000000
+#define LARGEST_COUNT 1000000000
+
+// The option's number in the table is also what getopt_long() returns for it; its own answers for
+// faults are '?' and ':', which are larger.
+enum OptionId { SCENE, SIZE, OUTPUT, FRAMES, STATS, DEVICE, MAX_DEPTH, LEAF_SIZE, LIST_DEVICES, HELP };
+
+static const struct OptionRow {
+    const char *name;
+    const char *argument;  // what --help calls it, NULL when there is none
+    int set;               // the OPTIONS_... it belongs to, 0: understood by every lab
+    const char *meaning;
+} ROWS[] = {
+    [SCENE] = {"scene", "NAME", OPTIONS_SCENE, "a .csv file or a generator (random)"},
+    [SIZE] = {"size", "WxH", 0, "the picture's size in pixels (the scene's own)"},
+    [OUTPUT] = {"output", "FILE", 0, "the picture, .png or .exr"},
+    [FRAMES] = {"frames", "N", 0, "draw N times, for measuring (1)"},
+    [STATS] = {"stats", "FILE", 0, "write the figures as JSON"},
+    [DEVICE] = {"device", "D", 0, "number or part of a name ($" CL_DEVICE_VARIABLE ", or the first)"},
+    [MAX_DEPTH] = {"max-depth", "N", OPTIONS_TREE, "levels of the tree, the root's included"},
+    [LEAF_SIZE] = {"leaf-size", "N", OPTIONS_TREE, "circles at which a node stays a leaf"},
+    [LIST_DEVICES] = {"list-devices", NULL, 0, "show the devices and end"},
+    [HELP] = {"help", NULL, 0, "show this and end"},
+};
+#define N_ROWS ((int)(sizeof ROWS / sizeof ROWS[0]))
+
+// The default of --output; an Options points to it.
+static char default_output[256];
+
+static int row_is_understood(const struct OptionRow *row, int set)
+{
+    return row->set == 0 || (row->set & set) != 0;
+}
+
+// Complain about an argument. Returns OPTIONS_BAD.
+static OptionsResult refuse(const char *lab_name, const char *option, const char *found,
+                            const char *expected)
+{
+    fprintf(stderr, "%s: --%s: found \"%s\", expected %s (try --help)\n", lab_name, option, found,
+            expected);
+    return OPTIONS_BAD;
+}
+
+static void print_help(const char *lab_name, const char *what, int set)
+{
+    printf("%s: %s\n\nOptions (and what holds without them):\n", lab_name, what);
+    for (int id = 0; id < N_ROWS; id++) {
+        const struct OptionRow *row = &ROWS[id];
+        if (!row_is_understood(row, set))
+            continue;
+        char option[32];
+        snprintf(option, sizeof option, "--%s %s", row->name, row->argument ? row->argument : "");
+        printf("  %-16s  %s", option, row->meaning);
+        if (id == OUTPUT)
+            printf(" (%s)", default_output);
+        if (id == MAX_DEPTH)
+            printf(" (%d; at most %d)", OPTIONS_DEFAULT_MAX_DEPTH, OPTIONS_LARGEST_MAX_DEPTH);
+        if (id == LEAF_SIZE)
+            printf(" (%d)", OPTIONS_DEFAULT_LEAF_SIZE);
+        printf("\n");
+    }
+}
+
+// "640x480". Returns 0, or -1.
+static int read_size(const char *text, int *width, int *height)
+{
+    char columns[16];
+    const char *cross = strchr(text, 'x');
+    if (cross == NULL || (size_t)(cross - text) >= sizeof columns)
+        return -1;
+    memcpy(columns, text, (size_t)(cross - text));
+    columns[cross - text] = '\0';
+
+    int64_t w, h;
+    if (number_read_integer(columns, 1, LARGEST_SIDE, &w) != 0 ||
+        number_read_integer(cross + 1, 1, LARGEST_SIDE, &h) != 0)
+        return -1;
+    *width = (int)w;
+    *height = (int)h;
+    return 0;
+}
+
+static int read_count(const char *text, int highest, int *count)
+{
+    int64_t number;
+    if (number_read_integer(text, 1, highest, &number) != 0)
+        return -1;
+    *count = (int)number;
+    return 0;
+}
+
+// Take one option in. Returns OPTIONS_RUN, or OPTIONS_BAD after one message.
+static OptionsResult read_option(const char *lab_name, enum OptionId id, const char *text,
+                                 Options *options)
+{
+    const char *expected = NULL;  // set when the text is not that
+    switch (id) {
+    case SCENE:
+        options->scene = text;
+        break;
+    case OUTPUT:
+        options->output = text;
+        break;
+    case STATS:
+        options->stats = text;
+        break;
+    case DEVICE:
+        options->device = text;
+        break;
+    case SIZE:
+        if (read_size(text, &options->width, &options->height) != 0)
+            expected = "WxH, two whole numbers from 1 to 1000000";
+        break;
+    case FRAMES:
+        if (read_count(text, LARGEST_COUNT, &options->n_frames) != 0)
+            expected = "a whole number of at least 1";
+        break;
+    case MAX_DEPTH:
+        if (read_count(text, OPTIONS_LARGEST_MAX_DEPTH, &options->max_depth) != 0)
+            expected = "a whole number from 1 to 24";
+        break;
+    case LEAF_SIZE:
+        if (read_count(text, LARGEST_COUNT, &options->leaf_size) != 0)
+            expected = "a whole number of at least 1";
+        break;
+    case LIST_DEVICES:
+    case HELP:
+        break;
+    }
+    return expected == NULL ? OPTIONS_RUN : refuse(lab_name, ROWS[id].name, text, expected);
+}
+
+_Static_assert(LARGEST_SIDE == 1000000 && OPTIONS_LARGEST_MAX_DEPTH == 24,
+               "the messages above name these limits");
+
+// Can a file be made at `path`? Found out before the work and not after it.
+static OptionsResult check_place(const char *lab_name, const char *option, const char *path)
+{
+    struct stat status;
+    if (stat(path, &status) == 0 && S_ISDIR(status.st_mode))
+        return refuse(lab_name, option, path, "a file, not a folder");
+
+    char folder[4096] = ".";
+    const char *slash = strrchr(path, '/');
+    size_t length = slash == NULL ? 1 : (size_t)(slash - path) + 1;
+    if (length >= sizeof folder)
+        return refuse(lab_name, option, path, "a shorter path");
+    if (slash != NULL)
+        memcpy(folder, path, length);
+    if (stat(folder, &status) != 0 || !S_ISDIR(status.st_mode))
+        return refuse(lab_name, option, path, "a file in a folder that exists");
+    if (access(folder, W_OK | X_OK) != 0)
+        return refuse(lab_name, option, path, "a file in a folder that can be written");
+    return OPTIONS_RUN;
+}
+
+static OptionsResult check_output(const char *lab_name, const char *path)
+{
+    if (path == default_output && mkdir("build", 0777) != 0 && errno != EEXIST) {
+        fprintf(stderr, "%s: cannot make the folder build: %s\n", lab_name, strerror(errno));
+        return OPTIONS_BAD;
+    }
+    const char *ending = strrchr(path, '.');
+    if (ending == NULL || (strcmp(ending, ".png") != 0 && strcmp(ending, ".exr") != 0))
+        return refuse(lab_name, "output", path, "a file that ends in .png or .exr");
+    return check_place(lab_name, "output", path);
+}
+
+// What getopt_long() could not take: an unknown option, or one without its argument.
+static OptionsResult report_fault(const char *lab_name, int fault, const char *word)
+{
+    const char *reason = fault == ':' ? "needs an argument" : "is no option of this lab, or wrong";
+    fprintf(stderr, "%s: %s %s (try --help)\n", lab_name, word, reason);
+    return OPTIONS_BAD;
+}
+
+// Go through the words. Returns as options_parse() does.
+static OptionsResult read_words(int argc, char **argv, const char *lab_name, const char *what,
+                                int set, Options *options)
+{
+    struct option understood[N_ROWS + 1];
+    int n_understood = 0;
+    for (int id = 0; id < N_ROWS; id++) {
+        if (row_is_understood(&ROWS[id], set)) {
+            int has_argument = ROWS[id].argument != NULL ? required_argument : no_argument;
+            understood[n_understood++] = (struct option){ROWS[id].name, has_argument, NULL, id};
+        }
+    }
+    understood[n_understood] = (struct option){NULL, 0, NULL, 0};
+
+    optind = 0;  // start afresh, for callers that read more than one command line
+    int id;
+    // ":" asks for silence on faults and for ':' where an argument is missing.
+    while ((id = getopt_long(argc, argv, ":", understood, NULL)) != -1) {
+        if (id == '?' || id == ':')
+            return report_fault(lab_name, id, argv[optind - 1]);
+        if (id == HELP) {
+            print_help(lab_name, what, set);
+            return OPTIONS_DONE;
+        }
+        if (id == LIST_DEVICES)
+            return cl_setup_list(stdout) == 0 ? OPTIONS_DONE : OPTIONS_BAD;
+        if (read_option(lab_name, (enum OptionId)id, optarg, options) != OPTIONS_RUN)
+            return OPTIONS_BAD;
+    }
+    if (optind < argc) {
+        fprintf(stderr, "%s: found the stray word \"%s\" (try --help)\n", lab_name, argv[optind]);
+        return OPTIONS_BAD;
+    }
+    return OPTIONS_RUN;
+}
+
+OptionsResult options_parse(int argc, char **argv, const char *lab_name, const char *what, int set,
+                            Options *options)
+{
+    snprintf(default_output, sizeof default_output, "build/%s.png", lab_name);
+    *options = (Options){
+        .scene = "random",
+        .output = default_output,
+        .n_frames = 1,
+        .max_depth = OPTIONS_DEFAULT_MAX_DEPTH,
+        .leaf_size = OPTIONS_DEFAULT_LEAF_SIZE,
+    };
+    OptionsResult result = read_words(argc, argv, lab_name, what, set, options);
+    if (result == OPTIONS_RUN)
+        result = check_output(lab_name, options->output);
+    if (result == OPTIONS_RUN && options->stats != NULL)
+        result = check_place(lab_name, "stats", options->stats);
+    return result;
+}

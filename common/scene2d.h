@@ -1,0 +1,61 @@
+// 2D scenes: circles from a CSV file or from a generator.
+//
+// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: a lab's main.c.
+//
+// A scene is named by one word, the argument of --scene:
+//     FILE.csv                               columns by name: x,y,radius,depth,r,g,b[,a]
+//     random[:n=N,seed=S,min=R,max=R]        N circles with radii of min to max pixels
+//     example                                the lecture's circles A to E on 10x10 pixels
+//     equal-depths, borders, touching, huge, tiny, outside, none      edge cases
+// Generated centres, radii and pixels lie on a grid of 1/16 px: every comparison is then exact in
+// float, whatever the order of the arithmetic, and two right pictures are equal to the bit.
+#ifndef COMMON_SCENE2D_H
+#define COMMON_SCENE2D_H
+
+#include "circle.h"
+
+#include <stdint.h>
+#include <stdio.h>
+
+typedef struct Scene2D {
+    Circle *circles;  // [n_circles], NULL when there is none
+    int n_circles;
+    int width;   // the picture it is made for, pixels
+    int height;
+} Scene2D;
+
+// The picture's size where neither --size nor the scene says one.
+#define SCENE2D_DEFAULT_SIZE 1024
+
+// What `random` makes where its arguments do not say: the lecture's 8192 circles.
+#define SCENE2D_DEFAULT_CIRCLES 8192
+
+// Load or generate the scene that `name` stands for (see above).
+//   width, height   the picture's size; 0, 0 when the user gave none: the scene then chooses
+//                   (10x10 for the example, SCENE2D_DEFAULT_SIZE squared for the others)
+// Returns 0, or -1 after one message on stderr that names the file and line or the argument, what was
+// found and what was expected. Release with scene2d_free().
+int scene2d_open(const char *name, int width, int height, Scene2D *scene);
+
+// Release the circles; a zeroed Scene2D is fine.
+void scene2d_free(Scene2D *scene);
+
+// Read circles from CSV text. The first line names the columns, in any order; unknown names are an
+// error, as are missing columns, text that is no number, NaN, infinities, a negative radius. Lines
+// that start with # are comments; a file of no bytes is an error, a header alone is an empty scene.
+//   name   what messages call the file
+// Sets circles and n_circles only. Returns 0, or -1 after one message on stderr.
+int scene2d_read_csv(FILE *file, const char *name, Scene2D *scene);
+
+// Write circles as CSV that reads back to the same floats. Returns 0, or -1 when writing failed.
+int scene2d_write_csv(FILE *file, const Scene2D *scene);
+
+// The random scene. width, height: where centres may lie. The same arguments give the same scene on
+// every machine. Returns 0, or -1 after one message on stderr (no memory).
+int scene2d_random(int n_circles, uint64_t seed, float min_radius, float max_radius, int width,
+                   int height, Scene2D *scene);
+
+// The edge cases by name ("example" included), or NULL after the last: for help texts and tests.
+const char *scene2d_edge_case(int index);
+
+#endif

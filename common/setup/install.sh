@@ -1,0 +1,51 @@
+#!/bin/sh
+# Install the packages of packages.txt that are missing for one target of make.
+#
+#     common/setup/install.sh demo|test|bench
+#
+# Does nothing and says nothing when all are there. Without apt it prints the list and stops.
+set -eu
+
+target=$1
+list=$(dirname "$0")/packages.txt
+
+# The names of the packages that the target needs, as this distribution calls them.
+ubuntu=$(grep -c '^ID=ubuntu' /etc/os-release 2>/dev/null || true)
+needed=$(awk -v target="$target" -v ubuntu="$ubuntu" '
+    /^#/ || NF < 2 { next }
+    index("," $2 ",", "," target ",") {
+        n = split($1, names, "/")
+        print ubuntu && n > 1 ? names[2] : names[1]
+    }' "$list")
+
+if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+    # Another system: trust a machine that has what the build asks for first, else tell and stop.
+    if command -v gcc >/dev/null && command -v g++ >/dev/null &&
+        pkg-config --exists OpenCL OpenImageIO jansson 2>/dev/null; then
+        exit 0
+    fi
+    echo "This system has no apt. Install what these Debian packages hold, then run make again:" >&2
+    echo "$needed" | sed 's/^/    /' >&2
+    exit 1
+fi
+
+missing=
+for package in $needed; do
+    status=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)
+    [ "$status" = installed ] || missing="$missing $package"
+done
+[ -n "$missing" ] || exit 0
+
+if [ "$(id -u)" -eq 0 ]; then
+    as_root=
+elif command -v sudo >/dev/null; then
+    as_root=sudo
+else
+    echo "Missing packages:$missing" >&2
+    echo "Neither root nor sudo here: ask an administrator to install them, then run make again." >&2
+    exit 1
+fi
+echo "Installing:$missing"
+$as_root apt-get update -q
+# shellcheck disable=SC2086 # the list is words on purpose
+$as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $missing

@@ -1,0 +1,30 @@
+// The 2D kd-tree on the host: the four packed arrays of kernels/kdtree2d.h, filled by lab 02, copied
+// to the device by lab 03, drawn by tree2d_draw.h.
+#ifndef COMMON_TREE2D_H
+#define COMMON_TREE2D_H
+
+#include "kdtree2d.h"
+
+// When a node stays a leaf.
+typedef struct KdTreeLimits {
+    int maxDepth;               // levels, the root's included: a node on level maxDepth is a leaf
+    int targetElementsPerNode;  // a node with this many circles or fewer is a leaf
+} KdTreeLimits;
+
+typedef struct KdTree2D {
+    NodeRel *nodes_Relations;  // [n_nodes]
+    u8 *nodes_flag;            // [n_nodes], LEAF or INNER
+    BBox2D *nodes_BBox;        // [n_nodes]
+    u32 *mapNode2Circles;      // [n_map]
+    u32 n_nodes;
+    u32 n_map;
+} KdTree2D;
+
+// Release the arrays; a zeroed tree is fine.
+void tree2d_free(KdTree2D *tree);
+
+// The most entries that the lists of one tree may have together (512 MiB of ids): a tree over it is
+// refused before it takes the machine's memory.
+#define TREE2D_MAX_ENTRIES (1u << 27)
+
+#endif

@@ -1,0 +1,222 @@
+// Lab 02: building the 2D kd-tree.
+//
+// Flow: scene -> BUFFERS (this file fills the tree's four) -> kernel -> image -> comparison. Called by
+// main.c here and in lab 03. Read the contracts in kdtree2d_build.h first, then kdtree2d_build() at
+// the end, which shows how the steps go together.
+#include "kdtree2d_build.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+BBox2D scene_bounds(const Circle *h_circles, u32 n_circles)
+{
+    if (n_circles == 0) {
+        return (BBox2D){0};
+    }
+    BBox2D box = {INFINITY, -INFINITY, INFINITY, -INFINITY};
+    for (u32 i = 0; i < n_circles; i++) {
+        const Circle c = h_circles[i];
+        box.minX = fminf(box.minX, c.x - c.radius);
+        box.maxX = fmaxf(box.maxX, c.x + c.radius);
+        box.minY = fminf(box.minY, c.y - c.radius);
+        box.maxY = fmaxf(box.maxY, c.y + c.radius);
+    }
+    // The last covered pixel of a row is at most floor(maxX), and maxX itself is outside a cell.
+    return (BBox2D){floorf(box.minX), floorf(box.maxX) + 1, floorf(box.minY), floorf(box.maxY) + 1};
+}
+
+int is_leaf(int level, u32 n_circles, KdTreeLimits limits)
+{
+    // TASK is_leaf: stop on level maxDepth, and at targetElementsPerNode circles or fewer.
+    (void)level, (void)n_circles, (void)limits;
+    return 1;
+    // END is_leaf
+}
+
+void split_box(BBox2D box, BBox2D *left, BBox2D *right)
+{
+    *left = box;
+    *right = box;
+    // TASK split_box: both start as the whole cell; move the one border of each that the split moves.
+
+    // END split_box
+}
+
+int circle_overlaps_box(Circle circle, BBox2D box)
+{
+    // TASK circle_overlaps_box: find the cell's point nearest to the centre, then ask whether the
+    // circle covers it. In double every step is exact for the scenes of this course.
+    (void)circle, (void)box;
+    return 0;
+    // END circle_overlaps_box
+}
+
+u32 distribute(const Circle *h_circles, const u32 *ids, u32 n_ids, BBox2D child, u32 *child_ids)
+{
+    // TASK distribute: ask circle_overlaps_box() for each of the node's circles. A circle that
+    // overlaps both children goes to both: this function is called once for each.
+    (void)h_circles, (void)ids, (void)n_ids, (void)child, (void)child_ids;
+    return 0;
+    // END distribute
+}
+
+void pack_leaf(KdTree2D *tree, u32 id, const u32 *ids, u32 n_ids)
+{
+    // TASK pack_leaf: circleMapOffset is the place of the count, as in {..., 2, 90, 90000, ...}.
+    (void)tree, (void)id, (void)ids, (void)n_ids;
+    // END pack_leaf
+}
+
+// A node that still holds its circles: waiting, in order of ids, to become an inner node or a leaf.
+typedef struct OpenNode {
+    u32 *ids;  // [n_ids], ascending; owned
+    u32 n_ids;
+    int level;
+} OpenNode;
+
+// The tree while it grows, and the open nodes beside it.
+typedef struct Builder {
+    KdTree2D tree;
+    OpenNode *open;     // [tree.n_nodes]; those before the node at work have given up their ids
+    u32 node_capacity;  // of the tree's node arrays and of open
+    u32 map_capacity;   // of tree.mapNode2Circles
+    u64 n_open_ids;     // ids that all open nodes hold together
+} Builder;
+
+// Room for one more node in every array that has one entry a node; doubling keeps growing cheap.
+static int reserve_node(Builder *builder)
+{
+    KdTree2D *tree = &builder->tree;
+    if (tree->n_nodes < builder->node_capacity) {
+        return 0;
+    }
+    const u32 capacity = builder->node_capacity ? 2 * builder->node_capacity : 256;
+    NodeRel *relations = realloc(tree->nodes_Relations, capacity * sizeof *relations);
+    tree->nodes_Relations = relations ? relations : tree->nodes_Relations;
+    u8 *flags = realloc(tree->nodes_flag, capacity * sizeof *flags);
+    tree->nodes_flag = flags ? flags : tree->nodes_flag;
+    BBox2D *boxes = realloc(tree->nodes_BBox, capacity * sizeof *boxes);
+    tree->nodes_BBox = boxes ? boxes : tree->nodes_BBox;
+    OpenNode *open = realloc(builder->open, capacity * sizeof *open);
+    builder->open = open ? open : builder->open;
+    if (relations == NULL || flags == NULL || boxes == NULL || open == NULL) {
+        return -1;
+    }
+    builder->node_capacity = capacity;
+    return 0;
+}
+
+// Room for n more entries in mapNode2Circles.
+static int reserve_map(Builder *builder, u32 n)
+{
+    KdTree2D *tree = &builder->tree;
+    if (tree->n_map + n <= builder->map_capacity) {
+        return 0;
+    }
+    const u32 capacity = 2 * builder->map_capacity + n;
+    u32 *map = realloc(tree->mapNode2Circles, capacity * sizeof *map);
+    if (map == NULL) {
+        return -1;
+    }
+    tree->mapNode2Circles = map;
+    builder->map_capacity = capacity;
+    return 0;
+}
+
+// Append an open node; its id is its position. Takes over `ids`, on failure too.
+static int add_node(Builder *builder, BBox2D box, u32 *ids, u32 n_ids, int level)
+{
+    if (reserve_node(builder) != 0) {
+        free(ids);
+        return -1;
+    }
+    KdTree2D *tree = &builder->tree;
+    const u32 id = tree->n_nodes++;
+    tree->nodes_Relations[id] = (NodeRel){.id = id};
+    tree->nodes_flag[id] = INNER;
+    tree->nodes_BBox[id] = box;
+    builder->open[id] = (OpenNode){ids, n_ids, level};
+    builder->n_open_ids += n_ids;
+    return 0;
+}
+
+// Append the child of an open node that has this cell.
+static int add_child(Builder *builder, const Circle *h_circles, OpenNode parent, BBox2D box)
+{
+    u32 *ids = malloc((parent.n_ids + 1) * sizeof *ids);
+    if (ids == NULL) {
+        return -1;
+    }
+    const u32 n_ids = distribute(h_circles, parent.ids, parent.n_ids, box, ids);
+    u32 *shrunk = realloc(ids, (n_ids + 1) * sizeof *ids);
+    return add_node(builder, box, shrunk ? shrunk : ids, n_ids, parent.level + 1);
+}
+
+// Turn open node `id` into an inner node with two open children, or into a leaf.
+static int close_node(Builder *builder, const Circle *h_circles, u32 id, KdTreeLimits limits)
+{
+    KdTree2D *tree = &builder->tree;
+    const OpenNode node = builder->open[id];
+    if (is_leaf(node.level, node.n_ids, limits)) {
+        if (reserve_map(builder, node.n_ids + 1) != 0) {
+            return -1;
+        }
+        pack_leaf(tree, id, node.ids, node.n_ids);
+    } else {
+        BBox2D left, right;
+        split_box(tree->nodes_BBox[id], &left, &right);
+        tree->nodes_Relations[id].lChild = tree->n_nodes;
+        tree->nodes_Relations[id].rChild = tree->n_nodes + 1;
+        if (add_child(builder, h_circles, node, left) != 0 ||
+            add_child(builder, h_circles, node, right) != 0) {
+            return -1;
+        }
+    }
+    builder->n_open_ids -= node.n_ids;
+    builder->open[id].ids = NULL;
+    free(node.ids);
+    return 0;
+}
+
+// Append the root, which holds every circle.
+static int add_root(Builder *builder, const Circle *h_circles, u32 n_circles)
+{
+    u32 *ids = malloc((n_circles + 1) * sizeof *ids);
+    if (ids == NULL) {
+        return -1;
+    }
+    for (u32 i = 0; i < n_circles; i++) {
+        ids[i] = i;
+    }
+    return add_node(builder, scene_bounds(h_circles, n_circles), ids, n_circles, 1);
+}
+
+int kdtree2d_build(const Circle *h_circles, u32 n_circles, KdTreeLimits limits, KdTree2D *tree)
+{
+    Builder builder = {0};
+    const char *failure = NULL;
+    if (add_root(&builder, h_circles, n_circles) != 0) {
+        failure = "no memory";
+    }
+    // Children are appended behind all nodes there are, so ids come out in breadth-first order.
+    for (u32 id = 0; failure == NULL && id < builder.tree.n_nodes; id++) {
+        if (close_node(&builder, h_circles, id, limits) != 0) {
+            failure = "no memory";
+        } else if (builder.tree.n_map + builder.n_open_ids > TREE2D_MAX_ENTRIES) {
+            failure = "the leaves would hold too many circles";
+        }
+    }
+    for (u32 id = 0; id < builder.tree.n_nodes; id++) {
+        free(builder.open[id].ids);
+    }
+    free(builder.open);
+    if (failure != NULL) {
+        fprintf(stderr, "kdtree2d_build: %s; choose a smaller --max-depth or a larger --leaf-size\n",
+                failure);
+        tree2d_free(&builder.tree);
+        return -1;
+    }
+    *tree = builder.tree;
+    return 0;
+}

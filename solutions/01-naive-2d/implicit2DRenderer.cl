@@ -1,0 +1,43 @@
+// Lab 01: implicit 2D rendering, the naive way: every pixel asks every circle.
+//
+// Flow: scene -> buffers -> KERNEL -> image -> comparison. Started by main.c.
+#include "overlaps_N_Nearer.cl"
+#include "work.h"
+#include "count_calls.h"
+
+// Draw the circles, one work-item a pixel.
+//   circles[n_circles]   the scene
+//   width, height        the picture, pixels; work-items outside it write nothing
+//   image                RGBA float, at least width x height; row 0 is the top row
+// A pixel that no circle covers is (0, 0, 0, 0). Source: lecture, "Implicit 2D rendering".
+kernel void implicit2DRenderer(global const Circle *circles, int n_circles, int width, int height,
+                               write_only image2d_t image WORK_PARAMETER)
+{
+    // TASK own_pixel: x counts columns, y rows. Work-items that fill up the last work-groups stand
+    // outside the picture and leave.
+    //> const int x = 0;
+    //> const int y = 0;
+    const int x = get_global_id(0);
+    const int y = get_global_id(1);
+    if (x >= width || y >= height) {
+        return;
+    }
+    // END own_pixel
+    WORK_BEGIN;
+
+    float4 color = (float4)(0.0f);
+    // TASK implicit2DRenderer: ask every circle, in the order of the array, and keep the colour of the
+    // nearest one that covers the pixel.
+    //> (void)circles, (void)n_circles;
+    float minDepth = INFINITY;
+    for (int i = 0; i < n_circles; i++) {
+        const Circle circle = circles[i];
+        if (overlaps_N_Nearer(x, y, circle, minDepth)) {
+            minDepth = circle.depth;
+            color = (float4)(circle.r, circle.g, circle.b, circle.a);
+        }
+    }
+    // END implicit2DRenderer
+    write_imagef(image, (int2)(x, y), color);
+    WORK_END(x, y);
+}

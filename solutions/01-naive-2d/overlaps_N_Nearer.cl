@@ -1,0 +1,18 @@
+// Lab 01: the question that every pixel asks every circle. Labs 01 and 03 build on it.
+//
+// Flow: scene -> buffers -> KERNEL -> image -> comparison. Called by implicit2DRenderer.cl.
+#include "circle.h"
+
+// Does the circle cover the pixel (x, y), and is it nearer than what the pixel has seen so far?
+//   minDepth   the depth of the nearest circle found yet
+// Returns 1 or 0. Source: lecture, "Implicit 2D rendering".
+int overlaps_N_Nearer(int x, int y, Circle circle, float minDepth)
+{
+    // TASK overlaps_N_Nearer: the boundary belongs to the circle (distance² <= radius²), and nearer is
+    // strict (depth < minDepth), so that of two equal depths the circle asked first keeps the pixel.
+    //> return 0;
+    const float dx = x - circle.x;
+    const float dy = y - circle.y;
+    return dx * dx + dy * dy <= circle.radius * circle.radius && circle.depth < minDepth;
+    // END overlaps_N_Nearer
+}

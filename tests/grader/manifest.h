@@ -1,0 +1,43 @@
+// A lab's manifest, labs/NN-name/lab.json: which files a student hands in, and which tasks (the marked
+// holes) earn how many points. It belongs to the instructor's tree, never to a submission.
+//
+//     { "title": "Naive 2D rendering",
+//       "files": ["overlaps_N_Nearer.cl", "implicit2DRenderer.cl"],
+//       "tasks": [ { "id": "overlaps_N_Nearer", "file": "overlaps_N_Nearer.cl",
+//                    "title": "Does a circle cover the pixel?", "points": 40,
+//                    "hint": "..." } ] }
+#ifndef GRADER_MANIFEST_H
+#define GRADER_MANIFEST_H
+
+enum {
+    MANIFEST_MAX_FILES = 8,
+    MANIFEST_MAX_TASKS = 6,
+};
+
+typedef struct Task {
+    char *id;     // as in the markers "// TASK id: ..." and "// END id"
+    char *file;   // one of the manifest's files
+    char *title;  // one line for people
+    int points;   // the sum over its checks
+    char *hint;   // shown when one of its checks fails
+} Task;
+
+typedef struct Manifest {
+    char lab[64];  // "01-naive-2d"
+    char *title;
+    char *files[MANIFEST_MAX_FILES];  // plain names without a folder
+    int n_files;
+    Task tasks[MANIFEST_MAX_TASKS];
+    int n_tasks;
+} Manifest;
+
+// Read labs_folder/lab/lab.json. Returns 0, or -1 after one message on stderr (missing, no JSON, a
+// field missing or of the wrong type, unknown fields, a file name with a slash or a leading dot, a
+// task whose file is not listed, an id given twice, points that do not add up to 100).
+int manifest_load(const char *labs_folder, const char *lab, Manifest *manifest);
+void manifest_free(Manifest *manifest);
+
+// The task with this id, or NULL.
+const Task *manifest_task(const Manifest *manifest, const char *id);
+
+#endif

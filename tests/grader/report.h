@@ -1,0 +1,22 @@
+// Writing one Result many ways. Each file appears whole or not at all; each function returns 0, or -1
+// after one message on stderr.
+#ifndef GRADER_REPORT_H
+#define GRADER_REPORT_H
+
+#include "manifest.h"
+#include "result.h"
+
+#include <stdio.h>
+
+// For the terminal: a line a check, grouped by task, messages and hints under the failed ones, the
+// score last. Colours only when `colours` is set.
+int report_text(FILE *out, const Manifest *manifest, const Result *result, int colours);
+
+// results.json; the schema is tests/results.schema.json.
+int report_json(const char *path, const Manifest *manifest, const Result *result);
+
+// One self-contained page: score, checks by task with messages and hints, and for each picture the
+// reference, the student's own and the difference side by side, embedded as PNG.
+int report_html(const char *path, const Manifest *manifest, const Result *result);
+
+#endif
