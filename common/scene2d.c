@@ -99,8 +99,7 @@ static int random_open(const char *name, Scene2D *scene)
     const char *colon = strchr(name, ':');
     if (colon != NULL) {
         char *list = strdup(colon + 1);
-        int result = list == NULL ? report(name, "", "more memory")
-                                  : arguments_read(name, list, &arguments);
+        int result = list == NULL ? scene2d_report_memory() : arguments_read(name, list, &arguments);
         free(list);
         if (result != 0)
             return -1;
@@ -113,10 +112,12 @@ static int edge_case_open(const SceneEdgeCase *edge_case, Scene2D *scene)
 {
     scene->circles = calloc(SCENE2D_EDGE_CASE_CIRCLES, sizeof *scene->circles);
     if (scene->circles == NULL)
-        return report(edge_case->name, "", "more memory");
+        return scene2d_report_memory();
     edge_case->draw(scene);
-    if (scene->n_circles == 0)
-        scene2d_free_circles(scene);
+    if (scene->n_circles == 0) {
+        free(scene->circles);
+        scene->circles = NULL;
+    }
     return 0;
 }
 
@@ -130,4 +131,68 @@ static int csv_open(const char *path, Scene2D *scene)
     int result = scene2d_read_csv(file, path, scene);
     fclose(file);
     return result;
+}
+
+static int report_unknown(const char *name)
+{
+    fprintf(stderr, "--scene %s: found no such scene, expected FILE.csv, "
+                    RANDOM_NAME "[:n=N,seed=S,min=R,max=R]", name);
+    for (int i = 0; scene2d_edge_case(i) != NULL; i++)
+        fprintf(stderr, ", %s", scene2d_edge_case(i));
+    fprintf(stderr, "\n");
+    return -1;
+}
+
+static const SceneEdgeCase *edge_case_find(const char *name)
+{
+    for (const SceneEdgeCase *edge_case = SCENE2D_EDGE_CASES; edge_case->name != NULL; edge_case++) {
+        if (strcmp(edge_case->name, name) == 0)
+            return edge_case;
+    }
+    return NULL;
+}
+
+static int ends_in_csv(const char *name)
+{
+    size_t length = strlen(name);
+    return length > 4 && strcmp(name + length - 4, ".csv") == 0;
+}
+
+int scene2d_open(const char *name, int width, int height, Scene2D *scene)
+{
+    const SceneEdgeCase *edge_case = edge_case_find(name);
+    int size_is_given = width > 0 && height > 0;
+    *scene = (Scene2D){.width = SCENE2D_DEFAULT_SIZE, .height = SCENE2D_DEFAULT_SIZE};
+    if (size_is_given) {
+        scene->width = width;
+        scene->height = height;
+    } else if (edge_case != NULL && edge_case->width > 0) {
+        scene->width = edge_case->width;
+        scene->height = edge_case->height;
+    }
+
+    if (edge_case != NULL)
+        return edge_case_open(edge_case, scene);
+    if (ends_in_csv(name))
+        return csv_open(name, scene);
+    if (strcmp(name, RANDOM_NAME) == 0 || strncmp(name, RANDOM_NAME ":", 7) == 0)
+        return random_open(name, scene);
+    return report_unknown(name);
+}
+
+void scene2d_free(Scene2D *scene)
+{
+    free(scene->circles);
+    *scene = (Scene2D){0};
+}
+
+int scene2d_report_memory(void)
+{
+    fprintf(stderr, "scene: out of memory\n");
+    return -1;
+}
+
+const char *scene2d_edge_case(int index)
+{
+    return SCENE2D_EDGE_CASES[index].name;
 }

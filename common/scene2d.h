@@ -4,7 +4,8 @@
 //
 // A scene is named by one word, the argument of --scene:
 //     FILE.csv                               columns by name: x,y,radius,depth,r,g,b[,a]
-//     random[:n=N,seed=S,min=R,max=R]        N circles with radii of min to max pixels
+//     random[:n=N,seed=S,min=R,max=R]        N circles with radii of min to max pixels, 2 to 20 where
+//                                            not given; arguments in any order
 //     example                                the lecture's circles A to E on 10x10 pixels
 //     equal-depths, borders, touching, huge, tiny, outside, none      edge cases
 // Generated centres, radii and pixels lie on a grid of 1/16 px: every comparison is then exact in
@@ -30,6 +31,13 @@ typedef struct Scene2D {
 // What `random` makes where its arguments do not say: the lecture's 8192 circles.
 #define SCENE2D_DEFAULT_CIRCLES 8192
 
+// The most circles of a scene: 320 MB.
+#define SCENE2D_MAX_CIRCLES 10000000
+
+// The largest generated radius whose boundary crosses the picture. In steps of 1/16 px its square
+// stays below 2^24, where float is exact; a larger one would round, and pictures could differ.
+#define SCENE2D_MAX_RADIUS 255
+
 // Load or generate the scene that `name` stands for (see above).
 //   width, height   the picture's size; 0, 0 when the user gave none: the scene then chooses
 //                   (10x10 for the example, SCENE2D_DEFAULT_SIZE squared for the others)
@@ -42,7 +50,8 @@ void scene2d_free(Scene2D *scene);
 
 // Read circles from CSV text. The first line names the columns, in any order; unknown names are an
 // error, as are missing columns, text that is no number, NaN, infinities, a negative radius. Lines
-// that start with # are comments; a file of no bytes is an error, a header alone is an empty scene.
+// that start with # are comments, empty lines are skipped; a file without a header is an error, a
+// header alone is an empty scene. Colours go from 0 to 1; a missing column `a` is 1.
 //   name   what messages call the file
 // Sets circles and n_circles only. Returns 0, or -1 after one message on stderr.
 int scene2d_read_csv(FILE *file, const char *name, Scene2D *scene);
@@ -50,12 +59,14 @@ int scene2d_read_csv(FILE *file, const char *name, Scene2D *scene);
 // Write circles as CSV that reads back to the same floats. Returns 0, or -1 when writing failed.
 int scene2d_write_csv(FILE *file, const Scene2D *scene);
 
-// The random scene. width, height: where centres may lie. The same arguments give the same scene on
+// The random scene. width, height: where centres may lie; radii are rounded to the grid,
+// 0 <= min_radius <= max_radius <= SCENE2D_MAX_RADIUS. The same arguments give the same scene on
 // every machine. Returns 0, or -1 after one message on stderr (no memory).
 int scene2d_random(int n_circles, uint64_t seed, float min_radius, float max_radius, int width,
                    int height, Scene2D *scene);
 
-// The edge cases by name ("example" included), or NULL after the last: for help texts and tests.
+// The edge cases by name ("example" included), or NULL for the index after the last:
+// for help texts and tests.
 const char *scene2d_edge_case(int index);
 
 #endif

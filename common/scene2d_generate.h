@@ -1,4 +1,4 @@
-// The generators behind the scene names of scene2d.h: tables for scene2d.c, not for labs.
+// What scene2d.c and the files of the generators share; labs do not need it.
 //
 // Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: scene2d_edge_cases.c.
 #ifndef COMMON_SCENE2D_GENERATE_H
@@ -6,20 +6,24 @@
 
 #include "scene2d.h"
 
-// Generated coordinates are whole numbers of these steps a pixel.
-#define SCENE2D_STEPS_PER_PIXEL 16
+// Generated coordinates are whole numbers of steps; this many make a pixel.
+#define STEPS_PER_PIXEL 16
 
-// One edge case. `draw` adds circles to a scene that has room for SCENE2D_EDGE_CASE_CIRCLES of them
-// and already knows its width and height.
+// The most circles of an edge case.
+#define SCENE2D_EDGE_CASE_CIRCLES 512
+
+// One edge case. `draw` adds circles to a scene that knows its size and has room for
+// SCENE2D_EDGE_CASE_CIRCLES of them.
 typedef struct SceneEdgeCase {
     const char *name;
-    int width, height;  // the picture's size where the user gives none
     void (*draw)(Scene2D *scene);
+    int width, height;  // the picture's size where the user gives none; 0, 0: the usual one
 } SceneEdgeCase;
-
-#define SCENE2D_EDGE_CASE_CIRCLES 512
 
 // All edge cases; the last has the name NULL.
 extern const SceneEdgeCase SCENE2D_EDGE_CASES[];
+
+// Say that memory ran out. Returns -1.
+int scene2d_report_memory(void);
 
 #endif

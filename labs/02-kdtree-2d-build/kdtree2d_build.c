@@ -39,7 +39,7 @@ void split_box(BBox2D box, BBox2D *left, BBox2D *right)
     *left = box;
     *right = box;
     // TASK split_box: both start as the whole cell; move the one border of each that the split moves.
-
+    // (your code)
     // END split_box
 }
 

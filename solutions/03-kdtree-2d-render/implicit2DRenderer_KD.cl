@@ -48,7 +48,7 @@ kernel void implicit2DRenderer_KD(global const Circle *circles,
 
     uint id = 0;
     // TASK descent: from the root, id = 0, go to the child that holds the pixel until id is a leaf.
-    //> (void)nodes_flag, (void)nodes_BBox;
+    //> (void)id, (void)nodes_flag, (void)nodes_BBox;
     while (nodes_flag[id] != LEAF) {
         id = getContainingChild(x, y, id, nodes_Relations, nodes_BBox);
     }

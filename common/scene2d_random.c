@@ -1,0 +1,51 @@
+// The random scene (scene2d_random() of scene2d.h).
+//
+// Flow: SCENE -> buffers -> kernel -> image -> comparison. Everything is drawn as a whole number and
+// divided by a power of two, so no rounding can differ between machines. Read next: random.h.
+#include "random.h"
+#include "scene2d_generate.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#define DEPTH_STEPS 4096     // depths are k / 4096, below 1
+#define DARKEST_COLOUR 48    // of 255: circles stand out from the black background
+#define BRIGHTEST_COLOUR 255
+
+static float random_in_pixels(Random *random, int64_t lowest_step, int64_t highest_step)
+{
+    return (float)random_integer(random, lowest_step, highest_step) / STEPS_PER_PIXEL;
+}
+
+static float random_colour(Random *random)
+{
+    return (float)random_integer(random, DARKEST_COLOUR, BRIGHTEST_COLOUR) / BRIGHTEST_COLOUR;
+}
+
+int scene2d_random(int n_circles, uint64_t seed, float min_radius, float max_radius, int width,
+                   int height, Scene2D *scene)
+{
+    *scene = (Scene2D){.width = width, .height = height};
+    if (n_circles == 0)
+        return 0;
+    scene->circles = calloc((size_t)n_circles, sizeof *scene->circles);
+    if (scene->circles == NULL)
+        return scene2d_report_memory();
+    scene->n_circles = n_circles;
+
+    Random random = {seed};
+    int64_t min_steps = llroundf(min_radius * STEPS_PER_PIXEL);
+    int64_t max_steps = llroundf(max_radius * STEPS_PER_PIXEL);
+    for (int i = 0; i < n_circles; i++) {
+        Circle *circle = &scene->circles[i];
+        circle->x = random_in_pixels(&random, 0, (int64_t)width * STEPS_PER_PIXEL);
+        circle->y = random_in_pixels(&random, 0, (int64_t)height * STEPS_PER_PIXEL);
+        circle->radius = random_in_pixels(&random, min_steps, max_steps);
+        circle->depth = (float)random_integer(&random, 0, DEPTH_STEPS - 1) / DEPTH_STEPS;
+        circle->r = random_colour(&random);
+        circle->g = random_colour(&random);
+        circle->b = random_colour(&random);
+        circle->a = 1;
+    }
+    return 0;
+}

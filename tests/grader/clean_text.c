@@ -1,0 +1,165 @@
+// Text of unknown origin made fit for a report (see clean_text.h).
+//
+// Flow: judging -> result -> REPORTS. Read next: report_text.c.
+#include "clean_text.h"
+
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define REPLACEMENT "\xEF\xBF\xBD"  // U+FFFD
+
+// How a message that is too long is shared out between its beginning and its end.
+enum {
+    HEAD_LINES = 29,
+    TAIL_LINES = 10,  // and one line between them says how many were left out
+    HEAD_BYTES = 6000,
+    TAIL_BYTES = 1900,
+    LINE_TAIL_BYTES = 100,
+};
+
+// A grading that ran out of memory must not end with an exit status that means a grade.
+static void *memory_for(size_t n_bytes)
+{
+    void *bytes = malloc(n_bytes);
+    if (bytes == NULL) {
+        fprintf(stderr, "report: no memory for a text of %zu bytes\n", n_bytes);
+        abort();
+    }
+    return bytes;
+}
+
+// Read one character of UTF-8. Returns its length in bytes, or 0 when it is none: broken off, longer
+// than needed, half of a surrogate pair or beyond U+10FFFF.
+static int utf8_read(const unsigned char *bytes, uint32_t *character)
+{
+    static const uint32_t lowest[] = {0, 0, 0x80, 0x800, 0x10000};
+    int length = bytes[0] < 0x80             ? 1
+                 : (bytes[0] & 0xE0) == 0xC0 ? 2
+                 : (bytes[0] & 0xF0) == 0xE0 ? 3
+                 : (bytes[0] & 0xF8) == 0xF0 ? 4
+                                             : 0;
+    if (length < 2) {
+        *character = bytes[0];
+        return length;
+    }
+    uint32_t read = bytes[0] & (0x7Fu >> length);
+    for (int i = 1; i < length; i++) {
+        if ((bytes[i] & 0xC0) != 0x80)
+            return 0;
+        read = read << 6 | (bytes[i] & 0x3Fu);
+    }
+    *character = read;
+    int is_surrogate = read >= 0xD800 && read <= 0xDFFF;
+    return read < lowest[length] || is_surrogate || read > 0x10FFFF ? 0 : length;
+}
+
+static int is_showable(uint32_t character)
+{
+    int is_control = character < 0x20 || (character >= 0x7F && character <= 0x9F);
+    // Line separators, and the marks that make text read in another order than it is written.
+    int is_ordering = character == 0x200E || character == 0x200F || character == 0x061C
+                      || (character >= 0x2028 && character <= 0x202E)
+                      || (character >= 0x2066 && character <= 0x2069);
+    return !is_control && !is_ordering;
+}
+
+static char *showable(const char *text, int one_line)
+{
+    // Each byte becomes three at worst.
+    char *clean = memory_for(strlen(text) * strlen(REPLACEMENT) + 1);
+    char *end = clean;
+    for (const unsigned char *from = (const unsigned char *)text; *from != '\0';) {
+        uint32_t character;
+        int length = utf8_read(from, &character);
+        if (from[0] == '\r' && from[1] == '\n') {
+            from++;
+        } else if (*from == '\n' || *from == '\t') {
+            *end++ = one_line ? ' ' : (char)*from;
+            from++;
+        } else if (length > 0 && is_showable(character)) {
+            memcpy(end, from, (size_t)length);
+            end += length;
+            from += length;
+        } else {
+            memcpy(end, REPLACEMENT, strlen(REPLACEMENT));
+            end += strlen(REPLACEMENT);
+            from += length > 0 ? length : 1;
+        }
+    }
+    *end = '\0';
+    return clean;
+}
+
+// Replace what stands between head and tail by a note. Frees `text`.
+static char *middle_replace(char *text, size_t head, size_t tail, const char *note)
+{
+    size_t tail_length = strlen(text + tail);
+    size_t note_length = strlen(note);
+    char *shorter = memory_for(head + note_length + tail_length + 1);
+    memcpy(shorter, text, head);
+    memcpy(shorter + head, note, note_length);
+    memcpy(shorter + head + note_length, text + tail, tail_length + 1);
+    free(text);
+    return shorter;
+}
+
+static int is_inside_character(char byte)
+{
+    return ((unsigned char)byte & 0xC0) == 0x80;
+}
+
+// At most head_bytes + tail_bytes stay, whole characters only.
+static char *bytes_limit(char *text, size_t head_bytes, size_t tail_bytes)
+{
+    size_t length = strlen(text);
+    size_t head = head_bytes;
+    size_t tail = length - tail_bytes;
+    while (head > 0 && is_inside_character(text[head]))
+        head--;
+    while (tail < length && is_inside_character(text[tail]))
+        tail++;
+    char note[64];
+    snprintf(note, sizeof note, " [... %zu bytes left out ...] ", tail - head);
+    return middle_replace(text, head, tail, note);
+}
+
+static char *lines_limit(char *text)
+{
+    int n_lines = 1;
+    for (const char *at = text; (at = strchr(at, '\n')) != NULL; at++)
+        n_lines++;
+    if (n_lines <= MESSAGE_MAX_LINES)
+        return text;
+
+    const char *head = text;
+    const char *tail = text;
+    for (int i = 0; i < n_lines - TAIL_LINES; i++) {
+        if (i == HEAD_LINES)
+            head = tail;
+        tail = strchr(tail, '\n') + 1;
+    }
+    char note[64];
+    snprintf(note, sizeof note, "[... %d lines left out ...]\n", n_lines - HEAD_LINES - TAIL_LINES);
+    return middle_replace(text, (size_t)(head - text), (size_t)(tail - text), note);
+}
+
+char *message_clean(const char *message)
+{
+    char *text = showable(message != NULL ? message : "", 0);
+    for (size_t length = strlen(text); length > 0 && text[length - 1] == '\n'; length--)
+        text[length - 1] = '\0';
+    text = lines_limit(text);
+    if (strlen(text) > MESSAGE_MAX_BYTES)
+        text = bytes_limit(text, HEAD_BYTES, TAIL_BYTES);
+    return text;
+}
+
+char *line_clean(const char *line)
+{
+    char *text = showable(line != NULL ? line : "", 1);
+    if (strlen(text) > LINE_MAX_BYTES)
+        text = bytes_limit(text, LINE_MAX_BYTES - LINE_TAIL_BYTES, LINE_TAIL_BYTES);
+    return text;
+}

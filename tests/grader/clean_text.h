@@ -1,0 +1,23 @@
+// Text of unknown origin made fit for a report: a compiler's log, a message with a student's values.
+//
+// What comes out is valid UTF-8 in which nothing can move a terminal's cursor, turn the reading
+// direction or break a JSON string, and it is short enough to be read. It is NOT escaped for HTML:
+// html.h does that while writing.
+#ifndef GRADER_CLEAN_TEXT_H
+#define GRADER_CLEAN_TEXT_H
+
+// A longer message loses its middle: the first errors matter most, the last lines say how it ended.
+enum {
+    MESSAGE_MAX_LINES = 40,
+    MESSAGE_MAX_BYTES = 8000,
+    LINE_MAX_BYTES = 500,
+};
+
+// A message of one or more lines; newlines and tabs stay, trailing newlines go. What cannot be shown
+// becomes U+FFFD. NULL counts as "". Owned by the caller; ends the program when memory runs out.
+char *message_clean(const char *message);
+
+// The same for what must be one line (a path, a device's name): newlines and tabs become spaces.
+char *line_clean(const char *line);
+
+#endif

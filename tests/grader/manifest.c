@@ -1,0 +1,276 @@
+// Reading a lab's manifest, labs/NN-name/lab.json (see manifest.h).
+//
+// Flow: MANIFEST -> staging -> compiling -> running -> judging -> reports. The file is the instructor's
+// own, and a slip in it would cost a whole class points: every field is checked, and the message says
+// where it stands, what was found and what was expected. Read next: stage.h.
+#include "manifest.h"
+
+#include <errno.h>
+#include <jansson.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { POINTS_OF_A_LAB = 100 };
+
+// A value in the file, with the words for saying where it stands.
+typedef struct Place {
+    const char *path;    // of the file
+    char name[80];       // "tasks[2].points"; "" for the file's one object
+    const json_t *json;  // NULL when it is missing
+} Place;
+
+__attribute__((format(printf, 2, 3))) static int fault(const Place *place, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    fprintf(stderr, "%s: %s%s", place->path, place->name, place->name[0] != '\0' ? ": " : "");
+    vfprintf(stderr, format, arguments);
+    fputc('\n', stderr);
+    va_end(arguments);
+    return -1;
+}
+
+static int fault_kind(const Place *place, const char *expected)
+{
+    static const char *const kinds[] = {
+        [JSON_OBJECT] = "an object", [JSON_ARRAY] = "a list",      [JSON_STRING] = "a string",
+        [JSON_INTEGER] = "a number", [JSON_REAL] = "a fraction",   [JSON_TRUE] = "true",
+        [JSON_FALSE] = "false",      [JSON_NULL] = "null",
+    };
+    const char *found = place->json == NULL ? "nothing" : kinds[json_typeof(place->json)];
+    return fault(place, "found %s, expected %s", found, expected);
+}
+
+static Place place_field(const Place *object, const char *field)
+{
+    Place place = {.path = object->path, .json = json_object_get(object->json, field)};
+    snprintf(place.name, sizeof place.name, "%s%s%s", object->name,
+             object->name[0] != '\0' ? "." : "", field);
+    return place;
+}
+
+static Place place_item(const Place *list, int i)
+{
+    Place place = {.path = list->path, .json = json_array_get(list->json, (size_t)i)};
+    snprintf(place.name, sizeof place.name, "%.60s[%d]", list->name, i);
+    return place;
+}
+
+// A misspelt optional field would be lost without a word: refuse what is not known.
+//   known   NULL-terminated
+static int fields_check(const Place *object, const char *const *known)
+{
+    if (!json_is_object(object->json))
+        return fault_kind(object, "an object");
+    const char *name;
+    json_t *value;
+    json_object_foreach((json_t *)object->json, name, value)
+    {
+        int i = 0;
+        while (known[i] != NULL && strcmp(known[i], name) != 0)
+            i++;
+        if (known[i] == NULL)
+            return fault(object, "found an unknown field \"%s\"", name);
+    }
+    return 0;
+}
+
+static int text_read(const Place *place, char **text)
+{
+    if (!json_is_string(place->json))
+        return fault_kind(place, "a string");
+    if (json_string_length(place->json) == 0)
+        return fault(place, "found an empty string, expected some text");
+    *text = strdup(json_string_value(place->json));
+    return *text != NULL ? 0 : fault(place, "out of memory");
+}
+
+static int text_field_read(const Place *object, const char *field, char **text)
+{
+    Place place = place_field(object, field);
+    return text_read(&place, text);
+}
+
+static int list_length_read(const Place *list, int most, int *length)
+{
+    if (!json_is_array(list->json))
+        return fault_kind(list, "a list");
+    size_t found = json_array_size(list->json);
+    if (found < 1 || found > (size_t)most)
+        return fault(list, "found %zu entries, expected 1 to %d", found, most);
+    *length = (int)found;
+    return 0;
+}
+
+static int file_is_listed(const Manifest *manifest, const char *file)
+{
+    for (int i = 0; i < manifest->n_files; i++) {
+        if (strcmp(manifest->files[i], file) == 0)
+            return 1;
+    }
+    return 0;
+}
+
+static int files_read(const Place *object, Manifest *manifest)
+{
+    Place list = place_field(object, "files");
+    int n_files;
+    if (list_length_read(&list, MANIFEST_MAX_FILES, &n_files) != 0)
+        return -1;
+    for (int i = 0; i < n_files; i++) {
+        Place place = place_item(&list, i);
+        char *file = NULL;
+        if (text_read(&place, &file) != 0)
+            return -1;
+        int listed = file_is_listed(manifest, file);
+        manifest->files[manifest->n_files++] = file;
+        // Staging copies by these names: none may lead out of the submission's folder.
+        if (strchr(file, '/') != NULL || file[0] == '.')
+            return fault(&place, "found \"%s\", expected a plain file name", file);
+        if (listed)
+            return fault(&place, "found \"%s\" a second time", file);
+    }
+    return 0;
+}
+
+// An id is written in comments and on command lines.
+static int id_is_plain(const char *id)
+{
+    static const char allowed[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
+    return id[strspn(id, allowed)] == '\0';
+}
+
+static int points_read(const Place *object, int *points)
+{
+    Place place = place_field(object, "points");
+    if (!json_is_integer(place.json))
+        return fault_kind(&place, "a whole number");
+    json_int_t found = json_integer_value(place.json);
+    if (found < 1 || found > POINTS_OF_A_LAB)
+        return fault(&place, "found %" JSON_INTEGER_FORMAT ", expected 1 to %d", found,
+                     POINTS_OF_A_LAB);
+    *points = (int)found;
+    return 0;
+}
+
+// Read the next task. It is counted in `manifest` from the start, so that manifest_free() sees it.
+static int task_read(const Place *place, Manifest *manifest)
+{
+    static const char *const known[] = {"id", "file", "title", "points", "hint", NULL};
+    Task read = {0};
+    Task *task = &manifest->tasks[manifest->n_tasks];
+    *task = read;
+    if (fields_check(place, known) != 0 || text_field_read(place, "id", &read.id) != 0)
+        return -1;
+    int given = manifest_task(manifest, read.id) != NULL;
+    *task = read;
+    manifest->n_tasks++;
+    if (!id_is_plain(task->id))
+        return fault(place, "found the id \"%s\", expected letters, digits, _ and -", task->id);
+    if (given)
+        return fault(place, "found the id \"%s\" a second time", task->id);
+    if (text_field_read(place, "file", &task->file) != 0
+        || text_field_read(place, "title", &task->title) != 0
+        || points_read(place, &task->points) != 0
+        || text_field_read(place, "hint", &task->hint) != 0)
+        return -1;
+    if (!file_is_listed(manifest, task->file))
+        return fault(place, "found the file \"%s\", expected one of \"files\"", task->file);
+    return 0;
+}
+
+static int tasks_read(const Place *object, Manifest *manifest)
+{
+    Place list = place_field(object, "tasks");
+    int n_tasks;
+    if (list_length_read(&list, MANIFEST_MAX_TASKS, &n_tasks) != 0)
+        return -1;
+    int points = 0;
+    for (int i = 0; i < n_tasks; i++) {
+        Place place = place_item(&list, i);
+        if (task_read(&place, manifest) != 0)
+            return -1;
+        points += manifest->tasks[i].points;
+    }
+    if (points != POINTS_OF_A_LAB)
+        return fault(&list, "found %d points in all, expected %d", points, POINTS_OF_A_LAB);
+    return 0;
+}
+
+static int fields_read(const Place *object, Manifest *manifest)
+{
+    static const char *const known[] = {"title", "files", "tasks", NULL};
+    if (fields_check(object, known) != 0
+        || text_field_read(object, "title", &manifest->title) != 0
+        || files_read(object, manifest) != 0)
+        return -1;
+    return tasks_read(object, manifest);
+}
+
+static int file_read(const char *path, Manifest *manifest)
+{
+    Place place = {.path = path};
+    FILE *file = fopen(path, "rb");
+    if (file == NULL)
+        return fault(&place, "cannot read: %s", strerror(errno));
+    json_error_t error;
+    json_t *json = json_loadf(file, JSON_REJECT_DUPLICATES, &error);
+    fclose(file);
+    if (json == NULL) {
+        fprintf(stderr, "%s:%d: %s\n", path, error.line, error.text);
+        return -1;
+    }
+    place.json = json;
+    int result = fields_read(&place, manifest);
+    json_decref(json);
+    return result;
+}
+
+int manifest_load(const char *labs_folder, const char *lab, Manifest *manifest)
+{
+    *manifest = (Manifest){0};
+    if (lab[0] == '\0' || lab[0] == '.' || strchr(lab, '/') != NULL
+        || strlen(lab) >= sizeof manifest->lab) {
+        fprintf(stderr, "found the lab \"%s\", expected the name of a folder in %s\n", lab,
+                labs_folder);
+        return -1;
+    }
+    char path[4096];
+    int length = snprintf(path, sizeof path, "%s/%s/lab.json", labs_folder, lab);
+    if (length < 0 || (size_t)length >= sizeof path) {
+        fprintf(stderr, "%.60s...: the path of the labs' folder is too long\n", labs_folder);
+        return -1;
+    }
+    snprintf(manifest->lab, sizeof manifest->lab, "%s", lab);
+    if (file_read(path, manifest) != 0) {
+        manifest_free(manifest);
+        return -1;
+    }
+    return 0;
+}
+
+void manifest_free(Manifest *manifest)
+{
+    free(manifest->title);
+    for (int i = 0; i < manifest->n_files; i++)
+        free(manifest->files[i]);
+    for (int i = 0; i < manifest->n_tasks; i++) {
+        Task *task = &manifest->tasks[i];
+        free(task->id);
+        free(task->file);
+        free(task->title);
+        free(task->hint);
+    }
+    *manifest = (Manifest){0};
+}
+
+const Task *manifest_task(const Manifest *manifest, const char *id)
+{
+    for (int i = 0; i < manifest->n_tasks; i++) {
+        if (strcmp(manifest->tasks[i].id, id) == 0)
+            return &manifest->tasks[i];
+    }
+    return NULL;
+}

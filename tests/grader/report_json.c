@@ -1,0 +1,103 @@
+// results.json (see report.h; the schema is tests/results.schema.json).
+//
+// Flow: judging -> result -> REPORTS: for programs, so every other format can be made from it. Scores
+// are whole numbers. The seed has 64 bits and stands as a string of decimal digits, because many
+// readers of JSON keep numbers as doubles and would change it. Read next: class_report.c.
+#include "report.h"
+
+#include "clean_text.h"
+#include "output_file.h"
+
+#include <inttypes.h>
+#include <jansson.h>
+#include <stdlib.h>
+
+// In each of these, NULL (no memory, a number that is not finite) makes the whole that it becomes a
+// part of NULL as well: jansson hands it on.
+
+static json_t *json_line(const char *line)
+{
+    char *clean = line_clean(line);
+    json_t *string = json_string(clean);
+    free(clean);
+    return string;
+}
+
+static json_t *json_message(const char *message)
+{
+    char *clean = message_clean(message);
+    json_t *string = json_string(clean);
+    free(clean);
+    return string;
+}
+
+static json_t *stages_json(const Result *result)
+{
+    json_t *stages = json_array();
+    for (int i = 0; i < result->n_stages; i++) {
+        const StageResult *stage = &result->stages[i];
+        json_t *entry = json_pack("{s:o, s:s, s:o}", "title", json_line(stage->title), "status",
+                                  check_status_name(stage->status), "message",
+                                  json_message(stage->message));
+        if (json_array_append_new(stages, entry) != 0) {
+            json_decref(stages);
+            return NULL;
+        }
+    }
+    return stages;
+}
+
+static json_t *check_json(const CheckResult *check)
+{
+    return json_pack("{s:o, s:o, s:o, s:i, s:i, s:s, s:o}", "id", json_line(check->id), "title",
+                     json_line(check->title), "task", json_line(check->task), "points",
+                     check->points, "max_points", check->max_points, "status",
+                     check_status_name(check->status), "message", json_message(check->message));
+}
+
+static json_t *checks_json(const Result *result)
+{
+    json_t *checks = json_array();
+    for (int i = 0; i < result->n_checks; i++) {
+        if (json_array_append_new(checks, check_json(&result->checks[i])) != 0) {
+            json_decref(checks);
+            return NULL;
+        }
+    }
+    return checks;
+}
+
+static json_t *result_json(const Result *result)
+{
+    char seed[24];
+    snprintf(seed, sizeof seed, "%" PRIu64, result->seed);
+    return json_pack("{s:o, s:o, s:i, s:i, s:s, s:o, s:o, s:f, s:o, s:o}", "lab",
+                     json_line(result->lab), "title", json_line(result->title), "score",
+                     result->score, "max_score", result->max_score, "seed", seed, "device",
+                     json_line(result->device), "submission", json_line(result->submission),
+                     "seconds", result->seconds, "stages", stages_json(result), "checks",
+                     checks_json(result));
+}
+
+int report_json(const char *path, const Result *result)
+{
+    json_t *json = result_json(result);
+    if (json == NULL) {
+        fprintf(stderr, "%s: cannot write: a figure is not finite, or no memory\n", path);
+        return -1;
+    }
+    OutputFile output;
+    if (output_file_open(&output, path) != 0) {
+        json_decref(json);
+        return -1;
+    }
+    int written = json_dumpf(json, output.file, JSON_INDENT(2) | JSON_REAL_PRECISION(6)) == 0;
+    fputc('\n', output.file);
+    json_decref(json);
+    if (!written) {
+        output_file_discard(&output);
+        fprintf(stderr, "%s: cannot write\n", path);
+        return -1;
+    }
+    return output_file_commit(&output);
+}

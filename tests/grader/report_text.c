@@ -1,0 +1,198 @@
+// The report for the terminal (see report.h).
+//
+// Flow: judging -> result -> REPORTS. A line a check, so that a student sees at a glance what to do
+// next; messages and hints only where something failed. Read next: report_html.c.
+#include "report.h"
+
+#include "clean_text.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    PAGE_COLUMNS = 96,
+    MESSAGE_INDENT = 9,  // messages begin below the id of their check
+};
+
+typedef struct TextReport {
+    FILE *out;
+    int colours;
+    int id_columns;  // the longest id, so that the points stand below each other
+} TextReport;
+
+static const char *colour(const TextReport *report, const char *code)
+{
+    return report->colours ? code : "";
+}
+
+#define BOLD "\033[1m"
+#define GREEN "\033[32m"
+#define RED "\033[31m"
+#define GREY "\033[90m"
+#define PLAIN "\033[0m"
+
+static const char *status_colour(CheckStatus status)
+{
+    return status == CHECK_PASSED ? GREEN : status == CHECK_FAILED ? RED : GREY;
+}
+
+static const char *status_mark(CheckStatus status)
+{
+    return status == CHECK_PASSED ? "ok" : status == CHECK_FAILED ? "FAIL" : "--";
+}
+
+// Characters of UTF-8, which stand for columns: the bytes that begin one.
+static int columns_count(const char *text, size_t n_bytes)
+{
+    int columns = 0;
+    for (size_t i = 0; i < n_bytes; i++)
+        columns += ((unsigned char)text[i] & 0xC0) != 0x80;
+    return columns;
+}
+
+// How many bytes of `line` fit into `columns`: up to the last space that fits, or, of a word longer
+// than that, as much as fits.
+static size_t bytes_that_fit(const char *line, size_t n_bytes, int columns)
+{
+    size_t last_space = 0;
+    int column = 0;
+    for (size_t i = 0; i < n_bytes; i++) {
+        if (((unsigned char)line[i] & 0xC0) == 0x80)
+            continue;
+        if (line[i] == ' ' && column <= columns)
+            last_space = i;
+        if (column == columns)
+            return last_space > 0 ? last_space : i;
+        column++;
+    }
+    return n_bytes;
+}
+
+static void line_wrap(FILE *out, const char *line, size_t n_bytes)
+{
+    do {
+        size_t fitting = bytes_that_fit(line, n_bytes, PAGE_COLUMNS - MESSAGE_INDENT);
+        fprintf(out, "%*s%.*s\n", MESSAGE_INDENT, "", (int)fitting, line);
+        while (fitting < n_bytes && line[fitting] == ' ')
+            fitting++;
+        line += fitting;
+        n_bytes -= fitting;
+    } while (n_bytes > 0);
+}
+
+// A log is kept line by line, as its carets point at columns; prose is wrapped.
+typedef enum MessageKind { MESSAGE_PROSE, MESSAGE_LOG } MessageKind;
+
+static void message_print(FILE *out, const char *message, MessageKind kind)
+{
+    char *clean = message_clean(message);
+    for (const char *line = clean; *line != '\0';) {
+        size_t length = strcspn(line, "\n");
+        if (length == 0)
+            fputc('\n', out);
+        else if (kind == MESSAGE_PROSE)
+            line_wrap(out, line, length);
+        else
+            fprintf(out, "%*s%.*s\n", MESSAGE_INDENT, "", (int)length, line);
+        line += length + (line[length] == '\n');
+    }
+    free(clean);
+}
+
+static void head_print(const TextReport *report, const Result *result)
+{
+    char *device = line_clean(result->device);
+    char *submission = line_clean(result->submission);
+    int columns = columns_count(result->lab, strlen(result->lab)) + 2;
+    columns += columns_count(result->title, strlen(result->title));
+    fprintf(report->out, "%s%s%s  %s", colour(report, BOLD), result->lab, colour(report, PLAIN),
+            result->title);
+
+    char seed[32];
+    snprintf(seed, sizeof seed, "seed %llu", (unsigned long long)result->seed);
+    int origin_columns = (int)strlen(seed) + (int)strlen(", device , submission ")
+                         + columns_count(device, strlen(device))
+                         + columns_count(submission, strlen(submission));
+    // The device and the path may be long; they get a line of their own rather than none.
+    int gap = PAGE_COLUMNS - columns - origin_columns;
+    if (gap >= 2)
+        fprintf(report->out, "%*s", gap, "");
+    else
+        fputs("\n ", report->out);
+    fprintf(report->out, "%s, device %s, submission %s\n", seed, device, submission);
+    free(device);
+    free(submission);
+}
+
+static void stage_print(const TextReport *report, const StageResult *stage)
+{
+    int has_message = stage->message != NULL && stage->message[0] != '\0';
+    if (stage->status == CHECK_PASSED && !has_message)
+        return;
+    fprintf(report->out, "   %s%-4s%s  %s\n", colour(report, status_colour(stage->status)),
+            status_mark(stage->status), colour(report, PLAIN), stage->title);
+    int is_log = has_message && strchr(stage->message, '\n') != NULL;
+    message_print(report->out, stage->message, is_log ? MESSAGE_LOG : MESSAGE_PROSE);
+}
+
+static void check_print(const TextReport *report, const CheckResult *check)
+{
+    char points[32];
+    snprintf(points, sizeof points, "%d/%d", check->points, check->max_points);
+    fprintf(report->out, "   %s%-4s%s  %-*s  %7s  %s\n",
+            colour(report, status_colour(check->status)), status_mark(check->status),
+            colour(report, PLAIN), report->id_columns, check->id, points, check->title);
+    message_print(report->out, check->message, MESSAGE_PROSE);
+}
+
+static void hint_print(const TextReport *report, const Task *task)
+{
+    size_t n_bytes = strlen(task->hint) + sizeof "Hint: ";
+    char *hint = malloc(n_bytes);
+    if (hint == NULL)
+        return;
+    snprintf(hint, n_bytes, "Hint: %s", task->hint);
+    fputs(colour(report, BOLD), report->out);
+    message_print(report->out, hint, MESSAGE_PROSE);
+    fputs(colour(report, PLAIN), report->out);
+    free(hint);
+}
+
+static void task_print(const TextReport *report, const Task *task, const Result *result)
+{
+    TaskPoints sum = result_task_points(result, task->id);
+    char points[32];
+    snprintf(points, sizeof points, "%d/%d", sum.points, sum.max_points);
+    int columns = (int)strlen(" Task : ") + columns_count(task->id, strlen(task->id))
+                  + columns_count(task->title, strlen(task->title));
+    int gap = PAGE_COLUMNS - columns;
+    fprintf(report->out, "\n %sTask %s: %s%s%*s\n", colour(report, BOLD), task->id, task->title,
+            colour(report, PLAIN), gap > 8 ? gap : 8, points);
+    for (int i = 0; i < result->n_checks; i++) {
+        if (strcmp(result->checks[i].task, task->id) == 0)
+            check_print(report, &result->checks[i]);
+    }
+    if (sum.n_failed > 0)
+        hint_print(report, task);
+}
+
+int report_text(FILE *out, const Manifest *manifest, const Result *result, int colours)
+{
+    TextReport report = {.out = out, .colours = colours};
+    for (int i = 0; i < result->n_checks; i++) {
+        int length = (int)strlen(result->checks[i].id);
+        report.id_columns = length > report.id_columns ? length : report.id_columns;
+    }
+    head_print(&report, result);
+    for (int i = 0; i < result->n_stages; i++)
+        stage_print(&report, &result->stages[i]);
+    for (int i = 0; i < manifest->n_tasks; i++)
+        task_print(&report, &manifest->tasks[i], result);
+    fprintf(out, "\n %sScore %d/%d%s\n", colour(&report, BOLD), result->score, result->max_score,
+            colour(&report, PLAIN));
+    if (fflush(out) != 0 || ferror(out)) {
+        fprintf(stderr, "report: cannot write the text report\n");
+        return -1;
+    }
+    return 0;
+}
