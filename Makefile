@@ -20,6 +20,9 @@ CXXFLAGS = -std=c++17 $(OPTIMISATION) $(WARNINGS) $(SANITIZERS)
 .SECONDARY:
 .DEFAULT_GOAL := all
 
+# `make V=1` shows whole commands.
+say = $(if $(V),,@echo "  $(1)" && )
+
 # Asked only when something is compiled, so that `make demo` can install pkg-config first.
 IMAGE_CFLAGS = $(shell pkg-config --cflags OpenImageIO)
 LIBRARIES = $(shell pkg-config --libs OpenImageIO jansson) -lcsv -lOpenCL -lstdc++ -lm
@@ -40,21 +43,21 @@ COMMON_OBJECTS := $(call objects,$(wildcard common/*.c common/*.cpp))
 PROGRAMS := $(foreach tree,labs solutions,$(foreach l,$(notdir $(wildcard $(tree)/*)),$(BUILD)/$(tree)/$(l)))
 
 .PHONY: all
-all: $(PROGRAMS) $(BUILD)/grade  ## build every lab, every solution and the grader
+all: $(PROGRAMS) grader  ## build every lab, every solution and the grader
 
 # ---- Compiling ------------------------------------------------------------------------------
 
 $(BUILD)/obj/%.c.o: %.c
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $(DEPENDENCIES) $(INCLUDES) $(EXTRA) -c $< -o $@
+	$(call say,compile $<)$(CC) $(CFLAGS) $(DEPENDENCIES) $(INCLUDES) $(EXTRA) -c $< -o $@
 
 $(BUILD)/obj/%.cpp.o: %.cpp
 	@mkdir -p $(@D)
-	$(CXX) $(CXXFLAGS) $(DEPENDENCIES) $(INCLUDES) $(IMAGE_CFLAGS) -c $< -o $@
+	$(call say,compile $<)$(CXX) $(CXXFLAGS) $(DEPENDENCIES) $(INCLUDES) $(IMAGE_CFLAGS) -c $< -o $@
 
 $(BUILD)/libcommon.a: $(COMMON_OBJECTS)
 	@rm -f $@
-	ar rcs $@ $^
+	@ar rcs $@ $^
 
 # One program a lab: $(1) is labs or solutions, $(2) the lab's name.
 define lab_program
@@ -62,25 +65,69 @@ $(BUILD)/obj/$(1)/$(2)/%.o: EXTRA = -I $(1)/$(2) $(call include_path,$(2)) \
     -DLAB_NAME='"$(2)"' -DLAB_FOLDER='"$(1)/$(2)"' -DKERNEL_OPTIONS='"$(call include_path,$(2))"'
 $(BUILD)/$(1)/$(2): $(call objects,$(wildcard $(1)/$(2)/*.c)) $(BUILD)/earlier/$(2).a $(BUILD)/libcommon.a
 	@mkdir -p $$(@D)
-	$(CC) $(SANITIZERS) $$^ $$(LIBRARIES) -o $$@
+	$$(call say,link    $$@)$(CC) $(SANITIZERS) $$^ $$(LIBRARIES) -o $$@
 endef
 # The solutions of the labs before $(1) as an archive: the linker takes from it what the lab calls.
 define earlier_archive
 $(BUILD)/earlier/$(1).a: $(call objects,$(call earlier_sources,$(1)))
 	@mkdir -p $$(@D)
 	@rm -f $$@
-	ar rcs $$@ $$^
+	@ar rcs $$@ $$^
 endef
 $(foreach tree,labs solutions,$(foreach l,$(notdir $(wildcard $(tree)/*)),$(eval $(call lab_program,$(tree),$(l)))))
 $(foreach l,$(LABS),$(eval $(call earlier_archive,$(l))))
 
+# ---- The grader -----------------------------------------------------------------------------
+
+GRADER_MAINS = tests/grader/grade.c tests/grader/class_report.c tests/grader/holes_tool.c
+GRADER_SOURCES := $(filter-out $(GRADER_MAINS),$(wildcard tests/grader/*.c))
+# The grader makes its trees with the solution of lab 02.
+BUILDER = solutions/02-kdtree-2d-build/kdtree2d_build.c
+GRADER_INCLUDES = -I tests/grader -I tests/probes -I solutions/02-kdtree-2d-build
+$(BUILD)/obj/tests/%.o: EXTRA = $(GRADER_INCLUDES)
+
+$(BUILD)/libgrader.a: $(call objects,$(GRADER_SOURCES) tests/probes/sections.c $(BUILDER))
+	@rm -f $@
+	@ar rcs $@ $^
+
+$(BUILD)/tools/grade $(BUILD)/tools/class_report: $(BUILD)/tools/%: $(BUILD)/obj/tests/grader/%.c.o $(BUILD)/libgrader.a $(BUILD)/libcommon.a
+	@mkdir -p $(@D)
+	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -o $@
+
+# One probe a lab: an archive for labs with host files, which the grader links with the student's, and
+# a program for the others.
+PROBES := $(patsubst tests/probes/probe_%.c,%,$(wildcard tests/probes/probe_*.c))
+host_files = $(filter-out %/main.c,$(wildcard solutions/$(1)/*.c))
+define probe
+$(BUILD)/obj/tests/probes/probe_$(1).c.o: EXTRA = -I tests/probes -I solutions/$(1) \
+    -DLAB_NAME='"$(1)"' -DLAB_FOLDER='"labs/$(1)"' -DPROBE_KERNEL_OPTIONS='"$(call include_path,$(1))"'
+$(BUILD)/probes/$(1).a: $(call objects,tests/probes/probe_$(1).c tests/probes/probe.c tests/probes/sections.c)
+	@mkdir -p $$(@D)
+	@rm -f $$@
+	@ar rcs $$@ $$^
+$(BUILD)/probes/$(1): $(BUILD)/probes/$(1).a $(BUILD)/libcommon.a
+	$$(call say,link    $$@)$(CC) $$^ -lOpenCL -lm -o $$@
+PROBE_TARGETS += $(BUILD)/probes/$(1).a $(if $(call host_files,$(1)),,$(BUILD)/probes/$(1))
+endef
+$(foreach l,$(PROBES),$(eval $(call probe,$(l))))
+
+.PHONY: grader
+grader: $(BUILD)/tools/grade $(BUILD)/tools/class_report $(PROBE_TARGETS) $(foreach l,$(LABS),$(BUILD)/earlier/$(l).a)
+
+.PHONY: grade
+grade: grader  ## grade LAB=03 [SUBMISSION=folder] [SEED=n] [DEVICE=d]
+	@test -n "$(LAB)" || { echo "make grade: say which lab: make grade LAB=03" >&2; exit 2; }
+	@$(BUILD)/tools/grade --lab "$(LAB)" $(if $(SUBMISSION),--submission "$(SUBMISSION)") \
+	    $(if $(SEED),--seed "$(SEED)") $(if $(DEVICE),--device "$(DEVICE)")
+
 # ---- Skeletons: labs/ is cut from solutions/ ------------------------------------------------
 
-$(BUILD)/holes: $(call objects,tests/grader/holes_tool.c tests/grader/holes.c common/text_file.c)
-	$(CC) $(SANITIZERS) $^ -o $@
+$(BUILD)/tools/holes: $(call objects,tests/grader/holes_tool.c tests/grader/holes.c common/text_file.c)
+	@mkdir -p $(@D)
+	$(call say,link    $@)$(CC) $(SANITIZERS) $^ -o $@
 
 .PHONY: labs
-labs: $(BUILD)/holes  ## cut the skeletons in labs/ anew from solutions/
-	tests/cut_labs.sh $(BUILD)/holes labs
+labs: $(BUILD)/tools/holes  ## cut the skeletons in labs/ anew from solutions/
+	tests/cut_labs.sh $(BUILD)/tools/holes labs
 
 -include $(shell find $(BUILD)/obj -name '*.d' 2>/dev/null)

@@ -1,7 +1,8 @@
 // The compiler's log of an OpenCL program, made readable (see build_log.h).
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. One pass over the log, line by line; what
-// is understood as a diagnostic is followed by the source line it speaks of. Read next: cl_build.c.
+// Flow: scene -> buffers -> KERNEL -> image -> comparison. One pass over the log, line by line;
+// what is understood as a diagnostic is followed by the source line it speaks of.
+// Read next: cl_build.c.
 #include "build_log.h"
 
 #include <stdlib.h>

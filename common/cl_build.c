@@ -1,10 +1,11 @@
 // Programs from .cl files (cl_setup_build() of cl_setup.h).
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. The driver gets the text of a program and
-// not its file, so the text begins with a #line that says where it is from, and an -I that says where
-// its headers are. Read next: build_log.c.
+// Flow: scene -> buffers -> KERNEL -> image -> comparison. The driver gets the text of a program
+// and not its file, so the text begins with a #line that says where it is from, and an -I that says
+// where its headers are. Read next: build_log.c.
 #include "build_log.h"
 #include "cl_setup.h"
+#include "text_file.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -78,40 +79,25 @@ static void path_write_quoted(FILE *out, const char *path)
     fputc('"', out);
 }
 
-static void stream_copy(FILE *from, FILE *to)
-{
-    char block[4096];
-    size_t n_bytes;
-    while ((n_bytes = fread(block, 1, sizeof block, from)) > 0)
-        fwrite(block, 1, n_bytes, to);
-}
-
 // Read a program and write where it is from before it. Returns its text, to be freed, or NULL after
 // one message.
 static char *source_read(const char *path)
 {
+    char *program = text_file_read(path);
+    if (program == NULL)
+        return NULL;
     char *source = NULL;
     size_t length = 0;
-    FILE *file = fopen(path, "rb");
     FILE *text = open_memstream(&source, &length);
-    int ok = file != NULL && text != NULL;
-    if (ok) {
+    if (text != NULL) {
         fprintf(text, "#line 1 ");
         path_write_quoted(text, path);
-        fprintf(text, "\n");
-        stream_copy(file, text);
-        ok = !ferror(file) && !ferror(text);
-    }
-    int fault = errno;
-    if (file != NULL)
-        fclose(file);
-    if (text != NULL)
+        fprintf(text, "\n%s\n", program);
         fclose(text);
-    if (!ok) {
-        report(path, strerror(fault));
-        free(source);
-        return NULL;
     }
+    free(program);
+    if (source == NULL)
+        report(path, strerror(ENOMEM));
     return source;
 }
 

@@ -51,13 +51,15 @@ static int devices_find(DeviceList *list)
     for (cl_uint i = 0; i < n_platforms; i++)
         devices_add_platform(list, platforms[i]);
 
-    if (list->n_devices == 0) {
-        fprintf(stderr, "OpenCL: found no %s; install a driver (apt install pocl-opencl-icd runs on "
-                        "every CPU) and check with clinfo\n",
-                n_platforms == 0 ? "platform" : "device on any platform");
-        return -1;
-    }
-    return 0;
+    if (list->n_devices > 0)
+        return 0;
+    if (n_platforms == 0)
+        fprintf(stderr, "OpenCL: found no platform; install a driver (apt install pocl-opencl-icd "
+                        "runs on every CPU) and check with clinfo\n");
+    else
+        fprintf(stderr, "OpenCL: found a platform but no device; PoCL needs a cache folder that it "
+                        "can write (POCL_CACHE_DIR, or ~/.cache/pocl); check with clinfo\n");
+    return -1;
 }
 
 static int contains_in_any_case(const char *text, const char *part)
@@ -83,8 +85,8 @@ static int devices_choose(const DeviceList *list, const char *choice)
                 return i;
         }
     }
-    fprintf(stderr, "OpenCL: found no device \"%s\", expected a number or a part of a name from:",
-            choice);
+    fprintf(stderr,
+            "OpenCL: found no device \"%s\", expected a number or a part of a name from:", choice);
     for (int i = 0; i < list->n_devices; i++)
         fprintf(stderr, "%s %d \"%s\"", i > 0 ? "," : "", i, list->names[i]);
     fprintf(stderr, "\n");
@@ -108,7 +110,8 @@ int cl_setup_open(const char *device_choice, ClSetup *setup)
     cl_device_id device = list.ids[chosen];
 
     cl_bool has_images = CL_FALSE;
-    CL_CHECK(clGetDeviceInfo(device, CL_DEVICE_IMAGE_SUPPORT, sizeof has_images, &has_images, NULL));
+    CL_CHECK(
+        clGetDeviceInfo(device, CL_DEVICE_IMAGE_SUPPORT, sizeof has_images, &has_images, NULL));
     if (!has_images) {
         fprintf(stderr, "OpenCL: device %d \"%s\" has no images; choose another with --device\n",
                 chosen, list.names[chosen]);

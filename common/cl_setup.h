@@ -1,8 +1,8 @@
 // The OpenCL ground that every lab stands on: a device, its context, one in-order queue, and
 // programs built from .cl files with errors at the student's own file and line.
 //
-// Hidden here because it is not the lesson; clCreateBuffer, clSetKernelArg, clEnqueue... stay in the
-// labs. Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: a lab's main.c.
+// Hidden here because it is not the lesson; clCreateBuffer, clSetKernelArg, clEnqueue... stay in
+// the labs. Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: a lab's main.c.
 #ifndef COMMON_CL_SETUP_H
 #define COMMON_CL_SETUP_H
 
@@ -31,8 +31,8 @@ int cl_setup_open(const char *device_choice, ClSetup *setup);
 // Release what cl_setup_open() made; a zeroed ClSetup is fine.
 void cl_setup_close(ClSetup *setup);
 
-// Print every device, one "number  platform: device" a line. Returns 0, or -1 after one message when
-// there is no platform.
+// Print every device, one "number  platform: device" a line. Returns 0, or -1 after one message
+// when there is no platform.
 int cl_setup_list(FILE *out);
 
 // The largest image the device takes, in pixels.

@@ -1,8 +1,8 @@
 // Pictures in memory: made, released and compared, in plain C (see image.h).
 //
-// Flow: scene -> buffers -> kernel -> IMAGE -> COMPARISON. Comparing is our own code because those of
-// OpenImageIO let NaNs and smaller pictures pass; and programs that need no files load no library.
-// Read next: image.cpp, which reads and writes files.
+// Flow: scene -> buffers -> kernel -> IMAGE -> COMPARISON. Comparing is our own code because those
+// of OpenImageIO let NaNs and smaller pictures pass; and programs that need no files load no
+// library. Read next: image.cpp, which reads and writes files.
 #include "image.h"
 
 #include <math.h>
@@ -115,8 +115,8 @@ int image_difference_picture(const Image *image, const Image *reference, Image *
     size_t n_pixels = (size_t)image->width * (size_t)image->height;
     for (size_t i = 0; i < n_pixels; i++) {
         size_t offset = i * IMAGE_CHANNELS;
-        float brightness = difference_brightness(image->pixels + offset,
-                                                 reference->pixels + offset);
+        float brightness =
+            difference_brightness(image->pixels + offset, reference->pixels + offset);
         float *pixel = difference->pixels + offset;
         pixel[3] = 1;
         if (brightness > 0)

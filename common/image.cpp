@@ -1,7 +1,7 @@
 // Pictures in memory and in files (see image.h): the one C++ file, around OpenImageIO.
 //
-// Flow: scene -> buffers -> kernel -> IMAGE -> COMPARISON. Every function that C calls catches every
-// exception: one that reached C code would end the program without a message.
+// Flow: scene -> buffers -> kernel -> IMAGE -> COMPARISON. Every function that C calls catches
+// every exception: one that reached C code would end the program without a message.
 // Read next: image.c, where pictures are made and judged.
 #include "image.h"
 
@@ -19,7 +19,8 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace
+{
 
 int report(const char *path, const std::string &fault)
 {
@@ -33,8 +34,8 @@ bool path_ends_in(const char *path, const char *ending)
 {
     size_t path_length = std::strlen(path);
     size_t ending_length = std::strlen(ending);
-    return path_length > ending_length
-           && std::strcmp(path + path_length - ending_length, ending) == 0;
+    return path_length > ending_length &&
+           std::strcmp(path + path_length - ending_length, ending) == 0;
 }
 
 // Three bytes a pixel. Colours are premultiplied by alpha, so over black they are what they are.

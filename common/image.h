@@ -1,7 +1,8 @@
 // Pictures in memory and in files: RGBA float, row 0 on top, through OpenImageIO.
 //
-// The only door to OpenImageIO: image.cpp wraps it and no C++ exception passes. EXR keeps every float
-// and is what gets compared; PNG is for people.
+// Files are in image.cpp, the only door to OpenImageIO, through which no C++ exception passes; the
+// rest is in image.c and needs no library. EXR keeps every float and is what gets compared; PNG is
+// for people.
 // Flow: scene -> buffers -> kernel -> IMAGE -> COMPARISON.
 #ifndef COMMON_IMAGE_H
 #define COMMON_IMAGE_H
@@ -27,8 +28,8 @@ int image_create(int width, int height, Image *image);
 // Release the pixels; a zeroed Image is fine.
 void image_free(Image *image);
 
-// Write a picture; the ending decides: .exr (32-bit float) or .png (8 bits, values clamped to [0, 1];
-// the picture is shown over black, opaque, as the lecture shows it).
+// Write a picture; the ending decides: .exr (32-bit float) or .png (8 bits, values clamped to 0..1;
+// the picture is shown over black, opaque, as the lecture shows it; colours are premultiplied).
 // The file appears whole or not at all: it is written beside its place and renamed.
 // Returns 0, or -1 after one message on stderr.
 int image_save(const Image *image, const char *path);
@@ -40,7 +41,7 @@ int image_load(const char *path, Image *image);
 typedef struct ImageDifference {
     int same_size;         // 0: width or height differ, and nothing below is set
     int n_not_finite;      // pixels with a NaN or an infinity in either picture
-    int n_different;       // pixels with a channel that differs by more than the tolerance, or not finite
+    int n_different;       // pixels beyond the tolerance in some channel, or not finite
     int first_x, first_y;  // the first of those in reading order; -1, -1 when there is none
     float max_difference;  // the largest difference of one channel over finite pixels
 } ImageDifference;
@@ -50,8 +51,8 @@ typedef struct ImageDifference {
 ImageDifference image_compare(const Image *image, const Image *reference, float tolerance);
 
 // Where two pictures differ, for people: black where equal, the brighter the further apart
-// (|difference| summed over the channels, doubled, in the inferno colours). Both of the same size.
-// Returns 0, or -1 after one message on stderr. Release with image_free().
+// (|difference| summed over the channels, doubled, in the inferno colours; NaN is brightest). Both
+// of the same size. Returns 0, or -1 after one message on stderr. Release with image_free().
 int image_difference_picture(const Image *image, const Image *reference, Image *difference);
 
 #ifdef __cplusplus

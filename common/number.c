@@ -25,8 +25,8 @@ int number_read_integer(const char *text, int64_t lowest, int64_t highest, int64
     return 0;
 }
 
-// strtof() and printf() follow the locale of the thread. A library that sets it to one with a decimal
-// comma must not change what a scene file means, so both run under the "C" locale.
+// strtof() and printf() follow the locale of the thread. A library that sets it to one with a
+// decimal comma must not change what a scene file means, so both run under the "C" locale.
 static locale_t locale_enter(void)
 {
     static locale_t c_locale = (locale_t)0;
@@ -37,7 +37,7 @@ static locale_t locale_enter(void)
 
 int number_read_float(const char *text, float *value)
 {
-    // Only these characters: strtof() alone would take "nan", "infinity", "0x10" and leading spaces.
+    // strtof() alone would also take "nan", "infinity", "0x10" and leading spaces.
     if (text[0] == '\0' || strspn(text, "+-.0123456789eE") != strlen(text))
         return -1;
     locale_t caller_locale = locale_enter();
@@ -53,11 +53,9 @@ int number_read_float(const char *text, float *value)
 void number_write_float(float value, char *text)
 {
     locale_t caller_locale = locale_enter();
-    // 9 digits always bring a float back; most need fewer, and "7.5" reads better than "7.50000000".
-    for (int n_digits = 1; n_digits <= 9; n_digits++) {
-        snprintf(text, NUMBER_TEXT_SIZE, "%.*g", n_digits, (double)value);
-        if (strtof(text, NULL) == value)
-            break;
-    }
+    // 9 digits bring every float back; mostly 6 do, and "0.1" reads better than "0.100000001".
+    snprintf(text, NUMBER_TEXT_SIZE, "%.6g", (double)value);
+    if (strtof(text, NULL) != value)
+        snprintf(text, NUMBER_TEXT_SIZE, "%.9g", (double)value);
     uselocale(caller_locale);
 }

@@ -1,4 +1,4 @@
-// Numbers from text, read to the last character: "12abc", "", " 1", "nan" and "0x10" are no numbers.
+// Numbers from text, read to the last character: "12abc", "", " 1", "nan", "0x10" are no numbers.
 //
 // For everything a user types: CSV fields (scene2d_csv.c), scene arguments (scene2d.c), options
 // (options.c). The locale plays no part: the decimal sign is a point everywhere.
@@ -11,12 +11,12 @@
 // *value alone; prints nothing.
 int number_read_integer(const char *text, int64_t lowest, int64_t highest, int64_t *value);
 
-// Read a finite number, rounded to the nearest float. Returns 0, or -1 and leaves *value alone; prints
-// nothing.
+// Read a finite number, rounded to the nearest float. Returns 0, or -1 and leaves *value alone;
+// prints nothing.
 int number_read_float(const char *text, float *value);
 
-// Write the shortest text of at most 9 digits that reads back to the same float. `text` holds at
-// least NUMBER_TEXT_SIZE bytes.
+// Write a float as text that reads back to the same float: 6 digits where they do, else 9. `text`
+// holds at least NUMBER_TEXT_SIZE bytes.
 #define NUMBER_TEXT_SIZE 32
 void number_write_float(float value, char *text);
 

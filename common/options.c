@@ -1,11 +1,13 @@
 // The command line (see options.h).
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison: what the user wants, before all else. One
-// table holds every option; reading, refusing and --help all follow it. Read next: a lab's main.c.
+// Flow: SCENE -> buffers -> kernel -> image -> comparison: what the user wants, before all else.
+// One table holds every option; reading, refusing and --help all follow it.
+// Read next: a lab's main.c.
 #include "options.h"
 
 #include "cl_setup.h"
 #include "number.h"
+#include "scene2d.h"
 
 #include <errno.h>
 #include <getopt.h>
@@ -20,7 +22,18 @@
 
 // The option's number in the table is also what getopt_long() returns for it; its own answers for
 // faults are '?' and ':', which are larger.
-enum OptionId { SCENE, SIZE, OUTPUT, FRAMES, STATS, DEVICE, MAX_DEPTH, LEAF_SIZE, LIST_DEVICES, HELP };
+enum OptionId {
+    SCENE,
+    SIZE,
+    OUTPUT,
+    FRAMES,
+    STATS,
+    DEVICE,
+    MAX_DEPTH,
+    LEAF_SIZE,
+    LIST_DEVICES,
+    HELP
+};
 
 static const struct OptionRow {
     const char *name;
@@ -33,7 +46,8 @@ static const struct OptionRow {
     [OUTPUT] = {"output", "FILE", 0, "the picture, .png or .exr"},
     [FRAMES] = {"frames", "N", 0, "draw N times, for measuring (1)"},
     [STATS] = {"stats", "FILE", 0, "write the figures as JSON"},
-    [DEVICE] = {"device", "D", 0, "number or part of a name ($" CL_DEVICE_VARIABLE ", or the first)"},
+    [DEVICE] = {"device", "D", 0,
+                "number or part of a name ($" CL_DEVICE_VARIABLE ", or the first)"},
     [MAX_DEPTH] = {"max-depth", "N", OPTIONS_TREE, "levels of the tree, the root's included"},
     [LEAF_SIZE] = {"leaf-size", "N", OPTIONS_TREE, "circles at which a node stays a leaf"},
     [LIST_DEVICES] = {"list-devices", NULL, 0, "show the devices and end"},
@@ -74,6 +88,12 @@ static void print_help(const char *lab_name, const char *what, int set)
             printf(" (%d; at most %d)", OPTIONS_DEFAULT_MAX_DEPTH, OPTIONS_LARGEST_MAX_DEPTH);
         if (id == LEAF_SIZE)
             printf(" (%d)", OPTIONS_DEFAULT_LEAF_SIZE);
+        printf("\n");
+    }
+    if (set & OPTIONS_SCENE) {
+        printf("\nScenes: FILE.csv, random[:n=N,seed=S,min=R,max=R]");
+        for (int i = 0; scene2d_edge_case(i) != NULL; i++)
+            printf(", %s", scene2d_edge_case(i));
         printf("\n");
     }
 }
@@ -186,7 +206,7 @@ static OptionsResult check_output(const char *lab_name, const char *path)
 // What getopt_long() could not take: an unknown option, or one without its argument.
 static OptionsResult report_fault(const char *lab_name, int fault, const char *word)
 {
-    const char *reason = fault == ':' ? "needs an argument" : "is no option of this lab, or wrong";
+    const char *reason = fault == ':' ? "needs an argument" : "is no option here";
     fprintf(stderr, "%s: %s %s (try --help)\n", lab_name, word, reason);
     return OPTIONS_BAD;
 }

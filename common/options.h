@@ -21,14 +21,14 @@ enum {
 #define OPTIONS_LARGEST_MAX_DEPTH 24
 
 typedef struct Options {
-    const char *scene;    // as given; "random" when it was not
-    int width, height;    // 0, 0: not given
-    const char *output;   // as given; build/NN-name.png when it was not
-    const char *device;   // as given, or NULL
-    int n_frames;         // at least 1
-    const char *stats;    // or NULL
-    int max_depth;        // levels, the root's included
-    int leaf_size;        // targetElementsPerNode
+    const char *scene;   // as given; "random" when it was not
+    int width, height;   // 0, 0: not given
+    const char *output;  // as given; build/NN-name.png when it was not
+    const char *device;  // as given, or NULL
+    int n_frames;        // at least 1
+    const char *stats;   // or NULL
+    int max_depth;       // levels, the root's included
+    int leaf_size;       // targetElementsPerNode
 } Options;
 
 typedef enum OptionsResult {
@@ -41,7 +41,8 @@ typedef enum OptionsResult {
 //   what   one sentence for --help: what the program draws
 //   set    OPTIONS_... that the lab understands; the others are refused with a message
 // --output is checked early: an ending other than .png and .exr, or a folder that does not exist or
-// cannot be written, is refused before anything is computed. The default's folder is made.
+// cannot be written, is refused before anything is computed; so is such a folder of --stats. The
+// default's folder is made.
 OptionsResult options_parse(int argc, char **argv, const char *lab_name, const char *what, int set,
                             Options *options);
 

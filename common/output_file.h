@@ -24,8 +24,8 @@ typedef struct OutputFile {
 int output_file_open(OutputFile *output, const char *path);
 
 // Close the file and give it its name, with the access rights of any newly made file.
-// Returns 0, or -1 after one message on stderr when something could not be written; the file is then
-// gone, and what was at `path` before is still there.
+// Returns 0, or -1 after one message on stderr when something could not be written; the file is
+// then gone, and what was at `path` before is still there.
 int output_file_commit(OutputFile *output);
 
 // Give the file up: nothing stays behind. A zeroed OutputFile is fine, and so is a committed one.

@@ -84,8 +84,8 @@ static int arguments_read(const char *scene_name, char *list, RandomArguments *a
         argument = comma == NULL ? NULL : comma + 1;
     }
     if (arguments->min_radius > arguments->max_radius) {
-        fprintf(stderr, "--scene %s: found min=%g above max=%g, expected at most that\n", scene_name,
-                (double)arguments->min_radius, (double)arguments->max_radius);
+        fprintf(stderr, "--scene %s: found min=%g above max=%g, expected at most that\n",
+                scene_name, (double)arguments->min_radius, (double)arguments->max_radius);
         return -1;
     }
     return 0;
@@ -99,7 +99,8 @@ static int random_open(const char *name, Scene2D *scene)
     const char *colon = strchr(name, ':');
     if (colon != NULL) {
         char *list = strdup(colon + 1);
-        int result = list == NULL ? scene2d_report_memory() : arguments_read(name, list, &arguments);
+        int result =
+            list == NULL ? scene2d_report_memory() : arguments_read(name, list, &arguments);
         free(list);
         if (result != 0)
             return -1;
@@ -135,8 +136,10 @@ static int csv_open(const char *path, Scene2D *scene)
 
 static int report_unknown(const char *name)
 {
-    fprintf(stderr, "--scene %s: found no such scene, expected FILE.csv, "
-                    RANDOM_NAME "[:n=N,seed=S,min=R,max=R]", name);
+    fprintf(stderr,
+            "--scene %s: found no such scene, expected FILE.csv, " RANDOM_NAME
+            "[:n=N,seed=S,min=R,max=R]",
+            name);
     for (int i = 0; scene2d_edge_case(i) != NULL; i++)
         fprintf(stderr, ", %s", scene2d_edge_case(i));
     fprintf(stderr, "\n");
@@ -145,7 +148,8 @@ static int report_unknown(const char *name)
 
 static const SceneEdgeCase *edge_case_find(const char *name)
 {
-    for (const SceneEdgeCase *edge_case = SCENE2D_EDGE_CASES; edge_case->name != NULL; edge_case++) {
+    for (const SceneEdgeCase *edge_case = SCENE2D_EDGE_CASES; edge_case->name != NULL;
+         edge_case++) {
         if (strcmp(edge_case->name, name) == 0)
             return edge_case;
     }

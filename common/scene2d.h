@@ -4,8 +4,8 @@
 //
 // A scene is named by one word, the argument of --scene:
 //     FILE.csv                               columns by name: x,y,radius,depth,r,g,b[,a]
-//     random[:n=N,seed=S,min=R,max=R]        N circles with radii of min to max pixels, 2 to 20 where
-//                                            not given; arguments in any order
+//     random[:n=N,seed=S,min=R,max=R]        N circles, radii of min to max pixels (2 to 20);
+//                                            arguments in any order
 //     example                                the lecture's circles A to E on 10x10 pixels
 //     equal-depths, borders, touching, huge, tiny, outside, none      edge cases
 // Generated centres, radii and pixels lie on a grid of 1/16 px: every comparison is then exact in
@@ -21,7 +21,7 @@
 typedef struct Scene2D {
     Circle *circles;  // [n_circles], NULL when there is none
     int n_circles;
-    int width;   // the picture it is made for, pixels
+    int width;  // the picture it is made for, pixels
     int height;
 } Scene2D;
 
@@ -41,8 +41,8 @@ typedef struct Scene2D {
 // Load or generate the scene that `name` stands for (see above).
 //   width, height   the picture's size; 0, 0 when the user gave none: the scene then chooses
 //                   (10x10 for the example, SCENE2D_DEFAULT_SIZE squared for the others)
-// Returns 0, or -1 after one message on stderr that names the file and line or the argument, what was
-// found and what was expected. Release with scene2d_free().
+// Returns 0, or -1 after one message on stderr that names the file and line or the argument, what
+// was found and what was expected. Release with scene2d_free().
 int scene2d_open(const char *name, int width, int height, Scene2D *scene);
 
 // Release the circles; a zeroed Scene2D is fine.

@@ -1,8 +1,8 @@
 // 2D scenes as CSV text (scene2d_read_csv() and scene2d_write_csv() of scene2d.h).
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. A line is read, cut into fields by libcsv
-// (which knows about quotes), and every field becomes a number of the circle. The first fault is
-// reported with its line and ends the reading. Read next: number.h.
+// Flow: SCENE -> buffers -> kernel -> image -> comparison. A line is read, cut into fields by
+// libcsv (which knows about quotes), and every field becomes a number of the circle. The first
+// fault is reported with its line and ends the reading. Read next: number.h.
 #include "number.h"
 #include "scene2d.h"
 
@@ -35,9 +35,9 @@ static const struct Column {
 enum { N_COLUMNS = sizeof COLUMNS / sizeof COLUMNS[0], N_REQUIRED = N_COLUMNS - 1 };
 
 typedef struct CsvReader {
-    const char *name;  // what messages call the file
-    int line;          // counts from 1
-    int failed;        // a message was printed
+    const char *name;                        // what messages call the file
+    int line;                                // counts from 1
+    int failed;                              // a message was printed
     const struct Column *header[N_COLUMNS];  // the file's columns, in its order
     int n_header;                            // 0 until the header was read
     int n_fields;                            // of the line being read
@@ -51,8 +51,8 @@ typedef struct CsvReader {
 static void fault(CsvReader *reader, const char *where, const char *found, const char *expected)
 {
     if (!reader->failed) {
-        fprintf(stderr, "%s:%d: %sfound %s, expected %s\n", reader->name, reader->line, where, found,
-                expected);
+        fprintf(stderr, "%s:%d: %sfound %s, expected %s\n", reader->name, reader->line, where,
+                found, expected);
     }
     reader->failed = 1;
 }
@@ -179,7 +179,7 @@ static void line_end(int terminator, void *context)
     reader->circle = (Circle){.a = 1};
 }
 
-// Read a line without its end. Returns its length, -1 at the end of the file, or -2 after a message.
+// Read a line without its end. Returns its length, -1 at the end of the file, -2 after a message.
 static int line_read(CsvReader *reader, FILE *file, char *line)
 {
     int length = 0;

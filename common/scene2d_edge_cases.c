@@ -1,7 +1,8 @@
 // The lecture's example and the edge cases: small scenes, each made to catch one kind of mistake.
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. All coordinates are whole steps of 1/16 px
-// (see scene2d.h why). What a scene is for stands above its function. Read next: scene2d_random.c.
+// Flow: SCENE -> buffers -> kernel -> image -> comparison. All coordinates are whole steps of 1/16
+// px (see scene2d.h why). What a scene is for stands above its function.
+// Read next: scene2d_random.c.
 #include "random.h"
 #include "scene2d_generate.h"
 
@@ -39,9 +40,9 @@ static float depth_behind_all(const Scene2D *scene)
     return (float)(scene->n_circles + 1) / 1024;
 }
 
-// The lecture's worked example, A to E. With leaves of one circle and four levels, every node of the
-// first three levels is split, and the search for pixel (7, 7) ends in node 13, which holds C and E.
-// E is the nearest, so that it is seen where it overlaps the others.
+// The lecture's worked example, A to E. With leaves of one circle and four levels, every node of
+// the first three levels is split, and the search for pixel (7, 7) ends in node 13, which holds C
+// and E. E is the nearest, so that it is seen where it overlaps the others.
 static void draw_example(Scene2D *scene)
 {
     add_circle(scene, 2.5f, 2.5f, 2.0f, 0.5f);     // A
@@ -69,7 +70,7 @@ static void draw_equal_depths(Scene2D *scene)
 }
 
 // Boundaries that pass exactly through pixels: whole centres, on corners and borders too, and radii
-// that have whole points off the axes (3-4-5, 5-12-13, 7-24-25, 33-56-65). `<` for `<=` loses pixels.
+// that have whole points off the axes (3-4-5, 5-12-13, 7-24-25, 33-56-65): `<` for `<=` shows.
 static void draw_borders(Scene2D *scene)
 {
     static const int RADII[] = {1, 5, 13, 25, 65, 85};
@@ -111,8 +112,8 @@ static void draw_touching(Scene2D *scene)
     }
 }
 
-// Radii many times the picture. Some cover all of it, some none; their boundaries keep far away from
-// the pixels, where float could not tell them apart. Five usual circles lie in front.
+// Radii many times the picture. Some cover all of it, some none; their boundaries keep far away
+// from the pixels, where float could not tell them apart. Five usual circles lie in front.
 static void draw_huge(Scene2D *scene)
 {
     int longer_side = larger_of(scene->width, scene->height);
@@ -120,7 +121,7 @@ static void draw_huge(Scene2D *scene)
     float middle_x = (float)(scene->width / 2);
     float middle_y = (float)(scene->height / 2);
     add_circle(scene, middle_x, middle_y, huge, 0.9375f);
-    add_circle(scene, -huge / 2, middle_y, huge, 0.875f);             // covers all, nearer
+    add_circle(scene, -huge / 2, middle_y, huge, 0.875f);              // covers all, nearer
     add_circle(scene, middle_x, middle_y - huge / 2, huge, 0.96875f);  // covers all, hidden
     add_circle(scene, -huge - 1000, middle_y, huge, 0.0625f);          // ends left of the picture
     add_circle(scene, middle_x, -2 * huge, huge, 0.0625f);             // far above it
@@ -158,7 +159,7 @@ static void draw_tiny(Scene2D *scene)
     }
 }
 
-// One circle beyond a border: `reach` steps of its radius come into the picture, none when negative.
+// One circle beyond a border; it reaches so many pixels into the picture, none when negative.
 static void add_beyond_border(Scene2D *scene, int border, float radius, float reach)
 {
     float middle_x = (float)(scene->width / 2);

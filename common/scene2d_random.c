@@ -1,15 +1,15 @@
 // The random scene (scene2d_random() of scene2d.h).
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Everything is drawn as a whole number and
-// divided by a power of two, so no rounding can differ between machines. Read next: random.h.
+// Flow: SCENE -> buffers -> kernel -> image -> comparison. Everything is drawn as a whole number
+// and divided once, which rounds the same on every machine. Read next: random.h.
 #include "random.h"
 #include "scene2d_generate.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-#define DEPTH_STEPS 4096     // depths are k / 4096, below 1
-#define DARKEST_COLOUR 48    // of 255: circles stand out from the black background
+#define DEPTH_STEPS 4096   // depths are k / 4096, below 1
+#define DARKEST_COLOUR 48  // of 255: circles stand out from the black background
 #define BRIGHTEST_COLOUR 255
 
 static float random_in_pixels(Random *random, int64_t lowest_step, int64_t highest_step)

@@ -9,14 +9,14 @@ typedef struct Stats {
     struct json_t *values;
 } Stats;
 
-// Add a figure; a name given twice keeps the later value. Numbers that are not finite are written as
-// null. Running out of memory ends the program with a message.
+// Add a figure; a name given twice keeps the later value. Numbers that are not finite are written
+// as null. Running out of memory ends the program with a message.
 void stats_text(Stats *stats, const char *name, const char *value);
 void stats_integer(Stats *stats, const char *name, int64_t value);
 void stats_number(Stats *stats, const char *name, double value);
 
 // Add min, median and max of n measured milliseconds as name.min_ms, name.median_ms and
-// name.max_ms; sorts the array.
+// name.max_ms; sorts the array. Nothing is added for n < 1.
 void stats_milliseconds(Stats *stats, const char *name, double *milliseconds, int n);
 
 // Print every figure, one "name  value" a line, and write them to `path` as one JSON object unless

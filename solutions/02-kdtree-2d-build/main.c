@@ -116,7 +116,7 @@ static int save_svg(const char *picture_path, const Scene2D *scene, const KdTree
     memcpy(path, picture_path, stem);
     strcpy(path + stem, ".svg");
     OutputFile output;
-    int result = output_file_open(path, &output);
+    int result = output_file_open(&output, path);
     if (result == 0) {
         if (tree2d_write_svg(output.file, scene, tree) != 0) {
             output_file_discard(&output);

@@ -30,8 +30,8 @@ static void *memory_for(size_t n_bytes)
     return bytes;
 }
 
-// Read one character of UTF-8. Returns its length in bytes, or 0 when it is none: broken off, longer
-// than needed, half of a surrogate pair or beyond U+10FFFF.
+// Read one character of UTF-8. Returns its length in bytes, or 0 when it is none: broken off,
+// longer than needed, half of a surrogate pair or beyond U+10FFFF.
 static int utf8_read(const unsigned char *bytes, uint32_t *character)
 {
     static const uint32_t lowest[] = {0, 0, 0x80, 0x800, 0x10000};
@@ -59,9 +59,9 @@ static int is_showable(uint32_t character)
 {
     int is_control = character < 0x20 || (character >= 0x7F && character <= 0x9F);
     // Line separators, and the marks that make text read in another order than it is written.
-    int is_ordering = character == 0x200E || character == 0x200F || character == 0x061C
-                      || (character >= 0x2028 && character <= 0x202E)
-                      || (character >= 0x2066 && character <= 0x2069);
+    int is_ordering = character == 0x200E || character == 0x200F || character == 0x061C ||
+                      (character >= 0x2028 && character <= 0x202E) ||
+                      (character >= 0x2066 && character <= 0x2069);
     return !is_control && !is_ordering;
 }
 

@@ -1,4 +1,5 @@
-// Text of unknown origin made fit for a report: a compiler's log, a message with a student's values.
+// Text of unknown origin made fit for a report: a compiler's log, a message with a student's
+// values.
 //
 // What comes out is valid UTF-8 in which nothing can move a terminal's cursor, turn the reading
 // direction or break a JSON string, and it is short enough to be read. It is NOT escaped for HTML:
@@ -13,8 +14,9 @@ enum {
     LINE_MAX_BYTES = 500,
 };
 
-// A message of one or more lines; newlines and tabs stay, trailing newlines go. What cannot be shown
-// becomes U+FFFD. NULL counts as "". Owned by the caller; ends the program when memory runs out.
+// A message of one or more lines; newlines and tabs stay, trailing newlines go. What cannot be
+// shown becomes U+FFFD. NULL counts as "". Owned by the caller; ends the program when memory runs
+// out.
 char *message_clean(const char *message);
 
 // The same for what must be one line (a path, a device's name): newlines and tabs become spaces.

@@ -1,8 +1,8 @@
 // Reading a lab's manifest, labs/NN-name/lab.json (see manifest.h).
 //
-// Flow: MANIFEST -> staging -> compiling -> running -> judging -> reports. The file is the instructor's
-// own, and a slip in it would cost a whole class points: every field is checked, and the message says
-// where it stands, what was found and what was expected. Read next: stage.h.
+// Flow: MANIFEST -> staging -> compiling -> running -> judging -> reports. The file is the
+// instructor's own, and a slip in it would cost a whole class points: every field is checked, and
+// the message says where it stands, what was found and what was expected. Read next: stage.h.
 #include "manifest.h"
 
 #include <errno.h>
@@ -35,8 +35,8 @@ __attribute__((format(printf, 2, 3))) static int fault(const Place *place, const
 static int fault_kind(const Place *place, const char *expected)
 {
     static const char *const kinds[] = {
-        [JSON_OBJECT] = "an object", [JSON_ARRAY] = "a list",      [JSON_STRING] = "a string",
-        [JSON_INTEGER] = "a number", [JSON_REAL] = "a fraction",   [JSON_TRUE] = "true",
+        [JSON_OBJECT] = "an object", [JSON_ARRAY] = "a list",    [JSON_STRING] = "a string",
+        [JSON_INTEGER] = "a number", [JSON_REAL] = "a fraction", [JSON_TRUE] = "true",
         [JSON_FALSE] = "false",      [JSON_NULL] = "null",
     };
     const char *found = place->json == NULL ? "nothing" : kinds[json_typeof(place->json)];
@@ -46,7 +46,7 @@ static int fault_kind(const Place *place, const char *expected)
 static Place place_field(const Place *object, const char *field)
 {
     Place place = {.path = object->path, .json = json_object_get(object->json, field)};
-    snprintf(place.name, sizeof place.name, "%s%s%s", object->name,
+    snprintf(place.name, sizeof place.name, "%.60s%s%.16s", object->name,
              object->name[0] != '\0' ? "." : "", field);
     return place;
 }
@@ -138,7 +138,8 @@ static int files_read(const Place *object, Manifest *manifest)
 // An id is written in comments and on command lines.
 static int id_is_plain(const char *id)
 {
-    static const char allowed[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
+    static const char allowed[] =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
     return id[strspn(id, allowed)] == '\0';
 }
 
@@ -171,10 +172,9 @@ static int task_read(const Place *place, Manifest *manifest)
         return fault(place, "found the id \"%s\", expected letters, digits, _ and -", task->id);
     if (given)
         return fault(place, "found the id \"%s\" a second time", task->id);
-    if (text_field_read(place, "file", &task->file) != 0
-        || text_field_read(place, "title", &task->title) != 0
-        || points_read(place, &task->points) != 0
-        || text_field_read(place, "hint", &task->hint) != 0)
+    if (text_field_read(place, "file", &task->file) != 0 ||
+        text_field_read(place, "title", &task->title) != 0 ||
+        points_read(place, &task->points) != 0 || text_field_read(place, "hint", &task->hint) != 0)
         return -1;
     if (!file_is_listed(manifest, task->file))
         return fault(place, "found the file \"%s\", expected one of \"files\"", task->file);
@@ -202,9 +202,9 @@ static int tasks_read(const Place *object, Manifest *manifest)
 static int fields_read(const Place *object, Manifest *manifest)
 {
     static const char *const known[] = {"title", "files", "tasks", NULL};
-    if (fields_check(object, known) != 0
-        || text_field_read(object, "title", &manifest->title) != 0
-        || files_read(object, manifest) != 0)
+    if (fields_check(object, known) != 0 ||
+        text_field_read(object, "title", &manifest->title) != 0 ||
+        files_read(object, manifest) != 0)
         return -1;
     return tasks_read(object, manifest);
 }
@@ -231,8 +231,8 @@ static int file_read(const char *path, Manifest *manifest)
 int manifest_load(const char *labs_folder, const char *lab, Manifest *manifest)
 {
     *manifest = (Manifest){0};
-    if (lab[0] == '\0' || lab[0] == '.' || strchr(lab, '/') != NULL
-        || strlen(lab) >= sizeof manifest->lab) {
+    if (lab[0] == '\0' || lab[0] == '.' || strchr(lab, '/') != NULL ||
+        strlen(lab) >= sizeof manifest->lab) {
         fprintf(stderr, "found the lab \"%s\", expected the name of a folder in %s\n", lab,
                 labs_folder);
         return -1;

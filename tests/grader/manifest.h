@@ -1,5 +1,5 @@
-// A lab's manifest, labs/NN-name/lab.json: which files a student hands in, and which tasks (the marked
-// holes) earn how many points. It belongs to the instructor's tree, never to a submission.
+// A lab's manifest, labs/NN-name/lab.json: which files a student hands in, and which tasks (the
+// marked holes) earn how many points. It belongs to the instructor's tree, never to a submission.
 //
 //     { "title": "Naive 2D rendering",
 //       "files": ["overlaps_N_Nearer.cl", "implicit2DRenderer.cl"],

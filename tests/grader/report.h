@@ -1,5 +1,5 @@
-// Writing one Result many ways. Each file appears whole or not at all; each function returns 0, or -1
-// after one message on stderr.
+// Writing one Result many ways. Each file appears whole or not at all; each function returns 0, or
+// -1 after one message on stderr.
 #ifndef GRADER_REPORT_H
 #define GRADER_REPORT_H
 

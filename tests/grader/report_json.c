@@ -1,8 +1,8 @@
 // results.json (see report.h; the schema is tests/results.schema.json).
 //
-// Flow: judging -> result -> REPORTS: for programs, so every other format can be made from it. Scores
-// are whole numbers. The seed has 64 bits and stands as a string of decimal digits, because many
-// readers of JSON keep numbers as doubles and would change it. Read next: class_report.c.
+// Flow: judging -> result -> REPORTS: for programs, so every other format can be made from it.
+// Scores are whole numbers. The seed has 64 bits and stands as a string of decimal digits, because
+// many readers of JSON keep numbers as doubles and would change it. Read next: class_report.c.
 #include "report.h"
 
 #include "clean_text.h"
@@ -36,15 +36,32 @@ static json_t *stages_json(const Result *result)
     json_t *stages = json_array();
     for (int i = 0; i < result->n_stages; i++) {
         const StageResult *stage = &result->stages[i];
-        json_t *entry = json_pack("{s:o, s:s, s:o}", "title", json_line(stage->title), "status",
-                                  check_status_name(stage->status), "message",
-                                  json_message(stage->message));
+        json_t *entry =
+            json_pack("{s:o, s:s, s:o}", "title", json_line(stage->title), "status",
+                      check_status_name(stage->status), "message", json_message(stage->message));
         if (json_array_append_new(stages, entry) != 0) {
             json_decref(stages);
             return NULL;
         }
     }
     return stages;
+}
+
+static json_t *tasks_json(const Manifest *manifest, const Result *result)
+{
+    json_t *tasks = json_array();
+    for (int i = 0; i < manifest->n_tasks; i++) {
+        const Task *task = &manifest->tasks[i];
+        TaskPoints sum = result_task_points(result, task->id);
+        json_t *entry =
+            json_pack("{s:s, s:o, s:s, s:i, s:i}", "id", task->id, "title", json_line(task->title),
+                      "file", task->file, "points", sum.points, "max_points", sum.max_points);
+        if (json_array_append_new(tasks, entry) != 0) {
+            json_decref(tasks);
+            return NULL;
+        }
+    }
+    return tasks;
 }
 
 static json_t *check_json(const CheckResult *check)
@@ -67,21 +84,21 @@ static json_t *checks_json(const Result *result)
     return checks;
 }
 
-static json_t *result_json(const Result *result)
+static json_t *result_json(const Manifest *manifest, const Result *result)
 {
     char seed[24];
     snprintf(seed, sizeof seed, "%" PRIu64, result->seed);
-    return json_pack("{s:o, s:o, s:i, s:i, s:s, s:o, s:o, s:f, s:o, s:o}", "lab",
+    return json_pack("{s:o, s:o, s:i, s:i, s:s, s:o, s:o, s:f, s:o, s:o, s:o}", "lab",
                      json_line(result->lab), "title", json_line(result->title), "score",
                      result->score, "max_score", result->max_score, "seed", seed, "device",
                      json_line(result->device), "submission", json_line(result->submission),
-                     "seconds", result->seconds, "stages", stages_json(result), "checks",
-                     checks_json(result));
+                     "seconds", result->seconds, "stages", stages_json(result), "tasks",
+                     tasks_json(manifest, result), "checks", checks_json(result));
 }
 
-int report_json(const char *path, const Result *result)
+int report_json(const char *path, const Manifest *manifest, const Result *result)
 {
-    json_t *json = result_json(result);
+    json_t *json = result_json(manifest, result);
     if (json == NULL) {
         fprintf(stderr, "%s: cannot write: a figure is not finite, or no memory\n", path);
         return -1;

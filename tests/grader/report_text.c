@@ -6,6 +6,7 @@
 
 #include "clean_text.h"
 
+#include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -42,11 +43,11 @@ static const char *status_mark(CheckStatus status)
 }
 
 // Characters of UTF-8, which stand for columns: the bytes that begin one.
-static int columns_count(const char *text, size_t n_bytes)
+static int columns_count(const char *text)
 {
     int columns = 0;
-    for (size_t i = 0; i < n_bytes; i++)
-        columns += ((unsigned char)text[i] & 0xC0) != 0x80;
+    for (; *text != '\0'; text++)
+        columns += ((unsigned char)*text & 0xC0) != 0x80;
     return columns;
 }
 
@@ -99,27 +100,24 @@ static void message_print(FILE *out, const char *message, MessageKind kind)
     free(clean);
 }
 
+// All on one line where it fits, else seed and device below, and the submission below those: paths
+// and devices' names may be long.
 static void head_print(const TextReport *report, const Result *result)
 {
     char *device = line_clean(result->device);
     char *submission = line_clean(result->submission);
-    int columns = columns_count(result->lab, strlen(result->lab)) + 2;
-    columns += columns_count(result->title, strlen(result->title));
     fprintf(report->out, "%s%s%s  %s", colour(report, BOLD), result->lab, colour(report, PLAIN),
             result->title);
-
     char seed[32];
-    snprintf(seed, sizeof seed, "seed %llu", (unsigned long long)result->seed);
-    int origin_columns = (int)strlen(seed) + (int)strlen(", device , submission ")
-                         + columns_count(device, strlen(device))
-                         + columns_count(submission, strlen(submission));
-    // The device and the path may be long; they get a line of their own rather than none.
-    int gap = PAGE_COLUMNS - columns - origin_columns;
-    if (gap >= 2)
-        fprintf(report->out, "%*s", gap, "");
+    snprintf(seed, sizeof seed, "seed %" PRIu64, result->seed);
+    int columns = columns_count(result->lab) + 2 + columns_count(result->title) +
+                  columns_count(seed) + columns_count(", device , submission ") +
+                  columns_count(device) + columns_count(submission);
+    if (columns + 2 <= PAGE_COLUMNS)
+        fprintf(report->out, "%*s%s, device %s, submission %s\n", PAGE_COLUMNS - columns, "", seed,
+                device, submission);
     else
-        fputs("\n ", report->out);
-    fprintf(report->out, "%s, device %s, submission %s\n", seed, device, submission);
+        fprintf(report->out, "\n %s, device %s\n submission %s\n", seed, device, submission);
     free(device);
     free(submission);
 }
@@ -163,8 +161,7 @@ static void task_print(const TextReport *report, const Task *task, const Result 
     TaskPoints sum = result_task_points(result, task->id);
     char points[32];
     snprintf(points, sizeof points, "%d/%d", sum.points, sum.max_points);
-    int columns = (int)strlen(" Task : ") + columns_count(task->id, strlen(task->id))
-                  + columns_count(task->title, strlen(task->title));
+    int columns = (int)strlen(" Task : ") + columns_count(task->id) + columns_count(task->title);
     int gap = PAGE_COLUMNS - columns;
     fprintf(report->out, "\n %sTask %s: %s%s%*s\n", colour(report, BOLD), task->id, task->title,
             colour(report, PLAIN), gap > 8 ? gap : 8, points);

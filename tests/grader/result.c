@@ -1,9 +1,10 @@
-// Releasing a Result (see result.h).
+// Releasing a Result and summing it up (see result.h).
 //
 // Flow: staging -> compiling -> running -> judging -> RESULT -> reports. Read next: report.h.
 #include "result.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 void result_free(Result *result)
 {
@@ -19,4 +20,24 @@ void result_free(Result *result)
         free(picture->svg_own);
     }
     *result = (Result){0};
+}
+
+const char *check_status_name(CheckStatus status)
+{
+    return status == CHECK_PASSED ? "passed" : status == CHECK_FAILED ? "failed" : "not-run";
+}
+
+TaskPoints result_task_points(const Result *result, const char *task)
+{
+    TaskPoints sum = {0};
+    for (int i = 0; i < result->n_checks; i++) {
+        const CheckResult *check = &result->checks[i];
+        if (strcmp(check->task, task) != 0)
+            continue;
+        sum.points += check->points;
+        sum.max_points += check->max_points;
+        sum.n_failed += check->status == CHECK_FAILED;
+        sum.n_not_run += check->status == CHECK_NOT_RUN;
+    }
+    return sum;
 }

@@ -16,7 +16,7 @@ typedef enum CheckStatus {
 typedef struct CheckResult {
     const char *id;     // "overlaps-boundary"
     const char *title;  // "Points on the boundary belong to the circle"
-    const char *task;   // the task's id
+    const char *task;   // the task's id, one of the manifest's
     int points;         // earned: 0 or max_points
     int max_points;
     CheckStatus status;
@@ -26,17 +26,19 @@ typedef struct CheckResult {
 
 // Pictures of one scene for the report.
 typedef struct PictureResult {
-    char title[128];   // "random scene, 317x211: your picture differs in 12 pixels"
-    Image reference;   // owned; width 0 when there is none
-    Image own;         // owned; width 0 when there is none
-    char *svg_reference, *svg_own;  // owned <svg> elements made by the grader, or NULL (lab 02's trees)
+    char title[128];  // "random scene, 317x211: your picture differs in 12 pixels"
+    Image reference;  // owned; width 0 when there is none
+    Image own;        // owned; width 0 when there is none
+    // Owned <svg> elements with their xmlns, made by the grader, or NULL (lab 02's trees).
+    char *svg_reference, *svg_own;
 } PictureResult;
 
 // A note about the whole submission: staged, compiled, ran.
 typedef struct StageResult {
-    const char *title;   // "Staging", "Compiling", "Running"
+    const char *title;  // "Staging", "Compiling", "Running"
     CheckStatus status;
-    char *message;  // compiler output with the student's own file and line, crash, time-out... Owned.
+    // Compiler output with the student's own file and line, crash, time-out... Owned.
+    char *message;
 } StageResult;
 
 enum { RESULT_MAX_CHECKS = 32, RESULT_MAX_PICTURES = 12, RESULT_MAX_STAGES = 4 };
@@ -58,5 +60,16 @@ typedef struct Result {
 } Result;
 
 void result_free(Result *result);
+
+// The word for a status in results.json and in reports: "passed", "failed" or "not-run".
+const char *check_status_name(CheckStatus status);
+
+typedef struct TaskPoints {
+    int points, max_points;  // sums over the task's checks
+    int n_failed, n_not_run;
+} TaskPoints;
+
+// What a task earned.
+TaskPoints result_task_points(const Result *result, const char *task);
 
 #endif

@@ -2,7 +2,8 @@
 //
 // The grader writes what a probe shall try (job), the probe writes what came out (results), and the
 // grader reads that without believing it: names and sizes are checked against what it expects.
-//     each section: char name[24], zero-padded; u64 n_bytes; the bytes
+//     each section: char name[24], zero-padded; u64 n_bytes; the bytes, zero-padded to a multiple
+//     of 16 (n_bytes does not count that), so that all contents are aligned within the file
 // Both sides run on one machine, so bytes are in its own order.
 #ifndef PROBES_SECTIONS_H
 #define PROBES_SECTIONS_H
@@ -11,10 +12,13 @@
 #include <stdint.h>
 #include <stdio.h>
 
-enum { SECTION_NAME_BYTES = 24 };
+enum {
+    SECTION_NAME_BYTES = 24,  // the last one is always zero
+    SECTION_ALIGNMENT = 16,
+};
 
 // Append a section and flush it, so that a later crash does not lose it. Returns 0, or -1 when
-// writing failed.
+// writing failed or the name is empty or longer than 23 bytes.
 int section_write(FILE *file, const char *name, const void *bytes, size_t n_bytes);
 
 typedef struct Sections {
@@ -28,8 +32,8 @@ typedef struct Sections {
 int sections_load(const char *path, size_t max_bytes, Sections *sections);
 void sections_free(Sections *sections);
 
-// The bytes of the section called `name` if it is there exactly once with exactly n_bytes; else NULL.
-// Aligned for any type.
+// The bytes of the section called `name` if it is there exactly once with exactly n_bytes; else
+// NULL. Aligned for any type.
 const void *sections_find(const Sections *sections, const char *name, size_t n_bytes);
 
 // The same with any size, told in *n_bytes.

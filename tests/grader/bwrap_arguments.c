@@ -1,0 +1,213 @@
+// The sandbox's walls: which parts of the host are inside, and which are not by not being named
+// here.
+//
+// The file system inside starts empty. Whatever stands below is added to it, in this order; nothing
+// of the host but the mounts asked for can be written. Read next: sandbox_supervisor.c, the limits.
+#include "bwrap_arguments.h"
+
+#include <errno.h>
+#include <glob.h>
+#include <limits.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+// Memory-backed folders have their own bounds, as no limit on processes counts what they hold.
+#define TMP_FOLDER_BYTES "268435456"  // PoCL's cache, the compiler's temporary files
+#define SHM_FOLDER_BYTES "67108864"
+
+typedef struct Arguments {
+    char **items;  // [n_items + 1], the last one NULL
+    size_t n_items;
+    int fault;  // an errno, kept so that only the end has to look
+} Arguments;
+
+static void argument_add(Arguments *arguments, const char *text)
+{
+    char *copy = strdup(text);
+    char **items = realloc(arguments->items, (arguments->n_items + 2) * sizeof *items);
+    if (items != NULL)
+        arguments->items = items;
+    if (copy == NULL || items == NULL) {
+        free(copy);
+        arguments->fault = ENOMEM;
+        return;
+    }
+    items[arguments->n_items++] = copy;
+    items[arguments->n_items] = NULL;
+}
+
+static void list_add(Arguments *arguments, const char *const *list)
+{
+    for (; *list != NULL; list++)
+        argument_add(arguments, *list);
+}
+
+#define ADD(arguments, ...) list_add(arguments, (const char *const[]){__VA_ARGS__, NULL})
+
+// Namespaces of its own for everything: no network, no processes, no System V memory of the host.
+static void isolation_add(Arguments *arguments)
+{
+    char status_descriptor[16];
+    snprintf(status_descriptor, sizeof status_descriptor, "%d", BWRAP_STATUS_DESCRIPTOR);
+    ADD(arguments, "--unshare-all", "--unshare-user");
+    ADD(arguments, "--disable-userns");   // inside, nobody becomes root of a namespace of their own
+    ADD(arguments, "--die-with-parent");  // killing bwrap kills everything inside
+    ADD(arguments, "--new-session");      // no terminal to push keystrokes into
+    ADD(arguments, "--cap-drop", "ALL", "--hostname", "sandbox");
+    ADD(arguments, "--json-status-fd", status_descriptor);
+}
+
+// /bin, /lib and so on: links into /usr on today's Debian, folders on older systems.
+static void system_folder_add(Arguments *arguments, const char *folder)
+{
+    char target[PATH_MAX];
+    struct stat status;
+    if (lstat(folder, &status) != 0)
+        return;
+    ssize_t n = S_ISLNK(status.st_mode) ? readlink(folder, target, sizeof target - 1) : -1;
+    if (n >= 0) {
+        target[n] = '\0';
+        ADD(arguments, "--symlink", target, folder);
+    } else {
+        ADD(arguments, "--ro-bind", folder, folder);
+    }
+}
+
+// Programs, libraries, OpenCL's drivers; of /etc only what these need.
+static void system_add(Arguments *arguments)
+{
+    static const char *const folders[] = {"/bin", "/sbin", "/lib", "/lib32", "/lib64", "/libx32"};
+    static const char *const settings[] = {
+        "/etc/OpenCL",         // which drivers there are
+        "/etc/ld.so.cache",    // where libraries are
+        "/etc/alternatives",   // what "cc" stands for
+        "/sys/devices/system"  // PoCL asks it for processors and memory
+    };
+    ADD(arguments, "--ro-bind", "/usr", "/usr");
+    for (size_t i = 0; i < sizeof folders / sizeof *folders; i++)
+        system_folder_add(arguments, folders[i]);
+    for (size_t i = 0; i < sizeof settings / sizeof *settings; i++)
+        ADD(arguments, "--ro-bind-try", settings[i], settings[i]);
+}
+
+// Graphics cards, where there are any: their drivers talk to these device files.
+static void devices_add(Arguments *arguments)
+{
+    static const char *const patterns[] = {"/dev/nvidia*", "/dev/dri", "/dev/kfd"};
+    for (size_t i = 0; i < sizeof patterns / sizeof *patterns; i++) {
+        glob_t found = {0};
+        if (glob(patterns[i], 0, NULL, &found) == 0)
+            for (size_t k = 0; k < found.gl_pathc; k++)
+                ADD(arguments, "--dev-bind", found.gl_pathv[k], found.gl_pathv[k]);
+        globfree(&found);
+    }
+}
+
+static void private_folders_add(Arguments *arguments)
+{
+    ADD(arguments, "--proc", "/proc", "--dev", "/dev");
+    ADD(arguments, "--size", SHM_FOLDER_BYTES, "--tmpfs", "/dev/shm");
+    devices_add(arguments);
+    ADD(arguments, "--size", TMP_FOLDER_BYTES, "--tmpfs", "/tmp");
+}
+
+static void mount_add(Arguments *arguments, const SandboxMount *mount)
+{
+    // bwrap is started in another folder, so it gets an absolute path.
+    char *outside = realpath(mount->outside, NULL);
+    if (outside == NULL) {
+        fprintf(stderr, "sandbox: %s: %s\n", mount->outside, strerror(errno));
+        arguments->fault = -1;  // told already
+        return;
+    }
+    ADD(arguments, mount->writable ? "--bind" : "--ro-bind", outside, mount->inside);
+    free(outside);
+}
+
+static void variable_add(Arguments *arguments, const char *variable)
+{
+    const char *value = strchr(variable, '=');
+    if (value == NULL) {
+        fprintf(stderr, "sandbox: \"%s\": expected NAME=value\n", variable);
+        arguments->fault = -1;
+        return;
+    }
+    char *name = strndup(variable, (size_t)(value - variable));
+    if (name == NULL)
+        arguments->fault = ENOMEM;
+    else
+        ADD(arguments, "--setenv", name, value + 1);
+    free(name);
+}
+
+static void environment_add(Arguments *arguments, const char *const *variables)
+{
+    // C.UTF-8: what compilers say is English, whatever the instructor's own language is.
+    static const char *const own[] = {
+        "PATH=/usr/bin:/bin",
+        "HOME=/tmp",
+        "TMPDIR=/tmp",
+        "LC_ALL=C.UTF-8",
+        "POCL_CACHE_DIR=/tmp/pocl-cache",
+        NULL,
+    };
+    ADD(arguments, "--clearenv");
+    for (size_t i = 0; own[i] != NULL; i++)
+        variable_add(arguments, own[i]);
+    for (size_t i = 0; variables != NULL && variables[i] != NULL; i++)
+        variable_add(arguments, variables[i]);
+}
+
+// The command, started by prlimit(1) and not by bwrap itself, for two reasons. The limit on
+// processes, set inside, counts only those inside; set outside it would count all that the user
+// runs on this machine. And when the command cannot be executed (a program made to be none), that
+// is an exit code like any other and no fault of the sandbox.
+static void command_add(Arguments *arguments, const SandboxCommand *command)
+{
+    struct rlimit limit = {.rlim_max = RLIM_INFINITY};
+    char option[64] = "--nproc=unlimited";
+    getrlimit(RLIMIT_NPROC, &limit);
+    // Where the grader itself runs under a tighter limit, that one stays.
+    rlim_t n_allowed = limit.rlim_max;
+    if (command->n_processes > 0 && (rlim_t)command->n_processes < n_allowed)
+        n_allowed = (rlim_t)command->n_processes;
+    if (n_allowed != RLIM_INFINITY)
+        snprintf(option, sizeof option, "--nproc=%ju", (uintmax_t)n_allowed);
+    ADD(arguments, "--", "/usr/bin/prlimit", option, "--");
+    list_add(arguments, command->argv);
+}
+
+char **bwrap_arguments(const SandboxCommand *command)
+{
+    Arguments arguments = {0};
+    ADD(&arguments, "bwrap");
+    isolation_add(&arguments);
+    system_add(&arguments);
+    private_folders_add(&arguments);
+    for (int i = 0; i < command->n_mounts; i++)
+        mount_add(&arguments, &command->mounts[i]);
+    // Only now, with every mount in its place: the folders between them live in memory, too.
+    ADD(&arguments, "--remount-ro", "/dev", "--remount-ro", "/");
+    environment_add(&arguments, command->environment);
+    ADD(&arguments, "--chdir", command->folder);
+    command_add(&arguments, command);
+
+    if (arguments.fault == 0)
+        return arguments.items;
+    if (arguments.fault > 0)
+        fprintf(stderr, "sandbox: %s\n", strerror(arguments.fault));
+    bwrap_arguments_free(arguments.items);
+    return NULL;
+}
+
+void bwrap_arguments_free(char **arguments)
+{
+    for (char **argument = arguments; argument != NULL && *argument != NULL; argument++)
+        free(*argument);
+    free(arguments);
+}

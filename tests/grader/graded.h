@@ -1,0 +1,37 @@
+// Reading results.json back, for reports over a whole class.
+#ifndef GRADER_GRADED_H
+#define GRADER_GRADED_H
+
+#include "manifest.h"
+#include "result.h"
+
+typedef struct GradedTask {
+    const char *id, *title;
+    int points, max_points;
+} GradedTask;
+
+typedef struct GradedCheck {
+    const char *id, *title, *message;
+    CheckStatus status;
+} GradedCheck;
+
+// One submission's results. The strings live as long as it does.
+typedef struct Graded {
+    struct json_t *json;  // owns the strings; NULL: not graded
+    const char *lab, *title;
+    int score, max_score;
+    GradedTask tasks[MANIFEST_MAX_TASKS];
+    int n_tasks;
+    GradedCheck checks[RESULT_MAX_CHECKS];
+    int n_checks;
+    const char *failed_stage;   // title of the first stage that failed, or NULL
+    const char *stage_message;  // and what it said
+} Graded;
+
+// Read and check a results.json, which may have passed through other hands: fields, types and
+// limits as in tests/results.schema.json, and sums that agree. Returns 0, or -1 after one message
+// on stderr.
+int graded_load(const char *path, Graded *graded);
+void graded_free(Graded *graded);
+
+#endif

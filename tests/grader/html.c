@@ -1,0 +1,98 @@
+// Writing HTML that nothing can break out of (see html.h).
+//
+// Flow: judging -> result -> REPORTS. The page works without a script, and its policy forbids them,
+// so that escaping is not the only thing between a student's text and an instructor's browser.
+// Read next: html_style.c, report_html.c.
+#include "html.h"
+
+#include "clean_text.h"
+#include "html_style.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static void escaped_write(FILE *page, const char *text)
+{
+    for (; *text != '\0'; text++) {
+        switch (*text) {
+        case '&':
+            fputs("&amp;", page);
+            break;
+        case '<':
+            fputs("&lt;", page);
+            break;
+        case '>':
+            fputs("&gt;", page);
+            break;
+        case '"':
+            fputs("&quot;", page);
+            break;
+        case '\'':
+            fputs("&#39;", page);
+            break;
+        default:
+            fputc(*text, page);
+        }
+    }
+}
+
+void html_line(FILE *page, const char *line)
+{
+    char *clean = line_clean(line);
+    escaped_write(page, clean);
+    free(clean);
+}
+
+void html_message(FILE *page, const char *message)
+{
+    char *clean = message_clean(message);
+    int is_log = strchr(clean, '\n') != NULL;
+    if (clean[0] != '\0') {
+        fputs(is_log ? "<pre class=\"log\">" : "<p class=\"message\">", page);
+        escaped_write(page, clean);
+        fputs(is_log ? "</pre>\n" : "</p>\n", page);
+    }
+    free(clean);
+}
+
+void html_page_begin(FILE *page, const char *title)
+{
+    fputs("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+          "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
+          "img-src data:; style-src 'unsafe-inline'\">\n"
+          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>",
+          page);
+    html_line(page, title);
+    fprintf(page, "</title>\n<style>\n%s</style>\n</head>\n<body>\n<main>\n", html_style);
+}
+
+void html_page_end(FILE *page)
+{
+    fputs("</main>\n</body>\n</html>\n", page);
+}
+
+void html_score_bar(FILE *page, int points, int max_points)
+{
+    double share = max_points > 0 ? (double)points / max_points : 0;
+    const char *level = share >= 1 ? "full" : share >= 0.5 ? "some" : "few";
+    fprintf(page,
+            "<div class=\"bar %s\" role=\"img\" aria-label=\"%d of %d\">"
+            "<div style=\"width: %.1f%%\"></div></div>\n",
+            level, points, max_points, 100 * share);
+}
+
+void html_file_uri(FILE *page, const char *type, const void *bytes, size_t n_bytes)
+{
+    static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    const unsigned char *from = bytes;
+    fprintf(page, "data:%s;base64,", type);
+    for (size_t i = 0; i < n_bytes; i += 3) {
+        unsigned second = i + 1 < n_bytes ? from[i + 1] : 0;
+        unsigned third = i + 2 < n_bytes ? from[i + 2] : 0;
+        unsigned group = (unsigned)from[i] << 16 | second << 8 | third;
+        fputc(digits[group >> 18], page);
+        fputc(digits[group >> 12 & 63], page);
+        fputc(i + 1 < n_bytes ? digits[group >> 6 & 63] : '=', page);
+        fputc(i + 2 < n_bytes ? digits[group & 63] : '=', page);
+    }
+}

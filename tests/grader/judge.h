@@ -1,0 +1,58 @@
+// What a lab's judge is made of: its checks, the job it sets, and how it judges the answers.
+//
+// The grader runs the same job three ways, the solution's, the submission's and, for each task with a
+// failed check, the student's answer to that task in the solution of the others, and asks the judge
+// about each. One table a lab: judge_00.c and on.
+#ifndef GRADER_JUDGE_H
+#define GRADER_JUDGE_H
+
+#include "result.h"
+#include "sections.h"
+
+#include <stdint.h>
+#include <stdio.h>
+
+typedef struct Check {
+    const char *id;
+    const char *title;
+    const char *task;
+    int points;
+} Check;
+
+typedef enum VerdictKind {
+    VERDICT_PASSED,
+    VERDICT_FAILED,
+    VERDICT_MISSING,  // the probe ended before it could answer
+} VerdictKind;
+
+typedef struct Verdict {
+    VerdictKind kind;
+    char *message;  // what is wrong; NULL unless VERDICT_FAILED; owned
+} Verdict;
+
+// Passed when message is NULL, else failed. Takes the message over.
+Verdict verdict_of(char *message);
+
+extern const Verdict verdict_missing;
+
+typedef struct Judge {
+    const char *lab;
+    const Check *checks;
+    int n_checks;
+    // Draw a job from the seed and write it as sections. Returns the job, with all that is expected,
+    // or NULL after one message on stderr.
+    void *(*job_new)(uint64_t seed, FILE *file);
+    void (*job_free)(void *job);
+    // Judge check number `check` by the answers.
+    Verdict (*judge)(const void *job, int check, const Sections *answers);
+    // From now on compare pictures with these, which the solution drew on this device and which have
+    // just passed every check against the oracle.
+    void (*adopt)(void *job, const Sections *answers);
+    // Add pictures for the report: those that are wrong first.
+    void (*add_pictures)(const void *job, const Sections *answers, Result *result);
+} Judge;
+
+// The judge of a lab, or NULL.
+const Judge *judge_of(const char *lab);
+
+#endif

@@ -1,0 +1,102 @@
+// Brute force in double precision: every pixel asks every circle, in the order of the array.
+#include "oracle2d.h"
+
+#include <math.h>
+#include <string.h>
+
+static double distance_squared(Circle c, double x, double y)
+{
+    return (x - c.x) * (x - c.x) + (y - c.y) * (y - c.y);
+}
+
+int oracle2d_covers(Circle circle, double x, double y)
+{
+    return distance_squared(circle, x, y) <= (double)circle.radius * circle.radius;
+}
+
+// Is a double a float, too?
+static int is_float(double value)
+{
+    return (double)(float)value == value;
+}
+
+// May float arithmetic, in any order and with or without contraction, decide otherwise? Not when each
+// step comes out exact, as on the 1/16 px grid; else when the two sides differ by less than the
+// rounding of five float operations (each at most 2^-24 of the sum).
+static int is_ambiguous(Circle c, double x, double y)
+{
+    const double dx = x - c.x, dy = y - c.y, radius_squared = (double)c.radius * c.radius;
+    const double sum = dx * dx + dy * dy;
+    if (is_float(dx) && is_float(dy) && is_float(dx * dx) && is_float(dy * dy) && is_float(sum) &&
+        is_float(radius_squared)) {
+        return 0;
+    }
+    return fabs(sum - radius_squared) <= 5 * 0x1p-24 * (sum + radius_squared);
+}
+
+// Does this circle take the pixel from the one found so far (NULL: none)?
+static int takes_pixel(const Circle *circle, const Circle *found, const OracleRules *rules)
+{
+    if (found == NULL) {
+        return 1;
+    }
+    if (rules->ignore_depth) {
+        return 1;
+    }
+    if (rules->first_wins) {
+        return 0;
+    }
+    if (rules->farthest_wins) {
+        return circle->depth > found->depth;
+    }
+    return rules->later_wins_ties ? circle->depth <= found->depth : circle->depth < found->depth;
+}
+
+static int covers(Circle circle, double x, double y, const OracleRules *rules)
+{
+    const double radius = rules->diameter ? circle.radius / 2.0 : circle.radius;
+    const double sum = distance_squared(circle, x, y);
+    return rules->strict_boundary ? sum < radius * radius : sum <= radius * radius;
+}
+
+void oracle2d_draw(const Circle *circles, int n_circles, const OracleRules *rules, Image *image,
+                   unsigned char *ambiguous)
+{
+    for (int v = 0; v < image->height; v++) {
+        for (int u = 0; u < image->width; u++) {
+            const double x = u + rules->sample_offset, y = v + rules->sample_offset;
+            const size_t pixel = (size_t)v * image->width + u;
+            const Circle *found = NULL;
+            int edge_near = 0;
+            for (int i = rules->skip_first; i < n_circles - rules->skip_last; i++) {
+                if (covers(circles[i], x, y, rules) && takes_pixel(&circles[i], found, rules)) {
+                    found = &circles[i];
+                }
+                edge_near |= ambiguous != NULL && is_ambiguous(circles[i], x, y);
+            }
+            const float color[IMAGE_CHANNELS] = {found ? found->r : 0, found ? found->g : 0,
+                                                 found ? found->b : 0, found ? found->a : 0};
+            memcpy(image->pixels + pixel * IMAGE_CHANNELS, color, sizeof color);
+            if (ambiguous != NULL) {
+                ambiguous[pixel] = (unsigned char)edge_near;
+            }
+        }
+    }
+}
+
+int oracle2d_overlaps_box(Circle circle, BBox2D box)
+{
+    // How far the centre is outside the box on each axis; 0 when it is level with it.
+    double dx = 0, dy = 0;
+    if (circle.x < box.minX) {
+        dx = (double)box.minX - circle.x;
+    } else if (circle.x > box.maxX) {
+        dx = (double)circle.x - box.maxX;
+    }
+    if (circle.y < box.minY) {
+        dy = (double)box.minY - circle.y;
+    } else if (circle.y > box.maxY) {
+        dy = (double)circle.y - box.maxY;
+    }
+    return dx * dx + dy * dy <= (double)circle.radius * circle.radius;
+}

@@ -1,0 +1,159 @@
+// The pictures of an HTML report (see report_pictures.h).
+//
+// Flow: judging -> result -> REPORTS. Pixels are written as PNG to a folder of our own and read
+// back, because image.h writes files only; drawings (<svg>) go in as images, in which no script can
+// run.
+#include "report_pictures.h"
+
+#include "html.h"
+#include "image.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+// Below this width a picture is shown magnified on any screen: its pixels shall stay squares.
+#define SMALL_WIDTH 360
+
+static int fault(const char *path)
+{
+    fprintf(stderr, "%s: %s\n", path, strerror(errno));
+    return -1;
+}
+
+// Write the bytes of a file as a data: URI.
+static int file_uri_write(FILE *page, const char *path)
+{
+    FILE *file = fopen(path, "rb");
+    if (file == NULL)
+        return fault(path);
+    // A multiple of three bytes at a time would do as well, but a PNG of a report fits in memory.
+    char *bytes = NULL;
+    size_t n_bytes = 0;
+    FILE *copy = open_memstream(&bytes, &n_bytes);
+    int byte;
+    while (copy != NULL && (byte = fgetc(file)) != EOF)
+        fputc(byte, copy);
+    int failed = copy == NULL || ferror(file) || ferror(copy);
+    if (copy != NULL && fclose(copy) != 0)
+        failed = 1;
+    fclose(file);
+    if (failed)
+        fault(path);
+    else
+        html_file_uri(page, "image/png", bytes, n_bytes);
+    free(bytes);
+    return failed ? -1 : 0;
+}
+
+static int png_uri_write(FILE *page, const Image *image)
+{
+    const char *parent = getenv("TMPDIR");
+    char folder[4096 - sizeof "/picture.png"];
+    snprintf(folder, sizeof folder, "%s/grader-picture-XXXXXX", parent != NULL ? parent : "/tmp");
+    if (mkdtemp(folder) == NULL)
+        return fault(folder);
+    char path[4096];
+    snprintf(path, sizeof path, "%s/picture.png", folder);
+    int written = image_save(image, path);
+    if (written == 0)
+        written = file_uri_write(page, path);
+    unlink(path);
+    rmdir(folder);
+    return written;
+}
+
+static int image_figure_write(FILE *page, const Image *image, const char *alt)
+{
+    fprintf(page, "<img alt=\"%s\" width=\"%d\" height=\"%d\"%s src=\"", alt, image->width,
+            image->height, image->width < SMALL_WIDTH ? " class=\"small\"" : "");
+    int written = png_uri_write(page, image);
+    fputs("\">", page);
+    return written;
+}
+
+static void drawing_figure_write(FILE *page, const char *svg, const char *alt)
+{
+    fprintf(page, "<img alt=\"%s\" class=\"drawing\" src=\"", alt);
+    html_file_uri(page, "image/svg+xml", svg, strlen(svg));
+    fputs("\">", page);
+}
+
+static void figure_begin(FILE *page, const char *attributes, const char *caption, const char *note)
+{
+    fprintf(page, "<figure %s><figcaption>%s <span>%s</span></figcaption>\n", attributes, caption,
+            note);
+}
+
+static int reference_write(FILE *page, const PictureResult *picture)
+{
+    int written = 0;
+    figure_begin(page, "class=\"reference\"", "Reference", "as it should be");
+    if (picture->svg_reference != NULL)
+        drawing_figure_write(page, picture->svg_reference, "the reference");
+    else if (picture->reference.width > 0)
+        written = image_figure_write(page, &picture->reference, "the reference");
+    else
+        fputs("<div class=\"missing\">no reference</div>", page);
+    fputs("</figure>\n", page);
+    return written;
+}
+
+static int own_write(FILE *page, const PictureResult *picture)
+{
+    int written = 0;
+    if (picture->svg_own == NULL && picture->own.width <= 0) {
+        figure_begin(page, "class=\"own\"", "Yours", "");
+        fputs("<div class=\"missing\">there is none</div></figure>\n", page);
+        return 0;
+    }
+    // In the order of the tab key, so that flipping to the reference needs no mouse.
+    figure_begin(page, "class=\"own\" tabindex=\"0\"", "Yours", "point at it to see the reference");
+    if (picture->svg_own != NULL)
+        drawing_figure_write(page, picture->svg_own, "your picture");
+    else
+        written = image_figure_write(page, &picture->own, "your picture");
+    fputs("</figure>\n", page);
+    return written;
+}
+
+static int difference_write(FILE *page, const PictureResult *picture)
+{
+    const Image *own = &picture->own;
+    const Image *reference = &picture->reference;
+    int written = 0;
+    figure_begin(page, "class=\"difference\"", "Difference", "black where equal");
+    if (own->width <= 0 || reference->width <= 0) {
+        fputs("<div class=\"missing\">needs both pictures</div>", page);
+    } else if (own->width != reference->width || own->height != reference->height) {
+        fprintf(page,
+                "<div class=\"missing\">the sizes differ: the reference is %d&times;%d, "
+                "yours %d&times;%d</div>",
+                reference->width, reference->height, own->width, own->height);
+    } else {
+        Image difference = {0};
+        written = image_difference_picture(own, reference, &difference);
+        if (written == 0)
+            written = image_figure_write(page, &difference, "the difference");
+        image_free(&difference);
+    }
+    fputs("</figure>\n", page);
+    return written;
+}
+
+int report_pictures_write(FILE *page, const PictureResult *picture)
+{
+    // Drawings have no pixels to subtract.
+    int drawings = picture->svg_reference != NULL || picture->svg_own != NULL;
+    fputs("<article class=\"card\">\n<div class=\"title\"><h3>", page);
+    html_line(page, picture->title);
+    fprintf(page, "</h3></div>\n<div class=\"trio%s\">\n", drawings ? " pair" : "");
+    int written = reference_write(page, picture);
+    if (written == 0)
+        written = own_write(page, picture);
+    if (written == 0 && !drawings)
+        written = difference_write(page, picture);
+    fputs("</div>\n</article>\n", page);
+    return written;
+}

@@ -1,0 +1,284 @@
+// Tree invariants, checked in double precision with the oracle's overlap test.
+#include "tree_judge.h"
+
+#include "jobs.h"
+#include "message.h"
+#include "oracle2d.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+int tree_judge_answer(int k, const Sections *answers, KdTree2D *own)
+{
+    char name[SECTION_NAME_BYTES];
+    snprintf(name, sizeof name, "tree.%d", k);
+    const TreeAnswer *answer = sections_find(answers, name, sizeof *answer);
+    if (answer == NULL || answer->n_nodes == 0) {
+        return 0;
+    }
+    const size_t n_nodes = answer->n_nodes, n_map = answer->n_map;
+    snprintf(name, sizeof name, "tree.%d.relations", k);
+    const void *relations = sections_find(answers, name, n_nodes * sizeof(NodeRel));
+    snprintf(name, sizeof name, "tree.%d.flags", k);
+    const void *flags = sections_find(answers, name, n_nodes * sizeof(u8));
+    snprintf(name, sizeof name, "tree.%d.boxes", k);
+    const void *boxes = sections_find(answers, name, n_nodes * sizeof(BBox2D));
+    snprintf(name, sizeof name, "tree.%d.map", k);
+    const void *map = sections_find(answers, name, n_map * sizeof(u32));
+    // The judge only reads: the casts take no const away that matters.
+    *own = (KdTree2D){(NodeRel *)relations, (u8 *)flags,       (BBox2D *)boxes,
+                      (u32 *)map,           (u32)n_nodes, (u32)n_map};
+    return relations != NULL && flags != NULL && boxes != NULL && map != NULL;
+}
+
+// ---- Reading a tree without trusting it -------------------------------------------------------
+
+static int is_inner(const KdTree2D *tree, u32 id)
+{
+    return tree->nodes_flag[id] != LEAF;
+}
+
+// Are both children there, behind their parent?
+static int has_children(const KdTree2D *tree, u32 id)
+{
+    const NodeRel node = tree->nodes_Relations[id];
+    return node.lChild > id && node.rChild > id && node.lChild < tree->n_nodes &&
+           node.rChild < tree->n_nodes;
+}
+
+// A leaf's list: the ids, and how many; NULL when offset or count lead out of the map.
+static const u32 *leaf_list(const KdTree2D *tree, u32 id, u32 *n_ids)
+{
+    const u32 offset = tree->nodes_Relations[id].circleMapOffset;
+    if (offset >= tree->n_map || tree->mapNode2Circles[offset] > tree->n_map - offset - 1) {
+        return NULL;
+    }
+    *n_ids = tree->mapNode2Circles[offset];
+    return tree->mapNode2Circles + offset + 1;
+}
+
+static char *bad_list(const JobScene *scene, const KdTree2D *own, u32 id)
+{
+    const u32 offset = own->nodes_Relations[id].circleMapOffset;
+    if (offset >= own->n_map) {
+        return message_new("%s: leaf %u: circleMapOffset is %u, but mapNode2Circles has %u entries",
+                           scene->title, id, offset, own->n_map);
+    }
+    return message_new("%s: leaf %u: circleMapOffset is %u, where the count would be %u, but "
+                       "mapNode2Circles has %u entries",
+                       scene->title, id, offset, own->mapNode2Circles[offset], own->n_map);
+}
+
+static int circle_overlaps(const JobScene *scene, u32 circle, BBox2D box)
+{
+    return oracle2d_overlaps_box(scene->scene.circles[circle], box);
+}
+
+static u32 n_overlapping(const JobScene *scene, BBox2D box)
+{
+    u32 n = 0;
+    for (u32 i = 0; i < (u32)scene->scene.n_circles; i++) {
+        n += (u32)circle_overlaps(scene, i, box);
+    }
+    return n;
+}
+
+// The invariants hold for the tree by itself; is it also the tree that was asked for?
+static char *differs_from_solution(const JobScene *scene, const KdTree2D *own, const void *own_array,
+                                   const void *array, size_t element_size, const char *what)
+{
+    if (own->n_nodes != scene->tree.n_nodes) {
+        return message_new("%s: the tree has %u nodes, expected %u", scene->title, own->n_nodes,
+                           scene->tree.n_nodes);
+    }
+    for (u32 id = 0; id < own->n_nodes; id++) {
+        if (memcmp((const char *)own_array + id * element_size,
+                   (const char *)array + id * element_size, element_size) != 0) {
+            return message_new("%s: node %u: %s is not as expected", scene->title, id, what);
+        }
+    }
+    return NULL;
+}
+
+// ---- The properties ---------------------------------------------------------------------------
+
+char *tree_judge_limits(const JobScene *scene, const KdTree2D *own)
+{
+    char *message = NULL;
+    int *levels = calloc(own->n_nodes, sizeof *levels);
+    for (u32 id = 0; levels != NULL && message == NULL && id < own->n_nodes; id++) {
+        const int level = levels[id] + 1;
+        const u32 n = n_overlapping(scene, own->nodes_BBox[id]);
+        const int should_be_leaf = level >= scene->limits.maxDepth ||
+                                   n <= (u32)scene->limits.targetElementsPerNode;
+        if (is_inner(own, id) == should_be_leaf) {
+            message = message_new("%s, maxDepth %d, targetElementsPerNode %d: node %u on level %d with "
+                                  "%u circles is %s, expected %s",
+                                  scene->title, scene->limits.maxDepth,
+                                  scene->limits.targetElementsPerNode, id, level, n,
+                                  is_inner(own, id) ? "split" : "a leaf",
+                                  should_be_leaf ? "a leaf" : "it to be split");
+        } else if (is_inner(own, id) && has_children(own, id)) {
+            levels[own->nodes_Relations[id].lChild] = level;
+            levels[own->nodes_Relations[id].rChild] = level;
+        }
+    }
+    free(levels);
+    return message ? message
+                   : differs_from_solution(scene, own, own->nodes_flag, scene->tree.nodes_flag,
+                                           sizeof *own->nodes_flag, "leaf or inner node");
+}
+
+static char *wrong_cell(const JobScene *scene, u32 id, u32 child, BBox2D found, BBox2D expected)
+{
+    return message_new("%s: node %u's child %u: found x [%g, %g] y [%g, %g], expected x [%g, %g] "
+                       "y [%g, %g]",
+                       scene->title, id, child, (double)found.minX, (double)found.maxX,
+                       (double)found.minY, (double)found.maxY, (double)expected.minX,
+                       (double)expected.maxX, (double)expected.minY, (double)expected.maxY);
+}
+
+static int is_same_box(BBox2D a, BBox2D b)
+{
+    return a.minX == b.minX && a.maxX == b.maxX && a.minY == b.minY && a.maxY == b.maxY;
+}
+
+char *tree_judge_cells(const JobScene *scene, const KdTree2D *own)
+{
+    for (u32 id = 0; id < own->n_nodes; id++) {
+        if (!is_inner(own, id)) {
+            continue;
+        }
+        if (!has_children(own, id)) {
+            return message_new("%s: node %u is an inner node, but its children are %u and %u of %u "
+                               "nodes",
+                               scene->title, id, own->nodes_Relations[id].lChild,
+                               own->nodes_Relations[id].rChild, own->n_nodes);
+        }
+        const BBox2D box = own->nodes_BBox[id];
+        BBox2D left = box, right = box;
+        if ((double)box.maxX - box.minX >= (double)box.maxY - box.minY) {
+            left.maxX = right.minX = (float)(((double)box.minX + box.maxX) / 2);
+        } else {
+            left.maxY = right.minY = (float)(((double)box.minY + box.maxY) / 2);
+        }
+        const u32 lChild = own->nodes_Relations[id].lChild;
+        const u32 rChild = own->nodes_Relations[id].rChild;
+        if (!is_same_box(own->nodes_BBox[lChild], left)) {
+            return wrong_cell(scene, id, lChild, own->nodes_BBox[lChild], left);
+        }
+        if (!is_same_box(own->nodes_BBox[rChild], right)) {
+            return wrong_cell(scene, id, rChild, own->nodes_BBox[rChild], right);
+        }
+    }
+    return differs_from_solution(scene, own, own->nodes_BBox, scene->tree.nodes_BBox,
+                                 sizeof *own->nodes_BBox, "the cell");
+}
+
+// Compare one leaf's list with the circles that overlap its cell.
+static char *judge_leaf_overlap(const JobScene *scene, const KdTree2D *own, u32 id)
+{
+    u32 n_ids = 0;
+    const u32 *ids = leaf_list(own, id, &n_ids);
+    if (ids == NULL) {
+        return bad_list(scene, own, id);
+    }
+    const BBox2D box = own->nodes_BBox[id];
+    for (u32 circle = 0; circle < (u32)scene->scene.n_circles; circle++) {
+        int listed = 0;
+        for (u32 i = 0; i < n_ids && !listed; i++) {
+            listed = ids[i] == circle;
+        }
+        const int overlaps = circle_overlaps(scene, circle, box);
+        if (listed != overlaps) {
+            const Circle c = scene->scene.circles[circle];
+            return message_new("%s: leaf %u, x [%g, %g] y [%g, %g]: circle %u at (%g, %g) radius %g %s, "
+                               "but the leaf %s it",
+                               scene->title, id, (double)box.minX, (double)box.maxX,
+                               (double)box.minY, (double)box.maxY, circle, (double)c.x, (double)c.y,
+                               (double)c.radius, overlaps ? "overlaps its cell" : "does not overlap it",
+                               listed ? "lists" : "does not list");
+        }
+    }
+    return NULL;
+}
+
+char *tree_judge_overlap(const JobScene *scene, const KdTree2D *own)
+{
+    for (u32 id = 0; id < own->n_nodes; id++) {
+        char *message = is_inner(own, id) ? NULL : judge_leaf_overlap(scene, own, id);
+        if (message != NULL) {
+            return message;
+        }
+    }
+    return differs_from_solution(scene, own, own->nodes_BBox, scene->tree.nodes_BBox,
+                                 sizeof *own->nodes_BBox, "the cell");
+}
+
+char *tree_judge_lists(const JobScene *scene, const KdTree2D *own)
+{
+    for (u32 id = 0; id < own->n_nodes; id++) {
+        u32 n_ids = 0;
+        if (is_inner(own, id)) {
+            continue;
+        }
+        const u32 *ids = leaf_list(own, id, &n_ids);
+        if (ids == NULL) {
+            return bad_list(scene, own, id);
+        }
+        for (u32 i = 0; i < n_ids; i++) {
+            if (ids[i] >= (u32)scene->scene.n_circles) {
+                return message_new("%s: leaf %u lists circle %u, but the scene has %d", scene->title,
+                                   id, ids[i], scene->scene.n_circles);
+            }
+            if (i > 0 && ids[i] <= ids[i - 1]) {
+                return message_new("%s: leaf %u lists circle %u after circle %u: the ids must "
+                                   "ascend",
+                                   scene->title, id, ids[i], ids[i - 1]);
+            }
+        }
+    }
+    if (own->n_map != scene->tree.n_map) {
+        return message_new("%s: mapNode2Circles has %u entries, expected %u", scene->title,
+                           own->n_map, scene->tree.n_map);
+    }
+    return differs_from_solution(scene, own, own->nodes_flag, scene->tree.nodes_flag,
+                                 sizeof *own->nodes_flag, "leaf or inner node");
+}
+
+char *tree_judge_packing(const JobScene *scene, const KdTree2D *own)
+{
+    u32 next_id = 1, next_offset = 0;
+    for (u32 id = 0; id < own->n_nodes; id++) {
+        const NodeRel node = own->nodes_Relations[id];
+        u32 n_ids = 0;
+        if (node.id != id) {
+            return message_new("%s: the node at position %u has id %u", scene->title, id, node.id);
+        }
+        if (is_inner(own, id)) {
+            if (node.lChild != next_id || node.rChild != next_id + 1) {
+                return message_new("%s: node %u's children are %u and %u, expected %u and %u "
+                                   "(breadth-first)",
+                                   scene->title, id, node.lChild, node.rChild, next_id, next_id + 1);
+            }
+            next_id += 2;
+            continue;
+        }
+        if (leaf_list(own, id, &n_ids) == NULL) {
+            return bad_list(scene, own, id);
+        }
+        if (node.circleMapOffset != next_offset) {
+            return message_new("%s: leaf %u: circleMapOffset is %u, expected %u, behind the list of the "
+                               "leaf before it",
+                               scene->title, id, node.circleMapOffset, next_offset);
+        }
+        next_offset += n_ids + 1;
+    }
+    if (next_id != own->n_nodes || next_offset != own->n_map) {
+        return message_new("%s: %u nodes and %u map entries belong to the tree, but its arrays hold %u "
+                           "and %u",
+                           scene->title, next_id, next_offset, own->n_nodes, own->n_map);
+    }
+    return differs_from_solution(scene, own, own->nodes_Relations, scene->tree.nodes_Relations,
+                                 sizeof *own->nodes_Relations, "its entry in nodes_Relations");
+}

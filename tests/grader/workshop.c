@@ -1,0 +1,412 @@
+// Folders, compilers and probes: how a variant of a submission becomes answers.
+#include "workshop.h"
+
+#include "jobs.h"
+#include "message.h"
+#include "probe.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <ftw.h>
+#include <glob.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+enum { PATH_BYTES = 512 };
+
+// What a probe may use. An address space below 1 GB starves PoCL's compiler; processes and threads
+// count for all graders of one user together.
+enum { MEMORY_MB = 4096, FILE_MB = 64, N_PROCESSES = 512 };
+
+// Answers are pictures of at most 336x240 pixels of 16 bytes, a dozen of them: far below this.
+#define MAX_ANSWER_BYTES ((size_t)FILE_MB << 20)
+
+static int make_folder(const char *path)
+{
+    if (mkdir(path, 0755) != 0 && errno != EEXIST) {
+        fprintf(stderr, "grade: %s: cannot be made: %s\n", path, strerror(errno));
+        return -1;
+    }
+    return chmod(path, 0755);
+}
+
+// Copy one of the instructor's own files.
+static int copy_file(const char *from, const char *to)
+{
+    char block[1 << 16];
+    FILE *in = fopen(from, "rb");
+    FILE *out = in ? fopen(to, "wb") : NULL;
+    int failed = in == NULL || out == NULL;
+    size_t n;
+    while (!failed && (n = fread(block, 1, sizeof block, in)) > 0) {
+        failed = fwrite(block, 1, n, out) != n;
+    }
+    failed |= in != NULL && ferror(in);
+    if (in != NULL) {
+        fclose(in);
+    }
+    if (out != NULL) {
+        failed |= fclose(out) != 0;
+    }
+    struct stat status;
+    if (failed || stat(from, &status) != 0 || chmod(to, (status.st_mode & 0111) | 0644) != 0) {
+        fprintf(stderr, "grade: %s: cannot be copied: %s\n", from, strerror(errno));
+        return -1;
+    }
+    return 0;
+}
+
+// Copy what matches the pattern into tree/folder.
+static int copy_matching(const Workshop *workshop, const char *pattern, const char *folder)
+{
+    char path[PATH_BYTES];
+    snprintf(path, sizeof path, "%s/tree/%s", workshop->folder, folder);
+    glob_t found;
+    int result = make_folder(path);
+    if (result == 0 && glob(pattern, 0, NULL, &found) == 0) {
+        for (size_t i = 0; result == 0 && i < found.gl_pathc; i++) {
+            const char *name = strrchr(found.gl_pathv[i], '/') + 1;
+            snprintf(path, sizeof path, "%s/tree/%s/%s", workshop->folder, folder, name);
+            result = copy_file(found.gl_pathv[i], path);
+        }
+        globfree(&found);
+    }
+    return result;
+}
+
+// The solutions of the labs before this one, as a handout has them.
+static int copy_earlier_solutions(const Workshop *workshop)
+{
+    glob_t found;
+    int result = 0;
+    if (glob("solutions/*", GLOB_ONLYDIR, NULL, &found) != 0) {
+        fprintf(stderr, "grade: solutions/: not found; start from the course's top folder\n");
+        return -1;
+    }
+    for (size_t i = 0; result == 0 && i < found.gl_pathc; i++) {
+        const char *folder = found.gl_pathv[i];
+        char pattern[PATH_BYTES];
+        if (strcmp(folder + strlen("solutions/"), workshop->manifest->lab) >= 0) {
+            continue;
+        }
+        snprintf(pattern, sizeof pattern, "%s/*.[hc]*", folder);
+        result = copy_matching(workshop, pattern, folder);
+    }
+    globfree(&found);
+    return result;
+}
+
+static int copy_libraries(const Workshop *workshop)
+{
+    const char *lab = workshop->manifest->lab;
+    char pattern[PATH_BYTES];
+    snprintf(pattern, sizeof pattern, "%s/probes/%s*", workshop->build, lab);
+    int result = copy_matching(workshop, pattern, "lib");
+    snprintf(pattern, sizeof pattern, "%s/earlier/%s.a", workshop->build, lab);
+    result |= copy_matching(workshop, pattern, "lib/earlier");
+    snprintf(pattern, sizeof pattern, "%s/libcommon.a", workshop->build);
+    return result | copy_matching(workshop, pattern, "lib");
+}
+
+// Empty folders that the sandbox puts others in the place of.
+static int make_mount_points(const Workshop *workshop)
+{
+    static const char *const folders[] = {"labs", "job", "build", "out"};
+    char path[PATH_BYTES];
+    int result = 0;
+    for (size_t i = 0; i < sizeof folders / sizeof *folders; i++) {
+        snprintf(path, sizeof path, "%s/tree/%s", workshop->folder, folders[i]);
+        result |= make_folder(path);
+    }
+    snprintf(path, sizeof path, "%s/tree/labs/%s", workshop->folder, workshop->manifest->lab);
+    result |= make_folder(path);
+    snprintf(path, sizeof path, "%s/job", workshop->folder);
+    return result | make_folder(path);
+}
+
+int workshop_open(Workshop *workshop, const Manifest *manifest, const char *build,
+                  const char *device)
+{
+    const char *parent = getenv("TMPDIR");
+    *workshop = (Workshop){.build = build, .manifest = manifest, .device = device};
+    for (int i = 0; i < manifest->n_files; i++) {
+        const char *ending = strrchr(manifest->files[i], '.');
+        workshop->needs_compiler |= ending != NULL && strcmp(ending, ".c") == 0;
+    }
+    const int length = snprintf(workshop->folder, sizeof workshop->folder, "%s/grade-XXXXXX",
+                                parent != NULL && parent[0] != '\0' ? parent : "/tmp");
+    if (length >= (int)sizeof workshop->folder || mkdtemp(workshop->folder) == NULL) {
+        fprintf(stderr, "grade: no temporary folder in $TMPDIR or /tmp\n");
+        workshop->folder[0] = '\0';
+        return -1;
+    }
+    char path[PATH_BYTES];
+    snprintf(path, sizeof path, "%s/tree", workshop->folder);
+    int result = make_folder(workshop->folder) | make_folder(path);
+    snprintf(path, sizeof path, "%s/tree/solutions", workshop->folder);
+    result |= make_folder(path) | make_mount_points(workshop);
+    result |= copy_matching(workshop, "common/*.h", "common");
+    result |= copy_matching(workshop, "kernels/*.h", "kernels");
+    result |= copy_matching(workshop, "tests/probes/*.h", "probes");
+    result |= copy_matching(workshop, "tests/probes/*.cl", "probes");
+    return result | copy_earlier_solutions(workshop) | copy_libraries(workshop) ? -1 : 0;
+}
+
+static int remove_entry(const char *path, const struct stat *status, int type, struct FTW *level)
+{
+    (void)status, (void)type, (void)level;
+    return remove(path);
+}
+
+void workshop_close(Workshop *workshop)
+{
+    if (workshop->folder[0] != '\0') {
+        nftw(workshop->folder, remove_entry, 16, FTW_DEPTH | FTW_PHYS | FTW_MOUNT);
+    }
+    workshop->folder[0] = '\0';
+}
+
+void workshop_job_path(const Workshop *workshop, char *path, size_t n_bytes)
+{
+    snprintf(path, n_bytes, "%s/job/job", workshop->folder);
+}
+
+// ---- Variants -----------------------------------------------------------------------------------
+
+// Is the file handed in by students? Then a variant brings its own.
+static int is_handed_in(const Manifest *manifest, const char *name)
+{
+    for (int i = 0; i < manifest->n_files; i++) {
+        if (strcmp(manifest->files[i], name) == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static int copy_given_files(const Manifest *manifest, const char *folder)
+{
+    char path[PATH_BYTES];
+    glob_t found;
+    snprintf(path, sizeof path, "labs/%s/*.[hc]*", manifest->lab);
+    if (glob(path, 0, NULL, &found) != 0) {
+        fprintf(stderr, "grade: labs/%s: not found\n", manifest->lab);
+        return -1;
+    }
+    int result = 0;
+    for (size_t i = 0; result == 0 && i < found.gl_pathc; i++) {
+        const char *name = strrchr(found.gl_pathv[i], '/') + 1;
+        if (!is_handed_in(manifest, name) && strcmp(name, "main.c") != 0) {
+            snprintf(path, sizeof path, "%s/%s", folder, name);
+            result = copy_file(found.gl_pathv[i], path);
+        }
+    }
+    globfree(&found);
+    return result;
+}
+
+int variant_open(const Workshop *workshop, const char *name, Variant *variant, char *path,
+                 size_t n_bytes)
+{
+    static const char *const folders[] = {"", "/build", "/out", "/lab"};
+    *variant = (Variant){0};
+    snprintf(variant->name, sizeof variant->name, "%s", name);
+    for (size_t i = 0; i < sizeof folders / sizeof *folders; i++) {
+        snprintf(path, n_bytes, "%s/variant-%s%s", workshop->folder, name, folders[i]);
+        if (make_folder(path) != 0) {
+            return -1;
+        }
+        // What runs inside writes here as its own user.
+        if ((i == 1 || i == 2) && geteuid() == 0 &&
+            chown(path, sandbox_user(), (gid_t)sandbox_user()) != 0) {
+            fprintf(stderr, "grade: %s: cannot be handed over: %s\n", path, strerror(errno));
+            return -1;
+        }
+    }
+    return copy_given_files(workshop->manifest, path);
+}
+
+void variant_free(Variant *variant)
+{
+    free(variant->build_log);
+    free(variant->trouble);
+    free(variant->run_output);
+    sections_free(&variant->answers);
+    *variant = (Variant){0};
+}
+
+// The folders of a variant as mounts; paths[] keeps the strings.
+static void mount_variant(const Workshop *workshop, const Variant *variant, int building,
+                          char paths[5][PATH_BYTES], char *lab_inside, SandboxCommand *command)
+{
+    snprintf(paths[0], PATH_BYTES, "%s/tree", workshop->folder);
+    snprintf(paths[1], PATH_BYTES, "%s/variant-%s/lab", workshop->folder, variant->name);
+    snprintf(paths[2], PATH_BYTES, "%s/variant-%s/build", workshop->folder, variant->name);
+    snprintf(paths[3], PATH_BYTES, "%s/variant-%s/out", workshop->folder, variant->name);
+    snprintf(paths[4], PATH_BYTES, "%s/job", workshop->folder);
+    snprintf(lab_inside, PATH_BYTES, "/work/labs/%s", workshop->manifest->lab);
+    const SandboxMount mounts[] = {
+        {paths[0], "/work", 0},           {paths[1], lab_inside, 0}, {paths[2], "/work/build", building},
+        {paths[3], "/work/out", !building}, {paths[4], "/work/job", 0},
+    };
+    memcpy(command->mounts, mounts, sizeof mounts);
+    // The compiler needs neither the job nor a place for answers.
+    command->n_mounts = building ? 3 : 5;
+}
+
+static SandboxRun *start(const Workshop *workshop, const Variant *variant, int building,
+                         const char *const *argv, int wall_seconds)
+{
+    char paths[5][PATH_BYTES], lab_inside[PATH_BYTES], device[PATH_BYTES];
+    snprintf(device, sizeof device, CL_DEVICE_VARIABLE "=%s", workshop->device);
+    // PoCL takes groups of 4096, GPUs often no more than 256: what is graded here shall run there.
+    const char *const environment[] = {device, "POCL_MAX_WORK_GROUP_SIZE=256", NULL};
+    SandboxCommand command = {
+        .argv = argv,
+        .environment = environment,
+        .folder = "/work",
+        .wall_seconds = wall_seconds,
+        .cpu_seconds = 2 * wall_seconds,
+        .memory_mb = MEMORY_MB,
+        .file_mb = FILE_MB,
+        .n_processes = N_PROCESSES,
+    };
+    mount_variant(workshop, variant, building, paths, lab_inside, &command);
+    return sandbox_start(&command);
+}
+
+// The compiler's command line for the lab's host files, the probe and the libraries.
+static SandboxRun *start_compiler(const Workshop *workshop, const Variant *variant, int wall_seconds)
+{
+    const Manifest *manifest = workshop->manifest;
+    enum { MAX_WORDS = 64 };
+    const char *argv[MAX_WORDS] = {"/usr/bin/gcc", "-std=c11",  "-D_GNU_SOURCE", "-O2",      "-g",
+                                   "-Wall",        "-Wextra",   "-Icommon",      "-Ikernels"};
+    char words[MAX_WORDS][PATH_BYTES];
+    int n = 9, n_words = 0;
+    snprintf(words[n_words], PATH_BYTES, "-Ilabs/%s", manifest->lab);
+    argv[n++] = words[n_words++];
+    glob_t found;
+    if (glob("solutions/*", GLOB_ONLYDIR, NULL, &found) == 0) {
+        for (size_t i = 0; i < found.gl_pathc && n < MAX_WORDS / 2; i++) {
+            if (strcmp(found.gl_pathv[i] + strlen("solutions/"), manifest->lab) < 0) {
+                snprintf(words[n_words], PATH_BYTES, "-I%s", found.gl_pathv[i]);
+                argv[n++] = words[n_words++];
+            }
+        }
+        globfree(&found);
+    }
+    for (int i = 0; i < manifest->n_files; i++) {
+        const char *name = manifest->files[i];
+        if (strcmp(name + strlen(name) - 2, ".c") == 0) {
+            snprintf(words[n_words], PATH_BYTES, "labs/%s/%s", manifest->lab, name);
+            argv[n++] = words[n_words++];
+        }
+    }
+    const char *const libraries[] = {"lib/%s.a", "lib/earlier/%s.a"};
+    for (int i = 0; i < 2; i++) {
+        snprintf(words[n_words], PATH_BYTES, libraries[i], manifest->lab);
+        argv[n++] = words[n_words++];
+    }
+    const char *const rest[] = {"lib/libcommon.a", "-lOpenCL", "-lm", "-o", "build/probe"};
+    memcpy(argv + n, rest, sizeof rest);
+    return start(workshop, variant, 1, argv, wall_seconds);
+}
+
+static SandboxRun *start_probe(const Workshop *workshop, const Variant *variant, int wall_seconds)
+{
+    char path[PATH_BYTES];
+    snprintf(path, sizeof path, "/work/lib/%s", workshop->manifest->lab);
+    const char *const argv[] = {workshop->needs_compiler ? "/work/build/probe" : path, NULL};
+    return start(workshop, variant, 0, argv, wall_seconds);
+}
+
+// What a probe's end means for the student, or NULL when it ran to its end. Takes `result.output`.
+static char *describe_end(SandboxResult result, int wall_seconds)
+{
+    switch (result.outcome) {
+    case SANDBOX_TIMED_OUT:
+        return message_new("it did not finish in time (%d s): an endless loop?", wall_seconds);
+    case SANDBOX_CRASHED:
+        return message_new("it crashed: signal %d (%s)%s", result.signal, strsignal(result.signal),
+                           result.signal == 11 || result.signal == 6
+                               ? "; an index or a pointer out of range?"
+                               : "");
+    case SANDBOX_EXITED:
+        break;
+    case SANDBOX_FAULT:
+        return NULL;
+    }
+    if (result.exit_status == 0) {
+        return NULL;
+    }
+    if (strstr(result.output, "emory") != NULL) {
+        return message_new("it ran out of memory, or a check of OpenCL failed");
+    }
+    return message_new("it ended early with exit status %d", result.exit_status);
+}
+
+// Take in how the compiler ended. Returns -1 when the machinery failed.
+static int take_build(Variant *variant)
+{
+    SandboxResult result = sandbox_wait(variant->run);
+    variant->run = NULL;
+    if (result.outcome == SANDBOX_FAULT) {
+        fprintf(stderr, "grade: the sandbox failed: %s\n", result.output);
+        free(result.output);
+        return -1;
+    }
+    if (result.outcome != SANDBOX_EXITED || result.exit_status != 0) {
+        variant->build_log = result.outcome == SANDBOX_EXITED
+                                 ? strdup(result.output)
+                                 : message_new("the compiler did not finish: too large a program?");
+    }
+    free(result.output);
+    return 0;
+}
+
+static int take_run(const Workshop *workshop, Variant *variant, int wall_seconds)
+{
+    SandboxResult result = sandbox_wait(variant->run);
+    variant->run = NULL;
+    if (result.outcome == SANDBOX_FAULT) {
+        fprintf(stderr, "grade: the sandbox failed: %s\n", result.output);
+        free(result.output);
+        return -1;
+    }
+    char path[PATH_BYTES];
+    snprintf(path, sizeof path, "%s/variant-%s/out/answers", workshop->folder, variant->name);
+    sections_load(path, MAX_ANSWER_BYTES, &variant->answers);
+    variant->run_output = result.output;
+    if (result.outcome == SANDBOX_EXITED && result.exit_status == PROBE_EXIT_NO_BUILD) {
+        variant->build_log = strdup(result.output);
+    } else {
+        variant->trouble = describe_end(result, wall_seconds);
+    }
+    return 0;
+}
+
+int variants_run(const Workshop *workshop, Variant *const variants[], int n, int wall_seconds)
+{
+    int result = 0;
+    for (int i = 0; workshop->needs_compiler && i < n; i++) {
+        variants[i]->run = start_compiler(workshop, variants[i], wall_seconds);
+        result |= variants[i]->run == NULL ? -1 : 0;
+    }
+    for (int i = 0; i < n; i++) {
+        result |= variants[i]->run != NULL ? take_build(variants[i]) : 0;
+    }
+    for (int i = 0; result == 0 && i < n; i++) {
+        if (variants[i]->build_log == NULL) {
+            variants[i]->run = start_probe(workshop, variants[i], wall_seconds);
+            result |= variants[i]->run == NULL ? -1 : 0;
+        }
+    }
+    for (int i = 0; i < n; i++) {
+        result |= variants[i]->run != NULL ? take_run(workshop, variants[i], wall_seconds) : 0;
+    }
+    return result;
+}

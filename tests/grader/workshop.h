@@ -1,0 +1,54 @@
+// The workshop: a temporary folder with everything a sandbox gets to see, and the variants of a
+// submission that are built and run in it.
+//
+//     tree/               seen as /work: headers, kernels, probes, libraries, earlier solutions
+//     job/job             what the probe shall try
+//     NAME/lab            a variant's files, seen as /work/labs/NN-name
+//     NAME/build, out     what its compiler and its probe write
+#ifndef GRADER_WORKSHOP_H
+#define GRADER_WORKSHOP_H
+
+#include "manifest.h"
+#include "sandbox.h"
+#include "sections.h"
+
+typedef struct Workshop {
+    char folder[64];  // under $TMPDIR or /tmp
+    const char *build;  // the build folder with the probes and libraries, "build"
+    const Manifest *manifest;
+    const char *device;  // value of COURSE_DEVICE inside; "" for the first
+    int needs_compiler;  // the lab has host files
+} Workshop;
+
+// Make the folder and copy in what the lab needs. Returns 0, or -1 after one message on stderr.
+int workshop_open(Workshop *workshop, const Manifest *manifest, const char *build,
+                  const char *device);
+
+// Remove the folder.
+void workshop_close(Workshop *workshop);
+
+// Where the job is to be written before any variant runs.
+void workshop_job_path(const Workshop *workshop, char *path, size_t n_bytes);
+
+// One way to combine files, built and run.
+typedef struct Variant {
+    char name[80];
+    char *build_log;   // set when it does not compile; with the student's file and line; owned
+    char *trouble;     // set when it compiled and did not run to its end: what happened; owned
+    char *run_output;  // what it wrote to stdout and stderr; owned
+    Sections answers;  // whatever it answered
+    SandboxRun *run;   // while it runs
+} Variant;
+
+// Make the folder of a variant, with the lab's given files in it; put the lab's own files, the ones a
+// student hands in, there next. `path` receives the folder. Returns 0, or -1 after one message.
+int variant_open(const Workshop *workshop, const char *name, Variant *variant, char *path,
+                 size_t n_bytes);
+
+// Compile and run n variants side by side, each for at most wall_seconds. Returns 0, or -1 after one
+// message when the machinery failed.
+int variants_run(const Workshop *workshop, Variant *const variants[], int n, int wall_seconds);
+
+void variant_free(Variant *variant);
+
+#endif

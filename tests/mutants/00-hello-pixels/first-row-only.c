@@ -1,0 +1,9 @@
+// mutant: the region is one row high
+// task: read_back
+// caught by: read_back-picture
+// says: found|nobody wrote
+    (void)height;
+    const size_t origin[3] = {0, 0, 0};
+    const size_t region[3] = {(size_t)width, 1, 1};
+    CL_CHECK(
+        clEnqueueReadImage(queue, d_image, CL_TRUE, origin, region, 0, 0, h_pixels, 0, NULL, NULL));

@@ -1,0 +1,11 @@
+// mutant: the global size counts rows first
+// task: enqueue_pixels
+// caught by: enqueue-covers
+// says: nobody wrote
+    const size_t local_size[2] = {GROUP_SIZE, GROUP_SIZE};
+    const size_t global_size[2] = {
+        ((size_t)height + GROUP_SIZE - 1) / GROUP_SIZE * GROUP_SIZE,
+        ((size_t)width + GROUP_SIZE - 1) / GROUP_SIZE * GROUP_SIZE,
+    };
+    CL_CHECK(
+        clEnqueueNDRangeKernel(queue, kernel, 2, NULL, global_size, local_size, 0, NULL, NULL));

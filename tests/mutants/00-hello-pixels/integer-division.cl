@@ -1,0 +1,12 @@
+// mutant: the division is one of integers, so red and green are 0 everywhere
+// task: gradient
+// caught by: gradient-picture
+// says: found \(0
+    const int x = get_global_id(0);
+    const int y = get_global_id(1);
+    if (x >= width || y >= height) {
+        return;
+    }
+    const float red = x / width;
+    const float green = y / height;
+    write_imagef(image, (int2)(x, y), (float4)(red, green, 0.25f, 1.0f));

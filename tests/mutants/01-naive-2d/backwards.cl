@@ -1,0 +1,12 @@
+// mutant: circles are asked from the last to the first, so the later of two equals is kept
+// task: implicit2DRenderer
+// caught by: renderer-order
+// says: equal depth
+    float minDepth = INFINITY;
+    for (int i = n_circles - 1; i >= 0; i--) {
+        const Circle circle = circles[i];
+        if (overlaps_N_Nearer(x, y, circle, minDepth)) {
+            minDepth = circle.depth;
+            color = (float4)(circle.r, circle.g, circle.b, circle.a);
+        }
+    }

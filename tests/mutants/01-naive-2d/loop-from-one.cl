@@ -1,0 +1,12 @@
+// mutant: the loop starts at 1
+// task: implicit2DRenderer
+// caught by: renderer-edges
+// says: first circle
+    float minDepth = INFINITY;
+    for (int i = 1; i < n_circles; i++) {
+        const Circle circle = circles[i];
+        if (overlaps_N_Nearer(x, y, circle, minDepth)) {
+            minDepth = circle.depth;
+            color = (float4)(circle.r, circle.g, circle.b, circle.a);
+        }
+    }

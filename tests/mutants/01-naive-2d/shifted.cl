@@ -1,0 +1,12 @@
+// mutant: rows are counted from 1
+// task: implicit2DRenderer
+// caught by: renderer-random
+// says: shifted by one pixel
+    float minDepth = INFINITY;
+    for (int i = 0; i < n_circles; i++) {
+        const Circle circle = circles[i];
+        if (overlaps_N_Nearer(x, y + 1, circle, minDepth)) {
+            minDepth = circle.depth;
+            color = (float4)(circle.r, circle.g, circle.b, circle.a);
+        }
+    }

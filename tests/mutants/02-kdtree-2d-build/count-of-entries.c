@@ -1,0 +1,10 @@
+// mutant: the count counts itself: n_ids + 1
+// task: pack_leaf
+// caught by: pack-count
+// says: found|count
+    tree->nodes_flag[id] = LEAF;
+    tree->nodes_Relations[id].circleMapOffset = tree->n_map;
+    tree->mapNode2Circles[tree->n_map++] = n_ids + 1;
+    for (u32 i = 0; i < n_ids; i++) {
+        tree->mapNode2Circles[tree->n_map++] = ids[i];
+    }

@@ -1,0 +1,6 @@
+// mutant: only the level stops the splitting
+// task: is_leaf
+// caught by: is_leaf-count
+// says: found 0, expected 1
+    (void)n_circles;
+    return level >= limits.maxDepth;

@@ -1,0 +1,9 @@
+// mutant: a copied line: y is clamped to the borders of x
+// task: circle_overlaps_box
+// caught by: overlap-inside
+// says: found [01], expected [01]
+    const double nearest_x = fmin(fmax(circle.x, box.minX), box.maxX);
+    const double nearest_y = fmin(fmax(circle.y, box.minX), box.maxX);
+    const double dx = circle.x - nearest_x;
+    const double dy = circle.y - nearest_y;
+    return dx * dx + dy * dy <= (double)circle.radius * circle.radius;

@@ -1,0 +1,14 @@
+// mutant: the list is read from its start on: the count is taken for a circle id
+// task: leaf_loop
+// caught by: leaf-random
+// says: found
+    float minDepth = INFINITY;
+    const uint offset = nodes_Relations[id].circleMapOffset;
+    const uint n_circles = mapNode2Circles[offset];
+    for (uint i = 0; i < n_circles; i++) {
+        const Circle circle = circles[mapNode2Circles[offset + i]];
+        if (overlaps_N_Nearer(x, y, circle, minDepth)) {
+            minDepth = circle.depth;
+            color = (float4)(circle.r, circle.g, circle.b, circle.a);
+        }
+    }

@@ -1,0 +1,7 @@
+// mutant: the leaf of pixel (y, x) is searched
+// task: descent
+// caught by: descent-leaf
+// says: found|leaf
+    while (nodes_flag[id] != LEAF) {
+        id = getContainingChild(y, x, id, nodes_Relations, nodes_BBox);
+    }

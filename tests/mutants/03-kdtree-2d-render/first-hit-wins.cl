@@ -1,0 +1,15 @@
+// mutant: the loop ends at the first circle that covers the pixel, the nearest or not
+// task: leaf_loop
+// caught by: leaf-random
+// says: found
+    float minDepth = INFINITY;
+    const uint offset = nodes_Relations[id].circleMapOffset;
+    const uint n_circles = mapNode2Circles[offset];
+    for (uint i = 1; i <= n_circles; i++) {
+        const Circle circle = circles[mapNode2Circles[offset + i]];
+        if (overlaps_N_Nearer(x, y, circle, minDepth)) {
+            minDepth = circle.depth;
+            color = (float4)(circle.r, circle.g, circle.b, circle.a);
+            break;
+        }
+    }

@@ -1,0 +1,13 @@
+// mutant: minDepth is not updated: the last circle of the list that covers the pixel wins
+// task: leaf_loop
+// caught by: leaf-random
+// says: depth
+    float minDepth = INFINITY;
+    const uint offset = nodes_Relations[id].circleMapOffset;
+    const uint n_circles = mapNode2Circles[offset];
+    for (uint i = 1; i <= n_circles; i++) {
+        const Circle circle = circles[mapNode2Circles[offset + i]];
+        if (overlaps_N_Nearer(x, y, circle, minDepth)) {
+            color = (float4)(circle.r, circle.g, circle.b, circle.a);
+        }
+    }

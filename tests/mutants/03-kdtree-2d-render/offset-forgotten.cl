@@ -1,0 +1,14 @@
+// mutant: every leaf is asked for the list at the start of the map
+// task: leaf_loop
+// caught by: leaf-edges
+// says: found
+    float minDepth = INFINITY;
+    (void)id, (void)nodes_Relations;
+    const uint n_circles = mapNode2Circles[0];
+    for (uint i = 1; i <= n_circles; i++) {
+        const Circle circle = circles[mapNode2Circles[i]];
+        if (overlaps_N_Nearer(x, y, circle, minDepth)) {
+            minDepth = circle.depth;
+            color = (float4)(circle.r, circle.g, circle.b, circle.a);
+        }
+    }

@@ -1,0 +1,7 @@
+// mutant: the descent stops after one level: if instead of while
+// task: descent
+// caught by: descent-picture
+// says: found
+    if (nodes_flag[id] != LEAF) {
+        id = getContainingChild(x, y, id, nodes_Relations, nodes_BBox);
+    }

@@ -1,0 +1,7 @@
+// mutant: the child's flag is asked, so the descent ends above the leaf
+// task: descent
+// caught by: descent-picture
+// says: found
+    while (nodes_flag[getContainingChild(x, y, id, nodes_Relations, nodes_BBox)] != LEAF) {
+        id = getContainingChild(x, y, id, nodes_Relations, nodes_BBox);
+    }

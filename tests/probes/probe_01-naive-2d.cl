@@ -1,0 +1,14 @@
+// Probe of lab 01: the student's kernel, and one that calls overlaps_N_Nearer with the job's inputs.
+
+// In the probe the image is larger than the picture; a guard by the image's size is right as well.
+#define get_image_width(image) width
+#define get_image_height(image) height
+#include "implicit2DRenderer.cl"
+#include "jobs.h"
+
+kernel void probe_overlaps(global const OverlapJob *jobs, global int *answers)
+{
+    const size_t i = get_global_id(0);
+    const OverlapJob job = jobs[i];
+    answers[i] = overlaps_N_Nearer(job.x, job.y, job.circle, job.minDepth);
+}

@@ -1,0 +1,16 @@
+// Probe of lab 03: the student's kernel, and one that calls getContainingChild with the job's inputs.
+
+// In the probe the image is larger than the picture; a guard by the image's size is right as well.
+#define get_image_width(image) width
+#define get_image_height(image) height
+#include "implicit2DRenderer_KD.cl"
+#undef getContainingChild  // not to be counted here
+#include "jobs.h"
+
+kernel void probe_child(global const ChildJob *jobs, global const NodeRel *nodes_Relations,
+                        global const BBox2D *nodes_BBox, global uint *answers)
+{
+    const size_t i = get_global_id(0);
+    const ChildJob job = jobs[i];
+    answers[i] = getContainingChild(job.x, job.y, job.id, nodes_Relations, nodes_BBox);
+}

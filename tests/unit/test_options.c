@@ -1,0 +1,159 @@
+// common/options: the command line of every lab.
+#include "options.h"
+#include "surroundings.h"
+
+#define MAX_WORDS 8
+
+TestSuite(options, .init = folder_enter, .fini = folder_leave);
+
+// Parse a command line given as words, NULL after the last.
+static OptionsResult parse(const char *const words[MAX_WORDS], int set, Options *options)
+{
+    // getopt_long() reorders the array, so it gets one of its own.
+    char *argv[MAX_WORDS + 2] = {(char *)"program"};
+    int argc = 1;
+    for (int i = 0; i < MAX_WORDS && words[i] != NULL; i++)
+        argv[argc++] = (char *)words[i];
+    return options_parse(argc, argv, "01-naive-2d", "Draws circles.", set, options);
+}
+
+Test(options, defaults)
+{
+    Options options;
+    cr_assert_eq(parse((const char *[MAX_WORDS]){NULL}, OPTIONS_SCENE, &options), OPTIONS_RUN);
+    cr_expect_str_eq(options.scene, "random");
+    cr_expect(options.width == 0 && options.height == 0);
+    cr_expect_str_eq(options.output, "build/01-naive-2d.png");
+    cr_expect_null(options.device);
+    cr_expect_null(options.stats);
+    cr_expect_eq(options.n_frames, 1);
+    cr_expect_eq(options.max_depth, OPTIONS_DEFAULT_MAX_DEPTH);
+    cr_expect_eq(options.leaf_size, OPTIONS_DEFAULT_LEAF_SIZE);
+    cr_expect_eq(access("build", W_OK), 0, "the default's folder is made");
+}
+
+Test(options, everything_given)
+{
+    Options options;
+    const char *first[MAX_WORDS] = {"--scene=a.csv", "--size", "640x480", "--output=p.exr",
+                                    "--frames",      "7",      "--stats", "s.json"};
+    cr_assert_eq(parse(first, OPTIONS_SCENE, &options), OPTIONS_RUN);
+    cr_expect_str_eq(options.scene, "a.csv");
+    cr_expect(options.width == 640 && options.height == 480);
+    cr_expect_str_eq(options.output, "p.exr");
+    cr_expect_eq(options.n_frames, 7);
+    cr_expect_str_eq(options.stats, "s.json");
+    cr_expect_eq(folder_count(), 0, "nothing is made when --output is given");
+
+    const char *second[MAX_WORDS] = {"--device", "pocl", "--max-depth=24", "--leaf-size=1",
+                                     "--size=1x1000000"};
+    cr_assert_eq(parse(second, OPTIONS_TREE, &options), OPTIONS_RUN);
+    cr_expect_str_eq(options.device, "pocl");
+    cr_expect_eq(options.max_depth, OPTIONS_LARGEST_MAX_DEPTH);
+    cr_expect_eq(options.leaf_size, 1);
+    cr_expect_eq(options.height, 1000000);
+}
+
+static const struct {
+    const char *words[MAX_WORDS];
+    const char *message;
+} BAD[] = {
+    {{"--size", "640"}, "expected WxH"},
+    {{"--size", "640x"}, "expected WxH"},
+    {{"--size", "x480"}, "expected WxH"},
+    {{"--size", "0x480"}, "expected WxH"},
+    {{"--size", "-3x480"}, "expected WxH"},
+    {{"--size", "640x480x2"}, "expected WxH"},
+    {{"--size", "640X480"}, "expected WxH"},
+    {{"--size", " 640x480"}, "expected WxH"},
+    {{"--size", "1000001x1"}, "1000000"},
+    {{"--size", "99999999999999999999x1"}, "expected WxH"},
+    {{"--frames", "0"}, "--frames: found \"0\""},
+    {{"--frames", "-1"}, "--frames"},
+    {{"--frames", "1.5"}, "--frames"},
+    {{"--frames", ""}, "--frames"},
+    {{"--frames", "99999999999999999999"}, "--frames"},
+    {{"--max-depth", "0"}, "from 1 to 24"},
+    {{"--max-depth", "25"}, "from 1 to 24"},
+    {{"--leaf-size", "0"}, "--leaf-size"},
+    {{"--leaf-size", "few"}, "found \"few\""},
+    {{"--output", "picture.jpg"}, ".png or .exr"},
+    {{"--output", "picture"}, ".png or .exr"},
+    {{"--output", "nowhere/p.png"}, "folder that exists"},
+    {{"--output", "file/p.png"}, "folder that exists"},
+    {{"--output", "folder.png"}, "not a folder"},
+    {{"--stats", "nowhere/s.json"}, "folder that exists"},
+    {{"--scene"}, "--scene needs an argument"},
+    {{"--colour", "red"}, "--colour"},
+    {{"-x"}, "-x"},
+    {{"stray"}, "stray word \"stray\""},
+    {{"--frames", "2", "stray"}, "stray word \"stray\""},
+    {{"--help=me"}, "--help=me"},
+};
+
+Test(options, bad_words_give_one_message)
+{
+    file_write("file", "", 0);
+    mkdir("folder.png", 0777);
+    for (size_t i = 0; i < sizeof BAD / sizeof BAD[0]; i++) {
+        Options options;
+        capture_begin(2);
+        OptionsResult result = parse(BAD[i].words, OPTIONS_SCENE | OPTIONS_TREE, &options);
+        const char *message = capture_end(2);
+        expect_one_message(message, BAD[i].message);
+        expect_one_message(message, "01-naive-2d: ");
+        expect_one_message(message, "(try --help)");
+        cr_expect_eq(result, OPTIONS_BAD, "case %zu, %s, was taken", i, BAD[i].words[0]);
+    }
+}
+
+// The superuser may write anywhere, so this can only be seen as another user.
+Test(options, a_folder_without_rights)
+{
+    if (geteuid() == 0)
+        SKIP_TEST("the superuser may write anywhere");
+    mkdir("locked", 0555);
+    Options options;
+    capture_begin(2);
+    OptionsResult result = parse((const char *[MAX_WORDS]){"--output=locked/p.png"}, 0, &options);
+    expect_one_message(capture_end(2), "can be written");
+    cr_expect_eq(result, OPTIONS_BAD);
+}
+
+Test(options, a_lab_refuses_what_it_does_not_understand)
+{
+    static const char *const FOREIGN[][MAX_WORDS] = {
+        {"--scene", "example"}, {"--max-depth", "3"}, {"--leaf-size", "3"}};
+    for (size_t i = 0; i < sizeof FOREIGN / sizeof FOREIGN[0]; i++) {
+        Options options;
+        capture_begin(2);
+        OptionsResult result = parse(FOREIGN[i], 0, &options);
+        expect_one_message(capture_end(2), FOREIGN[i][0]);
+        cr_expect_eq(result, OPTIONS_BAD);
+    }
+}
+
+Test(options, help_names_what_the_lab_understands)
+{
+    Options options;
+    capture_begin(1);
+    OptionsResult result = parse((const char *[MAX_WORDS]){"--help"}, OPTIONS_SCENE, &options);
+    const char *help = capture_end(1);
+    cr_expect_eq(result, OPTIONS_DONE);
+    static const char *const PARTS[] = {"Draws circles.", "--scene", "equal-depths", "--frames",
+                                        "build/01-naive-2d.png"};
+    for (size_t i = 0; i < sizeof PARTS / sizeof PARTS[0]; i++)
+        cr_expect_not_null(strstr(help, PARTS[i]), "no %s", PARTS[i]);
+    cr_expect_null(strstr(help, "--max-depth"), "an option of labs with trees");
+    cr_expect_eq(folder_count(), 0, "help makes no folder");
+}
+
+Test(options, devices_are_listed)
+{
+    Options options;
+    capture_begin(1);
+    OptionsResult result = parse((const char *[MAX_WORDS]){"--list-devices"}, 0, &options);
+    const char *list = capture_end(1);
+    cr_expect_eq(result, OPTIONS_DONE);
+    cr_expect_eq(strncmp(list, "0  ", 3), 0);
+}

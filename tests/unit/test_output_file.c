@@ -1,0 +1,113 @@
+// common/output_file: a file appears whole or not at all.
+#include "output_file.h"
+#include "surroundings.h"
+
+#include <signal.h>
+#include <sys/resource.h>
+
+TestSuite(output_file, .init = folder_enter, .fini = folder_leave);
+
+static void expect_content(const char *path, const char *expected)
+{
+    char text[64] = "";
+    FILE *file = fopen(path, "r");
+    cr_assert_not_null(file);
+    cr_expect(fgets(text, sizeof text, file) != NULL);
+    cr_expect_str_eq(text, expected);
+    fclose(file);
+}
+
+Test(output_file, appears_on_commit_and_not_before)
+{
+    OutputFile output;
+    cr_assert_eq(output_file_open(&output, "figure.svg"), 0);
+    fputs("whole", output.file);
+    fflush(output.file);
+    cr_expect_neq(access("figure.svg", F_OK), 0);
+    cr_assert_eq(output_file_commit(&output), 0);
+    expect_content("figure.svg", "whole");
+    cr_expect_eq(folder_count(), 1, "a partial file stayed behind");
+}
+
+Test(output_file, replaces_the_old_file_only_on_commit)
+{
+    file_write("figure.svg", "old", 3);
+    OutputFile output;
+    cr_assert_eq(output_file_open(&output, "figure.svg"), 0);
+    fputs("new", output.file);
+    fflush(output.file);
+    expect_content("figure.svg", "old");
+    cr_assert_eq(output_file_commit(&output), 0);
+    expect_content("figure.svg", "new");
+}
+
+Test(output_file, discard_leaves_nothing_behind)
+{
+    OutputFile output;
+    cr_assert_eq(output_file_open(&output, "figure.svg"), 0);
+    fputs("half", output.file);
+    output_file_discard(&output);
+    cr_expect_eq(folder_count(), 0);
+    output_file_discard(&output);  // twice, and a zeroed one, are fine
+}
+
+Test(output_file, has_the_rights_of_a_new_file)
+{
+    umask(0027);
+    OutputFile output;
+    cr_assert_eq(output_file_open(&output, "figure.svg"), 0);
+    cr_assert_eq(output_file_commit(&output), 0);
+    struct stat status;
+    cr_assert_eq(stat("figure.svg", &status), 0);
+    cr_expect_eq(status.st_mode & 0777, 0640);
+}
+
+Test(output_file, no_such_folder)
+{
+    OutputFile output;
+    capture_begin(2);
+    int result = output_file_open(&output, "nowhere/figure.svg");
+    expect_one_message(capture_end(2), "nowhere/figure.svg: ");
+    cr_expect_eq(result, -1);
+    cr_expect_null(output.file);
+    output_file_discard(&output);
+}
+
+// Renaming over /dev/null would replace it with a file; a pipe stands for it here.
+Test(output_file, a_device_or_folder_is_refused_and_kept)
+{
+    cr_assert_eq(mkfifo("pipe", 0600), 0);
+    OutputFile output;
+    capture_begin(2);
+    int result = output_file_open(&output, "pipe");
+    expect_one_message(capture_end(2), "not a regular file");
+    cr_expect_eq(result, -1);
+    struct stat status;
+    cr_assert_eq(stat("pipe", &status), 0);
+    cr_expect(S_ISFIFO(status.st_mode));
+    cr_expect_eq(folder_count(), 1);
+}
+
+// A limit on the file's size stands for a full disk.
+Test(output_file, a_full_disk_is_reported_and_the_old_file_kept)
+{
+    file_write("figure.svg", "old", 3);
+    signal(SIGXFSZ, SIG_IGN);
+    struct rlimit usual, limit;
+    getrlimit(RLIMIT_FSIZE, &usual);
+    limit = usual;
+    limit.rlim_cur = 4096;
+
+    OutputFile output;
+    cr_assert_eq(output_file_open(&output, "figure.svg"), 0);
+    setrlimit(RLIMIT_FSIZE, &limit);
+    for (int i = 0; i < 100000; i++)
+        fputs("a line of text\n", output.file);
+    capture_begin(2);
+    int result = output_file_commit(&output);
+    expect_one_message(capture_end(2), "figure.svg: cannot write");
+    setrlimit(RLIMIT_FSIZE, &usual);
+    cr_expect_eq(result, -1);
+    expect_content("figure.svg", "old");
+    cr_expect_eq(folder_count(), 1);
+}

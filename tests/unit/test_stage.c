@@ -1,0 +1,223 @@
+// grader/stage: only the named files, only regular ones, and nothing that can hang or mislead.
+#include "stage.h"
+#include "surroundings.h"
+
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
+#include <sys/un.h>
+
+// A submission in "from", a staging area in "to".
+static void two_folders_enter(void)
+{
+    folder_enter();
+    cr_assert_eq(mkdir("from", 0755), 0);
+    cr_assert_eq(mkdir("to", 0755), 0);
+}
+
+TestSuite(stage, .init = two_folders_enter, .fini = folder_leave, .timeout = 10);
+
+static int stage(const char *file, char **message)
+{
+    Manifest manifest = {.files = {(char *)file}, .n_files = 1};
+    return stage_submission(&manifest, "from", "to", message);
+}
+
+static void expect_refused(const char *file, const char *reason)
+{
+    char *message = NULL;
+    cr_expect_eq(stage(file, &message), 1);
+    cr_assert_not_null(message);
+    cr_expect_eq(strncmp(message, file, strlen(file)), 0, "file not named: %s", message);
+    cr_expect_not_null(strstr(message, reason), "no \"%s\" in \"%s\"", reason, message);
+    cr_expect_neq(message[strlen(message) - 1], '\n');
+    free(message);
+
+    char path[64];
+    snprintf(path, sizeof path, "to/%s", file);
+    cr_expect_neq(access(path, F_OK), 0, "staged all the same");
+}
+
+static void expect_content(const char *path, const char *expected)
+{
+    char text[64] = "";
+    FILE *file = fopen(path, "r");
+    cr_assert_not_null(file);
+    cr_expect(fgets(text, sizeof text, file) != NULL);
+    cr_expect_str_eq(text, expected);
+    fclose(file);
+}
+
+Test(stage, copies_the_named_files_and_no_other)
+{
+    file_write("from/a.cl", "kernel", 6);
+    file_write("from/b.c", "int b;", 6);
+    file_write("from/main.c", "evil", 4);
+    Manifest manifest = {.files = {"a.cl", "b.c"}, .n_files = 2};
+    char *message;
+    cr_assert_eq(stage_submission(&manifest, "from", "to", &message), 0);
+    cr_expect_null(message);
+    expect_content("to/a.cl", "kernel");
+    expect_content("to/b.c", "int b;");
+    cr_expect_neq(access("to/main.c", F_OK), 0);
+}
+
+Test(stage, gives_a_plain_mode_whatever_the_students_and_the_umask)
+{
+    file_write("from/a.cl", "kernel", 6);
+    cr_assert_eq(chmod("from/a.cl", 04700), 0);
+    umask(077);
+    char *message;
+    cr_assert_eq(stage("a.cl", &message), 0);
+    struct stat status;
+    cr_assert_eq(stat("to/a.cl", &status), 0);
+    cr_expect_eq(status.st_mode & 07777, 0644);
+}
+
+Test(stage, takes_an_empty_file)
+{
+    file_write("from/a.cl", "", 0);
+    char *message;
+    cr_expect_eq(stage("a.cl", &message), 0);
+    cr_expect_eq(access("to/a.cl", F_OK), 0);
+}
+
+Test(stage, replaces_a_link_to_the_original_without_writing_through_it)
+{
+    file_write("from/a.cl", "student", 7);
+    file_write("original-1", "skeleton", 8);
+    cr_assert_eq(link("original-1", "to/a.cl"), 0);
+    char *message;
+    cr_assert_eq(stage("a.cl", &message), 0);
+    expect_content("to/a.cl", "student");
+    expect_content("original-1", "skeleton");
+
+    file_write("original-2", "skeleton", 8);
+    cr_assert_eq(unlink("to/a.cl"), 0);
+    cr_assert_eq(symlink("../original-2", "to/a.cl"), 0);
+    cr_assert_eq(stage("a.cl", &message), 0);
+    expect_content("to/a.cl", "student");
+    expect_content("original-2", "skeleton");
+}
+
+Test(stage, follows_the_instructors_link_to_the_submission)
+{
+    file_write("from/a.cl", "kernel", 6);
+    cr_assert_eq(symlink("from", "link"), 0);
+    Manifest manifest = {.files = {"a.cl"}, .n_files = 1};
+    char *message;
+    cr_expect_eq(stage_submission(&manifest, "link", "to", &message), 0);
+    expect_content("to/a.cl", "kernel");
+}
+
+Test(stage, refuses_what_is_not_there)
+{
+    expect_refused("a.cl", "not in the submission");
+}
+
+Test(stage, names_every_fault_at_once)
+{
+    file_write("from/b.cl", "", 1);  // a NUL byte
+    Manifest manifest = {.files = {"a.cl", "b.cl"}, .n_files = 2};
+    char *message;
+    cr_assert_eq(stage_submission(&manifest, "from", "to", &message), 1);
+    cr_expect_not_null(strstr(message, "a.cl: not in the submission"), "%s", message);
+    cr_expect_not_null(strstr(message, "\nb.cl: holds NUL bytes"), "%s", message);
+    free(message);
+}
+
+Test(stage, refuses_links)
+{
+    file_write("secret", "secret", 6);
+    cr_assert_eq(symlink("../secret", "from/a.cl"), 0);
+    expect_refused("a.cl", "symbolic link");
+    cr_assert_eq(symlink("absent", "from/b.cl"), 0);
+    expect_refused("b.cl", "symbolic link");
+}
+
+Test(stage, refuses_a_folder_a_fifo_and_a_socket)
+{
+    cr_assert_eq(mkdir("from/folder.cl", 0755), 0);
+    expect_refused("folder.cl", "not a regular file");
+    cr_assert_eq(mkfifo("from/fifo.cl", 0644), 0);
+    expect_refused("fifo.cl", "not a regular file");
+    struct sockaddr_un address = {.sun_family = AF_UNIX, .sun_path = "from/socket.cl"};
+    int descriptor = socket(AF_UNIX, SOCK_STREAM, 0);
+    cr_assert_eq(bind(descriptor, (struct sockaddr *)&address, sizeof address), 0);
+    expect_refused("socket.cl", "not a regular file");
+    close(descriptor);
+}
+
+Test(stage, refuses_a_device)
+{
+    if (mknod("from/a.cl", S_IFCHR | 0666, makedev(1, 5)) != 0)
+        cr_skip("only root makes devices");
+    expect_refused("a.cl", "not a regular file");
+}
+
+Test(stage, refuses_a_file_nobody_may_read)
+{
+    if (geteuid() == 0)
+        cr_skip("root may read everything");
+    file_write("from/a.cl", "kernel", 6);
+    cr_assert_eq(chmod("from/a.cl", 0), 0);
+    expect_refused("a.cl", "permissions");
+}
+
+Test(stage, takes_the_largest_file_and_refuses_one_byte_more)
+{
+    static char text[STAGE_MAX_FILE_BYTES + 1];
+    memset(text, ' ', sizeof text);
+    file_write("from/a.cl", text, sizeof text - 1);
+    file_write("from/b.cl", text, sizeof text);
+    char *message;
+    cr_expect_eq(stage("a.cl", &message), 0);
+    struct stat status;
+    cr_assert_eq(stat("to/a.cl", &status), 0);
+    cr_expect_eq(status.st_size, STAGE_MAX_FILE_BYTES);
+    expect_refused("b.cl", "larger than the allowed 256 KB");
+}
+
+Test(stage, refuses_an_enormous_file_of_holes)
+{
+    file_write("from/a.cl", "", 0);
+    cr_assert_eq(truncate("from/a.cl", (off_t)1 << 40), 0);
+    expect_refused("a.cl", "larger than");
+}
+
+Test(stage, refuses_a_nul_byte)
+{
+    file_write("from/a.cl", "in\0side", 7);
+    expect_refused("a.cl", "NUL bytes");
+    file_write("from/b.cl", "at the end", 11);
+    expect_refused("b.cl", "NUL bytes");
+}
+
+Test(stage, tells_the_instructor_of_an_absent_folder)
+{
+    Manifest manifest = {.files = {"a.cl"}, .n_files = 1};
+    char *message;
+    capture_begin(2);
+    int status = stage_submission(&manifest, "absent", "to", &message);
+    expect_one_message(capture_end(2), "absent: No such file");
+    cr_expect_eq(status, -1);
+    cr_expect_null(message);
+
+    file_write("file", "", 0);
+    capture_begin(2);
+    status = stage_submission(&manifest, "file", "to", &message);
+    expect_one_message(capture_end(2), "file: Not a directory");
+    cr_expect_eq(status, -1);
+}
+
+Test(stage, tells_the_instructor_when_the_copy_fails)
+{
+    file_write("from/a.cl", "kernel", 6);
+    cr_assert_eq(mkdir("to/a.cl", 0755), 0);
+    char *message;
+    capture_begin(2);
+    int status = stage("a.cl", &message);
+    expect_one_message(capture_end(2), "to/a.cl");
+    cr_expect_eq(status, -1);
+    cr_expect_null(message);
+}
