@@ -9,7 +9,7 @@ INCLUDES = -Icommon -Ikernels
 DEPENDENCIES = -MMD -MP
 # `make SANITIZE=1` builds the same under build/sanitized with the address and undefined sanitizers.
 ifdef SANITIZE
-BUILD := build/sanitized
+override BUILD := $(BUILD)/sanitized
 SANITIZERS = -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer
 endif
 OPTIMISATION = -O2 -g
@@ -79,7 +79,7 @@ $(foreach l,$(LABS),$(eval $(call earlier_archive,$(l))))
 
 # ---- The grader -----------------------------------------------------------------------------
 
-GRADER_MAINS = tests/grader/grade.c tests/grader/class_report.c tests/grader/holes_tool.c
+GRADER_MAINS = $(addprefix tests/grader/,grade.c class_report.c mutants.c holes_tool.c)
 GRADER_SOURCES := $(filter-out $(GRADER_MAINS),$(wildcard tests/grader/*.c))
 # The grader makes its trees with the solution of lab 02.
 BUILDER = solutions/02-kdtree-2d-build/kdtree2d_build.c
@@ -90,7 +90,7 @@ $(BUILD)/libgrader.a: $(call objects,$(GRADER_SOURCES) tests/probes/sections.c $
 	@rm -f $@
 	@ar rcs $@ $^
 
-$(BUILD)/tools/grade $(BUILD)/tools/class_report: $(BUILD)/tools/%: $(BUILD)/obj/tests/grader/%.c.o $(BUILD)/libgrader.a $(BUILD)/libcommon.a
+$(BUILD)/tools/grade $(BUILD)/tools/class_report $(BUILD)/tools/mutants: $(BUILD)/tools/%: $(BUILD)/obj/tests/grader/%.c.o $(BUILD)/libgrader.a $(BUILD)/libcommon.a
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -o $@
 
@@ -106,13 +106,13 @@ $(BUILD)/probes/$(1).a: $(call objects,tests/probes/probe_$(1).c tests/probes/pr
 	@rm -f $$@
 	@ar rcs $$@ $$^
 $(BUILD)/probes/$(1): $(BUILD)/probes/$(1).a $(BUILD)/libcommon.a
-	$$(call say,link    $$@)$(CC) $$^ -lOpenCL -lm -o $$@
+	$$(call say,link    $$@)$(CC) $(SANITIZERS) $$^ -lOpenCL -lm -o $$@
 PROBE_TARGETS += $(BUILD)/probes/$(1).a $(if $(call host_files,$(1)),,$(BUILD)/probes/$(1))
 endef
 $(foreach l,$(PROBES),$(eval $(call probe,$(l))))
 
 .PHONY: grader
-grader: $(BUILD)/tools/grade $(BUILD)/tools/class_report $(PROBE_TARGETS) $(foreach l,$(LABS),$(BUILD)/earlier/$(l).a)
+grader: $(BUILD)/tools/grade $(BUILD)/tools/mutants $(BUILD)/tools/class_report $(PROBE_TARGETS) $(foreach l,$(LABS),$(BUILD)/earlier/$(l).a)
 
 .PHONY: grade
 grade: grader  ## grade LAB=03 [SUBMISSION=folder] [SEED=n] [DEVICE=d]
@@ -129,5 +129,34 @@ $(BUILD)/tools/holes: $(call objects,tests/grader/holes_tool.c tests/grader/hole
 .PHONY: labs
 labs: $(BUILD)/tools/holes  ## cut the skeletons in labs/ anew from solutions/
 	tests/cut_labs.sh $(BUILD)/tools/holes labs
+
+# ---- Tests ----------------------------------------------------------------------------------
+
+UNIT_TESTS := $(patsubst tests/unit/%.c,$(BUILD)/tests/%,$(wildcard tests/unit/test_*.c))
+$(UNIT_TESTS): $(BUILD)/tests/%: $(BUILD)/obj/tests/unit/%.c.o $(BUILD)/libgrader.a $(BUILD)/libcommon.a
+	@mkdir -p $(@D)
+	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -lcriterion -o $@
+
+# What the suites use: a comparison of two pictures, and a device without images.
+$(BUILD)/tools/compare: $(call objects,tests/compare.c) $(BUILD)/libcommon.a
+	@mkdir -p $(@D)
+	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -o $@
+
+$(BUILD)/tests/no_images.so: tests/no_images.c
+	@mkdir -p $(@D)
+	$(call say,link    $@)$(CC) $(CFLAGS) -fPIC -shared $< -ldl -o $@
+
+.PHONY: tests
+tests: all $(UNIT_TESTS) $(BUILD)/tools/holes $(BUILD)/tools/compare $(BUILD)/tests/no_images.so
+
+.PHONY: check
+check: tests  ## run the tests without installing anything
+	@$(MAKE) --no-print-directory SANITIZE=1 all
+	@BUILD=$(BUILD) tests/run.sh
+
+.PHONY: test
+test:  ## install what is missing and run every test
+	@common/setup/install.sh test
+	@$(MAKE) --no-print-directory -j2 check
 
 -include $(shell find $(BUILD)/obj -name '*.d' 2>/dev/null)

@@ -1,13 +1,21 @@
 // Device memory: clCreateImage and clCreateBuffer with the course's one format and its limits.
 #include "cl_memory.h"
 
-cl_mem cl_image_create(const ClSetup *cl, int width, int height)
+int cl_image_check_size(const ClSetup *cl, int width, int height)
 {
     size_t max_width, max_height;
     cl_setup_image_limit(cl, &max_width, &max_height);
     if ((size_t)width > max_width || (size_t)height > max_height) {
-        fprintf(stderr, "--size: found %dx%d, expected at most %zux%zu on this device (%s)\n", width,
-                height, max_width, max_height, cl->device_name);
+        fprintf(stderr, "--size: found %dx%d, expected at most %zux%zu on this device (%s)\n",
+                width, height, max_width, max_height, cl->device_name);
+        return -1;
+    }
+    return 0;
+}
+
+cl_mem cl_image_create(const ClSetup *cl, int width, int height)
+{
+    if (cl_image_check_size(cl, width, height) != 0) {
         return NULL;
     }
     const cl_image_format format = {CL_RGBA, CL_FLOAT};

@@ -1,8 +1,9 @@
 // The OpenCL ground that every lab stands on: a device, its context, one in-order queue, and
 // programs built from .cl files with errors at the student's own file and line.
 //
-// Hidden here because it is not the lesson; clCreateBuffer, clSetKernelArg, clEnqueue... stay in
-// the labs. Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: a lab's main.c.
+// Hidden here because it is not the lesson; clCreateImage (lab 00), clCreateBuffer (lab 01),
+// clSetKernelArg and clEnqueue... stay in the labs.
+// Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: a lab's main.c.
 #ifndef COMMON_CL_SETUP_H
 #define COMMON_CL_SETUP_H
 

@@ -22,7 +22,9 @@ int image_create(int width, int height, Image *image)
         fprintf(stderr, "image: no memory for %dx%d pixels\n", width, height);
         return -1;
     }
-    *image = (Image){width, height, pixels};
+    image->width = width;
+    image->height = height;
+    image->pixels = pixels;
     return 0;
 }
 

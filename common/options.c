@@ -38,7 +38,7 @@ enum OptionId {
 static const struct OptionRow {
     const char *name;
     const char *argument;  // what --help calls it, NULL when there is none
-    int set;               // the OPTIONS_... it belongs to, 0: understood by every lab
+    int set;               // the OPTIONS_... it belongs to, 0: used by every lab
     const char *meaning;
 } ROWS[] = {
     [SCENE] = {"scene", "NAME", OPTIONS_SCENE, "a .csv file or a generator (random)"},
@@ -46,7 +46,7 @@ static const struct OptionRow {
     [OUTPUT] = {"output", "FILE", 0, "the picture, .png or .exr"},
     [FRAMES] = {"frames", "N", 0, "draw N times, for measuring (1)"},
     [STATS] = {"stats", "FILE", 0, "write the figures as JSON"},
-    [DEVICE] = {"device", "D", 0,
+    [DEVICE] = {"device", "D", OPTIONS_DEVICE,
                 "number or part of a name ($" CL_DEVICE_VARIABLE ", or the first)"},
     [MAX_DEPTH] = {"max-depth", "N", OPTIONS_TREE, "levels of the tree, the root's included"},
     [LEAF_SIZE] = {"leaf-size", "N", OPTIONS_TREE, "circles at which a node stays a leaf"},
@@ -58,7 +58,7 @@ static const struct OptionRow {
 // The default of --output; an Options points to it.
 static char default_output[256];
 
-static int row_is_understood(const struct OptionRow *row, int set)
+static int row_is_used(const struct OptionRow *row, int set)
 {
     return row->set == 0 || (row->set & set) != 0;
 }
@@ -77,7 +77,7 @@ static void print_help(const char *lab_name, const char *what, int set)
     printf("%s: %s\n\nOptions (and what holds without them):\n", lab_name, what);
     for (int id = 0; id < N_ROWS; id++) {
         const struct OptionRow *row = &ROWS[id];
-        if (!row_is_understood(row, set))
+        if (!row_is_used(row, set))
             continue;
         char option[32];
         snprintf(option, sizeof option, "--%s %s", row->name, row->argument ? row->argument : "");
@@ -90,6 +90,7 @@ static void print_help(const char *lab_name, const char *what, int set)
             printf(" (%d)", OPTIONS_DEFAULT_LEAF_SIZE);
         printf("\n");
     }
+    printf("Options of other labs are taken, too, and not used.\n");
     if (set & OPTIONS_SCENE) {
         printf("\nScenes: FILE.csv, random[:n=N,seed=S,min=R,max=R]");
         for (int i = 0; scene2d_edge_case(i) != NULL; i++)
@@ -174,8 +175,9 @@ _Static_assert(LARGEST_SIDE == 1000000 && OPTIONS_LARGEST_MAX_DEPTH == 24,
 static OptionsResult check_place(const char *lab_name, const char *option, const char *path)
 {
     struct stat status;
-    if (stat(path, &status) == 0 && S_ISDIR(status.st_mode))
-        return refuse(lab_name, option, path, "a file, not a folder");
+    if (stat(path, &status) == 0 && !S_ISREG(status.st_mode))
+        return refuse(lab_name, option, path,
+                      S_ISDIR(status.st_mode) ? "a file, not a folder" : "a regular file");
 
     char folder[4096] = ".";
     const char *slash = strrchr(path, '/');
@@ -211,24 +213,30 @@ static OptionsResult report_fault(const char *lab_name, int fault, const char *w
     return OPTIONS_BAD;
 }
 
-// Go through the words. Returns as options_parse() does.
-static OptionsResult read_words(int argc, char **argv, const char *lab_name, const char *what,
-                                int set, Options *options)
+// Say which of the options given are of no use here; is_given[id] for each row of the table.
+static void note_unused(const char *lab_name, int set, const int is_given[N_ROWS])
 {
-    struct option understood[N_ROWS + 1];
-    int n_understood = 0;
     for (int id = 0; id < N_ROWS; id++) {
-        if (row_is_understood(&ROWS[id], set)) {
-            int has_argument = ROWS[id].argument != NULL ? required_argument : no_argument;
-            understood[n_understood++] = (struct option){ROWS[id].name, has_argument, NULL, id};
-        }
+        if (is_given[id] && !row_is_used(&ROWS[id], set))
+            fprintf(stderr, "%s: --%s is not used in this lab\n", lab_name, ROWS[id].name);
     }
-    understood[n_understood] = (struct option){NULL, 0, NULL, 0};
+}
+
+// Go through the words and mark in is_given[] what was there. Returns as options_parse() does.
+static OptionsResult read_words(int argc, char **argv, const char *lab_name, const char *what,
+                                int set, Options *options, int is_given[N_ROWS])
+{
+    struct option known[N_ROWS + 1];
+    for (int id = 0; id < N_ROWS; id++) {
+        int has_argument = ROWS[id].argument != NULL ? required_argument : no_argument;
+        known[id] = (struct option){ROWS[id].name, has_argument, NULL, id};
+    }
+    known[N_ROWS] = (struct option){NULL, 0, NULL, 0};
 
     optind = 0;  // start afresh, for callers that read more than one command line
     int id;
     // ":" asks for silence on faults and for ':' where an argument is missing.
-    while ((id = getopt_long(argc, argv, ":", understood, NULL)) != -1) {
+    while ((id = getopt_long(argc, argv, ":", known, NULL)) != -1) {
         if (id == '?' || id == ':')
             return report_fault(lab_name, id, argv[optind - 1]);
         if (id == HELP) {
@@ -239,6 +247,7 @@ static OptionsResult read_words(int argc, char **argv, const char *lab_name, con
             return cl_setup_list(stdout) == 0 ? OPTIONS_DONE : OPTIONS_BAD;
         if (read_option(lab_name, (enum OptionId)id, optarg, options) != OPTIONS_RUN)
             return OPTIONS_BAD;
+        is_given[id] = 1;
     }
     if (optind < argc) {
         fprintf(stderr, "%s: found the stray word \"%s\" (try --help)\n", lab_name, argv[optind]);
@@ -258,10 +267,14 @@ OptionsResult options_parse(int argc, char **argv, const char *lab_name, const c
         .max_depth = OPTIONS_DEFAULT_MAX_DEPTH,
         .leaf_size = OPTIONS_DEFAULT_LEAF_SIZE,
     };
-    OptionsResult result = read_words(argc, argv, lab_name, what, set, options);
+    int is_given[N_ROWS] = {0};
+    OptionsResult result = read_words(argc, argv, lab_name, what, set, options, is_given);
     if (result == OPTIONS_RUN)
         result = check_output(lab_name, options->output);
     if (result == OPTIONS_RUN && options->stats != NULL)
         result = check_place(lab_name, "stats", options->stats);
+    // Last, so that a fault is told alone.
+    if (result == OPTIONS_RUN)
+        note_unused(lab_name, set, is_given);
     return result;
 }

@@ -8,10 +8,12 @@
 #ifndef COMMON_OPTIONS_H
 #define COMMON_OPTIONS_H
 
-// Which options a lab understands besides those that all do.
+// Which options a lab uses besides those that all do. It takes the others too, so that one command
+// line serves every lab, and notes on stderr that they are not used.
 enum {
-    OPTIONS_SCENE = 1,  // --scene
-    OPTIONS_TREE = 2,   // --max-depth, --leaf-size
+    OPTIONS_SCENE = 1,   // --scene
+    OPTIONS_TREE = 2,    // --max-depth, --leaf-size
+    OPTIONS_DEVICE = 4,  // --device
 };
 
 #define OPTIONS_DEFAULT_MAX_DEPTH 12
@@ -39,7 +41,8 @@ typedef enum OptionsResult {
 
 // Read the command line of lab `lab_name` ("01-naive-2d").
 //   what   one sentence for --help: what the program draws
-//   set    OPTIONS_... that the lab understands; the others are refused with a message
+//   set    OPTIONS_... that the lab uses; for each other one that is given, one note is printed:
+//          "00-hello-pixels: --scene is not used in this lab"
 // --output is checked early: an ending other than .png and .exr, or a folder that does not exist or
 // cannot be written, is refused before anything is computed; so is such a folder of --stats. The
 // default's folder is made.

@@ -42,7 +42,7 @@ static float depth_behind_all(const Scene2D *scene)
 
 // The lecture's worked example, A to E. With leaves of one circle and four levels, every node of
 // the first three levels is split, and the search for pixel (7, 7) ends in node 13, which holds C
-// and E. E is the nearest, so that it is seen where it overlaps the others.
+// and E: C covers the pixel, E does not. No two of the circles overlap.
 static void draw_example(Scene2D *scene)
 {
     add_circle(scene, 2.5f, 2.5f, 2.0f, 0.5f);     // A

@@ -1,6 +1,7 @@
-// Releasing the 2D kd-tree's arrays; who fills them is solutions/02-kdtree-2d-build/kdtree2d_build.c.
+// Releasing and checking the 2D kd-tree's arrays; lab 02's kdtree2d_build.c fills them.
 #include "tree2d.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 
 void tree2d_free(KdTree2D *tree)
@@ -10,4 +11,55 @@ void tree2d_free(KdTree2D *tree)
     free(tree->nodes_BBox);
     free(tree->mapNode2Circles);
     *tree = (KdTree2D){0};
+}
+
+static int check_inner(const KdTree2D *tree, u32 id)
+{
+    const NodeRel node = tree->nodes_Relations[id];
+    if (node.lChild > id && node.rChild > id && node.lChild < tree->n_nodes &&
+        node.rChild < tree->n_nodes) {
+        return 0;
+    }
+    fprintf(stderr, "tree: node %u: found children %u and %u, expected ids from %u to %u\n", id,
+            node.lChild, node.rChild, id + 1, tree->n_nodes - 1);
+    return -1;
+}
+
+static int check_leaf(const KdTree2D *tree, u32 id, u32 n_circles)
+{
+    const u32 offset = tree->nodes_Relations[id].circleMapOffset;
+    if (offset >= tree->n_map) {
+        fprintf(stderr, "tree: leaf %u: found circleMapOffset %u, expected less than %u\n", id,
+                offset, tree->n_map);
+        return -1;
+    }
+    const u32 count = tree->mapNode2Circles[offset];
+    if (count > tree->n_map - offset - 1) {
+        fprintf(
+            stderr,
+            "tree: leaf %u: found the count %u at circleMapOffset %u, but only %u entries follow\n",
+            id, count, offset, tree->n_map - offset - 1);
+        return -1;
+    }
+    for (u32 i = 1; i <= count; i++) {
+        const u32 circle = tree->mapNode2Circles[offset + i];
+        if (circle >= n_circles) {
+            fprintf(stderr, "tree: leaf %u: found circle id %u, but the scene has %u\n", id, circle,
+                    n_circles);
+            return -1;
+        }
+    }
+    return 0;
+}
+
+int tree2d_check(const KdTree2D *tree, u32 n_circles)
+{
+    for (u32 id = 0; id < tree->n_nodes; id++) {
+        const int result =
+            tree->nodes_flag[id] == LEAF ? check_leaf(tree, id, n_circles) : check_inner(tree, id);
+        if (result != 0) {
+            return -1;
+        }
+    }
+    return 0;
 }

@@ -27,4 +27,11 @@ void tree2d_free(KdTree2D *tree);
 // refused before it takes the machine's memory.
 #define TREE2D_MAX_ENTRIES (1u << 27)
 
+// The most nodes a tree may have; where there would be more, splitting does not end.
+#define TREE2D_MAX_NODES (1u << 22)
+
+// Does the tree hold together, so that its ids, offsets and counts may be followed? Returns 0, or -1
+// after one message on stderr that names the first node that does not.
+int tree2d_check(const KdTree2D *tree, u32 n_circles);
+
 #endif

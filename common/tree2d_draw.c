@@ -37,7 +37,8 @@ static void pixel_range(double lowest, double highest, int scale, int size, int 
 static void paint_circle(Circle c, int scale, Image *image, float *depths)
 {
     int first_x, end_x, first_y, end_y;
-    pixel_range((double)c.x - c.radius, (double)c.x + c.radius, scale, image->width, &first_x, &end_x);
+    pixel_range((double)c.x - c.radius, (double)c.x + c.radius, scale, image->width, &first_x,
+                &end_x);
     pixel_range((double)c.y - c.radius, (double)c.y + c.radius, scale, image->height, &first_y,
                 &end_y);
     for (int v = first_y; v < end_y; v++) {
@@ -63,7 +64,8 @@ static void outline_cell(BBox2D box, int scale, Image *image)
     for (int v = first_y; v < end_y; v++) {
         for (int u = first_x; u < end_x; u++) {
             // The upper and left border only: the others are drawn by the neighbours.
-            if (u == (int)ceil((double)box.minX * scale) || v == (int)ceil((double)box.minY * scale)) {
+            if (u == (int)ceil((double)box.minX * scale) ||
+                v == (int)ceil((double)box.minY * scale)) {
                 memcpy(image->pixels + ((size_t)v * image->width + u) * IMAGE_CHANNELS, color,
                        sizeof color);
             }

@@ -5,7 +5,7 @@
 #include "cl_setup.h"
 #include "stats.h"
 
-// A device buffer of width * height Work, zeroed. Release with clReleaseMemObject.
+// A device buffer of width * height Work and some room behind them, zeroed. Release with clReleaseMemObject.
 cl_mem work_buffer_create(const ClSetup *cl, int width, int height);
 
 // Read the counters back and add circle_tests.mean_per_pixel, circle_tests.max_per_pixel,

@@ -6,7 +6,7 @@
 //   mapNode2Circles[n_map]     u32       for each leaf a count, then that many circle ids, ascending
 //
 // Node ids count in breadth-first order from 0, the root, without gaps: a node's id is its position
-// in the arrays. Lecture: "kd-tree: memory layout". Read next: solutions/02-kdtree-2d-build.
+// in the arrays. Lecture: "kd-tree: memory layout". Read next: kdtree2d_build.h of lab 02.
 #ifndef KERNELS_KDTREE2D_H
 #define KERNELS_KDTREE2D_H
 

@@ -15,7 +15,7 @@ typedef int i32;
 typedef uint u32;
 typedef uchar u8;
 typedef ulong u64;
-#define LAYOUT_ASSERT(type, n_bytes) \
+#define LAYOUT_ASSERT(type, n_bytes)                                                               \
     typedef char layout_assert_##type[sizeof(type) == (n_bytes) ? 1 : -1]
 #else
 #include <stdint.h>
@@ -24,7 +24,7 @@ typedef int32_t i32;
 typedef uint32_t u32;
 typedef uint8_t u8;
 typedef uint64_t u64;
-#define LAYOUT_ASSERT(type, n_bytes) \
+#define LAYOUT_ASSERT(type, n_bytes)                                                               \
     _Static_assert(sizeof(type) == (n_bytes), "host and device must agree on the size of " #type)
 #endif
 

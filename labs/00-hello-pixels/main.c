@@ -16,6 +16,10 @@
 // From the open device to the picture in the host's memory. Returns 0, or -1 after one message.
 static int render(const ClSetup *cl, const Options *options, Image *image, Stats *stats)
 {
+    if (cl_image_check_size(cl, image->width, image->height) != 0) {
+        return -1;
+    }
+
     // ---- Program ---------------------------------------------------------------------------
     cl_program program = cl_setup_build(cl, LAB_FOLDER "/gradient.cl", KERNEL_OPTIONS);
     if (program == NULL) {
@@ -23,14 +27,15 @@ static int render(const ClSetup *cl, const Options *options, Image *image, Stats
     }
 
     // ---- Buffers ---------------------------------------------------------------------------
-    cl_mem d_image = cl_image_create(cl, image->width, image->height);
-    if (d_image == NULL) {
-        CL_CHECK(clReleaseProgram(program));
-        return -1;
-    }
+    const cl_image_format format = {CL_RGBA, CL_FLOAT};
+    const cl_image_desc desc = {.image_type = CL_MEM_OBJECT_IMAGE2D,
+                                .image_width = (size_t)image->width,
+                                .image_height = (size_t)image->height};
+    cl_int error;
+    cl_mem d_image = clCreateImage(cl->context, CL_MEM_WRITE_ONLY, &format, &desc, NULL, &error);
+    CL_CHECK_CREATED(error, clCreateImage);
 
     // ---- Kernel ----------------------------------------------------------------------------
-    cl_int error;
     cl_kernel kernel = clCreateKernel(program, "gradient", &error);
     CL_CHECK_CREATED(error, clCreateKernel);
     set_arguments(kernel, image->width, image->height, d_image);
@@ -48,7 +53,8 @@ static int render(const ClSetup *cl, const Options *options, Image *image, Stats
 int main(int argc, char **argv)
 {
     Options options;
-    switch (options_parse(argc, argv, LAB_NAME, "Draws a colour gradient.", 0, &options)) {
+    switch (options_parse(argc, argv, LAB_NAME, "Draws a colour gradient.", OPTIONS_DEVICE,
+                          &options)) {
     case OPTIONS_BAD:
         return EXIT_FAILURE;
     case OPTIONS_DONE:

@@ -92,14 +92,23 @@ static int reserve_node(Builder *builder)
         return 0;
     }
     const u32 capacity = builder->node_capacity ? 2 * builder->node_capacity : 256;
+    // Each array that could be moved is kept: the others are still where they were.
     NodeRel *relations = realloc(tree->nodes_Relations, capacity * sizeof *relations);
-    tree->nodes_Relations = relations ? relations : tree->nodes_Relations;
+    if (relations != NULL) {
+        tree->nodes_Relations = relations;
+    }
     u8 *flags = realloc(tree->nodes_flag, capacity * sizeof *flags);
-    tree->nodes_flag = flags ? flags : tree->nodes_flag;
+    if (flags != NULL) {
+        tree->nodes_flag = flags;
+    }
     BBox2D *boxes = realloc(tree->nodes_BBox, capacity * sizeof *boxes);
-    tree->nodes_BBox = boxes ? boxes : tree->nodes_BBox;
+    if (boxes != NULL) {
+        tree->nodes_BBox = boxes;
+    }
     OpenNode *open = realloc(builder->open, capacity * sizeof *open);
-    builder->open = open ? open : builder->open;
+    if (open != NULL) {
+        builder->open = open;
+    }
     if (relations == NULL || flags == NULL || boxes == NULL || open == NULL) {
         return -1;
     }
@@ -205,6 +214,8 @@ int kdtree2d_build(const Circle *h_circles, u32 n_circles, KdTreeLimits limits, 
             failure = "no memory";
         } else if (builder.tree.n_map + builder.n_open_ids > TREE2D_MAX_ENTRIES) {
             failure = "the leaves would hold too many circles";
+        } else if (builder.tree.n_nodes > TREE2D_MAX_NODES) {
+            failure = "too many nodes: splitting does not end";
         }
     }
     for (u32 id = 0; id < builder.tree.n_nodes; id++) {
@@ -212,7 +223,8 @@ int kdtree2d_build(const Circle *h_circles, u32 n_circles, KdTreeLimits limits, 
     }
     free(builder.open);
     if (failure != NULL) {
-        fprintf(stderr, "kdtree2d_build: %s; choose a smaller --max-depth or a larger --leaf-size\n",
+        fprintf(stderr,
+                "kdtree2d_build: %s; choose a smaller --max-depth or a larger --leaf-size\n",
                 failure);
         tree2d_free(&builder.tree);
         return -1;

@@ -9,11 +9,12 @@
 // Build the 2D kd-tree over circles.
 //   h_circles[n_circles]  centres and radii in pixels; not modified
 //   tree                  out; release with tree2d_free()
-// Returns 0, or -1 after one message on stderr: no memory, or more than TREE2D_MAX_ENTRIES.
+// Returns 0, or -1 after one message on stderr: no memory, or a tree over the
+// limits of tree2d.h.
 int kdtree2d_build(const Circle *h_circles, u32 n_circles, KdTreeLimits limits, KdTree2D *tree);
 
 // The root's cell: the smallest box with whole-numbered corners whose half-open inside,
-// minX <= x < maxX, holds every pixel that a circle covers. All zeros when there is no circle.
+// minX <= x < maxX, holds every circle whole. All zeros when there is no circle.
 BBox2D scene_bounds(const Circle *h_circles, u32 n_circles);
 
 // Does a node stay a leaf?

@@ -45,7 +45,9 @@ static int print_worked_example(void)
     if (scene2d_open("example", 0, 0, &scene) != 0) {
         return -1;
     }
-    if (kdtree2d_build(scene.circles, (u32)scene.n_circles, limits, &tree) != 0) {
+    if (kdtree2d_build(scene.circles, (u32)scene.n_circles, limits, &tree) != 0 ||
+        tree2d_check(&tree, (u32)scene.n_circles) != 0) {
+        tree2d_free(&tree);
         scene2d_free(&scene);
         return -1;
     }
@@ -104,8 +106,9 @@ static void describe(const KdTree2D *tree, Stats *stats)
     }
 }
 
-// Write the drawing as SVG beside `picture_path`, "tree.png" -> "tree.svg".
-static int save_svg(const char *picture_path, const Scene2D *scene, const KdTree2D *tree)
+// Write the drawing, and beside it the same as SVG, "tree.png" and "tree.svg": both or neither.
+static int save_drawing(const char *picture_path, const Image *image, const Scene2D *scene,
+                        const KdTree2D *tree)
 {
     const size_t stem = (size_t)(strrchr(picture_path, '.') - picture_path);
     char *path = malloc(stem + sizeof ".svg");
@@ -118,12 +121,16 @@ static int save_svg(const char *picture_path, const Scene2D *scene, const KdTree
     OutputFile output;
     int result = output_file_open(&output, path);
     if (result == 0) {
-        if (tree2d_write_svg(output.file, scene, tree) != 0) {
-            output_file_discard(&output);
+        if (tree2d_write_svg(output.file, scene, tree) != 0 || fflush(output.file) != 0) {
             fprintf(stderr, "%s: cannot be written\n", path);
             result = -1;
         } else {
+            result = image_save(image, picture_path);
+        }
+        if (result == 0) {
             result = output_file_commit(&output);
+        } else {
+            output_file_discard(&output);
         }
     }
     free(path);
@@ -141,6 +148,9 @@ static int build(const Options *options, const Scene2D *scene, KdTree2D *tree, S
         const double start = stats_clock_ms();
         result = kdtree2d_build(scene->circles, (u32)scene->n_circles, limits, tree);
         milliseconds[i] = stats_clock_ms() - start;
+    }
+    if (result == 0) {
+        result = tree2d_check(tree, (u32)scene->n_circles);
     }
     if (result == 0) {
         stats_milliseconds(stats, "tree.build", milliseconds, options->n_frames);
@@ -189,10 +199,7 @@ int main(int argc, char **argv)
         result = tree2d_draw(&scene, &tree, &image);
     }
     if (result == 0) {
-        result = image_save(&image, options.output);
-    }
-    if (result == 0) {
-        result = save_svg(options.output, &scene, &tree);
+        result = save_drawing(options.output, &image, &scene, &tree);
     }
     if (result == 0) {
         result = stats_report(&stats, options.stats);

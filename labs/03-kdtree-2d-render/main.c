@@ -153,7 +153,7 @@ int main(int argc, char **argv)
     // ---- Options ---------------------------------------------------------------------------
     Options options;
     switch (options_parse(argc, argv, LAB_NAME, "Draws circles; a pixel asks the circles of its kd-tree cell.",
-                          OPTIONS_SCENE | OPTIONS_TREE, &options)) {
+                          OPTIONS_SCENE | OPTIONS_TREE | OPTIONS_DEVICE, &options)) {
     case OPTIONS_BAD:
         return EXIT_FAILURE;
     case OPTIONS_DONE:

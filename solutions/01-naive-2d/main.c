@@ -93,8 +93,14 @@ static int render(const ClSetup *cl, const Options *options, const Scene2D *scen
     if (memory.d_image == NULL) {
         return -1;
     }
-    memory.d_circles = cl_buffer_create(cl, scene->circles,
-                                        (size_t)scene->n_circles * sizeof *scene->circles);
+    // OpenCL knows no empty buffer: a scene without circles hands the kernel NULL.
+    if (scene->n_circles > 0) {
+        cl_int error;
+        memory.d_circles = clCreateBuffer(cl->context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR,
+                                          (size_t)scene->n_circles * sizeof *scene->circles,
+                                          scene->circles, &error);
+        CL_CHECK_CREATED(error, clCreateBuffer);
+    }
 
     int result = draw(cl, scene, &memory, KERNEL_OPTIONS, options->n_frames, stats);
     if (result == 0 && options->stats != NULL) {
@@ -122,7 +128,7 @@ int main(int argc, char **argv)
     // ---- Options ---------------------------------------------------------------------------
     Options options;
     switch (options_parse(argc, argv, LAB_NAME, "Draws circles; every pixel asks every circle.",
-                          OPTIONS_SCENE, &options)) {
+                          OPTIONS_SCENE | OPTIONS_DEVICE, &options)) {
     case OPTIONS_BAD:
         return EXIT_FAILURE;
     case OPTIONS_DONE:

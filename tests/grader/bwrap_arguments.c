@@ -30,8 +30,9 @@ static void argument_add(Arguments *arguments, const char *text)
 {
     char *copy = strdup(text);
     char **items = realloc(arguments->items, (arguments->n_items + 2) * sizeof *items);
-    if (items != NULL)
+    if (items != NULL) {
         arguments->items = items;
+    }
     if (copy == NULL || items == NULL) {
         free(copy);
         arguments->fault = ENOMEM;
@@ -43,8 +44,9 @@ static void argument_add(Arguments *arguments, const char *text)
 
 static void list_add(Arguments *arguments, const char *const *list)
 {
-    for (; *list != NULL; list++)
+    for (; *list != NULL; list++) {
         argument_add(arguments, *list);
+    }
 }
 
 #define ADD(arguments, ...) list_add(arguments, (const char *const[]){__VA_ARGS__, NULL})
@@ -67,8 +69,9 @@ static void system_folder_add(Arguments *arguments, const char *folder)
 {
     char target[PATH_MAX];
     struct stat status;
-    if (lstat(folder, &status) != 0)
+    if (lstat(folder, &status) != 0) {
         return;
+    }
     ssize_t n = S_ISLNK(status.st_mode) ? readlink(folder, target, sizeof target - 1) : -1;
     if (n >= 0) {
         target[n] = '\0';
@@ -89,10 +92,12 @@ static void system_add(Arguments *arguments)
         "/sys/devices/system"  // PoCL asks it for processors and memory
     };
     ADD(arguments, "--ro-bind", "/usr", "/usr");
-    for (size_t i = 0; i < sizeof folders / sizeof *folders; i++)
+    for (size_t i = 0; i < sizeof folders / sizeof *folders; i++) {
         system_folder_add(arguments, folders[i]);
-    for (size_t i = 0; i < sizeof settings / sizeof *settings; i++)
+    }
+    for (size_t i = 0; i < sizeof settings / sizeof *settings; i++) {
         ADD(arguments, "--ro-bind-try", settings[i], settings[i]);
+    }
 }
 
 // Graphics cards, where there are any: their drivers talk to these device files.
@@ -101,9 +106,11 @@ static void devices_add(Arguments *arguments)
     static const char *const patterns[] = {"/dev/nvidia*", "/dev/dri", "/dev/kfd"};
     for (size_t i = 0; i < sizeof patterns / sizeof *patterns; i++) {
         glob_t found = {0};
-        if (glob(patterns[i], 0, NULL, &found) == 0)
-            for (size_t k = 0; k < found.gl_pathc; k++)
+        if (glob(patterns[i], 0, NULL, &found) == 0) {
+            for (size_t k = 0; k < found.gl_pathc; k++) {
                 ADD(arguments, "--dev-bind", found.gl_pathv[k], found.gl_pathv[k]);
+            }
+        }
         globfree(&found);
     }
 }
@@ -138,10 +145,11 @@ static void variable_add(Arguments *arguments, const char *variable)
         return;
     }
     char *name = strndup(variable, (size_t)(value - variable));
-    if (name == NULL)
+    if (name == NULL) {
         arguments->fault = ENOMEM;
-    else
+    } else {
         ADD(arguments, "--setenv", name, value + 1);
+    }
     free(name);
 }
 
@@ -157,10 +165,12 @@ static void environment_add(Arguments *arguments, const char *const *variables)
         NULL,
     };
     ADD(arguments, "--clearenv");
-    for (size_t i = 0; own[i] != NULL; i++)
+    for (size_t i = 0; own[i] != NULL; i++) {
         variable_add(arguments, own[i]);
-    for (size_t i = 0; variables != NULL && variables[i] != NULL; i++)
+    }
+    for (size_t i = 0; variables != NULL && variables[i] != NULL; i++) {
         variable_add(arguments, variables[i]);
+    }
 }
 
 // The command, started by prlimit(1) and not by bwrap itself, for two reasons. The limit on
@@ -174,10 +184,12 @@ static void command_add(Arguments *arguments, const SandboxCommand *command)
     getrlimit(RLIMIT_NPROC, &limit);
     // Where the grader itself runs under a tighter limit, that one stays.
     rlim_t n_allowed = limit.rlim_max;
-    if (command->n_processes > 0 && (rlim_t)command->n_processes < n_allowed)
+    if (command->n_processes > 0 && (rlim_t)command->n_processes < n_allowed) {
         n_allowed = (rlim_t)command->n_processes;
-    if (n_allowed != RLIM_INFINITY)
+    }
+    if (n_allowed != RLIM_INFINITY) {
         snprintf(option, sizeof option, "--nproc=%ju", (uintmax_t)n_allowed);
+    }
     ADD(arguments, "--", "/usr/bin/prlimit", option, "--");
     list_add(arguments, command->argv);
 }
@@ -189,25 +201,29 @@ char **bwrap_arguments(const SandboxCommand *command)
     isolation_add(&arguments);
     system_add(&arguments);
     private_folders_add(&arguments);
-    for (int i = 0; i < command->n_mounts; i++)
+    for (int i = 0; i < command->n_mounts; i++) {
         mount_add(&arguments, &command->mounts[i]);
+    }
     // Only now, with every mount in its place: the folders between them live in memory, too.
     ADD(&arguments, "--remount-ro", "/dev", "--remount-ro", "/");
     environment_add(&arguments, command->environment);
     ADD(&arguments, "--chdir", command->folder);
     command_add(&arguments, command);
 
-    if (arguments.fault == 0)
+    if (arguments.fault == 0) {
         return arguments.items;
-    if (arguments.fault > 0)
+    }
+    if (arguments.fault > 0) {
         fprintf(stderr, "sandbox: %s\n", strerror(arguments.fault));
+    }
     bwrap_arguments_free(arguments.items);
     return NULL;
 }
 
 void bwrap_arguments_free(char **arguments)
 {
-    for (char **argument = arguments; argument != NULL && *argument != NULL; argument++)
+    for (char **argument = arguments; argument != NULL && *argument != NULL; argument++) {
         free(*argument);
+    }
     free(arguments);
 }

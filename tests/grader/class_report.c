@@ -34,9 +34,10 @@ typedef struct ClassReport {
 static int same_columns(const Graded *one, const Graded *other)
 {
     int same = strcmp(one->lab, other->lab) == 0 && one->n_tasks == other->n_tasks;
-    for (int i = 0; same && i < one->n_tasks; i++)
+    for (int i = 0; same && i < one->n_tasks; i++) {
         same = strcmp(one->tasks[i].id, other->tasks[i].id) == 0 &&
                one->tasks[i].max_points == other->tasks[i].max_points;
+    }
     return same;
 }
 
@@ -54,12 +55,15 @@ static int row_read(ClassReport *class, const char *argument)
         fprintf(stderr, "class_report: out of memory\n");
         return -1;
     }
-    if (row->path[0] == '\0')
+    if (row->path[0] == '\0') {
         return 0;
-    if (graded_load(row->path, &row->graded) != 0)
+    }
+    if (graded_load(row->path, &row->graded) != 0) {
         return -1;
-    if (class->first_graded == NULL)
+    }
+    if (class->first_graded == NULL) {
         class->first_graded = row;
+    }
     if (!same_columns(&class->first_graded->graded, &row->graded)) {
         fprintf(stderr, "%s: not the lab and the tasks of %s\n", row->path,
                 class->first_graded->path);
@@ -91,33 +95,37 @@ static void label_write(FILE *page, const ClassReport *class, const Row *row)
 {
     char *link =
         row->path[0] != '\0' ? link_beside(class->out_path, row->path, "report.html") : NULL;
-    if (link != NULL)
+    if (link != NULL) {
         fprintf(page, "<a href=\"%s\">", link);
+    }
     html_line(page, row->label);
-    if (link != NULL)
+    if (link != NULL) {
         fputs("</a>", page);
+    }
     free(link);
 }
 
 static void summary_write(FILE *page, const ClassReport *class)
 {
-    int *scores = malloc(sizeof *scores * (size_t) class->n_rows);
+    int *scores = malloc(sizeof *scores * (size_t)class->n_rows);
     int n_graded = 0;
     int n_full = 0;
     double sum = 0;
     for (int i = 0; scores != NULL && i < class->n_rows; i++) {
         const Graded *graded = &class->rows[i].graded;
-        if (graded->json == NULL)
+        if (graded->json == NULL) {
             continue;
+        }
         scores[n_graded++] = graded->score;
         sum += graded->score;
         n_full += graded->score == graded->max_score;
     }
     fprintf(page, "<dl class=\"facts\">\n<div><dt>Submissions</dt><dd>%d</dd></div>\n",
             class->n_rows);
-    if (n_graded < class->n_rows)
+    if (n_graded < class->n_rows) {
         fprintf(page, "<div><dt>Not graded</dt><dd class=\"short\">%d</dd></div>\n",
                 class->n_rows - n_graded);
+    }
     if (n_graded > 0) {
         qsort(scores, (size_t)n_graded, sizeof *scores, scores_compare);
         double median = (scores[(n_graded - 1) / 2] + scores[n_graded / 2]) / 2.0;
@@ -203,9 +211,10 @@ static void check_counts_write(FILE *page, const ClassReport *class)
         for (int j = 0; j < class->n_rows; j++) {
             const Graded *graded = &class->rows[j].graded;
             n_graded += graded->json != NULL;
-            for (int k = 0; k < graded->n_checks; k++)
+            for (int k = 0; k < graded->n_checks; k++) {
                 n_passed += strcmp(graded->checks[k].id, columns->checks[i].id) == 0 &&
                             graded->checks[k].status == CHECK_PASSED;
+            }
         }
         fputs("<div class=\"count\"><div>", page);
         html_line(page, columns->checks[i].title);
@@ -221,8 +230,9 @@ static void check_counts_write(FILE *page, const ClassReport *class)
 static int class_write(const ClassReport *class)
 {
     OutputFile output;
-    if (output_file_open(&output, class->out_path) != 0)
+    if (output_file_open(&output, class->out_path) != 0) {
         return -1;
+    }
     FILE *page = output.file;
     static const Graded no_columns = {0};
     const Graded *columns = class->first_graded ? &class->first_graded->graded : &no_columns;
@@ -236,11 +246,13 @@ static int class_write(const ClassReport *class)
     fputs("</header>\n<div class=\"card\"><table>\n", page);
     table_head_write(page, columns);
     fputs("<tbody>\n", page);
-    for (int i = 0; i < class->n_rows; i++)
+    for (int i = 0; i < class->n_rows; i++) {
         row_write(page, class, &class->rows[i]);
+    }
     fputs("</tbody>\n</table></div>\n", page);
-    if (class->first_graded != NULL)
+    if (class->first_graded != NULL) {
         check_counts_write(page, class);
+    }
     html_page_end(page);
     return output_file_commit(&output);
 }
@@ -254,10 +266,12 @@ int main(int argc, char **argv)
     ClassReport class = {.out_path = argv[1], .title = argv[2]};
     class.rows = calloc((size_t)argc, sizeof *class.rows);
     int status = class.rows == NULL ? 1 : 0;
-    for (int i = 3; i < argc && status == 0; i++)
+    for (int i = 3; i < argc && status == 0; i++) {
         status = row_read(&class, argv[i]) == 0 ? 0 : 2;
-    if (status == 0 && class_write(&class) != 0)
+    }
+    if (status == 0 && class_write(&class) != 0) {
         status = 1;
+    }
     class_free(&class);
     return status;
 }

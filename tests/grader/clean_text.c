@@ -46,8 +46,9 @@ static int utf8_read(const unsigned char *bytes, uint32_t *character)
     }
     uint32_t read = bytes[0] & (0x7Fu >> length);
     for (int i = 1; i < length; i++) {
-        if ((bytes[i] & 0xC0) != 0x80)
+        if ((bytes[i] & 0xC0) != 0x80) {
             return 0;
+        }
         read = read << 6 | (bytes[i] & 0x3Fu);
     }
     *character = read;
@@ -116,10 +117,12 @@ static char *bytes_limit(char *text, size_t head_bytes, size_t tail_bytes)
     size_t length = strlen(text);
     size_t head = head_bytes;
     size_t tail = length - tail_bytes;
-    while (head > 0 && is_inside_character(text[head]))
+    while (head > 0 && is_inside_character(text[head])) {
         head--;
-    while (tail < length && is_inside_character(text[tail]))
+    }
+    while (tail < length && is_inside_character(text[tail])) {
         tail++;
+    }
     char note[64];
     snprintf(note, sizeof note, " [... %zu bytes left out ...] ", tail - head);
     return middle_replace(text, head, tail, note);
@@ -128,16 +131,19 @@ static char *bytes_limit(char *text, size_t head_bytes, size_t tail_bytes)
 static char *lines_limit(char *text)
 {
     int n_lines = 1;
-    for (const char *at = text; (at = strchr(at, '\n')) != NULL; at++)
+    for (const char *at = text; (at = strchr(at, '\n')) != NULL; at++) {
         n_lines++;
-    if (n_lines <= MESSAGE_MAX_LINES)
+    }
+    if (n_lines <= MESSAGE_MAX_LINES) {
         return text;
+    }
 
     const char *head = text;
     const char *tail = text;
     for (int i = 0; i < n_lines - TAIL_LINES; i++) {
-        if (i == HEAD_LINES)
+        if (i == HEAD_LINES) {
             head = tail;
+        }
         tail = strchr(tail, '\n') + 1;
     }
     char note[64];
@@ -148,18 +154,21 @@ static char *lines_limit(char *text)
 char *message_clean(const char *message)
 {
     char *text = showable(message != NULL ? message : "", 0);
-    for (size_t length = strlen(text); length > 0 && text[length - 1] == '\n'; length--)
+    for (size_t length = strlen(text); length > 0 && text[length - 1] == '\n'; length--) {
         text[length - 1] = '\0';
+    }
     text = lines_limit(text);
-    if (strlen(text) > MESSAGE_MAX_BYTES)
+    if (strlen(text) > MESSAGE_MAX_BYTES) {
         text = bytes_limit(text, HEAD_BYTES, TAIL_BYTES);
+    }
     return text;
 }
 
 char *line_clean(const char *line)
 {
     char *text = showable(line != NULL ? line : "", 1);
-    if (strlen(text) > LINE_MAX_BYTES)
+    if (strlen(text) > LINE_MAX_BYTES) {
         text = bytes_limit(text, LINE_MAX_BYTES - LINE_TAIL_BYTES, LINE_TAIL_BYTES);
+    }
     return text;
 }

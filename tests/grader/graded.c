@@ -43,17 +43,20 @@ static int points_agree(int points, int max_points)
 
 static int stages_read(const char *path, json_t *stages, Graded *graded)
 {
-    if (json_array_size(stages) > RESULT_MAX_STAGES)
+    if (json_array_size(stages) > RESULT_MAX_STAGES) {
         return fault(path, "found more than %d stages", RESULT_MAX_STAGES);
+    }
     for (size_t i = 0; i < json_array_size(stages); i++) {
         const char *title, *word, *message;
         CheckStatus status;
         json_error_t error;
         if (json_unpack_ex(json_array_get(stages, i), &error, JSON_STRICT, "{s:s, s:s, s:s}",
-                           "title", &title, "status", &word, "message", &message) != 0)
+                           "title", &title, "status", &word, "message", &message) != 0) {
             return fault(path, "stages[%zu]: %s", i, error.text);
-        if (status_read(word, &status) != 0)
+        }
+        if (status_read(word, &status) != 0) {
             return fault(path, "stages[%zu]: found the status \"%s\"", i, word);
+        }
         if (status == CHECK_FAILED && graded->failed_stage == NULL) {
             graded->failed_stage = title;
             graded->stage_message = message;
@@ -64,9 +67,10 @@ static int stages_read(const char *path, json_t *stages, Graded *graded)
 
 static int tasks_read(const char *path, json_t *tasks, Graded *graded)
 {
-    if (json_array_size(tasks) < 1 || json_array_size(tasks) > MANIFEST_MAX_TASKS)
+    if (json_array_size(tasks) < 1 || json_array_size(tasks) > MANIFEST_MAX_TASKS) {
         return fault(path, "found %zu tasks, expected 1 to %d", json_array_size(tasks),
                      MANIFEST_MAX_TASKS);
+    }
     for (size_t i = 0; i < json_array_size(tasks); i++) {
         GradedTask *task = &graded->tasks[graded->n_tasks++];
         const char *file;
@@ -74,11 +78,13 @@ static int tasks_read(const char *path, json_t *tasks, Graded *graded)
         if (json_unpack_ex(json_array_get(tasks, i), &error, JSON_STRICT,
                            "{s:s, s:s, s:s, s:i, s:i}", "id", &task->id, "title", &task->title,
                            "file", &file, "points", &task->points, "max_points",
-                           &task->max_points) != 0)
+                           &task->max_points) != 0) {
             return fault(path, "tasks[%zu]: %s", i, error.text);
-        if (!points_agree(task->points, task->max_points))
+        }
+        if (!points_agree(task->points, task->max_points)) {
             return fault(path, "tasks[%zu]: found %d of %d points", i, task->points,
                          task->max_points);
+        }
     }
     return 0;
 }
@@ -86,11 +92,13 @@ static int tasks_read(const char *path, json_t *tasks, Graded *graded)
 // Read the checks and compare their sums with what the tasks and the whole say they are.
 static int checks_read(const char *path, json_t *checks, Graded *graded)
 {
-    if (json_array_size(checks) > RESULT_MAX_CHECKS)
+    if (json_array_size(checks) > RESULT_MAX_CHECKS) {
         return fault(path, "found more than %d checks", RESULT_MAX_CHECKS);
+    }
     int points_left[MANIFEST_MAX_TASKS];
-    for (int i = 0; i < graded->n_tasks; i++)
+    for (int i = 0; i < graded->n_tasks; i++) {
         points_left[i] = graded->tasks[i].points;
+    }
     for (size_t i = 0; i < json_array_size(checks); i++) {
         GradedCheck *check = &graded->checks[graded->n_checks++];
         const char *task, *word;
@@ -99,24 +107,30 @@ static int checks_read(const char *path, json_t *checks, Graded *graded)
         if (json_unpack_ex(json_array_get(checks, i), &error, JSON_STRICT,
                            "{s:s, s:s, s:s, s:i, s:i, s:s, s:s}", "id", &check->id, "title",
                            &check->title, "task", &task, "points", &points, "max_points",
-                           &max_points, "status", &word, "message", &check->message) != 0)
+                           &max_points, "status", &word, "message", &check->message) != 0) {
             return fault(path, "checks[%zu]: %s", i, error.text);
-        if (status_read(word, &check->status) != 0)
+        }
+        if (status_read(word, &check->status) != 0) {
             return fault(path, "checks[%zu]: found the status \"%s\"", i, word);
+        }
         int owner = 0;
-        while (owner < graded->n_tasks && strcmp(graded->tasks[owner].id, task) != 0)
+        while (owner < graded->n_tasks && strcmp(graded->tasks[owner].id, task) != 0) {
             owner++;
-        if (owner == graded->n_tasks)
+        }
+        if (owner == graded->n_tasks) {
             return fault(path, "checks[%zu]: found the unknown task \"%s\"", i, task);
-        if (!points_agree(points, max_points) || (points > 0 && check->status != CHECK_PASSED))
+        }
+        if (!points_agree(points, max_points) || (points > 0 && check->status != CHECK_PASSED)) {
             return fault(path, "checks[%zu]: found %d of %d points, %s", i, points, max_points,
                          word);
+        }
         points_left[owner] -= points;
     }
     for (int i = 0; i < graded->n_tasks; i++) {
-        if (points_left[i] != 0)
+        if (points_left[i] != 0) {
             return fault(path, "tasks[%d]: found %d points, but its checks add up to %d", i,
                          graded->tasks[i].points, graded->tasks[i].points - points_left[i]);
+        }
     }
     return 0;
 }
@@ -129,9 +143,10 @@ static int sums_check(const char *path, const Graded *graded)
         points += graded->tasks[i].points;
         max_points += graded->tasks[i].max_points;
     }
-    if (points != graded->score || max_points != graded->max_score)
+    if (points != graded->score || max_points != graded->max_score) {
         return fault(path, "found a score of %d/%d, but the tasks add up to %d/%d", graded->score,
                      graded->max_score, points, max_points);
+    }
     return 0;
 }
 
@@ -146,13 +161,16 @@ static int fields_read(const char *path, Graded *graded)
                        &graded->lab, "title", &graded->title, "score", &graded->score, "max_score",
                        &graded->max_score, "seed", &seed, "device", &device, "submission",
                        &submission, "seconds", &seconds, "stages", &stages, "tasks", &tasks,
-                       "checks", &checks) != 0)
+                       "checks", &checks) != 0) {
         return fault(path, "%s", error.text);
-    if (!json_is_array(stages) || !json_is_array(tasks) || !json_is_array(checks))
+    }
+    if (!json_is_array(stages) || !json_is_array(tasks) || !json_is_array(checks)) {
         return fault(path, "expected lists of stages, tasks and checks");
+    }
     if (stages_read(path, stages, graded) != 0 || tasks_read(path, tasks, graded) != 0 ||
-        checks_read(path, checks, graded) != 0)
+        checks_read(path, checks, graded) != 0) {
         return -1;
+    }
     return sums_check(path, graded);
 }
 
@@ -160,15 +178,18 @@ int graded_load(const char *path, Graded *graded)
 {
     *graded = (Graded){0};
     struct stat status;
-    if (stat(path, &status) != 0)
+    if (stat(path, &status) != 0) {
         return fault(path, "cannot read: %s", strerror(errno));
+    }
     // A pipe would block, and a huge file would fill the memory.
-    if (!S_ISREG(status.st_mode) || status.st_size > MAX_FILE_BYTES)
+    if (!S_ISREG(status.st_mode) || status.st_size > MAX_FILE_BYTES) {
         return fault(path, "not a regular file of at most %d bytes", MAX_FILE_BYTES);
+    }
     json_error_t error;
     graded->json = json_load_file(path, JSON_REJECT_DUPLICATES, &error);
-    if (graded->json == NULL)
+    if (graded->json == NULL) {
         return fault(path, "line %d: %s", error.line, error.text);
+    }
     if (fields_read(path, graded) != 0) {
         graded_free(graded);
         return -1;

@@ -32,7 +32,8 @@ static const char *after_prefix(Line line, const char *prefix)
         text++;
     }
     const size_t length = strlen(prefix);
-    return (size_t)(end - text) >= length && memcmp(text, prefix, length) == 0 ? text + length : NULL;
+    return (size_t)(end - text) >= length && memcmp(text, prefix, length) == 0 ? text + length
+                                                                               : NULL;
 }
 
 // Does the line mark the begin ("// TASK id:") or the end ("// END id") of a hole? Copies the id.

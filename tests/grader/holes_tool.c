@@ -2,6 +2,7 @@
 //
 //     holes cut FILE                 print FILE with every hole replaced by its placeholder
 //     holes list FILE                print the ids of its holes, one a line
+//     holes read FILE TASK           print the content of its hole TASK
 //     holes fill FILE TASK ANSWER    print FILE with the content of hole TASK replaced by file ANSWER
 #include "holes.h"
 
@@ -31,6 +32,15 @@ static int print(char *text)
     return fflush(stdout) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
+static int print_hole(const char *text, const char *name, const char *task)
+{
+    char *content = hole_read(text, task);
+    if (content == NULL) {
+        fprintf(stderr, "%s: the markers of task %s are not there once each\n", name, task);
+    }
+    return print(content);
+}
+
 static int fill(const char *solution, const char *name, const char *task, const char *answer_path)
 {
     char *answer = text_file_read(answer_path);
@@ -48,10 +58,12 @@ static int fill(const char *solution, const char *name, const char *task, const 
 int main(int argc, char **argv)
 {
     const int is_fill = argc == 5 && strcmp(argv[1], "fill") == 0;
+    const int is_read = argc == 4 && strcmp(argv[1], "read") == 0;
     const int is_cut = argc == 3 && strcmp(argv[1], "cut") == 0;
     const int is_list = argc == 3 && strcmp(argv[1], "list") == 0;
-    if (!is_fill && !is_cut && !is_list) {
-        fprintf(stderr, "usage: holes cut FILE | holes list FILE | holes fill FILE TASK ANSWER\n");
+    if (!is_fill && !is_read && !is_cut && !is_list) {
+        fprintf(stderr, "usage: holes cut FILE | holes list FILE | holes read FILE TASK | "
+                        "holes fill FILE TASK ANSWER\n");
         return EXIT_FAILURE;
     }
     char *text = text_file_read(argv[2]);
@@ -60,6 +72,7 @@ int main(int argc, char **argv)
     }
     const int status = is_cut    ? print(holes_cut(text, argv[2]))
                        : is_list ? list(text)
+                       : is_read ? print_hole(text, argv[2], argv[3])
                                  : fill(text, argv[2], argv[3], argv[4]);
     free(text);
     return status;

@@ -25,6 +25,13 @@ int job_scene_named(JobScene *scene, const char *name, int width, int height)
     return scene2d_open(name, width, height, &scene->scene);
 }
 
+void job_scene_spread_depths(JobScene *scene)
+{
+    for (int i = 0; i < scene->scene.n_circles; i++) {
+        scene->scene.circles[i].depth = 256 * scene->scene.circles[i].depth - 128;
+    }
+}
+
 int job_scene_expect(JobScene *scene)
 {
     const Scene2D *s = &scene->scene;
@@ -177,11 +184,15 @@ void job_scene_add_picture(const JobScene *scene, int k, const Sections *answers
 
 void job_scenes_add_pictures(const JobScene *scenes, int n, const Sections *answers, Result *result)
 {
+    // Enough to see what is wrong; a page of all of them would only be slower.
+    enum { MAX_WRONG = 6, MAX_RIGHT = 3 };
     for (int want_wrong = 1; want_wrong >= 0; want_wrong--) {
-        for (int k = 0; k < n; k++) {
+        int n_added = 0;
+        for (int k = 0; k < n && n_added < (want_wrong ? MAX_WRONG : MAX_RIGHT); k++) {
             const Verdict verdict = job_scene_judge(&scenes[k], k, answers);
             if ((verdict.kind != VERDICT_PASSED) == want_wrong) {
                 job_scene_add_picture(&scenes[k], k, answers, result);
+                n_added++;
             }
             free(verdict.message);
         }

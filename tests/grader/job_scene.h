@@ -9,10 +9,10 @@
 #include "scene2d.h"
 
 typedef struct JobScene {
-    char title[96];      // "random scene"
-    Scene2D scene;       // circles and the picture's size
-    KdTreeLimits limits; // of its tree
-    KdTree2D tree;       // lab 03: what the kernel searches
+    char title[96];       // "random scene"
+    Scene2D scene;        // circles and the picture's size
+    KdTreeLimits limits;  // of its tree
+    KdTree2D tree;        // lab 03: what the kernel searches
     ExpectedPicture expected;
 } JobScene;
 
@@ -22,6 +22,9 @@ int job_scene_random(JobScene *scene, Random *random, int n_circles, int max_rad
 
 // A scene of scene2d.h by name. Returns 0, or -1 after one message.
 int job_scene_named(JobScene *scene, const char *name, int width, int height);
+
+// Spread the depths of a random scene from -128 to 128: a depth may be any number.
+void job_scene_spread_depths(JobScene *scene);
 
 // Let the oracle draw what is expected. Returns 0, or -1 after one message.
 int job_scene_expect(JobScene *scene);
@@ -53,6 +56,7 @@ void job_scene_adopt(JobScene *scene, int k, const Sections *answers);
 void job_scene_add_picture(const JobScene *scene, int k, const Sections *answers, Result *result);
 
 // Add n scenes, the wrong ones first.
-void job_scenes_add_pictures(const JobScene *scenes, int n, const Sections *answers, Result *result);
+void job_scenes_add_pictures(const JobScene *scenes, int n, const Sections *answers,
+                             Result *result);
 
 #endif

@@ -9,7 +9,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { GRADIENT_PICTURE, GRADIENT_PADDING, SET_ARGUMENTS_PICTURE, ENQUEUE_COVERS, READ_BACK_PICTURE };
+enum {
+    GRADIENT_PICTURE,
+    GRADIENT_PADDING,
+    SET_ARGUMENTS_PICTURE,
+    ENQUEUE_COVERS,
+    READ_BACK_PICTURE
+};
 
 static const Check checks[] = {
     [GRADIENT_PICTURE] = {"gradient-picture", "Every pixel has its colour", "gradient", 30},
@@ -17,7 +23,8 @@ static const Check checks[] = {
                           10},
     [SET_ARGUMENTS_PICTURE] = {"set_arguments-picture", "The kernel gets width, height and image",
                                "set_arguments", 20},
-    [ENQUEUE_COVERS] = {"enqueue-covers", "Every pixel of every size is drawn", "enqueue_pixels", 20},
+    [ENQUEUE_COVERS] = {"enqueue-covers", "Every pixel of every size is drawn", "enqueue_pixels",
+                        20},
     [READ_BACK_PICTURE] = {"read_back-picture", "The picture arrives on the host", "read_back", 20},
 };
 
@@ -116,10 +123,10 @@ static Verdict judge_read_back(const Job *job, const Sections *answers)
         }
         // The array was all NaN; one left in the last pixel says that the copy stopped early.
         if (isnan(own.pixels[n_floats - 1])) {
-            return verdict_of(message_new("%s: the array on the host was not filled to its end: pixel "
-                                          "(%d, %d) is untouched",
-                                          scene->title, reference->width - 1,
-                                          reference->height - 1));
+            return verdict_of(
+                message_new("%s: the array on the host was not filled to its end: pixel "
+                            "(%d, %d) is untouched",
+                            scene->title, reference->width - 1, reference->height - 1));
         }
         char *wrong = picture_judge(own, &scene->expected);
         if (wrong != NULL) {

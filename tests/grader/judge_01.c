@@ -48,8 +48,8 @@ enum {
     N_EDGES = 6,
     N_SCENES = EDGES + N_EDGES,
 };
-static const char *const edge_names[N_EDGES] = {"none", "outside", "borders",
-                                                "touching", "huge", "tiny"};
+static const char *const edge_names[N_EDGES] = {"none",     "outside", "borders",
+                                                "touching", "huge",    "tiny"};
 
 // How many inputs each of the three function checks tries, one range after the other.
 enum { N_INSIDE = 3000, N_BOUNDARY = 1000, N_NEARER = 1000 };
@@ -74,18 +74,18 @@ static OverlapJob draw_inside(Random *random)
     job.circle.y = grid(random, -10, 300);
     job.circle.radius = grid(random, 1, 60);
     job.circle.depth = 0.25f;
-    job.x = (int)lrintf(job.circle.x + (float)random_integer(random, -1000, 1000) / 500 *
-                                           job.circle.radius);
-    job.y = (int)lrintf(job.circle.y + (float)random_integer(random, -1000, 1000) / 500 *
-                                           job.circle.radius);
+    job.x = (int)lrintf(job.circle.x +
+                        (float)random_integer(random, -1000, 1000) / 500 * job.circle.radius);
+    job.y = (int)lrintf(job.circle.y +
+                        (float)random_integer(random, -1000, 1000) / 500 * job.circle.radius);
     return job;
 }
 
 // A pixel exactly on the boundary (a Pythagorean triple from the centre), or one step beside it.
 static OverlapJob draw_boundary(Random *random)
 {
-    static const int triples[][3] = {{3, 4, 5},  {5, 12, 13}, {8, 15, 17}, {7, 24, 25},
-                                     {0, 6, 6}, {20, 21, 29}, {0, 1, 1},  {9, 40, 41}};
+    static const int triples[][3] = {{3, 4, 5}, {5, 12, 13},  {8, 15, 17}, {7, 24, 25},
+                                     {0, 6, 6}, {20, 21, 29}, {0, 1, 1},   {9, 40, 41}};
     const int *triple = triples[random_integer(random, 0, 7)];
     const int swap = (int)random_integer(random, 0, 1);
     const int sign_x = random_integer(random, 0, 1) ? 1 : -1;
@@ -133,6 +133,7 @@ static int draw_scenes(Random *random, JobScene scenes[N_SCENES])
     result |= job_scene_random(&scenes[HIGH], random, 30, 12, 48, 64);
     result |= job_scene_random(&scenes[RANDOM], random, 200, 16, 128, 96);
     result |= job_scene_random(&scenes[RANDOM + 1], random, 7, 40, 96, 100);
+    job_scene_spread_depths(&scenes[RANDOM + 1]);
     result |= job_scene_named(&scenes[ORDER], "equal-depths", 96, 64);
     for (int i = 0; i < N_EDGES; i++) {
         result |= job_scene_named(&scenes[EDGES + i], edge_names[i], 64, 48);
@@ -188,8 +189,8 @@ static const char *explain_overlap(OverlapJob input, int found)
     if (!found && on_boundary) {
         return "; strict where it should not be: the boundary belongs to the circle";
     }
-    if (found && oracle2d_covers(input.circle, input.x, input.y) == 0 &&
-        fabs(dx) <= radius && fabs(dy) <= radius) {
+    if (found && oracle2d_covers(input.circle, input.x, input.y) == 0 && fabs(dx) <= radius &&
+        fabs(dy) <= radius) {
         return "; the pixel is in the circle's bounding square but not in the circle";
     }
     return "";
@@ -204,8 +205,8 @@ static Verdict judge_overlaps(const Job *job, int first, int n, const Sections *
     int n_wrong = 0, first_wrong = 0;
     for (int i = first + n - 1; i >= first; i--) {
         const OverlapJob input = job->overlaps[i];
-        const int expected = oracle2d_covers(input.circle, input.x, input.y) &&
-                             input.circle.depth < input.minDepth;
+        const int expected =
+            oracle2d_covers(input.circle, input.x, input.y) && input.circle.depth < input.minDepth;
         if ((found[i] != 0) != expected) {
             n_wrong++;
             first_wrong = i;
@@ -262,6 +263,6 @@ static void add_pictures(const void *pointer, const Sections *answers, Result *r
 }
 
 const Judge judge_01 = {
-    "01-naive-2d", checks, sizeof checks / sizeof *checks, job_new, job_free, judge, adopt,
-    add_pictures,
+    "01-naive-2d", checks,       sizeof checks / sizeof *checks, job_new, job_free, judge,
+    adopt,         add_pictures,
 };

@@ -123,7 +123,8 @@ static BoxOverlapJob draw_boundary(Random *random)
     static const int triples[][3] = {{3, 4, 5}, {5, 12, 13}, {8, 15, 17}, {7, 24, 25}};
     BoxOverlapJob job = {.box = draw_box(random)};
     const BBox2D box = job.box;
-    const int high_x = (int)random_integer(random, 0, 1), high_y = (int)random_integer(random, 0, 1);
+    const int high_x = (int)random_integer(random, 0, 1),
+              high_y = (int)random_integer(random, 0, 1);
     const int kind = (int)random_integer(random, 0, 2);
     const int *triple = triples[random_integer(random, 0, 3)];
     const float miss = random_integer(random, 0, 3) == 0 ? 0.0625f : 0;
@@ -280,10 +281,10 @@ static Verdict judge_is_leaf(const Job *job, int first, const Sections *answers)
         const int expected =
             in.level >= in.maxDepth || (int64_t)in.n_circles <= in.targetElementsPerNode;
         if ((found[i] != 0) != expected) {
-            return verdict_of(message_new("level %d, %u circles, maxDepth %d, targetElementsPerNode "
-                                          "%d: found %d, expected %d",
-                                          in.level, in.n_circles, in.maxDepth,
-                                          in.targetElementsPerNode, found[i], expected));
+            return verdict_of(message_new(
+                "level %d, %u circles, maxDepth %d, targetElementsPerNode "
+                "%d: found %d, expected %d",
+                in.level, in.n_circles, in.maxDepth, in.targetElementsPerNode, found[i], expected));
         }
     }
     return verdict_of(NULL);
@@ -292,14 +293,14 @@ static Verdict judge_is_leaf(const Job *job, int first, const Sections *answers)
 static char *describe_split(BBox2D box, const BBox2D found[2], const BBox2D expected[2],
                             const char *why)
 {
-    return message_new("box x [%g, %g] y [%g, %g]: found left x [%g, %g] y [%g, %g] and right x [%g, "
-                       "%g] y [%g, %g], expected left x [%g, %g] y [%g, %g]%s",
-                       (double)box.minX, (double)box.maxX, (double)box.minY, (double)box.maxY,
-                       (double)found[0].minX, (double)found[0].maxX, (double)found[0].minY,
-                       (double)found[0].maxY, (double)found[1].minX, (double)found[1].maxX,
-                       (double)found[1].minY, (double)found[1].maxY, (double)expected[0].minX,
-                       (double)expected[0].maxX, (double)expected[0].minY, (double)expected[0].maxY,
-                       why);
+    return message_new(
+        "box x [%g, %g] y [%g, %g]: found left x [%g, %g] y [%g, %g] and right x [%g, "
+        "%g] y [%g, %g], expected left x [%g, %g] y [%g, %g]%s",
+        (double)box.minX, (double)box.maxX, (double)box.minY, (double)box.maxY,
+        (double)found[0].minX, (double)found[0].maxX, (double)found[0].minY, (double)found[0].maxY,
+        (double)found[1].minX, (double)found[1].maxX, (double)found[1].minY, (double)found[1].maxY,
+        (double)expected[0].minX, (double)expected[0].maxX, (double)expected[0].minY,
+        (double)expected[0].maxY, why);
 }
 
 static int is_box(BBox2D a, BBox2D b)
@@ -335,9 +336,10 @@ static Verdict judge_split(const Job *job, int check, const Sections *answers)
         }
         if (check == SPLIT_LONGER && side != longer) {
             return verdict_of(describe_split(box, found + 2 * i, expected,
-                                             side == '?'       ? "; nothing was split, or both sides"
-                                             : width == height ? "; where both sides are equal, x is split"
-                                                               : "; the shorter side was split"));
+                                             side == '?' ? "; nothing was split, or both sides"
+                                             : width == height
+                                                 ? "; where both sides are equal, x is split"
+                                                 : "; the shorter side was split"));
         }
         if (check == SPLIT_MIDDLE &&
             (!is_box(found[2 * i], expected[0]) || !is_box(found[2 * i + 1], expected[1]))) {
@@ -402,16 +404,18 @@ static Verdict judge_distribute(const Job *job, const Sections *answers)
                 continue;
             }
             if (found[1 + n] != id) {
-                return verdict_of(message_new("node with %u circles from id %u on: child_ids[%u] is "
-                                              "%u, expected %u",
-                                              in->n_ids, in->ids[0], n, found[1 + n], id));
+                return verdict_of(
+                    message_new("node with %u circles from id %u on: child_ids[%u] is "
+                                "%u, expected %u",
+                                in->n_ids, in->ids[0], n, found[1 + n], id));
             }
             n++;
         }
         if (found[0] != n) {
-            return verdict_of(message_new("node with %u circles from id %u on: returned %u, expected "
-                                          "%u: the number of ids written",
-                                          in->n_ids, in->ids[0], found[0], n));
+            return verdict_of(
+                message_new("node with %u circles from id %u on: returned %u, expected "
+                            "%u: the number of ids written",
+                            in->n_ids, in->ids[0], found[0], n));
         }
         if (found[1 + in->n_ids] != UNTOUCHED) {
             return verdict_of(message_new("child_ids[%u] was written, but there is room for %u",
@@ -426,18 +430,20 @@ static char *judge_pack_offset(const PackJob *in, const PackAnswer *out)
     const u32 offset = out->relations[in->id].circleMapOffset;
     return offset == in->n_map
                ? NULL
-               : message_new("leaf with %u circles, map of %u entries: circleMapOffset is %u, expected "
-                             "%u, the place of the count",
-                             in->n_ids, in->n_map, offset, in->n_map);
+               : message_new(
+                     "leaf with %u circles, map of %u entries: circleMapOffset is %u, expected "
+                     "%u, the place of the count",
+                     in->n_ids, in->n_map, offset, in->n_map);
 }
 
 static char *judge_pack_count(const PackJob *in, const PackAnswer *out)
 {
     const u32 count = out->map[in->n_map];
-    return count == in->n_ids ? NULL
-                              : message_new("leaf with %u circles, map of %u entries: the count at %u "
-                                            "is %u, expected %u",
-                                            in->n_ids, in->n_map, in->n_map, count, in->n_ids);
+    return count == in->n_ids
+               ? NULL
+               : message_new("leaf with %u circles, map of %u entries: the count at %u "
+                             "is %u, expected %u",
+                             in->n_ids, in->n_map, in->n_map, count, in->n_ids);
 }
 
 static char *judge_pack_rest(const PackJob *in, const PackAnswer *out)
@@ -447,27 +453,29 @@ static char *judge_pack_rest(const PackJob *in, const PackAnswer *out)
     }
     for (u32 i = 0; i < in->n_ids; i++) {
         if (out->map[in->n_map + 1 + i] != in->ids[i]) {
-            return message_new("leaf with %u circles: id number %u is %u, expected %u", in->n_ids, i,
-                               out->map[in->n_map + 1 + i], in->ids[i]);
+            return message_new("leaf with %u circles: id number %u is %u, expected %u", in->n_ids,
+                               i, out->map[in->n_map + 1 + i], in->ids[i]);
         }
     }
     if (out->n_map != in->n_map + 1 + in->n_ids) {
-        return message_new("leaf with %u circles, map of %u entries: n_map is %u afterwards, expected "
-                           "%u",
-                           in->n_ids, in->n_map, out->n_map, in->n_map + 1 + in->n_ids);
+        return message_new(
+            "leaf with %u circles, map of %u entries: n_map is %u afterwards, expected "
+            "%u",
+            in->n_ids, in->n_map, out->n_map, in->n_map + 1 + in->n_ids);
     }
     for (u32 i = 0; i < PACK_MAP_ROOM; i++) {
         const int is_list = i >= in->n_map && i < in->n_map + 1 + in->n_ids;
         if (!is_list && out->map[i] != UNTOUCHED) {
-            return message_new("mapNode2Circles[%u] was written, but the list goes from %u to %u", i,
-                               in->n_map, in->n_map + in->n_ids);
+            return message_new("mapNode2Circles[%u] was written, but the list goes from %u to %u",
+                               i, in->n_map, in->n_map + in->n_ids);
         }
     }
     for (u32 id = 0; id < PACK_NODES; id++) {
         const NodeRel node = out->relations[id];
         if (node.id != id || node.lChild != 0 || node.rChild != 0 ||
             (id != in->id && (node.circleMapOffset != 0 || out->flags[id] != INNER))) {
-            return message_new("packing leaf %u changed node %u otherwise than it should", in->id, id);
+            return message_new("packing leaf %u changed node %u otherwise than it should", in->id,
+                               id);
         }
     }
     return NULL;

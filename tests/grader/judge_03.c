@@ -22,7 +22,8 @@ enum {
 };
 
 static const Check checks[] = {
-    [CHILD_INSIDE] = {"child-inside", "Pixels inside one of the children", "getContainingChild", 15},
+    [CHILD_INSIDE] = {"child-inside", "Pixels inside one of the children", "getContainingChild",
+                      15},
     [CHILD_BORDER] = {"child-border", "Pixels on a border between children", "getContainingChild",
                       10},
     [DESCENT_PICTURE] = {"descent-picture", "Random scenes through their trees", "descent", 15},
@@ -30,7 +31,8 @@ static const Check checks[] = {
     [DESCENT_WORK] = {"descent-work", "One step a level, no more", "descent", 10},
     [LEAF_RANDOM] = {"leaf-random", "Random scenes", "leaf_loop", 15},
     [LEAF_ORDER] = {"leaf-order", "Of equal depths the lower index wins", "leaf_loop", 10},
-    [LEAF_EDGES] = {"leaf-edges", "Empty leaves, one leaf, no circles, huge, tiny", "leaf_loop", 10},
+    [LEAF_EDGES] = {"leaf-edges", "Empty leaves, one leaf, no circles, huge, tiny", "leaf_loop",
+                    10},
     [LEAF_WORK] = {"leaf-work", "Only the leaf's own circles are asked", "leaf_loop", 5},
 };
 
@@ -47,7 +49,7 @@ enum {
 static const struct {
     const char *name;
     KdTreeLimits limits;
-} edges[N_EDGES] = {{"none", {4, 1}}, {"tiny", {8, 1}},    {"outside", {6, 2}},
+} edges[N_EDGES] = {{"none", {4, 1}}, {"tiny", {8, 1}},     {"outside", {6, 2}},
                     {"huge", {4, 1}}, {"touching", {1, 1}}, {"borders", {7, 2}}};
 
 enum { N_INSIDE = 2000, N_BORDER = 1000 };
@@ -101,8 +103,8 @@ static ChildJob draw_child(Random *random, const KdTree2D *tree, int on_border)
         if (tree->nodes_flag[id] == LEAF || box.maxX - box.minX < 4 || box.maxY - box.minY < 4) {
             continue;
         }
-        ChildJob job = {coordinate(random, box.minX, box.maxX), coordinate(random, box.minY, box.maxY),
-                        id};
+        ChildJob job = {coordinate(random, box.minX, box.maxX),
+                        coordinate(random, box.minY, box.maxY), id};
         const BBox2D left = tree->nodes_BBox[tree->nodes_Relations[id].lChild];
         if (on_border) {
             // One coordinate on a border: the lower one of the node, or the one the children share.
@@ -163,7 +165,8 @@ static int colour_leaves(JobScene *scene)
 static u32 leaf_at(const KdTree2D *tree, int x, int y)
 {
     u32 id = 0;
-    while (id < tree->n_nodes && (tree->nodes_flag[id] != LEAF || !holds(tree->nodes_BBox[id], x, y))) {
+    while (id < tree->n_nodes &&
+           (tree->nodes_flag[id] != LEAF || !holds(tree->nodes_BBox[id], x, y))) {
         id++;
     }
     return id;
@@ -183,7 +186,8 @@ static int expect_leaf_map(JobScene *scene)
             const u32 leaf = leaf_at(tree, x, y);
             scene->expected.ambiguous[pixel] = leaf == tree->n_nodes;
             if (leaf < tree->n_nodes) {
-                const u32 *list = tree->mapNode2Circles + tree->nodes_Relations[leaf].circleMapOffset;
+                const u32 *list =
+                    tree->mapNode2Circles + tree->nodes_Relations[leaf].circleMapOffset;
                 const Circle own = scene->scene.circles[list[list[0]]];
                 const float color[IMAGE_CHANNELS] = {own.r, own.g, own.b, own.a};
                 memcpy(reference->pixels + pixel * IMAGE_CHANNELS, color, sizeof color);
@@ -215,6 +219,7 @@ static int draw_scenes(Random *random, JobScene scenes[N_SCENES])
     result |= draw_leaf_map(random, &scenes[LEAF_MAP]);
     result |= job_scene_random(&scenes[RANDOM], random, 150, 12, 96, 128);
     result |= job_scene_random(&scenes[RANDOM + 1], random, 9, 30, 100, 60);
+    job_scene_spread_depths(&scenes[RANDOM + 1]);
     result |= job_scene_named(&scenes[ORDER], "equal-depths", 96, 64);
     for (int i = 0; i < N_EDGES; i++) {
         result |= job_scene_named(&scenes[EDGES + i], edges[i].name, 64, 48);
@@ -286,11 +291,12 @@ static Verdict judge_children(const Job *job, int first, int n, const Sections *
                                         "starts there"
                                       : "";
         return verdict_of(message_new(
-            "node %u, pixel (%d, %d): found child %u, expected %u; left child %u is x [%g, %g) y [%g, "
+            "node %u, pixel (%d, %d): found child %u, expected %u; left child %u is x [%g, %g) y "
+            "[%g, "
             "%g), right child %u is x [%g, %g) y [%g, %g)%s",
-            in.id, in.x, in.y, found[i], expected, node.lChild, (double)left.minX, (double)left.maxX,
-            (double)left.minY, (double)left.maxY, node.rChild, (double)right.minX,
-            (double)right.maxX, (double)right.minY, (double)right.maxY, why));
+            in.id, in.x, in.y, found[i], expected, node.lChild, (double)left.minX,
+            (double)left.maxX, (double)left.minY, (double)left.maxY, node.rChild,
+            (double)right.minX, (double)right.maxX, (double)right.minY, (double)right.maxY, why));
     }
     return verdict_of(NULL);
 }
@@ -313,24 +319,26 @@ static char *judge_pixel_work(const JobScene *scene, int check, int x, int y, Wo
         const u32 steps = steps_to_leaf(tree, x, y);
         return found.n_nodes_visited == steps
                    ? NULL
-                   : message_new("%s: pixel (%d, %d): getContainingChild was called %u times, expected "
-                                 "%u, once for each inner node on the way to the leaf",
-                                 scene->title, x, y, found.n_nodes_visited, steps);
+                   : message_new(
+                         "%s: pixel (%d, %d): getContainingChild was called %u times, expected "
+                         "%u, once for each inner node on the way to the leaf",
+                         scene->title, x, y, found.n_nodes_visited, steps);
     }
     const u32 n = tree->mapNode2Circles[tree->nodes_Relations[leaf_at(tree, x, y)].circleMapOffset];
     return found.n_circle_tests <= n && (found.n_circle_tests > 0 || n == 0)
                ? NULL
-               : message_new("%s: pixel (%d, %d): overlaps_N_Nearer was called %u times, but the leaf "
-                             "lists %u circles",
-                             scene->title, x, y, found.n_circle_tests, n);
+               : message_new(
+                     "%s: pixel (%d, %d): overlaps_N_Nearer was called %u times, but the leaf "
+                     "lists %u circles",
+                     scene->title, x, y, found.n_circle_tests, n);
 }
 
 static Verdict judge_work(const Job *job, int check, const Sections *answers)
 {
     const JobScene *scene = &job->scenes[WIDE];
     const int width = scene->scene.width, height = scene->scene.height;
-    const size_t n_bytes = (size_t)PROBE_IMAGE_SIDE(width) * (size_t)PROBE_IMAGE_SIDE(height) *
-                           sizeof(Work);
+    const size_t n_bytes =
+        (size_t)PROBE_IMAGE_SIDE(width) * (size_t)PROBE_IMAGE_SIDE(height) * sizeof(Work);
     char name[SECTION_NAME_BYTES];
     snprintf(name, sizeof name, "work.%d", WIDE);
     const Work *found = sections_find(answers, name, n_bytes);

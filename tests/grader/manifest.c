@@ -62,27 +62,32 @@ static Place place_item(const Place *list, int i)
 //   known   NULL-terminated
 static int fields_check(const Place *object, const char *const *known)
 {
-    if (!json_is_object(object->json))
+    if (!json_is_object(object->json)) {
         return fault_kind(object, "an object");
+    }
     const char *name;
     json_t *value;
     json_object_foreach((json_t *)object->json, name, value)
     {
         int i = 0;
-        while (known[i] != NULL && strcmp(known[i], name) != 0)
+        while (known[i] != NULL && strcmp(known[i], name) != 0) {
             i++;
-        if (known[i] == NULL)
+        }
+        if (known[i] == NULL) {
             return fault(object, "found an unknown field \"%s\"", name);
+        }
     }
     return 0;
 }
 
 static int text_read(const Place *place, char **text)
 {
-    if (!json_is_string(place->json))
+    if (!json_is_string(place->json)) {
         return fault_kind(place, "a string");
-    if (json_string_length(place->json) == 0)
+    }
+    if (json_string_length(place->json) == 0) {
         return fault(place, "found an empty string, expected some text");
+    }
     *text = strdup(json_string_value(place->json));
     return *text != NULL ? 0 : fault(place, "out of memory");
 }
@@ -95,11 +100,13 @@ static int text_field_read(const Place *object, const char *field, char **text)
 
 static int list_length_read(const Place *list, int most, int *length)
 {
-    if (!json_is_array(list->json))
+    if (!json_is_array(list->json)) {
         return fault_kind(list, "a list");
+    }
     size_t found = json_array_size(list->json);
-    if (found < 1 || found > (size_t)most)
+    if (found < 1 || found > (size_t)most) {
         return fault(list, "found %zu entries, expected 1 to %d", found, most);
+    }
     *length = (int)found;
     return 0;
 }
@@ -107,8 +114,9 @@ static int list_length_read(const Place *list, int most, int *length)
 static int file_is_listed(const Manifest *manifest, const char *file)
 {
     for (int i = 0; i < manifest->n_files; i++) {
-        if (strcmp(manifest->files[i], file) == 0)
+        if (strcmp(manifest->files[i], file) == 0) {
             return 1;
+        }
     }
     return 0;
 }
@@ -117,20 +125,24 @@ static int files_read(const Place *object, Manifest *manifest)
 {
     Place list = place_field(object, "files");
     int n_files;
-    if (list_length_read(&list, MANIFEST_MAX_FILES, &n_files) != 0)
+    if (list_length_read(&list, MANIFEST_MAX_FILES, &n_files) != 0) {
         return -1;
+    }
     for (int i = 0; i < n_files; i++) {
         Place place = place_item(&list, i);
         char *file = NULL;
-        if (text_read(&place, &file) != 0)
+        if (text_read(&place, &file) != 0) {
             return -1;
+        }
         int listed = file_is_listed(manifest, file);
         manifest->files[manifest->n_files++] = file;
         // Staging copies by these names: none may lead out of the submission's folder.
-        if (strchr(file, '/') != NULL || file[0] == '.')
+        if (strchr(file, '/') != NULL || file[0] == '.') {
             return fault(&place, "found \"%s\", expected a plain file name", file);
-        if (listed)
+        }
+        if (listed) {
             return fault(&place, "found \"%s\" a second time", file);
+        }
     }
     return 0;
 }
@@ -146,12 +158,14 @@ static int id_is_plain(const char *id)
 static int points_read(const Place *object, int *points)
 {
     Place place = place_field(object, "points");
-    if (!json_is_integer(place.json))
+    if (!json_is_integer(place.json)) {
         return fault_kind(&place, "a whole number");
+    }
     json_int_t found = json_integer_value(place.json);
-    if (found < 1 || found > POINTS_OF_A_LAB)
+    if (found < 1 || found > POINTS_OF_A_LAB) {
         return fault(&place, "found %" JSON_INTEGER_FORMAT ", expected 1 to %d", found,
                      POINTS_OF_A_LAB);
+    }
     *points = (int)found;
     return 0;
 }
@@ -163,21 +177,27 @@ static int task_read(const Place *place, Manifest *manifest)
     Task read = {0};
     Task *task = &manifest->tasks[manifest->n_tasks];
     *task = read;
-    if (fields_check(place, known) != 0 || text_field_read(place, "id", &read.id) != 0)
+    if (fields_check(place, known) != 0 || text_field_read(place, "id", &read.id) != 0) {
         return -1;
+    }
     int given = manifest_task(manifest, read.id) != NULL;
     *task = read;
     manifest->n_tasks++;
-    if (!id_is_plain(task->id))
+    if (!id_is_plain(task->id)) {
         return fault(place, "found the id \"%s\", expected letters, digits, _ and -", task->id);
-    if (given)
+    }
+    if (given) {
         return fault(place, "found the id \"%s\" a second time", task->id);
+    }
     if (text_field_read(place, "file", &task->file) != 0 ||
         text_field_read(place, "title", &task->title) != 0 ||
-        points_read(place, &task->points) != 0 || text_field_read(place, "hint", &task->hint) != 0)
+        points_read(place, &task->points) != 0 ||
+        text_field_read(place, "hint", &task->hint) != 0) {
         return -1;
-    if (!file_is_listed(manifest, task->file))
+    }
+    if (!file_is_listed(manifest, task->file)) {
         return fault(place, "found the file \"%s\", expected one of \"files\"", task->file);
+    }
     return 0;
 }
 
@@ -185,17 +205,20 @@ static int tasks_read(const Place *object, Manifest *manifest)
 {
     Place list = place_field(object, "tasks");
     int n_tasks;
-    if (list_length_read(&list, MANIFEST_MAX_TASKS, &n_tasks) != 0)
+    if (list_length_read(&list, MANIFEST_MAX_TASKS, &n_tasks) != 0) {
         return -1;
+    }
     int points = 0;
     for (int i = 0; i < n_tasks; i++) {
         Place place = place_item(&list, i);
-        if (task_read(&place, manifest) != 0)
+        if (task_read(&place, manifest) != 0) {
             return -1;
+        }
         points += manifest->tasks[i].points;
     }
-    if (points != POINTS_OF_A_LAB)
+    if (points != POINTS_OF_A_LAB) {
         return fault(&list, "found %d points in all, expected %d", points, POINTS_OF_A_LAB);
+    }
     return 0;
 }
 
@@ -204,8 +227,9 @@ static int fields_read(const Place *object, Manifest *manifest)
     static const char *const known[] = {"title", "files", "tasks", NULL};
     if (fields_check(object, known) != 0 ||
         text_field_read(object, "title", &manifest->title) != 0 ||
-        files_read(object, manifest) != 0)
+        files_read(object, manifest) != 0) {
         return -1;
+    }
     return tasks_read(object, manifest);
 }
 
@@ -213,8 +237,9 @@ static int file_read(const char *path, Manifest *manifest)
 {
     Place place = {.path = path};
     FILE *file = fopen(path, "rb");
-    if (file == NULL)
+    if (file == NULL) {
         return fault(&place, "cannot read: %s", strerror(errno));
+    }
     json_error_t error;
     json_t *json = json_loadf(file, JSON_REJECT_DUPLICATES, &error);
     fclose(file);
@@ -254,8 +279,9 @@ int manifest_load(const char *labs_folder, const char *lab, Manifest *manifest)
 void manifest_free(Manifest *manifest)
 {
     free(manifest->title);
-    for (int i = 0; i < manifest->n_files; i++)
+    for (int i = 0; i < manifest->n_files; i++) {
         free(manifest->files[i]);
+    }
     for (int i = 0; i < manifest->n_tasks; i++) {
         Task *task = &manifest->tasks[i];
         free(task->id);
@@ -269,8 +295,9 @@ void manifest_free(Manifest *manifest)
 const Task *manifest_task(const Manifest *manifest, const char *id)
 {
     for (int i = 0; i < manifest->n_tasks; i++) {
-        if (strcmp(manifest->tasks[i].id, id) == 0)
+        if (strcmp(manifest->tasks[i].id, id) == 0) {
             return &manifest->tasks[i];
+        }
     }
     return NULL;
 }

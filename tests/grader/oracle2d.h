@@ -12,15 +12,15 @@
 
 // A way of drawing. All zeros is the right one.
 typedef struct OracleRules {
-    int strict_boundary;    // distance² < radius²
-    int later_wins_ties;    // depth <= minDepth
-    int ignore_depth;       // the last covering circle wins
-    int farthest_wins;      // depth > maxDepth
-    int first_wins;         // the first covering circle wins, whatever its depth
-    int skip_first;         // the first circle is not asked
-    int skip_last;          // nor the last
-    double sample_offset;   // added to the pixel's coordinates, 0.5 for the pixel's centre
-    int diameter;           // the radius taken for a diameter
+    int strict_boundary;   // distance² < radius²
+    int later_wins_ties;   // depth <= minDepth
+    int ignore_depth;      // the last covering circle wins
+    int farthest_wins;     // depth > maxDepth
+    int first_wins;        // the first covering circle wins, whatever its depth
+    int skip_first;        // the first circle is not asked
+    int skip_last;         // nor the last
+    double sample_offset;  // added to the pixel's coordinates, 0.5 for the pixel's centre
+    int diameter;          // the radius taken for a diameter
 } OracleRules;
 
 // Draw circles into an image of its size.

@@ -200,7 +200,8 @@ static const struct {
     {"drawn as if the first circle were missing", {.skip_first = 1}},
     {"drawn as if the last circle were missing", {.skip_last = 1}},
     {"shifted by half a pixel: the sample point is the integer coordinate", {.sample_offset = 0.5}},
-    {"shifted by half a pixel: the sample point is the integer coordinate", {.sample_offset = -0.5}},
+    {"shifted by half a pixel: the sample point is the integer coordinate",
+     {.sample_offset = -0.5}},
     {"drawn with half the radius", {.diameter = 1}},
 };
 
@@ -234,7 +235,8 @@ static const char *wrong_background(ProbeImage own, const ExpectedPicture *expec
             const float *pixel = own_pixel(own, x, y);
             const int is_background = is_same(image_pixel(reference, x, y), background, 0);
             const int is_right = is_same(pixel, image_pixel(reference, x, y), expected->tolerance);
-            if (is_background == is_right || (seen != NULL && !is_same(pixel, seen, 0) && !is_right)) {
+            if (is_background == is_right ||
+                (seen != NULL && !is_same(pixel, seen, 0) && !is_right)) {
                 return NULL;
             }
             seen = is_background ? pixel : seen;
@@ -243,9 +245,26 @@ static const char *wrong_background(ProbeImage own, const ExpectedPicture *expec
     return seen ? "right but for the background, which is (0, 0, 0, 0) in all four channels" : NULL;
 }
 
+// Is every pixel (0, 0, 0, 0), though not every pixel should be?
+static int is_empty(ProbeImage own, const Image *reference)
+{
+    const float background[IMAGE_CHANNELS] = {0};
+    for (int y = 0; y < reference->height; y++) {
+        for (int x = 0; x < reference->width; x++) {
+            if (!is_same(own_pixel(own, x, y), background, 0)) {
+                return 0;
+            }
+        }
+    }
+    return 1;
+}
+
 // What a wrong picture looks like, or NULL.
 static const char *recognise(ProbeImage own, const ExpectedPicture *expected)
 {
+    if (is_empty(own, &expected->reference)) {
+        return "empty: nothing but the background";
+    }
     const char *background = wrong_background(own, expected);
     if (background != NULL) {
         return background;
@@ -295,18 +314,18 @@ char *picture_judge(ProbeImage own, const ExpectedPicture *expected)
     }
     const size_t n_pixels = (size_t)reference->width * (size_t)reference->height;
     if (n_unwritten == n_wrong) {
-        return message_new("nobody wrote pixel (%d, %d); %zu of %zu pixels were not written", first_x,
-                           first_y, n_unwritten, n_pixels);
+        return message_new("nobody wrote pixel (%d, %d); %zu of %zu pixels were not written",
+                           first_x, first_y, n_unwritten, n_pixels);
     }
     const float *found = own_pixel(own, first_x, first_y);
     const float *wanted = image_pixel(reference, first_x, first_y);
     const char *looks = n_not_finite ? "not a number in places" : recognise(own, expected);
-    return message_new("pixel (%d, %d): found (%.4g, %.4g, %.4g, %.4g), expected (%.4g, %.4g, %.4g, "
-                       "%.4g); %zu of %zu pixels differ%s%s",
-                       first_x, first_y, (double)found[0], (double)found[1], (double)found[2],
-                       (double)found[3], (double)wanted[0], (double)wanted[1], (double)wanted[2],
-                       (double)wanted[3], n_wrong, n_pixels, looks ? "; it looks " : "",
-                       looks ? looks : "");
+    return message_new(
+        "pixel (%d, %d): found (%.4g, %.4g, %.4g, %.4g), expected (%.4g, %.4g, %.4g, "
+        "%.4g); %zu of %zu pixels differ%s%s",
+        first_x, first_y, (double)found[0], (double)found[1], (double)found[2], (double)found[3],
+        (double)wanted[0], (double)wanted[1], (double)wanted[2], (double)wanted[3], n_wrong,
+        n_pixels, looks ? "; it looks " : "", looks ? looks : "");
 }
 
 char *picture_judge_padding(ProbeImage own, int width, int height)
@@ -314,10 +333,11 @@ char *picture_judge_padding(ProbeImage own, int width, int height)
     for (int y = 0; y < own.image_height; y++) {
         for (int x = 0; x < own.image_width; x++) {
             if ((x >= width || y >= height) && !is_unwritten(own_pixel(own, x, y))) {
-                return message_new("the kernel wrote outside the picture: pixel (%d, %d) of a %dx%d "
-                                   "picture; a guard for the work-items that fill up the last "
-                                   "work-groups is missing or wrong",
-                                   x, y, width, height);
+                return message_new(
+                    "the kernel wrote outside the picture: pixel (%d, %d) of a %dx%d "
+                    "picture; a guard for the work-items that fill up the last "
+                    "work-groups is missing or wrong",
+                    x, y, width, height);
             }
         }
     }

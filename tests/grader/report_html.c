@@ -19,8 +19,9 @@ static const char *status_mark(CheckStatus status)
 
 static void fact_write(FILE *page, const char *name, const char *value)
 {
-    if (value[0] == '\0')
+    if (value[0] == '\0') {
         return;
+    }
     fprintf(page, "<div><dt>%s</dt><dd>", name);
     html_line(page, value);
     fputs("</dd></div>\n", page);
@@ -34,12 +35,14 @@ static void summary_write(FILE *page, const Result *result)
     for (int i = 0; i < result->n_checks; i++) {
         const CheckResult *check = &result->checks[i];
         n_passed += check->status == CHECK_PASSED;
-        if (check->status == CHECK_FAILED && first_failed == NULL)
+        if (check->status == CHECK_FAILED && first_failed == NULL) {
             first_failed = check;
+        }
     }
     const StageResult *failed_stage = NULL;
-    for (int i = result->n_stages - 1; i >= 0; i--)
+    for (int i = result->n_stages - 1; i >= 0; i--) {
         failed_stage = result->stages[i].status == CHECK_FAILED ? &result->stages[i] : failed_stage;
+    }
     fprintf(page, "<p class=\"soft\">%d of %d checks passed", n_passed, result->n_checks);
     if (first_failed != NULL) {
         fputs("; go on with <a href=\"#", page);
@@ -84,10 +87,12 @@ static void stages_write(FILE *page, const Result *result)
     for (int i = 0; i < result->n_stages; i++) {
         const StageResult *stage = &result->stages[i];
         int has_message = stage->message != NULL && stage->message[0] != '\0';
-        if (stage->status == CHECK_PASSED && !has_message)
+        if (stage->status == CHECK_PASSED && !has_message) {
             continue;
-        if (n_written++ == 0)
+        }
+        if (n_written++ == 0) {
             fputs("<section class=\"card stages\">\n", page);
+        }
         fprintf(page,
                 "<div class=\"check %s\"><span class=\"mark\">%s</span><div><span class=\"name\">",
                 check_status_name(stage->status), status_mark(stage->status));
@@ -99,8 +104,9 @@ static void stages_write(FILE *page, const Result *result)
         html_message(page, stage->message);
         fputs("</div>\n", page);
     }
-    if (n_written > 0)
+    if (n_written > 0) {
         fputs("</section>\n", page);
+    }
 }
 
 static void check_write(FILE *page, const CheckResult *check)
@@ -133,8 +139,9 @@ static void task_write(FILE *page, const Task *task, const Result *result)
     fputs("</code></p>\n", page);
     html_score_bar(page, sum.points, sum.max_points);
     for (int i = 0; i < result->n_checks; i++) {
-        if (strcmp(result->checks[i].task, task->id) == 0)
+        if (strcmp(result->checks[i].task, task->id) == 0) {
             check_write(page, &result->checks[i]);
+        }
     }
     if (sum.n_failed > 0) {
         fputs("<p class=\"hint\"><b>Hint</b> ", page);
@@ -151,13 +158,16 @@ static int page_write(FILE *page, const Manifest *manifest, const Result *result
     html_page_begin(page, title);
     head_write(page, result);
     stages_write(page, result);
-    for (int i = 0; i < manifest->n_tasks; i++)
+    for (int i = 0; i < manifest->n_tasks; i++) {
         task_write(page, &manifest->tasks[i], result);
-    if (result->n_pictures > 0)
+    }
+    if (result->n_pictures > 0) {
         fputs("<h2 class=\"section\">Pictures</h2>\n", page);
+    }
     for (int i = 0; i < result->n_pictures; i++) {
-        if (report_pictures_write(page, &result->pictures[i]) != 0)
+        if (report_pictures_write(page, &result->pictures[i]) != 0) {
             return -1;
+        }
     }
     html_page_end(page);
     return 0;
@@ -166,8 +176,9 @@ static int page_write(FILE *page, const Manifest *manifest, const Result *result
 int report_html(const char *path, const Manifest *manifest, const Result *result)
 {
     OutputFile output;
-    if (output_file_open(&output, path) != 0)
+    if (output_file_open(&output, path) != 0) {
         return -1;
+    }
     if (page_write(output.file, manifest, result) != 0) {
         output_file_discard(&output);
         return -1;

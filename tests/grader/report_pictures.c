@@ -26,23 +26,27 @@ static int fault(const char *path)
 static int file_uri_write(FILE *page, const char *path)
 {
     FILE *file = fopen(path, "rb");
-    if (file == NULL)
+    if (file == NULL) {
         return fault(path);
+    }
     // A multiple of three bytes at a time would do as well, but a PNG of a report fits in memory.
     char *bytes = NULL;
     size_t n_bytes = 0;
     FILE *copy = open_memstream(&bytes, &n_bytes);
     int byte;
-    while (copy != NULL && (byte = fgetc(file)) != EOF)
+    while (copy != NULL && (byte = fgetc(file)) != EOF) {
         fputc(byte, copy);
+    }
     int failed = copy == NULL || ferror(file) || ferror(copy);
-    if (copy != NULL && fclose(copy) != 0)
+    if (copy != NULL && fclose(copy) != 0) {
         failed = 1;
+    }
     fclose(file);
-    if (failed)
+    if (failed) {
         fault(path);
-    else
+    } else {
         html_file_uri(page, "image/png", bytes, n_bytes);
+    }
     free(bytes);
     return failed ? -1 : 0;
 }
@@ -52,13 +56,15 @@ static int png_uri_write(FILE *page, const Image *image)
     const char *parent = getenv("TMPDIR");
     char folder[4096 - sizeof "/picture.png"];
     snprintf(folder, sizeof folder, "%s/grader-picture-XXXXXX", parent != NULL ? parent : "/tmp");
-    if (mkdtemp(folder) == NULL)
+    if (mkdtemp(folder) == NULL) {
         return fault(folder);
+    }
     char path[4096];
     snprintf(path, sizeof path, "%s/picture.png", folder);
     int written = image_save(image, path);
-    if (written == 0)
+    if (written == 0) {
         written = file_uri_write(page, path);
+    }
     unlink(path);
     rmdir(folder);
     return written;
@@ -90,12 +96,31 @@ static int reference_write(FILE *page, const PictureResult *picture)
 {
     int written = 0;
     figure_begin(page, "class=\"reference\"", "Reference", "as it should be");
-    if (picture->svg_reference != NULL)
+    if (picture->svg_reference != NULL) {
         drawing_figure_write(page, picture->svg_reference, "the reference");
-    else if (picture->reference.width > 0)
+    } else if (picture->reference.width > 0) {
         written = image_figure_write(page, &picture->reference, "the reference");
-    else
+    } else {
         fputs("<div class=\"missing\">no reference</div>", page);
+    }
+    fputs("</figure>\n", page);
+    return written;
+}
+
+// Is there nothing to compare? Then one picture says it all.
+static int is_right(const PictureResult *picture)
+{
+    if (picture->own.width <= 0 || picture->reference.width <= 0) {
+        return 0;
+    }
+    const ImageDifference difference = image_compare(&picture->own, &picture->reference, 0);
+    return difference.same_size && difference.n_different == 0;
+}
+
+static int right_write(FILE *page, const PictureResult *picture)
+{
+    figure_begin(page, "class=\"own\"", "Yours", "equal to the reference");
+    const int written = image_figure_write(page, &picture->own, "your picture");
     fputs("</figure>\n", page);
     return written;
 }
@@ -110,10 +135,11 @@ static int own_write(FILE *page, const PictureResult *picture)
     }
     // In the order of the tab key, so that flipping to the reference needs no mouse.
     figure_begin(page, "class=\"own\" tabindex=\"0\"", "Yours", "point at it to see the reference");
-    if (picture->svg_own != NULL)
+    if (picture->svg_own != NULL) {
         drawing_figure_write(page, picture->svg_own, "your picture");
-    else
+    } else {
         written = image_figure_write(page, &picture->own, "your picture");
+    }
     fputs("</figure>\n", page);
     return written;
 }
@@ -134,8 +160,9 @@ static int difference_write(FILE *page, const PictureResult *picture)
     } else {
         Image difference = {0};
         written = image_difference_picture(own, reference, &difference);
-        if (written == 0)
+        if (written == 0) {
             written = image_figure_write(page, &difference, "the difference");
+        }
         image_free(&difference);
     }
     fputs("</figure>\n", page);
@@ -149,11 +176,18 @@ int report_pictures_write(FILE *page, const PictureResult *picture)
     fputs("<article class=\"card\">\n<div class=\"title\"><h3>", page);
     html_line(page, picture->title);
     fprintf(page, "</h3></div>\n<div class=\"trio%s\">\n", drawings ? " pair" : "");
-    int written = reference_write(page, picture);
-    if (written == 0)
-        written = own_write(page, picture);
-    if (written == 0 && !drawings)
-        written = difference_write(page, picture);
+    int written;
+    if (is_right(picture)) {
+        written = right_write(page, picture);
+    } else {
+        written = reference_write(page, picture);
+        if (written == 0) {
+            written = own_write(page, picture);
+        }
+        if (written == 0 && !drawings) {
+            written = difference_write(page, picture);
+        }
+    }
     fputs("</div>\n</article>\n", page);
     return written;
 }

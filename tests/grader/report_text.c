@@ -46,8 +46,9 @@ static const char *status_mark(CheckStatus status)
 static int columns_count(const char *text)
 {
     int columns = 0;
-    for (; *text != '\0'; text++)
+    for (; *text != '\0'; text++) {
         columns += ((unsigned char)*text & 0xC0) != 0x80;
+    }
     return columns;
 }
 
@@ -58,12 +59,15 @@ static size_t bytes_that_fit(const char *line, size_t n_bytes, int columns)
     size_t last_space = 0;
     int column = 0;
     for (size_t i = 0; i < n_bytes; i++) {
-        if (((unsigned char)line[i] & 0xC0) == 0x80)
+        if (((unsigned char)line[i] & 0xC0) == 0x80) {
             continue;
-        if (line[i] == ' ' && column <= columns)
+        }
+        if (line[i] == ' ' && column <= columns) {
             last_space = i;
-        if (column == columns)
+        }
+        if (column == columns) {
             return last_space > 0 ? last_space : i;
+        }
         column++;
     }
     return n_bytes;
@@ -74,8 +78,9 @@ static void line_wrap(FILE *out, const char *line, size_t n_bytes)
     do {
         size_t fitting = bytes_that_fit(line, n_bytes, PAGE_COLUMNS - MESSAGE_INDENT);
         fprintf(out, "%*s%.*s\n", MESSAGE_INDENT, "", (int)fitting, line);
-        while (fitting < n_bytes && line[fitting] == ' ')
+        while (fitting < n_bytes && line[fitting] == ' ') {
             fitting++;
+        }
         line += fitting;
         n_bytes -= fitting;
     } while (n_bytes > 0);
@@ -89,12 +94,13 @@ static void message_print(FILE *out, const char *message, MessageKind kind)
     char *clean = message_clean(message);
     for (const char *line = clean; *line != '\0';) {
         size_t length = strcspn(line, "\n");
-        if (length == 0)
+        if (length == 0) {
             fputc('\n', out);
-        else if (kind == MESSAGE_PROSE)
+        } else if (kind == MESSAGE_PROSE) {
             line_wrap(out, line, length);
-        else
+        } else {
             fprintf(out, "%*s%.*s\n", MESSAGE_INDENT, "", (int)length, line);
+        }
         line += length + (line[length] == '\n');
     }
     free(clean);
@@ -113,11 +119,12 @@ static void head_print(const TextReport *report, const Result *result)
     int columns = columns_count(result->lab) + 2 + columns_count(result->title) +
                   columns_count(seed) + columns_count(", device , submission ") +
                   columns_count(device) + columns_count(submission);
-    if (columns + 2 <= PAGE_COLUMNS)
+    if (columns + 2 <= PAGE_COLUMNS) {
         fprintf(report->out, "%*s%s, device %s, submission %s\n", PAGE_COLUMNS - columns, "", seed,
                 device, submission);
-    else
+    } else {
         fprintf(report->out, "\n %s, device %s\n submission %s\n", seed, device, submission);
+    }
     free(device);
     free(submission);
 }
@@ -125,8 +132,9 @@ static void head_print(const TextReport *report, const Result *result)
 static void stage_print(const TextReport *report, const StageResult *stage)
 {
     int has_message = stage->message != NULL && stage->message[0] != '\0';
-    if (stage->status == CHECK_PASSED && !has_message)
+    if (stage->status == CHECK_PASSED && !has_message) {
         return;
+    }
     fprintf(report->out, "   %s%-4s%s  %s\n", colour(report, status_colour(stage->status)),
             status_mark(stage->status), colour(report, PLAIN), stage->title);
     int is_log = has_message && strchr(stage->message, '\n') != NULL;
@@ -147,8 +155,9 @@ static void hint_print(const TextReport *report, const Task *task)
 {
     size_t n_bytes = strlen(task->hint) + sizeof "Hint: ";
     char *hint = malloc(n_bytes);
-    if (hint == NULL)
+    if (hint == NULL) {
         return;
+    }
     snprintf(hint, n_bytes, "Hint: %s", task->hint);
     fputs(colour(report, BOLD), report->out);
     message_print(report->out, hint, MESSAGE_PROSE);
@@ -166,11 +175,13 @@ static void task_print(const TextReport *report, const Task *task, const Result 
     fprintf(report->out, "\n %sTask %s: %s%s%*s\n", colour(report, BOLD), task->id, task->title,
             colour(report, PLAIN), gap > 8 ? gap : 8, points);
     for (int i = 0; i < result->n_checks; i++) {
-        if (strcmp(result->checks[i].task, task->id) == 0)
+        if (strcmp(result->checks[i].task, task->id) == 0) {
             check_print(report, &result->checks[i]);
+        }
     }
-    if (sum.n_failed > 0)
+    if (sum.n_failed > 0) {
         hint_print(report, task);
+    }
 }
 
 int report_text(FILE *out, const Manifest *manifest, const Result *result, int colours)
@@ -181,10 +192,12 @@ int report_text(FILE *out, const Manifest *manifest, const Result *result, int c
         report.id_columns = length > report.id_columns ? length : report.id_columns;
     }
     head_print(&report, result);
-    for (int i = 0; i < result->n_stages; i++)
+    for (int i = 0; i < result->n_stages; i++) {
         stage_print(&report, &result->stages[i]);
-    for (int i = 0; i < manifest->n_tasks; i++)
+    }
+    for (int i = 0; i < manifest->n_tasks; i++) {
         task_print(&report, &manifest->tasks[i], result);
+    }
     fprintf(out, "\n %sScore %d/%d%s\n", colour(&report, BOLD), result->score, result->max_score,
             colour(&report, PLAIN));
     if (fflush(out) != 0 || ferror(out)) {

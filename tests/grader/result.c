@@ -8,10 +8,12 @@
 
 void result_free(Result *result)
 {
-    for (int i = 0; i < result->n_stages; i++)
+    for (int i = 0; i < result->n_stages; i++) {
         free(result->stages[i].message);
-    for (int i = 0; i < result->n_checks; i++)
+    }
+    for (int i = 0; i < result->n_checks; i++) {
         free(result->checks[i].message);
+    }
     for (int i = 0; i < result->n_pictures; i++) {
         PictureResult *picture = &result->pictures[i];
         image_free(&picture->reference);
@@ -32,8 +34,9 @@ TaskPoints result_task_points(const Result *result, const char *task)
     TaskPoints sum = {0};
     for (int i = 0; i < result->n_checks; i++) {
         const CheckResult *check = &result->checks[i];
-        if (strcmp(check->task, task) != 0)
+        if (strcmp(check->task, task) != 0) {
             continue;
+        }
         sum.points += check->points;
         sum.max_points += check->max_points;
         sum.n_failed += check->status == CHECK_FAILED;

@@ -25,8 +25,9 @@ struct SandboxRun {
 
 static void run_free(SandboxRun *run)
 {
-    if (run->report != NULL)
+    if (run->report != NULL) {
         munmap(run->report, sizeof *run->report);
+    }
     free(run->output);
     free(run);
 }
@@ -35,15 +36,18 @@ static void run_free(SandboxRun *run)
 static SandboxRun *run_new(void)
 {
     SandboxRun *run = calloc(1, sizeof *run);
-    if (run == NULL)
+    if (run == NULL) {
         return NULL;
+    }
     run->output = malloc(SANDBOX_MAX_OUTPUT + 1);
     void *shared =
         mmap(NULL, sizeof *run->report, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-    if (shared != MAP_FAILED)
+    if (shared != MAP_FAILED) {
         run->report = shared;
-    if (run->output != NULL && run->report != NULL)
+    }
+    if (run->output != NULL && run->report != NULL) {
         return run;
+    }
     run_free(run);
     return NULL;
 }
@@ -56,22 +60,26 @@ unsigned sandbox_user(void)
 SandboxRun *sandbox_start(const SandboxCommand *command)
 {
     char **bwrap = bwrap_arguments(command);
-    if (bwrap == NULL)
+    if (bwrap == NULL) {
         return NULL;
+    }
     SandboxRun *run = run_new();
     pid_t grader = getpid();
     if (run != NULL) {
         run->supervisor = fork();
-        if (run->supervisor == 0)
+        if (run->supervisor == 0) {
             sandbox_supervise(command, bwrap, grader, run->report);
+        }
     }
     int fault = errno;
     bwrap_arguments_free(bwrap);
-    if (run != NULL && run->supervisor > 0)
+    if (run != NULL && run->supervisor > 0) {
         return run;
+    }
     fprintf(stderr, "sandbox: cannot start a process: %s\n", strerror(fault));
-    if (run != NULL)
+    if (run != NULL) {
         run_free(run);
+    }
     return NULL;
 }
 
@@ -112,6 +120,7 @@ SandboxResult sandbox_wait(SandboxRun *run)
 static const char advice[] =
     "  bubblewrap 0.8 or newer needs user namespaces, which seem to be off here. Turn them on "
     "with\n"
+    "      sysctl user.max_user_namespaces=10000                  (where it is 0)\n"
     "      sysctl kernel.unprivileged_userns_clone=1              (Debian)\n"
     "      sysctl kernel.apparmor_restrict_unprivileged_userns=0  (Ubuntu)\n"
     "  or allow bwrap in an AppArmor profile. In a container: grade outside of it, or start it "
@@ -123,8 +132,9 @@ static int refuse(const char *output)
 {
     size_t n_output = strcspn(output, "\n");
     fprintf(stderr, "sandbox: %.*s\n", (int)n_output, n_output > 0 ? output : "was killed");
-    if (strncmp(output, "bwrap:", strlen("bwrap:")) == 0)
+    if (strncmp(output, "bwrap:", strlen("bwrap:")) == 0) {
         fputs(advice, stderr);
+    }
     return -1;
 }
 
@@ -138,8 +148,9 @@ int sandbox_check(void)
         .file_mb = 1,
     };
     SandboxRun *run = sandbox_start(&command);
-    if (run == NULL)
+    if (run == NULL) {
         return -1;
+    }
     SandboxResult result = sandbox_wait(run);
     int works = result.outcome == SANDBOX_EXITED && result.exit_status == 0;
     int status = works ? 0 : refuse(result.output);

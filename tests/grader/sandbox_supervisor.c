@@ -21,6 +21,7 @@
 #include <string.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/signalfd.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <time.h>
@@ -43,6 +44,7 @@ typedef struct Watch {
     pid_t bwrap;
     int output;  // read ends of the pipes; -1 when at their end
     int status;
+    int end_request;         // readable when the grader has ended, or somebody sent a SIGTERM
     char status_text[1024];  // what bwrap said about itself, JSON
     size_t n_status;
 } Watch;
@@ -61,16 +63,28 @@ static void fault_set(SandboxReport *report, const char *what)
         (size_t)snprintf(report->output, sizeof report->output, "%s: %s", what, strerror(errno));
 }
 
+static void signals_block(int signal_id)
+{
+    sigset_t blocked;
+    sigemptyset(&blocked);
+    if (signal_id != 0) {
+        sigaddset(&blocked, signal_id);
+    }
+    sigprocmask(SIG_SETMASK, &blocked, NULL);
+}
+
 // ---- In the process that becomes bwrap -------------------------------------------------------
 
 static int limit_set(__rlimit_resource_t resource, rlim_t value)
 {
     struct rlimit limit;
-    if (getrlimit(resource, &limit) != 0)
+    if (getrlimit(resource, &limit) != 0) {
         return -1;
+    }
     // Where the grader itself runs under a tighter limit, that one stays.
-    if (limit.rlim_max == RLIM_INFINITY || value < limit.rlim_max)
+    if (limit.rlim_max == RLIM_INFINITY || value < limit.rlim_max) {
         limit.rlim_max = value;
+    }
     limit.rlim_cur = limit.rlim_max;
     return setrlimit(resource, &limit);
 }
@@ -79,34 +93,41 @@ static int limit_set(__rlimit_resource_t resource, rlim_t value)
 static int limits_set(const SandboxCommand *command)
 {
     const rlim_t megabyte = 1024 * 1024;
-    if (command->memory_mb > 0 && limit_set(RLIMIT_AS, (rlim_t)command->memory_mb * megabyte) != 0)
+    if (command->memory_mb > 0 &&
+        limit_set(RLIMIT_AS, (rlim_t)command->memory_mb * megabyte) != 0) {
         return -1;
+    }
     // Soft and hard alike: PoCL swallows SIGXCPU, the hard limit's SIGKILL nobody can.
     if (limit_set(RLIMIT_CPU, (rlim_t)command->cpu_seconds) != 0 ||
         limit_set(RLIMIT_FSIZE, (rlim_t)command->file_mb * megabyte) != 0 ||
-        limit_set(RLIMIT_NOFILE, OPEN_FILES_LIMIT) != 0 || limit_set(RLIMIT_CORE, 0) != 0)
+        limit_set(RLIMIT_NOFILE, OPEN_FILES_LIMIT) != 0 || limit_set(RLIMIT_CORE, 0) != 0) {
         return -1;
+    }
     return 0;
 }
 
 // Root's rights go before bwrap starts, so that not even a fault in bwrap gives them away.
 static int privileges_drop(void)
 {
-    if (geteuid() != 0)
+    if (geteuid() != 0) {
         return 0;
+    }
     if (setgroups(0, NULL) != 0 || setresgid(SANDBOX_NOBODY, SANDBOX_NOBODY, SANDBOX_NOBODY) != 0 ||
-        setresuid(SANDBOX_NOBODY, SANDBOX_NOBODY, SANDBOX_NOBODY) != 0)
+        setresuid(SANDBOX_NOBODY, SANDBOX_NOBODY, SANDBOX_NOBODY) != 0) {
         return -1;
+    }
     return 0;
 }
 
 static int descriptors_arrange(int output, int status)
 {
     if (dup2(output, STDOUT_FILENO) < 0 || dup2(output, STDERR_FILENO) < 0 ||
-        dup2(status, BWRAP_STATUS_DESCRIPTOR) < 0)
+        dup2(status, BWRAP_STATUS_DESCRIPTOR) < 0) {
         return -1;
-    if (close_range(STDERR_FILENO + 1, BWRAP_STATUS_DESCRIPTOR - 1, 0) != 0)
+    }
+    if (close_range(STDERR_FILENO + 1, BWRAP_STATUS_DESCRIPTOR - 1, 0) != 0) {
         return -1;
+    }
     return close_range(BWRAP_STATUS_DESCRIPTOR + 1, ~0U, 0);
 }
 
@@ -115,6 +136,7 @@ static _Noreturn void bwrap_become(const SandboxCommand *command, char *const *b
 {
     // bwrap's own environment can be read from inside (/proc/1/environ): the grader's stays out.
     char *const environment[] = {"PATH=/usr/bin:/bin", NULL};
+    signals_block(0);
     if (setpgid(0, 0) == 0 && descriptors_arrange(output, status) == 0 && chdir("/") == 0 &&
         limits_set(command) == 0 && privileges_drop() == 0) {
         umask(022);
@@ -130,25 +152,31 @@ static _Noreturn void bwrap_become(const SandboxCommand *command, char *const *b
 
 // ---- In the supervisor -----------------------------------------------------------------------
 
-// Leave what was inherited from the grader: its signal handlers, its open files, its end.
+// Leave what was inherited from the grader: its signal handlers, its open files, its process group.
 static int inheritance_leave(pid_t grader)
 {
-    sigset_t none;
-    sigemptyset(&none);
-    for (int signal_id = 1; signal_id <= SIGRTMAX; signal_id++)
+    for (int signal_id = 1; signal_id <= SIGRTMAX; signal_id++) {
         signal(signal_id, SIG_DFL);
-    sigprocmask(SIG_SETMASK, &none, NULL);
-
-    if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || prctl(PR_SET_CHILD_SUBREAPER, 1) != 0)
+    }
+    // When the grader ends we get a SIGTERM, to be read like the output, and clear up. Dying along
+    // with it would not do: bwrap, killed while it starts, can leave its command running. For the
+    // same reason we are in a group of our own: "kill the grader's group" shall not mean us.
+    signals_block(SIGTERM);
+    if (setpgid(0, 0) != 0 || prctl(PR_SET_PDEATHSIG, SIGTERM) != 0 ||
+        prctl(PR_SET_CHILD_SUBREAPER, 1) != 0) {
         return -1;
-    if (getppid() != grader)  // it ended before we asked to be told
+    }
+    if (getppid() != grader) {  // it ended before we asked to be told
         _exit(1);
+    }
 
-    if (close_range(0, ~0U, 0) != 0)
+    if (close_range(0, ~0U, 0) != 0) {
         return -1;
+    }
     // Descriptors 0, 1 and 2, in this order as the lowest free ones.
-    if (open("/dev/null", O_RDWR) != 0 || dup(0) != 1 || dup(0) != 2)
+    if (open("/dev/null", O_RDWR) != 0 || dup(0) != 1 || dup(0) != 2) {
         return -1;
+    }
     return 0;
 }
 
@@ -156,13 +184,20 @@ static int inheritance_leave(pid_t grader)
 static int bwrap_start(Watch *watch, char *const *bwrap)
 {
     int output[2], status[2];
-    if (pipe2(output, O_CLOEXEC) != 0 || pipe2(status, O_CLOEXEC) != 0)
+    sigset_t termination;
+    sigemptyset(&termination);
+    sigaddset(&termination, SIGTERM);
+    watch->end_request = signalfd(-1, &termination, SFD_CLOEXEC);
+    if (watch->end_request < 0 || pipe2(output, O_CLOEXEC) != 0 || pipe2(status, O_CLOEXEC) != 0) {
         return -1;
+    }
     watch->bwrap = fork();
-    if (watch->bwrap < 0)
+    if (watch->bwrap < 0) {
         return -1;
-    if (watch->bwrap == 0)
+    }
+    if (watch->bwrap == 0) {
         bwrap_become(watch->command, bwrap, output[1], status[1]);
+    }
     setpgid(watch->bwrap, watch->bwrap);  // whichever of the two comes first
     close(output[1]);
     close(status[1]);
@@ -177,8 +212,9 @@ static void pipe_read(int *pipe, char *text, size_t n_room, size_t *n_text)
 {
     char block[65536];
     ssize_t n = read(*pipe, block, sizeof block);
-    if (n < 0 && errno == EINTR)
+    if (n < 0 && errno == EINTR) {
         return;
+    }
     if (n <= 0) {
         close(*pipe);
         *pipe = -1;
@@ -206,16 +242,24 @@ static void pipes_watch(Watch *watch)
 {
     while (watch->output >= 0 || watch->status >= 0) {
         double seconds_left = watch->deadline - seconds_now();
-        if (seconds_left <= 0)
+        if (seconds_left <= 0) {
             return;
+        }
         struct pollfd pipes[] = {{.fd = watch->output, .events = POLLIN},
-                                 {.fd = watch->status, .events = POLLIN}};
-        if (poll(pipes, 2, (int)(seconds_left * 1000) + 1) <= 0)
-            continue;  // the deadline, or a signal: looked at above
-        if (pipes[0].revents != 0)
+                                 {.fd = watch->status, .events = POLLIN},
+                                 {.fd = watch->end_request, .events = POLLIN}};
+        if (poll(pipes, 3, (int)(seconds_left * 1000) + 1) <= 0) {
+            continue;  // the deadline: looked at above
+        }
+        if (pipes[2].revents != 0) {
+            return;
+        }
+        if (pipes[0].revents != 0) {
             output_read(watch);
-        if (pipes[1].revents != 0)
+        }
+        if (pipes[1].revents != 0) {
             status_read(watch);
+        }
     }
 }
 
@@ -235,18 +279,21 @@ static void processes_end(Watch *watch)
         ;
     // With bwrap gone, its process 1 inside is our child and gets killed by the kernel, unless
     // bwrap was killed before it could arrange for that. Process 1 takes the whole sandbox with it.
-    while (watch->status >= 0)
+    while (watch->status >= 0) {
         status_read(watch);
+    }
     int first_inside = status_number(watch, "\"child-pid\"");
     siginfo_t unused;
     int is_our_child = first_inside > 0 &&
                        waitid(P_PID, (id_t)first_inside, &unused, WEXITED | WNOHANG | WNOWAIT) == 0;
-    if (is_our_child)
+    if (is_our_child) {
         kill(first_inside, SIGKILL);
+    }
     while (wait(NULL) > 0 || errno == EINTR)
         ;
-    while (watch->output >= 0)
+    while (watch->output >= 0) {
         output_read(watch);
+    }
 }
 
 // CPU time of all the processes that there were.

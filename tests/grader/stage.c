@@ -62,30 +62,38 @@ static int complain_too_large(const Staging *staging, const char *file)
 static int file_read(const Staging *staging, const char *file, int descriptor, size_t *n_bytes)
 {
     struct stat status;
-    if (fstat(descriptor, &status) != 0)
+    if (fstat(descriptor, &status) != 0) {
         return machinery_fault(staging->submission, file, errno);
-    if (!S_ISREG(status.st_mode))
+    }
+    if (!S_ISREG(status.st_mode)) {
         return complain(staging, file, "not a regular file");
-    if (status.st_size > STAGE_MAX_FILE_BYTES)
+    }
+    if (status.st_size > STAGE_MAX_FILE_BYTES) {
         return complain_too_large(staging, file);
+    }
 
     // One byte more than allowed is asked for, in case the file grows meanwhile.
     size_t n_read = 0;
     while (n_read <= STAGE_MAX_FILE_BYTES) {
         ssize_t n = read(descriptor, staging->bytes + n_read, STAGE_MAX_FILE_BYTES + 1 - n_read);
-        if (n < 0 && errno == EINTR)
+        if (n < 0 && errno == EINTR) {
             continue;
-        if (n < 0)
+        }
+        if (n < 0) {
             return machinery_fault(staging->submission, file, errno);
-        if (n == 0)
+        }
+        if (n == 0) {
             break;
+        }
         n_read += (size_t)n;
     }
-    if (n_read > STAGE_MAX_FILE_BYTES)
+    if (n_read > STAGE_MAX_FILE_BYTES) {
         return complain_too_large(staging, file);
-    if (memchr(staging->bytes, '\0', n_read) != NULL)
+    }
+    if (memchr(staging->bytes, '\0', n_read) != NULL) {
         return complain(staging, file,
                         "holds NUL bytes, so it is no source text: save it as plain text (UTF-8)");
+    }
     *n_bytes = n_read;
     return 0;
 }
@@ -95,23 +103,27 @@ static int file_write(const Staging *staging, const char *file, size_t n_bytes)
 {
     // The destination may hold the skeleton under this name, perhaps as a link to the instructor's
     // original: replaced, never written through.
-    if (unlinkat(staging->to, file, 0) != 0 && errno != ENOENT)
+    if (unlinkat(staging->to, file, 0) != 0 && errno != ENOENT) {
         return machinery_fault(staging->destination, file, errno);
+    }
     int descriptor = openat(staging->to, file, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
-    if (descriptor < 0)
+    if (descriptor < 0) {
         return machinery_fault(staging->destination, file, errno);
+    }
 
     int fault = fchmod(descriptor, 0644) != 0 ? errno : 0;  // whatever the umask
     size_t n_written = 0;
     while (fault == 0 && n_written < n_bytes) {
         ssize_t n = write(descriptor, staging->bytes + n_written, n_bytes - n_written);
-        if (n >= 0)
+        if (n >= 0) {
             n_written += (size_t)n;
-        else if (errno != EINTR)
+        } else if (errno != EINTR) {
             fault = errno;
+        }
     }
-    if (close(descriptor) != 0 && fault == 0)
+    if (close(descriptor) != 0 && fault == 0) {
         fault = errno;
+    }
     return fault == 0 ? 0 : machinery_fault(staging->destination, file, fault);
 }
 
@@ -121,8 +133,9 @@ static int file_stage(const Staging *staging, const char *file)
     // O_NONBLOCK: opening a FIFO would otherwise wait for a writer that never comes.
     int descriptor =
         openat(staging->from, file, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
-    if (descriptor < 0)
+    if (descriptor < 0) {
         return complain_open_failed(staging, file, errno);
+    }
     size_t n_bytes = 0;
     int outcome = file_read(staging, file, descriptor, &n_bytes);
     close(descriptor);
@@ -135,10 +148,12 @@ static int files_stage(const Manifest *manifest, const Staging *staging)
     int outcome = 0;
     for (int i = 0; i < manifest->n_files; i++) {
         int file_outcome = file_stage(staging, manifest->files[i]);
-        if (file_outcome < 0)
+        if (file_outcome < 0) {
             return -1;
-        if (file_outcome > 0)
+        }
+        if (file_outcome > 0) {
             outcome = 1;
+        }
     }
     return outcome;
 }
@@ -148,11 +163,13 @@ static int folders_open(Staging *staging)
 {
     const int flags = O_RDONLY | O_DIRECTORY | O_CLOEXEC;
     staging->from = open(staging->submission, flags);
-    if (staging->from < 0)
+    if (staging->from < 0) {
         return machinery_fault(staging->submission, "", errno);
+    }
     staging->to = open(staging->destination, flags);
-    if (staging->to < 0)
+    if (staging->to < 0) {
         return machinery_fault(staging->destination, "", errno);
+    }
     return 0;
 }
 
@@ -167,17 +184,21 @@ int stage_submission(const Manifest *manifest, const char *submission, const cha
     *message = NULL;
     staging.bytes = malloc(STAGE_MAX_FILE_BYTES + 1);
     staging.complaints = open_memstream(&complaints, &n_complaints);
-    if (staging.bytes == NULL || staging.complaints == NULL)
+    if (staging.bytes == NULL || staging.complaints == NULL) {
         machinery_fault(submission, "", ENOMEM);
-    else if (folders_open(&staging) == 0)
+    } else if (folders_open(&staging) == 0) {
         outcome = files_stage(manifest, &staging);
+    }
 
-    if (staging.complaints != NULL && fclose(staging.complaints) != 0 && outcome == 1)
+    if (staging.complaints != NULL && fclose(staging.complaints) != 0 && outcome == 1) {
         outcome = machinery_fault(submission, "", ENOMEM);
-    if (staging.from >= 0)
+    }
+    if (staging.from >= 0) {
         close(staging.from);
-    if (staging.to >= 0)
+    }
+    if (staging.to >= 0) {
         close(staging.to);
+    }
     free(staging.bytes);
     if (outcome == 1) {
         complaints[n_complaints - 1] = '\0';  // no newline after the last line

@@ -26,7 +26,7 @@ int tree_judge_answer(int k, const Sections *answers, KdTree2D *own)
     snprintf(name, sizeof name, "tree.%d.map", k);
     const void *map = sections_find(answers, name, n_map * sizeof(u32));
     // The judge only reads: the casts take no const away that matters.
-    *own = (KdTree2D){(NodeRel *)relations, (u8 *)flags,       (BBox2D *)boxes,
+    *own = (KdTree2D){(NodeRel *)relations, (u8 *)flags,  (BBox2D *)boxes,
                       (u32 *)map,           (u32)n_nodes, (u32)n_map};
     return relations != NULL && flags != NULL && boxes != NULL && map != NULL;
 }
@@ -84,8 +84,9 @@ static u32 n_overlapping(const JobScene *scene, BBox2D box)
 }
 
 // The invariants hold for the tree by itself; is it also the tree that was asked for?
-static char *differs_from_solution(const JobScene *scene, const KdTree2D *own, const void *own_array,
-                                   const void *array, size_t element_size, const char *what)
+static char *differs_from_solution(const JobScene *scene, const KdTree2D *own,
+                                   const void *own_array, const void *array, size_t element_size,
+                                   const char *what)
 {
     if (own->n_nodes != scene->tree.n_nodes) {
         return message_new("%s: the tree has %u nodes, expected %u", scene->title, own->n_nodes,
@@ -109,15 +110,15 @@ char *tree_judge_limits(const JobScene *scene, const KdTree2D *own)
     for (u32 id = 0; levels != NULL && message == NULL && id < own->n_nodes; id++) {
         const int level = levels[id] + 1;
         const u32 n = n_overlapping(scene, own->nodes_BBox[id]);
-        const int should_be_leaf = level >= scene->limits.maxDepth ||
-                                   n <= (u32)scene->limits.targetElementsPerNode;
+        const int should_be_leaf =
+            level >= scene->limits.maxDepth || n <= (u32)scene->limits.targetElementsPerNode;
         if (is_inner(own, id) == should_be_leaf) {
-            message = message_new("%s, maxDepth %d, targetElementsPerNode %d: node %u on level %d with "
-                                  "%u circles is %s, expected %s",
-                                  scene->title, scene->limits.maxDepth,
-                                  scene->limits.targetElementsPerNode, id, level, n,
-                                  is_inner(own, id) ? "split" : "a leaf",
-                                  should_be_leaf ? "a leaf" : "it to be split");
+            message = message_new(
+                "%s, maxDepth %d, targetElementsPerNode %d: node %u on level %d with "
+                "%u circles is %s, expected %s",
+                scene->title, scene->limits.maxDepth, scene->limits.targetElementsPerNode, id,
+                level, n, is_inner(own, id) ? "split" : "a leaf",
+                should_be_leaf ? "a leaf" : "it to be split");
         } else if (is_inner(own, id) && has_children(own, id)) {
             levels[own->nodes_Relations[id].lChild] = level;
             levels[own->nodes_Relations[id].rChild] = level;
@@ -192,12 +193,13 @@ static char *judge_leaf_overlap(const JobScene *scene, const KdTree2D *own, u32 
         const int overlaps = circle_overlaps(scene, circle, box);
         if (listed != overlaps) {
             const Circle c = scene->scene.circles[circle];
-            return message_new("%s: leaf %u, x [%g, %g] y [%g, %g]: circle %u at (%g, %g) radius %g %s, "
-                               "but the leaf %s it",
-                               scene->title, id, (double)box.minX, (double)box.maxX,
-                               (double)box.minY, (double)box.maxY, circle, (double)c.x, (double)c.y,
-                               (double)c.radius, overlaps ? "overlaps its cell" : "does not overlap it",
-                               listed ? "lists" : "does not list");
+            return message_new(
+                "%s: leaf %u, x [%g, %g] y [%g, %g]: circle %u at (%g, %g) radius %g %s, "
+                "but the leaf %s it",
+                scene->title, id, (double)box.minX, (double)box.maxX, (double)box.minY,
+                (double)box.maxY, circle, (double)c.x, (double)c.y, (double)c.radius,
+                overlaps ? "overlaps its cell" : "does not overlap it",
+                listed ? "lists" : "does not list");
         }
     }
     return NULL;
@@ -228,8 +230,8 @@ char *tree_judge_lists(const JobScene *scene, const KdTree2D *own)
         }
         for (u32 i = 0; i < n_ids; i++) {
             if (ids[i] >= (u32)scene->scene.n_circles) {
-                return message_new("%s: leaf %u lists circle %u, but the scene has %d", scene->title,
-                                   id, ids[i], scene->scene.n_circles);
+                return message_new("%s: leaf %u lists circle %u, but the scene has %d",
+                                   scene->title, id, ids[i], scene->scene.n_circles);
             }
             if (i > 0 && ids[i] <= ids[i - 1]) {
                 return message_new("%s: leaf %u lists circle %u after circle %u: the ids must "
@@ -259,7 +261,8 @@ char *tree_judge_packing(const JobScene *scene, const KdTree2D *own)
             if (node.lChild != next_id || node.rChild != next_id + 1) {
                 return message_new("%s: node %u's children are %u and %u, expected %u and %u "
                                    "(breadth-first)",
-                                   scene->title, id, node.lChild, node.rChild, next_id, next_id + 1);
+                                   scene->title, id, node.lChild, node.rChild, next_id,
+                                   next_id + 1);
             }
             next_id += 2;
             continue;
@@ -268,16 +271,18 @@ char *tree_judge_packing(const JobScene *scene, const KdTree2D *own)
             return bad_list(scene, own, id);
         }
         if (node.circleMapOffset != next_offset) {
-            return message_new("%s: leaf %u: circleMapOffset is %u, expected %u, behind the list of the "
-                               "leaf before it",
-                               scene->title, id, node.circleMapOffset, next_offset);
+            return message_new(
+                "%s: leaf %u: circleMapOffset is %u, expected %u, behind the list of the "
+                "leaf before it",
+                scene->title, id, node.circleMapOffset, next_offset);
         }
         next_offset += n_ids + 1;
     }
     if (next_id != own->n_nodes || next_offset != own->n_map) {
-        return message_new("%s: %u nodes and %u map entries belong to the tree, but its arrays hold %u "
-                           "and %u",
-                           scene->title, next_id, next_offset, own->n_nodes, own->n_map);
+        return message_new(
+            "%s: %u nodes and %u map entries belong to the tree, but its arrays hold %u "
+            "and %u",
+            scene->title, next_id, next_offset, own->n_nodes, own->n_map);
     }
     return differs_from_solution(scene, own, own->nodes_Relations, scene->tree.nodes_Relations,
                                  sizeof *own->nodes_Relations, "its entry in nodes_Relations");

@@ -249,8 +249,11 @@ static void mount_variant(const Workshop *workshop, const Variant *variant, int 
     snprintf(paths[4], PATH_BYTES, "%s/job", workshop->folder);
     snprintf(lab_inside, PATH_BYTES, "/work/labs/%s", workshop->manifest->lab);
     const SandboxMount mounts[] = {
-        {paths[0], "/work", 0},           {paths[1], lab_inside, 0}, {paths[2], "/work/build", building},
-        {paths[3], "/work/out", !building}, {paths[4], "/work/job", 0},
+        {paths[0], "/work", 0},
+        {paths[1], lab_inside, 0},
+        {paths[2], "/work/build", building},
+        {paths[3], "/work/out", !building},
+        {paths[4], "/work/job", 0},
     };
     memcpy(command->mounts, mounts, sizeof mounts);
     // The compiler needs neither the job nor a place for answers.
@@ -279,12 +282,13 @@ static SandboxRun *start(const Workshop *workshop, const Variant *variant, int b
 }
 
 // The compiler's command line for the lab's host files, the probe and the libraries.
-static SandboxRun *start_compiler(const Workshop *workshop, const Variant *variant, int wall_seconds)
+static SandboxRun *start_compiler(const Workshop *workshop, const Variant *variant,
+                                  int wall_seconds)
 {
     const Manifest *manifest = workshop->manifest;
     enum { MAX_WORDS = 64 };
-    const char *argv[MAX_WORDS] = {"/usr/bin/gcc", "-std=c11",  "-D_GNU_SOURCE", "-O2",      "-g",
-                                   "-Wall",        "-Wextra",   "-Icommon",      "-Ikernels"};
+    const char *argv[MAX_WORDS] = {"/usr/bin/gcc", "-std=c11", "-D_GNU_SOURCE", "-O2",      "-g",
+                                   "-Wall",        "-Wextra",  "-Icommon",      "-Ikernels"};
     char words[MAX_WORDS][PATH_BYTES];
     int n = 9, n_words = 0;
     snprintf(words[n_words], PATH_BYTES, "-Ilabs/%s", manifest->lab);
@@ -343,10 +347,11 @@ static char *describe_end(SandboxResult result, int wall_seconds)
     if (result.exit_status == 0) {
         return NULL;
     }
-    if (strstr(result.output, "emory") != NULL) {
-        return message_new("it ran out of memory, or a check of OpenCL failed");
-    }
-    return message_new("it ended early with exit status %d", result.exit_status);
+    // A failed CL_CHECK says which error; nothing else of what a program prints is passed on here.
+    const char *error = strstr(result.output, ": CL_");
+    const int length = error ? (int)strspn(error + 2, "ABCDEFGHIJKLMNOPQRSTUVWXYZ_") : 0;
+    return message_new("it ended early with exit status %d%s%.*s%s", result.exit_status,
+                       length ? " (" : "", length, length ? error + 2 : "", length ? ")" : "");
 }
 
 // Take in how the compiler ended. Returns -1 when the machinery failed.

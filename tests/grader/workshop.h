@@ -13,7 +13,7 @@
 #include "sections.h"
 
 typedef struct Workshop {
-    char folder[64];  // under $TMPDIR or /tmp
+    char folder[64];    // under $TMPDIR or /tmp
     const char *build;  // the build folder with the probes and libraries, "build"
     const Manifest *manifest;
     const char *device;  // value of COURSE_DEVICE inside; "" for the first

@@ -109,8 +109,7 @@ cl_mem probe_image(const Probe *probe, int width, int height)
     const cl_float4 color = {{UNWRITTEN, UNWRITTEN, UNWRITTEN, UNWRITTEN}};
     const size_t origin[3] = {0, 0, 0};
     const size_t region[3] = {(size_t)PROBE_IMAGE_SIDE(width), (size_t)PROBE_IMAGE_SIDE(height), 1};
-    cl_mem d_image =
-        cl_image_create(&probe->cl, PROBE_IMAGE_SIDE(width), PROBE_IMAGE_SIDE(height));
+    cl_mem d_image = cl_image_create(&probe->cl, PROBE_IMAGE_SIDE(width), PROBE_IMAGE_SIDE(height));
     if (d_image == NULL) {
         fault("no image");
     }
@@ -137,8 +136,8 @@ void probe_answer_image(const Probe *probe, int k, cl_mem d_image, int width, in
     if (h_pixels == NULL) {
         fault("no memory");
     }
-    CL_CHECK(clEnqueueReadImage(probe->cl.queue, d_image, CL_TRUE, origin, region, 0, 0, h_pixels, 0,
-                                NULL, NULL));
+    CL_CHECK(clEnqueueReadImage(probe->cl.queue, d_image, CL_TRUE, origin, region, 0, 0, h_pixels,
+                                0, NULL, NULL));
     probe_answer(probe, "picture", k, NULL, h_pixels, n_bytes);
     free(h_pixels);
 }

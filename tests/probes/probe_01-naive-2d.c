@@ -20,8 +20,8 @@ static void answer_overlaps(const Probe *probe, cl_program program)
     CL_CHECK(clSetKernelArg(kernel, 0, sizeof d_jobs, &d_jobs));
     CL_CHECK(clSetKernelArg(kernel, 1, sizeof d_answers, &d_answers));
     CL_CHECK(clEnqueueNDRangeKernel(probe->cl.queue, kernel, 1, NULL, &n, NULL, 0, NULL, NULL));
-    CL_CHECK(clEnqueueReadBuffer(probe->cl.queue, d_answers, CL_TRUE, 0, n * sizeof *answers, answers,
-                                 0, NULL, NULL));
+    CL_CHECK(clEnqueueReadBuffer(probe->cl.queue, d_answers, CL_TRUE, 0, n * sizeof *answers,
+                                 answers, 0, NULL, NULL));
     if (section_write(probe->answers, "overlaps", answers, n * sizeof *answers) != 0) {
         exit(PROBE_EXIT_FAULT);
     }

@@ -4,6 +4,7 @@
 #define get_image_width(image) width
 #define get_image_height(image) height
 #include "implicit2DRenderer.cl"
+#undef overlaps_N_Nearer  // not to be counted here
 #include "jobs.h"
 
 kernel void probe_overlaps(global const OverlapJob *jobs, global int *answers)

@@ -34,8 +34,8 @@ static cl_mem answers_create(const Probe *probe, size_t n_bytes)
     cl_mem d_answers = clCreateBuffer(probe->cl.context, CL_MEM_READ_WRITE, n_bytes, NULL, &error);
     CL_CHECK_CREATED(error, clCreateBuffer);
     const cl_uint ones = 0xffffffffu;
-    CL_CHECK(clEnqueueFillBuffer(probe->cl.queue, d_answers, &ones, sizeof ones, 0, n_bytes, 0, NULL,
-                                 NULL));
+    CL_CHECK(clEnqueueFillBuffer(probe->cl.queue, d_answers, &ones, sizeof ones, 0, n_bytes, 0,
+                                 NULL, NULL));
     return d_answers;
 }
 

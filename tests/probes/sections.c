@@ -40,21 +40,24 @@ int section_write(FILE *file, const char *name, const void *bytes, size_t n_byte
     memcpy(header.name, name, n_name);
     if (fwrite(&header, sizeof header, 1, file) != 1 ||
         (n_bytes > 0 && fwrite(bytes, 1, n_bytes, file) != n_bytes) ||
-        fwrite(zeros, 1, n_padding, file) != n_padding)
+        fwrite(zeros, 1, n_padding, file) != n_padding) {
         return -1;
+    }
     return fflush(file) == 0 ? 0 : -1;
 }
 
 // The header at `start`, if it and all its contents lie within the file; sets *end behind them.
 static const SectionHeader *section_at(const Sections *sections, size_t start, size_t *end)
 {
-    if (start > sections->n_bytes || sections->n_bytes - start < sizeof(SectionHeader))
+    if (start > sections->n_bytes || sections->n_bytes - start < sizeof(SectionHeader)) {
         return NULL;
+    }
     const SectionHeader *header = (const SectionHeader *)(sections->bytes + start);
     size_t n_left = sections->n_bytes - start - sizeof *header;
     // First against what is left: only then is rounding up safe from overflow.
-    if (header->n_bytes > n_left || round_up((size_t)header->n_bytes) > n_left)
+    if (header->n_bytes > n_left || round_up((size_t)header->n_bytes) > n_left) {
         return NULL;
+    }
     *end = start + sizeof *header + round_up((size_t)header->n_bytes);
     return header;
 }
@@ -64,8 +67,9 @@ static off_t size_if_acceptable(int descriptor, size_t max_bytes)
 {
     struct stat status;
     if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode) || status.st_size < 0 ||
-        (uintmax_t)status.st_size > max_bytes)
+        (uintmax_t)status.st_size > max_bytes) {
         return -1;
+    }
     return status.st_size;
 }
 
@@ -75,12 +79,15 @@ static ssize_t read_fully(int descriptor, unsigned char *bytes, size_t n_bytes)
     size_t n_read = 0;
     while (n_read < n_bytes) {
         ssize_t n = read(descriptor, bytes + n_read, n_bytes - n_read);
-        if (n < 0 && errno == EINTR)
+        if (n < 0 && errno == EINTR) {
             continue;
-        if (n < 0)
+        }
+        if (n < 0) {
             return -1;
-        if (n == 0)
+        }
+        if (n == 0) {
             break;
+        }
         n_read += (size_t)n;
     }
     return (ssize_t)n_read;
@@ -92,15 +99,18 @@ int sections_load(const char *path, size_t max_bytes, Sections *sections)
     // A probe may leave a link to a secret or a FIFO that nobody writes in its results' place:
     // neither is followed or waited for.
     int descriptor = open(path, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
-    if (descriptor < 0)
+    if (descriptor < 0) {
         return -1;
+    }
     off_t size = size_if_acceptable(descriptor, max_bytes);
     ssize_t n_read = -1;
-    if (size >= 0)
+    if (size >= 0) {
         // At least one block: an empty file is an empty list, not an allocation of nothing.
         sections->bytes = aligned_alloc(SECTION_ALIGNMENT, round_up((size_t)size + 1));
-    if (sections->bytes != NULL)
+    }
+    if (sections->bytes != NULL) {
         n_read = read_fully(descriptor, sections->bytes, (size_t)size);
+    }
     close(descriptor);
     if (n_read < 0) {
         sections_free(sections);
@@ -126,22 +136,26 @@ const void *sections_find_any(const Sections *sections, const char *name, size_t
 {
     char wanted[SECTION_NAME_BYTES] = {0};
     size_t n_name = strlen(name);
-    if (n_name == 0 || n_name >= sizeof wanted)
+    if (n_name == 0 || n_name >= sizeof wanted) {
         return NULL;
+    }
     memcpy(wanted, name, n_name);
 
     const SectionHeader *found = NULL;
     const SectionHeader *header;
     for (size_t end = 0; (header = section_at(sections, end, &end)) != NULL;) {
         // Compared with its padding: a name without an end equals none of ours.
-        if (memcmp(header->name, wanted, sizeof wanted) != 0)
+        if (memcmp(header->name, wanted, sizeof wanted) != 0) {
             continue;
-        if (found != NULL)
+        }
+        if (found != NULL) {
             return NULL;  // given twice: nobody can say which one counts
+        }
         found = header;
     }
-    if (found == NULL)
+    if (found == NULL) {
         return NULL;
+    }
     *n_bytes = (size_t)found->n_bytes;
     return found + 1;
 }

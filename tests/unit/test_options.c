@@ -82,7 +82,10 @@ static const struct {
     {{"--output", "nowhere/p.png"}, "folder that exists"},
     {{"--output", "file/p.png"}, "folder that exists"},
     {{"--output", "folder.png"}, "not a folder"},
+    {{"--output", "full.png"}, "a regular file"},
     {{"--stats", "nowhere/s.json"}, "folder that exists"},
+    {{"--stats", "folder.png"}, "not a folder"},
+    {{"--stats", "/dev/full"}, "a regular file"},
     {{"--scene"}, "--scene needs an argument"},
     {{"--colour", "red"}, "--colour"},
     {{"-x"}, "-x"},
@@ -95,6 +98,7 @@ Test(options, bad_words_give_one_message)
 {
     file_write("file", "", 0);
     mkdir("folder.png", 0777);
+    cr_assert_eq(symlink("/dev/full", "full.png"), 0);
     for (size_t i = 0; i < sizeof BAD / sizeof BAD[0]; i++) {
         Options options;
         capture_begin(2);
@@ -120,15 +124,43 @@ Test(options, a_folder_without_rights)
     cr_expect_eq(result, OPTIONS_BAD);
 }
 
-Test(options, a_lab_refuses_what_it_does_not_understand)
+Test(options, a_lab_takes_and_notes_what_it_does_not_use)
 {
-    static const char *const FOREIGN[][MAX_WORDS] = {
-        {"--scene", "example"}, {"--max-depth", "3"}, {"--leaf-size", "3"}};
+    static const char *const FOREIGN[][MAX_WORDS] = {{"--scene", "example"},
+                                                     {"--max-depth", "3"},
+                                                     {"--leaf-size", "3"},
+                                                     {"--device", "0"}};
     for (size_t i = 0; i < sizeof FOREIGN / sizeof FOREIGN[0]; i++) {
         Options options;
+        char note[64];
+        snprintf(note, sizeof note, "01-naive-2d: %s is not used in this lab\n", FOREIGN[i][0]);
         capture_begin(2);
         OptionsResult result = parse(FOREIGN[i], 0, &options);
-        expect_one_message(capture_end(2), FOREIGN[i][0]);
+        expect_one_message(capture_end(2), note);
+        cr_expect_eq(result, OPTIONS_RUN);
+
+        capture_begin(2);
+        result = parse(FOREIGN[i], OPTIONS_SCENE | OPTIONS_TREE | OPTIONS_DEVICE, &options);
+        cr_expect_str_eq(capture_end(2), "", "a note on %s where it is used", FOREIGN[i][0]);
+        cr_expect_eq(result, OPTIONS_RUN);
+    }
+}
+
+Test(options, what_is_not_used_is_noted_once_and_still_checked)
+{
+    Options options;
+    capture_begin(2);
+    OptionsResult result = parse((const char *[MAX_WORDS]){"--scene=a", "--scene=b"}, 0, &options);
+    expect_one_message(capture_end(2), "--scene is not used");
+    cr_expect_eq(result, OPTIONS_RUN);
+
+    // A fault is told alone, also when it comes after such an option.
+    static const char *const BAD_WORDS[][MAX_WORDS] = {
+        {"--scene=a", "--max-depth=0"}, {"--scene=a", "--output=a.gif"}, {"--scene=a", "stray"}};
+    for (size_t i = 0; i < sizeof BAD_WORDS / sizeof BAD_WORDS[0]; i++) {
+        capture_begin(2);
+        result = parse(BAD_WORDS[i], 0, &options);
+        expect_one_message(capture_end(2), "(try --help)");
         cr_expect_eq(result, OPTIONS_BAD);
     }
 }

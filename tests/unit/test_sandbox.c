@@ -132,28 +132,48 @@ Test(sandbox, the_hosts_secrets_and_homes_are_not_there)
     free(result.output);
 }
 
-// Is there a process with `marker` among its arguments, seen from here?
-static int process_exists(const char *marker)
+// Processes that a test looks for sleep for a time that no other process sleeps for: 1 minute and a
+// fraction that is this process's own.
+static const char *minute_sleep(const char *before, const char *after)
 {
-    char script[256];
-    // Its last letter in brackets, so that grep does not find its own arguments.
-    size_t n = strlen(marker) - 1;
-    snprintf(script, sizeof script, "grep -aqs '%.*s[%c]' /proc/[0-9]*/cmdline", (int)n, marker,
-             marker[n]);
-    return exit_status_outside(script) == 0;
+    static char script[256];
+    snprintf(script, sizeof script, "%s sleep 60.%d %s", before, (int)getpid(), after);
+    return script;
+}
+
+// Finds them. The dot in brackets keeps grep from finding its own arguments.
+static const char *minute_sleep_search(void)
+{
+    static char script[64];
+    snprintf(script, sizeof script, "grep -aqs 'sleep.60[.]%d' /proc/[0-9]*/cmdline",
+             (int)getpid());
+    return script;
+}
+
+static int minute_sleep_exists(void)
+{
+    return exit_status_outside(minute_sleep_search()) == 0;
+}
+
+// Wait until it is there, or is not; two seconds at most.
+static int minute_sleep_becomes(int is_there)
+{
+    for (int i = 0; i < 100 && minute_sleep_exists() != is_there; i++)
+        sleep_milliseconds(20);
+    return minute_sleep_exists() == is_there;
 }
 
 Test(sandbox, other_processes_are_not_visible)
 {
     pid_t sleeper = fork();
     if (sleeper == 0) {
-        execl("/bin/sleep", "sleep", "61.25", NULL);
+        char seconds[32];
+        snprintf(seconds, sizeof seconds, "60.%d", (int)getppid());
+        execl("/bin/sleep", "sleep", seconds, NULL);
         _exit(1);
     }
-    for (int i = 0; i < 100 && !process_exists("61.25"); i++)
-        sleep_milliseconds(20);
-    cr_assert(process_exists("61.25"));
-    expect_exit(shell_run("grep -aqs '61[.]25' /proc/[0-9]*/cmdline"), 1);
+    cr_assert(minute_sleep_becomes(1));
+    expect_exit(shell_run(minute_sleep_search()), 1);
     kill(sleeper, SIGKILL);
     waitpid(sleeper, NULL, 0);
 }
@@ -308,42 +328,34 @@ Test(sandbox, the_wall_limit_holds_without_anybody_waiting)
 
 Test(sandbox, a_background_process_is_gone_when_the_command_ends)
 {
-    SandboxCommand command =
-        shell_command("setsid sleep 62.25 & setsid sleep 62.25 >/dev/null 2>&1 & sleep 1; exit 4");
+    SandboxCommand command = shell_command(minute_sleep("setsid", "& sleep 1; exit 4"));
     SandboxRun *run = sandbox_start(&command);
     cr_assert_not_null(run);
-    for (int i = 0; i < 40 && !process_exists("62.25"); i++)
-        sleep_milliseconds(20);
-    cr_assert(process_exists("62.25"), "the test sees no processes inside");
+    cr_assert(minute_sleep_becomes(1), "the test sees no processes inside");
     expect_exit(sandbox_wait(run), 4);
-    cr_expect_not(process_exists("62.25"));
+    cr_expect_not(minute_sleep_exists());
 }
 
 Test(sandbox, a_background_process_is_gone_after_a_time_out)
 {
-    SandboxCommand command = shell_command("setsid sleep 63.25 & sleep 30");
+    SandboxCommand command = shell_command(minute_sleep("setsid", ">/dev/null 2>&1 & sleep 30"));
     command.wall_seconds = 1;
     expect_time_out(&command, 0.9, 4);
-    cr_expect_not(process_exists("63.25"));
+    cr_expect_not(minute_sleep_exists());
 }
 
 Test(sandbox, everything_is_gone_when_the_grader_is_killed)
 {
+    SandboxCommand command = shell_command(minute_sleep("setsid", "& sleep 30"));
     pid_t grader = fork();
     if (grader == 0) {
-        SandboxCommand command = shell_command("setsid sleep 64.25 & sleep 30");
-        command.wall_seconds = 20;
         sandbox_wait(sandbox_start(&command));
         _exit(0);
     }
-    for (int i = 0; i < 100 && !process_exists("64.25"); i++)
-        sleep_milliseconds(20);
-    cr_assert(process_exists("64.25"));
+    cr_assert(minute_sleep_becomes(1));
     kill(grader, SIGKILL);
     waitpid(grader, NULL, 0);
-    for (int i = 0; i < 100 && process_exists("64.25"); i++)
-        sleep_milliseconds(20);
-    cr_expect_not(process_exists("64.25"));
+    cr_expect(minute_sleep_becomes(0));
 }
 
 Test(sandbox, exit_codes_and_signals_are_told_apart)

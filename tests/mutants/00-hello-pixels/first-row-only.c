@@ -1,7 +1,7 @@
 // mutant: the region is one row high
 // task: read_back
 // caught by: read_back-picture
-// says: found|nobody wrote
+// says: untouched|not filled|found
     (void)height;
     const size_t origin[3] = {0, 0, 0};
     const size_t region[3] = {(size_t)width, 1, 1};

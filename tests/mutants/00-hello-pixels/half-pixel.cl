@@ -1,7 +1,7 @@
 // mutant: the sample point is the pixel's centre instead of its integer coordinate
 // task: gradient
 // caught by: gradient-picture
-// says: half a pixel
+// says: found
     const int x = get_global_id(0);
     const int y = get_global_id(1);
     if (x >= width || y >= height) {

@@ -1,6 +1,6 @@
 // mutant: minDepth starts at 1, as if depths ended there
 // task: implicit2DRenderer
-// caught by: renderer-edges
+// caught by: renderer-random
 // says: found
     float minDepth = 1.0f;
     for (int i = 0; i < n_circles; i++) {

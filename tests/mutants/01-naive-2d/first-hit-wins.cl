@@ -1,7 +1,7 @@
 // mutant: the loop ends at the first circle that covers the pixel, the nearest or not
 // task: implicit2DRenderer
 // caught by: renderer-random
-// says: found
+// says: depth did not matter
     float minDepth = INFINITY;
     for (int i = 0; i < n_circles; i++) {
         const Circle circle = circles[i];

@@ -1,6 +1,6 @@
 // mutant: the loop starts at 1
 // task: implicit2DRenderer
-// caught by: renderer-edges
+// caught by: renderer-order
 // says: first circle
     float minDepth = INFINITY;
     for (int i = 1; i < n_circles; i++) {

@@ -1,7 +1,7 @@
 // mutant: minDepth is not updated: the last circle that covers the pixel wins
 // task: implicit2DRenderer
 // caught by: renderer-random
-// says: depth
+// says: depth did not matter
     float minDepth = INFINITY;
     for (int i = 0; i < n_circles; i++) {
         const Circle circle = circles[i];

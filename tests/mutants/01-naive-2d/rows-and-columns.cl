@@ -1,7 +1,7 @@
 // mutant: x counts rows and y columns
 // task: own_pixel
 // caught by: own_pixel-picture
-// says: nobody wrote|rows and columns
+// says: nobody wrote
     const int x = get_global_id(1);
     const int y = get_global_id(0);
     if (x >= width || y >= height) {

@@ -1,7 +1,7 @@
 // mutant: the boundary is left out: distance² < radius²
 // task: overlaps_N_Nearer
 // caught by: overlaps-boundary
-// says: strict|boundary|found 0, expected 1
+// says: strict
     const float dx = x - circle.x;
     const float dy = y - circle.y;
     return dx * dx + dy * dy < circle.radius * circle.radius && circle.depth < minDepth;

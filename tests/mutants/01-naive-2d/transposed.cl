@@ -1,7 +1,7 @@
 // mutant: the row is asked for as x and the column as y
 // task: implicit2DRenderer
 // caught by: renderer-random
-// says: transposed|rows and columns
+// says: transposed
     float minDepth = INFINITY;
     for (int i = 0; i < n_circles; i++) {
         const Circle circle = circles[i];

@@ -1,7 +1,7 @@
 // mutant: a circle goes only to the child that holds its centre
 // task: distribute
 // caught by: distribute-list
-// says: found|id|entr
+// says: child_ids\[|returned
     u32 n_child_ids = 0;
     for (u32 i = 0; i < n_ids; i++) {
         const Circle circle = h_circles[ids[i]];

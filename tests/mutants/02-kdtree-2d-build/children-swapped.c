@@ -1,7 +1,7 @@
 // mutant: the left child gets the half with the higher coordinates
 // task: split_box
 // caught by: split-middle
-// says: found|left|swapped
+// says: swapped
     const float width = box.maxX - box.minX;
     const float height = box.maxY - box.minY;
     if (width >= height) {

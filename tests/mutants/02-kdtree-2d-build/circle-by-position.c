@@ -1,7 +1,7 @@
 // mutant: the position in ids[] is taken for the circle's id in the test
 // task: distribute
 // caught by: distribute-list
-// says: found|id|entr
+// says: child_ids\[|returned
     u32 n_child_ids = 0;
     for (u32 i = 0; i < n_ids; i++) {
         if (circle_overlaps_box(h_circles[i], child)) {

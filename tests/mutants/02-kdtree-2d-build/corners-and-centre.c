@@ -1,7 +1,7 @@
 // mutant: the corners and the circle's centre are asked; a circle across one side is missed
 // task: circle_overlaps_box
 // caught by: tree-overlap
-// says: circle
+// says: overlaps its cell
     const float xs[2] = {box.minX, box.maxX};
     const float ys[2] = {box.minY, box.maxY};
     for (int corner = 0; corner < 4; corner++) {

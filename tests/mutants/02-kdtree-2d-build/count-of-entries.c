@@ -1,7 +1,7 @@
 // mutant: the count counts itself: n_ids + 1
 // task: pack_leaf
 // caught by: pack-count
-// says: found|count
+// says: count at
     tree->nodes_flag[id] = LEAF;
     tree->nodes_Relations[id].circleMapOffset = tree->n_map;
     tree->mapNode2Circles[tree->n_map++] = n_ids + 1;

@@ -1,7 +1,7 @@
 // mutant: ids[] is walked through from its end, so the lists come out descending
 // task: distribute
 // caught by: tree-lists
-// says: ascending|order
+// says: ascend
     u32 n_child_ids = 0;
     for (u32 i = n_ids; i-- > 0;) {
         if (circle_overlaps_box(h_circles[ids[i]], child)) {

@@ -1,7 +1,7 @@
 // mutant: the loop starts at 1
 // task: distribute
 // caught by: distribute-list
-// says: found|id|entr
+// says: child_ids\[|returned
     u32 n_child_ids = 0;
     for (u32 i = 1; i < n_ids; i++) {
         if (circle_overlaps_box(h_circles[ids[i]], child)) {

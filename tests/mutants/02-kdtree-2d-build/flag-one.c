@@ -1,7 +1,7 @@
 // mutant: nodes_flag is set to 1, as if it said "is a leaf"
 // task: pack_leaf
 // caught by: pack-rest
-// says: found|flag|LEAF
+// says: nodes_flag
     tree->nodes_flag[id] = 1;
     tree->nodes_Relations[id].circleMapOffset = tree->n_map;
     tree->mapNode2Circles[tree->n_map++] = n_ids;

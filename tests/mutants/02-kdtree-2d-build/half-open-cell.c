@@ -1,7 +1,7 @@
 // mutant: the right and lower sides of the cell are left out, as for pixels
 // task: circle_overlaps_box
 // caught by: overlap-boundary
-// says: found 0, expected 1
+// says: touch
     if (circle.x - circle.radius >= box.maxX || circle.y - circle.radius >= box.maxY) {
         return 0;
     }

@@ -1,7 +1,7 @@
 // mutant: the last id is not written
 // task: pack_leaf
 // caught by: pack-rest
-// says: found
+// says: id number
     tree->nodes_flag[id] = LEAF;
     tree->nodes_Relations[id].circleMapOffset = tree->n_map;
     tree->mapNode2Circles[tree->n_map++] = n_ids;

@@ -1,5 +1,5 @@
 // mutant: the leaf size of the lecture's example, 1, is written into the code
 // task: is_leaf
 // caught by: tree-limits
-// says: leaf|level|node|split
+// says: split, expected a leaf
     return level >= limits.maxDepth || n_circles <= 1;

@@ -1,7 +1,7 @@
 // mutant: half the width is taken for the middle, as if every cell began at 0
 // task: split_box
 // caught by: split-middle
-// says: found|middle
+// says: found left
     const float width = box.maxX - box.minX;
     const float height = box.maxY - box.minY;
     if (width >= height) {

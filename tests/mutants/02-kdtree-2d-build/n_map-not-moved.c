@@ -1,7 +1,7 @@
 // mutant: n_map stays where it was, so the next leaf overwrites the list
 // task: pack_leaf
 // caught by: pack-rest
-// says: found|n_map
+// says: n_map is
     tree->nodes_flag[id] = LEAF;
     tree->nodes_Relations[id].circleMapOffset = tree->n_map;
     tree->mapNode2Circles[tree->n_map] = n_ids;

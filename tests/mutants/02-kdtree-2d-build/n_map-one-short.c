@@ -1,7 +1,7 @@
 // mutant: n_map is moved by the ids and not by their count: the next list overwrites the last id
 // task: pack_leaf
 // caught by: tree-packing
-// says: map|offset|list|overlap|gap|count
+// says: circleMapOffset|entries
     tree->nodes_flag[id] = LEAF;
     tree->nodes_Relations[id].circleMapOffset = tree->n_map;
     tree->mapNode2Circles[tree->n_map] = n_ids;

@@ -1,7 +1,7 @@
 // mutant: circleMapOffset is taken after the list is written, so it points behind it
 // task: pack_leaf
 // caught by: pack-offset
-// says: found|offset
+// says: circleMapOffset is
     tree->nodes_flag[id] = LEAF;
     tree->mapNode2Circles[tree->n_map++] = n_ids;
     for (u32 i = 0; i < n_ids; i++) {

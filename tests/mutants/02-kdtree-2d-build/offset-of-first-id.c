@@ -1,7 +1,7 @@
 // mutant: circleMapOffset points at the first id instead of at the count
 // task: pack_leaf
 // caught by: pack-offset
-// says: found|offset
+// says: circleMapOffset is
     tree->nodes_flag[id] = LEAF;
     tree->mapNode2Circles[tree->n_map++] = n_ids;
     tree->nodes_Relations[id].circleMapOffset = tree->n_map;

@@ -1,7 +1,7 @@
 // mutant: only the left child is cut; the right one keeps the whole cell
 // task: split_box
 // caught by: split-middle
-// says: found
+// says: found left
     const float width = box.maxX - box.minX;
     const float height = box.maxY - box.minY;
     if (width >= height) {

@@ -1,7 +1,7 @@
 // mutant: the shorter side is split
 // task: split_box
 // caught by: split-longer
-// says: found|longer
+// says: shorter side
     const float width = box.maxX - box.minX;
     const float height = box.maxY - box.minY;
     if (width <= height) {

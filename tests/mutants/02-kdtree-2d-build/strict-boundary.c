@@ -1,7 +1,7 @@
 // mutant: touching does not count: distance² < radius²
 // task: circle_overlaps_box
 // caught by: overlap-boundary
-// says: found 0, expected 1
+// says: touch
     const double nearest_x = fmin(fmax(circle.x, box.minX), box.maxX);
     const double nearest_y = fmin(fmax(circle.y, box.minY), box.maxY);
     const double dx = circle.x - nearest_x;

@@ -1,7 +1,7 @@
 // mutant: the scene's first circles are walked through instead of the node's
 // task: distribute
 // caught by: distribute-list
-// says: found|id|entr
+// says: child_ids\[|returned
     (void)ids;
     u32 n_child_ids = 0;
     for (u32 i = 0; i < n_ids; i++) {

@@ -1,7 +1,7 @@
 // mutant: the middle is rounded down to a whole pixel
 // task: split_box
 // caught by: tree-cells
-// says: cell|child|node|box
+// says: node .*child
     const float width = box.maxX - box.minX;
     const float height = box.maxY - box.minY;
     if (width >= height) {

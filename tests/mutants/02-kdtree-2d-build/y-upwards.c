@@ -1,7 +1,7 @@
 // mutant: y is taken to grow upwards: the left child gets the higher rows first
 // task: split_box
 // caught by: split-middle
-// says: found|left|swapped
+// says: swapped
     const float width = box.maxX - box.minX;
     const float height = box.maxY - box.minY;
     if (width >= height) {

@@ -1,7 +1,7 @@
 // mutant: y is split where both sides are equal
 // task: split_box
 // caught by: split-longer
-// says: found|equal|longer
+// says: equal
     const float width = box.maxX - box.minX;
     const float height = box.maxY - box.minY;
     if (width > height) {

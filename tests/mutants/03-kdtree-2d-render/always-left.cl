@@ -1,6 +1,6 @@
 // mutant: the left child is taken without asking
 // task: getContainingChild
 // caught by: child-inside
-// says: found
+// says: found child
     (void)x, (void)y, (void)nodes_BBox;
     return nodes_Relations[id].lChild;

@@ -1,7 +1,7 @@
 // mutant: the left child is taken on every level
 // task: descent
 // caught by: descent-leaf
-// says: found|leaf
+// says: leaf map.*found
     (void)nodes_BBox;
     while (nodes_flag[id] != LEAF) {
         id = nodes_Relations[id].lChild;

@@ -1,7 +1,7 @@
 // mutant: the leaf of pixel (y, x) is searched
 // task: descent
 // caught by: descent-leaf
-// says: found|leaf
+// says: leaf map.*found
     while (nodes_flag[id] != LEAF) {
         id = getContainingChild(y, x, id, nodes_Relations, nodes_BBox);
     }

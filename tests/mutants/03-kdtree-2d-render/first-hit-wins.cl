@@ -1,7 +1,7 @@
 // mutant: the loop ends at the first circle that covers the pixel, the nearest or not
 // task: leaf_loop
 // caught by: leaf-random
-// says: found
+// says: depth did not matter
     float minDepth = INFINITY;
     const uint offset = nodes_Relations[id].circleMapOffset;
     const uint n_circles = mapNode2Circles[offset];

@@ -1,7 +1,7 @@
 // mutant: minDepth is not updated: the last circle of the list that covers the pixel wins
 // task: leaf_loop
 // caught by: leaf-random
-// says: depth
+// says: depth did not matter
     float minDepth = INFINITY;
     const uint offset = nodes_Relations[id].circleMapOffset;
     const uint n_circles = mapNode2Circles[offset];

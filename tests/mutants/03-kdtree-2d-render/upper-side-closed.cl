@@ -1,7 +1,7 @@
 // mutant: the upper side belongs to the cell: <= maxX and <= maxY
 // task: getContainingChild
 // caught by: child-border
-// says: found
+// says: half-open
     const uint lChild = nodes_Relations[id].lChild;
     const BBox2D box = nodes_BBox[lChild];
     const int in_left = x >= box.minX && x <= box.maxX && y >= box.minY && y <= box.maxY;

@@ -1,0 +1,31 @@
+// A series of measured times, and what is told of it: the median with the smallest and the largest.
+// The median, as single frames are slow for reasons that are none of the kernel's.
+#ifndef BENCH_SERIES_H
+#define BENCH_SERIES_H
+
+#define SERIES_MAX_ROUNDS 100
+#define SERIES_MAX_A_ROUND 10
+
+// Start with {0}.
+typedef struct Series {
+    double ms[SERIES_MAX_ROUNDS * SERIES_MAX_A_ROUND];
+    int n;
+    double round_median_ms[SERIES_MAX_ROUNDS];
+    int n_rounds;
+    int n_before_round;  // times that belong to finished rounds
+} Series;
+
+typedef struct Spread {
+    double median, min, max;
+} Spread;
+
+// Add a time; at most SERIES_MAX_A_ROUND of them a round.
+void series_add(Series *series, double ms);
+
+// End a round: the times since the last one are its own. Does nothing when there are none.
+void series_end_round(Series *series);
+
+// Of n numbers, n > 0; they are left as they are.
+Spread spread_of(const double *numbers, int n);
+
+#endif

@@ -1,0 +1,186 @@
+// What the bench measures (see variant.h).
+#include "variant.h"
+
+#include "cl_memory.h"
+#include "kdtree2d_build.h"
+#include "stats.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+// The work-group of the labs' main.c.
+#define GROUP_SIZE 16
+
+const char *const VARIANT_NAMES[N_VARIANT_KINDS] = {"fill", "naive", "kdtree"};
+
+// NAIVE_OPTIONS and KDTREE_OPTIONS come from the Makefile, as KERNEL_OPTIONS does in the labs.
+static const struct KernelRow {
+    const char *path;
+    const char *options;
+    const char *name;
+} KERNELS[N_VARIANT_KINDS] = {
+    [FILL] = {"tests/bench/fill.cl", "", "fill"},
+    [NAIVE] = {"solutions/01-naive-2d/implicit2DRenderer.cl", NAIVE_OPTIONS, "implicit2DRenderer"},
+    [KDTREE] = {"solutions/03-kdtree-2d-render/implicit2DRenderer_KD.cl", KDTREE_OPTIONS,
+                "implicit2DRenderer_KD"},
+};
+
+int programs_build(const ClSetup *cl, cl_program programs[N_VARIANT_KINDS])
+{
+    for (int kind = 0; kind < N_VARIANT_KINDS; kind++) {
+        programs[kind] = cl_setup_build(cl, KERNELS[kind].path, KERNELS[kind].options);
+        if (programs[kind] == NULL) {
+            return -1;
+        }
+    }
+    return 0;
+}
+
+void programs_free(cl_program programs[N_VARIANT_KINDS])
+{
+    for (int kind = 0; kind < N_VARIANT_KINDS; kind++) {
+        if (programs[kind] != NULL) {
+            CL_CHECK(clReleaseProgram(programs[kind]));
+        }
+    }
+}
+
+// How many levels a tree has, the root's included; -1 when memory runs out. Children have higher ids
+// than their parents.
+static int tree_depth(const KdTree2D *tree)
+{
+    int deepest = -1;
+    int *levels = calloc(tree->n_nodes, sizeof *levels);
+    for (u32 id = 0; levels != NULL && id < tree->n_nodes; id++) {
+        const int level = ++levels[id];
+        deepest = level > deepest ? level : deepest;
+        if (tree->nodes_flag[id] != LEAF) {
+            levels[tree->nodes_Relations[id].lChild] = level;
+            levels[tree->nodes_Relations[id].rChild] = level;
+        }
+    }
+    free(levels);
+    return deepest;
+}
+
+// A tree in which every inner node has two children has one leaf more than inner nodes, and every leaf
+// has a count before its ids.
+static u32 tree_references(const KdTree2D *tree)
+{
+    const u32 n_leaves = (tree->n_nodes + 1) / 2;
+    return tree->n_map - n_leaves;
+}
+
+// Build the tree and copy it to the device. Returns 0, or -1 after one message.
+static int prepare_tree(Variant *variant, const ClSetup *cl)
+{
+    KdTree2D tree = {0};
+    if (kdtree2d_build(variant->scene->circles, (u32)variant->scene->n_circles, variant->limits,
+                       &tree) != 0) {
+        return -1;
+    }
+    variant->n_nodes = tree.n_nodes;
+    variant->n_references = tree_references(&tree);
+    variant->depth = tree_depth(&tree);
+    variant->d_nodes_Relations =
+        cl_buffer_create(cl, tree.nodes_Relations, tree.n_nodes * sizeof *tree.nodes_Relations);
+    variant->d_nodes_flag =
+        cl_buffer_create(cl, tree.nodes_flag, tree.n_nodes * sizeof *tree.nodes_flag);
+    variant->d_nodes_BBox =
+        cl_buffer_create(cl, tree.nodes_BBox, tree.n_nodes * sizeof *tree.nodes_BBox);
+    variant->d_mapNode2Circles =
+        cl_buffer_create(cl, tree.mapNode2Circles, tree.n_map * sizeof *tree.mapNode2Circles);
+    tree2d_free(&tree);
+    return 0;
+}
+
+// The arguments, in the order of each kernel's parameter list.
+static void set_arguments(const Variant *variant, cl_mem d_image)
+{
+    cl_kernel kernel = variant->kernel;
+    const Scene2D *scene = variant->scene;
+    cl_uint next = 0;
+    if (variant->kind != FILL) {
+        CL_CHECK(clSetKernelArg(kernel, next++, sizeof(cl_mem), &variant->d_circles));
+    }
+    if (variant->kind == NAIVE) {
+        CL_CHECK(clSetKernelArg(kernel, next++, sizeof scene->n_circles, &scene->n_circles));
+    }
+    if (variant->kind == KDTREE) {
+        CL_CHECK(clSetKernelArg(kernel, next++, sizeof(cl_mem), &variant->d_nodes_Relations));
+        CL_CHECK(clSetKernelArg(kernel, next++, sizeof(cl_mem), &variant->d_nodes_flag));
+        CL_CHECK(clSetKernelArg(kernel, next++, sizeof(cl_mem), &variant->d_nodes_BBox));
+        CL_CHECK(clSetKernelArg(kernel, next++, sizeof(cl_mem), &variant->d_mapNode2Circles));
+    }
+    CL_CHECK(clSetKernelArg(kernel, next++, sizeof scene->width, &scene->width));
+    CL_CHECK(clSetKernelArg(kernel, next++, sizeof scene->height, &scene->height));
+    CL_CHECK(clSetKernelArg(kernel, next++, sizeof d_image, &d_image));
+}
+
+// The next multiple of GROUP_SIZE.
+static size_t round_up(int n)
+{
+    return ((size_t)n + GROUP_SIZE - 1) / GROUP_SIZE * GROUP_SIZE;
+}
+
+// Launch the kernel over width x height pixels and wait for it.
+static void launch(const Variant *variant, const ClSetup *cl, int width, int height)
+{
+    const size_t local_size[2] = {GROUP_SIZE, GROUP_SIZE};
+    const size_t global_size[2] = {round_up(width), round_up(height)};
+    CL_CHECK(clEnqueueNDRangeKernel(cl->queue, variant->kernel, 2, NULL, global_size, local_size, 0,
+                                    NULL, NULL));
+    CL_CHECK(clFinish(cl->queue));
+}
+
+int variant_prepare(Variant *variant, const ClSetup *cl, const cl_program *programs, cl_mem d_image)
+{
+    const Scene2D *scene = variant->scene;
+    cl_int error;
+    variant->kernel = clCreateKernel(programs[variant->kind], KERNELS[variant->kind].name, &error);
+    CL_CHECK_CREATED(error, clCreateKernel);
+    if (variant->kind != FILL) {
+        variant->d_circles = cl_buffer_create(cl, scene->circles,
+                                              (size_t)scene->n_circles * sizeof *scene->circles);
+    }
+    if (variant->kind == KDTREE && prepare_tree(variant, cl) != 0) {
+        return -1;
+    }
+    set_arguments(variant, d_image);
+    launch(variant, cl, GROUP_SIZE, GROUP_SIZE);
+    return 0;
+}
+
+void variant_free(Variant *variant)
+{
+    cl_mem buffers[] = {variant->d_circles, variant->d_nodes_Relations, variant->d_nodes_flag,
+                        variant->d_nodes_BBox, variant->d_mapNode2Circles};
+    for (size_t i = 0; i < sizeof buffers / sizeof *buffers; i++) {
+        if (buffers[i] != NULL) {
+            CL_CHECK(clReleaseMemObject(buffers[i]));
+        }
+    }
+    if (variant->kernel != NULL) {
+        CL_CHECK(clReleaseKernel(variant->kernel));
+    }
+}
+
+double variant_draw(const Variant *variant, const ClSetup *cl)
+{
+    const double start = stats_clock_ms();
+    launch(variant, cl, variant->scene->width, variant->scene->height);
+    return stats_clock_ms() - start;
+}
+
+double variant_time_build(const Variant *variant)
+{
+    KdTree2D tree = {0};
+    const double start = stats_clock_ms();
+    if (kdtree2d_build(variant->scene->circles, (u32)variant->scene->n_circles, variant->limits,
+                       &tree) != 0) {
+        return -1;
+    }
+    const double ms = stats_clock_ms() - start;
+    tree2d_free(&tree);
+    return ms;
+}

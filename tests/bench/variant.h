@@ -1,0 +1,60 @@
+// What the bench measures: one kernel over one scene, with a tree of certain limits where it takes one.
+//
+// The kernels are those of the solutions, and so is the tree's builder: the bench has no renderer of its
+// own but the fill. Flow: scene -> buffers -> KERNEL -> image -> comparison. Used by bench2d.c.
+#ifndef BENCH_VARIANT_H
+#define BENCH_VARIANT_H
+
+#include "cl_setup.h"
+#include "scene2d.h"
+#include "series.h"
+#include "tree2d.h"
+
+typedef enum VariantKind {
+    FILL,    // fill.cl: the floor
+    NAIVE,   // lab 01
+    KDTREE,  // lab 03 with the tree of lab 02
+    N_VARIANT_KINDS,
+} VariantKind;
+
+// "fill", "naive", "kdtree": the first column of the table and of the CSV file.
+extern const char *const VARIANT_NAMES[N_VARIANT_KINDS];
+
+typedef struct Variant {
+    VariantKind kind;
+    const Scene2D *scene;  // kept by the caller
+    KdTreeLimits limits;   // KDTREE only
+    int n_frames;          // frames a round
+    int max_rounds;        // left out of further rounds, as it is slow
+
+    cl_kernel kernel;  // with its arguments set
+    cl_mem d_circles;
+    cl_mem d_nodes_Relations;  // these four: KDTREE only
+    cl_mem d_nodes_flag;
+    cl_mem d_nodes_BBox;
+    cl_mem d_mapNode2Circles;
+    u32 n_nodes;
+    u32 n_references;  // circle ids in all lists together
+    int depth;         // levels there are
+
+    Series frames;
+    Series builds;  // of the tree
+} Variant;
+
+// The three programs, compiled. Returns 0, or -1 after one message. Release with programs_free().
+int programs_build(const ClSetup *cl, cl_program programs[N_VARIANT_KINDS]);
+void programs_free(cl_program programs[N_VARIANT_KINDS]);
+
+// Make a variant ready to be drawn: builds the tree, copies scene and tree to the device, and runs one
+// work-group, so that the driver has finished compiling before anything is timed.
+// Returns 0, or -1 after one message. Release with variant_free(), after a failure too.
+int variant_prepare(Variant *variant, const ClSetup *cl, const cl_program *programs, cl_mem d_image);
+void variant_free(Variant *variant);
+
+// Draw a frame and wait for it. Returns the milliseconds from the launch until the queue is empty.
+double variant_draw(const Variant *variant, const ClSetup *cl);
+
+// Build the tree and throw it away. Returns the milliseconds, or -1 after one message.
+double variant_time_build(const Variant *variant);
+
+#endif

@@ -1,0 +1,162 @@
+// Opening a session, trusting its solution, judging variants.
+#include "session.h"
+
+#include "holes.h"
+#include "message.h"
+#include "sandbox.h"
+#include "text_file.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+enum { PATH_BYTES = 512 };
+
+// Put a text into a folder as file `name`. Returns 0, or -1 after one message.
+static int write_text(const char *folder, const char *name, const char *text)
+{
+    char path[2 * PATH_BYTES];
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    FILE *file = fopen(path, "w");
+    if (file == NULL || fputs(text, file) == EOF || fclose(file) != 0 || chmod(path, 0644) != 0) {
+        fprintf(stderr, "grade: %s: cannot be written: %s\n", path, strerror(errno));
+        return -1;
+    }
+    return 0;
+}
+
+// One of the solution's files, its hole filled when it is the task's. NULL after one message.
+static char *solution_text(const Session *session, const char *name, const Task *task,
+                           const char *answer)
+{
+    char path[PATH_BYTES];
+    snprintf(path, sizeof path, "solutions/%s/%s", session->manifest.lab, name);
+    char *text = text_file_read(path);
+    if (text == NULL || task == NULL || strcmp(task->file, name) != 0) {
+        return text;
+    }
+    char *filled = hole_fill(text, task->id, answer);
+    if (filled == NULL) {
+        fprintf(stderr, "grade: %s: no hole for task %s\n", path, task->id);
+    }
+    free(text);
+    return filled;
+}
+
+int session_fill(const Session *session, const char *name, const char *task_id, const char *answer,
+                 Variant *variant)
+{
+    char folder[PATH_BYTES];
+    const Task *task = task_id ? manifest_task(&session->manifest, task_id) : NULL;
+    int result = variant_open(&session->workshop, name, variant, folder, sizeof folder);
+    for (int i = 0; result == 0 && i < session->manifest.n_files; i++) {
+        const char *file = session->manifest.files[i];
+        char *text = solution_text(session, file, task, answer);
+        result = text == NULL ? -1 : write_text(folder, file, text);
+        free(text);
+    }
+    return result;
+}
+
+static int write_job(Session *session)
+{
+    char path[PATH_BYTES];
+    workshop_job_path(&session->workshop, path, sizeof path);
+    FILE *file = fopen(path, "wb");
+    if (file == NULL) {
+        fprintf(stderr, "grade: %s: cannot be written: %s\n", path, strerror(errno));
+        return -1;
+    }
+    session->job = session->judge->job_new(session->settings.seed, file);
+    const int closed = fclose(file);
+    return session->job == NULL || closed != 0 || chmod(path, 0644) != 0 ? -1 : 0;
+}
+
+int session_open(Session *session, SessionSettings settings)
+{
+    *session = (Session){.settings = settings, .judge = judge_of(settings.lab)};
+    if (session->judge == NULL) {
+        fprintf(stderr, "grade: %s: this lab has no judge\n", settings.lab);
+        return -1;
+    }
+    if (manifest_load("labs", settings.lab, &session->manifest) != 0 || sandbox_check() != 0 ||
+        workshop_open(&session->workshop, &session->manifest, settings.build, settings.device) !=
+            0 ||
+        write_job(session) != 0) {
+        return -1;
+    }
+    return session_fill(session, "solution", NULL, NULL, &session->solution);
+}
+
+void session_close(Session *session)
+{
+    variant_free(&session->solution);
+    if (session->job != NULL) {
+        session->judge->job_free(session->job);
+    }
+    workshop_close(&session->workshop);
+    manifest_free(&session->manifest);
+}
+
+int session_run(const Session *session, Variant *const variants[], int n)
+{
+    return variants_run(&session->workshop, variants, n, session->settings.time_limit);
+}
+
+int session_trust_solution(Session *session)
+{
+    const Variant *solution = &session->solution;
+    if (solution->build_log != NULL || solution->trouble != NULL) {
+        fprintf(stderr, "grade: the solution itself does not run here: %s\n%s\n",
+                solution->build_log ? "it does not compile" : solution->trouble,
+                solution->build_log ? solution->build_log : solution->run_output);
+        return -1;
+    }
+    for (int i = 0; i < session->judge->n_checks; i++) {
+        Verdict verdict = session->judge->judge(session->job, i, &solution->answers);
+        if (verdict.kind != VERDICT_PASSED) {
+            fprintf(stderr, "grade: the solution itself fails %s on this device: %s\n",
+                    session->judge->checks[i].id, verdict.message ? verdict.message : "no answer");
+            free(verdict.message);
+            return -1;
+        }
+    }
+    session->judge->adopt(session->job, &solution->answers);
+    return 0;
+}
+
+void session_device_name(const Session *session, char *name, size_t n_bytes)
+{
+    size_t length;
+    const char *device = sections_find_any(&session->solution.answers, "device", &length);
+    snprintf(name, n_bytes, "%.*s", device ? (int)strnlen(device, length) : 4,
+             device ? device : "host");
+}
+
+// Why a check got no answer from a variant.
+static char *describe_missing(const Variant *variant)
+{
+    if (variant->build_log != NULL) {
+        return message_new("not tried: it does not compile");
+    }
+    return message_new("no answer: %s",
+                       variant->trouble ? variant->trouble : "the program said nothing about it");
+}
+
+void session_judge(const Session *session, int i, const Variant *variant, CheckResult *result)
+{
+    const Verdict verdict = session->judge->judge(session->job, i, &variant->answers);
+    free(result->message);
+    if (verdict.kind == VERDICT_PASSED) {
+        result->status = CHECK_PASSED;
+        result->points = result->max_points;
+        result->message = message_new("%s", "");
+    } else if (verdict.kind == VERDICT_FAILED) {
+        result->status = CHECK_FAILED;
+        result->message = verdict.message;
+    } else {
+        result->status = CHECK_NOT_RUN;
+        result->message = describe_missing(variant);
+    }
+}

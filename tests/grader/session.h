@@ -1,0 +1,56 @@
+// A session: one lab, one seed, one device; the solution's answers, and variants judged beside them.
+//
+// Flow: SESSION -> variants -> answers -> judge -> result. Used by grade.c for a submission and by
+// mutants.c for many known-wrong answers in a row. Read next: workshop.h, judge.h.
+#ifndef GRADER_SESSION_H
+#define GRADER_SESSION_H
+
+#include "judge.h"
+#include "manifest.h"
+#include "result.h"
+#include "workshop.h"
+
+typedef struct SessionSettings {
+    const char *lab;     // "03-kdtree-2d-render"
+    const char *build;   // the build folder
+    const char *device;  // "" for the first
+    uint64_t seed;
+    int time_limit;  // seconds for a variant
+} SessionSettings;
+
+typedef struct Session {
+    SessionSettings settings;
+    const Judge *judge;
+    Manifest manifest;
+    Workshop workshop;
+    void *job;
+    Variant solution;
+} Session;
+
+// Prepare everything up to the point where variants can run: manifest, workshop, job, and the
+// solution as a variant that has not run yet. Returns 0, or -1 after one message on stderr.
+int session_open(Session *session, SessionSettings settings);
+void session_close(Session *session);
+
+// Run n variants side by side. Returns 0, or -1 after one message when the machinery failed.
+int session_run(const Session *session, Variant *const variants[], int n);
+
+// After the solution has run: it must pass every check on this device, judged by the oracle, else
+// nothing that is said about a submission can be trusted. From then on pictures are compared with
+// the solution's. Returns 0, or -1 after one message.
+int session_trust_solution(Session *session);
+
+// The device's name as the solution's probe saw it, "host" for labs that use none.
+void session_device_name(const Session *session, char *name, size_t n_bytes);
+
+// Make a variant of the solution with the content of one hole replaced.
+//   task     the task's id, or NULL for the solution as it is
+//   answer   what goes into its hole
+// Returns 0, or -1 after one message.
+int session_fill(const Session *session, const char *name, const char *task, const char *answer,
+                 Variant *variant);
+
+// Judge check number i by a variant that has run, and note points, status and message.
+void session_judge(const Session *session, int i, const Variant *variant, CheckResult *result);
+
+#endif

@@ -1,0 +1,24 @@
+#!/bin/sh
+# Every known-wrong answer is caught by the check meant for it, with the right message.
+. tests/tap.sh
+
+tools=${BUILD:-build}/tools
+
+for folder in tests/mutants/*/; do
+    lab=$(basename "$folder")
+    # The seed is fixed: this is about the mutants, and another seed would be another test.
+    "$tools/mutants" --lab "$lab" --seed 1 --time-limit 5 >"$scratch/out" 2>"$scratch/errors"
+    status=$?
+    # Its lines are TAP already; number them on.
+    while IFS= read -r line; do
+        case $line in
+        "ok "*) ok 0 "${line#ok * - }" ;;
+        "not ok "*) ok 1 "${line#not ok * - }" ;;
+        "  # "*) echo "$line" ;;
+        esac
+    done <"$scratch/out"
+    [ $status -le 1 ]
+    ok $? "$lab: the mutants ran" "$(cat "$scratch/errors")"
+done
+
+finish

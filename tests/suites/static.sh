@@ -1,0 +1,53 @@
+#!/bin/sh
+# What can be said without running anything: format, warnings, static analysis, house rules.
+. tests/tap.sh
+
+sources=$(git ls-files -- '*.c' '*.h' '*.cpp' '*.cl' 2>/dev/null)
+[ -n "$sources" ] || sources=$(find common kernels labs solutions tests -name '*.[ch]' -o -name '*.cpp' -o -name '*.cl')
+written=$(echo "$sources" | grep -v -e '^labs/' -e '^tests/mutants/')
+
+# shellcheck disable=SC2086 # lists of names without spaces
+check "clang-format (make format mends it)" clang-format-19 --dry-run -Werror $written
+
+# shellcheck disable=SC2046,SC2086
+check "cppcheck" cppcheck --quiet --error-exitcode=1 --inline-suppr --std=c11 --language=c \
+    --enable=warning,performance,portability --suppress=missingIncludeSystem \
+    --suppress=normalCheckLevelMaxBranches --suppress=nullPointerOutOfMemory \
+    --suppress=nullPointerArithmeticOutOfMemory --suppress=nullPointerOutOfResources \
+    -Icommon -Ikernels -Itests/grader -Itests/probes -Isolutions/02-kdtree-2d-build \
+    -DLAB_NAME='"lab"' -DLAB_FOLDER='"labs/lab"' -DKERNEL_OPTIONS='""' -DPROBE_KERNEL_OPTIONS='""' \
+    $(echo "$written" | grep '\.c$' | grep -v '^tests/unit/')
+
+# The OpenCL front end of clang, with warnings, on every kernel, counting and not.
+clang=$(command -v clang || command -v clang-15 || command -v clang-19)
+# A kernel's own folder comes first, so that the same name in another lab does no harm.
+includes="-I kernels -I tests/probes"
+for folder in solutions/*/; do
+    includes="$includes -I $folder"
+done
+for kernel in $(echo "$sources" | grep '\.cl$' | grep -v '^tests/mutants/'); do
+    for counting in "" -DCOUNT_WORK; do
+        # shellcheck disable=SC2086
+        check "clang -Wall -Wextra $kernel $counting" "$clang" -x cl -cl-std=CL1.2 -fsyntax-only \
+            -Wall -Wextra -Werror -Xclang -finclude-default-header $includes $counting "$kernel"
+    done
+done
+
+# shellcheck disable=SC2046
+check "shellcheck" shellcheck $(git ls-files -- '*.sh' .ci/run 2>/dev/null || find . -name '*.sh')
+
+# House rules.
+# shellcheck disable=SC2016 # awk's $0
+lines=$(echo "$written" | xargs awk 'length($0) > 110 { print FILENAME ":" FNR ": " length($0) " characters" }')
+[ -z "$lines" ]
+ok $? "no line of code over 110 characters" "$lines"
+
+words=$(echo "$written" | xargs grep -n -w -E 'TODO|FIXME|XXX|HACK' || true)
+[ -z "$words" ]
+ok $? "no notes to self left in the code" "$words"
+
+strays=$(find common kernels labs solutions slides-notes tests -name '*.o' -o -name '*.orig' -o -name '*~' -o -name 'a.out')
+[ -z "$strays" ]
+ok $? "nothing built beside a source" "$strays"
+
+finish

@@ -1,0 +1,42 @@
+# shellcheck shell=sh
+# The Test Anything Protocol for the suites in tests/suites/*.sh. A suite starts with
+#     . tests/tap.sh
+# calls `ok` or `check` for each test, and ends with `finish`.
+
+n_tests=0
+n_failed=0
+scratch=$(mktemp -d "${TMPDIR:-/tmp}/suite-XXXXXX")
+trap 'rm -rf "$scratch"' EXIT
+trap 'exit 1' INT TERM
+
+# ok STATUS NAME [WHY]: one test; STATUS 0 passes, and WHY is printed where it fails.
+ok() {
+    n_tests=$((n_tests + 1))
+    if [ "$1" -eq 0 ]; then
+        echo "ok $n_tests - $2"
+    else
+        n_failed=$((n_failed + 1))
+        echo "not ok $n_tests - $2"
+        [ $# -lt 3 ] || printf '%s\n' "$3" | sed 's/^/  # /'
+    fi
+}
+
+# check NAME COMMAND...: passes when the command does; what it printed is shown where it fails.
+check() {
+    name=$1
+    shift
+    if output=$("$@" 2>&1); then ok 0 "$name"; else ok 1 "$name" "\$ $*
+$output"; fi
+}
+
+# skip NAME WHY: a test that cannot run here.
+skip() {
+    n_tests=$((n_tests + 1))
+    echo "ok $n_tests - $1 # SKIP $2"
+}
+
+# The plan, and the suite's exit status.
+finish() {
+    echo "1..$n_tests"
+    [ "$n_failed" -eq 0 ]
+}
