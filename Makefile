@@ -159,4 +159,46 @@ test:  ## install what is missing and run every test
 	@common/setup/install.sh test
 	@$(MAKE) --no-print-directory -j2 check
 
+# ---- The bench ------------------------------------------------------------------------------
+
+$(BUILD)/obj/tests/bench/%.o: EXTRA = -I solutions/02-kdtree-2d-build \
+    -DNAIVE_OPTIONS='"$(call include_path,01-naive-2d)"' \
+    -DKDTREE_OPTIONS='"$(call include_path,03-kdtree-2d-render)"'
+$(BUILD)/tools/bench2d: $(call objects,$(wildcard tests/bench/*.c) $(BUILDER)) $(BUILD)/libcommon.a
+	@mkdir -p $(@D)
+	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -o $@
+
+.PHONY: bench
+bench:  ## install what is missing, measure naive against kd-tree, plot to build/bench
+	@common/setup/install.sh bench
+	@$(MAKE) --no-print-directory $(BUILD)/tools/bench2d
+	@$(BUILD)/tools/bench2d --output $(BUILD)/bench $(if $(DEVICE),--device "$(DEVICE)") \
+	    $(if $(ROUNDS),--rounds "$(ROUNDS)")
+	@gnuplot -e "folder='$(BUILD)/bench'" tests/bench/bench2d.gnuplot
+	@echo "The plot: $(BUILD)/bench/bench2d.png and .svg"
+
+# ---- For people -----------------------------------------------------------------------------
+
+.PHONY: demo
+demo:  ## install what is missing, render every solution, grade a small class
+	@common/setup/install.sh demo
+	@$(MAKE) --no-print-directory -j2 all
+	@tests/demo.sh $(BUILD)
+
+.PHONY: figures
+figures: all  ## draw the pictures of the READMEs and notes anew
+	tests/figures.sh slides-notes/figures $(BUILD) >/dev/null
+
+.PHONY: format
+format:  ## put every source into the one format
+	clang-format-19 -i $$(git ls-files -- '*.c' '*.h' '*.cpp' '*.cl' | grep -v -e ^labs/ -e ^tests/mutants/)
+
+.PHONY: clean
+clean:  ## remove everything that was made
+	rm -rf build
+
+.PHONY: help
+help:  ## print this list
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-10s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
+
 -include $(shell find $(BUILD)/obj -name '*.d' 2>/dev/null)

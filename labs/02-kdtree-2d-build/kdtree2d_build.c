@@ -158,8 +158,7 @@ static int add_child(Builder *builder, const Circle *h_circles, OpenNode parent,
         return -1;
     }
     const u32 n_ids = distribute(h_circles, parent.ids, parent.n_ids, box, ids);
-    u32 *shrunk = realloc(ids, (n_ids + 1) * sizeof *ids);
-    return add_node(builder, box, shrunk ? shrunk : ids, n_ids, parent.level + 1);
+    return add_node(builder, box, ids, n_ids, parent.level + 1);
 }
 
 // Turn open node `id` into an inner node with two open children, or into a leaf.

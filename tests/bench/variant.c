@@ -1,7 +1,6 @@
 // What the bench measures (see variant.h).
 #include "variant.h"
 
-#include "cl_memory.h"
 #include "kdtree2d_build.h"
 #include "stats.h"
 
@@ -71,6 +70,16 @@ static u32 tree_references(const KdTree2D *tree)
     return tree->n_map - n_leaves;
 }
 
+// A buffer that the kernel only reads, filled from the host.
+static cl_mem buffer_create(const ClSetup *cl, void *h_bytes, size_t n_bytes)
+{
+    cl_int error;
+    cl_mem d_buffer = clCreateBuffer(cl->context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, n_bytes,
+                                     h_bytes, &error);
+    CL_CHECK_CREATED(error, clCreateBuffer);
+    return d_buffer;
+}
+
 // Build the tree and copy it to the device. Returns 0, or -1 after one message.
 static int prepare_tree(Variant *variant, const ClSetup *cl)
 {
@@ -79,17 +88,21 @@ static int prepare_tree(Variant *variant, const ClSetup *cl)
                        &tree) != 0) {
         return -1;
     }
+    if (tree2d_check(&tree, (u32)variant->scene->n_circles) != 0) {
+        tree2d_free(&tree);
+        return -1;
+    }
     variant->n_nodes = tree.n_nodes;
     variant->n_references = tree_references(&tree);
     variant->depth = tree_depth(&tree);
     variant->d_nodes_Relations =
-        cl_buffer_create(cl, tree.nodes_Relations, tree.n_nodes * sizeof *tree.nodes_Relations);
+        buffer_create(cl, tree.nodes_Relations, tree.n_nodes * sizeof *tree.nodes_Relations);
     variant->d_nodes_flag =
-        cl_buffer_create(cl, tree.nodes_flag, tree.n_nodes * sizeof *tree.nodes_flag);
+        buffer_create(cl, tree.nodes_flag, tree.n_nodes * sizeof *tree.nodes_flag);
     variant->d_nodes_BBox =
-        cl_buffer_create(cl, tree.nodes_BBox, tree.n_nodes * sizeof *tree.nodes_BBox);
+        buffer_create(cl, tree.nodes_BBox, tree.n_nodes * sizeof *tree.nodes_BBox);
     variant->d_mapNode2Circles =
-        cl_buffer_create(cl, tree.mapNode2Circles, tree.n_map * sizeof *tree.mapNode2Circles);
+        buffer_create(cl, tree.mapNode2Circles, tree.n_map * sizeof *tree.mapNode2Circles);
     tree2d_free(&tree);
     return 0;
 }
@@ -140,8 +153,8 @@ int variant_prepare(Variant *variant, const ClSetup *cl, const cl_program *progr
     variant->kernel = clCreateKernel(programs[variant->kind], KERNELS[variant->kind].name, &error);
     CL_CHECK_CREATED(error, clCreateKernel);
     if (variant->kind != FILL) {
-        variant->d_circles = cl_buffer_create(cl, scene->circles,
-                                              (size_t)scene->n_circles * sizeof *scene->circles);
+        variant->d_circles =
+            buffer_create(cl, scene->circles, (size_t)scene->n_circles * sizeof *scene->circles);
     }
     if (variant->kind == KDTREE && prepare_tree(variant, cl) != 0) {
         return -1;

@@ -48,7 +48,8 @@ void programs_free(cl_program programs[N_VARIANT_KINDS]);
 // Make a variant ready to be drawn: builds the tree, copies scene and tree to the device, and runs one
 // work-group, so that the driver has finished compiling before anything is timed.
 // Returns 0, or -1 after one message. Release with variant_free(), after a failure too.
-int variant_prepare(Variant *variant, const ClSetup *cl, const cl_program *programs, cl_mem d_image);
+int variant_prepare(Variant *variant, const ClSetup *cl, const cl_program *programs,
+                    cl_mem d_image);
 void variant_free(Variant *variant);
 
 // Draw a frame and wait for it. Returns the milliseconds from the launch until the queue is empty.

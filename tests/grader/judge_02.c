@@ -403,6 +403,12 @@ static Verdict judge_distribute(const Job *job, const Sections *answers)
             if (!oracle2d_overlaps_box(job->scenes[0].scene.circles[id], in->child)) {
                 continue;
             }
+            if (found[1 + n] == UNTOUCHED) {
+                return verdict_of(
+                    message_new("node with %u circles from id %u on: child_ids[%u] was not "
+                                "written, expected %u",
+                                in->n_ids, in->ids[0], n, id));
+            }
             if (found[1 + n] != id) {
                 return verdict_of(
                     message_new("node with %u circles from id %u on: child_ids[%u] is "
@@ -439,6 +445,11 @@ static char *judge_pack_offset(const PackJob *in, const PackAnswer *out)
 static char *judge_pack_count(const PackJob *in, const PackAnswer *out)
 {
     const u32 count = out->map[in->n_map];
+    if (count == UNTOUCHED) {
+        return message_new("leaf with %u circles, map of %u entries: mapNode2Circles[%u] was not "
+                           "written, expected the count",
+                           in->n_ids, in->n_map, in->n_map);
+    }
     return count == in->n_ids
                ? NULL
                : message_new("leaf with %u circles, map of %u entries: the count at %u "

@@ -20,6 +20,9 @@
 // And it must explain at least this share of what is wrong: most of a sparse picture is background.
 #define EXPLAINED_SHARE 0.9
 
+// From fewer wrong pixels than these nothing is concluded: too many mistakes would explain them.
+#define MIN_WRONG 6
+
 void expected_picture_free(ExpectedPicture *expected)
 {
     image_free(&expected->reference);
@@ -158,7 +161,7 @@ static void tally_add(Tally *tally, const float *own, const float *guess, const 
 
 static int tally_recognises(const Tally *tally)
 {
-    return tally->n_wrong > 0 &&
+    return tally->n_wrong >= MIN_WRONG &&
            (double)tally->n_agree >= RECOGNISED_SHARE * (double)tally->n_compared &&
            (double)tally->n_explained >= EXPLAINED_SHARE * (double)tally->n_wrong;
 }

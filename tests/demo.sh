@@ -1,0 +1,123 @@
+#!/bin/sh
+# The demonstration behind `make demo`: render every solution into a gallery, grade a small class.
+#
+#     tests/demo.sh [BUILD-FOLDER]
+#
+# Ends with the paths of both pages.
+set -eu
+
+build=${1:-build}
+gallery=$build/gallery
+class=$build/class
+rm -rf "$gallery" "$class"
+mkdir -p "$gallery" "$class"
+
+# ---- The gallery ------------------------------------------------------------------------------
+
+# HTML's special characters in a text.
+escape() {
+    sed 's/&/\&amp;/g; s/</\&lt;/g; s/>/\&gt;/g'
+}
+
+# The title in a lab's manifest.
+title() {
+    sed -n 's/^  "title": "\(.*\)",$/\1/p' "solutions/$1/lab.json" | escape
+}
+
+# One picture: run a solution with options and add it to the page. figure LAB FILE OPTION...
+figure() {
+    lab=$1
+    file=$2
+    shift 2
+    echo "  $lab $*"
+    "$build/solutions/$lab" "$@" --output "$gallery/$file" --stats "$gallery/$file.json" >"$gallery/$file.txt"
+    {
+        echo "<figure><img src=\"$file\" alt=\"$(title "$lab")\">"
+        echo "<figcaption><code>build/solutions/$lab $(echo "$*" | escape)</code></figcaption>"
+        echo "<details><summary>Figures of this run</summary><pre>$(escape <"$gallery/$file.txt")</pre></details>"
+        echo "</figure>"
+    } >>"$gallery/index.html"
+}
+
+# Start a lab's section.
+section() {
+    printf '</section><section><h2>%s <span>%s</span></h2>\n' "$1" "$(title "$1")" >>"$gallery/index.html"
+}
+
+echo "Rendering every solution:"
+cat >"$gallery/index.html" <<'HTML'
+<!doctype html>
+<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width">
+<title>From circles to rays: gallery</title>
+<style>
+:root { color-scheme: light dark; --ink: #1c2430; --soft: #667; --paper: #f6f7f9; --card: #fff; --line: #dde1e7 }
+@media (prefers-color-scheme: dark) { :root { --ink: #e6e9ee; --soft: #99a; --paper: #14171c; --card: #1d2128; --line: #333a44 } }
+body { font: 16px/1.5 system-ui, sans-serif; color: var(--ink); background: var(--paper); max-width: 76rem; margin: 2rem auto; padding: 0 1rem }
+h1 { font-weight: 650; margin-bottom: .2rem } h2 { font-size: 1.15rem; margin: 2.2rem 0 .8rem } h2 span { color: var(--soft); font-weight: 400 }
+section { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(22rem, 100%), 1fr)); gap: 1rem } section > h2 { grid-column: 1 / -1; margin-bottom: 0 }
+figure { margin: 0; padding: .8rem; background: var(--card); border: 1px solid var(--line); border-radius: .6rem; min-width: 0 }
+img { width: 100%; height: auto; border-radius: .3rem; display: block; image-rendering: auto; background: #000 }
+figcaption { margin-top: .6rem } code { font-size: .8rem; overflow-wrap: anywhere } summary { color: var(--soft); font-size: .85rem; cursor: pointer }
+pre { font-size: .75rem; overflow-x: auto; margin: .4rem 0 0 } p { color: var(--soft); margin-top: 0 }
+</style></head><body>
+<h1>From circles to rays</h1>
+<p>Every picture here was just rendered by a solution on this machine.</p>
+<section>
+HTML
+
+section 00-hello-pixels
+figure 00-hello-pixels 00.png
+figure 00-hello-pixels 00-odd.png --size 317x211
+section 01-naive-2d
+figure 01-naive-2d 01.png --scene random:n=500,seed=1 --size 640x480
+figure 01-naive-2d 01-ties.png --scene equal-depths --size 640x480
+figure 01-naive-2d 01-borders.png --scene borders --size 640x480
+section 02-kdtree-2d-build
+figure 02-kdtree-2d-build 02-example.png --scene example --max-depth 4 --leaf-size 1
+figure 02-kdtree-2d-build 02.png --scene random:n=500,seed=1 --size 640x480
+figure 02-kdtree-2d-build 02-deep.png --scene random:n=60,seed=2,max=60 --size 640x480 --leaf-size 2
+section 03-kdtree-2d-render
+figure 03-kdtree-2d-render 03.png --scene random:n=500,seed=1 --size 640x480
+figure 03-kdtree-2d-render 03-lecture.png --scene random:n=8192,seed=1 --frames 5
+figure 03-kdtree-2d-render 03-odd.png --scene random:n=8192,seed=3,max=8 --size 317x211
+echo "</section></body></html>" >>"$gallery/index.html"
+
+# ---- A small class ----------------------------------------------------------------------------
+
+lab=03-kdtree-2d-render
+
+# A submission: the solution with the answer of one mutant.
+wrong() {
+    mutant=tests/mutants/$lab/$1.cl
+    task=$(sed -n 's|^// task: ||p' "$mutant")
+    mkdir -p "$class/$1/files"
+    # The header names the mistake: it would give the game away.
+    grep -v '^// ' "$mutant" >"$class/answer"
+    "$build/tools/holes" fill "solutions/$lab/implicit2DRenderer_KD.cl" "$task" "$class/answer" \
+        >"$class/$1/files/implicit2DRenderer_KD.cl"
+    rm "$class/answer"
+}
+
+mkdir -p "$class/right" "$class/skeleton"
+cp -r "solutions/$lab" "$class/right/files"
+cp -r "labs/$lab" "$class/skeleton/files"
+wrong one-level
+wrong later-of-equals
+wrong red-blue-swapped
+
+echo "Grading a class of five:"
+pages=
+for submission in right skeleton one-level later-of-equals red-blue-swapped; do
+    status=0
+    "$build/tools/grade" --lab "$lab" --submission "$class/$submission/files" --seed 7 \
+        --output "$class/$submission" >"$class/$submission/report.txt" || status=$?
+    [ $status -le 1 ] || exit $status
+    printf '  %-18s %s\n' "$submission" "$(grep '^ Score' "$class/$submission/report.txt")"
+    pages="$pages $submission=$class/$submission/results.json"
+done
+# shellcheck disable=SC2086 # a list of words
+"$build/tools/class_report" "$class/index.html" "Lab 03: a small class" $pages
+
+echo
+echo "Gallery: $gallery/index.html"
+echo "Report:  $class/index.html"
