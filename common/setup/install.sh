@@ -15,7 +15,7 @@ needed=$(awk -v target="$target" -v ubuntu="$ubuntu" '
     /^#/ || NF < 2 { next }
     index("," $2 ",", "," target ",") {
         n = split($1, names, "/")
-        print ubuntu && n > 1 ? names[2] : names[1]
+        print (ubuntu && n == 2 ? names[2] : names[1])
     }' "$list")
 
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
