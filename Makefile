@@ -112,7 +112,7 @@ endef
 $(foreach l,$(PROBES),$(eval $(call probe,$(l))))
 
 .PHONY: grader
-grader: $(BUILD)/tools/grade $(BUILD)/tools/mutants $(BUILD)/tools/class_report $(PROBE_TARGETS) $(foreach l,$(LABS),$(BUILD)/earlier/$(l).a)
+grader: $(BUILD)/tools/holes $(BUILD)/tools/grade $(BUILD)/tools/mutants $(BUILD)/tools/class_report $(PROBE_TARGETS) $(foreach l,$(LABS),$(BUILD)/earlier/$(l).a)
 
 .PHONY: grade
 grade: grader  ## grade LAB=03 [SUBMISSION=folder] [SEED=n] [DEVICE=d]
