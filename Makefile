@@ -25,7 +25,7 @@ say = $(if $(V),,@echo "  $(1)" && )
 
 # Asked only when something is compiled, so that `make demo` can install pkg-config first.
 IMAGE_CFLAGS = $(shell pkg-config --cflags OpenImageIO)
-LIBRARIES = $(shell pkg-config --libs OpenImageIO jansson) -lcsv -lOpenCL -lstdc++ -lm
+LIBRARIES = -Wl,--as-needed $(shell pkg-config --libs OpenImageIO jansson) -lcsv -lOpenCL -lstdc++ -lm
 
 LABS := $(sort $(notdir $(wildcard solutions/*)))
 
@@ -112,7 +112,7 @@ endef
 $(foreach l,$(PROBES),$(eval $(call probe,$(l))))
 
 .PHONY: grader
-grader: $(BUILD)/tools/holes $(BUILD)/tools/grade $(BUILD)/tools/mutants $(BUILD)/tools/class_report $(PROBE_TARGETS) $(foreach l,$(LABS),$(BUILD)/earlier/$(l).a)
+grader: $(BUILD)/tools/holes $(BUILD)/tools/grade $(BUILD)/tools/mutants $(BUILD)/tools/class_report $(PROBE_TARGETS) $(foreach l,$(LABS),$(BUILD)/earlier/$(l).a)  ## build the grader and its probes
 
 .PHONY: grade
 grade: grader  ## grade LAB=03 [SUBMISSION=folder] [SEED=n] [DEVICE=d]
@@ -147,7 +147,7 @@ $(BUILD)/tests/no_images.so: tests/no_images.c
 	$(call say,link    $@)$(CC) $(CFLAGS) -fPIC -shared $< -ldl -o $@
 
 .PHONY: tests
-tests: all $(UNIT_TESTS) $(BUILD)/tools/holes $(BUILD)/tools/compare $(BUILD)/tests/no_images.so
+tests: all $(UNIT_TESTS) $(BUILD)/tools/holes $(BUILD)/tools/compare $(BUILD)/tests/no_images.so  ## build the tests
 
 .PHONY: check
 check: tests  ## run the tests without installing anything

@@ -44,10 +44,12 @@ static int log_has_carets(const char *log)
 {
     for (const char *caret = strchr(log, '^'); caret != NULL; caret = strchr(caret + 1, '^')) {
         const char *before = caret;
-        while (before > log && (before[-1] == ' ' || before[-1] == '\t' || before[-1] == '~'))
+        while (before > log && (before[-1] == ' ' || before[-1] == '\t' || before[-1] == '~')) {
             before--;
-        if (before < caret && (before == log || before[-1] == '\n'))
+        }
+        if (before < caret && (before == log || before[-1] == '\n')) {
             return 1;
+        }
     }
     return 0;
 }
@@ -63,8 +65,9 @@ static int line_is_noise(const char *line)
 static int line_is_repeated(const char *log, const char *line, size_t length)
 {
     for (const char *earlier = log; earlier < line; earlier = strchr(earlier, '\n') + 1) {
-        if (strncmp(earlier, line, length) == 0 && earlier[length] == '\n')
+        if (strncmp(earlier, line, length) == 0 && earlier[length] == '\n') {
             return 1;
+        }
     }
     return 0;
 }
@@ -74,21 +77,24 @@ static int line_is_repeated(const char *log, const char *line, size_t length)
 static void source_line_print(FILE *out, const char *path, int line, int column)
 {
     FILE *file = fopen(path, "r");
-    if (file == NULL)
+    if (file == NULL) {
         return;
+    }
     char *text = NULL;
     size_t capacity = 0;
     ssize_t length = 0;
-    for (int i = 0; i < line && length >= 0; i++)
+    for (int i = 0; i < line && length >= 0; i++) {
         length = getline(&text, &capacity, file);
+    }
     if (line > 0 && length > 0) {
         text[strcspn(text, "\r\n")] = '\0';
         fprintf(out, "%s\n", text);
         for (int i = 0; i < column - 1 && text[i] != '\0'; i++) {
             // A tab stays one, and a letter of several bytes (UTF-8) is one column wide on screen.
             int is_continuation = ((unsigned char)text[i] & 0xC0) == 0x80;
-            if (!is_continuation)
+            if (!is_continuation) {
                 fputc(text[i] == '\t' ? '\t' : ' ', out);
+            }
         }
         fprintf(out, "^\n");
     }
@@ -100,11 +106,13 @@ static void source_line_print(FILE *out, const char *path, int line, int column)
 static void file_rename(char *file, const char *alias, const char *folder)
 {
     size_t length = alias == NULL ? 0 : strlen(alias);
-    if (length == 0 || strncmp(file, alias, length) != 0 || file[length] != '/')
+    if (length == 0 || strncmp(file, alias, length) != 0 || file[length] != '/') {
         return;
+    }
     char renamed[MAX_FILE_NAME];
-    if (snprintf(renamed, sizeof renamed, "%s%s", folder, file + length) < (int)sizeof renamed)
+    if (snprintf(renamed, sizeof renamed, "%s%s", folder, file + length) < (int)sizeof renamed) {
         strcpy(file, renamed);
+    }
 }
 
 int build_log_print(FILE *out, const char *log, const char *path, const char *alias,

@@ -34,15 +34,17 @@ static int report(const char *path, const char *fault)
 static char *folder_of_file(const char *path)
 {
     const char *slash = strrchr(path, '/');
-    if (slash == NULL)
+    if (slash == NULL) {
         return strdup(".");
+    }
     return slash == path ? strdup("/") : strndup(path, (size_t)(slash - path));
 }
 
 static void folder_close(ProgramFolder *folder)
 {
-    if (folder->descriptor >= 0)
+    if (folder->descriptor >= 0) {
         close(folder->descriptor);
+    }
     free(folder->path);
 }
 
@@ -50,18 +52,21 @@ static void folder_close(ProgramFolder *folder)
 static int folder_open(const char *program_path, ProgramFolder *folder)
 {
     *folder = (ProgramFolder){.path = folder_of_file(program_path), .descriptor = -1};
-    if (folder->path == NULL)
+    if (folder->path == NULL) {
         return report(program_path, strerror(ENOMEM));
+    }
     folder->in_option = folder->path;
-    if (strpbrk(folder->path, UNSAFE_IN_OPTIONS) == NULL)
+    if (strpbrk(folder->path, UNSAFE_IN_OPTIONS) == NULL) {
         return 0;
+    }
 
     // The system has another name for every open folder, one without spaces.
     folder->descriptor = open(folder->path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     snprintf(folder->open_as, sizeof folder->open_as, "/proc/self/fd/%d", folder->descriptor);
     folder->in_option = folder->open_as;
-    if (access(folder->open_as, X_OK) == 0)
+    if (access(folder->open_as, X_OK) == 0) {
         return 0;
+    }
     folder_close(folder);
     return report(program_path, "a folder with spaces or quotes in its name cannot be searched for "
                                 "headers on this system; rename it");
@@ -72,8 +77,9 @@ static void path_write_quoted(FILE *out, const char *path)
 {
     fputc('"', out);
     for (; *path != '\0'; path++) {
-        if (*path == '"' || *path == '\\')
+        if (*path == '"' || *path == '\\') {
             fputc('\\', out);
+        }
         fputc(*path, out);
     }
     fputc('"', out);
@@ -84,8 +90,9 @@ static void path_write_quoted(FILE *out, const char *path)
 static char *source_read(const char *path)
 {
     char *program = text_file_read(path);
-    if (program == NULL)
+    if (program == NULL) {
         return NULL;
+    }
     char *source = NULL;
     size_t length = 0;
     FILE *text = open_memstream(&source, &length);
@@ -96,8 +103,9 @@ static char *source_read(const char *path)
         fclose(text);
     }
     free(program);
-    if (source == NULL)
+    if (source == NULL) {
         report(path, strerror(ENOMEM));
+    }
     return source;
 }
 
@@ -107,11 +115,13 @@ static char *options_join(const ProgramFolder *folder, const char *options)
     char *joined = NULL;
     size_t length = 0;
     FILE *text = open_memstream(&joined, &length);
-    if (text == NULL)
+    if (text == NULL) {
         return NULL;
+    }
     fprintf(text, "-cl-std=CL1.2 -I%s", folder->in_option);
-    if (options != NULL && options[0] != '\0')
+    if (options != NULL && options[0] != '\0') {
         fprintf(text, " %s", options);
+    }
     return fclose(text) == 0 ? joined : NULL;
 }
 
@@ -121,8 +131,9 @@ static char *log_read(const ClSetup *setup, cl_program program)
     size_t n_bytes = 0;
     clGetProgramBuildInfo(program, setup->device, CL_PROGRAM_BUILD_LOG, 0, NULL, &n_bytes);
     char *log = calloc(n_bytes + 1, 1);
-    if (log != NULL && n_bytes > 0)
+    if (log != NULL && n_bytes > 0) {
         clGetProgramBuildInfo(program, setup->device, CL_PROGRAM_BUILD_LOG, n_bytes, log, NULL);
+    }
     return log;
 }
 
@@ -151,13 +162,16 @@ static cl_program program_build(const ClSetup *setup, const char *path, const ch
     // A build that succeeds may have warnings to show.
     char *log = log_read(setup, program);
     int n_messages = 0;
-    if (log != NULL)
+    if (log != NULL) {
         n_messages = build_log_print(stderr, log, path, folder->open_as, folder->path);
+    }
     free(log);
-    if (error == CL_SUCCESS)
+    if (error == CL_SUCCESS) {
         return program;
-    if (n_messages == 0)
+    }
+    if (n_messages == 0) {
         silent_failure_report(path, error);
+    }
     clReleaseProgram(program);
     return NULL;
 }
@@ -165,15 +179,17 @@ static cl_program program_build(const ClSetup *setup, const char *path, const ch
 cl_program cl_setup_build(const ClSetup *setup, const char *path, const char *options)
 {
     ProgramFolder folder;
-    if (folder_open(path, &folder) != 0)
+    if (folder_open(path, &folder) != 0) {
         return NULL;
+    }
     char *source = source_read(path);
     char *all_options = options_join(&folder, options);
     cl_program program = NULL;
-    if (source != NULL && all_options == NULL)
+    if (source != NULL && all_options == NULL) {
         report(path, strerror(ENOMEM));
-    else if (source != NULL)
+    } else if (source != NULL) {
         program = program_build(setup, path, source, &folder, all_options);
+    }
     free(all_options);
     free(source);
     folder_close(&folder);

@@ -81,16 +81,18 @@ static const struct {
 const char *cl_error_name(cl_int error)
 {
     for (size_t i = 0; i < sizeof ERROR_NAMES / sizeof ERROR_NAMES[0]; i++) {
-        if (ERROR_NAMES[i].error == error)
+        if (ERROR_NAMES[i].error == error) {
             return ERROR_NAMES[i].name;
+        }
     }
     return "unknown OpenCL error";
 }
 
 void cl_check(cl_int error, const char *file, int line, const char *call)
 {
-    if (error == CL_SUCCESS)
+    if (error == CL_SUCCESS) {
         return;
+    }
     fprintf(stderr, "%s:%d: %s: %s (%d)\n", file, line, call, cl_error_name(error), (int)error);
     exit(EXIT_FAILURE);
 }

@@ -23,8 +23,9 @@ static void devices_add_platform(DeviceList *list, cl_platform_id platform)
     cl_device_id ids[MAX_DEVICES];
     cl_uint n_ids = 0;
     // A platform without devices reports an error; the others may still have some.
-    if (clGetDeviceIDs(platform, CL_DEVICE_TYPE_ALL, MAX_DEVICES, ids, &n_ids) != CL_SUCCESS)
+    if (clGetDeviceIDs(platform, CL_DEVICE_TYPE_ALL, MAX_DEVICES, ids, &n_ids) != CL_SUCCESS) {
         return;
+    }
 
     char platform_name[120] = "unnamed platform";
     clGetPlatformInfo(platform, CL_PLATFORM_NAME, sizeof platform_name, platform_name, NULL);
@@ -44,21 +45,26 @@ static int devices_find(DeviceList *list)
     cl_uint n_platforms = 0;
     list->n_devices = 0;
     // Without any driver the loader reports an error instead of zero platforms.
-    if (clGetPlatformIDs(MAX_PLATFORMS, platforms, &n_platforms) != CL_SUCCESS)
+    if (clGetPlatformIDs(MAX_PLATFORMS, platforms, &n_platforms) != CL_SUCCESS) {
         n_platforms = 0;
-    if (n_platforms > MAX_PLATFORMS)
+    }
+    if (n_platforms > MAX_PLATFORMS) {
         n_platforms = MAX_PLATFORMS;
-    for (cl_uint i = 0; i < n_platforms; i++)
+    }
+    for (cl_uint i = 0; i < n_platforms; i++) {
         devices_add_platform(list, platforms[i]);
+    }
 
-    if (list->n_devices > 0)
+    if (list->n_devices > 0) {
         return 0;
-    if (n_platforms == 0)
+    }
+    if (n_platforms == 0) {
         fprintf(stderr, "OpenCL: found no platform; install a driver (apt install pocl-opencl-icd "
                         "runs on every CPU) and check with clinfo\n");
-    else
+    } else {
         fprintf(stderr, "OpenCL: found a platform but no device; PoCL needs a cache folder that it "
                         "can write (POCL_CACHE_DIR, or ~/.cache/pocl); check with clinfo\n");
+    }
     return -1;
 }
 
@@ -66,8 +72,9 @@ static int contains_in_any_case(const char *text, const char *part)
 {
     size_t part_length = strlen(part);
     for (; *text != '\0'; text++) {
-        if (strncasecmp(text, part, part_length) == 0)
+        if (strncasecmp(text, part, part_length) == 0) {
             return 1;
+        }
     }
     return 0;
 }
@@ -77,18 +84,21 @@ static int devices_choose(const DeviceList *list, const char *choice)
 {
     if (choice[strspn(choice, "0123456789")] == '\0') {
         long number = strtol(choice, NULL, 10);
-        if (number < list->n_devices)
+        if (number < list->n_devices) {
             return (int)number;
+        }
     } else {
         for (int i = 0; i < list->n_devices; i++) {
-            if (contains_in_any_case(list->names[i], choice))
+            if (contains_in_any_case(list->names[i], choice)) {
                 return i;
+            }
         }
     }
     fprintf(stderr,
             "OpenCL: found no device \"%s\", expected a number or a part of a name from:", choice);
-    for (int i = 0; i < list->n_devices; i++)
+    for (int i = 0; i < list->n_devices; i++) {
         fprintf(stderr, "%s %d \"%s\"", i > 0 ? "," : "", i, list->names[i]);
+    }
     fprintf(stderr, "\n");
     return -1;
 }
@@ -97,16 +107,20 @@ int cl_setup_open(const char *device_choice, ClSetup *setup)
 {
     *setup = (ClSetup){0};
     DeviceList list;
-    if (devices_find(&list) != 0)
+    if (devices_find(&list) != 0) {
         return -1;
+    }
 
-    if (device_choice == NULL || device_choice[0] == '\0')
+    if (device_choice == NULL || device_choice[0] == '\0') {
         device_choice = getenv(CL_DEVICE_VARIABLE);
-    if (device_choice == NULL || device_choice[0] == '\0')
+    }
+    if (device_choice == NULL || device_choice[0] == '\0') {
         device_choice = "0";
+    }
     int chosen = devices_choose(&list, device_choice);
-    if (chosen < 0)
+    if (chosen < 0) {
         return -1;
+    }
     cl_device_id device = list.ids[chosen];
 
     cl_bool has_images = CL_FALSE;
@@ -131,20 +145,24 @@ int cl_setup_open(const char *device_choice, ClSetup *setup)
 
 void cl_setup_close(ClSetup *setup)
 {
-    if (setup->queue != NULL)
+    if (setup->queue != NULL) {
         CL_CHECK(clReleaseCommandQueue(setup->queue));
-    if (setup->context != NULL)
+    }
+    if (setup->context != NULL) {
         CL_CHECK(clReleaseContext(setup->context));
+    }
     *setup = (ClSetup){0};
 }
 
 int cl_setup_list(FILE *out)
 {
     DeviceList list;
-    if (devices_find(&list) != 0)
+    if (devices_find(&list) != 0) {
         return -1;
-    for (int i = 0; i < list.n_devices; i++)
+    }
+    for (int i = 0; i < list.n_devices; i++) {
         fprintf(out, "%d  %s\n", i, list.names[i]);
+    }
     return 0;
 }
 

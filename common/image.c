@@ -39,8 +39,9 @@ static float pixel_difference(const float *pixel, const float *reference)
 {
     float largest = 0;
     for (int channel = 0; channel < IMAGE_CHANNELS; channel++) {
-        if (!isfinite(pixel[channel]) || !isfinite(reference[channel]))
+        if (!isfinite(pixel[channel]) || !isfinite(reference[channel])) {
             return NAN;
+        }
         largest = fmaxf(largest, fabsf(pixel[channel] - reference[channel]));
     }
     return largest;
@@ -50,17 +51,19 @@ ImageDifference image_compare(const Image *image, const Image *reference, float 
 {
     ImageDifference result = {.first_x = -1, .first_y = -1};
     result.same_size = image->width == reference->width && image->height == reference->height;
-    if (!result.same_size)
+    if (!result.same_size) {
         return result;
+    }
 
     for (int y = 0; y < image->height; y++) {
         for (int x = 0; x < image->width; x++) {
             size_t offset = ((size_t)y * (size_t)image->width + (size_t)x) * IMAGE_CHANNELS;
             float difference = pixel_difference(image->pixels + offset, reference->pixels + offset);
-            if (isnan(difference))
+            if (isnan(difference)) {
                 result.n_not_finite++;
-            else
+            } else {
                 result.max_difference = fmaxf(result.max_difference, difference);
+            }
 
             // "Not within" instead of "beyond": a NaN, also as the tolerance, never passes.
             if (!(difference <= tolerance)) {
@@ -90,16 +93,18 @@ static void inferno_colour(float value, float *rgb)
     float position = fminf(value, 1.0f) * (float)INFERNO_STEPS;
     int step = (int)position < INFERNO_STEPS ? (int)position : INFERNO_STEPS - 1;
     float part = position - (float)step;
-    for (int channel = 0; channel < 3; channel++)
+    for (int channel = 0; channel < 3; channel++) {
         rgb[channel] = INFERNO[step][channel] * (1 - part) + INFERNO[step + 1][channel] * part;
+    }
 }
 
 // Equal to the bit is black; 1 is the brightest colour, and so is what cannot be compared.
 static float difference_brightness(const float *pixel, const float *reference)
 {
     float sum = 0;
-    for (int channel = 0; channel < IMAGE_CHANNELS; channel++)
+    for (int channel = 0; channel < IMAGE_CHANNELS; channel++) {
         sum += fabsf(pixel[channel] - reference[channel]);
+    }
     return isfinite(sum) ? fminf(2 * sum, 1.0f) : 1.0f;
 }
 
@@ -111,8 +116,9 @@ int image_difference_picture(const Image *image, const Image *reference, Image *
                 image->height, reference->width, reference->height);
         return -1;
     }
-    if (image_create(image->width, image->height, difference) != 0)
+    if (image_create(image->width, image->height, difference) != 0) {
         return -1;
+    }
 
     size_t n_pixels = (size_t)image->width * (size_t)image->height;
     for (size_t i = 0; i < n_pixels; i++) {
@@ -121,8 +127,9 @@ int image_difference_picture(const Image *image, const Image *reference, Image *
             difference_brightness(image->pixels + offset, reference->pixels + offset);
         float *pixel = difference->pixels + offset;
         pixel[3] = 1;
-        if (brightness > 0)
+        if (brightness > 0) {
             inferno_colour(brightness, pixel);
+        }
     }
     return 0;
 }

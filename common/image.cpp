@@ -58,20 +58,23 @@ std::vector<unsigned char> bytes_over_black(const Image *image)
 std::string write_format(const Image *image, const char *format, const char *path)
 {
     std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format);
-    if (!output)
+    if (!output) {
         return "cannot write this format: " + OIIO::geterror();
+    }
 
     bool as_bytes = std::strcmp(format, "png") == 0;
     OIIO::TypeDesc type = as_bytes ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT;
     OIIO::ImageSpec spec(image->width, image->height, as_bytes ? 3 : IMAGE_CHANNELS, type);
     bool written = output->open(path, spec);
-    if (written && as_bytes)
+    if (written && as_bytes) {
         written = output->write_image(type, bytes_over_black(image).data());
-    else if (written)
+    } else if (written) {
         written = output->write_image(type, image->pixels);
+    }
     // Closing writes what is still in memory, so it can fail as well.
-    if (!written || !output->close())
+    if (!written || !output->close()) {
         return "cannot write: " + output->geterror();
+    }
     return "";
 }
 
@@ -84,8 +87,9 @@ void spread_channels(const std::vector<float> &values, int n_channels, Image *im
     for (size_t pixel = 0; pixel < n_pixels; pixel++) {
         const float *source = &values[pixel * (size_t)n_channels];
         float *target = image->pixels + pixel * IMAGE_CHANNELS;
-        for (int channel = 0; channel < 3; channel++)
+        for (int channel = 0; channel < 3; channel++) {
             target[channel] = source[grey ? 0 : channel];
+        }
         target[3] = alpha ? source[n_channels - 1] : 1.0f;
     }
 }
@@ -93,18 +97,22 @@ void spread_channels(const std::vector<float> &values, int n_channels, Image *im
 int load(const char *path, Image *image)
 {
     std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path);
-    if (!input)
+    if (!input) {
         return report(path, "cannot read: " + OIIO::geterror());
+    }
     const OIIO::ImageSpec spec = input->spec();
-    if (spec.depth > 1 || spec.deep || spec.nchannels < 1)
+    if (spec.depth > 1 || spec.deep || spec.nchannels < 1) {
         return report(path, "not a flat picture");
+    }
 
     int n_channels = std::min(spec.nchannels, IMAGE_CHANNELS);
-    if (image_create(spec.width, spec.height, image) != 0)
+    if (image_create(spec.width, spec.height, image) != 0) {
         return -1;
+    }
     std::vector<float> values((size_t)spec.width * (size_t)spec.height * (size_t)n_channels);
-    if (!input->read_image(0, 0, 0, n_channels, OIIO::TypeDesc::FLOAT, values.data()))
+    if (!input->read_image(0, 0, 0, n_channels, OIIO::TypeDesc::FLOAT, values.data())) {
         return report(path, "cannot read: " + input->geterror());
+    }
     spread_channels(values, n_channels, image);
     return 0;
 }
@@ -114,12 +122,14 @@ int load(const char *path, Image *image)
 extern "C" int image_save(const Image *image, const char *path)
 {
     const char *format = path_ends_in(path, ".exr") ? "exr" : "png";
-    if (!path_ends_in(path, ".exr") && !path_ends_in(path, ".png"))
+    if (!path_ends_in(path, ".exr") && !path_ends_in(path, ".png")) {
         return report(path, "found another ending, expected .exr or .png");
+    }
 
     OutputFile output;
-    if (output_file_open(&output, path) != 0)
+    if (output_file_open(&output, path) != 0) {
         return -1;
+    }
     std::string fault;
     try {
         fault = write_format(image, format, output.partial_path);
@@ -128,8 +138,9 @@ extern "C" int image_save(const Image *image, const char *path)
     } catch (...) {
         fault = "unknown fault in OpenImageIO";
     }
-    if (fault.empty())
+    if (fault.empty()) {
         return output_file_commit(&output);
+    }
     output_file_discard(&output);
     return report(path, fault);
 }
@@ -145,7 +156,8 @@ extern "C" int image_load(const char *path, Image *image)
     } catch (...) {
         report(path, "unknown fault in OpenImageIO");
     }
-    if (result != 0)
+    if (result != 0) {
         image_free(image);
+    }
     return result;
 }

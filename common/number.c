@@ -15,12 +15,14 @@ int number_read_integer(const char *text, int64_t lowest, int64_t highest, int64
 {
     // strtoll() skips spaces and takes a plus sign; a user who typed those typed something else.
     size_t sign = text[0] == '-';
-    if (text[sign] == '\0' || strspn(text + sign, "0123456789") != strlen(text + sign))
+    if (text[sign] == '\0' || strspn(text + sign, "0123456789") != strlen(text + sign)) {
         return -1;
+    }
     errno = 0;
     long long number = strtoll(text, NULL, 10);
-    if (errno != 0 || number < lowest || number > highest)
+    if (errno != 0 || number < lowest || number > highest) {
         return -1;
+    }
     *value = number;
     return 0;
 }
@@ -30,22 +32,25 @@ int number_read_integer(const char *text, int64_t lowest, int64_t highest, int64
 static locale_t locale_enter(void)
 {
     static locale_t c_locale = (locale_t)0;
-    if (c_locale == (locale_t)0)
+    if (c_locale == (locale_t)0) {
         c_locale = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+    }
     return uselocale(c_locale);
 }
 
 int number_read_float(const char *text, float *value)
 {
     // strtof() alone would also take "nan", "infinity", "0x10" and leading spaces.
-    if (text[0] == '\0' || strspn(text, "+-.0123456789eE") != strlen(text))
+    if (text[0] == '\0' || strspn(text, "+-.0123456789eE") != strlen(text)) {
         return -1;
+    }
     locale_t caller_locale = locale_enter();
     char *end = NULL;
     float number = strtof(text, &end);
     uselocale(caller_locale);
-    if (*end != '\0' || !isfinite(number))
+    if (*end != '\0' || !isfinite(number)) {
         return -1;
+    }
     *value = number;
     return 0;
 }
@@ -55,7 +60,8 @@ void number_write_float(float value, char *text)
     locale_t caller_locale = locale_enter();
     // 9 digits bring every float back; mostly 6 do, and "0.1" reads better than "0.100000001".
     snprintf(text, NUMBER_TEXT_SIZE, "%.6g", (double)value);
-    if (strtof(text, NULL) != value)
+    if (strtof(text, NULL) != value) {
         snprintf(text, NUMBER_TEXT_SIZE, "%.9g", (double)value);
+    }
     uselocale(caller_locale);
 }

@@ -77,24 +77,29 @@ static void print_help(const char *lab_name, const char *what, int set)
     printf("%s: %s\n\nOptions (and what holds without them):\n", lab_name, what);
     for (int id = 0; id < N_ROWS; id++) {
         const struct OptionRow *row = &ROWS[id];
-        if (!row_is_used(row, set))
+        if (!row_is_used(row, set)) {
             continue;
+        }
         char option[32];
         snprintf(option, sizeof option, "--%s %s", row->name, row->argument ? row->argument : "");
         printf("  %-16s  %s", option, row->meaning);
-        if (id == OUTPUT)
+        if (id == OUTPUT) {
             printf(" (%s)", default_output);
-        if (id == MAX_DEPTH)
+        }
+        if (id == MAX_DEPTH) {
             printf(" (%d; at most %d)", OPTIONS_DEFAULT_MAX_DEPTH, OPTIONS_LARGEST_MAX_DEPTH);
-        if (id == LEAF_SIZE)
+        }
+        if (id == LEAF_SIZE) {
             printf(" (%d)", OPTIONS_DEFAULT_LEAF_SIZE);
+        }
         printf("\n");
     }
     printf("Options of other labs are taken, too, and not used.\n");
     if (set & OPTIONS_SCENE) {
         printf("\nScenes: FILE.csv, random[:n=N,seed=S,min=R,max=R]");
-        for (int i = 0; scene2d_edge_case(i) != NULL; i++)
+        for (int i = 0; scene2d_edge_case(i) != NULL; i++) {
             printf(", %s", scene2d_edge_case(i));
+        }
         printf("\n");
     }
 }
@@ -104,15 +109,17 @@ static int read_size(const char *text, int *width, int *height)
 {
     char columns[16];
     const char *cross = strchr(text, 'x');
-    if (cross == NULL || (size_t)(cross - text) >= sizeof columns)
+    if (cross == NULL || (size_t)(cross - text) >= sizeof columns) {
         return -1;
+    }
     memcpy(columns, text, (size_t)(cross - text));
     columns[cross - text] = '\0';
 
     int64_t w, h;
     if (number_read_integer(columns, 1, LARGEST_SIDE, &w) != 0 ||
-        number_read_integer(cross + 1, 1, LARGEST_SIDE, &h) != 0)
+        number_read_integer(cross + 1, 1, LARGEST_SIDE, &h) != 0) {
         return -1;
+    }
     *width = (int)w;
     *height = (int)h;
     return 0;
@@ -121,8 +128,9 @@ static int read_size(const char *text, int *width, int *height)
 static int read_count(const char *text, int highest, int *count)
 {
     int64_t number;
-    if (number_read_integer(text, 1, highest, &number) != 0)
+    if (number_read_integer(text, 1, highest, &number) != 0) {
         return -1;
+    }
     *count = (int)number;
     return 0;
 }
@@ -146,20 +154,24 @@ static OptionsResult read_option(const char *lab_name, enum OptionId id, const c
         options->device = text;
         break;
     case SIZE:
-        if (read_size(text, &options->width, &options->height) != 0)
+        if (read_size(text, &options->width, &options->height) != 0) {
             expected = "WxH, two whole numbers from 1 to 1000000";
+        }
         break;
     case FRAMES:
-        if (read_count(text, LARGEST_COUNT, &options->n_frames) != 0)
+        if (read_count(text, LARGEST_COUNT, &options->n_frames) != 0) {
             expected = "a whole number of at least 1";
+        }
         break;
     case MAX_DEPTH:
-        if (read_count(text, OPTIONS_LARGEST_MAX_DEPTH, &options->max_depth) != 0)
+        if (read_count(text, OPTIONS_LARGEST_MAX_DEPTH, &options->max_depth) != 0) {
             expected = "a whole number from 1 to 24";
+        }
         break;
     case LEAF_SIZE:
-        if (read_count(text, LARGEST_COUNT, &options->leaf_size) != 0)
+        if (read_count(text, LARGEST_COUNT, &options->leaf_size) != 0) {
             expected = "a whole number of at least 1";
+        }
         break;
     case LIST_DEVICES:
     case HELP:
@@ -175,21 +187,26 @@ _Static_assert(LARGEST_SIDE == 1000000 && OPTIONS_LARGEST_MAX_DEPTH == 24,
 static OptionsResult check_place(const char *lab_name, const char *option, const char *path)
 {
     struct stat status;
-    if (stat(path, &status) == 0 && !S_ISREG(status.st_mode))
+    if (stat(path, &status) == 0 && !S_ISREG(status.st_mode)) {
         return refuse(lab_name, option, path,
                       S_ISDIR(status.st_mode) ? "a file, not a folder" : "a regular file");
+    }
 
     char folder[4096] = ".";
     const char *slash = strrchr(path, '/');
     size_t length = slash == NULL ? 1 : (size_t)(slash - path) + 1;
-    if (length >= sizeof folder)
+    if (length >= sizeof folder) {
         return refuse(lab_name, option, path, "a shorter path");
-    if (slash != NULL)
+    }
+    if (slash != NULL) {
         memcpy(folder, path, length);
-    if (stat(folder, &status) != 0 || !S_ISDIR(status.st_mode))
+    }
+    if (stat(folder, &status) != 0 || !S_ISDIR(status.st_mode)) {
         return refuse(lab_name, option, path, "a file in a folder that exists");
-    if (access(folder, W_OK | X_OK) != 0)
+    }
+    if (access(folder, W_OK | X_OK) != 0) {
         return refuse(lab_name, option, path, "a file in a folder that can be written");
+    }
     return OPTIONS_RUN;
 }
 
@@ -200,8 +217,9 @@ static OptionsResult check_output(const char *lab_name, const char *path)
         return OPTIONS_BAD;
     }
     const char *ending = strrchr(path, '.');
-    if (ending == NULL || (strcmp(ending, ".png") != 0 && strcmp(ending, ".exr") != 0))
+    if (ending == NULL || (strcmp(ending, ".png") != 0 && strcmp(ending, ".exr") != 0)) {
         return refuse(lab_name, "output", path, "a file that ends in .png or .exr");
+    }
     return check_place(lab_name, "output", path);
 }
 
@@ -217,8 +235,9 @@ static OptionsResult report_fault(const char *lab_name, int fault, const char *w
 static void note_unused(const char *lab_name, int set, const int is_given[N_ROWS])
 {
     for (int id = 0; id < N_ROWS; id++) {
-        if (is_given[id] && !row_is_used(&ROWS[id], set))
+        if (is_given[id] && !row_is_used(&ROWS[id], set)) {
             fprintf(stderr, "%s: --%s is not used in this lab\n", lab_name, ROWS[id].name);
+        }
     }
 }
 
@@ -237,16 +256,19 @@ static OptionsResult read_words(int argc, char **argv, const char *lab_name, con
     int id;
     // ":" asks for silence on faults and for ':' where an argument is missing.
     while ((id = getopt_long(argc, argv, ":", known, NULL)) != -1) {
-        if (id == '?' || id == ':')
+        if (id == '?' || id == ':') {
             return report_fault(lab_name, id, argv[optind - 1]);
+        }
         if (id == HELP) {
             print_help(lab_name, what, set);
             return OPTIONS_DONE;
         }
-        if (id == LIST_DEVICES)
+        if (id == LIST_DEVICES) {
             return cl_setup_list(stdout) == 0 ? OPTIONS_DONE : OPTIONS_BAD;
-        if (read_option(lab_name, (enum OptionId)id, optarg, options) != OPTIONS_RUN)
+        }
+        if (read_option(lab_name, (enum OptionId)id, optarg, options) != OPTIONS_RUN) {
             return OPTIONS_BAD;
+        }
         is_given[id] = 1;
     }
     if (optind < argc) {
@@ -269,12 +291,15 @@ OptionsResult options_parse(int argc, char **argv, const char *lab_name, const c
     };
     int is_given[N_ROWS] = {0};
     OptionsResult result = read_words(argc, argv, lab_name, what, set, options, is_given);
-    if (result == OPTIONS_RUN)
+    if (result == OPTIONS_RUN) {
         result = check_output(lab_name, options->output);
-    if (result == OPTIONS_RUN && options->stats != NULL)
+    }
+    if (result == OPTIONS_RUN && options->stats != NULL) {
         result = check_place(lab_name, "stats", options->stats);
+    }
     // Last, so that a fault is told alone.
-    if (result == OPTIONS_RUN)
+    if (result == OPTIONS_RUN) {
         note_unused(lab_name, set, is_given);
+    }
     return result;
 }

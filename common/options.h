@@ -16,8 +16,8 @@ enum {
     OPTIONS_DEVICE = 4,  // --device
 };
 
-#define OPTIONS_DEFAULT_MAX_DEPTH 12
-#define OPTIONS_DEFAULT_LEAF_SIZE 12
+#define OPTIONS_DEFAULT_MAX_DEPTH 16
+#define OPTIONS_DEFAULT_LEAF_SIZE 8
 
 // The most levels a 2D tree may have: a limit for the user's sake, as a level can double the nodes.
 #define OPTIONS_LARGEST_MAX_DEPTH 24

@@ -36,8 +36,9 @@ static int rights_set(int descriptor)
 int output_file_open(OutputFile *output, const char *path)
 {
     *output = (OutputFile){0};
-    if (!is_replaceable(path))
+    if (!is_replaceable(path)) {
         return report(path, "not a regular file");
+    }
 
     size_t n_bytes = strlen(path) + sizeof PARTIAL_SUFFIX;
     output->path = strdup(path);
@@ -51,12 +52,14 @@ int output_file_open(OutputFile *output, const char *path)
     snprintf(output->partial_path, n_bytes, "%s%s", path, PARTIAL_SUFFIX);
 
     int descriptor = mkstemp(output->partial_path);
-    if (descriptor >= 0 && rights_set(descriptor) == 0)
+    if (descriptor >= 0 && rights_set(descriptor) == 0) {
         output->file = fdopen(descriptor, "wb");
+    }
     if (output->file == NULL) {
         int fault = errno;
-        if (descriptor >= 0)
+        if (descriptor >= 0) {
             close(descriptor);
+        }
         output_file_discard(output);
         return report(path, strerror(fault));
     }
@@ -90,10 +93,12 @@ int output_file_commit(OutputFile *output)
 
 void output_file_discard(OutputFile *output)
 {
-    if (output->file != NULL)
+    if (output->file != NULL) {
         fclose(output->file);
-    if (output->partial_path != NULL)
+    }
+    if (output->partial_path != NULL) {
         unlink(output->partial_path);
+    }
     free(output->partial_path);
     free(output->path);
     *output = (OutputFile){0};

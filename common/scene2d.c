@@ -40,8 +40,9 @@ static int argument_is(const char *argument, const char *name, const char **valu
 static int radius_read(const char *text, float *radius)
 {
     float value;
-    if (number_read_float(text, &value) != 0 || !(value >= 0 && value <= SCENE2D_MAX_RADIUS))
+    if (number_read_float(text, &value) != 0 || !(value >= 0 && value <= SCENE2D_MAX_RADIUS)) {
         return -1;
+    }
     *radius = value;
     return 0;
 }
@@ -51,17 +52,21 @@ static const char *argument_read(const char *argument, RandomArguments *argument
 {
     const char *value;
     if (argument_is(argument, "n=", &value)) {
-        if (number_read_integer(value, 0, SCENE2D_MAX_CIRCLES, &arguments->n_circles) != 0)
+        if (number_read_integer(value, 0, SCENE2D_MAX_CIRCLES, &arguments->n_circles) != 0) {
             return "n=N, a whole number from 0 to 10000000";
+        }
     } else if (argument_is(argument, "seed=", &value)) {
-        if (number_read_integer(value, 0, INT64_MAX, &arguments->seed) != 0)
+        if (number_read_integer(value, 0, INT64_MAX, &arguments->seed) != 0) {
             return "seed=S, a whole number of at least 0";
+        }
     } else if (argument_is(argument, "min=", &value)) {
-        if (radius_read(value, &arguments->min_radius) != 0)
+        if (radius_read(value, &arguments->min_radius) != 0) {
             return "min=R, a radius from 0 to 255";
+        }
     } else if (argument_is(argument, "max=", &value)) {
-        if (radius_read(value, &arguments->max_radius) != 0)
+        if (radius_read(value, &arguments->max_radius) != 0) {
             return "max=R, a radius from 0 to 255";
+        }
     } else {
         return "n=N, seed=S, min=R or max=R";
     }
@@ -76,11 +81,13 @@ static int arguments_read(const char *scene_name, char *list, RandomArguments *a
 {
     for (char *argument = list; argument != NULL;) {
         char *comma = strchr(argument, ',');
-        if (comma != NULL)
+        if (comma != NULL) {
             *comma = '\0';
+        }
         const char *expected = argument_read(argument, arguments);
-        if (expected != NULL)
+        if (expected != NULL) {
             return report(scene_name, argument, expected);
+        }
         argument = comma == NULL ? NULL : comma + 1;
     }
     if (arguments->min_radius > arguments->max_radius) {
@@ -102,8 +109,9 @@ static int random_open(const char *name, Scene2D *scene)
         int result =
             list == NULL ? scene2d_report_memory() : arguments_read(name, list, &arguments);
         free(list);
-        if (result != 0)
+        if (result != 0) {
             return -1;
+        }
     }
     return scene2d_random((int)arguments.n_circles, (uint64_t)arguments.seed, arguments.min_radius,
                           arguments.max_radius, scene->width, scene->height, scene);
@@ -112,8 +120,9 @@ static int random_open(const char *name, Scene2D *scene)
 static int edge_case_open(const SceneEdgeCase *edge_case, Scene2D *scene)
 {
     scene->circles = calloc(SCENE2D_EDGE_CASE_CIRCLES, sizeof *scene->circles);
-    if (scene->circles == NULL)
+    if (scene->circles == NULL) {
         return scene2d_report_memory();
+    }
     edge_case->draw(scene);
     if (scene->n_circles == 0) {
         free(scene->circles);
@@ -140,8 +149,9 @@ static int report_unknown(const char *name)
             "--scene %s: found no such scene, expected FILE.csv, " RANDOM_NAME
             "[:n=N,seed=S,min=R,max=R]",
             name);
-    for (int i = 0; scene2d_edge_case(i) != NULL; i++)
+    for (int i = 0; scene2d_edge_case(i) != NULL; i++) {
         fprintf(stderr, ", %s", scene2d_edge_case(i));
+    }
     fprintf(stderr, "\n");
     return -1;
 }
@@ -150,8 +160,9 @@ static const SceneEdgeCase *edge_case_find(const char *name)
 {
     for (const SceneEdgeCase *edge_case = SCENE2D_EDGE_CASES; edge_case->name != NULL;
          edge_case++) {
-        if (strcmp(edge_case->name, name) == 0)
+        if (strcmp(edge_case->name, name) == 0) {
             return edge_case;
+        }
     }
     return NULL;
 }
@@ -175,12 +186,15 @@ int scene2d_open(const char *name, int width, int height, Scene2D *scene)
         scene->height = edge_case->height;
     }
 
-    if (edge_case != NULL)
+    if (edge_case != NULL) {
         return edge_case_open(edge_case, scene);
-    if (ends_in_csv(name))
+    }
+    if (ends_in_csv(name)) {
         return csv_open(name, scene);
-    if (strcmp(name, RANDOM_NAME) == 0 || strncmp(name, RANDOM_NAME ":", 7) == 0)
+    }
+    if (strcmp(name, RANDOM_NAME) == 0 || strncmp(name, RANDOM_NAME ":", 7) == 0) {
         return random_open(name, scene);
+    }
     return report_unknown(name);
 }
 

@@ -62,8 +62,9 @@ static const char *quote(const char *text, char *quoted, size_t size)
 {
     snprintf(quoted, size, "\"%.40s%s\"", text, strlen(text) > 40 ? "..." : "");
     for (char *c = quoted; *c != '\0'; c++) {
-        if ((unsigned char)*c < ' ' || (unsigned char)*c >= 0x7f)
+        if ((unsigned char)*c < ' ' || (unsigned char)*c >= 0x7f) {
             *c = '?';
+        }
     }
     return quoted;
 }
@@ -96,12 +97,13 @@ static void number_field_read(CsvReader *reader, const char *text)
     const struct Column *column = reader->header[reader->n_fields++];
     const char *expected = NULL;
     float value = 0;
-    if (number_read_float(text, &value) != 0)
+    if (number_read_float(text, &value) != 0) {
         expected = "a finite number";
-    else if (column->range == NOT_NEGATIVE && value < 0)
+    } else if (column->range == NOT_NEGATIVE && value < 0) {
         expected = "a number of at least 0";
-    else if (column->range == COLOUR && (value < 0 || value > 1))
+    } else if (column->range == COLOUR && (value < 0 || value > 1)) {
         expected = "a number from 0 to 1";
+    }
     if (expected != NULL) {
         char where[16], found[64];
         snprintf(where, sizeof where, "%s: ", column->name);
@@ -116,20 +118,23 @@ static void field_read(void *text, size_t length, void *context)
 {
     (void)length;  // CSV_APPEND_NULL ends the text, and lines with other NUL bytes are refused
     CsvReader *reader = context;
-    if (reader->failed)
+    if (reader->failed) {
         return;
-    if (reader->n_header == 0)
+    }
+    if (reader->n_header == 0) {
         header_field_read(reader, text);
-    else
+    } else {
         number_field_read(reader, text);
+    }
 }
 
 static void header_end(CsvReader *reader)
 {
     for (int i = 0; i < N_REQUIRED; i++) {
         int present = 0;
-        for (int j = 0; j < reader->n_fields; j++)
+        for (int j = 0; j < reader->n_fields; j++) {
             present |= reader->header[j] == &COLUMNS[i];
+        }
         if (!present) {
             char found[32];
             snprintf(found, sizeof found, "no column \"%s\"", COLUMNS[i].name);
@@ -171,10 +176,11 @@ static void line_end(int terminator, void *context)
 {
     (void)terminator;
     CsvReader *reader = context;
-    if (!reader->failed && reader->n_header == 0)
+    if (!reader->failed && reader->n_header == 0) {
         header_end(reader);
-    else if (!reader->failed)
+    } else if (!reader->failed) {
         circle_end(reader);
+    }
     reader->n_fields = 0;
     reader->circle = (Circle){.a = 1};
 }
@@ -209,8 +215,9 @@ _Static_assert(MAX_LINE == 4096 && SCENE2D_MAX_CIRCLES == 10000000,
 // Each line is a record of its own: a quote left open ends with its line, not with the file.
 static void line_parse(CsvReader *reader, struct csv_parser *parser, const char *line, int length)
 {
-    if (length > 0 && line[0] == '#')
+    if (length > 0 && line[0] == '#') {
         return;
+    }
     size_t n_parsed = csv_parse(parser, line, (size_t)length, field_read, line_end, reader);
     if (n_parsed != (size_t)length || csv_fini(parser, field_read, line_end, reader) != 0) {
         int out_of_memory = csv_error(parser) == CSV_ENOMEM;
@@ -233,8 +240,9 @@ int scene2d_read_csv(FILE *file, const char *name, Scene2D *scene)
         line_parse(&reader, &parser, line + mark, length - mark);
     }
     csv_free(&parser);
-    if (reader.n_header == 0)
+    if (reader.n_header == 0) {
         fault(&reader, "", "the end of the file", "the columns x,y,radius,depth,r,g,b[,a]");
+    }
 
     if (reader.failed) {
         free(reader.circles);

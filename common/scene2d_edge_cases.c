@@ -76,8 +76,9 @@ static void draw_borders(Scene2D *scene)
     static const int RADII[] = {1, 5, 13, 25, 65, 85};
     int shorter_side = smaller_of(scene->width, scene->height);
     for (size_t i = 0; i < sizeof RADII / sizeof RADII[0]; i++) {
-        if (RADII[i] > 1 && RADII[i] * 2 > shorter_side)
+        if (RADII[i] > 1 && RADII[i] * 2 > shorter_side) {
             break;
+        }
         for (int position = 0; position < 9; position++) {
             int x = (scene->width - 1) * (position % 3) / 2;
             int y = (scene->height - 1) * (position / 3) / 2;
@@ -105,8 +106,9 @@ static void draw_touching(Scene2D *scene)
             float x = (float)(radius + 2 * radius * column);
             float y = (float)(radius + 2 * radius * row);
             // A circle inside the other, touching it on the left; first, so that it is seen.
-            if ((row + column) % 2 == 0)
+            if ((row + column) % 2 == 0) {
                 add_circle(scene, x - (float)radius / 2, y, (float)radius / 2, depth);
+            }
             add_circle(scene, x, y, (float)radius, depth);
         }
     }

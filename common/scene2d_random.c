@@ -26,11 +26,13 @@ int scene2d_random(int n_circles, uint64_t seed, float min_radius, float max_rad
                    int height, Scene2D *scene)
 {
     *scene = (Scene2D){.width = width, .height = height};
-    if (n_circles == 0)
+    if (n_circles == 0) {
         return 0;
+    }
     scene->circles = calloc((size_t)n_circles, sizeof *scene->circles);
-    if (scene->circles == NULL)
+    if (scene->circles == NULL) {
         return scene2d_report_memory();
+    }
     scene->n_circles = n_circles;
 
     Random random = {seed};

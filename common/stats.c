@@ -16,8 +16,9 @@
 // Takes over `value`, also when it is NULL because memory ran out.
 static void figure_add(Stats *stats, const char *name, json_t *value)
 {
-    if (stats->values == NULL)
+    if (stats->values == NULL) {
         stats->values = json_object();
+    }
     if (stats->values == NULL || json_object_set_new(stats->values, name, value) != 0) {
         fprintf(stderr, "stats: out of memory at \"%s\"\n", name);
         exit(EXIT_FAILURE);
@@ -28,14 +29,17 @@ static void figure_add(Stats *stats, const char *name, json_t *value)
 static json_t *json_any_string(const char *value)
 {
     json_t *string = json_string(value);
-    if (string != NULL)
+    if (string != NULL) {
         return string;
+    }
     char *ascii = strdup(value);
-    if (ascii == NULL)
+    if (ascii == NULL) {
         return NULL;
+    }
     for (char *byte = ascii; *byte != '\0'; byte++) {
-        if ((unsigned char)*byte >= 0x80)
+        if ((unsigned char)*byte >= 0x80) {
             *byte = '?';
+        }
     }
     string = json_string(ascii);
     free(ascii);
@@ -66,8 +70,9 @@ static int compare_numbers(const void *left, const void *right)
 
 void stats_milliseconds(Stats *stats, const char *name, double *milliseconds, int n)
 {
-    if (n < 1)
+    if (n < 1) {
         return;
+    }
     qsort(milliseconds, (size_t)n, sizeof *milliseconds, compare_numbers);
     double median = (milliseconds[(n - 1) / 2] + milliseconds[n / 2]) / 2;
 
@@ -83,14 +88,15 @@ void stats_milliseconds(Stats *stats, const char *name, double *milliseconds, in
 static void figure_print(const char *name, const json_t *value, int name_width)
 {
     printf("%-*s  ", name_width, name);
-    if (json_is_string(value))
+    if (json_is_string(value)) {
         printf("%s\n", json_string_value(value));
-    else if (json_is_integer(value))
+    } else if (json_is_integer(value)) {
         printf("%" JSON_INTEGER_FORMAT "\n", json_integer_value(value));
-    else if (json_is_real(value))
+    } else if (json_is_real(value)) {
         printf("%.6g\n", json_real_value(value));
-    else
+    } else {
         printf("null\n");
+    }
 }
 
 static void figures_print(const Stats *stats)
@@ -112,21 +118,24 @@ static void figures_print(const Stats *stats)
 static int figures_write(const Stats *stats, const char *path)
 {
     OutputFile output;
-    if (output_file_open(&output, path) != 0)
+    if (output_file_open(&output, path) != 0) {
         return -1;
+    }
     // What fails in here marks the stream, and output_file_commit() reports it.
-    if (stats->values == NULL)
+    if (stats->values == NULL) {
         fputs("{}", output.file);
-    else
+    } else {
         json_dumpf(stats->values, output.file, JSON_INDENT(2));
+    }
     fputc('\n', output.file);
     return output_file_commit(&output);
 }
 
 int stats_report(const Stats *stats, const char *path)
 {
-    if (stats->values != NULL)
+    if (stats->values != NULL) {
         figures_print(stats);
+    }
     return path == NULL ? 0 : figures_write(stats, path);
 }
 

@@ -64,8 +64,7 @@ static void outline_cell(BBox2D box, int scale, Image *image)
     for (int v = first_y; v < end_y; v++) {
         for (int u = first_x; u < end_x; u++) {
             // The upper and left border only: the others are drawn by the neighbours.
-            if (u == (int)ceil((double)box.minX * scale) ||
-                v == (int)ceil((double)box.minY * scale)) {
+            if (u == ceil((double)box.minX * scale) || v == ceil((double)box.minY * scale)) {
                 memcpy(image->pixels + ((size_t)v * image->width + u) * IMAGE_CHANNELS, color,
                        sizeof color);
             }

@@ -53,8 +53,8 @@ static int render(const ClSetup *cl, const Options *options, Image *image, Stats
 int main(int argc, char **argv)
 {
     Options options;
-    switch (options_parse(argc, argv, LAB_NAME, "Draws a colour gradient.", OPTIONS_DEVICE,
-                          &options)) {
+    switch (
+        options_parse(argc, argv, LAB_NAME, "Draws a colour gradient.", OPTIONS_DEVICE, &options)) {
     case OPTIONS_BAD:
         return EXIT_FAILURE;
     case OPTIONS_DONE:

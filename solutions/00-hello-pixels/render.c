@@ -24,7 +24,8 @@ void enqueue_pixels(cl_command_queue queue, cl_kernel kernel, int width, int hei
         ((size_t)width + GROUP_SIZE - 1) / GROUP_SIZE * GROUP_SIZE,
         ((size_t)height + GROUP_SIZE - 1) / GROUP_SIZE * GROUP_SIZE,
     };
-    CL_CHECK(clEnqueueNDRangeKernel(queue, kernel, 2, NULL, global_size, local_size, 0, NULL, NULL));
+    CL_CHECK(
+        clEnqueueNDRangeKernel(queue, kernel, 2, NULL, global_size, local_size, 0, NULL, NULL));
     // END enqueue_pixels
 }
 

@@ -3,6 +3,8 @@
 // Flow: scene -> buffers -> KERNEL -> image -> comparison. Started by main.c.
 #include "overlaps_N_Nearer.cl"
 #include "work.h"
+
+// After the function whose calls it counts.
 #include "count_calls.h"
 
 // Draw the circles, one work-item a pixel.

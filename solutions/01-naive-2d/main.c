@@ -28,7 +28,8 @@ static void enqueue_pixels(cl_command_queue queue, cl_kernel kernel, int width, 
 {
     const size_t local_size[2] = {GROUP_SIZE, GROUP_SIZE};
     const size_t global_size[2] = {round_up(width), round_up(height)};
-    CL_CHECK(clEnqueueNDRangeKernel(queue, kernel, 2, NULL, global_size, local_size, 0, NULL, NULL));
+    CL_CHECK(
+        clEnqueueNDRangeKernel(queue, kernel, 2, NULL, global_size, local_size, 0, NULL, NULL));
 }
 
 // What the kernel reads and writes on the device.

@@ -29,7 +29,8 @@ static void enqueue_pixels(cl_command_queue queue, cl_kernel kernel, int width, 
 {
     const size_t local_size[2] = {GROUP_SIZE, GROUP_SIZE};
     const size_t global_size[2] = {round_up(width), round_up(height)};
-    CL_CHECK(clEnqueueNDRangeKernel(queue, kernel, 2, NULL, global_size, local_size, 0, NULL, NULL));
+    CL_CHECK(
+        clEnqueueNDRangeKernel(queue, kernel, 2, NULL, global_size, local_size, 0, NULL, NULL));
 }
 
 // What the kernel reads and writes on the device.
@@ -59,10 +60,12 @@ static void device_memory_free(DeviceMemory *memory)
 static void set_arguments(cl_kernel kernel, const Scene2D *scene, const DeviceMemory *memory)
 {
     CL_CHECK(clSetKernelArg(kernel, 0, sizeof memory->d_circles, &memory->d_circles));
-    CL_CHECK(clSetKernelArg(kernel, 1, sizeof memory->d_nodes_Relations, &memory->d_nodes_Relations));
+    CL_CHECK(
+        clSetKernelArg(kernel, 1, sizeof memory->d_nodes_Relations, &memory->d_nodes_Relations));
     CL_CHECK(clSetKernelArg(kernel, 2, sizeof memory->d_nodes_flag, &memory->d_nodes_flag));
     CL_CHECK(clSetKernelArg(kernel, 3, sizeof memory->d_nodes_BBox, &memory->d_nodes_BBox));
-    CL_CHECK(clSetKernelArg(kernel, 4, sizeof memory->d_mapNode2Circles, &memory->d_mapNode2Circles));
+    CL_CHECK(
+        clSetKernelArg(kernel, 4, sizeof memory->d_mapNode2Circles, &memory->d_mapNode2Circles));
     CL_CHECK(clSetKernelArg(kernel, 5, sizeof scene->width, &scene->width));
     CL_CHECK(clSetKernelArg(kernel, 6, sizeof scene->height, &scene->height));
     CL_CHECK(clSetKernelArg(kernel, 7, sizeof memory->d_image, &memory->d_image));
@@ -115,8 +118,8 @@ static int render(const ClSetup *cl, const Options *options, const Scene2D *scen
         tree2d_free(&tree);
         return -1;
     }
-    memory.d_circles = cl_buffer_create(cl, scene->circles,
-                                        (size_t)scene->n_circles * sizeof *scene->circles);
+    memory.d_circles =
+        cl_buffer_create(cl, scene->circles, (size_t)scene->n_circles * sizeof *scene->circles);
     memory.d_nodes_Relations =
         cl_buffer_create(cl, tree.nodes_Relations, tree.n_nodes * sizeof *tree.nodes_Relations);
     memory.d_nodes_flag =
@@ -152,7 +155,8 @@ int main(int argc, char **argv)
 {
     // ---- Options ---------------------------------------------------------------------------
     Options options;
-    switch (options_parse(argc, argv, LAB_NAME, "Draws circles; a pixel asks the circles of its kd-tree cell.",
+    switch (options_parse(argc, argv, LAB_NAME,
+                          "Draws circles; a pixel asks the circles of its kd-tree cell.",
                           OPTIONS_SCENE | OPTIONS_TREE | OPTIONS_DEVICE, &options)) {
     case OPTIONS_BAD:
         return EXIT_FAILURE;

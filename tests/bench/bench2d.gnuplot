@@ -16,6 +16,7 @@ set logscale xy
 set xrange [45:46000]
 set xtics (64, 512, 4096, 8192, 32768)
 set format y '%g'
+set ytics add ('1000000' 1e6)
 set grid xtics ytics linecolor rgb '#dddddd' linetype 1
 set border 3
 set tics nomirror scale 0.5

@@ -117,8 +117,12 @@ static void print_growth(const Variant *variants, int n_variants)
         if (variants[i].kind == NAIVE) {
             const Variant *naive = &variants[i];
             const Variant *kdtree = find(variants, KDTREE, naive->scene->n_circles);
-            printf("  %9d  %10.2f  %10.2f  %7.1f\n", naive->scene->n_circles,
-                   frame_ms(naive).median, frame_ms(kdtree).median, fps(kdtree) / fps(naive));
+            printf("  %9d  %10.2f  %10.2f  %7.1f", naive->scene->n_circles, frame_ms(naive).median,
+                   frame_ms(kdtree).median, fps(kdtree) / fps(naive));
+            if (naive->n_rows < naive->scene->height) {
+                printf("  naive: %d of %d rows, scaled", naive->n_rows, naive->scene->height);
+            }
+            printf("\n");
         }
     }
 }

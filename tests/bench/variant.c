@@ -181,8 +181,8 @@ void variant_free(Variant *variant)
 double variant_draw(const Variant *variant, const ClSetup *cl)
 {
     const double start = stats_clock_ms();
-    launch(variant, cl, variant->scene->width, variant->scene->height);
-    return stats_clock_ms() - start;
+    launch(variant, cl, variant->scene->width, variant->n_rows);
+    return (stats_clock_ms() - start) * variant->scene->height / variant->n_rows;
 }
 
 double variant_time_build(const Variant *variant)

@@ -25,7 +25,8 @@ typedef struct Variant {
     const Scene2D *scene;  // kept by the caller
     KdTreeLimits limits;   // KDTREE only
     int n_frames;          // frames a round
-    int max_rounds;        // left out of further rounds, as it is slow
+    int n_rows;  // of the picture that are drawn, from the top; fewer than all where a whole
+                 // frame takes too long and every pixel costs the same
 
     cl_kernel kernel;  // with its arguments set
     cl_mem d_circles;
@@ -52,7 +53,8 @@ int variant_prepare(Variant *variant, const ClSetup *cl, const cl_program *progr
                     cl_mem d_image);
 void variant_free(Variant *variant);
 
-// Draw a frame and wait for it. Returns the milliseconds from the launch until the queue is empty.
+// Draw a frame and wait for it. Returns the milliseconds from the launch until the queue is empty; of
+// some rows, scaled to the whole frame.
 double variant_draw(const Variant *variant, const ClSetup *cl);
 
 // Build the tree and throw it away. Returns the milliseconds, or -1 after one message.

@@ -196,7 +196,7 @@ static int hole_find(const char *text, const char *id, Hole *hole)
             hole->start = text;
             in_task_text = 1;
         } else if (is_end(line, found) && strcmp(found, id) == 0) {
-            n_ends += n_begins == 1;
+            n_ends++;
             hole->end = line.start;
         } else if (in_task_text && is_comment(line) && after_prefix(line, "//>") == NULL) {
             hole->start = text;

@@ -586,6 +586,9 @@ static char *svg_of(const Scene2D *scene, const KdTree2D *tree)
     return text;
 }
 
+// A submission's tree may have more nodes than these, but a report of many megabytes helps nobody.
+enum { MAX_DRAWN_NODES = 20000 };
+
 // The example's tree and the first random one.
 static void add_pictures(const void *pointer, const Sections *answers, Result *result)
 {
@@ -595,7 +598,7 @@ static void add_pictures(const void *pointer, const Sections *answers, Result *r
         KdTree2D own;
         snprintf(picture->title, sizeof picture->title, "tree over %s", job->scenes[k].title);
         picture->svg_reference = svg_of(&job->scenes[k].scene, &job->scenes[k].tree);
-        if (tree_judge_answer(k, answers, &own)) {
+        if (tree_judge_answer(k, answers, &own) && own.n_nodes <= MAX_DRAWN_NODES) {
             picture->svg_own = svg_of(&job->scenes[k].scene, &own);
         }
     }

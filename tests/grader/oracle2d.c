@@ -1,6 +1,7 @@
 // Brute force in double precision: every pixel asks every circle, in the order of the array.
 #include "oracle2d.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -22,7 +23,8 @@ static int is_float(double value)
 
 // May float arithmetic, in any order and with or without contraction, decide otherwise? Not when each
 // step comes out exact, as on the 1/16 px grid; else when the two sides differ by less than the
-// rounding of five float operations (each at most 2^-24 of the sum).
+// rounding of five float operations (each at most 2^-24 of the sum), and when float cannot hold a square:
+// it is infinite then, or so small that it may be taken for 0.
 static int is_ambiguous(Circle c, double x, double y)
 {
     const double dx = x - c.x, dy = y - c.y, radius_squared = (double)c.radius * c.radius;
@@ -31,7 +33,8 @@ static int is_ambiguous(Circle c, double x, double y)
         is_float(radius_squared)) {
         return 0;
     }
-    return fabs(sum - radius_squared) <= 5 * 0x1p-24 * (sum + radius_squared);
+    return sum + radius_squared > FLT_MAX ||
+           fabs(sum - radius_squared) <= 5 * 0x1p-24 * (sum + radius_squared) + 4 * FLT_MIN;
 }
 
 // Does this circle take the pixel from the one found so far (NULL: none)?

@@ -287,10 +287,17 @@ static const char *recognise(ProbeImage own, const ExpectedPicture *expected)
 
 // ---- Judging --------------------------------------------------------------------------------
 
-static int may_differ(const ExpectedPicture *expected, int x, int y)
+static int is_finite(const float *pixel)
+{
+    return isfinite(pixel[0]) && isfinite(pixel[1]) && isfinite(pixel[2]) && isfinite(pixel[3]);
+}
+
+// May this pixel of the student's be another than the reference's? A colour it must be all the same.
+static int may_differ(const ExpectedPicture *expected, int x, int y, const float *pixel)
 {
     return expected->ambiguous != NULL &&
-           expected->ambiguous[(size_t)y * expected->reference.width + x];
+           expected->ambiguous[(size_t)y * expected->reference.width + x] && is_finite(pixel) &&
+           !is_unwritten(pixel);
 }
 
 char *picture_judge(ProbeImage own, const ExpectedPicture *expected)
@@ -302,14 +309,14 @@ char *picture_judge(ProbeImage own, const ExpectedPicture *expected)
         for (int x = 0; x < reference->width; x++) {
             const float *pixel = own_pixel(own, x, y);
             if (is_same(pixel, image_pixel(reference, x, y), expected->tolerance) ||
-                may_differ(expected, x, y)) {
+                may_differ(expected, x, y, pixel)) {
                 continue;
             }
             if (n_wrong++ == 0) {
                 first_x = x, first_y = y;
             }
             n_unwritten += (size_t)is_unwritten(pixel);
-            n_not_finite += !isfinite(pixel[0] + pixel[1] + pixel[2] + pixel[3]);
+            n_not_finite += !is_finite(pixel);
         }
     }
     if (n_wrong == 0) {

@@ -41,7 +41,8 @@ static int find_lab(const char *wanted, char lab[64])
     } else {
         snprintf(pattern, sizeof pattern, "labs/%s", wanted);
     }
-    if (strpbrk(wanted, "/*?[]\\") != NULL || glob(pattern, GLOB_ONLYDIR, NULL, &found) != 0) {
+    if (wanted[0] == '\0' || strpbrk(wanted, "/*?[]\\") != NULL ||
+        glob(pattern, GLOB_ONLYDIR, NULL, &found) != 0) {
         fprintf(stderr,
                 "grade: --lab: found \"%s\", expected the number or name of a folder in labs/\n",
                 wanted);

@@ -101,13 +101,20 @@ static char *differs_from_solution(const JobScene *scene, const KdTree2D *own,
     return NULL;
 }
 
+// How many nodes are looked at where each is held against every circle. As long as ids are breadth-first
+// the first wrong node is among as many as the solution has; a million more would only take hours.
+static u32 n_judged(const JobScene *scene, const KdTree2D *own)
+{
+    return own->n_nodes < scene->tree.n_nodes ? own->n_nodes : scene->tree.n_nodes;
+}
+
 // ---- The properties ---------------------------------------------------------------------------
 
 char *tree_judge_limits(const JobScene *scene, const KdTree2D *own)
 {
     char *message = NULL;
     int *levels = calloc(own->n_nodes, sizeof *levels);
-    for (u32 id = 0; levels != NULL && message == NULL && id < own->n_nodes; id++) {
+    for (u32 id = 0; levels != NULL && message == NULL && id < n_judged(scene, own); id++) {
         const int level = levels[id] + 1;
         const u32 n = n_overlapping(scene, own->nodes_BBox[id]);
         const int should_be_leaf =
@@ -184,6 +191,10 @@ static char *judge_leaf_overlap(const JobScene *scene, const KdTree2D *own, u32 
     if (ids == NULL) {
         return bad_list(scene, own, id);
     }
+    if (n_ids > (u32)scene->scene.n_circles) {
+        return message_new("%s: leaf %u lists %u circles, but the scene has %d", scene->title, id,
+                           n_ids, scene->scene.n_circles);
+    }
     const BBox2D box = own->nodes_BBox[id];
     for (u32 circle = 0; circle < (u32)scene->scene.n_circles; circle++) {
         int listed = 0;
@@ -207,7 +218,7 @@ static char *judge_leaf_overlap(const JobScene *scene, const KdTree2D *own, u32 
 
 char *tree_judge_overlap(const JobScene *scene, const KdTree2D *own)
 {
-    for (u32 id = 0; id < own->n_nodes; id++) {
+    for (u32 id = 0; id < n_judged(scene, own); id++) {
         char *message = is_inner(own, id) ? NULL : judge_leaf_overlap(scene, own, id);
         if (message != NULL) {
             return message;

@@ -390,6 +390,12 @@ static int take_run(const Workshop *workshop, Variant *variant, int wall_seconds
         variant->build_log = strdup(result.output);
     } else {
         variant->trouble = describe_end(result, wall_seconds);
+        size_t n_bytes;
+        if (variant->trouble == NULL &&
+            sections_find_any(&variant->answers, PROBE_END, &n_bytes) == NULL) {
+            variant->trouble = message_new("it ended by itself, with exit status 0, before it had "
+                                           "answered everything: a call of exit()?");
+        }
     }
     return 0;
 }

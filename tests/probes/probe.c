@@ -39,6 +39,9 @@ void probe_open_device(Probe *probe)
 
 void probe_close(Probe *probe)
 {
+    if (section_write(probe->answers, PROBE_END, "", 0) != 0) {
+        fault("cannot write answers");
+    }
     sections_free(&probe->job);
     fclose(probe->answers);
     cl_setup_close(&probe->cl);

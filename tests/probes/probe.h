@@ -12,6 +12,9 @@
 #define PROBE_JOB_PATH "job/job"
 #define PROBE_ANSWERS_PATH "out/answers"
 
+// The last section of complete answers: a student's exit(0) leaves none.
+#define PROBE_END "end"
+
 // Exit statuses of a probe besides EXIT_SUCCESS: what the grader makes of them is in variant.c.
 enum {
     PROBE_EXIT_NO_BUILD = 10,  // the kernel did not compile; the log is on stderr
@@ -30,6 +33,7 @@ void probe_open(Probe *probe);
 // Open the device named by $COURSE_DEVICE and write its name as section "device".
 void probe_open_device(Probe *probe);
 
+// Write the section PROBE_END and release everything.
 void probe_close(Probe *probe);
 
 // The section called name, or the end of the program with PROBE_EXIT_FAULT.

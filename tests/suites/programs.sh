@@ -330,6 +330,7 @@ printf '%s,x\n' $header >"$scenes/twice.csv"
 printf '%s\n' $circle >"$scenes/no-header.csv"
 printf '%s\n\001\000\377\n' $header >"$scenes/binary.csv"
 awk 'BEGIN { for (i = 0; i < 5000; i++) printf "1,"; print "" }' >"$scenes/long.csv"
+printf '%s\n%s\n%s\n' $header $circle $circle >"$scenes/same.csv" # no split parts these two
 mkdir "$scenes/folder.csv"
 new="$out/new.png"
 
@@ -368,6 +369,7 @@ done <<'END'
 01|seed=S|--scene random:seed=1.5
 02|max=R, a radius from 0 to 255|--scene random:max=256
 03|found min=9 above max=2|--scene random:min=9,max=2
+02|splitting does not end; choose|--scene $scenes/same.csv --max-depth 24 --leaf-size 1
 00|--size: found "-3x5", expected WxH|--size -3x5
 01|--size: found "0x0"|--size 0x0
 02|--size: found "640"|--size 640

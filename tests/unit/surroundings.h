@@ -51,8 +51,9 @@ static inline int folder_count(void)
 {
     int n_entries = 0;
     DIR *folder = opendir(".");
-    while (readdir(folder) != NULL)
+    while (readdir(folder) != NULL) {
         n_entries++;
+    }
     closedir(folder);
     return n_entries - 2;  // "." and ".."
 }

@@ -47,8 +47,9 @@ Test(cl_setup, a_device_is_chosen_by_number_or_by_part_of_its_name)
     // Six letters from the middle of the name, in the other case.
     char part[7] = "";
     memcpy(part, list + 5, 6);
-    for (int i = 0; i < 6; i++)
+    for (int i = 0; i < 6; i++) {
         part[i] = (char)(part[i] >= 'a' && part[i] <= 'z' ? part[i] - 32 : part[i]);
+    }
     const char *choices[] = {"0", "", part};
     for (size_t i = 0; i < sizeof choices / sizeof choices[0]; i++) {
         ClSetup setup;
@@ -237,8 +238,9 @@ Test(cl_setup, a_cache_that_cannot_be_written_is_hinted_at)
     int result = cl_setup_open(NULL, &setup);
     cl_program program = result == 0 ? build(&setup, "k.cl", KERNEL "1; }\n", NULL) : NULL;
     const char *message = capture_end(2);
-    if (program != NULL)
+    if (program != NULL) {
         SKIP_TEST("this driver needs no cache");
+    }
     expect_part(message, "POCL_CACHE_DIR");
 }
 

@@ -60,8 +60,9 @@ Test(csv, good_text_is_read)
         Scene2D scene;
         cr_assert_eq(read_text(GOOD[i].text, GOOD[i].length, &scene), 0, "case %zu", i);
         cr_expect_eq(scene.n_circles, GOOD[i].n_circles, "case %zu", i);
-        if (scene.n_circles > 0)
+        if (scene.n_circles > 0) {
             expect_circle(&scene.circles[0], (Circle){1, -2.5f, 3, 0.5f, 0, 0.25f, 1, 1});
+        }
         scene2d_free(&scene);
     }
 }
@@ -70,8 +71,9 @@ Test(csv, good_text_is_read)
 // test says nothing, and that is all it can do.
 Test(csv, the_locale_plays_no_part)
 {
-    if (setlocale(LC_ALL, "de_DE.UTF-8") == NULL)
+    if (setlocale(LC_ALL, "de_DE.UTF-8") == NULL) {
         SKIP_TEST("no locale with a decimal comma is installed");
+    }
     Scene2D scene;
     cr_assert_eq(read_text(GOOD[2].text, GOOD[2].length, &scene), 0);
     expect_circle(&scene.circles[0], (Circle){1, -2.5f, 3, 0.5f, 0, 0.25f, 1, 1});
@@ -139,8 +141,9 @@ Test(csv, endless_lines_and_quotes_are_bounded)
     memset(text, '1', sizeof text);
     memcpy(text, HEADER, sizeof HEADER - 1);
     for (int quoted = 0; quoted < 2; quoted++) {
-        if (quoted)
+        if (quoted) {
             text[sizeof HEADER - 1] = '"';
+        }
         Scene2D scene;
         capture_begin(2);
         int result = read_text(text, sizeof text, &scene);
@@ -180,8 +183,9 @@ Test(csv, every_float_reads_back)
     for (int i = 0; i < n_circles; i++) {
         uint32_t bits = (uint32_t)random_bits(&random);
         memcpy(&circles[i].x, &bits, sizeof bits);
-        if (!isfinite(circles[i].x))
+        if (!isfinite(circles[i].x)) {
             circles[i].x = 0;
+        }
     }
     Scene2D scene = {circles, n_circles, 0, 0};
     FILE *file = tmpfile();
@@ -198,8 +202,9 @@ Test(csv, every_float_reads_back)
 Test(csv, a_full_disk_is_noticed)
 {
     FILE *full = fopen("/dev/full", "w");
-    if (full == NULL)
+    if (full == NULL) {
         SKIP_TEST("this system has no /dev/full");
+    }
     setvbuf(full, NULL, _IONBF, 0);
     Scene2D scene = {0};
     cr_expect_eq(scene2d_write_csv(full, &scene), -1);
@@ -219,8 +224,9 @@ Test(csv, a_million_lines_take_seconds, .timeout = 30)
 {
     FILE *file = tmpfile();
     fputs(HEADER, file);
-    for (int i = 0; i < 1000000; i++)
+    for (int i = 0; i < 1000000; i++) {
         fprintf(file, "%d.0625,12.5,3.25,0.5,0.25,0.5,1\n", i % 1000);
+    }
     rewind(file);
     Scene2D scene = {0};
     cr_assert_eq(scene2d_read_csv(file, "scene.csv", &scene), 0);

@@ -30,8 +30,9 @@ Test(image, is_made_black_and_transparent)
 {
     Image image = image_new(5, 3);
     cr_expect(image.width == 5 && image.height == 3);
-    for (size_t i = 0; i < n_values(&image); i++)
+    for (size_t i = 0; i < n_values(&image); i++) {
         cr_expect_eq(image.pixels[i], 0.0f);
+    }
     image_free(&image);
     cr_expect_null(image.pixels);
     image_free(&image);
@@ -67,8 +68,9 @@ Test(image, more_pixels_than_memory)
 Test(image, exr_brings_back_every_bit)
 {
     Image image = image_new(7, 3);
-    for (size_t i = 0; i < n_values(&image); i++)
+    for (size_t i = 0; i < n_values(&image); i++) {
         image.pixels[i] = (float)i / 7 - 3;
+    }
     image.pixels[0] = NAN;
     image.pixels[1] = -INFINITY;
     image.pixels[2] = FLT_MAX;
@@ -95,8 +97,9 @@ Test(image, png_is_clamped_and_opaque)
                   {7, 1},  {INFINITY, 1}, {-INFINITY, 0},       {NAN, 0}};
     const int n = (int)(sizeof VALUES / sizeof VALUES[0]);
     Image image = image_new(n, 1);
-    for (int i = 0; i < n; i++)
+    for (int i = 0; i < n; i++) {
         image.pixels[i * IMAGE_CHANNELS + 1] = VALUES[i].value;
+    }
     cr_assert_eq(image_save(&image, "a.png"), 0);
 
     Image loaded;
@@ -162,8 +165,9 @@ Test(image, a_full_disk_leaves_nothing_behind)
 {
     Image image = image_new(64, 64);
     Random random = {1};  // noise, so that compressing does not make it fit
-    for (size_t i = 0; i < n_values(&image); i++)
+    for (size_t i = 0; i < n_values(&image); i++) {
         image.pixels[i] = (float)random_integer(&random, 0, 1 << 20) / (1 << 20);
+    }
     signal(SIGXFSZ, SIG_IGN);
     struct rlimit usual, limit;
     getrlimit(RLIMIT_FSIZE, &usual);
@@ -252,8 +256,9 @@ Test(image, a_picture_of_nans_never_passes)
 {
     Image image = image_new(4, 4);
     Image reference = image_new(4, 4);
-    for (size_t i = 0; i < n_values(&image); i++)
+    for (size_t i = 0; i < n_values(&image); i++) {
         image.pixels[i] = NAN;
+    }
     ImageDifference result = image_compare(&image, &reference, 1);
     cr_expect(result.n_not_finite == 16 && result.n_different == 16);
     image_free(&image);

@@ -25,8 +25,9 @@ static void lab_write(const char *text, char *folder)
     char path[128];
     snprintf(path, sizeof path, "%s/01-x", folder);
     cr_assert_eq(mkdir(path, 0700), 0);
-    if (text == NULL)
+    if (text == NULL) {
         return;
+    }
     snprintf(path, sizeof path, "%s/01-x/lab.json", folder);
     FILE *file = fopen(path, "w");
     cr_assert_not_null(file);

@@ -12,8 +12,9 @@ static OptionsResult parse(const char *const words[MAX_WORDS], int set, Options 
     // getopt_long() reorders the array, so it gets one of its own.
     char *argv[MAX_WORDS + 2] = {(char *)"program"};
     int argc = 1;
-    for (int i = 0; i < MAX_WORDS && words[i] != NULL; i++)
+    for (int i = 0; i < MAX_WORDS && words[i] != NULL; i++) {
         argv[argc++] = (char *)words[i];
+    }
     return options_parse(argc, argv, "01-naive-2d", "Draws circles.", set, options);
 }
 
@@ -114,8 +115,9 @@ Test(options, bad_words_give_one_message)
 // The superuser may write anywhere, so this can only be seen as another user.
 Test(options, a_folder_without_rights)
 {
-    if (geteuid() == 0)
+    if (geteuid() == 0) {
         SKIP_TEST("the superuser may write anywhere");
+    }
     mkdir("locked", 0555);
     Options options;
     capture_begin(2);
@@ -126,10 +128,8 @@ Test(options, a_folder_without_rights)
 
 Test(options, a_lab_takes_and_notes_what_it_does_not_use)
 {
-    static const char *const FOREIGN[][MAX_WORDS] = {{"--scene", "example"},
-                                                     {"--max-depth", "3"},
-                                                     {"--leaf-size", "3"},
-                                                     {"--device", "0"}};
+    static const char *const FOREIGN[][MAX_WORDS] = {
+        {"--scene", "example"}, {"--max-depth", "3"}, {"--leaf-size", "3"}, {"--device", "0"}};
     for (size_t i = 0; i < sizeof FOREIGN / sizeof FOREIGN[0]; i++) {
         Options options;
         char note[64];
@@ -174,8 +174,9 @@ Test(options, help_names_what_the_lab_understands)
     cr_expect_eq(result, OPTIONS_DONE);
     static const char *const PARTS[] = {"Draws circles.", "--scene", "equal-depths", "--frames",
                                         "build/01-naive-2d.png"};
-    for (size_t i = 0; i < sizeof PARTS / sizeof PARTS[0]; i++)
+    for (size_t i = 0; i < sizeof PARTS / sizeof PARTS[0]; i++) {
         cr_expect_not_null(strstr(help, PARTS[i]), "no %s", PARTS[i]);
+    }
     cr_expect_null(strstr(help, "--max-depth"), "an option of labs with trees");
     cr_expect_eq(folder_count(), 0, "help makes no folder");
 }

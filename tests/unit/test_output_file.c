@@ -101,8 +101,9 @@ Test(output_file, a_full_disk_is_reported_and_the_old_file_kept)
     OutputFile output;
     cr_assert_eq(output_file_open(&output, "figure.svg"), 0);
     setrlimit(RLIMIT_FSIZE, &limit);
-    for (int i = 0; i < 100000; i++)
+    for (int i = 0; i < 100000; i++) {
         fputs("a line of text\n", output.file);
+    }
     capture_begin(2);
     int result = output_file_commit(&output);
     expect_one_message(capture_end(2), "figure.svg: cannot write");

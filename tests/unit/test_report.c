@@ -136,8 +136,9 @@ Test(clean_text, keeps_what_can_be_shown_and_replaces_the_rest)
 static char *repeated(const char *piece, size_t n)
 {
     char *text = calloc(n, strlen(piece) + 1);
-    for (size_t i = 0; i < n; i++)
+    for (size_t i = 0; i < n; i++) {
         memcpy(text + i * strlen(piece), piece, strlen(piece));
+    }
     return text;
 }
 
@@ -164,19 +165,22 @@ Test(clean_text, shortens_many_lines_to_forty)
 {
     for (int n_lines = 38; n_lines <= 300; n_lines += n_lines < 45 ? 1 : 51) {
         char text[8192] = "";
-        for (int i = 1; i <= n_lines; i++)
+        for (int i = 1; i <= n_lines; i++) {
             sprintf(text + strlen(text), "line %d\n", i);
+        }
         char *clean = message_clean(text);
         char last[32];
         snprintf(last, sizeof last, "\nline %d", n_lines);
         int n_kept = 1;
-        for (const char *at = clean; (at = strchr(at, '\n')) != NULL; at++)
+        for (const char *at = clean; (at = strchr(at, '\n')) != NULL; at++) {
             n_kept++;
+        }
         cr_expect_eq(n_kept, n_lines < 40 ? n_lines : 40);
         cr_expect_str_eq(clean + strlen(clean) - strlen(last), last);
         expect_part(clean, "line 29\n");
-        if (n_lines == 299)
+        if (n_lines == 299) {
             expect_part(clean, "line 29\n[... 260 lines left out ...]\nline 290\n");
+        }
         free(clean);
     }
 }
@@ -256,8 +260,9 @@ Test(report_text, breaks_words_longer_than_a_line)
     char *message = repeated("x", 100000);
     Result result = result_make(message);
     char *text = text_report(&result, 0);
-    for (const char *line = text; *line != '\0'; line += strcspn(line, "\n") + 1)
+    for (const char *line = text; *line != '\0'; line += strcspn(line, "\n") + 1) {
         cr_expect_leq(strcspn(line, "\n"), (size_t)96);
+    }
     cr_expect_leq(strlen(text), (size_t)11000);
     free(text);
     free(message);
@@ -391,8 +396,9 @@ Test(report_html, escapes_every_message)
     char *page = file_report(report_html, &result);
     static const char *const never[] = {"<script", "<img", "<b>evil", "<svg",
                                         "\x01",    "\xFF", "</p> <",  "&lt;/p></p>"};
-    for (size_t i = 0; i < sizeof never / sizeof never[0]; i++)
+    for (size_t i = 0; i < sizeof never / sizeof never[0]; i++) {
         expect_no_part(page, never[i]);
+    }
     expect_part(page,
                 "&lt;script&gt;alert(&#39;1&#39;)&lt;/script&gt; &amp; &quot;quotes&quot; " UNKNOWN
                 " " UNKNOWN " &lt;/p&gt;</p>");
@@ -415,8 +421,9 @@ static Image picture_make(int width, float value)
 static int count_parts(const char *text, const char *part)
 {
     int n = 0;
-    for (const char *at = text; (at = strstr(at, part)) != NULL; at++)
+    for (const char *at = text; (at = strstr(at, part)) != NULL; at++) {
         n++;
+    }
     return n;
 }
 

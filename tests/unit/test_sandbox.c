@@ -158,8 +158,9 @@ static int minute_sleep_exists(void)
 // Wait until it is there, or is not; two seconds at most.
 static int minute_sleep_becomes(int is_there)
 {
-    for (int i = 0; i < 100 && minute_sleep_exists() != is_there; i++)
+    for (int i = 0; i < 100 && minute_sleep_exists() != is_there; i++) {
         sleep_milliseconds(20);
+    }
     return minute_sleep_exists() == is_there;
 }
 

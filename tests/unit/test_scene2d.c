@@ -74,8 +74,9 @@ Test(scene2d, every_edge_case_stays_on_the_grid_and_is_exact, .timeout = 60)
             Scene2D scene = scene_open(name, SIZES[j][0], SIZES[j][1]);
             cr_expect(scene.width == SIZES[j][0] && scene.height == SIZES[j][1]);
             expect_well_formed(&scene, name);
-            if (scene.width <= 1024)
+            if (scene.width <= 1024) {
                 expect_exact_in_float(&scene, name);
+            }
             scene2d_free(&scene);
         }
     }
@@ -121,8 +122,9 @@ Test(scene2d, example_has_the_lectures_circles)
         cr_expect(circle->x == EXPECTED[i][0] && circle->y == EXPECTED[i][1] &&
                       circle->radius == EXPECTED[i][2],
                   "circle %c", 'A' + i);
-        if (i < 4)
+        if (i < 4) {
             cr_expect_gt(circle->depth, scene.circles[4].depth, "E is the nearest");
+        }
     }
     // The worked example of the lecture: pixel (7, 7) is in C and not in E.
     cr_expect(circle_covers(&scene.circles[2], 7, 7));
@@ -139,8 +141,9 @@ Test(scene2d, equal_depths_are_decided_by_ties_at_most_pixels)
             float nearest = INFINITY;
             int n_nearest = 0;
             for (int i = 0; i < scene.n_circles; i++) {
-                if (!circle_covers(&scene.circles[i], x, y) || scene.circles[i].depth > nearest)
+                if (!circle_covers(&scene.circles[i], x, y) || scene.circles[i].depth > nearest) {
                     continue;
+                }
                 n_nearest = scene.circles[i].depth == nearest ? n_nearest + 1 : 1;
                 nearest = scene.circles[i].depth;
             }
@@ -175,8 +178,9 @@ Test(scene2d, borders_and_touching_have_boundaries_through_pixels)
     scene2d_free(&borders);
     Scene2D touching = scene_open("touching", 64, 48);
     cr_expect_gt(count_pixels_on_boundaries(&touching), 50);
-    for (int i = 1; i < touching.n_circles; i++)
+    for (int i = 1; i < touching.n_circles; i++) {
         cr_expect_eq(touching.circles[i].depth, touching.circles[0].depth);
+    }
     scene2d_free(&touching);
 }
 
@@ -184,8 +188,9 @@ static int count_covered(const Circle *circle, int width, int height)
 {
     int n_pixels = 0;
     for (int y = 0; y < height; y++) {
-        for (int x = 0; x < width; x++)
+        for (int x = 0; x < width; x++) {
             n_pixels += circle_covers(circle, x, y);
+        }
     }
     return n_pixels;
 }
@@ -211,8 +216,9 @@ Test(scene2d, tiny_circles_cover_none_one_or_two_pixels)
     int n_points = 0;
     for (int i = 0; i < scene.n_circles; i++) {
         int n_covered = count_covered(&scene.circles[i], 64, 48);
-        if (n_covered < 3)
+        if (n_covered < 3) {
             n_with[n_covered]++;
+        }
         n_points += scene.circles[i].radius == 0 && n_covered == 1;
     }
     cr_expect(n_with[0] > 5 && n_with[1] > 5 && n_with[2] > 5 && n_points > 5);
@@ -279,8 +285,9 @@ static uint64_t scene_checksum(const Scene2D *scene)
 {
     uint64_t sum = 0xcbf29ce484222325u;
     const unsigned char *bytes = (const unsigned char *)scene->circles;
-    for (size_t i = 0; i < (size_t)scene->n_circles * sizeof *scene->circles; i++)
+    for (size_t i = 0; i < (size_t)scene->n_circles * sizeof *scene->circles; i++) {
         sum = (sum ^ bytes[i]) * 0x100000001b3u;
+    }
     return sum;
 }
 

@@ -25,8 +25,9 @@ static void raw_append(const char name[SECTION_NAME_BYTES], uint64_t n_bytes, si
     cr_assert_not_null(file);
     fwrite(name, 1, SECTION_NAME_BYTES, file);
     fwrite(&n_bytes, sizeof n_bytes, 1, file);
-    for (size_t i = 0; i < n_following; i++)
+    for (size_t i = 0; i < n_following; i++) {
         fputc('x', file);
+    }
     fclose(file);
 }
 
@@ -50,8 +51,9 @@ Test(sections, come_back_as_written_and_aligned)
         const unsigned char *bytes = sections_find(&sections, name, n_bytes);
         cr_assert_not_null(bytes, "%s", name);
         cr_expect_eq((uintptr_t)bytes % _Alignof(max_align_t), 0);
-        for (size_t i = 0; i < n_bytes; i++)
+        for (size_t i = 0; i < n_bytes; i++) {
             cr_expect_eq(bytes[i], n_bytes);
+        }
     }
     sections_free(&sections);
 }
@@ -198,8 +200,9 @@ Test(sections, any_bytes_are_read_without_harm)
         sections_load("file", MAX_BYTES, &sections);
         const unsigned char *bytes = sections_find_any(&sections, "b", &n_bytes);
         unsigned sum = 0;
-        for (size_t i = 0; bytes != NULL && i < n_bytes; i++)
+        for (size_t i = 0; bytes != NULL && i < n_bytes; i++) {
             sum += bytes[i];
+        }
         cr_expect(sum < UINT32_MAX);
         sections_free(&sections);
     }

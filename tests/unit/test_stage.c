@@ -150,15 +150,17 @@ Test(stage, refuses_a_folder_a_fifo_and_a_socket)
 
 Test(stage, refuses_a_device)
 {
-    if (mknod("from/a.cl", S_IFCHR | 0666, makedev(1, 5)) != 0)
+    if (mknod("from/a.cl", S_IFCHR | 0666, makedev(1, 5)) != 0) {
         cr_skip("only root makes devices");
+    }
     expect_refused("a.cl", "not a regular file");
 }
 
 Test(stage, refuses_a_file_nobody_may_read)
 {
-    if (geteuid() == 0)
+    if (geteuid() == 0) {
         cr_skip("root may read everything");
+    }
     file_write("from/a.cl", "kernel", 6);
     cr_assert_eq(chmod("from/a.cl", 0), 0);
     expect_refused("a.cl", "permissions");

@@ -1,0 +1,302 @@
+#!/bin/sh
+# The grader as an instructor meets it: full marks, none, one task at a time, submissions that are
+# broken in every way, and its own faults.
+#
+#     sh tests/suites/grader.sh      from the top folder, after `make tests`
+set -u
+. tests/tap.sh
+
+build=${BUILD:-build}
+case $build in /*) ;; *) build=$PWD/$build ;; esac
+holes=$build/tools/holes
+labs=$(cd solutions && echo *)
+
+# Where the grader works; whatever it forgets there is seen at the end. Other users may enter, as what
+# it runs is somebody else.
+chmod 711 "$scratch"
+mkdir -m 711 "$scratch/work"
+export TMPDIR="$scratch/work"
+
+# What the last grading said, and left.
+said=$scratch/said
+reports=$scratch/reports
+
+# grade OPTION...: exits as the grader does.
+grade() {
+    rm -rf "$reports"
+    "$build/tools/grade" --build "$build" --output "$reports" "$@" >"$said" 2>"$said.err" </dev/null
+}
+
+# grades STATUS SCORE OPTION...: does it end with this status, and is this the score?
+grades() {
+    wanted_status=$1 wanted_score=$2
+    shift 2
+    status=0
+    grade "$@" || status=$?
+    cat "$said" "$said.err"
+    [ "$status" -eq "$wanted_status" ] || { echo "found exit status $status"; return 1; }
+    [ "$(field score)" -eq "$wanted_score" ] && [ "$(field max_score)" -eq 100 ]
+}
+
+# field NAME: a number or text of results.json's outermost level.
+field() { sed -n "s/^  \"$1\": \"\{0,1\}\([^\"]*[^\",]\)\"\{0,1\},\{0,1\}\$/\1/p" "$reports/results.json"; }
+
+# stage TITLE STATUS WORDS: did the stage end so, with a message that holds the words?
+# shellcheck disable=SC2317 # called by check
+stage() {
+    awk -v title="      \"title\": \"$1\"," -v status="      \"status\": \"$2\"," -v words="$3" '
+        seen == 2 { exit index($0, "\"message\": ") == 0 || index($0, words) == 0 }
+        seen == 1 { if ($0 != status) exit 1; seen = 2 }
+        $0 == title { seen = 1 }
+        END { if (seen != 2) exit 1 }' "$reports/results.json" && return 0
+    cat "$reports/results.json"
+    return 1
+}
+
+# count_lines PATTERN: in results.json.
+count_lines() { grep -c -- "$1" "$reports/results.json"; }
+
+# holds TEXT: do the reports hold it, for people and for programs?
+# shellcheck disable=SC2317 # called by check
+holds() {
+    for file in "$said" "$reports/results.json"; do
+        grep -qF -- "$1" "$file" || { echo "not in $(basename "$file"): $1"; cat "$file"; return 1; }
+    done
+}
+
+# is_self_contained: does the page refer to nothing outside of it?
+# shellcheck disable=SC2317 # called by check
+is_self_contained() {
+    if grep -nEo '.{0,20}(https?:|file:|(src|href)="?[^"#d]|url\(|@import|<script|<link).{0,20}' "$1"; then
+        return 1
+    fi
+    grep -q "default-src 'none'" "$1"
+}
+
+# ---- Solutions and skeletons --------------------------------------------------------------------
+
+for lab in $labs; do
+    check "$lab: the solution gets full marks" grades 0 100 --lab "$lab" --submission "solutions/$lab"
+    check "$lab: every stage and check of it passes" test \
+        "$(count_lines '^      "status": "passed"')" -eq "$(count_lines '^      "status"')"
+    check "$lab: its page is self-contained" is_self_contained "$reports/report.html"
+
+    check "$lab: the skeleton gets nothing" grades 1 0 --lab "${lab%%-*}" --submission "labs/$lab"
+    check "$lab: no check of it passes" test "$(sed -n '/^  "checks"/,$p' "$reports/results.json" |
+        grep -c '"status": "passed"')" -eq 0
+    check "$lab: the page with its pictures is self-contained" is_self_contained "$reports/report.html"
+    check "$lab: the page shows pictures" grep -q 'src="data:image/' "$reports/report.html"
+    check "$lab: results.json names the lab" test "$(field lab)" = "$lab"
+    check "$lab: results.json has its keys" test "$(sed -n 's/^  "\([a-z_]*\)":.*/\1/p' \
+        "$reports/results.json" | tr '\n' ' ')" = \
+        'lab title score max_score seed device submission seconds stages tasks checks '
+done
+
+# ---- One task at a time -------------------------------------------------------------------------
+
+# copy_lab TREE LAB: a submission of its own, made from labs or solutions, in $scratch/submission.
+copy_lab() {
+    rm -rf "$scratch/submission"
+    cp -R "$1/$2" "$scratch/submission"
+}
+
+# answer FILE TASK: the submission's hole gets what standard input holds.
+answer() {
+    cat >"$scratch/answer"
+    "$holes" fill "$scratch/submission/$1" "$2" "$scratch/answer" >"$scratch/filled" &&
+        cp "$scratch/filled" "$scratch/submission/$1"
+}
+
+submission="--submission $scratch/submission"
+for lab in $labs; do
+    for source in "solutions/$lab"/*.c "solutions/$lab"/*.cl; do
+        [ -f "$source" ] || continue
+        for task in $("$holes" list "$source"); do
+            points=$("$build/tools/grade" --lab "$lab" --list-checks |
+                awk -F '\t' -v task="$task" '$2 == task { sum += $3 } END { print sum }')
+            copy_lab labs "$lab"
+            "$holes" read "$source" "$task" | answer "${source##*/}" "$task"
+            # shellcheck disable=SC2086 # an option and its folder
+            check "$lab: the answer to $task alone gets its $points points" \
+                grades 1 "$points" --lab "$lab" $submission
+        done
+    done
+done
+"$holes" read solutions/01-naive-2d/overlaps_N_Nearer.cl none-such >"$said" 2>"$said.err"
+ok $(($? == 0)) "a task that is not there cannot be read"
+
+# ---- Broken submissions -------------------------------------------------------------------------
+
+# place FILE PATTERN: "labs/NN-name/file:line:" as a compiler says it.
+place() { echo "labs/$lab/$1:$(grep -n -- "$2" "$scratch/submission/$1" | cut -d: -f1):"; }
+
+# The same in every case below: what is right still earns its points.
+broken() {
+    # shellcheck disable=SC2086
+    check "$1" grades 1 "$2" --lab "$lab" --time-limit "${3:-10}" --seed 5 $submission
+}
+
+lab=00-hello-pixels
+copy_lab solutions $lab
+echo '    not C at all;' | answer render.c set_arguments
+broken "a host file that does not compile costs its task" 80
+check "and the message names file and line" holds "$(place render.c 'not C at all')"
+check "and the stage is Compiling" stage Compiling failed render.c
+
+lab=01-naive-2d
+copy_lab solutions $lab
+echo '    return no_such_name;' | answer overlaps_N_Nearer.cl overlaps_N_Nearer
+broken "a kernel that does not compile costs its task" 60
+check "and the message names file and line" holds "$(place overlaps_N_Nearer.cl no_such_name)"
+check "and the stage is Compiling" stage Compiling failed no_such_name
+check "and nothing was run as a whole" stage Running not-run ''
+
+lab=02-kdtree-2d-build
+file=kdtree2d_build.c
+copy_lab solutions $lab
+echo '    return strlen(ids;' | answer $file distribute
+broken "a tree builder that does not compile costs its task" 80
+check "and the message names file and line" holds "$(place $file 'strlen(ids;')"
+
+copy_lab solutions $lab
+echo '    *(volatile u32 *)(size_t)(id & 0) = n_ids;' | answer $file pack_leaf
+broken "a null pointer costs its task" 80
+check "and the message is of a crash" stage Running failed "it crashed: signal 11"
+
+copy_lab solutions $lab
+echo '    for (volatile u32 i = 0;; i++) { (void)h_circles, (void)ids, (void)n_ids, (void)child; }' |
+    answer $file distribute
+broken "an endless loop costs its task" 80 2
+check "and the message is of the time" stage Running failed "it did not finish in time (2 s)"
+
+copy_lab solutions $lab
+echo '    (void)box; exit(0);' | answer $file split_box
+broken "leaving early with status 0 costs its task" 80
+check "and the message is of silence" holds "a call of exit"
+
+copy_lab solutions $lab
+echo '    (void)box; exit(3);' | answer $file split_box
+broken "leaving early with status 3 costs its task" 80
+check "and the message names the status" stage Running failed "it ended early with exit status 3"
+
+copy_lab solutions $lab
+rm "$scratch/submission/$file"
+broken "a missing file gets nothing" 0
+check "and the message says so" stage Staging failed "$file: not in the submission"
+check "and nothing was compiled" test "$(count_lines '"title": "Compiling"')" -eq 0
+
+copy_lab solutions $lab
+ln -sf "$PWD/solutions/$lab/$file" "$scratch/submission/$file"
+broken "a link in a file's place gets nothing" 0
+check "and the message says so" stage Staging failed "$file: a symbolic link"
+
+copy_lab solutions $lab
+rm "$scratch/submission/$file"
+mkdir "$scratch/submission/$file"
+broken "a folder in a file's place gets nothing" 0
+check "and the message says so" stage Staging failed "$file: not a regular file"
+
+# strip_markers: as a student does who tidies up.
+strip_markers() {
+    grep -v '// TASK \|// END ' "$scratch/submission/$file" >"$scratch/filled"
+    cp "$scratch/filled" "$scratch/submission/$file"
+}
+
+copy_lab solutions $lab
+strip_markers
+# Files that nobody asked for are not looked at.
+mkdir "$scratch/submission/common"
+echo '#error' | tee "$scratch/submission/main.c" "$scratch/submission/common/scene2d.h" \
+    >"$scratch/submission/kdtree2d_build.h"
+# shellcheck disable=SC2086
+check "a right answer without markers gets full marks" grades 0 100 --lab $lab $submission
+copy_lab solutions $lab
+echo '    return 0;' | answer $file is_leaf
+strip_markers
+# shellcheck disable=SC2086
+grade --lab $lab $submission
+ok $(($? != 1)) "a wrong answer without markers gets less"
+check "and the message is of the markers" stage Staging passed "TASK is_leaf"
+
+# ---- Seeds --------------------------------------------------------------------------------------
+
+# grade_with_seed SEED COPY: without the time it took, which is never the same.
+grade_with_seed() {
+    grade --lab 01 --submission labs/01-naive-2d --seed "$1"
+    grep -v '^  "seconds"' "$reports/results.json" >"$2"
+}
+
+grade_with_seed 11 "$scratch/first"
+check "the seed is recorded" test "$(field seed)" = 11
+grade_with_seed 11 "$scratch/second"
+check "the same seed gives the same results" diff "$scratch/first" "$scratch/second"
+grade_with_seed 18446744073709551615 "$scratch/third"
+check "the largest seed is recorded whole" test "$(field seed)" = 18446744073709551615
+messages() { grep '"message"' "$1"; }
+check "another seed asks for something else" \
+    test "$(messages "$scratch/first")" != "$(messages "$scratch/third")"
+grade --lab 02 --submission solutions/02-kdtree-2d-build
+one=$(field seed)
+grade --lab 02 --submission solutions/02-kdtree-2d-build
+check "without --seed, every grading draws one" test "$one" != "$(field seed)"
+
+# ---- Its own faults -----------------------------------------------------------------------------
+
+# refuses WORDS OPTION...: does it end with 2, one message that holds WORDS, and no results?
+refuses() {
+    words=$1
+    shift
+    status=0
+    grade "$@" || status=$?
+    cat "$said" "$said.err"
+    [ "$status" -eq 2 ] || { echo "found exit status $status"; return 1; }
+    head -n 1 "$said.err" | grep -qF -- "$words" || { echo "expected: $words"; return 1; }
+    [ "$(wc -l <"$said.err")" -eq 1 ] || { echo "expected one line"; return 1; }
+    [ ! -s "$said" ] && [ ! -e "$reports/results.json" ] && [ ! -e "$reports/report.html" ]
+}
+
+here='--lab 02 --submission solutions/02-kdtree-2d-build'
+: >"$scratch/file"
+while IFS='|' read -r words options; do
+    eval "set -- $options"
+    check "a fault of its own: $options" refuses "$words" "$@"
+done <<'END'
+--lab is missing|
+--lab is missing|--submission solutions/02-kdtree-2d-build
+--lab: found "77"|--lab 77
+--lab: found "../labs/02-kdtree-2d-build"|--lab ../labs/02-kdtree-2d-build
+--lab: found ""|--lab ''
+--seed: found "twelve"|$here --seed twelve
+--seed: found "-1"|$here --seed -1
+--seed: found "18446744073709551616"|$here --seed 18446744073709551616
+--time-limit: found "0"|$here --time-limit 0
+unrecognized option '--marks'|$here --marks 100
+words that are no option|$here stray
+/nowhere: No such file or directory|--lab 02 --submission /nowhere
+file: Not a directory|--lab 02 --submission $scratch/file
+file/reports: cannot be made|$here --output $scratch/file/reports
+END
+
+rm -rf "$reports"
+# shellcheck disable=SC2086
+env PATH=/nonexistent "$build/tools/grade" $here --output "$reports" >"$said" 2>"$said.err"
+ok $(($? != 2)) "no bubblewrap: it ends with 2"
+check "no bubblewrap: it says what to install" grep -q '^sandbox: bwrap not found: install' "$said.err"
+check "no bubblewrap: it says no more" test "$(wc -l <"$said.err")$(wc -c <"$said")" = 10
+check "no bubblewrap: there are no results" test ! -e "$reports"
+
+grade --lab 01 --submission solutions/01-naive-2d --device none-such
+ok $(($? != 2)) "no such device: it ends with 2"
+check "no such device: it says so" grep -q 'found no device "none-such"' "$said.err"
+check "no such device: there are no results" test ! -e "$reports"
+
+# ---- What else it says --------------------------------------------------------------------------
+
+for lab in $labs; do
+    check "$lab: its checks are worth 100 points" test "$("$build/tools/grade" --lab "$lab" --list-checks |
+        awk -F '\t' '{ sum += $3 } END { print sum }')" = 100
+done
+check "it has a help" "$build/tools/grade" --help
+check "nothing stays behind in TMPDIR" test -z "$(ls -A "$TMPDIR")"
+
+finish

@@ -1,0 +1,492 @@
+// grader/picture: only the right picture passes, and a wrong one is called by the right name.
+#include "jobs.h"
+#include "oracle2d.h"
+#include "picture.h"
+#include "random.h"
+#include "surroundings.h"
+
+#include <math.h>
+
+TestSuite(picture, .timeout = 60);
+
+// ---- A scene, its picture, and a probe's answer -------------------------------------------------
+
+enum { MAX_SIDE = 96, IMAGE_SIDE = PROBE_IMAGE_SIDE(MAX_SIDE), N_CIRCLES = 24 };
+
+typedef struct Case {
+    Circle circles[N_CIRCLES];
+    ExpectedPicture expected;
+    float own[IMAGE_SIDE * IMAGE_SIDE * IMAGE_CHANNELS];
+    ProbeImage probe;
+    int width, height;
+} Case;
+
+static const OracleRules RIGHT = {0};
+
+// Whole centres, radii with whole points on their boundary, few depths: every mistake shows. The first
+// and the last circle are nearest of all and apart.
+static void circles_draw(Random *random, int width, int height, Circle circles[N_CIRCLES])
+{
+    for (int i = 0; i < N_CIRCLES; i++) {
+        const int is_end = i == 0 || i == N_CIRCLES - 1;
+        circles[i] = (Circle){.x = (float)random_integer(random, 0, width - 1),
+                              .y = (float)random_integer(random, 0, height - 1),
+                              .radius = (float)(is_end ? 5 : 5 * random_integer(random, 1, 3)),
+                              .depth = is_end ? 0 : (float)random_integer(random, 1, 4) / 4,
+                              .r = (float)random_integer(random, 1, 255) / 255,
+                              .g = (float)random_integer(random, 1, 255) / 255,
+                              .b = (float)random_integer(random, 1, 255) / 255,
+                              .a = 1};
+    }
+    circles[0].x = circles[0].y = 20;
+    circles[N_CIRCLES - 1].x = (float)(width - 21);
+    circles[N_CIRCLES - 1].y = (float)(height - 22);
+}
+
+static float *own_pixel(Case *c, int x, int y)
+{
+    return c->own + (y * c->probe.image_width + x) * IMAGE_CHANNELS;
+}
+
+static const float *reference_pixel(const Case *c, int x, int y)
+{
+    return c->expected.reference.pixels + (y * c->width + x) * IMAGE_CHANNELS;
+}
+
+// Nobody has written anything yet.
+static void own_clear(Case *c)
+{
+    for (size_t i = 0; i < sizeof c->own / sizeof *c->own; i++) {
+        c->own[i] = UNWRITTEN;
+    }
+}
+
+// The probe's image shows this picture.
+static void own_show(Case *c, const Image *picture)
+{
+    own_clear(c);
+    for (int y = 0; y < c->height; y++) {
+        memcpy(own_pixel(c, 0, y), picture->pixels + y * c->width * IMAGE_CHANNELS,
+               (size_t)c->width * IMAGE_CHANNELS * sizeof(float));
+    }
+}
+
+// A random scene whose picture is expected and shown.
+static Case *case_open(int width, int height, uint64_t seed)
+{
+    Case *c = calloc(1, sizeof *c);
+    Random random = {seed};
+    circles_draw(&random, width, height, c->circles);
+    cr_assert_eq(image_create(width, height, &c->expected.reference), 0);
+    oracle2d_draw(c->circles, N_CIRCLES, &RIGHT, &c->expected.reference, NULL);
+    c->expected.circles = c->circles;
+    c->expected.n_circles = N_CIRCLES;
+    c->width = width, c->height = height;
+    c->probe = (ProbeImage){c->own, PROBE_IMAGE_SIDE(width), PROBE_IMAGE_SIDE(height)};
+    own_show(c, &c->expected.reference);
+    return c;
+}
+
+static void case_close(Case *c)
+{
+    expected_picture_free(&c->expected);
+    free(c);
+}
+
+static void expect_right(const Case *c)
+{
+    char *message = picture_judge(c->probe, &c->expected);
+    cr_expect_null(message, "%s", message);
+    free(message);
+}
+
+static void expect_wrong(const Case *c, const char *expected)
+{
+    char *message = picture_judge(c->probe, &c->expected);
+    cr_expect(message != NULL && strcmp(message, expected) == 0, "found \"%s\", expected \"%s\"",
+              message ? message : "(right)", expected);
+    free(message);
+}
+
+// What the picture is said to look like; "" when nothing is said.
+static const char *looks_of(const Case *c)
+{
+    static char looks[512];
+    char *message = picture_judge(c->probe, &c->expected);
+    cr_assert_not_null(message);
+    const char *at = strstr(message, "; it looks ");
+    snprintf(looks, sizeof looks, "%s", at ? at + strlen("; it looks ") : "");
+    free(message);
+    return looks;
+}
+
+// ---- Right and wrong ----------------------------------------------------------------------------
+
+Test(picture, an_equal_picture_is_right)
+{
+    Case *c = case_open(96, 64, 1);
+    expect_right(c);
+    c->expected.circles = NULL;
+    expect_right(c);
+    case_close(c);
+    c = case_open(64, 96, 2);
+    expect_right(c);
+    case_close(c);
+}
+
+Test(picture, one_pixel_is_named_with_both_values)
+{
+    Case *c = case_open(96, 64, 1);
+    memcpy(c->expected.reference.pixels + (63 * 96 + 95) * IMAGE_CHANNELS,
+           (float[]){0.25f, 0.5f, 0.125f, 1}, 4 * sizeof(float));
+    own_show(c, &c->expected.reference);
+    own_pixel(c, 95, 63)[1] = 0.75f;
+    expect_wrong(c, "pixel (95, 63): found (0.25, 0.75, 0.125, 1), expected (0.25, 0.5, 0.125, 1); "
+                    "1 of 6144 pixels differ");
+    for (int channel = 0; channel < IMAGE_CHANNELS; channel++) {
+        own_show(c, &c->expected.reference);
+        own_pixel(c, 3, 2)[channel] = nextafterf(own_pixel(c, 3, 2)[channel], 2);
+        char *message = picture_judge(c->probe, &c->expected);
+        cr_expect(message != NULL && strstr(message, "pixel (3, 2): ") == message);
+        free(message);
+    }
+    // The first in reading order is named, and all are counted.
+    own_show(c, &c->expected.reference);
+    own_pixel(c, 9, 8)[0] += 1, own_pixel(c, 8, 9)[0] += 1;
+    char *message = picture_judge(c->probe, &c->expected);
+    cr_expect(message != NULL && strstr(message, "pixel (9, 8): ") == message &&
+                  strstr(message, "; 2 of 6144 pixels differ") != NULL,
+              "%s", message);
+    free(message);
+    case_close(c);
+}
+
+Test(picture, what_is_not_finite_never_passes)
+{
+    static const float values[] = {NAN, -NAN, INFINITY, -INFINITY};
+    Case *c = case_open(64, 96, 3);
+    c->expected.tolerance = 0.5f;
+    c->expected.ambiguous = calloc(64 * 96, 1);
+    for (int is_ambiguous = 0; is_ambiguous <= 1; is_ambiguous++) {
+        memset(c->expected.ambiguous, is_ambiguous, 64 * 96);
+        for (size_t i = 0; i < sizeof values / sizeof *values; i++) {
+            for (int channel = 0; channel < IMAGE_CHANNELS; channel++) {
+                own_show(c, &c->expected.reference);
+                own_pixel(c, 5, 7)[channel] = values[i];
+                cr_expect_str_eq(looks_of(c), "not a number in places");
+            }
+            own_show(c, &c->expected.reference);
+            for (int j = 0; j < 64 * 96; j++) {
+                float *pixel = own_pixel(c, j % 64, j / 64);
+                pixel[0] = pixel[1] = pixel[2] = pixel[3] = values[i];
+            }
+            cr_expect_str_eq(looks_of(c), "not a number in places");
+        }
+    }
+    case_close(c);
+}
+
+Test(picture, the_tolerance_is_the_last_that_passes)
+{
+    Case *c = case_open(96, 64, 1);
+    c->expected.tolerance = 0.25f;
+    float *expected = c->expected.reference.pixels + (3 * 96 + 2) * IMAGE_CHANNELS;
+    expected[2] = 0.5f;
+    for (int sign = -1; sign <= 1; sign += 2) {
+        own_pixel(c, 2, 3)[2] = 0.5f + (float)sign * 0.25f;
+        expect_right(c);
+        own_pixel(c, 2, 3)[2] = 0.5f + (float)sign * 0.250001f;
+        cr_expect_str_eq(looks_of(c), "");
+    }
+    case_close(c);
+}
+
+Test(picture, only_ambiguous_pixels_may_differ)
+{
+    Case *c = case_open(64, 96, 3);
+    c->expected.ambiguous = calloc(64 * 96, 1);
+    c->expected.ambiguous[7 * 64 + 5] = 1;
+    own_pixel(c, 5, 7)[0] += 0.5f;
+    expect_right(c);
+    own_pixel(c, 7, 5)[0] += 0.5f;
+    char *message = picture_judge(c->probe, &c->expected);
+    cr_expect(message != NULL && strstr(message, "pixel (7, 5): ") == message &&
+                  strstr(message, "; 1 of 6144 pixels differ") != NULL,
+              "%s", message);
+    free(message);
+    // Either choice is a colour that somebody wrote.
+    own_show(c, &c->expected.reference);
+    for (int channel = 0; channel < IMAGE_CHANNELS; channel++) {
+        own_pixel(c, 5, 7)[channel] = UNWRITTEN;
+    }
+    expect_wrong(c, "nobody wrote pixel (5, 7); 1 of 6144 pixels were not written");
+    case_close(c);
+}
+
+Test(picture, unwritten_pixels_are_told_from_wrong_ones)
+{
+    Case *c = case_open(96, 64, 1);
+    own_clear(c);
+    expect_wrong(c, "nobody wrote pixel (0, 0); 6144 of 6144 pixels were not written");
+    own_show(c, &c->expected.reference);
+    for (int y = 10; y < 13; y++) {
+        for (int channel = 0; channel < IMAGE_CHANNELS; channel++) {
+            own_pixel(c, 20, y)[channel] = UNWRITTEN;
+        }
+    }
+    expect_wrong(c, "nobody wrote pixel (20, 10); 3 of 6144 pixels were not written");
+    own_pixel(c, 50, 50)[0] += 1;
+    cr_expect_str_eq(looks_of(c), "");
+    case_close(c);
+}
+
+// ---- What it looks like -------------------------------------------------------------------------
+
+// The picture's pixel (x, y) shows the right picture's pixel
+//   u = ux * x + uy * y + (uw ? width - 1 : 0) + du, v likewise,
+// channel by channel, and nothing where that lies outside.
+typedef struct Distortion {
+    const char *looks;
+    int ux, uy, uw, du, vx, vy, vh, dv;
+    int channels[IMAGE_CHANNELS];
+} Distortion;
+
+// clang-format off
+static const Distortion distortions[] = {
+    {"mirrored left to right",                     -1, 0, 1, 0,   0, 1, 0, 0,   {0, 1, 2, 3}},
+    {"flipped top to bottom",                       1, 0, 0, 0,   0, -1, 1, 0,  {0, 1, 2, 3}},
+    {"turned upside down (flipped in x and y)",    -1, 0, 1, 0,   0, -1, 1, 0,  {0, 1, 2, 3}},
+    {"transposed: rows and columns are swapped",    0, 1, 0, 0,   1, 0, 0, 0,   {0, 1, 2, 3}},
+    {"shifted by one pixel to the right",           1, 0, 0, -1,  0, 1, 0, 0,   {0, 1, 2, 3}},
+    {"shifted by one pixel to the left",            1, 0, 0, 1,   0, 1, 0, 0,   {0, 1, 2, 3}},
+    {"shifted by one pixel down",                   1, 0, 0, 0,   0, 1, 0, -1,  {0, 1, 2, 3}},
+    {"shifted by one pixel up",                     1, 0, 0, 0,   0, 1, 0, 1,   {0, 1, 2, 3}},
+    {"shifted by one pixel to the left and up",     1, 0, 0, 1,   0, 1, 0, 1,   {0, 1, 2, 3}},
+    {"right with red and blue swapped",             1, 0, 0, 0,   0, 1, 0, 0,   {2, 1, 0, 3}},
+    {"right with red and green swapped",            1, 0, 0, 0,   0, 1, 0, 0,   {1, 0, 2, 3}},
+    {"right with green and blue swapped",           1, 0, 0, 0,   0, 1, 0, 0,   {0, 2, 1, 3}},
+    {"right with its channels rotated (alpha first)",  1, 0, 0, 0,  0, 1, 0, 0, {3, 0, 1, 2}},
+    {"right with its channels reversed (alpha first)", 1, 0, 0, 0,  0, 1, 0, 0, {3, 2, 1, 0}},
+};
+// clang-format on
+
+static void own_distort(Case *c, const Distortion *d)
+{
+    for (int y = 0; y < c->height; y++) {
+        for (int x = 0; x < c->width; x++) {
+            const int u = d->ux * x + d->uy * y + (d->uw ? c->width - 1 : 0) + d->du;
+            const int v = d->vx * x + d->vy * y + (d->vh ? c->height - 1 : 0) + d->dv;
+            const int is_inside = u >= 0 && v >= 0 && u < c->width && v < c->height;
+            for (int channel = 0; channel < IMAGE_CHANNELS; channel++) {
+                own_pixel(c, x, y)[channel] =
+                    is_inside ? reference_pixel(c, u, v)[d->channels[channel]] : 0;
+            }
+        }
+    }
+}
+
+enum { N_SEEDS = 8 };
+
+// Do this with random scenes, wide ones and high ones.
+static void with_random_scenes(void (*look)(Case *c, size_t i), size_t n)
+{
+    for (uint64_t seed = 0; seed < N_SEEDS; seed++) {
+        for (int is_high = 0; is_high <= 1; is_high++) {
+            Case *c = case_open(is_high ? 64 : 96, is_high ? 96 : 64, seed);
+            for (size_t i = 0; i < n; i++) {
+                look(c, i);
+            }
+            case_close(c);
+        }
+    }
+}
+
+static void look_at_distortion(Case *c, size_t i)
+{
+    own_distort(c, &distortions[i]);
+    cr_expect_str_eq(looks_of(c), distortions[i].looks, "found \"%s\", expected \"%s\"",
+                     looks_of(c), distortions[i].looks);
+    // A few other slips do not hide it.
+    own_pixel(c, 30, 30)[0] += 1, own_pixel(c, 31, 40)[1] += 1;
+    cr_expect_str_eq(looks_of(c), distortions[i].looks);
+}
+
+Test(picture, distortions_are_recognised)
+{
+    with_random_scenes(look_at_distortion, sizeof distortions / sizeof *distortions);
+}
+
+static const struct {
+    const char *looks;
+    OracleRules rules;
+} mistakes[] = {
+    {"drawn as if the boundary did not belong to the circle (strict where it should not be)",
+     {.strict_boundary = 1}},
+    {"drawn as if of two equal depths the later circle won", {.later_wins_ties = 1}},
+    {"drawn as if depth did not matter: the last circle covers the others", {.ignore_depth = 1}},
+    {"drawn as if depth did not matter: the first circle keeps the pixel", {.first_wins = 1}},
+    {"drawn as if the farthest circle won: the depth test is inverted", {.farthest_wins = 1}},
+    {"drawn as if the first circle were missing", {.skip_first = 1}},
+    {"drawn as if the last circle were missing", {.skip_last = 1}},
+    {"shifted by half a pixel: the sample point is the integer coordinate", {.sample_offset = 0.5}},
+    {"shifted by half a pixel: the sample point is the integer coordinate",
+     {.sample_offset = -0.5}},
+    {"drawn with half the radius", {.diameter = 1}},
+};
+
+static void look_at_mistake(Case *c, size_t i)
+{
+    Image picture;
+    cr_assert_eq(image_create(c->width, c->height, &picture), 0);
+    oracle2d_draw(c->circles, N_CIRCLES, &mistakes[i].rules, &picture, NULL);
+    own_show(c, &picture);
+    cr_expect_str_eq(looks_of(c), mistakes[i].looks, "found \"%s\", expected \"%s\"", looks_of(c),
+                     mistakes[i].looks);
+    // Without the scene nothing is said, rather than something wrong.
+    c->expected.circles = NULL;
+    cr_expect_str_eq(looks_of(c), "", "found \"%s\" without the scene for mistake %zu", looks_of(c),
+                     i);
+    c->expected.circles = c->circles;
+    image_free(&picture);
+}
+
+Test(picture, mistakes_are_recognised)
+{
+    with_random_scenes(look_at_mistake, sizeof mistakes / sizeof *mistakes);
+}
+
+static void look_at_two_mistakes(Case *c, size_t i)
+{
+    static const OracleRules both[] = {{.strict_boundary = 1, .later_wins_ties = 1},
+                                       {.skip_first = 1, .first_wins = 1},
+                                       {.skip_first = 1, .skip_last = 1},
+                                       {.sample_offset = 0.5, .farthest_wins = 1}};
+    Image picture;
+    cr_assert_eq(image_create(c->width, c->height, &picture), 0);
+    oracle2d_draw(c->circles, N_CIRCLES, &both[i], &picture, NULL);
+    own_show(c, &picture);
+    cr_expect_str_eq(looks_of(c), "", "pair %zu looks \"%s\"", i, looks_of(c));
+    image_free(&picture);
+}
+
+Test(picture, two_mistakes_are_not_taken_for_one)
+{
+    with_random_scenes(look_at_two_mistakes, 4);
+}
+
+static void look_at_background(Case *c, size_t i)
+{
+    static const float colours[][IMAGE_CHANNELS] = {{0, 0, 0, 1}, {1, 1, 1, 1}, {0.5f, 0, 0, 0}};
+    own_show(c, &c->expected.reference);
+    for (int y = 0; y < c->height; y++) {
+        for (int x = 0; x < c->width; x++) {
+            if (reference_pixel(c, x, y)[3] == 0) {
+                memcpy(own_pixel(c, x, y), colours[i], sizeof colours[i]);
+            }
+        }
+    }
+    cr_expect_str_eq(looks_of(c),
+                     "right but for the background, which is (0, 0, 0, 0) in all four channels");
+    own_pixel(c, 20, 20)[0] += 1;  // in the first circle
+    cr_expect_str_eq(looks_of(c), "");
+}
+
+Test(picture, a_wrong_background_is_recognised)
+{
+    with_random_scenes(look_at_background, 3);
+}
+
+static void look_at_nothing(Case *c, size_t i)
+{
+    (void)i;
+    own_clear(c);
+    for (int y = 0; y < c->height; y++) {
+        memset(own_pixel(c, 0, y), 0, (size_t)c->width * IMAGE_CHANNELS * sizeof(float));
+    }
+    cr_expect_str_eq(looks_of(c), "empty: nothing but the background");
+}
+
+Test(picture, an_empty_picture_is_recognised)
+{
+    with_random_scenes(look_at_nothing, 1);
+}
+
+// i random pixels show something else.
+static void look_at_few_wrong(Case *c, size_t i)
+{
+    Random random = {i + 99};
+    own_show(c, &c->expected.reference);
+    for (size_t n = 0; n <= i; n++) {
+        float *pixel = own_pixel(c, (int)random_integer(&random, 0, c->width - 1),
+                                 (int)random_integer(&random, 0, c->height - 1));
+        pixel[random_integer(&random, 0, 3)] += 0.5f;
+    }
+    cr_expect_str_eq(looks_of(c), "", "%zu wrong pixels look \"%s\"", i + 1, looks_of(c));
+}
+
+Test(picture, a_few_wrong_pixels_look_like_nothing)
+{
+    with_random_scenes(look_at_few_wrong, 12);
+}
+
+// ---- Around the picture -------------------------------------------------------------------------
+
+static void expect_message(char *message, const char *part)
+{
+    cr_expect(part ? message != NULL && strstr(message, part) != NULL : message == NULL,
+              "found \"%s\", expected \"%s\"", message ? message : "(nothing)",
+              part ? part : "(nothing)");
+    free(message);
+}
+
+Test(picture, what_is_written_outside_is_found)
+{
+    // The image is 96 + 16 by 64 + 16 pixels.
+    static const int places[][2] = {{96, 0}, {0, 64}, {96, 64}, {111, 79}, {111, 0}, {0, 79}};
+    Case *c = case_open(96, 64, 1);
+    cr_assert(c->probe.image_width == 112 && c->probe.image_height == 80);
+    expect_message(picture_judge_padding(c->probe, 96, 64), NULL);
+    for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
+        for (int channel = 0; channel < IMAGE_CHANNELS; channel++) {
+            float *value = &own_pixel(c, places[i][0], places[i][1])[channel];
+            char part[64];
+            snprintf(part, sizeof part, "pixel (%d, %d) of a 96x64 picture", places[i][0],
+                     places[i][1]);
+            *value = channel % 2 ? NAN : 0;
+            expect_message(picture_judge_padding(c->probe, 96, 64), part);
+            *value = UNWRITTEN;
+        }
+    }
+    expect_message(picture_judge_padding(c->probe, 96, 64), NULL);
+    expect_right(c);
+    case_close(c);
+}
+
+Test(picture, what_nobody_wrote_is_found)
+{
+    Case *c = case_open(64, 96, 1);
+    expect_message(picture_judge_written(c->probe, 64, 96), NULL);
+    own_pixel(c, 63, 95)[0] = UNWRITTEN;
+    own_pixel(c, 9, 9)[3] = NAN;
+    expect_message(picture_judge_written(c->probe, 64, 96), NULL);
+    for (int channel = 0; channel < IMAGE_CHANNELS; channel++) {
+        own_pixel(c, 63, 95)[channel] = own_pixel(c, 0, 95)[channel] = UNWRITTEN;
+    }
+    expect_message(picture_judge_written(c->probe, 64, 96),
+                   "nobody wrote pixel (0, 95) of a 64x96 picture; 2 of its");
+    own_clear(c);
+    expect_message(picture_judge_written(c->probe, 64, 96), "pixel (0, 0) of a 64x96");
+    case_close(c);
+}
+
+Test(picture, is_copied_without_its_margin)
+{
+    Case *c = case_open(96, 64, 5);
+    Image copy;
+    cr_assert_eq(picture_copy(c->probe, 96, 64, &copy), 0);
+    cr_expect(copy.width == 96 && copy.height == 64);
+    const ImageDifference difference = image_compare(&copy, &c->expected.reference, 0);
+    cr_expect(difference.same_size && difference.n_different == 0);
+    image_free(&copy);
+    case_close(c);
+}
