@@ -172,7 +172,7 @@ check "and the message is of the time" stage Running failed "it did not finish i
 copy_lab solutions $lab
 echo '    (void)box; exit(0);' | answer $file split_box
 broken "leaving early with status 0 costs its task" 80
-check "and the message is of silence" holds "a call of exit"
+check "and the message is of that" stage Running failed "a call of exit"
 
 copy_lab solutions $lab
 echo '    (void)box; exit(3);' | answer $file split_box
