@@ -58,7 +58,9 @@ static int line_is_noise(const char *line)
 {
     return line[strspn(line, " \t\r")] == '\0' ||
            (strncmp(line, "Device ", 7) == 0 && strstr(line, "failed to build") != NULL) ||
-           strncmp(line, "Error(s) while linking", 22) == 0 || strstr(line, " generated.") != NULL;
+           strncmp(line, "Error(s) while linking", 22) == 0 ||
+           strstr(line, " generated.") != NULL ||
+           strstr(line, "so overriding noinline attribute") != NULL;  // NVIDIA, of every kernel
 }
 
 // Was the same line in the log before? PoCL reads a program twice and repeats warnings.

@@ -14,6 +14,6 @@ int overlaps_N_Nearer(int x, int y, Circle circle, float minDepth)
     //> return 0;
     const float dx = x - circle.x;
     const float dy = y - circle.y;
-    return dx * dx + dy * dy <= circle.radius * circle.radius && circle.depth < minDepth;
+    return circle.depth < minDepth && dx * dx + dy * dy <= circle.radius * circle.radius;
     // END overlaps_N_Nearer
 }

@@ -240,7 +240,7 @@ int kdtree2d_build(const Circle *h_circles, u32 n_circles, KdTreeLimits limits, 
         } else if (builder.tree.n_map + builder.n_open_ids > TREE2D_MAX_ENTRIES) {
             failure = "the leaves would hold too many circles";
         } else if (builder.tree.n_nodes > TREE2D_MAX_NODES) {
-            failure = "too many nodes: splitting does not end";
+            failure = "there would be too many nodes";
         }
     }
     for (u32 id = 0; id < builder.tree.n_nodes; id++) {

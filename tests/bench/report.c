@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 // The lecture's figures: 8192 circles on a GTX 470, frames a second.
 #define LECTURE_NAIVE_FPS 2.5
@@ -154,6 +155,10 @@ int report_make_folder(const char *folder)
             return -1;
         }
         *slash = '/';
+    }
+    if (access(path, W_OK | X_OK) != 0) {
+        fprintf(stderr, "bench2d: --output: cannot write into %s: %s\n", folder, strerror(errno));
+        return -1;
     }
     return 0;
 }

@@ -292,7 +292,7 @@ static int is_finite(const float *pixel)
     return isfinite(pixel[0]) && isfinite(pixel[1]) && isfinite(pixel[2]) && isfinite(pixel[3]);
 }
 
-// May this pixel of the student's be another than the reference's? A colour it must be all the same.
+// May this pixel of the student's differ from the reference's? It must be a colour all the same.
 static int may_differ(const ExpectedPicture *expected, int x, int y, const float *pixel)
 {
     return expected->ambiguous != NULL &&

@@ -1,5 +1,5 @@
-// grader/judge_NN: each lab's checks and job, right answers, and answers that are missing, of a wrong
-// size or garbage.
+// grader/judge_NN: each lab's checks and job, right answers, and answers that are missing, of a
+// wrong size or garbage.
 //
 // The right answers are worked out here, in plain C; that they pass shows that what is done to them
 // afterwards is what fails.
@@ -639,6 +639,64 @@ LAB_TEST(garbage_in_one_section_is_noticed)
             sections_free(&bad);
         }
     }
+    sections_free(&answers);
+    job_close(&open);
+}
+
+// Sections of which every word counts; a wrong word is the other decision, or another bit.
+static const struct {
+    int lab;
+    const char *name;
+    int is_decision;
+} whole_sections[] = {
+    {0, "readback.0", 0}, {0, "readback.1", 0},       {1, "overlaps", 1},     {2, "leaves", 1},
+    {2, "splits", 0},     {2, "overlaps", 1},         {2, "distribute", 0},   {2, "pack", 0},
+    {2, "tree.1.map", 0}, {2, "tree.1.relations", 0}, {2, "tree.1.boxes", 0}, {3, "children.0", 0},
+};
+
+static int passes_everything(const Open *open, const Sections *answers)
+{
+    int i = 0;
+    while (i < open->judge->n_checks && verdict_on(open, i, answers) == VERDICT_PASSED) {
+        i++;
+    }
+    return i == open->judge->n_checks;
+}
+
+LAB_TEST(one_wrong_word_is_noticed)
+{
+    Open open = job_open(*lab, 9);
+    Sections answers = right_answers(*lab, &open.file);
+    Random random = {10};
+    for (size_t s = 0; s < sizeof whole_sections / sizeof *whole_sections; s++) {
+        size_t n_bytes;
+        u32 *words = (u32 *)sections_find_any(&answers, whole_sections[s].name, &n_bytes);
+        if (whole_sections[s].lab != *lab) {
+            continue;
+        }
+        cr_assert_not_null(words);
+        size_t n_words = n_bytes / sizeof *words;
+        // Of a list only what belongs to it: behind it anything may stand.
+        if (strcmp(whole_sections[s].name, "distribute") == 0) {
+            while (words[0] < 3) {
+                words += DISTRIBUTE_ROOM;
+            }
+            n_words = 1 + words[0];
+        }
+        // Of packed leaves the first one word by word, else some words anywhere.
+        const int is_pack = strcmp(whole_sections[s].name, "pack") == 0;
+        const size_t n_tries = is_pack ? sizeof(PackAnswer) / sizeof *words : 40;
+        for (size_t i = 0; i < n_tries; i++) {
+            const size_t at =
+                is_pack ? i : (size_t)random_integer(&random, 0, (int64_t)n_words - 1);
+            const u32 was = words[at];
+            words[at] = whole_sections[s].is_decision ? was == 0 : was ^ 0x40000000;
+            cr_expect_not(passes_everything(&open, &answers), "%s: word %zu",
+                          whole_sections[s].name, at);
+            words[at] = was;
+        }
+    }
+    cr_expect(passes_everything(&open, &answers));
     sections_free(&answers);
     job_close(&open);
 }

@@ -325,6 +325,38 @@ Test(oracle2d, what_float_decides_otherwise_is_ambiguous)
     image_free(&image);
 }
 
+Test(oracle2d, no_rounding_of_a_single_circle_is_overlooked)
+{
+    Random random = {6};
+    Image image;
+    cr_assert_eq(image_create(1, 1, &image), 0);
+    int n_different = 0;
+    for (int i = 0; i < 400000; i++) {
+        // The one pixel of the image is sampled at (place, place). Just above 512 the steps of float
+        // are largest against the numbers, and centres near 0 make every step round.
+        const int is_worst = i % 2;
+        const OracleRules rules = {.sample_offset =
+                                       is_worst ? 514 : (double)random_integer(&random, 0, 999)};
+        const float place = (float)rules.sample_offset;
+        Circle circle = {.x = anywhere(&random, is_worst ? 0 : -99, is_worst ? 2 : 1099),
+                         .y = anywhere(&random, is_worst ? 0 : -99, is_worst ? 2 : 1099)};
+        circle.radius = (float)hypot((double)place - circle.x, (double)place - circle.y);
+        const int nudge = (int)random_integer(&random, -1, 1);
+        circle.radius = nudge ? nextafterf(circle.radius, (float)nudge * INFINITY) : circle.radius;
+        unsigned char ambiguous;
+        oracle2d_draw(&circle, 1, &rules, &image, &ambiguous);
+        for (int way = 0; way < N_WAYS; way++) {
+            const int differs =
+                covers_in_float(way, circle, place, place) != oracle2d_covers(circle, place, place);
+            n_different += differs;
+            cr_expect(!differs || ambiguous, "circle (%a, %a) %a at %g, way %d", (double)circle.x,
+                      (double)circle.y, (double)circle.radius, (double)place, way);
+        }
+    }
+    cr_expect_gt(n_different, 1000);
+    image_free(&image);
+}
+
 Test(oracle2d, what_float_cannot_hold_is_ambiguous)
 {
     // Squares that overflow to infinity, and squares that vanish.

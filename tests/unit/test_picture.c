@@ -387,6 +387,14 @@ static void look_at_background(Case *c, size_t i)
     }
     cr_expect_str_eq(looks_of(c),
                      "right but for the background, which is (0, 0, 0, 0) in all four channels");
+    int corner = 0;
+    while (reference_pixel(c, corner, 0)[3] != 0) {
+        corner++;
+    }
+    float *value = own_pixel(c, corner, 0);
+    *value += 0.25f;
+    cr_expect_str_eq(looks_of(c), "", "a background of two colours");
+    *value -= 0.25f;
     own_pixel(c, 20, 20)[0] += 1;  // in the first circle
     cr_expect_str_eq(looks_of(c), "");
 }
@@ -427,6 +435,42 @@ static void look_at_few_wrong(Case *c, size_t i)
 Test(picture, a_few_wrong_pixels_look_like_nothing)
 {
     with_random_scenes(look_at_few_wrong, 12);
+}
+
+// A scene of one circle at (40, 30): little is drawn, so most of any guess is right.
+static Case *case_open_sparse(float radius)
+{
+    Case *c = case_open(96, 64, 1);
+    c->circles[0] = (Circle){.x = 40, .y = 30, .radius = radius, .r = 0.25f, .g = 0.5f, .a = 1};
+    c->expected.n_circles = 1;
+    oracle2d_draw(c->circles, 1, &RIGHT, &c->expected.reference, NULL);
+    own_show(c, &c->expected.reference);
+    return c;
+}
+
+Test(picture, from_five_wrong_pixels_nothing_is_concluded)
+{
+    // The boundary passes through twelve pixels; these are some that a strict comparison loses.
+    static const int lost[6][2] = {{45, 30}, {43, 34}, {44, 33}, {40, 35}, {35, 30}, {36, 27}};
+    Case *c = case_open_sparse(5);
+    for (int i = 0; i < 6; i++) {
+        memset(own_pixel(c, lost[i][0], lost[i][1]), 0, IMAGE_CHANNELS * sizeof(float));
+        cr_expect_str_eq(looks_of(c), i < 5 ? "" : mistakes[0].looks, "%d pixels", i + 1);
+    }
+    case_close(c);
+}
+
+Test(picture, a_guess_must_explain_what_is_wrong)
+{
+    Case *c = case_open_sparse(2);
+    for (int y = 28; y <= 32; y++) {
+        for (int x = 38; x <= 42; x++) {
+            float *pixel = own_pixel(c, x, y);
+            pixel[0] = pixel[3] > 0 ? 0.75f : 0;
+        }
+    }
+    cr_expect_str_eq(looks_of(c), "", "a small circle in a wrong colour looks \"%s\"", looks_of(c));
+    case_close(c);
 }
 
 // ---- Around the picture -------------------------------------------------------------------------

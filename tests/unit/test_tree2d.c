@@ -1,5 +1,5 @@
-// Lab 02's solution, the judges of trees and the drawing: good trees pass, each fault is found by the
-// judges that look at it and by no other, and no tree of a submission does harm.
+// Lab 02's solution, the judges of trees and the drawing: good trees pass, each fault is found by
+// the judges that look at it and by no other, and no tree of a submission does harm.
 #include "oracle2d.h"
 #include "random.h"
 #include "surroundings.h"
@@ -308,7 +308,8 @@ static KdTree2D tree_copy(const KdTree2D *tree)
     return copy;
 }
 
-// The subject: 31 nodes, all levels full, leaves 15 to 30; leaf 20 has several circles, the last one too.
+// The subject: 31 nodes, all levels full, leaves 15 to 30; leaf 20 and the last one have several
+// circles.
 enum { LAST_INNER = 14, A_LEAF = 20, LAST_LEAF = 30 };
 
 static JobScene subject_open(void)
@@ -616,6 +617,51 @@ Test(tree2d, each_fault_is_found_by_its_judges_alone)
     job_scene_free(&scene);
 }
 
+// The first fault is named, with what was found and what was expected.
+static const struct {
+    void (*corrupt)(KdTree2D *tree);
+    int judge;
+    const char *says;
+} messages[] = {
+    {child_is_far_out, CELLS,
+     "node 3 is an inner node, but its children are 4294967295 and 8 of 31"},
+    {children_are_swapped, PACKING, "node 3's children are 8 and 7, expected 7 and 8"},
+    {ids_are_permuted, PACKING, "the node at position 8 has id 9"},
+    {lists_are_permuted, PACKING, "expected 0, behind the list"},
+    {offset_is_far_out, OVERLAP, "leaf 20: circleMapOffset is 4294967295, but mapNode2Circles has"},
+    {count_is_far_out, LISTS, "where the count would be 4294967295"},
+    {list_is_unsorted, LISTS, "the ids must ascend"},
+    {circle_is_missing, OVERLAP, "overlaps its cell, but the leaf does not list it"},
+    {circle_is_additional, OVERLAP, "does not overlap it, but the leaf lists it"},
+    {circle_is_none, LISTS, "lists circle 60, but the scene has 60"},
+    {leaf_box_is_shifted, CELLS, "node 9's child 20: found x ["},
+    {inner_node_is_a_leaf, LIMITS, "is a leaf, expected it to be split"},
+    {leaf_is_an_inner_node, LIMITS, "node 20 on level 5 with"},
+    {leaf_is_an_inner_node, LIMITS, "is split, expected a leaf"},
+    {map_has_a_tail, PACKING, "31 nodes and"},
+    {there_is_only_a_root, CELLS, "the tree has 1 nodes, expected 31"},
+};
+
+Test(tree2d, each_fault_is_named)
+{
+    JobScene scene = subject_open();
+    for (size_t i = 0; i < sizeof messages / sizeof *messages; i++) {
+        KdTree2D tree = tree_copy(&scene.tree);
+        messages[i].corrupt(&tree);
+        for (size_t j = 0; j < sizeof judges / sizeof *judges; j++) {
+            if (judges[j].bit == messages[i].judge) {
+                char *message = judges[j].judge(&scene, &tree);
+                cr_expect(message != NULL && strstr(message, messages[i].says) != NULL,
+                          "found \"%s\", expected \"%s\"", message ? message : "(nothing)",
+                          messages[i].says);
+                free(message);
+            }
+        }
+        tree2d_free(&tree);
+    }
+    job_scene_free(&scene);
+}
+
 // A tree of another shape, consistent in itself: only the limits say which one was asked for.
 static void expect_against_tree_of(const JobScene *scene, KdTreeLimits limits)
 {
@@ -725,7 +771,7 @@ Test(tree2d, all_bits_set_and_random_bits_are_survived)
 static void expect_judged(u32 n_listed)
 {
     enum { N_NODES = 1 << 19, N_MAP = 1 << 22 };
-    JobScene scene = scene_of("random:n=300,seed=4,max=4", 200, 200, (KdTreeLimits){8, 2});
+    JobScene scene = scene_of("random:n=1000,seed=4,max=4", 200, 200, (KdTreeLimits){8, 2});
     KdTree2D tree = {calloc(N_NODES, sizeof(NodeRel)),
                      calloc(N_NODES, 1),
                      calloc(N_NODES, sizeof(BBox2D)),
@@ -755,7 +801,7 @@ Test(tree2d, leaves_that_share_an_endless_list_are_judged_in_no_time)
 
 Test(tree2d, leaves_without_end_are_judged_in_no_time)
 {
-    expect_judged(300);
+    expect_judged(1000);
 }
 
 Test(tree2d, an_empty_tree_is_survived)
