@@ -51,4 +51,23 @@ for folder in solutions/*/; do
     done
 done
 
+# The pictures of the READMEs and notes are what the solutions draw. (make figures mends them.) A
+# gradient may differ in its last bit from device to device, hence one of 255 levels.
+BUILD=${BUILD:-build}
+check "the figures can be drawn" tests/figures.sh "$scratch/figures" "$BUILD"
+for figure in slides-notes/figures/*; do
+    drawn=$scratch/figures/$(basename "$figure")
+    case $figure in
+    *.png) check "$figure is what a solution draws" "$tools/compare" "$drawn" "$figure" 0.004 ;;
+    *) check "$figure is what a solution draws" cmp "$drawn" "$figure" ;;
+    esac
+done
+for readme in labs/*/README.md slides-notes/*.md README.md; do
+    links=$(grep -o '](\([^)#:]*\.\(png\|svg\|md\|json\|txt\)\))' "$readme" | sed 's/^](//; s/)$//')
+    for link in $links; do
+        [ -f "$(dirname "$readme")/$link" ]
+        ok $? "$readme: $link is there"
+    done
+done
+
 finish

@@ -1,0 +1,65 @@
+#!/bin/sh
+# Installing: what common/setup/install.sh says and does where packages, apt or rights are missing.
+. tests/tap.sh
+
+install=common/setup/install.sh
+needed=$(awk '!/^#/ && index("," $2 ",", ",demo,") { print $1 }' common/setup/packages.txt)
+
+# A folder that is the whole PATH: the usual tools, without apt, dpkg or compilers.
+bare=$scratch/bare
+mkdir "$bare"
+for tool in sh awk grep sed dirname id cat env; do
+    ln -s "$(command -v $tool)" "$bare/$tool"
+done
+
+# runs STATUS PATH ARGUMENT...: does install.sh end so? Its words are in $scratch/said.
+runs() {
+    wanted=$1
+    path=$2
+    shift 2
+    status=0
+    PATH=$path sh "$install" "$@" >"$scratch/said" 2>&1 || status=$?
+    [ "$status" -eq "$wanted" ] || { echo "exit status $status"; cat "$scratch/said"; return 1; }
+}
+
+check "without apt and compilers it stops" runs 1 "$bare" demo
+missing=
+for package in $needed; do
+    grep -q "^ *$package$" "$scratch/said" || missing="$missing $package"
+done
+[ -z "$missing" ]
+ok $? "and prints the whole list" "not named:$missing"
+
+# A package database in which nothing is installed, a user who is not root, and no sudo.
+printf '#!/bin/sh\nexit 1\n' >"$bare/dpkg-query"
+# shellcheck disable=SC2016 # for the script that is written
+printf '#!/bin/sh\necho "apt-get $*" >>"$APT_LOG"\n' >"$bare/apt-get"
+chmod +x "$bare/dpkg-query" "$bare/apt-get"
+rm "$bare/id"
+printf '#!/bin/sh\necho 1000\n' >"$bare/id"
+chmod +x "$bare/id"
+APT_LOG=$scratch/apt.log
+export APT_LOG
+check "without root and sudo it stops" runs 1 "$bare" demo
+check "and says whom to ask" grep -q "Neither root nor sudo" "$scratch/said"
+[ ! -e "$APT_LOG" ]
+ok $? "and installs nothing"
+
+# With sudo it installs exactly the list, without recommended packages, and says so.
+printf '#!/bin/sh\nexec "$@"\n' >"$bare/sudo"
+chmod +x "$bare/sudo"
+check "with sudo it installs" runs 0 "$bare" demo
+check "it says what" grep -q "^Installing: make gcc " "$scratch/said"
+asked=$(sed -n 's/^apt-get install.* --no-install-recommends //p' "$APT_LOG")
+# shellcheck disable=SC2086,SC2116 # the list on one line
+[ "$asked" = "$(echo $needed)" ]
+ok $? "it asks apt for the list, without recommended packages" "asked for: $asked"
+
+# Where all is installed it does nothing and says nothing.
+printf '#!/bin/sh\necho installed\n' >"$bare/dpkg-query"
+rm -f "$APT_LOG"
+check "nothing missing: nothing done" runs 0 "$bare" test
+[ ! -e "$APT_LOG" ] && [ ! -s "$scratch/said" ]
+ok $? "and nothing said"
+
+finish
