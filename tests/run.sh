@@ -3,8 +3,9 @@
 #
 #     tests/run.sh [NAME...]      all, or the unit tests and suites of these names
 #
-# Unit tests are Criterion programs (build/tests/test_*), suites are scripts (tests/suites/*.sh); both
-# speak TAP, kept in build/tests/*.tap. The last line is "N passed, N failed".
+# Unit tests are Criterion programs, nearly all built with the sanitizers (build/sanitized/tests/test_*);
+# suites are scripts (tests/suites/*.sh). Both speak TAP, kept in build/tests/*.tap. The last line is
+# "N passed, N failed".
 set -u
 build=${BUILD:-build}
 results=$build/tests
@@ -54,7 +55,7 @@ report() {
     fi
 }
 
-for program in "$results"/test_*; do
+for program in "$build/tests/test_cl_setup" "$build"/sanitized/tests/test_*; do
     case $program in *.tap | *.log) continue ;; esac
     name=$(basename "$program")
     wanted "$name" "$@" || continue
@@ -71,6 +72,10 @@ for suite in tests/suites/*.sh; do
     report "$name" $? "$results/$name.log"
 done
 
+if [ $((passed + failed + skipped)) -eq 0 ]; then
+    echo "no test is called: $*" >&2
+    exit 1
+fi
 [ "$skipped" -eq 0 ] || echo "($skipped skipped: what is missing for them is in build/tests/*.tap)"
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]
