@@ -369,7 +369,7 @@ done <<'END'
 01|seed=S|--scene random:seed=1.5
 02|max=R, a radius from 0 to 255|--scene random:max=256
 03|found min=9 above max=2|--scene random:min=9,max=2
-02|splitting does not end; choose|--scene $scenes/same.csv --max-depth 24 --leaf-size 1
+02|there would be too many nodes; choose|--scene $scenes/same.csv --max-depth 24 --leaf-size 1
 00|--size: found "-3x5", expected WxH|--size -3x5
 01|--size: found "0x0"|--size 0x0
 02|--size: found "640"|--size 640

@@ -15,7 +15,7 @@ check "cppcheck" cppcheck --quiet --error-exitcode=1 --inline-suppr --std=c11 --
     --suppress=normalCheckLevelMaxBranches --suppress=nullPointerOutOfMemory \
     --suppress=nullPointerArithmeticOutOfMemory --suppress=nullPointerOutOfResources \
     -Icommon -Ikernels -Itests/grader -Itests/probes -Isolutions/02-kdtree-2d-build \
-    -DLAB_NAME='"lab"' -DLAB_FOLDER='"labs/lab"' -DKERNEL_OPTIONS='""' -DPROBE_KERNEL_OPTIONS='""' \
+    -DJSON_INTEGER_FORMAT='"lld"' -DLAB_NAME='"lab"' -DLAB_FOLDER='"labs/lab"' -DKERNEL_OPTIONS='""' -DPROBE_KERNEL_OPTIONS='""' \
     $(echo "$written" | grep '\.c$' | grep -v '^tests/unit/')
 
 # The OpenCL front end of clang, with warnings, on every kernel, counting and not.
@@ -34,7 +34,9 @@ for kernel in $(echo "$sources" | grep '\.cl$' | grep -v '^tests/mutants/'); do
 done
 
 # shellcheck disable=SC2046
-check "shellcheck" shellcheck $(git ls-files -- '*.sh' .ci/run 2>/dev/null || find . -name '*.sh')
+# SC2319: `ok $?` after a condition is meant to see the condition's own status.
+# shellcheck disable=SC2046
+check "shellcheck" shellcheck -e SC2319 $(git ls-files -- '*.sh' .ci/run 2>/dev/null || find . -name '*.sh')
 
 # House rules.
 # shellcheck disable=SC2016 # awk's $0
