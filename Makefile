@@ -7,10 +7,12 @@ CXX = g++
 WARNINGS = -Wall -Wextra -Werror
 INCLUDES = -Icommon -Ikernels
 DEPENDENCIES = -MMD -MP
-# `make SANITIZE=1` builds the same under build/sanitized with the address and undefined sanitizers.
-ifdef SANITIZE
-override BUILD := $(BUILD)/sanitized
+# `make SANITIZE=1` builds the same with the address and undefined sanitizers, in a folder of its own.
+ifeq ($(SANITIZE),1)
+OUT := $(BUILD)/sanitized
 SANITIZERS = -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer
+else
+OUT := $(BUILD)
 endif
 OPTIMISATION = -O2 -g
 CFLAGS = -std=c11 -D_GNU_SOURCE $(OPTIMISATION) $(WARNINGS) $(SANITIZERS)
@@ -38,38 +40,41 @@ earlier_sources = $(foreach l,$(call earlier,$(1)),\
 # Where headers and kernels are looked for, after the lab's own folder.
 include_path = -I kernels $(foreach l,$(call earlier,$(1)),-I solutions/$(l))
 
-objects = $(patsubst %,$(BUILD)/obj/%.o,$(1))
+objects = $(patsubst %,$(OUT)/obj/%.o,$(1))
 COMMON_OBJECTS := $(call objects,$(wildcard common/*.c common/*.cpp))
-PROGRAMS := $(foreach tree,labs solutions,$(foreach l,$(notdir $(wildcard $(tree)/*)),$(BUILD)/$(tree)/$(l)))
+PROGRAMS := $(foreach tree,labs solutions,$(foreach l,$(notdir $(wildcard $(tree)/*)),$(OUT)/$(tree)/$(l)))
 
 .PHONY: all
 all: $(PROGRAMS) grader  ## build every lab, every solution and the grader
 
 # ---- Compiling ------------------------------------------------------------------------------
 
-$(BUILD)/obj/%.c.o: %.c
+# What is said here decides how everything is compiled.
+THIS_FILE := $(firstword $(MAKEFILE_LIST))
+
+$(OUT)/obj/%.c.o: %.c $(THIS_FILE)
 	@mkdir -p $(@D)
 	$(call say,compile $<)$(CC) $(CFLAGS) $(DEPENDENCIES) $(INCLUDES) $(EXTRA) -c $< -o $@
 
-$(BUILD)/obj/%.cpp.o: %.cpp
+$(OUT)/obj/%.cpp.o: %.cpp $(THIS_FILE)
 	@mkdir -p $(@D)
 	$(call say,compile $<)$(CXX) $(CXXFLAGS) $(DEPENDENCIES) $(INCLUDES) $(IMAGE_CFLAGS) -c $< -o $@
 
-$(BUILD)/libcommon.a: $(COMMON_OBJECTS)
+$(OUT)/libcommon.a: $(COMMON_OBJECTS)
 	@rm -f $@
 	@ar rcs $@ $^
 
 # One program a lab: $(1) is labs or solutions, $(2) the lab's name.
 define lab_program
-$(BUILD)/obj/$(1)/$(2)/%.o: EXTRA = -I $(1)/$(2) $(call include_path,$(2)) \
+$(OUT)/obj/$(1)/$(2)/%.o: EXTRA = -I $(1)/$(2) $(call include_path,$(2)) \
     -DLAB_NAME='"$(2)"' -DLAB_FOLDER='"$(1)/$(2)"' -DKERNEL_OPTIONS='"$(call include_path,$(2))"'
-$(BUILD)/$(1)/$(2): $(call objects,$(wildcard $(1)/$(2)/*.c)) $(BUILD)/earlier/$(2).a $(BUILD)/libcommon.a
+$(OUT)/$(1)/$(2): $(call objects,$(wildcard $(1)/$(2)/*.c)) $(OUT)/earlier/$(2).a $(OUT)/libcommon.a
 	@mkdir -p $$(@D)
 	$$(call say,link    $$@)$(CC) $(SANITIZERS) $$^ $$(LIBRARIES) -o $$@
 endef
 # The solutions of the labs before $(1) as an archive: the linker takes from it what the lab calls.
 define earlier_archive
-$(BUILD)/earlier/$(1).a: $(call objects,$(call earlier_sources,$(1)))
+$(OUT)/earlier/$(1).a: $(call objects,$(call earlier_sources,$(1)))
 	@mkdir -p $$(@D)
 	@rm -f $$@
 	@ar rcs $$@ $$^
@@ -84,13 +89,13 @@ GRADER_SOURCES := $(filter-out $(GRADER_MAINS),$(wildcard tests/grader/*.c))
 # The grader makes its trees with the solution of lab 02.
 BUILDER = solutions/02-kdtree-2d-build/kdtree2d_build.c
 GRADER_INCLUDES = -I tests/grader -I tests/probes -I solutions/02-kdtree-2d-build
-$(BUILD)/obj/tests/%.o: EXTRA = $(GRADER_INCLUDES)
+$(OUT)/obj/tests/%.o: EXTRA = $(GRADER_INCLUDES)
 
-$(BUILD)/libgrader.a: $(call objects,$(GRADER_SOURCES) tests/probes/sections.c $(BUILDER))
+$(OUT)/libgrader.a: $(call objects,$(GRADER_SOURCES) tests/probes/sections.c $(BUILDER))
 	@rm -f $@
 	@ar rcs $@ $^
 
-$(BUILD)/tools/grade $(BUILD)/tools/class_report $(BUILD)/tools/mutants: $(BUILD)/tools/%: $(BUILD)/obj/tests/grader/%.c.o $(BUILD)/libgrader.a $(BUILD)/libcommon.a
+$(OUT)/tools/grade $(OUT)/tools/class_report $(OUT)/tools/mutants: $(OUT)/tools/%: $(OUT)/obj/tests/grader/%.c.o $(OUT)/libgrader.a $(OUT)/libcommon.a
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -o $@
 
@@ -99,66 +104,66 @@ $(BUILD)/tools/grade $(BUILD)/tools/class_report $(BUILD)/tools/mutants: $(BUILD
 PROBES := $(patsubst tests/probes/probe_%.c,%,$(wildcard tests/probes/probe_*.c))
 host_files = $(filter-out %/main.c,$(wildcard solutions/$(1)/*.c))
 define probe
-$(BUILD)/obj/tests/probes/probe_$(1).c.o: EXTRA = -I tests/probes -I solutions/$(1) \
+$(OUT)/obj/tests/probes/probe_$(1).c.o: EXTRA = -I tests/probes -I solutions/$(1) \
     -DLAB_NAME='"$(1)"' -DLAB_FOLDER='"labs/$(1)"' -DPROBE_KERNEL_OPTIONS='"$(call include_path,$(1))"'
-$(BUILD)/probes/$(1).a: $(call objects,tests/probes/probe_$(1).c tests/probes/probe.c tests/probes/sections.c)
+$(OUT)/probes/$(1).a: $(call objects,tests/probes/probe_$(1).c tests/probes/probe.c tests/probes/sections.c)
 	@mkdir -p $$(@D)
 	@rm -f $$@
 	@ar rcs $$@ $$^
-$(BUILD)/probes/$(1): $(BUILD)/probes/$(1).a $(BUILD)/libcommon.a
+$(OUT)/probes/$(1): $(OUT)/probes/$(1).a $(OUT)/libcommon.a
 	$$(call say,link    $$@)$(CC) $(SANITIZERS) $$^ -lOpenCL -lm -o $$@
-PROBE_TARGETS += $(BUILD)/probes/$(1).a $(if $(call host_files,$(1)),,$(BUILD)/probes/$(1))
+PROBE_TARGETS += $(OUT)/probes/$(1).a $(if $(call host_files,$(1)),,$(OUT)/probes/$(1))
 endef
 $(foreach l,$(PROBES),$(eval $(call probe,$(l))))
 
 .PHONY: grader
-grader: $(BUILD)/tools/holes $(BUILD)/tools/grade $(BUILD)/tools/mutants $(BUILD)/tools/class_report $(PROBE_TARGETS) $(foreach l,$(LABS),$(BUILD)/earlier/$(l).a)  ## build the grader and its probes
+grader: $(OUT)/tools/holes $(OUT)/tools/grade $(OUT)/tools/mutants $(OUT)/tools/class_report $(PROBE_TARGETS) $(foreach l,$(LABS),$(OUT)/earlier/$(l).a)  ## build the grader and its probes
 
 .PHONY: grade
 grade: grader  ## grade LAB=03 [SUBMISSION=folder] [SEED=n] [DEVICE=d]
 	@test -n "$(LAB)" || { echo "make grade: say which lab: make grade LAB=03" >&2; exit 2; }
-	@$(BUILD)/tools/grade --lab "$(LAB)" $(if $(SUBMISSION),--submission "$(SUBMISSION)") \
-	    $(if $(SEED),--seed "$(SEED)") $(if $(DEVICE),--device "$(DEVICE)")
+	@$(OUT)/tools/grade --build $(OUT) --lab "$$LAB" $(if $(SUBMISSION),--submission "$$SUBMISSION") \
+	    $(if $(SEED),--seed "$$SEED") $(if $(DEVICE),--device "$$DEVICE")
 
 # ---- Skeletons: labs/ is cut from solutions/ ------------------------------------------------
 
-$(BUILD)/tools/holes: $(call objects,tests/grader/holes_tool.c tests/grader/holes.c common/text_file.c)
+$(OUT)/tools/holes: $(call objects,tests/grader/holes_tool.c tests/grader/holes.c common/text_file.c)
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(SANITIZERS) $^ -o $@
 
 .PHONY: labs
-labs: $(BUILD)/tools/holes  ## cut the skeletons in labs/ anew from solutions/
-	tests/cut_labs.sh $(BUILD)/tools/holes labs
+labs: $(OUT)/tools/holes  ## cut the skeletons in labs/ anew from solutions/
+	tests/cut_labs.sh $(OUT)/tools/holes labs
 
 # ---- Tests ----------------------------------------------------------------------------------
 
-UNIT_TESTS := $(patsubst tests/unit/%.c,$(BUILD)/tests/%,$(wildcard tests/unit/test_*.c))
-$(UNIT_TESTS): $(BUILD)/tests/%: $(BUILD)/obj/tests/unit/%.c.o $(BUILD)/libgrader.a $(BUILD)/libcommon.a
+UNIT_TESTS := $(patsubst tests/unit/%.c,$(OUT)/tests/%,$(wildcard tests/unit/test_*.c))
+$(UNIT_TESTS): $(OUT)/tests/%: $(OUT)/obj/tests/unit/%.c.o $(OUT)/libgrader.a $(OUT)/libcommon.a
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -lcriterion -o $@
 
 # What the suites use: a comparison of two pictures, and a device without images.
-$(BUILD)/tools/compare: $(call objects,tests/compare.c) $(BUILD)/libcommon.a
+$(OUT)/tools/compare: $(call objects,tests/compare.c) $(OUT)/libcommon.a
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -o $@
 
-$(BUILD)/tests/no_images.so: tests/no_images.c
+$(OUT)/tests/no_images.so: tests/no_images.c
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(CFLAGS) -fPIC -shared $< -ldl -o $@
 
 # Unit tests run under the sanitizers, but for this one: PoCL's compiler is not built for them.
-NATIVE_TEST = $(BUILD)/tests/test_cl_setup
+NATIVE_TEST = $(OUT)/tests/test_cl_setup
 
 .PHONY: unit-tests
 unit-tests: $(filter-out $(NATIVE_TEST),$(UNIT_TESTS))
 
 .PHONY: tests
-tests: all $(NATIVE_TEST) $(BUILD)/tools/compare $(BUILD)/tests/no_images.so  ## build all that the tests run
+tests: all $(NATIVE_TEST) $(OUT)/tools/compare $(OUT)/tests/no_images.so  ## build all that the tests run
 	@$(MAKE) --no-print-directory SANITIZE=1 all unit-tests
 
 .PHONY: check
 check: tests  ## run the tests without installing anything
-	@BUILD=$(BUILD) tests/run.sh
+	@BUILD="$(BUILD)" tests/run.sh
 
 .PHONY: test
 test:  ## install what is missing and run every test
@@ -167,21 +172,21 @@ test:  ## install what is missing and run every test
 
 # ---- The bench ------------------------------------------------------------------------------
 
-$(BUILD)/obj/tests/bench/%.o: EXTRA = -I solutions/02-kdtree-2d-build \
+$(OUT)/obj/tests/bench/%.o: EXTRA = -I solutions/02-kdtree-2d-build \
     -DNAIVE_OPTIONS='"$(call include_path,01-naive-2d)"' \
     -DKDTREE_OPTIONS='"$(call include_path,03-kdtree-2d-render)"'
-$(BUILD)/tools/bench2d: $(call objects,$(wildcard tests/bench/*.c) $(BUILDER)) $(BUILD)/libcommon.a
+$(OUT)/tools/bench2d: $(call objects,$(wildcard tests/bench/*.c) $(BUILDER)) $(OUT)/libcommon.a
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -o $@
 
 .PHONY: bench
 bench:  ## install what is missing, measure naive against kd-tree, plot to build/bench
 	@common/setup/install.sh bench
-	@$(MAKE) --no-print-directory $(BUILD)/tools/bench2d
-	@$(BUILD)/tools/bench2d --output $(BUILD)/bench $(if $(DEVICE),--device "$(DEVICE)") \
-	    $(if $(ROUNDS),--rounds "$(ROUNDS)")
-	@gnuplot -e "folder='$(BUILD)/bench'" tests/bench/bench2d.gnuplot
-	@echo "The plot: $(BUILD)/bench/bench2d.png and .svg"
+	@$(MAKE) --no-print-directory $(OUT)/tools/bench2d
+	@$(OUT)/tools/bench2d --output $(OUT)/bench $(if $(DEVICE),--device "$$DEVICE") \
+	    $(if $(ROUNDS),--rounds "$$ROUNDS")
+	@gnuplot -e "folder='$(OUT)/bench'" tests/bench/bench2d.gnuplot
+	@echo "The plot: $(OUT)/bench/bench2d.png and .svg"
 
 # ---- For people -----------------------------------------------------------------------------
 
@@ -189,22 +194,27 @@ bench:  ## install what is missing, measure naive against kd-tree, plot to build
 demo:  ## install what is missing, render every solution, grade a small class
 	@common/setup/install.sh demo
 	@$(MAKE) --no-print-directory -j2 all
-	@tests/demo.sh $(BUILD)
+	@tests/demo.sh $(OUT)
 
 .PHONY: figures
 figures: all  ## draw the pictures of the READMEs and notes anew
-	tests/figures.sh slides-notes/figures $(BUILD) >/dev/null
+	tests/figures.sh slides-notes/figures $(OUT) >/dev/null
 
 .PHONY: format
 format:  ## put every source into the one format
 	clang-format-19 -i $$(git ls-files -- '*.c' '*.h' '*.cpp' '*.cl' | grep -v -e ^labs/ -e ^tests/mutants/)
 
+# Make looks into folders once, at its start: what is cleaned then cannot be built in the same run.
+ifneq ($(and $(filter clean,$(MAKECMDGOALS)),$(filter-out clean,$(MAKECMDGOALS))),)
+$(error make clean stands alone: run it first, then make $(filter-out clean,$(MAKECMDGOALS)))
+endif
+
 .PHONY: clean
 clean:  ## remove everything that was made
-	rm -rf build
+	rm -rf "$(BUILD)"
 
 .PHONY: help
 help:  ## print this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-10s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
 
--include $(shell find $(BUILD)/obj -name '*.d' 2>/dev/null)
+-include $(shell find $(OUT)/obj -name '*.d' 2>/dev/null)

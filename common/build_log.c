@@ -5,6 +5,7 @@
 // Read next: cl_build.c.
 #include "build_log.h"
 
+#include <regex.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -54,12 +55,27 @@ static int log_has_carets(const char *log)
     return 0;
 }
 
+// "1 error generated.", "2 warnings and 1 error generated."
+static int line_is_summary(const char *line)
+{
+#define COUNT "[0-9]+ (error|warning)s?"
+    regex_t summary;
+    if (regcomp(&summary, "^" COUNT "( and " COUNT ")? generated\\.[ \r]*$",
+                REG_EXTENDED | REG_NOSUB) != 0) {
+        return 0;
+    }
+    int is_summary = regexec(&summary, line, 0, NULL, 0) == 0;
+    regfree(&summary);
+    return is_summary;
+#undef COUNT
+}
+
+// For lines that are no diagnostic.
 static int line_is_noise(const char *line)
 {
-    return line[strspn(line, " \t\r")] == '\0' ||
+    return line[strspn(line, " \t\r")] == '\0' || line_is_summary(line) ||
            (strncmp(line, "Device ", 7) == 0 && strstr(line, "failed to build") != NULL) ||
            strncmp(line, "Error(s) while linking", 22) == 0 ||
-           strstr(line, " generated.") != NULL ||
            strstr(line, "so overriding noinline attribute") != NULL;  // NVIDIA, of every kernel
 }
 
@@ -129,7 +145,7 @@ int build_log_print(FILE *out, const char *log, const char *path, const char *al
         size_t length = strcspn(start, "\n");
         char *line = strndup(start, length);
         Diagnostic diagnostic;
-        if (line == NULL || line_is_noise(line) || line_is_repeated(log, start, length)) {
+        if (line == NULL || line_is_repeated(log, start, length)) {
             // Nothing to tell the author.
         } else if (diagnostic_read(line, &diagnostic)) {
             file_rename(diagnostic.file, alias, folder);
@@ -137,7 +153,7 @@ int build_log_print(FILE *out, const char *log, const char *path, const char *al
                     diagnostic.severity, diagnostic.text);
             source_line_print(out, diagnostic.file, diagnostic.line, diagnostic.column);
             n_messages++;
-        } else {
+        } else if (!line_is_noise(line)) {
             fprintf(out, "%s: %s\n", path, line);
             n_messages++;
         }

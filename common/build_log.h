@@ -2,7 +2,7 @@
 //
 // Flow: scene -> buffers -> KERNEL -> image -> comparison. Drivers differ: PoCL writes
 // "error: file:line:column: text" and no more; others write like clang and draw the caret
-// themselves. Used by cl_build.c.
+// themselves. Read next: cl_build.c, which uses it.
 #ifndef COMMON_BUILD_LOG_H
 #define COMMON_BUILD_LOG_H
 

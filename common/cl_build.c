@@ -53,7 +53,7 @@ static int folder_open(const char *program_path, ProgramFolder *folder)
 {
     *folder = (ProgramFolder){.path = folder_of_file(program_path), .descriptor = -1};
     if (folder->path == NULL) {
-        return report(program_path, strerror(ENOMEM));
+        return report(program_path, "no memory");
     }
     folder->in_option = folder->path;
     if (strpbrk(folder->path, UNSAFE_IN_OPTIONS) == NULL) {
@@ -62,6 +62,12 @@ static int folder_open(const char *program_path, ProgramFolder *folder)
 
     // The system has another name for every open folder, one without spaces.
     folder->descriptor = open(folder->path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (folder->descriptor < 0) {
+        int fault = errno;
+        folder_close(folder);
+        fprintf(stderr, "%s: cannot be read: %s\n", program_path, strerror(fault));
+        return -1;
+    }
     snprintf(folder->open_as, sizeof folder->open_as, "/proc/self/fd/%d", folder->descriptor);
     folder->in_option = folder->open_as;
     if (access(folder->open_as, X_OK) == 0) {
@@ -96,15 +102,18 @@ static char *source_read(const char *path)
     char *source = NULL;
     size_t length = 0;
     FILE *text = open_memstream(&source, &length);
+    int failed = text == NULL;
     if (text != NULL) {
         fprintf(text, "#line 1 ");
         path_write_quoted(text, path);
         fprintf(text, "\n%s\n", program);
-        fclose(text);
+        failed = fclose(text) != 0;
     }
     free(program);
-    if (source == NULL) {
-        report(path, strerror(ENOMEM));
+    if (failed) {
+        free(source);
+        report(path, "no memory");
+        return NULL;
     }
     return source;
 }
@@ -122,7 +131,11 @@ static char *options_join(const ProgramFolder *folder, const char *options)
     if (options != NULL && options[0] != '\0') {
         fprintf(text, " %s", options);
     }
-    return fclose(text) == 0 ? joined : NULL;
+    if (fclose(text) != 0) {
+        free(joined);
+        return NULL;
+    }
+    return joined;
 }
 
 // Returns the driver's log, to be freed; "" when it has none.
@@ -186,7 +199,7 @@ cl_program cl_setup_build(const ClSetup *setup, const char *path, const char *op
     char *all_options = options_join(&folder, options);
     cl_program program = NULL;
     if (source != NULL && all_options == NULL) {
-        report(path, strerror(ENOMEM));
+        report(path, "no memory");
     } else if (source != NULL) {
         program = program_build(setup, path, source, &folder, all_options);
     }

@@ -1,5 +1,11 @@
-// Device memory: clCreateImage and clCreateBuffer with the course's one format and its limits.
+// Device memory: clCreateImage and clCreateBuffer with the course's one format and its limits (see
+// cl_memory.h).
+//
+// Flow: scene -> BUFFERS -> kernel -> image -> comparison. Read next: frames.c, where the kernel
+// draws into it.
 #include "cl_memory.h"
+
+#include <stdio.h>
 
 int cl_image_check_size(const ClSetup *cl, int width, int height)
 {

@@ -4,6 +4,8 @@
 // Read next: cl_build.c, where programs are built.
 #include "cl_setup.h"
 
+#include "number.h"
+
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -18,6 +20,20 @@ typedef struct DeviceList {
     int n_devices;
 } DeviceList;
 
+// A device's name, cut off where it has more than n_bytes - 1.
+static void device_name_read(cl_device_id device, char *name, size_t n_bytes)
+{
+    size_t n_whole = 0;
+    char *whole = NULL;
+    if (clGetDeviceInfo(device, CL_DEVICE_NAME, 0, NULL, &n_whole) == CL_SUCCESS) {
+        whole = calloc(n_whole + 1, 1);
+    }
+    int is_read = whole != NULL &&
+                  clGetDeviceInfo(device, CL_DEVICE_NAME, n_whole, whole, NULL) == CL_SUCCESS;
+    snprintf(name, n_bytes, "%s", is_read ? whole : "unnamed device");
+    free(whole);
+}
+
 static void devices_add_platform(DeviceList *list, cl_platform_id platform)
 {
     cl_device_id ids[MAX_DEVICES];
@@ -30,8 +46,8 @@ static void devices_add_platform(DeviceList *list, cl_platform_id platform)
     char platform_name[120] = "unnamed platform";
     clGetPlatformInfo(platform, CL_PLATFORM_NAME, sizeof platform_name, platform_name, NULL);
     for (cl_uint i = 0; i < n_ids && list->n_devices < MAX_DEVICES; i++) {
-        char device_name[120] = "unnamed device";
-        clGetDeviceInfo(ids[i], CL_DEVICE_NAME, sizeof device_name, device_name, NULL);
+        char device_name[120];
+        device_name_read(ids[i], device_name, sizeof device_name);
         snprintf(list->names[list->n_devices], sizeof list->names[0], "%s: %s", platform_name,
                  device_name);
         list->ids[list->n_devices++] = ids[i];
@@ -83,8 +99,8 @@ static int contains_in_any_case(const char *text, const char *part)
 static int devices_choose(const DeviceList *list, const char *choice)
 {
     if (choice[strspn(choice, "0123456789")] == '\0') {
-        long number = strtol(choice, NULL, 10);
-        if (number < list->n_devices) {
+        int64_t number;
+        if (number_read_integer(choice, 0, list->n_devices - 1, &number) == 0) {
             return (int)number;
         }
     } else {
@@ -138,8 +154,7 @@ int cl_setup_open(const char *device_choice, ClSetup *setup)
     CL_CHECK_CREATED(error, clCreateContext);
     setup->queue = clCreateCommandQueue(setup->context, device, 0, &error);
     CL_CHECK_CREATED(error, clCreateCommandQueue);
-    CL_CHECK(clGetDeviceInfo(device, CL_DEVICE_NAME, sizeof setup->device_name - 1,
-                             setup->device_name, NULL));
+    device_name_read(device, setup->device_name, sizeof setup->device_name);
     return 0;
 }
 

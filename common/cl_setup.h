@@ -18,7 +18,7 @@ typedef struct ClSetup {
     cl_device_id device;
     cl_context context;
     cl_command_queue queue;  // in order, profiling off
-    char device_name[256];   // "cpu-haswell-..." as the driver gives it
+    char device_name[256];   // "cpu-haswell-..." as the driver gives it; a longer one is cut off
 } ClSetup;
 
 // Open a device.
@@ -33,7 +33,7 @@ int cl_setup_open(const char *device_choice, ClSetup *setup);
 void cl_setup_close(ClSetup *setup);
 
 // Print every device, one "number  platform: device" a line. Returns 0, or -1 after one message
-// when there is no platform.
+// when there is no platform, or no device on any.
 int cl_setup_list(FILE *out);
 
 // The largest image the device takes, in pixels.

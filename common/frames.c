@@ -1,17 +1,15 @@
-// Timing frames from the host: from the launch until the queue is empty.
+// Timing frames from the host: from the launch until the queue is empty (see frames.h).
+//
+// Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: work_stats.c, which counts
+// what a frame takes instead of timing it.
 #include "frames.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 
 void frames_draw(const ClSetup *cl, EnqueuePixels *enqueue, cl_kernel kernel, int width, int height,
                  int n_frames, Stats *stats)
 {
-    double *milliseconds = calloc((size_t)n_frames, sizeof *milliseconds);
-    if (milliseconds == NULL) {
-        fprintf(stderr, "frames: no memory for the times of %d frames\n", n_frames);
-        exit(EXIT_FAILURE);
-    }
+    double *milliseconds = stats_times_create(n_frames);
     enqueue(cl->queue, kernel, width, height);
     CL_CHECK(clFinish(cl->queue));
     for (int frame = 0; frame < n_frames; frame++) {

@@ -1,4 +1,6 @@
 // Drawing one frame many times and telling how long it takes.
+//
+// Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: stats.h, where the times go.
 #ifndef COMMON_FRAMES_H
 #define COMMON_FRAMES_H
 

@@ -8,6 +8,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 int image_create(int width, int height, Image *image)
 {
@@ -32,6 +33,18 @@ void image_free(Image *image)
 {
     free(image->pixels);
     *image = (Image){0};
+}
+
+size_t image_stem_length(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    const char *name = slash == NULL ? path : slash + 1;
+    const char *ending = strrchr(name, '.');
+    if (ending == NULL || ending == name ||
+        (strcmp(ending, ".exr") != 0 && strcmp(ending, ".png") != 0)) {
+        return 0;
+    }
+    return (size_t)(ending - path);
 }
 
 // The largest difference of one channel; NaN when a value of either pixel is not finite.

@@ -30,14 +30,6 @@ int report(const char *path, const std::string &fault)
     return -1;
 }
 
-bool path_ends_in(const char *path, const char *ending)
-{
-    size_t path_length = std::strlen(path);
-    size_t ending_length = std::strlen(ending);
-    return path_length > ending_length &&
-           std::strcmp(path + path_length - ending_length, ending) == 0;
-}
-
 // Three bytes a pixel. Colours are premultiplied by alpha, so over black they are what they are.
 std::vector<unsigned char> bytes_over_black(const Image *image)
 {
@@ -59,7 +51,7 @@ std::string write_format(const Image *image, const char *format, const char *pat
 {
     std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format);
     if (!output) {
-        return "cannot write this format: " + OIIO::geterror();
+        return "cannot be written in this format: " + OIIO::geterror();
     }
 
     bool as_bytes = std::strcmp(format, "png") == 0;
@@ -73,7 +65,7 @@ std::string write_format(const Image *image, const char *format, const char *pat
     }
     // Closing writes what is still in memory, so it can fail as well.
     if (!written || !output->close()) {
-        return "cannot write: " + output->geterror();
+        return "cannot be written: " + output->geterror();
     }
     return "";
 }
@@ -98,7 +90,7 @@ int load(const char *path, Image *image)
 {
     std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path);
     if (!input) {
-        return report(path, "cannot read: " + OIIO::geterror());
+        return report(path, "cannot be read: " + OIIO::geterror());
     }
     const OIIO::ImageSpec spec = input->spec();
     if (spec.depth > 1 || spec.deep || spec.nchannels < 1) {
@@ -111,7 +103,7 @@ int load(const char *path, Image *image)
     }
     std::vector<float> values((size_t)spec.width * (size_t)spec.height * (size_t)n_channels);
     if (!input->read_image(0, 0, 0, n_channels, OIIO::TypeDesc::FLOAT, values.data())) {
-        return report(path, "cannot read: " + input->geterror());
+        return report(path, "cannot be read: " + input->geterror());
     }
     spread_channels(values, n_channels, image);
     return 0;
@@ -121,10 +113,11 @@ int load(const char *path, Image *image)
 
 extern "C" int image_save(const Image *image, const char *path)
 {
-    const char *format = path_ends_in(path, ".exr") ? "exr" : "png";
-    if (!path_ends_in(path, ".exr") && !path_ends_in(path, ".png")) {
-        return report(path, "found another ending, expected .exr or .png");
+    size_t stem_length = image_stem_length(path);
+    if (stem_length == 0) {
+        return report(path, "expected a file that ends in .exr or .png");
     }
+    const char *format = path + stem_length + 1;  // behind the point: "exr" or "png"
 
     OutputFile output;
     if (output_file_open(&output, path) != 0) {

@@ -3,7 +3,7 @@
 // Files are in image.cpp, the only door to OpenImageIO, through which no C++ exception passes; the
 // rest is in image.c and needs no library. EXR keeps every float and is what gets compared; PNG is
 // for people.
-// Flow: scene -> buffers -> kernel -> IMAGE -> COMPARISON.
+// Flow: scene -> buffers -> kernel -> IMAGE -> COMPARISON. Read next: image.c, image.cpp.
 #ifndef COMMON_IMAGE_H
 #define COMMON_IMAGE_H
 
@@ -27,6 +27,10 @@ int image_create(int width, int height, Image *image);
 
 // Release the pixels; a zeroed Image is fine.
 void image_free(Image *image);
+
+// The length of a picture's path without its ending: for "a/b.png" that of "a/b". Returns 0 for a
+// path that image_save() refuses: another ending than .exr or .png, or no name before it.
+size_t image_stem_length(const char *path);
 
 // Write a picture; the ending decides: .exr (32-bit float) or .png (8 bits, values clamped to 0..1;
 // the picture is shown over black, opaque, as the lecture shows it; colours are premultiplied).

@@ -11,15 +11,33 @@
 #include <stdlib.h>
 #include <string.h>
 
+static int is_digits(const char *text)
+{
+    return text[0] != '\0' && strspn(text, "0123456789") == strlen(text);
+}
+
 int number_read_integer(const char *text, int64_t lowest, int64_t highest, int64_t *value)
 {
     // strtoll() skips spaces and takes a plus sign; a user who typed those typed something else.
-    size_t sign = text[0] == '-';
-    if (text[sign] == '\0' || strspn(text + sign, "0123456789") != strlen(text + sign)) {
+    if (!is_digits(text + (text[0] == '-'))) {
         return -1;
     }
     errno = 0;
     long long number = strtoll(text, NULL, 10);
+    if (errno != 0 || number < lowest || number > highest) {
+        return -1;
+    }
+    *value = number;
+    return 0;
+}
+
+int number_read_unsigned(const char *text, uint64_t lowest, uint64_t highest, uint64_t *value)
+{
+    if (!is_digits(text)) {
+        return -1;
+    }
+    errno = 0;
+    unsigned long long number = strtoull(text, NULL, 10);
     if (errno != 0 || number < lowest || number > highest) {
         return -1;
     }

@@ -2,6 +2,7 @@
 //
 // For everything a user types: CSV fields (scene2d_csv.c), scene arguments (scene2d.c), options
 // (options.c). The locale plays no part: the decimal sign is a point everywhere.
+// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: scene2d.h.
 #ifndef COMMON_NUMBER_H
 #define COMMON_NUMBER_H
 
@@ -10,6 +11,9 @@
 // Read a whole number, decimal, from lowest to highest, both included. Returns 0, or -1 and leaves
 // *value alone; prints nothing.
 int number_read_integer(const char *text, int64_t lowest, int64_t highest, int64_t *value);
+
+// The same for whole numbers up to 2^64 - 1: seeds.
+int number_read_unsigned(const char *text, uint64_t lowest, uint64_t highest, uint64_t *value);
 
 // Read a finite number, rounded to the nearest float. Returns 0, or -1 and leaves *value alone;
 // prints nothing.

@@ -6,6 +6,7 @@
 #include "options.h"
 
 #include "cl_setup.h"
+#include "image.h"
 #include "number.h"
 #include "scene2d.h"
 
@@ -20,8 +21,10 @@
 #define LARGEST_SIDE 1000000
 #define LARGEST_COUNT 1000000000
 
-// The option's number in the table is also what getopt_long() returns for it; its own answers for
-// faults are '?' and ':', which are larger.
+// What getopt_long() returns for the first row of the table: beyond every letter, as those stand
+// for faults.
+#define FIRST_ROW 256
+
 enum OptionId {
     SCENE,
     SIZE,
@@ -216,18 +219,36 @@ static OptionsResult check_output(const char *lab_name, const char *path)
         fprintf(stderr, "%s: cannot make the folder build: %s\n", lab_name, strerror(errno));
         return OPTIONS_BAD;
     }
-    const char *ending = strrchr(path, '.');
-    if (ending == NULL || (strcmp(ending, ".png") != 0 && strcmp(ending, ".exr") != 0)) {
+    if (image_stem_length(path) == 0) {
         return refuse(lab_name, "output", path, "a file that ends in .png or .exr");
     }
     return check_place(lab_name, "output", path);
 }
 
-// What getopt_long() could not take: an unknown option, or one without its argument.
-static OptionsResult report_fault(const char *lab_name, int fault, const char *word)
+// How many options begin with the word "--s" or "--s=1"?
+static int count_meant(const char *word)
 {
-    const char *reason = fault == ':' ? "needs an argument" : "is no option here";
-    fprintf(stderr, "%s: %s %s (try --help)\n", lab_name, word, reason);
+    int n_meant = 0;
+    for (int id = 0; id < N_ROWS; id++) {
+        n_meant += strncmp(ROWS[id].name, word + 2, strcspn(word + 2, "=")) == 0;
+    }
+    return n_meant;
+}
+
+// What getopt_long() could not take.
+//   fault   its answer: ':' for an argument that is missing, '?' for all else
+//   about   its optopt: FIRST_ROW or more is an option that exists, 0 a word with --, else a letter
+static OptionsResult report_fault(const char *lab_name, int fault, int about, const char *word)
+{
+    if (about >= FIRST_ROW) {
+        fprintf(stderr, "%s: --%s %s an argument (try --help)\n", lab_name,
+                ROWS[about - FIRST_ROW].name, fault == ':' ? "needs" : "does not take");
+    } else if (about != 0) {
+        fprintf(stderr, "%s: -%c is no option here (try --help)\n", lab_name, about);
+    } else {
+        fprintf(stderr, "%s: %s is %s (try --help)\n", lab_name, word,
+                count_meant(word) > 1 ? "short for more than one option" : "no option here");
+    }
     return OPTIONS_BAD;
 }
 
@@ -248,17 +269,18 @@ static OptionsResult read_words(int argc, char **argv, const char *lab_name, con
     struct option known[N_ROWS + 1];
     for (int id = 0; id < N_ROWS; id++) {
         int has_argument = ROWS[id].argument != NULL ? required_argument : no_argument;
-        known[id] = (struct option){ROWS[id].name, has_argument, NULL, id};
+        known[id] = (struct option){ROWS[id].name, has_argument, NULL, FIRST_ROW + id};
     }
     known[N_ROWS] = (struct option){NULL, 0, NULL, 0};
 
     optind = 0;  // start afresh, for callers that read more than one command line
-    int id;
+    int answer;
     // ":" asks for silence on faults and for ':' where an argument is missing.
-    while ((id = getopt_long(argc, argv, ":", known, NULL)) != -1) {
-        if (id == '?' || id == ':') {
-            return report_fault(lab_name, id, argv[optind - 1]);
+    while ((answer = getopt_long(argc, argv, ":", known, NULL)) != -1) {
+        if (answer < FIRST_ROW) {
+            return report_fault(lab_name, answer, optopt, argv[optind - 1]);
         }
+        int id = answer - FIRST_ROW;
         if (id == HELP) {
             print_help(lab_name, what, set);
             return OPTIONS_DONE;

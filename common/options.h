@@ -1,5 +1,8 @@
 // The command line: the same options in every lab, and in the same words.
 //
+// Flow: SCENE -> buffers -> kernel -> image -> comparison: what the user wants, before all else.
+// Read next: scene2d.h.
+//
 //     --scene NAME      a .csv file or a generator (scene2d.h)     --frames N      draw N times
 //     --size WxH        the picture's size                         --stats FILE    figures as JSON
 //     --output FILE     .png or .exr                               --device D      number or name

@@ -15,7 +15,7 @@
 
 static int report(const char *path, const char *fault)
 {
-    fprintf(stderr, "%s: cannot write: %s\n", path, fault);
+    fprintf(stderr, "%s: cannot be written: %s\n", path, fault);
     return -1;
 }
 
@@ -47,7 +47,7 @@ int output_file_open(OutputFile *output, const char *path)
         free(output->partial_path);
         free(output->path);
         *output = (OutputFile){0};
-        return report(path, strerror(ENOMEM));
+        return report(path, "no memory");
     }
     snprintf(output->partial_path, n_bytes, "%s%s", path, PARTIAL_SUFFIX);
 

@@ -135,7 +135,7 @@ static int csv_open(const char *path, Scene2D *scene)
 {
     FILE *file = fopen(path, "rb");
     if (file == NULL) {
-        fprintf(stderr, "%s: cannot read: %s\n", path, strerror(errno));
+        fprintf(stderr, "%s: cannot be read: %s\n", path, strerror(errno));
         return -1;
     }
     int result = scene2d_read_csv(file, path, scene);
@@ -206,7 +206,7 @@ void scene2d_free(Scene2D *scene)
 
 int scene2d_report_memory(void)
 {
-    fprintf(stderr, "scene: out of memory\n");
+    fprintf(stderr, "scene: no memory\n");
     return -1;
 }
 

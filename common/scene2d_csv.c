@@ -162,7 +162,7 @@ static void circle_end(CsvReader *reader)
         int capacity = reader->capacity == 0 ? 1024 : 2 * reader->capacity;
         Circle *circles = realloc(reader->circles, (size_t)capacity * sizeof *circles);
         if (circles == NULL) {
-            fault(reader, "", "no memory left", "a smaller scene");
+            fault(reader, "", "no memory", "a smaller scene");
             return;
         }
         reader->circles = circles;
@@ -221,8 +221,8 @@ static void line_parse(CsvReader *reader, struct csv_parser *parser, const char 
     size_t n_parsed = csv_parse(parser, line, (size_t)length, field_read, line_end, reader);
     if (n_parsed != (size_t)length || csv_fini(parser, field_read, line_end, reader) != 0) {
         int out_of_memory = csv_error(parser) == CSV_ENOMEM;
-        fault(reader, "", out_of_memory ? "no memory left" : "a quote in a wrong place",
-              "quotes around a whole field, or none");
+        fault(reader, "", out_of_memory ? "no memory" : "a quote in a wrong place",
+              out_of_memory ? "a smaller scene" : "quotes around a whole field, or none");
     }
 }
 

@@ -20,7 +20,7 @@ static void figure_add(Stats *stats, const char *name, json_t *value)
         stats->values = json_object();
     }
     if (stats->values == NULL || json_object_set_new(stats->values, name, value) != 0) {
-        fprintf(stderr, "stats: out of memory at \"%s\"\n", name);
+        fprintf(stderr, "stats: no memory for \"%s\"\n", name);
         exit(EXIT_FAILURE);
     }
 }
@@ -68,13 +68,28 @@ static int compare_numbers(const void *left, const void *right)
     return (a > b) - (a < b);
 }
 
+double stats_median(double *numbers, int n)
+{
+    qsort(numbers, (size_t)n, sizeof *numbers, compare_numbers);
+    return (numbers[(n - 1) / 2] + numbers[n / 2]) / 2;
+}
+
+double *stats_times_create(int n)
+{
+    double *milliseconds = calloc((size_t)n, sizeof *milliseconds);
+    if (milliseconds == NULL) {
+        fprintf(stderr, "stats: no memory for %d times\n", n);
+        exit(EXIT_FAILURE);
+    }
+    return milliseconds;
+}
+
 void stats_milliseconds(Stats *stats, const char *name, double *milliseconds, int n)
 {
     if (n < 1) {
         return;
     }
-    qsort(milliseconds, (size_t)n, sizeof *milliseconds, compare_numbers);
-    double median = (milliseconds[(n - 1) / 2] + milliseconds[n / 2]) / 2;
+    double median = stats_median(milliseconds, n);
 
     char figure_name[128];
     snprintf(figure_name, sizeof figure_name, "%s.min_ms", name);

@@ -1,4 +1,7 @@
 // Figures of a run: collected by main.c, printed as text, written as JSON (--stats FILE).
+//
+// Flow: scene -> buffers -> kernel -> image -> COMPARISON: what a run cost. Read next: frames.h and
+// work_stats.h, which fill it.
 #ifndef COMMON_STATS_H
 #define COMMON_STATS_H
 
@@ -14,6 +17,14 @@ typedef struct Stats {
 void stats_text(Stats *stats, const char *name, const char *value);
 void stats_integer(Stats *stats, const char *name, int64_t value);
 void stats_number(Stats *stats, const char *name, double value);
+
+// Sort n > 0 numbers and return their median: the middle one, or the mean of the middle two. The
+// smallest is then the first and the largest the last.
+double stats_median(double *numbers, int n);
+
+// Room for n times that are still to be measured; free() it. Running out of memory ends the program
+// with a message.
+double *stats_times_create(int n);
 
 // Add min, median and max of n measured milliseconds as name.min_ms, name.median_ms and
 // name.max_ms; sorts the array. Nothing is added for n < 1.

@@ -1,4 +1,7 @@
-// Releasing and checking the 2D kd-tree's arrays; lab 02's kdtree2d_build.c fills them.
+// Releasing, checking and measuring the 2D kd-tree's arrays (see tree2d.h).
+//
+// Flow: scene -> BUFFERS -> kernel -> image -> comparison: between lab 02, whose kdtree2d_build.c
+// fills the arrays, and lab 03, which copies them to the device. Read next: tree2d_draw.c.
 #include "tree2d.h"
 
 #include <stdio.h>
@@ -19,6 +22,13 @@ static int check_inner(const KdTree2D *tree, u32 id)
     if (node.lChild > id && node.rChild > id && node.lChild < tree->n_nodes &&
         node.rChild < tree->n_nodes) {
         return 0;
+    }
+    if (tree->nodes_flag[id] == INNER && node.lChild == 0 && node.rChild == 0) {
+        fprintf(stderr,
+                "tree: node %u: marked INNER, but it has no children: was it packed as a leaf "
+                "(pack_leaf)?\n",
+                id);
+        return -1;
     }
     fprintf(stderr, "tree: node %u: found children %u and %u, expected ids from %u to %u\n", id,
             node.lChild, node.rChild, id + 1, tree->n_nodes - 1);
@@ -62,4 +72,26 @@ int tree2d_check(const KdTree2D *tree, u32 n_circles)
         }
     }
     return 0;
+}
+
+int tree2d_depth(const KdTree2D *tree)
+{
+    // calloc() may answer NULL to a size of 0.
+    int *levels = calloc(tree->n_nodes + 1, sizeof *levels);
+    if (levels == NULL) {
+        fprintf(stderr, "tree: no memory for the levels of %u nodes\n", tree->n_nodes);
+        return -1;
+    }
+    int deepest = 0;
+    // Children have higher ids than their parents: a node's level is known when its turn comes.
+    for (u32 id = 0; id < tree->n_nodes; id++) {
+        const int level = ++levels[id];
+        deepest = level > deepest ? level : deepest;
+        if (tree->nodes_flag[id] != LEAF) {
+            levels[tree->nodes_Relations[id].lChild] = level;
+            levels[tree->nodes_Relations[id].rChild] = level;
+        }
+    }
+    free(levels);
+    return deepest;
 }

@@ -1,5 +1,7 @@
-// The 2D kd-tree on the host: the four packed arrays of kernels/kdtree2d.h, filled by lab 02, copied
-// to the device by lab 03, drawn by tree2d_draw.h.
+// The 2D kd-tree on the host: the four packed arrays of kernels/kdtree2d.h, filled by lab 02,
+// copied to the device by lab 03, drawn by tree2d_draw.h.
+//
+// Flow: scene -> BUFFERS -> kernel -> image -> comparison. Read next: kdtree2d_build.h of lab 02.
 #ifndef COMMON_TREE2D_H
 #define COMMON_TREE2D_H
 
@@ -30,8 +32,12 @@ void tree2d_free(KdTree2D *tree);
 // The most nodes a tree may have; where there would be more, splitting does not end.
 #define TREE2D_MAX_NODES (1u << 22)
 
-// Does the tree hold together, so that its ids, offsets and counts may be followed? Returns 0, or -1
-// after one message on stderr that names the first node that does not.
+// Does the tree hold together, so that its ids, offsets and counts may be followed? Returns 0, or
+// -1 after one message on stderr that names the first node that does not.
 int tree2d_check(const KdTree2D *tree, u32 n_circles);
+
+// How deep the tree is: levels, the root's included; 0 where there is no node. The tree must have
+// passed tree2d_check(). Returns -1 after one message on stderr when memory runs out.
+int tree2d_depth(const KdTree2D *tree);
 
 #endif

@@ -1,12 +1,15 @@
-// Drawing a 2D kd-tree, for lab 02's program and for the grader's report. Takes nothing on trust: the
-// grader draws the trees of submissions.
+// Drawing a 2D kd-tree, for lab 02's program and for the grader's report (see tree2d_draw.h).
+//
+// Flow: scene -> buffers -> kernel -> IMAGE -> comparison. Takes nothing on trust: the grader draws
+// the trees of submissions. Read next: image.c.
 #include "tree2d_draw.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-// Small scenes are magnified until their longer side has about this many pixels.
+// Small scenes are magnified by the largest whole factor that keeps the longer side within this
+// many pixels.
 enum { DRAWING_SIZE = 640 };
 
 // A cell is labelled with its node id when both sides are at least this long in the drawing.
@@ -33,7 +36,8 @@ static void pixel_range(double lowest, double highest, int scale, int size, int 
     *end = (int)fmin(fmax(floor(highest * scale) + 1, 0), size);
 }
 
-// Paint one circle where it is nearer than what depths[] holds, muted so that cell borders stand out.
+// Paint one circle where it is nearer than what depths[] holds, muted so that cell borders stand
+// out.
 static void paint_circle(Circle c, int scale, Image *image, float *depths)
 {
     int first_x, end_x, first_y, end_y;
@@ -108,13 +112,13 @@ static int channel_byte(float value)
     return (int)lrintf(255 * fminf(fmaxf(value, 0), 1));
 }
 
-// Order circle indices from the farthest to the nearest; of equal depths the lower index comes last,
-// on top.
-static const Circle *circles_to_sort;
-static int farther_first(const void *a, const void *b)
+// Order indices of `circles` from the farthest to the nearest; of equal depths the lower index
+// comes last, on top.
+static int farther_first(const void *a, const void *b, void *circles)
 {
     const int i = *(const int *)a, j = *(const int *)b;
-    const float depth_i = circles_to_sort[i].depth, depth_j = circles_to_sort[j].depth;
+    const Circle *h_circles = circles;
+    const float depth_i = h_circles[i].depth, depth_j = h_circles[j].depth;
     return depth_i != depth_j ? (depth_i < depth_j ? 1 : -1) : (i < j ? 1 : -1);
 }
 
@@ -122,13 +126,13 @@ static int write_circles(FILE *file, const Scene2D *scene, int scale)
 {
     int *order = malloc((size_t)(scene->n_circles + 1) * sizeof *order);
     if (order == NULL) {
+        fprintf(stderr, "tree2d_write_svg: no memory for %d circles\n", scene->n_circles);
         return -1;
     }
     for (int i = 0; i < scene->n_circles; i++) {
         order[i] = i;
     }
-    circles_to_sort = scene->circles;
-    qsort(order, (size_t)scene->n_circles, sizeof *order, farther_first);
+    qsort_r(order, (size_t)scene->n_circles, sizeof *order, farther_first, scene->circles);
     for (int i = 0; i < scene->n_circles; i++) {
         const Circle c = scene->circles[order[i]];
         fprintf(file, "<circle cx=\"%g\" cy=\"%g\" r=\"%g\" fill=\"#%02x%02x%02x\"/>\n",

@@ -1,4 +1,7 @@
-// Reading the work counters back; what they count is told in kernels/work.h.
+// Reading the work counters back (see work_stats.h); what they count is told in kernels/work.h.
+//
+// Flow: scene -> BUFFERS -> KERNEL -> image -> comparison: a buffer beside the picture, for the
+// figures. Read next: stats.c.
 #include "work_stats.h"
 
 #include "work.h"
@@ -6,7 +9,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-// Work-items that fill up the last work-groups write nothing; should a student's do, it stays inside.
+// Work-items that fill up the last work-groups write nothing; should a student's do, it stays
+// inside.
 enum { GROUP_MARGIN = 64 };
 
 static Work *work_allocate(size_t n_pixels)

@@ -1,9 +1,11 @@
 // Counting work: how many circles a pixel asks and how many nodes it visits.
 //
-// Milliseconds differ from machine to machine; counts do not. A renderer writes WORK_PARAMETER after
-// its last parameter, WORK_BEGIN as its first statement and WORK_END as its last, and includes
-// count_calls.h after the functions whose calls are to be counted. Built without -DCOUNT_WORK all
-// of this is empty and costs nothing.
+// Milliseconds differ from machine to machine; counts do not. A renderer writes WORK_PARAMETER
+// after its last parameter, WORK_BEGIN after the guard by which work-items outside the picture
+// leave, and WORK_END, which uses the renderer's parameter `width`, as its last statement. It
+// includes count_calls.h after the functions whose calls are to be counted. Built without
+// -DCOUNT_WORK all of this is empty and costs nothing.
+// Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: common/work_stats.h.
 #ifndef KERNELS_WORK_H
 #define KERNELS_WORK_H
 

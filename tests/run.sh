@@ -76,6 +76,6 @@ if [ $((passed + failed + skipped)) -eq 0 ]; then
     echo "no test is called: $*" >&2
     exit 1
 fi
-[ "$skipped" -eq 0 ] || echo "($skipped skipped: what is missing for them is in build/tests/*.tap)"
+[ "$skipped" -eq 0 ] || echo "($skipped skipped: what is missing for them is in $results/*.tap)"
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

@@ -1,7 +1,7 @@
-// Lab 00: draw a gradient and save it. Nothing to fill in here; read it from top to bottom once, then
-// go to render.c (host) and gradient.cl (device).
+// Lab 00: draw a gradient and save it. Nothing to fill in here; read it from top to bottom once,
+// then go to render.c (host) and gradient.cl (device).
 //
-// Flow: [no scene] -> buffers -> kernel -> image -> comparison; one banner below for each step.
+// Flow: [no scene] -> buffers -> kernel -> image -> comparison; the banners below name the steps.
 #include "render.h"
 
 #include "cl_memory.h"
@@ -52,6 +52,7 @@ static int render(const ClSetup *cl, const Options *options, Image *image, Stats
 
 int main(int argc, char **argv)
 {
+    // ---- Options ---------------------------------------------------------------------------
     Options options;
     switch (
         options_parse(argc, argv, LAB_NAME, "Draws a colour gradient.", OPTIONS_DEVICE, &options)) {
@@ -63,6 +64,7 @@ int main(int argc, char **argv)
         break;
     }
 
+    // ---- Device ----------------------------------------------------------------------------
     ClSetup cl = {0};
     Image image = {0};
     Stats stats = {0};
@@ -76,6 +78,8 @@ int main(int argc, char **argv)
         stats_integer(&stats, "height", height);
         result = image_create(width, height, &image);
     }
+
+    // ---- Buffers, kernel, image ------------------------------------------------------------
     if (result == 0) {
         result = render(&cl, &options, &image, &stats);
     }

@@ -24,8 +24,8 @@ kernel void implicit2DRenderer(global const Circle *circles, int n_circles, int 
     WORK_BEGIN;
 
     float4 color = (float4)(0.0f);
-    // TASK implicit2DRenderer: ask every circle, in the order of the array, and keep the colour of the
-    // nearest one that covers the pixel.
+    // TASK implicit2DRenderer: ask every circle, in the order of the array, and keep the colour of
+    // the nearest one that covers the pixel.
     (void)circles, (void)n_circles;
     // END implicit2DRenderer
     write_imagef(image, (int2)(x, y), color);

@@ -29,8 +29,8 @@ kernel void implicit2DRenderer(global const Circle *circles, int n_circles, int 
     WORK_BEGIN;
 
     float4 color = (float4)(0.0f);
-    // TASK implicit2DRenderer: ask every circle, in the order of the array, and keep the colour of the
-    // nearest one that covers the pixel.
+    // TASK implicit2DRenderer: ask every circle, in the order of the array, and keep the colour of
+    // the nearest one that covers the pixel.
     //> (void)circles, (void)n_circles;
     float minDepth = INFINITY;
     for (int i = 0; i < n_circles; i++) {

@@ -8,8 +8,8 @@
 // Returns 1 or 0. Source: lecture, "Implicit 2D rendering".
 int overlaps_N_Nearer(int x, int y, Circle circle, float minDepth)
 {
-    // TASK overlaps_N_Nearer: the boundary belongs to the circle (distance² <= radius²), and nearer is
-    // strict (depth < minDepth), so that of two equal depths the circle asked first keeps the pixel.
+    // TASK overlaps_N_Nearer: the boundary belongs to the circle (distance² <= radius²), and
+    // nearer is strict (depth < minDepth): of two equal depths the one asked first keeps the pixel.
     //> (void)x, (void)y, (void)circle, (void)minDepth;
     //> return 0;
     const float dx = x - circle.x;

@@ -1,5 +1,5 @@
-// Lab 02: build the kd-tree over the circles, print it and draw it. Nothing to fill in here; read it
-// from top to bottom once, then go to kdtree2d_build.c.
+// Lab 02: build the kd-tree over the circles, print it and draw it. Nothing to fill in here; read
+// it from top to bottom once, then go to kdtree2d_build.c.
 //
 // Flow: scene -> BUFFERS (the tree's four arrays) -> kernel (lab 03) -> image -> comparison.
 #include "image.h"
@@ -10,8 +10,8 @@
 #include "stats.h"
 #include "tree2d_draw.h"
 
+#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 // Trees of up to this many nodes are printed node by node.
 enum { MAX_PRINTED_NODES = 63 };
@@ -64,26 +64,13 @@ static int print_worked_example(void)
     return 0;
 }
 
-// How deep the tree is: levels, the root's included. Children have higher ids than their parents.
-static int tree_depth(const KdTree2D *tree)
+// The tree's figures, and its nodes where they are few. Returns 0, or -1 after one message.
+static int describe(const KdTree2D *tree, Stats *stats)
 {
-    int deepest = 0;
-    int *levels = calloc(tree->n_nodes, sizeof *levels);
-    for (u32 id = 0; levels != NULL && id < tree->n_nodes; id++) {
-        const int level = ++levels[id];
-        deepest = level > deepest ? level : deepest;
-        if (tree->nodes_flag[id] != LEAF) {
-            levels[tree->nodes_Relations[id].lChild] = level;
-            levels[tree->nodes_Relations[id].rChild] = level;
-        }
+    const int depth = tree2d_depth(tree);
+    if (depth < 0) {
+        return -1;
     }
-    free(levels);
-    return deepest;
-}
-
-// The tree's figures, and its nodes where they are few.
-static void describe(const KdTree2D *tree, Stats *stats)
-{
     u32 n_leaves = 0, largest_leaf = 0;
     for (u32 id = 0; id < tree->n_nodes; id++) {
         if (tree->nodes_flag[id] == LEAF) {
@@ -94,7 +81,7 @@ static void describe(const KdTree2D *tree, Stats *stats)
     }
     stats_integer(stats, "tree.n_nodes", tree->n_nodes);
     stats_integer(stats, "tree.n_leaves", n_leaves);
-    stats_integer(stats, "tree.depth", tree_depth(tree));
+    stats_integer(stats, "tree.depth", depth);
     stats_integer(stats, "tree.n_map", tree->n_map);
     stats_integer(stats, "tree.largest_leaf", largest_leaf);
     stats_number(stats, "tree.circles_per_leaf", (double)(tree->n_map - n_leaves) / n_leaves);
@@ -104,45 +91,55 @@ static void describe(const KdTree2D *tree, Stats *stats)
             print_node(tree, id);
         }
     }
+    return 0;
+}
+
+// Write the drawing as SVG into an open file. Returns 0, or -1 after one message.
+static int write_svg(OutputFile *output, const Scene2D *scene, const KdTree2D *tree)
+{
+    int result = tree2d_write_svg(output->file, scene, tree);
+    if (result == 0 && fflush(output->file) != 0) {
+        result = -1;
+    }
+    if (ferror(output->file)) {
+        fprintf(stderr, "%s: cannot be written\n", output->path);
+    }
+    return result;
 }
 
 // Write the drawing, and beside it the same as SVG, "tree.png" and "tree.svg": both or neither.
 static int save_drawing(const char *picture_path, const Image *image, const Scene2D *scene,
                         const KdTree2D *tree)
 {
-    const size_t stem = (size_t)(strrchr(picture_path, '.') - picture_path);
-    char *path = malloc(stem + sizeof ".svg");
-    if (path == NULL) {
+    char *path = NULL;
+    OutputFile output = {0};
+    const int stem_length = (int)image_stem_length(picture_path);
+    if (asprintf(&path, "%.*s.svg", stem_length, picture_path) < 0) {
         fprintf(stderr, "%s: no memory\n", picture_path);
         return -1;
     }
-    memcpy(path, picture_path, stem);
-    strcpy(path + stem, ".svg");
-    OutputFile output;
     int result = output_file_open(&output, path);
-    if (result == 0) {
-        if (tree2d_write_svg(output.file, scene, tree) != 0 || fflush(output.file) != 0) {
-            fprintf(stderr, "%s: cannot be written\n", path);
-            result = -1;
-        } else {
-            result = image_save(image, picture_path);
-        }
-        if (result == 0) {
-            result = output_file_commit(&output);
-        } else {
-            output_file_discard(&output);
-        }
-    }
     free(path);
-    return result;
+    if (result == 0) {
+        result = write_svg(&output, scene, tree);
+    }
+    if (result == 0) {
+        result = image_save(image, picture_path);
+    }
+    if (result == 0) {
+        return output_file_commit(&output);
+    }
+    output_file_discard(&output);
+    return -1;
 }
 
-// Build as often as --frames says and note how long it takes; keeps the last tree.
+// Build as often as --frames says and note how long it takes; keeps the last tree. Returns 0, or -1
+// after one message.
 static int build(const Options *options, const Scene2D *scene, KdTree2D *tree, Stats *stats)
 {
     const KdTreeLimits limits = {options->max_depth, options->leaf_size};
-    double *milliseconds = calloc((size_t)options->n_frames, sizeof *milliseconds);
-    int result = milliseconds == NULL ? -1 : 0;
+    double *milliseconds = stats_times_create(options->n_frames);
+    int result = 0;
     for (int i = 0; result == 0 && i < options->n_frames; i++) {
         tree2d_free(tree);
         const double start = stats_clock_ms();
@@ -183,6 +180,8 @@ int main(int argc, char **argv)
         stats_text(&stats, "lab", LAB_NAME);
         stats_text(&stats, "scene", options.scene);
         stats_integer(&stats, "n_circles", scene.n_circles);
+        stats_integer(&stats, "width", scene.width);
+        stats_integer(&stats, "height", scene.height);
         stats_integer(&stats, "max_depth", options.max_depth);
         stats_integer(&stats, "leaf_size", options.leaf_size);
         result = print_worked_example();
@@ -195,7 +194,9 @@ int main(int argc, char **argv)
 
     // ---- Image -----------------------------------------------------------------------------
     if (result == 0) {
-        describe(&tree, &stats);
+        result = describe(&tree, &stats);
+    }
+    if (result == 0) {
         result = tree2d_draw(&scene, &tree, &image);
     }
     if (result == 0) {

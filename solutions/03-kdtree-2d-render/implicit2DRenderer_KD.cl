@@ -6,14 +6,14 @@
 #include "work.h"
 
 // The child of an inner node whose half-open cell, minX <= x < maxX and minY <= y < maxY, holds the
-// pixel (x, y). Where the node's own cell holds it, exactly one child does. (A pixel outside the root
-// may end up in either: no circle covers it.)
+// pixel (x, y). Where the node's own cell holds it, exactly one child does. (A pixel outside the
+// root may end up in either: no circle covers it.)
 //   id   the inner node
 // Returns the child's id. Source: lecture, "Search in the kd-tree".
 uint getContainingChild(int x, int y, uint id, global const NodeRel *nodes_Relations,
                         global const BBox2D *nodes_BBox)
 {
-    // TASK getContainingChild: look at the left child's cell; what is not in it is in the right one.
+    // TASK getContainingChild: look at the left child's cell; what is not there is in the right.
     //> (void)x, (void)y, (void)nodes_BBox;
     //> return nodes_Relations[id].lChild;
     const uint lChild = nodes_Relations[id].lChild;
@@ -55,8 +55,8 @@ kernel void implicit2DRenderer_KD(global const Circle *circles,
     // END descent
 
     float4 color = (float4)(0.0f);
-    // TASK leaf_loop: ask the circles of leaf `id`, in the order of its list, and keep the colour of
-    // the nearest one that covers the pixel.
+    // TASK leaf_loop: ask the circles of leaf `id`, in the order of its list, and keep the colour
+    // of the nearest one that covers the pixel.
     //> (void)circles, (void)nodes_Relations, (void)mapNode2Circles;
     float minDepth = INFINITY;
     const uint offset = nodes_Relations[id].circleMapOffset;

@@ -1,7 +1,8 @@
-// Lab 03: draw circles with the kd-tree and save the picture. Nothing to fill in here; read it beside
-// lab 01's, see what is new (the tree's buffers), then go to implicit2DRenderer_KD.cl.
+// Lab 03: draw circles with the kd-tree and save the picture. Nothing to fill in here; read it
+// beside lab 01's, see what is new (the tree's buffers), then go to implicit2DRenderer_KD.cl.
 //
-// Flow: scene -> buffers -> kernel -> image -> comparison; one banner below for each step.
+// Flow: scene -> buffers -> kernel -> image -> comparison; the banners below name the steps.
+// enqueue_pixels() and read_back() are those of lab 00 (render.h).
 #include "circle.h"
 #include "cl_memory.h"
 #include "cl_setup.h"
@@ -9,29 +10,12 @@
 #include "image.h"
 #include "kdtree2d_build.h"
 #include "options.h"
+#include "render.h"
 #include "scene2d.h"
 #include "stats.h"
 #include "work_stats.h"
 
 #include <stdlib.h>
-
-// The work-group is a square of GROUP_SIZE x GROUP_SIZE work-items: 256, which every GPU takes.
-#define GROUP_SIZE 16
-
-// The next multiple of GROUP_SIZE.
-static size_t round_up(int n)
-{
-    return ((size_t)n + GROUP_SIZE - 1) / GROUP_SIZE * GROUP_SIZE;
-}
-
-// Launch one work-item a pixel.
-static void enqueue_pixels(cl_command_queue queue, cl_kernel kernel, int width, int height)
-{
-    const size_t local_size[2] = {GROUP_SIZE, GROUP_SIZE};
-    const size_t global_size[2] = {round_up(width), round_up(height)};
-    CL_CHECK(
-        clEnqueueNDRangeKernel(queue, kernel, 2, NULL, global_size, local_size, 0, NULL, NULL));
-}
 
 // What the kernel reads and writes on the device.
 typedef struct DeviceMemory {
@@ -57,7 +41,7 @@ static void device_memory_free(DeviceMemory *memory)
 }
 
 // The arguments, in the order of the kernel's parameter list.
-static void set_arguments(cl_kernel kernel, const Scene2D *scene, const DeviceMemory *memory)
+static void set_kernel_arguments(cl_kernel kernel, const Scene2D *scene, const DeviceMemory *memory)
 {
     CL_CHECK(clSetKernelArg(kernel, 0, sizeof memory->d_circles, &memory->d_circles));
     CL_CHECK(
@@ -88,7 +72,7 @@ static int draw(const ClSetup *cl, const Scene2D *scene, const DeviceMemory *mem
     cl_int error;
     cl_kernel kernel = clCreateKernel(program, "implicit2DRenderer_KD", &error);
     CL_CHECK_CREATED(error, clCreateKernel);
-    set_arguments(kernel, scene, memory);
+    set_kernel_arguments(kernel, scene, memory);
     frames_draw(cl, enqueue_pixels, kernel, scene->width, scene->height, n_frames, stats);
 
     CL_CHECK(clReleaseKernel(kernel));
@@ -136,16 +120,15 @@ static int render(const ClSetup *cl, const Options *options, const Scene2D *scen
         Stats counting_times = {0};
         memory.d_work = work_buffer_create(cl, scene->width, scene->height);
         result = draw(cl, scene, &memory, KERNEL_OPTIONS " -DCOUNT_WORK", 1, &counting_times);
-        work_stats_add(cl, memory.d_work, scene->width, scene->height, stats);
+        if (result == 0) {
+            work_stats_add(cl, memory.d_work, scene->width, scene->height, stats);
+        }
         stats_free(&counting_times);
     }
 
     // ---- Image -----------------------------------------------------------------------------
     if (result == 0) {
-        const size_t origin[3] = {0, 0, 0};
-        const size_t region[3] = {(size_t)scene->width, (size_t)scene->height, 1};
-        CL_CHECK(clEnqueueReadImage(cl->queue, memory.d_image, CL_TRUE, origin, region, 0, 0,
-                                    image->pixels, 0, NULL, NULL));
+        read_back(cl->queue, memory.d_image, scene->width, scene->height, image->pixels);
     }
     device_memory_free(&memory);
     return result;

@@ -2,9 +2,10 @@
 //
 //     build/tools/bench2d [--device D] [--rounds N] [--output FOLDER]       or: make bench
 //
-// Variants are drawn in turn within each round, so that what else the machine does falls on all of them:
-// trust the ratios more than the milliseconds. In the first round every kd-tree picture is compared with
-// the naive one of the same scene, bit by bit; where one differs there are no figures.
+// Variants are drawn in turn within each round, so that what else the machine does falls on all of
+// them: trust the ratios more than the milliseconds. In the first round every kd-tree picture is
+// compared with the naive one of the same scene, bit by bit; where one differs there are no
+// figures.
 // Flow: scene -> buffers -> kernel -> image -> COMPARISON. Read next: variant.h, report.c.
 #include "cl_memory.h"
 #include "equal_pixels.h"
@@ -28,9 +29,9 @@
 
 // ---- What is measured -----------------------------------------------------------------------
 
-// Scenes of the growth table. The more circles the smaller, so that they cover the same area together
-// and a pixel lies in as many of them: radii shrink with the root of the number. The lecture's scene is
-// among them, and is always drawn whole.
+// Scenes of the growth table. The more circles the smaller, so that they cover the same area
+// together and a pixel lies in as many of them: radii shrink with the root of the number. The
+// lecture's scene is among them, and is always drawn whole.
 static const struct SceneRow {
     int n_circles;
     float min_radius, max_radius;
@@ -146,8 +147,8 @@ static void bench_free(Bench *bench)
 static const size_t ORIGIN[3] = {0, 0, 0};
 static const size_t REGION[3] = {SIDE, SIDE, 1};
 
-// Make every pixel what no kernel draws, so that one that draws nothing does not show the picture of
-// the one before.
+// Make every pixel what no kernel draws, so that one that draws nothing does not show the picture
+// of the one before.
 static void spoil_image(const Bench *bench)
 {
     const float never_drawn[IMAGE_CHANNELS] = {-1, -1, -1, -1};
@@ -156,8 +157,8 @@ static void spoil_image(const Bench *bench)
     CL_CHECK(clFinish(bench->cl.queue));
 }
 
-// Compare what a kd-tree variant has just drawn with the naive picture of its scene; a naive variant's
-// picture becomes that. Returns 0, or -1 after one message.
+// Compare what a kd-tree variant has just drawn with the naive picture of its scene; a naive
+// variant's picture becomes that. Returns 0, or -1 after one message.
 static int check_picture(Bench *bench, const Variant *variant)
 {
     if (variant->kind == FILL) {

@@ -1,5 +1,5 @@
-// Bench: a kernel that only writes the picture. No renderer that draws into an image can be faster, so
-// its time is the floor under the others. Started by bench2d.c.
+// Bench: a kernel that only writes the picture. No renderer that draws into an image can be faster,
+// so its time is the floor under the others. Started by bench2d.c.
 
 // Make every pixel the background.
 //   width, height   the picture, pixels; work-items outside it write nothing

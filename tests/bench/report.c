@@ -54,7 +54,7 @@ static void print_spread(const Variant *variant)
 // The lecture's comparison, and how far the ratio varies from round to round.
 static void print_comparison(const Variant *naive, const Variant *kdtree, const char *device_name)
 {
-    double ratios[SERIES_MAX_ROUNDS];
+    double ratios[SERIES_MAX_ROUNDS] = {0};
     for (int i = 0; i < naive->frames.n_rounds; i++) {
         ratios[i] = naive->frames.round_median_ms[i] / kdtree->frames.round_median_ms[i];
     }
@@ -157,7 +157,7 @@ int report_make_folder(const char *folder)
         *slash = '/';
     }
     if (access(path, W_OK | X_OK) != 0) {
-        fprintf(stderr, "bench2d: --output: cannot write into %s: %s\n", folder, strerror(errno));
+        fprintf(stderr, "bench2d: --output: %s cannot be written: %s\n", folder, strerror(errno));
         return -1;
     }
     return 0;

@@ -1,7 +1,8 @@
 // A series of measured times (see series.h).
 #include "series.h"
 
-#include <stdlib.h>
+#include "stats.h"
+
 #include <string.h>
 
 void series_add(Series *series, double ms)
@@ -19,17 +20,10 @@ void series_end_round(Series *series)
     }
 }
 
-static int compare_numbers(const void *left, const void *right)
-{
-    const double a = *(const double *)left;
-    const double b = *(const double *)right;
-    return (a > b) - (a < b);
-}
-
 Spread spread_of(const double *numbers, int n)
 {
     double sorted[SERIES_MAX_ROUNDS * SERIES_MAX_A_ROUND];
     memcpy(sorted, numbers, (size_t)n * sizeof *sorted);
-    qsort(sorted, (size_t)n, sizeof *sorted, compare_numbers);
-    return (Spread){(sorted[(n - 1) / 2] + sorted[n / 2]) / 2, sorted[0], sorted[n - 1]};
+    const double median = stats_median(sorted, n);
+    return (Spread){median, sorted[0], sorted[n - 1]};
 }

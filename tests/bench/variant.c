@@ -4,9 +4,6 @@
 #include "kdtree2d_build.h"
 #include "stats.h"
 
-#include <stdio.h>
-#include <stdlib.h>
-
 // The work-group of the labs' main.c.
 #define GROUP_SIZE 16
 
@@ -44,26 +41,8 @@ void programs_free(cl_program programs[N_VARIANT_KINDS])
     }
 }
 
-// How many levels a tree has, the root's included; -1 when memory runs out. Children have higher ids
-// than their parents.
-static int tree_depth(const KdTree2D *tree)
-{
-    int deepest = -1;
-    int *levels = calloc(tree->n_nodes, sizeof *levels);
-    for (u32 id = 0; levels != NULL && id < tree->n_nodes; id++) {
-        const int level = ++levels[id];
-        deepest = level > deepest ? level : deepest;
-        if (tree->nodes_flag[id] != LEAF) {
-            levels[tree->nodes_Relations[id].lChild] = level;
-            levels[tree->nodes_Relations[id].rChild] = level;
-        }
-    }
-    free(levels);
-    return deepest;
-}
-
-// A tree in which every inner node has two children has one leaf more than inner nodes, and every leaf
-// has a count before its ids.
+// A tree in which every inner node has two children has one leaf more than inner nodes, and every
+// leaf has a count before its ids.
 static u32 tree_references(const KdTree2D *tree)
 {
     const u32 n_leaves = (tree->n_nodes + 1) / 2;
@@ -88,13 +67,16 @@ static int prepare_tree(Variant *variant, const ClSetup *cl)
                        &tree) != 0) {
         return -1;
     }
-    if (tree2d_check(&tree, (u32)variant->scene->n_circles) != 0) {
+    variant->depth = -1;
+    if (tree2d_check(&tree, (u32)variant->scene->n_circles) == 0) {
+        variant->depth = tree2d_depth(&tree);
+    }
+    if (variant->depth < 0) {
         tree2d_free(&tree);
         return -1;
     }
     variant->n_nodes = tree.n_nodes;
     variant->n_references = tree_references(&tree);
-    variant->depth = tree_depth(&tree);
     variant->d_nodes_Relations =
         buffer_create(cl, tree.nodes_Relations, tree.n_nodes * sizeof *tree.nodes_Relations);
     variant->d_nodes_flag =

@@ -1,7 +1,9 @@
-// What the bench measures: one kernel over one scene, with a tree of certain limits where it takes one.
+// What the bench measures: one kernel over one scene, with a tree of certain limits where it takes
+// one.
 //
-// The kernels are those of the solutions, and so is the tree's builder: the bench has no renderer of its
-// own but the fill. Flow: scene -> buffers -> KERNEL -> image -> comparison. Used by bench2d.c.
+// The kernels are those of the solutions, and so is the tree's builder: the bench has no renderer
+// of its own but the fill.
+// Flow: scene -> buffers -> KERNEL -> image -> comparison. Used by bench2d.c.
 #ifndef BENCH_VARIANT_H
 #define BENCH_VARIANT_H
 
@@ -26,7 +28,8 @@ typedef struct Variant {
     KdTreeLimits limits;   // KDTREE only
     int n_frames;          // frames a round
     int n_rows;  // of the picture that are drawn, from the top; fewer than all where a whole
-                 // frame takes too long and every pixel costs the same
+                 // frame takes too long and every pixel asks all circles, so that rows cost
+                 // nearly the same
 
     cl_kernel kernel;  // with its arguments set
     cl_mem d_circles;
@@ -46,15 +49,15 @@ typedef struct Variant {
 int programs_build(const ClSetup *cl, cl_program programs[N_VARIANT_KINDS]);
 void programs_free(cl_program programs[N_VARIANT_KINDS]);
 
-// Make a variant ready to be drawn: builds the tree, copies scene and tree to the device, and runs one
-// work-group, so that the driver has finished compiling before anything is timed.
+// Make a variant ready to be drawn: builds the tree, copies scene and tree to the device, and runs
+// one work-group, so that the driver has finished compiling before anything is timed.
 // Returns 0, or -1 after one message. Release with variant_free(), after a failure too.
 int variant_prepare(Variant *variant, const ClSetup *cl, const cl_program *programs,
                     cl_mem d_image);
 void variant_free(Variant *variant);
 
-// Draw a frame and wait for it. Returns the milliseconds from the launch until the queue is empty; of
-// some rows, scaled to the whole frame.
+// Draw a frame and wait for it. Returns the milliseconds from the launch until the queue is empty;
+// of some rows, scaled to the whole frame.
 double variant_draw(const Variant *variant, const ClSetup *cl);
 
 // Build the tree and throw it away. Returns the milliseconds, or -1 after one message.

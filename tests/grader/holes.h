@@ -3,7 +3,7 @@
 // A solution holds, for each task,
 //
 //     // TASK split_box: what to do, in a line or more
-//     //> return 0;                  what the student finds instead (nothing after //> : an empty line)
+//     //> return 0;              what the student finds instead (nothing after //>: an empty line)
 //     the solution
 //     // END split_box
 //
@@ -15,9 +15,9 @@
 
 enum { HOLE_ID_BYTES = 64 };
 
-// The skeleton of a solution: each hole's solution replaced by its placeholder, markers kept. Returns
-// the text, free() it, or NULL after one message on stderr that names `name` and the line (a marker
-// without its partner, one inside another, a hole without a placeholder).
+// The skeleton of a solution: each hole's solution replaced by its placeholder, markers kept.
+// Returns the text, free() it, or NULL after one message on stderr that names `name` and the line
+// (a marker without its partner, one inside another, a hole without a placeholder).
 char *holes_cut(const char *solution, const char *name);
 
 // The id of the hole number `index` (from 0) in order of the text. Returns 1, or 0 when there are

@@ -3,7 +3,7 @@
 //     holes cut FILE                 print FILE with every hole replaced by its placeholder
 //     holes list FILE                print the ids of its holes, one a line
 //     holes read FILE TASK           print the content of its hole TASK
-//     holes fill FILE TASK ANSWER    print FILE with the content of hole TASK replaced by file ANSWER
+//     holes fill FILE TASK ANSWER    print FILE with hole TASK filled by file ANSWER
 #include "holes.h"
 
 #include "text_file.h"

@@ -1,8 +1,8 @@
 // What a lab's judge is made of: its checks, the job it sets, and how it judges the answers.
 //
-// The grader runs the same job three ways, the solution's, the submission's and, for each task with a
-// failed check, the student's answer to that task in the solution of the others, and asks the judge
-// about each. One table a lab: judge_00.c and on.
+// The grader runs the same job three ways, the solution's, the submission's and, for each task with
+// a failed check, the student's answer to that task in the solution of the others, and asks the
+// judge about each. One table a lab: judge_00.c and on.
 #ifndef GRADER_JUDGE_H
 #define GRADER_JUDGE_H
 
@@ -39,14 +39,14 @@ typedef struct Judge {
     const char *lab;
     const Check *checks;
     int n_checks;
-    // Draw a job from the seed and write it as sections. Returns the job, with all that is expected,
-    // or NULL after one message on stderr.
+    // Draw a job from the seed and write it as sections. Returns the job, with all that is
+    // expected, or NULL after one message on stderr.
     void *(*job_new)(uint64_t seed, FILE *file);
     void (*job_free)(void *job);
     // Judge check number `check` by the answers.
     Verdict (*judge)(const void *job, int check, const Sections *answers);
-    // From now on compare pictures with these, which the solution drew on this device and which have
-    // just passed every check against the oracle.
+    // From now on compare pictures with these, which the solution drew on this device and which
+    // have just passed every check against the oracle.
     void (*adopt)(void *job, const Sections *answers);
     // Add pictures for the report: those that are wrong first.
     void (*add_pictures)(const void *job, const Sections *answers, Result *result);

@@ -7,7 +7,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 enum {
     GRADIENT_PICTURE,
@@ -28,15 +27,16 @@ static const Check checks[] = {
     [READ_BACK_PICTURE] = {"read_back-picture", "The picture arrives on the host", "read_back", 20},
 };
 
-// Multiples of the work-group and not, higher than wide, a single pixel; the last two from the seed.
+// Multiples of the work-group and not, higher than wide, a single pixel; the last two from the
+// seed.
 enum { N_SIZES = 7 };
 
 typedef struct Job {
     JobScene scenes[N_SIZES];
 } Job;
 
-// What the gradient should be, in double precision. A device's float division may be off by 2.5 units
-// in the last place (OpenCL 1.2, 7.4), of values below 1: 2.5 * 2^-24; twice that is allowed.
+// What the gradient should be, in double precision. A device's float division may be off by 2.5
+// units in the last place (OpenCL 1.2, 7.4), of values below 1: 2.5 * 2^-24; twice that is allowed.
 static int expect_gradient(JobScene *scene)
 {
     ExpectedPicture *expected = &scene->expected;

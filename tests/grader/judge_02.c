@@ -8,7 +8,6 @@
 #include "tree2d_draw.h"
 #include "tree_judge.h"
 
-#include <math.h>
 #include <stdlib.h>
 
 enum {
@@ -141,8 +140,8 @@ static BoxOverlapJob draw_boundary(Random *random)
     return job;
 }
 
-// A circle beyond a corner, nearer than its radius on each axis: the square overlaps, the circle may
-// not.
+// A circle beyond a corner, nearer than its radius on each axis: the square overlaps, the circle
+// may not.
 static BoxOverlapJob draw_corner(Random *random)
 {
     BoxOverlapJob job = {.box = draw_box(random)};
@@ -328,7 +327,8 @@ static Verdict judge_split(const Job *job, int check, const Sections *answers)
         const int longer = width >= height ? 'x' : 'y';
         const int side = split_side(found + 2 * i);
         BBox2D expected[2] = {box, box};
-        // Which side is the one check, where along it the other: that one follows the student's side.
+        // Which side is the one check, where along it the other: that one follows the student's
+        // side.
         if ((check == SPLIT_LONGER || side == '?' ? longer : side) == 'x') {
             expected[0].maxX = expected[1].minX = (float)(box.minX + width / 2);
         } else {

@@ -121,8 +121,8 @@ static ChildJob draw_child(Random *random, const KdTree2D *tree, int on_border)
     }
 }
 
-// Give each leaf one more circle, nearest of all, that covers everything in the leaf's own colour: the
-// picture then shows which leaf each pixel asked.
+// Give each leaf one more circle, nearest of all, that covers everything in the leaf's own colour:
+// the picture then shows which leaf each pixel asked.
 static int colour_leaves(JobScene *scene)
 {
     Scene2D *s = &scene->scene;
@@ -161,7 +161,8 @@ static int colour_leaves(JobScene *scene)
     return 0;
 }
 
-// The leaf whose cell holds the point, found by asking all of them; the number of nodes when none does.
+// The leaf whose cell holds the point, found by asking all of them; the number of nodes when none
+// does.
 static u32 leaf_at(const KdTree2D *tree, int x, int y)
 {
     u32 id = 0;

@@ -1,5 +1,5 @@
-// mutants: put known-wrong answers into the solution, one at a time, and see that each is caught by the
-// check meant for it, with the right message.
+// mutants: put known-wrong answers into the solution, one at a time, and see that each is caught by
+// the check meant for it, with the right message.
 //
 //     mutants --lab 01 [--seed N]
 //

@@ -21,10 +21,10 @@ static int is_float(double value)
     return (double)(float)value == value;
 }
 
-// May float arithmetic, in any order and with or without contraction, decide otherwise? Not when each
-// step comes out exact, as on the 1/16 px grid; else when the two sides differ by less than the
-// rounding of five float operations (each at most 2^-24 of the sum), and when float cannot hold a
-// square: it is infinite then, or so small that it may be taken for 0.
+// May float arithmetic, in any order and with or without contraction, decide otherwise? Not when
+// each step comes out exact, as on the 1/16 px grid; else when the two sides differ by less than
+// the rounding of five float operations (each at most 2^-24 of the sum), and when float cannot hold
+// a square: it is infinite then, or so small that it may be taken for 0.
 static int is_ambiguous(Circle c, double x, double y)
 {
     const double dx = x - c.x, dy = y - c.y, radius_squared = (double)c.radius * c.radius;

@@ -1,8 +1,8 @@
 // The oracle: an independent brute-force renderer in double precision.
 //
-// It shares no code with the labs. It checks the solutions, says which pixels are ambiguous (a circle's
-// edge within float rounding), and draws wrong pictures on purpose, so that a submission's can be
-// recognised: "as if the boundary did not belong to the circle".
+// It shares no code with the labs. It checks the solutions, says which pixels are ambiguous (a
+// circle's edge within float rounding), and draws wrong pictures on purpose, so that a submission's
+// can be recognised: "as if the boundary did not belong to the circle".
 #ifndef GRADER_ORACLE2D_H
 #define GRADER_ORACLE2D_H
 
@@ -24,15 +24,15 @@ typedef struct OracleRules {
 } OracleRules;
 
 // Draw circles into an image of its size.
-//   ambiguous   out: [height * width], 1 where a right renderer in float may choose otherwise; or NULL
+//   ambiguous   out: [height * width], 1 where a right float renderer may differ; or NULL
 void oracle2d_draw(const Circle *circles, int n_circles, const OracleRules *rules, Image *image,
                    unsigned char *ambiguous);
 
 // Does the circle cover the point? Exact for the grid scenes.
 int oracle2d_covers(Circle circle, double x, double y);
 
-// Do circle and closed box share a point? By the distance of the centre to the box's four sides, not
-// by clamping as the solution does.
+// Do circle and closed box share a point? By the distance of the centre to the box's four sides,
+// not by clamping as the solution does.
 int oracle2d_overlaps_box(Circle circle, BBox2D box);
 
 #endif

@@ -1,8 +1,8 @@
 // Comparing pictures pixel by pixel, and recognising common mistakes in a wrong one.
 //
-// Recognising works by trying: each known mistake is made on purpose, to the reference (flips, swaps,
-// shifts) or by the oracle (strict boundary, wrong ties), and the one whose picture equals the
-// student's is named. Nothing is guessed from statistics.
+// Recognising works by trying: each known mistake is made on purpose, to the reference (flips,
+// swaps, shifts) or by the oracle (strict boundary, wrong ties), and the one whose picture equals
+// the student's is named. Nothing is guessed from statistics.
 #include "picture.h"
 
 #include "jobs.h"
@@ -13,8 +13,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-// A mistake is named when its picture agrees with the student's in this share of the pixels. The rest
-// may be rims: pixels that a shift brings in from outside, or rounding of a half pixel.
+// A mistake is named when its picture agrees with the student's in this share of the pixels. The
+// rest may be rims: pixels that a shift brings in from outside, or rounding of a half pixel.
 #define RECOGNISED_SHARE 0.995
 
 // And it must explain at least this share of what is wrong: most of a sparse picture is background.

@@ -16,8 +16,8 @@ typedef struct ExpectedPicture {
 
 void expected_picture_free(ExpectedPicture *expected);
 
-// A probe's image: the picture in the upper left corner of [image_height][image_width][4] floats that
-// were UNWRITTEN before.
+// A probe's image: the picture in the upper left corner of [image_height][image_width][4] floats
+// that were UNWRITTEN before.
 typedef struct ProbeImage {
     const float *pixels;
     int image_width;

@@ -1,4 +1,5 @@
-// A session: one lab, one seed, one device; the solution's answers, and variants judged beside them.
+// A session: one lab, one seed, one device; the solution's answers, and variants judged beside
+// them.
 //
 // Flow: SESSION -> variants -> answers -> judge -> result. Used by grade.c for a submission and by
 // mutants.c for many known-wrong answers in a row. Read next: workshop.h, judge.h.

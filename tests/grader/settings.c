@@ -1,12 +1,12 @@
 // Reading the command line of grade; every fault is one message.
 #include "settings.h"
 
-#include <errno.h>
+#include "number.h"
+
 #include <getopt.h>
 #include <glob.h>
 #include <inttypes.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/random.h>
 #include <unistd.h>
@@ -20,7 +20,7 @@ static void usage(FILE *out)
             "usage: grade --lab NN [options]\n"
             "  --lab NN             which lab: its number or its name\n"
             "  --submission FOLDER  what to grade (default: labs/NN-name)\n"
-            "  --output FOLDER      where the reports go (default: build/grade/NN)\n"
+            "  --output FOLDER      where the reports go (default: grade/NN in the build folder)\n"
             "  --seed N             the hidden scenes' seed (default: a new one)\n"
             "  --device D           OpenCL device by number or name\n"
             "  --time-limit S       seconds a submission may run (default: %d)\n"
@@ -35,9 +35,9 @@ static int find_lab(const char *wanted, char lab[64])
 {
     char pattern[SETTINGS_PATH_BYTES];
     glob_t found;
-    const int is_number = wanted[0] != '\0' && strspn(wanted, "0123456789") == strlen(wanted);
-    if (is_number) {
-        snprintf(pattern, sizeof pattern, "labs/%02d-*", atoi(wanted));
+    uint64_t number;
+    if (number_read_unsigned(wanted, 0, 99, &number) == 0) {
+        snprintf(pattern, sizeof pattern, "labs/%02" PRIu64 "-*", number);
     } else {
         snprintf(pattern, sizeof pattern, "labs/%s", wanted);
     }
@@ -53,25 +53,36 @@ static int find_lab(const char *wanted, char lab[64])
     return 0;
 }
 
-// A number from `lowest` on, or -1 after one message.
-static int parse_number(const char *option, const char *text, uint64_t lowest, uint64_t highest,
-                        uint64_t *number)
+// A number from `lowest` to `highest`. Returns 0, or -1 after one message.
+static int read_number(const char *option, const char *text, uint64_t lowest, uint64_t highest,
+                       uint64_t *number)
 {
-    char *end;
-    errno = 0;
-    *number = strtoull(text, &end, 0);
-    if (errno != 0 || end == text || *end != '\0' || text[0] == '-' || *number < lowest ||
-        *number > highest) {
-        fprintf(stderr,
-                "grade: %s: found \"%s\", expected a whole number from %" PRIu64 " to %" PRIu64
-                "\n",
-                option, text, lowest, highest);
-        return -1;
+    if (number_read_unsigned(text, lowest, highest, number) == 0) {
+        return 0;
     }
-    return 0;
+    fprintf(stderr,
+            "grade: %s: found \"%s\", expected a whole number from %" PRIu64 " to %" PRIu64 "\n",
+            option, text, lowest, highest);
+    return -1;
 }
 
-int settings_parse(int argc, char **argv, Settings *settings)
+// A seed that nobody can foresee, yet short enough to be typed again.
+static uint64_t draw_seed(void)
+{
+    uint64_t seed;
+    if (getrandom(&seed, sizeof seed, 0) < 0) {
+        return (uint64_t)getpid();
+    }
+    return seed >> 32;
+}
+
+// Options of which others follow; NULL where they are not given.
+typedef struct GivenOptions {
+    const char *lab, *submission, *output;
+} GivenOptions;
+
+// Go through the words. Returns as settings_parse() does.
+static int read_options(int argc, char **argv, Settings *settings, GivenOptions *given)
 {
     static const struct option options[] = {
         {"lab", required_argument, NULL, 'l'},    {"submission", required_argument, NULL, 's'},
@@ -80,33 +91,27 @@ int settings_parse(int argc, char **argv, Settings *settings)
         {"build", required_argument, NULL, 'b'},  {"list-checks", no_argument, NULL, 'c'},
         {"help", no_argument, NULL, 'h'},         {0},
     };
-    const char *lab = NULL, *submission = NULL, *output = NULL;
     uint64_t seconds = DEFAULT_TIME_LIMIT;
-    *settings = (Settings){.build = "build", .device = ""};
-    if (getrandom(&settings->seed, sizeof settings->seed, 0) < 0) {
-        settings->seed = (uint64_t)getpid();
-    }
-    settings->seed >>= 32;  // short enough to be typed again
     int letter, failed = 0;
     while (!failed && (letter = getopt_long(argc, argv, "", options, NULL)) != -1) {
         switch (letter) {
         case 'l':
-            lab = optarg;
+            given->lab = optarg;
             break;
         case 's':
-            submission = optarg;
+            given->submission = optarg;
             break;
         case 'o':
-            output = optarg;
+            given->output = optarg;
             break;
         case 'r':
-            failed = parse_number("--seed", optarg, 0, UINT64_MAX, &settings->seed);
+            failed = read_number("--seed", optarg, 0, UINT64_MAX, &settings->seed);
             break;
         case 'd':
             settings->device = optarg;
             break;
         case 't':
-            failed = parse_number("--time-limit", optarg, 1, 3600, &seconds);
+            failed = read_number("--time-limit", optarg, 1, 3600, &seconds);
             break;
         case 'b':
             settings->build = optarg;
@@ -122,22 +127,42 @@ int settings_parse(int argc, char **argv, Settings *settings)
         }
     }
     settings->time_limit = (int)seconds;
-    if (!failed && (lab == NULL || optind < argc)) {
-        fprintf(stderr, "grade: %s (try --help)\n",
-                lab == NULL ? "--lab is missing" : "words that are no option");
-        return -1;
-    }
-    if (failed || find_lab(lab, settings->lab) != 0) {
-        return -1;
-    }
+    return failed;
+}
+
+// What is graded and where the reports go. Returns 0, or -1 after one message.
+static int set_folders(const GivenOptions *given, Settings *settings)
+{
     const int n_submission =
-        snprintf(settings->submission, SETTINGS_PATH_BYTES, "%s%s",
-                 submission ? submission : "labs/", submission ? "" : settings->lab);
-    const int n_output = snprintf(settings->output, SETTINGS_PATH_BYTES, "%s%.2s",
-                                  output ? output : "build/grade/", output ? "" : settings->lab);
+        given->submission
+            ? snprintf(settings->submission, SETTINGS_PATH_BYTES, "%s", given->submission)
+            : snprintf(settings->submission, SETTINGS_PATH_BYTES, "labs/%s", settings->lab);
+    const int n_output = given->output
+                             ? snprintf(settings->output, SETTINGS_PATH_BYTES, "%s", given->output)
+                             : snprintf(settings->output, SETTINGS_PATH_BYTES, "%s/grade/%.2s",
+                                        settings->build, settings->lab);
     if (n_submission >= SETTINGS_PATH_BYTES || n_output >= SETTINGS_PATH_BYTES) {
         fprintf(stderr, "grade: a path of over %d bytes\n", SETTINGS_PATH_BYTES - 1);
         return -1;
     }
     return 0;
+}
+
+int settings_parse(int argc, char **argv, Settings *settings)
+{
+    GivenOptions given = {0};
+    *settings = (Settings){.build = "build", .device = "", .seed = draw_seed()};
+    const int answered = read_options(argc, argv, settings, &given);
+    if (answered != 0) {
+        return answered;
+    }
+    if (given.lab == NULL || optind < argc) {
+        fprintf(stderr, "grade: %s (try --help)\n",
+                given.lab == NULL ? "--lab is missing" : "words that are no option");
+        return -1;
+    }
+    if (find_lab(given.lab, settings->lab) != 0) {
+        return -1;
+    }
+    return set_folders(&given, settings);
 }

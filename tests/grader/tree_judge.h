@@ -1,8 +1,8 @@
 // Judging a student's 2D kd-tree by its invariants, and against the solution's tree.
 //
 // Each function looks at one property and returns NULL when it holds, else the message for the
-// student, owned by the caller. The arrays are a submission's: every id, offset and count is checked
-// before it is used.
+// student, owned by the caller. The arrays are a submission's: every id, offset and count is
+// checked before it is used.
 #ifndef GRADER_TREE_JUDGE_H
 #define GRADER_TREE_JUDGE_H
 
@@ -23,8 +23,8 @@ char *tree_judge_lists(const JobScene *scene, const KdTree2D *own);
 // Ids are positions, breadth-first without gaps; lists follow one another and fill the map.
 char *tree_judge_packing(const JobScene *scene, const KdTree2D *own);
 
-// The probe's answer for scene K as a tree that points into the answers (do not free it). Returns 1,
-// or 0 when it is missing or its arrays do not fit together.
+// The probe's answer for scene K as a tree that points into the answers (do not free it). Returns
+// 1, or 0 when it is missing or its arrays do not fit together.
 int tree_judge_answer(int k, const Sections *answers, KdTree2D *own);
 
 #endif

@@ -59,21 +59,27 @@ static int copy_file(const char *from, const char *to)
     return 0;
 }
 
-// Copy what matches the pattern into tree/folder.
+// Copy what matches the pattern into tree/folder; that nothing does is a fault of the machinery.
 static int copy_matching(const Workshop *workshop, const char *pattern, const char *folder)
 {
     char path[PATH_BYTES];
     snprintf(path, sizeof path, "%s/tree/%s", workshop->folder, folder);
-    glob_t found;
-    int result = make_folder(path);
-    if (result == 0 && glob(pattern, 0, NULL, &found) == 0) {
-        for (size_t i = 0; result == 0 && i < found.gl_pathc; i++) {
-            const char *name = strrchr(found.gl_pathv[i], '/') + 1;
-            snprintf(path, sizeof path, "%s/tree/%s/%s", workshop->folder, folder, name);
-            result = copy_file(found.gl_pathv[i], path);
-        }
-        globfree(&found);
+    if (make_folder(path) != 0) {
+        return -1;
     }
+    glob_t found;
+    if (glob(pattern, 0, NULL, &found) != 0) {
+        fprintf(stderr, "grade: %s: not found; run make grader in the course's top folder\n",
+                pattern);
+        return -1;
+    }
+    int result = 0;
+    for (size_t i = 0; result == 0 && i < found.gl_pathc; i++) {
+        const char *name = strrchr(found.gl_pathv[i], '/') + 1;
+        snprintf(path, sizeof path, "%s/tree/%s/%s", workshop->folder, folder, name);
+        result = copy_file(found.gl_pathv[i], path);
+    }
+    globfree(&found);
     return result;
 }
 

@@ -40,13 +40,13 @@ typedef struct Variant {
     SandboxRun *run;   // while it runs
 } Variant;
 
-// Make the folder of a variant, with the lab's given files in it; put the lab's own files, the ones a
-// student hands in, there next. `path` receives the folder. Returns 0, or -1 after one message.
+// Make the folder of a variant, with the lab's given files in it; put the lab's own files, the ones
+// a student hands in, there next. `path` receives the folder. Returns 0, or -1 after one message.
 int variant_open(const Workshop *workshop, const char *name, Variant *variant, char *path,
                  size_t n_bytes);
 
-// Compile and run n variants side by side, each for at most wall_seconds. Returns 0, or -1 after one
-// message when the machinery failed.
+// Compile and run n variants side by side, each for at most wall_seconds. Returns 0, or -1 after
+// one message when the machinery failed.
 int variants_run(const Workshop *workshop, Variant *const variants[], int n, int wall_seconds);
 
 void variant_free(Variant *variant);

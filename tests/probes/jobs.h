@@ -1,7 +1,7 @@
 // What the grader asks a probe to try: the records of the job file's sections, for host and device.
 //
-// A probe is given code around a student's code. It runs in the sandbox, tries what the job says and
-// writes down what came out; it judges nothing, as whatever runs beside untrusted code may lie.
+// A probe is given code around a student's code. It runs in the sandbox, tries what the job says
+// and writes down what came out; it judges nothing, as whatever runs beside untrusted code may lie.
 #ifndef PROBES_JOBS_H
 #define PROBES_JOBS_H
 
@@ -17,7 +17,8 @@
 #define PROBE_MARGIN 16
 
 // Section "scene.K"; the circles are in "scene.K.circles", a tree (lab 03) in "scene.K.relations",
-// ".flags", ".boxes" and ".map". The probe answers with "picture.K": [image height][image width][4].
+// ".flags", ".boxes" and ".map". The probe answers with "picture.K": [image height][image
+// width][4].
 typedef struct SceneJob {
     i32 n_circles;
     i32 width;  // of the picture; the image has the margin besides
@@ -58,8 +59,8 @@ typedef struct BoxOverlapJob {
 } BoxOverlapJob;
 LAYOUT_ASSERT(BoxOverlapJob, 48);
 
-// Lab 02: distribute is called with ids of scene 0's circles; the answer has DISTRIBUTE_ROOM entries:
-// the number returned, then child_ids, UNTOUCHED where nothing was written.
+// Lab 02: distribute is called with ids of scene 0's circles; the answer has DISTRIBUTE_ROOM
+// entries: the number returned, then child_ids, UNTOUCHED where nothing was written.
 enum { DISTRIBUTE_MAX_IDS = 48, DISTRIBUTE_ROOM = DISTRIBUTE_MAX_IDS + 8, PACK_MAX_IDS = 24 };
 #define UNTOUCHED 0xabadcafeu
 typedef struct DistributeJob {
@@ -79,8 +80,8 @@ typedef struct PackJob {
 } PackJob;
 LAYOUT_ASSERT(PackJob, 108);
 
-// What the tree looks like afterwards; nodes start as {id = position, rest 0}, flags as INNER, the map
-// as UNTOUCHED.
+// What the tree looks like afterwards; nodes start as {id = position, rest 0}, flags as INNER, the
+// map as UNTOUCHED.
 typedef struct PackAnswer {
     NodeRel relations[PACK_NODES];
     u32 flags[PACK_NODES];
@@ -89,8 +90,8 @@ typedef struct PackAnswer {
 } PackAnswer;
 LAYOUT_ASSERT(PackAnswer, 420);
 
-// Lab 02 answers scene K with "tree.K" and the four arrays "tree.K.relations", ".flags", ".boxes" and
-// ".map".
+// Lab 02 answers scene K with "tree.K" and the four arrays "tree.K.relations", ".flags", ".boxes"
+// and ".map".
 typedef struct TreeAnswer {
     u32 n_nodes;
     u32 n_map;

@@ -1,4 +1,5 @@
-// Probe of lab 03: the student's kernel, and one that calls getContainingChild with the job's inputs.
+// Probe of lab 03: the student's kernel, and one that calls getContainingChild with the job's
+// inputs.
 
 // In the probe the image is larger than the picture; a guard by the image's size is right as well.
 #undef get_image_width  // a macro in some drivers

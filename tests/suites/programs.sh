@@ -234,7 +234,7 @@ for lab in $labs; do
     case $lab in
     00*) names="lab device width height $frame" ;;
     01*) names="$scene $frame $work" ;;
-    02*) names="lab scene n_circles max_depth leaf_size tree.build.min_ms tree.build.median_ms
+    02*) names="lab scene n_circles width height max_depth leaf_size tree.build.min_ms tree.build.median_ms
         tree.build.max_ms tree.n_nodes tree.n_leaves tree.depth tree.n_map tree.largest_leaf
         tree.circles_per_leaf" ;;
     03*) names="$scene tree.build_ms tree.n_nodes tree.n_map $frame $work" ;;
@@ -342,7 +342,7 @@ while IFS='|' read -r number words options; do
     ! $is_sanitized || check "lab $number, sanitized: $options" \
         refuses "$words" run_sanitized "$number" --output "$new" "$@"
 done <<'END'
-01|missing.csv: cannot read: No such file|--scene $scenes/missing.csv
+01|missing.csv: cannot be read: No such file|--scene $scenes/missing.csv
 01|empty.csv:1: found the end of the file|--scene $scenes/empty.csv
 02|comment.csv:2: found the end of the file|--scene $scenes/comment.csv
 01|truncated.csv:2: found 5 fields, expected 7|--scene $scenes/truncated.csv
@@ -408,12 +408,12 @@ small_disk() (
     ulimit -f 8
     "$@"
 )
-check "no room for the picture" refuses "new.exr: cannot write" \
+check "no room for the picture" refuses "new.exr: cannot be written" \
     small_disk run 02 --scene example --output "$out/new.exr"
 check "no room for the SVG beside the picture" refuses "new.svg: cannot be written" \
     small_disk run 02 --scene random:n=200 --size 640x640 --output "$out/new.png"
 mkdir "$out/new.svg"
-check "no place for the SVG beside the picture" refuses "new.svg: cannot write" \
+check "no place for the SVG beside the picture" refuses "new.svg: cannot be written" \
     run 02 --scene example --output "$new"
 rmdir "$out/new.svg"
 

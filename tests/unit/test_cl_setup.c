@@ -3,6 +3,7 @@
 #include "cl_setup.h"
 #include "surroundings.h"
 
+#include <dlfcn.h>
 #include <sys/wait.h>
 
 // The driver's cache goes into the test's own folder: a cached program would have no warnings.
@@ -100,6 +101,44 @@ Test(cl_setup, without_a_driver_the_message_says_what_to_install)
     result = cl_setup_list(stdout);
     expect_one_message(capture_end(2), "pocl-opencl-icd");
     cr_expect_eq(result, -1);
+}
+
+// Stands before the loader's own: where a test wants it, the device has a name of 300 letters.
+static int name_is_long;
+
+cl_int clGetDeviceInfo(cl_device_id device, cl_device_info question, size_t n_bytes, void *answer,
+                       size_t *n_answer_bytes)
+{
+    typedef cl_int GetDeviceInfo(cl_device_id, cl_device_info, size_t, void *, size_t *);
+    enum { N_LETTERS = 300 };
+    if (!name_is_long || question != CL_DEVICE_NAME) {
+        // POSIX has dlsym() return functions as void *; C11 has no cast for that.
+        void *symbol = dlsym(RTLD_NEXT, "clGetDeviceInfo");
+        GetDeviceInfo *driver;
+        memcpy(&driver, &symbol, sizeof driver);
+        return driver(device, question, n_bytes, answer, n_answer_bytes);
+    }
+    if (n_answer_bytes != NULL) {
+        *n_answer_bytes = N_LETTERS + 1;
+    }
+    if (answer != NULL && n_bytes <= N_LETTERS) {
+        return CL_INVALID_VALUE;
+    }
+    if (answer != NULL) {
+        memset(answer, 'x', N_LETTERS);
+        ((char *)answer)[N_LETTERS] = '\0';
+    }
+    return CL_SUCCESS;
+}
+
+Test(cl_setup, a_long_name_is_cut_off)
+{
+    name_is_long = 1;
+    ClSetup setup;
+    cr_assert_eq(cl_setup_open("xxx", &setup), 0, "the list has the name, too");
+    cr_expect_eq(strlen(setup.device_name), sizeof setup.device_name - 1);
+    cr_expect_eq(strspn(setup.device_name, "x"), sizeof setup.device_name - 1);
+    cl_setup_close(&setup);
 }
 
 // ---- Programs -----------------------------------------------------------------------------------
@@ -219,7 +258,9 @@ Test(cl_setup, programs_that_cannot_be_read_or_options_that_are_none)
     for (size_t i = 0; i < sizeof PATHS / sizeof PATHS[0]; i++) {
         capture_begin(2);
         cl_program program = cl_setup_build(&setup, PATHS[i], NULL);
-        expect_one_message(capture_end(2), PATHS[i]);
+        const char *message = capture_end(2);
+        expect_one_message(message, PATHS[i]);
+        expect_one_message(message, ": cannot be read: ");
         cr_expect_null(program);
     }
     capture_begin(2);
@@ -268,6 +309,20 @@ Test(cl_setup, a_log_of_noise_has_no_message)
                                      "k.cl", NULL, ".");
     cr_expect_str_empty(capture_end(1));
     cr_expect_eq(n_messages, 0);
+}
+
+// Only a whole line is a summary, and a diagnostic is one whatever it says.
+Test(cl_setup, errors_that_speak_of_what_is_generated_are_kept)
+{
+    cr_expect_str_eq(print_log("error: k.cl:1:1: no code generated.\n1 error generated.\n"),
+                     "k.cl:1:1: error: no code generated.\n");
+    cr_expect_str_eq(print_log("error: k.cl:1:1: so overriding noinline attribute\n"),
+                     "k.cl:1:1: error: so overriding noinline attribute\n");
+    cr_expect_str_eq(print_log("ptxas: no code was generated.\n"),
+                     "k.cl: ptxas: no code was generated.\n");
+    cr_expect_str_eq(print_log("see 2 errors generated. Then more\n"),
+                     "k.cl: see 2 errors generated. Then more\n");
+    cr_expect_str_empty(print_log("3 warnings generated.\n12 errors generated.\r\n"));
 }
 
 Test(cl_setup, the_caret_stands_below_tabs_and_letters_of_two_bytes)

@@ -145,8 +145,10 @@ Test(image, what_cannot_be_saved_leaves_nothing)
         const char *path;
         const char *message;
     } BAD[] = {
-        {"picture.jpg", ".exr or .png"}, {"picture", ".exr or .png"},  {".png", ".exr or .png"},
-        {"nowhere/a.png", "nowhere"},    {"nowhere/a.exr", "nowhere"}, {"folder.png", "regular"},
+        {"picture.jpg", ".exr or .png"},  {"picture", ".exr or .png"},
+        {".png", ".exr or .png"},         {"folder/.png", ".exr or .png"},
+        {"folder.png/a", ".exr or .png"}, {"nowhere/a.png", "nowhere"},
+        {"nowhere/a.exr", "nowhere"},     {"folder.png", "regular"},
     };
     mkdir("folder.png", 0777);
     Image image = image_new(2, 2);
@@ -158,6 +160,20 @@ Test(image, what_cannot_be_saved_leaves_nothing)
     }
     cr_expect_eq(folder_count(), 1);
     image_free(&image);
+}
+
+Test(image, the_stem_is_what_stands_before_the_ending)
+{
+    static const struct {
+        const char *path;
+        size_t length;
+    } PATHS[] = {
+        {"a.png", 1}, {"a.exr", 1}, {"b.c/a.png", 5}, {"a.b.png", 3}, {".a.png", 2}, {"", 0},
+        {"a.jpg", 0}, {".png", 0},  {"b/.exr", 0},    {"a.png/b", 0}, {"a.PNG", 0},  {"png", 0},
+    };
+    for (size_t i = 0; i < sizeof PATHS / sizeof PATHS[0]; i++) {
+        cr_expect_eq(image_stem_length(PATHS[i].path), PATHS[i].length, "%s", PATHS[i].path);
+    }
 }
 
 // A limit on the file's size stands for a full disk.
@@ -178,7 +194,7 @@ Test(image, a_full_disk_leaves_nothing_behind)
     setrlimit(RLIMIT_FSIZE, &limit);
     int result = image_save(&image, "a.exr");
     setrlimit(RLIMIT_FSIZE, &usual);
-    expect_one_message(capture_end(2), "a.exr: cannot write");
+    expect_one_message(capture_end(2), "a.exr: cannot be written");
     cr_expect_eq(result, -1);
     cr_expect_eq(folder_count(), 0);
     image_free(&image);

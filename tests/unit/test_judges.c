@@ -177,7 +177,8 @@ static Work draw_pixel(const JobScene *scene, int x, int y, float color[IMAGE_CH
     return work;
 }
 
-// The pictures of all scenes; of lab 00 the gradient, twice, of lab 03 the work for scene 1 besides.
+// The pictures of all scenes; of lab 00 the gradient, twice, of lab 03 the work for scene 1
+// besides.
 static void answer_pictures(Writer *writer, int lab, const Sections *job)
 {
     JobScene scene;

@@ -80,6 +80,8 @@ static const struct {
     {{"--leaf-size", "few"}, "found \"few\""},
     {{"--output", "picture.jpg"}, ".png or .exr"},
     {{"--output", "picture"}, ".png or .exr"},
+    {{"--output", ".png"}, ".png or .exr"},
+    {{"--output", "folder.png/.exr"}, ".png or .exr"},
     {{"--output", "nowhere/p.png"}, "folder that exists"},
     {{"--output", "file/p.png"}, "folder that exists"},
     {{"--output", "folder.png"}, "not a folder"},
@@ -89,10 +91,17 @@ static const struct {
     {{"--stats", "/dev/full"}, "a regular file"},
     {{"--scene"}, "--scene needs an argument"},
     {{"--colour", "red"}, "--colour"},
-    {{"-x"}, "-x"},
+    {{"--colour=red"}, ": --colour=red is no option here"},
+    {{"-x"}, ": -x is no option here"},
+    {{"-xy"}, ": -x is no option here"},
+    {{"--size=8x8", "-xy", "stray"}, ": -x is no option here"},
+    {{"--s", "640x480"}, ": --s is short for more than one option"},
+    {{"--s=640x480"}, ": --s=640x480 is short for more than one option"},
+    {{"--siz"}, ": --size needs an argument"},
     {{"stray"}, "stray word \"stray\""},
     {{"--frames", "2", "stray"}, "stray word \"stray\""},
-    {{"--help=me"}, "--help=me"},
+    {{"--help=me"}, ": --help does not take an argument"},
+    {{"--list=all"}, ": --list-devices does not take an argument"},
 };
 
 Test(options, bad_words_give_one_message)

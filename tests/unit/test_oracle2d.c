@@ -332,8 +332,8 @@ Test(oracle2d, no_rounding_of_a_single_circle_is_overlooked)
     cr_assert_eq(image_create(1, 1, &image), 0);
     int n_different = 0;
     for (int i = 0; i < 400000; i++) {
-        // The one pixel of the image is sampled at (place, place). Just above 512 the steps of float
-        // are largest against the numbers, and centres near 0 make every step round.
+        // The one pixel of the image is sampled at (place, place). Just above 512 the steps of
+        // float are largest against the numbers, and centres near 0 make every step round.
         const int is_worst = i % 2;
         const OracleRules rules = {.sample_offset =
                                        is_worst ? 514 : (double)random_integer(&random, 0, 999)};

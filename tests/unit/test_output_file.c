@@ -106,7 +106,7 @@ Test(output_file, a_full_disk_is_reported_and_the_old_file_kept)
     }
     capture_begin(2);
     int result = output_file_commit(&output);
-    expect_one_message(capture_end(2), "figure.svg: cannot write");
+    expect_one_message(capture_end(2), "figure.svg: cannot be written");
     setrlimit(RLIMIT_FSIZE, &usual);
     cr_expect_eq(result, -1);
     expect_content("figure.svg", "old");

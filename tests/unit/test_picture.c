@@ -23,8 +23,8 @@ typedef struct Case {
 
 static const OracleRules RIGHT = {0};
 
-// Whole centres, radii with whole points on their boundary, few depths: every mistake shows. The first
-// and the last circle are nearest of all and apart.
+// Whole centres, radii with whole points on their boundary, few depths: every mistake shows. The
+// first and the last circle are nearest of all and apart.
 static void circles_draw(Random *random, int width, int height, Circle circles[N_CIRCLES])
 {
     for (int i = 0; i < N_CIRCLES; i++) {

@@ -95,6 +95,17 @@ Test(stats, milliseconds_give_min_median_max)
     stats_free(&stats);
 }
 
+Test(stats, the_median_sorts)
+{
+    double odd[] = {3, 1, 2};
+    double even[] = {8, 1, 2, 4};
+    double one[] = {5};
+    cr_expect_eq(stats_median(odd, 3), 2);
+    cr_expect_eq(stats_median(even, 4), 3);
+    cr_expect_eq(stats_median(one, 1), 5);
+    cr_expect(even[0] == 1 && even[3] == 8, "found %g and %g at the ends", even[0], even[3]);
+}
+
 // A file name of the user's need not be UTF-8, but JSON must be.
 Test(stats, broken_text_is_mended)
 {

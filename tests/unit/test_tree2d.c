@@ -8,8 +8,8 @@
 
 #include <math.h>
 
-// The builder is compiled in here with limits that are reached within milliseconds, and with memory
-// that runs out when a test wants it to.
+// The builder and its neighbours are compiled in here with limits that are reached within
+// milliseconds, and with memory that runs out when a test wants it to.
 #undef TREE2D_MAX_ENTRIES
 #undef TREE2D_MAX_NODES
 #define TREE2D_MAX_ENTRIES (1u << 16)
@@ -28,8 +28,12 @@ static int may_allocate(void)
 
 #define malloc(n_bytes) (may_allocate() ? malloc(n_bytes) : NULL)
 #define realloc(old, n_bytes) (may_allocate() ? realloc(old, n_bytes) : NULL)
+#define calloc(n, n_bytes) (may_allocate() ? calloc(n, n_bytes) : NULL)
 #include "kdtree2d_build.c"
+#include "tree2d.c"
+#include "tree2d_draw.c"
 #undef malloc
+#undef calloc
 #undef realloc
 
 TestSuite(tree2d, .timeout = 20);
@@ -662,6 +666,55 @@ Test(tree2d, each_fault_is_named)
     job_scene_free(&scene);
 }
 
+// The first thing that a student sees: nothing is packed yet.
+Test(tree2d, an_inner_node_without_children_is_told_as_what_it_mostly_is)
+{
+    NodeRel root = {0};
+    u8 flag = INNER;
+    BBox2D box = {0, 1, 0, 1};
+    const KdTree2D tree = {
+        .nodes_Relations = &root, .nodes_flag = &flag, .nodes_BBox = &box, .n_nodes = 1};
+    capture_begin(2);
+    const int result = tree2d_check(&tree, 0);
+    expect_one_message(capture_end(2), "tree: node 0: marked INNER, but it has no children: was it "
+                                       "packed as a leaf (pack_leaf)?");
+    cr_expect_eq(result, -1);
+}
+
+Test(tree2d, the_depth_counts_levels)
+{
+    static const int DEPTHS[] = {1, 2, 5};
+    for (size_t i = 0; i < sizeof DEPTHS / sizeof *DEPTHS; i++) {
+        JobScene scene = scene_of("random:n=60,seed=3", 256, 200, (KdTreeLimits){DEPTHS[i], 1});
+        cr_expect_eq(tree2d_depth(&scene.tree), DEPTHS[i]);
+        job_scene_free(&scene);
+    }
+    const KdTree2D empty = {0};
+    cr_expect_eq(tree2d_depth(&empty), 0);
+}
+
+Test(tree2d, memory_that_runs_out_beside_the_builder_is_told_once)
+{
+    JobScene scene = subject_open();
+    capture_begin(2);
+    n_allocations_left = 0;
+    const int depth = tree2d_depth(&scene.tree);
+    n_allocations_left = -1;
+    expect_one_message(capture_end(2), "tree: no memory for the levels of 31 nodes");
+    cr_expect_eq(depth, -1);
+
+    FILE *file = tmpfile();
+    capture_begin(2);
+    n_allocations_left = 0;
+    const int written = tree2d_write_svg(file, &scene.scene, &scene.tree);
+    n_allocations_left = -1;
+    expect_one_message(capture_end(2), "tree2d_write_svg: no memory for 60 circles");
+    cr_expect_eq(written, -1);
+    cr_expect_eq(ferror(file), 0, "the stream is as good as before");
+    fclose(file);
+    job_scene_free(&scene);
+}
+
 // A tree of another shape, consistent in itself: only the limits say which one was asked for.
 static void expect_against_tree_of(const JobScene *scene, KdTreeLimits limits)
 {
@@ -857,7 +910,8 @@ static int count_border_pixels(const Scene2D *scene, const KdTree2D *tree)
 
 Test(tree2d, cells_are_drawn_where_they_are)
 {
-    // The example's root is the picture, 64 times magnified: eight cells on the last level, 2.5 by 5.
+    // The example's root is the picture, 64 times magnified: eight cells on the last level, 2.5 by
+    // 5.
     JobScene scene = scene_of("example", 10, 10, (KdTreeLimits){4, 1});
     cr_expect_eq(count_border_pixels(&scene.scene, &scene.tree), 4 * 640 + 2 * 640 - 4 * 2,
                  "four vertical lines cross two horizontal ones");

@@ -1,0 +1,45 @@
+// common/text_file: whole text files, or one message.
+#include "surroundings.h"
+#include "text_file.h"
+
+TestSuite(text_file, .init = folder_enter, .fini = folder_leave);
+
+Test(text_file, the_text_is_read_whole)
+{
+    static const char *const TEXTS[] = {"", "\n", "one line", "two\nlines\n", "\xff\r\n"};
+    for (size_t i = 0; i < sizeof TEXTS / sizeof TEXTS[0]; i++) {
+        file_write("a.txt", TEXTS[i], strlen(TEXTS[i]));
+        char *text = text_file_read("a.txt");
+        cr_assert_not_null(text);
+        cr_expect_str_eq(text, TEXTS[i]);
+        free(text);
+    }
+}
+
+Test(text_file, a_nul_byte_is_no_text)
+{
+    static const char *const TEXTS[] = {"\0bc", "a\0c", "ab\0"};
+    for (size_t i = 0; i < sizeof TEXTS / sizeof TEXTS[0]; i++) {
+        file_write("a.txt", TEXTS[i], 3);
+        capture_begin(2);
+        char *text = text_file_read("a.txt");
+        expect_one_message(capture_end(2), "a.txt: cannot be read: found a NUL byte");
+        cr_expect_null(text);
+        free(text);
+    }
+}
+
+Test(text_file, what_cannot_be_read)
+{
+    mkdir("folder", 0777);
+    static const char *const PATHS[] = {"missing", "folder", "folder/missing"};
+    for (size_t i = 0; i < sizeof PATHS / sizeof PATHS[0]; i++) {
+        capture_begin(2);
+        char *text = text_file_read(PATHS[i]);
+        const char *message = capture_end(2);
+        expect_one_message(message, PATHS[i]);
+        expect_one_message(message, ": cannot be read: ");
+        cr_expect_null(text);
+        free(text);
+    }
+}
