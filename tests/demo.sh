@@ -100,7 +100,9 @@ wrong() {
 
 mkdir -p "$class/right" "$class/skeleton"
 cp -r "solutions/$lab" "$class/right/files"
-cp -r "labs/$lab" "$class/skeleton/files"
+tests/cut_labs.sh "$build/tools/holes" "$class/cut"
+mv "$class/cut/$lab" "$class/skeleton/files"
+rm -r "$class/cut"
 wrong one-level
 wrong later-of-equals
 wrong red-blue-swapped

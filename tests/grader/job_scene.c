@@ -14,8 +14,15 @@ int job_scene_random(JobScene *scene, Random *random, int n_circles, int max_rad
     *scene = (JobScene){0};
     snprintf(scene->title, sizeof scene->title, "random scene, %d circles, %dx%d", n_circles, width,
              height);
-    return scene2d_random(n_circles, random_bits(random), 2, (float)max_radius, width, height,
-                          &scene->scene);
+    if (scene2d_random(n_circles, random_bits(random), 2, (float)max_radius, width, height,
+                       &scene->scene) != 0) {
+        return -1;
+    }
+    // Opaque circles would hide who forgets the fourth channel.
+    for (int i = 0; i < n_circles; i++) {
+        scene->scene.circles[i].a = (float)random_integer(random, 4, 16) / 16;
+    }
+    return 0;
 }
 
 int job_scene_named(JobScene *scene, const char *name, int width, int height)
@@ -28,7 +35,7 @@ int job_scene_named(JobScene *scene, const char *name, int width, int height)
 void job_scene_spread_depths(JobScene *scene)
 {
     for (int i = 0; i < scene->scene.n_circles; i++) {
-        scene->scene.circles[i].depth = 256 * scene->scene.circles[i].depth - 128;
+        scene->scene.circles[i].depth = 0x1p20f * scene->scene.circles[i].depth - 0x1p19f;
     }
 }
 
@@ -65,6 +72,29 @@ static int write_part(FILE *file, int k, const char *part, const void *bytes, si
     return section_write(file, name, bytes, n_bytes);
 }
 
+// The circles and, behind them, one that must not be asked.
+static int write_circles(FILE *file, int k, const Scene2D *scene)
+{
+    const size_t n = (size_t)scene->n_circles;
+    Circle *circles = calloc(n + 1, sizeof *circles);
+    if (circles == NULL) {
+        fprintf(stderr, "grade: no memory for a scene\n");
+        return -1;
+    }
+    if (n > 0) {
+        memcpy(circles, scene->circles, n * sizeof *circles);
+    }
+    circles[n] = (Circle){.radius = 1e6f,
+                          .depth = -1e9f,
+                          .r = BEYOND_RED,
+                          .g = BEYOND_GREEN,
+                          .b = BEYOND_BLUE,
+                          .a = 1};
+    const int result = write_part(file, k, "circles", circles, (n + 1) * sizeof *circles);
+    free(circles);
+    return result;
+}
+
 int job_scene_write(const JobScene *scene, int k, FILE *file)
 {
     const Scene2D *s = &scene->scene;
@@ -73,7 +103,7 @@ int job_scene_write(const JobScene *scene, int k, FILE *file)
     char name[SECTION_NAME_BYTES];
     snprintf(name, sizeof name, "scene.%d", k);
     int result = section_write(file, name, &job, sizeof job);
-    result |= write_part(file, k, "circles", s->circles, (size_t)s->n_circles * sizeof *s->circles);
+    result |= write_circles(file, k, s);
     const KdTree2D *tree = &scene->tree;
     if (tree->n_nodes > 0) {
         result |= write_part(file, k, "relations", tree->nodes_Relations,

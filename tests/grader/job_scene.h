@@ -23,7 +23,7 @@ int job_scene_random(JobScene *scene, Random *random, int n_circles, int max_rad
 // A scene of scene2d.h by name. Returns 0, or -1 after one message.
 int job_scene_named(JobScene *scene, const char *name, int width, int height);
 
-// Spread the depths of a random scene from -128 to 128: a depth may be any number.
+// Spread the depths of a random scene from about -500 000 to 500 000: a depth may be any number.
 void job_scene_spread_depths(JobScene *scene);
 
 // Let the oracle draw what is expected. Returns 0, or -1 after one message.

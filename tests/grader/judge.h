@@ -52,7 +52,7 @@ typedef struct Judge {
     void (*add_pictures)(const void *job, const Sections *answers, Result *result);
 } Judge;
 
-// The judge of a lab, or NULL.
+// The judge of a lab by its name, "03-kdtree-2d-render", or its number, "03" or "3"; or NULL.
 const Judge *judge_of(const char *lab);
 
 #endif

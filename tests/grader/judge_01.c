@@ -203,12 +203,15 @@ static Verdict judge_overlaps(const Job *job, int first, int n, const Sections *
         return verdict_missing;
     }
     int n_wrong = 0, first_wrong = 0;
+    const char *why = NULL;
     for (int i = first + n - 1; i >= first; i--) {
         const OverlapJob input = job->overlaps[i];
         const int expected =
             oracle2d_covers(input.circle, input.x, input.y) && input.circle.depth < input.minDepth;
         if ((found[i] != 0) != expected) {
-            n_wrong++;
+            // A cause is named only when it explains every wrong answer.
+            const char *cause = explain_overlap(input, found[i] != 0);
+            why = n_wrong++ == 0 || why == cause ? cause : "";
             first_wrong = i;
         }
     }
@@ -222,7 +225,7 @@ static Verdict judge_overlaps(const Job *job, int first, int n, const Sections *
         "%d%s; %d of %d inputs are wrong",
         input.x, input.y, (double)input.circle.x, (double)input.circle.y,
         (double)input.circle.radius, (double)input.circle.depth, (double)input.minDepth, answer,
-        !answer, explain_overlap(input, answer), n_wrong, n));
+        !answer, why, n_wrong, n));
 }
 
 static Verdict judge(const void *pointer, int check, const Sections *answers)

@@ -508,13 +508,27 @@ static Verdict judge_pack(const Job *job, const Sections *answers,
     return verdict_of(NULL);
 }
 
+// Why there is no tree: the builder gave up, or the probe ended before.
+static Verdict tree_refused(const JobScene *scene, int k, const Sections *answers)
+{
+    char name[SECTION_NAME_BYTES];
+    snprintf(name, sizeof name, "tree.%d.refused", k);
+    size_t n_bytes;
+    if (sections_find_any(answers, name, &n_bytes) == NULL) {
+        return verdict_missing;
+    }
+    return verdict_of(message_new("%s: kdtree2d_build gave up, as the tree grew too large: does "
+                                  "splitting ever end?",
+                                  scene->title));
+}
+
 static Verdict judge_trees(const Job *job, const Sections *answers,
                            char *(*judge_one)(const JobScene *, const KdTree2D *))
 {
     for (int k = 0; k < N_SCENES; k++) {
         KdTree2D own;
         if (!tree_judge_answer(k, answers, &own)) {
-            return verdict_missing;
+            return tree_refused(&job->scenes[k], k, answers);
         }
         char *message = judge_one(&job->scenes[k], &own);
         if (message != NULL) {

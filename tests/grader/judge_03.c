@@ -43,6 +43,7 @@ enum {
     RANDOM = 3,    // two
     ORDER = 5,
     EDGES = 6,
+    ROOT_IS_LEAF = EDGES + 4,
     N_EDGES = 6,
     N_SCENES = EDGES + N_EDGES,
 };
@@ -326,7 +327,7 @@ static char *judge_pixel_work(const JobScene *scene, int check, int x, int y, Wo
                          scene->title, x, y, found.n_nodes_visited, steps);
     }
     const u32 n = tree->mapNode2Circles[tree->nodes_Relations[leaf_at(tree, x, y)].circleMapOffset];
-    return found.n_circle_tests <= n && (found.n_circle_tests > 0 || n == 0)
+    return found.n_circle_tests == n
                ? NULL
                : message_new(
                      "%s: pixel (%d, %d): overlaps_N_Nearer was called %u times, but the leaf "
@@ -334,17 +335,17 @@ static char *judge_pixel_work(const JobScene *scene, int check, int x, int y, Wo
                      scene->title, x, y, found.n_circle_tests, n);
 }
 
-static Verdict judge_work(const Job *job, int check, const Sections *answers)
+// Judge the counted work of scene K.
+static Verdict judge_scene_work(const JobScene *scene, int k, int check, const Sections *answers)
 {
-    const JobScene *scene = &job->scenes[WIDE];
     const int width = scene->scene.width, height = scene->scene.height;
     const size_t n_bytes =
         (size_t)PROBE_IMAGE_SIDE(width) * (size_t)PROBE_IMAGE_SIDE(height) * sizeof(Work);
     char name[SECTION_NAME_BYTES];
-    snprintf(name, sizeof name, "work.%d", WIDE);
+    snprintf(name, sizeof name, "work.%d", k);
     const Work *found = sections_find(answers, name, n_bytes);
     if (found == NULL) {
-        if (job_scene_answer(scene, WIDE, answers).pixels == NULL) {
+        if (job_scene_answer(scene, k, answers).pixels == NULL) {
             return verdict_missing;
         }
         return verdict_of(message_new("the work could not be counted: call getContainingChild and "
@@ -360,6 +361,19 @@ static Verdict judge_work(const Job *job, int check, const Sections *answers)
             if (message != NULL) {
                 return verdict_of(message);
             }
+        }
+    }
+    return verdict_of(NULL);
+}
+
+static Verdict judge_work(const Job *job, int check, const Sections *answers)
+{
+    const int scenes[] = {WIDE, ROOT_IS_LEAF};
+    for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
+        const int k = scenes[i];
+        const Verdict verdict = judge_scene_work(&job->scenes[k], k, check, answers);
+        if (verdict.kind != VERDICT_PASSED) {
+            return verdict;
         }
     }
     return verdict_of(NULL);

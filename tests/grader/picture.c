@@ -262,11 +262,33 @@ static int is_empty(ProbeImage own, const Image *reference)
     return 1;
 }
 
+// Does every wrong pixel show the circle behind the end of the array?
+static int shows_beyond(ProbeImage own, const ExpectedPicture *expected)
+{
+    const float beyond[IMAGE_CHANNELS] = {BEYOND_RED, BEYOND_GREEN, BEYOND_BLUE, 1};
+    const Image *reference = &expected->reference;
+    int n_beyond = 0;
+    for (int y = 0; y < reference->height; y++) {
+        for (int x = 0; x < reference->width; x++) {
+            const float *pixel = own_pixel(own, x, y);
+            if (is_same(pixel, beyond, 0)) {
+                n_beyond++;
+            } else if (!is_same(pixel, image_pixel(reference, x, y), expected->tolerance)) {
+                return 0;
+            }
+        }
+    }
+    return n_beyond > 0;
+}
+
 // What a wrong picture looks like, or NULL.
 static const char *recognise(ProbeImage own, const ExpectedPicture *expected)
 {
     if (is_empty(own, &expected->reference)) {
         return "empty: nothing but the background";
+    }
+    if (shows_beyond(own, expected)) {
+        return "drawn as if one circle too many were asked, the one behind the end of the array";
     }
     const char *background = wrong_background(own, expected);
     if (background != NULL) {

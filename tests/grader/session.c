@@ -156,7 +156,9 @@ void session_judge(const Session *session, int i, const Variant *variant, CheckR
         result->status = CHECK_FAILED;
         result->message = verdict.message;
     } else {
-        result->status = CHECK_NOT_RUN;
+        // A crash or an endless loop is the answer's own fault; what does not compile was not
+        // tried.
+        result->status = variant->trouble != NULL ? CHECK_FAILED : CHECK_NOT_RUN;
         result->message = describe_missing(variant);
     }
 }

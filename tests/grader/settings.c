@@ -1,10 +1,10 @@
 // Reading the command line of grade; every fault is one message.
 #include "settings.h"
 
+#include "judge.h"
 #include "number.h"
 
 #include <getopt.h>
-#include <glob.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
@@ -29,27 +29,16 @@ static void usage(FILE *out)
             DEFAULT_TIME_LIMIT);
 }
 
-// "03", "3" or "03-kdtree-2d-render" to the folder's name under labs/. Returns 0, or -1 after one
-// message.
+// "03", "3" or "03-kdtree-2d-render" to the lab's name. Returns 0, or -1 after one message.
 static int find_lab(const char *wanted, char lab[64])
 {
-    char pattern[SETTINGS_PATH_BYTES];
-    glob_t found;
-    uint64_t number;
-    if (number_read_unsigned(wanted, 0, 99, &number) == 0) {
-        snprintf(pattern, sizeof pattern, "labs/%02" PRIu64 "-*", number);
-    } else {
-        snprintf(pattern, sizeof pattern, "labs/%s", wanted);
-    }
-    if (wanted[0] == '\0' || strpbrk(wanted, "/*?[]\\") != NULL ||
-        glob(pattern, GLOB_ONLYDIR, NULL, &found) != 0) {
-        fprintf(stderr,
-                "grade: --lab: found \"%s\", expected the number or name of a folder in labs/\n",
+    const Judge *judge = judge_of(wanted);
+    if (judge == NULL) {
+        fprintf(stderr, "grade: --lab: found \"%s\", expected the number or name of a lab\n",
                 wanted);
         return -1;
     }
-    snprintf(lab, 64, "%s", found.gl_pathv[0] + strlen("labs/"));
-    globfree(&found);
+    snprintf(lab, 64, "%s", judge->lab);
     return 0;
 }
 

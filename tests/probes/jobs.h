@@ -12,13 +12,19 @@
 // What an image holds before the student's kernel writes: no scene has this colour.
 #define UNWRITTEN (-77.0f)
 
+// The colour of the circle behind the end of circles[], nearest of all and everywhere: no scene has
+// it either, and who asks one circle too many paints it.
+#define BEYOND_RED 0.140625f
+#define BEYOND_GREEN 0.859375f
+#define BEYOND_BLUE 0.390625f
+
 // A probe's image is this much larger than the picture on the right and below, and the launch too:
 // a work-item without a guard leaves its trace there.
 #define PROBE_MARGIN 16
 
-// Section "scene.K"; the circles are in "scene.K.circles", a tree (lab 03) in "scene.K.relations",
-// ".flags", ".boxes" and ".map". The probe answers with "picture.K": [image height][image
-// width][4].
+// Section "scene.K"; the circles are in "scene.K.circles", one more than there are, and a tree (lab
+// 03) in "scene.K.relations", ".flags", ".boxes" and ".map". The probe answers with "picture.K":
+// [image height][image width][4].
 typedef struct SceneJob {
     i32 n_circles;
     i32 width;  // of the picture; the image has the margin besides

@@ -102,6 +102,7 @@ static void answer_tree(const Probe *probe, int k, const SceneJob *scene)
     const KdTreeLimits limits = {scene->maxDepth, scene->targetElementsPerNode};
     KdTree2D tree = {0};
     if (kdtree2d_build(circles, (u32)scene->n_circles, limits, &tree) != 0) {
+        probe_answer(probe, "tree", k, "refused", "", 0);
         return;
     }
     const TreeAnswer answer = {tree.n_nodes, tree.n_map};

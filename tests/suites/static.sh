@@ -18,6 +18,15 @@ check "cppcheck" cppcheck --quiet --error-exitcode=1 --inline-suppr --std=c11 --
     -DJSON_INTEGER_FORMAT='"lld"' -DLAB_NAME='"lab"' -DLAB_FOLDER='"labs/lab"' -DKERNEL_OPTIONS='""' -DPROBE_KERNEL_OPTIONS='""' \
     $(echo "$written" | grep '\.c$' | grep -v '^tests/unit/')
 
+# Skeletons have no warnings, though a student's half-written code may.
+for source in $(echo "$sources" | grep '^labs/.*\.c$'); do
+    lab=$(basename "$(dirname "$source")")
+    # shellcheck disable=SC2046
+    check "gcc -Wall -Wextra $source" gcc -std=c11 -D_GNU_SOURCE -Wall -Wextra -Werror -fsyntax-only \
+        -Icommon -Ikernels "-Ilabs/$lab" $(printf -- '-I%s ' solutions/*) \
+        -DLAB_NAME='""' -DLAB_FOLDER='""' -DKERNEL_OPTIONS='""' "$source"
+done
+
 # The OpenCL front end of clang, with warnings, on every kernel, counting and not.
 clang=$(command -v clang || command -v clang-15 || command -v clang-19)
 # A kernel's own folder comes first, so that the same name in another lab does no harm.

@@ -10,7 +10,7 @@ static void enter(void)
 {
     folder_enter();
     mkdir("labs", 0777);
-    mkdir("labs/03-some-lab", 0777);
+    mkdir("labs/03-kdtree-2d-render", 0777);
 }
 
 TestSuite(settings, .init = enter, .fini = folder_leave);
@@ -29,12 +29,12 @@ static int parse(const char *const words[MAX_WORDS], Settings *settings)
 
 Test(settings, a_lab_is_found_by_number_or_name)
 {
-    static const char *const LABS[] = {"3", "03", "0003", "03-some-lab"};
+    static const char *const LABS[] = {"3", "03", "0003", "03-kdtree-2d-render"};
     for (size_t i = 0; i < sizeof LABS / sizeof LABS[0]; i++) {
         Settings settings;
         cr_assert_eq(parse((const char *[MAX_WORDS]){"--lab", LABS[i]}, &settings), 0);
-        cr_expect_str_eq(settings.lab, "03-some-lab");
-        cr_expect_str_eq(settings.submission, "labs/03-some-lab");
+        cr_expect_str_eq(settings.lab, "03-kdtree-2d-render");
+        cr_expect_str_eq(settings.submission, "labs/03-kdtree-2d-render");
         cr_expect_str_eq(settings.output, "build/grade/03");
         cr_expect_eq(settings.time_limit, 10);
         cr_expect_leq(settings.seed, UINT32_MAX);

@@ -1,0 +1,12 @@
+// mutant: the loop asks one circle too many
+// task: implicit2DRenderer
+// caught by: renderer-random
+// says: one circle too many
+    float minDepth = INFINITY;
+    for (int i = 0; i <= n_circles; i++) {
+        const Circle circle = circles[i];
+        if (overlaps_N_Nearer(x, y, circle, minDepth)) {
+            minDepth = circle.depth;
+            color = (float4)(circle.r, circle.g, circle.b, circle.a);
+        }
+    }

@@ -1,0 +1,12 @@
+// mutant: every circle is opaque: its alpha is forgotten
+// task: implicit2DRenderer
+// caught by: renderer-random
+// says: found
+    float minDepth = INFINITY;
+    for (int i = 0; i < n_circles; i++) {
+        const Circle circle = circles[i];
+        if (overlaps_N_Nearer(x, y, circle, minDepth)) {
+            minDepth = circle.depth;
+            color = (float4)(circle.r, circle.g, circle.b, 1.0f);
+        }
+    }
