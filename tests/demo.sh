@@ -33,7 +33,9 @@ figure() {
     "$build/solutions/$lab" "$@" --output "$gallery/$file" --stats "$gallery/$file.json" >"$gallery/$file.txt"
     {
         echo "<figure><img src=\"$file\" alt=\"$(title "$lab")\">"
-        echo "<figcaption><code>build/solutions/$lab $(echo "$*" | escape)</code></figcaption>"
+        # A line may break between words, not inside "--size".
+        words=$(echo "build/solutions/$lab $*" | escape | sed 's|[^ ][^ ]*|<span>&</span>|g')
+        echo "<figcaption><code>$words</code></figcaption>"
         echo "<details><summary>Figures of this run</summary><pre>$(escape <"$gallery/$file.txt")</pre></details>"
         echo "</figure>"
     } >>"$gallery/index.html"
@@ -57,7 +59,7 @@ h1 { font-weight: 650; margin-bottom: .2rem } h2 { font-size: 1.15rem; margin: 2
 section { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(22rem, 100%), 1fr)); gap: 1rem } section > h2 { grid-column: 1 / -1; margin-bottom: 0 }
 figure { margin: 0; padding: .8rem; background: var(--card); border: 1px solid var(--line); border-radius: .6rem; min-width: 0 }
 img { width: 100%; height: auto; border-radius: .3rem; display: block; image-rendering: auto; background: #000 }
-figcaption { margin-top: .6rem } code { font-size: .8rem; overflow-wrap: anywhere } summary { color: var(--soft); font-size: .85rem; cursor: pointer }
+figcaption { margin-top: .6rem } code { font-size: .8rem } code span { white-space: nowrap } summary { color: var(--soft); font-size: .85rem; cursor: pointer }
 pre { font-size: .75rem; overflow-x: auto; margin: .4rem 0 0 } p { color: var(--soft); margin-top: 0 }
 </style></head><body>
 <h1>From circles to rays</h1>
