@@ -26,4 +26,10 @@ static inline int64_t random_integer(Random *random, int64_t lowest, int64_t hig
     return lowest + (int64_t)(random_bits(random) % (uint64_t)(highest - lowest + 1));
 }
 
+// A coordinate on the course's grid of 1/16 px, from lowest to highest pixel.
+static inline float random_grid(Random *random, int lowest, int highest)
+{
+    return (float)random_integer(random, 16 * (int64_t)lowest, 16 * (int64_t)highest) / 16;
+}
+
 #endif

@@ -60,19 +60,13 @@ typedef struct Job {
     JobScene scenes[N_SCENES];
 } Job;
 
-// A grid coordinate: sixteenths of a pixel.
-static float grid(Random *random, int lowest, int highest)
-{
-    return (float)random_integer(random, 16 * (int64_t)lowest, 16 * (int64_t)highest) / 16;
-}
-
 // A pixel within two radii of a random circle that is nearer than minDepth.
 static OverlapJob draw_inside(Random *random)
 {
     OverlapJob job = {.minDepth = 0.75f};
-    job.circle.x = grid(random, -10, 300);
-    job.circle.y = grid(random, -10, 300);
-    job.circle.radius = grid(random, 1, 60);
+    job.circle.x = random_grid(random, -10, 300);
+    job.circle.y = random_grid(random, -10, 300);
+    job.circle.radius = random_grid(random, 1, 60);
     job.circle.depth = 0.25f;
     job.x = (int)lrintf(job.circle.x +
                         (float)random_integer(random, -1000, 1000) / 500 * job.circle.radius);
@@ -109,7 +103,7 @@ static OverlapJob draw_nearer(Random *random)
     job.y = (int)random_integer(random, 0, 200);
     job.circle.x = (float)job.x;
     job.circle.y = (float)job.y;
-    job.circle.radius = grid(random, 1, 20);
+    job.circle.radius = random_grid(random, 1, 20);
     job.circle.depth = (float)random_integer(random, -8, 8) / 4;
     const int kind = (int)random_integer(random, 0, 3);
     job.minDepth = kind == 0   ? INFINITY

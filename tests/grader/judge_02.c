@@ -67,16 +67,11 @@ typedef struct Job {
 
 // ---- Drawing the job --------------------------------------------------------------------------
 
-static float grid(Random *random, int lowest, int highest)
-{
-    return (float)random_integer(random, 16 * (int64_t)lowest, 16 * (int64_t)highest) / 16;
-}
-
 static BBox2D draw_box(Random *random)
 {
-    BBox2D box = {.minX = grid(random, -100, 100), .minY = grid(random, -100, 100)};
-    box.maxX = box.minX + grid(random, 1, 120);
-    box.maxY = box.minY + grid(random, 1, 120);
+    BBox2D box = {.minX = random_grid(random, -100, 100), .minY = random_grid(random, -100, 100)};
+    box.maxX = box.minX + random_grid(random, 1, 120);
+    box.maxY = box.minY + random_grid(random, 1, 120);
     return box;
 }
 
@@ -109,9 +104,9 @@ static BBox2D draw_split(Random *random, int i)
 static BoxOverlapJob draw_inside(Random *random)
 {
     BoxOverlapJob job = {.box = draw_box(random)};
-    job.circle.x = grid(random, -150, 250);
-    job.circle.y = grid(random, -150, 250);
-    job.circle.radius = grid(random, 1, 100);
+    job.circle.x = random_grid(random, -150, 250);
+    job.circle.y = random_grid(random, -150, 250);
+    job.circle.radius = random_grid(random, 1, 100);
     return job;
 }
 
@@ -146,7 +141,7 @@ static BoxOverlapJob draw_corner(Random *random)
 {
     BoxOverlapJob job = {.box = draw_box(random)};
     const BBox2D box = job.box;
-    job.circle.radius = grid(random, 4, 60);
+    job.circle.radius = random_grid(random, 4, 60);
     const float dx = job.circle.radius * (float)random_integer(random, 8, 15) / 16;
     const float dy = job.circle.radius * (float)random_integer(random, 2, 15) / 16;
     job.circle.x = random_integer(random, 0, 1) ? box.maxX + dx : box.minX - dx;
@@ -163,10 +158,10 @@ static DistributeJob draw_distribute(Random *random, const Scene2D *scene)
             job.ids[job.n_ids++] = id;
         }
     }
-    job.child.minX = grid(random, 0, scene->width - 20);
-    job.child.minY = grid(random, 0, scene->height - 20);
-    job.child.maxX = job.child.minX + grid(random, 10, 80);
-    job.child.maxY = job.child.minY + grid(random, 10, 80);
+    job.child.minX = random_grid(random, 0, scene->width - 20);
+    job.child.minY = random_grid(random, 0, scene->height - 20);
+    job.child.maxX = job.child.minX + random_grid(random, 10, 80);
+    job.child.maxY = job.child.minY + random_grid(random, 10, 80);
     return job;
 }
 

@@ -24,7 +24,8 @@
 
 // Section "scene.K"; the circles are in "scene.K.circles", one more than there are, and a tree (lab
 // 03) in "scene.K.relations", ".flags", ".boxes" and ".map". The probe answers with "picture.K":
-// [image height][image width][4].
+// [image height][image width][4], lab 00 with "readback.K" besides, and lab 03 with "work.K": a
+// Work for each pixel, and room behind them.
 typedef struct SceneJob {
     i32 n_circles;
     i32 width;  // of the picture; the image has the margin besides
@@ -97,7 +98,7 @@ typedef struct PackAnswer {
 LAYOUT_ASSERT(PackAnswer, 420);
 
 // Lab 02 answers scene K with "tree.K" and the four arrays "tree.K.relations", ".flags", ".boxes"
-// and ".map".
+// and ".map"; with "tree.K.refused" where the builder gave up.
 typedef struct TreeAnswer {
     u32 n_nodes;
     u32 n_map;
