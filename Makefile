@@ -87,12 +87,14 @@ $(foreach l,$(LABS),$(eval $(call earlier_archive,$(l))))
 
 GRADER_MAINS = $(addprefix tests/grader/,grade.c class_report.c mutants.c holes_tool.c)
 GRADER_SOURCES := $(filter-out $(GRADER_MAINS),$(wildcard tests/grader/*.c))
-# The grader makes its trees with the solution of lab 02.
-BUILDER = solutions/02-kdtree-2d-build/kdtree2d_build.c
-GRADER_INCLUDES = -I tests/grader -I tests/probes -I solutions/02-kdtree-2d-build
+# The grader makes its trees and cameras with the solutions of labs 02, 04 and 06.
+BUILDERS = solutions/02-kdtree-2d-build/kdtree2d_build.c \
+    solutions/04-camera-rays/camera_from_view.c solutions/06-kdtree-3d-build/kdtree3d_build.c
+BUILDER_INCLUDES = $(addprefix -I ,$(sort $(dir $(BUILDERS))))
+GRADER_INCLUDES = -I tests/grader -I tests/probes $(BUILDER_INCLUDES)
 $(OUT)/obj/tests/%.o: EXTRA = $(GRADER_INCLUDES)
 
-$(OUT)/libgrader.a: $(call objects,$(GRADER_SOURCES) tests/probes/sections.c $(BUILDER))
+$(OUT)/libgrader.a: $(call objects,$(GRADER_SOURCES) tests/probes/sections.c $(BUILDERS))
 	@rm -f $@
 	@ar rcs $@ $^
 
@@ -144,8 +146,12 @@ $(UNIT_TESTS): $(OUT)/tests/%: $(OUT)/obj/tests/unit/%.c.o $(OUT)/libgrader.a $(
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -lcriterion -o $@
 
-# What the suites use: a comparison of two pictures, and a device without images.
+# What the suites use: a comparison of two pictures, what rays hit, and a device without images.
 $(OUT)/tools/compare: $(call objects,tests/compare.c) $(OUT)/libcommon.a
+	@mkdir -p $(@D)
+	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -o $@
+
+$(OUT)/tools/count_hits: $(call objects,tests/count_hits.c) $(OUT)/libgrader.a $(OUT)/libcommon.a
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -o $@
 
@@ -160,7 +166,7 @@ NATIVE_TEST = $(OUT)/tests/test_cl_setup
 unit-tests: $(filter-out $(NATIVE_TEST),$(UNIT_TESTS))
 
 .PHONY: tests
-tests: all $(NATIVE_TEST) $(OUT)/tools/compare $(OUT)/tests/no_images.so  ## build all that the tests run
+tests: all $(NATIVE_TEST) $(OUT)/tools/compare $(OUT)/tools/count_hits $(OUT)/tests/no_images.so  ## build all that the tests run
 	@$(MAKE) --no-print-directory SANITIZE=1 all unit-tests
 
 .PHONY: check
@@ -172,12 +178,27 @@ test:  ## install what is missing and run every test
 	@common/setup/install.sh test
 	@$(MAKE) --no-print-directory -j2 check
 
+# What libFuzzer feeds: the readers of 3D scenes, compiled by clang together with the target.
+CLANG ?= $(firstword $(foreach c,clang clang-19 clang-15 clang-14,$(shell command -v $(c))))
+SECONDS ?= 60
+FUZZED = tests/fuzz/fuzz_scene3d.c $(wildcard common/scene3d*.c common/molecule*.c) \
+    $(addprefix common/,elements.c line_reader.c number.c scene_arguments.c)
+
+.PHONY: fuzz
+fuzz:  ## for authors: fuzz the readers of 3D scenes for SECONDS=60 (needs libclang-rt-dev)
+	@mkdir -p $(BUILD)/fuzz/new
+	$(CLANG) -std=c11 -D_GNU_SOURCE -O1 -g -fsanitize=fuzzer,address,undefined \
+	    -fno-sanitize-recover=undefined $(INCLUDES) $(FUZZED) -lm -o $(BUILD)/fuzz/fuzz_scene3d
+	$(BUILD)/fuzz/fuzz_scene3d -dict=tests/fuzz/scene3d.dict -max_len=4096 \
+	    -max_total_time=$(SECONDS) -artifact_prefix=$(BUILD)/fuzz/ $(BUILD)/fuzz/new \
+	    $(wildcard tests/fuzz/corpus/*)
+
 # ---- The bench ------------------------------------------------------------------------------
 
-$(OUT)/obj/tests/bench/%.o: EXTRA = -I solutions/02-kdtree-2d-build \
+$(OUT)/obj/tests/bench/%.o: EXTRA = $(BUILDER_INCLUDES) \
     -DNAIVE_OPTIONS='"$(call include_path,01-naive-2d)"' \
     -DKDTREE_OPTIONS='"$(call include_path,03-kdtree-2d-render)"'
-$(OUT)/tools/bench2d: $(call objects,$(wildcard tests/bench/*.c) $(BUILDER)) $(OUT)/libcommon.a
+$(OUT)/tools/bench2d: $(call objects,$(wildcard tests/bench/*.c) $(BUILDERS)) $(OUT)/libcommon.a
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -o $@
 

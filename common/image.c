@@ -101,7 +101,7 @@ static const float INFERNO[][3] = {
 };
 #define INFERNO_STEPS ((int)(sizeof INFERNO / sizeof INFERNO[0]) - 1)
 
-static void inferno_colour(float value, float *rgb)
+void image_heat_colour(float value, float *rgb)
 {
     float position = fminf(value, 1.0f) * (float)INFERNO_STEPS;
     int step = (int)position < INFERNO_STEPS ? (int)position : INFERNO_STEPS - 1;
@@ -141,7 +141,7 @@ int image_difference_picture(const Image *image, const Image *reference, Image *
         float *pixel = difference->pixels + offset;
         pixel[3] = 1;
         if (brightness > 0) {
-            inferno_colour(brightness, pixel);
+            image_heat_colour(brightness, pixel);
         }
     }
     return 0;

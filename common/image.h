@@ -54,6 +54,11 @@ typedef struct ImageDifference {
 // a picture of NaNs, or a smaller one, never passes.
 ImageDifference image_compare(const Image *image, const Image *reference, float tolerance);
 
+// The colour of a value from 0 (nearly black) to 1 (pale yellow) in the inferno colour map; more
+// than 1 is as 1.
+//   rgb[3]   out
+void image_heat_colour(float value, float *rgb);
+
 // Where two pictures differ, for people: black where equal, the brighter the further apart
 // (|difference| summed over the channels, doubled, in the inferno colours; NaN is brightest). Both
 // of the same size. Returns 0, or -1 after one message on stderr. Release with image_free().

@@ -9,6 +9,7 @@
 #include "image.h"
 #include "number.h"
 #include "scene2d.h"
+#include "scene3d.h"
 
 #include <errno.h>
 #include <getopt.h>
@@ -34,6 +35,8 @@ enum OptionId {
     DEVICE,
     MAX_DEPTH,
     LEAF_SIZE,
+    HEAT_MAP,
+    TEXTBOOK,
     LIST_DEVICES,
     HELP
 };
@@ -44,7 +47,7 @@ static const struct OptionRow {
     int set;               // the OPTIONS_... it belongs to, 0: used by every lab
     const char *meaning;
 } ROWS[] = {
-    [SCENE] = {"scene", "NAME", OPTIONS_SCENE, "a .csv file or a generator (random)"},
+    [SCENE] = {"scene", "NAME", OPTIONS_SCENE | OPTIONS_SCENE3D, "a file or a generator"},
     [SIZE] = {"size", "WxH", 0, "the picture's size in pixels (the scene's own)"},
     [OUTPUT] = {"output", "FILE", 0, "the picture, .png or .exr"},
     [FRAMES] = {"frames", "N", 0, "draw N times, for measuring (1)"},
@@ -52,7 +55,9 @@ static const struct OptionRow {
     [DEVICE] = {"device", "D", OPTIONS_DEVICE,
                 "number or part of a name ($" CL_DEVICE_VARIABLE ", or the first)"},
     [MAX_DEPTH] = {"max-depth", "N", OPTIONS_TREE, "levels of the tree, the root's included"},
-    [LEAF_SIZE] = {"leaf-size", "N", OPTIONS_TREE, "circles at which a node stays a leaf"},
+    [LEAF_SIZE] = {"leaf-size", "N", OPTIONS_TREE, "elements at which a node stays a leaf"},
+    [HEAT_MAP] = {"heat-map", NULL, OPTIONS_WORK, "save each pixel's work beside the picture"},
+    [TEXTBOOK] = {"textbook", NULL, OPTIONS_TEXTBOOK, "intersect by the textbook's quadratic"},
     [LIST_DEVICES] = {"list-devices", NULL, 0, "show the devices and end"},
     [HELP] = {"help", NULL, 0, "show this and end"},
 };
@@ -75,6 +80,20 @@ static OptionsResult refuse(const char *lab_name, const char *option, const char
     return OPTIONS_BAD;
 }
 
+static const char *default_scene(int set)
+{
+    return set & OPTIONS_SCENE3D ? "sphereflake" : "random";
+}
+
+static void print_scenes(const char *list, const char *edge_case(int index))
+{
+    printf("\nScenes: %s", list);
+    for (int i = 0; edge_case(i) != NULL; i++) {
+        printf(", %s", edge_case(i));
+    }
+    printf("\n");
+}
+
 static void print_help(const char *lab_name, const char *what, int set)
 {
     printf("%s: %s\n\nOptions (and what holds without them):\n", lab_name, what);
@@ -89,21 +108,26 @@ static void print_help(const char *lab_name, const char *what, int set)
         if (id == OUTPUT) {
             printf(" (%s)", default_output);
         }
-        if (id == MAX_DEPTH) {
-            printf(" (%d; at most %d)", OPTIONS_DEFAULT_MAX_DEPTH, OPTIONS_LARGEST_MAX_DEPTH);
+        if (id == SCENE) {
+            printf(" (%s)", default_scene(set));
         }
-        if (id == LEAF_SIZE) {
+        if (set & OPTIONS_SCENE3D && (id == MAX_DEPTH || id == LEAF_SIZE)) {
+            printf(" (fits the scene)");
+        } else if (id == MAX_DEPTH) {
+            printf(" (%d)", OPTIONS_DEFAULT_MAX_DEPTH);
+        } else if (id == LEAF_SIZE) {
             printf(" (%d)", OPTIONS_DEFAULT_LEAF_SIZE);
         }
         printf("\n");
     }
     printf("Options of other labs are taken, too, and not used.\n");
     if (set & OPTIONS_SCENE) {
-        printf("\nScenes: FILE.csv, random[:n=N,seed=S,min=R,max=R]");
-        for (int i = 0; scene2d_edge_case(i) != NULL; i++) {
-            printf(", %s", scene2d_edge_case(i));
-        }
-        printf("\n");
+        print_scenes("FILE.csv, random[:n=N,seed=S,min=R,max=R]", scene2d_edge_case);
+    }
+    if (set & OPTIONS_SCENE3D) {
+        print_scenes("FILE.nff, FILE.pdb, FILE.xyz, sphereflake[:size=N], "
+                     "random[:n=N,seed=S,min=R,max=R], lattice[:n=N]",
+                     scene3d_edge_case);
     }
 }
 
@@ -168,13 +192,19 @@ static OptionsResult read_option(const char *lab_name, enum OptionId id, const c
         break;
     case MAX_DEPTH:
         if (read_count(text, OPTIONS_LARGEST_MAX_DEPTH, &options->max_depth) != 0) {
-            expected = "a whole number from 1 to 24";
+            expected = "a whole number from 1 to 64";
         }
         break;
     case LEAF_SIZE:
         if (read_count(text, LARGEST_COUNT, &options->leaf_size) != 0) {
             expected = "a whole number of at least 1";
         }
+        break;
+    case HEAT_MAP:
+        options->heat_map = 1;
+        break;
+    case TEXTBOOK:
+        options->textbook = 1;
         break;
     case LIST_DEVICES:
     case HELP:
@@ -183,7 +213,7 @@ static OptionsResult read_option(const char *lab_name, enum OptionId id, const c
     return expected == NULL ? OPTIONS_RUN : refuse(lab_name, ROWS[id].name, text, expected);
 }
 
-_Static_assert(LARGEST_SIDE == 1000000 && OPTIONS_LARGEST_MAX_DEPTH == 24,
+_Static_assert(LARGEST_SIDE == 1000000 && OPTIONS_LARGEST_MAX_DEPTH == 64,
                "the messages above name these limits");
 
 // Can a file be made at `path`? Found out before the work and not after it.
@@ -305,11 +335,11 @@ OptionsResult options_parse(int argc, char **argv, const char *lab_name, const c
 {
     snprintf(default_output, sizeof default_output, "build/%s.png", lab_name);
     *options = (Options){
-        .scene = "random",
+        .scene = default_scene(set),
         .output = default_output,
         .n_frames = 1,
-        .max_depth = OPTIONS_DEFAULT_MAX_DEPTH,
-        .leaf_size = OPTIONS_DEFAULT_LEAF_SIZE,
+        .max_depth = set & OPTIONS_SCENE3D ? 0 : OPTIONS_DEFAULT_MAX_DEPTH,
+        .leaf_size = set & OPTIONS_SCENE3D ? 0 : OPTIONS_DEFAULT_LEAF_SIZE,
     };
     int is_given[N_ROWS] = {0};
     OptionsResult result = read_words(argc, argv, lab_name, what, set, options, is_given);

@@ -7,33 +7,39 @@
 //     --size WxH        the picture's size                         --stats FILE    figures as JSON
 //     --output FILE     .png or .exr                               --device D      number or name
 //     --max-depth N     levels of the tree (labs with trees)       --list-devices
-//     --leaf-size N     circles at which a node stays a leaf       --help
+//     --leaf-size N     elements at which a node stays a leaf      --help
+//     --heat-map        save the work of each pixel, too           --textbook      (lab 05)
 #ifndef COMMON_OPTIONS_H
 #define COMMON_OPTIONS_H
 
 // Which options a lab uses besides those that all do. It takes the others too, so that one command
 // line serves every lab, and notes on stderr that they are not used.
 enum {
-    OPTIONS_SCENE = 1,   // --scene
-    OPTIONS_TREE = 2,    // --max-depth, --leaf-size
-    OPTIONS_DEVICE = 4,  // --device
+    OPTIONS_SCENE = 1,      // --scene, of circles
+    OPTIONS_TREE = 2,       // --max-depth, --leaf-size
+    OPTIONS_DEVICE = 4,     // --device
+    OPTIONS_SCENE3D = 8,    // --scene, of spheres
+    OPTIONS_WORK = 16,      // --heat-map
+    OPTIONS_TEXTBOOK = 32,  // --textbook
 };
 
 #define OPTIONS_DEFAULT_MAX_DEPTH 16
 #define OPTIONS_DEFAULT_LEAF_SIZE 8
 
-// The most levels a 2D tree may have: a limit for the user's sake, as a level can double the nodes.
-#define OPTIONS_LARGEST_MAX_DEPTH 24
+// The most levels that may be asked for. The builders refuse trees that grow too large or too deep.
+#define OPTIONS_LARGEST_MAX_DEPTH 64
 
 typedef struct Options {
-    const char *scene;   // as given; "random" when it was not
+    const char *scene;   // as given; "random", in 3D "sphereflake", when it was not
     int width, height;   // 0, 0: not given
     const char *output;  // as given; build/NN-name.png when it was not
     const char *device;  // as given, or NULL
     int n_frames;        // at least 1
     const char *stats;   // or NULL
-    int max_depth;       // levels, the root's included
-    int leaf_size;       // targetElementsPerNode
+    int max_depth;       // levels, the root's included; in 3D 0 when not given
+    int leaf_size;       // targetElementsPerNode; in 3D 0 when not given
+    int heat_map;        // 1 when asked for
+    int textbook;        // 1 when asked for
 } Options;
 
 typedef enum OptionsResult {

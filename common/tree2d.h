@@ -6,12 +6,7 @@
 #define COMMON_TREE2D_H
 
 #include "kdtree2d.h"
-
-// When a node stays a leaf.
-typedef struct KdTreeLimits {
-    int maxDepth;               // levels, the root's included: a node on level maxDepth is a leaf
-    int targetElementsPerNode;  // a node with this many circles or fewer is a leaf
-} KdTreeLimits;
+#include "kdtree_limits.h"
 
 typedef struct KdTree2D {
     NodeRel *nodes_Relations;  // [n_nodes]

@@ -4,14 +4,32 @@
 // figures. Read next: stats.c.
 #include "work_stats.h"
 
+#include "image.h"
 #include "work.h"
 
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 // Work-items that fill up the last work-groups write nothing; should a student's do, it stays
 // inside.
 enum { GROUP_MARGIN = 64 };
+
+// The counters of a Work. The first is called after what is tested.
+static const struct Counter {
+    const char *name;
+    size_t offset;
+} COUNTERS[] = {
+    {NULL, offsetof(Work, n_tests)},
+    {"nodes_visited", offsetof(Work, n_nodes_visited)},
+    {"leaves_visited", offsetof(Work, n_leaves_visited)},
+    {"stack_depth", offsetof(Work, stack_depth)},
+};
+enum { N_CIRCLE_COUNTERS = 2, N_SPHERE_COUNTERS = 4 };
+
+_Static_assert(N_SPHERE_COUNTERS == IMAGE_CHANNELS && sizeof(Work) == 4 * sizeof(u32),
+               "a pixel has a channel for each counter");
 
 static Work *work_allocate(size_t n_pixels)
 {
@@ -35,23 +53,96 @@ cl_mem work_buffer_create(const ClSetup *cl, int width, int height)
     return d_work;
 }
 
-void work_stats_add(const ClSetup *cl, cl_mem d_work, int width, int height, Stats *stats)
+static u32 counter_of(const Work *work, const struct Counter *counter)
+{
+    u32 count;
+    memcpy(&count, (const char *)work + counter->offset, sizeof count);
+    return count;
+}
+
+static void add_figures(const Work *h_work, size_t n_pixels, WorkKind kind, Stats *stats)
+{
+    const int n_counters = kind == WORK_CIRCLES ? N_CIRCLE_COUNTERS : N_SPHERE_COUNTERS;
+    for (int c = 0; c < n_counters; c++) {
+        const char *counter_name = COUNTERS[c].name;
+        if (counter_name == NULL) {
+            counter_name = kind == WORK_CIRCLES ? "circle_tests" : "sphere_tests";
+        }
+        double sum = 0;
+        u32 most = 0;
+        for (size_t i = 0; i < n_pixels; i++) {
+            const u32 count = counter_of(&h_work[i], &COUNTERS[c]);
+            sum += count;
+            most = count > most ? count : most;
+        }
+        char name[64];
+        snprintf(name, sizeof name, "%s.mean_per_pixel", counter_name);
+        stats_number(stats, name, sum / (double)n_pixels);
+        snprintf(name, sizeof name, "%s.max_per_pixel", counter_name);
+        stats_integer(stats, name, most);
+    }
+}
+
+// Save a picture as the path of the run's picture with another ending: "a.png" becomes
+// "a-work.exr".
+static int save_beside(const Image *image, const char *picture_path, const char *ending)
+{
+    char *path;
+    if (asprintf(&path, "%.*s%s", (int)image_stem_length(picture_path), picture_path, ending) < 0) {
+        fprintf(stderr, "%s: no memory\n", picture_path);
+        return -1;
+    }
+    const int result = image_save(image, path);
+    free(path);
+    return result;
+}
+
+// All steps of one pixel: what the heat map shows.
+static u32 n_steps(const Work *work)
+{
+    return work->n_tests + work->n_nodes_visited + work->n_leaves_visited;
+}
+
+static int save_pictures(const Work *h_work, Image *image, const char *picture_path, Stats *stats)
+{
+    const size_t n_pixels = (size_t)image->width * (size_t)image->height;
+    u32 brightest = 1;
+    for (size_t i = 0; i < n_pixels; i++) {
+        for (int c = 0; c < IMAGE_CHANNELS; c++) {
+            image->pixels[i * IMAGE_CHANNELS + (size_t)c] =
+                (float)counter_of(&h_work[i], &COUNTERS[c]);
+        }
+        brightest = n_steps(&h_work[i]) > brightest ? n_steps(&h_work[i]) : brightest;
+    }
+    if (save_beside(image, picture_path, "-work.exr") != 0) {
+        return -1;
+    }
+    for (size_t i = 0; i < n_pixels; i++) {
+        float *pixel = image->pixels + i * IMAGE_CHANNELS;
+        image_heat_colour((float)n_steps(&h_work[i]) / (float)brightest, pixel);
+        pixel[3] = 1;
+    }
+    stats_integer(stats, "heat_map.brightest", brightest);
+    return save_beside(image, picture_path, "-work.png");
+}
+
+int work_report(const ClSetup *cl, cl_mem d_work, int width, int height, WorkKind kind,
+                const char *picture_path, Stats *stats)
 {
     const size_t n_pixels = (size_t)width * (size_t)height;
     Work *h_work = work_allocate(n_pixels);
     CL_CHECK(clEnqueueReadBuffer(cl->queue, d_work, CL_TRUE, 0, n_pixels * sizeof *h_work, h_work,
                                  0, NULL, NULL));
-    double sum_tests = 0, sum_nodes = 0;
-    u32 max_tests = 0, max_nodes = 0;
-    for (size_t i = 0; i < n_pixels; i++) {
-        sum_tests += h_work[i].n_circle_tests;
-        sum_nodes += h_work[i].n_nodes_visited;
-        max_tests = h_work[i].n_circle_tests > max_tests ? h_work[i].n_circle_tests : max_tests;
-        max_nodes = h_work[i].n_nodes_visited > max_nodes ? h_work[i].n_nodes_visited : max_nodes;
+    add_figures(h_work, n_pixels, kind, stats);
+    int result = 0;
+    if (picture_path != NULL) {
+        Image image = {0};
+        result = image_create(width, height, &image);
+        if (result == 0) {
+            result = save_pictures(h_work, &image, picture_path, stats);
+        }
+        image_free(&image);
     }
     free(h_work);
-    stats_number(stats, "circle_tests.mean_per_pixel", sum_tests / (double)n_pixels);
-    stats_integer(stats, "circle_tests.max_per_pixel", max_tests);
-    stats_number(stats, "nodes_visited.mean_per_pixel", sum_nodes / (double)n_pixels);
-    stats_integer(stats, "nodes_visited.max_per_pixel", max_nodes);
+    return result;
 }

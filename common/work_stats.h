@@ -1,4 +1,5 @@
-// The counters of kernels/work.h on the host: a buffer for them, and their mean and maximum.
+// The counters of kernels/work.h on the host: a buffer for them, their mean and maximum as figures,
+// and pictures of them.
 //
 // Flow: scene -> BUFFERS -> KERNEL -> image -> comparison. Read next: kernels/work.h.
 #ifndef COMMON_WORK_STATS_H
@@ -7,12 +8,25 @@
 #include "cl_setup.h"
 #include "stats.h"
 
+// What the counters count; the kinds differ in the figures' names and in how many there are.
+typedef enum WorkKind {
+    WORK_CIRCLES,  // circle_tests, nodes_visited
+    WORK_SPHERES,  // sphere_tests, nodes_visited, leaves_visited, stack_depth
+} WorkKind;
+
 // A device buffer of width * height Work and some room behind them, zeroed. Release with
 // clReleaseMemObject.
 cl_mem work_buffer_create(const ClSetup *cl, int width, int height);
 
-// Read the counters back and add circle_tests.mean_per_pixel, circle_tests.max_per_pixel,
-// nodes_visited.mean_per_pixel and nodes_visited.max_per_pixel to the figures.
-void work_stats_add(const ClSetup *cl, cl_mem d_work, int width, int height, Stats *stats);
+// Read the counters back, and add NAME.mean_per_pixel and NAME.max_per_pixel of each to the
+// figures.
+//   picture_path   NULL, or the path of the run's picture, "a.png": then each pixel's work is saved
+//                  beside it: as "a-work.exr", tests in red, nodes in green, leaves in blue, stack
+//                  depth in alpha, and as a heat map for people, "a-work.png": tests, nodes and
+//                  leaves together, from black for none to the brightest colour for the most, which
+//                  becomes the figure heat_map.brightest
+// Returns 0, or -1 after one message on stderr.
+int work_report(const ClSetup *cl, cl_mem d_work, int width, int height, WorkKind kind,
+                const char *picture_path, Stats *stats);
 
 #endif

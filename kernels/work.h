@@ -1,10 +1,11 @@
-// Counting work: how many circles a pixel asks and how many nodes it visits.
+// Counting work: how many circles or spheres a pixel asks, how many nodes it visits.
 //
-// Milliseconds differ from machine to machine; counts do not. A renderer writes WORK_PARAMETER
-// after its last parameter, WORK_BEGIN after the guard by which work-items outside the picture
-// leave, and WORK_END, which uses the renderer's parameter `width`, as its last statement. It
-// includes count_calls.h after the functions whose calls are to be counted. Built without
-// -DCOUNT_WORK all of this is empty and costs nothing.
+// Milliseconds differ from machine to machine; counts do not. A kernel writes WORK_PARAMETER after
+// its last parameter, WORK_BEGIN after the guard by which work-items outside the picture leave, and
+// WORK_END, which uses the kernel's parameter `width`, as its last statement. A function that
+// counts for it takes WORK_POINTER after its last parameter. Calls are counted from where
+// count_calls.h or one of its kind is included. Built without -DCOUNT_WORK all of this is empty and
+// costs nothing.
 // Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: common/work_stats.h.
 #ifndef KERNELS_WORK_H
 #define KERNELS_WORK_H
@@ -13,18 +14,25 @@
 
 // What one pixel cost. The buffer holds width * height of them, row by row.
 typedef struct Work {
-    /* 0 */ u32 n_circle_tests;   // calls of overlaps_N_Nearer
-    /* 4 */ u32 n_nodes_visited;  // calls of getContainingChild
+    /*  0 */ u32 n_tests;           // calls of overlaps_N_Nearer or intersect_sphere
+    /*  4 */ u32 n_nodes_visited;   // inner nodes: calls of getContainingChild or children_on_ray
+    /*  8 */ u32 n_leaves_visited;  // 3D: calls of search_leaf
+    /* 12 */ u32 stack_depth;       // 3D: most nodes that waited on the todo stack at once
 } Work;
-LAYOUT_ASSERT(Work, 8);
+LAYOUT_ASSERT(Work, 16);
 
 #ifdef __OPENCL_C_VERSION__
 #ifdef COUNT_WORK
 #define WORK_PARAMETER , global Work *d_work
-#define WORK_BEGIN Work work = {0, 0}
-#define WORK_END(x, y) d_work[(y) * width + (x)] = work
+// A function whose task is still to be solved does not use it yet.
+#define WORK_POINTER , Work *work __attribute__((unused))
+#define WORK_BEGIN                                                                                 \
+    Work pixel_work = {0, 0, 0, 0};                                                                \
+    Work *const work = &pixel_work
+#define WORK_END(x, y) d_work[(y) * width + (x)] = pixel_work
 #else
 #define WORK_PARAMETER
+#define WORK_POINTER
 #define WORK_BEGIN
 #define WORK_END(x, y)
 #endif

@@ -41,6 +41,12 @@ figure() {
     } >>"$gallery/index.html"
 }
 
+# One more picture that the last run has made. picture LAB FILE TEXT
+picture() {
+    echo "<figure><img src=\"$2\" alt=\"$(title "$1")\"><figcaption>$3</figcaption></figure>" \
+        >>"$gallery/index.html"
+}
+
 # Start a lab's section.
 section() {
     printf '</section><section><h2>%s <span>%s</span></h2>\n' "$1" "$(title "$1")" >>"$gallery/index.html"
@@ -82,6 +88,24 @@ section 03-kdtree-2d-render
 figure 03-kdtree-2d-render 03.png --scene random:n=500,seed=1 --size 640x480
 figure 03-kdtree-2d-render 03-lecture.png --scene random:n=8192,seed=1 --frames 5
 figure 03-kdtree-2d-render 03-odd.png --scene random:n=8192,seed=3,max=8 --size 317x211
+section 04-camera-rays
+figure 04-camera-rays 04.png
+figure 04-camera-rays 04-wide.png --scene tests/scenes/example.nff --size 640x320
+section 05-spheres
+figure 05-spheres 05.png --scene sphereflake:size=2
+figure 05-spheres 05-caffeine.png --scene tests/scenes/caffeine.xyz
+figure 05-spheres 05-example.png --scene tests/scenes/example.nff --size 640x480
+section 06-kdtree-3d-build
+figure 06-kdtree-3d-build 06.png
+figure 06-kdtree-3d-build 06-random.png --scene random:n=200,seed=3
+figure 06-kdtree-3d-build 06-lattice.png --scene lattice:n=5 --leaf-size 1
+section 07-kdtree-3d-trace
+figure 07-kdtree-3d-trace 07.png --size 1024x1024 --heat-map
+picture 07-kdtree-3d-trace 07-work.png "The same, by work: the brighter, the more nodes, leaves and spheres a ray asks"
+figure 07-kdtree-3d-trace 07-large.png --scene random:n=100000 --size 1024x1024 --frames 5
+figure 07-kdtree-3d-trace 07-helix.png --scene tests/scenes/helix.pdb --size 1024x640
+figure 07-kdtree-3d-trace 07-c60.png --scene tests/scenes/c60.xyz
+figure 07-kdtree-3d-trace 07-lattice.png --scene lattice:n=40 --size 640x640
 echo "</section></body></html>" >>"$gallery/index.html"
 
 # ---- A small class ----------------------------------------------------------------------------

@@ -14,5 +14,10 @@ for lab in 01-naive-2d 02-kdtree-2d-build 03-kdtree-2d-render; do
     # shellcheck disable=SC2086 # two options and their arguments
     "$build/solutions/$lab" $scene --output "$folder/$lab.png"
 done
+flake="--scene sphereflake --size 512x512"
+for lab in 04-camera-rays 06-kdtree-3d-build 07-kdtree-3d-trace; do
+    # shellcheck disable=SC2086
+    "$build/solutions/$lab" $flake --output "$folder/$lab.png"
+done
 "$build/solutions/02-kdtree-2d-build" --scene example --max-depth 4 --leaf-size 1 \
     --output "$folder/02-example.png"

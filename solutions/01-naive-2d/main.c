@@ -88,13 +88,14 @@ static int render(const ClSetup *cl, const Options *options, const Scene2D *scen
     }
 
     int result = draw(cl, scene, &memory, KERNEL_OPTIONS, options->n_frames, stats);
-    if (result == 0 && options->stats != NULL) {
+    if (result == 0 && (options->stats != NULL || options->heat_map)) {
         // Counting slows a kernel down, so it gets a frame of its own.
         Stats counting_times = {0};
         memory.d_work = work_buffer_create(cl, scene->width, scene->height);
         result = draw(cl, scene, &memory, KERNEL_OPTIONS " -DCOUNT_WORK", 1, &counting_times);
         if (result == 0) {
-            work_stats_add(cl, memory.d_work, scene->width, scene->height, stats);
+            result = work_report(cl, memory.d_work, scene->width, scene->height, WORK_CIRCLES,
+                                 options->heat_map ? options->output : NULL, stats);
         }
         stats_free(&counting_times);
     }
@@ -112,7 +113,7 @@ int main(int argc, char **argv)
     // ---- Options ---------------------------------------------------------------------------
     Options options;
     switch (options_parse(argc, argv, LAB_NAME, "Draws circles; every pixel asks every circle.",
-                          OPTIONS_SCENE | OPTIONS_DEVICE, &options)) {
+                          OPTIONS_SCENE | OPTIONS_DEVICE | OPTIONS_WORK, &options)) {
     case OPTIONS_BAD:
         return EXIT_FAILURE;
     case OPTIONS_DONE:

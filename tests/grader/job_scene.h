@@ -2,18 +2,16 @@
 #ifndef GRADER_JOB_SCENE_H
 #define GRADER_JOB_SCENE_H
 
-#include "judge.h"
+#include "job_picture.h"
 #include "kdtree2d_build.h"
-#include "picture.h"
 #include "random.h"
 #include "scene2d.h"
 
 typedef struct JobScene {
-    char title[96];       // "random scene"
     Scene2D scene;        // circles and the picture's size
     KdTreeLimits limits;  // of its tree
     KdTree2D tree;        // lab 03: what the kernel searches
-    ExpectedPicture expected;
+    JobPicture picture;
 } JobScene;
 
 // A random scene with circles of 2 to max_radius pixels. Returns 0, or -1 after one message.
@@ -37,26 +35,11 @@ int job_scene_write(const JobScene *scene, int k, FILE *file);
 
 void job_scene_free(JobScene *scene);
 
-// The probe's answer "picture.K", pixels NULL when it is missing.
-ProbeImage job_scene_answer(const JobScene *scene, int k, const Sections *answers);
+// List the pictures of n scenes for job_picture.h.
+void job_scenes_list(JobScene *scenes, int n, JobPicture *pictures[]);
 
-// Judge the probe's picture of scene K.
-Verdict job_scene_judge(const JobScene *scene, int k, const Sections *answers);
-
-// The same for scenes first to first + n - 1: the first wrong one decides.
-Verdict job_scenes_judge(const JobScene *scenes, int first, int n, const Sections *answers);
-
-// Judge that nothing was written outside the pictures of n scenes.
-Verdict job_scenes_judge_padding(const JobScene *scenes, int n, const Sections *answers);
-
-// Compare with the solution's picture from now on.
-void job_scene_adopt(JobScene *scene, int k, const Sections *answers);
-
-// Add scene K to the report's pictures, if there is room.
-void job_scene_add_picture(const JobScene *scene, int k, const Sections *answers, Result *result);
-
-// Add n scenes, the wrong ones first.
-void job_scenes_add_pictures(const JobScene *scenes, int n, const Sections *answers,
-                             Result *result);
+// Let wrong pictures of a scene be recognised. The scene must stay where it is. job_scene_expect()
+// does it.
+void job_scene_recognise(const Scene2D *scene, ExpectedPicture *expected);
 
 #endif

@@ -1,9 +1,11 @@
 // Judge of lab 00: a gradient on several sizes, whole and as read back.
 #include "judge.h"
 
-#include "job_scene.h"
+#include "job_picture.h"
+#include "job_sections.h"
 #include "jobs.h"
 #include "message.h"
+#include "random.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -32,23 +34,25 @@ static const Check checks[] = {
 enum { N_SIZES = 7 };
 
 typedef struct Job {
-    JobScene scenes[N_SIZES];
+    JobPicture gradients[N_SIZES];
+    JobPicture *pictures[N_SIZES];  // the gradients
 } Job;
 
 // What the gradient should be, in double precision. A device's float division may be off by 2.5
 // units in the last place (OpenCL 1.2, 7.4), of values below 1: 2.5 * 2^-24; twice that is allowed.
-static int expect_gradient(JobScene *scene)
+static int expect_gradient(int width, int height, JobPicture *gradient)
 {
-    ExpectedPicture *expected = &scene->expected;
-    if (image_create(scene->scene.width, scene->scene.height, &expected->reference) != 0) {
+    ExpectedPicture *expected = &gradient->expected;
+    snprintf(gradient->title, sizeof gradient->title, "gradient, %dx%d", width, height);
+    if (image_create(width, height, &expected->reference) != 0) {
         return -1;
     }
     expected->tolerance = 5 * 0x1p-24f;
     float *pixel = expected->reference.pixels;
-    for (int y = 0; y < scene->scene.height; y++) {
-        for (int x = 0; x < scene->scene.width; x++, pixel += IMAGE_CHANNELS) {
-            pixel[0] = (float)((double)x / scene->scene.width);
-            pixel[1] = (float)((double)y / scene->scene.height);
+    for (int y = 0; y < height; y++) {
+        for (int x = 0; x < width; x++, pixel += IMAGE_CHANNELS) {
+            pixel[0] = (float)((double)x / width);
+            pixel[1] = (float)((double)y / height);
             pixel[2] = 0.25f;
             pixel[3] = 1;
         }
@@ -60,7 +64,7 @@ static void job_free(void *pointer)
 {
     Job *job = pointer;
     for (int k = 0; k < N_SIZES; k++) {
-        job_scene_free(&job->scenes[k]);
+        expected_picture_free(&job->gradients[k].expected);
     }
     free(job);
 }
@@ -76,12 +80,10 @@ static void *job_new(uint64_t seed, FILE *file)
     Job *job = calloc(1, sizeof *job);
     int result = job == NULL ? -1 : 0;
     for (int k = 0; result == 0 && k < N_SIZES; k++) {
-        JobScene *scene = &job->scenes[k];
-        scene->scene.width = sizes[k][0];
-        scene->scene.height = sizes[k][1];
-        snprintf(scene->title, sizeof scene->title, "gradient, %dx%d", sizes[k][0], sizes[k][1]);
-        result = expect_gradient(scene);
-        result |= job_scene_write(scene, k, file);
+        const SceneJob size = {.width = sizes[k][0], .height = sizes[k][1]};
+        job->pictures[k] = &job->gradients[k];
+        result = expect_gradient(size.width, size.height, &job->gradients[k]);
+        result |= job_section_write(file, k, NULL, &size, sizeof size);
     }
     if (result != 0 && job != NULL) {
         job_free(job);
@@ -93,12 +95,13 @@ static void *job_new(uint64_t seed, FILE *file)
 static Verdict judge_covers(const Job *job, const Sections *answers)
 {
     for (int k = 0; k < N_SIZES; k++) {
-        const JobScene *scene = &job->scenes[k];
-        const ProbeImage own = job_scene_answer(scene, k, answers);
+        const JobPicture *gradient = &job->gradients[k];
+        const Image *reference = &gradient->expected.reference;
+        const ProbeImage own = job_picture_answer(gradient, k, answers);
         if (own.pixels == NULL) {
             return verdict_missing;
         }
-        char *message = picture_judge_written(own, scene->scene.width, scene->scene.height);
+        char *message = picture_judge_written(own, reference->width, reference->height);
         if (message != NULL) {
             return verdict_of(message);
         }
@@ -110,13 +113,11 @@ static Verdict judge_covers(const Job *job, const Sections *answers)
 static Verdict judge_read_back(const Job *job, const Sections *answers)
 {
     for (int k = 0; k < N_SIZES; k++) {
-        const JobScene *scene = &job->scenes[k];
-        const Image *reference = &scene->expected.reference;
-        char name[SECTION_NAME_BYTES];
-        snprintf(name, sizeof name, "readback.%d", k);
+        const JobPicture *gradient = &job->gradients[k];
+        const Image *reference = &gradient->expected.reference;
         const size_t n_floats =
             (size_t)reference->width * (size_t)reference->height * IMAGE_CHANNELS;
-        const ProbeImage own = {sections_find(answers, name, n_floats * sizeof(float)),
+        const ProbeImage own = {job_section_find(answers, "readback", k, n_floats * sizeof(float)),
                                 reference->width, reference->height};
         if (own.pixels == NULL) {
             return verdict_missing;
@@ -126,11 +127,11 @@ static Verdict judge_read_back(const Job *job, const Sections *answers)
             return verdict_of(
                 message_new("%s: the array on the host was not filled to its end: pixel "
                             "(%d, %d) is untouched",
-                            scene->title, reference->width - 1, reference->height - 1));
+                            gradient->title, reference->width - 1, reference->height - 1));
         }
-        char *wrong = picture_judge(own, &scene->expected);
+        char *wrong = picture_judge(own, &gradient->expected);
         if (wrong != NULL) {
-            char *message = message_new("%s, read back: %s", scene->title, wrong);
+            char *message = message_new("%s, read back: %s", gradient->title, wrong);
             free(wrong);
             return verdict_of(message);
         }
@@ -143,28 +144,26 @@ static Verdict judge(const void *pointer, int check, const Sections *answers)
     const Job *job = pointer;
     switch (check) {
     case GRADIENT_PADDING:
-        return job_scenes_judge_padding(job->scenes, N_SIZES, answers);
+        return job_pictures_judge_padding(job->pictures, N_SIZES, answers);
     case ENQUEUE_COVERS:
         return judge_covers(job, answers);
     case READ_BACK_PICTURE:
         return judge_read_back(job, answers);
     default:
-        return job_scenes_judge(job->scenes, 0, N_SIZES, answers);
+        return job_pictures_judge(job->pictures, 0, N_SIZES, answers);
     }
 }
 
 static void adopt(void *pointer, const Sections *answers)
 {
     Job *job = pointer;
-    for (int k = 0; k < N_SIZES; k++) {
-        job_scene_adopt(&job->scenes[k], k, answers);
-    }
+    job_pictures_adopt(job->pictures, N_SIZES, answers);
 }
 
 static void add_pictures(const void *pointer, const Sections *answers, Result *result)
 {
     const Job *job = pointer;
-    job_scenes_add_pictures(job->scenes, N_SIZES, answers, result);
+    job_pictures_report(job->pictures, N_SIZES, answers, result);
 }
 
 const Judge judge_00 = {

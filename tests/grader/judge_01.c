@@ -58,6 +58,7 @@ enum { N_OVERLAPS = N_INSIDE + N_BOUNDARY + N_NEARER };
 typedef struct Job {
     OverlapJob overlaps[N_OVERLAPS];
     JobScene scenes[N_SCENES];
+    JobPicture *pictures[N_SCENES];  // the scenes'
 } Job;
 
 // A pixel within two radii of a random circle that is nearer than minDepth.
@@ -155,6 +156,7 @@ static void *job_new(uint64_t seed, FILE *file)
         fprintf(stderr, "grade: no memory for a job\n");
         return NULL;
     }
+    job_scenes_list(job->scenes, N_SCENES, job->pictures);
     draw_overlaps(&random, job->overlaps);
     int result = draw_scenes(&random, job->scenes);
     result |= section_write(file, "overlaps", job->overlaps, sizeof job->overlaps);
@@ -233,30 +235,28 @@ static Verdict judge(const void *pointer, int check, const Sections *answers)
     case OVERLAPS_NEARER:
         return judge_overlaps(job, N_INSIDE + N_BOUNDARY, N_NEARER, answers);
     case OWN_PIXEL_PICTURE:
-        return job_scenes_judge(job->scenes, WIDE, 2, answers);
+        return job_pictures_judge(job->pictures, WIDE, 2, answers);
     case OWN_PIXEL_PADDING:
-        return job_scenes_judge_padding(job->scenes, N_SCENES, answers);
+        return job_pictures_judge_padding(job->pictures, N_SCENES, answers);
     case RENDERER_RANDOM:
-        return job_scenes_judge(job->scenes, RANDOM, 2, answers);
+        return job_pictures_judge(job->pictures, RANDOM, 2, answers);
     case RENDERER_ORDER:
-        return job_scenes_judge(job->scenes, ORDER, 1, answers);
+        return job_pictures_judge(job->pictures, ORDER, 1, answers);
     default:
-        return job_scenes_judge(job->scenes, EDGES, N_EDGES, answers);
+        return job_pictures_judge(job->pictures, EDGES, N_EDGES, answers);
     }
 }
 
 static void adopt(void *pointer, const Sections *answers)
 {
     Job *job = pointer;
-    for (int k = 0; k < N_SCENES; k++) {
-        job_scene_adopt(&job->scenes[k], k, answers);
-    }
+    job_pictures_adopt(job->pictures, N_SCENES, answers);
 }
 
 static void add_pictures(const void *pointer, const Sections *answers, Result *result)
 {
     const Job *job = pointer;
-    job_scenes_add_pictures(job->scenes, N_SCENES, answers, result);
+    job_pictures_report(job->pictures, N_SCENES, answers, result);
 }
 
 const Judge judge_01 = {

@@ -514,7 +514,7 @@ static Verdict tree_refused(const JobScene *scene, int k, const Sections *answer
     }
     return verdict_of(message_new("%s: kdtree2d_build gave up, as the tree grew too large: does "
                                   "splitting ever end?",
-                                  scene->title));
+                                  scene->picture.title));
 }
 
 static Verdict judge_trees(const Job *job, const Sections *answers,
@@ -605,7 +605,8 @@ static void add_pictures(const void *pointer, const Sections *answers, Result *r
     for (int k = 1; k >= 0 && result->n_pictures < RESULT_MAX_PICTURES; k--) {
         PictureResult *picture = &result->pictures[result->n_pictures++];
         KdTree2D own;
-        snprintf(picture->title, sizeof picture->title, "tree over %s", job->scenes[k].title);
+        snprintf(picture->title, sizeof picture->title, "tree over %s",
+                 job->scenes[k].picture.title);
         picture->svg_reference = svg_of(&job->scenes[k].scene, &job->scenes[k].tree);
         if (tree_judge_answer(k, answers, &own) && own.n_nodes <= MAX_DRAWN_NODES) {
             picture->svg_own = svg_of(&job->scenes[k].scene, &own);

@@ -2,10 +2,12 @@
 #include "judge.h"
 
 #include "job_scene.h"
+#include "job_sections.h"
 #include "jobs.h"
 #include "message.h"
 #include "work.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -59,6 +61,7 @@ enum { N_CHILDREN = N_INSIDE + N_BORDER };
 typedef struct Job {
     ChildJob children[N_CHILDREN];
     JobScene scenes[N_SCENES];
+    JobPicture *pictures[N_SCENES];  // the scenes'
 } Job;
 
 // ---- Drawing the job --------------------------------------------------------------------------
@@ -69,7 +72,7 @@ static int draw_borders(Random *random, JobScene *scene)
     if (job_scene_random(scene, random, 200, 9, 200, 200) != 0) {
         return -1;
     }
-    snprintf(scene->title, sizeof scene->title, "random scene in a 256x256 root");
+    snprintf(scene->picture.title, sizeof scene->picture.title, "random scene in a 256x256 root");
     for (int i = 0; i < scene->scene.n_circles; i++) {
         // Centres of 0 to 200 move to where circles of 9 pixels stay inside.
         scene->scene.circles[i].x += 20;
@@ -181,12 +184,13 @@ static int expect_leaf_map(JobScene *scene)
         return -1;
     }
     const KdTree2D *tree = &scene->tree;
-    Image *reference = &scene->expected.reference;
+    ExpectedPicture *expected = &scene->picture.expected;
+    Image *reference = &expected->reference;
     for (int y = 0; y < reference->height; y++) {
         for (int x = 0; x < reference->width; x++) {
             const size_t pixel = (size_t)y * (size_t)reference->width + (size_t)x;
             const u32 leaf = leaf_at(tree, x, y);
-            scene->expected.ambiguous[pixel] = leaf == tree->n_nodes;
+            expected->tolerances[pixel] = leaf == tree->n_nodes ? INFINITY : 0;
             if (leaf < tree->n_nodes) {
                 const u32 *list =
                     tree->mapNode2Circles + tree->nodes_Relations[leaf].circleMapOffset;
@@ -196,14 +200,14 @@ static int expect_leaf_map(JobScene *scene)
             }
         }
     }
-    scene->expected.circles = NULL;
+    expected->draw_mistaken = NULL;
     return 0;
 }
 
 static int draw_leaf_map(Random *random, JobScene *scene)
 {
     int result = job_scene_random(scene, random, 60, 12, 128, 96);
-    snprintf(scene->title, sizeof scene->title,
+    snprintf(scene->picture.title, sizeof scene->picture.title,
              "leaf map (each leaf of the tree has a colour of its own), 128x96");
     if (result == 0) {
         result = job_scene_grow_tree(scene, (KdTreeLimits){8, 3});
@@ -255,6 +259,7 @@ static void *job_new(uint64_t seed, FILE *file)
         fprintf(stderr, "grade: no memory for a job\n");
         return NULL;
     }
+    job_scenes_list(job->scenes, N_SCENES, job->pictures);
     int result = draw_scenes(&random, job->scenes);
     for (int i = 0; result == 0 && i < N_CHILDREN; i++) {
         job->children[i] = draw_child(&random, &job->scenes[BORDERS].tree, i >= N_INSIDE);
@@ -274,7 +279,7 @@ static void *job_new(uint64_t seed, FILE *file)
 
 static Verdict judge_children(const Job *job, int first, int n, const Sections *answers)
 {
-    const u32 *found = sections_find(answers, "children.0", N_CHILDREN * sizeof *found);
+    const u32 *found = sections_find(answers, "children", N_CHILDREN * sizeof *found);
     if (found == NULL) {
         return verdict_missing;
     }
@@ -324,15 +329,15 @@ static char *judge_pixel_work(const JobScene *scene, int check, int x, int y, Wo
                    : message_new(
                          "%s: pixel (%d, %d): getContainingChild was called %u times, expected "
                          "%u, once for each inner node on the way to the leaf",
-                         scene->title, x, y, found.n_nodes_visited, steps);
+                         scene->picture.title, x, y, found.n_nodes_visited, steps);
     }
     const u32 n = tree->mapNode2Circles[tree->nodes_Relations[leaf_at(tree, x, y)].circleMapOffset];
-    return found.n_circle_tests == n
+    return found.n_tests == n
                ? NULL
                : message_new(
                      "%s: pixel (%d, %d): overlaps_N_Nearer was called %u times, but the leaf "
                      "lists %u circles",
-                     scene->title, x, y, found.n_circle_tests, n);
+                     scene->picture.title, x, y, found.n_tests, n);
 }
 
 // Judge the counted work of scene K.
@@ -341,11 +346,9 @@ static Verdict judge_scene_work(const JobScene *scene, int k, int check, const S
     const int width = scene->scene.width, height = scene->scene.height;
     const size_t n_bytes =
         (size_t)PROBE_IMAGE_SIDE(width) * (size_t)PROBE_IMAGE_SIDE(height) * sizeof(Work);
-    char name[SECTION_NAME_BYTES];
-    snprintf(name, sizeof name, "work.%d", k);
-    const Work *found = sections_find(answers, name, n_bytes);
+    const Work *found = job_section_find(answers, "work", k, n_bytes);
     if (found == NULL) {
-        if (job_scene_answer(scene, k, answers).pixels == NULL) {
+        if (job_picture_answer(&scene->picture, k, answers).pixels == NULL) {
             return verdict_missing;
         }
         return verdict_of(message_new("the work could not be counted: call getContainingChild and "
@@ -388,33 +391,31 @@ static Verdict judge(const void *pointer, int check, const Sections *answers)
     case CHILD_BORDER:
         return judge_children(job, N_INSIDE, N_BORDER, answers);
     case DESCENT_PICTURE:
-        return job_scenes_judge(job->scenes, BORDERS, 2, answers);
+        return job_pictures_judge(job->pictures, BORDERS, 2, answers);
     case DESCENT_LEAF:
-        return job_scenes_judge(job->scenes, LEAF_MAP, 1, answers);
+        return job_pictures_judge(job->pictures, LEAF_MAP, 1, answers);
     case DESCENT_WORK:
     case LEAF_WORK:
         return judge_work(job, check, answers);
     case LEAF_RANDOM:
-        return job_scenes_judge(job->scenes, RANDOM, 2, answers);
+        return job_pictures_judge(job->pictures, RANDOM, 2, answers);
     case LEAF_ORDER:
-        return job_scenes_judge(job->scenes, ORDER, 1, answers);
+        return job_pictures_judge(job->pictures, ORDER, 1, answers);
     default:
-        return job_scenes_judge(job->scenes, EDGES, N_EDGES, answers);
+        return job_pictures_judge(job->pictures, EDGES, N_EDGES, answers);
     }
 }
 
 static void adopt(void *pointer, const Sections *answers)
 {
     Job *job = pointer;
-    for (int k = 0; k < N_SCENES; k++) {
-        job_scene_adopt(&job->scenes[k], k, answers);
-    }
+    job_pictures_adopt(job->pictures, N_SCENES, answers);
 }
 
 static void add_pictures(const void *pointer, const Sections *answers, Result *result)
 {
     const Job *job = pointer;
-    job_scenes_add_pictures(job->scenes, N_SCENES, answers, result);
+    job_pictures_report(job->pictures, N_SCENES, answers, result);
 }
 
 const Judge judge_03 = {

@@ -62,11 +62,11 @@ static char *bad_list(const JobScene *scene, const KdTree2D *own, u32 id)
     const u32 offset = own->nodes_Relations[id].circleMapOffset;
     if (offset >= own->n_map) {
         return message_new("%s: leaf %u: circleMapOffset is %u, but mapNode2Circles has %u entries",
-                           scene->title, id, offset, own->n_map);
+                           scene->picture.title, id, offset, own->n_map);
     }
     return message_new("%s: leaf %u: circleMapOffset is %u, where the count would be %u, but "
                        "mapNode2Circles has %u entries",
-                       scene->title, id, offset, own->mapNode2Circles[offset], own->n_map);
+                       scene->picture.title, id, offset, own->mapNode2Circles[offset], own->n_map);
 }
 
 static int circle_overlaps(const JobScene *scene, u32 circle, BBox2D box)
@@ -89,13 +89,14 @@ static char *differs_from_solution(const JobScene *scene, const KdTree2D *own,
                                    const char *what)
 {
     if (own->n_nodes != scene->tree.n_nodes) {
-        return message_new("%s: the tree has %u nodes, expected %u", scene->title, own->n_nodes,
-                           scene->tree.n_nodes);
+        return message_new("%s: the tree has %u nodes, expected %u", scene->picture.title,
+                           own->n_nodes, scene->tree.n_nodes);
     }
     for (u32 id = 0; id < own->n_nodes; id++) {
         if (memcmp((const char *)own_array + id * element_size,
                    (const char *)array + id * element_size, element_size) != 0) {
-            return message_new("%s: node %u: %s is not as expected", scene->title, id, what);
+            return message_new("%s: node %u: %s is not as expected", scene->picture.title, id,
+                               what);
         }
     }
     return NULL;
@@ -124,8 +125,8 @@ char *tree_judge_limits(const JobScene *scene, const KdTree2D *own)
             message = message_new(
                 "%s, maxDepth %d, targetElementsPerNode %d: node %u on level %d with "
                 "%u circles is %s, expected %s",
-                scene->title, scene->limits.maxDepth, scene->limits.targetElementsPerNode, id,
-                level, n, is_inner(own, id) ? "split" : "a leaf",
+                scene->picture.title, scene->limits.maxDepth, scene->limits.targetElementsPerNode,
+                id, level, n, is_inner(own, id) ? "split" : "a leaf",
                 should_be_leaf ? "a leaf" : "it to be split");
         } else if (is_inner(own, id) && has_children(own, id)) {
             levels[own->nodes_Relations[id].lChild] = level;
@@ -142,7 +143,7 @@ static char *wrong_cell(const JobScene *scene, u32 id, u32 child, BBox2D found, 
 {
     return message_new("%s: node %u's child %u: found x [%g, %g] y [%g, %g], expected x [%g, %g] "
                        "y [%g, %g]",
-                       scene->title, id, child, (double)found.minX, (double)found.maxX,
+                       scene->picture.title, id, child, (double)found.minX, (double)found.maxX,
                        (double)found.minY, (double)found.maxY, (double)expected.minX,
                        (double)expected.maxX, (double)expected.minY, (double)expected.maxY);
 }
@@ -161,7 +162,7 @@ char *tree_judge_cells(const JobScene *scene, const KdTree2D *own)
         if (!has_children(own, id)) {
             return message_new("%s: node %u is an inner node, but its children are %u and %u of %u "
                                "nodes",
-                               scene->title, id, own->nodes_Relations[id].lChild,
+                               scene->picture.title, id, own->nodes_Relations[id].lChild,
                                own->nodes_Relations[id].rChild, own->n_nodes);
         }
         const BBox2D box = own->nodes_BBox[id];
@@ -193,8 +194,8 @@ static char *judge_leaf_overlap(const JobScene *scene, const KdTree2D *own, u32 
         return bad_list(scene, own, id);
     }
     if (n_ids > (u32)scene->scene.n_circles) {
-        return message_new("%s: leaf %u lists %u circles, but the scene has %d", scene->title, id,
-                           n_ids, scene->scene.n_circles);
+        return message_new("%s: leaf %u lists %u circles, but the scene has %d",
+                           scene->picture.title, id, n_ids, scene->scene.n_circles);
     }
     const BBox2D box = own->nodes_BBox[id];
     for (u32 circle = 0; circle < (u32)scene->scene.n_circles; circle++) {
@@ -208,7 +209,7 @@ static char *judge_leaf_overlap(const JobScene *scene, const KdTree2D *own, u32 
             return message_new(
                 "%s: leaf %u, x [%g, %g] y [%g, %g]: circle %u at (%g, %g) radius %g %s, "
                 "but the leaf %s it",
-                scene->title, id, (double)box.minX, (double)box.maxX, (double)box.minY,
+                scene->picture.title, id, (double)box.minX, (double)box.maxX, (double)box.minY,
                 (double)box.maxY, circle, (double)c.x, (double)c.y, (double)c.radius,
                 overlaps ? "overlaps its cell" : "does not overlap it",
                 listed ? "lists" : "does not list");
@@ -243,17 +244,17 @@ char *tree_judge_lists(const JobScene *scene, const KdTree2D *own)
         for (u32 i = 0; i < n_ids; i++) {
             if (ids[i] >= (u32)scene->scene.n_circles) {
                 return message_new("%s: leaf %u lists circle %u, but the scene has %d",
-                                   scene->title, id, ids[i], scene->scene.n_circles);
+                                   scene->picture.title, id, ids[i], scene->scene.n_circles);
             }
             if (i > 0 && ids[i] <= ids[i - 1]) {
                 return message_new("%s: leaf %u lists circle %u after circle %u: the ids must "
                                    "ascend",
-                                   scene->title, id, ids[i], ids[i - 1]);
+                                   scene->picture.title, id, ids[i], ids[i - 1]);
             }
         }
     }
     if (own->n_map != scene->tree.n_map) {
-        return message_new("%s: mapNode2Circles has %u entries, expected %u", scene->title,
+        return message_new("%s: mapNode2Circles has %u entries, expected %u", scene->picture.title,
                            own->n_map, scene->tree.n_map);
     }
     return differs_from_solution(scene, own, own->nodes_flag, scene->tree.nodes_flag,
@@ -267,13 +268,14 @@ char *tree_judge_packing(const JobScene *scene, const KdTree2D *own)
         const NodeRel node = own->nodes_Relations[id];
         u32 n_ids = 0;
         if (node.id != id) {
-            return message_new("%s: the node at position %u has id %u", scene->title, id, node.id);
+            return message_new("%s: the node at position %u has id %u", scene->picture.title, id,
+                               node.id);
         }
         if (is_inner(own, id)) {
             if (node.lChild != next_id || node.rChild != next_id + 1) {
                 return message_new("%s: node %u's children are %u and %u, expected %u and %u "
                                    "(breadth-first)",
-                                   scene->title, id, node.lChild, node.rChild, next_id,
+                                   scene->picture.title, id, node.lChild, node.rChild, next_id,
                                    next_id + 1);
             }
             next_id += 2;
@@ -286,7 +288,7 @@ char *tree_judge_packing(const JobScene *scene, const KdTree2D *own)
             return message_new(
                 "%s: leaf %u: circleMapOffset is %u, expected %u, behind the list of the "
                 "leaf before it",
-                scene->title, id, node.circleMapOffset, next_offset);
+                scene->picture.title, id, node.circleMapOffset, next_offset);
         }
         next_offset += n_ids + 1;
     }
@@ -294,7 +296,7 @@ char *tree_judge_packing(const JobScene *scene, const KdTree2D *own)
         return message_new(
             "%s: %u nodes and %u map entries belong to the tree, but its arrays hold %u "
             "and %u",
-            scene->title, next_id, next_offset, own->n_nodes, own->n_map);
+            scene->picture.title, next_id, next_offset, own->n_nodes, own->n_map);
     }
     return differs_from_solution(scene, own, own->nodes_Relations, scene->tree.nodes_Relations,
                                  sizeof *own->nodes_Relations, "its entry in nodes_Relations");

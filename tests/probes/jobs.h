@@ -5,9 +5,13 @@
 #ifndef PROBES_JOBS_H
 #define PROBES_JOBS_H
 
+#include "camera.h"
 #include "circle.h"
 #include "kdtree2d.h"
+#include "kdtree3d.h"
 #include "layout.h"
+#include "shading.h"
+#include "sphere.h"
 
 // What an image holds before the student's kernel writes: no scene has this colour.
 #define UNWRITTEN (-77.0f)
@@ -112,5 +116,168 @@ typedef struct ChildJob {
     u32 id;
 } ChildJob;
 LAYOUT_ASSERT(ChildJob, 12);
+
+// ---- Lab 06 -------------------------------------------------------------------------------------
+
+// Section "scene.K" of lab 06: what a tree is built over. The spheres are in "scene.K.spheres", and
+// one more, which must not be asked. Answered by "tree.K", "tree.K.nodes" and "tree.K.ids"; by
+// "tree.K" alone where the tree is too large to be written down, and by "tree.K.refused" where the
+// builder gave up.
+typedef struct TreeJob3D {
+    u32 n_spheres;
+    i32 maxDepth;
+    i32 targetElementsPerNode;
+} TreeJob3D;
+LAYOUT_ASSERT(TreeJob3D, 12);
+
+typedef struct TreeAnswer3D {
+    BBox3D bounds;
+    u32 n_nodes;
+    u32 n_sphere_ids;
+} TreeAnswer3D;
+LAYOUT_ASSERT(TreeAnswer3D, 32);
+
+// No right tree of the job has more: answers shall stay a few megabytes.
+enum { TREE3D_ANSWER_NODES = 1 << 14, TREE3D_ANSWER_IDS = 1 << 16 };
+
+// The sphere behind the end of an array: who asks it gets a box or a leaf like no other.
+#define BEYOND_RADIUS 1e6f
+
+// One call of spheres_bounds. Answered by a BBox3D.
+enum { BOUNDS_MAX_SPHERES = 24 };
+typedef struct BoundsJob {
+    u32 n_spheres;
+    Sphere spheres[BOUNDS_MAX_SPHERES + 1];
+} BoundsJob;
+LAYOUT_ASSERT(BoundsJob, 404);
+
+// choose_split takes a BBox3D and is answered by a KdSplit.
+
+// One call of sphere_overlaps_box. Answered by an i32.
+typedef struct SphereBoxJob {
+    Sphere sphere;
+    BBox3D box;
+} SphereBoxJob;
+LAYOUT_ASSERT(SphereBoxJob, 40);
+
+// distribute_spheres is called with ids of scene 0's spheres; the answer is as in lab 02.
+typedef struct DistributeJob3D {
+    BBox3D child;
+    u32 n_ids;
+    u32 ids[DISTRIBUTE_MAX_IDS];
+} DistributeJob3D;
+LAYOUT_ASSERT(DistributeJob3D, 220);
+
+// pack_leaf_range is called on a tree of PACK_NODES nodes that already holds n_sphere_ids ids.
+typedef struct PackJob3D {
+    u32 id;
+    u32 n_sphere_ids;
+    u32 n_ids;
+    u32 ids[PACK_MAX_IDS];
+} PackJob3D;
+LAYOUT_ASSERT(PackJob3D, 108);
+
+// What the tree looks like afterwards; nodes start as {0, 0, UNTOUCHED, UNTOUCHED}, ids as
+// UNTOUCHED.
+typedef struct PackAnswer3D {
+    KdNode3 nodes[PACK_NODES];
+    u32 sphere_ids[PACK_MAP_ROOM];
+    u32 n_sphere_ids;
+} PackAnswer3D;
+LAYOUT_ASSERT(PackAnswer3D, 388);
+
+// fits_todo is called with every level from 1 to this. Answered by an i32 each.
+#define TODO_LEVELS (2 * TODO_SIZE)
+
+// ---- Labs 04, 05 and 07 ------------------------------------------------------------------------
+
+// Section "scene.K" of a 3D job; its arrays are in "scene.K.spheres", ".material_ids", ".materials"
+// and ".lights", each with one entry more than there are, and a tree (lab 07) in ".nodes" and
+// ".sphere_ids". Labs 04, 05 and 07 answer with "picture.K", 05 and 07 with "hits.K", a HitAnswer
+// for each pixel, and "work.K" besides: a Work for each pixel, and room behind them.
+typedef struct SceneJob3D {
+    i32 n_spheres;
+    i32 n_lights;
+    i32 width;  // of the picture; the image has the margin besides
+    i32 height;
+    Vec3 background;
+    Camera camera;  // for this size
+    BBox3D bounds;  // of the tree
+} SceneJob3D;
+LAYOUT_ASSERT(SceneJob3D, 104);
+
+// What a ray hits.
+typedef struct HitAnswer {
+    f32 t;
+    u32 sphere;
+} HitAnswer;
+LAYOUT_ASSERT(HitAnswer, 8);
+
+// Lab 04: section "views", one call of camera_axes each. Answered by "axes", three Vec3: right, up
+// and forward, UNWRITTEN where nothing was written.
+typedef struct ViewJob {
+    Vec3 from;
+    Vec3 at;
+    Vec3 up;
+} ViewJob;
+LAYOUT_ASSERT(ViewJob, 36);
+
+// Lab 04: section "pixels", one call of pixel_on_display and of primary_ray each.
+typedef struct PixelJob {
+    i32 x;
+    i32 y;
+    i32 width;
+    i32 height;
+    Camera camera;
+} PixelJob;
+LAYOUT_ASSERT(PixelJob, 68);
+
+typedef struct PixelAnswer {
+    Vec3 on_display;
+    Vec3 origin;  // and the rest of the ray
+    Vec3 direction;
+    f32 t_min;
+    f32 t_max;
+} PixelAnswer;
+LAYOUT_ASSERT(PixelAnswer, 44);
+
+// Lab 05: section "roots", one call of nearest_root each. Answered by an f32.
+typedef struct RootJob {
+    f32 b;
+    f32 disc;
+    f32 radius;
+    f32 t_min;
+} RootJob;
+LAYOUT_ASSERT(RootJob, 16);
+
+// Lab 05: sections "textbook" and "projection", one call of intersect_textbook or intersect_sphere
+// each. Answered by an f32.
+typedef struct SphereRayJob {
+    Sphere sphere;
+    Vec3 origin;
+    Vec3 direction;
+    f32 t_min;
+    i32 unused;
+} SphereRayJob;
+LAYOUT_ASSERT(SphereRayJob, 48);
+
+// Lab 05: section "normals", one call of surface_normal each. Answered by a Vec3.
+typedef struct NormalJob {
+    Sphere sphere;
+    Vec3 point;
+    Vec3 direction;
+} NormalJob;
+LAYOUT_ASSERT(NormalJob, 40);
+
+// Lab 05: section "shades", one call of shade each. Answered by a Vec3. The lights are n_lights from
+// first_light on in section "lights"; what follows them must not shine.
+typedef struct ShadeJob {
+    Vec3 point;
+    Vec3 normal;
+    Material material;
+    i32 first_light;
+    i32 n_lights;
+} ShadeJob;
+LAYOUT_ASSERT(ShadeJob, 64);
 
 #endif

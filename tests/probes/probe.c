@@ -2,6 +2,7 @@
 #include "probe.h"
 
 #include "cl_memory.h"
+#include "work.h"
 
 #include <stdlib.h>
 
@@ -56,9 +57,13 @@ const void *probe_job(const Probe *probe, const char *name, size_t *n_bytes)
     return bytes;
 }
 
-// "name.K" or "name.K.part" as a section's name.
+// "name", "name.K" or "name.K.part" as a section's name.
 static void section_name(char name[SECTION_NAME_BYTES], const char *stem, int k, const char *part)
 {
+    if (k < 0) {
+        snprintf(name, SECTION_NAME_BYTES, "%s", stem);
+        return;
+    }
     snprintf(name, SECTION_NAME_BYTES, part ? "%s.%d.%s" : "%s.%d", stem, k, part);
 }
 
@@ -95,6 +100,16 @@ cl_program probe_build(const Probe *probe, const char *path, const char *options
     return program;
 }
 
+cl_program probe_build_counting(const Probe *probe, const char *path, const char *options,
+                                int *is_counting)
+{
+    char counting_options[1024];
+    snprintf(counting_options, sizeof counting_options, "%s -DCOUNT_WORK", options);
+    cl_program program = cl_setup_build(&probe->cl, path, counting_options);
+    *is_counting = program != NULL;
+    return program != NULL ? program : probe_build(probe, path, options);
+}
+
 cl_kernel probe_kernel(cl_program program, const char *name)
 {
     cl_int error;
@@ -105,6 +120,53 @@ cl_kernel probe_kernel(cl_program program, const char *name)
     }
     CL_CHECK_CREATED(error, clCreateKernel);
     return kernel;
+}
+
+cl_mem probe_buffer(const Probe *probe, size_t n_bytes)
+{
+    cl_int error;
+    cl_mem d_answers = clCreateBuffer(probe->cl.context, CL_MEM_READ_WRITE, n_bytes, NULL, &error);
+    CL_CHECK_CREATED(error, clCreateBuffer);
+    const cl_uint ones = 0xffffffffu;
+    CL_CHECK(clEnqueueFillBuffer(probe->cl.queue, d_answers, &ones, sizeof ones, 0, n_bytes, 0,
+                                 NULL, NULL));
+    return d_answers;
+}
+
+void probe_answer_buffer(const Probe *probe, const char *name, int k, cl_mem d_answers,
+                         size_t n_bytes)
+{
+    void *answers = malloc(n_bytes);
+    if (answers == NULL) {
+        fault("no memory");
+    }
+    CL_CHECK(clEnqueueReadBuffer(probe->cl.queue, d_answers, CL_TRUE, 0, n_bytes, answers, 0, NULL,
+                                 NULL));
+    probe_answer(probe, name, k, NULL, answers, n_bytes);
+    CL_CHECK(clReleaseMemObject(d_answers));
+    free(answers);
+}
+
+void probe_call(const Probe *probe, cl_program program, const char *name, size_t job_bytes,
+                size_t answer_bytes, const cl_mem *d_buffers, cl_uint n_buffers)
+{
+    char kernel_name[64];
+    snprintf(kernel_name, sizeof kernel_name, "probe_%s", name);
+    size_t n_bytes;
+    const void *jobs = probe_job(probe, name, &n_bytes);
+    const size_t n = n_bytes / job_bytes;
+    cl_kernel kernel = probe_kernel(program, kernel_name);
+    cl_mem d_jobs = cl_buffer_create(&probe->cl, jobs, n_bytes);
+    cl_mem d_answers = probe_buffer(probe, n * answer_bytes);
+    CL_CHECK(clSetKernelArg(kernel, 0, sizeof d_jobs, &d_jobs));
+    for (cl_uint i = 0; i < n_buffers; i++) {
+        CL_CHECK(clSetKernelArg(kernel, 1 + i, sizeof d_buffers[i], &d_buffers[i]));
+    }
+    CL_CHECK(clSetKernelArg(kernel, 1 + n_buffers, sizeof d_answers, &d_answers));
+    CL_CHECK(clEnqueueNDRangeKernel(probe->cl.queue, kernel, 1, NULL, &n, NULL, 0, NULL, NULL));
+    probe_answer_buffer(probe, name, -1, d_answers, n * answer_bytes);
+    CL_CHECK(clReleaseMemObject(d_jobs));
+    CL_CHECK(clReleaseKernel(kernel));
 }
 
 cl_mem probe_image(const Probe *probe, int width, int height)
@@ -120,14 +182,30 @@ cl_mem probe_image(const Probe *probe, int width, int height)
     return d_image;
 }
 
-void probe_draw(const Probe *probe, int k, cl_kernel kernel, cl_mem d_image, int width, int height)
+void probe_launch(const Probe *probe, cl_kernel kernel, int width, int height)
 {
     const size_t local_size[2] = {16, 16};
     const size_t global_size[2] = {(size_t)PROBE_IMAGE_SIDE(width),
                                    (size_t)PROBE_IMAGE_SIDE(height)};
     CL_CHECK(clEnqueueNDRangeKernel(probe->cl.queue, kernel, 2, NULL, global_size, local_size, 0,
                                     NULL, NULL));
+}
+
+void probe_draw(const Probe *probe, int k, cl_kernel kernel, cl_mem d_image, int width, int height)
+{
+    probe_launch(probe, kernel, width, height);
     probe_answer_image(probe, k, d_image, width, height);
+}
+
+void probe_draw_counting(const Probe *probe, int k, cl_kernel kernel, cl_mem d_image, int width,
+                         int height, cl_uint argument)
+{
+    const size_t n_bytes =
+        (size_t)PROBE_IMAGE_SIDE(width) * (size_t)PROBE_IMAGE_SIDE(height) * sizeof(Work);
+    cl_mem d_work = probe_buffer(probe, n_bytes);
+    CL_CHECK(clSetKernelArg(kernel, argument, sizeof d_work, &d_work));
+    probe_draw(probe, k, kernel, d_image, width, height);
+    probe_answer_buffer(probe, "work", k, d_work, n_bytes);
 }
 
 void probe_answer_image(const Probe *probe, int k, cl_mem d_image, int width, int height)
@@ -143,4 +221,47 @@ void probe_answer_image(const Probe *probe, int k, cl_mem d_image, int width, in
                                 0, NULL, NULL));
     probe_answer(probe, "picture", k, NULL, h_pixels, n_bytes);
     free(h_pixels);
+}
+
+// ---- 3D -----------------------------------------------------------------------------------------
+
+const SceneJob3D *probe_scene3d(const Probe *probe, int k)
+{
+    char name[SECTION_NAME_BYTES];
+    section_name(name, "scene", k, NULL);
+    return sections_find(&probe->job, name, sizeof(SceneJob3D));
+}
+
+Scene3DBuffers probe_scene3d_buffers(const Probe *probe, int k, const SceneJob3D *scene)
+{
+    static const char *const names[N_SCENE3D_ARRAYS] = {"spheres", "material_ids", "materials",
+                                                        "lights"};
+    Scene3DBuffers buffers = {.d_image = probe_image(probe, scene->width, scene->height)};
+    for (int i = 0; i < N_SCENE3D_ARRAYS; i++) {
+        size_t n_bytes;
+        const void *array = probe_scene_part(probe, k, names[i], &n_bytes);
+        buffers.d_arrays[i] = cl_buffer_create(&probe->cl, array, n_bytes);
+    }
+    return buffers;
+}
+
+void probe_scene3d_release(Scene3DBuffers *buffers)
+{
+    for (int i = 0; i < N_SCENE3D_ARRAYS; i++) {
+        CL_CHECK(clReleaseMemObject(buffers->d_arrays[i]));
+    }
+    CL_CHECK(clReleaseMemObject(buffers->d_image));
+}
+
+void probe_scene3d_set(const Scene3DBuffers *buffers, const SceneJob3D *scene, cl_kernel kernel)
+{
+    for (cl_uint i = 0; i < N_SCENE3D_ARRAYS; i++) {
+        CL_CHECK(clSetKernelArg(kernel, i, sizeof(cl_mem), &buffers->d_arrays[i]));
+    }
+    CL_CHECK(clSetKernelArg(kernel, 4, sizeof scene->n_lights, &scene->n_lights));
+    CL_CHECK(clSetKernelArg(kernel, 5, sizeof scene->background, &scene->background));
+    CL_CHECK(clSetKernelArg(kernel, 6, sizeof scene->camera, &scene->camera));
+    CL_CHECK(clSetKernelArg(kernel, 7, sizeof scene->width, &scene->width));
+    CL_CHECK(clSetKernelArg(kernel, 8, sizeof scene->height, &scene->height));
+    CL_CHECK(clSetKernelArg(kernel, 9, sizeof buffers->d_image, &buffers->d_image));
 }

@@ -52,16 +52,62 @@ void probe_answer(const Probe *probe, const char *name, int k, const char *part,
 // Build the program; ends with PROBE_EXIT_NO_BUILD when it does not compile.
 cl_program probe_build(const Probe *probe, const char *path, const char *options);
 
+// Build the program with -DCOUNT_WORK. Counting needs the calls in the kernels themselves; code that
+// hides them is built without. Sets *is_counting. Ends as probe_build() does.
+cl_program probe_build_counting(const Probe *probe, const char *path, const char *options,
+                                int *is_counting);
+
 // A kernel of the program; ends with PROBE_EXIT_NO_BUILD when there is none of that name.
 cl_kernel probe_kernel(cl_program program, const char *name);
+
+// Room for answers on the device, every bit set. Release with probe_answer_buffer().
+cl_mem probe_buffer(const Probe *probe, size_t n_bytes);
+
+// Read a buffer, write it as section "name", or "name.K" where k is not negative, and release it.
+void probe_answer_buffer(const Probe *probe, const char *name, int k, cl_mem d_answers,
+                         size_t n_bytes);
+
+// Call a function of the student's on the device, one work-item an input: kernel "probe_NAME" takes
+// the job's section "NAME", some buffers, and an array for the answers, which become section "NAME".
+//   job_bytes, answer_bytes   of one input and of one answer
+//   d_buffers[n_buffers]      or NULL, 0
+void probe_call(const Probe *probe, cl_program program, const char *name, size_t job_bytes,
+                size_t answer_bytes, const cl_mem *d_buffers, cl_uint n_buffers);
 
 // The image for a picture of this size with its margin, every pixel UNWRITTEN.
 cl_mem probe_image(const Probe *probe, int width, int height);
 
+// Launch over the whole image, margin included.
+void probe_launch(const Probe *probe, cl_kernel kernel, int width, int height);
+
 // Launch over the whole image, margin included, wait, and answer with "picture.K".
 void probe_draw(const Probe *probe, int k, cl_kernel kernel, cl_mem d_image, int width, int height);
 
+// The same counting: argument number `argument` of the kernel is the Work array, which is answered
+// with "work.K"; there is room in it for the work-items outside the picture, should they not leave.
+void probe_draw_counting(const Probe *probe, int k, cl_kernel kernel, cl_mem d_image, int width,
+                         int height, cl_uint argument);
+
 // Read the whole image and answer with "picture.K".
 void probe_answer_image(const Probe *probe, int k, cl_mem d_image, int width, int height);
+
+// ---- 3D -----------------------------------------------------------------------------------------
+
+// 3D scene number k, or NULL when the job has no more.
+const SceneJob3D *probe_scene3d(const Probe *probe, int k);
+
+// A 3D scene on the device, with what a kernel that draws spheres takes first: see scene_buffers.h
+// of lab 05.
+enum { N_SCENE3D_ARRAYS = 4, N_SCENE3D_ARGUMENTS = 10 };
+typedef struct Scene3DBuffers {
+    cl_mem d_arrays[N_SCENE3D_ARRAYS];  // spheres, material_ids, materials, lights
+    cl_mem d_image;
+} Scene3DBuffers;
+
+Scene3DBuffers probe_scene3d_buffers(const Probe *probe, int k, const SceneJob3D *scene);
+void probe_scene3d_release(Scene3DBuffers *buffers);
+
+// Set the kernel's first N_SCENE3D_ARGUMENTS arguments.
+void probe_scene3d_set(const Scene3DBuffers *buffers, const SceneJob3D *scene, cl_kernel kernel);
 
 #endif

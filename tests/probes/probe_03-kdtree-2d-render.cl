@@ -10,8 +10,8 @@
 #undef getContainingChild  // not to be counted here
 #include "jobs.h"
 
-kernel void probe_child(global const ChildJob *jobs, global const NodeRel *nodes_Relations,
-                        global const BBox2D *nodes_BBox, global uint *answers)
+kernel void probe_children(global const ChildJob *jobs, global const NodeRel *nodes_Relations,
+                           global const BBox2D *nodes_BBox, global uint *answers)
 {
     const size_t i = get_global_id(0);
     const ChildJob job = jobs[i];

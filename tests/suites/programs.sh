@@ -5,67 +5,10 @@
 #     sh tests/suites/programs.sh      from the top folder, after `make tests` and `make SANITIZE=1`
 set -u
 . tests/tap.sh
-
-build=${BUILD:-build}
-case $build in /*) ;; *) build=$PWD/$build ;; esac
-compare=$build/tools/compare
+. tests/programs.sh
 labs='00-hello-pixels 01-naive-2d 02-kdtree-2d-build 03-kdtree-2d-render'
-unset COURSE_DEVICE
-
-# The folder for what the programs write. In it lies a picture from before, to be left alone by every
-# program that fails.
-out=$scratch/out
-scenes=$scratch/scenes
-mkdir "$out" "$scenes"
-
-# run LAB OPTION...: a solution program by its number; what it says goes to $scratch/stdout and stderr.
-run() (
-    for program in "$build/solutions/$1"-*; do :; done
-    shift
-    "$program" "$@" >"$scratch/stdout" 2>"$scratch/stderr" </dev/null
-)
-
-# run_sanitized LAB OPTION...: the same with the sanitizers watching. What drivers leak is theirs:
-# `with detect_leaks=0` where a device is opened.
-run_sanitized() (
-    for program in "$build/sanitized/solutions/$1"-*; do :; done
-    shift
-    export ASAN_OPTIONS="detect_leaks=${detect_leaks:-1}:allocator_may_return_null=1"
-    "$program" "$@" >"$scratch/stdout" 2>"$scratch/stderr" </dev/null
-)
-
-is_sanitized=false
-[ ! -x "$build/sanitized/solutions/03-kdtree-2d-render" ] || is_sanitized=true
-
-# with NAME=VALUE COMMAND...: the command with one more variable around it.
-with() (
-    export "${1?}"
-    shift
-    "$@"
-)
 
 # ---- Good runs ----------------------------------------------------------------------------------
-
-# works COMMAND...: does it end with 0? A sanitizer's or a program's words are shown if not.
-works() {
-    if "$@"; then return 0; fi
-    cat "$scratch/stdout" "$scratch/stderr"
-    return 1
-}
-
-# has_size FILE WxH: can the picture be read, and is it as large as that?
-has_size() {
-    found=$("$compare" "$1" "$1") || { echo "$found"; return 1; }
-    [ "$found" = "$2: equal" ] || { echo "$1: found $found, expected $2"; return 1; }
-}
-
-# draws LAB WxH FILE OPTION...: does the program write a picture of this size?
-draws() {
-    lab=$1 size=$2 file=$3
-    shift 3
-    rm -f "$file"
-    works run "$lab" --output "$file" "$@" && has_size "$file" "$size"
-}
 
 for lab in $labs; do
     number=${lab%%-*}
@@ -149,12 +92,6 @@ check "lab 03 uses every option" notes "" 03 --device 0 --scene example --max-de
 
 # ---- The tree shows what every circle shows -----------------------------------------------------
 
-# differs COMMAND...: does `compare` find two pictures of one size that are not the same?
-differs() {
-    "$@" >"$scratch/found"
-    [ $? -eq 1 ] && grep -q 'pixels differ' "$scratch/found"
-}
-
 # equals_lab_01 OPTION...: does lab 03 draw with these what lab 01 drew into 01.exr?
 # shellcheck disable=SC2317 # called by check
 equals_lab_01() {
@@ -203,28 +140,6 @@ else
 fi
 
 # ---- Figures ------------------------------------------------------------------------------------
-
-# figure NAME: its value in $out/figures.json.
-figure() { sed -n "s/^  \"$1\": \(.*[^,]\),\{0,1\}\$/\1/p" "$out/figures.json"; }
-
-# is_json: one object, a figure a line, commas between them and none at the end?
-# shellcheck disable=SC2317 # called by check
-is_json() {
-    awk 'function wrong() { print "line " NR ": " $0; bad = 1 }
-        NR == 1 { if ($0 != "{") wrong(); next }
-        ended { wrong() }
-        $0 == "}" { ended = 1; if (comma) wrong(); next }
-        { if (NR > 2 && !comma) wrong(); comma = sub(/,$/, "") }
-        !/^  "[a-zA-Z_.]+": ("([^"\\]|\\.)*"|-?[0-9]+(\.[0-9]+)?(e[-+]?[0-9]+)?|null)$/ { wrong() }
-        END { exit bad || !ended }' "$out/figures.json"
-}
-
-# has_figures NAME...: exactly these, in this order?
-# shellcheck disable=SC2317 # called by check
-has_figures() {
-    sed -n 's/^  "\([^"]*\)":.*/\1/p' "$out/figures.json" >"$scratch/names"
-    printf '%s\n' "$@" | diff "$scratch/names" -
-}
 
 frame='frame.min_ms frame.median_ms frame.max_ms'
 work='circle_tests.mean_per_pixel circle_tests.max_per_pixel nodes_visited.mean_per_pixel
@@ -284,33 +199,7 @@ check "a circle is something" differs "$compare" "$out/plain.exr" "$out/none.exr
 
 # ---- Bad input ----------------------------------------------------------------------------------
 
-rm -rf "$out"
-mkdir "$out" "$out/folder.png"
-run 00 --size 2x2 --output "$out/old.png"
-echo '{}' >"$out/old.json"
-ln -s /dev/full "$out/full.png"
-
-# state: what is in the output folder, and whether what was there before is as it was.
-state() { ls -A "$out" && cksum "$out/old.png" "$out/old.json"; }
-
-# refuses WORDS COMMAND...: does it end with a fault, one line that holds WORDS, and leave nothing?
-refuses() {
-    words=$1
-    shift
-    before=$(state)
-    status=0
-    "$@" || status=$?
-    cat "$scratch/stderr"
-    if [ "$status" -eq 0 ] || [ "$status" -ge 126 ]; then
-        echo "found exit status $status, expected a fault's"
-        return 1
-    fi
-    # The address sanitizer comments on memory that it could not give.
-    grep -v 'WARNING: AddressSanitizer failed to allocate' "$scratch/stderr" >"$scratch/message"
-    [ "$(wc -l <"$scratch/message")" -eq 1 ] || { echo "expected one line"; return 1; }
-    grep -qF -- "$words" "$scratch/message" || { echo "expected the words: $words"; return 1; }
-    [ "$(state)" = "$before" ] || { echo "it left something: $(ls -A "$out")"; return 1; }
-}
+empty_output_folder
 
 : >"$scenes/empty.csv"
 printf '# only a comment\n' >"$scenes/comment.csv"
@@ -332,16 +221,9 @@ printf '%s\n\001\000\377\n' $header >"$scenes/binary.csv"
 awk 'BEGIN { for (i = 0; i < 5000; i++) printf "1,"; print "" }' >"$scenes/long.csv"
 printf '%s\n%s\n%s\n' $header $circle $circle >"$scenes/same.csv" # no split parts these two
 mkdir "$scenes/folder.csv"
-new="$out/new.png"
 
-# A table of LAB | WORDS | OPTIONS. Each row is run with and without sanitizers; `--output $new` comes
-# first, so that a row can say otherwise.
-while IFS='|' read -r number words options; do
-    eval "set -- $options"
-    check "lab $number: $options" refuses "$words" run "$number" --output "$new" "$@"
-    ! $is_sanitized || check "lab $number, sanitized: $options" \
-        refuses "$words" run_sanitized "$number" --output "$new" "$@"
-done <<'END'
+# shellcheck disable=SC2119 # its rows come from the table
+refuses_each <<'END'
 01|missing.csv: cannot be read: No such file|--scene $scenes/missing.csv
 01|empty.csv:1: found the end of the file|--scene $scenes/empty.csv
 02|comment.csv:2: found the end of the file|--scene $scenes/comment.csv
@@ -376,7 +258,7 @@ done <<'END'
 03|--size: found "1000001x1"|--size 1000001x1
 02|1000000x1000000|--scene none --size 1000000x1000000
 00|--frames: found "0", expected a whole number of at least 1|--frames 0
-01|--max-depth: found "0", expected a whole number from 1 to 24|--max-depth 0
+01|--max-depth: found "0", expected a whole number from 1 to 64|--max-depth 0
 02|--max-depth: found "99"|--max-depth 99
 03|--leaf-size: found "0"|--leaf-size 0
 00|--colour is no option here|--colour

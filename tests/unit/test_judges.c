@@ -3,6 +3,7 @@
 //
 // The right answers are worked out here, in plain C; that they pass shows that what is done to them
 // afterwards is what fails.
+#include "camera_from_view.h"
 #include "job_scene.h"
 #include "jobs.h"
 #include "judge.h"
@@ -18,8 +19,9 @@
 
 TestSuite(judges, .timeout = 60);
 
-static const char *const lab_names[] = {"00-hello-pixels", "01-naive-2d", "02-kdtree-2d-build",
-                                        "03-kdtree-2d-render"};
+static const char *const lab_names[] = {"00-hello-pixels",    "01-naive-2d",
+                                        "02-kdtree-2d-build", "03-kdtree-2d-render",
+                                        "04-camera-rays",     "05-spheres"};
 enum { N_LABS = sizeof lab_names / sizeof *lab_names };
 
 // Each test runs once a lab.
@@ -166,7 +168,7 @@ static Work draw_pixel(const JobScene *scene, int x, int y, float color[IMAGE_CH
     }
     float min_depth = INFINITY;
     memset(color, 0, IMAGE_CHANNELS * sizeof *color);
-    for (u32 i = 0; i < n_ids; i++, work.n_circle_tests++) {
+    for (u32 i = 0; i < n_ids; i++, work.n_tests++) {
         const Circle c = scene->scene.circles[ids ? ids[i] : i];
         const float dx = (float)x - c.x, dy = (float)y - c.y;
         if (dx * dx + dy * dy <= c.radius * c.radius && c.depth < min_depth) {
@@ -341,8 +343,212 @@ static void answer_children(Writer *writer, const Sections *job)
         children[i] =
             containing_child(&scene.tree, inputs[i].id, (float)inputs[i].x, (float)inputs[i].y);
     }
-    answer(writer, "children.0", children, n * sizeof *children);
+    answer(writer, "children", children, n * sizeof *children);
     free(children);
+}
+
+// ---- 3D
+
+// The ray of a pixel; its t_min is 0.
+typedef struct Ray {
+    Vec3 origin, direction;
+} Ray;
+
+static Vec3 vec3_plus(Vec3 a, Vec3 b)
+{
+    return (Vec3){a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+static Vec3 on_display(int x, int y, int width, int height, float fov)
+{
+    const float size = fov / (float)width;
+    return (Vec3){((float)x + 0.5f - 0.5f * (float)width) * size,
+                  (0.5f * (float)height - (float)y - 0.5f) * size, 1};
+}
+
+static Ray primary_ray(int x, int y, int width, int height, const Camera *camera)
+{
+    const Vec3 p = on_display(x, y, width, height, camera->fov);
+    const Vec3 in_plane = vec3_plus(vec3_scaled(camera->right, p.x), vec3_scaled(camera->up, p.y));
+    return (Ray){camera->eye, vec3_normalized(vec3_plus(in_plane, camera->forward))};
+}
+
+static void answer_axes_and_pixels(Writer *writer, const Sections *job)
+{
+    size_t n_bytes;
+    const ViewJob *views = sections_find_any(job, "views", &n_bytes);
+    size_t n = n_bytes / sizeof *views;
+    Vec3(*axes)[3] = calloc(n, sizeof *axes);
+    for (size_t i = 0; i < n; i++) {
+        const View view = {.from = views[i].from, .at = views[i].at, .up = views[i].up};
+        camera_axes(view, &axes[i][0], &axes[i][1], &axes[i][2]);
+    }
+    answer(writer, "axes", axes, n * sizeof *axes);
+    free(axes);
+
+    const PixelJob *pixels = sections_find_any(job, "pixels", &n_bytes);
+    n = n_bytes / sizeof *pixels;
+    PixelAnswer *answers = calloc(n, sizeof *answers);
+    for (size_t i = 0; i < n; i++) {
+        const PixelJob p = pixels[i];
+        const Ray ray = primary_ray(p.x, p.y, p.width, p.height, &p.camera);
+        answers[i] = (PixelAnswer){on_display(p.x, p.y, p.width, p.height, p.camera.fov),
+                                   ray.origin, ray.direction, 0, INFINITY};
+    }
+    answer(writer, "pixels", answers, n * sizeof *answers);
+    free(answers);
+}
+
+static float nearest_root(float b, float disc, float radius, float t_min)
+{
+    if (disc < 0) {
+        return INFINITY;
+    }
+    const float enter = b - sqrtf(disc), leave = b + sqrtf(disc);
+    return enter > t_min && radius > 0 ? enter : leave > t_min ? leave : INFINITY;
+}
+
+static float intersect(Sphere sphere, Ray ray, float t_min)
+{
+    const Vec3 c = vec3_minus((Vec3){sphere.x, sphere.y, sphere.z}, ray.origin);
+    const float b = vec3_dot(c, ray.direction);
+    const Vec3 l = vec3_minus(c, vec3_scaled(ray.direction, b));
+    return nearest_root(b, sphere.radius * sphere.radius - vec3_dot(l, l), sphere.radius, t_min);
+}
+
+static Vec3 surface_normal(Sphere sphere, Vec3 point, Vec3 direction)
+{
+    const Vec3 centre = {sphere.x, sphere.y, sphere.z};
+    const Vec3 normal = vec3_normalized(vec3_minus(point, centre));
+    return vec3_scaled(normal, vec3_dot(normal, direction) > 0 ? -1 : 1);
+}
+
+static Vec3 shade(Vec3 point, Vec3 normal, Material material, const Light *lights, int n_lights)
+{
+    Vec3 color = {0};
+    for (int i = 0; i < n_lights; i++) {
+        const Vec3 to_light = vec3_normalized(vec3_minus(lights[i].position, point));
+        const float share = material.kd * fmaxf(0, vec3_dot(normal, to_light));
+        color.x += share * material.color.x * lights[i].color.x;
+        color.y += share * material.color.y * lights[i].color.y;
+        color.z += share * material.color.z * lights[i].color.z;
+    }
+    return color;
+}
+
+static void answer_spheres(Writer *writer, const Sections *job, const char *name)
+{
+    size_t n_bytes;
+    const SphereRayJob *inputs = sections_find_any(job, name, &n_bytes);
+    const size_t n = n_bytes / sizeof *inputs;
+    float *answers = calloc(n, sizeof *answers);
+    for (size_t i = 0; i < n; i++) {
+        const Ray ray = {inputs[i].origin, inputs[i].direction};
+        answers[i] = intersect(inputs[i].sphere, ray, inputs[i].t_min);
+    }
+    answer(writer, name, answers, n * sizeof *answers);
+    free(answers);
+}
+
+static void answer_sphere_functions(Writer *writer, const Sections *job)
+{
+    size_t n_bytes, n_light_bytes;
+    const RootJob *roots = sections_find_any(job, "roots", &n_bytes);
+    size_t n = n_bytes / sizeof *roots;
+    float *distances = calloc(n, sizeof *distances);
+    for (size_t i = 0; i < n; i++) {
+        distances[i] = nearest_root(roots[i].b, roots[i].disc, roots[i].radius, roots[i].t_min);
+    }
+    answer(writer, "roots", distances, n * sizeof *distances);
+    free(distances);
+    answer_spheres(writer, job, "textbook");
+    answer_spheres(writer, job, "projection");
+
+    const NormalJob *points = sections_find_any(job, "normals", &n_bytes);
+    n = n_bytes / sizeof *points;
+    Vec3 *vectors = calloc(n, sizeof *vectors);
+    for (size_t i = 0; i < n; i++) {
+        vectors[i] = surface_normal(points[i].sphere, points[i].point, points[i].direction);
+    }
+    answer(writer, "normals", vectors, n * sizeof *vectors);
+    free(vectors);
+
+    const Light *lights = sections_find_any(job, "lights", &n_light_bytes);
+    const ShadeJob *shades = sections_find_any(job, "shades", &n_bytes);
+    n = n_bytes / sizeof *shades;
+    vectors = calloc(n, sizeof *vectors);
+    for (size_t i = 0; i < n; i++) {
+        const ShadeJob in = shades[i];
+        vectors[i] = shade(in.point, in.normal, in.material, lights + in.first_light, in.n_lights);
+    }
+    answer(writer, "shades", vectors, n * sizeof *vectors);
+    free(vectors);
+}
+
+// What a ray of scene k hits, and in which colour.
+static HitAnswer trace(const Sections *job, int k, const SceneJob3D *scene, Ray ray, Vec3 *color)
+{
+    size_t n_bytes;
+    const Sphere *spheres = sections_find_any(job, numbered("scene", k, "spheres"), &n_bytes);
+    const u32 *ids = sections_find_any(job, numbered("scene", k, "material_ids"), &n_bytes);
+    const Material *materials = sections_find_any(job, numbered("scene", k, "materials"), &n_bytes);
+    const Light *lights = sections_find_any(job, numbered("scene", k, "lights"), &n_bytes);
+    HitAnswer hit = {INFINITY, 0xffffffff};
+    for (int i = 0; i < scene->n_spheres; i++) {
+        const float t = intersect(spheres[i], ray, 0);
+        if (t < hit.t) {
+            hit = (HitAnswer){t, (u32)i};
+        }
+    }
+    *color = scene->background;
+    if (hit.t < INFINITY) {
+        const Vec3 point = vec3_plus(ray.origin, vec3_scaled(ray.direction, hit.t));
+        const Vec3 normal = surface_normal(spheres[hit.sphere], point, ray.direction);
+        *color = shade(point, normal, materials[ids[hit.sphere]], lights, scene->n_lights);
+    }
+    return hit;
+}
+
+// The pictures of all 3D scenes: of lab 04 the directions; of lab 05 the spheres, what each ray hits
+// and the work for scene 1 besides.
+static void answer_pictures_3d(Writer *writer, int lab, const Sections *job)
+{
+    const SceneJob3D *scene;
+    for (int k = 0; (scene = sections_find(job, numbered("scene", k, NULL), sizeof *scene)); k++) {
+        const int width = scene->width, height = scene->height;
+        const int image_width = PROBE_IMAGE_SIDE(width);
+        const size_t n_pixels = (size_t)image_width * PROBE_IMAGE_SIDE((size_t)height);
+        float(*image)[IMAGE_CHANNELS] = malloc(n_pixels * sizeof *image);
+        HitAnswer *hits = calloc(n_pixels, sizeof *hits);
+        Work *work = calloc(n_pixels, sizeof *work);
+        for (size_t i = 0; i < n_pixels * IMAGE_CHANNELS; i++) {
+            image[i / IMAGE_CHANNELS][i % IMAGE_CHANNELS] = UNWRITTEN;
+        }
+        for (int y = 0; y < height; y++) {
+            for (int x = 0; x < width; x++) {
+                const Ray ray = primary_ray(x, y, width, height, &scene->camera);
+                const Vec3 grey = {0.5f, 0.5f, 0.5f};
+                Vec3 color = vec3_plus(vec3_scaled(ray.direction, 0.5f), grey);
+                if (lab == 5) {
+                    hits[y * width + x] = trace(job, k, scene, ray, &color);
+                    work[y * width + x].n_tests = (u32)scene->n_spheres;
+                }
+                memcpy(image[y * image_width + x], (float[]){color.x, color.y, color.z, 1},
+                       sizeof *image);
+            }
+        }
+        answer(writer, numbered("picture", k, NULL), image, n_pixels * sizeof *image);
+        if (lab == 5) {
+            answer(writer, numbered("hits", k, NULL), hits,
+                   (size_t)(width * height) * sizeof *hits);
+        }
+        if (lab == 5 && k == 1) {
+            answer(writer, numbered("work", k, NULL), work, n_pixels * sizeof *work);
+        }
+        free(work);
+        free(hits);
+        free(image);
+    }
 }
 
 static Sections right_answers(int lab, const Sections *job)
@@ -355,10 +561,18 @@ static Sections right_answers(int lab, const Sections *job)
     if (lab == 3) {
         answer_children(&writer, job);
     }
+    if (lab == 4) {
+        answer_axes_and_pixels(&writer, job);
+    }
+    if (lab == 5) {
+        answer_sphere_functions(&writer, job);
+    }
     if (lab == 2) {
         answer_leaves_and_boxes(&writer, job);
         answer_lists(&writer, job);
         answer_trees(&writer, job);
+    } else if (lab >= 4) {
+        answer_pictures_3d(&writer, lab, job);
     } else {
         answer_pictures(&writer, lab, job);
     }
@@ -651,9 +865,14 @@ static const struct {
     const char *name;
     int is_decision;
 } whole_sections[] = {
-    {0, "readback.0", 0}, {0, "readback.1", 0},       {1, "overlaps", 1},     {2, "leaves", 1},
-    {2, "splits", 0},     {2, "overlaps", 1},         {2, "distribute", 0},   {2, "pack", 0},
-    {2, "tree.1.map", 0}, {2, "tree.1.relations", 0}, {2, "tree.1.boxes", 0}, {3, "children.0", 0},
+    {0, "readback.0", 0},   {0, "readback.1", 0},
+    {1, "overlaps", 1},     {2, "leaves", 1},
+    {2, "splits", 0},       {2, "overlaps", 1},
+    {2, "distribute", 0},   {2, "pack", 0},
+    {2, "tree.1.map", 0},   {2, "tree.1.relations", 0},
+    {2, "tree.1.boxes", 0}, {3, "children", 0},
+    {4, "axes", 0},         {5, "roots", 0},
+    {5, "normals", 0},
 };
 
 static int passes_everything(const Open *open, const Sections *answers)

@@ -1,4 +1,5 @@
 // grader/picture: only the right picture passes, and a wrong one is called by the right name.
+#include "job_scene.h"
 #include "jobs.h"
 #include "oracle2d.h"
 #include "picture.h"
@@ -15,6 +16,7 @@ enum { MAX_SIDE = 96, IMAGE_SIDE = PROBE_IMAGE_SIDE(MAX_SIDE), N_CIRCLES = 24 };
 
 typedef struct Case {
     Circle circles[N_CIRCLES];
+    Scene2D scene;  // they
     ExpectedPicture expected;
     float own[IMAGE_SIDE * IMAGE_SIDE * IMAGE_CHANNELS];
     ProbeImage probe;
@@ -79,8 +81,8 @@ static Case *case_open(int width, int height, uint64_t seed)
     circles_draw(&random, width, height, c->circles);
     cr_assert_eq(image_create(width, height, &c->expected.reference), 0);
     oracle2d_draw(c->circles, N_CIRCLES, &RIGHT, &c->expected.reference, NULL);
-    c->expected.circles = c->circles;
-    c->expected.n_circles = N_CIRCLES;
+    c->scene = (Scene2D){c->circles, N_CIRCLES, width, height};
+    job_scene_recognise(&c->scene, &c->expected);
     c->width = width, c->height = height;
     c->probe = (ProbeImage){c->own, PROBE_IMAGE_SIDE(width), PROBE_IMAGE_SIDE(height)};
     own_show(c, &c->expected.reference);
@@ -95,6 +97,7 @@ static void case_close(Case *c)
 
 static void expect_right(const Case *c)
 {
+    cr_expect(picture_is_right(c->probe, &c->expected));
     char *message = picture_judge(c->probe, &c->expected);
     cr_expect_null(message, "%s", message);
     free(message);
@@ -114,6 +117,7 @@ static const char *looks_of(const Case *c)
     static char looks[512];
     char *message = picture_judge(c->probe, &c->expected);
     cr_assert_not_null(message);
+    cr_expect_not(picture_is_right(c->probe, &c->expected));
     const char *at = strstr(message, "; it looks ");
     snprintf(looks, sizeof looks, "%s", at ? at + strlen("; it looks ") : "");
     free(message);
@@ -126,7 +130,7 @@ Test(picture, an_equal_picture_is_right)
 {
     Case *c = case_open(96, 64, 1);
     expect_right(c);
-    c->expected.circles = NULL;
+    c->expected.draw_mistaken = NULL;
     expect_right(c);
     case_close(c);
     c = case_open(64, 96, 2);
@@ -165,10 +169,11 @@ Test(picture, what_is_not_finite_never_passes)
 {
     static const float values[] = {NAN, -NAN, INFINITY, -INFINITY};
     Case *c = case_open(64, 96, 3);
-    c->expected.tolerance = 0.5f;
-    c->expected.ambiguous = calloc(64 * 96, 1);
+    c->expected.tolerances = calloc(64 * 96, sizeof(float));
     for (int is_ambiguous = 0; is_ambiguous <= 1; is_ambiguous++) {
-        memset(c->expected.ambiguous, is_ambiguous, 64 * 96);
+        for (int j = 0; j < 64 * 96; j++) {
+            c->expected.tolerances[j] = is_ambiguous ? INFINITY : 0.5f;
+        }
         for (size_t i = 0; i < sizeof values / sizeof *values; i++) {
             for (int channel = 0; channel < IMAGE_CHANNELS; channel++) {
                 own_show(c, &c->expected.reference);
@@ -201,11 +206,24 @@ Test(picture, the_tolerance_is_the_last_that_passes)
     case_close(c);
 }
 
+Test(picture, every_pixel_has_its_tolerance)
+{
+    Case *c = case_open(96, 64, 1);
+    c->expected.tolerances = calloc(96 * 64, sizeof(float));
+    c->expected.tolerances[3 * 96 + 2] = 0.25f;
+    c->expected.tolerance = 1;  // it counts where there are no others
+    own_pixel(c, 2, 3)[2] += 0.25f;
+    expect_right(c);
+    own_pixel(c, 3, 3)[2] += 0.125f;
+    cr_expect_str_eq(looks_of(c), "");
+    case_close(c);
+}
+
 Test(picture, only_ambiguous_pixels_may_differ)
 {
     Case *c = case_open(64, 96, 3);
-    c->expected.ambiguous = calloc(64 * 96, 1);
-    c->expected.ambiguous[7 * 64 + 5] = 1;
+    c->expected.tolerances = calloc(64 * 96, sizeof(float));
+    c->expected.tolerances[7 * 64 + 5] = INFINITY;
     own_pixel(c, 5, 7)[0] += 0.5f;
     expect_right(c);
     own_pixel(c, 7, 5)[0] += 0.5f;
@@ -343,10 +361,10 @@ static void look_at_mistake(Case *c, size_t i)
     cr_expect_str_eq(looks_of(c), mistakes[i].looks, "found \"%s\", expected \"%s\"", looks_of(c),
                      mistakes[i].looks);
     // Without the scene nothing is said, rather than something wrong.
-    c->expected.circles = NULL;
+    c->expected.draw_mistaken = NULL;
     cr_expect_str_eq(looks_of(c), "", "found \"%s\" without the scene for mistake %zu", looks_of(c),
                      i);
-    c->expected.circles = c->circles;
+    job_scene_recognise(&c->scene, &c->expected);
     image_free(&picture);
 }
 
@@ -442,7 +460,7 @@ static Case *case_open_sparse(float radius)
 {
     Case *c = case_open(96, 64, 1);
     c->circles[0] = (Circle){.x = 40, .y = 30, .radius = radius, .r = 0.25f, .g = 0.5f, .a = 1};
-    c->expected.n_circles = 1;
+    c->scene.n_circles = 1;
     oracle2d_draw(c->circles, 1, &RIGHT, &c->expected.reference, NULL);
     own_show(c, &c->expected.reference);
     return c;

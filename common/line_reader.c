@@ -1,0 +1,95 @@
+// Text files, line by line (see line_reader.h).
+//
+// Flow: SCENE -> buffers -> kernel -> image -> comparison. Nothing in a file is trusted: how long
+// its lines are, what its bytes are, whether it ends. Read next: scene3d_nff.c.
+#include "line_reader.h"
+
+#include <errno.h>
+#include <inttypes.h>
+#include <string.h>
+
+void line_reader_begin(LineReader *reader, FILE *file, const char *name)
+{
+    reader->file = file;
+    reader->name = name;
+    reader->line = 0;
+    reader->failed = 0;
+    reader->text[0] = '\0';
+}
+
+// Some editors mark a file as UTF-8 with these three bytes.
+static void mark_remove(char *text, int length)
+{
+    if (length >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0) {
+        memmove(text, text + 3, (size_t)length - 3 + 1);
+    }
+}
+
+int line_read(LineReader *reader)
+{
+    int length = 0;
+    int c;
+    reader->line++;
+    while ((c = getc_unlocked(reader->file)) != EOF && c != '\n') {
+        if (c == '\0') {
+            line_fault(reader, "", "a NUL byte", "text");
+            return 0;
+        }
+        if (length == LINE_MAX_LENGTH) {
+            line_fault(reader, "", "more than 4096 characters", "a shorter line");
+            return 0;
+        }
+        reader->text[length++] = (char)c;
+    }
+    reader->text[length] = '\0';
+    if (c == EOF && ferror(reader->file)) {
+        line_fault(reader, "", strerror(errno), "a file that can be read");
+        return 0;
+    }
+    if (c == EOF && length == 0) {
+        return 0;
+    }
+    if (reader->line == 1) {
+        mark_remove(reader->text, length);
+    }
+    return 1;
+}
+
+_Static_assert(LINE_MAX_LENGTH == 4096, "the message above names this limit");
+
+void line_fault(LineReader *reader, const char *where, const char *found, const char *expected)
+{
+    if (!reader->failed) {
+        fprintf(stderr, "%s:%" PRId64 ": %sfound %s, expected %s\n", reader->name, reader->line,
+                where, found, expected);
+    }
+    reader->failed = 1;
+}
+
+const char *line_quote(const char *text, char *quoted)
+{
+    snprintf(quoted, LINE_QUOTE_SIZE, "\"%.40s%s\"", text, strlen(text) > 40 ? "..." : "");
+    for (char *c = quoted; *c != '\0'; c++) {
+        if ((unsigned char)*c < ' ' || (unsigned char)*c >= 0x7f) {
+            *c = '?';
+        }
+    }
+    return quoted;
+}
+
+int line_split(char *line, char **words, int max_words)
+{
+    static const char BLANKS[] = " \t\r";
+    int n_words = 0;
+    for (char *word = line + strspn(line, BLANKS); *word != '\0'; word += strspn(word, BLANKS)) {
+        if (n_words < max_words) {
+            words[n_words] = word;
+        }
+        n_words++;
+        word += strcspn(word, BLANKS);
+        if (*word != '\0') {
+            *word++ = '\0';
+        }
+    }
+    return n_words;
+}

@@ -1,0 +1,43 @@
+// Molecules as 3D scenes: atom by atom while a file is read, then the view and the lights.
+//
+// What the readers of the two formats share, molecule_pdb.c and molecule_xyz.c; labs do not need
+// it.
+// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: elements.h, molecule_xyz.c.
+#ifndef COMMON_MOLECULE_H
+#define COMMON_MOLECULE_H
+
+#include "elements.h"
+#include "line_reader.h"
+#include "scene3d_builder.h"
+
+// How many of the unknown elements a warning names.
+#define MOLECULE_MAX_NAMES 5
+
+typedef struct Molecule {
+    LineReader lines;
+    Scene3DBuilder builder;
+    int n_unknown;                                    // atoms whose element is unknown
+    char names[MOLECULE_MAX_NAMES][LINE_QUOTE_SIZE];  // the first names of theirs, in quotes
+    int n_names;
+    int has_more_names;
+} Molecule;
+
+// Get ready to read a file (see line_reader_begin()).
+void molecule_begin(Molecule *molecule, FILE *file, const char *name);
+
+// Read a coordinate.
+//   axis   "x", "y" or "z", for messages
+// Returns Angstrom; 0 after a complaint about the current line.
+float molecule_read_coordinate(Molecule *molecule, const char *axis, const char *text);
+
+// Add an atom at a point, Angstrom.
+//   element   NULL when it is unknown: the atom is then drawn as ELEMENT_UNKNOWN and counted
+//   name      what the file calls the element
+void molecule_add_atom(Molecule *molecule, Vec3 point, const Element *element, const char *name);
+
+// Place the view so that all atoms are seen in a picture that is at least as wide as high, light
+// the scene, and hand it over; a molecule without atoms is a fault. Prints one warning when
+// elements were unknown. Returns 0, or -1 after one message on stderr; everything is then released.
+int molecule_finish(Molecule *molecule, Scene3D *scene);
+
+#endif

@@ -1,0 +1,277 @@
+// 3D scenes by name: the way from the word after --scene to spheres and a view (see scene3d.h).
+//
+// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: scene3d_nff.c and molecule.c
+// for files; scene3d_sphereflake.c, scene3d_random.c and scene3d_edge_cases.c for the generators.
+#include "scene3d.h"
+
+#include "scene3d_generate.h"
+#include "scene_arguments.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define DEFAULT_FLAKE_SIZE 4
+#define DEFAULT_SPHERES 1000
+#define DEFAULT_SEED 1
+#define DEFAULT_LATTICE 10
+#define DEFAULT_ANGLE 45  // degrees
+
+// The sine of the smallest angle between the view and up. The camera's axes come from their cross
+// product in float; rounding moves it by about 1e-7 and so turns the picture by 1e-7 / sine: by
+// 0.001, half a pixel at the edge of a picture of 1000, where the sine is this small.
+#define SMALLEST_SINE 1e-4
+
+// ---- Making and releasing -----------------------------------------------------------------------
+
+static void *array_create(int n_entries, size_t entry_size)
+{
+    return n_entries == 0 ? NULL : calloc((size_t)n_entries, entry_size);
+}
+
+int scene3d_create(int n_spheres, int n_materials, int n_lights, Vec3 from, Scene3D *scene)
+{
+    scene->spheres = array_create(n_spheres, sizeof *scene->spheres);
+    scene->material_ids = array_create(n_spheres, sizeof *scene->material_ids);
+    scene->materials = array_create(n_materials, sizeof *scene->materials);
+    scene->lights = array_create(n_lights, sizeof *scene->lights);
+    if ((n_spheres > 0 && (scene->spheres == NULL || scene->material_ids == NULL)) ||
+        (n_materials > 0 && scene->materials == NULL) || (n_lights > 0 && scene->lights == NULL)) {
+        scene3d_free(scene);
+        return scene_report_memory();
+    }
+    scene->n_spheres = n_spheres;
+    scene->n_materials = n_materials;
+    scene->n_lights = n_lights;
+    for (int i = 0; i < n_spheres; i++) {
+        scene->material_ids[i] = (u32)(i % n_materials);
+    }
+    scene->background = (Vec3){0, 0, 0};
+    scene->view = (View){.from = from, .at = {0, 0, 0}, .up = {0, 0, 1}, .angle = DEFAULT_ANGLE};
+    return 0;
+}
+
+void scene3d_free(Scene3D *scene)
+{
+    free(scene->spheres);
+    free(scene->material_ids);
+    free(scene->materials);
+    free(scene->lights);
+    *scene = (Scene3D){0};
+}
+
+Vec3 scene3d_light_color(int n_lights)
+{
+    f32 brightness = (f32)(1 / sqrt(n_lights));
+    return (Vec3){brightness, brightness, brightness};
+}
+
+// What a scene without a light gets: one at the eye, so that all that is seen is lit.
+static int light_at_eye(Scene3D *scene)
+{
+    scene->lights = calloc(1, sizeof *scene->lights);
+    if (scene->lights == NULL) {
+        return scene_report_memory();
+    }
+    scene->lights[0] = (Light){scene->view.from, scene3d_light_color(1)};
+    scene->n_lights = 1;
+    return 0;
+}
+
+// ---- The view -----------------------------------------------------------------------------------
+
+f32 scene3d_fov(const View *view, int width, int height)
+{
+    const double half_angle = (double)view->angle / 2 * M_PI / 180;
+    const int n_steps = height > 1 ? height - 1 : 1;  // from the top row's centre to the bottom's
+    return (f32)(width * (2 * tan(half_angle) / n_steps));
+}
+
+// A camera is set up in float: a cross product with an up of this length, or 1 / this length, must
+// keep its digits.
+#define LONGEST_VECTOR 1e32
+
+// In double no product of these overflows or becomes 0: floats go from 1e-45 to 3e38, and four of
+// them are multiplied at most.
+const char *scene3d_view_fault(const View *view)
+{
+    const double direction[3] = {(double)view->at.x - view->from.x,
+                                 (double)view->at.y - view->from.y,
+                                 (double)view->at.z - view->from.z};
+    const double up[3] = {view->up.x, view->up.y, view->up.z};
+    double direction2 = 0, up2 = 0, cross2 = 0;  // squared lengths
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3;
+        const double cross = direction[i] * up[j] - direction[j] * up[i];
+        direction2 += direction[i] * direction[i];
+        up2 += up[i] * up[i];
+        cross2 += cross * cross;
+    }
+    if (direction2 == 0) {
+        return "the view's direction is zero (from is at)";
+    }
+    if (up2 == 0) {
+        return "up is zero";
+    }
+    const double longest2 = LONGEST_VECTOR * LONGEST_VECTOR;
+    if (direction2 * longest2 < 1 || direction2 > longest2 || up2 * longest2 < 1 ||
+        up2 > longest2) {
+        return "the view's direction or up is too short or too long (1e-32 to 1e32)";
+    }
+    if (cross2 < SMALLEST_SINE * SMALLEST_SINE * direction2 * up2) {
+        return "up is parallel to the view";
+    }
+    return NULL;
+}
+
+// ---- Generators ---------------------------------------------------------------------------------
+
+// "random" or "random:...".
+static int random_open(const char *name, Scene3D *scene)
+{
+    int64_t n_spheres = DEFAULT_SPHERES;
+    int64_t seed = DEFAULT_SEED;
+    float min_radius = 0;  // 0 until the user gives one
+    float max_radius = 0;
+    const SceneArgument takes[] = {
+        {"n=", "n=N, a whole number from 0 to 10000000",
+         .whole = {&n_spheres, 0, SCENE3D_MAX_SPHERES}},
+        {"seed=", "seed=S, a whole number of at least 0", .whole = {&seed, 0, INT64_MAX}},
+        {"min=", "min=R, a radius from 0.000001 to 1000",
+         .real = {&min_radius, SCENE3D_MIN_RADIUS, SCENE3D_MAX_RADIUS}},
+        {"max=", "max=R, a radius from 0.000001 to 1000",
+         .real = {&max_radius, SCENE3D_MIN_RADIUS, SCENE3D_MAX_RADIUS}},
+        {.name = NULL},
+    };
+    if (scene_arguments_read(name, takes, "n=N, seed=S, min=R or max=R") != 0) {
+        return -1;
+    }
+    float default_min, default_max;
+    scene3d_default_radii((int)n_spheres, &default_min, &default_max);
+    min_radius = min_radius > 0 ? min_radius : default_min;
+    max_radius = max_radius > 0 ? max_radius : default_max;
+    if (scene_arguments_check_radii(name, min_radius, max_radius) != 0) {
+        return -1;
+    }
+    return scene3d_random((int)n_spheres, (uint64_t)seed, min_radius, max_radius, scene);
+}
+
+static int sphereflake_open(const char *name, Scene3D *scene)
+{
+    int64_t size = DEFAULT_FLAKE_SIZE;
+    const SceneArgument takes[] = {
+        {"size=", "size=N, a whole number from 0 to 7",
+         .whole = {&size, 0, SCENE3D_MAX_FLAKE_SIZE}},
+        {.name = NULL},
+    };
+    if (scene_arguments_read(name, takes, "size=N") != 0) {
+        return -1;
+    }
+    return scene3d_sphereflake((int)size, scene);
+}
+
+static int lattice_open(const char *name, Scene3D *scene)
+{
+    int64_t n_per_side = DEFAULT_LATTICE;
+    const SceneArgument takes[] = {
+        {"n=", "n=N, a whole number from 1 to 215", .whole = {&n_per_side, 1, SCENE3D_MAX_LATTICE}},
+        {.name = NULL},
+    };
+    if (scene_arguments_read(name, takes, "n=N") != 0) {
+        return -1;
+    }
+    return scene3d_lattice((int)n_per_side, scene);
+}
+
+_Static_assert(SCENE3D_MAX_SPHERES == 10000000 && SCENE3D_MAX_FLAKE_SIZE == 7 &&
+                   SCENE3D_MAX_LATTICE == 215,
+               "the messages above name these limits");
+
+// ---- By name ------------------------------------------------------------------------------------
+
+static int file_open(const char *path, int (*read)(FILE *file, const char *name, Scene3D *scene),
+                     Scene3D *scene)
+{
+    FILE *file = fopen(path, "rb");
+    if (file == NULL) {
+        fprintf(stderr, "%s: cannot be read: %s\n", path, strerror(errno));
+        return -1;
+    }
+    int result = read(file, path, scene);
+    fclose(file);
+    return result;
+}
+
+static int report_unknown(const char *name)
+{
+    fprintf(stderr,
+            "--scene %s: found no such scene, expected FILE.nff, FILE.pdb, FILE.xyz, "
+            "sphereflake[:size=N], random[:n=N,seed=S,min=R,max=R], lattice[:n=N]",
+            name);
+    for (int i = 0; scene3d_edge_case(i) != NULL; i++) {
+        fprintf(stderr, ", %s", scene3d_edge_case(i));
+    }
+    fprintf(stderr, "\n");
+    return -1;
+}
+
+static const Scene3DEdgeCase *edge_case_find(const char *name)
+{
+    for (const Scene3DEdgeCase *edge_case = SCENE3D_EDGE_CASES; edge_case->name != NULL;
+         edge_case++) {
+        if (strcmp(edge_case->name, name) == 0) {
+            return edge_case;
+        }
+    }
+    return NULL;
+}
+
+static int open_by_name(const char *name, Scene3D *scene)
+{
+    const Scene3DEdgeCase *edge_case = edge_case_find(name);
+    if (edge_case != NULL) {
+        return scene3d_edge_case_open(edge_case, scene);
+    }
+    if (scene_name_ends_in(name, ".nff")) {
+        return file_open(name, scene3d_read_nff, scene);
+    }
+    if (scene_name_ends_in(name, ".pdb")) {
+        return file_open(name, scene3d_read_pdb, scene);
+    }
+    if (scene_name_ends_in(name, ".xyz")) {
+        return file_open(name, scene3d_read_xyz, scene);
+    }
+    if (scene_is_called(name, "sphereflake")) {
+        return sphereflake_open(name, scene);
+    }
+    if (scene_is_called(name, "random")) {
+        return random_open(name, scene);
+    }
+    if (scene_is_called(name, "lattice")) {
+        return lattice_open(name, scene);
+    }
+    return report_unknown(name);
+}
+
+int scene3d_open(const char *name, int width, int height, Scene3D *scene)
+{
+    *scene = (Scene3D){.width = SCENE3D_DEFAULT_SIZE, .height = SCENE3D_DEFAULT_SIZE};
+    int result = open_by_name(name, scene);
+    if (result == 0 && scene->n_lights == 0) {
+        result = light_at_eye(scene);
+    }
+    if (result != 0) {
+        scene3d_free(scene);
+        return -1;
+    }
+    if (width > 0 && height > 0) {
+        scene->width = width;
+        scene->height = height;
+    }
+    return 0;
+}
+
+const char *scene3d_edge_case(int index)
+{
+    return SCENE3D_EDGE_CASES[index].name;
+}

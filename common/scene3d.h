@@ -1,0 +1,129 @@
+// 3D scenes: spheres, what they look like, lights and the view, from a file or from a generator.
+//
+// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: a 3D lab's main.c.
+//
+// A scene is named by one word, the argument of --scene:
+//     FILE.nff                               Haines' Neutral File Format (scene3d_nff.c)
+//     FILE.pdb, FILE.xyz                     molecules (molecule.h)
+//     sphereflake[:size=N]                   Haines' "balls": 1, 10, 91, 820, 7381, ... spheres for
+//                                            N = 0, 1, 2, 3, 4, ...; N is 4 when not given
+//     random[:n=N,seed=S,min=R,max=R]        N spheres (1000) with centres in the cube [-1, 1]^3;
+//                                            radii of min to max, which follow N when not given
+//     lattice[:n=N]                          N x N x N equal spheres; N is 10 when not given
+//     inside, planes, one-cell, one, none, coincident, large-small, behind     edge cases
+// Arguments come in any order. Space is right-handed.
+#ifndef COMMON_SCENE3D_H
+#define COMMON_SCENE3D_H
+
+#include "shading.h"
+#include "sphere.h"
+
+#include <stdint.h>
+#include <stdio.h>
+
+// Where one looks from, as NFF has it. A scene that was opened has a view that works: `at` is not
+// `from`, `up` is not zero and not parallel to the view.
+typedef struct View {
+    Vec3 from;   // the eye
+    Vec3 at;     // a point in the middle of the picture
+    Vec3 up;     // which way is up; need not be at right angles to the view
+    f32 angle;   // degrees, from the centre of the top row to the centre of the bottom row
+    f32 hither;  // near plane's distance: read and written, not used in this course
+} View;
+
+typedef struct Scene3D {
+    Sphere *spheres;      // [n_spheres], NULL when there is none
+    u32 *material_ids;    // [n_spheres], what each sphere is made of: an index into materials
+    Material *materials;  // [n_materials]
+    Light *lights;        // [n_lights]
+    int n_spheres;
+    int n_materials;
+    int n_lights;
+    Vec3 background;  // the colour of a ray that hits nothing
+    View view;
+    int width;  // the picture it is made for, pixels
+    int height;
+} Scene3D;
+
+// The most spheres, materials and lights of a scene.
+#define SCENE3D_MAX_SPHERES 10000000
+#define SCENE3D_MAX_LIGHTS 1000
+
+// The largest sphereflake: 5 380 840 spheres.
+#define SCENE3D_MAX_FLAKE_SIZE 7
+
+// The largest lattice: 215^3 = 9 938 375 spheres.
+#define SCENE3D_MAX_LATTICE 215
+
+// The radii a random scene can be asked for. A smaller sphere is lost in the rounding of what is
+// computed about its centre, 6e-8; a larger one leaves nothing of the cube to see.
+#define SCENE3D_MIN_RADIUS 1e-6f
+#define SCENE3D_MAX_RADIUS 1000.0f
+
+// The picture's size where neither --size nor the scene says one.
+#define SCENE3D_DEFAULT_SIZE 512
+
+// Load or generate the scene that `name` stands for (see above).
+//   width, height   the picture's size; 0, 0 when the user gave none: the scene then chooses
+// A scene without a light gets one at the eye. Returns 0, or -1 after one message on stderr that
+// names the file and line or the argument, what was found and what was expected. Release with
+// scene3d_free().
+int scene3d_open(const char *name, int width, int height, Scene3D *scene);
+
+// Release what the scene holds; a zeroed Scene3D is fine.
+void scene3d_free(Scene3D *scene);
+
+// The display's width over its distance from the eye, for a picture of this size (Camera's fov).
+// The rows' centres span view.angle; pixels are squares.
+f32 scene3d_fov(const View *view, int width, int height);
+
+// Is the view one that a camera can be set up from? Returns NULL, or what is wrong with it: "the
+// view's direction is zero (from is at)", "up is zero", "up is parallel to the view",
+// or that one of them is too short or too long for float (1e-32 to 1e32).
+const char *scene3d_view_fault(const View *view);
+
+// Read a scene in the Neutral File Format: v (the view: from, at, up, angle, hither and resolution
+// on six lines, in any order), b, l, f, s. Cones, polygons and patches (c, p, pp), which this
+// course does not draw, are skipped, counted and named in one warning on stderr. Everything else is
+// an error with its line: unknown lines, lines cut off, text that is no number, NaN and infinities,
+// a sphere of radius 0, a view that does not work, is missing or comes twice. Colours of b and f go
+// from 0 to 1; lights, kd, ks, shine, transmittance, refraction and hither are at least 0; the
+// angle lies between 0 and 180 degrees; a side has 1 to 1 000 000 pixels. Without b the background
+// is black; spheres before the first f are white with kd = 1; a light without a colour has the
+// brightness 1 / sqrt(number of lights). A negative radius is a sphere seen from inside. What
+// follows # is a comment.
+//   name   what messages call the file
+// Sets everything, width and height to the file's resolution. Returns 0, or -1 after one message on
+// stderr.
+int scene3d_read_nff(FILE *file, const char *name, Scene3D *scene);
+
+// Write a scene as NFF that reads back to the same numbers. Returns 0, or -1 when writing failed.
+int scene3d_write_nff(FILE *file, const Scene3D *scene);
+
+// Read a molecule: PDB (the ATOM and HETATM records of its first model, of each residue's alternate
+// locations the first) or XYZ (its first frame). Atoms become spheres with their van-der-Waals
+// radii and CPK colours (elements.h), in Angstrom; elements that are not known are drawn pink,
+// counted and named in one warning. Coordinates lie within a million Angstrom. The view is placed
+// so that all atoms are seen in a picture at least as wide as high, 512x512 when the user gives no
+// size.
+// Returns 0, or -1 after one message on stderr.
+int scene3d_read_pdb(FILE *file, const char *name, Scene3D *scene);
+int scene3d_read_xyz(FILE *file, const char *name, Scene3D *scene);
+
+// The generators. The same arguments give the same scene on every machine. They set everything but
+// width and height. Return 0, or -1 after one message on stderr (no memory).
+//   min_radius, max_radius   rounded to whole steps of 2^-24, random.
+//                            SCENE3D_MIN_RADIUS <= min_radius <= max_radius <= SCENE3D_MAX_RADIUS
+int scene3d_random(int n_spheres, uint64_t seed, float min_radius, float max_radius,
+                   Scene3D *scene);
+int scene3d_sphereflake(int size, Scene3D *scene);
+int scene3d_lattice(int n_per_side, Scene3D *scene);
+
+// Radii of a random scene that does not say its own: spheres keep their share of the cube whatever
+// their number.
+void scene3d_default_radii(int n_spheres, float *min_radius, float *max_radius);
+
+// The edge cases by name, or NULL for the index after the last: for help texts and tests.
+const char *scene3d_edge_case(int index);
+
+#endif

@@ -1,0 +1,151 @@
+// The lines of a Neutral File Format file (see scene3d_nff_lines.h).
+//
+// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: scene3d_nff.c.
+#include "scene3d_nff_lines.h"
+
+#include "number.h"
+
+#include <string.h>
+
+typedef enum Range { ANY_FINITE, NOT_ZERO, NOT_NEGATIVE, COLOUR, OPENING, PIXELS, COUNT } Range;
+
+// The larger of the two keeps to what a float counts exactly, 2^24.
+#define LARGEST_SIDE 1000000
+#define LARGEST_COUNT 10000000
+
+static const char *const EXPECTED[] = {
+    [ANY_FINITE] = "a finite number",
+    [NOT_ZERO] = "a number other than 0",
+    [NOT_NEGATIVE] = "a number of at least 0",
+    [COLOUR] = "a number from 0 to 1",
+    [OPENING] = "an angle between 0 and 180 degrees",
+    [PIXELS] = "a whole number from 1 to 1000000",
+    [COUNT] = "a whole number from 3 to 10000000",
+};
+_Static_assert(LARGEST_SIDE == 1000000 && LARGEST_COUNT == 10000000,
+               "the messages above name these limits");
+
+// clang-format off: a row a line
+#define XYZ {"x", ANY_FINITE}, {"y", ANY_FINITE}, {"z", ANY_FINITE}
+#define RGB(range) {"r", range}, {"g", range}, {"b", range}
+
+static const struct LineForm {
+    const char *keyword;
+    int n_required;  // numbers; a line has so many, or all
+    struct {
+        const char *name;
+        Range range;
+    } numbers[NFF_MAX_NUMBERS + 1];  // the last has no name
+} FORMS[] = {
+    [BACKGROUND] = {"b", 3, {RGB(COLOUR)}},
+    [VIEW] = {"v", 0, {{NULL, ANY_FINITE}}},
+    [FROM] = {"from", 3, {XYZ}},
+    [AT] = {"at", 3, {XYZ}},
+    [UP] = {"up", 3, {XYZ}},
+    [ANGLE] = {"angle", 1, {{"degrees", OPENING}}},
+    [HITHER] = {"hither", 1, {{"distance", NOT_NEGATIVE}}},
+    [RESOLUTION] = {"resolution", 2, {{"width", PIXELS}, {"height", PIXELS}}},
+    // Some scenes have lights brighter than 1.
+    [LIGHT] = {"l", 3, {XYZ, RGB(NOT_NEGATIVE)}},
+    // Kd, Ks and T are mostly at most 1, which Haines does not demand. Opaque things may have
+    // refraction 0.
+    [MATERIAL] = {"f", 8, {RGB(COLOUR), {"Kd", NOT_NEGATIVE}, {"Ks", NOT_NEGATIVE},
+                           {"Shine", NOT_NEGATIVE}, {"T", NOT_NEGATIVE},
+                           {"refraction", NOT_NEGATIVE}}},
+    [SPHERE] = {"s", 4, {XYZ, {"radius", NOT_ZERO}}},
+    [CONE] = {"c", 0, {{NULL, ANY_FINITE}}},
+    [POLYGON] = {"p", 1, {{"corners", COUNT}}},
+    [PATCH] = {"pp", 1, {{"corners", COUNT}}},
+    [CONE_END] = {"", 4, {XYZ, {"radius", ANY_FINITE}}},
+    [CORNER] = {"", 3, {XYZ}},
+    [CORNER_WITH_NORMAL] = {"", 6, {XYZ, {"nx", ANY_FINITE}, {"ny", ANY_FINITE},
+                                    {"nz", ANY_FINITE}}},
+};
+// clang-format on
+
+const char *nff_keyword(NffForm form)
+{
+    return FORMS[form].keyword;
+}
+
+NffForm nff_form_find(const char *keyword)
+{
+    for (NffForm form = 0; form < N_KEYWORDS; form++) {
+        if (strcmp(FORMS[form].keyword, keyword) == 0) {
+            return form;
+        }
+    }
+    return N_KEYWORDS;
+}
+
+const char *nff_form_describe(NffForm id, char *text)
+{
+    const struct LineForm *form = &FORMS[id];
+    const size_t size = NFF_FORM_SIZE;
+    int length = snprintf(text, size, "%s", form->keyword);
+    int n_names = 0;
+    for (; form->numbers[n_names].name != NULL; n_names++) {
+        length += snprintf(text + length, size - (size_t)length, "%s%s%s", length > 0 ? " " : "",
+                           n_names == form->n_required ? "[" : "", form->numbers[n_names].name);
+    }
+    if (n_names > form->n_required) {
+        snprintf(text + length, size - (size_t)length, "]");
+    }
+    return text;
+}
+
+static int is_in_range(Range range, float value)
+{
+    switch (range) {
+    case NOT_ZERO:
+        return value != 0;
+    case NOT_NEGATIVE:
+        return value >= 0;
+    case COLOUR:
+        return value >= 0 && value <= 1;
+    case OPENING:
+        return value > 0 && value < 180;
+    default:
+        return 1;
+    }
+}
+
+// Read a number of a line. Returns 0, or -1 when it is none or out of range.
+static int number_read(const char *word, Range range, float *value)
+{
+    if (range == PIXELS || range == COUNT) {
+        int64_t whole;
+        if (number_read_integer(word, range == PIXELS ? 1 : 3,
+                                range == PIXELS ? LARGEST_SIDE : LARGEST_COUNT, &whole) != 0) {
+            return -1;
+        }
+        *value = (float)whole;
+        return 0;
+    }
+    return number_read_float(word, value) == 0 && is_in_range(range, *value) ? 0 : -1;
+}
+
+int nff_numbers_read(LineReader *lines, NffForm id, char **words, int n_words, float *numbers)
+{
+    const struct LineForm *form = &FORMS[id];
+    char where[16], found[LINE_QUOTE_SIZE], expected[NFF_FORM_SIZE];
+    int n_names = 0;
+    while (form->numbers[n_names].name != NULL) {
+        n_names++;
+    }
+    if (n_words != form->n_required && n_words != n_names) {
+        snprintf(found, sizeof found, "%s%s%d word%s", form->keyword,
+                 form->keyword[0] != '\0' ? " and " : "", n_words, n_words == 1 ? "" : "s");
+        line_fault(lines, "", found, nff_form_describe(id, expected));
+        return -1;
+    }
+    for (int i = 0; i < n_words; i++) {
+        const Range range = form->numbers[i].range;
+        if (number_read(words[i], range, &numbers[i]) != 0) {
+            snprintf(where, sizeof where, "%s: ", form->numbers[i].name);
+            line_fault(lines, where, line_quote(words[i], found), EXPECTED[range]);
+            return -1;
+        }
+    }
+    return 0;
+}

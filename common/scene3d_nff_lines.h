@@ -1,0 +1,55 @@
+// The lines of a Neutral File Format file: keywords, and the numbers that belong to them.
+//
+// Flow: SCENE -> buffers -> kernel -> image -> comparison. One table in scene3d_nff_lines.c says
+// what every line looks like. Read next: scene3d_nff.c, which gives the lines their meaning.
+#ifndef COMMON_SCENE3D_NFF_LINES_H
+#define COMMON_SCENE3D_NFF_LINES_H
+
+#include "line_reader.h"
+
+#include <stddef.h>
+
+// The kinds of lines.
+typedef enum NffForm {
+    BACKGROUND,
+    VIEW,
+    FROM,  // from here to RESOLUTION: the lines of a view
+    AT,
+    UP,
+    ANGLE,
+    HITHER,
+    RESOLUTION,
+    LIGHT,
+    MATERIAL,
+    SPHERE,
+    CONE,
+    POLYGON,
+    PATCH,
+    N_KEYWORDS,
+    CONE_END = N_KEYWORDS,  // and these have no keyword: they follow a cone, polygon or patch
+    CORNER,
+    CORNER_WITH_NORMAL,
+    N_FORMS
+} NffForm;
+
+// The most numbers of a line.
+#define NFF_MAX_NUMBERS 8
+
+// The keyword of a form: "from"; "" for the forms that have none.
+const char *nff_keyword(NffForm form);
+
+// The form with this keyword, or N_KEYWORDS.
+NffForm nff_form_find(const char *keyword);
+
+// What a line of this form looks like: "s x y z radius". `text` holds NFF_FORM_SIZE bytes. Returns
+// it.
+#define NFF_FORM_SIZE 64
+const char *nff_form_describe(NffForm form, char *text);
+
+// Read the numbers of a line, and check how many they are and what each may be.
+//   words[n_words]            what follows the keyword
+//   numbers[NFF_MAX_NUMBERS]  n_words of them are set
+// Returns 0, or -1 after a complaint.
+int nff_numbers_read(LineReader *lines, NffForm form, char **words, int n_words, float *numbers);
+
+#endif

@@ -1,0 +1,129 @@
+// Releasing, checking and measuring the 3D kd-tree's arrays (see tree3d.h).
+//
+// Flow: scene -> BUFFERS -> kernel -> image -> comparison: between lab 06, whose kdtree3d_build.c
+// fills the arrays, and lab 07, which copies them to the device. Read next: tree3d_draw.c.
+#include "tree3d.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+void tree3d_free(KdTree3D *tree)
+{
+    free(tree->nodes);
+    free(tree->sphere_ids);
+    *tree = (KdTree3D){0};
+}
+
+// The level of each node, the root's 1: levels[n_nodes]. A child's parent has a lower id and must
+// have passed check_node(). Returns NULL after one message when memory runs out; free() it.
+static int *levels_create(const KdTree3D *tree)
+{
+    // calloc() may answer NULL to a size of 0.
+    int *levels = calloc((size_t)tree->n_nodes + 1, sizeof *levels);
+    if (levels == NULL) {
+        fprintf(stderr, "tree: no memory for the levels of %u nodes\n", tree->n_nodes);
+    }
+    return levels;
+}
+
+static int check_inner(const KdTree3D *tree, u32 id)
+{
+    const u32 first = tree->nodes[id].first;
+    if (tree->nodes[id].split_axis > KD_LEAF) {
+        fprintf(stderr, "tree: node %u: found split_axis %u, expected 0, 1, 2 or %d (KD_LEAF)\n",
+                id, tree->nodes[id].split_axis, KD_LEAF);
+        return -1;
+    }
+    if (first <= id || first >= tree->n_nodes - 1) {
+        fprintf(stderr,
+                "tree: node %u: found its children at %u, expected them behind it and before %u\n",
+                id, first, tree->n_nodes);
+        return -1;
+    }
+    return 0;
+}
+
+static int check_leaf(const KdTree3D *tree, u32 id, u32 n_spheres)
+{
+    const KdNode3 node = tree->nodes[id];
+    if (node.first > tree->n_sphere_ids || node.n_spheres > tree->n_sphere_ids - node.first) {
+        fprintf(stderr, "tree: leaf %u: found %u ids from %u on, but there are %u ids\n", id,
+                node.n_spheres, node.first, tree->n_sphere_ids);
+        return -1;
+    }
+    for (u32 i = 0; i < node.n_spheres; i++) {
+        const u32 sphere = tree->sphere_ids[node.first + i];
+        if (sphere >= n_spheres) {
+            fprintf(stderr, "tree: leaf %u: found sphere id %u, but the scene has %u spheres\n", id,
+                    sphere, n_spheres);
+            return -1;
+        }
+    }
+    return 0;
+}
+
+int tree3d_check(const KdTree3D *tree, u32 n_spheres)
+{
+    if (tree->n_nodes == 0) {
+        fprintf(stderr, "tree: found no node, expected a root\n");
+        return -1;
+    }
+    int *levels = levels_create(tree);
+    int result = levels != NULL ? 0 : -1;
+    for (u32 id = 0; result == 0 && id < tree->n_nodes; id++) {
+        const KdNode3 node = tree->nodes[id];
+        const int level = ++levels[id];
+        if (node.split_axis == KD_LEAF) {
+            result = check_leaf(tree, id, n_spheres);
+        } else if (check_inner(tree, id) != 0) {
+            result = -1;
+        } else if (level > TODO_SIZE) {
+            fprintf(stderr, "tree: node %u: split on level %d, but the todo stack has %d places\n",
+                    id, level, TODO_SIZE);
+            result = -1;
+        } else {
+            levels[node.first] = levels[node.first + 1] = level;
+        }
+    }
+    free(levels);
+    return result;
+}
+
+int tree3d_figures(const KdTree3D *tree, TreeFigures3D *figures)
+{
+    int *levels = levels_create(tree);
+    if (levels == NULL) {
+        return -1;
+    }
+    *figures = (TreeFigures3D){0};
+    for (u32 id = 0; id < tree->n_nodes; id++) {
+        const KdNode3 node = tree->nodes[id];
+        const int level = ++levels[id];
+        figures->depth = level > figures->depth ? level : figures->depth;
+        if (node.split_axis == KD_LEAF) {
+            figures->n_leaves++;
+            figures->n_empty += node.n_spheres == 0;
+            figures->largest_leaf =
+                node.n_spheres > figures->largest_leaf ? node.n_spheres : figures->largest_leaf;
+        } else {
+            levels[node.first] = levels[node.first + 1] = level;
+        }
+    }
+    free(levels);
+    return 0;
+}
+
+// What came out fastest (make bench) for scenes of 7381, 100 000 and 1 000 000 spheres: leaves of
+// some spheres, and levels enough to get there and a few more, as cells halve in one direction
+// only.
+enum { DEFAULT_LEAF_SIZE = 6, EXTRA_LEVELS = 6 };
+
+KdTreeLimits tree3d_limits(int max_depth, int leaf_size, u32 n_spheres)
+{
+    int n_doublings = 0;
+    while (n_spheres >> n_doublings > 1) {
+        n_doublings++;
+    }
+    return (KdTreeLimits){max_depth > 0 ? max_depth : n_doublings + EXTRA_LEVELS,
+                          leaf_size > 0 ? leaf_size : DEFAULT_LEAF_SIZE};
+}

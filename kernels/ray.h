@@ -1,0 +1,30 @@
+// A ray, the part of it that counts, and what it hits. The device's own: the host never sees them.
+//
+//     point at distance t:  origin + t * direction
+//
+// A hit counts when t > t_min. t_min starts at 0, the eye; labs 06 and 07 narrow both limits.
+// Lecture: "Rays". Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: sphere.h.
+#ifndef KERNELS_RAY_H
+#define KERNELS_RAY_H
+
+#include "vec3.h"
+
+#ifdef __OPENCL_C_VERSION__
+
+typedef struct Ray {
+    float3 origin;     // scene units
+    float3 direction;  // unit vector, so that t is a distance in scene units
+    float t_min;
+    float t_max;
+} Ray;
+
+#define NO_SPHERE 0xffffffffu
+
+typedef struct Hit {
+    float t;      // distance from the ray's origin; INFINITY when nothing is hit
+    uint sphere;  // its index in spheres[]; NO_SPHERE when nothing is hit
+} Hit;
+
+#endif
+
+#endif

@@ -1,0 +1,29 @@
+// Lab 05: the naive search: every ray asks every sphere.
+//
+// Flow: scene -> buffers -> KERNEL -> image -> comparison. Called by render_spheres.cl.
+#include "intersect_sphere.cl"
+#include "work.h"
+
+// After the functions themselves: `--textbook` draws with the other form, to see it fail.
+#ifdef TEXTBOOK
+#define intersect_sphere intersect_textbook
+#else
+#include "count_sphere_tests.h"
+#endif
+
+// What the ray hits first.
+//   spheres[n_spheres]   the scene
+// Returns the nearest hit; of two at the same distance the sphere with the lower index.
+Hit nearest_hit(global const Sphere *spheres, int n_spheres, Ray ray WORK_POINTER)
+{
+    Hit hit = {INFINITY, NO_SPHERE};
+    // TASK nearest_hit: ask every sphere, in the order of the array, and keep the nearest hit: its
+    // distance and the sphere's index.
+    (void)spheres, (void)n_spheres, (void)ray;
+    // END nearest_hit
+    return hit;
+}
+
+#ifdef COUNT_WORK
+#define nearest_hit(spheres, n_spheres, ray) nearest_hit(spheres, n_spheres, ray, work)
+#endif

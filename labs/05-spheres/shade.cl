@@ -1,0 +1,51 @@
+// Lab 05: the colour of a point on a sphere, in the light of the scene. Lab 07 shades with it, too.
+//
+// Flow: scene -> buffers -> KERNEL -> image -> comparison. Called by render_spheres.cl.
+#include "ray.h"
+#include "shading.h"
+#include "sphere.h"
+
+// The unit vector at right angles to the sphere at one of its points, on the side the ray comes
+// from.
+//   point       on the sphere, scene units
+//   direction   the ray's
+float3 surface_normal(Sphere sphere, float3 point, float3 direction)
+{
+    // TASK surface_normal: from the centre to the point, made a unit vector; turned round where it
+    // points away from where the ray came from, as it does when the eye is inside the sphere.
+    (void)sphere, (void)point, (void)direction;
+    return (float3)(0.0f);
+    // END surface_normal
+}
+
+// Lambert's law: a surface scatters a light in the measure of the cosine between its normal and the
+// way to the light, and nothing when the light is behind it. No shadows yet.
+//   point, normal      scene units; unit vector
+//   lights[n_lights]   the scene's; their brightness does not fall with distance
+// Returns red, green and blue, 0 where no light falls. Source: lecture, "Shading".
+float3 shade(float3 point, float3 normal, Material material, global const Light *lights,
+             int n_lights)
+{
+    float3 color = (float3)(0.0f);
+    // TASK shade: for each light add kd x cosine x the material's colour x the light's colour.
+    (void)point, (void)normal, (void)material, (void)lights, (void)n_lights;
+    // END shade
+    return color;
+}
+
+// The colour of a ray: of the surface it hits, or the background.
+//   hit               what the ray hits, if anything
+//   spheres           the scene
+//   material_ids      of each sphere, an index into materials
+//   background        the colour where nothing is hit
+float3 hit_color(Ray ray, Hit hit, global const Sphere *spheres, global const uint *material_ids,
+                 global const Material *materials, global const Light *lights, int n_lights,
+                 Vec3 background)
+{
+    if (hit.sphere == NO_SPHERE) {
+        return to_float3(background);
+    }
+    const float3 point = ray.origin + hit.t * ray.direction;
+    const float3 normal = surface_normal(spheres[hit.sphere], point, ray.direction);
+    return shade(point, normal, materials[material_ids[hit.sphere]], lights, n_lights);
+}

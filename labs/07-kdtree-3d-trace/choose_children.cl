@@ -1,0 +1,38 @@
+// Lab 07: at an inner node: which child comes first on the ray, and which does the ray meet at all?
+// The plane is at right angles to an axis, so one coordinate of the ray is all that counts.
+//
+// Flow: scene -> buffers -> KERNEL -> image -> comparison. Called by trace.cl.
+#include "kdtree3d.h"
+
+// Which child is the near one: the one on the eye's side of the plane. When the eye is on the
+// plane, the one the ray goes into.
+//   origin      the ray's, along node.split_axis
+//   direction   the ray's along that axis, or 1 / direction: only its sign counts
+// Returns 0 for the child with the lower coordinates, 1 for the other.
+// Source: lecture, "Near and far child".
+uint near_side(KdNode3 node, float origin, float direction)
+{
+    // TASK near_side: compare the eye with the plane; only where they are equal the direction
+    // counts.
+    (void)node, (void)origin, (void)direction;
+    return 0;
+    // END near_side
+}
+
+enum { ONLY_NEAR, ONLY_FAR, BOTH };
+
+// Which children does the ray meet inside this node?
+//   origin         the ray's, along node.split_axis
+//   inverse        1 / direction along that axis; infinite for a ray along the plane
+//   t_near, t_far  the part of the ray inside the node
+//   t_split        out: where the ray meets the plane; not used for ONLY_NEAR
+// Returns ONLY_NEAR, ONLY_FAR or BOTH. Source: lecture, "t_split".
+int children_on_ray(KdNode3 node, float origin, float inverse, float t_near, float t_far,
+                    float *t_split)
+{
+    // TASK children_on_ray: the plane lies behind the eye, before, in or beyond the node's part of
+    // the ray. A ray along the plane never meets it.
+    (void)node, (void)origin, (void)inverse, (void)t_near, (void)t_far, (void)t_split;
+    return ONLY_NEAR;
+    // END children_on_ray
+}

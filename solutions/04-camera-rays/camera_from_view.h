@@ -1,0 +1,17 @@
+// Setting up the camera from a scene's view. Task of lab 04; every later 3D lab calls it.
+// Source: lecture, "Viewing".
+#ifndef CAMERA_FROM_VIEW_H
+#define CAMERA_FROM_VIEW_H
+
+#include "camera.h"
+#include "scene3d.h"
+
+// The camera's three axes for a view (see camera.h): unit vectors at right angles to each other.
+//   view   its direction and its `up` are not zero and not parallel, but of any length
+//   right, up, forward   out
+void camera_axes(View view, Vec3 *right, Vec3 *up, Vec3 *forward);
+
+// The camera for a view and a picture of width x height pixels.
+Camera camera_from_view(View view, int width, int height);
+
+#endif

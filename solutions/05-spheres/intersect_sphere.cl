@@ -1,0 +1,67 @@
+// Lab 05: where a ray meets a sphere, solved in two ways. Labs 05 and 07 build on it.
+//
+// Both move the ray into the sphere's own frame, where its centre is the origin. There a point p is
+// on the sphere when p . p = r²; with p = o + t d this is a quadratic equation in t. On paper the
+// two functions below are the same; in float they are not.
+// Flow: scene -> buffers -> KERNEL -> image -> comparison. Called by nearest_hit.cl.
+#include "ray.h"
+#include "sphere.h"
+
+// The hit of a ray and a sphere: the nearer of its two roots that is beyond ray.t_min. Of a sphere
+// with a negative radius, which is seen from inside only, the farther root.
+//   b     the middle between the two roots, along the ray
+//   disc  the square of half the distance between them; negative when the ray misses
+// Returns the distance t, or INFINITY when there is no hit.
+float nearest_root(float b, float disc, float radius, float t_min)
+{
+    // TASK nearest_root: no hit when disc is negative. The roots are b - sqrt(disc), where the ray
+    // enters the sphere, and b + sqrt(disc), where it leaves. From inside only the second is ahead.
+    //> (void)b, (void)disc, (void)radius, (void)t_min;
+    //> return INFINITY;
+    if (disc < 0.0f) {
+        return INFINITY;
+    }
+    const float half_chord = sqrt(disc);
+    const float enter = b - half_chord;
+    const float leave = b + half_chord;
+    if (enter > t_min && radius > 0.0f) {
+        return enter;
+    }
+    return leave > t_min ? leave : INFINITY;
+    // END nearest_root
+}
+
+// Intersect as textbooks do. With o the eye seen from the centre:
+//     t² + 2 (o . d) t + (o . o - r²) = 0
+// Returns as nearest_root() does. Small or far spheres crumble: where o . o is much larger than r²,
+// float has no digits left for their difference.
+// Source: lecture, "Intersection with a sphere".
+float intersect_textbook(Sphere sphere, Ray ray)
+{
+    // TASK intersect_textbook: the quadratic formula. The direction is a unit vector, so the factor
+    // of t² is 1.
+    //> (void)sphere, (void)ray;
+    //> return INFINITY;
+    const float3 o = ray.origin - (float3)(sphere.x, sphere.y, sphere.z);
+    const float half_b = dot(o, ray.direction);
+    const float c = dot(o, o) - sphere.radius * sphere.radius;
+    return nearest_root(-half_b, half_b * half_b - c, sphere.radius, ray.t_min);
+    // END intersect_textbook
+}
+
+// Intersect by projection: with c the centre seen from the eye, the ray passes nearest to the
+// centre at t = c . d, and l = c - (c . d) d is what lies between. Pythagoras: half the chord's
+// square is r² - l . l, and no number in it is larger than it needs to be.
+// Returns as nearest_root() does.
+float intersect_sphere(Sphere sphere, Ray ray)
+{
+    // TASK intersect_sphere: subtract the vectors first, then square: that order keeps the digits.
+    //> (void)sphere, (void)ray;
+    //> return INFINITY;
+    const float3 c = (float3)(sphere.x, sphere.y, sphere.z) - ray.origin;
+    const float b = dot(c, ray.direction);
+    const float3 l = c - b * ray.direction;
+    const float disc = sphere.radius * sphere.radius - dot(l, l);
+    return nearest_root(b, disc, sphere.radius, ray.t_min);
+    // END intersect_sphere
+}

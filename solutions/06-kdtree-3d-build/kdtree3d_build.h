@@ -1,0 +1,51 @@
+// Building the 3D kd-tree: from spheres to nodes without boxes. Tasks of lab 06; lab 07 searches
+// what comes out. Source of all of it: lecture, "kd-tree for ray tracing: construction".
+#ifndef KDTREE3D_BUILD_H
+#define KDTREE3D_BUILD_H
+
+#include "sphere.h"
+#include "tree3d.h"
+
+// Build the 3D kd-tree over spheres.
+//   h_spheres[n_spheres]  centres and radii in scene units; not modified
+//   tree                  out; release with tree3d_free()
+// Returns 0, or -1 after one message on stderr: no memory, a tree over the limits of tree3d.h, or
+// one whose search would need more than TODO_SIZE places.
+int kdtree3d_build(const Sphere *h_spheres, u32 n_spheres, KdTreeLimits limits, KdTree3D *tree);
+
+// The root's cell: the smallest box that holds every sphere whole. All zeros when there is none.
+// A negative radius counts as its absolute value.
+BBox3D spheres_bounds(const Sphere *h_spheres, u32 n_spheres);
+
+// A plane at right angles to an axis.
+typedef struct KdSplit {
+    u32 axis;  // 0 = x, 1 = y, 2 = z
+    f32 pos;   // the plane's coordinate on it
+} KdSplit;
+
+// Where to split a cell: in the middle of its longest side; of equal sides x comes before y, and y
+// before z.
+KdSplit choose_split(BBox3D box);
+
+// Does a sphere overlap a cell? Both with their boundaries and their insides, and exactly: a sphere
+// near a corner may overlap the cell's bounding cube and still not the cell. Returns 1 or 0.
+int sphere_overlaps_box(Sphere sphere, BBox3D box);
+
+// Pick from a node's spheres those that overlap one child's cell.
+//   ids[n_ids]   the node's spheres, ascending
+//   child_ids    out: room for n_ids; the child's spheres, ascending
+// Returns how many there are.
+u32 distribute_spheres(const Sphere *h_spheres, const u32 *ids, u32 n_ids, BBox3D child,
+                       u32 *child_ids);
+
+// Make node `id` a leaf and append its spheres to tree->sphere_ids, which has room for them.
+//   ids[n_ids]   the leaf's spheres, ascending
+// Sets all of the node but split_pos, writes the ids, and moves tree->n_sphere_ids behind them.
+void pack_leaf_range(KdTree3D *tree, u32 id, const u32 *ids, u32 n_ids);
+
+// May a node on this level (the root's is 1) be split, so that no search overflows the todo stack
+// of TODO_SIZE places? Each inner node on the way down to a leaf may leave one child waiting.
+// Returns 1 or 0.
+int fits_todo(int level);
+
+#endif

@@ -1,0 +1,32 @@
+// Lab 07: ray tracing with the 3D kd-tree; the same picture as render_spheres of lab 05, sooner.
+// Nothing to fill in here.
+//
+// Flow: scene -> buffers (the tree of lab 06) -> KERNEL -> image -> comparison. Started by main.c.
+#include "primary_ray.cl"
+#include "shade.cl"
+#include "trace.cl"
+
+// Draw the spheres, one work-item a pixel.
+//   spheres ... image            as in render_spheres of lab 05
+//   nodes, sphere_ids, bounds    the packed tree over the spheres (kdtree3d.h)
+kernel void render_kdtree(global const Sphere *spheres, global const uint *material_ids,
+                          global const Material *materials, global const Light *lights,
+                          int n_lights, Vec3 background, Camera camera, int width, int height,
+                          write_only image2d_t image, global const KdNode3 *nodes,
+                          global const uint *sphere_ids, BBox3D bounds WORK_PARAMETER)
+{
+    const int x = get_global_id(0);
+    const int y = get_global_id(1);
+    // Work-items that fill up the last work-groups stand outside the picture.
+    if (x >= width || y >= height) {
+        return;
+    }
+    WORK_BEGIN;
+
+    const Ray ray = primary_ray(x, y, width, height, camera);
+    const Hit hit = trace(ray, spheres, nodes, sphere_ids, bounds);
+    const float3 color =
+        hit_color(ray, hit, spheres, material_ids, materials, lights, n_lights, background);
+    write_imagef(image, (int2)(x, y), (float4)(color, 1.0f));
+    WORK_END(x, y);
+}

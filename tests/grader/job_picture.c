@@ -1,0 +1,117 @@
+// Pictures of a job: found among the answers, judged, shown.
+#include "job_picture.h"
+
+#include "job_sections.h"
+#include "jobs.h"
+#include "message.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+ProbeImage job_picture_answer(const JobPicture *picture, int k, const Sections *answers)
+{
+    const int image_width = PROBE_IMAGE_SIDE(picture->expected.reference.width);
+    const int image_height = PROBE_IMAGE_SIDE(picture->expected.reference.height);
+    const size_t n_bytes =
+        (size_t)image_width * (size_t)image_height * IMAGE_CHANNELS * sizeof(float);
+    return (ProbeImage){job_section_find(answers, "picture", k, n_bytes), image_width,
+                        image_height};
+}
+
+static Verdict judge_one(const JobPicture *picture, int k, const Sections *answers)
+{
+    const ProbeImage own = job_picture_answer(picture, k, answers);
+    if (own.pixels == NULL) {
+        return verdict_missing;
+    }
+    char *wrong = picture_judge(own, &picture->expected);
+    if (wrong == NULL) {
+        return verdict_of(NULL);
+    }
+    char *message = message_new("%s: %s", picture->title, wrong);
+    free(wrong);
+    return verdict_of(message);
+}
+
+Verdict job_pictures_judge(JobPicture *const pictures[], int first, int n, const Sections *answers)
+{
+    for (int k = first; k < first + n; k++) {
+        const Verdict verdict = judge_one(pictures[k], k, answers);
+        if (verdict.kind != VERDICT_PASSED) {
+            return verdict;
+        }
+    }
+    return verdict_of(NULL);
+}
+
+Verdict job_pictures_judge_padding(JobPicture *const pictures[], int n, const Sections *answers)
+{
+    for (int k = 0; k < n; k++) {
+        const ProbeImage own = job_picture_answer(pictures[k], k, answers);
+        if (own.pixels == NULL) {
+            return verdict_missing;
+        }
+        // Drawing too little is no way to keep inside the picture.
+        const Image *reference = &pictures[k]->expected.reference;
+        char *message = picture_judge_padding(own, reference->width, reference->height);
+        if (message == NULL) {
+            message = picture_judge_written(own, reference->width, reference->height);
+        }
+        if (message != NULL) {
+            return verdict_of(message);
+        }
+    }
+    return verdict_of(NULL);
+}
+
+void job_pictures_adopt(JobPicture *const pictures[], int n, const Sections *answers)
+{
+    for (int k = 0; k < n; k++) {
+        const ProbeImage drawn = job_picture_answer(pictures[k], k, answers);
+        Image *reference = &pictures[k]->expected.reference;
+        for (int y = 0; y < reference->height; y++) {
+            memcpy(reference->pixels + (size_t)y * (size_t)reference->width * IMAGE_CHANNELS,
+                   drawn.pixels + (size_t)y * (size_t)drawn.image_width * IMAGE_CHANNELS,
+                   (size_t)reference->width * IMAGE_CHANNELS * sizeof(float));
+        }
+    }
+}
+
+static void report_one(const JobPicture *job_picture, int k, const Sections *answers,
+                       Result *result)
+{
+    if (result->n_pictures == RESULT_MAX_PICTURES) {
+        return;
+    }
+    PictureResult *picture = &result->pictures[result->n_pictures++];
+    const ProbeImage own = job_picture_answer(job_picture, k, answers);
+    const Image *reference = &job_picture->expected.reference;
+    snprintf(picture->title, sizeof picture->title, "%s", job_picture->title);
+    if (image_create(reference->width, reference->height, &picture->reference) == 0) {
+        memcpy(picture->reference.pixels, reference->pixels,
+               (size_t)reference->width * (size_t)reference->height * IMAGE_CHANNELS *
+                   sizeof(float));
+    }
+    if (own.pixels != NULL) {
+        picture_copy(own, reference->width, reference->height, &picture->own);
+    }
+}
+
+void job_pictures_report(JobPicture *const pictures[], int n, const Sections *answers,
+                         Result *result)
+{
+    // Enough to see what is wrong; a page of all of them would only be slower.
+    enum { MAX_WRONG = 6, MAX_RIGHT = 3 };
+    for (int want_wrong = 1; want_wrong >= 0; want_wrong--) {
+        int n_added = 0;
+        for (int k = 0; k < n && n_added < (want_wrong ? MAX_WRONG : MAX_RIGHT); k++) {
+            const ProbeImage own = job_picture_answer(pictures[k], k, answers);
+            const int is_wrong =
+                own.pixels == NULL || !picture_is_right(own, &pictures[k]->expected);
+            if (is_wrong == want_wrong) {
+                report_one(pictures[k], k, answers, result);
+                n_added++;
+            }
+        }
+    }
+}

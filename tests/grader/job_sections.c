@@ -1,0 +1,16 @@
+// The names of numbered sections.
+#include "job_sections.h"
+
+int job_section_write(FILE *file, int k, const char *part, const void *bytes, size_t n_bytes)
+{
+    char name[SECTION_NAME_BYTES];
+    snprintf(name, sizeof name, part ? "scene.%d.%s" : "scene.%d", k, part);
+    return section_write(file, name, bytes, n_bytes);
+}
+
+const void *job_section_find(const Sections *answers, const char *stem, int k, size_t n_bytes)
+{
+    char name[SECTION_NAME_BYTES];
+    snprintf(name, sizeof name, "%s.%d", stem, k);
+    return sections_find(answers, name, n_bytes);
+}

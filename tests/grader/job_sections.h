@@ -1,0 +1,15 @@
+// The numbered sections of a job and of its answers: "scene.K.part", "picture.K".
+#ifndef GRADER_JOB_SECTIONS_H
+#define GRADER_JOB_SECTIONS_H
+
+#include "sections.h"
+
+#include <stdio.h>
+
+// Write section "scene.K", or "scene.K.part" where part is not NULL. Returns 0, or -1.
+int job_section_write(FILE *file, int k, const char *part, const void *bytes, size_t n_bytes);
+
+// The answer "stem.K" if it is there with exactly n_bytes; else NULL.
+const void *job_section_find(const Sections *answers, const char *stem, int k, size_t n_bytes);
+
+#endif

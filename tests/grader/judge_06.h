@@ -1,0 +1,65 @@
+// What lab 06's judge asks of a submission: inputs of its functions and scenes for its trees.
+// Drawn in judge_06_job.c, judged in judge_06.c and judge_06_functions.c.
+#ifndef GRADER_JUDGE_06_H
+#define GRADER_JUDGE_06_H
+
+#include "jobs.h"
+#include "judge.h"
+#include "tree3d_judge.h"
+
+#include <stdint.h>
+#include <stdio.h>
+
+// The checks.
+enum {
+    BOUNDS_POSITIVE,
+    BOUNDS_NEGATIVE,
+    TREE_BOUNDS,
+    SPLIT_AXIS,
+    SPLIT_MIDDLE,
+    TREE_SPLITS,
+    OVERLAP_INSIDE,
+    OVERLAP_TOUCHING,
+    OVERLAP_CORNER,
+    TREE_OVERLAP,
+    DISTRIBUTE_LIST,
+    TREE_LISTS,
+    PACK_NODE,
+    PACK_IDS,
+    TREE_PACKING,
+    FITS_LEVELS,
+    TREE_DEPTH,
+};
+
+enum { N_BOUNDS = 80, N_SPLITS = 480, N_DISTRIBUTES = 60, N_PACKS = 60 };
+// Inputs of sphere_overlaps_box: a range for each check.
+enum { N_INSIDE = 1000, N_TOUCHING = 600, N_CORNER = 600 };
+enum { N_OVERLAPS = N_INSIDE + N_TOUCHING + N_CORNER };
+// Scenes: those whose trees are judged in all respects, then two about the todo stack: one whose
+// tree just fits it, and one that must be refused.
+enum { N_TREES = 10, JUST_FITS = N_TREES, TOO_DEEP, N_SCENES };
+
+typedef struct Job06 {
+    BoundsJob bounds[N_BOUNDS];  // even ones with positive radii, odd ones with some negative
+    BBox3D splits[N_SPLITS];
+    SphereBoxJob overlaps[N_OVERLAPS];
+    DistributeJob3D distributes[N_DISTRIBUTES];
+    PackJob3D packs[N_PACKS];
+    TreeScene3D scenes[N_SCENES];
+} Job06;
+
+// See job_new and job_free of judge.h.
+void *job_06_new(uint64_t seed, FILE *file);
+void job_06_free(void *job);
+
+// Judge a function by the answers.
+//   first, n   the inputs that the check is about; of the bounds every second from the first
+//   check      which of the function's two properties is judged
+Verdict judge_06_bounds(const Job06 *job, int first, const Sections *answers);
+Verdict judge_06_splits(const Job06 *job, int check, const Sections *answers);
+Verdict judge_06_overlaps(const Job06 *job, int first, int n, const Sections *answers);
+Verdict judge_06_distribute(const Job06 *job, const Sections *answers);
+Verdict judge_06_pack(const Job06 *job, int check, const Sections *answers);
+Verdict judge_06_fits(const Sections *answers);
+
+#endif

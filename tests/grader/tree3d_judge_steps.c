@@ -1,0 +1,191 @@
+// What one step of the building must give: a box, an axis, a plane, a sphere in a cell. And where
+// float may round, what else it may give.
+#include "message.h"
+#include "tree3d_judge.h"
+
+#include "jobs.h"
+
+#include <float.h>
+#include <math.h>
+
+// ---- A sphere and a cell ------------------------------------------------------------------------
+
+// How far squared distance and squared radius may be apart, relative to the latter, and still come
+// out of float in the other order. With u = FLT_EPSILON / 2 the distance on an axis is off by u,
+// its square by 3u, the sum of three by 5u, the squared radius by u: 6u together. Comparing the
+// root with the radius instead gives 7u. So 8u.
+#define TOUCH_TOLERANCE (4 * (double)FLT_EPSILON)
+
+static int is_float(double value)
+{
+    return (double)(float)value == value;
+}
+
+SphereInCell tree3d_judge_sphere(Sphere sphere, BBox3D cell)
+{
+    const double centre[3] = {sphere.x, sphere.y, sphere.z};
+    const double radius2 = (double)sphere.radius * sphere.radius;
+    double distance2 = 0;
+    int is_exact = is_float(radius2);
+    for (int axis = 0; axis < 3; axis++) {
+        // How far the centre is outside the cell on this axis.
+        double distance = 0;
+        if (centre[axis] < (double)cell.min[axis]) {
+            distance = (double)cell.min[axis] - centre[axis];
+        } else if (centre[axis] > (double)cell.max[axis]) {
+            distance = centre[axis] - (double)cell.max[axis];
+        }
+        distance2 += distance * distance;
+        is_exact =
+            is_exact && is_float(distance) && is_float(distance * distance) && is_float(distance2);
+    }
+    if (!is_exact && fabs(distance2 - radius2) <= TOUCH_TOLERANCE * radius2) {
+        return SPHERE_EITHER;
+    }
+    return distance2 <= radius2 ? SPHERE_INSIDE : SPHERE_OUTSIDE;
+}
+
+// ---- The scene's box ----------------------------------------------------------------------------
+
+// A way of finding the box. All zeros is the right one.
+typedef struct BoxRules {
+    int centres_only;
+    int signed_radius;    // a negative radius is not taken as its absolute value
+    int from_zeros;       // the box starts as a point at the origin
+    int one_sphere_more;  // the one behind the end of the array is asked, too
+    int skip_first, skip_last;
+} BoxRules;
+
+static const struct {
+    const char *name;
+    BoxRules rules;
+} mistakes[] = {
+    {"that is the box of the centres alone: the radii are missing", {.centres_only = 1}},
+    {"a negative radius counts as its absolute value", {.signed_radius = 1}},
+    {"the origin is in it, though no sphere is there: does the box start from zeros?",
+     {.from_zeros = 1}},
+    {"one sphere too many is asked, the one behind the end of the array", {.one_sphere_more = 1}},
+    {"the first sphere is missing", {.skip_first = 1}},
+    {"the last sphere is missing", {.skip_last = 1}},
+};
+
+// What a float holds of the scene's box. A centre plus or minus a radius is rounded once, whether
+// in float or in double before.
+static BBox3D box_of(const Sphere *spheres, u32 n_spheres, BoxRules rules)
+{
+    if (n_spheres == 0) {
+        return (BBox3D){{0}, {0}};
+    }
+    const float start = rules.from_zeros ? 0 : INFINITY;
+    BBox3D box = {{start, start, start}, {-start, -start, -start}};
+    const u32 end = n_spheres - (u32)rules.skip_last + (u32)rules.one_sphere_more;
+    for (u32 i = (u32)rules.skip_first; i < end; i++) {
+        const Sphere s = i < n_spheres ? spheres[i] : (Sphere){.radius = BEYOND_RADIUS};
+        const double centre[3] = {s.x, s.y, s.z};
+        const double radius = rules.centres_only    ? 0
+                              : rules.signed_radius ? (double)s.radius
+                                                    : fabs((double)s.radius);
+        for (int axis = 0; axis < 3; axis++) {
+            box.min[axis] = fminf(box.min[axis], (float)(centre[axis] - radius));
+            box.max[axis] = fmaxf(box.max[axis], (float)(centre[axis] + radius));
+        }
+    }
+    return box;
+}
+
+static int is_same_box(BBox3D a, BBox3D b)
+{
+    int is_same = 1;
+    for (int axis = 0; axis < 3; axis++) {
+        is_same = is_same && a.min[axis] == b.min[axis] && a.max[axis] == b.max[axis];
+    }
+    return is_same;
+}
+
+char *tree3d_judge_box(const char *where, const Sphere *spheres, u32 n_spheres, BBox3D found)
+{
+    const BBox3D expected = box_of(spheres, n_spheres, (BoxRules){0});
+    if (is_same_box(found, expected)) {
+        return NULL;
+    }
+    const char *mistake = NULL;
+    for (size_t i = 0; mistake == NULL && i < sizeof mistakes / sizeof *mistakes; i++) {
+        if (is_same_box(found, box_of(spheres, n_spheres, mistakes[i].rules))) {
+            mistake = mistakes[i].name;
+        }
+    }
+    return message_new("%s: found x [%g, %g] y [%g, %g] z [%g, %g], expected x [%g, %g] y [%g, %g] "
+                       "z [%g, %g]%s%s",
+                       where, (double)found.min[0], (double)found.max[0], (double)found.min[1],
+                       (double)found.max[1], (double)found.min[2], (double)found.max[2],
+                       (double)expected.min[0], (double)expected.max[0], (double)expected.min[1],
+                       (double)expected.max[1], (double)expected.min[2], (double)expected.max[2],
+                       mistake ? "; " : "", mistake ? mistake : "");
+}
+
+// ---- Axis and plane -----------------------------------------------------------------------------
+
+// A side's length: exact, or as float rounds it.
+static double side(BBox3D cell, u32 axis, int in_float)
+{
+    const double length = (double)cell.max[axis] - (double)cell.min[axis];
+    return in_float ? (double)(float)length : length;
+}
+
+// The axis of the longest side, the first where sides are equal.
+static u32 longest_axis(BBox3D cell, int in_float)
+{
+    u32 longest = 0;
+    for (u32 axis = 1; axis < 3; axis++) {
+        if (side(cell, axis, in_float) > side(cell, longest, in_float)) {
+            longest = axis;
+        }
+    }
+    return longest;
+}
+
+char *tree3d_judge_axis(const char *where, BBox3D cell, u32 axis)
+{
+    // Two sides may differ by less than float sees.
+    const u32 expected = longest_axis(cell, 0);
+    if (axis == expected || axis == longest_axis(cell, 1)) {
+        return NULL;
+    }
+    const double length = axis < 3 ? side(cell, axis, 0) : 0;
+    const int is_shortest =
+        length <= side(cell, 0, 0) && length <= side(cell, 1, 0) && length <= side(cell, 2, 0);
+    return message_new(
+        "%s: cell x [%g, %g] y [%g, %g] z [%g, %g]: found axis %u, expected %u (%c)%s", where,
+        (double)cell.min[0], (double)cell.max[0], (double)cell.min[1], (double)cell.max[1],
+        (double)cell.min[2], (double)cell.max[2], axis, expected, "xyz"[expected],
+        axis >= 3                           ? "; there are axes 0, 1 and 2"
+        : length == side(cell, expected, 0) ? "; of equal sides the first counts"
+        : is_shortest                       ? "; that side is the shortest"
+                                            : "; that side is not the longest");
+}
+
+char *tree3d_judge_middle(const char *where, BBox3D cell, u32 axis, f32 pos)
+{
+    const double min = cell.min[axis], max = cell.max[axis];
+    const double expected = min + (max - min) / 2;
+    // (min + max) / 2 and min + (max - min) / 2 round one sum or two numbers, each by half of
+    // FLT_EPSILON, and none is larger than the larger end.
+    if (fabs((double)pos - expected) <= (double)FLT_EPSILON * fmax(fabs(min), fabs(max))) {
+        return NULL;
+    }
+    return message_new("%s: cell from %g to %g on axis %u (%c): found split at %g, expected %g%s",
+                       where, min, max, axis, "xyz"[axis], (double)pos, expected,
+                       (double)pos == (max - min) / 2
+                           ? "; that is half the length, as if the cell began at 0"
+                           : "");
+}
+
+int tree3d_judge_is_exact_cell(BBox3D cell)
+{
+    int is_exact = 1;
+    for (u32 axis = 0; axis < 3; axis++) {
+        const double middle = ((double)cell.min[axis] + (double)cell.max[axis]) / 2;
+        is_exact = is_exact && is_float(side(cell, axis, 0)) && is_float(middle);
+    }
+    return is_exact;
+}

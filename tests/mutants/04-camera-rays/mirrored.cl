@@ -1,0 +1,8 @@
+// mutant: x grows to the left
+// task: pixel_on_display
+// caught by: display-sides
+// says: mirrored
+    const float pixel_size = fov / width;
+    const float right = (0.5f * width - (x + 0.5f)) * pixel_size;
+    const float up = (0.5f * height - (y + 0.5f)) * pixel_size;
+    return (float3)(right, up, 1.0f);

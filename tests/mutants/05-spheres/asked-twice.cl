@@ -1,0 +1,11 @@
+// mutant: every sphere is asked twice
+// task: nearest_hit
+// caught by: hit-work
+// says: called
+    for (int i = 0; i < n_spheres; i++) {
+        const float t = intersect_sphere(spheres[i], ray);
+        if (t < hit.t) {
+            hit.t = intersect_sphere(spheres[i], ray);
+            hit.sphere = i;
+        }
+    }

@@ -1,0 +1,10 @@
+// mutant: without kd
+// task: shade
+// caught by: shade-lambert
+// says: kd
+    for (int i = 0; i < n_lights; i++) {
+        const Light light = lights[i];
+        const float3 to_light = normalize(to_float3(light.position) - point);
+        const float cosine = fmax(0.0f, dot(normal, to_light));
+        color += cosine * to_float3(material.color) * to_float3(light.color);
+    }

@@ -1,0 +1,11 @@
+// mutant: of equal distances the later sphere
+// task: nearest_hit
+// caught by: hit-ties
+// says: later
+    for (int i = 0; i < n_spheres; i++) {
+        const float t = intersect_sphere(spheres[i], ray);
+        if (t <= hit.t && t < INFINITY) {
+            hit.t = t;
+            hit.sphere = i;
+        }
+    }

@@ -1,0 +1,7 @@
+// mutant: as if the sphere stood at the origin
+// task: surface_normal
+// caught by: normal-unit
+// says: found
+    (void)sphere;
+    const float3 normal = normalize(point);
+    return dot(normal, direction) > 0.0f ? -normal : normal;

@@ -1,0 +1,10 @@
+// mutant: hit.sphere is not updated
+// task: nearest_hit
+// caught by: hit-nearest
+// says: nothing
+    for (int i = 0; i < n_spheres; i++) {
+        const float t = intersect_sphere(spheres[i], ray);
+        if (t < hit.t) {
+            hit.t = t;
+        }
+    }

@@ -1,0 +1,10 @@
+// mutant: hit.t is not updated
+// task: nearest_hit
+// caught by: hit-nearest
+// says: found
+    for (int i = 0; i < n_spheres; i++) {
+        const float t = intersect_sphere(spheres[i], ray);
+        if (t < hit.t) {
+            hit.sphere = i;
+        }
+    }

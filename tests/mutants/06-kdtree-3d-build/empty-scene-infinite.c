@@ -1,0 +1,13 @@
+// mutant: without a sphere the box stays inside out
+// task: spheres_bounds
+// caught by: tree-bounds
+// says: none.*inf
+    box = (BBox3D){{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    for (u32 i = 0; i < n_spheres; i++) {
+        const f32 centre[3] = {h_spheres[i].x, h_spheres[i].y, h_spheres[i].z};
+        const f32 radius = fabsf(h_spheres[i].radius);
+        for (int axis = 0; axis < 3; axis++) {
+            box.min[axis] = fminf(box.min[axis], centre[axis] - radius);
+            box.max[axis] = fmaxf(box.max[axis], centre[axis] + radius);
+        }
+    }

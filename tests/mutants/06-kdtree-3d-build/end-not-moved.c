@@ -1,0 +1,11 @@
+// mutant: n_sphere_ids stays where it was
+// task: pack_leaf_range
+// caught by: pack-ids
+// says: n_sphere_ids is
+    KdNode3 *node = &tree->nodes[id];
+    node->split_axis = KD_LEAF;
+    node->first = tree->n_sphere_ids;
+    node->n_spheres = n_ids;
+    for (u32 i = 0; i < n_ids; i++) {
+        tree->sphere_ids[tree->n_sphere_ids + i] = ids[i];
+    }

@@ -1,0 +1,11 @@
+// mutant: the loop ends one sphere early
+// task: distribute_spheres
+// caught by: distribute-list
+// says: child_ids\[|returned
+    u32 n_child_ids = 0;
+    for (u32 i = 0; i + 1 < n_ids; i++) {
+        if (sphere_overlaps_box(h_spheres[ids[i]], child)) {
+            child_ids[n_child_ids++] = ids[i];
+        }
+    }
+    return n_child_ids;

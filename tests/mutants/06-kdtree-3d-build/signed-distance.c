@@ -1,0 +1,12 @@
+// mutant: the distance is compared with a radius that may be negative
+// task: sphere_overlaps_box
+// caught by: overlap-inside
+// says: negative radius
+    const double centre[3] = {sphere.x, sphere.y, sphere.z};
+    double distance_squared = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        const double min = box.min[axis], max = box.max[axis];
+        const double nearest = centre[axis] < min ? min : centre[axis] > max ? max : centre[axis];
+        distance_squared += (centre[axis] - nearest) * (centre[axis] - nearest);
+    }
+    return sqrt(distance_squared) <= (double)sphere.radius;

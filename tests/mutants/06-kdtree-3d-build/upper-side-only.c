@@ -1,0 +1,16 @@
+// mutant: the lower side stays at 0
+// task: spheres_bounds
+// caught by: bounds-positive
+// says: found x \[0,
+    if (n_spheres == 0) {
+        return box;
+    }
+    box = (BBox3D){{0, 0, 0}, {-INFINITY, -INFINITY, -INFINITY}};
+    for (u32 i = 0; i < n_spheres; i++) {
+        const f32 centre[3] = {h_spheres[i].x, h_spheres[i].y, h_spheres[i].z};
+        const f32 radius = fabsf(h_spheres[i].radius);
+        for (int axis = 0; axis < 3; axis++) {
+            box.min[axis] = fminf(box.min[axis], 0);
+            box.max[axis] = fmaxf(box.max[axis], centre[axis] + radius);
+        }
+    }

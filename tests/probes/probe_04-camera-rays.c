@@ -1,0 +1,54 @@
+// Probe of lab 04: camera_axes on the host, pixel_on_display and primary_ray on the device, each on
+// the job's inputs; then the student's kernel with given cameras.
+#include "camera_from_view.h"
+#include "probe.h"
+
+#include <stdlib.h>
+
+static void answer_axes(const Probe *probe)
+{
+    size_t n_bytes;
+    const ViewJob *jobs = probe_job(probe, "views", &n_bytes);
+    const size_t n = n_bytes / sizeof *jobs;
+    const Vec3 unwritten = {UNWRITTEN, UNWRITTEN, UNWRITTEN};
+    Vec3(*axes)[3] = calloc(n, sizeof *axes);
+    for (size_t i = 0; i < n; i++) {
+        const View view = {
+            .from = jobs[i].from, .at = jobs[i].at, .up = jobs[i].up, .angle = 45, .hither = 1};
+        axes[i][0] = axes[i][1] = axes[i][2] = unwritten;
+        camera_axes(view, &axes[i][0], &axes[i][1], &axes[i][2]);
+    }
+    probe_answer(probe, "axes", -1, NULL, axes, n * sizeof *axes);
+    free(axes);
+}
+
+static void answer_picture(const Probe *probe, int k, const SceneJob3D *scene, cl_kernel kernel)
+{
+    cl_mem d_image = probe_image(probe, scene->width, scene->height);
+    CL_CHECK(clSetKernelArg(kernel, 0, sizeof scene->camera, &scene->camera));
+    CL_CHECK(clSetKernelArg(kernel, 1, sizeof scene->width, &scene->width));
+    CL_CHECK(clSetKernelArg(kernel, 2, sizeof scene->height, &scene->height));
+    CL_CHECK(clSetKernelArg(kernel, 3, sizeof d_image, &d_image));
+    probe_draw(probe, k, kernel, d_image, scene->width, scene->height);
+    CL_CHECK(clReleaseMemObject(d_image));
+}
+
+int main(void)
+{
+    Probe probe;
+    probe_open(&probe);
+    answer_axes(&probe);
+    probe_open_device(&probe);
+    cl_program program = probe_build(&probe, "probes/probe_" LAB_NAME ".cl",
+                                     PROBE_KERNEL_OPTIONS " -I " LAB_FOLDER " -I probes");
+    probe_call(&probe, program, "pixels", sizeof(PixelJob), sizeof(PixelAnswer), NULL, 0);
+    cl_kernel kernel = probe_kernel(program, "draw_directions");
+    const SceneJob3D *scene;
+    for (int k = 0; (scene = probe_scene3d(&probe, k)) != NULL; k++) {
+        answer_picture(&probe, k, scene, kernel);
+    }
+    CL_CHECK(clReleaseKernel(kernel));
+    CL_CHECK(clReleaseProgram(program));
+    probe_close(&probe);
+    return EXIT_SUCCESS;
+}

@@ -1,0 +1,75 @@
+// Probe of lab 05: each of the student's functions on the job's inputs, then whole scenes: what each
+// ray hits, the picture, and the work of each pixel ("work.K") where that compiles.
+#include "probe.h"
+
+#include "cl_memory.h"
+
+#include <stdlib.h>
+
+static void answer_functions(const Probe *probe, cl_program program)
+{
+    size_t n_bytes;
+    const void *lights = probe_job(probe, "lights", &n_bytes);
+    cl_mem d_lights = cl_buffer_create(&probe->cl, lights, n_bytes);
+    probe_call(probe, program, "roots", sizeof(RootJob), sizeof(cl_float), NULL, 0);
+    probe_call(probe, program, "textbook", sizeof(SphereRayJob), sizeof(cl_float), NULL, 0);
+    probe_call(probe, program, "projection", sizeof(SphereRayJob), sizeof(cl_float), NULL, 0);
+    probe_call(probe, program, "normals", sizeof(NormalJob), sizeof(Vec3), NULL, 0);
+    probe_call(probe, program, "shades", sizeof(ShadeJob), sizeof(Vec3), &d_lights, 1);
+    CL_CHECK(clReleaseMemObject(d_lights));
+}
+
+static void answer_hits(const Probe *probe, int k, const SceneJob3D *scene,
+                        const Scene3DBuffers *buffers, cl_kernel kernel)
+{
+    const size_t n_bytes = (size_t)scene->width * (size_t)scene->height * sizeof(HitAnswer);
+    cl_mem d_hits = probe_buffer(probe, n_bytes);
+    CL_CHECK(clSetKernelArg(kernel, 0, sizeof(cl_mem), &buffers->d_arrays[0]));
+    CL_CHECK(clSetKernelArg(kernel, 1, sizeof scene->n_spheres, &scene->n_spheres));
+    CL_CHECK(clSetKernelArg(kernel, 2, sizeof scene->camera, &scene->camera));
+    CL_CHECK(clSetKernelArg(kernel, 3, sizeof scene->width, &scene->width));
+    CL_CHECK(clSetKernelArg(kernel, 4, sizeof scene->height, &scene->height));
+    CL_CHECK(clSetKernelArg(kernel, 5, sizeof d_hits, &d_hits));
+    probe_launch(probe, kernel, scene->width, scene->height);
+    probe_answer_buffer(probe, "hits", k, d_hits, n_bytes);
+}
+
+static void answer_picture(const Probe *probe, int k, const SceneJob3D *scene,
+                           const Scene3DBuffers *buffers, cl_kernel kernel, int counting)
+{
+    probe_scene3d_set(buffers, scene, kernel);
+    CL_CHECK(
+        clSetKernelArg(kernel, N_SCENE3D_ARGUMENTS, sizeof scene->n_spheres, &scene->n_spheres));
+    if (counting) {
+        probe_draw_counting(probe, k, kernel, buffers->d_image, scene->width, scene->height,
+                            N_SCENE3D_ARGUMENTS + 1);
+    } else {
+        probe_draw(probe, k, kernel, buffers->d_image, scene->width, scene->height);
+    }
+}
+
+int main(void)
+{
+    Probe probe;
+    probe_open(&probe);
+    probe_open_device(&probe);
+    int counting;
+    cl_program program =
+        probe_build_counting(&probe, "probes/probe_" LAB_NAME ".cl",
+                             PROBE_KERNEL_OPTIONS " -I " LAB_FOLDER " -I probes", &counting);
+    answer_functions(&probe, program);
+    cl_kernel hits_kernel = probe_kernel(program, "probe_hits");
+    cl_kernel kernel = probe_kernel(program, "render_spheres");
+    const SceneJob3D *scene;
+    for (int k = 0; (scene = probe_scene3d(&probe, k)) != NULL; k++) {
+        Scene3DBuffers buffers = probe_scene3d_buffers(&probe, k, scene);
+        answer_hits(&probe, k, scene, &buffers, hits_kernel);
+        answer_picture(&probe, k, scene, &buffers, kernel, counting);
+        probe_scene3d_release(&buffers);
+    }
+    CL_CHECK(clReleaseKernel(hits_kernel));
+    CL_CHECK(clReleaseKernel(kernel));
+    CL_CHECK(clReleaseProgram(program));
+    probe_close(&probe);
+    return EXIT_SUCCESS;
+}

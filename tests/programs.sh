@@ -1,0 +1,136 @@
+# shellcheck shell=sh disable=SC2034,SC2154,SC2317 # sourced, behind tests/tap.sh; used by the suites
+# What the suites about the solution programs share: running them, and asking whether they drew, said
+# or refused what they should.
+#
+#     . tests/tap.sh
+#     . tests/programs.sh
+
+build=${BUILD:-build}
+case $build in /*) ;; *) build=$PWD/$build ;; esac
+compare=$build/tools/compare
+unset COURSE_DEVICE
+
+# The folder for what the programs write. In it lies a picture from before, to be left alone by every
+# program that fails.
+out=$scratch/out
+scenes=$scratch/scenes
+mkdir "$out" "$scenes"
+
+# run LAB OPTION...: a solution program by its number; what it says goes to $scratch/stdout and stderr.
+run() (
+    for program in "$build/solutions/$1"-*; do :; done
+    shift
+    "$program" "$@" >"$scratch/stdout" 2>"$scratch/stderr" </dev/null
+)
+
+# run_sanitized LAB OPTION...: the same with the sanitizers watching. What drivers leak is theirs:
+# `with detect_leaks=0` where a device is opened.
+run_sanitized() (
+    for program in "$build/sanitized/solutions/$1"-*; do :; done
+    shift
+    export ASAN_OPTIONS="detect_leaks=${detect_leaks:-1}:allocator_may_return_null=1"
+    "$program" "$@" >"$scratch/stdout" 2>"$scratch/stderr" </dev/null
+)
+
+is_sanitized=false
+[ ! -x "$build/sanitized/solutions/03-kdtree-2d-render" ] || is_sanitized=true
+
+# with NAME=VALUE COMMAND...: the command with one more variable around it.
+with() (
+    export "${1?}"
+    shift
+    "$@"
+)
+
+# works COMMAND...: does it end with 0? A sanitizer's or a program's words are shown if not.
+works() {
+    if "$@"; then return 0; fi
+    cat "$scratch/stdout" "$scratch/stderr"
+    return 1
+}
+
+# has_size FILE WxH: can the picture be read, and is it as large as that?
+has_size() {
+    found=$("$compare" "$1" "$1") || { echo "$found"; return 1; }
+    [ "$found" = "$2: equal" ] || { echo "$1: found $found, expected $2"; return 1; }
+}
+
+# draws LAB WxH FILE OPTION...: does the program write a picture of this size?
+draws() {
+    lab=$1 size=$2 file=$3
+    shift 3
+    rm -f "$file"
+    works run "$lab" --output "$file" "$@" && has_size "$file" "$size"
+}
+
+# differs COMMAND...: does `compare` find two pictures of one size that are not the same?
+differs() {
+    "$@" >"$scratch/found"
+    [ $? -eq 1 ] && grep -q 'pixels differ' "$scratch/found"
+}
+
+# figure NAME: its value in $out/figures.json.
+figure() { sed -n "s/^  \"$1\": \(.*[^,]\),\{0,1\}\$/\1/p" "$out/figures.json"; }
+
+# is_json: one object, a figure a line, commas between them and none at the end?
+is_json() {
+    awk 'function wrong() { print "line " NR ": " $0; bad = 1 }
+        NR == 1 { if ($0 != "{") wrong(); next }
+        ended { wrong() }
+        $0 == "}" { ended = 1; if (comma) wrong(); next }
+        { if (NR > 2 && !comma) wrong(); comma = sub(/,$/, "") }
+        !/^  "[a-zA-Z_.]+": ("([^"\\]|\\.)*"|-?[0-9]+(\.[0-9]+)?(e[-+]?[0-9]+)?|null)$/ { wrong() }
+        END { exit bad || !ended }' "$out/figures.json"
+}
+
+# has_figures NAME...: exactly these, in this order?
+has_figures() {
+    sed -n 's/^  "\([^"]*\)":.*/\1/p' "$out/figures.json" >"$scratch/names"
+    printf '%s\n' "$@" | diff "$scratch/names" -
+}
+
+# empty_output_folder: start afresh, with a picture and figures from before, and places where nothing
+# can be written. What programs that fail leave behind is seen there.
+empty_output_folder() {
+    rm -rf "$out"
+    mkdir "$out" "$out/folder.png"
+    run 00 --size 2x2 --output "$out/old.png"
+    echo '{}' >"$out/old.json"
+    ln -s /dev/full "$out/full.png"
+}
+
+# state: what is in the output folder, and whether what was there before is as it was.
+state() { ls -A "$out" && cksum "$out/old.png" "$out/old.json"; }
+
+# refuses WORDS COMMAND...: does it end with a fault, one line that holds WORDS, and leave nothing?
+refuses() {
+    words=$1
+    shift
+    before=$(state)
+    status=0
+    "$@" || status=$?
+    cat "$scratch/stderr"
+    if [ "$status" -eq 0 ] || [ "$status" -ge 126 ]; then
+        echo "found exit status $status, expected a fault's"
+        return 1
+    fi
+    # The address sanitizer comments on memory that it could not give.
+    grep -v 'WARNING: AddressSanitizer failed to allocate' "$scratch/stderr" >"$scratch/message"
+    [ "$(wc -l <"$scratch/message")" -eq 1 ] || { echo "expected one line"; return 1; }
+    grep -qF -- "$words" "$scratch/message" || { echo "expected the words: $words"; return 1; }
+    [ "$(state)" = "$before" ] || { echo "it left something: $(ls -A "$out")"; return 1; }
+}
+
+# What a run that fails would have drawn.
+new="$out/new.png"
+
+# refuses_each: reads a table of LAB | WORDS | OPTIONS. Each row is run with and without sanitizers;
+# `--output $new` comes first, so that a row can say otherwise.
+refuses_each() {
+    while IFS='|' read -r number words options; do
+        eval "set -- $options"
+        check "lab $number: $options" refuses "$words" run "$number" --output "$new" "$@"
+        ! $is_sanitized || check "lab $number, sanitized: $options" \
+            refuses "$words" run_sanitized "$number" --output "$new" "$@"
+    done
+}

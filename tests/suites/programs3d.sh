@@ -1,0 +1,210 @@
+#!/bin/sh
+# The solution programs of the 3D labs as a user runs them: good runs and their outputs, then bad
+# input, each with one message and nothing left behind.
+#
+#     sh tests/suites/programs3d.sh      from the top folder, after `make tests` and `make SANITIZE=1`
+set -u
+. tests/tap.sh
+. tests/programs.sh
+labs='04-camera-rays 05-spheres 06-kdtree-3d-build 07-kdtree-3d-trace'
+
+# ---- Good runs ----------------------------------------------------------------------------------
+
+for lab in $labs; do
+    number=${lab%%-*}
+    check "$lab draws the scene's own size" draws "$number" 512x512 "$out/$number.png" \
+        --scene sphereflake:size=1
+    check "$lab draws 317x211 as EXR" draws "$number" 317x211 "$out/$number.exr" --size 317x211 \
+        --scene random:n=40
+    check "$lab draws a single pixel" draws "$number" 1x1 "$out/one.exr" --size=1x1 --scene one
+    check "$lab has a help" works run "$number" --help
+    check "the help of $lab names its scenes" grep -q '^Scenes: FILE.nff, .*sphereflake.*coincident' \
+        "$scratch/stdout"
+    ! $is_sanitized || check "$lab draws, watched by the sanitizers" \
+        works with detect_leaks=0 run_sanitized "$number" --heat-map \
+        --output "$out/watched.exr" --size 65x33 --stats "$out/watched.json" --scene random:n=40
+done
+! $is_sanitized || check "lab 06 leaks nothing" \
+    works run_sanitized 06 --output "$out/one.exr" --scene random:n=500
+
+for scene in tests/scenes/*.nff tests/scenes/*.pdb tests/scenes/*.xyz; do
+    check "lab 07 draws ${scene##*/}" works run 07 --scene "$scene" --output "$out/07.png"
+    ! $is_sanitized || check "lab 06 reads ${scene##*/} and leaks nothing" \
+        works run_sanitized 06 --scene "$scene" --output "$out/06.png"
+done
+check "what is not drawn is counted in one warning" \
+    test "$(run 07 --scene tests/scenes/example.nff --output "$out/07.png"; grep -c skipped \
+        "$scratch/stderr")" -eq 1
+
+# ---- The tree shows what every sphere shows -----------------------------------------------------
+
+# equals_lab_05 OPTION...: does lab 07 draw with these what lab 05 drew into 05.exr?
+# shellcheck disable=SC2317 # called by check
+equals_lab_05() {
+    rm -f "$out/07.exr"
+    works run 07 --output "$out/07.exr" "$@" && "$compare" "$out/07.exr" "$out/05.exr"
+}
+
+works run 05 --scene none --size 96x64 --output "$out/none.exr"
+for scene in sphereflake:size=2 random:n=300 lattice:n=4 inside planes one-cell one none coincident \
+    large-small behind tests/scenes/caffeine.xyz; do
+    check "lab 05 draws $scene" draws 05 96x64 "$out/05.exr" --scene $scene --size 96x64
+    case $scene in none) ;; *) check "$scene shows something" differs \
+        "$compare" "$out/05.exr" "$out/none.exr" ;; esac
+    for limits in 1/1 6/1 12/8; do
+        check "lab 07 draws the same, --max-depth/--leaf-size $limits" equals_lab_05 \
+            --scene $scene --size 96x64 --max-depth ${limits%/*} --leaf-size ${limits#*/}
+    done
+done
+
+# ---- The published counts -----------------------------------------------------------------------
+
+# Haines' database "balls", size 4, has 513² eye rays, which all hit: a sphere or the floor.
+works run 07 --scene sphereflake --size 513x513 --output "$out/balls.exr" >/dev/null
+"$build/tools/count_hits" sphereflake 513x513 "$out/balls.exr" >"$scratch/counts" 2>&1
+ok $? "the sphereflake's rays hit what the oracle says" "$(cat "$scratch/counts")"
+check "of its 513² rays all hit when the floor is there" grep -x 'with the floor 263169' "$scratch/counts"
+check "without the floor not" grep -q -v -x 'by the oracle 263169' "$scratch/counts"
+
+# ---- The textbook's quadratic -------------------------------------------------------------------
+
+# Seen from afar the spheres are small against their distance.
+cat >"$scenes/far.nff" <<'END'
+b 0 0 0
+v
+from 3000 0 0
+at 0 0 0
+up 0 0 1
+angle 0.05
+hither 1
+resolution 128 128
+l 3000 1000 1000
+f 1 0.5 0.2 1 0 0 0 1
+END
+awk 'BEGIN { for (i = 0; i < 20; i++) for (j = 0; j < 20; j++)
+    print "s", 0, (i - 9.5) / 9, (j - 9.5) / 9, 0.04 }' >>"$scenes/far.nff"
+check "lab 05 draws a scene from afar" draws 05 128x128 "$out/far.exr" --scene "$scenes/far.nff"
+check "by the textbook's quadratic as well" draws 05 128x128 "$out/textbook.exr" \
+    --scene "$scenes/far.nff" --textbook
+check "which looks otherwise" differs "$compare" "$out/textbook.exr" "$out/far.exr"
+check "and is right where spheres are near" draws 05 96x64 "$out/near.exr" --scene one --size 96x64
+works run 05 --scene one --size 96x64 --textbook --output "$out/textbook.exr"
+check "up to rounding" "$compare" "$out/textbook.exr" "$out/near.exr" 0.001
+
+# ---- Figures and heat maps ----------------------------------------------------------------------
+
+frame='frame.min_ms frame.median_ms frame.max_ms'
+work='sphere_tests.mean_per_pixel sphere_tests.max_per_pixel nodes_visited.mean_per_pixel
+    nodes_visited.max_per_pixel leaves_visited.mean_per_pixel leaves_visited.max_per_pixel
+    stack_depth.mean_per_pixel stack_depth.max_per_pixel'
+scene='lab device scene n_spheres width height'
+for lab in $labs; do
+    case $lab in
+    04*) names="lab device scene width height fov $frame" ;;
+    05*) names="$scene $work $frame" ;;
+    06*) names="lab scene n_spheres width height max_depth leaf_size tree.build.min_ms
+        tree.build.median_ms tree.build.max_ms tree.n_nodes tree.n_leaves tree.n_empty_leaves tree.depth
+        tree.n_sphere_ids tree.largest_leaf tree.spheres_per_leaf" ;;
+    07*) names="$scene tree.build_ms tree.n_nodes tree.n_sphere_ids $work $frame" ;;
+    esac
+    rm -f "$out/figures.json"
+    works run "${lab%%-*}" --scene random:n=500 --size 64x48 --output "$out/tiny.exr" \
+        --stats "$out/figures.json"
+    check "the figures of $lab are JSON" is_json
+    # shellcheck disable=SC2086 # names are words
+    check "the figures of $lab are these" has_figures $names
+    case $lab in
+    05*)
+        check "every ray of lab 05 asks every sphere" test \
+            "$(figure sphere_tests.mean_per_pixel) $(figure sphere_tests.max_per_pixel)" = "500.0 500"
+        ;;
+    07*)
+        check "a ray of lab 07 asks fewer" test "$(figure sphere_tests.max_per_pixel)" -lt 500
+        check "a ray of lab 07 visits nodes and leaves" test "$(figure nodes_visited.max_per_pixel)" \
+            -ge "$(figure leaves_visited.max_per_pixel)"
+        check "and lets some wait" test "$(figure stack_depth.max_per_pixel)" -ge 1
+        ;;
+    esac
+done
+check "no heat map without --heat-map" test ! -e "$out/tiny-work.png"
+for lab in 01 03 05 07; do
+    scene=random:n=50
+    check "lab $lab saves a heat map" works run $lab --scene $scene --size 64x48 --heat-map \
+        --output "$out/heat.png"
+    check "lab $lab: of the picture's size" has_size "$out/heat-work.png" 64x48
+    check "lab $lab: and as EXR" has_size "$out/heat-work.exr" 64x48
+    rm -f "$out"/heat*
+done
+works run 05 --scene one --size 96x64 --output "$out/05.exr"
+check "the heat map leaves the picture as it is" equals_lab_05 --scene one --size 96x64 --heat-map
+
+# ---- Bad input ----------------------------------------------------------------------------------
+
+empty_output_folder
+
+# nff FROM AT UP ANGLE [LINE...]: a file with this view, and further lines.
+nff() {
+    printf 'v\nfrom %s\nat %s\nup %s\nangle %s\nhither 0.1\nresolution 64 48\n' "$1" "$2" "$3" "$4"
+    shift 4
+    printf '%s\n' "$@"
+}
+
+nff '0 -5 0' '0 0 0' '0 0 1' 45 's 0 0 0 nan' >"$scenes/nan.nff"
+nff '0 -5 0' '0 0 0' '0 0 1' 45 's 0 0 0 0' >"$scenes/zero.nff"
+nff '0 -5 0' '0 0 0' '0 0 1' 45 's 0 0 0' >"$scenes/short.nff"
+nff '0 -5 0' '0 0 0' '0 0 1' 45 'q 0 0 0' >"$scenes/unknown.nff"
+nff '0 -5 0' '0 0 0' '0 0 1' 45 'p 3' '0 0 0' >"$scenes/cut.nff"
+nff '0 -5 0' '0 0 0' '0 0 1' inf 's 0 0 0 1' >"$scenes/angle.nff"
+nff '0 -5 0' '0 0 0' '0 0 1' 180 's 0 0 0 1' >"$scenes/wide.nff"
+nff '0 0 0' '0 0 0' '0 0 1' 45 's 0 0 0 1' >"$scenes/direction.nff"
+nff '0 -5 0' '0 0 0' '0 0 0' 45 's 0 0 0 1' >"$scenes/up.nff"
+nff '0 -5 0' '0 0 0' '0 3 0' 45 's 0 0 0 1' >"$scenes/parallel.nff"
+nff '0 -5 0' '0 0 0' '0 0 1' 45 's 0 0 0 -1' >"$scenes/inside.nff"
+echo 's 0 0 0 1' >"$scenes/blind.nff"
+# Two small spheres at one place, and one far off: splitting gets nearer to the two without an end.
+nff '0 -5 0' '0 0 0' '0 0 1' 45 's 1 1 1 0.1' 's 0.3 0.3 0.3 1e-9' 's 0.3 0.3 0.3 1e-9' \
+    >"$scenes/same.nff"
+: >"$scenes/empty.nff"
+: >"$scenes/empty.xyz"
+: >"$scenes/empty.pdb"
+printf '3\nwater\nO 0 0 0\nH 1 0 0\n' >"$scenes/cut.xyz"
+printf '1\nnone\nO 0 nan 0\n' >"$scenes/nan.xyz"
+printf 'many\nnone\nO 0 0 0\n' >"$scenes/count.xyz"
+printf 'ATOM      1  CA  ALA A   1      11.104   6.134\n' >"$scenes/cut.pdb"
+printf 'REMARK nothing\nEND\n' >"$scenes/none.pdb"
+check "a sphere seen from inside is drawn" works run 07 --scene "$scenes/inside.nff" --output "$new"
+rm -f "$new"
+
+# shellcheck disable=SC2119 # its rows come from the table
+refuses_each <<'END'
+04|missing.nff: cannot be read: No such file|--scene $scenes/missing.nff
+05|nan.nff:8: |--scene $scenes/nan.nff
+06|zero.nff:8: |--scene $scenes/zero.nff
+07|short.nff:8: |--scene $scenes/short.nff
+04|unknown.nff:8: |--scene $scenes/unknown.nff
+05|cut.nff:|--scene $scenes/cut.nff
+06|angle.nff:5: |--scene $scenes/angle.nff
+07|wide.nff:5: |--scene $scenes/wide.nff
+04|the view's direction is zero|--scene $scenes/direction.nff
+05|up is zero|--scene $scenes/up.nff
+06|up is parallel to the view|--scene $scenes/parallel.nff
+07|blind.nff:|--scene $scenes/blind.nff
+04|empty.nff:|--scene $scenes/empty.nff
+05|empty.xyz:|--scene $scenes/empty.xyz
+06|empty.pdb:|--scene $scenes/empty.pdb
+07|cut.xyz:|--scene $scenes/cut.xyz
+04|nan.xyz:3: |--scene $scenes/nan.xyz
+05|count.xyz:1: |--scene $scenes/count.xyz
+06|cut.pdb:1: |--scene $scenes/cut.pdb
+07|none.pdb:|--scene $scenes/none.pdb
+04|found no such scene|--scene example
+05|size=N, a whole number|--scene sphereflake:size=8
+06|n=N, a whole number|--scene random:n=-1
+07|found min=0.5 above max=0.25|--scene random:min=0.5,max=0.25
+04|n=N, a whole number|--scene lattice:n=1000
+05|--textbook does not take an argument|--textbook=1
+06|would hold too many spheres; choose|--scene coincident --max-depth 64 --leaf-size 1
+07|too deep for the todo stack (TODO_SIZE); choose|--scene $scenes/same.nff --max-depth 64 --leaf-size 1
+END
+
+finish
