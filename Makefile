@@ -105,7 +105,8 @@ $(OUT)/tools/grade $(OUT)/tools/class_report $(OUT)/tools/mutants: $(OUT)/tools/
 # One probe a lab: an archive for labs with host files, which the grader links with the student's, and
 # a program for the others.
 PROBES := $(patsubst tests/probes/probe_%.c,%,$(wildcard tests/probes/probe_*.c))
-host_files = $(filter-out %/main.c,$(wildcard solutions/$(1)/*.c))
+# The host files that students hand in; a lab may have given ones besides.
+host_files = $(shell grep -o '"[a-zA-Z0-9_]*\.c"' solutions/$(1)/lab.json)
 define probe
 $(OUT)/obj/tests/probes/probe_$(1).c.o: EXTRA = -I tests/probes -I solutions/$(1) \
     -DLAB_NAME='"$(1)"' -DLAB_FOLDER='"labs/$(1)"' -DPROBE_KERNEL_OPTIONS='"$(call include_path,$(1))"'

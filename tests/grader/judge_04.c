@@ -62,9 +62,10 @@ typedef struct Job {
 
 static const OracleRules3D right = {0};
 
-// How far a right solution's axes may be off: a difference, two cross products and two normalisations
-// in float, each of few roundings of 2^-24; the cross product with `up` loses as many digits more as
-// the angle between the two is small, of which draw_view() sets a lowest sine of 1/4.
+// How far a right solution's axes may be off: a difference, two cross products and two
+// normalisations in float, each of few roundings of 2^-24; the cross product with `up` loses as
+// many digits more as the angle between the two is small, of which draw_view() sets a lowest sine
+// of 1/4.
 #define AXES_ERROR (64 * 0x1p-24)
 
 // Of a point on the display, as a share of the display's half width: see oracle3d.c.

@@ -1,4 +1,5 @@
-// The inputs of lab 05's functions, and how their answers are judged: a range of them for each check.
+// The inputs of lab 05's functions, and how their answers are judged: a range of them for each
+// check.
 #ifndef GRADER_JUDGE_05_INPUTS_H
 #define GRADER_JUDGE_05_INPUTS_H
 
@@ -27,8 +28,8 @@ typedef struct Inputs05 {
 
 void inputs_05_draw(Random *random, Inputs05 *inputs);
 
-// Write the sections "roots", "textbook", "projection", "normals", "shades" and "lights". Returns 0,
-// or -1.
+// Write the sections "roots", "textbook", "projection", "normals", "shades" and "lights". Returns
+// 0, or -1.
 int inputs_05_write(const Inputs05 *inputs, FILE *file);
 
 // Judge a function's answers in one range. The message names the first wrong input, what was found

@@ -1,6 +1,7 @@
 // Brute force in double precision: every ray asks every sphere, in the order of the array.
 //
-// How far may a right solution in float be off? With u = 2^-24, the rounding of one float operation:
+// How far may a right solution in float be off? With u = 2^-24, the rounding of one float
+// operation:
 //
 // 1. The ray. pixel_on_display() costs a division (2.5 ulp = 5 u, OpenCL 1.2, 7.4) and a handful of
 //    roundings of numbers up to the display's half width; the view transform three products and two
@@ -19,8 +20,8 @@
 //    one begins. Its t is off by no more than the interval says.
 // 5. The point hit is off by p: t's interval, the direction's error times t, and 4 u of its
 //    coordinates; the unit normal by p / (r - p) and a normalisation, much for small spheres far
-//    away; the way to a light by p over its distance. Their cosine is off by the sum of both, and so
-//    is a channel in units of kd x colour x light. Seen along the surface, float may turn the
+//    away; the way to a light by p over its distance. Their cosine is off by the sum of both, and
+//    so is a channel in units of kd x colour x light. Seen along the surface, float may turn the
 //    normal or not: the pixel is ambiguous then.
 #include "oracle3d.h"
 

@@ -1,5 +1,5 @@
-// Judging a picture: is it right, and where is it wrong? What a wrong one looks like is found out by
-// picture_looks.h.
+// Judging a picture: is it right, and where is it wrong? What a wrong one looks like is found out
+// by picture_looks.h.
 #ifndef GRADER_PICTURE_H
 #define GRADER_PICTURE_H
 

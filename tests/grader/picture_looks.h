@@ -1,8 +1,8 @@
 // Recognising common mistakes in a wrong picture.
 //
 // Recognising works by trying: each known mistake is made on purpose, to the reference (flips,
-// swaps, shifts) or by the scene's oracle (strict boundary, half a pixel), and the one whose picture
-// equals the student's is named. Nothing is guessed from statistics.
+// swaps, shifts) or by the scene's oracle (strict boundary, half a pixel), and the one whose
+// picture equals the student's is named. Nothing is guessed from statistics.
 #ifndef GRADER_PICTURE_LOOKS_H
 #define GRADER_PICTURE_LOOKS_H
 

@@ -269,8 +269,8 @@ typedef struct NormalJob {
 } NormalJob;
 LAYOUT_ASSERT(NormalJob, 40);
 
-// Lab 05: section "shades", one call of shade each. Answered by a Vec3. The lights are n_lights from
-// first_light on in section "lights"; what follows them must not shine.
+// Lab 05: section "shades", one call of shade each. Answered by a Vec3. The lights are n_lights
+// from first_light on in section "lights"; what follows them must not shine.
 typedef struct ShadeJob {
     Vec3 point;
     Vec3 normal;

@@ -52,8 +52,8 @@ void probe_answer(const Probe *probe, const char *name, int k, const char *part,
 // Build the program; ends with PROBE_EXIT_NO_BUILD when it does not compile.
 cl_program probe_build(const Probe *probe, const char *path, const char *options);
 
-// Build the program with -DCOUNT_WORK. Counting needs the calls in the kernels themselves; code that
-// hides them is built without. Sets *is_counting. Ends as probe_build() does.
+// Build the program with -DCOUNT_WORK. Counting needs the calls in the kernels themselves; code
+// that hides them is built without. Sets *is_counting. Ends as probe_build() does.
 cl_program probe_build_counting(const Probe *probe, const char *path, const char *options,
                                 int *is_counting);
 
@@ -68,7 +68,8 @@ void probe_answer_buffer(const Probe *probe, const char *name, int k, cl_mem d_a
                          size_t n_bytes);
 
 // Call a function of the student's on the device, one work-item an input: kernel "probe_NAME" takes
-// the job's section "NAME", some buffers, and an array for the answers, which become section "NAME".
+// the job's section "NAME", some buffers, and an array for the answers, which become section
+// "NAME".
 //   job_bytes, answer_bytes   of one input and of one answer
 //   d_buffers[n_buffers]      or NULL, 0
 void probe_call(const Probe *probe, cl_program program, const char *name, size_t job_bytes,

@@ -1,5 +1,5 @@
-// Probe of lab 05: each of the student's functions on the job's inputs, then whole scenes: what each
-// ray hits, the picture, and the work of each pixel ("work.K") where that compiles.
+// Probe of lab 05: each of the student's functions on the job's inputs, then whole scenes: what
+// each ray hits, the picture, and the work of each pixel ("work.K") where that compiles.
 #include "probe.h"
 
 #include "cl_memory.h"

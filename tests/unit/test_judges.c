@@ -509,8 +509,8 @@ static HitAnswer trace(const Sections *job, int k, const SceneJob3D *scene, Ray 
     return hit;
 }
 
-// The pictures of all 3D scenes: of lab 04 the directions; of lab 05 the spheres, what each ray hits
-// and the work for scene 1 besides.
+// The pictures of all 3D scenes: of lab 04 the directions; of lab 05 the spheres, what each ray
+// hits and the work for scene 1 besides.
 static void answer_pictures_3d(Writer *writer, int lab, const Sections *job)
 {
     const SceneJob3D *scene;
