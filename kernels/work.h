@@ -28,7 +28,7 @@ LAYOUT_ASSERT(Work, 16);
 #define WORK_POINTER , Work *work __attribute__((unused))
 #define WORK_BEGIN                                                                                 \
     Work pixel_work = {0, 0, 0, 0};                                                                \
-    Work *const work = &pixel_work
+    Work *const work __attribute__((unused)) = &pixel_work
 #define WORK_END(x, y) d_work[(y) * width + (x)] = pixel_work
 #else
 #define WORK_PARAMETER

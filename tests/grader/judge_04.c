@@ -322,12 +322,15 @@ static Verdict judge_axes(const Job *job, int check, const Sections *answers)
 
 // ---- Pixels on the display --------------------------------------------------------------------
 
-// A mistake that would explain wrong points.
-static const struct {
+// A mistake that would explain wrong points; all zeros is none.
+typedef struct DisplayMistake {
     const char *says;
     OracleRules3D rules;
     int mirrored, flipped;
-} display_mistakes[] = {
+} DisplayMistake;
+
+static const DisplayMistake no_mistake = {0};
+static const DisplayMistake display_mistakes[] = {
     {.says = "; that is the pixel's corner: its middle is half a pixel further",
      .rules = {.sample_offset = -0.5}},
     {.says = "; that is the pixel's far corner", .rules = {.sample_offset = 0.5}},
@@ -340,17 +343,12 @@ static const struct {
     {.says = "; fov is a width at distance 1, not an angle", .rules = {.fov_is_angle = 1}},
 };
 
-static int display_agrees(const PixelJob *job, Vec3 found, size_t mistake)
+static int display_agrees(const PixelJob *job, Vec3 found, const DisplayMistake *mistake)
 {
-    const int is_mistake = mistake < sizeof display_mistakes / sizeof *display_mistakes;
-    OracleVector p = oracle3d_display(job->x, job->y, job->width, job->height, job->camera.fov,
-                                      is_mistake ? &display_mistakes[mistake].rules : &right);
-    if (is_mistake && display_mistakes[mistake].mirrored) {
-        p.x = -p.x;
-    }
-    if (is_mistake && display_mistakes[mistake].flipped) {
-        p.y = -p.y;
-    }
+    OracleVector p =
+        oracle3d_display(job->x, job->y, job->width, job->height, job->camera.fov, &mistake->rules);
+    p.x = mistake->mirrored ? -p.x : p.x;
+    p.y = mistake->flipped ? -p.y : p.y;
     const double half = job->camera.fov / 2 * fmax(1, (double)job->height / job->width);
     return is_near(found, p, DISPLAY_ERROR * fmax(half, 1));
 }
@@ -379,12 +377,12 @@ static Verdict judge_display(const Job *job, int check, const Sections *answers)
     for (int i = (range + 1) * N_PIXELS - 1; i >= range * N_PIXELS; i--) {
         const Vec3 own = found[i].on_display;
         if (check == DISPLAY_SIDES ? !is_on_its_side(&job->pixels[i], own)
-                                   : !display_agrees(&job->pixels[i], own, n_mistakes)) {
+                                   : !display_agrees(&job->pixels[i], own, &no_mistake)) {
             n_wrong++;
             first = i;
         }
         for (size_t mistake = 0; mistake < n_mistakes; mistake++) {
-            if (!display_agrees(&job->pixels[i], own, mistake)) {
+            if (!display_agrees(&job->pixels[i], own, &display_mistakes[mistake])) {
                 explained &= ~(1u << mistake);
             }
         }
