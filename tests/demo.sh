@@ -90,11 +90,13 @@ figure 03-kdtree-2d-render 03-lecture.png --scene random:n=8192,seed=1 --frames 
 figure 03-kdtree-2d-render 03-odd.png --scene random:n=8192,seed=3,max=8 --size 317x211
 section 04-camera-rays
 figure 04-camera-rays 04.png
-figure 04-camera-rays 04-wide.png --scene tests/scenes/example.nff --size 640x320
+figure 04-camera-rays 04-planes.png --scene planes --size 640x480
 section 05-spheres
 figure 05-spheres 05.png --scene sphereflake:size=2
 figure 05-spheres 05-caffeine.png --scene tests/scenes/caffeine.xyz
 figure 05-spheres 05-example.png --scene tests/scenes/example.nff --size 640x480
+figure 05-spheres 05-far.png --scene tests/scenes/far.nff
+figure 05-spheres 05-textbook.png --scene tests/scenes/far.nff --textbook
 section 06-kdtree-3d-build
 figure 06-kdtree-3d-build 06.png
 figure 06-kdtree-3d-build 06-random.png --scene random:n=200,seed=3

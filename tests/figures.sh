@@ -14,10 +14,12 @@ for lab in 01-naive-2d 02-kdtree-2d-build 03-kdtree-2d-render; do
     # shellcheck disable=SC2086 # two options and their arguments
     "$build/solutions/$lab" $scene --output "$folder/$lab.png"
 done
-flake="--scene sphereflake --size 512x512"
-for lab in 04-camera-rays 06-kdtree-3d-build 07-kdtree-3d-trace; do
-    # shellcheck disable=SC2086
-    "$build/solutions/$lab" $flake --output "$folder/$lab.png"
-done
+"$build/solutions/04-camera-rays" --scene planes --size 640x480 --output "$folder/04-camera-rays.png"
+"$build/solutions/05-spheres" --scene sphereflake:size=3 --output "$folder/05-spheres.png"
+"$build/solutions/05-spheres" --scene tests/scenes/far.nff --textbook --output "$folder/05-textbook.png"
+"$build/solutions/06-kdtree-3d-build" --output "$folder/06-kdtree-3d-build.png"
+"$build/solutions/07-kdtree-3d-trace" --heat-map --output "$folder/07-kdtree-3d-trace.png"
+mv "$folder/07-kdtree-3d-trace-work.png" "$folder/07-work.png"
+rm "$folder/07-kdtree-3d-trace-work.exr"
 "$build/solutions/02-kdtree-2d-build" --scene example --max-depth 4 --leaf-size 1 \
     --output "$folder/02-example.png"

@@ -7,9 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-extern const Judge judge_00, judge_01, judge_02, judge_03, judge_04, judge_05, judge_06;
+extern const Judge judge_00, judge_01, judge_02, judge_03, judge_04, judge_05, judge_06, judge_07;
 static const Judge *const judges[] = {&judge_00, &judge_01, &judge_02, &judge_03,
-                                      &judge_04, &judge_05, &judge_06};
+                                      &judge_04, &judge_05, &judge_06, &judge_07};
 
 const Verdict verdict_missing = {VERDICT_MISSING, NULL};
 

@@ -1,0 +1,375 @@
+// Judge of lab 07: each function on chosen inputs, what rays hit in whole scenes, the pictures, and
+// the counted work. The functions' inputs are drawn in judge_07_inputs.c and judged in
+// judge_07_functions.c and judge_07_leaf.c.
+//
+// Hits are those of brute force, whatever the tree: only rays that the oracle calls ambiguous may
+// differ. Wrong ones are compared with searches that make known mistakes (judge_07_search.h). Work
+// is judged ray by ray by the most that a right search may do.
+#include "judge_07.h"
+
+#include "job_sections.h"
+#include "judge_07_search.h"
+#include "message.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    CLIP_CHECK_THROUGH,
+    CLIP_CHECK_INSIDE,
+    CLIP_CHECK_BEHIND,
+    CLIP_CHECK_PARALLEL,
+    SIDE_EYE,
+    SIDE_ON_PLANE,
+    CHILDREN_CASES,
+    CHILDREN_BEHIND,
+    CHILDREN_PARALLEL,
+    LEAF_NEAREST,
+    LEAF_IDS,
+    LEAF_ONCE,
+    TRACE_RANDOM,
+    TRACE_EDGES,
+    TRACE_EARLY_END,
+    TRACE_PICTURE,
+};
+
+static const Check checks[] = {
+    [CLIP_CHECK_THROUGH] = {"clip-through", "Rays that go through the box, or past it",
+                            "clip_to_box", 7},
+    [CLIP_CHECK_INSIDE] = {"clip-inside", "From inside, and parts of rays", "clip_to_box", 5},
+    [CLIP_CHECK_BEHIND] = {"clip-behind", "Boxes behind the eye and outside the part",
+                           "clip_to_box", 4},
+    [CLIP_CHECK_PARALLEL] = {"clip-parallel", "Along the planes, and where a point is left",
+                             "clip_to_box", 4},
+    [SIDE_EYE] = {"side-eye", "The eye's side, wherever the ray goes", "near_side", 9},
+    [SIDE_ON_PLANE] = {"side-on-plane", "An eye on the plane", "near_side", 6},
+    [CHILDREN_CASES] = {"children-cases", "Crossed before, inside, and beyond", "children_on_ray",
+                        10},
+    [CHILDREN_BEHIND] = {"children-behind", "Planes behind the eye, or at it", "children_on_ray",
+                         5},
+    [CHILDREN_PARALLEL] = {"children-parallel", "Rays along the plane", "children_on_ray", 5},
+    [LEAF_NEAREST] = {"leaf-nearest", "The nearest hit so far, or nearer", "search_leaf", 6},
+    [LEAF_IDS] = {"leaf-ids", "Whose hit it is, also of two equally far ones", "search_leaf", 5},
+    [LEAF_ONCE] = {"leaf-once", "Each sphere of the leaf is asked once", "search_leaf", 4},
+    [TRACE_RANDOM] = {"trace-random", "No pinholes in random scenes", "trace", 10},
+    [TRACE_EDGES] = {"trace-edges", "Nor in the edge cases", "trace", 8},
+    [TRACE_EARLY_END] = {"trace-early-end", "It visits what the ray meets, and ends early", "trace",
+                         7},
+    [TRACE_PICTURE] = {"trace-picture", "Whole pictures", "trace", 5},
+};
+
+typedef struct Job {
+    Inputs07 inputs;
+    JobScene3D scenes[N_SCENES];
+    JobPicture *pictures[N_SCENES];  // the scenes'
+} Job;
+
+// ---- Drawing the job --------------------------------------------------------------------------
+
+static void job_free(void *pointer)
+{
+    Job *job = pointer;
+    for (int k = 0; k < N_SCENES; k++) {
+        job_scene3d_free(&job->scenes[k]);
+    }
+    free(job);
+}
+
+static void *job_new(uint64_t seed, FILE *file)
+{
+    Random random = {seed};
+    Job *job = calloc(1, sizeof *job);
+    if (job == NULL) {
+        fprintf(stderr, "grade: no memory for a job\n");
+        return NULL;
+    }
+    inputs_07_draw(&random, &job->inputs);
+    int result = inputs_07_write(&job->inputs, file) | scenes_07_draw(&random, job->scenes);
+    for (int k = 0; result == 0 && k < N_SCENES; k++) {
+        job->pictures[k] = &job->scenes[k].picture;
+        result = job_scene3d_write(&job->scenes[k], k, file);
+    }
+    if (result != 0) {
+        job_free(job);
+        return NULL;
+    }
+    return job;
+}
+
+// ---- Known mistakes ---------------------------------------------------------------------------
+
+// A mistake of the search.
+typedef struct SearchMistake {
+    const char *looks;
+    SearchRules rules;
+} SearchMistake;
+
+static const SearchMistake hit_mistakes[] = {
+    {"as if near and far child were swapped", {.far_first = 1}},
+    {"as if the direction chose the near child, wherever the eye is", {.side_by_direction = 1}},
+    {"as if a plane behind the eye led to the far child", {.behind_is_crossed = 1}},
+    {"as if the far child were never visited where both are met", {.far_dropped = 1}},
+    {"as if the search went to the near child where only the far one is met",
+     {.far_alone_is_near = 1}},
+    {"as if t_far did not become t_split for the near child: the search ends too soon",
+     {.near_keeps_t_far = 1}},
+    {"as if t_near and t_far were not taken from the stack with the node", {.part_kept = 1}},
+    {"as if the node that waits longest came from the stack first", {.oldest_first = 1}},
+    {"as if the search ended at any hit, also at one beyond t_far, which another sphere may hide",
+     {.ends_at_any_hit = 1}},
+    {"as if the search ended at the first leaf", {.ends_at_first_leaf = 1}},
+    {"as if hits beyond t_far were forgotten", {.beyond_dropped = 1}},
+};
+
+static const SearchMistake work_mistakes[] = {
+    {"as if the search did not end before the stack is empty", {.never_ends = 1}},
+    {"as if the far child waited with the whole part of the ray: it begins at t_split",
+     {.far_keeps_t_near = 1}},
+    {"as if both children were visited where one is met", {.both_always = 1}},
+    {"as if t_far did not become t_split for the near child", {.near_keeps_t_far = 1}},
+    {"as if t_near and t_far were not taken from the stack with the node", {.part_kept = 1}},
+    {"as if near and far child were swapped", {.far_first = 1}},
+    {"as if the node that waits longest came from the stack first", {.oldest_first = 1}},
+};
+
+#define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
+
+static OracleRay ray_of(const JobScene3D *scene, int pixel)
+{
+    static const OracleRules3D right = {0};
+    const Scene3D *s = &scene->scene;
+    return oracle3d_primary_ray(&scene->camera, pixel % s->width, pixel / s->width, s->width,
+                                s->height, &right);
+}
+
+// Does a mistaken search of this ray give what was found?
+typedef int Agrees(const SearchResult *mistaken, const void *answers, int pixel);
+
+// What looks like the answers, or NULL. A mistaken search is not as good-natured as a right one:
+// where a plane is met almost at a hit, float may decide otherwise than double. So of the rays that
+// are wrong one in SEARCH_EXCEPTIONS may differ.
+enum { SEARCH_EXCEPTIONS = 8 };
+static const char *explain(const JobScene3D *scene, const SearchMistake *mistakes, int n_mistakes,
+                           Agrees *agrees, const void *answers, int n_wrong)
+{
+    const int n_pixels = scene->scene.width * scene->scene.height;
+    const char *looks = NULL;
+    int fewest = n_wrong / SEARCH_EXCEPTIONS + 1;
+    for (int m = 0; m < n_mistakes; m++) {
+        int n_differ = 0;
+        for (int pixel = 0; n_differ < fewest && pixel < n_pixels; pixel++) {
+            const OracleRay ray = ray_of(scene, pixel);
+            const SearchResult mistaken = search3d(scene, &ray, &mistakes[m].rules);
+            n_differ += !scene->hits[pixel].is_ambiguous && !agrees(&mistaken, answers, pixel);
+        }
+        if (n_differ < fewest) {
+            fewest = n_differ;
+            looks = mistakes[m].looks;
+        }
+    }
+    return looks;
+}
+
+// ---- Hits -------------------------------------------------------------------------------------
+
+static int hit_agrees(const SearchResult *mistaken, const void *answers, int pixel)
+{
+    const HitAnswer found = ((const HitAnswer *)answers)[pixel];
+    // The same sphere at another place is the other root of it, or another mistake: a coarse
+    // comparison tells them apart.
+    const double coarse = 1e-3;
+    return found.sphere == mistaken->sphere &&
+           (found.sphere == ORACLE_NO_SPHERE ||
+            fabs(found.t - mistaken->t) <= coarse * fabs(mistaken->t));
+}
+
+// How many rays of a scene hit something else than a right search would; none where an answer is
+// missing.
+static int count_wrong(const JobScene3D *scene, const HitAnswer *found)
+{
+    static const SearchRules right = {0};
+    int n_wrong = 0;
+    for (int pixel = 0; pixel < scene->scene.width * scene->scene.height; pixel++) {
+        const OracleRay ray = ray_of(scene, pixel);
+        const SearchResult result = search3d(scene, &ray, &right);
+        n_wrong += !scene->hits[pixel].is_ambiguous && !hit_agrees(&result, found, pixel);
+    }
+    return n_wrong;
+}
+
+// Add to a message about hits what they look like, if it does not say so yet.
+static Verdict explain_hits(const JobScene3D *scene, int k, const Sections *answers, Verdict wrong)
+{
+    const size_t n_pixels = (size_t)scene->scene.width * (size_t)scene->scene.height;
+    const HitAnswer *found = job_section_find(answers, "hits", k, n_pixels * sizeof *found);
+    if (strstr(wrong.message, "it looks") != NULL) {
+        return wrong;
+    }
+    const char *looks = explain(scene, hit_mistakes, COUNT(hit_mistakes), hit_agrees, found,
+                                count_wrong(scene, found));
+    if (looks == NULL) {
+        return wrong;
+    }
+    const Verdict explained = verdict_of(message_new("%s; it looks %s", wrong.message, looks));
+    free(wrong.message);
+    return explained;
+}
+
+static Verdict judge_hits(const Job *job, int first, int n, const Sections *answers)
+{
+    for (int k = first; k < first + n; k++) {
+        const Verdict verdict = job_scenes3d_judge_hits(job->scenes, k, 1, answers);
+        if (verdict.kind == VERDICT_FAILED) {
+            return explain_hits(&job->scenes[k], k, answers, verdict);
+        }
+        if (verdict.kind == VERDICT_MISSING) {
+            return verdict;
+        }
+    }
+    return verdict_of(NULL);
+}
+
+// ---- Work -------------------------------------------------------------------------------------
+
+static int is_within(Work work, Work most)
+{
+    return work.n_tests <= most.n_tests && work.n_nodes_visited <= most.n_nodes_visited &&
+           work.n_leaves_visited <= most.n_leaves_visited;
+}
+
+static int work_agrees(const SearchResult *mistaken, const void *answers, int pixel)
+{
+    const Work found = ((const Work *)answers)[pixel];
+    return found.n_leaves_visited == mistaken->work.n_leaves_visited &&
+           found.n_nodes_visited == mistaken->work.n_nodes_visited;
+}
+
+// The message when a scene's rays do too much, or hide what they do, or NULL.
+static char *judge_scene_work(const JobScene3D *scene, const Work *found)
+{
+    const Scene3D *s = &scene->scene;
+    Work first_most = {0};
+    unsigned long long n_tests = 0, n_tests_most = 0;
+    int n_wrong = 0, first = 0;
+    for (int pixel = 0; pixel < s->width * s->height; pixel++) {
+        const OracleRay ray = ray_of(scene, pixel);
+        const Work most = search3d_most(scene, &ray);
+        const OracleHit *hit = &scene->hits[pixel];
+        n_tests += found[pixel].n_tests;
+        n_tests_most += most.n_tests;
+        if (hit->sphere != ORACLE_NO_SPHERE && !hit->is_ambiguous && found[pixel].n_tests == 0) {
+            return message_new(
+                "%s: the ray of pixel (%d, %d) meets sphere %u, but intersect_sphere "
+                "was not called, expected in every leaf on its way; work that is "
+                "hidden cannot be counted",
+                scene->picture.title, pixel % s->width, pixel / s->width, hit->sphere);
+        }
+        if (!is_within(found[pixel], most) && n_wrong++ == 0) {
+            first = pixel;
+            first_most = most;
+        }
+    }
+    if (n_wrong == 0) {
+        return NULL;
+    }
+    const Work own = found[first];
+    const char *looks =
+        explain(scene, work_mistakes, COUNT(work_mistakes), work_agrees, found, n_wrong);
+    return message_new(
+        "%s: the ray of pixel (%d, %d): found %u nodes and %u leaves visited and %u spheres asked, "
+        "expected at most %u, %u and %u; %d of %d rays do more than they must, and %llu spheres "
+        "are asked instead of %llu%s%s",
+        scene->picture.title, first % s->width, first / s->width, own.n_nodes_visited,
+        own.n_leaves_visited, own.n_tests, first_most.n_nodes_visited, first_most.n_leaves_visited,
+        first_most.n_tests, n_wrong, s->width * s->height, n_tests, n_tests_most,
+        looks ? "; it looks " : "", looks ? looks : "");
+}
+
+// The scenes whose work is judged: few levels and many, spheres on all sides of the eye, a tree
+// that is as deep as it may be.
+static const int work_scenes[] = {
+    RANDOM + 2, RANDOM + 6, RANDOM + 7, RANDOM + N_RANDOM - 1, EDGES + N_EDGES - 1, FLAKE};
+
+static Verdict judge_work(const Job *job, const Sections *answers)
+{
+    for (int i = 0; i < COUNT(work_scenes); i++) {
+        const int k = work_scenes[i];
+        const JobScene3D *scene = &job->scenes[k];
+        const size_t n_bytes = (size_t)PROBE_IMAGE_SIDE(scene->scene.width) *
+                               (size_t)PROBE_IMAGE_SIDE(scene->scene.height) * sizeof(Work);
+        const Work *found = job_section_find(answers, "work", k, n_bytes);
+        if (found == NULL) {
+            if (job_picture_answer(&scene->picture, k, answers).pixels == NULL) {
+                return verdict_missing;
+            }
+            return verdict_of(message_new("the work could not be counted: call children_on_ray and "
+                                          "search_leaf in trace itself"));
+        }
+        char *message = judge_scene_work(scene, found);
+        if (message != NULL) {
+            return verdict_of(message);
+        }
+    }
+    return verdict_of(NULL);
+}
+
+// ---- All --------------------------------------------------------------------------------------
+
+static Verdict judge(const void *pointer, int check, const Sections *answers)
+{
+    const Job *job = pointer;
+    const Inputs07 *inputs = &job->inputs;
+    switch (check) {
+    case CLIP_CHECK_THROUGH:
+        return inputs_07_judge_clips(inputs, CLIP_FROM_OUTSIDE, answers);
+    case CLIP_CHECK_INSIDE:
+        return inputs_07_judge_clips(inputs, CLIP_PART, answers);
+    case CLIP_CHECK_BEHIND:
+        return inputs_07_judge_clips(inputs, CLIP_BESIDE, answers);
+    case CLIP_CHECK_PARALLEL:
+        return inputs_07_judge_clips(inputs, CLIP_ALONG, answers);
+    case SIDE_EYE:
+        return inputs_07_judge_sides(inputs, 0, answers);
+    case SIDE_ON_PLANE:
+        return inputs_07_judge_sides(inputs, 1, answers);
+    case CHILDREN_CASES:
+        return inputs_07_judge_planes(inputs, 0, answers);
+    case CHILDREN_BEHIND:
+        return inputs_07_judge_planes(inputs, 1, answers);
+    case CHILDREN_PARALLEL:
+        return inputs_07_judge_planes(inputs, 2, answers);
+    case LEAF_NEAREST:
+        return inputs_07_judge_leaves(inputs, 0, answers);
+    case LEAF_IDS:
+        return inputs_07_judge_leaves(inputs, 1, answers);
+    case LEAF_ONCE:
+        return inputs_07_judge_leaf_tests(inputs, answers);
+    case TRACE_RANDOM:
+        return judge_hits(job, RANDOM, N_RANDOM, answers);
+    case TRACE_EDGES:
+        return judge_hits(job, EDGES, N_EDGES, answers);
+    case TRACE_EARLY_END:
+        return judge_work(job, answers);
+    default:
+        return job_pictures_judge(job->pictures, 0, N_SCENES, answers);
+    }
+}
+
+// The oracle's pictures stay the reference: a right solution may be as far from them as ours is, on
+// the other side.
+static void adopt(void *job, const Sections *answers)
+{
+    (void)job, (void)answers;
+}
+
+static void add_pictures(const void *pointer, const Sections *answers, Result *result)
+{
+    const Job *job = pointer;
+    job_pictures_report(job->pictures, N_SCENES, answers, result);
+}
+
+const Judge judge_07 = {
+    "07-kdtree-3d-trace", checks, sizeof checks / sizeof *checks, job_new, job_free, judge, adopt,
+    add_pictures,
+};

@@ -1,0 +1,69 @@
+// What lab 07's judge asks of a submission: inputs of its functions, and scenes with their trees.
+// Inputs are drawn in judge_07_inputs.c and judged in judge_07_functions.c; scenes are drawn in
+// judge_07_scenes.c and judged in judge_07.c.
+#ifndef GRADER_JUDGE_07_H
+#define GRADER_JUDGE_07_H
+
+#include "job_scene3d.h"
+#include "jobs.h"
+#include "judge.h"
+#include "random.h"
+
+// ---- Functions --------------------------------------------------------------------------------
+
+// How many inputs each range has; a function's ranges follow one another.
+enum {
+    N_CLIP_INPUTS = 500,   // 4 ranges, see ClipRange
+    N_SIDE_INPUTS = 400,   // 2 ranges: the eye beside the plane, on the plane
+    N_PLANE_INPUTS = 500,  // 3 ranges: the plane ahead, behind the eye, along the ray
+    N_LEAF_INPUTS = 240,   // 2 ranges: spheres of different places, some of them twice
+    LEAF_MAX_SPHERES = 12,
+    N_LEAVES = 2 * N_LEAF_INPUTS,
+    // Before and behind each leaf's ids stands one more, which must not be asked.
+    N_LEAF_IDS = N_LEAVES * (LEAF_MAX_SPHERES + 2),
+};
+
+enum ClipRange { CLIP_FROM_OUTSIDE, CLIP_PART, CLIP_BESIDE, CLIP_ALONG, N_CLIP_RANGES };
+
+typedef struct Inputs07 {
+    ClipJob clips[N_CLIP_RANGES * N_CLIP_INPUTS];
+    SideJob sides[2 * N_SIDE_INPUTS];
+    PlaneJob planes[3 * N_PLANE_INPUTS];
+    SearchJob leaves[N_LEAVES];
+    u32 leaf_ids[N_LEAF_IDS];
+    // As many as there are ids: who takes a position for an id finds another sphere.
+    Sphere leaf_spheres[N_LEAF_IDS];
+} Inputs07;
+
+void inputs_07_draw(Random *random, Inputs07 *inputs);
+
+// Write the sections "clips", "sides", "planes", "leaves", "leaf_ids" and "leaf_spheres". Returns 0,
+// or -1.
+int inputs_07_write(const Inputs07 *inputs, FILE *file);
+
+// Judge a function's answers in one range. The message names the first wrong input, what was found
+// and expected, and the mistake that explains every wrong answer, if one does.
+Verdict inputs_07_judge_clips(const Inputs07 *inputs, int range, const Sections *answers);
+Verdict inputs_07_judge_sides(const Inputs07 *inputs, int range, const Sections *answers);
+Verdict inputs_07_judge_planes(const Inputs07 *inputs, int range, const Sections *answers);
+Verdict inputs_07_judge_leaves(const Inputs07 *inputs, int range, const Sections *answers);
+
+// Was every sphere of every leaf asked once?
+Verdict inputs_07_judge_leaf_tests(const Inputs07 *inputs, const Sections *answers);
+
+// ---- Scenes -----------------------------------------------------------------------------------
+
+// In the order of the job.
+enum {
+    RANDOM = 0,
+    N_RANDOM = 20,
+    EDGES = RANDOM + N_RANDOM,
+    N_EDGES = 10,  // those of scene3d.h, a lattice, and a tree that needs the whole todo stack
+    FLAKE = EDGES + N_EDGES,
+    N_SCENES,
+};
+
+// Draw the scenes, with their trees and what is expected. Returns 0, or -1 after one message.
+int scenes_07_draw(Random *random, JobScene3D scenes[N_SCENES]);
+
+#endif

@@ -1,0 +1,464 @@
+// Judging the answers of lab 07's functions by double-precision arithmetic.
+//
+// How far may t be off that a right solution computes for a plane? See PLANE_ERROR of
+// judge_07_search.c; PLANE_ERROR below is the same. Along an axis, on the inputs' grid, nothing is
+// rounded. Where the answer depends on rounding, either one is right.
+#include "judge_07.h"
+#include "message.h"
+
+#include <math.h>
+#include <string.h>
+
+#define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
+#define PLANE_ERROR (16 * 0x1p-24)
+
+// ---- Ranges -----------------------------------------------------------------------------------
+
+// Does an answer agree with what comes of known mistake number `mistake`, 0 for none?
+typedef int Agrees(const Inputs07 *inputs, int i, const void *answers, int mistake);
+
+// The answers of one function in one range.
+typedef struct Range {
+    const Inputs07 *inputs;
+    const void *answers;
+    size_t answer_bytes;
+    int first, n;
+    Agrees *agrees;
+    const char *const *mistakes;  // what is said about each; that of number 0 is not used
+    int n_mistakes;
+} Range;
+
+typedef struct Wrong {
+    int n;            // wrong answers
+    int first;        // the first wrong input
+    const char *why;  // the mistake that explains all of them; "" when none does
+} Wrong;
+
+static int explains(const Range *range, int mistake)
+{
+    int i = range->first;
+    while (i < range->first + range->n &&
+           range->agrees(range->inputs, i, range->answers, mistake)) {
+        i++;
+    }
+    return i == range->first + range->n;
+}
+
+// Are all answers the same, as where nothing was filled in? Then nothing is concluded from them.
+static int is_constant(const Range *range)
+{
+    const char *answers = (const char *)range->answers + (size_t)range->first * range->answer_bytes;
+    int i = 1;
+    while (i < range->n &&
+           memcmp(answers, answers + (size_t)i * range->answer_bytes, range->answer_bytes) == 0) {
+        i++;
+    }
+    return i == range->n;
+}
+
+static Wrong range_judge(const Range *range)
+{
+    Wrong wrong = {.why = ""};
+    for (int i = range->first + range->n - 1; i >= range->first; i--) {
+        if (!range->agrees(range->inputs, i, range->answers, 0)) {
+            wrong.n++;
+            wrong.first = i;
+        }
+    }
+    if (wrong.n > 0 && !is_constant(range)) {
+        for (int mistake = 1; mistake < range->n_mistakes; mistake++) {
+            if (explains(range, mistake)) {
+                wrong.why = range->mistakes[mistake];
+                break;
+            }
+        }
+    }
+    return wrong;
+}
+
+// Where a number of a right solution may lie.
+typedef struct Span {
+    double low, high;
+} Span;
+
+// ---- clip_to_box ------------------------------------------------------------------------------
+
+enum {
+    CLIP_LOW_IS_ENTRY = 1,
+    CLIP_NEAR_IGNORED,
+    CLIP_FAR_IGNORED,
+    CLIP_FIRST_ENTRY,
+    CLIP_LAST_EXIT,
+    CLIP_POINT_MISSED,
+    CLIP_ALONG_IGNORED,
+    CLIP_ALONG_MISSED,
+    CLIP_ALWAYS_MET,
+};
+static const char *const clip_mistakes[] = {
+    [CLIP_LOW_IS_ENTRY] = "; that is as if every ray entered at the lower plane: with a negative "
+                          "direction it enters at the upper one",
+    [CLIP_NEAR_IGNORED] = "; that is as if t_near did not count: it only grows",
+    [CLIP_FAR_IGNORED] = "; that is as if t_far did not count: it only shrinks",
+    [CLIP_FIRST_ENTRY] = "; that is as if the first entry counted: the ray is inside from the last",
+    [CLIP_LAST_EXIT] = "; that is as if the last exit counted: the ray is inside up to the first",
+    [CLIP_POINT_MISSED] = "; where t_near and t_far are equal a point is left: that is 1",
+    [CLIP_ALONG_IGNORED] = "; a ray along the planes of an axis is between them, or never: then it "
+                           "passes the box",
+    [CLIP_ALONG_MISSED] = "; a ray along the planes of an axis may be between them all the way",
+    [CLIP_ALWAYS_MET] = "; when t_near is beyond t_far nothing is left: that is 0",
+};
+
+// What may come out.
+typedef struct Clip {
+    int may_meet, may_miss;
+    Span t_near, t_far;
+} Clip;
+
+static double along(Vec3 v, int axis)
+{
+    return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
+static Span clip_plane(const ClipJob *job, int axis, double plane)
+{
+    const double origin = along(job->origin, axis), direction = along(job->direction, axis);
+    const double t = (plane - origin) / direction;
+    const int is_exact = fabs(direction) == 1;
+    const double error =
+        is_exact ? 0 : PLANE_ERROR * (fabs(plane) + fabs(origin)) / fabs(direction);
+    return (Span){t - error, t + error};
+}
+
+static Span later(Span a, Span b)
+{
+    return (Span){fmax(a.low, b.low), fmax(a.high, b.high)};
+}
+
+static Span earlier(Span a, Span b)
+{
+    return (Span){fmin(a.low, b.low), fmin(a.high, b.high)};
+}
+
+static Clip expected_clip(const ClipJob *job, int mistake)
+{
+    const double from = mistake == CLIP_NEAR_IGNORED ? -(double)INFINITY : (double)job->t_near;
+    const double to = mistake == CLIP_FAR_IGNORED ? (double)INFINITY : (double)job->t_far;
+    Span entry = {-INFINITY, -INFINITY}, exit = {INFINITY, INFINITY};
+    int n_axes = 0, is_outside = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        const double min = job->box.min[axis], max = job->box.max[axis];
+        if (along(job->direction, axis) == 0) {
+            const double origin = along(job->origin, axis);
+            is_outside |= mistake == CLIP_ALONG_MISSED || origin < min || origin > max;
+            continue;
+        }
+        const Span low = clip_plane(job, axis, min), high = clip_plane(job, axis, max);
+        const Span in = mistake == CLIP_LOW_IS_ENTRY ? low : earlier(low, high);
+        const Span out = mistake == CLIP_LOW_IS_ENTRY ? high : later(low, high);
+        if (n_axes++ == 0) {
+            entry = in;
+            exit = out;
+        }
+        entry = mistake == CLIP_FIRST_ENTRY ? earlier(entry, in) : later(entry, in);
+        exit = mistake == CLIP_LAST_EXIT ? later(exit, out) : earlier(exit, out);
+    }
+    Clip clip = {.t_near = later(entry, (Span){from, from}),
+                 .t_far = earlier(exit, (Span){to, to})};
+    const int point_counts = mistake != CLIP_POINT_MISSED;
+    clip.may_meet =
+        point_counts ? clip.t_near.low <= clip.t_far.high : clip.t_near.low < clip.t_far.high;
+    clip.may_miss =
+        point_counts ? clip.t_near.high > clip.t_far.low : clip.t_near.high >= clip.t_far.low;
+    if (mistake == CLIP_ALWAYS_MET) {
+        clip.may_meet = 1;
+        clip.may_miss = 0;
+    }
+    if (is_outside && mistake != CLIP_ALONG_IGNORED) {
+        clip.may_meet = 0;
+        clip.may_miss = 1;
+    }
+    return clip;
+}
+
+static int is_within(double t, Span span)
+{
+    return t >= span.low && t <= span.high;
+}
+
+static int clip_agrees(const Inputs07 *inputs, int i, const void *answers, int mistake)
+{
+    const ClipAnswer found = ((const ClipAnswer *)answers)[i];
+    const Clip clip = expected_clip(&inputs->clips[i], mistake);
+    if (!found.is_met) {
+        return clip.may_miss;
+    }
+    return clip.may_meet && is_within(found.t_near, clip.t_near) &&
+           is_within(found.t_far, clip.t_far);
+}
+
+// "0", or "1 and [1.5, 3.25]".
+static void describe_clip(char *text, size_t n_bytes, int is_met, double t_near, double t_far)
+{
+    snprintf(text, n_bytes, is_met ? "%d and [%.7g, %.7g]" : "%d", is_met, t_near, t_far);
+}
+
+Verdict inputs_07_judge_clips(const Inputs07 *inputs, int range, const Sections *answers)
+{
+    const ClipAnswer *found =
+        sections_find(answers, "clips", sizeof *found * (size_t)COUNT(inputs->clips));
+    if (found == NULL) {
+        return verdict_missing;
+    }
+    const Wrong wrong =
+        range_judge(&(Range){inputs, found, sizeof *found, range * N_CLIP_INPUTS, N_CLIP_INPUTS,
+                             clip_agrees, clip_mistakes, COUNT(clip_mistakes)});
+    if (wrong.n == 0) {
+        return verdict_of(NULL);
+    }
+    const ClipJob *job = &inputs->clips[wrong.first];
+    const ClipAnswer own = found[wrong.first];
+    const Clip right = expected_clip(job, 0);
+    char own_text[64], right_text[64];
+    describe_clip(own_text, sizeof own_text, own.is_met, own.t_near, own.t_far);
+    describe_clip(right_text, sizeof right_text, right.may_meet,
+                  (right.t_near.low + right.t_near.high) / 2,
+                  (right.t_far.low + right.t_far.high) / 2);
+    return verdict_of(message_new(
+        "box from (%g, %g, %g) to (%g, %g, %g), ray from (%g, %g, %g) along (%.7g, %.7g, %.7g), "
+        "part [%g, %g]: found %s, expected %s%s; %d of %d inputs are wrong",
+        (double)job->box.min[0], (double)job->box.min[1], (double)job->box.min[2],
+        (double)job->box.max[0], (double)job->box.max[1], (double)job->box.max[2],
+        (double)job->origin.x, (double)job->origin.y, (double)job->origin.z,
+        (double)job->direction.x, (double)job->direction.y, (double)job->direction.z,
+        (double)job->t_near, (double)job->t_far, own_text, right_text, wrong.why, wrong.n,
+        N_CLIP_INPUTS));
+}
+
+// ---- near_side --------------------------------------------------------------------------------
+
+enum {
+    SIDE_SWAPPED = 1,
+    SIDE_BY_DIRECTION,
+    SIDE_INTO,
+    SIDE_ON_PLANE_LOWER,
+    SIDE_ON_PLANE_UPPER,
+    SIDE_ON_PLANE_SWAPPED,
+    SIDE_IS_ID,
+};
+static const char *const side_mistakes[] = {
+    [SIDE_SWAPPED] = "; that is the far side: near and far are swapped",
+    [SIDE_BY_DIRECTION] = "; that is as if the direction decided, wherever the eye is",
+    [SIDE_INTO] = "; that is as if the ray's way decided, wherever the eye is",
+    [SIDE_ON_PLANE_LOWER] = "; an eye on the plane was sent to the lower child, wherever the ray "
+                            "goes",
+    [SIDE_ON_PLANE_UPPER] = "; an eye on the plane was sent to the upper child, wherever the ray "
+                            "goes",
+    [SIDE_ON_PLANE_SWAPPED] = "; with the eye on the plane the near child is the one the ray goes "
+                              "into, not the one it comes from",
+    [SIDE_IS_ID] = "; that is the id of a child; 0 and 1 are the sides",
+};
+
+// Is the ray along the plane? Then the eye is on either side when it is on the plane.
+static int is_along(const SideJob *job)
+{
+    return job->direction == 0 || isinf(job->direction);
+}
+
+static u32 expected_side(const SideJob *job, int mistake)
+{
+    const f32 plane = job->node.split_pos;
+    u32 side = job->origin < plane ? 0 : job->origin > plane ? 1 : job->direction > 0;
+    if (job->origin == plane) {
+        side = mistake == SIDE_ON_PLANE_LOWER     ? 0
+               : mistake == SIDE_ON_PLANE_UPPER   ? 1
+               : mistake == SIDE_ON_PLANE_SWAPPED ? !side
+                                                  : side;
+    }
+    side = mistake == SIDE_BY_DIRECTION ? job->direction < 0
+           : mistake == SIDE_INTO       ? job->direction > 0
+                                        : side;
+    side = mistake == SIDE_SWAPPED ? !side : side;
+    return mistake == SIDE_IS_ID ? job->node.first + side : side;
+}
+
+static int side_agrees(const Inputs07 *inputs, int i, const void *answers, int mistake)
+{
+    const SideJob *job = &inputs->sides[i];
+    const u32 found = ((const u32 *)answers)[i];
+    // A mistake may treat -0 or an infinite number in its own way, too.
+    if (is_along(job) && (mistake != 0 || job->origin == job->node.split_pos)) {
+        return mistake != 0 || found <= 1;
+    }
+    return found == expected_side(job, mistake);
+}
+
+Verdict inputs_07_judge_sides(const Inputs07 *inputs, int range, const Sections *answers)
+{
+    const u32 *found =
+        sections_find(answers, "sides", sizeof *found * (size_t)COUNT(inputs->sides));
+    if (found == NULL) {
+        return verdict_missing;
+    }
+    const Wrong wrong =
+        range_judge(&(Range){inputs, found, sizeof *found, range * N_SIDE_INPUTS, N_SIDE_INPUTS,
+                             side_agrees, side_mistakes, COUNT(side_mistakes)});
+    if (wrong.n == 0) {
+        return verdict_of(NULL);
+    }
+    const SideJob *job = &inputs->sides[wrong.first];
+    return verdict_of(message_new(
+        "plane at %.9g, eye at %.9g, direction %g: found %u, expected %u%s; %d of %d inputs are "
+        "wrong",
+        (double)job->node.split_pos, (double)job->origin, (double)job->direction,
+        found[wrong.first], expected_side(job, 0), wrong.why, wrong.n, N_SIDE_INPUTS));
+}
+
+// ---- children_on_ray --------------------------------------------------------------------------
+
+enum {
+    PLANE_SWAPPED = 1,
+    PLANE_BEHIND_CROSSED,
+    PLANE_BEHIND_MET,
+    PLANE_AT_EYE_MET,
+    PLANE_BEYOND_BOTH,
+    PLANE_CROSSED_BOTH,
+    PLANE_CROSSED_NEAR,
+    PLANE_INSIDE_NEAR,
+    PLANE_INSIDE_FAR,
+    PLANE_ALONG_BOTH,
+    PLANE_ALONG_FAR,
+    PLANE_BACKWARDS,
+    PLANE_DIVIDED,
+    PLANE_FROM_ZERO,
+};
+static const char *const plane_mistakes[] = {
+    [PLANE_SWAPPED] = "; ONLY_NEAR and ONLY_FAR are swapped",
+    [PLANE_BEHIND_CROSSED] = "; that is as if a plane behind the eye had been crossed before the "
+                             "node: t_split <= 0 is ONLY_NEAR",
+    [PLANE_BEHIND_MET] = "; a plane behind the eye is not met: t_split <= 0 is ONLY_NEAR",
+    [PLANE_AT_EYE_MET] = "; with the eye on the plane t_split is 0: that is ONLY_NEAR, as behind "
+                         "the eye",
+    [PLANE_BEYOND_BOTH] = "; that is as if t_far did not count: beyond it only the near child is "
+                          "met",
+    [PLANE_CROSSED_BOTH] = "; a plane crossed before t_near leaves only the far child",
+    [PLANE_CROSSED_NEAR] = "; a plane crossed before t_near leaves the far child, not the near one",
+    [PLANE_INSIDE_NEAR] = "; that is as if the far child were never met: a plane between t_near "
+                          "and t_far is BOTH",
+    [PLANE_INSIDE_FAR] = "; that is as if only the far child were met: a plane between t_near and "
+                         "t_far is BOTH",
+    [PLANE_ALONG_BOTH] = "; a ray along the plane never meets it, and comparisons with NaN are "
+                         "never true: that is ONLY_NEAR",
+    [PLANE_ALONG_FAR] = "; a ray along the plane never meets it, and comparisons with NaN are "
+                        "never true: that is ONLY_NEAR",
+    [PLANE_BACKWARDS] = "; t_split has the wrong sign",
+    [PLANE_DIVIDED] = "; t_split is divided by the inverse: it is 1 / direction already",
+    [PLANE_FROM_ZERO] = "; t_split is computed without the origin",
+};
+
+// What may come out: a bit for each of ONLY_NEAR, ONLY_FAR and BOTH, and where t_split lies.
+typedef struct Children {
+    u32 may_be;
+    Span t_split;
+} Children;
+
+enum { NEAR_BIT = 1 << PLANE_ONLY_NEAR, FAR_BIT = 1 << PLANE_ONLY_FAR, BOTH_BIT = 1 << PLANE_BOTH };
+
+// Where rounding decides, and where the plane is exactly at t_near or t_far, more than one is right.
+static Children expected_children(const PlaneJob *job, int mistake)
+{
+    const double plane = job->node.split_pos, inverse = job->inverse, t_near = job->t_near,
+                 t_far = job->t_far, origin = mistake == PLANE_FROM_ZERO ? 0 : (double)job->origin;
+    double t = mistake == PLANE_DIVIDED ? (plane - origin) / inverse : (plane - origin) * inverse;
+    t = mistake == PLANE_BACKWARDS ? -t : t;
+    if (isinf(inverse)) {
+        const u32 only = mistake == PLANE_ALONG_BOTH  ? BOTH_BIT
+                         : mistake == PLANE_ALONG_FAR ? FAR_BIT
+                                                      : NEAR_BIT;
+        // NaN is where the mistakes show; an infinite t_split compares as it should.
+        return (Children){isnan(t) ? only : NEAR_BIT, {-INFINITY, INFINITY}};
+    }
+    const double error =
+        plane == origin ? 0 : PLANE_ERROR * (fabs(plane) + fabs(origin)) * fabs(inverse);
+    const Span split = {t - error, t + error};
+    if (split.high <= 0 && mistake == PLANE_BEHIND_MET) {
+        return (Children){BOTH_BIT, split};
+    }
+    if (t == 0 && mistake == PLANE_AT_EYE_MET) {
+        return (Children){t < t_near ? FAR_BIT : BOTH_BIT, split};
+    }
+    const int behind_counts = mistake == PLANE_BEHIND_CROSSED;
+    u32 may_be = 0;
+    if ((split.low <= 0 && !behind_counts) || split.high >= t_far) {
+        may_be |= mistake == PLANE_BEYOND_BOTH && split.low > 0 ? BOTH_BIT : NEAR_BIT;
+    }
+    if ((split.high > 0 || behind_counts) && split.low <= t_near) {
+        may_be |= mistake == PLANE_CROSSED_BOTH   ? BOTH_BIT
+                  : mistake == PLANE_CROSSED_NEAR ? NEAR_BIT
+                                                  : FAR_BIT;
+    }
+    if ((split.high > 0 || behind_counts) && split.high >= t_near && split.low <= t_far) {
+        may_be |= mistake == PLANE_INSIDE_NEAR  ? NEAR_BIT
+                  : mistake == PLANE_INSIDE_FAR ? FAR_BIT
+                                                : BOTH_BIT;
+    }
+    if (mistake == PLANE_SWAPPED) {
+        may_be = (may_be & BOTH_BIT) | (may_be & NEAR_BIT ? FAR_BIT : 0) |
+                 (may_be & FAR_BIT ? NEAR_BIT : 0);
+    }
+    return (Children){may_be, split};
+}
+
+static int plane_agrees(const Inputs07 *inputs, int i, const void *answers, int mistake)
+{
+    const PlaneAnswer found = ((const PlaneAnswer *)answers)[i];
+    const Children right = expected_children(&inputs->planes[i], mistake);
+    if (found.children >= PLANE_UNKNOWN || !(right.may_be >> found.children & 1)) {
+        return 0;
+    }
+    // Of a mistake only the choice is looked at, but where t_split itself is the mistake.
+    const int is_of_t = mistake == 0 || mistake >= PLANE_BACKWARDS;
+    return !is_of_t || found.children == PLANE_ONLY_NEAR || is_within(found.t_split, right.t_split);
+}
+
+// "BOTH, t_split 1.5"; t_split is not used for ONLY_NEAR.
+static void describe_children(char *text, size_t n_bytes, u32 children, double t_split)
+{
+    static const char *const names[] = {"ONLY_NEAR", "ONLY_FAR", "BOTH",
+                                        "none of ONLY_NEAR, ONLY_FAR and BOTH"};
+    const char *name = names[children < PLANE_UNKNOWN ? children : PLANE_UNKNOWN];
+    if (children == PLANE_ONLY_FAR || children == PLANE_BOTH) {
+        snprintf(text, n_bytes, "%s with t_split %.7g", name, t_split);
+    } else {
+        snprintf(text, n_bytes, "%s", name);
+    }
+}
+
+Verdict inputs_07_judge_planes(const Inputs07 *inputs, int range, const Sections *answers)
+{
+    const PlaneAnswer *found =
+        sections_find(answers, "planes", sizeof *found * (size_t)COUNT(inputs->planes));
+    if (found == NULL) {
+        return verdict_missing;
+    }
+    const Wrong wrong =
+        range_judge(&(Range){inputs, found, sizeof *found, range * N_PLANE_INPUTS, N_PLANE_INPUTS,
+                             plane_agrees, plane_mistakes, COUNT(plane_mistakes)});
+    if (wrong.n == 0) {
+        return verdict_of(NULL);
+    }
+    const PlaneJob *job = &inputs->planes[wrong.first];
+    const PlaneAnswer own = found[wrong.first];
+    const Children right = expected_children(job, 0);
+    char own_text[64], right_text[64];
+    describe_children(own_text, sizeof own_text, own.children, own.t_split);
+    describe_children(right_text, sizeof right_text,
+                      right.may_be & BOTH_BIT  ? PLANE_BOTH
+                      : right.may_be & FAR_BIT ? PLANE_ONLY_FAR
+                                               : PLANE_ONLY_NEAR,
+                      (right.t_split.low + right.t_split.high) / 2);
+    return verdict_of(message_new(
+        "plane at %.7g, eye at %.7g, 1 / direction %.7g, part [%g, %g]: found %s, "
+        "expected %s%s; %d of %d inputs are wrong",
+        (double)job->node.split_pos, (double)job->origin, (double)job->inverse, (double)job->t_near,
+        (double)job->t_far, own_text, right_text, wrong.why, wrong.n, N_PLANE_INPUTS));
+}

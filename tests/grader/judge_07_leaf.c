@@ -1,0 +1,172 @@
+// Judging the answers of lab 07's search_leaf by the double-precision oracle.
+#include "judge_07.h"
+#include "message.h"
+
+#include <math.h>
+
+static const OracleRules3D right = {0};
+
+// A known mistake: rules of the oracle's, or one about the hit so far.
+typedef struct Mistake {
+    const char *says;
+    OracleRules3D rules;
+    int forgets_hit;     // the hit so far is replaced whatever it is
+    int is_position;     // the sphere is a position in sphere_ids
+    int keeps_sphere;    // the sphere is never set
+    int keeps_distance;  // nor is t
+} Mistake;
+
+static const Mistake mistakes[] = {
+    {"; that is a position in sphere_ids, not what stands there", .is_position = 1},
+    {"; hit->sphere is not set", .keeps_sphere = 1},
+    {"; hit->t is not set", .keeps_distance = 1},
+    {"; the hit so far was nearer: it stays", .forgets_hit = 1},
+    {"; the last sphere of the leaf is missing", .rules = {.skip_last = 1}},
+    {"; the first sphere of the leaf is missing", .rules = {.skip_first = 1}},
+    {"; one sphere too many is asked, the one behind the leaf's", .rules = {.one_sphere_more = 1}},
+    {"; of two equally far spheres the later one won", .rules = {.later_wins_ties = 1}},
+    {"; that is as if the first sphere that is hit won, however far", .rules = {.first_wins = 1}},
+    {"; that is as if the last sphere that is hit won, however far", .rules = {.last_wins = 1}},
+    {"; that is as if the farthest sphere won", .rules = {.farthest_wins = 1}},
+};
+enum { N_MISTAKES = sizeof mistakes / sizeof *mistakes };
+
+// What may come out.
+typedef struct LeafHit {
+    u32 sphere;
+    double t, t_tolerance;
+    int is_ambiguous;
+} LeafHit;
+
+static LeafHit expected_hit(const Inputs07 *inputs, int i, const Mistake *mistake)
+{
+    const SearchJob *job = &inputs->leaves[i];
+    const u32 n_spheres = job->node.n_spheres, *ids = inputs->leaf_ids + job->node.first;
+    Sphere spheres[LEAF_MAX_SPHERES + 1];
+    for (u32 at = 0; at <= n_spheres; at++) {
+        spheres[at] = inputs->leaf_spheres[ids[at]];
+    }
+    const OracleRay ray = oracle3d_given_ray(job->origin, job->direction, 0);
+    const OracleHit hit =
+        oracle3d_nearest(spheres, n_spheres, &ray, mistake ? &mistake->rules : &right);
+    LeafHit result = {job->sphere, job->t, 0, hit.is_ambiguous};
+    const double gap = hit.sphere == ORACLE_NO_SPHERE ? INFINITY : hit.t - (double)job->t;
+    // Where the hit so far is as far as the leaf's, rounding decides.
+    result.is_ambiguous |= fabs(gap) <= hit.t_tolerance;
+    const int takes = gap < 0 || (mistake && mistake->forgets_hit && gap < INFINITY);
+    if (takes) {
+        result.t = mistake && mistake->keeps_distance ? (double)job->t : hit.t;
+        result.t_tolerance = hit.t_tolerance;
+        result.sphere = mistake && mistake->keeps_sphere  ? job->sphere
+                        : mistake && mistake->is_position ? job->node.first + hit.sphere
+                                                          : ids[hit.sphere];
+    }
+    return result;
+}
+
+static int is_right_t(const LeafHit *expected, float t)
+{
+    return t == (float)expected->t || fabs(t - expected->t) <= expected->t_tolerance;
+}
+
+static int agrees(const LeafHit *expected, SearchAnswer found)
+{
+    return expected->is_ambiguous ||
+           (is_right_t(expected, found.t) && found.sphere == expected->sphere);
+}
+
+// The mistake that explains the answers of a range; "" when none does.
+static const char *explain(const Inputs07 *inputs, int first, const SearchAnswer *found)
+{
+    for (int m = 0; m < N_MISTAKES; m++) {
+        int i = first, n_changed = 0;
+        for (; i < first + N_LEAF_INPUTS; i++) {
+            const LeafHit hit = expected_hit(inputs, i, &mistakes[m]);
+            const LeafHit right_hit = expected_hit(inputs, i, NULL);
+            if (!right_hit.is_ambiguous && !agrees(&hit, found[i])) {
+                break;
+            }
+            n_changed +=
+                found[i].t != inputs->leaves[i].t || found[i].sphere != inputs->leaves[i].sphere;
+        }
+        // That no hit changes has many reasons.
+        if (i == first + N_LEAF_INPUTS && n_changed > 0) {
+            return mistakes[m].says;
+        }
+    }
+    return "";
+}
+
+// "nothing", or "sphere 3 at t = 4.5".
+static void describe_hit(char *text, size_t n_bytes, u32 sphere, double t)
+{
+    if (sphere == ORACLE_NO_SPHERE && t == INFINITY) {
+        snprintf(text, n_bytes, "nothing");
+    } else if (sphere == ORACLE_NO_SPHERE) {
+        snprintf(text, n_bytes, "no sphere at t = %.9g", t);
+    } else {
+        snprintf(text, n_bytes, "sphere %u at t = %.9g", sphere, t);
+    }
+}
+
+static const SearchAnswer *answers_of(const Sections *answers)
+{
+    return sections_find(answers, "leaves", N_LEAVES * sizeof(SearchAnswer));
+}
+
+Verdict inputs_07_judge_leaves(const Inputs07 *inputs, int range, const Sections *answers)
+{
+    const SearchAnswer *found = answers_of(answers);
+    if (found == NULL) {
+        return verdict_missing;
+    }
+    const int start = range * N_LEAF_INPUTS;
+    int n_wrong = 0, first = 0;
+    for (int i = start + N_LEAF_INPUTS - 1; i >= start; i--) {
+        const LeafHit expected = expected_hit(inputs, i, NULL);
+        // The first range is about distances, the second about whose they are.
+        const int is_right =
+            range == 0 ? is_right_t(&expected, found[i].t) : found[i].sphere == expected.sphere;
+        if (!expected.is_ambiguous && !is_right) {
+            n_wrong++;
+            first = i;
+        }
+    }
+    if (n_wrong == 0) {
+        return verdict_of(NULL);
+    }
+    const SearchJob *job = &inputs->leaves[first];
+    const LeafHit expected = expected_hit(inputs, first, NULL);
+    char before[64], own[64], wanted[64];
+    describe_hit(before, sizeof before, job->sphere, job->t);
+    describe_hit(own, sizeof own, found[first].sphere, found[first].t);
+    describe_hit(wanted, sizeof wanted, expected.sphere, expected.t);
+    return verdict_of(message_new(
+        "a leaf of %u spheres, its ids from %u on, ray from (%g, %g, %g) along (%.7g, %.7g, %.7g), "
+        "hit so far: %s: found %s, expected %s%s; %d of %d inputs are wrong",
+        job->node.n_spheres, job->node.first, (double)job->origin.x, (double)job->origin.y,
+        (double)job->origin.z, (double)job->direction.x, (double)job->direction.y,
+        (double)job->direction.z, before, own, wanted, explain(inputs, start, found), n_wrong,
+        N_LEAF_INPUTS));
+}
+
+Verdict inputs_07_judge_leaf_tests(const Inputs07 *inputs, const Sections *answers)
+{
+    const SearchAnswer *found = answers_of(answers);
+    if (found == NULL) {
+        return verdict_missing;
+    }
+    for (int i = 0; i < N_LEAVES; i++) {
+        const u32 n_spheres = inputs->leaves[i].node.n_spheres, n_tests = found[i].n_tests;
+        if (n_tests == UNTOUCHED) {
+            return verdict_of(message_new("the work could not be counted: call intersect_sphere in "
+                                          "search_leaf itself"));
+        }
+        if (n_tests != n_spheres) {
+            return verdict_of(message_new("a leaf of %u spheres: intersect_sphere was called %u "
+                                          "times, expected %u, once for each sphere of the leaf",
+                                          n_spheres, n_tests, n_spheres));
+        }
+    }
+    return verdict_of(NULL);
+}

@@ -1,0 +1,288 @@
+// Searching a kd-tree on the host.
+//
+// search3d_most() is why the counted work can be judged ray by ray. It knows where each number of a
+// right solution may lie: a direction's part anywhere within the ray's error (oracle3d.c, 1), and
+// t_split within PLANE_ERROR of what follows from it. Whatever may be visited is counted; the
+// search ends only where every right one must: in a leaf that no right one passes by, with a hit
+// that is certain and certainly not beyond t_far. A ray along a plane may go to either side of it.
+#include "judge_07_search.h"
+
+#include <math.h>
+
+#define ROUNDING 0x1p-24
+// Of (plane - origin) / direction, in units of (|plane| + |origin|) / |direction|: one for the
+// difference, five for the division (2.5 ulp, OpenCL 1.2, 7.4) or the inverse, one for the product,
+// and the same once more where both terms are multiplied before they are subtracted.
+#define PLANE_ERROR (16 * ROUNDING)
+
+static double along(OracleVector v, u32 axis)
+{
+    return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
+// ---- With mistakes ----------------------------------------------------------------------------
+
+typedef struct Waiting {
+    u32 id;
+    double t_near, t_far;
+} Waiting;
+
+typedef struct Search {
+    const JobScene3D *scene;
+    const OracleRay *ray;
+    const SearchRules *rules;
+    Waiting todo[2 * TODO_SIZE];  // who takes the oldest first needs more room than others
+    u32 n_todo;
+    SearchResult result;
+} Search;
+
+static void wait_for(Search *search, u32 id, double t_near, double t_far)
+{
+    Work *work = &search->result.work;
+    if (search->n_todo < sizeof search->todo / sizeof *search->todo) {
+        search->todo[search->n_todo++] = (Waiting){id, t_near, t_far};
+        work->stack_depth = search->n_todo > work->stack_depth ? search->n_todo : work->stack_depth;
+    }
+}
+
+static Waiting next_waiting(Search *search)
+{
+    search->n_todo--;
+    if (!search->rules->oldest_first) {
+        return search->todo[search->n_todo];
+    }
+    const Waiting oldest = search->todo[0];
+    for (u32 i = 0; i < search->n_todo; i++) {
+        search->todo[i] = search->todo[i + 1];
+    }
+    return oldest;
+}
+
+// The part of the ray inside the scene's box. Returns 0 when there is none.
+static int clip(BBox3D box, const OracleRay *ray, Waiting *root)
+{
+    for (u32 axis = 0; axis < 3; axis++) {
+        const double origin = along(ray->origin, axis), direction = along(ray->direction, axis);
+        if (direction == 0 && (origin < box.min[axis] || origin > box.max[axis])) {
+            return 0;
+        }
+        if (direction != 0) {
+            const double low = (box.min[axis] - origin) / direction;
+            const double high = (box.max[axis] - origin) / direction;
+            root->t_near = fmax(root->t_near, fmin(low, high));
+            root->t_far = fmin(root->t_far, fmax(low, high));
+        }
+    }
+    return root->t_near <= root->t_far;
+}
+
+static void search_spheres(Search *search, KdNode3 leaf, double t_far)
+{
+    static const OracleRules3D right = {0};
+    const JobScene3D *scene = search->scene;
+    SearchResult *result = &search->result;
+    result->work.n_leaves_visited++;
+    result->work.n_tests += leaf.n_spheres;
+    for (u32 i = leaf.first; i < leaf.first + leaf.n_spheres; i++) {
+        const u32 id = scene->tree.sphere_ids[i];
+        const double t =
+            oracle3d_root(scene->scene.spheres[id], search->ray, ORACLE_PROJECTION, &right).t;
+        if (t < result->t && !(search->rules->beyond_dropped && t > t_far)) {
+            result->t = t;
+            result->sphere = id;
+        }
+    }
+}
+
+// Go on from an inner node; the other child may have to wait.
+static Waiting choose_child(Search *search, KdNode3 node, Waiting at)
+{
+    const SearchRules *rules = search->rules;
+    const double origin = along(search->ray->origin, node.split_axis);
+    const double direction = along(search->ray->direction, node.split_axis);
+    const double t_split = (node.split_pos - origin) / direction;
+    u32 side = origin < node.split_pos ? 0 : origin > node.split_pos ? 1 : direction > 0;
+    side = rules->side_by_direction ? direction < 0 : side;
+    side ^= rules->far_first ? 1 : 0;
+    Waiting near = {node.first + side, at.t_near, at.t_far};
+    Waiting far = {node.first + !side, at.t_near, at.t_far};
+    search->result.work.n_nodes_visited++;
+
+    const int is_behind = !(t_split > 0);
+    const int is_met =
+        t_split <= at.t_far && (!is_behind || (rules->behind_is_crossed && t_split < at.t_near));
+    if (is_met && t_split >= at.t_near) {
+        near.t_far = rules->near_keeps_t_far ? at.t_far : t_split;
+        far.t_near = rules->far_keeps_t_near ? at.t_near : t_split;
+        if (!rules->far_dropped) {
+            wait_for(search, far.id, far.t_near, far.t_far);
+        }
+        return near;
+    }
+    const int is_far = is_met && !rules->far_alone_is_near;
+    if (rules->both_always) {
+        const Waiting other = is_far ? near : far;
+        wait_for(search, other.id, other.t_near, other.t_far);
+    }
+    return is_far ? far : near;
+}
+
+SearchResult search3d(const JobScene3D *scene, const OracleRay *ray, const SearchRules *rules)
+{
+    Search search = {.scene = scene, .ray = ray, .rules = rules};
+    SearchResult *result = &search.result;
+    result->sphere = ORACLE_NO_SPHERE;
+    result->t = INFINITY;
+    Waiting at = {0, ray->t_min, INFINITY};
+    if (!clip(scene->tree.bounds, ray, &at)) {
+        return *result;
+    }
+    for (;;) {
+        const KdNode3 node = scene->tree.nodes[at.id];
+        if (node.split_axis != KD_LEAF) {
+            at = choose_child(&search, node, at);
+            continue;
+        }
+        search_spheres(&search, node, at.t_far);
+        const int has_hit = rules->ends_at_any_hit ? result->t < INFINITY : result->t <= at.t_far;
+        if (search.n_todo == 0 || rules->ends_at_first_leaf || (has_hit && !rules->never_ends)) {
+            return *result;
+        }
+        const Waiting next = next_waiting(&search);
+        at.id = next.id;
+        if (!rules->part_kept) {
+            at = next;
+        }
+    }
+}
+
+// ---- As wastefully as float may ---------------------------------------------------------------
+
+// Where a number of a right solution may lie.
+typedef struct Span {
+    double low, high;
+} Span;
+
+static Span span_min(Span a, Span b)
+{
+    return (Span){fmin(a.low, b.low), fmin(a.high, b.high)};
+}
+
+static Span span_max(Span a, Span b)
+{
+    return (Span){fmax(a.low, b.low), fmax(a.high, b.high)};
+}
+
+// Where a right solution may find that the ray meets a plane. A ray that may be along the plane sets
+// *is_along: it may meet it anywhere from there on, or behind the eye as well, or nowhere.
+static Span plane_span(const OracleRay *ray, u32 axis, double plane, int *is_along)
+{
+    const double origin = along(ray->origin, axis), direction = along(ray->direction, axis);
+    const double distance = plane - origin, error = ray->direction_error;
+    const double rounding = PLANE_ERROR * (fabs(plane) + fabs(origin));
+    *is_along = fabs(direction) <= error;
+    if (*is_along) {
+        return (Span){(fabs(distance) - rounding) / (fabs(direction) + error), INFINITY};
+    }
+    if (distance == 0) {
+        return (Span){0, 0};  // exactly: the eye is on the plane
+    }
+    const double a = distance / (direction - error), b = distance / (direction + error);
+    const double last = rounding / (fabs(direction) - error);
+    return (Span){fmin(a, b) - last, fmax(a, b) + last};
+}
+
+typedef struct Part {
+    Span t_near, t_far;
+} Part;
+
+// Narrow a part of the ray to the scene's box. Along the planes, a ray between them leaves at the
+// nearer one or later, and one outside enters there or later, or never.
+static void clip_span(BBox3D box, const OracleRay *ray, Part *part)
+{
+    for (u32 axis = 0; axis < 3; axis++) {
+        const double origin = along(ray->origin, axis);
+        int is_along;
+        const Span low = plane_span(ray, axis, box.min[axis], &is_along);
+        const Span high = plane_span(ray, axis, box.max[axis], &is_along);
+        if (!is_along) {
+            part->t_near = span_max(part->t_near, span_min(low, high));
+            part->t_far = span_min(part->t_far, span_max(low, high));
+        } else if (origin >= box.min[axis] && origin <= box.max[axis]) {
+            part->t_far = span_min(part->t_far, span_min(low, high));
+        } else {
+            part->t_near = span_max(part->t_near, span_min(low, high));
+        }
+    }
+}
+
+typedef struct Most {
+    const JobScene3D *scene;
+    const OracleRay *ray;
+    double t_certain;  // every right search that got here has a hit no farther than this
+    Work work;
+} Most;
+
+static int visit_leaf(Most *most, KdNode3 leaf, Part part, int is_certain)
+{
+    static const OracleRules3D right = {0};
+    const JobScene3D *scene = most->scene;
+    most->work.n_leaves_visited++;
+    most->work.n_tests += leaf.n_spheres;
+    for (u32 i = leaf.first; is_certain && i < leaf.first + leaf.n_spheres; i++) {
+        const Sphere sphere = scene->scene.spheres[scene->tree.sphere_ids[i]];
+        const OracleRoot root = oracle3d_root(sphere, most->ray, ORACLE_PROJECTION, &right);
+        if (root.is_certain) {
+            most->t_certain = fmin(most->t_certain, root.t_high);
+        }
+    }
+    return is_certain && most->t_certain <= part.t_far.low;
+}
+
+// Visit all that a right search may visit in a node.
+//   is_certain   no right search that has not ended yet passes the node by
+// Returns 1 when every right search has ended by then.
+static int visit(Most *most, u32 id, Part part, int is_certain)
+{
+    const KdNode3 node = most->scene->tree.nodes[id];
+    if (node.split_axis == KD_LEAF) {
+        return visit_leaf(most, node, part, is_certain);
+    }
+    const double origin = along(most->ray->origin, node.split_axis);
+    const double direction = along(most->ray->direction, node.split_axis);
+    int is_along;
+    const Span split = plane_span(most->ray, node.split_axis, node.split_pos, &is_along);
+    most->work.n_nodes_visited++;
+    if (origin == node.split_pos && is_along) {
+        // With the eye on the plane either child is near, and only that one is met.
+        visit(most, node.first, part, 0);
+        visit(most, node.first + 1, part, 0);
+        return 0;
+    }
+    const u32 side = origin < node.split_pos ? 0 : origin > node.split_pos ? 1 : direction > 0;
+    const int may_meet = split.high > 0 && split.low <= part.t_far.high;
+    const int must_meet = split.low > 0 && split.high <= part.t_far.low && !is_along;
+    const int may_pass_near = may_meet && split.low < part.t_near.high;
+    const int must_pass_near = must_meet && split.high < part.t_near.low;
+    Part near = part, far = part;
+    if (may_meet) {
+        near.t_far.low = fmin(part.t_far.low, split.low);
+        near.t_far.high = must_meet ? fmin(part.t_far.high, split.high) : part.t_far.high;
+        far.t_near = span_max(part.t_near, split);
+    }
+    if (!must_pass_near && visit(most, node.first + side, near, is_certain && !may_pass_near)) {
+        return 1;
+    }
+    return may_meet && visit(most, node.first + !side, far, is_certain && must_meet);
+}
+
+Work search3d_most(const JobScene3D *scene, const OracleRay *ray)
+{
+    Most most = {.scene = scene, .ray = ray, .t_certain = INFINITY};
+    Part part = {{ray->t_min, ray->t_min}, {INFINITY, INFINITY}};
+    clip_span(scene->tree.bounds, ray, &part);
+    if (part.t_near.low <= part.t_far.high) {
+        visit(&most, 0, part, part.t_near.high <= part.t_far.low);
+    }
+    return most.work;
+}

@@ -1,0 +1,9 @@
+// mutant: a plane behind the eye is as far ahead
+// task: children_on_ray
+// caught by: children-behind
+// says: found
+    *t_split = fabs((node.split_pos - origin) * inverse);
+    if (!(*t_split > 0.0f && *t_split <= t_far)) {
+        return ONLY_NEAR;
+    }
+    return *t_split < t_near ? ONLY_FAR : BOTH;

@@ -1,0 +1,9 @@
+// mutant: the far child is never met
+// task: children_on_ray
+// caught by: children-cases
+// says: far child were never met
+    *t_split = (node.split_pos - origin) * inverse;
+    if (!(*t_split > 0.0f && *t_split <= t_far)) {
+        return ONLY_NEAR;
+    }
+    return *t_split < t_near ? ONLY_FAR : ONLY_NEAR;

@@ -1,0 +1,9 @@
+// mutant: a plane crossed before the node leaves the near child
+// task: children_on_ray
+// caught by: children-cases
+// says: far child, not the near
+    *t_split = (node.split_pos - origin) * inverse;
+    if (!(*t_split > 0.0f && *t_split <= t_far)) {
+        return ONLY_NEAR;
+    }
+    return *t_split < t_near ? ONLY_NEAR : BOTH;

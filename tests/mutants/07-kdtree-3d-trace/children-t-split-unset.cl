@@ -1,0 +1,10 @@
+// mutant: t_split is not handed out
+// task: children_on_ray
+// caught by: children-cases
+// says: t_split
+    const float t = (node.split_pos - origin) * inverse;
+    (void)t_split;
+    if (!(t > 0.0f && t <= t_far)) {
+        return ONLY_NEAR;
+    }
+    return t < t_near ? ONLY_FAR : BOTH;

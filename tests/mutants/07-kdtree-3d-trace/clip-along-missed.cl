@@ -1,0 +1,16 @@
+// mutant: a ray along the planes meets none of them, so it misses the box
+// task: clip_to_box
+// caught by: clip-parallel
+// says: between them all the way
+    for (uint axis = 0; axis < 3; axis++) {
+        const float origin = component(ray.origin, axis);
+        const float direction = component(ray.direction, axis);
+        if (direction == 0.0f) {
+            return 0;
+        }
+        const float t_low = (box.min[axis] - origin) / direction;
+        const float t_high = (box.max[axis] - origin) / direction;
+        *t_near = fmax(*t_near, fmin(t_low, t_high));
+        *t_far = fmin(*t_far, fmax(t_low, t_high));
+    }
+    return *t_near <= *t_far;

@@ -1,0 +1,21 @@
+// mutant: the last of the exits counts, not the first
+// task: clip_to_box
+// caught by: clip-through
+// says: last exit
+    float leave = -INFINITY;
+    for (uint axis = 0; axis < 3; axis++) {
+        const float origin = component(ray.origin, axis);
+        const float direction = component(ray.direction, axis);
+        if (direction == 0.0f) {
+            if (origin < box.min[axis] || origin > box.max[axis]) {
+                return 0;
+            }
+            continue;
+        }
+        const float t_low = (box.min[axis] - origin) / direction;
+        const float t_high = (box.max[axis] - origin) / direction;
+        *t_near = fmax(*t_near, fmin(t_low, t_high));
+        leave = fmax(leave, fmax(t_low, t_high));
+    }
+    *t_far = fmin(*t_far, leave);
+    return *t_near <= *t_far;

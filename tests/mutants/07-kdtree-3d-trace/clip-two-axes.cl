@@ -1,0 +1,19 @@
+// mutant: z is forgotten
+// task: clip_to_box
+// caught by: clip-through
+// says: found
+    for (uint axis = 0; axis < 2; axis++) {
+        const float origin = component(ray.origin, axis);
+        const float direction = component(ray.direction, axis);
+        if (direction == 0.0f) {
+            if (origin < box.min[axis] || origin > box.max[axis]) {
+                return 0;
+            }
+            continue;
+        }
+        const float t_low = (box.min[axis] - origin) / direction;
+        const float t_high = (box.max[axis] - origin) / direction;
+        *t_near = fmax(*t_near, fmin(t_low, t_high));
+        *t_far = fmin(*t_far, fmax(t_low, t_high));
+    }
+    return *t_near <= *t_far;

@@ -1,0 +1,12 @@
+// mutant: a sphere that is hit is asked twice
+// task: search_leaf
+// caught by: leaf-once
+// says: intersect_sphere was called
+    for (uint i = node.first; i < node.first + node.n_spheres; i++) {
+        const uint id = sphere_ids[i];
+        const float t = intersect_sphere(spheres[id], ray);
+        if (t < hit->t) {
+            hit->t = intersect_sphere(spheres[id], ray);
+            hit->sphere = id;
+        }
+    }

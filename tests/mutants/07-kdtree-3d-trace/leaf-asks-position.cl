@@ -1,0 +1,13 @@
+// mutant: spheres[] is asked by the position in sphere_ids
+// task: search_leaf
+// caught by: leaf-nearest
+// says: found
+    for (uint i = node.first; i < node.first + node.n_spheres; i++) {
+        (void)sphere_ids;
+        const uint id = i;
+        const float t = intersect_sphere(spheres[id], ray);
+        if (t < hit->t) {
+            hit->t = t;
+            hit->sphere = id;
+        }
+    }

@@ -1,0 +1,12 @@
+// mutant: the range starts at 0
+// task: search_leaf
+// caught by: leaf-nearest
+// says: found
+    for (uint i = 0; i < node.n_spheres; i++) {
+        const uint id = sphere_ids[i];
+        const float t = intersect_sphere(spheres[id], ray);
+        if (t < hit->t) {
+            hit->t = t;
+            hit->sphere = id;
+        }
+    }

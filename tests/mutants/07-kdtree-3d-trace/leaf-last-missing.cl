@@ -1,0 +1,12 @@
+// mutant: the last sphere is not asked
+// task: search_leaf
+// caught by: leaf-nearest
+// says: last sphere of the leaf is missing
+    for (uint i = node.first; i + 1 < node.first + node.n_spheres; i++) {
+        const uint id = sphere_ids[i];
+        const float t = intersect_sphere(spheres[id], ray);
+        if (t < hit->t) {
+            hit->t = t;
+            hit->sphere = id;
+        }
+    }

@@ -1,0 +1,12 @@
+// mutant: of two equally far spheres the later one wins: <= instead of <
+// task: search_leaf
+// caught by: leaf-ids
+// says: later
+    for (uint i = node.first; i < node.first + node.n_spheres; i++) {
+        const uint id = sphere_ids[i];
+        const float t = intersect_sphere(spheres[id], ray);
+        if (t <= hit->t && t < INFINITY) {
+            hit->t = t;
+            hit->sphere = id;
+        }
+    }

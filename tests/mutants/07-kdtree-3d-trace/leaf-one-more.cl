@@ -1,0 +1,12 @@
+// mutant: one sphere too many is asked: <= instead of <
+// task: search_leaf
+// caught by: leaf-nearest
+// says: too many
+    for (uint i = node.first; i <= node.first + node.n_spheres; i++) {
+        const uint id = sphere_ids[i];
+        const float t = intersect_sphere(spheres[id], ray);
+        if (t < hit->t) {
+            hit->t = t;
+            hit->sphere = id;
+        }
+    }

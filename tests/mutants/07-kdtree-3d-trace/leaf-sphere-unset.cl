@@ -1,0 +1,11 @@
+// mutant: hit->sphere is not set
+// task: search_leaf
+// caught by: leaf-ids
+// says: not set
+    for (uint i = node.first; i < node.first + node.n_spheres; i++) {
+        const uint id = sphere_ids[i];
+        const float t = intersect_sphere(spheres[id], ray);
+        if (t < hit->t) {
+            hit->t = t;
+        }
+    }

@@ -1,0 +1,11 @@
+// mutant: an eye near the plane counts as one on it
+// task: near_side
+// caught by: side-eye
+// says: found
+    if (origin < node.split_pos - 0.01f) {
+        return 0;
+    }
+    if (origin > node.split_pos + 0.01f) {
+        return 1;
+    }
+    return direction > 0.0f;

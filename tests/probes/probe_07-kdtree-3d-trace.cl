@@ -1,0 +1,82 @@
+// Probe of lab 07: the kernel with the student's functions in it, and others that call each of them
+// with the job's inputs.
+#include "render_kdtree.cl"
+#undef children_on_ray  // not to be counted here
+#include "jobs.h"
+
+static Ray ray_of(Vec3 origin, Vec3 direction, float t_min, float t_max)
+{
+    Ray ray;
+    ray.origin = to_float3(origin);
+    ray.direction = to_float3(direction);
+    ray.t_min = t_min;
+    ray.t_max = t_max;
+    return ray;
+}
+
+kernel void probe_clips(global const ClipJob *jobs, global ClipAnswer *answers)
+{
+    const size_t i = get_global_id(0);
+    const ClipJob job = jobs[i];
+    float t_near = job.t_near;
+    float t_far = job.t_far;
+    const Ray ray = ray_of(job.origin, job.direction, t_near, t_far);
+    answers[i].is_met = clip_to_box(job.box, ray, &t_near, &t_far);
+    answers[i].t_near = t_near;
+    answers[i].t_far = t_far;
+}
+
+kernel void probe_sides(global const SideJob *jobs, global uint *answers)
+{
+    const size_t i = get_global_id(0);
+    answers[i] = near_side(jobs[i].node, jobs[i].origin, jobs[i].direction);
+}
+
+kernel void probe_planes(global const PlaneJob *jobs, global PlaneAnswer *answers)
+{
+    const size_t i = get_global_id(0);
+    const PlaneJob job = jobs[i];
+    float t_split = UNWRITTEN;
+    const int children =
+        children_on_ray(job.node, job.origin, job.inverse, job.t_near, job.t_far, &t_split);
+    answers[i].children = children == ONLY_NEAR  ? PLANE_ONLY_NEAR
+                          : children == ONLY_FAR ? PLANE_ONLY_FAR
+                          : children == BOTH     ? PLANE_BOTH
+                                                 : PLANE_UNKNOWN;
+    answers[i].t_split = t_split;
+}
+
+kernel void probe_leaves(global const SearchJob *jobs, global const uint *sphere_ids,
+                         global const Sphere *spheres, global SearchAnswer *answers)
+{
+    const size_t i = get_global_id(0);
+    const SearchJob job = jobs[i];
+    Hit hit = {job.t, job.sphere};
+    WORK_BEGIN;
+    search_leaf(job.node, sphere_ids, spheres, ray_of(job.origin, job.direction, 0.0f, INFINITY),
+                &hit);
+    answers[i].t = hit.t;
+    answers[i].sphere = hit.sphere;
+#ifdef COUNT_WORK
+    answers[i].n_tests = work->n_tests;
+#else
+    answers[i].n_tests = UNTOUCHED;
+#endif
+}
+
+// What each pixel's ray hits, with the camera of lab 04's solution.
+kernel void probe_hits(global const Sphere *spheres, global const KdNode3 *nodes,
+                       global const uint *sphere_ids, BBox3D bounds, Camera camera, int width,
+                       int height, global HitAnswer *answers)
+{
+    const int x = get_global_id(0);
+    const int y = get_global_id(1);
+    if (x >= width || y >= height) {
+        return;
+    }
+    WORK_BEGIN;  // only because trace wants it
+    const Ray ray = primary_ray(x, y, width, height, camera);
+    const Hit hit = trace(ray, spheres, nodes, sphere_ids, bounds);
+    answers[y * width + x].t = hit.t;
+    answers[y * width + x].sphere = hit.sphere;
+}
