@@ -31,9 +31,10 @@ void search_leaf(KdNode3 node, global const uint *sphere_ids, global const Spher
 //   spheres                      the scene
 //   nodes, sphere_ids, bounds    its kd-tree (kdtree3d.h); node 0 is the root
 // Returns the same hit as nearest_hit() of lab 05.
-// Source: lecture, "Traversal".
-Hit trace(Ray ray, global const Sphere *spheres, global const KdNode3 *nodes,
-          global const uint *sphere_ids, BBox3D bounds WORK_POINTER)
+// Source: lecture, "Traversal". Static, so that a compiler may put it into the kernel, its only
+// caller.
+static Hit trace(Ray ray, global const Sphere *spheres, global const KdNode3 *nodes,
+                 global const uint *sphere_ids, BBox3D bounds WORK_POINTER)
 {
     Hit hit = {INFINITY, NO_SPHERE};
     // The part of the ray inside the node at hand: at first inside the scene's box.
