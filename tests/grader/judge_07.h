@@ -1,5 +1,6 @@
 // What lab 07's judge asks of a submission: inputs of its functions, and scenes with their trees.
-// Inputs are drawn in judge_07_inputs.c and judged in judge_07_functions.c; scenes are drawn in
+// Inputs are drawn in judge_07_inputs.c and judged in judge_07_clip.c, judge_07_functions.c and
+// judge_07_leaf.c; scenes are drawn in
 // judge_07_scenes.c and judged in judge_07.c.
 #ifndef GRADER_JUDGE_07_H
 #define GRADER_JUDGE_07_H
@@ -14,7 +15,7 @@
 // How many inputs each range has; a function's ranges follow one another.
 enum {
     N_CLIP_INPUTS = 500,   // 4 ranges, see ClipRange
-    N_SIDE_INPUTS = 400,   // 2 ranges: the eye beside the plane, on the plane
+    N_SIDE_INPUTS = 400,   // 2 ranges: the eye beside the plane, mostly on it
     N_PLANE_INPUTS = 500,  // 3 ranges: the plane ahead, behind the eye, along the ray
     N_LEAF_INPUTS = 240,   // 2 ranges: spheres of different places, some of them twice
     LEAF_MAX_SPHERES = 12,
@@ -37,8 +38,8 @@ typedef struct Inputs07 {
 
 void inputs_07_draw(Random *random, Inputs07 *inputs);
 
-// Write the sections "clips", "sides", "planes", "leaves", "leaf_ids" and "leaf_spheres". Returns 0,
-// or -1.
+// Write the sections "clips", "sides", "planes", "leaves", "leaf_ids" and "leaf_spheres". Returns
+// 0, or -1.
 int inputs_07_write(const Inputs07 *inputs, FILE *file);
 
 // Judge a function's answers in one range. The message names the first wrong input, what was found
@@ -58,7 +59,10 @@ enum {
     RANDOM = 0,
     N_RANDOM = 20,
     EDGES = RANDOM + N_RANDOM,
-    N_EDGES = 10,  // those of scene3d.h, a lattice, and a tree that needs the whole todo stack
+    N_NAMED = 9,             // scenes of scene3d.h
+    DEEP = EDGES + N_NAMED,  // a tree that needs the whole todo stack
+    TOUCHING,                // hits on the side of the scene's box
+    N_EDGES = TOUCHING + 1 - EDGES,
     FLAKE = EDGES + N_EDGES,
     N_SCENES,
 };

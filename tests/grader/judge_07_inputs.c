@@ -300,7 +300,7 @@ void inputs_07_draw(Random *random, Inputs07 *inputs)
         inputs->clips[i] = draw_clip(random, (enum ClipRange)(i / N_CLIP_INPUTS));
     }
     for (int i = 0; i < COUNT(inputs->sides); i++) {
-        inputs->sides[i] = draw_side(random, i >= N_SIDE_INPUTS);
+        inputs->sides[i] = draw_side(random, i >= N_SIDE_INPUTS && !one_in(random, 4));
     }
     for (int i = 0; i < COUNT(inputs->planes); i++) {
         inputs->planes[i] = draw_plane(random, i / N_PLANE_INPUTS);

@@ -19,7 +19,8 @@ typedef struct Mistake {
 static const Mistake mistakes[] = {
     {"; that is a position in sphere_ids, not what stands there", .is_position = 1},
     {"; hit->sphere is not set", .keeps_sphere = 1},
-    {"; hit->t is not set", .keeps_distance = 1},
+    // Each sphere that is nearer than the hit so far is then taken, up to the last.
+    {"; hit->t is not set", .keeps_distance = 1, .rules = {.last_wins = 1}},
     {"; the hit so far was nearer: it stays", .forgets_hit = 1},
     {"; the last sphere of the leaf is missing", .rules = {.skip_last = 1}},
     {"; the first sphere of the leaf is missing", .rules = {.skip_first = 1}},
@@ -41,14 +42,24 @@ typedef struct LeafHit {
 static LeafHit expected_hit(const Inputs07 *inputs, int i, const Mistake *mistake)
 {
     const SearchJob *job = &inputs->leaves[i];
-    const u32 n_spheres = job->node.n_spheres, *ids = inputs->leaf_ids + job->node.first;
-    Sphere spheres[LEAF_MAX_SPHERES + 1];
-    for (u32 at = 0; at <= n_spheres; at++) {
-        spheres[at] = inputs->leaf_spheres[ids[at]];
-    }
+    const u32 *ids = inputs->leaf_ids + job->node.first;
     const OracleRay ray = oracle3d_given_ray(job->origin, job->direction, 0);
-    const OracleHit hit =
-        oracle3d_nearest(spheres, n_spheres, &ray, mistake ? &mistake->rules : &right);
+    const OracleRules3D rules = mistake ? mistake->rules : right;
+    Sphere spheres[LEAF_MAX_SPHERES + 1];
+    u32 positions[LEAF_MAX_SPHERES + 1], n_spheres = 0;
+    for (u32 at = 0; at <= job->node.n_spheres; at++) {
+        const Sphere sphere = inputs->leaf_spheres[ids[at]];
+        const int is_guard = at == job->node.n_spheres;
+        // Who takes the first or the last takes it of those that are nearer than the hit so far.
+        if ((rules.first_wins || rules.last_wins) && !is_guard &&
+            oracle3d_root(sphere, &ray, ORACLE_PROJECTION, &right).t >= job->t) {
+            continue;
+        }
+        positions[n_spheres] = at;
+        spheres[n_spheres] = sphere;
+        n_spheres += !is_guard;
+    }
+    const OracleHit hit = oracle3d_nearest(spheres, n_spheres, &ray, &rules);
     LeafHit result = {job->sphere, job->t, 0, hit.is_ambiguous};
     const double gap = hit.sphere == ORACLE_NO_SPHERE ? INFINITY : hit.t - (double)job->t;
     // Where the hit so far is as far as the leaf's, rounding decides.
@@ -58,8 +69,8 @@ static LeafHit expected_hit(const Inputs07 *inputs, int i, const Mistake *mistak
         result.t = mistake && mistake->keeps_distance ? (double)job->t : hit.t;
         result.t_tolerance = hit.t_tolerance;
         result.sphere = mistake && mistake->keeps_sphere  ? job->sphere
-                        : mistake && mistake->is_position ? job->node.first + hit.sphere
-                                                          : ids[hit.sphere];
+                        : mistake && mistake->is_position ? job->node.first + positions[hit.sphere]
+                                                          : ids[positions[hit.sphere]];
     }
     return result;
 }
@@ -141,13 +152,14 @@ Verdict inputs_07_judge_leaves(const Inputs07 *inputs, int range, const Sections
     describe_hit(before, sizeof before, job->sphere, job->t);
     describe_hit(own, sizeof own, found[first].sphere, found[first].t);
     describe_hit(wanted, sizeof wanted, expected.sphere, expected.t);
-    return verdict_of(message_new(
-        "a leaf of %u spheres, its ids from %u on, ray from (%g, %g, %g) along (%.7g, %.7g, %.7g), "
-        "hit so far: %s: found %s, expected %s%s; %d of %d inputs are wrong",
-        job->node.n_spheres, job->node.first, (double)job->origin.x, (double)job->origin.y,
-        (double)job->origin.z, (double)job->direction.x, (double)job->direction.y,
-        (double)job->direction.z, before, own, wanted, explain(inputs, start, found), n_wrong,
-        N_LEAF_INPUTS));
+    return verdict_of(
+        message_new("a leaf of %u sphere%s, its ids from %u on, ray from (%g, %g, %g) along (%.7g, "
+                    "%.7g, %.7g), "
+                    "hit so far: %s: found %s, expected %s%s; %d of %d inputs are wrong",
+                    job->node.n_spheres, job->node.n_spheres == 1 ? "" : "s", job->node.first,
+                    (double)job->origin.x, (double)job->origin.y, (double)job->origin.z,
+                    (double)job->direction.x, (double)job->direction.y, (double)job->direction.z,
+                    before, own, wanted, explain(inputs, start, found), n_wrong, N_LEAF_INPUTS));
 }
 
 Verdict inputs_07_judge_leaf_tests(const Inputs07 *inputs, const Sections *answers)
@@ -163,9 +175,10 @@ Verdict inputs_07_judge_leaf_tests(const Inputs07 *inputs, const Sections *answe
                                           "search_leaf itself"));
         }
         if (n_tests != n_spheres) {
-            return verdict_of(message_new("a leaf of %u spheres: intersect_sphere was called %u "
+            return verdict_of(message_new("a leaf of %u sphere%s: intersect_sphere was called %u "
                                           "times, expected %u, once for each sphere of the leaf",
-                                          n_spheres, n_tests, n_spheres));
+                                          n_spheres, n_spheres == 1 ? "" : "s", n_tests,
+                                          n_spheres));
         }
     }
     return verdict_of(NULL);

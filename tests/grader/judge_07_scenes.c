@@ -81,15 +81,15 @@ static const struct {
     const char *name;
     int width, height;
     KdTreeLimits limits;
-} edges[N_EDGES - 1] = {
+} edges[N_NAMED] = {
     {"inside", 48, 36, {9, 2}},       {"planes", 65, 49, {10, 2}}, {"one-cell", 48, 36, {36, 4}},
     {"one", 48, 36, {9, 1}},          {"none", 16, 16, {9, 1}},    {"coincident", 48, 36, {9, 4}},
     {"large-small", 64, 48, {12, 4}}, {"behind", 48, 36, {12, 1}}, {"lattice:n=4", 64, 48, {10, 1}},
 };
 
-// A tree as deep as one may be, and rays that leave a child waiting at nearly every node: the eye is
-// in the lowest corner, among spheres at one place that only the limits keep from being halved for
-// ever, and looks at spheres around the opposite corner, which come from the stack last.
+// A tree as deep as one may be, and rays that leave a child waiting at nearly every node: the eye
+// is in the lowest corner, among spheres at one place that only the limits keep from being halved
+// for ever, and looks at spheres around the opposite corner, which come from the stack last.
 static int draw_deep(Random *random, JobScene3D *scene)
 {
     enum { N_AT_ONE_PLACE = 10, N_SPHERES = 16 };
@@ -121,13 +121,35 @@ static int draw_deep(Random *random, JobScene3D *scene)
     return job_scene3d_grow_tree(scene, (KdTreeLimits){TODO_SIZE + 1, N_AT_ONE_PLACE - 1});
 }
 
+// From inside a large sphere one looks exactly at where it touches the scene's box, through so
+// narrow an angle that the sphere is the box's side for float: its hits lie before or behind t_far,
+// as rounding has it. Who throws away a hit for lying outside the node has pinholes.
+static int draw_touching(Random *random, JobScene3D *scene)
+{
+    const float radius = 100;
+    if (job_scene3d_random(scene, random, 2, 0.25f, 0.5f, 48, 36) != 0) {
+        return -1;
+    }
+    snprintf(scene->picture.title, sizeof scene->picture.title, "scene \"touching\", 48x36");
+    Scene3D *s = &scene->scene;
+    s->spheres[0] = (Sphere){0, 0, 0, radius};
+    s->spheres[1] = (Sphere){radius / 2, radius / 2, radius / 2, 1};
+    s->view.from =
+        (Vec3){random_grid(random, 20, 40), random_grid(random, 1, 3), random_grid(random, 1, 3)};
+    s->view.at = (Vec3){-radius, 0, 0};
+    s->view.up = (Vec3){0, 0, 1};
+    s->view.angle = 0.02f;
+    job_scene3d_aim(scene);
+    return job_scene3d_grow_tree(scene, (KdTreeLimits){3, 1});
+}
+
 int scenes_07_draw(Random *random, JobScene3D scenes[N_SCENES])
 {
     int result = 0;
     for (int i = 0; result == 0 && i < N_RANDOM; i++) {
         result = draw_random(random, &plans[i], &scenes[RANDOM + i]);
     }
-    for (int i = 0; result == 0 && i < N_EDGES - 1; i++) {
+    for (int i = 0; result == 0 && i < N_NAMED; i++) {
         JobScene3D *scene = &scenes[EDGES + i];
         result = job_scene3d_named(scene, edges[i].name, edges[i].width, edges[i].height);
         if (result == 0) {
@@ -135,7 +157,10 @@ int scenes_07_draw(Random *random, JobScene3D scenes[N_SCENES])
         }
     }
     if (result == 0) {
-        result = draw_deep(random, &scenes[EDGES + N_EDGES - 1]);
+        result = draw_deep(random, &scenes[DEEP]);
+    }
+    if (result == 0) {
+        result = draw_touching(random, &scenes[TOUCHING]);
     }
     if (result == 0) {
         result = job_scene3d_named(&scenes[FLAKE], "sphereflake:size=3", 96, 72);

@@ -2,18 +2,15 @@
 //
 // search3d_most() is why the counted work can be judged ray by ray. It knows where each number of a
 // right solution may lie: a direction's part anywhere within the ray's error (oracle3d.c, 1), and
-// t_split within PLANE_ERROR of what follows from it. Whatever may be visited is counted; the
-// search ends only where every right one must: in a leaf that no right one passes by, with a hit
-// that is certain and certainly not beyond t_far. A ray along a plane may go to either side of it.
+// t_split within PLANE_ERROR (judge_07_range.h) of what follows from it. Whatever may be visited is
+// counted; the search ends only where every right one must: in a leaf that no right one passes by,
+// with a hit that is certain and certainly not beyond t_far. A ray along a plane may go to either
+// side of it.
 #include "judge_07_search.h"
 
-#include <math.h>
+#include "judge_07_range.h"
 
-#define ROUNDING 0x1p-24
-// Of (plane - origin) / direction, in units of (|plane| + |origin|) / |direction|: one for the
-// difference, five for the division (2.5 ulp, OpenCL 1.2, 7.4) or the inverse, one for the product,
-// and the same once more where both terms are multiplied before they are subtracted.
-#define PLANE_ERROR (16 * ROUNDING)
+#include <math.h>
 
 static double along(OracleVector v, u32 axis)
 {
@@ -76,7 +73,7 @@ static int clip(BBox3D box, const OracleRay *ray, Waiting *root)
     return root->t_near <= root->t_far;
 }
 
-static void search_spheres(Search *search, KdNode3 leaf, double t_far)
+static void search_spheres(Search *search, KdNode3 leaf)
 {
     static const OracleRules3D right = {0};
     const JobScene3D *scene = search->scene;
@@ -87,7 +84,7 @@ static void search_spheres(Search *search, KdNode3 leaf, double t_far)
         const u32 id = scene->tree.sphere_ids[i];
         const double t =
             oracle3d_root(scene->scene.spheres[id], search->ray, ORACLE_PROJECTION, &right).t;
-        if (t < result->t && !(search->rules->beyond_dropped && t > t_far)) {
+        if (t < result->t) {
             result->t = t;
             result->sphere = id;
         }
@@ -111,7 +108,7 @@ static Waiting choose_child(Search *search, KdNode3 node, Waiting at)
     const int is_behind = !(t_split > 0);
     const int is_met =
         t_split <= at.t_far && (!is_behind || (rules->behind_is_crossed && t_split < at.t_near));
-    if (is_met && t_split >= at.t_near) {
+    if (is_met && (t_split >= at.t_near || rules->near_never_passed)) {
         near.t_far = rules->near_keeps_t_far ? at.t_far : t_split;
         far.t_near = rules->far_keeps_t_near ? at.t_near : t_split;
         if (!rules->far_dropped) {
@@ -120,9 +117,9 @@ static Waiting choose_child(Search *search, KdNode3 node, Waiting at)
         return near;
     }
     const int is_far = is_met && !rules->far_alone_is_near;
-    if (rules->both_always) {
-        const Waiting other = is_far ? near : far;
-        wait_for(search, other.id, other.t_near, other.t_far);
+    if (!is_far && rules->far_always_waits) {
+        wait_for(search, far.id, far.t_near, far.t_far);
+        return near;
     }
     return is_far ? far : near;
 }
@@ -143,9 +140,9 @@ SearchResult search3d(const JobScene3D *scene, const OracleRay *ray, const Searc
             at = choose_child(&search, node, at);
             continue;
         }
-        search_spheres(&search, node, at.t_far);
+        search_spheres(&search, node);
         const int has_hit = rules->ends_at_any_hit ? result->t < INFINITY : result->t <= at.t_far;
-        if (search.n_todo == 0 || rules->ends_at_first_leaf || (has_hit && !rules->never_ends)) {
+        if (search.n_todo == 0 || (has_hit && !rules->never_ends)) {
             return *result;
         }
         const Waiting next = next_waiting(&search);
@@ -158,11 +155,6 @@ SearchResult search3d(const JobScene3D *scene, const OracleRay *ray, const Searc
 
 // ---- As wastefully as float may ---------------------------------------------------------------
 
-// Where a number of a right solution may lie.
-typedef struct Span {
-    double low, high;
-} Span;
-
 static Span span_min(Span a, Span b)
 {
     return (Span){fmin(a.low, b.low), fmin(a.high, b.high)};
@@ -173,8 +165,8 @@ static Span span_max(Span a, Span b)
     return (Span){fmax(a.low, b.low), fmax(a.high, b.high)};
 }
 
-// Where a right solution may find that the ray meets a plane. A ray that may be along the plane sets
-// *is_along: it may meet it anywhere from there on, or behind the eye as well, or nowhere.
+// Where a right solution may find that the ray meets a plane. A ray that may be along the plane
+// sets *is_along: it may meet it anywhere from there on, or behind the eye as well, or nowhere.
 static Span plane_span(const OracleRay *ray, u32 axis, double plane, int *is_along)
 {
     const double origin = along(ray->origin, axis), direction = along(ray->direction, axis);

@@ -9,20 +9,20 @@
 
 // A way of searching. All zeros is the right one.
 typedef struct SearchRules {
-    int far_first;           // near and far child are swapped
-    int side_by_direction;   // the near child by the direction, wherever the eye is
-    int behind_is_crossed;   // a plane behind the eye counts as crossed before the node is entered
-    int far_dropped;         // where both children are met the far one never waits
-    int far_alone_is_near;   // where the far child alone is met the search goes to the near one
-    int both_always;         // where one child is met the other one waits besides
-    int near_keeps_t_far;    // the near child does not end at the plane
-    int far_keeps_t_near;    // the far child does not begin there
-    int part_kept;           // a node that waited gets the part of the ray of the one before it
-    int oldest_first;        // the first that was put on the stack comes from it first
-    int ends_at_any_hit;     // also beyond the leaf's part of the ray
-    int ends_at_first_leaf;  // hit or not
-    int beyond_dropped;      // a hit beyond the leaf's part of the ray is forgotten
-    int never_ends;          // before the stack is empty
+    int far_first;          // near and far child are swapped
+    int side_by_direction;  // the near child by the direction, wherever the eye is
+    int behind_is_crossed;  // a plane behind the eye counts as crossed before the node is entered
+    int far_dropped;        // where both children are met the far one never waits; or the search
+                            // ends at the first leaf
+    int far_alone_is_near;  // where the far child alone is met the search goes to the near one
+    int far_always_waits;   // where the near child alone is met the far one waits besides
+    int near_never_passed;  // where the far child alone is met the near one comes before it
+    int near_keeps_t_far;   // the near child does not end at the plane
+    int far_keeps_t_near;   // the far child does not begin there
+    int part_kept;          // a node that waited gets the part of the ray of the one before it
+    int oldest_first;       // the first that was put on the stack comes from it first
+    int ends_at_any_hit;    // also beyond the leaf's part of the ray
+    int never_ends;         // before the stack is empty
 } SearchRules;
 
 typedef struct SearchResult {

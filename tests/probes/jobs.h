@@ -284,7 +284,8 @@ LAYOUT_ASSERT(ShadeJob, 64);
 
 // Its scenes are those of labs 04 and 05, with a tree.
 
-// Section "clips", one call of clip_to_box each. The ray's own t_min and t_max are t_near and t_far.
+// Section "clips", one call of clip_to_box each. The ray's own t_min and t_max are t_near and
+// t_far.
 typedef struct ClipJob {
     BBox3D box;
     Vec3 origin;

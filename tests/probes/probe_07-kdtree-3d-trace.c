@@ -1,5 +1,6 @@
-// Probe of lab 07: each of the student's functions on the job's inputs, then whole scenes with their
-// trees: what each ray hits, the picture, and the work of each pixel ("work.K") where that compiles.
+// Probe of lab 07: each of the student's functions on the job's inputs, then whole scenes with
+// their trees: what each ray hits, the picture, and the work of each pixel ("work.K") where that
+// compiles.
 #include "probe.h"
 
 #include "cl_memory.h"

@@ -1,4 +1,4 @@
-// mutant: only whether the exits come after the entries is asked, not whether they are behind the eye
+// mutant: the exits come after the entries: that they may be behind the eye is not asked
 // task: clip_to_box
 // caught by: clip-behind
 // says: expected 0

@@ -1,7 +1,7 @@
 // mutant: the far child waits also where only the near one is met
 // task: trace
 // caught by: trace-early-end
-// says: one is met
+// says: waited also
     uint id = 0;
     for (;;) {
         const KdNode3 node = nodes[id];

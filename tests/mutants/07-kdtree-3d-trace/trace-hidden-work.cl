@@ -7,7 +7,12 @@
         const KdNode3 node = nodes[id];
         if (node.split_axis == KD_LEAF) {
             for (uint i = node.first; i < node.first + node.n_spheres; i++) {
-                const float t = (intersect_sphere)(spheres[sphere_ids[i]], ray);
+                const Sphere sphere = spheres[sphere_ids[i]];
+                const float3 c = (float3)(sphere.x, sphere.y, sphere.z) - ray.origin;
+                const float b = dot(c, ray.direction);
+                const float3 l = c - b * ray.direction;
+                const float disc = sphere.radius * sphere.radius - dot(l, l);
+                const float t = nearest_root(b, disc, sphere.radius, ray.t_min);
                 if (t < hit.t) {
                     hit.t = t;
                     hit.sphere = sphere_ids[i];

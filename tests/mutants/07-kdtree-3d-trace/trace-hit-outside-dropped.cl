@@ -1,13 +1,13 @@
-// mutant: a hit beyond t_far is forgotten
+// mutant: a hit outside of the leaf's part of the ray is thrown away
 // task: trace
 // caught by: trace-edges
-// says: found
+// says: touching.*found nothing
     uint id = 0;
     for (;;) {
         const KdNode3 node = nodes[id];
         if (node.split_axis == KD_LEAF) {
             search_leaf(node, sphere_ids, spheres, ray, &hit);
-            if (hit.t > t_far) {
+            if (hit.t < t_near || hit.t > t_far) {
                 hit.t = INFINITY;
                 hit.sphere = NO_SPHERE;
             }
