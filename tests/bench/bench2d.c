@@ -7,19 +7,17 @@
 // compared with the naive one of the same scene, bit by bit; where one differs there are no
 // figures.
 // Flow: scene -> buffers -> kernel -> image -> COMPARISON. Read next: variant.h, report.c.
+#include "bench_options.h"
 #include "cl_memory.h"
 #include "equal_pixels.h"
 #include "image.h"
-#include "number.h"
-#include "options.h"
+#include "launch.h"
 #include "report.h"
-#include "stats.h"
+#include "rounds.h"
 #include "variant.h"
 
-#include <getopt.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #define SIDE 1024  // the picture's, pixels
 #define SEED 1
@@ -66,14 +64,6 @@ typedef struct Bench {
 static void add_variant(Bench *bench, Variant variant)
 {
     bench->variants[bench->n_variants++] = variant;
-}
-
-// A GPU is fast enough for whole frames, and needs them to be busy.
-static int device_is_cpu(const ClSetup *cl)
-{
-    cl_device_type type;
-    CL_CHECK(clGetDeviceInfo(cl->device, CL_DEVICE_TYPE, sizeof type, &type, NULL));
-    return (type & CL_DEVICE_TYPE_CPU) != 0;
 }
 
 // The list of variants. A scene's naive one comes right before those that are compared with it.
@@ -144,19 +134,6 @@ static void bench_free(Bench *bench)
 
 // ---- Equal pixels ---------------------------------------------------------------------------
 
-static const size_t ORIGIN[3] = {0, 0, 0};
-static const size_t REGION[3] = {SIDE, SIDE, 1};
-
-// Make every pixel what no kernel draws, so that one that draws nothing does not show the picture
-// of the one before.
-static void spoil_image(const Bench *bench)
-{
-    const float never_drawn[IMAGE_CHANNELS] = {-1, -1, -1, -1};
-    CL_CHECK(clEnqueueFillImage(bench->cl.queue, bench->d_image, never_drawn, ORIGIN, REGION, 0,
-                                NULL, NULL));
-    CL_CHECK(clFinish(bench->cl.queue));
-}
-
 // Compare what a kd-tree variant has just drawn with the naive picture of its scene; a naive
 // variant's picture becomes that. Returns 0, or -1 after one message.
 static int check_picture(Bench *bench, const Variant *variant)
@@ -165,8 +142,7 @@ static int check_picture(Bench *bench, const Variant *variant)
         return 0;
     }
     Image *picture = variant->kind == NAIVE ? &bench->naive_picture : &bench->picture;
-    CL_CHECK(clEnqueueReadImage(bench->cl.queue, bench->d_image, CL_TRUE, ORIGIN, REGION, 0, 0,
-                                picture->pixels, 0, NULL, NULL));
+    read_image(&bench->cl, bench->d_image, picture);
     if (variant->kind == NAIVE) {
         bench->n_naive_rows = variant->n_rows;
         return 0;
@@ -184,7 +160,7 @@ static int check_picture(Bench *bench, const Variant *variant)
 static int measure(Bench *bench, Variant *variant, int round)
 {
     if (round == 0) {
-        spoil_image(bench);
+        spoil_image(&bench->cl, bench->d_image, SIDE, SIDE);
     }
     for (int i = 0; i < variant->n_frames; i++) {
         series_add(&variant->frames, variant_draw(variant, &bench->cl));
@@ -204,92 +180,23 @@ static int measure(Bench *bench, Variant *variant, int round)
     return 0;
 }
 
-// Returns 0, or -1 after one message.
-static int bench_run(Bench *bench, int n_rounds)
+static int measure_round(void *shared, int round)
 {
-    const double start = stats_clock_ms();
-    double seconds = 0;
-    for (int round = 0; round < n_rounds; round++) {
-        const double seconds_before = seconds;
-        for (int i = 0; i < bench->n_variants; i++) {
-            if (measure(bench, &bench->variants[i], round) != 0) {
-                return -1;
-            }
-        }
-        seconds = (stats_clock_ms() - start) / 1e3;
-        printf("round %d of %d done after %.0f s%s\n", round + 1, n_rounds, seconds,
-               round == 0 ? "; all pictures are equal, to the bit" : "");
-        fflush(stdout);
-        if (round + 1 < n_rounds && 2 * seconds - seconds_before > LONGEST_SECONDS) {
-            printf("no further round: this machine would take too long\n");
-            break;
+    Bench *bench = shared;
+    for (int i = 0; i < bench->n_variants; i++) {
+        if (measure(bench, &bench->variants[i], round) != 0) {
+            return -1;
         }
     }
     return 0;
 }
 
-// ---- Command line ---------------------------------------------------------------------------
-
-typedef struct BenchOptions {
-    const char *device;  // or NULL
-    const char *folder;
-    int n_rounds;
-} BenchOptions;
-
-static const char HELP[] =
-    "bench2d: measures the naive kernel of lab 01 and the kd-tree kernel of lab 03.\n\n"
-    "Options (and what holds without them):\n"
-    "  --device D       number or part of a name ($" CL_DEVICE_VARIABLE ", or the first)\n"
-    "  --rounds N       how often everything is measured, at most 100 (5)\n"
-    "  --output FOLDER  where bench2d.csv goes; made where it is missing (build/bench)\n"
-    "  --help           show this and end\n"
-    "Run it in the top folder of the course, where the kernels are found.\n";
-
-// Returns OPTIONS_RUN, OPTIONS_DONE, or OPTIONS_BAD after one message.
-static OptionsResult read_options(int argc, char **argv, BenchOptions *options)
-{
-    static const struct option known[] = {{"device", required_argument, NULL, 'd'},
-                                          {"rounds", required_argument, NULL, 'r'},
-                                          {"output", required_argument, NULL, 'o'},
-                                          {"help", no_argument, NULL, 'h'},
-                                          {NULL, 0, NULL, 0}};
-    int64_t n_rounds = 5;
-    *options = (BenchOptions){.folder = "build/bench"};
-    for (int id; (id = getopt_long(argc, argv, "", known, NULL)) != -1;) {
-        switch (id) {
-        case 'd':
-            options->device = optarg;
-            break;
-        case 'o':
-            options->folder = optarg;
-            break;
-        case 'r':
-            if (number_read_integer(optarg, 1, SERIES_MAX_ROUNDS, &n_rounds) != 0) {
-                fprintf(stderr,
-                        "bench2d: --rounds: found \"%s\", expected a whole number from 1 to %d\n",
-                        optarg, SERIES_MAX_ROUNDS);
-                return OPTIONS_BAD;
-            }
-            break;
-        case 'h':
-            fputs(HELP, stdout);
-            return OPTIONS_DONE;
-        default:
-            return OPTIONS_BAD;
-        }
-    }
-    if (optind < argc) {
-        fprintf(stderr, "bench2d: found the stray word \"%s\" (try --help)\n", argv[optind]);
-        return OPTIONS_BAD;
-    }
-    options->n_rounds = (int)n_rounds;
-    return OPTIONS_RUN;
-}
-
 int main(int argc, char **argv)
 {
     BenchOptions options;
-    switch (read_options(argc, argv, &options)) {
+    switch (bench_options_read(
+        argc, argv, "bench2d",
+        "measures the naive kernel of lab 01 and the kd-tree kernel of lab 03", &options)) {
     case OPTIONS_BAD:
         return EXIT_FAILURE;
     case OPTIONS_DONE:
@@ -298,14 +205,11 @@ int main(int argc, char **argv)
         break;
     }
     static Bench bench;  // large, for the stack
-    // The folder is made first: a place that cannot be written is found out before the work.
-    int result = report_make_folder(options.folder);
-    if (result == 0) {
-        result = bench_prepare(&bench, options.device);
-    }
+    int result = bench_prepare(&bench, options.device);
     if (result == 0) {
         printf("%s: %dx%d pixels\n", bench.cl.device_name, SIDE, SIDE);
-        result = bench_run(&bench, options.n_rounds);
+        result = rounds_run(measure_round, &bench, options.n_rounds, LONGEST_SECONDS,
+                            "; all pictures are equal, to the bit");
     }
     if (result == 0) {
         report_print(bench.variants, bench.n_variants, bench.cl.device_name);

@@ -1,5 +1,6 @@
-// The peer of the 3D bench: Embree, Intel's ray tracing library, on the same spheres, camera, lights
-// and number of threads. Built where its package is installed (libembree-dev); version 3 and 4.
+// The peer of the 3D bench: Embree, Intel's ray tracing library, on the same spheres, camera,
+// lights and number of threads. Built where its package is installed (libembree-dev); version 3
+// and 4.
 //
 // Flow: scene -> buffers -> kernel -> image -> COMPARISON. Read next: bench3d.c.
 #ifndef BENCH_EMBREE_PEER_H

@@ -4,11 +4,7 @@
 #include "options.h"
 #include "output_file.h"
 
-#include <errno.h>
 #include <stdio.h>
-#include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 // The lecture's figures: 8192 circles on a GTX 470, frames a second.
 #define LECTURE_NAIVE_FPS 2.5
@@ -54,11 +50,7 @@ static void print_spread(const Variant *variant)
 // The lecture's comparison, and how far the ratio varies from round to round.
 static void print_comparison(const Variant *naive, const Variant *kdtree, const char *device_name)
 {
-    double ratios[SERIES_MAX_ROUNDS] = {0};
-    for (int i = 0; i < naive->frames.n_rounds; i++) {
-        ratios[i] = naive->frames.round_median_ms[i] / kdtree->frames.round_median_ms[i];
-    }
-    const Spread of_rounds = spread_of(ratios, naive->frames.n_rounds);
+    const Spread of_rounds = series_ratio(&naive->frames, &kdtree->frames);
     printf("\nFrames a second, %d circles, radius 2 to 20 px\n", naive->scene->n_circles);
     printf("  %-32s  %8s  %8s  %6s\n", "", "naive", "kd-tree", "ratio");
     printf("  %-32.32s  %8.3g  %8.3g  %6.0f  (single rounds: %.0f to %.0f)\n", device_name,
@@ -139,29 +131,6 @@ void report_print(const Variant *variants, int n_variants, const char *device_na
 }
 
 // ---- For the plot ---------------------------------------------------------------------------
-
-int report_make_folder(const char *folder)
-{
-    char path[4096];
-    if (snprintf(path, sizeof path, "%s/", folder) >= (int)sizeof path) {
-        fprintf(stderr, "bench2d: --output: expected a shorter path\n");
-        return -1;
-    }
-    for (char *slash = strchr(path + 1, '/'); slash != NULL; slash = strchr(slash + 1, '/')) {
-        *slash = '\0';
-        if (mkdir(path, 0777) != 0 && errno != EEXIST) {
-            fprintf(stderr, "bench2d: --output: cannot make the folder %s: %s\n", path,
-                    strerror(errno));
-            return -1;
-        }
-        *slash = '/';
-    }
-    if (access(path, W_OK | X_OK) != 0) {
-        fprintf(stderr, "bench2d: --output: %s cannot be written: %s\n", folder, strerror(errno));
-        return -1;
-    }
-    return 0;
-}
 
 static void write_row(FILE *file, const Variant *variant)
 {

@@ -8,10 +8,6 @@
 // for each scene, the lecture's 8192 circles among them.
 void report_print(const Variant *variants, int n_variants, const char *device_name);
 
-// Make a folder and those above it, and see whether files can be made there. Returns 0, or -1
-// after one message.
-int report_make_folder(const char *folder);
-
 // Write FOLDER/bench2d.csv, one row a variant: variant,n_circles,max_depth,leaf_size,median_ms,
 // min_ms,max_ms,fps. The naive rows and then the kd-tree rows of usual limits come first, each from
 // few circles to many; fields that mean nothing are empty. Returns 0, or -1 after one message.

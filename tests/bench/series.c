@@ -27,3 +27,12 @@ Spread spread_of(const double *numbers, int n)
     const double median = stats_median(sorted, n);
     return (Spread){median, sorted[0], sorted[n - 1]};
 }
+
+Spread series_ratio(const Series *dividend, const Series *divisor)
+{
+    double ratios[SERIES_MAX_ROUNDS] = {0};
+    for (int i = 0; i < dividend->n_rounds; i++) {
+        ratios[i] = dividend->round_median_ms[i] / divisor->round_median_ms[i];
+    }
+    return spread_of(ratios, dividend->n_rounds);
+}

@@ -1,11 +1,10 @@
 // What the bench measures (see variant.h).
 #include "variant.h"
 
+#include "cl_memory.h"
 #include "kdtree2d_build.h"
+#include "launch.h"
 #include "stats.h"
-
-// The work-group of the labs' main.c.
-#define GROUP_SIZE 16
 
 const char *const VARIANT_NAMES[N_VARIANT_KINDS] = {"fill", "naive", "kdtree"};
 
@@ -49,16 +48,6 @@ static u32 tree_references(const KdTree2D *tree)
     return tree->n_map - n_leaves;
 }
 
-// A buffer that the kernel only reads, filled from the host.
-static cl_mem buffer_create(const ClSetup *cl, void *h_bytes, size_t n_bytes)
-{
-    cl_int error;
-    cl_mem d_buffer = clCreateBuffer(cl->context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, n_bytes,
-                                     h_bytes, &error);
-    CL_CHECK_CREATED(error, clCreateBuffer);
-    return d_buffer;
-}
-
 // Build the tree and copy it to the device. Returns 0, or -1 after one message.
 static int prepare_tree(Variant *variant, const ClSetup *cl)
 {
@@ -78,13 +67,13 @@ static int prepare_tree(Variant *variant, const ClSetup *cl)
     variant->n_nodes = tree.n_nodes;
     variant->n_references = tree_references(&tree);
     variant->d_nodes_Relations =
-        buffer_create(cl, tree.nodes_Relations, tree.n_nodes * sizeof *tree.nodes_Relations);
+        cl_buffer_create(cl, tree.nodes_Relations, tree.n_nodes * sizeof *tree.nodes_Relations);
     variant->d_nodes_flag =
-        buffer_create(cl, tree.nodes_flag, tree.n_nodes * sizeof *tree.nodes_flag);
+        cl_buffer_create(cl, tree.nodes_flag, tree.n_nodes * sizeof *tree.nodes_flag);
     variant->d_nodes_BBox =
-        buffer_create(cl, tree.nodes_BBox, tree.n_nodes * sizeof *tree.nodes_BBox);
+        cl_buffer_create(cl, tree.nodes_BBox, tree.n_nodes * sizeof *tree.nodes_BBox);
     variant->d_mapNode2Circles =
-        buffer_create(cl, tree.mapNode2Circles, tree.n_map * sizeof *tree.mapNode2Circles);
+        cl_buffer_create(cl, tree.mapNode2Circles, tree.n_map * sizeof *tree.mapNode2Circles);
     tree2d_free(&tree);
     return 0;
 }
@@ -112,19 +101,10 @@ static void set_arguments(const Variant *variant, cl_mem d_image)
     CL_CHECK(clSetKernelArg(kernel, next++, sizeof d_image, &d_image));
 }
 
-// The next multiple of GROUP_SIZE.
-static size_t round_up(int n)
+// Draw a part of the picture, from its top left corner on, and wait for it.
+static void draw(const Variant *variant, const ClSetup *cl, int width, int height)
 {
-    return ((size_t)n + GROUP_SIZE - 1) / GROUP_SIZE * GROUP_SIZE;
-}
-
-// Launch the kernel over width x height pixels and wait for it.
-static void launch(const Variant *variant, const ClSetup *cl, int width, int height)
-{
-    const size_t local_size[2] = {GROUP_SIZE, GROUP_SIZE};
-    const size_t global_size[2] = {round_up(width), round_up(height)};
-    CL_CHECK(clEnqueueNDRangeKernel(cl->queue, variant->kernel, 2, NULL, global_size, local_size, 0,
-                                    NULL, NULL));
+    launch(cl, variant->kernel, 0, 0, width, height);
     CL_CHECK(clFinish(cl->queue));
 }
 
@@ -136,13 +116,13 @@ int variant_prepare(Variant *variant, const ClSetup *cl, const cl_program *progr
     CL_CHECK_CREATED(error, clCreateKernel);
     if (variant->kind != FILL) {
         variant->d_circles =
-            buffer_create(cl, scene->circles, (size_t)scene->n_circles * sizeof *scene->circles);
+            cl_buffer_create(cl, scene->circles, (size_t)scene->n_circles * sizeof *scene->circles);
     }
     if (variant->kind == KDTREE && prepare_tree(variant, cl) != 0) {
         return -1;
     }
     set_arguments(variant, d_image);
-    launch(variant, cl, GROUP_SIZE, GROUP_SIZE);
+    draw(variant, cl, GROUP_SIZE, GROUP_SIZE);
     return 0;
 }
 
@@ -163,7 +143,7 @@ void variant_free(Variant *variant)
 double variant_draw(const Variant *variant, const ClSetup *cl)
 {
     const double start = stats_clock_ms();
-    launch(variant, cl, variant->scene->width, variant->n_rows);
+    draw(variant, cl, variant->scene->width, variant->n_rows);
     return (stats_clock_ms() - start) * variant->scene->height / variant->n_rows;
 }
 
