@@ -196,21 +196,36 @@ fuzz:  ## for authors: fuzz the readers of 3D scenes for SECONDS=60 (needs libcl
 
 # ---- The bench ------------------------------------------------------------------------------
 
-$(OUT)/obj/tests/bench/%.o: EXTRA = $(BUILDER_INCLUDES) \
+# Embree, which the 3D bench compares with where its package is installed: version 4, or 3.
+EMBREE := $(firstword $(foreach v,4 3,$(if $(wildcard /usr/include/embree$(v)/rtcore.h),$(v))))
+BENCH_INCLUDES = $(BUILDER_INCLUDES) -I solutions/05-spheres
+$(OUT)/obj/tests/bench/%.o: EXTRA = $(BENCH_INCLUDES) \
     -DNAIVE_OPTIONS='"$(call include_path,01-naive-2d)"' \
-    -DKDTREE_OPTIONS='"$(call include_path,03-kdtree-2d-render)"'
-$(OUT)/tools/bench2d: $(call objects,$(wildcard tests/bench/*.c) $(BUILDERS)) $(OUT)/libcommon.a
+    -DKDTREE_OPTIONS='"$(call include_path,03-kdtree-2d-render)"' \
+    -DSPHERES_OPTIONS='"$(call include_path,05-spheres)"' \
+    -DTRACE_OPTIONS='"$(call include_path,07-kdtree-3d-trace)"'
+# As fast as OpenCL's own compiler makes the kernels: for this machine.
+$(OUT)/obj/tests/bench/embree_peer.c.o: EXTRA = $(BENCH_INCLUDES) -march=native \
+    $(if $(EMBREE),-DWITH_EMBREE=$(EMBREE))
+
+$(OUT)/libbench.a: $(call objects,$(filter-out tests/bench/bench%d.c,$(wildcard tests/bench/*.c)) \
+    $(BUILDERS) solutions/05-spheres/scene_buffers.c)
+	@rm -f $@
+	@ar rcs $@ $^
+
+$(OUT)/tools/bench2d $(OUT)/tools/bench3d: $(OUT)/tools/%: $(OUT)/obj/tests/bench/%.c.o $(OUT)/libbench.a $(OUT)/libcommon.a
 	@mkdir -p $(@D)
-	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -o $@
+	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) $(if $(EMBREE),-lembree$(EMBREE)) -pthread -o $@
 
 .PHONY: bench
-bench:  ## install what is missing, measure naive against kd-tree, plot to build/bench
+bench:  ## install what is missing, measure naive against kd-tree in 2D and 3D, plot to build/bench
 	@common/setup/install.sh bench
-	@$(MAKE) --no-print-directory $(OUT)/tools/bench2d
-	@$(OUT)/tools/bench2d --output $(OUT)/bench $(if $(DEVICE),--device "$$DEVICE") \
-	    $(if $(ROUNDS),--rounds "$$ROUNDS")
-	@gnuplot -e "folder='$(OUT)/bench'" tests/bench/bench2d.gnuplot
-	@echo "The plot: $(OUT)/bench/bench2d.png and .svg"
+	@$(MAKE) --no-print-directory $(OUT)/tools/bench2d $(OUT)/tools/bench3d
+	@for bench in bench2d bench3d; do \
+	    $(OUT)/tools/$$bench --output $(OUT)/bench $(if $(DEVICE),--device "$$DEVICE") \
+	        $(if $(ROUNDS),--rounds "$$ROUNDS") && \
+	    gnuplot -e "folder='$(OUT)/bench'" tests/bench/$$bench.gnuplot && \
+	    echo "The plot: $(OUT)/bench/$$bench.png and .svg" || exit 1; done
 
 # ---- For people -----------------------------------------------------------------------------
 

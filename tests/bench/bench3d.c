@@ -1,0 +1,189 @@
+// The 3D bench: the naive kernel of lab 05, the kd-tree kernel of lab 07 and Embree, in one run.
+//
+//     build/tools/bench3d [--device D] [--rounds N] [--output FOLDER]       or: make bench
+//
+// All are drawn and all trees built in turn within each round (rounds.h). In the first round the
+// pictures of a scene are compared; where they differ there are no figures. Embree takes part where
+// its package is installed (embree_peer.h), with as many threads as the OpenCL device has compute
+// units where that is a CPU, and with all of the machine's beside a GPU.
+// Flow: scene -> buffers -> kernel -> image -> COMPARISON. Read next: case3d.h, pictures3d.h,
+// report3d.c.
+#include "bench_options.h"
+#include "embree_peer.h"
+#include "launch.h"
+#include "pictures3d.h"
+#include "report3d.h"
+#include "rounds.h"
+#include "stats.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+// No further round begins that would end later.
+#define LONGEST_SECONDS 190
+
+// The scenes. Random ones, from few spheres to many, show how times grow.
+static const char *const SCENE_NAMES[] = {
+    "sphereflake",    "random:n=10",     "random:n=100",     "random:n=1000",
+    "random:n=10000", "random:n=100000", "random:n=1000000",
+};
+enum { N_CASES = sizeof SCENE_NAMES / sizeof *SCENE_NAMES };
+
+enum { N_FRAMES = 5 };  // a round, of all but long ones
+// A naive frame of more spheres than this is drawn once a round: each takes long enough.
+enum { MANY_SPHERES = 100 };
+
+typedef struct Bench {
+    ClSetup cl;
+    cl_program programs[N_PROGRAMS];
+    Pictures3D pictures;
+    int n_threads;  // of Embree; 0 when it does not take part
+    Case3D cases[N_CASES];
+} Bench;
+
+// Build a first tree that is not timed: it starts Embree's threads. Returns 0, or -1 after one
+// message.
+static int start_embree(const Bench *bench)
+{
+    double ms;
+    EmbreePeer *peer = embree_peer_new(&bench->cases[0].scene, bench->n_threads, &ms);
+    embree_peer_free(peer);
+    return peer != NULL ? 0 : -1;
+}
+
+// Everything up to the first frame. Returns 0, or -1 after one message.
+static int bench_prepare(Bench *bench, const char *device)
+{
+    if (cl_setup_open(device, &bench->cl) != 0 ||
+        programs3d_build(&bench->cl, bench->programs) != 0 ||
+        pictures3d_create(&bench->pictures) != 0) {
+        return -1;
+    }
+    if (embree_peer_version() != NULL) {
+        bench->pictures.has_embree = 1;
+        bench->n_threads = device_is_cpu(&bench->cl) ? device_units(&bench->cl)
+                                                     : (int)sysconf(_SC_NPROCESSORS_ONLN);
+    }
+    for (int i = 0; i < N_CASES; i++) {
+        bench->cases[i].scene_name = SCENE_NAMES[i];
+        if (case3d_prepare(&bench->cases[i], &bench->cl, bench->programs) != 0) {
+            return -1;
+        }
+    }
+    return bench->n_threads > 0 ? start_embree(bench) : 0;
+}
+
+static void bench_free(Bench *bench)
+{
+    for (int i = 0; i < N_CASES; i++) {
+        case3d_free(&bench->cases[i]);
+    }
+    pictures3d_free(&bench->pictures);
+    programs3d_free(bench->programs);
+    cl_setup_close(&bench->cl);
+}
+
+// ---- Measuring ------------------------------------------------------------------------------
+
+static void add_round(Series *series, double ms)
+{
+    series_add(series, ms);
+    series_end_round(series);
+}
+
+// A kernel's frames of a round; the first round's picture is kept.
+static void measure_kernel(Bench *bench, Case3D *bench_case, Renderer renderer, int round)
+{
+    const int is_long = renderer == NAIVE && bench_case->scene.n_spheres > MANY_SPHERES;
+    if (round == 0) {
+        spoil_image(&bench->cl, bench_case->buffers.d_image, CASE3D_SIDE, CASE3D_SIDE);
+    }
+    for (int i = 0; i < (is_long ? 1 : N_FRAMES); i++) {
+        series_add(&bench_case->frames[renderer], case3d_draw(bench_case, &bench->cl, renderer));
+    }
+    series_end_round(&bench_case->frames[renderer]);
+    if (round == 0) {
+        read_image(&bench->cl, bench_case->buffers.d_image, &bench->pictures.images[renderer]);
+    }
+}
+
+// Embree's part of a round. Its tree is built twice: on one thread, as the course's is, and on all.
+// The first is released before the second begins: of all that there are at once, Embree takes the
+// largest number of threads for each. Returns 0, or -1 after one message.
+static int measure_embree(Bench *bench, Case3D *bench_case)
+{
+    double ms;
+    EmbreePeer *peer = embree_peer_new(&bench_case->scene, 1, &ms);
+    if (peer == NULL) {
+        return -1;
+    }
+    embree_peer_free(peer);
+    add_round(&bench_case->builds[EMBREE], ms);
+    peer = embree_peer_new(&bench_case->scene, bench->n_threads, &ms);
+    if (peer == NULL) {
+        return -1;
+    }
+    add_round(&bench_case->parallel_builds, ms);
+    for (int i = 0; i < N_FRAMES; i++) {
+        const double start = stats_clock_ms();
+        embree_peer_draw(peer, &bench->pictures.images[EMBREE]);
+        series_add(&bench_case->frames[EMBREE], stats_clock_ms() - start);
+    }
+    series_end_round(&bench_case->frames[EMBREE]);
+    embree_peer_free(peer);
+    return 0;
+}
+
+static int measure_round(void *shared, int round)
+{
+    Bench *bench = shared;
+    for (int i = 0; i < N_CASES; i++) {
+        Case3D *bench_case = &bench->cases[i];
+        measure_kernel(bench, bench_case, NAIVE, round);
+        measure_kernel(bench, bench_case, KDTREE, round);
+        const double build_ms = case3d_time_build(bench_case);
+        if (build_ms < 0) {
+            return -1;
+        }
+        add_round(&bench_case->builds[KDTREE], build_ms);
+        if (bench->n_threads > 0 && measure_embree(bench, bench_case) != 0) {
+            return -1;
+        }
+        if (round == 0 && pictures3d_check(&bench->pictures, bench_case) != 0) {
+            return -1;
+        }
+    }
+    return 0;
+}
+
+int main(int argc, char **argv)
+{
+    BenchOptions options;
+    switch (bench_options_read(argc, argv, "bench3d",
+                               "measures the naive kernel of lab 05, the kd-tree kernel of lab 07 "
+                               "and Embree",
+                               &options)) {
+    case OPTIONS_BAD:
+        return EXIT_FAILURE;
+    case OPTIONS_DONE:
+        return EXIT_SUCCESS;
+    case OPTIONS_RUN:
+        break;
+    }
+    static Bench bench;  // large, for the stack
+    int result = bench_prepare(&bench, options.device);
+    if (result == 0) {
+        printf("%s: %dx%d pixels\n", bench.cl.device_name, CASE3D_SIDE, CASE3D_SIDE);
+        result = rounds_run(measure_round, &bench, options.n_rounds, LONGEST_SECONDS,
+                            "; the pictures of each scene are equal, but for rounding");
+    }
+    if (result == 0) {
+        const ReportContext context = {bench.cl.device_name, device_is_cpu(&bench.cl),
+                                       bench.n_threads};
+        report3d_print(bench.cases, N_CASES, context);
+        result = report3d_write_csv(bench.cases, N_CASES, options.folder);
+    }
+    bench_free(&bench);
+    return result == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}

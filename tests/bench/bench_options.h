@@ -1,0 +1,22 @@
+// The command line of the benches: both take the same options.
+//
+// Flow: scene -> buffers -> kernel -> image -> COMPARISON. Read next: rounds.h.
+#ifndef BENCH_BENCH_OPTIONS_H
+#define BENCH_BENCH_OPTIONS_H
+
+#include "options.h"
+
+typedef struct BenchOptions {
+    const char *device;  // or NULL
+    const char *folder;  // where the CSV file goes
+    int n_rounds;        // 1 to SERIES_MAX_ROUNDS
+} BenchOptions;
+
+// Read the command line of the bench `name` ("bench2d").
+//   what   for --help: "measures this and that"
+// The output's folder is made here, and those above it: a place that cannot be written is found out
+// before the work. Returns OPTIONS_RUN, OPTIONS_DONE, or OPTIONS_BAD after one message.
+OptionsResult bench_options_read(int argc, char **argv, const char *name, const char *what,
+                                 BenchOptions *options);
+
+#endif

@@ -1,0 +1,242 @@
+// A scene of the 3D bench (see case3d.h).
+//
+// Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: pictures3d.c.
+#include "case3d.h"
+
+#include "cl_memory.h"
+#include "kdtree3d_build.h"
+#include "launch.h"
+#include "stats.h"
+#include "work_stats.h"
+
+#include <jansson.h>
+
+// Sphere tests of a naive frame on a CPU, for each of its threads: one to three seconds' work.
+#define TESTS_A_THREAD 1e9
+
+// SPHERES_OPTIONS and TRACE_OPTIONS come from the Makefile, as KERNEL_OPTIONS does in the labs.
+static const struct ProgramRow {
+    const char *path;
+    const char *options;
+    const char *kernel;
+} PROGRAMS[N_PROGRAMS] = {
+    [NAIVE] = {"solutions/05-spheres/render_spheres.cl", SPHERES_OPTIONS, "render_spheres"},
+    [KDTREE] = {"solutions/07-kdtree-3d-trace/render_kdtree.cl", TRACE_OPTIONS, "render_kdtree"},
+    [COUNTING] = {"solutions/07-kdtree-3d-trace/render_kdtree.cl", TRACE_OPTIONS " -DCOUNT_WORK",
+                  "render_kdtree"},
+};
+
+int programs3d_build(const ClSetup *cl, cl_program programs[N_PROGRAMS])
+{
+    for (int i = 0; i < N_PROGRAMS; i++) {
+        programs[i] = cl_setup_build(cl, PROGRAMS[i].path, PROGRAMS[i].options);
+        if (programs[i] == NULL) {
+            return -1;
+        }
+    }
+    return 0;
+}
+
+void programs3d_free(cl_program programs[N_PROGRAMS])
+{
+    for (int i = 0; i < N_PROGRAMS; i++) {
+        if (programs[i] != NULL) {
+            CL_CHECK(clReleaseProgram(programs[i]));
+        }
+    }
+}
+
+// ---- The naive kernel's share ---------------------------------------------------------------
+
+enum { GROUPS_A_ROW = CASE3D_SIDE / GROUP_SIZE };  // and as many rows of work-groups
+
+static Share choose_share(const ClSetup *cl, int n_spheres)
+{
+    const Share whole = {GROUPS_A_ROW, CASE3D_SIDE};
+    if (!device_is_cpu(cl)) {
+        return whole;
+    }
+    const double tests_a_group = (double)GROUP_SIZE * GROUP_SIZE * n_spheres;
+    const int groups_a_thread = (int)(TESTS_A_THREAD / tests_a_group);
+    // The same number for each thread, so that they end together.
+    const double n_groups = (double)(groups_a_thread > 1 ? groups_a_thread : 1) * device_units(cl);
+    if (n_groups >= GROUPS_A_ROW * GROUPS_A_ROW) {
+        return whole;
+    }
+    if (n_groups >= GROUPS_A_ROW) {
+        return (Share){(int)n_groups / GROUPS_A_ROW, CASE3D_SIDE};
+    }
+    return (Share){1, (int)n_groups * GROUP_SIZE};
+}
+
+int case3d_share_pixels(const Case3D *bench_case)
+{
+    return bench_case->share.n_stripes * GROUP_SIZE * bench_case->share.width;
+}
+
+static int share_is_whole(Share share)
+{
+    return share.n_stripes == GROUPS_A_ROW && share.width == CASE3D_SIDE;
+}
+
+// Where a stripe begins: in the middle of its part of the picture's height.
+static int stripe_top(Share share, int stripe)
+{
+    return (2 * stripe + 1) * GROUPS_A_ROW / (2 * share.n_stripes) * GROUP_SIZE;
+}
+
+static int stripe_left(Share share)
+{
+    return (CASE3D_SIDE - share.width) / 2;
+}
+
+// ---- Preparing ------------------------------------------------------------------------------
+
+// Returns the tree, or a zeroed one after one message. Release with tree3d_free().
+static KdTree3D build_tree(const Scene3D *scene)
+{
+    const u32 n_spheres = (u32)scene->n_spheres;
+    KdTree3D tree = {0};
+    kdtree3d_build(scene->spheres, n_spheres, tree3d_limits(0, 0, n_spheres), &tree);
+    return tree;
+}
+
+// Copy the tree to the device and set the kernels' arguments behind the scene's. Returns 0, or -1
+// after one message.
+static int prepare_tree(Case3D *bench_case, const ClSetup *cl, cl_kernel counting)
+{
+    KdTree3D tree = build_tree(&bench_case->scene);
+    if (tree.n_nodes == 0 || tree3d_check(&tree, (u32)bench_case->scene.n_spheres) != 0 ||
+        tree3d_figures(&tree, &bench_case->figures) != 0) {
+        tree3d_free(&tree);
+        return -1;
+    }
+    bench_case->n_nodes = tree.n_nodes;
+    bench_case->n_sphere_ids = tree.n_sphere_ids;
+    bench_case->d_nodes = cl_buffer_create(cl, tree.nodes, tree.n_nodes * sizeof *tree.nodes);
+    bench_case->d_sphere_ids =
+        cl_buffer_create(cl, tree.sphere_ids, tree.n_sphere_ids * sizeof *tree.sphere_ids);
+    cl_kernel kernels[] = {bench_case->kernels[KDTREE], counting};
+    for (int i = 0; i < 2; i++) {
+        cl_uint next = N_SCENE_ARGUMENTS;
+        CL_CHECK(clSetKernelArg(kernels[i], next++, sizeof(cl_mem), &bench_case->d_nodes));
+        CL_CHECK(clSetKernelArg(kernels[i], next++, sizeof(cl_mem), &bench_case->d_sphere_ids));
+        CL_CHECK(clSetKernelArg(kernels[i], next, sizeof tree.bounds, &tree.bounds));
+    }
+    tree3d_free(&tree);
+    return 0;
+}
+
+static double mean_of(const Stats *stats, const char *name)
+{
+    return json_number_value(json_object_get(stats->values, name));
+}
+
+// Draw a frame that counts, which is not timed. Returns 0, or -1 after one message.
+static int count_work(Case3D *bench_case, const ClSetup *cl, cl_kernel counting)
+{
+    Stats stats = {0};
+    cl_mem d_work = work_buffer_create(cl, CASE3D_SIDE, CASE3D_SIDE);
+    CL_CHECK(clSetKernelArg(counting, N_SCENE_ARGUMENTS + 3, sizeof d_work, &d_work));
+    launch(cl, counting, 0, 0, CASE3D_SIDE, CASE3D_SIDE);
+    const int result =
+        work_report(cl, d_work, CASE3D_SIDE, CASE3D_SIDE, WORK_SPHERES, NULL, &stats);
+    bench_case->work = (WorkOfRay){.n_nodes = mean_of(&stats, "nodes_visited.mean_per_pixel"),
+                                   .n_leaves = mean_of(&stats, "leaves_visited.mean_per_pixel"),
+                                   .n_tests = mean_of(&stats, "sphere_tests.mean_per_pixel")};
+    stats_free(&stats);
+    CL_CHECK(clReleaseMemObject(d_work));
+    return result;
+}
+
+static cl_kernel create_kernel(const Case3D *bench_case, const cl_program *programs, int program)
+{
+    cl_int error;
+    cl_kernel kernel = clCreateKernel(programs[program], PROGRAMS[program].kernel, &error);
+    CL_CHECK_CREATED(error, clCreateKernel);
+    scene_buffers_set(&bench_case->buffers, &bench_case->scene, kernel);
+    return kernel;
+}
+
+// The first work-groups. The naive one stands where its stripes do: drivers may compile launches
+// with an offset anew.
+static void run_first_groups(const Case3D *bench_case, const ClSetup *cl)
+{
+    const Share share = bench_case->share;
+    const int whole = share_is_whole(share);
+    launch(cl, bench_case->kernels[NAIVE], whole ? 0 : stripe_left(share),
+           whole ? 0 : stripe_top(share, 0), GROUP_SIZE, GROUP_SIZE);
+    launch(cl, bench_case->kernels[KDTREE], 0, 0, GROUP_SIZE, GROUP_SIZE);
+    CL_CHECK(clFinish(cl->queue));
+}
+
+int case3d_prepare(Case3D *bench_case, const ClSetup *cl, const cl_program *programs)
+{
+    Scene3D *scene = &bench_case->scene;
+    if (scene3d_open(bench_case->scene_name, CASE3D_SIDE, CASE3D_SIDE, scene) != 0 ||
+        scene_buffers_create(cl, scene, &bench_case->buffers) != 0) {
+        return -1;
+    }
+    bench_case->share = choose_share(cl, scene->n_spheres);
+    cl_kernel naive = create_kernel(bench_case, programs, NAIVE);
+    bench_case->kernels[NAIVE] = naive;
+    bench_case->kernels[KDTREE] = create_kernel(bench_case, programs, KDTREE);
+    CL_CHECK(clSetKernelArg(naive, N_SCENE_ARGUMENTS, sizeof scene->n_spheres, &scene->n_spheres));
+    cl_kernel counting = create_kernel(bench_case, programs, COUNTING);
+    int result = prepare_tree(bench_case, cl, counting);
+    if (result == 0) {
+        result = count_work(bench_case, cl, counting);
+    }
+    if (result == 0) {
+        run_first_groups(bench_case, cl);
+    }
+    CL_CHECK(clReleaseKernel(counting));
+    return result;
+}
+
+void case3d_free(Case3D *bench_case)
+{
+    for (int i = 0; i < N_KERNELS; i++) {
+        if (bench_case->kernels[i] != NULL) {
+            CL_CHECK(clReleaseKernel(bench_case->kernels[i]));
+        }
+    }
+    cl_mem buffers[] = {bench_case->d_nodes, bench_case->d_sphere_ids};
+    for (size_t i = 0; i < sizeof buffers / sizeof *buffers; i++) {
+        if (buffers[i] != NULL) {
+            CL_CHECK(clReleaseMemObject(buffers[i]));
+        }
+    }
+    scene_buffers_free(&bench_case->buffers);
+    scene3d_free(&bench_case->scene);
+}
+
+// ---- Measuring ------------------------------------------------------------------------------
+
+double case3d_draw(const Case3D *bench_case, const ClSetup *cl, Renderer renderer)
+{
+    const Share share = bench_case->share;
+    const int draws_share = renderer == NAIVE && !share_is_whole(share);
+    const double n_pixels = (double)CASE3D_SIDE * CASE3D_SIDE;
+    const double start = stats_clock_ms();
+    if (!draws_share) {
+        launch(cl, bench_case->kernels[renderer], 0, 0, CASE3D_SIDE, CASE3D_SIDE);
+    }
+    for (int i = 0; draws_share && i < share.n_stripes; i++) {
+        launch(cl, bench_case->kernels[renderer], stripe_left(share), stripe_top(share, i),
+               share.width, GROUP_SIZE);
+    }
+    CL_CHECK(clFinish(cl->queue));
+    const double ms = stats_clock_ms() - start;
+    return draws_share ? ms * n_pixels / case3d_share_pixels(bench_case) : ms;
+}
+
+double case3d_time_build(const Case3D *bench_case)
+{
+    const double start = stats_clock_ms();
+    KdTree3D tree = build_tree(&bench_case->scene);
+    const double ms = stats_clock_ms() - start;
+    const int is_built = tree.n_nodes > 0;
+    tree3d_free(&tree);
+    return is_built ? ms : -1;
+}

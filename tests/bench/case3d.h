@@ -1,0 +1,89 @@
+// What the 3D bench measures: one scene, drawn by the naive kernel of lab 05, by the kd-tree kernel
+// of lab 07 and by Embree, each with its times; and the scene's tree in figures.
+//
+// The kernels, the tree's builder and the camera are those of the solutions: the bench has no
+// renderer of its own.
+// Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: pictures3d.h.
+#ifndef BENCH_CASE3D_H
+#define BENCH_CASE3D_H
+
+#include "cl_setup.h"
+#include "image.h"
+#include "scene3d.h"
+#include "scene_buffers.h"
+#include "series.h"
+#include "tree3d.h"
+
+// The picture's side, pixels.
+#define CASE3D_SIDE 1024
+
+typedef enum Renderer {
+    NAIVE,   // lab 05
+    KDTREE,  // lab 07 with the tree of lab 06
+    EMBREE,
+    N_RENDERERS,
+} Renderer;
+
+// The renderers that are OpenCL kernels; of as many programs, and of one more: lab 07's built with
+// -DCOUNT_WORK.
+enum { N_KERNELS = EMBREE, COUNTING = N_KERNELS, N_PROGRAMS };
+
+// The part of the picture that the naive kernel draws where the whole takes too long: every ray
+// asks every sphere, so that rays cost nearly the same and a part stands for the whole.
+typedef struct Share {
+    int n_stripes;  // of GROUP_SIZE rows each, spread evenly from top to bottom
+    int width;      // of a stripe, pixels, in the middle; CASE3D_SIDE but where one stripe is too
+                    // much already
+} Share;
+
+// What a ray costs in the tree, on average over the picture.
+typedef struct WorkOfRay {
+    double n_nodes;   // inner nodes
+    double n_leaves;  // leaves
+    double n_tests;   // spheres asked
+} WorkOfRay;
+
+typedef struct Case3D {
+    const char *scene_name;  // as --scene takes it
+    Scene3D scene;
+    SceneBuffers buffers;
+    cl_mem d_nodes;
+    cl_mem d_sphere_ids;
+    cl_kernel kernels[N_KERNELS];  // NAIVE, KDTREE, with their arguments set
+    Share share;
+
+    u32 n_nodes, n_sphere_ids;
+    TreeFigures3D figures;
+    WorkOfRay work;
+
+    ImageDifference naive_difference;   // of the kd-tree's picture from the naive one
+    ImageDifference embree_difference;  // from Embree's
+
+    // Milliseconds a frame, and for a tree on one thread; NAIVE has no tree.
+    Series frames[N_RENDERERS];
+    Series builds[N_RENDERERS];
+    Series parallel_builds;  // Embree's with all its threads
+} Case3D;
+
+// Compile the programs. Returns 0, or -1 after one message. Release with programs3d_free().
+int programs3d_build(const ClSetup *cl, cl_program programs[N_PROGRAMS]);
+void programs3d_free(cl_program programs[N_PROGRAMS]);
+
+// Make a zeroed case with a scene_name ready to be drawn: opens the scene, builds the tree, copies
+// both to the device, counts the work of the rays, and runs a first work-group of each kernel, so
+// that the driver has finished compiling before anything is timed. Returns 0, or -1 after one
+// message. Release with case3d_free(), after a failure too.
+int case3d_prepare(Case3D *bench_case, const ClSetup *cl, const cl_program *programs);
+void case3d_free(Case3D *bench_case);
+
+// Draw a frame with NAIVE or KDTREE and wait for it. Returns the milliseconds from the launch until
+// the queue is empty; of a share, scaled to the whole frame.
+double case3d_draw(const Case3D *bench_case, const ClSetup *cl, Renderer renderer);
+
+// How many pixels NAIVE draws.
+int case3d_share_pixels(const Case3D *bench_case);
+
+// Build the tree and throw it away. Returns the milliseconds, or -1 after one message.
+double case3d_time_build(const Case3D *bench_case);
+
+#endif

@@ -1,0 +1,25 @@
+// Do the naive kernel, the kd-tree kernel and Embree draw the same picture? Asked before any figure
+// is told.
+//
+// Flow: scene -> buffers -> kernel -> image -> COMPARISON. Read next: report3d.h.
+#ifndef BENCH_PICTURES3D_H
+#define BENCH_PICTURES3D_H
+
+#include "case3d.h"
+
+// A picture of each renderer, and whether there is one of Embree's.
+typedef struct Pictures3D {
+    Image images[N_RENDERERS];
+    int has_embree;
+} Pictures3D;
+
+// Returns 0, or -1 after one message. Release with pictures3d_free().
+int pictures3d_create(Pictures3D *pictures);
+void pictures3d_free(Pictures3D *pictures);
+
+// Compare the pictures of a case and note in it how they differ. Where the naive kernel drew only
+// its share, only that counts. Returns 0, or -1 after one message: pixels that should be drawn are
+// not, or more differ than rounding explains.
+int pictures3d_check(Pictures3D *pictures, Case3D *bench_case);
+
+#endif

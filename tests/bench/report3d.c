@@ -1,0 +1,301 @@
+// What the 3D bench tells (see report3d.h).
+//
+// Flow: scene -> buffers -> kernel -> image -> COMPARISON. Read next: bench3d.gnuplot.
+#include "report3d.h"
+
+#include "embree_peer.h"
+#include "output_file.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static const char *const RENDERER_NAMES[N_RENDERERS] = {"naive", "kdtree", "embree"};
+
+// What the course sets out to reach: of Embree's rays a second, and times its time for the tree;
+// 0 where nothing is set.
+static const struct Target {
+    const char *scene_name;
+    double rate;
+    double build;
+} TARGETS[] = {{"sphereflake", 0.7, 0}, {"random:n=100000", 0.7, 3}, {"random:n=1000000", 0.6, 0}};
+enum { N_TARGETS = sizeof TARGETS / sizeof *TARGETS };
+
+// Returns the scene's target, or NULL.
+static const struct Target *target_of(const Case3D *bench_case)
+{
+    for (int i = 0; i < N_TARGETS; i++) {
+        if (strcmp(TARGETS[i].scene_name, bench_case->scene_name) == 0) {
+            return &TARGETS[i];
+        }
+    }
+    return NULL;
+}
+
+static Spread spread(const Series *series)
+{
+    return spread_of(series->ms, series->n);
+}
+
+static double median(const Series *series)
+{
+    return spread(series).median;
+}
+
+static double mray_s(const Series *frames)
+{
+    return (double)CASE3D_SIDE * CASE3D_SIDE / 1e3 / median(frames);
+}
+
+static double drawn_share(const Case3D *bench_case, Renderer renderer)
+{
+    return renderer == NAIVE
+               ? (double)case3d_share_pixels(bench_case) / ((double)CASE3D_SIDE * CASE3D_SIDE)
+               : 1;
+}
+
+static int is_random(const Case3D *bench_case)
+{
+    return strncmp(bench_case->scene_name, "random", strlen("random")) == 0;
+}
+
+// ---- For people -----------------------------------------------------------------------------
+
+static void print_spread(const char *renderer, const Series *frames)
+{
+    const Spread ms = spread(frames);
+    printf("  %-8s  %10.2f  (%.2f to %.2f, %d %s)", renderer, ms.median, ms.min, ms.max, frames->n,
+           frames->n == 1 ? "frame" : "frames");
+    printf("  %.4g Mray/s", mray_s(frames));
+}
+
+// Naive against kd-tree, for the scenes of thousands of spheres that a target is set for.
+static void print_comparison(const Case3D *bench_case, ReportContext context)
+{
+    const Series *naive = &bench_case->frames[NAIVE], *kdtree = &bench_case->frames[KDTREE];
+    const Spread of_rounds = series_ratio(naive, kdtree);
+    printf("\n%s, %d spheres: milliseconds a frame, median (smallest to largest)\n",
+           bench_case->scene_name, bench_case->scene.n_spheres);
+    print_spread("naive", naive);
+    if (drawn_share(bench_case, NAIVE) < 1) {
+        printf(", %.2g%% of the picture, scaled", 100 * drawn_share(bench_case, NAIVE));
+    }
+    printf("\n");
+    print_spread("kd-tree", kdtree);
+    printf("\n");
+    if (context.n_threads > 0) {
+        print_spread("Embree", &bench_case->frames[EMBREE]);
+        printf(", %d CPU threads\n", context.n_threads);
+    }
+    printf("  naive / kd-tree: %.0f  (single rounds: %.0f to %.0f)\n",
+           median(naive) / median(kdtree), of_rounds.min, of_rounds.max);
+}
+
+static void print_trees(const Case3D *cases, int n_cases, ReportContext context)
+{
+    const int has_embree = context.n_threads > 0;
+    printf("\nTrees, and milliseconds to build them on one thread");
+    if (has_embree) {
+        printf("; parallel: Embree's on %d threads", context.n_threads);
+    }
+    printf("\n");
+    printf("  %-16s  %8s  %8s  %8s  %5s  %8s  %8s", "scene", "nodes", "leaves", "ids", "depth",
+           "ids/leaf", "kd-tree");
+    if (has_embree) {
+        printf("  %8s  %5s  %8s", "Embree", "ratio", "parallel");
+    }
+    printf("\n");
+    for (int i = 0; i < n_cases; i++) {
+        const Case3D *bench_case = &cases[i];
+        const double build_ms = median(&bench_case->builds[KDTREE]);
+        printf("  %-16s  %8u  %8u  %8u  %5d  %8.2f  %8.2f", bench_case->scene_name,
+               bench_case->n_nodes, bench_case->figures.n_leaves, bench_case->n_sphere_ids,
+               bench_case->figures.depth,
+               (double)bench_case->n_sphere_ids / bench_case->figures.n_leaves, build_ms);
+        if (has_embree) {
+            const double embree_ms = median(&bench_case->builds[EMBREE]);
+            const struct Target *target = target_of(bench_case);
+            printf("  %8.2f  %5.2f  %8.2f", embree_ms, build_ms / embree_ms,
+                   median(&bench_case->parallel_builds));
+            if (target != NULL && target->build > 0) {
+                printf("  target: ratio at most %g", target->build);
+            }
+        }
+        printf("\n");
+    }
+}
+
+static void print_work(const Case3D *cases, int n_cases)
+{
+    printf("\nWork of a ray in the tree, on average; the naive kernel asks every sphere\n");
+    printf("  %-16s  %8s  %11s  %6s  %14s\n", "scene", "spheres", "inner nodes", "leaves",
+           "spheres asked");
+    for (int i = 0; i < n_cases; i++) {
+        const WorkOfRay work = cases[i].work;
+        printf("  %-16s  %8d  %11.2f  %6.2f  %14.2f\n", cases[i].scene_name,
+               cases[i].scene.n_spheres, work.n_nodes, work.n_leaves, work.n_tests);
+    }
+}
+
+static void print_growth(const Case3D *cases, int n_cases, ReportContext context)
+{
+    printf("\nGrowth: random spheres; milliseconds a frame, and to build the tree on one thread\n");
+    printf("  %9s  %12s  %9s  %9s", "spheres", "naive", "kd-tree", "ratio");
+    if (context.n_threads > 0) {
+        printf("  %9s", "Embree");
+    }
+    printf("  %10s", "build");
+    if (context.n_threads > 0) {
+        printf("  %10s", "Embree's");
+    }
+    printf("\n");
+    for (int i = 0; i < n_cases; i++) {
+        const Case3D *bench_case = &cases[i];
+        if (!is_random(bench_case)) {
+            continue;
+        }
+        const double naive_ms = median(&bench_case->frames[NAIVE]);
+        const double kdtree_ms = median(&bench_case->frames[KDTREE]);
+        printf("  %9d  %12.2f  %9.2f  %9.3g", bench_case->scene.n_spheres, naive_ms, kdtree_ms,
+               naive_ms / kdtree_ms);
+        if (context.n_threads > 0) {
+            printf("  %9.2f", median(&bench_case->frames[EMBREE]));
+        }
+        printf("  %10.3f", median(&bench_case->builds[KDTREE]));
+        if (context.n_threads > 0) {
+            printf("  %10.3f", median(&bench_case->builds[EMBREE]));
+        }
+        if (drawn_share(bench_case, NAIVE) < 1) {
+            printf("  naive: %.2g%% of the picture, scaled", 100 * drawn_share(bench_case, NAIVE));
+        }
+        printf("\n");
+    }
+}
+
+// Millions of rays a second against Embree's.
+static void print_rates(const Case3D *cases, int n_cases, ReportContext context)
+{
+    printf(
+        "\nMillion rays a second: kd-tree (lab 07) and Embree %s, one ray at a time, %d threads\n",
+        embree_peer_version(), context.n_threads);
+    printf("  %-16s  %8s  %8s  %6s  %6s\n", "scene", "kd-tree", "Embree", "ratio", "target");
+    for (int i = 0; i < n_cases; i++) {
+        const struct Target *target = target_of(&cases[i]);
+        if (target != NULL) {
+            const Series *kdtree = &cases[i].frames[KDTREE], *embree = &cases[i].frames[EMBREE];
+            const Spread of_rounds = series_ratio(embree, kdtree);
+            printf("  %-16s  %8.2f  %8.2f  %6.2f  %6.1f  (single rounds: %.2f to %.2f)\n",
+                   cases[i].scene_name, mray_s(kdtree), mray_s(embree),
+                   mray_s(kdtree) / mray_s(embree), target->rate, of_rounds.min, of_rounds.max);
+        }
+    }
+}
+
+static void print_pictures(const Case3D *cases, int n_cases, ReportContext context)
+{
+    printf("\nPixels of the kd-tree's picture that differ by more than half a step of 255\n");
+    printf("  %-16s  %22s", "scene", "from the naive one");
+    if (context.n_threads > 0) {
+        printf("  %22s", "from Embree's");
+    }
+    printf("\n");
+    for (int i = 0; i < n_cases; i++) {
+        printf("  %-16s  %9d of %9d", cases[i].scene_name, cases[i].naive_difference.n_different,
+               case3d_share_pixels(&cases[i]));
+        if (context.n_threads > 0) {
+            printf("  %9d of %9d", cases[i].embree_difference.n_different,
+                   CASE3D_SIDE * CASE3D_SIDE);
+        }
+        printf("%s\n", cases[i].naive_difference.max_difference == 0
+                           ? "  equal to the naive one to the bit"
+                           : "");
+    }
+}
+
+void report3d_print(const Case3D *cases, int n_cases, ReportContext context)
+{
+    for (int i = 0; i < n_cases; i++) {
+        if (target_of(&cases[i]) != NULL) {
+            print_comparison(&cases[i], context);
+        }
+    }
+    if (context.n_threads == 0) {
+        printf(
+            "\nEmbree took no part: install the package libembree-dev and build the bench again\n");
+    } else if (context.device_is_cpu) {
+        print_rates(cases, n_cases, context);
+    }
+    print_trees(cases, n_cases, context);
+    print_work(cases, n_cases);
+    print_growth(cases, n_cases, context);
+    print_pictures(cases, n_cases, context);
+}
+
+// ---- For the plot ---------------------------------------------------------------------------
+
+static void write_builds(FILE *file, const Case3D *bench_case, Renderer renderer)
+{
+    if (renderer == NAIVE) {
+        fprintf(file, ",,,,");
+        return;
+    }
+    const Spread ms = spread(&bench_case->builds[renderer]);
+    fprintf(file, ",%.4f,%.4f,%.4f,", ms.median, ms.min, ms.max);
+    if (renderer == EMBREE) {
+        fprintf(file, "%.4f", median(&bench_case->parallel_builds));
+    }
+}
+
+static void write_tree(FILE *file, const Case3D *bench_case)
+{
+    const WorkOfRay work = bench_case->work;
+    fprintf(file, ",%u,%u,%u,%d,%.4f,%.4f,%.4f,\n", bench_case->n_nodes,
+            bench_case->figures.n_leaves, bench_case->n_sphere_ids, bench_case->figures.depth,
+            work.n_nodes, work.n_leaves, work.n_tests);
+}
+
+static void write_row(FILE *file, const Case3D *bench_case, Renderer renderer)
+{
+    const Series *frames = &bench_case->frames[renderer];
+    const Spread ms = spread(frames);
+    fprintf(file, "%s,%s,%d,%.4f,%.4f,%.4f,%.4f,%.6f", RENDERER_NAMES[renderer],
+            bench_case->scene_name, bench_case->scene.n_spheres, ms.median, ms.min, ms.max,
+            mray_s(frames), drawn_share(bench_case, renderer));
+    write_builds(file, bench_case, renderer);
+    switch (renderer) {
+    case KDTREE:
+        write_tree(file, bench_case);
+        break;
+    case NAIVE:
+        fprintf(file, ",,,,,,,%d,%d\n", bench_case->scene.n_spheres,
+                bench_case->naive_difference.n_different);
+        break;
+    default:
+        fprintf(file, ",,,,,,,,%d\n", bench_case->embree_difference.n_different);
+    }
+}
+
+int report3d_write_csv(const Case3D *cases, int n_cases, const char *folder)
+{
+    char path[4096];
+    OutputFile output;
+    snprintf(path, sizeof path, "%s/bench3d.csv", folder);
+    if (output_file_open(&output, path) != 0) {
+        return -1;
+    }
+    fprintf(output.file,
+            "renderer,scene,n_spheres,median_ms,min_ms,max_ms,mray_s,share,build_median_ms,"
+            "build_min_ms,build_max_ms,build_parallel_ms,n_nodes,n_leaves,n_sphere_ids,depth,"
+            "nodes_a_ray,leaves_a_ray,tests_a_ray,different_pixels\n");
+    for (int renderer = 0; renderer < N_RENDERERS; renderer++) {
+        for (int i = 0; i < n_cases; i++) {
+            if (cases[i].frames[renderer].n > 0) {
+                write_row(output.file, &cases[i], (Renderer)renderer);
+            }
+        }
+    }
+    if (output_file_commit(&output) != 0) {
+        return -1;
+    }
+    printf("\nAll figures: %s\n", path);
+    return 0;
+}

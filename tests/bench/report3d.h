@@ -1,0 +1,32 @@
+// What the 3D bench tells: tables for people, a CSV file for the plot.
+//
+// Flow: scene -> buffers -> kernel -> image -> COMPARISON. Read next: bench3d.gnuplot.
+#ifndef BENCH_REPORT3D_H
+#define BENCH_REPORT3D_H
+
+#include "case3d.h"
+
+// What was measured with.
+typedef struct ReportContext {
+    const char *device_name;
+    int device_is_cpu;
+    int n_threads;  // of Embree; 0 when it took no part
+} ReportContext;
+
+// Print all tables.
+void report3d_print(const Case3D *cases, int n_cases, ReportContext context);
+
+// Write FOLDER/bench3d.csv, one row a scene and renderer; fields that mean nothing are empty:
+//     renderer             naive, kdtree, embree
+//     scene, n_spheres     as --scene takes it
+//     median_ms, min_ms, max_ms, mray_s    a frame; million rays a second at the median
+//     share                of the picture that was drawn
+//     build_median_ms, build_min_ms, build_max_ms    of the tree, on one thread
+//     build_parallel_ms    of Embree's with all threads, median
+//     n_nodes, n_leaves, n_sphere_ids, depth
+//     nodes_a_ray, leaves_a_ray, tests_a_ray
+//     different_pixels     of the kd-tree's picture from this renderer's
+// Returns 0, or -1 after one message.
+int report3d_write_csv(const Case3D *cases, int n_cases, const char *folder);
+
+#endif

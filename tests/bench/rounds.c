@@ -1,0 +1,30 @@
+// Rounds of a bench (see rounds.h).
+//
+// Flow: scene -> buffers -> kernel -> image -> COMPARISON. Read next: series.c.
+#include "rounds.h"
+
+#include "stats.h"
+
+#include <stdio.h>
+
+int rounds_run(MeasureRound *measure, void *bench, int n_rounds, double longest_seconds,
+               const char *first_is_done)
+{
+    const double start = stats_clock_ms();
+    double seconds = 0;
+    for (int round = 0; round < n_rounds; round++) {
+        const double seconds_before = seconds;
+        if (measure(bench, round) != 0) {
+            return -1;
+        }
+        seconds = (stats_clock_ms() - start) / 1e3;
+        printf("round %d of %d done after %.0f s%s\n", round + 1, n_rounds, seconds,
+               round == 0 ? first_is_done : "");
+        fflush(stdout);
+        if (round + 1 < n_rounds && 2 * seconds - seconds_before > longest_seconds) {
+            printf("no further round: this machine would take too long\n");
+            break;
+        }
+    }
+    return 0;
+}
