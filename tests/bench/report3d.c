@@ -257,7 +257,7 @@ static void write_row(FILE *file, const Case3D *bench_case, Renderer renderer)
 {
     const Series *frames = &bench_case->frames[renderer];
     const Spread ms = spread(frames);
-    fprintf(file, "%s,%s,%d,%.4f,%.4f,%.4f,%.4f,%.6f", RENDERER_NAMES[renderer],
+    fprintf(file, "%s,%s,%d,%.4f,%.4f,%.4f,%.6g,%.6f", RENDERER_NAMES[renderer],
             bench_case->scene_name, bench_case->scene.n_spheres, ms.median, ms.min, ms.max,
             mray_s(frames), drawn_share(bench_case, renderer));
     write_builds(file, bench_case, renderer);

@@ -67,7 +67,8 @@ static int judges_against(const JobScene *scene, const KdTree2D *tree)
         char *message = judges[i].judge(scene, tree);
         if (message != NULL) {
             against |= judges[i].bit;
-            cr_expect(strchr(message, '\n') == NULL && strstr(message, scene->title) == message,
+            cr_expect(strchr(message, '\n') == NULL &&
+                          strstr(message, scene->picture.title) == message,
                       "%s", message);
             free(message);
         }
@@ -108,7 +109,7 @@ static JobScene scene_of(const char *name, int width, int height, KdTreeLimits l
 static void expect_good(const JobScene *scene)
 {
     const int against = judges_against(scene, &scene->tree);
-    cr_expect_eq(against, 0, "%s, maxDepth %d, targetElementsPerNode %d: %s", scene->title,
+    cr_expect_eq(against, 0, "%s, maxDepth %d, targetElementsPerNode %d: %s", scene->picture.title,
                  scene->limits.maxDepth, scene->limits.targetElementsPerNode, names_of(against));
     // A leaf's place in the tree is no secret: as deep as allowed or with few enough circles.
     const KdTree2D *tree = &scene->tree;
@@ -214,7 +215,8 @@ Test(tree2d, one_level_holds_everything)
 
 Test(tree2d, coincident_circles_end_at_the_last_level)
 {
-    JobScene scene = {.title = "coincident", .scene = {.n_circles = 5, .width = 64, .height = 48}};
+    JobScene scene = {.picture.title = "coincident",
+                      .scene = {.n_circles = 5, .width = 64, .height = 48}};
     scene.scene.circles = calloc(5, sizeof *scene.scene.circles);
     for (int i = 0; i < 5; i++) {
         scene.scene.circles[i] = (Circle){.x = 20, .y = 20, .radius = 3};
