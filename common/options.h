@@ -1,9 +1,9 @@
 // The command line: the same options in every lab, and in the same words.
 //
 // Flow: SCENE -> buffers -> kernel -> image -> comparison: what the user wants, before all else.
-// Read next: scene2d.h.
+// Read next: scene2d.h, scene3d.h.
 //
-//     --scene NAME      a .csv file or a generator (scene2d.h)     --frames N      draw N times
+//     --scene NAME      a file or a generator (scene2d.h, 3d)      --frames N      draw N times
 //     --size WxH        the picture's size                         --stats FILE    figures as JSON
 //     --output FILE     .png or .exr                               --device D      number or name
 //     --max-depth N     levels of the tree (labs with trees)       --list-devices
@@ -19,7 +19,7 @@ enum {
     OPTIONS_TREE = 2,       // --max-depth, --leaf-size
     OPTIONS_DEVICE = 4,     // --device
     OPTIONS_SCENE3D = 8,    // --scene, of spheres
-    OPTIONS_WORK = 16,      // --heat-map
+    OPTIONS_WORK = 16,      // --heat-map; --stats then counts the work, too
     OPTIONS_TEXTBOOK = 32,  // --textbook
 };
 

@@ -8,6 +8,7 @@
 #include "scene_arguments.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -97,7 +97,8 @@ const char *scene3d_view_fault(const View *view);
 // stderr.
 int scene3d_read_nff(FILE *file, const char *name, Scene3D *scene);
 
-// Write a scene as NFF that reads back to the same numbers. Returns 0, or -1 when writing failed.
+// Write a scene as NFF that reads back to the same numbers; equal materials become one. Returns 0,
+// or -1 when writing failed.
 int scene3d_write_nff(FILE *file, const Scene3D *scene);
 
 // Read a molecule: PDB (the ATOM and HETATM records of its first model, of each residue's alternate
@@ -112,7 +113,7 @@ int scene3d_read_xyz(FILE *file, const char *name, Scene3D *scene);
 
 // The generators. The same arguments give the same scene on every machine. They set everything but
 // width and height. Return 0, or -1 after one message on stderr (no memory).
-//   min_radius, max_radius   rounded to whole steps of 2^-24, random.
+//   min_radius, max_radius   of scene3d_random(): rounded to whole steps of 2^-24.
 //                            SCENE3D_MIN_RADIUS <= min_radius <= max_radius <= SCENE3D_MAX_RADIUS
 int scene3d_random(int n_spheres, uint64_t seed, float min_radius, float max_radius,
                    Scene3D *scene);

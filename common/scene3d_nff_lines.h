@@ -29,7 +29,6 @@ typedef enum NffForm {
     CONE_END = N_KEYWORDS,  // and these have no keyword: they follow a cone, polygon or patch
     CORNER,
     CORNER_WITH_NORMAL,
-    N_FORMS
 } NffForm;
 
 // The most numbers of a line.

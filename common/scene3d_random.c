@@ -5,6 +5,8 @@
 #include "random.h"
 #include "scene3d_generate.h"
 
+#include <math.h>
+
 // Centres are whole numbers of 2^-20: any of them is exact in float, and so is a difference of two.
 #define CENTRE_STEPS (1 << 20)
 // Radii are whole numbers of 2^-24: fine enough for SCENE3D_MIN_RADIUS.

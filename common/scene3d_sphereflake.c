@@ -8,6 +8,8 @@
 // Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: scene3d_lattice.c.
 #include "scene3d_generate.h"
 
+#include <math.h>
+
 #define N_CHILDREN 9
 #define CHILD_SIZE (1.0 / 3)
 

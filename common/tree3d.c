@@ -14,8 +14,8 @@ void tree3d_free(KdTree3D *tree)
     *tree = (KdTree3D){0};
 }
 
-// The level of each node, the root's 1: levels[n_nodes]. A child's parent has a lower id and must
-// have passed check_node(). Returns NULL after one message when memory runs out; free() it.
+// Zeros, one a node, for the walks below: a node finds the level of its deepest parent there and
+// adds 1. Returns NULL after one message when memory runs out; free() it.
 static int *levels_create(const KdTree3D *tree)
 {
     // calloc() may answer NULL to a size of 0.
@@ -24,6 +24,14 @@ static int *levels_create(const KdTree3D *tree)
         fprintf(stderr, "tree: no memory for the levels of %u nodes\n", tree->n_nodes);
     }
     return levels;
+}
+
+// Note in levels[] what lies above the children of a node on this level.
+static void levels_pass_on(int *levels, KdNode3 node, int level)
+{
+    for (u32 child = node.first; child < node.first + 2; child++) {
+        levels[child] = level > levels[child] ? level : levels[child];
+    }
 }
 
 static int check_inner(const KdTree3D *tree, u32 id)
@@ -36,8 +44,8 @@ static int check_inner(const KdTree3D *tree, u32 id)
     }
     if (first <= id || first >= tree->n_nodes - 1) {
         fprintf(stderr,
-                "tree: node %u: found its children at %u, expected them behind it and before %u\n",
-                id, first, tree->n_nodes);
+                "tree: node %u: found its children at %u and %u, expected ids from %u to %u\n", id,
+                first, first + 1, id + 1, tree->n_nodes - 1);
         return -1;
     }
     return 0;
@@ -82,7 +90,7 @@ int tree3d_check(const KdTree3D *tree, u32 n_spheres)
                     id, level, TODO_SIZE);
             result = -1;
         } else {
-            levels[node.first] = levels[node.first + 1] = level;
+            levels_pass_on(levels, node, level);
         }
     }
     free(levels);
@@ -106,7 +114,7 @@ int tree3d_figures(const KdTree3D *tree, TreeFigures3D *figures)
             figures->largest_leaf =
                 node.n_spheres > figures->largest_leaf ? node.n_spheres : figures->largest_leaf;
         } else {
-            levels[node.first] = levels[node.first + 1] = level;
+            levels_pass_on(levels, node, level);
         }
     }
     free(levels);

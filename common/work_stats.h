@@ -15,7 +15,7 @@ typedef enum WorkKind {
 } WorkKind;
 
 // A device buffer of width * height Work and some room behind them, zeroed. Release with
-// clReleaseMemObject.
+// clReleaseMemObject. Here and below, running out of memory ends the program with a message.
 cl_mem work_buffer_create(const ClSetup *cl, int width, int height);
 
 // Read the counters back, and add NAME.mean_per_pixel and NAME.max_per_pixel of each to the

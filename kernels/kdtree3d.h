@@ -2,8 +2,8 @@
 // leaf. Built on the host (lab 06), searched by the kernel (lab 07).
 //
 //   nodes[n_nodes]            KdNode3  in breadth-first order from 0, the root, without gaps
-//   sphere_ids[n_sphere_ids]  u32      the leaves' ids, one range a leaf, in the order of the
-//   leaves bounds                    BBox3D   the scene's box, the only one that is kept
+//   sphere_ids[n_sphere_ids]  u32      the leaves' ids: one range a leaf, in the leaves' order
+//   bounds                    BBox3D   the scene's box, the only one that is kept
 //
 // Lecture: "kd-tree for ray tracing". Flow: scene -> BUFFERS -> KERNEL -> image -> comparison. Read
 // next: kdtree3d_build.h of lab 06, todo.h.

@@ -2,7 +2,9 @@
 //
 //     point at distance t:  origin + t * direction
 //
-// A hit counts when t > t_min. t_min starts at 0, the eye; labs 06 and 07 narrow both limits.
+// A hit counts when t > t_min, which is 0, the eye. t_max is INFINITY: the ray has no end. Lab 07
+// starts with the two and narrows them to the part of the ray inside a node, in variables of its
+// own.
 // Lecture: "Rays". Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: sphere.h.
 #ifndef KERNELS_RAY_H
 #define KERNELS_RAY_H
@@ -14,10 +16,11 @@
 typedef struct Ray {
     float3 origin;     // scene units
     float3 direction;  // unit vector, so that t is a distance in scene units
-    float t_min;
-    float t_max;
+    float t_min;       // hits count beyond it
+    float t_max;       // where the ray ends
 } Ray;
 
+// Hit.sphere where nothing is hit.
 #define NO_SPHERE 0xffffffffu
 
 typedef struct Hit {

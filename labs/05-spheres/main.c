@@ -43,7 +43,7 @@ static int draw(const ClSetup *cl, const Scene3D *scene, const SceneBuffers *buf
     return 0;
 }
 
-// Draw one more frame that counts the work of each pixel. Returns 0, or -1 after one message.
+// Draw with a kernel that counts the work of each pixel. Returns 0, or -1 after one message.
 static int count_work(const ClSetup *cl, const Options *options, const Scene3D *scene,
                       const SceneBuffers *buffers, Stats *stats)
 {

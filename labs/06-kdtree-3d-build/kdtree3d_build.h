@@ -13,8 +13,8 @@
 // one whose search would need more than TODO_SIZE places.
 int kdtree3d_build(const Sphere *h_spheres, u32 n_spheres, KdTreeLimits limits, KdTree3D *tree);
 
-// The root's cell: the smallest box that holds every sphere whole. All zeros when there is none.
-// A negative radius counts as its absolute value.
+// The root's cell: the smallest box that holds every sphere whole, up to float's rounding. All
+// zeros when there is none. A negative radius counts as its absolute value.
 BBox3D spheres_bounds(const Sphere *h_spheres, u32 n_spheres);
 
 // A plane at right angles to an axis.
@@ -27,8 +27,8 @@ typedef struct KdSplit {
 // before z.
 KdSplit choose_split(BBox3D box);
 
-// Does a sphere overlap a cell? Both with their boundaries and their insides, and exactly: a sphere
-// near a corner may overlap the cell's bounding cube and still not the cell. Returns 1 or 0.
+// Does a sphere overlap a cell? Both with their boundaries and their insides, and exactly: near a
+// corner the cube around the sphere may overlap the cell, and the sphere still not. Returns 1 or 0.
 int sphere_overlaps_box(Sphere sphere, BBox3D box);
 
 // Pick from a node's spheres those that overlap one child's cell.

@@ -6,15 +6,17 @@
 
 // Which child is the near one: the one on the eye's side of the plane. When the eye is on the
 // plane, the one the ray goes into.
-//   origin      the ray's, along node.split_axis
-//   direction   the ray's along that axis, or 1 / direction: only its sign counts
+//   origin    the ray's, along node.split_axis
+//   inverse   1 / direction along that axis: only its sign counts. For an eye on the plane and a
+//   ray
+//             along it either child will do: spheres that touch the plane are in both
 // Returns 0 for the child with the lower coordinates, 1 for the other.
 // Source: lecture, "Near and far child".
-uint near_side(KdNode3 node, float origin, float direction)
+uint near_side(KdNode3 node, float origin, float inverse)
 {
     // TASK near_side: compare the eye with the plane; only where they are equal the direction
     // counts.
-    (void)node, (void)origin, (void)direction;
+    (void)node, (void)origin, (void)inverse;
     return 0;
     // END near_side
 }

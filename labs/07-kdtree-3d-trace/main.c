@@ -36,7 +36,14 @@ static int create_tree(const ClSetup *cl, const Options *options, const Scene3D 
     if (kdtree3d_build(scene->spheres, n_spheres, limits, &tree) != 0) {
         return -1;
     }
+    stats_integer(stats, "max_depth", limits.maxDepth);
+    stats_integer(stats, "leaf_size", limits.targetElementsPerNode);
     stats_number(stats, "tree.build_ms", stats_clock_ms() - start);
+    // The kernel follows every id without asking.
+    if (tree3d_check(&tree, n_spheres) != 0) {
+        tree3d_free(&tree);
+        return -1;
+    }
     stats_integer(stats, "tree.n_nodes", tree.n_nodes);
     stats_integer(stats, "tree.n_sphere_ids", tree.n_sphere_ids);
     buffers->d_nodes = cl_buffer_create(cl, tree.nodes, tree.n_nodes * sizeof *tree.nodes);
@@ -79,7 +86,7 @@ static int draw(const ClSetup *cl, const Scene3D *scene, const SceneBuffers *buf
     return 0;
 }
 
-// Draw one more frame that counts the work of each pixel. Returns 0, or -1 after one message.
+// Draw with a kernel that counts the work of each pixel. Returns 0, or -1 after one message.
 static int count_work(const ClSetup *cl, const Options *options, const Scene3D *scene,
                       const SceneBuffers *buffers, const TreeBuffers *tree, Stats *stats)
 {

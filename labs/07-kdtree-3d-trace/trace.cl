@@ -30,7 +30,8 @@ void search_leaf(KdNode3 node, global const uint *sphere_ids, global const Spher
 // What the ray hits first.
 //   spheres                      the scene
 //   nodes, sphere_ids, bounds    its kd-tree (kdtree3d.h); node 0 is the root
-// Returns the same hit as nearest_hit() of lab 05.
+// Returns the distance that nearest_hit() of lab 05 finds, and its sphere. (Where two spheres are
+// hit at exactly the same distance, it is the one whose leaf comes first.)
 // Source: lecture, "Traversal". Static, so that a compiler may put it into the kernel, its only
 // caller.
 static Hit trace(Ray ray, global const Sphere *spheres, global const KdNode3 *nodes,

@@ -27,8 +27,8 @@ int is_leaf(int level, u32 n_circles, KdTreeLimits limits);
 //   left, right   out: the half with the lower coordinates and the one with the higher
 void split_box(BBox2D box, BBox2D *left, BBox2D *right);
 
-// Does a circle overlap a cell? Both with their boundaries, and exactly: a circle near a corner may
-// overlap the cell's bounding square and still not the cell. Returns 1 or 0.
+// Does a circle overlap a cell? Both with their boundaries, and exactly: near a corner the square
+// around the circle may overlap the cell, and the circle still not. Returns 1 or 0.
 int circle_overlaps_box(Circle circle, BBox2D box);
 
 // Pick from a node's circles those that overlap one child's cell.

@@ -1,4 +1,5 @@
-// Setting up the camera from a scene's view. Task of lab 04; every later 3D lab calls it.
+// Setting up the camera from a scene's view. Task of lab 04; labs 05 and 07 call it
+// (scene_buffers.c).
 // Source: lecture, "Viewing".
 #ifndef CAMERA_FROM_VIEW_H
 #define CAMERA_FROM_VIEW_H

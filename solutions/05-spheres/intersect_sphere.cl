@@ -3,14 +3,16 @@
 // Both move the ray into the sphere's own frame, where its centre is the origin. There a point p is
 // on the sphere when p . p = r²; with p = o + t d this is a quadratic equation in t. On paper the
 // two functions below are the same; in float they are not.
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Called by nearest_hit.cl.
+// Flow: scene -> buffers -> KERNEL -> image -> comparison. Called by nearest_hit.cl,
+// and by trace.cl of lab 07.
 #include "ray.h"
 #include "sphere.h"
 
-// The hit of a ray and a sphere: the nearer of its two roots that is beyond ray.t_min. Of a sphere
+// The hit of a ray and a sphere: the nearer of its two roots that is beyond t_min. Of a sphere
 // with a negative radius, which is seen from inside only, the farther root.
 //   b     the middle between the two roots, along the ray
 //   disc  the square of half the distance between them; negative when the ray misses
+//   radius, t_min   the sphere's and the ray's
 // Returns the distance t, or INFINITY when there is no hit.
 float nearest_root(float b, float disc, float radius, float t_min)
 {
@@ -33,8 +35,8 @@ float nearest_root(float b, float disc, float radius, float t_min)
 
 // Intersect as textbooks do. With o the eye seen from the centre:
 //     t² + 2 (o . d) t + (o . o - r²) = 0
-// Returns as nearest_root() does. Small or far spheres crumble: where o . o is much larger than r²,
-// float has no digits left for their difference.
+// Returns as nearest_root() does. Small or far spheres crumble: where o . o is much larger than the
+// square of r, float has no digits left for their difference.
 // Source: lecture, "Intersection with a sphere".
 float intersect_textbook(Sphere sphere, Ray ray)
 {

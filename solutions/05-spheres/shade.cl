@@ -42,10 +42,10 @@ float3 shade(float3 point, float3 normal, Material material, global const Light 
 }
 
 // The colour of a ray: of the surface it hits, or the background.
-//   hit               what the ray hits, if anything
-//   spheres           the scene
-//   material_ids      of each sphere, an index into materials
-//   background        the colour where nothing is hit
+//   hit                  what the ray hits, if anything
+//   spheres, materials   the scene's; material_ids[i] says which material sphere i is made of
+//   lights[n_lights]     the scene's
+//   background           the colour where nothing is hit
 float3 hit_color(Ray ray, Hit hit, global const Sphere *spheres, global const uint *material_ids,
                  global const Material *materials, global const Light *lights, int n_lights,
                  Vec3 background)

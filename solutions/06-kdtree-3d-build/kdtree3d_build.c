@@ -49,9 +49,9 @@ KdSplit choose_split(BBox3D box)
     return split;
 }
 
-// How far a coordinate lies outside of [min, max], towards either side; 0 inside. In double nothing
-// is lost to rounding. (Two plain choices: compilers make them without a jump, and this is where
-// the building spends its time.)
+// How far a coordinate lies outside of [min, max], towards either side; 0 inside. In double next to
+// nothing is lost to rounding. (Two plain choices: compilers make them without a jump, and this is
+// where the building spends its time.)
 static double outside(double coordinate, double min, double max)
 {
     const double raised = coordinate < min ? min : coordinate;
@@ -155,6 +155,7 @@ static void *reserve(void *array, u32 used, u32 n, u32 *capacity, size_t n_bytes
     return moved;
 }
 
+// Room for so many more open nodes and ids. Returns 0, or -1 when memory runs out.
 static int level_reserve(Level *level, u32 n_open, u32 n_ids)
 {
     OpenNode *open =
@@ -189,12 +190,18 @@ static int add_nodes(Builder *builder, u32 n)
 }
 
 // Append an open child to the next level, with those of its parent's spheres that overlap its cell.
-static void add_child(const Builder *builder, const u32 *ids, u32 n_ids, BBox3D box, Level *next)
+// Returns NULL, or what went wrong.
+static const char *add_child(const Builder *builder, const u32 *ids, u32 n_ids, BBox3D box,
+                             Level *next)
 {
     const u32 n_child_ids =
         distribute_spheres(builder->h_spheres, ids, n_ids, box, next->ids + next->n_ids);
+    if (n_child_ids > n_ids) {
+        return "distribute_spheres() returned more spheres than the node has";
+    }
     next->open[next->n_open++] = (OpenNode){box, next->n_ids, n_child_ids};
     next->n_ids += n_child_ids;
+    return NULL;
 }
 
 // Turn node `id`, open on its level, into an inner node with two open children. Returns NULL, or
@@ -214,9 +221,8 @@ static const char *close_as_inner(Builder *builder, u32 id, OpenNode node, const
         .split_pos = split.pos, .split_axis = split.axis, .first = builder->tree.n_nodes - 2};
     BBox3D lower = node.box, higher = node.box;
     lower.max[split.axis] = higher.min[split.axis] = split.pos;
-    add_child(builder, ids, node.n_ids, lower, next);
-    add_child(builder, ids, node.n_ids, higher, next);
-    return NULL;
+    const char *failure = add_child(builder, ids, node.n_ids, lower, next);
+    return failure != NULL ? failure : add_child(builder, ids, node.n_ids, higher, next);
 }
 
 // Turn node `id`, open on its level, into a leaf. Returns NULL, or what went wrong.
@@ -229,8 +235,11 @@ static const char *close_as_leaf(Builder *builder, u32 id, const u32 *ids, u32 n
         return "no memory" ADVICE;
     }
     tree->sphere_ids = moved;
+    const u32 n_before = tree->n_sphere_ids;
     pack_leaf_range(tree, id, ids, n_ids);
-    return NULL;
+    return tree->n_sphere_ids - n_before <= n_ids
+               ? NULL
+               : "pack_leaf_range() moved n_sphere_ids by more than it was given";
 }
 
 // Close every node of a level; their children make the next one. Returns NULL, or what went wrong.
@@ -249,6 +258,9 @@ static const char *close_level(Builder *builder, int level_number, const Level *
             failure = close_as_inner(builder, first_id + i, node, ids, next);
         } else {
             failure = "the tree would be too deep for the todo stack (TODO_SIZE)" ADVICE;
+        }
+        if (failure != NULL) {
+            break;
         }
         if (builder->tree.n_nodes > TREE3D_MAX_NODES) {
             failure = "there would be too many nodes" ADVICE;

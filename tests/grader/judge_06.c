@@ -39,8 +39,34 @@ static int is_refused(int k, const Sections *answers)
 {
     char name[32];  // room for any K
     snprintf(name, sizeof name, "tree.%d.refused", k);
-    size_t n_bytes;
-    return sections_find_any(answers, name, &n_bytes) != NULL;
+    return sections_find(answers, name, 0) != NULL;
+}
+
+// The message when the root is neither a leaf nor has children, or NULL. Who walks down such a tree
+// meets no leaf and comes no level deeper: nothing is wrong there, but nothing is right.
+static char *judge_root(const TreeScene3D *scene, const KdTree3D *own)
+{
+    const KdNode3 root = own->nodes[0];
+    const int has_children = root.split_axis < KD_LEAF && root.first > 0 && own->n_nodes > 2 &&
+                             root.first <= own->n_nodes - 2;
+    if (root.split_axis == KD_LEAF || has_children) {
+        return NULL;
+    }
+    return message_new("%s: node 0, the root: split_axis is %u and first %u of %u nodes, expected "
+                       "KD_LEAF (%d), or an axis and its children: no search comes to a leaf",
+                       scene->title, root.split_axis, root.first, own->n_nodes, KD_LEAF);
+}
+
+static char *judge_overlap(const TreeScene3D *scene, const KdTree3D *own)
+{
+    char *message = judge_root(scene, own);
+    return message != NULL ? message : tree3d_judge_overlap(scene, own);
+}
+
+static char *judge_depth(const TreeScene3D *scene, const KdTree3D *own)
+{
+    char *message = judge_root(scene, own);
+    return message != NULL ? message : tree3d_judge_depth(scene, own);
 }
 
 // Judge scene K's tree, which there must be.
@@ -81,12 +107,11 @@ static Verdict judge_trees(const Job06 *job, const Sections *answers,
 
 static Verdict judge_depths(const Job06 *job, const Sections *answers)
 {
-    const Verdict verdict =
-        judge_tree(&job->scenes[JUST_FITS], JUST_FITS, answers, tree3d_judge_depth);
+    const Verdict verdict = judge_tree(&job->scenes[JUST_FITS], JUST_FITS, answers, judge_depth);
     if (verdict.kind != VERDICT_PASSED || is_refused(TOO_DEEP, answers)) {
         return verdict;
     }
-    return judge_tree(&job->scenes[TOO_DEEP], TOO_DEEP, answers, tree3d_judge_depth);
+    return judge_tree(&job->scenes[TOO_DEEP], TOO_DEEP, answers, judge_depth);
 }
 
 static Verdict judge(const void *pointer, int check, const Sections *answers)
@@ -111,7 +136,7 @@ static Verdict judge(const void *pointer, int check, const Sections *answers)
     case OVERLAP_CORNER:
         return judge_06_overlaps(job, N_INSIDE + N_TOUCHING, N_CORNER, answers);
     case TREE_OVERLAP:
-        return judge_trees(job, answers, tree3d_judge_overlap);
+        return judge_trees(job, answers, judge_overlap);
     case DISTRIBUTE_LIST:
         return judge_06_distribute(job, answers);
     case TREE_LISTS:

@@ -374,7 +374,7 @@ static Verdict judge(const void *pointer, int check, const Sections *answers)
     case TRACE_RANDOM:
         return judge_hits(job, RANDOM, N_RANDOM, answers);
     case TRACE_EDGES:
-        return judge_hits(job, EDGES, N_EDGES, answers);
+        return judge_hits(job, EDGES, N_SCENES - EDGES, answers);  // and the sphereflake
     case TRACE_EARLY_END:
         return judge_work(job, answers);
     default:

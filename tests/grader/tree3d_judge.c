@@ -199,10 +199,17 @@ char *tree3d_judge_overlap(const TreeScene3D *scene, const KdTree3D *own)
         exit(2);
     }
     char *message = NULL;
+    u64 n_listed = 0;
     for (u32 id = 0; message == NULL && id < n; id++) {
         if (walk.levels[id] > 0 && is_leaf_node(own, id)) {
             message = judge_leaf(scene, own, id, walk.cells[id], listed);
+            n_listed += own->nodes[id].n_spheres;
         }
+    }
+    // Every cell may be empty where the root's own is: a tree of no use all the same.
+    if (message == NULL && n_listed == 0 && scene->scene.n_spheres > 0) {
+        message = message_new("%s: found no sphere in any leaf, but the scene has %d", scene->title,
+                              scene->scene.n_spheres);
     }
     free(listed);
     walk_free(&walk);

@@ -105,7 +105,7 @@ for lab in $labs; do
     06*) names="lab scene n_spheres width height max_depth leaf_size tree.build.min_ms
         tree.build.median_ms tree.build.max_ms tree.n_nodes tree.n_leaves tree.n_empty_leaves tree.depth
         tree.n_sphere_ids tree.largest_leaf tree.spheres_per_leaf" ;;
-    07*) names="$scene tree.build_ms tree.n_nodes tree.n_sphere_ids $work $frame" ;;
+    07*) names="$scene max_depth leaf_size tree.build_ms tree.n_nodes tree.n_sphere_ids $work $frame" ;;
     esac
     rm -f "$out/figures.json"
     works run "${lab%%-*}" --scene random:n=500 --size 64x48 --output "$out/tiny.exr" \

@@ -46,7 +46,7 @@ Test(options, everything_given)
     cr_expect_str_eq(options.stats, "s.json");
     cr_expect_eq(folder_count(), 0, "nothing is made when --output is given");
 
-    const char *second[MAX_WORDS] = {"--device", "pocl", "--max-depth=24", "--leaf-size=1",
+    const char *second[MAX_WORDS] = {"--device", "pocl", "--max-depth=64", "--leaf-size=1",
                                      "--size=1x1000000"};
     cr_assert_eq(parse(second, OPTIONS_TREE, &options), OPTIONS_RUN);
     cr_expect_str_eq(options.device, "pocl");

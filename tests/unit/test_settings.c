@@ -63,7 +63,7 @@ static const struct {
 } BAD[] = {
     {{NULL}, "--lab is missing"},
     {{"--lab", ""}, "--lab: found \"\""},
-    {{"--lab", "4"}, "--lab: found \"4\""},
+    {{"--lab", "44"}, "--lab: found \"44\""},
     {{"--lab", "-3"}, "--lab: found \"-3\""},
     {{"--lab", "4294967299"}, "--lab: found \"4294967299\""},
     {{"--lab", "99999999999999999999"}, "--lab: found"},

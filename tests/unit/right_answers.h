@@ -1,0 +1,62 @@
+// The right answers to a lab's job, worked out on the host: what a probe writes around the lab's
+// solution.
+//
+// They share no code with the kernels. Each header has the answerers of some labs; a section is
+// written as jobs.h has it. Read next: right_answers_2d.h.
+#ifndef UNIT_RIGHT_ANSWERS_H
+#define UNIT_RIGHT_ANSWERS_H
+
+#include "judge_07.h"
+#include "right_answers_2d.h"
+#include "right_answers_3d.h"
+#include "right_answers_tree3d.h"
+
+// As lab_names of test_judges.c has them. Free with sections_free().
+static Sections right_answers(int lab, const Sections *job)
+{
+    // The scenes whose work is judged.
+    static const int work_05[] = {1};
+    static const int work_07[] = {RANDOM + 2, RANDOM + 6, RANDOM + 7, RANDOM + N_RANDOM - 1,
+                                  DEEP,       FLAKE};
+    Writer writer;
+    writer_open(&writer);
+    switch (lab) {
+    case 0:
+        answer_pictures(&writer, lab, job);
+        break;
+    case 1:
+        answer_overlaps(&writer, job);
+        answer_pictures(&writer, lab, job);
+        break;
+    case 2:
+        answer_leaves_and_boxes(&writer, job);
+        answer_lists(&writer, job);
+        answer_trees(&writer, job);
+        break;
+    case 3:
+        answer_children(&writer, job);
+        answer_pictures(&writer, lab, job);
+        break;
+    case 4:
+        answer_axes_and_pixels(&writer, job);
+        answer_pictures_3d(&writer, job, NULL, NULL, 0);
+        break;
+    case 5:
+        answer_sphere_functions(&writer, job);
+        answer_pictures_3d(&writer, job, find_in_all, work_05, 1);
+        break;
+    case 6:
+        answer_boxes_and_planes(&writer, job);
+        answer_lists_3d(&writer, job);
+        answer_leaves_3d(&writer, job);
+        answer_trees_3d(&writer, job);
+        break;
+    default:
+        answer_clips_and_sides(&writer, job);
+        answer_planes_and_leaves(&writer, job);
+        answer_pictures_3d(&writer, job, find_in_tree, work_07, sizeof work_07 / sizeof *work_07);
+    }
+    return writer_close(&writer);
+}
+
+#endif

@@ -1,0 +1,259 @@
+// Right answers of labs 06 and 07, in plain C.
+//
+// The builder is lab 06's solution, which the grader has in it. The search is written anew, in
+// float as on the device: it calls itself instead of keeping a todo stack. Read next:
+// right_answers.h.
+#ifndef UNIT_RIGHT_ANSWERS_TREE3D_H
+#define UNIT_RIGHT_ANSWERS_TREE3D_H
+
+#include "kdtree3d_build.h"
+#include "right_answers_3d.h"
+#include "surroundings.h"
+
+// ---- Lab 06 -------------------------------------------------------------------------------------
+
+static void answer_boxes_and_planes(Writer *writer, const Sections *job)
+{
+    size_t n_bytes;
+    const BoundsJob *groups = sections_find_any(job, "bounds", &n_bytes);
+    size_t n = n_bytes / sizeof *groups;
+    BBox3D *bounds = calloc(n, sizeof *bounds);
+    for (size_t i = 0; i < n; i++) {
+        bounds[i] = spheres_bounds(groups[i].spheres, groups[i].n_spheres);
+    }
+    answer(writer, "bounds", bounds, n * sizeof *bounds);
+    free(bounds);
+
+    const BBox3D *cells = sections_find_any(job, "splits", &n_bytes);
+    n = n_bytes / sizeof *cells;
+    KdSplit *splits = calloc(n, sizeof *splits);
+    for (size_t i = 0; i < n; i++) {
+        splits[i] = choose_split(cells[i]);
+    }
+    answer(writer, "splits", splits, n * sizeof *splits);
+    free(splits);
+
+    const SphereBoxJob *pairs = sections_find_any(job, "overlaps", &n_bytes);
+    n = n_bytes / sizeof *pairs;
+    i32 *decisions = calloc(n, sizeof *decisions);
+    for (size_t i = 0; i < n; i++) {
+        decisions[i] = sphere_overlaps_box(pairs[i].sphere, pairs[i].box);
+    }
+    answer(writer, "overlaps", decisions, n * sizeof *decisions);
+    free(decisions);
+}
+
+static void answer_lists_3d(Writer *writer, const Sections *job)
+{
+    size_t n_bytes;
+    const Sphere *spheres = sphere_scene_part(job, 0, "spheres");
+    const DistributeJob3D *nodes = sections_find_any(job, "distribute", &n_bytes);
+    size_t n = n_bytes / sizeof *nodes;
+    u32(*lists)[DISTRIBUTE_ROOM] = calloc(n, sizeof *lists);
+    for (size_t i = 0; i < n; i++) {
+        for (int j = 0; j < DISTRIBUTE_ROOM; j++) {
+            lists[i][j] = UNTOUCHED;
+        }
+        lists[i][0] =
+            distribute_spheres(spheres, nodes[i].ids, nodes[i].n_ids, nodes[i].child, lists[i] + 1);
+    }
+    answer(writer, "distribute", lists, n * sizeof *lists);
+    free(lists);
+}
+
+static void answer_leaves_3d(Writer *writer, const Sections *job)
+{
+    size_t n_bytes;
+    const PackJob3D *leaves = sections_find_any(job, "pack", &n_bytes);
+    const size_t n = n_bytes / sizeof *leaves;
+    PackAnswer3D *packed = calloc(n, sizeof *packed);
+    for (size_t i = 0; i < n; i++) {
+        for (u32 id = 0; id < PACK_NODES; id++) {
+            packed[i].nodes[id] = (KdNode3){.first = UNTOUCHED, .n_spheres = UNTOUCHED};
+        }
+        for (int j = 0; j < PACK_MAP_ROOM; j++) {
+            packed[i].sphere_ids[j] = UNTOUCHED;
+        }
+        KdTree3D tree = {.nodes = packed[i].nodes,
+                         .sphere_ids = packed[i].sphere_ids,
+                         .n_nodes = PACK_NODES,
+                         .n_sphere_ids = leaves[i].n_sphere_ids};
+        pack_leaf_range(&tree, leaves[i].id, leaves[i].ids, leaves[i].n_ids);
+        packed[i].n_sphere_ids = tree.n_sphere_ids;
+    }
+    answer(writer, "pack", packed, n * sizeof *packed);
+    free(packed);
+
+    i32 todo[TODO_LEVELS];
+    for (int level = 1; level <= TODO_LEVELS; level++) {
+        todo[level - 1] = fits_todo(level);
+    }
+    answer(writer, "todo", todo, sizeof todo);
+}
+
+static void answer_trees_3d(Writer *writer, const Sections *job)
+{
+    const TreeJob3D *scene;
+    for (int k = 0; (scene = sections_find(job, numbered("scene", k, NULL), sizeof *scene)); k++) {
+        const Sphere *spheres = sphere_scene_part(job, k, "spheres");
+        const KdTreeLimits limits = {scene->maxDepth, scene->targetElementsPerNode};
+        KdTree3D tree;
+        capture_begin(2);  // the builder says why it gives up
+        const int is_refused = kdtree3d_build(spheres, scene->n_spheres, limits, &tree) != 0;
+        capture_end(2);
+        if (is_refused) {
+            answer(writer, numbered("tree", k, "refused"), "", 0);
+            continue;
+        }
+        const TreeAnswer3D header = {tree.bounds, tree.n_nodes, tree.n_sphere_ids};
+        answer(writer, numbered("tree", k, NULL), &header, sizeof header);
+        answer(writer, numbered("tree", k, "nodes"), tree.nodes, tree.n_nodes * sizeof *tree.nodes);
+        answer(writer, numbered("tree", k, "ids"), tree.sphere_ids,
+               tree.n_sphere_ids * sizeof *tree.sphere_ids);
+        tree3d_free(&tree);
+    }
+}
+
+// ---- Lab 07: functions --------------------------------------------------------------------------
+
+static float along(Vec3 v, u32 axis)
+{
+    return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
+static ClipAnswer clip(BBox3D box, Ray ray, float t_near, float t_far)
+{
+    for (u32 axis = 0; axis < 3; axis++) {
+        const float origin = along(ray.origin, axis), direction = along(ray.direction, axis);
+        if (direction != 0) {
+            const float a = (box.min[axis] - origin) / direction;
+            const float b = (box.max[axis] - origin) / direction;
+            t_near = fmaxf(t_near, fminf(a, b));
+            t_far = fminf(t_far, fmaxf(a, b));
+        } else if (origin < box.min[axis] || origin > box.max[axis]) {
+            return (ClipAnswer){0, t_near, t_far};
+        }
+    }
+    return (ClipAnswer){t_near <= t_far, t_near, t_far};
+}
+
+static u32 near_side(KdNode3 node, float origin, float direction)
+{
+    return origin == node.split_pos ? direction > 0 : origin > node.split_pos;
+}
+
+static PlaneAnswer children_on_ray(KdNode3 node, float origin, float inverse, float t_near,
+                                   float t_far)
+{
+    const float t_split = (node.split_pos - origin) * inverse;
+    const int is_met = t_split > 0 && t_split <= t_far;
+    return (PlaneAnswer){!is_met            ? PLANE_ONLY_NEAR
+                         : t_split < t_near ? PLANE_ONLY_FAR
+                                            : PLANE_BOTH,
+                         t_split};
+}
+
+static void search_leaf(KdNode3 leaf, const u32 *sphere_ids, const Sphere *spheres, Ray ray,
+                        HitAnswer *hit, Work *work)
+{
+    for (u32 i = leaf.first; i < leaf.first + leaf.n_spheres; i++, work->n_tests++) {
+        const float t = intersect(spheres[sphere_ids[i]], ray, 0);
+        if (t < hit->t) {
+            *hit = (HitAnswer){t, sphere_ids[i]};
+        }
+    }
+}
+
+static void answer_clips_and_sides(Writer *writer, const Sections *job)
+{
+    size_t n_bytes;
+    const ClipJob *rays = sections_find_any(job, "clips", &n_bytes);
+    size_t n = n_bytes / sizeof *rays;
+    ClipAnswer *clips = calloc(n, sizeof *clips);
+    for (size_t i = 0; i < n; i++) {
+        const Ray ray = {rays[i].origin, rays[i].direction};
+        clips[i] = clip(rays[i].box, ray, rays[i].t_near, rays[i].t_far);
+    }
+    answer(writer, "clips", clips, n * sizeof *clips);
+    free(clips);
+
+    const SideJob *eyes = sections_find_any(job, "sides", &n_bytes);
+    n = n_bytes / sizeof *eyes;
+    u32 *sides = calloc(n, sizeof *sides);
+    for (size_t i = 0; i < n; i++) {
+        sides[i] = near_side(eyes[i].node, eyes[i].origin, eyes[i].direction);
+    }
+    answer(writer, "sides", sides, n * sizeof *sides);
+    free(sides);
+}
+
+static void answer_planes_and_leaves(Writer *writer, const Sections *job)
+{
+    size_t n_bytes;
+    const PlaneJob *planes = sections_find_any(job, "planes", &n_bytes);
+    size_t n = n_bytes / sizeof *planes;
+    PlaneAnswer *children = calloc(n, sizeof *children);
+    for (size_t i = 0; i < n; i++) {
+        const PlaneJob in = planes[i];
+        children[i] = children_on_ray(in.node, in.origin, in.inverse, in.t_near, in.t_far);
+    }
+    answer(writer, "planes", children, n * sizeof *children);
+    free(children);
+
+    const SearchJob *leaves = sections_find_any(job, "leaves", &n_bytes);
+    n = n_bytes / sizeof *leaves;
+    const u32 *ids = sections_find_any(job, "leaf_ids", &n_bytes);
+    const Sphere *spheres = sections_find_any(job, "leaf_spheres", &n_bytes);
+    SearchAnswer *searched = calloc(n, sizeof *searched);
+    for (size_t i = 0; i < n; i++) {
+        const Ray ray = {leaves[i].origin, leaves[i].direction};
+        HitAnswer hit = {leaves[i].t, leaves[i].sphere};
+        Work work = {0};
+        search_leaf(leaves[i].node, ids, spheres, ray, &hit, &work);
+        searched[i] = (SearchAnswer){hit.t, hit.sphere, work.n_tests};
+    }
+    answer(writer, "leaves", searched, n * sizeof *searched);
+    free(searched);
+}
+
+// ---- Lab 07: the search -------------------------------------------------------------------------
+
+// Search a node's part of the ray. Returns 1 when the search ends there. How many nodes wait is not
+// counted: nobody judges it.
+static int search_node(const SphereScene *scene, u32 id, Ray ray, float t_near, float t_far,
+                       HitAnswer *hit, Work *work)
+{
+    const KdNode3 node = scene->nodes[id];
+    if (node.split_axis == KD_LEAF) {
+        work->n_leaves_visited++;
+        search_leaf(node, scene->sphere_ids, scene->spheres, ray, hit, work);
+        return hit->t <= t_far;
+    }
+    work->n_nodes_visited++;
+    const float origin = along(ray.origin, node.split_axis);
+    const float inverse = 1 / along(ray.direction, node.split_axis);
+    const u32 side = near_side(node, origin, inverse);
+    const u32 near = node.first + side, far = node.first + !side;
+    const PlaneAnswer plane = children_on_ray(node, origin, inverse, t_near, t_far);
+    switch (plane.children) {
+    case PLANE_ONLY_NEAR:
+        return search_node(scene, near, ray, t_near, t_far, hit, work);
+    case PLANE_ONLY_FAR:
+        return search_node(scene, far, ray, t_near, t_far, hit, work);
+    default:
+        return search_node(scene, near, ray, t_near, plane.t_split, hit, work) ||
+               search_node(scene, far, ray, plane.t_split, t_far, hit, work);
+    }
+}
+
+static HitAnswer find_in_tree(const SphereScene *scene, Ray ray, Work *work)
+{
+    HitAnswer hit = no_hit;
+    const ClipAnswer inside = clip(scene->job->bounds, ray, 0, INFINITY);
+    if (inside.is_met) {
+        search_node(scene, 0, ray, inside.t_near, inside.t_far, &hit, work);
+    }
+    return hit;
+}
+
+#endif
