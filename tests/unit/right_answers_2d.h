@@ -5,6 +5,7 @@
 #ifndef UNIT_RIGHT_ANSWERS_2D_H
 #define UNIT_RIGHT_ANSWERS_2D_H
 
+#include "image.h"
 #include "job_scene.h"
 #include "kdtree2d_build.h"
 #include "right_answers_sections.h"

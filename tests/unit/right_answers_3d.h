@@ -5,6 +5,7 @@
 #define UNIT_RIGHT_ANSWERS_3D_H
 
 #include "camera_from_view.h"
+#include "image.h"
 #include "right_answers_sections.h"
 #include "vec3.h"
 

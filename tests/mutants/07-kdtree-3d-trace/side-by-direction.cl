@@ -3,4 +3,4 @@
 // caught by: side-eye
 // says: direction decided
     (void)node, (void)origin;
-    return direction < 0.0f;
+    return inverse < 0.0f;

@@ -8,4 +8,4 @@
     if (origin > node.split_pos) {
         return node.first + 1;
     }
-    return node.first + (direction > 0.0f);
+    return node.first + (inverse > 0.0f);

@@ -8,5 +8,5 @@
     if (origin > node.split_pos) {
         return 1;
     }
-    (void)direction;
+    (void)inverse;
     return 1;

@@ -8,4 +8,4 @@
     if (origin > node.split_pos) {
         return 0;
     }
-    return direction < 0.0f;
+    return inverse < 0.0f;
