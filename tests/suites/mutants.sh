@@ -7,7 +7,7 @@ tools=${BUILD:-build}/tools
 for folder in tests/mutants/*/; do
     lab=$(basename "$folder")
     # The seed is fixed: this is about the mutants, and another seed would be another test.
-    "$tools/mutants" --lab "$lab" --seed 1 --time-limit 5 >"$scratch/out" 2>"$scratch/errors"
+    "$tools/mutants" --lab "$lab" --seed 1 --time-limit 10 >"$scratch/out" 2>"$scratch/errors"
     status=$?
     # Its lines are TAP already; number them on.
     while IFS= read -r line; do
