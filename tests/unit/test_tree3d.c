@@ -143,7 +143,7 @@ static const struct {
 } faults[] = {
     {axis_is_none, "tree: node 2: found split_axis 4, expected 0, 1, 2 or 3 (KD_LEAF)"},
     {axis_is_far_out, "tree: node 2: found split_axis 4294967295"},
-    {child_is_itself, "tree: node 2: found its children at 2, expected them behind it"},
+    {child_is_itself, "tree: node 2: found its children at 2 and 3, expected ids from 3 to 4"},
     {child_is_its_parent, "tree: node 2: found its children at 0"},
     {second_child_is_missing, "tree: node 2: found its children at 4"},
     {children_are_far_out, "tree: node 2: found its children at 4294967295"},
