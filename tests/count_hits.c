@@ -3,10 +3,10 @@
 //     count_hits SCENE WxH PICTURE.exr
 //
 // Prints how many pixels of a picture that lab 07 drew show a sphere, how many rays hit one by the
-// double-precision oracle and how many of them are ambiguous, and how many hit a sphere or the floor
-// that Haines' sphereflake stands on (z = -0.5, 12 to each side), which this course does not draw.
-// Exit status: 0 when picture and oracle agree in every ray that is not ambiguous, else 1; 2 when
-// something is missing.
+// double-precision oracle and how many of them are ambiguous, and how many hit a sphere or the
+// floor that Haines' sphereflake stands on (z = -0.5, 12 to each side), which this course does not
+// draw. Exit status: 0 when picture and oracle agree in every ray that is not ambiguous, else 1; 2
+// when something is missing.
 #include "camera_from_view.h"
 #include "image.h"
 #include "oracle3d.h"

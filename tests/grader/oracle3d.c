@@ -11,8 +11,8 @@
 //    l = c - b d within 2 u |c| more. With the ray's error the line passes the sphere displaced by
 //        e = (direction_error + ROOT_ERROR) |c|,   ROOT_ERROR = 12 u
 //    so l lies between |l| - e and |l| + e, the middle of the chord b between b - e and b + e.
-// 3. r² - l . l costs 5 u (r² + l²), its root 3 ulp = 6 u. From the largest and the smallest l come
-//    the longest and the shortest half chord, and so an interval for either root: a hit is certain
+// 3. r² - l . l costs 5 u (r² + l²), its root 3 ulp = 6 u. From the largest and the smallest l
+//    come the longest and the shortest half chord, and so an interval for either root: a hit is certain
 //    when even the shortest is there, impossible when not even the longest is. The textbook's form
 //    has no l: its discriminant is the difference of two numbers of the size of c . c, off by
 //    TEXTBOOK_ERROR |c|² besides.
