@@ -12,10 +12,10 @@
 //        e = (direction_error + ROOT_ERROR) |c|,   ROOT_ERROR = 12 u
 //    so l lies between |l| - e and |l| + e, the middle of the chord b between b - e and b + e.
 // 3. r² - l . l costs 5 u (r² + l²), its root 3 ulp = 6 u. From the largest and the smallest l
-//    come the longest and the shortest half chord, and so an interval for either root: a hit is certain
-//    when even the shortest is there, impossible when not even the longest is. The textbook's form
-//    has no l: its discriminant is the difference of two numbers of the size of c . c, off by
-//    TEXTBOOK_ERROR |c|² besides.
+//    come the longest and the shortest half chord, and so an interval for either root: a hit is
+//    certain when even the shortest is there, impossible when not even the longest is. The
+//    textbook's form has no l: its discriminant is the difference of two numbers of the size of
+//    c . c, off by TEXTBOOK_ERROR |c|² besides.
 // 4. A ray is ambiguous unless its nearest hit is certain and its interval ends before every other
 //    one begins. Its t is off by no more than the interval says.
 // 5. The point hit is off by p: t's interval, the direction's error times t, and 4 u of its
