@@ -55,15 +55,6 @@ report() {
     fi
 }
 
-for program in "$build/tests/test_cl_setup" "$build"/sanitized/tests/test_*; do
-    case $program in *.tap | *.log) continue ;; esac
-    name=$(basename "$program")
-    wanted "$name" "$@" || continue
-    started=$(date +%s)
-    "$program" --jobs 2 --tap="$results/$name.tap" >"$results/$name.log" 2>&1
-    report "$name" $? "$results/$name.log"
-done
-
 # run_suites NAME...: one after the other; exit status and seconds are kept for the report.
 run_suites() {
     for name; do
@@ -74,8 +65,7 @@ run_suites() {
     done
 }
 
-# The grader's suites wait for compilers and sandboxes half of their time; the others use one processor.
-# So the two sorts run beside each other.
+# The grader's suites wait for compilers and sandboxes half of their time: they run beside all others.
 graders=
 others=
 for suite in tests/suites/*.sh; do
@@ -87,9 +77,21 @@ for suite in tests/suites/*.sh; do
     esac
 done
 # shellcheck disable=SC2086 # lists of names
-run_suites $others &
+run_suites $graders &
+# What runs in the background shall end with this script.
+trap 'trap - TERM; kill -TERM 0' INT TERM
+
+for program in "$build/tests/test_cl_setup" "$build"/sanitized/tests/test_*; do
+    case $program in *.tap | *.log) continue ;; esac
+    name=$(basename "$program")
+    wanted "$name" "$@" || continue
+    started=$(date +%s)
+    "$program" --jobs 2 --tap="$results/$name.tap" >"$results/$name.log" 2>&1
+    report "$name" $? "$results/$name.log"
+done
+
 # shellcheck disable=SC2086
-run_suites $graders
+run_suites $others
 wait
 for name in $graders $others; do
     read -r status seconds <"$results/$name.status"
