@@ -26,6 +26,7 @@ typedef struct Unpacking {
     int n_entries, n_files;
     int64_t n_bytes;       // of all entries, unpacked
     int is_office;         // a document of an office program, which is a zip archive, too
+    char inner[64];        // the name of an archive in it, or ""
     char *message;         // [UNPACK_MESSAGE_BYTES]
     unsigned char *bytes;  // [STAGE_MAX_FILE_BYTES + 1] the file under way
 } Unpacking;
@@ -243,6 +244,38 @@ static int entry_place(Unpacking *unpacking, struct archive_entry *entry, char *
 
 // ---- The archive ----------------------------------------------------------------------------
 
+// Note what may explain that none of the wanted files is there.
+static void contents_note(Unpacking *unpacking, const char *path)
+{
+    static const char *const endings[] = {".zip", ".tar", ".gz", ".tgz",
+                                          ".bz2", ".xz",  ".7z", ".rar"};
+    const size_t n_path = strlen(path);
+    if (strcmp(path, "[Content_Types].xml") == 0 || strcmp(path, "META-INF/manifest.xml") == 0) {
+        unpacking->is_office = 1;
+    }
+    for (size_t i = 0; i < sizeof endings / sizeof *endings; i++) {
+        const size_t n_ending = strlen(endings[i]);
+        if (n_path > n_ending && strcmp(path + n_path - n_ending, endings[i]) == 0) {
+            const char *slash = strrchr(path, '/');
+            snprintf(unpacking->inner, sizeof unpacking->inner, "%s",
+                     slash != NULL ? slash + 1 : path);
+        }
+    }
+}
+
+static int complain_nothing(const Unpacking *unpacking)
+{
+    if (unpacking->is_office) {
+        return complain(unpacking, "found an office program's document: hand in the source files "
+                                   "themselves, in a folder or a zip or tar archive");
+    }
+    snprintf(
+        unpacking->message, UNPACK_MESSAGE_BYTES,
+        "the archive holds another one, %s, and none of the lab's files: hand in the inner one",
+        unpacking->inner);
+    return 1;
+}
+
 static int entry_unpack(Unpacking *unpacking, struct archive_entry *entry)
 {
     if (entry_count(unpacking, entry) != 0) {
@@ -254,9 +287,7 @@ static int entry_unpack(Unpacking *unpacking, struct archive_entry *entry)
     if (path == NULL) {
         return 0;
     }
-    if (strcmp(path, "[Content_Types].xml") == 0 || strcmp(path, "META-INF/manifest.xml") == 0) {
-        unpacking->is_office = 1;
-    }
+    contents_note(unpacking, path);
     char *copy = strdup(path);
     if (copy == NULL) {
         return -1;
@@ -287,9 +318,9 @@ static int entries_unpack(Unpacking *unpacking)
         }
         outcome = entry_unpack(unpacking, entry);
     }
-    if (outcome == 0 && unpacking->n_files == 0 && unpacking->is_office) {
-        return complain(unpacking, "found an office program's document: hand in the source files "
-                                   "themselves, in a folder or a zip or tar archive");
+    if (outcome == 0 && unpacking->n_files == 0 &&
+        (unpacking->is_office || unpacking->inner[0] != '\0')) {
+        return complain_nothing(unpacking);
     }
     return outcome;
 }

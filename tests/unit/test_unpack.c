@@ -306,6 +306,20 @@ Test(unpack, tells_of_an_office_document)
     expect_refused(packed_unpack(n_packed), "found an office program's document");
 }
 
+Test(unpack, tells_of_an_archive_in_an_archive)
+{
+    struct archive *writer = pack_begin("zip", NULL, NULL);
+    pack_entry(writer, "mine/lab3.tar.gz", AE_IFREG, "");
+    pack_end(writer);
+    expect_refused(packed_unpack(n_packed), "holds another one, lab3.tar.gz, and none of the lab");
+    // Beside what is wanted it does not matter.
+    writer = pack_begin("zip", NULL, NULL);
+    pack_entry(writer, "backup.zip", AE_IFREG, "");
+    pack_entry(writer, "a.cl", AE_IFREG, "kernel");
+    pack_end(writer);
+    cr_expect_eq(packed_unpack(n_packed), 0, "%s", message);
+}
+
 Test(unpack, takes_an_archive_without_any_wanted_file)
 {
     pack_one("README.md", AE_IFREG, "text");
