@@ -148,7 +148,7 @@ static int folders_make(const char *room)
 
 static SandboxRun *start_unpack(const Manifest *manifest, const char *in, const char *out)
 {
-    const char *argv[4 + MANIFEST_MAX_FILES] = {"/work/in/unpack", "in/archive", "out"};
+    const char *argv[4 + MANIFEST_MAX_FILES] = {"in/unpack", "in/archive", "out"};
     for (int i = 0; i < manifest->n_files; i++) {
         argv[3 + i] = manifest->files[i];
     }
