@@ -124,10 +124,11 @@ $(foreach l,$(PROBES),$(eval $(call probe,$(l))))
 grader: $(OUT)/tools/holes $(OUT)/tools/grade $(OUT)/tools/mutants $(OUT)/tools/class_report $(PROBE_TARGETS) $(foreach l,$(LABS),$(OUT)/earlier/$(l).a)  ## build the grader and its probes
 
 .PHONY: grade
-grade: grader  ## grade LAB=03 [SUBMISSION=folder] [SEED=n] [DEVICE=d]
+grade: grader  ## grade LAB=03 [SUBMISSION=folder] [SEED=n] [DEVICE=d] [FORMAT=junit,tap]
 	@test -n "$(LAB)" || { echo "make grade: say which lab: make grade LAB=03" >&2; exit 2; }
 	@$(OUT)/tools/grade --build $(OUT) --lab "$$LAB" $(if $(SUBMISSION),--submission "$$SUBMISSION") \
-	    $(if $(SEED),--seed "$$SEED") $(if $(DEVICE),--device "$$DEVICE")
+	    $(if $(SEED),--seed "$$SEED") $(if $(DEVICE),--device "$$DEVICE") \
+	    $(if $(FORMAT),--format "$$FORMAT")
 
 # ---- Skeletons: labs/ is cut from solutions/ ------------------------------------------------
 
