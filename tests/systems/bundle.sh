@@ -42,7 +42,7 @@ copy_course() {
         esac
     done)
     mkdir -p "$1"
-    # shellcheck disable=SC2086 # lists of names without spaces
+    # shellcheck disable=SC2046,SC2086 # lists of names without spaces
     tracked Makefile LICENSE common kernels tests/grader tests/probes tests/systems/prepare.sh \
         "tests/systems/$system" "labs/$lab" $(printf 'solutions/%s ' $solutions) |
         grep -v -e '/probe_[0-9].*\.c$' -e '\.md$' |
@@ -71,6 +71,7 @@ settle() {
 # pack_tar FOLDER TAR: the folder's contents.
 pack_tar() {
     settle "$1"
+    # shellcheck disable=SC2046 # names without spaces
     tar --sort=name --format=gnu --mtime="@$date" --owner=0 --group=0 --numeric-owner \
         -cf "$2" -C "$1" $(cd "$1" && ls -A)
 }

@@ -9,6 +9,7 @@ set -eu
 handin=$1
 submission=$PWD/submission
 reports=$PWD/reports
+rm -rf "$submission"
 mkdir -p "$submission"
 # What cannot be unpacked is missing from the submission, and the report says so.
 tar -xf "$handin" -C "$submission" --no-same-owner 2>/dev/null || true
