@@ -5,20 +5,21 @@
 # command to GitHub, and a student's text may hold one. Exit status: 0 for full marks, 1 below, 2
 # when the grader could not work.
 set -eu
-summary=${GITHUB_STEP_SUMMARY:-/dev/null}
-points=build/grade/@NN@/github.txt
-rm -f "$points"
-log=$(mktemp)
-trap 'rm -f "$log"' EXIT
-make -s grade LAB=@NN@ FORMAT=github,junit >"$log" 2>&1 || true
+reports=build/grade/@NN@
+mkdir -p "$reports"
+rm -f "$reports/github.txt"
+status=0
+{ make -s lab-grader LAB=@NN@ &&
+    build/tools/grade --lab @NN@ --output "$reports" --format github,junit; } \
+    >"$reports/log" 2>&1 || status=$?
 {
     echo '<pre>'
-    sed 's/&/\&amp;/g; s/</\&lt;/g' "$log"
+    sed 's/&/\&amp;/g; s/</\&lt;/g' "$reports/log"
     echo '</pre>'
-} >>"$summary"
-if [ ! -f "$points" ]; then
+} >>"${GITHUB_STEP_SUMMARY:-/dev/null}"
+if [ ! -f "$reports/github.txt" ]; then
     echo "The grader could not work; the summary of this run says why." >&2
     exit 2
 fi
-cat "$points"
-grep -q 'Points \([0-9]*\)/\1$' "$points"
+cat "$reports/github.txt"
+exit "$status"
