@@ -123,11 +123,26 @@ $(foreach l,$(PROBES),$(eval $(call probe,$(l))))
 .PHONY: grader
 grader: $(OUT)/tools/holes $(OUT)/tools/grade $(OUT)/tools/mutants $(OUT)/tools/class_report $(PROBE_TARGETS) $(foreach l,$(LABS),$(OUT)/earlier/$(l).a)  ## build the grader and its probes
 
+# The same for one lab: what a bundle for another system builds.
+.PHONY: lab-grader
+lab-grader: $(OUT)/tools/grade $(filter $(OUT)/probes/$(LAB)-%,$(PROBE_TARGETS)) $(patsubst %,$(OUT)/earlier/%.a,$(filter $(LAB)-%,$(LABS)))
+
 .PHONY: grade
-grade: grader  ## grade LAB=03 [SUBMISSION=folder] [SEED=n] [DEVICE=d]
+grade: grader  ## grade LAB=03 [SUBMISSION=folder] [SEED=n] [DEVICE=d] [FORMAT=junit,tap]
 	@test -n "$(LAB)" || { echo "make grade: say which lab: make grade LAB=03" >&2; exit 2; }
 	@$(OUT)/tools/grade --build $(OUT) --lab "$$LAB" $(if $(SUBMISSION),--submission "$$SUBMISSION") \
-	    $(if $(SEED),--seed "$$SEED") $(if $(DEVICE),--device "$$DEVICE")
+	    $(if $(SEED),--seed "$$SEED") $(if $(DEVICE),--device "$$DEVICE") \
+	    $(if $(FORMAT),--format "$$FORMAT")
+
+# Bundles for the systems that courses use (tests/systems/README.md), in build/systems.
+.PHONY: gradescope autolab prairielearn github
+gradescope:  ## the autograder of LAB=03 for Gradescope
+autolab:  ## the assessment of LAB=03 for Autolab
+prairielearn:  ## the question of LAB=03 for PrairieLearn, and its grader's image
+github:  ## the workflow of LAB=03 for GitHub Classroom
+gradescope autolab prairielearn github:
+	@test -n "$(LAB)" || { echo "make $@: say which lab: make $@ LAB=03" >&2; exit 2; }
+	@tests/systems/bundle.sh $@ "$$LAB" $(BUILD)/systems
 
 # ---- Skeletons: labs/ is cut from solutions/ ------------------------------------------------
 

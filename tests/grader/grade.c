@@ -9,6 +9,7 @@
 #include "holes.h"
 #include "message.h"
 #include "report.h"
+#include "report_systems.h"
 #include "session.h"
 #include "settings.h"
 #include "stage.h"
@@ -227,7 +228,7 @@ static int make_folders(const char *path)
     return 0;
 }
 
-static int write_reports(const Grading *grading, const char *output)
+static int write_reports(const Grading *grading, const char *output, FormatSet formats)
 {
     char path[PATH_BYTES];
     const Manifest *manifest = &grading->session.manifest;
@@ -239,7 +240,8 @@ static int write_reports(const Grading *grading, const char *output)
         return -1;
     }
     snprintf(path, sizeof path, "%s/report.html", output);
-    if (report_html(path, manifest, &grading->result) != 0 ||
+    if (formats_write(output, formats, manifest, &grading->result) != 0 ||
+        report_html(path, manifest, &grading->result) != 0 ||
         report_text(stdout, manifest, &grading->result, isatty(STDOUT_FILENO)) != 0) {
         return -1;
     }
@@ -289,7 +291,10 @@ int main(int argc, char **argv)
         grading.result.score += grading.result.checks[i].points;
     }
     if (result == 0) {
-        result = write_reports(&grading, settings.output);
+        result = write_reports(&grading, settings.output, settings.formats);
+    }
+    if (result != 0 && settings.formats != 0 && make_folders(settings.output) == 0) {
+        formats_write_fault(settings.output, settings.formats, settings.lab);
     }
     const int full_marks = grading.result.score == grading.result.max_score;
     grading_free(&grading);
