@@ -85,7 +85,7 @@ $(foreach l,$(LABS),$(eval $(call earlier_archive,$(l))))
 
 # ---- The grader -----------------------------------------------------------------------------
 
-GRADER_MAINS = $(addprefix tests/grader/,grade.c class_report.c mutants.c holes_tool.c)
+GRADER_MAINS = $(addprefix tests/grader/,grade.c class_report.c mutants.c holes_tool.c unpack_tool.c)
 GRADER_SOURCES := $(filter-out $(GRADER_MAINS),$(wildcard tests/grader/*.c))
 # The grader makes its trees and cameras with the solutions of labs 02, 04 and 06.
 BUILDERS = solutions/02-kdtree-2d-build/kdtree2d_build.c \
@@ -101,6 +101,11 @@ $(OUT)/libgrader.a: $(call objects,$(GRADER_SOURCES) tests/probes/sections.c $(B
 $(OUT)/tools/grade $(OUT)/tools/class_report $(OUT)/tools/mutants: $(OUT)/tools/%: $(OUT)/obj/tests/grader/%.c.o $(OUT)/libgrader.a $(OUT)/libcommon.a
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -o $@
+
+# The only program that reads archives of students, in the sandbox.
+$(OUT)/tools/unpack: $(OUT)/obj/tests/grader/unpack_tool.c.o $(OUT)/libgrader.a
+	@mkdir -p $(@D)
+	$(call say,link    $@)$(CC) $(SANITIZERS) $^ -larchive -o $@
 
 # One probe a lab: an archive for labs with host files, which the grader links with the student's, and
 # a program for the others.
@@ -121,14 +126,14 @@ endef
 $(foreach l,$(PROBES),$(eval $(call probe,$(l))))
 
 .PHONY: grader
-grader: $(OUT)/tools/holes $(OUT)/tools/grade $(OUT)/tools/mutants $(OUT)/tools/class_report $(PROBE_TARGETS) $(foreach l,$(LABS),$(OUT)/earlier/$(l).a)  ## build the grader and its probes
+grader: $(OUT)/tools/holes $(OUT)/tools/grade $(OUT)/tools/unpack $(OUT)/tools/mutants $(OUT)/tools/class_report $(PROBE_TARGETS) $(foreach l,$(LABS),$(OUT)/earlier/$(l).a)  ## build the grader and its probes
 
 # The same for one lab: what a bundle for another system builds.
 .PHONY: lab-grader
-lab-grader: $(OUT)/tools/grade $(filter $(OUT)/probes/$(LAB)-%,$(PROBE_TARGETS)) $(patsubst %,$(OUT)/earlier/%.a,$(filter $(LAB)-%,$(LABS)))
+lab-grader: $(OUT)/tools/grade $(OUT)/tools/unpack $(filter $(OUT)/probes/$(LAB)-%,$(PROBE_TARGETS)) $(patsubst %,$(OUT)/earlier/%.a,$(filter $(LAB)-%,$(LABS)))
 
 .PHONY: grade
-grade: grader  ## grade LAB=03 [SUBMISSION=folder] [SEED=n] [DEVICE=d] [FORMAT=junit,tap]
+grade: grader  ## grade LAB=03 [SUBMISSION=folder or archive] [SEED=n] [DEVICE=d] [FORMAT=junit,tap]
 	@test -n "$(LAB)" || { echo "make grade: say which lab: make grade LAB=03" >&2; exit 2; }
 	@$(OUT)/tools/grade --build $(OUT) --lab "$$LAB" $(if $(SUBMISSION),--submission "$$SUBMISSION") \
 	    $(if $(SEED),--seed "$$SEED") $(if $(DEVICE),--device "$$DEVICE") \
@@ -160,7 +165,7 @@ skeletons: $(OUT)/tools/holes  ## for authors: cut labs/ anew from solutions/; t
 UNIT_TESTS := $(patsubst tests/unit/%.c,$(OUT)/tests/%,$(wildcard tests/unit/test_*.c))
 $(UNIT_TESTS): $(OUT)/tests/%: $(OUT)/obj/tests/unit/%.c.o $(OUT)/libgrader.a $(OUT)/libcommon.a
 	@mkdir -p $(@D)
-	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -lcriterion -o $@
+	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -larchive -lcriterion -o $@
 
 # What the suites use: a comparison of two pictures, what rays hit, and a device without images.
 $(OUT)/tools/compare: $(call objects,tests/compare.c) $(OUT)/libcommon.a

@@ -14,6 +14,7 @@
 #include "settings.h"
 #include "stage.h"
 #include "stats.h"
+#include "submission.h"
 #include "text_file.h"
 
 #include <errno.h>
@@ -172,6 +173,18 @@ static void note_lost_markers(Grading *grading)
 
 // ---- Grading --------------------------------------------------------------------------------
 
+// Unpack the submission where it is an archive, and copy the lab's files into a variant's folder.
+// Returns 0; 1 with a message for the student; -1 after one message on stderr.
+static int stage(const Grading *grading, const char *submission, const char *folder, char **message)
+{
+    const Manifest *manifest = &grading->session.manifest;
+    const Workshop *workshop = &grading->session.workshop;
+    char source[PATH_BYTES];
+    const int opened = submission_folder(manifest, submission, workshop->build, workshop->folder,
+                                         source, sizeof source, message);
+    return opened != 0 ? opened : stage_submission(manifest, source, folder, message);
+}
+
 // Stage, run, judge. Returns 0 when there is a result, or -1 after one message.
 static int grade(Grading *grading, const Settings *settings)
 {
@@ -185,7 +198,7 @@ static int grade(Grading *grading, const Settings *settings)
         return -1;
     }
     start_result(grading, settings);
-    const int staged = stage_submission(&session->manifest, settings->submission, folder, &staging);
+    const int staged = stage(grading, settings->submission, folder, &staging);
     if (staged < 0) {
         return -1;
     }
