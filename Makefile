@@ -85,20 +85,30 @@ $(foreach l,$(LABS),$(eval $(call earlier_archive,$(l))))
 
 # ---- The grader -----------------------------------------------------------------------------
 
-GRADER_MAINS = $(addprefix tests/grader/,grade.c class_report.c mutants.c holes_tool.c unpack_tool.c)
+GRADER_MAINS = $(addprefix tests/grader/,grade.c mutants.c holes_tool.c unpack_tool.c)
 GRADER_SOURCES := $(filter-out $(GRADER_MAINS),$(wildcard tests/grader/*.c))
 # The grader makes its trees and cameras with the solutions of labs 02, 04 and 06.
 BUILDERS = solutions/02-kdtree-2d-build/kdtree2d_build.c \
     solutions/04-camera-rays/camera_from_view.c solutions/06-kdtree-3d-build/kdtree3d_build.c
 BUILDER_INCLUDES = $(addprefix -I ,$(sort $(dir $(BUILDERS))))
-GRADER_INCLUDES = -I tests/grader -I tests/probes $(BUILDER_INCLUDES)
+GRADER_INCLUDES = -I tests/grader -I tests/probes -I tests/class $(BUILDER_INCLUDES)
 $(OUT)/obj/tests/%.o: EXTRA = $(GRADER_INCLUDES)
 
 $(OUT)/libgrader.a: $(call objects,$(GRADER_SOURCES) tests/probes/sections.c $(BUILDERS))
 	@rm -f $@
 	@ar rcs $@ $^
 
-$(OUT)/tools/grade $(OUT)/tools/class_report $(OUT)/tools/mutants: $(OUT)/tools/%: $(OUT)/obj/tests/grader/%.c.o $(OUT)/libgrader.a $(OUT)/libcommon.a
+$(OUT)/tools/grade $(OUT)/tools/mutants: $(OUT)/tools/%: $(OUT)/obj/tests/grader/%.c.o $(OUT)/libgrader.a $(OUT)/libcommon.a
+	@mkdir -p $(@D)
+	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -o $@
+
+# A class: the roster of who handed in, and the gradebook.
+CLASS_SOURCES := $(filter-out %_tool.c,$(wildcard tests/class/*.c))
+$(OUT)/libclass.a: $(call objects,$(CLASS_SOURCES))
+	@rm -f $@
+	@ar rcs $@ $^
+
+$(OUT)/tools/gradebook: $(call objects,tests/class/gradebook_tool.c) $(OUT)/libclass.a $(OUT)/libgrader.a $(OUT)/libcommon.a
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -o $@
 
@@ -126,7 +136,7 @@ endef
 $(foreach l,$(PROBES),$(eval $(call probe,$(l))))
 
 .PHONY: grader
-grader: $(OUT)/tools/holes $(OUT)/tools/grade $(OUT)/tools/unpack $(OUT)/tools/mutants $(OUT)/tools/class_report $(PROBE_TARGETS) $(foreach l,$(LABS),$(OUT)/earlier/$(l).a)  ## build the grader and its probes
+grader: $(OUT)/tools/holes $(OUT)/tools/grade $(OUT)/tools/unpack $(OUT)/tools/mutants $(OUT)/tools/gradebook $(PROBE_TARGETS) $(foreach l,$(LABS),$(OUT)/earlier/$(l).a)  ## build the grader and its probes
 
 # The same for one lab: what a bundle for another system builds.
 .PHONY: lab-grader
@@ -148,6 +158,14 @@ github:  ## the workflow of LAB=03 for GitHub Classroom
 gradescope autolab prairielearn github:
 	@test -n "$(LAB)" || { echo "make $@: say which lab: make $@ LAB=03" >&2; exit 2; }
 	@tests/systems/bundle.sh $@ "$$LAB" $(BUILD)/systems
+
+.PHONY: grade-class
+grade-class: grader  ## grade a class: LAB=03 SUBMISSIONS=folder [OUTPUT=folder] [ENGINE=slurm] [SEED=n] [ONLY=failed|latest] [JOBS=n] [AGAIN=1] [MOODLE=file.csv] [AGAINST=gradebook.json]
+	@tests/class/grade_class.sh --build $(OUT) --lab "$(LAB)" --submissions "$$SUBMISSIONS" \
+	    $(if $(OUTPUT),--output "$$OUTPUT") $(if $(ENGINE),--engine "$$ENGINE") \
+	    $(if $(SEED),--seed "$$SEED") $(if $(ONLY),--only "$$ONLY") $(if $(JOBS),--jobs "$$JOBS") \
+	    $(if $(AGAIN),--again "$$AGAIN") $(if $(MOODLE),--moodle "$$MOODLE") \
+	    $(if $(AGAINST),--against "$$AGAINST") $(if $(DEVICE),--device "$$DEVICE")
 
 # ---- Skeletons: labs/ is cut from solutions/ ------------------------------------------------
 

@@ -8,6 +8,7 @@
 // comes out). Exit status: 0 full marks, 1 below, 2 when the grader itself could not work.
 #include "holes.h"
 #include "message.h"
+#include "output_file.h"
 #include "report.h"
 #include "report_systems.h"
 #include "session.h"
@@ -241,6 +242,29 @@ static int make_folders(const char *path)
     return 0;
 }
 
+// The student's first picture in a file beside the report, for pages that show many: pixels, or a
+// drawing. None where there is none. Returns 0, or -1 after one message.
+static int write_picture(const Result *result, const char *output)
+{
+    char png[PATH_BYTES], svg[PATH_BYTES];
+    snprintf(png, sizeof png, "%s/picture.png", output);
+    snprintf(svg, sizeof svg, "%s/picture.svg", output);
+    unlink(png), unlink(svg);  // of an earlier grading
+    for (int i = 0; i < result->n_pictures; i++) {
+        const PictureResult *picture = &result->pictures[i];
+        if (picture->svg_own != NULL) {
+            OutputFile file;
+            return output_file_open(&file, svg) != 0 || fputs(picture->svg_own, file.file) == EOF
+                       ? -1
+                       : output_file_commit(&file);
+        }
+        if (picture->own.width > 0) {
+            return image_save(&picture->own, png);
+        }
+    }
+    return 0;
+}
+
 static int write_reports(const Grading *grading, const char *output, FormatSet formats)
 {
     char path[PATH_BYTES];
@@ -255,6 +279,7 @@ static int write_reports(const Grading *grading, const char *output, FormatSet f
     snprintf(path, sizeof path, "%s/report.html", output);
     if (formats_write(output, formats, manifest, &grading->result) != 0 ||
         report_html(path, manifest, &grading->result) != 0 ||
+        write_picture(&grading->result, output) != 0 ||
         report_text(stdout, manifest, &grading->result, isatty(STDOUT_FILENO)) != 0) {
         return -1;
     }
