@@ -29,7 +29,9 @@ say = $(if $(V),,@echo "  $(1)" && )
 IMAGE_CFLAGS = $(shell pkg-config --cflags OpenImageIO)
 LIBRARIES = -Wl,--as-needed $(shell pkg-config --libs OpenImageIO jansson) -lcsv -lOpenCL -lstdc++ -lm
 
-LABS := $(sort $(patsubst solutions/%/lab.json,%,$(wildcard solutions/*/lab.json)))
+# In a handout (`make handout`) only one lab is there, and the solutions of those before it.
+LABS := $(sort $(foreach tree,labs solutions,$(patsubst $(tree)/%/lab.json,%,$(wildcard $(tree)/*/lab.json))))
+HANDOUT := $(if $(wildcard tests/suites),,yes)
 
 # The labs before one: what they deliver comes from their solutions.
 earlier = $(strip $(eval reached :=)$(foreach l,$(LABS),$(if $(filter $(1),$(l)),$(eval \
@@ -42,7 +44,7 @@ include_path = -I kernels $(foreach l,$(call earlier,$(1)),-I solutions/$(l))
 
 objects = $(patsubst %,$(OUT)/obj/%.o,$(1))
 COMMON_OBJECTS := $(call objects,$(wildcard common/*.c common/*.cpp))
-PROGRAMS := $(foreach tree,labs solutions,$(LABS:%=$(OUT)/$(tree)/%))
+PROGRAMS := $(patsubst %/lab.json,$(OUT)/%,$(wildcard $(foreach tree,labs solutions,$(LABS:%=$(tree)/%/lab.json))))
 
 .PHONY: all
 all: $(PROGRAMS) grader  ## build every lab, every solution and the grader
@@ -87,18 +89,24 @@ $(foreach l,$(LABS),$(eval $(call earlier_archive,$(l))))
 
 GRADER_MAINS = $(addprefix tests/grader/,grade.c class_report.c mutants.c holes_tool.c)
 GRADER_SOURCES := $(filter-out $(GRADER_MAINS),$(wildcard tests/grader/*.c))
-# The grader makes its trees and cameras with the solutions of labs 02, 04 and 06.
-BUILDERS = solutions/02-kdtree-2d-build/kdtree2d_build.c \
-    solutions/04-camera-rays/camera_from_view.c solutions/06-kdtree-3d-build/kdtree3d_build.c
+GRADER_TOOLS := $(patsubst tests/grader/%.c,$(OUT)/tools/%,$(wildcard $(addprefix tests/grader/,grade.c mutants.c class_report.c)))
+# Judges of later labs get their trees and cameras from the solutions of labs 02, 04 and 06.
+BUILDERS := $(wildcard solutions/02-kdtree-2d-build/kdtree2d_build.c \
+    solutions/04-camera-rays/camera_from_view.c solutions/06-kdtree-3d-build/kdtree3d_build.c)
 BUILDER_INCLUDES = $(addprefix -I ,$(sort $(dir $(BUILDERS))))
 GRADER_INCLUDES = -I tests/grader -I tests/probes $(BUILDER_INCLUDES)
 $(OUT)/obj/tests/%.o: EXTRA = $(GRADER_INCLUDES)
+# The judges that are there: LAB(00) LAB(01) and on.
+JUDGES := $(sort $(wildcard tests/grader/judge_[0-9][0-9].c))
+$(OUT)/obj/tests/grader/judge.c.o: EXTRA = $(GRADER_INCLUDES) \
+    -DJUDGES='$(patsubst tests/grader/judge_%.c,LAB(%),$(JUDGES))'
+$(OUT)/obj/tests/grader/judge.c.o: $(JUDGES)
 
 $(OUT)/libgrader.a: $(call objects,$(GRADER_SOURCES) tests/probes/sections.c $(BUILDERS))
 	@rm -f $@
 	@ar rcs $@ $^
 
-$(OUT)/tools/grade $(OUT)/tools/class_report $(OUT)/tools/mutants: $(OUT)/tools/%: $(OUT)/obj/tests/grader/%.c.o $(OUT)/libgrader.a $(OUT)/libcommon.a
+$(GRADER_TOOLS): $(OUT)/tools/%: $(OUT)/obj/tests/grader/%.c.o $(OUT)/libgrader.a $(OUT)/libcommon.a
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -o $@
 
@@ -106,9 +114,9 @@ $(OUT)/tools/grade $(OUT)/tools/class_report $(OUT)/tools/mutants: $(OUT)/tools/
 # a program for the others.
 PROBES := $(patsubst tests/probes/probe_%.c,%,$(wildcard tests/probes/probe_*.c))
 # The host files that students hand in; a lab may have given ones besides.
-host_files = $(shell grep -o '"[a-zA-Z0-9_]*\.c"' solutions/$(1)/lab.json)
+host_files = $(shell grep -o '"[a-zA-Z0-9_]*\.c"' labs/$(1)/lab.json)
 define probe
-$(OUT)/obj/tests/probes/probe_$(1).c.o: EXTRA = -I tests/probes -I solutions/$(1) \
+$(OUT)/obj/tests/probes/probe_$(1).c.o: EXTRA = -I tests/probes -I labs/$(1) \
     -DLAB_NAME='"$(1)"' -DLAB_FOLDER='"labs/$(1)"' -DPROBE_KERNEL_OPTIONS='"$(call include_path,$(1))"'
 $(OUT)/probes/$(1).a: $(call objects,tests/probes/probe_$(1).c tests/probes/probe.c tests/probes/sections.c)
 	@mkdir -p $$(@D)
@@ -121,7 +129,7 @@ endef
 $(foreach l,$(PROBES),$(eval $(call probe,$(l))))
 
 .PHONY: grader
-grader: $(OUT)/tools/holes $(OUT)/tools/grade $(OUT)/tools/mutants $(OUT)/tools/class_report $(PROBE_TARGETS) $(foreach l,$(LABS),$(OUT)/earlier/$(l).a)  ## build the grader and its probes
+grader: $(if $(HANDOUT),,$(OUT)/tools/holes) $(GRADER_TOOLS) $(PROBE_TARGETS) $(foreach l,$(LABS),$(OUT)/earlier/$(l).a)  ## build the grader and its probes
 
 .PHONY: grade
 grade: grader  ## grade LAB=03 [SUBMISSION=folder] [SEED=n] [DEVICE=d]
