@@ -29,9 +29,12 @@ say = $(if $(V),,@echo "  $(1)" && )
 IMAGE_CFLAGS = $(shell pkg-config --cflags OpenImageIO)
 LIBRARIES = -Wl,--as-needed $(shell pkg-config --libs OpenImageIO jansson) -lcsv -lOpenCL -lstdc++ -lm
 
-# In a handout (`make handout`) only one lab is there, and the solutions of those before it.
+# In a handout (`make handout`) there are one lab, the solutions of those before it and no suites: what
+# is for authors is left out below.
 LABS := $(sort $(foreach tree,labs solutions,$(patsubst $(tree)/%/lab.json,%,$(wildcard $(tree)/*/lab.json))))
-HANDOUT := $(if $(wildcard tests/suites),,yes)
+ifeq ($(wildcard tests/suites),)
+HANDOUT := yes
+endif
 
 # The labs before one: what they deliver comes from their solutions.
 earlier = $(strip $(eval reached :=)$(foreach l,$(LABS),$(if $(filter $(1),$(l)),$(eval \
@@ -137,6 +140,7 @@ grade: grader  ## grade LAB=03 [SUBMISSION=folder] [SEED=n] [DEVICE=d]
 	@$(OUT)/tools/grade --build $(OUT) --lab "$$LAB" $(if $(SUBMISSION),--submission "$$SUBMISSION") \
 	    $(if $(SEED),--seed "$$SEED") $(if $(DEVICE),--device "$$DEVICE")
 
+ifndef HANDOUT
 # ---- Skeletons: labs/ is cut from solutions/ ------------------------------------------------
 
 $(OUT)/tools/holes: $(call objects,tests/grader/holes_tool.c tests/grader/holes.c common/text_file.c)
@@ -147,6 +151,13 @@ $(OUT)/tools/holes: $(call objects,tests/grader/holes_tool.c tests/grader/holes.
 skeletons: $(OUT)/tools/holes  ## for authors: cut labs/ anew from solutions/; the old one goes to build/labs-replaced
 	@if [ -d labs ]; then rm -rf $(BUILD)/labs-replaced && cp -r labs $(BUILD)/labs-replaced; fi
 	@tests/cut_labs.sh $(OUT)/tools/holes labs
+
+# ---- Handouts -------------------------------------------------------------------------------
+
+.PHONY: handout
+handout: $(OUT)/tools/holes  ## pack what students get: LAB=03
+	@test -n "$(LAB)" || { echo "make handout: say which lab: make handout LAB=03" >&2; exit 2; }
+	@tests/handout/pack.sh $(OUT)/tools/holes "$$LAB" $(OUT)/handout
 
 # ---- Tests ----------------------------------------------------------------------------------
 
@@ -240,8 +251,15 @@ bench:  ## install what is missing, measure naive against kd-tree in 2D and 3D, 
 	    gnuplot -e "folder='$(OUT)/bench'" tests/bench/$$bench.gnuplot && \
 	    echo "The plot: $(OUT)/bench/$$bench.png and .svg" || exit 1; done
 
+endif  # HANDOUT
+
 # ---- For people -----------------------------------------------------------------------------
 
+.PHONY: setup
+setup:  ## install what building and grading need, where it is missing
+	@common/setup/install.sh demo
+
+ifndef HANDOUT
 .PHONY: demo
 demo:  ## install what is missing, render every solution, grade a small class
 	@common/setup/install.sh demo
@@ -256,6 +274,8 @@ figures: all  ## draw the pictures of the READMEs and notes anew
 format:  ## put every source into the one format
 	clang-format-19 -i $$(git ls-files -- '*.c' '*.h' '*.cpp' '*.cl' | grep -v -e ^labs/ -e ^tests/mutants/)
 
+endif  # HANDOUT
+
 # Make looks into folders once, at its start: what is cleaned then cannot be built in the same run.
 ifneq ($(and $(filter clean,$(MAKECMDGOALS)),$(filter-out clean,$(MAKECMDGOALS))),)
 $(error make clean stands alone: run it first, then make $(filter-out clean,$(MAKECMDGOALS)))
@@ -267,6 +287,7 @@ clean:  ## remove everything that was made
 
 .PHONY: help
 help:  ## print this list
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-10s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
+	@awk -F ':.*## ' '/^ifndef HANDOUT/ { hidden = "$(HANDOUT)" } /^endif  # HANDOUT/ { hidden = "" } \
+	    !hidden && /^[a-z-]+:.*## / { printf "  make %-10s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
 
 -include $(shell find $(OUT)/obj -name '*.d' 2>/dev/null)
