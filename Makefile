@@ -29,7 +29,12 @@ say = $(if $(V),,@echo "  $(1)" && )
 IMAGE_CFLAGS = $(shell pkg-config --cflags OpenImageIO)
 LIBRARIES = -Wl,--as-needed $(shell pkg-config --libs OpenImageIO jansson) -lcsv -lOpenCL -lstdc++ -lm
 
-LABS := $(sort $(patsubst solutions/%/lab.json,%,$(wildcard solutions/*/lab.json)))
+# In a handout (`make handout`) there are one lab, the solutions of those before it and no suites: what
+# is for authors is left out below.
+LABS := $(sort $(foreach tree,labs solutions,$(patsubst $(tree)/%/lab.json,%,$(wildcard $(tree)/*/lab.json))))
+ifeq ($(wildcard tests/suites),)
+HANDOUT := yes
+endif
 
 # The labs before one: what they deliver comes from their solutions.
 earlier = $(strip $(eval reached :=)$(foreach l,$(LABS),$(if $(filter $(1),$(l)),$(eval \
@@ -42,7 +47,7 @@ include_path = -I kernels $(foreach l,$(call earlier,$(1)),-I solutions/$(l))
 
 objects = $(patsubst %,$(OUT)/obj/%.o,$(1))
 COMMON_OBJECTS := $(call objects,$(wildcard common/*.c common/*.cpp))
-PROGRAMS := $(foreach tree,labs solutions,$(LABS:%=$(OUT)/$(tree)/%))
+PROGRAMS := $(patsubst %/lab.json,$(OUT)/%,$(wildcard $(foreach tree,labs solutions,$(LABS:%=$(tree)/%/lab.json))))
 
 .PHONY: all
 all: $(PROGRAMS) grader  ## build every lab, every solution and the grader
@@ -87,18 +92,24 @@ $(foreach l,$(LABS),$(eval $(call earlier_archive,$(l))))
 
 GRADER_MAINS = $(addprefix tests/grader/,grade.c mutants.c holes_tool.c unpack_tool.c)
 GRADER_SOURCES := $(filter-out $(GRADER_MAINS),$(wildcard tests/grader/*.c))
-# The grader makes its trees and cameras with the solutions of labs 02, 04 and 06.
-BUILDERS = solutions/02-kdtree-2d-build/kdtree2d_build.c \
-    solutions/04-camera-rays/camera_from_view.c solutions/06-kdtree-3d-build/kdtree3d_build.c
+GRADER_TOOLS := $(patsubst tests/grader/%.c,$(OUT)/tools/%,$(wildcard tests/grader/grade.c tests/grader/mutants.c))
+# Judges of later labs get their trees and cameras from the solutions of labs 02, 04 and 06.
+BUILDERS := $(wildcard solutions/02-kdtree-2d-build/kdtree2d_build.c \
+    solutions/04-camera-rays/camera_from_view.c solutions/06-kdtree-3d-build/kdtree3d_build.c)
 BUILDER_INCLUDES = $(addprefix -I ,$(sort $(dir $(BUILDERS))))
 GRADER_INCLUDES = -I tests/grader -I tests/probes -I tests/class $(BUILDER_INCLUDES)
 $(OUT)/obj/tests/%.o: EXTRA = $(GRADER_INCLUDES)
+# The judges that are there: LAB(00) LAB(01) and on.
+JUDGES := $(sort $(wildcard tests/grader/judge_[0-9][0-9].c))
+$(OUT)/obj/tests/grader/judge.c.o: EXTRA = $(GRADER_INCLUDES) \
+    -DJUDGES='$(patsubst tests/grader/judge_%.c,LAB(%),$(JUDGES))'
+$(OUT)/obj/tests/grader/judge.c.o: $(JUDGES)
 
 $(OUT)/libgrader.a: $(call objects,$(GRADER_SOURCES) tests/probes/sections.c $(BUILDERS))
 	@rm -f $@
 	@ar rcs $@ $^
 
-$(OUT)/tools/grade $(OUT)/tools/mutants: $(OUT)/tools/%: $(OUT)/obj/tests/grader/%.c.o $(OUT)/libgrader.a $(OUT)/libcommon.a
+$(GRADER_TOOLS): $(OUT)/tools/%: $(OUT)/obj/tests/grader/%.c.o $(OUT)/libgrader.a $(OUT)/libcommon.a
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -o $@
 
@@ -121,9 +132,9 @@ $(OUT)/tools/unpack: $(OUT)/obj/tests/grader/unpack_tool.c.o $(OUT)/libgrader.a
 # a program for the others.
 PROBES := $(patsubst tests/probes/probe_%.c,%,$(wildcard tests/probes/probe_*.c))
 # The host files that students hand in; a lab may have given ones besides.
-host_files = $(shell grep -o '"[a-zA-Z0-9_]*\.c"' solutions/$(1)/lab.json)
+host_files = $(shell grep -o '"[a-zA-Z0-9_]*\.c"' labs/$(1)/lab.json)
 define probe
-$(OUT)/obj/tests/probes/probe_$(1).c.o: EXTRA = -I tests/probes -I solutions/$(1) \
+$(OUT)/obj/tests/probes/probe_$(1).c.o: EXTRA = -I tests/probes -I labs/$(1) \
     -DLAB_NAME='"$(1)"' -DLAB_FOLDER='"labs/$(1)"' -DPROBE_KERNEL_OPTIONS='"$(call include_path,$(1))"'
 $(OUT)/probes/$(1).a: $(call objects,tests/probes/probe_$(1).c tests/probes/probe.c tests/probes/sections.c)
 	@mkdir -p $$(@D)
@@ -136,7 +147,7 @@ endef
 $(foreach l,$(PROBES),$(eval $(call probe,$(l))))
 
 .PHONY: grader
-grader: $(OUT)/tools/holes $(OUT)/tools/grade $(OUT)/tools/unpack $(OUT)/tools/mutants $(OUT)/tools/gradebook $(PROBE_TARGETS) $(foreach l,$(LABS),$(OUT)/earlier/$(l).a)  ## build the grader and its probes
+grader: $(if $(HANDOUT),,$(OUT)/tools/holes $(OUT)/tools/gradebook) $(GRADER_TOOLS) $(OUT)/tools/unpack $(PROBE_TARGETS) $(foreach l,$(LABS),$(OUT)/earlier/$(l).a)  ## build the grader and its probes
 
 # The same for one lab: what a bundle for another system builds.
 .PHONY: lab-grader
@@ -167,6 +178,7 @@ grade-class: grader  ## grade a class: LAB=03 SUBMISSIONS=folder [OUTPUT=folder]
 	    $(if $(AGAIN),--again "$$AGAIN") $(if $(MOODLE),--moodle "$$MOODLE") \
 	    $(if $(AGAINST),--against "$$AGAINST") $(if $(DEVICE),--device "$$DEVICE")
 
+ifndef HANDOUT
 # ---- Skeletons: labs/ is cut from solutions/ ------------------------------------------------
 
 $(OUT)/tools/holes: $(call objects,tests/grader/holes_tool.c tests/grader/holes.c common/text_file.c)
@@ -177,6 +189,13 @@ $(OUT)/tools/holes: $(call objects,tests/grader/holes_tool.c tests/grader/holes.
 skeletons: $(OUT)/tools/holes  ## for authors: cut labs/ anew from solutions/; the old one goes to build/labs-replaced
 	@if [ -d labs ]; then rm -rf $(BUILD)/labs-replaced && cp -r labs $(BUILD)/labs-replaced; fi
 	@tests/cut_labs.sh $(OUT)/tools/holes labs
+
+# ---- Handouts -------------------------------------------------------------------------------
+
+.PHONY: handout
+handout: $(OUT)/tools/holes  ## pack what students get: LAB=03
+	@test -n "$(LAB)" || { echo "make handout: say which lab: make handout LAB=03" >&2; exit 2; }
+	@tests/handout/pack.sh $(OUT)/tools/holes "$$LAB" $(OUT)/handout
 
 # ---- Tests ----------------------------------------------------------------------------------
 
@@ -270,8 +289,15 @@ bench:  ## install what is missing, measure naive against kd-tree in 2D and 3D, 
 	    gnuplot -e "folder='$(OUT)/bench'" tests/bench/$$bench.gnuplot && \
 	    echo "The plot: $(OUT)/bench/$$bench.png and .svg" || exit 1; done
 
+endif  # HANDOUT
+
 # ---- For people -----------------------------------------------------------------------------
 
+.PHONY: setup
+setup:  ## install what building and grading need, where it is missing
+	@common/setup/install.sh demo
+
+ifndef HANDOUT
 .PHONY: demo
 demo:  ## install what is missing, render every solution, grade a small class
 	@common/setup/install.sh demo
@@ -286,6 +312,8 @@ figures: all  ## draw the pictures of the READMEs and notes anew
 format:  ## put every source into the one format
 	clang-format-19 -i $$(git ls-files -- '*.c' '*.h' '*.cpp' '*.cl' | grep -v -e ^labs/ -e ^tests/mutants/)
 
+endif  # HANDOUT
+
 # Make looks into folders once, at its start: what is cleaned then cannot be built in the same run.
 ifneq ($(and $(filter clean,$(MAKECMDGOALS)),$(filter-out clean,$(MAKECMDGOALS))),)
 $(error make clean stands alone: run it first, then make $(filter-out clean,$(MAKECMDGOALS)))
@@ -297,6 +325,7 @@ clean:  ## remove everything that was made
 
 .PHONY: help
 help:  ## print this list
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-10s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
+	@awk -F ':.*## ' '/^ifndef HANDOUT/ { hidden = "$(HANDOUT)" } /^endif  # HANDOUT/ { hidden = "" } \
+	    !hidden && /^[a-z-]+:.*## / { printf "  make %-10s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
 
 -include $(shell find $(OUT)/obj -name '*.d' 2>/dev/null)

@@ -4,7 +4,8 @@
 //
 // The solution and the submission do the same job in the sandbox; for each task with a failed check
 // the student's answer to it is then tried with our solution of all others, so that one mistake
-// costs one task. Read next: session.h (how it is run), judge.h (what is asked), report.h (what
+// costs one task. In a handout, which has no solution of its lab, the oracle alone judges the
+// submission as a whole. Read next: session.h (how it is run), judge.h (what is asked), report.h (what
 // comes out). Exit status: 0 full marks, 1 below, 2 when the grader itself could not work.
 #include "holes.h"
 #include "message.h"
@@ -31,7 +32,6 @@ typedef struct Grading {
     Session session;
     Variant whole;                      // the submission as it is
     Variant alone[MANIFEST_MAX_TASKS];  // one answer of it in the solution of the other tasks
-    int has_alone[MANIFEST_MAX_TASKS];  // that variant was made and run
     Result result;
 } Grading;
 
@@ -119,7 +119,8 @@ static char *read_answer(const Grading *grading, const Task *task)
     return answer;
 }
 
-// Try the answers of the failed tasks alone, two at a time. Returns 0, or -1 after one message.
+// Try the answers of the failed tasks alone, in the solution of the others, two at a time. Returns
+// 0, or -1 after one message.
 static int judge_alone(Grading *grading)
 {
     const Manifest *manifest = &grading->session.manifest;
@@ -136,7 +137,6 @@ static int judge_alone(Grading *grading)
             if (filled != 0) {
                 return -1;
             }
-            grading->has_alone[t] = 1;
             tasks[n] = id;
             pair[n++] = &grading->alone[t];
         }
@@ -159,7 +159,8 @@ static void note_lost_markers(Grading *grading)
     const Manifest *manifest = &grading->session.manifest;
     for (int t = 0; t < manifest->n_tasks; t++) {
         const Task *task = &manifest->tasks[t];
-        if (!grading->has_alone[t] && task_has_failed(grading, task->id)) {
+        char *answer = read_answer(grading, task);
+        if (answer == NULL && task_has_failed(grading, task->id)) {
             StageResult *staging = &grading->result.stages[0];
             char *message = message_new(
                 "%s%s%s: the lines \"// TASK %s\" and \"// END %s\" are not "
@@ -169,6 +170,7 @@ static void note_lost_markers(Grading *grading)
             free(staging->message);
             staging->message = message;
         }
+        free(answer);
     }
 }
 
@@ -207,18 +209,28 @@ static int grade(Grading *grading, const Settings *settings)
               staging ? staging : "");
     free(staging);
 
-    Variant *variants[] = {&session->solution, &grading->whole};
-    if (session_run(session, variants, staged == 0 ? 2 : 1) != 0 ||
-        session_trust_solution(session) != 0) {
+    Variant *variants[2];
+    int n_variants = 0;
+    if (session->has_solution) {
+        variants[n_variants++] = &session->solution;
+    }
+    if (staged == 0) {
+        variants[n_variants++] = &grading->whole;
+    }
+    if (session_run(session, variants, n_variants) != 0 || session_trust_solution(session) != 0) {
         return -1;
     }
-    session_device_name(session, grading->result.device, sizeof grading->result.device);
+    session_device_name(session->has_solution ? &session->solution : &grading->whole,
+                        grading->result.device, sizeof grading->result.device);
     if (staged != 0) {
         return 0;
     }
     add_run_stages(grading);
     judge_open_checks(grading, &grading->whole, NULL);
-    if (judge_alone(grading) != 0) {
+    if (!session->has_solution) {
+        add_stage(&grading->result, "Each task by itself", CHECK_NOT_RUN,
+                  "judged without the solution: one mistake can cost more than one task here");
+    } else if (judge_alone(grading) != 0) {
         return -1;
     }
     note_lost_markers(grading);

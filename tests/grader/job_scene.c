@@ -102,12 +102,6 @@ int job_scene_expect(JobScene *scene)
     return result;
 }
 
-int job_scene_grow_tree(JobScene *scene, KdTreeLimits limits)
-{
-    scene->limits = limits;
-    return kdtree2d_build(scene->scene.circles, (u32)scene->scene.n_circles, limits, &scene->tree);
-}
-
 // The circles and, behind them, one that must not be asked.
 static int write_circles(FILE *file, int k, const Scene2D *scene)
 {

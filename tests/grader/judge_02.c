@@ -5,6 +5,7 @@
 #include "jobs.h"
 #include "message.h"
 #include "oracle2d.h"
+#include "oracle2d_tree.h"
 #include "tree2d_draw.h"
 #include "tree_judge.h"
 
@@ -190,7 +191,8 @@ static int draw_scenes(Random *random, JobScene scenes[N_SCENES])
     result |= job_scene_named(&scenes[5], "none", 64, 48);
     result |= job_scene_random(&scenes[6], random, 20, 10, 64, 64);
     for (int k = 0; result == 0 && k < N_SCENES; k++) {
-        result = job_scene_grow_tree(&scenes[k], limits[k]);
+        scenes[k].limits = limits[k];
+        result = oracle2d_tree(&scenes[k].scene, limits[k], &scenes[k].tree);
     }
     return result;
 }
@@ -225,7 +227,7 @@ static void job_free(void *pointer)
     free(job);
 }
 
-// A scene without the solution's tree: the probe shall not see it.
+// A scene without the expected tree: the probe shall not see it.
 static int write_scene(JobScene *scene, int k, FILE *file)
 {
     const KdTree2D tree = scene->tree;
@@ -573,7 +575,7 @@ static Verdict judge(const void *pointer, int check, const Sections *answers)
 
 static void adopt(void *pointer, const Sections *answers)
 {
-    // The trees were built by the same solution in the grader; nothing is drawn on the device.
+    // The oracle's trees stay the reference; nothing is drawn on the device.
     (void)pointer, (void)answers;
 }
 

@@ -30,7 +30,7 @@ Verdict judge_06_bounds(const Job06 *job, int first, const Sections *answers)
 
 Verdict judge_06_splits(const Job06 *job, int check, const Sections *answers)
 {
-    const KdSplit *found = sections_find(answers, "splits", N_SPLITS * sizeof *found);
+    const SplitAnswer3D *found = sections_find(answers, "splits", N_SPLITS * sizeof *found);
     if (found == NULL) {
         return verdict_missing;
     }

@@ -101,5 +101,6 @@ int oracle2d_overlaps_box(Circle circle, BBox2D box)
     } else if (circle.y > box.maxY) {
         dy = (double)circle.y - box.maxY;
     }
-    return dx * dx + dy * dy <= (double)circle.radius * circle.radius;
+    const double radius = circle.radius;
+    return dx * dx + dy * dy <= radius * radius;
 }
