@@ -202,7 +202,12 @@ handout: $(OUT)/tools/holes  ## pack what students get: LAB=03
 UNIT_TESTS := $(patsubst tests/unit/%.c,$(OUT)/tests/%,$(wildcard tests/unit/test_*.c))
 $(UNIT_TESTS): $(OUT)/tests/%: $(OUT)/obj/tests/unit/%.c.o $(OUT)/libgrader.a $(OUT)/libcommon.a
 	@mkdir -p $(@D)
-	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -larchive -lcriterion -o $@
+	$(call say,link    $@)$(CC) $(SANITIZERS) $(filter %.o,$^) $(filter %.a,$^) $(LIBRARIES) -larchive -lcriterion -o $@
+
+# Fuzz targets, each as a function of its name, for the test that runs their corpus through.
+$(OUT)/obj/tests/fuzz/%.c.o: EXTRA = $(GRADER_INCLUDES) -DLLVMFuzzerTestOneInput=$(notdir $*)
+$(OUT)/obj/tests/unit/test_corpus.c.o: EXTRA = $(GRADER_INCLUDES) -I tests/fuzz
+$(OUT)/tests/test_corpus: $(call objects,$(wildcard tests/fuzz/fuzz_*.c))
 
 # What the suites use: a comparison of two pictures, what rays hit, and a device without images.
 $(OUT)/tools/compare: $(call objects,tests/compare.c) $(OUT)/libcommon.a
@@ -236,20 +241,28 @@ test:  ## install what is missing and run every test
 	@common/setup/install.sh test
 	@$(MAKE) --no-print-directory -j2 check
 
-# What libFuzzer feeds: the readers of 3D scenes, compiled by clang together with the target.
+# What libFuzzer feeds, compiled by clang together with the target: a list for each tests/fuzz/fuzz_*.c.
 CLANG ?= $(firstword $(foreach c,clang clang-19 clang-15 clang-14,$(shell command -v $(c))))
 SECONDS ?= 60
-FUZZED = tests/fuzz/fuzz_scene3d.c $(wildcard common/scene3d*.c common/molecule*.c) \
+FUZZED_graded = $(addprefix tests/grader/,graded.c result.c message.c) common/image.c
+FUZZED_manifest = tests/grader/manifest.c tests/grader/message.c
+FUZZED_scene3d = $(wildcard common/scene3d*.c common/molecule*.c) \
     $(addprefix common/,elements.c line_reader.c number.c scene_arguments.c)
+FUZZED_sections = tests/probes/sections.c
+FUZZED_unpack = $(addprefix tests/grader/,unpack.c places.c stage.c message.c)
+FUZZ_TARGETS := $(patsubst tests/fuzz/fuzz_%.c,fuzz-%,$(wildcard tests/fuzz/fuzz_*.c))
 
-.PHONY: fuzz
-fuzz:  ## for authors: fuzz the readers of 3D scenes for SECONDS=60 (needs libclang-rt-dev)
-	@mkdir -p $(BUILD)/fuzz/new
+.PHONY: fuzz $(FUZZ_TARGETS)
+fuzz: $(if $(TARGET),fuzz-$(TARGET),$(FUZZ_TARGETS))  ## for authors: fuzz what reads files, [TARGET=unpack] for SECONDS=60 each (needs libclang-rt-dev)
+
+$(FUZZ_TARGETS): fuzz-%:
+	@mkdir -p $(BUILD)/fuzz/$*/new
 	$(CLANG) -std=c11 -D_GNU_SOURCE -O1 -g -fsanitize=fuzzer,address,undefined \
-	    -fno-sanitize-recover=undefined $(INCLUDES) $(FUZZED) -lm -o $(BUILD)/fuzz/fuzz_scene3d
-	$(BUILD)/fuzz/fuzz_scene3d -dict=tests/fuzz/scene3d.dict -max_len=4096 \
-	    -max_total_time=$(SECONDS) -artifact_prefix=$(BUILD)/fuzz/ $(BUILD)/fuzz/new \
-	    $(wildcard tests/fuzz/corpus/*)
+	    -fno-sanitize-recover=undefined $(INCLUDES) $(GRADER_INCLUDES) tests/fuzz/fuzz_$*.c \
+	    $(FUZZED_$*) -larchive -ljansson -lm -o $(BUILD)/fuzz/$*/fuzz
+	$(BUILD)/fuzz/$*/fuzz $(addprefix -dict=,$(wildcard tests/fuzz/$*.dict)) -max_len=4096 \
+	    -max_total_time=$(SECONDS) -artifact_prefix=$(BUILD)/fuzz/$*/ $(FUZZ_OPTIONS) \
+	    $(BUILD)/fuzz/$*/new tests/fuzz/corpus/$*
 
 # ---- The bench ------------------------------------------------------------------------------
 

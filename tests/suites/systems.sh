@@ -1,10 +1,12 @@
 #!/bin/sh
-# One result for other systems: every format against its documented schema, and every bundle from its
-# archive to the points, in a clean folder, as the system would run it.
+# One result for other systems: every format against its documented schema, and every bundle from
+# its archive to the points, in a clean folder, as the system would run it.
 #
 #     sh tests/suites/systems.sh      from the top folder, after `make tests`
 set -u
 . tests/tap.sh
+# Each bundle's make is the first one where it runs.
+unset MAKEFLAGS MFLAGS MAKELEVEL
 
 build=${BUILD:-build}
 case $build in /*) ;; *) build=$PWD/$build ;; esac
@@ -16,11 +18,11 @@ chmod 711 "$scratch"
 mkdir -m 711 "$scratch/work"
 export TMPDIR="$scratch/work"
 
-# ---- Submissions of lab 00: right, wrong, crashing with hostile words, and none --------------------
+# ---- Submissions of lab 00: right, wrong, crashing with hostile words, and none -----------------
 
 for name in right wrong hostile missing; do
     mkdir -p "$scratch/$name"
-    [ "$name" = missing ] || cp "solutions/$lab/gradient.cl" "solutions/$lab/render.c" "$scratch/$name"
+    [ "$name" = missing ] || cp solutions/$lab/gradient.cl solutions/$lab/render.c "$scratch/$name"
 done
 cp "labs/$lab/gradient.cl" "$scratch/wrong"
 # What a submission may say to be taken for markup, a test, a command or points.
@@ -36,33 +38,36 @@ cat >"$scratch/shout" <<'EOF'
 EOF
 sed -i "/TASK set_arguments/r $scratch/shout" "$scratch/hostile/render.c"
 
-# grade_as STATUS NAME OPTION...: does a grading with every format end so, with nothing on stderr that
-# is not about a fault of the grader? Its files are in $scratch/reports/NAME.
+# grade_as STATUS NAME OPTION...: does a grading with every format end so, with nothing on stderr
+# that is not about a fault of the grader? Its files are in $scratch/reports/NAME.
 grade_as() {
     wanted=$1 reports=$scratch/reports/$2
     shift 2
     status=0
     "$build/tools/grade" --build "$build" --output "$reports" --format $formats "$@" \
         >"$scratch/said" 2>"$scratch/said.err" </dev/null || status=$?
-    [ "$status" -eq "$wanted" ] || { echo "exit status $status"; cat "$scratch/said"* ; return 1; }
+    [ "$status" -eq "$wanted" ] || { echo "exit status $status"; cat "$scratch"/said*; return 1; }
     [ "$status" -eq 2 ] || [ ! -s "$scratch/said.err" ] || { cat "$scratch/said.err"; return 1; }
 }
 
 for name in right wrong hostile missing; do
     case $name in right) status=0 ;; *) status=1 ;; esac
-    check "a $name submission in every format" grade_as $status $name --lab 00 --submission "$scratch/$name"
+    check "a $name submission in every format" \
+        grade_as $status $name --lab 00 --submission "$scratch/$name"
 done
 for folder in labs/*; do
     name=$(basename "$folder")
-    check "$name: the skeleton in every format" grade_as 1 "$name" --lab "$name" --submission "$folder"
+    check "$name: the skeleton in every format" \
+        grade_as 1 "$name" --lab "$name" --submission "$folder"
 done
 
 # A fault of the machinery, where older results lie.
 mkdir "$scratch/no-build"
 cp -r "$scratch/reports/right" "$scratch/reports/fault"
-check "a fault of the grader" grade_as 2 fault --lab 00 --submission "$scratch/right" --build "$scratch/no-build"
+check "a fault of the grader" \
+    grade_as 2 fault --lab 00 --submission "$scratch/right" --build "$scratch/no-build"
 
-# ---- Schemas ---------------------------------------------------------------------------------------
+# ---- Schemas ------------------------------------------------------------------------------------
 
 # obeys SCHEMA FILE...: are these documents what the system's documentation asks for?
 # shellcheck disable=SC2317 # called by check
@@ -99,37 +104,44 @@ check "a score of 85 is no PrairieLearn result" refuses prairielearn '{"score": 
 check "nor is one without a score" refuses prairielearn '{"gradable": true}'
 check "points as text are no Autolab result" refuses autolab '{"scores": {"a": "5"}}'
 
-# ---- What the formats say --------------------------------------------------------------------------
+# ---- What the formats say -----------------------------------------------------------------------
 
 # says NAME FILE PATTERN: does this report hold a line that matches?
 says() {
-    grep -q -e "$3" "$scratch/reports/$1/$2" || { cat "$scratch/reports/$1/$2"; return 1; }
+    grep -e "$3" "$scratch/reports/$1/$2" >/dev/null || { cat "$scratch/reports/$1/$2"; return 1; }
 }
-# count_of NAME FILE PATTERN NUMBER: in how many places does it match?
-count_of() {
+# counts NAME FILE PATTERN NUMBER: in how many places does it match?
+counts() {
     found=$(grep -o -e "$3" "$scratch/reports/$1/$2" | wc -l)
     [ "$found" -eq "$4" ] || { echo "found $found"; cat "$scratch/reports/$1/$2"; return 1; }
 }
 
-check "Gradescope: full marks" says right gradescope.json '^{"score":100,'
-check "Gradescope: some" says wrong gradescope.json '^{"score":60,'
-check "Gradescope: a crash costs its task" says hostile gradescope.json '^{"score":80,'
-check "Gradescope: nothing handed in" says missing gradescope.json '^{"score":0,.*"output":"Staging: failed'
-check "Gradescope: and says of each check that it did not run" count_of missing gradescope.json '"output":"Not run: ' 5
-check "Gradescope: shows the wrong picture" says wrong gradescope.json '<img alt=\\".*(yours)\\" src=\\"data:image/png;base64,'
-check "PrairieLearn: full marks" says right prairielearn.json '"gradable":true,"score":1.0,'
-check "PrairieLearn: some" says wrong prairielearn.json '"gradable":true,"score":0.6,'
-check "PrairieLearn: shows the wrong picture" says wrong prairielearn.json '"images":\[{"label":"[^"]*(yours)","url":"data:image/png;'
-check "PrairieLearn: nothing to grade takes no attempt" says missing prairielearn.json '^{"gradable":false,"format_errors":\["gradient.cl: '
-check "Autolab: the points by task" says wrong autolab.json '^{"scores":{"gradient":0,"set_arguments":20,"enqueue_pixels":20,"read_back":20},"scoreboard":\[60\]}$'
-check "Autolab: what the student prints is not the last line" says hostile autolab.json '^{"scores":{"gradient":40,"set_arguments":0,'
-check "GitHub: two annotations" count_of hostile github.txt '^::notice title=[A-Za-z ]*::' 2
-check "GitHub: the points" says hostile github.txt '::Points 80/100$'
-check "JUnit: no check ran, and a stage failed" says missing junit.xml ' failures="1" errors="0" skipped="5" '
-check "JUnit: markup of the student's is text" count_of hostile junit.xml '<!\[CDATA\[' 0
+# What each report says, a line a test: the submission, the file, and a pattern.
+while IFS='|' read -r name file pattern title; do
+    check "$title" says "$name" "$file" "$pattern"
+done <<'END'
+right|gradescope.json|^{"score":100,|Gradescope: full marks
+wrong|gradescope.json|^{"score":60,|Gradescope: some
+hostile|gradescope.json|^{"score":80,|Gradescope: a crash costs its task
+missing|gradescope.json|^{"score":0,.*"output":"Staging: failed|Gradescope: nothing handed in
+wrong|gradescope.json|<img alt=\\".*(yours)\\" src=\\"data:image|Gradescope: shows a wrong picture
+right|prairielearn.json|"gradable":true,"score":1.0,|PrairieLearn: full marks
+wrong|prairielearn.json|"gradable":true,"score":0.6,|PrairieLearn: some
+wrong|prairielearn.json|"label":"[^"]*(yours)","url":"data:|PrairieLearn: shows the wrong picture
+missing|prairielearn.json|^{"gradable":false,.*gradient.cl: |PrairieLearn: nothing to grade
+wrong|autolab.json|^{"scores":{"gradient":0,"set_arguments":20,|Autolab: the points by task
+hostile|autolab.json|^{"scores":{"gradient":40,"set_arguments":0,|Autolab: ours is the last line
+hostile|github.txt|::Points 80/100$|GitHub: the points
+missing|junit.xml| failures="1" errors="0" skipped="5" |JUnit: no check ran, a stage failed
+fault|junit.xml| failures="0" errors="1" |JUnit: a fault is an error
+fault|prairielearn.json|^{"gradable":false,.*The grader could not|PrairieLearn: a fault is no grade
+END
+check "Gradescope: says which checks did not run" counts missing gradescope.json '"Not run: ' 5
+check "GitHub: two annotations" counts hostile github.txt '^::notice title=[A-Za-z ]*::' 2
+check "JUnit: markup of the student's is text" counts hostile junit.xml '<!\[CDATA\[' 0
 
-# proves STATUS NAME PATTERN: does Perl's harness end so over the TAP, and say what matches? It finds no
-# fault in the form, but where the TAP bails out before its plan.
+# proves STATUS NAME PATTERN: does Perl's harness end so over the TAP, and say what matches? It
+# finds no fault in the form, but where the TAP bails out before its plan.
 # shellcheck disable=SC2317 # called by check
 proves() {
     status=0
@@ -143,41 +155,40 @@ check "TAP: wrong ones fail" proves 1 wrong 'Tests: 8 Failed: 2)'
 check "TAP: nothing handed in fails" proves 1 missing 'Tests: 6 Failed: 1)'
 check "TAP: what the student prints is no test" proves 1 hostile 'Tests: 8 Failed: 2)'
 
-check "a fault bails out of TAP" proves 255 fault 'Further testing stopped: 00-hello-pixels: The grader could not work'
-check "a fault is an error in JUnit" says fault junit.xml ' failures="0" errors="1" '
-check "a fault is not gradable on PrairieLearn" says fault prairielearn.json '^{"gradable":false,"format_errors":\["The grader could not work'
-left=$(cd "$scratch/reports/fault" && find . -name gradescope.json -o -name autolab.txt -o -name github.txt)
+check "TAP: a fault bails out" \
+    proves 255 fault 'Further testing stopped: 00-hello-pixels: The grader could not work'
+left=$(cd "$scratch/reports/fault" && ls gradescope.json autolab.txt github.txt 2>/dev/null)
 [ -z "$left" ]
 ok $? "a fault leaves no older points for Gradescope, Autolab and GitHub" "$left"
 "$build/tools/grade" --lab 00 --format junit,html >"$scratch/said" 2>&1
 ok $(($? != 2)) "an unknown format is refused"
-check "and named" grep -q 'found "html", expected some of junit, tap, gradescope' "$scratch/said"
+check "and named" grep 'found "html", expected some of junit, tap, gradescope' "$scratch/said"
 
-# ---- Bundles: the same bytes, and only what belongs to the course --------------------------------
+# ---- Bundles: the same bytes, and only what belongs to the course -------------------------------
 
-bundles=$scratch/bundles
 # The course as an unpacked archive has it: no git, other times, other rights.
 mkdir "$scratch/copy"
 { git ls-files 2>/dev/null | grep . || find ./* -path ./build -prune -o -type f -print; } |
     tar -cf - -T - | tar -xmf - -C "$scratch/copy"
 SOURCE_DATE_EPOCH=$(git log -1 --format=%ct 2>/dev/null || stat -c %Y CHANGELOG.md)
 export SOURCE_DATE_EPOCH
-for bundle in gradescope-00.zip autolab-00.tar prairielearn-00.zip github-00.zip gradescope-07.zip; do
-    system=${bundle%-*} number=${bundle#*-}
-    check "$bundle" make -s "$system" LAB="${number%.*}" BUILD="$scratch/bundled"
-    (umask 077 && cd "$scratch/copy" && TZ=Asia/Tokyo LC_ALL=C.UTF-8 make -s "$system" LAB="${number%.*}" \
-        BUILD="$scratch/again") >/dev/null
-    check "$bundle: the same bytes from another copy" cmp "$scratch/bundled/systems/$bundle" "$scratch/again/systems/$bundle"
+bundles=$scratch/first/systems
+for bundle in gradescope-00.zip autolab-00.tar prairielearn-00.zip github-00.zip autolab-07.tar; do
+    system=${bundle%-*} number=${bundle#*-} number=${number%.*}
+    check "$bundle" make -s "$system" LAB="$number" BUILD="$scratch/first"
+    (umask 077 && cd "$scratch/copy" && TZ=Asia/Tokyo LC_ALL=C.UTF-8 \
+        make -s "$system" LAB="$number" BUILD="$scratch/second") >/dev/null
+    check "$bundle: the same bytes from another copy" \
+        cmp "$bundles/$bundle" "$scratch/second/systems/$bundle"
 done
-bundles=$scratch/bundled/systems
 tests/systems/bundle.sh gradescope 99 "$scratch/none" 2>"$scratch/said"
 [ $? -eq 2 ] && [ ! -e "$scratch/none" ]
 ok $? "no bundle of a lab that is not there" "$(cat "$scratch/said")"
-later=$(unzip -l "$bundles/gradescope-00.zip" | grep -e 'solutions/0[1357]' -e '\.git' -e /mutants/ -e /unit/)
-[ -z "$later" ]
-ok $? "the bundle of lab 00 holds no solution that it does not need, and no test" "$later"
+more=$(unzip -l "$bundles/gradescope-00.zip" | grep -e 'solutions/0[1357]' -e /mutants/ -e /unit/)
+[ -z "$more" ]
+ok $? "the bundle of lab 00 holds no solution that it does not need, and no test" "$more"
 
-# ---- Each bundle, as its system would run it ------------------------------------------------------
+# ---- Each bundle, as its system would run it ----------------------------------------------------
 
 # quietly COMMAND...: run it; stdout goes to $scratch/said, and anything on stderr is a failure.
 quietly() {
@@ -203,7 +214,9 @@ gradescope() {
     cp -r "$scratch/$1" "$root/submission"
     (cd "$root" && quietly env AUTOGRADER_ROOT="$root" ./run_autograder) || return 1
     cp "$root/results/results.json" "$scratch/gradescope-$1.json"
-    grep "^{\"score\":$2," "$scratch/gradescope-$1.json" || { cat "$scratch/gradescope-$1.json"; return 1; }
+    grep "^{\"score\":$2," "$scratch/gradescope-$1.json" && return
+    cat "$scratch/gradescope-$1.json"
+    return 1
 }
 check "Gradescope: a right submission" gradescope right 100
 check "Gradescope: a wrong one" gradescope wrong 60
@@ -216,8 +229,8 @@ status=0
 ok $? "Gradescope: a fault of the grader fails, and leaves no results.json" "$(cat "$scratch/said")"
 mv "$root/source/course/build/away" "$root/source/course/build/probes"
 
-# build_again COURSE: build a bundle's grader, beginning with what was built for Gradescope: the course
-# in it is the same, file by file and date by date, so that make finds all done.
+# build_again COURSE: build a bundle's grader, beginning with what was built for Gradescope: the
+# course in it is the same, file by file and date by date, so that make finds all done.
 # shellcheck disable=SC2317 # called by check
 build_again() {
     diff -r --exclude systems --exclude build "$scratch/autograder/source/course" "$1" || return 1
@@ -238,20 +251,25 @@ check "Autolab: the course" build_again "$scratch/built/course"
 # There, every submission builds it anew; here, all but what is built already.
 mkdir "$scratch/autolab/course"
 mv "$scratch/built/course/build" "$scratch/autolab/course"
-check "Autolab: the assessment names the tasks as its problems" grep -A3 -e '^- name: read_back$' "$unpacked/lab00/lab00.yml"
+check "Autolab: the assessment names the tasks as its problems" \
+    grep -A3 -e '^- name: read_back$' "$unpacked/lab00/lab00.yml"
 
-# autolab NAME SCORES: a submission as Autolab grades it.
+# autolab NAME "POINTS...": a submission as Autolab grades it.
 # shellcheck disable=SC2317 # called by check
 autolab() {
     tar -cf "$scratch/autolab/handin.tar" -C "$scratch/$1" .
-    (cd "$scratch/autolab" && quietly env -u MAKEFLAGS -u MAKELEVEL make) || return 1
+    (cd "$scratch/autolab" && quietly make) || return 1
     tail -n 1 "$scratch/said" >"$scratch/autolab-$1.json"
-    grep -F "{\"scores\":{$2}," "$scratch/autolab-$1.json" || { cat "$scratch/said"; return 1; }
+    # shellcheck disable=SC2086 # four numbers
+    scores=$(printf '"gradient":%s,"set_arguments":%s,"enqueue_pixels":%s,"read_back":%s' $2)
+    grep -F "{\"scores\":{$scores}," "$scratch/autolab-$1.json" && return
+    cat "$scratch/said"
+    return 1
 }
-check "Autolab: a right submission" autolab right '"gradient":40,"set_arguments":20,"enqueue_pixels":20,"read_back":20'
-check "Autolab: a wrong one" autolab wrong '"gradient":0,"set_arguments":20,"enqueue_pixels":20,"read_back":20'
-check "Autolab: a crashing one" autolab hostile '"gradient":40,"set_arguments":0,"enqueue_pixels":20,"read_back":20'
-check "Autolab: none" autolab missing '"gradient":0,"set_arguments":0,"enqueue_pixels":0,"read_back":0'
+check "Autolab: a right submission" autolab right "40 20 20 20"
+check "Autolab: a wrong one" autolab wrong "0 20 20 20"
+check "Autolab: a crashing one" autolab hostile "40 0 20 20"
+check "Autolab: none" autolab missing "0 0 0 0"
 sed -i '/tar -xf/d' "$scratch/autolab/Makefile"
 rm -r "$scratch/autolab/course/build/probes" "$scratch/autolab/course/tests/probes"
 status=0
@@ -259,15 +277,18 @@ make -C "$scratch/autolab" >"$scratch/said" 2>&1 || status=$?
 [ "$status" -ne 0 ] && ! grep -q '"scores"' "$scratch/said"
 ok $? "Autolab: a fault of the grader gives no points" "$(cat "$scratch/said")"
 
-# PrairieLearn: what its Dockerfile does, then the entrypoint of info.json with the files in student/.
+# PrairieLearn: what its Dockerfile does, then info.json's entrypoint with the files in student/.
 image=$scratch/image
 unzip -q "$bundles/prairielearn-00.zip" -d "$image"
 root=$scratch/grade
-check "PrairieLearn: the question asks for the lab's files" grep -q 'file-names="gradient.cl,render.c"' "$image/questions/$lab/question.html"
-check "PrairieLearn: info.json is JSON" /usr/bin/python3 -m json.tool "$image/questions/$lab/info.json" "$scratch/info.json"
+question=$image/questions/$lab
+check "PrairieLearn: the question asks for the lab's files" \
+    grep 'file-names="gradient.cl,render.c"' "$question/question.html"
+check "PrairieLearn: info.json is JSON" \
+    /usr/bin/python3 -m json.tool "$question/info.json" "$scratch/info.json"
 repository=$image/image/course
 check "PrairieLearn: the image" build_again "$repository"
-entrypoint=$image/image$(sed -n 's/.*"entrypoint": "\(.*\)",/\1/p' "$image/questions/$lab/info.json")
+entrypoint=$image/image$(sed -n 's/.*"entrypoint": "\(.*\)",/\1/p' "$question/info.json")
 
 # prairielearn NAME PATTERN: a submission as PrairieLearn grades it.
 # shellcheck disable=SC2317 # called by check
@@ -277,7 +298,9 @@ prairielearn() {
     cp -r "$scratch/$1" "$root/student"
     quietly env GRADE_ROOT="$root" "$entrypoint" || return 1
     cp "$root/results/results.json" "$scratch/prairielearn-$1.json"
-    grep -e "$2" "$scratch/prairielearn-$1.json" || { cat "$scratch/prairielearn-$1.json"; return 1; }
+    grep -e "$2" "$scratch/prairielearn-$1.json" && return
+    cat "$scratch/prairielearn-$1.json"
+    return 1
 }
 check "PrairieLearn: a right submission" prairielearn right '^{"gradable":true,"score":1.0,'
 check "PrairieLearn: a wrong one" prairielearn wrong '^{"gradable":true,"score":0.6,'
@@ -286,13 +309,16 @@ check "PrairieLearn: none" prairielearn missing '^{"gradable":false,'
 mv "$repository/build/probes" "$scratch/probes"
 status=0
 GRADE_ROOT=$root "$entrypoint" >"$scratch/said" 2>&1 || status=$?
-[ "$status" -eq 0 ] && grep -q '^{"gradable":false,.*The grader could not work' "$root/results/results.json"
+[ "$status" -eq 0 ] &&
+    grep -q '^{"gradable":false,.*The grader could not work' "$root/results/results.json"
 ok $? "PrairieLearn: a fault of the grader is not gradable" "$(cat "$scratch/said")"
 mv "$scratch/probes" "$repository/build/probes"
 
 # GitHub: the workflow in a repository that holds the course and the student's files.
 unzip -q "$bundles/github-00.zip" -d "$repository"
-[ "$(grep -cx -e 'name: Autograding Tests' -e '  run-autograding-tests:' "$repository/.github/workflows/classroom.yml")" -eq 2 ]
+named=$(grep -cx -e 'name: Autograding Tests' -e '  run-autograding-tests:' \
+    "$repository/.github/workflows/classroom.yml")
+[ "$named" -eq 2 ]
 ok $? "GitHub: the workflow has the names that Classroom looks for"
 
 # github STATUS NAME POINTS: a push as the workflow grades it.

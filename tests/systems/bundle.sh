@@ -3,8 +3,8 @@
 #
 #     tests/systems/bundle.sh gradescope|autolab|prairielearn|github NN FOLDER
 #
-# The same sources make the same bytes: names are sorted, owners and rights are fixed, and every time
-# is that of the last commit (or SOURCE_DATE_EPOCH). Only what git tracks is packed.
+# The same sources make the same bytes: names are sorted, owners and rights are fixed, and every
+# time is that of the last commit (or SOURCE_DATE_EPOCH). Only what git tracks is packed.
 set -eu
 umask 022
 export LC_ALL=C TZ=UTC
@@ -87,7 +87,8 @@ pack_zip() {
 write_problems() {
     awk -F '"' '/^      "id": / { id = $4 }
         /^      "points": / { gsub(/[^0-9]/, "", $3)
-            printf "- name: %s\n  description: \x27\x27\n  max_score: %s\n  optional: false\n", id, $3
+            printf "- name: %s\n  description: \x27\x27\n", id
+            printf "  max_score: %s\n  optional: false\n", $3
         }' "solutions/$lab/lab.json"
 }
 
