@@ -133,7 +133,7 @@ static int row_take(Gradebook *gradebook, const char *path, const Graded *graded
     for (int i = 0; i < graded->n_tasks; i++) {
         row->points[i] = graded->tasks[i].points;
     }
-    for (int i = 0; i < graded->n_checks; i++) {
+    for (int i = 0; i < graded->n_checks && i < RESULT_MAX_CHECKS; i++) {
         row->passed |= (uint32_t)(graded->checks[i].status == CHECK_PASSED) << i;
     }
     first_fault_take(row, graded);
