@@ -12,6 +12,7 @@
 #include "session.h"
 #include "settings.h"
 #include "stage.h"
+#include "stands_out.h"
 #include "stats.h"
 #include "text_file.h"
 
@@ -191,6 +192,12 @@ static int grade(Grading *grading, const Settings *settings)
     add_stage(&grading->result, "Staging", staged == 0 ? CHECK_PASSED : CHECK_FAILED,
               staging ? staging : "");
     free(staging);
+
+    char *notes = stands_out(&session->manifest, folder, settings->submission);
+    if (notes != NULL) {
+        add_stage(&grading->result, "What stands out", CHECK_PASSED, notes);
+        free(notes);
+    }
 
     Variant *variants[] = {&session->solution, &grading->whole};
     if (session_run(session, variants, staged == 0 ? 2 : 1) != 0 ||
