@@ -15,6 +15,7 @@
 #include "session.h"
 #include "settings.h"
 #include "stage.h"
+#include "stands_out.h"
 #include "stats.h"
 #include "submission.h"
 #include "text_file.h"
@@ -208,6 +209,12 @@ static int grade(Grading *grading, const Settings *settings)
     add_stage(&grading->result, "Staging", staged == 0 ? CHECK_PASSED : CHECK_FAILED,
               staging ? staging : "");
     free(staging);
+
+    char *notes = stands_out(&session->manifest, folder, settings->submission);
+    if (notes != NULL) {
+        add_stage(&grading->result, "What stands out", CHECK_PASSED, notes);
+        free(notes);
+    }
 
     Variant *variants[2];
     int n_variants = 0;
