@@ -153,22 +153,21 @@ static void judge_naming(const Session *session, const Mutant *mutant, Naming *n
             session_judge(session, i, &mutant->variant, &result);
             named |= mistake_kinds_named(result.message);
         }
+        free(result.message);
     }
-    free(result.message);
-}
-const unsigned strange = named & ~mutant->kinds;
-const int is_named = mutant->kinds != 0 && (named >> mutant->first_kind & 1);
-naming->n_of_a_kind += mutant->kinds != 0;
-naming->n_named += is_named;
-naming->n_misnamed += strange != 0;
-if (mutant->kinds != 0 && !is_named) {
-    printf("  # %s: not named as %s\n", mutant->path, mistake_kinds[mutant->first_kind].id);
-}
-for (int kind = 0; kind < N_MISTAKE_KINDS; kind++) {
-    if (strange >> kind & 1) {
-        printf("  # %s: named as %s\n", mutant->path, mistake_kinds[kind].id);
+    const unsigned strange = named & ~mutant->kinds;
+    const int is_named = mutant->kinds != 0 && (named >> mutant->first_kind & 1);
+    naming->n_of_a_kind += mutant->kinds != 0;
+    naming->n_named += is_named;
+    naming->n_misnamed += strange != 0;
+    if (mutant->kinds != 0 && !is_named) {
+        printf("  # %s: not named as %s\n", mutant->path, mistake_kinds[mutant->first_kind].id);
     }
-}
+    for (int kind = 0; kind < N_MISTAKE_KINDS; kind++) {
+        if (strange >> kind & 1) {
+            printf("  # %s: named as %s\n", mutant->path, mistake_kinds[kind].id);
+        }
+    }
 }
 
 // Run up to PAIR mutants side by side and print a TAP line for each. Returns how many were not
