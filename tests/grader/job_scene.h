@@ -41,6 +41,6 @@ void job_scenes_list(JobScene *scenes, int n, JobPicture *pictures[]);
 
 // Let wrong pictures of a scene be recognised. The scene must stay where it is. job_scene_expect()
 // does it.
-void job_scene_recognise(const Scene2D *scene, ExpectedPicture *expected);
+void job_scene_recognise(const JobScene *scene, ExpectedPicture *expected);
 
 #endif
