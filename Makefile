@@ -85,7 +85,7 @@ $(foreach l,$(LABS),$(eval $(call earlier_archive,$(l))))
 
 # ---- The grader -----------------------------------------------------------------------------
 
-GRADER_MAINS = $(addprefix tests/grader/,grade.c class_report.c mutants.c holes_tool.c)
+GRADER_MAINS = $(addprefix tests/grader/,grade.c class_report.c mutants.c mutate.c holes_tool.c)
 GRADER_SOURCES := $(filter-out $(GRADER_MAINS),$(wildcard tests/grader/*.c))
 # The grader makes its trees and cameras with the solutions of labs 02, 04 and 06.
 BUILDERS = solutions/02-kdtree-2d-build/kdtree2d_build.c \
@@ -98,7 +98,7 @@ $(OUT)/libgrader.a: $(call objects,$(GRADER_SOURCES) tests/probes/sections.c $(B
 	@rm -f $@
 	@ar rcs $@ $^
 
-$(OUT)/tools/grade $(OUT)/tools/class_report $(OUT)/tools/mutants: $(OUT)/tools/%: $(OUT)/obj/tests/grader/%.c.o $(OUT)/libgrader.a $(OUT)/libcommon.a
+$(OUT)/tools/grade $(OUT)/tools/class_report $(OUT)/tools/mutants $(OUT)/tools/mutate: $(OUT)/tools/%: $(OUT)/obj/tests/grader/%.c.o $(OUT)/libgrader.a $(OUT)/libcommon.a
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -o $@
 
