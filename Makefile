@@ -90,9 +90,9 @@ $(foreach l,$(LABS),$(eval $(call earlier_archive,$(l))))
 
 # ---- The grader -----------------------------------------------------------------------------
 
-GRADER_MAINS = $(addprefix tests/grader/,grade.c mutants.c holes_tool.c unpack_tool.c)
+GRADER_MAINS = $(addprefix tests/grader/,grade.c mutants.c mutate.c holes_tool.c unpack_tool.c)
 GRADER_SOURCES := $(filter-out $(GRADER_MAINS),$(wildcard tests/grader/*.c))
-GRADER_TOOLS := $(patsubst tests/grader/%.c,$(OUT)/tools/%,$(wildcard tests/grader/grade.c tests/grader/mutants.c))
+GRADER_TOOLS := $(patsubst tests/grader/%.c,$(OUT)/tools/%,$(wildcard tests/grader/grade.c tests/grader/mutants.c tests/grader/mutate.c))
 # Judges of later labs get their trees and cameras from the solutions of labs 02, 04 and 06.
 BUILDERS := $(wildcard solutions/02-kdtree-2d-build/kdtree2d_build.c \
     solutions/04-camera-rays/camera_from_view.c solutions/06-kdtree-3d-build/kdtree3d_build.c)
