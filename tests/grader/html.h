@@ -11,6 +11,9 @@
 void html_page_begin(FILE *page, const char *title);
 void html_page_end(FILE *page);
 
+// The same for a page that shows pictures beside it or in folders below it.
+void html_album_begin(FILE *page, const char *title);
+
 // One line of any text, cleaned (clean_text.h) and escaped; also fit between double quotes, and in
 // XML.
 void html_line(FILE *page, const char *line);

@@ -2,7 +2,7 @@
 //
 // Flow: judging -> result -> REPORTS: for programs, so every other format can be made from it.
 // Scores are whole numbers. The seed has 64 bits and stands as a string of decimal digits, because
-// many readers of JSON keep numbers as doubles and would change it. Read next: class_report.c.
+// many readers of JSON keep numbers as doubles and would change it. Read next: graded.c.
 #include "report.h"
 
 #include "json_text.h"

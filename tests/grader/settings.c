@@ -20,7 +20,8 @@ static void usage(FILE *out)
         out,
         "usage: grade --lab NN [options]\n"
         "  --lab NN             which lab: its number or its name\n"
-        "  --submission FOLDER  what to grade (default: labs/NN-name)\n"
+        "  --submission PATH    what to grade: a folder, a zip or a tar archive (default: "
+        "labs/NN-name)\n"
         "  --output FOLDER      where the reports go (default: grade/NN in the build folder)\n"
         "  --seed N             the hidden scenes' seed (default: a new one)\n"
         "  --device D           OpenCL device by number or name\n"

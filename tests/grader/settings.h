@@ -10,7 +10,7 @@ enum { SETTINGS_PATH_BYTES = 512 };
 
 typedef struct Settings {
     char lab[64];                          // "03-kdtree-2d-render"
-    char submission[SETTINGS_PATH_BYTES];  // a folder
+    char submission[SETTINGS_PATH_BYTES];  // a folder or an archive
     char output[SETTINGS_PATH_BYTES];      // a folder for the reports
     const char *build;                     // where the probes are
     const char *device;                    // "" for the first
