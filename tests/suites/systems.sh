@@ -257,7 +257,11 @@ check "Autolab: the assessment names the tasks as its problems" \
 # autolab NAME "POINTS...": a submission as Autolab grades it.
 # shellcheck disable=SC2317 # called by check
 autolab() {
-    tar -cf "$scratch/autolab/handin.tar" -C "$scratch/$1" .
+    if [ "$1" = broken ]; then
+        echo "no archive" >"$scratch/autolab/handin.tar"
+    else
+        tar -cf "$scratch/autolab/handin.tar" -C "$scratch/$1" .
+    fi
     (cd "$scratch/autolab" && quietly make) || return 1
     tail -n 1 "$scratch/said" >"$scratch/autolab-$1.json"
     # shellcheck disable=SC2086 # four numbers
@@ -270,6 +274,7 @@ check "Autolab: a right submission" autolab right "40 20 20 20"
 check "Autolab: a wrong one" autolab wrong "0 20 20 20"
 check "Autolab: a crashing one" autolab hostile "40 0 20 20"
 check "Autolab: none" autolab missing "0 0 0 0"
+check "Autolab: a handin that is no archive" autolab broken "0 0 0 0"
 sed -i '/tar -xf/d' "$scratch/autolab/Makefile"
 rm -r "$scratch/autolab/course/build/probes" "$scratch/autolab/course/tests/probes"
 status=0
@@ -286,8 +291,8 @@ check "PrairieLearn: the question asks for the lab's files" \
     grep 'file-names="gradient.cl,render.c"' "$question/question.html"
 check "PrairieLearn: info.json is JSON" \
     /usr/bin/python3 -m json.tool "$question/info.json" "$scratch/info.json"
-repository=$image/image/course
-check "PrairieLearn: the image" build_again "$repository"
+course=$image/image/course
+check "PrairieLearn: the image" build_again "$course"
 entrypoint=$image/image$(sed -n 's/.*"entrypoint": "\(.*\)",/\1/p' "$question/info.json")
 
 # prairielearn NAME PATTERN: a submission as PrairieLearn grades it.
@@ -306,22 +311,27 @@ check "PrairieLearn: a right submission" prairielearn right '^{"gradable":true,"
 check "PrairieLearn: a wrong one" prairielearn wrong '^{"gradable":true,"score":0.6,'
 check "PrairieLearn: a crashing one" prairielearn hostile '^{"gradable":true,"score":0.8,'
 check "PrairieLearn: none" prairielearn missing '^{"gradable":false,'
-mv "$repository/build/probes" "$scratch/probes"
+mv "$course/build/probes" "$scratch/probes"
 status=0
 GRADE_ROOT=$root "$entrypoint" >"$scratch/said" 2>&1 || status=$?
 [ "$status" -eq 0 ] &&
     grep -q '^{"gradable":false,.*The grader could not work' "$root/results/results.json"
 ok $? "PrairieLearn: a fault of the grader is not gradable" "$(cat "$scratch/said")"
-mv "$scratch/probes" "$repository/build/probes"
+mv "$scratch/probes" "$course/build/probes"
 
-# GitHub: the workflow in a repository that holds the course and the student's files.
+# GitHub: the workflow in a repository that begins as the handout.
+repository=$scratch/repository
+mkdir "$repository"
+check "GitHub: the handout" quietly make -s handout LAB=00 BUILD="$scratch/first"
+tar -xzf "$scratch/first/handout/$lab.tar.gz" -C "$repository" --strip-components 1
 unzip -q "$bundles/github-00.zip" -d "$repository"
 named=$(grep -cx -e 'name: Autograding Tests' -e '  run-autograding-tests:' \
     "$repository/.github/workflows/classroom.yml")
 [ "$named" -eq 2 ]
 ok $? "GitHub: the workflow has the names that Classroom looks for"
 
-# github STATUS NAME POINTS: a push as the workflow grades it.
+# github STATUS NAME POINTS: a push as the workflow grades it. A handout has no solution to try each
+# task with, so that one mistake may cost more.
 # shellcheck disable=SC2317 # called by check
 github() {
     cp "$scratch/$2"/* "$repository/labs/$lab"
@@ -335,8 +345,8 @@ github() {
         [ "$(grep -c '' "$scratch/said")" -eq 2 ] && grep -q "Score $3/100" "$scratch/summary"
 }
 check "GitHub: a right submission" github 0 right 100
-check "GitHub: a wrong one" github 1 wrong 60
-check "GitHub: a crashing one" github 1 hostile 80
+check "GitHub: a wrong one" github 1 wrong 0
+check "GitHub: a crashing one" github 1 hostile 0
 rm "$repository/labs/$lab/lab.json"
 status=0
 (cd "$repository" && .github/grade.sh) >"$scratch/said" 2>&1 || status=$?

@@ -87,7 +87,7 @@ pack_zip() {
 write_problems() {
     awk -F '"' '/^      "id": / { id = $4 }
         /^      "points": / { gsub(/[^0-9]/, "", $3)
-            printf "- name: %s\n  description: \x27\x27\n", id
+            printf "- name: %s\n  description: \047\047\n", id
             printf "  max_score: %s\n  optional: false\n", $3
         }' "solutions/$lab/lab.json"
 }

@@ -1,18 +1,13 @@
 #!/bin/sh
-# Lab @LAB@ on Autolab: grade the handin, a tar of the lab's files.
+# Lab @LAB@ on Autolab: grade the handin, an archive of the lab's files.
 #
 #     course/tests/systems/autolab/grade.sh handin.tar
 #
 # The last line on stdout gives the points. When the grader cannot work there is none, and Autolab
 # gives no points.
 set -eu
-handin=$1
-submission=$PWD/submission
+handin=$PWD/$1
 reports=$PWD/reports
-rm -rf "$submission"
-mkdir -p "$submission"
-# What cannot be unpacked is missing from the submission, and the report says so.
-tar -xf "$handin" -C "$submission" --no-same-owner 2>/dev/null || true
 cd "$(dirname "$0")/../../.."
 tests/systems/prepare.sh @NN@ >"$reports.log" 2>&1 || {
     echo "The grader could not be built; ask your instructor." >&2
@@ -20,7 +15,7 @@ tests/systems/prepare.sh @NN@ >"$reports.log" 2>&1 || {
     exit 2
 }
 status=0
-build/tools/grade --lab @NN@ --submission "$submission" --output "$reports" \
+build/tools/grade --lab @NN@ --submission "$handin" --output "$reports" \
     --format autolab ${SANDBOX:+--sandbox "$SANDBOX"} || status=$?
 [ "$status" -le 1 ] || exit "$status"
 cat "$reports/autolab.txt"
