@@ -29,7 +29,12 @@ say = $(if $(V),,@echo "  $(1)" && )
 IMAGE_CFLAGS = $(shell pkg-config --cflags OpenImageIO)
 LIBRARIES = -Wl,--as-needed $(shell pkg-config --libs OpenImageIO jansson) -lcsv -lOpenCL -lstdc++ -lm
 
-LABS := $(sort $(patsubst solutions/%/lab.json,%,$(wildcard solutions/*/lab.json)))
+# In a handout (`make handout`) there are one lab, the solutions of those before it and no suites: what
+# is for authors is left out below.
+LABS := $(sort $(foreach tree,labs solutions,$(patsubst $(tree)/%/lab.json,%,$(wildcard $(tree)/*/lab.json))))
+ifeq ($(wildcard tests/suites),)
+HANDOUT := yes
+endif
 
 # The labs before one: what they deliver comes from their solutions.
 earlier = $(strip $(eval reached :=)$(foreach l,$(LABS),$(if $(filter $(1),$(l)),$(eval \
@@ -42,7 +47,7 @@ include_path = -I kernels $(foreach l,$(call earlier,$(1)),-I solutions/$(l))
 
 objects = $(patsubst %,$(OUT)/obj/%.o,$(1))
 COMMON_OBJECTS := $(call objects,$(wildcard common/*.c common/*.cpp))
-PROGRAMS := $(foreach tree,labs solutions,$(LABS:%=$(OUT)/$(tree)/%))
+PROGRAMS := $(patsubst %/lab.json,$(OUT)/%,$(wildcard $(foreach tree,labs solutions,$(LABS:%=$(tree)/%/lab.json))))
 
 .PHONY: all
 all: $(PROGRAMS) grader  ## build every lab, every solution and the grader
@@ -85,20 +90,36 @@ $(foreach l,$(LABS),$(eval $(call earlier_archive,$(l))))
 
 # ---- The grader -----------------------------------------------------------------------------
 
-GRADER_MAINS = $(addprefix tests/grader/,grade.c class_report.c mutants.c holes_tool.c unpack_tool.c)
+GRADER_MAINS = $(addprefix tests/grader/,grade.c mutants.c mutate.c holes_tool.c unpack_tool.c)
 GRADER_SOURCES := $(filter-out $(GRADER_MAINS),$(wildcard tests/grader/*.c))
-# The grader makes its trees and cameras with the solutions of labs 02, 04 and 06.
-BUILDERS = solutions/02-kdtree-2d-build/kdtree2d_build.c \
-    solutions/04-camera-rays/camera_from_view.c solutions/06-kdtree-3d-build/kdtree3d_build.c
+GRADER_TOOLS := $(patsubst tests/grader/%.c,$(OUT)/tools/%,$(wildcard tests/grader/grade.c tests/grader/mutants.c tests/grader/mutate.c))
+# Judges of later labs get their trees and cameras from the solutions of labs 02, 04 and 06.
+BUILDERS := $(wildcard solutions/02-kdtree-2d-build/kdtree2d_build.c \
+    solutions/04-camera-rays/camera_from_view.c solutions/06-kdtree-3d-build/kdtree3d_build.c)
 BUILDER_INCLUDES = $(addprefix -I ,$(sort $(dir $(BUILDERS))))
-GRADER_INCLUDES = -I tests/grader -I tests/probes $(BUILDER_INCLUDES)
+GRADER_INCLUDES = -I tests/grader -I tests/probes -I tests/class $(BUILDER_INCLUDES)
 $(OUT)/obj/tests/%.o: EXTRA = $(GRADER_INCLUDES)
+# The judges that are there: LAB(00) LAB(01) and on.
+JUDGES := $(sort $(wildcard tests/grader/judge_[0-9][0-9].c))
+$(OUT)/obj/tests/grader/judge.c.o: EXTRA = $(GRADER_INCLUDES) \
+    -DJUDGES='$(patsubst tests/grader/judge_%.c,LAB(%),$(JUDGES))'
+$(OUT)/obj/tests/grader/judge.c.o: $(JUDGES)
 
 $(OUT)/libgrader.a: $(call objects,$(GRADER_SOURCES) tests/probes/sections.c $(BUILDERS))
 	@rm -f $@
 	@ar rcs $@ $^
 
-$(OUT)/tools/grade $(OUT)/tools/class_report $(OUT)/tools/mutants: $(OUT)/tools/%: $(OUT)/obj/tests/grader/%.c.o $(OUT)/libgrader.a $(OUT)/libcommon.a
+$(GRADER_TOOLS): $(OUT)/tools/%: $(OUT)/obj/tests/grader/%.c.o $(OUT)/libgrader.a $(OUT)/libcommon.a
+	@mkdir -p $(@D)
+	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -o $@
+
+# A class: the roster of who handed in, and the gradebook.
+CLASS_SOURCES := $(filter-out %_tool.c,$(wildcard tests/class/*.c))
+$(OUT)/libclass.a: $(call objects,$(CLASS_SOURCES))
+	@rm -f $@
+	@ar rcs $@ $^
+
+$(OUT)/tools/gradebook: $(call objects,tests/class/gradebook_tool.c) $(OUT)/libclass.a $(OUT)/libgrader.a $(OUT)/libcommon.a
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -o $@
 
@@ -111,9 +132,9 @@ $(OUT)/tools/unpack: $(OUT)/obj/tests/grader/unpack_tool.c.o $(OUT)/libgrader.a
 # a program for the others.
 PROBES := $(patsubst tests/probes/probe_%.c,%,$(wildcard tests/probes/probe_*.c))
 # The host files that students hand in; a lab may have given ones besides.
-host_files = $(shell grep -o '"[a-zA-Z0-9_]*\.c"' solutions/$(1)/lab.json)
+host_files = $(shell grep -o '"[a-zA-Z0-9_]*\.c"' labs/$(1)/lab.json)
 define probe
-$(OUT)/obj/tests/probes/probe_$(1).c.o: EXTRA = -I tests/probes -I solutions/$(1) \
+$(OUT)/obj/tests/probes/probe_$(1).c.o: EXTRA = -I tests/probes -I labs/$(1) \
     -DLAB_NAME='"$(1)"' -DLAB_FOLDER='"labs/$(1)"' -DPROBE_KERNEL_OPTIONS='"$(call include_path,$(1))"'
 $(OUT)/probes/$(1).a: $(call objects,tests/probes/probe_$(1).c tests/probes/probe.c tests/probes/sections.c)
 	@mkdir -p $$(@D)
@@ -126,14 +147,38 @@ endef
 $(foreach l,$(PROBES),$(eval $(call probe,$(l))))
 
 .PHONY: grader
-grader: $(OUT)/tools/holes $(OUT)/tools/grade $(OUT)/tools/unpack $(OUT)/tools/mutants $(OUT)/tools/class_report $(PROBE_TARGETS) $(foreach l,$(LABS),$(OUT)/earlier/$(l).a)  ## build the grader and its probes
+grader: $(if $(HANDOUT),,$(OUT)/tools/holes $(OUT)/tools/gradebook) $(GRADER_TOOLS) $(OUT)/tools/unpack $(PROBE_TARGETS) $(foreach l,$(LABS),$(OUT)/earlier/$(l).a)  ## build the grader and its probes
+
+# The same for one lab: what a bundle for another system builds.
+.PHONY: lab-grader
+lab-grader: $(OUT)/tools/grade $(OUT)/tools/unpack $(filter $(OUT)/probes/$(LAB)-%,$(PROBE_TARGETS)) $(patsubst %,$(OUT)/earlier/%.a,$(filter $(LAB)-%,$(LABS)))
 
 .PHONY: grade
-grade: grader  ## grade LAB=03 [SUBMISSION=folder or archive] [SEED=n] [DEVICE=d]
+grade: grader  ## grade LAB=03 [SUBMISSION=folder or archive] [SEED=n] [DEVICE=d] [FORMAT=junit,tap]
 	@test -n "$(LAB)" || { echo "make grade: say which lab: make grade LAB=03" >&2; exit 2; }
 	@$(OUT)/tools/grade --build $(OUT) --lab "$$LAB" $(if $(SUBMISSION),--submission "$$SUBMISSION") \
-	    $(if $(SEED),--seed "$$SEED") $(if $(DEVICE),--device "$$DEVICE")
+	    $(if $(SEED),--seed "$$SEED") $(if $(DEVICE),--device "$$DEVICE") \
+	    $(if $(FORMAT),--format "$$FORMAT")
 
+# Bundles for the systems that courses use (tests/systems/README.md), in build/systems.
+.PHONY: gradescope autolab prairielearn github
+gradescope:  ## the autograder of LAB=03 for Gradescope
+autolab:  ## the assessment of LAB=03 for Autolab
+prairielearn:  ## the question of LAB=03 for PrairieLearn, and its grader's image
+github:  ## the workflow of LAB=03 for GitHub Classroom
+gradescope autolab prairielearn github:
+	@test -n "$(LAB)" || { echo "make $@: say which lab: make $@ LAB=03" >&2; exit 2; }
+	@tests/systems/bundle.sh $@ "$$LAB" $(BUILD)/systems
+
+.PHONY: grade-class
+grade-class: grader  ## grade a class: LAB=03 SUBMISSIONS=folder [OUTPUT=folder] [ENGINE=slurm] [SEED=n] [ONLY=failed|latest] [JOBS=n] [AGAIN=1] [MOODLE=file.csv] [AGAINST=gradebook.json]
+	@tests/class/grade_class.sh --build $(OUT) --lab "$(LAB)" --submissions "$$SUBMISSIONS" \
+	    $(if $(OUTPUT),--output "$$OUTPUT") $(if $(ENGINE),--engine "$$ENGINE") \
+	    $(if $(SEED),--seed "$$SEED") $(if $(ONLY),--only "$$ONLY") $(if $(JOBS),--jobs "$$JOBS") \
+	    $(if $(AGAIN),--again "$$AGAIN") $(if $(MOODLE),--moodle "$$MOODLE") \
+	    $(if $(AGAINST),--against "$$AGAINST") $(if $(DEVICE),--device "$$DEVICE")
+
+ifndef HANDOUT
 # ---- Skeletons: labs/ is cut from solutions/ ------------------------------------------------
 
 $(OUT)/tools/holes: $(call objects,tests/grader/holes_tool.c tests/grader/holes.c common/text_file.c)
@@ -144,6 +189,13 @@ $(OUT)/tools/holes: $(call objects,tests/grader/holes_tool.c tests/grader/holes.
 skeletons: $(OUT)/tools/holes  ## for authors: cut labs/ anew from solutions/; the old one goes to build/labs-replaced
 	@if [ -d labs ]; then rm -rf $(BUILD)/labs-replaced && cp -r labs $(BUILD)/labs-replaced; fi
 	@tests/cut_labs.sh $(OUT)/tools/holes labs
+
+# ---- Handouts -------------------------------------------------------------------------------
+
+.PHONY: handout
+handout: $(OUT)/tools/holes  ## pack what students get: LAB=03
+	@test -n "$(LAB)" || { echo "make handout: say which lab: make handout LAB=03" >&2; exit 2; }
+	@tests/handout/pack.sh $(OUT)/tools/holes "$$LAB" $(OUT)/handout
 
 # ---- Tests ----------------------------------------------------------------------------------
 
@@ -166,6 +218,11 @@ $(OUT)/tools/count_hits: $(call objects,tests/count_hits.c) $(OUT)/libgrader.a $
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -o $@
 
+# What the attacks meet: a listener that must not be reached, and a wrapper that sees survivors.
+$(OUT)/tools/listener $(OUT)/tools/left_behind: $(OUT)/tools/%: tests/%.c
+	@mkdir -p $(@D)
+	$(call say,link    $@)$(CC) $(CFLAGS) $< -o $@
+
 $(OUT)/tests/no_images.so: tests/no_images.c
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(CFLAGS) -fPIC -shared $< -ldl -o $@
@@ -177,7 +234,7 @@ NATIVE_TEST = $(OUT)/tests/test_cl_setup
 unit-tests: $(filter-out $(NATIVE_TEST),$(UNIT_TESTS))
 
 .PHONY: tests
-tests: all $(NATIVE_TEST) $(OUT)/tools/compare $(OUT)/tools/count_hits $(OUT)/tests/no_images.so  ## build all that the tests run
+tests: all $(NATIVE_TEST) $(OUT)/tools/compare $(OUT)/tools/count_hits $(OUT)/tests/no_images.so $(OUT)/tools/listener $(OUT)/tools/left_behind  ## build all that the tests run
 	@$(MAKE) --no-print-directory SANITIZE=1 all unit-tests
 
 .PHONY: check
@@ -250,8 +307,15 @@ bench:  ## install what is missing, measure naive against kd-tree in 2D and 3D, 
 	    gnuplot -e "folder='$(OUT)/bench'" tests/bench/$$bench.gnuplot && \
 	    echo "The plot: $(OUT)/bench/$$bench.png and .svg" || exit 1; done
 
+endif  # HANDOUT
+
 # ---- For people -----------------------------------------------------------------------------
 
+.PHONY: setup
+setup:  ## install what building and grading need, where it is missing
+	@common/setup/install.sh demo
+
+ifndef HANDOUT
 .PHONY: demo
 demo:  ## install what is missing, render every solution, grade a small class
 	@common/setup/install.sh demo
@@ -264,7 +328,9 @@ figures: all  ## draw the pictures of the READMEs and notes anew
 
 .PHONY: format
 format:  ## put every source into the one format
-	clang-format-19 -i $$(git ls-files -- '*.c' '*.h' '*.cpp' '*.cl' | grep -v -e ^labs/ -e ^tests/mutants/)
+	clang-format-19 -i $$(git ls-files -- '*.c' '*.h' '*.cpp' '*.cl' | grep -v -e ^labs/ -e ^tests/mutants/ -e ^tests/attacks/)
+
+endif  # HANDOUT
 
 # Make looks into folders once, at its start: what is cleaned then cannot be built in the same run.
 ifneq ($(and $(filter clean,$(MAKECMDGOALS)),$(filter-out clean,$(MAKECMDGOALS))),)
@@ -277,6 +343,7 @@ clean:  ## remove everything that was made
 
 .PHONY: help
 help:  ## print this list
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-10s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
+	@awk -F ':.*## ' '/^ifndef HANDOUT/ { hidden = "$(HANDOUT)" } /^endif  # HANDOUT/ { hidden = "" } \
+	    !hidden && /^[a-z-]+:.*## / { printf "  make %-10s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
 
 -include $(shell find $(OUT)/obj -name '*.d' 2>/dev/null)

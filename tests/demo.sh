@@ -118,36 +118,27 @@ lab=03-kdtree-2d-render
 wrong() {
     mutant=tests/mutants/$lab/$1.cl
     task=$(sed -n 's|^// task: ||p' "$mutant")
-    mkdir -p "$class/$1/files"
+    mkdir -p "$class/submissions/$1"
     # The header names the mistake: it would give the game away.
     grep -v '^// ' "$mutant" >"$class/answer"
     "$build/tools/holes" fill "solutions/$lab/implicit2DRenderer_KD.cl" "$task" "$class/answer" \
-        >"$class/$1/files/implicit2DRenderer_KD.cl"
+        >"$class/submissions/$1/implicit2DRenderer_KD.cl"
     rm "$class/answer"
 }
 
-mkdir -p "$class/right" "$class/skeleton"
-cp -r "solutions/$lab" "$class/right/files"
+mkdir "$class/submissions"
+cp -r "solutions/$lab" "$class/submissions/right"
 tests/cut_labs.sh "$build/tools/holes" "$class/cut"
-mv "$class/cut/$lab" "$class/skeleton/files"
+mv "$class/cut/$lab" "$class/submissions/skeleton"
 rm -r "$class/cut"
 wrong one-level
 wrong later-of-equals
 wrong red-blue-swapped
 
 echo "Grading a class of five:"
-pages=
-for submission in right skeleton one-level later-of-equals red-blue-swapped; do
-    status=0
-    "$build/tools/grade" --lab "$lab" --submission "$class/$submission/files" --seed 7 \
-        --output "$class/$submission" >"$class/$submission/report.txt" || status=$?
-    [ $status -le 1 ] || exit $status
-    printf '  %-18s %s\n' "$submission" "$(grep '^ Score' "$class/$submission/report.txt")"
-    pages="$pages $submission=$class/$submission/results.json"
-done
-# shellcheck disable=SC2086 # a list of words
-"$build/tools/class_report" "$class/index.html" "Lab 03: a small class" $pages
+tests/class/grade_class.sh --build "$build" --lab "$lab" --submissions "$class/submissions" \
+    --output "$class/graded" --seed 7
 
 echo
 echo "Gallery: $gallery/index.html"
-echo "Report:  $class/index.html"
+echo "Report:  $class/graded/class.html"

@@ -1,7 +1,7 @@
 // Reading results.json back (see graded.h).
 //
 // Flow: results of many submissions -> CHECKED -> one page. The writer is report_json.c.
-// Read next: class_report.c.
+// Read next: tests/class/gradebook.c.
 #include "graded.h"
 
 #include "message.h"
@@ -157,14 +157,14 @@ static int sums_check(const char *path, const Graded *graded)
 
 static int fields_read(const char *path, Graded *graded)
 {
-    const char *seed, *device, *submission;
+    const char *device, *submission;
     double seconds;
     json_t *stages, *tasks, *checks;
     json_error_t error;
     if (json_unpack_ex(graded->json, &error, JSON_STRICT,
                        "{s:s, s:s, s:i, s:i, s:s, s:s, s:s, s:F, s:o, s:o, s:o}", "lab",
                        &graded->lab, "title", &graded->title, "score", &graded->score, "max_score",
-                       &graded->max_score, "seed", &seed, "device", &device, "submission",
+                       &graded->max_score, "seed", &graded->seed, "device", &device, "submission",
                        &submission, "seconds", &seconds, "stages", &stages, "tasks", &tasks,
                        "checks", &checks) != 0) {
         return fault(path, "%s", error.text);

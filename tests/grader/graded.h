@@ -19,6 +19,7 @@ typedef struct GradedCheck {
 typedef struct Graded {
     struct json_t *json;  // owns the strings; NULL: not graded
     const char *lab, *title;
+    const char *seed;  // decimal digits
     int score, max_score;
     GradedTask tasks[MANIFEST_MAX_TASKS];
     int n_tasks;

@@ -43,6 +43,13 @@ void html_line(FILE *page, const char *line)
     free(clean);
 }
 
+void html_text(FILE *page, const char *message)
+{
+    char *clean = message_clean(message);
+    escaped_write(page, clean);
+    free(clean);
+}
+
 void html_message(FILE *page, const char *message)
 {
     char *clean = message_clean(message);
@@ -55,15 +62,26 @@ void html_message(FILE *page, const char *message)
     free(clean);
 }
 
-void html_page_begin(FILE *page, const char *title)
+static void page_begin(FILE *page, const char *title, const char *image_sources)
 {
-    fputs("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-          "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
-          "img-src data:; style-src 'unsafe-inline'\">\n"
-          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>",
-          page);
+    fprintf(page,
+            "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+            "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
+            "img-src %s; style-src 'unsafe-inline'\">\n"
+            "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>",
+            image_sources);
     html_line(page, title);
     fprintf(page, "</title>\n<style>\n%s</style>\n</head>\n<body>\n<main>\n", html_style);
+}
+
+void html_page_begin(FILE *page, const char *title)
+{
+    page_begin(page, title, "data:");
+}
+
+void html_album_begin(FILE *page, const char *title)
+{
+    page_begin(page, title, "data: 'self'");
 }
 
 void html_page_end(FILE *page)

@@ -7,6 +7,7 @@
 // tests/mutants/README.md. Exit status: 0 all caught, 1 some not, 2 the machinery failed.
 #include "holes.h"
 #include "message.h"
+#include "mistake_kinds.h"
 #include "session.h"
 #include "settings.h"
 #include "text_file.h"
@@ -24,8 +25,20 @@ typedef struct Mutant {
     char task[LINE_BYTES];   // whose hole it fills
     char check[LINE_BYTES];  // by which it shall be caught
     char says[LINE_BYTES];   // regular expression for that check's message
+    unsigned kinds;          // of mistake_kinds.h, a bit for each; 0 when it is of none
+    int first_kind;          // the one that must be named
     Variant variant;
 } Mutant;
+
+// How well the reports name kinds of mistakes (mistake_kinds.h).
+typedef struct Naming {
+    int n_of_a_kind;  // mutants whose header says which
+    int n_named;      // of those, by a failed check of the task
+    int n_misnamed;   // of all mutants, those named as what they are not
+} Naming;
+
+// Of the mutants of a kind so many must be named.
+#define NAMED_SHARE 0.9
 
 // The rest of the header line "// key: value". Returns 0, or -1 after one message.
 static int read_header(const Mutant *mutant, const char *key, char value[LINE_BYTES])
@@ -42,13 +55,37 @@ static int read_header(const Mutant *mutant, const char *key, char value[LINE_BY
     return 0;
 }
 
+// The kinds of mistake in the optional header line "// looks: kind kind". Returns 0, or -1 after
+// one message.
+static int read_kinds(Mutant *mutant)
+{
+    char ids[LINE_BYTES];
+    if (strstr(mutant->answer, "// looks: ") == NULL) {
+        return 0;
+    }
+    if (read_header(mutant, "looks", ids) != 0) {
+        return -1;
+    }
+    char *rest = NULL;
+    for (char *id = strtok_r(ids, " ", &rest); id != NULL; id = strtok_r(NULL, " ", &rest)) {
+        const int kind = mistake_kind_find(id);
+        if (kind < 0) {
+            fprintf(stderr, "%s: no kind of mistake is called \"%s\"\n", mutant->path, id);
+            return -1;
+        }
+        mutant->first_kind = mutant->kinds == 0 ? kind : mutant->first_kind;
+        mutant->kinds |= 1u << kind;
+    }
+    return 0;
+}
+
 static int mutant_open(Mutant *mutant, const Session *session, const char *path, int slot)
 {
     char name[16];
     *mutant = (Mutant){.path = path, .answer = text_file_read(path)};
     if (mutant->answer == NULL || read_header(mutant, "task", mutant->task) != 0 ||
         read_header(mutant, "caught by", mutant->check) != 0 ||
-        read_header(mutant, "says", mutant->says) != 0) {
+        read_header(mutant, "says", mutant->says) != 0 || read_kinds(mutant) != 0) {
         return -1;
     }
     if (manifest_task(&session->manifest, mutant->task) == NULL) {
@@ -106,9 +143,37 @@ static char *judge_mutant(const Session *session, const Mutant *mutant)
     return why;
 }
 
+// Which kinds of mistakes do the failed checks of the mutant's task name?
+static void judge_naming(const Session *session, const Mutant *mutant, Naming *naming)
+{
+    unsigned named = 0;
+    for (int i = 0; i < session->judge->n_checks; i++) {
+        CheckResult result = {.message = NULL};
+        if (strcmp(session->judge->checks[i].task, mutant->task) == 0) {
+            session_judge(session, i, &mutant->variant, &result);
+            named |= mistake_kinds_named(result.message);
+        }
+        free(result.message);
+    }
+    const unsigned strange = named & ~mutant->kinds;
+    const int is_named = mutant->kinds != 0 && (named >> mutant->first_kind & 1);
+    naming->n_of_a_kind += mutant->kinds != 0;
+    naming->n_named += is_named;
+    naming->n_misnamed += strange != 0;
+    if (mutant->kinds != 0 && !is_named) {
+        printf("  # %s: not named as %s\n", mutant->path, mistake_kinds[mutant->first_kind].id);
+    }
+    for (int kind = 0; kind < N_MISTAKE_KINDS; kind++) {
+        if (strange >> kind & 1) {
+            printf("  # %s: named as %s\n", mutant->path, mistake_kinds[kind].id);
+        }
+    }
+}
+
 // Run up to PAIR mutants side by side and print a TAP line for each. Returns how many were not
 // caught, or -1 after one message.
-static int try_mutants(const Session *session, char *const paths[], int n, int first_number)
+static int try_mutants(const Session *session, char *const paths[], int n, int first_number,
+                       Naming *naming)
 {
     Mutant mutants[PAIR] = {{0}};
     Variant *variants[PAIR];
@@ -131,11 +196,24 @@ static int try_mutants(const Session *session, char *const paths[], int n, int f
             n_missed++;
         }
         free(why);
+        judge_naming(session, &mutants[i], naming);
     }
     for (int i = 0; i < n; i++) {
         mutant_free(&mutants[i]);
     }
     return n_missed;
+}
+
+// Print how well a lab's mistakes were named, as tests after n mutants. Returns how many failed.
+static int report_naming(const Naming *naming, const char *lab, int n)
+{
+    const int is_named = naming->n_named >= NAMED_SHARE * naming->n_of_a_kind;
+    const int is_never_wrong = naming->n_misnamed == 0;
+    printf("%sok %d - %s: of %d mutants of a known kind %d are named as what they are\n",
+           is_named ? "" : "not ", n + 1, lab, naming->n_of_a_kind, naming->n_named);
+    printf("%sok %d - %s: of %d mutants %d are named as what they are not\n",
+           is_never_wrong ? "" : "not ", n + 2, lab, n, naming->n_misnamed);
+    return !is_named + !is_never_wrong;
 }
 
 // The solution first, then every mutant of the lab. Returns an exit status.
@@ -153,14 +231,16 @@ static int try_all(Session *session)
         return 2;
     }
     int n_missed = 0;
+    Naming naming = {0};
     const int n = (int)found.gl_pathc;
     for (int i = 0; n_missed >= 0 && i < n; i += PAIR) {
         const int missed =
-            try_mutants(session, found.gl_pathv + i, n - i < PAIR ? n - i : PAIR, i + 1);
+            try_mutants(session, found.gl_pathv + i, n - i < PAIR ? n - i : PAIR, i + 1, &naming);
         n_missed = missed < 0 ? -1 : n_missed + missed;
     }
     globfree(&found);
-    printf("1..%d\n", n);
+    n_missed = n_missed < 0 ? -1 : n_missed + report_naming(&naming, session->manifest.lab, n);
+    printf("1..%d\n", n + 2);
     return n_missed < 0 ? 2 : n_missed > 0;
 }
 

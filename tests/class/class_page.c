@@ -1,0 +1,218 @@
+// class.html: the class on one page (see gradebook.h).
+//
+// Flow: graded -> gradebook -> PAGE. Streamed from top to bottom: how the class did, what went
+// wrong how often, a row a submission, and all pictures. It links to the reports below its own
+// folder, so that the folder can be moved as a whole. Read next: class_page.h, its parts.
+#include "class_page.h"
+
+#include "html.h"
+#include "output_file.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+void class_name_write(FILE *page, const Row *row)
+{
+    const Entrant *entrant = row->entrant;
+    const int has_report = row->status != ROW_NOT_GRADED;
+    if (has_report) {
+        fprintf(page, "<a href=\"students/%s/report.html\">", entrant->slug);
+    }
+    html_line(page, entrant->name);
+    fputs(has_report ? "</a>" : "", page);
+    if (entrant->attempt > 1) {
+        fprintf(page, " <span class=\"soft\">attempt %d</span>", entrant->attempt);
+    }
+}
+
+// ---- The head --------------------------------------------------------------------------------
+
+static int scores_compare(const void *left, const void *right)
+{
+    return *(const int *)left - *(const int *)right;
+}
+
+static void fact_write(FILE *page, const char *name, const char *value)
+{
+    fprintf(page, "<div><dt>%s</dt><dd>%s</dd></div>\n", name, value);
+}
+
+static void facts_write(FILE *page, const Gradebook *gradebook)
+{
+    int *scores = calloc((size_t)gradebook->n_rows + 1, sizeof *scores);
+    int n = 0;
+    int n_full = 0;
+    double sum = 0;
+    for (int i = 0; scores != NULL && i < gradebook->n_rows; i++) {
+        const Row *row = &gradebook->rows[i];
+        if (row->status != ROW_NOT_GRADED) {
+            scores[n++] = row->score;
+            sum += row->score;
+            n_full += row->score == gradebook->max_score;
+        }
+    }
+    char value[64];
+    fputs("<dl class=\"facts\">\n", page);
+    snprintf(value, sizeof value, "%d", gradebook->n_rows);
+    fact_write(page, "Submissions", value);
+    if (n < gradebook->n_rows) {
+        fprintf(page, "<div><dt>Not graded</dt><dd class=\"short\">%d</dd></div>\n",
+                gradebook->n_rows - n);
+    }
+    if (n > 0) {
+        qsort(scores, (size_t)n, sizeof *scores, scores_compare);
+        snprintf(value, sizeof value, "%.1f", sum / n);
+        fact_write(page, "Mean", value);
+        snprintf(value, sizeof value, "%.4g", (scores[(n - 1) / 2] + scores[n / 2]) / 2.0);
+        fact_write(page, "Median", value);
+        snprintf(value, sizeof value, "%d", n_full);
+        fact_write(page, "Full marks", value);
+    }
+    fputs("</dl>\n", page);
+    free(scores);
+}
+
+static void head_write(FILE *page, const Gradebook *gradebook)
+{
+    fputs("<header>\n<p class=\"lab\">", page);
+    html_line(page, gradebook->lab != NULL ? gradebook->lab : "");
+    fputs("</p>\n<h1>", page);
+    html_line(page, gradebook->title != NULL ? gradebook->title : "");
+    fputs(": the class</h1>\n", page);
+    facts_write(page, gradebook);
+    fputs("</header>\n", page);
+}
+
+// Apart from all others: nobody has judged these, and nobody may read a zero.
+static void not_graded_write(FILE *page, const Gradebook *gradebook)
+{
+    if (gradebook->n_graded == gradebook->n_rows) {
+        return;
+    }
+    fputs("<h2 class=\"section\" id=\"not-graded\">Not graded</h2>\n"
+          "<p class=\"soft\">The grader itself could not work here. That is no zero: run the same "
+          "command again, it takes up only these.</p>\n<div class=\"card\"><table><tbody>\n",
+          page);
+    for (int i = 0; i < gradebook->n_rows; i++) {
+        const Row *row = &gradebook->rows[i];
+        if (row->status == ROW_NOT_GRADED) {
+            fputs("<tr><td class=\"name\">", page);
+            class_name_write(page, row);
+            fputs("</td><td class=\"first\">", page);
+            html_line(page, row->reason);
+            fputs("</td></tr>\n", page);
+        }
+    }
+    fputs("</tbody></table></div>\n", page);
+}
+
+// ---- The table -------------------------------------------------------------------------------
+
+static void table_head_write(FILE *page, const Gradebook *gradebook)
+{
+    fputs("<thead><tr><th>Submission</th><th class=\"number\">Score</th>", page);
+    if (gradebook->has_old_scores) {
+        fputs("<th class=\"number\">Before</th>", page);
+    }
+    for (int i = 0; i < gradebook->n_tasks; i++) {
+        fputs("<th class=\"number\" title=\"", page);
+        html_line(page, gradebook->tasks[i].title);
+        fputs("\">", page);
+        html_line(page, gradebook->tasks[i].id);
+        fprintf(page, "<br>of %d</th>", gradebook->tasks[i].max_points);
+    }
+    fputs("<th>First fault</th></tr></thead>\n", page);
+}
+
+static void old_score_write(FILE *page, const Row *row)
+{
+    fputs("<td class=\"number before\">", page);
+    if (row->has_old_score) {
+        const int change = row->score - row->old_score;
+        fprintf(page, "%d", row->old_score);
+        if (change != 0) {
+            fprintf(page, " <b class=\"%s\">%+d</b>", change < 0 ? "short" : "gain", change);
+        }
+    } else {
+        fputs("&ndash;", page);
+    }
+    fputs("</td>", page);
+}
+
+static void row_write(FILE *page, const Gradebook *gradebook, const Row *row)
+{
+    fprintf(page, "<tr id=\"%s\"><td class=\"name\">", row->entrant->slug);
+    class_name_write(page, row);
+    if (row->status == ROW_OUTDATED) {
+        fputs(" <span class=\"soft\">outdated</span>", page);
+    }
+    fprintf(page, "</td><td class=\"number\"><b>%d</b> / %d", row->score, gradebook->max_score);
+    html_score_bar(page, row->score, gradebook->max_score);
+    fputs("</td>", page);
+    if (gradebook->has_old_scores) {
+        old_score_write(page, row);
+    }
+    for (int i = 0; i < gradebook->n_tasks; i++) {
+        const Column *task = &gradebook->tasks[i];
+        fprintf(page, "<td class=\"number task%s\" data-task=\"",
+                row->points[i] < task->max_points ? " short" : "");
+        html_line(page, task->id);
+        fprintf(page, "\">%d</td>", row->points[i]);
+    }
+    fputs("<td class=\"first\">", page);
+    if (row->fault != NULL) {
+        fputs("<b>", page);
+        html_line(page, row->fault);
+        fputs("</b>\n<p class=\"message\">", page);
+        html_line(page, row->fault_message);
+        fputs("</p>", page);
+    }
+    fputs("</td></tr>\n", page);
+}
+
+static void table_write(FILE *page, const Gradebook *gradebook)
+{
+    if (gradebook->n_graded == 0) {
+        return;
+    }
+    fputs("<h2 class=\"section\" id=\"table\">Every submission</h2>\n<div class=\"card\"><table>\n",
+          page);
+    table_head_write(page, gradebook);
+    fputs("<tbody>\n", page);
+    for (int i = 0; i < gradebook->n_rows; i++) {
+        if (gradebook->rows[i].status != ROW_NOT_GRADED) {
+            row_write(page, gradebook, &gradebook->rows[i]);
+        }
+    }
+    fputs("</tbody>\n</table></div>\n", page);
+}
+
+// ---- The page --------------------------------------------------------------------------------
+
+int gradebook_page(const Gradebook *gradebook, const char *path)
+{
+    OutputFile output;
+    Failures failures;
+    if (failures_find(gradebook, &failures) != 0) {
+        return -1;
+    }
+    if (output_file_open(&output, path) != 0) {
+        failures_free(&failures);
+        return -1;
+    }
+    FILE *page = output.file;
+    char title[256];
+    snprintf(title, sizeof title, "%s: the class", gradebook->lab != NULL ? gradebook->lab : "");
+    html_album_begin(page, title);
+    head_write(page, gradebook);
+    class_histogram_write(page, gradebook);
+    not_graded_write(page, gradebook);
+    class_changes_write(page, gradebook);
+    class_failures_write(page, &failures);
+    class_checks_write(page, gradebook);
+    table_write(page, gradebook);
+    class_gallery_write(page, gradebook);
+    html_page_end(page);
+    failures_free(&failures);
+    return output_file_commit(&output);
+}

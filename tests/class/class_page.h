@@ -1,0 +1,26 @@
+// The parts of class.html. Each writes a section, or nothing where there is nothing to show.
+#ifndef CLASS_PAGE_H
+#define CLASS_PAGE_H
+
+#include "failures.h"
+#include "gradebook.h"
+
+// A student's name, linked to the report, with the number of a later attempt.
+void class_name_write(FILE *page, const Row *row);
+
+// How many have which score: a drawing, and the same in words.
+void class_histogram_write(FILE *page, const Gradebook *gradebook);
+
+// Whose score is not what it was in the older gradebook.
+void class_changes_write(FILE *page, const Gradebook *gradebook);
+
+// Who failed alike.
+void class_failures_write(FILE *page, const Failures *failures);
+
+// How many passed each check.
+void class_checks_write(FILE *page, const Gradebook *gradebook);
+
+// The first picture of every report.
+void class_gallery_write(FILE *page, const Gradebook *gradebook);
+
+#endif

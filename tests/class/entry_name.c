@@ -1,0 +1,195 @@
+// The names that course systems give to what students hand in (see entry_name.h).
+//
+// Flow: SUBMISSIONS -> roster -> graded -> gradebook. A name is chosen by a student or by a
+// stranger: it is only ever compared, shown and made into a slug, never a part of a path or a
+// command. Read next: roster.c.
+#include "entry_name.h"
+
+#include <ctype.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+// How long the readable part of a slug gets.
+enum { SLUG_WORDS = 40 };
+
+// ---- Bytes that can be shown -----------------------------------------------------------------
+
+// The length of the character at text when it is valid UTF-8 that can be shown in one line and has
+// one meaning, or 0. Left out besides: control characters and what changes the reading direction.
+static int shown_length(const char *text)
+{
+    const unsigned char *at = (const unsigned char *)text;
+    if (at[0] < 0x80) {
+        return at[0] >= ' ' && at[0] != 0x7f && at[0] != '\\';
+    }
+    const int length = at[0] >= 0xF0 && at[0] < 0xF5 ? 4 : at[0] >= 0xE0 ? 3 : 2;
+    if (at[0] < 0xC2 || at[0] >= 0xF5) {
+        return 0;
+    }
+    uint32_t code = at[0] & (0x7Fu >> length);
+    for (int i = 1; i < length; i++) {
+        if ((at[i] & 0xC0) != 0x80) {
+            return 0;
+        }
+        code = code << 6 | (at[i] & 0x3Fu);
+    }
+    const int too_long = (length == 3 && code < 0x800) || (length == 4 && code < 0x10000);
+    const int surrogate = code >= 0xD800 && code <= 0xDFFF;
+    const int moves = code < 0xA0 || (code >= 0x200B && code <= 0x200F) ||
+                      (code >= 0x2028 && code <= 0x202E) || (code >= 0x2060 && code <= 0x206F) ||
+                      code == 0xFEFF;
+    return too_long || surrogate || moves || code > 0x10FFFF ? 0 : length;
+}
+
+// Write n_bytes of an entry's name as text: four times as long at most.
+static void shown_write(const char *bytes, size_t n_bytes, char text[ENTRY_NAME_BYTES])
+{
+    char copy[256];
+    size_t n = 0;
+    snprintf(copy, sizeof copy, "%.*s", (int)n_bytes, bytes);
+    for (const char *at = copy; *at != '\0' && n + 5 < ENTRY_NAME_BYTES;) {
+        const int length = shown_length(at);
+        if (length > 0) {
+            memcpy(text + n, at, (size_t)length);
+            n += (size_t)length;
+            at += length;
+        } else {
+            n += (size_t)snprintf(text + n, 5, "\\x%02X", (unsigned char)*at++);
+        }
+    }
+    text[n] = '\0';
+}
+
+// ---- The systems' patterns -------------------------------------------------------------------
+
+int entry_name_archive_stem(const char *entry)
+{
+    static const char *const endings[] = {".zip",     ".tar",  ".tar.gz", ".tgz", ".tar.bz2",
+                                          ".tbz2",    ".txz",  ".tar.xz", ".7z",  ".rar",
+                                          ".tar.zst", ".tzst", NULL};
+    const size_t length = strlen(entry);
+    for (int i = 0; endings[i] != NULL; i++) {
+        const size_t ending = strlen(endings[i]);
+        if (length > ending && strcasecmp(entry + length - ending, endings[i]) == 0) {
+            return (int)(length - ending);
+        }
+    }
+    return 0;
+}
+
+// Moodle: "NAME_NUMBER_assignsubmission_KIND_...". Returns the length of the name, or 0.
+static int read_moodle(const char *entry, EntryName *name)
+{
+    const char *plugin = strstr(entry, "_assignsubmission_");
+    if (plugin == NULL) {
+        return 0;
+    }
+    const char *digits = plugin;
+    while (digits > entry && isdigit((unsigned char)digits[-1])) {
+        digits--;
+    }
+    const int n_digits = (int)(plugin - digits);
+    if (n_digits == 0 || n_digits >= ENTRY_NUMBER_BYTES || digits - entry < 2 ||
+        digits[-1] != '_') {
+        return 0;
+    }
+    snprintf(name->number, sizeof name->number, "%.*s", n_digits, digits);
+    name->is_text = strncmp(plugin, "_assignsubmission_onlinetext", 28) == 0;
+    return (int)(digits - 1 - entry);
+}
+
+// Gradescope: "submission_NUMBER"; the number is a submission's, the name stays as it is.
+static void read_gradescope(const char *entry, int length, EntryName *name)
+{
+    const char *digits = entry + strlen("submission_");
+    if (strncmp(entry, "submission_", strlen("submission_")) == 0) {
+        const int n_digits = (int)strspn(digits, "0123456789");
+        if (n_digits > 0 && n_digits < ENTRY_NUMBER_BYTES && digits + n_digits == entry + length) {
+            snprintf(name->number, sizeof name->number, "%.*s", n_digits, digits);
+        }
+    }
+}
+
+// GitHub Classroom: "lab-03-USER". Returns the length of what stands before the user's name, or 0.
+static int read_github(const char *entry, int lab_number)
+{
+    if (strncasecmp(entry, "lab", 3) != 0) {
+        return 0;
+    }
+    const char *digits = entry + 3 + (entry[3] == '-' || entry[3] == '_');
+    char *end;
+    if (!isdigit((unsigned char)digits[0]) || strtol(digits, &end, 10) != lab_number ||
+        (end[0] != '-' && end[0] != '_') || end[1] == '\0') {
+        return 0;
+    }
+    return (int)(end + 1 - entry);
+}
+
+EntryName entry_name_read(const char *entry, int lab_number)
+{
+    EntryName name = {0};
+    int begin = 0;
+    int end = read_moodle(entry, &name);
+    if (end == 0) {
+        end = entry_name_archive_stem(entry);
+        end = end > 0 ? end : (int)strlen(entry);
+        begin = read_github(entry, lab_number);
+        begin = begin < end ? begin : 0;
+        read_gradescope(entry, end, &name);
+    }
+    shown_write(entry + begin, (size_t)(end - begin), name.name);
+    return name;
+}
+
+int entry_name_attempt(const char *name, int *stem)
+{
+    const int length = (int)strlen(name);
+    const int in_brackets = length > 4 && name[length - 1] == ')';
+    int begin = length - in_brackets;
+    while (begin > 0 && isdigit((unsigned char)name[begin - 1])) {
+        begin--;
+    }
+    const int n_digits = length - in_brackets - begin;
+    *stem = length;
+    // A year or a student's number is no attempt.
+    if (n_digits < 1 || n_digits > 2 || begin < 2) {
+        return 1;
+    }
+    const char before = name[begin - 1];
+    if (in_brackets ? before != '(' || name[begin - 2] != ' ' || begin < 3
+                    : before != '-' && before != '_') {
+        return 1;
+    }
+    *stem = begin - 1 - in_brackets;
+    return atoi(name + begin);
+}
+
+// ---- Slugs -----------------------------------------------------------------------------------
+
+// FNV-1a, folded to 32 bits. Whoever makes two names collide gains nothing: see roster.c.
+static uint32_t fold(const char *bytes)
+{
+    uint64_t hash = 14695981039346656037u;
+    for (; *bytes != '\0'; bytes++) {
+        hash = (hash ^ (unsigned char)*bytes) * 1099511628211u;
+    }
+    return (uint32_t)(hash ^ hash >> 32);
+}
+
+void entry_name_slug(const char *name, const char *entry, char slug[ENTRY_SLUG_BYTES])
+{
+    int n = 0;
+    for (; *name != '\0' && n < SLUG_WORDS; name++) {
+        const unsigned char letter = (unsigned char)*name;
+        if (letter < 0x80 && isalnum(letter)) {
+            slug[n++] = (char)tolower(letter);
+        } else if (n > 0 && slug[n - 1] != '-') {
+            slug[n++] = '-';
+        }
+    }
+    n -= n > 0 && slug[n - 1] == '-';
+    snprintf(slug + n, (size_t)(ENTRY_SLUG_BYTES - n), "%s%08x", n > 0 ? "-" : "", fold(entry));
+}

@@ -1,0 +1,36 @@
+// Who handed an entry in, by the entry's name: what Moodle, Gradescope, GitHub Classroom and an
+// archiver add to a name is taken off.
+//
+// Flow: SUBMISSIONS -> roster -> graded -> gradebook. Read next: roster.h.
+#ifndef CLASS_ENTRY_NAME_H
+#define CLASS_ENTRY_NAME_H
+
+enum { ENTRY_NAME_BYTES = 1100, ENTRY_NUMBER_BYTES = 24 };
+
+typedef struct EntryName {
+    // The student's name or user name: valid UTF-8 in one line; bytes that are not, control
+    // characters and backslashes are written as \xHH, so that two different names stay different.
+    char name[ENTRY_NAME_BYTES];
+    char number[ENTRY_NUMBER_BYTES];  // what the system calls the student: "1234567"; "" for none
+    int is_text;                      // Moodle's online text, beside which there may be files
+} EntryName;
+
+// Read an entry's name, at most 255 bytes of any kind.
+//   "Ada Lovelace.zip", "ada"                       plain
+//   "Ada Lovelace_1234567_assignsubmission_file_"   Moodle's, with the number of its worksheet
+//   "submission_123456"                             Gradescope's; its names are in another file
+//   "lab-03-ada", "lab03-ada"                       GitHub Classroom's, of lab 3
+EntryName entry_name_read(const char *entry, int lab_number);
+
+// Does a file's name end as an archive's does? Returns the length without that ending, or 0.
+int entry_name_archive_stem(const char *entry);
+
+// Where a name ends in "-2", "_2" or " (2)", the number, and in *stem the length before it; else 1.
+int entry_name_attempt(const char *name, int *stem);
+
+// A name for files: small letters, digits and dashes of `name`, and eight digits made of the bytes
+// of `entry`.
+enum { ENTRY_SLUG_BYTES = 64 };
+void entry_name_slug(const char *name, const char *entry, char slug[ENTRY_SLUG_BYTES]);
+
+#endif

@@ -1,0 +1,209 @@
+#!/bin/sh
+# Grade a whole class; `make grade-class` calls this.
+#
+#     tests/class/grade_class.sh --lab 03 --submissions FOLDER [OPTION VALUE]...
+#
+#     --output FOLDER        where everything goes (build/class/03)
+#     --engine parallel      or slurm: how the submissions are spread
+#     --jobs N               how many at a time (as many as there are processors)
+#     --seed N               the class's seed (drawn once, and kept in the output folder)
+#     --only failed|latest   only those below full marks; only each student's last entry
+#     --again 1              grade all, also where nothing has changed
+#     --moodle FILE.csv      Moodle's participants or grading worksheet
+#     --against FILE.json    an older gradebook.json, to compare scores with
+#     --device D, --time-limit S, --build FOLDER    as for build/tools/grade
+#
+# Killed at any point, the same command goes on where it stopped. A submission is graded when its
+# key has changed: a hash of its bytes, the grader, the lab and the seed. Exit status: 0; 1 when
+# some could not be graded; 2 when there is no gradebook. Read next: grade_one.sh, one submission;
+# engine_parallel.sh; gradebook_tool.c, which reads the names and writes the gradebook.
+set -u
+
+die() {
+    echo "grade-class: $*" >&2
+    exit 2
+}
+
+# ---- What is asked for --------------------------------------------------------------------------
+
+CLASS_LAB='' CLASS_FOLDER='' CLASS_BUILD=build CLASS_DEVICE='' CLASS_TIME_LIMIT=10
+submissions='' engine=parallel jobs=$(nproc) seed='' only='' again='' moodle='' against=''
+while [ $# -gt 0 ]; do
+    [ $# -gt 1 ] || die "$1: expected a value"
+    case $1 in
+    --lab) CLASS_LAB=$2 ;;
+    --submissions) submissions=$2 ;;
+    --output) CLASS_FOLDER=$2 ;;
+    --build) CLASS_BUILD=$2 ;;
+    --engine) engine=$2 ;;
+    --jobs) jobs=$2 ;;
+    --seed) seed=$2 ;;
+    --only) only=$2 ;;
+    --again) again=$2 ;;
+    --moodle) moodle=$2 ;;
+    --against) against=$2 ;;
+    --device) CLASS_DEVICE=$2 ;;
+    --time-limit) CLASS_TIME_LIMIT=$2 ;;
+    *) die "$1: no such option" ;;
+    esac
+    shift 2
+done
+
+# whole OPTION TEXT: is it a whole number?
+whole() {
+    case $2 in
+    '' | *[!0-9]* | ?????????????????????*) die "$1: found \"$2\", expected a whole number" ;;
+    esac
+}
+
+[ -n "$CLASS_LAB" ] || die "say which lab: LAB=03"
+[ -n "$submissions" ] || die "say where the submissions are: SUBMISSIONS=folder"
+case $engine in parallel | slurm) ;; *) die "--engine: found \"$engine\", expected parallel or slurm" ;; esac
+case $only in '' | failed | latest) ;; *) die "--only: found \"$only\", expected failed or latest" ;; esac
+whole --jobs "$jobs"
+[ "$jobs" -ge 1 ] || die "--jobs: found \"$jobs\", expected 1 or more"
+[ -z "$seed" ] || whole --seed "$seed"
+for file in "$moodle" "$against"; do
+    [ -z "$file" ] || [ -r "$file" ] || die "$file: cannot be read"
+done
+[ -x "$CLASS_BUILD/tools/grade" ] || die "$CLASS_BUILD/tools/grade: not built; run make grader"
+. "$(dirname "$0")/engine_$engine.sh"
+engine_check
+
+# "3", "03" or the whole name.
+lab_number=${CLASS_LAB%%-*}
+lab_number=${lab_number#0}
+for folder in labs/*; do
+    name=${folder#labs/}
+    number=${name%%-*}
+    [ "${number#0}" != "${lab_number:-0}" ] || lab=$name
+done
+case ${lab:-} in
+"$CLASS_LAB" | "$CLASS_LAB"-* | "0$CLASS_LAB"-*) CLASS_LAB=$lab ;;
+*) die "--lab: found \"$CLASS_LAB\", expected the number or name of a lab" ;;
+esac
+
+CLASS_FOLDER=${CLASS_FOLDER:-$CLASS_BUILD/class/${CLASS_LAB%%-*}}
+mkdir -p "$CLASS_FOLDER/students" "$CLASS_FOLDER/logs" || die "$CLASS_FOLDER: cannot be made"
+CLASS_FOLDER=$(cd "$CLASS_FOLDER" && pwd -P)
+
+# ---- After a run that was killed ----------------------------------------------------------------
+
+# All processes of a run hold this lock, so that it is free when the last of them has ended.
+: >>"$CLASS_FOLDER/lock"
+exec 9<"$CLASS_FOLDER/lock"
+flock --wait 20 9 || die "$CLASS_FOLDER: another run is at work there"
+
+# A short name: sockets and sandboxes have little room for paths.
+CLASS_WORK=${TMPDIR:-/tmp}/class-$(printf %s "$CLASS_FOLDER" | sha256sum | cut -c 1-10)
+
+# clear: what this run, or a dead one, leaves outside of the results.
+clear() {
+    engine_end
+    rm -rf "$CLASS_WORK"-* "$CLASS_FOLDER"/students/*.new "$CLASS_FOLDER/todo"
+}
+
+clear
+rm -rf "$CLASS_FOLDER/faults"
+mkdir "$CLASS_FOLDER/faults"
+trap 'clear' EXIT
+trap 'exit 2' INT TERM HUP
+
+# ---- What there is to do ------------------------------------------------------------------------
+
+latest=
+[ "$only" != latest ] || latest=--latest
+# shellcheck disable=SC2086 # an option or none
+"$CLASS_BUILD/tools/gradebook" roster $latest "${lab_number:-0}" "$submissions" "$CLASS_FOLDER" \
+    >"$CLASS_FOLDER/slugs" || exit 2
+
+# The class's seed: given, or drawn once, so that a run goes on with the same hidden scenes.
+if [ -z "$seed" ] && [ -s "$CLASS_FOLDER/seed" ]; then
+    read -r seed <"$CLASS_FOLDER/seed"
+fi
+seed=${seed:-$(od -An -N4 -tu4 /dev/urandom | tr -d ' ')}
+echo "$seed" >"$CLASS_FOLDER/seed.new" && mv "$CLASS_FOLDER/seed.new" "$CLASS_FOLDER/seed"
+
+# Everything that decides on a score besides the submission.
+grader=$({
+    echo "$CLASS_LAB $CLASS_DEVICE $CLASS_TIME_LIMIT"
+    find "$CLASS_BUILD/tools" "$CLASS_BUILD/probes" "$CLASS_BUILD/earlier" "$CLASS_BUILD/libcommon.a" \
+        labs solutions common kernels tests/probes -type f ! -path '*/tools/gradebook' -print0 |
+        LC_ALL=C sort -z | xargs -0 sha256sum
+} | sha256sum | cut -c 1-64)
+
+# content PATH: names, kinds and sizes of all there is, and the bytes of what could be graded. No link
+# is followed but the roster's own.
+content() {
+    (
+        cd "$CLASS_FOLDER/submissions" || exit
+        find -H "$1" -printf '%y %s %P %l\0' | LC_ALL=C sort -z
+        timeout 60 find -H "$1" -type f -size -65M -print0 | LC_ALL=C sort -z | xargs -0 sha256sum
+    ) 2>&1 | sha256sum | cut -c 1-64
+}
+
+# A line "SLUG KEY SEED" for each. Two students get different hidden scenes.
+while read -r slug; do
+    own_seed=$(printf '%s %s' "$seed" "$slug" | sha256sum | cut -c 1-8)
+    own_seed=$((0x$own_seed))
+    key=$(echo "$grader $own_seed $(content "$slug")" | sha256sum | cut -c 1-64)
+    echo "$slug $key $own_seed"
+done <"$CLASS_FOLDER/slugs" >"$CLASS_FOLDER/keys.new"
+mv "$CLASS_FOLDER/keys.new" "$CLASS_FOLDER/keys"
+rm "$CLASS_FOLDER/slugs"
+
+# has_full_marks SLUG
+has_full_marks() {
+    awk '/^  "score"/ { score = $2 } /^  "max_score"/ { most = $2 } END { exit score != most }' \
+        "$CLASS_FOLDER/students/$1/results.json" 2>/dev/null
+}
+
+# is_wanted SLUG KEY: is there something to do at the start?
+is_wanted() {
+    old=
+    [ ! -e "$CLASS_FOLDER/students/$1/key" ] || read -r old <"$CLASS_FOLDER/students/$1/key"
+    case $again$only in
+    *failed) ! has_full_marks "$1" ;;
+    '' | latest) [ "$old" != "$2" ] ;;
+    *) true ;;
+    esac
+}
+
+while read -r slug key own_seed; do
+    if is_wanted "$slug" "$key"; then echo "$slug $key $own_seed"; fi
+done <"$CLASS_FOLDER/keys" >"$CLASS_FOLDER/todo"
+
+# ---- Grading ------------------------------------------------------------------------------------
+
+# The longest that a grading can take is far below; what takes longer hangs.
+CLASS_SECONDS=$((60 + 20 * CLASS_TIME_LIMIT))
+# A line for each that is done, where no progress bar says so.
+CLASS_TELLS=
+[ -t 2 ] || CLASS_TELLS=1
+export CLASS_LAB CLASS_FOLDER CLASS_BUILD CLASS_DEVICE CLASS_TIME_LIMIT CLASS_WORK CLASS_SECONDS CLASS_TELLS
+
+# remaining: of those to do, the ones that have not come to an end. A finished one has the key, and
+# was made in this run.
+remaining() {
+    while read -r slug key own_seed; do
+        if ! [ "$CLASS_FOLDER/students/$slug/key" -nt "$CLASS_FOLDER/started" ]; then
+            echo "$slug $key $own_seed"
+        fi
+    done <"$CLASS_FOLDER/todo" >"$CLASS_FOLDER/todo.new"
+    mv "$CLASS_FOLDER/todo.new" "$CLASS_FOLDER/todo"
+}
+
+# A fault of the machinery may pass: three rounds, each for those that the one before left.
+: >"$CLASS_FOLDER/started"
+round=1
+while [ -s "$CLASS_FOLDER/todo" ] && [ $round -le 3 ]; do
+    [ $round -eq 1 ] || echo "grade-class: again for $(wc -l <"$CLASS_FOLDER/todo") that could not be graded" >&2
+    engine_run "$CLASS_FOLDER/todo" "$jobs"
+    remaining
+    round=$((round + 1))
+done
+
+set --
+[ -z "$moodle" ] || set -- "$@" --moodle "$moodle"
+[ -z "$against" ] || set -- "$@" --against "$against"
+"$CLASS_BUILD/tools/gradebook" write "$@" "$CLASS_FOLDER"

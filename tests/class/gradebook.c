@@ -1,0 +1,275 @@
+// Gathering a class (see gradebook.h).
+//
+// Flow: submissions -> roster -> graded -> GRADEBOOK -> CSV, JSON, page. Read next: failures.h,
+// which rows failed alike; class_page.c.
+#include "gradebook.h"
+
+#include "clean_text.h"
+#include "graded.h"
+#include "text_file.h"
+
+#include <errno.h>
+#include <jansson.h>
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { KEY_LINE_BYTES = 256 };
+
+static int fault(const char *path, const char *what)
+{
+    fprintf(stderr, "gradebook: %s: %s\n", path, what);
+    return -1;
+}
+
+const char *row_status_name(RowStatus status)
+{
+    return status == ROW_GRADED ? "graded" : status == ROW_OUTDATED ? "outdated" : "not graded";
+}
+
+// ---- One row ---------------------------------------------------------------------------------
+
+// The first line of a small file, without its newline; "" when there is none.
+static void line_read(const char *path, char line[KEY_LINE_BYTES])
+{
+    FILE *file = fopen(path, "r");
+    if (file == NULL || fgets(line, KEY_LINE_BYTES, file) == NULL) {
+        line[0] = '\0';
+    }
+    line[strcspn(line, "\n")] = '\0';
+    if (file != NULL) {
+        fclose(file);
+    }
+}
+
+static char *first_line(const char *message)
+{
+    char *line = strndup(message, strcspn(message, "\n"));
+    char *clean = line_clean(line);
+    free(line);
+    return clean;
+}
+
+static void fault_take(Row *row, const char *title, const char *id, const char *message)
+{
+    row->fault = strdup(title);
+    row->fault_id = strdup(id);
+    row->fault_message = first_line(message);
+}
+
+// What went wrong first: in a stage, which keeps checks from running, or in a check.
+static void first_fault_take(Row *row, const Graded *graded)
+{
+    if (graded->failed_stage != NULL) {
+        fault_take(row, graded->failed_stage, "", graded->stage_message);
+        return;
+    }
+    for (int i = 0; i < graded->n_checks; i++) {
+        const GradedCheck *check = &graded->checks[i];
+        if (check->status != CHECK_PASSED) {
+            fault_take(row, check->title, check->id, check->message);
+            return;
+        }
+    }
+}
+
+static void columns_take(Gradebook *gradebook, const Graded *graded)
+{
+    gradebook->lab = strdup(graded->lab);
+    gradebook->title = strdup(graded->title);
+    gradebook->max_score = graded->max_score;
+    gradebook->n_tasks = graded->n_tasks;
+    gradebook->n_checks = graded->n_checks;
+    for (int i = 0; i < graded->n_tasks; i++) {
+        const GradedTask *task = &graded->tasks[i];
+        gradebook->tasks[i] = (Column){strdup(task->id), strdup(task->title), task->max_points};
+    }
+    for (int i = 0; i < graded->n_checks; i++) {
+        const GradedCheck *check = &graded->checks[i];
+        gradebook->checks[i] = (Column){strdup(check->id), strdup(check->title), 0};
+    }
+}
+
+static int has_columns(const Gradebook *gradebook, const Graded *graded)
+{
+    int same = strcmp(gradebook->lab, graded->lab) == 0 && gradebook->n_tasks == graded->n_tasks &&
+               gradebook->n_checks == graded->n_checks;
+    for (int i = 0; same && i < graded->n_tasks; i++) {
+        same = strcmp(gradebook->tasks[i].id, graded->tasks[i].id) == 0 &&
+               gradebook->tasks[i].max_points == graded->tasks[i].max_points;
+    }
+    for (int i = 0; same && i < graded->n_checks; i++) {
+        same = strcmp(gradebook->checks[i].id, graded->checks[i].id) == 0;
+    }
+    return same;
+}
+
+static const char *picture_find(const char *folder, const char *slug)
+{
+    static const char *const names[] = {"picture.png", "picture.svg"};
+    char path[PATH_MAX];
+    for (int i = 0; i < 2; i++) {
+        snprintf(path, sizeof path, "%s/students/%s/%s", folder, slug, names[i]);
+        if (access(path, R_OK) == 0) {
+            return names[i];
+        }
+    }
+    return NULL;
+}
+
+// Take what a row needs of a result that was read. Returns 0, or -1 after one message.
+static int row_take(Gradebook *gradebook, const char *path, const Graded *graded, Row *row)
+{
+    if (gradebook->lab == NULL) {
+        columns_take(gradebook, graded);
+    }
+    if (!has_columns(gradebook, graded)) {
+        // An outdated result of a grader with other checks has no place in these columns.
+        return fault(path, "not the lab, the tasks and the checks of the others; grade it again");
+    }
+    row->seed = strdup(graded->seed);
+    row->score = graded->score;
+    for (int i = 0; i < graded->n_tasks; i++) {
+        row->points[i] = graded->tasks[i].points;
+    }
+    for (int i = 0; i < graded->n_checks && i < RESULT_MAX_CHECKS; i++) {
+        row->passed |= (uint32_t)(graded->checks[i].status == CHECK_PASSED) << i;
+    }
+    first_fault_take(row, graded);
+    row->picture = picture_find(gradebook->folder, row->entrant->slug);
+    gradebook->n_graded++;
+    return 0;
+}
+
+// Fill the row of one entrant. Returns 0, or -1 after one message.
+static int row_read(Gradebook *gradebook, Row *row, const char *wanted_key)
+{
+    const char *slug = row->entrant->slug;
+    char path[PATH_MAX], line[KEY_LINE_BYTES];
+    row->status = ROW_NOT_GRADED;
+    if (row->entrant->is_link) {
+        row->reason = strdup("neither a folder nor an archive");
+        return 0;
+    }
+    snprintf(path, sizeof path, "%s/faults/%s", gradebook->folder, slug);
+    line_read(path, line);
+    if (line[0] != '\0') {
+        row->reason = line_clean(line);
+        return 0;
+    }
+    snprintf(path, sizeof path, "%s/students/%s/key", gradebook->folder, slug);
+    line_read(path, line);
+    if (line[0] == '\0') {
+        row->reason = strdup("not reached");
+        return 0;
+    }
+    row->status = strcmp(line, wanted_key) == 0 ? ROW_GRADED : ROW_OUTDATED;
+    Graded graded;
+    snprintf(path, sizeof path, "%s/students/%s/results.json", gradebook->folder, slug);
+    if (graded_load(path, &graded) != 0) {
+        return -1;
+    }
+    const int taken = row_take(gradebook, path, &graded, row);
+    graded_free(&graded);
+    return taken;
+}
+
+// ---- The class -------------------------------------------------------------------------------
+
+// The keys stand in the roster's order, but for those that cannot be graded.
+static int rows_read(Gradebook *gradebook)
+{
+    char path[PATH_MAX], line[KEY_LINE_BYTES], slug[KEY_LINE_BYTES] = "", key[KEY_LINE_BYTES] = "";
+    snprintf(path, sizeof path, "%s/keys", gradebook->folder);
+    FILE *keys = fopen(path, "r");
+    if (keys == NULL) {
+        return fault(path, strerror(errno));
+    }
+    int result = 0;
+    for (int i = 0; result == 0 && i < gradebook->roster.n_entrants; i++) {
+        Row *row = &gradebook->rows[gradebook->n_rows++];
+        row->entrant = &gradebook->roster.entrants[i];
+        if (!row->entrant->is_link &&
+            (fgets(line, sizeof line, keys) == NULL || sscanf(line, "%s %s", slug, key) != 2 ||
+             strcmp(slug, row->entrant->slug) != 0)) {
+            result = fault(path, "not the keys of this roster; start the class run again");
+        } else {
+            result = row_read(gradebook, row, key);
+        }
+    }
+    fclose(keys);
+    return result;
+}
+
+// The scores of an older gradebook, by the names of the files.
+static int old_scores_read(Gradebook *gradebook, const char *against)
+{
+    json_error_t error;
+    json_t *old = json_load_file(against, JSON_REJECT_DUPLICATES, &error);
+    if (old == NULL) {
+        return fault(against, error.text);
+    }
+    json_t *scores = json_object();
+    json_t *student;
+    size_t i;
+    json_array_foreach(json_object_get(old, "students"), i, student)
+    {
+        const char *id = json_string_value(json_object_get(student, "id"));
+        json_t *score = json_object_get(student, "score");
+        if (id != NULL && json_is_integer(score)) {
+            json_object_set(scores, id, score);
+        }
+    }
+    const int is_gradebook = json_is_array(json_object_get(old, "students"));
+    for (int r = 0; r < gradebook->n_rows; r++) {
+        Row *row = &gradebook->rows[r];
+        json_t *score = json_object_get(scores, row->entrant->slug);
+        row->has_old_score = score != NULL;
+        row->old_score = (int)json_integer_value(score);
+    }
+    json_decref(scores);
+    json_decref(old);
+    gradebook->has_old_scores = 1;
+    return is_gradebook ? 0 : fault(against, "no list \"students\": not a gradebook.json");
+}
+
+int gradebook_load(const char *folder, const char *against, Gradebook *gradebook)
+{
+    char path[PATH_MAX];
+    *gradebook = (Gradebook){.folder = folder};
+    snprintf(path, sizeof path, "%s/roster.json", folder);
+    if (roster_load(path, &gradebook->roster) != 0) {
+        return -1;
+    }
+    gradebook->rows = calloc((size_t)gradebook->roster.n_entrants + 1, sizeof *gradebook->rows);
+    if (gradebook->rows == NULL) {
+        return fault(folder, "out of memory");
+    }
+    if (rows_read(gradebook) != 0) {
+        return -1;
+    }
+    return against != NULL ? old_scores_read(gradebook, against) : 0;
+}
+
+static void columns_free(Column *columns, int n_columns)
+{
+    for (int i = 0; i < n_columns; i++) {
+        free(columns[i].id), free(columns[i].title);
+    }
+}
+
+void gradebook_free(Gradebook *gradebook)
+{
+    for (int i = 0; i < gradebook->n_rows; i++) {
+        Row *row = &gradebook->rows[i];
+        free(row->reason), free(row->seed);
+        free(row->fault), free(row->fault_id), free(row->fault_message);
+    }
+    free(gradebook->rows);
+    columns_free(gradebook->tasks, gradebook->n_tasks);
+    columns_free(gradebook->checks, gradebook->n_checks);
+    free(gradebook->lab), free(gradebook->title);
+    roster_free(&gradebook->roster);
+    *gradebook = (Gradebook){0};
+}

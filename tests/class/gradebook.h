@@ -1,0 +1,74 @@
+// The gradebook: a row for each entry of the roster, in its order, and what they have in common.
+//
+// Flow: submissions -> roster -> graded -> GRADEBOOK -> CSV, JSON, page. Results are read one at a
+// time, and of each only what a row needs is kept. Nothing in it depends on the time, the engine or
+// the order in which submissions were graded. Read next: gradebook.c.
+#ifndef CLASS_GRADEBOOK_H
+#define CLASS_GRADEBOOK_H
+
+#include "manifest.h"
+#include "result.h"
+#include "roster.h"
+
+#include <stdint.h>
+#include <stdio.h>
+
+typedef enum RowStatus {
+    ROW_GRADED,
+    ROW_OUTDATED,    // graded, but the submission, the grader or the seed has changed since
+    ROW_NOT_GRADED,  // a fault of the machinery: never a zero
+} RowStatus;
+
+typedef struct Row {
+    const Entrant *entrant;
+    RowStatus status;
+    char *reason;  // why it is not graded, or NULL
+    char *seed;    // of the hidden scenes; NULL when not graded
+    int score;
+    int points[MANIFEST_MAX_TASKS];
+    uint32_t passed;      // bit i: check i of the gradebook passed
+    char *fault;          // title of the first stage or check that did not pass, or NULL
+    char *fault_id;       // the check's id, "" for a stage
+    char *fault_message;  // the first line of what it said
+    const char *picture;  // "picture.png" or "picture.svg" beside the report, or NULL
+    int has_old_score;
+    int old_score;  // in the gradebook that this one is compared with
+} Row;
+
+typedef struct Column {
+    char *id, *title;
+    int max_points;  // of a task
+} Column;
+
+typedef struct Gradebook {
+    const char *folder;  // where students/SLUG/ and the three files are
+    char *lab, *title;   // NULL when nothing was graded
+    int max_score;
+    Column tasks[MANIFEST_MAX_TASKS];
+    int n_tasks;
+    Column checks[RESULT_MAX_CHECKS];
+    int n_checks;
+    Row *rows;
+    int n_rows;
+    int n_graded;        // rows with a score
+    int has_old_scores;  // there is something to compare with
+    Roster roster;
+} Gradebook;
+
+// Gather the class: folder/roster.json, folder/keys (a line "SLUG KEY SEED" each, what is to be
+// graded), and for each entrant folder/students/SLUG or the reason in folder/faults/SLUG.
+//   against   an older gradebook.json to compare with, or NULL
+// Returns 0, or -1 after one message on stderr. Release with gradebook_free().
+int gradebook_load(const char *folder, const char *against, Gradebook *gradebook);
+void gradebook_free(Gradebook *gradebook);
+
+// "graded", "outdated" or "not graded".
+const char *row_status_name(RowStatus status);
+
+// The three files. Each appears whole or not at all; return 0, or -1 after one message.
+//   worksheet   Moodle's list of participants, whose columns come first then; or NULL
+int gradebook_csv(const Gradebook *gradebook, const char *path, const char *worksheet);
+int gradebook_json(const Gradebook *gradebook, const char *path);
+int gradebook_page(const Gradebook *gradebook, const char *path);
+
+#endif

@@ -1,0 +1,104 @@
+// gradebook.json: the class for programs (see gradebook.h).
+//
+// Written row by row. Scores are whole numbers; a row that is not graded has none. Read next:
+// gradebook_csv.c.
+#include "gradebook.h"
+
+#include "output_file.h"
+
+#include <jansson.h>
+
+static json_t *points_json(const Gradebook *gradebook, const Row *row)
+{
+    json_t *points = json_object();
+    for (int i = 0; i < gradebook->n_tasks; i++) {
+        json_object_set_new(points, gradebook->tasks[i].id, json_integer(row->points[i]));
+    }
+    return points;
+}
+
+static json_t *checks_json(const Gradebook *gradebook, const Row *row)
+{
+    json_t *failed = json_array();
+    for (int i = 0; i < gradebook->n_checks; i++) {
+        if (!(row->passed >> i & 1)) {
+            json_array_append_new(failed, json_string(gradebook->checks[i].id));
+        }
+    }
+    return failed;
+}
+
+static json_t *row_json(const Gradebook *gradebook, const Row *row)
+{
+    const Entrant *entrant = row->entrant;
+    json_t *json = json_pack("{s:s, s:s, s:s, s:i, s:s, s:s}", "id", entrant->slug, "name",
+                             entrant->name, "number", entrant->number, "attempt", entrant->attempt,
+                             "entry", entrant->entry, "status", row_status_name(row->status));
+    if (row->status == ROW_NOT_GRADED) {
+        json_object_set_new(json, "reason", json_string(row->reason));
+        return json;
+    }
+    char report[128];
+    snprintf(report, sizeof report, "students/%s/report.html", entrant->slug);
+    json_object_set_new(json, "score", json_integer(row->score));
+    json_object_set_new(json, "max_score", json_integer(gradebook->max_score));
+    json_object_set_new(json, "points", points_json(gradebook, row));
+    json_object_set_new(json, "not_passed", checks_json(gradebook, row));
+    if (row->fault != NULL) {
+        json_object_set_new(json, "first_fault",
+                            json_pack("{s:s, s:s, s:s}", "title", row->fault, "check",
+                                      row->fault_id, "message", row->fault_message));
+    }
+    json_object_set_new(json, "seed", json_string(row->seed));
+    json_object_set_new(json, "report", json_string(report));
+    if (row->has_old_score) {
+        json_object_set_new(json, "old_score", json_integer(row->old_score));
+    }
+    return json;
+}
+
+// Write one value and give it up. jansson hands on what went wrong while it was made: NULL fails.
+static int value_write(json_t *json, FILE *file)
+{
+    const int written = json != NULL ? json_dumpf(json, file, JSON_COMPACT | JSON_ENCODE_ANY) : -1;
+    json_decref(json);
+    return written;
+}
+
+static json_t *tasks_json(const Gradebook *gradebook)
+{
+    json_t *tasks = json_array();
+    for (int i = 0; i < gradebook->n_tasks; i++) {
+        const Column *task = &gradebook->tasks[i];
+        json_array_append_new(tasks, json_pack("{s:s, s:s, s:i}", "id", task->id, "title",
+                                               task->title, "max_points", task->max_points));
+    }
+    return tasks;
+}
+
+int gradebook_json(const Gradebook *gradebook, const char *path)
+{
+    OutputFile output;
+    if (output_file_open(&output, path) != 0) {
+        return -1;
+    }
+    FILE *file = output.file;
+    fputs("{\n\"lab\": ", file);
+    int failed = value_write(gradebook->lab ? json_string(gradebook->lab) : json_null(), file);
+    fputs(",\n\"title\": ", file);
+    failed |= value_write(gradebook->title ? json_string(gradebook->title) : json_null(), file);
+    fprintf(file, ",\n\"max_score\": %d,\n\"tasks\": ", gradebook->max_score);
+    failed |= value_write(tasks_json(gradebook), file);
+    fputs(",\n\"students\": [", file);
+    for (int i = 0; i < gradebook->n_rows; i++) {
+        fputs(i > 0 ? ",\n" : "\n", file);
+        failed |= value_write(row_json(gradebook, &gradebook->rows[i]), file);
+    }
+    fputs("\n]\n}\n", file);
+    if (failed) {
+        output_file_discard(&output);
+        fprintf(stderr, "gradebook: %s: cannot write\n", path);
+        return -1;
+    }
+    return output_file_commit(&output);
+}

@@ -1,0 +1,129 @@
+// gradebook: from a folder of submissions to a roster, and from graded submissions to a gradebook.
+//
+//     gradebook roster [--latest] LAB-NUMBER SUBMISSIONS FOLDER
+//     gradebook write [--moodle WORKSHEET.csv] [--against OLD.json] FOLDER
+//
+// `roster` writes FOLDER/roster.json and a link FOLDER/submissions/SLUG to each entry; `write` makes
+// gradebook.csv, gradebook.json and class.html in FOLDER of it, and says how the class did. Exit
+// status: 0; 1 when some are not graded; 2 after one message. Read next: roster.h, gradebook.h;
+// grade_class.sh, which calls both.
+#include "gradebook.h"
+#include "number.h"
+
+#include <getopt.h>
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { EXIT_ALL_GRADED = 0, EXIT_SOME_NOT_GRADED = 1, EXIT_FAULT = 2 };
+
+static int usage(void)
+{
+    fputs("usage: gradebook roster [--latest] LAB-NUMBER SUBMISSIONS FOLDER\n"
+          "       gradebook write [--moodle WORKSHEET.csv] [--against OLD.json] FOLDER\n",
+          stderr);
+    return EXIT_FAULT;
+}
+
+static int roster_make(int lab_number, const char *submissions, const char *folder, int only_latest)
+{
+    char links[PATH_MAX], path[PATH_MAX];
+    snprintf(links, sizeof links, "%s/submissions", folder);
+    snprintf(path, sizeof path, "%s/roster.json", folder);
+    Roster roster;
+    int result = roster_read(submissions, lab_number, only_latest, links, &roster);
+    if (result == 0) {
+        result = roster_save(&roster, path);
+    }
+    for (int i = 0; result == 0 && i < roster.n_entrants; i++) {
+        if (!roster.entrants[i].is_link) {
+            puts(roster.entrants[i].slug);
+        }
+    }
+    roster_free(&roster);
+    return result == 0 ? EXIT_ALL_GRADED : EXIT_FAULT;
+}
+
+// How the class did, for the terminal.
+static void summary_print(const Gradebook *gradebook, const char *folder)
+{
+    double sum = 0;
+    int n_full = 0;
+    int n_outdated = 0;
+    for (int i = 0; i < gradebook->n_rows; i++) {
+        const Row *row = &gradebook->rows[i];
+        sum += row->score;
+        n_full += row->status != ROW_NOT_GRADED && row->score == gradebook->max_score;
+        n_outdated += row->status == ROW_OUTDATED;
+    }
+    printf("%d submissions, %d graded", gradebook->n_rows, gradebook->n_graded);
+    if (gradebook->n_graded > 0) {
+        printf(", mean %.1f of %d, %d with full marks", sum / gradebook->n_graded,
+               gradebook->max_score, n_full);
+    }
+    if (n_outdated > 0) {
+        printf("; %d outdated", n_outdated);
+    }
+    printf("\n");
+    for (int i = 0; i < gradebook->n_rows; i++) {
+        const Row *row = &gradebook->rows[i];
+        if (row->status == ROW_NOT_GRADED) {
+            printf("not graded: %s: %s\n", row->entrant->name, row->reason);
+        }
+    }
+    printf("Gradebook: %s/gradebook.csv, %s/gradebook.json\nThe class: %s/class.html\n", folder,
+           folder, folder);
+}
+
+static int gradebook_write(const char *folder, const char *worksheet, const char *against)
+{
+    char csv[PATH_MAX], json[PATH_MAX], page[PATH_MAX];
+    snprintf(csv, sizeof csv, "%s/gradebook.csv", folder);
+    snprintf(json, sizeof json, "%s/gradebook.json", folder);
+    snprintf(page, sizeof page, "%s/class.html", folder);
+    Gradebook gradebook;
+    int status = EXIT_FAULT;
+    if (gradebook_load(folder, against, &gradebook) == 0 &&
+        gradebook_csv(&gradebook, csv, worksheet) == 0 && gradebook_json(&gradebook, json) == 0 &&
+        gradebook_page(&gradebook, page) == 0) {
+        summary_print(&gradebook, folder);
+        status = gradebook.n_graded == gradebook.n_rows ? EXIT_ALL_GRADED : EXIT_SOME_NOT_GRADED;
+    }
+    gradebook_free(&gradebook);
+    return status;
+}
+
+int main(int argc, char **argv)
+{
+    static const struct option options[] = {{"latest", no_argument, NULL, 'l'},
+                                            {"moodle", required_argument, NULL, 'm'},
+                                            {"against", required_argument, NULL, 'a'},
+                                            {0}};
+    const char *worksheet = NULL, *against = NULL;
+    int only_latest = 0, letter;
+    while ((letter = getopt_long(argc, argv, "", options, NULL)) != -1) {
+        switch (letter) {
+        case 'l':
+            only_latest = 1;
+            break;
+        case 'm':
+            worksheet = optarg;
+            break;
+        case 'a':
+            against = optarg;
+            break;
+        default:
+            return usage();
+        }
+    }
+    argv += optind, argc -= optind;
+    uint64_t lab;
+    if (argc == 4 && strcmp(argv[0], "roster") == 0 &&
+        number_read_unsigned(argv[1], 0, 99, &lab) == 0) {
+        return roster_make((int)lab, argv[2], argv[3], only_latest);
+    }
+    if (argc == 2 && strcmp(argv[0], "write") == 0) {
+        return gradebook_write(argv[1], worksheet, against);
+    }
+    return usage();
+}

@@ -1,0 +1,292 @@
+// Reading a folder of submissions (see roster.h).
+//
+// Flow: SUBMISSIONS -> ROSTER -> graded -> gradebook. Only names are read here; what is inside an
+// entry is the grader's, in its sandbox. The links spare the driver, a shell script, every name that
+// somebody else chose. Read next: entry_name.h, grade_class.sh.
+#include "roster.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static int fault(const char *path, const char *what)
+{
+    fprintf(stderr, "gradebook: %s: %s\n", path, what);
+    return -1;
+}
+
+// ---- Entries ---------------------------------------------------------------------------------
+
+// What one entry of the folder is, before it is known who else is there.
+typedef struct Found {
+    char *file;  // its name, as it is
+    EntryName name;
+    int is_link;
+    int attempt;
+    int stem;  // of name.name without an attempt's number
+} Found;
+
+typedef struct Folder {
+    const char *path;
+    Found *found;
+    int n_found;
+    int n_passed_over;  // files that are no archives
+} Folder;
+
+// What unpackers and version control leave in a folder, and no student.
+static int is_nobody(const char *file)
+{
+    static const char *const names[] = {".", "..", "__MACOSX", ".git", ".github", NULL};
+    int i = 0;
+    while (names[i] != NULL && strcmp(file, names[i]) != 0) {
+        i++;
+    }
+    return names[i] != NULL;
+}
+
+static int entry_add(Folder *folder, int descriptor, const char *file, int lab_number)
+{
+    struct stat status;
+    if (fstatat(descriptor, file, &status, AT_SYMLINK_NOFOLLOW) != 0) {
+        return fault(folder->path, strerror(errno));
+    }
+    if (S_ISREG(status.st_mode) && entry_name_archive_stem(file) == 0) {
+        folder->n_passed_over++;
+        return 0;
+    }
+    if ((folder->n_found & (folder->n_found - 1)) == 0) {
+        const size_t n = folder->n_found > 0 ? 2 * (size_t)folder->n_found : 1;
+        Found *grown = realloc(folder->found, n * sizeof *grown);
+        if (grown == NULL) {
+            return fault(folder->path, "out of memory");
+        }
+        folder->found = grown;
+    }
+    Found *found = &folder->found[folder->n_found];
+    *found = (Found){.file = strdup(file), .name = entry_name_read(file, lab_number)};
+    found->is_link = !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+    folder->n_found += found->file != NULL;
+    return found->file != NULL ? 0 : fault(folder->path, "out of memory");
+}
+
+static int folder_read(Folder *folder, int lab_number)
+{
+    DIR *entries = opendir(folder->path);
+    if (entries == NULL) {
+        return fault(folder->path, strerror(errno));
+    }
+    int result = 0;
+    struct dirent *entry;
+    errno = 0;
+    while (result == 0 && (entry = readdir(entries)) != NULL) {
+        if (!is_nobody(entry->d_name)) {
+            result = entry_add(folder, dirfd(entries), entry->d_name, lab_number);
+        }
+        errno = 0;
+    }
+    if (result == 0 && errno != 0) {
+        result = fault(folder->path, strerror(errno));
+    }
+    closedir(entries);
+    if (folder->n_passed_over > 0) {
+        fprintf(stderr,
+                "gradebook: %s: passed over %d files that are no archives (Moodle: download the "
+                "submissions in folders)\n",
+                folder->path, folder->n_passed_over);
+    }
+    return result;
+}
+
+static void folder_free(Folder *folder)
+{
+    for (int i = 0; i < folder->n_found; i++) {
+        free(folder->found[i].file);
+    }
+    free(folder->found);
+}
+
+// ---- Students --------------------------------------------------------------------------------
+
+static int names_compare(const void *left, const void *right)
+{
+    const Found *a = left;
+    const Found *b = right;
+    const int order = strcmp(a->name.name, b->name.name);
+    return order != 0 ? order : strcmp(a->file, b->file);
+}
+
+static int name_is_there(const Folder *folder, const char *name, int length)
+{
+    Found wanted = {.file = ""};
+    snprintf(wanted.name.name, sizeof wanted.name.name, "%.*s", length, name);
+    int low = 0;
+    int high = folder->n_found;
+    while (low < high) {
+        const int middle = (low + high) / 2;
+        if (names_compare(&folder->found[middle], &wanted) < 0) {
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
+    }
+    return low < folder->n_found && strcmp(folder->found[low].name.name, wanted.name.name) == 0;
+}
+
+// "ada-2" is Ada's second attempt where there is an "ada", and somebody's name where there is not.
+static void attempts_find(Folder *folder)
+{
+    qsort(folder->found, (size_t)folder->n_found, sizeof *folder->found, names_compare);
+    for (int i = 0; i < folder->n_found; i++) {
+        Found *found = &folder->found[i];
+        found->attempt = entry_name_attempt(found->name.name, &found->stem);
+        if (!name_is_there(folder, found->name.name, found->stem)) {
+            found->stem = (int)strlen(found->name.name);
+            found->attempt = 1;
+        }
+    }
+    for (int i = 0; i < folder->n_found; i++) {
+        folder->found[i].name.name[folder->found[i].stem] = '\0';
+    }
+}
+
+static int students_compare(const void *left, const void *right)
+{
+    const Found *a = left;
+    const Found *b = right;
+    int order = strcmp(a->name.name, b->name.name);
+    order = order != 0 ? order : strcmp(a->name.number, b->name.number);
+    // What was typed into a form comes before the files.
+    order = order != 0 ? order : b->name.is_text - a->name.is_text;
+    order = order != 0 ? order : a->attempt - b->attempt;
+    return order != 0 ? order : strcmp(a->file, b->file);
+}
+
+static int is_same_student(const Found *a, const Found *b)
+{
+    return strcmp(a->name.name, b->name.name) == 0 && strcmp(a->name.number, b->name.number) == 0;
+}
+
+// ---- The roster ------------------------------------------------------------------------------
+
+// Two entries whose slugs collide, which somebody may try on purpose: the later gets a number.
+static char *slug_new(const Roster *roster, const Found *found)
+{
+    char slug[ENTRY_SLUG_BYTES + 8];
+    entry_name_slug(found->name.name, found->file, slug);
+    const size_t length = strlen(slug);
+    int n = 1;
+    for (int i = 0; i < roster->n_entrants; i++) {
+        if (strcmp(roster->entrants[i].slug, slug) == 0) {
+            snprintf(slug + length, sizeof slug - length, "-%d", ++n);
+            i = -1;
+        }
+    }
+    return strdup(slug);
+}
+
+static int link_make(const char *submissions, const Found *found, const char *links,
+                     const char *slug)
+{
+    char from[2 * PATH_MAX];
+    char to[PATH_MAX];
+    snprintf(from, sizeof from, "%s/%s", submissions, found->file);
+    snprintf(to, sizeof to, "%s/%s", links, slug);
+    if (symlink(from, to) != 0) {
+        return fault(to, strerror(errno));
+    }
+    return 0;
+}
+
+static int entrant_add(Roster *roster, const char *submissions, const Found *found, int attempt,
+                       const char *links)
+{
+    const EntryName entry = entry_name_read(found->file, -1);
+    Entrant *entrant = &roster->entrants[roster->n_entrants];
+    *entrant = (Entrant){.name = strdup(found->name.name),
+                         .number = strdup(found->name.number),
+                         .entry = strdup(entry.name),
+                         .slug = slug_new(roster, found),
+                         .attempt = attempt,
+                         .is_link = found->is_link};
+    roster->n_entrants++;
+    if (entrant->name == NULL || entrant->number == NULL || entrant->entry == NULL ||
+        entrant->slug == NULL) {
+        return fault(submissions, "out of memory");
+    }
+    return found->is_link ? 0 : link_make(submissions, found, links, entrant->slug);
+}
+
+// From what was found, sorted by student, to entrants.
+static int roster_fill(const Folder *folder, int only_latest, const char *links, Roster *roster)
+{
+    char path[PATH_MAX];
+    roster->entrants = calloc((size_t)folder->n_found + 1, sizeof *roster->entrants);
+    if (roster->entrants == NULL || realpath(folder->path, path) == NULL) {
+        return fault(folder->path, strerror(errno));
+    }
+    int result = 0;
+    int attempt = 1;
+    for (int i = 0; result == 0 && i < folder->n_found; i++) {
+        const Found *found = &folder->found[i];
+        const int is_last =
+            i + 1 == folder->n_found || !is_same_student(found, &folder->found[i + 1]);
+        if (is_last || !only_latest) {
+            result = entrant_add(roster, path, found, attempt, links);
+        }
+        attempt = is_last ? 1 : attempt + 1;
+    }
+    return result;
+}
+
+// An empty folder for the links, whatever was there.
+static int links_clear(const char *links)
+{
+    if (mkdir(links, 0755) != 0 && errno != EEXIST) {
+        return fault(links, strerror(errno));
+    }
+    DIR *entries = opendir(links);
+    if (entries == NULL) {
+        return fault(links, strerror(errno));
+    }
+    struct dirent *entry;
+    while ((entry = readdir(entries)) != NULL) {
+        unlinkat(dirfd(entries), entry->d_name, 0);
+    }
+    closedir(entries);
+    return 0;
+}
+
+int roster_read(const char *submissions, int lab_number, int only_latest, const char *links,
+                Roster *roster)
+{
+    Folder folder = {.path = submissions};
+    *roster = (Roster){0};
+    int result = folder_read(&folder, lab_number);
+    if (result == 0 && folder.n_found == 0) {
+        result = fault(submissions, "no submission: expected a folder or an archive for each "
+                                    "student");
+    }
+    if (result == 0 && (result = links_clear(links)) == 0) {
+        attempts_find(&folder);
+        qsort(folder.found, (size_t)folder.n_found, sizeof *folder.found, students_compare);
+        result = roster_fill(&folder, only_latest, links, roster);
+    }
+    folder_free(&folder);
+    return result;
+}
+
+void roster_free(Roster *roster)
+{
+    for (int i = 0; i < roster->n_entrants; i++) {
+        Entrant *entrant = &roster->entrants[i];
+        free(entrant->name), free(entrant->number), free(entrant->entry), free(entrant->slug);
+    }
+    free(roster->entrants);
+    *roster = (Roster){0};
+}

@@ -1,0 +1,39 @@
+// The roster: who handed in, and under which name the driver's files of each are.
+//
+// Flow: SUBMISSIONS -> ROSTER -> graded -> gradebook. Made once at the start of a class run, from
+// the names in the folder alone, and read again for the gradebook. Read next: roster.c.
+#ifndef CLASS_ROSTER_H
+#define CLASS_ROSTER_H
+
+#include "entry_name.h"
+
+typedef struct Entrant {
+    char *name;    // the student, fit to be shown
+    char *number;  // Moodle's or Gradescope's number of the student, "" for none
+    char *entry;   // the entry's name, fit to be shown
+    char *slug;    // the name of its files; unique
+    int attempt;   // 1, 2 ... where a student has several entries
+    int is_link;   // neither a folder nor a file: cannot be graded
+} Entrant;
+
+typedef struct Roster {
+    Entrant *entrants;  // by name, then by attempt, then by entry
+    int n_entrants;
+} Roster;
+
+// Read the folder of submissions: each folder and each archive in it is an entry, other files are
+// passed over, with one line on stderr.
+//   lab_number   GitHub Classroom's names begin with it
+//   only_latest  of a student's entries keep the last
+//   links        folder that receives a symbolic link SLUG -> entry for each; made anew
+// Returns 0, or -1 after one message on stderr. Release with roster_free().
+int roster_read(const char *submissions, int lab_number, int only_latest, const char *links,
+                Roster *roster);
+
+// Write and read it as JSON. Return 0, or -1 after one message on stderr.
+int roster_save(const Roster *roster, const char *path);
+int roster_load(const char *path, Roster *roster);
+
+void roster_free(Roster *roster);
+
+#endif

@@ -1,0 +1,56 @@
+// The roster as JSON, between the driver's start and the gradebook (see roster.h).
+#include "output_file.h"
+#include "roster.h"
+
+#include <jansson.h>
+#include <stdlib.h>
+#include <string.h>
+
+int roster_save(const Roster *roster, const char *path)
+{
+    json_t *list = json_array();
+    int failed = list == NULL;
+    for (int i = 0; !failed && i < roster->n_entrants; i++) {
+        const Entrant *entrant = &roster->entrants[i];
+        json_t *entry = json_pack("{s:s, s:s, s:s, s:s, s:i, s:b}", "id", entrant->slug, "name",
+                                  entrant->name, "number", entrant->number, "entry", entrant->entry,
+                                  "attempt", entrant->attempt, "link", entrant->is_link);
+        failed = json_array_append_new(list, entry) != 0;
+    }
+    OutputFile output;
+    if (failed || output_file_open(&output, path) != 0) {
+        json_decref(list);
+        return -1;
+    }
+    json_dumpf(list, output.file, JSON_INDENT(1));
+    json_decref(list);
+    return output_file_commit(&output);
+}
+
+int roster_load(const char *path, Roster *roster)
+{
+    json_error_t error;
+    json_t *list = json_load_file(path, JSON_REJECT_DUPLICATES, &error);
+    *roster = (Roster){.entrants = calloc(json_array_size(list) + 1, sizeof(Entrant))};
+    int failed = roster->entrants == NULL || !json_is_array(list);
+    for (size_t i = 0; !failed && i < json_array_size(list); i++) {
+        const char *slug, *name, *number, *entry;
+        Entrant *entrant = &roster->entrants[roster->n_entrants++];
+        failed = json_unpack_ex(json_array_get(list, i), &error, JSON_STRICT,
+                                "{s:s, s:s, s:s, s:s, s:i, s:b}", "id", &slug, "name", &name,
+                                "number", &number, "entry", &entry, "attempt", &entrant->attempt,
+                                "link", &entrant->is_link) != 0;
+        if (!failed) {
+            entrant->slug = strdup(slug), entrant->name = strdup(name);
+            entrant->number = strdup(number), entrant->entry = strdup(entry);
+            failed = entrant->slug == NULL || entrant->name == NULL || entrant->number == NULL ||
+                     entrant->entry == NULL;
+        }
+    }
+    json_decref(list);
+    if (failed) {
+        fprintf(stderr, "gradebook: %s: line %d: %s\n", path, error.line, error.text);
+        roster_free(roster);
+    }
+    return failed ? -1 : 0;
+}
