@@ -1,5 +1,5 @@
-// Any bytes as a lab's manifest: what is taken keeps every promise of manifest.h, and what is refused
-// gets one message.
+// Any bytes as a lab's manifest: what is taken keeps every promise of manifest.h, and what is
+// refused gets one message.
 #include "fuzz.h"
 
 #include "manifest.h"

@@ -5,7 +5,7 @@
 
 enum { MAX_BYTES = 4096 };
 
-// A section, if there is one of that name: aligned, within the file, and what sections_find() gives.
+// A section, if there is one of that name: aligned, in the file, and what sections_find() gives.
 static void check_section(const Sections *sections, const char *name)
 {
     size_t n_bytes = SIZE_MAX;

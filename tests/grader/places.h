@@ -29,8 +29,8 @@ typedef struct Places {
 //   lab                 "03-kdtree-2d-render"
 //   files[n_files]      the names
 //   places[n_files]     out; release with places_free()
-// Returns 0, or -1 with errno set when a folder could not be read (permissions of a folder below the
-// top aside: that one is passed over).
+// Returns 0, or -1 with errno set when a folder could not be read. One below the top that nobody
+// may read is passed over.
 int places_find(int top, const char *lab, char *const *files, int n_files, Places *places);
 void places_free(Places *places, int n_files);
 

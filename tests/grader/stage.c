@@ -6,6 +6,7 @@
 // sandbox.h.
 #include "stage.h"
 
+#include "bytes_write.h"
 #include "message.h"
 #include "places.h"
 
@@ -136,16 +137,9 @@ static int file_write(const Staging *staging, const char *file, size_t n_bytes)
         return machinery_fault(staging->destination, file, errno);
     }
 
-    int fault = fchmod(descriptor, 0644) != 0 ? errno : 0;  // whatever the umask
-    size_t n_written = 0;
-    while (fault == 0 && n_written < n_bytes) {
-        ssize_t n = write(descriptor, staging->bytes + n_written, n_bytes - n_written);
-        if (n >= 0) {
-            n_written += (size_t)n;
-        } else if (errno != EINTR) {
-            fault = errno;
-        }
-    }
+    const int failed = fchmod(descriptor, 0644) != 0 ||  // whatever the umask
+                       bytes_write(descriptor, staging->bytes, n_bytes) != 0;
+    int fault = failed ? errno : 0;
     if (close(descriptor) != 0 && fault == 0) {
         fault = errno;
     }

@@ -1,9 +1,11 @@
 // A folder to stage from, whatever was handed in (see submission.h).
 //
 // The archive and the program that reads it are copied to where the sandbox's user may read them.
-// What comes back is a folder like any other, as little to be trusted, and one line for the student.
+// What comes back is a folder like any other, as little to be trusted, and one line for the
+// student.
 #include "submission.h"
 
+#include "bytes_write.h"
 #include "message.h"
 #include "sandbox.h"
 
@@ -44,19 +46,6 @@ static int complain(const char *path, const char *complaint, char **message)
 
 // ---- Copies for the sandbox -----------------------------------------------------------------
 
-static int block_write(int to, const char *block, size_t n_bytes)
-{
-    while (n_bytes > 0) {
-        const ssize_t n = write(to, block, n_bytes);
-        if (n < 0 && errno != EINTR) {
-            return -1;
-        }
-        block += n > 0 ? n : 0;
-        n_bytes -= n > 0 ? (size_t)n : 0;
-    }
-    return 0;
-}
-
 // Copy at most n_bytes of an open file to a new one. Returns 0, or -1 with errno set.
 static int copy_open_file(int from, const char *to, off_t n_bytes, mode_t mode)
 {
@@ -73,7 +62,7 @@ static int copy_open_file(int from, const char *to, off_t n_bytes, mode_t mode)
             break;
         }
         if (n > 0) {
-            outcome = block_write(out, block, (size_t)n);
+            outcome = bytes_write(out, block, (size_t)n);
             n_bytes -= n;
         } else if (errno != EINTR) {
             outcome = -1;

@@ -20,26 +20,23 @@ enum {
 // The longest message, its NUL included.
 enum { UNPACK_MESSAGE_BYTES = 256 };
 
-// A reader for the kinds of archives that are taken: zip; tar, also compressed by gzip, bzip2 or xz.
-// Told apart by their content. NULL when memory runs out; release with archive_read_free().
+// A reader for the kinds of archives that are taken, told apart by their content: zip; tar, also
+// compressed by gzip, bzip2 or xz. NULL when memory runs out; release with archive_read_free().
 struct archive *unpack_reader_new(void);
 
 // Write every entry called one of the names into an open folder, below the folders that it has in
-// the archive. Entries whose path is absolute lose their first slash; those with "..", names or paths
-// that are too long, or more than PLACES_MAX_DEPTH folders are passed over. A file of more than
-// STAGE_MAX_FILE_BYTES is cut one byte behind that. In place of a link comes a link to nowhere, in
-// place of anything else that is no file a folder, so that staging says what was there.
+// the archive. Absolute paths lose their first slash; those with "..", names that are too long, or
+// more than PLACES_MAX_DEPTH folders are passed over. A file of more than STAGE_MAX_FILE_BYTES is
+// cut one byte behind that. In place of a link comes a link to nowhere, in place of anything else
+// that is no file a folder, so that staging says what was there.
 //   archive          opened
 //   folder           an empty folder, open
 //   names[n_names]   the wanted files' names
-//   message          out, on 1: what is wrong, for the student, [UNPACK_MESSAGE_BYTES]; it may quote
-//                    the archive, so it is to be cleaned for display
+//   message          out, on 1: what is wrong, for the student, [UNPACK_MESSAGE_BYTES]; it may
+//                    quote the archive, so it is to be cleaned for display
 // Returns 0; 1 when the archive is at fault; UNPACK_NO_ARCHIVE, without a message, when the file is
 // none that is read here; -1 with errno set when the folder is at fault (a full disk).
 enum { UNPACK_NO_ARCHIVE = 2 };
 int unpack(struct archive *archive, int folder, char *const *names, int n_names, char *message);
-
-// What a file that is no such archive seems to be, by its first bytes: "a RAR archive".
-const char *unpack_kind(const unsigned char *bytes, size_t n_bytes);
 
 #endif

@@ -5,6 +5,7 @@
 // Writes the entries with these names into FOLDER (unpack.h says how). Exit status: 0; 1 when the
 // archive is at fault, which one line on stdout tells; 2 when it could not work itself, with a line
 // on stderr. Read next: submission.c, which starts it.
+#include "file_kind.h"
 #include "unpack.h"
 
 #include <archive.h>
@@ -28,7 +29,7 @@ static int tell_kind(int descriptor, int n_names, char **names)
 {
     unsigned char bytes[512];
     const ssize_t n = pread(descriptor, bytes, sizeof bytes, 0);
-    printf("found %s, expected ", unpack_kind(bytes, n > 0 ? (size_t)n : 0));
+    printf("found %s, expected ", file_kind(bytes, n > 0 ? (size_t)n : 0));
     for (int i = 0; i < n_names; i++) {
         printf("%s%s", i == 0 ? "" : i < n_names - 1 ? ", " : " and ", names[i]);
     }

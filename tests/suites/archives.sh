@@ -1,6 +1,6 @@
 #!/bin/sh
-# What can be handed in: folders and archives as students, Moodle, Gradescope and GitHub make them, and
-# hostile ones; each ends in marks or in one message to the student, never in a fault of the grader.
+# What can be handed in: folders and archives as students, Moodle, Gradescope and GitHub make them,
+# and hostile ones; each ends in marks or in a message to the student, never in a fault of the grader.
 #
 #     sh tests/suites/archives.sh      from the top folder, after `make tests`
 set -u
@@ -11,8 +11,8 @@ case $build in /*) ;; *) build=$PWD/$build ;; esac
 lab=00-hello-pixels
 course=$PWD
 
-# Where the grader works; whatever it forgets there is seen at the end. Other users may enter, as what
-# it runs is somebody else.
+# Where the grader works; whatever it forgets there is seen at the end. Other users may enter, as
+# what it runs is somebody else.
 chmod 711 "$scratch"
 mkdir -m 711 "$scratch/work"
 export TMPDIR="$scratch/work"
@@ -21,8 +21,8 @@ reports=$scratch/reports
 # grade PATH: exits as the grader does.
 grade() {
     rm -rf "$reports"
-    "$build/tools/grade" --build "$build" --output "$reports" --lab $lab --seed 5 --submission "$1" \
-        >"$scratch/said" 2>&1 </dev/null
+    "$build/tools/grade" --build "$build" --output "$reports" --lab $lab --seed 5 \
+        --submission "$1" >"$scratch/said" 2>&1 </dev/null
 }
 
 # field NAME: a number of results.json's outermost level.
@@ -40,7 +40,7 @@ earns() {
     [ "$status" -lt 2 ] && [ "$(field score)" -eq "$1" ] && [ -z "$(said)" ]
 }
 
-# refuses PATH WORDS: no points, and a line for the student that holds the words, at most one a file?
+# refuses PATH WORDS: no points, and a line for the student with the words, at most one a file?
 # shellcheck disable=SC2317 # called by check
 refuses() {
     status=0
@@ -170,7 +170,7 @@ graded "an encrypted archive" refuses "$PWD/encrypted.zip" \
     "encrypted.zip: the archive is encrypted: hand it in without a password"
 zip -q -r whole.zip $lab
 head -c 3000 whole.zip >cut.zip
-graded "a zip archive that is cut off" refuses "$PWD/cut.zip" "zip archive that is damaged or cut off"
+graded "a zip archive that is cut off" refuses "$PWD/cut.zip" "zip archive that is damaged or cut"
 # Compressed a little only, so that the first entry is there whole.
 tar -cf - $lab | gzip -1 >whole.tar.gz
 head -c 4000 whole.tar.gz >cut.tar.gz

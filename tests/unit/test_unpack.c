@@ -1,5 +1,6 @@
 // grader/unpack: the wanted files come out of every kind of archive, and nothing that an archive
 // may say leads out of the folder, fills the disk or goes on for ever.
+#include "file_kind.h"
 #include "places.h"
 #include "stage.h"
 #include "surroundings.h"
@@ -416,9 +417,8 @@ Test(unpack, knows_what_is_no_archive)
         const size_t n_bytes = strlen(files[i][0]);
         memcpy(packed, files[i][0], n_bytes);
         cr_expect_eq(packed_unpack(n_bytes), UNPACK_NO_ARCHIVE, "%s", files[i][1]);
-        const char *kind = unpack_kind((const unsigned char *)packed, n_bytes);
+        const char *kind = file_kind((const unsigned char *)packed, n_bytes);
         cr_expect_eq(strncmp(kind, files[i][1], strlen(files[i][1])), 0, "%s", kind);
     }
-    cr_expect_str_eq(unpack_kind((const unsigned char *)"\x01\x00\x02", 3),
-                     "a file of unknown kind");
+    cr_expect_str_eq(file_kind((const unsigned char *)"\x01\x00\x02", 3), "a file of unknown kind");
 }
