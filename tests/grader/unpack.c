@@ -1,23 +1,20 @@
 // The lab's files out of an archive (see unpack.h).
 //
 // Flow: archive -> UNPACKED in the sandbox -> places -> staged. libarchive reads the formats; here
-// is decided what of that is written, where, and how much.
+// is decided what of that is written, and how much. Read next: unpack_entry.c.
 #include "unpack.h"
 
-#include "bytes_write.h"
 #include "places.h"
 #include "stage.h"
+#include "unpack_entry.h"
 
 #include <archive.h>
 #include <archive_entry.h>
 #include <errno.h>
-#include <fcntl.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 typedef struct Unpacking {
     struct archive *archive;
@@ -97,61 +94,6 @@ static int entry_count(Unpacking *unpacking, struct archive_entry *entry)
     return 0;
 }
 
-// ---- Writing --------------------------------------------------------------------------------
-
-// Is it a fault of the disk? Else the entry itself cannot be written (its name is too long or no
-// text that the file system takes, or another entry is in its way) and is passed over.
-static int outcome_of(int fault)
-{
-    return fault == ENOSPC || fault == EDQUOT || fault == EIO || fault == EROFS ? -1 : 0;
-}
-
-// Read an entry's content and write it. Returns as unpack() does.
-static int file_write(Unpacking *unpacking, struct archive_entry *entry, int parent,
-                      const char *name)
-{
-    if (archive_entry_is_encrypted(entry)) {
-        return complain_encrypted(unpacking);
-    }
-    size_t n_bytes = 0;
-    while (n_bytes <= STAGE_MAX_FILE_BYTES) {
-        const la_ssize_t n = archive_read_data(unpacking->archive, unpacking->bytes + n_bytes,
-                                               STAGE_MAX_FILE_BYTES + 1 - n_bytes);
-        if (n < 0) {  // ARCHIVE_RETRY, too: it may be said without end
-            return complain_damaged(unpacking);
-        }
-        if (n == 0) {
-            break;
-        }
-        n_bytes += (size_t)n;
-    }
-    const int flags = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
-    const int descriptor = openat(parent, name, flags, 0644);
-    if (descriptor < 0) {
-        return outcome_of(errno);
-    }
-    int fault = bytes_write(descriptor, unpacking->bytes, n_bytes) != 0 ? errno : 0;
-    if (close(descriptor) != 0 && fault == 0) {
-        fault = errno;
-    }
-    errno = fault;
-    return fault != 0 ? -1 : 0;
-}
-
-static int entry_write(Unpacking *unpacking, struct archive_entry *entry, int parent,
-                       const char *name)
-{
-    // Of several entries with one path the last one counts, as when tar appends a newer file.
-    unlinkat(parent, name, 0);
-    if (archive_entry_hardlink(entry) != NULL || archive_entry_filetype(entry) == AE_IFLNK) {
-        return symlinkat("nowhere", parent, name) == 0 ? 0 : outcome_of(errno);
-    }
-    if (archive_entry_filetype(entry) != AE_IFREG) {
-        return mkdirat(parent, name, 0755) == 0 ? 0 : outcome_of(errno);
-    }
-    return file_write(unpacking, entry, parent, name);
-}
-
 // ---- Paths ----------------------------------------------------------------------------------
 
 // Cut a path at its slashes, in place, into at most PLACES_MAX_DEPTH + 1 parts. Returns how many it
@@ -185,20 +127,6 @@ static int is_wanted(const Unpacking *unpacking, const char *name)
     return 0;
 }
 
-// Make the folder if it is not there, and open it. Returns a descriptor, or -1 with errno set.
-// Closes `parent`.
-static int folder_enter(int parent, const char *name)
-{
-    int inner = -1;
-    if (mkdirat(parent, name, 0755) == 0 || errno == EEXIST) {
-        inner = openat(parent, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
-    }
-    const int fault = errno;
-    close(parent);
-    errno = fault;
-    return inner;
-}
-
 // Write the entry where its path says. Returns as unpack() does.
 static int entry_place(Unpacking *unpacking, struct archive_entry *entry, char *path)
 {
@@ -213,18 +141,17 @@ static int entry_place(Unpacking *unpacking, struct archive_entry *entry, char *
                  parts[n_parts - 1], UNPACK_MAX_FILES);
         return 1;
     }
-    int parent = openat(unpacking->folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    for (int i = 0; parent >= 0 && i < n_parts - 1; i++) {
-        parent = folder_enter(parent, parts[i]);
+    switch (unpack_entry(unpacking->archive, entry, unpacking->folder, parts, n_parts,
+                         unpacking->bytes)) {
+    case 0:
+        return 0;
+    case ENTRY_DAMAGED:
+        return complain_damaged(unpacking);
+    case ENTRY_ENCRYPTED:
+        return complain_encrypted(unpacking);
+    default:
+        return -1;
     }
-    if (parent < 0) {
-        return outcome_of(errno);
-    }
-    const int outcome = entry_write(unpacking, entry, parent, parts[n_parts - 1]);
-    const int fault = errno;
-    close(parent);
-    errno = fault;
-    return outcome;
 }
 
 // ---- The archive ----------------------------------------------------------------------------
