@@ -181,12 +181,11 @@ static void note_lost_markers(Grading *grading)
 // Returns 0; 1 with a message for the student; -1 after one message on stderr.
 static int stage(const Grading *grading, const char *submission, const char *folder, char **message)
 {
-    const Manifest *manifest = &grading->session.manifest;
-    const Workshop *workshop = &grading->session.workshop;
+    const Session *session = &grading->session;
     char source[PATH_BYTES];
-    const int opened = submission_folder(manifest, submission, workshop->build, workshop->folder,
-                                         source, sizeof source, message);
-    return opened != 0 ? opened : stage_submission(manifest, source, folder, message);
+    const int opened =
+        submission_folder(&session->workshop, submission, source, sizeof source, message);
+    return opened != 0 ? opened : stage_submission(&session->manifest, source, folder, message);
 }
 
 // Stage, run, judge. Returns 0 when there is a result, or -1 after one message.

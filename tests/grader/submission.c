@@ -135,8 +135,9 @@ static int folders_make(const char *room)
     return 0;
 }
 
-static SandboxRun *start_unpack(const Manifest *manifest, const char *in, const char *out)
+static SandboxRun *start_unpack(const Workshop *workshop, const char *in, const char *out)
 {
+    const Manifest *manifest = workshop->manifest;
     const char *argv[4 + MANIFEST_MAX_FILES] = {"in/unpack", "in/archive", "out"};
     for (int i = 0; i < manifest->n_files; i++) {
         argv[3 + i] = manifest->files[i];
@@ -162,19 +163,18 @@ static int take_unpack(const char *path, const SandboxResult *result, char **mes
     char line[512];
     result->output[strcspn(result->output, "\n")] = '\0';
     message_show(result->output, line, sizeof line);
-    switch (result->outcome) {
-    case SANDBOX_TIMED_OUT:
+    if (result->outcome == SANDBOX_FAULT) {
+        fprintf(stderr, "grade: the sandbox failed: %s\n", line);
+        return -1;
+    }
+    if (result->outcome == SANDBOX_TIMED_OUT) {
         snprintf(complaint, sizeof complaint,
                  "not unpacked after %d s: hand in the lab's files only", UNPACK_SECONDS);
         return complain(path, complaint, message);
-    case SANDBOX_CRASHED:
+    }
+    if (result->outcome != SANDBOX_EXITED) {
         return complain(path, "the archive is damaged, reading it crashes: pack the files anew",
                         message);
-    case SANDBOX_EXITED:
-        break;
-    case SANDBOX_FAULT:
-        fprintf(stderr, "grade: the sandbox failed: %s\n", line);
-        return -1;
     }
     if (result->exit_status == EXIT_ARCHIVE) {
         return complain(path, line, message);
@@ -186,9 +186,10 @@ static int take_unpack(const char *path, const SandboxResult *result, char **mes
     return 0;
 }
 
-static int archive_unpack(const Manifest *manifest, const char *path, int archive,
-                          const char *build, const char *room, char **message)
+// Unpack an open file into the workshop's folder unpack/out. Returns 0, 1 with a message, or -1.
+static int archive_unpack(const Workshop *workshop, const char *path, int archive, char **message)
 {
+    const char *room = workshop->folder;
     char in[PATH_BYTES], out[PATH_BYTES], copy[PATH_BYTES], tool[PATH_BYTES];
     snprintf(in, sizeof in, "%s/unpack/in", room);
     snprintf(out, sizeof out, "%s/unpack/out", room);
@@ -198,10 +199,10 @@ static int archive_unpack(const Manifest *manifest, const char *path, int archiv
     if (outcome == 0) {
         outcome = copy_archive(path, archive, copy, message);
     }
-    if (outcome != 0 || (outcome = copy_tool(build, tool)) != 0) {
+    if (outcome != 0 || (outcome = copy_tool(workshop->build, tool)) != 0) {
         return outcome;
     }
-    SandboxRun *run = start_unpack(manifest, in, out);
+    SandboxRun *run = start_unpack(workshop, in, out);
     if (run == NULL) {
         return -1;
     }
@@ -262,8 +263,8 @@ static int only_file_open(const Manifest *manifest, const char *folder, char *pa
     return file;
 }
 
-int submission_folder(const Manifest *manifest, const char *path, const char *build,
-                      const char *room, char *folder, size_t n_bytes, char **message)
+int submission_folder(const Workshop *workshop, const char *path, char *folder, size_t n_bytes,
+                      char **message)
 {
     char inner[PATH_BYTES + NAME_MAX];
     struct stat status;
@@ -279,15 +280,15 @@ int submission_folder(const Manifest *manifest, const char *path, const char *bu
     }
     if (S_ISDIR(status.st_mode)) {
         close(file);
-        file = only_file_open(manifest, path, inner, sizeof inner);
+        file = only_file_open(workshop->manifest, path, inner, sizeof inner);
         snprintf(folder, n_bytes, "%s", path);
         path = inner;
     }
     if (file < 0) {
         return 0;
     }
-    const int outcome = archive_unpack(manifest, path, file, build, room, message);
-    snprintf(folder, n_bytes, "%s/unpack/out", room);
+    const int outcome = archive_unpack(workshop, path, file, message);
+    snprintf(folder, n_bytes, "%s/unpack/out", workshop->folder);
     close(file);
     return outcome;
 }
