@@ -14,7 +14,6 @@
 #include "report_systems.h"
 #include "session.h"
 #include "settings.h"
-#include "stage.h"
 #include "stands_out.h"
 #include "stats.h"
 #include "submission.h"
@@ -177,17 +176,6 @@ static void note_lost_markers(Grading *grading)
 
 // ---- Grading --------------------------------------------------------------------------------
 
-// Unpack the submission where it is an archive, and copy the lab's files into a variant's folder.
-// Returns 0; 1 with a message for the student; -1 after one message on stderr.
-static int stage(const Grading *grading, const char *submission, const char *folder, char **message)
-{
-    const Session *session = &grading->session;
-    char source[PATH_BYTES];
-    const int opened =
-        submission_folder(&session->workshop, submission, source, sizeof source, message);
-    return opened != 0 ? opened : stage_submission(&session->manifest, source, folder, message);
-}
-
 // Stage, run, judge. Returns 0 when there is a result, or -1 after one message.
 static int grade(Grading *grading, const Settings *settings)
 {
@@ -201,7 +189,7 @@ static int grade(Grading *grading, const Settings *settings)
         return -1;
     }
     start_result(grading, settings);
-    const int staged = stage(grading, settings->submission, folder, &staging);
+    const int staged = submission_stage(&session->workshop, settings->submission, folder, &staging);
     if (staged < 0) {
         return -1;
     }

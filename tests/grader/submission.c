@@ -1,4 +1,4 @@
-// A folder to stage from, whatever was handed in (see submission.h).
+// Staging whatever was handed in (see submission.h).
 //
 // The archive and the program that reads it are copied to where the sandbox's user may read them.
 // What comes back is a folder like any other, as little to be trusted, and one line for the
@@ -8,6 +8,7 @@
 #include "bytes_write.h"
 #include "message.h"
 #include "sandbox.h"
+#include "stage.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -263,12 +264,11 @@ static int only_file_open(const Manifest *manifest, const char *folder, char *pa
     return file;
 }
 
-int submission_folder(const Workshop *workshop, const char *path, char *folder, size_t n_bytes,
-                      char **message)
+// The folder to stage from. Returns 0, 1 with a message, or -1.
+static int source_open(const Workshop *workshop, const char *path, char *source, char **message)
 {
     char inner[PATH_BYTES + NAME_MAX];
     struct stat status;
-    *message = NULL;
     // O_NONBLOCK: a FIFO would otherwise wait for a writer that never comes.
     int file = open(path, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
     if (file < 0 || fstat(file, &status) != 0) {
@@ -281,14 +281,24 @@ int submission_folder(const Workshop *workshop, const char *path, char *folder, 
     if (S_ISDIR(status.st_mode)) {
         close(file);
         file = only_file_open(workshop->manifest, path, inner, sizeof inner);
-        snprintf(folder, n_bytes, "%s", path);
+        snprintf(source, PATH_BYTES, "%s", path);
         path = inner;
     }
     if (file < 0) {
         return 0;
     }
+    snprintf(source, PATH_BYTES, "%s/unpack/out", workshop->folder);
     const int outcome = archive_unpack(workshop, path, file, message);
-    snprintf(folder, n_bytes, "%s/unpack/out", workshop->folder);
     close(file);
     return outcome;
+}
+
+int submission_stage(const Workshop *workshop, const char *path, const char *destination,
+                     char **message)
+{
+    char source[PATH_BYTES];
+    *message = NULL;
+    const int opened = source_open(workshop, path, source, message);
+    return opened != 0 ? opened
+                       : stage_submission(workshop->manifest, source, destination, message);
 }

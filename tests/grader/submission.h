@@ -1,4 +1,4 @@
-// What was handed in: a folder, or an archive that becomes one.
+// Staging what was handed in: a folder, or an archive that becomes one.
 //
 // Flow: SUBMISSION -> (unpack) -> places -> staged. Archives are read only in the sandbox. Read
 // next: unpack.h, stage.h.
@@ -7,21 +7,20 @@
 
 #include "workshop.h"
 
-#include <stddef.h>
-
 // The largest archive that is looked into.
 enum { SUBMISSION_MAX_MEGABYTES = 64 };
 
-// The folder to stage from: `path` itself where it is a folder; else a new folder, into which the
-// manifest's files are unpacked. A folder with nothing but one file, which is none of the
-// manifest's, stands for that file: Moodle puts one around each upload.
-//   workshop  open; "unpack" is made in its folder
-//   path      what was handed in; links on the way are the instructor's and followed
-//   folder    out: where to stage from, [n_bytes]
-//   message   out: NULL, or what is wrong, for the student; owned by the caller
-// Returns 0; 1 with a message when the submission is at fault: no archive, a damaged, an encrypted
-// or an excessive one; -1 after one message on stderr when the machinery is.
-int submission_folder(const Workshop *workshop, const char *path, char *folder, size_t n_bytes,
-                      char **message);
+// Copy the manifest's files from what was handed in to folder `destination`, as stage_submission()
+// does: from `path` itself where it is a folder; else from a new folder, into which they are
+// unpacked. A folder with nothing but one file, which is none of the manifest's, stands for that
+// file: Moodle puts one around each upload.
+//   workshop     open; "unpack" is made in its folder, so only one archive for a workshop
+//   path         what was handed in; links on the way are the instructor's and followed
+//   destination  an existing folder
+//   message      out: NULL, or what is wrong, for the student; owned by the caller
+// Returns 0; 1 with a message when the submission is at fault, also for a file that is no archive,
+// a damaged, an encrypted or an excessive one; -1 after one message on stderr when the machinery is.
+int submission_stage(const Workshop *workshop, const char *path, const char *destination,
+                     char **message);
 
 #endif
