@@ -85,7 +85,7 @@ $(foreach l,$(LABS),$(eval $(call earlier_archive,$(l))))
 
 # ---- The grader -----------------------------------------------------------------------------
 
-GRADER_MAINS = $(addprefix tests/grader/,grade.c class_report.c mutants.c holes_tool.c)
+GRADER_MAINS = $(addprefix tests/grader/,grade.c class_report.c mutants.c holes_tool.c memcheck.c)
 GRADER_SOURCES := $(filter-out $(GRADER_MAINS),$(wildcard tests/grader/*.c))
 # The grader makes its trees and cameras with the solutions of labs 02, 04 and 06.
 BUILDERS = solutions/02-kdtree-2d-build/kdtree2d_build.c \
@@ -98,7 +98,7 @@ $(OUT)/libgrader.a: $(call objects,$(GRADER_SOURCES) tests/probes/sections.c $(B
 	@rm -f $@
 	@ar rcs $@ $^
 
-$(OUT)/tools/grade $(OUT)/tools/class_report $(OUT)/tools/mutants: $(OUT)/tools/%: $(OUT)/obj/tests/grader/%.c.o $(OUT)/libgrader.a $(OUT)/libcommon.a
+$(OUT)/tools/grade $(OUT)/tools/class_report $(OUT)/tools/mutants $(OUT)/tools/memcheck: $(OUT)/tools/%: $(OUT)/obj/tests/grader/%.c.o $(OUT)/libgrader.a $(OUT)/libcommon.a
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -o $@
 
@@ -121,13 +121,19 @@ endef
 $(foreach l,$(PROBES),$(eval $(call probe,$(l))))
 
 .PHONY: grader
-grader: $(OUT)/tools/holes $(OUT)/tools/grade $(OUT)/tools/mutants $(OUT)/tools/class_report $(PROBE_TARGETS) $(foreach l,$(LABS),$(OUT)/earlier/$(l).a)  ## build the grader and its probes
+grader: $(OUT)/tools/holes $(OUT)/tools/grade $(OUT)/tools/memcheck $(OUT)/tools/mutants $(OUT)/tools/class_report $(PROBE_TARGETS) $(foreach l,$(LABS),$(OUT)/earlier/$(l).a)  ## build the grader and its probes
 
 .PHONY: grade
 grade: grader  ## grade LAB=03 [SUBMISSION=folder] [SEED=n] [DEVICE=d]
 	@test -n "$(LAB)" || { echo "make grade: say which lab: make grade LAB=03" >&2; exit 2; }
 	@$(OUT)/tools/grade --build $(OUT) --lab "$$LAB" $(if $(SUBMISSION),--submission "$$SUBMISSION") \
 	    $(if $(SEED),--seed "$$SEED") $(if $(DEVICE),--device "$$DEVICE")
+
+.PHONY: memcheck
+memcheck: grader  ## look for indices out of range, unset values and races: LAB=03 [SUBMISSION=folder]
+	@test -n "$(LAB)" || { echo "make memcheck: say which lab: make memcheck LAB=03" >&2; exit 2; }
+	@$(OUT)/tools/memcheck --build $(OUT) --lab "$$LAB" \
+	    $(if $(SUBMISSION),--submission "$$SUBMISSION") $(if $(SEED),--seed "$$SEED")
 
 # ---- Skeletons: labs/ is cut from solutions/ ------------------------------------------------
 
