@@ -90,9 +90,9 @@ $(foreach l,$(LABS),$(eval $(call earlier_archive,$(l))))
 
 # ---- The grader -----------------------------------------------------------------------------
 
-GRADER_MAINS = $(addprefix tests/grader/,grade.c mutants.c mutate.c holes_tool.c unpack_tool.c)
+GRADER_MAINS = $(addprefix tests/grader/,grade.c mutants.c mutate.c holes_tool.c unpack_tool.c memcheck.c)
 GRADER_SOURCES := $(filter-out $(GRADER_MAINS),$(wildcard tests/grader/*.c))
-GRADER_TOOLS := $(patsubst tests/grader/%.c,$(OUT)/tools/%,$(wildcard tests/grader/grade.c tests/grader/mutants.c tests/grader/mutate.c))
+GRADER_TOOLS := $(patsubst tests/grader/%.c,$(OUT)/tools/%,$(filter-out %_tool.c,$(wildcard $(GRADER_MAINS))))
 # Judges of later labs get their trees and cameras from the solutions of labs 02, 04 and 06.
 BUILDERS := $(wildcard solutions/02-kdtree-2d-build/kdtree2d_build.c \
     solutions/04-camera-rays/camera_from_view.c solutions/06-kdtree-3d-build/kdtree3d_build.c)
@@ -159,6 +159,12 @@ grade: grader  ## grade LAB=03 [SUBMISSION=folder or archive] [SEED=n] [DEVICE=d
 	@$(OUT)/tools/grade --build $(OUT) --lab "$$LAB" $(if $(SUBMISSION),--submission "$$SUBMISSION") \
 	    $(if $(SEED),--seed "$$SEED") $(if $(DEVICE),--device "$$DEVICE") \
 	    $(if $(FORMAT),--format "$$FORMAT")
+
+.PHONY: memcheck
+memcheck: grader  ## look for indices out of range, unset values and races: LAB=03 [SUBMISSION=folder]
+	@test -n "$(LAB)" || { echo "make memcheck: say which lab: make memcheck LAB=03" >&2; exit 2; }
+	@$(OUT)/tools/memcheck --build $(OUT) --lab "$$LAB" \
+	    $(if $(SUBMISSION),--submission "$$SUBMISSION") $(if $(SEED),--seed "$$SEED")
 
 # Bundles for the systems that courses use (tests/systems/README.md), in build/systems.
 .PHONY: gradescope autolab prairielearn github
