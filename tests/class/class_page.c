@@ -80,7 +80,11 @@ static void head_write(FILE *page, const Gradebook *gradebook)
     html_line(page, gradebook->title != NULL ? gradebook->title : "");
     fputs(": the class</h1>\n", page);
     facts_write(page, gradebook);
-    fputs("</header>\n", page);
+    class_histogram_write(page, gradebook);
+    fputs("<nav><a href=\"#failures\">What went wrong</a> <a href=\"#checks\">Checks</a> "
+          "<a href=\"#table\">Every submission</a> <a href=\"#gallery\">Pictures</a></nav>\n"
+          "</header>\n",
+          page);
 }
 
 // Apart from all others: nobody has judged these, and nobody may read a zero.
@@ -205,7 +209,6 @@ int gradebook_page(const Gradebook *gradebook, const char *path)
     snprintf(title, sizeof title, "%s: the class", gradebook->lab != NULL ? gradebook->lab : "");
     html_album_begin(page, title);
     head_write(page, gradebook);
-    class_histogram_write(page, gradebook);
     not_graded_write(page, gradebook);
     class_changes_write(page, gradebook);
     class_failures_write(page, &failures);

@@ -50,13 +50,20 @@ void class_histogram_write(FILE *page, const Gradebook *gradebook)
     for (int i = 0; i < N_BARS; i++) {
         const int height = counts[i] * BARS_HEIGHT / most;
         const int middle = i * BAR_PITCH + BAR_PITCH / 2;
-        const char *level = i == N_BARS - 1 ? "full" : i >= N_BARS / 2 ? "some" : "few";
+        const char *level = counts[i] == 0    ? "none"
+                            : i == N_BARS - 1 ? "full"
+                            : i >= N_BARS / 2 ? "some"
+                                              : "few";
+        char count[16] = "";
+        if (counts[i] > 0) {
+            snprintf(count, sizeof count, "%d", counts[i]);
+        }
         fprintf(page,
                 "<rect class=\"%s\" x=\"%d\" y=\"%d\" width=\"%d\" height=\"%d\" rx=\"3\"/>"
-                "<text x=\"%d\" y=\"%d\">%d</text><text class=\"soft\" x=\"%d\" y=\"%d\">",
-                level, middle - BAR_WIDTH / 2, BARS_HEIGHT + 20 - height, BAR_WIDTH,
-                height > 0 ? height : 1, middle, BARS_HEIGHT + 14 - height, counts[i], middle,
-                BARS_HEIGHT + 38);
+                "<text x=\"%d\" y=\"%d\">%s</text><text class=\"soft\" x=\"%d\" y=\"%d\">",
+                level, middle - BAR_WIDTH / 2, BARS_HEIGHT + 20 - (height > 2 ? height : 2),
+                BAR_WIDTH, height > 2 ? height : 2, middle, BARS_HEIGHT + 14 - height, count,
+                middle, BARS_HEIGHT + 38);
         bar_label_write(page, gradebook, i);
         fputs("</text>\n", page);
     }

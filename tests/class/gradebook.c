@@ -43,8 +43,14 @@ static void line_read(const char *path, char line[KEY_LINE_BYTES])
     }
 }
 
+// The line that says it: of a compiler's log the first with an error, else the first.
 static char *first_line(const char *message)
 {
+    const char *error = strstr(message, "error:");
+    while (error != NULL && error > message && error[-1] != '\n') {
+        error--;
+    }
+    message = error != NULL ? error : message;
     char *line = strndup(message, strcspn(message, "\n"));
     char *clean = line_clean(line);
     free(line);

@@ -25,6 +25,7 @@ static void usage(FILE *out)
             "  --device D           OpenCL device by number or name\n"
             "  --time-limit S       seconds a submission may run (default: %d)\n"
             "  --build FOLDER       where probes and libraries are (default: build)\n"
+            "  --answers FOLDER     keep the solution's answers there, for one lab and one device\n"
             "  --list-checks        print the lab's checks: id, task, points\n",
             DEFAULT_TIME_LIMIT);
 }
@@ -74,11 +75,17 @@ typedef struct GivenOptions {
 static int read_options(int argc, char **argv, Settings *settings, GivenOptions *given)
 {
     static const struct option options[] = {
-        {"lab", required_argument, NULL, 'l'},    {"submission", required_argument, NULL, 's'},
-        {"output", required_argument, NULL, 'o'}, {"seed", required_argument, NULL, 'r'},
-        {"device", required_argument, NULL, 'd'}, {"time-limit", required_argument, NULL, 't'},
-        {"build", required_argument, NULL, 'b'},  {"list-checks", no_argument, NULL, 'c'},
-        {"help", no_argument, NULL, 'h'},         {0},
+        {"lab", required_argument, NULL, 'l'},
+        {"submission", required_argument, NULL, 's'},
+        {"output", required_argument, NULL, 'o'},
+        {"seed", required_argument, NULL, 'r'},
+        {"device", required_argument, NULL, 'd'},
+        {"time-limit", required_argument, NULL, 't'},
+        {"build", required_argument, NULL, 'b'},
+        {"list-checks", no_argument, NULL, 'c'},
+        {"help", no_argument, NULL, 'h'},
+        {"answers", required_argument, NULL, 'a'},
+        {0},
     };
     uint64_t seconds = DEFAULT_TIME_LIMIT;
     int letter, failed = 0;
@@ -104,6 +111,9 @@ static int read_options(int argc, char **argv, Settings *settings, GivenOptions 
             break;
         case 'b':
             settings->build = optarg;
+            break;
+        case 'a':
+            settings->kept_answers = optarg;
             break;
         case 'c':
             settings->list_checks = 1;
