@@ -175,9 +175,8 @@ static void note_lost_markers(Grading *grading)
 // Stage, run, judge. Returns 0 when there is a result, or -1 after one message.
 static int grade(Grading *grading, const Settings *settings)
 {
-    const SessionSettings session_settings = {settings->lab,        settings->build,
-                                              settings->device,     settings->seed,
-                                              settings->time_limit, settings->kept_answers};
+    const SessionSettings session_settings = {settings->lab, settings->build, settings->device,
+                                              settings->seed, settings->time_limit};
     Session *session = &grading->session;
     char folder[PATH_BYTES];
     char *staging = NULL;
