@@ -58,8 +58,14 @@ whole() {
 
 [ -n "$CLASS_LAB" ] || die "say which lab: LAB=03"
 [ -n "$submissions" ] || die "say where the submissions are: SUBMISSIONS=folder"
-case $engine in parallel | slurm) ;; *) die "--engine: found \"$engine\", expected parallel or slurm" ;; esac
-case $only in '' | failed | latest) ;; *) die "--only: found \"$only\", expected failed or latest" ;; esac
+case $engine in
+parallel | slurm) ;;
+*) die "--engine: found \"$engine\", expected parallel or slurm" ;;
+esac
+case $only in
+'' | failed | latest) ;;
+*) die "--only: found \"$only\", expected failed or latest" ;;
+esac
 [ -z "$jobs" ] || whole --jobs "$jobs"
 [ "${jobs:-1}" -ge 1 ] || die "--jobs: found \"$jobs\", expected 1 or more"
 [ -z "$seed" ] || whole --seed "$seed"
@@ -98,18 +104,21 @@ CLASS_WORK=${TMPDIR:-/tmp}/class-$(printf %s "$CLASS_FOLDER" | sha256sum | cut -
 clear() {
     if [ -e "$CLASS_FOLDER/engine" ]; then
         read -r last <"$CLASS_FOLDER/engine"
+        # shellcheck source=tests/class/engine_slurm.sh
         (. "tests/class/engine_$last.sh" && engine_end)
     fi
     rm -rf "$CLASS_WORK"-* \
-        "$CLASS_FOLDER"/students/*.new "$CLASS_FOLDER"/todo* "$CLASS_FOLDER/answers"
+        "$CLASS_FOLDER"/students/*.new "$CLASS_FOLDER"/todo* "$CLASS_FOLDER/pending" \
+        "$CLASS_FOLDER/answers"
 }
 
 clear
+# shellcheck source=tests/class/engine_parallel.sh
 . "tests/class/engine_$engine.sh"
 engine_check
 echo "$engine" >"$CLASS_FOLDER/engine"
 rm -rf "$CLASS_FOLDER/faults"
-mkdir "$CLASS_FOLDER/faults" "$CLASS_FOLDER/answers"
+mkdir "$CLASS_FOLDER/faults" "$CLASS_FOLDER/answers" "$CLASS_FOLDER/pending"
 trap 'clear' EXIT
 trap 'exit 2' INT TERM HUP
 
@@ -131,8 +140,9 @@ echo "$seed" >"$CLASS_FOLDER/seed.new" && mv "$CLASS_FOLDER/seed.new" "$CLASS_FO
 # Everything that decides on a score besides the submission.
 grader=$({
     echo "$CLASS_LAB $CLASS_DEVICE $CLASS_TIME_LIMIT"
-    find "$CLASS_BUILD/tools" "$CLASS_BUILD/probes" "$CLASS_BUILD/earlier" "$CLASS_BUILD/libcommon.a" \
-        labs solutions common kernels tests/probes -type f ! -path '*/tools/gradebook' -print0 |
+    cd "$CLASS_BUILD" && find tools probes earlier libcommon.a -type f ! -name gradebook -print0 |
+        LC_ALL=C sort -z | xargs -0 sha256sum
+    cd "$OLDPWD" && find labs solutions common kernels tests/probes -type f -print0 |
         LC_ALL=C sort -z | xargs -0 sha256sum
 } | sha256sum | cut -c 1-64)
 
@@ -175,34 +185,35 @@ is_wanted() {
 }
 
 while read -r slug key own_seed; do
-    if is_wanted "$slug" "$key"; then echo "$slug $key $own_seed"; fi
+    if is_wanted "$slug" "$key"; then
+        echo "$slug $key $own_seed"
+        : >"$CLASS_FOLDER/pending/$slug"
+    fi
 done <"$CLASS_FOLDER/keys" >"$CLASS_FOLDER/todo"
 
 # ---- Grading ------------------------------------------------------------------------------------
 
 # The longest that a grading can take is far below; what takes longer hangs.
-CLASS_SECONDS=$((60 + 20 * CLASS_TIME_LIMIT))
+CLASS_SECONDS=${CLASS_SECONDS:-$((60 + 20 * CLASS_TIME_LIMIT))}
 # A line for each that is done, where no progress bar says so.
 CLASS_TELLS=
 [ -t 2 ] || CLASS_TELLS=1
-export CLASS_LAB CLASS_FOLDER CLASS_BUILD CLASS_DEVICE CLASS_TIME_LIMIT CLASS_WORK CLASS_SECONDS CLASS_TELLS
+export CLASS_LAB CLASS_FOLDER CLASS_BUILD CLASS_DEVICE CLASS_TIME_LIMIT CLASS_WORK \
+    CLASS_SECONDS CLASS_TELLS
 
-# remaining: of those to do, the ones that have not come to an end. A finished one has the key, and
-# was made in this run.
+# remaining: of those to do, the ones that have not come to an end.
 remaining() {
     while read -r slug key own_seed; do
-        if ! [ "$CLASS_FOLDER/students/$slug/key" -nt "$CLASS_FOLDER/started" ]; then
-            echo "$slug $key $own_seed"
-        fi
+        [ ! -e "$CLASS_FOLDER/pending/$slug" ] || echo "$slug $key $own_seed"
     done <"$CLASS_FOLDER/todo" >"$CLASS_FOLDER/todo.new"
     mv "$CLASS_FOLDER/todo.new" "$CLASS_FOLDER/todo"
 }
 
 # A fault of the machinery may pass: three rounds, each for those that the one before left.
-: >"$CLASS_FOLDER/started"
 round=1
 while [ -s "$CLASS_FOLDER/todo" ] && [ $round -le 3 ]; do
-    [ $round -eq 1 ] || echo "grade-class: again for $(wc -l <"$CLASS_FOLDER/todo") that could not be graded" >&2
+    n_left=$(wc -l <"$CLASS_FOLDER/todo")
+    [ $round -eq 1 ] || echo "grade-class: again for $n_left that could not be graded" >&2
     engine_run "$CLASS_FOLDER/todo" "$jobs"
     remaining
     round=$((round + 1))

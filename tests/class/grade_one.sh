@@ -3,8 +3,8 @@
 #
 #     tests/class/grade_one.sh SLUG KEY SEED
 #
-# grade_class.sh sets CLASS_FOLDER, CLASS_BUILD, CLASS_LAB, CLASS_WORK and more, and runs this through
-# GNU parallel or Slurm, from the course's top folder. Exit status 0 when there is a result, 1 when
+# grade_class.sh sets CLASS_FOLDER, CLASS_BUILD, CLASS_LAB, CLASS_WORK and more, and runs this
+# through GNU parallel or Slurm, from the course's top folder. Exit status 0 when there is a result, 1 when
 # the machinery failed: then CLASS_FOLDER/faults/SLUG says how. Read first: grade_class.sh.
 set -u
 
@@ -26,8 +26,8 @@ trap 'clear "$work"; clear "$new"' EXIT
 trap 'exit 1' INT TERM
 mkdir "$new" && mkdir -m 711 "$work" || exit 1
 
-# The grader must end with this script and this script with the driver, however they end. It does not
-# inherit the driver's lock.
+# The grader must end with this script and this script with the driver, however they end. It does
+# not inherit the driver's lock.
 status=0
 # shellcheck disable=SC2016 # for the inner shell
 TMPDIR=$work setpriv --pdeathsig KILL timeout --foreground --kill-after=5 "$CLASS_SECONDS" \
@@ -51,6 +51,6 @@ fi
 echo "$key" >"$new/key"
 # Killed between these two, it is graded again.
 rm -rf "${students:?}/$slug"
-mv "$new" "$students/$slug" || exit 1
+mv "$new" "$students/$slug" && rm -f "$CLASS_FOLDER/faults/$slug" "$CLASS_FOLDER/pending/$slug" || exit 1
 [ -z "$CLASS_TELLS" ] || sed -n "s|^ Score|  $slug:|p" "$log"
 rm -f "$log"
