@@ -197,6 +197,12 @@ test:  ## install what is missing and run every test
 	@common/setup/install.sh test
 	@$(MAKE) --no-print-directory -j2 check
 
+.PHONY: test-scale
+test-scale:  ## install what is missing and grade a class of N=1000; takes half an hour
+	@common/setup/install.sh test
+	@$(MAKE) --no-print-directory -j2 grader
+	@tests/scale/run.sh $(or $(N),1000) $(OUT)
+
 # What libFuzzer feeds: the readers of 3D scenes, compiled by clang together with the target.
 CLANG ?= $(firstword $(foreach c,clang clang-19 clang-15 clang-14,$(shell command -v $(c))))
 SECONDS ?= 60

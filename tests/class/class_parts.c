@@ -108,10 +108,13 @@ void class_changes_write(FILE *page, const Gradebook *gradebook)
 
 // ---- The same failure ------------------------------------------------------------------------
 
+// The names of a larger group are folded away.
+enum { MOST_NAMES = 24 };
+
 static void failure_write(FILE *page, const Failure *failure)
 {
     fprintf(page, "<details class=\"failure\"%s><summary><span class=\"number\">%d</span><span><b>",
-            failure->n_rows > 1 ? " open" : "", failure->n_rows);
+            failure->n_rows <= MOST_NAMES ? " open" : "", failure->n_rows);
     html_line(page, failure->first->fault);
     fputs("</b> <code class=\"soft\">", page);
     html_line(page, failure->first->fault_id);
