@@ -104,6 +104,10 @@ static void not_graded_write(FILE *page, const Gradebook *gradebook)
             class_name_write(page, row);
             fputs("</td><td class=\"first\">", page);
             html_line(page, row->reason);
+            if (row->has_log) {
+                fprintf(page, " <a href=\"logs/%s.txt\">what the grader said</a>",
+                        row->entrant->slug);
+            }
             fputs("</td></tr>\n", page);
         }
     }

@@ -18,6 +18,7 @@
 # some could not be graded; 2 when there is no gradebook. Read next: grade_one.sh, one submission;
 # engine_parallel.sh; gradebook_tool.c, which reads the names and writes the gradebook.
 set -u
+export LC_ALL=C
 
 die() {
     echo "grade-class: $*" >&2
@@ -140,10 +141,10 @@ echo "$seed" >"$CLASS_FOLDER/seed.new" && mv "$CLASS_FOLDER/seed.new" "$CLASS_FO
 # Everything that decides on a score besides the submission.
 grader=$({
     echo "$CLASS_LAB $CLASS_DEVICE $CLASS_TIME_LIMIT"
-    cd "$CLASS_BUILD" && find tools probes earlier libcommon.a -type f ! -name gradebook -print0 |
-        LC_ALL=C sort -z | xargs -0 sha256sum
-    cd "$OLDPWD" && find labs solutions common kernels tests/probes -type f -print0 |
-        LC_ALL=C sort -z | xargs -0 sha256sum
+    find labs solutions common kernels tests/probes -type f -print0 | sort -z | xargs -0 sha256sum
+    cd "$CLASS_BUILD" && find . -maxdepth 2 -type f \( -path ./tools/grade -o -path ./tools/unpack \
+        -o -path './probes/*' -o -path './earlier/*' -o -path ./libcommon.a \) -print0 |
+        sort -z | xargs -0 sha256sum
 } | sha256sum | cut -c 1-64)
 
 # content PATH: names, kinds and sizes of all there is, and the bytes of what could be graded. No link
@@ -151,8 +152,8 @@ grader=$({
 content() {
     (
         cd "$CLASS_FOLDER/submissions" || exit
-        find -H "$1" -printf '%y %s %P %l\0' | LC_ALL=C sort -z
-        timeout 60 find -H "$1" -type f -size -65M -print0 | LC_ALL=C sort -z | xargs -0 sha256sum
+        find -H "$1" -printf '%y %s %P %l\0' | sort -z
+        timeout 60 find -H "$1" -type f -size -65M -print0 | sort -z | xargs -0 sha256sum
     ) 2>&1 | sha256sum | cut -c 1-64
 }
 

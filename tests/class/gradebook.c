@@ -162,6 +162,8 @@ static int row_read(Gradebook *gradebook, Row *row, const char *wanted_key)
     line_read(path, line);
     if (line[0] != '\0') {
         row->reason = line_clean(line);
+        snprintf(path, sizeof path, "%s/logs/%s.txt", gradebook->folder, slug);
+        row->has_log = access(path, R_OK) == 0;
         return 0;
     }
     snprintf(path, sizeof path, "%s/students/%s/key", gradebook->folder, slug);

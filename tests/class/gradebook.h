@@ -23,6 +23,7 @@ typedef struct Row {
     const Entrant *entrant;
     RowStatus status;
     char *reason;  // why it is not graded, or NULL
+    int has_log;   // logs/SLUG.txt tells more
     char *seed;    // of the hidden scenes; NULL when not graded
     int score;
     int points[MANIFEST_MAX_TASKS];
