@@ -200,7 +200,9 @@ test:  ## install what is missing and run every test
 .PHONY: test-scale
 test-scale:  ## install what is missing and grade a class of N=1000; takes half an hour
 	@common/setup/install.sh test
+	@common/setup/install.sh scale
 	@$(MAKE) --no-print-directory -j2 grader
+	@BUILD="$(BUILD)" tests/run.sh slurm
 	@tests/scale/run.sh $(or $(N),1000) $(OUT)
 
 # What libFuzzer feeds: the readers of 3D scenes, compiled by clang together with the target.

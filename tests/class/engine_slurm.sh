@@ -1,8 +1,8 @@
 # shellcheck shell=sh
 # Spreading a class over a Slurm cluster, as job arrays (see grade_class.sh).
 #
-# The course's folder and the output folder must be the same on every node, and the grader's packages
-# installed there.
+# The course's folder and the output folder must be the same on every node, and the grader's
+# packages installed there.
 
 slurm_name=grade-class-${CLASS_WORK##*-}
 
@@ -12,8 +12,8 @@ engine_check() {
     sinfo >/dev/null || die "this machine's Slurm does not answer"
 }
 
-# engine_run TODO [JOBS]: grade_one.sh for each line of the file TODO. An array has as many tasks as the
-# cluster allows.
+# engine_run TODO [JOBS]: grade_one.sh for each line of the file TODO. An array has as many tasks as
+# the cluster allows.
 engine_run() {
     most=$(scontrol show config | awk '$1 == "MaxArraySize" { print $3 - 1 }')
     rm -f "$1".*

@@ -121,7 +121,7 @@ echo "$engine" >"$CLASS_FOLDER/engine"
 rm -rf "$CLASS_FOLDER/faults"
 mkdir "$CLASS_FOLDER/faults" "$CLASS_FOLDER/answers" "$CLASS_FOLDER/pending"
 trap 'clear' EXIT
-trap 'exit 2' INT TERM HUP
+trap 'exit 2' INT TERM HUP PIPE
 
 # ---- What there is to do ------------------------------------------------------------------------
 
@@ -147,8 +147,8 @@ grader=$({
         sort -z | xargs -0 sha256sum
 } | sha256sum | cut -c 1-64)
 
-# content PATH: names, kinds and sizes of all there is, and the bytes of what could be graded. No link
-# is followed but the roster's own.
+# content PATH: names, kinds and sizes of all there is, and the bytes of what could be graded. No
+# link is followed but the roster's own.
 content() {
     (
         cd "$CLASS_FOLDER/submissions" || exit

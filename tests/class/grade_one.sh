@@ -4,8 +4,8 @@
 #     tests/class/grade_one.sh SLUG KEY SEED
 #
 # grade_class.sh sets CLASS_FOLDER, CLASS_BUILD, CLASS_LAB, CLASS_WORK and more, and runs this
-# through GNU parallel or Slurm, from the course's top folder. Exit status 0 when there is a result, 1 when
-# the machinery failed: then CLASS_FOLDER/faults/SLUG says how. Read first: grade_class.sh.
+# through GNU parallel or Slurm, from the course's top folder. Exit status 0 when there is a result,
+# 1 when the machinery failed: then CLASS_FOLDER/faults/SLUG says how. Read first: grade_class.sh.
 set -u
 
 slug=$1 key=$2 seed=$3

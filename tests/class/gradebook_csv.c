@@ -1,7 +1,7 @@
 // gradebook.csv: the class for spreadsheets and for Moodle (see gradebook.h).
 //
 // Cells are quoted by libcsv. One that a spreadsheet would take for a formula begins with an
-// apostrophe; what Moodle wrote itself goes back as it came. Read next: worksheet.h, Moodle's columns.
+// apostrophe; what Moodle wrote itself goes back as it came. Read next: worksheet.h.
 #include "gradebook.h"
 
 #include "output_file.h"

@@ -24,13 +24,14 @@ typedef struct Worksheet {
     int *is_taken;                     // [n_rows] of the gradebook: stands beside a participant
 } Worksheet;
 
-// Read a list and find each participant's row of the gradebook: by Moodle's number, else by a name, a
-// user name or an e-mail address that only one participant has. Returns 0, or -1 after one message on
-// stderr. Release with worksheet_free().
+// Read a list and find each participant's row of the gradebook: by Moodle's number, else by a name,
+// a user name or an e-mail address that only one participant has. Returns 0, or -1 after one
+// message on stderr. Release with worksheet_free().
 int worksheet_load(const char *path, const Gradebook *gradebook, Worksheet *worksheet);
 void worksheet_free(Worksheet *worksheet);
 
-// What stands in the grade column: the score in parts of the sheet's maximum, with its decimal sign.
+// What stands in the grade column: the score as a part of the sheet's maximum, with its decimal
+// sign.
 void worksheet_grade(const Worksheet *worksheet, const Participant *participant, int max_score,
                      char grade[32]);
 

@@ -61,7 +61,12 @@ while [ "$i" -le "$n" ]; do
     1 | 4 | 7 | 10 | 13 | 16)
         if [ $# -eq 0 ]; then set -- tests/mutants/"$lab"/*.cl; fi
         case $1 in */endless-*) shift ;; esac
-        if [ $((i % 20)) -eq 16 ]; then cp "labs/$lab/$source" "$student"; else wrong "$1" && shift; fi ;;
+        if [ $((i % 20)) -eq 16 ]; then
+            cp "labs/$lab/$source" "$student"
+        else
+            wrong "$1"
+            shift
+        fi ;;
     3) instead '        id = no_such_name[id];' ;;
     6) echo "I could not do it." >"$student/README.txt" ;;
     9) instead '*(volatile __global int *)(size_t)(get_global_id(0) & 0) = 1;' ;;

@@ -3,9 +3,9 @@
 #
 #     tests/scale/run.sh [N [BUILD]]      N is 1000 when not given
 #
-# Prints a table for tests/README.md. Fails when a submission takes more than 1.5 s on average, when one
-# is not graded, when the driver's memory grows, when anything is left behind, or when a second run
-# grades anything again.
+# Prints a table for tests/README.md. Fails when a submission takes more than 1.5 s on average, when
+# one is not graded, when the driver's memory grows, when anything is left behind, or when a second
+# run grades anything again.
 set -u
 
 n=${1:-1000} build=${2:-build}
@@ -30,7 +30,9 @@ figure() {
 }
 
 # within NUMBER LIMIT: "yes", or the limit in words.
-within() { awk -v number="$1" -v limit="$2" 'BEGIN { print number <= limit ? "yes" : "at most " limit }'; }
+within() {
+    awk -v number="$1" -v limit="$2" 'BEGIN { print number <= limit ? "yes" : "at most " limit }'
+}
 
 # memory PROCESS...: resident KB of the driver's own processes together.
 memory() {
@@ -70,7 +72,8 @@ tests/class/grade_class.sh --build "$build" --lab 03 --submissions "$scale/class
 again=$(($(date +%s) - started))
 
 # The most before a quarter was done, and the most of all.
-early=$(awk -v n="$n" '$1 > n * 3 / 4 && $2 > most { most = $2 } END { print int(most / 1024) }' "$scale/memory")
+early=$(awk -v n="$n" '$1 > n * 3 / 4 && $2 > most { most = $2 }
+    END { print int(most / 1024) }' "$scale/memory")
 most=$(awk '$2 > most { most = $2 } END { print int(most / 1024) }' "$scale/memory")
 each=$(awk -v seconds=$seconds -v n="$n" 'BEGIN { printf "%.2f", seconds / n }')
 

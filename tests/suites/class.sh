@@ -1,6 +1,6 @@
 #!/bin/sh
-# A class as an instructor grades it: odd names, a run killed at every level and resumed, what changed
-# graded again and nothing else, faults of the machinery apart from zeros.
+# A class as an instructor grades it: odd names, a run killed at every level and resumed, what
+# changed graded again and nothing else, faults of the machinery apart from zeros.
 #
 #     sh tests/suites/class.sh      from the top folder, after `make tests`
 set -u

@@ -1,6 +1,6 @@
 #!/bin/sh
-# The same class through Slurm: a cluster of one machine, started here, gives the same gradebook to the
-# byte, and a run that was killed leaves no job in it.
+# The same class through Slurm: a cluster of one machine, started here, gives the same gradebook to
+# the byte, and a run that was killed leaves no job in it.
 #
 #     sh tests/suites/slurm.sh      from the top folder, after `make tests`
 set -u
