@@ -156,7 +156,7 @@ void class_checks_write(FILE *page, const Gradebook *gradebook)
     for (int i = 0; i < gradebook->n_checks; i++) {
         int n_passed = 0;
         for (int r = 0; r < gradebook->n_rows; r++) {
-            n_passed += (int)(gradebook->rows[r].passed >> i & 1);
+            n_passed += gradebook->rows[r].passed[i];
         }
         fputs("<div class=\"count\"><div>", page);
         html_line(page, gradebook->checks[i].title);

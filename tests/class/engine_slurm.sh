@@ -32,7 +32,7 @@ engine_run() {
     rm -f "$1".*
 }
 
-# engine_end: end the arrays of this class, also a dead run's.
+# engine_end: end the arrays of this class, also a dead run's. Fails where Slurm does not answer.
 engine_end() {
     scancel --quiet --name="$slurm_name" || return
     tries=120
@@ -40,4 +40,5 @@ engine_end() {
         sleep 0.5
         tries=$((tries - 1))
     done
+    [ $tries -gt 0 ]
 }

@@ -106,14 +106,15 @@ clear() {
     if [ -e "$CLASS_FOLDER/engine" ]; then
         read -r last <"$CLASS_FOLDER/engine"
         # shellcheck source=tests/class/engine_slurm.sh
-        (. "tests/class/engine_$last.sh" && engine_end)
+        (. "tests/class/engine_$last.sh" && engine_end) || return
+        rm "$CLASS_FOLDER/engine"
     fi
     rm -rf "$CLASS_WORK"-* \
         "$CLASS_FOLDER"/students/*.new "$CLASS_FOLDER"/todo* "$CLASS_FOLDER/pending" \
         "$CLASS_FOLDER/answers"
 }
 
-clear
+clear || die "what a killed run left cannot be ended"
 # shellcheck source=tests/class/engine_parallel.sh
 . "tests/class/engine_$engine.sh"
 engine_check

@@ -140,7 +140,7 @@ static int row_take(Gradebook *gradebook, const char *path, const Graded *graded
         row->points[i] = graded->tasks[i].points;
     }
     for (int i = 0; i < graded->n_checks; i++) {
-        row->passed |= (uint32_t)(graded->checks[i].status == CHECK_PASSED) << i;
+        row->passed[i] = graded->checks[i].status == CHECK_PASSED;
     }
     first_fault_take(row, graded);
     row->picture = picture_find(gradebook->folder, row->entrant->slug);

@@ -77,7 +77,8 @@ cluster_end() {
     for program in slurmd slurmctld munged; do
         [ ! -s "$cluster/$program.pid" ] || kill "$(cat "$cluster/$program.pid")" 2>/dev/null
     done
-    await 10 sh -c '! kill -0 $(cat "$0"/*.pid) 2>/dev/null' "$cluster"
+    # shellcheck disable=SC2016 # for the inner shell
+    await 10 sh -c '! kill -0 $(cat "$0"/*.pid)' "$cluster" 2>/dev/null
 }
 
 # await SECONDS COMMAND...: until the command does.
