@@ -206,7 +206,7 @@ handout: $(OUT)/tools/holes  ## pack what students get: LAB=03
 # ---- Tests ----------------------------------------------------------------------------------
 
 UNIT_TESTS := $(patsubst tests/unit/%.c,$(OUT)/tests/%,$(wildcard tests/unit/test_*.c))
-$(UNIT_TESTS): $(OUT)/tests/%: $(OUT)/obj/tests/unit/%.c.o $(OUT)/libgrader.a $(OUT)/libcommon.a
+$(UNIT_TESTS): $(OUT)/tests/%: $(OUT)/obj/tests/unit/%.c.o $(OUT)/libclass.a $(OUT)/libgrader.a $(OUT)/libcommon.a
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(SANITIZERS) $(filter %.o,$^) $(filter %.a,$^) $(LIBRARIES) -larchive -lcriterion -o $@
 
@@ -251,6 +251,14 @@ check: tests  ## run the tests without installing anything
 test:  ## install what is missing and run every test
 	@common/setup/install.sh test
 	@$(MAKE) --no-print-directory -j2 check
+
+.PHONY: test-scale
+test-scale:  ## install what is missing and grade a class of N=1000; takes half an hour
+	@common/setup/install.sh test
+	@common/setup/install.sh scale
+	@$(MAKE) --no-print-directory -j2 grader
+	@BUILD="$(BUILD)" tests/run.sh slurm
+	@tests/scale/run.sh $(or $(N),1000) $(OUT)
 
 # What libFuzzer feeds, compiled by clang together with the target: a list for each tests/fuzz/fuzz_*.c.
 CLANG ?= $(firstword $(foreach c,clang clang-19 clang-15 clang-14,$(shell command -v $(c))))
