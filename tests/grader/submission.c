@@ -109,8 +109,9 @@ static int copy_archive(const char *path, int from, const char *to, char **messa
                         message);
     }
     if (status.st_size > (off_t)SUBMISSION_MAX_MEGABYTES << 20) {
-        char complaint[64];
-        snprintf(complaint, sizeof complaint, "larger than the allowed %d MB",
+        char complaint[80];
+        snprintf(complaint, sizeof complaint,
+                 "larger than the allowed %d MB: hand in the lab's files only",
                  SUBMISSION_MAX_MEGABYTES);
         return complain(path, complaint, message);
     }
