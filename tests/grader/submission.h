@@ -19,7 +19,8 @@ enum { SUBMISSION_MAX_MEGABYTES = 64 };
 //   destination  an existing folder
 //   message      out: NULL, or what is wrong, for the student; owned by the caller
 // Returns 0; 1 with a message when the submission is at fault, also for a file that is no archive,
-// a damaged, an encrypted or an excessive one; -1 after one message on stderr when the machinery is.
+// a damaged, an encrypted or an excessive one; -1 after one message on stderr when the machinery
+// is.
 int submission_stage(const Workshop *workshop, const char *path, const char *destination,
                      char **message);
 

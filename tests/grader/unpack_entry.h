@@ -7,8 +7,8 @@ struct archive_entry;
 
 enum { ENTRY_DAMAGED = 1, ENTRY_ENCRYPTED = 2 };
 
-// Write the entry that was just read, as unpack.h says, where its path leads; what cannot be written
-// there (its name is too long, or another entry is in its way) is passed over.
+// Write the entry that was just read, as unpack.h says, where its path leads; what cannot be
+// written there (its name is too long, or another entry is in its way) is passed over.
 //   folder            open
 //   parts[n_parts]    the path, cut at its slashes; none of them "" or ".."
 //   bytes             room for a file, [STAGE_MAX_FILE_BYTES + 1]

@@ -1,6 +1,6 @@
 #!/bin/sh
 # What can be handed in: folders and archives as students, Moodle, Gradescope and GitHub make them,
-# and hostile ones; each ends in marks or in a message to the student, never in a fault of the grader.
+# and hostile ones; each ends in marks or in a message to the student, never in the grader's fault.
 #
 #     sh tests/suites/archives.sh      from the top folder, after `make tests`
 set -u
