@@ -105,7 +105,7 @@ const char html_style[] =
     "td.number, th.number { text-align: right; }\n"
     "td .bar { width: 6rem; margin-top: 0.5rem; }\n"
     "td.first { min-width: 16rem; font-size: 0.875rem; overflow-wrap: anywhere; }\n"
-    "td.name { font-weight: 600; overflow-wrap: anywhere; min-width: 9rem; }\n"
+    "td.name { font-weight: 600; overflow-wrap: anywhere; width: 22%; }\n"
     ".first .message { display: -webkit-box; -webkit-box-orient: vertical; -webkit-line-clamp: 3;\n"
     "  overflow: hidden; }\n"
     ".count { display: grid; grid-template-columns: minmax(0, 1fr) minmax(4rem, 16rem) 6rem;\n"
