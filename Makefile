@@ -29,7 +29,12 @@ say = $(if $(V),,@echo "  $(1)" && )
 IMAGE_CFLAGS = $(shell pkg-config --cflags OpenImageIO)
 LIBRARIES = -Wl,--as-needed $(shell pkg-config --libs OpenImageIO jansson) -lcsv -lOpenCL -lstdc++ -lm
 
-LABS := $(sort $(patsubst solutions/%/lab.json,%,$(wildcard solutions/*/lab.json)))
+# In a handout (`make handout`) there are one lab, the solutions of those before it and no suites: what
+# is for authors is left out below.
+LABS := $(sort $(foreach tree,labs solutions,$(patsubst $(tree)/%/lab.json,%,$(wildcard $(tree)/*/lab.json))))
+ifeq ($(wildcard tests/suites),)
+HANDOUT := yes
+endif
 
 # The labs before one: what they deliver comes from their solutions.
 earlier = $(strip $(eval reached :=)$(foreach l,$(LABS),$(if $(filter $(1),$(l)),$(eval \
@@ -42,7 +47,7 @@ include_path = -I kernels $(foreach l,$(call earlier,$(1)),-I solutions/$(l))
 
 objects = $(patsubst %,$(OUT)/obj/%.o,$(1))
 COMMON_OBJECTS := $(call objects,$(wildcard common/*.c common/*.cpp))
-PROGRAMS := $(foreach tree,labs solutions,$(LABS:%=$(OUT)/$(tree)/%))
+PROGRAMS := $(patsubst %/lab.json,$(OUT)/%,$(wildcard $(foreach tree,labs solutions,$(LABS:%=$(tree)/%/lab.json))))
 
 .PHONY: all
 all: $(PROGRAMS) grader  ## build every lab, every solution and the grader
@@ -85,20 +90,26 @@ $(foreach l,$(LABS),$(eval $(call earlier_archive,$(l))))
 
 # ---- The grader -----------------------------------------------------------------------------
 
-GRADER_MAINS = $(addprefix tests/grader/,grade.c mutants.c holes_tool.c)
+GRADER_MAINS = $(addprefix tests/grader/,grade.c mutants.c mutate.c holes_tool.c unpack_tool.c memcheck.c)
 GRADER_SOURCES := $(filter-out $(GRADER_MAINS),$(wildcard tests/grader/*.c))
-# The grader makes its trees and cameras with the solutions of labs 02, 04 and 06.
-BUILDERS = solutions/02-kdtree-2d-build/kdtree2d_build.c \
-    solutions/04-camera-rays/camera_from_view.c solutions/06-kdtree-3d-build/kdtree3d_build.c
+GRADER_TOOLS := $(patsubst tests/grader/%.c,$(OUT)/tools/%,$(filter-out %_tool.c,$(wildcard $(GRADER_MAINS))))
+# Judges of later labs get their trees and cameras from the solutions of labs 02, 04 and 06.
+BUILDERS := $(wildcard solutions/02-kdtree-2d-build/kdtree2d_build.c \
+    solutions/04-camera-rays/camera_from_view.c solutions/06-kdtree-3d-build/kdtree3d_build.c)
 BUILDER_INCLUDES = $(addprefix -I ,$(sort $(dir $(BUILDERS))))
 GRADER_INCLUDES = -I tests/grader -I tests/probes -I tests/class $(BUILDER_INCLUDES)
 $(OUT)/obj/tests/%.o: EXTRA = $(GRADER_INCLUDES)
+# The judges that are there: LAB(00) LAB(01) and on.
+JUDGES := $(sort $(wildcard tests/grader/judge_[0-9][0-9].c))
+$(OUT)/obj/tests/grader/judge.c.o: EXTRA = $(GRADER_INCLUDES) \
+    -DJUDGES='$(patsubst tests/grader/judge_%.c,LAB(%),$(JUDGES))'
+$(OUT)/obj/tests/grader/judge.c.o: $(JUDGES)
 
 $(OUT)/libgrader.a: $(call objects,$(GRADER_SOURCES) tests/probes/sections.c $(BUILDERS))
 	@rm -f $@
 	@ar rcs $@ $^
 
-$(OUT)/tools/grade $(OUT)/tools/mutants: $(OUT)/tools/%: $(OUT)/obj/tests/grader/%.c.o $(OUT)/libgrader.a $(OUT)/libcommon.a
+$(GRADER_TOOLS): $(OUT)/tools/%: $(OUT)/obj/tests/grader/%.c.o $(OUT)/libgrader.a $(OUT)/libcommon.a
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -o $@
 
@@ -112,13 +123,18 @@ $(OUT)/tools/gradebook: $(call objects,tests/class/gradebook_tool.c) $(OUT)/libc
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -o $@
 
+# The only program that reads archives of students, in the sandbox.
+$(OUT)/tools/unpack: $(OUT)/obj/tests/grader/unpack_tool.c.o $(OUT)/libgrader.a
+	@mkdir -p $(@D)
+	$(call say,link    $@)$(CC) $(SANITIZERS) $^ -larchive -o $@
+
 # One probe a lab: an archive for labs with host files, which the grader links with the student's, and
 # a program for the others.
 PROBES := $(patsubst tests/probes/probe_%.c,%,$(wildcard tests/probes/probe_*.c))
 # The host files that students hand in; a lab may have given ones besides.
-host_files = $(shell grep -o '"[a-zA-Z0-9_]*\.c"' solutions/$(1)/lab.json)
+host_files = $(shell grep -o '"[a-zA-Z0-9_]*\.c"' labs/$(1)/lab.json)
 define probe
-$(OUT)/obj/tests/probes/probe_$(1).c.o: EXTRA = -I tests/probes -I solutions/$(1) \
+$(OUT)/obj/tests/probes/probe_$(1).c.o: EXTRA = -I tests/probes -I labs/$(1) \
     -DLAB_NAME='"$(1)"' -DLAB_FOLDER='"labs/$(1)"' -DPROBE_KERNEL_OPTIONS='"$(call include_path,$(1))"'
 $(OUT)/probes/$(1).a: $(call objects,tests/probes/probe_$(1).c tests/probes/probe.c tests/probes/sections.c)
 	@mkdir -p $$(@D)
@@ -131,13 +147,34 @@ endef
 $(foreach l,$(PROBES),$(eval $(call probe,$(l))))
 
 .PHONY: grader
-grader: $(OUT)/tools/holes $(OUT)/tools/grade $(OUT)/tools/mutants $(OUT)/tools/gradebook $(PROBE_TARGETS) $(foreach l,$(LABS),$(OUT)/earlier/$(l).a)  ## build the grader and its probes
+grader: $(if $(HANDOUT),,$(OUT)/tools/holes $(OUT)/tools/gradebook) $(GRADER_TOOLS) $(OUT)/tools/unpack $(PROBE_TARGETS) $(foreach l,$(LABS),$(OUT)/earlier/$(l).a)  ## build the grader and its probes
+
+# The same for one lab: what a bundle for another system builds.
+.PHONY: lab-grader
+lab-grader: $(OUT)/tools/grade $(OUT)/tools/unpack $(filter $(OUT)/probes/$(LAB)-%,$(PROBE_TARGETS)) $(patsubst %,$(OUT)/earlier/%.a,$(filter $(LAB)-%,$(LABS)))
 
 .PHONY: grade
-grade: grader  ## grade LAB=03 [SUBMISSION=folder] [SEED=n] [DEVICE=d]
+grade: grader  ## grade LAB=03 [SUBMISSION=folder or archive] [SEED=n] [DEVICE=d] [FORMAT=junit,tap]
 	@test -n "$(LAB)" || { echo "make grade: say which lab: make grade LAB=03" >&2; exit 2; }
 	@$(OUT)/tools/grade --build $(OUT) --lab "$$LAB" $(if $(SUBMISSION),--submission "$$SUBMISSION") \
-	    $(if $(SEED),--seed "$$SEED") $(if $(DEVICE),--device "$$DEVICE")
+	    $(if $(SEED),--seed "$$SEED") $(if $(DEVICE),--device "$$DEVICE") \
+	    $(if $(FORMAT),--format "$$FORMAT")
+
+.PHONY: memcheck
+memcheck: grader  ## look for indices out of range, unset values and races: LAB=03 [SUBMISSION=folder]
+	@test -n "$(LAB)" || { echo "make memcheck: say which lab: make memcheck LAB=03" >&2; exit 2; }
+	@$(OUT)/tools/memcheck --build $(OUT) --lab "$$LAB" \
+	    $(if $(SUBMISSION),--submission "$$SUBMISSION") $(if $(SEED),--seed "$$SEED")
+
+# Bundles for the systems that courses use (tests/systems/README.md), in build/systems.
+.PHONY: gradescope autolab prairielearn github
+gradescope:  ## the autograder of LAB=03 for Gradescope
+autolab:  ## the assessment of LAB=03 for Autolab
+prairielearn:  ## the question of LAB=03 for PrairieLearn, and its grader's image
+github:  ## the workflow of LAB=03 for GitHub Classroom
+gradescope autolab prairielearn github:
+	@test -n "$(LAB)" || { echo "make $@: say which lab: make $@ LAB=03" >&2; exit 2; }
+	@tests/systems/bundle.sh $@ "$$LAB" $(BUILD)/systems
 
 .PHONY: grade-class
 grade-class: grader  ## grade a class: LAB=03 SUBMISSIONS=folder [OUTPUT=folder] [ENGINE=slurm] [SEED=n] [ONLY=failed|latest] [JOBS=n] [AGAIN=1] [MOODLE=file.csv] [AGAINST=gradebook.json]
@@ -147,6 +184,7 @@ grade-class: grader  ## grade a class: LAB=03 SUBMISSIONS=folder [OUTPUT=folder]
 	    $(if $(AGAIN),--again "$$AGAIN") $(if $(MOODLE),--moodle "$$MOODLE") \
 	    $(if $(AGAINST),--against "$$AGAINST") $(if $(DEVICE),--device "$$DEVICE")
 
+ifndef HANDOUT
 # ---- Skeletons: labs/ is cut from solutions/ ------------------------------------------------
 
 $(OUT)/tools/holes: $(call objects,tests/grader/holes_tool.c tests/grader/holes.c common/text_file.c)
@@ -158,12 +196,24 @@ skeletons: $(OUT)/tools/holes  ## for authors: cut labs/ anew from solutions/; t
 	@if [ -d labs ]; then rm -rf $(BUILD)/labs-replaced && cp -r labs $(BUILD)/labs-replaced; fi
 	@tests/cut_labs.sh $(OUT)/tools/holes labs
 
+# ---- Handouts -------------------------------------------------------------------------------
+
+.PHONY: handout
+handout: $(OUT)/tools/holes  ## pack what students get: LAB=03
+	@test -n "$(LAB)" || { echo "make handout: say which lab: make handout LAB=03" >&2; exit 2; }
+	@tests/handout/pack.sh $(OUT)/tools/holes "$$LAB" $(OUT)/handout
+
 # ---- Tests ----------------------------------------------------------------------------------
 
 UNIT_TESTS := $(patsubst tests/unit/%.c,$(OUT)/tests/%,$(wildcard tests/unit/test_*.c))
 $(UNIT_TESTS): $(OUT)/tests/%: $(OUT)/obj/tests/unit/%.c.o $(OUT)/libclass.a $(OUT)/libgrader.a $(OUT)/libcommon.a
 	@mkdir -p $(@D)
-	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -lcriterion -o $@
+	$(call say,link    $@)$(CC) $(SANITIZERS) $(filter %.o,$^) $(filter %.a,$^) $(LIBRARIES) -larchive -lcriterion -o $@
+
+# Fuzz targets, each as a function of its name, for the test that runs their corpus through.
+$(OUT)/obj/tests/fuzz/%.c.o: EXTRA = $(GRADER_INCLUDES) -DLLVMFuzzerTestOneInput=$(notdir $*)
+$(OUT)/obj/tests/unit/test_corpus.c.o: EXTRA = $(GRADER_INCLUDES) -I tests/fuzz
+$(OUT)/tests/test_corpus: $(call objects,$(wildcard tests/fuzz/fuzz_*.c))
 
 # What the suites use: a comparison of two pictures, what rays hit, and a device without images.
 $(OUT)/tools/compare: $(call objects,tests/compare.c) $(OUT)/libcommon.a
@@ -173,6 +223,11 @@ $(OUT)/tools/compare: $(call objects,tests/compare.c) $(OUT)/libcommon.a
 $(OUT)/tools/count_hits: $(call objects,tests/count_hits.c) $(OUT)/libgrader.a $(OUT)/libcommon.a
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -o $@
+
+# What the attacks meet: a listener that must not be reached, and a wrapper that sees survivors.
+$(OUT)/tools/listener $(OUT)/tools/left_behind: $(OUT)/tools/%: tests/%.c
+	@mkdir -p $(@D)
+	$(call say,link    $@)$(CC) $(CFLAGS) $< -o $@
 
 $(OUT)/tests/no_images.so: tests/no_images.c
 	@mkdir -p $(@D)
@@ -185,7 +240,7 @@ NATIVE_TEST = $(OUT)/tests/test_cl_setup
 unit-tests: $(filter-out $(NATIVE_TEST),$(UNIT_TESTS))
 
 .PHONY: tests
-tests: all $(NATIVE_TEST) $(OUT)/tools/compare $(OUT)/tools/count_hits $(OUT)/tests/no_images.so  ## build all that the tests run
+tests: all $(NATIVE_TEST) $(OUT)/tools/compare $(OUT)/tools/count_hits $(OUT)/tests/no_images.so $(OUT)/tools/listener $(OUT)/tools/left_behind  ## build all that the tests run
 	@$(MAKE) --no-print-directory SANITIZE=1 all unit-tests
 
 .PHONY: check
@@ -205,20 +260,28 @@ test-scale:  ## install what is missing and grade a class of N=1000; takes half 
 	@BUILD="$(BUILD)" tests/run.sh slurm
 	@tests/scale/run.sh $(or $(N),1000) $(OUT)
 
-# What libFuzzer feeds: the readers of 3D scenes, compiled by clang together with the target.
+# What libFuzzer feeds, compiled by clang together with the target: a list for each tests/fuzz/fuzz_*.c.
 CLANG ?= $(firstword $(foreach c,clang clang-19 clang-15 clang-14,$(shell command -v $(c))))
 SECONDS ?= 60
-FUZZED = tests/fuzz/fuzz_scene3d.c $(wildcard common/scene3d*.c common/molecule*.c) \
+FUZZED_graded = $(addprefix tests/grader/,graded.c result.c message.c) common/image.c
+FUZZED_manifest = tests/grader/manifest.c tests/grader/message.c
+FUZZED_scene3d = $(wildcard common/scene3d*.c common/molecule*.c) \
     $(addprefix common/,elements.c line_reader.c number.c scene_arguments.c)
+FUZZED_sections = tests/probes/sections.c
+FUZZED_unpack = $(addprefix tests/grader/,unpack.c places.c stage.c message.c)
+FUZZ_TARGETS := $(patsubst tests/fuzz/fuzz_%.c,fuzz-%,$(wildcard tests/fuzz/fuzz_*.c))
 
-.PHONY: fuzz
-fuzz:  ## for authors: fuzz the readers of 3D scenes for SECONDS=60 (needs libclang-rt-dev)
-	@mkdir -p $(BUILD)/fuzz/new
+.PHONY: fuzz $(FUZZ_TARGETS)
+fuzz: $(if $(TARGET),fuzz-$(TARGET),$(FUZZ_TARGETS))  ## for authors: fuzz what reads files, [TARGET=unpack] for SECONDS=60 each (needs libclang-rt-dev)
+
+$(FUZZ_TARGETS): fuzz-%:
+	@mkdir -p $(BUILD)/fuzz/$*/new
 	$(CLANG) -std=c11 -D_GNU_SOURCE -O1 -g -fsanitize=fuzzer,address,undefined \
-	    -fno-sanitize-recover=undefined $(INCLUDES) $(FUZZED) -lm -o $(BUILD)/fuzz/fuzz_scene3d
-	$(BUILD)/fuzz/fuzz_scene3d -dict=tests/fuzz/scene3d.dict -max_len=4096 \
-	    -max_total_time=$(SECONDS) -artifact_prefix=$(BUILD)/fuzz/ $(BUILD)/fuzz/new \
-	    $(wildcard tests/fuzz/corpus/*)
+	    -fno-sanitize-recover=undefined $(INCLUDES) $(GRADER_INCLUDES) tests/fuzz/fuzz_$*.c \
+	    $(FUZZED_$*) -larchive -ljansson -lm -o $(BUILD)/fuzz/$*/fuzz
+	$(BUILD)/fuzz/$*/fuzz $(addprefix -dict=,$(wildcard tests/fuzz/$*.dict)) -max_len=4096 \
+	    -max_total_time=$(SECONDS) -artifact_prefix=$(BUILD)/fuzz/$*/ $(FUZZ_OPTIONS) \
+	    $(BUILD)/fuzz/$*/new tests/fuzz/corpus/$*
 
 # ---- The bench ------------------------------------------------------------------------------
 
@@ -258,8 +321,15 @@ bench:  ## install what is missing, measure naive against kd-tree in 2D and 3D, 
 	    gnuplot -e "folder='$(OUT)/bench'" tests/bench/$$bench.gnuplot && \
 	    echo "The plot: $(OUT)/bench/$$bench.png and .svg" || exit 1; done
 
+endif  # HANDOUT
+
 # ---- For people -----------------------------------------------------------------------------
 
+.PHONY: setup
+setup:  ## install what building and grading need, where it is missing
+	@common/setup/install.sh demo
+
+ifndef HANDOUT
 .PHONY: demo
 demo:  ## install what is missing, render every solution, grade a small class
 	@common/setup/install.sh demo
@@ -272,7 +342,9 @@ figures: all  ## draw the pictures of the READMEs and notes anew
 
 .PHONY: format
 format:  ## put every source into the one format
-	clang-format-19 -i $$(git ls-files -- '*.c' '*.h' '*.cpp' '*.cl' | grep -v -e ^labs/ -e ^tests/mutants/)
+	clang-format-19 -i $$(git ls-files -- '*.c' '*.h' '*.cpp' '*.cl' | grep -v -e ^labs/ -e ^tests/mutants/ -e ^tests/attacks/)
+
+endif  # HANDOUT
 
 # Make looks into folders once, at its start: what is cleaned then cannot be built in the same run.
 ifneq ($(and $(filter clean,$(MAKECMDGOALS)),$(filter-out clean,$(MAKECMDGOALS))),)
@@ -285,6 +357,7 @@ clean:  ## remove everything that was made
 
 .PHONY: help
 help:  ## print this list
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-10s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
+	@awk -F ':.*## ' '/^ifndef HANDOUT/ { hidden = "$(HANDOUT)" } /^endif  # HANDOUT/ { hidden = "" } \
+	    !hidden && /^[a-z-]+:.*## / { printf "  make %-10s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
 
 -include $(shell find $(OUT)/obj -name '*.d' 2>/dev/null)

@@ -5,6 +5,7 @@
 
 #include "number.h"
 
+#include <math.h>
 #include <string.h>
 
 // How far from the origin an atom may be, Angstrom: a tenth of a millimetre. Beyond, float leaves

@@ -1,7 +1,7 @@
 // Numbers from text, read to the last character: "12abc", "", " 1", "nan", "0x10" are no numbers.
 //
-// For everything a user types: CSV fields (scene2d_csv.c), scene arguments (scene2d.c), options
-// (options.c). The locale plays no part: the decimal sign is a point everywhere.
+// For everything a user types: CSV fields (scene2d_csv.c), scene arguments (scene_arguments.c),
+// options (options.c). The locale plays no part: the decimal sign is a point everywhere.
 // Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: scene2d.h.
 #ifndef COMMON_NUMBER_H
 #define COMMON_NUMBER_H

@@ -125,9 +125,7 @@ static void print_help(const char *lab_name, const char *what, int set)
         print_scenes("FILE.csv, random[:n=N,seed=S,min=R,max=R]", scene2d_edge_case);
     }
     if (set & OPTIONS_SCENE3D) {
-        print_scenes("FILE.nff, FILE.pdb, FILE.xyz, sphereflake[:size=N], "
-                     "random[:n=N,seed=S,min=R,max=R], lattice[:n=N]",
-                     scene3d_edge_case);
+        print_scenes(SCENE3D_NAMES, scene3d_edge_case);
     }
 }
 

@@ -46,7 +46,7 @@ static int edge_case_open(const SceneEdgeCase *edge_case, Scene2D *scene)
 {
     scene->circles = calloc(SCENE2D_EDGE_CASE_CIRCLES, sizeof *scene->circles);
     if (scene->circles == NULL) {
-        return scene2d_report_memory();
+        return scene_report_memory();
     }
     edge_case->draw(scene);
     if (scene->n_circles == 0) {
@@ -121,11 +121,6 @@ void scene2d_free(Scene2D *scene)
 {
     free(scene->circles);
     *scene = (Scene2D){0};
-}
-
-int scene2d_report_memory(void)
-{
-    return scene_report_memory();
 }
 
 const char *scene2d_edge_case(int index)

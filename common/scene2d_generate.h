@@ -23,7 +23,4 @@ typedef struct SceneEdgeCase {
 // All edge cases; the last has the name NULL.
 extern const SceneEdgeCase SCENE2D_EDGE_CASES[];
 
-// Say that memory ran out. Returns -1.
-int scene2d_report_memory(void);
-
 #endif

@@ -4,6 +4,7 @@
 // and divided once, which rounds the same on every machine. Read next: random.h.
 #include "random.h"
 #include "scene2d_generate.h"
+#include "scene_arguments.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -31,7 +32,7 @@ int scene2d_random(int n_circles, uint64_t seed, float min_radius, float max_rad
     }
     scene->circles = calloc((size_t)n_circles, sizeof *scene->circles);
     if (scene->circles == NULL) {
-        return scene2d_report_memory();
+        return scene_report_memory();
     }
     scene->n_circles = n_circles;
 

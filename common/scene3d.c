@@ -1,7 +1,8 @@
 // 3D scenes by name: the way from the word after --scene to spheres and a view (see scene3d.h).
 //
 // Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: scene3d_nff.c and molecule.c
-// for files; scene3d_sphereflake.c, scene3d_random.c and scene3d_edge_cases.c for the generators.
+// for files; scene3d_sphereflake.c, scene3d_random.c, scene3d_lattice.c and
+// scene3d_edge_cases.c for the generators.
 #include "scene3d.h"
 
 #include "scene3d_generate.h"
@@ -205,10 +206,7 @@ static int file_open(const char *path, int (*read)(FILE *file, const char *name,
 
 static int report_unknown(const char *name)
 {
-    fprintf(stderr,
-            "--scene %s: found no such scene, expected FILE.nff, FILE.pdb, FILE.xyz, "
-            "sphereflake[:size=N], random[:n=N,seed=S,min=R,max=R], lattice[:n=N]",
-            name);
+    fprintf(stderr, "--scene %s: found no such scene, expected " SCENE3D_NAMES, name);
     for (int i = 0; scene3d_edge_case(i) != NULL; i++) {
         fprintf(stderr, ", %s", scene3d_edge_case(i));
     }

@@ -45,6 +45,11 @@ typedef struct Scene3D {
     int height;
 } Scene3D;
 
+// Every name of a scene but the edge cases', for messages.
+#define SCENE3D_NAMES                                                                              \
+    "FILE.nff, FILE.pdb, FILE.xyz, sphereflake[:size=N], random[:n=N,seed=S,min=R,max=R], "        \
+    "lattice[:n=N]"
+
 // The most spheres, materials and lights of a scene.
 #define SCENE3D_MAX_SPHERES 10000000
 #define SCENE3D_MAX_LIGHTS 1000

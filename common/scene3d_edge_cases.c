@@ -85,8 +85,8 @@ static void place_planes(Scene3D *scene)
     }
 }
 
-// All spheres but one in a corner a 1000th as wide as the box: halving must go some 30 levels deep
-// before it separates any, and most of the other children are empty.
+// All spheres but one in a corner some 1/1500 as wide as the box: halving must go some 30 levels
+// deep before it separates any, and most of the other children are empty.
 static void place_one_cell(Scene3D *scene)
 {
     const float step = 1.0f / (1 << 16);

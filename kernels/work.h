@@ -4,8 +4,8 @@
 // its last parameter, WORK_BEGIN after the guard by which work-items outside the picture leave, and
 // WORK_END, which uses the kernel's parameter `width`, as its last statement. A function that
 // counts for it takes WORK_POINTER after its last parameter. Calls are counted from where
-// count_calls.h or one of its kind is included. Built without -DCOUNT_WORK all of this is empty and
-// costs nothing.
+// count_circle_search.h or one of its kind is included. Built without -DCOUNT_WORK all of this is
+// empty and costs nothing.
 // Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: common/work_stats.h.
 #ifndef KERNELS_WORK_H
 #define KERNELS_WORK_H

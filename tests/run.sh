@@ -72,7 +72,7 @@ for suite in tests/suites/*.sh; do
     name=$(basename "$suite" .sh)
     wanted "$name" "$@" || continue
     case $name in
-    grader | mutants) graders="$graders $name" ;;
+    archives | grader | mutants) graders="$graders $name" ;;
     *) others="$others $name" ;;
     esac
 done

@@ -5,7 +5,7 @@
 #include "work.h"
 
 // After the function whose calls it counts.
-#include "count_calls.h"
+#include "count_circle_search.h"
 
 // Draw the circles, one work-item a pixel.
 //   circles[n_circles]   the scene

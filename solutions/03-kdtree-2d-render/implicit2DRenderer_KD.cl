@@ -23,7 +23,7 @@ uint getContainingChild(int x, int y, uint id, global const NodeRel *nodes_Relat
     // END getContainingChild
 }
 
-#include "count_calls.h"
+#include "count_circle_search.h"
 
 // Draw the circles, one work-item a pixel; the same picture as implicit2DRenderer, sooner.
 //   circles            the scene; the tree's circle ids count from its start

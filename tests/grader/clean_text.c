@@ -63,7 +63,9 @@ static int is_showable(uint32_t character)
     int is_ordering = character == 0x200E || character == 0x200F || character == 0x061C ||
                       (character >= 0x2028 && character <= 0x202E) ||
                       (character >= 0x2066 && character <= 0x2069);
-    return !is_control && !is_ordering;
+    // Two code points that stand for no character, and that XML forbids.
+    int is_none = character == 0xFFFE || character == 0xFFFF;
+    return !is_control && !is_ordering && !is_none;
 }
 
 static char *showable(const char *text, int one_line)

@@ -4,16 +4,20 @@
 //
 // The solution and the submission do the same job in the sandbox; for each task with a failed check
 // the student's answer to it is then tried with our solution of all others, so that one mistake
-// costs one task. Read next: session.h (how it is run), judge.h (what is asked), report.h (what
+// costs one task. In a handout, which has no solution of its lab, the oracle alone judges the
+// submission as a whole. Read next: session.h (how it is run), judge.h (what is asked), report.h (what
 // comes out). Exit status: 0 full marks, 1 below, 2 when the grader itself could not work.
 #include "holes.h"
 #include "message.h"
 #include "output_file.h"
 #include "report.h"
+#include "report_systems.h"
 #include "session.h"
 #include "settings.h"
 #include "stage.h"
+#include "stands_out.h"
 #include "stats.h"
+#include "submission.h"
 #include "text_file.h"
 
 #include <errno.h>
@@ -29,7 +33,6 @@ typedef struct Grading {
     Session session;
     Variant whole;                      // the submission as it is
     Variant alone[MANIFEST_MAX_TASKS];  // one answer of it in the solution of the other tasks
-    int has_alone[MANIFEST_MAX_TASKS];  // that variant was made and run
     Result result;
 } Grading;
 
@@ -117,7 +120,8 @@ static char *read_answer(const Grading *grading, const Task *task)
     return answer;
 }
 
-// Try the answers of the failed tasks alone, two at a time. Returns 0, or -1 after one message.
+// Try the answers of the failed tasks alone, in the solution of the others, two at a time. Returns
+// 0, or -1 after one message.
 static int judge_alone(Grading *grading)
 {
     const Manifest *manifest = &grading->session.manifest;
@@ -134,7 +138,6 @@ static int judge_alone(Grading *grading)
             if (filled != 0) {
                 return -1;
             }
-            grading->has_alone[t] = 1;
             tasks[n] = id;
             pair[n++] = &grading->alone[t];
         }
@@ -157,7 +160,8 @@ static void note_lost_markers(Grading *grading)
     const Manifest *manifest = &grading->session.manifest;
     for (int t = 0; t < manifest->n_tasks; t++) {
         const Task *task = &manifest->tasks[t];
-        if (!grading->has_alone[t] && task_has_failed(grading, task->id)) {
+        char *answer = read_answer(grading, task);
+        if (answer == NULL && task_has_failed(grading, task->id)) {
             StageResult *staging = &grading->result.stages[0];
             char *message = message_new(
                 "%s%s%s: the lines \"// TASK %s\" and \"// END %s\" are not "
@@ -167,10 +171,23 @@ static void note_lost_markers(Grading *grading)
             free(staging->message);
             staging->message = message;
         }
+        free(answer);
     }
 }
 
 // ---- Grading --------------------------------------------------------------------------------
+
+// Unpack the submission where it is an archive, and copy the lab's files into a variant's folder.
+// Returns 0; 1 with a message for the student; -1 after one message on stderr.
+static int stage(const Grading *grading, const char *submission, const char *folder, char **message)
+{
+    const Manifest *manifest = &grading->session.manifest;
+    const Workshop *workshop = &grading->session.workshop;
+    char source[PATH_BYTES];
+    const int opened = submission_folder(manifest, submission, workshop->build, workshop->folder,
+                                         source, sizeof source, message);
+    return opened != 0 ? opened : stage_submission(manifest, source, folder, message);
+}
 
 // Stage, run, judge. Returns 0 when there is a result, or -1 after one message.
 static int grade(Grading *grading, const Settings *settings)
@@ -188,7 +205,7 @@ static int grade(Grading *grading, const Settings *settings)
         session_keep_answers(session, settings->kept_answers);
     }
     start_result(grading, settings);
-    const int staged = stage_submission(&session->manifest, settings->submission, folder, &staging);
+    const int staged = stage(grading, settings->submission, folder, &staging);
     if (staged < 0) {
         return -1;
     }
@@ -196,18 +213,34 @@ static int grade(Grading *grading, const Settings *settings)
               staging ? staging : "");
     free(staging);
 
-    Variant *variants[] = {&session->solution, &grading->whole};
-    if (session_run(session, variants, staged == 0 ? 2 : 1) != 0 ||
-        session_trust_solution(session) != 0) {
+    char *notes = stands_out(&session->manifest, folder, settings->submission);
+    if (notes != NULL) {
+        add_stage(&grading->result, "What stands out", CHECK_PASSED, notes);
+        free(notes);
+    }
+
+    Variant *variants[2];
+    int n_variants = 0;
+    if (session->has_solution) {
+        variants[n_variants++] = &session->solution;
+    }
+    if (staged == 0) {
+        variants[n_variants++] = &grading->whole;
+    }
+    if (session_run(session, variants, n_variants) != 0 || session_trust_solution(session) != 0) {
         return -1;
     }
-    session_device_name(session, grading->result.device, sizeof grading->result.device);
+    session_device_name(session->has_solution ? &session->solution : &grading->whole,
+                        grading->result.device, sizeof grading->result.device);
     if (staged != 0) {
         return 0;
     }
     add_run_stages(grading);
     judge_open_checks(grading, &grading->whole, NULL);
-    if (judge_alone(grading) != 0) {
+    if (!session->has_solution) {
+        add_stage(&grading->result, "Each task by itself", CHECK_NOT_RUN,
+                  "judged without the solution: one mistake can cost more than one task here");
+    } else if (judge_alone(grading) != 0) {
         return -1;
     }
     note_lost_markers(grading);
@@ -268,7 +301,7 @@ static int write_picture(const Result *result, const char *output)
     return output_file_commit(&file);
 }
 
-static int write_reports(const Grading *grading, const char *output)
+static int write_reports(const Grading *grading, const char *output, FormatSet formats)
 {
     char path[PATH_BYTES];
     const Manifest *manifest = &grading->session.manifest;
@@ -280,7 +313,8 @@ static int write_reports(const Grading *grading, const char *output)
         return -1;
     }
     snprintf(path, sizeof path, "%s/report.html", output);
-    if (report_html(path, manifest, &grading->result) != 0 ||
+    if (formats_write(output, formats, manifest, &grading->result) != 0 ||
+        report_html(path, manifest, &grading->result) != 0 ||
         write_picture(&grading->result, output) != 0 ||
         report_text(stdout, manifest, &grading->result, isatty(STDOUT_FILENO)) != 0) {
         return -1;
@@ -331,7 +365,10 @@ int main(int argc, char **argv)
         grading.result.score += grading.result.checks[i].points;
     }
     if (result == 0) {
-        result = write_reports(&grading, settings.output);
+        result = write_reports(&grading, settings.output, settings.formats);
+    }
+    if (result != 0 && settings.formats != 0 && make_folders(settings.output) == 0) {
+        formats_write_fault(settings.output, settings.formats, settings.lab);
     }
     const int full_marks = grading.result.score == grading.result.max_score;
     grading_free(&grading);

@@ -43,6 +43,13 @@ void html_line(FILE *page, const char *line)
     free(clean);
 }
 
+void html_text(FILE *page, const char *message)
+{
+    char *clean = message_clean(message);
+    escaped_write(page, clean);
+    free(clean);
+}
+
 void html_message(FILE *page, const char *message)
 {
     char *clean = message_clean(message);

@@ -14,8 +14,12 @@ void html_page_end(FILE *page);
 // The same for a page that shows pictures beside it or in folders below it.
 void html_album_begin(FILE *page, const char *title);
 
-// One line of any text, cleaned (clean_text.h) and escaped; also fit between double quotes.
+// One line of any text, cleaned (clean_text.h) and escaped; also fit between double quotes, and in
+// XML.
 void html_line(FILE *page, const char *line);
+
+// A message of any text, cleaned and escaped, without markup around it; fit for XML as well.
+void html_text(FILE *page, const char *message);
 
 // A message of any text, as a paragraph, or as a log that keeps its columns when it has several
 // lines. Nothing when it is empty.

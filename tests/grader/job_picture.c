@@ -55,7 +55,7 @@ Verdict job_pictures_judge_padding(JobPicture *const pictures[], int n, const Se
         const Image *reference = &pictures[k]->expected.reference;
         char *message = picture_judge_padding(own, reference->width, reference->height);
         if (message == NULL) {
-            message = picture_judge_written(own, reference->width, reference->height);
+            message = picture_judge_written(own, &pictures[k]->expected);
         }
         if (message != NULL) {
             return verdict_of(message);

@@ -63,16 +63,31 @@ static const char *draw_mistaken(const void *pointer, int mistake, Image *guess,
          {.sample_offset = -0.5}},
         {"drawn with half the radius", {.diameter = 1}},
     };
-    const Scene2D *scene = pointer;
+    enum { N_MISTAKES = sizeof mistakes / sizeof *mistakes };
+    static const struct {
+        const char *looks;
+        OracleRules rules;
+    } leaf_mistakes[] = {
+        {"drawn as if the first circle of every leaf were missing", {.skip_first = 1}},
+        {"drawn as if the last circle of every leaf were missing", {.skip_last = 1}},
+    };
+    enum { N_LEAF_MISTAKES = sizeof leaf_mistakes / sizeof *leaf_mistakes };
+    const JobScene *scene = pointer;
+    const Circle *circles = scene->scene.circles;
     (void)tolerances;  // all 0: these pictures are as exact as the right one
-    if (mistake >= (int)(sizeof mistakes / sizeof *mistakes)) {
+    if (mistake < N_MISTAKES) {
+        oracle2d_draw(circles, scene->scene.n_circles, &mistakes[mistake].rules, guess, NULL);
+        return mistakes[mistake].looks;
+    }
+    mistake -= N_MISTAKES;
+    if (scene->tree.n_nodes == 0 || mistake >= N_LEAF_MISTAKES) {
         return NULL;
     }
-    oracle2d_draw(scene->circles, scene->n_circles, &mistakes[mistake].rules, guess, NULL);
-    return mistakes[mistake].looks;
+    oracle2d_draw_leaves(circles, &scene->tree, &leaf_mistakes[mistake].rules, guess);
+    return leaf_mistakes[mistake].looks;
 }
 
-void job_scene_recognise(const Scene2D *scene, ExpectedPicture *expected)
+void job_scene_recognise(const JobScene *scene, ExpectedPicture *expected)
 {
     expected->draw_mistaken = draw_mistaken;
     expected->scene = scene;
@@ -96,16 +111,10 @@ int job_scene_expect(JobScene *scene)
         for (size_t i = 0; i < n_pixels; i++) {
             expected->tolerances[i] = ambiguous[i] ? INFINITY : 0;
         }
-        job_scene_recognise(s, expected);
+        job_scene_recognise(scene, expected);
     }
     free(ambiguous);
     return result;
-}
-
-int job_scene_grow_tree(JobScene *scene, KdTreeLimits limits)
-{
-    scene->limits = limits;
-    return kdtree2d_build(scene->scene.circles, (u32)scene->scene.n_circles, limits, &scene->tree);
 }
 
 // The circles and, behind them, one that must not be asked.

@@ -3,14 +3,14 @@
 #define GRADER_JOB_SCENE_H
 
 #include "job_picture.h"
-#include "kdtree2d_build.h"
 #include "random.h"
 #include "scene2d.h"
+#include "tree2d.h"
 
 typedef struct JobScene {
     Scene2D scene;        // circles and the picture's size
     KdTreeLimits limits;  // of its tree
-    KdTree2D tree;        // lab 03: what the kernel searches
+    KdTree2D tree;        // lab 02: what is expected; lab 03: what the kernel searches
     JobPicture picture;
 } JobScene;
 
@@ -27,7 +27,8 @@ void job_scene_spread_depths(JobScene *scene);
 // Let the oracle draw what is expected. Returns 0, or -1 after one message.
 int job_scene_expect(JobScene *scene);
 
-// Build the scene's tree with the solution of lab 02. Returns 0, or -1 after one message.
+// Build the scene's tree with the solution of lab 02 (job_scene_tree.c: for the labs behind that
+// one). Returns 0, or -1 after one message.
 int job_scene_grow_tree(JobScene *scene, KdTreeLimits limits);
 
 // Write the sections "scene.K" ...; the tree's too when there is one. Returns 0, or -1.
@@ -40,6 +41,6 @@ void job_scenes_list(JobScene *scenes, int n, JobPicture *pictures[]);
 
 // Let wrong pictures of a scene be recognised. The scene must stay where it is. job_scene_expect()
 // does it.
-void job_scene_recognise(const Scene2D *scene, ExpectedPicture *expected);
+void job_scene_recognise(const JobScene *scene, ExpectedPicture *expected);
 
 #endif

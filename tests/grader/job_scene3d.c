@@ -120,12 +120,6 @@ int job_scene3d_named(JobScene3D *scene, const char *name, int width, int height
     return scene3d_open(name, width, height, &scene->scene) == 0 ? finish(scene) : -1;
 }
 
-int job_scene3d_grow_tree(JobScene3D *scene, KdTreeLimits limits)
-{
-    scene->limits = limits;
-    return kdtree3d_build(scene->scene.spheres, (u32)scene->scene.n_spheres, limits, &scene->tree);
-}
-
 void job_scene3d_free(JobScene3D *scene)
 {
     expected_picture_free(&scene->picture.expected);

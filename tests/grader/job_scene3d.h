@@ -6,10 +6,10 @@
 #define GRADER_JOB_SCENE3D_H
 
 #include "job_picture.h"
-#include "kdtree3d_build.h"
 #include "oracle3d.h"
 #include "random.h"
 #include "scene3d.h"
+#include "tree3d.h"
 
 typedef struct JobScene3D {
     Scene3D scene;        // with its view and the picture's size
@@ -34,7 +34,8 @@ void job_scene3d_aim(JobScene3D *scene);
 // Let the oracle trace what is expected: hits and picture. Returns 0, or -1 after one message.
 int job_scene3d_expect(JobScene3D *scene);
 
-// Build the scene's tree with the solution of lab 06. Returns 0, or -1 after one message.
+// Build the scene's tree with the solution of lab 06 (job_scene3d_tree.c: for the labs behind that
+// one). Returns 0, or -1 after one message.
 int job_scene3d_grow_tree(JobScene3D *scene, KdTreeLimits limits);
 
 // Write the sections "scene.K" ...; the tree's too when there is one. Returns 0, or -1.

@@ -46,7 +46,7 @@ typedef struct Judge {
     // Judge check number `check` by the answers.
     Verdict (*judge)(const void *job, int check, const Sections *answers);
     // From now on compare pictures with these, which the solution drew on this device and which
-    // have just passed every check against the oracle.
+    // have just passed every check against the oracle. Never called where there is no solution.
     void (*adopt)(void *job, const Sections *answers);
     // Add pictures for the report: those that are wrong first.
     void (*add_pictures)(const void *job, const Sections *answers, Result *result);

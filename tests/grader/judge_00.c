@@ -38,8 +38,50 @@ typedef struct Job {
     JobPicture *pictures[N_SIZES];  // the gradients
 } Job;
 
-// What the gradient should be, in double precision. A device's float division may be off by 2.5
-// units in the last place (OpenCL 1.2, 7.4), of values below 1: 2.5 * 2^-24; twice that is allowed.
+// A device's float division may be off by 2.5 units in the last place (OpenCL 1.2, 7.4), of values
+// below 1: 2.5 * 2^-24; twice that is allowed.
+#define GRADIENT_ERROR (5 * 0x1p-24f)
+
+// Draw in double precision, with `offset` added to each coordinate and `less` taken from each size:
+// both are 0 in the right picture.
+static void gradient_draw(Image *image, double offset, int less)
+{
+    float *pixel = image->pixels;
+    for (int y = 0; y < image->height; y++) {
+        for (int x = 0; x < image->width; x++, pixel += IMAGE_CHANNELS) {
+            pixel[0] = (float)((x + offset) / (image->width - less));
+            pixel[1] = (float)((y + offset) / (image->height - less));
+            pixel[2] = 0.25f;
+            pixel[3] = 1;
+        }
+    }
+}
+
+// As DrawMistaken of picture.h has it.
+static const char *draw_mistaken(const void *scene, int mistake, Image *guess, float *tolerances)
+{
+    static const struct {
+        const char *looks;
+        double offset;
+        int less;
+    } mistakes[] = {
+        {"shifted by half a pixel: the colour is that of the pixel's middle, not of its integer "
+         "coordinate",
+         0.5, 0},
+        {"drawn as if the last column and row had the colour 1: the sizes are one too small", 0, 1},
+    };
+    (void)scene;
+    if (mistake >= (int)(sizeof mistakes / sizeof *mistakes)) {
+        return NULL;
+    }
+    gradient_draw(guess, mistakes[mistake].offset, mistakes[mistake].less);
+    for (int i = 0; i < guess->width * guess->height; i++) {
+        tolerances[i] = GRADIENT_ERROR;
+    }
+    return mistakes[mistake].looks;
+}
+
+// What the gradient should be.
 static int expect_gradient(int width, int height, JobPicture *gradient)
 {
     ExpectedPicture *expected = &gradient->expected;
@@ -47,16 +89,9 @@ static int expect_gradient(int width, int height, JobPicture *gradient)
     if (image_create(width, height, &expected->reference) != 0) {
         return -1;
     }
-    expected->tolerance = 5 * 0x1p-24f;
-    float *pixel = expected->reference.pixels;
-    for (int y = 0; y < height; y++) {
-        for (int x = 0; x < width; x++, pixel += IMAGE_CHANNELS) {
-            pixel[0] = (float)((double)x / width);
-            pixel[1] = (float)((double)y / height);
-            pixel[2] = 0.25f;
-            pixel[3] = 1;
-        }
-    }
+    expected->tolerance = GRADIENT_ERROR;
+    expected->draw_mistaken = draw_mistaken;
+    gradient_draw(&expected->reference, 0, 0);
     return 0;
 }
 
@@ -96,12 +131,11 @@ static Verdict judge_covers(const Job *job, const Sections *answers)
 {
     for (int k = 0; k < N_SIZES; k++) {
         const JobPicture *gradient = &job->gradients[k];
-        const Image *reference = &gradient->expected.reference;
         const ProbeImage own = job_picture_answer(gradient, k, answers);
         if (own.pixels == NULL) {
             return verdict_missing;
         }
-        char *message = picture_judge_written(own, reference->width, reference->height);
+        char *message = picture_judge_written(own, &gradient->expected);
         if (message != NULL) {
             return verdict_of(message);
         }

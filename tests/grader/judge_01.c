@@ -192,6 +192,20 @@ static const char *explain_overlap(OverlapJob input, int found)
     return "";
 }
 
+// Are all answers of a range those of a sample point that is `offset` away from the pixel's?
+static int is_shifted(const Job *job, int first, int n, const i32 *found, double offset)
+{
+    for (int i = first; i < first + n; i++) {
+        const OverlapJob in = job->overlaps[i];
+        const int shifted = oracle2d_covers(in.circle, in.x + offset, in.y + offset) &&
+                            in.circle.depth < in.minDepth;
+        if ((found[i] != 0) != shifted) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
 static Verdict judge_overlaps(const Job *job, int first, int n, const Sections *answers)
 {
     const i32 *found = sections_find(answers, "overlaps", N_OVERLAPS * sizeof *found);
@@ -213,6 +227,9 @@ static Verdict judge_overlaps(const Job *job, int first, int n, const Sections *
     }
     if (n_wrong == 0) {
         return verdict_of(NULL);
+    }
+    if (is_shifted(job, first, n, found, 0.5) || is_shifted(job, first, n, found, -0.5)) {
+        why = "; shifted by half a pixel: the sample point is the integer coordinate";
     }
     const OverlapJob input = job->overlaps[first_wrong];
     const int answer = found[first_wrong] != 0;

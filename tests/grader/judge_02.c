@@ -5,6 +5,7 @@
 #include "jobs.h"
 #include "message.h"
 #include "oracle2d.h"
+#include "oracle2d_tree.h"
 #include "tree2d_draw.h"
 #include "tree_judge.h"
 
@@ -190,7 +191,8 @@ static int draw_scenes(Random *random, JobScene scenes[N_SCENES])
     result |= job_scene_named(&scenes[5], "none", 64, 48);
     result |= job_scene_random(&scenes[6], random, 20, 10, 64, 64);
     for (int k = 0; result == 0 && k < N_SCENES; k++) {
-        result = job_scene_grow_tree(&scenes[k], limits[k]);
+        scenes[k].limits = limits[k];
+        result = oracle2d_tree(&scenes[k].scene, limits[k], &scenes[k].tree);
     }
     return result;
 }
@@ -225,7 +227,7 @@ static void job_free(void *pointer)
     free(job);
 }
 
-// A scene without the solution's tree: the probe shall not see it.
+// A scene without the expected tree: the probe shall not see it.
 static int write_scene(JobScene *scene, int k, FILE *file)
 {
     const KdTree2D tree = scene->tree;
@@ -347,16 +349,36 @@ static Verdict judge_split(const Job *job, int check, const Sections *answers)
     return verdict_of(NULL);
 }
 
-static const char *explain_overlap(BoxOverlapJob in, int found)
+// Do circle and box touch, and no more? On the inputs' grid one that is this much smaller is
+// outside then.
+static int is_touching(BoxOverlapJob in)
 {
-    const BBox2D box = in.box;
-    const Circle c = in.circle;
-    if (!found) {
-        Circle smaller = c;
-        smaller.radius -= 1e-3f;
-        return oracle2d_overlaps_box(smaller, box)
-                   ? ""
-                   : "; they touch, and touching counts: both have their boundaries";
+    Circle smaller = in.circle;
+    smaller.radius -= 1e-3f;
+    return oracle2d_overlaps_box(in.circle, in.box) && !oracle2d_overlaps_box(smaller, in.box);
+}
+
+// Is all that is wrong, in any check, that touching does not count?
+static int is_strict(const Job *job, const i32 *found)
+{
+    for (int i = 0; i < N_OVERLAPS; i++) {
+        const BoxOverlapJob in = job->overlaps[i];
+        const int expected = oracle2d_overlaps_box(in.circle, in.box);
+        if ((found[i] != 0) != expected && !(expected && is_touching(in))) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static const char *explain_overlap(const Job *job, int i, const i32 *found)
+{
+    const BBox2D box = job->overlaps[i].box;
+    const Circle c = job->overlaps[i].circle;
+    if (!found[i]) {
+        return is_strict(job, found)
+                   ? "; they touch, and touching counts: both have their boundaries"
+                   : "";
     }
     const int square = c.x + c.radius >= box.minX && c.x - c.radius <= box.maxX &&
                        c.y + c.radius >= box.minY && c.y - c.radius <= box.maxY;
@@ -377,10 +399,21 @@ static Verdict judge_overlaps(const Job *job, int first, int n, const Sections *
                 "circle at (%g, %g) radius %g, box x [%g, %g] y [%g, %g]: found %d, expected %d%s",
                 (double)in.circle.x, (double)in.circle.y, (double)in.circle.radius,
                 (double)in.box.minX, (double)in.box.maxX, (double)in.box.minY, (double)in.box.maxY,
-                found[i], expected, explain_overlap(in, found[i])));
+                found[i], expected, explain_overlap(job, i, found)));
         }
     }
     return verdict_of(NULL);
+}
+
+// Says that an id that belongs into a child's list is nowhere in it; "" when it is.
+static const char *explain_missing(const DistributeJob *in, const u32 *list, u32 id)
+{
+    for (u32 i = 0; i < in->n_ids; i++) {
+        if (list[i] == id) {
+            return "";
+        }
+    }
+    return "; that circle overlaps the cell and is missing in its list";
 }
 
 static Verdict judge_distribute(const Job *job, const Sections *answers)
@@ -401,14 +434,16 @@ static Verdict judge_distribute(const Job *job, const Sections *answers)
             if (found[1 + n] == UNTOUCHED) {
                 return verdict_of(
                     message_new("node with %u circles from id %u on: child_ids[%u] was not "
-                                "written, expected %u",
-                                in->n_ids, in->ids[0], n, id));
+                                "written, expected %u%s",
+                                in->n_ids, in->ids[0], n, id, explain_missing(in, found + 1, id)));
             }
             if (found[1 + n] != id) {
                 return verdict_of(
                     message_new("node with %u circles from id %u on: child_ids[%u] is "
-                                "%u, expected %u",
-                                in->n_ids, in->ids[0], n, found[1 + n], id));
+                                "%u, expected %u%s",
+                                in->n_ids, in->ids[0], n, found[1 + n], id,
+                                found[1 + n] == j ? "; that is its position in ids[]"
+                                                  : explain_missing(in, found + 1, id)));
             }
             n++;
         }
@@ -573,7 +608,7 @@ static Verdict judge(const void *pointer, int check, const Sections *answers)
 
 static void adopt(void *pointer, const Sections *answers)
 {
-    // The trees were built by the same solution in the grader; nothing is drawn on the device.
+    // The oracle's trees stay the reference; nothing is drawn on the device.
     (void)pointer, (void)answers;
 }
 

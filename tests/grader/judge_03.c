@@ -277,6 +277,46 @@ static void *job_new(uint64_t seed, FILE *file)
 
 // ---- Judging ----------------------------------------------------------------------------------
 
+// A way to decide whether a cell holds a pixel.
+typedef int Holds(BBox2D box, double x, double y);
+
+static int holds_inner(BBox2D box, double x, double y)
+{
+    return x > box.minX && x < box.maxX && y > box.minY && y < box.maxY;
+}
+
+static int holds_border(BBox2D box, double x, double y)
+{
+    return x >= box.minX && x <= box.maxX && y >= box.minY && y <= box.maxY;
+}
+
+// Do all answers, in both checks, follow from this way?
+static int children_follow(const Job *job, const u32 *found, Holds *way)
+{
+    const KdTree2D *tree = &job->scenes[BORDERS].tree;
+    for (int i = 0; i < N_CHILDREN; i++) {
+        const ChildJob in = job->children[i];
+        const NodeRel node = tree->nodes_Relations[in.id];
+        const int in_left = way(tree->nodes_BBox[node.lChild], in.x, in.y);
+        if (found[i] != (in_left ? node.lChild : node.rChild)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+// What wrong children suggest, "" when nothing.
+static const char *explain_children(const Job *job, const u32 *found)
+{
+    if (children_follow(job, found, holds_inner)) {
+        return "; strict where it should not be: cells are half-open, minX <= x < maxX";
+    }
+    if (children_follow(job, found, holds_border)) {
+        return "; cells are half-open: a border belongs to the cell that starts there";
+    }
+    return "";
+}
+
 static Verdict judge_children(const Job *job, int first, int n, const Sections *answers)
 {
     const u32 *found = sections_find(answers, "children", N_CHILDREN * sizeof *found);
@@ -294,13 +334,10 @@ static Verdict judge_children(const Job *job, int first, int n, const Sections *
         }
         const char *why = found[i] != node.lChild && found[i] != node.rChild
                               ? "; that is no child of the node"
-                          : first > 0 ? "; cells are half-open: a border belongs to the cell that "
-                                        "starts there"
-                                      : "";
+                              : explain_children(job, found);
         return verdict_of(message_new(
             "node %u, pixel (%d, %d): found child %u, expected %u; left child %u is x [%g, %g) y "
-            "[%g, "
-            "%g), right child %u is x [%g, %g) y [%g, %g)%s",
+            "[%g, %g), right child %u is x [%g, %g) y [%g, %g)%s",
             in.id, in.x, in.y, found[i], expected, node.lChild, (double)left.minX,
             (double)left.maxX, (double)left.minY, (double)left.maxY, node.rChild,
             (double)right.minX, (double)right.maxX, (double)right.minY, (double)right.maxY, why));

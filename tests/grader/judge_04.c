@@ -326,14 +326,16 @@ static Verdict judge_axes(const Job *job, int check, const Sections *answers)
 typedef struct DisplayMistake {
     const char *says;
     OracleRules3D rules;
-    int mirrored, flipped;
+    int mirrored, flipped, transposed;
+    int columns, rows;  // how many pixels on
 } DisplayMistake;
 
 static const DisplayMistake no_mistake = {0};
 static const DisplayMistake display_mistakes[] = {
-    {.says = "; that is the pixel's corner: its middle is half a pixel further",
+    {.says = "; shifted by half a pixel: that is the pixel's corner, not its middle",
      .rules = {.sample_offset = -0.5}},
-    {.says = "; that is the pixel's far corner", .rules = {.sample_offset = 0.5}},
+    {.says = "; shifted by half a pixel: that is the pixel's far corner, not its middle",
+     .rules = {.sample_offset = 0.5}},
     {.says = "; fov is the display's width, not half of it", .rules = {.fov_is_half_width = 1}},
     {.says = "; fov is the display's width, not its height", .rules = {.fov_is_height = 1}},
     {.says = "; pixels are squares: y needs the same size of a pixel as x",
@@ -341,12 +343,22 @@ static const DisplayMistake display_mistakes[] = {
     {.says = "; mirrored: x grows to the right", .mirrored = 1},
     {.says = "; flipped: row 0 is the top row, where y is largest", .flipped = 1},
     {.says = "; fov is a width at distance 1, not an angle", .rules = {.fov_is_angle = 1}},
+    {.says = "; transposed: x counts columns and y rows", .transposed = 1},
+    {.says = "; shifted by one pixel to the right: columns count from 0", .columns = 1},
+    {.says = "; shifted by one pixel to the left: columns count from 0", .columns = -1},
+    {.says = "; shifted by one pixel down: rows count from 0", .rows = 1},
+    {.says = "; shifted by one pixel up: rows count from 0", .rows = -1},
+    {.says = "; shifted by one pixel to the right and down: columns and rows count from 0",
+     .columns = 1,
+     .rows = 1},
 };
 
 static int display_agrees(const PixelJob *job, Vec3 found, const DisplayMistake *mistake)
 {
+    const int x = (mistake->transposed ? job->y : job->x) + mistake->columns;
+    const int y = (mistake->transposed ? job->x : job->y) + mistake->rows;
     OracleVector p =
-        oracle3d_display(job->x, job->y, job->width, job->height, job->camera.fov, &mistake->rules);
+        oracle3d_display(x, y, job->width, job->height, job->camera.fov, &mistake->rules);
     p.x = mistake->mirrored ? -p.x : p.x;
     p.y = mistake->flipped ? -p.y : p.y;
     const double half = job->camera.fov / 2 * fmax(1, (double)job->height / job->width);

@@ -503,6 +503,11 @@ Verdict inputs_05_judge_shades(const Inputs05 *inputs, int range, const Sections
         {"; kd is missing", {.ignore_kd = 1}},
         {"; the material's colour is missing", {.ignore_color = 1}},
         {"; the light's colour is missing", {.ignore_light_color = 1}},
+        {"; that is right with red and blue swapped", {.red_blue_swapped = 1}},
+        {"; that is right but for gamma: the colour was raised to 1 / 2.2, but it is linear here",
+         {.gamma = 1 / 2.2}},
+        {"; that is right but for gamma: the colour was raised to 2.2, but it is linear here",
+         {.gamma = 2.2}},
     };
     const Vec3 *found =
         sections_find(answers, "shades", sizeof *found * (size_t)COUNT(inputs->shades));

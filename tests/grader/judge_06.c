@@ -155,7 +155,7 @@ static Verdict judge(const void *pointer, int check, const Sections *answers)
 
 static void adopt(void *pointer, const Sections *answers)
 {
-    // The trees were built by the same solution in the grader; nothing is drawn on the device.
+    // The oracle's trees stay the reference; nothing is drawn on the device.
     (void)pointer, (void)answers;
 }
 

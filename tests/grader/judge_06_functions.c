@@ -30,7 +30,7 @@ Verdict judge_06_bounds(const Job06 *job, int first, const Sections *answers)
 
 Verdict judge_06_splits(const Job06 *job, int check, const Sections *answers)
 {
-    const KdSplit *found = sections_find(answers, "splits", N_SPLITS * sizeof *found);
+    const SplitAnswer3D *found = sections_find(answers, "splits", N_SPLITS * sizeof *found);
     if (found == NULL) {
         return verdict_missing;
     }
@@ -49,8 +49,31 @@ Verdict judge_06_splits(const Job06 *job, int check, const Sections *answers)
     return verdict_of(NULL);
 }
 
-static const char *explain_overlap(SphereBoxJob in, int found)
+// Do sphere and box touch, and no more? One that is a little smaller is outside then.
+static int is_touching(SphereBoxJob in)
 {
+    const int overlaps = tree3d_judge_sphere(in.sphere, in.box) == SPHERE_INSIDE;
+    in.sphere.radius -= (in.sphere.radius < 0 ? -1.0f : 1.0f) / 1024;
+    return overlaps && tree3d_judge_sphere(in.sphere, in.box) == SPHERE_OUTSIDE;
+}
+
+// Is all that is wrong, in any check, that touching does not count?
+static int is_strict(const Job06 *job, const i32 *found)
+{
+    for (int i = 0; i < N_OVERLAPS; i++) {
+        const SphereBoxJob in = job->overlaps[i];
+        const SphereInCell is = tree3d_judge_sphere(in.sphere, in.box);
+        const int is_wrong = is != SPHERE_EITHER && (found[i] != 0) != (is == SPHERE_INSIDE);
+        if (is_wrong && (found[i] || !is_touching(in))) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static const char *explain_overlap(const Job06 *job, int i, const i32 *found)
+{
+    const SphereBoxJob in = job->overlaps[i];
     const double centre[3] = {in.sphere.x, in.sphere.y, in.sphere.z};
     int cube_overlaps = 1, is_centre_inside = 1;
     for (int axis = 0; axis < 3; axis++) {
@@ -59,16 +82,14 @@ static const char *explain_overlap(SphereBoxJob in, int found)
         cube_overlaps &= centre[axis] + radius >= min && centre[axis] - radius <= max;
         is_centre_inside &= centre[axis] >= min && centre[axis] <= max;
     }
-    if (found) {
+    if (found[i]) {
         return cube_overlaps ? "; the sphere's bounding cube overlaps, the sphere does not" : "";
+    }
+    if (is_strict(job, found)) {
+        return "; they touch, and touching counts: both have their boundaries";
     }
     if (in.sphere.radius < 0) {
         return "; a negative radius counts as its absolute value";
-    }
-    // One that is a little smaller would be outside.
-    in.sphere.radius -= 1.0f / 1024;
-    if (tree3d_judge_sphere(in.sphere, in.box) == SPHERE_OUTSIDE) {
-        return "; they touch, and touching counts: both have their boundaries";
     }
     return is_centre_inside ? "; even its centre is inside"
                             : "; its centre is outside, but the sphere reaches in";
@@ -91,10 +112,21 @@ Verdict judge_06_overlaps(const Job06 *job, int first, int n, const Sections *an
                 (double)in.sphere.radius, (double)in.box.min[0], (double)in.box.max[0],
                 (double)in.box.min[1], (double)in.box.max[1], (double)in.box.min[2],
                 (double)in.box.max[2], found[i], is == SPHERE_INSIDE,
-                explain_overlap(in, found[i])));
+                explain_overlap(job, i, found)));
         }
     }
     return verdict_of(NULL);
+}
+
+// Says that an id that belongs into a child's list is nowhere in it; "" when it is.
+static const char *explain_missing(const DistributeJob3D *in, const u32 *list, u32 id)
+{
+    for (u32 i = 0; i < in->n_ids; i++) {
+        if (list[i] == id) {
+            return "";
+        }
+    }
+    return "; that sphere overlaps the cell and is missing in its list";
 }
 
 // What one call of distribute_spheres wrote: its number, then ids.
@@ -108,14 +140,15 @@ static char *judge_distributed(const Scene3D *scene, const DistributeJob3D *in, 
         }
         if (found[1 + n] == UNTOUCHED) {
             return message_new("node with %u spheres from id %u on: child_ids[%u] was not written, "
-                               "expected %u",
-                               in->n_ids, in->ids[0], n, id);
+                               "expected %u%s",
+                               in->n_ids, in->ids[0], n, id, explain_missing(in, found + 1, id));
         }
         if (found[1 + n] != id) {
             return message_new("node with %u spheres from id %u on: child_ids[%u] is %u, expected "
                                "%u%s",
                                in->n_ids, in->ids[0], n, found[1 + n], id,
-                               found[1 + n] == j ? "; that is its position in ids[]" : "");
+                               found[1 + n] == j ? "; that is its position in ids[]"
+                                                 : explain_missing(in, found + 1, id));
         }
         n++;
     }

@@ -289,20 +289,16 @@ static int draw_scenes(Random *random, TreeScene3D scenes[N_SCENES])
     result |= draw_deep(&scenes[JUST_FITS], random, TODO_SIZE + 1);
     result |= draw_deep(&scenes[TOO_DEEP], random, TODO_SIZE + 2);
     for (int k = 0; result == 0 && k < N_SCENES; k++) {
-        const Scene3D *scene = &scenes[k].scene;
-        if (k == TOO_DEEP) {
-            continue;
+        if (k != TOO_DEEP) {
+            result = tree3d_expect(&scenes[k]);
         }
-        result = kdtree3d_build(scene->spheres, (u32)scene->n_spheres, scenes[k].limits,
-                                &scenes[k].tree);
-        scenes[k].is_exact = result == 0 && tree3d_judge_is_exact(&scenes[k]);
     }
     return result;
 }
 
 // ---- The job ------------------------------------------------------------------------------------
 
-// A scene without the solution's tree, and behind its spheres one that must not be asked.
+// A scene without the expected tree, and behind its spheres one that must not be asked.
 static int write_scene(const TreeScene3D *scene, int k, FILE *file)
 {
     const size_t n = (size_t)scene->scene.n_spheres;

@@ -15,6 +15,7 @@ enum {
     CLIP_ALONG_IGNORED,
     CLIP_ALONG_MISSED,
     CLIP_ALWAYS_MET,
+    CLIP_BORDER_OUTSIDE,
 };
 static const char *const clip_mistakes[] = {
     [CLIP_LOW_IS_ENTRY] = "; that is as if every ray entered at the lower plane: with a negative "
@@ -27,6 +28,8 @@ static const char *const clip_mistakes[] = {
     [CLIP_ALONG_IGNORED] = "; a ray along the planes of an axis is between them, or never: then it "
                            "passes the box",
     [CLIP_ALONG_MISSED] = "; a ray along the planes of an axis may be between them all the way",
+    [CLIP_BORDER_OUTSIDE] = "; strict where it should not be: a ray in the plane of a side is "
+                            "inside",
     [CLIP_ALWAYS_MET] = "; when t_near is beyond t_far nothing is left: that is 0",
 };
 
@@ -71,7 +74,9 @@ static Clip expected_clip(const ClipJob *job, int mistake)
         const double min = job->box.min[axis], max = job->box.max[axis];
         if (along(job->direction, axis) == 0) {
             const double origin = along(job->origin, axis);
-            is_outside |= mistake == CLIP_ALONG_MISSED || origin < min || origin > max;
+            const int is_border = origin == min || origin == max;
+            is_outside |= mistake == CLIP_ALONG_MISSED || origin < min || origin > max ||
+                          (mistake == CLIP_BORDER_OUTSIDE && is_border);
             continue;
         }
         const Span low = clip_plane(job, axis, min), high = clip_plane(job, axis, max);

@@ -4,6 +4,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 char *message_new(const char *format, ...)
 {
@@ -17,4 +18,22 @@ char *message_new(const char *format, ...)
         exit(2);
     }
     return text;
+}
+
+char *message_show(const char *text, char *shown, size_t n_bytes)
+{
+    static const char gap[] = "...";
+    const size_t length = strlen(text);
+    if (length < n_bytes) {
+        memcpy(shown, text, length + 1);
+    } else {
+        const size_t half = (n_bytes - sizeof gap) / 2;
+        snprintf(shown, n_bytes, "%.*s%s%s", (int)half, text, gap, text + length - half);
+    }
+    for (char *c = shown; *c != '\0'; c++) {
+        if (*c < ' ' || *c > '~') {
+            *c = '?';
+        }
+    }
+    return shown;
 }

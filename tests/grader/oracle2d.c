@@ -62,6 +62,13 @@ static int covers(Circle circle, double x, double y, const OracleRules *rules)
     return rules->strict_boundary ? sum < radius * radius : sum <= radius * radius;
 }
 
+static void color_set(Image *image, int u, int v, const Circle *found)
+{
+    const float color[IMAGE_CHANNELS] = {found ? found->r : 0, found ? found->g : 0,
+                                         found ? found->b : 0, found ? found->a : 0};
+    memcpy(image->pixels + ((size_t)v * image->width + u) * IMAGE_CHANNELS, color, sizeof color);
+}
+
 void oracle2d_draw(const Circle *circles, int n_circles, const OracleRules *rules, Image *image,
                    unsigned char *ambiguous)
 {
@@ -77,12 +84,42 @@ void oracle2d_draw(const Circle *circles, int n_circles, const OracleRules *rule
                 }
                 edge_near |= ambiguous != NULL && is_ambiguous(circles[i], x, y);
             }
-            const float color[IMAGE_CHANNELS] = {found ? found->r : 0, found ? found->g : 0,
-                                                 found ? found->b : 0, found ? found->a : 0};
-            memcpy(image->pixels + pixel * IMAGE_CHANNELS, color, sizeof color);
+            color_set(image, u, v, found);
             if (ambiguous != NULL) {
                 ambiguous[pixel] = (unsigned char)edge_near;
             }
+        }
+    }
+}
+
+// The list of the leaf whose half-open cell holds the point: a count, then ids. NULL outside.
+static const u32 *list_at(const KdTree2D *tree, double x, double y)
+{
+    for (u32 id = 0; id < tree->n_nodes; id++) {
+        const BBox2D cell = tree->nodes_BBox[id];
+        if (tree->nodes_flag[id] == LEAF && x >= cell.minX && x < cell.maxX && y >= cell.minY &&
+            y < cell.maxY) {
+            return tree->mapNode2Circles + tree->nodes_Relations[id].circleMapOffset;
+        }
+    }
+    return NULL;
+}
+
+void oracle2d_draw_leaves(const Circle *circles, const KdTree2D *tree, const OracleRules *rules,
+                          Image *image)
+{
+    for (int v = 0; v < image->height; v++) {
+        for (int u = 0; u < image->width; u++) {
+            const u32 *list = list_at(tree, u, v);
+            const u32 end = list ? list[0] + 1 - (u32)rules->skip_last : 0;
+            const Circle *found = NULL;
+            for (u32 i = 1 + (u32)rules->skip_first; i < end; i++) {
+                const Circle *circle = &circles[list[i]];
+                if (covers(*circle, u, v, rules) && takes_pixel(circle, found, rules)) {
+                    found = circle;
+                }
+            }
+            color_set(image, u, v, found);
         }
     }
 }
@@ -101,5 +138,6 @@ int oracle2d_overlaps_box(Circle circle, BBox2D box)
     } else if (circle.y > box.maxY) {
         dy = (double)circle.y - box.maxY;
     }
-    return dx * dx + dy * dy <= (double)circle.radius * circle.radius;
+    const double radius = circle.radius;
+    return dx * dx + dy * dy <= radius * radius;
 }

@@ -8,7 +8,7 @@
 
 #include "circle.h"
 #include "image.h"
-#include "kdtree2d.h"
+#include "tree2d.h"
 
 // A way of drawing. All zeros is the right one.
 typedef struct OracleRules {
@@ -27,6 +27,11 @@ typedef struct OracleRules {
 //   ambiguous   out: [height * width], 1 where a right float renderer may differ; or NULL
 void oracle2d_draw(const Circle *circles, int n_circles, const OracleRules *rules, Image *image,
                    unsigned char *ambiguous);
+
+// The same through a tree: a pixel asks the circles of its leaf only, and it is of each leaf's list
+// that the first or the last circle may be left out.
+void oracle2d_draw_leaves(const Circle *circles, const KdTree2D *tree, const OracleRules *rules,
+                          Image *image);
 
 // Does the circle cover the point? Exact for the grid scenes.
 int oracle2d_covers(Circle circle, double x, double y);

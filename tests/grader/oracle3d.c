@@ -34,6 +34,7 @@
 #define ROOT_ERROR (12 * ROUNDING)      // see 2
 #define TEXTBOOK_ERROR (24 * ROUNDING)  // see 3: o . o, (o . d)² and d's own length, 8 u each
 #define UNIT_ERROR (8 * ROUNDING)       // of a unit vector made by normalize(): see 1
+#define POW_ERROR (32 * ROUNDING)       // of pow(), a share: 16 ulp (OpenCL 1.2, 7.4)
 #define SUM_ERROR (8 * ROUNDING)        // of a light's share: five products and a sum, of 1 u each
 
 // ---- Vectors ----------------------------------------------------------------------------------
@@ -299,6 +300,20 @@ static double cosine_of(OracleNear point, OracleNear normal, const Light *light,
     return rules->cosine_not_clamped ? cosine : fmax(cosine, 0);
 }
 
+// A colour raised to a power, and how far that may be off.
+static OracleNear bent(OracleNear color, double power)
+{
+    const double channels[3] = {color.value.x, color.value.y, color.value.z};
+    double value[3], error = 0;
+    for (int i = 0; i < 3; i++) {
+        value[i] = pow(fmax(channels[i], 0), power);
+        const double low = pow(fmax(channels[i] - color.error, 0), power);
+        const double high = pow(fmax(channels[i] + color.error, 0), power);
+        error = fmax(error, fmax(high - value[i], value[i] - low) + POW_ERROR * value[i]);
+    }
+    return (OracleNear){{value[0], value[1], value[2]}, error};
+}
+
 OracleNear oracle3d_shade(OracleNear point, OracleNear normal, const Material *material,
                           const Light *lights, int n_lights, const OracleRules3D *rules)
 {
@@ -317,7 +332,12 @@ OracleNear oracle3d_shade(OracleNear point, OracleNear normal, const Material *m
         color.value = plus(color.value, scaled(cosine, full));
         color.error += brightest * (error + SUM_ERROR * fmax(n_lights, 1));
     }
-    return color;
+    if (rules->gamma > 0) {
+        color = bent(color, rules->gamma);
+    }
+    return rules->red_blue_swapped
+               ? (OracleNear){{color.value.z, color.value.y, color.value.x}, color.error}
+               : color;
 }
 
 // ---- Pictures ---------------------------------------------------------------------------------

@@ -55,6 +55,8 @@ typedef struct OracleRules3D {
     int ignore_light_color;   // every light is white
     int ignore_material_ids;  // sphere i is of material i, if there is one
     int background_black;
+    int red_blue_swapped;  // of surfaces
+    double gamma;          // surfaces' colours are raised to it; 0 is none
 } OracleRules3D;
 
 // ---- Rays -------------------------------------------------------------------------------------

@@ -70,6 +70,17 @@ static int is_right(ProbeImage own, const ExpectedPicture *expected, int x, int 
 
 // ---- Judging ----------------------------------------------------------------------------------
 
+static char *describe_unwritten(const ExpectedPicture *expected, int x, int y, size_t n_unwritten)
+{
+    const Image *reference = &expected->reference;
+    const float *wanted = image_pixel(reference, x, y);
+    return message_new("nobody wrote pixel (%d, %d) of a %dx%d picture: found nothing, expected "
+                       "(%.4g, %.4g, %.4g, %.4g); %zu of %zu pixels were not written",
+                       x, y, reference->width, reference->height, (double)wanted[0],
+                       (double)wanted[1], (double)wanted[2], (double)wanted[3], n_unwritten,
+                       (size_t)reference->width * (size_t)reference->height);
+}
+
 char *picture_judge(ProbeImage own, const ExpectedPicture *expected)
 {
     const Image *reference = &expected->reference;
@@ -93,8 +104,7 @@ char *picture_judge(ProbeImage own, const ExpectedPicture *expected)
     }
     const size_t n_pixels = (size_t)reference->width * (size_t)reference->height;
     if (n_unwritten == n_wrong) {
-        return message_new("nobody wrote pixel (%d, %d); %zu of %zu pixels were not written",
-                           first_x, first_y, n_unwritten, n_pixels);
+        return describe_unwritten(expected, first_x, first_y, n_unwritten);
     }
     const float *found = probe_image_pixel(own, first_x, first_y);
     const float *wanted = image_pixel(reference, first_x, first_y);
@@ -138,24 +148,19 @@ char *picture_judge_padding(ProbeImage own, int width, int height)
     return NULL;
 }
 
-char *picture_judge_written(ProbeImage own, int width, int height)
+char *picture_judge_written(ProbeImage own, const ExpectedPicture *expected)
 {
     size_t n_unwritten = 0;
     int first_x = 0, first_y = 0;
-    for (int y = height - 1; y >= 0; y--) {
-        for (int x = width - 1; x >= 0; x--) {
+    for (int y = expected->reference.height - 1; y >= 0; y--) {
+        for (int x = expected->reference.width - 1; x >= 0; x--) {
             if (is_unwritten(probe_image_pixel(own, x, y))) {
                 n_unwritten++;
                 first_x = x, first_y = y;
             }
         }
     }
-    if (n_unwritten == 0) {
-        return NULL;
-    }
-    return message_new("nobody wrote pixel (%d, %d) of a %dx%d picture; %zu of its pixels were not "
-                       "written",
-                       first_x, first_y, width, height, n_unwritten);
+    return n_unwritten == 0 ? NULL : describe_unwritten(expected, first_x, first_y, n_unwritten);
 }
 
 int picture_copy(ProbeImage own, int width, int height, Image *picture)

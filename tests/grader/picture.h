@@ -46,7 +46,7 @@ int picture_is_right(ProbeImage own, const ExpectedPicture *expected);
 char *picture_judge_padding(ProbeImage own, int width, int height);
 
 // Is there any pixel nobody wrote? Returns NULL or the message.
-char *picture_judge_written(ProbeImage own, int width, int height);
+char *picture_judge_written(ProbeImage own, const ExpectedPicture *expected);
 
 // Copy the picture out of a probe's image for the report. Returns 0, or -1 after one message.
 int picture_copy(ProbeImage own, int width, int height, Image *picture);

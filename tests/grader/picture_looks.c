@@ -120,6 +120,15 @@ static void tally_add(Tally *tally, const float *own, const float *guess, float 
     tally->n_explained += (size_t)(wrong && agrees);
 }
 
+// Is a pixel background, and right? Who changes what is drawn and not what is behind it is
+// recognised by the rest.
+static int is_right_background(const ExpectedPicture *expected, const float *own, int x, int y)
+{
+    const float *reference = image_pixel(&expected->reference, x, y);
+    return is_same_color(reference, expected->background, 0) &&
+           is_same_color(own, reference, expected_tolerance(expected, x, y));
+}
+
 static int tally_recognises(const Tally *tally)
 {
     return tally->n_wrong >= MIN_WRONG &&
@@ -136,7 +145,9 @@ static int looks_distorted(ProbeImage own, const ExpectedPicture *expected,
         for (int x = 0; x < reference->width; x++) {
             int u, v;
             distortion->lookup(x, y, reference->width, reference->height, &u, &v);
-            if (u < 0 || v < 0 || u >= reference->width || v >= reference->height) {
+            if (u < 0 || v < 0 || u >= reference->width || v >= reference->height ||
+                (distortion->lookup == in_place &&
+                 is_right_background(expected, probe_image_pixel(own, x, y), x, y))) {
                 continue;
             }
             float guess[IMAGE_CHANNELS];
@@ -146,6 +157,82 @@ static int looks_distorted(ProbeImage own, const ExpectedPicture *expected,
             tally_add(&tally, probe_image_pixel(own, x, y), guess,
                       expected_tolerance(expected, u, v), image_pixel(reference, x, y),
                       expected_tolerance(expected, x, y));
+        }
+    }
+    return tally_recognises(&tally);
+}
+
+// ---- Gamma ------------------------------------------------------------------------------------
+
+// A curve that a colour's channels, but for alpha, were bent by.
+typedef double Curve(double value);
+
+static double power_encoded(double value)
+{
+    return pow(value, 1 / 2.2);
+}
+static double power_decoded(double value)
+{
+    return pow(value, 2.2);
+}
+// IEC 61966-2-1.
+static double srgb_encoded(double value)
+{
+    return value <= 0.0031308 ? 12.92 * value : 1.055 * pow(value, 1 / 2.4) - 0.055;
+}
+static double srgb_decoded(double value)
+{
+    return value <= 0.04045 ? value / 12.92 : pow((value + 0.055) / 1.055, 2.4);
+}
+
+static const struct {
+    const char *looks;
+    Curve *curve;
+} gammas[] = {
+    {"right but for gamma: the colours were raised to 1 / 2.2, but pictures here are linear",
+     power_encoded},
+    {"right but for gamma: the colours were raised to 2.2, but pictures here are linear",
+     power_decoded},
+    {"right but for gamma: the colours were encoded by the sRGB curve, but pictures here are "
+     "linear",
+     srgb_encoded},
+    {"right but for gamma: the colours were decoded by the sRGB curve, but pictures here are "
+     "linear",
+     srgb_decoded},
+};
+
+// A device's pow() may be off by 16 units in the last place (OpenCL 1.2, 7.4), of values up to 8
+// where several bright lights meet; twice that is allowed.
+#define POW_ERROR (32 * 8 * 0x1p-23)
+
+// Bend a channel; how far a right value within `tolerance` may come to lie from it is added to
+// `error`.
+static float channel_bend(Curve *curve, float value, float tolerance, float *error)
+{
+    const double bent = curve(fmax(value, 0)), low = curve(fmax(value - tolerance, 0)),
+                 high = curve(fmax(value + tolerance, 0));
+    *error = fmaxf(*error, (float)(fmax(high - bent, bent - low) + POW_ERROR));
+    return (float)bent;
+}
+
+static int looks_bent(ProbeImage own, const ExpectedPicture *expected, Curve *curve)
+{
+    const Image *reference = &expected->reference;
+    Tally tally = {0};
+    for (int y = 0; y < reference->height; y++) {
+        for (int x = 0; x < reference->width; x++) {
+            if (is_right_background(expected, probe_image_pixel(own, x, y), x, y)) {
+                continue;
+            }
+            const float *right = image_pixel(reference, x, y);
+            const float tolerance = expected_tolerance(expected, x, y);
+            float guess[IMAGE_CHANNELS], error = 0;
+            memcpy(guess, right, sizeof guess);
+            for (int channel = 0; channel < 3; channel++) {
+                guess[channel] = channel_bend(curve, right[channel], tolerance, &error);
+            }
+            tally_add(&tally, probe_image_pixel(own, x, y), guess,
+                      isinf(tolerance) ? tolerance : error, right, tolerance);
         }
     }
     return tally_recognises(&tally);
@@ -267,6 +354,11 @@ char *picture_looks(ProbeImage own, const ExpectedPicture *expected)
     for (size_t i = 0; i < sizeof distortions / sizeof *distortions; i++) {
         if (looks_distorted(own, expected, &distortions[i])) {
             return message_new("%s", distortions[i].looks);
+        }
+    }
+    for (size_t i = 0; i < sizeof gammas / sizeof *gammas; i++) {
+        if (looks_bent(own, expected, gammas[i].curve)) {
+            return message_new("%s", gammas[i].looks);
         }
     }
     const char *looks = expected->draw_mistaken ? looks_mistaken(own, expected) : NULL;

@@ -5,31 +5,12 @@
 // many readers of JSON keep numbers as doubles and would change it. Read next: graded.c.
 #include "report.h"
 
-#include "clean_text.h"
-#include "output_file.h"
+#include "json_text.h"
 
 #include <inttypes.h>
-#include <jansson.h>
-#include <stdlib.h>
 
 // In each of these, NULL (no memory, a number that is not finite) makes the whole that it becomes a
 // part of NULL as well: jansson hands it on.
-
-static json_t *json_line(const char *line)
-{
-    char *clean = line_clean(line);
-    json_t *string = json_string(clean);
-    free(clean);
-    return string;
-}
-
-static json_t *json_message(const char *message)
-{
-    char *clean = message_clean(message);
-    json_t *string = json_string(clean);
-    free(clean);
-    return string;
-}
 
 static json_t *stages_json(const Result *result)
 {
@@ -98,23 +79,5 @@ static json_t *result_json(const Manifest *manifest, const Result *result)
 
 int report_json(const char *path, const Manifest *manifest, const Result *result)
 {
-    json_t *json = result_json(manifest, result);
-    if (json == NULL) {
-        fprintf(stderr, "%s: cannot write: a figure is not finite, or no memory\n", path);
-        return -1;
-    }
-    OutputFile output;
-    if (output_file_open(&output, path) != 0) {
-        json_decref(json);
-        return -1;
-    }
-    int written = json_dumpf(json, output.file, JSON_INDENT(2) | JSON_REAL_PRECISION(6)) == 0;
-    fputc('\n', output.file);
-    json_decref(json);
-    if (!written) {
-        output_file_discard(&output);
-        fprintf(stderr, "%s: cannot write\n", path);
-        return -1;
-    }
-    return output_file_commit(&output);
+    return json_save(path, result_json(manifest, result), JSON_INDENT(2));
 }

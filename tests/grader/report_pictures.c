@@ -52,7 +52,7 @@ static int file_uri_write(FILE *page, const char *path)
     return failed ? -1 : 0;
 }
 
-static int png_uri_write(FILE *page, const Image *image)
+int picture_uri_write(FILE *page, const Image *image)
 {
     const char *parent = getenv("TMPDIR");
     char folder[4096 - sizeof "/picture.png"];
@@ -75,7 +75,7 @@ static int image_figure_write(FILE *page, const Image *image, const char *alt)
 {
     fprintf(page, "<img alt=\"%s\" width=\"%d\" height=\"%d\"%s src=\"", alt, image->width,
             image->height, image->width < SMALL_WIDTH ? " class=\"small\"" : "");
-    int written = png_uri_write(page, image);
+    int written = picture_uri_write(page, image);
     fputs("\">", page);
     return written;
 }

@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 enum { PATH_BYTES = 512 };
 
@@ -74,6 +75,14 @@ static int write_job(Session *session)
     return session->job == NULL || closed != 0 || chmod(path, 0644) != 0 ? -1 : 0;
 }
 
+// A handout has the solutions of earlier labs only.
+static int has_solution(const char *lab)
+{
+    char path[PATH_BYTES];
+    snprintf(path, sizeof path, "solutions/%s", lab);
+    return access(path, F_OK) == 0;
+}
+
 int session_open(Session *session, SessionSettings settings)
 {
     *session = (Session){.settings = settings, .judge = judge_of(settings.lab)};
@@ -87,7 +96,9 @@ int session_open(Session *session, SessionSettings settings)
         write_job(session) != 0) {
         return -1;
     }
-    return session_fill(session, "solution", NULL, NULL, &session->solution);
+    session->has_solution = has_solution(settings.lab);
+    return session->has_solution ? session_fill(session, "solution", NULL, NULL, &session->solution)
+                                 : 0;
 }
 
 void session_keep_answers(Session *session, const char *folder)
@@ -117,6 +128,9 @@ int session_run(const Session *session, Variant *const variants[], int n)
 int session_trust_solution(Session *session)
 {
     const Variant *solution = &session->solution;
+    if (!session->has_solution) {
+        return 0;
+    }
     if (solution->build_log != NULL || solution->trouble != NULL) {
         fprintf(stderr, "grade: the solution itself does not run here: %s\n%s\n",
                 solution->build_log ? "it does not compile" : solution->trouble,
@@ -139,10 +153,10 @@ int session_trust_solution(Session *session)
     return kept_answers_save(session->kept_answers, session->settings.seed, &solution->answers);
 }
 
-void session_device_name(const Session *session, char *name, size_t n_bytes)
+void session_device_name(const Variant *variant, char *name, size_t n_bytes)
 {
     size_t length;
-    const char *device = sections_find_any(&session->solution.answers, "device", &length);
+    const char *device = sections_find_any(&variant->answers, "device", &length);
     snprintf(name, n_bytes, "%.*s", device ? (int)strnlen(device, length) : 4,
              device ? device : "host");
 }

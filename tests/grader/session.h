@@ -25,13 +25,15 @@ typedef struct Session {
     Manifest manifest;
     Workshop workshop;
     void *job;
-    Variant solution;
+    int has_solution;          // 0 in a handout: the oracle alone judges
+    Variant solution;          // where there is one
     const char *kept_answers;  // folder of the solution's answers (kept_answers.h), or NULL
     int has_kept_answers;      // they are there: the solution is not run again
 } Session;
 
 // Prepare everything up to the point where variants can run: manifest, workshop, job, and the
-// solution as a variant that has not run yet. Returns 0, or -1 after one message on stderr.
+// solution, where there is one, as a variant that has not run yet. Returns 0, or -1 after one
+// message on stderr.
 int session_open(Session *session, SessionSettings settings);
 void session_close(Session *session);
 
@@ -44,11 +46,11 @@ int session_run(const Session *session, Variant *const variants[], int n);
 
 // After the solution has run: it must pass every check on this device, judged by the oracle, else
 // nothing that is said about a submission can be trusted. From then on pictures are compared with
-// the solution's. Returns 0, or -1 after one message.
+// the solution's. Returns 0, or -1 after one message; 0 where there is no solution.
 int session_trust_solution(Session *session);
 
-// The device's name as the solution's probe saw it, "host" for labs that use none.
-void session_device_name(const Session *session, char *name, size_t n_bytes);
+// The device's name as a variant's probe saw it, "host" for labs that use none.
+void session_device_name(const Variant *variant, char *name, size_t n_bytes);
 
 // Make a variant of the solution with the content of one hole replaced.
 //   task     the task's id, or NULL for the solution as it is

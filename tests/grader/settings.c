@@ -16,18 +16,22 @@ enum { DEFAULT_TIME_LIMIT = 10 };
 
 static void usage(FILE *out)
 {
-    fprintf(out,
-            "usage: grade --lab NN [options]\n"
-            "  --lab NN             which lab: its number or its name\n"
-            "  --submission FOLDER  what to grade (default: labs/NN-name)\n"
-            "  --output FOLDER      where the reports go (default: grade/NN in the build folder)\n"
-            "  --seed N             the hidden scenes' seed (default: a new one)\n"
-            "  --device D           OpenCL device by number or name\n"
-            "  --time-limit S       seconds a submission may run (default: %d)\n"
-            "  --build FOLDER       where probes and libraries are (default: build)\n"
-            "  --answers FOLDER     keep the solution's answers there, for one lab and one device\n"
-            "  --list-checks        print the lab's checks: id, task, points\n",
-            DEFAULT_TIME_LIMIT);
+    fprintf(
+        out,
+        "usage: grade --lab NN [options]\n"
+        "  --lab NN             which lab: its number or its name\n"
+        "  --submission PATH    what to grade: a folder, a zip or a tar archive (default: "
+        "labs/NN-name)\n"
+        "  --output FOLDER      where the reports go (default: grade/NN in the build folder)\n"
+        "  --seed N             the hidden scenes' seed (default: a new one)\n"
+        "  --device D           OpenCL device by number or name\n"
+        "  --time-limit S       seconds a submission may run (default: %d)\n"
+        "  --build FOLDER       where probes and libraries are (default: build)\n"
+        "  --format NAMES       more reports, for example junit,tap; also gradescope, autolab,\n"
+        "                       prairielearn, github\n"
+        "  --answers FOLDER     keep the solution's answers there, for one lab and one device\n"
+        "  --list-checks        print the lab's checks: id, task, points\n",
+        DEFAULT_TIME_LIMIT);
 }
 
 // "03", "3" or "03-kdtree-2d-render" to the lab's name. Returns 0, or -1 after one message.
@@ -75,17 +79,12 @@ typedef struct GivenOptions {
 static int read_options(int argc, char **argv, Settings *settings, GivenOptions *given)
 {
     static const struct option options[] = {
-        {"lab", required_argument, NULL, 'l'},
-        {"submission", required_argument, NULL, 's'},
-        {"output", required_argument, NULL, 'o'},
-        {"seed", required_argument, NULL, 'r'},
-        {"device", required_argument, NULL, 'd'},
-        {"time-limit", required_argument, NULL, 't'},
-        {"build", required_argument, NULL, 'b'},
-        {"list-checks", no_argument, NULL, 'c'},
-        {"help", no_argument, NULL, 'h'},
-        {"answers", required_argument, NULL, 'a'},
-        {0},
+        {"lab", required_argument, NULL, 'l'},    {"submission", required_argument, NULL, 's'},
+        {"output", required_argument, NULL, 'o'}, {"seed", required_argument, NULL, 'r'},
+        {"device", required_argument, NULL, 'd'}, {"time-limit", required_argument, NULL, 't'},
+        {"build", required_argument, NULL, 'b'},  {"list-checks", no_argument, NULL, 'c'},
+        {"format", required_argument, NULL, 'f'}, {"answers", required_argument, NULL, 'a'},
+        {"help", no_argument, NULL, 'h'},         {0},
     };
     uint64_t seconds = DEFAULT_TIME_LIMIT;
     int letter, failed = 0;
@@ -111,6 +110,9 @@ static int read_options(int argc, char **argv, Settings *settings, GivenOptions 
             break;
         case 'b':
             settings->build = optarg;
+            break;
+        case 'f':
+            failed = formats_read(optarg, &settings->formats);
             break;
         case 'a':
             settings->kept_answers = optarg;

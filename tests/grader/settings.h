@@ -2,20 +2,23 @@
 #ifndef GRADER_SETTINGS_H
 #define GRADER_SETTINGS_H
 
+#include "report_systems.h"
+
 #include <stdint.h>
 
 enum { SETTINGS_PATH_BYTES = 512 };
 
 typedef struct Settings {
     char lab[64];                          // "03-kdtree-2d-render"
-    char submission[SETTINGS_PATH_BYTES];  // a folder
+    char submission[SETTINGS_PATH_BYTES];  // a folder or an archive
     char output[SETTINGS_PATH_BYTES];      // a folder for the reports
     const char *build;                     // where the probes are
     const char *device;                    // "" for the first
     const char *kept_answers;              // see kept_answers.h; NULL: the solution is run
     uint64_t seed;
-    int time_limit;   // seconds
-    int list_checks;  // only print the lab's checks
+    int time_limit;     // seconds
+    FormatSet formats;  // what to write besides results.json and report.html
+    int list_checks;    // only print the lab's checks
 } Settings;
 
 // Read the command line. Returns 0, 1 when --help was answered, or -1 after one message on stderr.

@@ -2,8 +2,12 @@
 //
 // Flow: STAGED -> compiled -> run -> judged. A submission is a folder that a student filled as they
 // liked, so each file is opened without following links or waiting, and looked at through its open
-// descriptor: what was checked is what is copied. Read next: sandbox.h.
+// descriptor: what was checked is what is copied. Read next: places.h (where a file is looked for),
+// sandbox.h.
 #include "stage.h"
+
+#include "message.h"
+#include "places.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -18,6 +22,7 @@ typedef struct Staging {
     int from, to;                          // the two folders, open
     FILE *complaints;                      // to the student, one line each
     unsigned char *bytes;                  // [STAGE_MAX_FILE_BYTES + 1] the file under way
+    unsigned char *others;                 // the same for one that may be equal to it
 } Staging;
 
 static int machinery_fault(const char *folder, const char *file, int fault)
@@ -36,10 +41,6 @@ static int complain(const Staging *staging, const char *file, const char *compla
 static int complain_open_failed(const Staging *staging, const char *file, int fault)
 {
     switch (fault) {
-    case ENOENT:
-        return complain(staging, file,
-                        "not in the submission: hand in a file with exactly this name, "
-                        "not inside another folder");
     case ELOOP:
         return complain(staging, file, "a symbolic link: hand in the file itself");
     case ENXIO:  // a socket
@@ -58,6 +59,42 @@ static int complain_too_large(const Staging *staging, const char *file)
     return 1;
 }
 
+// Open a file where it was found. Returns a descriptor, or -1 with errno set.
+static int file_open(const Staging *staging, const char *folder, const char *file)
+{
+    const int parent = place_open(staging->from, folder);
+    if (parent < 0) {
+        return -1;
+    }
+    // O_NONBLOCK: opening a FIFO would otherwise wait for a writer that never comes.
+    const int descriptor =
+        openat(parent, file, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+    const int fault = errno;
+    close(parent);
+    errno = fault;
+    return descriptor;
+}
+
+// Read what an open file holds, one byte more than allowed at most. Returns how much, or -1.
+static ssize_t bytes_read(int descriptor, unsigned char *bytes)
+{
+    size_t n_read = 0;
+    while (n_read <= STAGE_MAX_FILE_BYTES) {
+        ssize_t n = read(descriptor, bytes + n_read, STAGE_MAX_FILE_BYTES + 1 - n_read);
+        if (n < 0 && errno == EINTR) {
+            continue;
+        }
+        if (n < 0) {
+            return -1;
+        }
+        if (n == 0) {
+            break;
+        }
+        n_read += (size_t)n;
+    }
+    return (ssize_t)n_read;
+}
+
 // Read the open file into staging->bytes. Returns 0, 1 (the submission is at fault) or -1.
 static int file_read(const Staging *staging, const char *file, int descriptor, size_t *n_bytes)
 {
@@ -71,30 +108,18 @@ static int file_read(const Staging *staging, const char *file, int descriptor, s
     if (status.st_size > STAGE_MAX_FILE_BYTES) {
         return complain_too_large(staging, file);
     }
-
-    // One byte more than allowed is asked for, in case the file grows meanwhile.
-    size_t n_read = 0;
-    while (n_read <= STAGE_MAX_FILE_BYTES) {
-        ssize_t n = read(descriptor, staging->bytes + n_read, STAGE_MAX_FILE_BYTES + 1 - n_read);
-        if (n < 0 && errno == EINTR) {
-            continue;
-        }
-        if (n < 0) {
-            return machinery_fault(staging->submission, file, errno);
-        }
-        if (n == 0) {
-            break;
-        }
-        n_read += (size_t)n;
+    const ssize_t n_read = bytes_read(descriptor, staging->bytes);
+    if (n_read < 0) {
+        return machinery_fault(staging->submission, file, errno);
     }
-    if (n_read > STAGE_MAX_FILE_BYTES) {
+    if (n_read > STAGE_MAX_FILE_BYTES) {  // it grew meanwhile
         return complain_too_large(staging, file);
     }
-    if (memchr(staging->bytes, '\0', n_read) != NULL) {
+    if (memchr(staging->bytes, '\0', (size_t)n_read) != NULL) {
         return complain(staging, file,
                         "holds NUL bytes, so it is no source text: save it as plain text (UTF-8)");
     }
-    *n_bytes = n_read;
+    *n_bytes = (size_t)n_read;
     return 0;
 }
 
@@ -127,12 +152,70 @@ static int file_write(const Staging *staging, const char *file, size_t n_bytes)
     return fault == 0 ? 0 : machinery_fault(staging->destination, file, fault);
 }
 
-// Returns 0, 1 (the submission is at fault) or -1.
-static int file_stage(const Staging *staging, const char *file)
+// ---- Which of several -----------------------------------------------------------------------
+
+// How many bytes of text the file at that place holds, or -1 when it is none that could be staged.
+static ssize_t text_read(const Staging *staging, const char *folder, const char *file,
+                         unsigned char *bytes)
 {
-    // O_NONBLOCK: opening a FIFO would otherwise wait for a writer that never comes.
-    int descriptor =
-        openat(staging->from, file, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+    struct stat status;
+    const int descriptor = file_open(staging, folder, file);
+    if (descriptor < 0) {
+        return -1;
+    }
+    const int is_regular = fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) &&
+                           status.st_size <= STAGE_MAX_FILE_BYTES;
+    const ssize_t n_read = is_regular ? bytes_read(descriptor, bytes) : -1;
+    close(descriptor);
+    return n_read;
+}
+
+static int complain_two_places(const Staging *staging, const char *file, const char *first,
+                               const char *second)
+{
+    char shown[2][MESSAGE_SHOWN_BYTES];
+    fprintf(staging->complaints,
+            "%s: found in \"%s\" and, with another content, in \"%s\": hand in only one\n", file,
+            message_show(first, shown[0], sizeof shown[0]),
+            message_show(second, shown[1], sizeof shown[1]));
+    return 1;
+}
+
+// Several places are equally good: then all must hold the same. Returns 0 or 1.
+static int places_agree(const Staging *staging, const char *file, const Places *places)
+{
+    if (places->are_more) {
+        fprintf(staging->complaints, "%s: found in more than %d folders: hand in only one\n", file,
+                PLACES_MAX_EQUAL);
+        return 1;
+    }
+    const char *first = places->folders[0];
+    const ssize_t n_bytes =
+        places->n_folders > 1 ? text_read(staging, first, file, staging->bytes) : 0;
+    for (int i = 1; i < places->n_folders; i++) {
+        const char *second = places->folders[i];
+        if (n_bytes < 0 || text_read(staging, second, file, staging->others) != n_bytes ||
+            memcmp(staging->bytes, staging->others, (size_t)n_bytes) != 0) {
+            return complain_two_places(staging, file, first, second);
+        }
+    }
+    return 0;
+}
+
+// ---- Staging --------------------------------------------------------------------------------
+
+// Returns 0, 1 (the submission is at fault) or -1.
+static int file_stage(const Staging *staging, const char *file, const Places *places)
+{
+    if (places->n_folders == 0) {
+        return complain(staging, file,
+                        "not in the submission, nor in a folder of it: hand in a file with exactly "
+                        "this name");
+    }
+    if (places_agree(staging, file, places) != 0) {
+        return 1;
+    }
+    const int descriptor = file_open(staging, places->folders[0], file);
     if (descriptor < 0) {
         return complain_open_failed(staging, file, errno);
     }
@@ -144,17 +227,18 @@ static int file_stage(const Staging *staging, const char *file)
 
 static int files_stage(const Manifest *manifest, const Staging *staging)
 {
+    Places places[MANIFEST_MAX_FILES];
+    if (places_find(staging->from, manifest->lab, manifest->files, manifest->n_files, places) !=
+        0) {
+        return machinery_fault(staging->submission, "", errno);
+    }
     // All files are looked at, so that a student hears of every fault at once.
     int outcome = 0;
-    for (int i = 0; i < manifest->n_files; i++) {
-        int file_outcome = file_stage(staging, manifest->files[i]);
-        if (file_outcome < 0) {
-            return -1;
-        }
-        if (file_outcome > 0) {
-            outcome = 1;
-        }
+    for (int i = 0; outcome >= 0 && i < manifest->n_files; i++) {
+        const int file_outcome = file_stage(staging, manifest->files[i], &places[i]);
+        outcome = file_outcome != 0 ? file_outcome : outcome;
     }
+    places_free(places, manifest->n_files);
     return outcome;
 }
 
@@ -183,8 +267,9 @@ int stage_submission(const Manifest *manifest, const char *submission, const cha
 
     *message = NULL;
     staging.bytes = malloc(STAGE_MAX_FILE_BYTES + 1);
+    staging.others = malloc(STAGE_MAX_FILE_BYTES + 1);
     staging.complaints = open_memstream(&complaints, &n_complaints);
-    if (staging.bytes == NULL || staging.complaints == NULL) {
+    if (staging.bytes == NULL || staging.others == NULL || staging.complaints == NULL) {
         machinery_fault(submission, "", ENOMEM);
     } else if (folders_open(&staging) == 0) {
         outcome = files_stage(manifest, &staging);
@@ -200,6 +285,7 @@ int stage_submission(const Manifest *manifest, const char *submission, const cha
         close(staging.to);
     }
     free(staging.bytes);
+    free(staging.others);
     if (outcome == 1) {
         complaints[n_complaints - 1] = '\0';  // no newline after the last line
         *message = complaints;

@@ -7,11 +7,12 @@
 // The largest file a student may hand in.
 #define STAGE_MAX_FILE_BYTES (256 * 1024)
 
-// Copy the manifest's files from folder `submission` to folder `destination`, which exists.
-// Symbolic links, devices, folders in a file's place, files that are too large, hold NUL bytes or
-// are not there are refused: nothing else of the submission is opened or followed.
+// Copy the manifest's files from folder `submission`, each from its best place there (places.h), to
+// folder `destination`, which exists. Links, devices, folders in a file's place, files that are too
+// large, hold NUL bytes, are not there or are in two equally good places with different content are
+// refused: nothing else of the submission is opened or followed.
 //   message   out: NULL, or what is wrong, for the student, "overlaps_N_Nearer.cl: not in the
-//             submission ..."; owned by the caller
+//             submission ...", a line for each file; owned by the caller
 // Returns 0; 1 with a message when the submission is at fault; -1 after one message on stderr when
 // the machinery is (no disk space, `submission` is not a folder).
 int stage_submission(const Manifest *manifest, const char *submission, const char *destination,

@@ -93,7 +93,7 @@ static Walk walk_down(const KdTree3D *tree)
 }
 
 // How many nodes are looked at where each is held against every sphere. As long as ids are
-// breadth-first, the first wrong node is among as many as the solution has, or a few more where
+// breadth-first, the first wrong node is among as many as are expected, or a few more where
 // rounding splits another one; a million more would only take hours.
 static u32 n_judged(const TreeScene3D *scene, const KdTree3D *own)
 {
@@ -272,7 +272,7 @@ char *tree3d_judge_lists(const TreeScene3D *scene, const KdTree3D *own)
     return message;
 }
 
-// Where no right solution can differ: the first node or id that is not the solution's.
+// Where no right solution can differ: the first node or id that is not the expected one.
 static char *judge_equal(const TreeScene3D *scene, const KdTree3D *own)
 {
     const KdTree3D *tree = &scene->tree;

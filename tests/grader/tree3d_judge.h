@@ -1,4 +1,4 @@
-// Judging a student's 3D kd-tree by its invariants, and against the solution's tree.
+// Judging a student's 3D kd-tree by its invariants, and against the expected tree.
 //
 // A packed tree has no cells: they are found anew by walking down the student's own planes from the
 // student's own box, so that each function below blames one step of the building and no other.
@@ -7,15 +7,15 @@
 #ifndef GRADER_TREE3D_JUDGE_H
 #define GRADER_TREE3D_JUDGE_H
 
-#include "kdtree3d_build.h"
 #include "scene3d.h"
 #include "sections.h"
+#include "tree3d.h"
 
 typedef struct TreeScene3D {
     char title[96];       // "random scene"
     Scene3D scene;        // spheres, and what they look like in the report
     KdTreeLimits limits;  // of its tree
-    KdTree3D tree;        // the solution's; no nodes where the builder must refuse
+    KdTree3D tree;        // what is expected; no nodes where the builder must refuse
     int is_exact;         // no right solution can have another tree: see tree3d_judge_is_exact()
 } TreeScene3D;
 
@@ -42,6 +42,11 @@ char *tree3d_judge_middle(const char *where, BBox3D cell, u32 axis, f32 pos);
 // sides nor its middle.
 int tree3d_judge_is_exact_cell(BBox3D cell);
 
+// What the three above expect, in double precision, rounded to float at the end.
+BBox3D tree3d_expected_box(const Sphere *spheres, u32 n_spheres);
+u32 tree3d_expected_axis(BBox3D cell);
+f32 tree3d_expected_middle(BBox3D cell, u32 axis);
+
 // ---- Whole trees --------------------------------------------------------------------------------
 
 // The root's cell is the scene's box.
@@ -58,11 +63,15 @@ char *tree3d_judge_overlap(const TreeScene3D *scene, const KdTree3D *own);
 char *tree3d_judge_lists(const TreeScene3D *scene, const KdTree3D *own);
 
 // Nodes are in breadth-first order without gaps, and so are the leaves' ranges; and where no right
-// solution can differ, the arrays are the solution's.
+// solution can differ, the arrays are the expected ones.
 char *tree3d_judge_packing(const TreeScene3D *scene, const KdTree3D *own);
 
 // The todo stack suffices for a search.
 char *tree3d_judge_depth(const TreeScene3D *scene, const KdTree3D *own);
+
+// Grow scene->tree by the scene's limits, each step in double precision, and see whether it is
+// exact (tree3d_expected.c). Returns 0, or -1 after one message.
+int tree3d_expect(TreeScene3D *scene);
 
 // Can no right solution have another tree than scene->tree? So it is where no plane and no
 // comparison of a sphere with a cell on the way to it depends on how float rounds.

@@ -73,7 +73,7 @@ static const struct {
 // in float or in double before.
 static BBox3D box_of(const Sphere *spheres, u32 n_spheres, BoxRules rules)
 {
-    if (n_spheres == 0) {
+    if (n_spheres < 1) {
         return (BBox3D){{0}, {0}};
     }
     const float start = rules.from_zeros ? 0 : INFINITY;
@@ -102,9 +102,14 @@ static int is_same_box(BBox3D a, BBox3D b)
     return is_same;
 }
 
+BBox3D tree3d_expected_box(const Sphere *spheres, u32 n_spheres)
+{
+    return box_of(spheres, n_spheres, (BoxRules){0});
+}
+
 char *tree3d_judge_box(const char *where, const Sphere *spheres, u32 n_spheres, BBox3D found)
 {
-    const BBox3D expected = box_of(spheres, n_spheres, (BoxRules){0});
+    const BBox3D expected = tree3d_expected_box(spheres, n_spheres);
     if (is_same_box(found, expected)) {
         return NULL;
     }
@@ -136,7 +141,7 @@ static double side(BBox3D cell, u32 axis, int in_float)
 static u32 longest_axis(BBox3D cell, int in_float)
 {
     u32 longest = 0;
-    for (u32 axis = 1; axis < 3; axis++) {
+    for (u32 axis = 0; axis < 3; axis++) {
         if (side(cell, axis, in_float) > side(cell, longest, in_float)) {
             longest = axis;
         }
@@ -144,10 +149,15 @@ static u32 longest_axis(BBox3D cell, int in_float)
     return longest;
 }
 
+u32 tree3d_expected_axis(BBox3D cell)
+{
+    return longest_axis(cell, 0);
+}
+
 char *tree3d_judge_axis(const char *where, BBox3D cell, u32 axis)
 {
     // Two sides may differ by less than float sees.
-    const u32 expected = longest_axis(cell, 0);
+    const u32 expected = tree3d_expected_axis(cell);
     if (axis == expected || axis == longest_axis(cell, 1)) {
         return NULL;
     }
@@ -164,10 +174,21 @@ char *tree3d_judge_axis(const char *where, BBox3D cell, u32 axis)
                                             : "; that side is not the longest");
 }
 
+// The cell's middle on an axis.
+static double middle(BBox3D cell, u32 axis)
+{
+    return (double)cell.min[axis] + side(cell, axis, 0) / 2;
+}
+
+f32 tree3d_expected_middle(BBox3D cell, u32 axis)
+{
+    return (f32)middle(cell, axis);
+}
+
 char *tree3d_judge_middle(const char *where, BBox3D cell, u32 axis, f32 pos)
 {
     const double min = cell.min[axis], max = cell.max[axis];
-    const double expected = min + (max - min) / 2;
+    const double expected = middle(cell, axis);
     // (min + max) / 2 and min + (max - min) / 2 round one sum or two numbers, each by half of
     // FLT_EPSILON, and none is larger than the larger end.
     if (fabs((double)pos - expected) <= (double)FLT_EPSILON * fmax(fabs(min), fabs(max))) {

@@ -4,6 +4,7 @@
 #include "jobs.h"
 #include "message.h"
 #include "oracle2d.h"
+#include "oracle2d_tree.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -74,19 +75,9 @@ static int circle_overlaps(const JobScene *scene, u32 circle, BBox2D box)
     return oracle2d_overlaps_box(scene->scene.circles[circle], box);
 }
 
-static u32 n_overlapping(const JobScene *scene, BBox2D box)
-{
-    u32 n = 0;
-    for (u32 i = 0; i < (u32)scene->scene.n_circles; i++) {
-        n += (u32)circle_overlaps(scene, i, box);
-    }
-    return n;
-}
-
 // The invariants hold for the tree by itself; is it also the tree that was asked for?
-static char *differs_from_solution(const JobScene *scene, const KdTree2D *own,
-                                   const void *own_array, const void *array, size_t element_size,
-                                   const char *what)
+static char *differs_from_oracle(const JobScene *scene, const KdTree2D *own, const void *own_array,
+                                 const void *array, size_t element_size, const char *what)
 {
     if (own->n_nodes != scene->tree.n_nodes) {
         return message_new("%s: the tree has %u nodes, expected %u", scene->picture.title,
@@ -103,7 +94,7 @@ static char *differs_from_solution(const JobScene *scene, const KdTree2D *own,
 }
 
 // How many nodes are looked at where each is held against every circle. As long as ids are
-// breadth-first the first wrong node is among as many as the solution has; a million more would
+// breadth-first the first wrong node is among as many as the oracle's tree has; a million more would
 // only take hours.
 static u32 n_judged(const JobScene *scene, const KdTree2D *own)
 {
@@ -118,7 +109,7 @@ char *tree_judge_limits(const JobScene *scene, const KdTree2D *own)
     int *levels = calloc(own->n_nodes, sizeof *levels);
     for (u32 id = 0; levels != NULL && message == NULL && id < n_judged(scene, own); id++) {
         const int level = levels[id] + 1;
-        const u32 n = n_overlapping(scene, own->nodes_BBox[id]);
+        const u32 n = oracle2d_n_overlapping(&scene->scene, own->nodes_BBox[id]);
         const int should_be_leaf =
             level >= scene->limits.maxDepth || n <= (u32)scene->limits.targetElementsPerNode;
         if (is_inner(own, id) == should_be_leaf) {
@@ -135,8 +126,8 @@ char *tree_judge_limits(const JobScene *scene, const KdTree2D *own)
     }
     free(levels);
     return message ? message
-                   : differs_from_solution(scene, own, own->nodes_flag, scene->tree.nodes_flag,
-                                           sizeof *own->nodes_flag, "leaf or inner node");
+                   : differs_from_oracle(scene, own, own->nodes_flag, scene->tree.nodes_flag,
+                                         sizeof *own->nodes_flag, "leaf or inner node");
 }
 
 static char *wrong_cell(const JobScene *scene, u32 id, u32 child, BBox2D found, BBox2D expected)
@@ -165,24 +156,19 @@ char *tree_judge_cells(const JobScene *scene, const KdTree2D *own)
                                scene->picture.title, id, own->nodes_Relations[id].lChild,
                                own->nodes_Relations[id].rChild, own->n_nodes);
         }
-        const BBox2D box = own->nodes_BBox[id];
-        BBox2D left = box, right = box;
-        if ((double)box.maxX - box.minX >= (double)box.maxY - box.minY) {
-            left.maxX = right.minX = (float)(((double)box.minX + box.maxX) / 2);
-        } else {
-            left.maxY = right.minY = (float)(((double)box.minY + box.maxY) / 2);
-        }
+        BBox2D halves[2];
+        oracle2d_halves(own->nodes_BBox[id], halves);
         const u32 lChild = own->nodes_Relations[id].lChild;
         const u32 rChild = own->nodes_Relations[id].rChild;
-        if (!is_same_box(own->nodes_BBox[lChild], left)) {
-            return wrong_cell(scene, id, lChild, own->nodes_BBox[lChild], left);
+        if (!is_same_box(own->nodes_BBox[lChild], halves[0])) {
+            return wrong_cell(scene, id, lChild, own->nodes_BBox[lChild], halves[0]);
         }
-        if (!is_same_box(own->nodes_BBox[rChild], right)) {
-            return wrong_cell(scene, id, rChild, own->nodes_BBox[rChild], right);
+        if (!is_same_box(own->nodes_BBox[rChild], halves[1])) {
+            return wrong_cell(scene, id, rChild, own->nodes_BBox[rChild], halves[1]);
         }
     }
-    return differs_from_solution(scene, own, own->nodes_BBox, scene->tree.nodes_BBox,
-                                 sizeof *own->nodes_BBox, "the cell");
+    return differs_from_oracle(scene, own, own->nodes_BBox, scene->tree.nodes_BBox,
+                               sizeof *own->nodes_BBox, "the cell");
 }
 
 // Compare one leaf's list with the circles that overlap its cell.
@@ -226,8 +212,8 @@ char *tree_judge_overlap(const JobScene *scene, const KdTree2D *own)
             return message;
         }
     }
-    return differs_from_solution(scene, own, own->nodes_BBox, scene->tree.nodes_BBox,
-                                 sizeof *own->nodes_BBox, "the cell");
+    return differs_from_oracle(scene, own, own->nodes_BBox, scene->tree.nodes_BBox,
+                               sizeof *own->nodes_BBox, "the cell");
 }
 
 char *tree_judge_lists(const JobScene *scene, const KdTree2D *own)
@@ -257,8 +243,8 @@ char *tree_judge_lists(const JobScene *scene, const KdTree2D *own)
         return message_new("%s: mapNode2Circles has %u entries, expected %u", scene->picture.title,
                            own->n_map, scene->tree.n_map);
     }
-    return differs_from_solution(scene, own, own->nodes_flag, scene->tree.nodes_flag,
-                                 sizeof *own->nodes_flag, "leaf or inner node");
+    return differs_from_oracle(scene, own, own->nodes_flag, scene->tree.nodes_flag,
+                               sizeof *own->nodes_flag, "leaf or inner node");
 }
 
 char *tree_judge_packing(const JobScene *scene, const KdTree2D *own)
@@ -298,6 +284,6 @@ char *tree_judge_packing(const JobScene *scene, const KdTree2D *own)
             "and %u",
             scene->picture.title, next_id, next_offset, own->n_nodes, own->n_map);
     }
-    return differs_from_solution(scene, own, own->nodes_Relations, scene->tree.nodes_Relations,
-                                 sizeof *own->nodes_Relations, "its entry in nodes_Relations");
+    return differs_from_oracle(scene, own, own->nodes_Relations, scene->tree.nodes_Relations,
+                               sizeof *own->nodes_Relations, "its entry in nodes_Relations");
 }

@@ -1,4 +1,4 @@
-// Judging a student's 2D kd-tree by its invariants, and against the solution's tree.
+// Judging a student's 2D kd-tree by its invariants, and against the oracle's tree.
 //
 // Each function looks at one property and returns NULL when it holds, else the message for the
 // student, owned by the caller. The arrays are a submission's: every id, offset and count is

@@ -1,13 +1,14 @@
 // Folders, compilers and probes: how a variant of a submission becomes answers.
 #include "workshop.h"
 
+#include "cl_check.h"
+#include "folder_remove.h"
 #include "jobs.h"
 #include "message.h"
 #include "probe.h"
 
 #include <errno.h>
 #include <fcntl.h>
-#include <ftw.h>
 #include <glob.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -68,7 +69,7 @@ static int copy_matching(const Workshop *workshop, const char *pattern, const ch
         return -1;
     }
     glob_t found;
-    if (glob(pattern, 0, NULL, &found) != 0) {
+    if (glob(pattern, GLOB_BRACE, NULL, &found) != 0) {
         fprintf(stderr, "grade: %s: not found; run make grader in the course's top folder\n",
                 pattern);
         return -1;
@@ -89,8 +90,7 @@ static int copy_earlier_solutions(const Workshop *workshop)
     glob_t found;
     int result = 0;
     if (glob("solutions/*", GLOB_ONLYDIR, NULL, &found) != 0) {
-        fprintf(stderr, "grade: solutions/: not found; start from the course's top folder\n");
-        return -1;
+        return 0;  // a handout of the first lab has none
     }
     for (size_t i = 0; result == 0 && i < found.gl_pathc; i++) {
         const char *folder = found.gl_pathv[i];
@@ -156,21 +156,15 @@ int workshop_open(Workshop *workshop, const Manifest *manifest, const char *buil
     result |= make_folder(path) | make_mount_points(workshop);
     result |= copy_matching(workshop, "common/*.h", "common");
     result |= copy_matching(workshop, "kernels/*.h", "kernels");
-    result |= copy_matching(workshop, "tests/probes/*.h", "probes");
-    result |= copy_matching(workshop, "tests/probes/*.cl", "probes");
+    result |= copy_matching(workshop, "tests/probes/*.{h,cl}", "probes");
     return result | copy_earlier_solutions(workshop) | copy_libraries(workshop) ? -1 : 0;
-}
-
-static int remove_entry(const char *path, const struct stat *status, int type, struct FTW *level)
-{
-    (void)status, (void)type, (void)level;
-    return remove(path);
 }
 
 void workshop_close(Workshop *workshop)
 {
-    if (workshop->folder[0] != '\0') {
-        nftw(workshop->folder, remove_entry, 16, FTW_DEPTH | FTW_PHYS | FTW_MOUNT);
+    if (workshop->folder[0] != '\0' && folder_remove(workshop->folder) != 0) {
+        fprintf(stderr, "grade: %s: cannot be removed whole: %s\n", workshop->folder,
+                strerror(errno));
     }
     workshop->folder[0] = '\0';
 }
@@ -336,6 +330,22 @@ static SandboxRun *start_probe(const Workshop *workshop, const Variant *variant,
     return start(workshop, variant, 0, argv, wall_seconds);
 }
 
+// The name of the OpenCL error that CL_CHECK printed, or "". Only a name that there is: where the
+// student's code runs beside our solution it can print what it likes, and this is passed on.
+static const char *printed_cl_error(const char *output)
+{
+    enum { LOWEST_STATUS = -1200 };
+    const char *place = strstr(output, ": CL_");
+    for (int status = 0; place != NULL && status > LOWEST_STATUS; status--) {
+        const char *name = cl_error_name(status);
+        const size_t length = strlen(name);
+        if (strncmp(place + 2, name, length) == 0 && place[2 + length] == ' ') {
+            return name;
+        }
+    }
+    return "";
+}
+
 // What a probe's end means for the student, or NULL when it ran to its end. Takes `result.output`.
 static char *describe_end(SandboxResult result, int wall_seconds)
 {
@@ -356,10 +366,9 @@ static char *describe_end(SandboxResult result, int wall_seconds)
         return NULL;
     }
     // A failed CL_CHECK says which error; nothing else of what a program prints is passed on here.
-    const char *error = strstr(result.output, ": CL_");
-    const int length = error ? (int)strspn(error + 2, "ABCDEFGHIJKLMNOPQRSTUVWXYZ_") : 0;
-    return message_new("it ended early with exit status %d%s%.*s%s", result.exit_status,
-                       length ? " (" : "", length, length ? error + 2 : "", length ? ")" : "");
+    const char *error = printed_cl_error(result.output);
+    return message_new("it ended early with exit status %d%s%s%s", result.exit_status,
+                       error[0] ? " (" : "", error, error[0] ? ")" : "");
 }
 
 // Take in how the compiler ended. Returns -1 when the machinery failed.

@@ -151,7 +151,12 @@ typedef struct BoundsJob {
 } BoundsJob;
 LAYOUT_ASSERT(BoundsJob, 404);
 
-// choose_split takes a BBox3D and is answered by a KdSplit.
+// choose_split takes a BBox3D and is answered by a KdSplit of lab 06, which is laid out so.
+typedef struct SplitAnswer3D {
+    u32 axis;
+    f32 pos;
+} SplitAnswer3D;
+LAYOUT_ASSERT(SplitAnswer3D, 8);
 
 // One call of sphere_overlaps_box. Answered by an i32.
 typedef struct SphereBoxJob {

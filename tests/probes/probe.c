@@ -172,23 +172,21 @@ void probe_call(const Probe *probe, cl_program program, const char *name, size_t
 cl_mem probe_image(const Probe *probe, int width, int height)
 {
     const cl_float4 color = {{UNWRITTEN, UNWRITTEN, UNWRITTEN, UNWRITTEN}};
-    const size_t origin[3] = {0, 0, 0};
+    const size_t corner[3] = {0, 0, 0};
     const size_t region[3] = {(size_t)PROBE_IMAGE_SIDE(width), (size_t)PROBE_IMAGE_SIDE(height), 1};
     cl_mem d_image = cl_image_create(&probe->cl, PROBE_IMAGE_SIDE(width), PROBE_IMAGE_SIDE(height));
     if (d_image == NULL) {
         fault("no image");
     }
-    CL_CHECK(clEnqueueFillImage(probe->cl.queue, d_image, &color, origin, region, 0, NULL, NULL));
+    CL_CHECK(clEnqueueFillImage(probe->cl.queue, d_image, &color, corner, region, 0, NULL, NULL));
     return d_image;
 }
 
 void probe_launch(const Probe *probe, cl_kernel kernel, int width, int height)
 {
-    const size_t local_size[2] = {16, 16};
-    const size_t global_size[2] = {(size_t)PROBE_IMAGE_SIDE(width),
-                                   (size_t)PROBE_IMAGE_SIDE(height)};
-    CL_CHECK(clEnqueueNDRangeKernel(probe->cl.queue, kernel, 2, NULL, global_size, local_size, 0,
-                                    NULL, NULL));
+    const size_t group[2] = {16, 16};
+    const size_t items[2] = {(size_t)PROBE_IMAGE_SIDE(width), (size_t)PROBE_IMAGE_SIDE(height)};
+    CL_CHECK(clEnqueueNDRangeKernel(probe->cl.queue, kernel, 2, NULL, items, group, 0, NULL, NULL));
 }
 
 void probe_draw(const Probe *probe, int k, cl_kernel kernel, cl_mem d_image, int width, int height)
@@ -210,14 +208,14 @@ void probe_draw_counting(const Probe *probe, int k, cl_kernel kernel, cl_mem d_i
 
 void probe_answer_image(const Probe *probe, int k, cl_mem d_image, int width, int height)
 {
-    const size_t origin[3] = {0, 0, 0};
+    const size_t corner[3] = {0, 0, 0};
     const size_t region[3] = {(size_t)PROBE_IMAGE_SIDE(width), (size_t)PROBE_IMAGE_SIDE(height), 1};
     const size_t n_bytes = region[0] * region[1] * sizeof(cl_float4);
     float *h_pixels = malloc(n_bytes);
     if (h_pixels == NULL) {
         fault("no memory");
     }
-    CL_CHECK(clEnqueueReadImage(probe->cl.queue, d_image, CL_TRUE, origin, region, 0, 0, h_pixels,
+    CL_CHECK(clEnqueueReadImage(probe->cl.queue, d_image, CL_TRUE, corner, region, 0, 0, h_pixels,
                                 0, NULL, NULL));
     probe_answer(probe, "picture", k, NULL, h_pixels, n_bytes);
     free(h_pixels);

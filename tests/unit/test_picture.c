@@ -16,7 +16,7 @@ enum { MAX_SIDE = 96, IMAGE_SIDE = PROBE_IMAGE_SIDE(MAX_SIDE), N_CIRCLES = 24 };
 
 typedef struct Case {
     Circle circles[N_CIRCLES];
-    Scene2D scene;  // they
+    JobScene scene;  // they
     ExpectedPicture expected;
     float own[IMAGE_SIDE * IMAGE_SIDE * IMAGE_CHANNELS];
     ProbeImage probe;
@@ -81,7 +81,7 @@ static Case *case_open(int width, int height, uint64_t seed)
     circles_draw(&random, width, height, c->circles);
     cr_assert_eq(image_create(width, height, &c->expected.reference), 0);
     oracle2d_draw(c->circles, N_CIRCLES, &RIGHT, &c->expected.reference, NULL);
-    c->scene = (Scene2D){c->circles, N_CIRCLES, width, height};
+    c->scene.scene = (Scene2D){c->circles, N_CIRCLES, width, height};
     job_scene_recognise(&c->scene, &c->expected);
     c->width = width, c->height = height;
     c->probe = (ProbeImage){c->own, PROBE_IMAGE_SIDE(width), PROBE_IMAGE_SIDE(height)};
@@ -109,6 +109,19 @@ static void expect_wrong(const Case *c, const char *expected)
     cr_expect(message != NULL && strcmp(message, expected) == 0, "found \"%s\", expected \"%s\"",
               message ? message : "(right)", expected);
     free(message);
+}
+
+// Nobody wrote n pixels, this one the first of them.
+static void expect_unwritten(const Case *c, int x, int y, int n)
+{
+    const float *pixel = reference_pixel(c, x, y);
+    char expected[256];
+    snprintf(expected, sizeof expected,
+             "nobody wrote pixel (%d, %d) of a %dx%d picture: found nothing, expected (%.4g, %.4g, "
+             "%.4g, %.4g); %d of 6144 pixels were not written",
+             x, y, c->width, c->height, (double)pixel[0], (double)pixel[1], (double)pixel[2],
+             (double)pixel[3], n);
+    expect_wrong(c, expected);
 }
 
 // What the picture is said to look like; "" when nothing is said.
@@ -237,7 +250,7 @@ Test(picture, only_ambiguous_pixels_may_differ)
     for (int channel = 0; channel < IMAGE_CHANNELS; channel++) {
         own_pixel(c, 5, 7)[channel] = UNWRITTEN;
     }
-    expect_wrong(c, "nobody wrote pixel (5, 7); 1 of 6144 pixels were not written");
+    expect_unwritten(c, 5, 7, 1);
     case_close(c);
 }
 
@@ -245,14 +258,14 @@ Test(picture, unwritten_pixels_are_told_from_wrong_ones)
 {
     Case *c = case_open(96, 64, 1);
     own_clear(c);
-    expect_wrong(c, "nobody wrote pixel (0, 0); 6144 of 6144 pixels were not written");
+    expect_unwritten(c, 0, 0, 6144);
     own_show(c, &c->expected.reference);
     for (int y = 10; y < 13; y++) {
         for (int channel = 0; channel < IMAGE_CHANNELS; channel++) {
             own_pixel(c, 20, y)[channel] = UNWRITTEN;
         }
     }
-    expect_wrong(c, "nobody wrote pixel (20, 10); 3 of 6144 pixels were not written");
+    expect_unwritten(c, 20, 10, 3);
     own_pixel(c, 50, 50)[0] += 1;
     cr_expect_str_eq(looks_of(c), "");
     case_close(c);
@@ -332,6 +345,54 @@ static void look_at_distortion(Case *c, size_t i)
 Test(picture, distortions_are_recognised)
 {
     with_random_scenes(look_at_distortion, sizeof distortions / sizeof *distortions);
+}
+
+// What a colour becomes that is encoded for a screen, or taken for an encoded one.
+static const struct {
+    const char *looks;
+    double power, scale, shift, line, border;
+} gammas[] = {
+    {"right but for gamma: the colours were raised to 1 / 2.2, but pictures here are linear",
+     1 / 2.2, 1, 0, 0, -1},
+    {"right but for gamma: the colours were raised to 2.2, but pictures here are linear", 2.2, 1, 0,
+     0, -1},
+    {"right but for gamma: the colours were encoded by the sRGB curve, but pictures here are "
+     "linear",
+     1 / 2.4, 1.055, -0.055, 12.92, 0.0031308},
+    {"right but for gamma: the colours were decoded by the sRGB curve, but pictures here are "
+     "linear",
+     2.4, 1, 0, 1 / 12.92, 0.04045},
+};
+
+static void look_at_gamma(Case *c, size_t i)
+{
+    own_show(c, &c->expected.reference);
+    for (int y = 0; y < c->height; y++) {
+        for (int x = 0; x < c->width; x++) {
+            for (int channel = 0; channel < 3; channel++) {
+                const double linear = reference_pixel(c, x, y)[channel];
+                const double base = i == 3 ? (linear + 0.055) / 1.055 : linear;
+                own_pixel(c, x, y)[channel] =
+                    (float)(linear <= gammas[i].border
+                                ? gammas[i].line * linear
+                                : gammas[i].scale * pow(base, gammas[i].power) + gammas[i].shift);
+            }
+        }
+    }
+    cr_expect_str_eq(looks_of(c), gammas[i].looks, "found \"%s\", expected \"%s\"", looks_of(c),
+                     gammas[i].looks);
+    // A power of another kind is not called by this name.
+    for (int y = 0; y < c->height; y++) {
+        for (int x = 0; x < c->width; x++) {
+            own_pixel(c, x, y)[0] = (float)pow(reference_pixel(c, x, y)[0], 0.6);
+        }
+    }
+    cr_expect_str_eq(looks_of(c), "");
+}
+
+Test(picture, gamma_is_recognised)
+{
+    with_random_scenes(look_at_gamma, sizeof gammas / sizeof *gammas);
 }
 
 static const struct {
@@ -460,7 +521,7 @@ static Case *case_open_sparse(float radius)
 {
     Case *c = case_open(96, 64, 1);
     c->circles[0] = (Circle){.x = 40, .y = 30, .radius = radius, .r = 0.25f, .g = 0.5f, .a = 1};
-    c->scene.n_circles = 1;
+    c->scene.scene.n_circles = 1;
     oracle2d_draw(c->circles, 1, &RIGHT, &c->expected.reference, NULL);
     own_show(c, &c->expected.reference);
     return c;
@@ -527,17 +588,18 @@ Test(picture, what_is_written_outside_is_found)
 Test(picture, what_nobody_wrote_is_found)
 {
     Case *c = case_open(64, 96, 1);
-    expect_message(picture_judge_written(c->probe, 64, 96), NULL);
+    expect_message(picture_judge_written(c->probe, &c->expected), NULL);
     own_pixel(c, 63, 95)[0] = UNWRITTEN;
     own_pixel(c, 9, 9)[3] = NAN;
-    expect_message(picture_judge_written(c->probe, 64, 96), NULL);
+    expect_message(picture_judge_written(c->probe, &c->expected), NULL);
     for (int channel = 0; channel < IMAGE_CHANNELS; channel++) {
         own_pixel(c, 63, 95)[channel] = own_pixel(c, 0, 95)[channel] = UNWRITTEN;
     }
-    expect_message(picture_judge_written(c->probe, 64, 96),
-                   "nobody wrote pixel (0, 95) of a 64x96 picture; 2 of its");
+    expect_message(picture_judge_written(c->probe, &c->expected),
+                   "nobody wrote pixel (0, 95) of a 64x96 picture: found nothing, expected (0, 0, "
+                   "0, 0); 2 of 6144");
     own_clear(c);
-    expect_message(picture_judge_written(c->probe, 64, 96), "pixel (0, 0) of a 64x96");
+    expect_message(picture_judge_written(c->probe, &c->expected), "pixel (0, 0) of a 64x96");
     case_close(c);
 }
 

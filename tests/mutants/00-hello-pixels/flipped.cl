@@ -2,6 +2,7 @@
 // task: gradient
 // caught by: gradient-picture
 // says: flipped
+// looks: flipped-y
     const int x = get_global_id(0);
     const int y = get_global_id(1);
     if (x >= width || y >= height) {

@@ -2,6 +2,7 @@
 // task: enqueue_pixels
 // caught by: enqueue-covers
 // says: nobody wrote
+// looks: unwritten
     const size_t n_groups[2] = {
         ((size_t)width + GROUP_SIZE - 1) / GROUP_SIZE,
         ((size_t)height + GROUP_SIZE - 1) / GROUP_SIZE,

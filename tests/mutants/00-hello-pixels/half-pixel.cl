@@ -2,6 +2,7 @@
 // task: gradient
 // caught by: gradient-picture
 // says: found
+// looks: shifted-half
     const int x = get_global_id(0);
     const int y = get_global_id(1);
     if (x >= width || y >= height) {

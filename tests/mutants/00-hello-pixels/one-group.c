@@ -2,6 +2,7 @@
 // task: enqueue_pixels
 // caught by: enqueue-covers
 // says: nobody wrote
+// looks: unwritten
     (void)width, (void)height;
     const size_t local_size[2] = {GROUP_SIZE, GROUP_SIZE};
     CL_CHECK(

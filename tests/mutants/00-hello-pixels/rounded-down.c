@@ -2,6 +2,7 @@
 // task: enqueue_pixels
 // caught by: enqueue-covers
 // says: nobody wrote
+// looks: unwritten
     const size_t local_size[2] = {GROUP_SIZE, GROUP_SIZE};
     const size_t global_size[2] = {
         (size_t)width / GROUP_SIZE * GROUP_SIZE,

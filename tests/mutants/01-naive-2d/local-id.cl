@@ -2,6 +2,7 @@
 // task: own_pixel
 // caught by: own_pixel-picture
 // says: nobody wrote
+// looks: unwritten
     const int x = get_local_id(0);
     const int y = get_local_id(1);
     if (x >= width || y >= height) {

@@ -2,6 +2,7 @@
 // task: overlaps_N_Nearer
 // caught by: overlaps-boundary
 // says: strict
+// looks: strict-boundary
     const float dx = x - circle.x;
     const float dy = y - circle.y;
     return dx * dx + dy * dy < circle.radius * circle.radius && circle.depth < minDepth;

@@ -2,6 +2,7 @@
 // task: circle_overlaps_box
 // caught by: overlap-inside
 // says: found 0, expected 1
+// looks: missing-in-cell
     const float xs[2] = {box.minX, box.maxX};
     const float ys[2] = {box.minY, box.maxY};
     for (int corner = 0; corner < 4; corner++) {

@@ -2,6 +2,7 @@
 // task: circle_overlaps_box
 // caught by: overlap-boundary
 // says: touch
+// looks: strict-boundary missing-in-cell
     if (circle.x - circle.radius >= box.maxX || circle.y - circle.radius >= box.maxY) {
         return 0;
     }

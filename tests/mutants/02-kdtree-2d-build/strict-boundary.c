@@ -2,6 +2,7 @@
 // task: circle_overlaps_box
 // caught by: overlap-boundary
 // says: touch
+// looks: strict-boundary missing-in-cell
     const double nearest_x = fmin(fmax(circle.x, box.minX), box.maxX);
     const double nearest_y = fmin(fmax(circle.y, box.minY), box.maxY);
     const double dx = circle.x - nearest_x;

@@ -2,6 +2,7 @@
 // task: descent
 // caught by: descent-leaf
 // says: leaf map.*found
+// looks: transposed
     while (nodes_flag[id] != LEAF) {
         id = getContainingChild(y, x, id, nodes_Relations, nodes_BBox);
     }

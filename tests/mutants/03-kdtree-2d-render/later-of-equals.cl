@@ -2,6 +2,7 @@
 // task: leaf_loop
 // caught by: leaf-order
 // says: equal depth
+// looks: later-of-equals
     float minDepth = INFINITY;
     const uint offset = nodes_Relations[id].circleMapOffset;
     const uint n_circles = mapNode2Circles[offset];

@@ -2,6 +2,7 @@
 // task: leaf_loop
 // caught by: leaf-random
 // says: red and blue swapped
+// looks: channels-swapped
     float minDepth = INFINITY;
     const uint offset = nodes_Relations[id].circleMapOffset;
     const uint n_circles = mapNode2Circles[offset];

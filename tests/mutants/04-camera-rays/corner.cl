@@ -2,6 +2,7 @@
 // task: pixel_on_display
 // caught by: display-middle
 // says: half a pixel
+// looks: shifted-half
     const float pixel_size = fov / width;
     const float right = (x - 0.5f * width) * pixel_size;
     const float up = (0.5f * height - y) * pixel_size;

@@ -2,6 +2,7 @@
 // task: nearest_hit
 // caught by: hit-ties
 // says: later
+// looks: later-of-equals
     for (int i = 0; i < n_spheres; i++) {
         const float t = intersect_sphere(spheres[i], ray);
         if (t <= hit.t && t < INFINITY) {

@@ -2,6 +2,7 @@
 // task: shade
 // caught by: shade-lambert
 // says: found
+// looks: channels-swapped
     for (int i = 0; i < n_lights; i++) {
         const Light light = lights[i];
         const float3 to_light = normalize(to_float3(light.position) - point);

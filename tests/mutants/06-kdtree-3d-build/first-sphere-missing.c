@@ -2,6 +2,7 @@
 // task: distribute_spheres
 // caught by: distribute-list
 // says: child_ids\[|returned
+// looks: missing-in-cell
     u32 n_child_ids = 0;
     for (u32 i = 1; i < n_ids; i++) {
         if (sphere_overlaps_box(h_spheres[ids[i]], child)) {

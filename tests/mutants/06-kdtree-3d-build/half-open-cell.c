@@ -2,6 +2,7 @@
 // task: sphere_overlaps_box
 // caught by: overlap-touching
 // says: touching counts
+// looks: strict-boundary missing-in-cell
     const double centre[3] = {sphere.x, sphere.y, sphere.z};
     double distance_squared = 0;
     int beyond = 0;

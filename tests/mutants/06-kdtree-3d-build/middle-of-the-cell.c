@@ -2,6 +2,7 @@
 // task: sphere_overlaps_box
 // caught by: overlap-inside
 // says: expected 1
+// looks: missing-in-cell
     const double centre[3] = {sphere.x, sphere.y, sphere.z};
     double distance_squared = 0;
     for (int axis = 0; axis < 3; axis++) {

@@ -2,6 +2,7 @@
 // task: children_on_ray
 // caught by: children-cases
 // says: far child were never met
+// looks: far-child
     *t_split = (node.split_pos - origin) * inverse;
     if (!(*t_split > 0.0f && *t_split <= t_far)) {
         return ONLY_NEAR;

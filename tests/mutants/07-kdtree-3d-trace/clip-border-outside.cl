@@ -2,6 +2,7 @@
 // task: clip_to_box
 // caught by: clip-parallel
 // says: found 0, expected 1
+// looks: strict-boundary
     for (uint axis = 0; axis < 3; axis++) {
         const float origin = component(ray.origin, axis);
         const float direction = component(ray.direction, axis);

@@ -2,6 +2,7 @@
 // task: search_leaf
 // caught by: leaf-nearest
 // says: first sphere of the leaf is missing
+// looks: missing-in-cell
     for (uint i = node.first + 1; i < node.first + node.n_spheres; i++) {
         const uint id = sphere_ids[i];
         const float t = intersect_sphere(spheres[id], ray);

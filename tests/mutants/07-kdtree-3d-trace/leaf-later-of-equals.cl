@@ -2,6 +2,7 @@
 // task: search_leaf
 // caught by: leaf-ids
 // says: later
+// looks: later-of-equals
     for (uint i = node.first; i < node.first + node.n_spheres; i++) {
         const uint id = sphere_ids[i];
         const float t = intersect_sphere(spheres[id], ray);

@@ -2,6 +2,7 @@
 // task: trace
 // caught by: trace-random
 // says: first leaf
+// looks: far-child
     uint id = 0;
     for (;;) {
         const KdNode3 node = nodes[id];

@@ -1,6 +1,6 @@
 // 2D: from the line that includes this header on, calls of the two functions are counted in *work
-// of work.h. A macro is not expanded inside its own expansion, so the inner name is
-// the function itself. Parameters are named one by one: OpenCL C knows no variadic macros.
+// of work.h. A macro is not expanded inside its own expansion, so the inner name is the function
+// itself. Parameters are named one by one: OpenCL C knows no variadic macros.
 //
 // Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: work.h.
 #ifdef COUNT_WORK

@@ -1,0 +1,129 @@
+#!/bin/sh
+# Hand in one attack, grade it, and look at what it earned, what it did and what it left.
+#
+#     tests/attacks/try.sh FOLDER SANDBOX ATTACK     an attack (see README.md beside this script)
+#     tests/attacks/try.sh FOLDER SANDBOX LAB        the control: a right submission, 100 points
+#
+# Called by suites/attacks.sh, which makes FOLDER/facts (what the attacks aim at). Whatever is wrong
+# goes to FOLDER/NAME.SANDBOX/why, one line each; an empty file means that all is well.
+set -u
+facts=$1/facts
+sandbox=$2
+attack=$3
+build=${BUILD:-build}
+
+name=$(basename "${attack%.*}")
+place=$1/$name.$sandbox${4:+.$4}
+tag=$(basename "$place" | cksum | cut -d ' ' -f 1)
+submission=$place/submission
+reports=$place/reports
+work=$1/$tag
+mkdir -m 711 "$place" "$work"
+: >"$place/why"
+
+wrong() { printf '%s\n' "$*" >>"$place/why"; }
+
+# header KEY: the rest of the attack's line "// KEY: ...".
+header() { sed -n "s!^[/#]* $1: !!p" "$attack" | head -n 1; }
+
+# points TASK...: what the tasks are worth together.
+points() {
+    "$build/tools/grade" --lab "$lab" --list-checks | awk -F '\t' -v tasks=" $* " '
+        index(tasks, " " $2 " ") { sum += $3 } END { print sum + 0 }'
+}
+
+# Names that only the suite knows are written @LIKE_THIS@ in an attack.
+fill_in() { sed -f "$facts" -e "s|@TAG@|$tag|g" "$attack"; }
+
+# hand_in: make the submission; sets the score that it may have.
+hand_in() {
+    cp -R "solutions/$lab" "$submission"
+    task=$(header task)
+    file=$(header file)
+    fill_in >"$place/attack"
+    if [ -n "$task" ]; then
+        source=$(grep -l "// TASK $task:" "solutions/$lab"/*.c*)
+        "$build/tools/holes" fill "$source" "$task" "$place/attack" \
+            >"$submission/$(basename "$source")" || wrong "no task $task"
+        attacked=$task
+    elif [ -n "$file" ]; then
+        cp "$place/attack" "$submission/$file"
+        attacked=$("$build/tools/holes" list "solutions/$lab/$file")
+    elif [ "${attack##*.}" = sh ]; then
+        (cd "$submission" && sh "$place/attack") || wrong "the submission cannot be made"
+        attacked=
+    else
+        wrong "it has neither a task nor a file"
+    fi
+    # shellcheck disable=SC2086 # a list of tasks
+    allowed=$((100 - $(points $attacked)))
+    [ -z "$(header score)" ] || allowed=$(header score)
+}
+
+# field NAME: a number of results.json's outermost level.
+field() { sed -n "s/^  \"$1\": \([0-9]*\),\{0,1\}\$/\1/p" "$reports/results.json"; }
+
+# earned TASK: its points in results.json.
+earned() {
+    awk -v id="      \"id\": \"$1\"," '$0 == id { found = 1 }
+        found && /"points":/ { gsub(/[^0-9]/, ""); print; exit }' "$reports/results.json"
+}
+
+# grade: by the sandbox asked for; everything it starts has to end with it.
+grade() {
+    limit=
+    [ ! -f "$attack" ] || limit=$(header limit)
+    set -- --build "$build" --lab "$lab" --submission "$submission" --output "$reports" \
+        --time-limit "${limit:-10}"
+    if "$build/tools/grade" --help | grep -q -- --sandbox; then
+        set -- "$@" --sandbox "$sandbox"
+    fi
+    status=0
+    TMPDIR=$work timeout 60 "$build/tools/left_behind" "$build/tools/grade" "$@" \
+        >"$place/said" 2>"$place/said.err" </dev/null || status=$?
+}
+
+# ---- What holds for attacks and controls alike ----------------------------------------------------
+
+look_for_leftovers() {
+    [ "$status" -ne 99 ] || wrong "$(cat "$place/said.err")"
+    [ -z "$(ls -A "$work")" ] || wrong "left in TMPDIR: $(find "$work" | head -n 5)"
+    ! grep -F "$work" /proc/mounts >>"$place/why" || wrong "is still mounted"
+}
+
+# A secret of the suite, an attack that found one, or one that met what an earlier run had left.
+look_for_secrets() {
+    if grep -rnE 'LEAKED|exit status 77|'"$(cat "$1/canary")" "$place/said" "$place/said.err" \
+        "$reports" >"$place/leaks" 2>/dev/null; then
+        wrong "a secret came out: $(cut -c 1-300 "$place/leaks" | head -n 3)"
+    fi
+}
+
+case $attack in
+tests/attacks/*)
+    lab=$(basename "$(dirname "$attack")")
+    hand_in
+    grade
+    [ "$status" -eq 1 ] || wrong "exit status $status, expected 1: $(head -n 3 "$place/said.err")"
+    if [ ! -s "$reports/results.json" ]; then
+        wrong "there are no results"
+    else
+        [ "$(field score)" -le "$allowed" ] || wrong "score $(field score), allowed $allowed"
+        for task in $attacked; do
+            [ "$(earned "$task")" -eq 0 ] || [ -n "$(header score)" ] || wrong "$task earned points"
+        done
+        grep -Eiq -- "$(header named)" "$reports/results.json" ||
+            wrong "not named: expected /$(header named)/ in: $(grep '"message": "[^"]' \
+                "$reports/results.json" | sort -u | cut -c 1-400 | head -n 12)"
+    fi
+    ;;
+*)
+    lab=$attack
+    cp -R "solutions/$lab" "$submission"
+    grade
+    [ "$status" -eq 0 ] || wrong "exit status $status, expected 0: $(head -n 3 "$place/said.err")"
+    [ "$(field score)" = 100 ] || wrong "score $(field score), expected 100"
+    ;;
+esac
+look_for_leftovers
+look_for_secrets "$1"

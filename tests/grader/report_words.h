@@ -1,0 +1,21 @@
+// What the reports for other systems say in words. Each returns a text of any content, to be
+// cleaned where it is written; free() it.
+#ifndef GRADER_REPORT_WORDS_H
+#define GRADER_REPORT_WORDS_H
+
+#include "manifest.h"
+#include "result.h"
+
+// "85 of 100 points".
+char *points_words(int points, int max_points);
+
+// How the submission as a whole went: each stage that failed or has something to say, "" for none.
+char *stages_words(const Result *result);
+
+// A check's message, and under a failed one the hint of its task; "" when it passed.
+char *check_words(const Manifest *manifest, const CheckResult *check);
+
+// The first stage that failed, or NULL.
+const StageResult *failed_stage(const Result *result);
+
+#endif

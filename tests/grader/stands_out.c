@@ -1,0 +1,276 @@
+// What no answer needs, found among a source's words (see stands_out.h).
+//
+// Flow: staged -> LOOKED AT -> compiled -> run -> judged. Called by grade.c once a submission is
+// staged. Read next: source_tokens.h, and extra_files.c for what lies beside the answers.
+#include "stands_out.h"
+
+#include "extra_files.h"
+#include "source_tokens.h"
+#include "text_file.h"
+
+#include <ctype.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+// More notes of one file say nothing new.
+enum { MAX_NOTES = 8 };
+
+// Functions that reach beyond the program's own arrays. What a student might call while looking for
+// a mistake (printf, assert, getenv) or as an own function's name (read, link) is not among them.
+static const char *const calls[] = {
+    // processes
+    "fork", "vfork", "clone", "execl", "execle", "execlp", "execv", "execve", "execvp", "execvpe",
+    "fexecve", "posix_spawn", "posix_spawnp", "system", "popen", "daemon", "setsid", "setpgid",
+    "ptrace", "process_vm_readv", "process_vm_writev", "prctl", "setrlimit", "syscall", "unshare",
+    "kill", "killpg", "tgkill", "raise", "sigqueue", "signal", "sigaction", "pthread_create",
+    // the end of the program
+    "_exit", "_Exit", "quick_exit", "atexit", "on_exit", "at_quick_exit",
+    // files
+    "open", "openat", "creat", "fopen", "fopen64", "freopen", "fdopen", "opendir", "glob", "nftw",
+    "mkdir", "mkfifo", "mknod", "symlink", "unlink", "chmod", "chown", "chdir", "chroot", "mount",
+    "umount", "mkstemp", "tmpfile",
+    // memory of others, code of others
+    "mmap", "mprotect", "shm_open", "shmget", "shmat", "msgget", "semget", "mq_open",
+    "memfd_create", "dlopen", "dlsym", "setenv", "putenv", "clearenv",
+    // the network
+    "socket", "socketpair", "connect", "getaddrinfo", "gethostbyname", "sendto",
+    // the preprocessor's questions about files
+    "__has_include", "__has_include_next", "__has_embed"};
+
+// Attributes that let code run before or after main, or in another function's place.
+static const char *const attributes[] = {"constructor",    "__constructor__", "destructor",
+                                         "__destructor__", "ifunc",           "__ifunc__"};
+
+// Where the grader keeps the counts of work: a kernel gets them counted and never counts itself.
+static const char *const counters[] = {"work", "d_work", "pixel_work"};
+
+// How strings begin that name a place outside of the lab.
+static const char *const places[] = {"/etc/", "/proc/", "/dev/",  "/sys/", "/root", "/home",
+                                     "/var/", "/tmp",   "/run/",  "/usr/", "/work", "../",
+                                     "out/",  "job/",   "build/", "LD_"};
+
+// What the headers of the C standard are called that an answer may want, and OpenCL's.
+static const char *const headers[] = {
+    "assert.h",    "complex.h",       "ctype.h",  "errno.h",  "float.h",    "inttypes.h",
+    "iso646.h",    "limits.h",        "math.h",   "memory.h", "stdalign.h", "stdarg.h",
+    "stdbool.h",   "stddef.h",        "stdint.h", "stdio.h",  "stdlib.h",   "stdnoreturn.h",
+    "string.h",    "strings.h",       "tgmath.h", "time.h",   "values.h",   "CL/cl.h",
+    "CL/opencl.h", "CL/cl_platform.h"};
+
+#define IN_LIST(word, list) in_list(word, list, sizeof(list) / sizeof *(list))
+
+static int in_list(const char *word, const char *const *list, size_t n)
+{
+    for (size_t i = 0; i < n; i++) {
+        if (strcmp(word, list[i]) == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+// One look at one file: the last three words, and what was noted.
+typedef struct Look {
+    const char *name;
+    FILE *notes;
+    int n_notes;
+    char noted[MAX_NOTES][TOKEN_BYTES + 32];  // each thing once
+    Token before_last, last, token;
+    int attribute_depth;  // open brackets since __attribute__; 0 outside of one
+} Look;
+
+__attribute__((format(printf, 3, 4))) static void note(Look *look, int line, const char *format,
+                                                       ...)
+{
+    char what[sizeof look->noted[0]];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(what, sizeof what, format, arguments);
+    va_end(arguments);
+    for (int i = 0; i < look->n_notes; i++) {
+        if (strcmp(look->noted[i], what) == 0) {
+            return;
+        }
+    }
+    if (look->n_notes < MAX_NOTES) {
+        strcpy(look->noted[look->n_notes++], what);
+        fprintf(look->notes, "%s:%d: %s: no answer needs it\n", look->name, line, what);
+    }
+}
+
+// name(  where no structure's member is called.
+static void look_at_call(Look *look)
+{
+    const Token *function = &look->last;
+    const int is_member = source_token_is(&look->before_last, TOKEN_SIGN, ".") ||
+                          source_token_is(&look->before_last, TOKEN_SIGN, "->");
+    if (!source_token_is(&look->token, TOKEN_SIGN, "(") || function->kind != TOKEN_WORD ||
+        is_member) {
+        return;
+    }
+    if (IN_LIST(function->text, calls)) {
+        note(look, function->line, "%s()", function->text);
+    } else if (strcmp(function->text, "main") == 0) {
+        note(look, function->line, "a function called main");
+    }
+}
+
+// exit with status 0: giving up with another one is what a program may do when memory runs out.
+static void look_at_exit(Look *look)
+{
+    if (source_token_is(&look->before_last, TOKEN_WORD, "exit") &&
+        source_token_is(&look->last, TOKEN_SIGN, "(") &&
+        (source_token_is(&look->token, TOKEN_WORD, "0") ||
+         source_token_is(&look->token, TOKEN_WORD, "EXIT_SUCCESS"))) {
+        note(look, look->token.line, "exit(0)");
+    }
+}
+
+static void look_at_word(Look *look)
+{
+    const Token *word = &look->token;
+    if (word->kind != TOKEN_WORD) {
+        return;
+    }
+    if (strcmp(word->text, "asm") == 0 || strcmp(word->text, "__asm") == 0 ||
+        strcmp(word->text, "__asm__") == 0) {
+        note(look, word->line, "asm");
+    } else if (look->attribute_depth > 0 && IN_LIST(word->text, attributes)) {
+        note(look, word->line, "the attribute %s", word->text);
+    }
+}
+
+static void look_at_counter(Look *look)
+{
+    const int reaches_in = source_token_is(&look->token, TOKEN_SIGN, "->") ||
+                           source_token_is(&look->token, TOKEN_SIGN, "[");
+    if (reaches_in && look->last.kind == TOKEN_WORD && IN_LIST(look->last.text, counters)) {
+        note(look, look->last.line, "a hand on the counted work (%s)", look->last.text);
+    }
+}
+
+static int ends_with(const char *text, const char *ending)
+{
+    const size_t length = strlen(text), n = strlen(ending);
+    return length >= n && strcmp(text + length - n, ending) == 0;
+}
+
+static void look_at_string(Look *look)
+{
+    const Token *string = &look->token;
+    if (string->kind != TOKEN_STRING || source_token_is(&look->last, TOKEN_WORD, "include")) {
+        return;
+    }
+    for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
+        if (strncmp(string->text, places[i], strlen(places[i])) == 0) {
+            note(look, string->line, "\"%s\"", string->text);
+            return;
+        }
+    }
+    if (strstr(string->text, ".incbin") != NULL || strstr(string->text, ".include") != NULL) {
+        note(look, string->line, "\"%s\"", string->text);
+    }
+}
+
+static int is_given_header(const Token *file)
+{
+    if (file->kind == TOKEN_HEADER) {
+        return IN_LIST(file->text, headers);
+    }
+    return file->kind == TOKEN_STRING && file->text[0] != '/' &&
+           (ends_with(file->text, ".h") || ends_with(file->text, ".cl"));
+}
+
+// #include of a header that is not the lab's, #line, #embed, and pragmas that look at files.
+static void look_at_directive(Look *look)
+{
+    const Token *name = &look->last, *argument = &look->token;
+    if (!name->in_directive || !source_token_is(&look->before_last, TOKEN_SIGN, "#") ||
+        name->kind != TOKEN_WORD) {
+        return;
+    }
+    if (strncmp(name->text, "include", strlen("include")) == 0 && !is_given_header(argument)) {
+        note(look, name->line, argument->kind == TOKEN_HEADER ? "#%s <%s>" : "#%s \"%s\"",
+             name->text, argument->text);
+    } else if (isdigit((unsigned char)name->text[0]) || strcmp(name->text, "line") == 0 ||
+               strcmp(name->text, "embed") == 0) {
+        note(look, name->line, "#%s", name->text);
+    }
+}
+
+static void look_at_pragma(Look *look)
+{
+    const Token *token = &look->token;
+    const int in_directive = token->in_directive &&
+                             source_token_is(&look->last, TOKEN_WORD, "GCC") &&
+                             source_token_is(&look->before_last, TOKEN_WORD, "pragma") &&
+                             source_token_is(token, TOKEN_WORD, "dependency");
+    const int in_operator = source_token_is(&look->before_last, TOKEN_WORD, "_Pragma") &&
+                            token->kind == TOKEN_STRING && strstr(token->text, "dependency");
+    if (in_directive || in_operator) {
+        note(look, token->line, "the pragma GCC dependency");
+    }
+}
+
+static void attribute_follow(Look *look)
+{
+    if (source_token_is(&look->token, TOKEN_SIGN, "(") &&
+        (look->attribute_depth > 0 || source_token_is(&look->last, TOKEN_WORD, "__attribute__") ||
+         source_token_is(&look->last, TOKEN_WORD, "__attribute"))) {
+        look->attribute_depth++;
+    } else if (source_token_is(&look->token, TOKEN_SIGN, ")") && look->attribute_depth > 0) {
+        look->attribute_depth--;
+    }
+}
+
+int stands_out_in_text(const char *name, const char *text, FILE *notes)
+{
+    Look look = {.name = name, .notes = notes};
+    TokenReader reader = token_reader(text);
+    do {
+        look.before_last = look.last;
+        look.last = look.token;
+        look.token = token_next(&reader);
+        attribute_follow(&look);
+        look_at_call(&look);
+        look_at_exit(&look);
+        look_at_word(&look);
+        look_at_counter(&look);
+        look_at_string(&look);
+        look_at_directive(&look);
+        look_at_pragma(&look);
+    } while (look.token.kind != TOKEN_END);
+    return look.n_notes;
+}
+
+char *stands_out(const Manifest *manifest, const char *staged, const char *submission)
+{
+    char *text = NULL;
+    size_t n_bytes = 0;
+    FILE *notes = open_memstream(&text, &n_bytes);
+    if (notes == NULL) {
+        return NULL;
+    }
+    int n_notes = 0;
+    for (int i = 0; i < manifest->n_files; i++) {
+        char path[600];
+        snprintf(path, sizeof path, "%s/%s", staged, manifest->files[i]);
+        // A file that could not be staged is told of elsewhere.
+        char *source = access(path, R_OK) == 0 ? text_file_read(path) : NULL;
+        n_notes += source ? stands_out_in_text(manifest->files[i], source, notes) : 0;
+        free(source);
+    }
+    if (n_notes > 0) {
+        fputs("(A look at the text only: it costs no points, and what was tried need not have "
+              "worked.)\n",
+              notes);
+    }
+    n_notes += extra_files_note(manifest, submission, notes);
+    if (fclose(notes) != 0 || n_notes == 0) {
+        free(text);
+        return NULL;
+    }
+    return text;
+}

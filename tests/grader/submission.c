@@ -1,0 +1,304 @@
+// A folder to stage from, whatever was handed in (see submission.h).
+//
+// The archive and the program that reads it are copied to where the sandbox's user may read them.
+// What comes back is a folder like any other, as little to be trusted, and one line for the student.
+#include "submission.h"
+
+#include "message.h"
+#include "sandbox.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+enum { PATH_BYTES = 600 };
+
+// What unpacking may use. The xz format's own limit on memory is 64 MB; a MB is more than any file
+// that is written.
+enum { UNPACK_SECONDS = 20, UNPACK_MEMORY_MB = 512, UNPACK_FILE_MB = 1, UNPACK_PROCESSES = 512 };
+
+// What unpack ends with when the archive is at fault; see unpack_tool.c.
+enum { EXIT_ARCHIVE = 1 };
+
+static int machinery_fault(const char *path, int fault)
+{
+    fprintf(stderr, "%s: %s\n", path, strerror(fault));
+    return -1;
+}
+
+// A fault of what was handed in, named by the last part of its path: one line to the student.
+static int complain(const char *path, const char *complaint, char **message)
+{
+    char shown[MESSAGE_SHOWN_BYTES];
+    const char *slash = strrchr(path, '/');
+    *message = message_new(
+        "%s: %s", message_show(slash != NULL ? slash + 1 : path, shown, sizeof shown), complaint);
+    return 1;
+}
+
+// ---- Copies for the sandbox -----------------------------------------------------------------
+
+static int block_write(int to, const char *block, size_t n_bytes)
+{
+    while (n_bytes > 0) {
+        const ssize_t n = write(to, block, n_bytes);
+        if (n < 0 && errno != EINTR) {
+            return -1;
+        }
+        block += n > 0 ? n : 0;
+        n_bytes -= n > 0 ? (size_t)n : 0;
+    }
+    return 0;
+}
+
+// Copy at most n_bytes of an open file to a new one. Returns 0, or -1 with errno set.
+static int copy_open_file(int from, const char *to, off_t n_bytes, mode_t mode)
+{
+    char block[1 << 16];
+    const int out = open(to, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+    if (out < 0) {
+        return -1;
+    }
+    int outcome = fchmod(out, mode);  // whatever the umask
+    while (outcome == 0 && n_bytes > 0) {
+        const size_t n_wanted = n_bytes < (off_t)sizeof block ? (size_t)n_bytes : sizeof block;
+        const ssize_t n = read(from, block, n_wanted);
+        if (n == 0) {
+            break;
+        }
+        if (n > 0) {
+            outcome = block_write(out, block, (size_t)n);
+            n_bytes -= n;
+        } else if (errno != EINTR) {
+            outcome = -1;
+        }
+    }
+    const int fault = errno;
+    if (close(out) != 0) {
+        return -1;
+    }
+    errno = fault;
+    return outcome;
+}
+
+static int copy_tool(const char *build, const char *to)
+{
+    char path[PATH_BYTES];
+    struct stat status;
+    snprintf(path, sizeof path, "%s/tools/unpack", build);
+    const int from = open(path, O_RDONLY | O_CLOEXEC);
+    if (from < 0 || fstat(from, &status) != 0 ||
+        copy_open_file(from, to, status.st_size, 0755) != 0) {
+        const int outcome = machinery_fault(path, errno);
+        if (from >= 0) {
+            close(from);
+        }
+        return outcome;
+    }
+    close(from);
+    return 0;
+}
+
+// Copy the archive, an open file. Returns 0, 1 with a message, or -1.
+static int copy_archive(const char *path, int from, const char *to, char **message)
+{
+    struct stat status;
+    if (fstat(from, &status) != 0) {
+        return machinery_fault(path, errno);
+    }
+    if (!S_ISREG(status.st_mode)) {
+        return complain(path,
+                        "neither a folder nor an archive: hand in a folder, or a zip or tar "
+                        "archive of it",
+                        message);
+    }
+    if (status.st_size > (off_t)SUBMISSION_MAX_MEGABYTES << 20) {
+        char complaint[64];
+        snprintf(complaint, sizeof complaint, "larger than the allowed %d MB",
+                 SUBMISSION_MAX_MEGABYTES);
+        return complain(path, complaint, message);
+    }
+    return copy_open_file(from, to, status.st_size, 0644) == 0 ? 0 : machinery_fault(to, errno);
+}
+
+// ---- Unpacking ------------------------------------------------------------------------------
+
+// Make room/unpack with the folders `in`, which the sandbox reads, and `out`, which it writes.
+static int folders_make(const char *room)
+{
+    static const char *const folders[] = {"unpack", "unpack/in", "unpack/out"};
+    char path[PATH_BYTES];
+    for (size_t i = 0; i < sizeof folders / sizeof *folders; i++) {
+        snprintf(path, sizeof path, "%s/%s", room, folders[i]);
+        if (mkdir(path, 0755) != 0 || chmod(path, 0755) != 0) {
+            return machinery_fault(path, errno);
+        }
+    }
+    if (geteuid() == 0 && chown(path, sandbox_user(), (gid_t)sandbox_user()) != 0) {
+        return machinery_fault(path, errno);
+    }
+    return 0;
+}
+
+static SandboxRun *start_unpack(const Manifest *manifest, const char *in, const char *out)
+{
+    const char *argv[4 + MANIFEST_MAX_FILES] = {"/work/in/unpack", "in/archive", "out"};
+    for (int i = 0; i < manifest->n_files; i++) {
+        argv[3 + i] = manifest->files[i];
+    }
+    const SandboxCommand command = {
+        .argv = argv,
+        .folder = "/work",
+        .mounts = {{in, "/work/in", 0}, {out, "/work/out", 1}},
+        .n_mounts = 2,
+        .wall_seconds = UNPACK_SECONDS,
+        .cpu_seconds = UNPACK_SECONDS,
+        .memory_mb = UNPACK_MEMORY_MB,
+        .file_mb = UNPACK_FILE_MB,
+        .n_processes = UNPACK_PROCESSES,
+    };
+    return sandbox_start(&command);
+}
+
+// What its end means. Returns 0, 1 with a message for the student, or -1.
+static int take_unpack(const char *path, const SandboxResult *result, char **message)
+{
+    char complaint[80];
+    char line[512];
+    result->output[strcspn(result->output, "\n")] = '\0';
+    message_show(result->output, line, sizeof line);
+    switch (result->outcome) {
+    case SANDBOX_TIMED_OUT:
+        snprintf(complaint, sizeof complaint,
+                 "not unpacked after %d s: hand in the lab's files only", UNPACK_SECONDS);
+        return complain(path, complaint, message);
+    case SANDBOX_CRASHED:
+        return complain(path, "the archive is damaged, reading it crashes: pack the files anew",
+                        message);
+    case SANDBOX_EXITED:
+        break;
+    case SANDBOX_FAULT:
+        fprintf(stderr, "grade: the sandbox failed: %s\n", line);
+        return -1;
+    }
+    if (result->exit_status == EXIT_ARCHIVE) {
+        return complain(path, line, message);
+    }
+    if (result->exit_status != 0) {
+        fprintf(stderr, "grade: tools/unpack cannot work here: %s\n", line);
+        return -1;
+    }
+    return 0;
+}
+
+static int archive_unpack(const Manifest *manifest, const char *path, int archive,
+                          const char *build, const char *room, char **message)
+{
+    char in[PATH_BYTES], out[PATH_BYTES], copy[PATH_BYTES], tool[PATH_BYTES];
+    snprintf(in, sizeof in, "%s/unpack/in", room);
+    snprintf(out, sizeof out, "%s/unpack/out", room);
+    snprintf(copy, sizeof copy, "%s/unpack/in/archive", room);
+    snprintf(tool, sizeof tool, "%s/unpack/in/unpack", room);
+    int outcome = folders_make(room);
+    if (outcome == 0) {
+        outcome = copy_archive(path, archive, copy, message);
+    }
+    if (outcome != 0 || (outcome = copy_tool(build, tool)) != 0) {
+        return outcome;
+    }
+    SandboxRun *run = start_unpack(manifest, in, out);
+    if (run == NULL) {
+        return -1;
+    }
+    const SandboxResult result = sandbox_wait(run);
+    outcome = take_unpack(path, &result, message);
+    free(result.output);
+    return outcome;
+}
+
+// ---- Folder or file -------------------------------------------------------------------------
+
+static int is_of_lab(const Manifest *manifest, const char *name)
+{
+    for (int i = 0; i < manifest->n_files; i++) {
+        if (strcmp(manifest->files[i], name) == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+// The only entry of a folder: its name, or "" where there are others or none.
+static void only_entry(DIR *folder, char *name, size_t n_bytes)
+{
+    int n_entries = 0;
+    struct dirent *entry;
+    name[0] = '\0';
+    while (n_entries < 2 && (entry = readdir(folder)) != NULL) {
+        if (strcmp(entry->d_name, ".") != 0 && strcmp(entry->d_name, "..") != 0) {
+            n_entries++;
+            snprintf(name, n_bytes, "%s", entry->d_name);
+        }
+    }
+    if (n_entries != 1) {
+        name[0] = '\0';
+    }
+}
+
+// Where a folder holds nothing but one regular file that is none of the lab's: that file, open, and
+// its path for messages. Else -1.
+static int only_file_open(const Manifest *manifest, const char *folder, char *path, size_t n_bytes)
+{
+    char name[NAME_MAX + 1];
+    DIR *entries = opendir(folder);
+    if (entries == NULL) {
+        return -1;
+    }
+    only_entry(entries, name, sizeof name);
+    int file = -1;
+    struct stat status;
+    if (name[0] != '\0' && !is_of_lab(manifest, name) &&
+        fstatat(dirfd(entries), name, &status, AT_SYMLINK_NOFOLLOW) == 0 &&
+        S_ISREG(status.st_mode)) {
+        file = openat(dirfd(entries), name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+        snprintf(path, n_bytes, "%s/%s", folder, name);
+    }
+    closedir(entries);
+    return file;
+}
+
+int submission_folder(const Manifest *manifest, const char *path, const char *build,
+                      const char *room, char *folder, size_t n_bytes, char **message)
+{
+    char inner[PATH_BYTES + NAME_MAX];
+    struct stat status;
+    *message = NULL;
+    // O_NONBLOCK: a FIFO would otherwise wait for a writer that never comes.
+    int file = open(path, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+    if (file < 0 || fstat(file, &status) != 0) {
+        const int outcome = machinery_fault(path, errno);
+        if (file >= 0) {
+            close(file);
+        }
+        return outcome;
+    }
+    if (S_ISDIR(status.st_mode)) {
+        close(file);
+        file = only_file_open(manifest, path, inner, sizeof inner);
+        snprintf(folder, n_bytes, "%s", path);
+        path = inner;
+    }
+    if (file < 0) {
+        return 0;
+    }
+    const int outcome = archive_unpack(manifest, path, file, build, room, message);
+    snprintf(folder, n_bytes, "%s/unpack/out", room);
+    close(file);
+    return outcome;
+}

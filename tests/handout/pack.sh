@@ -1,0 +1,112 @@
+#!/bin/sh
+# Pack what students get for a lab: FOLDER/NN-name.tar.gz, and print its path.
+#
+#     tests/handout/pack.sh HOLES-TOOL LAB FOLDER
+#
+# It holds the lab's skeleton, the solutions of the labs before it, common/, kernels/, this lab's part
+# of the grader, and a README of its own; never anything of this lab's solution or of later labs. Only
+# tracked files go in. The same commit gives the same bytes.
+set -eu
+
+holes=$1
+folder=$3
+
+fail() {
+    echo "handout: $1" >&2
+    exit 1
+}
+
+lab=
+for path in labs/*/; do
+    name=$(basename "$path")
+    case $2 in
+    "$name" | "${name%%-*}") lab=$name ;;
+    [0-9]) [ "0$2" != "${name%%-*}" ] || lab=$name ;;
+    esac
+done
+[ -n "$lab" ] || fail "LAB: found \"$2\", expected the number or name of a lab"
+number=${lab%%-*}
+time=$(git log -1 --format=%ct 2>/dev/null) || fail "here is no git checkout: only tracked files go into a handout"
+
+stage=$(mktemp -d "${TMPDIR:-/tmp}/handout-XXXXXX")
+trap 'rm -rf "$stage"' EXIT
+trap 'exit 1' INT TERM
+root=$stage/$lab
+mkdir "$root"
+
+# copy: each path read from stdin goes into the handout, from the course's top folder or from $1.
+copy() {
+    while IFS= read -r file; do
+        mkdir -p "$root/$(dirname "$file")"
+        cp "${1:-.}/$file" "$root/$file"
+    done
+}
+
+# ---- What goes in -----------------------------------------------------------------------------
+
+git ls-files -- common kernels LICENSE Makefile .clang-format .editorconfig .gitignore | copy
+
+# The skeleton is cut anew: in labs/ somebody may have tried the tasks.
+tests/cut_labs.sh "$holes" "$stage/cut/labs"
+git ls-files -- "labs/$lab" | copy "$stage/cut"
+for path in solutions/*/; do
+    earlier=$(basename "$path")
+    [ "$(printf '%s\n' "$earlier" "$lab" | sort | head -n 1)" = "$lab" ] || git ls-files -- "$path" | copy
+done
+
+# The figures that their READMEs show, and scenes.
+sed -n 's|.*](\.\./\.\./\(slides-notes/figures/[^)]*\)).*|\1|p' "$root"/*/*/README.md | sort -u | copy
+git ls-files -- tests/scenes | copy
+
+# From which lab on a part of the grader is needed, where its file's name does not say it.
+# first_lab FILE
+first_lab() {
+    case $1 in
+    tree_judge* | oracle2d_tree*) echo 02 ;;
+    job_scene_tree*) echo 03 ;;
+    oracle3d*) echo 04 ;;
+    job_scene3d_tree*) echo 07 ;;
+    job_scene3d*) echo 05 ;;
+    tree3d_*) echo 06 ;;
+    *) echo 00 ;;
+    esac
+}
+
+# Of the judges this lab's; of the programs the grader alone.
+git ls-files -- tests/grader | while IFS= read -r file; do
+    name=$(basename "$file")
+    case $name in
+    "judge_$number"*) ;;
+    judge_[0-9][0-9]*) continue ;;
+    *.sh) continue ;;
+    esac
+    [ "$name" = grade.c ] || ! grep -q '^int main(' "$file" || continue
+    [ "$(first_lab "$name")" -gt "$number" ] || echo "$file"
+done | copy
+git ls-files -- tests/probes | grep -e "/probe_$lab\." -e '/[a-z]*\.[ch]$' | copy
+
+# ---- Its README -------------------------------------------------------------------------------
+
+# A section of the course's own README. section HEADING
+section() {
+    awk -v heading="## $1" '/^## / { inside = $0 == heading } inside' README.md
+}
+
+title=$(sed -n 's/^  "title": "\(.*\)",$/\1/p' "labs/$lab/lab.json")
+{
+    sed -e "s/@LAB@/$lab/g" -e "s/@NUMBER@/$number/g" -e "s|@TITLE@|$title|g" tests/handout/README.in
+    # Its first paragraph is about `make bench`, which is for authors.
+    section "How fast" | awk 'BEGIN { RS = ""; ORS = "\n\n" } NR != 2'
+    section "Troubleshooting"
+    section "Licence"
+} >"$root/README.md"
+
+# ---- The archive ------------------------------------------------------------------------------
+
+mkdir -p "$folder"
+archive=$folder/$lab.tar.gz
+tar --create --format=ustar --sort=name --mtime="@$time" --owner=0 --group=0 --numeric-owner \
+    --mode=u=rwX,go=rX --directory="$stage" "$lab" >"$stage/archive.tar"
+gzip -n9 <"$stage/archive.tar" >"$archive.new"
+mv "$archive.new" "$archive"
+echo "$archive"

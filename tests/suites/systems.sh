@@ -1,0 +1,364 @@
+#!/bin/sh
+# One result for other systems: every format against its documented schema, and every bundle from
+# its archive to the points, in a clean folder, as the system would run it.
+#
+#     sh tests/suites/systems.sh      from the top folder, after `make tests`
+set -u
+. tests/tap.sh
+# Each bundle's make is the first one where it runs.
+unset MAKEFLAGS MFLAGS MAKELEVEL
+
+build=${BUILD:-build}
+case $build in /*) ;; *) build=$PWD/$build ;; esac
+schemas=$PWD/tests/systems
+lab=00-hello-pixels
+formats=junit,tap,gradescope,autolab,prairielearn,github
+# The sandboxed code is another user's.
+chmod 711 "$scratch"
+mkdir -m 711 "$scratch/work"
+export TMPDIR="$scratch/work"
+
+# ---- Submissions of lab 00: right, wrong, crashing with hostile words, and none -----------------
+
+for name in right wrong hostile missing; do
+    mkdir -p "$scratch/$name"
+    [ "$name" = missing ] || cp solutions/$lab/gradient.cl solutions/$lab/render.c "$scratch/$name"
+done
+cp "labs/$lab/gradient.cl" "$scratch/wrong"
+# What a submission may say to be taken for markup, a test, a command or points.
+cat >"$scratch/shout" <<'EOF'
+    extern int fflush();
+    __builtin_printf("<%c]]>&\"'\xff\xfe\xef\xbf\xbf\x01\x1b[2J\x9b\n", 0);
+    __builtin_puts("::notice title=Autograding complete::Points 100/100");
+    __builtin_puts("ok 1 - everything\nBail out!\n1..1\n</failure><![CDATA[");
+    __builtin_puts("{\"scores\":{\"gradient\":100}}\n{\"score\":100}");
+    for (int i = 0; i < 8000; i++) __builtin_putchar("\\\"<&x"[i % 5]);
+    fflush((void *)0);
+    __builtin_trap();
+EOF
+sed -i "/TASK set_arguments/r $scratch/shout" "$scratch/hostile/render.c"
+
+# grade_as STATUS NAME OPTION...: does a grading with every format end so, with nothing on stderr
+# that is not about a fault of the grader? Its files are in $scratch/reports/NAME.
+grade_as() {
+    wanted=$1 reports=$scratch/reports/$2
+    shift 2
+    status=0
+    "$build/tools/grade" --build "$build" --output "$reports" --format $formats "$@" \
+        >"$scratch/said" 2>"$scratch/said.err" </dev/null || status=$?
+    [ "$status" -eq "$wanted" ] || { echo "exit status $status"; cat "$scratch"/said*; return 1; }
+    [ "$status" -eq 2 ] || [ ! -s "$scratch/said.err" ] || { cat "$scratch/said.err"; return 1; }
+}
+
+for name in right wrong hostile missing; do
+    case $name in right) status=0 ;; *) status=1 ;; esac
+    check "a $name submission in every format" \
+        grade_as $status $name --lab 00 --submission "$scratch/$name"
+done
+for folder in labs/*; do
+    name=$(basename "$folder")
+    check "$name: the skeleton in every format" \
+        grade_as 1 "$name" --lab "$name" --submission "$folder"
+done
+
+# A fault of the machinery, where older results lie.
+mkdir "$scratch/no-build"
+cp -r "$scratch/reports/right" "$scratch/reports/fault"
+check "a fault of the grader" \
+    grade_as 2 fault --lab 00 --submission "$scratch/right" --build "$scratch/no-build"
+
+# ---- Schemas ------------------------------------------------------------------------------------
+
+# obeys SCHEMA FILE...: are these documents what the system's documentation asks for?
+# shellcheck disable=SC2317 # called by check
+obeys() {
+    schema=$schemas/$1.schema.json
+    shift
+    for file; do set -- "$@" -i "$file"; shift; done
+    /usr/bin/python3 -W ignore -m jsonschema "$@" "$schema"
+}
+
+for reports in "$scratch/reports"/*; do
+    [ -f "$reports/autolab.txt" ] || continue
+    tail -n 1 "$reports/autolab.txt" >"$reports/autolab.json"
+    tail -n 2 "$reports/autolab.txt" | head -n 1 >"$reports/feedback.json"
+done
+check "Gradescope's results.json" obeys gradescope "$scratch/reports"/*/gradescope.json
+check "PrairieLearn's results.json" obeys prairielearn "$scratch/reports"/*/prairielearn.json
+check "Autolab's last line" obeys autolab "$scratch/reports"/*/autolab.json
+check "Autolab's feedback" obeys autolab-feedback "$scratch/reports"/*/feedback.json
+check "JUnit XML" xmllint --noout --schema "$schemas/junit.xsd" "$scratch/reports"/*/junit.xml
+
+large=$(find "$scratch/reports" -name prairielearn.json -size +1000000c)
+[ -z "$large" ]
+ok $? "PrairieLearn's file has at most 1 MB" "$large"
+
+# The schemas themselves refuse what is wrong.
+refuses() {
+    printf '%s' "$2" >"$scratch/wrong.json"
+    ! obeys "$1" "$scratch/wrong.json" 2>/dev/null
+}
+check "a score as text is no Gradescope result" refuses gradescope '{"score": "5", "tests": []}'
+check "nor is one without a score" refuses gradescope '{"tests": [{"name": "a"}]}'
+check "a score of 85 is no PrairieLearn result" refuses prairielearn '{"score": 85}'
+check "nor is one without a score" refuses prairielearn '{"gradable": true}'
+check "points as text are no Autolab result" refuses autolab '{"scores": {"a": "5"}}'
+
+# ---- What the formats say -----------------------------------------------------------------------
+
+# says NAME FILE PATTERN: does this report hold a line that matches?
+says() {
+    grep -e "$3" "$scratch/reports/$1/$2" >/dev/null || { cat "$scratch/reports/$1/$2"; return 1; }
+}
+# counts NAME FILE PATTERN NUMBER: in how many places does it match?
+counts() {
+    found=$(grep -o -e "$3" "$scratch/reports/$1/$2" | wc -l)
+    [ "$found" -eq "$4" ] || { echo "found $found"; cat "$scratch/reports/$1/$2"; return 1; }
+}
+
+# What each report says, a line a test: the submission, the file, and a pattern.
+while IFS='|' read -r name file pattern title; do
+    check "$title" says "$name" "$file" "$pattern"
+done <<'END'
+right|gradescope.json|^{"score":100,|Gradescope: full marks
+wrong|gradescope.json|^{"score":60,|Gradescope: some
+hostile|gradescope.json|^{"score":80,|Gradescope: a crash costs its task
+missing|gradescope.json|^{"score":0,.*"output":"Staging: failed|Gradescope: nothing handed in
+wrong|gradescope.json|<img alt=\\".*(yours)\\" src=\\"data:image|Gradescope: shows a wrong picture
+right|prairielearn.json|"gradable":true,"score":1.0,|PrairieLearn: full marks
+wrong|prairielearn.json|"gradable":true,"score":0.6,|PrairieLearn: some
+wrong|prairielearn.json|"label":"[^"]*(yours)","url":"data:|PrairieLearn: shows the wrong picture
+missing|prairielearn.json|^{"gradable":false,.*gradient.cl: |PrairieLearn: nothing to grade
+wrong|autolab.json|^{"scores":{"gradient":0,"set_arguments":20,|Autolab: the points by task
+hostile|autolab.json|^{"scores":{"gradient":40,"set_arguments":0,|Autolab: ours is the last line
+hostile|github.txt|::Points 80/100$|GitHub: the points
+missing|junit.xml| failures="1" errors="0" skipped="5" |JUnit: no check ran, a stage failed
+fault|junit.xml| failures="0" errors="1" |JUnit: a fault is an error
+fault|prairielearn.json|^{"gradable":false,.*The grader could not|PrairieLearn: a fault is no grade
+END
+check "Gradescope: says which checks did not run" counts missing gradescope.json '"Not run: ' 5
+check "GitHub: two annotations" counts hostile github.txt '^::notice title=[A-Za-z ]*::' 2
+check "JUnit: markup of the student's is text" counts hostile junit.xml '<!\[CDATA\[' 0
+
+# proves STATUS NAME PATTERN: does Perl's harness end so over the TAP, and say what matches? It
+# finds no fault in the form, but where the TAP bails out before its plan.
+# shellcheck disable=SC2317 # called by check
+proves() {
+    status=0
+    prove --exec cat "$scratch/reports/$2/results.tap" >"$scratch/proved" 2>&1 || status=$?
+    cat "$scratch/proved"
+    [ "$status" -eq "$1" ] && grep -q -e "$3" "$scratch/proved" &&
+        { [ "$status" -eq 255 ] || ! grep -q "Parse errors" "$scratch/proved"; }
+}
+check "TAP: full marks pass" proves 0 right '^Files=1, Tests=8,'
+check "TAP: wrong ones fail" proves 1 wrong 'Tests: 8 Failed: 2)'
+check "TAP: nothing handed in fails" proves 1 missing 'Tests: 6 Failed: 1)'
+check "TAP: what the student prints is no test" proves 1 hostile 'Tests: 8 Failed: 2)'
+
+check "TAP: a fault bails out" \
+    proves 255 fault 'Further testing stopped: 00-hello-pixels: The grader could not work'
+left=$(cd "$scratch/reports/fault" && ls gradescope.json autolab.txt github.txt 2>/dev/null)
+[ -z "$left" ]
+ok $? "a fault leaves no older points for Gradescope, Autolab and GitHub" "$left"
+"$build/tools/grade" --lab 00 --format junit,html >"$scratch/said" 2>&1
+ok $(($? != 2)) "an unknown format is refused"
+check "and named" grep 'found "html", expected some of junit, tap, gradescope' "$scratch/said"
+
+# ---- Bundles: the same bytes, and only what belongs to the course -------------------------------
+
+# The course as an unpacked archive has it: no git, other times, other rights.
+mkdir "$scratch/copy"
+{ git ls-files 2>/dev/null | grep . || find ./* -path ./build -prune -o -type f -print; } |
+    tar -cf - -T - | tar -xmf - -C "$scratch/copy"
+SOURCE_DATE_EPOCH=$(git log -1 --format=%ct 2>/dev/null || stat -c %Y CHANGELOG.md)
+export SOURCE_DATE_EPOCH
+bundles=$scratch/first/systems
+for bundle in gradescope-00.zip autolab-00.tar prairielearn-00.zip github-00.zip autolab-07.tar; do
+    system=${bundle%-*} number=${bundle#*-} number=${number%.*}
+    check "$bundle" make -s "$system" LAB="$number" BUILD="$scratch/first"
+    (umask 077 && cd "$scratch/copy" && TZ=Asia/Tokyo LC_ALL=C.UTF-8 \
+        make -s "$system" LAB="$number" BUILD="$scratch/second") >/dev/null
+    check "$bundle: the same bytes from another copy" \
+        cmp "$bundles/$bundle" "$scratch/second/systems/$bundle"
+done
+tests/systems/bundle.sh gradescope 99 "$scratch/none" 2>"$scratch/said"
+[ $? -eq 2 ] && [ ! -e "$scratch/none" ]
+ok $? "no bundle of a lab that is not there" "$(cat "$scratch/said")"
+more=$(unzip -l "$bundles/gradescope-00.zip" | grep -e 'solutions/0[1357]' -e /mutants/ -e /unit/)
+[ -z "$more" ]
+ok $? "the bundle of lab 00 holds no solution that it does not need, and no test" "$more"
+
+# ---- Each bundle, as its system would run it ----------------------------------------------------
+
+# quietly COMMAND...: run it; stdout goes to $scratch/said, and anything on stderr is a failure.
+quietly() {
+    status=0
+    "$@" >"$scratch/said" 2>"$scratch/said.err" </dev/null || status=$?
+    [ "$status" -eq 0 ] && [ ! -s "$scratch/said.err" ] && return 0
+    echo "exit status $status"
+    tail -n 20 "$scratch/said" "$scratch/said.err"
+    return 1
+}
+
+# Gradescope: the zip in source/, setup.sh once, run_autograder copied beside it.
+root=$scratch/autograder
+mkdir -p "$root/source" "$root/results"
+unzip -q "$bundles/gradescope-00.zip" -d "$root/source"
+cp "$root/source/run_autograder" "$root"
+check "Gradescope: setup.sh" quietly env AUTOGRADER_ROOT="$root" "$root/source/setup.sh"
+
+# gradescope NAME SCORE: a submission as Gradescope grades it.
+# shellcheck disable=SC2317 # called by check
+gradescope() {
+    rm -rf "$root/submission"
+    cp -r "$scratch/$1" "$root/submission"
+    (cd "$root" && quietly env AUTOGRADER_ROOT="$root" ./run_autograder) || return 1
+    cp "$root/results/results.json" "$scratch/gradescope-$1.json"
+    grep "^{\"score\":$2," "$scratch/gradescope-$1.json" && return
+    cat "$scratch/gradescope-$1.json"
+    return 1
+}
+check "Gradescope: a right submission" gradescope right 100
+check "Gradescope: a wrong one" gradescope wrong 60
+check "Gradescope: a crashing one" gradescope hostile 80
+check "Gradescope: none" gradescope missing 0
+mv "$root/source/course/build/probes" "$root/source/course/build/away"
+status=0
+(cd "$root" && AUTOGRADER_ROOT="$root" ./run_autograder) >"$scratch/said" 2>&1 || status=$?
+[ "$status" -ne 0 ] && [ ! -e "$root/results/results.json" ]
+ok $? "Gradescope: a fault of the grader fails, and leaves no results.json" "$(cat "$scratch/said")"
+mv "$root/source/course/build/away" "$root/source/course/build/probes"
+
+# build_again COURSE: build a bundle's grader, beginning with what was built for Gradescope: the
+# course in it is the same, file by file and date by date, so that make finds all done.
+# shellcheck disable=SC2317 # called by check
+build_again() {
+    diff -r --exclude systems --exclude build "$scratch/autograder/source/course" "$1" || return 1
+    cp -a "$scratch/autograder/source/course/build" "$1"
+    quietly "$1/tests/systems/prepare.sh" 00 || return 1
+    [ ! -s "$scratch/said" ] || { cat "$scratch/said"; return 1; }
+}
+
+# Autolab: an empty folder with the handin and the two files, the Makefile under its own name.
+unpacked=$scratch/unpacked
+mkdir "$unpacked" "$scratch/autolab"
+tar -xf "$bundles/autolab-00.tar" -C "$unpacked"
+cp "$unpacked/lab00/autograde.tar" "$scratch/autolab"
+cp "$unpacked/lab00/autograde-Makefile" "$scratch/autolab/Makefile"
+mkdir "$scratch/built"
+tar -xf "$unpacked/lab00/autograde.tar" -C "$scratch/built"
+check "Autolab: the course" build_again "$scratch/built/course"
+# There, every submission builds it anew; here, all but what is built already.
+mkdir "$scratch/autolab/course"
+mv "$scratch/built/course/build" "$scratch/autolab/course"
+check "Autolab: the assessment names the tasks as its problems" \
+    grep -A3 -e '^- name: read_back$' "$unpacked/lab00/lab00.yml"
+
+# autolab NAME "POINTS...": a submission as Autolab grades it.
+# shellcheck disable=SC2317 # called by check
+autolab() {
+    if [ "$1" = broken ]; then
+        echo "no archive" >"$scratch/autolab/handin.tar"
+    else
+        tar -cf "$scratch/autolab/handin.tar" -C "$scratch/$1" .
+    fi
+    (cd "$scratch/autolab" && quietly make) || return 1
+    tail -n 1 "$scratch/said" >"$scratch/autolab-$1.json"
+    # shellcheck disable=SC2086 # four numbers
+    scores=$(printf '"gradient":%s,"set_arguments":%s,"enqueue_pixels":%s,"read_back":%s' $2)
+    grep -F "{\"scores\":{$scores}," "$scratch/autolab-$1.json" && return
+    cat "$scratch/said"
+    return 1
+}
+check "Autolab: a right submission" autolab right "40 20 20 20"
+check "Autolab: a wrong one" autolab wrong "0 20 20 20"
+check "Autolab: a crashing one" autolab hostile "40 0 20 20"
+check "Autolab: none" autolab missing "0 0 0 0"
+check "Autolab: a handin that is no archive" autolab broken "0 0 0 0"
+sed -i '/tar -xf/d' "$scratch/autolab/Makefile"
+rm -r "$scratch/autolab/course/build/probes" "$scratch/autolab/course/tests/probes"
+status=0
+make -C "$scratch/autolab" >"$scratch/said" 2>&1 || status=$?
+[ "$status" -ne 0 ] && ! grep -q '"scores"' "$scratch/said"
+ok $? "Autolab: a fault of the grader gives no points" "$(cat "$scratch/said")"
+
+# PrairieLearn: what its Dockerfile does, then info.json's entrypoint with the files in student/.
+image=$scratch/image
+unzip -q "$bundles/prairielearn-00.zip" -d "$image"
+root=$scratch/grade
+question=$image/questions/$lab
+check "PrairieLearn: the question asks for the lab's files" \
+    grep 'file-names="gradient.cl,render.c"' "$question/question.html"
+check "PrairieLearn: info.json is JSON" \
+    /usr/bin/python3 -m json.tool "$question/info.json" "$scratch/info.json"
+course=$image/image/course
+check "PrairieLearn: the image" build_again "$course"
+entrypoint=$image/image$(sed -n 's/.*"entrypoint": "\(.*\)",/\1/p' "$question/info.json")
+
+# prairielearn NAME PATTERN: a submission as PrairieLearn grades it.
+# shellcheck disable=SC2317 # called by check
+prairielearn() {
+    rm -rf "$root"
+    mkdir "$root"
+    cp -r "$scratch/$1" "$root/student"
+    quietly env GRADE_ROOT="$root" "$entrypoint" || return 1
+    cp "$root/results/results.json" "$scratch/prairielearn-$1.json"
+    grep -e "$2" "$scratch/prairielearn-$1.json" && return
+    cat "$scratch/prairielearn-$1.json"
+    return 1
+}
+check "PrairieLearn: a right submission" prairielearn right '^{"gradable":true,"score":1.0,'
+check "PrairieLearn: a wrong one" prairielearn wrong '^{"gradable":true,"score":0.6,'
+check "PrairieLearn: a crashing one" prairielearn hostile '^{"gradable":true,"score":0.8,'
+check "PrairieLearn: none" prairielearn missing '^{"gradable":false,'
+mv "$course/build/probes" "$scratch/probes"
+status=0
+GRADE_ROOT=$root "$entrypoint" >"$scratch/said" 2>&1 || status=$?
+[ "$status" -eq 0 ] &&
+    grep -q '^{"gradable":false,.*The grader could not work' "$root/results/results.json"
+ok $? "PrairieLearn: a fault of the grader is not gradable" "$(cat "$scratch/said")"
+mv "$scratch/probes" "$course/build/probes"
+
+# GitHub: the workflow in a repository that begins as the handout.
+repository=$scratch/repository
+mkdir "$repository"
+check "GitHub: the handout" quietly make -s handout LAB=00 BUILD="$scratch/first"
+tar -xzf "$scratch/first/handout/$lab.tar.gz" -C "$repository" --strip-components 1
+unzip -q "$bundles/github-00.zip" -d "$repository"
+named=$(grep -cx -e 'name: Autograding Tests' -e '  run-autograding-tests:' \
+    "$repository/.github/workflows/classroom.yml")
+[ "$named" -eq 2 ]
+ok $? "GitHub: the workflow has the names that Classroom looks for"
+
+# github STATUS NAME POINTS: a push as the workflow grades it. A handout has no solution to try each
+# task with, so that one mistake may cost more.
+# shellcheck disable=SC2317 # called by check
+github() {
+    cp "$scratch/$2"/* "$repository/labs/$lab"
+    : >"$scratch/summary"
+    status=0
+    (cd "$repository" && GITHUB_STEP_SUMMARY="$scratch/summary" .github/grade.sh) \
+        >"$scratch/said" 2>"$scratch/said.err" || status=$?
+    cat "$scratch/said" "$scratch/said.err"
+    [ "$status" -eq "$1" ] && [ ! -s "$scratch/said.err" ] &&
+        grep -q "^::notice title=Autograding complete::Points $3/100$" "$scratch/said" &&
+        [ "$(grep -c '' "$scratch/said")" -eq 2 ] && grep -q "Score $3/100" "$scratch/summary"
+}
+check "GitHub: a right submission" github 0 right 100
+check "GitHub: a wrong one" github 1 wrong 0
+check "GitHub: a crashing one" github 1 hostile 0
+rm "$repository/labs/$lab/lab.json"
+status=0
+(cd "$repository" && .github/grade.sh) >"$scratch/said" 2>&1 || status=$?
+[ "$status" -eq 2 ] && ! grep -q 'Points' "$scratch/said"
+ok $? "GitHub: a fault of the grader gives no points" "$(cat "$scratch/said")"
+
+for system in gradescope autolab prairielearn; do
+    check "$system: what its bundle wrote obeys the schema" obeys $system "$scratch/$system"-*.json
+done
+
+left=$(ls -A "$TMPDIR")
+[ -z "$left" ]
+ok $? "nothing is left in the folder for temporary files" "$left"
+
+finish

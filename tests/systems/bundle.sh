@@ -1,0 +1,138 @@
+#!/bin/sh
+# Pack what one of the systems that courses use needs to grade one lab (tests/systems/README.md).
+#
+#     tests/systems/bundle.sh gradescope|autolab|prairielearn|github NN FOLDER
+#
+# The same sources make the same bytes: names are sorted, owners and rights are fixed, and every
+# time is that of the last commit (or SOURCE_DATE_EPOCH). Only what git tracks is packed.
+set -eu
+umask 022
+export LC_ALL=C TZ=UTC
+
+usage="usage: bundle.sh gradescope|autolab|prairielearn|github NN FOLDER"
+system=${1:?$usage} number=${2:?$usage} folder=${3:?$usage}
+cd "$(dirname "$0")/../.."
+templates=tests/systems/$system
+lab=
+for manifest in solutions/"$number"-*/lab.json; do
+    [ ! -f "$manifest" ] || lab=$(basename "$(dirname "$manifest")")
+done
+if [ ! -d "$templates" ] || [ -z "$lab" ]; then
+    echo "bundle: found \"$system\" and \"$number\", expected a system and a lab's number" >&2
+    echo "$usage" >&2
+    exit 2
+fi
+date=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || stat -c %Y CHANGELOG.md)}
+stage=$(mktemp -d "${TMPDIR:-/tmp}/bundle-XXXXXX")
+trap 'rm -rf "$stage"' EXIT
+
+# tracked PATH...: the files under these that belong to the course. An unpacked archive of it has no
+# git, and nothing but them outside build/.
+tracked() {
+    git ls-files -- "$@" 2>/dev/null | grep . || find "$@" -type f
+}
+
+# copy_course FOLDER: what the grader of this lab is built from. Its trees and cameras come from the
+# solutions of labs 02, 04 and 06; the other solutions are those of this lab and of the ones before.
+copy_course() {
+    solutions=$(for one in solutions/*/; do
+        name=$(basename "$one")
+        case $name in 02-* | 04-* | 06-*) echo "$name" ;; *)
+            if expr "$name" \<= "$lab" >/dev/null; then echo "$name"; fi ;;
+        esac
+    done)
+    mkdir -p "$1"
+    # shellcheck disable=SC2046,SC2086 # lists of names without spaces
+    tracked Makefile LICENSE common kernels tests/grader tests/probes tests/systems/prepare.sh \
+        "tests/systems/$system" "labs/$lab" $(printf 'solutions/%s ' $solutions) |
+        grep -v -e '/probe_[0-9].*\.c$' -e '\.md$' |
+        { cat; tracked "tests/probes/probe_$lab.c"; } | tar -cf - -T - | tar -xf - -C "$1"
+}
+
+# fill NAME...: replace the @WORDS@ in files of the stage.
+fill() {
+    title=$(sed -n 's/^  "title": "\(.*\)",$/\1/p' "solutions/$lab/lab.json" | sed 's/[&\\/]/\\&/g')
+    files=$(sed -n 's/^  "files": \[\(.*\)\],$/\1/p' "solutions/$lab/lab.json" | tr -d ' "')
+    # An identifier of the question that never changes, in the form of a UUID (version 8: our own).
+    uuid=$(printf '%s' "$lab" | sha1sum |
+        sed 's/^\(.\{8\}\)\(.\{4\}\).\(.\{3\}\).\(.\{3\}\)\(.\{12\}\).*/\1-\2-8\3-8\4-\5/')
+    for name; do
+        sed -i -e "s/@LAB@/$lab/g" -e "s/@NN@/$number/g" -e "s/@TITLE@/$title/g" \
+            -e "s/@FILES@/$files/g" -e "s/@UUID@/$uuid/g" "$stage/$name"
+    done
+}
+
+# Give everything in a folder the same rights and times wherever it is packed.
+settle() {
+    chmod -R u=rwX,go=rX "$1"
+    find "$1" -exec touch -h -d "@$date" {} +
+}
+
+# pack_tar FOLDER TAR: the folder's contents.
+pack_tar() {
+    settle "$1"
+    # shellcheck disable=SC2046 # names without spaces
+    tar --sort=name --format=gnu --mtime="@$date" --owner=0 --group=0 --numeric-owner \
+        -cf "$2" -C "$1" $(cd "$1" && ls -A)
+}
+
+# pack_zip FOLDER ZIP: the folder's contents.
+pack_zip() {
+    settle "$1"
+    rm -f "$2"
+    (cd "$1" && find . -type f | sort | zip -q -X -D -@ "$2")
+}
+
+# The problems of an Autolab assessment are the lab's tasks, with their points.
+write_problems() {
+    awk -F '"' '/^      "id": / { id = $4 }
+        /^      "points": / { gsub(/[^0-9]/, "", $3)
+            printf "- name: %s\n  description: \047\047\n", id
+            printf "  max_score: %s\n  optional: false\n", $3
+        }' "solutions/$lab/lab.json"
+}
+
+case $folder in /*) ;; *) folder=$PWD/$folder ;; esac
+mkdir -p "$folder"
+bundle=$folder/$system-$number.zip
+case $system in
+gradescope)
+    copy_course "$stage/course"
+    mv "$stage/course/$templates"/* "$stage"
+    fill setup.sh run_autograder
+    pack_zip "$stage" "$bundle"
+    ;;
+autolab)
+    bundle=$folder/$system-$number.tar
+    assessment=lab$number
+    copy_course "$stage/course"
+    fill "course/$templates/grade.sh"
+    mkdir -p "$stage/all/$assessment" "$stage/inner"
+    mv "$stage/course/$templates/autograde-Makefile" "$stage/all/$assessment"
+    mv "$stage/course/$templates/assessment.yml" "$stage/all/$assessment/$assessment.yml"
+    fill "all/$assessment/autograde-Makefile" "all/$assessment/$assessment.yml"
+    write_problems | sed -i -e '/^@PROBLEMS@$/{r /dev/stdin' -e 'd;}' \
+        "$stage/all/$assessment/$assessment.yml"
+    mv "$stage/course" "$stage/inner"
+    pack_tar "$stage/inner" "$stage/all/$assessment/autograde.tar"
+    pack_tar "$stage/all" "$bundle"
+    ;;
+prairielearn)
+    copy_course "$stage/image/course"
+    mkdir -p "$stage/questions/$lab"
+    mv "$stage/image/course/$templates"/info.json "$stage/image/course/$templates"/question.html \
+        "$stage/questions/$lab"
+    mv "$stage/image/course/$templates/Dockerfile" "$stage/image"
+    fill "questions/$lab/info.json" "questions/$lab/question.html" image/Dockerfile \
+        "image/course/$templates/grade.sh"
+    pack_zip "$stage" "$bundle"
+    ;;
+github)
+    mkdir -p "$stage/.github/workflows"
+    cp "$templates/classroom.yml" "$stage/.github/workflows/classroom.yml"
+    cp "$templates/grade.sh" "$stage/.github/grade.sh"
+    fill .github/workflows/classroom.yml .github/grade.sh
+    pack_zip "$stage" "$bundle"
+    ;;
+esac
+echo "$bundle"

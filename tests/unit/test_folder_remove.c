@@ -1,0 +1,83 @@
+// grader/folder_remove: whatever a student's program left in its folder goes, and nothing else.
+#include "folder_remove.h"
+
+#include "surroundings.h"
+
+#include <errno.h>
+#include <fcntl.h>
+
+TestSuite(folder_remove, .init = folder_enter, .fini = folder_leave, .timeout = 60);
+
+static void file_make(const char *path)
+{
+    FILE *file = fopen(path, "w");
+    cr_assert_not_null(file);
+    fclose(file);
+}
+
+Test(folder_remove, files_and_folders)
+{
+    mkdir("full", 0755);
+    mkdir("full/inner", 0755);
+    mkdir("full/pulled-up-0", 0755);  // a name that it would use itself
+    file_make("full/pulled-up-0/file");
+    file_make("full/inner/file");
+    file_make("full/file");
+    mkfifo("full/inner/pipe", 0644);
+    cr_expect_eq(folder_remove("full"), 0);
+    cr_expect_eq(folder_count(), 0);
+}
+
+Test(folder_remove, none_is_fine)
+{
+    cr_expect_eq(folder_remove("nowhere"), 0);
+}
+
+Test(folder_remove, a_file_is_no_folder)
+{
+    file_make("file");
+    cr_expect_eq(folder_remove("file"), -1);
+    cr_expect_eq(folder_count(), 1);
+}
+
+Test(folder_remove, links_are_not_followed)
+{
+    mkdir("kept", 0755);
+    file_make("kept/file");
+    mkdir("full", 0755);
+    cr_assert_eq(symlink("../kept", "full/link"), 0);
+    cr_assert_eq(symlink("../kept/file", "full/link-to-file"), 0);
+    cr_expect_eq(folder_remove("full"), 0);
+    cr_expect_eq(access("kept/file", F_OK), 0);
+}
+
+Test(folder_remove, locked_folders)
+{
+    mkdir("full", 0755);
+    mkdir("full/a", 0755);
+    mkdir("full/a/b", 0755);
+    file_make("full/a/b/file");
+    chmod("full/a/b", 0);
+    chmod("full/a", 0);
+    chmod("full", 0);
+    cr_expect_eq(folder_remove("full"), 0);
+    cr_expect_eq(folder_count(), 0);
+}
+
+// 3000 levels of 33 bytes: neither a path nor a descriptor a level would do.
+Test(folder_remove, deeper_than_any_path)
+{
+    static const char name[] = "a-folder-in-a-folder-in-a-folder";
+    const int top = open(".", O_RDONLY | O_DIRECTORY);
+    mkdir("full", 0755);
+    cr_assert_eq(chdir("full"), 0);
+    for (int level = 0; level < 3000; level++) {
+        cr_assert_eq(mkdir(name, 0755), 0);
+        cr_assert_eq(chdir(name), 0);
+    }
+    file_make("at-the-bottom");
+    cr_assert_eq(fchdir(top), 0);
+    close(top);
+    cr_expect_eq(folder_remove("full"), 0, "%s", strerror(errno));
+    cr_expect_eq(folder_count(), 0);
+}

@@ -1,0 +1,425 @@
+// Unit tests of the reports for other systems: whatever a student's code put into a message, each
+// document keeps its form, its size and its points, and a fault of the machinery is no zero.
+#include "report_systems.h"
+
+#include <criterion/criterion.h>
+#include <criterion/redirect.h>
+#include <jansson.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#define UNKNOWN "\xEF\xBF\xBD"
+
+static const Manifest manifest = {
+    .lab = "01-naive-2d",
+    .title = "Naive 2D rendering",
+    .n_tasks = 2,
+    .tasks = {{"overlaps_N_Nearer", "overlaps_N_Nearer.cl", "Does a circle cover the pixel?", 40,
+               "Compare the squares."},
+              {"implicit2DRenderer", "implicit2DRenderer.cl", "The nearest of all", 60,
+               "Remember the depth."}},
+};
+
+// A result with a passed, a failed and a not-run check; the failed one says `message`.
+static Result result_make(const char *message)
+{
+    Result result = {.lab = "01-naive-2d",
+                     .title = "Naive 2D rendering",
+                     .submission = "labs/01-naive-2d",
+                     .seed = UINT64_MAX,
+                     .device = "cpu-x",
+                     .score = 25,
+                     .max_score = 100,
+                     .seconds = 4.25,
+                     .n_stages = 1,
+                     .n_checks = 3};
+    result.stages[0] = (StageResult){"Compiling", CHECK_PASSED, NULL};
+    result.checks[0] = (CheckResult){
+        "overlaps-inside", "Clearly inside and outside", "overlaps_N_Nearer", 25, 25, CHECK_PASSED,
+        strdup("")};
+    result.checks[1] = (CheckResult){
+        "overlaps-boundary", "The boundary belongs to it", "overlaps_N_Nearer", 0, 15, CHECK_FAILED,
+        strdup(message)};
+    result.checks[2] = (CheckResult){
+        "picture", "A random scene", "implicit2DRenderer", 0, 60, CHECK_NOT_RUN, NULL};
+    return result;
+}
+
+// A folder of its own for each test; Criterion runs each in a process of its own.
+static char folder[] = "/tmp/test-systems-XXXXXX";
+
+static void folder_make(void)
+{
+    cr_assert_not_null(mkdtemp(folder));
+}
+
+static void folder_remove(void)
+{
+    static const char *const files[] = {"junit.xml",   "results.tap",       "gradescope.json",
+                                        "autolab.txt", "prairielearn.json", "github.txt"};
+    for (size_t i = 0; i < sizeof files / sizeof files[0]; i++) {
+        char path[64];
+        snprintf(path, sizeof path, "%s/%s", folder, files[i]);
+        unlink(path);
+    }
+    cr_expect_eq(rmdir(folder), 0, "something else was left in the folder");
+}
+
+static void formats_all(FormatSet *formats)
+{
+    cr_assert_eq(formats_read("junit,tap,gradescope,autolab,prairielearn,github", formats), 0);
+}
+
+static void write_all(const Result *result)
+{
+    FormatSet formats;
+    formats_all(&formats);
+    cr_assert_eq(formats_write(folder, formats, &manifest, result), 0);
+}
+
+// A file's text; free() it. NULL when it is not there.
+static char *text_of(const char *name)
+{
+    char path[64];
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    FILE *file = fopen(path, "rb");
+    struct stat status;
+    if (file == NULL || fstat(fileno(file), &status) != 0) {
+        return NULL;
+    }
+    char *text = calloc(1, (size_t)status.st_size + 1);
+    cr_assert_eq(fread(text, 1, (size_t)status.st_size, file), (size_t)status.st_size);
+    fclose(file);
+    cr_expect_eq(strlen(text), (size_t)status.st_size, "%s holds a NUL", name);
+    return text;
+}
+
+static json_t *json_of(const char *name)
+{
+    char *text = text_of(name);
+    cr_assert_not_null(text, "%s was not written", name);
+    json_error_t error;
+    json_t *json = json_loads(text, JSON_REJECT_DUPLICATES, &error);
+    cr_assert_not_null(json, "%s: line %d: %s", name, error.line, error.text);
+    free(text);
+    return json;
+}
+
+static const char *string_at(const json_t *list, size_t i, const char *name)
+{
+    const char *string = json_string_value(json_object_get(json_array_get(list, i), name));
+    return string != NULL ? string : "";
+}
+
+static void expect_part(const char *text, const char *part)
+{
+    cr_expect(strstr(text, part) != NULL, "expected \"%s\" in:\n%s", part, text);
+}
+
+static int count_parts(const char *text, const char *part)
+{
+    int n = 0;
+    while ((text = strstr(text, part)) != NULL) {
+        text += strlen(part);
+        n++;
+    }
+    return n;
+}
+
+// `n` times `piece`; free() it.
+static char *repeated(const char *piece, size_t n)
+{
+    char *text = calloc(n, strlen(piece) + 1);
+    for (size_t i = 0; i < n; i++) {
+        memcpy(text + i * strlen(piece), piece, strlen(piece));
+    }
+    return text;
+}
+
+TestSuite(report_systems, .init = folder_make, .fini = folder_remove);
+
+// ---- Names of formats ----------------------------------------------------------------------------
+
+Test(report_systems, reads_names_of_formats)
+{
+    FormatSet junit, both, doubled;
+    cr_expect_eq(formats_read("junit", &junit), 0);
+    cr_expect_eq(formats_read("tap,junit", &both), 0);
+    cr_expect_eq(formats_read("junit,tap,junit", &doubled), 0);
+    cr_expect_neq(junit, both);
+    cr_expect_eq(both, doubled);
+    cr_redirect_stderr();
+    static const char *const wrong[] = {"", "junit,", ",tap", "jun", "junitx", "junit tap", "TAP"};
+    for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+        cr_expect_eq(formats_read(wrong[i], &both), -1, "\"%s\" was taken", wrong[i]);
+    }
+}
+
+// ---- Hostile messages ----------------------------------------------------------------------------
+
+// What a student may have put into a message, to be taken for something else.
+static const char hostile[] = "</failure>]]><![CDATA[ & \" ' \x01\x1b[2J\x9b \xff\xfe\xef\xbf\xbf\n"
+                              "ok 99 - all\nBail out!\n::notice::Points 100/100\n"
+                              "{\"scores\":{\"overlaps_N_Nearer\":40}}\n";
+
+Test(report_systems, junit_stays_whole)
+{
+    Result result = result_make(hostile);
+    write_all(&result);
+    char *text = text_of("junit.xml");
+    cr_expect_eq(count_parts(text, "<testcase "), 4);
+    cr_expect_eq(count_parts(text, "</failure>"), 1);
+    cr_expect_eq(count_parts(text, "<![CDATA["), 0);
+    cr_expect_eq(count_parts(text, "]]>"), 0);
+    expect_part(text, " tests=\"4\" failures=\"1\" errors=\"0\" skipped=\"1\" time=\"4.250\">");
+    expect_part(text, "&lt;/failure&gt;]]&gt;&lt;![CDATA[ &amp; &quot; &#39; " UNKNOWN UNKNOWN
+                      "[2J" UNKNOWN " " UNKNOWN UNKNOWN UNKNOWN "\nok 99");
+    for (const char *at = text; *at != '\0'; at++) {
+        cr_assert(*at == '\n' || (unsigned char)*at >= ' ', "found the byte %d", *at);
+    }
+    free(text);
+    result_free(&result);
+}
+
+Test(report_systems, tap_has_its_own_tests_only)
+{
+    Result result = result_make(hostile);
+    result.checks[0].title = "a # SKIP of the title \\";
+    write_all(&result);
+    char *text = text_of("results.tap");
+    int n_tests = 0;
+    for (char *line = strtok(text, "\n"); line != NULL; line = strtok(NULL, "\n")) {
+        n_tests += strncmp(line, "ok ", 3) == 0 || strncmp(line, "not ok ", 7) == 0;
+        cr_expect(strncmp(line, "ok ", 3) == 0 || strncmp(line, "not ok ", 7) == 0 ||
+                      strncmp(line, "# ", 2) == 0 || strcmp(line, "1..4") == 0 ||
+                      strcmp(line, "TAP version 13") == 0,
+                  "found the line \"%s\"", line);
+        if (strncmp(line, "ok 2", 4) == 0) {
+            cr_expect_str_eq(line, "ok 2 - overlaps_N_Nearer: a \\# SKIP of the title \\\\");
+        }
+    }
+    cr_expect_eq(n_tests, 4);
+    free(text);
+    result_free(&result);
+}
+
+Test(report_systems, gradescope_keeps_the_points)
+{
+    Result result = result_make(hostile);
+    write_all(&result);
+    json_t *json = json_of("gradescope.json");
+    const json_t *tests = json_object_get(json, "tests");
+    cr_expect_eq(json_integer_value(json_object_get(json, "score")), 25);
+    cr_expect_eq(json_array_size(tests), 3);
+    cr_expect_str_eq(string_at(tests, 0, "status"), "passed");
+    cr_expect_str_eq(string_at(tests, 1, "status"), "failed");
+    cr_expect_str_eq(string_at(tests, 1, "number"), "1.2");
+    cr_expect_str_eq(string_at(tests, 1, "output_format"), "text");
+    expect_part(string_at(tests, 1, "output"), "\nHint: Compare the squares.");
+    cr_expect_str_eq(string_at(tests, 2, "number"), "2.1");
+    cr_expect_str_eq(string_at(tests, 2, "output"), "Not run: something before it failed.");
+    json_decref(json);
+    result_free(&result);
+}
+
+Test(report_systems, autolab_ends_with_the_points)
+{
+    Result result = result_make(hostile);
+    write_all(&result);
+    char *text = text_of("autolab.txt");
+    cr_expect_eq(count_parts(text, "\n"), 2);
+    expect_part(text, "}\n{\"scores\":{\"overlaps_N_Nearer\":25,\"implicit2DRenderer\":0},"
+                      "\"scoreboard\":[25]}\n");
+    *strchr(text, '\n') = '\0';
+    json_t *json = json_loads(text, JSON_REJECT_DUPLICATES, NULL);
+    cr_assert_not_null(json);
+    const json_t *task = json_object_get(json, "overlaps_N_Nearer");
+    cr_expect(json_is_true(
+        json_object_get(json_object_get(task, "Clearly inside and outside"), "passed")));
+    cr_expect(json_is_false(
+        json_object_get(json_object_get(task, "The boundary belongs to it"), "passed")));
+    json_decref(json);
+    free(text);
+    result_free(&result);
+}
+
+Test(report_systems, github_gets_numbers_only)
+{
+    Result result = result_make(hostile);
+    write_all(&result);
+    char *text = text_of("github.txt");
+    cr_expect_str_eq(text, "::notice title=Autograding complete::Points 25/100\n"
+                           "::notice title=Autograding report::"
+                           "{\"totalPoints\":25,\"maxPoints\":100}\n");
+    free(text);
+    result_free(&result);
+}
+
+// ---- Figures and sizes ---------------------------------------------------------------------------
+
+Test(report_systems, writes_no_figure_that_is_no_number)
+{
+    Result result = result_make("");
+    result.seconds = NAN;
+    cr_redirect_stderr();
+    static const char *const names[] = {"junit", "gradescope"};
+    for (int i = 0; i < 2; i++) {
+        FormatSet formats;
+        cr_assert_eq(formats_read(names[i], &formats), 0);
+        cr_expect_eq(formats_write(folder, formats, &manifest, &result), -1);
+    }
+    cr_expect_null(text_of("junit.xml"));
+    cr_expect_null(text_of("gradescope.json"));
+    // Nothing to earn is no division by zero.
+    result.seconds = 1;
+    result.score = result.max_score = 0;
+    write_all(&result);
+    json_t *json = json_of("prairielearn.json");
+    cr_expect_eq(json_real_value(json_object_get(json, "score")), 0.0);
+    json_decref(json);
+    result_free(&result);
+}
+
+// A picture that no compression makes smaller.
+static Image noise_make(unsigned seed)
+{
+    Image image;
+    cr_assert_eq(image_create(256, 256, &image), 0);
+    for (int i = 0; i < 256 * 256 * IMAGE_CHANNELS; i++) {
+        seed = seed * 1664525u + 1013904223u;
+        image.pixels[i] = i % IMAGE_CHANNELS == 3 ? 1 : (float)(seed >> 24) / 255;
+    }
+    return image;
+}
+
+Test(report_systems, stays_below_the_sizes_that_systems_take)
+{
+    char *message = repeated("\"\\", 8000);
+    Result result = result_make("");
+    result.n_checks = RESULT_MAX_CHECKS;
+    for (int i = 3; i < RESULT_MAX_CHECKS; i++) {
+        result.checks[i] = result.checks[1];
+        result.checks[i].message = strdup(message);
+    }
+    result.n_stages = RESULT_MAX_STAGES;
+    for (int i = 0; i < RESULT_MAX_STAGES; i++) {
+        result.stages[i] = (StageResult){"Running", CHECK_FAILED, strdup(message)};
+    }
+    result.n_pictures = 2;
+    for (int i = 0; i < 2; i++) {
+        strcpy(result.pictures[i].title, "noise");
+        result.pictures[i].own = noise_make(1u + (unsigned)i);
+        result.pictures[i].reference = noise_make(7);
+    }
+    write_all(&result);
+    char *text = text_of("prairielearn.json");
+    cr_expect_lt(strlen(text), (size_t)1000 * 1000);
+    free(text);
+    json_t *json = json_of("prairielearn.json");
+    // Some fit, and not all six: both sides and the difference of two scenes.
+    const size_t n_images = json_array_size(json_object_get(json, "images"));
+    cr_expect(n_images > 0 && n_images < 6, "found %zu images", n_images);
+    cr_expect_eq(json_array_size(json_object_get(json, "tests")), RESULT_MAX_CHECKS);
+    json_decref(json);
+    text = text_of("gradescope.json");
+    cr_expect_lt(strlen(text), (size_t)1000 * 1000);
+    free(text);
+    free(message);
+    result_free(&result);
+}
+
+Test(report_systems, shows_wrong_pictures_and_no_right_ones)
+{
+    Result result = result_make("");
+    result.n_pictures = 2;
+    strcpy(result.pictures[0].title, "right <b>");
+    strcpy(result.pictures[1].title, "wrong <b>");
+    for (int i = 0; i < 2; i++) {
+        cr_assert_eq(image_create(4, 3, &result.pictures[i].own), 0);
+        cr_assert_eq(image_create(4, 3, &result.pictures[i].reference), 0);
+    }
+    result.pictures[1].own.pixels[5] = 1;
+    write_all(&result);
+    json_t *json = json_of("prairielearn.json");
+    const json_t *images = json_object_get(json, "images");
+    cr_expect_eq(json_array_size(images), 3);
+    cr_expect_str_eq(string_at(images, 0, "label"), "wrong <b> (yours)");
+    cr_expect_str_eq(string_at(images, 1, "label"), "wrong <b> (as it should be)");
+    cr_expect_str_eq(string_at(images, 2, "label"), "wrong <b> (the difference)");
+    expect_part(string_at(images, 0, "url"), "data:image/png;base64,iVBOR");
+    json_decref(json);
+    json = json_of("gradescope.json");
+    const json_t *tests = json_object_get(json, "tests");
+    cr_expect_eq(json_array_size(tests), 6);
+    cr_expect_str_eq(string_at(tests, 3, "output_format"), "html");
+    expect_part(string_at(tests, 3, "output"), "<img alt=\"wrong &lt;b&gt; (yours)\" src=\"data:");
+    json_decref(json);
+    result_free(&result);
+}
+
+// ---- What was not judged -------------------------------------------------------------------------
+
+// Is the result gradable for PrairieLearn when this stage failed and no check, or one, was judged?
+static int gradable_after(const char *stage, CheckStatus one_check)
+{
+    Result result = result_make("");
+    result.stages[0] = (StageResult){stage, CHECK_FAILED, strdup("a.cl: not there")};
+    for (int i = 0; i < result.n_checks; i++) {
+        result.checks[i].status = CHECK_NOT_RUN;
+        result.checks[i].points = 0;
+    }
+    result.checks[2].status = one_check;
+    result.score = 0;
+    write_all(&result);
+    json_t *json = json_of("prairielearn.json");
+    const int gradable = json_is_true(json_object_get(json, "gradable"));
+    cr_expect_eq(gradable, json_object_get(json, "score") != NULL);
+    if (!gradable) {
+        const json_t *errors = json_object_get(json, "format_errors");
+        cr_expect_str_eq(json_string_value(json_array_get(errors, 0)), "a.cl: not there");
+    }
+    json_decref(json);
+    result_free(&result);
+    return gradable;
+}
+
+Test(report_systems, prairielearn_grades_what_could_be_judged)
+{
+    cr_expect_eq(gradable_after("Staging", CHECK_NOT_RUN), 0);
+    cr_expect_eq(gradable_after("Compiling", CHECK_NOT_RUN), 0);
+    // One answer was tried alone, and was wrong: that is an attempt.
+    cr_expect_eq(gradable_after("Compiling", CHECK_FAILED), 1);
+    cr_expect_eq(gradable_after("Running", CHECK_NOT_RUN), 1);
+}
+
+Test(report_systems, a_fault_is_no_zero)
+{
+    Result result = result_make("");
+    FormatSet formats;
+    formats_all(&formats);
+    write_all(&result);
+    cr_assert_eq(formats_write_fault(folder, formats, "01-naive-2d"), 0);
+    cr_expect_null(text_of("gradescope.json"));
+    cr_expect_null(text_of("autolab.txt"));
+    cr_expect_null(text_of("github.txt"));
+    char *text = text_of("junit.xml");
+    expect_part(text, " tests=\"1\" failures=\"0\" errors=\"1\" ");
+    expect_part(text, "<error message=\"The grader could not work.");
+    free(text);
+    text = text_of("results.tap");
+    cr_expect_str_eq(text, "TAP version 13\nBail out! 01-naive-2d: " FORMATS_FAULT_TEXT "\n");
+    free(text);
+    json_t *json = json_of("prairielearn.json");
+    cr_expect(json_is_false(json_object_get(json, "gradable")));
+    cr_expect_null(json_object_get(json, "score"));
+    json_decref(json);
+    // And where nothing lies, there is nothing to remove.
+    folder_remove();
+    cr_assert_eq(mkdir(folder, 0700), 0);
+    cr_expect_eq(formats_write_fault(folder, formats, "01-naive-2d"), 0);
+    result_free(&result);
+}
