@@ -69,7 +69,7 @@ static int read_kinds(Answer *answer)
     if (strstr(answer->text, "// looks: ") == NULL) {
         return 0;
     }
-    if (read_header(mutant, "looks", ids) != 0) {
+    if (read_header(answer, "looks", ids) != 0) {
         return -1;
     }
     char *rest = NULL;

@@ -73,7 +73,7 @@ await() {
 mkdir "$class"
 cp -R solutions/$lab "$class/Ada Lovelace_1234567_assignsubmission_file_"
 cp -R labs/$lab "$class/lab-00-bob"
-cp -R solutions/$lab "$class/-rf"
+tar -C solutions/$lab -czf "$class/-rf.tar.gz" .
 newline='
 '
 hostile="..$newline.$(printf '\377')<b>\"'&\$(true)"
