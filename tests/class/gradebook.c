@@ -199,7 +199,7 @@ static int rows_read(Gradebook *gradebook)
         Row *row = &gradebook->rows[gradebook->n_rows++];
         row->entrant = &gradebook->roster.entrants[i];
         if (!row->entrant->is_link &&
-            (fgets(line, sizeof line, keys) == NULL || sscanf(line, "%s %s", slug, key) != 2 ||
+            (fgets(line, sizeof line, keys) == NULL || sscanf(line, "%255s %255s", slug, key) != 2 ||
              strcmp(slug, row->entrant->slug) != 0)) {
             result = fault(path, "not the keys of this roster; start the class run again");
         } else {
