@@ -198,9 +198,9 @@ static int rows_read(Gradebook *gradebook)
     for (int i = 0; result == 0 && i < gradebook->roster.n_entrants; i++) {
         Row *row = &gradebook->rows[gradebook->n_rows++];
         row->entrant = &gradebook->roster.entrants[i];
-        if (!row->entrant->is_link &&
-            (fgets(line, sizeof line, keys) == NULL || sscanf(line, "%255s %255s", slug, key) != 2 ||
-             strcmp(slug, row->entrant->slug) != 0)) {
+        if (!row->entrant->is_link && (fgets(line, sizeof line, keys) == NULL ||
+                                       sscanf(line, "%255s %255s", slug, key) != 2 ||
+                                       strcmp(slug, row->entrant->slug) != 0)) {
             result = fault(path, "not the keys of this roster; start the class run again");
         } else {
             result = row_read(gradebook, row, key);
