@@ -153,8 +153,12 @@ check "one has changed" exits 0 run "$first" --against "$scratch/old.json"
 check "and is graded alone" test "$(n_graded "$first")" -eq $((before + 1))
 check "with the new score" row "$first" '"bob","",1,"graded",100,100,'
 check "old and new scores are compared" grep -q '0 &rarr; 100' "$first/class.html"
+echo '{' >"$(echo "$first"/students/ada-lovelace-*)/results.json"
+check "a damaged result does not keep the others from theirs" exits 1 run "$first"
+check "and is no zero" row "$first" '"Ada Lovelace","1234567",1,"not graded",,'
 check "only the failed" exits 0 run "$first" --only failed
-check "three are below full marks" test "$(n_graded "$first")" -eq $((before + 4))
+check "they are the damaged one and three below full marks" \
+    test "$(n_graded "$first")" -eq $((before + 5))
 check "only the latest" exits 0 run "$first" --only latest
 check "an earlier attempt has no row" test "$(grep -c '^"carol"' "$first/gradebook.csv")" -eq 1
 check "another lab is a fault" exits 2 tests/class/grade_class.sh --lab 42 --submissions "$class"
