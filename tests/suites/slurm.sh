@@ -57,7 +57,6 @@ TaskPlugin=task/none
 JobAcctGatherType=jobacct_gather/none
 SelectType=select/cons_tres
 SelectTypeParameters=CR_Core
-SwitchType=switch/none
 MpiDefault=none
 MaxArraySize=4
 MinJobAge=2
