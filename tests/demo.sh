@@ -8,7 +8,7 @@ set -eu
 
 build=${1:-build}
 gallery=$build/gallery
-class=$build/class
+class=$build/demo-class
 rm -rf "$gallery" "$class"
 mkdir -p "$gallery" "$class"
 

@@ -6,7 +6,7 @@ engine_check() {
     command -v parallel >/dev/null || die "GNU parallel is missing: install the package parallel"
 }
 
-# engine_run TODO [JOBS]: grade_one.sh for each line of the file TODO.
+# engine_run LIST [JOBS]: grade_one.sh for each line of the file LIST.
 engine_run() {
     bar=
     [ ! -t 2 ] || bar=--bar

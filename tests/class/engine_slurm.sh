@@ -12,7 +12,7 @@ engine_check() {
     sinfo >/dev/null || die "this machine's Slurm does not answer"
 }
 
-# engine_run TODO [JOBS]: grade_one.sh for each line of the file TODO. An array has as many tasks as
+# engine_run LIST [JOBS]: grade_one.sh for each line of the file LIST. An array has as many tasks as
 # the cluster allows.
 engine_run() {
     most=$(scontrol show config | awk '$1 == "MaxArraySize" { print $3 - 1 }')

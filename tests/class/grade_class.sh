@@ -171,7 +171,8 @@ rm "$CLASS_FOLDER/slugs"
 
 # has_full_marks SLUG
 has_full_marks() {
-    awk '/^  "score"/ { score = $2 } /^  "max_score"/ { most = $2 } END { exit score != most }' \
+    awk '/^  "score"/ { score = $2 } /^  "max_score"/ { most = $2 }
+        END { exit score == "" || score != most }' \
         "$CLASS_FOLDER/students/$1/results.json" 2>/dev/null
 }
 

@@ -124,15 +124,16 @@ static const char *picture_find(const char *folder, const char *slug)
     return NULL;
 }
 
-// Take what a row needs of a result that was read. Returns 0, or -1 after one message.
-static int row_take(Gradebook *gradebook, const char *path, const Graded *graded, Row *row)
+// Take what a row needs of a result that was read.
+static void row_take(Gradebook *gradebook, const Graded *graded, Row *row)
 {
     if (gradebook->lab == NULL) {
         columns_take(gradebook, graded);
     }
     if (!has_columns(gradebook, graded)) {
-        // An outdated result of a grader with other checks has no place in these columns.
-        return fault(path, "not the lab, the tasks and the checks of the others; grade it again");
+        row->status = ROW_NOT_GRADED;
+        row->reason = strdup("graded with other checks than the rest: run again with AGAIN=1");
+        return;
     }
     row->seed = strdup(graded->seed);
     row->score = graded->score;
@@ -145,18 +146,17 @@ static int row_take(Gradebook *gradebook, const char *path, const Graded *graded
     first_fault_take(row, graded);
     row->picture = picture_find(gradebook->folder, row->entrant->slug);
     gradebook->n_graded++;
-    return 0;
 }
 
-// Fill the row of one entrant. Returns 0, or -1 after one message.
-static int row_read(Gradebook *gradebook, Row *row, const char *wanted_key)
+// Fill the row of one entrant. What is wrong with one does not keep the others from their grades.
+static void row_read(Gradebook *gradebook, Row *row, const char *wanted_key)
 {
     const char *slug = row->entrant->slug;
     char path[PATH_MAX], line[KEY_LINE_BYTES];
     row->status = ROW_NOT_GRADED;
     if (row->entrant->is_link) {
         row->reason = strdup("neither a folder nor an archive");
-        return 0;
+        return;
     }
     snprintf(path, sizeof path, "%s/faults/%s", gradebook->folder, slug);
     line_read(path, line);
@@ -164,23 +164,23 @@ static int row_read(Gradebook *gradebook, Row *row, const char *wanted_key)
         row->reason = line_clean(line);
         snprintf(path, sizeof path, "%s/logs/%s.txt", gradebook->folder, slug);
         row->has_log = access(path, R_OK) == 0;
-        return 0;
+        return;
     }
     snprintf(path, sizeof path, "%s/students/%s/key", gradebook->folder, slug);
     line_read(path, line);
     if (line[0] == '\0') {
         row->reason = strdup("not reached");
-        return 0;
+        return;
     }
-    row->status = strcmp(line, wanted_key) == 0 ? ROW_GRADED : ROW_OUTDATED;
     Graded graded;
     snprintf(path, sizeof path, "%s/students/%s/results.json", gradebook->folder, slug);
     if (graded_load(path, &graded) != 0) {
-        return -1;
+        row->reason = strdup("its results cannot be read: run again with ONLY=failed");
+        return;
     }
-    const int taken = row_take(gradebook, path, &graded, row);
+    row->status = strcmp(line, wanted_key) == 0 ? ROW_GRADED : ROW_OUTDATED;
+    row_take(gradebook, &graded, row);
     graded_free(&graded);
-    return taken;
 }
 
 // ---- The class -------------------------------------------------------------------------------
@@ -198,12 +198,12 @@ static int rows_read(Gradebook *gradebook)
     for (int i = 0; result == 0 && i < gradebook->roster.n_entrants; i++) {
         Row *row = &gradebook->rows[gradebook->n_rows++];
         row->entrant = &gradebook->roster.entrants[i];
-        if (!row->entrant->is_link &&
-            (fgets(line, sizeof line, keys) == NULL || sscanf(line, "%s %s", slug, key) != 2 ||
-             strcmp(slug, row->entrant->slug) != 0)) {
+        if (!row->entrant->is_link && (fgets(line, sizeof line, keys) == NULL ||
+                                       sscanf(line, "%255s %255s", slug, key) != 2 ||
+                                       strcmp(slug, row->entrant->slug) != 0)) {
             result = fault(path, "not the keys of this roster; start the class run again");
         } else {
-            result = row_read(gradebook, row, key);
+            row_read(gradebook, row, key);
         }
     }
     fclose(keys);

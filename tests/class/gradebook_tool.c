@@ -5,8 +5,8 @@
 //
 // `roster` writes FOLDER/roster.json and a link FOLDER/submissions/SLUG to each entry; `write`
 // makes gradebook.csv, gradebook.json and class.html in FOLDER of it, and says how the class did.
-// Exit status: 0; 1 when some are not graded; 2 after one message. Read next: roster.h, gradebook.h;
-// grade_class.sh, which calls both.
+// Exit status: 0; 1 when some are not graded; 2 after one message. Read next: roster.h,
+// gradebook.h; grade_class.sh, which calls both.
 #include "gradebook.h"
 #include "number.h"
 

@@ -2,6 +2,7 @@
 #include "worksheet.h"
 
 #include <csv.h>
+#include <ctype.h>
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>
@@ -91,7 +92,7 @@ static void line_end(int character, void *pointer)
     reader->n_cells = 0;
 }
 
-// A spreadsheet's CSV may be parted by semicolons.
+// A spreadsheet may have parted it by semicolons; Moodle itself writes and takes commas.
 static char delimiter_of(const char *text, size_t length)
 {
     const char *end = memchr(text, '\n', length);
@@ -106,9 +107,8 @@ static int text_parse(const char *text, size_t length, Worksheet *worksheet)
     if (length >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0) {
         text += 3, length -= 3;  // a byte order mark
     }
-    worksheet->delimiter = delimiter_of(text, length);
     csv_init(&parser, CSV_STRICT | CSV_STRICT_FINI | CSV_APPEND_NULL);
-    csv_set_delim(&parser, (unsigned char)worksheet->delimiter);
+    csv_set_delim(&parser, (unsigned char)delimiter_of(text, length));
     if (csv_parse(&parser, text, length, cell_read, line_end, &reader) != length ||
         csv_fini(&parser, cell_read, line_end, &reader) != 0) {
         reader.fault = csv_strerror(csv_error(&parser));
@@ -153,7 +153,7 @@ static int has_number(const char *cell, const char *number)
     const size_t length = strlen(cell);
     const size_t n_digits = strlen(number);
     return n_digits > 0 && length >= n_digits && strcmp(cell + length - n_digits, number) == 0 &&
-           (length == n_digits || cell[length - n_digits - 1] == ' ');
+           (length == n_digits || !isdigit((unsigned char)cell[length - n_digits - 1]));
 }
 
 // Is the cell this name, or an e-mail address that begins with it?

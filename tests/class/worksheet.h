@@ -16,7 +16,6 @@ typedef struct Participant {
 
 typedef struct Worksheet {
     const char *path;
-    char delimiter;             // ',' or ';'
     Participant *participants;  // the first is the head, with the columns' titles
     int n_participants;
     int n_columns;

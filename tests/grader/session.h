@@ -41,7 +41,8 @@ void session_close(Session *session);
 // before anything runs.
 void session_keep_answers(Session *session, const char *folder);
 
-// Run n variants side by side, the solution first where it is one of them. Returns 0, or -1 after one message when the machinery failed.
+// Run n variants side by side, the solution first where it is one of them. Returns 0, or -1 after
+// one message when the machinery failed.
 int session_run(const Session *session, Variant *const variants[], int n);
 
 // After the solution has run: it must pass every check on this device, judged by the oracle, else

@@ -266,7 +266,9 @@ static SandboxRun *start(const Workshop *workshop, const Variant *variant, int b
     char paths[5][PATH_BYTES], lab_inside[PATH_BYTES], device[PATH_BYTES];
     snprintf(device, sizeof device, CL_DEVICE_VARIABLE "=%s", workshop->device);
     // PoCL takes groups of 4096, GPUs often no more than 256: what is graded here shall run there.
-    const char *const environment[] = {device, "POCL_MAX_WORK_GROUP_SIZE=256", NULL};
+    // One thread: an endless loop then keeps one processor busy, not all of them.
+    const char *const environment[] = {device, "POCL_MAX_WORK_GROUP_SIZE=256",
+                                       "POCL_MAX_PTHREAD_COUNT=1", "POCL_CPU_MAX_CU_COUNT=1", NULL};
     SandboxCommand command = {
         .argv = argv,
         .environment = environment,

@@ -31,22 +31,30 @@ instead() {
 # One of those that want more than points. All are bounded by themselves.
 hostile() {
     case $1 in
-    0) # processes, as many as it can get, up to 300
+    0) # processes that wait for ever, forty a launch
         instead '#ifdef __x86_64__
-        for (int i = 0; i < 300; i++) {
-            long pid = 57;
-            __asm__ volatile("syscall" : "+a"(pid) : : "rcx", "r11", "memory");
-            if (pid == 0) { for (volatile int j = 0; j < 100000000; j++) {} }
+        for (int i = 0; i < 40 && get_global_id(0) + get_global_id(1) == 0; i++) {
+            long id = 57; // fork
+            __asm__ volatile("syscall" : "+a"(id) : : "rcx", "r11", "memory");
+            while (id == 0) {
+                long pause = 34;
+                __asm__ volatile("syscall" : "+a"(pause) : : "rcx", "r11", "memory");
+            }
         }
 #endif' ;;
     1) cp "solutions/$lab/$source" "$student/$source"
         printf '#include "/etc/passwd"\n' >>"$student/$source" ;;
     2) ln -s "$PWD/solutions/$lab/$source" "$student/$source" ;;
-    3) instead 'for (int i = 0; i < 200000; i++) { printf("Score 100/100 %d\n", i); }' ;;
+    3) instead 'for (int i = 0; i < 200000 && get_global_id(0) + get_global_id(1) == 0; i++) {
+            printf("Score 100/100 %d\n", i);
+        }' ;;
     4) cp "labs/$lab/$source" "$student/$source"
         echo '{ "score": 100, "max_score": 100 }' >"$student/results.json"
-        i=0
-        while [ $i -lt 500 ]; do : >"$student/file-$i"; i=$((i + 1)); done ;;
+        file=0
+        while [ $file -lt 500 ]; do
+            : >"$student/file-$file"
+            file=$((file + 1))
+        done ;;
     5) head -c 400000 /dev/zero | tr '\0' ' ' >"$student/$source" ;;
     esac
 }

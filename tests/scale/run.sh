@@ -45,7 +45,7 @@ memory() {
 watch() {
     while kill -0 "$1" 2>/dev/null; do
         # shellcheck disable=SC2046 # process ids
-        kilobytes=$(memory "$1" $(pgrep -P "$1"))
+        kilobytes=$(memory "$1" $(cat "/proc/$1/task/$1/children"))
         echo "$(find "$scale/graded/pending" -type f 2>/dev/null | wc -l) $kilobytes"
         sleep 1
     done

@@ -73,7 +73,7 @@ await() {
 mkdir "$class"
 cp -R solutions/$lab "$class/Ada Lovelace_1234567_assignsubmission_file_"
 cp -R labs/$lab "$class/lab-00-bob"
-cp -R solutions/$lab "$class/-rf"
+tar -C solutions/$lab -czf "$class/-rf.tar.gz" .
 newline='
 '
 hostile="..$newline.$(printf '\377')<b>\"'&\$(true)"
@@ -97,7 +97,7 @@ is_at_work() { [ -n "$(program "$first" "$1")" ]; }
 run "$first" --seed 5 &
 driver=$!
 check "some are graded" await 30 results 2
-driver_shell=$(pgrep -P $driver -f grade_class.sh || echo $driver)
+read -r driver_shell <"/proc/$driver/task/$driver/children"
 kill -9 "$driver_shell" $driver 2>/dev/null
 check "the driver killed: all that it started ends" await 10 none_left
 n_kept=$(n_results)
@@ -153,8 +153,12 @@ check "one has changed" exits 0 run "$first" --against "$scratch/old.json"
 check "and is graded alone" test "$(n_graded "$first")" -eq $((before + 1))
 check "with the new score" row "$first" '"bob","",1,"graded",100,100,'
 check "old and new scores are compared" grep -q '0 &rarr; 100' "$first/class.html"
+echo '{' >"$(echo "$first"/students/ada-lovelace-*)/results.json"
+check "a damaged result does not keep the others from theirs" exits 1 run "$first"
+check "and is no zero" row "$first" '"Ada Lovelace","1234567",1,"not graded",,'
 check "only the failed" exits 0 run "$first" --only failed
-check "three are below full marks" test "$(n_graded "$first")" -eq $((before + 4))
+check "they are the damaged one and three below full marks" \
+    test "$(n_graded "$first")" -eq $((before + 5))
 check "only the latest" exits 0 run "$first" --only latest
 check "an earlier attempt has no row" test "$(grep -c '^"carol"' "$first/gradebook.csv")" -eq 1
 check "another lab is a fault" exits 2 tests/class/grade_class.sh --lab 42 --submissions "$class"

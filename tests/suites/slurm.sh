@@ -57,7 +57,6 @@ TaskPlugin=task/none
 JobAcctGatherType=jobacct_gather/none
 SelectType=select/cons_tres
 SelectTypeParameters=CR_Core
-SwitchType=switch/none
 MpiDefault=none
 MaxArraySize=4
 MinJobAge=2
@@ -138,7 +137,7 @@ run "$scratch/killed" --engine slurm &
 driver=$!
 check "a task runs" await 20 has_started
 # shellcheck disable=SC2046 # the driver and its shell
-kill -9 $(pgrep -P $driver) $driver
+kill -9 $(cat "/proc/$driver/task/$driver/children") $driver
 check "killed, and taken up by GNU parallel" run "$scratch/killed" --engine parallel
 check "no job is left in the cluster" await 10 is_empty
 check "the gradebook is the same" cmp "$scratch/slurm/gradebook.csv" "$scratch/killed/gradebook.csv"
