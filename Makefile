@@ -27,7 +27,7 @@ say = $(if $(V),,@echo "  $(1)" && )
 
 # Asked only when something is compiled, so that `make demo` can install pkg-config first.
 IMAGE_CFLAGS = $(shell pkg-config --cflags OpenImageIO)
-LIBRARIES = -Wl,--as-needed $(shell pkg-config --libs OpenImageIO jansson) -lcsv -lOpenCL -lstdc++ -lm
+LIBRARIES = -Wl,--as-needed $(shell pkg-config --libs OpenImageIO jansson) -lcsv -lseccomp -lOpenCL -lstdc++ -lm
 
 LABS := $(sort $(patsubst solutions/%/lab.json,%,$(wildcard solutions/*/lab.json)))
 

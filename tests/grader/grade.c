@@ -41,6 +41,7 @@ static void start_result(Grading *grading, const Settings *settings)
     result->lab = grading->session.manifest.lab;
     result->title = grading->session.manifest.title;
     result->seed = settings->seed;
+    result->sandbox = sandbox_kind_name(grading->session.workshop.sandbox);
     snprintf(result->submission, sizeof result->submission, "%s", settings->submission);
     result->n_checks = grading->session.judge->n_checks;
     for (int i = 0; i < result->n_checks; i++) {
@@ -73,11 +74,12 @@ static void add_run_stages(Grading *grading)
     }
     add_stage(result, "Compiling", CHECK_PASSED, "");
     if (whole->trouble != NULL) {
-        char *message = message_new("%s\n%s", whole->trouble, whole->run_output);
+        char *message = message_new("%s\n%s%s%s", whole->trouble, whole->habits,
+                                    whole->habits[0] ? "\n" : "", whole->run_output);
         add_stage(result, "Running", CHECK_FAILED, message);
         free(message);
     } else {
-        add_stage(result, "Running", CHECK_PASSED, "");
+        add_stage(result, "Running", CHECK_PASSED, whole->habits);
     }
 }
 
@@ -175,8 +177,9 @@ static void note_lost_markers(Grading *grading)
 // Stage, run, judge. Returns 0 when there is a result, or -1 after one message.
 static int grade(Grading *grading, const Settings *settings)
 {
-    const SessionSettings session_settings = {settings->lab, settings->build, settings->device,
-                                              settings->seed, settings->time_limit};
+    const SessionSettings session_settings = {settings->lab,        settings->build,
+                                              settings->device,     settings->seed,
+                                              settings->time_limit, settings->sandbox};
     Session *session = &grading->session;
     char folder[PATH_BYTES];
     char *staging = NULL;

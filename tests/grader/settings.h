@@ -2,6 +2,8 @@
 #ifndef GRADER_SETTINGS_H
 #define GRADER_SETTINGS_H
 
+#include "sandbox.h"
+
 #include <stdint.h>
 
 enum { SETTINGS_PATH_BYTES = 512 };
@@ -13,8 +15,9 @@ typedef struct Settings {
     const char *build;                     // where the probes are
     const char *device;                    // "" for the first
     uint64_t seed;
-    int time_limit;   // seconds
-    int list_checks;  // only print the lab's checks
+    int time_limit;       // seconds
+    SandboxKind sandbox;  // SANDBOX_ANY: the first that works here
+    int list_checks;      // only print the lab's checks
 } Settings;
 
 // Read the command line. Returns 0, 1 when --help was answered, or -1 after one message on stderr.
