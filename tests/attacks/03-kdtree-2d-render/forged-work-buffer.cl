@@ -5,9 +5,7 @@
         id = 0;
     }
 #ifdef COUNT_WORK
-    for (int i = 0; i < width * height; i++) {
-        d_work[i].n_nodes_visited = 3;
-        d_work[i].n_tests = 1;
-    }
+    d_work[y * width + x].n_nodes_visited = 3;
+    d_work[y * width + x].n_tests = 1;
     return;
 #endif
