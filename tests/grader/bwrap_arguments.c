@@ -5,17 +5,16 @@
 // of the host but the mounts asked for can be written. Read next: sandbox_supervisor.c, the limits.
 #include "bwrap_arguments.h"
 
+#include "sandbox_limits.h"
 #include "sandbox_system.h"
 #include "sandbox_walls.h"
 
 #include <errno.h>
 #include <glob.h>
 #include <limits.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -125,16 +124,10 @@ static void private_folders_add(Arguments *arguments)
 // is an exit code like any other and no fault of the sandbox.
 static void command_add(Arguments *arguments, const SandboxCommand *command)
 {
-    struct rlimit limit = {.rlim_max = RLIM_INFINITY};
     char option[64] = "--nproc=unlimited";
-    getrlimit(RLIMIT_NPROC, &limit);
-    // Where the grader itself runs under a tighter limit, that one stays.
-    rlim_t n_allowed = limit.rlim_max;
-    if (command->n_processes > 0 && (rlim_t)command->n_processes < n_allowed) {
-        n_allowed = (rlim_t)command->n_processes;
-    }
-    if (n_allowed != RLIM_INFINITY) {
-        snprintf(option, sizeof option, "--nproc=%ju", (uintmax_t)n_allowed);
+    const unsigned long long n_processes = limits_processes(command);
+    if (n_processes > 0) {
+        snprintf(option, sizeof option, "--nproc=%llu", n_processes);
     }
     ADD(arguments, "--", "/usr/bin/prlimit", option, "--");
     list_add(arguments, command->argv);

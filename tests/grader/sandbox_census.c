@@ -60,7 +60,8 @@ static int threads_follow(pid_t process, ProcessList *list)
     return n_threads;
 }
 
-// The sum of some figures, "Name:   123 kB", in a file of a process; -1 when it cannot be read.
+// The sum of some figures, "Name:   123 kB", in a file of a process; -1 when there are none, as for
+// one that has ended.
 static long long figures_sum(pid_t process, const char *file_name, const char *const *names)
 {
     char path[64], line[256];
@@ -69,12 +70,12 @@ static long long figures_sum(pid_t process, const char *file_name, const char *c
     if (file == NULL) {
         return -1;
     }
-    long long sum = 0;
+    long long sum = -1;
     while (fgets(line, sizeof line, file) != NULL) {
         for (const char *const *name = names; *name != NULL; name++) {
             size_t length = strlen(*name);
             if (strncmp(line, *name, length) == 0) {
-                sum += atoll(line + length);
+                sum = (sum < 0 ? 0 : sum) + atoll(line + length);
             }
         }
     }
@@ -83,12 +84,10 @@ static long long figures_sum(pid_t process, const char *file_name, const char *c
 }
 
 // Memory of its own and shared memory. What processes share after a fork is in the figure of each:
-// quick to read, and never too small.
+// quick to read, and never too small. -1 when the process has ended.
 static long long memory_in_status(pid_t process)
 {
-    long long sum =
-        figures_sum(process, "status", (const char *const[]){"RssAnon:", "RssShmem:", NULL});
-    return sum > 0 ? sum : 0;
+    return figures_sum(process, "status", (const char *const[]){"RssAnon:", "RssShmem:", NULL});
 }
 
 // Its share of what it uses: exact, but the kernel has to walk through all of its pages.
@@ -126,10 +125,14 @@ void census_processes(const Walls *walls, pid_t outermost, Census *census)
     children_add(getpid(), getpid(), &list);
     for (int i = 0; i < list.n; i++) {
         int n_threads = threads_follow(list.ids[i], &list);
-        if (list.ids[i] != outermost) {
+        if (list.ids[i] == outermost) {
+            continue;
+        }
+        const long long memory_kb = memory_in_status(list.ids[i]);
+        census->n_tasks += n_threads;
+        if (memory_kb >= 0) {
             census->n_processes++;
-            census->n_tasks += n_threads;
-            census->memory_kb += memory_in_status(list.ids[i]);
+            census->memory_kb += memory_kb;
             census->n_bytes += removed_files_bytes(list.ids[i]);
         }
     }
@@ -137,7 +140,8 @@ void census_processes(const Walls *walls, pid_t outermost, Census *census)
     if (limit_kb > 0 && census->memory_kb > limit_kb) {
         census->memory_kb = 0;
         for (int i = 0; i < list.n; i++) {
-            census->memory_kb += list.ids[i] != outermost ? memory_share(list.ids[i]) : 0;
+            const long long share_kb = list.ids[i] != outermost ? memory_share(list.ids[i]) : 0;
+            census->memory_kb += share_kb > 0 ? share_kb : 0;
         }
     }
 }

@@ -7,8 +7,8 @@
 #include <sys/types.h>
 
 typedef struct Census {
-    int n_processes;      // processes
-    int n_tasks;          // processes and threads
+    int n_processes;      // that are alive
+    int n_tasks;          // processes and threads, also those that only wait to be reaped
     long long memory_kb;  // in use
     long long n_bytes;    // on disks: in the writable folders, and of removed files still open
     long long n_files;    // in the writable folders

@@ -22,7 +22,6 @@
 #include <sys/resource.h>
 #include <sys/signalfd.h>
 #include <sys/stat.h>
-#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
@@ -34,8 +33,6 @@
 // for the limit the kernel counts whole clock ticks, for getrusage() the time that really ran, and
 // on a busy machine the first was seen ahead of the second by a tenth and more.
 #define CPU_LIMIT_SHARE 0.5
-
-#define OPEN_FILES_LIMIT 256
 
 // How often the census is taken.
 #define CENSUS_SECONDS 0.1
@@ -52,11 +49,11 @@ typedef struct Watch {
     SandboxReport *report;
     double deadline;  // on the monotonic clock, seconds
     pid_t leader;     // bwrap, or the command itself
-    int leader_end;   // readable when the leader has ended
-    int leader_status;
-    int output;  // read ends of the pipes; -1 when at their end
+    int leader_has_ended;
+    int leader_status;  // how
+    int output;         // read ends of the pipes; -1 when at their end
     int status;
-    int end_request;         // readable when the grader has ended, or somebody sent a SIGTERM
+    int signals;             // to be read: children have ended, or we shall (see WATCH_STOPPED)
     char status_text[1024];  // what was said about the command's start and end, JSON
     size_t n_status;
 } Watch;
@@ -75,48 +72,17 @@ static void fault_set(SandboxReport *report, const char *what)
         (size_t)snprintf(report->output, sizeof report->output, "%s: %s", what, strerror(errno));
 }
 
-static void signals_block(int signal_id)
+// What a supervisor hears about by a signal: a child's end, and that it shall end itself.
+static sigset_t signals_heard(void)
 {
-    sigset_t blocked;
-    sigemptyset(&blocked);
-    if (signal_id != 0) {
-        sigaddset(&blocked, signal_id);
-    }
-    sigprocmask(SIG_SETMASK, &blocked, NULL);
+    sigset_t signals;
+    sigemptyset(&signals);
+    sigaddset(&signals, SIGCHLD);
+    sigaddset(&signals, SIGTERM);
+    return signals;
 }
 
 // ---- In the process that becomes the command -------------------------------------------------
-
-static int limit_set(__rlimit_resource_t resource, rlim_t value)
-{
-    struct rlimit limit;
-    if (getrlimit(resource, &limit) != 0) {
-        return -1;
-    }
-    // Where the grader itself runs under a tighter limit, that one stays.
-    if (limit.rlim_max == RLIM_INFINITY || value < limit.rlim_max) {
-        limit.rlim_max = value;
-    }
-    limit.rlim_cur = limit.rlim_max;
-    return setrlimit(resource, &limit);
-}
-
-// All limits but the one on processes (see bwrap_arguments.c and sandbox_walls.c).
-static int limits_set(const SandboxCommand *command)
-{
-    const rlim_t megabyte = 1024 * 1024;
-    if (command->memory_mb > 0 &&
-        limit_set(RLIMIT_AS, (rlim_t)command->memory_mb * megabyte) != 0) {
-        return -1;
-    }
-    // Soft and hard alike: PoCL swallows SIGXCPU, the hard limit's SIGKILL nobody can.
-    if (limit_set(RLIMIT_CPU, (rlim_t)command->cpu_seconds) != 0 ||
-        limit_set(RLIMIT_FSIZE, (rlim_t)command->file_mb * megabyte) != 0 ||
-        limit_set(RLIMIT_NOFILE, OPEN_FILES_LIMIT) != 0 || limit_set(RLIMIT_CORE, 0) != 0) {
-        return -1;
-    }
-    return 0;
-}
 
 // Standard output and errors, and the walls' two descriptors; nothing else of the supervisor's.
 static int descriptors_arrange(int output, int status, int filter)
@@ -150,11 +116,13 @@ static void sacrifice_offer(void)
 
 static _Noreturn void leader_become(const Walls *walls, int output, int status)
 {
-    const char *step = "cannot set its limits";
-    signals_block(0);
+    const char *step = "cannot arrange its files";
+    sigset_t none;
+    sigemptyset(&none);
+    sigprocmask(SIG_SETMASK, &none, NULL);
     sacrifice_offer();
     if (setsid() > 0 && descriptors_arrange(output, status, walls->filter) == 0 &&
-        chdir("/") == 0 && limits_set(&walls->command) == 0) {
+        chdir("/") == 0) {
         umask(022);
         walls_enter(walls, &step);
         if (errno == ENOENT && walls->bwrap != NULL) {
@@ -177,7 +145,8 @@ static int inheritance_leave(const Walls *walls, pid_t grader)
     // When the grader ends we get a SIGTERM, to be read like the output, and clear up. Dying along
     // with it would not do: bwrap, killed while it starts, can leave its command running. For the
     // same reason we are in a group of our own: "kill the grader's group" shall not mean us.
-    signals_block(SIGTERM);
+    sigset_t signals = signals_heard();
+    sigprocmask(SIG_SETMASK, &signals, NULL);
     if (setpgid(0, 0) != 0 || prctl(PR_SET_PDEATHSIG, SIGTERM) != 0 ||
         prctl(PR_SET_CHILD_SUBREAPER, 1) != 0) {
         return -1;
@@ -201,11 +170,9 @@ static int inheritance_leave(const Walls *walls, pid_t grader)
 static int leader_start(Watch *watch)
 {
     int output[2], status[2];
-    sigset_t termination;
-    sigemptyset(&termination);
-    sigaddset(&termination, SIGTERM);
-    watch->end_request = signalfd(-1, &termination, SFD_CLOEXEC);
-    if (watch->end_request < 0 || pipe2(output, O_CLOEXEC) != 0 || pipe2(status, O_CLOEXEC) != 0) {
+    sigset_t signals = signals_heard();
+    watch->signals = signalfd(-1, &signals, SFD_CLOEXEC | SFD_NONBLOCK);
+    if (watch->signals < 0 || pipe2(output, O_CLOEXEC) != 0 || pipe2(status, O_CLOEXEC) != 0) {
         return -1;
     }
     watch->leader = fork();
@@ -219,8 +186,7 @@ static int leader_start(Watch *watch)
     close(status[1]);
     watch->output = output[0];
     watch->status = status[0];
-    watch->leader_end = (int)syscall(SYS_pidfd_open, watch->leader, 0);
-    return watch->leader_end < 0 ? -1 : 0;
+    return 0;
 }
 
 // Read what a pipe holds now. What does not fit is thrown away, but read: a writer is never
@@ -270,6 +236,33 @@ static int census_take(Watch *watch)
     return watch->report->limit != SANDBOX_LIMIT_NONE;
 }
 
+// Reap what has ended. Returns 0 when there are no children any more.
+static int children_reap(Watch *watch)
+{
+    int status;
+    pid_t child;
+    while ((child = waitpid(-1, &status, WNOHANG)) > 0 || (child < 0 && errno == EINTR)) {
+        if (child == watch->leader) {
+            watch->leader_has_ended = 1;
+            watch->leader_status = status;
+        }
+    }
+    return child == 0;
+}
+
+// Hear of signals. What ends is reaped at once, as whatever waits for that counts as a process.
+// Returns 1 when we shall end.
+static int signals_read(Watch *watch)
+{
+    struct signalfd_siginfo heard;
+    int is_stopped = 0;
+    while (read(watch->signals, &heard, sizeof heard) == sizeof heard) {
+        is_stopped |= heard.ssi_signo == SIGTERM;
+    }
+    children_reap(watch);
+    return is_stopped;
+}
+
 // Watch until the command ends or has to be ended.
 static WatchEnd command_watch(Watch *watch)
 {
@@ -288,14 +281,10 @@ static WatchEnd command_watch(Watch *watch)
         double wake_time = census_time < watch->deadline ? census_time : watch->deadline;
         struct pollfd events[] = {{.fd = watch->output, .events = POLLIN},
                                   {.fd = watch->status, .events = POLLIN},
-                                  {.fd = watch->end_request, .events = POLLIN},
-                                  {.fd = watch->leader_end, .events = POLLIN}};
+                                  {.fd = watch->signals, .events = POLLIN}};
         int milliseconds = (int)((wake_time - now) * 1000) + 1;
-        if (poll(events, 4, milliseconds > 0 ? milliseconds : 0) <= 0) {
+        if (poll(events, 3, milliseconds > 0 ? milliseconds : 0) <= 0) {
             continue;  // the deadline or the census: looked at above
-        }
-        if (events[2].revents != 0) {
-            return WATCH_STOPPED;
         }
         if (events[0].revents != 0) {
             output_read(watch);
@@ -303,7 +292,10 @@ static WatchEnd command_watch(Watch *watch)
         if (events[1].revents != 0) {
             status_read(watch);
         }
-        if (events[3].revents != 0) {
+        if (events[2].revents != 0 && signals_read(watch)) {
+            return WATCH_STOPPED;
+        }
+        if (watch->leader_has_ended) {
             return WATCH_COMMAND_ENDED;
         }
     }
@@ -317,24 +309,13 @@ static int status_number(const Watch *watch, const char *name)
     return colon != NULL ? atoi(colon + 1) : -1;
 }
 
-// Reap what has ended. Returns 0 when there are no children any more.
-static int children_reap(Watch *watch)
-{
-    int status;
-    pid_t child;
-    while ((child = waitpid(-1, &status, WNOHANG)) > 0 || (child < 0 && errno == EINTR)) {
-        if (child == watch->leader) {
-            watch->leader_status = status;
-        }
-    }
-    return child == 0;
-}
-
 // Kill what is left until there is nothing any more.
 static void processes_end(Watch *watch)
 {
     const struct timespec pause = {.tv_nsec = 1000000};
-    kill(watch->leader, SIGKILL);
+    if (!watch->leader_has_ended) {
+        kill(watch->leader, SIGKILL);
+    }
     // With bwrap gone, its process 1 inside is our child and gets killed by the kernel, unless
     // bwrap was killed before it could arrange for that. Process 1 takes the whole sandbox with it.
     while (children_reap(watch)) {
@@ -404,7 +385,8 @@ static void outcome_judge(const Watch *watch, WatchEnd end)
 static WatchEnd last_look_take(Watch *watch)
 {
     Census census = {0};
-    census_processes(watch->walls, watch->leader, &census);
+    children_reap(watch);
+    census_processes(watch->walls, -1, &census);
     watch->report->n_left = watch->walls->bwrap == NULL ? census.n_processes : 0;
     return census_take(watch) ? WATCH_LIMIT : WATCH_COMMAND_ENDED;
 }

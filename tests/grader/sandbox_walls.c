@@ -9,6 +9,7 @@
 #include "folder.h"
 #include "landlock.h"
 #include "sandbox_filter.h"
+#include "sandbox_limits.h"
 #include "sandbox_system.h"
 #include "sandbox_view.h"
 
@@ -21,7 +22,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -259,20 +259,6 @@ static int files_close(const Walls *walls)
     return landlock_enter(rules);
 }
 
-// Own processes and threads only are counted: the user is the run's own.
-static int processes_limit(const SandboxCommand *command)
-{
-    struct rlimit limit;
-    if (command->n_processes == 0 || getrlimit(RLIMIT_NPROC, &limit) != 0) {
-        return 0;
-    }
-    if (limit.rlim_max == RLIM_INFINITY || (rlim_t)command->n_processes < limit.rlim_max) {
-        limit.rlim_max = (rlim_t)command->n_processes;
-    }
-    limit.rlim_cur = limit.rlim_max;
-    return setrlimit(RLIMIT_NPROC, &limit);
-}
-
 // Behind bubblewrap, what cannot be executed is an exit code of prlimit(1); so it is here.
 static _Noreturn void command_become(const Walls *walls)
 {
@@ -288,8 +274,8 @@ static int landlock_walls_enter(const Walls *walls, const char **step)
 {
     *step = "cannot become another user";
     // The kernel tells a user's processes of their parent's end only if they ask after the change.
-    if (processes_limit(&walls->command) != 0 || user_become(walls->user) != 0 ||
-        prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) {
+    if (user_become(walls->user) != 0 || prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 ||
+        prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) {
         return -1;
     }
     *step = "cannot use Landlock";
@@ -304,7 +290,7 @@ void walls_enter(const Walls *walls, const char **step)
 {
     if (walls->bwrap != NULL) {
         *step = "cannot start bwrap";
-        if (user_become(walls->user) == 0) {
+        if (limits_set(&walls->command) == 0 && user_become(walls->user) == 0) {
             execvpe(walls->bwrap[0], walls->bwrap, walls->environment);
         }
         return;
@@ -320,8 +306,9 @@ void walls_enter(const Walls *walls, const char **step)
         return;
     }
     const char started[] = "\"child-pid\": 1";
-    *step = "cannot tell of its start";
-    if (write(WALLS_STATUS_DESCRIPTOR, started, strlen(started)) > 0) {
+    *step = "cannot set its limits";
+    if (limits_set(&walls->command) == 0 &&
+        write(WALLS_STATUS_DESCRIPTOR, started, strlen(started)) > 0) {
         command_become(walls);
     }
 }

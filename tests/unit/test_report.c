@@ -279,7 +279,7 @@ Test(report_json, reads_back_with_every_field)
     char *text = file_report(report_json, &result);
     json_t *found = json_loads(text, JSON_REJECT_DUPLICATES, NULL);
     json_t *expected = json_pack(
-        "{s:s, s:s, s:i, s:i, s:s, s:s, s:s, s:f, s:[{s:s, s:s, s:s}],"
+        "{s:s, s:s, s:i, s:i, s:s, s:s, s:s, s:s, s:f, s:[{s:s, s:s, s:s}],"
         " s:[{s:s, s:s, s:s, s:i, s:i}, {s:s, s:s, s:s, s:i, s:i}],"
         " s:[{s:s, s:s, s:s, s:i, s:i, s:s, s:s}, {s:s, s:s, s:s, s:i, s:i, s:s, s:s},"
         " {s:s, s:s, s:s, s:i, s:i, s:s, s:s}]}",
