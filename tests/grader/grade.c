@@ -6,6 +6,7 @@
 // the student's answer to it is then tried with our solution of all others, so that one mistake
 // costs one task. Read next: session.h (how it is run), judge.h (what is asked), report.h (what
 // comes out). Exit status: 0 full marks, 1 below, 2 when the grader itself could not work.
+#include "borrowing.h"
 #include "holes.h"
 #include "message.h"
 #include "report.h"
@@ -29,7 +30,6 @@ typedef struct Grading {
     Session session;
     Variant whole;                      // the submission as it is
     Variant alone[MANIFEST_MAX_TASKS];  // one answer of it in the solution of the other tasks
-    int has_alone[MANIFEST_MAX_TASKS];  // that variant was made and run
     Result result;
 } Grading;
 
@@ -119,6 +119,42 @@ static char *read_answer(const Grading *grading, const Task *task)
     return answer;
 }
 
+// Add a line to what the staging stage says.
+static void note_in_staging(Grading *grading, char *note)
+{
+    StageResult *staging = &grading->result.stages[0];
+    char *message = message_new("%s%s%s", staging->message, staging->message[0] ? "\n" : "", note);
+    free(note);
+    free(staging->message);
+    staging->message = message;
+}
+
+// The answer to a failed task when it can be tried alone, else NULL. Notes why it cannot.
+static char *answer_for_alone(Grading *grading, const Task *task)
+{
+    if (!task_has_failed(grading, task->id)) {
+        return NULL;
+    }
+    char *answer = read_answer(grading, task);
+    if (answer == NULL) {
+        note_in_staging(grading,
+                        message_new("%s: the lines \"// TASK %s\" and \"// END %s\" are not "
+                                    "there once each, so this task was only judged together "
+                                    "with the others",
+                                    task->file, task->id, task->id));
+        return NULL;
+    }
+    const Task *borrowed = borrowed_task(&grading->session.manifest, task, answer);
+    if (borrowed != NULL) {
+        note_in_staging(grading, message_new("%s: %s calls %s, the answer to another task, so it "
+                                             "was only judged together with your own",
+                                             task->file, task->id, borrowed->id));
+        free(answer);
+        answer = NULL;
+    }
+    return answer;
+}
+
 // Try the answers of the failed tasks alone, two at a time. Returns 0, or -1 after one message.
 static int judge_alone(Grading *grading)
 {
@@ -128,15 +164,13 @@ static int judge_alone(Grading *grading)
     int n = 0;
     for (int t = 0; t < manifest->n_tasks; t++) {
         const char *id = manifest->tasks[t].id;
-        char *answer =
-            task_has_failed(grading, id) ? read_answer(grading, &manifest->tasks[t]) : NULL;
+        char *answer = answer_for_alone(grading, &manifest->tasks[t]);
         if (answer != NULL) {
             const int filled = session_fill(&grading->session, id, id, answer, &grading->alone[t]);
             free(answer);
             if (filled != 0) {
                 return -1;
             }
-            grading->has_alone[t] = 1;
             tasks[n] = id;
             pair[n++] = &grading->alone[t];
         }
@@ -151,25 +185,6 @@ static int judge_alone(Grading *grading)
         }
     }
     return 0;
-}
-
-// Name the tasks whose markers are gone; the staging stage carries it.
-static void note_lost_markers(Grading *grading)
-{
-    const Manifest *manifest = &grading->session.manifest;
-    for (int t = 0; t < manifest->n_tasks; t++) {
-        const Task *task = &manifest->tasks[t];
-        if (!grading->has_alone[t] && task_has_failed(grading, task->id)) {
-            StageResult *staging = &grading->result.stages[0];
-            char *message = message_new(
-                "%s%s%s: the lines \"// TASK %s\" and \"// END %s\" are not "
-                "there once each, so this task was only judged together "
-                "with the others",
-                staging->message, staging->message[0] ? "\n" : "", task->file, task->id, task->id);
-            free(staging->message);
-            staging->message = message;
-        }
-    }
 }
 
 // ---- Grading --------------------------------------------------------------------------------
@@ -216,7 +231,6 @@ static int grade(Grading *grading, const Settings *settings)
     if (judge_alone(grading) != 0) {
         return -1;
     }
-    note_lost_markers(grading);
     session->judge->add_pictures(session->job, &grading->whole.answers, &grading->result);
     return 0;
 }
