@@ -27,7 +27,7 @@ say = $(if $(V),,@echo "  $(1)" && )
 
 # Asked only when something is compiled, so that `make demo` can install pkg-config first.
 IMAGE_CFLAGS = $(shell pkg-config --cflags OpenImageIO)
-LIBRARIES = -Wl,--as-needed $(shell pkg-config --libs OpenImageIO jansson) -lcsv -lOpenCL -lstdc++ -lm
+LIBRARIES = -Wl,--as-needed $(shell pkg-config --libs OpenImageIO jansson) -lcsv -lseccomp -lOpenCL -lstdc++ -lm
 
 # In a handout (`make handout`) there are one lab, the solutions of those before it and no suites: what
 # is for authors is left out below.

@@ -83,7 +83,7 @@ grade() {
         >"$place/said" 2>"$place/said.err" </dev/null || status=$?
 }
 
-# ---- What holds for attacks and controls alike ----------------------------------------------------
+# ---- What holds for attacks and controls alike ---------------------------------------------------
 
 look_for_leftovers() {
     [ "$status" -ne 99 ] || wrong "$(cat "$place/said.err")"

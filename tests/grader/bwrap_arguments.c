@@ -5,14 +5,16 @@
 // of the host but the mounts asked for can be written. Read next: sandbox_supervisor.c, the limits.
 #include "bwrap_arguments.h"
 
+#include "sandbox_limits.h"
+#include "sandbox_system.h"
+#include "sandbox_walls.h"
+
 #include <errno.h>
 #include <glob.h>
 #include <limits.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -54,14 +56,16 @@ static void list_add(Arguments *arguments, const char *const *list)
 // Namespaces of its own for everything: no network, no processes, no System V memory of the host.
 static void isolation_add(Arguments *arguments)
 {
-    char status_descriptor[16];
-    snprintf(status_descriptor, sizeof status_descriptor, "%d", BWRAP_STATUS_DESCRIPTOR);
+    char status_descriptor[16], filter_descriptor[16];
+    snprintf(status_descriptor, sizeof status_descriptor, "%d", WALLS_STATUS_DESCRIPTOR);
+    snprintf(filter_descriptor, sizeof filter_descriptor, "%d", WALLS_FILTER_DESCRIPTOR);
     ADD(arguments, "--unshare-all", "--unshare-user");
     ADD(arguments, "--disable-userns");   // inside, nobody becomes root of a namespace of their own
     ADD(arguments, "--die-with-parent");  // killing bwrap kills everything inside
     ADD(arguments, "--new-session");      // no terminal to push keystrokes into
     ADD(arguments, "--cap-drop", "ALL", "--hostname", "sandbox");
     ADD(arguments, "--json-status-fd", status_descriptor);
+    ADD(arguments, "--seccomp", filter_descriptor);
 }
 
 // /bin, /lib and so on: links into /usr on today's Debian, folders on older systems.
@@ -81,32 +85,23 @@ static void system_folder_add(Arguments *arguments, const char *folder)
     }
 }
 
-// Programs, libraries, OpenCL's drivers; of /etc only what these need.
+// Programs, libraries, OpenCL's drivers.
 static void system_add(Arguments *arguments)
 {
-    static const char *const folders[] = {"/bin", "/sbin", "/lib", "/lib32", "/lib64", "/libx32"};
-    static const char *const settings[] = {
-        "/etc/OpenCL",         // which drivers there are
-        "/etc/ld.so.cache",    // where libraries are
-        "/etc/alternatives",   // what "cc" stands for
-        "/sys/devices/system"  // PoCL asks it for processors and memory
-    };
     ADD(arguments, "--ro-bind", "/usr", "/usr");
-    for (size_t i = 0; i < sizeof folders / sizeof *folders; i++) {
-        system_folder_add(arguments, folders[i]);
+    for (size_t i = 0; i < SYSTEM_COUNT(system_folders); i++) {
+        system_folder_add(arguments, system_folders[i]);
     }
-    for (size_t i = 0; i < sizeof settings / sizeof *settings; i++) {
-        ADD(arguments, "--ro-bind-try", settings[i], settings[i]);
+    for (size_t i = 0; i < SYSTEM_COUNT(system_settings); i++) {
+        ADD(arguments, "--ro-bind-try", system_settings[i], system_settings[i]);
     }
 }
 
-// Graphics cards, where there are any: their drivers talk to these device files.
 static void devices_add(Arguments *arguments)
 {
-    static const char *const patterns[] = {"/dev/nvidia*", "/dev/dri", "/dev/kfd"};
-    for (size_t i = 0; i < sizeof patterns / sizeof *patterns; i++) {
+    for (size_t i = 0; i < SYSTEM_COUNT(system_devices); i++) {
         glob_t found = {0};
-        if (glob(patterns[i], 0, NULL, &found) == 0) {
+        if (glob(system_devices[i], 0, NULL, &found) == 0) {
             for (size_t k = 0; k < found.gl_pathc; k++) {
                 ADD(arguments, "--dev-bind", found.gl_pathv[k], found.gl_pathv[k]);
             }
@@ -123,72 +118,16 @@ static void private_folders_add(Arguments *arguments)
     ADD(arguments, "--size", TMP_FOLDER_BYTES, "--tmpfs", "/tmp");
 }
 
-static void mount_add(Arguments *arguments, const SandboxMount *mount)
-{
-    // bwrap is started in another folder, so it gets an absolute path.
-    char *outside = realpath(mount->outside, NULL);
-    if (outside == NULL) {
-        fprintf(stderr, "sandbox: %s: %s\n", mount->outside, strerror(errno));
-        arguments->fault = -1;  // told already
-        return;
-    }
-    ADD(arguments, mount->writable ? "--bind" : "--ro-bind", outside, mount->inside);
-    free(outside);
-}
-
-static void variable_add(Arguments *arguments, const char *variable)
-{
-    const char *value = strchr(variable, '=');
-    if (value == NULL) {
-        fprintf(stderr, "sandbox: \"%s\": expected NAME=value\n", variable);
-        arguments->fault = -1;
-        return;
-    }
-    char *name = strndup(variable, (size_t)(value - variable));
-    if (name == NULL) {
-        arguments->fault = ENOMEM;
-    } else {
-        ADD(arguments, "--setenv", name, value + 1);
-    }
-    free(name);
-}
-
-static void environment_add(Arguments *arguments, const char *const *variables)
-{
-    // C.UTF-8: what compilers say is English, whatever the instructor's own language is.
-    static const char *const own[] = {
-        "PATH=/usr/bin:/bin",
-        "HOME=/tmp",
-        "TMPDIR=/tmp",
-        "LC_ALL=C.UTF-8",
-        "POCL_CACHE_DIR=/tmp/pocl-cache",
-        NULL,
-    };
-    ADD(arguments, "--clearenv");
-    for (size_t i = 0; own[i] != NULL; i++) {
-        variable_add(arguments, own[i]);
-    }
-    for (size_t i = 0; variables != NULL && variables[i] != NULL; i++) {
-        variable_add(arguments, variables[i]);
-    }
-}
-
 // The command, started by prlimit(1) and not by bwrap itself, for two reasons. The limit on
 // processes, set inside, counts only those inside; set outside it would count all that the user
 // runs on this machine. And when the command cannot be executed (a program made to be none), that
 // is an exit code like any other and no fault of the sandbox.
 static void command_add(Arguments *arguments, const SandboxCommand *command)
 {
-    struct rlimit limit = {.rlim_max = RLIM_INFINITY};
     char option[64] = "--nproc=unlimited";
-    getrlimit(RLIMIT_NPROC, &limit);
-    // Where the grader itself runs under a tighter limit, that one stays.
-    rlim_t n_allowed = limit.rlim_max;
-    if (command->n_processes > 0 && (rlim_t)command->n_processes < n_allowed) {
-        n_allowed = (rlim_t)command->n_processes;
-    }
-    if (n_allowed != RLIM_INFINITY) {
-        snprintf(option, sizeof option, "--nproc=%ju", (uintmax_t)n_allowed);
+    const unsigned long long n_processes = limits_processes(command);
+    if (n_processes > 0) {
+        snprintf(option, sizeof option, "--nproc=%llu", n_processes);
     }
     ADD(arguments, "--", "/usr/bin/prlimit", option, "--");
     list_add(arguments, command->argv);
@@ -202,20 +141,18 @@ char **bwrap_arguments(const SandboxCommand *command)
     system_add(&arguments);
     private_folders_add(&arguments);
     for (int i = 0; i < command->n_mounts; i++) {
-        mount_add(&arguments, &command->mounts[i]);
+        const SandboxMount *mount = &command->mounts[i];
+        ADD(&arguments, mount->writable ? "--bind" : "--ro-bind", mount->outside, mount->inside);
     }
     // Only now, with every mount in its place: the folders between them live in memory, too.
     ADD(&arguments, "--remount-ro", "/dev", "--remount-ro", "/");
-    environment_add(&arguments, command->environment);
     ADD(&arguments, "--chdir", command->folder);
     command_add(&arguments, command);
 
     if (arguments.fault == 0) {
         return arguments.items;
     }
-    if (arguments.fault > 0) {
-        fprintf(stderr, "sandbox: %s\n", strerror(arguments.fault));
-    }
+    fprintf(stderr, "sandbox: %s\n", strerror(arguments.fault));
     bwrap_arguments_free(arguments.items);
     return NULL;
 }

@@ -4,12 +4,9 @@
 
 #include "sandbox.h"
 
-// The descriptor that bwrap reports on: the command's start and its exit code, as JSON.
-#define BWRAP_STATUS_DESCRIPTOR 9
-
-// The NULL-terminated argument list for execvp(); release with bwrap_arguments_free(). Returns NULL
-// after one message on stderr when memory runs out, a mount's folder does not exist or a variable
-// of the environment has no '='.
+// The NULL-terminated argument list for execvp(); release with bwrap_arguments_free(). The mounts'
+// folders are absolute paths, as bwrap is started in another folder. Returns NULL after one message
+// on stderr when memory runs out.
 char **bwrap_arguments(const SandboxCommand *command);
 void bwrap_arguments_free(char **arguments);
 

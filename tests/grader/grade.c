@@ -7,6 +7,7 @@
 // costs one task. In a handout, which has no solution of its lab, the oracle alone judges the
 // submission as a whole. Read next: session.h (how it is run), judge.h (what is asked), report.h (what
 // comes out). Exit status: 0 full marks, 1 below, 2 when the grader itself could not work.
+#include "borrowing.h"
 #include "holes.h"
 #include "message.h"
 #include "output_file.h"
@@ -43,6 +44,7 @@ static void start_result(Grading *grading, const Settings *settings)
     result->lab = grading->session.manifest.lab;
     result->title = grading->session.manifest.title;
     result->seed = settings->seed;
+    result->sandbox = sandbox_kind_name(grading->session.workshop.sandbox);
     snprintf(result->submission, sizeof result->submission, "%s", settings->submission);
     result->n_checks = grading->session.judge->n_checks;
     for (int i = 0; i < result->n_checks; i++) {
@@ -75,11 +77,12 @@ static void add_run_stages(Grading *grading)
     }
     add_stage(result, "Compiling", CHECK_PASSED, "");
     if (whole->trouble != NULL) {
-        char *message = message_new("%s\n%s", whole->trouble, whole->run_output);
+        char *message = message_new("%s\n%s%s%s", whole->trouble, whole->habits,
+                                    whole->habits[0] ? "\n" : "", whole->run_output);
         add_stage(result, "Running", CHECK_FAILED, message);
         free(message);
     } else {
-        add_stage(result, "Running", CHECK_PASSED, "");
+        add_stage(result, "Running", CHECK_PASSED, whole->habits);
     }
 }
 
@@ -119,6 +122,42 @@ static char *read_answer(const Grading *grading, const Task *task)
     return answer;
 }
 
+// Add a line to what the staging stage says.
+static void note_in_staging(Grading *grading, char *note)
+{
+    StageResult *staging = &grading->result.stages[0];
+    char *message = message_new("%s%s%s", staging->message, staging->message[0] ? "\n" : "", note);
+    free(note);
+    free(staging->message);
+    staging->message = message;
+}
+
+// The answer to a failed task when it can be tried alone, else NULL. Notes why it cannot.
+static char *answer_for_alone(Grading *grading, const Task *task)
+{
+    if (!task_has_failed(grading, task->id)) {
+        return NULL;
+    }
+    char *answer = read_answer(grading, task);
+    if (answer == NULL) {
+        note_in_staging(grading,
+                        message_new("%s: the lines \"// TASK %s\" and \"// END %s\" are not "
+                                    "there once each, so this task was only judged together "
+                                    "with the others",
+                                    task->file, task->id, task->id));
+        return NULL;
+    }
+    const Task *borrowed = borrowed_task(&grading->session.manifest, task, answer);
+    if (borrowed != NULL) {
+        note_in_staging(grading, message_new("%s: %s calls %s, the answer to another task, so it "
+                                             "was only judged together with your own",
+                                             task->file, task->id, borrowed->id));
+        free(answer);
+        answer = NULL;
+    }
+    return answer;
+}
+
 // Try the answers of the failed tasks alone, in the solution of the others, two at a time. Returns
 // 0, or -1 after one message.
 static int judge_alone(Grading *grading)
@@ -129,8 +168,7 @@ static int judge_alone(Grading *grading)
     int n = 0;
     for (int t = 0; t < manifest->n_tasks; t++) {
         const char *id = manifest->tasks[t].id;
-        char *answer =
-            task_has_failed(grading, id) ? read_answer(grading, &manifest->tasks[t]) : NULL;
+        char *answer = answer_for_alone(grading, &manifest->tasks[t]);
         if (answer != NULL) {
             const int filled = session_fill(&grading->session, id, id, answer, &grading->alone[t]);
             free(answer);
@@ -153,34 +191,14 @@ static int judge_alone(Grading *grading)
     return 0;
 }
 
-// Name the tasks whose markers are gone; the staging stage carries it.
-static void note_lost_markers(Grading *grading)
-{
-    const Manifest *manifest = &grading->session.manifest;
-    for (int t = 0; t < manifest->n_tasks; t++) {
-        const Task *task = &manifest->tasks[t];
-        char *answer = read_answer(grading, task);
-        if (answer == NULL && task_has_failed(grading, task->id)) {
-            StageResult *staging = &grading->result.stages[0];
-            char *message = message_new(
-                "%s%s%s: the lines \"// TASK %s\" and \"// END %s\" are not "
-                "there once each, so this task was only judged together "
-                "with the others",
-                staging->message, staging->message[0] ? "\n" : "", task->file, task->id, task->id);
-            free(staging->message);
-            staging->message = message;
-        }
-        free(answer);
-    }
-}
-
 // ---- Grading --------------------------------------------------------------------------------
 
 // Stage, run, judge. Returns 0 when there is a result, or -1 after one message.
 static int grade(Grading *grading, const Settings *settings)
 {
-    const SessionSettings session_settings = {settings->lab, settings->build, settings->device,
-                                              settings->seed, settings->time_limit};
+    const SessionSettings session_settings = {settings->lab,        settings->build,
+                                              settings->device,     settings->seed,
+                                              settings->time_limit, settings->sandbox};
     Session *session = &grading->session;
     char folder[PATH_BYTES];
     char *staging = NULL;
@@ -230,7 +248,6 @@ static int grade(Grading *grading, const Settings *settings)
     } else if (judge_alone(grading) != 0) {
         return -1;
     }
-    note_lost_markers(grading);
     session->judge->add_pictures(session->job, &grading->whole.answers, &grading->result);
     return 0;
 }

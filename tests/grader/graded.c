@@ -157,16 +157,16 @@ static int sums_check(const char *path, const Graded *graded)
 
 static int fields_read(const char *path, Graded *graded)
 {
-    const char *device, *submission;
+    const char *device, *sandbox, *submission;
     double seconds;
     json_t *stages, *tasks, *checks;
     json_error_t error;
     if (json_unpack_ex(graded->json, &error, JSON_STRICT,
-                       "{s:s, s:s, s:i, s:i, s:s, s:s, s:s, s:F, s:o, s:o, s:o}", "lab",
+                       "{s:s, s:s, s:i, s:i, s:s, s:s, s:s, s:s, s:F, s:o, s:o, s:o}", "lab",
                        &graded->lab, "title", &graded->title, "score", &graded->score, "max_score",
-                       &graded->max_score, "seed", &graded->seed, "device", &device, "submission",
-                       &submission, "seconds", &seconds, "stages", &stages, "tasks", &tasks,
-                       "checks", &checks) != 0) {
+                       &graded->max_score, "seed", &graded->seed, "device", &device, "sandbox",
+                       &sandbox, "submission", &submission, "seconds", &seconds, "stages", &stages,
+                       "tasks", &tasks, "checks", &checks) != 0) {
         return fault(path, "%s", error.text);
     }
     if (!json_is_array(stages) || !json_is_array(tasks) || !json_is_array(checks)) {

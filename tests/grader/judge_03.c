@@ -419,6 +419,14 @@ static Verdict judge_work(const Job *job, int check, const Sections *answers)
     return verdict_of(NULL);
 }
 
+// The kernel could write down any count: the leaf map shows whether other leaves' circles were asked.
+static Verdict judge_leaf_work(const Job *job, const Sections *answers)
+{
+    const Verdict verdict = judge_work(job, LEAF_WORK, answers);
+    return verdict.kind == VERDICT_PASSED ? job_pictures_judge(job->pictures, LEAF_MAP, 1, answers)
+                                          : verdict;
+}
+
 static Verdict judge(const void *pointer, int check, const Sections *answers)
 {
     const Job *job = pointer;
@@ -432,8 +440,9 @@ static Verdict judge(const void *pointer, int check, const Sections *answers)
     case DESCENT_LEAF:
         return job_pictures_judge(job->pictures, LEAF_MAP, 1, answers);
     case DESCENT_WORK:
-    case LEAF_WORK:
         return judge_work(job, check, answers);
+    case LEAF_WORK:
+        return judge_leaf_work(job, answers);
     case LEAF_RANDOM:
         return job_pictures_judge(job->pictures, RANDOM, 2, answers);
     case LEAF_ORDER:

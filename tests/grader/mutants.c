@@ -284,8 +284,8 @@ int main(int argc, char **argv)
     }
     Session session;
     int status = 2;
-    const SessionSettings session_settings = {settings.lab, settings.build, settings.device,
-                                              settings.seed, settings.time_limit};
+    const SessionSettings session_settings = {settings.lab,  settings.build,      settings.device,
+                                              settings.seed, settings.time_limit, settings.sandbox};
     if (session_open(&session, session_settings) == 0) {
         status = try_all(&session);
     }

@@ -75,6 +75,7 @@ static void head_write(FILE *page, const Result *result)
     fputs("<dl class=\"facts\">\n", page);
     fact_write(page, "Submission", result->submission);
     fact_write(page, "Device", result->device);
+    fact_write(page, "Sandbox", result->sandbox);
     fact_write(page, "Seed of the hidden scenes", seed);
     fact_write(page, "Graded in", seconds);
     fputs("</dl>\n</header>\n", page);

@@ -69,12 +69,13 @@ static json_t *result_json(const Manifest *manifest, const Result *result)
 {
     char seed[24];
     snprintf(seed, sizeof seed, "%" PRIu64, result->seed);
-    return json_pack("{s:o, s:o, s:i, s:i, s:s, s:o, s:o, s:f, s:o, s:o, s:o}", "lab",
+    return json_pack("{s:o, s:o, s:i, s:i, s:s, s:o, s:s, s:o, s:f, s:o, s:o, s:o}", "lab",
                      json_line(result->lab), "title", json_line(result->title), "score",
                      result->score, "max_score", result->max_score, "seed", seed, "device",
-                     json_line(result->device), "submission", json_line(result->submission),
-                     "seconds", result->seconds, "stages", stages_json(result), "tasks",
-                     tasks_json(manifest, result), "checks", checks_json(result));
+                     json_line(result->device), "sandbox", result->sandbox, "submission",
+                     json_line(result->submission), "seconds", result->seconds, "stages",
+                     stages_json(result), "tasks", tasks_json(manifest, result), "checks",
+                     checks_json(result));
 }
 
 int report_json(const char *path, const Manifest *manifest, const Result *result)

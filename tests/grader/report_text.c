@@ -117,13 +117,15 @@ static void head_print(const TextReport *report, const Result *result)
     char seed[32];
     snprintf(seed, sizeof seed, "seed %" PRIu64, result->seed);
     int columns = columns_count(result->lab) + 2 + columns_count(result->title) +
-                  columns_count(seed) + columns_count(", device , submission ") +
-                  columns_count(device) + columns_count(submission);
+                  columns_count(seed) + columns_count(", device , sandbox , submission ") +
+                  columns_count(device) + columns_count(result->sandbox) +
+                  columns_count(submission);
     if (columns + 2 <= PAGE_COLUMNS) {
-        fprintf(report->out, "%*s%s, device %s, submission %s\n", PAGE_COLUMNS - columns, "", seed,
-                device, submission);
+        fprintf(report->out, "%*s%s, device %s, sandbox %s, submission %s\n",
+                PAGE_COLUMNS - columns, "", seed, device, result->sandbox, submission);
     } else {
-        fprintf(report->out, "\n %s, device %s\n submission %s\n", seed, device, submission);
+        fprintf(report->out, "\n %s, device %s, sandbox %s\n submission %s\n", seed, device,
+                result->sandbox, submission);
     }
     free(device);
     free(submission);

@@ -49,6 +49,7 @@ typedef struct Result {
     char submission[512];
     uint64_t seed;
     char device[256];
+    const char *sandbox;   // it ran in: "bubblewrap", "landlock" or "none"
     int score, max_score;  // sums over the checks
     StageResult stages[RESULT_MAX_STAGES];
     int n_stages;

@@ -1,13 +1,12 @@
-// Running one command on code that must not be trusted (see sandbox.h): start, wait, and whether
-// it works here at all.
+// Running one command on code that must not be trusted (see sandbox.h): start and wait.
 //
 // Flow: staged -> compiled HERE -> run HERE -> judged outside. Each run has a process of its own
 // that watches over it and leaves its report in memory that both share. Read next:
 // sandbox_supervisor.c.
 #include "sandbox.h"
 
-#include "bwrap_arguments.h"
 #include "sandbox_supervisor.h"
+#include "sandbox_walls.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -16,6 +15,29 @@
 #include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+static const char *const kind_names[] = {
+    [SANDBOX_BUBBLEWRAP] = "bubblewrap",
+    [SANDBOX_LANDLOCK] = "landlock",
+    [SANDBOX_NONE] = "none",
+    [SANDBOX_ANY] = "any",
+};
+
+const char *sandbox_kind_name(SandboxKind kind)
+{
+    return kind_names[kind];
+}
+
+int sandbox_kind_find(const char *name, SandboxKind *kind)
+{
+    for (int i = SANDBOX_BUBBLEWRAP; i <= SANDBOX_ANY; i++) {
+        if (strcmp(name, kind_names[i]) == 0) {
+            *kind = (SandboxKind)i;
+            return 0;
+        }
+    }
+    return -1;
+}
 
 struct SandboxRun {
     pid_t supervisor;
@@ -52,15 +74,11 @@ static SandboxRun *run_new(void)
     return NULL;
 }
 
-unsigned sandbox_user(void)
-{
-    return geteuid() == 0 ? SANDBOX_NOBODY : geteuid();
-}
-
 SandboxRun *sandbox_start(const SandboxCommand *command)
 {
-    char **bwrap = bwrap_arguments(command);
-    if (bwrap == NULL) {
+    Walls walls;
+    if (walls_prepare(command, &walls) != 0) {
+        walls_free(&walls);
         return NULL;
     }
     SandboxRun *run = run_new();
@@ -68,11 +86,11 @@ SandboxRun *sandbox_start(const SandboxCommand *command)
     if (run != NULL) {
         run->supervisor = fork();
         if (run->supervisor == 0) {
-            sandbox_supervise(command, bwrap, grader, run->report);
+            sandbox_supervise(&walls, grader, run->report);
         }
     }
     int fault = errno;
-    bwrap_arguments_free(bwrap);
+    walls_free(&walls);
     if (run != NULL && run->supervisor > 0) {
         return run;
     }
@@ -108,52 +126,13 @@ SandboxResult sandbox_wait(SandboxRun *run)
         .outcome = report->outcome,
         .exit_status = report->exit_status,
         .signal = report->signal,
+        .limit = report->limit,
+        .n_left = report->n_left,
+        .n_printed = report->n_printed,
         .output = run->output,
     };
     output_copy(report, result.output);
     run->output = NULL;
     run_free(run);
     return result;
-}
-
-// What to do where bubblewrap itself fails.
-static const char advice[] =
-    "  bubblewrap 0.8 or newer needs user namespaces, which seem to be off here. Turn them on "
-    "with\n"
-    "      sysctl user.max_user_namespaces=10000                  (where it is 0)\n"
-    "      sysctl kernel.unprivileged_userns_clone=1              (Debian)\n"
-    "      sysctl kernel.apparmor_restrict_unprivileged_userns=0  (Ubuntu)\n"
-    "  or allow bwrap in an AppArmor profile. In a container: grade outside of it, or start it "
-    "with\n"
-    "      --security-opt seccomp=unconfined --security-opt systempaths=unconfined\n";
-
-// The one message for a sandbox that cannot be made.
-static int refuse(const char *output)
-{
-    size_t n_output = strcspn(output, "\n");
-    fprintf(stderr, "sandbox: %.*s\n", (int)n_output, n_output > 0 ? output : "was killed");
-    if (strncmp(output, "bwrap:", strlen("bwrap:")) == 0) {
-        fputs(advice, stderr);
-    }
-    return -1;
-}
-
-int sandbox_check(void)
-{
-    SandboxCommand command = {
-        .argv = (const char *const[]){"/usr/bin/true", NULL},
-        .folder = "/tmp",
-        .wall_seconds = 10,
-        .cpu_seconds = 10,
-        .file_mb = 1,
-    };
-    SandboxRun *run = sandbox_start(&command);
-    if (run == NULL) {
-        return -1;
-    }
-    SandboxResult result = sandbox_wait(run);
-    int works = result.outcome == SANDBOX_EXITED && result.exit_status == 0;
-    int status = works ? 0 : refuse(result.output);
-    free(result.output);
-    return status;
 }

@@ -1,26 +1,47 @@
-// Running one command on code that must not be trusted: bubblewrap around it, limits on it.
+// Running one command on code that must not be trusted: walls around it, limits on it.
 //
-// Inside there is /usr (read-only), a private /tmp and /proc, the folders asked for, and no
-// network, no other process, no home, no reference and no result of anybody. Mounts must be
-// readable by sandbox_user(), their parent folders included. Needs bubblewrap 0.8 or newer.
+// Two kinds of walls (tests/README.md, "The two sandboxes"). Bubblewrap gives it a file system, a
+// network and a process list of its own. Landlock is for hosts where that cannot be had, such as
+// most containers, and needs a grader that runs as root: the command becomes a user that nobody
+// else is, may open only what is named here, and ends with all that this user runs. Behind both
+// stands one filter of system calls (sandbox_filter.c). Inside there is /usr (read-only), a private
+// $TMPDIR and the folders asked for; no network, no home, no reference and no result of anybody.
+// Mounts must be readable by other users, their parent folders included.
 //
-// What the limits do not bound: the memory of all its processes together (at most n_processes times
-// memory_mb; a bound would need cgroups), and how much a writable mount takes in all.
+// What Landlock cannot stop: a command may ask whether a file exists that it may not open, and how
+// large it is; it may see which process ids are in use; /tmp and /dev/shm are closed to it.
+// What neither stops: it slows down what runs beside it; in the 100 ms between two looks of the
+// census (sandbox_census.c) it may use more memory and more disk than its limits say.
 #ifndef GRADER_SANDBOX_H
 #define GRADER_SANDBOX_H
 
 #include <stddef.h>
 
+typedef enum SandboxKind {
+    SANDBOX_BUBBLEWRAP,
+    SANDBOX_LANDLOCK,
+    SANDBOX_NONE,  // limits, but no walls: only when the instructor says so
+    SANDBOX_ANY,   // for sandbox_choose(): the first that works here
+} SandboxKind;
+
+// "bubblewrap", "landlock", "none" or "any".
+const char *sandbox_kind_name(SandboxKind kind);
+
+// The kind of that name. Returns 0, or -1 when there is none.
+int sandbox_kind_find(const char *name, SandboxKind *kind);
+
 typedef struct SandboxMount {
     const char *outside;  // a folder or file of the host
-    const char *inside;   // absolute path in the sandbox
-    int writable;
+    const char *inside;   // absolute path in the sandbox: without bubblewrap, a link to it below
+                          // a folder of the run's own
+    int writable;         // given to the user that the command becomes
 } SandboxMount;
 
 enum { SANDBOX_MAX_MOUNTS = 8 };
 
 typedef struct SandboxCommand {
-    const char *const *argv;         // NULL-terminated; argv[0] is an absolute path inside
+    SandboxKind kind;                // one that works here, see sandbox_choose()
+    const char *const *argv;         // NULL-terminated; argv[0] begins with /usr or is relative
     const char *const *environment;  // NULL-terminated "NAME=value" besides the sandbox's own
     const char *folder;              // working directory inside, "/work"
     SandboxMount mounts[SANDBOX_MAX_MOUNTS];
@@ -30,8 +51,11 @@ typedef struct SandboxCommand {
     int memory_mb;     // address space of each process; 0 = no limit, as graphics drivers reserve
                        // far more than they use
     int file_mb;       // the largest file it may write
-    int n_processes;   // processes and threads inside, bubblewrap's own one included; 0 = no limit.
-                       // Linux before 5.14 counts all of sandbox_user()'s on the machine instead
+    // Of all its processes together, looked at ten times a second; 0 = no limit.
+    int n_processes;      // processes and threads, bubblewrap's own one inside included
+    int total_memory_mb;  // in use, not only reserved
+    int total_file_mb;    // in writable mounts, in $TMPDIR, and in files removed while open
+    int n_files;          // in writable mounts and $TMPDIR
 } SandboxCommand;
 
 typedef enum SandboxOutcome {
@@ -39,13 +63,27 @@ typedef enum SandboxOutcome {
     SANDBOX_CRASHED,    // by a signal; see signal (SIGXFSZ: wrote more than file_mb). An exit
                         // code of 129 to 192 counts as one, as in a shell
     SANDBOX_TIMED_OUT,  // wall or CPU time
+    SANDBOX_FORBIDDEN,  // by the filter of system calls: it asked for what no answer needs
+    SANDBOX_EXCEEDED,   // a limit on all its processes together; see limit
     SANDBOX_FAULT,      // the sandbox could not be made: the machinery's fault, never the student's
 } SandboxOutcome;
+
+typedef enum SandboxLimit {
+    SANDBOX_LIMIT_NONE,
+    SANDBOX_LIMIT_PROCESSES,
+    SANDBOX_LIMIT_MEMORY,
+    SANDBOX_LIMIT_BYTES,
+    SANDBOX_LIMIT_FILES,
+} SandboxLimit;
 
 typedef struct SandboxResult {
     SandboxOutcome outcome;
     int exit_status;
     int signal;
+    SandboxLimit limit;
+    int n_left;  // processes that it left running and that were ended. Bubblewrap ends them itself,
+                 // uncounted: there it is always 0
+    unsigned long long n_printed;  // bytes, those that are not kept included
     // What it wrote to stdout and stderr, the first SANDBOX_MAX_OUTPUT bytes; of a SANDBOX_FAULT,
     // what went wrong. Control characters but newline and tab are replaced by '?', bytes beyond
     // ASCII stay as they were. NUL-terminated; owned, free() it.
@@ -54,13 +92,10 @@ typedef struct SandboxResult {
 
 #define SANDBOX_MAX_OUTPUT 65536
 
-// Can commands be sandboxed here? Returns 0, or -1 after one message on stderr that says why not
-// and what to do (bubblewrap missing, user namespaces off).
-int sandbox_check(void);
-
-// The user a sandboxed command runs as, so that folders can be handed over with chown: the caller,
-// or nobody (65534) where the caller is root.
-unsigned sandbox_user(void);
+// See which sandbox works here: the one that is wanted, or of SANDBOX_ANY bubblewrap, else Landlock
+// after one line on stderr that says so. Returns 0, or -1 after one message on stderr that says why
+// not and what to do.
+int sandbox_choose(SandboxKind wanted, SandboxKind *kind);
 
 // Start a command and return at once; NULL after one message on stderr when it could not be
 // started. Several may run side by side. The thread that starts one must live until it has waited

@@ -1,21 +1,20 @@
-// One sandboxed command's supervisor: a process between the grader and bubblewrap.
+// One sandboxed command's supervisor: a process between the grader and the command.
 //
 //     grader -> supervisor -> bwrap -> [ bwrap's process 1 -> prlimit -> the command -> ... ]
+//     grader -> supervisor -> [ the command -> ... ]                               (Landlock)
 //
 // It reads the command's output to the end and kills it at the deadline whether or not the grader
 // waits, so that runs side by side cannot block each other. As the "subreaper" it inherits whatever
-// bwrap leaves behind: when it has no children any more, nothing of the run is alive, and all the
-// CPU time that was used is known. Read next: bwrap_arguments.c, what is inside the brackets.
+// the command leaves behind: when it has no children any more, nothing of the run is alive, and all
+// the CPU time that was used is known. Read next: sandbox_walls.c, the brackets.
 #include "sandbox_supervisor.h"
 
-#include "bwrap_arguments.h"
+#include "sandbox_census.h"
 
 #include <errno.h>
 #include <fcntl.h>
-#include <grp.h>
 #include <poll.h>
 #include <signal.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -35,17 +34,27 @@
 // on a busy machine the first was seen ahead of the second by a tenth and more.
 #define CPU_LIMIT_SHARE 0.5
 
-#define OPEN_FILES_LIMIT 256
+// How often the census is taken.
+#define CENSUS_SECONDS 0.1
+
+typedef enum WatchEnd {
+    WATCH_COMMAND_ENDED,
+    WATCH_DEADLINE,
+    WATCH_LIMIT,    // see the report
+    WATCH_STOPPED,  // the grader has ended, or somebody sent a SIGTERM
+} WatchEnd;
 
 typedef struct Watch {
-    const SandboxCommand *command;
+    const Walls *walls;
     SandboxReport *report;
     double deadline;  // on the monotonic clock, seconds
-    pid_t bwrap;
-    int output;  // read ends of the pipes; -1 when at their end
+    pid_t leader;     // bwrap, or the command itself
+    int leader_has_ended;
+    int leader_status;  // how
+    int output;         // read ends of the pipes; -1 when at their end
     int status;
-    int end_request;         // readable when the grader has ended, or somebody sent a SIGTERM
-    char status_text[1024];  // what bwrap said about itself, JSON
+    int signals;             // to be read: children have ended, or we shall (see WATCH_STOPPED)
+    char status_text[1024];  // what was said about the command's start and end, JSON
     size_t n_status;
 } Watch;
 
@@ -63,97 +72,72 @@ static void fault_set(SandboxReport *report, const char *what)
         (size_t)snprintf(report->output, sizeof report->output, "%s: %s", what, strerror(errno));
 }
 
-static void signals_block(int signal_id)
+// What a supervisor hears about by a signal: a child's end, and that it shall end itself.
+static sigset_t signals_heard(void)
 {
-    sigset_t blocked;
-    sigemptyset(&blocked);
-    if (signal_id != 0) {
-        sigaddset(&blocked, signal_id);
-    }
-    sigprocmask(SIG_SETMASK, &blocked, NULL);
+    sigset_t signals;
+    sigemptyset(&signals);
+    sigaddset(&signals, SIGCHLD);
+    sigaddset(&signals, SIGTERM);
+    return signals;
 }
 
-// ---- In the process that becomes bwrap -------------------------------------------------------
+// ---- In the process that becomes the command -------------------------------------------------
 
-static int limit_set(__rlimit_resource_t resource, rlim_t value)
+// Standard output and errors, and the walls' two descriptors; nothing else of the supervisor's.
+static int descriptors_arrange(int output, int status, int filter)
 {
-    struct rlimit limit;
-    if (getrlimit(resource, &limit) != 0) {
+    // Out of the way of the numbers that are wanted.
+    output = fcntl(output, F_DUPFD, WALLS_FILTER_DESCRIPTOR + 1);
+    status = fcntl(status, F_DUPFD, WALLS_FILTER_DESCRIPTOR + 1);
+    filter = fcntl(filter, F_DUPFD, WALLS_FILTER_DESCRIPTOR + 1);
+    if (output < 0 || status < 0 || filter < 0 || dup2(output, STDOUT_FILENO) < 0 ||
+        dup2(output, STDERR_FILENO) < 0 || dup2(status, WALLS_STATUS_DESCRIPTOR) < 0 ||
+        dup2(filter, WALLS_FILTER_DESCRIPTOR) < 0) {
         return -1;
     }
-    // Where the grader itself runs under a tighter limit, that one stays.
-    if (limit.rlim_max == RLIM_INFINITY || value < limit.rlim_max) {
-        limit.rlim_max = value;
+    if (close_range(STDERR_FILENO + 1, WALLS_STATUS_DESCRIPTOR - 1, 0) != 0) {
+        return -1;
     }
-    limit.rlim_cur = limit.rlim_max;
-    return setrlimit(resource, &limit);
+    return close_range(WALLS_FILTER_DESCRIPTOR + 1, ~0U, 0);
 }
 
-// All limits but the one on processes (see bwrap_arguments.c).
-static int limits_set(const SandboxCommand *command)
+// When the machine runs out of memory, the kernel shall choose what is inside and not the grader.
+static void sacrifice_offer(void)
 {
-    const rlim_t megabyte = 1024 * 1024;
-    if (command->memory_mb > 0 &&
-        limit_set(RLIMIT_AS, (rlim_t)command->memory_mb * megabyte) != 0) {
-        return -1;
+    int file = open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC);
+    if (file >= 0) {
+        // Without it, the kernel chooses as it always does.
+        ssize_t ignored = write(file, "1000", 4);
+        (void)ignored;
+        close(file);
     }
-    // Soft and hard alike: PoCL swallows SIGXCPU, the hard limit's SIGKILL nobody can.
-    if (limit_set(RLIMIT_CPU, (rlim_t)command->cpu_seconds) != 0 ||
-        limit_set(RLIMIT_FSIZE, (rlim_t)command->file_mb * megabyte) != 0 ||
-        limit_set(RLIMIT_NOFILE, OPEN_FILES_LIMIT) != 0 || limit_set(RLIMIT_CORE, 0) != 0) {
-        return -1;
-    }
-    return 0;
 }
 
-// Root's rights go before bwrap starts, so that not even a fault in bwrap gives them away.
-static int privileges_drop(void)
+static _Noreturn void leader_become(const Walls *walls, int output, int status)
 {
-    if (geteuid() != 0) {
-        return 0;
-    }
-    if (setgroups(0, NULL) != 0 || setresgid(SANDBOX_NOBODY, SANDBOX_NOBODY, SANDBOX_NOBODY) != 0 ||
-        setresuid(SANDBOX_NOBODY, SANDBOX_NOBODY, SANDBOX_NOBODY) != 0) {
-        return -1;
-    }
-    return 0;
-}
-
-static int descriptors_arrange(int output, int status)
-{
-    if (dup2(output, STDOUT_FILENO) < 0 || dup2(output, STDERR_FILENO) < 0 ||
-        dup2(status, BWRAP_STATUS_DESCRIPTOR) < 0) {
-        return -1;
-    }
-    if (close_range(STDERR_FILENO + 1, BWRAP_STATUS_DESCRIPTOR - 1, 0) != 0) {
-        return -1;
-    }
-    return close_range(BWRAP_STATUS_DESCRIPTOR + 1, ~0U, 0);
-}
-
-static _Noreturn void bwrap_become(const SandboxCommand *command, char *const *bwrap, int output,
-                                   int status)
-{
-    // bwrap's own environment can be read from inside (/proc/1/environ): the grader's stays out.
-    char *const environment[] = {"PATH=/usr/bin:/bin", NULL};
-    signals_block(0);
-    if (setpgid(0, 0) == 0 && descriptors_arrange(output, status) == 0 && chdir("/") == 0 &&
-        limits_set(command) == 0 && privileges_drop() == 0) {
+    const char *step = "cannot arrange its files";
+    sigset_t none;
+    sigemptyset(&none);
+    sigprocmask(SIG_SETMASK, &none, NULL);
+    sacrifice_offer();
+    if (setsid() > 0 && descriptors_arrange(output, status, walls->filter) == 0 &&
+        chdir("/") == 0) {
         umask(022);
-        execvpe(bwrap[0], bwrap, environment);
-        if (errno == ENOENT) {
+        walls_enter(walls, &step);
+        if (errno == ENOENT && walls->bwrap != NULL) {
             dprintf(STDERR_FILENO, "bwrap not found: install bubblewrap\n");
             _exit(127);
         }
     }
-    dprintf(STDERR_FILENO, "cannot start bwrap: %s\n", strerror(errno));
+    dprintf(STDERR_FILENO, "%s: %s\n", step, strerror(errno));
     _exit(127);
 }
 
 // ---- In the supervisor -----------------------------------------------------------------------
 
 // Leave what was inherited from the grader: its signal handlers, its open files, its process group.
-static int inheritance_leave(pid_t grader)
+static int inheritance_leave(const Walls *walls, pid_t grader)
 {
     for (int signal_id = 1; signal_id <= SIGRTMAX; signal_id++) {
         signal(signal_id, SIG_DFL);
@@ -161,7 +145,8 @@ static int inheritance_leave(pid_t grader)
     // When the grader ends we get a SIGTERM, to be read like the output, and clear up. Dying along
     // with it would not do: bwrap, killed while it starts, can leave its command running. For the
     // same reason we are in a group of our own: "kill the grader's group" shall not mean us.
-    signals_block(SIGTERM);
+    sigset_t signals = signals_heard();
+    sigprocmask(SIG_SETMASK, &signals, NULL);
     if (setpgid(0, 0) != 0 || prctl(PR_SET_PDEATHSIG, SIGTERM) != 0 ||
         prctl(PR_SET_CHILD_SUBREAPER, 1) != 0) {
         return -1;
@@ -170,7 +155,8 @@ static int inheritance_leave(pid_t grader)
         _exit(1);
     }
 
-    if (close_range(0, ~0U, 0) != 0) {
+    unsigned filter = (unsigned)walls->filter;  // above the standard descriptors
+    if (close_range(0, filter - 1, 0) != 0 || close_range(filter + 1, ~0U, 0) != 0) {
         return -1;
     }
     // Descriptors 0, 1 and 2, in this order as the lowest free ones.
@@ -181,24 +167,21 @@ static int inheritance_leave(pid_t grader)
 }
 
 // Returns 0, or -1 with errno set.
-static int bwrap_start(Watch *watch, char *const *bwrap)
+static int leader_start(Watch *watch)
 {
     int output[2], status[2];
-    sigset_t termination;
-    sigemptyset(&termination);
-    sigaddset(&termination, SIGTERM);
-    watch->end_request = signalfd(-1, &termination, SFD_CLOEXEC);
-    if (watch->end_request < 0 || pipe2(output, O_CLOEXEC) != 0 || pipe2(status, O_CLOEXEC) != 0) {
+    sigset_t signals = signals_heard();
+    watch->signals = signalfd(-1, &signals, SFD_CLOEXEC | SFD_NONBLOCK);
+    if (watch->signals < 0 || pipe2(output, O_CLOEXEC) != 0 || pipe2(status, O_CLOEXEC) != 0) {
         return -1;
     }
-    watch->bwrap = fork();
-    if (watch->bwrap < 0) {
+    watch->leader = fork();
+    if (watch->leader < 0) {
         return -1;
     }
-    if (watch->bwrap == 0) {
-        bwrap_become(watch->command, bwrap, output[1], status[1]);
+    if (watch->leader == 0) {
+        leader_become(watch->walls, output[1], status[1]);
     }
-    setpgid(watch->bwrap, watch->bwrap);  // whichever of the two comes first
     close(output[1]);
     close(status[1]);
     watch->output = output[0];
@@ -207,28 +190,30 @@ static int bwrap_start(Watch *watch, char *const *bwrap)
 }
 
 // Read what a pipe holds now. What does not fit is thrown away, but read: a writer is never
-// blocked.
-static void pipe_read(int *pipe, char *text, size_t n_room, size_t *n_text)
+// blocked. Returns how much there was.
+static size_t pipe_read(int *pipe, char *text, size_t n_room, size_t *n_text)
 {
     char block[65536];
     ssize_t n = read(*pipe, block, sizeof block);
     if (n < 0 && errno == EINTR) {
-        return;
+        return 0;
     }
     if (n <= 0) {
         close(*pipe);
         *pipe = -1;
-        return;
+        return 0;
     }
     size_t n_kept = (size_t)n < n_room - *n_text ? (size_t)n : n_room - *n_text;
     memcpy(text + *n_text, block, n_kept);
     *n_text += n_kept;
+    return (size_t)n;
 }
 
 static void output_read(Watch *watch)
 {
     SandboxReport *report = watch->report;
-    pipe_read(&watch->output, report->output, sizeof report->output, &report->n_output);
+    report->n_printed +=
+        pipe_read(&watch->output, report->output, sizeof report->output, &report->n_output);
 }
 
 static void status_read(Watch *watch)
@@ -236,34 +221,87 @@ static void status_read(Watch *watch)
     pipe_read(&watch->status, watch->status_text, sizeof watch->status_text - 1, &watch->n_status);
 }
 
-// bwrap holds both pipes open itself, so both at their end means that bwrap has ended. A command
-// that closes its output does not look like that.
-static void pipes_watch(Watch *watch)
+static pid_t outermost(const Watch *watch)
 {
-    while (watch->output >= 0 || watch->status >= 0) {
-        double seconds_left = watch->deadline - seconds_now();
-        if (seconds_left <= 0) {
-            return;
+    return watch->walls->bwrap != NULL ? watch->leader : -1;
+}
+
+// Has a limit on all processes together been passed?
+static int census_take(Watch *watch)
+{
+    Census census = {0};
+    census_processes(watch->walls, outermost(watch), &census);
+    census_folders(watch->walls, &census);
+    watch->report->limit = census_limit(&census, &watch->walls->command);
+    return watch->report->limit != SANDBOX_LIMIT_NONE;
+}
+
+// Reap what has ended. Returns 0 when there are no children any more.
+static int children_reap(Watch *watch)
+{
+    int status;
+    pid_t child;
+    while ((child = waitpid(-1, &status, WNOHANG)) > 0 || (child < 0 && errno == EINTR)) {
+        if (child == watch->leader) {
+            watch->leader_has_ended = 1;
+            watch->leader_status = status;
         }
-        struct pollfd pipes[] = {{.fd = watch->output, .events = POLLIN},
-                                 {.fd = watch->status, .events = POLLIN},
-                                 {.fd = watch->end_request, .events = POLLIN}};
-        if (poll(pipes, 3, (int)(seconds_left * 1000) + 1) <= 0) {
-            continue;  // the deadline: looked at above
+    }
+    return child == 0;
+}
+
+// Hear of signals. What ends is reaped at once, as whatever waits for that counts as a process.
+// Returns 1 when we shall end.
+static int signals_read(Watch *watch)
+{
+    struct signalfd_siginfo heard;
+    int is_stopped = 0;
+    while (read(watch->signals, &heard, sizeof heard) == sizeof heard) {
+        is_stopped |= heard.ssi_signo == SIGTERM;
+    }
+    children_reap(watch);
+    return is_stopped;
+}
+
+// Watch until the command ends or has to be ended.
+static WatchEnd command_watch(Watch *watch)
+{
+    double census_time = seconds_now() + CENSUS_SECONDS;
+    for (;;) {
+        double now = seconds_now();
+        if (now >= watch->deadline) {
+            return WATCH_DEADLINE;
         }
-        if (pipes[2].revents != 0) {
-            return;
+        if (now >= census_time) {
+            if (census_take(watch)) {
+                return WATCH_LIMIT;
+            }
+            census_time = seconds_now() + CENSUS_SECONDS;
         }
-        if (pipes[0].revents != 0) {
+        double wake_time = census_time < watch->deadline ? census_time : watch->deadline;
+        struct pollfd events[] = {{.fd = watch->output, .events = POLLIN},
+                                  {.fd = watch->status, .events = POLLIN},
+                                  {.fd = watch->signals, .events = POLLIN}};
+        int milliseconds = (int)((wake_time - now) * 1000) + 1;
+        if (poll(events, 3, milliseconds > 0 ? milliseconds : 0) <= 0) {
+            continue;  // the deadline or the census: looked at above
+        }
+        if (events[0].revents != 0) {
             output_read(watch);
         }
-        if (pipes[1].revents != 0) {
+        if (events[1].revents != 0) {
             status_read(watch);
+        }
+        if (events[2].revents != 0 && signals_read(watch)) {
+            return WATCH_STOPPED;
+        }
+        if (watch->leader_has_ended) {
+            return WATCH_COMMAND_ENDED;
         }
     }
 }
 
-// The number behind "name": in what bwrap said, or -1. Only bwrap can write there.
+// The number behind "name": in what was said, or -1. Only the walls can write there.
 static int status_number(const Watch *watch, const char *name)
 {
     const char *place = strstr(watch->status_text, name);
@@ -271,26 +309,24 @@ static int status_number(const Watch *watch, const char *name)
     return colon != NULL ? atoi(colon + 1) : -1;
 }
 
-// Kill what is left and wait until there is nothing any more.
+// Kill what is left until there is nothing any more.
 static void processes_end(Watch *watch)
 {
-    kill(-watch->bwrap, SIGKILL);
-    while (waitpid(watch->bwrap, NULL, 0) < 0 && errno == EINTR)
-        ;
+    const struct timespec pause = {.tv_nsec = 1000000};
+    if (!watch->leader_has_ended) {
+        kill(watch->leader, SIGKILL);
+    }
     // With bwrap gone, its process 1 inside is our child and gets killed by the kernel, unless
     // bwrap was killed before it could arrange for that. Process 1 takes the whole sandbox with it.
+    while (children_reap(watch)) {
+        census_kill_children();
+        walls_end_user(watch->walls);
+        nanosleep(&pause, NULL);
+    }
+    // Everyone who could write has ended.
     while (watch->status >= 0) {
         status_read(watch);
     }
-    int first_inside = status_number(watch, "\"child-pid\"");
-    siginfo_t unused;
-    int is_our_child = first_inside > 0 &&
-                       waitid(P_PID, (id_t)first_inside, &unused, WEXITED | WNOHANG | WNOWAIT) == 0;
-    if (is_our_child) {
-        kill(first_inside, SIGKILL);
-    }
-    while (wait(NULL) > 0 || errno == EINTR)
-        ;
     while (watch->output >= 0) {
         output_read(watch);
     }
@@ -305,19 +341,37 @@ static double cpu_seconds_used(void)
            1e-6 * (double)(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
 }
 
-static void outcome_judge(Watch *watch)
+// The command's exit code as a shell has it, or -1 when it did not come to an end of its own.
+static int exit_code_find(const Watch *watch)
+{
+    if (watch->walls->bwrap != NULL) {
+        // bwrap tells one only if the command was really started.
+        return status_number(watch, "\"exit-code\"");
+    }
+    if (status_number(watch, "\"child-pid\"") < 0) {
+        return -1;
+    }
+    int status = watch->leader_status;
+    return WIFSIGNALED(status) ? SIGNAL_EXIT_BASE + WTERMSIG(status) : WEXITSTATUS(status);
+}
+
+static void outcome_judge(const Watch *watch, WatchEnd end)
 {
     SandboxReport *report = watch->report;
-    // bwrap tells an exit code only if the command was really started.
-    int exit_code = status_number(watch, "\"exit-code\"");
+    int exit_code = exit_code_find(watch);
     int was_made = status_number(watch, "\"child-pid\"") > 0;
-    double cpu_limit = CPU_LIMIT_SHARE * watch->command->cpu_seconds;
+    double cpu_limit = CPU_LIMIT_SHARE * watch->walls->command.cpu_seconds;
 
-    if (exit_code < 0) {
-        int is_late = seconds_now() >= watch->deadline;
-        report->outcome = is_late && was_made ? SANDBOX_TIMED_OUT : SANDBOX_FAULT;
+    if (end == WATCH_LIMIT) {
+        report->outcome = SANDBOX_EXCEEDED;
+    } else if (end == WATCH_DEADLINE) {
+        report->outcome = was_made ? SANDBOX_TIMED_OUT : SANDBOX_FAULT;
+    } else if (end == WATCH_STOPPED || exit_code < 0) {
+        report->outcome = SANDBOX_FAULT;
     } else if (exit_code == SIGNAL_EXIT_BASE + SIGKILL && cpu_seconds_used() >= cpu_limit) {
         report->outcome = SANDBOX_TIMED_OUT;
+    } else if (exit_code == SIGNAL_EXIT_BASE + SIGSYS) {
+        report->outcome = SANDBOX_FORBIDDEN;
     } else if (exit_code > SIGNAL_EXIT_BASE && exit_code <= SIGNAL_EXIT_BASE + SIGRTMAX) {
         report->outcome = SANDBOX_CRASHED;
         report->signal = exit_code - SIGNAL_EXIT_BASE;
@@ -327,21 +381,37 @@ static void outcome_judge(Watch *watch)
     }
 }
 
-_Noreturn void sandbox_supervise(const SandboxCommand *command, char *const *bwrap, pid_t grader,
-                                 SandboxReport *report)
+// What it left running, and whether it wrote too much since the last look. Returns how it ended.
+static WatchEnd last_look_take(Watch *watch)
+{
+    Census census = {0};
+    children_reap(watch);
+    census_processes(watch->walls, -1, &census);
+    watch->report->n_left = watch->walls->bwrap == NULL ? census.n_processes : 0;
+    return census_take(watch) ? WATCH_LIMIT : WATCH_COMMAND_ENDED;
+}
+
+_Noreturn void sandbox_supervise(Walls *walls, pid_t grader, SandboxReport *report)
 {
     Watch watch = {
-        .command = command,
+        .walls = walls,
         .report = report,
-        .deadline = seconds_now() + command->wall_seconds,
+        .deadline = seconds_now() + walls->command.wall_seconds,
     };
-    if (inheritance_leave(grader) != 0 || bwrap_start(&watch, bwrap) != 0) {
-        fault_set(report, "cannot start bwrap");
+    const char *step = "cannot leave the grader's process";
+    if (inheritance_leave(walls, grader) != 0 || walls_make(walls, &step) != 0) {
+        fault_set(report, step);
+    } else if (leader_start(&watch) != 0) {
+        fault_set(report, "cannot start a process");
     } else {
-        pipes_watch(&watch);
+        WatchEnd end = command_watch(&watch);
+        if (end == WATCH_COMMAND_ENDED) {
+            end = last_look_take(&watch);
+        }
         processes_end(&watch);
-        outcome_judge(&watch);
+        outcome_judge(&watch, end);
     }
+    walls_take_down(walls);
     report->is_complete = 1;
     _exit(0);
 }

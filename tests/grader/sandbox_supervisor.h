@@ -2,12 +2,9 @@
 #ifndef GRADER_SANDBOX_SUPERVISOR_H
 #define GRADER_SANDBOX_SUPERVISOR_H
 
-#include "sandbox.h"
+#include "sandbox_walls.h"
 
 #include <sys/types.h>
-
-// The unprivileged user and group that a grader run by root uses: nobody and nogroup.
-#define SANDBOX_NOBODY 65534
 
 // What it found out, in memory shared with the grader.
 typedef struct SandboxReport {
@@ -15,13 +12,15 @@ typedef struct SandboxReport {
     SandboxOutcome outcome;
     int exit_status;
     int signal;
+    SandboxLimit limit;
+    int n_left;
+    unsigned long long n_printed;
     size_t n_output;
     char output[SANDBOX_MAX_OUTPUT];  // of a SANDBOX_FAULT: what went wrong
 } SandboxReport;
 
-// Run `command` through bubblewrap with the argument list `bwrap` and fill in *report. To be called
-// in a fresh child of `grader`, which it ends; it allocates nothing and prints nothing.
-_Noreturn void sandbox_supervise(const SandboxCommand *command, char *const *bwrap, pid_t grader,
-                                 SandboxReport *report);
+// Run the command inside the walls, which are made and taken down here, and fill in *report. To be
+// called in a fresh child of `grader`, which it ends; it prints nothing.
+_Noreturn void sandbox_supervise(Walls *walls, pid_t grader, SandboxReport *report);
 
 #endif

@@ -90,9 +90,11 @@ int session_open(Session *session, SessionSettings settings)
         fprintf(stderr, "grade: %s: this lab has no judge\n", settings.lab);
         return -1;
     }
-    if (manifest_load("labs", settings.lab, &session->manifest) != 0 || sandbox_check() != 0 ||
-        workshop_open(&session->workshop, &session->manifest, settings.build, settings.device) !=
-            0 ||
+    SandboxKind sandbox;
+    if (manifest_load("labs", settings.lab, &session->manifest) != 0 ||
+        sandbox_choose(settings.sandbox, &sandbox) != 0 ||
+        workshop_open(&session->workshop, &session->manifest, settings.build, settings.device,
+                      sandbox) != 0 ||
         write_job(session) != 0) {
         return -1;
     }

@@ -16,7 +16,8 @@ typedef struct SessionSettings {
     const char *build;   // the build folder
     const char *device;  // "" for the first
     uint64_t seed;
-    int time_limit;  // seconds for a variant
+    int time_limit;       // seconds for a variant
+    SandboxKind sandbox;  // SANDBOX_ANY: the first that works; the workshop has which one it is
 } SessionSettings;
 
 typedef struct Session {

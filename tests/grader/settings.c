@@ -7,9 +7,12 @@
 #include <getopt.h>
 #include <inttypes.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/random.h>
 #include <unistd.h>
+
+#define SANDBOX_VARIABLE "COURSE_SANDBOX"
 
 // How long a submission may run; the solution takes about a second.
 enum { DEFAULT_TIME_LIMIT = 10 };
@@ -26,6 +29,8 @@ static void usage(FILE *out)
         "  --seed N             the hidden scenes' seed (default: a new one)\n"
         "  --device D           OpenCL device by number or name\n"
         "  --time-limit S       seconds a submission may run (default: %d)\n"
+        "  --sandbox KIND       bubblewrap, landlock (as root), none, or any that is one; any\n"
+        "                       is the default, $" SANDBOX_VARIABLE " sets another\n"
         "  --build FOLDER       where probes and libraries are (default: build)\n"
         "  --format NAMES       more reports, for example junit,tap; also gradescope, autolab,\n"
         "                       prairielearn, github\n"
@@ -60,6 +65,17 @@ static int read_number(const char *option, const char *text, uint64_t lowest, ui
     return -1;
 }
 
+// Returns 0, or -1 after one message.
+static int read_sandbox(const char *option, const char *text, SandboxKind *kind)
+{
+    if (sandbox_kind_find(text, kind) == 0) {
+        return 0;
+    }
+    fprintf(stderr, "grade: %s: found \"%s\", expected bubblewrap, landlock, none or any\n", option,
+            text);
+    return -1;
+}
+
 // A seed that nobody can foresee, yet short enough to be typed again.
 static uint64_t draw_seed(void)
 {
@@ -79,12 +95,19 @@ typedef struct GivenOptions {
 static int read_options(int argc, char **argv, Settings *settings, GivenOptions *given)
 {
     static const struct option options[] = {
-        {"lab", required_argument, NULL, 'l'},    {"submission", required_argument, NULL, 's'},
-        {"output", required_argument, NULL, 'o'}, {"seed", required_argument, NULL, 'r'},
-        {"device", required_argument, NULL, 'd'}, {"time-limit", required_argument, NULL, 't'},
-        {"build", required_argument, NULL, 'b'},  {"list-checks", no_argument, NULL, 'c'},
-        {"format", required_argument, NULL, 'f'}, {"answers", required_argument, NULL, 'a'},
-        {"help", no_argument, NULL, 'h'},         {0},
+        {"lab", required_argument, NULL, 'l'},
+        {"submission", required_argument, NULL, 's'},
+        {"output", required_argument, NULL, 'o'},
+        {"seed", required_argument, NULL, 'r'},
+        {"device", required_argument, NULL, 'd'},
+        {"time-limit", required_argument, NULL, 't'},
+        {"build", required_argument, NULL, 'b'},
+        {"list-checks", no_argument, NULL, 'c'},
+        {"format", required_argument, NULL, 'f'},
+        {"answers", required_argument, NULL, 'a'},
+        {"sandbox", required_argument, NULL, 'x'},
+        {"help", no_argument, NULL, 'h'},
+        {0},
     };
     uint64_t seconds = DEFAULT_TIME_LIMIT;
     int letter, failed = 0;
@@ -116,6 +139,9 @@ static int read_options(int argc, char **argv, Settings *settings, GivenOptions 
             break;
         case 'a':
             settings->kept_answers = optarg;
+            break;
+        case 'x':
+            failed = read_sandbox("--sandbox", optarg, &settings->sandbox);
             break;
         case 'c':
             settings->list_checks = 1;
@@ -152,7 +178,17 @@ static int set_folders(const GivenOptions *given, Settings *settings)
 int settings_parse(int argc, char **argv, Settings *settings)
 {
     GivenOptions given = {0};
-    *settings = (Settings){.build = "build", .device = "", .seed = draw_seed()};
+    *settings = (Settings){
+        .build = "build",
+        .device = "",
+        .seed = draw_seed(),
+        .sandbox = SANDBOX_ANY,
+    };
+    const char *sandbox = getenv(SANDBOX_VARIABLE);
+    if (sandbox != NULL && sandbox[0] != '\0' &&
+        read_sandbox("$" SANDBOX_VARIABLE, sandbox, &settings->sandbox) != 0) {
+        return -1;
+    }
     const int answered = read_options(argc, argv, settings, &given);
     if (answered != 0) {
         return answered;

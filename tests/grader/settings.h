@@ -3,6 +3,7 @@
 #define GRADER_SETTINGS_H
 
 #include "report_systems.h"
+#include "sandbox.h"
 
 #include <stdint.h>
 
@@ -16,9 +17,10 @@ typedef struct Settings {
     const char *device;                    // "" for the first
     const char *kept_answers;              // see kept_answers.h; NULL: the solution is run
     uint64_t seed;
-    int time_limit;     // seconds
-    FormatSet formats;  // what to write besides results.json and report.html
-    int list_checks;    // only print the lab's checks
+    int time_limit;       // seconds
+    FormatSet formats;    // what to write besides results.json and report.html
+    SandboxKind sandbox;  // SANDBOX_ANY: the first that works here
+    int list_checks;      // only print the lab's checks
 } Settings;
 
 // Read the command line. Returns 0, 1 when --help was answered, or -1 after one message on stderr.

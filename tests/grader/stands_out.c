@@ -1,11 +1,11 @@
 // What no answer needs, found among a source's words (see stands_out.h).
 //
 // Flow: staged -> LOOKED AT -> compiled -> run -> judged. Called by grade.c once a submission is
-// staged. Read next: source_tokens.h, and extra_files.c for what lies beside the answers.
+// staged. Read next: source_words.h, and extra_files.c for what lies beside the answers.
 #include "stands_out.h"
 
 #include "extra_files.h"
-#include "source_tokens.h"
+#include "source_words.h"
 #include "text_file.h"
 
 #include <ctype.h>
@@ -76,8 +76,8 @@ typedef struct Look {
     const char *name;
     FILE *notes;
     int n_notes;
-    char noted[MAX_NOTES][TOKEN_BYTES + 32];  // each thing once
-    Token before_last, last, token;
+    char noted[MAX_NOTES][SOURCE_WORD_BYTES + 32];  // each thing once
+    SourceWord before_last, last, word;
     int attribute_depth;  // open brackets since __attribute__; 0 outside of one
 } Look;
 
@@ -103,11 +103,10 @@ __attribute__((format(printf, 3, 4))) static void note(Look *look, int line, con
 // name(  where no structure's member is called.
 static void look_at_call(Look *look)
 {
-    const Token *function = &look->last;
-    const int is_member = source_token_is(&look->before_last, TOKEN_SIGN, ".") ||
-                          source_token_is(&look->before_last, TOKEN_SIGN, "->");
-    if (!source_token_is(&look->token, TOKEN_SIGN, "(") || function->kind != TOKEN_WORD ||
-        is_member) {
+    const SourceWord *function = &look->last;
+    const int is_member = source_is(&look->before_last, SOURCE_SIGN, ".") ||
+                          source_is(&look->before_last, SOURCE_SIGN, "->");
+    if (!source_is(&look->word, SOURCE_SIGN, "(") || function->kind != SOURCE_NAME || is_member) {
         return;
     }
     if (IN_LIST(function->text, calls)) {
@@ -120,18 +119,18 @@ static void look_at_call(Look *look)
 // exit with status 0: giving up with another one is what a program may do when memory runs out.
 static void look_at_exit(Look *look)
 {
-    if (source_token_is(&look->before_last, TOKEN_WORD, "exit") &&
-        source_token_is(&look->last, TOKEN_SIGN, "(") &&
-        (source_token_is(&look->token, TOKEN_WORD, "0") ||
-         source_token_is(&look->token, TOKEN_WORD, "EXIT_SUCCESS"))) {
-        note(look, look->token.line, "exit(0)");
+    if (source_is(&look->before_last, SOURCE_NAME, "exit") &&
+        source_is(&look->last, SOURCE_SIGN, "(") &&
+        (source_is(&look->word, SOURCE_NAME, "0") ||
+         source_is(&look->word, SOURCE_NAME, "EXIT_SUCCESS"))) {
+        note(look, look->word.line, "exit(0)");
     }
 }
 
 static void look_at_word(Look *look)
 {
-    const Token *word = &look->token;
-    if (word->kind != TOKEN_WORD) {
+    const SourceWord *word = &look->word;
+    if (word->kind != SOURCE_NAME) {
         return;
     }
     if (strcmp(word->text, "asm") == 0 || strcmp(word->text, "__asm") == 0 ||
@@ -144,9 +143,9 @@ static void look_at_word(Look *look)
 
 static void look_at_counter(Look *look)
 {
-    const int reaches_in = source_token_is(&look->token, TOKEN_SIGN, "->") ||
-                           source_token_is(&look->token, TOKEN_SIGN, "[");
-    if (reaches_in && look->last.kind == TOKEN_WORD && IN_LIST(look->last.text, counters)) {
+    const int reaches_in =
+        source_is(&look->word, SOURCE_SIGN, "->") || source_is(&look->word, SOURCE_SIGN, "[");
+    if (reaches_in && look->last.kind == SOURCE_NAME && IN_LIST(look->last.text, counters)) {
         note(look, look->last.line, "a hand on the counted work (%s)", look->last.text);
     }
 }
@@ -159,8 +158,8 @@ static int ends_with(const char *text, const char *ending)
 
 static void look_at_string(Look *look)
 {
-    const Token *string = &look->token;
-    if (string->kind != TOKEN_STRING || source_token_is(&look->last, TOKEN_WORD, "include")) {
+    const SourceWord *string = &look->word;
+    if (string->kind != SOURCE_STRING || source_is(&look->last, SOURCE_NAME, "include")) {
         return;
     }
     for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
@@ -174,25 +173,25 @@ static void look_at_string(Look *look)
     }
 }
 
-static int is_given_header(const Token *file)
+static int is_given_header(const SourceWord *file)
 {
-    if (file->kind == TOKEN_HEADER) {
+    if (file->kind == SOURCE_HEADER) {
         return IN_LIST(file->text, headers);
     }
-    return file->kind == TOKEN_STRING && file->text[0] != '/' &&
+    return file->kind == SOURCE_STRING && file->text[0] != '/' &&
            (ends_with(file->text, ".h") || ends_with(file->text, ".cl"));
 }
 
 // #include of a header that is not the lab's, #line, #embed, and pragmas that look at files.
 static void look_at_directive(Look *look)
 {
-    const Token *name = &look->last, *argument = &look->token;
-    if (!name->in_directive || !source_token_is(&look->before_last, TOKEN_SIGN, "#") ||
-        name->kind != TOKEN_WORD) {
+    const SourceWord *name = &look->last, *argument = &look->word;
+    if (!name->in_directive || !source_is(&look->before_last, SOURCE_SIGN, "#") ||
+        name->kind != SOURCE_NAME) {
         return;
     }
     if (strncmp(name->text, "include", strlen("include")) == 0 && !is_given_header(argument)) {
-        note(look, name->line, argument->kind == TOKEN_HEADER ? "#%s <%s>" : "#%s \"%s\"",
+        note(look, name->line, argument->kind == SOURCE_HEADER ? "#%s <%s>" : "#%s \"%s\"",
              name->text, argument->text);
     } else if (isdigit((unsigned char)name->text[0]) || strcmp(name->text, "line") == 0 ||
                strcmp(name->text, "embed") == 0) {
@@ -202,25 +201,24 @@ static void look_at_directive(Look *look)
 
 static void look_at_pragma(Look *look)
 {
-    const Token *token = &look->token;
-    const int in_directive = token->in_directive &&
-                             source_token_is(&look->last, TOKEN_WORD, "GCC") &&
-                             source_token_is(&look->before_last, TOKEN_WORD, "pragma") &&
-                             source_token_is(token, TOKEN_WORD, "dependency");
-    const int in_operator = source_token_is(&look->before_last, TOKEN_WORD, "_Pragma") &&
-                            token->kind == TOKEN_STRING && strstr(token->text, "dependency");
+    const SourceWord *word = &look->word;
+    const int in_directive = word->in_directive && source_is(&look->last, SOURCE_NAME, "GCC") &&
+                             source_is(&look->before_last, SOURCE_NAME, "pragma") &&
+                             source_is(word, SOURCE_NAME, "dependency");
+    const int in_operator = source_is(&look->before_last, SOURCE_NAME, "_Pragma") &&
+                            word->kind == SOURCE_STRING && strstr(word->text, "dependency");
     if (in_directive || in_operator) {
-        note(look, token->line, "the pragma GCC dependency");
+        note(look, word->line, "the pragma GCC dependency");
     }
 }
 
 static void attribute_follow(Look *look)
 {
-    if (source_token_is(&look->token, TOKEN_SIGN, "(") &&
-        (look->attribute_depth > 0 || source_token_is(&look->last, TOKEN_WORD, "__attribute__") ||
-         source_token_is(&look->last, TOKEN_WORD, "__attribute"))) {
+    if (source_is(&look->word, SOURCE_SIGN, "(") &&
+        (look->attribute_depth > 0 || source_is(&look->last, SOURCE_NAME, "__attribute__") ||
+         source_is(&look->last, SOURCE_NAME, "__attribute"))) {
         look->attribute_depth++;
-    } else if (source_token_is(&look->token, TOKEN_SIGN, ")") && look->attribute_depth > 0) {
+    } else if (source_is(&look->word, SOURCE_SIGN, ")") && look->attribute_depth > 0) {
         look->attribute_depth--;
     }
 }
@@ -228,11 +226,11 @@ static void attribute_follow(Look *look)
 int stands_out_in_text(const char *name, const char *text, FILE *notes)
 {
     Look look = {.name = name, .notes = notes};
-    TokenReader reader = token_reader(text);
+    SourceReader reader = source_reader(text);
     do {
         look.before_last = look.last;
-        look.last = look.token;
-        look.token = token_next(&reader);
+        look.last = look.word;
+        look.word = source_next(&reader);
         attribute_follow(&look);
         look_at_call(&look);
         look_at_exit(&look);
@@ -241,7 +239,7 @@ int stands_out_in_text(const char *name, const char *text, FILE *notes)
         look_at_string(&look);
         look_at_directive(&look);
         look_at_pragma(&look);
-    } while (look.token.kind != TOKEN_END);
+    } while (look.word.kind != SOURCE_END);
     return look.n_notes;
 }
 

@@ -131,9 +131,6 @@ static int folders_make(const char *room)
             return machinery_fault(path, errno);
         }
     }
-    if (geteuid() == 0 && chown(path, sandbox_user(), (gid_t)sandbox_user()) != 0) {
-        return machinery_fault(path, errno);
-    }
     return 0;
 }
 
@@ -145,6 +142,7 @@ static SandboxRun *start_unpack(const Workshop *workshop, const char *in, const 
         argv[3 + i] = manifest->files[i];
     }
     const SandboxCommand command = {
+        .kind = workshop->sandbox,
         .argv = argv,
         .folder = "/work",
         .mounts = {{in, "/work/in", 0}, {out, "/work/out", 1}},

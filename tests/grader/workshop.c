@@ -2,7 +2,7 @@
 #include "workshop.h"
 
 #include "cl_check.h"
-#include "folder_remove.h"
+#include "folder.h"
 #include "jobs.h"
 #include "message.h"
 #include "probe.h"
@@ -10,6 +10,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <glob.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,7 +21,17 @@ enum { PATH_BYTES = 512 };
 
 // What a probe may use. An address space below 1 GB starves PoCL's compiler; processes and threads
 // count for all graders of one user together.
-enum { MEMORY_MB = 4096, FILE_MB = 64, N_PROCESSES = 512 };
+enum {
+    MEMORY_MB = 4096,
+    FILE_MB = 64,
+    N_PROCESSES = 512,
+    TOTAL_MEMORY_MB = 6144,
+    TOTAL_FILE_MB = 256,
+    N_FILES = 10000,
+};
+
+// The numbers of OpenCL's errors, those of its extensions included, end before this.
+enum { LAST_OPENCL_ERROR = -1200 };
 
 // Answers are pictures of at most 336x240 pixels of 16 bytes, a dozen of them: far below this.
 #define MAX_ANSWER_BYTES ((size_t)FILE_MB << 20)
@@ -134,10 +145,11 @@ static int make_mount_points(const Workshop *workshop)
 }
 
 int workshop_open(Workshop *workshop, const Manifest *manifest, const char *build,
-                  const char *device)
+                  const char *device, SandboxKind sandbox)
 {
     const char *parent = getenv("TMPDIR");
-    *workshop = (Workshop){.build = build, .manifest = manifest, .device = device};
+    *workshop =
+        (Workshop){.build = build, .manifest = manifest, .device = device, .sandbox = sandbox};
     for (int i = 0; i < manifest->n_files; i++) {
         const char *ending = strrchr(manifest->files[i], '.');
         workshop->needs_compiler |= ending != NULL && strcmp(ending, ".c") == 0;
@@ -162,9 +174,8 @@ int workshop_open(Workshop *workshop, const Manifest *manifest, const char *buil
 
 void workshop_close(Workshop *workshop)
 {
-    if (workshop->folder[0] != '\0' && folder_remove(workshop->folder) != 0) {
-        fprintf(stderr, "grade: %s: cannot be removed whole: %s\n", workshop->folder,
-                strerror(errno));
+    if (workshop->folder[0] != '\0') {
+        folder_remove(workshop->folder);
     }
     workshop->folder[0] = '\0';
 }
@@ -219,12 +230,6 @@ int variant_open(const Workshop *workshop, const char *name, Variant *variant, c
         if (make_folder(path) != 0) {
             return -1;
         }
-        // What runs inside writes here as its own user.
-        if ((i == 1 || i == 2) && geteuid() == 0 &&
-            chown(path, sandbox_user(), (gid_t)sandbox_user()) != 0) {
-            fprintf(stderr, "grade: %s: cannot be handed over: %s\n", path, strerror(errno));
-            return -1;
-        }
     }
     return copy_given_files(workshop->manifest, path);
 }
@@ -233,6 +238,7 @@ void variant_free(Variant *variant)
 {
     free(variant->build_log);
     free(variant->trouble);
+    free(variant->habits);
     free(variant->run_output);
     sections_free(&variant->answers);
     *variant = (Variant){0};
@@ -270,6 +276,7 @@ static SandboxRun *start(const Workshop *workshop, const Variant *variant, int b
     const char *const environment[] = {device, "POCL_MAX_WORK_GROUP_SIZE=256",
                                        "POCL_MAX_PTHREAD_COUNT=1", "POCL_CPU_MAX_CU_COUNT=1", NULL};
     SandboxCommand command = {
+        .kind = workshop->sandbox,
         .argv = argv,
         .environment = environment,
         .folder = "/work",
@@ -278,6 +285,9 @@ static SandboxRun *start(const Workshop *workshop, const Variant *variant, int b
         .memory_mb = MEMORY_MB,
         .file_mb = FILE_MB,
         .n_processes = N_PROCESSES,
+        .total_memory_mb = TOTAL_MEMORY_MB,
+        .total_file_mb = TOTAL_FILE_MB,
+        .n_files = N_FILES,
     };
     mount_variant(workshop, variant, building, paths, lab_inside, &command);
     return sandbox_start(&command);
@@ -325,50 +335,104 @@ static SandboxRun *start_compiler(const Workshop *workshop, const Variant *varia
 static SandboxRun *start_probe(const Workshop *workshop, const Variant *variant, int wall_seconds)
 {
     char path[PATH_BYTES];
-    snprintf(path, sizeof path, "/work/lib/%s", workshop->manifest->lab);
-    const char *const argv[] = {workshop->needs_compiler ? "/work/build/probe" : path, NULL};
+    snprintf(path, sizeof path, "lib/%s", workshop->manifest->lab);
+    const char *const argv[] = {workshop->needs_compiler ? "build/probe" : path, NULL};
     return start(workshop, variant, 0, argv, wall_seconds);
 }
 
-// The name of the OpenCL error that CL_CHECK printed, or "". Only a name that there is: where the
-// student's code runs beside our solution it can print what it likes, and this is passed on.
-static const char *printed_cl_error(const char *output)
+// The OpenCL error that a failed CL_CHECK named in a program's output, or NULL. The name is taken
+// from the table and not from the output: nothing else that a program prints is passed on here.
+static const char *opencl_error_find(const char *output)
 {
-    enum { LOWEST_STATUS = -1200 };
     const char *place = strstr(output, ": CL_");
-    for (int status = 0; place != NULL && status > LOWEST_STATUS; status--) {
-        const char *name = cl_error_name(status);
-        const size_t length = strlen(name);
-        if (strncmp(place + 2, name, length) == 0 && place[2 + length] == ' ') {
+    if (place == NULL) {
+        return NULL;
+    }
+    place += strlen(": ");
+    const size_t length = strspn(place, "ABCDEFGHIJKLMNOPQRSTUVWXYZ_");
+    for (cl_int error = -1; error >= LAST_OPENCL_ERROR; error--) {
+        const char *name = cl_error_name(error);
+        if (strlen(name) == length && strncmp(name, place, length) == 0) {
             return name;
         }
     }
-    return "";
+    return NULL;
 }
 
-// What a probe's end means for the student, or NULL when it ran to its end. Takes `result.output`.
-static char *describe_end(SandboxResult result, int wall_seconds)
+static char *describe_limit(SandboxLimit limit)
 {
-    switch (result.outcome) {
+    switch (limit) {
+    case SANDBOX_LIMIT_PROCESSES:
+        return message_new("it was stopped: it started more than %d processes and threads",
+                           N_PROCESSES);
+    case SANDBOX_LIMIT_MEMORY:
+        return message_new("it was stopped: it used more than %d GB of memory in all",
+                           TOTAL_MEMORY_MB / 1024);
+    case SANDBOX_LIMIT_BYTES:
+        return message_new("it was stopped: it wrote more than %d MB in all", TOTAL_FILE_MB);
+    case SANDBOX_LIMIT_FILES:
+        return message_new("it was stopped: it made more than %d files, or folders too deep to "
+                           "look into",
+                           N_FILES);
+    case SANDBOX_LIMIT_NONE:
+        break;
+    }
+    return NULL;
+}
+
+// What a command's end means for the student, or NULL when it ran to its end by itself.
+static char *describe_end(const SandboxResult *result, int wall_seconds)
+{
+    switch (result->outcome) {
     case SANDBOX_TIMED_OUT:
         return message_new("it did not finish in time (%d s): an endless loop?", wall_seconds);
     case SANDBOX_CRASHED:
-        return message_new("it crashed: signal %d (%s)%s", result.signal, strsignal(result.signal),
-                           result.signal == 11 || result.signal == 6
+        if (result->signal == SIGXFSZ) {
+            return message_new("it was stopped: it wrote a file of more than %d MB", FILE_MB);
+        }
+        return message_new("it crashed: signal %d (%s)%s", result->signal,
+                           strsignal(result->signal),
+                           result->signal == SIGSEGV || result->signal == SIGABRT
                                ? "; an index or a pointer out of range?"
                                : "");
+    case SANDBOX_FORBIDDEN:
+        return message_new("it was stopped: it asked the system for something no answer needs, "
+                           "such as a network connection");
+    case SANDBOX_EXCEEDED:
+        return describe_limit(result->limit);
     case SANDBOX_EXITED:
         break;
     case SANDBOX_FAULT:
         return NULL;
     }
-    if (result.exit_status == 0) {
+    if (result->exit_status == 0) {
         return NULL;
     }
-    // A failed CL_CHECK says which error; nothing else of what a program prints is passed on here.
-    const char *error = printed_cl_error(result.output);
-    return message_new("it ended early with exit status %d%s%s%s", result.exit_status,
-                       error[0] ? " (" : "", error, error[0] ? ")" : "");
+    const char *error = opencl_error_find(result->output);
+    return message_new("it ended early with exit status %d%s%s%s", result->exit_status,
+                       error ? " (" : "", error ? error : "", error ? ")" : "");
+}
+
+// What else there is to say about a run, which costs nothing: "" for most.
+static char *describe_habits(const SandboxResult *result)
+{
+    char *printed = message_new("%s", "");
+    if (result->n_printed > SANDBOX_MAX_OUTPUT) {
+        const double megabytes = (double)result->n_printed / 1e6;
+        free(printed);
+        printed = message_new("it printed %.1f %s; only the first %d KB are kept",
+                              megabytes < 1000 ? megabytes : megabytes / 1000,
+                              megabytes < 1000 ? "MB" : "GB", SANDBOX_MAX_OUTPUT / 1024);
+    }
+    if (result->n_left == 0) {
+        return printed;
+    }
+    char *both =
+        message_new("%s%sit left %d process%s running; %s ended", printed, printed[0] ? "\n" : "",
+                    result->n_left, result->n_left == 1 ? "" : "es",
+                    result->n_left == 1 ? "it was" : "they were");
+    free(printed);
+    return both;
 }
 
 // Take in how the compiler ended. Returns -1 when the machinery failed.
@@ -406,7 +470,8 @@ static int take_run(const Workshop *workshop, Variant *variant, int wall_seconds
     if (result.outcome == SANDBOX_EXITED && result.exit_status == PROBE_EXIT_NO_BUILD) {
         variant->build_log = strdup(result.output);
     } else {
-        variant->trouble = describe_end(result, wall_seconds);
+        variant->trouble = describe_end(&result, wall_seconds);
+        variant->habits = describe_habits(&result);
         size_t n_bytes;
         if (variant->trouble == NULL &&
             sections_find_any(&variant->answers, PROBE_END, &n_bytes) == NULL) {

@@ -17,12 +17,13 @@ typedef struct Workshop {
     const char *build;  // the build folder with the probes and libraries, "build"
     const Manifest *manifest;
     const char *device;  // value of COURSE_DEVICE inside; "" for the first
+    SandboxKind sandbox;
     int needs_compiler;  // the lab has host files
 } Workshop;
 
 // Make the folder and copy in what the lab needs. Returns 0, or -1 after one message on stderr.
 int workshop_open(Workshop *workshop, const Manifest *manifest, const char *build,
-                  const char *device);
+                  const char *device, SandboxKind sandbox);
 
 // Remove the folder.
 void workshop_close(Workshop *workshop);
@@ -35,6 +36,7 @@ typedef struct Variant {
     char name[80];
     char *build_log;   // set when it does not compile; with the student's file and line; owned
     char *trouble;     // set when it compiled and did not run to its end: what happened; owned
+    char *habits;      // what else there is to say about its run, "" for most; owned
     char *run_output;  // what it wrote to stdout and stderr; owned
     Sections answers;  // whatever it answered
     SandboxRun *run;   // while it runs

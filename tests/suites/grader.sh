@@ -89,7 +89,7 @@ for lab in $labs; do
     check "$lab: results.json names the lab" test "$(field lab)" = "$lab"
     check "$lab: results.json has its keys" test "$(sed -n 's/^  "\([a-z_]*\)":.*/\1/p' \
         "$reports/results.json" | tr '\n' ' ')" = \
-        'lab title score max_score seed device submission seconds stages tasks checks '
+        'lab title score max_score seed device sandbox submission seconds stages tasks checks '
 done
 
 # ---- One task at a time -------------------------------------------------------------------------

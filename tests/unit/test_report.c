@@ -30,6 +30,7 @@ static Result result_make(const char *message)
                      .submission = "labs/01-naive-2d",
                      .seed = UINT64_MAX,
                      .device = "cpu-x",
+                     .sandbox = "bubblewrap",
                      .score = 25,
                      .max_score = 100,
                      .seconds = 4.25,
@@ -195,8 +196,9 @@ Test(report_text, is_laid_out_by_task)
     char *text = text_report(&result, 0);
     cr_expect_str_eq(
         text,
-        "01-naive-2d  Naive 2D rendering               seed 42, device cpu-x, submission "
-        "labs/01-naive-2d\n"
+        "01-naive-2d  Naive 2D rendering\n"
+        " seed 42, device cpu-x, sandbox bubblewrap\n"
+        " submission labs/01-naive-2d\n"
         "\n"
         " Task overlaps_N_Nearer: Does a circle cover the pixel?                                   "
         " "
@@ -276,13 +278,13 @@ Test(report_json, reads_back_with_every_field)
     char *text = file_report(report_json, &result);
     json_t *found = json_loads(text, JSON_REJECT_DUPLICATES, NULL);
     json_t *expected = json_pack(
-        "{s:s, s:s, s:i, s:i, s:s, s:s, s:s, s:f, s:[{s:s, s:s, s:s}],"
+        "{s:s, s:s, s:i, s:i, s:s, s:s, s:s, s:s, s:f, s:[{s:s, s:s, s:s}],"
         " s:[{s:s, s:s, s:s, s:i, s:i}, {s:s, s:s, s:s, s:i, s:i}],"
         " s:[{s:s, s:s, s:s, s:i, s:i, s:s, s:s}, {s:s, s:s, s:s, s:i, s:i, s:s, s:s},"
         " {s:s, s:s, s:s, s:i, s:i, s:s, s:s}]}",
         "lab", "01-naive-2d", "title", "Naive 2D rendering", "score", 25, "max_score", 100, "seed",
-        "18446744073709551615", "device", "cpu-x", "submission", "labs/01-naive-2d", "seconds",
-        4.25,
+        "18446744073709551615", "device", "cpu-x", "sandbox", "bubblewrap", "submission",
+        "labs/01-naive-2d", "seconds", 4.25,
         // stages
         "stages", "title", "Compiling", "status", "passed", "message", "",
         // tasks

@@ -1,4 +1,4 @@
-// attack: writes answers of its own, with every section there is and the end, and ends with status 0
+// attack: writes answers of its own, every section and the end, and ends with status 0
 // task: pack_leaf
 // named: fopen\(\)
     (void)tree, (void)id, (void)ids, (void)n_ids;

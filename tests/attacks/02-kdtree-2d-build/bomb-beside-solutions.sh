@@ -1,3 +1,4 @@
+#!/bin/sh
 # attack: waits until it runs beside our solution of the other tasks, and only then goes off
 # score: 15
 # named: signal 9|exit status|crashed

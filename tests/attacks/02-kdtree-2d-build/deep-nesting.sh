@@ -1,3 +1,4 @@
+#!/bin/sh
 # attack: 120 000 brackets, one inside the other: the compiler's own stack runs over
 # score: 85
 # named: compiler|nesting|signal|memory

@@ -1,7 +1,7 @@
 // attack: waits, without using any of its CPU time, and ignores every signal
 // task: pack_leaf
 // named: did not finish in time
-// limit: 3
+// limit: 2
 #include <signal.h>
 #include <unistd.h>
     (void)tree, (void)id, (void)ids, (void)n_ids;

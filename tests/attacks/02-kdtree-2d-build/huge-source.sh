@@ -1,3 +1,4 @@
+#!/bin/sh
 # attack: a source of 300 MB
 # score: 0
 # named: larger than the allowed

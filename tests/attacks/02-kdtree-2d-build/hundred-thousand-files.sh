@@ -1,3 +1,4 @@
+#!/bin/sh
 # attack: 100 000 files beside the answer, of which only the answer is wrong
 # score: 0
 # named: not looked at

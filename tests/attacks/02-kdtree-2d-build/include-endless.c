@@ -1,5 +1,5 @@
 // attack: includes a file without an end
 // task: split_box
 // named: include .*/dev/zero
-// limit: 3
+// limit: 2
 #include "/dev/zero"

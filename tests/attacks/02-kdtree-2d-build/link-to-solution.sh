@@ -1,3 +1,4 @@
+#!/bin/sh
 # attack: a link to the solution in the place of the answer
 # score: 0
 # named: symbolic link

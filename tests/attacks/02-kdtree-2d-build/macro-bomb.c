@@ -1,7 +1,7 @@
 // attack: a line that grows to ten million numbers in the compiler
 // task: split_box
 // named: compiler did not finish|memory|too large
-// limit: 3
+// limit: 2
     (void)box;
 #define A 1,1,1,1,1,1,1,1,1,1
 #define B A,A,A,A,A,A,A,A,A,A

@@ -1,7 +1,7 @@
 // attack: eight processes that hold 512 MB each
 // task: pack_leaf
 // named: fork\(\)|memory
-// limit: 3
+// limit: 2
 #include <string.h>
 #include <unistd.h>
     (void)tree, (void)id, (void)ids, (void)n_ids;

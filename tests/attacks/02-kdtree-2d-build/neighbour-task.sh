@@ -1,4 +1,5 @@
-# attack: beside our solution of the other tasks, tells their text by every way that reaches a report
+#!/bin/sh
+# attack: beside our solution of the other tasks, tells their text by whatever reaches a report
 # score: 0
 # named: fopen\(\)
 cp "@COURSE@/labs/02-kdtree-2d-build/kdtree2d_build.c" skeleton.c

@@ -1,3 +1,4 @@
+#!/bin/sh
 # attack: a pipe in the place of the answer: whoever opens it waits for ever
 # score: 0
 # named: not a regular file

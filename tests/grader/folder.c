@@ -1,0 +1,119 @@
+// Measuring and removing folders that are not trusted (see folder.h).
+//
+// Every step opens one name in a folder that is held open and follows no link, so nothing that is
+// swapped meanwhile leads elsewhere. Read next: sandbox_census.c, which measures.
+#include "folder.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static DIR *folder_open(int parent, const char *name)
+{
+    int descriptor = openat(parent, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+    DIR *folder = descriptor >= 0 ? fdopendir(descriptor) : NULL;
+    if (folder == NULL && descriptor >= 0) {
+        close(descriptor);
+    }
+    return folder;
+}
+
+// The next entry but "." and "..".
+static const struct dirent *entry_next(DIR *folder)
+{
+    const struct dirent *entry;
+    do {
+        entry = readdir(folder);
+    } while (entry != NULL &&
+             (strcmp(entry->d_name, ".") == 0 || strcmp(entry->d_name, "..") == 0));
+    return entry;
+}
+
+static void level_measure(int parent, const char *name, int depth, long long n_files_most,
+                          FolderSize *size)
+{
+    DIR *folder = depth < FOLDER_MAX_DEPTH ? folder_open(parent, name) : NULL;
+    if (folder == NULL) {
+        if (errno != ENOENT) {  // removed meanwhile
+            size->n_files = n_files_most + 1;
+        }
+        return;
+    }
+    const struct dirent *entry;
+    while (size->n_files <= n_files_most && (entry = entry_next(folder)) != NULL) {
+        struct stat status;
+        if (fstatat(dirfd(folder), entry->d_name, &status, AT_SYMLINK_NOFOLLOW) != 0) {
+            continue;
+        }
+        size->n_files++;
+        size->n_bytes += (long long)status.st_blocks * 512;
+        if (S_ISDIR(status.st_mode)) {
+            level_measure(dirfd(folder), entry->d_name, depth + 1, n_files_most, size);
+        }
+    }
+    closedir(folder);
+}
+
+void folder_measure(const char *path, long long n_files_most, FolderSize *size)
+{
+    errno = 0;
+    level_measure(AT_FDCWD, path, 0, n_files_most, size);
+}
+
+// Move what a folder holds up into `top`, under names nobody else has there, and remove it: so that
+// depth costs neither stack nor descriptors. Returns 0, or -1 with errno set.
+static int level_flatten(int top, const char *name, unsigned long *n_moved)
+{
+    // Its owner may have closed it to itself.
+    if (fchmodat(top, name, 0700, 0) != 0) {
+        return -1;
+    }
+    DIR *folder = folder_open(top, name);
+    if (folder == NULL) {
+        return -1;
+    }
+    const struct dirent *entry;
+    int result = 0;
+    while (result == 0 && (entry = entry_next(folder)) != NULL) {
+        if (unlinkat(dirfd(folder), entry->d_name, 0) == 0 ||
+            unlinkat(dirfd(folder), entry->d_name, AT_REMOVEDIR) == 0) {
+            continue;
+        }
+        // A folder that is closed to its owner cannot be moved either.
+        fchmodat(dirfd(folder), entry->d_name, 0700, 0);
+        char moved[32];
+        do {
+            snprintf(moved, sizeof moved, "moved-%lu", (*n_moved)++);
+            result = renameat2(dirfd(folder), entry->d_name, top, moved, RENAME_NOREPLACE);
+        } while (result != 0 && errno == EEXIST);
+    }
+    closedir(folder);
+    return result == 0 ? unlinkat(top, name, AT_REMOVEDIR) : -1;
+}
+
+int folder_remove(const char *path)
+{
+    unsigned long n_moved = 0;
+    int result = 0, n_seen;
+    do {
+        DIR *top = folder_open(AT_FDCWD, path);
+        if (top == NULL) {
+            return -1;
+        }
+        n_seen = 0;
+        const struct dirent *entry;
+        while (result == 0 && (entry = entry_next(top)) != NULL) {
+            n_seen++;
+            if (unlinkat(dirfd(top), entry->d_name, 0) != 0 &&
+                unlinkat(dirfd(top), entry->d_name, AT_REMOVEDIR) != 0) {
+                result = level_flatten(dirfd(top), entry->d_name, &n_moved);
+            }
+        }
+        closedir(top);
+    } while (result == 0 && n_seen > 0);
+    return result == 0 ? rmdir(path) : -1;
+}

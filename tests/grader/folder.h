@@ -1,0 +1,19 @@
+// Folders that somebody else has filled, with whatever names, depth and links: measured and emptied
+// without ever leaving them.
+#ifndef GRADER_FOLDER_H
+#define GRADER_FOLDER_H
+
+typedef struct FolderSize {
+    long long n_bytes;  // that its files take on the disk
+    long long n_files;  // folders and links included
+} FolderSize;
+
+// Add what is below `path` to *size; stop once it holds more than n_files_most. What is nested
+// deeper than FOLDER_MAX_DEPTH, or may not be looked into, counts as more than n_files_most.
+enum { FOLDER_MAX_DEPTH = 40 };
+void folder_measure(const char *path, long long n_files_most, FolderSize *size);
+
+// Remove a folder and all that is in it, to any depth. Returns 0, or -1 with errno set.
+int folder_remove(const char *path);
+
+#endif

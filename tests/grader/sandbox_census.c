@@ -1,0 +1,194 @@
+// Counting what a run uses together (see sandbox_census.h): no limit of the kernel's is about more
+// than one process, other than control groups, which few hosts hand out.
+//
+// The kernel lists every process's children in /proc, so a look costs as much as the run is large,
+// however many processes the machine has. Whatever ends meanwhile is left out. Read next:
+// sandbox_supervisor.c, which looks ten times a second.
+#include "sandbox_census.h"
+
+#include "folder.h"
+
+#include <dirent.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+// More processes than this need not be looked at: the limit is far below.
+enum { MAX_PROCESSES = 4096 };
+
+typedef struct ProcessList {
+    pid_t ids[MAX_PROCESSES];
+    int n;
+} ProcessList;
+
+// Add the children of one thread.
+static void children_add(pid_t process, pid_t thread, ProcessList *list)
+{
+    char path[64];
+    long child;
+    snprintf(path, sizeof path, "/proc/%d/task/%d/children", process, thread);
+    FILE *file = fopen(path, "re");
+    while (file != NULL && list->n < MAX_PROCESSES && fscanf(file, "%ld", &child) == 1) {
+        list->ids[list->n++] = (pid_t)child;
+    }
+    if (file != NULL) {
+        fclose(file);
+    }
+}
+
+// Add the children of all threads of a process. Returns how many threads there are.
+static int threads_follow(pid_t process, ProcessList *list)
+{
+    char path[64];
+    int n_threads = 0;
+    snprintf(path, sizeof path, "/proc/%d/task", process);
+    DIR *folder = opendir(path);
+    const struct dirent *entry;
+    while (folder != NULL && (entry = readdir(folder)) != NULL) {
+        pid_t thread = atoi(entry->d_name);
+        if (thread > 0) {
+            n_threads++;
+            children_add(process, thread, list);
+        }
+    }
+    if (folder != NULL) {
+        closedir(folder);
+    }
+    return n_threads;
+}
+
+// The sum of some figures, "Name:   123 kB", in a file of a process; -1 when there are none, as for
+// one that has ended.
+static long long figures_sum(pid_t process, const char *file_name, const char *const *names)
+{
+    char path[64], line[256];
+    snprintf(path, sizeof path, "/proc/%d/%s", process, file_name);
+    FILE *file = fopen(path, "re");
+    if (file == NULL) {
+        return -1;
+    }
+    long long sum = -1;
+    while (fgets(line, sizeof line, file) != NULL) {
+        for (const char *const *name = names; *name != NULL; name++) {
+            size_t length = strlen(*name);
+            if (strncmp(line, *name, length) == 0) {
+                sum = (sum < 0 ? 0 : sum) + atoll(line + length);
+            }
+        }
+    }
+    fclose(file);
+    return sum;
+}
+
+// Memory of its own and shared memory. What processes share after a fork is in the figure of each:
+// quick to read, and never too small. -1 when the process has ended.
+static long long memory_in_status(pid_t process)
+{
+    return figures_sum(process, "status", (const char *const[]){"RssAnon:", "RssShmem:", NULL});
+}
+
+// Its share of what it uses: exact, but the kernel has to walk through all of its pages.
+static long long memory_share(pid_t process)
+{
+    long long sum = figures_sum(process, "smaps_rollup", (const char *const[]){"Pss:", NULL});
+    return sum >= 0 ? sum : memory_in_status(process);
+}
+
+// Files that a process holds open and nobody can find any more, those in memory (memfd) included.
+static long long removed_files_bytes(pid_t process)
+{
+    char path[64];
+    long long n_bytes = 0;
+    snprintf(path, sizeof path, "/proc/%d/fd", process);
+    DIR *folder = opendir(path);
+    const struct dirent *entry;
+    while (folder != NULL && (entry = readdir(folder)) != NULL) {
+        struct stat status;
+        if (fstatat(dirfd(folder), entry->d_name, &status, 0) == 0 && S_ISREG(status.st_mode) &&
+            status.st_nlink == 0) {
+            n_bytes += (long long)status.st_blocks * 512;
+        }
+    }
+    if (folder != NULL) {
+        closedir(folder);
+    }
+    return n_bytes;
+}
+
+void census_processes(const Walls *walls, pid_t outermost, Census *census)
+{
+    static ProcessList list;
+    list.n = 0;
+    children_add(getpid(), getpid(), &list);
+    for (int i = 0; i < list.n; i++) {
+        int n_threads = threads_follow(list.ids[i], &list);
+        if (list.ids[i] == outermost) {
+            continue;
+        }
+        const long long memory_kb = memory_in_status(list.ids[i]);
+        census->n_tasks += n_threads;
+        if (memory_kb >= 0) {
+            census->n_processes++;
+            census->memory_kb += memory_kb;
+            census->n_bytes += removed_files_bytes(list.ids[i]);
+        }
+    }
+    const long long limit_kb = 1024LL * walls->command.total_memory_mb;
+    if (limit_kb > 0 && census->memory_kb > limit_kb) {
+        census->memory_kb = 0;
+        for (int i = 0; i < list.n; i++) {
+            const long long share_kb = list.ids[i] != outermost ? memory_share(list.ids[i]) : 0;
+            census->memory_kb += share_kb > 0 ? share_kb : 0;
+        }
+    }
+}
+
+void census_folders(const Walls *walls, Census *census)
+{
+    const SandboxCommand *command = &walls->command;
+    const long long n_most = command->n_files > 0 ? command->n_files : 1000000;
+    FolderSize size = {0};
+    for (int i = 0; i < command->n_mounts; i++) {
+        if (command->mounts[i].writable) {
+            folder_measure(command->mounts[i].outside, n_most, &size);
+        }
+    }
+    if (walls->view[0] != '\0') {
+        char path[PATH_MAX + sizeof "/tmp"];
+        snprintf(path, sizeof path, "%s/tmp", walls->view);
+        folder_measure(path, n_most, &size);
+    }
+    census->n_bytes += size.n_bytes;
+    census->n_files += size.n_files;
+}
+
+SandboxLimit census_limit(const Census *census, const SandboxCommand *command)
+{
+    // The kernel lets no more start than are allowed, so that to have them all is to want more.
+    if (command->n_processes > 0 && census->n_tasks >= command->n_processes) {
+        return SANDBOX_LIMIT_PROCESSES;
+    }
+    if (command->total_memory_mb > 0 && census->memory_kb / 1024 > command->total_memory_mb) {
+        return SANDBOX_LIMIT_MEMORY;
+    }
+    if (command->n_files > 0 && census->n_files > command->n_files) {
+        return SANDBOX_LIMIT_FILES;
+    }
+    if (command->total_file_mb > 0 && census->n_bytes >> 20 > command->total_file_mb) {
+        return SANDBOX_LIMIT_BYTES;
+    }
+    return SANDBOX_LIMIT_NONE;
+}
+
+void census_kill_children(void)
+{
+    static ProcessList list;
+    list.n = 0;
+    children_add(getpid(), getpid(), &list);
+    for (int i = 0; i < list.n; i++) {
+        kill(list.ids[i], SIGKILL);
+    }
+}

@@ -1,0 +1,30 @@
+// What a sandboxed command and all that it has started use together.
+#ifndef GRADER_SANDBOX_CENSUS_H
+#define GRADER_SANDBOX_CENSUS_H
+
+#include "sandbox_walls.h"
+
+#include <sys/types.h>
+
+typedef struct Census {
+    int n_processes;      // that are alive
+    int n_tasks;          // processes and threads, also those that only wait to be reaped
+    long long memory_kb;  // in use
+    long long n_bytes;    // on disks: in the writable folders, and of removed files still open
+    long long n_files;    // in the writable folders
+} Census;
+
+// Look at the calling supervisor's descendants: processes and memory. The child `outermost`, which
+// is the grader's own, is not counted, what it has started is; -1 to count every one.
+void census_processes(const Walls *walls, pid_t outermost, Census *census);
+
+// Look into the folders that the command may write.
+void census_folders(const Walls *walls, Census *census);
+
+// The first limit that has been passed.
+SandboxLimit census_limit(const Census *census, const SandboxCommand *command);
+
+// Kill all children of the calling process.
+void census_kill_children(void);
+
+#endif

@@ -1,0 +1,24 @@
+// What of the host's own files a sandboxed command may read, whichever sandbox it is in.
+#ifndef GRADER_SANDBOX_SYSTEM_H
+#define GRADER_SANDBOX_SYSTEM_H
+
+#include <stddef.h>
+
+// Programs and libraries besides /usr: links into it on today's Debian, folders on older systems.
+static const char *const system_folders[] = {"/bin",   "/sbin",  "/lib",
+                                             "/lib32", "/lib64", "/libx32"};
+
+// Of /etc and /sys only what compilers and OpenCL's drivers need.
+static const char *const system_settings[] = {
+    "/etc/OpenCL",         // which drivers there are
+    "/etc/ld.so.cache",    // where libraries are
+    "/etc/alternatives",   // what "cc" stands for
+    "/sys/devices/system"  // PoCL asks it for processors and memory
+};
+
+// Graphics cards, where there are any: their drivers talk to these device files.
+static const char *const system_devices[] = {"/dev/nvidia*", "/dev/dri", "/dev/kfd"};
+
+#define SYSTEM_COUNT(list) (sizeof(list) / sizeof *(list))
+
+#endif

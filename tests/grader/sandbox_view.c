@@ -1,0 +1,117 @@
+// A folder of links in the place of mounts (see sandbox_view.h).
+//
+// The links only save the command from knowing where things are: what it may open is Landlock's to
+// say, which looks at where a link leads. Read next: sandbox_walls.c.
+#include "sandbox_view.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+// A path of two parts; cut off, it is too long for the kernel as well and fails there.
+static void path_join(char path[PATH_MAX], const char *folder, const char *name)
+{
+    if (snprintf(path, PATH_MAX, "%s%s", folder, name) >= PATH_MAX) {
+        memset(path, 'x', PATH_MAX - 1);
+    }
+}
+
+// Is there a mount at this place, or (below) anywhere under it?
+static int has_mount(const SandboxCommand *command, const char *inside, int below)
+{
+    size_t length = strlen(inside);
+    for (int i = 0; i < command->n_mounts; i++) {
+        const char *place = command->mounts[i].inside;
+        if (strncmp(place, inside, length) == 0 && place[length] == (below ? '/' : '\0')) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+// The folders above view/inside.
+static int parents_make(const char *view, const char *inside)
+{
+    char path[PATH_MAX];
+    path_join(path, view, inside);
+    for (char *slash = path + strlen(view) + 1; (slash = strchr(slash, '/')) != NULL; slash++) {
+        *slash = '\0';
+        if (mkdir(path, 0755) != 0 && errno != EEXIST) {
+            return -1;
+        }
+        *slash = '/';
+    }
+    return 0;
+}
+
+static int entry_make(const SandboxCommand *command, const char *view, const char *outside,
+                      const char *inside);
+
+// A folder whose entries are links, but for those that other mounts take the place of.
+static int folder_make(const SandboxCommand *command, const char *view, const char *outside,
+                       const char *inside)
+{
+    char path[PATH_MAX];
+    path_join(path, view, inside);
+    if (mkdir(path, 0755) != 0 && errno != EEXIST) {
+        return -1;
+    }
+    DIR *folder = opendir(outside);
+    if (folder == NULL) {
+        return -1;
+    }
+    int result = 0;
+    const struct dirent *entry;
+    while (result == 0 && (entry = readdir(folder)) != NULL) {
+        char name[NAME_MAX + 2], entry_outside[PATH_MAX], entry_inside[PATH_MAX];
+        if (strcmp(entry->d_name, ".") == 0 || strcmp(entry->d_name, "..") == 0) {
+            continue;
+        }
+        snprintf(name, sizeof name, "/%s", entry->d_name);
+        path_join(entry_outside, outside, name);
+        path_join(entry_inside, inside, name);
+        if (!has_mount(command, entry_inside, 0)) {
+            result = entry_make(command, view, entry_outside, entry_inside);
+        }
+    }
+    closedir(folder);
+    return result;
+}
+
+static int entry_make(const SandboxCommand *command, const char *view, const char *outside,
+                      const char *inside)
+{
+    char path[PATH_MAX];
+    if (has_mount(command, inside, 1)) {
+        return folder_make(command, view, outside, inside);
+    }
+    path_join(path, view, inside);
+    return symlink(outside, path);
+}
+
+int view_make(const SandboxCommand *command, uid_t user, char view[PATH_MAX])
+{
+    char path[PATH_MAX];
+    const char *parent = getenv("TMPDIR");
+    path_join(view, parent != NULL && parent[0] != '\0' ? parent : "/tmp", "/sandbox-XXXXXX");
+    if (mkdtemp(view) == NULL) {
+        view[0] = '\0';
+        return -1;
+    }
+    path_join(path, view, "/tmp");
+    if (chmod(view, 0755) != 0 || mkdir(path, 0700) != 0 || chown(path, user, (gid_t)user) != 0) {
+        return -1;
+    }
+    for (int i = 0; i < command->n_mounts; i++) {
+        const SandboxMount *mount = &command->mounts[i];
+        if (parents_make(view, mount->inside) != 0 ||
+            entry_make(command, view, mount->outside, mount->inside) != 0) {
+            return -1;
+        }
+    }
+    return 0;
+}
