@@ -7,6 +7,7 @@
 // costs one task. Read next: session.h (how it is run), judge.h (what is asked), report.h (what
 // comes out). Exit status: 0 full marks, 1 below, 2 when the grader itself could not work.
 #include "holes.h"
+#include "memcheck_advice.h"
 #include "message.h"
 #include "report.h"
 #include "session.h"
@@ -207,6 +208,9 @@ static int grade(Grading *grading, const Settings *settings)
         return -1;
     }
     note_lost_markers(grading);
+    const char *trouble = grading->whole.trouble;
+    memcheck_advise(&session->manifest, trouble && strstr(trouble, "it crashed") != NULL,
+                    &grading->result);
     session->judge->add_pictures(session->job, &grading->whole.answers, &grading->result);
     return 0;
 }

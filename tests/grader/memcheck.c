@@ -345,8 +345,6 @@ int main(int argc, char **argv)
     static Memcheck memcheck;
     const int status = memcheck_run(&memcheck, &settings);
     variant_free(&memcheck.whole);
-    if (!getenv("KEEP")) {
-        session_close(&memcheck.session);
-    }
+    session_close(&memcheck.session);
     return status;
 }

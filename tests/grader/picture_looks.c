@@ -313,6 +313,23 @@ static int is_empty(ProbeImage own, const ExpectedPicture *expected)
     return 1;
 }
 
+// Is every pixel of one colour, though not every pixel should be?
+static int is_constant(ProbeImage own, const ExpectedPicture *expected)
+{
+    const Image *reference = &expected->reference;
+    int is_varied = 0;
+    for (int y = 0; y < reference->height; y++) {
+        for (int x = 0; x < reference->width; x++) {
+            if (!is_same_color(probe_image_pixel(own, x, y), probe_image_pixel(own, 0, 0), 0)) {
+                return 0;
+            }
+            is_varied |=
+                !is_same_color(image_pixel(reference, x, y), image_pixel(reference, 0, 0), 0);
+        }
+    }
+    return is_varied;
+}
+
 // Does every wrong pixel show the circle behind the end of the array?
 static int shows_beyond(ProbeImage own, const ExpectedPicture *expected)
 {
@@ -339,6 +356,9 @@ char *picture_looks(ProbeImage own, const ExpectedPicture *expected)
 {
     if (is_empty(own, expected)) {
         return message_new("empty: nothing but the background");
+    }
+    if (is_constant(own, expected)) {
+        return message_new("of one colour everywhere");
     }
     if (shows_beyond(own, expected)) {
         return message_new("drawn as if one circle too many were asked, the one behind the end of "
