@@ -16,18 +16,19 @@ static int has_kernels(const Manifest *manifest)
     return 0;
 }
 
-// Are pixels wrong that nothing explains, or no numbers at all?
+// Are pixels wrong, or no numbers at all, and no check has recognised why?
 static int has_strange_pixels(const Result *result)
 {
+    int n_strange = 0, n_recognised = 0;
     for (int i = 0; i < result->n_checks; i++) {
         const char *message = result->checks[i].message;
-        if (result->checks[i].status == CHECK_FAILED && message != NULL &&
-            strstr(message, "pixels differ") != NULL &&
-            (strstr(message, "it looks") == NULL || strstr(message, "not a number") != NULL)) {
-            return 1;
+        if (result->checks[i].status == CHECK_FAILED && message != NULL) {
+            const int is_number = strstr(message, "not a number") == NULL;
+            n_recognised += is_number && strstr(message, "it looks") != NULL;
+            n_strange += strstr(message, "pixels differ") != NULL;
         }
     }
-    return 0;
+    return n_strange > 0 && n_recognised == 0;
 }
 
 void memcheck_advise(const Manifest *manifest, int crashed, Result *result)
