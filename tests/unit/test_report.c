@@ -269,6 +269,30 @@ Test(report_text, breaks_words_longer_than_a_line)
     result_free(&result);
 }
 
+// What is wrong and the lab's hint are found together, in every report.
+Test(report, message_and_hint_stand_together)
+{
+    const char *message = "pixel (3, 2): found (1, 0, 0, 1), expected (0, 0, 1, 1); it looks right "
+                          "with red and blue swapped";
+    Result result = result_make(message);
+    char *texts[] = {text_report(&result, 0), file_report(report_html, &result),
+                     file_report(report_json, &result)};
+    for (int i = 0; i < 2; i++) {
+        const char *says = strstr(texts[i], "blue swapped");
+        const char *hint = says ? strstr(says, "Compare the squares.") : NULL;
+        const char *next_task = says ? strstr(says, "The nearest of all") : NULL;
+        cr_expect(hint != NULL && next_task != NULL && hint < next_task, "%s", texts[i]);
+        expect_no_part(texts[i], "Remember the depth.");  // nothing of that task has failed
+    }
+    expect_part(texts[2], message);
+    expect_part(texts[2], "\"hint\": \"Compare the squares.\"");
+    expect_no_part(texts[2], "Remember the depth.");
+    for (int i = 0; i < 3; i++) {
+        free(texts[i]);
+    }
+    result_free(&result);
+}
+
 // ---- results.json ------------------------------------------------------------------------------
 
 Test(report_json, reads_back_with_every_field)
