@@ -1,7 +1,7 @@
 // Recognising mistakes that are made to a whole picture: flips, shifts, swapped channels, gamma.
 //
-// Flow: wrong picture -> DISTORTIONS, then the scene's own mistakes -> sentence. Each is tried on the
-// reference. Read next: picture_looks.h.
+// Flow: wrong picture -> DISTORTIONS, then the scene's own mistakes -> sentence. Each is tried on
+// the reference. Read next: picture_looks.h.
 #ifndef GRADER_PICTURE_DISTORTION_H
 #define GRADER_PICTURE_DISTORTION_H
 
