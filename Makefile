@@ -343,7 +343,7 @@ figures: all  ## draw the pictures of the READMEs and notes anew
 
 .PHONY: format
 format:  ## put every source into the one format
-	clang-format-19 -i $$(git ls-files -- '*.c' '*.h' '*.cpp' '*.cl' | grep -v -e ^labs/ -e ^tests/mutants/ -e ^tests/attacks/)
+	clang-format-19 -i $$(git ls-files -- '*.c' '*.h' '*.cpp' '*.cl' | grep -v -e ^labs/ -e ^tests/mutants/ -e ^tests/memcheck/ -e ^tests/attacks/)
 
 endif  # HANDOUT
 

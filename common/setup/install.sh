@@ -10,13 +10,18 @@ target=$1
 list=$(dirname "$0")/packages.txt
 
 # The names of the packages that the target needs, as this distribution calls them.
+# "target?" marks one that may be missing: it is installed where apt knows it.
 ubuntu=$(grep -c '^ID=ubuntu' /etc/os-release 2>/dev/null || true)
-needed=$(awk -v target="$target" -v ubuntu="$ubuntu" '
+packages_of() {
+    awk -v target="$1" -v ubuntu="$ubuntu" '
     /^#/ || NF < 2 { next }
     index("," $2 ",", "," target ",") {
         n = split($1, names, "/")
         print (ubuntu && n == 2 ? names[2] : names[1])
-    }' "$list")
+    }' "$list"
+}
+needed=$(packages_of "$target")
+optional=$(packages_of "$target?")
 
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
     # Another system: trust a machine that has what the build asks for first, else tell and stop.
@@ -29,11 +34,15 @@ if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
     exit 1
 fi
 
-missing=
-for package in $needed; do
-    status=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)
-    [ "$status" = installed ] || missing="$missing $package"
-done
+# Of these packages those that are not installed.
+missing_of() {
+    for package; do
+        status=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)
+        [ "$status" = installed ] || printf ' %s' "$package"
+    done
+}
+# shellcheck disable=SC2086 # the lists are words on purpose
+missing=$(missing_of $needed)
 [ -n "$missing" ] || exit 0
 
 if [ "$(id -u)" -eq 0 ]; then
@@ -45,7 +54,11 @@ else
     echo "Neither root nor sudo here: ask an administrator to install them, then run make again." >&2
     exit 1
 fi
-echo "Installing:$missing"
 $as_root apt-get update -q
+# shellcheck disable=SC2086 # the list is words on purpose
+for package in $(missing_of $optional); do
+    if apt-cache show "$package" >/dev/null 2>&1; then missing="$missing $package"; fi
+done
+echo "Installing:$missing"
 # shellcheck disable=SC2086 # the list is words on purpose
 $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $missing

@@ -9,6 +9,7 @@
 // comes out). Exit status: 0 full marks, 1 below, 2 when the grader itself could not work.
 #include "borrowing.h"
 #include "holes.h"
+#include "memcheck_advice.h"
 #include "message.h"
 #include "output_file.h"
 #include "report.h"
@@ -248,6 +249,9 @@ static int grade(Grading *grading, const Settings *settings)
     } else if (judge_alone(grading) != 0) {
         return -1;
     }
+    const char *trouble = grading->whole.trouble;
+    memcheck_advise(&session->manifest, trouble && strstr(trouble, "it crashed") != NULL,
+                    &grading->result);
     session->judge->add_pictures(session->job, &grading->whole.answers, &grading->result);
     return 0;
 }

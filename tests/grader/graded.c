@@ -78,12 +78,12 @@ static int tasks_read(const char *path, json_t *tasks, Graded *graded)
     }
     for (size_t i = 0; i < json_array_size(tasks); i++) {
         GradedTask *task = &graded->tasks[graded->n_tasks++];
-        const char *file;
+        const char *file, *hint;
         json_error_t error;
         if (json_unpack_ex(json_array_get(tasks, i), &error, JSON_STRICT,
-                           "{s:s, s:s, s:s, s:i, s:i}", "id", &task->id, "title", &task->title,
-                           "file", &file, "points", &task->points, "max_points",
-                           &task->max_points) != 0) {
+                           "{s:s, s:s, s:s, s:i, s:i, s?s}", "id", &task->id, "title", &task->title,
+                           "file", &file, "points", &task->points, "max_points", &task->max_points,
+                           "hint", &hint) != 0) {
             return fault(path, "tasks[%zu]: %s", i, error.text);
         }
         if (!points_agree(task->points, task->max_points)) {

@@ -18,11 +18,34 @@ ProbeImage job_picture_answer(const JobPicture *picture, int k, const Sections *
                         image_height};
 }
 
+// An answer of another size than the probe writes: NULL when there is none at all, or two.
+static char *describe_size(const JobPicture *picture, int k, const Sections *answers)
+{
+    char name[SECTION_NAME_BYTES];
+    size_t n_found;
+    snprintf(name, sizeof name, "picture.%d", k);
+    if (sections_find_any(answers, name, &n_found) == NULL) {
+        return NULL;
+    }
+    const Image *reference = &picture->expected.reference;
+    const size_t n_pixels =
+        (size_t)PROBE_IMAGE_SIDE(reference->width) * (size_t)PROBE_IMAGE_SIDE(reference->height);
+    const size_t pixel_bytes = IMAGE_CHANNELS * sizeof(float);
+    const size_t n_channels = n_found / (n_pixels * sizeof(float));
+    if (n_channels > 0 && n_found == n_channels * n_pixels * sizeof(float)) {
+        return message_new("%s: found a picture of %zu channels, expected %d", picture->title,
+                           n_channels, IMAGE_CHANNELS);
+    }
+    return message_new("%s: found a picture of another size: %zu bytes, expected %zu pixels of %zu",
+                       picture->title, n_found, n_pixels, pixel_bytes);
+}
+
 static Verdict judge_one(const JobPicture *picture, int k, const Sections *answers)
 {
     const ProbeImage own = job_picture_answer(picture, k, answers);
     if (own.pixels == NULL) {
-        return verdict_missing;
+        char *size = describe_size(picture, k, answers);
+        return size ? verdict_of(size) : verdict_missing;
     }
     char *wrong = picture_judge(own, &picture->expected);
     if (wrong == NULL) {

@@ -163,10 +163,12 @@ static Verdict judge_read_back(const Job *job, const Sections *answers)
         }
         // The array was all NaN; one left in the last pixel says that the copy stopped early.
         if (isnan(own.pixels[n_floats - 1])) {
-            return verdict_of(
-                message_new("%s: the array on the host was not filled to its end: pixel "
-                            "(%d, %d) is untouched",
-                            gradient->title, reference->width - 1, reference->height - 1));
+            const float *wanted = image_pixel(reference, own.image_width - 1, own.image_height - 1);
+            return verdict_of(message_new(
+                "%s: the array on the host was not filled to its end: nobody wrote pixel (%d, %d): "
+                "found it untouched, expected (%.4g, %.4g, %.4g, %.4g)",
+                gradient->title, reference->width - 1, reference->height - 1, (double)wanted[0],
+                (double)wanted[1], (double)wanted[2], (double)wanted[3]));
         }
         char *wrong = picture_judge(own, &gradient->expected);
         if (wrong != NULL) {

@@ -39,7 +39,7 @@ static int calls_write(const Sections *job, const char *name, size_t record_byte
 {
     size_t n_bytes;
     const unsigned char *records = sections_find_any(job, name, &n_bytes);
-    unsigned char some[MAX_CALLS * sizeof(PixelJob)];
+    unsigned char some[MAX_CALLS * sizeof(PixelJob)];  // the largest record
     if (records == NULL) {
         return 0;
     }
@@ -192,17 +192,16 @@ static int scene3d_write(const SmallScene *scene, SceneJob3D header)
 static int scenes_write(const Sections *job, FILE *file)
 {
     SmallScene scene = {.job = job, .file = file};
-    size_t n_bytes;
-    int n = 0, result = 0;
-    while (n < JOB_SCENES && (scene.k = n, scene_part(&scene, NULL, &n_bytes)) != NULL) {
-        n++;
+    size_t n_bytes = 0, header_bytes;
+    for (; scene.k < JOB_SCENES && scene_part(&scene, NULL, &header_bytes) != NULL; scene.k++) {
+        n_bytes = header_bytes;
     }
-    scene.k = 0;
-    const int is_2d = scene_part(&scene, NULL, &n_bytes) && n_bytes == sizeof(SceneJob);
+    const int is_2d = n_bytes == sizeof(SceneJob), n = scene.k;
     const int n_most = is_2d ? MAX_SCENES : MAX_SCENES_3D, n_small = n < n_most ? n : n_most;
+    int result = 0;
     for (scene.as = 0; scene.as < n_small; scene.as++) {
         scene.k = scene.as * n / n_small;
-        const void *header = scene_part(&scene, NULL, &n_bytes);
+        const void *header = scene_part(&scene, NULL, &header_bytes);
         result |= is_2d ? scene2d_write(&scene, *(const SceneJob *)header)
                         : scene3d_write(&scene, *(const SceneJob3D *)header);
     }

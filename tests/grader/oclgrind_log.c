@@ -82,13 +82,12 @@ static void detail_read(Finding *finding, const char *text)
     }
 }
 
-// Count a finding, or add it. Returns how many there are then.
+// Add a finding that is new. Returns how many there are then.
 static int finding_add(Finding findings[MAX_FINDINGS], int n, const Finding *finding)
 {
     for (int i = 0; i < n; i++) {
         if (findings[i].says == finding->says && findings[i].line == finding->line &&
             strcmp(findings[i].file, finding->file) == 0) {
-            findings[i].n_times++;
             return n;
         }
     }
@@ -98,10 +97,9 @@ static int finding_add(Finding findings[MAX_FINDINGS], int n, const Finding *fin
     return n;
 }
 
-int oclgrind_log_read(char *log, Finding findings[MAX_FINDINGS])
+int oclgrind_log_read(char *log, Finding findings[MAX_FINDINGS], int n)
 {
     Finding finding = {0};
-    int n = 0;
     char *rest = NULL;
     for (char *text = strtok_r(log, "\n", &rest); text != NULL;
          text = strtok_r(NULL, "\n", &rest)) {
@@ -110,7 +108,7 @@ int oclgrind_log_read(char *log, Finding findings[MAX_FINDINGS])
             continue;
         }
         n = finding.says ? finding_add(findings, n, &finding) : n;
-        finding = (Finding){.says = meaning_of(text), .n_times = 1};
+        finding = (Finding){.says = meaning_of(text)};
     }
     return finding.says ? finding_add(findings, n, &finding) : n;
 }

@@ -59,6 +59,11 @@ static int is_finite(const float *pixel)
     return isfinite(pixel[0]) && isfinite(pixel[1]) && isfinite(pixel[2]) && isfinite(pixel[3]);
 }
 
+static int has_nan(const float *pixel)
+{
+    return isnan(pixel[0]) || isnan(pixel[1]) || isnan(pixel[2]) || isnan(pixel[3]);
+}
+
 // A pixel that may have any colour must be one all the same.
 static int is_right(ProbeImage own, const ExpectedPicture *expected, int x, int y)
 {
@@ -84,7 +89,7 @@ static char *describe_unwritten(const ExpectedPicture *expected, int x, int y, s
 char *picture_judge(ProbeImage own, const ExpectedPicture *expected)
 {
     const Image *reference = &expected->reference;
-    size_t n_wrong = 0, n_unwritten = 0, n_not_finite = 0;
+    size_t n_wrong = 0, n_unwritten = 0, n_not_finite = 0, n_nan = 0;
     int first_x = -1, first_y = -1;
     for (int y = 0; y < reference->height; y++) {
         for (int x = 0; x < reference->width; x++) {
@@ -97,6 +102,7 @@ char *picture_judge(ProbeImage own, const ExpectedPicture *expected)
             }
             n_unwritten += (size_t)is_unwritten(pixel);
             n_not_finite += !is_finite(pixel);
+            n_nan += (size_t)has_nan(pixel);
         }
     }
     if (n_wrong == 0) {
@@ -108,8 +114,9 @@ char *picture_judge(ProbeImage own, const ExpectedPicture *expected)
     }
     const float *found = probe_image_pixel(own, first_x, first_y);
     const float *wanted = image_pixel(reference, first_x, first_y);
-    char *looks =
-        n_not_finite ? message_new("not a number in places") : picture_looks(own, expected);
+    char *looks = n_nan          ? message_new("not a number in places")
+                  : n_not_finite ? message_new("infinite in places")
+                                 : picture_looks(own, expected);
     char *message = message_new(
         "pixel (%d, %d): found (%.4g, %.4g, %.4g, %.4g), expected (%.4g, %.4g, %.4g, "
         "%.4g); %zu of %zu pixels differ%s%s",

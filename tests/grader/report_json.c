@@ -34,9 +34,10 @@ static json_t *tasks_json(const Manifest *manifest, const Result *result)
     for (int i = 0; i < manifest->n_tasks; i++) {
         const Task *task = &manifest->tasks[i];
         TaskPoints sum = result_task_points(result, task->id);
-        json_t *entry =
-            json_pack("{s:s, s:o, s:s, s:i, s:i}", "id", task->id, "title", json_line(task->title),
-                      "file", task->file, "points", sum.points, "max_points", sum.max_points);
+        json_t *entry = json_pack("{s:s, s:o, s:s, s:i, s:i, s:o}", "id", task->id, "title",
+                                  json_line(task->title), "file", task->file, "points", sum.points,
+                                  "max_points", sum.max_points, "hint",
+                                  json_line(sum.n_failed > 0 ? task->hint : ""));
         if (json_array_append_new(tasks, entry) != 0) {
             json_decref(tasks);
             return NULL;

@@ -11,13 +11,15 @@ case $build in /*) ;; *) build=$PWD/$build ;; esac
 memcheck=$build/tools/memcheck
 chmod 711 "$scratch"
 
-# memchecks STATUS LAB FOLDER: does memcheck end so? What it said is in $scratch/said.
+# memchecks STATUS LAB FOLDER [OPTION...]: does memcheck end so? What it said is in $scratch/said.
 memchecks() {
+    wanted=$1 lab=$2 folder=$3
+    shift 3
     status=0
-    "$memcheck" --build "$build" --lab "$2" --submission "$3" --seed 1 >"$scratch/said" 2>&1 ||
-        status=$?
+    "$memcheck" --build "$build" --lab "$lab" --submission "$folder" --seed 1 "$@" \
+        >"$scratch/said" 2>&1 || status=$?
     cat "$scratch/said"
-    [ "$status" -eq "$1" ]
+    [ "$status" -eq "$wanted" ]
 }
 
 # field FILE KEY: the rest of the header line "// KEY: ..." of a fault.
@@ -45,7 +47,7 @@ check "as what it is" grep -q "found no kernel to hand in" "$scratch/said"
 if [ ! -r /usr/lib/oclgrind/liboclgrind-rt-icd.so ]; then
     check "without Oclgrind memcheck says what is missing" memchecks 2 01 solutions/01-naive-2d
     check "and which package has it" grep -q "install the package oclgrind" "$scratch/said"
-    skip "the solutions are clean, and faults are found" "Oclgrind is not installed (Debian 13 has none)"
+    skip "the solutions are clean, and faults are found" "no Oclgrind here (Debian 13 has none)"
     finish
     exit
 fi
@@ -60,6 +62,15 @@ for fault in tests/memcheck/*.cl; do
     check "$(basename "$fault"): found at its line" finds "$fault"
 done
 
-# Whatever stands in the log's place is not followed, and a kernel that does not end is cut off.
-check "a folder that is not there" memchecks 2 01 "$scratch/nowhere"
+# A kernel that does not end is cut off, and a folder that is not there is a fault.
+rm -rf "$scratch/submission"
+cp -r solutions/03-kdtree-2d-render "$scratch/submission"
+file=$scratch/submission/implicit2DRenderer_KD.cl
+"$build/tools/holes" fill "$file" descent tests/mutants/03-kdtree-2d-render/endless-descent.cl \
+    >"$scratch/filled"
+cp "$scratch/filled" "$file"
+check "a kernel that does not end is cut off" \
+    memchecks 1 03 "$scratch/submission" --time-limit 2
+check "and said to be endless" grep -q "out of time: an endless loop?" "$scratch/said"
+check "a folder that is not there is a fault" memchecks 2 01 "$scratch/nowhere"
 finish

@@ -55,6 +55,22 @@ asked=$(sed -n 's/^apt-get install.* --no-install-recommends //p' "$APT_LOG")
 [ "$asked" = "$(echo $needed)" ]
 ok $? "it asks apt for the list, without recommended packages" "asked for: $asked"
 
+# A package that not every release has is asked for where apt knows it, and only there.
+optional=$(awk '!/^#/ && index("," $2 ",", ",test?,") { print $1 }' common/setup/packages.txt)
+# shellcheck disable=SC2016 # for the script that is written
+printf '#!/bin/sh\n[ "$APT_KNOWS" = "$2" ]\n' >"$bare/apt-cache"
+chmod +x "$bare/apt-cache"
+export APT_KNOWS
+for APT_KNOWS in "$optional" nothing; do
+    rm -f "$APT_LOG"
+    check "with an apt that knows $APT_KNOWS it installs" runs 0 "$bare" test
+    case $APT_KNOWS in
+    nothing) ! grep -q " $optional\( \|$\)" "$APT_LOG" ;;
+    *) grep -q " $optional$" "$APT_LOG" ;;
+    esac
+    ok $? "and asks for $optional where it is known" "$(cat "$APT_LOG")"
+done
+
 # Where all is installed it does nothing and says nothing.
 printf '#!/bin/sh\necho installed\n' >"$bare/dpkg-query"
 rm -f "$APT_LOG"

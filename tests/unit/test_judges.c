@@ -256,9 +256,13 @@ LAB_TEST(a_section_of_a_wrong_size_is_missing)
             int n_hit = 0;
             for (int i = 0; i < open.judge->n_checks; i++) {
                 const VerdictKind kind = verdict_on(&open, i, &bad);
-                cr_expect(kind == VERDICT_PASSED || kind == expected, "%s, damage %d: %s",
-                          list[victim].name, damage, open.judge->checks[i].id);
-                n_hit += kind == expected;
+                // A picture of another size is wrong as well as not to be found.
+                const int is_resized = strncmp(list[victim].name, "picture.", 8) == 0 &&
+                                       damage != DROPPED && damage != TWICE &&
+                                       kind == VERDICT_FAILED;
+                cr_expect(kind == VERDICT_PASSED || kind == expected || is_resized,
+                          "%s, damage %d: %s", list[victim].name, damage, open.judge->checks[i].id);
+                n_hit += kind == expected || is_resized;
             }
             cr_expect_gt(n_hit, 0, "%s, damage %d: nobody noticed", list[victim].name, damage);
             if (damage == DROPPED || damage == OVERSIZED) {

@@ -180,7 +180,13 @@ Test(picture, one_pixel_is_named_with_both_values)
 
 Test(picture, what_is_not_finite_never_passes)
 {
-    static const float values[] = {NAN, -NAN, INFINITY, -INFINITY};
+    static const struct {
+        float value;
+        const char *looks;
+    } values[] = {{NAN, "not a number in places"},
+                  {-NAN, "not a number in places"},
+                  {INFINITY, "infinite in places"},
+                  {-INFINITY, "infinite in places"}};
     Case *c = case_open(64, 96, 3);
     c->expected.tolerances = calloc(64 * 96, sizeof(float));
     for (int is_ambiguous = 0; is_ambiguous <= 1; is_ambiguous++) {
@@ -190,15 +196,15 @@ Test(picture, what_is_not_finite_never_passes)
         for (size_t i = 0; i < sizeof values / sizeof *values; i++) {
             for (int channel = 0; channel < IMAGE_CHANNELS; channel++) {
                 own_show(c, &c->expected.reference);
-                own_pixel(c, 5, 7)[channel] = values[i];
-                cr_expect_str_eq(looks_of(c), "not a number in places");
+                own_pixel(c, 5, 7)[channel] = values[i].value;
+                cr_expect_str_eq(looks_of(c), values[i].looks);
             }
             own_show(c, &c->expected.reference);
             for (int j = 0; j < 64 * 96; j++) {
                 float *pixel = own_pixel(c, j % 64, j / 64);
-                pixel[0] = pixel[1] = pixel[2] = pixel[3] = values[i];
+                pixel[0] = pixel[1] = pixel[2] = pixel[3] = values[i].value;
             }
-            cr_expect_str_eq(looks_of(c), "not a number in places");
+            cr_expect_str_eq(looks_of(c), values[i].looks);
         }
     }
     case_close(c);

@@ -270,6 +270,30 @@ Test(report_text, breaks_words_longer_than_a_line)
     result_free(&result);
 }
 
+// What is wrong and the lab's hint are found together, in every report.
+Test(report, message_and_hint_stand_together)
+{
+    const char *message = "pixel (3, 2): found (1, 0, 0, 1), expected (0, 0, 1, 1); it looks right "
+                          "with red and blue swapped";
+    Result result = result_make(message);
+    char *texts[] = {text_report(&result, 0), file_report(report_html, &result),
+                     file_report(report_json, &result)};
+    for (int i = 0; i < 2; i++) {
+        const char *says = strstr(texts[i], "blue swapped");
+        const char *hint = says ? strstr(says, "Compare the squares.") : NULL;
+        const char *next_task = says ? strstr(says, "The nearest of all") : NULL;
+        cr_expect(hint != NULL && next_task != NULL && hint < next_task, "%s", texts[i]);
+        expect_no_part(texts[i], "Remember the depth.");  // nothing of that task has failed
+    }
+    expect_part(texts[2], message);
+    expect_part(texts[2], "\"hint\": \"Compare the squares.\"");
+    expect_no_part(texts[2], "Remember the depth.");
+    for (int i = 0; i < 3; i++) {
+        free(texts[i]);
+    }
+    result_free(&result);
+}
+
 // ---- results.json ------------------------------------------------------------------------------
 
 Test(report_json, reads_back_with_every_field)
@@ -277,28 +301,29 @@ Test(report_json, reads_back_with_every_field)
     Result result = result_make("\"quoted\" \\ \x01 \xFF end");
     char *text = file_report(report_json, &result);
     json_t *found = json_loads(text, JSON_REJECT_DUPLICATES, NULL);
-    json_t *expected = json_pack(
-        "{s:s, s:s, s:i, s:i, s:s, s:s, s:s, s:s, s:f, s:[{s:s, s:s, s:s}],"
-        " s:[{s:s, s:s, s:s, s:i, s:i}, {s:s, s:s, s:s, s:i, s:i}],"
-        " s:[{s:s, s:s, s:s, s:i, s:i, s:s, s:s}, {s:s, s:s, s:s, s:i, s:i, s:s, s:s},"
-        " {s:s, s:s, s:s, s:i, s:i, s:s, s:s}]}",
-        "lab", "01-naive-2d", "title", "Naive 2D rendering", "score", 25, "max_score", 100, "seed",
-        "18446744073709551615", "device", "cpu-x", "sandbox", "bubblewrap", "submission",
-        "labs/01-naive-2d", "seconds", 4.25,
-        // stages
-        "stages", "title", "Compiling", "status", "passed", "message", "",
-        // tasks
-        "tasks", "id", "overlaps_N_Nearer", "title", "Does a circle cover the pixel?", "file",
-        "overlaps_N_Nearer.cl", "points", 25, "max_points", 40, "id", "implicit2DRenderer", "title",
-        "The nearest of all", "file", "implicit2DRenderer.cl", "points", 0, "max_points", 60,
-        // checks
-        "checks", "id", "overlaps-inside", "title", "Clearly inside and outside", "task",
-        "overlaps_N_Nearer", "points", 25, "max_points", 25, "status", "passed", "message", "",
-        "id", "overlaps-boundary", "title", "The boundary belongs to it", "task",
-        "overlaps_N_Nearer", "points", 0, "max_points", 15, "status", "failed", "message",
-        "\"quoted\" \\ " UNKNOWN " " UNKNOWN " end", "id", "picture", "title", "A random scene",
-        "task", "implicit2DRenderer", "points", 0, "max_points", 60, "status", "not-run", "message",
-        "");
+    json_t *expected =
+        json_pack("{s:s, s:s, s:i, s:i, s:s, s:s, s:s, s:s, s:f, s:[{s:s, s:s, s:s}],"
+                  " s:[{s:s, s:s, s:s, s:i, s:i, s:s}, {s:s, s:s, s:s, s:i, s:i, s:s}],"
+                  " s:[{s:s, s:s, s:s, s:i, s:i, s:s, s:s}, {s:s, s:s, s:s, s:i, s:i, s:s, s:s},"
+                  " {s:s, s:s, s:s, s:i, s:i, s:s, s:s}]}",
+                  "lab", "01-naive-2d", "title", "Naive 2D rendering", "score", 25, "max_score",
+                  100, "seed", "18446744073709551615", "device", "cpu-x", "sandbox", "bubblewrap",
+                  "submission", "labs/01-naive-2d", "seconds", 4.25,
+                  // stages
+                  "stages", "title", "Compiling", "status", "passed", "message", "",
+                  // tasks
+                  "tasks", "id", "overlaps_N_Nearer", "title", "Does a circle cover the pixel?",
+                  "file", "overlaps_N_Nearer.cl", "points", 25, "max_points", 40, "hint",
+                  "Compare the squares.", "id", "implicit2DRenderer", "title", "The nearest of all",
+                  "file", "implicit2DRenderer.cl", "points", 0, "max_points", 60, "hint", "",
+                  // checks
+                  "checks", "id", "overlaps-inside", "title", "Clearly inside and outside", "task",
+                  "overlaps_N_Nearer", "points", 25, "max_points", 25, "status", "passed",
+                  "message", "", "id", "overlaps-boundary", "title", "The boundary belongs to it",
+                  "task", "overlaps_N_Nearer", "points", 0, "max_points", 15, "status", "failed",
+                  "message", "\"quoted\" \\ " UNKNOWN " " UNKNOWN " end", "id", "picture", "title",
+                  "A random scene", "task", "implicit2DRenderer", "points", 0, "max_points", 60,
+                  "status", "not-run", "message", "");
     cr_assert_not_null(expected);
     cr_expect(json_equal(found, expected), "found %s", text);
     json_decref(expected);

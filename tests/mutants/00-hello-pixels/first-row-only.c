@@ -2,6 +2,7 @@
 // task: read_back
 // caught by: read_back-picture
 // says: untouched|not filled|found
+// looks: unwritten
     (void)height;
     const size_t origin[3] = {0, 0, 0};
     const size_t region[3] = {(size_t)width, 1, 1};

@@ -1,0 +1,13 @@
+// When a report offers `make memcheck`: Oclgrind sees what a device passes over in silence.
+#ifndef GRADER_MEMCHECK_ADVICE_H
+#define GRADER_MEMCHECK_ADVICE_H
+
+#include "manifest.h"
+#include "result.h"
+
+// Note the offer under the stage "Running", where the submission's kernels crashed or drew pixels
+// that are wrong in a way that looks like no known mistake. Costs no points.
+//   crashed   the submission as a whole ended by a signal
+void memcheck_advise(const Manifest *manifest, int crashed, Result *result);
+
+#endif

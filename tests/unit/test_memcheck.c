@@ -1,0 +1,140 @@
+// grader/memcheck_job and memcheck_advice: the job for Oclgrind is small and its arrays end where
+// they end; a report offers Oclgrind where it may help.
+#include "jobs.h"
+#include "judge.h"
+#include "memcheck_advice.h"
+#include "memcheck_job.h"
+#include "surroundings.h"
+
+#include <criterion/criterion.h>
+#include <stdlib.h>
+#include <string.h>
+
+TestSuite(memcheck, .timeout = 60);
+
+// ---- The small job ------------------------------------------------------------------------------
+
+// A lab's job, made small.
+static Sections small_job(const char *lab)
+{
+    const Judge *judge = judge_of(lab);
+    char *bytes[2] = {NULL, NULL};
+    size_t n_bytes[2];
+    FILE *file = open_memstream(&bytes[0], &n_bytes[0]);
+    void *job = judge->job_new(1, file);
+    fclose(file);
+    cr_assert_not_null(job);
+    judge->job_free(job);
+    const Sections whole = {(unsigned char *)bytes[0], n_bytes[0]};
+    file = open_memstream(&bytes[1], &n_bytes[1]);
+    cr_assert_eq(memcheck_job_write(&whole, file), 0);
+    fclose(file);
+    cr_expect_lt(n_bytes[1], n_bytes[0]);
+    free(bytes[0]);
+    return (Sections){(unsigned char *)bytes[1], n_bytes[1]};
+}
+
+static const void *scene_part(const Sections *job, int k, const char *part, size_t *n_bytes)
+{
+    char name[64];
+    snprintf(name, sizeof name, part ? "scene.%d.%s" : "scene.%d", k, part);
+    return sections_find_any(job, name, n_bytes);
+}
+
+static int is_small(int side)
+{
+    return side >= 1 && side <= 16;
+}
+
+Test(memcheck, a_job_of_circles_is_small)
+{
+    static const char *const labs[] = {"00-hello-pixels", "01-naive-2d", "03-kdtree-2d-render"};
+    for (size_t i = 0; i < sizeof labs / sizeof *labs; i++) {
+        Sections job = small_job(labs[i]);
+        const SceneJob *scene;
+        size_t n_bytes;
+        int k = 0;
+        for (; (scene = scene_part(&job, k, NULL, &n_bytes)) != NULL; k++) {
+            cr_assert_eq(n_bytes, sizeof *scene);
+            cr_expect(is_small(scene->width) && is_small(scene->height), "%s", labs[i]);
+            const Circle *circles = scene_part(&job, k, "circles", &n_bytes);
+            if (circles != NULL) {
+                cr_expect_eq(n_bytes, (size_t)scene->n_circles * sizeof *circles, "%s", labs[i]);
+            }
+        }
+        cr_expect(k > 1 && k <= 6, "%s: %d scenes", labs[i], k);
+        sections_free(&job);
+    }
+}
+
+// The tree of a scaled scene is the scaled tree: each circle is where its cell is.
+Test(memcheck, circles_and_cells_keep_their_places)
+{
+    Sections job = small_job("03-kdtree-2d-render");
+    size_t n_bytes;
+    const SceneJob *scene = scene_part(&job, 0, NULL, &n_bytes);
+    const Circle *circles = scene_part(&job, 0, "circles", &n_bytes);
+    const BBox2D *root = scene_part(&job, 0, "boxes", &n_bytes);
+    cr_assert(scene && circles && root);
+    for (int i = 0; i < scene->n_circles; i++) {
+        const Circle c = circles[i];
+        cr_expect(c.x - c.radius >= root->minX && c.x + c.radius <= root->maxX);
+        cr_expect(c.y - c.radius >= root->minY && c.y + c.radius <= root->maxY);
+    }
+    sections_free(&job);
+}
+
+Test(memcheck, a_job_of_spheres_is_small)
+{
+    static const char *const labs[] = {"05-spheres", "07-kdtree-3d-trace"};
+    for (size_t i = 0; i < sizeof labs / sizeof *labs; i++) {
+        Sections job = small_job(labs[i]);
+        const SceneJob3D *scene;
+        size_t n_bytes;
+        int k = 0;
+        for (; (scene = scene_part(&job, k, NULL, &n_bytes)) != NULL; k++) {
+            cr_expect(is_small(scene->width) && is_small(scene->height), "%s", labs[i]);
+            cr_assert_not_null(scene_part(&job, k, "spheres", &n_bytes));
+            cr_expect_eq(n_bytes, (size_t)scene->n_spheres * sizeof(Sphere));
+            cr_assert_not_null(scene_part(&job, k, "material_ids", &n_bytes));
+            cr_expect_eq(n_bytes, (size_t)scene->n_spheres * sizeof(u32));
+            cr_assert_not_null(scene_part(&job, k, "lights", &n_bytes));
+            cr_expect_eq(n_bytes, (size_t)scene->n_lights * sizeof(Light));
+        }
+        cr_expect(k > 1 && k <= 6, "%s: %d scenes", labs[i], k);
+        sections_free(&job);
+    }
+}
+
+// ---- The offer ----------------------------------------------------------------------------------
+
+// What the stage "Running" says after a failed check with this message.
+static const char *advice(const char *file, int crashed, const char *message)
+{
+    static char said[512];
+    Manifest manifest = {.lab = "03-kdtree-2d-render", .files = {(char *)file}, .n_files = 1};
+    Result result = {.n_stages = 1, .n_checks = 1};
+    result.stages[0] = (StageResult){"Running", CHECK_PASSED, strdup("")};
+    result.checks[0] = (CheckResult){.status = CHECK_FAILED, .message = strdup(message)};
+    memcheck_advise(&manifest, crashed, &result);
+    snprintf(said, sizeof said, "%s", result.stages[0].message);
+    result_free(&result);
+    return said;
+}
+
+Test(memcheck, is_offered_where_it_may_help)
+{
+    cr_expect(strstr(advice("a.cl", 1, "no answer"), "A crash: `make memcheck LAB=03`"));
+    cr_expect(strstr(advice("a.cl", 0, "pixel (1, 2): ...; 9 of 99 pixels differ"),
+                     "Some pixels are wrong in no usual way: `make memcheck LAB=03`"));
+    cr_expect(strstr(advice("a.cl", 0, "9 of 99 pixels differ; it looks not a number in places"),
+                     "make memcheck"));
+}
+
+Test(memcheck, is_not_offered_where_the_cause_is_known)
+{
+    cr_expect_str_eq(advice("a.cl", 0, "9 of 99 pixels differ; it looks flipped top to bottom"),
+                     "");
+    cr_expect_str_eq(advice("a.cl", 0, "found child 3, expected 4"), "");
+    cr_expect_str_eq(advice("a.c", 1, "no answer"), "", "a lab without kernels");
+}
