@@ -90,9 +90,9 @@ $(foreach l,$(LABS),$(eval $(call earlier_archive,$(l))))
 
 # ---- The grader -----------------------------------------------------------------------------
 
-GRADER_MAINS = $(addprefix tests/grader/,grade.c mutants.c mutate.c holes_tool.c unpack_tool.c)
+GRADER_MAINS = $(addprefix tests/grader/,grade.c mutants.c mutate.c holes_tool.c unpack_tool.c memcheck.c)
 GRADER_SOURCES := $(filter-out $(GRADER_MAINS),$(wildcard tests/grader/*.c))
-GRADER_TOOLS := $(patsubst tests/grader/%.c,$(OUT)/tools/%,$(wildcard tests/grader/grade.c tests/grader/mutants.c tests/grader/mutate.c))
+GRADER_TOOLS := $(patsubst tests/grader/%.c,$(OUT)/tools/%,$(filter-out %_tool.c,$(wildcard $(GRADER_MAINS))))
 # Judges of later labs get their trees and cameras from the solutions of labs 02, 04 and 06.
 BUILDERS := $(wildcard solutions/02-kdtree-2d-build/kdtree2d_build.c \
     solutions/04-camera-rays/camera_from_view.c solutions/06-kdtree-3d-build/kdtree3d_build.c)
@@ -160,6 +160,12 @@ grade: grader  ## grade LAB=03 [SUBMISSION=folder or archive] [SEED=n] [DEVICE=d
 	    $(if $(SEED),--seed "$$SEED") $(if $(DEVICE),--device "$$DEVICE") \
 	    $(if $(FORMAT),--format "$$FORMAT")
 
+.PHONY: memcheck
+memcheck: grader  ## look for indices out of range, unset values and races: LAB=03 [SUBMISSION=folder]
+	@test -n "$(LAB)" || { echo "make memcheck: say which lab: make memcheck LAB=03" >&2; exit 2; }
+	@$(OUT)/tools/memcheck --build $(OUT) --lab "$$LAB" \
+	    $(if $(SUBMISSION),--submission "$$SUBMISSION") $(if $(SEED),--seed "$$SEED")
+
 # Bundles for the systems that courses use (tests/systems/README.md), in build/systems.
 .PHONY: gradescope autolab prairielearn github
 gradescope:  ## the autograder of LAB=03 for Gradescope
@@ -200,7 +206,7 @@ handout: $(OUT)/tools/holes  ## pack what students get: LAB=03
 # ---- Tests ----------------------------------------------------------------------------------
 
 UNIT_TESTS := $(patsubst tests/unit/%.c,$(OUT)/tests/%,$(wildcard tests/unit/test_*.c))
-$(UNIT_TESTS): $(OUT)/tests/%: $(OUT)/obj/tests/unit/%.c.o $(OUT)/libgrader.a $(OUT)/libcommon.a
+$(UNIT_TESTS): $(OUT)/tests/%: $(OUT)/obj/tests/unit/%.c.o $(OUT)/libclass.a $(OUT)/libgrader.a $(OUT)/libcommon.a
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(SANITIZERS) $(filter %.o,$^) $(filter %.a,$^) $(LIBRARIES) -larchive -lcriterion -o $@
 
@@ -245,6 +251,14 @@ check: tests  ## run the tests without installing anything
 test:  ## install what is missing and run every test
 	@common/setup/install.sh test
 	@$(MAKE) --no-print-directory -j2 check
+
+.PHONY: test-scale
+test-scale:  ## install what is missing and grade a class of N=1000; takes half an hour
+	@common/setup/install.sh test
+	@common/setup/install.sh scale
+	@$(MAKE) --no-print-directory -j2 grader
+	@BUILD="$(BUILD)" tests/run.sh slurm
+	@tests/scale/run.sh $(or $(N),1000) $(OUT)
 
 # What libFuzzer feeds, compiled by clang together with the target: a list for each tests/fuzz/fuzz_*.c.
 CLANG ?= $(firstword $(foreach c,clang clang-19 clang-15 clang-14,$(shell command -v $(c))))

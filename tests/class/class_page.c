@@ -80,7 +80,11 @@ static void head_write(FILE *page, const Gradebook *gradebook)
     html_line(page, gradebook->title != NULL ? gradebook->title : "");
     fputs(": the class</h1>\n", page);
     facts_write(page, gradebook);
-    fputs("</header>\n", page);
+    class_histogram_write(page, gradebook);
+    fputs("<nav><a href=\"#failures\">What went wrong</a> <a href=\"#checks\">Checks</a> "
+          "<a href=\"#table\">Every submission</a> <a href=\"#gallery\">Pictures</a></nav>\n"
+          "</header>\n",
+          page);
 }
 
 // Apart from all others: nobody has judged these, and nobody may read a zero.
@@ -100,6 +104,10 @@ static void not_graded_write(FILE *page, const Gradebook *gradebook)
             class_name_write(page, row);
             fputs("</td><td class=\"first\">", page);
             html_line(page, row->reason);
+            if (row->has_log) {
+                fprintf(page, " <a href=\"logs/%s.txt\">what the grader said</a>",
+                        row->entrant->slug);
+            }
             fputs("</td></tr>\n", page);
         }
     }
@@ -205,7 +213,6 @@ int gradebook_page(const Gradebook *gradebook, const char *path)
     snprintf(title, sizeof title, "%s: the class", gradebook->lab != NULL ? gradebook->lab : "");
     html_album_begin(page, title);
     head_write(page, gradebook);
-    class_histogram_write(page, gradebook);
     not_graded_write(page, gradebook);
     class_changes_write(page, gradebook);
     class_failures_write(page, &failures);

@@ -50,13 +50,20 @@ void class_histogram_write(FILE *page, const Gradebook *gradebook)
     for (int i = 0; i < N_BARS; i++) {
         const int height = counts[i] * BARS_HEIGHT / most;
         const int middle = i * BAR_PITCH + BAR_PITCH / 2;
-        const char *level = i == N_BARS - 1 ? "full" : i >= N_BARS / 2 ? "some" : "few";
+        const char *level = counts[i] == 0    ? "none"
+                            : i == N_BARS - 1 ? "full"
+                            : i >= N_BARS / 2 ? "some"
+                                              : "few";
+        char count[16] = "";
+        if (counts[i] > 0) {
+            snprintf(count, sizeof count, "%d", counts[i]);
+        }
         fprintf(page,
                 "<rect class=\"%s\" x=\"%d\" y=\"%d\" width=\"%d\" height=\"%d\" rx=\"3\"/>"
-                "<text x=\"%d\" y=\"%d\">%d</text><text class=\"soft\" x=\"%d\" y=\"%d\">",
-                level, middle - BAR_WIDTH / 2, BARS_HEIGHT + 20 - height, BAR_WIDTH,
-                height > 0 ? height : 1, middle, BARS_HEIGHT + 14 - height, counts[i], middle,
-                BARS_HEIGHT + 38);
+                "<text x=\"%d\" y=\"%d\">%s</text><text class=\"soft\" x=\"%d\" y=\"%d\">",
+                level, middle - BAR_WIDTH / 2, BARS_HEIGHT + 20 - (height > 2 ? height : 2),
+                BAR_WIDTH, height > 2 ? height : 2, middle, BARS_HEIGHT + 14 - height, count,
+                middle, BARS_HEIGHT + 38);
         bar_label_write(page, gradebook, i);
         fputs("</text>\n", page);
     }
@@ -101,10 +108,13 @@ void class_changes_write(FILE *page, const Gradebook *gradebook)
 
 // ---- The same failure ------------------------------------------------------------------------
 
+// The names of a larger group are folded away.
+enum { MOST_NAMES = 24 };
+
 static void failure_write(FILE *page, const Failure *failure)
 {
     fprintf(page, "<details class=\"failure\"%s><summary><span class=\"number\">%d</span><span><b>",
-            failure->n_rows > 1 ? " open" : "", failure->n_rows);
+            failure->n_rows <= MOST_NAMES ? " open" : "", failure->n_rows);
     html_line(page, failure->first->fault);
     fputs("</b> <code class=\"soft\">", page);
     html_line(page, failure->first->fault_id);
@@ -146,7 +156,7 @@ void class_checks_write(FILE *page, const Gradebook *gradebook)
     for (int i = 0; i < gradebook->n_checks; i++) {
         int n_passed = 0;
         for (int r = 0; r < gradebook->n_rows; r++) {
-            n_passed += (int)(gradebook->rows[r].passed >> i & 1);
+            n_passed += gradebook->rows[r].passed[i];
         }
         fputs("<div class=\"count\"><div>", page);
         html_line(page, gradebook->checks[i].title);

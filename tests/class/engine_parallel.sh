@@ -6,13 +6,13 @@ engine_check() {
     command -v parallel >/dev/null || die "GNU parallel is missing: install the package parallel"
 }
 
-# engine_run TODO JOBS: grade_one.sh for each line of the file TODO.
+# engine_run TODO [JOBS]: grade_one.sh for each line of the file TODO.
 engine_run() {
     bar=
     [ ! -t 2 ] || bar=--bar
     # It ends with the driver, and each of its jobs with it.
     # shellcheck disable=SC2086 # an option or none
-    setpriv --pdeathsig KILL parallel --will-cite $bar --jobs "$2" --colsep ' ' \
+    setpriv --pdeathsig KILL parallel --will-cite $bar --jobs "${2:-$(nproc)}" --colsep ' ' \
         --joblog "+$CLASS_FOLDER/joblog" \
         'exec setpriv --pdeathsig KILL tests/class/grade_one.sh {1} {2} {3}' :::: "$1"
 }

@@ -44,8 +44,7 @@ static int shown_length(const char *text)
     return too_long || surrogate || moves || code > 0x10FFFF ? 0 : length;
 }
 
-// Write n_bytes of an entry's name as text: four times as long at most.
-static void shown_write(const char *bytes, size_t n_bytes, char text[ENTRY_NAME_BYTES])
+void entry_name_show(const char *bytes, size_t n_bytes, char text[ENTRY_NAME_BYTES])
 {
     char copy[256];
     size_t n = 0;
@@ -140,7 +139,7 @@ EntryName entry_name_read(const char *entry, int lab_number)
         begin = begin < end ? begin : 0;
         read_gradescope(entry, end, &name);
     }
-    shown_write(entry + begin, (size_t)(end - begin), name.name);
+    entry_name_show(entry + begin, (size_t)(end - begin), name.name);
     return name;
 }
 

@@ -5,6 +5,8 @@
 #ifndef CLASS_ENTRY_NAME_H
 #define CLASS_ENTRY_NAME_H
 
+#include <stddef.h>
+
 enum { ENTRY_NAME_BYTES = 1100, ENTRY_NUMBER_BYTES = 24 };
 
 typedef struct EntryName {
@@ -21,6 +23,9 @@ typedef struct EntryName {
 //   "submission_123456"                             Gradescope's; its names are in another file
 //   "lab-03-ada", "lab03-ada"                       GitHub Classroom's, of lab 3
 EntryName entry_name_read(const char *entry, int lab_number);
+
+// Bytes of any kind, at most 255, as text that EntryName can hold: see there.
+void entry_name_show(const char *bytes, size_t n_bytes, char text[ENTRY_NAME_BYTES]);
 
 // Does a file's name end as an archive's does? Returns the length without that ending, or 0.
 int entry_name_archive_stem(const char *entry);

@@ -5,7 +5,7 @@
 #
 #     --output FOLDER        where everything goes (build/class/03)
 #     --engine parallel      or slurm: how the submissions are spread
-#     --jobs N               how many at a time (as many as there are processors)
+#     --jobs N               how many at a time (parallel: as many as there are processors)
 #     --seed N               the class's seed (drawn once, and kept in the output folder)
 #     --only failed|latest   only those below full marks; only each student's last entry
 #     --again 1              grade all, also where nothing has changed
@@ -18,6 +18,7 @@
 # some could not be graded; 2 when there is no gradebook. Read next: grade_one.sh, one submission;
 # engine_parallel.sh; gradebook_tool.c, which reads the names and writes the gradebook.
 set -u
+export LC_ALL=C
 
 die() {
     echo "grade-class: $*" >&2
@@ -27,7 +28,7 @@ die() {
 # ---- What is asked for --------------------------------------------------------------------------
 
 CLASS_LAB='' CLASS_FOLDER='' CLASS_BUILD=build CLASS_DEVICE='' CLASS_TIME_LIMIT=10
-submissions='' engine=parallel jobs=$(nproc) seed='' only='' again='' moodle='' against=''
+submissions='' engine=parallel jobs='' seed='' only='' again='' moodle='' against=''
 while [ $# -gt 0 ]; do
     [ $# -gt 1 ] || die "$1: expected a value"
     case $1 in
@@ -58,18 +59,21 @@ whole() {
 
 [ -n "$CLASS_LAB" ] || die "say which lab: LAB=03"
 [ -n "$submissions" ] || die "say where the submissions are: SUBMISSIONS=folder"
-case $engine in parallel | slurm) ;; *) die "--engine: found \"$engine\", expected parallel or slurm" ;; esac
-case $only in '' | failed | latest) ;; *) die "--only: found \"$only\", expected failed or latest" ;; esac
-whole --jobs "$jobs"
-[ "$jobs" -ge 1 ] || die "--jobs: found \"$jobs\", expected 1 or more"
+case $engine in
+parallel | slurm) ;;
+*) die "--engine: found \"$engine\", expected parallel or slurm" ;;
+esac
+case $only in
+'' | failed | latest) ;;
+*) die "--only: found \"$only\", expected failed or latest" ;;
+esac
+[ -z "$jobs" ] || whole --jobs "$jobs"
+[ "${jobs:-1}" -ge 1 ] || die "--jobs: found \"$jobs\", expected 1 or more"
 [ -z "$seed" ] || whole --seed "$seed"
 for file in "$moodle" "$against"; do
     [ -z "$file" ] || [ -r "$file" ] || die "$file: cannot be read"
 done
 [ -x "$CLASS_BUILD/tools/grade" ] || die "$CLASS_BUILD/tools/grade: not built; run make grader"
-. "$(dirname "$0")/engine_$engine.sh"
-engine_check
-
 # "3", "03" or the whole name.
 lab_number=${CLASS_LAB%%-*}
 lab_number=${lab_number#0}
@@ -99,15 +103,26 @@ CLASS_WORK=${TMPDIR:-/tmp}/class-$(printf %s "$CLASS_FOLDER" | sha256sum | cut -
 
 # clear: what this run, or a dead one, leaves outside of the results.
 clear() {
-    engine_end
-    rm -rf "$CLASS_WORK"-* "$CLASS_FOLDER"/students/*.new "$CLASS_FOLDER/todo"
+    if [ -e "$CLASS_FOLDER/engine" ]; then
+        read -r last <"$CLASS_FOLDER/engine"
+        # shellcheck source=tests/class/engine_slurm.sh
+        (. "tests/class/engine_$last.sh" && engine_end) || return
+        rm "$CLASS_FOLDER/engine"
+    fi
+    rm -rf "$CLASS_WORK"-* \
+        "$CLASS_FOLDER"/students/*.new "$CLASS_FOLDER"/todo* "$CLASS_FOLDER/pending" \
+        "$CLASS_FOLDER/answers"
 }
 
-clear
+clear || die "what a killed run left cannot be ended"
+# shellcheck source=tests/class/engine_parallel.sh
+. "tests/class/engine_$engine.sh"
+engine_check
+echo "$engine" >"$CLASS_FOLDER/engine"
 rm -rf "$CLASS_FOLDER/faults"
-mkdir "$CLASS_FOLDER/faults"
+mkdir "$CLASS_FOLDER/faults" "$CLASS_FOLDER/answers" "$CLASS_FOLDER/pending"
 trap 'clear' EXIT
-trap 'exit 2' INT TERM HUP
+trap 'exit 2' INT TERM HUP PIPE
 
 # ---- What there is to do ------------------------------------------------------------------------
 
@@ -127,25 +142,27 @@ echo "$seed" >"$CLASS_FOLDER/seed.new" && mv "$CLASS_FOLDER/seed.new" "$CLASS_FO
 # Everything that decides on a score besides the submission.
 grader=$({
     echo "$CLASS_LAB $CLASS_DEVICE $CLASS_TIME_LIMIT"
-    find "$CLASS_BUILD/tools" "$CLASS_BUILD/probes" "$CLASS_BUILD/earlier" "$CLASS_BUILD/libcommon.a" \
-        labs solutions common kernels tests/probes -type f ! -path '*/tools/gradebook' -print0 |
-        LC_ALL=C sort -z | xargs -0 sha256sum
+    find labs solutions common kernels tests/probes -type f -print0 | sort -z | xargs -0 sha256sum
+    cd "$CLASS_BUILD" && find . -maxdepth 2 -type f \( -path ./tools/grade -o -path ./tools/unpack \
+        -o -path './probes/*' -o -path './earlier/*' -o -path ./libcommon.a \) -print0 |
+        sort -z | xargs -0 sha256sum
 } | sha256sum | cut -c 1-64)
 
-# content PATH: names, kinds and sizes of all there is, and the bytes of what could be graded. No link
-# is followed but the roster's own.
+# content PATH: names, kinds and sizes of all there is, and the bytes of what could be graded. No
+# link is followed but the roster's own.
 content() {
     (
         cd "$CLASS_FOLDER/submissions" || exit
-        find -H "$1" -printf '%y %s %P %l\0' | LC_ALL=C sort -z
-        timeout 60 find -H "$1" -type f -size -65M -print0 | LC_ALL=C sort -z | xargs -0 sha256sum
+        find -H "$1" -printf '%y %s %P %l\0' | sort -z
+        timeout 60 find -H "$1" -type f -size -65M -print0 | sort -z | xargs -0 sha256sum
     ) 2>&1 | sha256sum | cut -c 1-64
 }
 
-# A line "SLUG KEY SEED" for each. Two students get different hidden scenes.
+# A line "SLUG KEY SEED" for each. The class has sixteen sets of hidden scenes, so that the solution
+# need not run for every student; which one it is nobody can foresee.
 while read -r slug; do
-    own_seed=$(printf '%s %s' "$seed" "$slug" | sha256sum | cut -c 1-8)
-    own_seed=$((0x$own_seed))
+    draw=$(printf '%s %s' "$seed" "$slug" | sha256sum | cut -c 1)
+    own_seed=$((0x$(printf '%s %s' "$seed" "$draw" | sha256sum | cut -c 1-8)))
     key=$(echo "$grader $own_seed $(content "$slug")" | sha256sum | cut -c 1-64)
     echo "$slug $key $own_seed"
 done <"$CLASS_FOLDER/slugs" >"$CLASS_FOLDER/keys.new"
@@ -170,34 +187,35 @@ is_wanted() {
 }
 
 while read -r slug key own_seed; do
-    if is_wanted "$slug" "$key"; then echo "$slug $key $own_seed"; fi
+    if is_wanted "$slug" "$key"; then
+        echo "$slug $key $own_seed"
+        : >"$CLASS_FOLDER/pending/$slug"
+    fi
 done <"$CLASS_FOLDER/keys" >"$CLASS_FOLDER/todo"
 
 # ---- Grading ------------------------------------------------------------------------------------
 
 # The longest that a grading can take is far below; what takes longer hangs.
-CLASS_SECONDS=$((60 + 20 * CLASS_TIME_LIMIT))
+CLASS_SECONDS=${CLASS_SECONDS:-$((60 + 20 * CLASS_TIME_LIMIT))}
 # A line for each that is done, where no progress bar says so.
 CLASS_TELLS=
 [ -t 2 ] || CLASS_TELLS=1
-export CLASS_LAB CLASS_FOLDER CLASS_BUILD CLASS_DEVICE CLASS_TIME_LIMIT CLASS_WORK CLASS_SECONDS CLASS_TELLS
+export CLASS_LAB CLASS_FOLDER CLASS_BUILD CLASS_DEVICE CLASS_TIME_LIMIT CLASS_WORK \
+    CLASS_SECONDS CLASS_TELLS
 
-# remaining: of those to do, the ones that have not come to an end. A finished one has the key, and
-# was made in this run.
+# remaining: of those to do, the ones that have not come to an end.
 remaining() {
     while read -r slug key own_seed; do
-        if ! [ "$CLASS_FOLDER/students/$slug/key" -nt "$CLASS_FOLDER/started" ]; then
-            echo "$slug $key $own_seed"
-        fi
+        [ ! -e "$CLASS_FOLDER/pending/$slug" ] || echo "$slug $key $own_seed"
     done <"$CLASS_FOLDER/todo" >"$CLASS_FOLDER/todo.new"
     mv "$CLASS_FOLDER/todo.new" "$CLASS_FOLDER/todo"
 }
 
 # A fault of the machinery may pass: three rounds, each for those that the one before left.
-: >"$CLASS_FOLDER/started"
 round=1
 while [ -s "$CLASS_FOLDER/todo" ] && [ $round -le 3 ]; do
-    [ $round -eq 1 ] || echo "grade-class: again for $(wc -l <"$CLASS_FOLDER/todo") that could not be graded" >&2
+    n_left=$(wc -l <"$CLASS_FOLDER/todo")
+    [ $round -eq 1 ] || echo "grade-class: again for $n_left that could not be graded" >&2
     engine_run "$CLASS_FOLDER/todo" "$jobs"
     remaining
     round=$((round + 1))

@@ -3,9 +3,9 @@
 #
 #     tests/class/grade_one.sh SLUG KEY SEED
 #
-# grade_class.sh sets CLASS_FOLDER, CLASS_BUILD, CLASS_LAB, CLASS_WORK and more, and runs this through
-# GNU parallel or Slurm, from the course's top folder. Exit status 0 when there is a result, 1 when
-# the machinery failed: then CLASS_FOLDER/faults/SLUG says how. Read first: grade_class.sh.
+# grade_class.sh sets CLASS_FOLDER, CLASS_BUILD, CLASS_LAB, CLASS_WORK and more, and runs this
+# through GNU parallel or Slurm, from the course's top folder. Exit status 0 when there is a result,
+# 1 when the machinery failed: then CLASS_FOLDER/faults/SLUG says how. Read first: grade_class.sh.
 set -u
 
 slug=$1 key=$2 seed=$3
@@ -20,37 +20,43 @@ clear() {
     rm -rf "$1" 2>/dev/null || { sleep 0.2 && rm -rf "$1"; }
 }
 
+# fail REASON: what the gradebook says instead of a score.
+fail() {
+    echo "$1" >"$CLASS_FOLDER/faults/$slug.new"
+    mv "$CLASS_FOLDER/faults/$slug.new" "$CLASS_FOLDER/faults/$slug"
+    exit 1
+}
+
 clear "$new"
 clear "$work"
 trap 'clear "$work"; clear "$new"' EXIT
 trap 'exit 1' INT TERM
-mkdir "$new" && mkdir -m 711 "$work" || exit 1
+if ! { mkdir "$new" && mkdir -m 711 "$work"; } 2>"$log"; then
+    fail "no folder to work in"
+fi
 
-# The grader must end with this script and this script with the driver, however they end. It does not
-# inherit the driver's lock.
+# The grader must end with this script and this script with the driver, however they end. It does
+# not inherit the driver's lock.
 status=0
 # shellcheck disable=SC2016 # for the inner shell
 TMPDIR=$work setpriv --pdeathsig KILL timeout --foreground --kill-after=5 "$CLASS_SECONDS" \
     sh -c 'exec setpriv --pdeathsig KILL "$@" 9<&-' grade \
     "$CLASS_BUILD/tools/grade" --build "$CLASS_BUILD" --lab "$CLASS_LAB" --seed "$seed" \
     --submission "$CLASS_FOLDER/submissions/$slug" --output "$new" --device "$CLASS_DEVICE" \
-    --time-limit "$CLASS_TIME_LIMIT" >"$log" 2>&1 </dev/null || status=$?
+    --time-limit "$CLASS_TIME_LIMIT" --answers "$CLASS_FOLDER/answers" >"$log" 2>&1 </dev/null ||
+    status=$?
 
 case $status in
 0 | 1) ;;
-124) reason="the grader took longer than $CLASS_SECONDS s" ;;
-2) reason="the grader could not work: logs/$slug.txt says why" ;;
-129 | 13? | 14? | 15?) reason="the grader was killed by signal $((status - 128))" ;;
-*) reason="the grader ended with status $status: logs/$slug.txt says why" ;;
+2) fail "the grader could not work" ;;
+124) fail "the grader took longer than $CLASS_SECONDS s" ;;
+129 | 13? | 14? | 15?) fail "the grader was killed by signal $((status - 128))" ;;
+*) fail "the grader ended with status $status" ;;
 esac
-if [ "$status" -gt 1 ]; then
-    echo "$reason" >"$CLASS_FOLDER/faults/$slug.new"
-    mv "$CLASS_FOLDER/faults/$slug.new" "$CLASS_FOLDER/faults/$slug"
-    exit 1
-fi
 echo "$key" >"$new/key"
 # Killed between these two, it is graded again.
 rm -rf "${students:?}/$slug"
-mv "$new" "$students/$slug" || exit 1
+mv "$new" "$students/$slug" || fail "its folder cannot be put in place"
+rm -f "$CLASS_FOLDER/faults/$slug" "$CLASS_FOLDER/pending/$slug"
 [ -z "$CLASS_TELLS" ] || sed -n "s|^ Score|  $slug:|p" "$log"
 rm -f "$log"

@@ -43,8 +43,14 @@ static void line_read(const char *path, char line[KEY_LINE_BYTES])
     }
 }
 
+// The line that says it: of a compiler's log the first with an error, else the first.
 static char *first_line(const char *message)
 {
+    const char *error = strstr(message, "error:");
+    while (error != NULL && error > message && error[-1] != '\n') {
+        error--;
+    }
+    message = error != NULL ? error : message;
     char *line = strndup(message, strcspn(message, "\n"));
     char *clean = line_clean(line);
     free(line);
@@ -133,8 +139,8 @@ static int row_take(Gradebook *gradebook, const char *path, const Graded *graded
     for (int i = 0; i < graded->n_tasks; i++) {
         row->points[i] = graded->tasks[i].points;
     }
-    for (int i = 0; i < graded->n_checks && i < RESULT_MAX_CHECKS; i++) {
-        row->passed |= (uint32_t)(graded->checks[i].status == CHECK_PASSED) << i;
+    for (int i = 0; i < graded->n_checks; i++) {
+        row->passed[i] = graded->checks[i].status == CHECK_PASSED;
     }
     first_fault_take(row, graded);
     row->picture = picture_find(gradebook->folder, row->entrant->slug);
@@ -156,6 +162,8 @@ static int row_read(Gradebook *gradebook, Row *row, const char *wanted_key)
     line_read(path, line);
     if (line[0] != '\0') {
         row->reason = line_clean(line);
+        snprintf(path, sizeof path, "%s/logs/%s.txt", gradebook->folder, slug);
+        row->has_log = access(path, R_OK) == 0;
         return 0;
     }
     snprintf(path, sizeof path, "%s/students/%s/key", gradebook->folder, slug);

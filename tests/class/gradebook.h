@@ -23,14 +23,15 @@ typedef struct Row {
     const Entrant *entrant;
     RowStatus status;
     char *reason;  // why it is not graded, or NULL
+    int has_log;   // logs/SLUG.txt tells more
     char *seed;    // of the hidden scenes; NULL when not graded
     int score;
     int points[MANIFEST_MAX_TASKS];
-    uint32_t passed;      // bit i: check i of the gradebook passed
-    char *fault;          // title of the first stage or check that did not pass, or NULL
-    char *fault_id;       // the check's id, "" for a stage
-    char *fault_message;  // the first line of what it said
-    const char *picture;  // "picture.png" or "picture.svg" beside the report, or NULL
+    char passed[RESULT_MAX_CHECKS];  // check i of the gradebook passed
+    char *fault;                     // title of the first stage or check that did not pass, or NULL
+    char *fault_id;                  // the check's id, "" for a stage
+    char *fault_message;             // the first line of what it said
+    const char *picture;             // "picture.png" or "picture.svg" beside the report, or NULL
     int has_old_score;
     int old_score;  // in the gradebook that this one is compared with
 } Row;

@@ -21,7 +21,7 @@ static json_t *checks_json(const Gradebook *gradebook, const Row *row)
 {
     json_t *failed = json_array();
     for (int i = 0; i < gradebook->n_checks; i++) {
-        if (!(row->passed >> i & 1)) {
+        if (!row->passed[i]) {
             json_array_append_new(failed, json_string(gradebook->checks[i].id));
         }
     }

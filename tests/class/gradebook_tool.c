@@ -3,9 +3,9 @@
 //     gradebook roster [--latest] LAB-NUMBER SUBMISSIONS FOLDER
 //     gradebook write [--moodle WORKSHEET.csv] [--against OLD.json] FOLDER
 //
-// `roster` writes FOLDER/roster.json and a link FOLDER/submissions/SLUG to each entry; `write` makes
-// gradebook.csv, gradebook.json and class.html in FOLDER of it, and says how the class did. Exit
-// status: 0; 1 when some are not graded; 2 after one message. Read next: roster.h, gradebook.h;
+// `roster` writes FOLDER/roster.json and a link FOLDER/submissions/SLUG to each entry; `write`
+// makes gradebook.csv, gradebook.json and class.html in FOLDER of it, and says how the class did.
+// Exit status: 0; 1 when some are not graded; 2 after one message. Read next: roster.h, gradebook.h;
 // grade_class.sh, which calls both.
 #include "gradebook.h"
 #include "number.h"

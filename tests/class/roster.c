@@ -1,9 +1,11 @@
 // Reading a folder of submissions (see roster.h).
 //
 // Flow: SUBMISSIONS -> ROSTER -> graded -> gradebook. Only names are read here; what is inside an
-// entry is the grader's, in its sandbox. The links spare the driver, a shell script, every name that
-// somebody else chose. Read next: entry_name.h, grade_class.sh.
+// entry is the grader's, in its sandbox. The links spare the driver, a shell script, every name
+// that somebody else chose. Read next: entry_name.h, grade_class.sh.
 #include "roster.h"
+
+#include "gradescope_names.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -57,7 +59,7 @@ static int entry_add(Folder *folder, int descriptor, const char *file, int lab_n
         return fault(folder->path, strerror(errno));
     }
     if (S_ISREG(status.st_mode) && entry_name_archive_stem(file) == 0) {
-        folder->n_passed_over++;
+        folder->n_passed_over += strcmp(file, GRADESCOPE_NAMES_FILE) != 0;
         return 0;
     }
     if ((folder->n_found & (folder->n_found - 1)) == 0) {
@@ -109,6 +111,24 @@ static void folder_free(Folder *folder)
         free(folder->found[i].file);
     }
     free(folder->found);
+}
+
+// Gradescope's folders have numbers; the names are in a file beside them.
+static int names_apply(Folder *folder)
+{
+    GradescopeNames names;
+    if (gradescope_names_load(folder->path, &names) != 0) {
+        gradescope_names_free(&names);
+        return -1;
+    }
+    for (int i = 0; i < folder->n_found; i++) {
+        const char *name = gradescope_names_find(&names, folder->found[i].file);
+        if (name != NULL) {
+            entry_name_show(name, strlen(name), folder->found[i].name.name);
+        }
+    }
+    gradescope_names_free(&names);
+    return 0;
 }
 
 // ---- Students --------------------------------------------------------------------------------
@@ -272,7 +292,7 @@ int roster_read(const char *submissions, int lab_number, int only_latest, const 
         result = fault(submissions, "no submission: expected a folder or an archive for each "
                                     "student");
     }
-    if (result == 0 && (result = links_clear(links)) == 0) {
+    if (result == 0 && (result = names_apply(&folder)) == 0 && (result = links_clear(links)) == 0) {
         attempts_find(&folder);
         qsort(folder.found, (size_t)folder.n_found, sizeof *folder.found, students_compare);
         result = roster_fill(&folder, only_latest, links, roster);

@@ -201,6 +201,9 @@ static int grade(Grading *grading, const Settings *settings)
         variant_open(&session->workshop, "whole", &grading->whole, folder, sizeof folder) != 0) {
         return -1;
     }
+    if (settings->kept_answers != NULL) {
+        session_keep_answers(session, settings->kept_answers);
+    }
     start_result(grading, settings);
     const int staged = stage(grading, settings->submission, folder, &staging);
     if (staged < 0) {
@@ -261,27 +264,41 @@ static int make_folders(const char *path)
     return 0;
 }
 
-// The student's first picture in a file beside the report, for pages that show many: pixels, or a
-// drawing. None where there is none. Returns 0, or -1 after one message.
+// The largest of the student's pictures, or the first drawing; NULL where there is none.
+static const PictureResult *telling_picture(const Result *result)
+{
+    const PictureResult *telling = NULL;
+    for (int i = 0; i < result->n_pictures; i++) {
+        const PictureResult *picture = &result->pictures[i];
+        if (picture->svg_own != NULL) {
+            return picture;
+        }
+        const int n_pixels = picture->own.width * picture->own.height;
+        if (n_pixels > (telling ? telling->own.width * telling->own.height : 0)) {
+            telling = picture;
+        }
+    }
+    return telling;
+}
+
+// One picture in a file beside the report, for pages that show many. Returns 0, or -1 after one
+// message.
 static int write_picture(const Result *result, const char *output)
 {
     char png[PATH_BYTES], svg[PATH_BYTES];
     snprintf(png, sizeof png, "%s/picture.png", output);
     snprintf(svg, sizeof svg, "%s/picture.svg", output);
     unlink(png), unlink(svg);  // of an earlier grading
-    for (int i = 0; i < result->n_pictures; i++) {
-        const PictureResult *picture = &result->pictures[i];
-        if (picture->svg_own != NULL) {
-            OutputFile file;
-            return output_file_open(&file, svg) != 0 || fputs(picture->svg_own, file.file) == EOF
-                       ? -1
-                       : output_file_commit(&file);
-        }
-        if (picture->own.width > 0) {
-            return image_save(&picture->own, png);
-        }
+    const PictureResult *picture = telling_picture(result);
+    if (picture == NULL || picture->svg_own == NULL) {
+        return picture == NULL ? 0 : image_save(&picture->own, png);
     }
-    return 0;
+    OutputFile file;
+    if (output_file_open(&file, svg) != 0) {
+        return -1;
+    }
+    fputs(picture->svg_own, file.file);
+    return output_file_commit(&file);
 }
 
 static int write_reports(const Grading *grading, const char *output, FormatSet formats)

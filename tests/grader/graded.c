@@ -4,6 +4,8 @@
 // Read next: tests/class/gradebook.c.
 #include "graded.h"
 
+#include "message.h"
+
 #include <errno.h>
 #include <jansson.h>
 #include <stdarg.h>
@@ -14,14 +16,17 @@
 // Far above what the grader writes for RESULT_MAX_CHECKS messages of the greatest length.
 #define MAX_FILE_BYTES (2 * 1024 * 1024)
 
+// The longest complaint; what it quotes from the file is shortened to fit.
+enum { COMPLAINT_BYTES = 400 };
+
 __attribute__((format(printf, 2, 3))) static int fault(const char *path, const char *format, ...)
 {
+    char complaint[4 * COMPLAINT_BYTES], shown[COMPLAINT_BYTES];
     va_list arguments;
     va_start(arguments, format);
-    fprintf(stderr, "%s: ", path);
-    vfprintf(stderr, format, arguments);
-    fputc('\n', stderr);
+    vsnprintf(complaint, sizeof complaint, format, arguments);
     va_end(arguments);
+    fprintf(stderr, "%s: %s\n", path, message_show(complaint, shown, sizeof shown));
     return -1;
 }
 

@@ -5,6 +5,8 @@
 // the message says where it stands, what was found and what was expected. Read next: stage.h.
 #include "manifest.h"
 
+#include "message.h"
+
 #include <errno.h>
 #include <jansson.h>
 #include <stdarg.h>
@@ -21,14 +23,18 @@ typedef struct Place {
     const json_t *json;  // NULL when it is missing
 } Place;
 
+// The longest complaint; what it quotes from the file is shortened to fit.
+enum { COMPLAINT_BYTES = 400 };
+
 __attribute__((format(printf, 2, 3))) static int fault(const Place *place, const char *format, ...)
 {
+    char complaint[4 * COMPLAINT_BYTES], shown[COMPLAINT_BYTES];
     va_list arguments;
     va_start(arguments, format);
-    fprintf(stderr, "%s: %s%s", place->path, place->name, place->name[0] != '\0' ? ": " : "");
-    vfprintf(stderr, format, arguments);
-    fputc('\n', stderr);
+    vsnprintf(complaint, sizeof complaint, format, arguments);
     va_end(arguments);
+    fprintf(stderr, "%s: %s%s%s\n", place->path, place->name, place->name[0] != '\0' ? ": " : "",
+            message_show(complaint, shown, sizeof shown));
     return -1;
 }
 
@@ -244,7 +250,9 @@ static int file_read(const char *path, Manifest *manifest)
     json_t *json = json_loadf(file, JSON_REJECT_DUPLICATES, &error);
     fclose(file);
     if (json == NULL) {
-        fprintf(stderr, "%s:%d: %s\n", path, error.line, error.text);
+        char shown[COMPLAINT_BYTES];
+        fprintf(stderr, "%s:%d: %s\n", path, error.line,
+                message_show(error.text, shown, sizeof shown));
         return -1;
     }
     place.json = json;

@@ -1,10 +1,12 @@
-// mutants: put known-wrong answers into the solution, one at a time, and see that each is caught by
-// the check meant for it, with the right message.
+// mutants: put known answers into the solution, one at a time: wrong ones, each of which the check
+// meant for it must catch with the right message, and right ones written another way, which must
+// earn every point of the lab.
 //
 //     mutants --lab 01 [--seed N]
 //
-// Prints TAP, a line for each file in tests/mutants/NN-name/. The format of a mutant stands in
-// tests/mutants/README.md. Exit status: 0 all caught, 1 some not, 2 the machinery failed.
+// Prints TAP, a line for each file in tests/mutants/NN-name/ and tests/right/NN-name/. Their format
+// stands in tests/mutants/README.md and tests/right/README.md. Exit status: 0 all judged as they
+// should be, 1 some not, 2 the machinery failed.
 #include "holes.h"
 #include "message.h"
 #include "mistake_kinds.h"
@@ -19,16 +21,20 @@
 
 enum { LINE_BYTES = 256, PAIR = 2 };
 
-typedef struct Mutant {
+static const char WRONG_FOLDER[] = "tests/mutants";
+static const char RIGHT_FOLDER[] = "tests/right";
+
+typedef struct Answer {
     const char *path;
-    char *answer;            // the whole file; its header stays as comments
+    char *text;              // the whole file; its header stays as comments
     char task[LINE_BYTES];   // whose hole it fills
+    int is_right;            // then the two below are not used
     char check[LINE_BYTES];  // by which it shall be caught
     char says[LINE_BYTES];   // regular expression for that check's message
     unsigned kinds;          // of mistake_kinds.h, a bit for each; 0 when it is of none
     int first_kind;          // the one that must be named
     Variant variant;
-} Mutant;
+} Answer;
 
 // How well the reports name kinds of mistakes (mistake_kinds.h).
 typedef struct Naming {
@@ -41,13 +47,13 @@ typedef struct Naming {
 #define NAMED_SHARE 0.9
 
 // The rest of the header line "// key: value". Returns 0, or -1 after one message.
-static int read_header(const Mutant *mutant, const char *key, char value[LINE_BYTES])
+static int read_header(const Answer *answer, const char *key, char value[LINE_BYTES])
 {
     char prefix[LINE_BYTES];
     snprintf(prefix, sizeof prefix, "// %s: ", key);
-    const char *line = strstr(mutant->answer, prefix);
+    const char *line = strstr(answer->text, prefix);
     if (line == NULL) {
-        fprintf(stderr, "%s: no line \"%s...\"\n", mutant->path, prefix);
+        fprintf(stderr, "%s: no line \"%s...\"\n", answer->path, prefix);
         return -1;
     }
     line += strlen(prefix);
@@ -57,10 +63,10 @@ static int read_header(const Mutant *mutant, const char *key, char value[LINE_BY
 
 // The kinds of mistake in the optional header line "// looks: kind kind". Returns 0, or -1 after
 // one message.
-static int read_kinds(Mutant *mutant)
+static int read_kinds(Answer *answer)
 {
     char ids[LINE_BYTES];
-    if (strstr(mutant->answer, "// looks: ") == NULL) {
+    if (strstr(answer->text, "// looks: ") == NULL) {
         return 0;
     }
     if (read_header(mutant, "looks", ids) != 0) {
@@ -70,37 +76,40 @@ static int read_kinds(Mutant *mutant)
     for (char *id = strtok_r(ids, " ", &rest); id != NULL; id = strtok_r(NULL, " ", &rest)) {
         const int kind = mistake_kind_find(id);
         if (kind < 0) {
-            fprintf(stderr, "%s: no kind of mistake is called \"%s\"\n", mutant->path, id);
+            fprintf(stderr, "%s: no kind of mistake is called \"%s\"\n", answer->path, id);
             return -1;
         }
-        mutant->first_kind = mutant->kinds == 0 ? kind : mutant->first_kind;
-        mutant->kinds |= 1u << kind;
+        answer->first_kind = answer->kinds == 0 ? kind : answer->first_kind;
+        answer->kinds |= 1u << kind;
     }
     return 0;
 }
 
-static int mutant_open(Mutant *mutant, const Session *session, const char *path, int slot)
+static int answer_open(Answer *answer, const Session *session, const char *path, int slot)
 {
-    char name[16];
-    *mutant = (Mutant){.path = path, .answer = text_file_read(path)};
-    if (mutant->answer == NULL || read_header(mutant, "task", mutant->task) != 0 ||
-        read_header(mutant, "caught by", mutant->check) != 0 ||
-        read_header(mutant, "says", mutant->says) != 0 || read_kinds(mutant) != 0) {
+    char name[16], why_right[LINE_BYTES];
+    *answer = (Answer){.path = path, .text = text_file_read(path)};
+    answer->is_right = strncmp(path, RIGHT_FOLDER, strlen(RIGHT_FOLDER)) == 0;
+    if (answer->text == NULL || read_header(answer, "task", answer->task) != 0 ||
+        (answer->is_right ? read_header(answer, "right", why_right)
+                          : read_header(answer, "caught by", answer->check) |
+                                read_header(answer, "says", answer->says)) != 0 ||
+        read_kinds(answer) != 0) {
         return -1;
     }
-    if (manifest_task(&session->manifest, mutant->task) == NULL) {
-        fprintf(stderr, "%s: no task called %s\n", path, mutant->task);
+    if (manifest_task(&session->manifest, answer->task) == NULL) {
+        fprintf(stderr, "%s: no task called %s\n", path, answer->task);
         return -1;
     }
-    snprintf(name, sizeof name, "mutant-%d", slot);
-    return session_fill(session, name, mutant->task, mutant->answer, &mutant->variant);
+    snprintf(name, sizeof name, "answer-%d", slot);
+    return session_fill(session, name, answer->task, answer->text, &answer->variant);
 }
 
-static void mutant_free(Mutant *mutant)
+static void answer_free(Answer *answer)
 {
-    variant_free(&mutant->variant);
-    free(mutant->answer);
-    *mutant = (Mutant){0};
+    variant_free(&answer->variant);
+    free(answer->text);
+    *answer = (Answer){0};
 }
 
 // Does the message match the expression, in any case of letters?
@@ -115,27 +124,25 @@ static int matches(const char *message, const char *expression)
     return found;
 }
 
-// Why the mutant was not caught as it should be, or NULL. Owned by the caller.
-static char *judge_mutant(const Session *session, const Mutant *mutant)
+// Why a wrong answer was not caught as it should be, or NULL. Owned by the caller.
+static char *judge_wrong(const Session *session, const Answer *answer)
 {
-    char *why = message_new("no check called %s", mutant->check);
+    char *why = message_new("no check called %s", answer->check);
     for (int i = 0; i < session->judge->n_checks; i++) {
-        if (strcmp(session->judge->checks[i].id, mutant->check) != 0) {
+        if (strcmp(session->judge->checks[i].id, answer->check) != 0) {
             continue;
         }
         CheckResult result = {.message = NULL};
-        session_judge(session, i, &mutant->variant, &result);
+        session_judge(session, i, &answer->variant, &result);
         free(why);
         why = NULL;
-        if (mutant->variant.build_log != NULL) {
-            why = message_new("it does not compile: %s", mutant->variant.build_log);
-        } else if (strcmp(session->judge->checks[i].task, mutant->task) != 0) {
-            why = message_new("%s belongs to another task", mutant->check);
+        if (strcmp(session->judge->checks[i].task, answer->task) != 0) {
+            why = message_new("%s belongs to another task", answer->check);
         } else if (result.status == CHECK_PASSED) {
-            why = message_new("%s passed", mutant->check);
-        } else if (!matches(result.message, mutant->says)) {
-            why = message_new("%s says \"%s\", expected /%s/", mutant->check, result.message,
-                              mutant->says);
+            why = message_new("%s passed", answer->check);
+        } else if (!matches(result.message, answer->says)) {
+            why = message_new("%s says \"%s\", expected /%s/", answer->check, result.message,
+                              answer->says);
         }
         free(result.message);
         break;
@@ -143,44 +150,68 @@ static char *judge_mutant(const Session *session, const Mutant *mutant)
     return why;
 }
 
-// Which kinds of mistakes do the failed checks of the mutant's task name?
-static void judge_naming(const Session *session, const Mutant *mutant, Naming *naming)
+// Which kinds of mistakes do the failed checks of the answer's task name?
+static void judge_naming(const Session *session, const Answer *answer, Naming *naming)
 {
     unsigned named = 0;
     for (int i = 0; i < session->judge->n_checks; i++) {
         CheckResult result = {.message = NULL};
-        if (strcmp(session->judge->checks[i].task, mutant->task) == 0) {
-            session_judge(session, i, &mutant->variant, &result);
+        if (strcmp(session->judge->checks[i].task, answer->task) == 0) {
+            session_judge(session, i, &answer->variant, &result);
             named |= mistake_kinds_named(result.message);
         }
         free(result.message);
     }
-    const unsigned strange = named & ~mutant->kinds;
-    const int is_named = mutant->kinds != 0 && (named >> mutant->first_kind & 1);
-    naming->n_of_a_kind += mutant->kinds != 0;
+    const unsigned strange = named & ~answer->kinds;
+    const int is_named = answer->kinds != 0 && (named >> answer->first_kind & 1);
+    naming->n_of_a_kind += answer->kinds != 0;
     naming->n_named += is_named;
     naming->n_misnamed += strange != 0;
-    if (mutant->kinds != 0 && !is_named) {
-        printf("  # %s: not named as %s\n", mutant->path, mistake_kinds[mutant->first_kind].id);
+    if (answer->kinds != 0 && !is_named) {
+        printf("  # %s: not named as %s\n", answer->path, mistake_kinds[answer->first_kind].id);
     }
     for (int kind = 0; kind < N_MISTAKE_KINDS; kind++) {
         if (strange >> kind & 1) {
-            printf("  # %s: named as %s\n", mutant->path, mistake_kinds[kind].id);
+            printf("  # %s: named as %s\n", answer->path, mistake_kinds[kind].id);
         }
     }
 }
 
-// Run up to PAIR mutants side by side and print a TAP line for each. Returns how many were not
-// caught, or -1 after one message.
-static int try_mutants(const Session *session, char *const paths[], int n, int first_number,
+// The first check that a right answer lost, or NULL. Owned by the caller.
+static char *judge_right(const Session *session, const Answer *answer)
+{
+    char *why = NULL;
+    for (int i = 0; why == NULL && i < session->judge->n_checks; i++) {
+        CheckResult result = {.message = NULL};
+        session_judge(session, i, &answer->variant, &result);
+        if (result.status != CHECK_PASSED) {
+            why = message_new("%s: %s", session->judge->checks[i].id, result.message);
+        }
+        free(result.message);
+    }
+    return why;
+}
+
+// Why an answer was not judged as it should be, or NULL. Owned by the caller.
+static char *judge_answer(const Session *session, const Answer *answer)
+{
+    if (answer->variant.build_log != NULL) {
+        return message_new("it does not compile: %s", answer->variant.build_log);
+    }
+    return answer->is_right ? judge_right(session, answer) : judge_wrong(session, answer);
+}
+
+// Run up to PAIR answers side by side and print a TAP line for each. Returns how many were not
+// judged as they should be, or -1 after one message.
+static int try_answers(const Session *session, char *const paths[], int n, int first_number,
                        Naming *naming)
 {
-    Mutant mutants[PAIR] = {{0}};
+    Answer answers[PAIR] = {{0}};
     Variant *variants[PAIR];
     int n_missed = 0;
     for (int i = 0; i < n; i++) {
-        variants[i] = &mutants[i].variant;
-        if (mutant_open(&mutants[i], session, paths[i], i) != 0) {
+        variants[i] = &answers[i].variant;
+        if (answer_open(&answers[i], session, paths[i], i) != 0) {
             n_missed = -1;
         }
     }
@@ -188,18 +219,17 @@ static int try_mutants(const Session *session, char *const paths[], int n, int f
         n_missed = -1;
     }
     for (int i = 0; n_missed >= 0 && i < n; i++) {
-        char *why = judge_mutant(session, &mutants[i]);
-        printf("%sok %d - %s\n", why ? "not " : "", first_number + i,
-               paths[i] + strlen("tests/mutants/"));
+        char *why = judge_answer(session, &answers[i]);
+        printf("%sok %d - %s\n", why ? "not " : "", first_number + i, paths[i] + strlen("tests/"));
         if (why != NULL) {
             printf("  # %s\n", why);
             n_missed++;
         }
         free(why);
-        judge_naming(session, &mutants[i], naming);
+        judge_naming(session, &answers[i], naming);
     }
     for (int i = 0; i < n; i++) {
-        mutant_free(&mutants[i]);
+        answer_free(&answers[i]);
     }
     return n_missed;
 }
@@ -211,12 +241,12 @@ static int report_naming(const Naming *naming, const char *lab, int n)
     const int is_never_wrong = naming->n_misnamed == 0;
     printf("%sok %d - %s: of %d mutants of a known kind %d are named as what they are\n",
            is_named ? "" : "not ", n + 1, lab, naming->n_of_a_kind, naming->n_named);
-    printf("%sok %d - %s: of %d mutants %d are named as what they are not\n",
+    printf("%sok %d - %s: of %d answers %d are named as what they are not\n",
            is_never_wrong ? "" : "not ", n + 2, lab, n, naming->n_misnamed);
     return !is_named + !is_never_wrong;
 }
 
-// The solution first, then every mutant of the lab. Returns an exit status.
+// The solution first, then every known answer of the lab. Returns an exit status.
 static int try_all(Session *session)
 {
     char pattern[LINE_BYTES];
@@ -225,8 +255,9 @@ static int try_all(Session *session)
     if (session_run(session, solution, 1) != 0 || session_trust_solution(session) != 0) {
         return 2;
     }
-    snprintf(pattern, sizeof pattern, "tests/mutants/%s/*.c*", session->manifest.lab);
-    if (glob(pattern, 0, NULL, &found) != 0) {
+    snprintf(pattern, sizeof pattern, "{%s,%s}/%s/*.c*", WRONG_FOLDER, RIGHT_FOLDER,
+             session->manifest.lab);
+    if (glob(pattern, GLOB_BRACE, NULL, &found) != 0) {
         fprintf(stderr, "mutants: %s: none found\n", pattern);
         return 2;
     }
@@ -235,7 +266,7 @@ static int try_all(Session *session)
     const int n = (int)found.gl_pathc;
     for (int i = 0; n_missed >= 0 && i < n; i += PAIR) {
         const int missed =
-            try_mutants(session, found.gl_pathv + i, n - i < PAIR ? n - i : PAIR, i + 1, &naming);
+            try_answers(session, found.gl_pathv + i, n - i < PAIR ? n - i : PAIR, i + 1, &naming);
         n_missed = missed < 0 ? -1 : n_missed + missed;
     }
     globfree(&found);

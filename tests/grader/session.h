@@ -25,8 +25,10 @@ typedef struct Session {
     Manifest manifest;
     Workshop workshop;
     void *job;
-    int has_solution;  // 0 in a handout: the oracle alone judges
-    Variant solution;  // where there is one
+    int has_solution;          // 0 in a handout: the oracle alone judges
+    Variant solution;          // where there is one
+    const char *kept_answers;  // folder of the solution's answers (kept_answers.h), or NULL
+    int has_kept_answers;      // they are there: the solution is not run again
 } Session;
 
 // Prepare everything up to the point where variants can run: manifest, workshop, job, and the
@@ -35,7 +37,11 @@ typedef struct Session {
 int session_open(Session *session, SessionSettings settings);
 void session_close(Session *session);
 
-// Run n variants side by side. Returns 0, or -1 after one message when the machinery failed.
+// Take the solution's answers from a folder, or keep them there once they are trusted. To be called
+// before anything runs.
+void session_keep_answers(Session *session, const char *folder);
+
+// Run n variants side by side, the solution first where it is one of them. Returns 0, or -1 after one message when the machinery failed.
 int session_run(const Session *session, Variant *const variants[], int n);
 
 // After the solution has run: it must pass every check on this device, judged by the oracle, else

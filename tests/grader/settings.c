@@ -29,6 +29,7 @@ static void usage(FILE *out)
         "  --build FOLDER       where probes and libraries are (default: build)\n"
         "  --format NAMES       more reports, for example junit,tap; also gradescope, autolab,\n"
         "                       prairielearn, github\n"
+        "  --answers FOLDER     keep the solution's answers there, for one lab and one device\n"
         "  --list-checks        print the lab's checks: id, task, points\n",
         DEFAULT_TIME_LIMIT);
 }
@@ -78,17 +79,12 @@ typedef struct GivenOptions {
 static int read_options(int argc, char **argv, Settings *settings, GivenOptions *given)
 {
     static const struct option options[] = {
-        {"lab", required_argument, NULL, 'l'},
-        {"submission", required_argument, NULL, 's'},
-        {"output", required_argument, NULL, 'o'},
-        {"seed", required_argument, NULL, 'r'},
-        {"device", required_argument, NULL, 'd'},
-        {"time-limit", required_argument, NULL, 't'},
-        {"build", required_argument, NULL, 'b'},
-        {"list-checks", no_argument, NULL, 'c'},
-        {"format", required_argument, NULL, 'f'},
-        {"help", no_argument, NULL, 'h'},
-        {0},
+        {"lab", required_argument, NULL, 'l'},    {"submission", required_argument, NULL, 's'},
+        {"output", required_argument, NULL, 'o'}, {"seed", required_argument, NULL, 'r'},
+        {"device", required_argument, NULL, 'd'}, {"time-limit", required_argument, NULL, 't'},
+        {"build", required_argument, NULL, 'b'},  {"list-checks", no_argument, NULL, 'c'},
+        {"format", required_argument, NULL, 'f'}, {"answers", required_argument, NULL, 'a'},
+        {"help", no_argument, NULL, 'h'},         {0},
     };
     uint64_t seconds = DEFAULT_TIME_LIMIT;
     int letter, failed = 0;
@@ -117,6 +113,9 @@ static int read_options(int argc, char **argv, Settings *settings, GivenOptions 
             break;
         case 'f':
             failed = formats_read(optarg, &settings->formats);
+            break;
+        case 'a':
+            settings->kept_answers = optarg;
             break;
         case 'c':
             settings->list_checks = 1;

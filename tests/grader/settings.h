@@ -14,6 +14,7 @@ typedef struct Settings {
     char output[SETTINGS_PATH_BYTES];      // a folder for the reports
     const char *build;                     // where the probes are
     const char *device;                    // "" for the first
+    const char *kept_answers;              // see kept_answers.h; NULL: the solution is run
     uint64_t seed;
     int time_limit;     // seconds
     FormatSet formats;  // what to write besides results.json and report.html

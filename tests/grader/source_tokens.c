@@ -163,7 +163,7 @@ Token token_next(TokenReader *reader)
     return token;
 }
 
-int token_is(const Token *token, TokenKind kind, const char *text)
+int source_token_is(const Token *token, TokenKind kind, const char *text)
 {
     return token->kind == kind && strcmp(token->text, text) == 0;
 }

@@ -34,6 +34,6 @@ TokenReader token_reader(const char *source);
 Token token_next(TokenReader *reader);
 
 // Is the token this word or sign?
-int token_is(const Token *token, TokenKind kind, const char *text);
+int source_token_is(const Token *token, TokenKind kind, const char *text);
 
 #endif

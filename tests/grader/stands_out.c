@@ -104,9 +104,10 @@ __attribute__((format(printf, 3, 4))) static void note(Look *look, int line, con
 static void look_at_call(Look *look)
 {
     const Token *function = &look->last;
-    const int is_member = token_is(&look->before_last, TOKEN_SIGN, ".") ||
-                          token_is(&look->before_last, TOKEN_SIGN, "->");
-    if (!token_is(&look->token, TOKEN_SIGN, "(") || function->kind != TOKEN_WORD || is_member) {
+    const int is_member = source_token_is(&look->before_last, TOKEN_SIGN, ".") ||
+                          source_token_is(&look->before_last, TOKEN_SIGN, "->");
+    if (!source_token_is(&look->token, TOKEN_SIGN, "(") || function->kind != TOKEN_WORD ||
+        is_member) {
         return;
     }
     if (IN_LIST(function->text, calls)) {
@@ -119,10 +120,10 @@ static void look_at_call(Look *look)
 // exit with status 0: giving up with another one is what a program may do when memory runs out.
 static void look_at_exit(Look *look)
 {
-    if (token_is(&look->before_last, TOKEN_WORD, "exit") &&
-        token_is(&look->last, TOKEN_SIGN, "(") &&
-        (token_is(&look->token, TOKEN_WORD, "0") ||
-         token_is(&look->token, TOKEN_WORD, "EXIT_SUCCESS"))) {
+    if (source_token_is(&look->before_last, TOKEN_WORD, "exit") &&
+        source_token_is(&look->last, TOKEN_SIGN, "(") &&
+        (source_token_is(&look->token, TOKEN_WORD, "0") ||
+         source_token_is(&look->token, TOKEN_WORD, "EXIT_SUCCESS"))) {
         note(look, look->token.line, "exit(0)");
     }
 }
@@ -143,8 +144,8 @@ static void look_at_word(Look *look)
 
 static void look_at_counter(Look *look)
 {
-    const int reaches_in =
-        token_is(&look->token, TOKEN_SIGN, "->") || token_is(&look->token, TOKEN_SIGN, "[");
+    const int reaches_in = source_token_is(&look->token, TOKEN_SIGN, "->") ||
+                           source_token_is(&look->token, TOKEN_SIGN, "[");
     if (reaches_in && look->last.kind == TOKEN_WORD && IN_LIST(look->last.text, counters)) {
         note(look, look->last.line, "a hand on the counted work (%s)", look->last.text);
     }
@@ -159,7 +160,7 @@ static int ends_with(const char *text, const char *ending)
 static void look_at_string(Look *look)
 {
     const Token *string = &look->token;
-    if (string->kind != TOKEN_STRING || token_is(&look->last, TOKEN_WORD, "include")) {
+    if (string->kind != TOKEN_STRING || source_token_is(&look->last, TOKEN_WORD, "include")) {
         return;
     }
     for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
@@ -186,7 +187,7 @@ static int is_given_header(const Token *file)
 static void look_at_directive(Look *look)
 {
     const Token *name = &look->last, *argument = &look->token;
-    if (!name->in_directive || !token_is(&look->before_last, TOKEN_SIGN, "#") ||
+    if (!name->in_directive || !source_token_is(&look->before_last, TOKEN_SIGN, "#") ||
         name->kind != TOKEN_WORD) {
         return;
     }
@@ -202,10 +203,11 @@ static void look_at_directive(Look *look)
 static void look_at_pragma(Look *look)
 {
     const Token *token = &look->token;
-    const int in_directive = token->in_directive && token_is(&look->last, TOKEN_WORD, "GCC") &&
-                             token_is(&look->before_last, TOKEN_WORD, "pragma") &&
-                             token_is(token, TOKEN_WORD, "dependency");
-    const int in_operator = token_is(&look->before_last, TOKEN_WORD, "_Pragma") &&
+    const int in_directive = token->in_directive &&
+                             source_token_is(&look->last, TOKEN_WORD, "GCC") &&
+                             source_token_is(&look->before_last, TOKEN_WORD, "pragma") &&
+                             source_token_is(token, TOKEN_WORD, "dependency");
+    const int in_operator = source_token_is(&look->before_last, TOKEN_WORD, "_Pragma") &&
                             token->kind == TOKEN_STRING && strstr(token->text, "dependency");
     if (in_directive || in_operator) {
         note(look, token->line, "the pragma GCC dependency");
@@ -214,11 +216,11 @@ static void look_at_pragma(Look *look)
 
 static void attribute_follow(Look *look)
 {
-    if (token_is(&look->token, TOKEN_SIGN, "(") &&
-        (look->attribute_depth > 0 || token_is(&look->last, TOKEN_WORD, "__attribute__") ||
-         token_is(&look->last, TOKEN_WORD, "__attribute"))) {
+    if (source_token_is(&look->token, TOKEN_SIGN, "(") &&
+        (look->attribute_depth > 0 || source_token_is(&look->last, TOKEN_WORD, "__attribute__") ||
+         source_token_is(&look->last, TOKEN_WORD, "__attribute"))) {
         look->attribute_depth++;
-    } else if (token_is(&look->token, TOKEN_SIGN, ")") && look->attribute_depth > 0) {
+    } else if (source_token_is(&look->token, TOKEN_SIGN, ")") && look->attribute_depth > 0) {
         look->attribute_depth--;
     }
 }

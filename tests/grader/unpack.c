@@ -129,10 +129,7 @@ static int file_write(Unpacking *unpacking, struct archive_entry *entry, int par
     while (n_bytes <= STAGE_MAX_FILE_BYTES) {
         const la_ssize_t n = archive_read_data(unpacking->archive, unpacking->bytes + n_bytes,
                                                STAGE_MAX_FILE_BYTES + 1 - n_bytes);
-        if (n == ARCHIVE_RETRY || n == ARCHIVE_WARN) {
-            continue;
-        }
-        if (n < 0) {
+        if (n < 0) {  // ARCHIVE_RETRY, too: it may be said without end
             return complain_damaged(unpacking);
         }
         if (n == 0) {
@@ -308,10 +305,10 @@ static int entries_unpack(Unpacking *unpacking)
         if (status == ARCHIVE_EOF) {
             break;
         }
-        if (status < ARCHIVE_WARN && archive_format(unpacking->archive) == 0) {
+        if (status != ARCHIVE_OK && archive_format(unpacking->archive) == 0) {
             return UNPACK_NO_ARCHIVE;
         }
-        if (status < ARCHIVE_WARN) {
+        if (status != ARCHIVE_OK && status != ARCHIVE_WARN) {
             return archive_read_has_encrypted_entries(unpacking->archive) > 0
                        ? complain_encrypted(unpacking)
                        : complain_damaged(unpacking);

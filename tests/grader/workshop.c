@@ -69,7 +69,7 @@ static int copy_matching(const Workshop *workshop, const char *pattern, const ch
         return -1;
     }
     glob_t found;
-    if (glob(pattern, 0, NULL, &found) != 0) {
+    if (glob(pattern, GLOB_BRACE, NULL, &found) != 0) {
         fprintf(stderr, "grade: %s: not found; run make grader in the course's top folder\n",
                 pattern);
         return -1;
@@ -90,8 +90,7 @@ static int copy_earlier_solutions(const Workshop *workshop)
     glob_t found;
     int result = 0;
     if (glob("solutions/*", GLOB_ONLYDIR, NULL, &found) != 0) {
-        fprintf(stderr, "grade: solutions/: not found; start from the course's top folder\n");
-        return -1;
+        return 0;  // a handout of the first lab has none
     }
     for (size_t i = 0; result == 0 && i < found.gl_pathc; i++) {
         const char *folder = found.gl_pathv[i];
@@ -157,8 +156,7 @@ int workshop_open(Workshop *workshop, const Manifest *manifest, const char *buil
     result |= make_folder(path) | make_mount_points(workshop);
     result |= copy_matching(workshop, "common/*.h", "common");
     result |= copy_matching(workshop, "kernels/*.h", "kernels");
-    result |= copy_matching(workshop, "tests/probes/*.h", "probes");
-    result |= copy_matching(workshop, "tests/probes/*.cl", "probes");
+    result |= copy_matching(workshop, "tests/probes/*.{h,cl}", "probes");
     return result | copy_earlier_solutions(workshop) | copy_libraries(workshop) ? -1 : 0;
 }
 

@@ -184,11 +184,9 @@ cl_mem probe_image(const Probe *probe, int width, int height)
 
 void probe_launch(const Probe *probe, cl_kernel kernel, int width, int height)
 {
-    const size_t local_size[2] = {16, 16};
-    const size_t global_size[2] = {(size_t)PROBE_IMAGE_SIDE(width),
-                                   (size_t)PROBE_IMAGE_SIDE(height)};
-    CL_CHECK(clEnqueueNDRangeKernel(probe->cl.queue, kernel, 2, NULL, global_size, local_size, 0,
-                                    NULL, NULL));
+    const size_t group[2] = {16, 16};
+    const size_t items[2] = {(size_t)PROBE_IMAGE_SIDE(width), (size_t)PROBE_IMAGE_SIDE(height)};
+    CL_CHECK(clEnqueueNDRangeKernel(probe->cl.queue, kernel, 2, NULL, items, group, 0, NULL, NULL));
 }
 
 void probe_draw(const Probe *probe, int k, cl_kernel kernel, cl_mem d_image, int width, int height)

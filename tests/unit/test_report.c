@@ -2,7 +2,6 @@
 // and what was judged comes out unchanged.
 #include "clean_text.h"
 #include "graded.h"
-#include "link.h"
 #include "report.h"
 
 #include <criterion/criterion.h>
@@ -461,34 +460,4 @@ Test(report_html, leaves_the_old_page_when_it_cannot_be_written, .init = cr_redi
     cr_expect_eq(report_html("/nowhere/report.html", &manifest, &result), -1);
     cr_expect_eq(report_html("/dev/null", &manifest, &result), -1);
     result_free(&result);
-}
-
-// ---- Links -------------------------------------------------------------------------------------
-
-Test(link, leads_from_the_page_to_the_file)
-{
-    char root[] = "/tmp/test-link-XXXXXX";
-    cr_assert_not_null(mkdtemp(root));
-    cr_assert_eq(chdir(root), 0);
-    cr_assert_eq(
-        system("mkdir -p a ab/c 'x y\"<' && touch a/r.html ab/c/r.html 'x y\"</r.html' r.html"), 0);
-    static const char *const links[][3] = {
-        {"class.html", "a/results.json", "./a/r.html"},
-        {"class.html", "results.json", "./r.html"},
-        {"a/class.html", "a/results.json", "./r.html"},
-        {"a/class.html", "results.json", "./../r.html"},
-        {"a/class.html", "ab/c/results.json", "./../ab/c/r.html"},
-        {"ab/c/class.html", "./a/../a/results.json", "./../../a/r.html"},
-        {"class.html", "x y\"</results.json", "./x%20y%22%3C/r.html"},
-        {"class.html", "nowhere/results.json", NULL},
-        {"class.html", "ab/results.json", NULL},  // no report beside it
-    };
-    for (size_t i = 0; i < sizeof links / sizeof links[0]; i++) {
-        char *link = link_beside(links[i][0], links[i][1], "r.html");
-        int equal = link == links[i][2] ||
-                    (link != NULL && links[i][2] != NULL && strcmp(link, links[i][2]) == 0);
-        cr_expect(equal, "link %zu: found \"%s\"", i, link != NULL ? link : "(none)");
-        free(link);
-    }
-    cr_expect_eq(system("rm -r a ab 'x y\"<' r.html && rmdir \"$PWD\""), 0);
 }

@@ -1,5 +1,6 @@
 // The judge of 3D trees: lab 06's solution passes it on every scene, each fault is found by the
 // judges that look at it and by no other, and no tree of a submission does harm.
+#include "kdtree3d_build.h"
 #include "tree3d_judge.h"
 
 #include "message.h"

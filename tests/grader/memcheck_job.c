@@ -1,0 +1,219 @@
+// Making a job small (see memcheck_job.h).
+#include "memcheck_job.h"
+
+#include "jobs.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    MAX_SIDE = 16,      // of a picture of circles, pixels
+    MAX_SIDE_3D = 8,    // of one of spheres
+    MAX_SCENES = 6,     // spread over the job's
+    MAX_SCENES_3D = 3,  // the same
+    MAX_CALLS = 32,     // of each function, spread over the job's inputs
+    JOB_SCENES = 64,    // no judge's job has more
+};
+
+// Sections with one record a call of a function. Of all others every byte is needed.
+static const struct {
+    const char *name;
+    size_t record_bytes;
+} calls[] = {
+    {"overlaps", sizeof(OverlapJob)},     {"children", sizeof(ChildJob)},
+    {"views", sizeof(ViewJob)},           {"pixels", sizeof(PixelJob)},
+    {"roots", sizeof(RootJob)},           {"textbook", sizeof(SphereRayJob)},
+    {"projection", sizeof(SphereRayJob)}, {"normals", sizeof(NormalJob)},
+    {"shades", sizeof(ShadeJob)},         {"clips", sizeof(ClipJob)},
+    {"sides", sizeof(SideJob)},           {"planes", sizeof(PlaneJob)},
+    {"leaves", sizeof(SearchJob)},
+};
+static const char *const whole[] = {"lights", "leaf_ids", "leaf_spheres"};
+
+#define COUNT(array) (sizeof(array) / sizeof *(array))
+
+// ---- Functions --------------------------------------------------------------------------------
+
+// Some of a section's records, from its beginning to its end.
+static int calls_write(const Sections *job, const char *name, size_t record_bytes, FILE *file)
+{
+    size_t n_bytes;
+    const unsigned char *records = sections_find_any(job, name, &n_bytes);
+    unsigned char some[MAX_CALLS * sizeof(PixelJob)];
+    if (records == NULL) {
+        return 0;
+    }
+    const size_t n = n_bytes / record_bytes, n_some = n < MAX_CALLS ? n : MAX_CALLS;
+    for (size_t i = 0; i < n_some; i++) {
+        memcpy(some + i * record_bytes, records + i * n / n_some * record_bytes, record_bytes);
+    }
+    return section_write(file, name, some, n_some * record_bytes);
+}
+
+static int functions_write(const Sections *job, FILE *file)
+{
+    int result = 0;
+    for (size_t i = 0; i < COUNT(calls); i++) {
+        result |= calls_write(job, calls[i].name, calls[i].record_bytes, file);
+    }
+    for (size_t i = 0; i < COUNT(whole); i++) {
+        size_t n_bytes;
+        const void *bytes = sections_find_any(job, whole[i], &n_bytes);
+        result |= bytes ? section_write(file, whole[i], bytes, n_bytes) : 0;
+    }
+    return result;
+}
+
+// ---- Scenes -----------------------------------------------------------------------------------
+
+// Scene number k of the judge's job, which is number `as` of the small one.
+typedef struct SmallScene {
+    const Sections *job;
+    int k, as;
+    FILE *file;
+} SmallScene;
+
+// "scene.K" or "scene.K.part".
+static void scene_name(char name[SECTION_NAME_BYTES], int k, const char *part)
+{
+    const unsigned number = (unsigned)k % JOB_SCENES;
+    if (part != NULL) {
+        snprintf(name, SECTION_NAME_BYTES, "scene.%u.%s", number, part);
+    } else {
+        snprintf(name, SECTION_NAME_BYTES, "scene.%u", number);
+    }
+}
+
+static const void *scene_part(const SmallScene *scene, const char *part, size_t *n_bytes)
+{
+    char name[SECTION_NAME_BYTES];
+    scene_name(name, scene->k, part);
+    return sections_find_any(scene->job, name, n_bytes);
+}
+
+static int scene_write(const SmallScene *scene, const char *part, const void *bytes, size_t n_bytes)
+{
+    char name[SECTION_NAME_BYTES];
+    scene_name(name, scene->as, part);
+    return section_write(scene->file, name, bytes, n_bytes);
+}
+
+// Write a part but for its last `less` bytes, where there is one.
+static int part_write(const SmallScene *scene, const char *part, size_t less)
+{
+    size_t n_bytes;
+    const void *bytes = scene_part(scene, part, &n_bytes);
+    return bytes && n_bytes >= less ? scene_write(scene, part, bytes, n_bytes - less) : 0;
+}
+
+// The power of two that makes a picture small: in 2D it scales circles and cells without rounding.
+static float scale_of(int width, int height, float max_side)
+{
+    float scale = 1;
+    while ((float)width * scale > max_side || (float)height * scale > max_side) {
+        scale /= 2;
+    }
+    return scale;
+}
+
+static int scaled_side(int side, float scale)
+{
+    const int scaled = (int)((float)side * scale);
+    return scaled > 1 ? scaled : 1;
+}
+
+static int circles_write(const SmallScene *scene, float scale)
+{
+    size_t n_bytes;
+    const Circle *given = scene_part(scene, "circles", &n_bytes);
+    if (given == NULL) {
+        return 0;  // lab 00 has none
+    }
+    const size_t n = n_bytes / sizeof *given - 1;
+    Circle *circles = malloc(n_bytes);
+    if (circles == NULL) {
+        return -1;
+    }
+    for (size_t i = 0; i < n; i++) {
+        circles[i] = given[i];
+        circles[i].x *= scale;
+        circles[i].y *= scale;
+        circles[i].radius *= scale;
+    }
+    const int result = scene_write(scene, "circles", circles, n * sizeof *circles);
+    free(circles);
+    return result;
+}
+
+static int boxes_write(const SmallScene *scene, float scale)
+{
+    size_t n_bytes;
+    const BBox2D *given = scene_part(scene, "boxes", &n_bytes);
+    BBox2D *boxes = given ? malloc(n_bytes + 1) : NULL;
+    if (boxes == NULL) {
+        return given ? -1 : 0;
+    }
+    for (size_t i = 0; i < n_bytes / sizeof *boxes; i++) {
+        boxes[i] = (BBox2D){.minX = given[i].minX * scale,
+                            .minY = given[i].minY * scale,
+                            .maxX = given[i].maxX * scale,
+                            .maxY = given[i].maxY * scale};
+    }
+    const int result = scene_write(scene, "boxes", boxes, n_bytes);
+    free(boxes);
+    return result;
+}
+
+static int scene2d_write(const SmallScene *scene, SceneJob header)
+{
+    const float scale = scale_of(header.width, header.height, MAX_SIDE);
+    header.width = scaled_side(header.width, scale);
+    header.height = scaled_side(header.height, scale);
+    int result = scene_write(scene, NULL, &header, sizeof header);
+    result |= circles_write(scene, scale) | boxes_write(scene, scale);
+    result |= part_write(scene, "relations", 0) | part_write(scene, "flags", 0);
+    return result | part_write(scene, "map", 0);
+}
+
+// The display's size is the camera's: fewer pixels show all of it.
+static int scene3d_write(const SmallScene *scene, SceneJob3D header)
+{
+    const float scale = scale_of(header.width, header.height, MAX_SIDE_3D);
+    header.width = scaled_side(header.width, scale);
+    header.height = scaled_side(header.height, scale);
+    int result = scene_write(scene, NULL, &header, sizeof header);
+    result |= part_write(scene, "spheres", sizeof(Sphere));
+    result |= part_write(scene, "material_ids", sizeof(u32));
+    result |= part_write(scene, "materials", sizeof(Material));
+    result |= part_write(scene, "lights", sizeof(Light));
+    return result | part_write(scene, "nodes", 0) | part_write(scene, "sphere_ids", 0);
+}
+
+static int scenes_write(const Sections *job, FILE *file)
+{
+    SmallScene scene = {.job = job, .file = file};
+    size_t n_bytes;
+    int n = 0, result = 0;
+    while (n < JOB_SCENES && (scene.k = n, scene_part(&scene, NULL, &n_bytes)) != NULL) {
+        n++;
+    }
+    scene.k = 0;
+    const int is_2d = scene_part(&scene, NULL, &n_bytes) && n_bytes == sizeof(SceneJob);
+    const int n_most = is_2d ? MAX_SCENES : MAX_SCENES_3D, n_small = n < n_most ? n : n_most;
+    for (scene.as = 0; scene.as < n_small; scene.as++) {
+        scene.k = scene.as * n / n_small;
+        const void *header = scene_part(&scene, NULL, &n_bytes);
+        result |= is_2d ? scene2d_write(&scene, *(const SceneJob *)header)
+                        : scene3d_write(&scene, *(const SceneJob3D *)header);
+    }
+    return result;
+}
+
+int memcheck_job_write(const Sections *job, FILE *file)
+{
+    if (functions_write(job, file) != 0 || scenes_write(job, file) != 0) {
+        fprintf(stderr, "memcheck: the small job cannot be written\n");
+        return -1;
+    }
+    return 0;
+}

@@ -1,0 +1,12 @@
+// fault: the loop asks the circle behind the end of the array
+// lab: 01-naive-2d
+// task: implicit2DRenderer
+// says: reads outside of a buffer
+    float minDepth = INFINITY;
+    for (int i = 0; i <= n_circles; i++) {
+        const Circle circle = circles[i];  // HERE
+        if (overlaps_N_Nearer(x, y, circle, minDepth)) {
+            minDepth = circle.depth;
+            color = (float4)(circle.r, circle.g, circle.b, circle.a);
+        }
+    }

@@ -1,0 +1,7 @@
+// right: the flag is kept in a variable and asked for INNER
+// task: descent
+    uchar flag = nodes_flag[0];
+    while (flag == INNER) {
+        id = getContainingChild(x, y, id, nodes_Relations, nodes_BBox);
+        flag = nodes_flag[id];
+    }

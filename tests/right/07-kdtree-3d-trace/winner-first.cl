@@ -1,0 +1,15 @@
+// right: a local nearest, stored when it is one
+// task: search_leaf
+    float nearest = hit->t;
+    uint winner = hit->sphere;
+    const uint end = node.first + node.n_spheres;
+    for (uint i = node.first; i != end; ++i) {
+        const float t = intersect_sphere(spheres[sphere_ids[i]], ray);
+        if (t >= nearest) {
+            continue;
+        }
+        nearest = t;
+        winner = sphere_ids[i];
+    }
+    hit->t = nearest;
+    hit->sphere = winner;

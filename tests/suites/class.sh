@@ -1,0 +1,242 @@
+#!/bin/sh
+# A class as an instructor grades it: odd names, a run killed at every level and resumed, what
+# changed graded again and nothing else, faults of the machinery apart from zeros.
+#
+#     sh tests/suites/class.sh      from the top folder, after `make tests`
+set -u
+. tests/tap.sh
+
+build=${BUILD:-build}
+case $build in /*) ;; *) build=$PWD/$build ;; esac
+
+# Where the graders work; what is left there is seen at the end.
+chmod 711 "$scratch"
+mkdir -m 711 "$scratch/w"
+export TMPDIR="$scratch/w"
+class=$scratch/class
+lab=00-hello-pixels
+wrong_file=$PWD/tests/mutants/$lab/half-pixel.cl
+
+# run OUTPUT OPTION...: the driver, with its messages in $scratch/said.
+run() {
+    output=$1
+    shift
+    tests/class/grade_class.sh --build "$build" --lab 0 --submissions "$class" --output "$output" "$@" \
+        >"$scratch/said" 2>&1 </dev/null
+}
+
+# exits STATUS COMMAND...
+exits() {
+    wanted=$1 status=0
+    shift
+    "$@" || status=$?
+    [ "$status" -eq "$wanted" ] || { echo "found exit status $status"; cat "$scratch/said"; return 1; }
+}
+
+# said WORDS: did the last run say so?
+# shellcheck disable=SC2317 # called by check
+said() { grep -qF -- "$1" "$scratch/said" || { cat "$scratch/said"; return 1; }; }
+
+# n_graded OUTPUT: how many gradings the job log has.
+n_graded() { grep -c "tests/class/grade_one.sh" "$1/joblog"; }
+
+# row OUTPUT TEXT: does a row of the CSV begin so?
+row() { text=$2 awk 'index($0, ENVIRON["text"]) == 1 { n++ } END { exit n != 1 }' "$1/gradebook.csv" ||
+    { cat "$1/gradebook.csv"; return 1; }; }
+
+# processes OUTPUT: the ids of everything that works for it.
+processes() { grep -lsz "^CLASS_FOLDER=$1\$" /proc/[0-9]*/environ | sed 's|/proc/||; s|/environ||'; }
+
+# program OUTPUT WORDS: the id of one of them whose command line holds the words.
+program() {
+    for process in $(processes "$1"); do
+        if tr '\0' ' ' <"/proc/$process/cmdline" 2>/dev/null | grep -q -- "$2"; then
+            echo "$process"
+            return
+        fi
+    done
+}
+
+# await SECONDS COMMAND...: until the command does.
+await() {
+    tries=$(($1 * 20))
+    shift
+    until "$@"; do
+        tries=$((tries - 1))
+        [ $tries -gt 0 ] || return 1
+        sleep 0.05
+    done
+}
+
+# ---- Eight submissions --------------------------------------------------------------------------
+
+mkdir "$class"
+cp -R solutions/$lab "$class/Ada Lovelace_1234567_assignsubmission_file_"
+cp -R labs/$lab "$class/lab-00-bob"
+cp -R solutions/$lab "$class/-rf"
+newline='
+'
+hostile="..$newline.$(printf '\377')<b>\"'&\$(true)"
+cp -R labs/$lab "$class/$hostile"
+cp -R solutions/$lab "$class/=1+1"
+cp -R labs/$lab "$class/carol"
+cp -R solutions/$lab "$class/carol-2"
+long=$(printf '%0255d' 0)
+cp -R solutions/$lab "$class/$long"
+"$build/tools/holes" fill solutions/$lab/gradient.cl gradient "$wrong_file" >"$class/$long/gradient.cl"
+echo "no submission" >"$class/notes.txt"
+
+# ---- Killed and resumed -------------------------------------------------------------------------
+
+first=$scratch/first
+n_results() { find "$first/students" -path '*[!w]/key' 2>/dev/null | wc -l; }
+results() { [ "$(n_results)" -ge "$1" ]; }
+none_left() { [ -z "$(processes "$first")" ]; }
+is_at_work() { [ -n "$(program "$first" "$1")" ]; }
+
+run "$first" --seed 5 &
+driver=$!
+check "some are graded" await 30 results 2
+driver_shell=$(pgrep -P $driver -f grade_class.sh || echo $driver)
+kill -9 "$driver_shell" $driver 2>/dev/null
+check "the driver killed: all that it started ends" await 10 none_left
+n_kept=$(n_results)
+check "there is no gradebook yet" test ! -e "$first/gradebook.csv"
+
+run "$first" &
+driver=$!
+check "resumed: a grader is at work" await 20 is_at_work tools/grade
+# shellcheck disable=SC2046 # one id
+kill -9 $(program "$first" "tools/grade --build")
+check "a grader killed: GNU parallel is still there" await 10 is_at_work bin/parallel
+# shellcheck disable=SC2046
+kill -9 $(program "$first" bin/parallel)
+wait $driver
+ok $? "a grader and GNU parallel killed: the run ends well" "$(cat "$scratch/said")"
+check "and tried again" said "again for"
+check "each has one row" test "$(wc -l <"$first/gradebook.csv")" -eq 9
+check "the seed of the first run still holds" test "$(cat "$first/seed")" = 5
+check "what was graded before was kept ($n_kept)" \
+    test "$(n_graded "$first")" -lt 16
+
+check "an uninterrupted run" exits 0 run "$scratch/second" --seed 5 --jobs 3
+for file in gradebook.csv gradebook.json class.html; do
+    check "$file is the same to the byte" cmp "$first/$file" "$scratch/second/$file"
+done
+
+# ---- What the files say -------------------------------------------------------------------------
+
+check "Moodle's number" row "$first" '"Ada Lovelace","1234567",1,"graded",100,100,'
+check "GitHub Classroom's name" row "$first" '"bob","",1,"graded",0,100,'
+check "a second attempt has a row" row "$first" '"carol","",2,"graded",100,100,'
+check "a formula is none" row "$first" "\"'=1+1\","
+check "an option is a name" row "$first" "\"'-rf\","
+check "a hostile name" row "$first" '"..\x0A.\xFF<b>""'"'&\$(true)\","
+check "the longest name" row "$first" "\"$long\","
+check "a file that is no submission is passed over" said "passed over 1 files"
+check "the page is well-formed" xmllint --html --noout "$first/class.html"
+check "the page shows no markup of a name" grep -q '&lt;b&gt;&quot;&#39;&amp;' "$first/class.html"
+check "the page runs nothing" grep -q "default-src 'none'" "$first/class.html"
+# shellcheck disable=SC2016 # for the inner shell
+check "every picture and report of the page is there" sh -c 'cd "$1" &&
+    grep -o "\(href\|src\)=\"students/[^\"]*" class.html | cut -d "\"" -f 2 | xargs ls -d' - "$first"
+check "nothing of the kill is left" test -z "$(ls -A "$TMPDIR")$(find "$first/students" -name '*.new')"
+
+# ---- What changed, and nothing else -------------------------------------------------------------
+
+before=$(n_graded "$first")
+check "again: all is there" exits 0 run "$first"
+check "and nothing was graded" test "$(n_graded "$first")" -eq "$before"
+cp "$first/gradebook.json" "$scratch/old.json"
+cp solutions/$lab/* "$class/lab-00-bob/"
+check "one has changed" exits 0 run "$first" --against "$scratch/old.json"
+check "and is graded alone" test "$(n_graded "$first")" -eq $((before + 1))
+check "with the new score" row "$first" '"bob","",1,"graded",100,100,'
+check "old and new scores are compared" grep -q '0 &rarr; 100' "$first/class.html"
+check "only the failed" exits 0 run "$first" --only failed
+check "three are below full marks" test "$(n_graded "$first")" -eq $((before + 4))
+check "only the latest" exits 0 run "$first" --only latest
+check "an earlier attempt has no row" test "$(grep -c '^"carol"' "$first/gradebook.csv")" -eq 1
+check "another lab is a fault" exits 2 tests/class/grade_class.sh --lab 42 --submissions "$class"
+
+# ---- Moodle and Gradescope ----------------------------------------------------------------------
+
+cat >"$scratch/moodle.csv" <<'END'
+Identifier,"Full name","Email address",Status,Grade,"Maximum Grade"
+"Participant 1234567","A. Lovelace",ada@example.org,Submitted,,"50,00"
+"Participant 7",Carol,carol@example.org,Submitted,-,50
+"Participant 8","Nobody, N.",n@example.org,"No submission",-,50
+"Participant 9",Double,bob@example.org,Submitted,,50
+"Participant 10",Double,bob@example.net,Submitted,,50
+END
+check "with Moodle's worksheet" exits 0 run "$first" --moodle "$scratch/moodle.csv"
+check "by the number, with the sheet's maximum and sign" row "$first" \
+    '"Participant 1234567","A. Lovelace","ada@example.org","Submitted","50,00","50,00","Ada Lovelace",'
+check "by the mail address, the last attempt" row "$first" \
+    '"Participant 7","Carol","carol@example.org","Submitted","50.00","50","carol","",2,"graded",100,'
+check "who handed in nothing has no grade" row "$first" \
+    '"Participant 8","Nobody, N.","n@example.org","No submission","-","50",,,,"no submission",'
+check "who could be two is neither" row "$first" ',,,,,,"bob",'
+check "and they have no grade" row "$first" '"Participant 9","Double","bob@example.org","Submitted","","50",,,,"no submission"'
+
+gradescope=$scratch/gradescope
+mkdir -p "$gradescope/submission_11" "$gradescope/submission_12" "$scratch/names"
+cat >"$gradescope/submission_metadata.yml" <<'END'
+---
+submission_11:
+  :submitters:
+  - :name: Ada Lovelace
+    :sid: '1'
+  - :name: "Grace Hopper"
+  :score: 3
+submission_12:
+  :submitters:
+  - :name: !ruby/object:Name
+END
+check "Gradescope's export" "$build/tools/gradebook" roster 0 "$gradescope" "$scratch/names"
+check "a group has its names" grep -q '"name": "Ada Lovelace & Grace Hopper"' "$scratch/names/roster.json"
+check "what is no plain name is not taken" grep -q '"name": "submission_12"' "$scratch/names/roster.json"
+
+# ---- Faults of the machinery --------------------------------------------------------------------
+
+# A grader that fails for some: by itself, by a signal, by never ending; and for one only at first.
+fake=$scratch/fake
+right=$(echo "$first"/students/rf-*)
+mkdir -p "$fake/tools"
+ln -s "$build/tools/gradebook" "$fake/tools"
+ln -s "$build/probes" "$build/earlier" "$build/libcommon.a" "$fake"
+cat >"$fake/tools/grade" <<END
+#!/bin/sh
+while [ "\$1" != --submission ]; do shift; done
+output=\$4
+case \$2 in
+*/fails-*) echo "no sandbox" >&2; exit 2 ;;
+*/dies-*) kill -9 \$\$ ;;
+*/hangs-*) sleep 60 ;;
+*/twice-*) [ -e "$scratch/seen" ] || { : >"$scratch/seen"; exit 2; } ;;
+esac
+cp -R "$right/." "\$output"
+END
+chmod +x "$fake/tools/grade"
+class=$scratch/faults
+mkdir "$class"
+for name in fails dies hangs twice well; do cp -R labs/$lab "$class/$name"; done
+build=$fake
+faults=$scratch/third
+CLASS_SECONDS=1
+export CLASS_SECONDS
+check "some cannot be graded: status 1" exits 1 run "$faults" --jobs 5
+check "a fault is no zero" row "$faults" '"fails","",1,"not graded",,,,,,,"the grader could not work'
+check "nor is a death" row "$faults" '"dies","",1,"not graded",,,,,,,"the grader was killed by signal 9"'
+check "nor is no end" row "$faults" '"hangs","",1,"not graded",,,,,,,"the grader took longer than 1 s"'
+check "a passing fault is tried again" row "$faults" '"twice","",1,"graded",100,'
+check "the others are graded" row "$faults" '"well","",1,"graded",100,'
+check "three times each" test "$(n_graded "$faults")" -eq 12
+check "and they stand apart on the page" grep -q 'id="not-graded"' "$faults/class.html"
+check "and in what it says" said "not graded: fails: the grader could not work"
+check "the reason is kept" grep -q "no sandbox" "$(echo "$faults"/logs/fails-*)"
+rm -r "$class/fails" "$class/dies" "$class/hangs"
+check "without them all is well" exits 0 run "$faults"
+check "nothing stays behind in TMPDIR" test -z "$(ls -A "$TMPDIR")"
+
+finish

@@ -1,0 +1,177 @@
+#!/bin/sh
+# What students get: make handout packs no line of the lab's solution or of a later one, the same bytes
+# every time, and what comes out builds and grades by itself, with the instructor's scores.
+. tests/tap.sh
+
+build=${BUILD:-build}
+course=$PWD
+labs=$(cd solutions && printf '%s\n' */ | tr -d /)
+
+if ! git ls-files >/dev/null 2>&1; then
+    skip "handouts" "here is no git checkout to pack from"
+    finish
+    exit
+fi
+
+# pack LAB FOLDER: says nothing.
+pack() {
+    tests/handout/pack.sh "$build/tools/holes" "$1" "$2" >/dev/null
+}
+
+# ---- The archives -------------------------------------------------------------------------------
+
+# In another place, at another time, for another user: the same bytes.
+same_bytes() {
+    pack "$1" "$scratch/first" || return 1
+    (
+        umask 077
+        mkdir -p "$scratch/other place"
+        TMPDIR="$scratch/other place" LC_ALL=C TZ=Asia/Kolkata pack "${1%%-*}" "$scratch/second"
+    ) || return 1
+    cmp "$scratch/first/$1.tar.gz" "$scratch/second/$1.tar.gz"
+}
+
+# Every file but the README is one of the course, and none is from this lab's solution or later labs.
+only_its_files() {
+    (cd "$1" && find . -type f) | sed 's|^\./||' | sort >"$scratch/files"
+    git ls-files | sort >"$scratch/tracked"
+    strays=$(comm -23 "$scratch/files" "$scratch/tracked")
+    [ -z "$strays" ] || { echo "not tracked: $strays"; return 1; }
+    for lab in $labs; do
+        if [ "$lab" = "$2" ]; then
+            grep -q "^labs/$lab/README.md$" "$scratch/files" || { echo "labs/$lab is missing"; return 1; }
+            later=yes
+        elif grep "^labs/$lab/" "$scratch/files"; then
+            echo "expected nothing in labs/$lab"
+            return 1
+        fi
+        if [ -n "$later" ]; then
+            ! grep "^solutions/$lab/" "$scratch/files" || return 1
+        else
+            grep -q "^solutions/$lab/lab.json$" "$scratch/files" || { echo "solutions/$lab is missing"; return 1; }
+        fi
+        [ "$lab" = "$2" ] || ! grep "^tests/.*[_/]\(judge\|probe\)_${lab%%-*}" "$scratch/files" || return 1
+    done
+    ! grep '^tests/\(mutants\|unit\|suites\|bench\)/' "$scratch/files"
+}
+
+# no_solution FOLDER LAB: is no line of the solution in it, blanks aside?
+no_solution() {
+    tests/handout/solution_lines.sh "$build/tools/holes" "$2" >"$scratch/lines"
+    n_lines=$(wc -l <"$scratch/lines")
+    [ "$n_lines" -ge 10 ] || { echo "only $n_lines lines to look for"; return 1; }
+    find "$1" -type f ! -name '*.png' -exec awk '{ gsub(/[ \t]/, ""); print FILENAME ":" FNR ":" $0 }' {} + |
+        grep -F -f "$scratch/lines" >"$scratch/leaks" || return 0
+    cat "$scratch/leaks"
+    return 1
+}
+
+# Every link that is not of the web, and every picture, leads to a file; and to a heading, where it
+# names one.
+links() {
+    (cd "$1" && find . -name '*.md') | while IFS= read -r page; do
+        grep -o '](\([^)]*\))' "$1/$page" | sed 's/^](//; s/)$//' | while IFS= read -r link; do
+            case $link in *://*) continue ;; esac
+            target=$1/$(dirname "$page")/${link%%#*}
+            [ -n "${link%%#*}" ] || target=$1/$page
+            [ -e "$target" ] || echo "$page: $link leads nowhere"
+            case $link in *#*)
+                sed -n 's/^##* //p' "$target" | tr 'A-Z ' 'a-z-' | grep -qx -- "${link#*#}" ||
+                    echo "$page: no heading for $link"
+                ;;
+            esac
+        done
+    done >"$scratch/dangling"
+    cat "$scratch/dangling"
+    [ ! -s "$scratch/dangling" ]
+}
+
+# The commands that its READMEs name: does make know each target?
+commands() {
+    grep -h -o 'make [A-Za-z][A-Za-z0-9_/=. -]*' "$1/README.md" "$1/labs/$2/README.md" |
+        sed 's/ -.*//; s/[. ]*$//' | sort -u | while IFS= read -r words; do
+        case $words in
+        make\ setup | make\ help | make\ grade* | make\ *build/*) ;;
+        *) continue ;;
+        esac
+        # shellcheck disable=SC2086 # the words of a command
+        alone "$1" $words --dry-run >"$scratch/said" 2>&1 || { echo "$words:"; cat "$scratch/said"; }
+    done >"$scratch/unknown"
+    cat "$scratch/unknown"
+    [ ! -s "$scratch/unknown" ]
+}
+
+# alone FOLDER COMMAND...: run it there with nothing of this make's or of the course's variables.
+alone() {
+    where=$1
+    shift
+    (cd "$where" && env -i PATH="$PATH" HOME="$HOME" ${TMPDIR:+TMPDIR="$TMPDIR"} ${CC:+CC="$CC"} ${CXX:+CXX="$CXX"} "$@")
+}
+
+for lab in $labs; do
+    later=
+    check "$lab: the same bytes twice" same_bytes "$lab"
+    tar -xzf "$scratch/first/$lab.tar.gz" -C "$scratch"
+    check "$lab: its files and no others" only_its_files "$scratch/$lab" "$lab"
+    check "$lab: no line of a solution" no_solution "$scratch/$lab" "$lab"
+    check "$lab: no link leads nowhere" links "$scratch/$lab"
+    check "$lab: make knows the commands of its READMEs" commands "$scratch/$lab" "$lab"
+done
+owners=$(tar -tvzf "$scratch/first/$lab.tar.gz" --numeric-owner | awk '{ print $2, $4 }' | sort -u)
+[ "$(echo "$owners" | wc -l)" -eq 1 ] && [ "${owners%% *}" = 0/0 ]
+ok $? "one owner, one time" "$owners"
+
+# What is looked for would be found.
+cp solutions/02-kdtree-2d-build/kdtree2d_build.c "$scratch/02-kdtree-2d-build/tests/grader/"
+check "a solution in the wrong place is found" eval '! no_solution "$scratch/02-kdtree-2d-build" 02-kdtree-2d-build'
+check "each of its lines" test "$(wc -l <"$scratch/leaks")" -ge 15
+rm "$scratch/02-kdtree-2d-build/tests/grader/kdtree2d_build.c"
+
+check "another lab's name is refused" eval '! pack 77 "$scratch/none" && [ ! -e "$scratch/none" ]'
+
+# ---- On their own -------------------------------------------------------------------------------
+
+# The points of every check. verdicts RESULTS
+verdicts() {
+    sed -n '/^  "score"/p; /^  "checks"/,$p' "$1" | grep -E '"(id|points|score|status)":'
+}
+
+# same_scores FOLDER LAB SUBMISSION SCORE: is each check judged as the instructor's grader does?
+same_scores() {
+    status=0
+    "$build/tools/grade" --build "$build" --lab "$2" --submission "$3" --seed 11 \
+        --output "$scratch/instructor" >"$scratch/said" 2>&1 || status=$?
+    [ "$status" -le 1 ] || { cat "$scratch/said"; return 1; }
+    alone "$1" make grade LAB="${2%%-*}" SEED=11 >"$scratch/said" 2>&1
+    verdicts "$scratch/instructor/results.json" >"$scratch/expected"
+    verdicts "$1/build/grade/${2%%-*}/results.json" >"$scratch/found" || { cat "$scratch/said"; return 1; }
+    diff "$scratch/expected" "$scratch/found" && grep -q "\"score\": $4," "$scratch/found"
+}
+
+# Labs with and without host files, with and without earlier solutions that the grader needs. They are
+# built in one folder, one after the other, so that common/ is compiled once; nothing else stays.
+clean=$scratch/clean
+mkdir "$clean"
+for lab in 00-hello-pixels 02-kdtree-2d-build 07-kdtree-3d-trace; do
+    find "$clean" -mindepth 1 -maxdepth 1 ! -name build -exec rm -r {} +
+    find "$clean/build" -mindepth 1 -maxdepth 1 ! -name obj -exec rm -r {} + 2>/dev/null
+    find "$clean/build/obj" -mindepth 1 -maxdepth 1 ! -name common -exec rm -r {} + 2>/dev/null
+    tar -xzf "$scratch/first/$lab.tar.gz" -C "$clean" --strip-components=1
+    check "$lab: everything builds" alone "$clean" make -j2 all
+    check "$lab: the skeleton's score is the instructor's" same_scores "$clean" "$lab" "labs/$lab" 0
+    check "$lab: the report says how it was judged" grep -q 'judged without the solution' "$scratch/said"
+    cp "solutions/$lab"/*.[ch]* "$clean/labs/$lab/"
+    check "$lab: the solution's score is the instructor's" same_scores "$clean" "$lab" "solutions/$lab" 100
+    ! grep -rlF "$course/" "$clean/build" >"$scratch/said"
+    ok $? "$lab: no file of the course was used" "$(cat "$scratch/said")"
+done
+
+# Its programs can be installed from scratch: the list of packages is there, and make asks for it.
+mkdir "$scratch/bare"
+for tool in sh awk grep sed dirname make; do
+    ln -s "$(command -v $tool)" "$scratch/bare/$tool"
+done
+(cd "$clean" && env -i PATH="$scratch/bare" make setup) >"$scratch/said" 2>&1
+check "make setup names what a bare machine lacks" grep -q '^ *pocl-opencl-icd$' "$scratch/said"
+
+finish

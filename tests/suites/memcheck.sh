@@ -1,0 +1,65 @@
+#!/bin/sh
+# Oclgrind as a diagnosis: the solutions' kernels are clean under it, and each fault in
+# tests/memcheck/*.cl is found at its line.
+#
+#     sh tests/suites/memcheck.sh      from the top folder, after `make tests`
+set -u
+. tests/tap.sh
+
+build=${BUILD:-build}
+case $build in /*) ;; *) build=$PWD/$build ;; esac
+memcheck=$build/tools/memcheck
+chmod 711 "$scratch"
+
+# memchecks STATUS LAB FOLDER: does memcheck end so? What it said is in $scratch/said.
+memchecks() {
+    status=0
+    "$memcheck" --build "$build" --lab "$2" --submission "$3" --seed 1 >"$scratch/said" 2>&1 ||
+        status=$?
+    cat "$scratch/said"
+    [ "$status" -eq "$1" ]
+}
+
+# field FILE KEY: the rest of the header line "// KEY: ..." of a fault.
+field() {
+    sed -n "s|^// $2: ||p" "$1"
+}
+
+# finds FAULT: put it into the solution; is it told at the line marked HERE?
+finds() {
+    lab=$(field "$1" lab)
+    task=$(field "$1" task)
+    rm -rf "$scratch/submission"
+    cp -r "solutions/$lab" "$scratch/submission"
+    file=$(grep -l "// TASK $task:" "$scratch/submission"/*.cl)
+    "$build/tools/holes" fill "$file" "$task" "$1" >"$scratch/filled" || return 1
+    cp "$scratch/filled" "$file"
+    line=$(grep -n '// HERE' "$file" | cut -d : -f 1)
+    memchecks 1 "$lab" "$scratch/submission" &&
+        grep -q "^$(basename "$file"):$line: $(field "$1" says)" "$scratch/said"
+}
+
+# Labs 02 and 06 have no kernels; the others need Oclgrind.
+check "a lab without kernels is told" memchecks 2 02 solutions/02-kdtree-2d-build
+check "as what it is" grep -q "found no kernel to hand in" "$scratch/said"
+if [ ! -r /usr/lib/oclgrind/liboclgrind-rt-icd.so ]; then
+    check "without Oclgrind memcheck says what is missing" memchecks 2 01 solutions/01-naive-2d
+    check "and which package has it" grep -q "install the package oclgrind" "$scratch/said"
+    skip "the solutions are clean, and faults are found" "Oclgrind is not installed (Debian 13 has none)"
+    finish
+    exit
+fi
+
+for folder in solutions/*/; do
+    lab=$(basename "$folder")
+    if ls "$folder"*.cl >/dev/null 2>&1; then
+        check "$lab: the solution is clean" memchecks 0 "$lab" "solutions/$lab"
+    fi
+done
+for fault in tests/memcheck/*.cl; do
+    check "$(basename "$fault"): found at its line" finds "$fault"
+done
+
+# Whatever stands in the log's place is not followed, and a kernel that does not end is cut off.
+check "a folder that is not there" memchecks 2 01 "$scratch/nowhere"
+finish
