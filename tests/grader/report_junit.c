@@ -32,7 +32,11 @@ static void case_write(FILE *file, const char *group, const char *name, CheckSta
     fputs("\" name=\"", file);
     html_line(file, name);
     if (status == CHECK_PASSED) {
-        fputs("\"/>\n", file);
+        // A remark on what went well: the stage that tells what stands out has one.
+        const int remark = words != NULL && words[0] != '\0';
+        fputs(remark ? "\">\n      <system-out>" : "\"/>\n", file);
+        html_text(file, words);
+        fputs(remark ? "</system-out>\n    </testcase>\n" : "", file);
         return;
     }
     const char *element = status == CHECK_FAILED ? "failure" : "skipped";

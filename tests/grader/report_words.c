@@ -19,9 +19,11 @@ char *stages_words(const Result *result)
         const StageResult *stage = &result->stages[i];
         const char *said = stage->message != NULL ? stage->message : "";
         if (stage->status != CHECK_PASSED || said[0] != '\0') {
+            const int passed = stage->status == CHECK_PASSED;
             char *longer =
-                message_new("%s%s%s: %s%s%s", words, words[0] != '\0' ? "\n" : "", stage->title,
-                            check_status_name(stage->status), said[0] != '\0' ? "\n" : "", said);
+                message_new("%s%s%s:%s%s%s%s", words, words[0] != '\0' ? "\n" : "", stage->title,
+                            passed ? "" : " ", passed ? "" : check_status_name(stage->status),
+                            said[0] != '\0' ? "\n" : "", said);
             free(words);
             words = longer;
         }

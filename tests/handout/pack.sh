@@ -72,7 +72,7 @@ first_lab() {
     esac
 }
 
-# Of the judges this lab's; of the programs the grader alone.
+# Of the judges this lab's; of the programs the grader and what it unpacks archives with.
 git ls-files -- tests/grader | while IFS= read -r file; do
     name=$(basename "$file")
     case $name in
@@ -80,7 +80,10 @@ git ls-files -- tests/grader | while IFS= read -r file; do
     judge_[0-9][0-9]*) continue ;;
     *.sh) continue ;;
     esac
-    [ "$name" = grade.c ] || ! grep -q '^int main(' "$file" || continue
+    case $name in
+    grade.c | unpack_tool.c) ;;
+    *) ! grep -q '^int main(' "$file" || continue ;;
+    esac
     [ "$(first_lab "$name")" -gt "$number" ] || echo "$file"
 done | copy
 git ls-files -- tests/probes | grep -e "/probe_$lab\." -e '/[a-z]*\.[ch]$' | copy

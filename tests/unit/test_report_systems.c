@@ -185,6 +185,25 @@ Test(report_systems, junit_stays_whole)
     result_free(&result);
 }
 
+Test(report_systems, remarks_of_stages_are_shown)
+{
+    Result result = result_make("");
+    result.stages[0] = (StageResult){"What stands out", CHECK_PASSED, strdup("calls <system>")};
+    write_all(&result);
+    char *text = text_of("junit.xml");
+    expect_part(text, "name=\"What stands out\">\n"
+                      "      <system-out>calls &lt;system&gt;</system-out>\n    </testcase>\n");
+    free(text);
+    text = text_of("results.tap");
+    expect_part(text, "ok 1 - 01-naive-2d: What stands out\n# calls <system>\n");
+    free(text);
+    json_t *json = json_of("gradescope.json");
+    cr_expect_str_eq(json_string_value(json_object_get(json, "output")),
+                     "What stands out:\ncalls <system>");
+    json_decref(json);
+    result_free(&result);
+}
+
 Test(report_systems, tap_has_its_own_tests_only)
 {
     Result result = result_make(hostile);
