@@ -32,9 +32,7 @@ LIBRARIES = -Wl,--as-needed $(shell pkg-config --libs OpenImageIO jansson) -lcsv
 # In a handout (`make handout`) there are one lab, the solutions of those before it and no suites: what
 # is for authors is left out below.
 LABS := $(sort $(foreach tree,labs solutions,$(patsubst $(tree)/%/lab.json,%,$(wildcard $(tree)/*/lab.json))))
-ifeq ($(wildcard tests/suites),)
-HANDOUT := yes
-endif
+HANDOUT := $(if $(wildcard tests/suites),,yes)
 
 # The labs before one: what they deliver comes from their solutions.
 earlier = $(strip $(eval reached :=)$(foreach l,$(LABS),$(if $(filter $(1),$(l)),$(eval \

@@ -5,8 +5,8 @@
 // The solution and the submission do the same job in the sandbox; for each task with a failed check
 // the student's answer to it is then tried with our solution of all others, so that one mistake
 // costs one task. In a handout, which has no solution of its lab, the oracle alone judges the
-// submission as a whole. Read next: session.h (how it is run), judge.h (what is asked), report.h (what
-// comes out). Exit status: 0 full marks, 1 below, 2 when the grader itself could not work.
+// submission as a whole. Read next: session.h (how it is run), judge.h (what is asked), report.h
+// (what comes out). Exit status: 0 full marks, 1 below, 2 when the grader itself could not work.
 #include "borrowing.h"
 #include "holes.h"
 #include "memcheck_advice.h"

@@ -7,11 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-// The labs that can be judged here: all of them, or a handout's one. The Makefile finds their files,
-// judge_NN.c, and defines JUDGES as LAB(00) LAB(01) and on.
-#ifndef JUDGES
-#define JUDGES LAB(00)
-#endif
+// The labs that can be judged here: all of them, or a handout's one. The Makefile finds their
+// files, judge_NN.c, and defines JUDGES as LAB(00) LAB(01) and on.
 #define LAB(number) extern const Judge judge_##number;
 JUDGES
 #undef LAB

@@ -46,6 +46,19 @@ static int node_add(Growth *growth, BBox3D cell, int level)
     return 0;
 }
 
+// Room for one id more. Returns 0, or -1 when memory runs out.
+static int reserve_id(Growth *growth)
+{
+    if (growth->tree.n_sphere_ids < growth->id_room) {
+        return 0;
+    }
+    void *ids = growth->tree.sphere_ids;
+    const int result = double_room(&ids, growth->id_room, sizeof *growth->tree.sphere_ids);
+    growth->tree.sphere_ids = ids;
+    growth->id_room = result == 0 ? 2 * growth->id_room + 1 : growth->id_room;
+    return result;
+}
+
 // Append the spheres of a cell to the lists, those that touch it as nearly as float can tell, too.
 // Returns 0, or -1 when memory runs out.
 static int list_append(Growth *growth, BBox3D cell, u32 *n_listed)
@@ -57,13 +70,8 @@ static int list_append(Growth *growth, BBox3D cell, u32 *n_listed)
         if (tree3d_judge_sphere(scene->spheres[i], cell) == SPHERE_OUTSIDE) {
             continue;
         }
-        if (tree->n_sphere_ids == growth->id_room) {
-            void *ids = tree->sphere_ids;
-            if (double_room(&ids, growth->id_room, sizeof *tree->sphere_ids) != 0) {
-                return -1;
-            }
-            tree->sphere_ids = ids;
-            growth->id_room = 2 * growth->id_room + 1;
+        if (reserve_id(growth) != 0) {
+            return -1;
         }
         tree->sphere_ids[tree->n_sphere_ids++] = (u32)i;
         ++*n_listed;
@@ -101,7 +109,8 @@ int tree3d_expect(TreeScene3D *scene)
     const Scene3D *spheres = &scene->scene;
     Growth growth = {.scene = scene};
     growth.tree.bounds = tree3d_expected_box(spheres->spheres, (u32)spheres->n_spheres);
-    int result = node_add(&growth, growth.tree.bounds, 1);
+    // Empty lists are lists, too: there is an array even without ids.
+    int result = reserve_id(&growth) | node_add(&growth, growth.tree.bounds, 1);
     for (u32 id = 0; result == 0 && id < growth.tree.n_nodes; id++) {
         result = node_close(&growth, id);
     }

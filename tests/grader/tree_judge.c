@@ -94,8 +94,8 @@ static char *differs_from_oracle(const JobScene *scene, const KdTree2D *own, con
 }
 
 // How many nodes are looked at where each is held against every circle. As long as ids are
-// breadth-first the first wrong node is among as many as the oracle's tree has; a million more would
-// only take hours.
+// breadth-first the first wrong node is among as many as the oracle's tree has; a million more
+// would only take hours.
 static u32 n_judged(const JobScene *scene, const KdTree2D *own)
 {
     return own->n_nodes < scene->tree.n_nodes ? own->n_nodes : scene->tree.n_nodes;

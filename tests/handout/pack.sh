@@ -34,12 +34,10 @@ trap 'exit 1' INT TERM
 root=$stage/$lab
 mkdir "$root"
 
-# copy: each path read from stdin goes into the handout, from the course's top folder or from $1.
+# copy: the paths read from stdin go into the handout, from the course's top folder or from $1.
 copy() {
-    while IFS= read -r file; do
-        mkdir -p "$root/$(dirname "$file")"
-        cp "${1:-.}/$file" "$root/$file"
-    done
+    tar --create --directory="${1:-.}" --files-from=- --file="$stage/part.tar"
+    tar --extract --directory="$root" --file="$stage/part.tar"
 }
 
 # ---- What goes in -----------------------------------------------------------------------------

@@ -123,11 +123,14 @@ ok $? "one owner, one time" "$owners"
 
 # What is looked for would be found.
 cp solutions/02-kdtree-2d-build/kdtree2d_build.c "$scratch/02-kdtree-2d-build/tests/grader/"
-check "a solution in the wrong place is found" eval '! no_solution "$scratch/02-kdtree-2d-build" 02-kdtree-2d-build'
+! no_solution "$scratch/02-kdtree-2d-build" 02-kdtree-2d-build >/dev/null
+ok $? "a solution in the wrong place is found"
 check "each of its lines" test "$(wc -l <"$scratch/leaks")" -ge 15
 rm "$scratch/02-kdtree-2d-build/tests/grader/kdtree2d_build.c"
 
-check "another lab's name is refused" eval '! pack 77 "$scratch/none" && [ ! -e "$scratch/none" ]'
+! pack 77 "$scratch/none" 2>"$scratch/said" && [ ! -e "$scratch/none" ]
+ok $? "another lab's number is refused"
+check "with one message" grep -qx 'handout: LAB: found "77", expected the number or name of a lab' "$scratch/said"
 
 # ---- On their own -------------------------------------------------------------------------------
 

@@ -1,6 +1,8 @@
 // grader/oracle2d: right where right can be worked out by hand, and honest about what float cannot
 // decide.
+#include "kdtree2d_build.h"
 #include "oracle2d.h"
+#include "oracle2d_tree.h"
 #include "random.h"
 #include "scene2d.h"
 #include "surroundings.h"
@@ -372,5 +374,44 @@ Test(oracle2d, what_float_cannot_hold_is_ambiguous)
         cr_expect(covers_in_float(0, circles[i], 0, 0), "float would not be wrong here");
         cr_expect(ambiguous, "circle %zu", i);
         image_free(&image);
+    }
+}
+
+// ---- The tree -----------------------------------------------------------------------------------
+
+// It shares no code with lab 02, and must come out the same.
+static void expect_solutions_tree(const char *name, int width, int height, KdTreeLimits limits)
+{
+    Scene2D scene;
+    KdTree2D own, tree;
+    cr_assert_eq(scene2d_open(name, width, height, &scene), 0);
+    cr_assert_eq(kdtree2d_build(scene.circles, (u32)scene.n_circles, limits, &own), 0);
+    cr_assert_eq(oracle2d_tree(&scene, limits, &tree), 0);
+    cr_assert_eq(own.n_nodes, tree.n_nodes, "%s", name);
+    cr_assert_eq(own.n_map, tree.n_map, "%s", name);
+    cr_expect_eq(memcmp(own.nodes_Relations, tree.nodes_Relations, own.n_nodes * sizeof(NodeRel)),
+                 0, "%s", name);
+    cr_expect_eq(memcmp(own.nodes_flag, tree.nodes_flag, own.n_nodes), 0, "%s", name);
+    cr_expect_eq(memcmp(own.nodes_BBox, tree.nodes_BBox, own.n_nodes * sizeof(BBox2D)), 0, "%s",
+                 name);
+    cr_expect_eq(memcmp(own.mapNode2Circles, tree.mapNode2Circles, own.n_map * sizeof(u32)), 0,
+                 "%s", name);
+    tree2d_free(&own);
+    tree2d_free(&tree);
+    scene2d_free(&scene);
+}
+
+Test(oracle2d, the_tree_is_the_solutions)
+{
+    static const char *const names[] = {"example", "touching", "tiny", "none", "borders"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        expect_solutions_tree(names[i], 64, 48, (KdTreeLimits){1 + (int)i, 1});
+        expect_solutions_tree(names[i], 48, 64, (KdTreeLimits){9, 2});
+    }
+    for (int seed = 0; seed < 30; seed++) {
+        char name[64];
+        snprintf(name, sizeof name, "random:n=%d,seed=%d", 10 * seed, seed);
+        expect_solutions_tree(name, 200, 100 + 7 * seed,
+                              (KdTreeLimits){1 + seed % 10, 1 + seed % 6});
     }
 }

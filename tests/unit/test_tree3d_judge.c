@@ -3,6 +3,7 @@
 #include "kdtree3d_build.h"
 #include "tree3d_judge.h"
 
+#include "kdtree3d_build.h"
 #include "message.h"
 #include "random.h"
 #include "surroundings.h"
@@ -126,6 +127,45 @@ Test(tree3d_judge, exact_is_what_lies_on_a_coarse_grid)
         TreeScene3D scene = scene_of(scenes[i].name, (KdTreeLimits){7, 3});
         cr_expect_eq(scene.is_exact, scenes[i].is_exact, "%s", scenes[i].name);
         scene_close(&scene);
+    }
+}
+
+// The expected tree shares no code with lab 06; where rounding decides nothing, both are equal.
+static int expect_as_solution(const char *name, KdTreeLimits limits)
+{
+    TreeScene3D scene = scene_of(name, limits);
+    TreeScene3D expected = scene;
+    cr_assert_eq(tree3d_expect(&expected), 0);
+    expect_good(&expected);
+    cr_expect_eq(expected.is_exact, scene.is_exact, "%s", name);
+    const KdTree3D *own = &scene.tree, *tree = &expected.tree;
+    const int is_exact = expected.is_exact;
+    if (is_exact) {
+        cr_expect_eq(memcmp(&own->bounds, &tree->bounds, sizeof own->bounds), 0, "%s", name);
+        cr_assert_eq(own->n_nodes, tree->n_nodes, "%s", name);
+        cr_assert_eq(own->n_sphere_ids, tree->n_sphere_ids, "%s", name);
+        cr_expect_eq(memcmp(own->nodes, tree->nodes, own->n_nodes * sizeof *own->nodes), 0, "%s",
+                     name);
+        for (u32 i = 0; i < own->n_sphere_ids; i++) {
+            cr_expect_eq(own->sphere_ids[i], tree->sphere_ids[i], "%s: id %u", name, i);
+        }
+    }
+    tree3d_free(&expected.tree);
+    scene_close(&scene);
+    return is_exact;
+}
+
+Test(tree3d_judge, the_expected_tree_is_the_solutions)
+{
+    int n_exact = 0;
+    for (int i = 0; scene3d_edge_case(i) != NULL; i++) {
+        n_exact += expect_as_solution(scene3d_edge_case(i), (KdTreeLimits){8, 3});
+    }
+    cr_expect_geq(n_exact, 4, "found %d", n_exact);
+    for (int seed = 0; seed < 20; seed++) {
+        char name[64];
+        snprintf(name, sizeof name, "random:n=100,seed=%d", seed);
+        expect_as_solution(name, (KdTreeLimits){1 + seed % 12, 1 + seed % 5});
     }
 }
 
