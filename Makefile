@@ -179,6 +179,11 @@ test:  ## install what is missing and run every test
 	@common/setup/install.sh test
 	@$(MAKE) --no-print-directory -j2 check
 
+.PHONY: test-scale test-mutants
+test-scale: test-mutants
+test-mutants: grader $(OUT)/tools/mutate  ## try mechanical mutants of every lab, or of LAB=03 (long)
+	@tests/mutate.sh $(OUT) $(LAB)
+
 # What libFuzzer feeds: the readers of 3D scenes, compiled by clang together with the target.
 CLANG ?= $(firstword $(foreach c,clang clang-19 clang-15 clang-14,$(shell command -v $(c))))
 SECONDS ?= 60
@@ -246,7 +251,7 @@ figures: all  ## draw the pictures of the READMEs and notes anew
 
 .PHONY: format
 format:  ## put every source into the one format
-	clang-format-19 -i $$(git ls-files -- '*.c' '*.h' '*.cpp' '*.cl' | grep -v -e ^labs/ -e ^tests/mutants/)
+	clang-format-19 -i $$(git ls-files -- '*.c' '*.h' '*.cpp' '*.cl' | grep -v -e ^labs/ -e ^tests/mutants/ -e ^tests/right/)
 
 # Make looks into folders once, at its start: what is cleaned then cannot be built in the same run.
 ifneq ($(and $(filter clean,$(MAKECMDGOALS)),$(filter-out clean,$(MAKECMDGOALS))),)
@@ -259,6 +264,6 @@ clean:  ## remove everything that was made
 
 .PHONY: help
 help:  ## print this list
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-10s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
 
 -include $(shell find $(OUT)/obj -name '*.d' 2>/dev/null)

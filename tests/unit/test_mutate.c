@@ -122,6 +122,11 @@ Test(mutate, arguments_change_places_with_their_neighbours)
     expect_mutant("int v[] = {a, b};", "6:swap:a:1", "int v[] = {b, a};");
 }
 
+Test(mutate, no_arguments_are_swapped_where_order_does_not_count)
+{
+    cr_expect_eq(count_mutants("int k = fmin(m, n);"), 1);  // the one that has fmax instead
+}
+
 Test(mutate, statements_are_dropped)
 {
     expect_mutant("a = b; c();", "4:drop:c", "a = b; ;");
