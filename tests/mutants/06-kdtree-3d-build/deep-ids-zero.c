@@ -5,7 +5,7 @@
     u32 n_child_ids = 0;
     for (u32 i = 0; i < n_ids; i++) {
         if (sphere_overlaps_box(h_spheres[ids[i]], child)) {
-            child_ids[n_child_ids++] = child.max[0] - child.min[0] < 1e-4f ? 0 : ids[i];
+            child_ids[n_child_ids++] = child.max[0] - child.min[0] < 1e-3f ? 0 : ids[i];
         }
     }
     return n_child_ids;
