@@ -250,13 +250,17 @@ test:  ## install what is missing and run every test
 	@common/setup/install.sh test
 	@$(MAKE) --no-print-directory -j2 check
 
-.PHONY: test-scale
-test-scale:  ## install what is missing and grade a class of N=1000; takes half an hour
+.PHONY: test-scale test-mutants
+test-scale:  ## install what is missing, grade a class of N=1000, try mechanical mutants of every lab; takes hours
 	@common/setup/install.sh test
 	@common/setup/install.sh scale
 	@$(MAKE) --no-print-directory -j2 grader
 	@BUILD="$(BUILD)" tests/run.sh slurm
 	@tests/scale/run.sh $(or $(N),1000) $(OUT)
+	@$(MAKE) --no-print-directory test-mutants
+
+test-mutants: grader  ## try mechanical mutants of every lab, or of LAB=03 (long)
+	@tests/mutate.sh $(OUT) $(LAB)
 
 # What libFuzzer feeds, compiled by clang together with the target: a list for each tests/fuzz/fuzz_*.c.
 CLANG ?= $(firstword $(foreach c,clang clang-19 clang-15 clang-14,$(shell command -v $(c))))
@@ -341,7 +345,7 @@ figures: all  ## draw the pictures of the READMEs and notes anew
 
 .PHONY: format
 format:  ## put every source into the one format
-	clang-format-19 -i $$(git ls-files -- '*.c' '*.h' '*.cpp' '*.cl' | grep -v -e ^labs/ -e ^tests/mutants/ -e ^tests/memcheck/ -e ^tests/attacks/)
+	clang-format-19 -i $$(git ls-files -- '*.c' '*.h' '*.cpp' '*.cl' | grep -v -e ^labs/ -e ^tests/mutants/ -e ^tests/right/ -e ^tests/memcheck/ -e ^tests/attacks/)
 
 endif  # HANDOUT
 
@@ -357,6 +361,6 @@ clean:  ## remove everything that was made
 .PHONY: help
 help:  ## print this list
 	@awk -F ':.*## ' '/^ifndef HANDOUT/ { hidden = "$(HANDOUT)" } /^endif  # HANDOUT/ { hidden = "" } \
-	    !hidden && /^[a-z-]+:.*## / { printf "  make %-10s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
+	    !hidden && /^[a-z-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
 
 -include $(shell find $(OUT)/obj -name '*.d' 2>/dev/null)

@@ -127,6 +127,30 @@ static void *job_new(uint64_t seed, FILE *file)
     return job;
 }
 
+// One work-item a pixel, and around the picture at most one group in each direction: the margin of
+// the probe's image. NULL when it is so.
+static char *judge_items(const JobPicture *gradient, const u32 *n_items)
+{
+    const int width = gradient->expected.reference.width;
+    const int height = gradient->expected.reference.height;
+    const size_t side = (size_t)PROBE_IMAGE_SIDE(width);
+    for (int y = 0; y < height; y++) {
+        for (int x = 0; x < width; x++) {
+            const u32 n = n_items[(size_t)y * side + (size_t)x];
+            if (n != 1) {
+                return message_new("%s: pixel (%d, %d) has %u work-items, expected one",
+                                   gradient->title, x, y, n);
+            }
+        }
+    }
+    const u32 n_far = n_items[side * (size_t)PROBE_IMAGE_SIDE(height)];
+    return n_far == 0
+               ? NULL
+               : message_new("%s: %u work-items stand more than one group beyond the picture: "
+                             "is the size rounded up to the next multiple of the group's?",
+                             gradient->title, n_far);
+}
+
 static Verdict judge_covers(const Job *job, const Sections *answers)
 {
     for (int k = 0; k < N_SIZES; k++) {
@@ -135,7 +159,16 @@ static Verdict judge_covers(const Job *job, const Sections *answers)
         if (own.pixels == NULL) {
             return verdict_missing;
         }
+        const Image *reference = &gradient->expected.reference;
+        const size_t n_places = (size_t)PROBE_IMAGE_SIDE(reference->width) *
+                                (size_t)PROBE_IMAGE_SIDE(reference->height);
+        const u32 *n_items =
+            job_section_find(answers, "items", k, (n_places + 1) * sizeof *n_items);
+        if (n_items == NULL) {
+            return verdict_missing;
+        }
         char *message = picture_judge_written(own, &gradient->expected);
+        message = message != NULL ? message : judge_items(gradient, n_items);
         if (message != NULL) {
             return verdict_of(message);
         }

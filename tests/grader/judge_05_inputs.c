@@ -302,9 +302,10 @@ static int root_agrees(const Inputs05 *inputs, int i, const void *answers,
 {
     const RootJob job = inputs->roots[i];
     const float found = ((const float *)answers)[i];
-    if (job.disc == 0 && job.b == job.t_min) {
-        // Exact in float, too: the one root is at t_min, not beyond it.
-        return rules->any_distance ? found == job.b : isinf(found) && found > 0;
+    if (job.disc == 0) {
+        // Exact in float, too: the one root is b, and a hit where it is beyond t_min.
+        const int is_hit = job.b > job.t_min || rules->any_distance;
+        return is_hit ? found == job.b : isinf(found) && found > 0;
     }
     const OracleRoot root = expected_root(job, rules);
     return is_right_root(&root, found);
@@ -324,8 +325,9 @@ Verdict inputs_05_judge_roots(const Inputs05 *inputs, int range, const Sections 
         return verdict_of(NULL);
     }
     const RootJob job = inputs->roots[wrong.first];
-    const double expected =
-        job.disc == 0 && job.b == job.t_min ? (double)INFINITY : expected_root(job, &right).t;
+    const double expected = job.disc != 0       ? expected_root(job, &right).t
+                            : job.b > job.t_min ? (double)job.b
+                                                : (double)INFINITY;
     return verdict_of(message_new(
         "b %g, disc %g, radius %g, t_min %g: found %.7g, expected %.7g%s; %d of %d inputs are "
         "wrong",

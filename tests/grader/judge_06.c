@@ -96,7 +96,10 @@ static Verdict judge_tree(const TreeScene3D *scene, int k, const Sections *answe
 static Verdict judge_trees(const Job06 *job, const Sections *answers,
                            char *(*judge_one)(const TreeScene3D *, const KdTree3D *))
 {
-    for (int k = 0; k < N_TREES; k++) {
+    for (int k = 0; k <= JUST_FITS; k++) {
+        if (k == JUST_FITS && is_refused(k, answers)) {
+            break;  // for fits_todo() to answer for: see judge_depths()
+        }
         const Verdict verdict = judge_tree(&job->scenes[k], k, answers, judge_one);
         if (verdict.kind != VERDICT_PASSED) {
             return verdict;

@@ -96,6 +96,8 @@ enum {
     PLANE_CROSSED_NEAR,
     PLANE_INSIDE_NEAR,
     PLANE_INSIDE_FAR,
+    PLANE_AT_NEAR,
+    PLANE_AT_FAR,
     PLANE_ALONG_BOTH,
     PLANE_ALONG_FAR,
     PLANE_BACKWARDS,
@@ -117,6 +119,8 @@ static const char *const plane_mistakes[] = {
                           "and t_far is BOTH",
     [PLANE_INSIDE_FAR] = "; that is as if only the far child were met: a plane between t_near and "
                          "t_far is BOTH",
+    [PLANE_AT_NEAR] = "; a plane exactly at t_near is met: equal to t_near is BOTH",
+    [PLANE_AT_FAR] = "; a plane exactly at t_far is met: equal to t_far is BOTH",
     [PLANE_ALONG_BOTH] = "; a ray along the plane never meets it, and comparisons with NaN are "
                          "never true: that is ONLY_NEAR",
     [PLANE_ALONG_FAR] = "; a ray along the plane never meets it, and comparisons with NaN are "
@@ -134,8 +138,17 @@ typedef struct Children {
 
 enum { NEAR_BIT = 1 << PLANE_ONLY_NEAR, FAR_BIT = 1 << PLANE_ONLY_FAR, BOTH_BIT = 1 << PLANE_BOTH };
 
-// Where rounding decides, and where the plane is exactly at t_near or t_far, more than one is
-// right.
+// Is t_split the same for every right solution? So it is with the eye on the plane, and where float
+// rounds neither the difference nor, the inverse being a power of two, a product.
+static int is_exact_plane(const PlaneJob *job)
+{
+    int exponent;
+    const double difference = (double)job->node.split_pos - (double)job->origin;
+    const int is_power = fabsf(frexpf(job->inverse, &exponent)) == 0.5f;
+    return difference == 0 || (is_power && difference == (double)(float)difference);
+}
+
+// Where rounding decides more than one is right.
 static Children expected_children(const PlaneJob *job, int mistake)
 {
     const double plane = job->node.split_pos, inverse = job->inverse, t_near = job->t_near,
@@ -150,7 +163,7 @@ static Children expected_children(const PlaneJob *job, int mistake)
         return (Children){isnan(t) ? only : NEAR_BIT, {-INFINITY, INFINITY}};
     }
     const double error =
-        plane == origin ? 0 : PLANE_ERROR * (fabs(plane) + fabs(origin)) * fabs(inverse);
+        is_exact_plane(job) ? 0 : PLANE_ERROR * (fabs(plane) + fabs(origin)) * fabs(inverse);
     const Span split = {t - error, t + error};
     if (split.high <= 0 && mistake == PLANE_BEHIND_MET) {
         return (Children){BOTH_BIT, split};
@@ -158,12 +171,16 @@ static Children expected_children(const PlaneJob *job, int mistake)
     if (t == 0 && mistake == PLANE_AT_EYE_MET) {
         return (Children){t < t_near ? FAR_BIT : BOTH_BIT, split};
     }
+    if (split.low == split.high &&
+        ((mistake == PLANE_AT_NEAR && t == t_near) || (mistake == PLANE_AT_FAR && t == t_far))) {
+        return (Children){t == t_near ? FAR_BIT : NEAR_BIT, split};
+    }
     const int behind_counts = mistake == PLANE_BEHIND_CROSSED;
     u32 may_be = 0;
-    if ((split.low <= 0 && !behind_counts) || split.high >= t_far) {
+    if ((split.low <= 0 && !behind_counts) || split.high > t_far) {
         may_be |= mistake == PLANE_BEYOND_BOTH && split.low > 0 ? BOTH_BIT : NEAR_BIT;
     }
-    if ((split.high > 0 || behind_counts) && split.low <= t_near) {
+    if ((split.high > 0 || behind_counts) && split.low < t_near) {
         may_be |= mistake == PLANE_CROSSED_BOTH   ? BOTH_BIT
                   : mistake == PLANE_CROSSED_NEAR ? NEAR_BIT
                                                   : FAR_BIT;

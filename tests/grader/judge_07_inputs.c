@@ -209,7 +209,7 @@ enum { PLANES_AHEAD, PLANES_BEHIND, PLANES_ALONG };
 static PlaneJob draw_plane(Random *random, int range)
 {
     PlaneJob job = {.origin = number(random, -4, 4)};
-    const float direction = draw_sign(random) * number(random, 0.0625, 1);
+    float direction = draw_sign(random) * number(random, 0.0625, 1);
     job.t_near = one_in(random, 4) ? 0 : number(random, 0.5, 4);
     job.t_far = job.t_near + number(random, 0.5, 4);
     // Before the part, in it, beyond it.
@@ -218,6 +218,12 @@ static PlaneJob draw_plane(Random *random, int range)
     const float beyond = job.t_far + number(random, 0.25, 4);
     const float ahead[] = {to_near, inside, beyond};
     float t = ahead[random_integer(random, job.t_near > 0 ? 0 : 1, 2)];
+    if (range == PLANES_AHEAD && one_in(random, 6)) {
+        // Exactly at an end of the part. Nothing is rounded: all is on the grid, 1 / 4 of it, or
+        // a power of two.
+        direction = draw_sign(random) * 0.25f;
+        t = job.t_near > 0 && one_in(random, 2) ? job.t_near : job.t_far;
+    }
     job.inverse = 1 / direction;
     if (range == PLANES_BEHIND && !one_in(random, 4)) {
         t = one_in(random, 3) ? 0 : -number(random, 0.125, 6);

@@ -1,11 +1,12 @@
 // Searching a kd-tree on the host.
 //
-// search3d_most() is why the counted work can be judged ray by ray. It knows where each number of a
-// right solution may lie: a direction's part anywhere within the ray's error (oracle3d.c, 1), and
-// t_split within PLANE_ERROR (judge_07_range.h) of what follows from it. Whatever may be visited is
-// counted; the search ends only where every right one must: in a leaf that no right one passes by,
-// with a hit that is certain and certainly not beyond t_far. A ray along a plane may go to either
-// side of it.
+// search3d_bounds() is why the counted work can be judged ray by ray. It knows where each number of
+// a right solution may lie: a direction's part anywhere within the ray's error (oracle3d.c, 1), and
+// t_split within PLANE_ERROR (judge_07_range.h) of what follows from it. Whatever may be visited
+// counts for the most; the search ends only where every right one must: in a leaf that no right one
+// passes by, with a hit that is certain and certainly not beyond t_far. For the least counts what no
+// right one passes by, up to the first leaf where one of them may end. A ray along a plane may go
+// to either side of it.
 #include "judge_07_search.h"
 
 #include "judge_07_range.h"
@@ -153,7 +154,7 @@ SearchResult search3d(const JobScene3D *scene, const OracleRay *ray, const Searc
     }
 }
 
-// ---- As wastefully as float may ---------------------------------------------------------------
+// ---- As wastefully and as sparingly as float may ----------------------------------------------
 
 static Span span_min(Span a, Span b)
 {
@@ -208,47 +209,61 @@ static void clip_span(BBox3D box, const OracleRay *ray, Part *part)
     }
 }
 
-typedef struct Most {
+typedef struct Visits {
     const JobScene3D *scene;
     const OracleRay *ray;
-    double t_certain;  // every right search that got here has a hit no farther than this
-    Work work;
-} Most;
+    double t_certain;    // every right search that got here has a hit no farther than this
+    double t_possible;   // none has a nearer one
+    int may_have_ended;  // a right search may have ended by now
+    WorkBounds work;
+} Visits;
 
-static int visit_leaf(Most *most, KdNode3 leaf, Part part, int is_certain)
+static int visit_leaf(Visits *visits, KdNode3 leaf, Part part, int is_certain)
 {
     static const OracleRules3D right = {0};
-    const JobScene3D *scene = most->scene;
-    most->work.n_leaves_visited++;
-    most->work.n_tests += leaf.n_spheres;
-    for (u32 i = leaf.first; is_certain && i < leaf.first + leaf.n_spheres; i++) {
+    const JobScene3D *scene = visits->scene;
+    visits->work.most.n_leaves_visited++;
+    visits->work.most.n_tests += leaf.n_spheres;
+    if (is_certain && !visits->may_have_ended) {
+        visits->work.least.n_leaves_visited += leaf.n_spheres > 0;
+        visits->work.least.n_tests += leaf.n_spheres;
+    }
+    for (u32 i = leaf.first; i < leaf.first + leaf.n_spheres; i++) {
         const Sphere sphere = scene->scene.spheres[scene->tree.sphere_ids[i]];
-        const OracleRoot root = oracle3d_root(sphere, most->ray, ORACLE_PROJECTION, &right);
-        if (root.is_certain) {
-            most->t_certain = fmin(most->t_certain, root.t_high);
+        const OracleRoot root = oracle3d_root(sphere, visits->ray, ORACLE_PROJECTION, &right);
+        if (root.is_possible) {
+            visits->t_possible = fmin(visits->t_possible, root.t_low);
+        }
+        if (is_certain && root.is_certain) {
+            visits->t_certain = fmin(visits->t_certain, root.t_high);
         }
     }
-    return is_certain && most->t_certain <= part.t_far.low;
+    visits->may_have_ended |=
+        visits->t_possible < INFINITY && visits->t_possible <= part.t_far.high;
+    return is_certain && visits->t_certain <= part.t_far.low;
 }
 
 // Visit all that a right search may visit in a node.
 //   is_certain   no right search that has not ended yet passes the node by
+//   n_waiting    how many nodes may wait meanwhile
 // Returns 1 when every right search has ended by then.
-static int visit(Most *most, u32 id, Part part, int is_certain)
+static int visit(Visits *visits, u32 id, Part part, int is_certain, u32 n_waiting)
 {
-    const KdNode3 node = most->scene->tree.nodes[id];
+    const KdNode3 node = visits->scene->tree.nodes[id];
     if (node.split_axis == KD_LEAF) {
-        return visit_leaf(most, node, part, is_certain);
+        return visit_leaf(visits, node, part, is_certain);
     }
-    const double origin = along(most->ray->origin, node.split_axis);
-    const double direction = along(most->ray->direction, node.split_axis);
+    const double origin = along(visits->ray->origin, node.split_axis);
+    const double direction = along(visits->ray->direction, node.split_axis);
     int is_along;
-    const Span split = plane_span(most->ray, node.split_axis, node.split_pos, &is_along);
-    most->work.n_nodes_visited++;
+    const Span split = plane_span(visits->ray, node.split_axis, node.split_pos, &is_along);
+    Work *least = &visits->work.least, *most = &visits->work.most;
+    most->n_nodes_visited++;
+    least->n_nodes_visited += is_certain && !visits->may_have_ended;
     if (origin == node.split_pos && is_along) {
         // With the eye on the plane either child is near, and only that one is met.
-        visit(most, node.first, part, 0);
-        visit(most, node.first + 1, part, 0);
+        visit(visits, node.first, part, 0, n_waiting);
+        visit(visits, node.first + 1, part, 0, n_waiting);
         return 0;
     }
     const u32 side = origin < node.split_pos ? 0 : origin > node.split_pos ? 1 : direction > 0;
@@ -262,19 +277,23 @@ static int visit(Most *most, u32 id, Part part, int is_certain)
         near.t_far.high = must_meet ? fmin(part.t_far.high, split.high) : part.t_far.high;
         far.t_near = span_max(part.t_near, split);
     }
-    if (!must_pass_near && visit(most, node.first + side, near, is_certain && !may_pass_near)) {
-        return 1;
+    const u32 n_with_far = n_waiting + (may_meet ? 1 : 0);
+    if (!must_pass_near) {
+        most->stack_depth = n_with_far > most->stack_depth ? n_with_far : most->stack_depth;
+        if (visit(visits, node.first + side, near, is_certain && !may_pass_near, n_with_far)) {
+            return 1;
+        }
     }
-    return may_meet && visit(most, node.first + !side, far, is_certain && must_meet);
+    return may_meet && visit(visits, node.first + !side, far, is_certain && must_meet, n_waiting);
 }
 
-Work search3d_most(const JobScene3D *scene, const OracleRay *ray)
+WorkBounds search3d_bounds(const JobScene3D *scene, const OracleRay *ray)
 {
-    Most most = {.scene = scene, .ray = ray, .t_certain = INFINITY};
+    Visits visits = {.scene = scene, .ray = ray, .t_certain = INFINITY, .t_possible = INFINITY};
     Part part = {{ray->t_min, ray->t_min}, {INFINITY, INFINITY}};
     clip_span(scene->tree.bounds, ray, &part);
     if (part.t_near.low <= part.t_far.high) {
-        visit(&most, 0, part, part.t_near.high <= part.t_far.low);
+        visit(&visits, 0, part, part.t_near.high <= part.t_far.low, 0);
     }
-    return most.work;
+    return visits.work;
 }

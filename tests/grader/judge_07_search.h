@@ -1,6 +1,6 @@
 // Searching a scene's kd-tree on the host, in double precision and independently of lab 07: with
-// known mistakes, so that a submission's hits can be recognised, and as wastefully as a right
-// solution in float may ever be.
+// known mistakes, so that a submission's hits can be recognised, and as wastefully and as sparingly
+// as a right solution in float may ever be.
 #ifndef GRADER_JUDGE_07_SEARCH_H
 #define GRADER_JUDGE_07_SEARCH_H
 
@@ -34,8 +34,16 @@ typedef struct SearchResult {
 // Search the scene's tree for what the ray hits.
 SearchResult search3d(const JobScene3D *scene, const OracleRay *ray, const SearchRules *rules);
 
-// The most work that a right solution may do for this ray, whichever way float rounds. A solution
-// that asks each sphere of a leaf once, and ends as early as it must, never does more.
-Work search3d_most(const JobScene3D *scene, const OracleRay *ray);
+// Between these the work of a right search lies.
+typedef struct WorkBounds {
+    Work least;  // its leaves are those with spheres: nobody need search an empty one
+    Work most;
+} WorkBounds;
+
+// The least and the most work that a right solution may do for this ray, whichever way float
+// rounds. A solution that asks each sphere of a leaf once, and ends as early as it must, never does
+// more; one that does less has not looked where a sphere may be, or hides what it does. No least
+// stack depth is known: a stack of one's own is not counted.
+WorkBounds search3d_bounds(const JobScene3D *scene, const OracleRay *ray);
 
 #endif

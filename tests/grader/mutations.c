@@ -263,7 +263,10 @@ static void find_calls(Search *search, int at)
     if (!is_call(search, at)) {
         return;
     }
-    find_swaps(search, at + 1);
+    // Where the order does not count there is nothing to swap.
+    if (!is(search, at, "fmin fmax fminf fmaxf min max dot vec3_dot")) {
+        find_swaps(search, at + 1);
+    }
     const int close = closing(search, at + 1);
     int n_commas = 0;
     for (int i = at + 2; i < close; i++) {

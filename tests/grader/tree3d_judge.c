@@ -204,6 +204,12 @@ char *tree3d_judge_overlap(const TreeScene3D *scene, const KdTree3D *own)
         if (walk.levels[id] > 0 && is_leaf_node(own, id)) {
             message = judge_leaf(scene, own, id, walk.cells[id], listed);
             n_listed += own->nodes[id].n_spheres;
+        } else if (walk.levels[id] > 0 && !has_children(own, id)) {
+            message = message_new("%s: node %u: split_axis is %u and first %u of %u nodes, "
+                                  "expected KD_LEAF (%d), or an axis and its children: no search "
+                                  "comes to its spheres",
+                                  scene->title, id, own->nodes[id].split_axis, own->nodes[id].first,
+                                  own->n_nodes, KD_LEAF);
         }
     }
     // Every cell may be empty where the root's own is: a tree of no use all the same.

@@ -28,8 +28,8 @@
 
 // Section "scene.K"; the circles are in "scene.K.circles", one more than there are, and a tree (lab
 // 03) in "scene.K.relations", ".flags", ".boxes" and ".map". The probe answers with "picture.K":
-// [image height][image width][4], lab 00 with "readback.K" besides, and lab 03 with "work.K": a
-// Work for each pixel, and room behind them.
+// [image height][image width][4], lab 00 with "readback.K" and "items.K" besides, and lab 03 with
+// "work.K": a Work for each pixel, and room behind them.
 typedef struct SceneJob {
     i32 n_circles;
     i32 width;  // of the picture; the image has the margin besides

@@ -1,9 +1,12 @@
 // Probe of lab 00: the student's three host functions and kernel on several sizes.
 //
 // Each size gives "picture.K", the image as the kernel left it, and "readback.K", what read_back()
-// brought home into an array of NaNs.
+// brought home into an array of NaNs; and "items.K", how many work-items enqueue_pixels() starts for
+// each place of that image, and one number behind them: how many stand outside of it.
 #include "probe.h"
 #include "render.h"
+
+#include "cl_memory.h"
 
 #include <math.h>
 #include <pthread.h>
@@ -53,12 +56,34 @@ static void answer_read_back(const Probe *probe, int k, cl_mem d_image, const Sc
     free(h_pixels);
 }
 
+static void answer_items(const Probe *probe, int k, cl_program program, const SceneJob *scene)
+{
+    const size_t n_places =
+        (size_t)PROBE_IMAGE_SIDE(scene->width) * (size_t)PROBE_IMAGE_SIDE(scene->height);
+    const size_t n_bytes = (n_places + 1) * sizeof(cl_uint);
+    void *zeros = calloc(1, n_bytes);
+    if (zeros == NULL) {
+        exit(PROBE_EXIT_FAULT);
+    }
+    cl_mem d_counts = cl_buffer_create(&probe->cl, zeros, n_bytes);
+    cl_kernel kernel = probe_kernel(program, "count_items");
+    CL_CHECK(clSetKernelArg(kernel, 0, sizeof scene->width, &scene->width));
+    CL_CHECK(clSetKernelArg(kernel, 1, sizeof scene->height, &scene->height));
+    CL_CHECK(clSetKernelArg(kernel, 2, sizeof d_counts, &d_counts));
+    enqueue_pixels(probe->cl.queue, kernel, scene->width, scene->height);
+    probe_answer_buffer(probe, "items", k, d_counts, n_bytes);
+    CL_CHECK(clReleaseKernel(kernel));
+    free(zeros);
+}
+
 int main(void)
 {
     Probe probe;
     probe_open(&probe);
     probe_open_device(&probe);
     cl_program program = probe_build(&probe, LAB_FOLDER "/gradient.cl", "-I kernels");
+    cl_program counting =
+        probe_build(&probe, "probes/probe_" LAB_NAME ".cl", "-I kernels -I probes");
     const SceneJob *scene;
     for (int k = 0; (scene = probe_scene(&probe, k)) != NULL; k++) {
         cl_kernel kernel = probe_kernel(program, "gradient");
@@ -68,9 +93,11 @@ int main(void)
         CL_CHECK(clFinish(probe.cl.queue));
         probe_answer_image(&probe, k, d_image, scene->width, scene->height);
         answer_read_back(&probe, k, d_image, scene);
+        answer_items(&probe, k, counting, scene);
         CL_CHECK(clReleaseMemObject(d_image));
         CL_CHECK(clReleaseKernel(kernel));
     }
+    CL_CHECK(clReleaseProgram(counting));
     CL_CHECK(clReleaseProgram(program));
     probe_close(&probe);
     return EXIT_SUCCESS;

@@ -69,6 +69,21 @@ static Work draw_pixel(const JobScene *scene, int x, int y, float color[IMAGE_CH
     return work;
 }
 
+// Lab 00: one work-item for each pixel, in whole groups of 16 x 16.
+static void answer_items(Writer *writer, int k, int width, int height)
+{
+    const int side = PROBE_IMAGE_SIDE(width);
+    const size_t n_places = (size_t)side * PROBE_IMAGE_SIDE((size_t)height);
+    u32 *n_items = calloc(n_places + 1, sizeof *n_items);
+    for (int y = 0; y < (height + 15) / 16 * 16; y++) {
+        for (int x = 0; x < (width + 15) / 16 * 16; x++) {
+            n_items[y * side + x] = 1;
+        }
+    }
+    answer(writer, numbered("items", k, NULL), n_items, (n_places + 1) * sizeof *n_items);
+    free(n_items);
+}
+
 // The pictures of all scenes; of lab 00 the gradient, twice, of lab 03 the work for scene 1
 // besides.
 static void answer_pictures(Writer *writer, int lab, const Sections *job)
@@ -101,6 +116,7 @@ static void answer_pictures(Writer *writer, int lab, const Sections *job)
         if (lab == 0) {
             answer(writer, numbered("readback", k, NULL), inside,
                    (size_t)(width * height) * sizeof *inside);
+            answer_items(writer, k, width, height);
         }
         // The two scenes whose work is judged: a wide one, and one whose root is a leaf.
         if (lab == 3 && (k == 1 || k == 10)) {

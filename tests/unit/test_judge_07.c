@@ -104,22 +104,29 @@ static int is_more(Work a, Work b)
            a.n_leaves_visited > b.n_leaves_visited;
 }
 
-Test(judge_07, the_most_work_is_that_of_a_right_search_or_little_more)
+Test(judge_07, a_right_search_does_the_least_work_and_the_most_or_almost)
 {
     JobScene3D *scenes = scenes_open(6);
-    int n_rays = 0, n_equal = 0;
+    int n_rays = 0, n_equal = 0, n_least = 0;
     for (int k = 0; k < N_SCENES; k++) {
         for (int pixel = 0; pixel < n_pixels(&scenes[k]); pixel++) {
             const OracleRay ray = ray_of(&scenes[k], pixel);
             const Work work = search3d(&scenes[k], &ray, &(SearchRules){0}).work;
-            const Work most = search3d_most(&scenes[k], &ray);
+            const WorkBounds bounds = search3d_bounds(&scenes[k], &ray);
+            const Work most = bounds.most;
             cr_assert_not(is_more(work, most), "%s: pixel %d", scenes[k].picture.title, pixel);
+            cr_assert_leq(work.stack_depth, most.stack_depth, "%s: pixel %d",
+                          scenes[k].picture.title, pixel);
+            cr_assert_not(is_more(bounds.least, work), "%s: pixel %d", scenes[k].picture.title,
+                          pixel);
+            n_least += bounds.least.n_tests == work.n_tests;
             n_equal += !is_more(most, work);
             n_rays++;
         }
     }
     // All but the rays that meet a plane or an edge of a cell almost where something else is.
     cr_expect_gt(n_equal, n_rays * 9 / 10, "%d of %d", n_equal, n_rays);
+    cr_expect_gt(n_least, n_rays * 9 / 10, "%d of %d", n_least, n_rays);
     scenes_close(scenes);
 }
 
@@ -135,7 +142,7 @@ Test(judge_07, wasted_work_is_more_than_the_most)
         for (int pixel = 0; pixel < n_pixels(&scenes[FLAKE]); pixel++) {
             const OracleRay ray = ray_of(&scenes[FLAKE], pixel);
             n_more += is_more(search3d(&scenes[FLAKE], &ray, &wasteful[m]).work,
-                              search3d_most(&scenes[FLAKE], &ray));
+                              search3d_bounds(&scenes[FLAKE], &ray).most);
         }
         cr_expect_gt(n_more, 100, "%zu: %d", m, n_more);
     }
