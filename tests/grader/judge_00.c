@@ -172,7 +172,8 @@ static Verdict judge_covers(const Job *job, const Sections *answers)
         if (message != NULL) {
             return verdict_of(message);
         }
-        // Written, but by the kernel? Where a wrong kernel is to blame, the task is tried with ours.
+        // Written, but by the kernel? Where a wrong kernel is to blame, the task is tried with
+        // ours.
         message = picture_judge(own, &gradient->expected);
         if (message != NULL) {
             return verdict_of(message);

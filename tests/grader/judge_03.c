@@ -419,7 +419,8 @@ static Verdict judge_work(const Job *job, int check, const Sections *answers)
     return verdict_of(NULL);
 }
 
-// The kernel could write down any count: the leaf map shows whether other leaves' circles were asked.
+// The kernel could write down any count: the leaf map shows whether other leaves' circles were
+// asked.
 static Verdict judge_leaf_work(const Job *job, const Sections *answers)
 {
     const Verdict verdict = judge_work(job, LEAF_WORK, answers);

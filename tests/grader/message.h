@@ -7,8 +7,8 @@
 // A new message; free() it. Running out of memory ends the program.
 __attribute__((format(printf, 1, 2))) char *message_new(const char *format, ...);
 
-// Text that a student chose (a file's name, a folder's path) made fit for a message: printable ASCII
-// only, what else there is becomes '?', and of one that is too long the middle is left out.
+// Text that a student chose (a file's name, a folder's path) made fit for a message: printable
+// ASCII only, what else there is becomes '?', and of one that is too long the middle is left out.
 // Returns `shown`, which holds n_bytes bytes, at least 16.
 enum { MESSAGE_SHOWN_BYTES = 124 };  // enough for a name
 char *message_show(const char *text, char *shown, size_t n_bytes);

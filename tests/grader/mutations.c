@@ -55,7 +55,7 @@ static int span(const Search *search, int first, int last)
     return (int)(to.start + to.length - search->tokens[first].start);
 }
 
-// ---- Finding one's way ---------------------------------------------------------------------------
+// ---- Finding one's way ------------------------------------------------------------------------
 
 static int is(const Search *search, int at, const char *words)
 {

@@ -142,7 +142,7 @@ static char *repeated(const char *piece, size_t n)
 
 TestSuite(report_systems, .init = folder_make, .fini = folder_remove);
 
-// ---- Names of formats ----------------------------------------------------------------------------
+// ---- Names of formats -------------------------------------------------------------------------
 
 Test(report_systems, reads_names_of_formats)
 {
@@ -159,7 +159,7 @@ Test(report_systems, reads_names_of_formats)
     }
 }
 
-// ---- Hostile messages ----------------------------------------------------------------------------
+// ---- Hostile messages -------------------------------------------------------------------------
 
 // What a student may have put into a message, to be taken for something else.
 static const char hostile[] = "</failure>]]><![CDATA[ & \" ' \x01\x1b[2J\x9b \xff\xfe\xef\xbf\xbf\n"
@@ -278,7 +278,7 @@ Test(report_systems, github_gets_numbers_only)
     result_free(&result);
 }
 
-// ---- Figures and sizes ---------------------------------------------------------------------------
+// ---- Figures and sizes ------------------------------------------------------------------------
 
 Test(report_systems, writes_no_figure_that_is_no_number)
 {
@@ -380,7 +380,7 @@ Test(report_systems, shows_wrong_pictures_and_no_right_ones)
     result_free(&result);
 }
 
-// ---- What was not judged -------------------------------------------------------------------------
+// ---- What was not judged ----------------------------------------------------------------------
 
 // Is the result gradable for PrairieLearn when this stage failed and no check, or one, was judged?
 static int gradable_after(const char *stage, CheckStatus one_check)
