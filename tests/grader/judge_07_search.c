@@ -4,9 +4,9 @@
 // a right solution may lie: a direction's part anywhere within the ray's error (oracle3d.c, 1), and
 // t_split within PLANE_ERROR (judge_07_range.h) of what follows from it. Whatever may be visited
 // counts for the most; the search ends only where every right one must: in a leaf that no right one
-// passes by, with a hit that is certain and certainly not beyond t_far. For the least counts what no
-// right one passes by, up to the first leaf where one of them may end. A ray along a plane may go
-// to either side of it.
+// passes by, with a hit that is certain and certainly not beyond t_far. For the least counts what
+// no right one passes by, up to the first leaf where one of them may end. A ray along a plane may
+// go to either side of it.
 #include "judge_07_search.h"
 
 #include "judge_07_range.h"

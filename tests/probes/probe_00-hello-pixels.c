@@ -1,8 +1,8 @@
 // Probe of lab 00: the student's three host functions and kernel on several sizes.
 //
 // Each size gives "picture.K", the image as the kernel left it, and "readback.K", what read_back()
-// brought home into an array of NaNs; and "items.K", how many work-items enqueue_pixels() starts for
-// each place of that image, and one number behind them: how many stand outside of it.
+// brought home into an array of NaNs; and "items.K", how many work-items enqueue_pixels() starts
+// for each place of that image, and one number behind them: how many stand outside of it.
 #include "probe.h"
 #include "render.h"
 
