@@ -1,8 +1,10 @@
-// The operators, one function each, over the tokens of a text.
+// The operators, one function each, over the tokens of a text. What is taken for what stands in
+// mutation_tables.h.
 #include "mutations.h"
 
 #include "c_tokens.h"
 #include "message.h"
+#include "mutation_tables.h"
 
 #include <ctype.h>
 #include <stdio.h>
@@ -55,7 +57,7 @@ static int span(const Search *search, int first, int last)
     return (int)(to.start + to.length - search->tokens[first].start);
 }
 
-// ---- Finding one's way ------------------------------------------------------------------------
+// ---- Finding one's way --------------------------------------------------------------------------
 
 static int is(const Search *search, int at, const char *words)
 {
@@ -94,71 +96,6 @@ static int is_call(const Search *search, int at)
 }
 
 // ---- The operators ------------------------------------------------------------------------------
-
-static const char *const OPERATORS[][2] = {
-    {"+", "-"},   {"-", "+"},   {"*", "/"},   {"/", "*"},   {"%", "/"},   {"&&", "||"},
-    {"||", "&&"}, {"&", "|"},   {"|", "&"},   {"++", "--"}, {"--", "++"}, {"+=", "-="},
-    {"-=", "+="}, {"*=", "/="}, {"/=", "*="}, {"<<", ">>"}, {">>", "<<"},
-};
-
-static const char *const COMPARISONS[][2] = {
-    {"<", "<="}, {"<", ">"},  {"<=", "<"},  {"<=", ">="}, {">", ">="},
-    {">", "<"},  {">=", ">"}, {">=", "<="}, {"==", "!="}, {"!=", "=="},
-};
-
-static const char *const NAMES[][2] = {
-    {"x", "y"},
-    {"y", "x"},
-
-    {"r", "g"},
-    {"g", "b"},
-    {"b", "r"},
-    {"dx", "dy"},
-    {"dy", "dx"},
-    {"dz", "dx"},
-    {"fmin", "fmax"},
-    {"fmax", "fmin"},
-    {"fminf", "fmaxf"},
-    {"fmaxf", "fminf"},
-    {"min", "max"},
-    {"max", "min"},
-    {"sin", "cos"},
-    {"cos", "sin"},
-    {"minX", "maxX"},
-    {"maxX", "minX"},
-    {"minY", "maxY"},
-    {"maxY", "minY"},
-    {"minX", "minY"},
-    {"minY", "minX"},
-    {"maxX", "maxY"},
-    {"maxY", "maxX"},
-    {"width", "height"},
-    {"height", "width"},
-    {"left", "right"},
-    {"right", "left"},
-    {"up", "right"},
-    {"forward", "up"},
-    {"lChild", "rChild"},
-    {"rChild", "lChild"},
-    {"t_near", "t_far"},
-    {"t_far", "t_near"},
-    {"t_low", "t_high"},
-    {"t_high", "t_low"},
-    {"t_min", "t_max"},
-    {"t_max", "t_min"},
-    {"enter", "leave"},
-    {"leave", "enter"},
-    {"near_child", "far_child"},
-    {"far_child", "near_child"},
-    {"ONLY_NEAR", "ONLY_FAR"},
-    {"ONLY_FAR", "ONLY_NEAR"},
-    {"BOTH", "ONLY_NEAR"},
-    {"CL_TRUE", "CL_FALSE"},
-    {"origin", "direction"},
-    {"direction", "origin"},
-};
-
-static const char *const MEMBERS[][2] = {{"y", "z"}, {"z", "x"}};
 
 // Every replacement that a table has for the token at `at`.
 static void add_from_table(Search *search, int at, const char *name, const char *const table[][2],

@@ -24,8 +24,7 @@ typedef struct Mutations {
 } Mutations;
 
 // Find every mutation of a text. Operators:
-//   operator  + and -, * and /, && and ||, & and |, ++ and --, += and -=, ...; no sign
-//             before a term
+//   operator  + and -, * and /, && and ||, & and |, ++ and --, += and -=, ...; no sign before one
 //   compare   each comparison moved by its border and turned round
 //   constant  a number one up, one down, doubled, zero; INFINITY as zero; NAMED plus one
 //   swap      neighbours in a list of arguments or in an initialiser

@@ -8,9 +8,9 @@
 kernel void count_items(int width, int height, global uint *counts)
 {
     const size_t side = PROBE_IMAGE_SIDE(width);
-    const size_t n_places = side * PROBE_IMAGE_SIDE(height);
+    const size_t rows = PROBE_IMAGE_SIDE(height);
     const size_t x = get_global_id(0);
     const size_t y = get_global_id(1);
-    const int is_near = x < side && y < (size_t)PROBE_IMAGE_SIDE(height);
-    atomic_inc(&counts[is_near ? y * side + x : n_places]);
+    const int is_near = x < side && y < rows;
+    atomic_inc(&counts[is_near ? y * side + x : rows * side]);
 }
