@@ -275,6 +275,7 @@ done <<'END'
 --seed: found "-1"|$here --seed -1
 --seed: found "18446744073709551616"|$here --seed 18446744073709551616
 --time-limit: found "0"|$here --time-limit 0
+--sandbox: found "paper"|$here --sandbox paper
 unrecognized option '--marks'|$here --marks 100
 words that are no option|$here stray
 /nowhere: No such file or directory|--lab 02 --submission /nowhere
@@ -284,11 +285,28 @@ END
 
 rm -rf "$reports"
 # shellcheck disable=SC2086
-env PATH=/nonexistent "$build/tools/grade" $here --output "$reports" >"$said" 2>"$said.err"
+env PATH=/nonexistent "$build/tools/grade" $here --sandbox bubblewrap --output "$reports" >"$said" 2>"$said.err"
 ok $(($? != 2)) "no bubblewrap: it ends with 2"
 check "no bubblewrap: it says what to install" grep -q '^sandbox: bwrap not found: install' "$said.err"
 check "no bubblewrap: it says no more" test "$(wc -l <"$said.err")$(wc -c <"$said")" = 10
 check "no bubblewrap: there are no results" test ! -e "$reports"
+
+# The other sandbox, where it can be had, and none at all: the same marks, and the reports say which.
+kinds=none
+[ "$(id -u)" -ne 0 ] || kinds="landlock none"
+for kind in $kinds; do
+    check "$kind: the solution gets full marks" grades 0 100 --lab 03 \
+        --submission solutions/03-kdtree-2d-render --sandbox "$kind"
+    check "$kind: results.json says so" test "$(field sandbox)" = "$kind"
+    check "$kind: so does the text" grep -q "sandbox $kind" "$said"
+    check "$kind: so does the page" grep -q "<dd>$kind</dd>" "$reports/report.html"
+done
+# shellcheck disable=SC2086
+[ "$(id -u)" -ne 0 ] || {
+    env PATH=/nonexistent "$build/tools/grade" $here --output "$reports" >"$said" 2>"$said.err"
+    check "no bubblewrap: as root Landlock is used" test "$(field sandbox)" = landlock
+    check "no bubblewrap: it says so" grep -q 'Landlock is used$' "$said.err"
+}
 
 grade --lab 01 --submission solutions/01-naive-2d --device none-such
 ok $(($? != 2)) "no such device: it ends with 2"
