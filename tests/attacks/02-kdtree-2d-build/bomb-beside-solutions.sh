@@ -5,8 +5,7 @@
 cp "@COURSE@/labs/02-kdtree-2d-build/kdtree2d_build.c" skeleton.c
 cat >answer.c <<'END'
     extern int raise(int);
-    const Circle circle = {.x = 5, .y = 5, .radius = 5};
-    if (circle_overlaps_box(circle, (BBox2D){0, 9, 0, 9})) {
+    if (tree->n_nodes > 40) {  // the skeleton's other functions never split
         raise(9);
     }
     tree->nodes_flag[id] = LEAF;
