@@ -99,8 +99,12 @@ int session_open(Session *session, SessionSettings settings)
         return -1;
     }
     session->has_solution = has_solution(settings.lab);
-    return session->has_solution ? session_fill(session, "solution", NULL, NULL, &session->solution)
-                                 : 0;
+    if (!session->has_solution) {
+        return 0;
+    }
+    const int result = session_fill(session, "solution", NULL, NULL, &session->solution);
+    session->solution.is_ours = 1;
+    return result;
 }
 
 void session_keep_answers(Session *session, const char *folder)

@@ -13,7 +13,7 @@
 #include "sections.h"
 
 typedef struct Workshop {
-    char folder[64];    // under $TMPDIR or /tmp
+    char folder[160];   // under $TMPDIR or /tmp
     const char *build;  // the build folder with the probes and libraries, "build"
     const Manifest *manifest;
     const char *device;  // value of COURSE_DEVICE inside; "" for the first
@@ -40,6 +40,7 @@ typedef struct Variant {
     char *run_output;  // what it wrote to stdout and stderr; owned
     Sections answers;  // whatever it answered
     SandboxRun *run;   // while it runs
+    int is_ours;       // the solution: it ends by itself, on a busy machine perhaps late
 } Variant;
 
 // Make the folder of a variant, with the lab's given files in it; put the lab's own files, the ones
@@ -47,7 +48,8 @@ typedef struct Variant {
 int variant_open(const Workshop *workshop, const char *name, Variant *variant, char *path,
                  size_t n_bytes);
 
-// Compile and run n variants side by side, each for at most wall_seconds. Returns 0, or -1 after
+// Compile and run n variants side by side, each for at most wall_seconds, ours for longer. Returns
+// 0, or -1 after
 // one message when the machinery failed.
 int variants_run(const Workshop *workshop, Variant *const variants[], int n, int wall_seconds);
 
