@@ -49,8 +49,7 @@ int variant_open(const Workshop *workshop, const char *name, Variant *variant, c
                  size_t n_bytes);
 
 // Compile and run n variants side by side, each for at most wall_seconds, ours for longer. Returns
-// 0, or -1 after
-// one message when the machinery failed.
+// 0, or -1 after one message when the machinery failed.
 int variants_run(const Workshop *workshop, Variant *const variants[], int n, int wall_seconds);
 
 void variant_free(Variant *variant);
