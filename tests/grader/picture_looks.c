@@ -129,12 +129,12 @@ char *picture_looks(ProbeImage own, const ExpectedPicture *expected)
     if (is_empty(own, expected)) {
         return message_new("empty: nothing but the background");
     }
-    if (is_constant(own, expected)) {
-        return message_new("of one colour everywhere");
-    }
     if (shows_beyond(own, expected)) {
         return message_new("drawn as if one circle too many were asked, the one behind the end of "
                            "the array");
+    }
+    if (is_constant(own, expected)) {
+        return message_new("of one colour everywhere");
     }
     if (is_other_background(own, expected)) {
         const float *background = expected->background;
