@@ -65,7 +65,10 @@ static void answer_items(const Probe *probe, int k, cl_program program, const Sc
     if (zeros == NULL) {
         exit(PROBE_EXIT_FAULT);
     }
-    cl_mem d_counts = cl_buffer_create(&probe->cl, zeros, n_bytes);
+    cl_int error;
+    cl_mem d_counts = clCreateBuffer(probe->cl.context, CL_MEM_READ_WRITE | CL_MEM_COPY_HOST_PTR,
+                                     n_bytes, zeros, &error);
+    CL_CHECK_CREATED(error, clCreateBuffer);
     cl_kernel kernel = probe_kernel(program, "count_items");
     CL_CHECK(clSetKernelArg(kernel, 0, sizeof scene->width, &scene->width));
     CL_CHECK(clSetKernelArg(kernel, 1, sizeof scene->height, &scene->height));
