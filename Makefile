@@ -251,7 +251,7 @@ test:  ## install what is missing and run every test
 	@$(MAKE) --no-print-directory -j2 check
 
 .PHONY: test-scale test-mutants
-test-scale:  ## install what is missing, grade a class of N=1000, try mechanical mutants of every lab; takes hours
+test-scale:  ## install what is missing, grade a class of N=1000, try mechanical mutants of every lab (long)
 	@common/setup/install.sh test
 	@common/setup/install.sh scale
 	@$(MAKE) --no-print-directory -j2 grader
