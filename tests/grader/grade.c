@@ -19,7 +19,6 @@
 #include "stands_out.h"
 #include "stats.h"
 #include "submission.h"
-#include "text_file.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -117,10 +116,7 @@ static char *read_answer(const Grading *grading, const Task *task)
     char path[PATH_BYTES];
     snprintf(path, sizeof path, "%s/variant-whole/lab/%s", grading->session.workshop.folder,
              task->file);
-    char *text = text_file_read(path);
-    char *answer = text ? hole_read(text, task->id) : NULL;
-    free(text);
-    return answer;
+    return hole_load(path, task->id);
 }
 
 // Add a line to what the staging stage says.
@@ -159,6 +155,45 @@ static char *answer_for_alone(Grading *grading, const Task *task)
     return answer;
 }
 
+// Does the same answer stand in the lab's folder below `tree`, "labs" or "solutions"?
+static int stands_in(const char *tree, const Grading *grading, const Task *task, const char *answer)
+{
+    char path[PATH_BYTES];
+    snprintf(path, sizeof path, "%s/%s/%s", tree, grading->session.manifest.lab, task->file);
+    char *other = hole_load(path, task->id);
+    const int is_same = other != NULL && strcmp(answer, other) == 0;
+    free(other);
+    return is_same;
+}
+
+// Where the whole run says nothing about a task that stands as it was handed out, say that.
+static void note_unanswered(Grading *grading, const char *task)
+{
+    const int nothing_ran = grading->whole.build_log != NULL || grading->whole.trouble != NULL;
+    for (int i = 0; i < grading->result.n_checks && nothing_ran; i++) {
+        CheckResult *check = &grading->result.checks[i];
+        if (check->status != CHECK_PASSED && strcmp(check->task, task) == 0) {
+            free(check->message);
+            check->message = message_new("not answered yet: it stands as it was handed out");
+        }
+    }
+}
+
+// What need not be tried: an answer that is not there yet earns nothing, and beside our solution of
+// the others our own answer is our solution. Returns whether it was one of them.
+static int judge_known(Grading *grading, const Task *task, const char *answer)
+{
+    if (stands_in("labs", grading, task, answer)) {
+        note_unanswered(grading, task->id);
+        return 1;
+    }
+    if (stands_in("solutions", grading, task, answer)) {
+        judge_open_checks(grading, &grading->session.solution, task->id);
+        return 1;
+    }
+    return 0;
+}
+
 // Try the answers of the failed tasks alone, in the solution of the others, two at a time. Returns
 // 0, or -1 after one message.
 static int judge_alone(Grading *grading)
@@ -170,7 +205,9 @@ static int judge_alone(Grading *grading)
     for (int t = 0; t < manifest->n_tasks; t++) {
         const char *id = manifest->tasks[t].id;
         char *answer = answer_for_alone(grading, &manifest->tasks[t]);
-        if (answer != NULL) {
+        if (answer != NULL && judge_known(grading, &manifest->tasks[t], answer)) {
+            free(answer);
+        } else if (answer != NULL) {
             const int filled = session_fill(&grading->session, id, id, answer, &grading->alone[t]);
             free(answer);
             if (filled != 0) {
@@ -197,18 +234,12 @@ static int judge_alone(Grading *grading)
 // Stage, run, judge. Returns 0 when there is a result, or -1 after one message.
 static int grade(Grading *grading, const Settings *settings)
 {
-    const SessionSettings session_settings = {settings->lab,        settings->build,
-                                              settings->device,     settings->seed,
-                                              settings->time_limit, settings->sandbox};
     Session *session = &grading->session;
     char folder[PATH_BYTES];
     char *staging = NULL;
-    if (session_open(session, session_settings) != 0 ||
+    if (session_open(session, settings) != 0 ||
         variant_open(&session->workshop, "whole", &grading->whole, folder, sizeof folder) != 0) {
         return -1;
-    }
-    if (settings->kept_answers != NULL) {
-        session_keep_answers(session, settings->kept_answers);
     }
     start_result(grading, settings);
     const int staged = submission_stage(&session->workshop, settings->submission, folder, &staging);

@@ -1,6 +1,8 @@
 // Holes, found line by line: a marker is a line of its own, whatever stands before it but blanks.
 #include "holes.h"
 
+#include "text_file.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -211,6 +213,14 @@ char *hole_read(const char *text, const char *id)
 {
     Hole hole;
     return hole_find(text, id, &hole) ? strndup(hole.start, (size_t)(hole.end - hole.start)) : NULL;
+}
+
+char *hole_load(const char *path, const char *id)
+{
+    char *text = text_file_read(path);
+    char *content = text != NULL ? hole_read(text, id) : NULL;
+    free(text);
+    return content;
 }
 
 char *hole_fill(const char *solution, const char *id, const char *body)

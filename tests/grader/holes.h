@@ -28,6 +28,9 @@ int hole_id(const char *text, int index, char id[HOLE_ID_BYTES]);
 // free() it, or NULL when the markers are not there exactly once each, in order.
 char *hole_read(const char *text, const char *id);
 
+// The same of a file. NULL also when it cannot be read, after one message on stderr.
+char *hole_load(const char *path, const char *id);
+
 // `solution` with the content of hole `id` replaced by `body`. Returns the text, free() it, or NULL
 // when the hole is not in it.
 char *hole_fill(const char *solution, const char *id, const char *body);

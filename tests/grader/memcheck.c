@@ -125,11 +125,8 @@ static void findings_print(const Memcheck *memcheck)
 static int memcheck_run(Memcheck *memcheck, const Settings *settings)
 {
     Session *session = &memcheck->session;
-    const SessionSettings session_settings = {
-        settings->lab,  settings->build,      "",
-        settings->seed, settings->time_limit, settings->sandbox};
     char *staging = NULL;
-    if (session_open(session, session_settings) != 0 || shrink_job(session) != 0 ||
+    if (session_open(session, settings) != 0 || shrink_job(session) != 0 ||
         variant_open(&session->workshop, "whole", &memcheck->whole, memcheck->folder,
                      sizeof memcheck->folder) != 0) {
         return EXIT_FAULT;
@@ -192,6 +189,7 @@ int main(int argc, char **argv)
                         "oclgrind, which Debian 12 has and Debian 13 has not\n");
         return EXIT_FAULT;
     }
+    settings.device = "";  // Oclgrind's is the only one
     static Memcheck memcheck;
     const int status = memcheck_run(&memcheck, &settings);
     variant_free(&memcheck.whole);

@@ -284,9 +284,7 @@ int main(int argc, char **argv)
     }
     Session session;
     int status = 2;
-    const SessionSettings session_settings = {settings.lab,  settings.build,      settings.device,
-                                              settings.seed, settings.time_limit, settings.sandbox};
-    if (session_open(&session, session_settings) == 0) {
+    if (session_open(&session, &settings) == 0) {
         status = try_all(&session);
     }
     session_close(&session);

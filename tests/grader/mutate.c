@@ -55,9 +55,7 @@ static int add_task(Population *population, const Session *session, int task_num
     const Task *task = &session->manifest.tasks[task_number];
     char path[PATH_BYTES];
     snprintf(path, sizeof path, "solutions/%s/%s", session->manifest.lab, task->file);
-    char *text = text_file_read(path);
-    char *hole = text != NULL ? hole_read(text, task->id) : NULL;
-    free(text);
+    char *hole = hole_load(path, task->id);
     population->holes[task_number] = hole;
     Mutations *mutations = &population->mutations[task_number];
     if (hole == NULL || mutations_find(hole, mutations) != 0) {
@@ -283,9 +281,7 @@ int main(int argc, char **argv)
     }
     Session session;
     int status = 2;
-    const SessionSettings session_settings = {settings.lab,  settings.build,      settings.device,
-                                              settings.seed, settings.time_limit, settings.sandbox};
-    if (session_open(&session, session_settings) == 0) {
+    if (session_open(&session, &settings) == 0) {
         status = mutate(&session, options);
     }
     session_close(&session);

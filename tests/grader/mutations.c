@@ -1,10 +1,10 @@
-// The operators, one function each, over the tokens of a text. What is taken for what stands in
+// The operators, one function each, over the words of a text. What is taken for what stands in
 // mutation_tables.h.
 #include "mutations.h"
 
-#include "c_tokens.h"
 #include "message.h"
 #include "mutation_tables.h"
+#include "source_words.h"
 
 #include <ctype.h>
 #include <stdio.h>
@@ -14,7 +14,7 @@
 // A text while its mutations are found.
 typedef struct Search {
     const char *text;
-    const Token *tokens;
+    const SourceWord *words;  // of the text, directives apart
     int n;
     Mutations *found;
     int failed;  // memory ran out
@@ -22,7 +22,7 @@ typedef struct Search {
 
 // ---- Adding -------------------------------------------------------------------------------------
 
-// Replace tokens first ... last. Takes over `replacement`.
+// Replace words first ... last. Takes over `replacement`.
 static void add(Search *search, int first, int last, const char *name, const char *new_word,
                 char *replacement)
 {
@@ -34,7 +34,7 @@ static void add(Search *search, int first, int last, const char *name, const cha
         search->failed = 1;
         return;
     }
-    const Token from = search->tokens[first], to = search->tokens[last];
+    const SourceWord from = search->words[first], to = search->words[last];
     Mutation *mutation = &all[found->n++];
     *mutation = (Mutation){.start = (size_t)(from.start - search->text),
                            .length = (size_t)(to.start + to.length - from.start),
@@ -44,24 +44,24 @@ static void add(Search *search, int first, int last, const char *name, const cha
              new_word);
 }
 
-// Replace one token by a word.
+// Replace one word by a word.
 static void add_word(Search *search, int at, const char *name, const char *word)
 {
     add(search, at, at, name, word, strdup(word));
 }
 
-// The text from token `first` to token `last`, as a precision and a pointer for "%.*s".
+// The text from word `first` to word `last`, as a precision and a pointer for "%.*s".
 static int span(const Search *search, int first, int last)
 {
-    const Token to = search->tokens[last];
-    return (int)(to.start + to.length - search->tokens[first].start);
+    const SourceWord to = search->words[last];
+    return (int)(to.start + to.length - search->words[first].start);
 }
 
 // ---- Finding one's way --------------------------------------------------------------------------
 
 static int is(const Search *search, int at, const char *words)
 {
-    return at >= 0 && at < search->n && token_is_one_of(search->tokens[at], words);
+    return at >= 0 && at < search->n && source_is_one_of(&search->words[at], words);
 }
 
 // The bracket that closes the one at `open`, or n when none does.
@@ -78,31 +78,31 @@ static int closing(const Search *search, int open)
     return search->n;
 }
 
-// Is the token at `at` the end of a term, so that a + behind it stands between two?
+// Is the word at `at` the end of a term, so that a + behind it stands between two?
 static int ends_term(const Search *search, int at)
 {
     if (at < 0) {
         return 0;
     }
-    const TokenKind kind = search->tokens[at].kind;
-    return kind == TOKEN_SIGN ? is(search, at, ") ]")
-                              : !is(search, at, "return case else const sizeof");
+    const SourceKind kind = search->words[at].kind;
+    return kind == SOURCE_SIGN ? is(search, at, ") ]")
+                               : !is(search, at, "return case else const sizeof");
 }
 
 static int is_call(const Search *search, int at)
 {
-    return search->tokens[at].kind == TOKEN_NAME && is(search, at + 1, "(") &&
+    return search->words[at].kind == SOURCE_NAME && is(search, at + 1, "(") &&
            !is(search, at, "if for while switch return sizeof");
 }
 
 // ---- The operators ------------------------------------------------------------------------------
 
-// Every replacement that a table has for the token at `at`.
+// Every replacement that a table has for the word at `at`.
 static void add_from_table(Search *search, int at, const char *name, const char *const table[][2],
                            size_t n)
 {
     for (size_t i = 0; i < n; i++) {
-        if (token_is(search->tokens[at], table[i][0])) {
+        if (source_is_one_of(&search->words[at], table[i][0])) {
             add_word(search, at, name, table[i][1]);
         }
     }
@@ -131,25 +131,25 @@ static void find_operators(Search *search, int at)
 
 static void find_constants(Search *search, int at)
 {
-    const Token token = search->tokens[at];
+    const SourceWord constant = search->words[at];
     char *end, word[64];
-    if (token.kind == TOKEN_NAME) {
-        int is_constant = isupper((unsigned char)token.start[0]) != 0;
-        for (size_t i = 0; i < token.length; i++) {
-            is_constant &= !islower((unsigned char)token.start[i]);
+    if (constant.kind == SOURCE_NAME) {
+        int is_constant = isupper((unsigned char)constant.start[0]) != 0;
+        for (size_t i = 0; i < constant.length; i++) {
+            is_constant &= !islower((unsigned char)constant.start[i]);
         }
-        if (token_is(token, "INFINITY")) {
+        if (source_is_one_of(&constant, "INFINITY")) {
             add_word(search, at, "constant", "0.0f");
-        } else if (is_constant && !is_call(search, at) && !token_is(token, "NULL")) {
+        } else if (is_constant && !is_call(search, at) && !source_is_one_of(&constant, "NULL")) {
             add(search, at, at, "constant", "+1",
-                message_new("(%.*s + 1)", span(search, at, at), token.start));
+                message_new("(%.*s + 1)", span(search, at, at), constant.start));
         }
         return;
     }
-    const int is_whole = memchr(token.start, '.', token.length) == NULL;
+    const int is_whole = memchr(constant.start, '.', constant.length) == NULL;
     const double value =
-        is_whole ? (double)strtoul(token.start, &end, 0) : strtod(token.start, &end);
-    const int ending = (int)(token.start + token.length - end);
+        is_whole ? (double)strtoul(constant.start, &end, 0) : strtod(constant.start, &end);
+    const int ending = (int)(constant.start + constant.length - end);
     const double others[] = {value + 1, is_whole ? value - 1 : 2 * value, 0};
     for (size_t i = 0; i < N_OF(others); i++) {
         const int is_repeated = i > 0 && (others[i] == value || (i == 2 && others[1] == 0));
@@ -174,8 +174,8 @@ static void find_swaps(Search *search, int open)
         if (i < close && !is(search, i, ",")) {
             continue;
         }
-        const char *const a = before >= 0 ? search->tokens[before].start : NULL;
-        const char *const b = search->tokens[start].start;
+        const char *const a = before >= 0 ? search->words[before].start : NULL;
+        const char *const b = search->words[start].start;
         if (before >= 0 && start < i) {
             const int n_a = span(search, before, start - 2), n_b = span(search, start, i - 1);
             if (n_a != n_b || memcmp(a, b, (size_t)n_a) != 0) {
@@ -246,8 +246,8 @@ static int starts_statement(const Search *search, int at)
                           (is(search, at - 1, ")") && ends_head(search, at - 1)) ||
                           (is(search, at - 1, ":") && ends_label(search, at - 1));
     const int is_declaration =
-        search->tokens[at].kind == TOKEN_NAME && at + 1 < search->n && !is(search, at, "return") &&
-        (search->tokens[at + 1].kind == TOKEN_NAME || is(search, at + 1, "*"));
+        search->words[at].kind == SOURCE_NAME && at + 1 < search->n && !is(search, at, "return") &&
+        (search->words[at + 1].kind == SOURCE_NAME || is(search, at + 1, "*"));
     return is_behind && !is_declaration &&
            !is(search, at, "; { } ) ] if for while switch else case default const");
 }
@@ -286,9 +286,9 @@ static void add_negation(Search *search, int first, int last, int named)
     if (first > last || last >= search->n) {
         return;
     }
-    const char *start = search->tokens[first].start;
+    const char *start = search->words[first].start;
     char word[16];
-    snprintf(word, sizeof word, "%.*s", span(search, named, named), search->tokens[named].start);
+    snprintf(word, sizeof word, "%.*s", span(search, named, named), search->words[named].start);
     add(search, first, last, "negate", word,
         message_new("!(%.*s)", span(search, first, last), start));
 }
@@ -316,24 +316,24 @@ int mutations_find(const char *text, Mutations *mutations)
 {
     *mutations = (Mutations){0};
     Search search = {.text = text, .found = mutations};
-    Token *tokens = c_tokens(text, &search.n);
-    search.tokens = tokens;
-    search.failed = tokens == NULL;
+    SourceWord *words = source_words(text, &search.n);
+    search.words = words;
+    search.failed = words == NULL;
     for (int i = 0; i < search.n; i++) {
-        if (tokens[i].kind == TOKEN_QUOTED) {
+        if (words[i].kind == SOURCE_STRING || words[i].kind == SOURCE_CHARACTER) {
             continue;
         }
         find_drops(&search, i);
         find_negations(&search, i);
         find_calls(&search, i);
-        if (tokens[i].kind == TOKEN_SIGN) {
+        if (words[i].kind == SOURCE_SIGN) {
             find_operators(&search, i);
         } else {
             find_constants(&search, i);
             find_names(&search, i);
         }
     }
-    free(tokens);
+    free(words);
     if (search.failed) {
         mutations_free(mutations);
     }

@@ -1,8 +1,8 @@
 // Mutations: small mechanical mistakes in a text of C or OpenCL, to see whether the judge notices.
 //
-// A mutation's id is "position:operator:old:new", position being the number of the token, old and
+// A mutation's id is "position:operator:old:new", position being the number of the word, old and
 // new what stands there before and after ("17:compare:<:<="); it depends on nothing but the text.
-// Flow: a solution's hole -> tokens -> MUTATIONS -> session. Used by mutate.c.
+// Flow: a solution's hole -> words -> MUTATIONS -> session. Used by mutate.c.
 #ifndef GRADER_MUTATIONS_H
 #define GRADER_MUTATIONS_H
 

@@ -70,7 +70,7 @@ static int write_job(Session *session)
         fprintf(stderr, "grade: %s: cannot be written: %s\n", path, strerror(errno));
         return -1;
     }
-    session->job = session->judge->job_new(session->settings.seed, file);
+    session->job = session->judge->job_new(session->settings->seed, file);
     const int closed = fclose(file);
     return session->job == NULL || closed != 0 || chmod(path, 0644) != 0 ? -1 : 0;
 }
@@ -83,35 +83,31 @@ static int has_solution(const char *lab)
     return access(path, F_OK) == 0;
 }
 
-int session_open(Session *session, SessionSettings settings)
+int session_open(Session *session, const Settings *settings)
 {
-    *session = (Session){.settings = settings, .judge = judge_of(settings.lab)};
+    *session = (Session){.settings = settings, .judge = judge_of(settings->lab)};
     if (session->judge == NULL) {
-        fprintf(stderr, "grade: %s: this lab has no judge\n", settings.lab);
+        fprintf(stderr, "grade: %s: this lab has no judge\n", settings->lab);
         return -1;
     }
     SandboxKind sandbox;
-    if (manifest_load("labs", settings.lab, &session->manifest) != 0 ||
-        sandbox_choose(settings.sandbox, &sandbox) != 0 ||
-        workshop_open(&session->workshop, &session->manifest, settings.build, settings.device,
+    if (manifest_load("labs", settings->lab, &session->manifest) != 0 ||
+        sandbox_choose(settings->sandbox, &sandbox) != 0 ||
+        workshop_open(&session->workshop, &session->manifest, settings->build, settings->device,
                       sandbox) != 0 ||
         write_job(session) != 0) {
         return -1;
     }
-    session->has_solution = has_solution(settings.lab);
+    session->has_solution = has_solution(settings->lab);
     if (!session->has_solution) {
         return 0;
     }
     const int result = session_fill(session, "solution", NULL, NULL, &session->solution);
     session->solution.is_ours = 1;
-    return result;
-}
-
-void session_keep_answers(Session *session, const char *folder)
-{
-    session->kept_answers = folder;
     session->has_kept_answers =
-        kept_answers_load(folder, session->settings.seed, &session->solution.answers) == 0;
+        settings->kept_answers != NULL &&
+        kept_answers_load(settings->kept_answers, settings->seed, &session->solution.answers) == 0;
+    return result;
 }
 
 void session_close(Session *session)
@@ -128,7 +124,7 @@ int session_run(const Session *session, Variant *const variants[], int n)
 {
     const int known = session->has_kept_answers && n > 0 && variants[0] == &session->solution;
     return variants_run(&session->workshop, variants + known, n - known,
-                        session->settings.time_limit);
+                        session->settings->time_limit);
 }
 
 int session_trust_solution(Session *session)
@@ -153,10 +149,11 @@ int session_trust_solution(Session *session)
         }
     }
     session->judge->adopt(session->job, &solution->answers);
-    if (session->kept_answers == NULL || session->has_kept_answers) {
+    if (session->settings->kept_answers == NULL || session->has_kept_answers) {
         return 0;
     }
-    return kept_answers_save(session->kept_answers, session->settings.seed, &solution->answers);
+    return kept_answers_save(session->settings->kept_answers, session->settings->seed,
+                             &solution->answers);
 }
 
 void session_device_name(const Variant *variant, char *name, size_t n_bytes)

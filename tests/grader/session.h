@@ -9,38 +9,26 @@
 #include "judge.h"
 #include "manifest.h"
 #include "result.h"
+#include "settings.h"
 #include "workshop.h"
 
-typedef struct SessionSettings {
-    const char *lab;     // "03-kdtree-2d-render"
-    const char *build;   // the build folder
-    const char *device;  // "" for the first
-    uint64_t seed;
-    int time_limit;       // seconds for a variant
-    SandboxKind sandbox;  // SANDBOX_ANY: the first that works; the workshop has which one it is
-} SessionSettings;
-
 typedef struct Session {
-    SessionSettings settings;
+    const Settings *settings;
     const Judge *judge;
     Manifest manifest;
     Workshop workshop;
     void *job;
-    int has_solution;          // 0 in a handout: the oracle alone judges
-    Variant solution;          // where there is one
-    const char *kept_answers;  // folder of the solution's answers (kept_answers.h), or NULL
-    int has_kept_answers;      // they are there: the solution is not run again
+    int has_solution;      // 0 in a handout: the oracle alone judges
+    Variant solution;      // where there is one
+    int has_kept_answers;  // they were kept (kept_answers.h): the solution is not run again
 } Session;
 
 // Prepare everything up to the point where variants can run: manifest, workshop, job, and the
-// solution, where there is one, as a variant that has not run yet. Returns 0, or -1 after one
-// message on stderr.
-int session_open(Session *session, SessionSettings settings);
+// solution, where there is one, as a variant that has not run yet. With settings->kept_answers the
+// solution's answers are taken from there, or kept there once they are trusted. The settings must
+// outlive the session. Returns 0, or -1 after one message on stderr.
+int session_open(Session *session, const Settings *settings);
 void session_close(Session *session);
-
-// Take the solution's answers from a folder, or keep them there once they are trusted. To be called
-// before anything runs.
-void session_keep_answers(Session *session, const char *folder);
 
 // Run n variants side by side, the solution first where it is one of them. Returns 0, or -1 after
 // one message when the machinery failed.

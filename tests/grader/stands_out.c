@@ -8,7 +8,6 @@
 #include "source_words.h"
 #include "text_file.h"
 
-#include <ctype.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
@@ -121,7 +120,7 @@ static void look_at_exit(Look *look)
 {
     if (source_is(&look->before_last, SOURCE_NAME, "exit") &&
         source_is(&look->last, SOURCE_SIGN, "(") &&
-        (source_is(&look->word, SOURCE_NAME, "0") ||
+        (source_is(&look->word, SOURCE_NUMBER, "0") ||
          source_is(&look->word, SOURCE_NAME, "EXIT_SUCCESS"))) {
         note(look, look->word.line, "exit(0)");
     }
@@ -187,13 +186,13 @@ static void look_at_directive(Look *look)
 {
     const SourceWord *name = &look->last, *argument = &look->word;
     if (!name->in_directive || !source_is(&look->before_last, SOURCE_SIGN, "#") ||
-        name->kind != SOURCE_NAME) {
+        (name->kind != SOURCE_NAME && name->kind != SOURCE_NUMBER)) {
         return;
     }
     if (strncmp(name->text, "include", strlen("include")) == 0 && !is_given_header(argument)) {
         note(look, name->line, argument->kind == SOURCE_HEADER ? "#%s <%s>" : "#%s \"%s\"",
              name->text, argument->text);
-    } else if (isdigit((unsigned char)name->text[0]) || strcmp(name->text, "line") == 0 ||
+    } else if (name->kind == SOURCE_NUMBER || strcmp(name->text, "line") == 0 ||
                strcmp(name->text, "embed") == 0) {
         note(look, name->line, "#%s", name->text);
     }

@@ -1,5 +1,4 @@
-// grader/mutations and c_tokens: each operator on a short text, what must not be touched, and ids.
-#include "c_tokens.h"
+// grader/mutations: each operator on a short text, what must not be touched, and ids.
 #include "mutations.h"
 #include "surroundings.h"
 
@@ -30,49 +29,6 @@ static int count_mutants(const char *text)
     const int n = mutations.n;
     mutations_free(&mutations);
     return n;
-}
-
-// ---- Tokens -------------------------------------------------------------------------------------
-
-static void expect_tokens(const char *text, const char *expected)
-{
-    char joined[256] = "";
-    int n_tokens;
-    Token *tokens = c_tokens(text, &n_tokens);
-    cr_assert_not_null(tokens);
-    for (int i = 0; i < n_tokens; i++) {
-        const size_t length = strlen(joined);
-        snprintf(joined + length, sizeof joined - length, "%s%.*s", i > 0 ? " " : "",
-                 (int)tokens[i].length, tokens[i].start);
-    }
-    cr_expect_str_eq(joined, expected);
-    free(tokens);
-}
-
-Test(mutate, the_longest_sign_is_one_token)
-{
-    expect_tokens("a<<=b->c++ + ++d;", "a <<= b -> c ++ + ++ d ;");
-}
-
-Test(mutate, numbers_keep_exponent_and_suffix)
-{
-    expect_tokens("1e-3f+.5-0x1Fu*0x1p-2", "1e-3f + .5 - 0x1Fu * 0x1p-2");
-}
-
-Test(mutate, comments_strings_and_directives_hide_what_is_in_them)
-{
-    expect_tokens("a // b + c\n/* d\n < e */ f", "a f");
-    expect_tokens("\"a + \\\"b\" 'c' d", "\"a + \\\"b\" 'c' d");
-    expect_tokens("#define A 1 + \\\n 2\n  # if B\nc", "c");
-    expect_tokens("a # b", "a # b");
-}
-
-Test(mutate, an_unfinished_comment_or_string_ends_with_the_text)
-{
-    expect_tokens("a /* b", "a");
-    expect_tokens("a \"b", "a \"b");
-    expect_tokens("a '\\", "a '\\");
-    expect_tokens("", "");
 }
 
 // ---- Operators ----------------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 #include "clean_text.h"
 #include "graded.h"
 #include "report.h"
+#include "sample_result.h"
 
 #include <criterion/criterion.h>
 #include <criterion/redirect.h>
@@ -11,42 +12,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-
-static const Manifest manifest = {
-    .lab = "01-naive-2d",
-    .title = "Naive 2D rendering",
-    .n_tasks = 2,
-    .tasks = {{"overlaps_N_Nearer", "overlaps_N_Nearer.cl", "Does a circle cover the pixel?", 40,
-               "Compare the squares."},
-              {"implicit2DRenderer", "implicit2DRenderer.cl", "The nearest of all", 60,
-               "Remember the depth."}},
-};
-
-// A result with a failed, a passed and a not-run check; the failed one says `message`.
-static Result result_make(const char *message)
-{
-    Result result = {.lab = "01-naive-2d",
-                     .title = "Naive 2D rendering",
-                     .submission = "labs/01-naive-2d",
-                     .seed = UINT64_MAX,
-                     .device = "cpu-x",
-                     .sandbox = "bubblewrap",
-                     .score = 25,
-                     .max_score = 100,
-                     .seconds = 4.25,
-                     .n_stages = 1,
-                     .n_checks = 3};
-    result.stages[0] = (StageResult){"Compiling", CHECK_PASSED, NULL};
-    result.checks[0] = (CheckResult){
-        "overlaps-inside", "Clearly inside and outside", "overlaps_N_Nearer", 25, 25, CHECK_PASSED,
-        strdup("")};
-    result.checks[1] = (CheckResult){
-        "overlaps-boundary", "The boundary belongs to it", "overlaps_N_Nearer", 0, 15, CHECK_FAILED,
-        strdup(message)};
-    result.checks[2] = (CheckResult){
-        "picture", "A random scene", "implicit2DRenderer", 0, 60, CHECK_NOT_RUN, NULL};
-    return result;
-}
 
 // The whole of a stream or file, with its length; free() it.
 static char *stream_text(FILE *file)

@@ -1,6 +1,7 @@
 // Unit tests of the reports for other systems: whatever a student's code put into a message, each
 // document keeps its form, its size and its points, and a fault of the machinery is no zero.
 #include "report_systems.h"
+#include "sample_result.h"
 
 #include <criterion/criterion.h>
 #include <criterion/redirect.h>
@@ -13,41 +14,6 @@
 #include <unistd.h>
 
 #define UNKNOWN "\xEF\xBF\xBD"
-
-static const Manifest manifest = {
-    .lab = "01-naive-2d",
-    .title = "Naive 2D rendering",
-    .n_tasks = 2,
-    .tasks = {{"overlaps_N_Nearer", "overlaps_N_Nearer.cl", "Does a circle cover the pixel?", 40,
-               "Compare the squares."},
-              {"implicit2DRenderer", "implicit2DRenderer.cl", "The nearest of all", 60,
-               "Remember the depth."}},
-};
-
-// A result with a passed, a failed and a not-run check; the failed one says `message`.
-static Result result_make(const char *message)
-{
-    Result result = {.lab = "01-naive-2d",
-                     .title = "Naive 2D rendering",
-                     .submission = "labs/01-naive-2d",
-                     .seed = UINT64_MAX,
-                     .device = "cpu-x",
-                     .score = 25,
-                     .max_score = 100,
-                     .seconds = 4.25,
-                     .n_stages = 1,
-                     .n_checks = 3};
-    result.stages[0] = (StageResult){"Compiling", CHECK_PASSED, NULL};
-    result.checks[0] = (CheckResult){
-        "overlaps-inside", "Clearly inside and outside", "overlaps_N_Nearer", 25, 25, CHECK_PASSED,
-        strdup("")};
-    result.checks[1] = (CheckResult){
-        "overlaps-boundary", "The boundary belongs to it", "overlaps_N_Nearer", 0, 15, CHECK_FAILED,
-        strdup(message)};
-    result.checks[2] = (CheckResult){
-        "picture", "A random scene", "implicit2DRenderer", 0, 60, CHECK_NOT_RUN, NULL};
-    return result;
-}
 
 // A folder of its own for each test; Criterion runs each in a process of its own.
 static char folder[] = "/tmp/test-systems-XXXXXX";

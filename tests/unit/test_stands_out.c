@@ -1,6 +1,5 @@
 // grader/stands_out: what an attack tries is named, and no honest text is.
 #include "extra_files.h"
-#include "source_words.h"
 #include "stands_out.h"
 #include "surroundings.h"
 
@@ -53,6 +52,10 @@ static const struct {
     {"char *c = \"an open string\nfork();", "a.c:2: fork()"},
     {"#error don't\nfork();", "a.c:2: fork()"},
     {"fork (", "fork()"},
+    {"%:include \"/etc/passwd\"", "#include \"/etc/passwd\""},
+    {"?\?=include \"/etc/passwd\"", "#include \"/etc/passwd\""},
+    {"fo?\?/\nrk()", "fork()"},
+    {"fo\\ \t\nrk()", "fork()"},
 };
 
 Test(stands_out, names_what_is_tried)
@@ -135,42 +138,6 @@ Test(stands_out, is_short_and_says_each_thing_once)
     cr_expect_lt(strlen(few), 1000);
     free(few);
     free(notes);
-}
-
-// ---- Words --------------------------------------------------------------------------------------
-
-Test(stands_out, words_and_lines)
-{
-    SourceReader reader = source_reader("#include <a.h>\nx->y < \"s\\\"t\" // c\n  12u");
-    static const SourceWord expected[] = {
-        {SOURCE_SIGN, "#", 1, 1}, {SOURCE_NAME, "include", 1, 1},  {SOURCE_HEADER, "a.h", 1, 1},
-        {SOURCE_NAME, "x", 2, 0}, {SOURCE_SIGN, "->", 2, 0},       {SOURCE_NAME, "y", 2, 0},
-        {SOURCE_SIGN, "<", 2, 0}, {SOURCE_STRING, "s\\\"t", 2, 0}, {SOURCE_NAME, "12u", 3, 0},
-        {SOURCE_END, "", 3, 0},   {SOURCE_END, "", 3, 0},
-    };
-    for (size_t i = 0; i < sizeof expected / sizeof *expected; i++) {
-        const SourceWord word = source_next(&reader);
-        cr_expect_eq(word.kind, expected[i].kind, "word %zu \"%s\"", i, word.text);
-        cr_expect_str_eq(word.text, expected[i].text);
-        cr_expect_eq(word.line, expected[i].line, "word %zu \"%s\"", i, word.text);
-        cr_expect_eq(word.in_directive, expected[i].in_directive, "word %zu", i);
-    }
-}
-
-Test(stands_out, broken_texts_are_read_to_their_end)
-{
-    static const char *const broken[] = {
-        "/*",      "/* *",       "\"",   "'",      "'\\", "\"\\", "\\",
-        "#",       "#include <", "\\\n", "\\\r\n", "/",   "-",    "__attribute__((",
-        "\xff\xfe"};
-    for (size_t i = 0; i < sizeof broken / sizeof *broken; i++) {
-        SourceReader reader = source_reader(broken[i]);
-        int n_words = 0;
-        while (source_next(&reader).kind != SOURCE_END && n_words < 100) {
-            n_words++;
-        }
-        cr_expect_lt(n_words, 100, "\"%s\" does not end", broken[i]);
-    }
 }
 
 // ---- What else was handed in --------------------------------------------------------------------
