@@ -4,11 +4,13 @@
 #     tests/attacks/try.sh FOLDER SANDBOX ATTACK     an attack (see README.md beside this script)
 #     tests/attacks/try.sh FOLDER SANDBOX LAB        the control: a right submission, 100 points
 #
-# Called by suites/attacks.sh, which makes FOLDER/facts (what the attacks aim at). Whatever is wrong
-# goes to FOLDER/NAME.SANDBOX/why, one line each; an empty file means that all is well.
+# Called by suites/attacks.sh, which makes FOLDER/facts (what the attacks aim at) and FOLDER/checks
+# (a list of them for each lab). Whatever is wrong goes to FOLDER/NAME.SANDBOX/why, one line each; an
+# empty file means that all is well.
 set -u
 facts=$1/facts
 answers=$1/answers
+checks=$1/checks
 sandbox=$2
 attack=$3
 build=${BUILD:-build}
@@ -29,8 +31,8 @@ header() { sed -n "s!^[/#]* $1: !!p" "$attack" | head -n 1; }
 
 # points TASK...: what the tasks are worth together.
 points() {
-    "$build/tools/grade" --lab "$lab" --list-checks | awk -F '\t' -v tasks=" $* " '
-        index(tasks, " " $2 " ") { sum += $3 } END { print sum + 0 }'
+    awk -F '\t' -v tasks=" $* " 'index(tasks, " " $2 " ") { sum += $3 } END { print sum + 0 }' \
+        "$checks/$lab"
 }
 
 # Names that only the suite knows are written @LIKE_THIS@ in an attack.
@@ -77,10 +79,7 @@ grade() {
     # The solution's answers are kept: it need not run beside every attack.
     mkdir -p "$answers/$lab"
     set -- --build "$build" --lab "$lab" --submission "$submission" --output "$reports" \
-        --time-limit "${limit:-10}" --seed 1 --answers "$answers/$lab"
-    if "$build/tools/grade" --help | grep -q -- --sandbox; then
-        set -- "$@" --sandbox "$sandbox"
-    fi
+        --time-limit "${limit:-10}" --seed 1 --answers "$answers/$lab" --sandbox "$sandbox"
     status=0
     TMPDIR=$work timeout 60 "$build/tools/left_behind" "$build/tools/grade" "$@" \
         >"$place/said" 2>"$place/said.err" </dev/null || status=$?

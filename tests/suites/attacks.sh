@@ -49,6 +49,11 @@ s|@TESTER@|$(id -u)|g
 s|@BUILD@|$build|g
 END
 
+mkdir "$scratch/checks"
+for lab in solutions/*; do
+    "$build/tools/grade" --lab "${lab#*/}" --list-checks >"$scratch/checks/${lab#*/}"
+done
+
 # ---- Trying them, two at a time -------------------------------------------------------------------
 
 # The work of one sandbox, a line each: attacks with a right submission after every sixth, so that
@@ -68,10 +73,7 @@ list_work() {
 for sandbox in $sandboxes; do
     case $sandbox in
     landlock)
-        if ! "$build/tools/grade" --help | grep -q landlock; then
-            skip "$sandbox: all attacks" "the grader has no such sandbox"
-            continue
-        elif [ "$(id -u)" -ne 0 ]; then
+        if [ "$(id -u)" -ne 0 ]; then
             skip "$sandbox: all attacks" "it needs root, to become another user"
             continue
         fi
