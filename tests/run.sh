@@ -55,29 +55,19 @@ report() {
     fi
 }
 
-# run_suites NAME...: one after the other; exit status and seconds are kept for the report.
-run_suites() {
-    for name; do
-        started=$(date +%s)
-        status=0
-        sh "tests/suites/$name.sh" >"$results/$name.tap" 2>"$results/$name.log" || status=$?
-        echo "$status $(($(date +%s) - started))" >"$results/$name.status"
-    done
-}
-
-# The grader's suites wait for compilers and sandboxes half of their time: they run beside all others.
-graders=
-others=
-for suite in tests/suites/*.sh; do
-    name=$(basename "$suite" .sh)
-    wanted "$name" "$@" || continue
-    case $name in
-    archives | grader | mutants) graders="$graders $name" ;;
-    *) others="$others $name" ;;
-    esac
+# Suites wait for compilers and sandboxes much of their time: two run side by side, the longest first,
+# beside the unit tests. Each one's exit status and seconds are kept for the report.
+suites=
+for suite in mutants attacks grader $(cd tests/suites && echo *.sh); do
+    suite=${suite%.sh}
+    case " $suites " in *" $suite "*) continue ;; esac
+    wanted "$suite" "$@" && suites="$suites $suite"
 done
-# shellcheck disable=SC2086 # lists of names
-run_suites $graders &
+# shellcheck disable=SC2086,SC2016 # words of a list; they are another shell's variables
+printf '%s\n' $suites | xargs -r -P 2 -I NAME sh -c '
+    started=$(date +%s) status=0
+    sh "tests/suites/$1.sh" >"$2/$1.tap" 2>"$2/$1.log" || status=$?
+    echo "$status $(($(date +%s) - started))" >"$2/$1.status"' suite NAME "$results" &
 # What runs in the background shall end with this script.
 trap 'trap - TERM; kill -TERM 0' INT TERM
 
@@ -90,10 +80,8 @@ for program in "$build/tests/test_cl_setup" "$build"/sanitized/tests/test_*; do
     report "$name" $? "$results/$name.log"
 done
 
-# shellcheck disable=SC2086
-run_suites $others
 wait
-for name in $graders $others; do
+for name in $suites; do
     read -r status seconds <"$results/$name.status"
     started=$(($(date +%s) - seconds))
     report "$name" "$status" "$results/$name.log"

@@ -119,11 +119,6 @@ for lab in $labs; do
     for source in "solutions/$lab"/*.c "solutions/$lab"/*.cl; do
         [ -f "$source" ] || continue
         for task in $("$holes" list "$source"); do
-            # Five tasks are tried alone in each of these runs, and every time a device's compiler makes
-            # all kernels anew: of the labs with many, the first task of each file is enough.
-            case $lab in
-            05-* | 07-*) [ "$task" = "$("$holes" list "$source" | head -n 1)" ] || continue ;;
-            esac
             points=$("$build/tools/grade" --lab "$lab" --list-checks |
                 awk -F '\t' -v task="$task" '$2 == task { sum += $3 } END { print sum }')
             copy_lab labs "$lab"
