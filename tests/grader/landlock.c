@@ -77,6 +77,7 @@ int landlock_open(void)
 int landlock_allow(int rules, const char *path, LandlockAccess access)
 {
     static const uint64_t accesses[] = {
+        [LANDLOCK_LIST] = FS_READ_DIR,
         [LANDLOCK_READ] = FS_EXECUTE | FS_READ_FILE | FS_READ_DIR,
         [LANDLOCK_WRITE] = FS_EXECUTE | FS_READ_FILE | FS_READ_DIR | FS_WRITE_FILE | FS_REMOVE_DIR |
                            FS_REMOVE_FILE | FS_MAKE_DIR | FS_MAKE_REG | FS_MAKE_FIFO | FS_MAKE_SYM |

@@ -3,7 +3,8 @@
 #define GRADER_LANDLOCK_H
 
 typedef enum LandlockAccess {
-    LANDLOCK_READ,    // read and execute
+    LANDLOCK_LIST,    // list folders, open no file
+    LANDLOCK_READ,    // and read and execute
     LANDLOCK_WRITE,   // and make, change, move and remove files
     LANDLOCK_DEVICE,  // read, write and control a device that is there
 } LandlockAccess;

@@ -48,8 +48,8 @@ typedef struct SandboxCommand {
     int n_mounts;
     int wall_seconds;  // killed after that
     int cpu_seconds;   // of each process, a hard limit
-    int memory_mb;     // address space of each process; 0 = no limit, as graphics drivers reserve
-                       // far more than they use
+    int memory_mb;     // address space of each process; beside a graphics card, whose drivers
+                       // reserve far more than they use, its own writable memory. 0 = no limit
     int file_mb;       // the largest file it may write
     // Of all its processes together, looked at ten times a second; 0 = no limit.
     int n_processes;      // processes and threads, bubblewrap's own one inside included

@@ -1,6 +1,8 @@
 // Limits on each process (see sandbox_limits.h); those on all together are sandbox_census.c's.
 #include "sandbox_limits.h"
 
+#include "sandbox_system.h"
+
 #include <sys/resource.h>
 
 #define OPEN_FILES_LIMIT 256
@@ -26,6 +28,13 @@ unsigned long long limits_processes(const SandboxCommand *command)
     return lower == RLIM_INFINITY ? 0 : lower;
 }
 
+// The drivers of graphics cards reserve more addresses than the machine has memory. Beside them
+// only what a process may write for itself is limited; what it shares, the census finds.
+static int memory_limit_set(int megabytes)
+{
+    return limit_set(has_graphics_card() ? RLIMIT_DATA : RLIMIT_AS, (rlim_t)megabytes << 20);
+}
+
 int limits_set(const SandboxCommand *command)
 {
     const rlim_t megabyte = 1024 * 1024;
@@ -36,8 +45,7 @@ int limits_set(const SandboxCommand *command)
         limit_set(RLIMIT_NPROC, (rlim_t)command->n_processes) != 0) {
         return -1;
     }
-    if (command->memory_mb > 0 &&
-        limit_set(RLIMIT_AS, (rlim_t)command->memory_mb * megabyte) != 0) {
+    if (command->memory_mb > 0 && memory_limit_set(command->memory_mb) != 0) {
         return -1;
     }
     // Soft and hard alike: PoCL swallows SIGXCPU, the hard limit's SIGKILL nobody can.

@@ -2,6 +2,7 @@
 #ifndef GRADER_SANDBOX_SYSTEM_H
 #define GRADER_SANDBOX_SYSTEM_H
 
+#include <glob.h>
 #include <stddef.h>
 
 // Programs and libraries besides /usr: links into it on today's Debian, folders on older systems.
@@ -20,5 +21,17 @@ static const char *const system_settings[] = {
 static const char *const system_devices[] = {"/dev/nvidia*", "/dev/dri", "/dev/kfd"};
 
 #define SYSTEM_COUNT(list) (sizeof(list) / sizeof *(list))
+
+// Is one of system_devices there?
+static inline int has_graphics_card(void)
+{
+    int n_found = 0;
+    for (size_t i = 0; i < SYSTEM_COUNT(system_devices); i++) {
+        glob_t found = {0};
+        n_found += glob(system_devices[i], GLOB_NOSORT, NULL, &found) == 0;
+        globfree(&found);
+    }
+    return n_found > 0;
+}
 
 #endif

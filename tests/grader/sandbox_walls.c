@@ -204,6 +204,10 @@ static int devices_allow(int rules)
     static const char *const plain[] = {"/dev/null", "/dev/zero", "/dev/full", "/dev/random",
                                         "/dev/urandom"};
     int result = list_allow(rules, plain, SYSTEM_COUNT(plain), LANDLOCK_DEVICE);
+    // NVIDIA's driver looks through all that is in /dev.
+    if (result == 0 && has_graphics_card()) {
+        result = landlock_allow(rules, "/dev", LANDLOCK_LIST);
+    }
     for (size_t i = 0; result == 0 && i < SYSTEM_COUNT(system_devices); i++) {
         glob_t found = {0};
         if (glob(system_devices[i], 0, NULL, &found) == 0) {

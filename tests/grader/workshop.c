@@ -225,6 +225,13 @@ int variant_open(const Workshop *workshop, const char *name, Variant *variant, c
     static const char *const folders[] = {"", "/build", "/out", "/lab"};
     *variant = (Variant){0};
     snprintf(variant->name, sizeof variant->name, "%s", name);
+    // Of an earlier variant of this name nothing may stay behind: behind Landlock its answers belong
+    // to a user that is gone, and nobody could overwrite them.
+    snprintf(path, n_bytes, "%s/variant-%s", workshop->folder, name);
+    if (folder_remove(path) != 0 && errno != ENOENT) {
+        fprintf(stderr, "grade: %s: cannot be removed: %s\n", path, strerror(errno));
+        return -1;
+    }
     for (size_t i = 0; i < sizeof folders / sizeof *folders; i++) {
         snprintf(path, n_bytes, "%s/variant-%s%s", workshop->folder, name, folders[i]);
         if (make_folder(path) != 0) {
