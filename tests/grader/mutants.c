@@ -87,7 +87,7 @@ static int read_kinds(Answer *answer)
 
 static int answer_open(Answer *answer, const Session *session, const char *path, int slot)
 {
-    char name[16], why_right[LINE_BYTES];
+    char name[24], why_right[LINE_BYTES];
     *answer = (Answer){.path = path, .text = text_file_read(path)};
     answer->is_right = strncmp(path, RIGHT_FOLDER, strlen(RIGHT_FOLDER)) == 0;
     if (answer->text == NULL || read_header(answer, "task", answer->task) != 0 ||

@@ -162,7 +162,7 @@ static int try_mutants(const Session *session, Mutant *const mutants[], int n)
     Variant *variants[PAIR];
     int result = 0;
     for (int i = 0; i < n; i++) {
-        char name[16];
+        char name[24];
         snprintf(name, sizeof name, "mutant-%d", i);
         char *answer = mutation_apply(mutants[i]->hole, mutants[i]->mutation);
         variants[i] = &opened[i];
