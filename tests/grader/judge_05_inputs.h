@@ -1,5 +1,5 @@
 // The inputs of lab 05's functions, and how their answers are judged: a range of them for each
-// check.
+// check. Drawn in judge_05_inputs.c, judged in judge_05_functions.c.
 #ifndef GRADER_JUDGE_05_INPUTS_H
 #define GRADER_JUDGE_05_INPUTS_H
 

@@ -1,16 +1,15 @@
 // Folders, compilers and probes: how a variant of a submission becomes answers.
 #include "workshop.h"
 
-#include "cl_check.h"
 #include "folder.h"
 #include "jobs.h"
 #include "message.h"
 #include "probe.h"
+#include "run_end.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <glob.h>
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,20 +17,6 @@
 #include <unistd.h>
 
 enum { PATH_BYTES = 512 };
-
-// What a probe may use. An address space below 1 GB starves PoCL's compiler; processes and threads
-// count for all graders of one user together.
-enum {
-    MEMORY_MB = 4096,
-    FILE_MB = 64,
-    N_PROCESSES = 512,
-    TOTAL_MEMORY_MB = 6144,
-    TOTAL_FILE_MB = 256,
-    N_FILES = 10000,
-};
-
-// The numbers of OpenCL's errors, those of its extensions included, end before this.
-enum { LAST_OPENCL_ERROR = -1200 };
 
 // Answers are pictures of at most 336x240 pixels of 16 bytes, a dozen of them: far below this.
 #define MAX_ANSWER_BYTES ((size_t)FILE_MB << 20)
@@ -225,8 +210,8 @@ int variant_open(const Workshop *workshop, const char *name, Variant *variant, c
     static const char *const folders[] = {"", "/build", "/out", "/lab"};
     *variant = (Variant){0};
     snprintf(variant->name, sizeof variant->name, "%s", name);
-    // Of an earlier variant of this name nothing may stay behind: behind Landlock its answers belong
-    // to a user that is gone, and nobody could overwrite them.
+    // Of an earlier variant of this name nothing may stay: behind Landlock its answers belong to a
+    // user that is gone, and nobody could overwrite them.
     snprintf(path, n_bytes, "%s/variant-%s", workshop->folder, name);
     if (folder_remove(path) != 0 && errno != ENOENT) {
         fprintf(stderr, "grade: %s: cannot be removed: %s\n", path, strerror(errno));
@@ -347,103 +332,21 @@ static SandboxRun *start_probe(const Workshop *workshop, const Variant *variant,
     return start(workshop, variant, 0, argv, wall_seconds);
 }
 
-// The OpenCL error that a failed CL_CHECK named in a program's output, or NULL. The name is taken
-// from the table and not from the output: nothing else that a program prints is passed on here.
-static const char *opencl_error_find(const char *output)
+// Why the compiler came to no end of its own.
+static char *describe_compiler_end(const SandboxResult *result, int wall_seconds)
 {
-    const char *place = strstr(output, ": CL_");
-    if (place == NULL) {
-        return NULL;
+    if (result->outcome == SANDBOX_TIMED_OUT) {
+        return message_new("the compiler did not finish in time (%d s): too large a program?",
+                           wall_seconds);
     }
-    place += strlen(": ");
-    const size_t length = strspn(place, "ABCDEFGHIJKLMNOPQRSTUVWXYZ_");
-    for (cl_int error = -1; error >= LAST_OPENCL_ERROR; error--) {
-        const char *name = cl_error_name(error);
-        if (strlen(name) == length && strncmp(name, place, length) == 0) {
-            return name;
-        }
-    }
-    return NULL;
-}
-
-static char *describe_limit(SandboxLimit limit)
-{
-    switch (limit) {
-    case SANDBOX_LIMIT_PROCESSES:
-        return message_new("it was stopped: it started more than %d processes and threads",
-                           N_PROCESSES);
-    case SANDBOX_LIMIT_MEMORY:
-        return message_new("it was stopped: it used more than %d GB of memory in all",
-                           TOTAL_MEMORY_MB / 1024);
-    case SANDBOX_LIMIT_BYTES:
-        return message_new("it was stopped: it wrote more than %d MB in all", TOTAL_FILE_MB);
-    case SANDBOX_LIMIT_FILES:
-        return message_new("it was stopped: it made more than %d files, or folders too deep to "
-                           "look into",
-                           N_FILES);
-    case SANDBOX_LIMIT_NONE:
-        break;
-    }
-    return NULL;
-}
-
-// What a command's end means for the student, or NULL when it ran to its end by itself.
-static char *describe_end(const SandboxResult *result, int wall_seconds)
-{
-    switch (result->outcome) {
-    case SANDBOX_TIMED_OUT:
-        return message_new("it did not finish in time (%d s): an endless loop?", wall_seconds);
-    case SANDBOX_CRASHED:
-        if (result->signal == SIGXFSZ) {
-            return message_new("it was stopped: it wrote a file of more than %d MB", FILE_MB);
-        }
-        return message_new("it crashed: signal %d (%s)%s", result->signal,
-                           strsignal(result->signal),
-                           result->signal == SIGSEGV || result->signal == SIGABRT
-                               ? "; an index or a pointer out of range?"
-                               : "");
-    case SANDBOX_FORBIDDEN:
-        return message_new("it was stopped: it asked the system for something no answer needs, "
-                           "such as a network connection");
-    case SANDBOX_EXCEEDED:
-        return describe_limit(result->limit);
-    case SANDBOX_EXITED:
-        break;
-    case SANDBOX_FAULT:
-        return NULL;
-    }
-    if (result->exit_status == 0) {
-        return NULL;
-    }
-    const char *error = opencl_error_find(result->output);
-    return message_new("it ended early with exit status %d%s%s%s", result->exit_status,
-                       error ? " (" : "", error ? error : "", error ? ")" : "");
-}
-
-// What else there is to say about a run, which costs nothing: "" for most.
-static char *describe_habits(const SandboxResult *result)
-{
-    char *printed = message_new("%s", "");
-    if (result->n_printed > SANDBOX_MAX_OUTPUT) {
-        const double megabytes = (double)result->n_printed / 1e6;
-        free(printed);
-        printed = message_new("it printed %.1f %s; only the first %d KB are kept",
-                              megabytes < 1000 ? megabytes : megabytes / 1000,
-                              megabytes < 1000 ? "MB" : "GB", SANDBOX_MAX_OUTPUT / 1024);
-    }
-    if (result->n_left == 0) {
-        return printed;
-    }
-    char *both =
-        message_new("%s%sit left %d process%s running; %s ended", printed, printed[0] ? "\n" : "",
-                    result->n_left, result->n_left == 1 ? "" : "es",
-                    result->n_left == 1 ? "it was" : "they were");
-    free(printed);
-    return both;
+    char *end = run_end_describe(result, wall_seconds);
+    char *message = message_new("the compiler did not finish: %s", end);
+    free(end);
+    return message;
 }
 
 // Take in how the compiler ended. Returns -1 when the machinery failed.
-static int take_build(Variant *variant)
+static int take_build(Variant *variant, int wall_seconds)
 {
     SandboxResult result = sandbox_wait(variant->run);
     variant->run = NULL;
@@ -452,10 +355,10 @@ static int take_build(Variant *variant)
         free(result.output);
         return -1;
     }
-    if (result.outcome != SANDBOX_EXITED || result.exit_status != 0) {
-        variant->build_log = result.outcome == SANDBOX_EXITED
-                                 ? strdup(result.output)
-                                 : message_new("the compiler did not finish: too large a program?");
+    if (result.outcome != SANDBOX_EXITED) {
+        variant->build_log = describe_compiler_end(&result, wall_seconds);
+    } else if (result.exit_status != 0) {
+        variant->build_log = strdup(result.output);
     }
     free(result.output);
     return 0;
@@ -477,8 +380,8 @@ static int take_run(const Workshop *workshop, Variant *variant, int wall_seconds
     if (result.outcome == SANDBOX_EXITED && result.exit_status == PROBE_EXIT_NO_BUILD) {
         variant->build_log = strdup(result.output);
     } else {
-        variant->trouble = describe_end(&result, wall_seconds);
-        variant->habits = describe_habits(&result);
+        variant->trouble = run_end_describe(&result, wall_seconds);
+        variant->habits = run_habits_describe(&result);
         size_t n_bytes;
         if (variant->trouble == NULL &&
             sections_find_any(&variant->answers, PROBE_END, &n_bytes) == NULL) {
@@ -505,7 +408,7 @@ int variants_run(const Workshop *workshop, Variant *const variants[], int n, int
         result |= variants[i]->run == NULL ? -1 : 0;
     }
     for (int i = 0; i < n; i++) {
-        result |= variants[i]->run != NULL ? take_build(variants[i]) : 0;
+        result |= variants[i]->run != NULL ? take_build(variants[i], wall_seconds) : 0;
     }
     for (int i = 0; result == 0 && i < n; i++) {
         if (variants[i]->build_log == NULL) {

@@ -1,0 +1,105 @@
+// Ends of runs in words (see run_end.h).
+#include "run_end.h"
+
+#include "cl_check.h"
+#include "message.h"
+
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+
+// The numbers of OpenCL's errors, those of its extensions included, end before this.
+enum { LAST_OPENCL_ERROR = -1200 };
+
+// The OpenCL error that a failed CL_CHECK named in a program's output, or NULL. The name is taken
+// from the table and not from the output: nothing else that a program prints is passed on here.
+static const char *opencl_error_find(const char *output)
+{
+    const char *place = strstr(output, ": CL_");
+    if (place == NULL) {
+        return NULL;
+    }
+    place += strlen(": ");
+    const size_t length = strspn(place, "ABCDEFGHIJKLMNOPQRSTUVWXYZ_");
+    for (cl_int error = -1; error >= LAST_OPENCL_ERROR; error--) {
+        const char *name = cl_error_name(error);
+        if (strlen(name) == length && strncmp(name, place, length) == 0) {
+            return name;
+        }
+    }
+    return NULL;
+}
+
+static char *describe_limit(SandboxLimit limit)
+{
+    switch (limit) {
+    case SANDBOX_LIMIT_PROCESSES:
+        return message_new("it was stopped: it started more than %d processes and threads",
+                           N_PROCESSES);
+    case SANDBOX_LIMIT_MEMORY:
+        return message_new("it was stopped: it used more than %d GB of memory in all",
+                           TOTAL_MEMORY_MB / 1024);
+    case SANDBOX_LIMIT_BYTES:
+        return message_new("it was stopped: it wrote more than %d MB in all", TOTAL_FILE_MB);
+    case SANDBOX_LIMIT_FILES:
+        return message_new("it was stopped: it made more than %d files, or folders too deep to "
+                           "look into",
+                           N_FILES);
+    case SANDBOX_LIMIT_NONE:
+        break;
+    }
+    return NULL;
+}
+
+char *run_end_describe(const SandboxResult *result, int wall_seconds)
+{
+    switch (result->outcome) {
+    case SANDBOX_TIMED_OUT:
+        return message_new("it did not finish in time (%d s): an endless loop?", wall_seconds);
+    case SANDBOX_CRASHED:
+        if (result->signal == SIGXFSZ) {
+            return message_new("it was stopped: it wrote a file of more than %d MB", FILE_MB);
+        }
+        return message_new("it crashed: signal %d (%s)%s", result->signal,
+                           strsignal(result->signal),
+                           result->signal == SIGSEGV || result->signal == SIGABRT
+                               ? "; an index or a pointer out of range?"
+                               : "");
+    case SANDBOX_FORBIDDEN:
+        return message_new("it was stopped: it asked the system for something no answer needs, "
+                           "such as a network connection");
+    case SANDBOX_EXCEEDED:
+        return describe_limit(result->limit);
+    case SANDBOX_EXITED:
+        break;
+    case SANDBOX_FAULT:
+        return NULL;
+    }
+    if (result->exit_status == 0) {
+        return NULL;
+    }
+    const char *error = opencl_error_find(result->output);
+    return message_new("it ended early with exit status %d%s%s%s", result->exit_status,
+                       error ? " (" : "", error ? error : "", error ? ")" : "");
+}
+
+char *run_habits_describe(const SandboxResult *result)
+{
+    char *printed = message_new("%s", "");
+    if (result->n_printed > SANDBOX_MAX_OUTPUT) {
+        const double megabytes = (double)result->n_printed / 1e6;
+        free(printed);
+        printed = message_new("it printed %.1f %s; only the first %d KB are kept",
+                              megabytes < 1000 ? megabytes : megabytes / 1000,
+                              megabytes < 1000 ? "MB" : "GB", SANDBOX_MAX_OUTPUT / 1024);
+    }
+    if (result->n_left == 0) {
+        return printed;
+    }
+    char *both =
+        message_new("%s%sit left %d process%s running; %s ended", printed, printed[0] ? "\n" : "",
+                    result->n_left, result->n_left == 1 ? "" : "es",
+                    result->n_left == 1 ? "it was" : "they were");
+    free(printed);
+    return both;
+}

@@ -1,0 +1,27 @@
+// What the end of a sandboxed run means for the student, in words, and what a run may use.
+//
+// Flow: workshop -> sandbox -> RUN'S END -> variant -> report. Used by workshop.c.
+#ifndef GRADER_RUN_END_H
+#define GRADER_RUN_END_H
+
+#include "sandbox.h"
+
+// What a probe may use. An address space below 1 GB starves PoCL's compiler; processes and threads
+// count for all graders of one user together.
+enum {
+    MEMORY_MB = 4096,
+    FILE_MB = 64,
+    N_PROCESSES = 512,
+    TOTAL_MEMORY_MB = 6144,
+    TOTAL_FILE_MB = 256,
+    N_FILES = 10000,
+};
+
+// Why a run did not come to its end by itself with status 0, or NULL when it did. Of what it
+// printed only the name of an OpenCL error is passed on. Owned by the caller.
+char *run_end_describe(const SandboxResult *result, int wall_seconds);
+
+// What else there is to say about a run, which costs nothing: "" for most. Owned by the caller.
+char *run_habits_describe(const SandboxResult *result);
+
+#endif
