@@ -270,6 +270,7 @@ FUZZED_manifest = tests/grader/manifest.c tests/grader/message.c
 FUZZED_scene3d = $(wildcard common/scene3d*.c common/molecule*.c) \
     $(addprefix common/,elements.c line_reader.c number.c scene_arguments.c)
 FUZZED_sections = tests/probes/sections.c
+FUZZED_source = $(addprefix tests/grader/,source_words.c stands_out.c extra_files.c holes.c) common/text_file.c
 FUZZED_unpack = $(addprefix tests/grader/,unpack.c unpack_entry.c file_kind.c bytes_write.c places.c \
     stage.c message.c)
 FUZZ_TARGETS := $(patsubst tests/fuzz/fuzz_%.c,fuzz-%,$(wildcard tests/fuzz/fuzz_*.c))

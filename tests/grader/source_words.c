@@ -207,8 +207,8 @@ static SourceKind kind_of(SourceReader *reader)
 SourceWord source_next(SourceReader *reader)
 {
     blanks_pass(reader);
-    SourceWord word = {.kind = kind_of(reader), .start = reader->text, .line = reader->line};
     const char first = peek(reader);
+    SourceWord word = {.kind = kind_of(reader), .start = reader->text, .line = reader->line};
     if (reader->at_line_start && (first == '#' || (first == '%' && peek_second(reader) == ':'))) {
         reader->in_directive = 1;
     }

@@ -4,7 +4,9 @@
 #include "cl_memory.h"
 #include "work.h"
 
+#include <fcntl.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 // A job is made by the grader: larger ones are a mistake of its own.
 #define MAX_JOB_BYTES ((size_t)256 << 20)
@@ -100,12 +102,35 @@ cl_program probe_build(const Probe *probe, const char *path, const char *options
     return program;
 }
 
+// Send stderr nowhere. Returns what stderr_restore() needs.
+static int stderr_hide(void)
+{
+    const int kept = dup(STDERR_FILENO);
+    const int nowhere = open("/dev/null", O_WRONLY);
+    if (nowhere >= 0) {
+        dup2(nowhere, STDERR_FILENO);
+        close(nowhere);
+    }
+    return kept;
+}
+
+static void stderr_restore(int kept)
+{
+    if (kept >= 0) {
+        dup2(kept, STDERR_FILENO);
+        close(kept);
+    }
+}
+
+// What does not compile is told by the build without counting: once, and without our macros.
 cl_program probe_build_counting(const Probe *probe, const char *path, const char *options,
                                 int *is_counting)
 {
     char counting_options[1024];
     snprintf(counting_options, sizeof counting_options, "%s -DCOUNT_WORK", options);
+    const int kept = stderr_hide();
     cl_program program = cl_setup_build(&probe->cl, path, counting_options);
+    stderr_restore(kept);
     *is_counting = program != NULL;
     return program != NULL ? program : probe_build(probe, path, options);
 }

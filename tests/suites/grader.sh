@@ -159,6 +159,17 @@ check "and the message names file and line" holds "$(place overlaps_N_Nearer.cl 
 check "and the stage is Compiling" stage Compiling failed no_such_name
 check "and nothing was run as a whole" stage Running not-run ''
 
+lab=03-kdtree-2d-render
+copy_lab solutions $lab
+echo '    return no_such_name;' | answer implicit2DRenderer_KD.cl getContainingChild
+broken "a kernel whose work is counted and that does not compile costs its task" 75
+check "and the message is there once" test "$(grep -c "error: .*no_such_name" "$said")" = 1
+copy_lab labs $lab
+echo '    return no_such_name;' | answer implicit2DRenderer_KD.cl getContainingChild
+broken "a skeleton with it gets nothing" 0
+check "and what nobody answered is called so" \
+    holds "not answered yet: it stands as it was handed out"
+
 lab=02-kdtree-2d-build
 file=kdtree2d_build.c
 copy_lab solutions $lab
