@@ -8,7 +8,7 @@ tools=${BUILD:-build}/tools
 for folder in tests/mutants/*/; do
     lab=$(basename "$folder")
     # One lab in the other sandbox, where it can be had.
-    sandbox=bubblewrap
+    sandbox=any
     [ "$lab$(id -u)" != 02-kdtree-2d-build0 ] || sandbox=landlock
     # The seed is fixed: this is about the answers, and another seed would be another test.
     "$tools/mutants" --lab "$lab" --seed 1 --time-limit 10 --sandbox $sandbox \
