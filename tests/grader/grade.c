@@ -166,11 +166,12 @@ static int stands_in(const char *tree, const Grading *grading, const Task *task,
     return is_same;
 }
 
-// Where the whole run says nothing about a task that stands as it was handed out, say that.
+// Where the whole did not run to its end, nothing else is to be said about a task that stands as it
+// was handed out.
 static void note_unanswered(Grading *grading, const char *task)
 {
-    const int nothing_ran = grading->whole.build_log != NULL || grading->whole.trouble != NULL;
-    for (int i = 0; i < grading->result.n_checks && nothing_ran; i++) {
+    const int has_failed = grading->whole.build_log != NULL || grading->whole.trouble != NULL;
+    for (int i = 0; i < grading->result.n_checks && has_failed; i++) {
         CheckResult *check = &grading->result.checks[i];
         if (check->status != CHECK_PASSED && strcmp(check->task, task) == 0) {
             free(check->message);

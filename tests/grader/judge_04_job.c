@@ -3,24 +3,12 @@
 
 #include "job_sections.h"
 #include "oracle3d.h"
-#include "random.h"
+#include "random3d.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 static const OracleRules3D right = {0};
-
-// A number from lowest to highest in steps of 1/1024.
-static float number(Random *random, double lowest, double highest)
-{
-    return (float)random_integer(random, llrint(lowest * 1024), llrint(highest * 1024)) / 1024;
-}
-
-static Vec3 vector(Random *random, double reach)
-{
-    return (Vec3){number(random, -reach, reach), number(random, -reach, reach),
-                  number(random, -reach, reach)};
-}
 
 // Any view whose direction is a quarter of a unit or longer; its up is of any length, mostly not at
 // right angles to it.
@@ -29,7 +17,7 @@ static ViewJob draw_view(Random *random)
     ViewJob view;
     Vec3 way, aside;
     do {
-        view = (ViewJob){vector(random, 5), vector(random, 3), vector(random, 4)};
+        view = (ViewJob){random_point(random, 5), random_point(random, 3), random_point(random, 4)};
         way = vec3_minus(view.at, view.from);
         aside = vec3_cross(way, view.up);
     } while (vec3_length(way) < 0.25f || vec3_length(view.up) < 0.25f ||
@@ -52,7 +40,7 @@ static Camera camera_of(ViewJob job, float fov)
 
 static PixelJob draw_pixel(Random *random, int range)
 {
-    PixelJob job = {.camera = camera_of(draw_view(random), number(random, 0.25, 2.5))};
+    PixelJob job = {.camera = camera_of(draw_view(random), random_number(random, 0.25, 2.5))};
     job.width = (i32)random_integer(random, 2, 300);
     job.height = (i32)random_integer(random, 2, 300);
     if (range == SQUARE) {
@@ -102,7 +90,7 @@ static int draw_pictures(Random *random, Job04 *job, FILE *file)
         const int width = sizes[k][0], height = sizes[k][1];
         SceneJob3D scene = {.width = width, .height = height};
         if (k < ALONG) {
-            scene.camera = camera_of(draw_view(random), number(random, 0.5, 1.5));
+            scene.camera = camera_of(draw_view(random), random_number(random, 0.5, 1.5));
             snprintf(picture->title, sizeof picture->title, "directions, %dx%d", width, height);
         } else {
             scene.camera = camera_of((ViewJob){{0}, ways[k - ALONG], ups[k - ALONG]}, 1);

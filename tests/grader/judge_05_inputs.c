@@ -1,27 +1,17 @@
 // Drawing the inputs of lab 05's functions: see judge_05_inputs.h.
 #include "judge_05_inputs.h"
 
+#include "random3d.h"
+
 #include <math.h>
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
-
-// A number from lowest to highest in steps of 1/1024.
-static float number(Random *random, double lowest, double highest)
-{
-    return (float)random_integer(random, llrint(lowest * 1024), llrint(highest * 1024)) / 1024;
-}
-
-static Vec3 point(Random *random, double reach)
-{
-    return (Vec3){number(random, -reach, reach), number(random, -reach, reach),
-                  number(random, -reach, reach)};
-}
 
 static Vec3 direction(Random *random)
 {
     Vec3 v;
     do {
-        v = point(random, 1);
+        v = random_point(random, 1);
     } while (vec3_dot(v, v) < 0.25f);
     return vec3_normalized(v);
 }
@@ -88,13 +78,13 @@ static SphereRayJob draw_sphere(Random *random, int range)
     // Some of the spheres around the eye are before it after all.
     const int is_inside = range == 1 && random_integer(random, 0, 3) != 0;
     const Distances d = range == 2 ? small : is_inside ? inside : outside;
-    SphereRayJob job = {.origin = point(random, 4), .direction = direction(random)};
-    const float distance = number(random, d.nearest, d.farthest);
+    SphereRayJob job = {.origin = random_point(random, 4), .direction = direction(random)};
+    const float distance = random_number(random, d.nearest, d.farthest);
     const float radius =
         distance * (float)(d.smallest + (d.largest - d.smallest) *
                                             (double)random_integer(random, 0, 1024) / 1024);
     // The line passes the centre at up to 1.5 radii; small spheres are mostly hit.
-    const float miss = radius * number(random, 0, range == 2 ? 1.05 : 1.5);
+    const float miss = radius * random_number(random, 0, range == 2 ? 1.05 : 1.5);
     const Vec3 aside = vec3_scaled(across(random, job.direction), miss);
     const int is_behind = is_inside && random_integer(random, 0, 3) == 0;
     const float along =
@@ -109,8 +99,8 @@ static SphereRayJob draw_sphere(Random *random, int range)
 
 static NormalJob draw_normal(Random *random, int range)
 {
-    NormalJob job = {.sphere = {number(random, -3, 3), number(random, -3, 3), number(random, -3, 3),
-                                number(random, 0.25, 4)}};
+    NormalJob job = {.sphere = {random_number(random, -3, 3), random_number(random, -3, 3),
+                                random_number(random, -3, 3), random_number(random, 0.25, 4)}};
     const Vec3 outwards = direction(random);
     const Vec3 centre = {job.sphere.x, job.sphere.y, job.sphere.z};
     job.point = vec3_plus(centre, vec3_scaled(outwards, job.sphere.radius));
@@ -127,13 +117,14 @@ static NormalJob draw_normal(Random *random, int range)
 
 static ShadeJob draw_shade(Random *random, int range, const Light lights[N_LIGHTS])
 {
-    ShadeJob job = {.point = point(random, 2), .normal = direction(random), .n_lights = 1};
-    job.material = (Material){
-        .color = {number(random, 0.25, 1), number(random, 0.25, 1), number(random, 0.25, 1)},
-        .kd = number(random, 0.125, 0.875),
-        .ks = number(random, 0, 1),
-        .shine = 30,
-        .refraction = 1};
+    ShadeJob job = {.point = random_point(random, 2), .normal = direction(random), .n_lights = 1};
+    job.material =
+        (Material){.color = {random_number(random, 0.25, 1), random_number(random, 0.25, 1),
+                             random_number(random, 0.25, 1)},
+                   .kd = random_number(random, 0.125, 0.875),
+                   .ks = random_number(random, 0, 1),
+                   .shine = 30,
+                   .refraction = 1};
     job.first_light = (i32)random_integer(random, 0, N_LIGHTS - 6);
     const Vec3 way = vec3_minus(lights[job.first_light].position, job.point);
     if (range == 2) {
@@ -156,8 +147,9 @@ void inputs_05_draw(Random *random, Inputs05 *inputs)
     for (int i = 0; i < N_LIGHTS; i++) {
         // Outside the cube where points are.
         inputs->lights[i] =
-            (Light){vec3_scaled(direction(random), number(random, 4, 12)),
-                    {number(random, 0.125, 1), number(random, 0.125, 1), number(random, 0.125, 1)}};
+            (Light){vec3_scaled(direction(random), random_number(random, 4, 12)),
+                    {random_number(random, 0.125, 1), random_number(random, 0.125, 1),
+                     random_number(random, 0.125, 1)}};
     }
     for (int i = 0; i < COUNT(inputs->roots); i++) {
         inputs->roots[i] = draw_root(random, i / N_ROOT_INPUTS);

@@ -2,32 +2,22 @@
 // that is always the same is wrong in all of them.
 #include "judge_07.h"
 
+#include "random3d.h"
+
 #include <math.h>
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
-
-// A number from lowest to highest in steps of 1/1024.
-static float number(Random *random, double lowest, double highest)
-{
-    return (float)random_integer(random, llrint(lowest * 1024), llrint(highest * 1024)) / 1024;
-}
 
 static int one_in(Random *random, int n)
 {
     return random_integer(random, 1, n) == 1;
 }
 
-static Vec3 point(Random *random, double reach)
-{
-    return (Vec3){number(random, -reach, reach), number(random, -reach, reach),
-                  number(random, -reach, reach)};
-}
-
 static Vec3 unit_vector(Random *random)
 {
     Vec3 v;
     do {
-        v = point(random, 1);
+        v = random_point(random, 1);
     } while (vec3_dot(v, v) < 0.25f || fabsf(v.x) < 0.03125f || fabsf(v.y) < 0.03125f ||
              fabsf(v.z) < 0.03125f);
     return vec3_normalized(v);
@@ -58,7 +48,7 @@ static Vec3 draw_point(Random *random, const BBox3D *box, double scale)
     for (int axis = 0; axis < 3; axis++) {
         const double middle = (box->min[axis] + box->max[axis]) / 2;
         const double half = scale * (box->max[axis] - box->min[axis]) / 2;
-        *axis_of(&p, axis) = number(random, middle - half, middle + half);
+        *axis_of(&p, axis) = random_number(random, middle - half, middle + half);
     }
     return p;
 }
@@ -80,7 +70,7 @@ static ClipJob draw_towards(Random *random)
     ClipJob job = {.box = draw_box(random), .t_far = INFINITY};
     Vec3 way;
     do {
-        job.origin = point(random, 10);
+        job.origin = random_point(random, 10);
         way = vec3_minus(draw_point(random, &job.box, 1.5), job.origin);
     } while (holds(&job.box, job.origin) || vec3_dot(way, way) < 0.25f || way.x == 0 ||
              way.y == 0 || way.z == 0);
@@ -131,8 +121,8 @@ static ClipJob draw_clip(Random *random, enum ClipRange range)
             job.direction = unit_vector(random);
         }
         if (!one_in(random, 3)) {
-            job.t_near = number(random, 0, 1);
-            job.t_far = job.t_near + number(random, 0.125, 2);
+            job.t_near = random_number(random, 0, 1);
+            job.t_far = job.t_near + random_number(random, 0.125, 2);
         }
     } else if (range == CLIP_BESIDE) {
         const float distance =
@@ -182,7 +172,7 @@ static float draw_sign(Random *random)
 
 static SideJob draw_side(Random *random, int is_on_plane)
 {
-    const float split_pos = number(random, -4, 4);
+    const float split_pos = random_number(random, -4, 4);
     SideJob job = {draw_node(random, split_pos), split_pos, 0};
     // The direction, or 1 / direction; infinite where the ray is along the plane.
     switch (random_integer(random, 0, 5)) {
@@ -190,16 +180,16 @@ static SideJob draw_side(Random *random, int is_on_plane)
         job.direction = draw_sign(random) * (one_in(random, 2) ? 0 : INFINITY);
         break;
     case 1:
-        job.direction = draw_sign(random) * number(random, 2, 100);
+        job.direction = draw_sign(random) * random_number(random, 2, 100);
         break;
     default:
-        job.direction = draw_sign(random) * number(random, 0.03125, 1);
+        job.direction = draw_sign(random) * random_number(random, 0.03125, 1);
     }
     if (!is_on_plane) {
         const float sign = draw_sign(random);
         // Beside the plane, and as near to it as float can be.
         job.origin = one_in(random, 4) ? nextafterf(split_pos, sign * INFINITY)
-                                       : split_pos + sign * number(random, 0.0625, 4);
+                                       : split_pos + sign * random_number(random, 0.0625, 4);
     }
     return job;
 }
@@ -208,14 +198,15 @@ enum { PLANES_AHEAD, PLANES_BEHIND, PLANES_ALONG };
 
 static PlaneJob draw_plane(Random *random, int range)
 {
-    PlaneJob job = {.origin = number(random, -4, 4)};
-    float direction = draw_sign(random) * number(random, 0.0625, 1);
-    job.t_near = one_in(random, 4) ? 0 : number(random, 0.5, 4);
-    job.t_far = job.t_near + number(random, 0.5, 4);
+    PlaneJob job = {.origin = random_number(random, -4, 4)};
+    float direction = draw_sign(random) * random_number(random, 0.0625, 1);
+    job.t_near = one_in(random, 4) ? 0 : random_number(random, 0.5, 4);
+    job.t_far = job.t_near + random_number(random, 0.5, 4);
     // Before the part, in it, beyond it.
-    const float to_near = number(random, 0.125, 0.875) * job.t_near;
-    const float inside = job.t_near + number(random, 0.125, 0.875) * (job.t_far - job.t_near);
-    const float beyond = job.t_far + number(random, 0.25, 4);
+    const float to_near = random_number(random, 0.125, 0.875) * job.t_near;
+    const float inside =
+        job.t_near + random_number(random, 0.125, 0.875) * (job.t_far - job.t_near);
+    const float beyond = job.t_far + random_number(random, 0.25, 4);
     const float ahead[] = {to_near, inside, beyond};
     float t = ahead[random_integer(random, job.t_near > 0 ? 0 : 1, 2)];
     if (range == PLANES_AHEAD && one_in(random, 6)) {
@@ -226,14 +217,14 @@ static PlaneJob draw_plane(Random *random, int range)
     }
     job.inverse = 1 / direction;
     if (range == PLANES_BEHIND && !one_in(random, 4)) {
-        t = one_in(random, 3) ? 0 : -number(random, 0.125, 6);
+        t = one_in(random, 3) ? 0 : -random_number(random, 0.125, 6);
         // The eye on the plane is in the node, or the node is ahead of it.
         job.t_near = one_in(random, 2) ? 0 : job.t_near;
     }
     job.node = draw_node(random, job.origin + t * direction);
     if (range == PLANES_ALONG && !one_in(random, 4)) {
         job.inverse = draw_sign(random) * INFINITY;
-        job.node.split_pos = one_in(random, 2) ? job.origin : number(random, -4, 4);
+        job.node.split_pos = one_in(random, 2) ? job.origin : random_number(random, -4, 4);
     }
     return job;
 }
@@ -247,8 +238,8 @@ enum { N_PLACES = 48, N_COPIES = 24, FIRST_GUARD = N_PLACES + N_COPIES };
 static void draw_leaf_spheres(Random *random, Sphere *spheres)
 {
     for (int i = 0; i < N_LEAF_IDS; i++) {
-        const Vec3 centre = point(random, 1);
-        spheres[i] = (Sphere){centre.x, centre.y, centre.z, number(random, 0.125, 0.5)};
+        const Vec3 centre = random_point(random, 1);
+        spheres[i] = (Sphere){centre.x, centre.y, centre.z, random_number(random, 0.125, 0.5)};
         spheres[i].radius *= one_in(random, 6) ? -1 : 1;
     }
     for (int i = 0; i < N_COPIES; i++) {
@@ -282,14 +273,14 @@ static SearchJob draw_leaf(Random *random, Inputs07 *inputs, int i)
                      .t = INFINITY,
                      .sphere = ORACLE_NO_SPHERE};
     // Outside the spheres or among them, and towards one of the leaf's.
-    job.origin = vec3_scaled(unit_vector(random), number(random, 0.25, 4));
+    job.origin = vec3_scaled(unit_vector(random), random_number(random, 0.25, 4));
     const u32 target =
         n_ids > 0 ? ids[random_integer(random, 1, n_ids)] : (u32)random_integer(random, 0, 9);
     const Sphere sphere = inputs->leaf_spheres[target];
     const Vec3 way = vec3_minus((Vec3){sphere.x, sphere.y, sphere.z}, job.origin);
     job.direction = vec3_dot(way, way) < 0.0625f ? unit_vector(random) : vec3_normalized(way);
     if (one_in(random, 2)) {
-        job.t = number(random, 0.25, 5);
+        job.t = random_number(random, 0.25, 5);
         job.sphere = (u32)random_integer(random, FIRST_GUARD + N_LEAVES, N_LEAF_IDS - 1);
     }
     // Around the eye: nearer than all.

@@ -6,8 +6,8 @@
 
 #include "sandbox.h"
 
-// What a probe may use. An address space below 1 GB starves PoCL's compiler; processes and threads
-// count for all graders of one user together.
+// What a compiler or a probe may use; what is not called TOTAL, N_PROCESSES or N_FILES is for each
+// of its processes. An address space below 1 GB starves PoCL's compiler.
 enum {
     MEMORY_MB = 4096,
     FILE_MB = 64,

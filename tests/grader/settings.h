@@ -1,4 +1,4 @@
-// The command line of grade.
+// The command line of grade, and of mutants, mutate and memcheck, which use a part of it.
 #ifndef GRADER_SETTINGS_H
 #define GRADER_SETTINGS_H
 

@@ -408,7 +408,9 @@ int variants_run(const Workshop *workshop, Variant *const variants[], int n, int
         result |= variants[i]->run == NULL ? -1 : 0;
     }
     for (int i = 0; i < n; i++) {
-        result |= variants[i]->run != NULL ? take_build(variants[i], wall_seconds) : 0;
+        result |= variants[i]->run != NULL
+                      ? take_build(variants[i], seconds_for(variants[i], wall_seconds))
+                      : 0;
     }
     for (int i = 0; result == 0 && i < n; i++) {
         if (variants[i]->build_log == NULL) {
@@ -418,7 +420,9 @@ int variants_run(const Workshop *workshop, Variant *const variants[], int n, int
         }
     }
     for (int i = 0; i < n; i++) {
-        result |= variants[i]->run != NULL ? take_run(workshop, variants[i], wall_seconds) : 0;
+        result |= variants[i]->run != NULL
+                      ? take_run(workshop, variants[i], seconds_for(variants[i], wall_seconds))
+                      : 0;
     }
     return result;
 }

@@ -62,7 +62,7 @@ first_lab() {
     case $1 in
     tree_judge* | oracle2d_tree*) echo 02 ;;
     job_scene_tree*) echo 03 ;;
-    oracle3d*) echo 04 ;;
+    oracle3d* | random3d*) echo 04 ;;
     job_scene3d_tree*) echo 07 ;;
     job_scene3d*) echo 05 ;;
     tree3d_*) echo 06 ;;
