@@ -152,17 +152,19 @@ grader: $(if $(HANDOUT),,$(OUT)/tools/holes $(OUT)/tools/gradebook) $(GRADER_TOO
 lab-grader: $(OUT)/tools/grade $(OUT)/tools/unpack $(filter $(OUT)/probes/$(LAB)-%,$(PROBE_TARGETS)) $(patsubst %,$(OUT)/earlier/%.a,$(filter $(LAB)-%,$(LABS)))
 
 .PHONY: grade
-grade: grader  ## grade LAB=03 [SUBMISSION=folder or archive] [SEED=n] [DEVICE=d] [FORMAT=junit,tap]
+grade: grader  ## grade LAB=03 [SUBMISSION=folder or archive] [SEED=n] [DEVICE=d] [TIME_LIMIT=seconds] [FORMAT=junit,tap]
 	@test -n "$(LAB)" || { echo "make grade: say which lab: make grade LAB=03" >&2; exit 2; }
 	@$(OUT)/tools/grade --build $(OUT) --lab "$$LAB" $(if $(SUBMISSION),--submission "$$SUBMISSION") \
 	    $(if $(SEED),--seed "$$SEED") $(if $(DEVICE),--device "$$DEVICE") \
+	    $(if $(TIME_LIMIT),--time-limit "$$TIME_LIMIT") \
 	    $(if $(FORMAT),--format "$$FORMAT")
 
 .PHONY: memcheck
 memcheck: grader  ## look for indices out of range, unset values and races: LAB=03 [SUBMISSION=folder]
 	@test -n "$(LAB)" || { echo "make memcheck: say which lab: make memcheck LAB=03" >&2; exit 2; }
 	@$(OUT)/tools/memcheck --build $(OUT) --lab "$$LAB" \
-	    $(if $(SUBMISSION),--submission "$$SUBMISSION") $(if $(SEED),--seed "$$SEED")
+	    $(if $(SUBMISSION),--submission "$$SUBMISSION") $(if $(SEED),--seed "$$SEED") \
+	    $(if $(TIME_LIMIT),--time-limit "$$TIME_LIMIT")
 
 # Bundles for the systems that courses use (tests/systems/README.md), in build/systems.
 .PHONY: gradescope autolab prairielearn github
@@ -175,12 +177,13 @@ gradescope autolab prairielearn github:
 	@tests/systems/bundle.sh $@ "$$LAB" $(BUILD)/systems
 
 .PHONY: grade-class
-grade-class: grader  ## grade a class: LAB=03 SUBMISSIONS=folder [OUTPUT=folder] [ENGINE=slurm] [SEED=n] [ONLY=failed|latest] [JOBS=n] [AGAIN=1] [MOODLE=file.csv] [AGAINST=gradebook.json]
+grade-class: grader  ## grade a class: LAB=03 SUBMISSIONS=folder [OUTPUT=folder] [ENGINE=slurm] [SEED=n] [ONLY=failed|latest] [JOBS=n] [TIME_LIMIT=seconds] [AGAIN=1] [MOODLE=file.csv] [AGAINST=gradebook.json]
 	@tests/class/grade_class.sh --build $(OUT) --lab "$(LAB)" --submissions "$$SUBMISSIONS" \
 	    $(if $(OUTPUT),--output "$$OUTPUT") $(if $(ENGINE),--engine "$$ENGINE") \
 	    $(if $(SEED),--seed "$$SEED") $(if $(ONLY),--only "$$ONLY") $(if $(JOBS),--jobs "$$JOBS") \
 	    $(if $(AGAIN),--again "$$AGAIN") $(if $(MOODLE),--moodle "$$MOODLE") \
-	    $(if $(AGAINST),--against "$$AGAINST") $(if $(DEVICE),--device "$$DEVICE")
+	    $(if $(AGAINST),--against "$$AGAINST") $(if $(DEVICE),--device "$$DEVICE") \
+	    $(if $(TIME_LIMIT),--time-limit "$$TIME_LIMIT")
 
 ifndef HANDOUT
 # ---- Skeletons: labs/ is cut from solutions/ ------------------------------------------------
@@ -197,9 +200,9 @@ skeletons: $(OUT)/tools/holes  ## for authors: cut labs/ anew from solutions/; t
 # ---- Handouts -------------------------------------------------------------------------------
 
 .PHONY: handout
-handout: $(OUT)/tools/holes  ## pack what students get: LAB=03
+handout: $(OUT)/tools/holes grader  ## pack what students get: LAB=03
 	@test -n "$(LAB)" || { echo "make handout: say which lab: make handout LAB=03" >&2; exit 2; }
-	@tests/handout/pack.sh $(OUT)/tools/holes "$$LAB" $(OUT)/handout
+	@tests/handout/pack.sh $(OUT)/tools "$$LAB" $(OUT)/handout
 
 # ---- Tests ----------------------------------------------------------------------------------
 

@@ -79,7 +79,7 @@ grade() {
     # The solution's answers are kept: it need not run beside every attack.
     mkdir -p "$answers/$lab"
     set -- --build "$build" --lab "$lab" --submission "$submission" --output "$reports" \
-        --time-limit "${limit:-10}" --seed 1 --answers "$answers/$lab" --sandbox "$sandbox"
+        ${limit:+--time-limit "$limit"} --seed 1 --answers "$answers/$lab" --sandbox "$sandbox"
     status=0
     TMPDIR=$work timeout 60 "$build/tools/left_behind" "$build/tools/grade" "$@" \
         >"$place/said" 2>"$place/said.err" </dev/null || status=$?

@@ -43,8 +43,8 @@ TMPDIR=$work setpriv --pdeathsig KILL timeout --foreground --kill-after=5 "$CLAS
     sh -c 'exec setpriv --pdeathsig KILL "$@" 9<&-' grade \
     "$CLASS_BUILD/tools/grade" --build "$CLASS_BUILD" --lab "$CLASS_LAB" --seed "$seed" \
     --submission "$CLASS_FOLDER/submissions/$slug" --output "$new" --device "$CLASS_DEVICE" \
-    --time-limit "$CLASS_TIME_LIMIT" --answers "$CLASS_FOLDER/answers" >"$log" 2>&1 </dev/null ||
-    status=$?
+    --answers "$CLASS_FOLDER/answers" ${CLASS_TIME_LIMIT:+--time-limit "$CLASS_TIME_LIMIT"} \
+    >"$log" 2>&1 </dev/null || status=$?
 
 case $status in
 0 | 1) ;;

@@ -387,6 +387,28 @@ static int list_checks(const char *lab)
     return EXIT_FULL_MARKS;
 }
 
+// Print what the solution's slower step uses. Handouts are packed with it.
+static int time_solution(const Settings *settings)
+{
+    static Session session;
+    Variant *solution[] = {&session.solution};
+    int failed = session_open(&session, settings);
+    if (failed == 0 && !session.has_solution) {
+        fprintf(stderr, "grade: --time-solution: solutions/%s is not here\n", settings->lab);
+        failed = -1;
+    }
+    failed = failed != 0 || session_run(&session, solution, 1) != 0 ||
+             session_trust_solution(&session) != 0;
+    if (!failed) {
+        const SandboxTime *used = session.allowance.solution;
+        const double compiling = used[STEP_COMPILING].processor;
+        const double running = used[STEP_RUNNING].processor;
+        printf("%.2f\n", compiling > running ? compiling : running);
+    }
+    session_close(&session);
+    return failed ? EXIT_FAULT : EXIT_FULL_MARKS;
+}
+
 int main(int argc, char **argv)
 {
     Settings settings;
@@ -396,6 +418,9 @@ int main(int argc, char **argv)
     }
     if (settings.list_checks) {
         return list_checks(settings.lab);
+    }
+    if (settings.time_solution) {
+        return time_solution(&settings);
     }
     static Grading grading;
     const double start = stats_clock_ms();

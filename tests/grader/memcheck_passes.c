@@ -1,6 +1,9 @@
 // Oclgrind's passes over a submission's probe (see memcheck_passes.h).
 #include "memcheck_passes.h"
 
+#include "folder.h"
+#include "run_end.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
@@ -12,7 +15,11 @@
 enum { PATH_BYTES = MEMCHECK_PATH_BYTES };
 
 // Its log ends after a thousand messages by itself.
-enum { MAX_LOG_BYTES = 8 << 20, MEMORY_MB = 4096, FILE_MB = 64, N_PROCESSES = 512 };
+enum { MAX_LOG_BYTES = 8 << 20 };
+
+// Seconds that are enough for a pass over a solution on most machines, and where there is no
+// solution to ask, on all.
+enum { SHORT_SECONDS = 20, LONG_SECONDS = 100 };
 
 // Races and values never set are looked for apart: together Oclgrind is slower than both. Indices
 // out of range are found in either.
@@ -28,17 +35,28 @@ static const Pass passes[] = {
 };
 enum { N_PASSES = sizeof passes / sizeof *passes };
 
-// Start the probe with Oclgrind for its driver. NULL after one message.
-static SandboxRun *start_pass(const Memcheck *memcheck, const Pass *pass)
+// The folder that a pass writes its log to.
+static void out_path(const Memcheck *memcheck, const Variant *variant, const Pass *pass,
+                     char path[PATH_BYTES])
+{
+    snprintf(path, PATH_BYTES, "%s/variant-%s/out-%s", memcheck->session.workshop.folder,
+             variant->name, pass->log);
+}
+
+// Start a variant's probe with Oclgrind for its driver. NULL after one message.
+static SandboxRun *start_pass(const Memcheck *memcheck, const Variant *variant, const Pass *pass,
+                              SandboxTime time)
 {
     const Workshop *workshop = &memcheck->session.workshop;
-    const char *lab = memcheck->session.manifest.lab, *name = memcheck->whole.name;
-    char tree[PATH_BYTES], build[PATH_BYTES], out[PATH_BYTES], job[PATH_BYTES], inside[PATH_BYTES],
-        probe[PATH_BYTES];
+    const char *lab = memcheck->session.manifest.lab, *name = variant->name;
+    char tree[PATH_BYTES], files[PATH_BYTES], build[PATH_BYTES], out[PATH_BYTES], job[PATH_BYTES],
+        inside[PATH_BYTES], probe[PATH_BYTES];
+    snprintf(files, sizeof files, "%s/variant-%s/lab", workshop->folder, name);
     snprintf(tree, sizeof tree, "%s/tree", workshop->folder);
     snprintf(build, sizeof build, "%s/variant-%s/build", workshop->folder, name);
-    snprintf(out, sizeof out, "%s/variant-%s/out-%s", workshop->folder, name, pass->log);
-    if (mkdir(out, 0755) != 0 || chmod(out, 0755) != 0) {
+    out_path(memcheck, variant, pass, out);
+    if ((folder_remove(out) != 0 && errno != ENOENT) || mkdir(out, 0755) != 0 ||
+        chmod(out, 0755) != 0) {
         fprintf(stderr, "memcheck: %s: cannot be made: %s\n", out, strerror(errno));
         return NULL;
     }
@@ -56,13 +74,12 @@ static SandboxRun *start_pass(const Memcheck *memcheck, const Pass *pass)
         .environment = environment,
         .folder = "/work",
         .mounts = {{tree, "/work", 0},
-                   {memcheck->folder, inside, 0},
+                   {files, inside, 0},
                    {build, "/work/build", 0},
                    {out, "/work/out", 1},
                    {job, "/work/job", 0}},
         .n_mounts = 5,
-        .wall_seconds = memcheck->session.settings->time_limit,
-        .cpu_seconds = 2 * memcheck->session.settings->time_limit,
+        .time = time,
         .memory_mb = MEMORY_MB,
         .file_mb = FILE_MB,
         .n_processes = N_PROCESSES,
@@ -72,11 +89,11 @@ static SandboxRun *start_pass(const Memcheck *memcheck, const Pass *pass)
 
 // The log of a pass; NULL when there is none that one may read. A link or a pipe in its place, left
 // by what ran inside, is neither followed nor waited for.
-static char *log_load(const Memcheck *memcheck, const char *pass)
+static char *log_load(const Memcheck *memcheck, const Pass *pass)
 {
-    char path[PATH_BYTES];
-    snprintf(path, sizeof path, "%s/variant-%s/out-%s/%s", memcheck->session.workshop.folder,
-             memcheck->whole.name, pass, pass);
+    char folder[PATH_BYTES], path[PATH_BYTES + 16];
+    out_path(memcheck, &memcheck->whole, pass, folder);
+    snprintf(path, sizeof path, "%s/%s", folder, pass->log);
     const int descriptor = open(path, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
     struct stat status;
     if (descriptor < 0 || fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {
@@ -98,7 +115,7 @@ static char *log_load(const Memcheck *memcheck, const char *pass)
 }
 
 // Add a pass's findings to the others.
-static void take_log(Memcheck *memcheck, const char *pass)
+static void take_log(Memcheck *memcheck, const Pass *pass)
 {
     char *log = log_load(memcheck, pass);
     if (log != NULL) {
@@ -107,41 +124,106 @@ static void take_log(Memcheck *memcheck, const char *pass)
     free(log);
 }
 
-// Take in how a pass ended. Returns 0, or -1 after one message when the machinery failed.
-static int take_pass(Memcheck *memcheck, SandboxRun *run, const char *pass)
+// Say how a pass that did not come to its end ended. Once is enough: the other pass mostly ends in
+// the same way.
+static void print_trouble(Memcheck *memcheck, const SandboxResult *result, SandboxTime allowed)
 {
-    SandboxResult result = sandbox_wait(run);
-    if (result.outcome == SANDBOX_FAULT) {
-        fprintf(stderr, "memcheck: the sandbox failed: %s\n", result.output);
-        free(result.output);
+    if (!memcheck->has_trouble) {
+        char *end = run_end_describe(result, allowed);
+        printf("It did not run to its end under Oclgrind: %s\n%s", end, result->output);
+        free(end);
+    }
+    memcheck->has_trouble = 1;
+}
+
+// Run a variant's passes side by side. Returns 0, or -1 after one message when the machinery failed.
+static int passes_run(const Memcheck *memcheck, const Variant *variant, SandboxTime time,
+                      SandboxResult results[N_PASSES])
+{
+    SandboxRun *runs[N_PASSES];
+    int failed = 0;
+    for (int i = 0; i < N_PASSES; i++) {
+        runs[i] = start_pass(memcheck, variant, &passes[i], time);
+        failed |= runs[i] == NULL;
+    }
+    for (int i = 0; i < N_PASSES; i++) {
+        results[i] =
+            runs[i] != NULL ? sandbox_wait(runs[i]) : (SandboxResult){.outcome = SANDBOX_FAULT};
+        if (results[i].outcome == SANDBOX_STARVED) {
+            fprintf(stderr, "memcheck: this machine is too busy: try again when it is less so\n");
+        } else if (results[i].outcome == SANDBOX_FAULT && runs[i] != NULL) {
+            fprintf(stderr, "memcheck: the sandbox failed: %s\n", results[i].output);
+        }
+        failed |= results[i].outcome == SANDBOX_FAULT || results[i].outcome == SANDBOX_STARVED;
+    }
+    return failed ? -1 : 0;
+}
+
+static void results_free(SandboxResult results[N_PASSES])
+{
+    for (int i = 0; i < N_PASSES; i++) {
+        free(results[i].output);
+        results[i].output = NULL;
+    }
+}
+
+// What a pass may use where the short time was not enough: what our solution's slower pass does,
+// times a factor. Returns 0, or -1 after one message when the machinery failed.
+static int ask_solution(Memcheck *memcheck, SandboxTime *time)
+{
+    Session *session = &memcheck->session;
+    Variant *solution[] = {&session->solution};
+    SandboxResult results[N_PASSES] = {0};
+    Allowance allowance = {0};
+    if (session->workshop.needs_compiler && session_run(session, solution, 1) != 0) {
         return -1;
     }
-    take_log(memcheck, pass);
-    if (result.outcome != SANDBOX_EXITED || result.exit_status != 0) {
-        // One is enough: the other pass mostly ends in the same way.
-        if (!memcheck->has_trouble) {
-            printf("It did not run to its end under Oclgrind (%s).\n%s",
-                   result.outcome == SANDBOX_TIMED_OUT ? "out of time: an endless loop?"
-                   : result.outcome == SANDBOX_CRASHED ? strsignal(result.signal)
-                                                       : "it ended early",
-                   result.output);
+    const int failed = passes_run(memcheck, &session->solution, allowance_ours(), results);
+    for (int i = 0; i < N_PASSES; i++) {
+        const SandboxTime used = results[i].used;
+        if (!allowance.is_known[STEP_RUNNING] ||
+            used.processor > allowance.solution[STEP_RUNNING].processor) {
+            allowance_note(&allowance, STEP_RUNNING, used);
         }
-        memcheck->has_trouble = 1;
     }
-    free(result.output);
-    return 0;
+    *time = allowance_of(&allowance, STEP_RUNNING);
+    results_free(results);
+    return failed;
+}
+
+// Did one of the passes run out of processor time?
+static int has_timed_out(const SandboxResult results[N_PASSES])
+{
+    int has = 0;
+    for (int i = 0; i < N_PASSES; i++) {
+        has |= results[i].outcome == SANDBOX_TIMED_OUT;
+    }
+    return has;
 }
 
 int memcheck_passes(Memcheck *memcheck)
 {
-    SandboxRun *runs[N_PASSES];
-    int result = 0;
-    for (int i = 0; i < N_PASSES; i++) {
-        runs[i] = start_pass(memcheck, &passes[i]);
-        result |= runs[i] == NULL ? -1 : 0;
+    const int given = memcheck->session.settings->time_limit;
+    const int can_ask = memcheck->session.has_solution && given == 0;
+    Allowance first = {.given_seconds = given > 0 ? given : can_ask ? SHORT_SECONDS : LONG_SECONDS};
+    SandboxTime time = allowance_of(&first, STEP_RUNNING);
+    SandboxResult results[N_PASSES] = {0};
+    int failed = passes_run(memcheck, &memcheck->whole, time, results);
+    if (failed == 0 && can_ask && has_timed_out(results)) {
+        SandboxTime more = time;
+        failed = ask_solution(memcheck, &more);
+        if (failed == 0 && more.processor > time.processor) {
+            time = more;
+            results_free(results);
+            failed = passes_run(memcheck, &memcheck->whole, time, results);
+        }
     }
-    for (int i = 0; i < N_PASSES; i++) {
-        result |= runs[i] != NULL ? take_pass(memcheck, runs[i], passes[i].log) : 0;
+    for (int i = 0; i < N_PASSES && failed == 0; i++) {
+        take_log(memcheck, &passes[i]);
+        if (results[i].outcome != SANDBOX_EXITED || results[i].exit_status != 0) {
+            print_trouble(memcheck, &results[i], time);
+        }
     }
-    return result;
+    results_free(results);
+    return failed;
 }

@@ -203,7 +203,7 @@ static char *judge_answer(const Session *session, const Answer *answer)
 
 // Run up to PAIR answers side by side and print a TAP line for each. Returns how many were not
 // judged as they should be, or -1 after one message.
-static int try_answers(const Session *session, char *const paths[], int n, int first_number,
+static int try_answers(Session *session, char *const paths[], int n, int first_number,
                        Naming *naming)
 {
     Answer answers[PAIR] = {{0}};

@@ -156,7 +156,7 @@ static Fate judge_fate(const Session *session, const Variant *variant)
 }
 
 // Run up to PAIR mutants side by side. Returns 0, or -1 after one message.
-static int try_mutants(const Session *session, Mutant *const mutants[], int n)
+static int try_mutants(Session *session, Mutant *const mutants[], int n)
 {
     Variant opened[PAIR] = {{.run = NULL}};
     Variant *variants[PAIR];
@@ -177,7 +177,7 @@ static int try_mutants(const Session *session, Mutant *const mutants[], int n)
     return result;
 }
 
-static int try_all(const Session *session, Population *population, Options options)
+static int try_all(Session *session, Population *population, Options options)
 {
     Mutant *pair[PAIR];
     int n = 0, result = 0;

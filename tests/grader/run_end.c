@@ -51,11 +51,18 @@ static char *describe_limit(SandboxLimit limit)
     return NULL;
 }
 
-char *run_end_describe(const SandboxResult *result, int wall_seconds)
+char *run_end_describe(const SandboxResult *result, SandboxTime allowed)
 {
+    const SandboxTime *used = &result->used;
     switch (result->outcome) {
     case SANDBOX_TIMED_OUT:
-        return message_new("it did not finish in time (%d s): an endless loop?", wall_seconds);
+        return message_new("it did not finish in time: it used %.1f s of processor time, allowed "
+                           "are %.1f s; an endless loop?",
+                           used->processor, allowed.processor);
+    case SANDBOX_ASLEEP:
+        return message_new("it did not finish in time: it waited, without using a processor, for "
+                           "%.1f s, allowed are %.1f s; a sleep, or a wait for what never comes?",
+                           used->asleep, allowed.asleep);
     case SANDBOX_CRASHED:
         if (result->signal == SIGXFSZ) {
             return message_new("it was stopped: it wrote a file of more than %d MB", FILE_MB);
@@ -72,6 +79,7 @@ char *run_end_describe(const SandboxResult *result, int wall_seconds)
         return describe_limit(result->limit);
     case SANDBOX_EXITED:
         break;
+    case SANDBOX_STARVED:
     case SANDBOX_FAULT:
         return NULL;
     }

@@ -19,7 +19,8 @@ enum {
 
 // Why a run did not come to its end by itself with status 0, or NULL when it did. Of what it
 // printed only the name of an OpenCL error is passed on. Owned by the caller.
-char *run_end_describe(const SandboxResult *result, int wall_seconds);
+//   allowed   what it might use
+char *run_end_describe(const SandboxResult *result, SandboxTime allowed);
 
 // What else there is to say about a run, which costs nothing: "" for most. Owned by the caller.
 char *run_habits_describe(const SandboxResult *result);

@@ -74,6 +74,13 @@ static SandboxRun *run_new(void)
     return NULL;
 }
 
+void sandbox_allow(SandboxRun *run, SandboxTime time)
+{
+    run->report->processor_allowed = time.processor;
+    run->report->asleep_allowed = time.asleep;
+    run->report->wall_allowed = time.wall;
+}
+
 SandboxRun *sandbox_start(const SandboxCommand *command)
 {
     Walls walls;
@@ -84,6 +91,7 @@ SandboxRun *sandbox_start(const SandboxCommand *command)
     SandboxRun *run = run_new();
     pid_t grader = getpid();
     if (run != NULL) {
+        sandbox_allow(run, command->time);
         run->supervisor = fork();
         if (run->supervisor == 0) {
             sandbox_supervise(&walls, grader, run->report);
@@ -127,6 +135,7 @@ SandboxResult sandbox_wait(SandboxRun *run)
         .exit_status = report->exit_status,
         .signal = report->signal,
         .limit = report->limit,
+        .used = report->used,
         .n_left = report->n_left,
         .n_printed = report->n_printed,
         .output = run->output,

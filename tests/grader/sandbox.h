@@ -11,7 +11,11 @@
 // What Landlock cannot stop: a command may ask whether a file exists that it may not open, and how
 // large it is; it may see which process ids are in use; /tmp and /dev/shm are closed to it.
 // What neither stops: it slows down what runs beside it; in the 100 ms between two looks of the
-// census (sandbox_census.c) it may use more memory and more disk than its limits say.
+// census (sandbox_census.c) it may use more time, memory and disk than its limits say.
+//
+// Time: what counts is processor time, which is the same however busy the machine is, and time
+// asleep, in which the command did not even ask for a processor. Wall time is a far backstop; where
+// it strikes, neither of the two was used up, so that it was the machine (sandbox_clock.h).
 #ifndef GRADER_SANDBOX_H
 #define GRADER_SANDBOX_H
 
@@ -39,6 +43,13 @@ typedef struct SandboxMount {
 
 enum { SANDBOX_MAX_MOUNTS = 8 };
 
+// Seconds of three kinds: what a command may use, or what it has used, all its processes together.
+typedef struct SandboxTime {
+    double processor;
+    double asleep;  // nothing of it ran, or waited for a processor or a disk
+    double wall;
+} SandboxTime;
+
 typedef struct SandboxCommand {
     SandboxKind kind;                // one that works here, see sandbox_choose()
     const char *const *argv;         // NULL-terminated; argv[0] begins with /usr or is relative
@@ -46,8 +57,7 @@ typedef struct SandboxCommand {
     const char *folder;              // working directory inside, "/work"
     SandboxMount mounts[SANDBOX_MAX_MOUNTS];
     int n_mounts;
-    int wall_seconds;  // killed after that
-    int cpu_seconds;   // of each process, a hard limit
+    SandboxTime time;  // it is killed when it has used up one of the three
     int memory_mb;     // address space of each process; beside a graphics card, whose drivers
                        // reserve far more than they use, its own writable memory. 0 = no limit
     int file_mb;       // the largest file it may write
@@ -62,7 +72,9 @@ typedef enum SandboxOutcome {
     SANDBOX_EXITED,     // by itself; see exit_status (127: argv[0] not found)
     SANDBOX_CRASHED,    // by a signal; see signal (SIGXFSZ: wrote more than file_mb). An exit
                         // code of 129 to 192 counts as one, as in a shell
-    SANDBOX_TIMED_OUT,  // wall or CPU time
+    SANDBOX_TIMED_OUT,  // it used up its processor time: an endless loop
+    SANDBOX_ASLEEP,     // it used up its time asleep: it waits for what never comes
+    SANDBOX_STARVED,    // it used up its wall time and neither of those: the machine's fault
     SANDBOX_FORBIDDEN,  // by the filter of system calls: it asked for what no answer needs
     SANDBOX_EXCEEDED,   // a limit on all its processes together; see limit
     SANDBOX_FAULT,      // the sandbox could not be made: the machinery's fault, never the student's
@@ -81,6 +93,7 @@ typedef struct SandboxResult {
     int exit_status;
     int signal;
     SandboxLimit limit;
+    SandboxTime used;
     int n_left;  // processes that it left running and that were ended. Bubblewrap ends them itself,
                  // uncounted: there it is always 0
     unsigned long long n_printed;  // bytes, those that are not kept included
@@ -102,6 +115,9 @@ int sandbox_choose(SandboxKind wanted, SandboxKind *kind);
 // for it: what is inside dies with it.
 typedef struct SandboxRun SandboxRun;
 SandboxRun *sandbox_start(const SandboxCommand *command);
+
+// Allow it other times than it was started with, also while it runs.
+void sandbox_allow(SandboxRun *run, SandboxTime time);
 
 // Wait for it; it and everything it started is gone afterwards. Frees `run`.
 SandboxResult sandbox_wait(SandboxRun *run);

@@ -24,11 +24,12 @@ typedef struct ProcessList {
     int n;
 } ProcessList;
 
-// Add the children of one thread.
-static void children_add(pid_t process, pid_t thread, ProcessList *list)
+// Add the children of one thread. Returns how many it has.
+static int children_add(pid_t process, pid_t thread, ProcessList *list)
 {
     char path[64];
     long child;
+    const int n_before = list->n;
     snprintf(path, sizeof path, "/proc/%d/task/%d/children", process, thread);
     FILE *file = fopen(path, "re");
     while (file != NULL && list->n < MAX_PROCESSES && fscanf(file, "%ld", &child) == 1) {
@@ -37,10 +38,52 @@ static void children_add(pid_t process, pid_t thread, ProcessList *list)
     if (file != NULL) {
         fclose(file);
     }
+    return list->n - n_before;
 }
 
-// Add the children of all threads of a process. Returns how many threads there are.
-static int threads_follow(pid_t process, ProcessList *list)
+// What /proc/P/stat and /proc/P/task/T/stat say.
+typedef struct Stat {
+    char state;      // R runs or waits for a processor, D waits for a disk, S sleeps, ...
+    double seconds;  // of processors; of children waited for, too
+} Stat;
+
+static Stat stat_read(const char *path)
+{
+    char text[1024] = "";
+    Stat stat = {.state = 'X'};
+    FILE *file = fopen(path, "re");
+    if (file == NULL) {
+        return stat;
+    }
+    const size_t n = fread(text, 1, sizeof text - 1, file);
+    fclose(file);
+    text[n] = '\0';
+    // The second field is the command's name in parentheses, which may hold anything.
+    const char *rest = strrchr(text, ')');
+    unsigned long user, system;
+    long children_user, children_system;
+    if (rest != NULL &&
+        sscanf(rest, ") %c %*d %*d %*d %*d %*d %*u %*u %*u %*u %*u %lu %lu %ld %ld", &stat.state,
+               &user, &system, &children_user, &children_system) == 5) {
+        stat.seconds = ((double)(user + system) + (double)(children_user + children_system)) /
+                       (double)sysconf(_SC_CLK_TCK);
+    }
+    return stat;
+}
+
+// Does the thread run, or wait for a processor or a disk? In the state of who waits for a disk is
+// also who waits for a child started by vfork().
+static int is_awake(pid_t process, pid_t thread, int n_children)
+{
+    char path[64];
+    snprintf(path, sizeof path, "/proc/%d/task/%d/stat", process, thread);
+    const char state = stat_read(path).state;
+    return state == 'R' || (state == 'D' && n_children == 0);
+}
+
+// Add the children of all threads of a process, and how many threads are awake. Returns how many
+// threads there are.
+static int threads_follow(pid_t process, ProcessList *list, int *n_awake)
 {
     char path[64];
     int n_threads = 0;
@@ -51,7 +94,8 @@ static int threads_follow(pid_t process, ProcessList *list)
         pid_t thread = atoi(entry->d_name);
         if (thread > 0) {
             n_threads++;
-            children_add(process, thread, list);
+            const int n_children = children_add(process, thread, list);
+            *n_awake += is_awake(process, thread, n_children);
         }
     }
     if (folder != NULL) {
@@ -124,7 +168,10 @@ void census_processes(const Walls *walls, pid_t outermost, Census *census)
     list.n = 0;
     children_add(getpid(), getpid(), &list);
     for (int i = 0; i < list.n; i++) {
-        int n_threads = threads_follow(list.ids[i], &list);
+        char path[64];
+        snprintf(path, sizeof path, "/proc/%d/stat", list.ids[i]);
+        census->processor_seconds += stat_read(path).seconds;
+        int n_threads = threads_follow(list.ids[i], &list, &census->n_awake);
         if (list.ids[i] == outermost) {
             continue;
         }

@@ -31,8 +31,7 @@ static char *kind_try(SandboxKind kind)
         .kind = kind,
         .argv = (const char *const[]){"/usr/bin/true", NULL},
         .folder = "/tmp",
-        .wall_seconds = 10,
-        .cpu_seconds = 10,
+        .time = {.processor = 10, .asleep = 10, .wall = 600},
         .file_mb = 1,
     };
     SandboxRun *run = sandbox_start(&command);

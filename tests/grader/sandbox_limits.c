@@ -49,7 +49,8 @@ int limits_set(const SandboxCommand *command)
         return -1;
     }
     // Soft and hard alike: PoCL swallows SIGXCPU, the hard limit's SIGKILL nobody can.
-    if (limit_set(RLIMIT_CPU, (rlim_t)command->cpu_seconds) != 0 ||
+    // The supervisor looks at the time of all processes together; this is for what it cannot see.
+    if (limit_set(RLIMIT_CPU, (rlim_t)command->time.processor + 1) != 0 ||
         limit_set(RLIMIT_FSIZE, (rlim_t)command->file_mb * megabyte) != 0 ||
         limit_set(RLIMIT_NOFILE, OPEN_FILES_LIMIT) != 0 || limit_set(RLIMIT_CORE, 0) != 0) {
         return -1;

@@ -3,13 +3,13 @@
 //     grader -> supervisor -> bwrap -> [ bwrap's process 1 -> prlimit -> the command -> ... ]
 //     grader -> supervisor -> [ the command -> ... ]                               (Landlock)
 //
-// It reads the command's output to the end and kills it at the deadline whether or not the grader
+// It reads the command's output to the end and kills it when its time is used up whether or not the grader
 // waits, so that runs side by side cannot block each other. As the "subreaper" it inherits whatever
 // the command leaves behind: when it has no children any more, nothing of the run is alive, and all
 // the CPU time that was used is known. Read next: sandbox_walls.c, the brackets.
 #include "sandbox_supervisor.h"
 
-#include "sandbox_census.h"
+#include "sandbox_clock.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -19,7 +19,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/signalfd.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -29,9 +28,10 @@
 // A shell's way to tell of a signal, which bwrap follows: exit code 128 + its number.
 #define SIGNAL_EXIT_BASE 128
 
-// A process killed by SIGKILL that used so much of its CPU time was killed for that. Not all of it:
-// for the limit the kernel counts whole clock ticks, for getrusage() the time that really ran, and
-// on a busy machine the first was seen ahead of the second by a tenth and more.
+// A process killed by SIGKILL that used so much of its processor time was killed for that, by the
+// kernel, before the supervisor came to look. Not all of it: for the limit the kernel counts whole
+// clock ticks, for getrusage() the time that really ran, and on a busy machine the first was seen
+// ahead of the second by a tenth and more.
 #define CPU_LIMIT_SHARE 0.5
 
 // How often the census is taken.
@@ -39,16 +39,18 @@
 
 typedef enum WatchEnd {
     WATCH_COMMAND_ENDED,
-    WATCH_DEADLINE,
-    WATCH_LIMIT,    // see the report
-    WATCH_STOPPED,  // the grader has ended, or somebody sent a SIGTERM
+    WATCH_PROCESSOR,  // its processor time is used up
+    WATCH_ASLEEP,     // its time asleep is
+    WATCH_WALL,       // its wall time is
+    WATCH_LIMIT,      // see the report
+    WATCH_STOPPED,    // the grader has ended, or somebody sent a SIGTERM
 } WatchEnd;
 
 typedef struct Watch {
     const Walls *walls;
     SandboxReport *report;
-    double deadline;  // on the monotonic clock, seconds
-    pid_t leader;     // bwrap, or the command itself
+    SandboxClock clock;
+    pid_t leader;  // bwrap, or the command itself
     int leader_has_ended;
     int leader_status;  // how
     int output;         // read ends of the pipes; -1 when at their end
@@ -57,13 +59,6 @@ typedef struct Watch {
     char status_text[1024];  // what was said about the command's start and end, JSON
     size_t n_status;
 } Watch;
-
-static double seconds_now(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 static void fault_set(SandboxReport *report, const char *what)
 {
@@ -231,9 +226,21 @@ static int census_take(Watch *watch)
 {
     Census census = {0};
     census_processes(watch->walls, outermost(watch), &census);
+    clock_look(&watch->clock, &census);
     census_folders(watch->walls, &census);
     watch->report->limit = census_limit(&census, &watch->walls->command);
     return watch->report->limit != SANDBOX_LIMIT_NONE;
+}
+
+// Has it used up one of its times?
+static WatchEnd time_check(const Watch *watch)
+{
+    const SandboxTime *used = &watch->clock.used;
+    const SandboxReport *report = watch->report;
+    return used->processor >= report->processor_allowed ? WATCH_PROCESSOR
+           : used->asleep >= report->asleep_allowed     ? WATCH_ASLEEP
+           : used->wall >= report->wall_allowed         ? WATCH_WALL
+                                                        : WATCH_COMMAND_ENDED;
 }
 
 // Reap what has ended. Returns 0 when there are no children any more.
@@ -269,22 +276,22 @@ static WatchEnd command_watch(Watch *watch)
     double census_time = seconds_now() + CENSUS_SECONDS;
     for (;;) {
         double now = seconds_now();
-        if (now >= watch->deadline) {
-            return WATCH_DEADLINE;
-        }
         if (now >= census_time) {
             if (census_take(watch)) {
                 return WATCH_LIMIT;
             }
+            const WatchEnd time_end = time_check(watch);
+            if (time_end != WATCH_COMMAND_ENDED) {
+                return time_end;
+            }
             census_time = seconds_now() + CENSUS_SECONDS;
         }
-        double wake_time = census_time < watch->deadline ? census_time : watch->deadline;
         struct pollfd events[] = {{.fd = watch->output, .events = POLLIN},
                                   {.fd = watch->status, .events = POLLIN},
                                   {.fd = watch->signals, .events = POLLIN}};
-        int milliseconds = (int)((wake_time - now) * 1000) + 1;
+        int milliseconds = (int)((census_time - now) * 1000) + 1;
         if (poll(events, 3, milliseconds > 0 ? milliseconds : 0) <= 0) {
-            continue;  // the deadline or the census: looked at above
+            continue;  // time for the census
         }
         if (events[0].revents != 0) {
             output_read(watch);
@@ -332,15 +339,6 @@ static void processes_end(Watch *watch)
     }
 }
 
-// CPU time of all the processes that there were.
-static double cpu_seconds_used(void)
-{
-    struct rusage usage;
-    getrusage(RUSAGE_CHILDREN, &usage);
-    return (double)(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
-           1e-6 * (double)(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
-}
-
 // The command's exit code as a shell has it, or -1 when it did not come to an end of its own.
 static int exit_code_find(const Watch *watch)
 {
@@ -360,15 +358,28 @@ static void outcome_judge(const Watch *watch, WatchEnd end)
     SandboxReport *report = watch->report;
     int exit_code = exit_code_find(watch);
     int was_made = status_number(watch, "\"child-pid\"") > 0;
-    double cpu_limit = CPU_LIMIT_SHARE * watch->walls->command.cpu_seconds;
+    // Everything has ended by now, so that all of its processor time is known.
+    report->used = watch->clock.used;
+    if (report->used.processor < clock_ended_children()) {
+        report->used.processor = clock_ended_children();
+    }
+    report->used.wall = seconds_now() - watch->clock.start;
+    const double killed_for_time = CPU_LIMIT_SHARE * watch->walls->command.time.processor;
 
     if (end == WATCH_LIMIT) {
         report->outcome = SANDBOX_EXCEEDED;
-    } else if (end == WATCH_DEADLINE) {
-        report->outcome = was_made ? SANDBOX_TIMED_OUT : SANDBOX_FAULT;
+    } else if (end != WATCH_COMMAND_ENDED && end != WATCH_STOPPED && !was_made) {
+        report->outcome = SANDBOX_FAULT;
+    } else if (end == WATCH_PROCESSOR) {
+        report->outcome = SANDBOX_TIMED_OUT;
+    } else if (end == WATCH_ASLEEP) {
+        report->outcome = SANDBOX_ASLEEP;
+    } else if (end == WATCH_WALL) {
+        report->outcome = SANDBOX_STARVED;
     } else if (end == WATCH_STOPPED || exit_code < 0) {
         report->outcome = SANDBOX_FAULT;
-    } else if (exit_code == SIGNAL_EXIT_BASE + SIGKILL && cpu_seconds_used() >= cpu_limit) {
+    } else if (exit_code == SIGNAL_EXIT_BASE + SIGKILL &&
+               report->used.processor >= killed_for_time) {
         report->outcome = SANDBOX_TIMED_OUT;
     } else if (exit_code == SIGNAL_EXIT_BASE + SIGSYS) {
         report->outcome = SANDBOX_FORBIDDEN;
@@ -393,11 +404,8 @@ static WatchEnd last_look_take(Watch *watch)
 
 _Noreturn void sandbox_supervise(Walls *walls, pid_t grader, SandboxReport *report)
 {
-    Watch watch = {
-        .walls = walls,
-        .report = report,
-        .deadline = seconds_now() + walls->command.wall_seconds,
-    };
+    Watch watch = {.walls = walls, .report = report};
+    clock_start(&watch.clock);
     const char *step = "cannot leave the grader's process";
     if (inheritance_leave(walls, grader) != 0 || walls_make(walls, &step) != 0) {
         fault_set(report, step);

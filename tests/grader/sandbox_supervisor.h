@@ -8,11 +8,14 @@
 
 // What it found out, in memory shared with the grader.
 typedef struct SandboxReport {
+    // What the command may use, in seconds; the grader may change it at any time.
+    _Atomic double processor_allowed, asleep_allowed, wall_allowed;
     int is_complete;  // set last: the supervisor itself came to its end
     SandboxOutcome outcome;
     int exit_status;
     int signal;
     SandboxLimit limit;
+    SandboxTime used;
     int n_left;
     unsigned long long n_printed;
     size_t n_output;

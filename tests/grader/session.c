@@ -85,7 +85,9 @@ static int has_solution(const char *lab)
 
 int session_open(Session *session, const Settings *settings)
 {
-    *session = (Session){.settings = settings, .judge = judge_of(settings->lab)};
+    *session = (Session){.settings = settings,
+                         .judge = judge_of(settings->lab),
+                         .allowance = {.given_seconds = settings->time_limit}};
     if (session->judge == NULL) {
         fprintf(stderr, "grade: %s: this lab has no judge\n", settings->lab);
         return -1;
@@ -100,13 +102,14 @@ int session_open(Session *session, const Settings *settings)
     }
     session->has_solution = has_solution(settings->lab);
     if (!session->has_solution) {
-        return 0;
+        return allowance_read_packed(&session->allowance);
     }
     const int result = session_fill(session, "solution", NULL, NULL, &session->solution);
     session->solution.is_ours = 1;
     session->has_kept_answers =
         settings->kept_answers != NULL &&
-        kept_answers_load(settings->kept_answers, settings->seed, &session->solution.answers) == 0;
+        kept_answers_load(settings->kept_answers, settings->seed, &session->solution.answers,
+                          &session->allowance) == 0;
     return result;
 }
 
@@ -120,11 +123,10 @@ void session_close(Session *session)
     manifest_free(&session->manifest);
 }
 
-int session_run(const Session *session, Variant *const variants[], int n)
+int session_run(Session *session, Variant *const variants[], int n)
 {
     const int known = session->has_kept_answers && n > 0 && variants[0] == &session->solution;
-    return variants_run(&session->workshop, variants + known, n - known,
-                        session->settings->time_limit);
+    return variants_run(&session->workshop, variants + known, n - known, &session->allowance);
 }
 
 int session_trust_solution(Session *session)
@@ -153,7 +155,7 @@ int session_trust_solution(Session *session)
         return 0;
     }
     return kept_answers_save(session->settings->kept_answers, session->settings->seed,
-                             &solution->answers);
+                             &solution->answers, &session->allowance);
 }
 
 void session_device_name(const Variant *variant, char *name, size_t n_bytes)

@@ -21,6 +21,7 @@ typedef struct Session {
     int has_solution;      // 0 in a handout: the oracle alone judges
     Variant solution;      // where there is one
     int has_kept_answers;  // they were kept (kept_answers.h): the solution is not run again
+    Allowance allowance;   // how long what is handed in may take
 } Session;
 
 // Prepare everything up to the point where variants can run: manifest, workshop, job, and the
@@ -32,7 +33,7 @@ void session_close(Session *session);
 
 // Run n variants side by side, the solution first where it is one of them. Returns 0, or -1 after
 // one message when the machinery failed.
-int session_run(const Session *session, Variant *const variants[], int n);
+int session_run(Session *session, Variant *const variants[], int n);
 
 // After the solution has run: it must pass every check on this device, judged by the oracle, else
 // nothing that is said about a submission can be trusted. From then on pictures are compared with

@@ -17,10 +17,11 @@ typedef struct Settings {
     const char *device;                    // "" for the first
     const char *kept_answers;              // see kept_answers.h; NULL: the solution is run
     uint64_t seed;
-    int time_limit;       // seconds
+    int time_limit;       // seconds of processor time; 0: see allowance.h
     FormatSet formats;    // what to write besides results.json and report.html
     SandboxKind sandbox;  // SANDBOX_ANY: the first that works here
     int list_checks;      // only print the lab's checks
+    int time_solution;    // only print how long the solution takes
 } Settings;
 
 // Read the command line. Returns 0, 1 when --help was answered, or -1 after one message on stderr.

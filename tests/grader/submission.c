@@ -24,7 +24,13 @@ enum { PATH_BYTES = 600 };
 
 // What unpacking may use. The xz format's own limit on memory is 64 MB; a MB is more than any file
 // that is written.
-enum { UNPACK_SECONDS = 20, UNPACK_MEMORY_MB = 512, UNPACK_FILE_MB = 1, UNPACK_PROCESSES = 512 };
+enum {
+    UNPACK_SECONDS = 20,
+    UNPACK_WALL_SECONDS = 600,
+    UNPACK_MEMORY_MB = 512,
+    UNPACK_FILE_MB = 1,
+    UNPACK_PROCESSES = 512
+};
 
 // What unpack ends with when the archive is at fault; see unpack_tool.c.
 enum { EXIT_ARCHIVE = 1 };
@@ -147,8 +153,7 @@ static SandboxRun *start_unpack(const Workshop *workshop, const char *in, const 
         .folder = "/work",
         .mounts = {{in, "/work/in", 0}, {out, "/work/out", 1}},
         .n_mounts = 2,
-        .wall_seconds = UNPACK_SECONDS,
-        .cpu_seconds = UNPACK_SECONDS,
+        .time = {UNPACK_SECONDS, UNPACK_SECONDS, UNPACK_WALL_SECONDS},
         .memory_mb = UNPACK_MEMORY_MB,
         .file_mb = UNPACK_FILE_MB,
         .n_processes = UNPACK_PROCESSES,
@@ -167,10 +172,16 @@ static int take_unpack(const char *path, const SandboxResult *result, char **mes
         fprintf(stderr, "grade: the sandbox failed: %s\n", line);
         return -1;
     }
-    if (result->outcome == SANDBOX_TIMED_OUT) {
+    if (result->outcome == SANDBOX_TIMED_OUT || result->outcome == SANDBOX_ASLEEP) {
         snprintf(complaint, sizeof complaint,
-                 "not unpacked after %d s: hand in the lab's files only", UNPACK_SECONDS);
+                 "not unpacked after %d s of %s: hand in the lab's files only", UNPACK_SECONDS,
+                 result->outcome == SANDBOX_ASLEEP ? "waiting" : "processor time");
         return complain(path, complaint, message);
+    }
+    if (result->outcome == SANDBOX_STARVED) {
+        fprintf(stderr, "grade: this machine is too busy: tools/unpack was not done in %.0f s\n",
+                result->used.wall);
+        return -1;
     }
     if (result->outcome != SANDBOX_EXITED) {
         return complain(path, "the archive is damaged, reading it crashes: pack the files anew",

@@ -259,7 +259,7 @@ static void mount_variant(const Workshop *workshop, const Variant *variant, int 
 }
 
 static SandboxRun *start(const Workshop *workshop, const Variant *variant, int building,
-                         const char *const *argv, int wall_seconds)
+                         const char *const *argv, SandboxTime time)
 {
     char paths[5][PATH_BYTES], lab_inside[PATH_BYTES], device[PATH_BYTES];
     snprintf(device, sizeof device, CL_DEVICE_VARIABLE "=%s", workshop->device);
@@ -272,8 +272,7 @@ static SandboxRun *start(const Workshop *workshop, const Variant *variant, int b
         .argv = argv,
         .environment = environment,
         .folder = "/work",
-        .wall_seconds = wall_seconds,
-        .cpu_seconds = 2 * wall_seconds,
+        .time = time,
         .memory_mb = MEMORY_MB,
         .file_mb = FILE_MB,
         .n_processes = N_PROCESSES,
@@ -287,7 +286,7 @@ static SandboxRun *start(const Workshop *workshop, const Variant *variant, int b
 
 // The compiler's command line for the lab's host files, the probe and the libraries.
 static SandboxRun *start_compiler(const Workshop *workshop, const Variant *variant,
-                                  int wall_seconds)
+                                  SandboxTime time)
 {
     const Manifest *manifest = workshop->manifest;
     enum { MAX_WORDS = 64 };
@@ -321,108 +320,155 @@ static SandboxRun *start_compiler(const Workshop *workshop, const Variant *varia
     }
     const char *const rest[] = {"lib/libcommon.a", "-lOpenCL", "-lm", "-o", "build/probe"};
     memcpy(argv + n, rest, sizeof rest);
-    return start(workshop, variant, 1, argv, wall_seconds);
+    return start(workshop, variant, 1, argv, time);
 }
 
-static SandboxRun *start_probe(const Workshop *workshop, const Variant *variant, int wall_seconds)
+static SandboxRun *start_probe(const Workshop *workshop, const Variant *variant, SandboxTime time)
 {
     char path[PATH_BYTES];
     snprintf(path, sizeof path, "lib/%s", workshop->manifest->lab);
     const char *const argv[] = {workshop->needs_compiler ? "build/probe" : path, NULL};
-    return start(workshop, variant, 0, argv, wall_seconds);
+    return start(workshop, variant, 0, argv, time);
 }
 
 // Why the compiler came to no end of its own.
-static char *describe_compiler_end(const SandboxResult *result, int wall_seconds)
+static char *describe_compiler_end(const SandboxResult *result, SandboxTime allowed)
 {
     if (result->outcome == SANDBOX_TIMED_OUT) {
-        return message_new("the compiler did not finish in time (%d s): too large a program?",
-                           wall_seconds);
+        return message_new("the compiler did not finish in time: it used %.1f s of processor time, "
+                           "allowed are %.1f s; too large a program?",
+                           result->used.processor, allowed.processor);
     }
-    char *end = run_end_describe(result, wall_seconds);
+    char *end = run_end_describe(result, allowed);
     char *message = message_new("the compiler did not finish: %s", end);
     free(end);
     return message;
 }
 
-// Take in how the compiler ended. Returns -1 when the machinery failed.
-static int take_build(Variant *variant, int wall_seconds)
+// What a compiler's end says about the variant.
+static void take_build(Variant *variant, SandboxResult *result, SandboxTime allowed)
 {
-    SandboxResult result = sandbox_wait(variant->run);
-    variant->run = NULL;
-    if (result.outcome == SANDBOX_FAULT) {
-        fprintf(stderr, "grade: the sandbox failed: %s\n", result.output);
-        free(result.output);
-        return -1;
+    if (result->outcome != SANDBOX_EXITED) {
+        variant->build_log = describe_compiler_end(result, allowed);
+    } else if (result->exit_status != 0) {
+        variant->build_log = result->output;
+        result->output = NULL;
     }
-    if (result.outcome != SANDBOX_EXITED) {
-        variant->build_log = describe_compiler_end(&result, wall_seconds);
-    } else if (result.exit_status != 0) {
-        variant->build_log = strdup(result.output);
-    }
-    free(result.output);
-    return 0;
 }
 
-static int take_run(const Workshop *workshop, Variant *variant, int wall_seconds)
+// What a probe's end and answers say about the variant.
+static void take_answers(const Workshop *workshop, Variant *variant, SandboxResult *result,
+                         SandboxTime allowed)
 {
-    SandboxResult result = sandbox_wait(variant->run);
-    variant->run = NULL;
-    if (result.outcome == SANDBOX_FAULT) {
-        fprintf(stderr, "grade: the sandbox failed: %s\n", result.output);
-        free(result.output);
-        return -1;
-    }
     char path[PATH_BYTES];
     snprintf(path, sizeof path, "%s/variant-%s/out/answers", workshop->folder, variant->name);
     sections_load(path, MAX_ANSWER_BYTES, &variant->answers);
-    variant->run_output = result.output;
-    if (result.outcome == SANDBOX_EXITED && result.exit_status == PROBE_EXIT_NO_BUILD) {
-        variant->build_log = strdup(result.output);
-    } else {
-        variant->trouble = run_end_describe(&result, wall_seconds);
-        variant->habits = run_habits_describe(&result);
-        size_t n_bytes;
-        if (variant->trouble == NULL &&
-            sections_find_any(&variant->answers, PROBE_END, &n_bytes) == NULL) {
-            variant->trouble = message_new("it ended by itself, with exit status 0, before it had "
-                                           "answered everything: a call of exit()?");
+    variant->run_output = result->output;
+    result->output = NULL;
+    if (result->outcome == SANDBOX_EXITED && result->exit_status == PROBE_EXIT_NO_BUILD) {
+        variant->build_log = strdup(variant->run_output);
+        return;
+    }
+    variant->trouble = run_end_describe(result, allowed);
+    variant->habits = run_habits_describe(result);
+    size_t n_bytes;
+    if (variant->trouble == NULL &&
+        sections_find_any(&variant->answers, PROBE_END, &n_bytes) == NULL) {
+        variant->trouble = message_new("it ended by itself, with exit status 0, before it had "
+                                       "answered everything: a call of exit()?");
+    }
+}
+
+// ---- Both steps, side by side ---------------------------------------------------------------
+
+static SandboxTime time_allowed(const Variant *variant, Step step, const Allowance *allowance)
+{
+    return variant->is_ours ? allowance_ours() : allowance_of(allowance, step);
+}
+
+static int step_start(const Workshop *workshop, Variant *variant, Step step,
+                      const Allowance *allowance)
+{
+    const SandboxTime time = time_allowed(variant, step, allowance);
+    variant->run = step == STEP_COMPILING ? start_compiler(workshop, variant, time)
+                                          : start_probe(workshop, variant, time);
+    return variant->run != NULL ? 0 : -1;
+}
+
+// What an interrupted run has written belongs, behind Landlock, to a user that is gone.
+static int step_clear(const Workshop *workshop, const Variant *variant, Step step)
+{
+    char path[PATH_BYTES];
+    snprintf(path, sizeof path, "%s/variant-%s/%s", workshop->folder, variant->name,
+             step == STEP_COMPILING ? "build" : "out");
+    return folder_remove(path) != 0 && errno != ENOENT ? -1 : make_folder(path);
+}
+
+// Wait for a variant's step, which is started again where the machine had no time for it. Returns
+// 0, or -1 after one message when the machinery failed.
+static int step_take(const Workshop *workshop, Variant *variant, Step step, Allowance *allowance)
+{
+    enum { TRIES = 2 };
+    SandboxResult result = {.outcome = SANDBOX_FAULT};
+    for (int i = 0; i < TRIES; i++) {
+        if (i > 0) {
+            free(result.output);
+            if (step_clear(workshop, variant, step) != 0 ||
+                step_start(workshop, variant, step, allowance) != 0) {
+                return -1;
+            }
+        }
+        result = sandbox_wait(variant->run);
+        variant->run = NULL;
+        if (result.outcome != SANDBOX_STARVED) {
+            break;
         }
     }
-    return 0;
+    int failed = result.outcome == SANDBOX_FAULT || result.outcome == SANDBOX_STARVED;
+    if (result.outcome == SANDBOX_FAULT) {
+        fprintf(stderr, "grade: the sandbox failed: %s\n", result.output);
+    } else if (result.outcome == SANDBOX_STARVED) {
+        fprintf(stderr,
+                "grade: this machine is too busy: twice it had %.1f s of processor time for %s in "
+                "%.0f s; grade again when it is less so\n",
+                result.used.processor, step == STEP_COMPILING ? "compiling" : "running the program",
+                result.used.wall);
+    } else if (step == STEP_COMPILING) {
+        take_build(variant, &result, time_allowed(variant, step, allowance));
+    } else {
+        take_answers(workshop, variant, &result, time_allowed(variant, step, allowance));
+    }
+    if (!failed && variant->is_ours) {
+        allowance_note(allowance, step, result.used);
+    }
+    free(result.output);
+    return failed ? -1 : 0;
 }
 
-// What is ours gets time enough for any machine: a late solution is no fault of a submission.
-static int seconds_for(const Variant *variant, int wall_seconds)
-{
-    enum { OWN_SECONDS = 120 };
-    return variant->is_ours && wall_seconds < OWN_SECONDS ? OWN_SECONDS : wall_seconds;
-}
-
-int variants_run(const Workshop *workshop, Variant *const variants[], int n, int wall_seconds)
+// Run a step of those variants that compile, side by side.
+static int step_run(const Workshop *workshop, Variant *const variants[], int n, Step step,
+                    Allowance *allowance)
 {
     int result = 0;
-    for (int i = 0; workshop->needs_compiler && i < n; i++) {
-        variants[i]->run =
-            start_compiler(workshop, variants[i], seconds_for(variants[i], wall_seconds));
-        result |= variants[i]->run == NULL ? -1 : 0;
-    }
     for (int i = 0; i < n; i++) {
-        result |= variants[i]->run != NULL
-                      ? take_build(variants[i], seconds_for(variants[i], wall_seconds))
-                      : 0;
-    }
-    for (int i = 0; result == 0 && i < n; i++) {
         if (variants[i]->build_log == NULL) {
-            variants[i]->run =
-                start_probe(workshop, variants[i], seconds_for(variants[i], wall_seconds));
-            result |= variants[i]->run == NULL ? -1 : 0;
+            result |= step_start(workshop, variants[i], step, allowance);
         }
     }
     for (int i = 0; i < n; i++) {
-        result |= variants[i]->run != NULL
-                      ? take_run(workshop, variants[i], seconds_for(variants[i], wall_seconds))
-                      : 0;
+        if (variants[i]->run == NULL) {
+            continue;
+        }
+        // What ours took, ahead of it, may have become known since it was started.
+        sandbox_allow(variants[i]->run, time_allowed(variants[i], step, allowance));
+        result |= step_take(workshop, variants[i], step, allowance);
     }
     return result;
+}
+
+int variants_run(const Workshop *workshop, Variant *const variants[], int n, Allowance *allowance)
+{
+    const int compiled =
+        workshop->needs_compiler ? step_run(workshop, variants, n, STEP_COMPILING, allowance) : 0;
+    return compiled != 0 ? -1 : step_run(workshop, variants, n, STEP_RUNNING, allowance);
 }

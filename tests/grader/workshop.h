@@ -8,6 +8,7 @@
 #ifndef GRADER_WORKSHOP_H
 #define GRADER_WORKSHOP_H
 
+#include "allowance.h"
 #include "manifest.h"
 #include "sandbox.h"
 #include "sections.h"
@@ -40,7 +41,7 @@ typedef struct Variant {
     char *run_output;  // what it wrote to stdout and stderr; owned
     Sections answers;  // whatever it answered
     SandboxRun *run;   // while it runs
-    int is_ours;       // the solution: it ends by itself, on a busy machine perhaps late
+    int is_ours;       // the solution: what it uses says what others may
 } Variant;
 
 // Make the folder of a variant, with the lab's given files in it; put the lab's own files, the ones
@@ -48,9 +49,11 @@ typedef struct Variant {
 int variant_open(const Workshop *workshop, const char *name, Variant *variant, char *path,
                  size_t n_bytes);
 
-// Compile and run n variants side by side, each for at most wall_seconds, ours for longer. Returns
-// 0, or -1 after one message when the machinery failed.
-int variants_run(const Workshop *workshop, Variant *const variants[], int n, int wall_seconds);
+// Compile and run n variants side by side, each for as long as is allowed. What is ours must come
+// first: what it uses is noted, and from then on that is what limits the others. One that the
+// machine was too busy for is tried again. Returns 0, or -1 after one message when the machinery
+// failed.
+int variants_run(const Workshop *workshop, Variant *const variants[], int n, Allowance *allowance);
 
 void variant_free(Variant *variant);
 

@@ -1,14 +1,16 @@
 #!/bin/sh
 # Pack what students get for a lab: FOLDER/NN-name.tar.gz, and print its path.
 #
-#     tests/handout/pack.sh HOLES-TOOL LAB FOLDER
+#     tests/handout/pack.sh TOOLS LAB FOLDER
 #
 # It holds the lab's skeleton, the solutions of the labs before it, common/, kernels/, this lab's part
 # of the grader, and a README of its own; never anything of this lab's solution or of later labs. Only
-# tracked files go in. The same commit gives the same bytes.
+# tracked files go in. The same commit gives the same bytes, other than where the machine it is packed on
+# is so slow that students are given more time. TOOLS is the folder with the built tools `holes` and `grade`.
 set -eu
 
-holes=$1
+holes=$1/holes
+grade=$1/grade
 folder=$3
 
 fail() {
@@ -85,6 +87,12 @@ git ls-files -- tests/grader | while IFS= read -r file; do
     [ "$(first_lab "$name")" -gt "$number" ] || echo "$file"
 done | copy
 git ls-files -- tests/probes | grep -e "/probe_$lab\." -e '/[a-z]*\.[ch]$' | copy
+
+# What may be handed in may take so many times what our solution takes, which is not in here
+# (tests/grader/allowance.h). Rounded up to a power of four, it is mostly the same on every machine.
+seconds=$("$grade" --build "$(dirname "$1")" --lab "$lab" --seed 1 --time-solution) || fail "the solution of $lab cannot be timed"
+mkdir -p "$root/tests"
+echo "$seconds" | awk '{ for (most = 4; most < $1; most *= 4); print most }' >"$root/tests/solution-seconds"
 
 # ---- Its README -------------------------------------------------------------------------------
 

@@ -141,7 +141,7 @@ place() { echo "labs/$lab/$1:$(grep -n -- "$2" "$scratch/submission/$1" | cut -d
 # The same in every case below: what is right still earns its points.
 broken() {
     # shellcheck disable=SC2046,SC2086
-    check "$1" grades 1 "$2" $(kept "$lab") --time-limit "${3:-10}" $submission
+    check "$1" grades 1 "$2" $(kept "$lab") ${3:+--time-limit "$3"} $submission
 }
 
 lab=00-hello-pixels
@@ -186,7 +186,18 @@ copy_lab solutions $lab
 echo '    for (volatile u32 i = 0;; i++) { (void)h_circles, (void)ids, (void)n_ids, (void)child; }' |
     answer $file distribute
 broken "an endless loop costs its task" 80 2
-check "and the message is of the time" stage Running failed "it did not finish in time (2 s)"
+check "and the message is of the processor's time" stage Running failed "allowed are 2.0 s; an endless loop?"
+
+copy_lab solutions $lab
+echo '    (void)box; for (;;) { sleep(1000); }' | answer $file split_box
+broken "a sleep without end costs its task" 80 2
+check "and the message is of the time asleep" stage Running failed "allowed are 2.0 s; a sleep"
+
+# Without a limit of the instructor's it is what the solution takes that decides.
+copy_lab solutions $lab
+echo '    (void)box; for (;;) {}' | answer $file split_box
+broken "an endless loop ends without a limit of the instructor's" 80
+check "and the message says what is allowed" stage Running failed "of processor time, allowed are "
 
 copy_lab solutions $lab
 echo '    (void)box; exit(0);' | answer $file split_box

@@ -36,7 +36,7 @@ Test(settings, a_lab_is_found_by_number_or_name)
         cr_expect_str_eq(settings.lab, "03-kdtree-2d-render");
         cr_expect_str_eq(settings.submission, "labs/03-kdtree-2d-render");
         cr_expect_str_eq(settings.output, "build/grade/03");
-        cr_expect_eq(settings.time_limit, 10);
+        cr_expect_eq(settings.time_limit, 0);
         cr_expect_leq(settings.seed, UINT32_MAX);
     }
 }

@@ -1,0 +1,34 @@
+// How much time a submission's compiler and probe may use: what our solution used for the same, times
+// a factor. So the limit is right on any machine and device, and for any job.
+//
+// Flow: solution run -> ALLOWANCE -> submission run. Used by workshop.c; read next: sandbox_clock.h.
+#ifndef GRADER_ALLOWANCE_H
+#define GRADER_ALLOWANCE_H
+
+#include "sandbox.h"
+
+typedef enum Step { STEP_COMPILING, STEP_RUNNING, N_STEPS } Step;
+
+typedef struct Allowance {
+    int given_seconds;  // the instructor's own limit, or 0
+    SandboxTime solution[N_STEPS];  // what it used, where that is known
+    int is_known[N_STEPS];
+    int is_packed;  // it is from allowance_read_packed()
+} Allowance;
+
+// What a submission may use in a step. As long as it is not known what the solution needs, that is
+// as much as for ours.
+SandboxTime allowance_of(const Allowance *allowance, Step step);
+
+// What our solution may use: far more than it needs on any machine, as it ends by itself.
+SandboxTime allowance_ours(void);
+
+// Note what the solution used in a step.
+void allowance_note(Allowance *allowance, Step step, SandboxTime used);
+
+// For a handout, which has no solution to run: take in what it needed when the handout was packed,
+// rounded up (handout/pack.sh), from the file SOLUTION_SECONDS_PATH. Returns 0, or -1 after one message on stderr.
+#define SOLUTION_SECONDS_PATH "tests/solution-seconds"
+int allowance_read_packed(Allowance *allowance);
+
+#endif

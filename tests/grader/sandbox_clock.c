@@ -1,0 +1,48 @@
+// The three kinds of time of a run (see sandbox_clock.h).
+#include "sandbox_clock.h"
+
+#include <sys/resource.h>
+#include <time.h>
+
+// Between two looks nothing of it ran if it used less than this share of the time between them.
+#define ASLEEP_SHARE 0.1
+
+// However late a look is, no more time asleep is counted for it: who looks late was not awake to
+// see what the command did.
+#define MOST_ASLEEP_SECONDS 0.2
+
+double seconds_now(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+double clock_ended_children(void)
+{
+    struct rusage usage;
+    getrusage(RUSAGE_CHILDREN, &usage);
+    return (double)(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
+           1e-6 * (double)(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
+}
+
+void clock_start(SandboxClock *clock)
+{
+    *clock = (SandboxClock){.start = seconds_now()};
+    clock->last_look = clock->start;
+}
+
+void clock_look(SandboxClock *clock, const Census *census)
+{
+    const double now = seconds_now();
+    const double between = now - clock->last_look;
+    const double processor = census->processor_seconds + clock_ended_children();
+    // A process that ends is counted now here, now there: the sum may seem to shrink for a moment.
+    const double ran = processor > clock->used.processor ? processor - clock->used.processor : 0;
+    if (census->n_awake == 0 && ran < ASLEEP_SHARE * between) {
+        clock->used.asleep += between < MOST_ASLEEP_SECONDS ? between : MOST_ASLEEP_SECONDS;
+    }
+    clock->used.processor += ran;
+    clock->used.wall = now - clock->start;
+    clock->last_look = now;
+}

@@ -1,0 +1,28 @@
+// Whose time it is: processor time, time asleep and wall time of a sandboxed command.
+//
+// Wall time says nothing about a command: on a busy machine, or in a container of a quarter of a
+// processor, a right answer takes ten times as long. What it used of a processor is the same there.
+// A command that waits for what never comes uses none; it is told from one that gets none by what
+// its threads do: asleep, or ready to run.
+#ifndef GRADER_SANDBOX_CLOCK_H
+#define GRADER_SANDBOX_CLOCK_H
+
+#include "sandbox_census.h"
+
+typedef struct SandboxClock {
+    double start, last_look;  // on the monotonic clock, seconds
+    SandboxTime used;
+} SandboxClock;
+
+// The monotonic clock, in seconds.
+double seconds_now(void);
+
+void clock_start(SandboxClock *clock);
+
+// Take in what the census has just seen.
+void clock_look(SandboxClock *clock, const Census *census);
+
+// What the calling supervisor's children that have ended used of processors, in seconds.
+double clock_ended_children(void);
+
+#endif
