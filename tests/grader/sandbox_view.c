@@ -4,10 +4,11 @@
 // say, which looks at where a link leads. Read next: sandbox_walls.c.
 #include "sandbox_view.h"
 
+#include "folder.h"
+
 #include <dirent.h>
 #include <errno.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -96,10 +97,7 @@ static int entry_make(const SandboxCommand *command, const char *view, const cha
 int view_make(const SandboxCommand *command, uid_t user, char view[PATH_MAX])
 {
     char path[PATH_MAX];
-    const char *parent = getenv("TMPDIR");
-    path_join(view, parent != NULL && parent[0] != '\0' ? parent : "/tmp", "/sandbox-XXXXXX");
-    if (mkdtemp(view) == NULL) {
-        view[0] = '\0';
+    if (temporary_folder_make(view, PATH_MAX, "sandbox") != 0) {
         return -1;
     }
     path_join(path, view, "/tmp");
