@@ -34,6 +34,15 @@ static int has_mount(const SandboxCommand *command, const char *inside, int belo
     return 0;
 }
 
+// A folder that may be there already, open to the run's user whatever the umask.
+static int open_folder_make(const char *path)
+{
+    if (mkdir(path, 0755) != 0) {
+        return errno == EEXIST ? 0 : -1;
+    }
+    return chmod(path, 0755);
+}
+
 // The folders above view/inside.
 static int parents_make(const char *view, const char *inside)
 {
@@ -41,7 +50,7 @@ static int parents_make(const char *view, const char *inside)
     path_join(path, view, inside);
     for (char *slash = path + strlen(view) + 1; (slash = strchr(slash, '/')) != NULL; slash++) {
         *slash = '\0';
-        if (mkdir(path, 0755) != 0 && errno != EEXIST) {
+        if (open_folder_make(path) != 0) {
             return -1;
         }
         *slash = '/';
@@ -58,7 +67,7 @@ static int folder_make(const SandboxCommand *command, const char *view, const ch
 {
     char path[PATH_MAX];
     path_join(path, view, inside);
-    if (mkdir(path, 0755) != 0 && errno != EEXIST) {
+    if (open_folder_make(path) != 0) {
         return -1;
     }
     DIR *folder = opendir(outside);

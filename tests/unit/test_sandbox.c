@@ -65,6 +65,22 @@ TEST_BOTH(nothing_but_writable_mounts_can_be_written)
     cr_assert_eq(unlink("given/own") | rmdir(given), 0);
 }
 
+// A mount inside another one: behind Landlock their folders are made for the run.
+TEST_BOTH(a_umask_that_closes_folders_changes_nothing)
+{
+    SandboxCommand command = shell_command("cat given/deep/file");
+    mkdir("given", 0755);
+    mkdir("given/deep", 0755);  // where bubblewrap mounts
+    mkdir("outside", 0755);
+    file_write("outside/file", "read", 4);
+    command.mounts[1] = (SandboxMount){.outside = "outside", .inside = "/work/given/deep"};
+    command.n_mounts = 2;
+    umask(077);
+    SandboxResult result = command_run(&command);
+    cr_expect_str_eq(result.output, "read");
+    expect_exit(result, 0);
+}
+
 TEST_BOTH(runs_as_an_ordinary_user_without_rights)
 {
     SandboxResult result = shell_run("id -u; while read -r name value; do\n"
