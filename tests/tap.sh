@@ -38,6 +38,16 @@ skip() {
     echo "ok $n_tests - $1 # SKIP $2"
 }
 
+# await COMMAND...: until the command does. What has not come after ten minutes never will.
+await() {
+    tries=12000
+    until "$@"; do
+        tries=$((tries - 1))
+        [ $tries -gt 0 ] || return 1
+        sleep 0.05
+    done
+}
+
 # The plan, and the suite's exit status.
 finish() {
     echo "1..$n_tests"

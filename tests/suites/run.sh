@@ -26,16 +26,6 @@ runs() {
 # says LINE: is this a line of what it said, seconds aside?
 says() { sed 's/ *[0-9]* s$//' said | grep -qxF -- "$1" || { cat said; return 1; }; }
 
-# await COMMAND...: until the command does; for a minute at most, as it hangs if it takes so long.
-await() {
-    tries=600
-    until "$@"; do
-        tries=$((tries - 1))
-        [ $tries -gt 0 ] || return 1
-        sleep 0.1
-    done
-}
-
 # ---- What it counts -----------------------------------------------------------------------------
 
 unit build/tests/test_cl_setup <<'END'

@@ -6,7 +6,7 @@
 #include <errno.h>
 #include <fcntl.h>
 
-TestSuite(folder, .init = folder_enter, .fini = folder_leave, .timeout = 60);
+TestSuite(folder, .init = folder_enter, .fini = folder_leave);
 
 enum { NOBODY = 65534 };
 

@@ -138,7 +138,7 @@ TEST_BOTH(a_memory_hog_is_stopped)
 
 TEST_BOTH(a_burst_of_processes_is_stopped)
 {
-    SandboxResult result = shell_run("for i in $(seq 60); do sleep 5 & echo $i; done 2>/dev/null");
+    SandboxResult result = shell_run("for i in $(seq 60); do sleep 20 & echo $i; done 2>/dev/null");
     cr_expect_not_null(strstr(result.output, "\n20\n"), "stopped too early: %s", result.output);
     cr_expect_null(strstr(result.output, "\n24\n"), "%s", result.output);
     free(result.output);
@@ -155,15 +155,15 @@ TEST_BOTH(processes_outside_do_not_count)
     expect_exit(result, 0);
 }
 
-// Run, and see it end as timed out within these times.
-static void expect_time_out(const SandboxCommand *command, double min_seconds, double max_seconds)
+// Run, and see it end as timed out, not too early. How late is the machine's affair.
+static void expect_time_out(const SandboxCommand *command, double min_seconds)
 {
     double start = seconds_now();
     SandboxResult result = command_run(command);
     double seconds = seconds_now() - start;
     cr_expect_eq(result.outcome, SANDBOX_TIMED_OUT, "outcome %d: %s", result.outcome,
                  result.output);
-    cr_expect(seconds >= min_seconds && seconds <= max_seconds, "took %.2f s", seconds);
+    cr_expect_geq(seconds, min_seconds, "took %.2f s", seconds);
     free(result.output);
 }
 
@@ -171,37 +171,38 @@ TEST_BOTH(an_endless_loop_ends_at_the_cpu_limit)
 {
     SandboxCommand command = shell_command("while :; do :; done");
     command.cpu_seconds = 1;
-    expect_time_out(&command, 0.9, 10);
+    expect_time_out(&command, 0.9);
 }
 
 TEST_BOTH(a_handler_of_sigxcpu_wins_nothing)
 {
     SandboxCommand command = shell_command("trap '' XCPU TERM INT; while :; do :; done");
     command.cpu_seconds = 1;
-    expect_time_out(&command, 0.9, 10);
+    expect_time_out(&command, 0.9);
 }
 
 TEST_BOTH(a_sleeper_ends_at_the_wall_limit)
 {
-    SandboxCommand command = shell_command("echo begun; sleep 30");
+    SandboxCommand command = shell_command("echo begun; sleep 300");
     command.wall_seconds = 1;
-    expect_time_out(&command, 0.9, 4);
+    expect_time_out(&command, 0.9);
 }
 
 TEST_BOTH(closing_the_output_does_not_hide_a_sleeper)
 {
-    SandboxCommand command = shell_command("exec >/dev/null 2>&1; sleep 30");
+    SandboxCommand command = shell_command("exec >/dev/null 2>&1; sleep 300");
     command.wall_seconds = 1;
-    expect_time_out(&command, 0.9, 4);
+    expect_time_out(&command, 0.9);
 }
 
 TEST_BOTH(the_wall_limit_holds_without_anybody_waiting)
 {
-    SandboxCommand command = shell_command("sleep 2; echo x >late");
-    command.wall_seconds = 1;
+    SandboxCommand command = shell_command(minute_sleep(": >begun;", "; echo x >late"));
+    command.wall_seconds = 3;
     SandboxRun *run = sandbox_start(&command);
     cr_assert_not_null(run);
-    sleep_milliseconds(3000);
+    file_await("begun");
+    cr_expect(minute_sleep_becomes(0));
     cr_expect_neq(access("late", F_OK), 0);
     SandboxResult result = sandbox_wait(run);
     cr_expect_eq(result.outcome, SANDBOX_TIMED_OUT);
@@ -212,10 +213,11 @@ TEST_BOTH(the_wall_limit_holds_without_anybody_waiting)
 
 TEST_BOTH(a_background_process_is_gone_when_the_command_ends)
 {
-    SandboxCommand command = shell_command(minute_sleep("setsid", "& sleep 1; exit 4"));
+    SandboxCommand command = shell_command(minute_sleep("setsid", "& " UNTIL_GO "exit 4"));
     SandboxRun *run = sandbox_start(&command);
     cr_assert_not_null(run);
     cr_assert(minute_sleep_becomes(1), "the test sees no processes inside");
+    file_write("go", "", 0);
     SandboxResult result = sandbox_wait(run);
     cr_expect_eq(result.n_left, tested_kind == SANDBOX_LANDLOCK ? 1 : 0, "%d", result.n_left);
     expect_exit(result, 4);
@@ -224,15 +226,15 @@ TEST_BOTH(a_background_process_is_gone_when_the_command_ends)
 
 TEST_BOTH(a_background_process_is_gone_after_a_time_out)
 {
-    SandboxCommand command = shell_command(minute_sleep("setsid", ">/dev/null 2>&1 & sleep 30"));
+    SandboxCommand command = shell_command(minute_sleep("setsid", ">/dev/null 2>&1 & sleep 300"));
     command.wall_seconds = 1;
-    expect_time_out(&command, 0.9, 4);
+    expect_time_out(&command, 0.9);
     cr_expect_not(minute_sleep_exists());
 }
 
 TEST_BOTH(everything_is_gone_when_the_grader_is_killed)
 {
-    SandboxCommand command = shell_command(minute_sleep("setsid", "& sleep 30"));
+    SandboxCommand command = shell_command(minute_sleep("setsid", "& sleep 300"));
     pid_t grader = fork();
     if (grader == 0) {
         sandbox_wait(sandbox_start(&command));
@@ -324,19 +326,25 @@ TEST_BOTH(control_characters_are_replaced)
 
 TEST_BOTH(two_run_at_the_same_time_and_end_in_any_order)
 {
-    const char *const writer_argv[] = {"/bin/sh", "-c",
-                                       "head -c 5M /dev/zero | tr '\\0' a; sleep 1; exit 1", NULL};
+    const char *const writer_argv[] = {
+        "/bin/sh", "-c", ": >begun; head -c 5M /dev/zero | tr '\\0' a; " UNTIL_GO "exit 1", NULL};
     SandboxCommand writer = shell_command("");
     writer.argv = writer_argv;
-    SandboxCommand sleeper = shell_command("sleep 1; echo b; exit 2");
+    SandboxCommand waiter = shell_command(": >begun; " UNTIL_GO "echo b; exit 2");
+    mkdir("one", 0755);
+    mkdir("two", 0755);
+    writer.mounts[0].outside = "one";
+    waiter.mounts[0].outside = "two";
 
-    double start = seconds_now();
     SandboxRun *first = sandbox_start(&writer);
-    SandboxRun *second = sandbox_start(&sleeper);
+    SandboxRun *second = sandbox_start(&waiter);
     cr_assert(first != NULL && second != NULL);
+    file_await("one/begun");
+    file_await("two/begun");
+    file_write("one/go", "", 0);
+    file_write("two/go", "", 0);
     SandboxResult second_result = sandbox_wait(second);
     SandboxResult first_result = sandbox_wait(first);
-    cr_expect_lt(seconds_now() - start, 1.9);
     cr_expect_str_eq(second_result.output, "b\n");
     cr_expect_eq(first_result.output[0], 'a');
     expect_exit(second_result, 2);
