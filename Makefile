@@ -216,6 +216,10 @@ $(OUT)/obj/tests/fuzz/%.c.o: EXTRA = $(GRADER_INCLUDES) -DLLVMFuzzerTestOneInput
 $(OUT)/obj/tests/unit/test_corpus.c.o: EXTRA = $(GRADER_INCLUDES) -I tests/fuzz
 $(OUT)/tests/test_corpus: $(call objects,$(wildcard tests/fuzz/fuzz_*.c))
 
+# The figures that the bench prints.
+$(OUT)/obj/tests/unit/test_bench_report.c.o: EXTRA = -I tests/bench
+$(OUT)/tests/test_bench_report: $(call objects,tests/bench/report.c tests/bench/series.c)
+
 # What the suites use: a comparison of two pictures, what rays hit, and a device without images.
 $(OUT)/tools/compare: $(call objects,tests/compare.c) $(OUT)/libcommon.a
 	@mkdir -p $(@D)

@@ -5,9 +5,12 @@
 
 n_tests=0
 n_failed=0
+# The tests choose devices and sandboxes themselves.
+unset COURSE_DEVICE COURSE_SANDBOX
 scratch=$(mktemp -d "${TMPDIR:-/tmp}/suite-XXXXXX")
 trap 'rm -rf "$scratch"' EXIT
-trap 'exit 1' INT TERM
+# A second signal shall not end the clearing up.
+trap 'trap "" HUP INT TERM; exit 1' HUP INT TERM
 
 # ok STATUS NAME [WHY]: one test; STATUS 0 passes, and WHY is printed where it fails.
 ok() {
@@ -33,6 +36,16 @@ $output"; fi
 skip() {
     n_tests=$((n_tests + 1))
     echo "ok $n_tests - $1 # SKIP $2"
+}
+
+# await COMMAND...: until the command does. What has not come after ten minutes never will.
+await() {
+    tries=12000
+    until "$@"; do
+        tries=$((tries - 1))
+        [ $tries -gt 0 ] || return 1
+        sleep 0.05
+    done
 }
 
 # The plan, and the suite's exit status.

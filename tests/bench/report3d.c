@@ -72,7 +72,7 @@ static void print_spread(const char *renderer, const Series *frames)
 static void print_comparison(const Case3D *bench_case, ReportContext context)
 {
     const Series *naive = &bench_case->frames[NAIVE], *kdtree = &bench_case->frames[KDTREE];
-    const Spread of_rounds = series_ratio(naive, kdtree);
+    const Spread ratio = series_ratio(naive, kdtree);
     printf("\n%s, %d spheres: milliseconds a frame, median (smallest to largest)\n",
            bench_case->scene_name, bench_case->scene.n_spheres);
     print_spread("naive", naive);
@@ -86,8 +86,8 @@ static void print_comparison(const Case3D *bench_case, ReportContext context)
         print_spread("Embree", &bench_case->frames[EMBREE]);
         printf(", %d CPU threads\n", context.n_threads);
     }
-    printf("  naive / kd-tree: %.0f  (single rounds: %.0f to %.0f)\n",
-           median(naive) / median(kdtree), of_rounds.min, of_rounds.max);
+    printf("  naive / kd-tree: %.0f  (single rounds: %.0f to %.0f)\n", ratio.median, ratio.min,
+           ratio.max);
 }
 
 static void print_trees(const Case3D *cases, int n_cases, ReportContext context)
@@ -106,17 +106,18 @@ static void print_trees(const Case3D *cases, int n_cases, ReportContext context)
     printf("\n");
     for (int i = 0; i < n_cases; i++) {
         const Case3D *bench_case = &cases[i];
-        const double build_ms = median(&bench_case->builds[KDTREE]);
         printf("  %-16s  %8u  %8u  %8u  %5d  %8.2f  %8.2f", bench_case->scene_name,
                bench_case->n_nodes, bench_case->figures.n_leaves, bench_case->n_sphere_ids,
                bench_case->figures.depth,
-               (double)bench_case->n_sphere_ids / bench_case->figures.n_leaves, build_ms);
+               (double)bench_case->n_sphere_ids / bench_case->figures.n_leaves,
+               median(&bench_case->builds[KDTREE]));
         if (has_embree) {
-            const double embree_ms = median(&bench_case->builds[EMBREE]);
+            const Series *embree = &bench_case->builds[EMBREE];
+            const Series *parallel = &bench_case->parallel_builds;
             const struct Target *target = target_of(bench_case);
-            const double parallel_ms = median(&bench_case->parallel_builds);
-            printf("  %8.2f  %5.2f  %8.2f  %5.2f", embree_ms, build_ms / embree_ms, parallel_ms,
-                   build_ms / parallel_ms);
+            printf("  %8.2f  %5.2f  %8.2f  %5.2f", median(embree),
+                   series_ratio(&bench_case->builds[KDTREE], embree).median, median(parallel),
+                   series_ratio(&bench_case->builds[KDTREE], parallel).median);
             if (target != NULL && target->build > 0) {
                 printf("  target: at most %g times the parallel one", target->build);
             }
@@ -154,10 +155,9 @@ static void print_growth(const Case3D *cases, int n_cases, ReportContext context
         if (!is_random(bench_case)) {
             continue;
         }
-        const double naive_ms = median(&bench_case->frames[NAIVE]);
-        const double kdtree_ms = median(&bench_case->frames[KDTREE]);
-        printf("  %9d  %12.2f  %9.2f  %9.3g", bench_case->scene.n_spheres, naive_ms, kdtree_ms,
-               naive_ms / kdtree_ms);
+        const Series *naive = &bench_case->frames[NAIVE], *kdtree = &bench_case->frames[KDTREE];
+        printf("  %9d  %12.2f  %9.2f  %9.3g", bench_case->scene.n_spheres, median(naive),
+               median(kdtree), series_ratio(naive, kdtree).median);
         if (context.n_threads > 0) {
             printf("  %9.2f", median(&bench_case->frames[EMBREE]));
         }
@@ -183,10 +183,10 @@ static void print_rates(const Case3D *cases, int n_cases, ReportContext context)
         const struct Target *target = target_of(&cases[i]);
         if (target != NULL) {
             const Series *kdtree = &cases[i].frames[KDTREE], *embree = &cases[i].frames[EMBREE];
-            const Spread of_rounds = series_ratio(embree, kdtree);
+            const Spread ratio = series_ratio(embree, kdtree);
             printf("  %-16s  %8.2f  %8.2f  %6.2f  %6.1f  (single rounds: %.2f to %.2f)\n",
-                   cases[i].scene_name, mray_s(kdtree), mray_s(embree),
-                   mray_s(kdtree) / mray_s(embree), target->rate, of_rounds.min, of_rounds.max);
+                   cases[i].scene_name, mray_s(kdtree), mray_s(embree), ratio.median, target->rate,
+                   ratio.min, ratio.max);
         }
     }
 }

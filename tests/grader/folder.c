@@ -1,4 +1,4 @@
-// Measuring and removing folders that are not trusted (see folder.h).
+// Temporary folders; and measuring and removing folders that are not trusted (see folder.h).
 //
 // Every step opens one name in a folder that is held open and follows no link, so nothing that is
 // swapped meanwhile leads elsewhere. Read next: sandbox_census.c, which measures.
@@ -8,9 +8,26 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+int temporary_folder_make(char *path, size_t n_bytes, const char *name)
+{
+    const char *parent = getenv("TMPDIR");
+    if (parent == NULL || parent[0] == '\0') {
+        parent = "/tmp";
+    }
+    const int length = snprintf(path, n_bytes, "%s/%s-XXXXXX", parent, name);
+    if (length < 0 || (size_t)length >= n_bytes) {
+        errno = ENAMETOOLONG;
+    } else if (mkdtemp(path) != NULL) {
+        return 0;
+    }
+    path[0] = '\0';
+    return -1;
+}
 
 static DIR *folder_open(int parent, const char *name)
 {

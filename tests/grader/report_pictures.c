@@ -5,6 +5,7 @@
 // run.
 #include "report_pictures.h"
 
+#include "folder.h"
 #include "html.h"
 #include "image.h"
 
@@ -54,11 +55,9 @@ static int file_uri_write(FILE *page, const char *path)
 
 int picture_uri_write(FILE *page, const Image *image)
 {
-    const char *parent = getenv("TMPDIR");
     char folder[4096 - sizeof "/picture.png"];
-    snprintf(folder, sizeof folder, "%s/grader-picture-XXXXXX", parent != NULL ? parent : "/tmp");
-    if (mkdtemp(folder) == NULL) {
-        return fault(folder);
+    if (temporary_folder_make(folder, sizeof folder, "grader-picture") != 0) {
+        return fault("a folder in $TMPDIR or /tmp");
     }
     char path[4096];
     snprintf(path, sizeof path, "%s/picture.png", folder);

@@ -4,10 +4,11 @@
 // say, which looks at where a link leads. Read next: sandbox_walls.c.
 #include "sandbox_view.h"
 
+#include "folder.h"
+
 #include <dirent.h>
 #include <errno.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -33,6 +34,15 @@ static int has_mount(const SandboxCommand *command, const char *inside, int belo
     return 0;
 }
 
+// A folder that may be there already, open to the run's user whatever the umask.
+static int open_folder_make(const char *path)
+{
+    if (mkdir(path, 0755) != 0) {
+        return errno == EEXIST ? 0 : -1;
+    }
+    return chmod(path, 0755);
+}
+
 // The folders above view/inside.
 static int parents_make(const char *view, const char *inside)
 {
@@ -40,7 +50,7 @@ static int parents_make(const char *view, const char *inside)
     path_join(path, view, inside);
     for (char *slash = path + strlen(view) + 1; (slash = strchr(slash, '/')) != NULL; slash++) {
         *slash = '\0';
-        if (mkdir(path, 0755) != 0 && errno != EEXIST) {
+        if (open_folder_make(path) != 0) {
             return -1;
         }
         *slash = '/';
@@ -57,7 +67,7 @@ static int folder_make(const SandboxCommand *command, const char *view, const ch
 {
     char path[PATH_MAX];
     path_join(path, view, inside);
-    if (mkdir(path, 0755) != 0 && errno != EEXIST) {
+    if (open_folder_make(path) != 0) {
         return -1;
     }
     DIR *folder = opendir(outside);
@@ -96,10 +106,7 @@ static int entry_make(const SandboxCommand *command, const char *view, const cha
 int view_make(const SandboxCommand *command, uid_t user, char view[PATH_MAX])
 {
     char path[PATH_MAX];
-    const char *parent = getenv("TMPDIR");
-    path_join(view, parent != NULL && parent[0] != '\0' ? parent : "/tmp", "/sandbox-XXXXXX");
-    if (mkdtemp(view) == NULL) {
-        view[0] = '\0';
+    if (temporary_folder_make(view, PATH_MAX, "sandbox") != 0) {
         return -1;
     }
     path_join(path, view, "/tmp");

@@ -132,18 +132,14 @@ static int make_mount_points(const Workshop *workshop)
 int workshop_open(Workshop *workshop, const Manifest *manifest, const char *build,
                   const char *device, SandboxKind sandbox)
 {
-    const char *parent = getenv("TMPDIR");
     *workshop =
         (Workshop){.build = build, .manifest = manifest, .device = device, .sandbox = sandbox};
     for (int i = 0; i < manifest->n_files; i++) {
         const char *ending = strrchr(manifest->files[i], '.');
         workshop->needs_compiler |= ending != NULL && strcmp(ending, ".c") == 0;
     }
-    const int length = snprintf(workshop->folder, sizeof workshop->folder, "%s/grade-XXXXXX",
-                                parent != NULL && parent[0] != '\0' ? parent : "/tmp");
-    if (length >= (int)sizeof workshop->folder || mkdtemp(workshop->folder) == NULL) {
-        fprintf(stderr, "grade: no temporary folder in $TMPDIR or /tmp\n");
-        workshop->folder[0] = '\0';
+    if (temporary_folder_make(workshop->folder, sizeof workshop->folder, "grade") != 0) {
+        fprintf(stderr, "grade: no temporary folder in $TMPDIR or /tmp: %s\n", strerror(errno));
         return -1;
     }
     char path[PATH_BYTES];

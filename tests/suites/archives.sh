@@ -189,7 +189,8 @@ zip -q -r -y link.zip labs
 graded "a link in an archive" refuses "$PWD/link.zip" "render.c: a symbolic link"
 rm labs/render.c
 ln labs/gradient.cl labs/render.c
-tar -czf hard.tar.gz labs
+# In this order, whatever a folder lists first: the second name of a file is the link.
+tar -czf hard.tar.gz labs/gradient.cl labs/render.c
 graded "a hard link in an archive" refuses "$PWD/hard.tar.gz" "render.c: a symbolic link"
 
 in_new_folder

@@ -332,6 +332,18 @@ done
     check "no bubblewrap: it says so" grep -q 'Landlock is used$' "$said.err"
 }
 
+# An empty TMPDIR is none, as in a shell's ${TMPDIR:-/tmp}; the skeleton's report has pictures.
+empty_tmpdir() (
+    TMPDIR='' grades 1 0 --lab 00 --submission labs/00-hello-pixels
+)
+check "TMPDIR is empty: the grader works in /tmp" empty_tmpdir
+no_tmpdir() (
+    # shellcheck disable=SC2016 # said so
+    TMPDIR=/nowhere refuses ' in $TMPDIR or /tmp: No such file or directory' \
+        --lab 00 --submission labs/00-hello-pixels
+)
+check "TMPDIR is not there: it says so" no_tmpdir
+
 grade --lab 01 --submission solutions/01-naive-2d --device none-such
 ok $(($? != 2)) "no such device: it ends with 2"
 check "no such device: it says so" grep -q 'found no device "none-such"' "$said.err"

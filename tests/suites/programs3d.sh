@@ -81,7 +81,7 @@ resolution 128 128
 l 3000 1000 1000
 f 1 0.5 0.2 1 0 0 0 1
 END
-awk 'BEGIN { for (i = 0; i < 20; i++) for (j = 0; j < 20; j++)
+LC_ALL=C awk 'BEGIN { for (i = 0; i < 20; i++) for (j = 0; j < 20; j++)
     print "s", 0, (i - 9.5) / 9, (j - 9.5) / 9, 0.04 }' >>"$scenes/far.nff"
 check "lab 05 draws a scene from afar" draws 05 128x128 "$out/far.exr" --scene "$scenes/far.nff"
 check "by the textbook's quadratic as well" draws 05 128x128 "$out/textbook.exr" \

@@ -29,8 +29,12 @@ export TMPDIR="$scratch/w"
 # ---- A cluster of one machine -------------------------------------------------------------------
 
 cluster=$scratch/cluster
-port=$((20000 + $$ % 20000))
 export SLURM_CONF="$cluster/slurm.conf"
+
+# is_free PORT: does nothing on this machine use it?
+is_free() { ! grep -q -i "^ *[0-9]*: [0-9A-F]*:$(printf %04X "$1") " /proc/net/tcp /proc/net/tcp6; }
+port=20000
+until is_free $port && is_free $((port + 1)); do port=$((port + 2)); done
 
 cluster_start() {
     mkdir -p "$cluster/state" "$cluster/spool"
@@ -69,26 +73,17 @@ END
         --pid-file="$cluster/munged.pid" --log-file="$cluster/munged.log" \
         --seed-file="$cluster/munge.seed" &&
         slurmctld -f "$SLURM_CONF" && slurmd -f "$SLURM_CONF" -N localhost &&
-        await 20 is_idle
+        await is_idle
 }
 
 cluster_end() {
     for program in slurmd slurmctld munged; do
         [ ! -s "$cluster/$program.pid" ] || kill "$(cat "$cluster/$program.pid")" 2>/dev/null
     done
-    # shellcheck disable=SC2016 # for the inner shell
-    await 10 sh -c '! kill -0 $(cat "$0"/*.pid)' "$cluster" 2>/dev/null
+    await has_ended 2>/dev/null
 }
-
-# await SECONDS COMMAND...: until the command does.
-await() {
-    tries=$(($1 * 10))
-    shift
-    until "$@"; do
-        tries=$((tries - 1))
-        [ $tries -gt 0 ] || return 1
-        sleep 0.1
-    done
+has_ended() {
+    for process in $(cat "$cluster"/*.pid); do ! kill -0 "$process" || return 1; done
 }
 
 is_idle() { sinfo --noheader --format %t 2>/dev/null | grep -q idle; }
@@ -135,11 +130,11 @@ done
 has_started() { squeue --noheader --states=RUNNING | grep -q .; }
 run "$scratch/killed" --engine slurm &
 driver=$!
-check "a task runs" await 20 has_started
+check "a task runs" await has_started
 # shellcheck disable=SC2046 # the driver and its shell
 kill -9 $(cat "/proc/$driver/task/$driver/children") $driver
 check "killed, and taken up by GNU parallel" run "$scratch/killed" --engine parallel
-check "no job is left in the cluster" await 10 is_empty
+check "no job is left in the cluster" await is_empty
 check "the gradebook is the same" cmp "$scratch/slurm/gradebook.csv" "$scratch/killed/gradebook.csv"
 check "nothing stays behind in TMPDIR" test -z "$(ls -A "$TMPDIR")"
 

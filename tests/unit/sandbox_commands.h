@@ -56,8 +56,8 @@ static inline void landlock_enter(void)
     cr_assert_eq(chmod(".", 0755), 0);
 }
 
-TestSuite(bubblewrap, .init = bubblewrap_enter, .fini = folder_leave, .timeout = 1800);
-TestSuite(landlock, .init = landlock_enter, .fini = folder_leave, .timeout = 1800);
+TestSuite(bubblewrap, .init = bubblewrap_enter, .fini = folder_leave);
+TestSuite(landlock, .init = landlock_enter, .fini = folder_leave);
 
 // `script` in a shell, with the current folder as /work. One command at a time in a process.
 static inline SandboxCommand shell_command(const char *script)
@@ -70,7 +70,7 @@ static inline SandboxCommand shell_command(const char *script)
         .folder = "/work",
         .mounts = {{.outside = ".", .inside = "/work", .writable = 1}},
         .n_mounts = 1,
-        .time = {.processor = 10, .asleep = 20, .wall = 600},
+        .time = {.processor = 10, .asleep = 100, .wall = 3000},
         .memory_mb = MAX_MEMORY_MB,
         .file_mb = MAX_FILE_MB,
         .n_processes = MAX_PROCESSES,
@@ -138,6 +138,18 @@ static inline int exit_status_outside(const char *script)
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
+// Wait until there is such a file, in this test's folder. Fails only where nothing comes any more.
+static inline void file_await(const char *path)
+{
+    for (int i = 0; i < 30000 && access(path, F_OK) != 0; i++) {
+        sleep_milliseconds(10);
+    }
+    cr_assert_eq(access(path, F_OK), 0, "%s did not come", path);
+}
+
+// For a script: wait until the test has made the file "go".
+#define UNTIL_GO "until [ -e go ]; do sleep 0.05; done; "
+
 // Processes that a test looks for sleep for a time that no other process sleeps for: 1 minute and a
 // fraction that is this process's own.
 static inline const char *minute_sleep(const char *before, const char *after)
@@ -164,7 +176,7 @@ static inline int minute_sleep_exists(void)
 // Wait until it is there, or is not; two seconds at most.
 static inline int minute_sleep_becomes(int is_there)
 {
-    for (int i = 0; i < 100 && minute_sleep_exists() != is_there; i++) {
+    for (int i = 0; i < 1000 && minute_sleep_exists() != is_there; i++) {
         sleep_milliseconds(20);
     }
     return minute_sleep_exists() == is_there;

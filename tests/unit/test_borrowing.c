@@ -4,7 +4,7 @@
 
 #include <criterion/criterion.h>
 
-TestSuite(borrowing, .timeout = 60);
+TestSuite(borrowing);
 
 // What the answer to a task of a lab borrows: the other task's id, "" for nothing.
 static const char *borrowed_from(const Manifest *manifest, const char *task, const char *answer)

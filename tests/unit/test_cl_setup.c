@@ -14,7 +14,7 @@ static void enter(void)
     unsetenv(CL_DEVICE_VARIABLE);
 }
 
-TestSuite(cl_setup, .init = enter, .fini = folder_leave, .timeout = 60);
+TestSuite(cl_setup, .init = enter, .fini = folder_leave);
 
 static ClSetup setup_open(void)
 {

@@ -10,7 +10,7 @@
 #include <criterion/parameterized.h>
 #include <math.h>
 
-TestSuite(comparison, .timeout = 60);
+TestSuite(comparison);
 
 // A lab that draws, and one of its pictures, of a scene where something is to be seen.
 typedef struct DrawnLab {

@@ -6,7 +6,7 @@
 #include <errno.h>
 #include <fcntl.h>
 
-TestSuite(folder, .init = folder_enter, .fini = folder_leave, .timeout = 60);
+TestSuite(folder, .init = folder_enter, .fini = folder_leave);
 
 enum { NOBODY = 65534 };
 
@@ -35,6 +35,43 @@ Test(folder, a_file_is_no_folder)
     file_make("file");
     cr_expect_eq(folder_remove("file"), -1);
     cr_expect_eq(folder_count(), 1);
+}
+
+// Where a temporary folder is made, TMPDIR being `value`; it is removed again.
+static void expect_temporary_in(const char *parent, const char *value)
+{
+    char path[64], expected[64];
+    if (value != NULL) {
+        setenv("TMPDIR", value, 1);
+    } else {
+        unsetenv("TMPDIR");
+    }
+    const int length = snprintf(expected, sizeof expected, "%s/name-", parent);
+    cr_expect_eq(temporary_folder_make(path, sizeof path, "name"), 0);
+    cr_expect_eq(strncmp(path, expected, (size_t)length), 0, "made %s", path);
+    cr_expect_eq(rmdir(path), 0);
+}
+
+Test(folder, temporary_ones_are_in_tmpdir)
+{
+    expect_temporary_in(surroundings_folder, surroundings_folder);
+    expect_temporary_in("/tmp", NULL);
+    expect_temporary_in("/tmp", "");  // as every shell's ${TMPDIR:-/tmp}
+}
+
+Test(folder, a_temporary_one_that_cannot_be_made)
+{
+    char path[64];
+    setenv("TMPDIR", "/nowhere", 1);
+    cr_expect_eq(temporary_folder_make(path, sizeof path, "name"), -1);
+    cr_expect_eq(errno, ENOENT);
+    cr_expect_str_eq(path, "");
+    setenv("TMPDIR", surroundings_folder, 1);
+    cr_expect_eq(
+        temporary_folder_make(path, strlen(surroundings_folder) + sizeof "/name-XXXXX", "name"),
+        -1);
+    cr_expect_eq(errno, ENAMETOOLONG);
+    cr_expect_eq(folder_count(), 0);
 }
 
 Test(folder, links_are_not_followed)

@@ -7,7 +7,7 @@
 #include <criterion/redirect.h>
 #include <glob.h>
 
-TestSuite(holes, .timeout = 20);
+TestSuite(holes);
 
 static const char SOLUTION[] = "int one(void)\n"
                                "{\n"

@@ -7,7 +7,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-TestSuite(judge_07, .timeout = 120);
+TestSuite(judge_07);
 
 static JobScene3D *scenes_open(uint64_t seed)
 {

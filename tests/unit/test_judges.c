@@ -13,7 +13,7 @@
 #include <glob.h>
 #include <math.h>
 
-TestSuite(judges, .timeout = 60);
+TestSuite(judges);
 
 static const char *const lab_names[] = {
     "00-hello-pixels", "01-naive-2d", "02-kdtree-2d-build", "03-kdtree-2d-render",

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-TestSuite(memcheck, .timeout = 60);
+TestSuite(memcheck);
 
 // ---- The small job ------------------------------------------------------------------------------
 

@@ -343,7 +343,7 @@ static void expect_all_in_view(const Scene3D *scene)
     }
 }
 
-Test(molecule, all_atoms_are_in_view, .timeout = 60)
+Test(molecule, all_atoms_are_in_view)
 {
     Random random = {1};
     for (int round = 0; round < 300; round++) {
@@ -386,7 +386,7 @@ Test(molecule, a_flat_molecule_shows_its_face)
 
 // ---- Files that stop anywhere, and large ones ---------------------------------------------------
 
-Test(molecule, cut_anywhere, .timeout = 60)
+Test(molecule, cut_anywhere)
 {
     static const struct {
         Read *read;
@@ -411,7 +411,7 @@ Test(molecule, cut_anywhere, .timeout = 60)
     }
 }
 
-Test(molecule, a_million_atoms_take_seconds, .timeout = 60)
+Test(molecule, a_million_atoms_take_seconds)
 {
     FILE *file = tmpfile();
     fputs("1000000\n\n", file);

@@ -2,7 +2,7 @@
 #include "mutations.h"
 #include "surroundings.h"
 
-TestSuite(mutate, .timeout = 20);
+TestSuite(mutate);
 
 // Is there a mutation of `text` with this id, and does it make this of the text?
 static void expect_mutant(const char *text, const char *id, const char *expected)

@@ -386,7 +386,7 @@ Test(nff, a_folder_cannot_be_read)
 }
 
 // Wherever a download stops: a scene, or one message.
-Test(nff, cut_anywhere, .timeout = 60)
+Test(nff, cut_anywhere)
 {
     static const char text[] =
         "# comment\r\nb 0.1 0.2 0.3\r\n" VIEW "l 1 2 3\nl 1 2 3 0.5 0.5 0.5\n"
@@ -558,7 +558,7 @@ Test(nff, a_full_disk_is_noticed)
 
 // ---- Large files --------------------------------------------------------------------------------
 
-Test(nff, a_million_spheres_take_seconds, .timeout = 60)
+Test(nff, a_million_spheres_take_seconds)
 {
     FILE *file = tmpfile();
     fputs(VIEW, file);

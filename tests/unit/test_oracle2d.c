@@ -9,7 +9,7 @@
 
 #include <math.h>
 
-TestSuite(oracle2d, .timeout = 30);
+TestSuite(oracle2d);
 
 static const OracleRules RIGHT = {0};
 

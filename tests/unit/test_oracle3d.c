@@ -7,7 +7,7 @@
 
 #include <math.h>
 
-TestSuite(oracle3d, .timeout = 60);
+TestSuite(oracle3d);
 
 static const OracleRules3D RIGHT = {0};
 

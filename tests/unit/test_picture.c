@@ -8,7 +8,7 @@
 
 #include <math.h>
 
-TestSuite(picture, .timeout = 60);
+TestSuite(picture);
 
 // ---- A scene, its picture, and a probe's answer -------------------------------------------------
 

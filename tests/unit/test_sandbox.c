@@ -65,6 +65,22 @@ TEST_BOTH(nothing_but_writable_mounts_can_be_written)
     cr_assert_eq(unlink("given/own") | rmdir(given), 0);
 }
 
+// A mount inside another one: behind Landlock their folders are made for the run.
+TEST_BOTH(a_umask_that_closes_folders_changes_nothing)
+{
+    SandboxCommand command = shell_command("cat given/deep/file");
+    mkdir("given", 0755);
+    mkdir("given/deep", 0755);  // where bubblewrap mounts
+    mkdir("outside", 0755);
+    file_write("outside/file", "read", 4);
+    command.mounts[1] = (SandboxMount){.outside = "outside", .inside = "/work/given/deep"};
+    command.n_mounts = 2;
+    umask(077);
+    SandboxResult result = command_run(&command);
+    cr_expect_str_eq(result.output, "read");
+    expect_exit(result, 0);
+}
+
 TEST_BOTH(runs_as_an_ordinary_user_without_rights)
 {
     SandboxResult result = shell_run("id -u; while read -r name value; do\n"
@@ -122,7 +138,7 @@ TEST_BOTH(a_memory_hog_is_stopped)
 
 TEST_BOTH(a_burst_of_processes_is_stopped)
 {
-    SandboxResult result = shell_run("for i in $(seq 60); do sleep 5 & echo $i; done 2>/dev/null");
+    SandboxResult result = shell_run("for i in $(seq 60); do sleep 20 & echo $i; done 2>/dev/null");
     cr_expect_not_null(strstr(result.output, "\n20\n"), "stopped too early: %s", result.output);
     cr_expect_null(strstr(result.output, "\n24\n"), "%s", result.output);
     free(result.output);
@@ -252,10 +268,11 @@ TEST_BOTH(time_runs_without_anybody_waiting)
 
 TEST_BOTH(a_background_process_is_gone_when_the_command_ends)
 {
-    SandboxCommand command = shell_command(minute_sleep("setsid", "& sleep 1; exit 4"));
+    SandboxCommand command = shell_command(minute_sleep("setsid", "& " UNTIL_GO "exit 4"));
     SandboxRun *run = sandbox_start(&command);
     cr_assert_not_null(run);
     cr_assert(minute_sleep_becomes(1), "the test sees no processes inside");
+    file_write("go", "", 0);
     SandboxResult result = sandbox_wait(run);
     cr_expect_eq(result.n_left, tested_kind == SANDBOX_LANDLOCK ? 1 : 0, "%d", result.n_left);
     expect_exit(result, 4);
@@ -272,7 +289,7 @@ TEST_BOTH(a_background_process_is_gone_after_a_time_out)
 
 TEST_BOTH(everything_is_gone_when_the_grader_is_killed)
 {
-    SandboxCommand command = shell_command(minute_sleep("setsid", "& sleep 30"));
+    SandboxCommand command = shell_command(minute_sleep("setsid", "& sleep 300"));
     pid_t grader = fork();
     if (grader == 0) {
         sandbox_wait(sandbox_start(&command));
@@ -362,22 +379,24 @@ TEST_BOTH(control_characters_are_replaced)
 
 TEST_BOTH(two_run_at_the_same_time_and_end_in_any_order)
 {
-    // The first goes on only when the second, started behind it, has ended.
-    const char *const first_argv[] = {
-        "/bin/sh", "-c",
-        "head -c 5M /dev/zero | tr '\\0' a; until [ -e go ]; do sleep 0.01; done; exit 1", NULL};
-    cr_assert_eq(mkdir("first", 0755), 0);
-    SandboxCommand first_command = shell_command("");
-    first_command.argv = first_argv;
-    first_command.mounts[0].outside = "first";
-    first_command.time.asleep = 600;
-    SandboxCommand second_command = shell_command("echo b; exit 2");
+    const char *const writer_argv[] = {
+        "/bin/sh", "-c", ": >begun; head -c 5M /dev/zero | tr '\\0' a; " UNTIL_GO "exit 1", NULL};
+    SandboxCommand writer = shell_command("");
+    writer.argv = writer_argv;
+    SandboxCommand waiter = shell_command(": >begun; " UNTIL_GO "echo b; exit 2");
+    mkdir("one", 0755);
+    mkdir("two", 0755);
+    writer.mounts[0].outside = "one";
+    waiter.mounts[0].outside = "two";
 
-    SandboxRun *first = sandbox_start(&first_command);
-    SandboxRun *second = sandbox_start(&second_command);
+    SandboxRun *first = sandbox_start(&writer);
+    SandboxRun *second = sandbox_start(&waiter);
     cr_assert(first != NULL && second != NULL);
+    file_await("one/begun");
+    file_await("two/begun");
+    file_write("one/go", "", 0);
+    file_write("two/go", "", 0);
     SandboxResult second_result = sandbox_wait(second);
-    file_write("first/go", "", 0);
     SandboxResult first_result = sandbox_wait(first);
     cr_expect_str_eq(second_result.output, "b\n");
     cr_expect_eq(first_result.output[0], 'a');

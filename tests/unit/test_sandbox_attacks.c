@@ -57,14 +57,19 @@ TEST_BOTH(files_that_everybody_may_read_cannot_be_read)
 
 TEST_BOTH(another_runs_folders_cannot_be_touched)
 {
+    char other[] = "/tmp/unit-XXXXXX", pattern[128];
+    cr_assert_not_null(mkdtemp(other));
+    cr_assert_eq(chmod(other, 0755), 0);
+    setenv("TMPDIR", other, 1);
+    snprintf(pattern, sizeof pattern, "%s/sandbox-*/tmp/own", other);
     SandboxCommand writer = shell_command("echo secret >$TMPDIR/own; chmod -R a+rwX $TMPDIR\n"
-                                          "echo $TMPDIR; sleep 2; cat $TMPDIR/own");
+                                          "echo $TMPDIR; : >begun; " UNTIL_GO "cat $TMPDIR/own");
     SandboxRun *run = sandbox_start(&writer);
     cr_assert_not_null(run);
-    sleep_milliseconds(700);
+    file_await("begun");
     glob_t found = {0};
     char script[512] = "true";
-    if (glob("/tmp/sandbox-*/tmp/own", 0, NULL, &found) == 0) {
+    if (glob(pattern, 0, NULL, &found) == 0) {
         snprintf(script, sizeof script, "cat %s; echo forged >%s; rm -f %s", found.gl_pathv[0],
                  found.gl_pathv[0], found.gl_pathv[0]);
     }
@@ -75,9 +80,11 @@ TEST_BOTH(another_runs_folders_cannot_be_touched)
     SandboxResult result = command_run(&reader);
     cr_expect_null(strstr(result.output, "secret"), "%s", result.output);
     free(result.output);
+    file_write("go", "", 0);
     result = sandbox_wait(run);
     cr_expect_not_null(strstr(result.output, "\nsecret\n"), "%s", result.output);
     free(result.output);
+    cr_expect_eq(rmdir(other), 0);
 }
 
 // ---- Other processes -------------------------------------------------------------------------
@@ -86,7 +93,7 @@ TEST_BOTH(the_grader_cannot_be_signalled)
 {
     pid_t sleeper = fork();
     if (sleeper == 0) {
-        sleep(20);
+        sleep(300);
         _exit(0);
     }
     char script[128];
@@ -252,11 +259,15 @@ TEST_BOTH(links_lead_the_census_nowhere)
 
 // ---- Survivors -------------------------------------------------------------------------------
 
+// For a script: wait until the other process has written something.
+#define UNTIL_ALIVE "select(undef, undef, undef, 0.05) until -s q(alive); "
+
 TEST_BOTH(a_daemon_does_not_outlive_its_run)
 {
     SandboxCommand command = perl_command(
-        "use POSIX; if (!fork) { setsid; if (!fork) { for (1..200) { open(my $f, q(>>), q(alive)); "
-        "syswrite $f, q(x); select(undef, undef, undef, 0.05) } } exit } sleep 1; exit 4");
+        "use POSIX; if (!fork) { setsid; if (!fork) { for (1..2000) { open(my $f, q(>>), "
+        "q(alive)); "
+        "syswrite $f, q(x); select(undef, undef, undef, 0.05) } } exit } " UNTIL_ALIVE "exit 4");
     SandboxResult result = command_run(&command);
     cr_expect_eq(result.n_left, tested_kind == SANDBOX_LANDLOCK ? 1 : 0, "%d", result.n_left);
     expect_exit(result, 4);
@@ -271,12 +282,12 @@ TEST_BOTH(a_daemon_does_not_outlive_its_run)
 TEST_BOTH(a_chain_of_forks_does_not_outlive_its_run)
 {
     SandboxCommand command = perl_command(
-        "if (!fork) { for (1..2000) { exit if fork; open(my $f, q(>>), q(alive)); syswrite $f, "
-        "q(x) } } select(undef, undef, undef, 0.2); exit 4");
+        "if (!fork) { for (1..20000) { exit if fork; open(my $f, q(>>), q(alive)); syswrite $f, "
+        "q(x) } } " UNTIL_ALIVE "exit 4");
     expect_exit(command_run(&command), 4);
     struct stat before, after;
     cr_assert_eq(stat("alive", &before), 0);
-    cr_assert_lt(before.st_size, 2000, "the chain was too short to be ended");
+    cr_assert_lt(before.st_size, 20000, "the chain was too short to be ended");
     sleep_milliseconds(300);
     cr_assert_eq(stat("alive", &after), 0);
     cr_expect_eq(before.st_size, after.st_size, "it is still alive");
@@ -309,17 +320,17 @@ Test(landlock, its_folder_is_removed_when_the_grader_is_killed)
     char own[128];
     snprintf(own, sizeof own, "%s/own", surroundings_folder);
     setenv("TMPDIR", own, 1);
-    SandboxCommand command = shell_command("sleep 20");
+    SandboxCommand command = shell_command(": >begun; sleep 300");
     pid_t grader = fork();
     if (grader == 0) {
         sandbox_wait(sandbox_start(&command));
         _exit(0);
     }
-    sleep_milliseconds(500);
+    file_await("begun");
     cr_expect_neq(rmdir(own), 0, "the test sees no folder");
     kill(grader, SIGKILL);
     waitpid(grader, NULL, 0);
-    for (int i = 0; i < 100 && rmdir(own) != 0; i++) {
+    for (int i = 0; i < 3000 && rmdir(own) != 0; i++) {
         sleep_milliseconds(20);
     }
     cr_expect_neq(access(own, F_OK), 0, "something is left in it");

@@ -65,7 +65,7 @@ static void expect_exact_in_float(const Scene2D *scene, const char *name)
     }
 }
 
-Test(scene2d, every_edge_case_stays_on_the_grid_and_is_exact, .timeout = 60)
+Test(scene2d, every_edge_case_stays_on_the_grid_and_is_exact)
 {
     static const int SIZES[][2] = {{64, 48}, {1024, 1024}, {1, 1}, {3, 200}, {1000000, 1}};
     for (int i = 0; scene2d_edge_case(i) != NULL; i++) {

@@ -468,7 +468,7 @@ Test(scene3d, default_radii_are_shares_of_the_spacing)
     }
 }
 
-Test(scene3d, a_million_random_spheres, .timeout = 60)
+Test(scene3d, a_million_random_spheres)
 {
     Scene3D scene = scene_open("random:n=1000000");
     cr_assert_eq(scene.n_spheres, 1000000);

@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <sys/stat.h>
 
-TestSuite(sections, .init = folder_enter, .fini = folder_leave, .timeout = 10);
+TestSuite(sections, .init = folder_enter, .fini = folder_leave);
 
 enum { MAX_BYTES = 1 << 20 };
 

@@ -2,7 +2,7 @@
 #include "source_words.h"
 #include "surroundings.h"
 
-TestSuite(source_words, .timeout = 20);
+TestSuite(source_words);
 
 Test(source_words, kinds_lines_and_directives)
 {

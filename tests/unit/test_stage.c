@@ -15,7 +15,7 @@ static void two_folders_enter(void)
     cr_assert_eq(mkdir("to", 0755), 0);
 }
 
-TestSuite(stage, .init = two_folders_enter, .fini = folder_leave, .timeout = 10);
+TestSuite(stage, .init = two_folders_enter, .fini = folder_leave);
 
 static int stage(const char *file, char **message)
 {
@@ -363,7 +363,7 @@ Test(stage, passes_over_a_folder_nobody_may_read)
     expect_content("to/a.cl", "one/two/a.cl");
 }
 
-Test(stage, finds_a_file_among_a_hundred_thousand, .timeout = 60)
+Test(stage, finds_a_file_among_a_hundred_thousand)
 {
     // Links are made faster than files, and are as many entries.
     char path[256], filler[201];

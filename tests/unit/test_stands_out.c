@@ -7,7 +7,7 @@
 
 #include <glob.h>
 
-TestSuite(stands_out, .timeout = 60);
+TestSuite(stands_out);
 
 // The notes on a text, owned by the caller.
 static char *notes_on(const char *text)
@@ -164,7 +164,7 @@ static void lab_enter(void)
     }
 }
 
-TestSuite(extra_files, .init = lab_enter, .fini = folder_leave, .timeout = 60);
+TestSuite(extra_files, .init = lab_enter, .fini = folder_leave);
 
 static char *extra_notes(void)
 {

@@ -36,7 +36,7 @@ static int may_allocate(void)
 #undef calloc
 #undef realloc
 
-TestSuite(tree2d, .timeout = 20);
+TestSuite(tree2d);
 
 // ---- The judges ---------------------------------------------------------------------------------
 

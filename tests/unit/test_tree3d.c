@@ -36,7 +36,7 @@ static int may_allocate(void)
 #undef calloc
 #undef realloc
 
-TestSuite(tree3d, .timeout = 30);
+TestSuite(tree3d);
 
 // ---- tree3d_check() -----------------------------------------------------------------------------
 

@@ -11,7 +11,7 @@ static int has_memory = 1;
 #include "tree3d_draw.c"
 #undef malloc
 
-TestSuite(tree3d_draw, .timeout = 30);
+TestSuite(tree3d_draw);
 
 // Draw a scene of scene3d.h; every value is a colour's.
 static Image draw(const char *name, int width, int height, KdTreeLimits limits)

@@ -10,7 +10,7 @@
 
 #include <math.h>
 
-TestSuite(tree3d_judge, .timeout = 30);
+TestSuite(tree3d_judge);
 
 enum { BOUNDS = 1, SPLITS = 2, OVERLAP = 4, LISTS = 8, PACKING = 16, DEPTH = 32 };
 

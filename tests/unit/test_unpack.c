@@ -19,7 +19,7 @@ static void out_folder_enter(void)
     cr_assert_eq(mkdir("out", 0755), 0);
 }
 
-TestSuite(unpack, .init = out_folder_enter, .fini = folder_leave, .timeout = 60);
+TestSuite(unpack, .init = out_folder_enter, .fini = folder_leave);
 
 // ---- Making archives ------------------------------------------------------------------------
 

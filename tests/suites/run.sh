@@ -1,0 +1,142 @@
+#!/bin/sh
+# tests/run.sh itself, with tests that are made up here: what it counts, in which order it runs them,
+# and that all of it ends when it is told to, but nothing of its caller's.
+. tests/tap.sh
+
+course=$PWD
+mkdir -p "$scratch/tests/suites" "$scratch/build/tests" "$scratch/build/sanitized/tests"
+cp tests/run.sh tests/tap.sh "$scratch/tests"
+cd "$scratch" || exit 1
+
+# unit NAME: a unit test that reads a script on stdin; its TAP is asked for as --tap=FILE.
+unit() {
+    { printf '#!/bin/sh\ntap=${3#--tap=}\n'; cat; } >"$1"
+    chmod +x "$1"
+}
+
+# runs STATUS NAME...: does run.sh end so? What it said is in said.
+runs() {
+    wanted=$1 status=0
+    shift
+    BUILD=build tests/run.sh "$@" >said 2>&1 </dev/null || status=$?
+    cat said
+    [ "$status" -eq "$wanted" ]
+}
+
+# says LINE: is this a line of what it said, seconds aside?
+says() { sed 's/ *[0-9]* s$//' said | grep -qxF -- "$1" || { cat said; return 1; }; }
+
+# ---- What it counts -----------------------------------------------------------------------------
+
+unit build/tests/test_cl_setup <<'END'
+printf 'ok 1\nok 2\n' >"$tap"
+END
+for name in a b c d e f; do
+    unit "build/sanitized/tests/test_$name" <<'END'
+printf 'ok 1\n' >"$tap"
+END
+done
+printf '. tests/tap.sh\nok 0 good\nok 0 better\nskip other why\nfinish\n' >tests/suites/good.sh
+check "all pass" runs 0
+check "the last line counts them" test "$(tail -n 1 said)" = "10 passed, 0 failed"
+check "a suite's line" says "good                      2 passed, 0 failed, 1 skipped"
+check "a unit test's line" says "test_cl_setup             2 passed, 0 failed"
+
+printf '. tests/tap.sh\nok 0 good\nok 1 bad "the reason"\nfinish\n' >tests/suites/bad.sh
+check "one fails" runs 1 bad good
+check "it is counted, and unit tests that were not asked for are not" \
+    test "$(tail -n 1 said)" = "3 passed, 1 failed"
+check "with its reason" says "      # the reason"
+printf '. tests/tap.sh\nok 0 good\nexit 3\n' >tests/suites/bad.sh
+check "a suite dies" runs 1 bad
+check "and says so" says "    not ok - the suite ended with exit status 3"
+: >tests/suites/bad.sh
+check "a suite without a test" runs 1 bad
+check "and it says so" says "    not ok - the suite ran no test"
+unit build/sanitized/tests/test_a <<'END'
+kill -9 $$
+END
+check "a unit test dies before it writes anything" runs 1 test_a
+check "and it says so" says "    not ok - the suite ended with exit status 137"
+check "no test of this name" runs 1 none-such
+check "and it says so" says "no test is called: none-such"
+rm tests/suites/bad.sh build/sanitized/tests/test_a
+
+# ---- In another order ---------------------------------------------------------------------------
+
+printf '. tests/tap.sh\nok 0 good\nfinish\n' | tee tests/suites/one.sh >tests/suites/two.sh
+
+# order SEED: the names in the order that they ran in.
+order() {
+    ORDER=$1 runs 0 >/dev/null
+    sed -n 's/ *[0-9]* passed, 0 failed.* s$//p' said | tr '\n' ' '
+}
+usual=$(order '')
+sorted() { printf '%s\n' "$1" | tr ' ' '\n' | LC_ALL=C sort; }
+n_orders=$(for seed in 1 2 3 4 5; do order $seed && echo; done | sort -u | wc -l)
+[ "$n_orders" -gt 1 ]
+ok $? "seeds give several orders" "five gave $n_orders"
+check "a seed always gives the same" test "$(order 7)" = "$(order 7)"
+check "every test runs" test "$(sorted "$(order 7)")" = "$(sorted "$usual")"
+check "the seed is told" says "in the order of seed 7"
+ORDER=random
+export ORDER
+check "what is no number is refused" runs 2
+check "with a message" says 'ORDER: found "random", expected a whole number'
+unset ORDER
+
+# ---- Told to end --------------------------------------------------------------------------------
+
+# A suite and a unit test that wait, each beside a process in a group of its own, as timeout makes one.
+cat >tests/suites/long.sh <<'END'
+. tests/tap.sh
+echo "$scratch" >suite-folder
+timeout 1000 sleep 1000 &
+echo $! $$ >suite-pids.new
+mv suite-pids.new suite-pids
+wait
+END
+unit build/sanitized/tests/test_long <<'END'
+timeout 1000 sleep 1000 &
+echo $! $$ >unit-pids.new
+mv unit-pids.new unit-pids
+wait
+END
+
+# The caller has one process group with run.sh, and Ctrl-C is not ignored in it, as in a terminal.
+cat >caller.sh <<'END'
+trap : INT
+caller=$$ BUILD=build sh -c 'echo $$ $caller >caller-pids.new
+    mv caller-pids.new caller-pids
+    exec tests/run.sh long test_long' >said 2>&1
+echo $? >survived
+END
+
+both_run() { [ -e suite-pids ] && [ -e unit-pids ] && [ -e caller-pids ]; }
+have_ended() {
+    for process in $(cat ./*-pids); do
+        ! kill -0 "$process" 2>/dev/null || return 1
+    done
+}
+
+# told SIGNAL STATUS: start both, send the signal to run.sh, as `kill` does, or to the whole group of
+# its caller, as a terminal does. It ends with the status.
+told() {
+    rm -f ./*-pids survived
+    setsid --fork env --default-signal=INT sh ./caller.sh </dev/null
+    check "$1: a suite and a unit test wait" await both_run
+    read -r runner caller <caller-pids
+    case $1 in
+    Ctrl-C) kill -s INT -- "-$caller" ;;
+    *) kill -s "$1" "$runner" ;;
+    esac
+    check "$1: all that was started ends" await have_ended
+    check "$1: its caller lives on" test "$(cat survived)" = "$2"
+    check "$1: and the suite's folder goes" test ! -e "$(cat suite-folder)"
+}
+told TERM 143
+told HUP 129
+told Ctrl-C 130
+
+cd "$course" || exit 1
+finish

@@ -1,0 +1,45 @@
+// The bench's reports: a ratio and the spread beside it are of one kind, so that it lies within.
+#include "report.h"
+
+#include "options.h"
+#include "surroundings.h"
+
+enum { N_ROUNDS = 3 };
+
+const char *const VARIANT_NAMES[N_VARIANT_KINDS] = {"fill", "naive", "kdtree"};
+
+// A kernel that is ten times as fast as the naive one in every round, though 1.0 is the ratio of the
+// medians of all frames: half of them were drawn while the machine was slow.
+static void rounds_make(Series *naive, Series *kdtree)
+{
+    static const double naive_ms[N_ROUNDS] = {100, 10, 10};
+    static const double kdtree_ms[N_ROUNDS][3] = {{10, 10, 10}, {1, 1, 10}, {1, 1, 10}};
+    for (int round = 0; round < N_ROUNDS; round++) {
+        series_add(naive, naive_ms[round]);
+        series_end_round(naive);
+        for (int i = 0; i < 3; i++) {
+            series_add(kdtree, kdtree_ms[round][i]);
+        }
+        series_end_round(kdtree);
+    }
+}
+
+Test(bench_report, a_ratio_is_the_median_of_the_rounds)
+{
+    static Variant variants[3];
+    static const Scene2D scene = {
+        .n_circles = SCENE2D_DEFAULT_CIRCLES, .width = 1024, .height = 1024};
+    variants[0] = (Variant){.kind = NAIVE, .scene = &scene, .n_rows = 1024};
+    variants[1] = (Variant){.kind = KDTREE, .scene = &scene, .n_rows = 1024};
+    variants[1].limits = (KdTreeLimits){OPTIONS_DEFAULT_MAX_DEPTH, OPTIONS_DEFAULT_LEAF_SIZE};
+    variants[2] = (Variant){.kind = FILL, .scene = &scene, .n_rows = 1024};
+    rounds_make(&variants[0].frames, &variants[1].frames);
+    rounds_make(&variants[2].frames, &variants[1].builds);
+    capture_begin(1);
+    report_print(variants, 3, "a device");
+    const char *report = capture_end(1);
+    cr_expect_not_null(strstr(report, "    10  (single rounds: 10 to 10)\n"), "%s", report);
+    // And in the tables, which tell no spread.
+    cr_expect_not_null(strstr(report, "    10  the labs' own  fastest\n"), "%s", report);
+    cr_expect_not_null(strstr(report, "     10.00       10.00     10.0\n"), "%s", report);
+}
