@@ -1,6 +1,7 @@
 // Folders, compilers and probes: how a variant of a submission becomes answers.
 #include "workshop.h"
 
+#include "crash_line.h"
 #include "folder.h"
 #include "jobs.h"
 #include "message.h"
@@ -10,6 +11,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <glob.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -265,8 +267,12 @@ static SandboxRun *start(const Workshop *workshop, const Variant *variant, int b
     snprintf(device, sizeof device, CL_DEVICE_VARIABLE "=%s", workshop->device);
     // PoCL takes groups of 4096, GPUs often no more than 256: what is graded here shall run there.
     // One thread: an endless loop then keeps one processor busy, not all of them.
-    const char *const environment[] = {device, "POCL_MAX_WORK_GROUP_SIZE=256",
-                                       "POCL_MAX_PTHREAD_COUNT=1", "POCL_CPU_MAX_CU_COUNT=1", NULL};
+    const char *const environment[] = {device,
+                                       "POCL_MAX_WORK_GROUP_SIZE=256",
+                                       "POCL_MAX_PTHREAD_COUNT=1",
+                                       "POCL_CPU_MAX_CU_COUNT=1",
+                                       CRASH_LINE_OPTIONS,
+                                       NULL};
     SandboxCommand command = {
         .kind = workshop->sandbox,
         .argv = argv,
@@ -274,7 +280,9 @@ static SandboxRun *start(const Workshop *workshop, const Variant *variant, int b
         .folder = "/work",
         .wall_seconds = wall_seconds,
         .cpu_seconds = 2 * wall_seconds,
-        .memory_mb = MEMORY_MB,
+        // The address sanitizer reserves terabytes that it never uses; what is in use is still
+        // counted.
+        .memory_mb = variant->is_checked && !building ? 0 : MEMORY_MB,
         .file_mb = FILE_MB,
         .n_processes = N_PROCESSES,
         .total_memory_mb = TOTAL_MEMORY_MB,
@@ -318,6 +326,11 @@ static SandboxRun *start_compiler(const Workshop *workshop, const Variant *varia
     for (int i = 0; i < 2; i++) {
         snprintf(words[n_words], PATH_BYTES, libraries[i], manifest->lab);
         argv[n++] = words[n_words++];
+    }
+    if (variant->is_checked) {
+        argv[n++] = "-fsanitize=address";
+        argv[n++] = "-fno-omit-frame-pointer";
+        argv[n++] = "-fno-optimize-sibling-calls";
     }
     const char *const rest[] = {"lib/libcommon.a", "-lOpenCL", "-lm", "-o", "build/probe"};
     memcpy(argv + n, rest, sizeof rest);
@@ -364,6 +377,20 @@ static int take_build(Variant *variant, int wall_seconds)
     return 0;
 }
 
+// Where the probe says it was.
+static void take_place(const Workshop *workshop, Variant *variant)
+{
+    char path[PATH_BYTES];
+    Sections job;
+    snprintf(path, sizeof path, "%s/variant-%s/out/note", workshop->folder, variant->name);
+    const ProbeNote note = run_note_load(path);
+    workshop_job_path(workshop, path, sizeof path);
+    if (sections_load(path, (size_t)256 << 20, &job) == 0) {
+        variant->place = run_place_find(workshop->manifest->lab, &job, &note);
+    }
+    sections_free(&job);
+}
+
 static int take_run(const Workshop *workshop, Variant *variant, int wall_seconds)
 {
     SandboxResult result = sandbox_wait(variant->run);
@@ -387,6 +414,11 @@ static int take_run(const Workshop *workshop, Variant *variant, int wall_seconds
             sections_find_any(&variant->answers, PROBE_END, &n_bytes) == NULL) {
             variant->trouble = message_new("it ended by itself, with exit status 0, before it had "
                                            "answered everything: a call of exit()?");
+        }
+        variant->has_crashed = result.outcome == SANDBOX_CRASHED && result.signal != SIGXFSZ &&
+                               result.signal != SIGKILL;
+        if (variant->trouble != NULL) {
+            take_place(workshop, variant);
         }
     }
     return 0;
@@ -425,4 +457,33 @@ int variants_run(const Workshop *workshop, Variant *const variants[], int n, int
                       : 0;
     }
     return result;
+}
+
+// ---- The line of a crash ------------------------------------------------------------------------
+
+// Make a variant's folder for what is written in the sandbox anew: behind Landlock the old one's
+// files belong to a user that is gone. Returns 0, or -1 after one message.
+static int renew_folder(const Workshop *workshop, const Variant *variant, const char *name)
+{
+    char path[PATH_BYTES];
+    snprintf(path, sizeof path, "%s/variant-%s/%s", workshop->folder, variant->name, name);
+    return folder_remove(path) != 0 && errno != ENOENT ? -1 : make_folder(path);
+}
+
+char *variant_find_line(const Workshop *workshop, const Variant *variant, int wall_seconds)
+{
+    char out[PATH_BYTES], lab[PATH_BYTES];
+    Variant checked = {.is_checked = 1};
+    Variant *const variants[] = {&checked};
+    memcpy(checked.name, variant->name, sizeof checked.name);
+    if (!workshop->needs_compiler || renew_folder(workshop, variant, "build") != 0 ||
+        renew_folder(workshop, variant, "out") != 0 ||
+        variants_run(workshop, variants, 1, wall_seconds) != 0) {
+        return NULL;
+    }
+    snprintf(out, sizeof out, "%s/variant-%s/out", workshop->folder, variant->name);
+    snprintf(lab, sizeof lab, "%s/variant-%s/lab", workshop->folder, variant->name);
+    char *line = checked.trouble != NULL ? crash_line_find(out, lab, workshop->manifest) : NULL;
+    variant_free(&checked);
+    return line;
 }
