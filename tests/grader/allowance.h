@@ -10,7 +10,7 @@
 typedef enum Step { STEP_COMPILING, STEP_RUNNING, N_STEPS } Step;
 
 typedef struct Allowance {
-    int given_seconds;  // the instructor's own limit, or 0
+    int given_seconds;              // the instructor's own limit, or 0
     SandboxTime solution[N_STEPS];  // what it used, where that is known
     int is_known[N_STEPS];
     int is_packed;  // it is from allowance_read_packed()

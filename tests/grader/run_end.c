@@ -53,16 +53,15 @@ static char *describe_limit(SandboxLimit limit)
 
 char *run_end_describe(const SandboxResult *result, SandboxTime allowed)
 {
-    const SandboxTime *used = &result->used;
     switch (result->outcome) {
     case SANDBOX_TIMED_OUT:
-        return message_new("it did not finish in time: it used %.1f s of processor time, allowed "
-                           "are %.1f s; an endless loop?",
-                           used->processor, allowed.processor);
+        return message_new("it did not finish in time: it used up the %.1f s of processor time "
+                           "that are allowed; an endless loop?",
+                           allowed.processor);
     case SANDBOX_ASLEEP:
         return message_new("it did not finish in time: it waited, without using a processor, for "
-                           "%.1f s, allowed are %.1f s; a sleep, or a wait for what never comes?",
-                           used->asleep, allowed.asleep);
+                           "the %.1f s that are allowed; a sleep, or a wait for what never comes?",
+                           allowed.asleep);
     case SANDBOX_CRASHED:
         if (result->signal == SIGXFSZ) {
             return message_new("it was stopped: it wrote a file of more than %d MB", FILE_MB);
