@@ -102,7 +102,7 @@ typedef enum StepKind {
     ON_LEVEL,   // a number from 1 to TODO_LEVELS
 } StepKind;
 
-typedef struct Step {
+typedef struct ProbeStep {
     const char *lab;   // its number; "" for all
     const char *name;  // as noted
     const char *where;
@@ -110,9 +110,9 @@ typedef struct Step {
     StepKind kind;
     size_t input_bytes;
     Describe *describe;  // for host functions
-} Step;
+} ProbeStep;
 
-static const Step steps[] = {
+static const ProbeStep steps[] = {
     {.lab = "", .name = "", .where = "before any of your functions was called"},
     {.lab = "", .name = "build", .where = "while your kernels were compiled"},
     {"00", "arguments", "in set_arguments", "set_arguments", ON_SCENE, 0, NULL},
@@ -165,7 +165,7 @@ static const Step steps[] = {
 };
 
 // The step of a note, or NULL. Names are compared with their padding: one without an end is none.
-static const Step *step_find(const char *lab, const ProbeNote *note)
+static const ProbeStep *step_find(const char *lab, const ProbeNote *note)
 {
     for (size_t i = 0; i < sizeof steps / sizeof *steps; i++) {
         char name[SECTION_NAME_BYTES] = {0};
@@ -178,7 +178,8 @@ static const Step *step_find(const char *lab, const ProbeNote *note)
     return NULL;
 }
 
-static void describe_inputs(const Step *step, const Sections *job, uint32_t number, RunPlace *place)
+static void describe_inputs(const ProbeStep *step, const Sections *job, uint32_t number,
+                            RunPlace *place)
 {
     size_t n_bytes;
     const unsigned char *inputs = sections_find_any(job, step->name, &n_bytes);
@@ -206,7 +207,7 @@ static void describe_scene(const Sections *job, uint32_t number, RunPlace *place
 RunPlace run_place_find(const char *lab, const Sections *job, const ProbeNote *note)
 {
     RunPlace place = {0};
-    const Step *step = step_find(lab, note);
+    const ProbeStep *step = step_find(lab, note);
     if (step == NULL) {
         return place;
     }
