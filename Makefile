@@ -86,6 +86,10 @@ endef
 $(foreach tree,labs solutions,$(foreach l,$(LABS),$(eval $(call lab_program,$(tree),$(l)))))
 $(foreach l,$(LABS),$(eval $(call earlier_archive,$(l))))
 
+# Any other lab, as in a handout, which has one.
+$(OUT)/labs/% $(OUT)/solutions/%:
+	@echo "make: $@: found no lab $*, expected one of: $(sort $(PROGRAMS))" >&2; exit 2
+
 # ---- The grader -----------------------------------------------------------------------------
 
 GRADER_MAINS = $(addprefix tests/grader/,grade.c mutants.c mutate.c holes_tool.c unpack_tool.c memcheck.c)
@@ -151,20 +155,23 @@ grader: $(if $(HANDOUT),,$(OUT)/tools/holes $(OUT)/tools/gradebook) $(GRADER_TOO
 .PHONY: lab-grader
 lab-grader: $(OUT)/tools/grade $(OUT)/tools/unpack $(filter $(OUT)/probes/$(LAB)-%,$(PROBE_TARGETS)) $(patsubst %,$(OUT)/earlier/%.a,$(filter $(LAB)-%,$(LABS)))
 
+# Status 1 is a verdict, such as points that are missing: make has nothing to complain of.
+verdict_is_no_fault = || test $$? -eq 1
+
 .PHONY: grade
 grade: grader  ## grade LAB=03 [SUBMISSION=folder or archive] [SEED=n] [DEVICE=d] [TIME_LIMIT=seconds] [FORMAT=junit,tap]
 	@test -n "$(LAB)" || { echo "make grade: say which lab: make grade LAB=03" >&2; exit 2; }
 	@$(OUT)/tools/grade --build $(OUT) --lab "$$LAB" $(if $(SUBMISSION),--submission "$$SUBMISSION") \
 	    $(if $(SEED),--seed "$$SEED") $(if $(DEVICE),--device "$$DEVICE") \
 	    $(if $(TIME_LIMIT),--time-limit "$$TIME_LIMIT") \
-	    $(if $(FORMAT),--format "$$FORMAT")
+	    $(if $(FORMAT),--format "$$FORMAT") $(verdict_is_no_fault)
 
 .PHONY: memcheck
 memcheck: grader  ## look for indices out of range, unset values and races: LAB=03 [SUBMISSION=folder]
 	@test -n "$(LAB)" || { echo "make memcheck: say which lab: make memcheck LAB=03" >&2; exit 2; }
 	@$(OUT)/tools/memcheck --build $(OUT) --lab "$$LAB" \
 	    $(if $(SUBMISSION),--submission "$$SUBMISSION") $(if $(SEED),--seed "$$SEED") \
-	    $(if $(TIME_LIMIT),--time-limit "$$TIME_LIMIT")
+	    $(if $(TIME_LIMIT),--time-limit "$$TIME_LIMIT") $(verdict_is_no_fault)
 
 # Bundles for the systems that courses use (tests/systems/README.md), in build/systems.
 .PHONY: gradescope autolab prairielearn github

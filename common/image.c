@@ -118,7 +118,7 @@ static float difference_brightness(const float *pixel, const float *reference)
     for (int channel = 0; channel < IMAGE_CHANNELS; channel++) {
         sum += fabsf(pixel[channel] - reference[channel]);
     }
-    return isfinite(sum) ? fminf(2 * sum, 1.0f) : 1.0f;
+    return isfinite(sum) ? fminf(sum / IMAGE_BRIGHTEST_DIFFERENCE, 1.0f) : 1.0f;
 }
 
 int image_difference_picture(const Image *image, const Image *reference, Image *difference)

@@ -59,8 +59,12 @@ ImageDifference image_compare(const Image *image, const Image *reference, float 
 //   rgb[3]   out
 void image_heat_colour(float value, float *rgb);
 
+// The least sum of the four channels' differences that has the brightest colour.
+#define IMAGE_BRIGHTEST_DIFFERENCE 0.5f
+
 // Where two pictures differ, for people: black where equal, the brighter the further apart
-// (|difference| summed over the channels, doubled, in the inferno colours; NaN is brightest). Both
+// (|difference| summed over the channels, up to the value above, in the inferno colours; NaN is
+// brightest). Both
 // of the same size. Returns 0, or -1 after one message on stderr. Release with image_free().
 int image_difference_picture(const Image *image, const Image *reference, Image *difference);
 

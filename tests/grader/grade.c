@@ -19,6 +19,7 @@
 #include "stands_out.h"
 #include "stats.h"
 #include "submission.h"
+#include "text_file.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -26,13 +27,17 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#define NO_ANSWER "no answer: "
+
 enum { EXIT_FULL_MARKS = 0, EXIT_BELOW = 1, EXIT_FAULT = 2, PATH_BYTES = 600 };
 
 // All that one grading holds.
 typedef struct Grading {
     Session session;
-    Variant whole;                      // the submission as it is
-    Variant alone[MANIFEST_MAX_TASKS];  // one answer of it in the solution of the other tasks
+    Variant whole;                         // the submission as it is
+    Variant alone[MANIFEST_MAX_TASKS];     // one answer of it in the solution of the other tasks
+    int is_untouched[MANIFEST_MAX_TASKS];  // its task stands as it was handed out
+    int has_line;                          // it is told at which line of a host file it crashed
     Result result;
 } Grading;
 
@@ -65,11 +70,27 @@ static void add_stage(Result *result, const char *title, CheckStatus status, con
     *stage = (StageResult){title, status, message_new("%s", message)};
 }
 
+// How the whole submission ended before its end, and where. Owned by the caller.
+static char *describe_end(Grading *grading)
+{
+    const Variant *whole = &grading->whole;
+    const RunPlace *place = &whole->place;
+    char *line = whole->has_crashed ? session_find_line(&grading->session, whole) : NULL;
+    grading->has_line = line != NULL;
+    char *message =
+        message_new("%s\n%s%s%s%s%s%s%s%s%s", whole->trouble, place->where ? "where: " : "",
+                    place->where ? place->where : "", place->with[0] ? ", " : "", place->with,
+                    place->where ? "\n" : "", line ? line : "", whole->habits,
+                    whole->habits[0] ? "\n" : "", whole->run_output);
+    free(line);
+    return message;
+}
+
 // Tell how the whole submission compiled and ran.
 static void add_run_stages(Grading *grading)
 {
     Result *result = &grading->result;
-    const Variant *whole = &grading->whole;
+    Variant *whole = &grading->whole;
     if (whole->build_log != NULL) {
         add_stage(result, "Compiling", CHECK_FAILED, whole->build_log);
         add_stage(result, "Running", CHECK_NOT_RUN, "");
@@ -77,10 +98,10 @@ static void add_run_stages(Grading *grading)
     }
     add_stage(result, "Compiling", CHECK_PASSED, "");
     if (whole->trouble != NULL) {
-        char *message = message_new("%s\n%s%s%s", whole->trouble, whole->habits,
-                                    whole->habits[0] ? "\n" : "", whole->run_output);
+        char *message = describe_end(grading);
         add_stage(result, "Running", CHECK_FAILED, message);
         free(message);
+        whole->is_told = 1;
     } else {
         add_stage(result, "Running", CHECK_PASSED, whole->habits);
     }
@@ -88,13 +109,25 @@ static void add_run_stages(Grading *grading)
 
 // ---- Judging --------------------------------------------------------------------------------
 
-// Judge the checks that have not passed yet, of one task or of all (NULL).
-static void judge_open_checks(Grading *grading, const Variant *variant, const char *task)
+// Did two variants end in the same way at the same place?
+static int ended_alike(const Variant *one, const Variant *other)
 {
+    const RunPlace *a = &one->place, *b = &other->place;
+    return one->trouble != NULL && other->trouble != NULL &&
+           strcmp(one->trouble, other->trouble) == 0 && a->where == b->where &&
+           strcmp(a->with, b->with) == 0;
+}
+
+// Judge the checks that have not passed yet, of one task or of all (NULL). An end before its time
+// is told once: for the whole under "Running", for an answer alone with its first check.
+static void judge_open_checks(Grading *grading, Variant *variant, const char *task)
+{
+    variant->is_told |= ended_alike(variant, &grading->whole);
     for (int i = 0; i < grading->result.n_checks; i++) {
         CheckResult *check = &grading->result.checks[i];
         if (check->status != CHECK_PASSED && (task == NULL || strcmp(check->task, task) == 0)) {
             session_judge(&grading->session, i, variant, check);
+            variant->is_told |= strncmp(check->message, NO_ANSWER, strlen(NO_ANSWER)) == 0;
         }
     }
 }
@@ -155,14 +188,20 @@ static char *answer_for_alone(Grading *grading, const Task *task)
     return answer;
 }
 
-// Does the same answer stand in the lab's folder below `tree`, "labs" or "solutions"?
-static int stands_in(const char *tree, const Grading *grading, const Task *task, const char *answer)
+// Does the same answer stand in our solution, or (cut) in what is cut from it to be handed out? The
+// folder labs/ is not asked: a student may be at work there.
+static int is_ours(const Grading *grading, const Task *task, const char *answer, int cut)
 {
     char path[PATH_BYTES];
-    snprintf(path, sizeof path, "%s/%s/%s", tree, grading->session.manifest.lab, task->file);
-    char *other = hole_load(path, task->id);
+    snprintf(path, sizeof path, "solutions/%s/%s", grading->session.manifest.lab, task->file);
+    char *text = text_file_read(path);
+    char *skeleton = text != NULL && cut ? holes_cut(text, path) : NULL;
+    const char *whole = cut ? skeleton : text;
+    char *other = whole != NULL ? hole_read(whole, task->id) : NULL;
     const int is_same = other != NULL && strcmp(answer, other) == 0;
     free(other);
+    free(skeleton);
+    free(text);
     return is_same;
 }
 
@@ -184,11 +223,12 @@ static void note_unanswered(Grading *grading, const char *task)
 // the others our own answer is our solution. Returns whether it was one of them.
 static int judge_known(Grading *grading, const Task *task, const char *answer)
 {
-    if (stands_in("labs", grading, task, answer)) {
+    if (is_ours(grading, task, answer, 1)) {
+        grading->is_untouched[task - grading->session.manifest.tasks] = 1;
         note_unanswered(grading, task->id);
         return 1;
     }
-    if (stands_in("solutions", grading, task, answer)) {
+    if (is_ours(grading, task, answer, 0)) {
         judge_open_checks(grading, &grading->session.solution, task->id);
         return 1;
     }
@@ -281,9 +321,8 @@ static int grade(Grading *grading, const Settings *settings)
     } else if (judge_alone(grading) != 0) {
         return -1;
     }
-    const char *trouble = grading->whole.trouble;
-    memcheck_advise(&session->manifest, trouble && strstr(trouble, "it crashed") != NULL,
-                    &grading->result);
+    memcheck_advise(&session->manifest, grading->whole.has_crashed && !grading->has_line,
+                    grading->is_untouched, &grading->result);
     session->judge->add_pictures(session->job, &grading->whole.answers, &grading->result);
     return 0;
 }

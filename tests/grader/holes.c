@@ -223,6 +223,19 @@ char *hole_load(const char *path, const char *id)
     return content;
 }
 
+int hole_has_line(const char *text, const char *id, int number)
+{
+    Hole hole;
+    Line line = {0};
+    if (!hole_find(text, id, &hole)) {
+        return 0;
+    }
+    while (number > 0 && next_line(&text, &line)) {
+        number--;
+    }
+    return number == 0 && line.start >= hole.start && line.start < hole.end;
+}
+
 char *hole_fill(const char *solution, const char *id, const char *body)
 {
     Hole hole;

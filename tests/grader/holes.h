@@ -31,6 +31,9 @@ char *hole_read(const char *text, const char *id);
 // The same of a file. NULL also when it cannot be read, after one message on stderr.
 char *hole_load(const char *path, const char *id);
 
+// Does line `number` of the text, from 1, stand in hole `id`?
+int hole_has_line(const char *text, const char *id, int number);
+
 // `solution` with the content of hole `id` replaced by `body`. Returns the text, free() it, or NULL
 // when the hole is not in it.
 char *hole_fill(const char *solution, const char *id, const char *body);

@@ -85,6 +85,14 @@ const char html_style[] =
     "  object-fit: contain; object-position: top left; border-radius: 0.25rem; }\n"
     "img.small { image-rendering: pixelated; }\n"
     "img.drawing { background: #ffffff; border: 1px solid var(--edge); }\n"
+    ".legend { margin-top: 0.375rem; font-size: 0.75rem; color: var(--soft); }\n"
+    ".legend .colours { height: 0.625rem; border-radius: 0.1875rem;\n"
+    "  border: 1px solid var(--edge); print-color-adjust: exact; }\n"
+    ".legend .numbers { display: flex; justify-content: space-between; }\n"
+    // Each number below its own place: it takes no room itself.
+    ".legend .numbers span { display: flex; width: 0; justify-content: center; }\n"
+    ".legend .numbers span:first-child { justify-content: flex-start; }\n"
+    ".legend .numbers span:last-child { justify-content: flex-end; }\n"
     ".missing { padding: 2rem 1rem; text-align: center; color: var(--soft); font-size: 0.875rem;\n"
     "  border: 1px dashed var(--edge); border-radius: 0.25rem; }\n"
     // The reference moves over one's own picture, at the same place and size, to be flipped

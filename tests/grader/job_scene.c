@@ -146,6 +146,7 @@ int job_scene_write(const JobScene *scene, int k, FILE *file)
     const SceneJob job = {s->n_circles, s->width, s->height, scene->limits.maxDepth,
                           scene->limits.targetElementsPerNode};
     int result = job_section_write(file, k, NULL, &job, sizeof job);
+    result |= job_title_write(file, k, scene->picture.title);
     result |= write_circles(file, k, s);
     const KdTree2D *tree = &scene->tree;
     if (tree->n_nodes > 0) {

@@ -138,6 +138,7 @@ int job_scene3d_write(const JobScene3D *scene, int k, FILE *file)
     const size_t n_spheres = (size_t)s->n_spheres + 1, n_materials = (size_t)s->n_materials + 1,
                  n_lights = (size_t)s->n_lights + 1;
     int result = job_section_write(file, k, NULL, &job, sizeof job);
+    result |= job_title_write(file, k, scene->picture.title);
     result |= job_section_write(file, k, "spheres", s->spheres, n_spheres * sizeof *s->spheres);
     result |= job_section_write(file, k, "material_ids", s->material_ids,
                                 n_spheres * sizeof *s->material_ids);

@@ -1,11 +1,18 @@
 // The names of numbered sections.
 #include "job_sections.h"
 
+#include <string.h>
+
 int job_section_write(FILE *file, int k, const char *part, const void *bytes, size_t n_bytes)
 {
     char name[SECTION_NAME_BYTES];
     snprintf(name, sizeof name, part ? "scene.%d.%s" : "scene.%d", k, part);
     return section_write(file, name, bytes, n_bytes);
+}
+
+int job_title_write(FILE *file, int k, const char *title)
+{
+    return job_section_write(file, k, "title", title, strlen(title));
 }
 
 const void *job_section_find(const Sections *answers, const char *stem, int k, size_t n_bytes)

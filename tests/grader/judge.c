@@ -35,3 +35,13 @@ const Judge *judge_of(const char *lab)
     }
     return NULL;
 }
+
+void judges_list(FILE *out)
+{
+    const size_t n = sizeof judges / sizeof *judges;
+    fputs(n == 1 ? "is only " : "are ", out);
+    for (size_t i = 0; i < n; i++) {
+        fprintf(out, "%s%s", i == 0 ? "" : ", ", judges[i]->lab);
+    }
+    fputc('\n', out);
+}

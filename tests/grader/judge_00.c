@@ -119,6 +119,7 @@ static void *job_new(uint64_t seed, FILE *file)
         job->pictures[k] = &job->gradients[k];
         result = expect_gradient(size.width, size.height, &job->gradients[k]);
         result |= job_section_write(file, k, NULL, &size, sizeof size);
+        result |= job_title_write(file, k, job->gradients[k].title);
     }
     if (result != 0 && job != NULL) {
         job_free(job);

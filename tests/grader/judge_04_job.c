@@ -100,6 +100,7 @@ static int draw_pictures(Random *random, Job04 *job, FILE *file)
         job->pictures[k] = picture;
         result = expect_directions(&scene.camera, width, height, picture);
         result |= job_section_write(file, k, NULL, &scene, sizeof scene);
+        result |= job_title_write(file, k, picture->title);
     }
     return result;
 }

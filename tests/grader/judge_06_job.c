@@ -313,6 +313,7 @@ static int write_scene(const TreeScene3D *scene, int k, FILE *file)
     }
     spheres[n] = (Sphere){.radius = BEYOND_RADIUS};
     const int result = job_section_write(file, k, NULL, &job, sizeof job) |
+                       job_title_write(file, k, scene->title) |
                        job_section_write(file, k, "spheres", spheres, (n + 1) * sizeof *spheres);
     free(spheres);
     return result;

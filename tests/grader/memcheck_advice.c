@@ -16,24 +16,56 @@ static int has_kernels(const Manifest *manifest)
     return 0;
 }
 
-// Are pixels wrong, or no numbers at all, and no check has recognised why?
-static int has_strange_pixels(const Result *result)
+static int is_failed(const CheckResult *check)
+{
+    return check->status == CHECK_FAILED && check->message != NULL;
+}
+
+static int is_of_pixels(const CheckResult *check)
+{
+    return strstr(check->message, "pixels differ") != NULL;
+}
+
+// Was it seen in the picture what is wrong with it? That it holds no numbers explains nothing.
+static int is_recognised(const CheckResult *check)
+{
+    return strstr(check->message, "nobody wrote") != NULL ||
+           (strstr(check->message, "it looks") != NULL &&
+            strstr(check->message, "not a number") == NULL);
+}
+
+// Are pixels of this task wrong, while all that is asked of its functions is right?
+static int has_strange_pixels(const Result *result, const char *task)
+{
+    int n_strange = 0, n_explained = 0;
+    for (int i = 0; i < result->n_checks; i++) {
+        const CheckResult *check = &result->checks[i];
+        if (is_failed(check) && strcmp(check->task, task) == 0) {
+            n_strange += is_of_pixels(check);
+            n_explained += !is_of_pixels(check);
+        }
+    }
+    return n_strange > 0 && n_explained == 0;
+}
+
+// Are there pixels, in a task that was answered, of which nothing says why they are wrong?
+static int has_unexplained_pixels(const Manifest *manifest, const int *is_untouched,
+                                  const Result *result)
 {
     int n_strange = 0, n_recognised = 0;
     for (int i = 0; i < result->n_checks; i++) {
-        const char *message = result->checks[i].message;
-        if (result->checks[i].status == CHECK_FAILED && message != NULL) {
-            const int is_number = strstr(message, "not a number") == NULL;
-            n_recognised += is_number && strstr(message, "it looks") != NULL;
-            n_strange += strstr(message, "pixels differ") != NULL;
-        }
+        n_recognised += is_failed(&result->checks[i]) && is_recognised(&result->checks[i]);
+    }
+    for (int t = 0; t < manifest->n_tasks; t++) {
+        n_strange += !is_untouched[t] && has_strange_pixels(result, manifest->tasks[t].id);
     }
     return n_strange > 0 && n_recognised == 0;
 }
 
-void memcheck_advise(const Manifest *manifest, int crashed, Result *result)
+void memcheck_advise(const Manifest *manifest, int crashed, const int *is_untouched, Result *result)
 {
-    if (!has_kernels(manifest) || (!crashed && !has_strange_pixels(result))) {
+    if (!has_kernels(manifest) ||
+        (!crashed && !has_unexplained_pixels(manifest, is_untouched, result))) {
         return;
     }
     for (int i = 0; i < result->n_stages; i++) {

@@ -7,7 +7,9 @@
 
 // Note the offer under the stage "Running", where the submission's kernels crashed or drew pixels
 // that are wrong in a way that looks like no known mistake. Costs no points.
-//   crashed   the submission as a whole ended by a signal
-void memcheck_advise(const Manifest *manifest, int crashed, Result *result);
+//   crashed        the submission as a whole ended by a signal, at no known line
+//   is_untouched   for each task: does it stand as it was handed out?
+void memcheck_advise(const Manifest *manifest, int crashed, const int *is_untouched,
+                     Result *result);
 
 #endif

@@ -10,6 +10,7 @@
 #include "image.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -144,6 +145,29 @@ static int own_write(FILE *page, const PictureResult *picture)
     return written;
 }
 
+// What the colours of the difference mean: the colours themselves, and numbers below them.
+static void legend_write(FILE *page)
+{
+    enum { N_COLOURS = 17, N_NUMBERS = 5 };
+    fputs("<div class=\"legend\"><div class=\"colours\" role=\"img\" aria-label=\"from black over "
+          "purple, red and orange to pale yellow\" style=\"background: linear-gradient(to right",
+          page);
+    for (int i = 0; i < N_COLOURS; i++) {
+        float rgb[3];
+        image_heat_colour((float)i / (N_COLOURS - 1), rgb);
+        fprintf(page, ", #%02x%02x%02x", (unsigned)lrintf(255 * rgb[0]),
+                (unsigned)lrintf(255 * rgb[1]), (unsigned)lrintf(255 * rgb[2]));
+    }
+    fputs(")\"></div><div class=\"numbers number\">", page);
+    for (int i = 0; i < N_NUMBERS; i++) {
+        fprintf(page, "<span>%s%g</span>", i == N_NUMBERS - 1 ? "&ge; " : "",
+                (double)IMAGE_BRIGHTEST_DIFFERENCE * i / (N_NUMBERS - 1));
+    }
+    fputs("</div><p>the differences of red, green, blue and alpha, added up; black is equal, and "
+          "what is no number is pale yellow</p></div>",
+          page);
+}
+
 static int difference_write(FILE *page, const PictureResult *picture)
 {
     const Image *own = &picture->own;
@@ -162,6 +186,7 @@ static int difference_write(FILE *page, const PictureResult *picture)
         written = image_difference_picture(own, reference, &difference);
         if (written == 0) {
             written = image_figure_write(page, &difference, "the difference");
+            legend_write(page);
         }
         image_free(&difference);
     }

@@ -167,15 +167,28 @@ static void hint_print(const TextReport *report, const Task *task)
     free(hint);
 }
 
+// Task, file and title, with the points at the right edge; the title below where it does not fit.
+static void task_head_print(const TextReport *report, const Task *task, const TaskPoints *sum)
+{
+    enum { POINTS_COLUMNS = 8 };
+    char points[32];
+    snprintf(points, sizeof points, "%d/%d", sum->points, sum->max_points);
+    int columns = (int)strlen(" Task  in : ") + columns_count(task->id) +
+                  columns_count(task->file) + columns_count(task->title);
+    const int is_long = columns > PAGE_COLUMNS - POINTS_COLUMNS;
+    if (is_long) {
+        columns = (int)strlen("   ") + columns_count(task->title);
+    }
+    const int gap = PAGE_COLUMNS - columns;
+    fprintf(report->out, "\n %sTask %s in %s:%s%s%s%*s\n", colour(report, BOLD), task->id,
+            task->file, is_long ? "\n   " : " ", task->title, colour(report, PLAIN),
+            gap > POINTS_COLUMNS ? gap : POINTS_COLUMNS, points);
+}
+
 static void task_print(const TextReport *report, const Task *task, const Result *result)
 {
-    TaskPoints sum = result_task_points(result, task->id);
-    char points[32];
-    snprintf(points, sizeof points, "%d/%d", sum.points, sum.max_points);
-    int columns = (int)strlen(" Task : ") + columns_count(task->id) + columns_count(task->title);
-    int gap = PAGE_COLUMNS - columns;
-    fprintf(report->out, "\n %sTask %s: %s%s%*s\n", colour(report, BOLD), task->id, task->title,
-            colour(report, PLAIN), gap > 8 ? gap : 8, points);
+    const TaskPoints sum = result_task_points(result, task->id);
+    task_head_print(report, task, &sum);
     for (int i = 0; i < result->n_checks; i++) {
         if (strcmp(result->checks[i].task, task->id) == 0) {
             check_print(report, &result->checks[i]);

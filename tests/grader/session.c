@@ -52,6 +52,7 @@ int session_fill(const Session *session, const char *name, const char *task_id, 
     char folder[PATH_BYTES];
     const Task *task = task_id ? manifest_task(&session->manifest, task_id) : NULL;
     int result = variant_open(&session->workshop, name, variant, folder, sizeof folder);
+    variant->task = task != NULL ? task->id : NULL;
     for (int i = 0; result == 0 && i < session->manifest.n_files; i++) {
         const char *file = session->manifest.files[i];
         char *text = solution_text(session, file, task, answer);
@@ -166,14 +167,36 @@ void session_device_name(const Variant *variant, char *name, size_t n_bytes)
              device ? device : "host");
 }
 
-// Why a check got no answer from a variant.
-static char *describe_missing(const Variant *variant)
+char *session_find_line(Session *session, const Variant *variant)
 {
+    return variant_find_line(&session->workshop, variant, &session->allowance);
+}
+
+// Did a submission end in the function of another task? Then nothing is known about this one.
+static int ended_elsewhere(const Variant *variant, const char *task)
+{
+    return variant->task == NULL && variant->place.task != NULL &&
+           strcmp(variant->place.task, task) != 0;
+}
+
+// Why a check got no answer from a variant.
+static char *describe_missing(const Variant *variant, const char *task)
+{
+    const RunPlace *place = &variant->place;
     if (variant->build_log != NULL) {
         return message_new("not tried: it does not compile");
     }
-    return message_new("no answer: %s",
-                       variant->trouble ? variant->trouble : "the program said nothing about it");
+    if (variant->trouble == NULL) {
+        return message_new("no answer: the program said nothing about it");
+    }
+    if (!variant->is_told) {
+        return message_new("no answer: %s%s%s%s%s%s", variant->trouble, place->where ? " (" : "",
+                           place->where ? place->where : "", place->with[0] ? ", " : "",
+                           place->with, place->where ? ")" : "");
+    }
+    return message_new("%s: the program had ended%s%s",
+                       ended_elsewhere(variant, task) ? "not reached" : "no answer",
+                       place->where ? " " : " before", place->where ? place->where : "");
 }
 
 void session_judge(const Session *session, int i, const Variant *variant, CheckResult *result)
@@ -189,8 +212,11 @@ void session_judge(const Session *session, int i, const Variant *variant, CheckR
         result->message = verdict.message;
     } else {
         // A crash or an endless loop is the answer's own fault; what does not compile was not
-        // tried.
-        result->status = variant->trouble != NULL ? CHECK_FAILED : CHECK_NOT_RUN;
-        result->message = describe_missing(variant);
+        // tried, nor what comes behind the crash of another task's answer.
+        const char *task = session->judge->checks[i].task;
+        result->status = variant->trouble != NULL && !ended_elsewhere(variant, task)
+                             ? CHECK_FAILED
+                             : CHECK_NOT_RUN;
+        result->message = describe_missing(variant, task);
     }
 }

@@ -50,6 +50,9 @@ void session_device_name(const Variant *variant, char *name, size_t n_bytes);
 int session_fill(const Session *session, const char *name, const char *task, const char *answer,
                  Variant *variant);
 
+// The line at which a variant crashed: see variant_find_line().
+char *session_find_line(Session *session, const Variant *variant);
+
 // Judge check number i by a variant that has run, and note points, status and message.
 void session_judge(const Session *session, int i, const Variant *variant, CheckResult *result);
 

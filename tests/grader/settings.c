@@ -42,8 +42,9 @@ static int find_lab(const char *wanted, char lab[64])
 {
     const Judge *judge = judge_of(wanted);
     if (judge == NULL) {
-        fprintf(stderr, "grade: --lab: found \"%s\", expected the number or name of a lab\n",
+        fprintf(stderr, "grade: --lab: found \"%s\", expected the number or name of a lab; here ",
                 wanted);
+        judges_list(stderr);
         return -1;
     }
     snprintf(lab, 64, "%s", judge->lab);

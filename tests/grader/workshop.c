@@ -1,6 +1,7 @@
 // Folders, compilers and probes: how a variant of a submission becomes answers.
 #include "workshop.h"
 
+#include "crash_line.h"
 #include "folder.h"
 #include "jobs.h"
 #include "message.h"
@@ -10,6 +11,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <glob.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -261,15 +263,21 @@ static SandboxRun *start(const Workshop *workshop, const Variant *variant, int b
     snprintf(device, sizeof device, CL_DEVICE_VARIABLE "=%s", workshop->device);
     // PoCL takes groups of 4096, GPUs often no more than 256: what is graded here shall run there.
     // One thread: an endless loop then keeps one processor busy, not all of them.
-    const char *const environment[] = {device, "POCL_MAX_WORK_GROUP_SIZE=256",
-                                       "POCL_MAX_PTHREAD_COUNT=1", "POCL_CPU_MAX_CU_COUNT=1", NULL};
+    const char *const environment[] = {device,
+                                       "POCL_MAX_WORK_GROUP_SIZE=256",
+                                       "POCL_MAX_PTHREAD_COUNT=1",
+                                       "POCL_CPU_MAX_CU_COUNT=1",
+                                       CRASH_LINE_OPTIONS,
+                                       NULL};
     SandboxCommand command = {
         .kind = workshop->sandbox,
         .argv = argv,
         .environment = environment,
         .folder = "/work",
         .time = time,
-        .memory_mb = MEMORY_MB,
+        // The address sanitizer reserves terabytes that it never uses; what is in use is still
+        // counted.
+        .memory_mb = variant->is_checked && !building ? 0 : MEMORY_MB,
         .file_mb = FILE_MB,
         .n_processes = N_PROCESSES,
         .total_memory_mb = TOTAL_MEMORY_MB,
@@ -314,6 +322,11 @@ static SandboxRun *start_compiler(const Workshop *workshop, const Variant *varia
         snprintf(words[n_words], PATH_BYTES, libraries[i], manifest->lab);
         argv[n++] = words[n_words++];
     }
+    if (variant->is_checked) {
+        argv[n++] = "-fsanitize=address";
+        argv[n++] = "-fno-omit-frame-pointer";
+        argv[n++] = "-fno-optimize-sibling-calls";
+    }
     const char *const rest[] = {"lib/libcommon.a", "-lOpenCL", "-lm", "-o", "build/probe"};
     memcpy(argv + n, rest, sizeof rest);
     return start(workshop, variant, 1, argv, time);
@@ -352,6 +365,20 @@ static void take_build(Variant *variant, SandboxResult *result, SandboxTime allo
     }
 }
 
+// Where the probe says it was.
+static void take_place(const Workshop *workshop, Variant *variant)
+{
+    char path[PATH_BYTES];
+    Sections job;
+    snprintf(path, sizeof path, "%s/variant-%s/out/note", workshop->folder, variant->name);
+    const ProbeNote note = run_note_load(path);
+    workshop_job_path(workshop, path, sizeof path);
+    if (sections_load(path, (size_t)256 << 20, &job) == 0) {
+        variant->place = run_place_find(workshop->manifest->lab, &job, &note);
+    }
+    sections_free(&job);
+}
+
 // What a probe's end and answers say about the variant.
 static void take_answers(const Workshop *workshop, Variant *variant, SandboxResult *result,
                          SandboxTime allowed)
@@ -372,6 +399,11 @@ static void take_answers(const Workshop *workshop, Variant *variant, SandboxResu
         sections_find_any(&variant->answers, PROBE_END, &n_bytes) == NULL) {
         variant->trouble = message_new("it ended by itself, with exit status 0, before it had "
                                        "answered everything: a call of exit()?");
+    }
+    variant->has_crashed = result->outcome == SANDBOX_CRASHED && result->signal != SIGXFSZ &&
+                           result->signal != SIGKILL;
+    if (variant->trouble != NULL) {
+        take_place(workshop, variant);
     }
 }
 
@@ -467,4 +499,24 @@ int variants_run(const Workshop *workshop, Variant *const variants[], int n, All
     const int compiled =
         workshop->needs_compiler ? step_run(workshop, variants, n, STEP_COMPILING, allowance) : 0;
     return compiled != 0 ? -1 : step_run(workshop, variants, n, STEP_RUNNING, allowance);
+}
+
+// ---- The line of a crash ------------------------------------------------------------------------
+
+char *variant_find_line(const Workshop *workshop, const Variant *variant, Allowance *allowance)
+{
+    char out[PATH_BYTES], lab[PATH_BYTES];
+    Variant checked = {.is_checked = 1};
+    Variant *const variants[] = {&checked};
+    memcpy(checked.name, variant->name, sizeof checked.name);
+    if (!workshop->needs_compiler || step_clear(workshop, variant, STEP_COMPILING) != 0 ||
+        step_clear(workshop, variant, STEP_RUNNING) != 0 ||
+        variants_run(workshop, variants, 1, allowance) != 0) {
+        return NULL;
+    }
+    snprintf(out, sizeof out, "%s/variant-%s/out", workshop->folder, variant->name);
+    snprintf(lab, sizeof lab, "%s/variant-%s/lab", workshop->folder, variant->name);
+    char *line = checked.trouble != NULL ? crash_line_find(out, lab, workshop->manifest) : NULL;
+    variant_free(&checked);
+    return line;
 }

@@ -10,6 +10,7 @@
 
 #include "allowance.h"
 #include "manifest.h"
+#include "run_place.h"
 #include "sandbox.h"
 #include "sections.h"
 
@@ -37,11 +38,16 @@ typedef struct Variant {
     char name[80];
     char *build_log;   // set when it does not compile; with the student's file and line; owned
     char *trouble;     // set when it compiled and did not run to its end: what happened; owned
+    RunPlace place;    // and where; all NULL when nobody knows
+    int has_crashed;   // by a signal
     char *habits;      // what else there is to say about its run, "" for most; owned
     char *run_output;  // what it wrote to stdout and stderr; owned
     Sections answers;  // whatever it answered
     SandboxRun *run;   // while it runs
     int is_ours;       // the solution: what it uses says what others may
+    int is_checked;    // built and run with the address sanitizer: see variant_find_line()
+    const char *task;  // whose answer stands in the solution of the others; NULL: a submission
+    int is_told;       // the report says already how and where it ended
 } Variant;
 
 // Make the folder of a variant, with the lab's given files in it; put the lab's own files, the ones
@@ -54,6 +60,12 @@ int variant_open(const Workshop *workshop, const char *name, Variant *variant, c
 // machine was too busy for is tried again. Returns 0, or -1 after one message when the machinery
 // failed.
 int variants_run(const Workshop *workshop, Variant *const variants[], int n, Allowance *allowance);
+
+// After a crash of a lab with host files: compile and run it once more, with the address sanitizer,
+// and say at which line of the student's and by what it came about, "render.c:12: ..." and the line
+// itself. Owned by the caller; NULL where that finds nothing. What a student's program prints can
+// decide the number of the line and which of our words are said of it. The answers stay.
+char *variant_find_line(const Workshop *workshop, const Variant *variant, Allowance *allowance);
 
 void variant_free(Variant *variant);
 

@@ -4,6 +4,7 @@
 
 #include "cl_setup.h"
 #include "jobs.h"
+#include "note.h"
 #include "sections.h"
 
 #include <stdio.h>
@@ -24,7 +25,8 @@ enum {
 typedef struct Probe {
     Sections job;
     FILE *answers;
-    ClSetup cl;  // when opened
+    ProbeNote *note;  // shared with its file: what is written stays, however this ends
+    ClSetup cl;       // when opened
 } Probe;
 
 // Load the job and open the answers; ends the program with PROBE_EXIT_FAULT when it cannot.
@@ -44,6 +46,11 @@ const SceneJob *probe_scene(const Probe *probe, int k);
 
 // A part of scene k: probe_scene_part(probe, 3, "circles", &n) gives "scene.3.circles".
 const void *probe_scene_part(const Probe *probe, int k, const char *part, size_t *n_bytes);
+
+// Note what is called next, so that the report can say where a crash was.
+//   name    of the job's section with the inputs, or what is answered for scenes: see run_place.c
+//   input   its number among the section's, the scene's, or PROBE_NO_INPUT
+void probe_note(const Probe *probe, const char *name, uint32_t input);
 
 // Write a section "name.K" or, with a part, "name.K.part".
 void probe_answer(const Probe *probe, const char *name, int k, const char *part, const void *bytes,

@@ -45,6 +45,7 @@ static void answer_read_back(const Probe *probe, int k, cl_mem d_image, const Sc
     for (size_t i = 0; i < n_floats; i++) {
         h_pixels[i] = NAN;
     }
+    probe_note(probe, "readback", (uint32_t)k);
     if (k == 0) {
         read_back_late(probe, d_image, scene, h_pixels);
     } else {
@@ -73,6 +74,7 @@ static void answer_items(const Probe *probe, int k, cl_program program, const Sc
     CL_CHECK(clSetKernelArg(kernel, 0, sizeof scene->width, &scene->width));
     CL_CHECK(clSetKernelArg(kernel, 1, sizeof scene->height, &scene->height));
     CL_CHECK(clSetKernelArg(kernel, 2, sizeof d_counts, &d_counts));
+    probe_note(probe, "items", (uint32_t)k);
     enqueue_pixels(probe->cl.queue, kernel, scene->width, scene->height);
     probe_answer_buffer(probe, "items", k, d_counts, n_bytes);
     CL_CHECK(clReleaseKernel(kernel));
@@ -91,7 +93,9 @@ int main(void)
     for (int k = 0; (scene = probe_scene(&probe, k)) != NULL; k++) {
         cl_kernel kernel = probe_kernel(program, "gradient");
         cl_mem d_image = probe_image(&probe, scene->width, scene->height);
+        probe_note(&probe, "arguments", (uint32_t)k);
         set_arguments(kernel, scene->width, scene->height, d_image);
+        probe_note(&probe, "picture", (uint32_t)k);
         enqueue_pixels(probe.cl.queue, kernel, scene->width, scene->height);
         CL_CHECK(clFinish(probe.cl.queue));
         probe_answer_image(&probe, k, d_image, scene->width, scene->height);

@@ -21,6 +21,7 @@ static void answer_is_leaf(const Probe *probe)
     const size_t n = n_bytes / sizeof *jobs;
     i32 *answers = calloc(n, sizeof *answers);
     for (size_t i = 0; i < n; i++) {
+        probe_note(probe, "leaves", (uint32_t)i);
         const KdTreeLimits limits = {jobs[i].maxDepth, jobs[i].targetElementsPerNode};
         answers[i] = is_leaf(jobs[i].level, jobs[i].n_circles, limits);
     }
@@ -34,6 +35,7 @@ static void answer_split_box(const Probe *probe)
     const size_t n = n_bytes / sizeof *boxes;
     BBox2D *answers = calloc(2 * n, sizeof *answers);
     for (size_t i = 0; i < n; i++) {
+        probe_note(probe, "splits", (uint32_t)i);
         split_box(boxes[i], &answers[2 * i], &answers[2 * i + 1]);
     }
     answer_array(probe, "splits", answers, 2 * n * sizeof *answers);
@@ -46,6 +48,7 @@ static void answer_circle_overlaps_box(const Probe *probe)
     const size_t n = n_bytes / sizeof *jobs;
     i32 *answers = calloc(n, sizeof *answers);
     for (size_t i = 0; i < n; i++) {
+        probe_note(probe, "overlaps", (uint32_t)i);
         answers[i] = circle_overlaps_box(jobs[i].circle, jobs[i].box);
     }
     answer_array(probe, "overlaps", answers, n * sizeof *answers);
@@ -63,6 +66,7 @@ static void answer_distribute(const Probe *probe)
         for (int j = 0; j < DISTRIBUTE_ROOM; j++) {
             answer[j] = UNTOUCHED;
         }
+        probe_note(probe, "distribute", (uint32_t)i);
         answer[0] = distribute(circles, jobs[i].ids, jobs[i].n_ids, jobs[i].child, answer + 1);
     }
     answer_array(probe, "distribute", answers, n * DISTRIBUTE_ROOM * sizeof *answers);
@@ -86,6 +90,7 @@ static void answer_pack_leaf(const Probe *probe)
             answer->map[j] = UNTOUCHED;
         }
         KdTree2D tree = {answer->relations, flags, boxes, answer->map, PACK_NODES, jobs[i].n_map};
+        probe_note(probe, "pack", (uint32_t)i);
         pack_leaf(&tree, jobs[i].id, jobs[i].ids, jobs[i].n_ids);
         for (int id = 0; id < PACK_NODES; id++) {
             answer->flags[id] = flags[id];
@@ -101,6 +106,7 @@ static void answer_tree(const Probe *probe, int k, const SceneJob *scene)
     const Circle *circles = probe_scene_part(probe, k, "circles", &n_bytes);
     const KdTreeLimits limits = {scene->maxDepth, scene->targetElementsPerNode};
     KdTree2D tree = {0};
+    probe_note(probe, "tree", (uint32_t)k);
     if (kdtree2d_build(circles, (u32)scene->n_circles, limits, &tree) != 0) {
         probe_answer(probe, "tree", k, "refused", "", 0);
         return;

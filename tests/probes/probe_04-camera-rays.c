@@ -15,6 +15,7 @@ static void answer_axes(const Probe *probe)
     for (size_t i = 0; i < n; i++) {
         const View view = {
             .from = jobs[i].from, .at = jobs[i].at, .up = jobs[i].up, .angle = 45, .hither = 1};
+        probe_note(probe, "views", (uint32_t)i);
         axes[i][0] = axes[i][1] = axes[i][2] = unwritten;
         camera_axes(view, &axes[i][0], &axes[i][1], &axes[i][2]);
     }

@@ -30,6 +30,7 @@ static void answer_hits(const Probe *probe, int k, const SceneJob3D *scene,
     CL_CHECK(clSetKernelArg(kernel, 3, sizeof scene->width, &scene->width));
     CL_CHECK(clSetKernelArg(kernel, 4, sizeof scene->height, &scene->height));
     CL_CHECK(clSetKernelArg(kernel, 5, sizeof d_hits, &d_hits));
+    probe_note(probe, "hits", (uint32_t)k);
     probe_launch(probe, kernel, scene->width, scene->height);
     probe_answer_buffer(probe, "hits", k, d_hits, n_bytes);
 }

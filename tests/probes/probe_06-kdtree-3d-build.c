@@ -21,6 +21,7 @@ static void answer_spheres_bounds(const Probe *probe)
     const size_t n = n_bytes / sizeof *jobs;
     BBox3D *answers = calloc(n, sizeof *answers);
     for (size_t i = 0; i < n; i++) {
+        probe_note(probe, "bounds", (uint32_t)i);
         answers[i] = spheres_bounds(jobs[i].spheres, jobs[i].n_spheres);
     }
     answer_array(probe, "bounds", answers, n * sizeof *answers);
@@ -33,6 +34,7 @@ static void answer_choose_split(const Probe *probe)
     const size_t n = n_bytes / sizeof *boxes;
     KdSplit *answers = calloc(n, sizeof *answers);
     for (size_t i = 0; i < n; i++) {
+        probe_note(probe, "splits", (uint32_t)i);
         answers[i] = choose_split(boxes[i]);
     }
     answer_array(probe, "splits", answers, n * sizeof *answers);
@@ -45,6 +47,7 @@ static void answer_sphere_overlaps_box(const Probe *probe)
     const size_t n = n_bytes / sizeof *jobs;
     i32 *answers = calloc(n, sizeof *answers);
     for (size_t i = 0; i < n; i++) {
+        probe_note(probe, "overlaps", (uint32_t)i);
         answers[i] = sphere_overlaps_box(jobs[i].sphere, jobs[i].box);
     }
     answer_array(probe, "overlaps", answers, n * sizeof *answers);
@@ -62,6 +65,7 @@ static void answer_distribute_spheres(const Probe *probe)
         for (int j = 0; j < DISTRIBUTE_ROOM; j++) {
             answer[j] = UNTOUCHED;
         }
+        probe_note(probe, "distribute", (uint32_t)i);
         answer[0] =
             distribute_spheres(spheres, jobs[i].ids, jobs[i].n_ids, jobs[i].child, answer + 1);
     }
@@ -86,6 +90,7 @@ static void answer_pack_leaf_range(const Probe *probe)
                          .sphere_ids = answer->sphere_ids,
                          .n_nodes = PACK_NODES,
                          .n_sphere_ids = jobs[i].n_sphere_ids};
+        probe_note(probe, "pack", (uint32_t)i);
         pack_leaf_range(&tree, jobs[i].id, jobs[i].ids, jobs[i].n_ids);
         answer->n_sphere_ids = tree.n_sphere_ids;
     }
@@ -96,6 +101,7 @@ static void answer_fits_todo(const Probe *probe)
 {
     i32 *answers = calloc(TODO_LEVELS, sizeof *answers);
     for (int level = 1; level <= TODO_LEVELS; level++) {
+        probe_note(probe, "todo", (uint32_t)level);
         answers[level - 1] = fits_todo(level);
     }
     answer_array(probe, "todo", answers, TODO_LEVELS * sizeof *answers);
@@ -107,6 +113,7 @@ static void answer_tree(const Probe *probe, int k, const TreeJob3D *job)
     const Sphere *spheres = probe_scene_part(probe, k, "spheres", &n_bytes);
     const KdTreeLimits limits = {job->maxDepth, job->targetElementsPerNode};
     KdTree3D tree = {0};
+    probe_note(probe, "tree", (uint32_t)k);
     if (kdtree3d_build(spheres, job->n_spheres, limits, &tree) != 0) {
         probe_answer(probe, "tree", k, "refused", "", 0);
         return;

@@ -51,6 +51,7 @@ static void answer_hits(const Probe *probe, int k, const TracedScene *scene, cl_
     CL_CHECK(clSetKernelArg(kernel, 5, sizeof job->width, &job->width));
     CL_CHECK(clSetKernelArg(kernel, 6, sizeof job->height, &job->height));
     CL_CHECK(clSetKernelArg(kernel, 7, sizeof d_hits, &d_hits));
+    probe_note(probe, "hits", (uint32_t)k);
     probe_launch(probe, kernel, job->width, job->height);
     probe_answer_buffer(probe, "hits", k, d_hits, n_bytes);
 }

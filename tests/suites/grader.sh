@@ -159,6 +159,12 @@ check "and the message names file and line" holds "$(place overlaps_N_Nearer.cl 
 check "and the stage is Compiling" stage Compiling failed no_such_name
 check "and nothing was run as a whole" stage Running not-run ''
 
+copy_lab solutions $lab
+echo '    return ((volatile global int *)0)[x] + circle.r + y + minDepth > 0;' |
+    answer overlaps_N_Nearer.cl overlaps_N_Nearer
+broken "a kernel that crashes costs its task" 60
+check "and the message names the function" holds "where: in overlaps_N_Nearer, with one of "
+
 lab=03-kdtree-2d-render
 copy_lab solutions $lab
 echo '    return no_such_name;' | answer implicit2DRenderer_KD.cl getContainingChild
@@ -181,12 +187,31 @@ copy_lab solutions $lab
 echo '    *(volatile u32 *)(size_t)(id & 0) = n_ids;' | answer $file pack_leaf
 broken "a null pointer costs its task" 80
 check "and the message is of a crash" stage Running failed "it crashed: signal 11"
+check "which is told once" test "$(grep -c 'it crashed' "$said")" = 1
+check "and names function and input" holds "where: in pack_leaf, input 1 of 60: leaf with "
+line=$(grep -n 'n_ids;$' "$scratch/submission/$file" | grep volatile | cut -d: -f1)
+check "and the line" holds "$file:$line, task pack_leaf: a null pointer"
+check "and shows it" grep -qF '*(volatile u32 *)(size_t)(id & 0) = n_ids;' "$said"
+check "and the later checks say where it ended" holds "no answer: the program had ended in pack_leaf"
+
+copy_lab solutions $lab
+# 100 KB of a program's own words first: they do not hide the line.
+{
+    echo '    for (int i = 0; i < 10000; i++) puts("0123456789");'
+    echo '    for (u32 i = 0; i < 100000; i++) child_ids[i] = ids[0]; // far'
+    echo '    return h_circles && child.minX > 0 ? n_ids : 0;'
+} | answer $file distribute
+broken "an index out of range costs its task" 80
+line=$(grep -n '// far$' "$scratch/submission/$file" | cut -d: -f1)
+check "and is told with its line" holds \
+    "$file:$line, task distribute: an index or a pointer beyond the end of its array"
 
 copy_lab solutions $lab
 echo '    for (volatile u32 i = 0;; i++) { (void)h_circles, (void)ids, (void)n_ids, (void)child; }' |
     answer $file distribute
 broken "an endless loop costs its task" 80 2
 check "and the message is of the processor's time" stage Running failed "allowed are 2.0 s; an endless loop?"
+check "and names function and input" holds "where: in distribute, input 1 of 60: node with "
 
 copy_lab solutions $lab
 echo '    (void)box; for (;;) { sleep(1000); }' | answer $file split_box
@@ -203,6 +228,7 @@ copy_lab solutions $lab
 echo '    (void)box; exit(0);' | answer $file split_box
 broken "leaving early with status 0 costs its task" 80
 check "and the message is of that" stage Running failed "a call of exit"
+check "and names function and input" holds "where: in split_box, input 1 of 400: box x ["
 
 copy_lab solutions $lab
 echo '    (void)box; exit(3);' | answer $file split_box
@@ -247,6 +273,50 @@ strip_markers
 grade --lab $lab $submission
 ok $(($? != 1)) "a wrong answer without markers gets less"
 check "and the message is of the markers" stage Staging passed "TASK is_leaf"
+
+# A student works in labs/ itself: what stands there is no skeleton.
+course=$scratch/course
+mkdir "$course"
+for part in common kernels solutions tests; do ln -s "$PWD/$part" "$course/$part"; done
+cp -R labs "$course/labs"
+lab=02-kdtree-2d-build
+copy_lab labs $lab
+{ echo '// mine'; "$holes" read "solutions/$lab/$file" split_box; } | answer $file split_box
+echo '    *(volatile u32 *)(size_t)(id & 0) = n_ids;' | answer $file pack_leaf
+cp "$scratch/submission/$file" "$course/labs/$lab/"
+graded_there() { (cd "$course" && grades "$@"); }
+check "an answer in labs/ itself gets its points, beside one that crashes" graded_there 1 20 --lab 02
+
+# Judged without the solution, as in a handout, what comes behind a crash was not reached.
+rm "$course/solutions"
+mkdir "$course/solutions"
+for one in solutions/0[01]*; do ln -s "$PWD/$one" "$course/$one"; done
+cp "solutions/$lab/$file" "$course/labs/$lab/"
+cp -R "$course/labs/$lab" "$scratch/there"
+"$holes" fill "$scratch/there/$file" circle_overlaps_box /dev/stdin >"$course/labs/$lab/$file" <<'END'
+    *(volatile float *)0 = circle.x + box.minX; return 0;
+END
+check "without the solution a crash costs what comes behind it" graded_there 1 25 --lab 02
+check "and that is not reached" test "$(grep -c 'not reached: the program had ended in circle_overlaps_box' "$said")" = 6
+check "which is no failure of it" grep -q '^   --    distribute-list' "$said"
+rm -r "$scratch/there"
+
+# ---- What make says ------------------------------------------------------------------------------
+
+# make_grade STATUS OPTION...: in the course's top folder, by what is built there.
+make_grade() {
+    wanted_status=$1 status=0
+    shift
+    make --no-print-directory grade BUILD="${BUILD:-build}" "$@" >"$said" 2>&1 || status=$?
+    cat "$said"
+    [ "$status" -eq "$wanted_status" ]
+}
+check "make grade below full marks ends with 0" make_grade 0 LAB=02 SUBMISSION=labs/02-kdtree-2d-build SEED=5
+check "and its last line is the report's" test "$(tail -n 1 "$said" | cut -d ' ' -f 1)" = Report:
+check "a fault of the grader is one of make's" make_grade 2 LAB=02 SUBMISSION=/nowhere
+make --no-print-directory "${BUILD:-build}/labs/77-none" >"$said" 2>&1
+ok $(($? != 2)) "make refuses a lab that is not there"
+check "and says which labs are" grep -q "found no lab 77-none, expected one of: .*/labs/03-kdtree-2d-render" "$said"
 
 # ---- Seeds --------------------------------------------------------------------------------------
 
@@ -293,7 +363,7 @@ while IFS='|' read -r words options; do
 done <<'END'
 --lab is missing|
 --lab is missing|--submission solutions/02-kdtree-2d-build
---lab: found "77"|--lab 77
+--lab: found "77", expected the number or name of a lab; here are 00-hello-pixels, 01-|--lab 77
 --lab: found "../labs/02-kdtree-2d-build"|--lab ../labs/02-kdtree-2d-build
 --lab: found ""|--lab ''
 --seed: found "twelve"|$here --seed twelve

@@ -170,6 +170,16 @@ for lab in 00-hello-pixels 02-kdtree-2d-build 07-kdtree-3d-trace; do
     ok $? "$lab: no file of the course was used" "$(cat "$scratch/said")"
 done
 
+# Of other labs it says which one is here.
+refuses_lab() {
+    ! alone "$clean" make "$@" >"$scratch/said" 2>&1 || { cat "$scratch/said"; return 1; }
+    grep -q 'found .*01.*07-kdtree-3d-trace$' "$scratch/said" || { cat "$scratch/said"; return 1; }
+}
+check "make grade says which lab is here" refuses_lab grade LAB=01
+check "make memcheck, too" refuses_lab memcheck LAB=01
+check "and make of a program" refuses_lab build/labs/01-naive-2d
+check "memcheck's own program is there" test -x "$clean/build/tools/memcheck"
+
 # Its programs can be installed from scratch: the list of packages is there, and make asks for it.
 mkdir "$scratch/bare"
 for tool in sh awk grep sed dirname make; do

@@ -160,6 +160,19 @@ Test(holes, reading_takes_what_follows_the_task_text)
     cr_expect_null(hole_read(SOLUTION, ""));
 }
 
+Test(holes, a_line_stands_in_a_hole_or_not)
+{
+    static const int lines_of_one[] = {0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0};
+    const int n = (int)(sizeof lines_of_one / sizeof *lines_of_one);
+    for (int i = 0; i < n; i++) {
+        cr_expect_eq(hole_has_line(SOLUTION, "one", i + 1), lines_of_one[i], "line %d", i + 1);
+    }
+    cr_expect_eq(hole_has_line(SOLUTION, "two", 15), 1);
+    cr_expect_eq(hole_has_line(SOLUTION, "one", 0), 0);
+    cr_expect_eq(hole_has_line(SOLUTION, "one", 1000), 0);
+    cr_expect_eq(hole_has_line(SOLUTION, "three", 5), 0);
+}
+
 Test(holes, filling_replaces_solution_and_placeholder)
 {
     expect_text(hole_fill(SOLUTION, "two", "other();"), "int one(void)\n"

@@ -108,18 +108,32 @@ Test(memcheck, a_job_of_spheres_is_small)
 
 // ---- The offer ----------------------------------------------------------------------------------
 
-// What the stage "Running" says after a failed check with this message.
-static const char *advice(const char *file, int crashed, const char *message)
+// What the stage "Running" says after failed checks of a task with these messages, `other` or NULL.
+static const char *advice_on_two(const char *file, int crashed, int is_untouched,
+                                 const char *message, const char *other)
 {
     static char said[512];
-    Manifest manifest = {.lab = "03-kdtree-2d-render", .files = {(char *)file}, .n_files = 1};
-    Result result = {.n_stages = 1, .n_checks = 1};
+    Manifest manifest = {.lab = "03-kdtree-2d-render",
+                         .files = {(char *)file},
+                         .n_files = 1,
+                         .tasks = {{.id = "descent"}},
+                         .n_tasks = 1};
+    Result result = {.n_stages = 1, .n_checks = 2};
     result.stages[0] = (StageResult){"Running", CHECK_PASSED, strdup("")};
-    result.checks[0] = (CheckResult){.status = CHECK_FAILED, .message = strdup(message)};
-    memcheck_advise(&manifest, crashed, &result);
+    result.checks[0] =
+        (CheckResult){.task = "descent", .status = CHECK_FAILED, .message = strdup(message)};
+    result.checks[1] = (CheckResult){.task = "descent",
+                                     .status = other ? CHECK_FAILED : CHECK_PASSED,
+                                     .message = strdup(other ? other : "")};
+    memcheck_advise(&manifest, crashed, &is_untouched, &result);
     snprintf(said, sizeof said, "%s", result.stages[0].message);
     result_free(&result);
     return said;
+}
+
+static const char *advice(const char *file, int crashed, const char *message)
+{
+    return advice_on_two(file, crashed, 0, message, NULL);
 }
 
 Test(memcheck, is_offered_where_it_may_help)
@@ -136,5 +150,12 @@ Test(memcheck, is_not_offered_where_the_cause_is_known)
     cr_expect_str_eq(advice("a.cl", 0, "9 of 99 pixels differ; it looks flipped top to bottom"),
                      "");
     cr_expect_str_eq(advice("a.cl", 0, "found child 3, expected 4"), "");
+    static const char strange[] = "pixel (1, 2): ...; 9 of 99 pixels differ";
+    cr_expect_str_neq(advice_on_two("a.cl", 0, 0, strange, strange), "");
+    cr_expect_str_eq(advice_on_two("a.cl", 0, 1, strange, NULL), "", "an untouched skeleton");
+    cr_expect_str_eq(advice_on_two("a.cl", 0, 0, strange, "found 1, expected 0"), "",
+                     "a function check of the same task");
+    cr_expect_str_eq(advice_on_two("a.cl", 0, 0, strange, "nobody wrote pixel (1, 0)"), "",
+                     "pixels that were not written");
     cr_expect_str_eq(advice("a.c", 1, "no answer"), "", "a lab without kernels");
 }

@@ -165,9 +165,8 @@ Test(report_text, is_laid_out_by_task)
         " seed 42, device cpu-x, sandbox bubblewrap\n"
         " submission labs/01-naive-2d\n"
         "\n"
-        " Task overlaps_N_Nearer: Does a circle cover the pixel?                                   "
-        " "
-        "25/40\n"
+        " Task overlaps_N_Nearer in overlaps_N_Nearer.cl: Does a circle cover the pixel?           "
+        " 25/40\n"
         "   ok    overlaps-inside      25/25  Clearly inside and outside\n"
         "   FAIL  overlaps-boundary     0/15  The boundary belongs to it\n"
         "         pixel (3, 4), circle (0, 0) radius 5: found 0, expected 1; it looks strict where "
@@ -175,13 +174,29 @@ Test(report_text, is_laid_out_by_task)
         "         boundary belongs to the circle\n"
         "         Hint: Compare the squares.\n"
         "\n"
-        " Task implicit2DRenderer: The nearest of all                                              "
-        "  "
-        "0/60\n"
+        " Task implicit2DRenderer in implicit2DRenderer.cl: The nearest of all                     "
+        "  0/60\n"
         "   --    picture               0/60  A random scene\n"
         "\n"
         " Score 25/100\n",
         "found:\n%s", text);
+    free(text);
+    result_free(&result);
+}
+
+Test(report_text, puts_a_title_below_that_does_not_fit)
+{
+    Result result = result_make("");
+    Manifest long_titles = manifest;
+    long_titles.tasks[0].title = "Does a circle cover the pixel, and is it nearer?";
+    FILE *file = tmpfile();
+    cr_assert_eq(report_text(file, &long_titles, &result, 0), 0);
+    char *text = stream_text(file);
+    expect_part(text, "\n Task overlaps_N_Nearer in overlaps_N_Nearer.cl:\n"
+                      "   Does a circle cover the pixel, and is it nearer?       ");
+    for (const char *line = text; *line != '\0'; line += strcspn(line, "\n") + 1) {
+        cr_expect_leq(strcspn(line, "\n"), (size_t)96);
+    }
     free(text);
     result_free(&result);
 }
@@ -436,6 +451,12 @@ Test(report_html, embeds_pictures_and_refers_to_nothing_outside)
     cr_expect_eq(count_parts(page, "src=\"data:image/svg+xml;base64,PHN2Zy"), 1);
     cr_expect_eq(count_parts(page, "src="), 3 + 2 + 1 + 1);
     expect_part(page, "the reference is 3&times;2, yours 4&times;2");
+    // The difference has a legend, and nothing else has.
+    cr_expect_eq(count_parts(page, "<div class=\"legend\">"), 1);
+    expect_part(page, "linear-gradient(to right, #000004, ");
+    expect_part(page, ", #fcffa4)");
+    expect_part(page, "<span>0</span><span>0.125</span><span>0.25</span><span>0.375</span>"
+                      "<span>&ge; 0.5</span>");
     expect_part(page, "content=\"default-src 'none'; img-src data:; style-src 'unsafe-inline'\"");
     expect_no_part(page, "http:");
     expect_no_part(page, "https:");

@@ -1,0 +1,166 @@
+// Reading the address sanitizer's report strictly (see crash_line.h).
+#include "crash_line.h"
+
+#include "holes.h"
+#include "message.h"
+#include "text_file.h"
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+enum { REPORT_BYTES = 1 << 16, PATH_BYTES = 768, MAX_LINE = 1000000 };
+
+// What the sanitizer calls a fault, the first that fits, and what we call it.
+static const char *const faults[][2] = {
+    {"-buffer-overflow", "an index or a pointer beyond the end of its array"},
+    {"-buffer-underflow", "an index or a pointer before the beginning of its array"},
+    {"heap-use-after-free", "memory is used that was freed before"},
+    {"stack-use-after-", "a local variable is used after its end"},
+    {"attempting double-free", "memory is freed twice"},
+    {"attempting free on address", "memory is freed that malloc() did not give"},
+    {"stack-overflow", "the stack is full: a recursion without an end, or a very large array?"},
+    {"-size-too-big", "more memory is asked for than there can be"},
+    {"calloc-overflow", "more memory is asked for than there can be"},
+    {"negative-size-param", "a size below zero"},
+    {"-param-overlap", "memory is copied onto itself"},
+    {"points to the zero page", "a null pointer"},
+    {"SEGV on unknown address", "an index or a pointer far out of range"},
+    {"FPE on unknown address", "a division by zero"},
+    {"ABRT on unknown address", "the program ended itself: abort() or assert()?"},
+};
+
+static const char *fault_find(const char *report)
+{
+    for (size_t i = 0; i < sizeof faults / sizeof *faults; i++) {
+        if (strstr(report, faults[i][0]) != NULL) {
+            return faults[i][1];
+        }
+    }
+    return "it crashed here";
+}
+
+// The number of a line behind "labs/NN-name/FILE:" in one frame of the stack, or 0.
+static int frame_line(const char *frame, const Manifest *manifest, const char *name)
+{
+    char place[PATH_BYTES];
+    snprintf(place, sizeof place, "labs/%s/%s:", manifest->lab, name);
+    const char *at = strstr(frame, place);
+    if (at == NULL || (at[-1] != '/' && at[-1] != ' ')) {
+        return 0;
+    }
+    at += strlen(place);
+    const size_t n_digits = strspn(at, "0123456789");
+    return n_digits > 0 && n_digits < sizeof "999999" ? (int)strtol(at, NULL, 10) : 0;
+}
+
+int crash_line_read(const char *report, const Manifest *manifest, const char **file,
+                    const char **says)
+{
+    *says = fault_find(report);
+    int number = 0;  // of the frame that is looked for: each stack begins with #0
+    for (const char *at = report; at != NULL; at = strchr(at, '\n')) {
+        char frame[PATH_BYTES], expected[16];
+        at += *at == '\n';
+        snprintf(frame, sizeof frame, "%.*s", (int)strcspn(at, "\n"), at);
+        const char *begin = frame + strspn(frame, " ");
+        snprintf(expected, sizeof expected, "#%d ", number);
+        if (strncmp(begin, "#0 ", 3) == 0 && number > 0) {
+            return 0;
+        }
+        if (strncmp(begin, expected, strlen(expected)) != 0) {
+            continue;
+        }
+        number++;
+        for (int i = 0; i < manifest->n_files; i++) {
+            const int line = frame_line(begin, manifest, manifest->files[i]);
+            if (line > 0) {
+                *file = manifest->files[i];
+                return line;
+            }
+        }
+    }
+    return 0;
+}
+
+// The beginning of a regular file, or NULL. Neither a link is followed nor a FIFO waited for.
+static char *report_load(const char *path)
+{
+    struct stat status;
+    char *text = NULL;
+    const int file = open(path, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+    if (file >= 0 && fstat(file, &status) == 0 && S_ISREG(status.st_mode)) {
+        text = calloc(1, REPORT_BYTES);
+        if (text != NULL && read(file, text, REPORT_BYTES - 1) <= 0) {
+            free(text);
+            text = NULL;
+        }
+    }
+    if (file >= 0) {
+        close(file);
+    }
+    return text;
+}
+
+// The report in a folder: its name ends with the number of a process that nobody knows here.
+static char *report_find(const char *out)
+{
+    char *text = NULL;
+    DIR *folder = opendir(out);
+    const struct dirent *entry;
+    while (folder != NULL && text == NULL && (entry = readdir(folder)) != NULL) {
+        char path[PATH_BYTES];
+        if (strncmp(entry->d_name, "crash.", strlen("crash.")) == 0 &&
+            snprintf(path, sizeof path, "%s/%s", out, entry->d_name) < (int)sizeof path) {
+            text = report_load(path);
+        }
+    }
+    if (folder != NULL) {
+        closedir(folder);
+    }
+    return text;
+}
+
+// The task that a line of a file belongs to, or NULL.
+static const char *task_of_line(const Manifest *manifest, const char *file, const char *text,
+                                int line)
+{
+    for (int i = 0; i < manifest->n_tasks; i++) {
+        const Task *task = &manifest->tasks[i];
+        if (strcmp(task->file, file) == 0 && hole_has_line(text, task->id, line)) {
+            return task->id;
+        }
+    }
+    return NULL;
+}
+
+char *crash_line_find(const char *out, const char *lab, const Manifest *manifest)
+{
+    const char *file, *says;
+    char *report = report_find(out);
+    const int line = report != NULL ? crash_line_read(report, manifest, &file, &says) : 0;
+    free(report);
+    if (line == 0) {
+        return NULL;
+    }
+    char path[PATH_BYTES];
+    snprintf(path, sizeof path, "%s/%s", lab, file);
+    char *text = text_file_read(path);
+    const char *source = text;
+    for (int i = 1; i < line && source != NULL; i++) {
+        source = strchr(source, '\n');
+        source += source != NULL;
+    }
+    char *message = NULL;
+    if (source != NULL && source[0] != '\0') {
+        const char *task = task_of_line(manifest, file, text, line);
+        message = message_new("%s:%d%s%s: %s\n    %.*s\n", file, line, task ? ", task " : "",
+                              task ? task : "", says, (int)strcspn(source, "\n"), source);
+    }
+    free(text);
+    return message;
+}

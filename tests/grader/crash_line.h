@@ -1,0 +1,27 @@
+// The line of a crash, from the address sanitizer's report.
+//
+// The report is a file that the run wrote, and the run is a student's: taken from it are a line's
+// number in a file that the lab has, and which kind of fault it was, out of a table of ours. The
+// line itself is read from the file that was handed in.
+// Flow: workshop -> sandbox -> LINE OF A CRASH -> report. Used by workshop.c.
+#ifndef GRADER_CRASH_LINE_H
+#define GRADER_CRASH_LINE_H
+
+#include "manifest.h"
+
+// What the run's environment holds: the report goes into a file of its own, as a program may print
+// what it likes; leaks are no faults here.
+#define CRASH_LINE_OPTIONS                                                                         \
+    "ASAN_OPTIONS=log_path=out/crash:detect_leaks=0:handle_abort=1:handle_sigfpe=1:"               \
+    "handle_sigill=1:handle_sigbus=1:allocator_may_return_null=1:color=never"
+
+// Look for a report in the folder `out`. Returns "render.c:12, in set_arguments: ..." and below it
+// the line in the folder `lab`, each with its newline; free() it. NULL where nothing is found.
+char *crash_line_find(const char *out, const char *lab, const Manifest *manifest);
+
+// The same of a report's text: returns the line's number, and sets *file to the manifest's file and
+// *says to our words for the fault; 0 where no frame of its first stack is in one of the lab's files.
+int crash_line_read(const char *report, const Manifest *manifest, const char **file,
+                    const char **says);
+
+#endif
