@@ -86,9 +86,9 @@ endef
 $(foreach tree,labs solutions,$(foreach l,$(LABS),$(eval $(call lab_program,$(tree),$(l)))))
 $(foreach l,$(LABS),$(eval $(call earlier_archive,$(l))))
 
-# Any other lab, as in a handout, which has one.
+# Any other, as in a handout, which has one lab and the solutions before it.
 $(OUT)/labs/% $(OUT)/solutions/%:
-	@echo "make: $@: found no lab $*, expected one of: $(sort $(PROGRAMS))" >&2; exit 2
+	@echo "make: found no lab for $@, expected $(filter $(@D)/%,$(PROGRAMS))" >&2; exit 2
 
 # ---- The grader -----------------------------------------------------------------------------
 
