@@ -20,7 +20,8 @@
 char *crash_line_find(const char *out, const char *lab, const Manifest *manifest);
 
 // The same of a report's text: returns the line's number, and sets *file to the manifest's file and
-// *says to our words for the fault; 0 where no frame of its first stack is in one of the lab's files.
+// *says to our words for the fault. Returns 0 where no frame of its first stack is in one of the
+// lab's files.
 int crash_line_read(const char *report, const Manifest *manifest, const char **file,
                     const char **says);
 
