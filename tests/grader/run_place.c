@@ -178,7 +178,8 @@ static const ProbeStep *step_find(const char *lab, const ProbeNote *note)
     return NULL;
 }
 
-static void describe_inputs(const ProbeStep *step, const Sections *job, uint32_t number, RunPlace *place)
+static void describe_inputs(const ProbeStep *step, const Sections *job, uint32_t number,
+                            RunPlace *place)
 {
     size_t n_bytes;
     const unsigned char *inputs = sections_find_any(job, step->name, &n_bytes);
