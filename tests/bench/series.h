@@ -28,8 +28,8 @@ void series_end_round(Series *series);
 // Of n numbers, n > 0; they are left as they are.
 Spread spread_of(const double *numbers, int n);
 
-// The ratio of two series that were measured in the same rounds, and how far it varies from round to
-// round: the median and the spread of the ratios of the rounds' medians. There must be one.
+// The ratio of two series that were measured in the same rounds, and how far it varies from round
+// to round: the median and the spread of the ratios of the rounds' medians. There must be one.
 // The ratio of the medians of all rounds is another figure, and may lie outside of that spread.
 Spread series_ratio(const Series *dividend, const Series *divisor);
 

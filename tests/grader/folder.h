@@ -1,12 +1,12 @@
-// Temporary folders; and folders that somebody else has filled, with whatever names, depth and links:
-// measured and emptied without ever leaving them.
+// Temporary folders; and folders that somebody else has filled, with whatever names, depth and
+// links: measured and emptied without ever leaving them.
 #ifndef GRADER_FOLDER_H
 #define GRADER_FOLDER_H
 
 #include <stddef.h>
 
-// Make a folder "NAME-" and six random characters in $TMPDIR, or in /tmp when that is unset or empty,
-// and put its path into `path`. Returns 0, or -1 with errno set and `path` empty.
+// Make a folder "NAME-" and six random characters in $TMPDIR, or in /tmp when that is unset or
+// empty, and put its path into `path`. Returns 0, or -1 with errno set and `path` empty.
 int temporary_folder_make(char *path, size_t n_bytes, const char *name);
 
 typedef struct FolderSize {

@@ -9,6 +9,7 @@ cp tests/run.sh tests/tap.sh "$scratch/tests"
 cd "$scratch" || exit 1
 
 # unit NAME: a unit test that reads a script on stdin; its TAP is asked for as --tap=FILE.
+# shellcheck disable=SC2016 # for the script that is written
 unit() {
     { printf '#!/bin/sh\ntap=${3#--tap=}\n'; cat; } >"$1"
     chmod +x "$1"
@@ -113,6 +114,7 @@ echo $? >survived
 END
 
 both_run() { [ -e suite-pids ] && [ -e unit-pids ] && [ -e caller-pids ]; }
+# shellcheck disable=SC2013 # words
 have_ended() {
     for process in $(cat ./*-pids); do
         ! kill -0 "$process" 2>/dev/null || return 1

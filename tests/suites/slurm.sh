@@ -82,6 +82,7 @@ cluster_end() {
     done
     await has_ended 2>/dev/null
 }
+# shellcheck disable=SC2013 # words
 has_ended() {
     for process in $(cat "$cluster"/*.pid); do ! kill -0 "$process" || return 1; done
 }

@@ -8,7 +8,7 @@ enum { N_ROUNDS = 3 };
 
 const char *const VARIANT_NAMES[N_VARIANT_KINDS] = {"fill", "naive", "kdtree"};
 
-// A kernel that is ten times as fast as the naive one in every round, though 1.0 is the ratio of the
+// A kernel that is ten times as fast as the naive one in every round, though 1 is the ratio of the
 // medians of all frames: half of them were drawn while the machine was slow.
 static void rounds_make(Series *naive, Series *kdtree)
 {
