@@ -193,4 +193,5 @@ void session_judge(const Session *session, int i, const Variant *variant, CheckR
         result->status = variant->trouble != NULL ? CHECK_FAILED : CHECK_NOT_RUN;
         result->message = describe_missing(variant);
     }
+    result->is_explained = verdict.kind == VERDICT_MISSING || message_names_cause(result->message);
 }
