@@ -94,7 +94,7 @@ for folder in solutions/*/; do
         ok $? "$lab: the hint for $check of $task is for a check of that task" "no such check"
         code=$(hint_code "$hint")
         [ -z "$code" ]
-        ok $? "$lab: the hint for $check of $task holds no code of the answer" "found: $(echo $code)"
+        ok $? "$lab: the hint for $check of $task holds no code of the answer" "found: $code"
     done <"$scratch/hints"
 done
 
