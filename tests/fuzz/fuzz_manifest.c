@@ -30,6 +30,9 @@ static void check_manifest(const Manifest *manifest)
         MUST_HOLD(is_listed(manifest, task->file));
         MUST_HOLD(task->title[0] != '\0' && task->hint[0] != '\0');
         MUST_HOLD(task->points > 0);
+        for (int j = 0; j < task->n_hints; j++) {
+            MUST_HOLD(manifest_hint(task, task->hints[j].check) == task->hints[j].hint);
+        }
         points += task->points;
     }
     MUST_HOLD(points == 100);

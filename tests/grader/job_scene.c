@@ -70,11 +70,18 @@ static const char *draw_mistaken(const void *pointer, int mistake, Image *guess,
     } leaf_mistakes[] = {
         {"drawn as if the first circle of every leaf were missing", {.skip_first = 1}},
         {"drawn as if the last circle of every leaf were missing", {.skip_last = 1}},
+        {"drawn as if a position in the list were used as the circle's id",
+         {.id = ID_PLACE_FROM_0}},
+        {"drawn as if a position in the list were used as the circle's id",
+         {.id = ID_PLACE_FROM_1}},
+        {"drawn as if every pixel read the list at the start of mapNode2Circles, where the "
+         "circleMapOffset of an inner node points, too",
+         {.first_list = 1}},
     };
     enum { N_LEAF_MISTAKES = sizeof leaf_mistakes / sizeof *leaf_mistakes };
     const JobScene *scene = pointer;
     const Circle *circles = scene->scene.circles;
-    (void)tolerances;  // all 0: these pictures are as exact as the right one
+    // Tolerances stay 0: these pictures are as exact as the right one.
     if (mistake < N_MISTAKES) {
         oracle2d_draw(circles, scene->scene.n_circles, &mistakes[mistake].rules, guess, NULL);
         return mistakes[mistake].looks;
@@ -83,7 +90,8 @@ static const char *draw_mistaken(const void *pointer, int mistake, Image *guess,
     if (scene->tree.n_nodes == 0 || mistake >= N_LEAF_MISTAKES) {
         return NULL;
     }
-    oracle2d_draw_leaves(circles, &scene->tree, &leaf_mistakes[mistake].rules, guess);
+    oracle2d_draw_leaves(circles, scene->scene.n_circles, &scene->tree,
+                         &leaf_mistakes[mistake].rules, guess, tolerances);
     return leaf_mistakes[mistake].looks;
 }
 

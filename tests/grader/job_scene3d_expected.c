@@ -150,6 +150,11 @@ static const char *explain_hits(const JobScene3D *scene, const HitAnswer *found)
             return mistakes[i].looks;
         }
     }
+    for (int pixel = 0; pixel < s->width * s->height; pixel++) {
+        if (found[pixel].sphere != ORACLE_NO_SPHERE && isinf(found[pixel].t)) {
+            return "as if a miss, t = inf, were a hit: infinity is not nearer than infinity";
+        }
+    }
     return NULL;
 }
 
@@ -175,8 +180,8 @@ static Verdict judge_hits(const JobScene3D *scene, int k, const Sections *answer
     describe_hit(own, sizeof own, found[first].sphere, (double)found[first].t);
     describe_hit(wanted, sizeof wanted, scene->hits[first].sphere, scene->hits[first].t);
     const char *looks = explain_hits(scene, found);
-    return verdict_of(message_new("%s: the ray of pixel (%d, %d): found %s, expected %s; %d of %d "
-                                  "rays are wrong%s%s",
+    return verdict_of(message_new("%s: the ray of pixel (%d, %d): found %s, expected %s (%d of %d "
+                                  "rays are wrong)%s%s",
                                   scene->picture.title, first % s->width, first / s->width, own,
                                   wanted, n_wrong, n_pixels, looks ? "; it looks " : "",
                                   looks ? looks : ""));

@@ -235,10 +235,10 @@ static Verdict judge_overlaps(const Job *job, int first, int n, const Sections *
     const int answer = found[first_wrong] != 0;
     return verdict_of(message_new(
         "pixel (%d, %d), circle at (%g, %g) radius %g depth %g, minDepth %g: found %d, expected "
-        "%d%s; %d of %d inputs are wrong",
+        "%d (%d of %d inputs are wrong)%s",
         input.x, input.y, (double)input.circle.x, (double)input.circle.y,
         (double)input.circle.radius, (double)input.circle.depth, (double)input.minDepth, answer,
-        !answer, why, n_wrong, n));
+        !answer, n_wrong, n, why));
 }
 
 static Verdict judge(const void *pointer, int check, const Sections *answers)

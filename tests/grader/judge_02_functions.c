@@ -151,7 +151,7 @@ static const char *explain_missing(const DistributeJob *in, const u32 *list, u32
             return "";
         }
     }
-    return "; that circle overlaps the cell and is missing in its list";
+    return ", that circle overlaps the cell and is missing in its list";
 }
 
 Verdict judge_02_distribute(const Job02 *job, const Sections *answers)

@@ -94,8 +94,8 @@ static Verdict judge_children(const Job03 *job, int first, int n, const Sections
                               ? "; that is no child of the node"
                               : explain_children(job, found);
         return verdict_of(message_new(
-            "node %u, pixel (%d, %d): found child %u, expected %u; left child %u is x [%g, %g) y "
-            "[%g, %g), right child %u is x [%g, %g) y [%g, %g)%s",
+            "node %u, pixel (%d, %d): found child %u, expected %u (left child %u is x [%g, %g) y "
+            "[%g, %g), right child %u is x [%g, %g) y [%g, %g))%s",
             in.id, in.x, in.y, found[i], expected, node.lChild, (double)left.minX,
             (double)left.maxX, (double)left.minY, (double)left.maxY, node.rChild,
             (double)right.minX, (double)right.maxX, (double)right.minY, (double)right.maxY, why));
@@ -146,7 +146,7 @@ static Verdict judge_scene_work(const JobScene *scene, int k, int check, const S
         if (job_picture_answer(&scene->picture, k, answers).pixels == NULL) {
             return verdict_missing;
         }
-        return verdict_of(message_new("the work could not be counted: call getContainingChild and "
+        return verdict_of(message_new("the work could not be counted; call getContainingChild and "
                                       "overlaps_N_Nearer in the kernel itself"));
     }
     // Every seventh pixel each way is plenty, and the tree is asked node by node.

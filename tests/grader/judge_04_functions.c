@@ -65,11 +65,11 @@ static const char *axes_fault(int check, const ViewJob *view, const Axes *found,
 {
     if (check == AXES_ORTHONORMAL) {
         return !is_unit(found->forward) || !is_unit(found->right) || !is_unit(found->up)
-                   ? "not all three are unit vectors"
+                   ? ": not all three are unit vectors"
                : !is_across(found->forward, found->right) || !is_across(found->up, found->right)
-                   ? "right is not at right angles to the others"
-               : !is_across(found->forward, found->up) ? "up is not at right angles to forward"
-               : !is_across(found->right, view->up)    ? "right is not at right angles to view.up"
+                   ? ": right is not at right angles to the others"
+               : !is_across(found->forward, found->up) ? ": up is not at right angles to forward"
+               : !is_across(found->right, view->up)    ? ": right is not at right angles to view.up"
                                                        : NULL;
     }
     // Of any length: that is the business of the check above.
@@ -83,8 +83,8 @@ static const char *axes_fault(int check, const ViewJob *view, const Axes *found,
             forward_length > 0) {
             return NULL;
         }
-        return is_opposite(found->forward, wanted) ? "forward points backwards"
-                                                   : "forward does not go from `from` to `at`";
+        return is_opposite(found->forward, wanted) ? "; forward points backwards"
+                                                   : ": forward does not go from `from` to `at`";
     }
     const int is_right = is_near(found->right, expected[0], AXES_ERROR);
     const int is_up = is_near(found->up, expected[1], AXES_ERROR);
@@ -92,11 +92,11 @@ static const char *axes_fault(int check, const ViewJob *view, const Axes *found,
         return NULL;
     }
     return is_opposite(found->right, expected[0])
-               ? "right points to the left: mind the order of the cross product"
+               ? "; right points to the left: mind the order of the cross product"
            : is_opposite(found->up, expected[1])
-               ? "up points down: mind the order of the cross product"
-           : is_right ? "up is not what is left of view.up at right angles to forward"
-                      : "right is not forward x up";
+               ? "; up points down: mind the order of the cross product"
+           : is_right ? ": up is not what is left of view.up at right angles to forward"
+                      : ": right is not forward x up";
 }
 
 Verdict judge_04_axes(const Job04 *job, int check, const Sections *answers)
@@ -118,7 +118,7 @@ Verdict judge_04_axes(const Job04 *job, int check, const Sections *answers)
         return verdict_of(message_new(
             "view from (%g, %g, %g) at (%g, %g, %g) up (%g, %g, %g): found right (%.4g, %.4g, "
             "%.4g), up (%.4g, %.4g, %.4g), forward (%.4g, %.4g, %.4g), expected right (%.4g, %.4g, "
-            "%.4g), up (%.4g, %.4g, %.4g), forward (%.4g, %.4g, %.4g); %s",
+            "%.4g), up (%.4g, %.4g, %.4g), forward (%.4g, %.4g, %.4g)%s",
             (double)view.from.x, (double)view.from.y, (double)view.from.z, (double)view.at.x,
             (double)view.at.y, (double)view.at.z, (double)view.up.x, (double)view.up.y,
             (double)view.up.z, (double)own.right.x, (double)own.right.y, (double)own.right.z,
@@ -155,9 +155,13 @@ static const DisplayMistake display_mistakes[] = {
     {.says = "; fov is a width at distance 1, not an angle", .rules = {.fov_is_angle = 1}},
     {.says = "; transposed: x counts columns and y rows", .transposed = 1},
     {.says = "; shifted by one pixel to the right: columns count from 0", .columns = 1},
-    {.says = "; shifted by one pixel to the left: columns count from 0", .columns = -1},
+    // Nobody counts from -1: the half that leads to the middle was taken off.
+    {.says = "; shifted by one pixel to the left: half a pixel has the wrong sign", .columns = -1},
     {.says = "; shifted by one pixel down: rows count from 0", .rows = 1},
-    {.says = "; shifted by one pixel up: rows count from 0", .rows = -1},
+    {.says = "; shifted by one pixel up: half a pixel has the wrong sign", .rows = -1},
+    {.says = "; shifted by one pixel to the left and up: half a pixel has the wrong sign",
+     .columns = -1,
+     .rows = -1},
     {.says = "; shifted by one pixel to the right and down: columns and rows count from 0",
      .columns = 1,
      .rows = 1},
@@ -221,10 +225,10 @@ Verdict judge_04_display(const Job04 *job, int check, const Sections *answers)
     const OracleVector expected =
         oracle3d_display(in->x, in->y, in->width, in->height, in->camera.fov, &right);
     return verdict_of(message_new(
-        "pixel (%d, %d) of %dx%d, fov %g: found (%.6g, %.6g, %.6g), expected (%.6g, %.6g, %.6g)%s; "
-        "%d of %d points are wrong",
+        "pixel (%d, %d) of %dx%d, fov %g: found (%.6g, %.6g, %.6g), expected (%.6g, %.6g, %.6g) "
+        "(%d of %d points are wrong)%s",
         in->x, in->y, in->width, in->height, (double)in->camera.fov, (double)own.x, (double)own.y,
-        (double)own.z, expected.x, expected.y, expected.z, why, n_wrong, N_PIXELS));
+        (double)own.z, expected.x, expected.y, expected.z, n_wrong, N_PIXELS, why));
 }
 
 // ---- Rays -------------------------------------------------------------------------------------
@@ -243,7 +247,7 @@ static const char *direction_fault(const PixelJob *job, Vec3 found)
     if (length > 0 && is_near(unit, ray.direction, ray.direction_error)) {
         return NULL;
     }
-    return length == 0 ? "; it is zero"
+    return length == 0 ? ": it is zero"
            : is_near(unit, other.direction, ray.direction_error)
                ? "; the view transform is turned round: x times right plus y times up plus z times "
                  "forward"

@@ -138,7 +138,7 @@ static Verdict judge_work(const Job *job, const Sections *answers)
         if (job_picture_answer(&scene->picture, WORK, answers).pixels == NULL) {
             return verdict_missing;
         }
-        return verdict_of(message_new("the work could not be counted: call intersect_sphere in "
+        return verdict_of(message_new("the work could not be counted; call intersect_sphere in "
                                       "nearest_hit itself"));
     }
     for (int pixel = 0; pixel < width * height; pixel++) {

@@ -144,10 +144,10 @@ Verdict inputs_05_judge_roots(const Inputs05 *inputs, int range, const Sections 
                             : job.b > job.t_min ? (double)job.b
                                                 : (double)INFINITY;
     return verdict_of(message_new(
-        "b %g, disc %g, radius %g, t_min %g: found %.7g, expected %.7g%s; %d of %d inputs are "
-        "wrong",
+        "b %g, disc %g, radius %g, t_min %g: found %.7g, expected %.7g (%d of %d inputs are "
+        "wrong)%s",
         (double)job.b, (double)job.disc, (double)job.radius, (double)job.t_min,
-        (double)found[wrong.first], expected, wrong.why, wrong.n, N_ROOT_INPUTS));
+        (double)found[wrong.first], expected, wrong.n, N_ROOT_INPUTS, wrong.why));
 }
 
 // ---- intersect_textbook, intersect_sphere
@@ -176,11 +176,11 @@ static char *describe_sphere(const SphereRayJob *job, float found, double expect
 {
     return message_new(
         "sphere at (%g, %g, %g) radius %g, ray from (%g, %g, %g) along (%.7g, %.7g, %.7g): found "
-        "%.9g, expected %.9g%s; %d of %d inputs are wrong",
+        "%.9g, expected %.9g (%d of %d inputs are wrong)%s",
         (double)job->sphere.x, (double)job->sphere.y, (double)job->sphere.z,
         (double)job->sphere.radius, (double)job->origin.x, (double)job->origin.y,
         (double)job->origin.z, (double)job->direction.x, (double)job->direction.y,
-        (double)job->direction.z, (double)found, expected, wrong.why, wrong.n, N_SPHERE_INPUTS);
+        (double)job->direction.z, (double)found, expected, wrong.n, N_SPHERE_INPUTS, wrong.why);
 }
 
 Verdict inputs_05_judge_textbook(const Inputs05 *inputs, int range, const Sections *answers)
@@ -286,11 +286,11 @@ Verdict inputs_05_judge_normals(const Inputs05 *inputs, int range, const Section
     const OracleVector expected = expected_normal(job, &right).value;
     return verdict_of(message_new(
         "sphere at (%g, %g, %g) radius %g, point (%g, %g, %g), direction (%g, %g, %g): found "
-        "(%.5g, %.5g, %.5g), expected (%.5g, %.5g, %.5g)%s; %d of %d inputs are wrong",
+        "(%.5g, %.5g, %.5g), expected (%.5g, %.5g, %.5g) (%d of %d inputs are wrong)%s",
         (double)job.sphere.x, (double)job.sphere.y, (double)job.sphere.z, (double)job.sphere.radius,
         (double)job.point.x, (double)job.point.y, (double)job.point.z, (double)job.direction.x,
         (double)job.direction.y, (double)job.direction.z, (double)own.x, (double)own.y,
-        (double)own.z, expected.x, expected.y, expected.z, wrong.why, wrong.n, N_NORMAL_INPUTS));
+        (double)own.z, expected.x, expected.y, expected.z, wrong.n, N_NORMAL_INPUTS, wrong.why));
 }
 
 static OracleNear expected_shade(const Inputs05 *inputs, int i, const OracleRules3D *rules)
@@ -343,10 +343,10 @@ Verdict inputs_05_judge_shades(const Inputs05 *inputs, int range, const Sections
     const Light light = inputs->lights[job->first_light];
     return verdict_of(message_new(
         "point (%g, %g, %g), normal (%g, %g, %g), kd %g, %d light%s, the first at (%g, %g, %g): "
-        "found (%.5g, %.5g, %.5g), expected (%.5g, %.5g, %.5g)%s; %d of %d inputs are wrong",
+        "found (%.5g, %.5g, %.5g), expected (%.5g, %.5g, %.5g) (%d of %d inputs are wrong)%s",
         (double)job->point.x, (double)job->point.y, (double)job->point.z, (double)job->normal.x,
         (double)job->normal.y, (double)job->normal.z, (double)job->material.kd, job->n_lights,
         job->n_lights == 1 ? "" : "s", (double)light.position.x, (double)light.position.y,
         (double)light.position.z, (double)own.x, (double)own.y, (double)own.z, expected.x,
-        expected.y, expected.z, wrong.why, wrong.n, N_SHADE_INPUTS));
+        expected.y, expected.z, wrong.n, N_SHADE_INPUTS, wrong.why));
 }

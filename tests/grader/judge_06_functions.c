@@ -91,8 +91,8 @@ static const char *explain_overlap(const Job06 *job, int i, const i32 *found)
     if (in.sphere.radius < 0) {
         return "; a negative radius counts as its absolute value";
     }
-    return is_centre_inside ? "; even its centre is inside"
-                            : "; its centre is outside, but the sphere reaches in";
+    return is_centre_inside ? ", even its centre is inside"
+                            : ", its centre is outside but the sphere reaches in";
 }
 
 Verdict judge_06_overlaps(const Job06 *job, int first, int n, const Sections *answers)
@@ -126,7 +126,7 @@ static const char *explain_missing(const DistributeJob3D *in, const u32 *list, u
             return "";
         }
     }
-    return "; that sphere overlaps the cell and is missing in its list";
+    return ", that sphere overlaps the cell and is missing in its list";
 }
 
 // What one call of distribute_spheres wrote: its number, then ids.

@@ -295,7 +295,7 @@ static char *judge_stack(const JobScene3D *scene, int pixel, u32 found, u32 most
     }
     return message_new(
         "%s: the ray of pixel (%d, %d): found %u nodes waiting on the stack at once, "
-        "expected at most %u: only the far child waits, and only where both are met",
+        "expected at most %u; only the far child waits, and only where both are met",
         scene->picture.title, pixel % scene->scene.width, pixel / scene->scene.width, found, most);
 }
 
@@ -333,8 +333,8 @@ static char *judge_scene_work(const JobScene3D *scene, const Work *found)
     const char *looks = explain(&wrong, 1, work_mistakes, COUNT(work_mistakes), work_agrees);
     return message_new(
         "%s: the ray of pixel (%d, %d): found %u nodes and %u leaves visited and %u spheres asked, "
-        "expected at most %u, %u and %u; %d of %d rays do more than they must, and %llu spheres "
-        "are asked instead of %llu%s%s",
+        "expected at most %u, %u and %u (%d of %d rays do more than they must, and %llu spheres "
+        "are asked instead of %llu)%s%s",
         scene->picture.title, first % s->width, first / s->width, own.n_nodes_visited,
         own.n_leaves_visited, own.n_tests, first_most.n_nodes_visited, first_most.n_leaves_visited,
         first_most.n_tests, n_wrong, s->width * s->height, n_tests, n_tests_most,
@@ -358,7 +358,7 @@ static Verdict judge_work(const Job *job, const Sections *answers)
             if (job_picture_answer(&scene->picture, k, answers).pixels == NULL) {
                 return verdict_missing;
             }
-            return verdict_of(message_new("the work could not be counted: call children_on_ray and "
+            return verdict_of(message_new("the work could not be counted; call children_on_ray and "
                                           "search_leaf in trace itself"));
         }
         char *message = judge_scene_work(scene, found);

@@ -147,11 +147,11 @@ Verdict inputs_07_judge_clips(const Inputs07 *inputs, int range, const Sections 
                   (right.t_far.low + right.t_far.high) / 2);
     return verdict_of(message_new(
         "box from (%g, %g, %g) to (%g, %g, %g), ray from (%g, %g, %g) along (%.7g, %.7g, %.7g), "
-        "part [%g, %g]: found %s, expected %s%s; %d of %d inputs are wrong",
+        "part [%g, %g]: found %s, expected %s (%d of %d inputs are wrong)%s",
         (double)job->box.min[0], (double)job->box.min[1], (double)job->box.min[2],
         (double)job->box.max[0], (double)job->box.max[1], (double)job->box.max[2],
         (double)job->origin.x, (double)job->origin.y, (double)job->origin.z,
         (double)job->direction.x, (double)job->direction.y, (double)job->direction.z,
-        (double)job->t_near, (double)job->t_far, own_text, right_text, wrong.why, wrong.n,
-        N_CLIP_INPUTS));
+        (double)job->t_near, (double)job->t_far, own_text, right_text, wrong.n, N_CLIP_INPUTS,
+        wrong.why));
 }

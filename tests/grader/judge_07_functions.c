@@ -78,16 +78,17 @@ Verdict inputs_07_judge_sides(const Inputs07 *inputs, int range, const Sections 
     }
     const SideJob *job = &inputs->sides[wrong.first];
     return verdict_of(message_new(
-        "plane at %.9g, eye at %.9g, direction %g: found %u, expected %u%s; %d of %d inputs are "
-        "wrong",
+        "plane at %.9g, eye at %.9g, direction %g: found %u, expected %u (%d of %d inputs are "
+        "wrong)%s",
         (double)job->node.split_pos, (double)job->origin, (double)job->direction,
-        found[wrong.first], expected_side(job, 0), wrong.why, wrong.n, N_SIDE_INPUTS));
+        found[wrong.first], expected_side(job, 0), wrong.n, N_SIDE_INPUTS, wrong.why));
 }
 
 // ---- children_on_ray --------------------------------------------------------------------------
 
 enum {
-    PLANE_SWAPPED = 1,
+    PLANE_T_OTHER = 1,
+    PLANE_SWAPPED,
     PLANE_BEHIND_CROSSED,
     PLANE_BEHIND_MET,
     PLANE_AT_EYE_MET,
@@ -105,6 +106,8 @@ enum {
     PLANE_FROM_ZERO,
 };
 static const char *const plane_mistakes[] = {
+    [PLANE_T_OTHER] = "; the choices are right, but t_split is not: is it handed out, and by the "
+                      "README's formula?",
     [PLANE_SWAPPED] = "; ONLY_NEAR and ONLY_FAR are swapped",
     [PLANE_BEHIND_CROSSED] = "; that is as if a plane behind the eye had been crossed before the "
                              "node: t_split <= 0 is ONLY_NEAR",
@@ -247,7 +250,7 @@ Verdict inputs_07_judge_planes(const Inputs07 *inputs, int range, const Sections
                       (right.t_split.low + right.t_split.high) / 2);
     return verdict_of(message_new(
         "plane at %.7g, eye at %.7g, 1 / direction %.7g, part [%g, %g]: found %s, "
-        "expected %s%s; %d of %d inputs are wrong",
+        "expected %s (%d of %d inputs are wrong)%s",
         (double)job->node.split_pos, (double)job->origin, (double)job->inverse, (double)job->t_near,
-        (double)job->t_far, own_text, right_text, wrong.why, wrong.n, N_PLANE_INPUTS));
+        (double)job->t_far, own_text, right_text, wrong.n, N_PLANE_INPUTS, wrong.why));
 }

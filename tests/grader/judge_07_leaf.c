@@ -155,11 +155,11 @@ Verdict inputs_07_judge_leaves(const Inputs07 *inputs, int range, const Sections
     return verdict_of(
         message_new("a leaf of %u sphere%s, its ids from %u on, ray from (%g, %g, %g) along (%.7g, "
                     "%.7g, %.7g), "
-                    "hit so far: %s: found %s, expected %s%s; %d of %d inputs are wrong",
+                    "hit so far: %s: found %s, expected %s (%d of %d inputs are wrong)%s",
                     job->node.n_spheres, job->node.n_spheres == 1 ? "" : "s", job->node.first,
                     (double)job->origin.x, (double)job->origin.y, (double)job->origin.z,
                     (double)job->direction.x, (double)job->direction.y, (double)job->direction.z,
-                    before, own, wanted, explain(inputs, start, found), n_wrong, N_LEAF_INPUTS));
+                    before, own, wanted, n_wrong, N_LEAF_INPUTS, explain(inputs, start, found)));
 }
 
 Verdict inputs_07_judge_leaf_tests(const Inputs07 *inputs, const Sections *answers)
@@ -171,7 +171,7 @@ Verdict inputs_07_judge_leaf_tests(const Inputs07 *inputs, const Sections *answe
     for (int i = 0; i < N_LEAVES; i++) {
         const u32 n_spheres = inputs->leaves[i].node.n_spheres, n_tests = found[i].n_tests;
         if (n_tests == UNTOUCHED) {
-            return verdict_of(message_new("the work could not be counted: call intersect_sphere in "
+            return verdict_of(message_new("the work could not be counted; call intersect_sphere in "
                                           "search_leaf itself"));
         }
         if (n_tests != n_spheres) {

@@ -176,10 +176,41 @@ static int points_read(const Place *object, int *points)
     return 0;
 }
 
+// Read the optional hints for single checks. Which checks there are the judge knows: the suite
+// drift compares. Each is counted in `task` from the start, so that manifest_free() sees it.
+static int hints_read(const Place *object, Task *task)
+{
+    Place hints = place_field(object, "hints");
+    if (hints.json == NULL) {
+        return 0;
+    }
+    if (!json_is_object(hints.json)) {
+        return fault_kind(&hints, "an object");
+    }
+    if (json_object_size(hints.json) > MANIFEST_MAX_HINTS) {
+        return fault(&hints, "found %zu entries, expected at most %d", json_object_size(hints.json),
+                     MANIFEST_MAX_HINTS);
+    }
+    const char *check;
+    json_t *value;
+    json_object_foreach((json_t *)hints.json, check, value)
+    {
+        CheckHint *hint = &task->hints[task->n_hints++];
+        *hint = (CheckHint){.check = strdup(check)};
+        if (hint->check == NULL) {
+            return fault(&hints, "out of memory");
+        }
+        if (text_field_read(&hints, check, &hint->hint) != 0) {
+            return -1;
+        }
+    }
+    return 0;
+}
+
 // Read the next task. It is counted in `manifest` from the start, so that manifest_free() sees it.
 static int task_read(const Place *place, Manifest *manifest)
 {
-    static const char *const known[] = {"id", "file", "title", "points", "hint", NULL};
+    static const char *const known[] = {"id", "file", "title", "points", "hint", "hints", NULL};
     Task read = {0};
     Task *task = &manifest->tasks[manifest->n_tasks];
     *task = read;
@@ -198,7 +229,7 @@ static int task_read(const Place *place, Manifest *manifest)
     if (text_field_read(place, "file", &task->file) != 0 ||
         text_field_read(place, "title", &task->title) != 0 ||
         points_read(place, &task->points) != 0 ||
-        text_field_read(place, "hint", &task->hint) != 0) {
+        text_field_read(place, "hint", &task->hint) != 0 || hints_read(place, task) != 0) {
         return -1;
     }
     if (!file_is_listed(manifest, task->file)) {
@@ -296,6 +327,10 @@ void manifest_free(Manifest *manifest)
         free(task->file);
         free(task->title);
         free(task->hint);
+        for (int j = 0; j < task->n_hints; j++) {
+            free(task->hints[j].check);
+            free(task->hints[j].hint);
+        }
     }
     *manifest = (Manifest){0};
 }
@@ -308,4 +343,14 @@ const Task *manifest_task(const Manifest *manifest, const char *id)
         }
     }
     return NULL;
+}
+
+const char *manifest_hint(const Task *task, const char *check)
+{
+    for (int i = 0; i < task->n_hints; i++) {
+        if (strcmp(task->hints[i].check, check) == 0) {
+            return task->hints[i].hint;
+        }
+    }
+    return task->hint;
 }

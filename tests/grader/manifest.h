@@ -5,21 +5,30 @@
 //       "files": ["overlaps_N_Nearer.cl", "implicit2DRenderer.cl"],
 //       "tasks": [ { "id": "overlaps_N_Nearer", "file": "overlaps_N_Nearer.cl",
 //                    "title": "Does a circle cover the pixel?", "points": 40,
-//                    "hint": "..." } ] }
+//                    "hint": "...", "hints": { "overlaps-boundary": "..." } } ] }
 #ifndef GRADER_MANIFEST_H
 #define GRADER_MANIFEST_H
 
 enum {
     MANIFEST_MAX_FILES = 8,
     MANIFEST_MAX_TASKS = 6,
+    MANIFEST_MAX_HINTS = 8,
 };
+
+// What to say of one check in place of the task's hint.
+typedef struct CheckHint {
+    char *check;  // its id
+    char *hint;
+} CheckHint;
 
 typedef struct Task {
     char *id;     // as in the markers "// TASK id: ..." and "// END id"
     char *file;   // one of the manifest's files
     char *title;  // one line for people
     int points;   // the sum over its checks
-    char *hint;   // shown when one of its checks fails
+    char *hint;   // shown when one of its checks fails and no message has said why
+    CheckHint hints[MANIFEST_MAX_HINTS];
+    int n_hints;
 } Task;
 
 typedef struct Manifest {
@@ -36,6 +45,9 @@ typedef struct Manifest {
 // task whose file is not listed, an id given twice, points that do not add up to 100).
 int manifest_load(const char *labs_folder, const char *lab, Manifest *manifest);
 void manifest_free(Manifest *manifest);
+
+// The hint for a check of the task: its own, or the task's.
+const char *manifest_hint(const Task *task, const char *check);
 
 // The task with this id, or NULL.
 const Task *manifest_task(const Manifest *manifest, const char *id);

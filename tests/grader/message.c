@@ -37,3 +37,8 @@ char *message_show(const char *text, char *shown, size_t n_bytes)
     }
     return shown;
 }
+
+int message_names_cause(const char *message)
+{
+    return strstr(message, MESSAGE_CAUSE) != NULL;
+}

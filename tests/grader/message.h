@@ -13,4 +13,11 @@ __attribute__((format(printf, 1, 2))) char *message_new(const char *format, ...)
 enum { MESSAGE_SHOWN_BYTES = 124 };  // enough for a name
 char *message_show(const char *text, char *shown, size_t n_bytes);
 
+// What stands between what was found and the sentence that names the mistake, in a judge's message:
+// "found 1, expected 0; the shorter side was split". Nothing else in it has a semicolon.
+#define MESSAGE_CAUSE "; "
+
+// Does a judge's message say why, so that no hint need follow?
+int message_names_cause(const char *message);
+
 #endif

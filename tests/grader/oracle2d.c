@@ -105,16 +105,27 @@ static const u32 *list_at(const KdTree2D *tree, double x, double y)
     return NULL;
 }
 
-void oracle2d_draw_leaves(const Circle *circles, const KdTree2D *tree, const OracleRules *rules,
-                          Image *image)
+// The id that is asked for entry i of a list.
+static u32 id_of_entry(const u32 *list, u32 i, OracleId id)
+{
+    return id == ID_PLACE_FROM_0 ? i - 1 : id == ID_PLACE_FROM_1 ? i : list[i];
+}
+
+void oracle2d_draw_leaves(const Circle *circles, int n_circles, const KdTree2D *tree,
+                          const OracleRules *rules, Image *image, float *tolerances)
 {
     for (int v = 0; v < image->height; v++) {
         for (int u = 0; u < image->width; u++) {
-            const u32 *list = list_at(tree, u, v);
+            const u32 *list = rules->first_list ? tree->mapNode2Circles : list_at(tree, u, v);
             const u32 end = list ? list[0] + 1 - (u32)rules->skip_last : 0;
             const Circle *found = NULL;
             for (u32 i = 1 + (u32)rules->skip_first; i < end; i++) {
-                const Circle *circle = &circles[list[i]];
+                const u32 id = id_of_entry(list, i, rules->id);
+                if (id >= (u32)n_circles) {
+                    tolerances[(size_t)v * (size_t)image->width + (size_t)u] = INFINITY;
+                    continue;
+                }
+                const Circle *circle = &circles[id];
                 if (covers(*circle, u, v, rules) && takes_pixel(circle, found, rules)) {
                     found = circle;
                 }

@@ -10,6 +10,13 @@
 #include "image.h"
 #include "tree2d.h"
 
+// What is taken for a circle's id in a leaf's list.
+typedef enum OracleId {
+    ID_LISTED,        // what stands in the list
+    ID_PLACE_FROM_0,  // its place in the list, without the count
+    ID_PLACE_FROM_1,  // its place with the count, which is at place 0
+} OracleId;
+
 // A way of drawing. All zeros is the right one.
 typedef struct OracleRules {
     int strict_boundary;   // distance² < radius²
@@ -21,6 +28,8 @@ typedef struct OracleRules {
     int skip_last;         // nor the last
     double sample_offset;  // added to the pixel's coordinates, 0.5 for the pixel's centre
     int diameter;          // the radius taken for a diameter
+    OracleId id;           // through a tree only
+    int first_list;        // the same: every leaf has the list at the start of mapNode2Circles
 } OracleRules;
 
 // Draw circles into an image of its size.
@@ -30,8 +39,10 @@ void oracle2d_draw(const Circle *circles, int n_circles, const OracleRules *rule
 
 // The same through a tree: a pixel asks the circles of its leaf only, and it is of each leaf's list
 // that the first or the last circle may be left out.
-void oracle2d_draw_leaves(const Circle *circles, const KdTree2D *tree, const OracleRules *rules,
-                          Image *image);
+//   tolerances   out: [height * width], INFINITY where a circle behind the end would be asked;
+//                else left alone
+void oracle2d_draw_leaves(const Circle *circles, int n_circles, const KdTree2D *tree,
+                          const OracleRules *rules, Image *image, float *tolerances);
 
 // Does the circle cover the point? Exact for the grid scenes.
 int oracle2d_covers(Circle circle, double x, double y);

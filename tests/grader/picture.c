@@ -80,7 +80,7 @@ static char *describe_unwritten(const ExpectedPicture *expected, int x, int y, s
     const Image *reference = &expected->reference;
     const float *wanted = image_pixel(reference, x, y);
     return message_new("nobody wrote pixel (%d, %d) of a %dx%d picture: found nothing, expected "
-                       "(%.4g, %.4g, %.4g, %.4g); %zu of %zu pixels were not written",
+                       "(%.4g, %.4g, %.4g, %.4g) (%zu of %zu pixels were not written)",
                        x, y, reference->width, reference->height, (double)wanted[0],
                        (double)wanted[1], (double)wanted[2], (double)wanted[3], n_unwritten,
                        (size_t)reference->width * (size_t)reference->height);
@@ -114,15 +114,19 @@ char *picture_judge(ProbeImage own, const ExpectedPicture *expected)
     }
     const float *found = probe_image_pixel(own, first_x, first_y);
     const float *wanted = image_pixel(reference, first_x, first_y);
-    char *looks = n_nan          ? message_new("not a number in places")
-                  : n_not_finite ? message_new("infinite in places")
-                                 : picture_looks(own, expected);
+    const char *plain = n_nan          ? "not a number in places"
+                        : n_not_finite ? "infinite in places"
+                                       : picture_plain(own, expected);
+    char *looks = plain ? NULL : picture_looks(own, expected);
     char *message = message_new(
         "pixel (%d, %d): found (%.4g, %.4g, %.4g, %.4g), expected (%.4g, %.4g, %.4g, "
-        "%.4g); %zu of %zu pixels differ%s%s",
+        "%.4g) (%zu of %zu pixels differ)%s%s%s",
         first_x, first_y, (double)found[0], (double)found[1], (double)found[2], (double)found[3],
         (double)wanted[0], (double)wanted[1], (double)wanted[2], (double)wanted[3], n_wrong,
-        n_pixels, looks ? "; it looks " : "", looks ? looks : "");
+        n_pixels, plain ? ", it looks " : "", looks ? MESSAGE_CAUSE "it looks " : "",
+        plain   ? plain
+        : looks ? looks
+                : "");
     free(looks);
     return message;
 }

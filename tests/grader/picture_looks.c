@@ -38,6 +38,7 @@ static const char *looks_mistaken(ProbeImage own, const ExpectedPicture *expecte
     if (tolerances != NULL && image_create(reference->width, reference->height, &guess) == 0) {
         int mistake = 0;
         do {
+            memset(tolerances, 0, n_pixels * sizeof *tolerances);
             looks = expected->draw_mistaken(expected->scene, mistake++, &guess, tolerances);
         } while (looks != NULL && !looks_like(own, expected, &guess, tolerances));
     }
@@ -124,17 +125,18 @@ static int shows_beyond(ProbeImage own, const ExpectedPicture *expected)
 
 // ---- What does it look like? ------------------------------------------------------------------
 
+const char *picture_plain(ProbeImage own, const ExpectedPicture *expected)
+{
+    return is_empty(own, expected)      ? "empty: nothing but the background"
+           : is_constant(own, expected) ? "of one colour everywhere"
+                                        : NULL;
+}
+
 char *picture_looks(ProbeImage own, const ExpectedPicture *expected)
 {
-    if (is_empty(own, expected)) {
-        return message_new("empty: nothing but the background");
-    }
     if (shows_beyond(own, expected)) {
         return message_new("drawn as if one circle too many were asked, the one behind the end of "
                            "the array");
-    }
-    if (is_constant(own, expected)) {
-        return message_new("of one colour everywhere");
     }
     if (is_other_background(own, expected)) {
         const float *background = expected->background;

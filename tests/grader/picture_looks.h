@@ -8,7 +8,11 @@
 
 #include "picture.h"
 
-// What a wrong picture looks like, "shifted by one pixel up", or NULL. Owned by the caller.
+// What a wrong picture looks like that may have many causes, "of one colour everywhere", or NULL.
+const char *picture_plain(ProbeImage own, const ExpectedPicture *expected);
+
+// The mistake that a wrong picture looks like, "shifted by one pixel up", or NULL. Owned by the
+// caller.
 char *picture_looks(ProbeImage own, const ExpectedPicture *expected);
 
 #endif

@@ -12,12 +12,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-static json_t *check_json(const Manifest *manifest, const CheckResult *check)
+static json_t *check_json(const Manifest *manifest, const Result *result, const CheckResult *check)
 {
     if (check->status == CHECK_PASSED) {
         return json_pack("{s:b}", "passed", 1);
     }
-    char *words = check_words(manifest, check);
+    char *words = check_words(manifest, result, check);
     json_t *json = json_pack("{s:b, s:o}", "passed", 0, "hint", json_message(words));
     free(words);
     return json;
@@ -34,7 +34,8 @@ static json_t *feedback_json(const Manifest *manifest, const Result *result)
         for (int i = 0; i < result->n_checks && !failed; i++) {
             const CheckResult *check = &result->checks[i];
             if (strcmp(check->task, id) == 0) {
-                failed = json_object_set_new(stage, check->title, check_json(manifest, check)) != 0;
+                json_t *json = check_json(manifest, result, check);
+                failed = json_object_set_new(stage, check->title, json) != 0;
             }
         }
         failed = json_array_append_new(stages, json_string(id)) != 0 || failed;

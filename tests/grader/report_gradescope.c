@@ -36,7 +36,7 @@ static json_t *test_json(const Manifest *manifest, const Result *result, int i)
     const CheckResult *check = &result->checks[i];
     char number[32];
     number_write(number, manifest, result, i);
-    char *words = check_words(manifest, check);
+    char *words = check_words(manifest, result, check);
     json_t *json =
         json_pack("{s:i, s:i, s:s, s:o, s:s, s:o, s:s, s:[o]}", "score", check->points, "max_score",
                   check->max_points, "status", check->status == CHECK_PASSED ? "passed" : "failed",

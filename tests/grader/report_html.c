@@ -8,6 +8,7 @@
 #include "html.h"
 #include "output_file.h"
 #include "report_pictures.h"
+#include "report_words.h"
 
 #include <inttypes.h>
 #include <string.h>
@@ -127,7 +128,7 @@ static void check_write(FILE *page, const CheckResult *check)
     fputs("</div>\n", page);
 }
 
-static void task_write(FILE *page, const Task *task, const Result *result)
+static void task_write(FILE *page, const Manifest *manifest, const Task *task, const Result *result)
 {
     TaskPoints sum = result_task_points(result, task->id);
     fputs("<section class=\"card\">\n<div class=\"title\"><h2>", page);
@@ -144,9 +145,10 @@ static void task_write(FILE *page, const Task *task, const Result *result)
             check_write(page, &result->checks[i]);
         }
     }
-    if (sum.n_failed > 0) {
+    const char *hint = task_hint(manifest, result, task);
+    if (hint[0] != '\0') {
         fputs("<p class=\"hint\"><b>Hint</b> ", page);
-        html_line(page, task->hint);
+        html_line(page, hint);
         fputs("</p>\n", page);
     }
     fputs("</section>\n", page);
@@ -160,7 +162,7 @@ static int page_write(FILE *page, const Manifest *manifest, const Result *result
     head_write(page, result);
     stages_write(page, result);
     for (int i = 0; i < manifest->n_tasks; i++) {
-        task_write(page, &manifest->tasks[i], result);
+        task_write(page, manifest, &manifest->tasks[i], result);
     }
     if (result->n_pictures > 0) {
         fputs("<h2 class=\"section\">Pictures</h2>\n", page);

@@ -6,6 +6,7 @@
 #include "report.h"
 
 #include "json_text.h"
+#include "report_words.h"
 
 #include <inttypes.h>
 
@@ -37,7 +38,7 @@ static json_t *tasks_json(const Manifest *manifest, const Result *result)
         json_t *entry = json_pack("{s:s, s:o, s:s, s:i, s:i, s:o}", "id", task->id, "title",
                                   json_line(task->title), "file", task->file, "points", sum.points,
                                   "max_points", sum.max_points, "hint",
-                                  json_line(sum.n_failed > 0 ? task->hint : ""));
+                                  json_line(task_hint(manifest, result, task)));
         if (json_array_append_new(tasks, entry) != 0) {
             json_decref(tasks);
             return NULL;

@@ -76,7 +76,7 @@ static void cases_write(FILE *file, const Manifest *manifest, const Result *resu
     }
     for (int i = 0; i < result->n_checks; i++) {
         const CheckResult *check = &result->checks[i];
-        char *words = check_words(manifest, check);
+        char *words = check_words(manifest, result, check);
         case_write(file, check->task, check->title, check->status, check->message, words);
         free(words);
     }

@@ -15,10 +15,10 @@
 // "This file should be limited to 1 MB", in the documentation's words; a MB in its smaller sense.
 #define MAX_FILE_BYTES ((size_t)1000 * 1000)
 
-static json_t *test_json(const Manifest *manifest, const CheckResult *check)
+static json_t *test_json(const Manifest *manifest, const Result *result, const CheckResult *check)
 {
     const Task *task = manifest_task(manifest, check->task);
-    char *words = check_words(manifest, check);
+    char *words = check_words(manifest, result, check);
     json_t *json =
         json_pack("{s:o, s:o, s:i, s:i, s:o}", "name", json_line(check->title), "description",
                   json_line(task != NULL ? task->title : check->task), "points", check->points,
@@ -31,7 +31,8 @@ static json_t *tests_json(const Manifest *manifest, const Result *result)
 {
     json_t *tests = json_array();
     for (int i = 0; i < result->n_checks; i++) {
-        if (json_array_append_new(tests, test_json(manifest, &result->checks[i])) != 0) {
+        json_t *test = test_json(manifest, result, &result->checks[i]);
+        if (json_array_append_new(tests, test) != 0) {
             json_decref(tests);
             return NULL;
         }

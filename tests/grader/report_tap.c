@@ -61,7 +61,7 @@ int report_tap(const char *path, const Manifest *manifest, const Result *result)
     }
     for (int i = 0; i < result->n_checks; i++) {
         const CheckResult *check = &result->checks[i];
-        char *words = check_words(manifest, check);
+        char *words = check_words(manifest, result, check);
         test_write(file, ++number, check->task, check->title, check->status);
         comment_write(file, words);
         free(words);

@@ -5,6 +5,8 @@
 #include "report.h"
 
 #include "clean_text.h"
+#include "message.h"
+#include "report_words.h"
 
 #include <inttypes.h>
 #include <stdlib.h>
@@ -153,14 +155,12 @@ static void check_print(const TextReport *report, const CheckResult *check)
     message_print(report->out, check->message, MESSAGE_PROSE);
 }
 
-static void hint_print(const TextReport *report, const Task *task)
+static void hint_print(const TextReport *report, const char *text)
 {
-    size_t n_bytes = strlen(task->hint) + sizeof "Hint: ";
-    char *hint = malloc(n_bytes);
-    if (hint == NULL) {
+    if (text[0] == '\0') {
         return;
     }
-    snprintf(hint, n_bytes, "Hint: %s", task->hint);
+    char *hint = message_new("Hint: %s", text);
     fputs(colour(report, BOLD), report->out);
     message_print(report->out, hint, MESSAGE_PROSE);
     fputs(colour(report, PLAIN), report->out);
@@ -185,7 +185,8 @@ static void task_head_print(const TextReport *report, const Task *task, const Ta
             gap > POINTS_COLUMNS ? gap : POINTS_COLUMNS, points);
 }
 
-static void task_print(const TextReport *report, const Task *task, const Result *result)
+static void task_print(const TextReport *report, const Manifest *manifest, const Task *task,
+                       const Result *result)
 {
     const TaskPoints sum = result_task_points(result, task->id);
     task_head_print(report, task, &sum);
@@ -194,9 +195,7 @@ static void task_print(const TextReport *report, const Task *task, const Result 
             check_print(report, &result->checks[i]);
         }
     }
-    if (sum.n_failed > 0) {
-        hint_print(report, task);
-    }
+    hint_print(report, task_hint(manifest, result, task));
 }
 
 int report_text(FILE *out, const Manifest *manifest, const Result *result, int colours)
@@ -211,7 +210,7 @@ int report_text(FILE *out, const Manifest *manifest, const Result *result, int c
         stage_print(&report, &result->stages[i]);
     }
     for (int i = 0; i < manifest->n_tasks; i++) {
-        task_print(&report, &manifest->tasks[i], result);
+        task_print(&report, manifest, &manifest->tasks[i], result);
     }
     fprintf(out, "\n %sScore %d/%d%s\n", colour(&report, BOLD), result->score, result->max_score,
             colour(&report, PLAIN));

@@ -6,6 +6,7 @@
 #include "message.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 char *points_words(int points, int max_points)
 {
@@ -31,18 +32,45 @@ char *stages_words(const Result *result)
     return words;
 }
 
-char *check_words(const Manifest *manifest, const CheckResult *check)
+const char *check_hint(const Manifest *manifest, const Result *result, const CheckResult *check)
+{
+    const Task *task = manifest_task(manifest, check->task);
+    if (check->status != CHECK_FAILED || task == NULL) {
+        return "";
+    }
+    for (int i = 0; i < result->n_checks; i++) {
+        const CheckResult *other = &result->checks[i];
+        if (other->status == CHECK_FAILED && other->is_explained &&
+            strcmp(other->task, check->task) == 0) {
+            return "";
+        }
+    }
+    return manifest_hint(task, check->id);
+}
+
+const char *task_hint(const Manifest *manifest, const Result *result, const Task *task)
+{
+    for (int i = 0; i < result->n_checks; i++) {
+        const CheckResult *check = &result->checks[i];
+        if (check->status == CHECK_FAILED && strcmp(check->task, task->id) == 0) {
+            return check_hint(manifest, result, check);
+        }
+    }
+    return "";
+}
+
+char *check_words(const Manifest *manifest, const Result *result, const CheckResult *check)
 {
     const char *message = check->message != NULL ? check->message : "";
-    const Task *task = manifest_task(manifest, check->task);
+    const char *hint = check_hint(manifest, result, check);
     if (check->status == CHECK_NOT_RUN) {
         return message_new("Not run: something before it failed.%s%s",
                            message[0] != '\0' ? "\n" : "", message);
     }
-    if (check->status == CHECK_PASSED || task == NULL) {
+    if (hint[0] == '\0') {
         return message_new("%s", message);
     }
-    return message_new("%s%sHint: %s", message, message[0] != '\0' ? "\n" : "", task->hint);
+    return message_new("%s%sHint: %s", message, message[0] != '\0' ? "\n" : "", hint);
 }
 
 const StageResult *failed_stage(const Result *result)

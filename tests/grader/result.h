@@ -20,8 +20,9 @@ typedef struct CheckResult {
     int points;         // earned: 0 or max_points
     int max_points;
     CheckStatus status;
-    char *message;  // what is wrong, where, and what it looks like; may come from student code's
-                    // values, never trusted as markup. "" when passed. Owned.
+    char *message;     // what is wrong, where, and what it looks like; may come from student code's
+                       // values, never trusted as markup. "" when passed. Owned.
+    int is_explained;  // the message says why: a hint would only lead elsewhere
 } CheckResult;
 
 // Pictures of one scene for the report.

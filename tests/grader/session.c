@@ -219,4 +219,5 @@ void session_judge(const Session *session, int i, const Variant *variant, CheckR
                              : CHECK_NOT_RUN;
         result->message = describe_missing(variant, task);
     }
+    result->is_explained = verdict.kind == VERDICT_MISSING || message_names_cause(result->message);
 }

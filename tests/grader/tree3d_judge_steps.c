@@ -171,7 +171,7 @@ char *tree3d_judge_axis(const char *where, BBox3D cell, u32 axis)
         axis >= 3                           ? "; there are axes 0, 1 and 2"
         : length == side(cell, expected, 0) ? "; of equal sides the first counts"
         : is_shortest                       ? "; that side is the shortest"
-                                            : "; that side is not the longest");
+                                            : ", that side is not the longest");
 }
 
 // The cell's middle on an axis.

@@ -15,6 +15,39 @@ json_field() {
         inside && $1 == field { sub(/^[^:]*: */, ""); sub(/,$/, ""); gsub(/"/, ""); print; exit }' "$1"
 }
 
+# The hints of a lab.json: a line "task TAB check TAB hint" each, the check "first" for the task's own.
+json_hints() {
+    awk '
+        function text(line) { sub(/^ *"[^"]*": "/, "", line); sub(/",?$/, "", line); return line }
+        $1 ~ /^}/ { inside = 0 }
+        $1 == "\"id\":" { task = $2; gsub(/[",]/, "", task) }
+        $1 == "\"hint\":" { print task "\tfirst\t" text($0) }
+        inside { check = $1; gsub(/[":]/, "", check); print task "\t" check "\t" text($0) }
+        $1 == "\"hints\":" { inside = 1 }' "$1"
+}
+
+# The names that a text has, sorted.
+names() {
+    grep -o '[A-Za-z_][A-Za-z0-9_]*' | sort -u
+}
+
+# What of a hint is code of the answer, a finding a line. A hint asks or points at a place. Code shows by an
+# operator, a bracket or a call, as in "{width, height, 1}", and by a name that stands in the solution's
+# code and in nothing that is handed out, as CL_TRUE and INFINITY. Those names are in $scratch/own-names.
+hint_code() {
+    echo "$1" | grep -o '[][{}<>=*&|%^]\|[A-Za-z0-9_](\| [-+/] '
+    echo "$1" | names | comm -12 - "$scratch/own-names"
+}
+
+printf 'CL_TRUE\nINFINITY\n' >"$scratch/own-names"
+for hint in 'clEnqueueReadImage with CL_TRUE waits.' 'The region is {width, height, 1}.' \
+    'At first nothing has been seen: INFINITY.' 'Where is b - sqrt(disc)?' 'Ask get_global_id(0).'; do
+    [ -n "$(hint_code "$hint")" ]
+    ok $? "the code in a hint is found: $hint"
+done
+[ -z "$(hint_code 'In a half-open cell of 4 x 2, where is the point (3, 4)?')" ]
+ok $? "no code is found in a hint without"
+
 for folder in solutions/*/; do
     lab=$(basename "$folder")
     manifest=$folder/lab.json
@@ -49,6 +82,20 @@ for folder in solutions/*/; do
         grep -q "$id" "$folder/README.md"
         ok $? "$lab: README.md tells of check $id"
     done
+    # Of the solution only the code, of what is handed out the words of comments, too.
+    cat labs/"$lab"/*.[ch]* labs/"$lab"/README.md | names >"$scratch/given-names"
+    sed 's|//.*||' "$folder"*.[ch]* | names | comm -23 - "$scratch/given-names" >"$scratch/own-names"
+    json_hints "$manifest" >"$scratch/hints"
+    n_first=$(grep -c "$(printf '\tfirst\t')" "$scratch/hints")
+    [ "$n_first" = "$n_tasks" ]
+    ok $? "$lab: every task has a first hint" "tasks: $n_tasks, first hints: $n_first"
+    while IFS="$(printf '\t')" read -r task check hint; do
+        [ "$check" = first ] || echo "$checks" | grep -q "^$check$(printf '\t')$task$(printf '\t')"
+        ok $? "$lab: the hint for $check of $task is for a check of that task" "no such check"
+        code=$(hint_code "$hint")
+        [ -z "$code" ]
+        ok $? "$lab: the hint for $check of $task holds no code of the answer" "found: $code"
+    done <"$scratch/hints"
 done
 
 # The pictures of the READMEs and notes are what the solutions draw. (make figures mends them.) Colours

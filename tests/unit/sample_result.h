@@ -3,6 +3,7 @@
 #define UNIT_SAMPLE_RESULT_H
 
 #include "manifest.h"
+#include "message.h"
 #include "result.h"
 
 #include <string.h>
@@ -11,10 +12,16 @@ static const Manifest manifest = {
     .lab = "01-naive-2d",
     .title = "Naive 2D rendering",
     .n_tasks = 2,
-    .tasks = {{"overlaps_N_Nearer", "overlaps_N_Nearer.cl", "Does a circle cover the pixel?", 40,
-               "Compare the squares."},
-              {"implicit2DRenderer", "implicit2DRenderer.cl", "The nearest of all", 60,
-               "Remember the depth."}},
+    .tasks = {{.id = "overlaps_N_Nearer",
+               .file = "overlaps_N_Nearer.cl",
+               .title = "Does a circle cover the pixel?",
+               .points = 40,
+               .hint = "Compare the squares."},
+              {.id = "implicit2DRenderer",
+               .file = "implicit2DRenderer.cl",
+               .title = "The nearest of all",
+               .points = 60,
+               .hint = "Remember the depth."}},
 };
 
 // A result with a failed, a passed and a not-run check; the failed one says `message`.
@@ -32,14 +39,19 @@ static inline Result result_make(const char *message)
                      .n_stages = 1,
                      .n_checks = 3};
     result.stages[0] = (StageResult){"Compiling", CHECK_PASSED, NULL};
-    result.checks[0] = (CheckResult){
-        "overlaps-inside", "Clearly inside and outside", "overlaps_N_Nearer", 25, 25, CHECK_PASSED,
-        strdup("")};
+    result.checks[0] = (CheckResult){"overlaps-inside",
+                                     "Clearly inside and outside",
+                                     "overlaps_N_Nearer",
+                                     25,
+                                     25,
+                                     CHECK_PASSED,
+                                     strdup(""),
+                                     0};
     result.checks[1] = (CheckResult){
         "overlaps-boundary", "The boundary belongs to it", "overlaps_N_Nearer", 0, 15, CHECK_FAILED,
-        strdup(message)};
+        strdup(message),     message_names_cause(message)};
     result.checks[2] = (CheckResult){
-        "picture", "A random scene", "implicit2DRenderer", 0, 60, CHECK_NOT_RUN, NULL};
+        "picture", "A random scene", "implicit2DRenderer", 0, 60, CHECK_NOT_RUN, NULL, 0};
     return result;
 }
 

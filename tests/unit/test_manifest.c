@@ -78,6 +78,22 @@ Test(manifest, reads_every_field)
     cr_expect_eq(manifest.n_tasks, 0);
 }
 
+#define HINTS(hints)                                                                               \
+    "{\"id\": \"a\", \"file\": \"a.cl\", \"title\": \"A?\", \"points\": 100, \"hint\": \"h\", "    \
+    "\"hints\": " hints "}"
+
+Test(manifest, a_check_may_have_a_hint_of_its_own)
+{
+    char folder[64];
+    lab_write(MANIFEST(FILES, HINTS("{\"a-far\": \"Look far.\"}")), folder);
+    Manifest manifest;
+    cr_assert_eq(manifest_load(folder, "01-x", &manifest), 0);
+    lab_remove(folder);
+    cr_expect_str_eq(manifest_hint(&manifest.tasks[0], "a-far"), "Look far.");
+    cr_expect_str_eq(manifest_hint(&manifest.tasks[0], "a-near"), "h");
+    manifest_free(&manifest);
+}
+
 typedef struct BadManifest {
     const char *text;
     const char *message;  // part of the one line
@@ -119,8 +135,16 @@ static const BadManifest bad_manifests[] = {
      "tasks[0].points: found -1, expected 1 to 100"},
     {MANIFEST(FILES, "{\"id\": \"a\", \"file\": \"a.cl\", \"title\": \"C\", \"points\": 100}"),
      "tasks[0].hint: found nothing, expected a string"},
-    {MANIFEST(FILES, "{\"id\": \"a\", \"hints\": \"h\"}"),
-     "tasks[0]: found an unknown field \"hints\""},
+    {MANIFEST(FILES, "{\"id\": \"a\", \"tips\": \"h\"}"),
+     "tasks[0]: found an unknown field \"tips\""},
+    {MANIFEST(FILES, HINTS("\"h\"")), "tasks[0].hints: found a string, expected an object"},
+    {MANIFEST(FILES, HINTS("{\"a-far\": 1}")),
+     "tasks[0].hints.a-far: found a number, expected a string"},
+    {MANIFEST(FILES, HINTS("{\"a-far\": \"h\", \"a-near\": \"\"}")),
+     "tasks[0].hints.a-near: found an empty string, expected some text"},
+    {MANIFEST(FILES, HINTS("{\"1\":\"\",\"2\":\"\",\"3\":\"\",\"4\":\"\",\"5\":\"\",\"6\":\"\","
+                           "\"7\":\"\",\"8\":\"\",\"9\":\"\"}")),
+     "tasks[0].hints: found 9 entries, expected at most 8"},
 };
 
 Test(manifest, names_each_slip_in_one_message, .init = cr_redirect_stderr)

@@ -3,6 +3,7 @@
 #include "clean_text.h"
 #include "graded.h"
 #include "report.h"
+#include "report_words.h"
 #include "sample_result.h"
 
 #include <criterion/criterion.h>
@@ -155,7 +156,7 @@ Test(clean_text, shortens_many_lines_to_forty)
 Test(report_text, is_laid_out_by_task)
 {
     Result result =
-        result_make("pixel (3, 4), circle (0, 0) radius 5: found 0, expected 1; it looks "
+        result_make("pixel (3, 4), circle (0, 0) radius 5: found 0, expected 1, it looks "
                     "strict where the boundary belongs to the circle");
     result.seed = 42;
     char *text = text_report(&result, 0);
@@ -169,7 +170,7 @@ Test(report_text, is_laid_out_by_task)
         " 25/40\n"
         "   ok    overlaps-inside      25/25  Clearly inside and outside\n"
         "   FAIL  overlaps-boundary     0/15  The boundary belongs to it\n"
-        "         pixel (3, 4), circle (0, 0) radius 5: found 0, expected 1; it looks strict where "
+        "         pixel (3, 4), circle (0, 0) radius 5: found 0, expected 1, it looks strict where "
         "the\n"
         "         boundary belongs to the circle\n"
         "         Hint: Compare the squares.\n"
@@ -253,13 +254,12 @@ Test(report_text, breaks_words_longer_than_a_line)
 // What is wrong and the lab's hint are found together, in every report.
 Test(report, message_and_hint_stand_together)
 {
-    const char *message = "pixel (3, 2): found (1, 0, 0, 1), expected (0, 0, 1, 1); it looks right "
-                          "with red and blue swapped";
+    const char *message = "pixel (3, 2): found (1, 0, 0, 1), expected (0, 0, 1, 1), all swapped";
     Result result = result_make(message);
     char *texts[] = {text_report(&result, 0), file_report(report_html, &result),
                      file_report(report_json, &result)};
     for (int i = 0; i < 2; i++) {
-        const char *says = strstr(texts[i], "blue swapped");
+        const char *says = strstr(texts[i], "all swapped");
         const char *hint = says ? strstr(says, "Compare the squares.") : NULL;
         const char *next_task = says ? strstr(says, "The nearest of all") : NULL;
         cr_expect(hint != NULL && next_task != NULL && hint < next_task, "%s", texts[i]);
@@ -271,6 +271,49 @@ Test(report, message_and_hint_stand_together)
     for (int i = 0; i < 3; i++) {
         free(texts[i]);
     }
+    result_free(&result);
+}
+
+// A message that has said why is not followed by a hint about something else.
+Test(report, no_hint_where_the_cause_is_named)
+{
+    Result result = result_make("found 1, expected 0; of two equal depths the later circle won");
+    cr_assert(result.checks[1].is_explained);
+    char *texts[] = {text_report(&result, 0), file_report(report_html, &result),
+                     file_report(report_json, &result)};
+    for (int i = 0; i < 3; i++) {
+        expect_part(texts[i], "the later circle won");
+        expect_no_part(texts[i], "Compare the squares.");
+        free(texts[i]);
+    }
+    char *words = check_words(&manifest, &result, &result.checks[1]);
+    cr_expect_str_eq(words, result.checks[1].message);
+    free(words);
+    result_free(&result);
+}
+
+// The first failed check decides, and what one check has explained holds for its whole task.
+Test(report, the_hint_is_that_of_the_first_failed_check)
+{
+    static const Manifest hinted = {
+        .lab = "01-naive-2d",
+        .n_tasks = 1,
+        .tasks = {{.id = "overlaps_N_Nearer",
+                   .hint = "Of the task.",
+                   .hints = {{"overlaps-boundary", "Of the boundary."}},
+                   .n_hints = 1}},
+    };
+    const Task *task = &hinted.tasks[0];
+    Result result = result_make("found 0, expected 1");
+    cr_expect_str_eq(task_hint(&hinted, &result, task), "Of the boundary.");
+    result.checks[0].status = CHECK_FAILED;
+    cr_expect_str_eq(task_hint(&hinted, &result, task), "Of the task.");
+    cr_expect_str_eq(check_hint(&hinted, &result, &result.checks[1]), "Of the boundary.");
+    result.checks[1].is_explained = 1;
+    cr_expect_str_eq(task_hint(&hinted, &result, task), "");
+    result.checks[0].status = CHECK_PASSED;
+    result.checks[1].status = CHECK_NOT_RUN;
+    cr_expect_str_eq(task_hint(&hinted, &result, task), "");
     result_free(&result);
 }
 

@@ -1,7 +1,7 @@
 // mutant: every leaf is asked for the list at the start of the map
 // task: leaf_loop
-// caught by: leaf-edges
-// says: found
+// caught by: leaf-random
+// says: list at the start of mapNode2Circles
     float minDepth = INFINITY;
     (void)id, (void)nodes_Relations;
     const uint n_circles = mapNode2Circles[0];

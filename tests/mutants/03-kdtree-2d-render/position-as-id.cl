@@ -1,7 +1,7 @@
 // mutant: the position in the list is taken for the circle id
 // task: leaf_loop
 // caught by: leaf-random
-// says: found
+// says: position in the list
     float minDepth = INFINITY;
     const uint offset = nodes_Relations[id].circleMapOffset;
     const uint n_circles = mapNode2Circles[offset];
