@@ -241,6 +241,11 @@ $(OUT)/tools/listener $(OUT)/tools/left_behind: $(OUT)/tools/%: tests/%.c
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(CFLAGS) $< -o $@
 
+# A kernel without Landlock and namespaces.
+$(OUT)/tools/older_kernel: tests/older_kernel.c
+	@mkdir -p $(@D)
+	$(call say,link    $@)$(CC) $(CFLAGS) $< -lseccomp -o $@
+
 $(OUT)/tests/no_images.so: tests/no_images.c
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(CFLAGS) -fPIC -shared $< -ldl -o $@
@@ -252,7 +257,7 @@ NATIVE_TEST = $(OUT)/tests/test_cl_setup
 unit-tests: $(filter-out $(NATIVE_TEST),$(UNIT_TESTS))
 
 .PHONY: tests
-tests: all $(NATIVE_TEST) $(OUT)/tools/compare $(OUT)/tools/count_hits $(OUT)/tests/no_images.so $(OUT)/tools/listener $(OUT)/tools/left_behind  ## build all that the tests run
+tests: all $(NATIVE_TEST) $(OUT)/tools/compare $(OUT)/tools/count_hits $(OUT)/tests/no_images.so $(OUT)/tools/listener $(OUT)/tools/left_behind $(OUT)/tools/older_kernel  ## build all that the tests run
 	@$(MAKE) --no-print-directory SANITIZE=1 all unit-tests
 
 .PHONY: check
@@ -264,7 +269,7 @@ test:  ## install what is missing and run every test
 	@common/setup/install.sh test
 	@$(MAKE) --no-print-directory -j2 check
 
-.PHONY: test-scale test-mutants
+.PHONY: test-scale test-mutants test-attacks
 test-scale:  ## install what is missing, grade a class of N=1000, try mechanical mutants of every lab (long)
 	@common/setup/install.sh test
 	@common/setup/install.sh scale
@@ -272,9 +277,14 @@ test-scale:  ## install what is missing, grade a class of N=1000, try mechanical
 	@BUILD="$(BUILD)" tests/run.sh slurm
 	@tests/scale/run.sh $(or $(N),1000) $(OUT)
 	@$(MAKE) --no-print-directory test-mutants
+	@$(MAKE) --no-print-directory test-attacks
 
 test-mutants: grader  ## try mechanical mutants of every lab, or of LAB=03 (long)
 	@tests/mutate.sh $(OUT) $(LAB)
+
+test-attacks: tests  ## try every attack in every sandbox, as root (long)
+	@BUILD="$(BUILD)" SANDBOXES="bubblewrap landlock user user-unfiltered" \
+	    sh tests/suites/attacks.sh tests/attacks/*/*
 
 # What libFuzzer feeds, compiled by clang together with the target: a list for each tests/fuzz/fuzz_*.c.
 CLANG ?= $(firstword $(foreach c,clang clang-19 clang-15 clang-14,$(shell command -v $(c))))

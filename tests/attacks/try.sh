@@ -21,7 +21,8 @@ tag=$(basename "$place" | cksum | cut -d ' ' -f 1)
 submission=$place/submission
 reports=$place/reports
 work=$1/$tag
-mkdir -m 711 "$place" "$work"
+mkdir -m 700 "$place"
+mkdir -m 711 "$work"
 : >"$place/why"
 
 wrong() { printf '%s\n' "$*" >>"$place/why"; }
@@ -94,12 +95,19 @@ look_for_leftovers() {
     ! grep -F "$work" /proc/mounts >>"$place/why" || wrong "is still mounted"
 }
 
-# A secret of the suite, an attack that found one, or one that met what an earlier run had left.
+# A secret of the suite, an attack that found one, or one that met what an earlier run had left. What a
+# sandbox is known not to hide, a line "gap in SANDBOX" of the attack says: that, and no more.
 look_for_secrets() {
-    if grep -rnE 'LEAKED|exit status 77|'"$(cat "$1/canary")" "$place/said" "$place/said.err" \
-        "$reports" >"$place/leaks" 2>/dev/null; then
-        wrong "a secret came out: $(cut -c 1-300 "$place/leaks" | head -n 3)"
+    gap=
+    [ ! -f "$attack" ] || gap=$(header "gap in $sandbox")
+    grep -rhnE 'LEAKED|exit status 77|'"$(cat "$1/canary")" "$place/said" "$place/said.err" \
+        "$reports" >"$place/leaks" 2>/dev/null
+    if [ -n "$gap" ]; then
+        grep -Eq -- "$gap" "$place/leaks" || wrong "the gap is closed: /$gap/ no longer comes out"
+        grep -Ev -- "$gap" "$place/leaks" >"$place/more_leaks"
+        mv "$place/more_leaks" "$place/leaks"
     fi
+    [ ! -s "$place/leaks" ] || wrong "a secret came out: $(cut -c 1-300 "$place/leaks" | head -n 3)"
 }
 
 case $attack in
@@ -115,7 +123,9 @@ tests/attacks/*)
         for task in $attacked; do
             [ "$(earned "$task")" -eq 0 ] || [ -n "$(header score)" ] || wrong "$task earned points"
         done
-        grep -Eiq -- "$(header named)" "$reports/results.json" ||
+        # What is said of the sandbox names no attack.
+        grep -v '"message": "A user of its own for each run' "$reports/results.json" |
+            grep -Eiq -- "$(header named)" ||
             wrong "not named: expected /$(header named)/ in: $(grep '"message": "[^"]' \
                 "$reports/results.json" | sort -u | cut -c 1-400 | head -n 12)"
     fi

@@ -88,6 +88,8 @@ case ${lab:-} in
 esac
 
 CLASS_FOLDER=${CLASS_FOLDER:-$CLASS_BUILD/class/${CLASS_LAB%%-*}}
+# Whoever else has an account here has no business with others' marks.
+[ -d "$CLASS_FOLDER" ] || { mkdir -p "$CLASS_FOLDER" && chmod o-rwx "$CLASS_FOLDER"; }
 mkdir -p "$CLASS_FOLDER/students" "$CLASS_FOLDER/logs" || die "$CLASS_FOLDER: cannot be made"
 CLASS_FOLDER=$(cd "$CLASS_FOLDER" && pwd -P)
 

@@ -112,12 +112,13 @@ static int level_flatten(int top, const char *name, unsigned long *n_moved)
     return result == 0 ? unlinkat(top, name, AT_REMOVEDIR) : -1;
 }
 
-int folder_remove(const char *path)
+// Remove what the folder `name` holds, and itself.
+static int tree_remove(int parent, const char *name)
 {
     unsigned long n_moved = 0;
     int result = 0, n_seen;
     do {
-        DIR *top = folder_open(AT_FDCWD, path);
+        DIR *top = folder_open(parent, name);
         if (top == NULL) {
             return -1;
         }
@@ -132,5 +133,79 @@ int folder_remove(const char *path)
         }
         closedir(top);
     } while (result == 0 && n_seen > 0);
-    return result == 0 ? rmdir(path) : -1;
+    return result == 0 ? unlinkat(parent, name, AT_REMOVEDIR) : -1;
+}
+
+int folder_remove(const char *path)
+{
+    return tree_remove(AT_FDCWD, path);
+}
+
+// ---- What one user left where everybody may write ---------------------------------------------
+
+// Do something with an entry of a folder.
+typedef void EntryVisit(int folder, const char *name, const struct stat *status, void *context);
+
+// Visit what belongs to `owner`; look into folders of others that are open to everybody.
+static void owned_visit(int parent, const char *name, int depth, uid_t owner, EntryVisit *visit,
+                        void *context)
+{
+    DIR *folder = depth < FOLDER_MAX_DEPTH ? folder_open(parent, name) : NULL;
+    const struct dirent *entry;
+    while (folder != NULL && (entry = entry_next(folder)) != NULL) {
+        struct stat status;
+        if (fstatat(dirfd(folder), entry->d_name, &status, AT_SYMLINK_NOFOLLOW) != 0) {
+            continue;
+        }
+        if (status.st_uid == owner) {
+            visit(dirfd(folder), entry->d_name, &status, context);
+        } else if (S_ISDIR(status.st_mode) && (status.st_mode & S_IWOTH) != 0) {
+            owned_visit(dirfd(folder), entry->d_name, depth + 1, owner, visit, context);
+        }
+    }
+    if (folder != NULL) {
+        closedir(folder);
+    }
+}
+
+typedef struct Measuring {
+    long long n_files_most;
+    FolderSize *size;
+} Measuring;
+
+static void entry_measure(int folder, const char *name, const struct stat *status, void *context)
+{
+    const Measuring *measuring = context;
+    FolderSize *size = measuring->size;
+    if (size->n_files > measuring->n_files_most) {
+        return;
+    }
+    size->n_files++;
+    size->n_bytes += (long long)status->st_blocks * 512;
+    if (S_ISDIR(status->st_mode)) {
+        errno = 0;
+        level_measure(folder, name, 1, measuring->n_files_most, size);
+    }
+}
+
+void folder_measure_of(const char *path, uid_t owner, long long n_files_most, FolderSize *size)
+{
+    Measuring measuring = {n_files_most, size};
+    owned_visit(AT_FDCWD, path, 0, owner, entry_measure, &measuring);
+}
+
+static void entry_remove(int folder, const char *name, const struct stat *status, void *context)
+{
+    (void)context;
+    if (S_ISDIR(status->st_mode)) {
+        fchmodat(folder, name, 0700, 0);
+        tree_remove(folder, name);
+    } else {
+        unlinkat(folder, name, 0);
+    }
+}
+
+void folder_remove_of(const char *path, uid_t owner)
+{
+    owned_visit(AT_FDCWD, path, 0, owner, entry_remove, NULL);
 }

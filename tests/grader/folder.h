@@ -4,6 +4,7 @@
 #define GRADER_FOLDER_H
 
 #include <stddef.h>
+#include <sys/types.h>
 
 // Make a folder "NAME-" and six random characters in $TMPDIR, or in /tmp when that is unset or
 // empty, and put its path into `path`. Returns 0, or -1 with errno set and `path` empty.
@@ -18,6 +19,13 @@ typedef struct FolderSize {
 // deeper than FOLDER_MAX_DEPTH, or may not be looked into, counts as more than n_files_most.
 enum { FOLDER_MAX_DEPTH = 40 };
 void folder_measure(const char *path, long long n_files_most, FolderSize *size);
+
+// The same for what belongs to `owner` in a folder where everybody may leave something, and in the
+// folders below that are open to everybody, too. What lies in the owner's folders counts as well.
+void folder_measure_of(const char *path, uid_t owner, long long n_files_most, FolderSize *size);
+
+// Remove that, which nobody may be changing any more.
+void folder_remove_of(const char *path, uid_t owner);
 
 // Remove a folder and all that is in it, to any depth. Returns 0, or -1 with errno set.
 int folder_remove(const char *path);

@@ -296,6 +296,10 @@ static int grade(Grading *grading, const Settings *settings)
         add_stage(&grading->result, "What stands out", CHECK_PASSED, notes);
         free(notes);
     }
+    const char *sandbox = sandbox_kind_note(session->workshop.sandbox);
+    if (sandbox != NULL) {
+        add_stage(&grading->result, "Sandbox", CHECK_PASSED, sandbox);
+    }
 
     Variant *variants[2];
     int n_variants = 0;

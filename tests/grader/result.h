@@ -36,7 +36,7 @@ typedef struct PictureResult {
 
 // A note about the whole submission: staged, compiled, ran.
 typedef struct StageResult {
-    const char *title;  // "Staging", "What stands out", "Compiling", "Running"
+    const char *title;  // "Staging", "What stands out", "Sandbox", "Compiling", "Running"
     CheckStatus status;
     // Compiler output with the student's own file and line, crash, time-out... Owned.
     char *message;
@@ -50,7 +50,7 @@ typedef struct Result {
     char submission[512];
     uint64_t seed;
     char device[256];
-    const char *sandbox;   // it ran in: "bubblewrap", "landlock" or "none"
+    const char *sandbox;   // it ran in: a name of sandbox.h's
     int score, max_score;  // sums over the checks
     StageResult stages[RESULT_MAX_STAGES];
     int n_stages;

@@ -1,17 +1,14 @@
 // Running one command on code that must not be trusted: walls around it, limits on it.
 //
-// Two kinds of walls (tests/README.md, "The two sandboxes"). Bubblewrap gives it a file system, a
-// network and a process list of its own. Landlock is for hosts where that cannot be had, such as
-// most containers, and needs a grader that runs as root: the command becomes a user that nobody
-// else is, may open only what is named here, and ends with all that this user runs. Behind both
-// stands one filter of system calls (sandbox_filter.c). Inside there is /usr (read-only), a private
-// $TMPDIR and the folders asked for; no network, no home, no reference and no result of anybody.
-// Mounts must be readable by other users, their parent folders included.
-//
-// What Landlock cannot stop: a command may ask whether a file exists that it may not open, and how
-// large it is; it may see which process ids are in use; /tmp and /dev/shm are closed to it.
-// What neither stops: it slows down what runs beside it; in the 100 ms between two looks of the
-// census (sandbox_census.c) it may use more time, memory and disk than its limits say.
+// Three kinds of walls (tests/README.md, "The three sandboxes", also for what each cannot stop).
+// Bubblewrap gives it a file system, a network and a process list of its own. The others are for
+// hosts where that cannot be had, such as most containers, and need a grader that runs as root: the
+// command becomes a user that nobody else is, and ends with all that this user runs. Landlock lets
+// it open only what is named here. On kernels without that, the rights of files are all there is:
+// it can read what every user of the machine can. Behind all stands one filter of system calls
+// (sandbox_filter.c). Inside there is /usr (read-only), a private $TMPDIR and the folders asked
+// for; no network, no home, no reference and no result of anybody. The parent folders of mounts
+// must be passable by other users; while a run has it, a writable mount is closed to all others.
 //
 // Time: what counts is processor time, which is the same however busy the machine is, and time
 // asleep, in which the command did not even ask for a processor. Wall time is a far backstop; where
@@ -24,12 +21,23 @@
 typedef enum SandboxKind {
     SANDBOX_BUBBLEWRAP,
     SANDBOX_LANDLOCK,
-    SANDBOX_NONE,  // limits, but no walls: only when the instructor says so
-    SANDBOX_ANY,   // for sandbox_choose(): the first that works here
+    SANDBOX_USER,             // a user of its own and the filter of system calls, no more
+    SANDBOX_USER_UNFILTERED,  // where the kernel has no such filters, the same without one
+    SANDBOX_NONE,             // limits, but no walls: only when the instructor says so
+    SANDBOX_ANY,              // for sandbox_choose(): the first that works here
 } SandboxKind;
 
-// "bubblewrap", "landlock", "none" or "any".
+// "bubblewrap", "landlock", "user", "user-unfiltered", "none" or "any".
 const char *sandbox_kind_name(SandboxKind kind);
+
+// Does the command become a user that only this run has?
+int sandbox_has_own_user(SandboxKind kind);
+
+// Can the command read and write what every user of this machine can?
+int sandbox_is_open(SandboxKind kind);
+
+// What a report has to say of walls that hide less than the others do, or NULL.
+const char *sandbox_kind_note(SandboxKind kind);
 
 // The kind of that name. Returns 0, or -1 when there is none.
 int sandbox_kind_find(const char *name, SandboxKind *kind);
@@ -38,7 +46,8 @@ typedef struct SandboxMount {
     const char *outside;  // a folder or file of the host
     const char *inside;   // absolute path in the sandbox: without bubblewrap, a link to it below
                           // a folder of the run's own
-    int writable;         // given to the user that the command becomes
+    int writable;         // for one run at a time: given to the user that the command becomes.
+                          // A mount that not everybody may read is opened to this user
 } SandboxMount;
 
 enum { SANDBOX_MAX_MOUNTS = 8 };
@@ -105,9 +114,9 @@ typedef struct SandboxResult {
 
 #define SANDBOX_MAX_OUTPUT 65536
 
-// See which sandbox works here: the one that is wanted, or of SANDBOX_ANY bubblewrap, else Landlock
-// after one line on stderr that says so. Returns 0, or -1 after one message on stderr that says why
-// not and what to do.
+// See which sandbox works here: the one that is wanted, or of SANDBOX_ANY the first of bubblewrap,
+// Landlock and the users, after one line on stderr where it is not bubblewrap. Returns 0, or -1
+// after one message on stderr that says why not and what to do.
 int sandbox_choose(SandboxKind wanted, SandboxKind *kind);
 
 // Start a command and return at once; NULL after one message on stderr when it could not be

@@ -1,18 +1,21 @@
 // Counting what a run uses together (see sandbox_census.h): no limit of the kernel's is about more
 // than one process, other than control groups, which few hosts hand out.
 //
-// The kernel lists every process's children in /proc, so a look costs as much as the run is large,
-// however many processes the machine has. Whatever ends meanwhile is left out. Read next:
+// Linux lists every process's children in /proc, so a look costs as much as the run is large,
+// however many processes the machine has. Elsewhere (gVisor) a run with a user of its own is found
+// by that, which takes a look at every process. Whatever ends meanwhile is left out. Read next:
 // sandbox_supervisor.c, which looks ten times a second.
 #include "sandbox_census.h"
 
 #include "folder.h"
+#include "sandbox_leftovers.h"
 
 #include <dirent.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/prctl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -128,10 +131,14 @@ static long long figures_sum(pid_t process, const char *file_name, const char *c
 }
 
 // Memory of its own and shared memory. What processes share after a fork is in the figure of each:
-// quick to read, and never too small. -1 when the process has ended.
+// quick to read, and never too small. Before Linux 4.5, and in gVisor, there is one figure for both
+// and for the files it has mapped. -1 when the process has ended.
 static long long memory_in_status(pid_t process)
 {
-    return figures_sum(process, "status", (const char *const[]){"RssAnon:", "RssShmem:", NULL});
+    const long long own_kb =
+        figures_sum(process, "status", (const char *const[]){"RssAnon:", "RssShmem:", NULL});
+    return own_kb >= 0 ? own_kb
+                       : figures_sum(process, "status", (const char *const[]){"VmRSS:", NULL});
 }
 
 // Its share of what it uses: exact, but the kernel has to walk through all of its pages.
@@ -162,11 +169,42 @@ static long long removed_files_bytes(pid_t process)
     return n_bytes;
 }
 
+// Can we see all that the run has started as children of ours and of theirs?
+static int sees_family(void)
+{
+    char path[64];
+    int is_subreaper = 0;
+    snprintf(path, sizeof path, "/proc/%d/task/%d/children", (int)getpid(), (int)getpid());
+    return prctl(PR_GET_CHILD_SUBREAPER, &is_subreaper) == 0 && is_subreaper &&
+           access(path, R_OK) == 0;
+}
+
+// Add all processes of a user.
+static void user_add(uid_t user, ProcessList *list)
+{
+    DIR *folder = opendir("/proc");
+    const struct dirent *entry;
+    while (folder != NULL && list->n < MAX_PROCESSES && (entry = readdir(folder)) != NULL) {
+        const pid_t process = atoi(entry->d_name);
+        if (process > 0 &&
+            figures_sum(process, "status", (const char *const[]){"Uid:", NULL}) == user) {
+            list->ids[list->n++] = process;
+        }
+    }
+    if (folder != NULL) {
+        closedir(folder);
+    }
+}
+
 void census_processes(const Walls *walls, pid_t outermost, Census *census)
 {
     static ProcessList list;
     list.n = 0;
-    children_add(getpid(), getpid(), &list);
+    if (sandbox_has_own_user(walls->command.kind) && !sees_family()) {
+        user_add(walls->user, &list);
+    } else {
+        children_add(getpid(), getpid(), &list);
+    }
     for (int i = 0; i < list.n; i++) {
         char path[64];
         snprintf(path, sizeof path, "/proc/%d/stat", list.ids[i]);
@@ -193,6 +231,16 @@ void census_processes(const Walls *walls, pid_t outermost, Census *census)
     }
 }
 
+int census_has_strays(const Walls *walls)
+{
+    Census census = {0};
+    if (!sandbox_has_own_user(walls->command.kind) || sees_family()) {
+        return 0;
+    }
+    census_processes(walls, -1, &census);
+    return census.n_processes > 0;
+}
+
 void census_folders(const Walls *walls, Census *census)
 {
     const SandboxCommand *command = &walls->command;
@@ -207,6 +255,9 @@ void census_folders(const Walls *walls, Census *census)
         char path[PATH_MAX + sizeof "/tmp"];
         snprintf(path, sizeof path, "%s/tmp", walls->view);
         folder_measure(path, n_most, &size);
+    }
+    if (sandbox_is_open(walls->command.kind)) {
+        leftovers_measure(walls->user, n_most, &size);
     }
     census->n_bytes += size.n_bytes;
     census->n_files += size.n_files;

@@ -7,18 +7,21 @@
 #include <sys/types.h>
 
 typedef struct Census {
-    int n_processes;           // that are alive
-    int n_tasks;               // processes and threads, also those that only wait to be reaped
-    long long memory_kb;       // in use
-    long long n_bytes;         // on disks: in the writable folders, and of removed files still open
-    long long n_files;         // in the writable folders
-    int n_awake;               // threads that run, or wait for a processor or a disk
+    int n_processes;      // that are alive
+    int n_tasks;          // processes and threads, also those that only wait to be reaped
+    long long memory_kb;  // in use
+    long long n_bytes;    // on disks: in the folders it writes, and of removed files still open
+    long long n_files;    // in the folders it writes
+    int n_awake;          // threads that run, or wait for a processor or a disk
     double processor_seconds;  // used by those alive, and by children that they waited for
 } Census;
 
 // Look at the calling supervisor's descendants: processes, memory and time. The child `outermost`, which
 // is the grader's own, is not counted, what it has started is; -1 to count every one.
 void census_processes(const Walls *walls, pid_t outermost, Census *census);
+
+// Is a process of the run's own user alive that is no child of this one and cannot become one?
+int census_has_strays(const Walls *walls);
 
 // Look into the folders that the command may write.
 void census_folders(const Walls *walls, Census *census);

@@ -3,7 +3,7 @@
 // Flow: SANDBOX CHOSEN -> staged -> compiled -> run -> judged. Read next: sandbox.c.
 #include "sandbox.h"
 
-#include "landlock.h"
+#include "message.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -21,11 +21,36 @@ static const char advice[] =
     "with\n"
     "      --security-opt seccomp=unconfined --security-opt systempaths=unconfined\n";
 
+// What SANDBOX_ANY tries, the strongest first.
+static const SandboxKind choices[] = {
+    SANDBOX_BUBBLEWRAP,
+    SANDBOX_LANDLOCK,
+    SANDBOX_USER,
+    SANDBOX_USER_UNFILTERED,
+};
+
+enum { N_CHOICES = sizeof choices / sizeof *choices };
+
+// The kind, in a sentence.
+static const char *kind_in_words(SandboxKind kind)
+{
+    switch (kind) {
+    case SANDBOX_LANDLOCK:
+        return "Landlock";
+    case SANDBOX_USER:
+        return "a user of its own for each run";
+    case SANDBOX_USER_UNFILTERED:
+        return "a user of its own for each run, without a filter of system calls,";
+    default:
+        return sandbox_kind_name(kind);
+    }
+}
+
 // Run a command that does nothing. Returns NULL when that works, else why it does not; free() it.
 static char *kind_try(SandboxKind kind)
 {
-    if (kind == SANDBOX_LANDLOCK && geteuid() != 0) {
-        return strdup("Landlock needs a grader that runs as root");
+    if (sandbox_has_own_user(kind) && geteuid() != 0) {
+        return message_new("%s needs a grader that runs as root", kind_in_words(kind));
     }
     SandboxCommand command = {
         .kind = kind,
@@ -45,42 +70,57 @@ static char *kind_try(SandboxKind kind)
     }
     result.output[strcspn(result.output, "\n")] = '\0';
     if (result.output[0] == '\0') {
-        snprintf(result.output, SANDBOX_MAX_OUTPUT, "%s was killed", sandbox_kind_name(kind));
+        snprintf(result.output, SANDBOX_MAX_OUTPUT, "%s was killed", kind_in_words(kind));
     }
     return result.output;
 }
 
-// The one message for a sandbox that cannot be made.
-static int refuse(const char *why, const char *why_not_the_other)
+// The one message for a sandbox that cannot be made: why none of those that were tried works.
+static void refuse(char *const *whys, int n_whys)
 {
-    fprintf(stderr, "sandbox: %s\n", why);
-    if (why_not_the_other != NULL) {
-        fprintf(stderr, "  nor the other sandbox: %s\n", why_not_the_other);
+    fprintf(stderr, "sandbox: %s\n", whys[0]);
+    for (int i = 1; i < n_whys; i++) {
+        fprintf(stderr, "  nor another one: %s\n", whys[i]);
     }
-    if (strncmp(why, "bwrap:", strlen("bwrap:")) == 0) {
+    if (strncmp(whys[0], "bwrap:", strlen("bwrap:")) == 0) {
         fputs(advice, stderr);
     }
-    return -1;
+}
+
+// One line about walls other than bubblewrap's: why these.
+static void settle_for(SandboxKind kind, char *const *whys, int n_whys)
+{
+    fputs("sandbox: bubblewrap does not work here (", stderr);
+    for (int i = 0; i < n_whys; i++) {
+        fprintf(stderr, "%s%s", i > 0 ? "; " : "", whys[i]);
+    }
+    fprintf(stderr, "): %s is used", kind_in_words(kind));
+    if (sandbox_kind_note(kind) != NULL) {
+        fputs(", which hides less: the course's tests/README.md, \"The three sandboxes\"", stderr);
+    }
+    fputc('\n', stderr);
 }
 
 int sandbox_choose(SandboxKind wanted, SandboxKind *kind)
 {
-    *kind = wanted == SANDBOX_ANY ? SANDBOX_BUBBLEWRAP : wanted;
-    char *why = kind_try(*kind);
-    char *why_not_the_other = NULL;
-    int result = why == NULL ? 0 : -1;
-    if (result != 0 && wanted == SANDBOX_ANY) {
-        why_not_the_other = kind_try(SANDBOX_LANDLOCK);
-        if (why_not_the_other == NULL) {
-            *kind = SANDBOX_LANDLOCK;
-            result = 0;
-            fprintf(stderr, "sandbox: bubblewrap does not work here (%s): Landlock is used\n", why);
-        }
+    char *whys[N_CHOICES] = {NULL};
+    int n_whys = 0, is_found = 0;
+    const SandboxKind *tried = wanted == SANDBOX_ANY ? choices : &wanted;
+    // To whom is not root the others all say the same.
+    const int n_tried = wanted != SANDBOX_ANY ? 1 : geteuid() != 0 ? 2 : N_CHOICES;
+    while (!is_found && n_whys < n_tried) {
+        *kind = tried[n_whys];
+        whys[n_whys] = kind_try(*kind);
+        is_found = whys[n_whys] == NULL;
+        n_whys += !is_found;
     }
-    if (result != 0) {
-        refuse(why, why_not_the_other);
+    if (!is_found) {
+        refuse(whys, n_whys);
+    } else if (n_whys > 0) {
+        settle_for(*kind, whys, n_whys);
     }
-    free(why);
-    free(why_not_the_other);
-    return result;
+    for (int i = 0; i < n_whys; i++) {
+        free(whys[i]);
+    }
+    return is_found ? 0 : -1;
 }

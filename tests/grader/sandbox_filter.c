@@ -2,7 +2,7 @@
 //
 // A list of what is denied, not of what is allowed: compilers, PoCL's LLVM and graphics drivers of
 // any age and maker use hundreds of calls, and one missing from a list of allowed ones would cost a
-// right answer its points. The walls are bubblewrap's namespaces or Landlock and the user; the
+// right answer its points. The walls are bubblewrap's namespaces, or the user and Landlock; the
 // filter takes away what those leave open: sockets, which Landlock does not close, and the parts of
 // the kernel in which most ways out of a sandbox were found. Read next: sandbox_walls.c.
 //
@@ -109,6 +109,15 @@ static const unsigned namespace_flags[] = {
 
 #define N_ITEMS(array) (sizeof(array) / sizeof *(array))
 
+// What ends a process. Kernels before 4.14, and gVisor, only know how to end one thread, which
+// would leave the others waiting: there the call fails with SIGSYS, which ends a process unless it
+// handles that signal.
+static uint32_t fatal_action(void)
+{
+    const unsigned first_with_kill_process = 3;
+    return seccomp_api_get() >= first_with_kill_process ? SCMP_ACT_KILL_PROCESS : SCMP_ACT_TRAP;
+}
+
 // Deny a list of calls. Those unknown to this machine or to an older libseccomp are none to deny.
 static int calls_add(scmp_filter_ctx filter, uint32_t action, const char *const *names, size_t n)
 {
@@ -131,7 +140,7 @@ static int sockets_add(scmp_filter_ctx filter)
                                  SCMP_A0(SCMP_CMP_GE, n_families));
     for (unsigned family = 0; fault == 0 && family < n_families; family++) {
         int is_fatal = family == AF_INET || family == AF_INET6 || family == AF_PACKET;
-        fault = seccomp_rule_add(filter, is_fatal ? SCMP_ACT_KILL_PROCESS : SCMP_ACT_ERRNO(EACCES),
+        fault = seccomp_rule_add(filter, is_fatal ? fatal_action() : SCMP_ACT_ERRNO(EACCES),
                                  SCMP_SYS(socket), 1, SCMP_A0(SCMP_CMP_EQ, family));
     }
     return fault;
@@ -143,7 +152,7 @@ static int clone_add(scmp_filter_ctx filter)
     int fault = seccomp_rule_add(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0);
     for (size_t i = 0; fault == 0 && i < N_ITEMS(namespace_flags); i++) {
         fault =
-            seccomp_rule_add(filter, SCMP_ACT_KILL_PROCESS, SCMP_SYS(clone), 1,
+            seccomp_rule_add(filter, fatal_action(), SCMP_SYS(clone), 1,
                              SCMP_A0(SCMP_CMP_MASKED_EQ, namespace_flags[i], namespace_flags[i]));
     }
     return fault;
@@ -153,9 +162,9 @@ static int clone_add(scmp_filter_ctx filter)
 static int rules_add(scmp_filter_ctx filter)
 {
     // 32-bit and x32 calls have other numbers, and no program here is built for them.
-    int fault = seccomp_attr_set(filter, SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_KILL_PROCESS);
+    int fault = seccomp_attr_set(filter, SCMP_FLTATR_ACT_BADARCH, fatal_action());
     if (fault == 0) {
-        fault = calls_add(filter, SCMP_ACT_KILL_PROCESS, fatal_calls, N_ITEMS(fatal_calls));
+        fault = calls_add(filter, fatal_action(), fatal_calls, N_ITEMS(fatal_calls));
     }
     if (fault == 0) {
         fault = calls_add(filter, SCMP_ACT_ERRNO(EPERM), refused_calls, N_ITEMS(refused_calls));

@@ -38,10 +38,9 @@ static int memory_limit_set(int megabytes)
 int limits_set(const SandboxCommand *command)
 {
     const rlim_t megabyte = 1024 * 1024;
-    // Behind Landlock the user is the run's own, so that its processes only are counted. Bubblewrap
-    // has this limit set inside, for the same reason; without walls it would count all that the
-    // user runs on this machine.
-    if (command->kind == SANDBOX_LANDLOCK && command->n_processes > 0 &&
+    // Where the user is the run's own, its processes only are counted. Bubblewrap has this limit
+    // set inside, for the same reason; without walls it would count all that the user runs here.
+    if (sandbox_has_own_user(command->kind) && command->n_processes > 0 &&
         limit_set(RLIMIT_NPROC, (rlim_t)command->n_processes) != 0) {
         return -1;
     }

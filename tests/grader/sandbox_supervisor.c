@@ -1,7 +1,7 @@
 // One sandboxed command's supervisor: a process between the grader and the command.
 //
 //     grader -> supervisor -> bwrap -> [ bwrap's process 1 -> prlimit -> the command -> ... ]
-//     grader -> supervisor -> [ the command -> ... ]                               (Landlock)
+//     grader -> supervisor -> [ the command -> ... ]                               (others)
 //
 // It reads the command's output to the end and kills it when its time is used up whether or not the grader
 // waits, so that runs side by side cannot block each other. As the "subreaper" it inherits whatever
@@ -9,10 +9,12 @@
 // the CPU time that was used is known. Read next: sandbox_walls.c, the brackets.
 #include "sandbox_supervisor.h"
 
+#include "descriptors.h"
 #include "sandbox_clock.h"
 
 #include <errno.h>
 #include <fcntl.h>
+#include <limits.h>
 #include <poll.h>
 #include <signal.h>
 #include <stdio.h>
@@ -91,10 +93,10 @@ static int descriptors_arrange(int output, int status, int filter)
         dup2(filter, WALLS_FILTER_DESCRIPTOR) < 0) {
         return -1;
     }
-    if (close_range(STDERR_FILENO + 1, WALLS_STATUS_DESCRIPTOR - 1, 0) != 0) {
+    if (descriptors_close(STDERR_FILENO + 1, WALLS_STATUS_DESCRIPTOR - 1) != 0) {
         return -1;
     }
-    return close_range(WALLS_FILTER_DESCRIPTOR + 1, ~0U, 0);
+    return descriptors_close(WALLS_FILTER_DESCRIPTOR + 1, INT_MAX);
 }
 
 // When the machine runs out of memory, the kernel shall choose what is inside and not the grader.
@@ -116,7 +118,7 @@ static _Noreturn void leader_become(const Walls *walls, int output, int status)
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, NULL);
     sacrifice_offer();
-    if (setsid() > 0 && descriptors_arrange(output, status, walls->filter) == 0 &&
+    if (setsid() >= 0 && descriptors_arrange(output, status, walls->filter) == 0 &&
         chdir("/") == 0) {
         umask(022);
         walls_enter(walls, &step);
@@ -142,16 +144,19 @@ static int inheritance_leave(const Walls *walls, pid_t grader)
     // same reason we are in a group of our own: "kill the grader's group" shall not mean us.
     sigset_t signals = signals_heard();
     sigprocmask(SIG_SETMASK, &signals, NULL);
-    if (setpgid(0, 0) != 0 || prctl(PR_SET_PDEATHSIG, SIGTERM) != 0 ||
-        prctl(PR_SET_CHILD_SUBREAPER, 1) != 0) {
+    if (setpgid(0, 0) != 0 || prctl(PR_SET_PDEATHSIG, SIGTERM) != 0) {
+        return -1;
+    }
+    // gVisor's first years knew no subreapers: there the census finds who is left by the user.
+    if (prctl(PR_SET_CHILD_SUBREAPER, 1) != 0 && !sandbox_has_own_user(walls->command.kind)) {
         return -1;
     }
     if (getppid() != grader) {  // it ended before we asked to be told
         _exit(1);
     }
 
-    unsigned filter = (unsigned)walls->filter;  // above the standard descriptors
-    if (close_range(0, filter - 1, 0) != 0 || close_range(filter + 1, ~0U, 0) != 0) {
+    const int filter = walls->filter;  // above the standard descriptors
+    if (descriptors_close(0, filter - 1) != 0 || descriptors_close(filter + 1, INT_MAX) != 0) {
         return -1;
     }
     // Descriptors 0, 1 and 2, in this order as the lowest free ones.
@@ -325,7 +330,7 @@ static void processes_end(Watch *watch)
     }
     // With bwrap gone, its process 1 inside is our child and gets killed by the kernel, unless
     // bwrap was killed before it could arrange for that. Process 1 takes the whole sandbox with it.
-    while (children_reap(watch)) {
+    while (children_reap(watch) || census_has_strays(watch->walls)) {
         census_kill_children();
         walls_end_user(watch->walls);
         nanosleep(&pause, NULL);

@@ -1,7 +1,8 @@
 // A folder of links in the place of mounts (see sandbox_view.h).
 //
-// The links only save the command from knowing where things are: what it may open is Landlock's to
-// say, which looks at where a link leads. Read next: sandbox_walls.c.
+// The links only save the command from knowing where things are: what it may open is said by
+// Landlock and by the rights of files, and both look at where a link leads.
+// Read next: sandbox_walls.c.
 #include "sandbox_view.h"
 
 #include "folder.h"
@@ -110,7 +111,12 @@ int view_make(const SandboxCommand *command, uid_t user, char view[PATH_MAX])
         return -1;
     }
     path_join(path, view, "/tmp");
-    if (chmod(view, 0755) != 0 || mkdir(path, 0700) != 0 || chown(path, user, (gid_t)user) != 0) {
+    if (chmod(view, 0750) != 0 || mkdir(path, 0700) != 0) {
+        return -1;
+    }
+    // The folder is the grader's, and open to the user's group; only root can hand it over.
+    if (geteuid() == 0 &&
+        (chown(view, 0, (gid_t)user) != 0 || chown(path, user, (gid_t)user) != 0)) {
         return -1;
     }
     for (int i = 0; i < command->n_mounts; i++) {

@@ -1,22 +1,22 @@
 // The walls around one sandboxed command (see sandbox_walls.h).
 //
-// By bubblewrap they are its argument list (bwrap_arguments.c). By Landlock they stand here: a user
-// of the run's own, rules about files, and a folder of links in the place of mounts. The filter of
-// system calls belongs to both. Read next: sandbox_supervisor.c, who makes and enters them.
+// By bubblewrap they are its argument list (bwrap_arguments.c). The others stand here: a user of
+// the run's own, whose folders nobody else can enter, a folder of links in the place of mounts, and
+// where the kernel has Landlock, rules about files (landlock_rules.c). The filter of system calls
+// belongs to all. Read next: sandbox_supervisor.c, who makes and enters them.
 #include "sandbox_walls.h"
 
 #include "bwrap_arguments.h"
 #include "folder.h"
-#include "landlock.h"
+#include "landlock_rules.h"
 #include "sandbox_filter.h"
+#include "sandbox_leftovers.h"
 #include "sandbox_limits.h"
-#include "sandbox_system.h"
+#include "sandbox_user.h"
 #include "sandbox_view.h"
 
 #include <errno.h>
 #include <fcntl.h>
-#include <glob.h>
-#include <grp.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -24,11 +24,6 @@
 #include <sys/prctl.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-// Behind Landlock, a run's user is this number plus its supervisor's process id, which no other run
-// has at the same time. Neither people nor services nor containers are given numbers from here to
-// 0x7fffffff (systemd's list, UIDS-GIDS.md), and process ids stay below 2^22.
-#define FIRST_USER 0x70000000U
 
 // ---- Before the supervisor -------------------------------------------------------------------
 
@@ -89,23 +84,59 @@ void walls_free(Walls *walls)
 
 static uid_t user_choose(SandboxKind kind)
 {
-    if (kind == SANDBOX_LANDLOCK) {
-        return FIRST_USER + (uid_t)getpid();
+    if (sandbox_has_own_user(kind)) {
+        return user_own();
     }
     return kind == SANDBOX_BUBBLEWRAP && geteuid() == 0 ? WALLS_NOBODY : geteuid();
 }
 
-// Give the writable mounts to `user`, or take them back. Only the folders themselves: they are the
-// grader's, and nobody else can have put something in their place.
-static int mounts_give(const SandboxCommand *command, uid_t user)
+// Hand a mount over. What may be written becomes its user's, and closed to everybody else: another
+// run might copy an answer. What only the grader may read is opened to the user's group. Only the
+// mounts themselves are changed: they are the grader's, and nobody else can have put something in
+// their place.
+static int mount_give(const SandboxMount *mount, mode_t mode, uid_t user)
 {
-    for (int i = 0; i < command->n_mounts && geteuid() == 0; i++) {
-        const SandboxMount *mount = &command->mounts[i];
-        if (mount->writable && lchown(mount->outside, user, (gid_t)user) != 0) {
+    if (mount->writable) {
+        return lchown(mount->outside, user, (gid_t)user) == 0 ? chmod(mount->outside, mode & 0700)
+                                                              : -1;
+    }
+    if ((mode & S_IROTH) != 0) {
+        return 0;
+    }
+    mode = (mode & 0700) | (mode & 0500) >> 3;
+    return lchown(mount->outside, (uid_t)-1, (gid_t)user) == 0 ? chmod(mount->outside, mode) : -1;
+}
+
+// Who is not root can become nobody else, and nothing need be handed over.
+static int mounts_give(Walls *walls)
+{
+    for (int i = 0; i < walls->command.n_mounts && geteuid() == 0; i++) {
+        const SandboxMount *mount = &walls->command.mounts[i];
+        struct stat status;
+        if (stat(mount->outside, &status) != 0) {
+            return -1;
+        }
+        walls->modes[i] = status.st_mode & 07777;
+        walls->n_given = i + 1;
+        if (mount_give(mount, walls->modes[i], walls->user) != 0) {
             return -1;
         }
     }
     return 0;
+}
+
+// The modes are the ones from before: an owner may have changed them. What was only to be read may
+// be another run's own at the same time.
+static void mounts_take_back(const Walls *walls)
+{
+    for (int i = 0; i < walls->n_given; i++) {
+        const SandboxMount *mount = &walls->command.mounts[i];
+        const uid_t owner = mount->writable ? geteuid() : (uid_t)-1;
+        if ((mount->writable || (walls->modes[i] & S_IROTH) == 0) &&
+            lchown(mount->outside, owner, getegid()) == 0) {
+            chmod(mount->outside, walls->modes[i]);
+        }
+    }
 }
 
 // The command's environment. C.UTF-8: what compilers say is English, whatever the instructor's own
@@ -135,13 +166,13 @@ int walls_make(Walls *walls, const char **step)
 {
     const SandboxCommand *command = &walls->command;
     walls->user = user_choose(command->kind);
-    *step = "Landlock needs a grader that runs as root";
-    if (command->kind == SANDBOX_LANDLOCK && geteuid() != 0) {
+    *step = "a user of its own needs a grader that runs as root";
+    if (sandbox_has_own_user(command->kind) && geteuid() != 0) {
         errno = EPERM;
         return -1;
     }
     *step = "cannot hand a folder over";
-    if (mounts_give(command, walls->user) != 0) {
+    if (mounts_give(walls) != 0) {
         return -1;
     }
     *step = "cannot make a folder in $TMPDIR or /tmp";
@@ -154,114 +185,23 @@ int walls_make(Walls *walls, const char **step)
 
 void walls_take_down(Walls *walls)
 {
-    mounts_give(&walls->command, geteuid());
+    mounts_take_back(walls);
     if (walls->view[0] != '\0') {
         folder_remove(walls->view);
+    }
+    if (sandbox_is_open(walls->command.kind)) {
+        leftovers_remove(walls->user);
     }
 }
 
 void walls_end_user(const Walls *walls)
 {
-    if (walls->command.kind != SANDBOX_LANDLOCK) {
-        return;
-    }
-    // Only a process of that user's is stopped by the kernel from hitting anybody else. It kills
-    // all of them in one step, so that none can fork away.
-    if (fork() == 0) {
-        if (setresuid(walls->user, walls->user, walls->user) == 0 && getuid() >= FIRST_USER) {
-            kill(-1, SIGKILL);
-        }
-        _exit(0);
+    if (sandbox_has_own_user(walls->command.kind)) {
+        user_end(walls->user);
     }
 }
 
 // ---- In the process that becomes the command -------------------------------------------------
-
-static int user_become(uid_t user)
-{
-    if (geteuid() != 0) {
-        return 0;
-    }
-    if (setgroups(0, NULL) != 0 || setresgid((gid_t)user, (gid_t)user, (gid_t)user) != 0 ||
-        setresuid(user, user, user) != 0) {
-        return -1;
-    }
-    return 0;
-}
-
-static int list_allow(int rules, const char *const *paths, size_t n, LandlockAccess access)
-{
-    for (size_t i = 0; i < n; i++) {
-        if (landlock_allow(rules, paths[i], access) != 0) {
-            return -1;
-        }
-    }
-    return 0;
-}
-
-static int devices_allow(int rules)
-{
-    static const char *const plain[] = {"/dev/null", "/dev/zero", "/dev/full", "/dev/random",
-                                        "/dev/urandom"};
-    int result = list_allow(rules, plain, SYSTEM_COUNT(plain), LANDLOCK_DEVICE);
-    // NVIDIA's driver looks through all that is in /dev.
-    if (result == 0 && has_graphics_card()) {
-        result = landlock_allow(rules, "/dev", LANDLOCK_LIST);
-    }
-    for (size_t i = 0; result == 0 && i < SYSTEM_COUNT(system_devices); i++) {
-        glob_t found = {0};
-        if (glob(system_devices[i], 0, NULL, &found) == 0) {
-            result = list_allow(rules, (const char *const *)found.gl_pathv, found.gl_pathc,
-                                LANDLOCK_DEVICE);
-        }
-        globfree(&found);
-    }
-    return result;
-}
-
-static int mounts_allow(int rules, const SandboxCommand *command)
-{
-    int result = 0;
-    for (int i = 0; result == 0 && i < command->n_mounts; i++) {
-        const SandboxMount *mount = &command->mounts[i];
-        result =
-            landlock_allow(rules, mount->outside, mount->writable ? LANDLOCK_WRITE : LANDLOCK_READ);
-    }
-    return result;
-}
-
-// Opening files is limited to what is named here.
-static int files_close(const Walls *walls)
-{
-    // Of /proc what describes the machine, and this process: its number stays the same when it
-    // becomes the command. What the command starts has no part of /proc of its own.
-    static const char *const paths[] = {"/usr",
-                                        "/proc/self",
-                                        "/proc/cpuinfo",
-                                        "/proc/meminfo",
-                                        "/proc/stat",
-                                        "/proc/version",
-                                        "/proc/filesystems",
-                                        "/proc/devices",
-                                        "/proc/driver",
-                                        "/proc/sys/kernel/osrelease",
-                                        "/proc/sys/vm/overcommit_memory"};
-    char own[PATH_MAX + sizeof "/tmp"];
-    snprintf(own, sizeof own, "%s/tmp", walls->view);
-    int rules = landlock_open();
-    if (rules < 0) {
-        return -1;
-    }
-    if (list_allow(rules, paths, SYSTEM_COUNT(paths), LANDLOCK_READ) != 0 ||
-        list_allow(rules, system_folders, SYSTEM_COUNT(system_folders), LANDLOCK_READ) != 0 ||
-        list_allow(rules, system_settings, SYSTEM_COUNT(system_settings), LANDLOCK_READ) != 0 ||
-        devices_allow(rules) != 0 || mounts_allow(rules, &walls->command) != 0 ||
-        landlock_allow(rules, walls->view, LANDLOCK_READ) != 0 ||
-        landlock_allow(rules, own, LANDLOCK_WRITE) != 0) {
-        return -1;
-    }
-    return landlock_enter(rules);
-}
 
 // Behind bubblewrap, what cannot be executed is an exit code of prlimit(1); so it is here.
 static _Noreturn void command_become(const Walls *walls)
@@ -274,7 +214,7 @@ static _Noreturn void command_become(const Walls *walls)
 }
 
 // Returns 0, or -1 with errno set.
-static int landlock_walls_enter(const Walls *walls, const char **step)
+static int own_user_walls_enter(const Walls *walls, const char **step)
 {
     *step = "cannot become another user";
     // The kernel tells a user's processes of their parent's end only if they ask after the change.
@@ -283,11 +223,12 @@ static int landlock_walls_enter(const Walls *walls, const char **step)
         return -1;
     }
     *step = "cannot use Landlock";
-    if (files_close(walls) != 0) {
+    if (walls->command.kind == SANDBOX_LANDLOCK && landlock_rules_enter(walls) != 0) {
         return -1;
     }
     *step = "cannot use the filter of system calls";
-    return filter_enter(WALLS_FILTER_DESCRIPTOR);
+    return walls->command.kind == SANDBOX_USER_UNFILTERED ? 0
+                                                          : filter_enter(WALLS_FILTER_DESCRIPTOR);
 }
 
 void walls_enter(const Walls *walls, const char **step)
@@ -306,7 +247,7 @@ void walls_enter(const Walls *walls, const char **step)
         fcntl(WALLS_FILTER_DESCRIPTOR, F_SETFD, FD_CLOEXEC) != 0) {
         return;
     }
-    if (walls->command.kind == SANDBOX_LANDLOCK && landlock_walls_enter(walls, step) != 0) {
+    if (sandbox_has_own_user(walls->command.kind) && own_user_walls_enter(walls, step) != 0) {
         return;
     }
     const char started[] = "\"child-pid\": 1";

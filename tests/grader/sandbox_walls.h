@@ -1,4 +1,4 @@
-// What stands around one sandboxed command, of either kind: made by its supervisor, entered by the
+// What stands around one sandboxed command, of any kind: made by its supervisor, entered by the
 // process that becomes the command, taken down when all is over. Internal to the sandbox.
 #ifndef GRADER_SANDBOX_WALLS_H
 #define GRADER_SANDBOX_WALLS_H
@@ -9,7 +9,7 @@
 #include <sys/types.h>
 
 // Descriptors of the process that enters the walls, besides the standard ones. Bubblewrap tells on
-// the first of the command's start and its exit code, as JSON; entering Landlock writes the same
+// the first of the command's start and its exit code, as JSON; entering other walls writes the same
 // "child-pid" there. From the second, the filter of system calls is read.
 enum { WALLS_STATUS_DESCRIPTOR = 9, WALLS_FILTER_DESCRIPTOR = 10 };
 
@@ -21,8 +21,10 @@ typedef struct Walls {
     char **bwrap;            // bubblewrap's argument list
     char **environment;      // the command's own
     uid_t user;              // whom the writable mounts belong to and what is inside runs as
-    int filter;              // a descriptor to read the filter of system calls from
-    char view[PATH_MAX];     // without bubblewrap: the run's own folder; "" while there is none
+    mode_t modes[SANDBOX_MAX_MOUNTS];  // of the first n_given mounts, before they were handed over
+    int n_given;
+    int filter;           // a descriptor to read the filter of system calls from
+    char view[PATH_MAX];  // without bubblewrap: the run's own folder; "" while there is none
 } Walls;
 
 // Before the supervisor is started: what can be wrong with the command itself. Returns 0, or -1
@@ -37,10 +39,10 @@ int walls_make(Walls *walls, const char **step);
 void walls_enter(const Walls *walls, const char **step);
 
 // In the supervisor, any number of times: kill whatever runs as the run's own user, if it has one.
-// Leaves a child behind that ends at once.
 void walls_end_user(const Walls *walls);
 
-// In the supervisor, when all processes have ended: take the writable mounts and the view back.
+// In the supervisor, when all processes have ended: take the mounts and the view back, and remove
+// what the run's own user left where everybody may write.
 void walls_take_down(Walls *walls);
 
 void walls_free(Walls *walls);

@@ -5,6 +5,7 @@
 #include "kept_answers.h"
 #include "message.h"
 #include "sandbox.h"
+#include "secrets.h"
 #include "text_file.h"
 
 #include <errno.h>
@@ -94,14 +95,16 @@ int session_open(Session *session, const Settings *settings)
         return -1;
     }
     SandboxKind sandbox;
+    session->has_solution = has_solution(settings->lab);
     if (manifest_load("labs", settings->lab, &session->manifest) != 0 ||
         sandbox_choose(settings->sandbox, &sandbox) != 0 ||
+        // In a handout all is the student's own.
+        (sandbox_is_open(sandbox) && session->has_solution && secrets_check(settings) != 0) ||
         workshop_open(&session->workshop, &session->manifest, settings->build, settings->device,
                       sandbox) != 0 ||
         write_job(session) != 0) {
         return -1;
     }
-    session->has_solution = has_solution(settings->lab);
     if (!session->has_solution) {
         return allowance_read_packed(&session->allowance);
     }

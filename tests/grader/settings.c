@@ -27,8 +27,9 @@ static void usage(FILE *out)
         "  --device D           OpenCL device by number or name\n"
         "  --time-limit S       seconds of processor time that a submission may use (default: 8\n"
         "                       times what the solution uses here, 10 at least)\n"
-        "  --sandbox KIND       bubblewrap, landlock (as root), none, or any that is one; any\n"
-        "                       is the default, $" SANDBOX_VARIABLE " sets another\n"
+        "  --sandbox KIND       bubblewrap; as root landlock, user or user-unfiltered; none; or\n"
+        "                       any, the first of these but none: the default, $" SANDBOX_VARIABLE
+        " sets another\n"
         "  --build FOLDER       where probes and libraries are (default: build)\n"
         "  --format NAMES       more reports, for example junit,tap; also gradescope, autolab,\n"
         "                       prairielearn, github\n"
@@ -70,8 +71,11 @@ static int read_sandbox(const char *option, const char *text, SandboxKind *kind)
     if (sandbox_kind_find(text, kind) == 0) {
         return 0;
     }
-    fprintf(stderr, "grade: %s: found \"%s\", expected bubblewrap, landlock, none or any\n", option,
-            text);
+    fprintf(
+        stderr,
+        "grade: %s: found \"%s\", expected bubblewrap, landlock, user, user-unfiltered, none or "
+        "any\n",
+        option, text);
     return -1;
 }
 

@@ -126,14 +126,16 @@ static int copy_archive(const char *path, int from, const char *to, char **messa
 
 // ---- Unpacking ------------------------------------------------------------------------------
 
-// Make room/unpack with the folders `in`, which the sandbox reads, and `out`, which it writes.
+// Make room/unpack with the folders `in`, which the sandbox reads, and `out`, which it writes: both
+// closed to all but the run that is given them.
 static int folders_make(const char *room)
 {
     static const char *const folders[] = {"unpack", "unpack/in", "unpack/out"};
+    static const mode_t modes[] = {0755, 0700, 0700};
     char path[PATH_BYTES];
     for (size_t i = 0; i < sizeof folders / sizeof *folders; i++) {
         snprintf(path, sizeof path, "%s/%s", room, folders[i]);
-        if (mkdir(path, 0755) != 0 || chmod(path, 0755) != 0) {
+        if (mkdir(path, modes[i]) != 0 || chmod(path, modes[i]) != 0) {
             return machinery_fault(path, errno);
         }
     }

@@ -23,13 +23,24 @@ enum { PATH_BYTES = 512 };
 // Answers are pictures of at most 336x240 pixels of 16 bytes, a dozen of them: far below this.
 #define MAX_ANSWER_BYTES ((size_t)FILE_MB << 20)
 
-static int make_folder(const char *path)
+static int make_folder_with(const char *path, mode_t mode)
 {
-    if (mkdir(path, 0755) != 0 && errno != EEXIST) {
+    if (mkdir(path, mode) != 0 && errno != EEXIST) {
         fprintf(stderr, "grade: %s: cannot be made: %s\n", path, strerror(errno));
         return -1;
     }
-    return chmod(path, 0755);
+    return chmod(path, mode);
+}
+
+static int make_folder(const char *path)
+{
+    return make_folder_with(path, 0755);
+}
+
+// Closed to all but the run that is given it: other runs may be as curious as other users.
+static int make_closed_folder(const char *path)
+{
+    return make_folder_with(path, 0700);
 }
 
 // Copy one of the instructor's own files.
@@ -205,7 +216,7 @@ static int copy_given_files(const Manifest *manifest, const char *folder)
 int variant_open(const Workshop *workshop, const char *name, Variant *variant, char *path,
                  size_t n_bytes)
 {
-    static const char *const folders[] = {"", "/build", "/out", "/lab"};
+    static const char *const folders[] = {"/build", "/out", "/lab"};
     *variant = (Variant){0};
     snprintf(variant->name, sizeof variant->name, "%s", name);
     // Of an earlier variant of this name nothing may stay: behind Landlock its answers belong to a
@@ -215,9 +226,12 @@ int variant_open(const Workshop *workshop, const char *name, Variant *variant, c
         fprintf(stderr, "grade: %s: cannot be removed: %s\n", path, strerror(errno));
         return -1;
     }
+    if (make_folder(path) != 0) {
+        return -1;
+    }
     for (size_t i = 0; i < sizeof folders / sizeof *folders; i++) {
         snprintf(path, n_bytes, "%s/variant-%s%s", workshop->folder, name, folders[i]);
-        if (make_folder(path) != 0) {
+        if (make_closed_folder(path) != 0) {
             return -1;
         }
     }

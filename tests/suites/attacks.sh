@@ -4,18 +4,27 @@
 #
 #     sh tests/suites/attacks.sh [ATTACK...]     from the top folder, after `make tests`
 #
-# SANDBOXES="bubblewrap landlock" chooses the sandboxes.
+# SANDBOXES="bubblewrap landlock user user-unfiltered" chooses the sandboxes. Without ATTACKs, the
+# sandbox `user` meets those that try its walls, as the rest of the grader is the same; `make
+# test-attacks` tries all in each.
 set -u
 . tests/tap.sh
 
 build=${BUILD:-build}
 case $build in /*) ;; *) build=$PWD/$build ;; esac
 export BUILD="$build"
-sandboxes=${SANDBOXES:-bubblewrap landlock}
-[ $# -gt 0 ] || set -- tests/attacks/*/*
+sandboxes=${SANDBOXES:-bubblewrap landlock user}
+walls='
+    include-neighbour include-shadow incbin link-to-solution kernel-includes
+    read-grader read-neighbour read-other-runs read-reference read-shadow read-solution shell
+    disk-filler files-without-number folders-without-bottom fork-bomb memory-hogs
+    survivor shared-memory poisoned-cache answers-a-link signals ptrace network preload
+'
 
-# Whoever the grader runs as may enter: what is unreadable shall be so because of the sandbox.
+# Whoever the grader runs as may enter: what is unreadable shall be so because of the sandbox, but for
+# where the sandbox goes by the rights of files.
 chmod 711 "$scratch"
+mkdir -m 700 "$scratch/answers"
 
 # ---- What the attacks aim at ----------------------------------------------------------------------
 
@@ -26,7 +35,6 @@ mkdir -p "$scratch/class/neighbour" "$scratch/reference"
 echo "// $canary" | cat - solutions/02-kdtree-2d-build/kdtree2d_build.c \
     >"$scratch/class/neighbour/kdtree2d_build.c"
 echo "$canary" >"$scratch/reference/picture.csv"
-chmod -R a+rX "$scratch/class" "$scratch/reference"
 
 # Somebody else's process of the sandbox's own user, where the grader runs as root.
 as_nobody=
@@ -39,20 +47,52 @@ listener=$!
 trap 'kill "$bystander" "$listener" 2>/dev/null; rm -rf "$scratch"' EXIT
 while [ ! -s "$scratch/listener" ] && kill -0 "$listener"; do sleep 0.1; done
 
-cat >"$scratch/facts" <<END
-s|@COURSE@|$PWD|g
+mkdir "$scratch/checks"
+for lab in solutions/*; do
+    "$build/tools/grade" --lab "${lab#*/}" --list-checks >"$scratch/checks/${lab#*/}"
+done
+
+# set_scene SANDBOX: what an instructor has to close there is closed; else everybody may read all.
+# Sets the course's top folder.
+set_scene() {
+    top=$PWD
+    export BUILD="$build"
+    chmod -R a+rX "$scratch/class" "$scratch/reference"
+    case $1 in
+    user*)
+        top=$scratch/course
+        [ -d "$top" ] || tests/closed_course.sh "$top"
+        export BUILD="$top/build"
+        chmod 700 "$scratch/class" "$scratch/reference"
+        ;;
+    esac
+    cat >"$scratch/facts" <<END
+s|@COURSE@|$top|g
 s|@NEIGHBOUR@|$scratch/class/neighbour/kdtree2d_build.c|g
 s|@REFERENCE@|$scratch/reference/picture.csv|g
 s|@PORT@|$(cat "$scratch/listener")|g
 s|@BYSTANDER@|$bystander|g
 s|@TESTER@|$(id -u)|g
-s|@BUILD@|$build|g
+s|@BUILD@|$BUILD|g
 END
+}
 
-mkdir "$scratch/checks"
-for lab in solutions/*; do
-    "$build/tools/grade" --lab "${lab#*/}" --list-checks >"$scratch/checks/${lab#*/}"
-done
+# chosen SANDBOX ATTACK...: the attacks that are tried in it, a line each.
+chosen() {
+    sandbox=$1
+    shift
+    if [ $# -gt 0 ]; then
+        printf '%s\n' "$@"
+        return
+    fi
+    for attack in tests/attacks/*/*; do
+        name=$(basename "${attack%.*}")
+        case $sandbox in
+        user) case $walls in *[[:space:]]"$name"[[:space:]]*) ;; *) continue ;; esac ;;
+        esac
+        echo "$attack"
+    done
+}
 
 # ---- Trying them, two at a time -------------------------------------------------------------------
 
@@ -72,15 +112,17 @@ list_work() {
 
 for sandbox in $sandboxes; do
     case $sandbox in
-    landlock)
+    landlock | user*)
         if [ "$(id -u)" -ne 0 ]; then
             skip "$sandbox: all attacks" "it needs root, to become another user"
             continue
         fi
         ;;
     esac
-    list_work "$@" >"$scratch/work.$sandbox"
-    xargs -P 2 -L 1 sh tests/attacks/try.sh "$scratch" <"$scratch/work.$sandbox"
+    set_scene "$sandbox"
+    # shellcheck disable=SC2046 # names without blanks
+    list_work $(chosen "$sandbox" "$@") >"$scratch/work.$sandbox"
+    (cd "$top" && xargs -P 2 -L 1 sh tests/attacks/try.sh "$scratch") <"$scratch/work.$sandbox"
     while read -r _ attack when; do
         name=$(basename "${attack%.*}")
         place=$scratch/$name.$sandbox${when:+.$when}

@@ -414,6 +414,46 @@ no_tmpdir() (
 )
 check "TMPDIR is not there: it says so" no_tmpdir
 
+# The third sandbox, of a kernel without Landlock: in a course that is closed to other users. In an open
+# one the solution could be read: refused.
+older=$build/tools/older_kernel
+if [ "$(id -u)" -ne 0 ]; then
+    skip "the third sandbox" "it needs root, to become another user"
+else
+    tests/closed_course.sh "$scratch/course"
+    for kind in user user-unfiltered; do
+        option=
+        [ $kind = user ] || option=--no-seccomp
+        # shellcheck disable=SC2086 # no or one option
+        (cd "$scratch/course" && "$older" $option build/tools/grade --lab 03 \
+            --submission solutions/03-kdtree-2d-render --output "$reports.closed/$kind" \
+            --format junit,tap) >"$said" 2>"$said.err"
+        ok $? "no Landlock, $kind: the solution gets full marks" "$(cat "$said" "$said.err")"
+        reports_before=$reports reports=$reports.closed/$kind
+        check "no Landlock, $kind: results.json says so" test "$(field sandbox)" = $kind
+        check "no Landlock, $kind: so do text and page" grep -q "sandbox $kind" "$said"
+        check "no Landlock, $kind: so does the page" grep -q "<dd>$kind</dd>" "$reports/report.html"
+        check "no Landlock, $kind: one line says why, and that it hides less" \
+            grep -q '^sandbox: bubblewrap .*Landlock.*hides less: .*"The three sandboxes"$' "$said.err"
+        check "no Landlock, $kind: it says no more" test "$(wc -l <"$said.err")" = 1
+        check "no Landlock, $kind: text and results.json lead to its gaps" \
+            stage Sandbox passed 'The three sandboxes'
+        for file in "$said" "$reports/report.html" "$reports/junit.xml" "$reports/results.tap"; do
+            check "no Landlock, $kind: $(basename "$file") says that it hides less" \
+                grep -q 'A user of its own for each run' "$file"
+        done
+        reports=$reports_before
+    done
+    chmod 755 "$scratch/course"
+    (cd "$scratch/course" && build/tools/grade --sandbox user --lab 03 \
+        --submission labs/03-kdtree-2d-render --output "$reports.closed/open") >"$said" 2>"$said.err"
+    ok $(($? != 2)) "an open course is refused by the third sandbox" "$(cat "$said.err")"
+    check "an open course: it says what to close" \
+        grep -qF "chmod o-rwx '$scratch/course'" "$said.err"
+    check "an open course: there are no results" test ! -e "$reports.closed/open"
+    rm -rf "$scratch/course" "$reports.closed"
+fi
+
 grade --lab 01 --submission solutions/01-naive-2d --device none-such
 ok $(($? != 2)) "no such device: it ends with 2"
 check "no such device: it says so" grep -q 'found no device "none-such"' "$said.err"

@@ -1,4 +1,4 @@
-// Commands to be sandboxed, for the tests of both kinds of sandbox.
+// Commands to be sandboxed, for the tests of every kind of sandbox.
 //
 // The commands are small scripts, each bounded by itself: where a wall of the sandbox were missing,
 // the test would fail and the machine stay well. Where something must be out of reach, the test
@@ -25,21 +25,43 @@ enum {
 // The kind that the running test is about.
 static SandboxKind tested_kind;
 
-// A test that must hold behind both kinds of walls: it becomes one in the suite `bubblewrap` and
-// one in the suite `landlock`.
+// A test about one kind, which needs root for it.
+#define TEST_AS_ROOT(suite, name)                                                                  \
+    static void name(void);                                                                        \
+    Test(suite, name)                                                                              \
+    {                                                                                              \
+        if (geteuid() != 0) {                                                                      \
+            SKIP_TEST("this sandbox needs root");                                                  \
+        }                                                                                          \
+        name();                                                                                    \
+    }
+
+// A test that must hold where files can be hidden: it becomes one in the suite `bubblewrap` and one
+// in the suite `landlock`.
 #define TEST_BOTH(name)                                                                            \
     static void name(void);                                                                        \
     Test(bubblewrap, name)                                                                         \
     {                                                                                              \
         name();                                                                                    \
     }                                                                                              \
-    Test(landlock, name)                                                                           \
+    TEST_AS_ROOT(landlock, name)                                                                   \
+    static void name(void)
+
+// A test that must hold behind every kind of walls: one in the suite `user` besides.
+#define TEST_EACH(name)                                                                            \
+    static void name(void);                                                                        \
+    Test(bubblewrap, name)                                                                         \
     {                                                                                              \
-        if (geteuid() != 0) {                                                                      \
-            SKIP_TEST("this sandbox needs root");                                                  \
-        }                                                                                          \
         name();                                                                                    \
     }                                                                                              \
+    TEST_AS_ROOT(landlock, name)                                                                   \
+    TEST_AS_ROOT(user, name)                                                                       \
+    static void name(void)
+
+// A test about runs with a user of their own.
+#define TEST_OWN_USER(name)                                                                        \
+    TEST_AS_ROOT(landlock, name)                                                                   \
+    TEST_AS_ROOT(user, name)                                                                       \
     static void name(void)
 
 static inline void bubblewrap_enter(void)
@@ -56,8 +78,16 @@ static inline void landlock_enter(void)
     cr_assert_eq(chmod(".", 0755), 0);
 }
 
+static inline void user_enter(void)
+{
+    tested_kind = SANDBOX_USER;
+    folder_enter();
+    cr_assert_eq(chmod(".", 0755), 0);
+}
+
 TestSuite(bubblewrap, .init = bubblewrap_enter, .fini = folder_leave);
 TestSuite(landlock, .init = landlock_enter, .fini = folder_leave);
+TestSuite(user, .init = user_enter, .fini = folder_leave);
 
 // `script` in a shell, with the current folder as /work. One command at a time in a process.
 static inline SandboxCommand shell_command(const char *script)

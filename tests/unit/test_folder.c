@@ -125,3 +125,59 @@ Test(folder, deeper_than_any_path)
     cr_expect_eq(folder_remove("full"), 0, "%s", strerror(errno));
     cr_expect_eq(folder_count(), 0);
 }
+
+// ---- Of one owner, where everybody may write ----------------------------------------------------
+
+// open/ and open/inner/ are everybody's, open/closed/ is not; in each a file of nobody's and one of
+// ours.
+static void open_folders_make(void)
+{
+    static const char *const folders[] = {"open", "open/inner", "open/closed", "open/nobodys"};
+    char path[64];
+    for (size_t i = 0; i < sizeof folders / sizeof *folders; i++) {
+        cr_assert_eq(mkdir(folders[i], 0755), 0);
+        snprintf(path, sizeof path, "%s/ours", folders[i]);
+        file_make(path);
+        snprintf(path, sizeof path, "%s/of-nobody", folders[i]);
+        file_make(path);
+        cr_assert_eq(chown(path, NOBODY, NOBODY), 0);
+    }
+    cr_assert_eq(chown("open/nobodys", NOBODY, NOBODY), 0);
+    cr_assert_eq(chmod("open", 01777) | chmod("open/inner", 0777), 0);
+    cr_assert_eq(symlink("/etc", "open/inner/link"), 0);
+}
+
+Test(folder, what_one_owner_left_where_everybody_may_write_is_measured)
+{
+    if (geteuid() != 0) {
+        SKIP_TEST("only root can make files of two owners");
+    }
+    open_folders_make();
+    FolderSize size = {0};
+    folder_measure_of("open", NOBODY, 1000, &size);
+    // open/of-nobody, open/inner/of-nobody, open/nobodys with its two files.
+    cr_expect_eq(size.n_files, 5, "%lld", size.n_files);
+    size = (FolderSize){0};
+    folder_measure_of("open", NOBODY, 2, &size);
+    cr_expect_gt(size.n_files, 2, "it stopped too early");
+    size = (FolderSize){0};
+    folder_measure_of("absent", NOBODY, 1000, &size);
+    cr_expect_eq(size.n_files, 0);
+}
+
+Test(folder, what_one_owner_left_where_everybody_may_write_is_removed)
+{
+    if (geteuid() != 0) {
+        SKIP_TEST("only root can make files of two owners");
+    }
+    open_folders_make();
+    folder_remove_of("open", NOBODY);
+    cr_expect_neq(access("open/of-nobody", F_OK), 0);
+    cr_expect_neq(access("open/inner/of-nobody", F_OK), 0);
+    cr_expect_neq(access("open/nobodys", F_OK), 0);
+    cr_expect_eq(access("open/ours", F_OK), 0);
+    cr_expect_eq(access("open/inner/ours", F_OK), 0);
+    cr_expect_eq(access("open/inner/link/passwd", F_OK), 0);
+    // Nobody can have put something there since, who is not allowed to write there.
+    cr_expect_eq(access("open/closed/of-nobody", F_OK), 0);
+}

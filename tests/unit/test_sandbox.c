@@ -1,5 +1,5 @@
 // grader/sandbox: what a command inside can reach, how it is stopped, and how its end is told, the
-// same behind both kinds of walls. Attacks stand in test_sandbox_attacks.c.
+// same behind every kind of walls. Attacks stand in test_sandbox_attacks.c.
 #include "sandbox_commands.h"
 
 #include <fcntl.h>
@@ -66,7 +66,7 @@ TEST_BOTH(nothing_but_writable_mounts_can_be_written)
 }
 
 // A mount inside another one: behind Landlock their folders are made for the run.
-TEST_BOTH(a_umask_that_closes_folders_changes_nothing)
+TEST_EACH(a_umask_that_closes_folders_changes_nothing)
 {
     SandboxCommand command = shell_command("cat given/deep/file");
     mkdir("given", 0755);
@@ -81,7 +81,7 @@ TEST_BOTH(a_umask_that_closes_folders_changes_nothing)
     expect_exit(result, 0);
 }
 
-TEST_BOTH(runs_as_an_ordinary_user_without_rights)
+TEST_EACH(runs_as_an_ordinary_user_without_rights)
 {
     SandboxResult result = shell_run("id -u; while read -r name value; do\n"
                                      "case $name in CapEff: | NoNewPrivs: | Seccomp:) echo $value; "
@@ -90,11 +90,11 @@ TEST_BOTH(runs_as_an_ordinary_user_without_rights)
     const unsigned long user = strtoul(result.output, &rest, 10);
     cr_expect_str_eq(rest, "\n0000000000000000\n1\n2\n", "%s", result.output);
     cr_expect_neq(user, 0);
-    cr_expect(tested_kind != SANDBOX_LANDLOCK || user > 0x70000000, "user %lu", user);
+    cr_expect(!sandbox_has_own_user(tested_kind) || user > 0x70000000, "user %lu", user);
     free(result.output);
 }
 
-TEST_BOTH(the_graders_environment_and_open_files_stay_outside)
+TEST_EACH(the_graders_environment_and_open_files_stay_outside)
 {
     setenv("GRADER_SECRET", "hunter2", 1);
     file_write("seed", "4711", 4);
@@ -111,7 +111,7 @@ TEST_BOTH(the_graders_environment_and_open_files_stay_outside)
 
 // ---- Limits ----------------------------------------------------------------------------------
 
-TEST_BOTH(a_file_over_its_limit_is_stopped)
+TEST_EACH(a_file_over_its_limit_is_stopped)
 {
     expect_crash(shell_run("exec head -c 40M /dev/zero >large"), SIGXFSZ);
     struct stat status;
@@ -129,14 +129,14 @@ Test(bubblewrap, its_folders_in_memory_are_bounded)
     free(result.output);
 }
 
-TEST_BOTH(a_memory_hog_is_stopped)
+TEST_EACH(a_memory_hog_is_stopped)
 {
     // dd takes its block from memory at once: within the limit, and beyond it.
     expect_exit(shell_run("dd if=/dev/zero of=/dev/null bs=100M count=1 2>/dev/null"), 0);
     expect_exit(shell_run("dd if=/dev/zero of=/dev/null bs=600M count=1 2>/dev/null"), 1);
 }
 
-TEST_BOTH(a_burst_of_processes_is_stopped)
+TEST_EACH(a_burst_of_processes_is_stopped)
 {
     SandboxResult result = shell_run("for i in $(seq 60); do sleep 20 & echo $i; done 2>/dev/null");
     cr_expect_not_null(strstr(result.output, "\n20\n"), "stopped too early: %s", result.output);
@@ -144,7 +144,7 @@ TEST_BOTH(a_burst_of_processes_is_stopped)
     free(result.output);
 }
 
-TEST_BOTH(processes_outside_do_not_count)
+TEST_EACH(processes_outside_do_not_count)
 {
     // Another run takes almost all that it may; this one has its own count.
     SandboxCommand command = shell_command("for i in $(seq 20); do sleep 1 & done; wait");
@@ -169,7 +169,7 @@ static SandboxTime expect_end(const SandboxCommand *command, SandboxOutcome outc
     return result.used;
 }
 
-TEST_BOTH(an_endless_loop_ends_when_its_processor_time_is_used_up)
+TEST_EACH(an_endless_loop_ends_when_its_processor_time_is_used_up)
 {
     SandboxCommand command = shell_command("while :; do :; done");
     command.time.processor = 1;
@@ -179,7 +179,7 @@ TEST_BOTH(an_endless_loop_ends_when_its_processor_time_is_used_up)
     cr_expect_lt(used.asleep, 1, "asleep %.2f s", used.asleep);
 }
 
-TEST_BOTH(loops_of_all_processes_count_together)
+TEST_EACH(loops_of_all_processes_count_together)
 {
     // Each of them used little: what ended is remembered, what runs is added.
     SandboxCommand command =
@@ -190,14 +190,14 @@ TEST_BOTH(loops_of_all_processes_count_together)
     cr_expect(used.processor >= 2, "used %.2f s", used.processor);
 }
 
-TEST_BOTH(a_handler_of_sigxcpu_wins_nothing)
+TEST_EACH(a_handler_of_sigxcpu_wins_nothing)
 {
     SandboxCommand command = shell_command("trap '' XCPU TERM INT; while :; do :; done");
     command.time.processor = 1;
     expect_end(&command, SANDBOX_TIMED_OUT);
 }
 
-TEST_BOTH(what_is_allowed_can_change_while_it_runs)
+TEST_EACH(what_is_allowed_can_change_while_it_runs)
 {
     SandboxCommand command = shell_command("while :; do :; done");
     command.time = (SandboxTime){600, 600, 6000};
@@ -210,7 +210,7 @@ TEST_BOTH(what_is_allowed_can_change_while_it_runs)
     free(result.output);
 }
 
-TEST_BOTH(a_sleeper_ends_when_its_time_asleep_is_used_up)
+TEST_EACH(a_sleeper_ends_when_its_time_asleep_is_used_up)
 {
     SandboxCommand command = shell_command("echo begun; sleep 1000");
     command.time.asleep = 1;
@@ -219,14 +219,14 @@ TEST_BOTH(a_sleeper_ends_when_its_time_asleep_is_used_up)
               used.asleep, used.processor);
 }
 
-TEST_BOTH(a_stopped_process_is_asleep)
+TEST_EACH(a_stopped_process_is_asleep)
 {
     SandboxCommand command = shell_command("kill -STOP $$");
     command.time.asleep = 1;
     expect_end(&command, SANDBOX_ASLEEP);
 }
 
-TEST_BOTH(who_waits_for_a_child_is_asleep_in_whatever_state)
+TEST_EACH(who_waits_for_a_child_is_asleep_in_whatever_state)
 {
     // The state of who waits in vfork() is that of who waits for a disk.
     SandboxCommand command = shell_command(
@@ -236,14 +236,14 @@ TEST_BOTH(who_waits_for_a_child_is_asleep_in_whatever_state)
     expect_end(&command, SANDBOX_ASLEEP);
 }
 
-TEST_BOTH(closing_the_output_does_not_hide_a_sleeper)
+TEST_EACH(closing_the_output_does_not_hide_a_sleeper)
 {
     SandboxCommand command = shell_command("exec >/dev/null 2>&1; sleep 1000");
     command.time.asleep = 1;
     expect_end(&command, SANDBOX_ASLEEP);
 }
 
-TEST_BOTH(who_got_no_processor_and_did_not_sleep_was_starved)
+TEST_EACH(who_got_no_processor_and_did_not_sleep_was_starved)
 {
     // To this limit an endless loop on a good machine looks as any command does on a busy one.
     SandboxCommand command = shell_command("while :; do :; done");
@@ -251,7 +251,7 @@ TEST_BOTH(who_got_no_processor_and_did_not_sleep_was_starved)
     expect_end(&command, SANDBOX_STARVED);
 }
 
-TEST_BOTH(time_runs_without_anybody_waiting)
+TEST_EACH(time_runs_without_anybody_waiting)
 {
     SandboxCommand command = shell_command("echo x >begun; sleep 1000; echo x >late");
     command.time.asleep = 1;
@@ -266,7 +266,7 @@ TEST_BOTH(time_runs_without_anybody_waiting)
 
 // ---- The end ---------------------------------------------------------------------------------
 
-TEST_BOTH(a_background_process_is_gone_when_the_command_ends)
+TEST_EACH(a_background_process_is_gone_when_the_command_ends)
 {
     SandboxCommand command = shell_command(minute_sleep("setsid", "& " UNTIL_GO "exit 4"));
     SandboxRun *run = sandbox_start(&command);
@@ -274,12 +274,12 @@ TEST_BOTH(a_background_process_is_gone_when_the_command_ends)
     cr_assert(minute_sleep_becomes(1), "the test sees no processes inside");
     file_write("go", "", 0);
     SandboxResult result = sandbox_wait(run);
-    cr_expect_eq(result.n_left, tested_kind == SANDBOX_LANDLOCK ? 1 : 0, "%d", result.n_left);
+    cr_expect_eq(result.n_left, sandbox_has_own_user(tested_kind) ? 1 : 0, "%d", result.n_left);
     expect_exit(result, 4);
     cr_expect_not(minute_sleep_exists());
 }
 
-TEST_BOTH(a_background_process_is_gone_after_a_time_out)
+TEST_EACH(a_background_process_is_gone_after_a_time_out)
 {
     SandboxCommand command = shell_command(minute_sleep("setsid", ">/dev/null 2>&1 & sleep 30"));
     command.time.asleep = 1;
@@ -287,7 +287,7 @@ TEST_BOTH(a_background_process_is_gone_after_a_time_out)
     cr_expect_not(minute_sleep_exists());
 }
 
-TEST_BOTH(everything_is_gone_when_the_grader_is_killed)
+TEST_EACH(everything_is_gone_when_the_grader_is_killed)
 {
     SandboxCommand command = shell_command(minute_sleep("setsid", "& sleep 300"));
     pid_t grader = fork();
@@ -301,7 +301,7 @@ TEST_BOTH(everything_is_gone_when_the_grader_is_killed)
     cr_expect(minute_sleep_becomes(0));
 }
 
-TEST_BOTH(exit_codes_and_signals_are_told_apart)
+TEST_EACH(exit_codes_and_signals_are_told_apart)
 {
     expect_exit(shell_run("exit 0"), 0);
     expect_exit(shell_run("exit 3"), 3);
@@ -311,7 +311,7 @@ TEST_BOTH(exit_codes_and_signals_are_told_apart)
     expect_crash(shell_run("kill -KILL $$"), SIGKILL);  // but no time-out
 }
 
-TEST_BOTH(a_command_cannot_pass_for_a_fault_of_the_sandbox)
+TEST_EACH(a_command_cannot_pass_for_a_fault_of_the_sandbox)
 {
     // What the kernel refuses to execute: no interpreter, no permission, no file.
     file_write("program", "#!/absent\n", 10);
@@ -336,11 +336,8 @@ Test(bubblewrap, a_sandbox_that_cannot_be_made_is_a_fault)
     free(result.output);
 }
 
-Test(landlock, a_sandbox_that_cannot_be_made_is_a_fault)
+TEST_OWN_USER(without_a_folder_of_its_own_it_is_a_fault)
 {
-    if (geteuid() != 0) {
-        SKIP_TEST("this sandbox needs root");
-    }
     setenv("TMPDIR", "/nowhere", 1);
     SandboxResult result = shell_run("exit 0");
     cr_expect_eq(result.outcome, SANDBOX_FAULT);
@@ -348,7 +345,7 @@ Test(landlock, a_sandbox_that_cannot_be_made_is_a_fault)
     free(result.output);
 }
 
-TEST_BOTH(an_absent_mount_is_told_at_the_start)
+TEST_EACH(an_absent_mount_is_told_at_the_start)
 {
     SandboxCommand command = shell_command("exit 0");
     command.mounts[0].outside = "absent";
@@ -360,7 +357,7 @@ TEST_BOTH(an_absent_mount_is_told_at_the_start)
 
 // ---- Output ----------------------------------------------------------------------------------
 
-TEST_BOTH(output_is_kept_up_to_a_bound_and_read_to_the_end)
+TEST_EACH(output_is_kept_up_to_a_bound_and_read_to_the_end)
 {
     SandboxResult result = shell_run("head -c 50M /dev/zero | tr '\\0' x; echo end >&2; exit 5");
     cr_expect_eq(strlen(result.output), SANDBOX_MAX_OUTPUT);
@@ -369,7 +366,7 @@ TEST_BOTH(output_is_kept_up_to_a_bound_and_read_to_the_end)
     expect_exit(result, 5);
 }
 
-TEST_BOTH(control_characters_are_replaced)
+TEST_EACH(control_characters_are_replaced)
 {
     SandboxResult result =
         shell_run("printf 'a\\tb\\033[2Jc\\000d\\r\\177\\303\\244\\n'; printf e >&2");
@@ -377,7 +374,7 @@ TEST_BOTH(control_characters_are_replaced)
     expect_exit(result, 0);
 }
 
-TEST_BOTH(two_run_at_the_same_time_and_end_in_any_order)
+TEST_EACH(two_run_at_the_same_time_and_end_in_any_order)
 {
     const char *const writer_argv[] = {
         "/bin/sh", "-c", ": >begun; head -c 5M /dev/zero | tr '\\0' a; " UNTIL_GO "exit 1", NULL};
@@ -406,7 +403,7 @@ TEST_BOTH(two_run_at_the_same_time_and_end_in_any_order)
 
 // ---- Which sandbox works here? ---------------------------------------------------------------
 
-TEST_BOTH(choosing_is_silent_where_it_works)
+TEST_EACH(choosing_is_silent_where_it_works)
 {
     SandboxKind kind = SANDBOX_ANY;
     capture_begin(2);
@@ -416,7 +413,7 @@ TEST_BOTH(choosing_is_silent_where_it_works)
     cr_expect_eq(kind, tested_kind);
 }
 
-TEST_BOTH(nothing_is_chosen_where_the_wanted_one_fails)
+TEST_EACH(nothing_is_chosen_where_the_wanted_one_fails)
 {
     SandboxKind kind = SANDBOX_ANY;
     setenv("PATH", "/nowhere", 1);
@@ -466,17 +463,27 @@ Test(landlock, is_chosen_where_bubblewrap_fails)
 }
 
 // In a process of its own, as an ordinary user cannot become root again.
-Test(landlock, is_refused_to_an_ordinary_user)
+static void expect_refusal_to_ordinary_user(void)
 {
     SandboxKind kind = SANDBOX_ANY;
     if (geteuid() == 0) {
         cr_assert_eq(setresuid(65534, 65534, 65534), 0);
     }
     capture_begin(2);
-    int status = sandbox_choose(SANDBOX_LANDLOCK, &kind);
+    int status = sandbox_choose(tested_kind, &kind);
     expect_one_message(capture_end(2), "root");
     cr_expect_eq(status, -1);
     _exit(0);
+}
+
+Test(landlock, is_refused_to_an_ordinary_user)
+{
+    expect_refusal_to_ordinary_user();
+}
+
+Test(user, is_refused_to_an_ordinary_user)
+{
+    expect_refusal_to_ordinary_user();
 }
 
 Test(sandbox, none_is_never_chosen_by_itself)

@@ -1,11 +1,14 @@
-// grader/sandbox: attacks on the machine, on the grader and on other runs, behind both kinds of
+// grader/sandbox: attacks on the machine, on the grader and on other runs, behind every kind of
 // walls. Each is bounded by itself: at most 2000 forks, 1 GB of memory, 320 MB of files.
 #include "sandbox_commands.h"
+
+#include "sandbox_user.h"
 
 #include <arpa/inet.h>
 #include <fcntl.h>
 #include <glob.h>
 #include <linux/sched.h>
+#include <sys/shm.h>
 #include <sys/socket.h>
 #include <sys/syscall.h>
 
@@ -55,7 +58,7 @@ TEST_BOTH(files_that_everybody_may_read_cannot_be_read)
     cr_assert_eq(unlink("there/solution") | rmdir(other), 0);
 }
 
-TEST_BOTH(another_runs_folders_cannot_be_touched)
+TEST_EACH(another_runs_folders_cannot_be_touched)
 {
     char other[] = "/tmp/unit-XXXXXX", pattern[128];
     cr_assert_not_null(mkdtemp(other));
@@ -73,7 +76,7 @@ TEST_BOTH(another_runs_folders_cannot_be_touched)
         snprintf(script, sizeof script, "cat %s; echo forged >%s; rm -f %s", found.gl_pathv[0],
                  found.gl_pathv[0], found.gl_pathv[0]);
     }
-    cr_expect_eq(found.gl_pathc > 0, tested_kind == SANDBOX_LANDLOCK, "the test sees no folder");
+    cr_expect_eq(found.gl_pathc > 0, sandbox_has_own_user(tested_kind), "the test sees no folder");
     globfree(&found);
     SandboxCommand reader = shell_command(script);
     reader.mounts[0].writable = 0;
@@ -87,9 +90,83 @@ TEST_BOTH(another_runs_folders_cannot_be_touched)
     cr_expect_eq(rmdir(other), 0);
 }
 
+// An answer that is being written, and one that only the grader may read any more.
+TEST_EACH(another_runs_mounts_cannot_be_entered)
+{
+    char out[128], script[512];
+    snprintf(out, sizeof out, "%s/out", surroundings_folder);
+    cr_assert_eq(mkdir(out, 0700), 0);
+    SandboxCommand writer = shell_command(
+        "echo secret >answers; chmod a+rw answers; : >begun; " UNTIL_GO "chmod a+rwx .");
+    writer.mounts[0].outside = out;
+    SandboxRun *run = sandbox_start(&writer);
+    cr_assert_not_null(run);
+    file_await("out/begun");
+    snprintf(script, sizeof script, "ls %s; cat %s/answers; echo forged >>%s/answers", out, out,
+             out);
+    SandboxCommand reader = shell_command(script);
+    reader.mounts[0] = (SandboxMount){.outside = "/usr/share", .inside = "/work"};
+    SandboxResult result = command_run(&reader);
+    cr_expect_null(strstr(result.output, "secret"), "%s", result.output);
+    free(result.output);
+    file_write("out/go", "", 0);
+    expect_exit(sandbox_wait(run), 0);
+
+    result = command_run(&reader);
+    cr_expect_null(strstr(result.output, "secret"), "%s", result.output);
+    free(result.output);
+    struct stat status;
+    cr_assert_eq(stat("out/answers", &status), 0);
+    cr_expect_eq(status.st_size, 7, "it was changed");
+    cr_assert_eq(stat("out", &status), 0);
+    cr_expect_eq(status.st_mode & 0777, 0700, "mode %o", status.st_mode);
+}
+
+// What only the grader may read is opened to the run that it is mounted for.
+TEST_EACH(a_closed_mount_is_opened_to_its_run_alone)
+{
+    char closed[128], script[256];
+    struct stat status;
+    snprintf(closed, sizeof closed, "%s/closed", surroundings_folder);
+    cr_assert_eq(mkdir(closed, 0700), 0);
+    file_write("closed/solution", "secret\n", 7);
+    SandboxCommand command = shell_command("cat solution; echo x >>solution; echo x >new; ls");
+    command.mounts[0] = (SandboxMount){.outside = closed, .inside = "/work"};
+    SandboxResult result = command_run(&command);
+    cr_expect_eq(strncmp(result.output, "secret\n", 7), 0, "%s", result.output);
+    cr_expect_not_null(strstr(result.output, "\nsolution\n"), "%s", result.output);
+    free(result.output);
+    cr_assert_eq(stat(closed, &status), 0);
+    cr_expect_eq(status.st_mode & 0777, 0700, "mode %o", status.st_mode);
+    cr_expect_eq(access("closed/new", F_OK), -1, "it was written");
+
+    snprintf(script, sizeof script, "cat %s/solution", closed);
+    result = shell_run(script);
+    cr_expect_null(strstr(result.output, "secret"), "%s", result.output);
+    free(result.output);
+}
+
+// The gap that Landlock closes, and what an instructor can do about it.
+TEST_AS_ROOT(user, only_the_rights_of_files_keep_it_out)
+static void only_the_rights_of_files_keep_it_out(void)
+{
+    char script[256];
+    cr_assert_eq(mkdir("open", 0755) | mkdir("closed", 0700), 0);
+    file_write("open/solution", "read\n", 5);
+    file_write("closed/solution", "secret\n", 7);
+    snprintf(script, sizeof script, "cat %s/open/solution %s/closed/solution", surroundings_folder,
+             surroundings_folder);
+    SandboxCommand command = shell_command(script);
+    command.mounts[0] = (SandboxMount){.outside = "/usr/share", .inside = "/work"};
+    SandboxResult result = command_run(&command);
+    cr_expect_eq(strncmp(result.output, "read\n", 5), 0, "%s", result.output);
+    cr_expect_null(strstr(result.output, "secret"), "%s", result.output);
+    free(result.output);
+}
+
 // ---- Other processes -------------------------------------------------------------------------
 
-TEST_BOTH(the_grader_cannot_be_signalled)
+TEST_EACH(the_grader_cannot_be_signalled)
 {
     pid_t sleeper = fork();
     if (sleeper == 0) {
@@ -108,7 +185,7 @@ TEST_BOTH(the_grader_cannot_be_signalled)
 
 // ---- Forbidden calls -------------------------------------------------------------------------
 
-TEST_BOTH(the_network_is_unreachable_even_on_this_machine)
+TEST_EACH(the_network_is_unreachable_even_on_this_machine)
 {
     int listener = socket(AF_INET, SOCK_STREAM, 0);
     struct sockaddr_in address = {.sin_family = AF_INET, .sin_addr.s_addr = htonl(INADDR_LOOPBACK)};
@@ -128,7 +205,7 @@ TEST_BOTH(the_network_is_unreachable_even_on_this_machine)
     close(listener);
 }
 
-TEST_BOTH(what_only_an_attack_asks_for_ends_it)
+TEST_EACH(what_only_an_attack_asks_for_ends_it)
 {
     const struct {
         const char *name;
@@ -161,7 +238,7 @@ TEST_BOTH(what_only_an_attack_asks_for_ends_it)
     }
 }
 
-TEST_BOTH(what_libraries_can_do_without_is_refused)
+TEST_EACH(what_libraries_can_do_without_is_refused)
 {
     const struct {
         const char *name;
@@ -187,7 +264,7 @@ TEST_BOTH(what_libraries_can_do_without_is_refused)
 
 #ifdef __x86_64__
 // The same calls by their numbers in other ABIs: getpid as a 32-bit call, and as an x32 one.
-TEST_BOTH(calls_of_other_abis_end_it)
+TEST_EACH(calls_of_other_abis_end_it)
 {
     const char *source =
         "int main(void) { int id; __asm__ volatile(\"int $0x80\" : \"=a\"(id) : \"a\"(20)); "
@@ -201,14 +278,14 @@ TEST_BOTH(calls_of_other_abis_end_it)
 
 // ---- Limits on all processes together --------------------------------------------------------
 
-TEST_BOTH(a_fork_bomb_is_named)
+TEST_EACH(a_fork_bomb_is_named)
 {
     expect_exceeded(perl_run("for (1..2000) { my $id = fork; if (defined $id && !$id) { sleep 20; "
                              "exit } } sleep 20"),
                     SANDBOX_LIMIT_PROCESSES);
 }
 
-TEST_BOTH(memory_of_many_processes_is_summed_up)
+TEST_EACH(memory_of_many_processes_is_summed_up)
 {
     // Each within its own limit.
     expect_exceeded(perl_run("for (1..10) { if (!fork) { my $x = chr(1) x 1e8; sleep 20; exit } } "
@@ -220,19 +297,19 @@ TEST_BOTH(memory_of_many_processes_is_summed_up)
                 3);
 }
 
-TEST_BOTH(files_are_summed_up)
+TEST_EACH(files_are_summed_up)
 {
     expect_exceeded(shell_run("for i in $(seq 40); do head -c 8M /dev/zero >$i; done; sleep 20"),
                     SANDBOX_LIMIT_BYTES);
 }
 
-TEST_BOTH(files_written_just_before_the_end_count)
+TEST_EACH(files_written_just_before_the_end_count)
 {
     expect_exceeded(shell_run("for i in $(seq 40); do head -c 8M /dev/zero >$i; done"),
                     SANDBOX_LIMIT_BYTES);
 }
 
-TEST_BOTH(removed_files_count_as_long_as_they_are_open)
+TEST_EACH(removed_files_count_as_long_as_they_are_open)
 {
     expect_exceeded(
         perl_run("my $x = chr(1) x 8e6; my @f; for (1..40) { open(my $f, q(>), q(own)); "
@@ -240,19 +317,19 @@ TEST_BOTH(removed_files_count_as_long_as_they_are_open)
         SANDBOX_LIMIT_BYTES);
 }
 
-TEST_BOTH(many_files_are_stopped)
+TEST_EACH(many_files_are_stopped)
 {
     expect_exceeded(perl_run("for (1..3000) { open(my $f, q(>), $_) } sleep 20"),
                     SANDBOX_LIMIT_FILES);
 }
 
-TEST_BOTH(deep_folders_hide_nothing)
+TEST_EACH(deep_folders_hide_nothing)
 {
     expect_exceeded(perl_run("for (1..60) { mkdir q(a); chdir q(a) } sleep 20"),
                     SANDBOX_LIMIT_FILES);
 }
 
-TEST_BOTH(links_lead_the_census_nowhere)
+TEST_EACH(links_lead_the_census_nowhere)
 {
     expect_exit(shell_run("ln -s / root; ln -s . self; ln -s /usr/lib lib; sleep 0.5; exit 3"), 3);
 }
@@ -262,14 +339,14 @@ TEST_BOTH(links_lead_the_census_nowhere)
 // For a script: wait until the other process has written something.
 #define UNTIL_ALIVE "select(undef, undef, undef, 0.05) until -s q(alive); "
 
-TEST_BOTH(a_daemon_does_not_outlive_its_run)
+TEST_EACH(a_daemon_does_not_outlive_its_run)
 {
     SandboxCommand command = perl_command(
         "use POSIX; if (!fork) { setsid; if (!fork) { for (1..2000) { open(my $f, q(>>), "
         "q(alive)); "
         "syswrite $f, q(x); select(undef, undef, undef, 0.05) } } exit } " UNTIL_ALIVE "exit 4");
     SandboxResult result = command_run(&command);
-    cr_expect_eq(result.n_left, tested_kind == SANDBOX_LANDLOCK ? 1 : 0, "%d", result.n_left);
+    cr_expect_eq(result.n_left, sandbox_has_own_user(tested_kind) ? 1 : 0, "%d", result.n_left);
     expect_exit(result, 4);
     struct stat before, after;
     cr_assert_eq(stat("alive", &before), 0);
@@ -279,7 +356,7 @@ TEST_BOTH(a_daemon_does_not_outlive_its_run)
 }
 
 // A process that is never the same one for longer than a moment: each starts the next and ends.
-TEST_BOTH(a_chain_of_forks_does_not_outlive_its_run)
+TEST_EACH(a_chain_of_forks_does_not_outlive_its_run)
 {
     SandboxCommand command = perl_command(
         "if (!fork) { for (1..20000) { exit if fork; open(my $f, q(>>), q(alive)); syswrite $f, "
@@ -295,11 +372,8 @@ TEST_BOTH(a_chain_of_forks_does_not_outlive_its_run)
 
 // ---- What it leaves --------------------------------------------------------------------------
 
-Test(landlock, its_folder_is_removed_whatever_is_in_it)
+TEST_OWN_USER(its_folder_is_removed_whatever_is_in_it)
 {
-    if (geteuid() != 0) {
-        SKIP_TEST("this sandbox needs root");
-    }
     cr_assert_eq(mkdir("own", 0755), 0);
     char own[128];
     snprintf(own, sizeof own, "%s/own", surroundings_folder);
@@ -311,11 +385,8 @@ Test(landlock, its_folder_is_removed_whatever_is_in_it)
     cr_expect_eq(rmdir(own), 0, "something is left in it");
 }
 
-Test(landlock, its_folder_is_removed_when_the_grader_is_killed)
+TEST_OWN_USER(its_folder_is_removed_when_the_grader_is_killed)
 {
-    if (geteuid() != 0) {
-        SKIP_TEST("this sandbox needs root");
-    }
     cr_assert_eq(mkdir("own", 0755), 0);
     char own[128];
     snprintf(own, sizeof own, "%s/own", surroundings_folder);
@@ -336,8 +407,82 @@ Test(landlock, its_folder_is_removed_when_the_grader_is_killed)
     cr_expect_neq(access(own, F_OK), 0, "something is left in it");
 }
 
+// Where everybody may write, nobody else's things are touched.
+TEST_AS_ROOT(user, what_it_leaves_where_everybody_may_write_is_removed)
+static void what_it_leaves_where_everybody_may_write_is_removed(void)
+{
+    char script[1024], left[128], name[64];
+    snprintf(name, sizeof name, "unit-left-%d", (int)getpid());
+    cr_assert_eq(mkdir("own", 0755) | mkdir("own/open", 01777), 0);
+    cr_assert_eq(chmod("own/open", 01777), 0);
+    file_write("own/open/stranger", "x", 1);
+    snprintf(left, sizeof left, "%s/own", surroundings_folder);
+    setenv("TMPDIR", left, 1);
+    snprintf(script, sizeof script,
+             "for at in /tmp/%s /dev/shm/%s %s/open/%s; do echo x >$at-file; mkdir -p $at/a/b; "
+             "echo x >$at/a/b/c; chmod 0 $at/a; ls -d $at*; done",
+             name, name, left, name);
+    SandboxResult result = shell_run(script);
+    cr_expect_not_null(strstr(result.output, "own/open/unit-left"), "%s", result.output);
+    cr_expect_not_null(strstr(result.output, "/tmp/unit-left"), "%s", result.output);
+    free(result.output);
+    snprintf(script, sizeof script, "ls -d /tmp/%s* /dev/shm/%s* 2>/dev/null", name, name);
+    cr_expect_neq(exit_status_outside(script), 0, "it is still there");
+    cr_expect_eq(access("own/open/stranger", F_OK), 0, "somebody else's file was removed");
+    cr_assert_eq(unlink("own/open/stranger"), 0);
+    cr_expect_eq(rmdir("own/open"), 0, "something is left in it");
+}
+
+// Where no filter refuses it.
+TEST_AS_ROOT(user, system_v_memory_does_not_outlive_its_run)
+static void system_v_memory_does_not_outlive_its_run(void)
+{
+    char program[256], list[128];
+    const int key = 0x556e6974 ^ (int)getpid();
+    snprintf(program, sizeof program,
+             "exit(defined(shmget(%d, 4096, 01600)) && defined(msgget(%d, 01600)) && "
+             "defined(semget(%d, 1, 01600)) ? 3 : 4)",
+             key, key, key);
+    SandboxCommand command = perl_command(program);
+    command.kind = SANDBOX_USER_UNFILTERED;
+    expect_exit(command_run(&command), 3);
+    snprintf(list, sizeof list, "grep -q '^ *%d ' /proc/sysvipc/*", key);
+    cr_expect_neq(exit_status_outside(list), 0, "it is still there");
+    const int own = shmget(key, 4096, IPC_CREAT | IPC_EXCL | 0600);
+    cr_expect_eq(exit_status_outside(list), 0, "the test sees no memory");
+    shmctl(own, IPC_RMID, NULL);
+}
+
+TEST_AS_ROOT(user, what_it_writes_where_everybody_may_write_counts)
+static void what_it_writes_where_everybody_may_write_counts(void)
+{
+    expect_exceeded(shell_run("mkdir /tmp/unit-$$; cd /tmp/unit-$$; for i in $(seq 20); do "
+                              "head -c 8M /dev/zero >$i; done; sleep 20"),
+                    SANDBOX_LIMIT_BYTES);
+}
+
+// Who ends a user's processes has to come to it before anybody kills him in his turn.
+TEST_AS_ROOT(user, whoever_ends_its_processes_is_waited_for)
+static void whoever_ends_its_processes_is_waited_for(void)
+{
+    const uid_t user = user_own();
+    const pid_t sleeper = fork();
+    if (sleeper == 0) {
+        cr_assert_eq(user_become(user), 0);
+        sleep(20);
+        _exit(0);
+    }
+    sleep_milliseconds(200);
+    user_end(user);
+    // The sleeper is the only child: nobody else is left to be killed by mistake.
+    int status;
+    cr_expect_eq(waitpid(-1, &status, 0), sleeper, "the ender is still a child");
+    cr_expect(WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL, "status %d", status);
+    cr_expect_eq(waitpid(-1, &status, WNOHANG), -1, "another child is left");
+}
+
 // The grader's own again: nothing that runs later under a number used before can change it.
-TEST_BOTH(the_writable_mount_is_taken_back)
+TEST_EACH(the_writable_mount_is_taken_back)
 {
     struct stat status;
     expect_exit(shell_run("echo x >x; exit 0"), 0);

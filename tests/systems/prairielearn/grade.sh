@@ -12,6 +12,8 @@ rm -f "$results/results.json"
 reports=$(mktemp -d)
 trap 'rm -rf "$reports"' EXIT
 cd "$(dirname "$0")/../../.."
+# Where only the rights of files keep submissions from the solution (the third sandbox).
+chmod o-rwx . "$root" 2>/dev/null || :
 build/tools/grade --lab @NN@ --submission "$root/student" --output "$reports" \
     --format prairielearn ${SANDBOX:+--sandbox "$SANDBOX"} || [ -f "$reports/prairielearn.json" ]
 cp "$reports/prairielearn.json" "$results/results.json.part"

@@ -1,0 +1,50 @@
+// Users of runs (see sandbox_user.h). Read next: sandbox_walls.c.
+#include "sandbox_user.h"
+
+#include <errno.h>
+#include <grp.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+// A run's user is this number plus its supervisor's process id, which no other run has at the same
+// time. Neither people nor services nor containers are given numbers from here to 0x7fffffff
+// (systemd's list, UIDS-GIDS.md), and process ids stay below 2^22.
+#define FIRST_USER 0x70000000U
+// Who ends a run's processes is no user of a run.
+#define FIRST_ENDER (FIRST_USER + (1U << 22))
+
+uid_t user_own(void)
+{
+    return FIRST_USER + (uid_t)getpid();
+}
+
+int user_become(uid_t user)
+{
+    if (geteuid() != 0) {
+        return 0;
+    }
+    if (setgroups(0, NULL) != 0 || setresgid((gid_t)user, (gid_t)user, (gid_t)user) != 0 ||
+        setresuid(user, user, user) != 0) {
+        return -1;
+    }
+    return 0;
+}
+
+void user_end(uid_t user)
+{
+    // Only a process of that user's is stopped by the kernel from hitting anybody else. It kills
+    // all of them in one step, so that none can fork away. A signal is let through by its sender's
+    // effective user, and by its target's real and saved ones: so they cannot kill it first.
+    const pid_t ender = fork();
+    if (ender == 0) {
+        const uid_t other = FIRST_ENDER + (uid_t)getpid();
+        if (setresuid(other, user, other) == 0 && geteuid() >= FIRST_USER) {
+            kill(-1, SIGKILL);
+        }
+        _exit(0);
+    }
+    // Whoever kills this process's children next shall not meet it before it has done its work.
+    while (ender > 0 && waitpid(ender, NULL, 0) < 0 && errno == EINTR)
+        ;
+}
