@@ -5,6 +5,8 @@
 // draws into it.
 #include "cl_memory.h"
 
+#include "complain.h"
+
 #include <stdio.h>
 
 int cl_image_check_size(const ClSetup *cl, int width, int height)
@@ -12,8 +14,8 @@ int cl_image_check_size(const ClSetup *cl, int width, int height)
     size_t max_width, max_height;
     cl_setup_image_limit(cl, &max_width, &max_height);
     if ((size_t)width > max_width || (size_t)height > max_height) {
-        fprintf(stderr, "--size: found %dx%d, expected at most %zux%zu on this device (%s)\n",
-                width, height, max_width, max_height, cl->device_name);
+        complain("--size: found %dx%d, expected at most %zux%zu on this device (%s)", width, height,
+                 max_width, max_height, cl->device_name);
         return -1;
     }
     return 0;

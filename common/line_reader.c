@@ -4,6 +4,8 @@
 // its lines are, what its bytes are, whether it ends. Read next: scene3d_nff.c.
 #include "line_reader.h"
 
+#include "complain.h"
+
 #include <errno.h>
 #include <inttypes.h>
 #include <string.h>
@@ -60,8 +62,8 @@ _Static_assert(LINE_MAX_LENGTH == 4096, "the message above names this limit");
 void line_fault(LineReader *reader, const char *where, const char *found, const char *expected)
 {
     if (!reader->failed) {
-        fprintf(stderr, "%s:%" PRId64 ": %sfound %s, expected %s\n", reader->name, reader->line,
-                where, found, expected);
+        complain("%s:%" PRId64 ": %sfound %s, expected %s", reader->name, reader->line, where,
+                 found, expected);
     }
     reader->failed = 1;
 }

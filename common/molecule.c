@@ -3,6 +3,7 @@
 // Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: molecule_xyz.c.
 #include "molecule.h"
 
+#include "complain.h"
 #include "number.h"
 
 #include <math.h>
@@ -205,13 +206,14 @@ static void view_place(Molecule *molecule)
 
 static void warn_of_unknown(const Molecule *molecule)
 {
-    fprintf(stderr,
-            "%s: warning: drew %d atom%s of unknown elements in pink: ", molecule->lines.name,
-            molecule->n_unknown, molecule->n_unknown == 1 ? "" : "s");
+    char names[MOLECULE_MAX_NAMES * (LINE_QUOTE_SIZE + 2)] = "";
     for (int i = 0; i < molecule->n_names; i++) {
-        fprintf(stderr, i == 0 ? "%s" : ", %s", molecule->names[i]);
+        strcat(names, i == 0 ? "" : ", ");
+        strcat(names, molecule->names[i]);
     }
-    fprintf(stderr, molecule->has_more_names ? " and others\n" : "\n");
+    complain("%s: warning: drew %d atom%s of unknown elements in pink: %s%s", molecule->lines.name,
+             molecule->n_unknown, molecule->n_unknown == 1 ? "" : "s", names,
+             molecule->has_more_names ? " and others" : "");
 }
 
 int molecule_finish(Molecule *molecule, Scene3D *scene)

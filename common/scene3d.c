@@ -7,8 +7,8 @@
 
 #include "scene3d_generate.h"
 #include "scene_arguments.h"
+#include "text_file.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -194,24 +194,13 @@ _Static_assert(SCENE3D_MAX_SPHERES == 10000000 && SCENE3D_MAX_FLAKE_SIZE == 7 &&
 static int file_open(const char *path, int (*read)(FILE *file, const char *name, Scene3D *scene),
                      Scene3D *scene)
 {
-    FILE *file = fopen(path, "rb");
+    FILE *file = text_file_open(path);
     if (file == NULL) {
-        fprintf(stderr, "%s: cannot be read: %s\n", path, strerror(errno));
         return -1;
     }
     int result = read(file, path, scene);
     fclose(file);
     return result;
-}
-
-static int report_unknown(const char *name)
-{
-    fprintf(stderr, "--scene %s: found no such scene, expected " SCENE3D_NAMES, name);
-    for (int i = 0; scene3d_edge_case(i) != NULL; i++) {
-        fprintf(stderr, ", %s", scene3d_edge_case(i));
-    }
-    fprintf(stderr, "\n");
-    return -1;
 }
 
 static const Scene3DEdgeCase *edge_case_find(const char *name)
@@ -249,7 +238,7 @@ static int open_by_name(const char *name, Scene3D *scene)
     if (scene_is_called(name, "lattice")) {
         return lattice_open(name, scene);
     }
-    return report_unknown(name);
+    return scene_report_unknown(name, SCENE3D_NAMES, scene3d_edge_case);
 }
 
 int scene3d_open(const char *name, int width, int height, Scene3D *scene)

@@ -7,6 +7,7 @@
 //
 // Source: E. Haines, "A Proposal for Standard Graphics Environments", IEEE Computer Graphics &
 // Applications 7(11), 1987, and the file NFF.TXT of his Standard Procedural Databases.
+#include "complain.h"
 #include "scene3d_builder.h"
 #include "scene3d_generate.h"
 #include "scene3d_nff_lines.h"
@@ -233,10 +234,9 @@ static void warn_of_skipped(const NffReader *reader)
 {
     const int *n = reader->n_skipped;
     if (n[CONE] + n[POLYGON] + n[PATCH] > 0) {
-        fprintf(stderr,
-                "%s: warning: skipped what is no sphere: %d c (cones), %d p (polygons), %d pp "
-                "(patches)\n",
-                reader->lines.name, n[CONE], n[POLYGON], n[PATCH]);
+        complain("%s: warning: skipped what is no sphere: %d c (cones), %d p (polygons), %d pp "
+                 "(patches)",
+                 reader->lines.name, n[CONE], n[POLYGON], n[PATCH]);
     }
 }
 
