@@ -33,6 +33,12 @@ cl_mem cl_image_create(const ClSetup *cl, int width, int height)
     cl_int error;
     cl_mem d_image = clCreateImage(cl->context, CL_MEM_WRITE_ONLY, &format, &desc, NULL, &error);
     CL_CHECK_CREATED(error, clCreateImage);
+
+    // New memory holds whatever was there. A pixel that no work-item writes shall be black.
+    const cl_float4 black = {{0, 0, 0, 0}};
+    const size_t origin[3] = {0, 0, 0};
+    const size_t region[3] = {(size_t)width, (size_t)height, 1};
+    CL_CHECK(clEnqueueFillImage(cl->queue, d_image, &black, origin, region, 0, NULL, NULL));
     return d_image;
 }
 

@@ -16,6 +16,7 @@ void line_reader_begin(LineReader *reader, FILE *file, const char *name)
     reader->name = name;
     reader->line = 0;
     reader->failed = 0;
+    reader->unended_line = 0;
     reader->text[0] = '\0';
 }
 
@@ -51,10 +52,23 @@ int line_read(LineReader *reader)
     if (c == EOF && length == 0) {
         return 0;
     }
+    // Behind a blank no number goes on.
+    if (c == EOF && strchr(" \t\r", reader->text[length - 1]) == NULL) {
+        reader->unended_line = reader->line;
+    }
     if (reader->line == 1) {
         mark_remove(reader->text, length);
     }
     return 1;
+}
+
+void line_warn_of_end(const LineReader *reader)
+{
+    if (reader->unended_line != 0) {
+        complain("%s: warning: the last line (%" PRId64 ") has no line end: if the file was cut "
+                 "there, its last number is wrong or more is missing",
+                 reader->name, reader->unended_line);
+    }
 }
 
 _Static_assert(LINE_MAX_LENGTH == 4096, "the message above names this limit");

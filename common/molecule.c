@@ -230,5 +230,6 @@ int molecule_finish(Molecule *molecule, Scene3D *scene)
     if (molecule->n_unknown > 0) {
         warn_of_unknown(molecule);
     }
+    line_warn_of_end(&molecule->lines);
     return 0;
 }

@@ -7,6 +7,7 @@
 
 #include "cl_setup.h"
 #include "complain.h"
+#include "course_folder.h"
 #include "image.h"
 #include "number.h"
 #include "scene2d.h"
@@ -344,6 +345,9 @@ OptionsResult options_parse(int argc, char **argv, const char *lab_name, const c
     };
     int is_given[N_ROWS] = {0};
     OptionsResult result = read_words(argc, argv, lab_name, what, set, options, is_given);
+    if (result == OPTIONS_RUN) {
+        result = course_folder_check(lab_name) == 0 ? OPTIONS_RUN : OPTIONS_BAD;
+    }
     if (result == OPTIONS_RUN) {
         result = check_output(lab_name, options->output);
     }

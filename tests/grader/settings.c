@@ -2,6 +2,7 @@
 #include "settings.h"
 
 #include "complain.h"
+#include "course_folder.h"
 #include "judge.h"
 #include "number.h"
 
@@ -196,7 +197,7 @@ int settings_parse(int argc, char **argv, Settings *settings)
                  given.lab == NULL ? "--lab is missing" : "words that are no option");
         return -1;
     }
-    if (find_lab(given.lab, settings->lab) != 0) {
+    if (course_folder_check("grade") != 0 || find_lab(given.lab, settings->lab) != 0) {
         return -1;
     }
     return set_folders(&given, settings);
