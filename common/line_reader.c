@@ -62,12 +62,17 @@ int line_read(LineReader *reader)
     return 1;
 }
 
-void line_warn_of_end(const LineReader *reader)
+void line_warn(const LineReader *reader, const char *warning)
 {
+    char end[128] = "";
     if (reader->unended_line != 0) {
-        complain("%s: warning: the last line (%" PRId64 ") has no line end: if the file was cut "
-                 "there, its last number is wrong or more is missing",
-                 reader->name, reader->unended_line);
+        snprintf(end, sizeof end,
+                 "%sthe last line (%" PRId64 ") has no line end: if the file was cut there, its last "
+                 "number is wrong",
+                 warning[0] != '\0' ? "; " : "", reader->unended_line);
+    }
+    if (warning[0] != '\0' || end[0] != '\0') {
+        complain("%s: warning: %s%s", reader->name, warning, end);
     }
 }
 

@@ -34,10 +34,10 @@ int line_read(LineReader *reader);
 // first fault is printed, so that a bad file gives one message.
 void line_fault(LineReader *reader, const char *where, const char *found, const char *expected);
 
-// A file that ends in a line, without a line end, may have been cut there, and only its reader can tell whether
-// something is missing; where it cannot, and all could be read, it calls this for one warning. A
-// last line that lacks nothing but its end is good.
-void line_warn_of_end(const LineReader *reader);
+// What is to be said of a file that could be read, as one warning.
+//   warning   or "": then only of a last line without a line end. A file that ends so may have been
+//             cut, and nothing but its writer knows; or it lacks no more than that.
+void line_warn(const LineReader *reader, const char *warning);
 
 // Text from a file, fit for a message: in quotes, at most 40 characters of it, nothing that moves a
 // terminal. `quoted` holds LINE_QUOTE_SIZE bytes. Returns it.

@@ -3,7 +3,6 @@
 // Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: molecule_xyz.c.
 #include "molecule.h"
 
-#include "complain.h"
 #include "number.h"
 
 #include <math.h>
@@ -204,16 +203,20 @@ static void view_place(Molecule *molecule)
 
 // ---- The end ------------------------------------------------------------------------------------
 
-static void warn_of_unknown(const Molecule *molecule)
+static void warn(const Molecule *molecule)
 {
     char names[MOLECULE_MAX_NAMES * (LINE_QUOTE_SIZE + 2)] = "";
+    char warning[sizeof names + 96] = "";
     for (int i = 0; i < molecule->n_names; i++) {
         strcat(names, i == 0 ? "" : ", ");
         strcat(names, molecule->names[i]);
     }
-    complain("%s: warning: drew %d atom%s of unknown elements in pink: %s%s", molecule->lines.name,
-             molecule->n_unknown, molecule->n_unknown == 1 ? "" : "s", names,
-             molecule->has_more_names ? " and others" : "");
+    if (molecule->n_unknown > 0) {
+        snprintf(warning, sizeof warning, "drew %d atom%s of unknown elements in pink: %s%s",
+                 molecule->n_unknown, molecule->n_unknown == 1 ? "" : "s", names,
+                 molecule->has_more_names ? " and others" : "");
+    }
+    line_warn(&molecule->lines, warning);
 }
 
 int molecule_finish(Molecule *molecule, Scene3D *scene)
@@ -227,9 +230,6 @@ int molecule_finish(Molecule *molecule, Scene3D *scene)
     if (builder_finish(&molecule->builder, scene) != 0) {
         return -1;
     }
-    if (molecule->n_unknown > 0) {
-        warn_of_unknown(molecule);
-    }
-    line_warn_of_end(&molecule->lines);
+    warn(molecule);
     return 0;
 }

@@ -7,7 +7,6 @@
 //
 // Source: E. Haines, "A Proposal for Standard Graphics Environments", IEEE Computer Graphics &
 // Applications 7(11), 1987, and the file NFF.TXT of his Standard Procedural Databases.
-#include "complain.h"
 #include "scene3d_builder.h"
 #include "scene3d_generate.h"
 #include "scene3d_nff_lines.h"
@@ -220,14 +219,16 @@ static void lights_finish(Scene3D *scene)
     }
 }
 
-static void warn_of_skipped(const NffReader *reader)
+static void warn(const NffReader *reader)
 {
     const int *n = reader->n_skipped;
+    char warning[128] = "";
     if (n[CONE] + n[POLYGON] + n[PATCH] > 0) {
-        complain("%s: warning: skipped what is no sphere: %d c (cones), %d p (polygons), %d pp "
-                 "(patches)",
-                 reader->lines.name, n[CONE], n[POLYGON], n[PATCH]);
+        snprintf(warning, sizeof warning,
+                 "skipped what is no sphere: %d c (cones), %d p (polygons), %d pp (patches)", n[CONE],
+                 n[POLYGON], n[PATCH]);
     }
+    line_warn(&reader->lines, warning);
 }
 
 int scene3d_read_nff(FILE *file, const char *name, Scene3D *scene)
@@ -245,7 +246,6 @@ int scene3d_read_nff(FILE *file, const char *name, Scene3D *scene)
         return -1;
     }
     lights_finish(scene);
-    warn_of_skipped(&reader);
-    line_warn_of_end(&reader.lines);
+    warn(&reader);
     return 0;
 }

@@ -4,6 +4,7 @@
 // bench. Jansson keeps the figures in the order they were added. Read next: output_file.h.
 #include "stats.h"
 
+#include "clean_text.h"
 #include "complain.h"
 #include "output_file.h"
 #include "standard_streams.h"
@@ -106,7 +107,9 @@ static void figure_print(const char *name, const json_t *value, int name_width)
 {
     printf("%-*s  ", name_width, name);
     if (json_is_string(value)) {
-        printf("%s\n", json_string_value(value));
+        char *clean = line_clean(json_string_value(value));  // a file's name may be anything
+        printf("%s\n", clean);
+        free(clean);
     } else if (json_is_integer(value)) {
         printf("%" JSON_INTEGER_FORMAT "\n", json_integer_value(value));
     } else if (json_is_real(value)) {
