@@ -353,7 +353,7 @@ static const struct {
     {TEXT(VIEW "p 3\n0 0 0\n1 0\n"),
      "11: found the end of the file, expected 4 more numbers of \"p\""},
     {TEXT(VIEW "p 3\n0 0 0\n1 0 0\n0 1\n" SPHERE),
-     "11: p: found \"s\", expected a finite number, as 1 more belongs to it"},
+     "12: p: found \"s\", expected a finite number, as 1 more belongs to it"},
     {TEXT(VIEW "pp 3\n0 0 0 0 0 1\n"),
      "10: found the end of the file, expected 12 more numbers of \"pp\""},
     {TEXT(VIEW "c\n0 0 0 1\n"), "10: found the end of the file, expected 4 more numbers of \"c\""},
