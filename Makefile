@@ -126,7 +126,7 @@ $(OUT)/tools/gradebook: $(call objects,tests/class/gradebook_tool.c) $(OUT)/libc
 	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -o $@
 
 # The only program that reads archives of students, in the sandbox.
-$(OUT)/tools/unpack: $(OUT)/obj/tests/grader/unpack_tool.c.o $(OUT)/libgrader.a
+$(OUT)/tools/unpack: $(OUT)/obj/tests/grader/unpack_tool.c.o $(OUT)/libgrader.a $(OUT)/libcommon.a
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(SANITIZERS) $^ -larchive -o $@
 
@@ -193,9 +193,12 @@ grade-class: grader  ## grade a class: LAB=03 SUBMISSIONS=folder [OUTPUT=folder]
 	    $(if $(TIME_LIMIT),--time-limit "$$TIME_LIMIT")
 
 ifndef HANDOUT
+# What a message needs, for tools that need little else of common/.
+MESSAGES = common/complain.c common/clean_text.c
+
 # ---- Skeletons: labs/ is cut from solutions/ ------------------------------------------------
 
-$(OUT)/tools/holes: $(call objects,tests/grader/holes_tool.c tests/grader/holes.c common/text_file.c)
+$(OUT)/tools/holes: $(call objects,tests/grader/holes_tool.c tests/grader/holes.c common/text_file.c $(MESSAGES))
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(SANITIZERS) $^ -o $@
 
@@ -289,14 +292,14 @@ test-attacks: tests  ## try every attack in every sandbox, as root (long)
 # What libFuzzer feeds, compiled by clang together with the target: a list for each tests/fuzz/fuzz_*.c.
 CLANG ?= $(firstword $(foreach c,clang clang-19 clang-15 clang-14,$(shell command -v $(c))))
 SECONDS ?= 60
-FUZZED_graded = $(addprefix tests/grader/,graded.c result.c message.c) common/image.c
-FUZZED_manifest = tests/grader/manifest.c tests/grader/message.c
-FUZZED_scene3d = $(wildcard common/scene3d*.c common/molecule*.c) \
-    $(addprefix common/,elements.c line_reader.c number.c scene_arguments.c)
+FUZZED_graded = $(addprefix tests/grader/,graded.c result.c message.c) common/image.c $(MESSAGES)
+FUZZED_manifest = tests/grader/manifest.c tests/grader/message.c $(MESSAGES)
+FUZZED_scene3d = $(wildcard common/scene3d*.c common/molecule*.c) $(MESSAGES) \
+    $(addprefix common/,elements.c line_reader.c number.c scene_arguments.c text_file.c)
 FUZZED_sections = tests/probes/sections.c
-FUZZED_source = $(addprefix tests/grader/,source_words.c stands_out.c extra_files.c holes.c) common/text_file.c
+FUZZED_source = $(addprefix tests/grader/,source_words.c stands_out.c extra_files.c holes.c) common/text_file.c $(MESSAGES)
 FUZZED_unpack = $(addprefix tests/grader/,unpack.c unpack_entry.c file_kind.c bytes_write.c places.c \
-    stage.c message.c)
+    stage.c message.c) $(MESSAGES)
 FUZZ_TARGETS := $(patsubst tests/fuzz/fuzz_%.c,fuzz-%,$(wildcard tests/fuzz/fuzz_*.c))
 
 .PHONY: fuzz $(FUZZ_TARGETS)

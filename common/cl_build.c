@@ -5,6 +5,7 @@
 // where its headers are. Read next: build_log.c.
 #include "build_log.h"
 #include "cl_setup.h"
+#include "complain.h"
 #include "text_file.h"
 
 #include <errno.h>
@@ -27,7 +28,7 @@ typedef struct ProgramFolder {
 
 static int report(const char *path, const char *fault)
 {
-    fprintf(stderr, "%s: %s\n", path, fault);
+    complain("%s: %s", path, fault);
     return -1;
 }
 
@@ -65,7 +66,7 @@ static int folder_open(const char *program_path, ProgramFolder *folder)
     if (folder->descriptor < 0) {
         int fault = errno;
         folder_close(folder);
-        fprintf(stderr, "%s: cannot be read: %s\n", program_path, strerror(fault));
+        complain("%s: cannot be read: %s", program_path, strerror(fault));
         return -1;
     }
     snprintf(folder->open_as, sizeof folder->open_as, "/proc/self/fd/%d", folder->descriptor);
@@ -154,10 +155,9 @@ static char *log_read(const ClSetup *setup, cl_program program)
 static void silent_failure_report(const char *path, cl_int error)
 {
     const char *cache = getenv("POCL_CACHE_DIR");
-    fprintf(stderr,
-            "%s: the build failed with %s and no message; can PoCL write to its cache folder, %s? "
-            "(POCL_CACHE_DIR names another)\n",
-            path, cl_error_name(error), cache != NULL ? cache : "~/.cache/pocl");
+    complain("%s: the build failed with %s and no message; can PoCL write to its cache folder, %s? "
+             "(POCL_CACHE_DIR names another)",
+             path, cl_error_name(error), cache != NULL ? cache : "~/.cache/pocl");
 }
 
 // Build and print the log. Returns the program, or NULL after the messages.

@@ -4,6 +4,8 @@
 // Read next: cl_setup.c.
 #include "cl_check.h"
 
+#include "complain.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -93,6 +95,6 @@ void cl_check(cl_int error, const char *file, int line, const char *call)
     if (error == CL_SUCCESS) {
         return;
     }
-    fprintf(stderr, "%s:%d: %s: %s (%d)\n", file, line, call, cl_error_name(error), (int)error);
+    complain("%s:%d: %s: %s (%d)", file, line, call, cl_error_name(error), (int)error);
     exit(EXIT_FAILURE);
 }

@@ -5,6 +5,8 @@
 // draws into it.
 #include "cl_memory.h"
 
+#include "complain.h"
+
 #include <stdio.h>
 
 int cl_image_check_size(const ClSetup *cl, int width, int height)
@@ -12,8 +14,8 @@ int cl_image_check_size(const ClSetup *cl, int width, int height)
     size_t max_width, max_height;
     cl_setup_image_limit(cl, &max_width, &max_height);
     if ((size_t)width > max_width || (size_t)height > max_height) {
-        fprintf(stderr, "--size: found %dx%d, expected at most %zux%zu on this device (%s)\n",
-                width, height, max_width, max_height, cl->device_name);
+        complain("--size: found %dx%d, expected at most %zux%zu on this device (%s)", width, height,
+                 max_width, max_height, cl->device_name);
         return -1;
     }
     return 0;
@@ -31,6 +33,12 @@ cl_mem cl_image_create(const ClSetup *cl, int width, int height)
     cl_int error;
     cl_mem d_image = clCreateImage(cl->context, CL_MEM_WRITE_ONLY, &format, &desc, NULL, &error);
     CL_CHECK_CREATED(error, clCreateImage);
+
+    // New memory holds whatever was there. A pixel that no work-item writes shall be black.
+    const cl_float4 black = {{0, 0, 0, 0}};
+    const size_t origin[3] = {0, 0, 0};
+    const size_t region[3] = {(size_t)width, (size_t)height, 1};
+    CL_CHECK(clEnqueueFillImage(cl->queue, d_image, &black, origin, region, 0, NULL, NULL));
     return d_image;
 }
 

@@ -9,7 +9,7 @@
 // Does the device take a picture of this size? Returns 0, or -1 after one message on stderr.
 int cl_image_check_size(const ClSetup *cl, int width, int height);
 
-// Make an RGBA float image that kernels write. Returns it, or NULL after one message on stderr when
+// Make an RGBA float image that kernels write, all black: (0, 0, 0, 0). Returns it, or NULL after one message on stderr when
 // the picture is larger than the device takes. Release with clReleaseMemObject.
 cl_mem cl_image_create(const ClSetup *cl, int width, int height);
 

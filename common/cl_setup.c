@@ -4,6 +4,7 @@
 // Read next: cl_build.c, where programs are built.
 #include "cl_setup.h"
 
+#include "complain.h"
 #include "number.h"
 
 #include <stdlib.h>
@@ -75,11 +76,11 @@ static int devices_find(DeviceList *list)
         return 0;
     }
     if (n_platforms == 0) {
-        fprintf(stderr, "OpenCL: found no platform; install a driver (apt install pocl-opencl-icd "
-                        "runs on every CPU) and check with clinfo\n");
+        complain("OpenCL: found no platform; install a driver (apt install pocl-opencl-icd "
+                 "runs on every CPU) and check with clinfo");
     } else {
-        fprintf(stderr, "OpenCL: found a platform but no device; PoCL needs a cache folder that it "
-                        "can write (POCL_CACHE_DIR, or ~/.cache/pocl); check with clinfo\n");
+        complain("OpenCL: found a platform but no device; PoCL needs a cache folder that it "
+                 "can write (POCL_CACHE_DIR, or ~/.cache/pocl); check with clinfo");
     }
     return -1;
 }
@@ -110,12 +111,14 @@ static int devices_choose(const DeviceList *list, const char *choice)
             }
         }
     }
-    fprintf(stderr,
-            "OpenCL: found no device \"%s\", expected a number or a part of a name from:", choice);
+    char known[4096] = "";
     for (int i = 0; i < list->n_devices; i++) {
-        fprintf(stderr, "%s %d \"%s\"", i > 0 ? "," : "", i, list->names[i]);
+        const size_t length = strlen(known);
+        snprintf(known + length, sizeof known - length, "%s %d \"%s\"", i > 0 ? "," : "", i,
+                 list->names[i]);
     }
-    fprintf(stderr, "\n");
+    complain("OpenCL: found no device \"%s\", expected a number or a part of a name from:%s",
+             choice, known);
     return -1;
 }
 
@@ -127,11 +130,9 @@ int cl_setup_open(const char *device_choice, ClSetup *setup)
         return -1;
     }
 
-    if (device_choice == NULL || device_choice[0] == '\0') {
+    if (device_choice == NULL) {
         device_choice = getenv(CL_DEVICE_VARIABLE);
-    }
-    if (device_choice == NULL || device_choice[0] == '\0') {
-        device_choice = "0";
+        device_choice = device_choice != NULL && device_choice[0] != '\0' ? device_choice : "0";
     }
     int chosen = devices_choose(&list, device_choice);
     if (chosen < 0) {
@@ -143,8 +144,8 @@ int cl_setup_open(const char *device_choice, ClSetup *setup)
     CL_CHECK(
         clGetDeviceInfo(device, CL_DEVICE_IMAGE_SUPPORT, sizeof has_images, &has_images, NULL));
     if (!has_images) {
-        fprintf(stderr, "OpenCL: device %d \"%s\" has no images; choose another with --device\n",
-                chosen, list.names[chosen]);
+        complain("OpenCL: device %d \"%s\" has no images; choose another with --device", chosen,
+                 list.names[chosen]);
         return -1;
     }
 

@@ -23,7 +23,7 @@ typedef struct ClSetup {
 
 // Open a device.
 //   device_choice  a number as cl_setup_list() prints it, or a part of "platform: device" in any
-//                  case; NULL or "" takes $COURSE_DEVICE, and the first device found where that is
+//                  case; NULL takes $COURSE_DEVICE, and the first device found where that is
 //                  unset
 // Returns 0, or -1 after one message on stderr: no platform, no such device (the message lists what
 // there is), a device without images.

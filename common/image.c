@@ -5,6 +5,8 @@
 // library. Read next: image.cpp, which reads and writes files.
 #include "image.h"
 
+#include "complain.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,13 +16,13 @@ int image_create(int width, int height, Image *image)
 {
     *image = (Image){0};
     if (width <= 0 || height <= 0) {
-        fprintf(stderr, "image: found a size of %dx%d, expected positive numbers\n", width, height);
+        complain("image: found a size of %dx%d, expected positive numbers", width, height);
         return -1;
     }
     // calloc() multiplies with a check; the pixels of a row always fit in size_t.
     float *pixels = calloc((size_t)height, (size_t)width * IMAGE_CHANNELS * sizeof *pixels);
     if (pixels == NULL) {
-        fprintf(stderr, "image: no memory for %dx%d pixels\n", width, height);
+        complain("image: no memory for %dx%d pixels", width, height);
         return -1;
     }
     image->width = width;
@@ -125,8 +127,8 @@ int image_difference_picture(const Image *image, const Image *reference, Image *
 {
     *difference = (Image){0};
     if (image->width != reference->width || image->height != reference->height) {
-        fprintf(stderr, "image: found sizes %dx%d and %dx%d, expected the same\n", image->width,
-                image->height, reference->width, reference->height);
+        complain("image: found sizes %dx%d and %dx%d, expected the same", image->width,
+                 image->height, reference->width, reference->height);
         return -1;
     }
     if (image_create(image->width, image->height, difference) != 0) {

@@ -5,8 +5,10 @@
 // Read next: image.c, where pictures are made and judged.
 #include "image.h"
 
+#include "complain.h"
 #include "output_file.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
@@ -26,7 +28,7 @@ int report(const char *path, const std::string &fault)
 {
     // OpenImageIO may explain itself over several lines; the first says what happened.
     std::string first_line = fault.substr(0, fault.find('\n'));
-    std::fprintf(stderr, "%s: %s\n", path, first_line.c_str());
+    complain("%s: %s", path, first_line.c_str());
     return -1;
 }
 
@@ -46,8 +48,11 @@ std::vector<unsigned char> bytes_over_black(const Image *image)
     return bytes;
 }
 
-// Write to `path`, whatever it is called. Returns what went wrong; empty when nothing did.
-std::string write_format(const Image *image, const char *format, const char *path)
+// A picture as the bytes of a file. Made in memory because OpenImageIO's own files do not notice
+// when the disk is full: a cut picture would pass for a whole one.
+//   bytes   out
+// Returns what went wrong; empty when nothing did.
+std::string encode(const Image *image, const char *format, std::vector<unsigned char> *bytes)
 {
     std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format);
     if (!output) {
@@ -57,13 +62,15 @@ std::string write_format(const Image *image, const char *format, const char *pat
     bool as_bytes = std::strcmp(format, "png") == 0;
     OIIO::TypeDesc type = as_bytes ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT;
     OIIO::ImageSpec spec(image->width, image->height, as_bytes ? 3 : IMAGE_CHANNELS, type);
-    bool written = output->open(path, spec);
+    OIIO::Filesystem::IOVecOutput memory(*bytes);
+    bool written = output->set_ioproxy(&memory) && output->open(format, spec);
     if (written && as_bytes) {
         written = output->write_image(type, bytes_over_black(image).data());
     } else if (written) {
         written = output->write_image(type, image->pixels);
     }
-    // Closing writes what is still in memory, so it can fail as well.
+    // Closing writes what is still to come, so it can fail as well. It must happen before `memory`
+    // is gone.
     if (!written || !output->close()) {
         return "cannot be written: " + output->geterror();
     }
@@ -119,23 +126,26 @@ extern "C" int image_save(const Image *image, const char *path)
     }
     const char *format = path + stem_length + 1;  // behind the point: "exr" or "png"
 
-    OutputFile output;
-    if (output_file_open(&output, path) != 0) {
-        return -1;
-    }
+    std::vector<unsigned char> bytes;
     std::string fault;
     try {
-        fault = write_format(image, format, output.partial_path);
+        fault = encode(image, format, &bytes);
     } catch (const std::exception &exception) {
         fault = exception.what();
     } catch (...) {
         fault = "unknown fault in OpenImageIO";
     }
-    if (fault.empty()) {
-        return output_file_commit(&output);
+    if (!fault.empty()) {
+        return report(path, fault);
     }
-    output_file_discard(&output);
-    return report(path, fault);
+
+    OutputFile output;
+    if (output_file_open(&output, path) != 0) {
+        return -1;
+    }
+    // What fails in here marks the stream, and output_file_commit() reports it.
+    std::fwrite(bytes.data(), 1, bytes.size(), output.file);
+    return output_file_commit(&output);
 }
 
 extern "C" int image_load(const char *path, Image *image)

@@ -4,6 +4,8 @@
 // its lines are, what its bytes are, whether it ends. Read next: scene3d_nff.c.
 #include "line_reader.h"
 
+#include "complain.h"
+
 #include <errno.h>
 #include <inttypes.h>
 #include <string.h>
@@ -14,6 +16,7 @@ void line_reader_begin(LineReader *reader, FILE *file, const char *name)
     reader->name = name;
     reader->line = 0;
     reader->failed = 0;
+    reader->unended_line = 0;
     reader->text[0] = '\0';
 }
 
@@ -49,10 +52,29 @@ int line_read(LineReader *reader)
     if (c == EOF && length == 0) {
         return 0;
     }
+    // Behind a blank no number goes on.
+    if (c == EOF && strchr(" \t\r", reader->text[length - 1]) == NULL) {
+        reader->unended_line = reader->line;
+    }
     if (reader->line == 1) {
         mark_remove(reader->text, length);
     }
     return 1;
+}
+
+void line_warn(const LineReader *reader, const char *warning)
+{
+    char end[128] = "";
+    if (reader->unended_line != 0) {
+        snprintf(end, sizeof end,
+                 "%sthe last line (%" PRId64
+                 ") has no line end: if the file was cut there, its last "
+                 "number is wrong",
+                 warning[0] != '\0' ? "; " : "", reader->unended_line);
+    }
+    if (warning[0] != '\0' || end[0] != '\0') {
+        complain("%s: warning: %s%s", reader->name, warning, end);
+    }
 }
 
 _Static_assert(LINE_MAX_LENGTH == 4096, "the message above names this limit");
@@ -60,8 +82,8 @@ _Static_assert(LINE_MAX_LENGTH == 4096, "the message above names this limit");
 void line_fault(LineReader *reader, const char *where, const char *found, const char *expected)
 {
     if (!reader->failed) {
-        fprintf(stderr, "%s:%" PRId64 ": %sfound %s, expected %s\n", reader->name, reader->line,
-                where, found, expected);
+        complain("%s:%" PRId64 ": %sfound %s, expected %s", reader->name, reader->line, where,
+                 found, expected);
     }
     reader->failed = 1;
 }

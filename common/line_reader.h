@@ -16,6 +16,7 @@ typedef struct LineReader {
     const char *name;                // what messages call the file
     int64_t line;                    // the current line, counts from 1
     int failed;                      // a message was printed
+    int64_t unended_line;            // the line in which the file ended; 0 until it did
     char text[LINE_MAX_LENGTH + 1];  // the current line without its end
 } LineReader;
 
@@ -32,6 +33,11 @@ int line_read(LineReader *reader);
 // Complain about the current line: "name:line: {where}found {found}, expected {expected}". Only the
 // first fault is printed, so that a bad file gives one message.
 void line_fault(LineReader *reader, const char *where, const char *found, const char *expected);
+
+// What is to be said of a file that could be read, as one warning.
+//   warning   or "": then only of a last line without a line end. A file that ends so may have been
+//             cut, and nothing but its writer knows; or it lacks no more than that.
+void line_warn(const LineReader *reader, const char *warning);
 
 // Text from a file, fit for a message: in quotes, at most 40 characters of it, nothing that moves a
 // terminal. `quoted` holds LINE_QUOTE_SIZE bytes. Returns it.

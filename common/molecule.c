@@ -203,15 +203,20 @@ static void view_place(Molecule *molecule)
 
 // ---- The end ------------------------------------------------------------------------------------
 
-static void warn_of_unknown(const Molecule *molecule)
+static void warn(const Molecule *molecule)
 {
-    fprintf(stderr,
-            "%s: warning: drew %d atom%s of unknown elements in pink: ", molecule->lines.name,
-            molecule->n_unknown, molecule->n_unknown == 1 ? "" : "s");
+    char names[MOLECULE_MAX_NAMES * (LINE_QUOTE_SIZE + 2)] = "";
+    char warning[sizeof names + 96] = "";
     for (int i = 0; i < molecule->n_names; i++) {
-        fprintf(stderr, i == 0 ? "%s" : ", %s", molecule->names[i]);
+        strcat(names, i == 0 ? "" : ", ");
+        strcat(names, molecule->names[i]);
     }
-    fprintf(stderr, molecule->has_more_names ? " and others\n" : "\n");
+    if (molecule->n_unknown > 0) {
+        snprintf(warning, sizeof warning, "drew %d atom%s of unknown elements in pink: %s%s",
+                 molecule->n_unknown, molecule->n_unknown == 1 ? "" : "s", names,
+                 molecule->has_more_names ? " and others" : "");
+    }
+    line_warn(&molecule->lines, warning);
 }
 
 int molecule_finish(Molecule *molecule, Scene3D *scene)
@@ -225,8 +230,6 @@ int molecule_finish(Molecule *molecule, Scene3D *scene)
     if (builder_finish(&molecule->builder, scene) != 0) {
         return -1;
     }
-    if (molecule->n_unknown > 0) {
-        warn_of_unknown(molecule);
-    }
+    warn(molecule);
     return 0;
 }

@@ -8,15 +8,28 @@
 // 2012, sections ATOM, HETATM and MODEL.
 #include "molecule.h"
 
+#include <search.h>
+#include <stdlib.h>
 #include <string.h>
 
 // The widest field that is read, and its NUL.
 #define FIELD_SIZE 9
 
+// Where an atom's name begins, and where its z ends.
+#define NAME_COLUMN 13
+#define LAST_COLUMN 54
+
+// An atom that was taken from a residue.
+typedef struct Taken {
+    char name[5];
+    char location;  // which of its alternate locations; '\0' where it has but one
+} Taken;
+
 typedef struct PdbReader {
     Molecule molecule;
     char residue[FIELD_SIZE];  // the one whose atoms are being read
-    char location;             // which of its alternate locations is taken; blank until one is met
+    char location;             // which of its alternate locations is taken; '\0' until one is met
+    void *taken;               // its atoms so far by name, a tree of search.h
 } PdbReader;
 
 // The text in some columns of the current line, which count from 1, without the blanks around it;
@@ -63,30 +76,84 @@ static const char *symbol_read(const PdbReader *reader, int is_polymer, char *sy
     return symbol;
 }
 
-// Where an atom was found in two places, the file has both, named "A" and "B" mostly. Is this the
-// place to draw? In every residue the first one met is.
+// ---- Alternate locations ------------------------------------------------------------------------
+
+static int compare_names(const void *left, const void *right)
+{
+    return strcmp(((const Taken *)left)->name, ((const Taken *)right)->name);
+}
+
+// Note that an atom is taken, unless one of its name was. Returns the location of the first one.
+static char location_note(PdbReader *reader, Taken atom)
+{
+    const Taken *const *known = tfind(&atom, &reader->taken, compare_names);
+    if (known != NULL) {
+        return (*known)->location;
+    }
+    Taken *copy = malloc(sizeof *copy);
+    if (copy == NULL) {
+        line_fault(&reader->molecule.lines, "", "no memory", "a smaller scene");
+        return atom.location;
+    }
+    *copy = atom;
+    if (tsearch(copy, &reader->taken, compare_names) == NULL) {
+        free(copy);
+        line_fault(&reader->molecule.lines, "", "no memory", "a smaller scene");
+    }
+    return atom.location;
+}
+
+static void residue_begin(PdbReader *reader, const char *residue)
+{
+    strcpy(reader->residue, residue);
+    reader->location = '\0';
+    tdestroy(reader->taken, free);
+    reader->taken = NULL;
+}
+
+// Where an atom was found in two places, the file has both, named "A" and "B" mostly; some files
+// leave the first one's name blank. Is this the place to draw? Of the names the first one met in a
+// residue is; of an atom both with a name and without, the first one met. Two atoms of one name and
+// no other difference are two: small molecules call every carbon "C".
 static int is_location_taken(PdbReader *reader)
 {
     char location[FIELD_SIZE], residue[FIELD_SIZE];
+    Taken atom = {.name = ""};
     field_read(reader, 17, 17, location);
     field_read(reader, 22, 27, residue);
     if (strcmp(residue, reader->residue) != 0) {
-        strcpy(reader->residue, residue);
-        reader->location = '\0';
+        residue_begin(reader, residue);
     }
-    if (location[0] == '\0') {
-        return 1;
+    atom.location = location[0];
+    // With its blanks: " CA " is an alpha carbon, "CA  " is calcium.
+    if (strlen(reader->molecule.lines.text) >= NAME_COLUMN) {
+        snprintf(atom.name, sizeof atom.name, "%s", reader->molecule.lines.text + NAME_COLUMN - 1);
     }
-    if (reader->location == '\0') {
+    if (location[0] != '\0' && reader->location != '\0' && reader->location != location[0]) {
+        return 0;
+    }
+    if (location_note(reader, atom) != location[0]) {
+        return 0;
+    }
+    if (location[0] != '\0') {
         reader->location = location[0];
     }
-    return reader->location == location[0];
+    return 1;
 }
+
+// ---- Records ------------------------------------------------------------------------------------
 
 static void atom_read(PdbReader *reader, int is_polymer)
 {
     Molecule *molecule = &reader->molecule;
     char field[FIELD_SIZE];
+    const int length = (int)strlen(molecule->lines.text);
+    if (molecule->lines.unended_line != 0 && length < LAST_COLUMN) {
+        char found[LINE_QUOTE_SIZE];
+        snprintf(found, sizeof found, "the end of the file in column %d", length);
+        line_fault(&molecule->lines, "", found, "x, y and z up to column 54");
+        return;
+    }
     if (!is_location_taken(reader)) {
         return;
     }
@@ -105,19 +172,38 @@ static void atom_read(PdbReader *reader, int is_polymer)
     molecule_add_atom(molecule, point, element_by_symbol(symbol), symbol);
 }
 
+_Static_assert(LAST_COLUMN == 54, "the message above names this column");
+
+// Does the file end in the name of an atom's record?
+static int is_cut_name(const LineReader *lines)
+{
+    const size_t length = strlen(lines->text);
+    return lines->unended_line != 0 &&
+           ((length < 4 && strncmp(lines->text, "ATOM", length) == 0) ||
+            (length < 6 && strncmp(lines->text, "HETATM", length) == 0));
+}
+
 int scene3d_read_pdb(FILE *file, const char *name, Scene3D *scene)
 {
     PdbReader reader = {.location = '\0'};
     molecule_begin(&reader.molecule, file, name);
     int at_end = 0;
     while (!at_end && !reader.molecule.lines.failed && line_read(&reader.molecule.lines)) {
+        LineReader *lines = &reader.molecule.lines;
         char record[FIELD_SIZE];
         field_read(&reader, 1, 6, record);
+        if (is_cut_name(lines)) {
+            line_fault(lines, "", "the end of the file in the name of a record", "a whole record");
+        }
         if (strcmp(record, "ATOM") == 0 || strcmp(record, "HETATM") == 0) {
             atom_read(&reader, record[0] == 'A');
         }
         // Of several models of one molecule, which would overlap, the first is read.
         at_end = strcmp(record, "ENDMDL") == 0 || strcmp(record, "END") == 0;
+        if (at_end) {
+            lines->unended_line = 0;  // whatever follows is not missed
+        }
     }
+    tdestroy(reader.taken, free);
     return molecule_finish(&reader.molecule, scene);
 }

@@ -6,10 +6,13 @@
 #include "options.h"
 
 #include "cl_setup.h"
+#include "complain.h"
+#include "course_folder.h"
 #include "image.h"
 #include "number.h"
 #include "scene2d.h"
 #include "scene3d.h"
+#include "standard_streams.h"
 
 #include <errno.h>
 #include <getopt.h>
@@ -75,8 +78,7 @@ static int row_is_used(const struct OptionRow *row, int set)
 static OptionsResult refuse(const char *lab_name, const char *option, const char *found,
                             const char *expected)
 {
-    fprintf(stderr, "%s: --%s: found \"%s\", expected %s (try --help)\n", lab_name, option, found,
-            expected);
+    complain("%s: --%s: found \"%s\", expected %s (try --help)", lab_name, option, found, expected);
     return OPTIONS_BAD;
 }
 
@@ -122,7 +124,7 @@ static void print_help(const char *lab_name, const char *what, int set)
     }
     printf("Options of other labs are taken, too, and not used.\n");
     if (set & OPTIONS_SCENE) {
-        print_scenes("FILE.csv, random[:n=N,seed=S,min=R,max=R]", scene2d_edge_case);
+        print_scenes(SCENE2D_NAMES, scene2d_edge_case);
     }
     if (set & OPTIONS_SCENE3D) {
         print_scenes(SCENE3D_NAMES, scene3d_edge_case);
@@ -244,7 +246,7 @@ static OptionsResult check_place(const char *lab_name, const char *option, const
 static OptionsResult check_output(const char *lab_name, const char *path)
 {
     if (path == default_output && mkdir("build", 0777) != 0 && errno != EEXIST) {
-        fprintf(stderr, "%s: cannot make the folder build: %s\n", lab_name, strerror(errno));
+        complain("%s: cannot make the folder build: %s", lab_name, strerror(errno));
         return OPTIONS_BAD;
     }
     if (image_stem_length(path) == 0) {
@@ -269,13 +271,13 @@ static int count_meant(const char *word)
 static OptionsResult report_fault(const char *lab_name, int fault, int about, const char *word)
 {
     if (about >= FIRST_ROW) {
-        fprintf(stderr, "%s: --%s %s an argument (try --help)\n", lab_name,
-                ROWS[about - FIRST_ROW].name, fault == ':' ? "needs" : "does not take");
+        complain("%s: --%s %s an argument (try --help)", lab_name, ROWS[about - FIRST_ROW].name,
+                 fault == ':' ? "needs" : "does not take");
     } else if (about != 0) {
-        fprintf(stderr, "%s: -%c is no option here (try --help)\n", lab_name, about);
+        complain("%s: -%c is no option here (try --help)", lab_name, about);
     } else {
-        fprintf(stderr, "%s: %s is %s (try --help)\n", lab_name, word,
-                count_meant(word) > 1 ? "short for more than one option" : "no option here");
+        complain("%s: %s is %s (try --help)", lab_name, word,
+                 count_meant(word) > 1 ? "short for more than one option" : "no option here");
     }
     return OPTIONS_BAD;
 }
@@ -285,7 +287,7 @@ static void note_unused(const char *lab_name, int set, const int is_given[N_ROWS
 {
     for (int id = 0; id < N_ROWS; id++) {
         if (is_given[id] && !row_is_used(&ROWS[id], set)) {
-            fprintf(stderr, "%s: --%s is not used in this lab\n", lab_name, ROWS[id].name);
+            complain("%s: --%s is not used in this lab", lab_name, ROWS[id].name);
         }
     }
 }
@@ -311,10 +313,11 @@ static OptionsResult read_words(int argc, char **argv, const char *lab_name, con
         int id = answer - FIRST_ROW;
         if (id == HELP) {
             print_help(lab_name, what, set);
-            return OPTIONS_DONE;
+            return standard_output_check() == 0 ? OPTIONS_DONE : OPTIONS_BAD;
         }
         if (id == LIST_DEVICES) {
-            return cl_setup_list(stdout) == 0 ? OPTIONS_DONE : OPTIONS_BAD;
+            const int is_listed = cl_setup_list(stdout) == 0 && standard_output_check() == 0;
+            return is_listed ? OPTIONS_DONE : OPTIONS_BAD;
         }
         if (read_option(lab_name, (enum OptionId)id, optarg, options) != OPTIONS_RUN) {
             return OPTIONS_BAD;
@@ -322,7 +325,7 @@ static OptionsResult read_words(int argc, char **argv, const char *lab_name, con
         is_given[id] = 1;
     }
     if (optind < argc) {
-        fprintf(stderr, "%s: found the stray word \"%s\" (try --help)\n", lab_name, argv[optind]);
+        complain("%s: found the stray word \"%s\" (try --help)", lab_name, argv[optind]);
         return OPTIONS_BAD;
     }
     return OPTIONS_RUN;
@@ -331,6 +334,7 @@ static OptionsResult read_words(int argc, char **argv, const char *lab_name, con
 OptionsResult options_parse(int argc, char **argv, const char *lab_name, const char *what, int set,
                             Options *options)
 {
+    standard_streams_begin();
     snprintf(default_output, sizeof default_output, "build/%s.png", lab_name);
     *options = (Options){
         .scene = default_scene(set),
@@ -341,6 +345,9 @@ OptionsResult options_parse(int argc, char **argv, const char *lab_name, const c
     };
     int is_given[N_ROWS] = {0};
     OptionsResult result = read_words(argc, argv, lab_name, what, set, options, is_given);
+    if (result == OPTIONS_RUN) {
+        result = course_folder_check(lab_name) == 0 ? OPTIONS_RUN : OPTIONS_BAD;
+    }
     if (result == OPTIONS_RUN) {
         result = check_output(lab_name, options->output);
     }

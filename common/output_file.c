@@ -2,7 +2,12 @@
 //
 // Flow: scene -> buffers -> kernel -> IMAGE -> comparison. Renaming within a folder is atomic in
 // POSIX; that is the whole trick. Read next: stats.c, a short user of it.
+//
+// A stream of stdio knows that a write failed and not why, and a library's own stream may not even
+// tell that. So every byte goes through descriptor_write(), which keeps the reason.
 #include "output_file.h"
+
+#include "complain.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -15,7 +20,7 @@
 
 static int report(const char *path, const char *fault)
 {
-    fprintf(stderr, "%s: cannot be written: %s\n", path, fault);
+    complain("%s: cannot be written: %s", path, fault);
     return -1;
 }
 
@@ -33,9 +38,25 @@ static int rights_set(int descriptor)
     return fchmod(descriptor, 0666 & ~mask);
 }
 
+// What the stream calls to write. Returns n_bytes, or 0 after a fault.
+static ssize_t descriptor_write(void *cookie, const char *bytes, size_t n_bytes)
+{
+    OutputFile *output = cookie;
+    for (size_t n_written = 0; n_written < n_bytes;) {
+        const ssize_t n = write(output->descriptor, bytes + n_written, n_bytes - n_written);
+        if (n >= 0) {
+            n_written += (size_t)n;
+        } else if (errno != EINTR) {
+            output->fault = errno;
+            return 0;
+        }
+    }
+    return (ssize_t)n_bytes;
+}
+
 int output_file_open(OutputFile *output, const char *path)
 {
-    *output = (OutputFile){0};
+    *output = (OutputFile){.descriptor = -1};
     if (!is_replaceable(path)) {
         return report(path, "not a regular file");
     }
@@ -51,44 +72,49 @@ int output_file_open(OutputFile *output, const char *path)
     }
     snprintf(output->partial_path, n_bytes, "%s%s", path, PARTIAL_SUFFIX);
 
-    int descriptor = mkstemp(output->partial_path);
-    if (descriptor >= 0 && rights_set(descriptor) == 0) {
-        output->file = fdopen(descriptor, "wb");
+    const cookie_io_functions_t functions = {.write = descriptor_write};
+    output->descriptor = mkstemp(output->partial_path);
+    if (output->descriptor >= 0 && rights_set(output->descriptor) == 0) {
+        output->file = fopencookie(output, "wb", functions);
     }
     if (output->file == NULL) {
-        int fault = errno;
-        if (descriptor >= 0) {
-            close(descriptor);
-        }
+        const int fault = errno;
         output_file_discard(output);
         return report(path, strerror(fault));
     }
     return 0;
 }
 
+int output_file_store(OutputFile *output)
+{
+    if ((fflush(output->file) != 0 || ferror(output->file)) && output->fault == 0) {
+        output->fault = EIO;
+    }
+    // Only this shows what a disk, or one at the other end of a network, has no room for. Some file
+    // systems do not know it (EINVAL).
+    if (output->fault == 0 && fsync(output->descriptor) != 0 && errno != EINVAL) {
+        output->fault = errno;
+    }
+    return output->fault == 0 ? 0 : report(output->path, strerror(output->fault));
+}
+
 int output_file_commit(OutputFile *output)
 {
-    // An error may have struck at any earlier fprintf(); the stream remembers it, errno does not.
-    int failed = ferror(output->file);
-    int fault = EIO;
-    if (fclose(output->file) != 0) {
-        failed = 1;
-        fault = errno;
+    int result = output_file_store(output);
+    if (result == 0) {
+        result = close(output->descriptor);
+        output->descriptor = -1;
+        if (result != 0 || rename(output->partial_path, output->path) != 0) {
+            result = report(output->path, strerror(errno));
+        }
     }
-    output->file = NULL;
-    if (!failed && rename(output->partial_path, output->path) != 0) {
-        failed = 1;
-        fault = errno;
+    if (result == 0) {
+        // It has another name now: nothing is left to be removed.
+        free(output->partial_path);
+        output->partial_path = NULL;
     }
-    if (failed) {
-        report(output->path, strerror(fault));
-        output_file_discard(output);
-        return -1;
-    }
-    free(output->partial_path);
-    free(output->path);
-    *output = (OutputFile){0};
-    return 0;
+    output_file_discard(output);
+    return result;
 }
 
 void output_file_discard(OutputFile *output)
@@ -96,10 +122,13 @@ void output_file_discard(OutputFile *output)
     if (output->file != NULL) {
         fclose(output->file);
     }
+    if (output->path != NULL && output->descriptor >= 0) {
+        close(output->descriptor);
+    }
     if (output->partial_path != NULL) {
         unlink(output->partial_path);
     }
     free(output->partial_path);
     free(output->path);
-    *output = (OutputFile){0};
+    *output = (OutputFile){.descriptor = -1};
 }

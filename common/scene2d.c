@@ -6,12 +6,11 @@
 
 #include "scene2d_generate.h"
 #include "scene_arguments.h"
+#include "text_file.h"
 
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define RANDOM_NAME "random"
 #define DEFAULT_SEED 1
 #define DEFAULT_MIN_RADIUS 2.0f
 #define DEFAULT_MAX_RADIUS 20.0f
@@ -58,27 +57,13 @@ static int edge_case_open(const SceneEdgeCase *edge_case, Scene2D *scene)
 
 static int csv_open(const char *path, Scene2D *scene)
 {
-    FILE *file = fopen(path, "rb");
+    FILE *file = text_file_open(path);
     if (file == NULL) {
-        fprintf(stderr, "%s: cannot be read: %s\n", path, strerror(errno));
         return -1;
     }
     int result = scene2d_read_csv(file, path, scene);
     fclose(file);
     return result;
-}
-
-static int report_unknown(const char *name)
-{
-    fprintf(stderr,
-            "--scene %s: found no such scene, expected FILE.csv, " RANDOM_NAME
-            "[:n=N,seed=S,min=R,max=R]",
-            name);
-    for (int i = 0; scene2d_edge_case(i) != NULL; i++) {
-        fprintf(stderr, ", %s", scene2d_edge_case(i));
-    }
-    fprintf(stderr, "\n");
-    return -1;
 }
 
 static const SceneEdgeCase *edge_case_find(const char *name)
@@ -111,10 +96,10 @@ int scene2d_open(const char *name, int width, int height, Scene2D *scene)
     if (scene_name_ends_in(name, ".csv")) {
         return csv_open(name, scene);
     }
-    if (scene_is_called(name, RANDOM_NAME)) {
+    if (scene_is_called(name, "random")) {
         return random_open(name, scene);
     }
-    return report_unknown(name);
+    return scene_report_unknown(name, SCENE2D_NAMES, scene2d_edge_case);
 }
 
 void scene2d_free(Scene2D *scene)

@@ -38,6 +38,9 @@ typedef struct Scene2D {
 // stays below 2^24, where float is exact; a larger one would round, and pictures could differ.
 #define SCENE2D_MAX_RADIUS 255
 
+// Every name of a scene but the edge cases', for messages.
+#define SCENE2D_NAMES "FILE.csv, random[:n=N,seed=S,min=R,max=R]"
+
 // Load or generate the scene that `name` stands for (see above).
 //   width, height   the picture's size; 0, 0 when the user gave none: the scene then chooses
 //                   (10x10 for the example, SCENE2D_DEFAULT_SIZE squared for the others)

@@ -196,6 +196,7 @@ int scene2d_read_csv(FILE *file, const char *name, Scene2D *scene)
         free(reader.circles);
         return -1;
     }
+    line_warn(&reader.lines, "");
     scene->circles = reader.circles;
     scene->n_circles = reader.n_circles;
     return 0;

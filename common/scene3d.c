@@ -5,10 +5,11 @@
 // scene3d_edge_cases.c for the generators.
 #include "scene3d.h"
 
+#include "complain.h"
 #include "scene3d_generate.h"
 #include "scene_arguments.h"
+#include "text_file.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,11 +19,6 @@
 #define DEFAULT_SEED 1
 #define DEFAULT_LATTICE 10
 #define DEFAULT_ANGLE 45  // degrees
-
-// The sine of the smallest angle between the view and up. The camera's axes come from their cross
-// product in float; rounding moves it by about 1e-7 and so turns the picture by 1e-7 / sine: by
-// 0.001, half a pixel at the edge of a picture of 1000, where the sine is this small.
-#define SMALLEST_SINE 1e-4
 
 // ---- Making and releasing -----------------------------------------------------------------------
 
@@ -78,52 +74,6 @@ static int light_at_eye(Scene3D *scene)
     scene->lights[0] = (Light){scene->view.from, scene3d_light_color(1)};
     scene->n_lights = 1;
     return 0;
-}
-
-// ---- The view -----------------------------------------------------------------------------------
-
-f32 scene3d_fov(const View *view, int width, int height)
-{
-    const double half_angle = (double)view->angle / 2 * M_PI / 180;
-    const int n_steps = height > 1 ? height - 1 : 1;  // from the top row's centre to the bottom's
-    return (f32)(width * (2 * tan(half_angle) / n_steps));
-}
-
-// A camera is set up in float: a cross product with an up of this length, or 1 / this length, must
-// keep its digits.
-#define LONGEST_VECTOR 1e32
-
-// In double no product of these overflows or becomes 0: floats go from 1e-45 to 3e38, and four of
-// them are multiplied at most.
-const char *scene3d_view_fault(const View *view)
-{
-    const double direction[3] = {(double)view->at.x - view->from.x,
-                                 (double)view->at.y - view->from.y,
-                                 (double)view->at.z - view->from.z};
-    const double up[3] = {view->up.x, view->up.y, view->up.z};
-    double direction2 = 0, up2 = 0, cross2 = 0;  // squared lengths
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3;
-        const double cross = direction[i] * up[j] - direction[j] * up[i];
-        direction2 += direction[i] * direction[i];
-        up2 += up[i] * up[i];
-        cross2 += cross * cross;
-    }
-    if (direction2 == 0) {
-        return "the view's direction is zero (from is at)";
-    }
-    if (up2 == 0) {
-        return "up is zero";
-    }
-    const double longest2 = LONGEST_VECTOR * LONGEST_VECTOR;
-    if (direction2 * longest2 < 1 || direction2 > longest2 || up2 * longest2 < 1 ||
-        up2 > longest2) {
-        return "the view's direction or up is too short or too long (1e-32 to 1e32)";
-    }
-    if (cross2 < SMALLEST_SINE * SMALLEST_SINE * direction2 * up2) {
-        return "up is parallel to the view";
-    }
-    return NULL;
 }
 
 // ---- Generators ---------------------------------------------------------------------------------
@@ -194,24 +144,13 @@ _Static_assert(SCENE3D_MAX_SPHERES == 10000000 && SCENE3D_MAX_FLAKE_SIZE == 7 &&
 static int file_open(const char *path, int (*read)(FILE *file, const char *name, Scene3D *scene),
                      Scene3D *scene)
 {
-    FILE *file = fopen(path, "rb");
+    FILE *file = text_file_open(path);
     if (file == NULL) {
-        fprintf(stderr, "%s: cannot be read: %s\n", path, strerror(errno));
         return -1;
     }
     int result = read(file, path, scene);
     fclose(file);
     return result;
-}
-
-static int report_unknown(const char *name)
-{
-    fprintf(stderr, "--scene %s: found no such scene, expected " SCENE3D_NAMES, name);
-    for (int i = 0; scene3d_edge_case(i) != NULL; i++) {
-        fprintf(stderr, ", %s", scene3d_edge_case(i));
-    }
-    fprintf(stderr, "\n");
-    return -1;
 }
 
 static const Scene3DEdgeCase *edge_case_find(const char *name)
@@ -249,7 +188,22 @@ static int open_by_name(const char *name, Scene3D *scene)
     if (scene_is_called(name, "lattice")) {
         return lattice_open(name, scene);
     }
-    return report_unknown(name);
+    return scene_report_unknown(name, SCENE3D_NAMES, scene3d_edge_case);
+}
+
+// Has the view an angle at which its pixels have rays of their own? It depends on the picture's
+// size, which is not always the file's. Returns 0, or -1 after one message.
+static int angle_check(const char *name, const Scene3D *scene)
+{
+    const double smallest = scene3d_smallest_angle(&scene->view, scene->height);
+    if ((double)scene->view.angle >= smallest) {
+        return 0;
+    }
+    complain(
+        "--scene %s: found a view's angle of %g degrees, expected at least %.3g for %d rows of "
+        "pixels: below, float makes the rays of neighbouring pixels the same",
+        name, (double)scene->view.angle, smallest, scene->height);
+    return -1;
 }
 
 int scene3d_open(const char *name, int width, int height, Scene3D *scene)
@@ -266,6 +220,10 @@ int scene3d_open(const char *name, int width, int height, Scene3D *scene)
     if (width > 0 && height > 0) {
         scene->width = width;
         scene->height = height;
+    }
+    if (angle_check(name, scene) != 0) {
+        scene3d_free(scene);
+        return -1;
     }
     return 0;
 }

@@ -1,7 +1,7 @@
 // 3D scenes in Haines' Neutral File Format (scene3d_read_nff() of scene3d.h).
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. A line is a keyword and numbers.
-// scene3d_nff_lines.c knows which numbers each takes and what they may be; here they find their
+// Flow: SCENE -> buffers -> kernel -> image -> comparison. A line is a keyword and numbers; only
+// cones, polygons and patches, which are skipped, may begin and end anywhere. scene3d_nff_lines.c knows which numbers each takes and what they may be; here they find their
 // place in the scene. The first fault is reported with its line and ends the reading. Read next:
 // scene3d_nff_write.c.
 //
@@ -25,8 +25,7 @@ typedef struct NffReader {
     unsigned forms_seen;        // bit i: form i was there
     int has_material;           // a line "f" was there, or an object without one
     u32 material_id;            // of the objects that follow
-    NffForm skipped_form;       // what the lines to skip are
-    int n_to_skip;              // lines of a cone, polygon or patch still to come
+    NffStream skipped;          // the cone, polygon or patch whose numbers come now, if any do
     int n_skipped[N_KEYWORDS];  // how many cones, polygons and patches there were
 } NffReader;
 
@@ -48,14 +47,6 @@ static void sphere_use(NffReader *reader, const float *numbers)
     }
     builder_add_sphere(&reader->builder, (Sphere){numbers[0], numbers[1], numbers[2], numbers[3]},
                        reader->material_id);
-}
-
-// An object that is not drawn begins: the lines that belong to it are checked and left out.
-static void skip(NffReader *reader, NffForm form, NffForm line_form, int n_lines)
-{
-    reader->n_skipped[form]++;
-    reader->skipped_form = line_form;
-    reader->n_to_skip = n_lines;
 }
 
 // Put a line's numbers where they belong; there are as many as the form requires, or all.
@@ -99,16 +90,7 @@ static void numbers_use(NffReader *reader, NffForm form, const float *numbers, i
     case SPHERE:
         sphere_use(reader, numbers);
         break;
-    case CONE:
-        skip(reader, form, CONE_END, 2);
-        break;
-    case POLYGON:
-        skip(reader, form, CORNER, (int)numbers[0]);
-        break;
-    case PATCH:
-        skip(reader, form, CORNER_WITH_NORMAL, (int)numbers[0]);
-        break;
-    default:  // VIEW has no numbers
+    default:  // VIEW has no numbers, and what is skipped has a stream
         break;
     }
 }
@@ -165,14 +147,21 @@ static NffForm keyword_find(NffReader *reader, const char *word)
     return form;
 }
 
-// A line with a keyword.
-static void keyword_line_read(NffReader *reader, char **words, int n_words)
+// A keyword and the numbers that belong to it. Returns how many words these are.
+static int keyword_read(NffReader *reader, char **words, int n_words)
 {
     float numbers[NFF_MAX_NUMBERS];
     const NffForm form = keyword_find(reader, words[0]);
-    if (form == N_KEYWORDS || order_check(reader, form) != 0 ||
-        nff_numbers_read(&reader->lines, form, words + 1, n_words - 1, numbers) != 0) {
-        return;
+    if (form == N_KEYWORDS || order_check(reader, form) != 0) {
+        return n_words;
+    }
+    if (form >= CONE) {
+        reader->n_skipped[form]++;
+        reader->skipped = nff_stream_begin(form);
+        return 1;
+    }
+    if (nff_numbers_read(&reader->lines, form, words + 1, n_words - 1, numbers) != 0) {
+        return n_words;
     }
     numbers_use(reader, form, numbers, n_words - 1);
     if (is_view_line(form) && missing_view_line(reader) == N_KEYWORDS) {
@@ -181,35 +170,36 @@ static void keyword_line_read(NffReader *reader, char **words, int n_words)
             line_fault(&reader->lines, "view: ", view_fault, "a view that a camera can have");
         }
     }
+    return n_words;
 }
 
 static void line_use(NffReader *reader)
 {
-    char *words[1 + NFF_MAX_NUMBERS + 1];  // keyword, numbers, and one that is too many
-    const int max_words = sizeof words / sizeof words[0];
-    int n_words = line_split(reader->lines.text, words, max_words);
-    for (int i = 0; i < n_words && i < max_words; i++) {
+    char *words[LINE_MAX_LENGTH / 2 + 1];  // a word has at least one character, and a blank
+    int n_words = line_split(reader->lines.text, words, sizeof words / sizeof words[0]);
+    for (int i = 0; i < n_words; i++) {
         if (words[i][0] == '#') {
             n_words = i;
         }
     }
-    if (n_words > 0 && reader->n_to_skip > 0) {
-        float numbers[NFF_MAX_NUMBERS];
-        nff_numbers_read(&reader->lines, reader->skipped_form, words, n_words, numbers);
-        reader->n_to_skip--;
-    } else if (n_words > 0) {
-        keyword_line_read(reader, words, n_words);
+    for (int i = 0; i < n_words && !reader->lines.failed;) {
+        if (reader->skipped.n_left > 0) {
+            nff_stream_read(&reader->skipped, &reader->lines, words[i++]);
+        } else {
+            i += keyword_read(reader, words + i, n_words - i);
+        }
     }
 }
 
 // What can only be said at the end of the file.
 static void end_check(NffReader *reader)
 {
-    char expected[96], line[NFF_FORM_SIZE];
+    char expected[96];
+    const int n_left = reader->skipped.n_left;
     const NffForm missing = missing_view_line(reader);
-    if (reader->n_to_skip > 0) {
-        snprintf(expected, sizeof expected, "%d more line%s: %s", reader->n_to_skip,
-                 reader->n_to_skip == 1 ? "" : "s", nff_form_describe(reader->skipped_form, line));
+    if (n_left > 0) {
+        snprintf(expected, sizeof expected, "%d more number%s of \"%s\"", n_left,
+                 n_left == 1 ? "" : "s", nff_keyword(reader->skipped.form));
     } else if (!is_seen(reader, VIEW)) {
         snprintf(expected, sizeof expected, "a view, which begins with \"v\"");
     } else if (missing != N_KEYWORDS) {
@@ -229,20 +219,21 @@ static void lights_finish(Scene3D *scene)
     }
 }
 
-static void warn_of_skipped(const NffReader *reader)
+static void warn(const NffReader *reader)
 {
     const int *n = reader->n_skipped;
+    char warning[128] = "";
     if (n[CONE] + n[POLYGON] + n[PATCH] > 0) {
-        fprintf(stderr,
-                "%s: warning: skipped what is no sphere: %d c (cones), %d p (polygons), %d pp "
-                "(patches)\n",
-                reader->lines.name, n[CONE], n[POLYGON], n[PATCH]);
+        snprintf(warning, sizeof warning,
+                 "skipped what is no sphere: %d c (cones), %d p (polygons), %d pp (patches)",
+                 n[CONE], n[POLYGON], n[PATCH]);
     }
+    line_warn(&reader->lines, warning);
 }
 
 int scene3d_read_nff(FILE *file, const char *name, Scene3D *scene)
 {
-    NffReader reader = {.n_to_skip = 0};
+    NffReader reader = {.has_material = 0};
     reader.builder.reader = &reader.lines;
     line_reader_begin(&reader.lines, file, name);
     while (!reader.lines.failed && line_read(&reader.lines)) {
@@ -255,6 +246,6 @@ int scene3d_read_nff(FILE *file, const char *name, Scene3D *scene)
         return -1;
     }
     lights_finish(scene);
-    warn_of_skipped(&reader);
+    warn(&reader);
     return 0;
 }

@@ -20,7 +20,7 @@ static const char *const EXPECTED[] = {
     [COLOUR] = "a number from 0 to 1",
     [OPENING] = "an angle between 0 and 180 degrees",
     [PIXELS] = "a whole number from 1 to 1000000",
-    [COUNT] = "a whole number from 3 to 10000000",
+    [COUNT] = "a number of corners from 3 to 10000000",
 };
 _Static_assert(LARGEST_SIDE == 1000000 && LARGEST_COUNT == 10000000,
                "the messages above name these limits");
@@ -54,12 +54,8 @@ static const struct LineForm {
                            {"refraction", NOT_NEGATIVE}}},
     [SPHERE] = {"s", 4, {XYZ, {"radius", NOT_ZERO}}},
     [CONE] = {"c", 0, {{NULL, ANY_FINITE}}},
-    [POLYGON] = {"p", 1, {{"corners", COUNT}}},
-    [PATCH] = {"pp", 1, {{"corners", COUNT}}},
-    [CONE_END] = {"", 4, {XYZ, {"radius", ANY_FINITE}}},
-    [CORNER] = {"", 3, {XYZ}},
-    [CORNER_WITH_NORMAL] = {"", 6, {XYZ, {"nx", ANY_FINITE}, {"ny", ANY_FINITE},
-                                    {"nz", ANY_FINITE}}},
+    [POLYGON] = {"p", 0, {{NULL, ANY_FINITE}}},
+    [PATCH] = {"pp", 0, {{NULL, ANY_FINITE}}},
 };
 // clang-format on
 
@@ -134,8 +130,8 @@ int nff_numbers_read(LineReader *lines, NffForm id, char **words, int n_words, f
         n_names++;
     }
     if (n_words != form->n_required && n_words != n_names) {
-        snprintf(found, sizeof found, "%s%s%d word%s", form->keyword,
-                 form->keyword[0] != '\0' ? " and " : "", n_words, n_words == 1 ? "" : "s");
+        snprintf(found, sizeof found, "%s and %d word%s", form->keyword, n_words,
+                 n_words == 1 ? "" : "s");
         line_fault(lines, "", found, nff_form_describe(id, expected));
         return -1;
     }
@@ -146,6 +142,39 @@ int nff_numbers_read(LineReader *lines, NffForm id, char **words, int n_words, f
             line_fault(lines, where, line_quote(words[i], found), EXPECTED[range]);
             return -1;
         }
+    }
+    return 0;
+}
+
+// ---- Cones, polygons and patches ----------------------------------------------------------------
+
+enum { N_CONE = 8, N_CORNER = 3, N_CORNER_WITH_NORMAL = 6 };  // numbers
+
+NffStream nff_stream_begin(NffForm form)
+{
+    const int has_count = form != CONE;
+    return (NffStream){form, has_count ? 1 : N_CONE, has_count};
+}
+
+int nff_stream_read(NffStream *stream, LineReader *lines, const char *word)
+{
+    char where[16], found[LINE_QUOTE_SIZE], expected[64];
+    const Range range = stream->awaits_count ? COUNT : ANY_FINITE;
+    float number;
+    if (number_read(word, range, &number) != 0) {
+        snprintf(where, sizeof where, "%s: ", FORMS[stream->form].keyword);
+        snprintf(expected, sizeof expected, "%s", EXPECTED[range]);
+        if (!stream->awaits_count) {
+            snprintf(expected, sizeof expected, "%s, as %d more belong%s to it", EXPECTED[range],
+                     stream->n_left, stream->n_left == 1 ? "s" : "");
+        }
+        line_fault(lines, where, line_quote(word, found), expected);
+        return -1;
+    }
+    stream->n_left--;
+    if (stream->awaits_count) {
+        stream->n_left = (int)number * (stream->form == POLYGON ? N_CORNER : N_CORNER_WITH_NORMAL);
+        stream->awaits_count = 0;
     }
     return 0;
 }

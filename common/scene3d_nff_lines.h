@@ -22,19 +22,16 @@ typedef enum NffForm {
     LIGHT,
     MATERIAL,
     SPHERE,
-    CONE,
+    CONE,  // from here on: no spheres, skipped
     POLYGON,
     PATCH,
     N_KEYWORDS,
-    CONE_END = N_KEYWORDS,  // and these have no keyword: they follow a cone, polygon or patch
-    CORNER,
-    CORNER_WITH_NORMAL,
 } NffForm;
 
 // The most numbers of a line.
 #define NFF_MAX_NUMBERS 8
 
-// The keyword of a form: "from"; "" for the forms that have none.
+// The keyword of a form: "from".
 const char *nff_keyword(NffForm form);
 
 // The form with this keyword, or N_KEYWORDS.
@@ -50,5 +47,18 @@ const char *nff_form_describe(NffForm form, char *text);
 //   numbers[NFF_MAX_NUMBERS]  n_words of them are set
 // Returns 0, or -1 after a complaint.
 int nff_numbers_read(LineReader *lines, NffForm form, char **words, int n_words, float *numbers);
+
+// The numbers of a cone, polygon or patch are a stream: a line may break anywhere between them, and
+// Haines' own programs break them otherwise than his text.
+typedef struct NffStream {
+    NffForm form;
+    int n_left;        // numbers still to come, as far as is known
+    int awaits_count;  // the next one says how many corners there are
+} NffStream;
+
+NffStream nff_stream_begin(NffForm form);
+
+// Take the next number. Returns 0, or -1 after a complaint.
+int nff_stream_read(NffStream *stream, LineReader *lines, const char *word);
 
 #endif

@@ -3,6 +3,7 @@
 // Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: number.h.
 #include "scene_arguments.h"
 
+#include "complain.h"
 #include "number.h"
 
 #include <stdio.h>
@@ -11,13 +12,24 @@
 
 int scene_report_memory(void)
 {
-    fprintf(stderr, "scene: no memory\n");
+    complain("scene: no memory");
+    return -1;
+}
+
+int scene_report_unknown(const char *name, const char *list, const char *edge_case(int index))
+{
+    char names[1024] = "";
+    for (int i = 0; edge_case(i) != NULL; i++) {
+        strncat(names, ", ", sizeof names - strlen(names) - 1);
+        strncat(names, edge_case(i), sizeof names - strlen(names) - 1);
+    }
+    complain("--scene %s: found no such scene, expected %s%s", name, list, names);
     return -1;
 }
 
 static int report(const char *scene_name, const char *argument, const char *expected)
 {
-    fprintf(stderr, "--scene %s: found \"%s\", expected %s\n", scene_name, argument, expected);
+    complain("--scene %s: found \"%s\", expected %s", scene_name, argument, expected);
     return -1;
 }
 
@@ -83,8 +95,8 @@ int scene_arguments_read(const char *scene_name, const SceneArgument *takes, con
 int scene_arguments_check_radii(const char *scene_name, float min_radius, float max_radius)
 {
     if (min_radius > max_radius) {
-        fprintf(stderr, "--scene %s: found min=%g above max=%g, expected at most that\n",
-                scene_name, (double)min_radius, (double)max_radius);
+        complain("--scene %s: found min=%g above max=%g, expected at most that", scene_name,
+                 (double)min_radius, (double)max_radius);
         return -1;
     }
     return 0;

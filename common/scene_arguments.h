@@ -36,6 +36,10 @@ int scene_arguments_check_radii(const char *scene_name, float min_radius, float 
 // Does a name end like this, with something before it? "circles.csv" in ".csv", not ".csv" itself.
 int scene_name_ends_in(const char *name, const char *ending);
 
+// Say that there is no scene of this name; `list` and the edge cases are. Returns -1.
+//   edge_case   their names; NULL for the index after the last
+int scene_report_unknown(const char *name, const char *list, const char *edge_case(int index));
+
 // Say that memory ran out. Returns -1.
 int scene_report_memory(void);
 

@@ -4,7 +4,10 @@
 // bench. Jansson keeps the figures in the order they were added. Read next: output_file.h.
 #include "stats.h"
 
+#include "clean_text.h"
+#include "complain.h"
 #include "output_file.h"
+#include "standard_streams.h"
 
 #include <jansson.h>
 #include <math.h>
@@ -20,7 +23,7 @@ static void figure_add(Stats *stats, const char *name, json_t *value)
         stats->values = json_object();
     }
     if (stats->values == NULL || json_object_set_new(stats->values, name, value) != 0) {
-        fprintf(stderr, "stats: no memory for \"%s\"\n", name);
+        complain("stats: no memory for \"%s\"", name);
         exit(EXIT_FAILURE);
     }
 }
@@ -78,7 +81,7 @@ double *stats_times_create(int n)
 {
     double *milliseconds = calloc((size_t)n, sizeof *milliseconds);
     if (milliseconds == NULL) {
-        fprintf(stderr, "stats: no memory for %d times\n", n);
+        complain("stats: no memory for %d times", n);
         exit(EXIT_FAILURE);
     }
     return milliseconds;
@@ -104,7 +107,9 @@ static void figure_print(const char *name, const json_t *value, int name_width)
 {
     printf("%-*s  ", name_width, name);
     if (json_is_string(value)) {
-        printf("%s\n", json_string_value(value));
+        char *clean = line_clean(json_string_value(value));  // a file's name may be anything
+        printf("%s\n", clean);
+        free(clean);
     } else if (json_is_integer(value)) {
         printf("%" JSON_INTEGER_FORMAT "\n", json_integer_value(value));
     } else if (json_is_real(value)) {
@@ -150,6 +155,9 @@ int stats_report(const Stats *stats, const char *path)
 {
     if (stats->values != NULL) {
         figures_print(stats);
+    }
+    if (standard_output_check() != 0) {
+        return -1;
     }
     return path == NULL ? 0 : figures_write(stats, path);
 }

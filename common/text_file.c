@@ -1,25 +1,50 @@
-// Reading a text file whole: kernels, manifests, solutions (see text_file.h). All are small.
+// Reading text files: scenes, kernels, manifests, solutions (see text_file.h). All are small.
 //
 // Flow: scene -> buffers -> KERNEL -> image -> comparison: a program's text on its way to the
 // driver. Read next: cl_build.c.
 #include "text_file.h"
 
+#include "complain.h"
+
 #include <errno.h>
-#include <stdio.h>
+#include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
-static char *report(const char *path, const char *fault)
+static void *report(const char *path, const char *fault)
 {
-    fprintf(stderr, "%s: cannot be read: %s\n", path, fault);
+    complain("%s: cannot be read: %s", path, fault);
     return NULL;
+}
+
+FILE *text_file_open(const char *path)
+{
+    // Without O_NONBLOCK, opening a pipe waits for its writer; a regular file does not heed it.
+    const int descriptor = open(path, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+    struct stat status;
+    FILE *file = NULL;
+    if (descriptor < 0 || fstat(descriptor, &status) != 0) {
+        report(path, strerror(errno));
+    } else if (S_ISDIR(status.st_mode)) {
+        report(path, "found a folder, expected a file");
+    } else if (!S_ISREG(status.st_mode)) {
+        report(path, "found a pipe or a device, expected a regular file");
+    } else if ((file = fdopen(descriptor, "rb")) == NULL) {
+        report(path, strerror(errno));
+    }
+    if (file == NULL && descriptor >= 0) {
+        close(descriptor);
+    }
+    return file;
 }
 
 char *text_file_read(const char *path)
 {
-    FILE *file = fopen(path, "r");
+    FILE *file = text_file_open(path);
     if (file == NULL) {
-        return report(path, strerror(errno));
+        return NULL;
     }
     char *text = NULL;
     size_t capacity = 0;

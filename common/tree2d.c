@@ -4,6 +4,8 @@
 // fills the arrays, and lab 03, which copies them to the device. Read next: tree2d_draw.c.
 #include "tree2d.h"
 
+#include "complain.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -24,14 +26,13 @@ static int check_inner(const KdTree2D *tree, u32 id)
         return 0;
     }
     if (tree->nodes_flag[id] == INNER && node.lChild == 0 && node.rChild == 0) {
-        fprintf(stderr,
-                "tree: node %u: marked INNER, but it has no children: was it packed as a leaf "
-                "(pack_leaf)?\n",
-                id);
+        complain("tree: node %u: marked INNER, but it has no children: was it packed as a leaf "
+                 "(pack_leaf)?",
+                 id);
         return -1;
     }
-    fprintf(stderr, "tree: node %u: found children %u and %u, expected ids from %u to %u\n", id,
-            node.lChild, node.rChild, id + 1, tree->n_nodes - 1);
+    complain("tree: node %u: found children %u and %u, expected ids from %u to %u", id, node.lChild,
+             node.rChild, id + 1, tree->n_nodes - 1);
     return -1;
 }
 
@@ -39,8 +40,8 @@ static int check_leaf(const KdTree2D *tree, u32 id, u32 n_circles)
 {
     const u32 offset = tree->nodes_Relations[id].circleMapOffset;
     if (offset >= tree->n_map) {
-        fprintf(stderr, "tree: leaf %u: found circleMapOffset %u, expected less than %u\n", id,
-                offset, tree->n_map);
+        complain("tree: leaf %u: found circleMapOffset %u, expected less than %u", id, offset,
+                 tree->n_map);
         return -1;
     }
     const u32 count = tree->mapNode2Circles[offset];
@@ -54,8 +55,8 @@ static int check_leaf(const KdTree2D *tree, u32 id, u32 n_circles)
     for (u32 i = 1; i <= count; i++) {
         const u32 circle = tree->mapNode2Circles[offset + i];
         if (circle >= n_circles) {
-            fprintf(stderr, "tree: leaf %u: found circle id %u, but the scene has %u\n", id, circle,
-                    n_circles);
+            complain("tree: leaf %u: found circle id %u, but the scene has %u", id, circle,
+                     n_circles);
             return -1;
         }
     }
@@ -79,7 +80,7 @@ int tree2d_depth(const KdTree2D *tree)
     // calloc() may answer NULL to a size of 0.
     int *levels = calloc(tree->n_nodes + 1, sizeof *levels);
     if (levels == NULL) {
-        fprintf(stderr, "tree: no memory for the levels of %u nodes\n", tree->n_nodes);
+        complain("tree: no memory for the levels of %u nodes", tree->n_nodes);
         return -1;
     }
     int deepest = 0;

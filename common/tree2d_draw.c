@@ -4,6 +4,8 @@
 // the trees of submissions. Read next: image.c.
 #include "tree2d_draw.h"
 
+#include "complain.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -85,7 +87,7 @@ int tree2d_draw(const Scene2D *scene, const KdTree2D *tree, Image *image)
     const size_t n_pixels = (size_t)image->width * image->height;
     float *depths = malloc(n_pixels * sizeof *depths);
     if (depths == NULL) {
-        fprintf(stderr, "tree2d_draw: no memory for %zu pixels\n", n_pixels);
+        complain("tree2d_draw: no memory for %zu pixels", n_pixels);
         image_free(image);
         return -1;
     }
@@ -126,7 +128,7 @@ static int write_circles(FILE *file, const Scene2D *scene, int scale)
 {
     int *order = malloc((size_t)(scene->n_circles + 1) * sizeof *order);
     if (order == NULL) {
-        fprintf(stderr, "tree2d_write_svg: no memory for %d circles\n", scene->n_circles);
+        complain("tree2d_write_svg: no memory for %d circles", scene->n_circles);
         return -1;
     }
     for (int i = 0; i < scene->n_circles; i++) {

@@ -4,6 +4,8 @@
 // fills the arrays, and lab 07, which copies them to the device. Read next: tree3d_draw.c.
 #include "tree3d.h"
 
+#include "complain.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -21,7 +23,7 @@ static int *levels_create(const KdTree3D *tree)
     // calloc() may answer NULL to a size of 0.
     int *levels = calloc((size_t)tree->n_nodes + 1, sizeof *levels);
     if (levels == NULL) {
-        fprintf(stderr, "tree: no memory for the levels of %u nodes\n", tree->n_nodes);
+        complain("tree: no memory for the levels of %u nodes", tree->n_nodes);
     }
     return levels;
 }
@@ -38,14 +40,13 @@ static int check_inner(const KdTree3D *tree, u32 id)
 {
     const u32 first = tree->nodes[id].first;
     if (tree->nodes[id].split_axis > KD_LEAF) {
-        fprintf(stderr, "tree: node %u: found split_axis %u, expected 0, 1, 2 or %d (KD_LEAF)\n",
-                id, tree->nodes[id].split_axis, KD_LEAF);
+        complain("tree: node %u: found split_axis %u, expected 0, 1, 2 or %d (KD_LEAF)", id,
+                 tree->nodes[id].split_axis, KD_LEAF);
         return -1;
     }
     if (first <= id || first >= tree->n_nodes - 1) {
-        fprintf(stderr,
-                "tree: node %u: found its children at %u and %u, expected ids from %u to %u\n", id,
-                first, first + 1, id + 1, tree->n_nodes - 1);
+        complain("tree: node %u: found its children at %u and %u, expected ids from %u to %u", id,
+                 first, first + 1, id + 1, tree->n_nodes - 1);
         return -1;
     }
     return 0;
@@ -55,15 +56,15 @@ static int check_leaf(const KdTree3D *tree, u32 id, u32 n_spheres)
 {
     const KdNode3 node = tree->nodes[id];
     if (node.first > tree->n_sphere_ids || node.n_spheres > tree->n_sphere_ids - node.first) {
-        fprintf(stderr, "tree: leaf %u: found %u ids from %u on, but there are %u ids\n", id,
-                node.n_spheres, node.first, tree->n_sphere_ids);
+        complain("tree: leaf %u: found %u ids from %u on, but there are %u ids", id, node.n_spheres,
+                 node.first, tree->n_sphere_ids);
         return -1;
     }
     for (u32 i = 0; i < node.n_spheres; i++) {
         const u32 sphere = tree->sphere_ids[node.first + i];
         if (sphere >= n_spheres) {
-            fprintf(stderr, "tree: leaf %u: found sphere id %u, but the scene has %u spheres\n", id,
-                    sphere, n_spheres);
+            complain("tree: leaf %u: found sphere id %u, but the scene has %u spheres", id, sphere,
+                     n_spheres);
             return -1;
         }
     }
@@ -73,7 +74,7 @@ static int check_leaf(const KdTree3D *tree, u32 id, u32 n_spheres)
 int tree3d_check(const KdTree3D *tree, u32 n_spheres)
 {
     if (tree->n_nodes == 0) {
-        fprintf(stderr, "tree: found no node, expected a root\n");
+        complain("tree: found no node, expected a root");
         return -1;
     }
     int *levels = levels_create(tree);
@@ -86,8 +87,8 @@ int tree3d_check(const KdTree3D *tree, u32 n_spheres)
         } else if (check_inner(tree, id) != 0) {
             result = -1;
         } else if (level > TODO_SIZE) {
-            fprintf(stderr, "tree: node %u: split on level %d, but the todo stack has %d places\n",
-                    id, level, TODO_SIZE);
+            complain("tree: node %u: split on level %d, but the todo stack has %d places", id,
+                     level, TODO_SIZE);
             result = -1;
         } else {
             levels_pass_on(levels, node, level);

@@ -7,6 +7,8 @@
 // that counts none. Read next: image.c.
 #include "tree3d_draw.h"
 
+#include "complain.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -283,7 +285,7 @@ static int paint_circles(const Cut *cut, Image *image)
     }
     CutCircle *circles = malloc((n + 1) * sizeof *circles);
     if (circles == NULL) {
-        fprintf(stderr, "tree3d_draw: no memory for %zu circles\n", n);
+        complain("tree3d_draw: no memory for %zu circles", n);
         return -1;
     }
     n = 0;

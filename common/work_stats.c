@@ -4,6 +4,7 @@
 // figures. Read next: stats.c.
 #include "work_stats.h"
 
+#include "complain.h"
 #include "image.h"
 #include "work.h"
 
@@ -35,7 +36,7 @@ static Work *work_allocate(size_t n_pixels)
 {
     Work *h_work = calloc(n_pixels, sizeof *h_work);
     if (h_work == NULL) {
-        fprintf(stderr, "work_stats: no memory for the counters of %zu pixels\n", n_pixels);
+        complain("work_stats: no memory for the counters of %zu pixels", n_pixels);
         exit(EXIT_FAILURE);
     }
     return h_work;
@@ -89,7 +90,7 @@ static int save_beside(const Image *image, const char *picture_path, const char 
 {
     char *path;
     if (asprintf(&path, "%.*s%s", (int)image_stem_length(picture_path), picture_path, ending) < 0) {
-        fprintf(stderr, "%s: no memory\n", picture_path);
+        complain("%s: no memory", picture_path);
         return -1;
     }
     const int result = image_save(image, path);

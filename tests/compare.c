@@ -6,6 +6,7 @@
 // TOLERANCE is the difference that a channel may have, 0 without it; up to N_EXCEPTIONS pixels may
 // differ by more, where rounding decides what a ray hits.
 // Exit status: 0 equal, 1 different, 2 one could not be read or the words are wrong.
+#include "complain.h"
 #include "image.h"
 #include "number.h"
 
@@ -48,7 +49,7 @@ int main(int argc, char **argv)
     int64_t n_exceptions = 0;
     if (argc < 3 || argc > 5 || (argc >= 4 && number_read_float(argv[3], &tolerance) != 0) ||
         (argc == 5 && number_read_integer(argv[4], 0, INT64_MAX, &n_exceptions) != 0)) {
-        fprintf(stderr, "usage: compare PICTURE REFERENCE [TOLERANCE [N_EXCEPTIONS]]\n");
+        complain("usage: compare PICTURE REFERENCE [TOLERANCE [N_EXCEPTIONS]]");
         return EXIT_FAULT;
     }
     int status = EXIT_FAULT;

@@ -8,6 +8,7 @@
 // draw. Exit status: 0 when picture and oracle agree in every ray that is not ambiguous, else 1; 2
 // when something is missing.
 #include "camera_from_view.h"
+#include "complain.h"
 #include "image.h"
 #include "oracle3d.h"
 #include "scene3d.h"
@@ -66,7 +67,7 @@ int main(int argc, char **argv)
     Scene3D scene = {0};
     Image image = {0};
     if (argc != 4 || sscanf(argv[2], "%dx%d", &width, &height) != 2) {
-        fprintf(stderr, "usage: count_hits SCENE WxH PICTURE.exr\n");
+        complain("usage: count_hits SCENE WxH PICTURE.exr");
         return 2;
     }
     if (scene3d_open(argv[1], width, height, &scene) == 0 && image_load(argv[3], &image) == 0) {
@@ -78,8 +79,8 @@ int main(int argc, char **argv)
                    counts.with_floor, counts.disagree);
             status = counts.disagree > 0;
         } else {
-            fprintf(stderr, "count_hits: %s: found %dx%d, expected %s\n", argv[3], image.width,
-                    image.height, argv[2]);
+            complain("count_hits: %s: found %dx%d, expected %s", argv[3], image.width, image.height,
+                     argv[2]);
         }
     }
     image_free(&image);

@@ -23,6 +23,25 @@ run() (
     "$program" "$@" >"$scratch/stdout" 2>"$scratch/stderr" </dev/null
 )
 
+# run_into FILE LAB OPTION...: the same with its standard output going there; "-" closes it.
+run_into() (
+    into=$1
+    for program in "$build/solutions/$2"-*; do :; done
+    shift 2
+    if [ "$into" = - ]; then
+        "$program" "$@" 2>"$scratch/stderr" </dev/null >&-
+    else
+        "$program" "$@" >"$into" 2>"$scratch/stderr" </dev/null
+    fi
+)
+
+# run_limited LAB OPTION...: the same for at most a minute, for what might wait for ever.
+run_limited() (
+    for program in "$build/solutions/$1"-*; do :; done
+    shift
+    timeout 60 "$program" "$@" >"$scratch/stdout" 2>"$scratch/stderr" </dev/null
+)
+
 # run_sanitized LAB OPTION...: the same with the sanitizers watching. What drivers leak is theirs:
 # `with detect_leaks=0` where a device is opened.
 run_sanitized() (
@@ -99,6 +118,87 @@ empty_output_folder() {
     ln -s /dev/full "$out/full.png"
 }
 
+# small_disk COMMAND...: with room for files of 4 KB.
+small_disk() (
+    trap '' XFSZ
+    ulimit -f 8
+    "$@"
+)
+
+# A folder that full_disk() covers with a small disk, for itself alone: as root, or where users may
+# have namespaces. `namespace` is empty where neither works.
+tiny=$scratch/tiny
+mkdir "$tiny"
+namespace=
+for try in 'unshare --mount' 'unshare --map-root-user --mount'; do
+    if [ -z "$namespace" ] && $try mount -t tmpfs -o size=8k tiny "$tiny" 2>/dev/null; then
+        namespace=$try
+    fi
+done
+
+# full_disk COMMAND...: with a disk of two pages at $tiny, which holds a file "old"; what lies there
+# afterwards goes to $scratch/left.
+full_disk() {
+    # shellcheck disable=SC2016,SC2086 # they are another shell's variables; the words of a command
+    $namespace sh -c '
+        mount -t tmpfs -o size=8k tiny "$1" && echo old >"$1/old.png" && echo old >"$1/old.exr" ||
+            exit 125
+        tiny=$1 left=$2 status=0
+        shift 2
+        "$@" || status=$?
+        (cd "$tiny" && ls -A && cat old.png old.exr) >"$left"
+        exit $status' full_disk "$tiny" "$scratch/left" "$@"
+}
+
+# fails_on_a_full_disk WORDS LAB OPTION...: does it say so, and leave what was there and no more?
+fails_on_a_full_disk() {
+    words=$1 lab=$2
+    shift 2
+    for program in "$build/solutions/$lab"-*; do :; done
+    # A disk may also be full of entries: two pages hold the two old files and no third.
+    status=0
+    full_disk "$program" "$@" >"$scratch/stdout" 2>"$scratch/stderr" </dev/null || status=$?
+    cat "$scratch/stderr"
+    [ "$status" -eq 1 ] || { echo "found exit status $status, expected 1"; return 1; }
+    [ "$(wc -l <"$scratch/stderr")" -eq 1 ] || { echo "expected one line"; return 1; }
+    grep -qF -- "$words" "$scratch/stderr" || { echo "expected the words: $words"; return 1; }
+    [ "$(tr '\n' ' ' <"$scratch/left")" = "old.exr old.png old old " ] ||
+        { echo "it left: $(cat "$scratch/left")"; return 1; }
+}
+
+# fails_to_save NUMBER...: the pictures, heat maps and figures of these labs, each told where
+# there is no room for it.
+fails_to_save() {
+    for number; do
+        scene='--scene random:n=40' heat=--heat-map
+        case $number in
+        00) scene= ;;
+        esac
+        for ending in png exr; do
+            # Here the kernels are compiled, which needs room elsewhere.
+            # shellcheck disable=SC2086 # no scene, no word
+            works run "$number" --size 317x211 $scene $heat --output "$out/warm.$ending" \
+                --stats "$out/warm.json" >/dev/null
+            # shellcheck disable=SC2086
+            check "lab $number: no room for a .$ending" refuses "cannot be written: File too large" \
+                small_disk run "$number" --size 317x211 $scene --output "$out/new.$ending"
+            if [ -z "$namespace" ]; then
+                skip "lab $number: a full disk, .$ending" "no small disk can be mounted here"
+                continue
+            fi
+            # shellcheck disable=SC2086
+            check "lab $number: a full disk, .$ending" \
+                fails_on_a_full_disk "cannot be written: No space left on device" \
+                "$number" --size 317x211 $scene --output "$tiny/old.$ending"
+            # shellcheck disable=SC2086
+            check "lab $number: a full disk for the figures" \
+                fails_on_a_full_disk "new.json: cannot be written: No space left on device" \
+                "$number" --size 317x211 $scene --output "$out/warm.$ending" --stats "$tiny/new.json"
+        done
+        rm -f "$out"/warm*
+    done
+}
+
 # state: what is in the output folder, and whether what was there before is as it was.
 state() { ls -A "$out" && cksum "$out/old.png" "$out/old.json"; }
 
@@ -117,6 +217,9 @@ refuses() {
     # The address sanitizer comments on memory that it could not give.
     grep -v 'WARNING: AddressSanitizer failed to allocate' "$scratch/stderr" >"$scratch/message"
     [ "$(wc -l <"$scratch/message")" -eq 1 ] || { echo "expected one line"; return 1; }
+    # Nothing in it may move the terminal's cursor, whatever a file is called.
+    ! tr -d '\n' <"$scratch/message" | LC_ALL=C grep -q '[[:cntrl:]]' ||
+        { echo "found a control character"; return 1; }
     grep -qF -- "$words" "$scratch/message" || { echo "expected the words: $words"; return 1; }
     [ "$(state)" = "$before" ] || { echo "it left something: $(ls -A "$out")"; return 1; }
 }

@@ -31,8 +31,11 @@ static int render(const ClSetup *cl, const Options *options, Image *image, Stats
     const cl_image_desc desc = {.image_type = CL_MEM_OBJECT_IMAGE2D,
                                 .image_width = (size_t)image->width,
                                 .image_height = (size_t)image->height};
+    // New memory holds whatever was there, so the image begins as a copy of the host's, which is
+    // black: so is a pixel that no work-item writes.
     cl_int error;
-    cl_mem d_image = clCreateImage(cl->context, CL_MEM_WRITE_ONLY, &format, &desc, NULL, &error);
+    cl_mem d_image = clCreateImage(cl->context, CL_MEM_WRITE_ONLY | CL_MEM_COPY_HOST_PTR, &format,
+                                   &desc, image->pixels, &error);
     CL_CHECK_CREATED(error, clCreateImage);
 
     // ---- Kernel ----------------------------------------------------------------------------

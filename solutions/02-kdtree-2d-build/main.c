@@ -2,6 +2,7 @@
 // it from top to bottom once, then go to kdtree2d_build.c.
 //
 // Flow: scene -> BUFFERS (the tree's four arrays) -> kernel (lab 03) -> image -> comparison.
+#include "complain.h"
 #include "image.h"
 #include "kdtree2d_build.h"
 #include "options.h"
@@ -94,19 +95,6 @@ static int describe(const KdTree2D *tree, Stats *stats)
     return 0;
 }
 
-// Write the drawing as SVG into an open file. Returns 0, or -1 after one message.
-static int write_svg(OutputFile *output, const Scene2D *scene, const KdTree2D *tree)
-{
-    int result = tree2d_write_svg(output->file, scene, tree);
-    if (result == 0 && fflush(output->file) != 0) {
-        result = -1;
-    }
-    if (ferror(output->file)) {
-        fprintf(stderr, "%s: cannot be written\n", output->path);
-    }
-    return result;
-}
-
 // Write the drawing, and beside it the same as SVG, "tree.png" and "tree.svg": both or neither.
 static int save_drawing(const char *picture_path, const Image *image, const Scene2D *scene,
                         const KdTree2D *tree)
@@ -115,13 +103,17 @@ static int save_drawing(const char *picture_path, const Image *image, const Scen
     OutputFile output = {0};
     const int stem_length = (int)image_stem_length(picture_path);
     if (asprintf(&path, "%.*s.svg", stem_length, picture_path) < 0) {
-        fprintf(stderr, "%s: no memory\n", picture_path);
+        complain("%s: no memory", picture_path);
         return -1;
     }
     int result = output_file_open(&output, path);
     free(path);
+    // A file that cannot be written is no matter of the drawing: output_file_store() says why.
+    if (result == 0 && tree2d_write_svg(output.file, scene, tree) != 0 && !ferror(output.file)) {
+        result = -1;
+    }
     if (result == 0) {
-        result = write_svg(&output, scene, tree);
+        result = output_file_store(&output);
     }
     if (result == 0) {
         result = image_save(image, picture_path);

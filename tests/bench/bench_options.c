@@ -4,6 +4,7 @@
 #include "bench_options.h"
 
 #include "cl_setup.h"
+#include "complain.h"
 #include "number.h"
 #include "series.h"
 
@@ -32,20 +33,19 @@ static int make_folder(const char *name, const char *folder)
 {
     char path[4096];
     if (snprintf(path, sizeof path, "%s/", folder) >= (int)sizeof path) {
-        fprintf(stderr, "%s: --output: expected a shorter path\n", name);
+        complain("%s: --output: expected a shorter path", name);
         return -1;
     }
     for (char *slash = strchr(path + 1, '/'); slash != NULL; slash = strchr(slash + 1, '/')) {
         *slash = '\0';
         if (mkdir(path, 0777) != 0 && errno != EEXIST) {
-            fprintf(stderr, "%s: --output: cannot make the folder %s: %s\n", name, path,
-                    strerror(errno));
+            complain("%s: --output: cannot make the folder %s: %s", name, path, strerror(errno));
             return -1;
         }
         *slash = '/';
     }
     if (access(path, W_OK | X_OK) != 0) {
-        fprintf(stderr, "%s: --output: %s cannot be written: %s\n", name, folder, strerror(errno));
+        complain("%s: --output: %s cannot be written: %s", name, folder, strerror(errno));
         return -1;
     }
     return 0;
@@ -71,9 +71,8 @@ OptionsResult bench_options_read(int argc, char **argv, const char *name, const 
             break;
         case 'r':
             if (number_read_integer(optarg, 1, SERIES_MAX_ROUNDS, &n_rounds) != 0) {
-                fprintf(stderr,
-                        "%s: --rounds: found \"%s\", expected a whole number from 1 to %d\n", name,
-                        optarg, SERIES_MAX_ROUNDS);
+                complain("%s: --rounds: found \"%s\", expected a whole number from 1 to %d", name,
+                         optarg, SERIES_MAX_ROUNDS);
                 return OPTIONS_BAD;
             }
             break;
@@ -85,7 +84,7 @@ OptionsResult bench_options_read(int argc, char **argv, const char *name, const 
         }
     }
     if (optind < argc) {
-        fprintf(stderr, "%s: found the stray word \"%s\" (try --help)\n", name, argv[optind]);
+        complain("%s: found the stray word \"%s\" (try --help)", name, argv[optind]);
         return OPTIONS_BAD;
     }
     options->n_rounds = (int)n_rounds;

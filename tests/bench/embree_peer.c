@@ -7,6 +7,7 @@
 #ifdef WITH_EMBREE
 
 #include "camera_from_view.h"
+#include "complain.h"
 #include "stats.h"
 
 #if WITH_EMBREE == 4
@@ -40,7 +41,7 @@ const char *embree_peer_version(void)
 static void report(void *user, enum RTCError code, const char *text)
 {
     (void)user;
-    fprintf(stderr, "Embree: error %d: %s\n", (int)code, text);
+    complain("Embree: error %d: %s", (int)code, text);
 }
 
 // The spheres as Embree's own geometry. Returns 0, or -1 after Embree's message.

@@ -3,6 +3,7 @@
 // Flow: scene -> buffers -> kernel -> image -> COMPARISON. Read next: report3d.c.
 #include "pictures3d.h"
 
+#include "complain.h"
 #include "launch.h"
 
 #include <stdio.h>
@@ -68,8 +69,8 @@ static int check_drawn(const Case3D *bench_case, const char *renderer, int n_dra
     if (n_drawn == n_expected) {
         return 0;
     }
-    fprintf(stderr, "bench3d: %s, %s: found %d pixels drawn, expected %d\n", bench_case->scene_name,
-            renderer, n_drawn, n_expected);
+    complain("bench3d: %s, %s: found %d pixels drawn, expected %d", bench_case->scene_name,
+             renderer, n_drawn, n_expected);
     return -1;
 }
 
@@ -82,11 +83,10 @@ static int check_different(const Case3D *bench_case, const char *other, ImageDif
     if (difference.n_different <= most) {
         return 0;
     }
-    fprintf(stderr,
-            "bench3d: %s: found %d of %d pixels different between the kd-tree's picture and %s, "
-            "the first at (%d, %d), expected at most %d\n",
-            bench_case->scene_name, difference.n_different, n_compared, other, difference.first_x,
-            difference.first_y, most);
+    complain("bench3d: %s: found %d of %d pixels different between the kd-tree's picture and %s, "
+             "the first at (%d, %d), expected at most %d",
+             bench_case->scene_name, difference.n_different, n_compared, other, difference.first_x,
+             difference.first_y, most);
     return -1;
 }
 

@@ -5,6 +5,7 @@
 #include "gradebook.h"
 
 #include "clean_text.h"
+#include "complain.h"
 #include "graded.h"
 #include "text_file.h"
 
@@ -19,7 +20,7 @@ enum { KEY_LINE_BYTES = 256 };
 
 static int fault(const char *path, const char *what)
 {
-    fprintf(stderr, "gradebook: %s: %s\n", path, what);
+    complain("gradebook: %s: %s", path, what);
     return -1;
 }
 

@@ -4,6 +4,7 @@
 // gradebook_csv.c.
 #include "gradebook.h"
 
+#include "complain.h"
 #include "output_file.h"
 
 #include <jansson.h>
@@ -97,7 +98,7 @@ int gradebook_json(const Gradebook *gradebook, const char *path)
     fputs("\n]\n}\n", file);
     if (failed) {
         output_file_discard(&output);
-        fprintf(stderr, "gradebook: %s: cannot write\n", path);
+        complain("gradebook: %s: cannot write", path);
         return -1;
     }
     return output_file_commit(&output);

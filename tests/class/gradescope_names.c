@@ -8,6 +8,8 @@
 // YAML can do far more than that. What does not look like this is passed over.
 #include "gradescope_names.h"
 
+#include "complain.h"
+
 #include <errno.h>
 #include <limits.h>
 #include <stdio.h>
@@ -18,7 +20,7 @@ enum { NAME_BYTES = 256, LINE_BYTES = 1024 };
 
 static int fault(const char *path, const char *what)
 {
-    fprintf(stderr, "gradebook: %s: %s\n", path, what);
+    complain("gradebook: %s: %s", path, what);
     return -1;
 }
 

@@ -5,6 +5,7 @@
 // that somebody else chose. Read next: entry_name.h, grade_class.sh.
 #include "roster.h"
 
+#include "complain.h"
 #include "gradescope_names.h"
 
 #include <dirent.h>
@@ -19,7 +20,7 @@
 
 static int fault(const char *path, const char *what)
 {
-    fprintf(stderr, "gradebook: %s: %s\n", path, what);
+    complain("gradebook: %s: %s", path, what);
     return -1;
 }
 
@@ -97,10 +98,9 @@ static int folder_read(Folder *folder, int lab_number)
     }
     closedir(entries);
     if (folder->n_passed_over > 0) {
-        fprintf(stderr,
-                "gradebook: %s: passed over %d files that are no archives (Moodle: download the "
-                "submissions in folders)\n",
-                folder->path, folder->n_passed_over);
+        complain("gradebook: %s: passed over %d files that are no archives (Moodle: download the "
+                 "submissions in folders)",
+                 folder->path, folder->n_passed_over);
     }
     return result;
 }

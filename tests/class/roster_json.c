@@ -1,4 +1,5 @@
 // The roster as JSON, between the driver's start and the gradebook (see roster.h).
+#include "complain.h"
 #include "output_file.h"
 #include "roster.h"
 
@@ -49,7 +50,7 @@ int roster_load(const char *path, Roster *roster)
     }
     json_decref(list);
     if (failed) {
-        fprintf(stderr, "gradebook: %s: line %d: %s\n", path, error.line, error.text);
+        complain("gradebook: %s: line %d: %s", path, error.line, error.text);
         roster_free(roster);
     }
     return failed ? -1 : 0;

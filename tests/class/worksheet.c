@@ -1,6 +1,8 @@
 // Reading Moodle's lists and finding who is who (see worksheet.h).
 #include "worksheet.h"
 
+#include "complain.h"
+
 #include <csv.h>
 #include <ctype.h>
 #include <errno.h>
@@ -10,7 +12,7 @@
 
 static int fault(const char *path, const char *what)
 {
-    fprintf(stderr, "gradebook: %s: %s\n", path, what);
+    complain("gradebook: %s: %s", path, what);
     return -1;
 }
 

@@ -8,6 +8,7 @@
 // submission as a whole. Read next: session.h (how it is run), judge.h (what is asked), report.h
 // (what comes out). Exit status: 0 full marks, 1 below, 2 when the grader itself could not work.
 #include "borrowing.h"
+#include "complain.h"
 #include "holes.h"
 #include "memcheck_advice.h"
 #include "message.h"
@@ -339,7 +340,7 @@ static int make_folders(const char *path)
     for (char *slash = strchr(part + 1, '/'); slash != NULL; slash = strchr(slash + 1, '/')) {
         *slash = '\0';
         if (mkdir(part, 0777) != 0 && errno != EEXIST) {
-            fprintf(stderr, "grade: %s: cannot be made: %s\n", part, strerror(errno));
+            complain("grade: %s: cannot be made: %s", part, strerror(errno));
             return -1;
         }
         *slash = '/';
@@ -421,7 +422,7 @@ static int list_checks(const char *lab)
 {
     const Judge *judge = judge_of(lab);
     if (judge == NULL) {
-        fprintf(stderr, "grade: %s: this lab has no judge\n", lab);
+        complain("grade: %s: this lab has no judge", lab);
         return EXIT_FAULT;
     }
     for (int i = 0; i < judge->n_checks; i++) {

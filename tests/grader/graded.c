@@ -4,6 +4,7 @@
 // Read next: tests/class/gradebook.c.
 #include "graded.h"
 
+#include "complain.h"
 #include "message.h"
 
 #include <errno.h>
@@ -26,7 +27,7 @@ __attribute__((format(printf, 2, 3))) static int fault(const char *path, const c
     va_start(arguments, format);
     vsnprintf(complaint, sizeof complaint, format, arguments);
     va_end(arguments);
-    fprintf(stderr, "%s: %s\n", path, message_show(complaint, shown, sizeof shown));
+    complain("%s: %s", path, message_show(complaint, shown, sizeof shown));
     return -1;
 }
 

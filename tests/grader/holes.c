@@ -1,6 +1,7 @@
 // Holes, found line by line: a marker is a line of its own, whatever stands before it but blanks.
 #include "holes.h"
 
+#include "complain.h"
 #include "text_file.h"
 
 #include <stdio.h>
@@ -118,7 +119,7 @@ static void output_placeholder(Output *output, Line line)
 // One line on stderr; closes the output. Returns NULL, for the caller to return.
 static char *cut_failed(Output *output, const char *name, int number, const char *what)
 {
-    fprintf(stderr, "%s:%d: %s\n", name, number, what);
+    complain("%s:%d: %s", name, number, what);
     free(output_close(output));
     return NULL;
 }
@@ -127,7 +128,7 @@ char *holes_cut(const char *solution, const char *name)
 {
     Output output;
     if (!output_open(&output)) {
-        fprintf(stderr, "%s: no memory\n", name);
+        complain("%s: no memory", name);
         return NULL;
     }
     char open_id[HOLE_ID_BYTES] = "", id[HOLE_ID_BYTES];

@@ -6,6 +6,7 @@
 //     holes fill FILE TASK ANSWER    print FILE with hole TASK filled by file ANSWER
 #include "holes.h"
 
+#include "complain.h"
 #include "text_file.h"
 
 #include <stdio.h>
@@ -36,7 +37,7 @@ static int print_hole(const char *text, const char *name, const char *task)
 {
     char *content = hole_read(text, task);
     if (content == NULL) {
-        fprintf(stderr, "%s: the markers of task %s are not there once each\n", name, task);
+        complain("%s: the markers of task %s are not there once each", name, task);
     }
     return print(content);
 }
@@ -50,7 +51,7 @@ static int fill(const char *solution, const char *name, const char *task, const 
     char *filled = hole_fill(solution, task, answer);
     free(answer);
     if (filled == NULL) {
-        fprintf(stderr, "%s: no task called %s\n", name, task);
+        complain("%s: no task called %s", name, task);
     }
     return print(filled);
 }

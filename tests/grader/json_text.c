@@ -4,6 +4,7 @@
 #include "json_text.h"
 
 #include "clean_text.h"
+#include "complain.h"
 #include "output_file.h"
 
 #include <stdlib.h>
@@ -27,7 +28,7 @@ json_t *json_message(const char *message)
 int json_save(const char *path, json_t *json, size_t layout)
 {
     if (json == NULL) {
-        fprintf(stderr, "%s: cannot write: a figure is not finite, or no memory\n", path);
+        complain("%s: cannot write: a figure is not finite, or no memory", path);
         return -1;
     }
     OutputFile output;
@@ -35,12 +36,14 @@ int json_save(const char *path, json_t *json, size_t layout)
         json_decref(json);
         return -1;
     }
-    const int written = json_dumpf(json, output.file, layout | JSON_REAL_PRECISION(6)) == 0;
+    const int dumped = json_dumpf(json, output.file, layout | JSON_REAL_PRECISION(6)) == 0;
+    // Of a file that cannot be written output_file_commit() says why.
+    const int written = dumped || ferror(output.file);
     fputc('\n', output.file);
     json_decref(json);
     if (!written) {
         output_file_discard(&output);
-        fprintf(stderr, "%s: cannot write\n", path);
+        complain("%s: cannot write", path);
         return -1;
     }
     return output_file_commit(&output);

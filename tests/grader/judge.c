@@ -36,12 +36,13 @@ const Judge *judge_of(const char *lab)
     return NULL;
 }
 
-void judges_list(FILE *out)
+const char *judges_list(char *text, size_t n_bytes)
 {
     const size_t n = sizeof judges / sizeof *judges;
-    fputs(n == 1 ? "is only " : "are ", out);
-    for (size_t i = 0; i < n; i++) {
-        fprintf(out, "%s%s", i == 0 ? "" : ", ", judges[i]->lab);
+    size_t length = (size_t)snprintf(text, n_bytes, n == 1 ? "is only " : "are ");
+    for (size_t i = 0; i < n && length < n_bytes; i++) {
+        length += (size_t)snprintf(text + length, n_bytes - length, "%s%s", i == 0 ? "" : ", ",
+                                   judges[i]->lab);
     }
-    fputc('\n', out);
+    return text;
 }

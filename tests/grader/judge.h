@@ -55,8 +55,8 @@ typedef struct Judge {
 // The judge of a lab by its name, "03-kdtree-2d-render", or its number, "03" or "3"; or NULL.
 const Judge *judge_of(const char *lab);
 
-// Print which labs can be judged here, as the end of a line: "is only 03-kdtree-2d-render", "are
-// 00-hello-pixels, ...".
-void judges_list(FILE *out);
+// Which labs can be judged here, as the end of a sentence: "is only 03-kdtree-2d-render", "are
+// 00-hello-pixels, ...". Written to `text`, cut to n_bytes, and returned.
+const char *judges_list(char *text, size_t n_bytes);
 
 #endif

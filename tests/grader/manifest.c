@@ -5,6 +5,7 @@
 // the message says where it stands, what was found and what was expected. Read next: stage.h.
 #include "manifest.h"
 
+#include "complain.h"
 #include "message.h"
 
 #include <errno.h>
@@ -33,8 +34,8 @@ __attribute__((format(printf, 2, 3))) static int fault(const Place *place, const
     va_start(arguments, format);
     vsnprintf(complaint, sizeof complaint, format, arguments);
     va_end(arguments);
-    fprintf(stderr, "%s: %s%s%s\n", place->path, place->name, place->name[0] != '\0' ? ": " : "",
-            message_show(complaint, shown, sizeof shown));
+    complain("%s: %s%s%s", place->path, place->name, place->name[0] != '\0' ? ": " : "",
+             message_show(complaint, shown, sizeof shown));
     return -1;
 }
 
@@ -282,8 +283,7 @@ static int file_read(const char *path, Manifest *manifest)
     fclose(file);
     if (json == NULL) {
         char shown[COMPLAINT_BYTES];
-        fprintf(stderr, "%s:%d: %s\n", path, error.line,
-                message_show(error.text, shown, sizeof shown));
+        complain("%s:%d: %s", path, error.line, message_show(error.text, shown, sizeof shown));
         return -1;
     }
     place.json = json;
@@ -297,8 +297,7 @@ int manifest_load(const char *labs_folder, const char *lab, Manifest *manifest)
     *manifest = (Manifest){0};
     if (lab[0] == '\0' || lab[0] == '.' || strchr(lab, '/') != NULL ||
         strlen(lab) >= sizeof manifest->lab) {
-        fprintf(stderr, "found the lab \"%s\", expected the name of a folder in %s\n", lab,
-                labs_folder);
+        complain("found the lab \"%s\", expected the name of a folder in %s", lab, labs_folder);
         return -1;
     }
     char path[4096];

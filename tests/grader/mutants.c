@@ -7,6 +7,7 @@
 // Prints TAP, a line for each file in tests/mutants/NN-name/ and tests/right/NN-name/. Their format
 // stands in tests/mutants/README.md and tests/right/README.md. Exit status: 0 all judged as they
 // should be, 1 some not, 2 the machinery failed.
+#include "complain.h"
 #include "holes.h"
 #include "message.h"
 #include "mistake_kinds.h"
@@ -53,7 +54,7 @@ static int read_header(const Answer *answer, const char *key, char value[LINE_BY
     snprintf(prefix, sizeof prefix, "// %s: ", key);
     const char *line = strstr(answer->text, prefix);
     if (line == NULL) {
-        fprintf(stderr, "%s: no line \"%s...\"\n", answer->path, prefix);
+        complain("%s: no line \"%s...\"", answer->path, prefix);
         return -1;
     }
     line += strlen(prefix);
@@ -76,7 +77,7 @@ static int read_kinds(Answer *answer)
     for (char *id = strtok_r(ids, " ", &rest); id != NULL; id = strtok_r(NULL, " ", &rest)) {
         const int kind = mistake_kind_find(id);
         if (kind < 0) {
-            fprintf(stderr, "%s: no kind of mistake is called \"%s\"\n", answer->path, id);
+            complain("%s: no kind of mistake is called \"%s\"", answer->path, id);
             return -1;
         }
         answer->first_kind = answer->kinds == 0 ? kind : answer->first_kind;
@@ -98,7 +99,7 @@ static int answer_open(Answer *answer, const Session *session, const char *path,
         return -1;
     }
     if (manifest_task(&session->manifest, answer->task) == NULL) {
-        fprintf(stderr, "%s: no task called %s\n", path, answer->task);
+        complain("%s: no task called %s", path, answer->task);
         return -1;
     }
     snprintf(name, sizeof name, "answer-%d", slot);
@@ -258,7 +259,7 @@ static int try_all(Session *session)
     snprintf(pattern, sizeof pattern, "{%s,%s}/%s/*.c*", WRONG_FOLDER, RIGHT_FOLDER,
              session->manifest.lab);
     if (glob(pattern, GLOB_BRACE, NULL, &found) != 0) {
-        fprintf(stderr, "mutants: %s: none found\n", pattern);
+        complain("mutants: %s: none found", pattern);
         return 2;
     }
     int n_missed = 0;

@@ -7,6 +7,7 @@
 // pass every check, and ends with one line of figures. Those that change nothing that counts stand
 // with the reason in tests/mutants/equivalent.txt. Exit status: 0 at least 95 in 100 of the others
 // are noticed, 1 fewer or the list is wrong, 2 the machinery failed. Read next: mutations.h.
+#include "complain.h"
 #include "holes.h"
 #include "message.h"
 #include "mutations.h"
@@ -59,7 +60,7 @@ static int add_task(Population *population, const Session *session, int task_num
     population->holes[task_number] = hole;
     Mutations *mutations = &population->mutations[task_number];
     if (hole == NULL || mutations_find(hole, mutations) != 0) {
-        fprintf(stderr, "mutate: %s: task %s cannot be read\n", path, task->id);
+        complain("mutate: %s: task %s cannot be read", path, task->id);
         return -1;
     }
     const size_t n = (size_t)(population->n + mutations->n);
@@ -260,7 +261,7 @@ static int read_options(int argc, char **argv, Options *options)
         } else if (number == NULL) {
             break;
         } else if (n + 1 == argc || (*number = atoi(argv[++n])) < (number == &options->stride)) {
-            fprintf(stderr, "mutate: %s: expected a whole number\n", argv[n]);
+            complain("mutate: %s: expected a whole number", argv[n]);
             return -1;
         }
     }

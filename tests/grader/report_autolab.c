@@ -4,6 +4,7 @@
 // one before it is Autolab's formatted feedback: a stage a task, a test a check.
 // https://docs.autolabproject.com/features/formatted-feedback/
 // Flow: judging -> result -> REPORTS. Read next: report_prairielearn.c.
+#include "complain.h"
 #include "json_text.h"
 #include "output_file.h"
 #include "report_systems.h"
@@ -77,7 +78,7 @@ int report_autolab(const char *path, const Manifest *manifest, const Result *res
     }
     if (status == 0 && !written) {
         output_file_discard(&output);
-        fprintf(stderr, "%s: cannot write\n", path);
+        complain("%s: cannot write", path);
         status = -1;
     }
     return status == 0 ? output_file_commit(&output) : -1;

@@ -5,6 +5,7 @@
 // run.
 #include "report_pictures.h"
 
+#include "complain.h"
 #include "folder.h"
 #include "html.h"
 #include "image.h"
@@ -21,7 +22,7 @@
 
 static int fault(const char *path)
 {
-    fprintf(stderr, "%s: %s\n", path, strerror(errno));
+    complain("%s: %s", path, strerror(errno));
     return -1;
 }
 

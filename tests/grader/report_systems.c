@@ -3,6 +3,8 @@
 // Flow: judging -> result -> REPORTS. Read next: report_junit.c, report_gradescope.c.
 #include "report_systems.h"
 
+#include "complain.h"
+
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
@@ -38,11 +40,13 @@ int formats_read(const char *names, FormatSet *formats)
             i++;
         }
         if (i == N_FORMATS) {
-            fprintf(stderr, "grade: --format: found \"%.*s\", expected some of", (int)length, name);
+            char names[256] = "";
             for (i = 0; i < N_FORMATS; i++) {
-                fprintf(stderr, "%s %s", i > 0 ? "," : "", known[i].name);
+                strncat(names, i > 0 ? ", " : "", sizeof names - strlen(names) - 1);
+                strncat(names, known[i].name, sizeof names - strlen(names) - 1);
             }
-            fputc('\n', stderr);
+            complain("grade: --format: found \"%.*s\", expected some of %s", (int)length, name,
+                     names);
             return -1;
         }
         *formats |= 1u << i;
@@ -78,7 +82,7 @@ int formats_write_fault(const char *folder, FormatSet formats, const char *lab)
         if (known[i].write_fault != NULL) {
             written = known[i].write_fault(path, lab) != 0 ? -1 : written;
         } else if (unlink(path) != 0 && errno != ENOENT) {
-            fprintf(stderr, "%s: an older result cannot be removed: %s\n", path, strerror(errno));
+            complain("%s: an older result cannot be removed: %s", path, strerror(errno));
             written = -1;
         }
     }

@@ -1,6 +1,8 @@
 // Reading the command line of grade; every fault is one message.
 #include "settings.h"
 
+#include "complain.h"
+#include "course_folder.h"
 #include "judge.h"
 #include "number.h"
 
@@ -43,9 +45,9 @@ static int find_lab(const char *wanted, char lab[64])
 {
     const Judge *judge = judge_of(wanted);
     if (judge == NULL) {
-        fprintf(stderr, "grade: --lab: found \"%s\", expected the number or name of a lab; here ",
-                wanted);
-        judges_list(stderr);
+        char labs[512];
+        complain("grade: --lab: found \"%s\", expected the number or name of a lab; here %s",
+                 wanted, judges_list(labs, sizeof labs));
         return -1;
     }
     snprintf(lab, 64, "%s", judge->lab);
@@ -59,9 +61,8 @@ static int read_number(const char *option, const char *text, uint64_t lowest, ui
     if (number_read_unsigned(text, lowest, highest, number) == 0) {
         return 0;
     }
-    fprintf(stderr,
-            "grade: %s: found \"%s\", expected a whole number from %" PRIu64 " to %" PRIu64 "\n",
-            option, text, lowest, highest);
+    complain("grade: %s: found \"%s\", expected a whole number from %" PRIu64 " to %" PRIu64,
+             option, text, lowest, highest);
     return -1;
 }
 
@@ -71,11 +72,9 @@ static int read_sandbox(const char *option, const char *text, SandboxKind *kind)
     if (sandbox_kind_find(text, kind) == 0) {
         return 0;
     }
-    fprintf(
-        stderr,
-        "grade: %s: found \"%s\", expected bubblewrap, landlock, user, user-unfiltered, none or "
-        "any\n",
-        option, text);
+    complain("grade: %s: found \"%s\", expected bubblewrap, landlock, user, user-unfiltered, none "
+             "or any",
+             option, text);
     return -1;
 }
 
@@ -194,11 +193,11 @@ int settings_parse(int argc, char **argv, Settings *settings)
         return answered;
     }
     if (given.lab == NULL || optind < argc) {
-        fprintf(stderr, "grade: %s (try --help)\n",
-                given.lab == NULL ? "--lab is missing" : "words that are no option");
+        complain("grade: %s (try --help)",
+                 given.lab == NULL ? "--lab is missing" : "words that are no option");
         return -1;
     }
-    if (find_lab(given.lab, settings->lab) != 0) {
+    if (course_folder_check("grade") != 0 || find_lab(given.lab, settings->lab) != 0) {
         return -1;
     }
     return set_folders(&given, settings);

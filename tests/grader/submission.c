@@ -6,6 +6,7 @@
 #include "submission.h"
 
 #include "bytes_write.h"
+#include "complain.h"
 #include "message.h"
 #include "sandbox.h"
 #include "stage.h"
@@ -37,12 +38,12 @@ enum { EXIT_ARCHIVE = 1 };
 
 static int machinery_fault(const char *path, int fault)
 {
-    fprintf(stderr, "%s: %s\n", path, strerror(fault));
+    complain("%s: %s", path, strerror(fault));
     return -1;
 }
 
 // A fault of what was handed in, named by the last part of its path: one line to the student.
-static int complain(const char *path, const char *complaint, char **message)
+static int submission_refuse(const char *path, const char *complaint, char **message)
 {
     char shown[MESSAGE_SHOWN_BYTES];
     const char *slash = strrchr(path, '/');
@@ -109,17 +110,18 @@ static int copy_archive(const char *path, int from, const char *to, char **messa
         return machinery_fault(path, errno);
     }
     if (!S_ISREG(status.st_mode)) {
-        return complain(path,
-                        "neither a folder nor an archive: hand in a folder, or a zip or tar "
-                        "archive of it",
-                        message);
+        return submission_refuse(
+            path,
+            "neither a folder nor an archive: hand in a folder, or a zip or tar "
+            "archive of it",
+            message);
     }
     if (status.st_size > (off_t)SUBMISSION_MAX_MEGABYTES << 20) {
         char complaint[80];
         snprintf(complaint, sizeof complaint,
                  "larger than the allowed %d MB: hand in the lab's files only",
                  SUBMISSION_MAX_MEGABYTES);
-        return complain(path, complaint, message);
+        return submission_refuse(path, complaint, message);
     }
     return copy_open_file(from, to, status.st_size, 0644) == 0 ? 0 : machinery_fault(to, errno);
 }
@@ -171,29 +173,29 @@ static int take_unpack(const char *path, const SandboxResult *result, char **mes
     result->output[strcspn(result->output, "\n")] = '\0';
     message_show(result->output, line, sizeof line);
     if (result->outcome == SANDBOX_FAULT) {
-        fprintf(stderr, "grade: the sandbox failed: %s\n", line);
+        complain("grade: the sandbox failed: %s", line);
         return -1;
     }
     if (result->outcome == SANDBOX_TIMED_OUT || result->outcome == SANDBOX_ASLEEP) {
         snprintf(complaint, sizeof complaint,
                  "not unpacked after %d s of %s: hand in the lab's files only", UNPACK_SECONDS,
                  result->outcome == SANDBOX_ASLEEP ? "waiting" : "processor time");
-        return complain(path, complaint, message);
+        return submission_refuse(path, complaint, message);
     }
     if (result->outcome == SANDBOX_STARVED) {
-        fprintf(stderr, "grade: this machine is too busy: tools/unpack was not done in %.0f s\n",
-                result->used.wall);
+        complain("grade: this machine is too busy: tools/unpack was not done in %.0f s",
+                 result->used.wall);
         return -1;
     }
     if (result->outcome != SANDBOX_EXITED) {
-        return complain(path, "the archive is damaged, reading it crashes: pack the files anew",
-                        message);
+        return submission_refuse(
+            path, "the archive is damaged, reading it crashes: pack the files anew", message);
     }
     if (result->exit_status == EXIT_ARCHIVE) {
-        return complain(path, line, message);
+        return submission_refuse(path, line, message);
     }
     if (result->exit_status != 0) {
-        fprintf(stderr, "grade: tools/unpack cannot work here: %s\n", line);
+        complain("grade: tools/unpack cannot work here: %s", line);
         return -1;
     }
     return 0;

@@ -5,6 +5,7 @@
 // Writes the entries with these names into FOLDER (unpack.h says how). Exit status: 0; 1 when the
 // archive is at fault, which one line on stdout tells; 2 when it could not work itself, with a line
 // on stderr. Read next: submission.c, which starts it.
+#include "complain.h"
 #include "file_kind.h"
 #include "unpack.h"
 
@@ -20,7 +21,7 @@ enum { EXIT_UNPACKED = 0, EXIT_ARCHIVE = 1, EXIT_FAULT = 2, BLOCK_BYTES = 65536 
 
 static int fault(const char *name)
 {
-    fprintf(stderr, "unpack: %s: %s\n", name, strerror(errno));
+    complain("unpack: %s: %s", name, strerror(errno));
     return EXIT_FAULT;
 }
 

@@ -197,11 +197,31 @@ check "the order of columns changes nothing" "$compare" "$out/order.exr" "$out/p
 check "a header alone is an empty scene" "$compare" "$out/header.exr" "$out/none.exr"
 check "a circle is something" differs "$compare" "$out/plain.exr" "$out/none.exr"
 
+# ---- What nobody wrote is black -----------------------------------------------------------------
+
+# New memory full of 5a, and tasks that are not answered yet. Lab 00's host code is the solution's
+# here: its empty read_back would hide the picture.
+mkdir "$scratch/unfinished"
+cp -R labs solutions kernels "$scratch/unfinished"
+cp labs/00-hello-pixels/gradient.cl "$scratch/unfinished/solutions/00-hello-pixels"
+# shellcheck disable=SC2317 # called by check
+draws_black() {
+    (cd "$scratch/unfinished" && export MALLOC_PERTURB_=90 &&
+        "$build/$1" --size 317x211 --output "$out/black.exr") >"$scratch/stdout" 2>&1 &&
+        "$compare" "$out/black.exr" "$out/none.exr"
+}
+works run 01 --scene none --size 317x211 --output "$out/none.exr"
+for program in solutions/00-hello-pixels labs/00-hello-pixels labs/01-naive-2d labs/03-kdtree-2d-render; do
+    check "$program: unanswered, it draws black" draws_black $program
+done
+
 # ---- Bad input ----------------------------------------------------------------------------------
 
 empty_output_folder
 
 : >"$scenes/empty.csv"
+odd=$(printf 'two\nlines\033[2J') # as a name, it would clear the terminal
+: >"$scenes/empty$odd.csv"
 printf '# only a comment\n' >"$scenes/comment.csv"
 printf '%s\n1,2,3,0.5,1' $header >"$scenes/truncated.csv"
 printf '%s\n%s\n%s,7\n' $header $circle $circle >"$scenes/more.csv"
@@ -221,6 +241,10 @@ printf '%s\n\001\000\377\n' $header >"$scenes/binary.csv"
 awk 'BEGIN { for (i = 0; i < 5000; i++) printf "1,"; print "" }' >"$scenes/long.csv"
 printf '%s\n%s\n%s\n' $header $circle $circle >"$scenes/same.csv" # no split parts these two
 mkdir "$scenes/folder.csv"
+mkfifo "$scenes/pipe.csv"
+check "a pipe without a writer is not waited for" refuses \
+    "pipe.csv: cannot be read: found a pipe or a device, expected a regular file" \
+    run_limited 01 --scene "$scenes/pipe.csv" --output "$new"
 
 # shellcheck disable=SC2119 # its rows come from the table
 refuses_each <<'END'
@@ -243,7 +267,7 @@ refuses_each <<'END'
 02|no-header.csv:1: found "30", expected the names of columns|--scene $scenes/no-header.csv
 03|binary.csv:2: found a NUL byte|--scene $scenes/binary.csv
 01|long.csv:1: found more than 4096 characters|--scene $scenes/long.csv
-02|folder.csv:1: found Is a directory|--scene $scenes/folder.csv
+02|folder.csv: cannot be read: found a folder, expected a file|--scene $scenes/folder.csv
 03|found no such scene|--scene ''
 01|found no such scene|--scene randomly
 02|n=N, a whole number|--scene random:n=-1
@@ -273,6 +297,15 @@ refuses_each <<'END'
 01|full.png", expected a regular file|--output $out/full.png
 02|--stats: found "/dev/full", expected a regular file|--stats /dev/full
 03|--stats: found|--stats $out/nowhere/new.json
+01|OpenCL: found no device "", expected a number or a part of a name from|--device ''
+01|--scene two lines|--scene "$odd"
+02|[2J.csv: cannot be read: No such file|--scene $scenes/"$odd".csv
+03|[2J.csv:1: found the end of the file|--scene $scenes/"empty$odd".csv
+00|stray word "two lines|"$odd"
+01|expected a file that ends in|--output "$odd"
+02|expected a file in a folder that exists|--output "$out/$odd/new.png"
+03|found no device "two lines|--device "$odd"
+00|is no option here|"--$odd"
 03|word.csv:4|--scene $scenes/word.csv --output $out/old.png --stats $out/old.json
 END
 
@@ -284,20 +317,40 @@ else
         run 02 --output "$scratch/locked/new.png"
 fi
 
-# small_disk COMMAND...: with room for files of 4 KB.
-small_disk() (
-    trap '' XFSZ
-    ulimit -f 8
-    "$@"
-)
-check "no room for the picture" refuses "new.exr: cannot be written" \
+check "no room for the picture" refuses "new.exr: cannot be written: File too large" \
     small_disk run 02 --scene example --output "$out/new.exr"
-check "no room for the SVG beside the picture" refuses "new.svg: cannot be written" \
+check "no room for the SVG beside the picture" refuses "new.svg: cannot be written: File too large" \
     small_disk run 02 --scene random:n=200 --size 640x640 --output "$out/new.png"
 mkdir "$out/new.svg"
 check "no place for the SVG beside the picture" refuses "new.svg: cannot be written" \
     run 02 --scene example --output "$new"
 rmdir "$out/new.svg"
+fails_to_save 00 01 02 03
+
+# ---- Standard output ----------------------------------------------------------------------------
+
+# fails_without_output FILE REASON LAB OPTION...: a fault, told once, and a whole picture all the same?
+# shellcheck disable=SC2317 # called by check
+fails_without_output() {
+    into=$1 reason=$2 status=0
+    shift 2
+    run_into "$into" "$@" --output "$out/new.png" || status=$?
+    cat "$scratch/stderr"
+    [ $status -eq 1 ] && [ "$(wc -l <"$scratch/stderr")" -eq 1 ] &&
+        grep -qF "standard output: cannot be written: $reason" "$scratch/stderr"
+}
+for number in 00 01 02 03; do
+    options="--size 64x48 --scene example"
+    [ $number != 00 ] || options="--size 64x48"
+    for into in '/dev/full|No space left on device' '-|Bad file descriptor'; do
+        # shellcheck disable=SC2086
+        check "lab $number: standard output is ${into%|*}" \
+            fails_without_output "${into%|*}" "${into#*|}" $number $options
+        check "lab $number: the picture is whole" works "$compare" "$out/new.png" "$out/new.png"
+        rm -f "$out"/new.*
+    done
+    check "lab $number: help that nobody can read" fails_without_output /dev/full No $number --help
+done
 
 # ---- Bad devices --------------------------------------------------------------------------------
 
@@ -333,8 +386,15 @@ fi
 elsewhere() (
     cd "$1" && shift && "$@"
 )
-check "started in the wrong folder" refuses "implicit2DRenderer.cl: cannot be read" \
-    elsewhere "$scratch" run 01 --scene example --output "$new"
+mkdir "$scratch/nowhere"
+for program in "$build"/solutions/0*-* "$build/tools/grade --lab 01" "$build/tools/memcheck --lab 01"; do
+    # shellcheck disable=SC2086,SC2317 # words of a command; called by refuses
+    start() { elsewhere "$scratch/nowhere" $program >"$scratch/stdout" 2>"$scratch/stderr"; }
+    check "started in the wrong folder: ${program##*/}" refuses \
+        "started in the wrong folder, expected the course's top folder" start
+    check "it makes nothing there" test -z "$(ls -A "$scratch/nowhere")"
+done
+check "help is for every folder" elsewhere "$scratch/nowhere" run 01 --help
 
 kernel=solutions/01-naive-2d/overlaps_N_Nearer.cl
 echo 'int broken(void) { return no_such_name; }' >>"$scratch/elsewhere/$kernel"

@@ -51,7 +51,7 @@ Test(cl_setup, a_device_is_chosen_by_number_or_by_part_of_its_name)
     for (int i = 0; i < 6; i++) {
         part[i] = (char)(part[i] >= 'a' && part[i] <= 'z' ? part[i] - 32 : part[i]);
     }
-    const char *choices[] = {"0", "", part};
+    const char *choices[] = {"0", part};
     for (size_t i = 0; i < sizeof choices / sizeof choices[0]; i++) {
         ClSetup setup;
         cr_expect_eq(cl_setup_open(choices[i], &setup), 0, "\"%s\"", choices[i]);
@@ -61,7 +61,7 @@ Test(cl_setup, a_device_is_chosen_by_number_or_by_part_of_its_name)
 
 Test(cl_setup, a_wrong_device_lists_what_there_is)
 {
-    static const char *const WRONG[] = {"63", "99999999999999999999", "no such device", "-1"};
+    static const char *const WRONG[] = {"63", "99999999999999999999", "no such device", "-1", ""};
     for (size_t i = 0; i < sizeof WRONG / sizeof WRONG[0]; i++) {
         ClSetup setup;
         capture_begin(2);

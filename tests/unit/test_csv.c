@@ -154,6 +154,29 @@ Test(csv, endless_lines_and_quotes_are_bounded)
     }
 }
 
+Test(csv, a_last_line_without_its_end_is_warned_of)
+{
+    static const char *const ENDS[][2] = {
+        {"",
+         "scene.csv: warning: the last line (2) has no line end: if the file was cut there, its "
+         "last number is wrong\n"},
+        {" ", ""},
+        {"\r", ""},
+        {"\n", ""},
+    };
+    for (size_t i = 0; i < sizeof ENDS / sizeof ENDS[0]; i++) {
+        char text[128];
+        Scene2D scene = {0};
+        snprintf(text, sizeof text, HEADER "1,2,3,0.5,1,1,0.25%s", ENDS[i][0]);
+        capture_begin(2);
+        int result = read_text(text, strlen(text), &scene);
+        cr_expect_str_eq(capture_end(2), ENDS[i][1]);
+        cr_assert_eq(result, 0);
+        cr_expect(scene.n_circles == 1 && scene.circles[0].b == 0.25f);
+        scene2d_free(&scene);
+    }
+}
+
 // ---- Writing ------------------------------------------------------------------------------------
 
 Test(csv, what_is_written_reads_back_to_the_same_floats)

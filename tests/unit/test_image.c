@@ -190,13 +190,18 @@ Test(image, a_full_disk_leaves_nothing_behind)
     limit = usual;
     limit.rlim_cur = 4096;
 
-    capture_begin(2);
-    setrlimit(RLIMIT_FSIZE, &limit);
-    int result = image_save(&image, "a.exr");
-    setrlimit(RLIMIT_FSIZE, &usual);
-    expect_one_message(capture_end(2), "a.exr: cannot be written");
-    cr_expect_eq(result, -1);
-    cr_expect_eq(folder_count(), 0);
+    static const char *const PATHS[] = {"a.exr", "a.png"};
+    for (size_t i = 0; i < sizeof PATHS / sizeof PATHS[0]; i++) {
+        char expected[64];
+        snprintf(expected, sizeof expected, "%s: cannot be written: File too large", PATHS[i]);
+        capture_begin(2);
+        setrlimit(RLIMIT_FSIZE, &limit);
+        int result = image_save(&image, PATHS[i]);
+        setrlimit(RLIMIT_FSIZE, &usual);
+        expect_one_message(capture_end(2), expected);
+        cr_expect_eq(result, -1);
+        cr_expect_eq(folder_count(), 0);
+    }
     image_free(&image);
 }
 

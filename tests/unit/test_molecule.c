@@ -104,7 +104,7 @@ Test(molecule, xyz_is_read)
 {
     static const char *const TEXTS[] = {
         "2\nwater, a part of it\nO 0 0 0.5\nH 1 -2.5 3\n",
-        "2\n\nO 0 0 0.5\nH 1 -2.5 3",
+        "2\n\nO 0 0 0.5\nH 1 -2.5 3 ",
         "2\r\ncomment\r\nO 0 0 0.5\r\nH 1 -2.5 3\r\n\r\n",
         "\xEF\xBB\xBF 2 \n\no 0 0 0.5\nh 1 -2.5 3\n\n \n",
         "2\n\n8\t0\t0\t0.5\n 1   1 -2.5 3\n",
@@ -118,6 +118,16 @@ Test(molecule, xyz_is_read)
         expect_atom(&scene, 1, 1, -2.5f, 3, "H");
         scene3d_free(&scene);
     }
+}
+
+Test(molecule, an_xyz_file_without_its_last_line_end_is_warned_of)
+{
+    Scene3D scene =
+        read_good(scene3d_read_xyz, "2\n\nO 0 0 0.5\nH 1 -2.5 3",
+                  "molecule: warning: the last line (4) has no line end: if the file was "
+                  "cut there, its last number is wrong\n");
+    expect_atom(&scene, 1, 1, -2.5f, 3, "H");
+    scene3d_free(&scene);
 }
 
 Test(molecule, xyz_faults)
@@ -208,9 +218,9 @@ Test(molecule, pdb_is_read)
         "HEADER    WHATEVER\nREMARK 1 \xC3\xA4\n" CA_ATOM "TER\nEND\n",
         "MODEL        1\n" CA_ATOM "ENDMDL\nMODEL        2\n" CA_ATOM "ENDMDL\nEND\n",
         CA_ATOM "END\n" CA_ATOM,
-        "ATOM      2  CA  ALA A   1      -1.000   2.500   3.000",  // without what follows
+        "ATOM      2  CA  ALA A   1      -1.000   2.500   3.000\n",  // without what follows
         "ATOM      2  CA  ALA A   1      -1.000   2.500   3.000\r\n",
-        "ATOM      2  CA  ALA A   1      -1.000   2.500   3.0",
+        "ATOM      2  CA  ALA A   1      -1.000   2.500   3.0\n",
         "ATOM  99999  CA  ALA A9999A     -1.000   2.500   3.000  1.00  0.00      SEGM "
         "C1+\r\nEND\r\n",
         "HETATM    2  C1  LIG A   1      -1.000   2.500   3.000  1.00  0.00           C\n",
@@ -263,25 +273,73 @@ Test(molecule, pdb_elements)
 
 Test(molecule, pdb_takes_one_of_the_alternate_locations)
 {
-    // Which atoms of two residues are drawn.
+    // Which atoms of two residues are drawn: atoms have a letter as their name and one as their
+    // location, or "." for none; a digit begins a residue.
     static const struct {
-        const char *locations;  // of the atoms; a digit begins a residue
+        const char *atoms;
         int n_expected;
-    } CASES[] = {{"1  ", 2}, {"1AB", 1}, {"1BAB", 2}, {"1 AB ", 3}, {"1AB2BA", 2}, {"1AA2B", 3}};
+    } CASES[] = {
+        {"1C.N.", 2},         {"1CACB", 1},      {"1CBCANB", 2},   {"1C.NANBO.", 3},
+        {"1CACB2CBCA", 2},    {"1CANA2CB", 3},   {"1C.C.C.", 3},   {"1CACA", 2},
+        {"1C.CB", 1},         {"1CBC.", 1},      {"1C.CBN.NB", 2}, {"1C.CBNANB", 2},
+        {"1N.C.O.NBCBOB", 3}, {"1C.CB2C.CB", 2}, {"1C.CACB", 1},   {"1CACBC.", 1},
+    };
     for (size_t i = 0; i < sizeof CASES / sizeof CASES[0]; i++) {
-        char text[1024] = "";
+        char text[2048] = "";
         int residue = 0;
-        for (const char *c = CASES[i].locations; *c != '\0'; c++) {
+        for (const char *c = CASES[i].atoms; *c != '\0'; c++) {
             if (*c >= '1' && *c <= '9') {
                 residue = *c - '0';
             } else {
-                strcat(text, record("ATOM", " CA ", *c, residue, "C"));
+                const char name[] = {' ', *c, ' ', ' ', '\0'};
+                c++;
+                strcat(text, record("ATOM", name, *c == '.' ? ' ' : *c, residue, "C"));
             }
         }
         Scene3D scene = read_good(scene3d_read_pdb, text, "");
-        cr_expect_eq(scene.n_spheres, CASES[i].n_expected, "%s", CASES[i].locations);
+        cr_expect_eq(scene.n_spheres, CASES[i].n_expected, "%s: %d", CASES[i].atoms,
+                     scene.n_spheres);
         scene3d_free(&scene);
     }
+}
+
+// Where a file was cut there is a fault, a warning, or nothing that is missed.
+Test(molecule, a_cut_pdb_file_is_never_taken_in_silence)
+{
+    static const char LINE[] =
+        "ATOM      2  CA  ALA A   1      -1.000   2.500   3.125  1.00  0.00           C";
+    static const char ENDING[] =
+        "molecule: warning: the last line (2) has no line end: if the file "
+        "was cut there, its last number is wrong\n";
+    for (size_t length = 1; length <= strlen(LINE); length++) {
+        char text[256], fault[96];
+        snprintf(text, sizeof text, CA_ATOM "%.*s", (int)length, LINE);
+        if (length < 54 && LINE[length - 1] == ' ') {
+            Scene3D scene;
+            capture_begin(2);
+            cr_expect_eq(read_text(scene3d_read_pdb, text, strlen(text), &scene), -1);
+            expect_one_message(capture_end(2), "molecule:2: ");
+            continue;
+        }
+        if (length < 54) {
+            snprintf(
+                fault, sizeof fault,
+                "2: found the end of the file in column %zu, expected x, y and z up to column 54",
+                length);
+            expect_fault(scene3d_read_pdb, text, strlen(text),
+                         length < 4 ? "2: found the end of the file in the name of a record, "
+                                      "expected a whole record"
+                                    : fault);
+            continue;
+        }
+        Scene3D scene = read_good(scene3d_read_pdb, text, LINE[length - 1] == ' ' ? "" : ENDING);
+        expect_atom(&scene, 1, -1, 2.5f, 3.125f, "C");
+        scene3d_free(&scene);
+    }
+    expect_fault(scene3d_read_pdb, TEXT(CA_ATOM "HETA"),
+                 "2: found the end of the file in the name of a record, expected a whole record");
+    Scene3D scene = read_good(scene3d_read_pdb, CA_ATOM "END", "");  // nothing can be missing
+    scene3d_free(&scene);
 }
 
 Test(molecule, pdb_faults)

@@ -4,7 +4,14 @@
 
 #define MAX_WORDS 8
 
-TestSuite(options, .init = folder_enter, .fini = folder_leave);
+static void enter(void)
+{
+    folder_enter();
+    mkdir("kernels", 0777);  // looks like a course
+    mkdir("labs", 0777);
+}
+
+TestSuite(options, .init = enter, .fini = folder_leave);
 
 // Parse a command line given as words, NULL after the last.
 static OptionsResult parse(const char *const words[MAX_WORDS], int set, Options *options)
@@ -44,7 +51,7 @@ Test(options, everything_given)
     cr_expect_str_eq(options.output, "p.exr");
     cr_expect_eq(options.n_frames, 7);
     cr_expect_str_eq(options.stats, "s.json");
-    cr_expect_eq(folder_count(), 0, "nothing is made when --output is given");
+    cr_expect_eq(folder_count(), 2, "nothing is made when --output is given");
 
     const char *second[MAX_WORDS] = {"--device", "pocl", "--max-depth=64", "--leaf-size=1",
                                      "--size=1x1000000"};
@@ -187,7 +194,7 @@ Test(options, help_names_what_the_lab_understands)
         cr_expect_not_null(strstr(help, PARTS[i]), "no %s", PARTS[i]);
     }
     cr_expect_null(strstr(help, "--max-depth"), "an option of labs with trees");
-    cr_expect_eq(folder_count(), 0, "help makes no folder");
+    cr_expect_eq(folder_count(), 2, "help makes no folder");
 }
 
 Test(options, devices_are_listed)
@@ -198,4 +205,19 @@ Test(options, devices_are_listed)
     const char *list = capture_end(1);
     cr_expect_eq(result, OPTIONS_DONE);
     cr_expect_eq(strncmp(list, "0  ", 3), 0);
+}
+
+// The test's own program lies in a course's build folder, so it knows where to go.
+Test(options, the_wrong_folder_is_told_and_left_as_it_was)
+{
+    rmdir("labs");
+    Options options;
+    capture_begin(2);
+    OptionsResult result = parse((const char *[MAX_WORDS]){NULL}, OPTIONS_SCENE, &options);
+    expect_one_message(capture_end(2), "01-naive-2d: started in the wrong folder, expected the "
+                                       "course's top folder: cd '/");
+    cr_expect_eq(result, OPTIONS_BAD);
+    cr_expect_eq(folder_count(), 1, "it made something");
+    mkdir("solutions", 0777);  // is a course, too
+    cr_expect_eq(parse((const char *[MAX_WORDS]){NULL}, OPTIONS_SCENE, &options), OPTIONS_RUN);
 }

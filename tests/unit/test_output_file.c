@@ -112,3 +112,40 @@ Test(output_file, a_full_disk_is_reported_and_the_old_file_kept)
     expect_content("figure.svg", "old");
     cr_expect_eq(folder_count(), 1);
 }
+
+// As lab 02 saves two files, both or neither.
+Test(output_file, stored_is_not_yet_there)
+{
+    OutputFile output;
+    cr_assert_eq(output_file_open(&output, "figure.svg"), 0);
+    fputs("whole", output.file);
+    cr_expect_eq(output_file_store(&output), 0);
+    cr_expect_neq(access("figure.svg", F_OK), 0);
+    expect_content(output.partial_path, "whole");
+    cr_assert_eq(output_file_commit(&output), 0);
+    expect_content("figure.svg", "whole");
+}
+
+// The stream forgets why a write failed; the message says it even where more was printed since.
+Test(output_file, the_reason_of_the_first_fault_is_told)
+{
+    signal(SIGXFSZ, SIG_IGN);
+    struct rlimit usual, limit;
+    getrlimit(RLIMIT_FSIZE, &usual);
+    limit = usual;
+    limit.rlim_cur = 4096;
+
+    OutputFile output;
+    cr_assert_eq(output_file_open(&output, "figure.svg"), 0);
+    setrlimit(RLIMIT_FSIZE, &limit);
+    for (int i = 0; i < 100000; i++) {
+        fputs("a line of text\n", output.file);
+    }
+    setrlimit(RLIMIT_FSIZE, &usual);
+    fputs("the last line\n", output.file);
+    capture_begin(2);
+    int result = output_file_commit(&output);
+    expect_one_message(capture_end(2), "figure.svg: cannot be written: File too large");
+    cr_expect_eq(result, -1);
+    cr_expect_eq(folder_count(), 0);
+}

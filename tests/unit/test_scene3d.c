@@ -269,6 +269,47 @@ static void ray_towards(const Axes *axes, double spacing, double pixels_right, d
     }
 }
 
+// Do two rays, half a pixel to this side of the view's axis and to that, differ in float? So the
+// kernels compute them.
+static int are_rays_distinct(const Axes *axes, const double sideways[3], double spacing)
+{
+    int are_distinct = 0;
+    for (int i = 0; i < 3; i++) {
+        const float forward = (float)axes->forward[i], side = (float)sideways[i];
+        const volatile float here = forward + 0.5f * (float)spacing * side;
+        const volatile float there = forward - 0.5f * (float)spacing * side;
+        are_distinct |= here != there;
+    }
+    return are_distinct;
+}
+
+// At the smallest angle, and the rounding of it, neighbours differ; at less than half of it the
+// larger half of a number's spacing is not reached, and they do not.
+Test(scene3d, the_smallest_angle_keeps_neighbouring_rays_apart)
+{
+    static const View OBLIQUE[] = {
+        {.from = {2.1f, 1.3f, 1.7f}, .up = {0, 0, 1}},
+        {.from = {-3, 7, 0.3f}, .up = {0, 1, 0}},
+        {.from = {100, 101, 102}, .up = {1, 2, 0}},
+    };
+    for (size_t i = 0; i < sizeof OBLIQUE / sizeof OBLIQUE[0]; i++) {
+        const Axes axes = axes_of(&OBLIQUE[i]);
+        for (int height = 2; height <= 4096; height *= 8) {
+            const double angle = scene3d_smallest_angle(&OBLIQUE[i], height);
+            const double spacing = 2 * tan(angle / 2 * M_PI / 180) / (height - 1);
+            cr_expect(are_rays_distinct(&axes, axes.right, 1.01 * spacing), "view %zu", i);
+            cr_expect(are_rays_distinct(&axes, axes.up, 1.01 * spacing), "view %zu", i);
+            cr_expect(!are_rays_distinct(&axes, axes.right, 0.49 * spacing) ||
+                          !are_rays_distinct(&axes, axes.up, 0.49 * spacing),
+                      "view %zu: %g is not the smallest angle", i, angle);
+        }
+    }
+    // Along an axis float is as fine as it gets: nothing is refused that could be drawn.
+    const View along = {.from = {3000, 0, 0}, .up = {0, 0, 1}};
+    cr_expect_lt(scene3d_smallest_angle(&along, 1000), 1e-30);
+    cr_expect_gt(scene3d_smallest_angle(&along, 1000), 1.4e-45);
+}
+
 // ---- Sphereflake --------------------------------------------------------------------------------
 
 Test(scene3d, sphereflake_has_a_ball_more_for_each_power_of_nine)

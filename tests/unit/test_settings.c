@@ -9,6 +9,7 @@
 static void enter(void)
 {
     folder_enter();
+    mkdir("kernels", 0777);
     mkdir("labs", 0777);
     mkdir("labs/03-kdtree-2d-render", 0777);
 }

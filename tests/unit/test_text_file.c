@@ -43,3 +43,35 @@ Test(text_file, what_cannot_be_read)
         free(text);
     }
 }
+
+// A pipe without a writer would be waited for; the test's time limit would end that.
+Test(text_file, what_is_no_file_is_refused_at_once, .timeout = 10)
+{
+    mkdir("folder", 0777);
+    cr_assert_eq(mkfifo("pipe", 0600), 0);
+    cr_assert_eq(symlink("pipe", "link"), 0);
+    static const struct {
+        const char *path, *message;
+    } CASES[] = {
+        {"pipe", "pipe: cannot be read: found a pipe or a device, expected a regular file"},
+        {"link", "link: cannot be read: found a pipe or a device, expected a regular file"},
+        {"/dev/zero", "/dev/zero: cannot be read: found a pipe or a device"},
+        {"folder", "folder: cannot be read: found a folder, expected a file"},
+    };
+    for (size_t i = 0; i < sizeof CASES / sizeof CASES[0]; i++) {
+        capture_begin(2);
+        FILE *file = text_file_open(CASES[i].path);
+        expect_one_message(capture_end(2), CASES[i].message);
+        cr_expect_null(file);
+    }
+}
+
+Test(text_file, a_link_to_a_file_is_fine)
+{
+    file_write("a.txt", "text", 4);
+    cr_assert_eq(symlink("a.txt", "link"), 0);
+    FILE *file = text_file_open("link");
+    cr_assert_not_null(file);
+    cr_expect_eq(getc(file), 't');
+    fclose(file);
+}

@@ -1,6 +1,6 @@
-// Text of unknown origin made fit for a report (see clean_text.h).
+// Text of unknown origin made fit for messages and reports (see clean_text.h).
 //
-// Flow: judging -> result -> REPORTS. Read next: report_text.c.
+// Flow: scene -> buffers -> kernel -> image -> comparison. Read next: complain.c.
 #include "clean_text.h"
 
 #include <stdint.h>
@@ -9,6 +9,8 @@
 #include <string.h>
 
 #define REPLACEMENT "\xEF\xBF\xBD"  // U+FFFD
+
+_Static_assert(sizeof REPLACEMENT - 1 == CLEAN_TEXT_GROWTH, "a byte may become all of it");
 
 // How a message that is too long is shared out between its beginning and its end.
 enum {
@@ -68,10 +70,8 @@ static int is_showable(uint32_t character)
     return !is_control && !is_ordering && !is_none;
 }
 
-static char *showable(const char *text, int one_line)
+void text_show(const char *text, int one_line, char *clean)
 {
-    // Each byte becomes three at worst.
-    char *clean = memory_for(strlen(text) * strlen(REPLACEMENT) + 1);
     char *end = clean;
     for (const unsigned char *from = (const unsigned char *)text; *from != '\0';) {
         uint32_t character;
@@ -92,6 +92,13 @@ static char *showable(const char *text, int one_line)
         }
     }
     *end = '\0';
+}
+
+static char *showable(const char *text, int one_line)
+{
+    text = text != NULL ? text : "";
+    char *clean = memory_for(CLEAN_TEXT_GROWTH * strlen(text) + 1);
+    text_show(text, one_line, clean);
     return clean;
 }
 
@@ -155,7 +162,7 @@ static char *lines_limit(char *text)
 
 char *message_clean(const char *message)
 {
-    char *text = showable(message != NULL ? message : "", 0);
+    char *text = showable(message, 0);
     for (size_t length = strlen(text); length > 0 && text[length - 1] == '\n'; length--) {
         text[length - 1] = '\0';
     }
@@ -168,7 +175,7 @@ char *message_clean(const char *message)
 
 char *line_clean(const char *line)
 {
-    char *text = showable(line != NULL ? line : "", 1);
+    char *text = showable(line, 1);
     if (strlen(text) > LINE_MAX_BYTES) {
         text = bytes_limit(text, LINE_MAX_BYTES - LINE_TAIL_BYTES, LINE_TAIL_BYTES);
     }

@@ -1,11 +1,11 @@
-// Text of unknown origin made fit for a report: a compiler's log, a message with a student's
-// values.
+// Text of unknown origin made fit for messages and reports: a file's name, a compiler's log.
 //
 // What comes out is valid UTF-8 in which nothing can move a terminal's cursor, turn the reading
 // direction or break a JSON string, and it is short enough to be read. It is NOT escaped for HTML:
-// html.h does that while writing.
-#ifndef GRADER_CLEAN_TEXT_H
-#define GRADER_CLEAN_TEXT_H
+// html.h does that while writing. Flow: scene -> buffers -> kernel -> image -> comparison: at any
+// step something may have to be said. Read next: complain.h.
+#ifndef COMMON_CLEAN_TEXT_H
+#define COMMON_CLEAN_TEXT_H
 
 // A longer message loses its middle: the first errors matter most, the last lines say how it ended.
 enum {
@@ -21,5 +21,11 @@ char *message_clean(const char *message);
 
 // The same for what must be one line (a path, a device's name): newlines and tabs become spaces.
 char *line_clean(const char *line);
+
+// What both stand on: write `text` so that all of it can be shown, whatever its length.
+//   one_line   newlines and tabs become spaces, too
+//   clean      out; holds CLEAN_TEXT_GROWTH * strlen(text) + 1 bytes
+enum { CLEAN_TEXT_GROWTH = 3 };
+void text_show(const char *text, int one_line, char *clean);
 
 #endif

@@ -1,0 +1,21 @@
+// One message for the user, on stderr.
+//
+// Flow: scene -> buffers -> kernel -> image -> comparison: at any step something may be wrong. A
+// message often holds a name that somebody else chose; whatever is in it, the message stays one
+// line and nothing in it moves the terminal's cursor. Read next: clean_text.h.
+#ifndef COMMON_COMPLAIN_H
+#define COMMON_COMPLAIN_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+// Print a message made as printf() makes it, and the end of its line. Needs no memory of the heap:
+// that there is none may be what it says. What is beyond 8000 bytes is left out.
+__attribute__((format(printf, 1, 2))) void complain(const char *format, ...);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
