@@ -127,9 +127,12 @@ static int shows_beyond(ProbeImage own, const ExpectedPicture *expected)
 
 const char *picture_plain(ProbeImage own, const ExpectedPicture *expected)
 {
-    return is_empty(own, expected)      ? "empty: nothing but the background"
-           : is_constant(own, expected) ? "of one colour everywhere"
-                                        : NULL;
+    if (is_empty(own, expected)) {
+        return "empty: nothing but the background";
+    }
+    // One circle too many may cover all of the picture, and is a mistake of its own.
+    return is_constant(own, expected) && !shows_beyond(own, expected) ? "of one colour everywhere"
+                                                                      : NULL;
 }
 
 char *picture_looks(ProbeImage own, const ExpectedPicture *expected)
