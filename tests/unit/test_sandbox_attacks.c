@@ -466,13 +466,17 @@ TEST_AS_ROOT(user, whoever_ends_its_processes_is_waited_for)
 static void whoever_ends_its_processes_is_waited_for(void)
 {
     const uid_t user = user_own();
+    int has_become[2];
+    char byte = 0;
+    cr_assert_eq(pipe(has_become), 0);
     const pid_t sleeper = fork();
     if (sleeper == 0) {
-        cr_assert_eq(user_become(user), 0);
-        sleep(20);
+        if (user_become(user) == 0 && write(has_become[1], &byte, 1) == 1) {
+            sleep(300);
+        }
         _exit(0);
     }
-    sleep_milliseconds(200);
+    cr_assert_eq(read(has_become[0], &byte, 1), 1);
     user_end(user);
     // The sleeper is the only child: nobody else is left to be killed by mistake.
     int status;
