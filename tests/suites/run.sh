@@ -104,7 +104,7 @@ mv unit-pids.new unit-pids
 wait
 END
 
-# The caller has one process group with run.sh, and Ctrl-C is not ignored in it, as in a terminal.
+# The caller has one process group with run.sh, and no signal is ignored in it, as in a terminal.
 cat >caller.sh <<'END'
 trap : INT
 caller=$$ BUILD=build sh -c 'echo $$ $caller >caller-pids.new
@@ -125,7 +125,7 @@ have_ended() {
 # its caller, as a terminal does. It ends with the status.
 told() {
     rm -f ./*-pids survived
-    setsid --fork env --default-signal=INT sh ./caller.sh </dev/null
+    setsid --fork env --default-signal=HUP,INT,TERM sh ./caller.sh </dev/null
     check "$1: a suite and a unit test wait" await both_run
     read -r runner caller <caller-pids
     case $1 in
