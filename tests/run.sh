@@ -14,6 +14,13 @@ mkdir -p "$results"
 rm -f "$results"/*.tap "$results"/*.status
 # The tests choose devices and sandboxes themselves.
 unset COURSE_DEVICE COURSE_SANDBOX
+# PoCL finds no device where it cannot write its cache, as in the home of many a container's user.
+cache=${XDG_CACHE_HOME:-${HOME:-/tmp}/.cache}
+if [ -z "${POCL_CACHE_DIR:-}" ] && ! { mkdir -p "$cache" 2>/dev/null && [ -w "$cache" ]; }; then
+    mkdir -p "$results/pocl-cache"
+    POCL_CACHE_DIR=$(cd "$results/pocl-cache" && pwd)
+    export POCL_CACHE_DIR
+fi
 
 # A test that hangs is ended. So far beyond what any takes that no busy machine gets there.
 longest=7200

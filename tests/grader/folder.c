@@ -81,7 +81,7 @@ void folder_measure(const char *path, long long n_files_most, FolderSize *size)
     level_measure(AT_FDCWD, path, 0, n_files_most, size);
 }
 
-// Move what a folder holds up into `top`, under names nobody else has there, and remove it: so that
+// Move what a folder holds up into `top`, under names that are free there, and remove it: so that
 // depth costs neither stack nor descriptors. Returns 0, or -1 with errno set.
 static int level_flatten(int top, const char *name, unsigned long *n_moved)
 {
@@ -102,11 +102,13 @@ static int level_flatten(int top, const char *name, unsigned long *n_moved)
         }
         // A folder that is closed to its owner cannot be moved either.
         fchmodat(dirfd(folder), entry->d_name, 0700, 0);
+        // What is replaced, if anything, is an empty folder, and to be removed as well: not every file
+        // system knows RENAME_NOREPLACE.
         char moved[32];
         do {
             snprintf(moved, sizeof moved, "moved-%lu", (*n_moved)++);
-            result = renameat2(dirfd(folder), entry->d_name, top, moved, RENAME_NOREPLACE);
-        } while (result != 0 && errno == EEXIST);
+            result = renameat(dirfd(folder), entry->d_name, top, moved);
+        } while (result != 0 && (errno == EEXIST || errno == ENOTEMPTY || errno == ENOTDIR));
     }
     closedir(folder);
     return result == 0 ? unlinkat(top, name, AT_REMOVEDIR) : -1;

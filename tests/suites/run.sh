@@ -63,6 +63,16 @@ check "no test of this name" runs 1 none-such
 check "and it says so" says "no test is called: none-such"
 rm tests/suites/bad.sh build/sanitized/tests/test_a
 
+# Where the home cannot be written, as in many a container, the tests have a cache for kernels.
+# shellcheck disable=SC2016 # for the script that is written
+printf '. tests/tap.sh\n[ -w "$POCL_CACHE_DIR" ]\nok $? cache\nfinish\n' >tests/suites/cache.sh
+without_home() (
+    unset POCL_CACHE_DIR XDG_CACHE_HOME
+    HOME=/dev/null runs 0 cache
+)
+check "without a home there is a cache for kernels" without_home
+rm tests/suites/cache.sh
+
 # ---- In another order ---------------------------------------------------------------------------
 
 printf '. tests/tap.sh\nok 0 good\nfinish\n' | tee tests/suites/one.sh >tests/suites/two.sh
@@ -104,7 +114,7 @@ mv unit-pids.new unit-pids
 wait
 END
 
-# The caller has one process group with run.sh, and Ctrl-C is not ignored in it, as in a terminal.
+# The caller has one process group with run.sh, and no signal is ignored in it, as in a terminal.
 cat >caller.sh <<'END'
 trap : INT
 caller=$$ BUILD=build sh -c 'echo $$ $caller >caller-pids.new
@@ -125,7 +135,7 @@ have_ended() {
 # its caller, as a terminal does. It ends with the status.
 told() {
     rm -f ./*-pids survived
-    setsid --fork env --default-signal=INT sh ./caller.sh </dev/null
+    setsid --fork env --default-signal=HUP,INT,TERM sh ./caller.sh </dev/null
     check "$1: a suite and a unit test wait" await both_run
     read -r runner caller <caller-pids
     case $1 in

@@ -21,8 +21,14 @@ Test(folder, files_and_folders)
 {
     mkdir("full", 0755);
     mkdir("full/inner", 0755);
-    mkdir("full/pulled-up-0", 0755);  // a name that it would use itself
-    file_make("full/pulled-up-0/file");
+    mkdir("full/inner/deep", 0755);  // to be moved up
+    file_make("full/inner/deep/file");
+    // Names that it would use itself: of a folder, an empty one, and a file.
+    mkdir("full/moved-0", 0755);
+    mkdir("full/moved-0/deep", 0755);
+    file_make("full/moved-0/deep/file");
+    mkdir("full/moved-1", 0755);
+    file_make("full/moved-2");
     file_make("full/inner/file");
     file_make("full/file");
     mkfifo("full/inner/pipe", 0644);
@@ -116,7 +122,10 @@ Test(folder, deeper_than_any_path)
     mkdir("full", 0755);
     cr_assert_eq(chdir("full"), 0);
     for (int level = 0; level < 3000; level++) {
-        cr_assert_eq(mkdir(name, 0755), 0);
+        if (mkdir(name, 0755) != 0 && errno == ENAMETOOLONG) {
+            cr_assert_eq(fchdir(top), 0);
+            SKIP_TEST("this file system keeps whole paths");
+        }
         cr_assert_eq(chdir(name), 0);
     }
     file_make("at-the-bottom");

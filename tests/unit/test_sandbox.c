@@ -69,6 +69,7 @@ TEST_BOTH(nothing_but_writable_mounts_can_be_written)
 TEST_EACH(a_umask_that_closes_folders_changes_nothing)
 {
     SandboxCommand command = shell_command("cat given/deep/file");
+    umask(022);
     mkdir("given", 0755);
     mkdir("given/deep", 0755);  // where bubblewrap mounts
     mkdir("outside", 0755);
