@@ -400,8 +400,7 @@ static void take_answers(const Workshop *workshop, Variant *variant, SandboxResu
     char path[PATH_BYTES];
     snprintf(path, sizeof path, "%s/variant-%s/out/answers", workshop->folder, variant->name);
     sections_load(path, MAX_ANSWER_BYTES, &variant->answers);
-    variant->run_output = result->output;
-    result->output = NULL;
+    variant->run_output = strdup(result->output);
     if (result->outcome == SANDBOX_EXITED && result->exit_status == PROBE_EXIT_NO_BUILD) {
         variant->build_log = strdup(variant->run_output);
         return;
