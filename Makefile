@@ -83,7 +83,8 @@ $(OUT)/earlier/$(1).a: $(call objects,$(call earlier_sources,$(1)))
 	@rm -f $$@
 	@ar rcs $$@ $$^
 endef
-$(foreach tree,labs solutions,$(foreach l,$(LABS),$(eval $(call lab_program,$(tree),$(l)))))
+$(foreach tree,labs solutions,$(foreach l,$(LABS),\
+    $(if $(wildcard $(tree)/$(l)/lab.json),$(eval $(call lab_program,$(tree),$(l))))))
 $(foreach l,$(LABS),$(eval $(call earlier_archive,$(l))))
 
 # Any other, as in a handout, which has one lab and the solutions before it.
