@@ -400,14 +400,16 @@ static void take_answers(const Workshop *workshop, Variant *variant, SandboxResu
     char path[PATH_BYTES];
     snprintf(path, sizeof path, "%s/variant-%s/out/answers", workshop->folder, variant->name);
     sections_load(path, MAX_ANSWER_BYTES, &variant->answers);
-    variant->run_output = result->output;
-    result->output = NULL;
     if (result->outcome == SANDBOX_EXITED && result->exit_status == PROBE_EXIT_NO_BUILD) {
-        variant->build_log = strdup(variant->run_output);
+        variant->build_log = result->output;
+        result->output = NULL;
         return;
     }
+    // Before the output is taken over: it may name the OpenCL call that failed.
     variant->trouble = run_end_describe(result, allowed);
     variant->habits = run_habits_describe(result);
+    variant->run_output = result->output;
+    result->output = NULL;
     size_t n_bytes;
     if (variant->trouble == NULL &&
         sections_find_any(&variant->answers, PROBE_END, &n_bytes) == NULL) {
