@@ -326,6 +326,7 @@ check "no place for the SVG beside the picture" refuses "new.svg: cannot be writ
     run 02 --scene example --output "$new"
 rmdir "$out/new.svg"
 fails_to_save 00 01 02 03
+fails_for_heat_map 01
 
 # ---- Standard output ----------------------------------------------------------------------------
 

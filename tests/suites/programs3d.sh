@@ -36,6 +36,59 @@ check "what is not drawn is counted in one warning" \
     test "$(run 07 --scene tests/scenes/example.nff --output "$out/07.png"; grep -c skipped \
         "$scratch/stderr")" -eq 1
 
+# ---- Haines' own programs -----------------------------------------------------------------------
+
+# Scenes in the manner of his "lattice", "rings", "tree", "jacks" and "sample": cones on one line, and
+# polygons and patches whose numbers stand where they like.
+manner() {
+    cat <<'END'
+b 0.08 0.36 0.75
+v
+from 4 -6 3
+at 0.5 0.5 0.5
+up 0 0 1
+angle 30
+hither 0.001
+resolution 96 64
+l 5 -8 6
+f 0.9 0.6 0.2 0.8 0.2 30 0 0
+END
+    awk -v manner="$1" '
+        function cone(x, y, z, r) { print "c " x, y, z, r, x, y, z + 0.5, r / 2 }
+        function ball(x, y, z, r) { print "s " x, y, z, r }
+        BEGIN {
+            if (manner == "lattice")
+                for (i = 0; i < 8; i++) { cone(i % 2, int(i / 2) % 2, int(i / 4), 0.05); ball(i % 2, int(i / 2) % 2, int(i / 4), 0.2) }
+            if (manner == "rings")
+                for (i = 0; i < 12; i++) { ball(cos(i / 2), sin(i / 2), 0, 0.1); print "c"; print cos(i / 2), sin(i / 2), 0, 0.05; print cos(i / 2), sin(i / 2), 1, 0.05 }
+            if (manner == "tree") {
+                print "p 4\n -9 -9 0\n 9 -9 0\n 9 9 0\n -9 9 0"
+                for (i = 0; i < 5; i++) { cone(0, 0, i / 4, 0.2); ball(i / 8, 0, i / 4, 0.15) }
+            }
+            if (manner == "jacks")
+                for (i = 0; i < 3; i++) { print "c " i, 0, 0, "0.1"; print i, 0, 1, "0.1"; ball(i, 0, 0, 0.2); ball(i, 0, 1, 0.2) }
+            if (manner == "sample") {
+                print "pp 3 0 0 0 0 0 1 1 0 0 0 0 1\n0 1 0 0 0 1"
+                print "p\n3\n0 0 0 1 0 0\n0 1\n0"
+                print "c 0 0 0 1 0 0 1 0 s 0.5 0.5 0.5 0.4"
+            }
+        }'
+}
+for manner in lattice rings tree jacks sample; do
+    manner $manner >"$scenes/$manner.nff"
+    tr -s ' \n' '\n' <"$scenes/$manner.nff" |
+        awk '/^[a-z]+$/ { drawn = !/^(c|p|pp)$/; if (drawn) print "" } drawn { printf "%s ", $0 }
+            END { print "" }' >"$scenes/spheres.nff"
+    check "lab 05 draws a scene in the manner of $manner" \
+        draws 05 96x64 "$out/05.exr" --scene "$scenes/$manner.nff"
+    check "with one warning" grep -q "$manner.nff: warning: skipped what is no sphere: [0-9]* c " \
+        "$scratch/stderr"
+    check "and no other word" test "$(wc -l <"$scratch/stderr")" -eq 1
+    check "what it skipped changes nothing" draws 05 96x64 "$out/spheres.exr" \
+        --scene "$scenes/spheres.nff"
+    check "to the bit" "$compare" "$out/05.exr" "$out/spheres.exr"
+done
+
 # ---- The tree shows what every sphere shows -----------------------------------------------------
 
 # equals_lab_05 OPTION...: does lab 07 draw with these what lab 05 drew into 05.exr?
@@ -161,6 +214,13 @@ nff '0 -5 0' '0 0 0' '0 0 0' 45 's 0 0 0 1' >"$scenes/up.nff"
 nff '0 -5 0' '0 0 0' '0 3 0' 45 's 0 0 0 1' >"$scenes/parallel.nff"
 nff '0 -5 0' '0 0 0' '0 0 1' 45 's 0 0 0 -1' >"$scenes/inside.nff"
 echo 's 0 0 0 1' >"$scenes/blind.nff"
+nff '0 -5 0' '0 0 0' '0 0 1' 1.4e-45 's 0 0 0 1' >"$scenes/thin.nff"
+nff '2 -5 1' '0 0 0' '0 0 1' 1e-6 's 0 0 0 1' >"$scenes/thin2.nff"
+printf 'ATOM      1  CA  ALA A   1      11.104   6.134   1.000\nHETA' >"$scenes/name.pdb"
+printf 'ATOM      1  CA  ALA A   1      11.104   6.134   1.0' >"$scenes/number.pdb"
+mkfifo "$scenes/pipe.nff"
+check "a pipe without a writer is not waited for" refuses "pipe.nff: cannot be read: found a pipe" \
+    run_limited 06 --scene "$scenes/pipe.nff" --output "$new"
 # Two small spheres at one place, and one far off: splitting gets nearer to the two without an end.
 nff '0 -5 0' '0 0 0' '0 0 1' 45 's 1 1 1 0.1' 's 0.3 0.3 0.3 1e-9' 's 0.3 0.3 0.3 1e-9' \
     >"$scenes/same.nff"
@@ -188,6 +248,10 @@ refuses_each <<'END'
 04|the view's direction is zero|--scene $scenes/direction.nff
 05|up is zero|--scene $scenes/up.nff
 06|up is parallel to the view|--scene $scenes/parallel.nff
+06|thin.nff: found a view's angle of 1.4013e-45 degrees, expected at least|--scene $scenes/thin.nff
+06|degrees, expected at least|--scene $scenes/thin2.nff
+06|name.pdb:2: found the end of the file in the name of a record|--scene $scenes/name.pdb
+06|number.pdb:1: found the end of the file in column 52, expected x, y and z|--scene $scenes/number.pdb
 07|blind.nff:|--scene $scenes/blind.nff
 04|empty.nff:|--scene $scenes/empty.nff
 05|empty.xyz:|--scene $scenes/empty.xyz
@@ -206,5 +270,8 @@ refuses_each <<'END'
 06|would hold too many spheres; choose|--scene coincident --max-depth 64 --leaf-size 1
 07|too deep for the todo stack (TODO_SIZE); choose|--scene $scenes/same.nff --max-depth 64 --leaf-size 1
 END
+
+fails_to_save 04 05 06 07
+fails_for_heat_map 07
 
 finish
