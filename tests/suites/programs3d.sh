@@ -74,14 +74,14 @@ END
             }
         }'
 }
-for name in lattice rings tree jacks sample; do
-    manner $name >"$scenes/$name.nff"
-    # The same without all that is skipped: every number that is no view, light, material or sphere.
-    tr '\n' ' ' <"$scenes/$name.nff" | sed 's/ \(b\|v\|from\|at\|up\|angle\|hither\|resolution\|l\|f\|s\|c\|p\|pp\) /\n\1 /g' |
-        grep -v '^\(c\|p\|pp\) ' >"$scenes/spheres.nff"
-    check "lab 05 draws a scene in the manner of $name" \
-        draws 05 96x64 "$out/05.exr" --scene "$scenes/$name.nff"
-    check "with one warning" grep -q "^[^ ]*$name.nff: warning: skipped what is no sphere: [0-9]* c .*" \
+for manner in lattice rings tree jacks sample; do
+    manner $manner >"$scenes/$manner.nff"
+    tr -s ' \n' '\n' <"$scenes/$manner.nff" |
+        awk '/^[a-z]+$/ { drawn = !/^(c|p|pp)$/; if (drawn) print "" } drawn { printf "%s ", $0 }
+            END { print "" }' >"$scenes/spheres.nff"
+    check "lab 05 draws a scene in the manner of $manner" \
+        draws 05 96x64 "$out/05.exr" --scene "$scenes/$manner.nff"
+    check "with one warning" grep -q "$manner.nff: warning: skipped what is no sphere: [0-9]* c " \
         "$scratch/stderr"
     check "and no other word" test "$(wc -l <"$scratch/stderr")" -eq 1
     check "what it skipped changes nothing" draws 05 96x64 "$out/spheres.exr" \
