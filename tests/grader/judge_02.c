@@ -40,8 +40,8 @@ static Verdict tree_refused(const JobScene *scene, int k, const Sections *answer
     if (sections_find_any(answers, name, &n_bytes) == NULL) {
         return verdict_missing;
     }
-    return verdict_of(message_new("%s: kdtree2d_build gave up, as the tree grew too large: does "
-                                  "splitting ever end?",
+    return verdict_of(message_new("%s: kdtree2d_build gave up: does splitting ever end, and does "
+                                  "distribute() return how many circles it found?",
                                   scene->picture.title));
 }
 

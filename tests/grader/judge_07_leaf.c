@@ -82,14 +82,15 @@ static LeafHit expected_hit(const Inputs07 *inputs, int i, const Mistake *mistak
     // Where the hit so far is as far as the leaf's, rounding decides, but where nothing is rounded.
     const int is_tie = gap == 0 && is_along_axis(job->direction);
     result.is_ambiguous |= fabs(gap) <= hit.t_tolerance && !is_tie;
+    const int is_position = mistake != NULL && mistake->is_position;
+    const u32 found_at = hit.sphere == ORACLE_NO_SPHERE ? 0 : positions[hit.sphere];
+    const u32 id = is_position ? job->node.first + found_at : ids[found_at];
     const int takes = gap < 0 || (mistake && mistake->forgets_hit && gap < INFINITY) ||
-                      (is_tie && wins_tie(ids[positions[hit.sphere]], job->sphere, mistake));
+                      (is_tie && wins_tie(id, job->sphere, mistake));
     if (takes) {
         result.t = mistake && mistake->keeps_distance ? (double)job->t : hit.t;
         result.t_tolerance = hit.t_tolerance;
-        result.sphere = mistake && mistake->keeps_sphere  ? job->sphere
-                        : mistake && mistake->is_position ? job->node.first + positions[hit.sphere]
-                                                          : ids[positions[hit.sphere]];
+        result.sphere = mistake && mistake->keeps_sphere ? job->sphere : id;
     }
     return result;
 }
