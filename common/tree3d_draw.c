@@ -233,6 +233,35 @@ static int paint_order(const void *a, const void *b)
     return one->sphere > other->sphere ? -1 : 1;
 }
 
+// Circles at one place together, and of those of one size the lowest id first.
+static int place_order(const void *a, const void *b)
+{
+    const CutCircle *one = a, *other = b;
+    const double differences[] = {one->x - other->x, one->y - other->y, one->radius - other->radius,
+                                  one->sphere - other->sphere};
+    int order = 0;
+    for (int i = 0; i < 4 && order == 0; i++) {
+        order = (differences[i] > 0) - (differences[i] < 0);
+    }
+    return order;
+}
+
+// Leave only the lowest id of equal circles: of 100 000 one upon another one is seen. Returns how
+// many are left.
+static size_t drop_hidden(CutCircle *circles, size_t n)
+{
+    size_t n_left = 0;
+    qsort(circles, n, sizeof *circles, place_order);
+    for (size_t i = 0; i < n; i++) {
+        const CutCircle *last = &circles[n_left - (n_left > 0)];
+        if (n_left == 0 || circles[i].x != last->x || circles[i].y != last->y ||
+            circles[i].radius != last->radius) {
+            circles[n_left++] = circles[i];
+        }
+    }
+    return n_left;
+}
+
 // Does the cut meet the sphere? Then sets its circle.
 static int cut_sphere(const Cut *cut, int sphere, CutCircle *circle)
 {
@@ -292,6 +321,7 @@ static int paint_circles(const Cut *cut, Image *image)
     for (int i = 0; i < scene->n_spheres; i++) {
         n += (size_t)cut_sphere(cut, i, &circles[n]);
     }
+    n = drop_hidden(circles, n);
     qsort(circles, n, sizeof *circles, paint_order);
     for (size_t i = 0; i < n; i++) {
         const Vec3 color = scene->materials[scene->material_ids[circles[i].sphere]].color;

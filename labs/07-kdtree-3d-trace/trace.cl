@@ -13,7 +13,8 @@
 // Ask the spheres of a leaf.
 //   node         the leaf
 //   sphere_ids   of the whole tree; the leaf's are node.n_spheres from node.first on
-//   hit          in: the nearest hit so far; out: the same, or a nearer one
+//   hit          in: the nearest hit so far; out: the same, or a nearer one; of two at the same
+//                distance the sphere with the lower index
 // A hit beyond the leaf is kept, too: trace() decides when it counts. Source: lecture, "Leaf
 // search".
 void search_leaf(KdNode3 node, global const uint *sphere_ids, global const Sphere *spheres, Ray ray,
@@ -30,8 +31,7 @@ void search_leaf(KdNode3 node, global const uint *sphere_ids, global const Spher
 // What the ray hits first.
 //   spheres                      the scene
 //   nodes, sphere_ids, bounds    its kd-tree (kdtree3d.h); node 0 is the root
-// Returns the distance that nearest_hit() of lab 05 finds, and its sphere. (Where two spheres are
-// hit at exactly the same distance, it is the one whose leaf comes first.)
+// Returns what nearest_hit() of lab 05 finds: the distance and the sphere.
 // Source: lecture, "Traversal". Static, so that a compiler may put it into the kernel, its only
 // caller.
 static Hit trace(Ray ray, global const Sphere *spheres, global const KdNode3 *nodes,
@@ -52,8 +52,8 @@ static Hit trace(Ray ray, global const Sphere *spheres, global const KdNode3 *no
     todo.n = 0;
     // TASK trace: from the root down. An inner node: go on with the near child, the far child or
     // both: then the far one waits on the stack, each with its own part of the ray. A leaf: search
-    // it; a hit inside the leaf's part of the ray ends everything, else the next node comes from
-    // the stack, and an empty stack ends the search, too.
+    // it; a hit before the end of the leaf's part of the ray ends everything, else the next node
+    // comes from the stack, and an empty stack ends the search, too.
     (void)spheres, (void)nodes, (void)sphere_ids, (void)origins, (void)inverses, (void)todo;
     // END trace
     return hit;

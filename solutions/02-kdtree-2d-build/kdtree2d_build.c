@@ -26,12 +26,14 @@ BBox2D scene_bounds(const Circle *h_circles, u32 n_circles)
     return (BBox2D){floorf(box.minX), floorf(box.maxX) + 1, floorf(box.minY), floorf(box.maxY) + 1};
 }
 
-int is_leaf(int level, u32 n_circles, KdTreeLimits limits)
+int is_leaf(int level, u32 n_circles, int n_failed, KdTreeLimits limits)
 {
-    // TASK is_leaf: stop on level maxDepth, and at targetElementsPerNode circles or fewer.
-    //> (void)level, (void)n_circles, (void)limits;
+    // TASK is_leaf: stop on level maxDepth, at targetElementsPerNode circles or fewer, and after
+    // MAX_FAILED_SPLITS failed splits.
+    //> (void)level, (void)n_circles, (void)n_failed, (void)limits;
     //> return 1;
-    return level >= limits.maxDepth || n_circles <= (u32)limits.targetElementsPerNode;
+    return level >= limits.maxDepth || n_circles <= (u32)limits.targetElementsPerNode ||
+           n_failed >= MAX_FAILED_SPLITS;
     // END is_leaf
 }
 
@@ -95,11 +97,15 @@ void pack_leaf(KdTree2D *tree, u32 id, const u32 *ids, u32 n_ids)
     // END pack_leaf
 }
 
+// What a user can do about a tree that grows too large.
+#define ADVICE "; choose a smaller --max-depth or a larger --leaf-size"
+
 // A node that still holds its circles: waiting, in order of ids, to become an inner node or a leaf.
 typedef struct OpenNode {
     u32 *ids;  // [n_ids], ascending; owned
     u32 n_ids;
     int level;
+    int n_failed;  // splits above it that failed
 } OpenNode;
 
 // The tree while it grows, and the open nodes beside it.
@@ -160,66 +166,96 @@ static int reserve_map(Builder *builder, u32 n)
     return 0;
 }
 
-// Append an open node; its id is its position. Takes over `ids`, on failure too.
-static int add_node(Builder *builder, BBox2D box, u32 *ids, u32 n_ids, int level)
+// Append an open node; its id is its position. Takes over `ids`, on failure too. Returns NULL, or
+// what went wrong.
+static const char *add_node(Builder *builder, BBox2D box, u32 *ids, u32 n_ids, int level)
 {
     if (reserve_node(builder) != 0) {
         free(ids);
-        return -1;
+        return "no memory" ADVICE;
     }
     KdTree2D *tree = &builder->tree;
     const u32 id = tree->n_nodes++;
     tree->nodes_Relations[id] = (NodeRel){.id = id};
     tree->nodes_flag[id] = INNER;
     tree->nodes_BBox[id] = box;
-    builder->open[id] = (OpenNode){ids, n_ids, level};
+    builder->open[id] = (OpenNode){ids, n_ids, level, 0};
     builder->n_open_ids += n_ids;
-    return 0;
+    return NULL;
 }
 
-// Append the child of an open node that has this cell.
-static int add_child(Builder *builder, const Circle *h_circles, OpenNode parent, BBox2D box)
+// Append the child of an open node that has this cell. Returns NULL, or what went wrong.
+static const char *add_child(Builder *builder, const Circle *h_circles, OpenNode parent, BBox2D box)
 {
     u32 *ids = malloc((parent.n_ids + 1) * sizeof *ids);
     if (ids == NULL) {
-        return -1;
+        return "no memory" ADVICE;
     }
     const u32 n_ids = distribute(h_circles, parent.ids, parent.n_ids, box, ids);
+    if (n_ids > parent.n_ids) {
+        free(ids);
+        return "distribute() returned more circles than the node has";
+    }
     return add_node(builder, box, ids, n_ids, parent.level + 1);
 }
 
-// Turn open node `id` into an inner node with two open children, or into a leaf.
-static int close_node(Builder *builder, const Circle *h_circles, u32 id, KdTreeLimits limits)
+// Turn open node `id` into an inner node with two open children. Returns NULL, or what went wrong.
+static const char *close_as_inner(Builder *builder, const Circle *h_circles, u32 id)
 {
     KdTree2D *tree = &builder->tree;
     const OpenNode node = builder->open[id];
-    if (is_leaf(node.level, node.n_ids, limits)) {
-        if (reserve_map(builder, node.n_ids + 1) != 0) {
-            return -1;
-        }
-        pack_leaf(tree, id, node.ids, node.n_ids);
-    } else {
-        BBox2D left, right;
-        split_box(tree->nodes_BBox[id], &left, &right);
-        tree->nodes_Relations[id].lChild = tree->n_nodes;
-        tree->nodes_Relations[id].rChild = tree->n_nodes + 1;
-        if (add_child(builder, h_circles, node, left) != 0 ||
-            add_child(builder, h_circles, node, right) != 0) {
-            return -1;
-        }
+    const u32 lChild = tree->n_nodes, rChild = lChild + 1;
+    BBox2D left, right;
+    split_box(tree->nodes_BBox[id], &left, &right);
+    tree->nodes_Relations[id].lChild = lChild;
+    tree->nodes_Relations[id].rChild = rChild;
+    const char *failure = add_child(builder, h_circles, node, left);
+    if (failure == NULL) {
+        failure = add_child(builder, h_circles, node, right);
     }
+    if (failure == NULL) {
+        OpenNode *open = builder->open;
+        open[lChild].n_failed = open[rChild].n_failed =
+            node.n_failed + split_failed(node.n_ids, open[lChild].n_ids, open[rChild].n_ids);
+    }
+    return failure;
+}
+
+// Turn open node `id` into a leaf. Returns NULL, or what went wrong.
+static const char *close_as_leaf(Builder *builder, u32 id)
+{
+    KdTree2D *tree = &builder->tree;
+    const OpenNode node = builder->open[id];
+    if (reserve_map(builder, node.n_ids + 1) != 0) {
+        return "no memory" ADVICE;
+    }
+    const u32 n_before = tree->n_map;
+    pack_leaf(tree, id, node.ids, node.n_ids);
+    return tree->n_map - n_before <= node.n_ids + 1
+               ? NULL
+               : "pack_leaf() moved n_map by more than the leaf's list is long";
+}
+
+// Turn open node `id` into an inner node or into a leaf. Returns NULL, or what went wrong.
+static const char *close_node(Builder *builder, const Circle *h_circles, u32 id,
+                              KdTreeLimits limits)
+{
+    const OpenNode node = builder->open[id];
+    const char *failure = is_leaf(node.level, node.n_ids, node.n_failed, limits)
+                              ? close_as_leaf(builder, id)
+                              : close_as_inner(builder, h_circles, id);
     builder->n_open_ids -= node.n_ids;
     builder->open[id].ids = NULL;
     free(node.ids);
-    return 0;
+    return failure;
 }
 
-// Append the root, which holds every circle.
-static int add_root(Builder *builder, const Circle *h_circles, u32 n_circles)
+// Append the root, which holds every circle. Returns NULL, or what went wrong.
+static const char *add_root(Builder *builder, const Circle *h_circles, u32 n_circles)
 {
     u32 *ids = malloc((n_circles + 1) * sizeof *ids);
     if (ids == NULL) {
-        return -1;
+        return "no memory" ADVICE;
     }
     for (u32 i = 0; i < n_circles; i++) {
         ids[i] = i;
@@ -230,18 +266,17 @@ static int add_root(Builder *builder, const Circle *h_circles, u32 n_circles)
 int kdtree2d_build(const Circle *h_circles, u32 n_circles, KdTreeLimits limits, KdTree2D *tree)
 {
     Builder builder = {0};
-    const char *failure = NULL;
-    if (add_root(&builder, h_circles, n_circles) != 0) {
-        failure = "no memory";
-    }
+    const char *failure = add_root(&builder, h_circles, n_circles);
     // Children are appended behind all nodes there are, so ids come out in breadth-first order.
     for (u32 id = 0; failure == NULL && id < builder.tree.n_nodes; id++) {
-        if (close_node(&builder, h_circles, id, limits) != 0) {
-            failure = "no memory";
-        } else if (builder.tree.n_map + builder.n_open_ids > TREE2D_MAX_ENTRIES) {
-            failure = "the leaves would hold too many circles";
+        failure = close_node(&builder, h_circles, id, limits);
+        if (failure != NULL) {
+            break;
+        }
+        if (builder.tree.n_map + builder.n_open_ids > TREE2D_MAX_ENTRIES) {
+            failure = "the leaves would hold too many circles" ADVICE;
         } else if (builder.tree.n_nodes > TREE2D_MAX_NODES) {
-            failure = "there would be too many nodes";
+            failure = "there would be too many nodes" ADVICE;
         }
     }
     for (u32 id = 0; id < builder.tree.n_nodes; id++) {
@@ -249,9 +284,7 @@ int kdtree2d_build(const Circle *h_circles, u32 n_circles, KdTreeLimits limits, 
     }
     free(builder.open);
     if (failure != NULL) {
-        fprintf(stderr,
-                "kdtree2d_build: %s; choose a smaller --max-depth or a larger --leaf-size\n",
-                failure);
+        fprintf(stderr, "kdtree2d_build: %s\n", failure);
         tree2d_free(&builder.tree);
         return -1;
     }

@@ -20,8 +20,9 @@ BBox2D scene_bounds(const Circle *h_circles, u32 n_circles);
 // Does a node stay a leaf?
 //   level      1 for the root, one more for each generation
 //   n_circles  how many circles overlap its cell
+//   n_failed   how many of the splits on the way down to it failed: see split_failed()
 // Returns 1 for a leaf, 0 for a node to be split.
-int is_leaf(int level, u32 n_circles, KdTreeLimits limits);
+int is_leaf(int level, u32 n_circles, int n_failed, KdTreeLimits limits);
 
 // Halve a cell across its longer side; across x where both are equal.
 //   left, right   out: the half with the lower coordinates and the one with the higher

@@ -123,6 +123,7 @@ typedef struct OpenNode {
     BBox3D box;
     u32 first_id;  // where its spheres start in the ids of its level
     u32 n_ids;
+    int n_failed;  // splits above it that failed
 } OpenNode;
 
 // One level of the tree while it is built: its open nodes in order, and their spheres.
@@ -199,7 +200,7 @@ static const char *add_child(const Builder *builder, const u32 *ids, u32 n_ids, 
     if (n_child_ids > n_ids) {
         return "distribute_spheres() returned more spheres than the node has";
     }
-    next->open[next->n_open++] = (OpenNode){box, next->n_ids, n_child_ids};
+    next->open[next->n_open++] = (OpenNode){box, next->n_ids, n_child_ids, 0};
     next->n_ids += n_child_ids;
     return NULL;
 }
@@ -222,7 +223,15 @@ static const char *close_as_inner(Builder *builder, u32 id, OpenNode node, const
     BBox3D lower = node.box, higher = node.box;
     lower.max[split.axis] = higher.min[split.axis] = split.pos;
     const char *failure = add_child(builder, ids, node.n_ids, lower, next);
-    return failure != NULL ? failure : add_child(builder, ids, node.n_ids, higher, next);
+    if (failure == NULL) {
+        failure = add_child(builder, ids, node.n_ids, higher, next);
+    }
+    if (failure == NULL) {
+        OpenNode *children = next->open + next->n_open - 2;
+        children[0].n_failed = children[1].n_failed =
+            node.n_failed + split_failed(node.n_ids, children[0].n_ids, children[1].n_ids);
+    }
+    return failure;
 }
 
 // Turn node `id`, open on its level, into a leaf. Returns NULL, or what went wrong.
@@ -252,7 +261,7 @@ static const char *close_level(Builder *builder, int level_number, const Level *
     for (u32 i = 0; failure == NULL && i < level->n_open; i++) {
         const OpenNode node = level->open[i];
         const u32 *ids = level->ids + node.first_id;
-        if (is_leaf(level_number, node.n_ids, builder->limits)) {
+        if (is_leaf(level_number, node.n_ids, node.n_failed, builder->limits)) {
             failure = close_as_leaf(builder, first_id + i, ids, node.n_ids);
         } else if (fits_todo(level_number)) {
             failure = close_as_inner(builder, first_id + i, node, ids, next);
@@ -283,7 +292,7 @@ static const char *open_root(Builder *builder, u32 n_spheres, Level *level)
         level->ids[i] = i;
     }
     level->n_ids = n_spheres;
-    level->open[0] = (OpenNode){builder->tree.bounds, 0, n_spheres};
+    level->open[0] = (OpenNode){builder->tree.bounds, 0, n_spheres, 0};
     level->n_open = 1;
     return NULL;
 }

@@ -13,7 +13,8 @@
 // Ask the spheres of a leaf.
 //   node         the leaf
 //   sphere_ids   of the whole tree; the leaf's are node.n_spheres from node.first on
-//   hit          in: the nearest hit so far; out: the same, or a nearer one
+//   hit          in: the nearest hit so far; out: the same, or a nearer one; of two at the same
+//                distance the sphere with the lower index
 // A hit beyond the leaf is kept, too: trace() decides when it counts. Source: lecture, "Leaf
 // search".
 void search_leaf(KdNode3 node, global const uint *sphere_ids, global const Sphere *spheres, Ray ray,
@@ -25,7 +26,8 @@ void search_leaf(KdNode3 node, global const uint *sphere_ids, global const Spher
     for (uint i = node.first; i < node.first + node.n_spheres; i++) {
         const uint id = sphere_ids[i];
         const float t = intersect_sphere(spheres[id], ray);
-        if (t < hit->t) {
+        // The hit so far may be of another leaf, and of a sphere with a higher index.
+        if (t < hit->t || (t == hit->t && t < INFINITY && id < hit->sphere)) {
             hit->t = t;
             hit->sphere = id;
         }
@@ -38,8 +40,7 @@ void search_leaf(KdNode3 node, global const uint *sphere_ids, global const Spher
 // What the ray hits first.
 //   spheres                      the scene
 //   nodes, sphere_ids, bounds    its kd-tree (kdtree3d.h); node 0 is the root
-// Returns the distance that nearest_hit() of lab 05 finds, and its sphere. (Where two spheres are
-// hit at exactly the same distance, it is the one whose leaf comes first.)
+// Returns what nearest_hit() of lab 05 finds: the distance and the sphere.
 // Source: lecture, "Traversal". Static, so that a compiler may put it into the kernel, its only
 // caller.
 static Hit trace(Ray ray, global const Sphere *spheres, global const KdNode3 *nodes,
@@ -60,16 +61,17 @@ static Hit trace(Ray ray, global const Sphere *spheres, global const KdNode3 *no
     todo.n = 0;
     // TASK trace: from the root down. An inner node: go on with the near child, the far child or
     // both: then the far one waits on the stack, each with its own part of the ray. A leaf: search
-    // it; a hit inside the leaf's part of the ray ends everything, else the next node comes from
-    // the stack, and an empty stack ends the search, too.
+    // it; a hit before the end of the leaf's part of the ray ends everything, else the next node
+    // comes from the stack, and an empty stack ends the search, too.
     //> (void)spheres, (void)nodes, (void)sphere_ids, (void)origins, (void)inverses, (void)todo;
     uint id = 0;
     for (;;) {
         const KdNode3 node = nodes[id];
         if (node.split_axis == KD_LEAF) {
             search_leaf(node, sphere_ids, spheres, ray, &hit);
-            // A hit beyond t_far may still be hidden by a sphere that only a later leaf knows.
-            if (hit.t <= t_far || todo.n == 0) {
+            // A hit beyond t_far may still be hidden by a sphere that only a later leaf knows; and
+            // one at t_far be just as far away as one of a sphere with a lower index.
+            if (hit.t < t_far || todo.n == 0) {
                 break;
             }
             const TodoEntry next = todo_pop(&todo);

@@ -9,9 +9,10 @@
 #include <stdlib.h>
 
 static const Check checks[] = {
-    [IS_LEAF_DEPTH] = {"is_leaf-depth", "The last level is leaves", "is_leaf", 5},
-    [IS_LEAF_COUNT] = {"is_leaf-count", "Few circles make a leaf", "is_leaf", 5},
-    [TREE_LIMITS] = {"tree-limits", "Whole trees: leaves where the limits say so", "is_leaf", 5},
+    [IS_LEAF_DEPTH] = {"is_leaf-depth", "The last level is leaves", "is_leaf", 4},
+    [IS_LEAF_COUNT] = {"is_leaf-count", "Few circles make a leaf", "is_leaf", 4},
+    [IS_LEAF_FAILED] = {"is_leaf-failed", "Failed splits make a leaf", "is_leaf", 3},
+    [TREE_LIMITS] = {"tree-limits", "Whole trees: leaves where the limits say so", "is_leaf", 4},
     [SPLIT_LONGER] = {"split-longer", "The longer side is split, x where equal", "split_box", 8},
     [SPLIT_MIDDLE] = {"split-middle", "In the middle, and nothing else moves", "split_box", 7},
     [TREE_CELLS] = {"tree-cells", "Whole trees: children tile their parent", "split_box", 5},
@@ -39,8 +40,8 @@ static Verdict tree_refused(const JobScene *scene, int k, const Sections *answer
     if (sections_find_any(answers, name, &n_bytes) == NULL) {
         return verdict_missing;
     }
-    return verdict_of(message_new("%s: kdtree2d_build gave up, as the tree grew too large: does "
-                                  "splitting ever end?",
+    return verdict_of(message_new("%s: kdtree2d_build gave up: does splitting ever end, and does "
+                                  "distribute() return how many circles it found?",
                                   scene->picture.title));
 }
 
@@ -68,6 +69,8 @@ static Verdict judge(const void *pointer, int check, const Sections *answers)
         return judge_02_is_leaf(job, 0, answers);
     case IS_LEAF_COUNT:
         return judge_02_is_leaf(job, 1, answers);
+    case IS_LEAF_FAILED:
+        return judge_02_is_leaf(job, 2, answers);
     case TREE_LIMITS:
         return judge_trees(job, answers, tree_judge_limits);
     case SPLIT_LONGER:

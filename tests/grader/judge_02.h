@@ -14,6 +14,7 @@
 enum {
     IS_LEAF_DEPTH,
     IS_LEAF_COUNT,
+    IS_LEAF_FAILED,
     TREE_LIMITS,
     SPLIT_LONGER,
     SPLIT_MIDDLE,
@@ -30,7 +31,7 @@ enum {
     TREE_PACKING,
 };
 
-enum { N_LEAVES = 400, N_SPLITS = 400, N_DISTRIBUTES = 60, N_PACKS = 60, N_SCENES = 7 };
+enum { N_LEAVES = 600, N_SPLITS = 400, N_DISTRIBUTES = 60, N_PACKS = 60, N_SCENES = 7 };
 // Inputs of circle_overlaps_box: a range for each check.
 enum { N_INSIDE = 1000, N_BOUNDARY = 500, N_CORNER = 500 };
 enum { N_OVERLAPS = N_INSIDE + N_BOUNDARY + N_CORNER };
@@ -49,7 +50,7 @@ void *job_02_new(uint64_t seed, FILE *file);
 void job_02_free(void *job);
 
 // Judge a function by the answers.
-//   first, n   the inputs that the check is about; of the leaves every second from the first
+//   first, n   the inputs that the check is about; of the leaves every third from the first
 //   check      which of the function's properties is judged
 Verdict judge_02_is_leaf(const Job02 *job, int first, const Sections *answers);
 Verdict judge_02_split(const Job02 *job, int check, const Sections *answers);

@@ -3,6 +3,7 @@
 
 #include "message.h"
 #include "oracle2d.h"
+#include "oracle2d_tree.h"
 
 Verdict judge_02_is_leaf(const Job02 *job, int first, const Sections *answers)
 {
@@ -10,15 +11,17 @@ Verdict judge_02_is_leaf(const Job02 *job, int first, const Sections *answers)
     if (found == NULL) {
         return verdict_missing;
     }
-    for (int i = first; i < N_LEAVES; i += 2) {
+    for (int i = first; i < N_LEAVES; i += 3) {
         const LeafJob in = job->leaves[i];
         const int expected =
-            in.level >= in.maxDepth || (int64_t)in.n_circles <= in.targetElementsPerNode;
+            oracle2d_is_leaf(in.level, in.n_circles, in.n_failed,
+                             (KdTreeLimits){in.maxDepth, in.targetElementsPerNode});
         if ((found[i] != 0) != expected) {
             return verdict_of(message_new(
-                "level %d, %u circles, maxDepth %d, targetElementsPerNode "
+                "level %d, %u circles, %d failed splits, maxDepth %d, targetElementsPerNode "
                 "%d: found %d, expected %d",
-                in.level, in.n_circles, in.maxDepth, in.targetElementsPerNode, found[i], expected));
+                in.level, in.n_circles, in.n_failed, in.maxDepth, in.targetElementsPerNode,
+                found[i], expected));
         }
     }
     return verdict_of(NULL);

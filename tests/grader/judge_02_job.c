@@ -15,18 +15,23 @@ static BBox2D draw_box(Random *random)
     return box;
 }
 
-// Even inputs are about the depth, odd ones about the count.
+// Of three inputs one is about the depth, one about the count and one about failed splits.
 static LeafJob draw_leaf(Random *random, int i)
 {
     LeafJob job = {.maxDepth = (i32)random_integer(random, 1, 14),
                    .targetElementsPerNode = (i32)random_integer(random, 1, 20)};
-    if (i % 2 == 0) {
+    if (i % 3 == 0) {
         job.level = job.maxDepth + (i32)random_integer(random, -1, 1);
         job.n_circles = (u32)job.targetElementsPerNode + (u32)random_integer(random, 1, 50);
-    } else {
+    } else if (i % 3 == 1) {
         job.maxDepth += 2;
         job.level = (i32)random_integer(random, 1, job.maxDepth - 1);
         job.n_circles = (u32)(job.targetElementsPerNode + random_integer(random, -1, 1));
+    } else {
+        job.maxDepth += MAX_FAILED_SPLITS + 2;
+        job.n_failed = (i32)random_integer(random, 0, MAX_FAILED_SPLITS + 1);
+        job.level = (i32)random_integer(random, job.n_failed + 1, job.maxDepth - 1);
+        job.n_circles = (u32)job.targetElementsPerNode + (u32)random_integer(random, 1, 50);
     }
     return job;
 }

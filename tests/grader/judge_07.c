@@ -256,6 +256,30 @@ static Verdict judge_hits(const Job *job, int first, int n, const Sections *answ
     return explained;
 }
 
+// Of two spheres at the same distance the one with the lower id, though its leaf comes later: what
+// the oracle calls ambiguous here is not, as float finds the same distance for both.
+static Verdict judge_tie(const Job *job, const Sections *answers)
+{
+    const HitAnswer *found = job_section_find(answers, "hits", TIE, sizeof *found);
+    if (found == NULL) {
+        return verdict_missing;
+    }
+    if (found->sphere == 0) {
+        return verdict_of(NULL);
+    }
+    return verdict_of(message_new("%s: the ray hits spheres 0 and 1 at t = 1000, exactly where the "
+                                  "near leaf ends, which lists sphere 1 only: found sphere %u at "
+                                  "t = %.9g, expected sphere 0: of two at the same distance the "
+                                  "lower id",
+                                  job->scenes[TIE].picture.title, found->sphere, (double)found->t));
+}
+
+static Verdict judge_edges(const Job *job, const Sections *answers)
+{
+    const Verdict verdict = judge_hits(job, EDGES, N_SCENES - EDGES, answers);  // and sphereflake
+    return verdict.kind == VERDICT_PASSED ? judge_tie(job, answers) : verdict;
+}
+
 // ---- Work -------------------------------------------------------------------------------------
 
 static int is_within(Work work, Work most)
@@ -403,7 +427,7 @@ static Verdict judge(const void *pointer, int check, const Sections *answers)
     case TRACE_RANDOM:
         return judge_hits(job, RANDOM, N_RANDOM, answers);
     case TRACE_EDGES:
-        return judge_hits(job, EDGES, N_SCENES - EDGES, answers);  // and the sphereflake
+        return judge_edges(job, answers);
     case TRACE_EARLY_END:
         return judge_work(job, answers);
     default:

@@ -62,7 +62,8 @@ enum {
     N_NAMED = 9,             // scenes of scene3d.h
     DEEP = EDGES + N_NAMED,  // a tree that needs the whole todo stack
     TOUCHING,                // hits on the side of the scene's box
-    N_EDGES = TOUCHING + 1 - EDGES,
+    TIE,                     // one ray, two spheres: see draw_tie()
+    N_EDGES = TIE + 1 - EDGES,
     FLAKE = EDGES + N_EDGES,
     N_SCENES,
 };

@@ -263,6 +263,21 @@ static u32 draw_leaf_ids(Random *random, int has_copies, u32 guard, u32 *ids)
     return n_ids;
 }
 
+// Aim at a sphere's middle along an axis, and let the hit so far be just as far away. So far off
+// that a root which is a little wrong rounds to the right distance: what is equal in double is
+// equal in float.
+static void draw_tie(Random *random, Sphere sphere, SearchJob *job)
+{
+    const int axis = (int)random_integer(random, 0, 2);
+    const float distance = 1024, way = one_in(random, 2) ? 1 : -1;
+    job->origin = (Vec3){sphere.x, sphere.y, sphere.z};
+    *axis_of(&job->origin, axis) -= way * distance;
+    job->direction = (Vec3){0, 0, 0};
+    *axis_of(&job->direction, axis) = way;
+    job->t = distance - sphere.radius;
+    job->sphere = (u32)random_integer(random, 0, N_PLACES + N_COPIES - 1);
+}
+
 static SearchJob draw_leaf(Random *random, Inputs07 *inputs, int i)
 {
     const u32 guard = FIRST_GUARD + (u32)i;
@@ -282,6 +297,9 @@ static SearchJob draw_leaf(Random *random, Inputs07 *inputs, int i)
     if (one_in(random, 2)) {
         job.t = random_number(random, 0.25, 5);
         job.sphere = (u32)random_integer(random, FIRST_GUARD + N_LEAVES, N_LEAF_IDS - 1);
+    }
+    if (i >= N_LEAF_INPUTS && i % 4 == 0) {
+        draw_tie(random, sphere, &job);
     }
     // Around the eye: nearer than all.
     inputs->leaf_spheres[guard] =

@@ -14,6 +14,7 @@ typedef struct Mistake {
     int is_position;     // the sphere is a position in sphere_ids
     int keeps_sphere;    // the sphere is never set
     int keeps_distance;  // nor is t
+    int first_stays;     // of equally far ones the hit so far
 } Mistake;
 
 static const Mistake mistakes[] = {
@@ -26,6 +27,8 @@ static const Mistake mistakes[] = {
     {"; the first sphere of the leaf is missing", .rules = {.skip_first = 1}},
     {"; one sphere too many is asked, the one behind the leaf's", .rules = {.one_sphere_more = 1}},
     {"; of two equally far spheres the later one won", .rules = {.later_wins_ties = 1}},
+    {"; the hit so far stayed, where a sphere with a lower id is just as far away",
+     .first_stays = 1},
     {"; that is as if the first sphere that is hit won, however far", .rules = {.first_wins = 1}},
     {"; that is as if the last sphere that is hit won, however far", .rules = {.last_wins = 1}},
     {"; that is as if the farthest sphere won", .rules = {.farthest_wins = 1}},
@@ -38,6 +41,20 @@ typedef struct LeafHit {
     double t, t_tolerance;
     int is_ambiguous;
 } LeafHit;
+
+static int is_along_axis(Vec3 v)
+{
+    return (v.x == 0) + (v.y == 0) + (v.z == 0) == 2;
+}
+
+// Does the leaf's sphere take the place of the hit so far, just as far away?
+static int wins_tie(u32 id, u32 id_so_far, const Mistake *mistake)
+{
+    if (mistake != NULL && (mistake->first_stays || mistake->rules.later_wins_ties)) {
+        return mistake->rules.later_wins_ties;
+    }
+    return id < id_so_far;
+}
 
 static LeafHit expected_hit(const Inputs07 *inputs, int i, const Mistake *mistake)
 {
@@ -62,15 +79,18 @@ static LeafHit expected_hit(const Inputs07 *inputs, int i, const Mistake *mistak
     const OracleHit hit = oracle3d_nearest(spheres, n_spheres, &ray, &rules);
     LeafHit result = {job->sphere, job->t, 0, hit.is_ambiguous};
     const double gap = hit.sphere == ORACLE_NO_SPHERE ? INFINITY : hit.t - (double)job->t;
-    // Where the hit so far is as far as the leaf's, rounding decides.
-    result.is_ambiguous |= fabs(gap) <= hit.t_tolerance;
-    const int takes = gap < 0 || (mistake && mistake->forgets_hit && gap < INFINITY);
+    // Where the hit so far is as far as the leaf's, rounding decides, but where nothing is rounded.
+    const int is_tie = gap == 0 && is_along_axis(job->direction);
+    result.is_ambiguous |= fabs(gap) <= hit.t_tolerance && !is_tie;
+    const int is_position = mistake != NULL && mistake->is_position;
+    const u32 found_at = hit.sphere == ORACLE_NO_SPHERE ? 0 : positions[hit.sphere];
+    const u32 id = is_position ? job->node.first + found_at : ids[found_at];
+    const int takes = gap < 0 || (mistake && mistake->forgets_hit && gap < INFINITY) ||
+                      (is_tie && wins_tie(id, job->sphere, mistake));
     if (takes) {
         result.t = mistake && mistake->keeps_distance ? (double)job->t : hit.t;
         result.t_tolerance = hit.t_tolerance;
-        result.sphere = mistake && mistake->keeps_sphere  ? job->sphere
-                        : mistake && mistake->is_position ? job->node.first + positions[hit.sphere]
-                                                          : ids[positions[hit.sphere]];
+        result.sphere = mistake && mistake->keeps_sphere ? job->sphere : id;
     }
     return result;
 }

@@ -1,6 +1,7 @@
 // The scenes of lab 07's job: twenty random ones, the edge cases, and a sphereflake.
 #include "judge_07.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -143,6 +144,29 @@ static int draw_touching(Random *random, JobScene3D *scene)
     return job_scene3d_grow_tree(scene, (KdTreeLimits){3, 1});
 }
 
+// One ray, which hits spheres 0 and 1 at a distance that is the same in float, and is just t_far of
+// the near leaf: the plane lies there. Sphere 1 touches the plane and is in both leaves, sphere 0
+// is a hair smaller and in the far one only. Sphere 2 makes the root's cell symmetrical.
+static int draw_tie(Random *random, JobScene3D *scene)
+{
+    if (job_scene3d_random(scene, random, 3, 0.25f, 0.5f, 1, 1) != 0) {
+        return -1;
+    }
+    snprintf(scene->picture.title, sizeof scene->picture.title, "scene \"tie\", 1x1");
+    Scene3D *s = &scene->scene;
+    s->spheres[0] = (Sphere){0, 1, 0, 1 - FLT_EPSILON / 2};
+    s->spheres[1] = (Sphere){0, 1, 0, 1};
+    s->spheres[2] = (Sphere){0.5f, -1.5f, 0.5f, 0.5f};
+    // Nothing that follows may depend on which of the two is drawn.
+    s->material_ids[1] = s->material_ids[0];
+    s->view.from = (Vec3){0, -1000, 0};
+    s->view.at = (Vec3){0, 0, 0};
+    s->view.up = (Vec3){0, 0, 1};
+    s->view.angle = 45;
+    job_scene3d_aim(scene);
+    return job_scene3d_grow_tree(scene, (KdTreeLimits){2, 1});
+}
+
 int scenes_07_draw(Random *random, JobScene3D scenes[N_SCENES])
 {
     int result = 0;
@@ -161,6 +185,9 @@ int scenes_07_draw(Random *random, JobScene3D scenes[N_SCENES])
     }
     if (result == 0) {
         result = draw_touching(random, &scenes[TOUCHING]);
+    }
+    if (result == 0) {
+        result = draw_tie(random, &scenes[TIE]);
     }
     if (result == 0) {
         result = job_scene3d_named(&scenes[FLAKE], "sphereflake:size=3", 96, 72);

@@ -44,12 +44,26 @@ u32 oracle2d_n_overlapping(const Scene2D *scene, BBox2D box)
     return n;
 }
 
+int oracle2d_is_leaf(int level, u32 n_circles, int n_failed, KdTreeLimits limits)
+{
+    return level >= limits.maxDepth || (int64_t)n_circles <= limits.targetElementsPerNode ||
+           n_failed >= MAX_FAILED_SPLITS;
+}
+
+int oracle2d_split_fails(u32 n_circles, u32 n_lower, u32 n_higher)
+{
+    // The same by what is lost: of twice the circles at most a tenth.
+    const int64_t n_lost = 2 * (int64_t)n_circles - n_lower - n_higher;
+    return 10 * n_lost <= 2 * (int64_t)n_circles;
+}
+
 // ---- The cells --------------------------------------------------------------------------------
 
 typedef struct Cell {
     BBox2D box;
     int level;
     u32 n_circles;
+    int n_failed;     // splits above it that failed
     u32 first_child;  // the other is behind it; 0 for a leaf
 } Cell;
 
@@ -60,7 +74,7 @@ typedef struct Cells {
 } Cells;
 
 // Append a cell, as a leaf. Returns 0, or -1 when memory runs out.
-static int cell_add(Cells *cells, const Scene2D *scene, BBox2D box, int level)
+static int cell_add(Cells *cells, const Scene2D *scene, BBox2D box, int level, int n_failed)
 {
     if (cells->n == cells->room) {
         const u32 room = 2 * cells->room + 1;
@@ -71,24 +85,28 @@ static int cell_add(Cells *cells, const Scene2D *scene, BBox2D box, int level)
         cells->all = larger;
         cells->room = room;
     }
-    cells->all[cells->n++] = (Cell){box, level, oracle2d_n_overlapping(scene, box), 0};
+    cells->all[cells->n++] = (Cell){box, level, oracle2d_n_overlapping(scene, box), n_failed, 0};
     return 0;
 }
 
 // Split whatever the limits let be split. Returns 0, or -1 when memory runs out.
 static int cells_grow(Cells *cells, const Scene2D *scene, KdTreeLimits limits)
 {
-    int result = cell_add(cells, scene, oracle2d_root(scene), 1);
+    int result = cell_add(cells, scene, oracle2d_root(scene), 1, 0);
     for (u32 i = 0; result == 0 && i < cells->n; i++) {
         const Cell cell = cells->all[i];
-        if (cell.level < limits.maxDepth &&
-            (int64_t)cell.n_circles > limits.targetElementsPerNode) {
-            BBox2D halves[2];
-            oracle2d_halves(cell.box, halves);
-            cells->all[i].first_child = cells->n;
-            result = cell_add(cells, scene, halves[0], cell.level + 1) |
-                     cell_add(cells, scene, halves[1], cell.level + 1);
+        if (oracle2d_is_leaf(cell.level, cell.n_circles, cell.n_failed, limits)) {
+            continue;
         }
+        BBox2D halves[2];
+        oracle2d_halves(cell.box, halves);
+        const int n_failed =
+            cell.n_failed + oracle2d_split_fails(cell.n_circles,
+                                                 oracle2d_n_overlapping(scene, halves[0]),
+                                                 oracle2d_n_overlapping(scene, halves[1]));
+        cells->all[i].first_child = cells->n;
+        result = cell_add(cells, scene, halves[0], cell.level + 1, n_failed) |
+                 cell_add(cells, scene, halves[1], cell.level + 1, n_failed);
     }
     return result;
 }

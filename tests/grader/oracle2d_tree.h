@@ -17,6 +17,13 @@ BBox2D oracle2d_root(const Scene2D *scene);
 // The two halves of a cell, the one with the lower coordinates first.
 void oracle2d_halves(BBox2D box, BBox2D halves[2]);
 
+// Does a node stay a leaf?
+//   n_failed   how many splits above it failed
+int oracle2d_is_leaf(int level, u32 n_circles, int n_failed, KdTreeLimits limits);
+
+// Do both halves of a cell keep nearly all of its circles?
+int oracle2d_split_fails(u32 n_circles, u32 n_lower, u32 n_higher);
+
 // How many circles overlap a cell.
 u32 oracle2d_n_overlapping(const Scene2D *scene, BBox2D box);
 

@@ -11,6 +11,7 @@ typedef struct Growth {
     KdTree3D tree;
     BBox3D *cells;  // [tree.n_nodes]
     int *levels;    // [tree.n_nodes]
+    int *n_failed;  // [tree.n_nodes], splits above that failed
     u32 node_room, id_room;
 } Growth;
 
@@ -26,15 +27,18 @@ static int double_room(void **array, u32 room, size_t n_bytes)
 }
 
 // Append a node with its cell. Returns 0, or -1 when memory runs out.
-static int node_add(Growth *growth, BBox3D cell, int level)
+static int node_add(Growth *growth, BBox3D cell, int level, int n_failed)
 {
     KdTree3D *tree = &growth->tree;
     if (tree->n_nodes == growth->node_room) {
-        void *nodes = tree->nodes, *cells = growth->cells, *levels = growth->levels;
+        void *nodes = tree->nodes, *cells = growth->cells;
+        void *levels = growth->levels, *failed = growth->n_failed;
         const int result = double_room(&nodes, growth->node_room, sizeof *tree->nodes) |
                            double_room(&cells, growth->node_room, sizeof *growth->cells) |
-                           double_room(&levels, growth->node_room, sizeof *growth->levels);
-        tree->nodes = nodes, growth->cells = cells, growth->levels = levels;
+                           double_room(&levels, growth->node_room, sizeof *growth->levels) |
+                           double_room(&failed, growth->node_room, sizeof *growth->n_failed);
+        tree->nodes = nodes, growth->cells = cells;
+        growth->levels = levels, growth->n_failed = failed;
         if (result != 0) {
             return -1;
         }
@@ -42,6 +46,7 @@ static int node_add(Growth *growth, BBox3D cell, int level)
     }
     tree->nodes[tree->n_nodes] = (KdNode3){.split_axis = KD_LEAF, .first = tree->n_sphere_ids};
     growth->cells[tree->n_nodes] = cell;
+    growth->n_failed[tree->n_nodes] = n_failed;
     growth->levels[tree->n_nodes++] = level;
     return 0;
 }
@@ -79,6 +84,16 @@ static int list_append(Growth *growth, BBox3D cell, u32 *n_listed)
     return 0;
 }
 
+// How many spheres list_append() would list.
+static u32 n_in(const Scene3D *scene, BBox3D cell)
+{
+    u32 n = 0;
+    for (int i = 0; i < scene->n_spheres; i++) {
+        n += tree3d_judge_sphere(scene->spheres[i], cell) != SPHERE_OUTSIDE;
+    }
+    return n;
+}
+
 // Make node `id` a leaf with its list, or split it. Returns 0, or -1 when memory runs out.
 static int node_close(Growth *growth, u32 id)
 {
@@ -91,7 +106,8 @@ static int node_close(Growth *growth, u32 id)
     if (list_append(growth, cell, &n_listed) != 0) {
         return -1;
     }
-    if (level >= limits.maxDepth || (int64_t)n_listed <= limits.targetElementsPerNode) {
+    if (level >= limits.maxDepth || (int64_t)n_listed <= limits.targetElementsPerNode ||
+        growth->n_failed[id] >= MAX_FAILED_SPLITS) {
         tree->nodes[id].first = first_id;
         tree->nodes[id].n_spheres = n_listed;
         return 0;
@@ -101,7 +117,11 @@ static int node_close(Growth *growth, u32 id)
     BBox3D halves[2] = {cell, cell};
     halves[0].max[axis] = halves[1].min[axis] = tree3d_expected_middle(cell, axis);
     tree->nodes[id] = (KdNode3){halves[0].max[axis], axis, tree->n_nodes, 0};
-    return node_add(growth, halves[0], level + 1) | node_add(growth, halves[1], level + 1);
+    const Scene3D *scene = &growth->scene->scene;
+    const int n_failed = growth->n_failed[id] + tree3d_split_fails(n_listed, n_in(scene, halves[0]),
+                                                                   n_in(scene, halves[1]));
+    return node_add(growth, halves[0], level + 1, n_failed) |
+           node_add(growth, halves[1], level + 1, n_failed);
 }
 
 int tree3d_expect(TreeScene3D *scene)
@@ -110,12 +130,13 @@ int tree3d_expect(TreeScene3D *scene)
     Growth growth = {.scene = scene};
     growth.tree.bounds = tree3d_expected_box(spheres->spheres, (u32)spheres->n_spheres);
     // Empty lists are lists, too: there is an array even without ids.
-    int result = reserve_id(&growth) | node_add(&growth, growth.tree.bounds, 1);
+    int result = reserve_id(&growth) | node_add(&growth, growth.tree.bounds, 1, 0);
     for (u32 id = 0; result == 0 && id < growth.tree.n_nodes; id++) {
         result = node_close(&growth, id);
     }
     free(growth.cells);
     free(growth.levels);
+    free(growth.n_failed);
     if (result != 0) {
         fprintf(stderr, "grade: no memory for a tree\n");
         tree3d_free(&growth.tree);

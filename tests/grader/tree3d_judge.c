@@ -242,22 +242,39 @@ static char *judge_list(const TreeScene3D *scene, const KdTree3D *own, u32 id)
     return NULL;
 }
 
+// Of the splits above node `id`, how many failed at least and at most: what its children have, too,
+// after its own split.
+static Count count_failed(const TreeScene3D *scene, const Walk *walk, const KdTree3D *own, u32 id,
+                          Count failed)
+{
+    const u32 child = own->nodes[id].first;
+    const Count parent = count_spheres(scene, walk->cells[id]);
+    const Count lower = count_spheres(scene, walk->cells[child]);
+    const Count higher = count_spheres(scene, walk->cells[child + 1]);
+    failed.least += (u32)tree3d_split_fails(parent.most, lower.least, higher.least);
+    failed.most += (u32)tree3d_split_fails(parent.least, lower.most, higher.most);
+    return failed;
+}
+
 // Is a node a leaf where the limits say so, and nowhere else?
+//   failed   how many splits above it failed
 static char *judge_limits(const TreeScene3D *scene, const KdTree3D *own, u32 id, int level,
-                          BBox3D cell)
+                          BBox3D cell, Count failed)
 {
     const KdTreeLimits limits = scene->limits;
     const u32 target = (u32)limits.targetElementsPerNode;
     const Count count = count_spheres(scene, cell);
     const int is_leaf = is_leaf_node(own, id);
-    const int may_be_leaf = level >= limits.maxDepth || count.least <= target;
-    const int may_be_split = level < limits.maxDepth && count.most > target;
+    const int may_be_leaf =
+        level >= limits.maxDepth || count.least <= target || failed.most >= MAX_FAILED_SPLITS;
+    const int may_be_split =
+        level < limits.maxDepth && count.most > target && failed.least < MAX_FAILED_SPLITS;
     if (is_leaf ? may_be_leaf : may_be_split) {
         return NULL;
     }
     return message_new("%s, maxDepth %d, targetElementsPerNode %u: node %u on level %d with %u "
-                       "spheres is %s, expected %s",
-                       scene->title, limits.maxDepth, target, id, level, count.least,
+                       "spheres, below %u failed splits, is %s, expected %s",
+                       scene->title, limits.maxDepth, target, id, level, count.least, failed.least,
                        is_leaf ? "a leaf" : "split", is_leaf ? "it to be split" : "a leaf");
 }
 
@@ -265,15 +282,24 @@ char *tree3d_judge_lists(const TreeScene3D *scene, const KdTree3D *own)
 {
     const u32 n = n_judged(scene, own);
     Walk walk = walk_down(own);
+    Count *failed = calloc((size_t)own->n_nodes + 1, sizeof *failed);
+    if (failed == NULL) {
+        fprintf(stderr, "grade: no memory for a tree\n");
+        exit(2);
+    }
     char *message = NULL;
     for (u32 id = 0; message == NULL && id < n; id++) {
         if (is_leaf_node(own, id)) {
             message = judge_list(scene, own, id);
+        } else if (walk.levels[id] > 0 && has_children(own, id)) {
+            const u32 child = own->nodes[id].first;
+            failed[child] = failed[child + 1] = count_failed(scene, &walk, own, id, failed[id]);
         }
         if (message == NULL && walk.levels[id] > 0) {
-            message = judge_limits(scene, own, id, walk.levels[id], walk.cells[id]);
+            message = judge_limits(scene, own, id, walk.levels[id], walk.cells[id], failed[id]);
         }
     }
+    free(failed);
     walk_free(&walk);
     return message;
 }

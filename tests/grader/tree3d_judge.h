@@ -47,6 +47,9 @@ BBox3D tree3d_expected_box(const Sphere *spheres, u32 n_spheres);
 u32 tree3d_expected_axis(BBox3D cell);
 f32 tree3d_expected_middle(BBox3D cell, u32 axis);
 
+// Do both halves of a cell keep nearly all of its spheres?
+int tree3d_split_fails(u32 n_spheres, u32 n_lower, u32 n_higher);
+
 // ---- Whole trees --------------------------------------------------------------------------------
 
 // The root's cell is the scene's box.

@@ -210,3 +210,12 @@ int tree3d_judge_is_exact_cell(BBox3D cell)
     }
     return is_exact;
 }
+
+// ---- Failed splits ------------------------------------------------------------------------------
+
+int tree3d_split_fails(u32 n_spheres, u32 n_lower, u32 n_higher)
+{
+    // By what is lost: of twice the spheres at most a tenth.
+    const int64_t n_lost = 2 * (int64_t)n_spheres - n_lower - n_higher;
+    return 10 * n_lost <= 2 * (int64_t)n_spheres;
+}

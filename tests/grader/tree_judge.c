@@ -103,28 +103,37 @@ static u32 n_judged(const JobScene *scene, const KdTree2D *own)
 
 // ---- The properties ---------------------------------------------------------------------------
 
+// What is above a node, which the arrays do not say.
+typedef struct Above {
+    int n_levels;
+    int n_failed;  // splits that failed
+} Above;
+
 char *tree_judge_limits(const JobScene *scene, const KdTree2D *own)
 {
     char *message = NULL;
-    int *levels = calloc(own->n_nodes, sizeof *levels);
-    for (u32 id = 0; levels != NULL && message == NULL && id < n_judged(scene, own); id++) {
-        const int level = levels[id] + 1;
+    Above *above = calloc(own->n_nodes, sizeof *above);
+    for (u32 id = 0; above != NULL && message == NULL && id < n_judged(scene, own); id++) {
+        const int level = above[id].n_levels + 1, n_failed = above[id].n_failed;
         const u32 n = oracle2d_n_overlapping(&scene->scene, own->nodes_BBox[id]);
-        const int should_be_leaf =
-            level >= scene->limits.maxDepth || n <= (u32)scene->limits.targetElementsPerNode;
+        const int should_be_leaf = oracle2d_is_leaf(level, n, n_failed, scene->limits);
         if (is_inner(own, id) == should_be_leaf) {
             message = message_new(
                 "%s, maxDepth %d, targetElementsPerNode %d: node %u on level %d with "
-                "%u circles is %s, expected %s",
+                "%u circles, below %d failed splits, is %s, expected %s",
                 scene->picture.title, scene->limits.maxDepth, scene->limits.targetElementsPerNode,
-                id, level, n, is_inner(own, id) ? "split" : "a leaf",
+                id, level, n, n_failed, is_inner(own, id) ? "split" : "a leaf",
                 should_be_leaf ? "a leaf" : "it to be split");
         } else if (is_inner(own, id) && has_children(own, id)) {
-            levels[own->nodes_Relations[id].lChild] = level;
-            levels[own->nodes_Relations[id].rChild] = level;
+            const u32 lChild = own->nodes_Relations[id].lChild;
+            const u32 rChild = own->nodes_Relations[id].rChild;
+            const int fails = oracle2d_split_fails(
+                n, oracle2d_n_overlapping(&scene->scene, own->nodes_BBox[lChild]),
+                oracle2d_n_overlapping(&scene->scene, own->nodes_BBox[rChild]));
+            above[lChild] = above[rChild] = (Above){level, n_failed + fails};
         }
     }
-    free(levels);
+    free(above);
     return message ? message
                    : differs_from_oracle(scene, own, own->nodes_flag, scene->tree.nodes_flag,
                                          sizeof *own->nodes_flag, "leaf or inner node");

@@ -58,8 +58,9 @@ typedef struct LeafJob {
     u32 n_circles;
     i32 maxDepth;
     i32 targetElementsPerNode;
+    i32 n_failed;
 } LeafJob;
-LAYOUT_ASSERT(LeafJob, 16);
+LAYOUT_ASSERT(LeafJob, 20);
 
 // Lab 02: split_box takes a BBox2D and is answered by two, left and right.
 

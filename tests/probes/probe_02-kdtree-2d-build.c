@@ -23,7 +23,7 @@ static void answer_is_leaf(const Probe *probe)
     for (size_t i = 0; i < n; i++) {
         probe_note(probe, "leaves", (uint32_t)i);
         const KdTreeLimits limits = {jobs[i].maxDepth, jobs[i].targetElementsPerNode};
-        answers[i] = is_leaf(jobs[i].level, jobs[i].n_circles, limits);
+        answers[i] = is_leaf(jobs[i].level, jobs[i].n_circles, jobs[i].n_failed, limits);
     }
     answer_array(probe, "leaves", answers, n * sizeof *answers);
 }

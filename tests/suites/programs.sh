@@ -195,6 +195,15 @@ run 01 --scene none --size 64x48 --output "$out/none.exr"
 check "line ends, quotes, comments and alpha change nothing" "$compare" "$out/other.exr" "$out/plain.exr"
 check "the order of columns changes nothing" "$compare" "$out/order.exr" "$out/plain.exr"
 check "a header alone is an empty scene" "$compare" "$out/header.exr" "$out/none.exr"
+awk -v header=$header -v circle=$circle 'BEGIN { print header; while (n++ < 20000) print circle }' \
+    >"$scenes/same.csv"
+check "20 000 circles that no split parts" draws 01 64x48 "$out/same-naive.exr" --size 64x48 \
+    --scene "$scenes/same.csv"
+check "in a tree" draws 03 64x48 "$out/same.exr" --size 64x48 --scene "$scenes/same.csv"
+check "look the same" "$compare" "$out/same.exr" "$out/same-naive.exr"
+check "their tree can be drawn" works run 02 --size 64x48 --output "$out/same.exr" \
+    --scene "$scenes/same.csv" --stats "$out/figures.json"
+check "and lists each a few times" test "$(figure tree.n_map)" -lt 400000
 check "a circle is something" differs "$compare" "$out/plain.exr" "$out/none.exr"
 
 # ---- What nobody wrote is black -----------------------------------------------------------------
@@ -239,7 +248,6 @@ printf '%s,x\n' $header >"$scenes/twice.csv"
 printf '%s\n' $circle >"$scenes/no-header.csv"
 printf '%s\n\001\000\377\n' $header >"$scenes/binary.csv"
 awk 'BEGIN { for (i = 0; i < 5000; i++) printf "1,"; print "" }' >"$scenes/long.csv"
-printf '%s\n%s\n%s\n' $header $circle $circle >"$scenes/same.csv" # no split parts these two
 mkdir "$scenes/folder.csv"
 mkfifo "$scenes/pipe.csv"
 check "a pipe without a writer is not waited for" refuses \
@@ -275,7 +283,6 @@ refuses_each <<'END'
 01|seed=S|--scene random:seed=1.5
 02|max=R, a radius from 0 to 255|--scene random:max=256
 03|found min=9 above max=2|--scene random:min=9,max=2
-02|there would be too many nodes; choose|--scene $scenes/same.csv --max-depth 24 --leaf-size 1
 00|--size: found "-3x5", expected WxH|--size -3x5
 01|--size: found "0x0"|--size 0x0
 02|--size: found "640"|--size 640

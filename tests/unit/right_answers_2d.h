@@ -150,7 +150,7 @@ static void answer_leaves_and_boxes(Writer *writer, const Sections *job)
     size_t n = n_bytes / sizeof *leaves;
     i32 *decisions = calloc(n, sizeof *decisions);
     for (size_t i = 0; i < n; i++) {
-        decisions[i] = is_leaf(leaves[i].level, leaves[i].n_circles,
+        decisions[i] = is_leaf(leaves[i].level, leaves[i].n_circles, leaves[i].n_failed,
                                (KdTreeLimits){leaves[i].maxDepth, leaves[i].targetElementsPerNode});
     }
     answer(writer, "leaves", decisions, n * sizeof *decisions);

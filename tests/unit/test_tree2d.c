@@ -228,6 +228,69 @@ Test(tree2d, coincident_circles_end_at_the_last_level)
     job_scene_free(&scene);
 }
 
+// A job's scene of n circles: `circle` again and again, each `step` farther to the right and `growth`
+// larger than the one before.
+static JobScene row_of(int n, Circle circle, float step, float growth)
+{
+    JobScene scene = {.picture.title = "row", .scene = {.n_circles = n, .width = 64, .height = 48}};
+    scene.scene.circles = calloc((size_t)n, sizeof *scene.scene.circles);
+    for (int i = 0; i < n; i++) {
+        scene.scene.circles[i] = circle;
+        scene.scene.circles[i].x += (float)i * step;
+        scene.scene.circles[i].radius += (float)i * growth;
+    }
+    return scene;
+}
+
+Test(tree2d, a_split_fails_when_both_children_keep_nearly_all)
+{
+    cr_expect(split_failed(10, 9, 9) && split_failed(10, 10, 8) && split_failed(1, 1, 1));
+    cr_expect(!split_failed(10, 9, 8) && !split_failed(10, 10, 7) && !split_failed(3, 3, 2));
+    cr_expect(split_failed(UINT32_MAX, UINT32_MAX, UINT32_MAX), "no sum wraps round");
+    for (u32 n = 1; n < 60; n++) {
+        for (u32 n_both = 0; n_both <= 2 * n; n_both++) {
+            const u32 n_left = n_both < n ? n_both : n;
+            cr_assert_eq(split_failed(n, n_left, n_both - n_left),
+                         oracle2d_split_fails(n, n_left, n_both - n_left));
+        }
+    }
+}
+
+Test(tree2d, coincident_circles_end_after_failed_splits)
+{
+    JobScene scene = row_of(2000, (Circle){.x = 20, .y = 20, .radius = 3}, 0, 0);
+    cr_assert_eq(job_scene_grow_tree(&scene, (KdTreeLimits){16, 8}), 0);
+    expect_good(&scene);
+    cr_expect_eq(scene.tree.n_nodes, 31, "four levels of failed splits above 16 leaves");
+    cr_expect_eq(scene.tree.n_map, 16 * 2001);
+    job_scene_free(&scene);
+}
+
+Test(tree2d, concentric_circles_are_no_more_entries_than_the_cells_need)
+{
+    JobScene scene = row_of(500, (Circle){.x = 300, .y = 300, .radius = 1}, 0, 0.5f);
+    cr_assert_eq(job_scene_grow_tree(&scene, (KdTreeLimits){16, 8}), 0);
+    expect_good(&scene);
+    job_scene_free(&scene);
+}
+
+// One large circle makes the root's cell square, and all others lie on the plane that halves it.
+Test(tree2d, splits_go_on_after_one_that_failed)
+{
+    JobScene scene = row_of(200, (Circle){.x = 100, .y = 100, .radius = 0.5f}, 0, 0);
+    for (int i = 1; i < 200; i++) {
+        scene.scene.circles[i].y = (float)i;
+    }
+    scene.scene.circles[0].radius = 100;
+    cr_assert_eq(job_scene_grow_tree(&scene, (KdTreeLimits){16, 8}), 0);
+    expect_good(&scene);
+    for (u32 id = 0; id < scene.tree.n_nodes; id++) {
+        const u32 offset = scene.tree.nodes_Relations[id].circleMapOffset;
+        cr_expect(scene.tree.nodes_flag[id] == INNER || scene.tree.mapNode2Circles[offset] <= 8);
+    }
+    job_scene_free(&scene);
+}
+
 Test(tree2d, circles_overlap_boxes_as_the_oracle_says)
 {
     Random random = {7};
@@ -245,29 +308,30 @@ Test(tree2d, circles_overlap_boxes_as_the_oracle_says)
 
 // ---- Refused ------------------------------------------------------------------------------------
 
-static void expect_refused(int n_circles, KdTreeLimits limits, const char *part)
+static void expect_refused(JobScene scene, KdTreeLimits limits, const char *part)
 {
-    Scene2D scene;
     KdTree2D tree;
     memset(&tree, 0x5a, sizeof tree);
     const KdTree2D untouched = tree;
-    cr_assert_eq(scene2d_random(n_circles, 1, 200, 255, 64, 48, &scene), 0);
     capture_begin(2);
-    const int result = kdtree2d_build(scene.circles, (u32)n_circles, limits, &tree);
+    const int result =
+        kdtree2d_build(scene.scene.circles, (u32)scene.scene.n_circles, limits, &tree);
     expect_one_message(capture_end(2), part);
     cr_expect_eq(result, -1);
     cr_expect_eq(memcmp(&tree, &untouched, sizeof tree), 0);
-    scene2d_free(&scene);
+    job_scene_free(&scene);
 }
 
 Test(tree2d, too_many_nodes_are_refused)
 {
-    expect_refused(2, (KdTreeLimits){40, 1}, "too many nodes");
+    expect_refused(row_of(9000, (Circle){.radius = 0.25f}, 1, 0), (KdTreeLimits){40, 1},
+                   "too many nodes");
 }
 
 Test(tree2d, too_many_entries_are_refused)
 {
-    expect_refused(1000, (KdTreeLimits){40, 1}, "the leaves would hold too many circles");
+    expect_refused(row_of(5000, (Circle){.radius = 1}, 0, 0), (KdTreeLimits){40, 1},
+                   "the leaves would hold too many circles");
 }
 
 Test(tree2d, memory_that_runs_out_is_told_wherever_it_does)

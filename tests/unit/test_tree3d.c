@@ -369,6 +369,33 @@ Test(tree3d, coincident_spheres_end_at_the_last_level)
     tree3d_free(&tree);
 }
 
+Test(tree3d, coincident_spheres_end_after_failed_splits)
+{
+    Sphere spheres[2000];
+    for (int i = 0; i < 2000; i++) {
+        spheres[i] = (Sphere){7, 7, 7, 1};
+    }
+    KdTree3D tree = build(spheres, 2000, tree3d_limits(0, 0, 2000));
+    cr_expect_eq(tree.n_nodes, 31, "four levels of failed splits above 16 leaves");
+    cr_expect_eq(tree.n_sphere_ids, 16 * 2000);
+    tree3d_free(&tree);
+}
+
+// Concentric spheres: cells outside of the smaller ones still lose them.
+Test(tree3d, splits_that_help_go_on_after_some_that_failed)
+{
+    Sphere spheres[300];
+    for (int i = 0; i < 300; i++) {
+        spheres[i] = (Sphere){0, 0, 0, (float)(i + 1)};
+    }
+    KdTree3D tree = build(spheres, 300, tree3d_limits(0, 0, 300));
+    TreeFigures3D figures;
+    cr_assert_eq(tree3d_figures(&tree, &figures), 0);
+    cr_expect_gt(figures.n_leaves, 100);
+    cr_expect_lt(tree.n_sphere_ids, 100 * 300);
+    tree3d_free(&tree);
+}
+
 // A negative radius counts as its absolute value: the same tree comes out.
 Test(tree3d, the_sign_of_a_radius_changes_nothing)
 {
@@ -444,17 +471,20 @@ Test(tree3d, a_tree_too_deep_for_the_todo_stack_is_refused)
 
 Test(tree3d, too_many_nodes_are_refused)
 {
-    const Sphere spheres[] = {{0, 0, 0, 1}, {0, 0, 0, 1}};
-    expect_refused(spheres, 2, (KdTreeLimits){TODO_SIZE + 1, 1}, "too many nodes");
+    Sphere spheres[9000];
+    for (int i = 0; i < 9000; i++) {
+        spheres[i] = (Sphere){(float)i, 0, 0, 0.25f};
+    }
+    expect_refused(spheres, 9000, (KdTreeLimits){TODO_SIZE + 1, 1}, "too many nodes");
 }
 
 Test(tree3d, too_many_spheres_in_leaves_are_refused)
 {
-    Sphere spheres[1000];
-    for (int i = 0; i < 1000; i++) {
+    Sphere spheres[5000];
+    for (int i = 0; i < 5000; i++) {
         spheres[i] = (Sphere){0, 0, 0, 1};
     }
-    expect_refused(spheres, 1000, (KdTreeLimits){TODO_SIZE + 1, 1},
+    expect_refused(spheres, 5000, (KdTreeLimits){TODO_SIZE + 1, 1},
                    "the leaves would hold too many spheres");
 }
 

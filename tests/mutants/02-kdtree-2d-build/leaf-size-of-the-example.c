@@ -2,4 +2,4 @@
 // task: is_leaf
 // caught by: tree-limits
 // says: split, expected a leaf
-    return level >= limits.maxDepth || n_circles <= 1;
+    return level >= limits.maxDepth || n_circles <= 1 || n_failed >= MAX_FAILED_SPLITS;

@@ -6,7 +6,7 @@
         (void)sphere_ids;
         const uint id = i;
         const float t = intersect_sphere(spheres[id], ray);
-        if (t < hit->t) {
+        if (t < hit->t || (t == hit->t && t < INFINITY && id < hit->sphere)) {
             hit->t = t;
             hit->sphere = id;
         }

@@ -5,7 +5,7 @@
     for (uint i = node.first; i < node.first + node.n_spheres; i++) {
         const uint id = sphere_ids[i];
         const float t = intersect_sphere(spheres[id], ray);
-        if (t < hit->t) {
+        if (t < hit->t || (t == hit->t && t < INFINITY && i < hit->sphere)) {
             hit->t = t;
             hit->sphere = i;
         }

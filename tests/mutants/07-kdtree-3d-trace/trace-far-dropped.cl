@@ -8,7 +8,7 @@
         const KdNode3 node = nodes[id];
         if (node.split_axis == KD_LEAF) {
             search_leaf(node, sphere_ids, spheres, ray, &hit);
-            if (hit.t <= t_far || todo.n == 0) {
+            if (hit.t < t_far || todo.n == 0) {
                 break;
             }
             const TodoEntry next = todo_pop(&todo);

@@ -18,7 +18,7 @@
                     hit.sphere = sphere_ids[i];
                 }
             }
-            if (hit.t <= t_far || todo.n == 0) {
+            if (hit.t < t_far || todo.n == 0) {
                 break;
             }
             const TodoEntry next = todo_pop(&todo);

@@ -11,7 +11,7 @@
                 hit.t = INFINITY;
                 hit.sphere = NO_SPHERE;
             }
-            if (hit.t <= t_far || todo.n == 0) {
+            if (hit.t < t_far || todo.n == 0) {
                 break;
             }
             const TodoEntry next = todo_pop(&todo);

@@ -8,7 +8,7 @@
         if (node.split_axis == KD_LEAF) {
             search_leaf(node, sphere_ids, spheres, ray, &hit);
             // A hit beyond t_far may still be hidden by a sphere that only a later leaf knows.
-            if (hit.t <= t_far || todo.n == 0) {
+            if (hit.t < t_far || todo.n == 0) {
                 break;
             }
             TodoEntry next = todo_pop(&todo);

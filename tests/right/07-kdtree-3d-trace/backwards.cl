@@ -1,4 +1,4 @@
-// right: the leaf's range from its end; of equals the one asked later wins, too
+// right: the leaf's range from its end
 // task: search_leaf
     uint left = node.n_spheres;
     global const uint *ids = sphere_ids + node.first;
@@ -6,7 +6,7 @@
     while (left > 0) {
         left--;
         const float t = intersect_sphere(spheres[ids[left]], ray);
-        if (t < best.t || (t == best.t && t < INFINITY)) {
+        if (t < best.t || (t == best.t && t < INFINITY && ids[left] < best.sphere)) {
             best = (Hit){t, ids[left]};
         }
     }

@@ -19,7 +19,7 @@
             node = nodes[id];
         }
         search_leaf(node, sphere_ids, spheres, ray, &hit);
-        is_done = hit.t <= t_far || todo.n == 0;
+        is_done = hit.t < t_far || todo.n == 0;
         if (!is_done) {
             const TodoEntry next = todo_pop(&todo);
             id = next.node;

@@ -23,7 +23,7 @@
             if (node.n_spheres > 0) {
                 search_leaf(node, sphere_ids, spheres, ray, &hit);
             }
-            is_searching = hit.t > at.t_far && todo.n > 0;
+            is_searching = hit.t >= at.t_far && todo.n > 0;
             if (is_searching) {
                 at = todo_pop(&todo);
             }

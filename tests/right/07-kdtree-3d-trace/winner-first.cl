@@ -5,11 +5,11 @@
     const uint end = node.first + node.n_spheres;
     for (uint i = node.first; i != end; ++i) {
         const float t = intersect_sphere(spheres[sphere_ids[i]], ray);
-        if (t >= nearest) {
+        if (t > nearest || t == INFINITY) {
             continue;
         }
+        winner = t == nearest ? min(winner, sphere_ids[i]) : sphere_ids[i];
         nearest = t;
-        winner = sphere_ids[i];
     }
     hit->t = nearest;
     hit->sphere = winner;
