@@ -101,7 +101,10 @@ static int level_flatten(int top, const char *name, unsigned long *n_moved)
             continue;
         }
         // A folder that is closed to its owner cannot be moved either.
-        fchmodat(dirfd(folder), entry->d_name, 0700, 0);
+        if (fchmodat(dirfd(folder), entry->d_name, 0700, 0) != 0) {
+            result = -1;
+            break;
+        }
         char moved[32];
         do {
             snprintf(moved, sizeof moved, "moved-%lu", (*n_moved)++);
