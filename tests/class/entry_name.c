@@ -79,7 +79,8 @@ int entry_name_archive_stem(const char *entry)
     return 0;
 }
 
-// Moodle: "NAME_NUMBER_assignsubmission_KIND_...". Returns the length of the name, or 0.
+// Moodle: "NAME_NUMBER_assignsubmission_KIND_...", and without a number for those who are in no
+// team. Returns the length of the name, or 0.
 static int read_moodle(const char *entry, EntryName *name)
 {
     const char *plugin = strstr(entry, "_assignsubmission_");
@@ -91,13 +92,15 @@ static int read_moodle(const char *entry, EntryName *name)
         digits--;
     }
     const int n_digits = (int)(plugin - digits);
-    if (n_digits == 0 || n_digits >= ENTRY_NUMBER_BYTES || digits - entry < 2 ||
-        digits[-1] != '_') {
-        return 0;
+    const int has_number =
+        n_digits > 0 && n_digits < ENTRY_NUMBER_BYTES && digits > entry && digits[-1] == '_';
+    const int length = (int)(has_number ? digits - 1 - entry : plugin - entry);
+    if (length > 0) {
+        snprintf(name->number, sizeof name->number, "%.*s", has_number ? n_digits : 0, digits);
+        name->is_text = strncmp(plugin, "_assignsubmission_onlinetext", 28) == 0;
+        name->is_exact = 1;
     }
-    snprintf(name->number, sizeof name->number, "%.*s", n_digits, digits);
-    name->is_text = strncmp(plugin, "_assignsubmission_onlinetext", 28) == 0;
-    return (int)(digits - 1 - entry);
+    return length;
 }
 
 // Gradescope: "submission_NUMBER"; the number is a submission's, the name stays as it is.

@@ -13,13 +13,15 @@ typedef struct EntryName {
     // The student's name or user name: valid UTF-8 in one line; bytes that are not, control
     // characters and backslashes are written as \xHH, so that two different names stay different.
     char name[ENTRY_NAME_BYTES];
-    char number[ENTRY_NUMBER_BYTES];  // what the system calls the student: "1234567"; "" for none
+    char number[ENTRY_NUMBER_BYTES];  // the system's number of the student or team: "1234567"
     int is_text;                      // Moodle's online text, beside which there may be files
+    int is_exact;  // the system's own name of the student: "ada-2" is nobody's second attempt
 } EntryName;
 
 // Read an entry's name, at most 255 bytes of any kind.
 //   "Ada Lovelace.zip", "ada"                       plain
-//   "Ada Lovelace_1234567_assignsubmission_file_"   Moodle's, with the number of its worksheet
+//   "Ada Lovelace_1234567_assignsubmission_file_"   Moodle's, with the number of its worksheet; of
+//                                                   a team its name, with a number of its own
 //   "submission_123456"                             Gradescope's; its names are in another file
 //   "lab-03-ada", "lab03-ada"                       GitHub Classroom's, of lab 3
 EntryName entry_name_read(const char *entry, int lab_number);

@@ -28,7 +28,24 @@ static void cell_write(FILE *file, const char *text)
 
 // ---- Our columns: each begins with a comma but the first -------------------------------------
 
-static void titles_write(FILE *file, const Gradebook *gradebook)
+static void empty_write(FILE *file, int n_cells)
+{
+    for (int i = 0; i < n_cells; i++) {
+        fputc(',', file);
+    }
+}
+
+// The end of a line, with one more cell where `last` is not NULL.
+static void row_end(FILE *file, const char *last)
+{
+    if (last != NULL) {
+        cell_write(file, last);
+    }
+    fputc('\n', file);
+}
+
+// `last`: the title of a column after them, or NULL.
+static void titles_write(FILE *file, const Gradebook *gradebook, const char *last)
 {
     static const char *const titles[] = {"number", "attempt", "status", "score", "max"};
     quoted_write(file, "name");
@@ -40,24 +57,17 @@ static void titles_write(FILE *file, const Gradebook *gradebook)
     }
     cell_write(file, "first fault");
     cell_write(file, "report");
-    fputc('\n', file);
+    row_end(file, last);
 }
 
-static void empty_write(FILE *file, int n_cells)
-{
-    for (int i = 0; i < n_cells; i++) {
-        fputc(',', file);
-    }
-}
-
-// A row, or for NULL that nothing was handed in.
-static void row_write(FILE *file, const Gradebook *gradebook, const Row *row)
+// A row, or for NULL that nothing was handed in. `last` as in titles_write().
+static void row_write(FILE *file, const Gradebook *gradebook, const Row *row, const char *last)
 {
     if (row == NULL) {
         empty_write(file, 2);
         cell_write(file, "no submission");
         empty_write(file, gradebook->n_tasks + 4);
-        fputc('\n', file);
+        row_end(file, last);
         return;
     }
     // The first cell has no comma before it.
@@ -71,7 +81,8 @@ static void row_write(FILE *file, const Gradebook *gradebook, const Row *row)
     if (row->status == ROW_NOT_GRADED) {
         empty_write(file, gradebook->n_tasks + 2);
         cell_write(file, row->reason);
-        fputs(",\n", file);
+        empty_write(file, 1);
+        row_end(file, last);
         return;
     }
     char report[128];
@@ -82,7 +93,7 @@ static void row_write(FILE *file, const Gradebook *gradebook, const Row *row)
     }
     cell_write(file, row->fault != NULL ? row->fault : "");
     cell_write(file, report);
-    fputc('\n', file);
+    row_end(file, last);
 }
 
 // ---- Moodle's columns ------------------------------------------------------------------------
@@ -101,10 +112,29 @@ static void participant_write(FILE *file, const Worksheet *worksheet,
         quoted_write(file, cell);
         fputc(',', file);
     }
-    row_write(file, gradebook, row);
+    row_write(file, gradebook, row, "");
 }
 
-// The list with its grades filled in; then who is not in it, and earlier attempts.
+// Rows that are not entered, or not for everybody: into the file, and to the instructor who runs it.
+static void left_over_write(FILE *file, const Worksheet *worksheet, const Gradebook *gradebook)
+{
+    for (int i = 0; i < gradebook->n_rows; i++) {
+        const Entered *entered = &worksheet->entered[i];
+        const Entrant *entrant = gradebook->rows[i].entrant;
+        if (entered->n_participants > 0 && entered->why_not == NULL) {
+            continue;
+        }
+        empty_write(file, worksheet->n_columns);
+        row_write(file, gradebook, &gradebook->rows[i],
+                  entered->why_not != NULL ? entered->why_not : "");
+        if (entered->why_not != NULL) {
+            fprintf(stderr, "gradebook: %s: not entered: \"%s\": %s\n", worksheet->path,
+                    entrant->entry, entered->why_not);
+        }
+    }
+}
+
+// The list with its grades filled in; then what could not be entered, and earlier attempts.
 static int worksheet_write(FILE *file, const Gradebook *gradebook, const char *path)
 {
     Worksheet worksheet;
@@ -115,16 +145,11 @@ static int worksheet_write(FILE *file, const Gradebook *gradebook, const char *p
         quoted_write(file, worksheet.participants[0].cells[i]);
         fputc(',', file);
     }
-    titles_write(file, gradebook);
+    titles_write(file, gradebook, "not entered");
     for (int i = 1; i < worksheet.n_participants; i++) {
         participant_write(file, &worksheet, &worksheet.participants[i], gradebook);
     }
-    for (int i = 0; i < gradebook->n_rows; i++) {
-        if (!worksheet.is_taken[i]) {
-            empty_write(file, worksheet.n_columns);
-            row_write(file, gradebook, &gradebook->rows[i]);
-        }
-    }
+    left_over_write(file, &worksheet, gradebook);
     worksheet_free(&worksheet);
     return 0;
 }
@@ -142,9 +167,9 @@ int gradebook_csv(const Gradebook *gradebook, const char *path, const char *work
         }
         return output_file_commit(&output);
     }
-    titles_write(output.file, gradebook);
+    titles_write(output.file, gradebook, NULL);
     for (int i = 0; i < gradebook->n_rows; i++) {
-        row_write(output.file, gradebook, &gradebook->rows[i]);
+        row_write(output.file, gradebook, &gradebook->rows[i], NULL);
     }
     return output_file_commit(&output);
 }

@@ -3,12 +3,16 @@
 //     submission_123456:
 //       :submitters:
 //       - :name: Ada Lovelace
+//         :sid: '4711'
 //         :email: ada@example.org
+//       :score: 3.0
 //
-// YAML can do far more than that. What does not look like this is passed over.
+// YAML can do far more than that. What does not look like this is passed over: further down stands
+// what the submission printed, which must not name anybody.
 #include "gradescope_names.h"
 
 #include "complain.h"
+#include "entry_name.h"
 
 #include <errno.h>
 #include <limits.h>
@@ -16,7 +20,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { NAME_BYTES = 256, LINE_BYTES = 1024 };
+enum { LINE_BYTES = 1024, KEY_INDENT = 2 };
 
 static int fault(const char *path, const char *what)
 {
@@ -24,44 +28,133 @@ static int fault(const char *path, const char *what)
     return -1;
 }
 
+// ---- Members -----------------------------------------------------------------------------------
+
+static int member_make(const char *name, const char *email, const char *sid, Member *member)
+{
+    *member = (Member){strdup(name), strdup(email), strdup(sid)};
+    return member->name != NULL && member->email != NULL && member->sid != NULL ? 0 : -1;
+}
+
+void members_free(Member *members, int n_members)
+{
+    for (int i = 0; i < n_members; i++) {
+        free(members[i].name), free(members[i].email), free(members[i].sid);
+    }
+    free(members);
+}
+
+int members_copy(const Member *members, int n_members, Member **copy)
+{
+    *copy = calloc((size_t)n_members + 1, sizeof **copy);
+    int failed = *copy == NULL;
+    for (int i = 0; i < n_members && !failed; i++) {
+        failed = member_make(members[i].name, members[i].email, members[i].sid, &(*copy)[i]) != 0;
+    }
+    return failed ? -1 : 0;
+}
+
+// ---- Reading -----------------------------------------------------------------------------------
+
+// Room for one more in an array that doubles. Returns the array, or NULL when memory runs out.
+static void *grown(void *array, int n, size_t size)
+{
+    if ((n & (n - 1)) != 0) {
+        return array;
+    }
+    return realloc(array, (n > 0 ? 2 * (size_t)n : 1) * size);
+}
+
 // Begin the entry that a line "submission_N:" names. Returns 0, or -1 when memory runs out.
 static int entry_begin(GradescopeNames *names, const char *line)
 {
-    if ((names->n_names & (names->n_names - 1)) == 0) {
-        const size_t n = names->n_names > 0 ? 2 * (size_t)names->n_names : 1;
-        GradescopeName *grown = realloc(names->names, n * sizeof *grown);
-        if (grown == NULL) {
-            return -1;
-        }
-        names->names = grown;
+    GradescopeEntry *entries = grown(names->entries, names->n_entries, sizeof *entries);
+    if (entries == NULL) {
+        return -1;
     }
-    GradescopeName *name = &names->names[names->n_names++];
-    *name = (GradescopeName){strndup(line, strcspn(line, ":")), NULL};
-    return name->entry != NULL ? 0 : -1;
+    names->entries = entries;
+    GradescopeEntry *entry = &entries[names->n_entries++];
+    *entry = (GradescopeEntry){.entry = strndup(line, strcspn(line, ":"))};
+    return entry->entry != NULL ? 0 : -1;
 }
 
-// Add a submitter's name to the entry. In quotes it counts without them; with an escape not at all.
-static int submitter_add(GradescopeName *entry, const char *text)
+static int member_begin(GradescopeEntry *entry)
 {
-    char joined[NAME_BYTES];
+    Member *members = grown(entry->members, entry->n_members, sizeof *members);
+    if (members == NULL) {
+        return -1;
+    }
+    entry->members = members;
+    return member_make("", "", "", &members[entry->n_members++]);
+}
+
+// A value's text: in quotes it counts without them; with an escape, or as anything that is no plain
+// text, not at all.
+static int value_set(char **value, const char *text)
+{
     size_t length = strlen(text);
     if (length >= 2 && (text[0] == '"' || text[0] == '\'') && text[length - 1] == text[0]) {
         text++, length -= 2;
-    }
-    if (length == 0 || memchr(text, '\\', length) != NULL ||
-        strchr("|>&*!%@`[{", text[0]) != NULL) {
+    } else if (strcmp(text, "~") == 0 || strcmp(text, "null") == 0 ||
+               strchr("|>&*!%@`[{\"'", text[0]) != NULL) {
         return 0;
     }
-    snprintf(joined, sizeof joined, "%s%s%.*s", entry->name ? entry->name : "",
-             entry->name ? " & " : "", (int)length, text);
-    free(entry->name);
-    entry->name = strdup(joined);
-    return entry->name != NULL ? 0 : -1;
+    if (memchr(text, '\\', length) != NULL || memmem(text, length, "''", 2) != NULL) {
+        return 0;
+    }
+    char shown[ENTRY_NAME_BYTES];
+    entry_name_show(text, length, shown);
+    free(*value);
+    *value = strdup(shown);
+    return *value != NULL ? 0 : -1;
+}
+
+// A line ":key: value" of a submitter.
+static int member_read(Member *member, const char *text)
+{
+    const struct {
+        const char *key;
+        char **value;
+    } known[] = {
+        {":name: ", &member->name}, {":email: ", &member->email}, {":sid: ", &member->sid}};
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+        if (strncmp(text, known[i].key, strlen(known[i].key)) == 0) {
+            return value_set(known[i].value, text + strlen(known[i].key));
+        }
+    }
+    return 0;
+}
+
+// A line of the file; *in_list: the lines are those of an entry's submitters. Returns 0, or -1 when
+// memory runs out.
+static int line_read(GradescopeNames *names, const char *line, int *in_list)
+{
+    const int indent = (int)strspn(line, " ");
+    const char *text = line + indent;
+    if (indent == 0) {
+        *in_list = 0;
+        const int is_entry = strncmp(line, "submission_", strlen("submission_")) == 0;
+        return is_entry ? entry_begin(names, line) : 0;
+    }
+    if (names->n_entries == 0) {
+        return 0;
+    }
+    GradescopeEntry *entry = &names->entries[names->n_entries - 1];
+    const int is_item = strncmp(text, "- ", 2) == 0;
+    if (indent <= KEY_INDENT && !is_item) {
+        *in_list = strcmp(text, ":submitters:") == 0 && entry->n_members == 0;
+        return 0;
+    }
+    if (!*in_list || (is_item && member_begin(entry) != 0)) {
+        return *in_list ? -1 : 0;
+    }
+    return entry->n_members > 0
+               ? member_read(&entry->members[entry->n_members - 1], text + (is_item ? 2 : 0))
+               : 0;
 }
 
 int gradescope_names_load(const char *folder, GradescopeNames *names)
 {
-    static const char submitter[] = "- :name: ";
     char path[PATH_MAX], line[LINE_BYTES];
     *names = (GradescopeNames){0};
     snprintf(path, sizeof path, "%s/%s", folder, GRADESCOPE_NAMES_FILE);
@@ -71,16 +164,14 @@ int gradescope_names_load(const char *folder, GradescopeNames *names)
     }
     int failed = 0;
     int is_line_start = 1;
+    int in_list = 0;
     while (!failed && fgets(line, sizeof line, file) != NULL) {
         const size_t length = strcspn(line, "\r\n");
-        const int is_whole = line[length] != '\0';
+        const int is_whole = line[length] != '\0' || feof(file);
         line[length] = '\0';
-        const char *text = line + strspn(line, " ");
-        if (is_line_start && strncmp(line, "submission_", strlen("submission_")) == 0) {
-            failed = entry_begin(names, line);
-        } else if (is_line_start && names->n_names > 0 &&
-                   strncmp(text, submitter, strlen(submitter)) == 0) {
-            failed = submitter_add(&names->names[names->n_names - 1], text + strlen(submitter));
+        // Of a line that is too long for a name the beginning would be another's name.
+        if (is_line_start && is_whole) {
+            failed = line_read(names, line, &in_list) != 0;
         }
         is_line_start = is_whole;
     }
@@ -90,18 +181,19 @@ int gradescope_names_load(const char *folder, GradescopeNames *names)
 
 void gradescope_names_free(GradescopeNames *names)
 {
-    for (int i = 0; i < names->n_names; i++) {
-        free(names->names[i].entry), free(names->names[i].name);
+    for (int i = 0; i < names->n_entries; i++) {
+        free(names->entries[i].entry);
+        members_free(names->entries[i].members, names->entries[i].n_members);
     }
-    free(names->names);
+    free(names->entries);
     *names = (GradescopeNames){0};
 }
 
-const char *gradescope_names_find(const GradescopeNames *names, const char *entry)
+const GradescopeEntry *gradescope_names_find(const GradescopeNames *names, const char *entry)
 {
-    for (int i = 0; i < names->n_names; i++) {
-        if (strcmp(names->names[i].entry, entry) == 0) {
-            return names->names[i].name;
+    for (int i = 0; i < names->n_entries; i++) {
+        if (strcmp(names->entries[i].entry, entry) == 0) {
+            return &names->entries[i];
         }
     }
     return NULL;

@@ -1,26 +1,39 @@
-// The names in Gradescope's export: submission_metadata.yml, beside folders submission_NUMBER.
+// Who handed in what, in Gradescope's export: submission_metadata.yml, beside folders
+// submission_NUMBER.
 #ifndef CLASS_GRADESCOPE_NAMES_H
 #define CLASS_GRADESCOPE_NAMES_H
 
 #define GRADESCOPE_NAMES_FILE "submission_metadata.yml"
 
-typedef struct GradescopeName {
+// One of those who handed in together, each text fit to be shown; what is not known is "".
+typedef struct Member {
+    char *name;   // "Ada Lovelace"
+    char *email;  // "ada@example.org"
+    char *sid;    // the student's number, as the university gives it
+} Member;
+
+typedef struct GradescopeEntry {
     char *entry;  // "submission_123456"
-    char *name;   // "Ada Lovelace"; of a group, joined by " & "
-} GradescopeName;
+    Member *members;
+    int n_members;
+} GradescopeEntry;
 
 typedef struct GradescopeNames {
-    GradescopeName *names;
-    int n_names;
+    GradescopeEntry *entries;
+    int n_entries;
 } GradescopeNames;
 
-// Read the file in a folder of submissions; none there is no fault. Only plain one-line names are
-// taken from it, as Gradescope writes them: whose name is written otherwise keeps the folder's.
+// Read the file in a folder of submissions; none there is no fault. Only plain one-line values are
+// taken from the list of submitters, as Gradescope writes them: what is written otherwise is "".
 // Returns 0, or -1 after one message on stderr. Release with gradescope_names_free().
 int gradescope_names_load(const char *folder, GradescopeNames *names);
 void gradescope_names_free(GradescopeNames *names);
 
-// The name of who handed an entry in, or NULL.
-const char *gradescope_names_find(const GradescopeNames *names, const char *entry);
+// Who handed an entry in, or NULL.
+const GradescopeEntry *gradescope_names_find(const GradescopeNames *names, const char *entry);
+
+// A copy, for another owner. Returns 0, or -1 when memory runs out; release with members_free().
+int members_copy(const Member *members, int n_members, Member **copy);
+void members_free(Member *members, int n_members);
 
 #endif

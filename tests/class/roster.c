@@ -6,7 +6,6 @@
 #include "roster.h"
 
 #include "complain.h"
-#include "gradescope_names.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -31,6 +30,7 @@ typedef struct Found {
     char *file;  // its name, as it is
     EntryName name;
     int is_link;
+    const GradescopeEntry *submitters;  // or NULL
     int attempt;
     int stem;  // of name.name without an attempt's number
 } Found;
@@ -40,6 +40,7 @@ typedef struct Folder {
     Found *found;
     int n_found;
     int n_passed_over;  // files that are no archives
+    GradescopeNames names;
 } Folder;
 
 // What unpackers and version control leave in a folder, and no student.
@@ -111,23 +112,35 @@ static void folder_free(Folder *folder)
         free(folder->found[i].file);
     }
     free(folder->found);
+    gradescope_names_free(&folder->names);
 }
 
-// Gradescope's folders have numbers; the names are in a file beside them.
+// "Ada Lovelace & Grace Hopper"; as much of it as there is room for. Nothing when no name is known.
+static void names_join(const GradescopeEntry *entry, char text[ENTRY_NAME_BYTES])
+{
+    size_t length = 0;
+    for (int i = 0; i < entry->n_members && length < ENTRY_NAME_BYTES - 1; i++) {
+        if (entry->members[i].name[0] != '\0') {
+            length += (size_t)snprintf(text + length, ENTRY_NAME_BYTES - length, "%s%s",
+                                       length > 0 ? " & " : "", entry->members[i].name);
+        }
+    }
+}
+
+// Gradescope's folders have numbers; who handed in is in a file beside them.
 static int names_apply(Folder *folder)
 {
-    GradescopeNames names;
-    if (gradescope_names_load(folder->path, &names) != 0) {
-        gradescope_names_free(&names);
+    if (gradescope_names_load(folder->path, &folder->names) != 0) {
         return -1;
     }
     for (int i = 0; i < folder->n_found; i++) {
-        const char *name = gradescope_names_find(&names, folder->found[i].file);
-        if (name != NULL) {
-            entry_name_show(name, strlen(name), folder->found[i].name.name);
+        Found *found = &folder->found[i];
+        found->submitters = gradescope_names_find(&folder->names, found->file);
+        if (found->submitters != NULL) {
+            found->name.is_exact = 1;
+            names_join(found->submitters, found->name.name);
         }
     }
-    gradescope_names_free(&names);
     return 0;
 }
 
@@ -165,7 +178,7 @@ static void attempts_find(Folder *folder)
     for (int i = 0; i < folder->n_found; i++) {
         Found *found = &folder->found[i];
         found->attempt = entry_name_attempt(found->name.name, &found->stem);
-        if (!name_is_there(folder, found->name.name, found->stem)) {
+        if (found->name.is_exact || !name_is_there(folder, found->name.name, found->stem)) {
             found->stem = (int)strlen(found->name.name);
             found->attempt = 1;
         }
@@ -235,7 +248,11 @@ static int entrant_add(Roster *roster, const char *submissions, const Found *fou
                          .attempt = attempt,
                          .is_link = found->is_link};
     roster->n_entrants++;
-    if (entrant->name == NULL || entrant->number == NULL || entrant->entry == NULL ||
+    const GradescopeEntry *submitters = found->submitters;
+    entrant->n_members = submitters != NULL ? submitters->n_members : 0;
+    if ((submitters != NULL &&
+         members_copy(submitters->members, submitters->n_members, &entrant->members) != 0) ||
+        entrant->name == NULL || entrant->number == NULL || entrant->entry == NULL ||
         entrant->slug == NULL) {
         return fault(submissions, "out of memory");
     }
@@ -306,6 +323,7 @@ void roster_free(Roster *roster)
     for (int i = 0; i < roster->n_entrants; i++) {
         Entrant *entrant = &roster->entrants[i];
         free(entrant->name), free(entrant->number), free(entrant->entry), free(entrant->slug);
+        members_free(entrant->members, entrant->n_members);
     }
     free(roster->entrants);
     *roster = (Roster){0};

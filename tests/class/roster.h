@@ -6,14 +6,17 @@
 #define CLASS_ROSTER_H
 
 #include "entry_name.h"
+#include "gradescope_names.h"
 
 typedef struct Entrant {
-    char *name;    // the student, fit to be shown
-    char *number;  // Moodle's or Gradescope's number of the student, "" for none
+    char *name;    // the student or the team, fit to be shown
+    char *number;  // Moodle's number of the student or team, Gradescope's of the submission, or ""
     char *entry;   // the entry's name, fit to be shown
     char *slug;    // the name of its files; unique
     int attempt;   // 1, 2 ... where a student has several entries
     int is_link;   // neither a folder nor a file: cannot be graded
+    Member *members;  // Gradescope's: who handed it in; elsewhere none
+    int n_members;
 } Entrant;
 
 typedef struct Roster {

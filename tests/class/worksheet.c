@@ -1,10 +1,10 @@
-// Reading Moodle's lists and finding who is who (see worksheet.h).
+// Reading Moodle's lists (see worksheet.h). Read next: owners.c, which finds who is who.
 #include "worksheet.h"
 
 #include "complain.h"
+#include "owners.h"
 
 #include <csv.h>
-#include <ctype.h>
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>
@@ -19,28 +19,22 @@ static int fault(const char *path, const char *what)
 // ---- Columns ---------------------------------------------------------------------------------
 
 // Titles as Moodle writes them in English and in German.
-static const char *const number_titles[] = {"Identifier", "ID", NULL};
 static const char *const grade_titles[] = {"Grade", "Bewertung", NULL};
 static const char *const maximum_titles[] = {"Maximum Grade", "Maximum grade", "Bestwertung", NULL};
-static const char *const first_titles[] = {"First name", "Vorname", NULL};
-static const char *const last_titles[] = {"Surname", "Last name", "Nachname", NULL};
-static const char *const name_titles[] = {"Full name",      "Vollständiger Name", "Email address",
-                                          "E-Mail-Adresse", "Username",           "Anmeldename",
-                                          "ID number",      "ID-Nummer",          "Matrikelnummer",
-                                          "GitHub",         "GitHub username",    NULL};
 
-static int is_one_of(const char *title, const char *const *titles)
+int worksheet_has_title(const Worksheet *worksheet, int column, const char *const *titles)
 {
+    const char *title = worksheet->participants[0].cells[column];
     while (*titles != NULL && strcmp(title, *titles) != 0) {
         titles++;
     }
     return *titles != NULL;
 }
 
-static int column_find(const Worksheet *worksheet, const char *const *titles)
+int worksheet_column(const Worksheet *worksheet, const char *const *titles)
 {
     for (int i = 0; i < worksheet->n_columns; i++) {
-        if (is_one_of(worksheet->participants[0].cells[i], titles)) {
+        if (worksheet_has_title(worksheet, i, titles)) {
             return i;
         }
     }
@@ -147,85 +141,23 @@ static int file_parse(Worksheet *worksheet)
     return result;
 }
 
-// ---- Who is who ------------------------------------------------------------------------------
-
-// "Participant 1234567" and "1234567" are the number 1234567.
-static int has_number(const char *cell, const char *number)
-{
-    const size_t length = strlen(cell);
-    const size_t n_digits = strlen(number);
-    return n_digits > 0 && length >= n_digits && strcmp(cell + length - n_digits, number) == 0 &&
-           (length == n_digits || !isdigit((unsigned char)cell[length - n_digits - 1]));
-}
-
-// Is the cell this name, or an e-mail address that begins with it?
-static int is_name(const char *cell, const char *name)
-{
-    const size_t length = strlen(name);
-    return length > 0 && strncmp(cell, name, length) == 0 &&
-           (cell[length] == '\0' || (cell[length] == '@' && strchr(name, '@') == NULL));
-}
-
-static int is_called(const Worksheet *worksheet, const Participant *participant, const char *name)
-{
-    for (int i = 0; i < worksheet->n_columns; i++) {
-        if (is_one_of(worksheet->participants[0].cells[i], name_titles) &&
-            is_name(participant->cells[i], name)) {
-            return 1;
-        }
-    }
-    const int first = column_find(worksheet, first_titles);
-    const int last = column_find(worksheet, last_titles);
-    if (first < 0 || last < 0) {
-        return 0;
-    }
-    const size_t n_first = strlen(participant->cells[first]);
-    return strncmp(name, participant->cells[first], n_first) == 0 && name[n_first] == ' ' &&
-           strcmp(name + n_first + 1, participant->cells[last]) == 0;
-}
-
-// The one participant who handed a row's entry in, or NULL.
-static Participant *owner_find(const Worksheet *worksheet, const Entrant *entrant)
-{
-    const int number_column = column_find(worksheet, number_titles);
-    Participant *owner = NULL;
-    int n_owners = 0;
-    for (int i = 1; i < worksheet->n_participants; i++) {
-        Participant *participant = &worksheet->participants[i];
-        if (number_column >= 0 && has_number(participant->cells[number_column], entrant->number)) {
-            return participant;
-        }
-        if (is_called(worksheet, participant, entrant->name)) {
-            owner = participant;
-            n_owners++;
-        }
-    }
-    return n_owners == 1 ? owner : NULL;
-}
-
 int worksheet_load(const char *path, const Gradebook *gradebook, Worksheet *worksheet)
 {
     *worksheet = (Worksheet){.path = path};
-    worksheet->is_taken = calloc((size_t)gradebook->n_rows + 1, sizeof *worksheet->is_taken);
-    if (worksheet->is_taken == NULL) {
+    worksheet->n_rows = gradebook->n_rows;
+    worksheet->entered = calloc((size_t)gradebook->n_rows + 1, sizeof *worksheet->entered);
+    if (worksheet->entered == NULL) {
         return fault(path, "out of memory");
     }
     if (file_parse(worksheet) != 0) {
         worksheet_free(worksheet);
         return -1;
     }
-    worksheet->grade_column = column_find(worksheet, grade_titles);
-    worksheet->maximum_column = column_find(worksheet, maximum_titles);
-    for (int i = 0; i < gradebook->n_rows; i++) {
-        Participant *owner = owner_find(worksheet, gradebook->rows[i].entrant);
-        if (owner != NULL) {
-            // Rows of one student come in the order of attempts: the last one counts.
-            if (owner->row != NULL) {
-                worksheet->is_taken[owner->row - gradebook->rows] = 0;
-            }
-            owner->row = &gradebook->rows[i];
-            worksheet->is_taken[i] = 1;
-        }
+    worksheet->grade_column = worksheet_column(worksheet, grade_titles);
+    worksheet->maximum_column = worksheet_column(worksheet, maximum_titles);
+    if (owners_find(worksheet, gradebook) != 0) {
+        worksheet_free(worksheet);
+        return fault(path, "out of memory");
     }
     return 0;
 }
@@ -238,7 +170,10 @@ void worksheet_free(Worksheet *worksheet)
         }
     }
     free(worksheet->participants);
-    free(worksheet->is_taken);
+    for (int i = 0; i < worksheet->n_rows; i++) {
+        free(worksheet->entered[i].why_not);
+    }
+    free(worksheet->entered);
     *worksheet = (Worksheet){0};
 }
 

@@ -11,8 +11,15 @@ enum { WORKSHEET_MAX_COLUMNS = 64, WORKSHEET_MAX_BYTES = 16 * 1024 * 1024 };
 
 typedef struct Participant {
     char *cells[WORKSHEET_MAX_COLUMNS];
-    const Row *row;  // the student's last entry, or NULL: handed in nothing
+    const Row *row;    // the student's last entry, or NULL: handed in nothing
+    int is_contested;  // entries of two names fit: then none counts
 } Participant;
+
+// What became of a row of the gradebook.
+typedef struct Entered {
+    int n_participants;  // beside whom it stands: of a team all, of an earlier attempt none
+    char *why_not;       // who it could not be entered for, and why; NULL: nobody
+} Entered;
 
 typedef struct Worksheet {
     const char *path;
@@ -20,14 +27,18 @@ typedef struct Worksheet {
     int n_participants;
     int n_columns;
     int grade_column, maximum_column;  // -1 where there is none
-    int *is_taken;                     // [n_rows] of the gradebook: stands beside a participant
+    Entered *entered;                  // [n_rows] of the gradebook
+    int n_rows;
 } Worksheet;
 
-// Read a list and find each participant's row of the gradebook: by Moodle's number, else by a name,
-// a user name or an e-mail address that only one participant has. Returns 0, or -1 after one
-// message on stderr. Release with worksheet_free().
+// Read a list and find each participant's row of the gradebook (owners.h). Returns 0, or -1 after
+// one message on stderr. Release with worksheet_free().
 int worksheet_load(const char *path, const Gradebook *gradebook, Worksheet *worksheet);
 void worksheet_free(Worksheet *worksheet);
+
+// Has a column one of these titles, a list that ends with NULL? And the first that has, or -1.
+int worksheet_has_title(const Worksheet *worksheet, int column, const char *const *titles);
+int worksheet_column(const Worksheet *worksheet, const char *const *titles);
 
 // What stands in the grade column: the score as a part of the sheet's maximum, with its decimal
 // sign.

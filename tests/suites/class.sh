@@ -156,21 +156,22 @@ check "another lab is a fault" exits 2 tests/class/grade_class.sh --lab 42 --sub
 
 cat >"$scratch/moodle.csv" <<'END'
 Identifier,"Full name","Email address",Status,Grade,"Maximum Grade"
-"Participant 1234567","A. Lovelace",ada@example.org,Submitted,,"50,00"
+"Participant 1234567","Ada Lovelace",ada@example.org,Submitted,,"50,00"
 "Participant 7",Carol,carol@example.org,Submitted,-,50
 "Participant 8","Nobody, N.",n@example.org,"No submission",-,50
 "Participant 9",Double,bob@example.org,Submitted,,50
 "Participant 10",Double,bob@example.net,Submitted,,50
 END
 check "with Moodle's worksheet" exits 0 run "$first" --moodle "$scratch/moodle.csv"
-check "by the number, with the sheet's maximum and sign" row "$first" \
-    '"Participant 1234567","A. Lovelace","ada@example.org","Submitted","50,00","50,00","Ada Lovelace",'
+check "by name and number, with the sheet's maximum and sign" row "$first" \
+    '"Participant 1234567","Ada Lovelace","ada@example.org","Submitted","50,00","50,00","Ada Lovelace",'
 check "by the mail address, the last attempt" row "$first" \
     '"Participant 7","Carol","carol@example.org","Submitted","50.00","50","carol","",2,"graded",100,'
 check "who handed in nothing has no grade" row "$first" \
     '"Participant 8","Nobody, N.","n@example.org","No submission","-","50",,,,"no submission",'
 check "who could be two is neither" row "$first" ',,,,,,"bob",'
 check "and they have no grade" row "$first" '"Participant 9","Double","bob@example.org","Submitted","","50",,,,"no submission"'
+check "and the instructor is told" said '"lab-00-bob": fits 2 lines of the list, among them 5 and 6'
 
 gradescope=$scratch/gradescope
 mkdir -p "$gradescope/submission_11" "$gradescope/submission_12" "$scratch/names"
@@ -185,6 +186,10 @@ submission_11:
 submission_12:
   :submitters:
   - :name: !ruby/object:Name
+  :results:
+    output: |
+      :submitters:
+      - :name: Printed by a student
 END
 check "Gradescope's export" "$build/tools/gradebook" roster 0 "$gradescope" "$scratch/names"
 check "a group has its names" grep -q '"name": "Ada Lovelace & Grace Hopper"' "$scratch/names/roster.json"
@@ -231,6 +236,148 @@ check "and in what it says" said "not graded: fails: the grader could not work"
 check "the reason is kept" grep -q "no sandbox" "$(echo "$faults"/logs/fails-*)"
 rm -r "$class/fails" "$class/dies" "$class/hangs"
 check "without them all is well" exits 0 run "$faults"
-check "nothing stays behind in TMPDIR" test -z "$(ls -A "$TMPDIR")"
+
+# ---- Who is who in Moodle's list ----------------------------------------------------------------
+
+# lists NAME FILE ENTRY...: grade a class of such entries (with the grader above) by a list.
+lists() {
+    class=$scratch/$1
+    list=$2
+    shift 2
+    mkdir "$class"
+    for entry; do
+        case $entry in *.zip) : >"$class/$entry" ;; *) mkdir "$class/$entry" ;; esac
+    done
+    [ ! -e "$class.yml" ] || cp "$class.yml" "$class/submission_metadata.yml"
+    check "by the list of ${class##*/}" exits 0 run "$class.out" --moodle "$list"
+}
+
+# has PARTICIPANT NAME: is the entry of this name beside the participant of the list?
+# Without a name: has the participant no grade?
+# shellcheck disable=SC2317 # called by check
+has() {
+    case $2 in '') words=',"",,,,"no submission"' ;; *) words=",\"100.00\",\"$2\"," ;; esac
+    grep "^\"$1\"," "$class.out/gradebook.csv" | grep -qF -- "$words" && return
+    cat "$class.out/gradebook.csv"
+    return 1
+}
+
+# Moodle: a number of a team is no student's; two of one name are told apart by theirs.
+cat >"$scratch/numbers.csv" <<'END'
+Identifier,"Full name","Email address",Status,Grade
+"Participant 7","Carol Shaw",carol@example.org,Submitted,
+"Participant 21","Ada Lovelace",a1@example.org,Submitted,
+"Participant 22","Ada Lovelace",a2@example.org,Submitted,
+"Participant 30","Sean O'Brien",sean@example.org,Submitted,
+"Participant 31","Joan Clarke",joan@example.org,Submitted,
+"Participant 12","Grace Hopper",grace@example.org,Submitted,
+"Participant 40","Mary Shaw",Mary.Shaw@Example.org,Submitted,
+"Participant 41","Jean Jennings",jean@example.org,Submitted,
+END
+lists numbers "$scratch/numbers.csv" "Group A_7_assignsubmission_file_" \
+    "Ada Lovelace_22_assignsubmission_file_" "Sean OBrien_30_assignsubmission_file" \
+    "Joan Clarke_99_assignsubmission_file_" "Participant_12_assignsubmission_file_" \
+    "mary.shaw@example.org" submission_41
+check "a team's number is nobody's" has "Participant 7" ""
+check "and the team is told of" said '"Group A": fits no line of the list'
+check "of two of one name the number decides" has "Participant 22" "Ada Lovelace"
+check "and the other has no grade" has "Participant 21" ""
+check "a name as Moodle puts it into file names" has "Participant 30" "Sean OBrien"
+check "one of another number is nobody's" has "Participant 31" ""
+check "and is told of" said 'line 6 of the list has another number than 99'
+check "a number alone only as Participant N" has "Participant 12" "Participant"
+check "an address in other letters" has "Participant 40" "mary.shaw@example.org"
+check "a submission's number is nobody's" has "Participant 41" ""
+check "and stands below the list, with the reason" \
+    grep -q '^,,,,,"submission_41",.*,"fits no line of the list"$' \
+    "$class.out/gradebook.csv"
+
+# Teams, as Moodle gives them: a column of groups, and folders that begin with a group's name.
+cat >"$scratch/teams.csv" <<'END'
+Identifier,"Full name",Username,Group,Grade
+"Participant 1",Ada,ada,"Team 1",
+"Participant 2",Grace,grace,"Team 1",
+"Participant 3",Carol,carol,"Team 1-2",
+"Participant 4",Joan,joan,"Default group",
+"Participant 5",Mary,mary,carol,
+"Participant 6",Jean,jean,"Team_3",
+END
+lists teams "$scratch/teams.csv" "Team 1_3_assignsubmission_file_" \
+    "Team 1-2_4_assignsubmission_file_" "Default group_assignsubmission_file_" \
+    "carol_9_assignsubmission_file_" "Team 3_2_assignsubmission_file_lab.zip" \
+    "Team 3_2_assignsubmission_onlinetext_"
+for participant in "Participant 1" "Participant 2"; do
+    check "a team's points for $participant" has "$participant" "Team 1"
+done
+check "a group's name may end like an attempt's" has "Participant 3" "Team 1-2"
+check "those without a group are one" has "Participant 4" "Default group"
+check "a group that is called like a student is nobody's" has "Participant 5" ""
+check "and is told of" said '"carol": is a group of the list and also fits its line 4'
+check "a file and a text are one entry, an underscore is a blank" has "Participant 6" "Team 3"
+
+# Teams and pairs, as Gradescope gives them.
+cat >"$scratch/pairs.yml" <<'END'
+---
+submission_1:
+  :submitters:
+  - :name: Ada Lovelace
+    :sid: '4711'
+    :email: ada@example.org
+  - :name: Grace Hopper
+    :sid: '4712'
+    :email: GRACE@example.org
+  :created_at: 2026-11-21 10:00:00.000000000 Z
+submission_2:
+  :submitters:
+  - :name: Ada Lovelace
+    :sid: '4799'
+    :email: ada2@example.org
+submission_3:
+  :submitters:
+  - :name: Joan Clarke
+    :email: j.clarke@example.com
+submission_4:
+  :submitters:
+  - :email: mary@example.org
+    :sid: '4713'
+    :name: Somebody Else
+submission_5:
+  :submitters:
+  - :name: Jean Jennings
+    :email: jean@example.org
+submission_6:
+  :submitters:
+  - :name: Jean Jennings
+    :email: jean@example.org
+  - :name: Carol Shaw
+    :sid: '4714'
+submission_7:
+  :submitters:
+  - :name: Team-2
+    :email: team2@example.org
+END
+cat >"$scratch/pairs.csv" <<'END'
+Identifier,"Full name","ID number","Email address",Grade
+"Participant 1","Ada Lovelace",4711,ada@example.org,
+"Participant 2","Grace Hopper",,grace@example.org,
+"Participant 3","Joan Clarke",,joan@example.org,
+"Participant 4","Mary Shaw",4713,m.shaw@example.org,
+"Participant 5","Jean Jennings",,jean@example.org,
+"Participant 6","Carol Shaw",4714,,
+"Participant 8","Team",,team@example.org,
+END
+lists pairs "$scratch/pairs.csv" submission_1 submission_2 submission_3 submission_4 \
+    submission_5 submission_6 submission_7
+for participant in "Participant 1" "Participant 2"; do
+    check "a pair's points for $participant" has "$participant" "Ada Lovelace & Grace Hopper"
+done
+check "a name alone is not enough against an address" has "Participant 3" ""
+check "and is told of" \
+    said '"submission_3": "Joan Clarke": line 4 of the list has another e-mail address or number'
+check "the university's number is enough" has "Participant 4" "Somebody Else"
+check "who is in two teams has the points of neither" has "Participant 5" ""
+check "and is told of" said 'line 6 of the list also fits "submission_6"'
+check "the other of the team has them" has "Participant 6" "Jean Jennings & Carol Shaw"
+check "a name that ends like an attempt's is not cut" has "Participant 8" ""
 
 finish

@@ -103,6 +103,13 @@ check "nor is one without a score" refuses gradescope '{"tests": [{"name": "a"}]
 check "a score of 85 is no PrairieLearn result" refuses prairielearn '{"score": 85}'
 check "nor is one without a score" refuses prairielearn '{"gradable": true}'
 check "points as text are no Autolab result" refuses autolab '{"scores": {"a": "5"}}'
+# One word that Jenkins' xUnit plugin does not know, or two cases of one name.
+for edit in 's/<testsuites /&skipped="0" /' 's/<testcase /&file="a.c" /' \
+    's/<testcase .*name="Staging".*/&&/' 's/ time="[0-9]*/&,000/'; do
+    sed "$edit" "$scratch/reports/right/junit.xml" >"$scratch/wrong.xml"
+    ! xmllint --noout --schema "$schemas/junit.xsd" "$scratch/wrong.xml" 2>"$scratch/said"
+    ok $? "JUnit XML is refused after $edit" "$(cat "$scratch/said")"
+done
 
 # ---- What the formats say -----------------------------------------------------------------------
 

@@ -19,7 +19,7 @@ Test(entry_name, knows_what_systems_add)
         {"Ada Lovelace_1234567_assignsubmission_file_/", "Ada Lovelace", "1234567"},
         {"A_B_77_assignsubmission_file_lab.zip", "A_B", "77"},
         {"_1_assignsubmission_file_", "_1_assignsubmission_file_", ""},
-        {"Ada_assignsubmission_file_", "Ada_assignsubmission_file_", ""},
+        {"Default group_assignsubmission_file_", "Default group", ""},
         {"submission_123456", "submission_123456", "123456"},
         {"submission_12x", "submission_12x", ""},
         {"lab-03-ada", "ada", ""},

@@ -141,7 +141,10 @@ Test(report_systems, junit_stays_whole)
     cr_expect_eq(count_parts(text, "</failure>"), 1);
     cr_expect_eq(count_parts(text, "<![CDATA["), 0);
     cr_expect_eq(count_parts(text, "]]>"), 0);
-    expect_part(text, " tests=\"4\" failures=\"1\" errors=\"0\" skipped=\"1\" time=\"4.250\">");
+    expect_part(text, "<testsuites name=\"01-naive-2d\" tests=\"4\" failures=\"1\" errors=\"0\" "
+                      "time=\"4.250\">");
+    expect_part(text, "<testsuite name=\"01-naive-2d\" tests=\"4\" failures=\"1\" errors=\"0\" "
+                      "skipped=\"1\" time=\"4.250\">");
     expect_part(text, "&lt;/failure&gt;]]&gt;&lt;![CDATA[ &amp; &quot; &#39; " UNKNOWN UNKNOWN
                       "[2J" UNKNOWN " " UNKNOWN UNKNOWN UNKNOWN "\nok 99");
     for (const char *at = text; *at != '\0'; at++) {

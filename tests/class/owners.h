@@ -1,0 +1,19 @@
+// Who of Moodle's list an entry of the gradebook belongs to: one student, or all of a team.
+//
+// Points must never reach anybody else. So what fits two, or fits one but for a part that differs,
+// is entered for nobody, and the instructor is told.
+//   - A Gradescope entry belongs to each of its submitters: whose e-mail address or university
+//     number it is, else whose name, unless the list gives that person another address or number.
+//   - Another entry belongs to the team of its name, where the list has a column of groups, or to
+//     whom its name fits: a full name, user name, number or e-mail address, whole or up to the @.
+//   - Moodle's number of an entry parts two of one name, and stands for a person alone only as
+//     "Participant 12". A team's numbers are not those of the list.
+#ifndef CLASS_OWNERS_H
+#define CLASS_OWNERS_H
+
+#include "worksheet.h"
+
+// Fill in the participants' rows and worksheet->entered. Returns 0, or -1 when memory runs out.
+int owners_find(Worksheet *worksheet, const Gradebook *gradebook);
+
+#endif
