@@ -115,7 +115,7 @@ static void participant_write(FILE *file, const Worksheet *worksheet,
     row_write(file, gradebook, row, "");
 }
 
-// Rows that are not entered, or not for everybody: into the file, and to the instructor who runs it.
+// Rows that are not entered, or not for everybody: for the file, and for whoever runs this.
 static void left_over_write(FILE *file, const Worksheet *worksheet, const Gradebook *gradebook)
 {
     for (int i = 0; i < gradebook->n_rows; i++) {

@@ -101,7 +101,10 @@ static int level_flatten(int top, const char *name, unsigned long *n_moved)
             continue;
         }
         // A folder that is closed to its owner cannot be moved either.
-        fchmodat(dirfd(folder), entry->d_name, 0700, 0);
+        if (fchmodat(dirfd(folder), entry->d_name, 0700, 0) != 0) {
+            result = -1;
+            break;
+        }
         // What is replaced, if anything, is an empty folder, and to be removed as well: not every file
         // system knows RENAME_NOREPLACE.
         char moved[32];

@@ -44,7 +44,7 @@ copy_course() {
     mkdir -p "$1"
     # shellcheck disable=SC2046,SC2086 # lists of names without spaces
     tracked Makefile LICENSE common kernels tests/grader tests/probes tests/systems/prepare.sh \
-        "tests/systems/$system" "labs/$lab" $(printf 'solutions/%s ' $solutions) |
+        tests/systems/limits.sh "tests/systems/$system" "labs/$lab" $(printf 'solutions/%s ' $solutions) |
         grep -v -e '/probe_[0-9].*\.c$' -e '\.md$' |
         { cat; tracked "tests/probes/probe_$lab.c"; } | tar -cf - -T - | tar -xf - -C "$1"
 }
@@ -58,7 +58,8 @@ fill() {
         sed 's/^\(.\{8\}\)\(.\{4\}\).\(.\{3\}\).\(.\{3\}\)\(.\{12\}\).*/\1-\2-8\3-8\4-\5/')
     for name; do
         sed -i -e "s/@LAB@/$lab/g" -e "s/@NN@/$number/g" -e "s/@TITLE@/$title/g" \
-            -e "s/@FILES@/$files/g" -e "s/@UUID@/$uuid/g" "$stage/$name"
+            -e "s/@FILES@/$files/g" -e "s/@UUID@/$uuid/g" \
+            -e "s/@IMAGE@/autograding_lab$number/g" "$stage/$name"
     done
 }
 
@@ -83,13 +84,22 @@ pack_zip() {
     (cd "$1" && find . -type f | sort | zip -q -X -D -@ "$2")
 }
 
+# Each task of the lab: "ID POINTS".
+tasks() {
+    awk -F '"' '/^      "id": / { id = $4 }
+        /^      "points": / { gsub(/[^0-9]/, "", $3); print id, $3 }' "solutions/$lab/lab.json"
+}
+
 # The problems of an Autolab assessment are the lab's tasks, with their points.
 write_problems() {
-    awk -F '"' '/^      "id": / { id = $4 }
-        /^      "points": / { gsub(/[^0-9]/, "", $3)
-            printf "- name: %s\n  description: \047\047\n", id
-            printf "  max_score: %s\n  optional: false\n", $3
-        }' "solutions/$lab/lab.json"
+    tasks | awk '{
+        printf "- name: %s\n  description: \047\047\n  max_score: %s\n  optional: false\n", $1, $2 }'
+}
+
+# Autolab's last line that gives no points: for each problem null, which is no zero there.
+write_no_grade() {
+    tasks | awk '{ printf "%s\"%s\":null", NR == 1 ? "{\"scores\":{" : ",", $1 }
+        END { print "}}" }'
 }
 
 case $folder in /*) ;; *) folder=$PWD/$folder ;; esac
@@ -105,32 +115,42 @@ gradescope)
 autolab)
     bundle=$folder/$system-$number.tar
     assessment=lab$number
-    copy_course "$stage/course"
-    fill "course/$templates/grade.sh"
+    copy_course "$stage/image/course"
     mkdir -p "$stage/all/$assessment" "$stage/inner"
-    mv "$stage/course/$templates/autograde-Makefile" "$stage/all/$assessment"
-    mv "$stage/course/$templates/assessment.yml" "$stage/all/$assessment/$assessment.yml"
-    fill "all/$assessment/autograde-Makefile" "all/$assessment/$assessment.yml"
-    write_problems | sed -i -e '/^@PROBLEMS@$/{r /dev/stdin' -e 'd;}' \
-        "$stage/all/$assessment/$assessment.yml"
-    mv "$stage/course" "$stage/inner"
+    for file in Dockerfile autograde-Makefile assessment.yml; do
+        mv "$stage/image/course/$templates/$file" "$stage"
+    done
+    no_grade=$(write_no_grade)
+    sed -i "s/@NO_GRADE@/$no_grade/" "$stage/autograde-Makefile"
+    write_problems | sed -i -e '/^@PROBLEMS@$/{r /dev/stdin' -e 'd;}' "$stage/assessment.yml"
+    fill Dockerfile autograde-Makefile assessment.yml "image/course/$templates/grade.sh"
+    mv "$stage/Dockerfile" "$stage/image"
+    mv "$stage/autograde-Makefile" "$stage/all/$assessment"
+    mv "$stage/assessment.yml" "$stage/all/$assessment/$assessment.yml"
+    # Autolab insists on this file; the grader is in the image.
+    echo "The grader of $lab is in the image." >"$stage/inner/README"
     pack_tar "$stage/inner" "$stage/all/$assessment/autograde.tar"
     pack_tar "$stage/all" "$bundle"
+    pack_tar "$stage/image" "$folder/$system-$number-image.tar"
     ;;
 prairielearn)
-    copy_course "$stage/image/course"
-    mkdir -p "$stage/questions/$lab"
-    mv "$stage/image/course/$templates"/info.json "$stage/image/course/$templates"/question.html \
-        "$stage/questions/$lab"
-    mv "$stage/image/course/$templates/Dockerfile" "$stage/image"
-    fill "questions/$lab/info.json" "questions/$lab/question.html" image/Dockerfile \
-        "image/course/$templates/grade.sh"
+    tests=questions/$lab/tests
+    copy_course "$stage/$tests/course"
+    mkdir -p "$stage/image"
+    for file in Dockerfile info.json question.html grade.sh; do
+        mv "$stage/$tests/course/$templates/$file" "$stage"
+    done
+    fill info.json question.html grade.sh
+    mv "$stage/Dockerfile" "$stage/image"
+    mv "$stage/info.json" "$stage/question.html" "$stage/questions/$lab"
+    mv "$stage/grade.sh" "$stage/$tests"
+    cp -r common/setup "$stage/image/setup"
     pack_zip "$stage" "$bundle"
     ;;
 github)
     mkdir -p "$stage/.github/workflows"
     cp "$templates/classroom.yml" "$stage/.github/workflows/classroom.yml"
-    cp "$templates/grade.sh" "$stage/.github/grade.sh"
+    cp "$templates/grade.sh" tests/systems/limits.sh "$stage/.github"
     fill .github/workflows/classroom.yml .github/grade.sh
     pack_zip "$stage" "$bundle"
     ;;

@@ -1,21 +1,30 @@
 #!/bin/sh
-# Lab @LAB@ on Autolab: grade the handin, an archive of the lab's files.
+# Lab @LAB@ on Autolab: grade the handin, an archive of the lab's files. Runs as root, in the image.
 #
-#     course/tests/systems/autolab/grade.sh handin.tar
+#     sudo /course/tests/systems/autolab/grade.sh HANDIN
 #
-# The last line on stdout gives the points. When the grader cannot work there is none, and Autolab
-# gives no points.
+# The last line on stdout gives the points. When the grader cannot work there is none and the status is
+# 2; the Makefile then prints one that gives none.
 set -eu
-handin=$PWD/$1
-reports=$PWD/reports
-cd "$(dirname "$0")/../../.."
-tests/systems/prepare.sh @NN@ >"$reports.log" 2>&1 || {
-    echo "The grader could not be built; ask your instructor." >&2
-    tail -n 20 "$reports.log" >&2
+
+fail() {
+    echo "No grade: $*" >&2
     exit 2
 }
+
+handin=$1
+cd "$(dirname "$0")/../../.."
+# Some sandboxes go by the rights of files: the user that a submission becomes must not pass here.
+chmod o-rwx . "$(dirname "$handin")"
+. tests/systems/limits.sh
+choose_limits || fail "a variable is no number"
+[ -f build/prepared ] || fail "the grader is not built in this image; run tests/systems/prepare.sh there"
+reports=$(mktemp -d) || fail "no folder for temporary files"
+trap 'rm -rf "$reports"' EXIT
+trap 'exit 2' TERM INT
 status=0
+# shellcheck disable=SC2086 # options without spaces
 build/tools/grade --lab @NN@ --submission "$handin" --output "$reports" \
-    --format autolab ${SANDBOX:+--sandbox "$SANDBOX"} || status=$?
-[ "$status" -le 1 ] || exit "$status"
+    --format autolab $limit ${SANDBOX:+--sandbox "$SANDBOX"} || status=$?
+[ "$status" -le 1 ] || fail "the grader could not work (status $status); above it says why"
 cat "$reports/autolab.txt"

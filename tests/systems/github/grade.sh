@@ -3,14 +3,17 @@
 #
 # The report goes into the run's summary, not to stdout: there, any line that begins with "::" is a
 # command to GitHub, and a student's text may hold one. Exit status: 0 for full marks, 1 below, 2
-# when the grader could not work.
+# when the grader could not work. TIME_LIMIT and JOBS are explained in limits.sh beside this file.
 set -eu
+# shellcheck source=tests/systems/limits.sh
+. .github/limits.sh
 reports=build/grade/@NN@
 mkdir -p "$reports"
 rm -f "$reports/github.txt"
 status=0
-{ make -s lab-grader LAB=@NN@ &&
-    build/tools/grade --lab @NN@ --output "$reports" --format github,junit; } \
+# shellcheck disable=SC2086 # options without spaces
+{ choose_limits && make -s -j"$JOBS" lab-grader LAB=@NN@ &&
+    build/tools/grade --lab @NN@ --output "$reports" --format github,junit $limit; } \
     >"$reports/log" 2>&1 || status=$?
 {
     echo '<pre>'
