@@ -4,6 +4,7 @@
 // apostrophe; what Moodle wrote itself goes back as it came. Read next: worksheet.h.
 #include "gradebook.h"
 
+#include "complain.h"
 #include "output_file.h"
 #include "worksheet.h"
 
@@ -128,8 +129,8 @@ static void left_over_write(FILE *file, const Worksheet *worksheet, const Gradeb
         row_write(file, gradebook, &gradebook->rows[i],
                   entered->why_not != NULL ? entered->why_not : "");
         if (entered->why_not != NULL) {
-            fprintf(stderr, "gradebook: %s: not entered: \"%s\": %s\n", worksheet->path,
-                    entrant->entry, entered->why_not);
+            complain("gradebook: %s: not entered: \"%s\": %s", worksheet->path, entrant->entry,
+                     entered->why_not);
         }
     }
 }
