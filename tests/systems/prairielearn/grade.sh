@@ -33,10 +33,10 @@ cd "$(dirname "$0")/course" || fail "the course is not there"
 . tests/systems/limits.sh
 choose_limits || fail "a variable is no number"
 # Where the bundle was not prepared in this image, every submission builds the grader anew.
-timeout 240 sh tests/systems/prepare.sh @NN@ || fail "the grader could not be built"
+timeout -k 10 240 sh tests/systems/prepare.sh @NN@ || fail "the grader could not be built"
 reports=$(mktemp -d) || fail "no folder for temporary files"
 # shellcheck disable=SC2086 # options without spaces
-timeout 300 build/tools/grade --lab @NN@ --submission "$root/student" --output "$reports" \
+timeout -k 10 300 build/tools/grade --lab @NN@ --submission "$root/student" --output "$reports" \
     --format prairielearn $limit ${SANDBOX:+--sandbox "$SANDBOX"}
 status=$?
 [ ! -f "$reports/prairielearn.json" ] || result "$reports/prairielearn.json"
