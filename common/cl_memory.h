@@ -9,8 +9,9 @@
 // Does the device take a picture of this size? Returns 0, or -1 after one message on stderr.
 int cl_image_check_size(const ClSetup *cl, int width, int height);
 
-// Make an RGBA float image that kernels write, all black: (0, 0, 0, 0). Returns it, or NULL after one message on stderr when
-// the picture is larger than the device takes. Release with clReleaseMemObject.
+// Make an RGBA float image that kernels write, all black: (0, 0, 0, 0). Returns it, or NULL after
+// one message on stderr when the picture is larger than the device takes. Release with
+// clReleaseMemObject.
 cl_mem cl_image_create(const ClSetup *cl, int width, int height);
 
 // A buffer the kernel only reads, filled from the host; of one unused byte where n_bytes is 0, as

@@ -5,8 +5,8 @@
 #ifndef COMMON_COURSE_FOLDER_H
 #define COMMON_COURSE_FOLDER_H
 
-// Is this the course's top folder, or a handout's? Returns 0, or -1 after one message on stderr that
-// says where to go.
+// Is this the course's top folder, or a handout's? Returns 0, or -1 after one message on stderr
+// that says where to go.
 //   program   what messages call the program
 int course_folder_check(const char *program);
 

@@ -54,8 +54,8 @@ typedef enum OptionsResult {
 //          "00-hello-pixels: --scene is not used in this lab"
 // --output is checked early: an ending other than .png and .exr, or a folder that does not exist or
 // cannot be written, is refused before anything is computed; so is such a folder of --stats. The
-// default's folder is made. A program that is started in another folder than the course's top folder
-// says which one that is, and does nothing.
+// default's folder is made. A program that is started in another folder than the course's top
+// folder says which one that is, and does nothing.
 OptionsResult options_parse(int argc, char **argv, const char *lab_name, const char *what, int set,
                             Options *options);
 

@@ -87,22 +87,22 @@ f32 scene3d_fov(const View *view, int width, int height);
 // or that one of them is too short or too long for float (1e-32 to 1e32).
 const char *scene3d_view_fault(const View *view);
 
-// The smallest angle of a view, degrees, at which every pixel of a picture this high has a ray of its
-// own: in float a direction and the next pixel's are two numbers apart at least. It depends on where
-// the view looks, as float is finer near 0; along an axis it is all but 0.
+// The smallest angle of a view, degrees, at which every pixel of a picture this high has a ray of
+// its own: below, neighbours get the same direction in float. It depends on where the view looks,
+// as float is finer near 0; along an axis it is all but 0.
 double scene3d_smallest_angle(const View *view, int height);
 
 // Read a scene in the Neutral File Format: v (the view: from, at, up, angle, hither and resolution
 // on six lines, in any order), b, l, f, s. Cones, polygons and patches (c, p, pp), which this
 // course does not draw, are skipped, counted and named in one warning on stderr; their numbers may
-// stand on one line or on many, as Haines' own programs and his text do not agree. Everything else is
-// an error with its line: unknown lines, lines cut off, text that is no number, NaN and infinities,
-// a sphere of radius 0, a view that does not work, is missing or comes twice. Colours of b and f go
-// from 0 to 1; lights, kd, ks, shine, transmittance, refraction and hither are at least 0; the
-// angle lies between 0 and 180 degrees; a side has 1 to 1 000 000 pixels. Without b the background
-// is black; spheres before the first f are white with kd = 1; a light without a colour has the
-// brightness 1 / sqrt(number of lights). A negative radius is a sphere seen from inside. What
-// follows # is a comment.
+// stand on one line or on many, as Haines' own programs and his text do not agree. Everything else
+// is an error with its line: unknown lines, lines cut off, text that is no number, NaN and
+// infinities, a sphere of radius 0, a view that does not work, is missing or comes twice. Colours
+// of b and f go from 0 to 1; lights, kd, ks, shine, transmittance, refraction and hither are at
+// least 0; the angle lies between 0 and 180 degrees; a side has 1 to 1 000 000 pixels. Without b
+// the background is black; spheres before the first f are white with kd = 1; a light without a
+// colour has the brightness 1 / sqrt(number of lights). A negative radius is a sphere seen from
+// inside. What follows # is a comment.
 //   name   what messages call the file
 // Sets everything, width and height to the file's resolution. Returns 0, or -1 after one message on
 // stderr.
@@ -113,14 +113,14 @@ int scene3d_read_nff(FILE *file, const char *name, Scene3D *scene);
 int scene3d_write_nff(FILE *file, const Scene3D *scene);
 
 // Read a molecule: PDB (the ATOM and HETATM records of its first model, every atom once: of each
-// residue's alternate locations the first) or XYZ (its first frame). Atoms become spheres with their van-der-Waals
-// radii and CPK colours (elements.h), in Angstrom; elements that are not known are drawn pink,
-// counted and named in one warning. Coordinates lie within a million Angstrom. The view is placed
-// so that all atoms are seen in a picture at least as wide as high, 512x512 when the user gives no
-// size. A PDB file that ends within an atom's name or coordinates, which have fixed columns, was cut
-// and is refused; of the other formats only the number of numbers tells. Where the last line has no
-// line end and nothing else is wrong, one warning says that it may have been cut (all formats).
-// Returns 0, or -1 after one message on stderr.
+// residue's alternate locations the first) or XYZ (its first frame). Atoms become spheres with
+// their van-der-Waals radii and CPK colours (elements.h), in Angstrom; elements that are not known
+// are drawn pink, counted and named in one warning. Coordinates lie within a million Angstrom. The
+// view is placed so that all atoms are seen in a picture at least as wide as high, 512x512 when the
+// user gives no size. A PDB file that ends within an atom's name or coordinates, which have fixed
+// columns, was cut and is refused; of the other formats only the number of numbers tells. Where the
+// last line has no line end and nothing else is wrong, one warning says that it may have been cut
+// (all formats). Returns 0, or -1 after one message on stderr.
 int scene3d_read_pdb(FILE *file, const char *name, Scene3D *scene);
 int scene3d_read_xyz(FILE *file, const char *name, Scene3D *scene);
 

@@ -191,7 +191,8 @@ Test(nff, what_is_no_sphere_is_skipped_with_one_warning)
     scene3d_free(&scene);
 }
 
-// Haines' own programs print cones on one line, and his reader heeds no line ends in what is skipped.
+// Haines' own programs print cones on one line, and his reader heeds no line ends in what is
+// skipped.
 Test(nff, numbers_of_what_is_skipped_are_a_stream)
 {
     static const char *const TEXTS[] = {
