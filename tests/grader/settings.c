@@ -123,6 +123,10 @@ static int read_options(int argc, char **argv, Settings *settings, GivenOptions 
             break;
         case 'd':
             settings->device = optarg;
+            if (optarg[0] == '\0') {
+                complain("grade: --device: found \"\", expected a number or a part of a name");
+                failed = -1;
+            }
             break;
         case 't':
             failed = read_number("--time-limit", optarg, 1, 3600, &seconds);

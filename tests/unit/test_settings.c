@@ -71,6 +71,7 @@ static const struct {
     {{"--lab", "../labs"}, "--lab: found"},
     {{"--lab", "0*"}, "--lab: found"},
     {{"--lab", "3", "stray"}, "no option"},
+    {{"--device", ""}, "--device: found \"\""},
     {{"--seed", "0x10"}, "--seed: found \"0x10\""},
     {{"--seed", " 1"}, "--seed: found"},
     {{"--seed", "+1"}, "--seed: found"},
