@@ -16,8 +16,9 @@ typedef void Describe(const void *input, char *words, size_t n_bytes);
 static void describe_leaf(const void *input, char *words, size_t n_bytes)
 {
     const LeafJob *in = input;
-    snprintf(words, n_bytes, "level %d, %u circles, maxDepth %d, targetElementsPerNode %d",
-             in->level, in->n_circles, in->maxDepth, in->targetElementsPerNode);
+    snprintf(words, n_bytes,
+             "level %d, %u circles, %d failed splits, maxDepth %d, targetElementsPerNode %d",
+             in->level, in->n_circles, in->n_failed, in->maxDepth, in->targetElementsPerNode);
 }
 
 static void describe_box(const void *input, char *words, size_t n_bytes)

@@ -275,9 +275,9 @@ ok $(($? != 1)) "a wrong answer without markers gets less"
 check "and the message is of the markers" stage Staging passed "TASK is_leaf"
 
 # A student works in labs/ itself: what stands there is no skeleton.
-course=$scratch/course
-mkdir "$course"
-for part in common kernels solutions tests; do ln -s "$PWD/$part" "$course/$part"; done
+course=$scratch/at-work
+mkdir "$course" "$course/tests"
+for part in common kernels solutions tests/probes; do ln -s "$PWD/$part" "$course/$part"; done
 cp -R labs "$course/labs"
 lab=02-kdtree-2d-build
 copy_lab labs $lab
@@ -290,16 +290,14 @@ check "an answer in labs/ itself gets its points, beside one that crashes" grade
 # Judged without the solution, as in a handout, what comes behind a crash was not reached.
 rm "$course/solutions"
 mkdir "$course/solutions"
+echo 4 >"$course/tests/solution-seconds"
 for one in solutions/0[01]*; do ln -s "$PWD/$one" "$course/$one"; done
-cp "solutions/$lab/$file" "$course/labs/$lab/"
-cp -R "$course/labs/$lab" "$scratch/there"
-"$holes" fill "$scratch/there/$file" circle_overlaps_box /dev/stdin >"$course/labs/$lab/$file" <<'END'
-    *(volatile float *)0 = circle.x + box.minX; return 0;
-END
-check "without the solution a crash costs what comes behind it" graded_there 1 25 --lab 02
+copy_lab solutions $lab
+echo '    *(volatile float *)0 = circle.x + box.minX; return 0;' | answer $file circle_overlaps_box
+cp "$scratch/submission/$file" "$course/labs/$lab/"
+check "without the solution a crash costs what comes behind it" graded_there 1 26 --lab 02
 check "and that is not reached" test "$(grep -c 'not reached: the program had ended in circle_overlaps_box' "$said")" = 8
 check "which is no failure of it" grep -q '^   --    distribute-list' "$said"
-rm -r "$scratch/there"
 
 # ---- What make says ------------------------------------------------------------------------------
 
