@@ -1,7 +1,8 @@
-// How much time a submission's compiler and probe may use: what our solution used for the same, times
-// a factor. So the limit is right on any machine and device, and for any job.
+// How much time a submission's compiler and probe may use: what our solution used for the same,
+// times a factor. So the limit is right on any machine and device, and for any job.
 //
-// Flow: solution run -> ALLOWANCE -> submission run. Used by workshop.c; read next: sandbox_clock.h.
+// Flow: solution run -> ALLOWANCE -> submission run. Used by workshop.c; read next:
+// sandbox_clock.h.
 #ifndef GRADER_ALLOWANCE_H
 #define GRADER_ALLOWANCE_H
 
@@ -27,7 +28,8 @@ SandboxTime allowance_ours(void);
 void allowance_note(Allowance *allowance, Step step, SandboxTime used);
 
 // For a handout, which has no solution to run: take in what it needed when the handout was packed,
-// rounded up (handout/pack.sh), from the file SOLUTION_SECONDS_PATH. Returns 0, or -1 after one message on stderr.
+// rounded up (handout/pack.sh), from the file SOLUTION_SECONDS_PATH. Returns 0, or -1 after one
+// message on stderr.
 #define SOLUTION_SECONDS_PATH "tests/solution-seconds"
 int allowance_read_packed(Allowance *allowance);
 

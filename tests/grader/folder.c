@@ -105,8 +105,8 @@ static int level_flatten(int top, const char *name, unsigned long *n_moved)
             result = -1;
             break;
         }
-        // What is replaced, if anything, is an empty folder, and to be removed as well: not every file
-        // system knows RENAME_NOREPLACE.
+        // What is replaced, if anything, is an empty folder, and to be removed as well: not every
+        // file system knows RENAME_NOREPLACE.
         char moved[32];
         do {
             snprintf(moved, sizeof moved, "moved-%lu", (*n_moved)++);

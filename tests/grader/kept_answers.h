@@ -1,5 +1,6 @@
-// The solution's answers, and what time it took for them, kept from one grading to the next: of one lab, one seed, one device and
-// one grader they are always the same, and a class asks for them again and again.
+// The solution's answers, and what time it took for them, kept from one grading to the next: of one
+// lab, one seed, one device and one grader they are always the same, and a class asks for them
+// again and again.
 //
 // Whoever names the folder sees to it that it is of one lab, one device and one grader, and that no
 // submission reaches it. Read next: session.c.

@@ -152,7 +152,8 @@ static int folders_open(const Memcheck *memcheck, const Variant *variant)
     return 0;
 }
 
-// Run a variant's passes side by side. Returns 0, or -1 after one message when the machinery failed.
+// Run a variant's passes side by side. Returns 0, or -1 after one message when the machinery
+// failed.
 static int passes_run(const Memcheck *memcheck, const Variant *variant, SandboxTime time,
                       SandboxResult results[N_PASSES])
 {

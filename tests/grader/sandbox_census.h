@@ -16,8 +16,8 @@ typedef struct Census {
     double processor_seconds;  // used by those alive, and by children that they waited for
 } Census;
 
-// Look at the calling supervisor's descendants: processes, memory and time. The child `outermost`, which
-// is the grader's own, is not counted, what it has started is; -1 to count every one.
+// Look at the calling supervisor's descendants: processes, memory and time. The child `outermost`,
+// which is the grader's own, is not counted, what it has started is; -1 to count every one.
 void census_processes(const Walls *walls, pid_t outermost, Census *census);
 
 // Is a process of the run's own user alive that is no child of this one and cannot become one?

@@ -3,10 +3,10 @@
 //     grader -> supervisor -> bwrap -> [ bwrap's process 1 -> prlimit -> the command -> ... ]
 //     grader -> supervisor -> [ the command -> ... ]                               (others)
 //
-// It reads the command's output to the end and kills it when its time is used up whether or not the grader
-// waits, so that runs side by side cannot block each other. As the "subreaper" it inherits whatever
-// the command leaves behind: when it has no children any more, nothing of the run is alive, and all
-// the CPU time that was used is known. Read next: sandbox_walls.c, the brackets.
+// It reads the command's output to the end and kills it when its time is used up whether or not the
+// grader waits, so that runs side by side cannot block each other. As the "subreaper" it inherits
+// whatever the command leaves behind: when it has no children any more, nothing of the run is
+// alive, and all the CPU time that was used is known. Read next: sandbox_walls.c, the brackets.
 #include "sandbox_supervisor.h"
 
 #include "descriptors.h"

@@ -228,8 +228,8 @@ Test(tree2d, coincident_circles_end_at_the_last_level)
     job_scene_free(&scene);
 }
 
-// A job's scene of n circles: `circle` again and again, each `step` farther to the right and `growth`
-// larger than the one before.
+// A job's scene of n circles: `circle` again and again, each `step` farther to the right and
+// `growth` larger than the one before.
 static JobScene row_of(int n, Circle circle, float step, float growth)
 {
     JobScene scene = {.picture.title = "row", .scene = {.n_circles = n, .width = 64, .height = 48}};
