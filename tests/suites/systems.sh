@@ -214,7 +214,7 @@ processors=$(env -u OMP_NUM_THREADS -u OMP_THREAD_LIMIT nproc)
 check "as many processes as processors" \
     choose "Processes: $processors (processors here: $processors)*default*$processors $processors "
 check "whatever OpenMP is told" choose "Processes: $processors (*" OMP_NUM_THREADS=1 OMP_THREAD_LIMIT=1
-check "or what is asked for" choose "Processes: 7 (JOBS)*: 30 s (TIME_LIMIT)*7 7 --time-limit 30" \
+check "or what is asked for" choose "Processes: 7 (JOBS)*: 30 s of processor time (TIME_LIMIT)*7 7 --time-limit 30" \
     JOBS=7 TIME_LIMIT=30
 for value in 0 07 -1 1.5 513 99999999999999999999 "2 --sandbox none"; do
     check "JOBS=$value is refused" \
@@ -301,7 +301,7 @@ no_result() {
 course=$root/source/course
 check "Gradescope: the time limit is passed on" graded_by 'echo "$@"; exit 2' \
     no_result env AUTOGRADER_ROOT="$root" JOBS=3 TIME_LIMIT=33 "$root/run_autograder"
-check "and said" grep 'Time limit of a submission: 33 s (TIME_LIMIT)' "$scratch/said"
+check "and said" grep 'Time limit of a submission: 33 s of processor time (TIME_LIMIT)' "$scratch/said"
 check "to the grader" grep -e '--format gradescope --time-limit 33$' "$scratch/said"
 check "Gradescope: a killed grader" graded_by 'kill -9 $$' \
     no_result env AUTOGRADER_ROOT="$root" "$root/run_autograder"

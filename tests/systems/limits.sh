@@ -1,8 +1,8 @@
 # shellcheck shell=sh
-# How many processes a bundle uses, and how long a submission may run. Its scripts source this file.
+# How many processes a bundle uses, and how long a submission may compute. Its scripts source this file.
 #
 #     JOBS        processes that build the grader, from 1 to 512
-#     TIME_LIMIT  seconds that a submission may run, from 1 to 3600: grade's --time-limit
+#     TIME_LIMIT  seconds of processor time that a submission may use, from 1 to 3600: grade's --time-limit
 #
 # Both come from the environment, and may be empty. What was chosen is said, and why.
 
@@ -90,5 +90,5 @@ choose_limits() {
     whole TIME_LIMIT "$TIME_LIMIT" 3600 || return
     # shellcheck disable=SC2034 # for the script that sources this
     limit="--time-limit $TIME_LIMIT"
-    echo "Time limit of a submission: $TIME_LIMIT s (TIME_LIMIT)"
+    echo "Time limit of a submission: $TIME_LIMIT s of processor time (TIME_LIMIT)"
 }
