@@ -1,6 +1,7 @@
 // Lab 02's solution, the judges of trees and the drawing: good trees pass, each fault is found by
 // the judges that look at it and by no other, and no tree of a submission does harm.
 #include "oracle2d.h"
+#include "oracle2d_tree.h"
 #include "random.h"
 #include "surroundings.h"
 #include "tree2d_draw.h"
