@@ -44,7 +44,7 @@ SandboxTime allowance_of(const Allowance *allowance, Step step)
     const double factor = allowance->is_packed ? PACKED_FACTOR : FACTOR;
     const SandboxTime time = {.processor = allowed(used->processor, factor),
                               .asleep = allowed(used->asleep, factor)};
-    return (SandboxTime){time.processor, time.asleep, WALL_FACTOR * (time.processor + time.asleep)};
+    return (SandboxTime){time.processor, time.asleep, WALL_FACTOR * time.processor};
 }
 
 void allowance_note(Allowance *allowance, Step step, SandboxTime used)

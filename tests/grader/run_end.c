@@ -62,6 +62,11 @@ char *run_end_describe(const SandboxResult *result, SandboxTime allowed)
         return message_new("it did not finish in time: it waited, without using a processor, for "
                            "the %.1f s that are allowed; a sleep, or a wait for what never comes?",
                            allowed.asleep);
+    case SANDBOX_OVERDUE:
+        return message_new("it did not finish in time: after %.0f s it had neither used up its "
+                           "processor time nor waited for a processor; does it wait for a disk, or "
+                           "for processes that it started?",
+                           allowed.wall);
     case SANDBOX_CRASHED:
         if (result->signal == SIGXFSZ) {
             return message_new("it was stopped: it wrote a file of more than %d MB", FILE_MB);

@@ -12,7 +12,8 @@
 //
 // Time: what counts is processor time, which is the same however busy the machine is, and time
 // asleep, in which the command did not even ask for a processor. Wall time is a far backstop; where
-// it strikes, neither of the two was used up, so that it was the machine (sandbox_clock.h).
+// it strikes, neither of the two was used up: it was the machine, if the command was kept waiting
+// for a processor (sandbox_clock.h).
 #ifndef GRADER_SANDBOX_H
 #define GRADER_SANDBOX_H
 
@@ -83,7 +84,8 @@ typedef enum SandboxOutcome {
                         // code of 129 to 192 counts as one, as in a shell
     SANDBOX_TIMED_OUT,  // it used up its processor time: an endless loop
     SANDBOX_ASLEEP,     // it used up its time asleep: it waits for what never comes
-    SANDBOX_STARVED,    // it used up its wall time and neither of those: the machine's fault
+    SANDBOX_STARVED,  // it used up its wall time, kept waiting for a processor: the machine's fault
+    SANDBOX_OVERDUE,  // it used up its wall time, and was not
     SANDBOX_FORBIDDEN,  // by the filter of system calls: it asked for what no answer needs
     SANDBOX_EXCEEDED,   // a limit on all its processes together; see limit
     SANDBOX_FAULT,      // the sandbox could not be made: the machinery's fault, never the student's

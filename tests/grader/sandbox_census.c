@@ -74,6 +74,22 @@ static Stat stat_read(const char *path)
     return stat;
 }
 
+// How long a thread has waited for a processor in all; 0 where the kernel does not tell.
+static double waited_read(pid_t process, pid_t thread)
+{
+    char path[64];
+    unsigned long long ran, waited = 0;
+    snprintf(path, sizeof path, "/proc/%d/task/%d/schedstat", process, thread);
+    FILE *file = fopen(path, "re");
+    if (file != NULL && fscanf(file, "%llu %llu", &ran, &waited) != 2) {
+        waited = 0;
+    }
+    if (file != NULL) {
+        fclose(file);
+    }
+    return 1e-9 * (double)waited;
+}
+
 // Does the thread run, or wait for a processor or a disk? In the state of who waits for a disk is
 // also who waits for a child started by vfork().
 static int is_awake(pid_t process, pid_t thread, int n_children)
@@ -84,9 +100,9 @@ static int is_awake(pid_t process, pid_t thread, int n_children)
     return state == 'R' || (state == 'D' && n_children == 0);
 }
 
-// Add the children of all threads of a process, and how many threads are awake. Returns how many
-// threads there are.
-static int threads_follow(pid_t process, ProcessList *list, int *n_awake)
+// Add the children of all threads of a process, how many threads are awake, and how long they have
+// waited. Returns how many threads there are.
+static int threads_follow(pid_t process, ProcessList *list, Census *census)
 {
     char path[64];
     int n_threads = 0;
@@ -98,7 +114,8 @@ static int threads_follow(pid_t process, ProcessList *list, int *n_awake)
         if (thread > 0) {
             n_threads++;
             const int n_children = children_add(process, thread, list);
-            *n_awake += is_awake(process, thread, n_children);
+            census->n_awake += is_awake(process, thread, n_children);
+            census->waited_seconds += waited_read(process, thread);
         }
     }
     if (folder != NULL) {
@@ -209,7 +226,7 @@ void census_processes(const Walls *walls, pid_t outermost, Census *census)
         char path[64];
         snprintf(path, sizeof path, "/proc/%d/stat", list.ids[i]);
         census->processor_seconds += stat_read(path).seconds;
-        int n_threads = threads_follow(list.ids[i], &list, &census->n_awake);
+        int n_threads = threads_follow(list.ids[i], &list, census);
         if (list.ids[i] == outermost) {
             continue;
         }

@@ -7,12 +7,13 @@
 #include <sys/types.h>
 
 typedef struct Census {
-    int n_processes;      // that are alive
-    int n_tasks;          // processes and threads, also those that only wait to be reaped
-    long long memory_kb;  // in use
-    long long n_bytes;    // on disks: in the folders it writes, and of removed files still open
-    long long n_files;    // in the folders it writes
-    int n_awake;          // threads that run, or wait for a processor or a disk
+    int n_processes;        // that are alive
+    int n_tasks;            // processes and threads, also those that only wait to be reaped
+    long long memory_kb;    // in use
+    long long n_bytes;      // on disks: in the folders it writes, and of removed files still open
+    long long n_files;      // in the folders it writes
+    int n_awake;            // threads that run, or wait for a processor or a disk
+    double waited_seconds;  // for a processor, by the threads that are alive
     double processor_seconds;  // used by those alive, and by children that they waited for
 } Census;
 

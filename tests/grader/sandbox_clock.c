@@ -11,6 +11,10 @@
 // see what the command did.
 #define MOST_ASLEEP_SECONDS 0.2
 
+// Starved is who waited for a processor in so much of the time in which it neither ran nor slept.
+// Not all: what a thread waited since the last look before it ended is not seen.
+#define STARVED_SHARE 0.3
+
 double seconds_now(void)
 {
     struct timespec now;
@@ -42,7 +46,16 @@ void clock_look(SandboxClock *clock, const Census *census)
     if (census->n_awake == 0 && ran < ASLEEP_SHARE * between) {
         clock->used.asleep += between < MOST_ASLEEP_SECONDS ? between : MOST_ASLEEP_SECONDS;
     }
+    const double waited = census->waited_seconds;
+    clock->waited += waited > clock->last_waited ? waited - clock->last_waited : 0;
+    clock->last_waited = waited;
     clock->used.processor += ran;
     clock->used.wall = now - clock->start;
     clock->last_look = now;
+}
+
+int clock_is_starved(const SandboxClock *clock)
+{
+    const SandboxTime *used = &clock->used;
+    return clock->waited >= STARVED_SHARE * (used->wall - used->processor - used->asleep);
 }

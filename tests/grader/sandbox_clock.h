@@ -12,6 +12,8 @@
 typedef struct SandboxClock {
     double start, last_look;  // on the monotonic clock, seconds
     SandboxTime used;
+    double waited;       // seconds that its threads waited for a processor, all together
+    double last_waited;  // by those that were alive at the last look
 } SandboxClock;
 
 // The monotonic clock, in seconds.
@@ -21,6 +23,10 @@ void clock_start(SandboxClock *clock);
 
 // Take in what the census has just seen.
 void clock_look(SandboxClock *clock, const Census *census);
+
+// Is the machine to blame that it used up its wall time? It is where the command was kept waiting
+// for a processor, not where it slept, or hid what it ran.
+int clock_is_starved(const SandboxClock *clock);
 
 // What the calling supervisor's children that have ended used of processors, in seconds.
 double clock_ended_children(void);

@@ -380,7 +380,7 @@ static void outcome_judge(const Watch *watch, WatchEnd end)
     } else if (end == WATCH_ASLEEP) {
         report->outcome = SANDBOX_ASLEEP;
     } else if (end == WATCH_WALL) {
-        report->outcome = SANDBOX_STARVED;
+        report->outcome = clock_is_starved(&watch->clock) ? SANDBOX_STARVED : SANDBOX_OVERDUE;
     } else if (end == WATCH_STOPPED || exit_code < 0) {
         report->outcome = SANDBOX_FAULT;
     } else if (exit_code == SIGNAL_EXIT_BASE + SIGKILL &&

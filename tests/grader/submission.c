@@ -176,10 +176,11 @@ static int take_unpack(const char *path, const SandboxResult *result, char **mes
         complain("grade: the sandbox failed: %s", line);
         return -1;
     }
-    if (result->outcome == SANDBOX_TIMED_OUT || result->outcome == SANDBOX_ASLEEP) {
+    if (result->outcome == SANDBOX_TIMED_OUT || result->outcome == SANDBOX_ASLEEP ||
+        result->outcome == SANDBOX_OVERDUE) {
         snprintf(complaint, sizeof complaint,
                  "not unpacked after %d s of %s: hand in the lab's files only", UNPACK_SECONDS,
-                 result->outcome == SANDBOX_ASLEEP ? "waiting" : "processor time");
+                 result->outcome == SANDBOX_TIMED_OUT ? "processor time" : "waiting");
         return submission_refuse(path, complaint, message);
     }
     if (result->outcome == SANDBOX_STARVED) {

@@ -157,9 +157,10 @@ static void search_leaf(KdNode3 leaf, const u32 *sphere_ids, const Sphere *spher
                         HitAnswer *hit, Work *work)
 {
     for (u32 i = leaf.first; i < leaf.first + leaf.n_spheres; i++, work->n_tests++) {
-        const float t = intersect(spheres[sphere_ids[i]], ray, 0);
-        if (t < hit->t) {
-            *hit = (HitAnswer){t, sphere_ids[i]};
+        const u32 id = sphere_ids[i];
+        const float t = intersect(spheres[id], ray, 0);
+        if (t < hit->t || (t == hit->t && t < INFINITY && id < hit->sphere)) {
+            *hit = (HitAnswer){t, id};
         }
     }
 }
@@ -227,7 +228,7 @@ static int search_node(const SphereScene *scene, u32 id, Ray ray, float t_near, 
     if (node.split_axis == KD_LEAF) {
         work->n_leaves_visited++;
         search_leaf(node, scene->sphere_ids, scene->spheres, ray, hit, work);
-        return hit->t <= t_far;
+        return hit->t < t_far;
     }
     work->n_nodes_visited++;
     const float origin = along(ray.origin, node.split_axis);

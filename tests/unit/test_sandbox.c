@@ -244,12 +244,26 @@ TEST_EACH(closing_the_output_does_not_hide_a_sleeper)
     expect_end(&command, SANDBOX_ASLEEP);
 }
 
-TEST_EACH(who_got_no_processor_and_did_not_sleep_was_starved)
+TEST_EACH(who_was_kept_waiting_for_a_processor_was_starved)
 {
-    // To this limit an endless loop on a good machine looks as any command does on a busy one.
-    SandboxCommand command = shell_command("while :; do :; done");
-    command.time = (SandboxTime){.processor = 600, .asleep = 600, .wall = 1};
+    // Four loops on one processor: each waits three quarters of the time.
+    SandboxCommand command = shell_command("for i in 1 2 3 4; do taskset -c $(taskset -cp $$ | sed "
+                                           "'s/.*: //; s/[-,].*//') sh -c 'while :; do :; done' & "
+                                           "done; wait");
+    command.time = (SandboxTime){.processor = 600, .asleep = 600, .wall = 3};
     expect_end(&command, SANDBOX_STARVED);
+}
+
+TEST_EACH(who_waits_behind_a_thread_was_not_starved)
+{
+    // In vfork()'s state, but what it waits for is a thread, or its own brother.
+    SandboxCommand command = shell_command(
+        "echo '#define _GNU_SOURCE\n#include <sched.h>\n#include <signal.h>\n#include <unistd.h>\n"
+        "static char stack[65536]; int pause_on(void *a) { for (;;) pause(); }\n"
+        "int main(void) { clone(pause_on, stack + 65536, CLONE_VM | CLONE_VFORK | CLONE_PARENT |"
+        " SIGCHLD, 0); }' >v.c\ngcc -w v.c -o v && exec ./v");
+    command.time = (SandboxTime){.processor = 600, .asleep = 600, .wall = 3};
+    expect_end(&command, SANDBOX_OVERDUE);
 }
 
 TEST_EACH(time_runs_without_anybody_waiting)
