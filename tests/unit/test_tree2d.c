@@ -259,7 +259,7 @@ Test(tree2d, a_split_fails_when_both_children_keep_nearly_all)
 
 Test(tree2d, coincident_circles_end_after_failed_splits)
 {
-    JobScene scene = row_of(2000, (Circle){.x = 20, .y = 20, .radius = 3}, 0, 0);
+    JobScene scene = row_of(2000, (Circle){.x = 20, .y = 20, .radius = 3.5f}, 0, 0);
     cr_assert_eq(job_scene_grow_tree(&scene, (KdTreeLimits){16, 8}), 0);
     expect_good(&scene);
     cr_expect_eq(scene.tree.n_nodes, 31, "four levels of failed splits above 16 leaves");
