@@ -46,8 +46,8 @@ u32 oracle2d_n_overlapping(const Scene2D *scene, BBox2D box)
 
 int oracle2d_is_leaf(int level, u32 n_circles, int n_failed, KdTreeLimits limits)
 {
-    return level >= limits.maxDepth || (int64_t)n_circles <= limits.targetElementsPerNode ||
-           n_failed >= MAX_FAILED_SPLITS;
+    const int may_split = level < limits.maxDepth && n_failed < MAX_FAILED_SPLITS;
+    return !may_split || (int64_t)n_circles <= limits.targetElementsPerNode;
 }
 
 int oracle2d_split_fails(u32 n_circles, u32 n_lower, u32 n_higher)
