@@ -127,27 +127,27 @@ small_disk() (
 
 # A folder that full_disk() covers with a small disk, for itself alone: as root, or where users may
 # have namespaces. `namespace` is empty where neither works.
-tiny=$scratch/tiny
-mkdir "$tiny"
+small_disk=$scratch/small-disk
+mkdir "$small_disk"
 namespace=
 for try in 'unshare --mount' 'unshare --map-root-user --mount'; do
-    if [ -z "$namespace" ] && $try mount -t tmpfs -o size=8k tiny "$tiny" 2>/dev/null; then
+    if [ -z "$namespace" ] && $try mount -t tmpfs -o size=8k tiny "$small_disk" 2>/dev/null; then
         namespace=$try
     fi
 done
 
-# full_disk COMMAND...: with a disk of two pages at $tiny, which holds a file "old"; what lies there
+# full_disk COMMAND...: with a disk of two pages at $small_disk, which holds a file "old"; what lies there
 # afterwards goes to $scratch/left.
 full_disk() {
     # shellcheck disable=SC2016,SC2086 # they are another shell's variables; the words of a command
     $namespace sh -c '
         mount -t tmpfs -o size=8k tiny "$1" && echo old >"$1/old.png" && echo old >"$1/old.exr" ||
             exit 125
-        tiny=$1 left=$2 status=0
+        small_disk=$1 left=$2 status=0
         shift 2
         "$@" || status=$?
-        (cd "$tiny" && ls -A && cat old.png old.exr) >"$left"
-        exit $status' full_disk "$tiny" "$scratch/left" "$@"
+        (cd "$small_disk" && ls -A && cat old.png old.exr) >"$left"
+        exit $status' full_disk "$small_disk" "$scratch/left" "$@"
 }
 
 # fails_on_a_full_disk WORDS LAB OPTION...: does it say so, and leave what was there and no more?
@@ -188,11 +188,11 @@ fails_to_save() {
             # shellcheck disable=SC2086
             check "lab $number: a full disk, .$ending" \
                 fails_on_a_full_disk "cannot be written: No space left on device" \
-                "$number" --size 317x211 $scene --output "$tiny/old.$ending"
+                "$number" --size 317x211 $scene --output "$small_disk/old.$ending"
         done
         [ -z "$namespace" ] || check "lab $number: a full disk for the figures" \
             fails_on_a_full_disk "new.json: cannot be written: No space left on device" \
-            "$number" --size 64x48 --output "$out/figures.exr" --stats "$tiny/new.json"
+            "$number" --size 64x48 --output "$out/figures.exr" --stats "$small_disk/new.json"
         rm -f "$out"/figures.*
     done
 }
@@ -205,7 +205,7 @@ fails_for_heat_map() {
     fi
     check "lab $1: a full disk for the heat map" \
         fails_on_a_full_disk "old-work.exr: cannot be written: No space left on device" \
-        "$1" --size 317x211 --scene random:n=40 --heat-map --output "$tiny/old.png"
+        "$1" --size 317x211 --scene random:n=40 --heat-map --output "$small_disk/old.png"
 }
 
 # state: what is in the output folder, and whether what was there before is as it was.
