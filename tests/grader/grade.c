@@ -326,8 +326,11 @@ static int grade(Grading *grading, const Settings *settings)
     } else if (judge_alone(grading) != 0) {
         return -1;
     }
-    memcheck_advise(&session->manifest, grading->whole.has_crashed && !grading->has_line,
-                    grading->is_untouched, &grading->result);
+    // What ended for a reason that is told already needs no Oclgrind to find one.
+    const int crashed = grading->whole.has_crashed && !grading->has_line;
+    if (grading->whole.trouble == NULL || crashed) {
+        memcheck_advise(&session->manifest, crashed, grading->is_untouched, &grading->result);
+    }
     session->judge->add_pictures(session->job, &grading->whole.answers, &grading->result);
     return 0;
 }
