@@ -42,7 +42,7 @@ status=0
 TMPDIR=$work setpriv --pdeathsig KILL timeout --foreground --kill-after=5 "$CLASS_SECONDS" \
     sh -c 'exec setpriv --pdeathsig KILL "$@" 9<&-' grade \
     "$CLASS_BUILD/tools/grade" --build "$CLASS_BUILD" --lab "$CLASS_LAB" --seed "$seed" \
-    --submission "$CLASS_FOLDER/submissions/$slug" --output "$new" --device "$CLASS_DEVICE" \
+    --submission "$CLASS_FOLDER/submissions/$slug" --output "$new" ${CLASS_DEVICE:+--device "$CLASS_DEVICE"} \
     --answers "$CLASS_FOLDER/answers" ${CLASS_TIME_LIMIT:+--time-limit "$CLASS_TIME_LIMIT"} \
     >"$log" 2>&1 </dev/null || status=$?
 
