@@ -1,11 +1,10 @@
 // How much time a submission may use (see allowance.h).
 #include "allowance.h"
 
+#include "complain.h"
 #include "number.h"
 #include "text_file.h"
 
-#include <inttypes.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -42,9 +41,8 @@ SandboxTime allowance_of(const Allowance *allowance, Step step)
     }
     const SandboxTime *used = &allowance->solution[step];
     const double factor = allowance->is_packed ? PACKED_FACTOR : FACTOR;
-    const SandboxTime time = {.processor = allowed(used->processor, factor),
-                              .asleep = allowed(used->asleep, factor)};
-    return (SandboxTime){time.processor, time.asleep, WALL_FACTOR * time.processor};
+    const double processor = allowed(used->processor, factor);
+    return (SandboxTime){processor, allowed(used->asleep, factor), WALL_FACTOR * processor};
 }
 
 void allowance_note(Allowance *allowance, Step step, SandboxTime used)
@@ -63,7 +61,7 @@ int allowance_read_packed(Allowance *allowance)
     text[strcspn(text, "\n")] = '\0';
     const int result = number_read_unsigned(text, 1, OUR_SECONDS, &seconds);
     if (result != 0) {
-        fprintf(stderr, SOLUTION_SECONDS_PATH ": found \"%.20s\", expected whole seconds\n", text);
+        complain(SOLUTION_SECONDS_PATH ": found \"%.20s\", expected whole seconds", text);
     }
     allowance->is_packed = 1;
     for (Step step = 0; result == 0 && step < N_STEPS; step++) {

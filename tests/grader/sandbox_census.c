@@ -74,20 +74,21 @@ static Stat stat_read(const char *path)
     return stat;
 }
 
-// How long a thread has waited for a processor in all; 0 where the kernel does not tell.
-static double waited_read(pid_t process, pid_t thread)
+// Add how long a thread has waited for a processor in all, where the kernel tells.
+static void waiting_add(pid_t process, pid_t thread, Census *census)
 {
     char path[64];
-    unsigned long long ran, waited = 0;
+    unsigned long long ran, waited;
     snprintf(path, sizeof path, "/proc/%d/task/%d/schedstat", process, thread);
     FILE *file = fopen(path, "re");
-    if (file != NULL && fscanf(file, "%llu %llu", &ran, &waited) != 2) {
-        waited = 0;
+    if (file == NULL) {
+        return;
     }
-    if (file != NULL) {
-        fclose(file);
+    if (fscanf(file, "%llu %llu", &ran, &waited) == 2) {
+        census->tells_waiting = 1;
+        census->waited_seconds += 1e-9 * (double)waited;
     }
-    return 1e-9 * (double)waited;
+    fclose(file);
 }
 
 // Does the thread run, or wait for a processor or a disk? In the state of who waits for a disk is
@@ -115,7 +116,7 @@ static int threads_follow(pid_t process, ProcessList *list, Census *census)
             n_threads++;
             const int n_children = children_add(process, thread, list);
             census->n_awake += is_awake(process, thread, n_children);
-            census->waited_seconds += waited_read(process, thread);
+            waiting_add(process, thread, census);
         }
     }
     if (folder != NULL) {

@@ -13,6 +13,7 @@ typedef struct Census {
     long long n_bytes;      // on disks: in the folders it writes, and of removed files still open
     long long n_files;      // in the folders it writes
     int n_awake;            // threads that run, or wait for a processor or a disk
+    int tells_waiting;      // the kernel says how long threads wait for a processor
     double waited_seconds;  // for a processor, by the threads that are alive
     double processor_seconds;  // used by those alive, and by children that they waited for
 } Census;

@@ -47,6 +47,7 @@ void clock_look(SandboxClock *clock, const Census *census)
         clock->used.asleep += between < MOST_ASLEEP_SECONDS ? between : MOST_ASLEEP_SECONDS;
     }
     const double waited = census->waited_seconds;
+    clock->tells_waiting |= census->tells_waiting;
     clock->waited += waited > clock->last_waited ? waited - clock->last_waited : 0;
     clock->last_waited = waited;
     clock->used.processor += ran;
@@ -57,5 +58,6 @@ void clock_look(SandboxClock *clock, const Census *census)
 int clock_is_starved(const SandboxClock *clock)
 {
     const SandboxTime *used = &clock->used;
-    return clock->waited >= STARVED_SHARE * (used->wall - used->processor - used->asleep);
+    const double rest = used->wall - used->processor - used->asleep;
+    return !clock->tells_waiting || clock->waited >= STARVED_SHARE * rest;
 }

@@ -12,6 +12,7 @@
 typedef struct SandboxClock {
     double start, last_look;  // on the monotonic clock, seconds
     SandboxTime used;
+    int tells_waiting;   // the kernel does; else the two below say nothing
     double waited;       // seconds that its threads waited for a processor, all together
     double last_waited;  // by those that were alive at the last look
 } SandboxClock;
@@ -25,7 +26,7 @@ void clock_start(SandboxClock *clock);
 void clock_look(SandboxClock *clock, const Census *census);
 
 // Is the machine to blame that it used up its wall time? It is where the command was kept waiting
-// for a processor, not where it slept, or hid what it ran.
+// for a processor, not where it slept, or hid what it ran. Where the kernel does not tell, it is.
 int clock_is_starved(const SandboxClock *clock);
 
 // What the calling supervisor's children that have ended used of processors, in seconds.

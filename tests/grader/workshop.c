@@ -443,9 +443,7 @@ static int step_clear(const Workshop *workshop, const Variant *variant, Step ste
     char path[PATH_BYTES];
     snprintf(path, sizeof path, "%s/variant-%s/%s", workshop->folder, variant->name,
              step == STEP_COMPILING ? "build" : "out");
-    return (folder_remove(path) != 0 && errno != ENOENT) || make_folder(path) != 0
-               ? -1
-               : chmod(path, 0700);
+    return folder_remove(path) != 0 && errno != ENOENT ? -1 : make_closed_folder(path);
 }
 
 // Wait for a variant's step, which is started again where the machine had no time for it. Returns

@@ -1,0 +1,43 @@
+// grader/sandbox_clock: whose time it was.
+#include "sandbox_clock.h"
+#include "surroundings.h"
+
+// A run that used up its 300 s of wall time, of which it ran for 3 and slept for 7.
+static SandboxClock run_waiting(int tells_waiting, double waited)
+{
+    return (SandboxClock){.used = {.processor = 3, .asleep = 7, .wall = 300},
+                          .tells_waiting = tells_waiting,
+                          .waited = waited};
+}
+
+Test(sandbox_clock, who_was_kept_waiting_was_starved)
+{
+    const SandboxClock clock = run_waiting(1, 280);
+    cr_expect(clock_is_starved(&clock));
+}
+
+Test(sandbox_clock, who_was_not_waits_for_something_else)
+{
+    const SandboxClock clock = run_waiting(1, 2);
+    cr_expect_not(clock_is_starved(&clock));
+}
+
+// Without schedstat, as in some containers, the doubt is the machine's.
+Test(sandbox_clock, where_the_kernel_does_not_tell_it_is_the_machine)
+{
+    const SandboxClock clock = run_waiting(0, 0);
+    cr_expect(clock_is_starved(&clock));
+}
+
+Test(sandbox_clock, waiting_is_added_from_look_to_look_and_a_threads_end_takes_nothing_back)
+{
+    SandboxClock clock;
+    clock_start(&clock);
+    const double waited[] = {2, 5, 1, 4};  // of the threads alive then: one of them ends
+    for (size_t i = 0; i < sizeof waited / sizeof *waited; i++) {
+        clock_look(&clock,
+                   &(Census){.n_awake = 1, .tells_waiting = 1, .waited_seconds = waited[i]});
+    }
+    cr_expect_float_eq(clock.waited, 8, 1e-9, "%g", clock.waited);
+    cr_expect_eq(clock.used.asleep, 0);
+}
