@@ -27,7 +27,8 @@ say = $(if $(V),,@echo "  $(1)" && )
 
 # Asked only when something is compiled, so that `make demo` can install pkg-config first.
 IMAGE_CFLAGS = $(shell pkg-config --cflags OpenImageIO)
-LIBRARIES = -Wl,--as-needed $(shell pkg-config --libs OpenImageIO jansson) -lcsv -lseccomp -lOpenCL -lstdc++ -lm
+# Old tags, because the address sanitizer's dlopen() does not look at the new ones.
+LIBRARIES = -Wl,--as-needed,--disable-new-dtags,-rpath,'$$ORIGIN/..' $(shell pkg-config --libs jansson) -lcsv -lseccomp -lOpenCL -lm
 
 # In a handout (`make handout`) there are one lab, the solutions of those before it and no suites: what
 # is for authors is left out below.
@@ -44,7 +45,7 @@ earlier_sources = $(foreach l,$(call earlier,$(1)),\
 include_path = -I kernels $(foreach l,$(call earlier,$(1)),-I solutions/$(l))
 
 objects = $(patsubst %,$(OUT)/obj/%.o,$(1))
-COMMON_OBJECTS := $(call objects,$(wildcard common/*.c common/*.cpp))
+COMMON_OBJECTS := $(call objects,$(wildcard common/*.c))
 PROGRAMS := $(patsubst %/lab.json,$(OUT)/%,$(wildcard $(foreach tree,labs solutions,$(LABS:%=$(tree)/%/lab.json))))
 
 .PHONY: all
@@ -61,18 +62,23 @@ $(OUT)/obj/%.c.o: %.c $(THIS_FILE)
 
 $(OUT)/obj/%.cpp.o: %.cpp $(THIS_FILE)
 	@mkdir -p $(@D)
-	$(call say,compile $<)$(CXX) $(CXXFLAGS) $(DEPENDENCIES) $(INCLUDES) $(IMAGE_CFLAGS) -c $< -o $@
+	$(call say,compile $<)$(CXX) $(CXXFLAGS) $(DEPENDENCIES) $(INCLUDES) $(IMAGE_CFLAGS) -fPIC -c $< -o $@
 
 $(OUT)/libcommon.a: $(COMMON_OBJECTS)
 	@rm -f $@
 	@ar rcs $@ $^
+
+# Loaded by whatever reads or writes a picture, from the folder above the program (image_codec.h).
+CODEC := $(OUT)/libimage_codec.so
+$(CODEC): $(call objects,common/image.cpp)
+	$(call say,link    $@)$(CXX) $(SANITIZERS) -shared $^ $(shell pkg-config --libs OpenImageIO) -o $@
 
 # One program a lab: $(1) is labs or solutions, $(2) the lab's name. What a student has half written may
 # have warnings; the tests see to it that the skeletons have none.
 define lab_program
 $(OUT)/obj/$(1)/$(2)/%.o: EXTRA = $(if $(filter labs,$(1)),-Wno-error) -I $(1)/$(2) $(call include_path,$(2)) \
     -DLAB_NAME='"$(2)"' -DLAB_FOLDER='"$(1)/$(2)"' -DKERNEL_OPTIONS='"$(call include_path,$(2))"'
-$(OUT)/$(1)/$(2): $(call objects,$(wildcard $(1)/$(2)/*.c)) $(OUT)/earlier/$(2).a $(OUT)/libcommon.a
+$(OUT)/$(1)/$(2): $(call objects,$(wildcard $(1)/$(2)/*.c)) $(OUT)/earlier/$(2).a $(OUT)/libcommon.a | $(CODEC)
 	@mkdir -p $$(@D)
 	$$(call say,link    $$@)$(CC) $(SANITIZERS) $$^ $$(LIBRARIES) -o $$@
 endef
@@ -112,7 +118,7 @@ $(OUT)/libgrader.a: $(call objects,$(GRADER_SOURCES) tests/probes/sections.c $(B
 	@rm -f $@
 	@ar rcs $@ $^
 
-$(GRADER_TOOLS): $(OUT)/tools/%: $(OUT)/obj/tests/grader/%.c.o $(OUT)/libgrader.a $(OUT)/libcommon.a
+$(GRADER_TOOLS): $(OUT)/tools/%: $(OUT)/obj/tests/grader/%.c.o $(OUT)/libgrader.a $(OUT)/libcommon.a | $(CODEC)
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -o $@
 
@@ -218,7 +224,7 @@ handout: $(OUT)/tools/holes grader  ## pack what students get: LAB=03
 # ---- Tests ----------------------------------------------------------------------------------
 
 UNIT_TESTS := $(patsubst tests/unit/%.c,$(OUT)/tests/%,$(wildcard tests/unit/test_*.c))
-$(UNIT_TESTS): $(OUT)/tests/%: $(OUT)/obj/tests/unit/%.c.o $(OUT)/libclass.a $(OUT)/libgrader.a $(OUT)/libcommon.a
+$(UNIT_TESTS): $(OUT)/tests/%: $(OUT)/obj/tests/unit/%.c.o $(OUT)/libclass.a $(OUT)/libgrader.a $(OUT)/libcommon.a | $(CODEC)
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(SANITIZERS) $(filter %.o,$^) $(filter %.a,$^) $(LIBRARIES) -larchive -lcriterion -o $@
 
@@ -232,11 +238,11 @@ $(OUT)/obj/tests/unit/test_bench_report.c.o: EXTRA = -I tests/bench
 $(OUT)/tests/test_bench_report: $(call objects,tests/bench/report.c tests/bench/series.c)
 
 # What the suites use: a comparison of two pictures, what rays hit, and a device without images.
-$(OUT)/tools/compare: $(call objects,tests/compare.c) $(OUT)/libcommon.a
+$(OUT)/tools/compare: $(call objects,tests/compare.c) $(OUT)/libcommon.a | $(CODEC)
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -o $@
 
-$(OUT)/tools/count_hits: $(call objects,tests/count_hits.c) $(OUT)/libgrader.a $(OUT)/libcommon.a
+$(OUT)/tools/count_hits: $(call objects,tests/count_hits.c) $(OUT)/libgrader.a $(OUT)/libcommon.a | $(CODEC)
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -o $@
 

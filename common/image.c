@@ -1,8 +1,8 @@
 // Pictures in memory: made, released and compared, in plain C (see image.h).
 //
 // Flow: scene -> buffers -> kernel -> IMAGE -> COMPARISON. Comparing is our own code because those
-// of OpenImageIO let NaNs and smaller pictures pass; and programs that need no files load no
-// library. Read next: image.cpp, which reads and writes files.
+// of OpenImageIO let NaNs and smaller pictures pass. Read next: image_file.c, which reads and writes
+// files.
 #include "image.h"
 
 #include "complain.h"

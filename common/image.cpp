@@ -1,36 +1,24 @@
-// Pictures in memory and in files (see image.h): the one C++ file, around OpenImageIO.
+// Pictures as the bytes of a file and back (see image_codec.h): the one C++ file, around
+// OpenImageIO.
 //
-// Flow: scene -> buffers -> kernel -> IMAGE -> COMPARISON. Every function that C calls catches
-// every exception: one that reached C code would end the program without a message.
-// Read next: image.c, where pictures are made and judged.
-#include "image.h"
-
-#include "complain.h"
-#include "output_file.h"
+// Read next: image_file.c, which calls it; image.c, where pictures are made and judged.
+#include "image_codec.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <memory>
+#include <new>
 #include <string>
 #include <vector>
 
 namespace
 {
-
-int report(const char *path, const std::string &fault)
-{
-    // OpenImageIO may explain itself over several lines; the first says what happened.
-    std::string first_line = fault.substr(0, fault.find('\n'));
-    complain("%s: %s", path, first_line.c_str());
-    return -1;
-}
 
 // Three bytes a pixel. Colours are premultiplied by alpha, so over black they are what they are.
 std::vector<unsigned char> bytes_over_black(const Image *image)
@@ -77,6 +65,16 @@ std::string encode(const Image *image, const char *format, std::vector<unsigned 
     return "";
 }
 
+// Memory that C code may free. Throws when there is none.
+void *allocate(size_t n_values, size_t n_bytes_each)
+{
+    void *memory = std::calloc(n_values, n_bytes_each);
+    if (memory == nullptr) {
+        throw std::bad_alloc();
+    }
+    return memory;
+}
+
 // Spread 1 (grey), 2 (grey, alpha) or 3 channels (colour) to 4; more than 4 were never read.
 void spread_channels(const std::vector<float> &values, int n_channels, Image *image)
 {
@@ -93,74 +91,69 @@ void spread_channels(const std::vector<float> &values, int n_channels, Image *im
     }
 }
 
-int load(const char *path, Image *image)
+// Returns what went wrong; empty when nothing did.
+std::string decode(const char *path, Image *image)
 {
     std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path);
     if (!input) {
-        return report(path, "cannot be read: " + OIIO::geterror());
+        return "cannot be read: " + OIIO::geterror();
     }
     const OIIO::ImageSpec spec = input->spec();
     if (spec.depth > 1 || spec.deep || spec.nchannels < 1) {
-        return report(path, "not a flat picture");
+        return "not a flat picture";
     }
 
     int n_channels = std::min(spec.nchannels, IMAGE_CHANNELS);
-    if (image_create(spec.width, spec.height, image) != 0) {
-        return -1;
-    }
-    std::vector<float> values((size_t)spec.width * (size_t)spec.height * (size_t)n_channels);
+    size_t n_pixels = (size_t)spec.width * (size_t)spec.height;
+    std::vector<float> values(n_pixels * (size_t)n_channels);
     if (!input->read_image(0, 0, 0, n_channels, OIIO::TypeDesc::FLOAT, values.data())) {
-        return report(path, "cannot be read: " + input->geterror());
+        return "cannot be read: " + input->geterror();
     }
+    image->width = spec.width;
+    image->height = spec.height;
+    image->pixels = (float *)allocate(n_pixels, IMAGE_CHANNELS * sizeof(float));
     spread_channels(values, n_channels, image);
-    return 0;
+    return "";
+}
+
+// A fault in words, which C code may free; NULL for none. OpenImageIO may explain itself over several
+// lines; the first says what happened.
+char *fault_words(const std::string &fault)
+{
+    return fault.empty() ? nullptr : ::strndup(fault.c_str(), fault.find('\n'));
+}
+
+// Call a function that returns a fault, and let no exception out.
+template <typename Function> char *guarded(Function function)
+{
+    try {
+        return fault_words(function());
+    } catch (const std::exception &exception) {
+        return fault_words(exception.what());
+    } catch (...) {
+        return fault_words("unknown fault in OpenImageIO");
+    }
+}
+
+char *encode_for_c(const Image *image, const char *format, unsigned char **bytes, size_t *n_bytes)
+{
+    return guarded([&] {
+        std::vector<unsigned char> encoded;
+        std::string fault = encode(image, format, &encoded);
+        if (fault.empty()) {
+            *n_bytes = encoded.size();
+            *bytes = (unsigned char *)allocate(encoded.size(), 1);
+            std::memcpy(*bytes, encoded.data(), encoded.size());
+        }
+        return fault;
+    });
+}
+
+char *decode_for_c(const char *path, Image *image)
+{
+    return guarded([&] { return decode(path, image); });
 }
 
 }  // namespace
 
-extern "C" int image_save(const Image *image, const char *path)
-{
-    size_t stem_length = image_stem_length(path);
-    if (stem_length == 0) {
-        return report(path, "expected a file that ends in .exr or .png");
-    }
-    const char *format = path + stem_length + 1;  // behind the point: "exr" or "png"
-
-    std::vector<unsigned char> bytes;
-    std::string fault;
-    try {
-        fault = encode(image, format, &bytes);
-    } catch (const std::exception &exception) {
-        fault = exception.what();
-    } catch (...) {
-        fault = "unknown fault in OpenImageIO";
-    }
-    if (!fault.empty()) {
-        return report(path, fault);
-    }
-
-    OutputFile output;
-    if (output_file_open(&output, path) != 0) {
-        return -1;
-    }
-    // What fails in here marks the stream, and output_file_commit() reports it.
-    std::fwrite(bytes.data(), 1, bytes.size(), output.file);
-    return output_file_commit(&output);
-}
-
-extern "C" int image_load(const char *path, Image *image)
-{
-    *image = Image{};
-    int result = -1;
-    try {
-        result = load(path, image);
-    } catch (const std::exception &exception) {
-        report(path, exception.what());
-    } catch (...) {
-        report(path, "unknown fault in OpenImageIO");
-    }
-    if (result != 0) {
-        image_free(image);
-    }
-    return result;
-}
+extern "C" const ImageCodec image_codec = {encode_for_c, decode_for_c};

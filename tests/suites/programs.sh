@@ -53,6 +53,21 @@ draws_by_default() { (cd "$scratch/elsewhere" && works run 00) && has_size "$1" 
 check "the picture goes to build/NN-name.png" \
     draws_by_default "$scratch/elsewhere/build/00-hello-pixels.png"
 
+# A program that was carried off without build/libimage_codec.so.
+# shellcheck disable=SC2317 # called by check
+fails_without_codec() {
+    status=0
+    "$scratch/elsewhere/00" --size 8x8 --output "$out/carried.exr" >"$scratch/stdout" 2>"$scratch/stderr" ||
+        status=$?
+    cat "$scratch/stderr"
+    [ $status -eq 1 ] && [ "$(wc -l <"$scratch/stderr")" -eq 1 ] &&
+        grep -q "carried.exr: OpenImageIO cannot be loaded: .*; run make" "$scratch/stderr" &&
+        [ ! -e "$out/carried.exr" ]
+}
+cp "$build/solutions/00-hello-pixels" "$scratch/elsewhere/00"
+check "a picture without the library for pictures" fails_without_codec
+check "what needs no picture needs no library for it" works "$scratch/elsewhere/00" --help
+
 # ---- Devices ------------------------------------------------------------------------------------
 
 works run 00 --list-devices >/dev/null
