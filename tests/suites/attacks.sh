@@ -1,12 +1,13 @@
 #!/bin/sh
-# Every attack in tests/attacks/ earns nothing, harms nothing and is named in the report, in each of
+# Every attack in tests/attacks/ earns nothing, harms nothing and is named in the report, in
 # the grader's sandboxes; and beside all of them right submissions get their 100 points.
 #
 #     sh tests/suites/attacks.sh [ATTACK...]     from the top folder, after `make tests`
 #
-# SANDBOXES="bubblewrap landlock user user-unfiltered" chooses the sandboxes. Without ATTACKs, the
-# sandbox `user` meets those that try its walls, as the rest of the grader is the same; `make
-# test-attacks` tries all in each.
+# SANDBOXES="bubblewrap landlock user user-unfiltered" chooses the sandboxes. Without it and without
+# ATTACKs, those that try the walls meet every sandbox; the others, which try what judges and reports
+# them and is the same whatever the sandbox, take turns between the first two. `make test-attacks` tries
+# all in each.
 set -u
 . tests/tap.sh
 
@@ -14,6 +15,9 @@ build=${BUILD:-build}
 case $build in /*) ;; *) build=$PWD/$build ;; esac
 export BUILD="$build"
 sandboxes=${SANDBOXES:-bubblewrap landlock user}
+# Only root can have more than one.
+taking_turns=
+[ -n "${SANDBOXES:-}" ] || [ $# -gt 0 ] || [ "$(id -u)" -ne 0 ] || taking_turns=yes
 walls='
     include-neighbour include-shadow incbin link-to-solution kernel-includes
     read-grader read-neighbour read-other-runs read-reference read-shadow read-solution shell
@@ -85,11 +89,17 @@ chosen() {
         printf '%s\n' "$@"
         return
     fi
+    turn=landlock
     for attack in tests/attacks/*/*; do
-        name=$(basename "${attack%.*}")
-        case $sandbox in
-        user) case $walls in *[[:space:]]"$name"[[:space:]]*) ;; *) continue ;; esac ;;
-        esac
+        if [ -n "$taking_turns" ]; then
+            case $walls in
+            *[[:space:]]"$(basename "${attack%.*}")"[[:space:]]*) ;;
+            *)
+                case $turn in landlock) turn=bubblewrap ;; *) turn=landlock ;; esac
+                [ "$sandbox" = $turn ] || continue
+                ;;
+            esac
+        fi
         echo "$attack"
     done
 }
