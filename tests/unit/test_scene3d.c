@@ -794,6 +794,9 @@ static const struct {
     {"random:max=inf", "found \"max=inf\""},
     {"random:min=5,max=4", "found min=5 above max=4, expected at most that"},
     {"random:n=8,min=0.5", "min=0.5 above max=0.4"},
+    {"random:n=5,n=6", "found \"n=6\", expected each argument once"},
+    {"random:seed=5,n=6,seed=5", "found \"seed=5\", expected each argument once"},
+    {"random:n=5,n=x", "found \"n=x\", expected each argument once"},
 };
 
 Test(scene3d, bad_names_give_one_message)
