@@ -799,6 +799,32 @@ static const struct {
     {"random:n=5,n=x", "found \"n=x\", expected each argument once"},
 };
 
+// As long as a word on a command line may be.
+Test(scene3d, however_long_a_bad_name_the_reason_is_told)
+{
+    static char name[131000];
+    static const struct {
+        const char *ending, *message;
+    } CASES[] = {
+        {"", ": found no such scene, expected "},
+        {".nff", ": cannot be read: "},
+        {":n=1", ": found no such scene, expected "},
+    };
+    for (size_t i = 0; i < sizeof CASES / sizeof CASES[0]; i++) {
+        memset(name, 'n', sizeof name - 1);
+        strcpy(name + sizeof name - 1 - strlen(CASES[i].ending), CASES[i].ending);
+        Scene3D scene;
+        capture_begin(2);
+        cr_expect_eq(scene3d_open(name, 0, 0, &scene), -1);
+        expect_one_message(capture_end(2), CASES[i].message);
+    }
+    memcpy(name, "random:", strlen("random:"));
+    Scene3D scene;
+    capture_begin(2);
+    cr_expect_eq(scene3d_open(name, 0, 0, &scene), -1);
+    expect_one_message(capture_end(2), "\", expected n=N, seed=S, min=R or max=R");
+}
+
 Test(scene3d, bad_names_give_one_message)
 {
     mkdir("folder.nff", 0777);
