@@ -7,6 +7,7 @@
 
 #include "complain.h"
 #include "output_file.h"
+#include "text_file.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
@@ -95,6 +96,12 @@ void spread_channels(const std::vector<float> &values, int n_channels, Image *im
 
 int load(const char *path, Image *image)
 {
+    // OpenImageIO would wait for a pipe's writer, so the file is opened once before.
+    FILE *file = text_file_open(path);
+    if (file == NULL) {
+        return -1;
+    }
+    std::fclose(file);
     std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path);
     if (!input) {
         return report(path, "cannot be read: " + OIIO::geterror());
