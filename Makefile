@@ -237,6 +237,15 @@ $(OUT)/tests/test_corpus: $(call objects,$(wildcard tests/fuzz/fuzz_*.c))
 $(OUT)/obj/tests/unit/test_bench_report.c.o: EXTRA = -I tests/bench
 $(OUT)/tests/test_bench_report: $(call objects,tests/bench/report.c tests/bench/series.c)
 
+# Lab 02's builder with a distribute() that returns more circles than it was given.
+TOO_MANY = $(OUT)/wrong/returns-too-many.c
+$(TOO_MANY): solutions/02-kdtree-2d-build/kdtree2d_build.c \
+    tests/mutants/02-kdtree-2d-build/returns-too-many.c $(OUT)/tools/holes
+	@mkdir -p $(@D)
+	@$(OUT)/tools/holes fill $< distribute $(word 2,$^) >$@.new && mv $@.new $@
+$(OUT)/obj/tests/unit/test_builder_guard.c.o: EXTRA = $(GRADER_INCLUDES) -I $(dir $(TOO_MANY))
+$(OUT)/obj/tests/unit/test_builder_guard.c.o: $(TOO_MANY)
+
 # What the suites use: a comparison of two pictures, what rays hit, and a device without images.
 $(OUT)/tools/compare: $(call objects,tests/compare.c) $(OUT)/libcommon.a | $(CODEC)
 	@mkdir -p $(@D)

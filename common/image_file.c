@@ -5,6 +5,7 @@
 #include "complain.h"
 #include "image_codec.h"
 #include "output_file.h"
+#include "text_file.h"
 
 #include <dlfcn.h>
 #include <stdio.h>
@@ -63,6 +64,12 @@ int image_save(const Image *image, const char *path)
 int image_load(const char *path, Image *image)
 {
     *image = (Image){0};
+    // OpenImageIO would wait for a pipe's writer, so the file is opened once before.
+    FILE *file = text_file_open(path);
+    if (file == NULL) {
+        return -1;
+    }
+    fclose(file);
     const ImageCodec *codec = codec_load(path);
     if (codec == NULL) {
         return -1;

@@ -5,6 +5,7 @@
 
 #include "number.h"
 
+#include <inttypes.h>
 #include <math.h>
 #include <string.h>
 
@@ -206,7 +207,7 @@ static void view_place(Molecule *molecule)
 static void warn(const Molecule *molecule)
 {
     char names[MOLECULE_MAX_NAMES * (LINE_QUOTE_SIZE + 2)] = "";
-    char warning[sizeof names + 96] = "";
+    char warning[sizeof names + 192] = "";
     for (int i = 0; i < molecule->n_names; i++) {
         strcat(names, i == 0 ? "" : ", ");
         strcat(names, molecule->names[i]);
@@ -215,6 +216,12 @@ static void warn(const Molecule *molecule)
         snprintf(warning, sizeof warning, "drew %d atom%s of unknown elements in pink: %s%s",
                  molecule->n_unknown, molecule->n_unknown == 1 ? "" : "s", names,
                  molecule->has_more_names ? " and others" : "");
+    }
+    if (molecule->cut_line > 0) {
+        const size_t length = strlen(warning);
+        snprintf(warning + length, sizeof warning - length,
+                 "%sthe file ends too soon, within the name of a record in line %" PRId64,
+                 length > 0 ? "; " : "", molecule->cut_line);
     }
     line_warn(&molecule->lines, warning);
 }

@@ -20,6 +20,7 @@ typedef struct Molecule {
     char names[MOLECULE_MAX_NAMES][LINE_QUOTE_SIZE];  // the first names of theirs, in quotes
     int n_names;
     int has_more_names;
+    int64_t cut_line;  // in which the file ends within the name of a record; 0: in none
 } Molecule;
 
 // Get ready to read a file (see line_reader_begin()).
@@ -37,7 +38,8 @@ void molecule_add_atom(Molecule *molecule, Vec3 point, const Element *element, c
 
 // Place the view so that all atoms are seen in a picture that is at least as wide as high, light
 // the scene, and hand it over; a molecule without atoms is a fault. Prints one warning when
-// elements were unknown. Returns 0, or -1 after one message on stderr; everything is then released.
+// elements were unknown or the file ends too soon. Returns 0, or -1 after one message on stderr;
+// everything is then released.
 int molecule_finish(Molecule *molecule, Scene3D *scene);
 
 #endif

@@ -174,13 +174,28 @@ static void atom_read(PdbReader *reader, int is_polymer)
 
 _Static_assert(LAST_COLUMN == 54, "the message above names this column");
 
-// Does the file end in the name of an atom's record?
-static int is_cut_name(const LineReader *lines)
+// Is a line the beginning of a record's name, and not all of it?
+static int is_begun(const char *line, const char *name)
 {
-    const size_t length = strlen(lines->text);
-    return lines->unended_line != 0 &&
-           ((length < 4 && strncmp(lines->text, "ATOM", length) == 0) ||
-            (length < 6 && strncmp(lines->text, "HETATM", length) == 0));
+    const size_t length = strlen(line);
+    return length < strlen(name) && strncmp(line, name, length) == 0;
+}
+
+// A file may end in the name of a record. Of an atom's it is a fault; of another one, as END, no
+// atom need be missing, and it is noted for a warning.
+static void cut_name_check(Molecule *molecule, const char *record)
+{
+    LineReader *lines = &molecule->lines;
+    if (lines->unended_line == 0) {
+        return;
+    }
+    if (is_begun(lines->text, "ATOM") || is_begun(lines->text, "HETATM")) {
+        line_fault(lines, "", "the end of the file in the name of a record", "a whole record");
+    } else if (strcmp(record, "END") != 0 &&
+               (is_begun(lines->text, "END") || is_begun(lines->text, "ENDMDL"))) {
+        molecule->cut_line = lines->line;
+        lines->unended_line = 0;  // it is told in other words
+    }
 }
 
 int scene3d_read_pdb(FILE *file, const char *name, Scene3D *scene)
@@ -192,9 +207,7 @@ int scene3d_read_pdb(FILE *file, const char *name, Scene3D *scene)
         LineReader *lines = &reader.molecule.lines;
         char record[FIELD_SIZE];
         field_read(&reader, 1, 6, record);
-        if (is_cut_name(lines)) {
-            line_fault(lines, "", "the end of the file in the name of a record", "a whole record");
-        }
+        cut_name_check(&reader.molecule, record);
         if (strcmp(record, "ATOM") == 0 || strcmp(record, "HETATM") == 0) {
             atom_read(&reader, record[0] == 'A');
         }

@@ -16,6 +16,7 @@
 
 #include <errno.h>
 #include <getopt.h>
+#include <limits.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -216,6 +217,25 @@ static OptionsResult read_option(const char *lab_name, enum OptionId id, const c
 _Static_assert(LARGEST_SIDE == 1000000 && OPTIONS_LARGEST_MAX_DEPTH == 64,
                "the messages above name these limits");
 
+// The folder of a path as stat() takes it, "." where the path names none.
+//   folder   out; holds PATH_MAX bytes
+// Returns the file's name in it, or NULL where the path is too long.
+static const char *folder_of(const char *path, char *folder)
+{
+    const char *slash = strrchr(path, '/');
+    if (slash == NULL) {
+        strcpy(folder, ".");
+        return path;
+    }
+    const size_t length = (size_t)(slash - path) + 1;
+    if (length >= PATH_MAX) {
+        return NULL;
+    }
+    memcpy(folder, path, length);
+    folder[length] = '\0';
+    return slash + 1;
+}
+
 // Can a file be made at `path`? Found out before the work and not after it.
 static OptionsResult check_place(const char *lab_name, const char *option, const char *path)
 {
@@ -225,14 +245,10 @@ static OptionsResult check_place(const char *lab_name, const char *option, const
                       S_ISDIR(status.st_mode) ? "a file, not a folder" : "a regular file");
     }
 
-    char folder[4096] = ".";
-    const char *slash = strrchr(path, '/');
-    size_t length = slash == NULL ? 1 : (size_t)(slash - path) + 1;
-    if (length >= sizeof folder) {
+    char folder[PATH_MAX];
+    const char *name = folder_of(path, folder);
+    if (name == NULL || strlen(name) > NAME_MAX) {
         return refuse(lab_name, option, path, "a shorter path");
-    }
-    if (slash != NULL) {
-        memcpy(folder, path, length);
     }
     if (stat(folder, &status) != 0 || !S_ISDIR(status.st_mode)) {
         return refuse(lab_name, option, path, "a file in a folder that exists");
@@ -241,6 +257,27 @@ static OptionsResult check_place(const char *lab_name, const char *option, const
         return refuse(lab_name, option, path, "a file in a folder that can be written");
     }
     return OPTIONS_RUN;
+}
+
+// Do two paths name one entry of one folder? A file that is saved takes the place of an entry, so
+// this holds for any spelling of the paths, whether or not there is a file yet.
+static int is_same_entry(const char *left, const char *right)
+{
+    char left_folder[PATH_MAX], right_folder[PATH_MAX];
+    const char *left_name = folder_of(left, left_folder);
+    const char *right_name = folder_of(right, right_folder);
+    struct stat left_status, right_status;
+    return left_name != NULL && right_name != NULL && strcmp(left_name, right_name) == 0 &&
+           stat(left_folder, &left_status) == 0 && stat(right_folder, &right_status) == 0 &&
+           left_status.st_dev == right_status.st_dev && left_status.st_ino == right_status.st_ino;
+}
+
+static OptionsResult check_stats(const char *lab_name, const Options *options)
+{
+    if (is_same_entry(options->stats, options->output)) {
+        return refuse(lab_name, "stats", options->stats, "another file than --output");
+    }
+    return check_place(lab_name, "stats", options->stats);
 }
 
 static OptionsResult check_output(const char *lab_name, const char *path)
@@ -352,7 +389,7 @@ OptionsResult options_parse(int argc, char **argv, const char *lab_name, const c
         result = check_output(lab_name, options->output);
     }
     if (result == OPTIONS_RUN && options->stats != NULL) {
-        result = check_place(lab_name, "stats", options->stats);
+        result = check_stats(lab_name, options);
     }
     // Last, so that a fault is told alone.
     if (result == OPTIONS_RUN) {

@@ -53,9 +53,9 @@ typedef enum OptionsResult {
 //   set    OPTIONS_... that the lab uses; for each other one that is given, one note is printed:
 //          "00-hello-pixels: --scene is not used in this lab"
 // --output is checked early: an ending other than .png and .exr, or a folder that does not exist or
-// cannot be written, is refused before anything is computed; so is such a folder of --stats. The
-// default's folder is made. A program that is started in another folder than the course's top
-// folder says which one that is, and does nothing.
+// cannot be written, is refused before anything is computed; so is such a folder of --stats, and
+// the picture's own file, however it is spelt. The default's folder is made. A program that is
+// started in another folder than the course's top folder says which one that is, and does nothing.
 OptionsResult options_parse(int argc, char **argv, const char *lab_name, const char *what, int set,
                             Options *options);
 

@@ -15,8 +15,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-// The six X are filled in by mkstemp(). A leading dot would hide what a killed program left behind.
-#define PARTIAL_SUFFIX ".partial-XXXXXX"
+// A name of its own in the file's folder: the file's with something added could be longer than a
+// name may be. mkstemp() fills in the six X. A leading dot would hide what a killed program left.
+#define PARTIAL_NAME "partial-XXXXXX"
 
 static int report(const char *path, const char *fault)
 {
@@ -54,6 +55,19 @@ static ssize_t descriptor_write(void *cookie, const char *bytes, size_t n_bytes)
     return (ssize_t)n_bytes;
 }
 
+// Where a file is written before it has its name, for mkstemp(). NULL when memory runs out.
+static char *partial_path_create(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    const size_t folder_length = slash == NULL ? 0 : (size_t)(slash - path) + 1;
+    char *partial_path = malloc(folder_length + sizeof PARTIAL_NAME);
+    if (partial_path != NULL) {
+        memcpy(partial_path, path, folder_length);
+        strcpy(partial_path + folder_length, PARTIAL_NAME);
+    }
+    return partial_path;
+}
+
 int output_file_open(OutputFile *output, const char *path)
 {
     *output = (OutputFile){.descriptor = -1};
@@ -61,16 +75,14 @@ int output_file_open(OutputFile *output, const char *path)
         return report(path, "not a regular file");
     }
 
-    size_t n_bytes = strlen(path) + sizeof PARTIAL_SUFFIX;
     output->path = strdup(path);
-    output->partial_path = malloc(n_bytes);
+    output->partial_path = partial_path_create(path);
     if (output->path == NULL || output->partial_path == NULL) {
         free(output->partial_path);
         free(output->path);
         *output = (OutputFile){0};
         return report(path, "no memory");
     }
-    snprintf(output->partial_path, n_bytes, "%s%s", path, PARTIAL_SUFFIX);
 
     const cookie_io_functions_t functions = {.write = descriptor_write};
     output->descriptor = mkstemp(output->partial_path);

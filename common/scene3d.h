@@ -102,7 +102,8 @@ double scene3d_smallest_angle(const View *view, int height);
 // least 0; the angle lies between 0 and 180 degrees; a side has 1 to 1 000 000 pixels. Without b
 // the background is black; spheres before the first f are white with kd = 1; a light without a
 // colour has the brightness 1 / sqrt(number of lights). A negative radius is a sphere seen from
-// inside. What follows # is a comment.
+// inside. A comment begins with #, on a line of its own or after a blank; a # within a word is an
+// error.
 //   name   what messages call the file
 // Sets everything, width and height to the file's resolution. Returns 0, or -1 after one message on
 // stderr.

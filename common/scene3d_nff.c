@@ -173,15 +173,28 @@ static int keyword_read(NffReader *reader, char **words, int n_words)
     return n_words;
 }
 
+// How many of a line's words stand before its comment? A comment begins with a word: a # within one
+// may as well be a number, as some programs write infinity as 1.#INF, and is a fault.
+static int count_before_comment(NffReader *reader, char **words, int n_words)
+{
+    for (int i = 0; i < n_words; i++) {
+        if (words[i][0] == '#') {
+            return i;
+        }
+        if (strchr(words[i], '#') != NULL) {
+            char found[LINE_QUOTE_SIZE];
+            line_fault(&reader->lines, "", line_quote(words[i], found),
+                       "a blank before a comment's #, and no other #");
+        }
+    }
+    return n_words;
+}
+
 static void line_use(NffReader *reader)
 {
     char *words[LINE_MAX_LENGTH / 2 + 1];  // a word has at least one character, and a blank
     int n_words = line_split(reader->lines.text, words, sizeof words / sizeof words[0]);
-    for (int i = 0; i < n_words; i++) {
-        if (words[i][0] == '#') {
-            n_words = i;
-        }
-    }
+    n_words = count_before_comment(reader, words, n_words);
     for (int i = 0; i < n_words && !reader->lines.failed;) {
         if (reader->skipped.n_left > 0) {
             nff_stream_read(&reader->skipped, &reader->lines, words[i++]);

@@ -15,8 +15,8 @@ typedef enum Range { ANY_FINITE, NOT_ZERO, NOT_NEGATIVE, COLOUR, OPENING, PIXELS
 
 static const char *const EXPECTED[] = {
     [ANY_FINITE] = "a finite number",
-    [NOT_ZERO] = "a number other than 0",
-    [NOT_NEGATIVE] = "a number of at least 0",
+    [NOT_ZERO] = "a finite number other than 0 in float",
+    [NOT_NEGATIVE] = "a finite number of at least 0",
     [COLOUR] = "a number from 0 to 1",
     [OPENING] = "an angle between 0 and 180 degrees",
     [PIXELS] = "a whole number from 1 to 1000000",

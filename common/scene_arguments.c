@@ -48,29 +48,48 @@ static int value_read(const char *text, const SceneArgument *takes)
     return 0;
 }
 
-// Take in one "name=value". Returns what was expected instead, or NULL when all is well.
-static const char *argument_read(const char *argument, const SceneArgument *takes,
-                                 const char *all_names)
+// Which of the arguments that the scene takes is this "name=value"? Its index, or that of the last
+// entry, whose name is NULL.
+static int argument_find(const char *argument, const SceneArgument *takes)
 {
-    for (; takes->name != NULL; takes++) {
-        size_t length = strlen(takes->name);
-        if (strncmp(argument, takes->name, length) == 0) {
-            return value_read(argument + length, takes) == 0 ? NULL : takes->expected;
-        }
+    int index = 0;
+    while (takes[index].name != NULL &&
+           strncmp(argument, takes[index].name, strlen(takes[index].name)) != 0) {
+        index++;
     }
-    return all_names;
+    return index;
+}
+
+// Take in one "name=value".
+//   seen   bit i: takes[i] was there; in and out
+// Returns what was expected instead, or NULL when all is well.
+static const char *argument_read(const char *argument, const SceneArgument *takes,
+                                 const char *all_names, unsigned *seen)
+{
+    const int index = argument_find(argument, takes);
+    if (takes[index].name == NULL) {
+        return all_names;
+    }
+    if ((*seen >> index & 1) != 0) {
+        return "each argument once";
+    }
+    *seen |= 1u << index;
+    return value_read(argument + strlen(takes[index].name), &takes[index]) == 0
+               ? NULL
+               : takes[index].expected;
 }
 
 // Read "n=100,seed=3"; `list` is cut up.
 static int list_read(const char *scene_name, char *list, const SceneArgument *takes,
                      const char *all_names)
 {
+    unsigned seen = 0;
     for (char *argument = list; argument != NULL;) {
         char *comma = strchr(argument, ',');
         if (comma != NULL) {
             *comma = '\0';
         }
-        const char *expected = argument_read(argument, takes, all_names);
+        const char *expected = argument_read(argument, takes, all_names, &seen);
         if (expected != NULL) {
             return report(scene_name, argument, expected);
         }

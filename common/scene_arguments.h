@@ -1,4 +1,5 @@
-// The arguments in a scene's name: "n=100,seed=3" of "random:n=100,seed=3", in any order.
+// The arguments in a scene's name: "n=100,seed=3" of "random:n=100,seed=3". They may stand in any
+// order, each at most once.
 //
 // scene2d.c and scene3d.c say in a table what a scene takes; the reading is done here.
 // Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: scene2d.c.
@@ -25,7 +26,7 @@ typedef struct SceneArgument {
 int scene_is_called(const char *name, const char *generator);
 
 // Read the arguments after the colon of a scene's name; a name without a colon has none.
-//   takes      what the scene takes, up to an entry whose name is NULL
+//   takes      what the scene takes, at most 32, up to an entry whose name is NULL
 //   all_names  what is expected where an argument is none of these: "n=N or seed=S"
 // Returns 0, or -1 after one message on stderr.
 int scene_arguments_read(const char *scene_name, const SceneArgument *takes, const char *all_names);

@@ -16,6 +16,7 @@
 #include "stats.h"
 #include "work_stats.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 // The packed tree on the device.
@@ -24,6 +25,17 @@ typedef struct TreeBuffers {
     cl_mem d_sphere_ids;
     BBox3D bounds;  // goes along as it is
 } TreeBuffers;
+
+// The root's cell is rounded: at 100 000 a float's steps are 1/128, and a sphere may reach up to
+// half a step out of it. A step more on each side holds every sphere whole.
+static BBox3D box_widened(BBox3D box)
+{
+    for (int axis = 0; axis < 3; axis++) {
+        box.min[axis] = nextafterf(box.min[axis], -INFINITY);
+        box.max[axis] = nextafterf(box.max[axis], INFINITY);
+    }
+    return box;
+}
 
 // Build the tree and copy it to the device. Returns 0, or -1 after one message.
 static int create_tree(const ClSetup *cl, const Options *options, const Scene3D *scene,
@@ -49,7 +61,7 @@ static int create_tree(const ClSetup *cl, const Options *options, const Scene3D 
     buffers->d_nodes = cl_buffer_create(cl, tree.nodes, tree.n_nodes * sizeof *tree.nodes);
     buffers->d_sphere_ids =
         cl_buffer_create(cl, tree.sphere_ids, tree.n_sphere_ids * sizeof *tree.sphere_ids);
-    buffers->bounds = tree.bounds;
+    buffers->bounds = box_widened(tree.bounds);
     tree3d_free(&tree);
     return 0;
 }

@@ -303,7 +303,7 @@ int manifest_load(const char *labs_folder, const char *lab, Manifest *manifest)
     char path[4096];
     int length = snprintf(path, sizeof path, "%s/%s/lab.json", labs_folder, lab);
     if (length < 0 || (size_t)length >= sizeof path) {
-        fprintf(stderr, "%.60s...: the path of the labs' folder is too long\n", labs_folder);
+        complain("%.60s...: the path of the labs' folder is too long", labs_folder);
         return -1;
     }
     snprintf(manifest->lab, sizeof manifest->lab, "%s", lab);

@@ -7,6 +7,7 @@
 // driver; what Oclgrind writes down is told at the student's own lines. It is a diagnosis and earns
 // or costs no points. Exit status: 0 nothing found, 1 something, 2 it could not be tried.
 #include "clean_text.h"
+#include "complain.h"
 #include "memcheck_job.h"
 #include "memcheck_passes.h"
 #include "settings.h"
@@ -28,13 +29,13 @@ static int shrink_job(const Session *session)
     Sections job;
     workshop_job_path(&session->workshop, path, sizeof path);
     if (sections_load(path, (size_t)256 << 20, &job) != 0) {
-        fprintf(stderr, "memcheck: %s: the job cannot be read\n", path);
+        complain("memcheck: %s: the job cannot be read", path);
         return -1;
     }
     FILE *file = fopen(path, "wb");
     int result = file ? memcheck_job_write(&job, file) : -1;
     if (file == NULL || fclose(file) != 0) {
-        fprintf(stderr, "memcheck: %s: cannot be written: %s\n", path, strerror(errno));
+        complain("memcheck: %s: cannot be written: %s", path, strerror(errno));
         result = -1;
     }
     sections_free(&job);
@@ -134,7 +135,9 @@ static int memcheck_run(Memcheck *memcheck, const Settings *settings)
     const int staged =
         submission_stage(&session->workshop, settings->submission, memcheck->folder, &staging);
     if (staged != 0) {
-        fprintf(stderr, "%s\n", staging ? staging : "memcheck: nothing to look at");
+        char *clean = message_clean(staging ? staging : "memcheck: nothing to look at");
+        fprintf(stderr, "%s\n", clean);
+        free(clean);
         free(staging);
         return EXIT_FAULT;
     }
@@ -178,15 +181,14 @@ int main(int argc, char **argv)
         return parsed > 0 ? EXIT_CLEAN : EXIT_FAULT;
     }
     if (!has_kernels(settings.lab)) {
-        fprintf(stderr,
-                "memcheck: %s: found no kernel to hand in, expected one: Oclgrind looks at "
-                "kernels only\n",
-                settings.lab);
+        complain("memcheck: %s: found no kernel to hand in, expected one: Oclgrind looks at "
+                 "kernels only",
+                 settings.lab);
         return EXIT_FAULT;
     }
     if (access(OCLGRIND_DRIVER, R_OK) != 0) {
-        fprintf(stderr, "memcheck: found no Oclgrind (" OCLGRIND_DRIVER "); install the package "
-                        "oclgrind, which Debian 12 has and Debian 13 has not\n");
+        complain("memcheck: found no Oclgrind (" OCLGRIND_DRIVER "); install the package oclgrind, "
+                 "which Debian 12 has and Debian 13 has not");
         return EXIT_FAULT;
     }
     settings.device = "";  // Oclgrind's is the only one

@@ -1,6 +1,7 @@
 // Oclgrind's passes over a submission's probe (see memcheck_passes.h).
 #include "memcheck_passes.h"
 
+#include "complain.h"
 #include "folder.h"
 #include "run_end.h"
 
@@ -57,7 +58,7 @@ static SandboxRun *start_pass(const Memcheck *memcheck, const Variant *variant, 
     out_path(memcheck, variant, pass, out);
     if ((folder_remove(out) != 0 && errno != ENOENT) || mkdir(out, 0755) != 0 ||
         chmod(out, 0755) != 0) {
-        fprintf(stderr, "memcheck: %s: cannot be made: %s\n", out, strerror(errno));
+        complain("memcheck: %s: cannot be made: %s", out, strerror(errno));
         return NULL;
     }
     snprintf(job, sizeof job, "%s/job", workshop->folder);
@@ -145,7 +146,7 @@ static int folders_open(const Memcheck *memcheck, const Variant *variant)
         snprintf(path, sizeof path, "%s/variant-%s/%s", memcheck->session.workshop.folder,
                  variant->name, folders[i]);
         if (chmod(path, 0755) != 0) {
-            fprintf(stderr, "memcheck: %s: cannot be opened: %s\n", path, strerror(errno));
+            complain("memcheck: %s: cannot be opened: %s", path, strerror(errno));
             return -1;
         }
     }
@@ -170,9 +171,9 @@ static int passes_run(const Memcheck *memcheck, const Variant *variant, SandboxT
         results[i] =
             runs[i] != NULL ? sandbox_wait(runs[i]) : (SandboxResult){.outcome = SANDBOX_FAULT};
         if (results[i].outcome == SANDBOX_STARVED) {
-            fprintf(stderr, "memcheck: this machine is too busy: try again when it is less so\n");
+            complain("memcheck: this machine is too busy: try again when it is less so");
         } else if (results[i].outcome == SANDBOX_FAULT && runs[i] != NULL) {
-            fprintf(stderr, "memcheck: the sandbox failed: %s\n", results[i].output);
+            complain("memcheck: the sandbox failed: %s", results[i].output);
         }
         failed |= results[i].outcome == SANDBOX_FAULT || results[i].outcome == SANDBOX_STARVED;
     }

@@ -7,6 +7,7 @@
 #include "sandbox_walls.h"
 
 #include "bwrap_arguments.h"
+#include "complain.h"
 #include "folder.h"
 #include "landlock_rules.h"
 #include "sandbox_filter.h"
@@ -34,7 +35,7 @@ static int mounts_resolve(SandboxCommand *command)
         const char *given = command->mounts[i].outside;
         command->mounts[i].outside = realpath(given, NULL);
         if (command->mounts[i].outside == NULL) {
-            fprintf(stderr, "sandbox: %s: %s\n", given, strerror(errno));
+            complain("sandbox: %s: %s", given, strerror(errno));
             command->n_mounts = i;
             return -1;
         }
@@ -51,7 +52,7 @@ int walls_prepare(const SandboxCommand *command, Walls *walls)
     for (const char *const *variable = command->environment; variable != NULL && *variable != NULL;
          variable++) {
         if (strchr(*variable, '=') == NULL) {
-            fprintf(stderr, "sandbox: \"%s\": expected NAME=value\n", *variable);
+            complain("sandbox: \"%s\": expected NAME=value", *variable);
             return -1;
         }
     }
@@ -63,7 +64,7 @@ int walls_prepare(const SandboxCommand *command, Walls *walls)
     }
     walls->filter = filter_open();
     if (walls->filter < 0) {
-        fprintf(stderr, "sandbox: cannot make the filter of system calls: %s\n", strerror(errno));
+        complain("sandbox: cannot make the filter of system calls: %s", strerror(errno));
         return -1;
     }
     return 0;

@@ -212,6 +212,24 @@ check "and is right where spheres are near" draws 05 96x64 "$out/near.exr" --sce
 works run 05 --scene one --size 96x64 --textbook --output "$out/textbook.exr"
 check "up to rounding" "$compare" "$out/textbook.exr" "$out/near.exr" 0.001
 
+# At 100 000 float's steps are 1/128: a small sphere reaches out of its rounded box.
+cat >"$scenes/small-far.nff" <<'END'
+b 0 0.5 1
+v
+from 100000 0 0.05
+at 100000 0 0
+up 0 1 0
+angle 45
+hither 0
+resolution 256 256
+l 100000 1 5
+f 1 1 1 1 0 0 0 1
+s 100000 0 0 0.01
+END
+check "lab 05 draws a small sphere far from the origin" draws 05 256x256 "$out/05.exr" \
+    --scene "$scenes/small-far.nff"
+check "lab 07 draws all of it" equals_lab_05 --scene "$scenes/small-far.nff"
+
 # ---- Figures and heat maps ----------------------------------------------------------------------
 
 frame='frame.min_ms frame.median_ms frame.max_ms'

@@ -226,6 +226,24 @@ Test(image, what_cannot_be_loaded)
     }
 }
 
+// Nobody writes to the pipe; what waits for a writer is ended by the alarm.
+Test(image, a_pipe_is_not_waited_for)
+{
+    cr_assert_eq(mkfifo("pipe.png", 0600), 0);
+    cr_assert_eq(symlink("pipe.png", "link.png"), 0);
+    static const char *const PATHS[] = {"pipe.png", "link.png", "/dev/null"};
+    alarm(60);
+    for (size_t i = 0; i < sizeof PATHS / sizeof PATHS[0]; i++) {
+        Image image;
+        capture_begin(2);
+        const int result = image_load(PATHS[i], &image);
+        expect_one_message(capture_end(2), ": cannot be read: found a pipe or a device, expected a "
+                                           "regular file");
+        cr_expect_eq(result, -1);
+        cr_expect_null(image.pixels);
+    }
+}
+
 // ---- Comparison ---------------------------------------------------------------------------------
 
 Test(image, equal_pictures_do_not_differ)

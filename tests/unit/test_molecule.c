@@ -342,6 +342,24 @@ Test(molecule, a_cut_pdb_file_is_never_taken_in_silence)
     scene3d_free(&scene);
 }
 
+Test(molecule, a_pdb_file_cut_within_its_last_record_says_so)
+{
+    static const char *const ENDS[] = {"E", "EN", "ENDM", "ENDMD"};
+    for (size_t i = 0; i < sizeof ENDS / sizeof ENDS[0]; i++) {
+        char text[256];
+        snprintf(text, sizeof text, CA_ATOM "%s", ENDS[i]);
+        Scene3D scene = read_good(scene3d_read_pdb, text,
+                                  "molecule: warning: the file ends too soon, within the name of a "
+                                  "record in line 2\n");
+        scene3d_free(&scene);
+    }
+    Scene3D scene = read_good(
+        scene3d_read_pdb, "HETATM    1 XX   UNK A   1       1.000   2.000   3.000\nEN",
+        "molecule: warning: drew 1 atom of unknown elements in pink: \"XX\"; the file ends too "
+        "soon, within the name of a record in line 2\n");
+    scene3d_free(&scene);
+}
+
 Test(molecule, pdb_faults)
 {
     static const struct {

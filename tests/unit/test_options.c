@@ -62,6 +62,8 @@ Test(options, everything_given)
     cr_expect_eq(options.height, 1000000);
 }
 
+#define NAME_64 "a-name-of-which-four-are-a-byte-longer-than-a-name-may-be-------"
+
 static const struct {
     const char *words[MAX_WORDS];
     const char *message;
@@ -96,6 +98,12 @@ static const struct {
     {{"--stats", "nowhere/s.json"}, "folder that exists"},
     {{"--stats", "folder.png"}, "not a folder"},
     {{"--stats", "/dev/full"}, "a regular file"},
+    {{"--output", "p.png", "--stats", "p.png"}, "--stats: found \"p.png\", expected another file"},
+    {{"--output", "there.png", "--stats", "./there.png"}, "another file than --output"},
+    {{"--output", "labs/p.png", "--stats", "labs/../labs//p.png"}, "another file than --output"},
+    {{"--output", "linked/p.png", "--stats", "labs/p.png"}, "another file than --output"},
+    {{"--stats", "build/01-naive-2d.png"}, "another file than --output"},
+    {{"--stats", NAME_64 NAME_64 NAME_64 NAME_64}, "a shorter path"},
     {{"--scene"}, "--scene needs an argument"},
     {{"--colour", "red"}, "--colour"},
     {{"--colour=red"}, ": --colour=red is no option here"},
@@ -114,7 +122,9 @@ static const struct {
 Test(options, bad_words_give_one_message)
 {
     file_write("file", "", 0);
+    file_write("there.png", "", 0);
     mkdir("folder.png", 0777);
+    cr_assert_eq(symlink("labs", "linked"), 0);
     cr_assert_eq(symlink("/dev/full", "full.png"), 0);
     for (size_t i = 0; i < sizeof BAD / sizeof BAD[0]; i++) {
         Options options;
@@ -126,6 +136,18 @@ Test(options, bad_words_give_one_message)
         expect_one_message(message, "(try --help)");
         cr_expect_eq(result, OPTIONS_BAD, "case %zu, %s, was taken", i, BAD[i].words[0]);
     }
+}
+
+Test(options, figures_beside_the_picture_are_another_file)
+{
+    Options options;
+    const char *const names[MAX_WORDS] = {"--output=p.png", "--stats=labs/p.png"};
+    cr_expect_eq(parse(names, OPTIONS_SCENE, &options), OPTIONS_RUN);
+    // A link's place is taken by what is saved, and what it led to stays.
+    file_write("p.png", "", 0);
+    cr_assert_eq(symlink("p.png", "link.json"), 0);
+    const char *const link[MAX_WORDS] = {"--output=p.png", "--stats=link.json"};
+    cr_expect_eq(parse(link, OPTIONS_SCENE, &options), OPTIONS_RUN);
 }
 
 // The superuser may write anywhere, so this can only be seen as another user.

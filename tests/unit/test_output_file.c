@@ -29,6 +29,32 @@ Test(output_file, appears_on_commit_and_not_before)
     cr_expect_eq(folder_count(), 1, "a partial file stayed behind");
 }
 
+// The longest names there are leave no room for a suffix.
+Test(output_file, a_name_may_be_as_long_as_names_can_be)
+{
+    mkdir("sub", 0777);
+    for (int length = 230; length <= 256; length++) {
+        char path[300];
+        snprintf(path, sizeof path, "sub/%0*d.svg", length - 4, 0);
+        OutputFile output;
+        capture_begin(2);
+        int result = output_file_open(&output, path);
+        if (result == 0) {
+            fputs("whole", output.file);
+            result = output_file_commit(&output);
+        }
+        const char *message = capture_end(2);
+        cr_expect_eq(result, length <= 255 ? 0 : -1, "%d bytes: %s", length, message);
+        if (length <= 255) {
+            expect_content(path, "whole");
+            remove(path);
+        } else {
+            expect_one_message(message, "cannot be written: File name too long");
+        }
+    }
+    cr_expect_eq(rmdir("sub"), 0, "a partial file stayed behind");
+}
+
 Test(output_file, replaces_the_old_file_only_on_commit)
 {
     file_write("figure.svg", "old", 3);

@@ -363,10 +363,10 @@ TEST_OWN_USER(without_a_folder_of_its_own_it_is_a_fault)
 TEST_EACH(an_absent_mount_is_told_at_the_start)
 {
     SandboxCommand command = shell_command("exit 0");
-    command.mounts[0].outside = "absent";
+    command.mounts[0].outside = "absent\n\033[2J";
     capture_begin(2);
     SandboxRun *run = sandbox_start(&command);
-    expect_one_message(capture_end(2), "absent");
+    expect_one_message(capture_end(2), "sandbox: absent \xEF\xBF\xBD[2J: No such file");
     cr_expect_null(run);
 }
 

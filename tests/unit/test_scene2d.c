@@ -332,6 +332,9 @@ static const struct {
     {"random:max=inf", "found \"max=inf\""},
     {"random:min=5,max=4", "min=5 above max=4"},
     {"random:min=21", "min=21 above max=20"},
+    {"random:n=5,n=6", "found \"n=6\", expected each argument once"},
+    {"random:seed=5,n=6,seed=5", "found \"seed=5\", expected each argument once"},
+    {"random:n=5,n=x", "found \"n=x\", expected each argument once"},
 };
 
 Test(scene2d, bad_names_give_one_message)

@@ -794,7 +794,36 @@ static const struct {
     {"random:max=inf", "found \"max=inf\""},
     {"random:min=5,max=4", "found min=5 above max=4, expected at most that"},
     {"random:n=8,min=0.5", "min=0.5 above max=0.4"},
+    {"random:n=5,n=6", "found \"n=6\", expected each argument once"},
+    {"random:seed=5,n=6,seed=5", "found \"seed=5\", expected each argument once"},
+    {"random:n=5,n=x", "found \"n=x\", expected each argument once"},
 };
+
+// As long as a word on a command line may be.
+Test(scene3d, however_long_a_bad_name_the_reason_is_told)
+{
+    static char name[131000];
+    static const struct {
+        const char *ending, *message;
+    } CASES[] = {
+        {"", ": found no such scene, expected "},
+        {".nff", ": cannot be read: "},
+        {":n=1", ": found no such scene, expected "},
+    };
+    for (size_t i = 0; i < sizeof CASES / sizeof CASES[0]; i++) {
+        memset(name, 'n', sizeof name - 1);
+        strcpy(name + sizeof name - 1 - strlen(CASES[i].ending), CASES[i].ending);
+        Scene3D scene;
+        capture_begin(2);
+        cr_expect_eq(scene3d_open(name, 0, 0, &scene), -1);
+        expect_one_message(capture_end(2), CASES[i].message);
+    }
+    memcpy(name, "random:", strlen("random:"));
+    Scene3D scene;
+    capture_begin(2);
+    cr_expect_eq(scene3d_open(name, 0, 0, &scene), -1);
+    expect_one_message(capture_end(2), "\", expected n=N, seed=S, min=R or max=R");
+}
 
 Test(scene3d, bad_names_give_one_message)
 {
