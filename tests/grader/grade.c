@@ -7,6 +7,7 @@
 // costs one task. In a handout, which has no solution of its lab, the oracle alone judges the
 // submission as a whole. Read next: session.h (how it is run), judge.h (what is asked), report.h
 // (what comes out). Exit status: 0 full marks, 1 below, 2 when the grader itself could not work.
+#include "blame.h"
 #include "borrowing.h"
 #include "complain.h"
 #include "holes.h"
@@ -321,6 +322,7 @@ static int grade(Grading *grading, const Settings *settings)
     add_run_stages(grading);
     judge_open_checks(grading, &grading->whole, NULL);
     if (!session->has_solution) {
+        blame_others(session->judge, &grading->result);
         add_stage(&grading->result, "Each task by itself", CHECK_NOT_RUN,
                   "judged without the solution: one mistake can cost more than one task here");
     } else if (judge_alone(grading) != 0) {
