@@ -164,6 +164,40 @@ static void note_in_staging(Grading *grading, char *note)
     staging->message = message;
 }
 
+// What is wrong with the markers of the tasks, a line each; "" when nothing is. Owned by the caller.
+static char *describe_markers(const Grading *grading)
+{
+    const Manifest *manifest = &grading->session.manifest;
+    char *faults = message_new("%s", "");
+    for (int t = 0; t < manifest->n_tasks; t++) {
+        const Task *task = &manifest->tasks[t];
+        char path[PATH_BYTES];
+        snprintf(path, sizeof path, "%s/variant-whole/lab/%s", grading->session.workshop.folder,
+                 task->file);
+        char *text = text_file_read(path);
+        char *fault = text != NULL ? hole_fault(text, task->id) : NULL;
+        if (fault != NULL) {
+            char *longer =
+                message_new("%s%s%s: %s", faults, faults[0] ? "\n" : "", task->file, fault);
+            free(faults);
+            faults = longer;
+        }
+        free(fault);
+        free(text);
+    }
+    return faults;
+}
+
+// The graders of courses try each answer alone, between its markers: who has lost one is told.
+static void add_marker_stage(Grading *grading)
+{
+    char *faults = describe_markers(grading);
+    if (faults[0] != '\0') {
+        add_stage(&grading->result, "Markers", CHECK_FAILED, faults);
+    }
+    free(faults);
+}
+
 // The answer to a failed task when it can be tried alone, else NULL. Notes why it cannot.
 static char *answer_for_alone(Grading *grading, const Task *task)
 {
@@ -320,6 +354,7 @@ static int grade(Grading *grading, const Settings *settings)
         return 0;
     }
     add_run_stages(grading);
+    add_marker_stage(grading);
     judge_open_checks(grading, &grading->whole, NULL);
     if (!session->has_solution) {
         blame_others(session->judge, &grading->result);

@@ -37,13 +37,14 @@ typedef struct PictureResult {
 
 // A note about the whole submission: staged, compiled, ran.
 typedef struct StageResult {
-    const char *title;  // "Staging", "What stands out", "Sandbox", "Compiling", "Running"
+    const char
+        *title;  // "Staging", "What stands out", "Sandbox", "Compiling", "Running", "Markers"
     CheckStatus status;
     // Compiler output with the student's own file and line, crash, time-out... Owned.
     char *message;
 } StageResult;
 
-enum { RESULT_MAX_CHECKS = 32, RESULT_MAX_PICTURES = 12, RESULT_MAX_STAGES = 6 };
+enum { RESULT_MAX_CHECKS = 32, RESULT_MAX_PICTURES = 12, RESULT_MAX_STAGES = 7 };
 
 typedef struct Result {
     const char *lab;    // "01-naive-2d"
