@@ -312,18 +312,29 @@ static int work_agrees(const SearchResult *mistaken, const void *answers, int pi
            found.n_tests == mistaken->work.n_tests;
 }
 
+enum { WORK_BYTES = 96 };  // of work in words
+
+// "3 nodes and 1 leaf visited and 17 spheres asked".
+static void describe_work(Work work, char *words, size_t n_bytes)
+{
+    const u32 n_nodes = work.n_nodes_visited, n_leaves = work.n_leaves_visited;
+    snprintf(words, n_bytes, "%u node%s and %u %s visited and %u sphere%s asked", n_nodes,
+             plural(n_nodes), n_leaves, n_leaves == 1 ? "leaf" : "leaves", work.n_tests,
+             plural(work.n_tests));
+}
+
 // The message about rays that do less than they must.
 static char *describe_less(const WrongScene *wrong, int pixel, Work least)
 {
     const JobScene3D *scene = wrong->scene;
-    const Work found = ((const Work *)wrong->answers)[pixel];
+    char words[WORK_BYTES];
+    describe_work(((const Work *)wrong->answers)[pixel], words, sizeof words);
     const char *looks = explain(wrong, 1, early_mistakes, COUNT(early_mistakes), work_agrees);
     return message_new(
-        "%s: the ray of pixel (%d, %d): found %u nodes and %u leaves visited and %u spheres asked, "
+        "%s: the ray of pixel (%d, %d): found %s, "
         "expected at least %u, %u and %u (%d of %d rays do less than they must); %s%s",
-        scene->picture.title, pixel % scene->scene.width, pixel / scene->scene.width,
-        found.n_nodes_visited, found.n_leaves_visited, found.n_tests, least.n_nodes_visited,
-        least.n_leaves_visited, least.n_tests, wrong->n_wrong,
+        scene->picture.title, pixel % scene->scene.width, pixel / scene->scene.width, words,
+        least.n_nodes_visited, least.n_leaves_visited, least.n_tests, wrong->n_wrong,
         scene->scene.width * scene->scene.height, looks ? "it looks " : "",
         looks ? looks
               : "the search ends too soon or passes something by, or some of its work is hidden "
@@ -339,9 +350,10 @@ static char *judge_stack(const JobScene3D *scene, int pixel, u32 found, u32 most
         return NULL;
     }
     return message_new(
-        "%s: the ray of pixel (%d, %d): found %u nodes waiting on the stack at once, "
+        "%s: the ray of pixel (%d, %d): found %u node%s waiting on the stack at once, "
         "expected at most %u; only the far child waits, and only where both are met",
-        scene->picture.title, pixel % scene->scene.width, pixel / scene->scene.width, found, most);
+        scene->picture.title, pixel % scene->scene.width, pixel / scene->scene.width, found,
+        plural(found), most);
 }
 
 // Rays of a scene that do more, or less, than they may.
@@ -364,17 +376,17 @@ static char *describe_more(const WrongScene *wrong, const OffRays *more, u64 n_t
 {
     const JobScene3D *scene = wrong->scene;
     const int width = scene->scene.width;
-    const Work own = ((const Work *)wrong->answers)[more->first];
+    char words[WORK_BYTES];
+    describe_work(((const Work *)wrong->answers)[more->first], words, sizeof words);
     const char *looks = explain(wrong, 1, work_mistakes, COUNT(work_mistakes), work_agrees);
     return message_new(
-        "%s: the ray of pixel (%d, %d): found %u nodes and %u leaves visited and %u spheres asked, "
+        "%s: the ray of pixel (%d, %d): found %s, "
         "expected at most %u, %u and %u (%d of %d rays do more than they must, and %llu spheres "
         "are asked instead of %llu)%s%s",
-        scene->picture.title, more->first % width, more->first / width, own.n_nodes_visited,
-        own.n_leaves_visited, own.n_tests, more->bound.n_nodes_visited,
-        more->bound.n_leaves_visited, more->bound.n_tests, more->n, width * scene->scene.height,
-        (unsigned long long)n_tests, (unsigned long long)n_most, looks ? "; it looks " : "",
-        looks ? looks : "");
+        scene->picture.title, more->first % width, more->first / width, words,
+        more->bound.n_nodes_visited, more->bound.n_leaves_visited, more->bound.n_tests, more->n,
+        width * scene->scene.height, (unsigned long long)n_tests, (unsigned long long)n_most,
+        looks ? "; it looks " : "", looks ? looks : "");
 }
 
 // The message when a scene's rays do too much, or too little, or NULL: too much comes first.
