@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Of the failed checks that look at less than this one does, and are not others' fault, the first of
-// those that look at least; with `task` only that task's. NULL when there is none.
+// Of the failed checks that look at less than this one does, and are not others' fault, the first
+// of those that look at least; with `task` only that task's. NULL when there is none.
 static const Check *narrower_fault(const Judge *judge, const Result *result, int check,
                                    const char *task)
 {

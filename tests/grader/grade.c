@@ -164,7 +164,7 @@ static void note_in_staging(Grading *grading, char *note)
     staging->message = message;
 }
 
-// What is wrong with the markers of the tasks, a line each; "" when nothing is. Owned by the caller.
+// What is wrong with the tasks' markers, a line each; "" when nothing is. Owned by the caller.
 static char *describe_markers(const Grading *grading)
 {
     const Manifest *manifest = &grading->session.manifest;
