@@ -34,6 +34,8 @@ LIBRARIES = -Wl,--as-needed,--disable-new-dtags,-rpath,'$$ORIGIN/..' $(shell pkg
 # is for authors is left out below.
 LABS := $(sort $(foreach tree,labs solutions,$(patsubst $(tree)/%/lab.json,%,$(wildcard $(tree)/*/lab.json))))
 HANDOUT := $(if $(wildcard tests/suites),,yes)
+# In examples: a lab that is there.
+EXAMPLE_LAB := $(or $(if $(HANDOUT),$(firstword $(subst -, ,$(notdir $(wildcard labs/[0-9]*))))),03)
 
 # The labs before one: what they deliver comes from their solutions.
 earlier = $(strip $(eval reached :=)$(foreach l,$(LABS),$(if $(filter $(1),$(l)),$(eval \
@@ -167,7 +169,7 @@ verdict_is_no_fault = || test $$? -eq 1
 
 .PHONY: grade
 grade: grader  ## grade LAB=03 [SUBMISSION=folder or archive] [SEED=n] [DEVICE=d] [TIME_LIMIT=seconds] [FORMAT=junit,tap]
-	@test -n "$(LAB)" || { echo "make grade: say which lab: make grade LAB=03" >&2; exit 2; }
+	@test -n "$(LAB)" || { echo "make grade: say which lab: make grade LAB=$(EXAMPLE_LAB)" >&2; exit 2; }
 	@$(OUT)/tools/grade --build $(OUT) --lab "$$LAB" $(if $(SUBMISSION),--submission "$$SUBMISSION") \
 	    $(if $(SEED),--seed "$$SEED") $(if $(DEVICE),--device "$$DEVICE") \
 	    $(if $(TIME_LIMIT),--time-limit "$$TIME_LIMIT") \
@@ -175,11 +177,12 @@ grade: grader  ## grade LAB=03 [SUBMISSION=folder or archive] [SEED=n] [DEVICE=d
 
 .PHONY: memcheck
 memcheck: grader  ## look for indices out of range, unset values and races: LAB=03 [SUBMISSION=folder]
-	@test -n "$(LAB)" || { echo "make memcheck: say which lab: make memcheck LAB=03" >&2; exit 2; }
+	@test -n "$(LAB)" || { echo "make memcheck: say which lab: make memcheck LAB=$(EXAMPLE_LAB)" >&2; exit 2; }
 	@$(OUT)/tools/memcheck --build $(OUT) --lab "$$LAB" \
 	    $(if $(SUBMISSION),--submission "$$SUBMISSION") $(if $(SEED),--seed "$$SEED") \
 	    $(if $(TIME_LIMIT),--time-limit "$$TIME_LIMIT") $(verdict_is_no_fault)
 
+ifndef HANDOUT
 # Bundles for the systems that courses use (tests/systems/README.md), in build/systems.
 .PHONY: gradescope autolab prairielearn github
 gradescope:  ## the autograder of LAB=03 for Gradescope
@@ -199,13 +202,13 @@ grade-class: grader  ## grade a class: LAB=03 SUBMISSIONS=folder [OUTPUT=folder]
 	    $(if $(AGAINST),--against "$$AGAINST") $(if $(DEVICE),--device "$$DEVICE") \
 	    $(if $(TIME_LIMIT),--time-limit "$$TIME_LIMIT")
 
-ifndef HANDOUT
 # What a message needs, for tools that need little else of common/.
 MESSAGES = common/complain.c common/clean_text.c
 
 # ---- Skeletons: labs/ is cut from solutions/ ------------------------------------------------
 
-$(OUT)/tools/holes: $(call objects,tests/grader/holes_tool.c tests/grader/holes.c common/text_file.c $(MESSAGES))
+$(OUT)/tools/holes: $(call objects,tests/grader/holes_tool.c tests/grader/holes.c tests/grader/message.c \
+    common/text_file.c $(MESSAGES))
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(SANITIZERS) $^ -o $@
 
@@ -405,6 +408,6 @@ clean:  ## remove everything that was made
 .PHONY: help
 help:  ## print this list
 	@awk -F ':.*## ' '/^ifndef HANDOUT/ { hidden = "$(HANDOUT)" } /^endif  # HANDOUT/ { hidden = "" } \
-	    !hidden && /^[a-z-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
+	    !hidden && /^[a-z-]+:.*## / { sub("LAB=03", "LAB=$(EXAMPLE_LAB)"); printf "  make %-12s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
 
 -include $(shell find $(OUT)/obj -name '*.d' 2>/dev/null)

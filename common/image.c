@@ -113,14 +113,17 @@ void image_heat_colour(float value, float *rgb)
     }
 }
 
-// Equal to the bit is black; 1 is the brightest colour, and so is what cannot be compared.
+// What is no number has a colour that no difference has: cyan.
+static const float NAN_COLOUR[3] = {0, 1, 1};
+
+// Equal to the bit is 0, the brightest colour 1; NAN where either pixel holds what is no number.
 static float difference_brightness(const float *pixel, const float *reference)
 {
     float sum = 0;
     for (int channel = 0; channel < IMAGE_CHANNELS; channel++) {
         sum += fabsf(pixel[channel] - reference[channel]);
     }
-    return isfinite(sum) ? fminf(sum / IMAGE_BRIGHTEST_DIFFERENCE, 1.0f) : 1.0f;
+    return isnan(sum) ? NAN : fminf(sum / IMAGE_BRIGHTEST_DIFFERENCE, 1.0f);
 }
 
 int image_difference_picture(const Image *image, const Image *reference, Image *difference)
@@ -142,7 +145,9 @@ int image_difference_picture(const Image *image, const Image *reference, Image *
             difference_brightness(image->pixels + offset, reference->pixels + offset);
         float *pixel = difference->pixels + offset;
         pixel[3] = 1;
-        if (brightness > 0) {
+        if (isnan(brightness)) {
+            memcpy(pixel, NAN_COLOUR, sizeof NAN_COLOUR);
+        } else if (brightness > 0) {
             image_heat_colour(brightness, pixel);
         }
     }

@@ -63,9 +63,9 @@ void image_heat_colour(float value, float *rgb);
 #define IMAGE_BRIGHTEST_DIFFERENCE 0.5f
 
 // Where two pictures differ, for people: black where equal, the brighter the further apart
-// (|difference| summed over the channels, up to the value above, in the inferno colours; NaN is
-// brightest). Both
-// of the same size. Returns 0, or -1 after one message on stderr. Release with image_free().
+// (|difference| summed over the channels, up to the value above, in the inferno colours), and cyan
+// where NaN. Both of the same size. Returns 0, or -1 after one message on stderr. Release with
+// image_free().
 int image_difference_picture(const Image *image, const Image *reference, Image *difference);
 
 #ifdef __cplusplus

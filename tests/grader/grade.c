@@ -7,6 +7,7 @@
 // costs one task. In a handout, which has no solution of its lab, the oracle alone judges the
 // submission as a whole. Read next: session.h (how it is run), judge.h (what is asked), report.h
 // (what comes out). Exit status: 0 full marks, 1 below, 2 when the grader itself could not work.
+#include "blame.h"
 #include "borrowing.h"
 #include "complain.h"
 #include "holes.h"
@@ -161,6 +162,40 @@ static void note_in_staging(Grading *grading, char *note)
     free(note);
     free(staging->message);
     staging->message = message;
+}
+
+// What is wrong with the tasks' markers, a line each; "" when nothing is. Owned by the caller.
+static char *describe_markers(const Grading *grading)
+{
+    const Manifest *manifest = &grading->session.manifest;
+    char *faults = message_new("%s", "");
+    for (int t = 0; t < manifest->n_tasks; t++) {
+        const Task *task = &manifest->tasks[t];
+        char path[PATH_BYTES];
+        snprintf(path, sizeof path, "%s/variant-whole/lab/%s", grading->session.workshop.folder,
+                 task->file);
+        char *text = text_file_read(path);
+        char *fault = text != NULL ? hole_fault(text, task->id) : NULL;
+        if (fault != NULL) {
+            char *longer =
+                message_new("%s%s%s: %s", faults, faults[0] ? "\n" : "", task->file, fault);
+            free(faults);
+            faults = longer;
+        }
+        free(fault);
+        free(text);
+    }
+    return faults;
+}
+
+// The graders of courses try each answer alone, between its markers: who has lost one is told.
+static void add_marker_stage(Grading *grading)
+{
+    char *faults = describe_markers(grading);
+    if (faults[0] != '\0') {
+        add_stage(&grading->result, "Markers", CHECK_FAILED, faults);
+    }
+    free(faults);
 }
 
 // The answer to a failed task when it can be tried alone, else NULL. Notes why it cannot.
@@ -319,8 +354,10 @@ static int grade(Grading *grading, const Settings *settings)
         return 0;
     }
     add_run_stages(grading);
+    add_marker_stage(grading);
     judge_open_checks(grading, &grading->whole, NULL);
     if (!session->has_solution) {
+        blame_others(session->judge, &grading->result);
         add_stage(&grading->result, "Each task by itself", CHECK_NOT_RUN,
                   "judged without the solution: one mistake can cost more than one task here");
     } else if (judge_alone(grading) != 0) {

@@ -2,6 +2,7 @@
 #include "holes.h"
 
 #include "complain.h"
+#include "message.h"
 #include "text_file.h"
 
 #include <stdio.h>
@@ -208,6 +209,57 @@ static int hole_find(const char *text, const char *id, Hole *hole)
         }
     }
     return n_begins == 1 && n_ends == 1 && hole->start <= hole->end;
+}
+
+// The lines at which the markers of a hole stand.
+typedef struct Markers {
+    int begin, end;  // the first of each, from 1; 0 when there is none
+    int second;      // the first line that has one a second time, or 0
+    int second_is_end;
+} Markers;
+
+static Markers markers_find(const char *text, const char *id)
+{
+    Markers markers = {0};
+    char found[HOLE_ID_BYTES];
+    Line line;
+    for (int number = 1; next_line(&text, &line); number++) {
+        const int ends = is_end(line, found);
+        if ((!ends && !is_begin(line, found)) || strcmp(found, id) != 0) {
+            continue;
+        }
+        int *first = ends ? &markers.end : &markers.begin;
+        if (*first == 0) {
+            *first = number;
+        } else if (markers.second == 0) {
+            markers.second = number;
+            markers.second_is_end = ends;
+        }
+    }
+    return markers;
+}
+
+char *hole_fault(const char *text, const char *id)
+{
+    const Markers at = markers_find(text, id);
+    if (at.second != 0) {
+        return message_new("line %d: \"// %s %s\" stands there a second time", at.second,
+                           at.second_is_end ? "END" : "TASK", id);
+    }
+    if (at.begin == 0 && at.end == 0) {
+        return message_new("the lines \"// TASK %s\" and \"// END %s\" are missing", id, id);
+    }
+    if (at.begin == 0) {
+        return message_new("line %d: \"// END %s\", but no line \"// TASK %s\" before it", at.end,
+                           id, id);
+    }
+    if (at.end == 0) {
+        return message_new("line %d: \"// TASK %s\", but no line \"// END %s\" behind it", at.begin,
+                           id, id);
+    }
+    return at.begin < at.end
+               ? NULL
+               : message_new("line %d: \"// END %s\" stands before \"// TASK %s\"", at.end, id, id);
 }
 
 char *hole_read(const char *text, const char *id)

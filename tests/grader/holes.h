@@ -31,6 +31,10 @@ char *hole_read(const char *text, const char *id);
 // The same of a file. NULL also when it cannot be read, after one message on stderr.
 char *hole_load(const char *path, const char *id);
 
+// What is wrong with the markers of hole `id`, with the line, or NULL when they are there exactly
+// once each, in order. Returns a message, free() it.
+char *hole_fault(const char *text, const char *id);
+
 // Does line `number` of the text, from 1, stand in hole `id`?
 int hole_has_line(const char *text, const char *id, int number);
 

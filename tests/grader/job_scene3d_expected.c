@@ -70,11 +70,18 @@ static const Mistake3D mistakes[] = {
 // Where they begin.
 enum { FIRST_HIT_MISTAKE = 8, FIRST_COLOR_MISTAKE = 20 };
 
+// Who asks the spheres through a tree makes other mistakes than who asks all of them, though a few
+// rays may show the same.
+static int is_brute_force(const JobScene3D *scene)
+{
+    return scene->tree.n_nodes == 0;
+}
+
 // As DrawMistaken of picture.h has it.
 static const char *draw_mistaken(const void *pointer, int mistake, Image *guess, float *tolerances)
 {
     const JobScene3D *scene = pointer;
-    if (mistake >= (int)(sizeof mistakes / sizeof *mistakes)) {
+    if (!is_brute_force(scene) || mistake >= (int)(sizeof mistakes / sizeof *mistakes)) {
         return NULL;
     }
     oracle3d_draw(&scene->scene, &scene->camera, &mistakes[mistake].rules, guess, tolerances, NULL);
@@ -134,7 +141,7 @@ static void describe_hit(char *text, size_t n_bytes, u32 sphere, double t)
 static const char *explain_hits(const JobScene3D *scene, const HitAnswer *found)
 {
     const Scene3D *s = &scene->scene;
-    for (int i = FIRST_HIT_MISTAKE; i < FIRST_COLOR_MISTAKE; i++) {
+    for (int i = FIRST_HIT_MISTAKE; is_brute_force(scene) && i < FIRST_COLOR_MISTAKE; i++) {
         int explains = 1, n_hits = 0;
         for (int pixel = 0; explains && pixel < s->width * s->height; pixel++) {
             const OracleRay ray =

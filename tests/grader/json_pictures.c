@@ -70,9 +70,10 @@ static int difference_append(PictureList *pictures, const PictureResult *picture
     Image difference = {0};
     int written = image_difference_picture(&picture->own, &picture->reference, &difference);
     if (written == 0) {
-        written = image_append(pictures, picture,
-                               "the difference: black where equal, pale yellow from 0.5 on",
-                               &difference, NULL);
+        written = image_append(
+            pictures, picture,
+            "the difference: black where equal, pale yellow from 0.5 on, cyan where NaN",
+            &difference, NULL);
     }
     image_free(&difference);
     return written;

@@ -12,11 +12,19 @@
 #include <stdint.h>
 #include <stdio.h>
 
+// What a check looks at: the farther down, the more answers have a part in it.
+typedef enum CheckScope {
+    IS_OWN,     // the answer to its task, on inputs of its own
+    IS_CALLER,  // the same, but it calls the answer to another task
+    IS_WHOLE,   // what comes of the answers to all tasks
+} CheckScope;
+
 typedef struct Check {
     const char *id;
     const char *title;
     const char *task;
     int points;
+    CheckScope scope;
 } Check;
 
 typedef enum VerdictKind {

@@ -234,9 +234,14 @@ static char *judge_pack_rest(const PackJob *in, const PackAnswer *out)
         return message_new("nodes_flag[%u] is %u, expected LEAF", in->id, out->flags[in->id]);
     }
     for (u32 i = 0; i < in->n_ids; i++) {
-        if (out->map[in->n_map + 1 + i] != in->ids[i]) {
+        const u32 found = out->map[in->n_map + 1 + i];
+        if (found == UNTOUCHED) {
+            return message_new("leaf with %u circles: id number %u was not written, expected %u",
+                               in->n_ids, i, in->ids[i]);
+        }
+        if (found != in->ids[i]) {
             return message_new("leaf with %u circles: id number %u is %u, expected %u", in->n_ids,
-                               i, out->map[in->n_map + 1 + i], in->ids[i]);
+                               i, found, in->ids[i]);
         }
     }
     if (out->n_map != in->n_map + 1 + in->n_ids) {

@@ -53,11 +53,11 @@ static const Check checks[] = {
     [LEAF_NEAREST] = {"leaf-nearest", "The nearest hit so far, or nearer", "search_leaf", 6},
     [LEAF_IDS] = {"leaf-ids", "Whose hit it is, also of two equally far ones", "search_leaf", 5},
     [LEAF_ONCE] = {"leaf-once", "Each sphere of the leaf is asked once", "search_leaf", 4},
-    [TRACE_RANDOM] = {"trace-random", "No pinholes in random scenes", "trace", 10},
-    [TRACE_EDGES] = {"trace-edges", "Nor in the edge cases", "trace", 8},
+    [TRACE_RANDOM] = {"trace-random", "No pinholes in random scenes", "trace", 10, IS_WHOLE},
+    [TRACE_EDGES] = {"trace-edges", "Nor in the edge cases", "trace", 8, IS_WHOLE},
     [TRACE_EARLY_END] = {"trace-early-end", "It visits what the ray meets, and ends early", "trace",
-                         7},
-    [TRACE_PICTURE] = {"trace-picture", "Whole pictures", "trace", 5},
+                         7, IS_WHOLE},
+    [TRACE_PICTURE] = {"trace-picture", "Whole pictures", "trace", 5, IS_WHOLE},
 };
 
 typedef struct Job {
@@ -118,22 +118,38 @@ static const SearchMistake hit_mistakes[] = {
     {"as if t_far did not become t_split for the near child: the search ends too soon",
      {.near_keeps_t_far = 1}},
     {"as if t_near and t_far were not taken from the stack with the node", {.part_kept = 1}},
+    {"as if t_far were not taken from the stack with the node", {.t_far_kept = 1}},
     {"as if the node that waits longest came from the stack first", {.oldest_first = 1}},
     {"as if the search ended at any hit, also at one beyond t_far, which another sphere may hide",
      {.ends_at_any_hit = 1}},
 };
 
 static const SearchMistake work_mistakes[] = {
+    {"as if the search went on where it had found a hit, and ended where it had not: the "
+     "comparison "
+     "with t_far is inverted",
+     {.end_inverted = 1}},
     {"as if the search did not end before the stack is empty", {.never_ends = 1}},
-    {"as if the far child waited with the whole part of the ray: it begins at t_split",
+    {"as if t_near did not become t_split for the far child, which begins at t_split: is that put "
+     "on the stack, and taken from it?",
      {.far_keeps_t_near = 1}},
     {"as if the far child waited also where only the near one is met", {.far_always_waits = 1}},
     {"as if the near child were visited also where only the far one is met",
      {.near_never_passed = 1}},
     {"as if t_far did not become t_split for the near child", {.near_keeps_t_far = 1}},
     {"as if t_near and t_far were not taken from the stack with the node", {.part_kept = 1}},
+    {"as if t_far were not taken from the stack with the node", {.t_far_kept = 1}},
     {"as if near and far child were swapped", {.far_first = 1}},
     {"as if the node that waits longest came from the stack first", {.oldest_first = 1}},
+};
+
+// Of the mistakes of hits those that leave work out.
+static const SearchMistake early_mistakes[] = {
+    {"as if the far child were never visited where both are met: it does not wait, or the search "
+     "ends at the first leaf",
+     {.far_dropped = 1}},
+    {"as if the search ended at any hit, also at one beyond t_far, which another sphere may hide",
+     {.ends_at_any_hit = 1}},
 };
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
@@ -243,7 +259,7 @@ static const char *explain_hits(const Job *job, int first, int n, const Sections
 static Verdict judge_hits(const Job *job, int first, int n, const Sections *answers)
 {
     const Verdict verdict = job_scenes3d_judge_hits(job->scenes, first, n, answers);
-    // Brute force may have recognised a mistake that is not one of the search.
+    // That a miss was taken for a hit is known already.
     if (verdict.kind != VERDICT_FAILED || strstr(verdict.message, "it looks") != NULL) {
         return verdict;
     }
@@ -292,22 +308,38 @@ static int work_agrees(const SearchResult *mistaken, const void *answers, int pi
 {
     const Work found = ((const Work *)answers)[pixel];
     return found.n_leaves_visited == mistaken->work.n_leaves_visited &&
-           found.n_nodes_visited == mistaken->work.n_nodes_visited;
+           found.n_nodes_visited == mistaken->work.n_nodes_visited &&
+           found.n_tests == mistaken->work.n_tests;
 }
 
-// The message when a ray does less than it must, or NULL.
-static char *judge_hidden_work(const JobScene3D *scene, int pixel, Work found, Work least)
+enum { WORK_BYTES = 96 };  // of work in words
+
+// "3 nodes and 1 leaf visited and 17 spheres asked".
+static void describe_work(Work work, char *words, size_t n_bytes)
 {
-    if (is_within(least, found)) {
-        return NULL;
-    }
+    const u32 n_nodes = work.n_nodes_visited, n_leaves = work.n_leaves_visited;
+    snprintf(words, n_bytes, "%u node%s and %u %s visited and %u sphere%s asked", n_nodes,
+             plural(n_nodes), n_leaves, n_leaves == 1 ? "leaf" : "leaves", work.n_tests,
+             plural(work.n_tests));
+}
+
+// The message about rays that do less than they must.
+static char *describe_less(const WrongScene *wrong, int pixel, Work least)
+{
+    const JobScene3D *scene = wrong->scene;
+    char words[WORK_BYTES];
+    describe_work(((const Work *)wrong->answers)[pixel], words, sizeof words);
+    const char *looks = explain(wrong, 1, early_mistakes, COUNT(early_mistakes), work_agrees);
     return message_new(
-        "%s: the ray of pixel (%d, %d): found %u nodes and %u leaves visited and %u spheres asked, "
-        "expected at least %u, %u and %u: call children_on_ray, search_leaf and intersect_sphere "
-        "for all that is on the way; work that is hidden cannot be counted",
-        scene->picture.title, pixel % scene->scene.width, pixel / scene->scene.width,
-        found.n_nodes_visited, found.n_leaves_visited, found.n_tests, least.n_nodes_visited,
-        least.n_leaves_visited, least.n_tests);
+        "%s: the ray of pixel (%d, %d): found %s, "
+        "expected at least %u, %u and %u (%d of %d rays do less than they must); %s%s",
+        scene->picture.title, pixel % scene->scene.width, pixel / scene->scene.width, words,
+        least.n_nodes_visited, least.n_leaves_visited, least.n_tests, wrong->n_wrong,
+        scene->scene.width * scene->scene.height, looks ? "it looks " : "",
+        looks ? looks
+              : "the search ends too soon or passes something by, or some of its work is hidden "
+                "and cannot be counted: only children_on_ray, search_leaf and intersect_sphere "
+                "count it");
 }
 
 // The message when more nodes wait than need to, or NULL. One place more is granted to who puts the
@@ -318,51 +350,75 @@ static char *judge_stack(const JobScene3D *scene, int pixel, u32 found, u32 most
         return NULL;
     }
     return message_new(
-        "%s: the ray of pixel (%d, %d): found %u nodes waiting on the stack at once, "
+        "%s: the ray of pixel (%d, %d): found %u node%s waiting on the stack at once, "
         "expected at most %u; only the far child waits, and only where both are met",
-        scene->picture.title, pixel % scene->scene.width, pixel / scene->scene.width, found, most);
+        scene->picture.title, pixel % scene->scene.width, pixel / scene->scene.width, found,
+        plural(found), most);
 }
 
-// The message when a scene's rays do too much, or hide what they do, or NULL.
+// Rays of a scene that do more, or less, than they may.
+typedef struct OffRays {
+    int n;
+    int first;   // a pixel
+    Work bound;  // of the first
+} OffRays;
+
+static void count_off(OffRays *off, int pixel, Work bound)
+{
+    if (off->n++ == 0) {
+        off->first = pixel;
+        off->bound = bound;
+    }
+}
+
+// The message about rays that do more than they may.
+static char *describe_more(const WrongScene *wrong, const OffRays *more, u64 n_tests, u64 n_most)
+{
+    const JobScene3D *scene = wrong->scene;
+    const int width = scene->scene.width;
+    char words[WORK_BYTES];
+    describe_work(((const Work *)wrong->answers)[more->first], words, sizeof words);
+    const char *looks = explain(wrong, 1, work_mistakes, COUNT(work_mistakes), work_agrees);
+    return message_new(
+        "%s: the ray of pixel (%d, %d): found %s, "
+        "expected at most %u, %u and %u (%d of %d rays do more than they must, and %llu spheres "
+        "are asked instead of %llu)%s%s",
+        scene->picture.title, more->first % width, more->first / width, words,
+        more->bound.n_nodes_visited, more->bound.n_leaves_visited, more->bound.n_tests, more->n,
+        width * scene->scene.height, (unsigned long long)n_tests, (unsigned long long)n_most,
+        looks ? "; it looks " : "", looks ? looks : "");
+}
+
+// The message when a scene's rays do too much, or too little, or NULL: too much comes first.
 static char *judge_scene_work(const JobScene3D *scene, const Work *found)
 {
     const Scene3D *s = &scene->scene;
-    Work first_most = {0};
-    unsigned long long n_tests = 0, n_tests_most = 0;
-    int n_wrong = 0, first = 0;
-    char *other = NULL;  // said only where no ray does too much
+    u64 n_tests = 0, n_most = 0;
+    OffRays more = {0}, less = {0};
+    char *stack = NULL;
     for (int pixel = 0; pixel < s->width * s->height; pixel++) {
         const OracleRay ray = ray_of(scene, pixel);
         const WorkBounds bounds = search3d_bounds(scene, &ray);
         const Work own = found[pixel];
         n_tests += own.n_tests;
-        n_tests_most += bounds.most.n_tests;
-        if (other == NULL) {
-            other = judge_hidden_work(scene, pixel, own, bounds.least);
+        n_most += bounds.most.n_tests;
+        if (!is_within(own, bounds.most)) {
+            count_off(&more, pixel, bounds.most);
         }
-        if (!is_within(own, bounds.most) && n_wrong++ == 0) {
-            first = pixel;
-            first_most = bounds.most;
+        if (!is_within(bounds.least, own)) {
+            count_off(&less, pixel, bounds.least);
         }
-        if (other == NULL) {
-            other = judge_stack(scene, pixel, own.stack_depth, bounds.most.stack_depth);
+        if (stack == NULL) {
+            stack = judge_stack(scene, pixel, own.stack_depth, bounds.most.stack_depth);
         }
     }
-    if (n_wrong == 0) {
-        return other;
+    if (more.n == 0 && less.n == 0) {
+        return stack;
     }
-    free(other);
-    const Work own = found[first];
-    const WrongScene wrong = {scene, found, n_wrong};
-    const char *looks = explain(&wrong, 1, work_mistakes, COUNT(work_mistakes), work_agrees);
-    return message_new(
-        "%s: the ray of pixel (%d, %d): found %u nodes and %u leaves visited and %u spheres asked, "
-        "expected at most %u, %u and %u (%d of %d rays do more than they must, and %llu spheres "
-        "are asked instead of %llu)%s%s",
-        scene->picture.title, first % s->width, first / s->width, own.n_nodes_visited,
-        own.n_leaves_visited, own.n_tests, first_most.n_nodes_visited, first_most.n_leaves_visited,
-        first_most.n_tests, n_wrong, s->width * s->height, n_tests, n_tests_most,
-        looks ? "; it looks " : "", looks ? looks : "");
+    free(stack);
+    const WrongScene wrong = {scene, found, more.n > 0 ? more.n : less.n};
+    return more.n > 0 ? describe_more(&wrong, &more, n_tests, n_most)
+                      : describe_less(&wrong, less.first, less.bound);
 }
 
 // The scenes whose work is judged: few levels and many, spheres on all sides of the eye, a tree

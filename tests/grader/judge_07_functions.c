@@ -162,8 +162,10 @@ static Children expected_children(const PlaneJob *job, int mistake)
         const u32 only = mistake == PLANE_ALONG_BOTH  ? BOTH_BIT
                          : mistake == PLANE_ALONG_FAR ? FAR_BIT
                                                       : NEAR_BIT;
-        // NaN is where the mistakes show; an infinite t_split compares as it should.
-        return (Children){isnan(t) ? only : NEAR_BIT, {-INFINITY, INFINITY}};
+        // NaN is where the mistakes show; an infinite t_split compares as it should, but where one
+        // behind the eye counts: minus infinity is less than t_near.
+        const int is_crossed = mistake == PLANE_BEHIND_CROSSED && t < 0;
+        return (Children){isnan(t) ? only : is_crossed ? FAR_BIT : NEAR_BIT, {-INFINITY, INFINITY}};
     }
     const double error =
         is_exact_plane(job) ? 0 : PLANE_ERROR * (fabs(plane) + fabs(origin)) * fabs(inverse);

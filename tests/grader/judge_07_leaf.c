@@ -6,16 +6,33 @@
 
 static const OracleRules3D right = {0};
 
-// A known mistake: rules of the oracle's, or one about the hit so far.
+// How a mistaken loop over the leaf decides whether a distance takes the place of the one so far.
+typedef enum Comparison {
+    NEARER = 1,      // as it should, but of two equal distances the hit so far stays
+    FARTHER,         // t > hit->t: misses, which are infinitely far, win
+    FARTHER_HIT,     // the same, but misses are passed over: no hit so far stays for ever
+    FARTHER_OR_ANY,  // the same, but in place of no hit so far comes any
+} Comparison;
+
+// A known mistake: rules of the oracle's, or one about the hit so far, or a loop that is played
+// again with what it mistakes for what.
 typedef struct Mistake {
     const char *says;
     OracleRules3D rules;
-    int forgets_hit;     // the hit so far is replaced whatever it is
-    int is_position;     // the sphere is a position in sphere_ids
-    int keeps_sphere;    // the sphere is never set
-    int keeps_distance;  // nor is t
-    int first_stays;     // of equally far ones the hit so far
+    int forgets_hit;        // the hit so far is replaced whatever it is
+    int is_position;        // the sphere is a position in sphere_ids
+    int keeps_sphere;       // the sphere is never set
+    int keeps_distance;     // nor is t
+    int first_stays;        // of equally far ones the hit so far
+    Comparison comparison;  // of a loop; 0 where none is played, as for all above
+    int lower_wins;         // of equal distances that of the lower number, as it should
+    int asks_position;      // the loop asks the sphere whose id is the position in sphere_ids,
+    int keeps_position;     // and keeps the position
+    int from_start;         // it runs over the first ids of the tree
 } Mistake;
+
+#define ASKS_POSITION "; the position in sphere_ids was taken for the id of the sphere to ask"
+#define FARTHER_WINS "; that is as if a hit had to be farther than the one so far: t > hit->t"
 
 static const Mistake mistakes[] = {
     {"; that is a position in sphere_ids, not what stands there", .is_position = 1},
@@ -25,13 +42,29 @@ static const Mistake mistakes[] = {
     {"; the hit so far was nearer: it stays", .forgets_hit = 1},
     {"; the last sphere of the leaf is missing", .rules = {.skip_last = 1}},
     {"; the first sphere of the leaf is missing", .rules = {.skip_first = 1}},
-    {"; one sphere too many is asked, the one behind the leaf's", .rules = {.one_sphere_more = 1}},
+    {"; one sphere too many is asked, the one before the leaf's or the one behind them",
+     .rules = {.one_sphere_more = 1}},
     {"; of two equally far spheres the later one won", .rules = {.later_wins_ties = 1}},
     {"; the hit so far stayed, where a sphere with a lower id is just as far away",
      .first_stays = 1},
     {"; that is as if the first sphere that is hit won, however far", .rules = {.first_wins = 1}},
     {"; that is as if the last sphere that is hit won, however far", .rules = {.last_wins = 1}},
     {"; that is as if the farthest sphere won", .rules = {.farthest_wins = 1}},
+    {FARTHER_WINS, .comparison = FARTHER},
+    {FARTHER_WINS, .comparison = FARTHER, .lower_wins = 1},
+    {FARTHER_WINS, .comparison = FARTHER_HIT},
+    {FARTHER_WINS, .comparison = FARTHER_HIT, .lower_wins = 1},
+    {FARTHER_WINS, .comparison = FARTHER_OR_ANY},
+    {ASKS_POSITION, .comparison = NEARER, .asks_position = 1},
+    {ASKS_POSITION, .comparison = NEARER, .asks_position = 1, .lower_wins = 1},
+    {ASKS_POSITION, .comparison = NEARER, .asks_position = 1, .keeps_position = 1},
+    {ASKS_POSITION, .comparison = NEARER, .asks_position = 1, .keeps_position = 1, .lower_wins = 1},
+    {"; hit->sphere is a position in sphere_ids, not what stands there", .comparison = NEARER,
+     .keeps_position = 1, .lower_wins = 1},
+    {"; the first ids of the tree were asked: the leaf's begin at node.first", .comparison = NEARER,
+     .from_start = 1},
+    {"; the first ids of the tree were asked: the leaf's begin at node.first", .comparison = NEARER,
+     .from_start = 1, .lower_wins = 1},
 };
 enum { N_MISTAKES = sizeof mistakes / sizeof *mistakes };
 
@@ -56,8 +89,51 @@ static int wins_tie(u32 id, u32 id_so_far, const Mistake *mistake)
     return id < id_so_far;
 }
 
+// Does a distance take the place of the one so far, in a mistaken loop?
+static int takes(const Mistake *mistake, double t, u32 id, const LeafHit *so_far)
+{
+    if (t == so_far->t && t < INFINITY) {
+        return mistake->lower_wins && id < so_far->sphere;
+    }
+    switch (mistake->comparison) {
+    case FARTHER:
+        return t > so_far->t;
+    case FARTHER_HIT:
+        return t > so_far->t && t < INFINITY;
+    case FARTHER_OR_ANY:
+        return t < INFINITY && (t > so_far->t || so_far->t == INFINITY);
+    default:
+        return t < so_far->t;
+    }
+}
+
+// What a mistaken loop over the leaf's spheres finds.
+static LeafHit looped_hit(const Inputs07 *inputs, int i, const Mistake *mistake)
+{
+    const SearchJob *job = &inputs->leaves[i];
+    const OracleRay ray = oracle3d_given_ray(job->origin, job->direction, 0);
+    const u32 first = mistake->from_start ? 0 : job->node.first;
+    LeafHit result = {job->sphere, job->t, 0, 0};
+    for (u32 at = first; at < first + job->node.n_spheres; at++) {
+        const u32 id = inputs->leaf_ids[at];
+        const Sphere sphere = inputs->leaf_spheres[mistake->asks_position ? at : id];
+        const OracleRoot root = oracle3d_root(sphere, &ray, ORACLE_PROJECTION, &right);
+        result.is_ambiguous |= root.is_possible != root.is_certain;
+        const u32 compared = mistake->keeps_position && mistake->asks_position ? at : id;
+        if (takes(mistake, root.t, compared, &result)) {
+            result.t = root.t;
+            result.t_tolerance = isinf(root.t) ? 0 : root.t_high - root.t_low;
+            result.sphere = mistake->keeps_position ? at : id;
+        }
+    }
+    return result;
+}
+
 static LeafHit expected_hit(const Inputs07 *inputs, int i, const Mistake *mistake)
 {
+    if (mistake != NULL && mistake->comparison != 0) {
+        return looped_hit(inputs, i, mistake);
+    }
     const SearchJob *job = &inputs->leaves[i];
     const u32 *ids = inputs->leaf_ids + job->node.first;
     const OracleRay ray = oracle3d_given_ray(job->origin, job->direction, 0);

@@ -143,14 +143,14 @@ SearchResult search3d(const JobScene3D *scene, const OracleRay *ray, const Searc
         }
         search_spheres(&search, node);
         const int has_hit = rules->ends_at_any_hit ? result->t < INFINITY : result->t <= at.t_far;
-        if (search.n_todo == 0 || (has_hit && !rules->never_ends)) {
+        const int is_end = rules->end_inverted ? !has_hit : has_hit && !rules->never_ends;
+        if (search.n_todo == 0 || is_end) {
             return *result;
         }
         const Waiting next = next_waiting(&search);
         at.id = next.id;
-        if (!rules->part_kept) {
-            at = next;
-        }
+        at.t_near = rules->part_kept ? at.t_near : next.t_near;
+        at.t_far = rules->part_kept || rules->t_far_kept ? at.t_far : next.t_far;
     }
 }
 

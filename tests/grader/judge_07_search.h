@@ -20,9 +20,11 @@ typedef struct SearchRules {
     int near_keeps_t_far;   // the near child does not end at the plane
     int far_keeps_t_near;   // the far child does not begin there
     int part_kept;          // a node that waited gets the part of the ray of the one before it
+    int t_far_kept;         // it gets the end of that part only
     int oldest_first;       // the first that was put on the stack comes from it first
     int ends_at_any_hit;    // also beyond the leaf's part of the ray
     int never_ends;         // before the stack is empty
+    int end_inverted;       // at a leaf with no hit in its part of the ray, not at one with a hit
 } SearchRules;
 
 typedef struct SearchResult {

@@ -20,6 +20,11 @@ char *message_new(const char *format, ...)
     return text;
 }
 
+const char *plural(unsigned n)
+{
+    return n == 1 ? "" : "s";
+}
+
 char *message_show(const char *text, char *shown, size_t n_bytes)
 {
     static const char gap[] = "...";

@@ -7,6 +7,9 @@
 // A new message; free() it. Running out of memory ends the program.
 __attribute__((format(printf, 1, 2))) char *message_new(const char *format, ...);
 
+// The end of a noun after a number: "" for one, "s" for any other.
+const char *plural(unsigned n);
+
 // Text that a student chose (a file's name, a folder's path) made fit for a message: printable
 // ASCII only, what else there is becomes '?', and of one that is too long the middle is left out.
 // Returns `shown`, which holds n_bytes bytes, at least 16.

@@ -51,7 +51,7 @@ static void summary_write(FILE *page, const Result *result)
         fputs("\">", page);
         html_line(page, first_failed->title);
         fputs("</a>", page);
-    } else if (failed_stage != NULL) {
+    } else if (failed_stage != NULL && n_passed < result->n_checks) {
         fputs("; stopped at: ", page);
         html_line(page, failed_stage->title);
     }

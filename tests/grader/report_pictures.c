@@ -165,7 +165,7 @@ static void legend_write(FILE *page)
                 (double)IMAGE_BRIGHTEST_DIFFERENCE * i / (N_NUMBERS - 1));
     }
     fputs("</div><p>the differences of red, green, blue and alpha, added up; black is equal, and "
-          "what is no number is pale yellow</p></div>",
+          "what is no number (NaN) is cyan</p></div>",
           page);
 }
 

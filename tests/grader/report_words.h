@@ -13,7 +13,8 @@ char *points_words(int points, int max_points);
 char *stages_words(const Result *result);
 
 // The hint that stands under a failed check; "" where it passed, or where a message of its task has
-// said why: then one about something else would only mislead. Lives as long as the manifest.
+// said why, or another task is at fault: then one about something else would only mislead. Lives as
+// long as the manifest.
 const char *check_hint(const Manifest *manifest, const Result *result, const CheckResult *check);
 
 // The hint of a task: that of its first failed check, or "".

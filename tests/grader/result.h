@@ -23,6 +23,7 @@ typedef struct CheckResult {
     char *message;     // what is wrong, where, and what it looks like; may come from student code's
                        // values, never trusted as markup. "" when passed. Owned.
     int is_explained;  // the message says why: a hint would only lead elsewhere
+    int is_of_others;  // another task's answer is wrong, and this check's comes of it
 } CheckResult;
 
 // Pictures of one scene for the report.
@@ -36,13 +37,14 @@ typedef struct PictureResult {
 
 // A note about the whole submission: staged, compiled, ran.
 typedef struct StageResult {
-    const char *title;  // "Staging", "What stands out", "Sandbox", "Compiling", "Running"
+    const char
+        *title;  // "Staging", "What stands out", "Sandbox", "Compiling", "Running", "Markers"
     CheckStatus status;
     // Compiler output with the student's own file and line, crash, time-out... Owned.
     char *message;
 } StageResult;
 
-enum { RESULT_MAX_CHECKS = 32, RESULT_MAX_PICTURES = 12, RESULT_MAX_STAGES = 6 };
+enum { RESULT_MAX_CHECKS = 32, RESULT_MAX_PICTURES = 12, RESULT_MAX_STAGES = 7 };
 
 typedef struct Result {
     const char *lab;    // "01-naive-2d"

@@ -309,8 +309,9 @@ static char *judge_equal(const TreeScene3D *scene, const KdTree3D *own)
 {
     const KdTree3D *tree = &scene->tree;
     if (own->n_nodes != tree->n_nodes || own->n_sphere_ids != tree->n_sphere_ids) {
-        return message_new("%s: the tree has %u nodes and %u ids, expected %u and %u", scene->title,
-                           own->n_nodes, own->n_sphere_ids, tree->n_nodes, tree->n_sphere_ids);
+        return message_new("%s: the tree has %u node%s and %u id%s, expected %u and %u",
+                           scene->title, own->n_nodes, plural(own->n_nodes), own->n_sphere_ids,
+                           plural(own->n_sphere_ids), tree->n_nodes, tree->n_sphere_ids);
     }
     for (u32 id = 0; id < own->n_nodes; id++) {
         const KdNode3 found = own->nodes[id], expected = tree->nodes[id];
@@ -365,9 +366,11 @@ char *tree3d_judge_packing(const TreeScene3D *scene, const KdTree3D *own)
         next_child += 2;
     }
     if (next_child != own->n_nodes || next_id != own->n_sphere_ids) {
-        return message_new("%s: %u nodes and %u ids belong to the tree, but its arrays hold %u and "
-                           "%u",
-                           scene->title, next_child, next_id, own->n_nodes, own->n_sphere_ids);
+        return message_new(
+            "%s: %u node%s and %u id%s belong to the tree, but its arrays hold %u and "
+            "%u",
+            scene->title, next_child, plural(next_child), next_id, plural(next_id), own->n_nodes,
+            own->n_sphere_ids);
     }
     return scene->is_exact ? judge_equal(scene, own) : NULL;
 }

@@ -194,6 +194,11 @@ char *tree3d_judge_middle(const char *where, BBox3D cell, u32 axis, f32 pos)
     if (fabs((double)pos - expected) <= (double)FLT_EPSILON * fmax(fabs(min), fabs(max))) {
         return NULL;
     }
+    if (isnan(pos)) {
+        return message_new("%s: cell from %g to %g on axis %u (%c): found no number (NaN) for the "
+                           "split, expected %g",
+                           where, min, max, axis, "xyz"[axis], expected);
+    }
     return message_new("%s: cell from %g to %g on axis %u (%c): found split at %g, expected %g%s",
                        where, min, max, axis, "xyz"[axis], (double)pos, expected,
                        (double)pos == (max - min) / 2

@@ -80,8 +80,8 @@ static char *differs_from_oracle(const JobScene *scene, const KdTree2D *own, con
                                  const void *array, size_t element_size, const char *what)
 {
     if (own->n_nodes != scene->tree.n_nodes) {
-        return message_new("%s: the tree has %u nodes, expected %u", scene->picture.title,
-                           own->n_nodes, scene->tree.n_nodes);
+        return message_new("%s: the tree has %u node%s, expected %u", scene->picture.title,
+                           own->n_nodes, plural(own->n_nodes), scene->tree.n_nodes);
     }
     for (u32 id = 0; id < own->n_nodes; id++) {
         if (memcmp((const char *)own_array + id * element_size,
@@ -289,9 +289,9 @@ char *tree_judge_packing(const JobScene *scene, const KdTree2D *own)
     }
     if (next_id != own->n_nodes || next_offset != own->n_map) {
         return message_new(
-            "%s: %u nodes and %u map entries belong to the tree, but its arrays hold %u "
+            "%s: %u node%s and %u map entries belong to the tree, but its arrays hold %u "
             "and %u",
-            scene->picture.title, next_id, next_offset, own->n_nodes, own->n_map);
+            scene->picture.title, next_id, plural(next_id), next_offset, own->n_nodes, own->n_map);
     }
     return differs_from_oracle(scene, own, own->nodes_Relations, scene->tree.nodes_Relations,
                                sizeof *own->nodes_Relations, "its entry in nodes_Relations");

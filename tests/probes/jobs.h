@@ -103,7 +103,14 @@ typedef struct PackAnswer {
 LAYOUT_ASSERT(PackAnswer, 420);
 
 // Lab 02 answers scene K with "tree.K" and the four arrays "tree.K.relations", ".flags", ".boxes"
-// and ".map"; with "tree.K.refused" where the builder gave up.
+// and ".map"; with "tree.K.refused", a u32, where the builder gave up.
+typedef enum TreeRefusal {
+    TREE_TOO_LARGE,
+    TREE_OF_TOO_MANY_IDS,  // a child was given more of them than its parent has
+    TREE_OF_LONG_LISTS,    // a leaf took more room than its list needs
+    N_TREE_REFUSALS,
+} TreeRefusal;
+
 typedef struct TreeAnswer {
     u32 n_nodes;
     u32 n_map;

@@ -1,6 +1,12 @@
-// Probe of lab 00: a kernel that is launched in the student's stead by enqueue_pixels(), to count
-// its work-items.
+// Probe of lab 00: a kernel that takes what set_arguments() hands over, and one that
+// enqueue_pixels() launches in place of the student's, to count its work-items.
 #include "jobs.h"
+
+// Use the three arguments of gradient() once.
+kernel void take_arguments(int width, int height, write_only image2d_t image)
+{
+    write_imagef(image, (int2)(0, 0), (float4)(width, height, 0, 1));
+}
 
 // Count the work-items of each place in and around the picture, and behind them all that stand
 // farther away.

@@ -46,12 +46,19 @@ static inline Result result_make(const char *message)
                                      25,
                                      CHECK_PASSED,
                                      strdup(""),
+                                     0,
                                      0};
-    result.checks[1] = (CheckResult){
-        "overlaps-boundary", "The boundary belongs to it", "overlaps_N_Nearer", 0, 15, CHECK_FAILED,
-        strdup(message),     message_names_cause(message)};
+    result.checks[1] = (CheckResult){"overlaps-boundary",
+                                     "The boundary belongs to it",
+                                     "overlaps_N_Nearer",
+                                     0,
+                                     15,
+                                     CHECK_FAILED,
+                                     strdup(message),
+                                     message_names_cause(message),
+                                     0};
     result.checks[2] = (CheckResult){
-        "picture", "A random scene", "implicit2DRenderer", 0, 60, CHECK_NOT_RUN, NULL, 0};
+        "picture", "A random scene", "implicit2DRenderer", 0, 60, CHECK_NOT_RUN, NULL, 0, 0};
     return result;
 }
 

@@ -306,3 +306,28 @@ Test(holes, every_file_of_the_solutions_cuts)
     cr_expect_geq(n_holes_checked, 15);
     globfree(&files);
 }
+
+static void expect_fault(const char *text, const char *expected)
+{
+    char *fault = hole_fault(text, "one");
+    if (expected == NULL) {
+        cr_expect_null(fault, "%s", fault);
+    } else {
+        cr_expect_str_eq(fault ? fault : "", expected);
+    }
+    free(fault);
+}
+
+Test(holes, a_lost_marker_is_told_with_its_line)
+{
+    expect_fault("a\n// TASK one: b\nc\n// END one\n", NULL);
+    expect_fault("a\n// TASK one: b\nc\n",
+                 "line 2: \"// TASK one\", but no line \"// END one\" behind it");
+    expect_fault("a\n// TASK on: b\nc\n// END one\n",
+                 "line 4: \"// END one\", but no line \"// TASK one\" before it");
+    expect_fault("a\n", "the lines \"// TASK one\" and \"// END one\" are missing");
+    expect_fault("// END one\n// TASK one: b\n",
+                 "line 1: \"// END one\" stands before \"// TASK one\"");
+    expect_fault("// TASK one: b\n// END one\n// END one\n",
+                 "line 3: \"// END one\" stands there a second time");
+}

@@ -323,14 +323,15 @@ Test(image, differences_are_counted_beyond_the_tolerance)
 
 Test(image, the_difference_picture_is_black_where_equal_and_bright_where_not)
 {
-    Image image = image_new(3, 1);
-    Image reference = image_new(3, 1);
+    Image image = image_new(4, 1);
+    Image reference = image_new(4, 1);
     image.pixels[1 * IMAGE_CHANNELS] = 0.25f;
-    image.pixels[2 * IMAGE_CHANNELS] = NAN;
+    image.pixels[2 * IMAGE_CHANNELS] = INFINITY;
+    image.pixels[3 * IMAGE_CHANNELS] = NAN;
     Image difference;
     cr_assert_eq(image_difference_picture(&image, &reference, &difference), 0);
-    float brightness[3];
-    for (int x = 0; x < 3; x++) {
+    float brightness[4];
+    for (int x = 0; x < 4; x++) {
         const float *pixel = difference.pixels + x * IMAGE_CHANNELS;
         brightness[x] = pixel[0] + pixel[1] + pixel[2];
         cr_expect_eq(pixel[3], 1.0f);
@@ -338,6 +339,9 @@ Test(image, the_difference_picture_is_black_where_equal_and_bright_where_not)
     cr_expect_eq(brightness[0], 0.0f);
     cr_expect_gt(brightness[1], 0.5f);
     cr_expect_gt(brightness[2], brightness[1]);
+    // Cyan, which is none of the colours of differences.
+    const float *nan_pixel = difference.pixels + 3 * IMAGE_CHANNELS;
+    cr_expect(nan_pixel[0] == 0 && nan_pixel[1] == 1 && nan_pixel[2] == 1);
     image_free(&difference);
 
     Image other = image_new(2, 1);

@@ -1,7 +1,7 @@
 // mutant: spheres[] is asked by the position in sphere_ids
 // task: search_leaf
 // caught by: leaf-nearest
-// says: found
+// says: position in sphere_ids was taken
     for (uint i = node.first; i < node.first + node.n_spheres; i++) {
         (void)sphere_ids;
         const uint id = i;

@@ -1,7 +1,7 @@
 // mutant: t_far is not taken from the stack
 // task: trace
 // caught by: trace-random
-// says: found
+// says: t_far were not taken
     uint id = 0;
     for (;;) {
         const KdNode3 node = nodes[id];

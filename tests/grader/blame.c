@@ -1,0 +1,60 @@
+// Finding whose fault it is that a check failed (see blame.h).
+//
+// Flow: judged -> BLAMED -> result -> reports. Called by grade.c. Read next: report_words.c.
+#include "blame.h"
+
+#include "message.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+// Of the failed checks that look at less than this one does, and are not others' fault, the first
+// of those that look at least; with `task` only that task's. NULL when there is none.
+static const Check *narrower_fault(const Judge *judge, const Result *result, int check,
+                                   const char *task)
+{
+    for (CheckScope scope = IS_OWN; scope < judge->checks[check].scope; scope++) {
+        for (int i = 0; i < judge->n_checks; i++) {
+            const Check *other = &judge->checks[i];
+            const CheckResult *found = &result->checks[i];
+            if (other->scope == scope && found->status == CHECK_FAILED && !found->is_of_others &&
+                (task == NULL || strcmp(other->task, task) == 0)) {
+                return other;
+            }
+        }
+    }
+    return NULL;
+}
+
+static void pass_blame(CheckResult *check, const char *task)
+{
+    const char *cause = strstr(check->message, MESSAGE_CAUSE);
+    const size_t length = cause ? (size_t)(cause - check->message) : strlen(check->message);
+    char *message =
+        message_new("%.*s" MESSAGE_CAUSE "mend %s first, its own checks fail and this one needs it",
+                    (int)length, check->message, task);
+    free(check->message);
+    check->message = message;
+    check->is_explained = 0;
+    check->is_of_others = 1;
+}
+
+// Blame others for the failed checks of one scope.
+static void blame_in_scope(const Judge *judge, Result *result, CheckScope scope)
+{
+    for (int i = 0; i < judge->n_checks; i++) {
+        CheckResult *check = &result->checks[i];
+        const Check *culprit = narrower_fault(judge, result, i, NULL);
+        if (judge->checks[i].scope == scope && check->status == CHECK_FAILED && culprit != NULL &&
+            narrower_fault(judge, result, i, check->task) == NULL) {
+            pass_blame(check, culprit->task);
+        }
+    }
+}
+
+void blame_others(const Judge *judge, Result *result)
+{
+    for (CheckScope scope = IS_CALLER; scope <= IS_WHOLE; scope++) {
+        blame_in_scope(judge, result, scope);
+    }
+}

@@ -1,0 +1,13 @@
+// mutant: a ray along the planes is divided by 0
+// task: clip_to_box
+// caught by: clip-parallel
+// says: 0 / 0
+    for (uint axis = 0; axis < 3; axis++) {
+        const float origin = component(ray.origin, axis);
+        const float direction = component(ray.direction, axis);
+        const float t_low = (box.min[axis] - origin) / direction;
+        const float t_high = (box.max[axis] - origin) / direction;
+        *t_near = fmax(*t_near, fmin(t_low, t_high));
+        *t_far = fmin(*t_far, fmax(t_low, t_high));
+    }
+    return *t_near <= *t_far;

@@ -1,0 +1,12 @@
+// mutant: the comparison is inverted: t > hit->t
+// task: search_leaf
+// caught by: leaf-nearest
+// says: farther than
+    for (uint i = node.first; i < node.first + node.n_spheres; i++) {
+        const uint id = sphere_ids[i];
+        const float t = intersect_sphere(spheres[id], ray);
+        if (t > hit->t) {
+            hit->t = t;
+            hit->sphere = id;
+        }
+    }

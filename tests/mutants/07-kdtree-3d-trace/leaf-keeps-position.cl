@@ -1,0 +1,12 @@
+// mutant: the position in sphere_ids is kept, the id compared
+// task: search_leaf
+// caught by: leaf-ids
+// says: position
+    for (uint i = node.first; i < node.first + node.n_spheres; i++) {
+        const uint id = sphere_ids[i];
+        const float t = intersect_sphere(spheres[id], ray);
+        if (t < hit->t || (t == hit->t && t < INFINITY && id < hit->sphere)) {
+            hit->t = t;
+            hit->sphere = i;
+        }
+    }

@@ -1,0 +1,102 @@
+// grader/blame: a check of the whole that another task's answer fails names that task, and neither
+// a cause nor a hint of its own.
+#include "blame.h"
+
+#include "message.h"
+#include "report_words.h"
+
+#include <criterion/criterion.h>
+
+TestSuite(blame);
+
+static const Check checks[] = {
+    {"leaf-ids", "Whose hit it is", "search_leaf", 40, IS_OWN},
+    {"trace-own", "The way down", "trace", 20, IS_OWN},
+    {"trace-picture", "Whole pictures", "trace", 40, IS_WHOLE},
+};
+
+static const Judge judge = {.lab = "07", .checks = checks, .n_checks = 3};
+
+static const Manifest manifest = {
+    .lab = "07",
+    .n_tasks = 2,
+    .tasks = {{.id = "search_leaf", .hint = "Write down the ids."},
+              {.id = "trace", .hint = "Play with cards."}},
+};
+
+// A result in which the checks have these statuses, with the same message each.
+static Result result_of(const CheckStatus statuses[3], const char *message)
+{
+    Result result = {.n_checks = 3};
+    for (int i = 0; i < 3; i++) {
+        result.checks[i] = (CheckResult){.id = checks[i].id,
+                                         .task = checks[i].task,
+                                         .status = statuses[i],
+                                         .message = message_new("%s", message),
+                                         .is_explained = message_names_cause(message)};
+    }
+    return result;
+}
+
+Test(blame, the_task_at_fault_is_named_in_place_of_a_cause)
+{
+    const CheckStatus statuses[] = {CHECK_FAILED, CHECK_PASSED, CHECK_FAILED};
+    Result result = result_of(statuses, "found 1, expected 2; it looks mirrored");
+    blame_others(&judge, &result);
+    cr_expect_str_eq(result.checks[2].message, "found 1, expected 2; mend search_leaf first, its "
+                                               "own checks fail and this one needs it");
+    cr_expect_str_eq(result.checks[0].message, "found 1, expected 2; it looks mirrored");
+    result_free(&result);
+}
+
+Test(blame, hints_follow_the_task_at_fault)
+{
+    const CheckStatus statuses[] = {CHECK_FAILED, CHECK_PASSED, CHECK_FAILED};
+    Result result = result_of(statuses, "found 1, expected 2");
+    blame_others(&judge, &result);
+    cr_expect_str_eq(task_hint(&manifest, &result, &manifest.tasks[0]), "Write down the ids.");
+    cr_expect_str_eq(task_hint(&manifest, &result, &manifest.tasks[1]), "");
+    result_free(&result);
+}
+
+Test(blame, a_task_with_a_fault_of_its_own_keeps_its_message_and_hint)
+{
+    const CheckStatus statuses[] = {CHECK_FAILED, CHECK_FAILED, CHECK_FAILED};
+    Result result = result_of(statuses, "found 1, expected 2");
+    blame_others(&judge, &result);
+    cr_expect_str_eq(result.checks[2].message, "found 1, expected 2");
+    cr_expect_str_eq(task_hint(&manifest, &result, &manifest.tasks[1]), "Play with cards.");
+    result_free(&result);
+}
+
+// Who calls a function is at fault only where that function is not.
+Test(blame, a_caller_is_not_at_fault_where_what_it_calls_is)
+{
+    static const Check calls[] = {
+        {"overlap", "Touching counts", "search_leaf", 40, IS_OWN},
+        {"list", "The right ids", "trace", 20, IS_CALLER},
+        {"tree", "Whole trees", "trace", 40, IS_WHOLE},
+    };
+    const Judge callers = {.lab = "07", .checks = calls, .n_checks = 3};
+    const CheckStatus all[] = {CHECK_FAILED, CHECK_FAILED, CHECK_FAILED};
+    Result result = result_of(all, "found 1, expected 2");
+    blame_others(&callers, &result);
+    cr_expect(result.checks[1].is_of_others);
+    cr_expect(result.checks[2].is_of_others);
+    result_free(&result);
+    const CheckStatus last[] = {CHECK_PASSED, CHECK_FAILED, CHECK_FAILED};
+    result = result_of(last, "found 1, expected 2");
+    blame_others(&callers, &result);
+    cr_expect_not(result.checks[1].is_of_others);
+    cr_expect_not(result.checks[2].is_of_others);
+    result_free(&result);
+}
+
+Test(blame, where_no_function_fails_the_whole_is_at_fault_itself)
+{
+    const CheckStatus statuses[] = {CHECK_NOT_RUN, CHECK_PASSED, CHECK_FAILED};
+    Result result = result_of(statuses, "found 1, expected 2; it looks mirrored");
+    blame_others(&judge, &result);
+    cr_expect_str_eq(result.checks[2].message, "found 1, expected 2; it looks mirrored");
+    result_free(&result);
+}
