@@ -37,6 +37,7 @@ enum { EXIT_FULL_MARKS = 0, EXIT_BELOW = 1, EXIT_FAULT = 2, PATH_BYTES = 600 };
 typedef struct Grading {
     Session session;
     Variant whole;                         // the submission as it is
+    Variant kernels;                       // its kernels with our host files
     Variant alone[MANIFEST_MAX_TASKS];     // one answer of it in the solution of the other tasks
     int is_untouched[MANIFEST_MAX_TASKS];  // its task stands as it was handed out
     int has_line;                          // it is told at which line of a host file it crashed
@@ -241,6 +242,14 @@ static int is_ours(const Grading *grading, const Task *task, const char *answer,
     return is_same;
 }
 
+static void fail_check(CheckResult *check, const char *message)
+{
+    check->status = CHECK_FAILED;
+    check->points = 0;
+    free(check->message);
+    check->message = message_new("%s", message);
+}
+
 // Where the whole did not run to its end, nothing else is to be said about a task that stands as it
 // was handed out.
 static void note_unanswered(Grading *grading, const char *task)
@@ -255,12 +264,72 @@ static void note_unanswered(Grading *grading, const char *task)
     }
 }
 
+// A task that stands as it was handed out earns nothing, whatever another task's answer does for it.
+static void refuse_unanswered(Grading *grading)
+{
+    const Manifest *manifest = &grading->session.manifest;
+    for (int t = 0; t < manifest->n_tasks; t++) {
+        const Task *task = &manifest->tasks[t];
+        char *answer = read_answer(grading, task);
+        grading->is_untouched[t] = answer != NULL && is_ours(grading, task, answer, 1);
+        for (int i = 0; i < grading->result.n_checks && grading->is_untouched[t]; i++) {
+            CheckResult *check = &grading->result.checks[i];
+            if (check->status == CHECK_PASSED && strcmp(check->task, task->id) == 0) {
+                fail_check(check,
+                           "not answered yet: it stands as it was handed out, and what passed "
+                           "here is the work of another task's answer");
+            }
+        }
+        free(answer);
+    }
+}
+
+static int is_of_kernel(const Grading *grading, const CheckResult *check)
+{
+    return !manifest_is_host_file(manifest_task(&grading->session.manifest, check->task)->file);
+}
+
+// Are there points for a kernel in a lab of which host files are handed in, too?
+static int kernels_have_points(const Grading *grading)
+{
+    for (int i = 0; i < grading->result.n_checks; i++) {
+        const CheckResult *check = &grading->result.checks[i];
+        if (check->status == CHECK_PASSED && is_of_kernel(grading, check)) {
+            return manifest_has_host_files(&grading->session.manifest);
+        }
+    }
+    return 0;
+}
+
+// What a kernel earns it has to earn with our host files, too: those that were handed in could do its
+// work themselves. Returns 0, or -1 after one message.
+static int confirm_kernels(Grading *grading)
+{
+    char folder[PATH_BYTES];
+    Variant *const variants[] = {&grading->kernels};
+    snprintf(folder, sizeof folder, "%s/variant-whole/lab", grading->session.workshop.folder);
+    if (!kernels_have_points(grading)) {
+        return 0;
+    }
+    if (session_fill_kernels(&grading->session, "kernels", folder, &grading->kernels) != 0 ||
+        session_run(&grading->session, variants, 1) != 0) {
+        return -1;
+    }
+    for (int i = 0; i < grading->result.n_checks; i++) {
+        CheckResult *check = &grading->result.checks[i];
+        if (check->status == CHECK_PASSED && is_of_kernel(grading, check)) {
+            check->points = 0;
+            session_judge(&grading->session, i, &grading->kernels, check);
+        }
+    }
+    return 0;
+}
+
 // What need not be tried: an answer that is not there yet earns nothing, and beside our solution of
 // the others our own answer is our solution. Returns whether it was one of them.
 static int judge_known(Grading *grading, const Task *task, const char *answer)
 {
-    if (is_ours(grading, task, answer, 1)) {
-        grading->is_untouched[task - grading->session.manifest.tasks] = 1;
+    if (grading->is_untouched[task - grading->session.manifest.tasks]) {
         note_unanswered(grading, task->id);
         return 1;
     }
@@ -360,8 +429,11 @@ static int grade(Grading *grading, const Settings *settings)
         blame_others(session->judge, &grading->result);
         add_stage(&grading->result, "Each task by itself", CHECK_NOT_RUN,
                   "judged without the solution: one mistake can cost more than one task here");
-    } else if (judge_alone(grading) != 0) {
-        return -1;
+    } else {
+        refuse_unanswered(grading);
+        if (confirm_kernels(grading) != 0 || judge_alone(grading) != 0) {
+            return -1;
+        }
     }
     // What ended for a reason that is told already needs no Oclgrind to find one.
     const int crashed = grading->whole.has_crashed && !grading->has_line;
@@ -453,6 +525,7 @@ static void grading_free(Grading *grading)
         variant_free(&grading->alone[t]);
     }
     variant_free(&grading->whole);
+    variant_free(&grading->kernels);
     result_free(&grading->result);
     session_close(&grading->session);
 }

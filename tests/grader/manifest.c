@@ -353,3 +353,19 @@ const char *manifest_hint(const Task *task, const char *check)
     }
     return task->hint;
 }
+
+int manifest_is_host_file(const char *name)
+{
+    const char *ending = strrchr(name, '.');
+    return ending != NULL && strcmp(ending, ".c") == 0;
+}
+
+int manifest_has_host_files(const Manifest *manifest)
+{
+    for (int i = 0; i < manifest->n_files; i++) {
+        if (manifest_is_host_file(manifest->files[i])) {
+            return 1;
+        }
+    }
+    return 0;
+}

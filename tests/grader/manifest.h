@@ -52,4 +52,10 @@ const char *manifest_hint(const Task *task, const char *check);
 // The task with this id, or NULL.
 const Task *manifest_task(const Manifest *manifest, const char *id);
 
+// Is this file C for the host, and not a kernel?
+int manifest_is_host_file(const char *name);
+
+// Do students hand in host files of this lab?
+int manifest_has_host_files(const Manifest *manifest);
+
 #endif

@@ -63,6 +63,23 @@ int session_fill(const Session *session, const char *name, const char *task_id, 
     return result;
 }
 
+int session_fill_kernels(const Session *session, const char *name, const char *folder,
+                         Variant *variant)
+{
+    char path[PATH_BYTES];
+    int result = variant_open(&session->workshop, name, variant, path, sizeof path);
+    for (int i = 0; result == 0 && i < session->manifest.n_files; i++) {
+        const char *file = session->manifest.files[i];
+        char own[2 * PATH_BYTES];
+        snprintf(own, sizeof own, "%s/%s", folder, file);
+        char *text = manifest_is_host_file(file) ? solution_text(session, file, NULL, NULL)
+                                                 : text_file_read(own);
+        result = text == NULL ? -1 : write_text(path, file, text);
+        free(text);
+    }
+    return result;
+}
+
 static int write_job(Session *session)
 {
     char path[PATH_BYTES];

@@ -147,10 +147,7 @@ int workshop_open(Workshop *workshop, const Manifest *manifest, const char *buil
 {
     *workshop =
         (Workshop){.build = build, .manifest = manifest, .device = device, .sandbox = sandbox};
-    for (int i = 0; i < manifest->n_files; i++) {
-        const char *ending = strrchr(manifest->files[i], '.');
-        workshop->needs_compiler |= ending != NULL && strcmp(ending, ".c") == 0;
-    }
+    workshop->needs_compiler = manifest_has_host_files(manifest);
     if (temporary_folder_make(workshop->folder, sizeof workshop->folder, "grade") != 0) {
         fprintf(stderr, "grade: no temporary folder in $TMPDIR or /tmp: %s\n", strerror(errno));
         return -1;
@@ -326,7 +323,7 @@ static SandboxRun *start_compiler(const Workshop *workshop, const Variant *varia
     }
     for (int i = 0; i < manifest->n_files; i++) {
         const char *name = manifest->files[i];
-        if (strcmp(name + strlen(name) - 2, ".c") == 0) {
+        if (manifest_is_host_file(name)) {
             snprintf(words[n_words], PATH_BYTES, "labs/%s/%s", manifest->lab, name);
             argv[n++] = words[n_words++];
         }
