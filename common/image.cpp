@@ -116,8 +116,8 @@ std::string decode(const char *path, Image *image)
     return "";
 }
 
-// A fault in words, which C code may free; NULL for none. OpenImageIO may explain itself over several
-// lines; the first says what happened.
+// A fault in words, which C code may free; NULL for none. OpenImageIO may explain itself over
+// several lines; the first says what happened.
 char *fault_words(const std::string &fault)
 {
     return fault.empty() ? nullptr : ::strndup(fault.c_str(), fault.find('\n'));

@@ -1,7 +1,7 @@
 // Pictures in memory and in files: RGBA float, row 0 on top, through OpenImageIO.
 //
-// Files are in image_file.c, which calls OpenImageIO by way of image.cpp; the rest is in image.c and
-// needs no library. EXR keeps every float and is what gets compared; PNG is
+// Files are in image_file.c, which calls OpenImageIO by way of image.cpp; the rest is in image.c
+// and needs no library. EXR keeps every float and is what gets compared; PNG is
 // for people.
 // Flow: scene -> buffers -> kernel -> IMAGE -> COMPARISON. Read next: image.c, image_file.c.
 #ifndef COMMON_IMAGE_H

@@ -1,10 +1,10 @@
 // Pictures as the bytes of a file and back: what image.cpp, the only door to OpenImageIO, does for
 // image_file.c.
 //
-// The two are a library of their own, libimage_codec.so, which is loaded with the first picture that is
-// read or written: OpenImageIO brings some 260 libraries, and linking them takes longer than most
-// programs run that end with a message or a verdict. It needs nothing of ours, and no C++ exception
-// leaves it: one that reached C code would end the program without a message.
+// image.cpp is a library of its own, libimage_codec.so, which is loaded with the first picture that
+// is read or written: OpenImageIO brings some 260 libraries, and linking them takes longer than
+// most programs run that end with a message or a verdict. It needs nothing of ours, and no C++
+// exception leaves it: one that reached C code would end the program without a message.
 #ifndef COMMON_IMAGE_CODEC_H
 #define COMMON_IMAGE_CODEC_H
 

@@ -264,7 +264,8 @@ static void note_unanswered(Grading *grading, const char *task)
     }
 }
 
-// A task that stands as it was handed out earns nothing, whatever another task's answer does for it.
+// A task that stands as it was handed out earns nothing, whatever another task's answer does for
+// it.
 static void refuse_unanswered(Grading *grading)
 {
     const Manifest *manifest = &grading->session.manifest;
@@ -301,8 +302,8 @@ static int kernels_have_points(const Grading *grading)
     return 0;
 }
 
-// What a kernel earns it has to earn with our host files, too: those that were handed in could do its
-// work themselves. Returns 0, or -1 after one message.
+// What a kernel earns it has to earn with our host files, too: those that were handed in could do
+// its work themselves. Returns 0, or -1 after one message.
 static int confirm_kernels(Grading *grading)
 {
     char folder[PATH_BYTES];

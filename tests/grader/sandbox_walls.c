@@ -111,7 +111,7 @@ static int mount_give(const SandboxMount *mount, mode_t mode, uid_t user)
 // Who is not root can become nobody else, and nothing need be handed over.
 static int mounts_give(Walls *walls)
 {
-    for (int i = 0; i < walls->command.n_mounts && geteuid() == 0; i++) {
+    for (int i = 0; i < walls->command.n_mounts; i++) {
         const SandboxMount *mount = &walls->command.mounts[i];
         struct stat status;
         if (stat(mount->outside, &status) != 0) {
@@ -119,15 +119,15 @@ static int mounts_give(Walls *walls)
         }
         walls->modes[i] = status.st_mode & 07777;
         walls->n_given = i + 1;
-        if (mount_give(mount, walls->modes[i], walls->user) != 0) {
+        if (geteuid() == 0 && mount_give(mount, walls->modes[i], walls->user) != 0) {
             return -1;
         }
     }
     return 0;
 }
 
-// The modes are the ones from before: an owner may have changed them. What was only to be read may
-// be another run's own at the same time.
+// The modes are the ones from before: the run may have opened its folders to others. What was only
+// to be read may be another run's own at the same time.
 static void mounts_take_back(const Walls *walls)
 {
     for (int i = 0; i < walls->n_given; i++) {

@@ -337,8 +337,9 @@ Test(report_systems, shows_wrong_pictures_and_no_right_ones)
     cr_expect_eq(json_array_size(images), 3);
     cr_expect_str_eq(string_at(images, 0, "label"), "wrong <b> (yours)");
     cr_expect_str_eq(string_at(images, 1, "label"), "wrong <b> (as it should be)");
-    cr_expect_str_eq(string_at(images, 2, "label"),
-                     "wrong <b> (the difference: black where equal, pale yellow from 0.5 on, cyan where NaN)");
+    cr_expect_str_eq(
+        string_at(images, 2, "label"),
+        "wrong <b> (the difference: black where equal, pale yellow from 0.5 on, cyan where NaN)");
     expect_part(string_at(images, 0, "url"), "data:image/png;base64,iVBOR");
     json_decref(json);
     json = json_of("gradescope.json");
