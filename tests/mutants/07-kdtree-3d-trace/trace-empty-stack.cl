@@ -1,7 +1,7 @@
 // mutant: an empty stack does not end the search: something is taken from it all the same
 // task: trace
 // caught by: trace-random
-// says: crash|time
+// says: crash|time|CL_OUT_OF_RESOURCES
     uint id = 0;
     for (;;) {
         const KdNode3 node = nodes[id];
