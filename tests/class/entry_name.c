@@ -5,6 +5,8 @@
 // command. Read next: roster.c.
 #include "entry_name.h"
 
+#include "sha256.h"
+
 #include <ctype.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -12,8 +14,9 @@
 #include <string.h>
 #include <strings.h>
 
-// How long the readable part of a slug gets.
-enum { SLUG_WORDS = 40 };
+// How long the readable part of a slug gets, and how much of a digest follows it: enough that
+// nobody finds a name for another's slug, which would be another's results.
+enum { SLUG_WORDS = 40, SLUG_DIGEST_BYTES = 8 };
 
 // ---- Bytes that can be shown -----------------------------------------------------------------
 
@@ -171,16 +174,6 @@ int entry_name_attempt(const char *name, int *stem)
 
 // ---- Slugs -----------------------------------------------------------------------------------
 
-// FNV-1a, folded to 32 bits. Whoever makes two names collide gains nothing: see roster.c.
-static uint32_t fold(const char *bytes)
-{
-    uint64_t hash = 14695981039346656037u;
-    for (; *bytes != '\0'; bytes++) {
-        hash = (hash ^ (unsigned char)*bytes) * 1099511628211u;
-    }
-    return (uint32_t)(hash ^ hash >> 32);
-}
-
 void entry_name_slug(const char *name, const char *entry, char slug[ENTRY_SLUG_BYTES])
 {
     int n = 0;
@@ -192,6 +185,12 @@ void entry_name_slug(const char *name, const char *entry, char slug[ENTRY_SLUG_B
             slug[n++] = '-';
         }
     }
-    n -= n > 0 && slug[n - 1] == '-';
-    snprintf(slug + n, (size_t)(ENTRY_SLUG_BYTES - n), "%s%08x", n > 0 ? "-" : "", fold(entry));
+    if (n > 0 && slug[n - 1] != '-') {
+        slug[n++] = '-';
+    }
+    unsigned char digest[SHA256_BYTES];
+    sha256(entry, strlen(entry), digest);
+    for (int i = 0; i < SLUG_DIGEST_BYTES; i++, n += 2) {
+        snprintf(slug + n, 3, "%02x", digest[i]);
+    }
 }

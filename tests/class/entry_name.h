@@ -35,8 +35,8 @@ int entry_name_archive_stem(const char *entry);
 // Where a name ends in "-2", "_2" or " (2)", the number, and in *stem the length before it; else 1.
 int entry_name_attempt(const char *name, int *stem);
 
-// A name for files: small letters, digits and dashes of `name`, and eight digits made of the bytes
-// of `entry`.
+// A name for files: small letters, digits and dashes of `name`, and sixteen digits of the SHA-256
+// of `entry`. It is the name of an entry's results from one run to the next.
 enum { ENTRY_SLUG_BYTES = 64 };
 void entry_name_slug(const char *name, const char *entry, char slug[ENTRY_SLUG_BYTES]);
 

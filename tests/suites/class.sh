@@ -207,10 +207,18 @@ cat >"$fake/tools/grade" <<END
 #!/bin/sh
 while [ "\$1" != --submission ]; do shift; done
 output=\$4
+# meet: wait for the other one, and see whether what was laid down is still there.
+meet() {
+    : >"\$TMPDIR/mine"
+    : >"$scratch/here-\${2##*/}"
+    until [ -e "$scratch/here-meets-a-1" ] && [ -e "$scratch/here-meets-b-1" ]; do sleep 0.05; done
+    [ -e "\$TMPDIR/mine" ] || exit 2
+}
 case \$2 in
 */fails-*) echo "no sandbox" >&2; exit 2 ;;
 */dies-*) kill -9 \$\$ ;;
 */hangs-*) sleep 1000 ;;
+*/meets-*) meet "\$@" ;;
 */twice-*) [ -e "$scratch/seen" ] || { : >"$scratch/seen"; exit 2; } ;;
 esac
 cp -R "$right/." "\$output"
@@ -236,6 +244,18 @@ check "and in what it says" said "not graded: fails: the grader could not work"
 check "the reason is kept" grep -q "no sandbox" "$(echo "$faults"/logs/fails-*)"
 rm -r "$class/fails" "$class/dies" "$class/hangs"
 check "without them all is well" exits 0 run "$faults"
+
+# Two at work whose slugs end alike: each in a folder of its own.
+two=$scratch/two
+mkdir -p "$two/students" "$two/logs" "$two/faults" "$two/pending"
+for slug in meets-a-1 meets-b-1; do
+    CLASS_FOLDER=$two CLASS_BUILD=$fake CLASS_LAB=$lab CLASS_WORK=$TMPDIR/two CLASS_DEVICE='' \
+        CLASS_TIME_LIMIT='' CLASS_TELLS='' tests/class/grade_one.sh $slug key 1 &
+done
+wait
+for slug in meets-a-1 meets-b-1; do
+    check "$slug keeps its files while another works" test -e "$two/students/$slug/key"
+done
 
 # ---- Who is who in Moodle's list ----------------------------------------------------------------
 
