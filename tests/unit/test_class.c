@@ -1,4 +1,5 @@
 // Unit tests of a class's names and groups: who handed in what, and who failed alike.
+#include "csv_cell.h"
 #include "entry_name.h"
 #include "failures.h"
 #include "sha256.h"
@@ -121,6 +122,61 @@ Test(sha256, is_what_the_standard_says)
         memset(text, 'a', sizeof text);
         sha256(text, (size_t)cases[i].n, digest);
         cr_expect_arr_eq(digest + SHA256_BYTES - 4, cases[i].end, 4, "%d letters", cases[i].n);
+    }
+}
+
+// ---- Cells -------------------------------------------------------------------------------------
+
+Test(csv_cell, is_no_formula_wherever_cells_are_parted)
+{
+    static const struct {
+        const char *text, *cell;
+    } cases[] = {
+        {"ada", "\"ada\""},
+        {"", "\"\""},
+        {"a \"b\"", "\"a \"\"b\"\"\""},
+        {"=1+1", "\"'=1+1\""},
+        {"@A1", "\"'@A1\""},
+        {"＝1＋1", "\"'＝1＋1\""},
+        {"＋1", "\"'＋1\""},
+        {"－1", "\"'－1\""},
+        {"＠A1", "\"'＠A1\""},
+        {"﹦1", "\"'﹦1\""},
+        {"−1", "\"'−1\""},
+        {"x;=1+1;b", "\"x;'=1+1;b\""},
+        {"x\t-1", "\"x\t'-1\""},
+        {"x|@A1", "\"x|'@A1\""},
+        {"x,＝1", "\"x,'＝1\""},
+        {"x\n=1", "\"x\n'=1\""},
+        {";;=1", "\";;'=1\""},
+        {" =1", "\" '=1\""},
+        {"\xE3\x80\x80=1", "\"\xE3\x80\x80'=1\""},
+        {"\xE2\x80\x83=1", "\"\xE2\x80\x83'=1\""},
+        {"x;\"=1\"", "\"x;\"\"'=1\"\"\""},
+        {"Anna-Lena", "\"Anna-Lena\""},
+        {"a = b; c", "\"a = b; c\""},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char found[64] = "";
+        FILE *file = fmemopen(found, sizeof found, "w");
+        csv_cell_write(file, cases[i].text);
+        fclose(file);
+        cr_expect_str_eq(found, cases[i].cell, "%s: found %s", cases[i].text, found);
+    }
+}
+
+Test(csv_cell, leaves_numbers_of_a_list_as_they_are)
+{
+    static const struct {
+        const char *text, *cell;
+    } cases[] = {{"-", "\"-\""},        {"-3,50", "\"-3,50\""}, {"+4.0", "\"+4.0\""},
+                 {"-1+1", "\"'-1+1\""}, {"=2", "\"'=2\""},      {"-2;=3", "\"'-2;'=3\""}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char found[64] = "";
+        FILE *file = fmemopen(found, sizeof found, "w");
+        csv_cell_copy(file, cases[i].text);
+        fclose(file);
+        cr_expect_str_eq(found, cases[i].cell, "%s: found %s", cases[i].text, found);
     }
 }
 
