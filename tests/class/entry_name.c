@@ -83,11 +83,13 @@ int entry_name_archive_stem(const char *entry)
 }
 
 // Moodle: "NAME_NUMBER_assignsubmission_KIND_...", and without a number for those who are in no
-// team. Returns the length of the name, or 0.
+// team. Where the pattern stands twice, a student has put it into a name or a file's: then nobody
+// can tell where the name ends. Returns the length of the name, or 0.
 static int read_moodle(const char *entry, EntryName *name)
 {
-    const char *plugin = strstr(entry, "_assignsubmission_");
-    if (plugin == NULL) {
+    static const char pattern[] = "_assignsubmission_";
+    const char *plugin = strstr(entry, pattern);
+    if (plugin == NULL || strstr(plugin + 1, pattern) != NULL) {
         return 0;
     }
     const char *digits = plugin;
@@ -147,29 +149,6 @@ EntryName entry_name_read(const char *entry, int lab_number)
     }
     entry_name_show(entry + begin, (size_t)(end - begin), name.name);
     return name;
-}
-
-int entry_name_attempt(const char *name, int *stem)
-{
-    const int length = (int)strlen(name);
-    const int in_brackets = length > 4 && name[length - 1] == ')';
-    int begin = length - in_brackets;
-    while (begin > 0 && isdigit((unsigned char)name[begin - 1])) {
-        begin--;
-    }
-    const int n_digits = length - in_brackets - begin;
-    *stem = length;
-    // A year or a student's number is no attempt.
-    if (n_digits < 1 || n_digits > 2 || begin < 2) {
-        return 1;
-    }
-    const char before = name[begin - 1];
-    if (in_brackets ? before != '(' || name[begin - 2] != ' ' || begin < 3
-                    : before != '-' && before != '_') {
-        return 1;
-    }
-    *stem = begin - 1 - in_brackets;
-    return atoi(name + begin);
 }
 
 // ---- Slugs -----------------------------------------------------------------------------------

@@ -50,16 +50,18 @@ static void titles_write(FILE *file, const Gradebook *gradebook, const char *las
     row_end(file, last);
 }
 
-// A row, or for NULL that nothing was handed in. `last` as in titles_write().
+// What stands in the place of a row where there is none: why. `last` as in titles_write().
+static void no_row_write(FILE *file, const Gradebook *gradebook, const char *why, const char *last)
+{
+    empty_write(file, 2);
+    cell_write(file, why);
+    empty_write(file, gradebook->n_tasks + 4);
+    row_end(file, last);
+}
+
+// `last` as in titles_write().
 static void row_write(FILE *file, const Gradebook *gradebook, const Row *row, const char *last)
 {
-    if (row == NULL) {
-        empty_write(file, 2);
-        cell_write(file, "no submission");
-        empty_write(file, gradebook->n_tasks + 4);
-        row_end(file, last);
-        return;
-    }
     // The first cell has no comma before it.
     csv_cell_write(file, row->entrant->name);
     cell_write(file, row->entrant->number);
@@ -99,7 +101,13 @@ static void participant_write(FILE *file, const Worksheet *worksheet,
         csv_cell_copy(file, cell);
         fputc(',', file);
     }
-    row_write(file, gradebook, row, "");
+    // Whoever handed in what may be another's has not handed in nothing.
+    if (row == NULL) {
+        const char *why = participant->is_fitted ? "not entered" : "no submission";
+        no_row_write(file, gradebook, why, "");
+    } else {
+        row_write(file, gradebook, row, "");
+    }
 }
 
 // Rows that are not entered, or not for everybody: for the file, and for whoever runs this.

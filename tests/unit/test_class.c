@@ -2,6 +2,8 @@
 #include "csv_cell.h"
 #include "entry_name.h"
 #include "failures.h"
+#include "look_alikes.h"
+#include "name_likeness.h"
 #include "sha256.h"
 #include <string.h>
 
@@ -20,6 +22,8 @@ Test(entry_name, knows_what_systems_add)
         {"Ada Lovelace_1234567_assignsubmission_file", "Ada Lovelace", "1234567"},
         {"Ada Lovelace_1234567_assignsubmission_file_/", "Ada Lovelace", "1234567"},
         {"A_B_77_assignsubmission_file_lab.zip", "A_B", "77"},
+        {"Ada_22_assignsubmission_file__99_assignsubmission_file_",
+         "Ada_22_assignsubmission_file__99_assignsubmission_file_", ""},
         {"_1_assignsubmission_file_", "_1_assignsubmission_file_", ""},
         {"Default group_assignsubmission_file_", "Default group", ""},
         {"submission_123456", "submission_123456", "123456"},
@@ -58,24 +62,77 @@ Test(entry_name, holds_the_longest_name)
     cr_expect_eq(strlen(name.name), 4u * 255);
 }
 
-Test(entry_name, finds_the_number_of_an_attempt)
+// ---- Likeness ----------------------------------------------------------------------------------
+
+Test(name_likeness, sees_one_person_in_two_names)
+{
+    static const struct {
+        const char *name, *other;
+        int alike;
+    } cases[] = {
+        {"ada-2", "ada", 1},
+        {"ada_3", "ada", 1},
+        {"ada (2)", "ada", 1},
+        {"ada(2)", "ada", 1},
+        {"ada 2 ", "ada", 1},
+        {"Ada", "ada", 1},
+        {"ada .", "ada", 1},
+        {"Ada_Lovelace", "ada lovelace", 1},
+        {"M\xC3\xBCller", "Mu\xCC\x88ller", 1},  // composed, decomposed
+        {"\xD0\xB0\xD0\xB4\xD0\xB0", "\xD0\xB0\xD0\xB4\xD0\xB0", 1},
+        {"\xD0\xB0"
+         "da",
+         "ada", 1},  // a Cyrillic letter
+        {"\xEF\xBD\x81"
+         "da",
+         "ada", 1},                        // a full-width one
+        {"ad\\xE2\\x80\\x8Ba", "ada", 1},  // a blank without width
+        {"car0l", "carol", 1},
+        {"Carol", "caroI", 1},  // a capital i
+        {"\xE6\x9D\x8E", "\xE6\x9D\x8E", 1},
+        {"\xE6\x9D\x8E", "\xE7\x8E\x8B", 0},
+        {"ada-2026", "ada", 0},  // a year is no attempt
+        {"ada2", "ada", 0},
+        {"ada-2", "ada-3", 0},
+        {"-2", "", 0},
+        {"..", "...", 0},
+        {"ada", "ada-2", 0},
+        {"bob", "ada", 0},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        cr_expect_eq(name_looks_like(cases[i].name, cases[i].other), cases[i].alike,
+                     "\"%s\" and \"%s\": expected %d", cases[i].name, cases[i].other,
+                     cases[i].alike);
+    }
+}
+
+Test(look_alikes, are_listed_unless_the_host_tells_them_apart)
 {
     static const struct {
         const char *name;
-        int attempt, stem;
-    } cases[] = {
-        {"ada", 1, 3},     {"ada-2", 2, 3},           {"ada_3", 3, 3},
-        {"ada (2)", 2, 3}, {"ada-2026", 1, 8},        {"ada2", 1, 4},
-        {"-2", 1, 2},      {"ada(2)", 1, 6},          {"a-12", 12, 1},
-        {"ada 2)", 1, 6},  {"submission_99", 99, 10},
-    };
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        int stem;
-        const int attempt = entry_name_attempt(cases[i].name, &stem);
-        cr_expect_eq(attempt, cases[i].attempt, "%s: found %d", cases[i].name, attempt);
-        cr_expect_eq(stem, cases[i].stem, "%s: found a stem of %d", cases[i].name, stem);
+        int is_exact;
+    } names[] = {{"ada", 0},    {"ada-2", 0},  {"ada-2-2", 0}, {"Bob", 1},   {"bob", 1},
+                 {"team-1", 0}, {"team-2", 0}, {"Carol", 1},   {"carol", 0}, {"..", 0}};
+    enum { N_NAMES = sizeof names / sizeof *names };
+    Entrant entrants[N_NAMES] = {0};
+    Row rows[N_NAMES] = {0};
+    for (int i = 0; i < N_NAMES; i++) {
+        entrants[i].name = (char *)names[i].name;
+        entrants[i].is_exact = names[i].is_exact;
+        rows[i].entrant = &entrants[i];
     }
+    const Gradebook gradebook = {.rows = rows, .n_rows = N_NAMES};
+    LookAlikes found;
+    cr_assert_eq(look_alikes_find(&gradebook, &found), 0);
+    cr_assert_eq(found.n_groups, 2, "found %d groups", found.n_groups);
+    cr_expect_eq(found.groups[0].n_rows, 3, "found %d rows", found.groups[0].n_rows);
+    cr_expect_eq(found.groups[0].rows[2], &rows[2]);
+    cr_expect_eq(found.groups[1].n_rows, 2);
+    cr_expect_eq(found.groups[1].rows[0], &rows[7]);
+    look_alikes_free(&found);
 }
+
+// ---- Slugs -------------------------------------------------------------------------------------
 
 Test(entry_name, makes_slugs_that_are_safe_and_different)
 {
