@@ -89,6 +89,7 @@ static int read_moodle(const char *entry, EntryName *name)
 {
     static const char pattern[] = "_assignsubmission_";
     const char *plugin = strstr(entry, pattern);
+    name->is_moodles = plugin != NULL;
     if (plugin == NULL || strstr(plugin + 1, pattern) != NULL) {
         return 0;
     }
@@ -103,7 +104,6 @@ static int read_moodle(const char *entry, EntryName *name)
     if (length > 0) {
         snprintf(name->number, sizeof name->number, "%.*s", has_number ? n_digits : 0, digits);
         name->is_text = strncmp(plugin, "_assignsubmission_onlinetext", 28) == 0;
-        name->is_exact = 1;
     }
     return length;
 }

@@ -15,7 +15,7 @@ typedef struct EntryName {
     char name[ENTRY_NAME_BYTES];
     char number[ENTRY_NUMBER_BYTES];  // the system's number of the student or team: "1234567"
     int is_text;                      // Moodle's online text, beside which there may be files
-    int is_exact;                     // the name and the number are the system's own
+    int is_moodles;                   // made as Moodle makes them
 } EntryName;
 
 // Read an entry's name, at most 255 bytes of any kind.

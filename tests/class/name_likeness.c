@@ -140,11 +140,14 @@ int name_looks_like(const char *name, const char *other)
 {
     char keys[2][ENTRY_NAME_BYTES], stem[ENTRY_NAME_BYTES];
     name_likeness(other, keys[1]);
+    if (keys[1][0] == '\0') {
+        return 0;
+    }
     name_likeness(name, keys[0]);
-    if (keys[0][0] != '\0' && strcmp(keys[0], keys[1]) == 0) {
+    if (strcmp(keys[0], keys[1]) == 0) {
         return 1;
     }
     snprintf(stem, sizeof stem, "%.*s", name_stem(name), name);
     name_likeness(stem, keys[0]);
-    return keys[0][0] != '\0' && strcmp(keys[0], keys[1]) == 0;
+    return strcmp(keys[0], keys[1]) == 0;
 }

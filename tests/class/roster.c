@@ -143,7 +143,6 @@ static int names_apply(Folder *folder)
         Found *found = &folder->found[i];
         found->submitters = gradescope_names_find(&folder->names, found->file);
         if (found->submitters != NULL) {
-            found->name.is_exact = 1;
             names_join(found->submitters, found->name.name);
         }
     }
@@ -163,15 +162,24 @@ static int students_compare(const void *left, const void *right)
     return order != 0 ? order : strcmp(a->file, b->file);
 }
 
-// Is every name Moodle's? Where others have chosen names, too, one of them may look like Moodle's.
+// Is every name Moodle's? Where others have chosen names, too, one of them may look like Moodle's:
+// then whoever runs this is told.
 static int is_moodles(const Folder *folder)
 {
-    int i = 0;
-    while (i < folder->n_found && folder->found[i].name.is_exact &&
-           folder->found[i].submitters == NULL) {
-        i++;
+    int n_moodles = 0;
+    const Found *other = NULL;
+    for (int i = 0; i < folder->n_found; i++) {
+        n_moodles += folder->found[i].name.is_moodles;
+        other = folder->found[i].name.is_moodles ? other : &folder->found[i];
     }
-    return i == folder->n_found;
+    if (n_moodles > 0 && other != NULL) {
+        char shown[ENTRY_NAME_BYTES];
+        entry_name_show(other->file, strlen(other->file), shown);
+        complain("gradebook: %s: not only Moodle's export, as \"%s\" is not: no two entries are "
+                 "taken for one student's",
+                 folder->path, shown);
+    }
+    return other == NULL;
 }
 
 // Only the host's export says that two entries are one student's: any other name is chosen by

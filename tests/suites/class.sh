@@ -349,6 +349,12 @@ lists forged "$scratch/teams.csv" "Team 3_2_assignsubmission_file_" \
     "Team 3_2_assignsubmission_onlinetext_" "Team 3"
 check "a name that is made like Moodle's takes nothing over" has "Participant 6" -
 check "and is told of" said 'line 7 of the list also fits "Team 3_2_assignsubmission_file_"'
+check "and so is why" said 'not only Moodle'"'"'s export, as "Team 3" is not'
+# A student's name in Moodle may hold Moodle's pattern.
+lists pattern "$scratch/teams.csv" "Team 3_2_assignsubmission_file_" \
+    "Team 3_2_assignsubmission_onlinetext_" "Ada_1_assignsubmission_file__9_assignsubmission_file_"
+check "a name with Moodle's pattern is nobody else's" has "Participant 1" ""
+check "and takes nothing from the others" has "Participant 6" "Team 3"
 
 # Teams and pairs, as Gradescope gives them.
 cat >"$scratch/pairs.yml" <<'END'
