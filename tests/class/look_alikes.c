@@ -33,8 +33,8 @@ static int groups_compare(const void *left, const void *right)
     return (a->rows[0] > b->rows[0]) - (a->rows[0] < b->rows[0]);
 }
 
-// Put the key of "carol" in the place of that of "carol-2", and of "carol-2-2", where `all`, sorted
-// by their keys, has a "carol". Returns 0, or -1 when memory runs out.
+// Put the key of "carol" in the place of that of "carol-2", and of "carol-2 (2)", where `all`,
+// sorted by their keys, has a "carol". Returns 0, or -1 when memory runs out.
 static int attempt_fold(const Seen *all, int n_all, Seen *seen)
 {
     char stem[ENTRY_NAME_BYTES], key[ENTRY_NAME_BYTES];
@@ -48,7 +48,7 @@ static int attempt_fold(const Seen *all, int n_all, Seen *seen)
         name_likeness(stem, key);
         const Seen wanted = {.key = key};
         if (bsearch(&wanted, all, (size_t)n_all, sizeof *all, keys_compare) == NULL) {
-            return 0;
+            continue;
         }
         free(seen->key);
         seen->key = strdup(key);

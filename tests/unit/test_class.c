@@ -111,8 +111,8 @@ Test(look_alikes, are_listed_unless_the_host_tells_them_apart)
     static const struct {
         const char *name;
         int is_exact;
-    } names[] = {{"ada", 0},    {"ada-2", 0},  {"ada-2-2", 0}, {"Bob", 1},   {"bob", 1},
-                 {"team-1", 0}, {"team-2", 0}, {"Carol", 1},   {"carol", 0}, {"..", 0}};
+    } names[] = {{"ada", 0},    {"ada-2", 0},  {"ada-3 (2)", 0}, {"Bob", 1},   {"bob", 1},
+                 {"team-1", 0}, {"team-2", 0}, {"Carol", 1},     {"carol", 0}, {"..", 0}};
     enum { N_NAMES = sizeof names / sizeof *names };
     Entrant entrants[N_NAMES] = {0};
     Row rows[N_NAMES] = {0};
