@@ -197,29 +197,35 @@ static void table_write(FILE *page, const Gradebook *gradebook)
 
 // ---- The page --------------------------------------------------------------------------------
 
-int gradebook_page(const Gradebook *gradebook, const char *path)
+static void page_write(FILE *page, const Gradebook *gradebook, const Failures *failures,
+                       const LookAlikes *look_alikes)
 {
-    OutputFile output;
-    Failures failures;
-    if (failures_find(gradebook, &failures) != 0) {
-        return -1;
-    }
-    if (output_file_open(&output, path) != 0) {
-        failures_free(&failures);
-        return -1;
-    }
-    FILE *page = output.file;
     char title[256];
     snprintf(title, sizeof title, "%s: the class", gradebook->lab != NULL ? gradebook->lab : "");
     html_album_begin(page, title);
     head_write(page, gradebook);
     not_graded_write(page, gradebook);
+    class_look_alikes_write(page, look_alikes);
     class_changes_write(page, gradebook);
-    class_failures_write(page, &failures);
+    class_failures_write(page, failures);
     class_checks_write(page, gradebook);
     table_write(page, gradebook);
     class_gallery_write(page, gradebook);
     html_page_end(page);
+}
+
+int gradebook_page(const Gradebook *gradebook, const char *path)
+{
+    Failures failures = {0};
+    LookAlikes look_alikes = {0};
+    OutputFile output;
+    int result = -1;
+    if (failures_find(gradebook, &failures) == 0 &&
+        look_alikes_find(gradebook, &look_alikes) == 0 && output_file_open(&output, path) == 0) {
+        page_write(output.file, gradebook, &failures, &look_alikes);
+        result = output_file_commit(&output);
+    }
     failures_free(&failures);
-    return output_file_commit(&output);
+    look_alikes_free(&look_alikes);
+    return result;
 }

@@ -4,9 +4,13 @@
 
 #include "failures.h"
 #include "gradebook.h"
+#include "look_alikes.h"
 
 // A student's name, linked to the report, with the number of a later attempt.
 void class_name_write(FILE *page, const Row *row);
+
+// Whose names look like one person's; what the instructor has to decide.
+void class_look_alikes_write(FILE *page, const LookAlikes *look_alikes);
 
 // How many have which score: a drawing, and the same in words.
 void class_histogram_write(FILE *page, const Gradebook *gradebook);

@@ -70,6 +70,39 @@ void class_histogram_write(FILE *page, const Gradebook *gradebook)
     fputs("</svg></figure>\n", page);
 }
 
+// ---- Look-alikes -----------------------------------------------------------------------------
+
+void class_look_alikes_write(FILE *page, const LookAlikes *look_alikes)
+{
+    if (look_alikes->n_groups == 0) {
+        return;
+    }
+    fputs("<h2 class=\"section\" id=\"look-alikes\">Perhaps one person</h2>\n"
+          "<p class=\"soft\">These names look alike, but nothing that a host wrote says whose they "
+          "are: each keeps its own row, and which one counts is yours to decide.</p>\n"
+          "<div class=\"card\">\n",
+          page);
+    for (int i = 0; i < look_alikes->n_groups; i++) {
+        const LookAlike *group = &look_alikes->groups[i];
+        fputs("<p class=\"failure\">", page);
+        for (int r = 0; r < group->n_rows; r++) {
+            const Row *row = group->rows[r];
+            fputs(r > 0 ? " &middot; " : "", page);
+            class_name_write(page, row);
+            if (strcmp(row->entrant->name, row->entrant->entry) != 0) {
+                fputs(" <code class=\"soft\">", page);
+                html_line(page, row->entrant->entry);
+                fputs("</code>", page);
+            }
+            if (row->status != ROW_NOT_GRADED) {
+                fprintf(page, " <b class=\"number\">%d</b>", row->score);
+            }
+        }
+        fputs("</p>\n", page);
+    }
+    fputs("</div>\n", page);
+}
+
 // ---- Old and new -----------------------------------------------------------------------------
 
 void class_changes_write(FILE *page, const Gradebook *gradebook)

@@ -5,6 +5,8 @@
 // command. Read next: roster.c.
 #include "entry_name.h"
 
+#include "sha256.h"
+
 #include <ctype.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -12,8 +14,9 @@
 #include <string.h>
 #include <strings.h>
 
-// How long the readable part of a slug gets.
-enum { SLUG_WORDS = 40 };
+// How long the readable part of a slug gets, and how much of a digest follows it: enough that
+// nobody finds a name for another's slug, which would be another's results.
+enum { SLUG_WORDS = 40, SLUG_DIGEST_BYTES = 8 };
 
 // ---- Bytes that can be shown -----------------------------------------------------------------
 
@@ -80,11 +83,14 @@ int entry_name_archive_stem(const char *entry)
 }
 
 // Moodle: "NAME_NUMBER_assignsubmission_KIND_...", and without a number for those who are in no
-// team. Returns the length of the name, or 0.
+// team. Where the pattern stands twice, a student has put it into a name or a file's: then nobody
+// can tell where the name ends. Returns the length of the name, or 0.
 static int read_moodle(const char *entry, EntryName *name)
 {
-    const char *plugin = strstr(entry, "_assignsubmission_");
-    if (plugin == NULL) {
+    static const char pattern[] = "_assignsubmission_";
+    const char *plugin = strstr(entry, pattern);
+    name->is_moodles = plugin != NULL;
+    if (plugin == NULL || strstr(plugin + 1, pattern) != NULL) {
         return 0;
     }
     const char *digits = plugin;
@@ -98,7 +104,6 @@ static int read_moodle(const char *entry, EntryName *name)
     if (length > 0) {
         snprintf(name->number, sizeof name->number, "%.*s", has_number ? n_digits : 0, digits);
         name->is_text = strncmp(plugin, "_assignsubmission_onlinetext", 28) == 0;
-        name->is_exact = 1;
     }
     return length;
 }
@@ -146,40 +151,7 @@ EntryName entry_name_read(const char *entry, int lab_number)
     return name;
 }
 
-int entry_name_attempt(const char *name, int *stem)
-{
-    const int length = (int)strlen(name);
-    const int in_brackets = length > 4 && name[length - 1] == ')';
-    int begin = length - in_brackets;
-    while (begin > 0 && isdigit((unsigned char)name[begin - 1])) {
-        begin--;
-    }
-    const int n_digits = length - in_brackets - begin;
-    *stem = length;
-    // A year or a student's number is no attempt.
-    if (n_digits < 1 || n_digits > 2 || begin < 2) {
-        return 1;
-    }
-    const char before = name[begin - 1];
-    if (in_brackets ? before != '(' || name[begin - 2] != ' ' || begin < 3
-                    : before != '-' && before != '_') {
-        return 1;
-    }
-    *stem = begin - 1 - in_brackets;
-    return atoi(name + begin);
-}
-
 // ---- Slugs -----------------------------------------------------------------------------------
-
-// FNV-1a, folded to 32 bits. Whoever makes two names collide gains nothing: see roster.c.
-static uint32_t fold(const char *bytes)
-{
-    uint64_t hash = 14695981039346656037u;
-    for (; *bytes != '\0'; bytes++) {
-        hash = (hash ^ (unsigned char)*bytes) * 1099511628211u;
-    }
-    return (uint32_t)(hash ^ hash >> 32);
-}
 
 void entry_name_slug(const char *name, const char *entry, char slug[ENTRY_SLUG_BYTES])
 {
@@ -192,6 +164,12 @@ void entry_name_slug(const char *name, const char *entry, char slug[ENTRY_SLUG_B
             slug[n++] = '-';
         }
     }
-    n -= n > 0 && slug[n - 1] == '-';
-    snprintf(slug + n, (size_t)(ENTRY_SLUG_BYTES - n), "%s%08x", n > 0 ? "-" : "", fold(entry));
+    if (n > 0 && slug[n - 1] != '-') {
+        slug[n++] = '-';
+    }
+    unsigned char digest[SHA256_BYTES];
+    sha256(entry, strlen(entry), digest);
+    for (int i = 0; i < SLUG_DIGEST_BYTES; i++, n += 2) {
+        snprintf(slug + n, 3, "%02x", digest[i]);
+    }
 }

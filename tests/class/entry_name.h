@@ -15,7 +15,7 @@ typedef struct EntryName {
     char name[ENTRY_NAME_BYTES];
     char number[ENTRY_NUMBER_BYTES];  // the system's number of the student or team: "1234567"
     int is_text;                      // Moodle's online text, beside which there may be files
-    int is_exact;  // the system's own name of the student: "ada-2" is nobody's second attempt
+    int is_moodles;                   // made as Moodle makes them
 } EntryName;
 
 // Read an entry's name, at most 255 bytes of any kind.
@@ -32,11 +32,8 @@ void entry_name_show(const char *bytes, size_t n_bytes, char text[ENTRY_NAME_BYT
 // Does a file's name end as an archive's does? Returns the length without that ending, or 0.
 int entry_name_archive_stem(const char *entry);
 
-// Where a name ends in "-2", "_2" or " (2)", the number, and in *stem the length before it; else 1.
-int entry_name_attempt(const char *name, int *stem);
-
-// A name for files: small letters, digits and dashes of `name`, and eight digits made of the bytes
-// of `entry`.
+// A name for files: small letters, digits and dashes of `name`, and sixteen digits of the SHA-256
+// of `entry`. It is the name of an entry's results from one run to the next.
 enum { ENTRY_SLUG_BYTES = 64 };
 void entry_name_slug(const char *name, const char *entry, char slug[ENTRY_SLUG_BYTES]);
 

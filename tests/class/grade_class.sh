@@ -7,7 +7,7 @@
 #     --engine parallel      or slurm: how the submissions are spread
 #     --jobs N               how many at a time (parallel: as many as there are processors)
 #     --seed N               the class's seed (drawn once, and kept in the output folder)
-#     --only failed|latest   only those below full marks; only each student's last entry
+#     --only failed|latest   only those below full marks; of a student's entries by Moodle the last
 #     --again 1              grade all, also where nothing has changed
 #     --moodle FILE.csv      Moodle's participants or grading worksheet
 #     --against FILE.json    an older gradebook.json, to compare scores with

@@ -11,8 +11,9 @@ set -u
 slug=$1 key=$2 seed=$3
 students=$CLASS_FOLDER/students
 new=$students/$slug.new
-# What the grader makes while it works; of a grading that was killed, everything is in here.
-work=$CLASS_WORK-${slug##*-}
+# What the grader makes while it works; of a grading that was killed, everything is in here. Only the
+# whole slug is unique: whoever shares a folder with another clears it under their feet.
+work=$CLASS_WORK-$slug
 log=$CLASS_FOLDER/logs/$slug.txt
 
 # clear FOLDER: what its last processes still write may come in between.

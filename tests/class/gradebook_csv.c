@@ -1,30 +1,19 @@
 // gradebook.csv: the class for spreadsheets and for Moodle (see gradebook.h).
 //
-// Cells are quoted by libcsv. One that a spreadsheet would take for a formula begins with an
-// apostrophe; what Moodle wrote itself goes back as it came. Read next: worksheet.h.
+// No cell is a formula (csv_cell.h), not even Moodle's: a student may choose the own name there.
+// Moodle knows its lines again by the column of identifiers, which has nobody's choice in it. Read
+// next: worksheet.h.
 #include "gradebook.h"
 
 #include "complain.h"
+#include "csv_cell.h"
 #include "output_file.h"
 #include "worksheet.h"
 
-#include <csv.h>
-#include <string.h>
-
-static void quoted_write(FILE *file, const char *text)
-{
-    csv_fwrite(file, text, strlen(text));
-}
-
 static void cell_write(FILE *file, const char *text)
 {
-    char defused[2048];
-    if (text[0] != '\0' && strchr("=+-@\t\r", text[0]) != NULL) {
-        snprintf(defused, sizeof defused, "'%s", text);
-        text = defused;
-    }
     fputc(',', file);
-    quoted_write(file, text);
+    csv_cell_write(file, text);
 }
 
 // ---- Our columns: each begins with a comma but the first -------------------------------------
@@ -49,7 +38,7 @@ static void row_end(FILE *file, const char *last)
 static void titles_write(FILE *file, const Gradebook *gradebook, const char *last)
 {
     static const char *const titles[] = {"number", "attempt", "status", "score", "max"};
-    quoted_write(file, "name");
+    csv_cell_write(file, "name");
     for (size_t i = 0; i < sizeof titles / sizeof *titles; i++) {
         cell_write(file, titles[i]);
     }
@@ -61,21 +50,20 @@ static void titles_write(FILE *file, const Gradebook *gradebook, const char *las
     row_end(file, last);
 }
 
-// A row, or for NULL that nothing was handed in. `last` as in titles_write().
+// What stands in the place of a row where there is none: why. `last` as in titles_write().
+static void no_row_write(FILE *file, const Gradebook *gradebook, const char *why, const char *last)
+{
+    empty_write(file, 2);
+    cell_write(file, why);
+    empty_write(file, gradebook->n_tasks + 4);
+    row_end(file, last);
+}
+
+// `last` as in titles_write().
 static void row_write(FILE *file, const Gradebook *gradebook, const Row *row, const char *last)
 {
-    if (row == NULL) {
-        empty_write(file, 2);
-        cell_write(file, "no submission");
-        empty_write(file, gradebook->n_tasks + 4);
-        row_end(file, last);
-        return;
-    }
     // The first cell has no comma before it.
-    const char *name = row->entrant->name;
-    char defused[ENTRY_NAME_BYTES + 1];
-    snprintf(defused, sizeof defused, "%s%s", strchr("=+-@", name[0]) != NULL ? "'" : "", name);
-    quoted_write(file, name[0] != '\0' ? defused : "");
+    csv_cell_write(file, row->entrant->name);
     cell_write(file, row->entrant->number);
     fprintf(file, ",%d", row->entrant->attempt);
     cell_write(file, row_status_name(row->status));
@@ -110,10 +98,16 @@ static void participant_write(FILE *file, const Worksheet *worksheet,
             worksheet_grade(worksheet, participant, gradebook->max_score, grade);
             cell = grade;
         }
-        quoted_write(file, cell);
+        csv_cell_copy(file, cell);
         fputc(',', file);
     }
-    row_write(file, gradebook, row, "");
+    // Whoever handed in what may be another's has not handed in nothing.
+    if (row == NULL) {
+        const char *why = participant->is_fitted ? "not entered" : "no submission";
+        no_row_write(file, gradebook, why, "");
+    } else {
+        row_write(file, gradebook, row, "");
+    }
 }
 
 // Rows that are not entered, or not for everybody: for the file, and for whoever runs this.
@@ -143,7 +137,7 @@ static int worksheet_write(FILE *file, const Gradebook *gradebook, const char *p
         return -1;
     }
     for (int i = 0; i < worksheet.n_columns; i++) {
-        quoted_write(file, worksheet.participants[0].cells[i]);
+        csv_cell_copy(file, worksheet.participants[0].cells[i]);
         fputc(',', file);
     }
     titles_write(file, gradebook, "not entered");

@@ -8,6 +8,7 @@
 // Exit status: 0; 1 when some are not graded; 2 after one message. Read next: roster.h,
 // gradebook.h; grade_class.sh, which calls both.
 #include "gradebook.h"
+#include "look_alikes.h"
 #include "number.h"
 
 #include <getopt.h>
@@ -44,6 +45,24 @@ static int roster_make(int lab_number, const char *submissions, const char *fold
     return result == 0 ? EXIT_ALL_GRADED : EXIT_FAULT;
 }
 
+// What an instructor has to look at: names that look like one person's.
+static void look_alikes_print(const Gradebook *gradebook)
+{
+    LookAlikes look_alikes;
+    if (look_alikes_find(gradebook, &look_alikes) != 0) {
+        return;
+    }
+    for (int i = 0; i < look_alikes.n_groups; i++) {
+        const LookAlike *group = &look_alikes.groups[i];
+        for (int r = 0; r < group->n_rows; r++) {
+            printf("%s\"%s\"", r == 0 ? "perhaps one person, each with a row: " : ", ",
+                   group->rows[r]->entrant->entry);
+        }
+        printf("\n");
+    }
+    look_alikes_free(&look_alikes);
+}
+
 // How the class did, for the terminal.
 static void summary_print(const Gradebook *gradebook, const char *folder)
 {
@@ -71,6 +90,7 @@ static void summary_print(const Gradebook *gradebook, const char *folder)
             printf("not graded: %s: %s\n", row->entrant->name, row->reason);
         }
     }
+    look_alikes_print(gradebook);
     printf("Gradebook: %s/gradebook.csv, %s/gradebook.json\nThe class: %s/class.html\n", folder,
            folder, folder);
 }

@@ -15,10 +15,13 @@
 #include "entry_name.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 enum { LINE_BYTES = 1024, KEY_INDENT = 2 };
 
@@ -153,14 +156,38 @@ static int line_read(GradescopeNames *names, const char *line, int *in_list)
                : 0;
 }
 
+// Open a file for reading; *file is NULL where there is none, or a folder, a pipe or the like of
+// this name, which a student may have chosen. Returns 0, or -1 with errno set.
+static int regular_file_open(const char *path, FILE **file)
+{
+    struct stat status;
+    *file = NULL;
+    const int descriptor = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    if (descriptor < 0) {
+        return errno == ENOENT || errno == ENXIO ? 0 : -1;
+    }
+    int result = fstat(descriptor, &status);
+    if (result == 0 && S_ISREG(status.st_mode)) {
+        *file = fdopen(descriptor, "r");
+        result = *file != NULL ? 0 : -1;
+    }
+    if (*file == NULL) {
+        close(descriptor);
+    }
+    return result;
+}
+
 int gradescope_names_load(const char *folder, GradescopeNames *names)
 {
     char path[PATH_MAX], line[LINE_BYTES];
     *names = (GradescopeNames){0};
     snprintf(path, sizeof path, "%s/%s", folder, GRADESCOPE_NAMES_FILE);
-    FILE *file = fopen(path, "r");
+    FILE *file;
+    if (regular_file_open(path, &file) != 0) {
+        return fault(path, strerror(errno));
+    }
     if (file == NULL) {
-        return errno == ENOENT ? 0 : fault(path, strerror(errno));
+        return 0;
     }
     int failed = 0;
     int is_line_start = 1;

@@ -3,6 +3,8 @@
 // Flow: gradebook + Moodle's list -> WHO IS WHO -> gradebook.csv. Read next: gradebook_csv.c.
 #include "owners.h"
 
+#include "name_likeness.h"
+
 #include <ctype.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -158,6 +160,25 @@ static int has_other_key(const Worksheet *worksheet, const Participant *particip
            (member->sid[0] != '\0' && cell_of(worksheet, participant, sid_titles)[0] != '\0');
 }
 
+// The first line of the list that a name, which fits none, looks like; 0 for none. Only to be told:
+// "carol-2" may be Carol's, or anybody's.
+static int look_alike_find(const Worksheet *worksheet, const char *name)
+{
+    static const char *const *const titles[] = {name_titles, user_titles, mail_titles};
+    for (int i = 1; i < worksheet->n_participants; i++) {
+        const Participant *participant = &worksheet->participants[i];
+        for (size_t t = 0; t < sizeof titles / sizeof *titles; t++) {
+            const char *cell = cell_of(worksheet, participant, titles[t]);
+            char local[ENTRY_NAME_BYTES];
+            snprintf(local, sizeof local, "%.*s", (int)strcspn(cell, "@"), cell);
+            if (name_looks_like(name, local)) {
+                return i + 1;
+            }
+        }
+    }
+    return 0;
+}
+
 // ---- Who is who --------------------------------------------------------------------------------
 
 typedef struct Search {
@@ -170,34 +191,36 @@ typedef struct Search {
 __attribute__((format(printf, 3, 4))) static void say_why(Search *search, int row,
                                                           const char *format, ...)
 {
-    char reason[1024], *joined = NULL;
+    char *reason = NULL, *joined = NULL;
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(reason, sizeof reason, format, arguments);
+    const int length = vasprintf(&reason, format, arguments);
     va_end(arguments);
     char **why_not = &search->worksheet->entered[row].why_not;
-    if (asprintf(&joined, "%s%s%s", *why_not != NULL ? *why_not : "", *why_not != NULL ? "; " : "",
-                 reason) < 0) {
+    if (length < 0 || asprintf(&joined, "%s%s%s", *why_not != NULL ? *why_not : "",
+                               *why_not != NULL ? "; " : "", reason) < 0) {
         search->failed = 1;
-        return;
+    } else {
+        free(*why_not);
+        *why_not = joined;
     }
-    free(*why_not);
-    *why_not = joined;
+    free(length < 0 ? NULL : reason);
 }
 
-static int is_same_student(const Entrant *a, const Entrant *b)
+// Is a row the next attempt after another, by Moodle's export? The roster alone decides that: its
+// attempts stand below each other.
+static int is_next_attempt(const Row *before, const Row *row)
 {
-    return strcmp(a->name, b->name) == 0 && strcmp(a->number, b->number) == 0;
+    return before + 1 == row && before->entrant->attempt + 1 == row->entrant->attempt;
 }
 
-// Enter a row for the participant in line `line` of the list. Rows of one student come in the order
-// of attempts: the last one counts.
+// Enter a row for the participant in line `line` of the list. Of attempts the last one counts.
 static void enter(Search *search, int row, int line)
 {
     Participant *participant = &search->worksheet->participants[line - 1];
     const Row *entered = &search->gradebook->rows[row];
     const Row *before = participant->row;
-    if (before != NULL && !is_same_student(before->entrant, entered->entrant)) {
+    if (before != NULL && !is_next_attempt(before, entered)) {
         participant->is_contested = 1;
         say_why(search, row, "line %d of the list also fits \"%s\"", line, before->entrant->entry);
         say_why(search, (int)(before - search->gradebook->rows),
@@ -207,30 +230,36 @@ static void enter(Search *search, int row, int line)
     participant->row = entered;
 }
 
-// Lines of the list that fit, the head being line 1.
+// Lines of the list that fit, the head being line 1; of more namesakes than this the first.
+enum { MOST_LINES = 32 };
 typedef struct Lines {
-    int n, first, second;
+    int n;
+    int line[MOST_LINES];
 } Lines;
 
 static void lines_add(Lines *lines, int line)
 {
-    *(lines->n == 0 ? &lines->first : &lines->second) = line;
-    lines->n++;
+    if (lines->n < MOST_LINES) {
+        lines->line[lines->n++] = line;
+    }
 }
 
 // Enter a row for the one line that fits, or say why not. `member`: of several who handed in, whose
 // line it is; else "".
-static void enter_one(Search *search, int row, const char *member, Lines lines)
+static void enter_one(Search *search, int row, const char *member, const Lines *lines)
 {
     const char *quote = member[0] != '\0' ? "\" " : "";
     const char *before = member[0] != '\0' ? "\"" : "";
-    if (lines.n == 1) {
-        enter(search, row, lines.first);
-    } else if (lines.n == 0) {
+    if (lines->n == 1) {
+        enter(search, row, lines->line[0]);
+    } else if (lines->n == 0) {
         say_why(search, row, "%s%s%sfits no line of the list", before, member, quote);
     } else {
         say_why(search, row, "%s%s%sfits %d lines of the list, among them %d and %d", before,
-                member, quote, lines.n, lines.first, lines.second);
+                member, quote, lines->n, lines->line[0], lines->line[1]);
+    }
+    for (int i = 0; i < lines->n; i++) {
+        search->worksheet->participants[lines->line[i] - 1].is_fitted = 1;
     }
 }
 
@@ -257,7 +286,7 @@ static void member_enter(Search *search, int row, const Member *member)
                 name, other);
         return;
     }
-    enter_one(search, row, name, by_key.n > 0 ? by_key : by_name);
+    enter_one(search, row, name, by_key.n > 0 ? &by_key : &by_name);
 }
 
 // The entry's team, where there is a column of groups. Returns how many lines are of it.
@@ -266,9 +295,10 @@ static int team_enter(Search *search, int row, const Entrant *entrant)
     const Worksheet *worksheet = search->worksheet;
     int n = 0, stranger = 0;
     for (int i = 1; i < worksheet->n_participants; i++) {
-        const Participant *participant = &worksheet->participants[i];
+        Participant *participant = &worksheet->participants[i];
         const char *group = cell_of(worksheet, participant, group_titles);
         if (group[0] != '\0' && is_same_name(group, entrant->name)) {
+            participant->is_fitted = 1;
             n++;
         } else if (is_called(worksheet, participant, entrant->name)) {
             stranger = i + 1;
@@ -313,7 +343,12 @@ static void person_enter(Search *search, int row, const Entrant *entrant)
                 entrant->name, other, entrant->number);
         return;
     }
-    enter_one(search, row, "", same.n == 1 ? same : named);
+    const int like = named.n == 0 ? look_alike_find(worksheet, entrant->name) : 0;
+    if (like > 0) {
+        say_why(search, row, "fits no line of the list, but looks like line %d", like);
+        return;
+    }
+    enter_one(search, row, "", same.n == 1 ? &same : &named);
 }
 
 int owners_find(Worksheet *worksheet, const Gradebook *gradebook)

@@ -6,6 +6,8 @@
 //     number it is, else whose name, unless the list gives that person another address or number.
 //   - Another entry belongs to the team of its name, where the list has a column of groups, or to
 //     whom its name fits: a full name, user name, number or e-mail address, whole or up to the @.
+//   - Attempts are one student's only where Moodle's export says so (roster.h): "carol-2" is nobody
+//     but a participant of that name.
 //   - Moodle's number of an entry parts two of one name, and stands for a person alone only as
 //     "Participant 12". A team's numbers are not those of the list.
 #ifndef CLASS_OWNERS_H

@@ -31,8 +31,6 @@ typedef struct Found {
     EntryName name;
     int is_link;
     const GradescopeEntry *submitters;  // or NULL
-    int attempt;
-    int stem;  // of name.name without an attempt's number
 } Found;
 
 typedef struct Folder {
@@ -41,6 +39,7 @@ typedef struct Folder {
     int n_found;
     int n_passed_over;  // files that are no archives
     GradescopeNames names;
+    int is_moodles;  // Moodle's export, and nothing else
 } Folder;
 
 // What unpackers and version control leave in a folder, and no student.
@@ -115,14 +114,21 @@ static void folder_free(Folder *folder)
     gradescope_names_free(&folder->names);
 }
 
-// "Ada Lovelace & Grace Hopper"; as much of it as there is room for. Nothing when no name is known.
+// "Ada Lovelace & Grace Hopper", and "..." for those that there is no room for: half a name may be
+// no text. Nothing when no name is known.
 static void names_join(const GradescopeEntry *entry, char text[ENTRY_NAME_BYTES])
 {
     size_t length = 0;
-    for (int i = 0; i < entry->n_members && length < ENTRY_NAME_BYTES - 1; i++) {
-        if (entry->members[i].name[0] != '\0') {
-            length += (size_t)snprintf(text + length, ENTRY_NAME_BYTES - length, "%s%s",
-                                       length > 0 ? " & " : "", entry->members[i].name);
+    for (int i = 0; i < entry->n_members; i++) {
+        const char *name = entry->members[i].name;
+        const char *joint = length > 0 ? " & " : "";
+        if (length + strlen(joint) + strlen(name) + sizeof " & ..." > ENTRY_NAME_BYTES) {
+            snprintf(text + length, ENTRY_NAME_BYTES - length, "%s...", joint);
+            return;
+        }
+        if (name[0] != '\0') {
+            length +=
+                (size_t)snprintf(text + length, ENTRY_NAME_BYTES - length, "%s%s", joint, name);
         }
     }
 }
@@ -137,7 +143,6 @@ static int names_apply(Folder *folder)
         Found *found = &folder->found[i];
         found->submitters = gradescope_names_find(&folder->names, found->file);
         if (found->submitters != NULL) {
-            found->name.is_exact = 1;
             names_join(found->submitters, found->name.name);
         }
     }
@@ -145,48 +150,6 @@ static int names_apply(Folder *folder)
 }
 
 // ---- Students --------------------------------------------------------------------------------
-
-static int names_compare(const void *left, const void *right)
-{
-    const Found *a = left;
-    const Found *b = right;
-    const int order = strcmp(a->name.name, b->name.name);
-    return order != 0 ? order : strcmp(a->file, b->file);
-}
-
-static int name_is_there(const Folder *folder, const char *name, int length)
-{
-    Found wanted = {.file = ""};
-    snprintf(wanted.name.name, sizeof wanted.name.name, "%.*s", length, name);
-    int low = 0;
-    int high = folder->n_found;
-    while (low < high) {
-        const int middle = (low + high) / 2;
-        if (names_compare(&folder->found[middle], &wanted) < 0) {
-            low = middle + 1;
-        } else {
-            high = middle;
-        }
-    }
-    return low < folder->n_found && strcmp(folder->found[low].name.name, wanted.name.name) == 0;
-}
-
-// "ada-2" is Ada's second attempt where there is an "ada", and somebody's name where there is not.
-static void attempts_find(Folder *folder)
-{
-    qsort(folder->found, (size_t)folder->n_found, sizeof *folder->found, names_compare);
-    for (int i = 0; i < folder->n_found; i++) {
-        Found *found = &folder->found[i];
-        found->attempt = entry_name_attempt(found->name.name, &found->stem);
-        if (found->name.is_exact || !name_is_there(folder, found->name.name, found->stem)) {
-            found->stem = (int)strlen(found->name.name);
-            found->attempt = 1;
-        }
-    }
-    for (int i = 0; i < folder->n_found; i++) {
-        folder->found[i].name.name[folder->found[i].stem] = '\0';
-    }
-}
 
 static int students_compare(const void *left, const void *right)
 {
@@ -196,13 +159,35 @@ static int students_compare(const void *left, const void *right)
     order = order != 0 ? order : strcmp(a->name.number, b->name.number);
     // What was typed into a form comes before the files.
     order = order != 0 ? order : b->name.is_text - a->name.is_text;
-    order = order != 0 ? order : a->attempt - b->attempt;
     return order != 0 ? order : strcmp(a->file, b->file);
 }
 
-static int is_same_student(const Found *a, const Found *b)
+// Is every name Moodle's? Where others have chosen names, too, one of them may look like Moodle's:
+// then whoever runs this is told.
+static int is_moodles(const Folder *folder)
 {
-    return strcmp(a->name.name, b->name.name) == 0 && strcmp(a->name.number, b->name.number) == 0;
+    int n_moodles = 0;
+    const Found *other = NULL;
+    for (int i = 0; i < folder->n_found; i++) {
+        n_moodles += folder->found[i].name.is_moodles;
+        other = folder->found[i].name.is_moodles ? other : &folder->found[i];
+    }
+    if (n_moodles > 0 && other != NULL) {
+        char shown[ENTRY_NAME_BYTES];
+        entry_name_show(other->file, strlen(other->file), shown);
+        complain("gradebook: %s: not only Moodle's export, as \"%s\" is not: no two entries are "
+                 "taken for one student's",
+                 folder->path, shown);
+    }
+    return other == NULL;
+}
+
+// Only the host's export says that two entries are one student's: any other name is chosen by
+// whoever hands in, and "ada-2" may be anybody's.
+static int is_same_student(const Folder *folder, const Found *a, const Found *b)
+{
+    return folder->is_moodles && strcmp(a->name.name, b->name.name) == 0 &&
+           strcmp(a->name.number, b->name.number) == 0;
 }
 
 // ---- The roster ------------------------------------------------------------------------------
@@ -236,16 +221,19 @@ static int link_make(const char *submissions, const Found *found, const char *li
     return 0;
 }
 
-static int entrant_add(Roster *roster, const char *submissions, const Found *found, int attempt,
-                       const char *links)
+// `submissions` is the folder's path from the root.
+static int entrant_add(Roster *roster, const Folder *folder, const char *submissions,
+                       const Found *found, int attempt, const char *links)
 {
-    const EntryName entry = entry_name_read(found->file, -1);
+    char entry[ENTRY_NAME_BYTES];
+    entry_name_show(found->file, strlen(found->file), entry);
     Entrant *entrant = &roster->entrants[roster->n_entrants];
     *entrant = (Entrant){.name = strdup(found->name.name),
                          .number = strdup(found->name.number),
-                         .entry = strdup(entry.name),
+                         .entry = strdup(entry),
                          .slug = slug_new(roster, found),
                          .attempt = attempt,
+                         .is_exact = folder->is_moodles || found->submitters != NULL,
                          .is_link = found->is_link};
     roster->n_entrants++;
     const GradescopeEntry *submitters = found->submitters;
@@ -272,9 +260,9 @@ static int roster_fill(const Folder *folder, int only_latest, const char *links,
     for (int i = 0; result == 0 && i < folder->n_found; i++) {
         const Found *found = &folder->found[i];
         const int is_last =
-            i + 1 == folder->n_found || !is_same_student(found, &folder->found[i + 1]);
+            i + 1 == folder->n_found || !is_same_student(folder, found, &folder->found[i + 1]);
         if (is_last || !only_latest) {
-            result = entrant_add(roster, path, found, attempt, links);
+            result = entrant_add(roster, folder, path, found, attempt, links);
         }
         attempt = is_last ? 1 : attempt + 1;
     }
@@ -310,7 +298,7 @@ int roster_read(const char *submissions, int lab_number, int only_latest, const 
                                     "student");
     }
     if (result == 0 && (result = names_apply(&folder)) == 0 && (result = links_clear(links)) == 0) {
-        attempts_find(&folder);
+        folder.is_moodles = is_moodles(&folder);
         qsort(folder.found, (size_t)folder.n_found, sizeof *folder.found, students_compare);
         result = roster_fill(&folder, only_latest, links, roster);
     }

@@ -13,21 +13,23 @@ typedef struct Entrant {
     char *number;  // Moodle's number of the student or team, Gradescope's of the submission, or ""
     char *entry;   // the entry's name, fit to be shown
     char *slug;    // the name of its files; unique
-    int attempt;   // 1, 2 ... where a student has several entries
+    int attempt;   // 1, 2 ... of entries that Moodle's export gives to one student
+    int is_exact;  // name and number are the host's own: others like them are somebody else's
     int is_link;   // neither a folder nor a file: cannot be graded
     Member *members;  // Gradescope's: who handed it in; elsewhere none
     int n_members;
 } Entrant;
 
 typedef struct Roster {
-    Entrant *entrants;  // by name, then by attempt, then by entry
+    Entrant *entrants;  // by name, then by number, then by attempt
     int n_entrants;
 } Roster;
 
 // Read the folder of submissions: each folder and each archive in it is an entry, other files are
 // passed over, with one line on stderr.
 //   lab_number   GitHub Classroom's names begin with it
-//   only_latest  of a student's entries keep the last
+//   only_latest  of the entries that Moodle's export gives to one student keep the last. A name
+//                that only ends like an attempt's, "ada-2", may be anybody's, and stays.
 //   links        folder that receives a symbolic link SLUG -> entry for each; made anew
 // Returns 0, or -1 after one message on stderr. Release with roster_free().
 int roster_read(const char *submissions, int lab_number, int only_latest, const char *links,

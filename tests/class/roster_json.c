@@ -41,14 +41,17 @@ int roster_save(const Roster *roster, const char *path)
     int failed = list == NULL;
     for (int i = 0; !failed && i < roster->n_entrants; i++) {
         const Entrant *entrant = &roster->entrants[i];
-        json_t *entry =
-            json_pack("{s:s, s:s, s:s, s:s, s:i, s:b, s:o}", "id", entrant->slug, "name",
-                      entrant->name, "number", entrant->number, "entry", entrant->entry, "attempt",
-                      entrant->attempt, "link", entrant->is_link, "members", members_json(entrant));
+        json_t *entry = json_pack(
+            "{s:s, s:s, s:s, s:s, s:i, s:b, s:b, s:o}", "id", entrant->slug, "name", entrant->name,
+            "number", entrant->number, "entry", entrant->entry, "attempt", entrant->attempt,
+            "exact", entrant->is_exact, "link", entrant->is_link, "members", members_json(entrant));
         failed = json_array_append_new(list, entry) != 0;
     }
     OutputFile output;
     if (failed || output_file_open(&output, path) != 0) {
+        if (failed) {
+            complain("gradebook: %s: cannot write", path);
+        }
         json_decref(list);
         return -1;
     }
@@ -68,9 +71,10 @@ int roster_load(const char *path, Roster *roster)
         json_t *members;
         Entrant *entrant = &roster->entrants[roster->n_entrants++];
         failed = json_unpack_ex(json_array_get(list, i), &error, JSON_STRICT,
-                                "{s:s, s:s, s:s, s:s, s:i, s:b, s:o}", "id", &slug, "name", &name,
-                                "number", &number, "entry", &entry, "attempt", &entrant->attempt,
-                                "link", &entrant->is_link, "members", &members) != 0;
+                                "{s:s, s:s, s:s, s:s, s:i, s:b, s:b, s:o}", "id", &slug, "name",
+                                &name, "number", &number, "entry", &entry, "attempt",
+                                &entrant->attempt, "exact", &entrant->is_exact, "link",
+                                &entrant->is_link, "members", &members) != 0;
         if (!failed) {
             entrant->slug = strdup(slug), entrant->name = strdup(name);
             entrant->number = strdup(number), entrant->entry = strdup(entry);

@@ -117,7 +117,10 @@ done
 
 check "Moodle's number" row "$first" '"Ada Lovelace","1234567",1,"graded",100,100,'
 check "GitHub Classroom's name" row "$first" '"bob","",1,"graded",0,100,'
-check "a second attempt has a row" row "$first" '"carol","",2,"graded",100,100,'
+check "a name that ends like an attempt's has a row of its own" \
+    row "$first" '"carol-2","",1,"graded",100,100,'
+check "and the instructor is told" said 'perhaps one person, each with a row: "carol", "carol-2"'
+check "also on the page" grep -q 'id="look-alikes"' "$first/class.html"
 check "a formula is none" row "$first" "\"'=1+1\","
 check "an option is a name" row "$first" "\"'-rf\","
 check "a hostile name" row "$first" '"..\x0A.\xFF<b>""'"'&\$(true)\","
@@ -149,7 +152,7 @@ check "only the failed" exits 0 run "$first" --only failed
 check "they are the damaged one and three below full marks" \
     test "$(n_graded "$first")" -eq $((before + 5))
 check "only the latest" exits 0 run "$first" --only latest
-check "an earlier attempt has no row" test "$(grep -c '^"carol"' "$first/gradebook.csv")" -eq 1
+check "drops nothing that may be somebody else's" test "$(wc -l <"$first/gradebook.csv")" -eq 9
 check "another lab is a fault" exits 2 tests/class/grade_class.sh --lab 42 --submissions "$class"
 
 # ---- Moodle and Gradescope ----------------------------------------------------------------------
@@ -165,12 +168,14 @@ END
 check "with Moodle's worksheet" exits 0 run "$first" --moodle "$scratch/moodle.csv"
 check "by name and number, with the sheet's maximum and sign" row "$first" \
     '"Participant 1234567","Ada Lovelace","ada@example.org","Submitted","50,00","50,00","Ada Lovelace",'
-check "by the mail address, the last attempt" row "$first" \
-    '"Participant 7","Carol","carol@example.org","Submitted","50.00","50","carol","",2,"graded",100,'
+check "by the mail address, whatever carol-2 handed in" row "$first" \
+    '"Participant 7","Carol","carol@example.org","Submitted","0.00","50","carol","",1,"graded",0,'
+check "who handed that in has to be found out" \
+    said '"carol-2": fits no line of the list, but looks like line 3'
 check "who handed in nothing has no grade" row "$first" \
     '"Participant 8","Nobody, N.","n@example.org","No submission","-","50",,,,"no submission",'
 check "who could be two is neither" row "$first" ',,,,,,"bob",'
-check "and they have no grade" row "$first" '"Participant 9","Double","bob@example.org","Submitted","","50",,,,"no submission"'
+check "and they have no grade" row "$first" '"Participant 9","Double","bob@example.org","Submitted","","50",,,,"not entered"'
 check "and the instructor is told" said '"lab-00-bob": fits 2 lines of the list, among them 5 and 6'
 
 gradescope=$scratch/gradescope
@@ -207,10 +212,18 @@ cat >"$fake/tools/grade" <<END
 #!/bin/sh
 while [ "\$1" != --submission ]; do shift; done
 output=\$4
+# meet: wait for the other one, and see whether what was laid down is still there.
+meet() {
+    : >"\$TMPDIR/mine"
+    : >"$scratch/here-\${2##*/}"
+    until [ -e "$scratch/here-meets-a-1" ] && [ -e "$scratch/here-meets-b-1" ]; do sleep 0.05; done
+    [ -e "\$TMPDIR/mine" ] || exit 2
+}
 case \$2 in
 */fails-*) echo "no sandbox" >&2; exit 2 ;;
 */dies-*) kill -9 \$\$ ;;
 */hangs-*) sleep 1000 ;;
+*/meets-*) meet "\$@" ;;
 */twice-*) [ -e "$scratch/seen" ] || { : >"$scratch/seen"; exit 2; } ;;
 esac
 cp -R "$right/." "\$output"
@@ -237,6 +250,18 @@ check "the reason is kept" grep -q "no sandbox" "$(echo "$faults"/logs/fails-*)"
 rm -r "$class/fails" "$class/dies" "$class/hangs"
 check "without them all is well" exits 0 run "$faults"
 
+# Two at work whose slugs end alike: each in a folder of its own.
+two=$scratch/two
+mkdir -p "$two/students" "$two/logs" "$two/faults" "$two/pending"
+for slug in meets-a-1 meets-b-1; do
+    CLASS_FOLDER=$two CLASS_BUILD=$fake CLASS_LAB=$lab CLASS_WORK=$TMPDIR/two CLASS_DEVICE='' \
+        CLASS_TIME_LIMIT='' CLASS_TELLS='' tests/class/grade_one.sh $slug key 1 &
+done
+wait
+for slug in meets-a-1 meets-b-1; do
+    check "$slug keeps its files while another works" test -e "$two/students/$slug/key"
+done
+
 # ---- Who is who in Moodle's list ----------------------------------------------------------------
 
 # lists NAME FILE ENTRY...: grade a class of such entries (with the grader above) by a list.
@@ -253,10 +278,14 @@ lists() {
 }
 
 # has PARTICIPANT NAME: is the entry of this name beside the participant of the list?
-# Without a name: has the participant no grade?
+# "": has the participant handed in nothing? "-": something that may be another's?
 # shellcheck disable=SC2317 # called by check
 has() {
-    case $2 in '') words=',"",,,,"no submission"' ;; *) words=",\"100.00\",\"$2\"," ;; esac
+    case $2 in
+    '') words=',"",,,,"no submission"' ;;
+    -) words=',"",,,,"not entered"' ;;
+    *) words=",\"100.00\",\"$2\"," ;;
+    esac
     grep "^\"$1\"," "$class.out/gradebook.csv" | grep -qF -- "$words" && return
     cat "$class.out/gradebook.csv"
     return 1
@@ -279,7 +308,7 @@ lists numbers "$scratch/numbers.csv" "Group A_7_assignsubmission_file_" \
     "Joan Clarke_99_assignsubmission_file_" "Participant_12_assignsubmission_file_" \
     "mary.shaw@example.org" submission_41
 check "a team's number is nobody's" has "Participant 7" ""
-check "and the team is told of" said '"Group A": fits no line of the list'
+check "and the team is told of" said '"Group A_7_assignsubmission_file_": fits no line of the list'
 check "of two of one name the number decides" has "Participant 22" "Ada Lovelace"
 check "and the other has no grade" has "Participant 21" ""
 check "a name as Moodle puts it into file names" has "Participant 30" "Sean OBrien"
@@ -311,9 +340,21 @@ for participant in "Participant 1" "Participant 2"; do
 done
 check "a group's name may end like an attempt's" has "Participant 3" "Team 1-2"
 check "those without a group are one" has "Participant 4" "Default group"
-check "a group that is called like a student is nobody's" has "Participant 5" ""
-check "and is told of" said '"carol": is a group of the list and also fits its line 4'
+check "a group that is called like a student is nobody's" has "Participant 5" -
+check "and is told of" said '"carol_9_assignsubmission_file_": is a group of the list and also fits its line 4'
 check "a file and a text are one entry, an underscore is a blank" has "Participant 6" "Team 3"
+
+# A file and a text are one entry only where Moodle says so: here somebody else chose a name.
+lists forged "$scratch/teams.csv" "Team 3_2_assignsubmission_file_" \
+    "Team 3_2_assignsubmission_onlinetext_" "Team 3"
+check "a name that is made like Moodle's takes nothing over" has "Participant 6" -
+check "and is told of" said 'line 7 of the list also fits "Team 3_2_assignsubmission_file_"'
+check "and so is why" said 'not only Moodle'"'"'s export, as "Team 3" is not'
+# A student's name in Moodle may hold Moodle's pattern.
+lists pattern "$scratch/teams.csv" "Team 3_2_assignsubmission_file_" \
+    "Team 3_2_assignsubmission_onlinetext_" "Ada_1_assignsubmission_file__9_assignsubmission_file_"
+check "a name with Moodle's pattern is nobody else's" has "Participant 1" ""
+check "and takes nothing from the others" has "Participant 6" "Team 3"
 
 # Teams and pairs, as Gradescope gives them.
 cat >"$scratch/pairs.yml" <<'END'
@@ -375,9 +416,105 @@ check "a name alone is not enough against an address" has "Participant 3" ""
 check "and is told of" \
     said '"submission_3": "Joan Clarke": line 4 of the list has another e-mail address or number'
 check "the university's number is enough" has "Participant 4" "Somebody Else"
-check "who is in two teams has the points of neither" has "Participant 5" ""
+check "who is in two teams has the points of neither" has "Participant 5" -
 check "and is told of" said 'line 6 of the list also fits "submission_6"'
 check "the other of the team has them" has "Participant 6" "Jean Jennings & Carol Shaw"
 check "a name that ends like an attempt's is not cut" has "Participant 8" ""
+
+# ---- Whose grade it is --------------------------------------------------------------------------
+
+# Names that somebody chose to get another's grade, to spoil it, or to break the run.
+cat >"$scratch/whose.csv" <<'END'
+Identifier,"Full name","Email address",Username,Grade
+"Participant 1","Carol Shaw",c.shaw@example.org,carol,
+"Participant 2","Bob Ross",bob@example.org,bob,
+"Participant 3","=1+1;＝2",b2@example.org,bob-2,
+"Participant 4","Dora",dora@example.org,dora,
+"Participant 5","Erin",erin@example.org,erin,
+"Participant 6","Frank",frank@example.org,frank,
+"Participant 7","Gina",gina@example.org,gina,
+"Participant 8","Hanna Müller",hm@example.org,hm,
+"Participant 9","Judy",judy@example.org,judy,
+END
+cyrillic=$(printf 'c\320\260rol')
+decomposed=$(printf 'Hanna Mu\314\210ller')
+escape=$(printf 'frank\033[2J')
+widthless=$(printf 'fra\342\200\213nk')
+full_width=$(printf '\357\274\235HYPERLINK(1)')
+twin=$(printf '%0254d' 0)
+# shellcheck disable=SC2016 # a name
+lists whose "$scratch/whose.csv" carol carol-2 "carol (3)" lab-00-carol-4 "$cyrillic" bob bob-2 \
+    dora dora.zip erin lab-00-erin frank "frank " frank. "frank$newline" 'frank\x0A' "$escape" \
+    "$widthless" gina GINA "Hanna Müller" "$decomposed" judy "Participant 9" "${twin}a" "${twin}b" \
+    gradebook.csv students roster.json lock -- --moodle -n ... '*' '$(exit)' '%s%n' '~' \
+    'x;=1+1;b' "$full_width" ada-76651 ada-117211 3d submission_metadata.yml
+check "the grade of carol is that of carol, not of carol-2 nor of carol (3)" row "$class.out" \
+    '"Participant 1","Carol Shaw","c.shaw@example.org","carol","100.00","carol","",1,"graded"'
+check "a participant called bob-2 has the grade of bob-2" has "Participant 3" bob-2
+check "and bob his own" has "Participant 2" bob
+for attack in carol-2 "carol (3)" lab-00-carol-4 "$cyrillic"; do
+    check "$attack: no participant, and like one" \
+        said "\"$attack\": fits no line of the list, but looks like line 2"
+done
+check "carol is listed with all that look like her" said \
+    "perhaps one person, each with a row: \"carol\", \"carol (3)\", \"carol-2\", \"lab-00-carol-4\", \"$cyrillic\""
+for participant in "Participant 4" "Participant 5" "Participant 7" "Participant 9"; do
+    check "$participant, whose name two have handed in under: entered for neither" \
+        has "$participant" -
+done
+check "an archive and a folder of one name are told of" \
+    said '"dora.zip": line 5 of the list also fits "dora"'
+check "a repository and a folder, too" said '"lab-00-erin": line 6 of the list also fits "erin"'
+check "other letters' size, too" said '"gina": line 8 of the list also fits "GINA"'
+check "a number of the list as a name, too" \
+    said '"judy": line 10 of the list also fits "Participant 9"'
+check "blanks, dots and what cannot be seen make another name" has "Participant 6" frank
+for attack in "frank " frank. 'frank\x0A' 'frank\x5Cx0A' 'frank\x1B[2J' 'fra\xE2\x80\x8Bnk'; do
+    check "$attack: told of" said "\"$attack\": fits no line of the list"
+done
+check "accents that are written apart make another name" has "Participant 8" "Hanna Müller"
+check "and are told of" said "\"$decomposed\": fits no line of the list, but looks like line 9"
+check "every entry has its row" \
+    test "$(grep -c '"students/[^"]*/report.html"' "$class.out/gradebook.csv")" -eq 44
+check "and its folder" test "$(find "$class.out/students" -mindepth 1 -maxdepth 1 | wc -l)" -eq 44
+check "a name is no file of the driver's" test -f "$class.out/gradebook.csv"
+# shellcheck disable=SC2016 # for the inner shell
+check "no cell is a formula wherever it is parted" sh -c \
+    '! grep -E "(^|[,;|	])[\" ]*(=|[+@]|＝|＋|－|＠)" "$1"' - "$class.out/gradebook.csv"
+check "the page is well-formed" xmllint --html --noout "$class.out/class.html"
+slug=$(basename "$class.out"/students/carol-????????????????)
+mkdir "$class/$slug"
+check "only the latest, and an entry called like the slug of carol's" \
+    exits 0 run "$class.out" --moodle "$scratch/whose.csv" --only latest
+check "every entry still has its row" \
+    test "$(grep -c '"students/[^"]*/report.html"' "$class.out/gradebook.csv")" -eq 45
+check "carol her own files" test -e "$class.out/students/$slug/key"
+check "and the grade" has "Participant 1" carol
+
+# What is neither a folder nor a file waits for nobody and leads nowhere.
+class=$scratch/kinds
+mkdir -p "$class/carol"
+mkfifo "$class/pipe" "$class/submission_metadata.yml"
+ln -s carol "$class/carol-2"
+check "a pipe and a link to another's folder" exits 1 run "$class.out"
+for name in pipe carol-2 submission_metadata.yml; do
+    check "$name is not graded" row "$class.out" "\"$name\",\"\",1,\"not graded\","
+done
+check "carol is" row "$class.out" '"carol","",1,"graded",100,'
+
+# Names in Gradescope's list are their owners' choice, too: long ones must not cost all the others.
+class=$scratch/long
+mkdir -p "$class/submission_1" "$class/submission_2"
+wide=$(printf '%084d' 0 | sed 's/0/名/g')
+cat >"$class/submission_metadata.yml" <<END
+submission_1:
+  :submitters:
+$(for i in 1 2 3 4 5; do echo "  - :name: $i$wide"; done)
+submission_2:
+  :submitters:
+  - :name: Ada
+END
+check "long names of a large team" exits 0 run "$class.out"
+check "the others have their rows" row "$class.out" '"Ada",'
 
 finish

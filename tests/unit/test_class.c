@@ -1,6 +1,10 @@
 // Unit tests of a class's names and groups: who handed in what, and who failed alike.
+#include "csv_cell.h"
 #include "entry_name.h"
 #include "failures.h"
+#include "look_alikes.h"
+#include "name_likeness.h"
+#include "sha256.h"
 #include <string.h>
 
 #include <criterion/criterion.h>
@@ -18,6 +22,8 @@ Test(entry_name, knows_what_systems_add)
         {"Ada Lovelace_1234567_assignsubmission_file", "Ada Lovelace", "1234567"},
         {"Ada Lovelace_1234567_assignsubmission_file_/", "Ada Lovelace", "1234567"},
         {"A_B_77_assignsubmission_file_lab.zip", "A_B", "77"},
+        {"Ada_22_assignsubmission_file__99_assignsubmission_file_",
+         "Ada_22_assignsubmission_file__99_assignsubmission_file_", ""},
         {"_1_assignsubmission_file_", "_1_assignsubmission_file_", ""},
         {"Default group_assignsubmission_file_", "Default group", ""},
         {"submission_123456", "submission_123456", "123456"},
@@ -56,24 +62,77 @@ Test(entry_name, holds_the_longest_name)
     cr_expect_eq(strlen(name.name), 4u * 255);
 }
 
-Test(entry_name, finds_the_number_of_an_attempt)
+// ---- Likeness ----------------------------------------------------------------------------------
+
+Test(name_likeness, sees_one_person_in_two_names)
+{
+    static const struct {
+        const char *name, *other;
+        int alike;
+    } cases[] = {
+        {"ada-2", "ada", 1},
+        {"ada_3", "ada", 1},
+        {"ada (2)", "ada", 1},
+        {"ada(2)", "ada", 1},
+        {"ada 2 ", "ada", 1},
+        {"Ada", "ada", 1},
+        {"ada .", "ada", 1},
+        {"Ada_Lovelace", "ada lovelace", 1},
+        {"M\xC3\xBCller", "Mu\xCC\x88ller", 1},  // composed, decomposed
+        {"\xD0\xB0\xD0\xB4\xD0\xB0", "\xD0\xB0\xD0\xB4\xD0\xB0", 1},
+        {"\xD0\xB0"
+         "da",
+         "ada", 1},  // a Cyrillic letter
+        {"\xEF\xBD\x81"
+         "da",
+         "ada", 1},                        // a full-width one
+        {"ad\\xE2\\x80\\x8Ba", "ada", 1},  // a blank without width
+        {"car0l", "carol", 1},
+        {"Carol", "caroI", 1},  // a capital i
+        {"\xE6\x9D\x8E", "\xE6\x9D\x8E", 1},
+        {"\xE6\x9D\x8E", "\xE7\x8E\x8B", 0},
+        {"ada-2026", "ada", 0},  // a year is no attempt
+        {"ada2", "ada", 0},
+        {"ada-2", "ada-3", 0},
+        {"-2", "", 0},
+        {"..", "...", 0},
+        {"ada", "ada-2", 0},
+        {"bob", "ada", 0},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        cr_expect_eq(name_looks_like(cases[i].name, cases[i].other), cases[i].alike,
+                     "\"%s\" and \"%s\": expected %d", cases[i].name, cases[i].other,
+                     cases[i].alike);
+    }
+}
+
+Test(look_alikes, are_listed_unless_the_host_tells_them_apart)
 {
     static const struct {
         const char *name;
-        int attempt, stem;
-    } cases[] = {
-        {"ada", 1, 3},     {"ada-2", 2, 3},           {"ada_3", 3, 3},
-        {"ada (2)", 2, 3}, {"ada-2026", 1, 8},        {"ada2", 1, 4},
-        {"-2", 1, 2},      {"ada(2)", 1, 6},          {"a-12", 12, 1},
-        {"ada 2)", 1, 6},  {"submission_99", 99, 10},
-    };
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        int stem;
-        const int attempt = entry_name_attempt(cases[i].name, &stem);
-        cr_expect_eq(attempt, cases[i].attempt, "%s: found %d", cases[i].name, attempt);
-        cr_expect_eq(stem, cases[i].stem, "%s: found a stem of %d", cases[i].name, stem);
+        int is_exact;
+    } names[] = {{"ada", 0},    {"ada-2", 0},  {"ada-3 (2)", 0}, {"Bob", 1},   {"bob", 1},
+                 {"team-1", 0}, {"team-2", 0}, {"Carol", 1},     {"carol", 0}, {"..", 0}};
+    enum { N_NAMES = sizeof names / sizeof *names };
+    Entrant entrants[N_NAMES] = {0};
+    Row rows[N_NAMES] = {0};
+    for (int i = 0; i < N_NAMES; i++) {
+        entrants[i].name = (char *)names[i].name;
+        entrants[i].is_exact = names[i].is_exact;
+        rows[i].entrant = &entrants[i];
     }
+    const Gradebook gradebook = {.rows = rows, .n_rows = N_NAMES};
+    LookAlikes found;
+    cr_assert_eq(look_alikes_find(&gradebook, &found), 0);
+    cr_assert_eq(found.n_groups, 2, "found %d groups", found.n_groups);
+    cr_expect_eq(found.groups[0].n_rows, 3, "found %d rows", found.groups[0].n_rows);
+    cr_expect_eq(found.groups[0].rows[2], &rows[2]);
+    cr_expect_eq(found.groups[1].n_rows, 2);
+    cr_expect_eq(found.groups[1].rows[0], &rows[7]);
+    look_alikes_free(&found);
 }
+
+// ---- Slugs -------------------------------------------------------------------------------------
 
 Test(entry_name, makes_slugs_that_are_safe_and_different)
 {
@@ -86,6 +145,95 @@ Test(entry_name, makes_slugs_that_are_safe_and_different)
         for (int j = 0; j < i; j++) {
             cr_expect_str_neq(slugs[i], slugs[j]);
         }
+    }
+}
+
+Test(entry_name, makes_slugs_that_end_differently)
+{
+    // Two names that a 32-bit hash made equal, found in a second.
+    static const char *const entries[] = {"ada-76651", "ada-117211"};
+    char slugs[2][ENTRY_SLUG_BYTES];
+    for (int i = 0; i < 2; i++) {
+        entry_name_slug("ada", entries[i], slugs[i]);
+    }
+    cr_expect_str_neq(slugs[0], slugs[1]);
+    entry_name_slug("Ada L.", "abc", slugs[0]);
+    cr_expect_str_eq(slugs[0], "ada-l-ba7816bf8f01cfea", "found %s", slugs[0]);
+}
+
+Test(sha256, is_what_the_standard_says)
+{
+    static const struct {
+        int n;  // letters a
+        unsigned char end[4];
+    } cases[] = {
+        {0, {0x78, 0x52, 0xb8, 0x55}},   {1, {0xaf, 0xee, 0x48, 0xbb}},
+        {55, {0x0f, 0x73, 0x43, 0x18}},  {56, {0x6e, 0xc6, 0x73, 0x8a}},
+        {63, {0x7d, 0xdc, 0x2f, 0x34}},  {64, {0x15, 0x46, 0x68, 0xeb}},
+        {65, {0x17, 0xeb, 0x0a, 0xe0}},  {119, {0x65, 0x84, 0xdc, 0xfb}},
+        {120, {0xf9, 0x04, 0xc2, 0x1c}}, {200, {0xe7, 0xc2, 0x8a, 0xe5}},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[200];
+        unsigned char digest[SHA256_BYTES];
+        memset(text, 'a', sizeof text);
+        sha256(text, (size_t)cases[i].n, digest);
+        cr_expect_arr_eq(digest + SHA256_BYTES - 4, cases[i].end, 4, "%d letters", cases[i].n);
+    }
+}
+
+// ---- Cells -------------------------------------------------------------------------------------
+
+Test(csv_cell, is_no_formula_wherever_cells_are_parted)
+{
+    static const struct {
+        const char *text, *cell;
+    } cases[] = {
+        {"ada", "\"ada\""},
+        {"", "\"\""},
+        {"a \"b\"", "\"a \"\"b\"\"\""},
+        {"=1+1", "\"'=1+1\""},
+        {"@A1", "\"'@A1\""},
+        {"＝1＋1", "\"'＝1＋1\""},
+        {"＋1", "\"'＋1\""},
+        {"－1", "\"'－1\""},
+        {"＠A1", "\"'＠A1\""},
+        {"﹦1", "\"'﹦1\""},
+        {"−1", "\"'−1\""},
+        {"x;=1+1;b", "\"x;'=1+1;b\""},
+        {"x\t-1", "\"x\t'-1\""},
+        {"x|@A1", "\"x|'@A1\""},
+        {"x,＝1", "\"x,'＝1\""},
+        {"x\n=1", "\"x\n'=1\""},
+        {";;=1", "\";;'=1\""},
+        {" =1", "\" '=1\""},
+        {"\xE3\x80\x80=1", "\"\xE3\x80\x80'=1\""},
+        {"\xE2\x80\x83=1", "\"\xE2\x80\x83'=1\""},
+        {"x;\"=1\"", "\"x;\"\"'=1\"\"\""},
+        {"Anna-Lena", "\"Anna-Lena\""},
+        {"a = b; c", "\"a = b; c\""},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char found[64] = "";
+        FILE *file = fmemopen(found, sizeof found, "w");
+        csv_cell_write(file, cases[i].text);
+        fclose(file);
+        cr_expect_str_eq(found, cases[i].cell, "%s: found %s", cases[i].text, found);
+    }
+}
+
+Test(csv_cell, leaves_numbers_of_a_list_as_they_are)
+{
+    static const struct {
+        const char *text, *cell;
+    } cases[] = {{"-", "\"-\""},        {"-3,50", "\"-3,50\""}, {"+4.0", "\"+4.0\""},
+                 {"-1+1", "\"'-1+1\""}, {"=2", "\"'=2\""},      {"-2;=3", "\"'-2;'=3\""}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char found[64] = "";
+        FILE *file = fmemopen(found, sizeof found, "w");
+        csv_cell_copy(file, cases[i].text);
+        fclose(file);
+        cr_expect_str_eq(found, cases[i].cell, "%s: found %s", cases[i].text, found);
     }
 }
 
