@@ -132,7 +132,7 @@ $(OUT)/libclass.a: $(call objects,$(CLASS_SOURCES))
 
 $(OUT)/tools/gradebook: $(call objects,tests/class/gradebook_tool.c) $(OUT)/libclass.a $(OUT)/libgrader.a $(OUT)/libcommon.a
 	@mkdir -p $(@D)
-	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -o $@
+	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -lnettle -o $@
 
 # The only program that reads archives of students, in the sandbox.
 $(OUT)/tools/unpack: $(OUT)/obj/tests/grader/unpack_tool.c.o $(OUT)/libgrader.a $(OUT)/libcommon.a
@@ -229,7 +229,7 @@ handout: $(OUT)/tools/holes grader  ## pack what students get: LAB=03
 UNIT_TESTS := $(patsubst tests/unit/%.c,$(OUT)/tests/%,$(wildcard tests/unit/test_*.c))
 $(UNIT_TESTS): $(OUT)/tests/%: $(OUT)/obj/tests/unit/%.c.o $(OUT)/libclass.a $(OUT)/libgrader.a $(OUT)/libcommon.a | $(CODEC)
 	@mkdir -p $(@D)
-	$(call say,link    $@)$(CC) $(SANITIZERS) $(filter %.o,$^) $(filter %.a,$^) $(LIBRARIES) -larchive -lcriterion -o $@
+	$(call say,link    $@)$(CC) $(SANITIZERS) $(filter %.o,$^) $(filter %.a,$^) $(LIBRARIES) -larchive -lnettle -lcriterion -o $@
 
 # Fuzz targets, each as a function of its name, for the test that runs their corpus through.
 $(OUT)/obj/tests/fuzz/%.c.o: EXTRA = $(GRADER_INCLUDES) -DLLVMFuzzerTestOneInput=$(notdir $*)

@@ -5,9 +5,8 @@
 // command. Read next: roster.c.
 #include "entry_name.h"
 
-#include "sha256.h"
-
 #include <ctype.h>
+#include <nettle/sha2.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -167,8 +166,11 @@ void entry_name_slug(const char *name, const char *entry, char slug[ENTRY_SLUG_B
     if (n > 0 && slug[n - 1] != '-') {
         slug[n++] = '-';
     }
-    unsigned char digest[SHA256_BYTES];
-    sha256(entry, strlen(entry), digest);
+    unsigned char digest[SLUG_DIGEST_BYTES];
+    struct sha256_ctx hash;
+    sha256_init(&hash);
+    sha256_update(&hash, strlen(entry), (const unsigned char *)entry);
+    sha256_digest(&hash, sizeof digest, digest);
     for (int i = 0; i < SLUG_DIGEST_BYTES; i++, n += 2) {
         snprintf(slug + n, 3, "%02x", digest[i]);
     }

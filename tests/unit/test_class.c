@@ -4,7 +4,6 @@
 #include "failures.h"
 #include "look_alikes.h"
 #include "name_likeness.h"
-#include "sha256.h"
 #include <string.h>
 
 #include <criterion/criterion.h>
@@ -159,27 +158,6 @@ Test(entry_name, makes_slugs_that_end_differently)
     cr_expect_str_neq(slugs[0], slugs[1]);
     entry_name_slug("Ada L.", "abc", slugs[0]);
     cr_expect_str_eq(slugs[0], "ada-l-ba7816bf8f01cfea", "found %s", slugs[0]);
-}
-
-Test(sha256, is_what_the_standard_says)
-{
-    static const struct {
-        int n;  // letters a
-        unsigned char end[4];
-    } cases[] = {
-        {0, {0x78, 0x52, 0xb8, 0x55}},   {1, {0xaf, 0xee, 0x48, 0xbb}},
-        {55, {0x0f, 0x73, 0x43, 0x18}},  {56, {0x6e, 0xc6, 0x73, 0x8a}},
-        {63, {0x7d, 0xdc, 0x2f, 0x34}},  {64, {0x15, 0x46, 0x68, 0xeb}},
-        {65, {0x17, 0xeb, 0x0a, 0xe0}},  {119, {0x65, 0x84, 0xdc, 0xfb}},
-        {120, {0xf9, 0x04, 0xc2, 0x1c}}, {200, {0xe7, 0xc2, 0x8a, 0xe5}},
-    };
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        char text[200];
-        unsigned char digest[SHA256_BYTES];
-        memset(text, 'a', sizeof text);
-        sha256(text, (size_t)cases[i].n, digest);
-        cr_expect_arr_eq(digest + SHA256_BYTES - 4, cases[i].end, 4, "%d letters", cases[i].n);
-    }
 }
 
 // ---- Cells -------------------------------------------------------------------------------------
