@@ -214,7 +214,7 @@ check "and the message is of the processor's time" stage Running failed "used up
 check "and names function and input" holds "where: in distribute, input 1 of 60: node with "
 
 copy_lab solutions $lab
-echo '    (void)box; for (;;) { sleep(1000); }' | answer $file split_box
+echo '    extern unsigned sleep(unsigned); (void)box; for (;;) { sleep(1000); }' | answer $file split_box
 broken "a sleep without end costs its task" 80 2
 check "and the message is of the time asleep" stage Running failed "for the 2.0 s that are allowed; a sleep"
 

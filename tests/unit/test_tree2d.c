@@ -710,7 +710,7 @@ static const struct {
     {leaf_is_an_inner_node, LIMITS, "node 20 on level 5 with"},
     {leaf_is_an_inner_node, LIMITS, "is split, expected a leaf"},
     {map_has_a_tail, PACKING, "31 nodes and"},
-    {there_is_only_a_root, CELLS, "the tree has 1 nodes, expected 31"},
+    {there_is_only_a_root, CELLS, "the tree has 1 node, expected 31"},
 };
 
 Test(tree2d, each_fault_is_named)
