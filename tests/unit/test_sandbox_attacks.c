@@ -8,6 +8,7 @@
 #include <fcntl.h>
 #include <glob.h>
 #include <linux/sched.h>
+#include <sys/file.h>
 #include <sys/shm.h>
 #include <sys/socket.h>
 #include <sys/syscall.h>
@@ -250,6 +251,21 @@ TEST_EACH(what_libraries_can_do_without_is_refused)
         {"msgget", SYS_msgget, {0, 01600, 0}},
         {"clone3", SYS_clone3, {0, 0, 0}},
         {"personality", SYS_personality, {0, 0, 0}},
+        // What two runs could tell each other something by. Descriptors 0 to 2 are there.
+        {"flock", SYS_flock, {0, LOCK_SH, 0}},
+        {"fcntl(F_GETLEASE)", SYS_fcntl, {0, F_GETLEASE, 0}},
+        {"fcntl(F_GETLEASE) and junk", SYS_fcntl, {0, F_GETLEASE | 1L << 32, 0}},
+        {"inotify_init1", SYS_inotify_init1, {0, 0, 0}},
+        {"syncfs", SYS_syncfs, {0, 0, 0}},
+        {"getpriority", SYS_getpriority, {0, 0, 0}},
+        {"clock_gettime of process 1", SYS_clock_gettime, {-14, 0, 0}},
+        {"futex_waitv", SYS_futex_waitv, {0, 0, 0}},
+        // What no look at the run finds.
+        {"memfd_create", SYS_memfd_create, {0, 0, 0}},
+        {"close_range(CLOSE_RANGE_UNSHARE)", SYS_close_range, {100, 200, 2}},
+        {"a thread with descriptors of its own",
+         SYS_clone,
+         {CLONE_VM | CLONE_SIGHAND | CLONE_THREAD, 0, 0}},
     };
     for (size_t i = 0; i < sizeof calls / sizeof *calls; i++) {
         char program[128];
