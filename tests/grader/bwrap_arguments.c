@@ -22,6 +22,9 @@
 #define TMP_FOLDER_BYTES "268435456"  // PoCL's cache, the compiler's temporary files
 #define SHM_FOLDER_BYTES "67108864"
 
+// Where process 1's program lies inside.
+#define INIT_PATH "/sandbox-init"
+
 typedef struct Arguments {
     char **items;  // [n_items + 1], the last one NULL
     size_t n_items;
@@ -118,18 +121,22 @@ static void private_folders_add(Arguments *arguments)
     ADD(arguments, "--size", TMP_FOLDER_BYTES, "--tmpfs", "/tmp");
 }
 
-// The command, started by prlimit(1) and not by bwrap itself, for two reasons. The limit on
-// processes, set inside, counts only those inside; set outside it would count all that the user
-// runs on this machine. And when the command cannot be executed (a program made to be none), that
-// is an exit code like any other and no fault of the sandbox.
+// Executed, and never read: so the kernel closes its memory to all inside from its first moment.
+static void init_add(Arguments *arguments)
+{
+    char descriptor[16];
+    snprintf(descriptor, sizeof descriptor, "%d", WALLS_INIT_DESCRIPTOR);
+    ADD(arguments, "--perms", "0111", "--file", descriptor, INIT_PATH);
+}
+
+// The command, started by process 1 of our own (sandbox_init_tool.c). When it cannot be executed (a
+// program made to be none), that is an exit code like any other and no fault of the sandbox.
 static void command_add(Arguments *arguments, const SandboxCommand *command)
 {
-    char option[64] = "--nproc=unlimited";
-    const unsigned long long n_processes = limits_processes(command);
-    if (n_processes > 0) {
-        snprintf(option, sizeof option, "--nproc=%llu", n_processes);
-    }
-    ADD(arguments, "--", "/usr/bin/prlimit", option, "--");
+    char status_descriptor[16], n_processes[32];
+    snprintf(status_descriptor, sizeof status_descriptor, "%d", WALLS_STARTED_DESCRIPTOR);
+    snprintf(n_processes, sizeof n_processes, "%llu", limits_processes(command));
+    ADD(arguments, "--as-pid-1", "--", INIT_PATH, status_descriptor, n_processes);
     list_add(arguments, command->argv);
 }
 
@@ -144,6 +151,7 @@ char **bwrap_arguments(const SandboxCommand *command)
         const SandboxMount *mount = &command->mounts[i];
         ADD(&arguments, mount->writable ? "--bind" : "--ro-bind", mount->outside, mount->inside);
     }
+    init_add(&arguments);
     // Only now, with every mount in its place: the folders between them live in memory, too.
     ADD(&arguments, "--remount-ro", "/dev", "--remount-ro", "/");
     ADD(&arguments, "--chdir", command->folder);

@@ -23,7 +23,7 @@ walls='
     read-grader read-neighbour read-other-runs read-reference read-shadow read-solution shell
     disk-filler files-without-number folders-without-bottom fork-bomb memory-hogs
     survivor shared-memory poisoned-cache answers-a-link signals ptrace network preload
-    talk-by-futex talk-by-locks talk-by-page-cache kernel-locks
+    talk-by-futex talk-by-locks talk-by-page-cache kernel-locks process-1 process-1-limits
 '
 
 # Whoever the grader runs as may enter: what is unreadable shall be so because of the sandbox, but for

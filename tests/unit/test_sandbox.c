@@ -341,6 +341,36 @@ TEST_EACH(a_command_cannot_pass_for_a_fault_of_the_sandbox)
     expect_exit(shell_run("echo 'bwrap: no'; kill -KILL 1; kill -KILL -1; exit 1"), 1);
 }
 
+Test(bubblewrap, process_1_is_closed_to_what_is_inside)
+{
+    expect_exit(shell_run("cd /proc/1; (: <mem || : >mem || : <maps || ls fd/ || readlink exe ||"
+                          "cat environ auxv) 2>/dev/null && exit 1; exit 3"),
+                3);
+}
+
+// The first child of a process.
+static pid_t child_of(pid_t process)
+{
+    char path[64];
+    long child = 0;
+    snprintf(path, sizeof path, "/proc/%d/task/%d/children", (int)process, (int)process);
+    FILE *children = fopen(path, "r");
+    cr_assert(children != NULL && fscanf(children, "%ld", &child) == 1);
+    fclose(children);
+    return (pid_t)child;
+}
+
+// Who runs it has gone to other trouble than a submission could: but from here both look the same.
+Test(bubblewrap, a_strange_end_of_its_sandbox_is_the_commands_own)
+{
+    SandboxCommand command = shell_command("echo x >begun; sleep 100");
+    SandboxRun *run = sandbox_start(&command);
+    cr_assert_not_null(run);
+    file_await("begun");
+    kill(child_of(child_of(getpid())), SIGKILL);  // bwrap, below its supervisor
+    expect_crash(sandbox_wait(run), SIGKILL);
+}
+
 Test(bubblewrap, a_sandbox_that_cannot_be_made_is_a_fault)
 {
     SandboxCommand command = shell_command("exit 0");
