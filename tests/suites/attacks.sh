@@ -24,6 +24,7 @@ walls='
     disk-filler files-without-number folders-without-bottom fork-bomb memory-hogs
     survivor shared-memory poisoned-cache answers-a-link signals ptrace network preload
     talk-by-futex talk-by-locks talk-by-page-cache kernel-locks process-1 process-1-limits
+    held-behind-the-first-thread held-by-a-memory-file held-by-a-page
 '
 
 # Whoever the grader runs as may enter: what is unreadable shall be so because of the sandbox, but for

@@ -333,6 +333,43 @@ TEST_EACH(removed_files_count_as_long_as_they_are_open)
         SANDBOX_LIMIT_BYTES);
 }
 
+TEST_EACH(removed_files_count_as_long_as_a_page_is_mapped)
+{
+    const char *source =
+        "#include <fcntl.h>\n#include <sys/mman.h>\n#include <unistd.h>\nstatic char x[8000000];"
+        "int main(void) { x[0] = 1; for (int i = 0; i < 20; i++) { int f = open(\"own\", O_RDWR | "
+        "O_CREAT, 0600); unlink(\"own\"); write(f, x, sizeof x); "
+        "mmap((void *)(65536L << i), 4096, PROT_READ, MAP_SHARED, f, 0); close(f); } sleep(20); }";
+    file_write("held.c", source, strlen(source));
+    expect_exceeded(shell_run("gcc -w held.c -o held && exec ./held"), SANDBOX_LIMIT_BYTES);
+}
+
+// A process goes on without its first thread, and without any that lives longer than a moment.
+static const char *without_first_thread =
+    "#include <pthread.h>\n#include <stdlib.h>\n#include <string.h>\n#include <unistd.h>\n"
+    "void *next(void *n) { pthread_t t; pthread_detach(pthread_self());"
+    "if (n == (void *)1) { sleep(20); _exit(0); }"
+    "usleep(100); if (pthread_create(&t, 0, next, (char *)n - 1) != 0) _exit(1); return 0; }"
+    "int main(int c, char **v) { int i = atoi(v[1]); while (--i > 0 && fork() != 0);"
+    "int n = atoi(v[2]) << 20; memset(malloc(n), 1, n);"
+    "pthread_t t; pthread_create(&t, 0, next, (void *)atol(v[3])); pthread_exit(0); }";
+
+TEST_EACH(memory_counts_when_the_first_thread_has_ended)
+{
+    file_write("first.c", without_first_thread, strlen(without_first_thread));
+    expect_exceeded(shell_run("gcc -w first.c -o first && exec ./first 10 100 1"),
+                    SANDBOX_LIMIT_MEMORY);
+    expect_exceeded(shell_run("exec ./first 10 100 20000"), SANDBOX_LIMIT_MEMORY);
+}
+
+TEST_OWN_USER(who_is_left_without_a_first_thread_is_counted)
+{
+    file_write("first.c", without_first_thread, strlen(without_first_thread));
+    SandboxResult result = shell_run("gcc -w first.c -o first; ./first 1 1 1 & sleep 1; exit 3");
+    cr_expect_eq(result.n_left, 1, "%d", result.n_left);
+    expect_exit(result, 3);
+}
+
 TEST_EACH(many_files_are_stopped)
 {
     expect_exceeded(perl_run("for (1..3000) { open(my $f, q(>), $_) } sleep 20"),
