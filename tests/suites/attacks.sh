@@ -20,7 +20,7 @@ taking_turns=
 [ -n "${SANDBOXES:-}" ] || [ $# -gt 0 ] || [ "$(id -u)" -ne 0 ] || taking_turns=yes
 walls='
     include-neighbour include-shadow incbin link-to-solution kernel-includes
-    read-grader read-neighbour read-other-runs read-reference read-shadow read-solution shell
+    read-grader read-neighbour read-own-process read-other-runs read-reference read-shadow read-solution shell
     disk-filler files-without-number folders-without-bottom fork-bomb memory-hogs
     survivor shared-memory poisoned-cache answers-a-link signals ptrace network preload
     talk-by-futex talk-by-locks talk-by-page-cache kernel-locks process-1 process-1-limits
