@@ -84,12 +84,18 @@ void walls_free(Walls *walls)
 
 // ---- In the supervisor -----------------------------------------------------------------------
 
+// Bubblewrap's namespaces need no user of the run's own. But what the kernel counts by user (memory
+// of pipes, pending signals, watches) would be one count for all runs: they could use it up for
+// each other, and feel that. In a container that has few users it is nobody.
 static uid_t user_choose(SandboxKind kind)
 {
     if (sandbox_has_own_user(kind)) {
         return user_own();
     }
-    return kind == SANDBOX_BUBBLEWRAP && geteuid() == 0 ? WALLS_NOBODY : geteuid();
+    if (kind != SANDBOX_BUBBLEWRAP || geteuid() != 0) {
+        return geteuid();
+    }
+    return user_is_known(user_own()) ? user_own() : WALLS_NOBODY;
 }
 
 // Hand a mount over. What may be written becomes its user's, and closed to everybody else: another

@@ -20,7 +20,8 @@ enum {
     WALLS_STARTED_DESCRIPTOR = 12,
 };
 
-// The unprivileged user and group that bubblewrap is run as by root: nobody and nogroup.
+// The unprivileged user and group that bubblewrap is run as by root where a run can have none of
+// its own: nobody and nogroup.
 #define WALLS_NOBODY 65534
 
 typedef struct Walls {

@@ -2,6 +2,7 @@
 // task: pack_leaf
 // named: socketpair\(\)
 // gap in user-unfiltered: LEAKED: holds
+#undef __USE_EXTERN_INLINES  // no functions of headers inside of a function
 #include <fcntl.h>
 #include <string.h>
 #include <sys/mman.h>
