@@ -113,9 +113,45 @@ static void devices_add(Arguments *arguments)
     }
 }
 
+// Of /proc what counts the doings of the whole machine: two runs could tell each other something by
+// it. Nobody needs it but the drivers of graphics cards, of which we do not know what they read.
+static void counters_hide(Arguments *arguments)
+{
+    static const char *const files[] = {
+        "/proc/loadavg",  "/proc/stat",      "/proc/uptime",    "/proc/locks",
+        "/proc/vmstat",   "/proc/zoneinfo",  "/proc/buddyinfo", "/proc/pagetypeinfo",
+        "/proc/softirqs", "/proc/schedstat", "/proc/diskstats", "/proc/interrupts",
+        "/proc/keys",     "/proc/key-users", "/proc/swaps",
+    };
+    static const char *const folders[] = {"/proc/sys", "/proc/pressure", "/proc/fs"};
+    static const char *const kept[] = {"/proc/sys/kernel/osrelease",
+                                       "/proc/sys/vm/overcommit_memory"};
+    for (size_t i = 0; i < SYSTEM_COUNT(files); i++) {
+        if (access(files[i], F_OK) == 0) {
+            ADD(arguments, "--ro-bind", "/dev/null", files[i]);
+        }
+    }
+    for (size_t i = 0; i < SYSTEM_COUNT(folders); i++) {
+        if (access(folders[i], F_OK) == 0) {
+            ADD(arguments, "--tmpfs", folders[i]);
+        }
+    }
+    for (size_t i = 0; i < SYSTEM_COUNT(kept); i++) {
+        ADD(arguments, "--ro-bind-try", kept[i], kept[i]);
+    }
+    for (size_t i = 0; i < SYSTEM_COUNT(folders); i++) {
+        if (access(folders[i], F_OK) == 0) {
+            ADD(arguments, "--remount-ro", folders[i]);
+        }
+    }
+}
+
 static void private_folders_add(Arguments *arguments)
 {
     ADD(arguments, "--proc", "/proc", "--dev", "/dev");
+    if (!has_graphics_card()) {
+        counters_hide(arguments);
+    }
     ADD(arguments, "--size", SHM_FOLDER_BYTES, "--tmpfs", "/dev/shm");
     devices_add(arguments);
     ADD(arguments, "--size", TMP_FOLDER_BYTES, "--tmpfs", "/tmp");
