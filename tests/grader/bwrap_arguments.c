@@ -18,10 +18,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-// Memory-backed folders have their own bounds, as no limit on processes counts what they hold.
-#define TMP_FOLDER_BYTES "268435456"  // PoCL's cache, the compiler's temporary files
-#define SHM_FOLDER_BYTES "67108864"
-
 // Where process 1's program lies inside.
 #define INIT_PATH "/sandbox-init"
 
@@ -146,15 +142,22 @@ static void counters_hide(Arguments *arguments)
     }
 }
 
+static void memory_folder_add(Arguments *arguments, const char *folder, int n_bytes)
+{
+    char size[16];
+    snprintf(size, sizeof size, "%d", n_bytes);
+    ADD(arguments, "--size", size, "--tmpfs", folder);
+}
+
 static void private_folders_add(Arguments *arguments)
 {
     ADD(arguments, "--proc", "/proc", "--dev", "/dev");
     if (!has_graphics_card()) {
         counters_hide(arguments);
     }
-    ADD(arguments, "--size", SHM_FOLDER_BYTES, "--tmpfs", "/dev/shm");
+    memory_folder_add(arguments, "/dev/shm", BWRAP_SHM_BYTES);
     devices_add(arguments);
-    ADD(arguments, "--size", TMP_FOLDER_BYTES, "--tmpfs", "/tmp");
+    memory_folder_add(arguments, "/tmp", BWRAP_TMP_BYTES);
 }
 
 // Executed, and never read: so the kernel closes its memory to all inside from its first moment.

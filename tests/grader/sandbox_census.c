@@ -7,6 +7,7 @@
 // sandbox_supervisor.c, which looks ten times a second.
 #include "sandbox_census.h"
 
+#include "bwrap_arguments.h"
 #include "folder.h"
 #include "sandbox_leftovers.h"
 #include "sandbox_removed_files.h"
@@ -17,6 +18,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/prctl.h>
+#include <sys/statvfs.h>
 #include <unistd.h>
 
 // More processes than this need not be looked at: the limit is far below.
@@ -203,6 +205,28 @@ static long long memory_share(pid_t process)
     return share_kb >= 0 && tables_kb >= 0 ? share_kb + tables_kb : memory_kb;
 }
 
+// How many files there are in one of bubblewrap's folders in memory, seen through a process inside;
+// 0 for another folder, as while the sandbox is being made. Their bytes are bounded by its size.
+static long long memory_folder_files(pid_t thread, const char *folder, int n_bytes)
+{
+    char path[64];
+    struct statvfs status;
+    snprintf(path, sizeof path, "/proc/%d/root%s", thread, folder);
+    return statvfs(path, &status) == 0 && status.f_blocks * status.f_frsize == (fsblkcnt_t)n_bytes
+               ? (long long)(status.f_files - status.f_ffree)
+               : 0;
+}
+
+// The most that a process has seen is what there is: some see none of it.
+static void memory_folders_look(pid_t thread, Census *census)
+{
+    const long long n_files = memory_folder_files(thread, "/tmp", BWRAP_TMP_BYTES) +
+                              memory_folder_files(thread, "/dev/shm", BWRAP_SHM_BYTES);
+    if (n_files > census->n_files) {
+        census->n_files = n_files;
+    }
+}
+
 // Can we see all that the run has started as children of ours and of theirs?
 static int sees_family(void)
 {
@@ -256,6 +280,9 @@ void census_processes(const Walls *walls, pid_t outermost, Census *census)
             census->n_processes++;
             census->memory_kb += memory_kb;
             removed_files_add(thread, (long long)walls->command.file_mb << 20, &removed);
+            if (walls->bwrap != NULL) {
+                memory_folders_look(thread, census);
+            }
         }
     }
     census->n_bytes += removed.n_bytes;

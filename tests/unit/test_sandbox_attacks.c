@@ -376,6 +376,12 @@ TEST_EACH(many_files_are_stopped)
                     SANDBOX_LIMIT_FILES);
 }
 
+TEST_EACH(files_in_its_temporary_folder_count)
+{
+    expect_exceeded(perl_run("for (1..3000) { open(my $f, q(>), qq($ENV{TMPDIR}/$_)) } sleep 20"),
+                    SANDBOX_LIMIT_FILES);
+}
+
 TEST_EACH(deep_folders_hide_nothing)
 {
     expect_exceeded(perl_run("for (1..60) { mkdir q(a); chdir q(a) } sleep 20"),
