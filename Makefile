@@ -101,7 +101,7 @@ $(OUT)/labs/% $(OUT)/solutions/%:
 
 # ---- The grader -----------------------------------------------------------------------------
 
-GRADER_MAINS = $(addprefix tests/grader/,grade.c mutants.c mutate.c holes_tool.c unpack_tool.c memcheck.c)
+GRADER_MAINS = $(addprefix tests/grader/,grade.c mutants.c mutate.c holes_tool.c unpack_tool.c sandbox_init_tool.c memcheck.c)
 GRADER_SOURCES := $(filter-out $(GRADER_MAINS),$(wildcard tests/grader/*.c))
 GRADER_TOOLS := $(patsubst tests/grader/%.c,$(OUT)/tools/%,$(filter-out %_tool.c,$(wildcard $(GRADER_MAINS))))
 # Judges of later labs get their trees and cameras from the solutions of labs 02, 04 and 06.
@@ -115,6 +115,14 @@ JUDGES := $(sort $(wildcard tests/grader/judge_[0-9][0-9].c))
 $(OUT)/obj/tests/grader/judge.c.o: EXTRA = $(GRADER_INCLUDES) \
     -DJUDGES='$(patsubst tests/grader/judge_%.c,LAB(%),$(JUDGES))'
 $(OUT)/obj/tests/grader/judge.c.o: $(JUDGES)
+
+# Process 1 of bubblewrap's sandboxes is a program inside the grader, never with the sanitizers.
+SANDBOX_INIT := $(OUT)/obj/tests/grader/sandbox_init
+$(SANDBOX_INIT): tests/grader/sandbox_init_tool.c $(THIS_FILE)
+	@mkdir -p $(@D)
+	$(call say,link    $@)$(CC) -std=c11 -D_GNU_SOURCE -O2 -s $(WARNINGS) $< -o $@
+$(OUT)/obj/tests/grader/sandbox_init.c.o: EXTRA = $(GRADER_INCLUDES) -DSANDBOX_INIT='"$(SANDBOX_INIT)"'
+$(OUT)/obj/tests/grader/sandbox_init.c.o: $(SANDBOX_INIT)
 
 $(OUT)/libgrader.a: $(call objects,$(GRADER_SOURCES) tests/probes/sections.c $(BUILDERS))
 	@rm -f $@

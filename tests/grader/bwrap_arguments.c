@@ -18,9 +18,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-// Memory-backed folders have their own bounds, as no limit on processes counts what they hold.
-#define TMP_FOLDER_BYTES "268435456"  // PoCL's cache, the compiler's temporary files
-#define SHM_FOLDER_BYTES "67108864"
+// Where process 1's program lies inside.
+#define INIT_PATH "/sandbox-init"
 
 typedef struct Arguments {
     char **items;  // [n_items + 1], the last one NULL
@@ -110,26 +109,73 @@ static void devices_add(Arguments *arguments)
     }
 }
 
+// Of /proc what counts the doings of the whole machine: two runs could tell each other something by
+// it. Nobody needs it but the drivers of graphics cards, of which we do not know what they read.
+static void counters_hide(Arguments *arguments)
+{
+    static const char *const files[] = {
+        "/proc/loadavg",  "/proc/stat",      "/proc/uptime",    "/proc/locks",
+        "/proc/vmstat",   "/proc/zoneinfo",  "/proc/buddyinfo", "/proc/pagetypeinfo",
+        "/proc/softirqs", "/proc/schedstat", "/proc/diskstats", "/proc/interrupts",
+        "/proc/keys",     "/proc/key-users", "/proc/swaps",
+    };
+    static const char *const folders[] = {"/proc/sys", "/proc/pressure", "/proc/fs"};
+    static const char *const kept[] = {"/proc/sys/kernel/osrelease",
+                                       "/proc/sys/vm/overcommit_memory"};
+    for (size_t i = 0; i < SYSTEM_COUNT(files); i++) {
+        if (access(files[i], F_OK) == 0) {
+            ADD(arguments, "--ro-bind", "/dev/null", files[i]);
+        }
+    }
+    for (size_t i = 0; i < SYSTEM_COUNT(folders); i++) {
+        if (access(folders[i], F_OK) == 0) {
+            ADD(arguments, "--tmpfs", folders[i]);
+        }
+    }
+    for (size_t i = 0; i < SYSTEM_COUNT(kept); i++) {
+        ADD(arguments, "--ro-bind-try", kept[i], kept[i]);
+    }
+    for (size_t i = 0; i < SYSTEM_COUNT(folders); i++) {
+        if (access(folders[i], F_OK) == 0) {
+            ADD(arguments, "--remount-ro", folders[i]);
+        }
+    }
+}
+
+static void memory_folder_add(Arguments *arguments, const char *folder, int n_bytes)
+{
+    char size[16];
+    snprintf(size, sizeof size, "%d", n_bytes);
+    ADD(arguments, "--size", size, "--tmpfs", folder);
+}
+
 static void private_folders_add(Arguments *arguments)
 {
     ADD(arguments, "--proc", "/proc", "--dev", "/dev");
-    ADD(arguments, "--size", SHM_FOLDER_BYTES, "--tmpfs", "/dev/shm");
+    if (!has_graphics_card()) {
+        counters_hide(arguments);
+    }
+    memory_folder_add(arguments, "/dev/shm", BWRAP_SHM_BYTES);
     devices_add(arguments);
-    ADD(arguments, "--size", TMP_FOLDER_BYTES, "--tmpfs", "/tmp");
+    memory_folder_add(arguments, "/tmp", BWRAP_TMP_BYTES);
 }
 
-// The command, started by prlimit(1) and not by bwrap itself, for two reasons. The limit on
-// processes, set inside, counts only those inside; set outside it would count all that the user
-// runs on this machine. And when the command cannot be executed (a program made to be none), that
-// is an exit code like any other and no fault of the sandbox.
+// Executed, and never read: so the kernel closes its memory to all inside from its first moment.
+static void init_add(Arguments *arguments)
+{
+    char descriptor[16];
+    snprintf(descriptor, sizeof descriptor, "%d", WALLS_INIT_DESCRIPTOR);
+    ADD(arguments, "--perms", "0111", "--file", descriptor, INIT_PATH);
+}
+
+// The command, started by process 1 of our own (sandbox_init_tool.c). When it cannot be executed (a
+// program made to be none), that is an exit code like any other and no fault of the sandbox.
 static void command_add(Arguments *arguments, const SandboxCommand *command)
 {
-    char option[64] = "--nproc=unlimited";
-    const unsigned long long n_processes = limits_processes(command);
-    if (n_processes > 0) {
-        snprintf(option, sizeof option, "--nproc=%llu", n_processes);
-    }
-    ADD(arguments, "--", "/usr/bin/prlimit", option, "--");
+    char status_descriptor[16], n_processes[32];
+    snprintf(status_descriptor, sizeof status_descriptor, "%d", WALLS_STARTED_DESCRIPTOR);
+    snprintf(n_processes, sizeof n_processes, "%llu", limits_processes(command));
+    ADD(arguments, "--as-pid-1", "--", INIT_PATH, status_descriptor, n_processes);
     list_add(arguments, command->argv);
 }
 
@@ -144,6 +190,7 @@ char **bwrap_arguments(const SandboxCommand *command)
         const SandboxMount *mount = &command->mounts[i];
         ADD(&arguments, mount->writable ? "--bind" : "--ro-bind", mount->outside, mount->inside);
     }
+    init_add(&arguments);
     // Only now, with every mount in its place: the folders between them live in memory, too.
     ADD(&arguments, "--remount-ro", "/dev", "--remount-ro", "/");
     ADD(&arguments, "--chdir", command->folder);

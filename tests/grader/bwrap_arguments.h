@@ -10,4 +10,8 @@
 char **bwrap_arguments(const SandboxCommand *command);
 void bwrap_arguments_free(char **arguments);
 
+// Folders in memory have their own bounds, as no limit on processes counts what they hold.
+#define BWRAP_TMP_BYTES 268435456  // PoCL's cache, the compiler's temporary files
+#define BWRAP_SHM_BYTES 67108864
+
 #endif

@@ -53,9 +53,11 @@ static const struct dirent *entry_next(DIR *folder)
 static void level_measure(int parent, const char *name, int depth, long long n_files_most,
                           FolderSize *size)
 {
-    DIR *folder = depth < FOLDER_MAX_DEPTH ? folder_open(parent, name) : NULL;
+    const int is_too_deep = depth >= FOLDER_MAX_DEPTH;
+    DIR *folder = !is_too_deep ? folder_open(parent, name) : NULL;
     if (folder == NULL) {
-        if (errno != ENOENT) {  // removed meanwhile
+        // Only now is errno about this folder. ENOENT: it was removed meanwhile.
+        if (is_too_deep || errno != ENOENT) {
             size->n_files = n_files_most + 1;
         }
         return;
@@ -77,7 +79,6 @@ static void level_measure(int parent, const char *name, int depth, long long n_f
 
 void folder_measure(const char *path, long long n_files_most, FolderSize *size)
 {
-    errno = 0;
     level_measure(AT_FDCWD, path, 0, n_files_most, size);
 }
 
@@ -188,7 +189,6 @@ static void entry_measure(int folder, const char *name, const struct stat *statu
     size->n_files++;
     size->n_bytes += (long long)status->st_blocks * 512;
     if (S_ISDIR(status->st_mode)) {
-        errno = 0;
         level_measure(folder, name, 1, measuring->n_files_most, size);
     }
 }

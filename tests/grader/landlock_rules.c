@@ -24,7 +24,11 @@ static int devices_allow(int rules)
     static const char *const plain[] = {"/dev/null", "/dev/zero", "/dev/full", "/dev/random",
                                         "/dev/urandom"};
     int result = list_allow(rules, plain, SYSTEM_COUNT(plain), LANDLOCK_DEVICE);
-    // NVIDIA's driver looks through all that is in /dev.
+    // NVIDIA's driver looks through all that is in /dev, and reads of the machine what follows.
+    static const char *const for_drivers[] = {"/proc/devices", "/proc/driver", "/proc/stat"};
+    if (result == 0 && has_graphics_card()) {
+        result = list_allow(rules, for_drivers, SYSTEM_COUNT(for_drivers), LANDLOCK_READ);
+    }
     if (result == 0 && has_graphics_card()) {
         result = landlock_allow(rules, "/dev", LANDLOCK_LIST);
     }
@@ -52,19 +56,28 @@ static int mounts_allow(int rules, const SandboxCommand *command)
 
 int landlock_rules_enter(const Walls *walls)
 {
-    // Of /proc what describes the machine, and this process: its number stays the same when it
-    // becomes the command. What the command starts has no part of /proc of its own.
+    // Of /proc what PoCL and the libraries of C and of the address sanitizer read: of the machine,
+    // and of this process, whose number stays the same when it becomes the command. What the
+    // command starts has no part of /proc of its own. Not the whole folder of the process, in which
+    // the machine's network, mounts and control groups stand, too.
     static const char *const paths[] = {"/usr",
-                                        "/proc/self",
                                         "/proc/cpuinfo",
                                         "/proc/meminfo",
-                                        "/proc/stat",
                                         "/proc/version",
                                         "/proc/filesystems",
-                                        "/proc/devices",
-                                        "/proc/driver",
                                         "/proc/sys/kernel/osrelease",
-                                        "/proc/sys/vm/overcommit_memory"};
+                                        "/proc/sys/vm/overcommit_memory",
+                                        "/proc/self/auxv",
+                                        "/proc/self/cmdline",
+                                        "/proc/self/comm",
+                                        "/proc/self/environ",
+                                        "/proc/self/fd",
+                                        "/proc/self/limits",
+                                        "/proc/self/maps",
+                                        "/proc/self/smaps",
+                                        "/proc/self/stat",
+                                        "/proc/self/statm",
+                                        "/proc/self/status"};
     char own[PATH_MAX + sizeof "/tmp"];
     snprintf(own, sizeof own, "%s/tmp", walls->view);
     int rules = landlock_open();

@@ -7,8 +7,10 @@
 // sandbox_supervisor.c, which looks ten times a second.
 #include "sandbox_census.h"
 
+#include "bwrap_arguments.h"
 #include "folder.h"
 #include "sandbox_leftovers.h"
+#include "sandbox_removed_files.h"
 
 #include <dirent.h>
 #include <signal.h>
@@ -16,7 +18,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/prctl.h>
-#include <sys/stat.h>
+#include <sys/statvfs.h>
 #include <unistd.h>
 
 // More processes than this need not be looked at: the limit is far below.
@@ -148,43 +150,81 @@ static long long figures_sum(pid_t process, const char *file_name, const char *c
     return sum;
 }
 
-// Memory of its own and shared memory. What processes share after a fork is in the figure of each:
-// quick to read, and never too small. Before Linux 4.5, and in gVisor, there is one figure for both
-// and for the files it has mapped. -1 when the process has ended.
-static long long memory_in_status(pid_t process)
+// Memory of its own and shared memory, in the memory of the machine or swapped out, and the tables
+// that say where its pages are. What processes share after a fork is in the figure of each: quick
+// to read, and never too small. Before Linux 4.5, and in gVisor, there is one figure for the first
+// two and for the files it has mapped. -1 when the thread has ended.
+static long long memory_in_status(pid_t thread)
 {
-    const long long own_kb =
-        figures_sum(process, "status", (const char *const[]){"RssAnon:", "RssShmem:", NULL});
-    return own_kb >= 0 ? own_kb
-                       : figures_sum(process, "status", (const char *const[]){"VmRSS:", NULL});
+    long long kb =
+        figures_sum(thread, "status", (const char *const[]){"RssAnon:", "RssShmem:", NULL});
+    if (kb < 0) {
+        kb = figures_sum(thread, "status", (const char *const[]){"VmRSS:", NULL});
+    }
+    const long long beside_kb =
+        figures_sum(thread, "status", (const char *const[]){"VmSwap:", "VmPTE:", NULL});
+    return kb >= 0 && beside_kb > 0 ? kb + beside_kb : kb;
+}
+
+// A thread of the process by which /proc tells of it, and its memory: of its first thread only what
+// is no memory and no file is told when that has ended and others go on. Returns 0 when all have.
+static pid_t thread_find(pid_t process, long long *memory_kb)
+{
+    char path[64];
+    enum { N_TRIES = 10 };  // each thread may start the next one and end
+    *memory_kb = memory_in_status(process);
+    pid_t found = *memory_kb >= 0 ? process : 0;
+    int n_threads = 2;
+    snprintf(path, sizeof path, "/proc/%d/task", process);
+    for (int i = 0; i < N_TRIES && found == 0 && n_threads > 1; i++) {
+        DIR *folder = opendir(path);
+        const struct dirent *entry;
+        n_threads = 0;
+        while (folder != NULL && found == 0 && (entry = readdir(folder)) != NULL) {
+            const pid_t thread = atoi(entry->d_name);
+            n_threads += thread > 0;
+            *memory_kb = thread > 0 ? memory_in_status(thread) : -1;
+            found = *memory_kb >= 0 ? thread : 0;
+        }
+        if (folder != NULL) {
+            closedir(folder);
+        }
+    }
+    return found;
 }
 
 // Its share of what it uses: exact, but the kernel has to walk through all of its pages.
 static long long memory_share(pid_t process)
 {
-    long long sum = figures_sum(process, "smaps_rollup", (const char *const[]){"Pss:", NULL});
-    return sum >= 0 ? sum : memory_in_status(process);
+    long long memory_kb;
+    const pid_t thread = thread_find(process, &memory_kb);
+    const long long share_kb =
+        figures_sum(thread, "smaps_rollup", (const char *const[]){"Pss:", "SwapPss:", NULL});
+    const long long tables_kb =
+        figures_sum(thread, "status", (const char *const[]){"VmPTE:", NULL});
+    return share_kb >= 0 && tables_kb >= 0 ? share_kb + tables_kb : memory_kb;
 }
 
-// Files that a process holds open and nobody can find any more, those in memory (memfd) included.
-static long long removed_files_bytes(pid_t process)
+// How many files there are in one of bubblewrap's folders in memory, seen through a process inside;
+// 0 for another folder, as while the sandbox is being made. Their bytes are bounded by its size.
+static long long memory_folder_files(pid_t thread, const char *folder, int n_bytes)
 {
     char path[64];
-    long long n_bytes = 0;
-    snprintf(path, sizeof path, "/proc/%d/fd", process);
-    DIR *folder = opendir(path);
-    const struct dirent *entry;
-    while (folder != NULL && (entry = readdir(folder)) != NULL) {
-        struct stat status;
-        if (fstatat(dirfd(folder), entry->d_name, &status, 0) == 0 && S_ISREG(status.st_mode) &&
-            status.st_nlink == 0) {
-            n_bytes += (long long)status.st_blocks * 512;
-        }
+    struct statvfs status;
+    snprintf(path, sizeof path, "/proc/%d/root%s", thread, folder);
+    return statvfs(path, &status) == 0 && status.f_blocks * status.f_frsize == (fsblkcnt_t)n_bytes
+               ? (long long)(status.f_files - status.f_ffree)
+               : 0;
+}
+
+// The most that a process has seen is what there is: some see none of it.
+static void memory_folders_look(pid_t thread, Census *census)
+{
+    const long long n_files = memory_folder_files(thread, "/tmp", BWRAP_TMP_BYTES) +
+                              memory_folder_files(thread, "/dev/shm", BWRAP_SHM_BYTES);
+    if (n_files > census->n_files) {
+        census->n_files = n_files;
     }
-    if (folder != NULL) {
-        closedir(folder);
-    }
-    return n_bytes;
 }
 
 // Can we see all that the run has started as children of ours and of theirs?
@@ -217,7 +257,9 @@ static void user_add(uid_t user, ProcessList *list)
 void census_processes(const Walls *walls, pid_t outermost, Census *census)
 {
     static ProcessList list;
+    static RemovedFiles removed;
     list.n = 0;
+    memset(&removed, 0, sizeof removed);
     if (sandbox_has_own_user(walls->command.kind) && !sees_family()) {
         user_add(walls->user, &list);
     } else {
@@ -231,14 +273,19 @@ void census_processes(const Walls *walls, pid_t outermost, Census *census)
         if (list.ids[i] == outermost) {
             continue;
         }
-        const long long memory_kb = memory_in_status(list.ids[i]);
+        long long memory_kb;
+        const pid_t thread = thread_find(list.ids[i], &memory_kb);
         census->n_tasks += n_threads;
-        if (memory_kb >= 0) {
+        if (thread > 0) {
             census->n_processes++;
             census->memory_kb += memory_kb;
-            census->n_bytes += removed_files_bytes(list.ids[i]);
+            removed_files_add(thread, (long long)walls->command.file_mb << 20, &removed);
+            if (walls->bwrap != NULL) {
+                memory_folders_look(thread, census);
+            }
         }
     }
+    census->n_bytes += removed.n_bytes;
     const long long limit_kb = 1024LL * walls->command.total_memory_mb;
     if (limit_kb > 0 && census->memory_kb > limit_kb) {
         census->memory_kb = 0;

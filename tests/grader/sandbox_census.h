@@ -11,7 +11,7 @@ typedef struct Census {
     int n_tasks;            // processes and threads, also those that only wait to be reaped
     long long memory_kb;    // in use
     long long n_bytes;      // on disks: in the folders it writes, and of removed files still open
-    long long n_files;      // in the folders it writes
+    long long n_files;      // in the folders it writes, and in those in memory
     int n_awake;            // threads that run, or wait for a processor or a disk
     int tells_waiting;      // the kernel says how long threads wait for a processor
     double waited_seconds;  // for a processor, by the threads that are alive

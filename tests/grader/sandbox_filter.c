@@ -4,7 +4,11 @@
 // any age and maker use hundreds of calls, and one missing from a list of allowed ones would cost a
 // right answer its points. The walls are bubblewrap's namespaces, or the user and Landlock; the
 // filter takes away what those leave open: sockets, which Landlock does not close, and the parts of
-// the kernel in which most ways out of a sandbox were found. Read next: sandbox_walls.c.
+// the kernel in which most ways out of a sandbox were found. It also takes away what two runs in
+// separate sandboxes could tell each other something by: both see the same read-only files, and a
+// lock, a watch or a waiter on one of them is felt by the other. Read next: sandbox_walls.c.
+//
+// A number of 32 bits is compared as one: the kernel drops the rest, so would a caller's tricks.
 //
 // What only an attack asks for ends the process, so that the report can name it. What libraries try
 // and can do without is refused with an error.
@@ -12,7 +16,9 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <linux/close_range.h>
 #include <linux/filter.h>
+#include <linux/futex.h>
 #include <linux/seccomp.h>
 #include <sched.h>
 #include <seccomp.h>
@@ -69,6 +75,42 @@ static const char *const fatal_calls[] = {
 };
 
 static const char *const refused_calls[] = {
+    // Locks and watches on files that another run sees, too; so do fcntl's (file_commands below).
+    "flock",
+    "inotify_init",
+    "inotify_init1",
+    "inotify_add_watch",
+    "fanotify_init",
+    "fanotify_mark",
+    // What of a file is in memory: another run reads it, or drops it, and this one sees that.
+    "mincore",
+    "preadv2",
+    "pwritev2",
+    "readahead",
+    "fadvise64",
+    // How full a disk is that others write to.
+    "statfs",
+    "fstatfs",
+    "ustat",
+    "sync",
+    "syncfs",
+    // Other processes, whose numbers are seen where there is no namespace.
+    "pidfd_open",
+    "pidfd_send_signal",
+    "getpriority",
+    "setpriority",
+    "ioprio_get",
+    "ioprio_set",
+    "move_pages",
+    "migrate_pages",
+    "process_madvise",
+    "process_mrelease",
+    // Files that no look at the run's folders and descriptors finds: in memory without a name, and
+    // on the way from one process to another, which is what these two send beyond bytes.
+    "memfd_create",
+    "memfd_secret",
+    "sendmsg",
+    "sendmmsg",
     // Memory and messages that would outlive the run.
     "shmget",
     "shmat",
@@ -83,6 +125,10 @@ static const char *const refused_calls[] = {
     "msgctl",
     "mq_open",
     "mq_unlink",
+    "mq_timedsend",
+    "mq_timedreceive",
+    "mq_notify",
+    "mq_getsetattr",
     // Of no use without rights that nobody inside has.
     "personality",
     "acct",
@@ -93,7 +139,7 @@ static const char *const refused_calls[] = {
     "settimeofday",
     "clock_settime",
     "vhangup",
-    "fanotify_init",
+    "modify_ldt",
     "lookup_dcookie",
     "kcmp",
     "name_to_handle_at",
@@ -106,6 +152,22 @@ static const unsigned namespace_flags[] = {
     CLONE_NEWNS,  CLONE_NEWUTS, CLONE_NEWIPC,    CLONE_NEWUSER,
     CLONE_NEWPID, CLONE_NEWNET, CLONE_NEWCGROUP,
 };
+
+// Calls that Linux 5.16 and later brought, up to where x32's begin, are not known: among them
+// cachestat, statmount, listmount and futexes of a new kind. Every library has to do without them
+// on the systems of its day.
+enum { FIRST_UNKNOWN_CALL = 449, END_OF_UNKNOWN_CALLS = 512 };
+
+// fcntl's locks on a file, leases and watches.
+static const int file_commands[] = {
+    F_GETLK,      F_SETLK,    F_SETLKW,   F_OFD_GETLK, F_OFD_SETLK,
+    F_OFD_SETLKW, F_SETLEASE, F_GETLEASE, F_NOTIFY,
+};
+
+// Waiting at an address in a file, where a process of another run that maps it can wake us.
+static const unsigned shared_waits[] = {FUTEX_WAIT, FUTEX_WAIT_BITSET, FUTEX_WAIT_REQUEUE_PI};
+
+#define NUMBER_MASK 0xffffffffU  // of 32 bits
 
 #define N_ITEMS(array) (sizeof(array) / sizeof *(array))
 
@@ -158,6 +220,69 @@ static int clone_add(scmp_filter_ctx filter)
     return fault;
 }
 
+static int unknown_calls_add(scmp_filter_ctx filter)
+{
+    int fault = 0;
+    for (int call = FIRST_UNKNOWN_CALL; fault == 0 && call < END_OF_UNKNOWN_CALLS; call++) {
+        fault = seccomp_rule_add(filter, SCMP_ACT_ERRNO(ENOSYS), call, 0);
+    }
+    return fault;
+}
+
+static int file_commands_add(scmp_filter_ctx filter)
+{
+    int fault = 0;
+    for (size_t i = 0; fault == 0 && i < N_ITEMS(file_commands); i++) {
+        fault =
+            seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(fcntl), 1,
+                             SCMP_A1(SCMP_CMP_MASKED_EQ, NUMBER_MASK, (unsigned)file_commands[i]));
+    }
+    return fault;
+}
+
+// A wait that is not marked as the process's own ends at once, as if the value had changed: who
+// waits looks again. Of the C library that is only pthread_join(), which then asks on and on.
+static int shared_waits_add(scmp_filter_ctx filter)
+{
+    const unsigned mask = NUMBER_MASK & ~(unsigned)FUTEX_CLOCK_REALTIME;
+    int fault = 0;
+    for (size_t i = 0; fault == 0 && i < N_ITEMS(shared_waits); i++) {
+        fault = seccomp_rule_add(filter, SCMP_ACT_ERRNO(EAGAIN), SCMP_SYS(futex), 1,
+                                 SCMP_A1(SCMP_CMP_MASKED_EQ, mask, shared_waits[i]));
+    }
+    return fault;
+}
+
+// A thread has the descriptors of its process and no table of its own: the census looks at one.
+static int own_tables_add(scmp_filter_ctx filter)
+{
+    int fault =
+        seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(clone), 1,
+                         SCMP_A0(SCMP_CMP_MASKED_EQ, CLONE_THREAD | CLONE_FILES, CLONE_THREAD));
+    return fault != 0 ? fault
+                      : seccomp_rule_add(
+                            filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(close_range), 1,
+                            SCMP_A2(SCMP_CMP_MASKED_EQ, CLOSE_RANGE_UNSHARE, CLOSE_RANGE_UNSHARE));
+}
+
+// The processor time of other processes has clocks with negative numbers.
+static int clocks_add(scmp_filter_ctx filter)
+{
+    const unsigned sign = 1U << 31;
+    int fault = seccomp_rule_add(filter, SCMP_ACT_ERRNO(EINVAL), SCMP_SYS(clock_gettime), 1,
+                                 SCMP_A0(SCMP_CMP_MASKED_EQ, sign, sign));
+    return fault != 0 ? fault
+                      : seccomp_rule_add(filter, SCMP_ACT_ERRNO(EINVAL), SCMP_SYS(clock_getres), 1,
+                                         SCMP_A0(SCMP_CMP_MASKED_EQ, sign, sign));
+}
+
+typedef int RulesAdd(scmp_filter_ctx filter);
+
+// Those that look at a call's arguments, and calls without a name.
+static RulesAdd *const special_rules[] = {sockets_add,       clone_add,         own_tables_add,
+                                          unknown_calls_add, file_commands_add, shared_waits_add,
+                                          clocks_add};
+
 // Returns 0, or a negative errno.
 static int rules_add(scmp_filter_ctx filter)
 {
@@ -169,10 +294,10 @@ static int rules_add(scmp_filter_ctx filter)
     if (fault == 0) {
         fault = calls_add(filter, SCMP_ACT_ERRNO(EPERM), refused_calls, N_ITEMS(refused_calls));
     }
-    if (fault == 0) {
-        fault = sockets_add(filter);
+    for (size_t i = 0; fault == 0 && i < N_ITEMS(special_rules); i++) {
+        fault = special_rules[i](filter);
     }
-    return fault == 0 ? clone_add(filter) : fault;
+    return fault;
 }
 
 int filter_open(void)

@@ -1,6 +1,6 @@
 // One sandboxed command's supervisor: a process between the grader and the command.
 //
-//     grader -> supervisor -> bwrap -> [ bwrap's process 1 -> prlimit -> the command -> ... ]
+//     grader -> supervisor -> bwrap -> [ our process 1 -> the command -> ... ]
 //     grader -> supervisor -> [ the command -> ... ]                               (others)
 //
 // It reads the command's output to the end and kills it when its time is used up whether or not the
@@ -344,15 +344,24 @@ static void processes_end(Watch *watch)
     }
 }
 
-// The command's exit code as a shell has it, or -1 when it did not come to an end of its own.
+// Has the command begun? Until then what goes wrong is the machinery's fault, from then on whatever
+// becomes of its sandbox is its own doing.
+static int has_started(const Watch *watch)
+{
+    const char *name = watch->walls->bwrap != NULL ? "\"command-started\"" : "\"child-pid\"";
+    return status_number(watch, name) > 0;
+}
+
+// The command's exit code as a shell has it, or -1 when it never began.
 static int exit_code_find(const Watch *watch)
 {
-    if (watch->walls->bwrap != NULL) {
-        // bwrap tells one only if the command was really started.
-        return status_number(watch, "\"exit-code\"");
-    }
-    if (status_number(watch, "\"child-pid\"") < 0) {
+    if (!has_started(watch)) {
         return -1;
+    }
+    if (watch->walls->bwrap != NULL) {
+        // None, or one that no command has: its sandbox did not end as sandboxes do.
+        const int exit_code = status_number(watch, "\"exit-code\"");
+        return exit_code >= 0 && exit_code <= 255 ? exit_code : SIGNAL_EXIT_BASE + SIGKILL;
     }
     int status = watch->leader_status;
     return WIFSIGNALED(status) ? SIGNAL_EXIT_BASE + WTERMSIG(status) : WEXITSTATUS(status);
@@ -362,7 +371,6 @@ static void outcome_judge(const Watch *watch, WatchEnd end)
 {
     SandboxReport *report = watch->report;
     int exit_code = exit_code_find(watch);
-    int was_made = status_number(watch, "\"child-pid\"") > 0;
     // Everything has ended by now, so that all of its processor time is known.
     report->used = watch->clock.used;
     if (report->used.processor < clock_ended_children()) {
@@ -373,7 +381,7 @@ static void outcome_judge(const Watch *watch, WatchEnd end)
 
     if (end == WATCH_LIMIT) {
         report->outcome = SANDBOX_EXCEEDED;
-    } else if (end != WATCH_COMMAND_ENDED && end != WATCH_STOPPED && !was_made) {
+    } else if (end != WATCH_COMMAND_ENDED && end != WATCH_STOPPED && !has_started(watch)) {
         report->outcome = SANDBOX_FAULT;
     } else if (end == WATCH_PROCESSOR) {
         report->outcome = SANDBOX_TIMED_OUT;

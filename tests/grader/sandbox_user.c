@@ -4,6 +4,7 @@
 #include <errno.h>
 #include <grp.h>
 #include <signal.h>
+#include <stdio.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -17,6 +18,28 @@
 uid_t user_own(void)
 {
     return FIRST_USER + (uid_t)getpid();
+}
+
+// Is a number in a map of those that there are here? Its lines hold the first one, whom that is
+// outside, and how many follow.
+static int is_mapped(const char *map, unsigned long number)
+{
+    unsigned long first, n_numbers;
+    int is_found = 0;
+    FILE *file = fopen(map, "re");
+    if (file == NULL) {
+        return 1;  // a kernel without such maps
+    }
+    while (!is_found && fscanf(file, "%lu %*u %lu", &first, &n_numbers) == 2) {
+        is_found = number >= first && number - first < n_numbers;
+    }
+    fclose(file);
+    return is_found;
+}
+
+int user_is_known(uid_t user)
+{
+    return is_mapped("/proc/self/uid_map", user) && is_mapped("/proc/self/gid_map", user);
 }
 
 int user_become(uid_t user)

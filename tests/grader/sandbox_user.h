@@ -15,4 +15,7 @@ int user_become(uid_t user);
 // sent, not until everything is gone.
 void user_end(uid_t user);
 
+// Can a process here become that user, and its group? In many a container there are few of them.
+int user_is_known(uid_t user);
+
 #endif

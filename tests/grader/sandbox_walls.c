@@ -11,6 +11,7 @@
 #include "folder.h"
 #include "landlock_rules.h"
 #include "sandbox_filter.h"
+#include "sandbox_init.h"
 #include "sandbox_leftovers.h"
 #include "sandbox_limits.h"
 #include "sandbox_user.h"
@@ -83,12 +84,18 @@ void walls_free(Walls *walls)
 
 // ---- In the supervisor -----------------------------------------------------------------------
 
+// Bubblewrap's namespaces need no user of the run's own. But what the kernel counts by user (memory
+// of pipes, pending signals, watches) would be one count for all runs: they could use it up for
+// each other, and feel that. In a container that has few users it is nobody.
 static uid_t user_choose(SandboxKind kind)
 {
     if (sandbox_has_own_user(kind)) {
         return user_own();
     }
-    return kind == SANDBOX_BUBBLEWRAP && geteuid() == 0 ? WALLS_NOBODY : geteuid();
+    if (kind != SANDBOX_BUBBLEWRAP || geteuid() != 0) {
+        return geteuid();
+    }
+    return user_is_known(user_own()) ? user_own() : WALLS_NOBODY;
 }
 
 // Hand a mount over. What may be written becomes its user's, and closed to everybody else: another
@@ -204,7 +211,7 @@ void walls_end_user(const Walls *walls)
 
 // ---- In the process that becomes the command -------------------------------------------------
 
-// Behind bubblewrap, what cannot be executed is an exit code of prlimit(1); so it is here.
+// Behind bubblewrap, what cannot be executed is an exit code of process 1; so it is here.
 static _Noreturn void command_become(const Walls *walls)
 {
     char *const *argv = (char *const *)walls->command.argv;
@@ -232,11 +239,22 @@ static int own_user_walls_enter(const Walls *walls, const char **step)
                                                           : filter_enter(WALLS_FILTER_DESCRIPTOR);
 }
 
+// Put what bubblewrap's process 1 needs in its place: its program, and where to tell of the start.
+static int init_arrange(void)
+{
+    const int program = init_open();
+    return program >= 0 && dup2(program, WALLS_INIT_DESCRIPTOR) >= 0 && close(program) == 0 &&
+                   dup2(WALLS_STATUS_DESCRIPTOR, WALLS_STARTED_DESCRIPTOR) >= 0
+               ? 0
+               : -1;
+}
+
 void walls_enter(const Walls *walls, const char **step)
 {
     if (walls->bwrap != NULL) {
         *step = "cannot start bwrap";
-        if (limits_set(&walls->command) == 0 && user_become(walls->user) == 0) {
+        if (init_arrange() == 0 && limits_set(&walls->command) == 0 &&
+            user_become(walls->user) == 0) {
             execvpe(walls->bwrap[0], walls->bwrap, walls->environment);
         }
         return;

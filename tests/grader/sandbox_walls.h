@@ -10,10 +10,18 @@
 
 // Descriptors of the process that enters the walls, besides the standard ones. Bubblewrap tells on
 // the first of the command's start and its exit code, as JSON; entering other walls writes the same
-// "child-pid" there. From the second, the filter of system calls is read.
-enum { WALLS_STATUS_DESCRIPTOR = 9, WALLS_FILTER_DESCRIPTOR = 10 };
+// "child-pid" there. From the second, the filter of system calls is read. The others are for
+// bubblewrap: from one it takes the program of its process 1, which tells on the other, another way
+// to the first, of the command's start.
+enum {
+    WALLS_STATUS_DESCRIPTOR = 9,
+    WALLS_FILTER_DESCRIPTOR = 10,
+    WALLS_INIT_DESCRIPTOR = 11,
+    WALLS_STARTED_DESCRIPTOR = 12,
+};
 
-// The unprivileged user and group that bubblewrap is run as by root: nobody and nogroup.
+// The unprivileged user and group that bubblewrap is run as by root where a run can have none of
+// its own: nobody and nogroup.
 #define WALLS_NOBODY 65534
 
 typedef struct Walls {

@@ -72,7 +72,8 @@ first_lab() {
     esac
 }
 
-# Of the judges this lab's; of the programs the grader, what it unpacks archives with, and memcheck.
+# Of the judges this lab's; of the programs the grader, what it unpacks archives with, process 1 of
+# its sandboxes, and memcheck.
 git ls-files -- tests/grader | while IFS= read -r file; do
     name=$(basename "$file")
     case $name in
@@ -81,7 +82,7 @@ git ls-files -- tests/grader | while IFS= read -r file; do
     *.sh) continue ;;
     esac
     case $name in
-    grade.c | memcheck.c | unpack_tool.c) ;;
+    grade.c | memcheck.c | unpack_tool.c | sandbox_init_tool.c) ;;
     *) ! grep -q '^int main(' "$file" || continue ;;
     esac
     [ "$(first_lab "$name")" -gt "$number" ] || echo "$file"

@@ -20,9 +20,11 @@ taking_turns=
 [ -n "${SANDBOXES:-}" ] || [ $# -gt 0 ] || [ "$(id -u)" -ne 0 ] || taking_turns=yes
 walls='
     include-neighbour include-shadow incbin link-to-solution kernel-includes
-    read-grader read-neighbour read-other-runs read-reference read-shadow read-solution shell
-    disk-filler files-without-number folders-without-bottom fork-bomb memory-hogs
+    read-grader read-neighbour read-own-process read-other-runs read-reference read-shadow read-solution shell
+    disk-filler files-in-memory files-without-number folders-without-bottom fork-bomb memory-hogs
     survivor shared-memory poisoned-cache answers-a-link signals ptrace network preload
+    talk-by-counters talk-by-futex talk-by-locks talk-by-page-cache talk-by-pipes kernel-locks process-1 process-1-limits
+    held-behind-the-first-thread held-by-a-memory-file held-by-a-page
 '
 
 # Whoever the grader runs as may enter: what is unreadable shall be so because of the sandbox, but for

@@ -5,6 +5,8 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <signal.h>
+#include <sys/wait.h>
 
 TestSuite(folder, .init = folder_enter, .fini = folder_leave);
 
@@ -133,6 +135,32 @@ Test(folder, deeper_than_any_path)
     close(top);
     cr_expect_eq(folder_remove("full"), 0, "%s", strerror(errno));
     cr_expect_eq(folder_count(), 0);
+}
+
+// What comes and goes beside it meanwhile leaves an error behind that is about something else.
+Test(folder, too_deep_is_too_much_whatever_comes_and_goes)
+{
+    char path[4 * FOLDER_MAX_DEPTH] = "full";
+    mkdir(path, 0755);
+    for (int level = 0; level <= FOLDER_MAX_DEPTH; level++) {
+        strcat(path, "/a");
+        mkdir(path, 0755);
+    }
+    const pid_t restless = fork();
+    for (int i = 0; restless == 0 && i < 1000000; i++) {
+        snprintf(path, sizeof path, "full/%d", i % 100);
+        (void)!(i / 100 % 2 == 0 ? mkdir(path, 0755) : rmdir(path));
+    }
+    int n_hidden = 0;
+    for (int i = 0; i < 3000; i++) {
+        FolderSize size = {0};
+        folder_measure("full", 1000, &size);
+        n_hidden += size.n_files <= 1000;
+    }
+    kill(restless, SIGKILL);
+    waitpid(restless, NULL, 0);
+    cr_expect_eq(n_hidden, 0, "it was not seen in %d of 3000 looks", n_hidden);
+    cr_expect_eq(folder_remove("full"), 0);
 }
 
 // ---- Of one owner, where everybody may write ----------------------------------------------------

@@ -8,6 +8,7 @@
 #include <fcntl.h>
 #include <glob.h>
 #include <linux/sched.h>
+#include <sys/file.h>
 #include <sys/shm.h>
 #include <sys/socket.h>
 #include <sys/syscall.h>
@@ -250,6 +251,21 @@ TEST_EACH(what_libraries_can_do_without_is_refused)
         {"msgget", SYS_msgget, {0, 01600, 0}},
         {"clone3", SYS_clone3, {0, 0, 0}},
         {"personality", SYS_personality, {0, 0, 0}},
+        // What two runs could tell each other something by. Descriptors 0 to 2 are there.
+        {"flock", SYS_flock, {0, LOCK_SH, 0}},
+        {"fcntl(F_GETLEASE)", SYS_fcntl, {0, F_GETLEASE, 0}},
+        {"fcntl(F_GETLEASE) and junk", SYS_fcntl, {0, F_GETLEASE | 1L << 32, 0}},
+        {"inotify_init1", SYS_inotify_init1, {0, 0, 0}},
+        {"syncfs", SYS_syncfs, {0, 0, 0}},
+        {"getpriority", SYS_getpriority, {0, 0, 0}},
+        {"clock_gettime of process 1", SYS_clock_gettime, {-14, 0, 0}},
+        {"futex_waitv", SYS_futex_waitv, {0, 0, 0}},
+        // What no look at the run finds.
+        {"memfd_create", SYS_memfd_create, {0, 0, 0}},
+        {"close_range(CLOSE_RANGE_UNSHARE)", SYS_close_range, {100, 200, 2}},
+        {"a thread with descriptors of its own",
+         SYS_clone,
+         {CLONE_VM | CLONE_SIGHAND | CLONE_THREAD, 0, 0}},
     };
     for (size_t i = 0; i < sizeof calls / sizeof *calls; i++) {
         char program[128];
@@ -317,9 +333,52 @@ TEST_EACH(removed_files_count_as_long_as_they_are_open)
         SANDBOX_LIMIT_BYTES);
 }
 
+TEST_EACH(removed_files_count_as_long_as_a_page_is_mapped)
+{
+    const char *source =
+        "#include <fcntl.h>\n#include <sys/mman.h>\n#include <unistd.h>\nstatic char x[8000000];"
+        "int main(void) { x[0] = 1; for (int i = 0; i < 20; i++) { int f = open(\"own\", O_RDWR | "
+        "O_CREAT, 0600); unlink(\"own\"); write(f, x, sizeof x); "
+        "mmap((void *)(65536L << i), 4096, PROT_READ, MAP_SHARED, f, 0); close(f); } sleep(20); }";
+    file_write("held.c", source, strlen(source));
+    expect_exceeded(shell_run("gcc -w held.c -o held && exec ./held"), SANDBOX_LIMIT_BYTES);
+}
+
+// A process goes on without its first thread, and without any that lives longer than a moment.
+static const char *without_first_thread =
+    "#include <pthread.h>\n#include <stdlib.h>\n#include <string.h>\n#include <unistd.h>\n"
+    "void *next(void *n) { pthread_t t; pthread_detach(pthread_self());"
+    "if (n == (void *)1) { sleep(20); _exit(0); }"
+    "usleep(100); if (pthread_create(&t, 0, next, (char *)n - 1) != 0) _exit(1); return 0; }"
+    "int main(int c, char **v) { int i = atoi(v[1]); while (--i > 0 && fork() != 0);"
+    "int n = atoi(v[2]) << 20; memset(malloc(n), 1, n);"
+    "pthread_t t; pthread_create(&t, 0, next, (void *)atol(v[3])); pthread_exit(0); }";
+
+TEST_EACH(memory_counts_when_the_first_thread_has_ended)
+{
+    file_write("first.c", without_first_thread, strlen(without_first_thread));
+    expect_exceeded(shell_run("gcc -w first.c -o first && exec ./first 10 100 1"),
+                    SANDBOX_LIMIT_MEMORY);
+    expect_exceeded(shell_run("exec ./first 10 100 20000"), SANDBOX_LIMIT_MEMORY);
+}
+
+TEST_OWN_USER(who_is_left_without_a_first_thread_is_counted)
+{
+    file_write("first.c", without_first_thread, strlen(without_first_thread));
+    SandboxResult result = shell_run("gcc -w first.c -o first; ./first 1 1 1 & sleep 1; exit 3");
+    cr_expect_eq(result.n_left, 1, "%d", result.n_left);
+    expect_exit(result, 3);
+}
+
 TEST_EACH(many_files_are_stopped)
 {
     expect_exceeded(perl_run("for (1..3000) { open(my $f, q(>), $_) } sleep 20"),
+                    SANDBOX_LIMIT_FILES);
+}
+
+TEST_EACH(files_in_its_temporary_folder_count)
+{
+    expect_exceeded(perl_run("for (1..3000) { open(my $f, q(>), qq($ENV{TMPDIR}/$_)) } sleep 20"),
                     SANDBOX_LIMIT_FILES);
 }
 
