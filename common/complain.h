@@ -6,17 +6,9 @@
 #ifndef COMMON_COMPLAIN_H
 #define COMMON_COMPLAIN_H
 
-#ifdef __cplusplus
-extern "C" {
-#endif
-
 // Print a message made as printf() makes it, and the end of its line. Of more than 8000 bytes the
 // middle is left out: a name was too long, and the reason stands at the end. Only that needs memory
 // of the heap, as that there is none may be what a message says.
 __attribute__((format(printf, 1, 2))) void complain(const char *format, ...);
-
-#ifdef __cplusplus
-}
-#endif
 
 #endif

@@ -8,10 +8,6 @@
 
 #include <stdio.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
-
 typedef struct OutputFile {
     FILE *file;          // open for writing; binary
     char *path;          // where the file will appear
@@ -38,9 +34,5 @@ int output_file_commit(OutputFile *output);
 
 // Give the file up: nothing stays behind. A zeroed OutputFile is fine, and so is a committed one.
 void output_file_discard(OutputFile *output);
-
-#ifdef __cplusplus
-}
-#endif
 
 #endif

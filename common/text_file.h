@@ -1,15 +1,11 @@
 // Text files: opened to be read, or whole in memory.
 //
 // Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: cl_build.c, which reads
-// programs with it, and scene3d.c, which opens scenes. image.cpp opens pictures with it first.
+// programs with it, and scene3d.c, which opens scenes. image_file.c opens pictures with it first.
 #ifndef COMMON_TEXT_FILE_H
 #define COMMON_TEXT_FILE_H
 
 #include <stdio.h>
-
-#ifdef __cplusplus
-extern "C" {
-#endif
 
 // Open a file for reading. Only a regular file will do, also through a link: a pipe that nobody
 // writes to, or a terminal, would be waited for without an end. Returns it, or NULL after one
@@ -19,9 +15,5 @@ FILE *text_file_open(const char *path);
 // Read a file. Returns its text, NUL-terminated, free() it; or NULL after one message on stderr
 // that names the file and the reason. A NUL byte in the file is one: the text would end there.
 char *text_file_read(const char *path);
-
-#ifdef __cplusplus
-}
-#endif
 
 #endif

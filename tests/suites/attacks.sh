@@ -1,6 +1,6 @@
 #!/bin/sh
-# Every attack in tests/attacks/ earns nothing, harms nothing and is named in the report, in
-# the grader's sandboxes; and beside all of them right submissions get their 100 points.
+# Every attack in tests/attacks/ earns nothing, harms nothing and is named in the report, in the
+# grader's sandboxes; and beside all of them right submissions get their 100 points.
 #
 #     sh tests/suites/attacks.sh [ATTACK...]     from the top folder, after `make tests`
 #
