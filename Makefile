@@ -101,20 +101,15 @@ $(OUT)/labs/% $(OUT)/solutions/%:
 
 # ---- The grader -----------------------------------------------------------------------------
 
-GRADER_MAINS = $(addprefix tests/grader/,grade.c mutants.c mutate.c holes_tool.c unpack_tool.c sandbox_init_tool.c memcheck.c)
-GRADER_SOURCES := $(filter-out $(GRADER_MAINS),$(wildcard tests/grader/*.c))
-GRADER_TOOLS := $(patsubst tests/grader/%.c,$(OUT)/tools/%,$(filter-out %_tool.c,$(wildcard $(GRADER_MAINS))))
+GRADER_MAINS = $(addprefix tests/grader/,grade.c memcheck.c unpack_tool.c sandbox_init_tool.c)
+GRADER_SOURCES := $(filter-out $(GRADER_MAINS) $(MUTATION_MAINS),$(wildcard tests/grader/*.c tests/mutation/*.c))
+MUTATION_MAINS = tests/mutation/mutants.c tests/mutation/mutate.c
 # Judges of later labs get their trees and cameras from the solutions of labs 02, 04 and 06.
 BUILDERS := $(wildcard solutions/02-kdtree-2d-build/kdtree2d_build.c \
     solutions/04-camera-rays/camera_from_view.c solutions/06-kdtree-3d-build/kdtree3d_build.c)
 BUILDER_INCLUDES = $(addprefix -I ,$(sort $(dir $(BUILDERS))))
-GRADER_INCLUDES = -I tests/grader -I tests/probes -I tests/class $(BUILDER_INCLUDES)
+GRADER_INCLUDES = -I tests/grader -I tests/judge -I tests/mutation -I tests/probes -I tests/stand_ins -I tests/class $(BUILDER_INCLUDES)
 $(OUT)/obj/tests/%.o: EXTRA = $(GRADER_INCLUDES)
-# The judges that are there: LAB(00) LAB(01) and on.
-JUDGES := $(sort $(wildcard tests/grader/judge_[0-9][0-9].c))
-$(OUT)/obj/tests/grader/judge.c.o: EXTRA = $(GRADER_INCLUDES) \
-    -DJUDGES='$(patsubst tests/grader/judge_%.c,LAB(%),$(JUDGES))'
-$(OUT)/obj/tests/grader/judge.c.o: $(JUDGES)
 
 # Process 1 of bubblewrap's sandboxes is a program inside the grader, never with the sanitizers.
 SANDBOX_INIT := $(OUT)/obj/tests/grader/sandbox_init
@@ -124,13 +119,25 @@ $(SANDBOX_INIT): tests/grader/sandbox_init_tool.c $(THIS_FILE)
 $(OUT)/obj/tests/grader/sandbox_init.c.o: EXTRA = $(GRADER_INCLUDES) -DSANDBOX_INIT='"$(SANDBOX_INIT)"'
 $(OUT)/obj/tests/grader/sandbox_init.c.o: $(SANDBOX_INIT)
 
-$(OUT)/libgrader.a: $(call objects,$(GRADER_SOURCES) tests/probes/sections.c $(BUILDERS))
+$(OUT)/libgrader.a: $(call objects,$(GRADER_SOURCES) tests/probes/sections.c)
 	@rm -f $@
 	@ar rcs $@ $^
 
-$(GRADER_TOOLS): $(OUT)/tools/%: $(OUT)/obj/tests/grader/%.c.o $(OUT)/libgrader.a $(OUT)/libcommon.a | $(CODEC)
+# What knows the answers: never in a handout as text, and never linked with what starts a student's code.
+# Every machine has to draw the same numbers from a seed: no products and sums in one step.
+$(OUT)/obj/tests/judge/%.o: EXTRA = $(GRADER_INCLUDES) -ffp-contract=off
+JUDGE_SOURCES := $(filter-out tests/judge/judge_tool.c,$(wildcard tests/judge/*.c))
+$(OUT)/libjudge.a: $(call objects,$(JUDGE_SOURCES) $(BUILDERS))
+	@rm -f $@
+	@ar rcs $@ $^
+
+$(OUT)/tools/grade $(OUT)/tools/memcheck: $(OUT)/tools/%: $(OUT)/obj/tests/grader/%.c.o $(OUT)/libgrader.a $(OUT)/libjudge.a $(OUT)/libcommon.a | $(CODEC)
 	@mkdir -p $(@D)
-	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -o $@
+	$(call say,link    $@)$(CC) $(SANITIZERS) -Wl,--start-group $^ -Wl,--end-group $(LIBRARIES) -o $@
+
+$(OUT)/tools/mutants $(OUT)/tools/mutate: $(OUT)/tools/%: $(OUT)/obj/tests/mutation/%.c.o $(OUT)/libgrader.a $(OUT)/libjudge.a $(OUT)/libcommon.a | $(CODEC)
+	@mkdir -p $(@D)
+	$(call say,link    $@)$(CC) $(SANITIZERS) -Wl,--start-group $^ -Wl,--end-group $(LIBRARIES) -o $@
 
 # A class: the roster of who handed in, and the gradebook.
 CLASS_SOURCES := $(filter-out %_tool.c,$(wildcard tests/class/*.c))
@@ -166,7 +173,7 @@ endef
 $(foreach l,$(PROBES),$(eval $(call probe,$(l))))
 
 .PHONY: grader
-grader: $(if $(HANDOUT),,$(OUT)/tools/holes $(OUT)/tools/gradebook) $(GRADER_TOOLS) $(OUT)/tools/unpack $(PROBE_TARGETS) $(foreach l,$(LABS),$(OUT)/earlier/$(l).a)  ## build the grader and its probes
+grader: $(if $(HANDOUT),,$(addprefix $(OUT)/tools/,holes gradebook mutants mutate)) $(addprefix $(OUT)/tools/,grade memcheck unpack) $(PROBE_TARGETS) $(foreach l,$(LABS),$(OUT)/earlier/$(l).a)  ## build the grader and its probes
 
 # The same for one lab: what a bundle for another system builds.
 .PHONY: lab-grader
@@ -215,7 +222,7 @@ MESSAGES = common/complain.c common/clean_text.c
 
 # ---- Skeletons: labs/ is cut from solutions/ ------------------------------------------------
 
-$(OUT)/tools/holes: $(call objects,tests/grader/holes_tool.c tests/grader/holes.c tests/grader/message.c \
+$(OUT)/tools/holes: $(call objects,tests/holes_tool.c tests/grader/holes.c tests/grader/message.c \
     common/text_file.c $(MESSAGES))
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(SANITIZERS) $^ -o $@
@@ -235,9 +242,9 @@ handout: $(OUT)/tools/holes grader  ## pack what students get: LAB=03
 # ---- Tests ----------------------------------------------------------------------------------
 
 UNIT_TESTS := $(patsubst tests/unit/%.c,$(OUT)/tests/%,$(wildcard tests/unit/test_*.c))
-$(UNIT_TESTS): $(OUT)/tests/%: $(OUT)/obj/tests/unit/%.c.o $(OUT)/libclass.a $(OUT)/libgrader.a $(OUT)/libcommon.a | $(CODEC)
+$(UNIT_TESTS): $(OUT)/tests/%: $(OUT)/obj/tests/unit/%.c.o $(OUT)/libclass.a $(OUT)/libgrader.a $(OUT)/libjudge.a $(OUT)/libcommon.a | $(CODEC)
 	@mkdir -p $(@D)
-	$(call say,link    $@)$(CC) $(SANITIZERS) $(filter %.o,$^) $(filter %.a,$^) $(LIBRARIES) -larchive -lnettle -lcriterion -o $@
+	$(call say,link    $@)$(CC) $(SANITIZERS) $(filter %.o,$^) -Wl,--start-group $(filter %.a,$^) -Wl,--end-group $(LIBRARIES) -larchive -lnettle -lcriterion -o $@
 
 # Fuzz targets, each as a function of its name, for the test that runs their corpus through.
 $(OUT)/obj/tests/fuzz/%.c.o: EXTRA = $(GRADER_INCLUDES) -DLLVMFuzzerTestOneInput=$(notdir $*)
@@ -262,9 +269,9 @@ $(OUT)/tools/compare: $(call objects,tests/compare.c) $(OUT)/libcommon.a | $(COD
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -o $@
 
-$(OUT)/tools/count_hits: $(call objects,tests/count_hits.c) $(OUT)/libgrader.a $(OUT)/libcommon.a | $(CODEC)
+$(OUT)/tools/count_hits: $(call objects,tests/count_hits.c) $(OUT)/libgrader.a $(OUT)/libjudge.a $(OUT)/libcommon.a | $(CODEC)
 	@mkdir -p $(@D)
-	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -o $@
+	$(call say,link    $@)$(CC) $(SANITIZERS) -Wl,--start-group $^ -Wl,--end-group $(LIBRARIES) -o $@
 
 # What the attacks meet: a listener that must not be reached, and a wrapper that sees survivors.
 $(OUT)/tools/listener $(OUT)/tools/left_behind: $(OUT)/tools/%: tests/%.c

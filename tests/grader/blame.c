@@ -17,7 +17,7 @@ static const Check *narrower_fault(const Judge *judge, const Result *result, int
         for (int i = 0; i < judge->n_checks; i++) {
             const Check *other = &judge->checks[i];
             const CheckResult *found = &result->checks[i];
-            if (other->scope == scope && found->status == CHECK_FAILED && !found->is_of_others &&
+            if (other->scope == scope && found->status == CHECK_FAILED &&
                 (task == NULL || strcmp(other->task, task) == 0)) {
                 return other;
             }
@@ -26,17 +26,20 @@ static const Check *narrower_fault(const Judge *judge, const Result *result, int
     return NULL;
 }
 
+// What a check found comes of another task's answer, too. Where it fails alone as well, only the
+// cause that it names is in doubt; where nobody could try that, it waits.
 static void pass_blame(CheckResult *check, const char *task)
 {
     const char *cause = strstr(check->message, MESSAGE_CAUSE);
     const size_t length = cause ? (size_t)(cause - check->message) : strlen(check->message);
     char *message =
-        message_new("%.*s" MESSAGE_CAUSE "mend %s first, its own checks fail and this one needs it",
-                    (int)length, check->message, task);
+        check->is_own ? message_new("%.*s" MESSAGE_CAUSE "%s is wrong, too, and has a part in this",
+                                    (int)length, check->message, task)
+                      : message_new("waits for %s, which it needs and whose own checks fail", task);
     free(check->message);
     check->message = message;
     check->is_explained = 0;
-    check->is_of_others = 1;
+    check->status = check->is_own ? CHECK_FAILED : CHECK_NOT_RUN;
 }
 
 // Blame others for the failed checks of one scope.

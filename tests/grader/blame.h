@@ -1,15 +1,16 @@
 // Finding whose fault it is that a check failed in which answers to several tasks have a part.
 //
-// Where there is no solution of the lab, as in a handout, a wrong answer to one task fails checks
-// of others, too: those of who calls it, and those of what comes of all answers together. A cause
-// or a hint there would send the student to a task that may be right.
+// In the whole submission a wrong answer to one task fails checks of others, too: those of who
+// calls it, and those of what comes of all answers together. A cause or a hint there would send the
+// student to a task that may be right.
 #ifndef GRADER_BLAME_H
 #define GRADER_BLAME_H
 
 #include "judge.h"
 
 // For each failed check of such a kind, unless its task failed one that fewer answers have a part
-// in: when another task did, take the cause out of the message and name that task in its place.
+// in: when another task did, take the cause out of the message and name that task in its place. A
+// check whose answer could not be tried alone then waits for that task: it is no failure.
 void blame_others(const Judge *judge, Result *result);
 
 #endif

@@ -35,7 +35,7 @@ char *stages_words(const Result *result)
 const char *check_hint(const Manifest *manifest, const Result *result, const CheckResult *check)
 {
     const Task *task = manifest_task(manifest, check->task);
-    if (check->status != CHECK_FAILED || check->is_of_others || task == NULL) {
+    if (check->status != CHECK_FAILED || task == NULL) {
         return "";
     }
     for (int i = 0; i < result->n_checks; i++) {
@@ -52,8 +52,7 @@ const char *task_hint(const Manifest *manifest, const Result *result, const Task
 {
     for (int i = 0; i < result->n_checks; i++) {
         const CheckResult *check = &result->checks[i];
-        if (check->status == CHECK_FAILED && !check->is_of_others &&
-            strcmp(check->task, task->id) == 0) {
+        if (check->status == CHECK_FAILED && strcmp(check->task, task->id) == 0) {
             return check_hint(manifest, result, check);
         }
     }

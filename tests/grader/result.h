@@ -23,7 +23,7 @@ typedef struct CheckResult {
     char *message;     // what is wrong, where, and what it looks like; may come from student code's
                        // values, never trusted as markup. "" when passed. Owned.
     int is_explained;  // the message says why: a hint would only lead elsewhere
-    int is_of_others;  // another task's answer is wrong, and this check's comes of it
+    int is_own;        // its answer fails it alone, too: whatever else is wrong, it is its fault
 } CheckResult;
 
 // Pictures of one scene for the report.

@@ -6,6 +6,7 @@
 #include "message.h"
 #include "sandbox.h"
 #include "secrets.h"
+#include "skeleton.h"
 #include "text_file.h"
 
 #include <errno.h>
@@ -16,8 +17,7 @@
 
 enum { PATH_BYTES = 512 };
 
-// Put a text into a folder as file `name`. Returns 0, or -1 after one message.
-static int write_text(const char *folder, const char *name, const char *text)
+int session_write(const char *folder, const char *name, const char *text)
 {
     char path[2 * PATH_BYTES];
     snprintf(path, sizeof path, "%s/%s", folder, name);
@@ -57,7 +57,7 @@ int session_fill(const Session *session, const char *name, const char *task_id, 
     for (int i = 0; result == 0 && i < session->manifest.n_files; i++) {
         const char *file = session->manifest.files[i];
         char *text = solution_text(session, file, task, answer);
-        result = text == NULL ? -1 : write_text(folder, file, text);
+        result = text == NULL ? -1 : session_write(folder, file, text);
         free(text);
     }
     return result;
@@ -72,9 +72,9 @@ int session_fill_kernels(const Session *session, const char *name, const char *f
         const char *file = session->manifest.files[i];
         char own[2 * PATH_BYTES];
         snprintf(own, sizeof own, "%s/%s", folder, file);
-        char *text = manifest_is_host_file(file) ? solution_text(session, file, NULL, NULL)
+        char *text = manifest_is_host_file(file) ? skeleton_read(&session->manifest, file)
                                                  : text_file_read(own);
-        result = text == NULL ? -1 : write_text(path, file, text);
+        result = text == NULL ? -1 : session_write(path, file, text);
         free(text);
     }
     return result;

@@ -50,11 +50,14 @@ void session_device_name(const Variant *variant, char *name, size_t n_bytes);
 int session_fill(const Session *session, const char *name, const char *task, const char *answer,
                  Variant *variant);
 
-// Make a variant of the kernels that were handed in and the solution's host files.
+// Make a variant of the kernels that were handed in and the host files that are handed out.
 //   folder   what was handed in
 // Returns 0, or -1 after one message.
 int session_fill_kernels(const Session *session, const char *name, const char *folder,
                          Variant *variant);
+
+// Put a text into a variant's folder as file `name`. Returns 0, or -1 after one message.
+int session_write(const char *folder, const char *name, const char *text);
 
 // The line at which a variant crashed: see variant_find_line().
 char *session_find_line(Session *session, const Variant *variant);

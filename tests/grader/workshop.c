@@ -176,6 +176,11 @@ void workshop_job_path(const Workshop *workshop, char *path, size_t n_bytes)
     snprintf(path, n_bytes, "%s/job/job", workshop->folder);
 }
 
+void variant_job_path(const Workshop *workshop, const Variant *variant, char *path, size_t n_bytes)
+{
+    snprintf(path, n_bytes, "%s/variant-%s/job/job", workshop->folder, variant->name);
+}
+
 // ---- Variants -----------------------------------------------------------------------------------
 
 // Is the file handed in by students? Then a variant brings its own.
@@ -213,7 +218,7 @@ static int copy_given_files(const Manifest *manifest, const char *folder)
 int variant_open(const Workshop *workshop, const char *name, Variant *variant, char *path,
                  size_t n_bytes)
 {
-    static const char *const folders[] = {"/build", "/out", "/lab"};
+    static const char *const folders[] = {"/build", "/out", "/job", "/lab"};
     *variant = (Variant){0};
     snprintf(variant->name, sizeof variant->name, "%s", name);
     // Of an earlier variant of this name nothing may stay: behind Landlock its answers belong to a
@@ -253,7 +258,8 @@ static void mount_variant(const Workshop *workshop, const Variant *variant, int 
     snprintf(paths[1], PATH_BYTES, "%s/variant-%s/lab", workshop->folder, variant->name);
     snprintf(paths[2], PATH_BYTES, "%s/variant-%s/build", workshop->folder, variant->name);
     snprintf(paths[3], PATH_BYTES, "%s/variant-%s/out", workshop->folder, variant->name);
-    snprintf(paths[4], PATH_BYTES, "%s/job", workshop->folder);
+    snprintf(paths[4], PATH_BYTES, variant->alone ? "%1$s/variant-%2$s/job" : "%1$s/job",
+             workshop->folder, variant->name);
     snprintf(lab_inside, PATH_BYTES, "/work/labs/%s", workshop->manifest->lab);
     const SandboxMount mounts[] = {
         {paths[0], "/work", 0},
@@ -383,6 +389,9 @@ static void take_place(const Workshop *workshop, Variant *variant)
     Sections job;
     snprintf(path, sizeof path, "%s/variant-%s/out/note", workshop->folder, variant->name);
     const ProbeNote note = run_note_load(path);
+    if (variant->alone) {
+        return;  // nothing of it is told
+    }
     workshop_job_path(workshop, path, sizeof path);
     if (sections_load(path, (size_t)256 << 20, &job) == 0) {
         variant->place = run_place_find(workshop->manifest->lab, &job, &note);

@@ -4,6 +4,7 @@
 //     tree/               seen as /work: headers, kernels, probes, libraries, earlier solutions
 //     job/job             what the probe shall try
 //     NAME/lab            a variant's files, seen as /work/labs/NN-name
+//     NAME/job            what its probe shall try, where that is another
 //     NAME/build, out     what its compiler and its probe write
 #ifndef GRADER_WORKSHOP_H
 #define GRADER_WORKSHOP_H
@@ -33,21 +34,27 @@ void workshop_close(Workshop *workshop);
 // Where the job is to be written before any variant runs.
 void workshop_job_path(const Workshop *workshop, char *path, size_t n_bytes);
 
+// Where the job of a variant that is tried alone is to be written before it runs.
+struct Variant;
+void variant_job_path(const Workshop *workshop, const struct Variant *variant, char *path,
+                      size_t n_bytes);
+
 // One way to combine files, built and run.
 typedef struct Variant {
     char name[80];
-    char *build_log;   // set when it does not compile; with the student's file and line; owned
-    char *trouble;     // set when it compiled and did not run to its end: what happened; owned
-    RunPlace place;    // and where; all NULL when nobody knows
-    int has_crashed;   // by a signal
-    char *habits;      // what else there is to say about its run, "" for most; owned
-    char *run_output;  // what it wrote to stdout and stderr; owned
-    Sections answers;  // whatever it answered
-    SandboxRun *run;   // while it runs
-    int is_ours;       // the solution: what it uses says what others may
-    int is_checked;    // built and run with the address sanitizer: see variant_find_line()
-    const char *task;  // whose answer stands in the solution of the others; NULL: a submission
-    int is_told;       // the report says already how and where it ended
+    char *build_log;    // set when it does not compile; with the student's file and line; owned
+    char *trouble;      // set when it compiled and did not run to its end: what happened; owned
+    RunPlace place;     // and where; all NULL when nobody knows
+    int has_crashed;    // by a signal
+    char *habits;       // what else there is to say about its run, "" for most; owned
+    char *run_output;   // what it wrote to stdout and stderr; owned
+    Sections answers;   // whatever it answered
+    SandboxRun *run;    // while it runs
+    int is_ours;        // the solution: what it uses says what others may
+    int is_checked;     // built and run with the address sanitizer: see variant_find_line()
+    const char *task;   // whose answer stands in the solution of the others; NULL: a submission
+    const char *alone;  // whose answer is tried alone, with a job of its own; NULL: all of them
+    int is_told;        // the report says already how and where it ended
 } Variant;
 
 // Make the folder of a variant, with the lab's given files in it; put the lab's own files, the ones

@@ -75,6 +75,18 @@ void probe_close(Probe *probe)
     cl_setup_close(&probe->cl);
 }
 
+int probe_asks(const Probe *probe, const char *name)
+{
+    size_t n_bytes;
+    return sections_find_any(&probe->job, name, &n_bytes) != NULL;
+}
+
+int probe_alone(const Probe *probe, const char *task)
+{
+    const char *alone = sections_find(&probe->job, PROBE_ALONE, strlen(task));
+    return alone != NULL && memcmp(alone, task, strlen(task)) == 0;
+}
+
 const void *probe_job(const Probe *probe, const char *name, size_t *n_bytes)
 {
     const void *bytes = sections_find_any(&probe->job, name, n_bytes);
@@ -203,6 +215,9 @@ void probe_call(const Probe *probe, cl_program program, const char *name, size_t
                 size_t answer_bytes, const cl_mem *d_buffers, cl_uint n_buffers)
 {
     char kernel_name[64];
+    if (!probe_asks(probe, name)) {
+        return;
+    }
     snprintf(kernel_name, sizeof kernel_name, "probe_%s", name);
     probe_note(probe, name, PROBE_NO_INPUT);
     size_t n_bytes;
@@ -240,6 +255,16 @@ void probe_launch(const Probe *probe, cl_kernel kernel, int width, int height)
     const size_t group[2] = {16, 16};
     const size_t items[2] = {(size_t)PROBE_IMAGE_SIDE(width), (size_t)PROBE_IMAGE_SIDE(height)};
     CL_CHECK(clEnqueueNDRangeKernel(probe->cl.queue, kernel, 2, NULL, items, group, 0, NULL, NULL));
+}
+
+void probe_draw_rows(const Probe *probe, int k, cl_kernel kernel, cl_mem d_image, int width,
+                     int height)
+{
+    const size_t n_items = (size_t)width * (size_t)height;
+    probe_note(probe, "picture", (uint32_t)k);
+    CL_CHECK(
+        clEnqueueNDRangeKernel(probe->cl.queue, kernel, 1, NULL, &n_items, NULL, 0, NULL, NULL));
+    probe_answer_image(probe, k, d_image, width, height);
 }
 
 void probe_draw(const Probe *probe, int k, cl_kernel kernel, cl_mem d_image, int width, int height)

@@ -38,6 +38,12 @@ void probe_open_device(Probe *probe);
 // Write the section PROBE_END and release everything.
 void probe_close(Probe *probe);
 
+// Does the job ask for this?
+int probe_asks(const Probe *probe, const char *name);
+
+// Is this the task whose answer is tried alone? Not where all of a submission is.
+int probe_alone(const Probe *probe, const char *task);
+
 // The section called name, or the end of the program with PROBE_EXIT_FAULT.
 const void *probe_job(const Probe *probe, const char *name, size_t *n_bytes);
 
@@ -76,7 +82,7 @@ void probe_answer_buffer(const Probe *probe, const char *name, int k, cl_mem d_a
 
 // Call a function of the student's on the device, one work-item an input: kernel "probe_NAME" takes
 // the job's section "NAME", some buffers, and an array for the answers, which become section
-// "NAME".
+// "NAME". Nothing where the job does not ask for it.
 //   job_bytes, answer_bytes   of one input and of one answer
 //   d_buffers[n_buffers]      or NULL, 0
 void probe_call(const Probe *probe, cl_program program, const char *name, size_t job_bytes,
@@ -87,6 +93,11 @@ cl_mem probe_image(const Probe *probe, int width, int height);
 
 // Launch over the whole image, margin included.
 void probe_launch(const Probe *probe, cl_kernel kernel, int width, int height);
+
+// Launch in one dimension, a work-item for each pixel of the picture, row by row, wait, and answer
+// with "picture.K".
+void probe_draw_rows(const Probe *probe, int k, cl_kernel kernel, cl_mem d_image, int width,
+                     int height);
 
 // Launch over the whole image, margin included, wait, and answer with "picture.K".
 void probe_draw(const Probe *probe, int k, cl_kernel kernel, cl_mem d_image, int width, int height);

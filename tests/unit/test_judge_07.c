@@ -1,4 +1,4 @@
-// grader/judge_07_search: a search through the tree finds what brute force finds, one with a
+// judge/judge_07_search: a search through the tree finds what brute force finds, one with a
 // mistake does not, and the most that a right search may do is hardly more than what one does.
 #include "judge_07.h"
 #include "judge_07_search.h"

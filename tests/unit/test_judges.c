@@ -1,4 +1,4 @@
-// grader/judge_NN: each lab's checks and job, right answers, and answers that are missing, of a
+// judge/judge_NN: each lab's checks and job, right answers, and answers that are missing, of a
 // wrong size or garbage.
 //
 // The right answers are worked out in plain C; that they pass shows that what is done to them

@@ -1,4 +1,4 @@
-// grader/mutations: each operator on a short text, what must not be touched, and ids.
+// mutation/mutations: each operator on a short text, what must not be touched, and ids.
 #include "mutations.h"
 #include "surroundings.h"
 

@@ -1,4 +1,4 @@
-// grader/oracle2d: right where right can be worked out by hand, and honest about what float cannot
+// judge/oracle2d: right where right can be worked out by hand, and honest about what float cannot
 // decide.
 #include "kdtree2d_build.h"
 #include "oracle2d.h"

@@ -1,4 +1,4 @@
-// grader/oracle3d: right where right can be worked out by hand, and honest about what float cannot
+// judge/oracle3d: right where right can be worked out by hand, and honest about what float cannot
 // decide.
 #include "camera_from_view.h"
 #include "oracle3d.h"

@@ -1,4 +1,4 @@
-// grader/picture: only the right picture passes, and a wrong one is called by the right name.
+// judge/picture: only the right picture passes, and a wrong one is called by the right name.
 #include "job_scene.h"
 #include "jobs.h"
 #include "oracle2d.h"

@@ -1,8 +1,7 @@
 // What a lab's judge is made of: its checks, the job it sets, and how it judges the answers.
 //
-// The grader runs the same job three ways, the solution's, the submission's and, for each task with
-// a failed check, the student's answer to that task in the solution of the others, and asks the
-// judge about each. One table a lab: judge_00.c and on.
+// The grader runs the same job for the solution and for the submission, and for each task with a
+// failed check a job with the answer to that task alone, and asks the judge about each. One table a lab: judge_00.c and on.
 #ifndef GRADER_JUDGE_H
 #define GRADER_JUDGE_H
 
@@ -53,6 +52,11 @@ typedef struct Judge {
     void (*job_free)(void *job);
     // Judge check number `check` by the answers.
     Verdict (*judge)(const void *job, int check, const Sections *answers);
+    // Write what the probe shall try of one task's answer alone (grader/alone.h) as sections.
+    // Returns 0, or -1.
+    int (*write_alone)(const void *job, const char *task, FILE *file);
+    // Does check number `check` pass by what the answer to its task does alone?
+    int (*passes_alone)(const void *job, int check, const Sections *answers);
     // From now on compare pictures with these, which the solution drew on this device and which
     // have just passed every check against the oracle. Never called where there is no solution.
     void (*adopt)(void *job, const Sections *answers);

@@ -166,12 +166,12 @@ static void add_pictures(const void *pointer, const Sections *answers, Result *r
 }
 
 const Judge judge_02 = {
-    "02-kdtree-2d-build",
-    checks,
-    sizeof checks / sizeof *checks,
-    job_02_new,
-    job_02_free,
-    judge,
-    adopt,
-    add_pictures,
+    .lab = "02-kdtree-2d-build",
+    .checks = checks,
+    .n_checks = sizeof checks / sizeof *checks,
+    .job_new = job_02_new,
+    .job_free = job_02_free,
+    .judge = judge,
+    .adopt = adopt,
+    .add_pictures = add_pictures,
 };

@@ -190,12 +190,12 @@ static void add_pictures(const void *pointer, const Sections *answers, Result *r
 }
 
 const Judge judge_06 = {
-    "06-kdtree-3d-build",
-    checks,
-    sizeof checks / sizeof *checks,
-    job_06_new,
-    job_06_free,
-    judge,
-    adopt,
-    add_pictures,
+    .lab = "06-kdtree-3d-build",
+    .checks = checks,
+    .n_checks = sizeof checks / sizeof *checks,
+    .job_new = job_06_new,
+    .job_free = job_06_free,
+    .judge = judge,
+    .adopt = adopt,
+    .add_pictures = add_pictures,
 };

@@ -54,6 +54,12 @@ static void add_pictures(const void *pointer, const Sections *answers, Result *r
 }
 
 const Judge judge_04 = {
-    "04-camera-rays", checks, sizeof checks / sizeof *checks, job_04_new, job_04_free, judge, adopt,
-    add_pictures,
+    .lab = "04-camera-rays",
+    .checks = checks,
+    .n_checks = sizeof checks / sizeof *checks,
+    .job_new = job_04_new,
+    .job_free = job_04_free,
+    .judge = judge,
+    .adopt = adopt,
+    .add_pictures = add_pictures,
 };

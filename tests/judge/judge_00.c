@@ -243,6 +243,12 @@ static void add_pictures(const void *pointer, const Sections *answers, Result *r
 }
 
 const Judge judge_00 = {
-    "00-hello-pixels", checks, sizeof checks / sizeof *checks, job_new, job_free, judge, adopt,
-    add_pictures,
+    .lab = "00-hello-pixels",
+    .checks = checks,
+    .n_checks = sizeof checks / sizeof *checks,
+    .job_new = job_new,
+    .job_free = job_free,
+    .judge = judge,
+    .adopt = adopt,
+    .add_pictures = add_pictures,
 };

@@ -224,12 +224,12 @@ static void add_pictures(const void *pointer, const Sections *answers, Result *r
 }
 
 const Judge judge_03 = {
-    "03-kdtree-2d-render",
-    checks,
-    sizeof checks / sizeof *checks,
-    job_03_new,
-    job_03_free,
-    judge,
-    adopt,
-    add_pictures,
+    .lab = "03-kdtree-2d-render",
+    .checks = checks,
+    .n_checks = sizeof checks / sizeof *checks,
+    .job_new = job_03_new,
+    .job_free = job_03_free,
+    .judge = judge,
+    .adopt = adopt,
+    .add_pictures = add_pictures,
 };

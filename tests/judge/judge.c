@@ -7,14 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-// The labs that can be judged here: all of them, or a handout's one. The Makefile finds their
-// files, judge_NN.c, and defines JUDGES as LAB(00) LAB(01) and on.
-#define LAB(number) extern const Judge judge_##number;
-JUDGES
-#undef LAB
-#define LAB(number) &judge_##number,
-static const Judge *const judges[] = {JUDGES};
-#undef LAB
+extern const Judge judge_00, judge_01, judge_02, judge_03, judge_04, judge_05, judge_06, judge_07;
+static const Judge *const judges[] = {&judge_00, &judge_01, &judge_02, &judge_03,
+                                      &judge_04, &judge_05, &judge_06, &judge_07};
 
 const Verdict verdict_missing = {VERDICT_MISSING, NULL};
 

@@ -210,6 +210,12 @@ static void add_pictures(const void *pointer, const Sections *answers, Result *r
 }
 
 const Judge judge_05 = {
-    "05-spheres", checks,       sizeof checks / sizeof *checks, job_new, job_free, judge,
-    adopt,        add_pictures,
+    .lab = "05-spheres",
+    .checks = checks,
+    .n_checks = sizeof checks / sizeof *checks,
+    .job_new = job_new,
+    .job_free = job_free,
+    .judge = judge,
+    .adopt = adopt,
+    .add_pictures = add_pictures,
 };

@@ -1,6 +1,7 @@
 // Judge of lab 01: overlaps_N_Nearer on chosen inputs, and pictures of the naive renderer.
 #include "judge.h"
 
+#include "alone_picture.h"
 #include "job_scene.h"
 #include "jobs.h"
 #include "message.h"
@@ -8,6 +9,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum {
     OVERLAPS_INSIDE,
@@ -264,6 +266,95 @@ static Verdict judge(const void *pointer, int check, const Sections *answers)
     }
 }
 
+// ---- Alone --------------------------------------------------------------------------------------
+
+// The hole of overlaps_N_Nearer while another task is tried.
+static int stand_in_overlaps(int x, int y, Circle circle, float minDepth)
+{
+#include "01-naive-2d/overlaps_N_Nearer.cl"
+}
+
+// What implicit2DRenderer makes of that. As ColorAt of alone_picture.h has it.
+static void nearest_color(const void *pointer, int x, int y, float color[4])
+{
+    const Scene2D *scene = pointer;
+    float minDepth = INFINITY;
+    for (int i = 0; i < scene->n_circles; i++) {
+        const Circle circle = scene->circles[i];
+        if (stand_in_overlaps(x, y, circle, minDepth)) {
+            minDepth = circle.depth;
+            memcpy(color, &circle.r, 4 * sizeof *color);
+        }
+    }
+}
+
+// The colour by the stand-in of the loop.
+static void own_color(const void *pointer, int x, int y, float color[4])
+{
+    const Scene2D *scene = pointer;
+    color[0] = (float)x;
+    color[1] = (float)y;
+    color[2] = (float)scene->n_circles;
+    color[3] = 1;
+}
+
+// Which of the job's scenes a task is tried with: `first` and on, as scenes 0 and on.
+static void alone_scenes(const char *task, int *first, int *n)
+{
+    *first = strcmp(task, "own_pixel") == 0 ? WIDE : RANDOM;
+    *n = strcmp(task, "own_pixel") == 0 ? RANDOM - WIDE : N_SCENES - RANDOM;
+}
+
+static int write_alone(const void *pointer, const char *task, FILE *file)
+{
+    const Job *job = pointer;
+    if (strcmp(task, "overlaps_N_Nearer") == 0) {
+        return section_write(file, "overlaps", job->overlaps, sizeof job->overlaps);
+    }
+    int first, n, result = 0;
+    alone_scenes(task, &first, &n);
+    for (int k = 0; result == 0 && k < n; k++) {
+        result = job_scene_write(&job->scenes[first + k], k, file);
+    }
+    return result;
+}
+
+// Are the pictures of the job's scenes first to first + n - 1 drawn so? Scene `base` is the first
+// that the task is tried with.
+static int are_drawn(const Job *job, int base, int first, int n, ColorAt *color_at,
+                     const Sections *answers)
+{
+    int are_right = 1;
+    for (int k = first; are_right && k < first + n; k++) {
+        const Scene2D *scene = &job->scenes[k].scene;
+        are_right = alone_picture_is_right(answers, k - base, scene->width, scene->height, 0,
+                                           color_at, scene);
+    }
+    return are_right;
+}
+
+static int passes_alone(const void *pointer, int check, const Sections *answers)
+{
+    const Job *job = pointer;
+    switch (check) {
+    case OWN_PIXEL_PICTURE:
+        return are_drawn(job, WIDE, WIDE, 2, own_color, answers);
+    case OWN_PIXEL_PADDING:
+        return alone_picture_keeps_inside(answers, 0, job->scenes[WIDE].scene.width,
+                                          job->scenes[WIDE].scene.height) &&
+               alone_picture_keeps_inside(answers, 1, job->scenes[HIGH].scene.width,
+                                          job->scenes[HIGH].scene.height);
+    case RENDERER_RANDOM:
+        return are_drawn(job, RANDOM, RANDOM, 2, nearest_color, answers);
+    case RENDERER_ORDER:
+        return are_drawn(job, RANDOM, ORDER, 1, nearest_color, answers);
+    case RENDERER_EDGES:
+        return are_drawn(job, RANDOM, EDGES, N_EDGES, nearest_color, answers);
+    default:
+        return judge(job, check, answers).kind == VERDICT_PASSED;
+    }
+}
+
 static void adopt(void *pointer, const Sections *answers)
 {
     Job *job = pointer;
@@ -277,6 +368,14 @@ static void add_pictures(const void *pointer, const Sections *answers, Result *r
 }
 
 const Judge judge_01 = {
-    "01-naive-2d", checks,       sizeof checks / sizeof *checks, job_new, job_free, judge,
-    adopt,         add_pictures,
+    .lab = "01-naive-2d",
+    .checks = checks,
+    .n_checks = sizeof checks / sizeof *checks,
+    .job_new = job_new,
+    .job_free = job_free,
+    .judge = judge,
+    .write_alone = write_alone,
+    .passes_alone = passes_alone,
+    .adopt = adopt,
+    .add_pictures = add_pictures,
 };

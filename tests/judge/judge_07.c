@@ -505,6 +505,12 @@ static void add_pictures(const void *pointer, const Sections *answers, Result *r
 }
 
 const Judge judge_07 = {
-    "07-kdtree-3d-trace", checks, sizeof checks / sizeof *checks, job_new, job_free, judge, adopt,
-    add_pictures,
+    .lab = "07-kdtree-3d-trace",
+    .checks = checks,
+    .n_checks = sizeof checks / sizeof *checks,
+    .job_new = job_new,
+    .job_free = job_free,
+    .judge = judge,
+    .adopt = adopt,
+    .add_pictures = add_pictures,
 };

@@ -1,12 +1,13 @@
-// mutants: put known answers into the solution, one at a time: wrong ones, each of which the check
-// meant for it must catch with the right message, and right ones written another way, which must
-// earn every point of the lab.
+// mutants: try known answers, one at a time, both in the solution and alone (alone.h): wrong ones,
+// each of which the check meant for it must catch in both, with the right message, and right ones
+// written another way, which must pass every check.
 //
 //     mutants --lab 01 [--seed N]
 //
 // Prints TAP, a line for each file in tests/mutants/NN-name/ and tests/right/NN-name/. Their format
 // stands in tests/mutants/README.md and tests/right/README.md. Exit status: 0 all judged as they
 // should be, 1 some not, 2 the machinery failed.
+#include "alone.h"
 #include "complain.h"
 #include "holes.h"
 #include "message.h"
@@ -20,7 +21,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LINE_BYTES = 256, PAIR = 2 };
+enum { LINE_BYTES = 256 };
 
 static const char WRONG_FOLDER[] = "tests/mutants";
 static const char RIGHT_FOLDER[] = "tests/right";
@@ -34,7 +35,8 @@ typedef struct Answer {
     char says[LINE_BYTES];   // regular expression for that check's message
     unsigned kinds;          // of mistake_kinds.h, a bit for each; 0 when it is of none
     int first_kind;          // the one that must be named
-    Variant variant;
+    Variant variant;         // in the solution of the other tasks
+    Variant alone;
 } Answer;
 
 // How well the reports name kinds of mistakes (mistake_kinds.h).
@@ -86,9 +88,9 @@ static int read_kinds(Answer *answer)
     return 0;
 }
 
-static int answer_open(Answer *answer, const Session *session, const char *path, int slot)
+static int answer_open(Answer *answer, const Session *session, const char *path)
 {
-    char name[24], why_right[LINE_BYTES];
+    char why_right[LINE_BYTES];
     *answer = (Answer){.path = path, .text = text_file_read(path)};
     answer->is_right = strncmp(path, RIGHT_FOLDER, strlen(RIGHT_FOLDER)) == 0;
     if (answer->text == NULL || read_header(answer, "task", answer->task) != 0 ||
@@ -102,13 +104,16 @@ static int answer_open(Answer *answer, const Session *session, const char *path,
         complain("%s: no task called %s", path, answer->task);
         return -1;
     }
-    snprintf(name, sizeof name, "answer-%d", slot);
-    return session_fill(session, name, answer->task, answer->text, &answer->variant);
+    const Task *task = manifest_task(&session->manifest, answer->task);
+    const int filled =
+        session_fill(session, "answer", answer->task, answer->text, &answer->variant);
+    return filled | alone_fill(session, "alone", task, answer->text, &answer->alone);
 }
 
 static void answer_free(Answer *answer)
 {
     variant_free(&answer->variant);
+    variant_free(&answer->alone);
     free(answer->text);
     *answer = (Answer){0};
 }
@@ -144,6 +149,9 @@ static char *judge_wrong(const Session *session, const Answer *answer)
         } else if (!matches(result.message, answer->says)) {
             why = message_new("%s says \"%s\", expected /%s/", answer->check, result.message,
                               answer->says);
+        }
+        if (why == NULL && alone_passes(session, i, &answer->alone)) {
+            why = message_new("%s passes alone", answer->check);
         }
         free(result.message);
         break;
@@ -187,6 +195,11 @@ static char *judge_right(const Session *session, const Answer *answer)
         session_judge(session, i, &answer->variant, &result);
         if (result.status != CHECK_PASSED) {
             why = message_new("%s: %s", session->judge->checks[i].id, result.message);
+        } else if (strcmp(session->judge->checks[i].task, answer->task) == 0 &&
+                   !alone_passes(session, i, &answer->alone)) {
+            why = message_new("%s: it fails alone%s%s", session->judge->checks[i].id,
+                              answer->alone.build_log ? ": " : "",
+                              answer->alone.build_log ? answer->alone.build_log : "");
         }
         free(result.message);
     }
@@ -202,37 +215,25 @@ static char *judge_answer(const Session *session, const Answer *answer)
     return answer->is_right ? judge_right(session, answer) : judge_wrong(session, answer);
 }
 
-// Run up to PAIR answers side by side and print a TAP line for each. Returns how many were not
-// judged as they should be, or -1 after one message.
-static int try_answers(Session *session, char *const paths[], int n, int first_number,
-                       Naming *naming)
+// Run an answer, in the solution and alone, and print a TAP line. Returns whether it was not judged
+// as it should be, or -1 after one message.
+static int try_answer(Session *session, const char *path, int number, Naming *naming)
 {
-    Answer answers[PAIR] = {{0}};
-    Variant *variants[PAIR];
-    int n_missed = 0;
-    for (int i = 0; i < n; i++) {
-        variants[i] = &answers[i].variant;
-        if (answer_open(&answers[i], session, paths[i], i) != 0) {
-            n_missed = -1;
-        }
-    }
-    if (n_missed == 0 && session_run(session, variants, n) != 0) {
-        n_missed = -1;
-    }
-    for (int i = 0; n_missed >= 0 && i < n; i++) {
-        char *why = judge_answer(session, &answers[i]);
-        printf("%sok %d - %s\n", why ? "not " : "", first_number + i, paths[i] + strlen("tests/"));
+    Answer answer;
+    Variant *const variants[] = {&answer.variant, &answer.alone};
+    int missed = -1;
+    if (answer_open(&answer, session, path) == 0 && session_run(session, variants, 2) == 0) {
+        char *why = judge_answer(session, &answer);
+        printf("%sok %d - %s\n", why ? "not " : "", number, path + strlen("tests/"));
         if (why != NULL) {
             printf("  # %s\n", why);
-            n_missed++;
         }
+        missed = why != NULL;
         free(why);
-        judge_naming(session, &answers[i], naming);
+        judge_naming(session, &answer, naming);
     }
-    for (int i = 0; i < n; i++) {
-        answer_free(&answers[i]);
-    }
-    return n_missed;
+    answer_free(&answer);
+    return missed;
 }
 
 // Print how well a lab's mistakes were named, as tests after n mutants. Returns how many failed.
@@ -265,9 +266,8 @@ static int try_all(Session *session)
     int n_missed = 0;
     Naming naming = {0};
     const int n = (int)found.gl_pathc;
-    for (int i = 0; n_missed >= 0 && i < n; i += PAIR) {
-        const int missed =
-            try_answers(session, found.gl_pathv + i, n - i < PAIR ? n - i : PAIR, i + 1, &naming);
+    for (int i = 0; n_missed >= 0 && i < n; i++) {
+        const int missed = try_answer(session, found.gl_pathv[i], i + 1, &naming);
         n_missed = missed < 0 ? -1 : n_missed + missed;
     }
     globfree(&found);

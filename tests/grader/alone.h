@@ -1,0 +1,21 @@
+// Trying the answer to one task alone, so that one mistake costs one task.
+//
+// The files are those that are handed out, with this answer in its hole: nothing of our solution is
+// where a student's code runs. What the answer needs of other tasks is done by stand-ins, which do
+// something else than is asked of students and which the judge can foresee (tests/stand_ins/). All
+// that comes out of such a run is whether a check passes.
+#ifndef GRADER_ALONE_H
+#define GRADER_ALONE_H
+
+#include "session.h"
+
+// Make a variant with one task's answer and a job of its own.
+//   answer   what goes into its hole
+// Returns 0, or -1 after one message.
+int alone_fill(const Session *session, const char *name, const Task *task, const char *answer,
+               Variant *variant);
+
+// Does check number i, one of the variant's task, pass? The variant has run.
+int alone_passes(const Session *session, int i, const Variant *variant);
+
+#endif

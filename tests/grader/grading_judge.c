@@ -1,0 +1,275 @@
+// Judging a submission that has run: as a whole, then each answer that failed alone (see
+// grading.h).
+//
+// Flow: staged -> compiled -> run -> JUDGED -> ALONE -> result -> reports. Called by grade.c. Read
+// next: session.h, alone.h, blame.h.
+#include "grading.h"
+
+#include "alone.h"
+#include "blame.h"
+#include "holes.h"
+#include "message.h"
+#include "skeleton.h"
+#include "text_file.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#define NO_ANSWER "no answer: "
+
+enum { PATH_BYTES = 600 };
+
+// ---- The whole ----------------------------------------------------------------------------------
+
+// Judge every check. An end before its time is told once.
+static void judge_whole(Grading *grading)
+{
+    Variant *whole = &grading->whole;
+    for (int i = 0; i < grading->result.n_checks; i++) {
+        CheckResult *check = &grading->result.checks[i];
+        session_judge(&grading->session, i, whole, check);
+        whole->is_told |= strncmp(check->message, NO_ANSWER, strlen(NO_ANSWER)) == 0;
+    }
+}
+
+// The student's answer to a task: what stands in its hole, or NULL when the markers are gone.
+static char *read_answer(const Grading *grading, const Task *task)
+{
+    char path[PATH_BYTES];
+    snprintf(path, sizeof path, "%s/variant-whole/lab/%s", grading->session.workshop.folder,
+             task->file);
+    return hole_load(path, task->id);
+}
+
+// ---- Markers ------------------------------------------------------------------------------------
+
+// What is wrong with the tasks' markers, a line each; "" when nothing is. Owned by the caller.
+static char *describe_markers(const Grading *grading)
+{
+    const Manifest *manifest = &grading->session.manifest;
+    char *faults = message_new("%s", "");
+    for (int t = 0; t < manifest->n_tasks; t++) {
+        const Task *task = &manifest->tasks[t];
+        char path[PATH_BYTES];
+        snprintf(path, sizeof path, "%s/variant-whole/lab/%s", grading->session.workshop.folder,
+                 task->file);
+        char *text = text_file_read(path);
+        char *fault = text != NULL ? hole_fault(text, task->id) : NULL;
+        if (fault != NULL) {
+            char *longer =
+                message_new("%s%s%s: %s", faults, faults[0] ? "\n" : "", task->file, fault);
+            free(faults);
+            faults = longer;
+        }
+        free(fault);
+        free(text);
+    }
+    return faults;
+}
+
+// Each answer is tried alone by what stands between its markers: who has lost one is told.
+static void add_marker_stage(Grading *grading)
+{
+    char *faults = describe_markers(grading);
+    if (faults[0] != '\0') {
+        grading_add_stage(grading, "Markers", CHECK_FAILED, faults);
+    }
+    free(faults);
+}
+
+// ---- Answers that are not there -------------------------------------------------------------
+
+// Does the answer stand as it is handed out? The folder labs/ is not asked: a student may be at work
+// there.
+static int is_untouched(const Grading *grading, const Task *task, const char *answer)
+{
+    char *skeleton = skeleton_read(&grading->session.manifest, task->file);
+    char *placeholder = skeleton != NULL ? hole_read(skeleton, task->id) : NULL;
+    const int is_same = placeholder != NULL && strcmp(answer, placeholder) == 0;
+    free(placeholder);
+    free(skeleton);
+    return is_same;
+}
+
+static void check_pass(CheckResult *check)
+{
+    check->status = CHECK_PASSED;
+    check->points = check->max_points;
+    free(check->message);
+    check->message = message_new("%s", "");
+}
+
+static void fail_check(CheckResult *check, const char *message)
+{
+    check->status = CHECK_FAILED;
+    check->points = 0;
+    free(check->message);
+    check->message = message_new("%s", message);
+}
+
+// Where the whole did not run to its end, nothing else is to be said about a task that stands as it
+// was handed out.
+static void note_unanswered(Grading *grading, const char *task)
+{
+    const int has_failed = grading->whole.build_log != NULL || grading->whole.trouble != NULL;
+    for (int i = 0; i < grading->result.n_checks && has_failed; i++) {
+        CheckResult *check = &grading->result.checks[i];
+        if (check->status != CHECK_PASSED && strcmp(check->task, task) == 0) {
+            free(check->message);
+            check->message = message_new("not answered yet: it stands as it was handed out");
+        }
+    }
+}
+
+// A task that stands as it was handed out earns nothing, whatever another task's answer does for
+// it.
+static void refuse_unanswered(Grading *grading)
+{
+    const Manifest *manifest = &grading->session.manifest;
+    for (int t = 0; t < manifest->n_tasks; t++) {
+        const Task *task = &manifest->tasks[t];
+        char *answer = read_answer(grading, task);
+        grading->is_untouched[t] = answer != NULL && is_untouched(grading, task, answer);
+        for (int i = 0; i < grading->result.n_checks && grading->is_untouched[t]; i++) {
+            CheckResult *check = &grading->result.checks[i];
+            if (check->status == CHECK_PASSED && strcmp(check->task, task->id) == 0) {
+                fail_check(check,
+                           "not answered yet: it stands as it was handed out, and what passed "
+                           "here is the work of another task's answer");
+            }
+        }
+        free(answer);
+    }
+}
+
+// ---- Kernels ------------------------------------------------------------------------------------
+
+static int is_of_kernel(const Grading *grading, const CheckResult *check)
+{
+    return !manifest_is_host_file(manifest_task(&grading->session.manifest, check->task)->file);
+}
+
+// Are there points for a kernel in a lab of which host files are handed in, too?
+static int kernels_have_points(const Grading *grading)
+{
+    for (int i = 0; i < grading->result.n_checks; i++) {
+        const CheckResult *check = &grading->result.checks[i];
+        if (check->status == CHECK_PASSED && is_of_kernel(grading, check)) {
+            return manifest_has_host_files(&grading->session.manifest);
+        }
+    }
+    return 0;
+}
+
+// What a kernel earns it has to earn beside the host files that are handed out, too: those that were
+// handed in could do its work themselves. Returns 0, or -1 after one message.
+static int confirm_kernels(Grading *grading)
+{
+    char folder[PATH_BYTES];
+    Variant *const variants[] = {&grading->kernels};
+    snprintf(folder, sizeof folder, "%s/variant-whole/lab", grading->session.workshop.folder);
+    if (!kernels_have_points(grading)) {
+        return 0;
+    }
+    if (session_fill_kernels(&grading->session, "kernels", folder, &grading->kernels) != 0 ||
+        session_run(&grading->session, variants, 1) != 0) {
+        return -1;
+    }
+    for (int i = 0; i < grading->result.n_checks; i++) {
+        CheckResult *check = &grading->result.checks[i];
+        if (check->status == CHECK_PASSED && is_of_kernel(grading, check)) {
+            check->points = 0;
+            session_judge(&grading->session, i, &grading->kernels, check);
+        }
+    }
+    return 0;
+}
+
+// ---- Alone --------------------------------------------------------------------------------------
+
+static int task_has_failed(const Grading *grading, const char *task)
+{
+    for (int i = 0; i < grading->result.n_checks; i++) {
+        const CheckResult *check = &grading->result.checks[i];
+        if (strcmp(check->task, task) == 0 && check->status != CHECK_PASSED) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+// The answer to a task of which a check failed, or NULL: when there is none, or none between markers.
+static char *answer_for_alone(Grading *grading, int t)
+{
+    const Task *task = &grading->session.manifest.tasks[t];
+    if (!task_has_failed(grading, task->id)) {
+        return NULL;
+    }
+    if (grading->is_untouched[t]) {
+        note_unanswered(grading, task->id);
+        return NULL;
+    }
+    return read_answer(grading, task);
+}
+
+// Let the failed checks pass that pass alone. Of the others it is certain that they fail by this
+// answer's own fault; what is said of it stays what the whole gave.
+static void judge_alone(Grading *grading, const Variant *variant)
+{
+    for (int i = 0; i < grading->result.n_checks; i++) {
+        CheckResult *check = &grading->result.checks[i];
+        if (check->status == CHECK_PASSED || strcmp(check->task, variant->alone) != 0) {
+            continue;
+        }
+        if (alone_passes(&grading->session, i, variant)) {
+            check_pass(check);
+            continue;
+        }
+        check->is_own = 1;
+        if (check->status == CHECK_NOT_RUN) {
+            fail_check(check, "it fails by itself, too; what is wrong can be said once the whole "
+                              "program comes this far");
+        }
+    }
+}
+
+// Try the answers of tasks that failed alone, two at a time. Returns 0, or -1 after one message.
+static int try_alone(Grading *grading)
+{
+    const Manifest *manifest = &grading->session.manifest;
+    Variant *pair[2];
+    int n = 0;
+    for (int t = 0; t < manifest->n_tasks; t++) {
+        char *answer = answer_for_alone(grading, t);
+        if (answer != NULL) {
+            pair[n] = &grading->alone[t];
+            const int filled = alone_fill(&grading->session, manifest->tasks[t].id,
+                                          &manifest->tasks[t], answer, pair[n++]);
+            free(answer);
+            if (filled != 0) {
+                return -1;
+            }
+        }
+        if (n == 2 || (n == 1 && t == manifest->n_tasks - 1)) {
+            if (session_run(&grading->session, pair, n) != 0) {
+                return -1;
+            }
+            while (n > 0) {
+                judge_alone(grading, pair[--n]);
+            }
+        }
+    }
+    return 0;
+}
+
+int grading_judge(Grading *grading)
+{
+    add_marker_stage(grading);
+    judge_whole(grading);
+    refuse_unanswered(grading);
+    if (confirm_kernels(grading) != 0 || try_alone(grading) != 0) {
+        return -1;
+    }
+    blame_others(grading->session.judge, &grading->result);
+    return 0;
+}

@@ -1,0 +1,16 @@
+// The files of a lab as they are handed out, whatever a student has made of labs/ meanwhile.
+#ifndef GRADER_SKELETON_H
+#define GRADER_SKELETON_H
+
+#include "manifest.h"
+
+// One of the lab's files as it is handed out: cut from the solution, or in a handout, which has
+// none, read from tests/skeletons/NN-name/. Returns the text, free() it, or NULL after one message
+// on stderr.
+char *skeleton_read(const Manifest *manifest, const char *file);
+
+// What stands in the hole of a task while another one is tried alone (tests/stand_ins/README.md).
+// Returns the text, free() it, or NULL where the hole stays as it is handed out.
+char *stand_in_read(const Manifest *manifest, const Task *task);
+
+#endif

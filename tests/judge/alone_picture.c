@@ -1,0 +1,44 @@
+// Judging pictures of an answer that is tried alone (see alone_picture.h).
+#include "alone_picture.h"
+
+#include "job_sections.h"
+#include "jobs.h"
+#include "picture.h"
+
+// The answer "picture.K", pixels NULL when it is missing.
+static ProbeImage answer_of(const Sections *answers, int k, int width, int height)
+{
+    const int image_width = PROBE_IMAGE_SIDE(width), image_height = PROBE_IMAGE_SIDE(height);
+    const size_t n_bytes =
+        (size_t)image_width * (size_t)image_height * IMAGE_CHANNELS * sizeof(float);
+    return (ProbeImage){job_section_find(answers, "picture", k, n_bytes), image_width,
+                        image_height};
+}
+
+int alone_picture_is_right(const Sections *answers, int k, int width, int height, float tolerance,
+                           ColorAt *color_at, const void *scene)
+{
+    const ProbeImage own = answer_of(answers, k, width, height);
+    int is_right = own.pixels != NULL;
+    for (int y = 0; is_right && y < height; y++) {
+        for (int x = 0; is_right && x < width; x++) {
+            float color[IMAGE_CHANNELS] = {0};
+            color_at(scene, x, y, color);
+            is_right = is_same_color(probe_image_pixel(own, x, y), color, tolerance);
+        }
+    }
+    return is_right;
+}
+
+int alone_picture_keeps_inside(const Sections *answers, int k, int width, int height)
+{
+    const ProbeImage own = answer_of(answers, k, width, height);
+    int is_right = own.pixels != NULL;
+    for (int y = 0; is_right && y < own.image_height; y++) {
+        for (int x = 0; is_right && x < own.image_width; x++) {
+            const int is_inside = x < width && y < height;
+            is_right = (probe_image_pixel(own, x, y)[0] != UNWRITTEN) == is_inside;
+        }
+    }
+    return is_right;
+}
