@@ -102,8 +102,7 @@ $(OUT)/labs/% $(OUT)/solutions/%:
 # ---- The grader -----------------------------------------------------------------------------
 
 GRADER_MAINS = $(addprefix tests/grader/,grade.c memcheck.c unpack_tool.c sandbox_init_tool.c)
-GRADER_SOURCES := $(filter-out $(GRADER_MAINS) $(MUTATION_MAINS),$(wildcard tests/grader/*.c tests/mutation/*.c))
-MUTATION_MAINS = tests/mutation/mutants.c tests/mutation/mutate.c
+GRADER_SOURCES := $(filter-out $(GRADER_MAINS),$(wildcard tests/grader/*.c))
 # Judges of later labs get their trees and cameras from the solutions of labs 02, 04 and 06.
 BUILDERS := $(wildcard solutions/02-kdtree-2d-build/kdtree2d_build.c \
     solutions/04-camera-rays/camera_from_view.c solutions/06-kdtree-3d-build/kdtree3d_build.c)
@@ -124,20 +123,47 @@ $(OUT)/libgrader.a: $(call objects,$(GRADER_SOURCES) tests/probes/sections.c)
 	@ar rcs $@ $^
 
 # What knows the answers: never in a handout as text, and never linked with what starts a student's code.
-# Every machine has to draw the same numbers from a seed: no products and sums in one step.
-$(OUT)/obj/tests/judge/%.o: EXTRA = $(GRADER_INCLUDES) -ffp-contract=off
 JUDGE_SOURCES := $(filter-out tests/judge/judge_tool.c,$(wildcard tests/judge/*.c))
 $(OUT)/libjudge.a: $(call objects,$(JUDGE_SOURCES) $(BUILDERS))
 	@rm -f $@
 	@ar rcs $@ $^
 
-$(OUT)/tools/grade $(OUT)/tools/memcheck: $(OUT)/tools/%: $(OUT)/obj/tests/grader/%.c.o $(OUT)/libgrader.a $(OUT)/libjudge.a $(OUT)/libcommon.a | $(CODEC)
+# What the judge needs besides: no file is read by it, no device opened.
+JUDGE_NEEDS = $(addprefix common/,$(addsuffix .c,clean_text complain image number scene2d \
+    scene2d_edge_cases scene2d_random scene3d scene3d_edge_cases scene3d_lattice scene3d_random \
+    scene3d_sphereflake scene3d_view scene_arguments tree2d tree2d_draw tree3d tree3d_draw)) \
+    $(addprefix tests/,grader/message.c grader/result.c judge/judge_tool.c probes/sections.c)
+ifneq ($(wildcard tests/judge/judge_tool.c),)
+# Linked statically: it runs wherever a handout that holds it is unpacked.
+$(OUT)/tools/judge: $(call objects,$(JUDGE_NEEDS)) $(OUT)/libjudge.a
 	@mkdir -p $(@D)
-	$(call say,link    $@)$(CC) $(SANITIZERS) -Wl,--start-group $^ -Wl,--end-group $(LIBRARIES) -o $@
+	$(call say,link    $@)$(CC) $(or $(SANITIZERS),-static) $(LDFLAGS) $^ -lm -o $@
 
-$(OUT)/tools/mutants $(OUT)/tools/mutate: $(OUT)/tools/%: $(OUT)/obj/tests/mutation/%.c.o $(OUT)/libgrader.a $(OUT)/libjudge.a $(OUT)/libcommon.a | $(CODEC)
+# The same for handouts, which go to machines of both kinds, stripped: judge-x86_64, judge-aarch64.
+.PHONY: judge always
+judge: $(OUT)/tools/judge
+$(OUT)/judges/judge-%: always
+	@$(MAKE) --no-print-directory BUILD=$(OUT)/judges/$* CC=$*-linux-gnu-gcc OPTIMISATION=-O2 LDFLAGS=-s judge
+	@cp $(OUT)/judges/$*/tools/judge $@
+else
+# In a handout.
+$(OUT)/tools/judge: tests/judge/judge-$(shell uname -m)
 	@mkdir -p $(@D)
-	$(call say,link    $@)$(CC) $(SANITIZERS) -Wl,--start-group $^ -Wl,--end-group $(LIBRARIES) -o $@
+	@cp $< $@
+endif
+
+$(OUT)/tools/grade $(OUT)/tools/memcheck: $(OUT)/tools/%: $(OUT)/obj/tests/grader/%.c.o $(OUT)/libgrader.a $(OUT)/libcommon.a | $(CODEC)
+	@mkdir -p $(@D)
+	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -o $@
+
+# Known answers to the tasks, and mechanical ones, through the grader.
+$(OUT)/libmutation.a: $(call objects,tests/mutation/mistake_kinds.c tests/mutation/mutations.c)
+	@rm -f $@
+	@ar rcs $@ $^
+
+$(OUT)/tools/mutants $(OUT)/tools/mutate: $(OUT)/tools/%: $(OUT)/obj/tests/mutation/%.c.o $(OUT)/libmutation.a $(OUT)/libgrader.a $(OUT)/libcommon.a | $(CODEC)
+	@mkdir -p $(@D)
+	$(call say,link    $@)$(CC) $(SANITIZERS) $^ $(LIBRARIES) -o $@
 
 # A class: the roster of who handed in, and the gradebook.
 CLASS_SOURCES := $(filter-out %_tool.c,$(wildcard tests/class/*.c))
@@ -173,7 +199,7 @@ endef
 $(foreach l,$(PROBES),$(eval $(call probe,$(l))))
 
 .PHONY: grader
-grader: $(if $(HANDOUT),,$(addprefix $(OUT)/tools/,holes gradebook mutants mutate)) $(addprefix $(OUT)/tools/,grade memcheck unpack) $(PROBE_TARGETS) $(foreach l,$(LABS),$(OUT)/earlier/$(l).a)  ## build the grader and its probes
+grader: $(if $(HANDOUT),,$(addprefix $(OUT)/tools/,holes gradebook mutants mutate)) $(addprefix $(OUT)/tools/,judge grade memcheck unpack) $(PROBE_TARGETS) $(foreach l,$(LABS),$(OUT)/earlier/$(l).a)  ## build the grader and its probes
 
 # The same for one lab: what a bundle for another system builds.
 .PHONY: lab-grader
@@ -235,14 +261,14 @@ skeletons: $(OUT)/tools/holes  ## for authors: cut labs/ anew from solutions/; t
 # ---- Handouts -------------------------------------------------------------------------------
 
 .PHONY: handout
-handout: $(OUT)/tools/holes grader  ## pack what students get: LAB=03
+handout: $(OUT)/tools/holes grader $(addprefix $(OUT)/judges/judge-,x86_64 aarch64)  ## pack what students get: LAB=03
 	@test -n "$(LAB)" || { echo "make handout: say which lab: make handout LAB=03" >&2; exit 2; }
 	@tests/handout/pack.sh $(OUT)/tools "$$LAB" $(OUT)/handout
 
 # ---- Tests ----------------------------------------------------------------------------------
 
 UNIT_TESTS := $(patsubst tests/unit/%.c,$(OUT)/tests/%,$(wildcard tests/unit/test_*.c))
-$(UNIT_TESTS): $(OUT)/tests/%: $(OUT)/obj/tests/unit/%.c.o $(OUT)/libclass.a $(OUT)/libgrader.a $(OUT)/libjudge.a $(OUT)/libcommon.a | $(CODEC)
+$(UNIT_TESTS): $(OUT)/tests/%: $(OUT)/obj/tests/unit/%.c.o $(OUT)/libclass.a $(OUT)/libmutation.a $(OUT)/libgrader.a $(OUT)/libjudge.a $(OUT)/libcommon.a | $(CODEC)
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(SANITIZERS) $(filter %.o,$^) -Wl,--start-group $(filter %.a,$^) -Wl,--end-group $(LIBRARIES) -larchive -lnettle -lcriterion -o $@
 
@@ -362,7 +388,6 @@ $(OUT)/obj/tests/bench/%.o: EXTRA = $(BENCH_INCLUDES) \
 $(OUT)/obj/tests/bench/embree_peer.c.o: EXTRA = $(BENCH_INCLUDES) -O3 -march=native \
     $(if $(EMBREE),-DWITH_EMBREE=$(EMBREE))
 $(OUT)/obj/tests/bench/embree_peer.c.o: $(OUT)/embree-version
-.PHONY: always
 $(OUT)/embree-version: always
 	@mkdir -p $(@D)
 	@echo "$(EMBREE)" | cmp -s - $@ || echo "$(EMBREE)" >$@

@@ -1,12 +1,11 @@
-// 2D scenes by name: the way from the word after --scene to circles (see scene2d.h).
+// 2D scenes that are made, by name (see scene2d.h).
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: scene2d_csv.c for files,
-// scene2d_random.c and scene2d_edge_cases.c for the generators.
+// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: scene2d_random.c and
+// scene2d_edge_cases.c for the generators.
 #include "scene2d.h"
 
 #include "scene2d_generate.h"
 #include "scene_arguments.h"
-#include "text_file.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -55,17 +54,6 @@ static int edge_case_open(const SceneEdgeCase *edge_case, Scene2D *scene)
     return 0;
 }
 
-static int csv_open(const char *path, Scene2D *scene)
-{
-    FILE *file = text_file_open(path);
-    if (file == NULL) {
-        return -1;
-    }
-    int result = scene2d_read_csv(file, path, scene);
-    fclose(file);
-    return result;
-}
-
 static const SceneEdgeCase *edge_case_find(const char *name)
 {
     for (const SceneEdgeCase *edge_case = SCENE2D_EDGE_CASES; edge_case->name != NULL;
@@ -77,7 +65,7 @@ static const SceneEdgeCase *edge_case_find(const char *name)
     return NULL;
 }
 
-int scene2d_open(const char *name, int width, int height, Scene2D *scene)
+int scene2d_generate(const char *name, int width, int height, Scene2D *scene)
 {
     const SceneEdgeCase *edge_case = edge_case_find(name);
     int size_is_given = width > 0 && height > 0;
@@ -92,9 +80,6 @@ int scene2d_open(const char *name, int width, int height, Scene2D *scene)
 
     if (edge_case != NULL) {
         return edge_case_open(edge_case, scene);
-    }
-    if (scene_name_ends_in(name, ".csv")) {
-        return csv_open(name, scene);
     }
     if (scene_is_called(name, "random")) {
         return random_open(name, scene);

@@ -48,6 +48,9 @@ typedef struct Scene2D {
 // was found and what was expected. Release with scene2d_free().
 int scene2d_open(const char *name, int width, int height, Scene2D *scene);
 
+// The same for those that are made, never a file.
+int scene2d_generate(const char *name, int width, int height, Scene2D *scene);
+
 // Release the circles; a zeroed Scene2D is fine.
 void scene2d_free(Scene2D *scene);
 

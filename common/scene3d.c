@@ -1,14 +1,12 @@
-// 3D scenes by name: the way from the word after --scene to spheres and a view (see scene3d.h).
+// 3D scenes that are made, by name (see scene3d.h).
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: scene3d_nff.c and molecule.c
-// for files; scene3d_sphereflake.c, scene3d_random.c, scene3d_lattice.c and
+// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: scene3d_sphereflake.c, scene3d_random.c, scene3d_lattice.c and
 // scene3d_edge_cases.c for the generators.
 #include "scene3d.h"
 
 #include "complain.h"
 #include "scene3d_generate.h"
 #include "scene_arguments.h"
-#include "text_file.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -141,18 +139,6 @@ _Static_assert(SCENE3D_MAX_SPHERES == 10000000 && SCENE3D_MAX_FLAKE_SIZE == 7 &&
 
 // ---- By name ------------------------------------------------------------------------------------
 
-static int file_open(const char *path, int (*read)(FILE *file, const char *name, Scene3D *scene),
-                     Scene3D *scene)
-{
-    FILE *file = text_file_open(path);
-    if (file == NULL) {
-        return -1;
-    }
-    int result = read(file, path, scene);
-    fclose(file);
-    return result;
-}
-
 static const Scene3DEdgeCase *edge_case_find(const char *name)
 {
     for (const Scene3DEdgeCase *edge_case = SCENE3D_EDGE_CASES; edge_case->name != NULL;
@@ -164,20 +150,11 @@ static const Scene3DEdgeCase *edge_case_find(const char *name)
     return NULL;
 }
 
-static int open_by_name(const char *name, Scene3D *scene)
+static int generate(const char *name, Scene3D *scene)
 {
     const Scene3DEdgeCase *edge_case = edge_case_find(name);
     if (edge_case != NULL) {
         return scene3d_edge_case_open(edge_case, scene);
-    }
-    if (scene_name_ends_in(name, ".nff")) {
-        return file_open(name, scene3d_read_nff, scene);
-    }
-    if (scene_name_ends_in(name, ".pdb")) {
-        return file_open(name, scene3d_read_pdb, scene);
-    }
-    if (scene_name_ends_in(name, ".xyz")) {
-        return file_open(name, scene3d_read_xyz, scene);
     }
     if (scene_is_called(name, "sphereflake")) {
         return sphereflake_open(name, scene);
@@ -206,26 +183,27 @@ static int angle_check(const char *name, const Scene3D *scene)
     return -1;
 }
 
-int scene3d_open(const char *name, int width, int height, Scene3D *scene)
+int scene3d_settle(const char *name, int width, int height, int made, Scene3D *scene)
 {
-    *scene = (Scene3D){.width = SCENE3D_DEFAULT_SIZE, .height = SCENE3D_DEFAULT_SIZE};
-    int result = open_by_name(name, scene);
+    int result = made;
     if (result == 0 && scene->n_lights == 0) {
         result = light_at_eye(scene);
     }
-    if (result != 0) {
-        scene3d_free(scene);
-        return -1;
-    }
-    if (width > 0 && height > 0) {
+    if (result == 0 && width > 0 && height > 0) {
         scene->width = width;
         scene->height = height;
     }
-    if (angle_check(name, scene) != 0) {
+    if (result != 0 || angle_check(name, scene) != 0) {
         scene3d_free(scene);
         return -1;
     }
     return 0;
+}
+
+int scene3d_generate(const char *name, int width, int height, Scene3D *scene)
+{
+    *scene = (Scene3D){.width = SCENE3D_DEFAULT_SIZE, .height = SCENE3D_DEFAULT_SIZE};
+    return scene3d_settle(name, width, height, generate(name, scene), scene);
 }
 
 const char *scene3d_edge_case(int index)

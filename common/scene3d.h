@@ -75,6 +75,9 @@ typedef struct Scene3D {
 // scene3d_free().
 int scene3d_open(const char *name, int width, int height, Scene3D *scene);
 
+// The same for those that are made, never a file.
+int scene3d_generate(const char *name, int width, int height, Scene3D *scene);
+
 // Release what the scene holds; a zeroed Scene3D is fine.
 void scene3d_free(Scene3D *scene);
 

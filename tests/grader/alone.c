@@ -45,7 +45,7 @@ static char *file_text(const Manifest *manifest, const char *file, const Task *t
     return text;
 }
 
-int alone_fill(const Session *session, const char *name, const Task *task, const char *answer,
+int alone_fill(Session *session, const char *name, const Task *task, const char *answer,
                Variant *variant)
 {
     const Manifest *manifest = &session->manifest;
@@ -64,7 +64,7 @@ int alone_fill(const Session *session, const char *name, const Task *task, const
     FILE *file = fopen(job, "wb");
     int failed = file == NULL ||
                  section_write(file, PROBE_ALONE, task->id, strlen(task->id)) != 0 ||
-                 session->judge->write_alone(session->job, task->id, file) != 0;
+                 judge_job(&session->judge, task->id, file) != 0;
     failed |= file != NULL && fclose(file) != 0;
     if (failed || chmod(job, 0644) != 0) {
         fprintf(stderr, "grade: %s: cannot be written: %s\n", job, strerror(errno));
@@ -73,8 +73,8 @@ int alone_fill(const Session *session, const char *name, const Task *task, const
     return 0;
 }
 
-int alone_passes(const Session *session, int i, const Variant *variant)
+int alone_passes(Session *session, int i, const Variant *variant)
 {
     return variant->build_log == NULL && variant->trouble == NULL &&
-           session->judge->passes_alone(session->job, i, &variant->answers);
+           judge_passes_alone(&session->judge, (Answers){variant->number, &variant->answers}, i);
 }

@@ -12,10 +12,10 @@
 // Make a variant with one task's answer and a job of its own.
 //   answer   what goes into its hole
 // Returns 0, or -1 after one message.
-int alone_fill(const Session *session, const char *name, const Task *task, const char *answer,
+int alone_fill(Session *session, const char *name, const Task *task, const char *answer,
                Variant *variant);
 
 // Does check number i, one of the variant's task, pass? The variant has run.
-int alone_passes(const Session *session, int i, const Variant *variant);
+int alone_passes(Session *session, int i, const Variant *variant);
 
 #endif

@@ -10,12 +10,12 @@
 
 // Of the failed checks that look at less than this one does, and are not others' fault, the first
 // of those that look at least; with `task` only that task's. NULL when there is none.
-static const Check *narrower_fault(const Judge *judge, const Result *result, int check,
+static const Check *narrower_fault(const Check *checks, const Result *result, int check,
                                    const char *task)
 {
-    for (CheckScope scope = IS_OWN; scope < judge->checks[check].scope; scope++) {
-        for (int i = 0; i < judge->n_checks; i++) {
-            const Check *other = &judge->checks[i];
+    for (CheckScope scope = IS_OWN; scope < checks[check].scope; scope++) {
+        for (int i = 0; i < result->n_checks; i++) {
+            const Check *other = &checks[i];
             const CheckResult *found = &result->checks[i];
             if (other->scope == scope && found->status == CHECK_FAILED &&
                 (task == NULL || strcmp(other->task, task) == 0)) {
@@ -43,21 +43,21 @@ static void pass_blame(CheckResult *check, const char *task)
 }
 
 // Blame others for the failed checks of one scope.
-static void blame_in_scope(const Judge *judge, Result *result, CheckScope scope)
+static void blame_in_scope(const Check *checks, Result *result, CheckScope scope)
 {
-    for (int i = 0; i < judge->n_checks; i++) {
+    for (int i = 0; i < result->n_checks; i++) {
         CheckResult *check = &result->checks[i];
-        const Check *culprit = narrower_fault(judge, result, i, NULL);
-        if (judge->checks[i].scope == scope && check->status == CHECK_FAILED && culprit != NULL &&
-            narrower_fault(judge, result, i, check->task) == NULL) {
+        const Check *culprit = narrower_fault(checks, result, i, NULL);
+        if (checks[i].scope == scope && check->status == CHECK_FAILED && culprit != NULL &&
+            narrower_fault(checks, result, i, check->task) == NULL) {
             pass_blame(check, culprit->task);
         }
     }
 }
 
-void blame_others(const Judge *judge, Result *result)
+void blame_others(const Check *checks, Result *result)
 {
     for (CheckScope scope = IS_CALLER; scope <= IS_WHOLE; scope++) {
-        blame_in_scope(judge, result, scope);
+        blame_in_scope(checks, result, scope);
     }
 }

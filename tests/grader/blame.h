@@ -6,11 +6,13 @@
 #ifndef GRADER_BLAME_H
 #define GRADER_BLAME_H
 
-#include "judge.h"
+#include "result.h"
+#include "verdict.h"
 
+//   checks[result->n_checks]   the judge's, in the result's order
 // For each failed check of such a kind, unless its task failed one that fewer answers have a part
 // in: when another task did, take the cause out of the message and name that task in its place. A
 // check whose answer could not be tried alone then waits for that task: it is no failure.
-void blame_others(const Judge *judge, Result *result);
+void blame_others(const Check *checks, Result *result);
 
 #endif

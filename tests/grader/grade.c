@@ -28,9 +28,9 @@ static void start_result(Grading *grading, const Settings *settings)
     result->seed = settings->seed;
     result->sandbox = sandbox_kind_name(grading->session.workshop.sandbox);
     snprintf(result->submission, sizeof result->submission, "%s", settings->submission);
-    result->n_checks = grading->session.judge->n_checks;
+    result->n_checks = grading->session.judge.n_checks;
     for (int i = 0; i < result->n_checks; i++) {
-        const Check *check = &grading->session.judge->checks[i];
+        const Check *check = &grading->session.judge.checks[i];
         result->checks[i] = (CheckResult){.id = check->id,
                                           .title = check->title,
                                           .task = check->task,
@@ -140,8 +140,8 @@ static int grade(Grading *grading, const Settings *settings)
     if (grading->whole.trouble == NULL || crashed) {
         memcheck_advise(&session->manifest, crashed, grading->is_untouched, &grading->result);
     }
-    session->judge->add_pictures(session->job, &grading->whole.answers, &grading->result);
-    return 0;
+    const Answers answers = {grading->whole.number, &grading->whole.answers};
+    return judge_add_pictures(&session->judge, answers, &grading->result);
 }
 
 static void grading_free(Grading *grading)
@@ -156,17 +156,16 @@ static void grading_free(Grading *grading)
 }
 
 // Print a lab's checks: id, task, points.
-static int list_checks(const char *lab)
+static int list_checks(const Settings *settings)
 {
-    const Judge *judge = judge_of(lab);
-    if (judge == NULL) {
-        complain("grade: %s: this lab has no judge", lab);
-        return EXIT_FAULT;
+    static JudgeProcess judge;
+    const int started = judge_start(&judge, settings->build, settings->lab, settings->seed);
+    for (int i = 0; i < judge.n_checks; i++) {
+        const Check *check = &judge.checks[i];
+        printf("%s\t%s\t%d\n", check->id, check->task, check->points);
     }
-    for (int i = 0; i < judge->n_checks; i++) {
-        printf("%s\t%s\t%d\n", judge->checks[i].id, judge->checks[i].task, judge->checks[i].points);
-    }
-    return EXIT_FULL_MARKS;
+    judge_stop(&judge);
+    return started == 0 ? EXIT_FULL_MARKS : EXIT_FAULT;
 }
 
 // Print what the solution's slower step uses. Handouts are packed with it.
@@ -199,7 +198,7 @@ int main(int argc, char **argv)
         return parsed > 0 ? EXIT_FULL_MARKS : EXIT_FAULT;
     }
     if (settings.list_checks) {
-        return list_checks(settings.lab);
+        return list_checks(&settings);
     }
     if (settings.time_solution) {
         return time_solution(&settings);

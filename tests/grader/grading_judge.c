@@ -270,6 +270,6 @@ int grading_judge(Grading *grading)
     if (confirm_kernels(grading) != 0 || try_alone(grading) != 0) {
         return -1;
     }
-    blame_others(grading->session.judge, &grading->result);
+    blame_others(grading->session.judge.checks, &grading->result);
     return 0;
 }

@@ -89,9 +89,9 @@ static int write_job(Session *session)
         fprintf(stderr, "grade: %s: cannot be written: %s\n", path, strerror(errno));
         return -1;
     }
-    session->job = session->judge->job_new(session->settings->seed, file);
+    const int result = judge_job(&session->judge, NULL, file);
     const int closed = fclose(file);
-    return session->job == NULL || closed != 0 || chmod(path, 0644) != 0 ? -1 : 0;
+    return result != 0 || closed != 0 || chmod(path, 0644) != 0 ? -1 : 0;
 }
 
 // A handout has the solutions of earlier labs only.
@@ -104,13 +104,8 @@ static int has_solution(const char *lab)
 
 int session_open(Session *session, const Settings *settings)
 {
-    *session = (Session){.settings = settings,
-                         .judge = judge_of(settings->lab),
-                         .allowance = {.given_seconds = settings->time_limit}};
-    if (session->judge == NULL) {
-        fprintf(stderr, "grade: %s: this lab has no judge\n", settings->lab);
-        return -1;
-    }
+    *session =
+        (Session){.settings = settings, .allowance = {.given_seconds = settings->time_limit}};
     SandboxKind sandbox;
     session->has_solution = has_solution(settings->lab);
     if (manifest_load("labs", settings->lab, &session->manifest) != 0 ||
@@ -119,6 +114,7 @@ int session_open(Session *session, const Settings *settings)
         (sandbox_is_open(sandbox) && session->has_solution && secrets_check(settings) != 0) ||
         workshop_open(&session->workshop, &session->manifest, settings->build, settings->device,
                       sandbox) != 0 ||
+        judge_start(&session->judge, settings->build, settings->lab, settings->seed) != 0 ||
         write_job(session) != 0) {
         return -1;
     }
@@ -137,9 +133,7 @@ int session_open(Session *session, const Settings *settings)
 void session_close(Session *session)
 {
     variant_free(&session->solution);
-    if (session->job != NULL) {
-        session->judge->job_free(session->job);
-    }
+    judge_stop(&session->judge);
     workshop_close(&session->workshop);
     manifest_free(&session->manifest);
 }
@@ -148,6 +142,11 @@ int session_run(Session *session, Variant *const variants[], int n)
 {
     const int known = session->has_kept_answers && n > 0 && variants[0] == &session->solution;
     return variants_run(&session->workshop, variants + known, n - known, &session->allowance);
+}
+
+static Answers answers_of(const Variant *variant)
+{
+    return (Answers){variant->number, &variant->answers};
 }
 
 int session_trust_solution(Session *session)
@@ -162,16 +161,18 @@ int session_trust_solution(Session *session)
                 solution->build_log ? solution->build_log : solution->run_output);
         return -1;
     }
-    for (int i = 0; i < session->judge->n_checks; i++) {
-        Verdict verdict = session->judge->judge(session->job, i, &solution->answers);
+    for (int i = 0; i < session->judge.n_checks; i++) {
+        Verdict verdict = judge_verdict(&session->judge, answers_of(solution), i);
         if (verdict.kind != VERDICT_PASSED) {
             fprintf(stderr, "grade: the solution itself fails %s on this device: %s\n",
-                    session->judge->checks[i].id, verdict.message ? verdict.message : "no answer");
+                    session->judge.checks[i].id, verdict.message ? verdict.message : "no answer");
             free(verdict.message);
             return -1;
         }
     }
-    session->judge->adopt(session->job, &solution->answers);
+    if (judge_adopt(&session->judge, answers_of(solution)) != 0) {
+        return -1;
+    }
     if (session->settings->kept_answers == NULL || session->has_kept_answers) {
         return 0;
     }
@@ -219,9 +220,9 @@ static char *describe_missing(const Variant *variant, const char *task)
                        place->where ? " " : " before", place->where ? place->where : "");
 }
 
-void session_judge(const Session *session, int i, const Variant *variant, CheckResult *result)
+void session_judge(Session *session, int i, const Variant *variant, CheckResult *result)
 {
-    const Verdict verdict = session->judge->judge(session->job, i, &variant->answers);
+    const Verdict verdict = judge_verdict(&session->judge, answers_of(variant), i);
     free(result->message);
     if (verdict.kind == VERDICT_PASSED) {
         result->status = CHECK_PASSED;
@@ -233,7 +234,7 @@ void session_judge(const Session *session, int i, const Variant *variant, CheckR
     } else {
         // A crash or an endless loop is the answer's own fault; what does not compile was not
         // tried, nor what comes behind the crash of another task's answer.
-        const char *task = session->judge->checks[i].task;
+        const char *task = session->judge.checks[i].task;
         result->status = variant->trouble != NULL && !ended_elsewhere(variant, task)
                              ? CHECK_FAILED
                              : CHECK_NOT_RUN;

@@ -2,11 +2,11 @@
 // them.
 //
 // Flow: SESSION -> variants -> answers -> judge -> result. Used by grade.c for a submission and by
-// mutants.c for many known-wrong answers in a row. Read next: workshop.h, judge.h.
+// mutants.c for many known-wrong answers in a row. Read next: workshop.h, judge_process.h.
 #ifndef GRADER_SESSION_H
 #define GRADER_SESSION_H
 
-#include "judge.h"
+#include "judge_process.h"
 #include "manifest.h"
 #include "result.h"
 #include "settings.h"
@@ -14,10 +14,9 @@
 
 typedef struct Session {
     const Settings *settings;
-    const Judge *judge;
+    JudgeProcess judge;
     Manifest manifest;
     Workshop workshop;
-    void *job;
     int has_solution;      // 0 in a handout: the oracle alone judges
     Variant solution;      // where there is one
     int has_kept_answers;  // they were kept (kept_answers.h): the solution is not run again
@@ -63,6 +62,6 @@ int session_write(const char *folder, const char *name, const char *text);
 char *session_find_line(Session *session, const Variant *variant);
 
 // Judge check number i by a variant that has run, and note points, status and message.
-void session_judge(const Session *session, int i, const Variant *variant, CheckResult *result);
+void session_judge(Session *session, int i, const Variant *variant, CheckResult *result);
 
 #endif

@@ -219,7 +219,8 @@ int variant_open(const Workshop *workshop, const char *name, Variant *variant, c
                  size_t n_bytes)
 {
     static const char *const folders[] = {"/build", "/out", "/job", "/lab"};
-    *variant = (Variant){0};
+    static unsigned n_variants;
+    *variant = (Variant){.number = ++n_variants};
     snprintf(variant->name, sizeof variant->name, "%s", name);
     // Of an earlier variant of this name nothing may stay: behind Landlock its answers belong to a
     // user that is gone, and nobody could overwrite them.

@@ -48,6 +48,7 @@ typedef struct Variant {
     int has_crashed;    // by a signal
     char *habits;       // what else there is to say about its run, "" for most; owned
     char *run_output;   // what it wrote to stdout and stderr; owned
+    unsigned number;    // of its answers: no other variant has the same
     Sections answers;   // whatever it answered
     SandboxRun *run;    // while it runs
     int is_ours;        // the solution: what it uses says what others may

@@ -31,7 +31,7 @@ int job_scene_named(JobScene *scene, const char *name, int width, int height)
     *scene = (JobScene){0};
     snprintf(scene->picture.title, sizeof scene->picture.title, "scene \"%s\", %dx%d", name, width,
              height);
-    return scene2d_open(name, width, height, &scene->scene);
+    return scene2d_generate(name, width, height, &scene->scene);
 }
 
 void job_scene_spread_depths(JobScene *scene)

@@ -117,7 +117,7 @@ int job_scene3d_named(JobScene3D *scene, const char *name, int width, int height
     *scene = (JobScene3D){0};
     snprintf(scene->picture.title, sizeof scene->picture.title, "scene \"%s\", %dx%d", name, width,
              height);
-    return scene3d_open(name, width, height, &scene->scene) == 0 ? finish(scene) : -1;
+    return scene3d_generate(name, width, height, &scene->scene) == 0 ? finish(scene) : -1;
 }
 
 void job_scene3d_free(JobScene3D *scene)

@@ -30,14 +30,3 @@ const Judge *judge_of(const char *lab)
     }
     return NULL;
 }
-
-const char *judges_list(char *text, size_t n_bytes)
-{
-    const size_t n = sizeof judges / sizeof *judges;
-    size_t length = (size_t)snprintf(text, n_bytes, n == 1 ? "is only " : "are ");
-    for (size_t i = 0; i < n && length < n_bytes; i++) {
-        length += (size_t)snprintf(text + length, n_bytes - length, "%s%s", i == 0 ? "" : ", ",
-                                   judges[i]->lab);
-    }
-    return text;
-}

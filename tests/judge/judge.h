@@ -2,40 +2,15 @@
 //
 // The grader runs the same job for the solution and for the submission, and for each task with a
 // failed check a job with the answer to that task alone, and asks the judge about each. One table a lab: judge_00.c and on.
-#ifndef GRADER_JUDGE_H
-#define GRADER_JUDGE_H
+#ifndef JUDGE_JUDGE_H
+#define JUDGE_JUDGE_H
 
 #include "result.h"
 #include "sections.h"
+#include "verdict.h"
 
 #include <stdint.h>
 #include <stdio.h>
-
-// What a check looks at: the farther down, the more answers have a part in it.
-typedef enum CheckScope {
-    IS_OWN,     // the answer to its task, on inputs of its own
-    IS_CALLER,  // the same, but it calls the answer to another task
-    IS_WHOLE,   // what comes of the answers to all tasks
-} CheckScope;
-
-typedef struct Check {
-    const char *id;
-    const char *title;
-    const char *task;
-    int points;
-    CheckScope scope;
-} Check;
-
-typedef enum VerdictKind {
-    VERDICT_PASSED,
-    VERDICT_FAILED,
-    VERDICT_MISSING,  // the probe ended before it could answer
-} VerdictKind;
-
-typedef struct Verdict {
-    VerdictKind kind;
-    char *message;  // what is wrong; NULL unless VERDICT_FAILED; owned
-} Verdict;
 
 // Passed when message is NULL, else failed. Takes the message over.
 Verdict verdict_of(char *message);
@@ -66,9 +41,5 @@ typedef struct Judge {
 
 // The judge of a lab by its name, "03-kdtree-2d-render", or its number, "03" or "3"; or NULL.
 const Judge *judge_of(const char *lab);
-
-// Which labs can be judged here, as the end of a sentence: "is only 03-kdtree-2d-render", "are
-// 00-hello-pixels, ...". Written to `text`, cut to n_bytes, and returned.
-const char *judges_list(char *text, size_t n_bytes);
 
 #endif

@@ -215,7 +215,7 @@ static int draw_named(TreeScene3D *scene, const char *name, KdTreeLimits limits)
 {
     *scene = (TreeScene3D){.limits = limits};
     snprintf(scene->title, sizeof scene->title, "scene \"%s\"", name);
-    return scene3d_open(name, WIDTH, HEIGHT, &scene->scene);
+    return scene3d_generate(name, WIDTH, HEIGHT, &scene->scene);
 }
 
 // Random spheres as they come: 24 bits of every coordinate are in use, so much is rounded.

@@ -88,7 +88,7 @@ static int read_kinds(Answer *answer)
     return 0;
 }
 
-static int answer_open(Answer *answer, const Session *session, const char *path)
+static int answer_open(Answer *answer, Session *session, const char *path)
 {
     char why_right[LINE_BYTES];
     *answer = (Answer){.path = path, .text = text_file_read(path)};
@@ -131,18 +131,18 @@ static int matches(const char *message, const char *expression)
 }
 
 // Why a wrong answer was not caught as it should be, or NULL. Owned by the caller.
-static char *judge_wrong(const Session *session, const Answer *answer)
+static char *judge_wrong(Session *session, const Answer *answer)
 {
     char *why = message_new("no check called %s", answer->check);
-    for (int i = 0; i < session->judge->n_checks; i++) {
-        if (strcmp(session->judge->checks[i].id, answer->check) != 0) {
+    for (int i = 0; i < session->judge.n_checks; i++) {
+        if (strcmp(session->judge.checks[i].id, answer->check) != 0) {
             continue;
         }
         CheckResult result = {.message = NULL};
         session_judge(session, i, &answer->variant, &result);
         free(why);
         why = NULL;
-        if (strcmp(session->judge->checks[i].task, answer->task) != 0) {
+        if (strcmp(session->judge.checks[i].task, answer->task) != 0) {
             why = message_new("%s belongs to another task", answer->check);
         } else if (result.status == CHECK_PASSED) {
             why = message_new("%s passed", answer->check);
@@ -160,12 +160,12 @@ static char *judge_wrong(const Session *session, const Answer *answer)
 }
 
 // Which kinds of mistakes do the failed checks of the answer's task name?
-static void judge_naming(const Session *session, const Answer *answer, Naming *naming)
+static void judge_naming(Session *session, const Answer *answer, Naming *naming)
 {
     unsigned named = 0;
-    for (int i = 0; i < session->judge->n_checks; i++) {
+    for (int i = 0; i < session->judge.n_checks; i++) {
         CheckResult result = {.message = NULL};
-        if (strcmp(session->judge->checks[i].task, answer->task) == 0) {
+        if (strcmp(session->judge.checks[i].task, answer->task) == 0) {
             session_judge(session, i, &answer->variant, &result);
             named |= mistake_kinds_named(result.message);
         }
@@ -187,17 +187,17 @@ static void judge_naming(const Session *session, const Answer *answer, Naming *n
 }
 
 // The first check that a right answer lost, or NULL. Owned by the caller.
-static char *judge_right(const Session *session, const Answer *answer)
+static char *judge_right(Session *session, const Answer *answer)
 {
     char *why = NULL;
-    for (int i = 0; why == NULL && i < session->judge->n_checks; i++) {
+    for (int i = 0; why == NULL && i < session->judge.n_checks; i++) {
         CheckResult result = {.message = NULL};
         session_judge(session, i, &answer->variant, &result);
         if (result.status != CHECK_PASSED) {
-            why = message_new("%s: %s", session->judge->checks[i].id, result.message);
-        } else if (strcmp(session->judge->checks[i].task, answer->task) == 0 &&
+            why = message_new("%s: %s", session->judge.checks[i].id, result.message);
+        } else if (strcmp(session->judge.checks[i].task, answer->task) == 0 &&
                    !alone_passes(session, i, &answer->alone)) {
-            why = message_new("%s: it fails alone%s%s", session->judge->checks[i].id,
+            why = message_new("%s: it fails alone%s%s", session->judge.checks[i].id,
                               answer->alone.build_log ? ": " : "",
                               answer->alone.build_log ? answer->alone.build_log : "");
         }
@@ -207,7 +207,7 @@ static char *judge_right(const Session *session, const Answer *answer)
 }
 
 // Why an answer was not judged as it should be, or NULL. Owned by the caller.
-static char *judge_answer(const Session *session, const Answer *answer)
+static char *judge_answer(Session *session, const Answer *answer)
 {
     if (answer->variant.build_log != NULL) {
         return message_new("it does not compile: %s", answer->variant.build_log);

@@ -51,7 +51,7 @@ typedef struct Population {
 
 // ---- Which there are ----------------------------------------------------------------------------
 
-static int add_task(Population *population, const Session *session, int task_number)
+static int add_task(Population *population, Session *session, int task_number)
 {
     const Task *task = &session->manifest.tasks[task_number];
     char path[PATH_BYTES];
@@ -140,12 +140,12 @@ static void print_mutant(const char *what, const Mutant *mutant)
 // ---- Trying -------------------------------------------------------------------------------------
 
 // What became of a mutant that has run: every check of the lab counts.
-static Fate judge_fate(const Session *session, const Variant *variant)
+static Fate judge_fate(Session *session, const Variant *variant)
 {
     if (variant->build_log != NULL) {
         return NOT_COMPILING;
     }
-    for (int i = 0; i < session->judge->n_checks; i++) {
+    for (int i = 0; i < session->judge.n_checks; i++) {
         CheckResult result = {.message = NULL};
         session_judge(session, i, variant, &result);
         free(result.message);

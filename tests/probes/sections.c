@@ -93,6 +93,17 @@ static ssize_t read_fully(int descriptor, unsigned char *bytes, size_t n_bytes)
     return (ssize_t)n_read;
 }
 
+// Take away what is cut off in mid-section at the end. Returns whether anything was.
+static int sections_trim(Sections *sections)
+{
+    size_t end = 0;
+    while (section_at(sections, end, &end) != NULL)
+        ;
+    const int is_cut_off = end != sections->n_bytes;
+    sections->n_bytes = end;
+    return is_cut_off;
+}
+
 int sections_load(const char *path, size_t max_bytes, Sections *sections)
 {
     *sections = (Sections){0};
@@ -118,12 +129,34 @@ int sections_load(const char *path, size_t max_bytes, Sections *sections)
     }
 
     sections->n_bytes = (size_t)n_read;
-    size_t end = 0;
-    while (section_at(sections, end, &end) != NULL)
-        ;
-    int is_cut_off = end != sections->n_bytes;
-    sections->n_bytes = end;
-    return is_cut_off ? -1 : 0;
+    return sections_trim(sections) ? -1 : 0;
+}
+
+int sections_read(FILE *file, size_t n_bytes, Sections *sections)
+{
+    *sections = (Sections){0};
+    if (n_bytes < SIZE_MAX - SECTION_ALIGNMENT) {
+        sections->bytes = aligned_alloc(SECTION_ALIGNMENT, round_up(n_bytes + 1));
+    }
+    if (sections->bytes == NULL || fread(sections->bytes, 1, n_bytes, file) != n_bytes) {
+        sections_free(sections);
+        return -1;
+    }
+    sections->n_bytes = n_bytes;
+    sections_trim(sections);
+    return 0;
+}
+
+const void *sections_next(const Sections *sections, size_t *place, const char **name,
+                          size_t *n_bytes)
+{
+    const SectionHeader *header = section_at(sections, *place, place);
+    if (header == NULL) {
+        return NULL;
+    }
+    *name = header->name;
+    *n_bytes = (size_t)header->n_bytes;
+    return header + 1;
 }
 
 void sections_free(Sections *sections)

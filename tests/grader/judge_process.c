@@ -1,0 +1,304 @@
+// Asking the judge (see judge_process.h).
+//
+// Flow: staged -> compiled -> run -> JUDGED -> alone -> result -> reports. Called by session.c. Its
+// other end: tests/judge/judge_tool.c, where the requests are listed.
+#include "judge_process.h"
+
+#include "complain.h"
+#include "message.h"
+
+#include <errno.h>
+#include <inttypes.h>
+#include <spawn.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+extern char **environ;
+
+enum { PATH_BYTES = 512 };
+
+// A reply holds pictures at most: a dozen, three times each.
+#define MOST_REPLY_BYTES ((size_t)1 << 30)
+
+// ---- The process --------------------------------------------------------------------------------
+
+// Start the program with one end of a socket as its standard input and output. Returns 0, or -1
+// after one message.
+static int spawn(JudgeProcess *judge)
+{
+    char program[PATH_BYTES], seed[32];
+    int ends[2];
+    posix_spawn_file_actions_t actions;
+    snprintf(program, sizeof program, "%s/tools/judge", judge->build);
+    snprintf(seed, sizeof seed, "%" PRIu64, judge->seed);
+    char *const argv[] = {program, (char *)judge->lab, seed, NULL};
+    // Closed in every other program that is started.
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
+        complain("grade: no socket for the judge: %s", strerror(errno));
+        return -1;
+    }
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, ends[1], STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
+    const int error = posix_spawn(&judge->pid, program, &actions, NULL, argv, environ);
+    posix_spawn_file_actions_destroy(&actions);
+    close(ends[1]);
+    judge->replies = error == 0 ? fdopen(ends[0], "r") : NULL;
+    if (judge->replies == NULL) {
+        complain("grade: %s: cannot be started: %s; run make grader in the course's top folder",
+                 program, strerror(error != 0 ? error : errno));
+        close(ends[0]);
+        judge->pid = 0;
+        return -1;
+    }
+    judge->held = 0;
+    return 0;
+}
+
+static void end(JudgeProcess *judge)
+{
+    if (judge->pid != 0) {
+        fclose(judge->replies);  // it reads that nothing more is asked
+        waitpid(judge->pid, NULL, 0);
+    }
+    judge->pid = 0;
+}
+
+void judge_stop(JudgeProcess *judge)
+{
+    end(judge);
+    sections_free(&judge->table);
+    *judge = (JudgeProcess){0};
+}
+
+// ---- Requests and replies -----------------------------------------------------------------------
+
+// Send all of it, without a signal where nobody is there any more. Returns 0, or -1.
+static int send_all(int socket, const void *bytes, size_t n_bytes)
+{
+    for (size_t n_sent = 0; n_sent < n_bytes;) {
+        const ssize_t n =
+            send(socket, (const char *)bytes + n_sent, n_bytes - n_sent, MSG_NOSIGNAL);
+        if (n < 0 && errno != EINTR) {
+            return -1;
+        }
+        n_sent += n > 0 ? (size_t)n : 0;
+    }
+    return 0;
+}
+
+// Ask, and read the reply. Returns 0, or -1 without a message: the judge has ended.
+static int ask(JudgeProcess *judge, const char *word, const char *argument,
+               const Sections *contents, Sections *reply)
+{
+    char line[128];
+    size_t n_bytes = contents != NULL ? contents->n_bytes : 0;
+    *reply = (Sections){0};
+    if (judge->pid == 0) {
+        return -1;
+    }
+    const int socket = fileno(judge->replies);
+    const int n = snprintf(line, sizeof line, "%s %s %zu\n", word, argument, n_bytes);
+    if (send_all(socket, line, (size_t)n) != 0 ||
+        (n_bytes > 0 && send_all(socket, contents->bytes, n_bytes) != 0) ||
+        fscanf(judge->replies, "%zu", &n_bytes) != 1 || fgetc(judge->replies) != '\n' ||
+        n_bytes > MOST_REPLY_BYTES) {
+        return -1;
+    }
+    return sections_read(judge->replies, n_bytes, reply);
+}
+
+// Let it hold these answers. Returns 0, or -1 without a message.
+static int hold(JudgeProcess *judge, Answers answers)
+{
+    Sections reply;
+    if (judge->held == answers.number) {
+        return 0;
+    }
+    judge->held = 0;
+    const int result = ask(judge, "answers", "-", answers.sections, &reply);
+    sections_free(&reply);
+    judge->held = result == 0 ? answers.number : 0;
+    return result;
+}
+
+static int adopt(JudgeProcess *judge)
+{
+    Sections reply;
+    const int result = hold(judge, judge->adopted) | ask(judge, "adopt", "-", NULL, &reply);
+    sections_free(&reply);
+    return result;
+}
+
+// Ask about a submission's answers. Where the judge ends over them it is started anew, and they are
+// not judged again. Returns 0, or -1 without a message.
+static int ask_about(JudgeProcess *judge, Answers answers, const char *word, const char *argument,
+                     Sections *reply)
+{
+    *reply = (Sections){0};
+    if (judge->unjudged == answers.number) {
+        return -1;
+    }
+    if (hold(judge, answers) == 0 && ask(judge, word, argument, NULL, reply) == 0) {
+        return 0;
+    }
+    judge->unjudged = answers.number;
+    end(judge);
+    if (spawn(judge) == 0 && judge->adopted.number != 0) {
+        adopt(judge);
+    }
+    return -1;
+}
+
+// ---- What is asked ------------------------------------------------------------------------------
+
+// The next of several texts that zeros part.
+static const char *next_text(const char **place, const char *end)
+{
+    const char *text = *place;
+    *place += strnlen(text, (size_t)(end - text));
+    *place += *place < end;
+    return text;
+}
+
+// Read the lab's checks. Returns 0, or -1 after one message.
+static int read_checks(JudgeProcess *judge)
+{
+    const char *name, *bytes;
+    size_t place = 0, n_bytes;
+    if (ask(judge, "checks", "-", NULL, &judge->table) != 0) {
+        return -1;  // it has said why
+    }
+    while ((bytes = sections_next(&judge->table, &place, &name, &n_bytes)) != NULL &&
+           judge->n_checks < RESULT_MAX_CHECKS) {
+        const char *const end = bytes + n_bytes;
+        Check *check = &judge->checks[judge->n_checks++];
+        check->id = next_text(&bytes, end);
+        check->title = next_text(&bytes, end);
+        check->task = next_text(&bytes, end);
+        check->points = atoi(next_text(&bytes, end));
+        check->scope = (CheckScope)atoi(next_text(&bytes, end));
+    }
+    return 0;
+}
+
+int judge_start(JudgeProcess *judge, const char *build, const char *lab, uint64_t seed)
+{
+    *judge = (JudgeProcess){.build = build, .lab = lab, .seed = seed};
+    if (spawn(judge) != 0) {
+        return -1;
+    }
+    return read_checks(judge);
+}
+
+int judge_job(JudgeProcess *judge, const char *task, FILE *file)
+{
+    Sections job;
+    int result = ask(judge, "job", task != NULL ? task : "-", NULL, &job);
+    if (result == 0 && fwrite(job.bytes, 1, job.n_bytes, file) != job.n_bytes) {
+        complain("grade: a job cannot be written: %s", strerror(errno));
+        result = -1;
+    }
+    sections_free(&job);
+    return result;
+}
+
+Verdict judge_verdict(JudgeProcess *judge, Answers answers, int check)
+{
+    Sections reply;
+    char number[16];
+    Verdict verdict = {VERDICT_MISSING, NULL};
+    size_t n_bytes;
+    snprintf(number, sizeof number, "%d", check);
+    if (ask_about(judge, answers, "verdict", number, &reply) != 0) {
+        return (Verdict){VERDICT_FAILED,
+                         message_new("the answers cannot be judged: no probe writes such ones")};
+    }
+    const char *message = sections_find_any(&reply, "failed", &n_bytes);
+    if (message != NULL) {
+        verdict = (Verdict){VERDICT_FAILED, message_new("%.*s", (int)n_bytes, message)};
+    } else if (sections_find(&reply, "passed", 0) != NULL) {
+        verdict.kind = VERDICT_PASSED;
+    }
+    sections_free(&reply);
+    return verdict;
+}
+
+int judge_passes_alone(JudgeProcess *judge, Answers answers, int check)
+{
+    Sections reply;
+    char number[16];
+    snprintf(number, sizeof number, "%d", check);
+    const int passes = ask_about(judge, answers, "alone", number, &reply) == 0 &&
+                       sections_find(&reply, "passed", 0) != NULL;
+    sections_free(&reply);
+    return passes;
+}
+
+int judge_adopt(JudgeProcess *judge, Answers answers)
+{
+    judge->adopted = answers;
+    if (adopt(judge) != 0) {
+        complain("grade: the judge ended over the solution's answers");
+        return -1;
+    }
+    return 0;
+}
+
+// ---- Pictures -----------------------------------------------------------------------------------
+
+// A picture from its two sides and its pixels. Returns 0, or -1 after one message.
+static int read_image(const void *bytes, size_t n_bytes, Image *image)
+{
+    int32_t sides[4];
+    if (n_bytes < sizeof sides) {
+        return -1;
+    }
+    memcpy(sides, bytes, sizeof sides);
+    const size_t n_floats = (size_t)sides[0] * (size_t)sides[1] * IMAGE_CHANNELS;
+    if (n_bytes != sizeof sides + n_floats * sizeof(float) ||
+        image_create(sides[0], sides[1], image) != 0) {
+        return -1;
+    }
+    memcpy(image->pixels, (const char *)bytes + sizeof sides, n_floats * sizeof(float));
+    return 0;
+}
+
+// Take a section of a picture in. Returns 0, or -1.
+static int read_part(const char *name, const char *bytes, size_t n_bytes, PictureResult *picture)
+{
+    if (strcmp(name, "reference") == 0 || strcmp(name, "own") == 0) {
+        return read_image(bytes, n_bytes, name[0] == 'o' ? &picture->own : &picture->reference);
+    }
+    char **text = strcmp(name, "svg_own") == 0 ? &picture->svg_own : &picture->svg_reference;
+    *text = strndup(bytes, n_bytes);
+    return *text != NULL ? 0 : -1;
+}
+
+int judge_add_pictures(JudgeProcess *judge, Answers answers, Result *result)
+{
+    Sections reply;
+    const char *name, *bytes;
+    size_t place = 0, n_bytes;
+    int failed = 0;
+    if (ask_about(judge, answers, "pictures", "-", &reply) != 0) {
+        return 0;  // that they cannot be judged is told already
+    }
+    while (!failed && (bytes = sections_next(&reply, &place, &name, &n_bytes)) != NULL) {
+        if (strcmp(name, "title") != 0) {
+            failed = result->n_pictures == 0 ||
+                     read_part(name, bytes, n_bytes, &result->pictures[result->n_pictures - 1]);
+        } else if (result->n_pictures < RESULT_MAX_PICTURES) {
+            PictureResult *picture = &result->pictures[result->n_pictures++];
+            snprintf(picture->title, sizeof picture->title, "%.*s", (int)n_bytes, bytes);
+        }
+    }
+    sections_free(&reply);
+    if (failed) {
+        complain("grade: no memory for the pictures");
+    }
+    return failed ? -1 : 0;
+}
