@@ -203,7 +203,7 @@ grader: $(if $(HANDOUT),,$(addprefix $(OUT)/tools/,holes gradebook mutants mutat
 
 # The same for one lab: what a bundle for another system builds.
 .PHONY: lab-grader
-lab-grader: $(OUT)/tools/grade $(OUT)/tools/unpack $(filter $(OUT)/probes/$(LAB)-%,$(PROBE_TARGETS)) $(patsubst %,$(OUT)/earlier/%.a,$(filter $(LAB)-%,$(LABS)))
+lab-grader: $(addprefix $(OUT)/tools/,grade judge unpack) $(filter $(OUT)/probes/$(LAB)-%,$(PROBE_TARGETS)) $(patsubst %,$(OUT)/earlier/%.a,$(filter $(LAB)-%,$(LABS)))
 
 # Status 1 is a verdict, such as points that are missing: make has nothing to complain of.
 verdict_is_no_fault = || test $$? -eq 1

@@ -8,6 +8,7 @@
 #include "complain.h"
 #include "grading.h"
 #include "memcheck_advice.h"
+#include "memcheck_passes.h"
 #include "message.h"
 #include "settings.h"
 #include "stands_out.h"
@@ -15,6 +16,7 @@
 #include "submission.h"
 
 #include <stdlib.h>
+#include <unistd.h>
 
 enum { EXIT_FULL_MARKS = 0, EXIT_BELOW = 1, EXIT_FAULT = 2, PATH_BYTES = 600 };
 
@@ -137,7 +139,8 @@ static int grade(Grading *grading, const Settings *settings)
     }
     // What ended for a reason that is told already needs no Oclgrind to find one.
     const int crashed = grading->whole.has_crashed && !grading->has_line;
-    if (grading->whole.trouble == NULL || crashed) {
+    const int has_oclgrind = access(OCLGRIND_DRIVER, R_OK) == 0;
+    if (has_oclgrind && (grading->whole.trouble == NULL || crashed)) {
         memcheck_advise(&session->manifest, crashed, grading->is_untouched, &grading->result);
     }
     const Answers answers = {grading->whole.number, &grading->whole.answers};

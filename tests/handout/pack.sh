@@ -1,16 +1,18 @@
 #!/bin/sh
-# Pack what students get for a lab: FOLDER/NN-name.tar.gz, and print its path.
+# Pack what students get for a lab: FOLDER/NN-name.tar.gz, and print its path. FOLDER/NN-name.txt lists what
+# is in it.
 #
 #     tests/handout/pack.sh TOOLS LAB FOLDER
 #
-# It holds the lab's skeleton, the solutions of the labs before it, common/, kernels/, this lab's part
-# of the grader, and a README of its own; never anything of this lab's solution or of later labs. Only
-# tracked files go in. The same commit gives the same bytes, other than where the machine it is packed on
+# It holds the lab's skeleton, the solutions of the labs before it, common/, kernels/, the grader, this
+# lab's probe, the judge as a program, and a README of its own; never anything of this lab's solution or of
+# later labs, nor any text of the judge. Of the course only tracked files go in. The same commit gives the same bytes, other than where the machine it is packed on
 # is so slow that students are given more time. TOOLS is the folder with the built tools `holes` and `grade`.
 set -eu
 
 holes=$1/holes
 grade=$1/grade
+judges=$(dirname "$1")/judges
 folder=$3
 
 fail() {
@@ -58,36 +60,17 @@ done
 sed -n 's|.*](\.\./\.\./\(slides-notes/figures/[^)]*\)).*|\1|p' "$root"/*/*/README.md | sort -u | copy
 git ls-files -- tests/scenes | copy
 
-# From which lab on a part of the grader is needed, where its file's name does not say it.
-# first_lab FILE
-first_lab() {
-    case $1 in
-    tree_judge* | oracle2d_tree*) echo 02 ;;
-    job_scene_tree*) echo 03 ;;
-    oracle3d* | random3d*) echo 04 ;;
-    job_scene3d_tree*) echo 07 ;;
-    job_scene3d*) echo 05 ;;
-    tree3d_*) echo 06 ;;
-    *) echo 00 ;;
-    esac
-}
+# The grader; of the probes and stand-ins this lab's; and the lab's files as they are handed out, whatever
+# becomes of them in labs/.
+git ls-files -- tests/grader "tests/probes/*.[ch]" "tests/probes/$lab" "tests/stand_ins/$lab" | copy
+mkdir -p "$root/tests/skeletons/$lab"
+for file in $(sed -n 's/^  "files": \[\(.*\)\],$/\1/p' "labs/$lab/lab.json" | tr -d '",'); do
+    cp "$stage/cut/labs/$lab/$file" "$root/tests/skeletons/$lab/"
+done
 
-# Of the judges this lab's; of the programs the grader, what it unpacks archives with, process 1 of
-# its sandboxes, and memcheck.
-git ls-files -- tests/grader | while IFS= read -r file; do
-    name=$(basename "$file")
-    case $name in
-    "judge_$number"*) ;;
-    judge_[0-9][0-9]*) continue ;;
-    *.sh) continue ;;
-    esac
-    case $name in
-    grade.c | memcheck.c | unpack_tool.c | sandbox_init_tool.c) ;;
-    *) ! grep -q '^int main(' "$file" || continue ;;
-    esac
-    [ "$(first_lab "$name")" -gt "$number" ] || echo "$file"
-done | copy
-git ls-files -- tests/probes | grep -e "/probe_$lab\." -e '/[a-z]*\.[ch]$' | copy
+# The judge as a program, for both kinds of machines. Its text would be the answers in other words.
+mkdir -p "$root/tests/judge"
+cp "$judges"/judge-x86_64 "$judges"/judge-aarch64 "$root/tests/judge/"
 
 # What may be handed in may take so many times what our solution takes, which is not in here
 # (tests/grader/allowance.h). Rounded up to a power of four, it is mostly the same on every machine.
@@ -119,4 +102,6 @@ tar --create --format=ustar --sort=name --mtime="@$time" --owner=0 --group=0 --n
     --mode=u=rwX,go=rX --directory="$stage" "$lab" >"$stage/archive.tar"
 gzip -n9 <"$stage/archive.tar" >"$archive.new"
 mv "$archive.new" "$archive"
+# What is in it, for those who hand it out: bytes and path, a line each.
+(cd "$root" && find . -type f -printf '%s %P\n' | LC_ALL=C sort -k 2) >"$folder/$lab.txt"
 echo "$archive"
