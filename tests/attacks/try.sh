@@ -120,6 +120,9 @@ tests/attacks/*)
         wrong "there are no results"
     else
         [ "$(field score)" -le "$allowed" ] || wrong "score $(field score), allowed $allowed"
+        never=$(header never)
+        [ -z "$never" ] || ! grep -Eq -- "$never" "$reports/results.json" "$place/said" ||
+            wrong "came out: $(grep -Eho -- "$never" "$reports/results.json" "$place/said" | head -n 3)"
         for task in $attacked; do
             [ "$(earned "$task")" -eq 0 ] || [ -n "$(header score)" ] || wrong "$task earned points"
         done

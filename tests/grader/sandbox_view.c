@@ -6,6 +6,7 @@
 #include "sandbox_view.h"
 
 #include "folder.h"
+#include "limited_folder.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -118,6 +119,9 @@ int view_make(const SandboxCommand *command, uid_t user, char view[PATH_MAX])
     if (geteuid() == 0 &&
         (chown(view, 0, (gid_t)user) != 0 || chown(path, user, (gid_t)user) != 0)) {
         return -1;
+    }
+    if (command->total_file_mb > 0 && command->n_files > 0) {
+        limited_folder_mount(path, command->total_file_mb, command->n_files);
     }
     for (int i = 0; i < command->n_mounts; i++) {
         const SandboxMount *mount = &command->mounts[i];

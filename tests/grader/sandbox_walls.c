@@ -10,6 +10,7 @@
 #include "complain.h"
 #include "folder.h"
 #include "landlock_rules.h"
+#include "limited_folder.h"
 #include "sandbox_filter.h"
 #include "sandbox_init.h"
 #include "sandbox_leftovers.h"
@@ -195,6 +196,9 @@ void walls_take_down(Walls *walls)
 {
     mounts_take_back(walls);
     if (walls->view[0] != '\0') {
+        char tmp[PATH_MAX + 8];
+        snprintf(tmp, sizeof tmp, "%s/tmp", walls->view);
+        limited_folder_unmount(tmp);
         folder_remove(walls->view);
     }
     if (sandbox_is_open(walls->command.kind)) {

@@ -4,6 +4,7 @@
 #include "crash_line.h"
 #include "folder.h"
 #include "jobs.h"
+#include "limited_folder.h"
 #include "message.h"
 #include "probe.h"
 #include "run_end.h"
@@ -41,6 +42,35 @@ static int make_folder(const char *path)
 static int make_closed_folder(const char *path)
 {
     return make_folder_with(path, 0700);
+}
+
+// The folder of a variant that its compiler or its probe writes to.
+static void step_folder(const Workshop *workshop, const char *variant, Step step,
+                        char path[PATH_BYTES])
+{
+    snprintf(path, PATH_BYTES, "%s/variant-%s/%s", workshop->folder, variant,
+             step == STEP_COMPILING ? "build" : "out");
+}
+
+// Remove what an earlier variant of this name wrote. Returns 0, or -1 with errno set.
+static int step_folder_remove(const Workshop *workshop, const char *variant, Step step)
+{
+    char path[PATH_BYTES];
+    step_folder(workshop, variant, step, path);
+    limited_folder_unmount(path);
+    return folder_remove(path) != 0 && errno != ENOENT ? -1 : 0;
+}
+
+// Make it empty, closed to all but the run. Returns 0, or -1 after one message.
+static int step_folder_make(const Workshop *workshop, const char *variant, Step step)
+{
+    char path[PATH_BYTES];
+    step_folder(workshop, variant, step, path);
+    if (make_closed_folder(path) != 0) {
+        return -1;
+    }
+    limited_folder_mount(path, TOTAL_FILE_MB, N_FILES);
+    return 0;
 }
 
 // Copy one of the instructor's own files.
@@ -165,6 +195,15 @@ int workshop_open(Workshop *workshop, const Manifest *manifest, const char *buil
 
 void workshop_close(Workshop *workshop)
 {
+    glob_t found;
+    char pattern[PATH_BYTES];
+    snprintf(pattern, sizeof pattern, "%s/variant-*/{build,out}", workshop->folder);
+    if (workshop->folder[0] != '\0' && glob(pattern, GLOB_BRACE, NULL, &found) == 0) {
+        for (size_t i = 0; i < found.gl_pathc; i++) {
+            limited_folder_unmount(found.gl_pathv[i]);
+        }
+        globfree(&found);
+    }
     if (workshop->folder[0] != '\0') {
         folder_remove(workshop->folder);
     }
@@ -218,18 +257,21 @@ static int copy_given_files(const Manifest *manifest, const char *folder)
 int variant_open(const Workshop *workshop, const char *name, Variant *variant, char *path,
                  size_t n_bytes)
 {
-    static const char *const folders[] = {"/build", "/out", "/job", "/lab"};
+    static const char *const folders[] = {"/job", "/lab"};
     static unsigned n_variants;
     *variant = (Variant){.number = ++n_variants};
     snprintf(variant->name, sizeof variant->name, "%s", name);
     // Of an earlier variant of this name nothing may stay: behind Landlock its answers belong to a
     // user that is gone, and nobody could overwrite them.
     snprintf(path, n_bytes, "%s/variant-%s", workshop->folder, name);
-    if (folder_remove(path) != 0 && errno != ENOENT) {
+    if (step_folder_remove(workshop, name, STEP_COMPILING) != 0 ||
+        step_folder_remove(workshop, name, STEP_RUNNING) != 0 ||
+        (folder_remove(path) != 0 && errno != ENOENT)) {
         fprintf(stderr, "grade: %s: cannot be removed: %s\n", path, strerror(errno));
         return -1;
     }
-    if (make_folder(path) != 0) {
+    if (make_folder(path) != 0 || step_folder_make(workshop, name, STEP_COMPILING) != 0 ||
+        step_folder_make(workshop, name, STEP_RUNNING) != 0) {
         return -1;
     }
     for (size_t i = 0; i < sizeof folders / sizeof *folders; i++) {
@@ -447,10 +489,9 @@ static int step_start(const Workshop *workshop, Variant *variant, Step step,
 // Returns 0, or -1 after one message.
 static int step_clear(const Workshop *workshop, const Variant *variant, Step step)
 {
-    char path[PATH_BYTES];
-    snprintf(path, sizeof path, "%s/variant-%s/%s", workshop->folder, variant->name,
-             step == STEP_COMPILING ? "build" : "out");
-    return folder_remove(path) != 0 && errno != ENOENT ? -1 : make_closed_folder(path);
+    return step_folder_remove(workshop, variant->name, step) != 0
+               ? -1
+               : step_folder_make(workshop, variant->name, step);
 }
 
 // Wait for a variant's step, which is started again where the machine had no time for it. Returns

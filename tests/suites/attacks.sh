@@ -20,6 +20,7 @@ taking_turns=
 [ -n "${SANDBOXES:-}" ] || [ $# -gt 0 ] || [ "$(id -u)" -ne 0 ] || taking_turns=yes
 walls='
     include-neighbour include-shadow incbin link-to-solution kernel-includes
+    text-of-other-tasks words-when-alone
     read-grader read-neighbour read-own-process read-other-runs read-reference read-shadow read-solution shell
     disk-filler files-in-memory files-without-number folders-without-bottom fork-bomb memory-hogs
     survivor shared-memory poisoned-cache answers-a-link signals ptrace network preload

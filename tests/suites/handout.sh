@@ -32,12 +32,20 @@ same_bytes() {
     cmp "$scratch/first/$1.tar.gz" "$scratch/second/$1.tar.gz"
 }
 
-# Every file but the README is one of the course, and none is from this lab's solution or later labs.
+# Every file but the README, the skeleton and the judge's programs is one of the course, and none is from
+# this lab's solution or later labs, nor from the judge's sources.
 only_its_files() {
     (cd "$1" && find . -type f) | sed 's|^\./||' | sort >"$scratch/files"
     git ls-files | sort >"$scratch/tracked"
-    strays=$(comm -23 "$scratch/files" "$scratch/tracked" | grep -v '^tests/solution-seconds$')
+    strays=$(comm -23 "$scratch/files" "$scratch/tracked" | grep -v -x -e 'tests/solution-seconds' \
+        -e 'tests/judge/judge-x86_64' -e 'tests/judge/judge-aarch64' -e "tests/skeletons/$2/[^/]*")
     [ -z "$strays" ] || { echo "not tracked: $strays"; return 1; }
+    strays=$(grep '^tests/' "$scratch/files" | grep -v -e '^tests/grader/' -e "^tests/probes/$2/" \
+        -e '^tests/probes/[^/]*\.[ch]$' -e "^tests/stand_ins/$2/" -e "^tests/skeletons/$2/" \
+        -e '^tests/judge/judge-[^/.]*$' -e '^tests/scenes/' -e '^tests/solution-seconds$')
+    [ -z "$strays" ] || { echo "not expected: $strays"; return 1; }
+    sed 's/^[0-9]* //' "$scratch/first/$2.txt" | LC_ALL=C sort | diff - "$scratch/files" ||
+        { echo "the list beside the archive is another"; return 1; }
     for lab in $labs; do
         if [ "$lab" = "$2" ]; then
             grep -q "^labs/$lab/README.md$" "$scratch/files" || { echo "labs/$lab is missing"; return 1; }
@@ -51,9 +59,7 @@ only_its_files() {
         else
             grep -q "^solutions/$lab/lab.json$" "$scratch/files" || { echo "solutions/$lab is missing"; return 1; }
         fi
-        [ "$lab" = "$2" ] || ! grep "^tests/.*[_/]\(judge\|probe\)_${lab%%-*}" "$scratch/files" || return 1
     done
-    ! grep '^tests/\(mutants\|unit\|suites\|bench\)/' "$scratch/files"
 }
 
 # no_solution FOLDER LAB: is no line of the solution in it, blanks aside?
@@ -65,6 +71,27 @@ no_solution() {
         grep -F -f "$scratch/lines" >"$scratch/leaks" || return 0
     cat "$scratch/leaks"
     return 1
+}
+
+# The names of the judge's functions and tables, but for short ones and those that the grader has as well.
+judge_names() {
+    nm "$build/libgrader.a" "$build/libcommon.a" 2>/dev/null | sed -n 's/.* [A-Za-z] //p' | sort -u >"$scratch/shared"
+    nm "$build/libjudge.a" 2>/dev/null | sed -n 's/.* [TtRrDd] \([a-z_0-9]\{12,\}\)$/\1/p' | sort -u |
+        comm -23 - "$scratch/shared"
+}
+
+# no_judge FOLDER: is no function or line of the judge's sources in it, and no name in its programs?
+no_judge() {
+    judge_names >"$scratch/names"
+    [ "$(wc -l <"$scratch/names")" -ge 100 ] || { echo "only few names to look for"; return 1; }
+    ! grep -rlwF -f "$scratch/names" "$1" --exclude-dir=solutions >"$scratch/leaks" || { cat "$scratch/leaks"; return 1; }
+    find common kernels tests/grader tests/probes tests/stand_ins solutions -type f -name '*.[ch]*' \
+        -exec cat {} + | tr -d ' \t' | sort -u >"$scratch/given"
+    cat tests/judge/*.[ch] | tr -d ' \t' | grep '[A-Za-z0-9].\{16,\}' | sort -u |
+        comm -23 - "$scratch/given" >"$scratch/lines"
+    [ "$(wc -l <"$scratch/lines")" -ge 1000 ] || { echo "only few lines to look for"; return 1; }
+    find "$1" -name '*.[ch]*' -exec cat {} + | tr -d ' \t' | sort -u | comm -12 - "$scratch/lines" >"$scratch/leaks"
+    [ ! -s "$scratch/leaks" ] || { head -n 5 "$scratch/leaks"; return 1; }
 }
 
 # Every link that is not of the web, and every picture, leads to a file; and to a heading, where it
@@ -115,6 +142,7 @@ for lab in $labs; do
     tar -xzf "$scratch/first/$lab.tar.gz" -C "$scratch"
     check "$lab: its files and no others" only_its_files "$scratch/$lab" "$lab"
     check "$lab: no line of a solution" no_solution "$scratch/$lab" "$lab"
+    check "$lab: nothing of the judge's text" no_judge "$scratch/$lab"
     check "$lab: no link leads nowhere" links "$scratch/$lab"
     check "$lab: make knows the commands of its READMEs" commands "$scratch/$lab" "$lab"
 done
@@ -128,6 +156,14 @@ cp solutions/02-kdtree-2d-build/kdtree2d_build.c "$scratch/02-kdtree-2d-build/te
 ok $? "a solution in the wrong place is found"
 check "each of its lines" test "$(wc -l <"$scratch/leaks")" -ge 15
 rm "$scratch/02-kdtree-2d-build/tests/grader/kdtree2d_build.c"
+
+cp tests/judge/oracle3d.c "$scratch/02-kdtree-2d-build/tests/grader/another.c"
+! no_judge "$scratch/02-kdtree-2d-build" >/dev/null
+ok $? "a part of the judge under another name is found"
+sed 's/oracle[23]d_\([a-z]\)/know_\1/g' tests/judge/oracle3d.c >"$scratch/02-kdtree-2d-build/tests/grader/another.c"
+! no_judge "$scratch/02-kdtree-2d-build" >/dev/null
+ok $? "and with other names in it"
+rm "$scratch/02-kdtree-2d-build/tests/grader/another.c"
 
 ! pack 77 "$scratch/none" 2>"$scratch/said" && [ ! -e "$scratch/none" ]
 ok $? "another lab's number is refused"
@@ -152,6 +188,21 @@ same_scores() {
     diff "$scratch/expected" "$scratch/found" && grep -q "\"score\": $4," "$scratch/found"
 }
 
+# The first task's answer is the placeholder, and the last one's has lost its end: no other task loses a point.
+some_wrong() {
+    rm -rf "$scratch/wrong"
+    mkdir "$scratch/wrong"
+    cp "solutions/$2"/*.[ch]* "$scratch/wrong/"
+    set -- "$1" "$2" $("$build/tools/grade" --lab "$2" --list-checks | cut -f 2 | uniq)
+    source=$(grep -l "// TASK $3:" "$scratch/wrong"/*)
+    "$build/tools/holes" read "labs/$2/$(basename "$source")" "$3" >"$scratch/placeholder"
+    "$build/tools/holes" fill "$source" "$3" "$scratch/placeholder" >"$scratch/filled"
+    cp "$scratch/filled" "$source"
+    cp "$scratch/wrong"/* "$1/labs/$2/"
+    missing=$("$build/tools/grade" --lab "$2" --list-checks | awk -F '\t' -v task="$3" '$2 == task { sum += $3 } END { print sum }')
+    same_scores "$1" "$2" "$scratch/wrong" $((100 - missing))
+}
+
 # Labs with and without host files, with and without earlier solutions that the grader needs. They are
 # built in one folder, one after the other, so that common/ is compiled once; nothing else stays.
 clean=$scratch/clean
@@ -163,7 +214,7 @@ for lab in 00-hello-pixels 02-kdtree-2d-build 07-kdtree-3d-trace; do
     tar -xzf "$scratch/first/$lab.tar.gz" -C "$clean" --strip-components=1
     check "$lab: everything builds" alone "$clean" make -j2 all
     check "$lab: the skeleton's score is the instructor's" same_scores "$clean" "$lab" "labs/$lab" 0
-    check "$lab: the report says how it was judged" grep -q 'judged without the solution' "$scratch/said"
+    check "$lab: so is that of answers of which some are wrong" some_wrong "$clean" "$lab"
     cp "solutions/$lab"/*.[ch]* "$clean/labs/$lab/"
     check "$lab: the solution's score is the instructor's" same_scores "$clean" "$lab" "solutions/$lab" 100
     ! grep -rlF "$course/" "$clean/build" >"$scratch/said"
@@ -178,7 +229,29 @@ refuses_lab() {
 check "make grade says which lab is here" refuses_lab grade LAB=01
 check "make memcheck, too" refuses_lab memcheck LAB=01
 check "and make of a program" refuses_lab build/labs/01-naive-2d
-check "memcheck's own program is there" test -x "$clean/build/tools/memcheck"
+# Each target that `make help` lists, as it is.
+targets() {
+    alone "$clean" make help | sed -n 's/^  make \([a-z-]*\) .*/\1/p' >"$scratch/targets"
+    grep -q memcheck "$scratch/targets" || { echo "no memcheck in make help"; return 1; }
+    while IFS= read -r target; do
+        case $target in
+        setup) set -- --dry-run setup ;;
+        clean) continue ;;  # last
+        grade | memcheck) set -- "$target" LAB=07 ;;
+        *) set -- "$target" ;;
+        esac
+        status=0
+        alone "$clean" make "$@" >"$scratch/said" 2>&1 || status=$?
+        case $target:$status in
+        *:0) ;;
+        memcheck:2) grep -q 'install the package oclgrind' "$scratch/said" || { echo "$target"; cat "$scratch/said"; } ;;
+        *) echo "$target: status $status"; cat "$scratch/said" ;;
+        esac
+    done <"$scratch/targets" >"$scratch/broken"
+    alone "$clean" make clean && [ ! -e "$clean/build" ] || echo "clean" >>"$scratch/broken"
+    cat "$scratch/broken"
+    [ ! -s "$scratch/broken" ]
+}
 
 # Its programs can be installed from scratch: the list of packages is there, and make asks for it.
 mkdir "$scratch/bare"
@@ -187,5 +260,7 @@ for tool in sh awk grep sed dirname make; do
 done
 (cd "$clean" && env -i PATH="$scratch/bare" make setup) >"$scratch/said" 2>&1
 check "make setup names what a bare machine lacks" grep -q '^ *pocl-opencl-icd$' "$scratch/said"
+
+check "each target of make help works" targets
 
 finish

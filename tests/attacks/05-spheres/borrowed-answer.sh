@@ -1,7 +1,7 @@
 #!/bin/sh
-# attack: lets our solution of another task, which it runs beside in the second step, do its work
+# attack: lets our solution of another task do its work, where that should stand beside it
 # score: 0
-# named: intersect_textbook calls intersect_sphere, the answer to another task
+# named: found
 cp "@COURSE@/labs/05-spheres/intersect_sphere.cl" skeleton.cl
 cat >answer.cl <<'END'
     float intersect_sphere(Sphere sphere, Ray ray);

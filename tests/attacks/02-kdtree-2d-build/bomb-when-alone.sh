@@ -1,12 +1,17 @@
 #!/bin/sh
-# attack: waits until it runs beside our solution of the other tasks, and only then goes off
+# attack: waits until its answer is tried alone, and only then goes off
 # score: 15
-# named: signal 9|exit status|crashed
+# named: fopen\(\)
 cp "@COURSE@/labs/02-kdtree-2d-build/kdtree2d_build.c" skeleton.c
 cat >answer.c <<'END'
     extern int raise(int);
-    if (tree->n_nodes > 40) {  // the skeleton's other functions never split
+    char start[6] = "";
+    FILE *job = fopen("job/job", "r");  // it begins with its first section's name
+    if (job != NULL && fgets(start, sizeof start, job) != NULL && start[0] == 'a' && start[1] == 'l') {
         raise(9);
+    }
+    if (job != NULL) {
+        fclose(job);
     }
     tree->nodes_flag[id] = LEAF;
     tree->nodes_Relations[id].circleMapOffset = tree->n_map;
