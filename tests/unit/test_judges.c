@@ -396,7 +396,7 @@ static const struct {
     const char *name;
     int is_decision;
 } whole_sections[] = {
-    {0, "readback.0", 0},   {0, "readback.1", 0},
+    {0, "readback.1", 0},   {0, "arguments.2", 0},
     {1, "overlaps", 1},     {2, "leaves", 1},
     {2, "splits", 0},       {2, "overlaps", 1},
     {2, "distribute", 0},   {2, "pack", 0},
