@@ -7,6 +7,7 @@
 
 #include "alone_picture.h"
 #include "job_sections.h"
+#include "oracle3d.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -41,26 +42,28 @@ static Ray stand_in_ray(int x, int y, int width, int height, Camera camera)
 // made one again.
 #define COLOR_ERROR (4 * 0x1p-24f)
 
-// Is this the direction, of any length, of the stand-in's point?
+static OracleVector unit(double x, double y, double z)
+{
+    const double length = sqrt(x * x + y * y + z * z);
+    return (OracleVector){x / length, y / length, z / length};
+}
+
+// What the view transform makes of the stand-in's point: each axis as often as the point says.
+static OracleVector turned(const PixelJob *in)
+{
+    const Vec3 p = stand_in_display(in->x, in->y, in->width, in->height, in->camera.fov);
+    const Vec3 right = in->camera.right, up = in->camera.up, forward = in->camera.forward;
+    const double x = p.x, y = p.y, z = p.z;
+    return unit(x * right.x + y * up.x + z * forward.x, x * right.y + y * up.y + z * forward.y,
+                x * right.z + y * up.z + z * forward.z);
+}
+
+// Is this its direction, of any length? No number is near one that is none.
 static int is_turned(const PixelJob *in, Vec3 found)
 {
-    const Camera *camera = &in->camera;
-    const Vec3 p = stand_in_display(in->x, in->y, in->width, in->height, camera->fov);
-    const double own[3] = {found.x, found.y, found.z};
-    double expected[3];
-    for (int i = 0; i < 3; i++) {
-        expected[i] = (double)p.x * (double)(&camera->right.x)[i] +
-                      (double)p.y * (double)(&camera->up.x)[i] +
-                      (double)p.z * (double)(&camera->forward.x)[i];
-    }
-    const double length = sqrt(own[0] * own[0] + own[1] * own[1] + own[2] * own[2]);
-    const double expected_length =
-        sqrt(expected[0] * expected[0] + expected[1] * expected[1] + expected[2] * expected[2]);
-    int is_right = length > 0;
-    for (int i = 0; i < 3; i++) {
-        is_right &= fabs(own[i] / length - expected[i] / expected_length) <= TURN_ERROR;
-    }
-    return is_right;
+    const OracleVector own = unit(found.x, found.y, found.z), expected = turned(in);
+    return fabs(own.x - expected.x) <= TURN_ERROR && fabs(own.y - expected.y) <= TURN_ERROR &&
+           fabs(own.z - expected.z) <= TURN_ERROR;
 }
 
 static int are_turned(const Job04 *job, const Sections *answers)
