@@ -116,10 +116,10 @@ typedef struct ProbeStep {
 static const ProbeStep steps[] = {
     {.lab = "", .name = "", .where = "before any of your functions was called"},
     {.lab = "", .name = "build", .where = "while your kernels were compiled"},
+    {"00", "picture", "in the kernel gradient", "gradient", ON_SCENE, 0, NULL},
     {"00", "arguments", "in set_arguments", "set_arguments", ON_SCENE, 0, NULL},
-    {"00", "picture", "in enqueue_pixels or the kernel it launches", NULL, ON_SCENE, 0, NULL},
-    {"00", "readback", "in read_back", "read_back", ON_SCENE, 0, NULL},
     {"00", "items", "in enqueue_pixels", "enqueue_pixels", ON_SCENE, 0, NULL},
+    {"00", "readback", "in read_back", "read_back", ON_SCENE, 0, NULL},
     {"01", "overlaps", "in overlaps_N_Nearer", "overlaps_N_Nearer", ON_INPUTS, sizeof(OverlapJob),
      NULL},
     {"01", "picture", "in implicit2DRenderer", NULL, ON_SCENE, 0, NULL},

@@ -1,14 +1,13 @@
-// Judge of lab 00: a gradient on several sizes, whole and as read back.
-#include "judge.h"
+// Judge of lab 00: a gradient on several sizes, and the host's functions on the same sizes. Read
+// next: judge_00.h.
+#include "judge_00.h"
 
-#include "job_picture.h"
 #include "job_sections.h"
 #include "jobs.h"
-#include "message.h"
 #include "random.h"
 
-#include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum {
     GRADIENT_PICTURE,
@@ -28,15 +27,6 @@ static const Check checks[] = {
                         20},
     [READ_BACK_PICTURE] = {"read_back-picture", "The picture arrives on the host", "read_back", 20},
 };
-
-// Multiples of the work-group and not, higher than wide, a single pixel; the last two from the
-// seed.
-enum { N_SIZES = 7 };
-
-typedef struct Job {
-    JobPicture gradients[N_SIZES];
-    JobPicture *pictures[N_SIZES];  // the gradients
-} Job;
 
 // A device's float division may be off by 2.5 units in the last place (OpenCL 1.2, 7.4), of values
 // below 1: 2.5 * 2^-24; twice that is allowed.
@@ -95,31 +85,83 @@ static int expect_gradient(int width, int height, JobPicture *gradient)
     return 0;
 }
 
+// As DrawMistaken of picture.h has it, for a pattern.
+static const char *pattern_mistaken(const void *scene, int mistake, Image *guess, float *tolerances)
+{
+    (void)scene;
+    if (mistake > 0) {
+        return NULL;
+    }
+    gradient_draw(guess, 0, 0);
+    for (int i = 0; i < guess->width * guess->height; i++) {
+        tolerances[i] = GRADIENT_ERROR;
+    }
+    return "like the gradient: read_back copies what is in the image, whatever that is";
+}
+
+// Random colours for read_back, which have to arrive to the bit.
+static int draw_pattern(Random *random, int width, int height, ExpectedPicture *pattern)
+{
+    if (image_create(width, height, &pattern->reference) != 0) {
+        return -1;
+    }
+    pattern->draw_mistaken = pattern_mistaken;
+    for (int i = 0; i < width * height * IMAGE_CHANNELS; i++) {
+        pattern->reference.pixels[i] = (float)random_integer(random, -1000000, 1000000) / 0x1p18f;
+    }
+    return 0;
+}
+
 static void job_free(void *pointer)
 {
-    Job *job = pointer;
+    Job00 *job = pointer;
     for (int k = 0; k < N_SIZES; k++) {
         expected_picture_free(&job->gradients[k].expected);
+        expected_picture_free(&job->patterns[k]);
     }
     free(job);
+}
+
+static void draw_sizes(Random *random, int sizes[N_SIZES][2])
+{
+    static const int fixed[][2] = {{64, 48}, {317, 211}, {48, 64}, {1, 1}, {17, 16}};
+    const int n_fixed = sizeof fixed / sizeof *fixed;
+    memcpy(sizes, fixed, sizeof fixed);
+    for (int k = n_fixed; k < N_SIZES; k++) {
+        sizes[k][0] = (int)random_integer(random, 20, 200);
+        sizes[k][1] = (int)random_integer(random, 20, 200);
+    }
+}
+
+// Write one size. Returns 0, or -1.
+static int write_size(const Job00 *job, int k, FILE *file)
+{
+    const Image *reference = &job->gradients[k].expected.reference;
+    const SceneJob size = {.width = reference->width, .height = reference->height};
+    return job_section_write(file, k, NULL, &size, sizeof size) |
+           job_title_write(file, k, job->gradients[k].title);
+}
+
+static int write_pattern(const Job00 *job, int k, FILE *file)
+{
+    const Image *pattern = &job->patterns[k].reference;
+    return job_section_write(file, k, "pattern", pattern->pixels,
+                             (size_t)pattern->width * (size_t)pattern->height * IMAGE_CHANNELS *
+                                 sizeof(float));
 }
 
 static void *job_new(uint64_t seed, FILE *file)
 {
     Random random = {seed};
-    int sizes[N_SIZES][2] = {{64, 48}, {317, 211}, {48, 64}, {1, 1}, {17, 16}};
-    for (int k = N_SIZES - 2; k < N_SIZES; k++) {
-        sizes[k][0] = (int)random_integer(&random, 20, 200);
-        sizes[k][1] = (int)random_integer(&random, 20, 200);
-    }
-    Job *job = calloc(1, sizeof *job);
+    int sizes[N_SIZES][2];
+    draw_sizes(&random, sizes);
+    Job00 *job = calloc(1, sizeof *job);
     int result = job == NULL ? -1 : 0;
     for (int k = 0; result == 0 && k < N_SIZES; k++) {
-        const SceneJob size = {.width = sizes[k][0], .height = sizes[k][1]};
         job->pictures[k] = &job->gradients[k];
-        result = expect_gradient(size.width, size.height, &job->gradients[k]);
-        result |= job_section_write(file, k, NULL, &size, sizeof size);
-        result |= job_title_write(file, k, job->gradients[k].title);
+        result = expect_gradient(sizes[k][0], sizes[k][1], &job->gradients[k]);
+        result |= draw_pattern(&random, sizes[k][0], sizes[k][1], &job->patterns[k]);
+        result = result != 0 ? result : write_size(job, k, file) | write_pattern(job, k, file);
     }
     if (result != 0 && job != NULL) {
         job_free(job);
@@ -128,117 +170,51 @@ static void *job_new(uint64_t seed, FILE *file)
     return job;
 }
 
-// One work-item a pixel, and around the picture at most one group in each direction: the margin of
-// the probe's image. NULL when it is so.
-static char *judge_items(const JobPicture *gradient, const u32 *n_items)
-{
-    const int width = gradient->expected.reference.width;
-    const int height = gradient->expected.reference.height;
-    const size_t side = (size_t)PROBE_IMAGE_SIDE(width);
-    for (int y = 0; y < height; y++) {
-        for (int x = 0; x < width; x++) {
-            const u32 n = n_items[(size_t)y * side + (size_t)x];
-            if (n != 1) {
-                return message_new("%s: pixel (%d, %d) has %u work-items, expected one",
-                                   gradient->title, x, y, n);
-            }
-        }
-    }
-    const u32 n_far = n_items[side * (size_t)PROBE_IMAGE_SIDE(height)];
-    return n_far == 0
-               ? NULL
-               : message_new("%s: %u work-items stand more than one group beyond the picture: "
-                             "is the size rounded up to the next multiple of the group's?",
-                             gradient->title, n_far);
-}
-
-static Verdict judge_covers(const Job *job, const Sections *answers)
-{
-    for (int k = 0; k < N_SIZES; k++) {
-        const JobPicture *gradient = &job->gradients[k];
-        const ProbeImage own = job_picture_answer(gradient, k, answers);
-        if (own.pixels == NULL) {
-            return verdict_missing;
-        }
-        const Image *reference = &gradient->expected.reference;
-        const size_t n_places = (size_t)PROBE_IMAGE_SIDE(reference->width) *
-                                (size_t)PROBE_IMAGE_SIDE(reference->height);
-        const u32 *n_items =
-            job_section_find(answers, "items", k, (n_places + 1) * sizeof *n_items);
-        if (n_items == NULL) {
-            return verdict_missing;
-        }
-        char *message = picture_judge_written(own, &gradient->expected);
-        message = message != NULL ? message : judge_items(gradient, n_items);
-        if (message != NULL) {
-            return verdict_of(message);
-        }
-        // Written, but by the kernel? Where a wrong kernel is to blame, the task is tried with
-        // ours.
-        message = picture_judge(own, &gradient->expected);
-        if (message != NULL) {
-            return verdict_of(message);
-        }
-    }
-    return verdict_of(NULL);
-}
-
-// What read_back() delivered, compared like a picture without a margin.
-static Verdict judge_read_back(const Job *job, const Sections *answers)
-{
-    for (int k = 0; k < N_SIZES; k++) {
-        const JobPicture *gradient = &job->gradients[k];
-        const Image *reference = &gradient->expected.reference;
-        const size_t n_floats =
-            (size_t)reference->width * (size_t)reference->height * IMAGE_CHANNELS;
-        const ProbeImage own = {job_section_find(answers, "readback", k, n_floats * sizeof(float)),
-                                reference->width, reference->height};
-        if (own.pixels == NULL) {
-            return verdict_missing;
-        }
-        // The array was all NaN; one left in the last pixel says that the copy stopped early.
-        if (isnan(own.pixels[n_floats - 1])) {
-            const float *wanted = image_pixel(reference, own.image_width - 1, own.image_height - 1);
-            return verdict_of(message_new(
-                "%s: the array on the host was not filled to its end: nobody wrote pixel (%d, %d): "
-                "found it untouched, expected (%.4g, %.4g, %.4g, %.4g)",
-                gradient->title, reference->width - 1, reference->height - 1, (double)wanted[0],
-                (double)wanted[1], (double)wanted[2], (double)wanted[3]));
-        }
-        char *wrong = picture_judge(own, &gradient->expected);
-        if (wrong != NULL) {
-            char *message = message_new("%s, read back: %s", gradient->title, wrong);
-            free(wrong);
-            return verdict_of(message);
-        }
-    }
-    return verdict_of(NULL);
-}
-
 static Verdict judge(const void *pointer, int check, const Sections *answers)
 {
-    const Job *job = pointer;
+    const Job00 *job = pointer;
     switch (check) {
     case GRADIENT_PADDING:
         return job_pictures_judge_padding(job->pictures, N_SIZES, answers);
+    case SET_ARGUMENTS_PICTURE:
+        return judge_00_arguments(job, answers);
     case ENQUEUE_COVERS:
-        return judge_covers(job, answers);
+        return judge_00_items(job, answers);
     case READ_BACK_PICTURE:
-        return judge_read_back(job, answers);
+        return judge_00_read_back(job, answers);
     default:
         return job_pictures_judge(job->pictures, 0, N_SIZES, answers);
     }
 }
 
+// No task needs another: alone each is tried on the same.
+static int write_alone(const void *pointer, const char *task, FILE *file)
+{
+    const Job00 *job = pointer;
+    const int has_patterns = strcmp(task, "read_back") == 0;
+    int result = 0;
+    for (int k = 0; result == 0 && k < N_SIZES; k++) {
+        result = write_size(job, k, file) | (has_patterns ? write_pattern(job, k, file) : 0);
+    }
+    return result;
+}
+
+static int passes_alone(const void *job, int check, const Sections *answers)
+{
+    Verdict verdict = judge(job, check, answers);
+    free(verdict.message);
+    return verdict.kind == VERDICT_PASSED;
+}
+
 static void adopt(void *pointer, const Sections *answers)
 {
-    Job *job = pointer;
+    Job00 *job = pointer;
     job_pictures_adopt(job->pictures, N_SIZES, answers);
 }
 
 static void add_pictures(const void *pointer, const Sections *answers, Result *result)
 {
-    const Job *job = pointer;
+    const Job00 *job = pointer;
     job_pictures_report(job->pictures, N_SIZES, answers, result);
 }
 
@@ -249,6 +225,8 @@ const Judge judge_00 = {
     .job_new = job_new,
     .job_free = job_free,
     .judge = judge,
+    .write_alone = write_alone,
+    .passes_alone = passes_alone,
     .adopt = adopt,
     .add_pictures = add_pictures,
 };

@@ -60,6 +60,8 @@ const Judge judge_04 = {
     .job_new = job_04_new,
     .job_free = job_04_free,
     .judge = judge,
+    .write_alone = judge_04_write_alone,
+    .passes_alone = judge_04_passes_alone,
     .adopt = adopt,
     .add_pictures = add_pictures,
 };

@@ -1,5 +1,5 @@
 // What lab 04's judge asks of a submission: views, pixels and pictures of directions. Drawn in
-// judge_04_job.c, judged in judge_04.c and judge_04_functions.c.
+// judge_04_job.c, judged in judge_04.c and judge_04_functions.c, alone in judge_04_alone.c.
 #ifndef GRADER_JUDGE_04_H
 #define GRADER_JUDGE_04_H
 
@@ -35,6 +35,7 @@ enum { RANDOM = 0, ALONG = 2, N_PICTURES = ALONG + 3 };
 typedef struct Job04 {
     ViewJob views[N_VIEWS];
     PixelJob pixels[N_ALL_PIXELS];
+    SceneJob3D scenes[N_PICTURES];
     JobPicture directions[N_PICTURES];
     JobPicture *pictures[N_PICTURES];  // the directions
 } Job04;
@@ -48,5 +49,11 @@ void job_04_free(void *job);
 Verdict judge_04_axes(const Job04 *job, int check, const Sections *answers);
 Verdict judge_04_display(const Job04 *job, int check, const Sections *answers);
 Verdict judge_04_rays(const Job04 *job, int check, const Sections *answers);
+
+// See write_alone and passes_alone of judge.h.
+int judge_04_write_alone(const void *job, const char *task, FILE *file);
+int judge_04_passes_alone(const void *job, int check, const Sections *answers);
+
+extern const Judge judge_04;
 
 #endif

@@ -97,6 +97,7 @@ static int draw_pictures(Random *random, Job04 *job, FILE *file)
             snprintf(picture->title, sizeof picture->title, "directions, looking along %s",
                      names[k - ALONG]);
         }
+        job->scenes[k] = scene;
         job->pictures[k] = picture;
         result = expect_directions(&scene.camera, width, height, picture);
         result |= job_section_write(file, k, NULL, &scene, sizeof scene);

@@ -32,8 +32,8 @@
 
 // Section "scene.K"; the circles are in "scene.K.circles", one more than there are, and a tree (lab
 // 03) in "scene.K.relations", ".flags", ".boxes" and ".map". The probe answers with "picture.K":
-// [image height][image width][4], lab 00 with "readback.K" and "items.K" besides, and lab 03 with
-// "work.K": a Work for each pixel, and room behind them.
+// [image height][image width][4], and lab 03 with "work.K" besides: a Work for each pixel, and room
+// behind them.
 typedef struct SceneJob {
     i32 n_circles;
     i32 width;  // of the picture; the image has the margin besides
@@ -45,6 +45,24 @@ LAYOUT_ASSERT(SceneJob, 20);
 
 // The image's side for a picture's side: whole work-groups of 16 and the margin.
 #define PROBE_IMAGE_SIDE(side) (((side) + 15) / 16 * 16 + PROBE_MARGIN)
+
+// Lab 00: a scene is a size, and "scene.K.pattern" the colours, [height][width][4], in the image
+// that read_back is given. Besides "picture.K" the answers are "arguments.K", an ArgumentsAnswer,
+// "items.K", the number of work-items at each place of the image, [image height][image width], and
+// N_ITEMS_REST numbers behind them, and "readback.K", [height][width][4].
+typedef struct ArgumentsAnswer {
+    i32 error;       // of launching a kernel with what set_arguments handed over: an OpenCL status
+    f32 arrived[4];  // what that kernel wrote: width, height, 0, 1; UNWRITTEN where it did not
+} ArgumentsAnswer;
+LAYOUT_ASSERT(ArgumentsAnswer, 20);
+
+enum {
+    ITEMS_FAR,              // work-items that stand outside of the image
+    ITEMS_IN_OTHER_GROUPS,  // those in work-groups that are not 16 x 16
+    ITEMS_GROUP_WIDTH,      // the size of one of these
+    ITEMS_GROUP_HEIGHT,
+    N_ITEMS_REST,
+};
 
 // Lab 01: one call of overlaps_N_Nearer. Answered by an i32.
 typedef struct OverlapJob {

@@ -1,8 +1,9 @@
-// Probe of lab 00: the student's three host functions and kernel on several sizes.
+// Probe of lab 00: the student's kernel and three host functions on several sizes.
 //
-// Each size gives "picture.K", the image as the kernel left it, and "readback.K", what read_back()
-// brought home into an array of NaNs; and "items.K", how many work-items enqueue_pixels() starts
-// for each place of that image, and one number behind them: how many stand outside of it.
+// Nothing that is tried needs another task. The kernel comes first, launched by the probe itself,
+// before any function of the student's: "picture.K". set_arguments() is called for a kernel of the
+// probe that tells what arrived, "arguments.K"; enqueue_pixels() launches one that counts its
+// work-items, "items.K"; read_back() copies an image that the probe has filled, "readback.K".
 #include "probe.h"
 #include "render.h"
 
@@ -24,9 +25,8 @@ static void *release_later(void *release)
     return NULL;
 }
 
-// Call read_back() behind a queue that is held up.
-static void read_back_late(const Probe *probe, cl_mem d_image, const SceneJob *scene,
-                           float *h_pixels)
+// Let all that is queued from now on wait for a moment.
+static void hold_up(const Probe *probe)
 {
     cl_int error;
     pthread_t thread;
@@ -36,33 +36,78 @@ static void read_back_late(const Probe *probe, cl_mem d_image, const SceneJob *s
     if (pthread_create(&thread, NULL, release_later, release) != 0) {
         exit(PROBE_EXIT_FAULT);
     }
-    read_back(probe->cl.queue, d_image, scene->width, scene->height, h_pixels);
 }
 
-static void answer_read_back(const Probe *probe, int k, cl_mem d_image, const SceneJob *scene)
+// An image as large as the picture, without a margin, as the lab's own.
+static cl_mem exact_image(const Probe *probe, const SceneJob *scene)
 {
-    const size_t n_floats = (size_t)scene->width * (size_t)scene->height * 4;
-    float *h_pixels = malloc(n_floats * sizeof *h_pixels);
-    for (size_t i = 0; i < n_floats; i++) {
-        h_pixels[i] = NAN;
+    cl_mem d_image = cl_image_create(&probe->cl, scene->width, scene->height);
+    if (d_image == NULL) {
+        exit(PROBE_EXIT_FAULT);
     }
-    probe_note(probe, "readback", (uint32_t)k);
-    if (k == 0) {
-        read_back_late(probe, d_image, scene, h_pixels);
-    } else {
-        read_back(probe->cl.queue, d_image, scene->width, scene->height, h_pixels);
-    }
-    // As it is when read_back() returns: what arrives later is too late.
-    probe_answer(probe, "readback", k, NULL, h_pixels, n_floats * sizeof *h_pixels);
-    CL_CHECK(clFinish(probe->cl.queue));
-    free(h_pixels);
+    return d_image;
 }
 
-static void answer_items(const Probe *probe, int k, cl_program program, const SceneJob *scene)
+// ---- gradient -----------------------------------------------------------------------------------
+
+static void answer_picture(const Probe *probe, int k, const SceneJob *scene, cl_program program)
+{
+    cl_kernel kernel = probe_kernel(program, "gradient");
+    cl_mem d_image = probe_image(probe, scene->width, scene->height);
+    CL_CHECK(clSetKernelArg(kernel, 0, sizeof scene->width, &scene->width));
+    CL_CHECK(clSetKernelArg(kernel, 1, sizeof scene->height, &scene->height));
+    CL_CHECK(clSetKernelArg(kernel, 2, sizeof d_image, &d_image));
+    probe_draw(probe, k, kernel, d_image, scene->width, scene->height);
+    CL_CHECK(clReleaseMemObject(d_image));
+    CL_CHECK(clReleaseKernel(kernel));
+}
+
+static void answer_pictures(const Probe *probe)
+{
+    cl_program program = probe_build(probe, LAB_FOLDER "/gradient.cl", "-I kernels");
+    const SceneJob *scene;
+    for (int k = 0; (scene = probe_scene(probe, k)) != NULL; k++) {
+        answer_picture(probe, k, scene, program);
+    }
+    CL_CHECK(clReleaseProgram(program));
+}
+
+// ---- set_arguments ------------------------------------------------------------------------------
+
+// What a kernel writes into the first pixel. The image is wiped after set_arguments() has had it.
+static ArgumentsAnswer launch_with_arguments(const Probe *probe, cl_kernel kernel, cl_mem d_image)
+{
+    const cl_float4 color = {{UNWRITTEN, UNWRITTEN, UNWRITTEN, UNWRITTEN}};
+    const size_t corner[3] = {0, 0, 0}, pixel[3] = {1, 1, 1}, one = 1;
+    cl_command_queue queue = probe->cl.queue;
+    ArgumentsAnswer answer;
+    CL_CHECK(clEnqueueFillImage(queue, d_image, &color, corner, pixel, 0, NULL, NULL));
+    answer.error = clEnqueueNDRangeKernel(queue, kernel, 1, NULL, &one, NULL, 0, NULL, NULL);
+    answer.error = answer.error == CL_SUCCESS ? clFinish(queue) : answer.error;
+    CL_CHECK(clEnqueueReadImage(queue, d_image, CL_TRUE, corner, pixel, 0, 0, answer.arrived, 0,
+                                NULL, NULL));
+    return answer;
+}
+
+static void answer_arguments(const Probe *probe, int k, const SceneJob *scene, cl_program program)
+{
+    cl_kernel kernel = probe_kernel(program, "take_arguments");
+    cl_mem d_image = exact_image(probe, scene);
+    probe_note(probe, "arguments", (uint32_t)k);
+    set_arguments(kernel, scene->width, scene->height, d_image);
+    const ArgumentsAnswer answer = launch_with_arguments(probe, kernel, d_image);
+    probe_answer(probe, "arguments", k, NULL, &answer, sizeof answer);
+    CL_CHECK(clReleaseMemObject(d_image));
+    CL_CHECK(clReleaseKernel(kernel));
+}
+
+// ---- enqueue_pixels -----------------------------------------------------------------------------
+
+static void answer_items(const Probe *probe, int k, const SceneJob *scene, cl_program program)
 {
     const size_t n_places =
         (size_t)PROBE_IMAGE_SIDE(scene->width) * (size_t)PROBE_IMAGE_SIDE(scene->height);
-    const size_t n_bytes = (n_places + 1) * sizeof(cl_uint);
+    const size_t n_bytes = (n_places + N_ITEMS_REST) * sizeof(cl_uint);
     void *zeros = calloc(1, n_bytes);
     if (zeros == NULL) {
         exit(PROBE_EXIT_FAULT);
@@ -82,25 +127,43 @@ static void answer_items(const Probe *probe, int k, cl_program program, const Sc
     free(zeros);
 }
 
-// Call set_arguments() for a kernel of ours and launch that one. OpenCL may take a handle that is
-// none, and notice only at the launch: then this is where it ends, and not in enqueue_pixels().
-static void try_arguments(const Probe *probe, int k, cl_program program, const SceneJob *scene)
+// ---- read_back ----------------------------------------------------------------------------------
+
+static void answer_read_back(const Probe *probe, int k, const SceneJob *scene)
 {
-    const size_t one = 1;
-    cl_kernel kernel = probe_kernel(program, "take_arguments");
-    cl_mem d_image = probe_image(probe, scene->width, scene->height);
-    probe_note(probe, "arguments", (uint32_t)k);
-    set_arguments(kernel, scene->width, scene->height, d_image);
-    cl_int error =
-        clEnqueueNDRangeKernel(probe->cl.queue, kernel, 1, NULL, &one, NULL, 0, NULL, NULL);
-    error = error == CL_SUCCESS ? clFinish(probe->cl.queue) : error;
-    if (error != CL_SUCCESS) {
-        fprintf(stderr, "launching a kernel with these arguments: %s (%d)\n", cl_error_name(error),
-                error);
-        exit(EXIT_FAILURE);
+    const size_t corner[3] = {0, 0, 0};
+    const size_t region[3] = {(size_t)scene->width, (size_t)scene->height, 1};
+    const size_t n_floats = region[0] * region[1] * 4;
+    size_t n_bytes;
+    const float *h_pattern = probe_scene_part(probe, k, "pattern", &n_bytes);
+    float *h_pixels = malloc(n_floats * sizeof *h_pixels);
+    if (h_pixels == NULL || n_bytes != n_floats * sizeof *h_pixels) {
+        exit(PROBE_EXIT_FAULT);
     }
+    for (size_t i = 0; i < n_floats; i++) {
+        h_pixels[i] = NAN;
+    }
+    cl_mem d_image = exact_image(probe, scene);
+    if (k == 0) {
+        hold_up(probe);
+    }
+    CL_CHECK(clEnqueueWriteImage(probe->cl.queue, d_image, CL_FALSE, corner, region, 0, 0,
+                                 h_pattern, 0, NULL, NULL));
+    probe_note(probe, "readback", (uint32_t)k);
+    read_back(probe->cl.queue, d_image, scene->width, scene->height, h_pixels);
+    // As it is when read_back() returns: what arrives later is too late.
+    probe_answer(probe, "readback", k, NULL, h_pixels, n_bytes);
+    CL_CHECK(clFinish(probe->cl.queue));
     CL_CHECK(clReleaseMemObject(d_image));
-    CL_CHECK(clReleaseKernel(kernel));
+    free(h_pixels);
+}
+
+// ---- All of it ----------------------------------------------------------------------------------
+
+// With a whole submission every task is tried, with one task's answer that task.
+static int is_tried(const Probe *probe, const char *task)
+{
+    return !probe_asks(probe, PROBE_ALONE) || probe_alone(probe, task);
 }
 
 int main(void)
@@ -108,25 +171,21 @@ int main(void)
     Probe probe;
     probe_open(&probe);
     probe_open_device(&probe);
-    cl_program program = probe_build(&probe, LAB_FOLDER "/gradient.cl", "-I kernels");
-    cl_program counting =
+    if (is_tried(&probe, "gradient")) {
+        answer_pictures(&probe);
+    }
+    cl_program program =
         probe_build(&probe, "probes/probe_" LAB_NAME ".cl", "-I kernels -I probes");
     const SceneJob *scene;
-    for (int k = 0; (scene = probe_scene(&probe, k)) != NULL; k++) {
-        try_arguments(&probe, k, counting, scene);
-        cl_kernel kernel = probe_kernel(program, "gradient");
-        cl_mem d_image = probe_image(&probe, scene->width, scene->height);
-        set_arguments(kernel, scene->width, scene->height, d_image);
-        probe_note(&probe, "picture", (uint32_t)k);
-        enqueue_pixels(probe.cl.queue, kernel, scene->width, scene->height);
-        CL_CHECK(clFinish(probe.cl.queue));
-        probe_answer_image(&probe, k, d_image, scene->width, scene->height);
-        answer_read_back(&probe, k, d_image, scene);
-        answer_items(&probe, k, counting, scene);
-        CL_CHECK(clReleaseMemObject(d_image));
-        CL_CHECK(clReleaseKernel(kernel));
+    for (int k = 0; (scene = probe_scene(&probe, k)) && is_tried(&probe, "set_arguments"); k++) {
+        answer_arguments(&probe, k, scene, program);
     }
-    CL_CHECK(clReleaseProgram(counting));
+    for (int k = 0; (scene = probe_scene(&probe, k)) && is_tried(&probe, "enqueue_pixels"); k++) {
+        answer_items(&probe, k, scene, program);
+    }
+    for (int k = 0; (scene = probe_scene(&probe, k)) && is_tried(&probe, "read_back"); k++) {
+        answer_read_back(&probe, k, scene);
+    }
     CL_CHECK(clReleaseProgram(program));
     probe_close(&probe);
     return EXIT_SUCCESS;

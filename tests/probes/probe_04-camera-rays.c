@@ -34,22 +34,31 @@ static void answer_picture(const Probe *probe, int k, const SceneJob3D *scene, c
     CL_CHECK(clReleaseMemObject(d_image));
 }
 
+static void answer_kernels(Probe *probe)
+{
+    probe_open_device(probe);
+    cl_program program = probe_build(probe, "probes/probe_" LAB_NAME ".cl",
+                                     PROBE_KERNEL_OPTIONS " -I " LAB_FOLDER " -I probes");
+    probe_call(probe, program, "pixels", sizeof(PixelJob), sizeof(PixelAnswer), NULL, 0);
+    cl_kernel kernel = probe_kernel(program, "draw_directions");
+    const SceneJob3D *scene;
+    for (int k = 0; (scene = probe_scene3d(probe, k)) != NULL; k++) {
+        answer_picture(probe, k, scene, kernel);
+    }
+    CL_CHECK(clReleaseKernel(kernel));
+    CL_CHECK(clReleaseProgram(program));
+}
+
 int main(void)
 {
     Probe probe;
     probe_open(&probe);
-    answer_axes(&probe);
-    probe_open_device(&probe);
-    cl_program program = probe_build(&probe, "probes/probe_" LAB_NAME ".cl",
-                                     PROBE_KERNEL_OPTIONS " -I " LAB_FOLDER " -I probes");
-    probe_call(&probe, program, "pixels", sizeof(PixelJob), sizeof(PixelAnswer), NULL, 0);
-    cl_kernel kernel = probe_kernel(program, "draw_directions");
-    const SceneJob3D *scene;
-    for (int k = 0; (scene = probe_scene3d(&probe, k)) != NULL; k++) {
-        answer_picture(&probe, k, scene, kernel);
+    if (probe_asks(&probe, "views")) {
+        answer_axes(&probe);
     }
-    CL_CHECK(clReleaseKernel(kernel));
-    CL_CHECK(clReleaseProgram(program));
+    if (!probe_alone(&probe, "camera_axes")) {
+        answer_kernels(&probe);
+    }
     probe_close(&probe);
     return EXIT_SUCCESS;
 }

@@ -74,18 +74,29 @@ static void answer_items(Writer *writer, int k, int width, int height)
 {
     const int side = PROBE_IMAGE_SIDE(width);
     const size_t n_places = (size_t)side * PROBE_IMAGE_SIDE((size_t)height);
-    u32 *n_items = calloc(n_places + 1, sizeof *n_items);
+    u32 *n_items = calloc(n_places + N_ITEMS_REST, sizeof *n_items);
     for (int y = 0; y < (height + 15) / 16 * 16; y++) {
         for (int x = 0; x < (width + 15) / 16 * 16; x++) {
             n_items[y * side + x] = 1;
         }
     }
-    answer(writer, numbered("items", k, NULL), n_items, (n_places + 1) * sizeof *n_items);
+    answer(writer, numbered("items", k, NULL), n_items,
+           (n_places + N_ITEMS_REST) * sizeof *n_items);
     free(n_items);
 }
 
-// The pictures of all scenes; of lab 00 the gradient, twice, of lab 03 the work for scene 1
-// besides.
+// Lab 00: what the host's functions do for one size.
+static void answer_host(Writer *writer, const Sections *job, int k, int width, int height)
+{
+    const ArgumentsAnswer arguments = {0, {(float)width, (float)height, 0, 1}};
+    size_t n_bytes;
+    const float *pattern = sections_find_any(job, numbered("scene", k, "pattern"), &n_bytes);
+    answer(writer, numbered("arguments", k, NULL), &arguments, sizeof arguments);
+    answer_items(writer, k, width, height);
+    answer(writer, numbered("readback", k, NULL), pattern, n_bytes);
+}
+
+// The pictures of all scenes; of lab 00 what the host does, of lab 03 the work for scene 1 besides.
 static void answer_pictures(Writer *writer, int lab, const Sections *job)
 {
     JobScene scene;
@@ -94,7 +105,6 @@ static void answer_pictures(Writer *writer, int lab, const Sections *job)
         const int image_width = PROBE_IMAGE_SIDE(width);
         const size_t n_pixels = (size_t)image_width * PROBE_IMAGE_SIDE((size_t)height);
         float(*image)[IMAGE_CHANNELS] = malloc(n_pixels * sizeof *image);
-        float(*inside)[IMAGE_CHANNELS] = malloc((size_t)(width * height) * sizeof *inside);
         Work *work = calloc(n_pixels, sizeof *work);
         for (size_t i = 0; i < n_pixels * IMAGE_CHANNELS; i++) {
             image[i / IMAGE_CHANNELS][i % IMAGE_CHANNELS] = UNWRITTEN;
@@ -109,21 +119,17 @@ static void answer_pictures(Writer *writer, int lab, const Sections *job)
                 } else {
                     work[y * width + x] = draw_pixel(&scene, x, y, pixel);
                 }
-                memcpy(inside[y * width + x], pixel, sizeof *image);
             }
         }
         answer(writer, numbered("picture", k, NULL), image, n_pixels * sizeof *image);
         if (lab == 0) {
-            answer(writer, numbered("readback", k, NULL), inside,
-                   (size_t)(width * height) * sizeof *inside);
-            answer_items(writer, k, width, height);
+            answer_host(writer, job, k, width, height);
         }
         // The two scenes whose work is judged: a wide one, and one whose root is a leaf.
         if (lab == 3 && (k == 1 || k == 10)) {
             answer(writer, numbered("work", k, NULL), work, n_pixels * sizeof *work);
         }
         free(work);
-        free(inside);
         free(image);
     }
 }

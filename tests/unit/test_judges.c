@@ -208,6 +208,42 @@ LAB_TEST(without_answers_nothing_is_judged)
     job_close(&open);
 }
 
+// Each check as a task tried alone has it; see grader/alone.h.
+LAB_TEST(without_answers_nothing_passes_alone)
+{
+    Open open = job_open(*lab, 1);
+    Sections nothing = {0}, job = open.file;
+    for (int i = 0; open.judge->passes_alone != NULL && i < open.judge->n_checks; i++) {
+        cr_expect_eq(open.judge->passes_alone(open.job, i, &nothing), 0);
+        cr_expect_eq(open.judge->passes_alone(open.job, i, &job), 0, "the job is no answer");
+    }
+    job_close(&open);
+}
+
+// What a task is tried on alone, as the probe reads it.
+static Sections alone_job(const Open *open, const char *task)
+{
+    Writer writer;
+    writer_open(&writer);
+    cr_expect_eq(open->judge->write_alone(open->job, task, writer.file), 0, "%s", task);
+    return writer_close(&writer);
+}
+
+LAB_TEST(every_task_has_a_job_alone)
+{
+    Open open = job_open(*lab, 1);
+    FILE *full = fopen("/dev/full", "wb");
+    for (int i = 0; open.judge->write_alone != NULL && i < open.judge->n_checks; i++) {
+        const char *task = open.judge->checks[i].task;
+        Sections job = alone_job(&open, task);
+        cr_expect(job.n_bytes > 0, "%s", task);
+        cr_expect_neq(open.judge->write_alone(open.job, task, full), 0, "%s", task);
+        sections_free(&job);
+    }
+    fclose(full);
+    job_close(&open);
+}
+
 // ---- Answers that are not whole -----------------------------------------------------------------
 
 typedef enum Damage { DROPPED, EMPTY, TRUNCATED, OVERSIZED, TWICE, N_DAMAGES } Damage;
@@ -396,7 +432,7 @@ static const struct {
     const char *name;
     int is_decision;
 } whole_sections[] = {
-    {0, "readback.0", 0},   {0, "readback.1", 0},
+    {0, "readback.1", 0},   {0, "arguments.2", 0},
     {1, "overlaps", 1},     {2, "leaves", 1},
     {2, "splits", 0},       {2, "overlaps", 1},
     {2, "distribute", 0},   {2, "pack", 0},

@@ -84,7 +84,7 @@ Test(run_place, knows_what_comes_before)
 Test(run_place, knows_every_lab)
 {
     static const char *const noted[][8] = {
-        {"00", "arguments", "readback", "items", NULL},
+        {"00", "picture", "arguments", "items", "readback", NULL},
         {"01", "overlaps", NULL},
         {"02", "leaves", "splits", "overlaps", "distribute", "pack", NULL},
         {"03", "children", NULL},
