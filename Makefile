@@ -129,7 +129,7 @@ $(OUT)/libjudge.a: $(call objects,$(JUDGE_SOURCES) $(BUILDERS))
 	@ar rcs $@ $^
 
 # What the judge needs besides: no file is read by it, no device opened.
-JUDGE_NEEDS = $(addprefix common/,$(addsuffix .c,clean_text complain image number scene2d \
+JUDGE_NEEDS = $(addprefix common/,$(addsuffix .c,cl_check clean_text complain image number scene2d \
     scene2d_edge_cases scene2d_random scene3d scene3d_edge_cases scene3d_lattice scene3d_random \
     scene3d_sphereflake scene3d_view scene_arguments tree2d tree2d_draw tree3d tree3d_draw)) \
     $(addprefix tests/,grader/message.c grader/result.c judge/judge_tool.c probes/sections.c)
