@@ -57,8 +57,7 @@ static int pass_hits(const Job07 *job, int first, int n, const Sections *answers
 }
 
 // As the whole has it: empty leaves need not be searched, and one place on the stack is granted to
-// who puts the near child there as well. The stand-in of search_leaf asks no sphere in a way that is
-// counted, and nobody else may.
+// who puts the near child there as well. The stand-in of search_leaf counts all of a leaf's spheres.
 static int is_right_work(const ScriptedSearch *expected, Work found)
 {
     const Work most = expected->work;
