@@ -6,7 +6,9 @@
 //
 //   nodes_Relations[n_nodes]      a leaf that is nobody's
 //   nodes_Relations[TABLE_NODES]  its id, and the picture's width and height
-//   behind that, u32              parents[TABLE_NODES]; leaves[height * width], of each pixel
+//   behind that, u32              levels[TABLE_NODES] of the nodes, 0 the root's; then a word for
+//                                 each pixel: for leaf_loop its leaf; for descent, which has to
+//                                 find that, only the way there: bit i says where to go at level i
 //
 // So descent and leaf_loop have all that they have in the whole, and who does without the stand-in
 // is as right as there.
@@ -53,36 +55,41 @@ static u32 *list_leaves(const JobScene *scene)
     return leaves;
 }
 
-static u32 first_leaf(const KdTree2D *tree)
+// What a leaf's pixels have in their word.
+static u32 word_of(u32 leaf, const u32 *ways, int is_for_descent)
 {
-    u32 id = 0;
-    while (tree->nodes_flag[id] != LEAF) {
-        id++;
-    }
-    return id;
+    return is_for_descent ? ways[leaf] : leaf;
 }
 
-// Fill the tables of a tree with room for them. A pixel outside the root may end in any leaf.
-static void fill_tables(const JobScene *scene, const u32 *leaves, NodeRel *relations)
+// Fill the tables of a tree with room for them. A pixel outside the root may end in any leaf: its
+// word is that of the first.
+static void fill_tables(const JobScene *scene, const u32 *leaves, int is_for_descent,
+                        NodeRel *relations)
 {
     const KdTree2D *tree = &scene->tree;
     const u32 width = (u32)scene->scene.width, height = (u32)scene->scene.height;
-    u32 *parents = (u32 *)(relations + TABLE_NODES + 1);
+    u32 ways[TABLE_NODES] = {0}, first_leaf = NO_LEAF;
+    u32 *levels = (u32 *)(relations + TABLE_NODES + 1);
     relations[TABLE_NODES] = (NodeRel){tree->n_nodes, width, height, 0};
     for (u32 id = 0; id < tree->n_nodes; id++) {
-        if (tree->nodes_flag[id] != LEAF) {
-            parents[relations[id].lChild] = id;
-            parents[relations[id].rChild] = id;
+        const u32 left = relations[id].lChild, right = relations[id].rChild;
+        if (tree->nodes_flag[id] == LEAF) {
+            first_leaf = first_leaf == NO_LEAF ? id : first_leaf;
+            continue;
         }
+        levels[left] = levels[right] = levels[id] + 1;
+        ways[left] = ways[id];
+        ways[right] = ways[id] | 1u << levels[id];
     }
     for (u32 i = 0; i < width * height; i++) {
-        parents[TABLE_NODES + i] = leaves[i] != NO_LEAF ? leaves[i] : first_leaf(tree);
+        const u32 leaf = leaves[i] != NO_LEAF ? leaves[i] : first_leaf;
+        levels[TABLE_NODES + i] = word_of(leaf, ways, is_for_descent);
     }
 }
 
 // The tree of a scene with the tables behind it, as long as all of that is in nodes. Free it.
 // Returns 0, or -1 after one message.
-static int extend_tree(const JobScene *scene, KdTree2D *tree)
+static int extend_tree(const JobScene *scene, int is_for_descent, KdTree2D *tree)
 {
     const KdTree2D *own = &scene->tree;
     const size_t n_pixels = (size_t)scene->scene.width * (size_t)scene->scene.height;
@@ -105,17 +112,17 @@ static int extend_tree(const JobScene *scene, KdTree2D *tree)
     memcpy(tree->nodes_flag, own->nodes_flag, own->n_nodes);
     memcpy(tree->nodes_BBox, own->nodes_BBox, own->n_nodes * sizeof(BBox2D));
     memcpy(tree->mapNode2Circles, own->mapNode2Circles, own->n_map * sizeof(u32));
-    fill_tables(scene, leaves, tree->nodes_Relations);
+    fill_tables(scene, leaves, is_for_descent, tree->nodes_Relations);
     free(leaves);
     return 0;
 }
 
 // ---- The job ------------------------------------------------------------------------------------
 
-static int write_scene(const JobScene *scene, int k, FILE *file)
+static int write_scene(const JobScene *scene, int k, int is_for_descent, FILE *file)
 {
     JobScene extended = *scene;
-    int result = extend_tree(scene, &extended.tree);
+    int result = extend_tree(scene, is_for_descent, &extended.tree);
     if (result == 0) {
         result = job_scene_write(&extended, k, file);
     }
@@ -134,9 +141,10 @@ int alone_03_write(const void *pointer, const char *task, FILE *file)
         return result | job_section_write(file, BORDERS, "boxes", tree->nodes_BBox,
                                           tree->n_nodes * sizeof *tree->nodes_BBox);
     }
+    const int is_for_descent = strcmp(task, "descent") == 0;
     int result = 0;
     for (int k = 0; result == 0 && k < N_SCENES; k++) {
-        result = write_scene(&job->scenes[k], k, file);
+        result = write_scene(&job->scenes[k], k, is_for_descent, file);
     }
     return result;
 }
@@ -172,7 +180,7 @@ int alone_03_passes(const void *pointer, int check, const Sections *answers)
         }
         return is_right;
     }
-    // The work is counted as in the whole, and beside the stand-in of descent pictures are the same.
+    // Work is counted as in the whole, and beside the stand-in of descent pictures are the same.
     const Verdict verdict = judge_03_check(job, check, answers);
     free(verdict.message);
     return verdict.kind == VERDICT_PASSED;

@@ -54,6 +54,15 @@ typedef struct SquareScene {
 
 void squares_05_draw(Random *random, SquareScene scenes[N_SCENES]);
 
+// Write the sections "scene.K" and "scene.K.spheres". Returns 0, or -1.
+int squares_05_write(const SquareScene scenes[N_SCENES], FILE *file);
+
+// Are all hits of scenes first to first + n - 1 right? Was every square of the scene WORK asked
+// once by every ray?
+int squares_05_pass_hits(const SquareScene scenes[N_SCENES], int first, int n,
+                         const Sections *answers);
+int squares_05_pass_work(const SquareScene scenes[N_SCENES], const Sections *answers);
+
 // ---- The job ----------------------------------------------------------------------------------
 
 typedef struct Job05 {

@@ -1,6 +1,6 @@
 // Lab 07: each answer alone. clip_to_box, near_side, children_on_ray and search_leaf need no other
-// task of the lab: their alone job is the sections that the whole job has for them. trace is tried on
-// the scripted world of judge_07_script.h.
+// task of the lab: their alone job is the sections that the whole job has for them. trace is tried
+// on the scripted world of judge_07_script.h.
 #include "judge_07.h"
 
 #include "job_sections.h"
@@ -57,7 +57,7 @@ static int pass_hits(const Job07 *job, int first, int n, const Sections *answers
 }
 
 // As the whole has it: empty leaves need not be searched, and one place on the stack is granted to
-// who puts the near child there as well. The stand-in of search_leaf counts all of a leaf's spheres.
+// who puts the near child there as well. The stand-in of search_leaf counts a leaf's spheres.
 static int is_right_work(const ScriptedSearch *expected, Work found)
 {
     const Work most = expected->work;
