@@ -1,5 +1,5 @@
 // Judge of lab 03: getContainingChild on chosen inputs, pictures through given trees, counted work.
-// Read next: judge_03.h.
+// Read next: judge_03.h, judge_03_alone.c.
 #include "judge_03.h"
 
 #include "job_sections.h"
@@ -7,18 +7,6 @@
 #include "work.h"
 
 #include <stdlib.h>
-
-enum {
-    CHILD_INSIDE,
-    CHILD_BORDER,
-    DESCENT_PICTURE,
-    DESCENT_LEAF,
-    DESCENT_WORK,
-    LEAF_RANDOM,
-    LEAF_ORDER,
-    LEAF_EDGES,
-    LEAF_WORK,
-};
 
 static const Check checks[] = {
     [CHILD_INSIDE] = {"child-inside", "Pixels inside one of the children", "getContainingChild",
@@ -186,7 +174,7 @@ static Verdict judge_leaf_work(const Job03 *job, const Sections *answers)
                                           : verdict;
 }
 
-static Verdict judge(const void *pointer, int check, const Sections *answers)
+Verdict judge_03_check(const void *pointer, int check, const Sections *answers)
 {
     const Job03 *job = pointer;
     switch (check) {
@@ -229,7 +217,9 @@ const Judge judge_03 = {
     .n_checks = sizeof checks / sizeof *checks,
     .job_new = job_03_new,
     .job_free = job_03_free,
-    .judge = judge,
+    .judge = judge_03_check,
+    .write_alone = alone_03_write,
+    .passes_alone = alone_03_passes,
     .adopt = adopt,
     .add_pictures = add_pictures,
 };

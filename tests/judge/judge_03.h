@@ -1,5 +1,6 @@
 // What lab 03's judge asks of a submission: inputs of getContainingChild, and scenes with their
-// trees. Drawn in judge_03_job.c, judged in judge_03.c.
+// trees. Drawn in judge_03_job.c, judged in judge_03.c; answers are tried alone in
+// judge_03_alone.c.
 #ifndef GRADER_JUDGE_03_H
 #define GRADER_JUDGE_03_H
 
@@ -9,6 +10,19 @@
 
 #include <stdint.h>
 #include <stdio.h>
+
+// The checks, in the order of the report.
+enum {
+    CHILD_INSIDE,
+    CHILD_BORDER,
+    DESCENT_PICTURE,
+    DESCENT_LEAF,
+    DESCENT_WORK,
+    LEAF_RANDOM,
+    LEAF_ORDER,
+    LEAF_EDGES,
+    LEAF_WORK,
+};
 
 // The scenes.
 enum {
@@ -34,6 +48,11 @@ typedef struct Job03 {
 // See job_new and job_free of judge.h.
 void *job_03_new(uint64_t seed, FILE *file);
 void job_03_free(void *job);
+
+// See judge, write_alone and passes_alone of judge.h.
+Verdict judge_03_check(const void *job, int check, const Sections *answers);
+int alone_03_write(const void *job, const char *task, FILE *file);
+int alone_03_passes(const void *job, int check, const Sections *answers);
 
 // Is the point in the cell? Cells are half-open: minX <= x < maxX.
 int cell_holds(BBox2D box, double x, double y);

@@ -1,37 +1,14 @@
 // Judge of lab 05: each function on chosen inputs, and what rays hit in whole scenes. What the
-// functions' inputs are, and what is expected of them, is in judge_05_inputs.c.
-#include "judge.h"
+// functions' inputs are, and what is expected of them, is in judge_05_inputs.c; how answers are
+// tried alone in judge_05_alone.c.
+#include "judge_05.h"
 
-#include "job_scene3d.h"
 #include "job_sections.h"
-#include "jobs.h"
-#include "judge_05_inputs.h"
 #include "message.h"
 #include "work.h"
 
 #include <math.h>
 #include <stdlib.h>
-
-enum {
-    ROOT_NEARER,
-    ROOT_INSIDE,
-    ROOT_T_MIN,
-    TEXTBOOK_OUTSIDE,
-    TEXTBOOK_INSIDE,
-    SPHERE_NEAR,
-    SPHERE_INSIDE,
-    SPHERE_FAR_SMALL,
-    HIT_NEAREST,
-    HIT_TIES,
-    HIT_EDGES,
-    HIT_WORK,
-    NORMAL_UNIT,
-    NORMAL_INSIDE,
-    SHADE_LAMBERT,
-    SHADE_BEHIND,
-    SHADE_LIGHTS,
-    SHADE_PICTURE,
-};
 
 static const Check checks[] = {
     [ROOT_NEARER] = {"root-nearer", "Where the ray enters, or no hit", "nearest_root", 5},
@@ -59,23 +36,7 @@ static const Check checks[] = {
     [SHADE_PICTURE] = {"shade-picture", "Whole pictures", "shade", 5},
 };
 
-// The scenes, in the order of the job.
-enum {
-    RANDOM = 0,  // two
-    FLAKE = 2,
-    TIES = 3,
-    EDGES = 4,
-    N_EDGES = 5,
-    N_SCENES = EDGES + N_EDGES,
-    WORK = RANDOM + 1,
-};
 static const char *const edge_names[N_EDGES] = {"inside", "behind", "large-small", "one", "none"};
-
-typedef struct Job {
-    Inputs05 inputs;
-    JobScene3D scenes[N_SCENES];
-    JobPicture *pictures[N_SCENES];  // the scenes'
-} Job;
 
 // ---- Drawing the job --------------------------------------------------------------------------
 
@@ -96,7 +57,7 @@ static int draw_scenes(Random *random, JobScene3D scenes[N_SCENES])
 
 static void job_free(void *pointer)
 {
-    Job *job = pointer;
+    Job05 *job = pointer;
     for (int k = 0; k < N_SCENES; k++) {
         job_scene3d_free(&job->scenes[k]);
     }
@@ -106,13 +67,14 @@ static void job_free(void *pointer)
 static void *job_new(uint64_t seed, FILE *file)
 {
     Random random = {seed};
-    Job *job = calloc(1, sizeof *job);
+    Job05 *job = calloc(1, sizeof *job);
     if (job == NULL) {
         fprintf(stderr, "grade: no memory for a job\n");
         return NULL;
     }
     inputs_05_draw(&random, &job->inputs);
     int result = inputs_05_write(&job->inputs, file) | draw_scenes(&random, job->scenes);
+    squares_05_draw(&random, job->squares);
     for (int k = 0; result == 0 && k < N_SCENES; k++) {
         job->pictures[k] = &job->scenes[k].picture;
         result = job_scene3d_write(&job->scenes[k], k, file);
@@ -127,7 +89,7 @@ static void *job_new(uint64_t seed, FILE *file)
 // ---- Judging ----------------------------------------------------------------------------------
 
 // Every pixel asks every sphere, once.
-static Verdict judge_work(const Job *job, const Sections *answers)
+static Verdict judge_work(const Job05 *job, const Sections *answers)
 {
     const JobScene3D *scene = &job->scenes[WORK];
     const int width = scene->scene.width, height = scene->scene.height;
@@ -153,9 +115,9 @@ static Verdict judge_work(const Job *job, const Sections *answers)
     return verdict_of(NULL);
 }
 
-static Verdict judge(const void *pointer, int check, const Sections *answers)
+Verdict judge_05_check(const void *pointer, int check, const Sections *answers)
 {
-    const Job *job = pointer;
+    const Job05 *job = pointer;
     switch (check) {
     case ROOT_NEARER:
         return inputs_05_judge_roots(&job->inputs, 0, answers);
@@ -205,7 +167,7 @@ static void adopt(void *job, const Sections *answers)
 
 static void add_pictures(const void *pointer, const Sections *answers, Result *result)
 {
-    const Job *job = pointer;
+    const Job05 *job = pointer;
     job_pictures_report(job->pictures, N_SCENES, answers, result);
 }
 
@@ -215,7 +177,9 @@ const Judge judge_05 = {
     .n_checks = sizeof checks / sizeof *checks,
     .job_new = job_new,
     .job_free = job_free,
-    .judge = judge,
+    .judge = judge_05_check,
+    .write_alone = alone_05_write,
+    .passes_alone = alone_05_passes,
     .adopt = adopt,
     .add_pictures = add_pictures,
 };

@@ -4,7 +4,8 @@
 //
 // Hits are those of brute force, whatever the tree: only rays that the oracle calls ambiguous may
 // differ. Wrong ones are compared with searches that make known mistakes (judge_07_search.h). Work
-// is judged ray by ray by the least and the most that a right search may do.
+// is judged ray by ray by the least and the most that a right search may do. How answers are tried
+// alone is in judge_07_alone.c.
 #include "judge_07.h"
 
 #include "job_sections.h"
@@ -15,25 +16,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-enum {
-    CLIP_CHECK_THROUGH,
-    CLIP_CHECK_INSIDE,
-    CLIP_CHECK_BEHIND,
-    CLIP_CHECK_PARALLEL,
-    SIDE_EYE,
-    SIDE_ON_PLANE,
-    CHILDREN_CASES,
-    CHILDREN_BEHIND,
-    CHILDREN_PARALLEL,
-    LEAF_NEAREST,
-    LEAF_IDS,
-    LEAF_ONCE,
-    TRACE_RANDOM,
-    TRACE_EDGES,
-    TRACE_EARLY_END,
-    TRACE_PICTURE,
-};
 
 static const Check checks[] = {
     [CLIP_CHECK_THROUGH] = {"clip-through", "Rays that go through the box, or past it",
@@ -60,19 +42,16 @@ static const Check checks[] = {
     [TRACE_PICTURE] = {"trace-picture", "Whole pictures", "trace", 5, IS_WHOLE},
 };
 
-typedef struct Job {
-    Inputs07 inputs;
-    JobScene3D scenes[N_SCENES];
-    JobPicture *pictures[N_SCENES];  // the scenes'
-} Job;
-
 // ---- Drawing the job --------------------------------------------------------------------------
 
 static void job_free(void *pointer)
 {
-    Job *job = pointer;
+    Job07 *job = pointer;
     for (int k = 0; k < N_SCENES; k++) {
         job_scene3d_free(&job->scenes[k]);
+    }
+    for (int k = 0; k < N_SCRIPTED; k++) {
+        job_scene3d_free(&job->scripted[k]);
     }
     free(job);
 }
@@ -80,7 +59,7 @@ static void job_free(void *pointer)
 static void *job_new(uint64_t seed, FILE *file)
 {
     Random random = {seed};
-    Job *job = calloc(1, sizeof *job);
+    Job07 *job = calloc(1, sizeof *job);
     if (job == NULL) {
         fprintf(stderr, "grade: no memory for a job\n");
         return NULL;
@@ -91,7 +70,7 @@ static void *job_new(uint64_t seed, FILE *file)
         job->pictures[k] = &job->scenes[k].picture;
         result = job_scene3d_write(&job->scenes[k], k, file);
     }
-    if (result != 0) {
+    if (result != 0 || scripted_07_draw(&random, job->scripted) != 0) {
         job_free(job);
         return NULL;
     }
@@ -240,7 +219,7 @@ static int count_wrong(const JobScene3D *scene, const HitAnswer *found)
 
 // What wrong hits of scenes first to first + n - 1 look like, or NULL. More scenes than the first
 // that is wrong tell mistakes apart that look the same in that one.
-static const char *explain_hits(const Job *job, int first, int n, const Sections *answers)
+static const char *explain_hits(const Job07 *job, int first, int n, const Sections *answers)
 {
     WrongScene wrong[N_SCENES];
     int n_scenes = 0;
@@ -256,7 +235,7 @@ static const char *explain_hits(const Job *job, int first, int n, const Sections
     return explain(wrong, n_scenes, hit_mistakes, COUNT(hit_mistakes), hit_agrees);
 }
 
-static Verdict judge_hits(const Job *job, int first, int n, const Sections *answers)
+static Verdict judge_hits(const Job07 *job, int first, int n, const Sections *answers)
 {
     const Verdict verdict = job_scenes3d_judge_hits(job->scenes, first, n, answers);
     // That a miss was taken for a hit is known already.
@@ -274,7 +253,7 @@ static Verdict judge_hits(const Job *job, int first, int n, const Sections *answ
 
 // Of two spheres at the same distance the one with the lower id, though its leaf comes later: what
 // the oracle calls ambiguous here is not, as float finds the same distance for both.
-static Verdict judge_tie(const Job *job, const Sections *answers)
+static Verdict judge_tie(const Job07 *job, const Sections *answers)
 {
     const HitAnswer *found = job_section_find(answers, "hits", TIE, sizeof *found);
     if (found == NULL) {
@@ -290,7 +269,7 @@ static Verdict judge_tie(const Job *job, const Sections *answers)
                                   job->scenes[TIE].picture.title, found->sphere, (double)found->t));
 }
 
-static Verdict judge_edges(const Job *job, const Sections *answers)
+static Verdict judge_edges(const Job07 *job, const Sections *answers)
 {
     const Verdict verdict = judge_hits(job, EDGES, N_SCENES - EDGES, answers);  // and sphereflake
     return verdict.kind == VERDICT_PASSED ? judge_tie(job, answers) : verdict;
@@ -426,7 +405,7 @@ static char *judge_scene_work(const JobScene3D *scene, const Work *found)
 static const int work_scenes[] = {RANDOM + 2, RANDOM + 6, RANDOM + 7, RANDOM + N_RANDOM - 1,
                                   DEEP,       FLAKE};
 
-static Verdict judge_work(const Job *job, const Sections *answers)
+static Verdict judge_work(const Job07 *job, const Sections *answers)
 {
     for (int i = 0; i < COUNT(work_scenes); i++) {
         const int k = work_scenes[i];
@@ -451,9 +430,9 @@ static Verdict judge_work(const Job *job, const Sections *answers)
 
 // ---- All --------------------------------------------------------------------------------------
 
-static Verdict judge(const void *pointer, int check, const Sections *answers)
+Verdict judge_07_check(const void *pointer, int check, const Sections *answers)
 {
-    const Job *job = pointer;
+    const Job07 *job = pointer;
     const Inputs07 *inputs = &job->inputs;
     switch (check) {
     case CLIP_CHECK_THROUGH:
@@ -500,7 +479,7 @@ static void adopt(void *job, const Sections *answers)
 
 static void add_pictures(const void *pointer, const Sections *answers, Result *result)
 {
-    const Job *job = pointer;
+    const Job07 *job = pointer;
     job_pictures_report(job->pictures, N_SCENES, answers, result);
 }
 
@@ -510,7 +489,9 @@ const Judge judge_07 = {
     .n_checks = sizeof checks / sizeof *checks,
     .job_new = job_new,
     .job_free = job_free,
-    .judge = judge,
+    .judge = judge_07_check,
+    .write_alone = alone_07_write,
+    .passes_alone = alone_07_passes,
     .adopt = adopt,
     .add_pictures = add_pictures,
 };

@@ -1,14 +1,35 @@
 // What lab 07's judge asks of a submission: inputs of its functions, and scenes with their trees.
 // Inputs are drawn in judge_07_inputs.c and judged in judge_07_clip.c, judge_07_functions.c and
 // judge_07_leaf.c; scenes are drawn in
-// judge_07_scenes.c and judged in judge_07.c.
+// judge_07_scenes.c and judged in judge_07.c. Answers are tried alone in judge_07_alone.c.
 #ifndef GRADER_JUDGE_07_H
 #define GRADER_JUDGE_07_H
 
 #include "job_scene3d.h"
 #include "jobs.h"
 #include "judge.h"
+#include "judge_07_script.h"
 #include "random.h"
+
+// The checks, in the order of the report.
+enum {
+    CLIP_CHECK_THROUGH,
+    CLIP_CHECK_INSIDE,
+    CLIP_CHECK_BEHIND,
+    CLIP_CHECK_PARALLEL,
+    SIDE_EYE,
+    SIDE_ON_PLANE,
+    CHILDREN_CASES,
+    CHILDREN_BEHIND,
+    CHILDREN_PARALLEL,
+    LEAF_NEAREST,
+    LEAF_IDS,
+    LEAF_ONCE,
+    TRACE_RANDOM,
+    TRACE_EDGES,
+    TRACE_EARLY_END,
+    TRACE_PICTURE,
+};
 
 // ---- Functions --------------------------------------------------------------------------------
 
@@ -70,5 +91,19 @@ enum {
 
 // Draw the scenes, with their trees and what is expected. Returns 0, or -1 after one message.
 int scenes_07_draw(Random *random, JobScene3D scenes[N_SCENES]);
+
+// ---- The job ----------------------------------------------------------------------------------
+
+typedef struct Job07 {
+    Inputs07 inputs;
+    JobScene3D scenes[N_SCENES];
+    JobPicture *pictures[N_SCENES];   // the scenes'
+    JobScene3D scripted[N_SCRIPTED];  // what trace is tried on alone
+} Job07;
+
+// See judge, write_alone and passes_alone of judge.h.
+Verdict judge_07_check(const void *job, int check, const Sections *answers);
+int alone_07_write(const void *job, const char *task, FILE *file);
+int alone_07_passes(const void *job, int check, const Sections *answers);
 
 #endif

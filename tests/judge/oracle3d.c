@@ -154,35 +154,46 @@ static int may_hit(OracleRoot *hit, Root root, double limit)
     return hit->is_certain;
 }
 
-OracleRoot oracle3d_root(Sphere sphere, const OracleRay *ray, OracleForm form,
-                         const OracleRules3D *rules)
+OracleChord oracle3d_chord(Sphere sphere, const OracleRay *ray, OracleForm form)
 {
     const Vector c = minus(centre(sphere), ray->origin);
     const double r2 = (double)sphere.radius * sphere.radius, c2 = dot(c, c);
     const double b = dot(c, ray->direction);
     const Vector across = minus(c, scaled(b, ray->direction));
     const double l2 = dot(across, across), error = ray->direction_error + ROOT_ERROR;
-    OracleRoot root = {.t = INFINITY};
+    OracleChord chord = {.middle = b, .error = error * sqrt(c2), .half = NAN};
     // A clear miss takes no root: (r + e)² is at most 2 (r² + e²).
     if (l2 > 4 * (r2 + (error * error + TEXTBOOK_ERROR) * c2)) {
-        return root;
+        return chord;
     }
     // 3: the shortest and the longest half chord, squared.
-    const double l = sqrt(l2), e = error * sqrt(c2), l_low = fmax(l - e, 0);
+    const double l = sqrt(l2), e = chord.error, l_low = fmax(l - e, 0);
     const double rounding = 5 * ROUNDING * (r2 + (l + e) * (l + e)) +
                             (form == ORACLE_TEXTBOOK ? TEXTBOOK_ERROR * c2 : 0);
     const double shortest2 = r2 - (l + e) * (l + e) - rounding;
     const double longest2 = r2 - l_low * l_low + rounding;
+    chord.is_possible = longest2 >= 0;
+    chord.is_certain = shortest2 >= 0;
+    chord.shortest = sqrt(fmax(shortest2, 0)) * (1 - 6 * ROUNDING);
+    chord.longest = sqrt(fmax(longest2, 0)) * (1 + 6 * ROUNDING);
+    chord.half = l2 <= r2 ? sqrt(r2 - l2) : NAN;
+    return chord;
+}
+
+OracleRoot oracle3d_root(Sphere sphere, const OracleRay *ray, OracleForm form,
+                         const OracleRules3D *rules)
+{
+    const OracleChord chord = oracle3d_chord(sphere, ray, form);
+    OracleRoot root = {.t = INFINITY};
     const int is_missed = rules->negative_radius_missed && sphere.radius < 0;
-    if (longest2 < 0 || is_missed) {
+    if (!chord.is_possible || is_missed) {
         return root;
     }
-    const double shortest = sqrt(fmax(shortest2, 0)) * (1 - 6 * ROUNDING);
-    const double longest = sqrt(longest2) * (1 + 6 * ROUNDING);
-    const double exact = l2 <= r2 ? sqrt(r2 - l2) : NAN;
-    const double last = e + ROUNDING * (fabs(b) + longest);  // of b, and of the last operation
-    const Root enter = {b - exact, b - longest - last, b - shortest + last};
-    const Root leave = {b + exact, b + shortest - last, b + longest + last};
+    const double b = chord.middle, shortest = chord.shortest, longest = chord.longest;
+    // Of b, and of the last operation.
+    const double last = chord.error + ROUNDING * (fabs(b) + longest);
+    const Root enter = {b - chord.half, b - longest - last, b - shortest + last};
+    const Root leave = {b + chord.half, b + shortest - last, b + longest + last};
 
     const double limit = rules->any_distance ? -INFINITY : ray->t_min;
     const int has_near_side =
@@ -191,7 +202,7 @@ OracleRoot oracle3d_root(Sphere sphere, const OracleRay *ray, OracleForm form,
     if (!enters && !rules->inside_is_miss) {
         may_hit(&root, leave, limit);
     }
-    root.is_certain &= shortest2 >= 0;
+    root.is_certain &= chord.is_certain;
     return root;
 }
 

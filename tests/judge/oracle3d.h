@@ -89,6 +89,19 @@ OracleRay oracle3d_given_ray(Vec3 origin, Vec3 direction, float t_min);
 // How a solution may solve the quadratic equation: see intersect_sphere.cl of lab 05.
 typedef enum OracleForm { ORACLE_PROJECTION, ORACLE_TEXTBOOK } OracleForm;
 
+// What of the ray's line lies in a sphere, and where a right solution in float may find that.
+typedef struct OracleChord {
+    double middle;    // along the ray; behind the eye it is negative
+    double error;     // how far the middle may be off
+    double half;      // half the chord's length; NAN when the line passes by
+    int is_possible;  // a right solution may find that the line meets the sphere,
+    int is_certain;   // and must find it
+    double shortest;  // half a chord, as short and as long as it may be found; not set when none is
+    double longest;   // possible
+} OracleChord;
+
+OracleChord oracle3d_chord(Sphere sphere, const OracleRay *ray, OracleForm form);
+
 // What one sphere is to a ray.
 typedef struct OracleRoot {
     double t;         // of the hit; INFINITY when there is none

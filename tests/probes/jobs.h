@@ -296,6 +296,10 @@ typedef struct SphereRayJob {
 } SphereRayJob;
 LAYOUT_ASSERT(SphereRayJob, 48);
 
+// Lab 05, alone: in the scenes of nearest_hit the ray of pixel (x, y) goes from (x, y, 0) along z,
+// with this t_min. Answered by "hits.K" and "work.K", both width x height.
+#define SQUARES_T_MIN 0.25f
+
 // Lab 05: section "normals", one call of surface_normal each. Answered by a Vec3.
 typedef struct NormalJob {
     Sphere sphere;
@@ -304,7 +308,8 @@ typedef struct NormalJob {
 } NormalJob;
 LAYOUT_ASSERT(NormalJob, 40);
 
-// Lab 05: section "shades", one call of shade each. Answered by a Vec3. The lights are n_lights
+// Lab 05: section "shades", one call of shade each, and alone "pixel_shades", those of whole
+// pictures. Answered by a Vec3. The lights are n_lights
 // from first_light on in section "lights"; what follows them must not shine.
 typedef struct ShadeJob {
     Vec3 point;

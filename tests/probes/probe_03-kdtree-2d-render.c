@@ -11,12 +11,17 @@ enum { N_ARRAYS = 5 };
 static const char *const array_names[N_ARRAYS] = {"circles", "relations", "flags", "boxes", "map"};
 enum { RELATIONS = 1, BOXES = 3 };
 
+static cl_mem array_create(const Probe *probe, int k, int array)
+{
+    size_t n_bytes;
+    const void *bytes = probe_scene_part(probe, k, array_names[array], &n_bytes);
+    return cl_buffer_create(&probe->cl, bytes, n_bytes);
+}
+
 static void arrays_create(const Probe *probe, int k, cl_mem d_arrays[N_ARRAYS])
 {
     for (int i = 0; i < N_ARRAYS; i++) {
-        size_t n_bytes;
-        const void *array = probe_scene_part(probe, k, array_names[i], &n_bytes);
-        d_arrays[i] = cl_buffer_create(&probe->cl, array, n_bytes);
+        d_arrays[i] = array_create(probe, k, i);
     }
 }
 
@@ -29,11 +34,13 @@ static void arrays_release(cl_mem d_arrays[N_ARRAYS])
 
 static void answer_children(const Probe *probe, cl_program program)
 {
-    cl_mem d_arrays[N_ARRAYS];
-    arrays_create(probe, 0, d_arrays);
-    const cl_mem d_tree[] = {d_arrays[RELATIONS], d_arrays[BOXES]};
+    if (!probe_asks(probe, "children")) {
+        return;
+    }
+    const cl_mem d_tree[] = {array_create(probe, 0, RELATIONS), array_create(probe, 0, BOXES)};
     probe_call(probe, program, "children", sizeof(ChildJob), sizeof(cl_uint), d_tree, 2);
-    arrays_release(d_arrays);
+    CL_CHECK(clReleaseMemObject(d_tree[0]));
+    CL_CHECK(clReleaseMemObject(d_tree[1]));
 }
 
 static void answer_picture(const Probe *probe, int k, const SceneJob *scene, cl_kernel kernel,

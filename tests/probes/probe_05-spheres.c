@@ -3,20 +3,31 @@
 #include "probe.h"
 
 #include "cl_memory.h"
+#include "work.h"
 
 #include <stdlib.h>
 
-static void answer_functions(const Probe *probe, cl_program program)
+// What asks for lights: nothing where the job has none.
+static void answer_shades(const Probe *probe, cl_program program)
 {
     size_t n_bytes;
+    if (!probe_asks(probe, "lights")) {
+        return;
+    }
     const void *lights = probe_job(probe, "lights", &n_bytes);
     cl_mem d_lights = cl_buffer_create(&probe->cl, lights, n_bytes);
+    probe_call(probe, program, "shades", sizeof(ShadeJob), sizeof(Vec3), &d_lights, 1);
+    probe_call(probe, program, "pixel_shades", sizeof(ShadeJob), sizeof(Vec3), &d_lights, 1);
+    CL_CHECK(clReleaseMemObject(d_lights));
+}
+
+static void answer_functions(const Probe *probe, cl_program program)
+{
     probe_call(probe, program, "roots", sizeof(RootJob), sizeof(cl_float), NULL, 0);
     probe_call(probe, program, "textbook", sizeof(SphereRayJob), sizeof(cl_float), NULL, 0);
     probe_call(probe, program, "projection", sizeof(SphereRayJob), sizeof(cl_float), NULL, 0);
     probe_call(probe, program, "normals", sizeof(NormalJob), sizeof(Vec3), NULL, 0);
-    probe_call(probe, program, "shades", sizeof(ShadeJob), sizeof(Vec3), &d_lights, 1);
-    CL_CHECK(clReleaseMemObject(d_lights));
+    answer_shades(probe, program);
 }
 
 static void answer_hits(const Probe *probe, int k, const SceneJob3D *scene,
@@ -49,6 +60,56 @@ static void answer_picture(const Probe *probe, int k, const SceneJob3D *scene,
     }
 }
 
+static void answer_scenes(const Probe *probe, cl_program program, int counting)
+{
+    cl_kernel hits_kernel = probe_kernel(program, "probe_hits");
+    cl_kernel kernel = probe_kernel(program, "render_spheres");
+    const SceneJob3D *scene;
+    for (int k = 0; (scene = probe_scene3d(probe, k)) != NULL; k++) {
+        Scene3DBuffers buffers = probe_scene3d_buffers(probe, k, scene);
+        answer_hits(probe, k, scene, &buffers, hits_kernel);
+        answer_picture(probe, k, scene, &buffers, kernel, counting);
+        probe_scene3d_release(&buffers);
+    }
+    CL_CHECK(clReleaseKernel(hits_kernel));
+    CL_CHECK(clReleaseKernel(kernel));
+}
+
+// nearest_hit alone: what the rays of a scene of squares hit, and their work where it is counted.
+static void answer_squares(const Probe *probe, int k, const SceneJob3D *scene, cl_kernel kernel,
+                           int counting)
+{
+    const size_t n_pixels = (size_t)scene->width * (size_t)scene->height;
+    size_t n_bytes;
+    const void *squares = probe_scene_part(probe, k, "spheres", &n_bytes);
+    cl_mem d_squares = cl_buffer_create(&probe->cl, squares, n_bytes);
+    cl_mem d_hits = probe_buffer(probe, n_pixels * sizeof(HitAnswer));
+    cl_mem d_work = probe_buffer(probe, n_pixels * sizeof(Work));
+    CL_CHECK(clSetKernelArg(kernel, 0, sizeof d_squares, &d_squares));
+    CL_CHECK(clSetKernelArg(kernel, 1, sizeof scene->n_spheres, &scene->n_spheres));
+    CL_CHECK(clSetKernelArg(kernel, 2, sizeof scene->width, &scene->width));
+    CL_CHECK(clSetKernelArg(kernel, 3, sizeof scene->height, &scene->height));
+    CL_CHECK(clSetKernelArg(kernel, 4, sizeof d_hits, &d_hits));
+    if (counting) {
+        CL_CHECK(clSetKernelArg(kernel, 5, sizeof d_work, &d_work));
+    }
+    probe_note(probe, "hits", (uint32_t)k);
+    probe_launch(probe, kernel, scene->width, scene->height);
+    probe_answer_buffer(probe, "hits", k, d_hits, n_pixels * sizeof(HitAnswer));
+    probe_answer_buffer(probe, "work", k, d_work, n_pixels * sizeof(Work));
+    CL_CHECK(clReleaseMemObject(d_squares));
+}
+
+static void answer_all_squares(const Probe *probe, cl_program program, int counting)
+{
+    cl_kernel kernel = probe_kernel(program, "probe_squares");
+    const SceneJob3D *scene;
+    for (int k = 0; (scene = probe_scene3d(probe, k)) != NULL; k++) {
+        answer_squares(probe, k, scene, kernel, counting);
+    }
+    CL_CHECK(clReleaseKernel(kernel));
+}
+
 int main(void)
 {
     Probe probe;
@@ -59,17 +120,11 @@ int main(void)
         probe_build_counting(&probe, "probes/probe_" LAB_NAME ".cl",
                              PROBE_KERNEL_OPTIONS " -I " LAB_FOLDER " -I probes", &counting);
     answer_functions(&probe, program);
-    cl_kernel hits_kernel = probe_kernel(program, "probe_hits");
-    cl_kernel kernel = probe_kernel(program, "render_spheres");
-    const SceneJob3D *scene;
-    for (int k = 0; (scene = probe_scene3d(&probe, k)) != NULL; k++) {
-        Scene3DBuffers buffers = probe_scene3d_buffers(&probe, k, scene);
-        answer_hits(&probe, k, scene, &buffers, hits_kernel);
-        answer_picture(&probe, k, scene, &buffers, kernel, counting);
-        probe_scene3d_release(&buffers);
+    if (probe_alone(&probe, "nearest_hit")) {
+        answer_all_squares(&probe, program, counting);
+    } else {
+        answer_scenes(&probe, program, counting);
     }
-    CL_CHECK(clReleaseKernel(hits_kernel));
-    CL_CHECK(clReleaseKernel(kernel));
     CL_CHECK(clReleaseProgram(program));
     probe_close(&probe);
     return EXIT_SUCCESS;

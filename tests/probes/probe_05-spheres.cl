@@ -46,13 +46,25 @@ kernel void probe_normals(global const NormalJob *jobs, global Vec3 *answers)
         to_vec3(surface_normal(job.sphere, to_float3(job.point), to_float3(job.direction)));
 }
 
+static Vec3 shade_of(ShadeJob job, global const Light *lights)
+{
+    return to_vec3(shade(to_float3(job.point), to_float3(job.normal), job.material,
+                         lights + job.first_light, job.n_lights));
+}
+
 kernel void probe_shades(global const ShadeJob *jobs, global const Light *lights,
                          global Vec3 *answers)
 {
     const size_t i = get_global_id(0);
-    const ShadeJob job = jobs[i];
-    answers[i] = to_vec3(shade(to_float3(job.point), to_float3(job.normal), job.material,
-                               lights + job.first_light, job.n_lights));
+    answers[i] = shade_of(jobs[i], lights);
+}
+
+// The same for what whole pictures ask.
+kernel void probe_pixel_shades(global const ShadeJob *jobs, global const Light *lights,
+                               global Vec3 *answers)
+{
+    const size_t i = get_global_id(0);
+    answers[i] = shade_of(jobs[i], lights);
 }
 
 // What each pixel's ray hits, with the camera of lab 04's solution.
@@ -69,4 +81,25 @@ kernel void probe_hits(global const Sphere *spheres, int n_spheres, Camera camer
     const Hit hit = nearest_hit(spheres, n_spheres, ray);
     answers[y * width + x].t = hit.t;
     answers[y * width + x].sphere = hit.sphere;
+}
+
+// What rays along z hit, each from its own pixel: see SQUARES_T_MIN of jobs.h.
+kernel void probe_squares(global const Sphere *squares, int n_squares, int width, int height,
+                          global HitAnswer *answers WORK_PARAMETER)
+{
+    const int x = get_global_id(0);
+    const int y = get_global_id(1);
+    if (x >= width || y >= height) {
+        return;
+    }
+    WORK_BEGIN;
+    Ray ray;
+    ray.origin = (float3)(x, y, 0.0f);
+    ray.direction = (float3)(0.0f, 0.0f, 1.0f);
+    ray.t_min = SQUARES_T_MIN;
+    ray.t_max = INFINITY;
+    const Hit hit = nearest_hit(squares, n_squares, ray);
+    answers[y * width + x].t = hit.t;
+    answers[y * width + x].sphere = hit.sphere;
+    WORK_END(x, y);
 }

@@ -7,20 +7,28 @@
 
 #include <stdlib.h>
 
-static void answer_functions(const Probe *probe, cl_program program)
+static void answer_leaves(const Probe *probe, cl_program program)
 {
     size_t n_bytes;
+    if (!probe_asks(probe, "leaves")) {
+        return;
+    }
     const void *ids = probe_job(probe, "leaf_ids", &n_bytes);
     cl_mem d_ids = cl_buffer_create(&probe->cl, ids, n_bytes);
     const void *spheres = probe_job(probe, "leaf_spheres", &n_bytes);
     cl_mem d_spheres = cl_buffer_create(&probe->cl, spheres, n_bytes);
     const cl_mem d_leaves[] = {d_ids, d_spheres};
-    probe_call(probe, program, "clips", sizeof(ClipJob), sizeof(ClipAnswer), NULL, 0);
-    probe_call(probe, program, "sides", sizeof(SideJob), sizeof(cl_uint), NULL, 0);
-    probe_call(probe, program, "planes", sizeof(PlaneJob), sizeof(PlaneAnswer), NULL, 0);
     probe_call(probe, program, "leaves", sizeof(SearchJob), sizeof(SearchAnswer), d_leaves, 2);
     CL_CHECK(clReleaseMemObject(d_ids));
     CL_CHECK(clReleaseMemObject(d_spheres));
+}
+
+static void answer_functions(const Probe *probe, cl_program program)
+{
+    probe_call(probe, program, "clips", sizeof(ClipJob), sizeof(ClipAnswer), NULL, 0);
+    probe_call(probe, program, "sides", sizeof(SideJob), sizeof(cl_uint), NULL, 0);
+    probe_call(probe, program, "planes", sizeof(PlaneJob), sizeof(PlaneAnswer), NULL, 0);
+    answer_leaves(probe, program);
 }
 
 // A scene with its tree on the device.
