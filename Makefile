@@ -102,8 +102,8 @@ $(OUT)/labs/% $(OUT)/solutions/%:
 # ---- The grader -----------------------------------------------------------------------------
 
 GRADER_MAINS = $(addprefix tests/grader/,grade.c memcheck.c unpack_tool.c sandbox_init_tool.c)
-GRADER_SOURCES := $(filter-out $(GRADER_MAINS) $(MUTATION_MAINS),$(wildcard tests/grader/*.c tests/mutation/*.c))
 MUTATION_MAINS = tests/mutation/mutants.c tests/mutation/mutate.c
+GRADER_SOURCES := $(filter-out $(GRADER_MAINS) $(MUTATION_MAINS),$(wildcard tests/grader/*.c tests/mutation/*.c))
 # Judges of later labs get their trees and cameras from the solutions of labs 02, 04 and 06.
 BUILDERS := $(wildcard solutions/02-kdtree-2d-build/kdtree2d_build.c \
     solutions/04-camera-rays/camera_from_view.c solutions/06-kdtree-3d-build/kdtree3d_build.c)

@@ -62,7 +62,7 @@ git ls-files -- tests/scenes | copy
 # first_lab FILE
 first_lab() {
     case $1 in
-    tree_judge* | oracle2d_tree*) echo 02 ;;
+    tree_judge* | oracle2d_tree* | replay*) echo 02 ;;
     job_scene_tree*) echo 03 ;;
     oracle3d* | random3d*) echo 04 ;;
     job_scene3d_tree*) echo 07 ;;

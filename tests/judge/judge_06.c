@@ -160,8 +160,12 @@ static Verdict judge(const void *pointer, int check, const Sections *answers)
 
 static int passes_alone(const void *pointer, int check, const Sections *answers)
 {
-    return checks[check].scope == IS_OWN ? judge(pointer, check, answers).kind == VERDICT_PASSED
-                                         : judge_06_passes_alone(pointer, check, answers);
+    if (checks[check].scope != IS_OWN) {
+        return judge_06_passes_alone(pointer, check, answers);
+    }
+    const Verdict verdict = judge(pointer, check, answers);
+    free(verdict.message);
+    return verdict.kind == VERDICT_PASSED;
 }
 
 static void adopt(void *pointer, const Sections *answers)
