@@ -32,11 +32,12 @@ typedef struct Replay {
 
 void replay_free(Replay *replay);
 
-// Append a scene's nodes, as leaves on level 1 without lists. Returns the first of them, which stays
-// where it is until the next call, or NULL after one message.
+// Append a scene's nodes, as leaves on level 1 without lists. Returns the first of them, which
+// stays where it is until the next call, or NULL after one message.
 ReplayNode *replay_add_scene(Replay *replay, u32 scene, u32 n_nodes);
 
-// Append an id to the list of `node`, the last one that got an id. Returns 0, or -1 after one message.
+// Append an id to the list of `node`, the last one that got an id, or one behind it. Returns 0, or
+// -1 after one message.
 int replay_add_id(Replay *replay, ReplayNode *node, u32 id);
 
 // Once nodes[n_nodes], those of one scene, have their children and lists: set level and n_failed.

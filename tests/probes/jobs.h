@@ -131,17 +131,17 @@ LAYOUT_ASSERT(ChildJob, 12);
 
 // ---- Replays (labs 02 and 06) -------------------------------------------------------------------
 
-// Where one task's answer is tried alone, it is called as the builder would call it on its way to the
-// right trees of the job's scenes: with the same inputs, in the same order. The scenes' circles or
-// spheres are in "scene.K.circles" or ".spheres", without a section "scene.K".
-//     "replay.leaf", "replay.split", "replay.overlap"   as "leaves", "splits" and "overlaps", and so
-//                                                       are the answers
-//     "replay.bounds" (lab 06)   how many spheres scene K has, a u32 each; answered by a BBox3D each
-//     "replay.todo" (lab 06)     levels, an i32 each; answered by an i32 each
+// Where one task's answer is tried alone, it is called as the builder would call it on its way to
+// the right trees of the job's scenes: with the same inputs, in the same order. The scenes' circles
+// or spheres are in "scene.K.circles" or ".spheres", without a section "scene.K".
+//     "replay.leaf", "replay.split", "replay.overlap"
+//                      as "leaves", "splits" and "overlaps"; so are the answers
+//     "replay.bounds"  lab 06: how many spheres scene K has, a u32 each; answered by a BBox3D each
+//     "replay.todo"    lab 06: levels, an i32 each; answered by an i32 each
 //     "replay.lists"   a ReplayList for each call of distribute; the children's cells are in
-//                      "replay.cells", a BBox2D or BBox3D each. Answered by as many entries for each
-//                      as REPLAY_ROOM says: the number returned, then child_ids, UNTOUCHED where
-//                      nothing was written.
+//                      "replay.cells", a BBox2D or BBox3D each. Answered by as many entries for
+//                      each as REPLAY_ROOM says: the number returned, then child_ids, UNTOUCHED
+//                      where nothing was written.
 //     "replay.leaves"  a ReplayList for each call of pack_leaf, scene by scene
 //     "replay.trees"   a ReplayTree for each scene
 typedef struct ReplayList {
@@ -241,8 +241,8 @@ typedef struct PackAnswer3D {
 } PackAnswer3D;
 LAYOUT_ASSERT(PackAnswer3D, 388);
 
-// Section "todo": a u32, TODO_LEVELS. fits_todo is called with every level from 1 to this. Answered by
-// an i32 each.
+// Section "todo": a u32, TODO_LEVELS. fits_todo is called with every level from 1 to this. Answered
+// by an i32 each.
 #define TODO_LEVELS (2 * TODO_SIZE)
 
 // ---- Labs 04, 05 and 07 ------------------------------------------------------------------------
