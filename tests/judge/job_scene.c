@@ -125,9 +125,9 @@ int job_scene_expect(JobScene *scene)
     return result;
 }
 
-// The circles and, behind them, one that must not be asked.
-static int write_circles(FILE *file, int k, const Scene2D *scene)
+int job_scene_write_circles(const JobScene *job_scene, int k, FILE *file)
 {
+    const Scene2D *scene = &job_scene->scene;
     const size_t n = (size_t)scene->n_circles;
     Circle *circles = calloc(n + 1, sizeof *circles);
     if (circles == NULL) {
@@ -155,7 +155,7 @@ int job_scene_write(const JobScene *scene, int k, FILE *file)
                           scene->limits.targetElementsPerNode};
     int result = job_section_write(file, k, NULL, &job, sizeof job);
     result |= job_title_write(file, k, scene->picture.title);
-    result |= write_circles(file, k, s);
+    result |= job_scene_write_circles(scene, k, file);
     const KdTree2D *tree = &scene->tree;
     if (tree->n_nodes > 0) {
         result |= job_section_write(file, k, "relations", tree->nodes_Relations,

@@ -34,6 +34,10 @@ int job_scene_grow_tree(JobScene *scene, KdTreeLimits limits);
 // Write the sections "scene.K" ...; the tree's too when there is one. Returns 0, or -1.
 int job_scene_write(const JobScene *scene, int k, FILE *file);
 
+// Write "scene.K.circles" alone, and behind the circles one that must not be asked. Returns 0, or
+// -1.
+int job_scene_write_circles(const JobScene *scene, int k, FILE *file);
+
 void job_scene_free(JobScene *scene);
 
 // List the pictures of n scenes for job_picture.h.

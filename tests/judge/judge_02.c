@@ -122,6 +122,16 @@ static Verdict judge(const void *pointer, int check, const Sections *answers)
     }
 }
 
+static int passes_alone(const void *pointer, int check, const Sections *answers)
+{
+    if (checks[check].scope != IS_OWN) {
+        return judge_02_passes_alone(pointer, check, answers);
+    }
+    const Verdict verdict = judge(pointer, check, answers);
+    free(verdict.message);
+    return verdict.kind == VERDICT_PASSED;
+}
+
 static void adopt(void *pointer, const Sections *answers)
 {
     // The oracle's trees stay the reference; nothing is drawn on the device.
@@ -172,6 +182,8 @@ const Judge judge_02 = {
     .job_new = job_02_new,
     .job_free = job_02_free,
     .judge = judge,
+    .write_alone = judge_02_write_alone,
+    .passes_alone = passes_alone,
     .adopt = adopt,
     .add_pictures = add_pictures,
 };

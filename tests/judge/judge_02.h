@@ -1,11 +1,13 @@
 // What lab 02's judge asks of a submission: inputs of its functions and scenes for its trees.
-// Drawn in judge_02_job.c, judged in judge_02.c and judge_02_functions.c.
+// Drawn in judge_02_job.c, judged in judge_02.c and judge_02_functions.c; one answer alone in
+// judge_02_alone.c.
 #ifndef GRADER_JUDGE_02_H
 #define GRADER_JUDGE_02_H
 
 #include "job_scene.h"
 #include "jobs.h"
 #include "judge.h"
+#include "replay.h"
 
 #include <stdint.h>
 #include <stdio.h>
@@ -43,6 +45,7 @@ typedef struct Job02 {
     DistributeJob distributes[N_DISTRIBUTES];
     PackJob packs[N_PACKS];
     JobScene scenes[N_SCENES];
+    Replay replay;  // of their trees
 } Job02;
 
 // See job_new and job_free of judge.h.
@@ -57,5 +60,12 @@ Verdict judge_02_split(const Job02 *job, int check, const Sections *answers);
 Verdict judge_02_overlaps(const Job02 *job, int first, int n, const Sections *answers);
 Verdict judge_02_distribute(const Job02 *job, const Sections *answers);
 Verdict judge_02_pack(const Job02 *job, int check, const Sections *answers);
+
+// See write_alone of judge.h.
+int judge_02_write_alone(const void *job, const char *task, FILE *file);
+
+// passes_alone of judge.h for the checks that are judged otherwise than in the whole: all of whole
+// trees, and of distribute.
+int judge_02_passes_alone(const Job02 *job, int check, const Sections *answers);
 
 #endif

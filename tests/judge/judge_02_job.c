@@ -2,6 +2,7 @@
 // so that no right answer depends on rounding.
 #include "judge_02.h"
 
+#include "oracle2d.h"
 #include "oracle2d_tree.h"
 #include "random.h"
 
@@ -141,6 +142,28 @@ static int draw_scenes(Random *random, JobScene scenes[N_SCENES])
     return result;
 }
 
+// Append what the builder does on its way to a scene's tree. Returns 0, or -1 after one message.
+static int replay_scene(Replay *replay, const JobScene *scene, int k)
+{
+    const KdTree2D *tree = &scene->tree;
+    ReplayNode *nodes = replay_add_scene(replay, (u32)k, tree->n_nodes);
+    int result = nodes != NULL ? 0 : -1;
+    for (u32 id = 0; result == 0 && id < tree->n_nodes; id++) {
+        const BBox2D box = tree->nodes_BBox[id];
+        nodes[id].cell = (BBox3D){{box.minX, box.minY, 0}, {box.maxX, box.maxY, 0}};
+        nodes[id].first_child = tree->nodes_flag[id] == LEAF ? 0 : tree->nodes_Relations[id].lChild;
+        for (int i = 0; result == 0 && i < scene->scene.n_circles; i++) {
+            if (oracle2d_overlaps_box(scene->scene.circles[i], box)) {
+                result = replay_add_id(replay, &nodes[id], (u32)i);
+            }
+        }
+    }
+    if (result == 0) {
+        replay_go_down(nodes, tree->n_nodes, oracle2d_split_fails);
+    }
+    return result;
+}
+
 static void draw_inputs(Random *random, Job02 *job)
 {
     for (int i = 0; i < N_LEAVES; i++) {
@@ -168,6 +191,7 @@ void job_02_free(void *pointer)
     for (int k = 0; k < N_SCENES; k++) {
         job_scene_free(&job->scenes[k]);
     }
+    replay_free(&job->replay);
     free(job);
 }
 
@@ -199,7 +223,8 @@ void *job_02_new(uint64_t seed, FILE *file)
         result |= section_write(file, "pack", job->packs, sizeof job->packs);
     }
     for (int k = 0; result == 0 && k < N_SCENES; k++) {
-        result = write_scene(&job->scenes[k], k, file);
+        result =
+            write_scene(&job->scenes[k], k, file) | replay_scene(&job->replay, &job->scenes[k], k);
     }
     if (result != 0) {
         job_02_free(job);

@@ -158,6 +158,16 @@ static Verdict judge(const void *pointer, int check, const Sections *answers)
     }
 }
 
+static int passes_alone(const void *pointer, int check, const Sections *answers)
+{
+    if (checks[check].scope != IS_OWN) {
+        return judge_06_passes_alone(pointer, check, answers);
+    }
+    const Verdict verdict = judge(pointer, check, answers);
+    free(verdict.message);
+    return verdict.kind == VERDICT_PASSED;
+}
+
 static void adopt(void *pointer, const Sections *answers)
 {
     // The oracle's trees stay the reference; nothing is drawn on the device.
@@ -196,6 +206,8 @@ const Judge judge_06 = {
     .job_new = job_06_new,
     .job_free = job_06_free,
     .judge = judge,
+    .write_alone = judge_06_write_alone,
+    .passes_alone = passes_alone,
     .adopt = adopt,
     .add_pictures = add_pictures,
 };

@@ -1,10 +1,12 @@
 // What lab 06's judge asks of a submission: inputs of its functions and scenes for its trees.
-// Drawn in judge_06_job.c, judged in judge_06.c and judge_06_functions.c.
+// Drawn in judge_06_job.c, judged in judge_06.c and judge_06_functions.c; one answer alone in
+// judge_06_alone.c.
 #ifndef GRADER_JUDGE_06_H
 #define GRADER_JUDGE_06_H
 
 #include "jobs.h"
 #include "judge.h"
+#include "replay.h"
 #include "tree3d_judge.h"
 
 #include <stdint.h>
@@ -46,6 +48,8 @@ typedef struct Job06 {
     DistributeJob3D distributes[N_DISTRIBUTES];
     PackJob3D packs[N_PACKS];
     TreeScene3D scenes[N_SCENES];
+    Replay replay;    // of the trees of all scenes but TOO_DEEP
+    Replay too_deep;  // of the tree that must be refused, as it would be
 } Job06;
 
 // See job_new and job_free of judge.h.
@@ -61,5 +65,18 @@ Verdict judge_06_overlaps(const Job06 *job, int first, int n, const Sections *an
 Verdict judge_06_distribute(const Job06 *job, const Sections *answers);
 Verdict judge_06_pack(const Job06 *job, int check, const Sections *answers);
 Verdict judge_06_fits(const Sections *answers);
+
+// Write "scene.K.spheres", and behind the spheres one that must not be asked. Returns 0, or -1.
+int job_06_write_spheres(const TreeScene3D *scene, int k, FILE *file);
+
+// Write "todo". Returns 0, or -1.
+int job_06_write_levels(FILE *file);
+
+// See write_alone of judge.h.
+int judge_06_write_alone(const void *job, const char *task, FILE *file);
+
+// passes_alone of judge.h for the checks that are judged otherwise than in the whole: all of whole
+// trees, and of distribute_spheres.
+int judge_06_passes_alone(const Job06 *job, int check, const Sections *answers);
 
 #endif

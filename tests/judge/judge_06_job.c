@@ -296,13 +296,67 @@ static int draw_scenes(Random *random, TreeScene3D scenes[N_SCENES])
     return result;
 }
 
+// ---- Replays ------------------------------------------------------------------------------------
+
+// The children of an inner node of the tree, and their cells.
+static void place_children(const KdTree3D *tree, ReplayNode *nodes, u32 id)
+{
+    const KdNode3 node = tree->nodes[id];
+    if (node.split_axis == KD_LEAF) {
+        return;
+    }
+    nodes[id].first_child = node.first;
+    nodes[node.first].cell = nodes[node.first + 1].cell = nodes[id].cell;
+    nodes[node.first].cell.max[node.split_axis] = node.split_pos;
+    nodes[node.first + 1].cell.min[node.split_axis] = node.split_pos;
+}
+
+// Append what the builder does on its way to a scene's tree. Returns 0, or -1 after one message.
+static int replay_scene(Replay *replay, const TreeScene3D *scene, int k)
+{
+    const KdTree3D *tree = &scene->tree;
+    ReplayNode *nodes = replay_add_scene(replay, (u32)k, tree->n_nodes);
+    if (nodes == NULL) {
+        return -1;
+    }
+    int result = 0;
+    nodes[0].cell = tree->bounds;
+    for (u32 id = 0; result == 0 && id < tree->n_nodes; id++) {
+        place_children(tree, nodes, id);
+        for (int i = 0; result == 0 && i < scene->scene.n_spheres; i++) {
+            if (tree3d_judge_sphere(scene->scene.spheres[i], nodes[id].cell) != SPHERE_OUTSIDE) {
+                result = replay_add_id(replay, &nodes[id], (u32)i);
+            }
+        }
+    }
+    if (result == 0) {
+        replay_go_down(nodes, tree->n_nodes, tree3d_split_fails);
+    }
+    return result;
+}
+
+static int replay_scenes(Job06 *job)
+{
+    int result = 0;
+    for (int k = 0; result == 0 && k <= JUST_FITS; k++) {
+        result = replay_scene(&job->replay, &job->scenes[k], k);
+    }
+    TreeScene3D deep = job->scenes[TOO_DEEP];
+    if (result == 0) {
+        result = tree3d_expect(&deep);
+    }
+    if (result == 0) {
+        result = replay_scene(&job->too_deep, &deep, TOO_DEEP);
+        tree3d_free(&deep.tree);
+    }
+    return result;
+}
+
 // ---- The job ------------------------------------------------------------------------------------
 
-// A scene without the expected tree, and behind its spheres one that must not be asked.
-static int write_scene(const TreeScene3D *scene, int k, FILE *file)
+int job_06_write_spheres(const TreeScene3D *scene, int k, FILE *file)
 {
     const size_t n = (size_t)scene->scene.n_spheres;
-    const TreeJob3D job = {(u32)n, scene->limits.maxDepth, scene->limits.targetElementsPerNode};
     Sphere *spheres = calloc(n + 1, sizeof *spheres);
     if (spheres == NULL) {
         fprintf(stderr, "grade: no memory for a scene\n");
@@ -312,11 +366,24 @@ static int write_scene(const TreeScene3D *scene, int k, FILE *file)
         memcpy(spheres, scene->scene.spheres, n * sizeof *spheres);
     }
     spheres[n] = (Sphere){.radius = BEYOND_RADIUS};
-    const int result = job_section_write(file, k, NULL, &job, sizeof job) |
-                       job_title_write(file, k, scene->title) |
-                       job_section_write(file, k, "spheres", spheres, (n + 1) * sizeof *spheres);
+    const int result = job_section_write(file, k, "spheres", spheres, (n + 1) * sizeof *spheres);
     free(spheres);
     return result;
+}
+
+int job_06_write_levels(FILE *file)
+{
+    const u32 highest = TODO_LEVELS;
+    return section_write(file, "todo", &highest, sizeof highest);
+}
+
+// A scene without the expected tree.
+static int write_scene(const TreeScene3D *scene, int k, FILE *file)
+{
+    const TreeJob3D job = {(u32)scene->scene.n_spheres, scene->limits.maxDepth,
+                           scene->limits.targetElementsPerNode};
+    return job_section_write(file, k, NULL, &job, sizeof job) |
+           job_title_write(file, k, scene->title) | job_06_write_spheres(scene, k, file);
 }
 
 void job_06_free(void *pointer)
@@ -326,6 +393,8 @@ void job_06_free(void *pointer)
         tree3d_free(&job->scenes[k].tree);
         scene3d_free(&job->scenes[k].scene);
     }
+    replay_free(&job->replay);
+    replay_free(&job->too_deep);
     free(job);
 }
 
@@ -340,11 +409,13 @@ void *job_06_new(uint64_t seed, FILE *file)
     int result = draw_scenes(&random, job->scenes);
     if (result == 0) {
         draw_inputs(&random, job);
+        result |= replay_scenes(job);
         result |= section_write(file, "bounds", job->bounds, sizeof job->bounds);
         result |= section_write(file, "splits", job->splits, sizeof job->splits);
         result |= section_write(file, "overlaps", job->overlaps, sizeof job->overlaps);
         result |= section_write(file, "distribute", job->distributes, sizeof job->distributes);
         result |= section_write(file, "pack", job->packs, sizeof job->packs);
+        result |= job_06_write_levels(file);
     }
     for (int k = 0; result == 0 && k < N_SCENES; k++) {
         result = write_scene(&job->scenes[k], k, file);

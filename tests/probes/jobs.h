@@ -147,6 +147,44 @@ typedef struct ChildJob {
 } ChildJob;
 LAYOUT_ASSERT(ChildJob, 12);
 
+// ---- Replays (labs 02 and 06) -------------------------------------------------------------------
+
+// Where one task's answer is tried alone, it is called as the builder would call it on its way to
+// the right trees of the job's scenes: with the same inputs, in the same order. The scenes' circles
+// or spheres are in "scene.K.circles" or ".spheres", without a section "scene.K".
+//     "replay.leaf", "replay.split", "replay.overlap"
+//                      as "leaves", "splits" and "overlaps"; so are the answers
+//     "replay.bounds"  lab 06: how many spheres scene K has, a u32 each; answered by a BBox3D each
+//     "replay.todo"    lab 06: levels, an i32 each; answered by an i32 each
+//     "replay.lists"   a ReplayList for each call of distribute; the children's cells are in
+//                      "replay.cells", a BBox2D or BBox3D each. Answered by as many entries for
+//                      each as REPLAY_ROOM says: the number returned, then child_ids, UNTOUCHED
+//                      where nothing was written.
+//     "replay.leaves"  a ReplayList for each call of pack_leaf, scene by scene
+//     "replay.trees"   a ReplayTree for each scene
+typedef struct ReplayList {
+    u32 scene;
+    u32 node;      // its id in that scene's tree
+    u32 first_id;  // where the node's ids start in section "replay.ids"
+    u32 n_ids;
+} ReplayList;
+LAYOUT_ASSERT(ReplayList, 16);
+
+// How much room the arrays of a scene's tree have.
+typedef struct ReplayTree {
+    u32 n_nodes;
+    u32 n_entries;  // of mapNode2Circles or sphere_ids, without the guard
+} ReplayTree;
+LAYOUT_ASSERT(ReplayTree, 8);
+
+// So many entries behind an array must stay UNTOUCHED.
+enum { REPLAY_GUARD = 6 };
+#define REPLAY_ROOM(n_ids) (1 + (size_t)(n_ids) + REPLAY_GUARD)
+
+// The leaves of scene K are packed into one tree, and answered with "packed.K": n_map or
+// n_sphere_ids as it is in the end, a u32; with "packed.K.nodes" and, in lab 02, ".flags"; and with
+// "packed.K.map", guard included. All start as in section "pack".
+
 // ---- Lab 06 -------------------------------------------------------------------------------------
 
 // Section "scene.K" of lab 06: what a tree is built over. The spheres are in "scene.K.spheres", and
@@ -221,7 +259,8 @@ typedef struct PackAnswer3D {
 } PackAnswer3D;
 LAYOUT_ASSERT(PackAnswer3D, 388);
 
-// fits_todo is called with every level from 1 to this. Answered by an i32 each.
+// Section "todo": a u32, TODO_LEVELS. fits_todo is called with every level from 1 to this. Answered
+// by an i32 each.
 #define TODO_LEVELS (2 * TODO_SIZE)
 
 // ---- Labs 04, 05 and 07 ------------------------------------------------------------------------

@@ -1,4 +1,5 @@
-// Probe of lab 02: each of the student's functions on the job's inputs, then whole trees.
+// Probe of lab 02: each of the student's functions on the job's inputs, then whole trees; or, where
+// one answer is tried alone, its function in a replay of the builder's calls (jobs.h).
 #include "kdtree2d_build.h"
 #include "probe.h"
 
@@ -15,50 +16,50 @@ static void answer_array(const Probe *probe, const char *name, void *array, size
     free(array);
 }
 
-static void answer_is_leaf(const Probe *probe)
+static void answer_is_leaf(const Probe *probe, const char *name)
 {
     size_t n_bytes;
-    const LeafJob *jobs = probe_job(probe, "leaves", &n_bytes);
+    const LeafJob *jobs = probe_job(probe, name, &n_bytes);
     const size_t n = n_bytes / sizeof *jobs;
     i32 *answers = calloc(n, sizeof *answers);
     for (size_t i = 0; i < n; i++) {
-        probe_note(probe, "leaves", (uint32_t)i);
+        probe_note(probe, name, (uint32_t)i);
         const KdTreeLimits limits = {jobs[i].maxDepth, jobs[i].targetElementsPerNode};
         answers[i] = is_leaf(jobs[i].level, jobs[i].n_circles, jobs[i].n_failed, limits);
     }
-    answer_array(probe, "leaves", answers, n * sizeof *answers);
+    answer_array(probe, name, answers, n * sizeof *answers);
 }
 
-static void answer_split_box(const Probe *probe)
+static void answer_split_box(const Probe *probe, const char *name)
 {
     size_t n_bytes;
-    const BBox2D *boxes = probe_job(probe, "splits", &n_bytes);
+    const BBox2D *boxes = probe_job(probe, name, &n_bytes);
     const size_t n = n_bytes / sizeof *boxes;
     BBox2D *answers = calloc(2 * n, sizeof *answers);
     for (size_t i = 0; i < n; i++) {
-        probe_note(probe, "splits", (uint32_t)i);
+        probe_note(probe, name, (uint32_t)i);
         split_box(boxes[i], &answers[2 * i], &answers[2 * i + 1]);
     }
-    answer_array(probe, "splits", answers, 2 * n * sizeof *answers);
+    answer_array(probe, name, answers, 2 * n * sizeof *answers);
 }
 
-static void answer_circle_overlaps_box(const Probe *probe)
+static void answer_circle_overlaps_box(const Probe *probe, const char *name)
 {
     size_t n_bytes;
-    const BoxOverlapJob *jobs = probe_job(probe, "overlaps", &n_bytes);
+    const BoxOverlapJob *jobs = probe_job(probe, name, &n_bytes);
     const size_t n = n_bytes / sizeof *jobs;
     i32 *answers = calloc(n, sizeof *answers);
     for (size_t i = 0; i < n; i++) {
-        probe_note(probe, "overlaps", (uint32_t)i);
+        probe_note(probe, name, (uint32_t)i);
         answers[i] = circle_overlaps_box(jobs[i].circle, jobs[i].box);
     }
-    answer_array(probe, "overlaps", answers, n * sizeof *answers);
+    answer_array(probe, name, answers, n * sizeof *answers);
 }
 
-static void answer_distribute(const Probe *probe)
+static void answer_distribute(const Probe *probe, const char *name)
 {
     size_t n_bytes, n_circle_bytes;
-    const DistributeJob *jobs = probe_job(probe, "distribute", &n_bytes);
+    const DistributeJob *jobs = probe_job(probe, name, &n_bytes);
     const Circle *circles = probe_scene_part(probe, 0, "circles", &n_circle_bytes);
     const size_t n = n_bytes / sizeof *jobs;
     u32 *answers = calloc(n * DISTRIBUTE_ROOM, sizeof *answers);
@@ -67,16 +68,16 @@ static void answer_distribute(const Probe *probe)
         for (int j = 0; j < DISTRIBUTE_ROOM; j++) {
             answer[j] = UNTOUCHED;
         }
-        probe_note(probe, "distribute", (uint32_t)i);
+        probe_note(probe, name, (uint32_t)i);
         answer[0] = distribute(circles, jobs[i].ids, jobs[i].n_ids, jobs[i].child, answer + 1);
     }
-    answer_array(probe, "distribute", answers, n * DISTRIBUTE_ROOM * sizeof *answers);
+    answer_array(probe, name, answers, n * DISTRIBUTE_ROOM * sizeof *answers);
 }
 
-static void answer_pack_leaf(const Probe *probe)
+static void answer_pack_leaf(const Probe *probe, const char *name)
 {
     size_t n_bytes;
-    const PackJob *jobs = probe_job(probe, "pack", &n_bytes);
+    const PackJob *jobs = probe_job(probe, name, &n_bytes);
     const size_t n = n_bytes / sizeof *jobs;
     PackAnswer *answers = calloc(n, sizeof *answers);
     for (size_t i = 0; i < n; i++) {
@@ -91,15 +92,98 @@ static void answer_pack_leaf(const Probe *probe)
             answer->map[j] = UNTOUCHED;
         }
         KdTree2D tree = {answer->relations, flags, boxes, answer->map, PACK_NODES, jobs[i].n_map};
-        probe_note(probe, "pack", (uint32_t)i);
+        probe_note(probe, name, (uint32_t)i);
         pack_leaf(&tree, jobs[i].id, jobs[i].ids, jobs[i].n_ids);
         for (int id = 0; id < PACK_NODES; id++) {
             answer->flags[id] = flags[id];
         }
         answer->n_map = tree.n_map;
     }
-    answer_array(probe, "pack", answers, n * sizeof *answers);
+    answer_array(probe, name, answers, n * sizeof *answers);
 }
+
+// ---- Replays ------------------------------------------------------------------------------------
+
+static void leave_untouched(u32 *array, size_t n)
+{
+    for (size_t i = 0; i < n; i++) {
+        array[i] = UNTOUCHED;
+    }
+}
+
+static void replay_distribute(const Probe *probe, const char *name)
+{
+    size_t n_bytes, n_other;
+    const ReplayList *lists = probe_job(probe, name, &n_bytes);
+    const BBox2D *cells = probe_job(probe, "replay.cells", &n_other);
+    const u32 *ids = probe_job(probe, "replay.ids", &n_other);
+    const size_t n = n_bytes / sizeof *lists;
+    size_t n_answered = 0;
+    for (size_t i = 0; i < n; i++) {
+        n_answered += REPLAY_ROOM(lists[i].n_ids);
+    }
+    u32 *answers = calloc(n_answered, sizeof *answers), *answer = answers;
+    for (size_t i = 0; i < n; i++) {
+        const Circle *circles = probe_scene_part(probe, (int)lists[i].scene, "circles", &n_other);
+        leave_untouched(answer, REPLAY_ROOM(lists[i].n_ids));
+        probe_note(probe, name, (uint32_t)i);
+        answer[0] =
+            distribute(circles, ids + lists[i].first_id, lists[i].n_ids, cells[i], answer + 1);
+        answer += REPLAY_ROOM(lists[i].n_ids);
+    }
+    answer_array(probe, name, answers, n_answered * sizeof *answers);
+}
+
+// Pack all leaves of scene K, the first of which is leaves[0], into a tree.
+static void pack_tree(const Probe *probe, u32 k, ReplayTree room, const ReplayList *leaves,
+                      size_t n_leaves)
+{
+    size_t n_bytes;
+    const u32 *ids = probe_job(probe, "replay.ids", &n_bytes);
+    const size_t n_map = (size_t)room.n_entries + REPLAY_GUARD;
+    NodeRel *relations = calloc(room.n_nodes, sizeof *relations);
+    u8 *flags = calloc(room.n_nodes, sizeof *flags);
+    BBox2D *boxes = calloc(room.n_nodes, sizeof *boxes);
+    u32 *map = calloc(n_map, sizeof *map);
+    for (u32 id = 0; id < room.n_nodes; id++) {
+        relations[id].id = id;
+        flags[id] = INNER;
+    }
+    leave_untouched(map, n_map);
+    KdTree2D tree = {relations, flags, boxes, map, room.n_nodes, 0};
+    // As the builder does: no further with a list that took more room than it needs.
+    for (size_t i = 0, end = 0; i < n_leaves && leaves[i].scene == k && tree.n_map <= end; i++) {
+        probe_note(probe, "replay.leaves", (uint32_t)i);
+        pack_leaf(&tree, leaves[i].node, ids + leaves[i].first_id, leaves[i].n_ids);
+        end += 1 + leaves[i].n_ids;
+    }
+    probe_answer(probe, "packed", (int)k, NULL, &tree.n_map, sizeof tree.n_map);
+    probe_answer(probe, "packed", (int)k, "nodes", relations, room.n_nodes * sizeof *relations);
+    probe_answer(probe, "packed", (int)k, "flags", flags, room.n_nodes * sizeof *flags);
+    probe_answer(probe, "packed", (int)k, "map", map, n_map * sizeof *map);
+    free(relations);
+    free(flags);
+    free(boxes);
+    free(map);
+}
+
+static void replay_pack_leaf(const Probe *probe, const char *name)
+{
+    size_t n_bytes;
+    const ReplayTree *trees = probe_job(probe, "replay.trees", &n_bytes);
+    const size_t n_trees = n_bytes / sizeof *trees;
+    const ReplayList *leaves = probe_job(probe, name, &n_bytes);
+    const size_t n = n_bytes / sizeof *leaves;
+    size_t i = 0;
+    for (u32 k = 0; k < n_trees; k++) {
+        pack_tree(probe, k, trees[k], leaves + i, n - i);
+        while (i < n && leaves[i].scene == k) {
+            i++;
+        }
+    }
+}
+
+// ---- Whole trees --------------------------------------------------------------------------------
 
 // Why the builder gave up, by its own message.
 static u32 refusal_of(const char *message)
@@ -153,15 +237,36 @@ static void answer_tree(const Probe *probe, int k, const SceneJob *scene)
     tree2d_free(&tree);
 }
 
+// Call the functions that the job asks for, one by one.
+static void answer_asked(const Probe *probe)
+{
+    static const struct {
+        const char *name;  // of a section
+        void (*answer)(const Probe *probe, const char *name);
+    } functions[] = {
+        {"leaves", answer_is_leaf},
+        {"splits", answer_split_box},
+        {"overlaps", answer_circle_overlaps_box},
+        {"distribute", answer_distribute},
+        {"pack", answer_pack_leaf},
+        {"replay.leaf", answer_is_leaf},
+        {"replay.split", answer_split_box},
+        {"replay.overlap", answer_circle_overlaps_box},
+        {"replay.lists", replay_distribute},
+        {"replay.leaves", replay_pack_leaf},
+    };
+    for (size_t i = 0; i < sizeof functions / sizeof *functions; i++) {
+        if (probe_asks(probe, functions[i].name)) {
+            functions[i].answer(probe, functions[i].name);
+        }
+    }
+}
+
 int main(void)
 {
     Probe probe;
     probe_open(&probe);
-    answer_is_leaf(&probe);
-    answer_split_box(&probe);
-    answer_circle_overlaps_box(&probe);
-    answer_distribute(&probe);
-    answer_pack_leaf(&probe);
+    answer_asked(&probe);
     const SceneJob *scene;
     for (int k = 0; (scene = probe_scene(&probe, k)) != NULL; k++) {
         answer_tree(&probe, k, scene);
