@@ -182,13 +182,13 @@ $(OUT)/tools/unpack: $(OUT)/obj/tests/grader/unpack_tool.c.o $(OUT)/libgrader.a 
 
 # One probe a lab: an archive for labs with host files, which the grader links with the student's, and
 # a program for the others.
-PROBES := $(patsubst tests/probes/probe_%.c,%,$(wildcard tests/probes/probe_*.c))
+PROBES := $(patsubst tests/probes/%/main.c,%,$(wildcard tests/probes/*/main.c))
 # The host files that students hand in; a lab may have given ones besides.
 host_files = $(shell grep -o '"[a-zA-Z0-9_]*\.c"' labs/$(1)/lab.json)
 define probe
-$(OUT)/obj/tests/probes/probe_$(1).c.o: EXTRA = -I tests/probes -I labs/$(1) \
+$(OUT)/obj/tests/probes/$(1)/main.c.o: EXTRA = -I tests/probes -I labs/$(1) \
     -DLAB_NAME='"$(1)"' -DLAB_FOLDER='"labs/$(1)"' -DPROBE_KERNEL_OPTIONS='"$(call include_path,$(1))"'
-$(OUT)/probes/$(1).a: $(call objects,tests/probes/probe_$(1).c tests/probes/probe.c tests/probes/sections.c)
+$(OUT)/probes/$(1).a: $(call objects,tests/probes/$(1)/main.c tests/probes/probe.c tests/probes/sections.c)
 	@mkdir -p $$(@D)
 	@rm -f $$@
 	@ar rcs $$@ $$^
@@ -432,7 +432,7 @@ figures: all  ## draw the pictures of the READMEs and notes anew
 
 .PHONY: format
 format:  ## put every source into the one format
-	clang-format-19 -i $$(git ls-files -- '*.c' '*.h' '*.cpp' '*.cl' | grep -v -e ^labs/ -e ^tests/mutants/ -e ^tests/right/ -e ^tests/memcheck/ -e ^tests/attacks/)
+	clang-format-19 -i $$(git ls-files -- '*.c' '*.h' '*.cpp' '*.cl' | grep -v -e ^labs/ -e ^tests/stand_ins/ -e ^tests/mutants/ -e ^tests/right/ -e ^tests/memcheck/ -e ^tests/attacks/)
 
 endif  # HANDOUT
 

@@ -28,9 +28,8 @@ void limited_folder_mount(const char *path, int n_mb, int n_files)
     if (!has_namespace() || stat(path, &folder) != 0) {
         return;
     }
-    snprintf(options, sizeof options, "size=%dm,nr_inodes=%d,mode=%o,uid=%u,gid=%u",
-             n_mb + MORE_MB, n_files + MORE_FILES, folder.st_mode & 07777, folder.st_uid,
-             folder.st_gid);
+    snprintf(options, sizeof options, "size=%dm,nr_inodes=%d,mode=%o,uid=%u,gid=%u", n_mb + MORE_MB,
+             n_files + MORE_FILES, folder.st_mode & 07777, folder.st_uid, folder.st_gid);
     // Where that fails, the folder is as it was.
     (void)mount("limited", path, "tmpfs", MS_NOSUID | MS_NODEV, options);
 }

@@ -156,6 +156,15 @@ static int copy_libraries(const Workshop *workshop)
     return result | copy_matching(workshop, pattern, "lib");
 }
 
+// The kernels of the lab's probe; a lab of host files alone has none.
+static int copy_probe_kernel(const Workshop *workshop)
+{
+    char from[PATH_BYTES], folder[128];
+    snprintf(folder, sizeof folder, "probes/%s", workshop->manifest->lab);
+    snprintf(from, sizeof from, "tests/%s/probe.cl", folder);
+    return access(from, F_OK) == 0 ? copy_matching(workshop, from, folder) : 0;
+}
+
 // Empty folders that the sandbox puts others in the place of.
 static int make_mount_points(const Workshop *workshop)
 {
@@ -189,8 +198,11 @@ int workshop_open(Workshop *workshop, const Manifest *manifest, const char *buil
     result |= make_folder(path) | make_mount_points(workshop);
     result |= copy_matching(workshop, "common/*.h", "common");
     result |= copy_matching(workshop, "kernels/*.h", "kernels");
-    result |= copy_matching(workshop, "tests/probes/*.{h,cl}", "probes");
-    return result | copy_earlier_solutions(workshop) | copy_libraries(workshop) ? -1 : 0;
+    result |= copy_matching(workshop, "tests/probes/*.h", "probes");
+    return result | copy_probe_kernel(workshop) | copy_earlier_solutions(workshop) |
+                   copy_libraries(workshop)
+               ? -1
+               : 0;
 }
 
 void workshop_close(Workshop *workshop)

@@ -62,7 +62,7 @@ git ls-files -- tests/scenes | copy
 
 # The grader; of the probes and stand-ins this lab's; and the lab's files as they are handed out, whatever
 # becomes of them in labs/.
-git ls-files -- tests/grader "tests/probes/*.[ch]" "tests/probes/$lab" "tests/stand_ins/$lab" | copy
+git ls-files -- tests/grader ":(glob)tests/probes/*.[ch]" "tests/probes/$lab" "tests/stand_ins/$lab" | copy
 mkdir -p "$root/tests/skeletons/$lab"
 for file in $(sed -n 's/^  "files": \[\(.*\)\],$/\1/p' "labs/$lab/lab.json" | tr -d '",'); do
     cp "$stage/cut/labs/$lab/$file" "$root/tests/skeletons/$lab/"

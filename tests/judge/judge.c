@@ -18,6 +18,12 @@ Verdict verdict_of(char *message)
     return (Verdict){message ? VERDICT_FAILED : VERDICT_PASSED, message};
 }
 
+int verdict_passes(Verdict verdict)
+{
+    free(verdict.message);
+    return verdict.kind == VERDICT_PASSED;
+}
+
 const Judge *judge_of(const char *lab)
 {
     uint64_t number;

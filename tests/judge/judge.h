@@ -15,6 +15,9 @@
 // Passed when message is NULL, else failed. Takes the message over.
 Verdict verdict_of(char *message);
 
+// Has it passed? Releases the message.
+int verdict_passes(Verdict verdict);
+
 extern const Verdict verdict_missing;
 
 typedef struct Judge {

@@ -201,9 +201,7 @@ static int write_alone(const void *pointer, const char *task, FILE *file)
 
 static int passes_alone(const void *job, int check, const Sections *answers)
 {
-    Verdict verdict = judge(job, check, answers);
-    free(verdict.message);
-    return verdict.kind == VERDICT_PASSED;
+    return verdict_passes(judge(job, check, answers));
 }
 
 static void adopt(void *pointer, const Sections *answers)

@@ -351,7 +351,7 @@ static int passes_alone(const void *pointer, int check, const Sections *answers)
     case RENDERER_EDGES:
         return are_drawn(job, RANDOM, EDGES, N_EDGES, nearest_color, answers);
     default:
-        return judge(job, check, answers).kind == VERDICT_PASSED;
+        return verdict_passes(judge(job, check, answers));
     }
 }
 

@@ -127,9 +127,7 @@ static int passes_alone(const void *pointer, int check, const Sections *answers)
     if (checks[check].scope != IS_OWN) {
         return judge_02_passes_alone(pointer, check, answers);
     }
-    const Verdict verdict = judge(pointer, check, answers);
-    free(verdict.message);
-    return verdict.kind == VERDICT_PASSED;
+    return verdict_passes(judge(pointer, check, answers));
 }
 
 static void adopt(void *pointer, const Sections *answers)

@@ -181,7 +181,5 @@ int alone_03_passes(const void *pointer, int check, const Sections *answers)
         return is_right;
     }
     // Work is counted as in the whole, and beside the stand-in of descent pictures are the same.
-    const Verdict verdict = judge_03_check(job, check, answers);
-    free(verdict.message);
-    return verdict.kind == VERDICT_PASSED;
+    return verdict_passes(judge_03_check(job, check, answers));
 }

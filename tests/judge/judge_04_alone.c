@@ -124,11 +124,8 @@ int judge_04_passes_alone(const void *pointer, int check, const Sections *answer
         return are_drawn(job, RANDOM, ALONG - RANDOM, answers);
     case COLOR_CHANNELS:
         return are_drawn(job, ALONG, N_PICTURES - ALONG, answers);
-    default: {
+    default:
         // On the same inputs, and by nothing that depends on a stand-in.
-        Verdict verdict = judge_04.judge(job, check, answers);
-        free(verdict.message);
-        return verdict.kind == VERDICT_PASSED;
-    }
+        return verdict_passes(judge_04.judge(job, check, answers));
     }
 }

@@ -105,9 +105,7 @@ static int pass_spheres(const Job05 *job, int check, const Sections *answers)
     if (found != NULL) {
         Verdict (*const judge_truth)(const Inputs05 *, int, const Sections *) =
             is_textbook ? inputs_05_judge_textbook : inputs_05_judge_projection;
-        const Verdict truth = judge_truth(inputs, range, answers);
-        free(truth.message);
-        passes = truth.kind == VERDICT_PASSED ||
+        passes = verdict_passes(judge_truth(inputs, range, answers)) ||
                  all_follow(jobs + first, N_SPHERE_INPUTS,
                             is_textbook ? ORACLE_TEXTBOOK : ORACLE_PROJECTION, found + first);
     }
@@ -291,10 +289,7 @@ int alone_05_passes(const void *pointer, int check, const Sections *answers)
         return squares_05_pass_work(job->squares, answers);
     case SHADE_PICTURE:
         return pass_pixel_shades(job, answers);
-    default: {
-        const Verdict verdict = judge_05_check(job, check, answers);
-        free(verdict.message);
-        return verdict.kind == VERDICT_PASSED;
-    }
+    default:
+        return verdict_passes(judge_05_check(job, check, answers));
     }
 }

@@ -108,10 +108,7 @@ int alone_07_passes(const void *pointer, int check, const Sections *answers)
         return pass_work(job, answers);
     case TRACE_PICTURE:
         return pass_pictures(job, answers);
-    default: {
-        const Verdict verdict = judge_07_check(job, check, answers);
-        free(verdict.message);
-        return verdict.kind == VERDICT_PASSED;
-    }
+    default:
+        return verdict_passes(judge_07_check(job, check, answers));
     }
 }

@@ -43,10 +43,9 @@ copy_course() {
     done)
     mkdir -p "$1"
     # shellcheck disable=SC2046,SC2086 # lists of names without spaces
-    tracked Makefile LICENSE common kernels tests/grader tests/judge tests/probes tests/stand_ins tests/systems/prepare.sh \
+    tracked Makefile LICENSE common kernels tests/grader tests/judge $(find tests/probes -maxdepth 1 -type f) "tests/probes/$lab" tests/stand_ins tests/systems/prepare.sh \
         tests/systems/limits.sh "tests/systems/$system" "labs/$lab" $(printf 'solutions/%s ' $solutions) |
-        grep -v -e '/probe_[0-9].*\.c$' -e '\.md$' |
-        { cat; tracked "tests/probes/probe_$lab.c"; } | tar -cf - -T - | tar -xf - -C "$1"
+        grep -v '\.md$' | tar -cf - -T - | tar -xf - -C "$1"
 }
 
 # fill NAME...: replace the @WORDS@ in files of the stage.

@@ -19,7 +19,7 @@ static const Manifest manifest = {
 #define HEAD "==7==ERROR: AddressSanitizer: heap-buffer-overflow on address 0x60\nWRITE of size 4\n"
 #define IN_LIBC "    #0 0x7f in memset ../sysdeps/memset.S:12\n"
 #define IN_LAB "    #1 0x55 in split_box /work/labs/02-kdtree-2d-build/kdtree2d_build.c:4\n"
-#define IN_PROBE "    #2 0x55 in main tests/probes/probe_02-kdtree-2d-build.c:127\n"
+#define IN_PROBE "    #2 0x55 in main tests/probes/02-kdtree-2d-build/main.c:127\n"
 #define ALLOCATED                                                                                  \
     "\n0x60 is located 0 bytes after\nallocated by thread T0 here:\n    #0 0x7f in malloc\n"       \
     "    #1 0x55 in f /work/labs/02-kdtree-2d-build/more.c:9\n"

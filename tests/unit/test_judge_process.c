@@ -82,6 +82,7 @@ Test(judge_process, answers_over_which_it_ends_are_wrong, .init = start, .fini =
 
 Test(judge_process, a_lab_without_a_judge_is_refused)
 {
-    cr_expect_neq(judge_start(&judge, getenv("BUILD") ? getenv("BUILD") : "build", "44-none", 7), 0);
+    cr_expect_neq(judge_start(&judge, getenv("BUILD") ? getenv("BUILD") : "build", "44-none", 7),
+                  0);
     judge_stop(&judge);
 }

@@ -117,7 +117,7 @@ int main(void)
     probe_open_device(&probe);
     int counting;
     cl_program program =
-        probe_build_counting(&probe, "probes/probe_" LAB_NAME ".cl",
+        probe_build_counting(&probe, "probes/" LAB_NAME "/probe.cl",
                              PROBE_KERNEL_OPTIONS " -I " LAB_FOLDER " -I probes", &counting);
     answer_functions(&probe, program);
     if (probe_alone(&probe, "nearest_hit")) {

@@ -37,7 +37,7 @@ static void answer_picture(const Probe *probe, int k, const SceneJob3D *scene, c
 static void answer_kernels(Probe *probe)
 {
     probe_open_device(probe);
-    cl_program program = probe_build(probe, "probes/probe_" LAB_NAME ".cl",
+    cl_program program = probe_build(probe, "probes/" LAB_NAME "/probe.cl",
                                      PROBE_KERNEL_OPTIONS " -I " LAB_FOLDER " -I probes");
     probe_call(probe, program, "pixels", sizeof(PixelJob), sizeof(PixelAnswer), NULL, 0);
     cl_kernel kernel = probe_kernel(program, "draw_directions");

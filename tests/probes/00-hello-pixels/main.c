@@ -175,7 +175,7 @@ int main(void)
         answer_pictures(&probe);
     }
     cl_program program =
-        probe_build(&probe, "probes/probe_" LAB_NAME ".cl", "-I kernels -I probes");
+        probe_build(&probe, "probes/" LAB_NAME "/probe.cl", "-I kernels -I probes");
     const SceneJob *scene;
     for (int k = 0; (scene = probe_scene(&probe, k)) && is_tried(&probe, "set_arguments"); k++) {
         answer_arguments(&probe, k, scene, program);

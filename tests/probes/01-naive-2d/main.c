@@ -30,7 +30,7 @@ int main(void)
     Probe probe;
     probe_open(&probe);
     probe_open_device(&probe);
-    cl_program program = probe_build(&probe, "probes/probe_" LAB_NAME ".cl",
+    cl_program program = probe_build(&probe, "probes/" LAB_NAME "/probe.cl",
                                      "-I " LAB_FOLDER " -I kernels -I probes");
     probe_call(&probe, program, "overlaps", sizeof(OverlapJob), sizeof(cl_int), NULL, 0);
     cl_kernel kernel = probe_kernel(program, "implicit2DRenderer");
