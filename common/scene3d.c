@@ -1,7 +1,7 @@
 // 3D scenes that are made, by name (see scene3d.h).
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: scene3d_sphereflake.c, scene3d_random.c, scene3d_lattice.c and
-// scene3d_edge_cases.c for the generators.
+// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: scene3d_sphereflake.c,
+// scene3d_random.c, scene3d_lattice.c and scene3d_edge_cases.c for the generators.
 #include "scene3d.h"
 
 #include "complain.h"

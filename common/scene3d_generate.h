@@ -34,8 +34,8 @@ extern const Scene3DEdgeCase SCENE3D_EDGE_CASES[];
 // own. Returns 0, or -1 after one message on stderr (no memory).
 int scene3d_edge_case_open(const Scene3DEdgeCase *edge_case, Scene3D *scene);
 
-// Complete a scene: a light at the eye where it has none, the size that the user gave, and a view that
-// can be drawn at it.
+// Complete a scene: a light at the eye where it has none, the size that the user gave, and a view
+// that can be drawn at it.
 //   made   0, or -1 where reading or making it has failed, after one message
 // Returns 0, or -1 after one message; the scene is then released.
 int scene3d_settle(const char *name, int width, int height, int made, Scene3D *scene);

@@ -2,9 +2,10 @@
 //
 //     grade --lab 03 [--submission FOLDER] [--output FOLDER] [--seed N] [--device D]
 //
-// The solution, where there is one, and the submission do the same job in the sandbox; for each task
-// with a failed check the student's answer to it is then tried alone, so that one mistake costs one
-// task. Read next: session.h (how it is run), grading.h (how it is judged and written down). Exit status: 0 full marks, 1 below, 2 when the grader itself could not work.
+// The solution, where there is one, and the submission do the same job in the sandbox; for each
+// task with a failed check the student's answer to it is then tried alone, so that one mistake
+// costs one task. Read next: session.h (how it is run), grading.h (how it is judged and written
+// down). Exit status: 0 full marks, 1 below, 2 when the grader itself could not work.
 #include "complain.h"
 #include "grading.h"
 #include "memcheck_advice.h"

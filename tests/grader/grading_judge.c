@@ -79,8 +79,8 @@ static void add_marker_stage(Grading *grading)
 
 // ---- Answers that are not there -------------------------------------------------------------
 
-// Does the answer stand as it is handed out? The folder labs/ is not asked: a student may be at work
-// there.
+// Does the answer stand as it is handed out? The folder labs/ is not asked: a student may be at
+// work there.
 static int is_untouched(const Grading *grading, const Task *task, const char *answer)
 {
     char *skeleton = skeleton_read(&grading->session.manifest, task->file);
@@ -161,8 +161,8 @@ static int kernels_have_points(const Grading *grading)
     return 0;
 }
 
-// What a kernel earns it has to earn beside the host files that are handed out, too: those that were
-// handed in could do its work themselves. Returns 0, or -1 after one message.
+// What a kernel earns it has to earn beside the host files that are handed out, too: those that
+// were handed in could do its work themselves. Returns 0, or -1 after one message.
 static int confirm_kernels(Grading *grading)
 {
     char folder[PATH_BYTES];
@@ -198,7 +198,8 @@ static int task_has_failed(const Grading *grading, const char *task)
     return 0;
 }
 
-// The answer to a task of which a check failed, or NULL: when there is none, or none between markers.
+// The answer to a task of which a check failed, or NULL: when there is none, or none between
+// markers.
 static char *answer_for_alone(Grading *grading, int t)
 {
     const Task *task = &grading->session.manifest.tasks[t];

@@ -1,10 +1,10 @@
 // The judge: a program of its own, a function of lab, seed and answers to verdicts and pictures.
 //
-// It starts no student's code and needs no sandbox, compiler or device; it reads requests and writes
-// replies, and no file (tests/judge/judge_tool.c). So a handout can hold it compiled: what knows the
-// answers is never handed out as text. What it gets of a submission are the raw answers of a probe;
-// where these make it end, or compute for longer than any probe's answers would, they are wrong and
-// the judge is started anew.
+// It starts no student's code and needs no sandbox, compiler or device; it reads requests and
+// writes replies, and no file (tests/judge/judge_tool.c). So a handout can hold it compiled: what
+// knows the answers is never handed out as text. What it gets of a submission are the raw answers
+// of a probe; where these make it end, or compute for longer than any probe's answers would, they
+// are wrong and the judge is started anew.
 #ifndef GRADER_JUDGE_PROCESS_H
 #define GRADER_JUDGE_PROCESS_H
 

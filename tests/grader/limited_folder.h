@@ -1,8 +1,8 @@
 // Folders that cannot hold more than they may, where the grader can mount file systems: as root,
 // outside of most containers. Elsewhere the census alone looks after them, ten times a second.
 //
-// The mounts are in a mount namespace of the grader's own: nobody else sees them, and they end with it
-// however it ends.
+// The mounts are in a mount namespace of the grader's own: nobody else sees them, and they end
+// with it however it ends.
 #ifndef GRADER_LIMITED_FOLDER_H
 #define GRADER_LIMITED_FOLDER_H
 

@@ -1,7 +1,8 @@
 // What a lab's judge is made of: its checks, the job it sets, and how it judges the answers.
 //
 // The grader runs the same job for the solution and for the submission, and for each task with a
-// failed check a job with the answer to that task alone, and asks the judge about each. One table a lab: judge_00.c and on.
+// failed check a job with the answer to that task alone, and asks the judge about each. One table
+// a lab: judge_00.c and on.
 #ifndef JUDGE_JUDGE_H
 #define JUDGE_JUDGE_H
 

@@ -102,7 +102,7 @@ static Verdict judge_trees(const Job06 *job, const Sections *answers,
         if (k == JUST_FITS && is_refused(k, answers)) {
             break;  // for fits_todo() to answer for: see judge_depths()
         }
-        return verdict_passes(judge_tree(&job->scenes[k], k, answers, judge_one);
+        const Verdict verdict = judge_tree(&job->scenes[k], k, answers, judge_one);
         if (verdict.kind != VERDICT_PASSED) {
             return verdict;
         }
@@ -163,7 +163,7 @@ static int passes_alone(const void *pointer, int check, const Sections *answers)
     if (checks[check].scope != IS_OWN) {
         return judge_06_passes_alone(pointer, check, answers);
     }
-    const Verdict verdict = judge(pointer, check, answers));
+    return verdict_passes(judge(pointer, check, answers));
 }
 
 static void adopt(void *pointer, const Sections *answers)

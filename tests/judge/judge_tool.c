@@ -2,8 +2,8 @@
 //
 //     judge LAB SEED <requests >replies
 //
-// It draws the lab's job from the seed and then answers requests, each a line "WORD ARGUMENT N" with
-// N bytes behind it; each reply is a line "N" with N bytes behind it, which are sections
+// It draws the lab's job from the seed and then answers requests, each a line "WORD ARGUMENT N"
+// with N bytes behind it; each reply is a line "N" with N bytes behind it, which are sections
 // (probes/sections.h):
 //
 //     checks - 0     a section "check" for each, its texts parted by zeros: id, title, task, and

@@ -13,8 +13,8 @@
 #include "shading.h"
 #include "sphere.h"
 
-// A section with the id of the task whose answer is tried alone, in a job that asks for no more than
-// that needs.
+// A section with the id of the task whose answer is tried alone, in a job that asks for no more
+// than that needs.
 #define PROBE_ALONE "alone"
 
 // What an image holds before the student's kernel writes: no scene has this colour.

@@ -31,8 +31,8 @@ typedef struct Sections {
 // readable then); no message.
 int sections_load(const char *path, size_t max_bytes, Sections *sections);
 
-// The same from a stream with n_bytes of them. Returns 0, or -1 when fewer came or no memory is left;
-// what is cut off in mid-section is no fault here.
+// The same from a stream with n_bytes of them. Returns 0, or -1 when fewer came or no memory is
+// left; what is cut off in mid-section is no fault here.
 int sections_read(FILE *file, size_t n_bytes, Sections *sections);
 
 void sections_free(Sections *sections);
@@ -44,8 +44,8 @@ const void *sections_find(const Sections *sections, const char *name, size_t n_b
 // The same with any size, told in *n_bytes.
 const void *sections_find_any(const Sections *sections, const char *name, size_t *n_bytes);
 
-// One section after the other: the first where *place is 0, which is moved on. Returns its bytes and
-// sets its name, with all its SECTION_NAME_BYTES, and its size; NULL behind the last.
+// One section after the other: the first where *place is 0, which is moved on. Returns its bytes
+// and sets its name, with all its SECTION_NAME_BYTES, and its size; NULL behind the last.
 const void *sections_next(const Sections *sections, size_t *place, const char **name,
                           size_t *n_bytes);
 
