@@ -1,5 +1,6 @@
 // grader/sandbox: attacks on the machine, on the grader and on other runs, behind every kind of
 // walls. Each is bounded by itself: at most 2000 forks, 1 GB of memory, 320 MB of files.
+#include "limited_folder.h"
 #include "sandbox_commands.h"
 
 #include "sandbox_user.h"
@@ -66,6 +67,7 @@ TEST_EACH(another_runs_folders_cannot_be_touched)
     cr_assert_eq(chmod(other, 0755), 0);
     setenv("TMPDIR", other, 1);
     snprintf(pattern, sizeof pattern, "%s/sandbox-*/tmp/own", other);
+    limited_folder_mount("", 1, 1);  // both runs see what the grader mounts, as in a grading
     SandboxCommand writer = shell_command("echo secret >$TMPDIR/own; chmod -R a+rwX $TMPDIR\n"
                                           "echo $TMPDIR; : >begun; " UNTIL_GO "cat $TMPDIR/own");
     SandboxRun *run = sandbox_start(&writer);
