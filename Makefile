@@ -143,6 +143,8 @@ $(OUT)/tools/judge: $(call objects,$(JUDGE_NEEDS)) $(OUT)/libjudge.a
 .PHONY: judge always
 judge: $(OUT)/tools/judge
 $(OUT)/judges/judge-%: always
+	@command -v $*-linux-gnu-gcc >/dev/null || { \
+	    echo "make: found no $*-linux-gnu-gcc, expected one: make handout installs it" >&2; exit 2; }
 	@$(MAKE) --no-print-directory BUILD=$(OUT)/judges/$* CC=$*-linux-gnu-gcc OPTIMISATION=-O2 LDFLAGS=-s judge
 	@cp $(OUT)/judges/$*/tools/judge $@
 else
@@ -260,9 +262,13 @@ skeletons: $(OUT)/tools/holes  ## for authors: cut labs/ anew from solutions/; t
 
 # ---- Handouts -------------------------------------------------------------------------------
 
-.PHONY: handout
-handout: $(OUT)/tools/holes grader $(addprefix $(OUT)/judges/judge-,x86_64 aarch64)  ## pack what students get: LAB=03
+JUDGES = $(addprefix $(OUT)/judges/judge-,x86_64 aarch64)
+.PHONY: handout pack
+handout:  ## install what is missing, pack what students get: LAB=03
 	@test -n "$(LAB)" || { echo "make handout: say which lab: make handout LAB=03" >&2; exit 2; }
+	@common/setup/install.sh handout
+	@$(MAKE) --no-print-directory -j2 pack
+pack: $(OUT)/tools/holes grader $(JUDGES)
 	@tests/handout/pack.sh $(OUT)/tools "$$LAB" $(OUT)/handout
 
 # ---- Tests ----------------------------------------------------------------------------------
@@ -320,7 +326,7 @@ NATIVE_TEST = $(OUT)/tests/test_cl_setup
 unit-tests: $(filter-out $(NATIVE_TEST),$(UNIT_TESTS))
 
 .PHONY: tests
-tests: all $(NATIVE_TEST) $(OUT)/tools/compare $(OUT)/tools/count_hits $(OUT)/tests/no_images.so $(OUT)/tools/listener $(OUT)/tools/left_behind $(OUT)/tools/older_kernel  ## build all that the tests run
+tests: all $(NATIVE_TEST) $(JUDGES) $(OUT)/tools/compare $(OUT)/tools/count_hits $(OUT)/tests/no_images.so $(OUT)/tools/listener $(OUT)/tools/left_behind $(OUT)/tools/older_kernel  ## build all that the tests run
 	@$(MAKE) --no-print-directory SANITIZE=1 all unit-tests
 
 .PHONY: check

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Install the packages of packages.txt that are missing for one target of make.
 #
-#     common/setup/install.sh demo|test|bench|scale
+#     common/setup/install.sh demo|test|bench|scale|handout
 #
 # Does nothing and says nothing when all are there. Without apt it prints the list and stops.
 set -eu
@@ -12,11 +12,13 @@ list=$(dirname "$0")/packages.txt
 # The names of the packages that the target needs, as this distribution calls them.
 # "target?" marks one that may be missing: it is installed where apt knows it.
 ubuntu=$(grep -c '^ID=ubuntu' /etc/os-release 2>/dev/null || true)
+machine=$(dpkg --print-architecture 2>/dev/null || true)
 packages_of() {
-    awk -v target="$1" -v ubuntu="$ubuntu" '
+    awk -v target="$1" -v ubuntu="$ubuntu" -v machine="$machine" '
     /^#/ || NF < 2 { next }
     index("," $2 ",", "," target ",") {
-        n = split($1, names, "/")
+        if (split($1, kinds, "@") == 2 && kinds[2] != machine) { next }
+        n = split(kinds[1], names, "/")
         print (ubuntu && n == 2 ? names[2] : names[1])
     }' "$list"
 }

@@ -27,11 +27,15 @@
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <sys/time.h>
 
 // No probe's answers take so long to judge, in seconds of processor time a request: those that do
 // were made for it, and end the program.
 enum { MOST_SECONDS = 20, EXIT_FAULT = 2 };
+
+// Nor do they need so much memory, in bytes; a sanitizer reserves far more.
+#define MOST_BYTES ((rlim_t)2 << 30)
 
 typedef struct Desk {
     const Judge *judge;
@@ -173,6 +177,14 @@ static void limit_time(void)
     setitimer(ITIMER_VIRTUAL, &limit, NULL);
 }
 
+static void limit_memory(void)
+{
+#ifndef __SANITIZE_ADDRESS__
+    const struct rlimit limit = {MOST_BYTES, MOST_BYTES};
+    setrlimit(RLIMIT_AS, &limit);
+#endif
+}
+
 // Reply to one request. Returns 0, or -1.
 static int serve(Desk *desk, const char *word, const char *argument)
 {
@@ -233,6 +245,7 @@ int main(int argc, char **argv)
         complain("judge: %s: this lab has no judge", argv[1]);
         return EXIT_FAULT;
     }
+    limit_memory();
     FILE *job = open_memstream(&desk.job_bytes, &desk.n_job_bytes);
     desk.job = job != NULL ? desk.judge->job_new(seed, job) : NULL;
     if (job == NULL || fclose(job) != 0 || desk.job == NULL) {

@@ -272,12 +272,13 @@ strip_markers
 # shellcheck disable=SC2086
 grade --lab $lab $submission
 ok $(($? != 1)) "a wrong answer without markers gets less"
-check "and the message is of the markers" stage Staging passed "TASK is_leaf"
+check "and the message is of the markers" stage Markers failed "TASK is_leaf"
+check "what cannot be tried alone waits for what it needs" test "$(count_lines 'waits for is_leaf')" -ge 3
 
 # A student works in labs/ itself: what stands there is no skeleton.
 course=$scratch/at-work
 mkdir "$course" "$course/tests"
-for part in common kernels solutions tests/probes; do ln -s "$PWD/$part" "$course/$part"; done
+for part in common kernels solutions tests/probes tests/stand_ins; do ln -s "$PWD/$part" "$course/$part"; done
 cp -R labs "$course/labs"
 lab=02-kdtree-2d-build
 copy_lab labs $lab
@@ -287,15 +288,21 @@ cp "$scratch/submission/$file" "$course/labs/$lab/"
 graded_there() { (cd "$course" && grades "$@"); }
 check "an answer in labs/ itself gets its points, beside one that crashes" graded_there 1 20 --lab 02
 
-# Judged without the solution, as in a handout, what comes behind a crash was not reached.
+# Judged without the solution, as in a handout, a crash costs its own task.
 rm "$course/solutions"
-mkdir "$course/solutions"
+mkdir -p "$course/solutions" "$course/tests/skeletons/$lab"
+cp "labs/$lab/$file" "$course/tests/skeletons/$lab/"
 echo 4 >"$course/tests/solution-seconds"
 for one in solutions/0[01]*; do ln -s "$PWD/$one" "$course/$one"; done
 copy_lab solutions $lab
 echo '    *(volatile float *)0 = circle.x + box.minX; return 0;' | answer $file circle_overlaps_box
 cp "$scratch/submission/$file" "$course/labs/$lab/"
-check "without the solution a crash costs what comes behind it" graded_there 1 26 --lab 02
+check "without the solution a crash costs its own task" graded_there 1 75 --lab 02
+copy_lab solutions $lab
+echo '    *(volatile float *)0 = circle.x + box.minX; return 0;' | answer $file circle_overlaps_box
+strip_markers
+cp "$scratch/submission/$file" "$course/labs/$lab/"
+check "without markers it costs what comes behind it" graded_there 1 26 --lab 02
 check "and that is not reached" test "$(grep -c 'not reached: the program had ended in circle_overlaps_box' "$said")" = 8
 check "which is no failure of it" grep -q '^   --    distribute-list' "$said"
 
