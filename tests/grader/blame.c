@@ -8,22 +8,48 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Of the failed checks that look at less than this one does, and are not others' fault, the first
-// of those that look at least; with `task` only that task's. NULL when there is none.
-static const Check *narrower_fault(const Check *checks, const Result *result, int check,
-                                   const char *task)
+// Does the list of ids, parted by blanks, hold the task's?
+static int lists(const char *needs, const char *task)
 {
-    for (CheckScope scope = IS_OWN; scope < checks[check].scope; scope++) {
-        for (int i = 0; i < result->n_checks; i++) {
-            const Check *other = &checks[i];
-            const CheckResult *found = &result->checks[i];
-            if (other->scope == scope && found->status == CHECK_FAILED &&
-                (task == NULL || strcmp(other->task, task) == 0)) {
-                return other;
-            }
+    const size_t length = strlen(task);
+    for (const char *id = needs; id != NULL && *id != '\0'; id += strspn(id, " ")) {
+        const size_t n = strcspn(id, " ");
+        if ((n == 1 && *id == '*') || (n == length && strncmp(id, task, n) == 0)) {
+            return 1;
+        }
+        id += n;
+    }
+    return 0;
+}
+
+static int needs_others(const Check *check)
+{
+    return check->needs != NULL && check->needs[0] != '\0';
+}
+
+// Is it certain that this check failed by its own task's answer?
+static int is_fault(const Check *check, const CheckResult *found)
+{
+    return found->status == CHECK_FAILED && (found->is_own || !needs_others(check));
+}
+
+// The first task that check number i needs and whose answer is wrong for certain, or NULL: also
+// where its own is, by a check that needs nobody else's.
+static const char *culprit_of(const Check *checks, const Result *result, int i)
+{
+    const char *culprit = NULL;
+    for (int j = 0; j < result->n_checks; j++) {
+        const int is_own_task = strcmp(checks[j].task, checks[i].task) == 0;
+        const CheckResult *found = &result->checks[j];
+        if (is_own_task && found->status == CHECK_FAILED && !needs_others(&checks[j])) {
+            return NULL;
+        }
+        if (culprit == NULL && !is_own_task && lists(checks[i].needs, checks[j].task) &&
+            is_fault(&checks[j], found)) {
+            culprit = checks[j].task;
         }
     }
-    return NULL;
+    return culprit;
 }
 
 // What a check found comes of another task's answer, too. Where it fails alone as well, only the
@@ -35,29 +61,23 @@ static void pass_blame(CheckResult *check, const char *task)
     char *message =
         check->is_own ? message_new("%.*s" MESSAGE_CAUSE "%s is wrong, too, and has a part in this",
                                     (int)length, check->message, task)
-                      : message_new("waits for %s, which it needs and whose own checks fail", task);
+                      : message_new("waits for %s, which it needs and which is wrong", task);
     free(check->message);
     check->message = message;
     check->is_explained = 0;
     check->status = check->is_own ? CHECK_FAILED : CHECK_NOT_RUN;
 }
 
-// Blame others for the failed checks of one scope.
-static void blame_in_scope(const Check *checks, Result *result, CheckScope scope)
-{
-    for (int i = 0; i < result->n_checks; i++) {
-        CheckResult *check = &result->checks[i];
-        const Check *culprit = narrower_fault(checks, result, i, NULL);
-        if (checks[i].scope == scope && check->status == CHECK_FAILED && culprit != NULL &&
-            narrower_fault(checks, result, i, check->task) == NULL) {
-            pass_blame(check, culprit->task);
-        }
-    }
-}
-
 void blame_others(const Check *checks, Result *result)
 {
-    for (CheckScope scope = IS_CALLER; scope <= IS_WHOLE; scope++) {
-        blame_in_scope(checks, result, scope);
+    const char *culprits[RESULT_MAX_CHECKS];
+    for (int i = 0; i < result->n_checks; i++) {
+        const int has_failed = result->checks[i].status == CHECK_FAILED;
+        culprits[i] = has_failed ? culprit_of(checks, result, i) : NULL;
+    }
+    for (int i = 0; i < result->n_checks; i++) {
+        if (culprits[i] != NULL) {
+            pass_blame(&result->checks[i], culprits[i]);
+        }
     }
 }

@@ -180,7 +180,7 @@ static int read_checks(JudgeProcess *judge)
         check->title = next_text(&bytes, end);
         check->task = next_text(&bytes, end);
         check->points = atoi(next_text(&bytes, end));
-        check->scope = (CheckScope)atoi(next_text(&bytes, end));
+        check->needs = next_text(&bytes, end);
     }
     return 0;
 }

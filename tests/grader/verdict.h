@@ -3,19 +3,14 @@
 #ifndef GRADER_VERDICT_H
 #define GRADER_VERDICT_H
 
-// What a check looks at: the farther down, the more answers have a part in it.
-typedef enum CheckScope {
-    IS_OWN,     // the answer to its task, on inputs of its own
-    IS_CALLER,  // the same, but it calls the answer to another task
-    IS_WHOLE,   // what comes of the answers to all tasks
-} CheckScope;
-
 typedef struct Check {
     const char *id;
     const char *title;
     const char *task;
     int points;
-    CheckScope scope;
+    const char
+        *needs;  // whose answers have a part in it besides: ids parted by blanks, "*" for all,
+                 // NULL or "" for none
 } Check;
 
 typedef enum VerdictKind {

@@ -30,14 +30,14 @@ static const Check checks[] = {
     [OVERLAPS_NEARER] = {"overlaps-nearer", "Nearer, equally far and farther than minDepth",
                          "overlaps_N_Nearer", 15},
     [OWN_PIXEL_PICTURE] = {"own_pixel-picture", "Every work-item draws its own pixel", "own_pixel",
-                           10},
+                           10, "*"},
     [OWN_PIXEL_PADDING] = {"own_pixel-padding", "Nothing is written outside the picture",
                            "own_pixel", 10},
-    [RENDERER_RANDOM] = {"renderer-random", "Random scenes", "implicit2DRenderer", 20},
+    [RENDERER_RANDOM] = {"renderer-random", "Random scenes", "implicit2DRenderer", 20, "*"},
     [RENDERER_ORDER] = {"renderer-order", "Of equal depths the lower index wins",
-                        "implicit2DRenderer", 10},
+                        "implicit2DRenderer", 10, "*"},
     [RENDERER_EDGES] = {"renderer-edges", "No circles, far outside, touching, huge, tiny",
-                        "implicit2DRenderer", 10},
+                        "implicit2DRenderer", 10, "*"},
 };
 
 // The scenes, in the order of the job; each check looks at a range of them.

@@ -14,24 +14,23 @@ static const Check checks[] = {
     [IS_LEAF_COUNT] = {"is_leaf-count", "Few circles make a leaf", "is_leaf", 4},
     [IS_LEAF_FAILED] = {"is_leaf-failed", "Failed splits make a leaf", "is_leaf", 3},
     [TREE_LIMITS] = {"tree-limits", "Whole trees: leaves where the limits say so", "is_leaf", 4,
-                     IS_WHOLE},
+                     "*"},
     [SPLIT_LONGER] = {"split-longer", "The longer side is split, x where equal", "split_box", 8},
     [SPLIT_MIDDLE] = {"split-middle", "In the middle, and nothing else moves", "split_box", 7},
-    [TREE_CELLS] = {"tree-cells", "Whole trees: children tile their parent", "split_box", 5,
-                    IS_WHOLE},
+    [TREE_CELLS] = {"tree-cells", "Whole trees: children tile their parent", "split_box", 5, "*"},
     [OVERLAP_INSIDE] = {"overlap-inside", "Circles clearly in and clearly out",
                         "circle_overlaps_box", 8},
     [OVERLAP_BOUNDARY] = {"overlap-boundary", "Touching counts", "circle_overlaps_box", 6},
     [OVERLAP_CORNER] = {"overlap-corner", "Exact at the corners", "circle_overlaps_box", 6},
     [TREE_OVERLAP] = {"tree-overlap", "Whole trees: each leaf has its circles",
-                      "circle_overlaps_box", 5, IS_WHOLE},
+                      "circle_overlaps_box", 5, "*"},
     [DISTRIBUTE_LIST] = {"distribute-list", "The right ids, in order, and how many", "distribute",
-                         15, IS_CALLER},
-    [TREE_LISTS] = {"tree-lists", "Whole trees: lists ascend", "distribute", 5, IS_WHOLE},
+                         15, "circle_overlaps_box"},
+    [TREE_LISTS] = {"tree-lists", "Whole trees: lists ascend", "distribute", 5, "*"},
     [PACK_COUNT] = {"pack-count", "The list starts with its count", "pack_leaf", 6},
     [PACK_OFFSET] = {"pack-offset", "circleMapOffset points at the count", "pack_leaf", 6},
     [PACK_REST] = {"pack-rest", "Ids, flag and n_map; nothing else moves", "pack_leaf", 3},
-    [TREE_PACKING] = {"tree-packing", "Whole trees: packed without gaps", "pack_leaf", 5, IS_WHOLE},
+    [TREE_PACKING] = {"tree-packing", "Whole trees: packed without gaps", "pack_leaf", 5, "*"},
 };
 
 // Why the builder gave up. Of what a task's function did the checks of the others say no more than
@@ -124,7 +123,7 @@ static Verdict judge(const void *pointer, int check, const Sections *answers)
 
 static int passes_alone(const void *pointer, int check, const Sections *answers)
 {
-    if (checks[check].scope != IS_OWN) {
+    if (checks[check].needs != NULL) {
         return judge_02_passes_alone(pointer, check, answers);
     }
     return verdict_passes(judge(pointer, check, answers));

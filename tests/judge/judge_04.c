@@ -13,11 +13,14 @@ static const Check checks[] = {
                         "pixel_on_display", 11},
     [DISPLAY_ASPECT] = {"display-aspect", "Wide and high pictures have square pixels",
                         "pixel_on_display", 11},
-    [RAY_TRANSFORM] = {"ray-transform", "From the camera's axes to the scene's", "primary_ray", 14},
+    [RAY_TRANSFORM] = {"ray-transform", "From the camera's axes to the scene's", "primary_ray", 14,
+                       "pixel_on_display"},
     [RAY_UNIT] = {"ray-unit", "The direction is a unit vector", "primary_ray", 8},
     [RAY_LIMITS] = {"ray-limits", "From the eye on, without an end", "primary_ray", 8},
-    [COLOR_PICTURE] = {"color-picture", "From -1 to 1 becomes from 0 to 1", "direction_color", 6},
-    [COLOR_CHANNELS] = {"color-channels", "x is red, y is green, z is blue", "direction_color", 4},
+    [COLOR_PICTURE] = {"color-picture", "From -1 to 1 becomes from 0 to 1", "direction_color", 6,
+                       "primary_ray pixel_on_display"},
+    [COLOR_CHANNELS] = {"color-channels", "x is red, y is green, z is blue", "direction_color", 4,
+                        "primary_ray pixel_on_display"},
 };
 
 static Verdict judge(const void *pointer, int check, const Sections *answers)

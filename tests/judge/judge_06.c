@@ -11,28 +11,28 @@ static const Check checks[] = {
     [BOUNDS_POSITIVE] = {"bounds-positive", "The box holds every sphere whole, and no more",
                          "spheres_bounds", 6},
     [BOUNDS_NEGATIVE] = {"bounds-negative", "Negative radii, and one sphere", "spheres_bounds", 4},
-    [TREE_BOUNDS] = {"tree-bounds", "Whole trees: the root's cell", "spheres_bounds", 5, IS_WHOLE},
+    [TREE_BOUNDS] = {"tree-bounds", "Whole trees: the root's cell", "spheres_bounds", 5, "*"},
     [SPLIT_AXIS] = {"split-axis", "The longest side, the first where equal", "choose_split", 8},
     [SPLIT_MIDDLE] = {"split-middle", "In the middle", "choose_split", 6},
     [TREE_SPLITS] = {"tree-splits", "Whole trees: each plane halves its cell", "choose_split", 6,
-                     IS_WHOLE},
+                     "*"},
     [OVERLAP_INSIDE] = {"overlap-inside", "Spheres clearly in and clearly out",
                         "sphere_overlaps_box", 7},
     [OVERLAP_TOUCHING] = {"overlap-touching", "Touching counts", "sphere_overlaps_box", 6},
     [OVERLAP_CORNER] = {"overlap-corner", "Exact at edges and corners", "sphere_overlaps_box", 7},
     [TREE_OVERLAP] = {"tree-overlap", "Whole trees: each leaf has its spheres",
-                      "sphere_overlaps_box", 5, IS_WHOLE},
+                      "sphere_overlaps_box", 5, "*"},
     [DISTRIBUTE_LIST] = {"distribute-list", "The right ids, in order, and how many",
-                         "distribute_spheres", 10, IS_CALLER},
+                         "distribute_spheres", 10, "sphere_overlaps_box"},
     [TREE_LISTS] = {"tree-lists", "Whole trees: lists ascend, leaves are small enough",
-                    "distribute_spheres", 5, IS_WHOLE},
+                    "distribute_spheres", 5, "*"},
     [PACK_NODE] = {"pack-node", "The node says where its spheres are", "pack_leaf_range", 6},
     [PACK_IDS] = {"pack-ids", "The ids, one behind the other", "pack_leaf_range", 4},
     [TREE_PACKING] = {"tree-packing", "Whole trees: packed without gaps", "pack_leaf_range", 5,
-                      IS_WHOLE},
+                      "*"},
     [FITS_LEVELS] = {"fits-levels", "Level by level", "fits_todo", 6},
     [TREE_DEPTH] = {"tree-depth", "Whole trees: too deep ones are refused, others built",
-                    "fits_todo", 4, IS_WHOLE},
+                    "fits_todo", 4, "*"},
 };
 
 // ---- Judging whole trees ----------------------------------------------------------------------
@@ -160,7 +160,7 @@ static Verdict judge(const void *pointer, int check, const Sections *answers)
 
 static int passes_alone(const void *pointer, int check, const Sections *answers)
 {
-    if (checks[check].scope != IS_OWN) {
+    if (checks[check].needs != NULL) {
         return judge_06_passes_alone(pointer, check, answers);
     }
     return verdict_passes(judge(pointer, check, answers));

@@ -139,7 +139,7 @@ static LeafHit expected_hit(const Inputs07 *inputs, int i, const Mistake *mistak
     const OracleRay ray = oracle3d_given_ray(job->origin, job->direction, 0);
     const OracleRules3D rules = mistake ? mistake->rules : right;
     Sphere spheres[LEAF_MAX_SPHERES + 1];
-    u32 positions[LEAF_MAX_SPHERES + 1], n_spheres = 0;
+    u32 positions[LEAF_MAX_SPHERES + 1] = {0}, n_spheres = 0;
     for (u32 at = 0; at <= job->node.n_spheres; at++) {
         const Sphere sphere = inputs->leaf_spheres[ids[at]];
         const int is_guard = at == job->node.n_spheres;

@@ -7,7 +7,7 @@
 // (probes/sections.h):
 //
 //     checks - 0     a section "check" for each, its texts parted by zeros: id, title, task, and
-//                    points and scope as numbers
+//                    points as a number, and whose answers it needs
 //     job - 0        what a probe shall try of a submission
 //     job TASK 0     what it shall try of one task's answer alone
 //     answers - N    hold these N bytes: what a probe answered. An empty reply, as for adopt
@@ -64,8 +64,9 @@ static int reply_checks(Desk *desk, const char *argument, FILE *reply)
     for (int i = 0; result == 0 && i < desk->judge->n_checks; i++) {
         const Check *check = &desk->judge->checks[i];
         char text[512];
-        const int n = snprintf(text, sizeof text, "%s%c%s%c%s%c%d%c%d", check->id, 0, check->title,
-                               0, check->task, 0, check->points, 0, (int)check->scope);
+        const int n =
+            snprintf(text, sizeof text, "%s%c%s%c%s%c%d%c%s", check->id, 0, check->title, 0,
+                     check->task, 0, check->points, 0, check->needs ? check->needs : "");
         result = n < (int)sizeof text ? section_write(reply, "check", text, (size_t)n + 1) : -1;
     }
     return result;

@@ -76,7 +76,7 @@ no_solution() {
 # The names of the judge's functions and tables, but for short ones and those that the grader has as well.
 judge_names() {
     nm "$build/libgrader.a" "$build/libcommon.a" 2>/dev/null | sed -n 's/.* [A-Za-z] //p' | sort -u >"$scratch/shared"
-    nm "$build/libjudge.a" 2>/dev/null | sed -n 's/.* [TtRrDd] \([a-z_0-9]\{12,\}\)$/\1/p' | sort -u |
+    nm "$build"/obj/tests/judge/*.o 2>/dev/null | sed -n 's/.* [TtRrDd] \([a-z_0-9]\{12,\}\)$/\1/p' | sort -u |
         comm -23 - "$scratch/shared"
 }
 
@@ -188,18 +188,19 @@ same_scores() {
     diff "$scratch/expected" "$scratch/found" && grep -q "\"score\": $4," "$scratch/found"
 }
 
-# The first task's answer is the placeholder, and the last one's has lost its end: no other task loses a point.
+# some_wrong FOLDER LAB: the first task's answer is the placeholder, and no other task loses a point.
 some_wrong() {
     rm -rf "$scratch/wrong"
     mkdir "$scratch/wrong"
     cp "solutions/$2"/*.[ch]* "$scratch/wrong/"
-    set -- "$1" "$2" $("$build/tools/grade" --lab "$2" --list-checks | cut -f 2 | uniq)
-    source=$(grep -l "// TASK $3:" "$scratch/wrong"/*)
-    "$build/tools/holes" read "labs/$2/$(basename "$source")" "$3" >"$scratch/placeholder"
-    "$build/tools/holes" fill "$source" "$3" "$scratch/placeholder" >"$scratch/filled"
+    "$build/tools/grade" --lab "$2" --list-checks >"$scratch/checks"
+    task=$(head -n 1 "$scratch/checks" | cut -f 2)
+    source=$(grep -l "// TASK $task:" "$scratch/wrong"/*)
+    "$build/tools/holes" read "labs/$2/$(basename "$source")" "$task" >"$scratch/placeholder"
+    "$build/tools/holes" fill "$source" "$task" "$scratch/placeholder" >"$scratch/filled"
     cp "$scratch/filled" "$source"
     cp "$scratch/wrong"/* "$1/labs/$2/"
-    missing=$("$build/tools/grade" --lab "$2" --list-checks | awk -F '\t' -v task="$3" '$2 == task { sum += $3 } END { print sum }')
+    missing=$(awk -F '\t' -v task="$task" '$2 == task { sum += $3 } END { print sum }' "$scratch/checks")
     same_scores "$1" "$2" "$scratch/wrong" $((100 - missing))
 }
 

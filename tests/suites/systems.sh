@@ -493,8 +493,8 @@ github() {
         [ "$(grep -c '' "$scratch/said")" -eq 2 ] && grep -q "Score $3/100" "$scratch/summary"
 }
 check "GitHub: a right submission" github 0 right 100
-check "GitHub: a wrong one" github 1 wrong 0
-check "GitHub: a crashing one" github 1 hostile 0
+check "GitHub: a wrong one" github 1 wrong 60
+check "GitHub: a crashing one" github 1 hostile 80
 rm "$repository/labs/$lab/lab.json"
 status=0
 (cd "$repository" && .github/grade.sh) >"$scratch/said" 2>&1 || status=$?

@@ -10,9 +10,9 @@
 TestSuite(blame);
 
 static const Check checks[] = {
-    {"leaf-ids", "Whose hit it is", "search_leaf", 40, IS_OWN},
-    {"trace-own", "The way down", "trace", 20, IS_OWN},
-    {"trace-picture", "Whole pictures", "trace", 40, IS_WHOLE},
+    {"leaf-ids", "Whose hit it is", "search_leaf", 40, NULL},
+    {"trace-own", "The way down", "trace", 20, NULL},
+    {"trace-picture", "Whole pictures", "trace", 40, "*"},
 };
 
 static const Manifest manifest = {
@@ -43,7 +43,7 @@ Test(blame, what_was_not_tried_alone_waits_for_the_task_at_fault)
     blame_others(checks, &result);
     cr_expect_eq(result.checks[2].status, CHECK_NOT_RUN);
     cr_expect_str_eq(result.checks[2].message,
-                     "waits for search_leaf, which it needs and whose own checks fail");
+                     "waits for search_leaf, which it needs and which is wrong");
     cr_expect_str_eq(result.checks[0].message, "found 1, expected 2; it looks mirrored");
     result_free(&result);
 }
@@ -59,6 +59,45 @@ Test(blame, what_fails_alone_stays_a_failure_without_a_cause)
     cr_expect_str_eq(result.checks[2].message,
                      "found 1, expected 2; search_leaf is wrong, too, and has a part in this");
     cr_expect_str_eq(task_hint(&manifest, &result, &manifest.tasks[1]), "Play with cards.");
+    result_free(&result);
+}
+
+// A task that a check does not need is no cause of it.
+Test(blame, only_what_is_needed_is_blamed)
+{
+    static const Check rays[] = {
+        {"axes", "The axes", "camera_axes", 40, NULL},
+        {"color", "Colours", "direction_color", 60, "primary_ray pixel_on_display"},
+        {"pixel", "Pixels", "pixel_on_display", 60, ""},
+    };
+    const CheckStatus first[] = {CHECK_FAILED, CHECK_FAILED, CHECK_PASSED};
+    Result result = result_of(first, "found 1, expected 2");
+    blame_others(rays, &result);
+    cr_expect_eq(result.checks[1].status, CHECK_FAILED);
+    result_free(&result);
+    const CheckStatus last[] = {CHECK_FAILED, CHECK_FAILED, CHECK_FAILED};
+    result = result_of(last, "found 1, expected 2");
+    blame_others(rays, &result);
+    cr_expect_str_eq(result.checks[1].message,
+                     "waits for pixel_on_display, which it needs and which is wrong");
+    result_free(&result);
+}
+
+// Of two that need each other, the one that fails alone is at fault.
+Test(blame, what_fails_alone_is_at_fault_for_certain)
+{
+    static const Check pictures[] = {
+        {"picture", "Pictures", "descent", 50, "*"},
+        {"leaf", "Leaves", "leaf_loop", 50, "*"},
+        {"child", "Children", "getContainingChild", 0, NULL},
+    };
+    const CheckStatus both[] = {CHECK_FAILED, CHECK_FAILED, CHECK_PASSED};
+    Result result = result_of(both, "found 1, expected 2");
+    result.checks[1].is_own = 1;
+    blame_others(pictures, &result);
+    cr_expect_str_eq(result.checks[0].message,
+                     "waits for leaf_loop, which it needs and which is wrong");
+    cr_expect_str_eq(result.checks[1].message, "found 1, expected 2");
     result_free(&result);
 }
 
@@ -86,9 +125,9 @@ Test(blame, a_task_with_a_fault_of_its_own_keeps_its_message_and_hint)
 Test(blame, a_caller_is_not_at_fault_where_what_it_calls_is)
 {
     static const Check calls[] = {
-        {"overlap", "Touching counts", "search_leaf", 40, IS_OWN},
-        {"list", "The right ids", "trace", 20, IS_CALLER},
-        {"tree", "Whole trees", "trace", 40, IS_WHOLE},
+        {"overlap", "Touching counts", "search_leaf", 40, NULL},
+        {"list", "The right ids", "trace", 20, "search_leaf"},
+        {"tree", "Whole trees", "trace", 40, "*"},
     };
     const CheckStatus all[] = {CHECK_FAILED, CHECK_FAILED, CHECK_FAILED};
     Result result = result_of(all, "found 1, expected 2");

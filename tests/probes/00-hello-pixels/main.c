@@ -54,9 +54,15 @@ static void answer_picture(const Probe *probe, int k, const SceneJob *scene, cl_
 {
     cl_kernel kernel = probe_kernel(program, "gradient");
     cl_mem d_image = probe_image(probe, scene->width, scene->height);
-    CL_CHECK(clSetKernelArg(kernel, 0, sizeof scene->width, &scene->width));
-    CL_CHECK(clSetKernelArg(kernel, 1, sizeof scene->height, &scene->height));
-    CL_CHECK(clSetKernelArg(kernel, 2, sizeof d_image, &d_image));
+    const struct {
+        size_t n_bytes;
+        const void *value;
+    } arguments[] = {{sizeof scene->width, &scene->width},
+                     {sizeof scene->height, &scene->height},
+                     {sizeof(cl_mem), &d_image}};
+    for (cl_uint i = 0; i < sizeof arguments / sizeof *arguments; i++) {
+        CL_CHECK(clSetKernelArg(kernel, i, arguments[i].n_bytes, arguments[i].value));
+    }
     probe_draw(probe, k, kernel, d_image, scene->width, scene->height);
     CL_CHECK(clReleaseMemObject(d_image));
     CL_CHECK(clReleaseKernel(kernel));
