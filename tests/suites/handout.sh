@@ -73,19 +73,23 @@ no_solution() {
     return 1
 }
 
-# The names of the judge's functions and tables, but for short ones and those that the grader has as well.
+# The names of the judge's functions and tables, but for short ones, those that the grader has as well, and
+# tasks.
 judge_names() {
+    sed -n 's/.*{ "id": "\([^"]*\)".*/\1/p; s/^ *"id": "\([^"]*\)".*/\1/p' solutions/*/lab.json >"$scratch/tasks"
     nm "$build/libgrader.a" "$build/libcommon.a" 2>/dev/null | sed -n 's/.* [A-Za-z] //p' | sort -u >"$scratch/shared"
     nm "$build"/obj/tests/judge/*.o 2>/dev/null | sed -n 's/.* [TtRrDd] \([a-z_0-9]\{12,\}\)$/\1/p' | sort -u |
-        comm -23 - "$scratch/shared"
+        comm -23 - "$scratch/shared" | grep -v -x -F -f "$scratch/tasks"
 }
 
 # no_judge FOLDER: is no function or line of the judge's sources in it, and no name in its programs?
 no_judge() {
     judge_names >"$scratch/names"
     [ "$(wc -l <"$scratch/names")" -ge 100 ] || { echo "only few names to look for"; return 1; }
-    ! grep -rlwF -f "$scratch/names" "$1" --exclude-dir=solutions >"$scratch/leaks" || { cat "$scratch/leaks"; return 1; }
-    find common kernels tests/grader tests/probes tests/stand_ins solutions -type f -name '*.[ch]*' \
+    [ -s "$scratch/tasks" ] && ! nm "$1"/tests/judge/judge-* 2>/dev/null | grep " [A-Za-z] " ||
+        { echo "the judge has names"; return 1; }
+    ! grep -rIlwF -f "$scratch/names" "$1" --exclude-dir=solutions >"$scratch/leaks" || { cat "$scratch/leaks"; return 1; }
+    find common kernels labs tests/grader tests/probes tests/stand_ins solutions -type f -name '*.[ch]*' \
         -exec cat {} + | tr -d ' \t' | sort -u >"$scratch/given"
     cat tests/judge/*.[ch] | tr -d ' \t' | grep '[A-Za-z0-9].\{16,\}' | sort -u |
         comm -23 - "$scratch/given" >"$scratch/lines"
