@@ -145,7 +145,7 @@ judge: $(OUT)/tools/judge
 $(OUT)/judges/judge-%: always
 	@command -v $*-linux-gnu-gcc >/dev/null || { \
 	    echo "make: found no $*-linux-gnu-gcc, expected one: make handout installs it" >&2; exit 2; }
-	@$(MAKE) --no-print-directory BUILD=$(OUT)/judges/$* CC=$*-linux-gnu-gcc OPTIMISATION=-O2 LDFLAGS=-s judge
+	@$(MAKE) --no-print-directory BUILD=$(OUT)/judges/$* CC=$*-linux-gnu-gcc OPTIMISATION='-O2 -flto=auto' LDFLAGS=-s judge
 	@cp $(OUT)/judges/$*/tools/judge $@
 else
 # In a handout.
@@ -452,8 +452,10 @@ clean:  ## remove everything that was made
 	rm -rf "$(BUILD)"
 
 .PHONY: help
+# In a handout of a lab without kernels there is nothing to look into.
+NOT_HERE = $(if $(HANDOUT),$(if $(wildcard labs/*/*.cl),,memcheck))
 help:  ## print this list
-	@awk -F ':.*## ' '/^ifndef HANDOUT/ { hidden = "$(HANDOUT)" } /^endif  # HANDOUT/ { hidden = "" } \
+	@awk -F ':.*## ' '$$1 == "$(NOT_HERE)" { next } /^ifndef HANDOUT/ { hidden = "$(HANDOUT)" } /^endif  # HANDOUT/ { hidden = "" } \
 	    !hidden && /^[a-z-]+:.*## / { sub("LAB=03", "LAB=$(EXAMPLE_LAB)"); printf "  make %-12s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
 
 -include $(shell find $(OUT)/obj -name '*.d' 2>/dev/null)

@@ -17,6 +17,9 @@
 // keep its digits.
 #define LONGEST_VECTOR 1e32
 
+// What is left of 0 by rounding in double, far above it and far below what counts.
+#define ROUNDING 1e-12
+
 f32 scene3d_fov(const View *view, int width, int height)
 {
     const double half_angle = (double)view->angle / 2 * M_PI / 180;
@@ -41,19 +44,6 @@ static double smallest_step(const double *forward, const double *axis)
     return smallest;
 }
 
-static void cross_normalized(const double *a, const double *b, double *cross)
-{
-    double length2 = 0;
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        cross[i] = a[j] * b[k] - a[k] * b[j];
-        length2 += cross[i] * cross[i];
-    }
-    for (int i = 0; i < 3; i++) {
-        cross[i] /= sqrt(length2);
-    }
-}
-
 double scene3d_smallest_angle(const View *view, int height)
 {
     const double up[3] = {view->up.x, view->up.y, view->up.z};
@@ -64,12 +54,22 @@ double scene3d_smallest_angle(const View *view, int height)
     for (int i = 0; i < 3; i++) {
         forward[i] /= length;
     }
-    double right[3], picture_up[3];
-    cross_normalized(forward, up, right);
-    cross_normalized(right, forward, picture_up);
+    // The two ways across: up without its part along forward; and the other by its size alone, as
+    // for three directions at right angles the squares of each coordinate add up to 1.
+    const double along = up[0] * forward[0] + up[1] * forward[1] + up[2] * forward[2];
+    double upwards[3], sideways[3], upwards2 = 0;
+    for (int i = 0; i < 3; i++) {
+        upwards[i] = up[i] - along * forward[i];
+        upwards2 += upwards[i] * upwards[i];
+    }
+    for (int i = 0; i < 3; i++) {
+        upwards[i] /= sqrt(upwards2);
+        const double rest = 1 - forward[i] * forward[i] - upwards[i] * upwards[i];
+        sideways[i] = rest > ROUNDING ? sqrt(rest) : 0;
+    }
     // A ray's direction is forward and some steps of a pixel's size to the right and up, in float.
     const double pixel_size =
-        fmax(smallest_step(forward, right), smallest_step(forward, picture_up));
+        fmax(smallest_step(forward, sideways), smallest_step(forward, upwards));
     const int n_steps = height > 1 ? height - 1 : 1;
     return 2 * atan(pixel_size * n_steps / 2) * 180 / M_PI;
 }

@@ -122,7 +122,7 @@ int tree3d_figures(const KdTree3D *tree, TreeFigures3D *figures)
     return 0;
 }
 
-// What came out fastest (make bench) for scenes of 7381, 100 000 and 1 000 000 spheres: leaves of
+// What came out fastest for scenes of 7381, 100 000 and 1 000 000 spheres: leaves of
 // some spheres, and levels enough to get there and a few more, as cells halve in one direction
 // only.
 enum { DEFAULT_LEAF_SIZE = 6, EXTRA_LEVELS = 6 };

@@ -7,6 +7,7 @@
 #include "holes.h"
 #include "jobs.h"
 #include "skeleton.h"
+#include "text_file.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -15,51 +16,65 @@
 
 enum { PATH_BYTES = 512 };
 
-// Replace *text by the same with a hole filled. Returns 0, or -1 after one message.
-static int fill(char **text, const Task *task, const char *body)
+// What stands in the hole of a task that is not tried: its stand-in, or what is handed out. NULL
+// after one message.
+static char *other_body(const Manifest *manifest, const Task *task)
 {
-    char *filled = hole_fill(*text, task->id, body);
-    if (filled == NULL) {
-        fprintf(stderr, "grade: %s: no hole for task %s\n", task->file, task->id);
+    char *stand_in = stand_in_read(manifest, task);
+    if (stand_in != NULL) {
+        return stand_in;
     }
-    free(*text);
-    *text = filled;
-    return filled != NULL ? 0 : -1;
+    char *skeleton = skeleton_read(manifest, task->file);
+    char *body = skeleton != NULL ? hole_read(skeleton, task->id) : NULL;
+    free(skeleton);
+    return body;
 }
 
-// One of the lab's files: as it is handed out, with the answer and the stand-ins of the other
-// tasks. NULL after one message.
-static char *file_text(const Manifest *manifest, const char *file, const Task *task,
-                       const char *answer)
+// Take the other tasks' answers out of one of the lab's files, and put this one's in. Takes `text`
+// over. Returns the text, or NULL when a hole is missing.
+static char *holes_settle(const Manifest *manifest, const char *file, const Task *task,
+                          const char *answer, char *text)
 {
-    char *text = skeleton_read(manifest, file);
     for (int t = 0; text != NULL && t < manifest->n_tasks; t++) {
         const Task *other = &manifest->tasks[t];
-        char *stand_in = other != task ? stand_in_read(manifest, other) : NULL;
-        const char *body = other == task ? answer : stand_in;
-        if (body != NULL && strcmp(other->file, file) == 0) {
-            fill(&text, other, body);
+        if (strcmp(other->file, file) == 0) {
+            char *body = other != task ? other_body(manifest, other) : strdup(answer);
+            char *filled = body != NULL ? hole_fill(text, other->id, body) : NULL;
+            free(body);
+            free(text);
+            text = filled;
         }
-        free(stand_in);
     }
     return text;
 }
 
-int alone_fill(Session *session, const char *name, const Task *task, const char *answer,
-               Variant *variant)
+// One of the lab's files with this answer: the student's own, or where that has no such holes or
+// `own` is NULL, the one that is handed out. NULL after one message.
+static char *file_text(const Manifest *manifest, const char *file, const Task *task,
+                       const char *answer, const char *own, int *is_changed)
 {
-    const Manifest *manifest = &session->manifest;
-    char folder[PATH_BYTES], job[PATH_BYTES];
-    int result = variant_open(&session->workshop, name, variant, folder, sizeof folder);
-    variant->alone = task->id;
-    for (int i = 0; result == 0 && i < manifest->n_files; i++) {
-        char *text = file_text(manifest, manifest->files[i], task, answer);
-        result = text == NULL ? -1 : session_write(folder, manifest->files[i], text);
-        free(text);
+    char path[2 * PATH_BYTES];
+    char *text = skeleton_read(manifest, file);
+    text = text != NULL ? holes_settle(manifest, file, task, answer, text) : NULL;
+    if (own == NULL || text == NULL) {
+        return text;
     }
-    if (result != 0) {
-        return -1;
+    snprintf(path, sizeof path, "%s/%s", own, file);
+    char *own_text = text_file_read(path);
+    own_text = own_text != NULL ? holes_settle(manifest, file, task, answer, own_text) : NULL;
+    if (own_text == NULL || strcmp(own_text, text) == 0) {
+        free(own_text);
+        return text;
     }
+    *is_changed = 1;
+    free(text);
+    return own_text;
+}
+
+// Returns 0, or -1 after one message.
+static int write_job(Session *session, const Task *task, const Variant *variant)
+{
+    char job[PATH_BYTES];
     variant_job_path(&session->workshop, variant, job, sizeof job);
     FILE *file = fopen(job, "wb");
     int failed = file == NULL ||
@@ -71,6 +86,22 @@ int alone_fill(Session *session, const char *name, const Task *task, const char 
         return -1;
     }
     return 0;
+}
+
+int alone_fill(Session *session, const char *name, const Task *task, const char *answer,
+               const char *own, Variant *variant)
+{
+    const Manifest *manifest = &session->manifest;
+    char folder[PATH_BYTES];
+    int result = variant_open(&session->workshop, name, variant, folder, sizeof folder);
+    variant->alone = task->id;
+    for (int i = 0; result == 0 && i < manifest->n_files; i++) {
+        char *text =
+            file_text(manifest, manifest->files[i], task, answer, own, &variant->is_changed);
+        result = text == NULL ? -1 : session_write(folder, manifest->files[i], text);
+        free(text);
+    }
+    return result == 0 ? write_job(session, task, variant) : -1;
 }
 
 int alone_passes(Session *session, int i, const Variant *variant)

@@ -1,9 +1,10 @@
 // Trying the answer to one task alone, so that one mistake costs one task.
 //
-// The files are those that are handed out, with this answer in its hole: nothing of our solution is
-// where a student's code runs. What the answer needs of other tasks is done by stand-ins, which do
-// something else than is asked of students and which the judge can foresee (tests/stand_ins/). All
-// that comes out of such a run is whether a check passes.
+// The files are the student's own, so that a helper beside the marked lines counts, with the other
+// tasks' answers taken out; or those that are handed out, with this answer in its hole. Nothing of
+// our solution is where a student's code runs. What the answer needs of other tasks is done by
+// stand-ins, which do something else than is asked of students and which the judge can foresee
+// (tests/stand_ins/). All that comes out of such a run is whether a check passes.
 #ifndef GRADER_ALONE_H
 #define GRADER_ALONE_H
 
@@ -11,9 +12,11 @@
 
 // Make a variant with one task's answer and a job of its own.
 //   answer   what goes into its hole
-// Returns 0, or -1 after one message.
+//   own      the folder of the student's files, or NULL: those that are handed out
+// Sets variant->is_changed where a file of the student's differs in more than its answers. Returns
+// 0, or -1 after one message.
 int alone_fill(Session *session, const char *name, const Task *task, const char *answer,
-               Variant *variant);
+               const char *own, Variant *variant);
 
 // Does check number i, one of the variant's task, pass? The variant has run.
 int alone_passes(Session *session, int i, const Variant *variant);

@@ -30,18 +30,19 @@ static int needs_others(const Check *check)
 // Is it certain that this check failed by its own task's answer?
 static int is_fault(const Check *check, const CheckResult *found)
 {
-    return found->status == CHECK_FAILED && (found->is_own || !needs_others(check));
+    return found->status == CHECK_FAILED &&
+           (found->is_own || found->is_unanswered || !needs_others(check));
 }
 
-// The first task that check number i needs and whose answer is wrong for certain, or NULL: also
-// where its own is, by a check that needs nobody else's.
+// The first task that check number i needs and whose answer is wrong for certain, or NULL. A check
+// that could not be tried alone is its own task's fault where another check of it is.
 static const char *culprit_of(const Check *checks, const Result *result, int i)
 {
     const char *culprit = NULL;
     for (int j = 0; j < result->n_checks; j++) {
         const int is_own_task = strcmp(checks[j].task, checks[i].task) == 0;
         const CheckResult *found = &result->checks[j];
-        if (is_own_task && found->status == CHECK_FAILED && !needs_others(&checks[j])) {
+        if (is_own_task && !result->checks[i].is_own && is_fault(&checks[j], found)) {
             return NULL;
         }
         if (culprit == NULL && !is_own_task && lists(checks[i].needs, checks[j].task) &&
@@ -61,7 +62,9 @@ static void pass_blame(CheckResult *check, const char *task)
     char *message =
         check->is_own ? message_new("%.*s" MESSAGE_CAUSE "%s is wrong, too, and has a part in this",
                                     (int)length, check->message, task)
-                      : message_new("waits for %s, which it needs and which is wrong", task);
+                      : message_new("waits for %s, which it needs and which is wrong: without its "
+                                    "marker lines it cannot be tried alone",
+                                    task);
     free(check->message);
     check->message = message;
     check->is_explained = 0;
@@ -72,7 +75,8 @@ void blame_others(const Check *checks, Result *result)
 {
     const char *culprits[RESULT_MAX_CHECKS];
     for (int i = 0; i < result->n_checks; i++) {
-        const int has_failed = result->checks[i].status == CHECK_FAILED;
+        const int has_failed =
+            result->checks[i].status == CHECK_FAILED && !result->checks[i].is_unanswered;
         culprits[i] = has_failed ? culprit_of(checks, result, i) : NULL;
     }
     for (int i = 0; i < result->n_checks; i++) {

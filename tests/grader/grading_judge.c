@@ -132,6 +132,7 @@ static void refuse_unanswered(Grading *grading)
         grading->is_untouched[t] = answer != NULL && is_untouched(grading, task, answer);
         for (int i = 0; i < grading->result.n_checks && grading->is_untouched[t]; i++) {
             CheckResult *check = &grading->result.checks[i];
+            check->is_unanswered |= strcmp(check->task, task->id) == 0;
             if (check->status == CHECK_PASSED && strcmp(check->task, task->id) == 0) {
                 fail_check(check,
                            "not answered yet: it stands as it was handed out, and what passed "
@@ -227,29 +228,35 @@ static void judge_alone(Grading *grading, const Variant *variant)
             continue;
         }
         check->is_own = 1;
-        if (check->status == CHECK_NOT_RUN) {
+        // What does not compile is told once, under "Compiling".
+        if (check->status == CHECK_NOT_RUN && variant->build_log == NULL) {
             fail_check(check, "it fails by itself, too; what is wrong can be said once the whole "
                               "program comes this far");
         }
     }
 }
 
-// Try the answers of tasks that failed alone, two at a time. Returns 0, or -1 after one message.
-static int try_alone(Grading *grading)
+// Try answers alone, two at a time.
+//   own   the folder of the student's files, or NULL: those that are handed out
+// Returns 0, or -1 after one message.
+static int try_in(Grading *grading, const char *own)
 {
     const Manifest *manifest = &grading->session.manifest;
     Variant *pair[2];
     int n = 0;
     for (int t = 0; t < manifest->n_tasks; t++) {
-        char *answer = answer_for_alone(grading, t);
+        Variant *alone = &grading->alone[t];
+        // From the files that are handed out only where the student's may have been in the way.
+        char *answer = own != NULL || alone->is_changed ? answer_for_alone(grading, t) : NULL;
         if (answer != NULL) {
-            pair[n] = &grading->alone[t];
+            variant_free(alone);
             const int filled = alone_fill(&grading->session, manifest->tasks[t].id,
-                                          &manifest->tasks[t], answer, pair[n++]);
+                                          &manifest->tasks[t], answer, own, alone);
             free(answer);
             if (filled != 0) {
                 return -1;
             }
+            pair[n++] = alone;
         }
         if (n == 2 || (n == 1 && t == manifest->n_tasks - 1)) {
             if (session_run(&grading->session, pair, n) != 0) {
@@ -261,6 +268,14 @@ static int try_alone(Grading *grading)
         }
     }
     return 0;
+}
+
+// Try the answers of tasks that failed alone. Returns 0, or -1 after one message.
+static int try_alone(Grading *grading)
+{
+    char folder[PATH_BYTES];
+    snprintf(folder, sizeof folder, "%s/variant-whole/lab", grading->session.workshop.folder);
+    return try_in(grading, folder) != 0 ? -1 : try_in(grading, NULL);
 }
 
 int grading_judge(Grading *grading)

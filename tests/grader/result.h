@@ -24,6 +24,7 @@ typedef struct CheckResult {
                        // values, never trusted as markup. "" when passed. Owned.
     int is_explained;  // the message says why: a hint would only lead elsewhere
     int is_own;        // its answer fails it alone, too: whatever else is wrong, it is its fault
+    int is_unanswered;  // its task stands as it was handed out
 } CheckResult;
 
 // Pictures of one scene for the report.

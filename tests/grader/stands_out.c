@@ -39,8 +39,9 @@ static const char *const calls[] = {
     "__has_include", "__has_include_next", "__has_embed"};
 
 // Attributes that let code run before or after main, or in another function's place.
-static const char *const attributes[] = {"constructor",    "__constructor__", "destructor",
-                                         "__destructor__", "ifunc",           "__ifunc__"};
+static const char *const attributes[] = {
+    "constructor", "__constructor__", "destructor",  "__destructor__", "ifunc",
+    "__ifunc__",   "section",         "__section__", "alias",          "__alias__"};
 
 // Where the grader keeps the counts of work: a kernel gets them counted and never counts itself.
 static const char *const counters[] = {"work", "d_work", "pixel_work"};

@@ -42,18 +42,19 @@ void variant_job_path(const Workshop *workshop, const struct Variant *variant, c
 // One way to combine files, built and run.
 typedef struct Variant {
     char name[80];
-    char *build_log;    // set when it does not compile; with the student's file and line; owned
-    char *trouble;      // set when it compiled and did not run to its end: what happened; owned
-    RunPlace place;     // and where; all NULL when nobody knows
-    int has_crashed;    // by a signal
-    char *habits;       // what else there is to say about its run, "" for most; owned
-    char *run_output;   // what it wrote to stdout and stderr; owned
-    unsigned number;    // of its answers: no other variant has the same
-    Sections answers;   // whatever it answered
-    SandboxRun *run;    // while it runs
-    int is_ours;        // the solution: what it uses says what others may
-    int is_checked;     // built and run with the address sanitizer: see variant_find_line()
-    const char *task;   // whose answer stands in the solution of the others; NULL: a submission
+    char *build_log;   // set when it does not compile; with the student's file and line; owned
+    char *trouble;     // set when it compiled and did not run to its end: what happened; owned
+    RunPlace place;    // and where; all NULL when nobody knows
+    int has_crashed;   // by a signal
+    char *habits;      // what else there is to say about its run, "" for most; owned
+    char *run_output;  // what it wrote to stdout and stderr; owned
+    unsigned number;   // of its answers: no other variant has the same
+    Sections answers;  // whatever it answered
+    SandboxRun *run;   // while it runs
+    int is_ours;       // the solution: what it uses says what others may
+    int is_checked;    // built and run with the address sanitizer: see variant_find_line()
+    const char *task;  // whose answer stands in the solution of the others; NULL: a submission
+    int is_changed;  // tried alone in files that differ from those handed out in more than answers
     const char *alone;  // whose answer is tried alone, with a job of its own; NULL: all of them
     int is_told;        // the report says already how and where it ended
 } Variant;

@@ -267,6 +267,12 @@ char *tree_judge_packing(const JobScene *scene, const KdTree2D *own)
                                node.id);
         }
         if (is_inner(own, id)) {
+            if (node.lChild == 0 && node.rChild == 0) {
+                return message_new(
+                    "%s: node %u is marked INNER and has no children; pack_leaf marks "
+                    "the leaves",
+                    scene->picture.title, id);
+            }
             if (node.lChild != next_id || node.rChild != next_id + 1) {
                 return message_new("%s: node %u's children are %u and %u, expected %u and %u "
                                    "(breadth-first)",

@@ -107,7 +107,7 @@ static int answer_open(Answer *answer, Session *session, const char *path)
     const Task *task = manifest_task(&session->manifest, answer->task);
     const int filled =
         session_fill(session, "answer", answer->task, answer->text, &answer->variant);
-    return filled | alone_fill(session, "alone", task, answer->text, &answer->alone);
+    return filled | alone_fill(session, "alone", task, answer->text, NULL, &answer->alone);
 }
 
 static void answer_free(Answer *answer)

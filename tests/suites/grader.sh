@@ -275,6 +275,19 @@ ok $(($? != 1)) "a wrong answer without markers gets less"
 check "and the message is of the markers" stage Markers failed "TASK is_leaf"
 check "what cannot be tried alone waits for what it needs" test "$(count_lines 'waits for is_leaf')" -ge 3
 
+# What stands beside the marked lines counts for an answer that is tried alone; garbage there does not.
+copy_lab solutions $lab
+sed -i '/^int circle_overlaps_box/i static double square_of(double x) { return x * x; }\n' "$scratch/submission/$file"
+sed -i '/TASK circle_overlaps_box/,/END circle_overlaps_box/s/dx \* dx + dy \* dy/square_of(dx) + square_of(dy)/' \
+    "$scratch/submission/$file"
+echo '    return level' | answer $file is_leaf
+# shellcheck disable=SC2086
+check "a helper beside the marked lines costs nothing" grades 1 85 --lab $lab $submission
+copy_lab solutions $lab
+echo '}' >>"$scratch/submission/$file"
+# shellcheck disable=SC2086
+check "a brace too many at the end costs no task" grades 0 100 --lab $lab $submission
+
 # A student works in labs/ itself: what stands there is no skeleton.
 course=$scratch/at-work
 mkdir "$course" "$course/tests"

@@ -43,7 +43,8 @@ Test(blame, what_was_not_tried_alone_waits_for_the_task_at_fault)
     blame_others(checks, &result);
     cr_expect_eq(result.checks[2].status, CHECK_NOT_RUN);
     cr_expect_str_eq(result.checks[2].message,
-                     "waits for search_leaf, which it needs and which is wrong");
+                     "waits for search_leaf, which it needs and which is wrong: without its marker "
+                     "lines it cannot be tried alone");
     cr_expect_str_eq(result.checks[0].message, "found 1, expected 2; it looks mirrored");
     result_free(&result);
 }
@@ -59,6 +60,18 @@ Test(blame, what_fails_alone_stays_a_failure_without_a_cause)
     cr_expect_str_eq(result.checks[2].message,
                      "found 1, expected 2; search_leaf is wrong, too, and has a part in this");
     cr_expect_str_eq(task_hint(&manifest, &result, &manifest.tasks[1]), "Play with cards.");
+    result_free(&result);
+}
+
+// What nobody wrote yet waits for nothing.
+Test(blame, what_is_not_answered_does_not_wait)
+{
+    const CheckStatus statuses[] = {CHECK_FAILED, CHECK_PASSED, CHECK_FAILED};
+    Result result = result_of(statuses, "found 1, expected 2");
+    result.checks[2].is_unanswered = 1;
+    blame_others(checks, &result);
+    cr_expect_eq(result.checks[2].status, CHECK_FAILED);
+    cr_expect_str_eq(result.checks[2].message, "found 1, expected 2");
     result_free(&result);
 }
 
@@ -79,7 +92,8 @@ Test(blame, only_what_is_needed_is_blamed)
     result = result_of(last, "found 1, expected 2");
     blame_others(rays, &result);
     cr_expect_str_eq(result.checks[1].message,
-                     "waits for pixel_on_display, which it needs and which is wrong");
+                     "waits for pixel_on_display, which it needs and which is wrong: without its "
+                     "marker lines it cannot be tried alone");
     result_free(&result);
 }
 
@@ -96,7 +110,8 @@ Test(blame, what_fails_alone_is_at_fault_for_certain)
     result.checks[1].is_own = 1;
     blame_others(pictures, &result);
     cr_expect_str_eq(result.checks[0].message,
-                     "waits for leaf_loop, which it needs and which is wrong");
+                     "waits for leaf_loop, which it needs and which is wrong: without its marker "
+                     "lines it cannot be tried alone");
     cr_expect_str_eq(result.checks[1].message, "found 1, expected 2");
     result_free(&result);
 }
