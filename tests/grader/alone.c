@@ -30,22 +30,28 @@ static char *other_body(const Manifest *manifest, const Task *task)
     return body;
 }
 
-// Take the other tasks' answers out of one of the lab's files, and put this one's in. Takes `text`
-// over. Returns the text, or NULL when a hole is missing.
+// Fill a hole. Takes `text` over, also where there is no such hole. Returns the text, or NULL.
+static char *settle(char *text, const Task *task, const char *body)
+{
+    char *filled = text != NULL && body != NULL ? hole_fill(text, task->id, body) : NULL;
+    free(text);
+    return filled;
+}
+
+// Take the other tasks' answers out of one of the lab's files, and put this one's in: last, as
+// nobody knows what is in it. Takes `text` over. Returns the text, or NULL when a hole is missing.
 static char *holes_settle(const Manifest *manifest, const char *file, const Task *task,
                           const char *answer, char *text)
 {
-    for (int t = 0; text != NULL && t < manifest->n_tasks; t++) {
+    for (int t = 0; t < manifest->n_tasks; t++) {
         const Task *other = &manifest->tasks[t];
-        if (strcmp(other->file, file) == 0) {
-            char *body = other != task ? other_body(manifest, other) : strdup(answer);
-            char *filled = body != NULL ? hole_fill(text, other->id, body) : NULL;
+        if (other != task && strcmp(other->file, file) == 0) {
+            char *body = other_body(manifest, other);
+            text = settle(text, other, body);
             free(body);
-            free(text);
-            text = filled;
         }
     }
-    return text;
+    return strcmp(task->file, file) == 0 ? settle(text, task, answer) : text;
 }
 
 // One of the lab's files with this answer: the student's own, or where that has no such holes or
@@ -102,6 +108,39 @@ int alone_fill(Session *session, const char *name, const Task *task, const char 
         free(text);
     }
     return result == 0 ? write_job(session, task, variant) : -1;
+}
+
+// One of the lab's files as it is handed out, with all of the student's answers that can be put in.
+// NULL after one message.
+static char *answers_text(const Manifest *manifest, const char *file, const char *own)
+{
+    char path[2 * PATH_BYTES];
+    char *text = skeleton_read(manifest, file);
+    snprintf(path, sizeof path, "%s/%s", own, file);
+    for (int t = 0; text != NULL && t < manifest->n_tasks; t++) {
+        const Task *task = &manifest->tasks[t];
+        char *answer = strcmp(task->file, file) == 0 ? hole_load(path, task->id) : NULL;
+        char *filled = answer != NULL ? hole_fill(text, task->id, answer) : NULL;
+        if (filled != NULL) {
+            free(text);
+            text = filled;
+        }
+        free(answer);
+    }
+    return text;
+}
+
+int answers_fill(Session *session, const char *name, const char *own, Variant *variant)
+{
+    const Manifest *manifest = &session->manifest;
+    char folder[PATH_BYTES];
+    int result = variant_open(&session->workshop, name, variant, folder, sizeof folder);
+    for (int i = 0; result == 0 && i < manifest->n_files; i++) {
+        char *text = answers_text(manifest, manifest->files[i], own);
+        result = text == NULL ? -1 : session_write(folder, manifest->files[i], text);
+        free(text);
+    }
+    return result;
 }
 
 int alone_passes(Session *session, int i, const Variant *variant)

@@ -8,11 +8,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Does the list of ids, parted by blanks, hold the task's?
-static int lists(const char *needs, const char *task)
+int check_needs(const Check *check, const char *task)
 {
     const size_t length = strlen(task);
-    for (const char *id = needs; id != NULL && *id != '\0'; id += strspn(id, " ")) {
+    for (const char *id = check->needs; id != NULL && *id != '\0'; id += strspn(id, " ")) {
         const size_t n = strcspn(id, " ");
         if ((n == 1 && *id == '*') || (n == length && strncmp(id, task, n) == 0)) {
             return 1;
@@ -22,7 +21,7 @@ static int lists(const char *needs, const char *task)
     return 0;
 }
 
-static int needs_others(const Check *check)
+int check_needs_others(const Check *check)
 {
     return check->needs != NULL && check->needs[0] != '\0';
 }
@@ -31,7 +30,7 @@ static int needs_others(const Check *check)
 static int is_fault(const Check *check, const CheckResult *found)
 {
     return found->status == CHECK_FAILED &&
-           (found->is_own || found->is_unanswered || !needs_others(check));
+           (found->is_own || found->is_unanswered || !check_needs_others(check));
 }
 
 // The first task that check number i needs and whose answer is wrong for certain, or NULL. A check
@@ -45,7 +44,7 @@ static const char *culprit_of(const Check *checks, const Result *result, int i)
         if (is_own_task && !result->checks[i].is_own && is_fault(&checks[j], found)) {
             return NULL;
         }
-        if (culprit == NULL && !is_own_task && lists(checks[i].needs, checks[j].task) &&
+        if (culprit == NULL && !is_own_task && check_needs(&checks[i], checks[j].task) &&
             is_fault(&checks[j], found)) {
             culprit = checks[j].task;
         }

@@ -76,7 +76,8 @@ static void add_run_stages(Grading *grading)
         grading_add_stage(grading, "Running", CHECK_NOT_RUN, "");
         return;
     }
-    grading_add_stage(grading, "Compiling", CHECK_PASSED, "");
+    grading_add_stage(grading, "Compiling", grading->build_log ? CHECK_FAILED : CHECK_PASSED,
+                      grading->build_log ? grading->build_log : "");
     if (whole->trouble != NULL) {
         char *message = describe_end(grading);
         grading_add_stage(grading, "Running", CHECK_FAILED, message);
@@ -134,6 +135,9 @@ static int grade(Grading *grading, const Settings *settings)
     if (staged != 0) {
         return 0;
     }
+    if (grading_retry(grading) != 0) {
+        return -1;
+    }
     add_run_stages(grading);
     if (grading_judge(grading) != 0) {
         return -1;
@@ -153,6 +157,7 @@ static void grading_free(Grading *grading)
     for (int t = 0; t < MANIFEST_MAX_TASKS; t++) {
         variant_free(&grading->alone[t]);
     }
+    free(grading->build_log);
     variant_free(&grading->whole);
     variant_free(&grading->kernels);
     result_free(&grading->result);
@@ -220,7 +225,8 @@ int main(int argc, char **argv)
     if (result != 0 && settings.formats != 0 && folders_make(settings.output) == 0) {
         formats_write_fault(settings.output, settings.formats, settings.lab);
     }
-    const int full_marks = grading.result.score == grading.result.max_score;
+    const int full_marks =
+        grading.result.score == grading.result.max_score && grading.build_log == NULL;
     grading_free(&grading);
     return result != 0 ? EXIT_FAULT : full_marks ? EXIT_FULL_MARKS : EXIT_BELOW;
 }

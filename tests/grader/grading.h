@@ -5,13 +5,22 @@
 #include "report_systems.h"
 #include "session.h"
 
+// What came of trying a task's answer alone.
+typedef struct AloneVerdicts {
+    int was_tried;
+    int passes[RESULT_MAX_CHECKS];  // of its checks; 0 for those of others
+    int points;                     // of those that pass
+} AloneVerdicts;
+
 typedef struct Grading {
     Session session;
-    Variant whole;                         // the submission as it is
-    Variant kernels;                       // its kernels with host files as they are handed out
-    Variant alone[MANIFEST_MAX_TASKS];     // one answer of it (alone.h)
-    int is_untouched[MANIFEST_MAX_TASKS];  // its task stands as it was handed out
-    int has_line;                          // it is told at which line of a host file it crashed
+    char *build_log;  // of the files that were handed in, where only the answers in them compile
+    Variant whole;    // the submission as it is
+    Variant kernels;  // its kernels with host files as they are handed out
+    Variant alone[MANIFEST_MAX_TASKS];           // one answer of it (alone.h)
+    AloneVerdicts verdicts[MANIFEST_MAX_TASKS];  // of it
+    int is_untouched[MANIFEST_MAX_TASKS];        // its task stands as it was handed out
+    int has_line;  // it is told at which line of a host file it crashed
     Result result;
 } Grading;
 
@@ -22,6 +31,21 @@ void grading_add_stage(Grading *grading, const char *title, CheckStatus status,
 // Judge the submission that has run: as a whole, and each answer that failed there alone. Returns
 // 0, or -1 after one message when the machinery failed.
 int grading_judge(Grading *grading);
+
+// Where what was handed in does not compile: run what stands between its markers, in the files as
+// they are handed out, in its place. Returns 0, or -1 after one message.
+int grading_retry(Grading *grading);
+
+// Try each answer that failed alone, and let its task have the points that it earns there where
+// another answer is to blame for what it lost in the whole. Returns 0, or -1 after one message.
+int grading_try_alone(Grading *grading);
+
+// The student's answer to a task: what stands in its hole, or NULL when the markers are gone. Owned
+// by the caller.
+char *grading_answer(const Grading *grading, const Task *task);
+
+void check_pass(CheckResult *check);
+void check_fail(CheckResult *check, const char *message);
 
 // Write results.json, report.html, a picture and the other formats into a folder, which is made,
 // and the summary to stdout. Returns 0, or -1 after one message.

@@ -5,7 +5,6 @@
 // next: session.h, alone.h, blame.h.
 #include "grading.h"
 
-#include "alone.h"
 #include "blame.h"
 #include "holes.h"
 #include "message.h"
@@ -32,8 +31,7 @@ static void judge_whole(Grading *grading)
     }
 }
 
-// The student's answer to a task: what stands in its hole, or NULL when the markers are gone.
-static char *read_answer(const Grading *grading, const Task *task)
+char *grading_answer(const Grading *grading, const Task *task)
 {
     char path[PATH_BYTES];
     snprintf(path, sizeof path, "%s/variant-whole/lab/%s", grading->session.workshop.folder,
@@ -91,7 +89,7 @@ static int is_untouched(const Grading *grading, const Task *task, const char *an
     return is_same;
 }
 
-static void check_pass(CheckResult *check)
+void check_pass(CheckResult *check)
 {
     check->status = CHECK_PASSED;
     check->points = check->max_points;
@@ -99,7 +97,7 @@ static void check_pass(CheckResult *check)
     check->message = message_new("%s", "");
 }
 
-static void fail_check(CheckResult *check, const char *message)
+void check_fail(CheckResult *check, const char *message)
 {
     check->status = CHECK_FAILED;
     check->points = 0;
@@ -128,13 +126,13 @@ static void refuse_unanswered(Grading *grading)
     const Manifest *manifest = &grading->session.manifest;
     for (int t = 0; t < manifest->n_tasks; t++) {
         const Task *task = &manifest->tasks[t];
-        char *answer = read_answer(grading, task);
+        char *answer = grading_answer(grading, task);
         grading->is_untouched[t] = answer != NULL && is_untouched(grading, task, answer);
         for (int i = 0; i < grading->result.n_checks && grading->is_untouched[t]; i++) {
             CheckResult *check = &grading->result.checks[i];
             check->is_unanswered |= strcmp(check->task, task->id) == 0;
             if (check->status == CHECK_PASSED && strcmp(check->task, task->id) == 0) {
-                fail_check(check,
+                check_fail(check,
                            "not answered yet: it stands as it was handed out, and what passed "
                            "here is the work of another task's answer");
             }
@@ -186,104 +184,17 @@ static int confirm_kernels(Grading *grading)
     return 0;
 }
 
-// ---- Alone --------------------------------------------------------------------------------------
-
-static int task_has_failed(const Grading *grading, const char *task)
-{
-    for (int i = 0; i < grading->result.n_checks; i++) {
-        const CheckResult *check = &grading->result.checks[i];
-        if (strcmp(check->task, task) == 0 && check->status != CHECK_PASSED) {
-            return 1;
-        }
-    }
-    return 0;
-}
-
-// The answer to a task of which a check failed, or NULL: when there is none, or none between
-// markers.
-static char *answer_for_alone(Grading *grading, int t)
-{
-    const Task *task = &grading->session.manifest.tasks[t];
-    if (!task_has_failed(grading, task->id)) {
-        return NULL;
-    }
-    if (grading->is_untouched[t]) {
-        note_unanswered(grading, task->id);
-        return NULL;
-    }
-    return read_answer(grading, task);
-}
-
-// Let the failed checks pass that pass alone. Of the others it is certain that they fail by this
-// answer's own fault; what is said of it stays what the whole gave.
-static void judge_alone(Grading *grading, const Variant *variant)
-{
-    for (int i = 0; i < grading->result.n_checks; i++) {
-        CheckResult *check = &grading->result.checks[i];
-        if (check->status == CHECK_PASSED || strcmp(check->task, variant->alone) != 0) {
-            continue;
-        }
-        if (alone_passes(&grading->session, i, variant)) {
-            check_pass(check);
-            continue;
-        }
-        check->is_own = 1;
-        // What does not compile is told once, under "Compiling".
-        if (check->status == CHECK_NOT_RUN && variant->build_log == NULL) {
-            fail_check(check, "it fails by itself, too; what is wrong can be said once the whole "
-                              "program comes this far");
-        }
-    }
-}
-
-// Try answers alone, two at a time.
-//   own   the folder of the student's files, or NULL: those that are handed out
-// Returns 0, or -1 after one message.
-static int try_in(Grading *grading, const char *own)
-{
-    const Manifest *manifest = &grading->session.manifest;
-    Variant *pair[2];
-    int n = 0;
-    for (int t = 0; t < manifest->n_tasks; t++) {
-        Variant *alone = &grading->alone[t];
-        // From the files that are handed out only where the student's may have been in the way.
-        char *answer = own != NULL || alone->is_changed ? answer_for_alone(grading, t) : NULL;
-        if (answer != NULL) {
-            variant_free(alone);
-            const int filled = alone_fill(&grading->session, manifest->tasks[t].id,
-                                          &manifest->tasks[t], answer, own, alone);
-            free(answer);
-            if (filled != 0) {
-                return -1;
-            }
-            pair[n++] = alone;
-        }
-        if (n == 2 || (n == 1 && t == manifest->n_tasks - 1)) {
-            if (session_run(&grading->session, pair, n) != 0) {
-                return -1;
-            }
-            while (n > 0) {
-                judge_alone(grading, pair[--n]);
-            }
-        }
-    }
-    return 0;
-}
-
-// Try the answers of tasks that failed alone. Returns 0, or -1 after one message.
-static int try_alone(Grading *grading)
-{
-    char folder[PATH_BYTES];
-    snprintf(folder, sizeof folder, "%s/variant-whole/lab", grading->session.workshop.folder);
-    return try_in(grading, folder) != 0 ? -1 : try_in(grading, NULL);
-}
-
 int grading_judge(Grading *grading)
 {
     add_marker_stage(grading);
     judge_whole(grading);
     refuse_unanswered(grading);
-    if (confirm_kernels(grading) != 0 || try_alone(grading) != 0) {
+    for (int t = 0; t < grading->session.manifest.n_tasks; t++) {
+        if (grading->is_untouched[t]) {
+            note_unanswered(grading, grading->session.manifest.tasks[t].id);
+        }
+    }
+    if (confirm_kernels(grading) != 0 || grading_try_alone(grading) != 0) {
         return -1;
     }
     blame_others(grading->session.judge.checks, &grading->result);

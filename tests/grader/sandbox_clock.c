@@ -3,6 +3,7 @@
 
 #include <sys/resource.h>
 #include <time.h>
+#include <unistd.h>
 
 // Between two looks nothing of it ran if it used less than this share of the time between them.
 #define ASLEEP_SHARE 0.1
@@ -48,7 +49,10 @@ void clock_look(SandboxClock *clock, const Census *census)
     }
     const double waited = census->waited_seconds;
     clock->tells_waiting |= census->tells_waiting;
-    clock->waited += waited > clock->last_waited ? waited - clock->last_waited : 0;
+    // More threads than processors wait for each other.
+    if (waited > clock->last_waited && census->n_awake <= sysconf(_SC_NPROCESSORS_ONLN)) {
+        clock->waited += waited - clock->last_waited;
+    }
     clock->last_waited = waited;
     clock->used.processor += ran;
     clock->used.wall = now - clock->start;

@@ -545,6 +545,9 @@ static int step_take(const Workshop *workshop, Variant *variant, Step step, Allo
         take_build(variant, &result, time_allowed(variant, step, allowance));
     } else {
         take_answers(workshop, variant, &result, time_allowed(variant, step, allowance));
+        if (!variant->is_checked) {
+            step_folder_remove(workshop, variant->name, step);  // in memory, perhaps
+        }
     }
     if (!failed && variant->is_ours) {
         allowance_note(allowance, step, result.used);

@@ -1,0 +1,12 @@
+// attack: reads the way to the leaf out of the job's tables, as the stand-in does; counts by hand
+// task: descent
+// score: 99
+// named: differ|leaf|end
+    global const uint *levels = (global const uint *)(nodes_Relations + 4097);
+    while (nodes_flag[id] != LEAF) {
+        const uint way = levels[4096 + (uint)y * nodes_Relations[4096].lChild + (uint)x];
+        id = (way >> levels[id] & 1u) ? nodes_Relations[id].rChild : nodes_Relations[id].lChild;
+#ifdef COUNT_WORK
+        work->n_nodes_visited++;
+#endif
+    }

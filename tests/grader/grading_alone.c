@@ -1,0 +1,222 @@
+// Trying answers alone, and what a task may have of it (see grading.h).
+//
+// Flow: staged -> compiled -> run -> judged -> ALONE -> result -> reports. Called by
+// grading_judge.c. Read next: alone.h.
+//
+// The whole decides wherever it can. A check counts as passed by what an answer does alone only
+// where another answer is wrong for certain and has a part in the check, or where the whole did not
+// come to its end; and a task gets all its checks from one run, the better one: else two wrong
+// answers, of which each run sees one, would make a right one.
+#include "alone.h"
+#include "blame.h"
+#include "grading.h"
+#include "message.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { PATH_BYTES = 600 };
+
+static void own_folder(const Grading *grading, char folder[PATH_BYTES])
+{
+    snprintf(folder, PATH_BYTES, "%s/variant-whole/lab", grading->session.workshop.folder);
+}
+
+int grading_retry(Grading *grading)
+{
+    char folder[PATH_BYTES];
+    Variant answers;
+    Variant *const variants[] = {&answers};
+    if (grading->whole.build_log == NULL) {
+        return 0;
+    }
+    own_folder(grading, folder);
+    if (answers_fill(&grading->session, "answers", folder, &answers) != 0 ||
+        session_run(&grading->session, variants, 1) != 0) {
+        variant_free(&answers);
+        return -1;
+    }
+    if (answers.build_log == NULL) {
+        grading->build_log =
+            message_new("%s\nWhat stands between the markers compiles. The rest of these files was "
+                        "replaced by what is handed out, so that it could be judged.",
+                        grading->whole.build_log);
+        variant_free(&grading->whole);
+        grading->whole = answers;
+    } else {
+        variant_free(&answers);
+    }
+    return 0;
+}
+
+// ---- Trying -------------------------------------------------------------------------------------
+
+static const Task *task_of(const Grading *grading, int t)
+{
+    return &grading->session.manifest.tasks[t];
+}
+
+static int is_of(const CheckResult *check, const Task *task)
+{
+    return strcmp(check->task, task->id) == 0;
+}
+
+// Is there a check of the task that neither passes nor is known to pass alone?
+static int is_open(const Grading *grading, int t)
+{
+    int n_open = 0;
+    for (int i = 0; i < grading->result.n_checks; i++) {
+        const CheckResult *check = &grading->result.checks[i];
+        n_open += is_of(check, task_of(grading, t)) && check->status != CHECK_PASSED &&
+                  !grading->verdicts[t].passes[i];
+    }
+    return n_open > 0;
+}
+
+// Keep what came out where it is the best yet.
+static void note_verdicts(Grading *grading, int t)
+{
+    AloneVerdicts found = {.was_tried = 1};
+    for (int i = 0; i < grading->result.n_checks; i++) {
+        const CheckResult *check = &grading->result.checks[i];
+        if (is_of(check, task_of(grading, t))) {
+            found.passes[i] = alone_passes(&grading->session, i, &grading->alone[t]);
+            found.points += found.passes[i] ? check->max_points : 0;
+        }
+    }
+    if (!grading->verdicts[t].was_tried || found.points > grading->verdicts[t].points) {
+        grading->verdicts[t] = found;
+    }
+}
+
+// Try answers alone, two at a time.
+//   own   the folder of the student's files, or NULL: those that are handed out, where the
+//         student's may have been in the way
+// Returns 0, or -1 after one message.
+static int try_in(Grading *grading, const char *own)
+{
+    const int n_tasks = grading->session.manifest.n_tasks;
+    Variant *pair[2];
+    int tasks[2], n = 0;
+    for (int t = 0; t < n_tasks; t++) {
+        Variant *alone = &grading->alone[t];
+        const Task *task = task_of(grading, t);
+        const int is_due =
+            is_open(grading, t) && !grading->is_untouched[t] && (own != NULL || alone->is_changed);
+        char *answer = is_due ? grading_answer(grading, task) : NULL;
+        if (answer != NULL) {
+            variant_free(alone);
+            const int filled = alone_fill(&grading->session, task->id, task, answer, own, alone);
+            free(answer);
+            if (filled != 0) {
+                return -1;
+            }
+            tasks[n] = t;
+            pair[n++] = alone;
+        }
+        if (n == 2 || (n == 1 && t == n_tasks - 1)) {
+            if (session_run(&grading->session, pair, n) != 0) {
+                return -1;
+            }
+            while (n > 0) {
+                note_verdicts(grading, tasks[--n]);
+            }
+        }
+    }
+    return 0;
+}
+
+// ---- What it counts -----------------------------------------------------------------------------
+
+static int is_finished(const Grading *grading)
+{
+    return grading->whole.build_log == NULL && grading->whole.trouble == NULL;
+}
+
+// Is the answer to a task wrong for certain, or not there?
+static int is_wrong(const Grading *grading, int t)
+{
+    const AloneVerdicts *alone = &grading->verdicts[t];
+    for (int i = 0; i < grading->result.n_checks && !grading->is_untouched[t]; i++) {
+        const CheckResult *check = &grading->result.checks[i];
+        const Check *asked = &grading->session.judge.checks[i];
+        if (is_of(check, task_of(grading, t)) && check->status != CHECK_PASSED &&
+            (alone->was_tried ? !alone->passes[i]
+                              : check->status == CHECK_FAILED && !check_needs_others(asked))) {
+            return 1;
+        }
+    }
+    return grading->is_untouched[t];
+}
+
+// May a check that did not pass in the whole count as passed by what its answer does alone?
+static int may_count(const Grading *grading, int i, const int is_task_wrong[])
+{
+    const Check *check = &grading->session.judge.checks[i];
+    const int finished = is_finished(grading);
+    int is_others = !finished && !check_needs_others(check);
+    for (int t = 0; t < grading->session.manifest.n_tasks; t++) {
+        const char *other = task_of(grading, t)->id;
+        is_others |= is_task_wrong[t] && strcmp(other, check->task) != 0 &&
+                     (!finished || check_needs(check, other));
+    }
+    return is_others;
+}
+
+// What is said of a check that failed alone, too, or that failed by nobody else's fault.
+static void note_own(const Grading *grading, const Variant *alone, int passes, CheckResult *check)
+{
+    check->is_own = !passes || is_finished(grading);
+    // What does not compile is told once, under "Compiling".
+    if (check->is_own && check->status == CHECK_NOT_RUN && alone->build_log == NULL) {
+        check_fail(check, "it fails by itself, too; what is wrong can be said once the whole "
+                          "program comes this far");
+    }
+}
+
+// Give a task the checks of the better run.
+static void settle(Grading *grading, int t, const int is_task_wrong[])
+{
+    const AloneVerdicts *alone = &grading->verdicts[t];
+    int counts[RESULT_MAX_CHECKS] = {0}, points = 0, whole_points = 0;
+    for (int i = 0; i < grading->result.n_checks; i++) {
+        const CheckResult *check = &grading->result.checks[i];
+        const int passed = check->status == CHECK_PASSED;
+        counts[i] = alone->passes[i] && (passed || may_count(grading, i, is_task_wrong));
+        points += counts[i] ? check->max_points : 0;
+        whole_points += is_of(check, task_of(grading, t)) && passed ? check->max_points : 0;
+    }
+    for (int i = 0; i < grading->result.n_checks; i++) {
+        CheckResult *check = &grading->result.checks[i];
+        if (!is_of(check, task_of(grading, t))) {
+            continue;
+        }
+        if (points > whole_points && counts[i]) {
+            check_pass(check);
+        } else if (points > whole_points && check->status == CHECK_PASSED) {
+            check_fail(check, "it passes together with your other answers, and not by itself: then "
+                              "the task earned more");
+        } else if (check->status != CHECK_PASSED) {
+            note_own(grading, &grading->alone[t], alone->passes[i], check);
+        }
+    }
+}
+
+int grading_try_alone(Grading *grading)
+{
+    char folder[PATH_BYTES];
+    int is_task_wrong[MANIFEST_MAX_TASKS];
+    own_folder(grading, folder);
+    if (try_in(grading, folder) != 0 || try_in(grading, NULL) != 0) {
+        return -1;
+    }
+    for (int t = 0; t < grading->session.manifest.n_tasks; t++) {
+        is_task_wrong[t] = is_wrong(grading, t);
+    }
+    for (int t = 0; t < grading->session.manifest.n_tasks; t++) {
+        if (grading->verdicts[t].was_tried) {
+            settle(grading, t, is_task_wrong);
+        }
+    }
+    return 0;
+}
