@@ -164,15 +164,6 @@ static int boxes_write(const SmallScene *scene, float scale)
     return result;
 }
 
-// As many colours as a smaller picture has.
-static int pattern_write(const SmallScene *scene, SceneJob header)
-{
-    size_t n_bytes;
-    const float(*colors)[4] = scene_part(scene, "pattern", &n_bytes);
-    const size_t n_small = (size_t)header.width * (size_t)header.height * sizeof *colors;
-    return colors && n_small <= n_bytes ? scene_write(scene, "pattern", colors, n_small) : 0;
-}
-
 static int scene2d_write(const SmallScene *scene, SceneJob header)
 {
     const float scale = scale_of(header.width, header.height, MAX_SIDE);
@@ -180,7 +171,7 @@ static int scene2d_write(const SmallScene *scene, SceneJob header)
     header.height = scaled_side(header.height, scale);
     int result = scene_write(scene, NULL, &header, sizeof header);
     result |= circles_write(scene, scale) | boxes_write(scene, scale);
-    result |= pattern_write(scene, header);
+    result |= part_write(scene, "pattern", 0);
     result |= part_write(scene, "relations", 0) | part_write(scene, "flags", 0);
     return result | part_write(scene, "map", 0);
 }

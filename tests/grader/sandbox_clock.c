@@ -49,8 +49,8 @@ void clock_look(SandboxClock *clock, const Census *census)
     }
     const double waited = census->waited_seconds;
     clock->tells_waiting |= census->tells_waiting;
-    // More threads than processors wait for each other.
-    if (waited > clock->last_waited && census->n_awake <= sysconf(_SC_NPROCESSORS_ONLN)) {
+    // More threads than processors wait for each other. (One more: a look is no instant.)
+    if (waited > clock->last_waited && census->n_awake <= sysconf(_SC_NPROCESSORS_ONLN) + 1) {
         clock->waited += waited - clock->last_waited;
     }
     clock->last_waited = waited;

@@ -4,6 +4,7 @@
 
 #include "job_sections.h"
 #include "jobs.h"
+#include "pattern.h"
 #include "random.h"
 
 #include <stdlib.h>
@@ -99,15 +100,15 @@ static const char *pattern_mistaken(const void *scene, int mistake, Image *guess
     return "like the gradient: read_back copies what is in the image, whatever that is";
 }
 
-// Random colours for read_back, which have to arrive to the bit.
-static int draw_pattern(Random *random, int width, int height, ExpectedPicture *pattern)
+// Colours for read_back, which have to arrive to the bit.
+static int draw_pattern(u32 key, int width, int height, ExpectedPicture *pattern)
 {
     if (image_create(width, height, &pattern->reference) != 0) {
         return -1;
     }
     pattern->draw_mistaken = pattern_mistaken;
     for (int i = 0; i < width * height * IMAGE_CHANNELS; i++) {
-        pattern->reference.pixels[i] = (float)random_integer(random, -1000000, 1000000) / 0x1p18f;
+        pattern->reference.pixels[i] = pattern_value(key, (u32)i);
     }
     return 0;
 }
@@ -144,10 +145,7 @@ static int write_size(const Job00 *job, int k, FILE *file)
 
 static int write_pattern(const Job00 *job, int k, FILE *file)
 {
-    const Image *pattern = &job->patterns[k].reference;
-    return job_section_write(file, k, "pattern", pattern->pixels,
-                             (size_t)pattern->width * (size_t)pattern->height * IMAGE_CHANNELS *
-                                 sizeof(float));
+    return job_section_write(file, k, "pattern", &job->keys[k], sizeof job->keys[k]);
 }
 
 static void *job_new(uint64_t seed, FILE *file)
@@ -160,7 +158,8 @@ static void *job_new(uint64_t seed, FILE *file)
     for (int k = 0; result == 0 && k < N_SIZES; k++) {
         job->pictures[k] = &job->gradients[k];
         result = expect_gradient(sizes[k][0], sizes[k][1], &job->gradients[k]);
-        result |= draw_pattern(&random, sizes[k][0], sizes[k][1], &job->patterns[k]);
+        job->keys[k] = (u32)random_integer(&random, 0, UINT32_MAX);
+        result |= draw_pattern(job->keys[k], sizes[k][0], sizes[k][1], &job->patterns[k]);
         result = result != 0 ? result : write_size(job, k, file) | write_pattern(job, k, file);
     }
     if (result != 0 && job != NULL) {

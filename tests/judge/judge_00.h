@@ -5,6 +5,7 @@
 
 #include "job_picture.h"
 #include "judge.h"
+#include "layout.h"
 
 // Multiples of the work-group and not, higher than wide, a single pixel; the last two from the
 // seed.
@@ -13,6 +14,7 @@ enum { N_SIZES = 7 };
 typedef struct Job00 {
     JobPicture gradients[N_SIZES];
     JobPicture *pictures[N_SIZES];      // the gradients
+    u32 keys[N_SIZES];                  // of the patterns (probes/pattern.h)
     ExpectedPicture patterns[N_SIZES];  // what is in the images that read_back is given
 } Job00;
 

@@ -46,8 +46,8 @@ LAYOUT_ASSERT(SceneJob, 20);
 // The image's side for a picture's side: whole work-groups of 16 and the margin.
 #define PROBE_IMAGE_SIDE(side) (((side) + 15) / 16 * 16 + PROBE_MARGIN)
 
-// Lab 00: a scene is a size, and "scene.K.pattern" the colours, [height][width][4], in the image
-// that read_back is given. Besides "picture.K" the answers are "arguments.K", an ArgumentsAnswer,
+// Lab 00: a scene is a size, and "scene.K.pattern" the key, a u32, of what is in the image that
+// read_back is given (pattern.h). Besides "picture.K" the answers are "arguments.K", an ArgumentsAnswer,
 // "items.K", the number of work-items at each place of the image, [image height][image width], and
 // N_ITEMS_REST numbers behind them, and "readback.K", [height][width][4].
 typedef struct ArgumentsAnswer {

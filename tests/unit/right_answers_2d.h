@@ -8,6 +8,7 @@
 #include "image.h"
 #include "job_scene.h"
 #include "kdtree2d_build.h"
+#include "pattern.h"
 #include "right_answers_sections.h"
 
 #include <math.h>
@@ -89,11 +90,16 @@ static void answer_items(Writer *writer, int k, int width, int height)
 static void answer_host(Writer *writer, const Sections *job, int k, int width, int height)
 {
     const ArgumentsAnswer arguments = {0, {(float)width, (float)height, 0, 1}};
-    size_t n_bytes;
-    const float *pattern = sections_find_any(job, numbered("scene", k, "pattern"), &n_bytes);
+    const u32 *key = sections_find(job, numbered("scene", k, "pattern"), sizeof *key);
+    const size_t n = (size_t)width * (size_t)height * 4;
+    float *pattern = malloc(n * sizeof *pattern);
+    for (size_t i = 0; i < n; i++) {
+        pattern[i] = pattern_value(*key, (u32)i);
+    }
     answer(writer, numbered("arguments", k, NULL), &arguments, sizeof arguments);
     answer_items(writer, k, width, height);
-    answer(writer, numbered("readback", k, NULL), pattern, n_bytes);
+    answer(writer, numbered("readback", k, NULL), pattern, n * sizeof *pattern);
+    free(pattern);
 }
 
 // The pictures of all scenes; of lab 00 what the host does, of lab 03 the work for scene 1 besides.

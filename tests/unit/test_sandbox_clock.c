@@ -2,6 +2,8 @@
 #include "sandbox_clock.h"
 #include "surroundings.h"
 
+#include <unistd.h>
+
 // A run that used up its 300 s of wall time, of which it ran for 3 and slept for 7.
 static SandboxClock run_waiting(int tells_waiting, double waited)
 {
@@ -40,4 +42,14 @@ Test(sandbox_clock, waiting_is_added_from_look_to_look_and_a_threads_end_takes_n
     }
     cr_expect_float_eq(clock.waited, 8, 1e-9, "%g", clock.waited);
     cr_expect_eq(clock.used.asleep, 0);
+}
+
+// A hundred threads of its own wait for each other.
+Test(sandbox_clock, who_keeps_itself_waiting_was_not_starved)
+{
+    SandboxClock clock;
+    clock_start(&clock);
+    const int n_threads = 100 + (int)sysconf(_SC_NPROCESSORS_ONLN);
+    clock_look(&clock, &(Census){.n_awake = n_threads, .tells_waiting = 1, .waited_seconds = 500});
+    cr_expect_float_eq(clock.waited, 0, 1e-9, "%g", clock.waited);
 }

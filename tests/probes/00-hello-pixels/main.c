@@ -4,6 +4,7 @@
 // before any function of the student's: "picture.K". set_arguments() is called for a kernel of the
 // probe that tells what arrived, "arguments.K"; enqueue_pixels() launches one that counts its
 // work-items, "items.K"; read_back() copies an image that the probe has filled, "readback.K".
+#include "pattern.h"
 #include "probe.h"
 #include "render.h"
 
@@ -141,12 +142,14 @@ static void answer_read_back(const Probe *probe, int k, const SceneJob *scene)
     const size_t region[3] = {(size_t)scene->width, (size_t)scene->height, 1};
     const size_t n_floats = region[0] * region[1] * 4;
     size_t n_bytes;
-    const float *h_pattern = probe_scene_part(probe, k, "pattern", &n_bytes);
+    const u32 *key = probe_scene_part(probe, k, "pattern", &n_bytes);
+    float *h_pattern = malloc(n_floats * sizeof *h_pattern);
     float *h_pixels = malloc(n_floats * sizeof *h_pixels);
-    if (h_pixels == NULL || n_bytes != n_floats * sizeof *h_pixels) {
+    if (h_pattern == NULL || h_pixels == NULL || n_bytes != sizeof *key) {
         exit(PROBE_EXIT_FAULT);
     }
     for (size_t i = 0; i < n_floats; i++) {
+        h_pattern[i] = pattern_value(*key, (u32)i);
         h_pixels[i] = NAN;
     }
     cl_mem d_image = exact_image(probe, scene);
@@ -158,9 +161,10 @@ static void answer_read_back(const Probe *probe, int k, const SceneJob *scene)
     probe_note(probe, "readback", (uint32_t)k);
     read_back(probe->cl.queue, d_image, scene->width, scene->height, h_pixels);
     // As it is when read_back() returns: what arrives later is too late.
-    probe_answer(probe, "readback", k, NULL, h_pixels, n_bytes);
+    probe_answer(probe, "readback", k, NULL, h_pixels, n_floats * sizeof *h_pixels);
     CL_CHECK(clFinish(probe->cl.queue));
     CL_CHECK(clReleaseMemObject(d_image));
+    free(h_pattern);
     free(h_pixels);
 }
 
