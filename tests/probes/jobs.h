@@ -47,9 +47,9 @@ LAYOUT_ASSERT(SceneJob, 20);
 #define PROBE_IMAGE_SIDE(side) (((side) + 15) / 16 * 16 + PROBE_MARGIN)
 
 // Lab 00: a scene is a size, and "scene.K.pattern" the key, a u32, of what is in the image that
-// read_back is given (pattern.h). Besides "picture.K" the answers are "arguments.K", an ArgumentsAnswer,
-// "items.K", the number of work-items at each place of the image, [image height][image width], and
-// N_ITEMS_REST numbers behind them, and "readback.K", [height][width][4].
+// read_back is given (pattern.h). Besides "picture.K" the answers are "arguments.K", an
+// ArgumentsAnswer, "items.K", the number of work-items at each place of the image, [image
+// height][image width], and N_ITEMS_REST numbers behind them, and "readback.K", [height][width][4].
 typedef struct ArgumentsAnswer {
     i32 error;       // of launching a kernel with what set_arguments handed over: an OpenCL status
     f32 arrived[4];  // what that kernel wrote: width, height, 0, 1; UNWRITTEN where it did not

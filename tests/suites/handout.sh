@@ -86,8 +86,10 @@ judge_names() {
 no_judge() {
     judge_names >"$scratch/names"
     [ "$(wc -l <"$scratch/names")" -ge 100 ] || { echo "only few names to look for"; return 1; }
-    [ -s "$scratch/tasks" ] && ! nm "$1"/tests/judge/judge-* 2>/dev/null | grep " [A-Za-z] " ||
-        { echo "the judge has names"; return 1; }
+    if ! [ -s "$scratch/tasks" ] || nm "$1"/tests/judge/judge-* 2>/dev/null | grep " [A-Za-z] "; then
+        echo "the judge has names"
+        return 1
+    fi
     ! grep -rIlwF -f "$scratch/names" "$1" --exclude-dir=solutions >"$scratch/leaks" || { cat "$scratch/leaks"; return 1; }
     find common kernels labs tests/grader tests/probes tests/stand_ins solutions -type f -name '*.[ch]*' \
         -exec cat {} + | tr -d ' \t' | sort -u >"$scratch/given"

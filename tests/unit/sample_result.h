@@ -47,6 +47,7 @@ static inline Result result_make(const char *message)
                                      CHECK_PASSED,
                                      strdup(""),
                                      0,
+                                     0,
                                      0};
     result.checks[1] = (CheckResult){"overlaps-boundary",
                                      "The boundary belongs to it",
@@ -56,9 +57,10 @@ static inline Result result_make(const char *message)
                                      CHECK_FAILED,
                                      strdup(message),
                                      message_names_cause(message),
+                                     0,
                                      0};
     result.checks[2] = (CheckResult){
-        "picture", "A random scene", "implicit2DRenderer", 0, 60, CHECK_NOT_RUN, NULL, 0, 0};
+        "picture", "A random scene", "implicit2DRenderer", 0, 60, CHECK_NOT_RUN, NULL, 0, 0, 0};
     return result;
 }
 
