@@ -166,7 +166,8 @@ static int confirm_kernels(Grading *grading)
 {
     char folder[PATH_BYTES];
     Variant *const variants[] = {&grading->kernels};
-    snprintf(folder, sizeof folder, "%s/variant-whole/lab", grading->session.workshop.folder);
+    snprintf(folder, sizeof folder, "%s/variant-%s/lab", grading->session.workshop.folder,
+             grading->whole.name);
     if (!kernels_have_points(grading)) {
         return 0;
     }
