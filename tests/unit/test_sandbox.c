@@ -3,7 +3,11 @@
 #include "sandbox_commands.h"
 
 #include <fcntl.h>
+#include <sched.h>
+#include <signal.h>
+#include <sys/prctl.h>
 #include <sys/socket.h>
+#include <sys/wait.h>
 
 // ---- Out of reach ----------------------------------------------------------------------------
 
@@ -247,14 +251,54 @@ TEST_EACH(closing_the_output_does_not_hide_a_sleeper)
     expect_end(&command, SANDBOX_ASLEEP);
 }
 
+// Loops of nobody's run on the processor that this test is on first.
+static void others_start(pid_t others[], int n)
+{
+    cpu_set_t all, one;
+    CPU_ZERO(&one);
+    cr_assert_eq(sched_getaffinity(0, sizeof all, &all), 0);
+    for (int cpu = 0; CPU_COUNT(&one) == 0; cpu++) {
+        if (CPU_ISSET(cpu, &all)) {
+            CPU_SET(cpu, &one);
+        }
+    }
+    for (int i = 0; i < n; i++) {
+        others[i] = fork();
+        if (others[i] == 0) {
+            prctl(PR_SET_PDEATHSIG, SIGKILL);
+            sched_setaffinity(0, sizeof one, &one);
+            for (;;) {
+            }
+        }
+    }
+}
+
+#define ON_ONE_PROCESSOR                                                                           \
+    "taskset -c $(taskset -cp $$ | sed 's/.*: //; s/[-,].*//') sh -c 'while :; do :; done'"
+
 TEST_EACH(who_was_kept_waiting_for_a_processor_was_starved)
 {
-    // Four loops on one processor: each waits three quarters of the time.
-    SandboxCommand command = shell_command("for i in 1 2 3 4; do taskset -c $(taskset -cp $$ | sed "
-                                           "'s/.*: //; s/[-,].*//') sh -c 'while :; do :; done' & "
-                                           "done; wait");
+    // Five loops on one processor, of which one is the run's: it waits four fifths of the time.
+    enum { N_OTHERS = 4 };
+    pid_t others[N_OTHERS];
+    others_start(others, N_OTHERS);
+    SandboxCommand command = shell_command(ON_ONE_PROCESSOR);
     command.time = (SandboxTime){.processor = 600, .asleep = 600, .wall = 3};
     expect_end(&command, SANDBOX_STARVED);
+    for (int i = 0; i < N_OTHERS; i++) {
+        kill(others[i], SIGKILL);
+        waitpid(others[i], NULL, 0);
+    }
+}
+
+TEST_EACH(who_keeps_itself_waiting_was_not_starved)
+{
+    // Far more loops than processors, which wait for each other.
+    SandboxCommand command = shell_command(
+        "for i in $(seq $((4 + 4 * $(nproc)))); do " ON_ONE_PROCESSOR " & done; wait");
+    command.time = (SandboxTime){.processor = 600, .asleep = 600, .wall = 3};
+    command.n_processes = 512;
+    expect_end(&command, SANDBOX_OVERDUE);
 }
 
 TEST_EACH(who_waits_behind_a_thread_was_not_starved)
