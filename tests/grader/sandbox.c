@@ -52,7 +52,7 @@ int sandbox_has_own_user(SandboxKind kind)
 }
 
 // Where the gaps are listed.
-#define SEE_GAPS "the lecturer's course lists what it leaves open."
+#define SEE_GAPS "see the course's tests/README.md, \"The three sandboxes\"."
 
 const char *sandbox_kind_note(SandboxKind kind)
 {

@@ -96,7 +96,7 @@ static void settle_for(SandboxKind kind, char *const *whys, int n_whys)
     }
     fprintf(stderr, "): %s is used", kind_in_words(kind));
     if (sandbox_kind_note(kind) != NULL) {
-        fputs(", which hides less", stderr);
+        fputs(", which hides less: the course's tests/README.md, \"The three sandboxes\"", stderr);
     }
     fputc('\n', stderr);
 }

@@ -286,7 +286,7 @@ check "a helper beside the marked lines costs nothing" grades 1 85 --lab $lab $s
 copy_lab solutions $lab
 echo '}' >>"$scratch/submission/$file"
 # shellcheck disable=SC2086
-check "a brace too many at the end costs no task" grades 0 100 --lab $lab $submission
+check "a brace too many at the end costs no task, but is no full success" grades 1 100 --lab $lab $submission
 
 # A student works in labs/ itself: what stands there is no skeleton.
 course=$scratch/at-work
