@@ -1,4 +1,4 @@
-// mutants: try known answers, one at a time, both in the solution and alone (alone.h): wrong ones,
+// mutants: try known answers, one at a time, in the solution and alone (alone.h): wrong ones,
 // each of which the check meant for it must catch in both, with the right message, and right ones
 // written another way, which must pass every check.
 //
@@ -8,6 +8,7 @@
 // stands in tests/mutants/README.md and tests/right/README.md. Exit status: 0 all judged as they
 // should be, 1 some not, 2 the machinery failed.
 #include "alone.h"
+#include "blame.h"
 #include "complain.h"
 #include "holes.h"
 #include "message.h"
@@ -21,7 +22,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LINE_BYTES = 256 };
+enum { LINE_BYTES = 256, PAIR = 2 };
 
 static const char WRONG_FOLDER[] = "tests/mutants";
 static const char RIGHT_FOLDER[] = "tests/right";
@@ -36,6 +37,7 @@ typedef struct Answer {
     unsigned kinds;          // of mistake_kinds.h, a bit for each; 0 when it is of none
     int first_kind;          // the one that must be named
     Variant variant;         // in the solution of the other tasks
+    int is_tried_alone;
     Variant alone;
 } Answer;
 
@@ -88,9 +90,21 @@ static int read_kinds(Answer *answer)
     return 0;
 }
 
-static int answer_open(Answer *answer, Session *session, const char *path)
+// Is there something to be learnt from trying it alone? A check that needs no other task's answer is
+// judged there by the same inputs in the same way.
+static int is_worth_alone(const Session *session, const Answer *answer)
 {
-    char why_right[LINE_BYTES];
+    int needs_others = 0;
+    for (int i = 0; i < session->judge.n_checks; i++) {
+        const Check *check = &session->judge.checks[i];
+        needs_others |= strcmp(check->id, answer->check) == 0 && check_needs_others(check);
+    }
+    return answer->is_right || needs_others;
+}
+
+static int answer_open(Answer *answer, Session *session, const char *path, int slot)
+{
+    char whole[24], alone[24], why_right[LINE_BYTES];
     *answer = (Answer){.path = path, .text = text_file_read(path)};
     answer->is_right = strncmp(path, RIGHT_FOLDER, strlen(RIGHT_FOLDER)) == 0;
     if (answer->text == NULL || read_header(answer, "task", answer->task) != 0 ||
@@ -105,9 +119,13 @@ static int answer_open(Answer *answer, Session *session, const char *path)
         return -1;
     }
     const Task *task = manifest_task(&session->manifest, answer->task);
-    const int filled =
-        session_fill(session, "answer", answer->task, answer->text, &answer->variant);
-    return filled | alone_fill(session, "alone", task, answer->text, NULL, &answer->alone);
+    snprintf(whole, sizeof whole, "answer-%d", slot);
+    snprintf(alone, sizeof alone, "alone-%d", slot);
+    const int filled = session_fill(session, whole, answer->task, answer->text, &answer->variant);
+    answer->is_tried_alone = is_worth_alone(session, answer);
+    return !answer->is_tried_alone
+               ? filled
+               : filled | alone_fill(session, alone, task, answer->text, NULL, &answer->alone);
 }
 
 static void answer_free(Answer *answer)
@@ -150,7 +168,7 @@ static char *judge_wrong(Session *session, const Answer *answer)
             why = message_new("%s says \"%s\", expected /%s/", answer->check, result.message,
                               answer->says);
         }
-        if (why == NULL && alone_passes(session, i, &answer->alone)) {
+        if (why == NULL && answer->is_tried_alone && alone_passes(session, i, &answer->alone)) {
             why = message_new("%s passes alone", answer->check);
         }
         free(result.message);
@@ -215,25 +233,38 @@ static char *judge_answer(Session *session, const Answer *answer)
     return answer->is_right ? judge_right(session, answer) : judge_wrong(session, answer);
 }
 
-// Run an answer, in the solution and alone, and print a TAP line. Returns whether it was not judged
-// as it should be, or -1 after one message.
-static int try_answer(Session *session, const char *path, int number, Naming *naming)
+// Run up to PAIR answers side by side and print a TAP line for each. Returns how many were not
+// judged as they should be, or -1 after one message.
+static int try_answers(Session *session, char *const paths[], int n, int first_number,
+                       Naming *naming)
 {
-    Answer answer;
-    Variant *const variants[] = {&answer.variant, &answer.alone};
-    int missed = -1;
-    if (answer_open(&answer, session, path) == 0 && session_run(session, variants, 2) == 0) {
-        char *why = judge_answer(session, &answer);
-        printf("%sok %d - %s\n", why ? "not " : "", number, path + strlen("tests/"));
+    Answer answers[PAIR] = {{0}};
+    Variant *variants[2 * PAIR];
+    int n_variants = 0, n_missed = 0;
+    for (int i = 0; i < n; i++) {
+        n_missed |= answer_open(&answers[i], session, paths[i], i);
+        variants[n_variants++] = &answers[i].variant;
+        if (answers[i].is_tried_alone) {
+            variants[n_variants++] = &answers[i].alone;
+        }
+    }
+    if (n_missed == 0 && session_run(session, variants, n_variants) != 0) {
+        n_missed = -1;
+    }
+    for (int i = 0; n_missed >= 0 && i < n; i++) {
+        char *why = judge_answer(session, &answers[i]);
+        printf("%sok %d - %s\n", why ? "not " : "", first_number + i, paths[i] + strlen("tests/"));
         if (why != NULL) {
             printf("  # %s\n", why);
+            n_missed++;
         }
-        missed = why != NULL;
         free(why);
-        judge_naming(session, &answer, naming);
+        judge_naming(session, &answers[i], naming);
     }
-    answer_free(&answer);
-    return missed;
+    for (int i = 0; i < n; i++) {
+        answer_free(&answers[i]);
+    }
+    return n_missed;
 }
 
 // Print how well a lab's mistakes were named, as tests after n mutants. Returns how many failed.
@@ -266,8 +297,9 @@ static int try_all(Session *session)
     int n_missed = 0;
     Naming naming = {0};
     const int n = (int)found.gl_pathc;
-    for (int i = 0; n_missed >= 0 && i < n; i++) {
-        const int missed = try_answer(session, found.gl_pathv[i], i + 1, &naming);
+    for (int i = 0; n_missed >= 0 && i < n; i += PAIR) {
+        const int missed =
+            try_answers(session, found.gl_pathv + i, n - i < PAIR ? n - i : PAIR, i + 1, &naming);
         n_missed = missed < 0 ? -1 : n_missed + missed;
     }
     globfree(&found);
