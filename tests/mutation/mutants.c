@@ -90,8 +90,8 @@ static int read_kinds(Answer *answer)
     return 0;
 }
 
-// Is there something to be learnt from trying it alone? A check that needs no other task's answer is
-// judged there by the same inputs in the same way.
+// Is there something to be learnt from trying it alone? A check that needs no other task's answer
+// is judged there by the same inputs in the same way.
 static int is_worth_alone(const Session *session, const Answer *answer)
 {
     int needs_others = 0;
