@@ -1,7 +1,7 @@
 // Trying the answer to one task alone (see alone.h).
 //
-// Flow: staged -> compiled -> run -> judged -> ALONE. Called by grade.c for each task with a failed
-// check. Read next: tests/stand_ins/README.md.
+// Flow: staged -> compiled -> run -> judged -> ALONE. Called by grading_alone.c for each task with
+// a failed check. Read next: tests/stand_ins/README.md.
 #include "alone.h"
 
 #include "holes.h"
@@ -83,9 +83,11 @@ static int write_job(Session *session, const Task *task, const Variant *variant)
     char job[PATH_BYTES];
     variant_job_path(&session->workshop, variant, job, sizeof job);
     FILE *file = fopen(job, "wb");
-    int failed = file == NULL ||
-                 section_write(file, PROBE_ALONE, task->id, strlen(task->id)) != 0 ||
-                 judge_job(&session->judge, task->id, file) != 0;
+    int failed = file == NULL || section_write(file, PROBE_ALONE, task->id, strlen(task->id)) != 0;
+    if (!failed && judge_job(&session->judge, task->id, file) != 0) {
+        fclose(file);
+        return -1;
+    }
     failed |= file != NULL && fclose(file) != 0;
     if (failed || chmod(job, 0644) != 0) {
         fprintf(stderr, "grade: %s: cannot be written: %s\n", job, strerror(errno));

@@ -137,6 +137,9 @@ static void refuse_unanswered(Grading *grading)
                            "here is the work of another task's answer");
             }
         }
+        if (grading->is_untouched[t]) {
+            note_unanswered(grading, task->id);
+        }
         free(answer);
     }
 }
@@ -190,11 +193,6 @@ int grading_judge(Grading *grading)
     add_marker_stage(grading);
     judge_whole(grading);
     refuse_unanswered(grading);
-    for (int t = 0; t < grading->session.manifest.n_tasks; t++) {
-        if (grading->is_untouched[t]) {
-            note_unanswered(grading, grading->session.manifest.tasks[t].id);
-        }
-    }
     if (confirm_kernels(grading) != 0 || grading_try_alone(grading) != 0) {
         return -1;
     }

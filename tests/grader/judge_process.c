@@ -198,7 +198,9 @@ int judge_job(JudgeProcess *judge, const char *task, FILE *file)
 {
     Sections job;
     int result = ask(judge, "job", task != NULL ? task : "-", NULL, &job);
-    if (result == 0 && fwrite(job.bytes, 1, job.n_bytes, file) != job.n_bytes) {
+    if (result != 0) {
+        complain("grade: the judge gave no job");
+    } else if (fwrite(job.bytes, 1, job.n_bytes, file) != job.n_bytes) {
         complain("grade: a job cannot be written: %s", strerror(errno));
         result = -1;
     }
