@@ -107,7 +107,8 @@ GRADER_SOURCES := $(filter-out $(GRADER_MAINS),$(wildcard tests/grader/*.c))
 BUILDERS := $(wildcard solutions/02-kdtree-2d-build/kdtree2d_build.c \
     solutions/04-camera-rays/camera_from_view.c solutions/06-kdtree-3d-build/kdtree3d_build.c)
 BUILDER_INCLUDES = $(addprefix -I ,$(sort $(dir $(BUILDERS))))
-GRADER_INCLUDES = -I tests/grader -I tests/judge -I tests/mutation -I tests/probes -I tests/stand_ins -I tests/class $(BUILDER_INCLUDES)
+JUDGE_FOLDERS := tests/judge $(patsubst %/,%,$(wildcard tests/judge/*/))
+GRADER_INCLUDES = -I tests/grader $(addprefix -I ,$(JUDGE_FOLDERS)) -I tests/mutation -I tests/probes -I tests/stand_ins -I tests/class $(BUILDER_INCLUDES)
 $(OUT)/obj/tests/%.o: EXTRA = $(GRADER_INCLUDES)
 
 # Process 1 of bubblewrap's sandboxes is a program inside the grader, never with the sanitizers.
@@ -123,7 +124,7 @@ $(OUT)/libgrader.a: $(call objects,$(GRADER_SOURCES) tests/probes/sections.c)
 	@ar rcs $@ $^
 
 # What knows the answers: never in a handout as text, and never linked with what starts a student's code.
-JUDGE_SOURCES := $(filter-out tests/judge/judge_tool.c,$(wildcard tests/judge/*.c))
+JUDGE_SOURCES := $(filter-out tests/judge/judge_tool.c,$(wildcard $(addsuffix /*.c,$(JUDGE_FOLDERS))))
 $(OUT)/libjudge.a: $(call objects,$(JUDGE_SOURCES) $(BUILDERS))
 	@rm -f $@
 	@ar rcs $@ $^

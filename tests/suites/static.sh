@@ -14,7 +14,7 @@ check "cppcheck" cppcheck --quiet --error-exitcode=1 --inline-suppr --std=c11 --
     --enable=warning,performance,portability --suppress=missingIncludeSystem \
     --suppress=normalCheckLevelMaxBranches --suppress=nullPointerOutOfMemory \
     --suppress=nullPointerArithmeticOutOfMemory --suppress=nullPointerOutOfResources \
-    -Icommon -Ikernels -Itests/grader -Itests/judge -Itests/mutation -Itests/probes -Itests/stand_ins -Isolutions/02-kdtree-2d-build \
+    -Icommon -Ikernels -Itests/grader -Itests/judge $(printf -- '-I%s ' tests/judge/*/) -Itests/mutation -Itests/probes -Itests/stand_ins -Isolutions/02-kdtree-2d-build \
     -Isolutions/04-camera-rays -Isolutions/05-spheres -Isolutions/06-kdtree-3d-build \
     -DJSON_INTEGER_FORMAT='"lld"' -DLAB_NAME='"lab"' -DLAB_FOLDER='"labs/lab"' -DKERNEL_OPTIONS='""' -DPROBE_KERNEL_OPTIONS='""' \
     -DSANDBOX_INIT='""' \
