@@ -1,47 +1,16 @@
-// Judge of lab 06: its checks, and whole trees by their invariants. The functions by themselves are
-// judged in judge_06_functions.c.
+// Judge of lab 06: each function on chosen inputs, and whole trees by their invariants. Read next:
+// judge_06.h.
 #include "judge_06.h"
 #include "message.h"
 #include "tree3d_draw.h"
 
 #include <stdlib.h>
-#include <string.h>
-
-static const Check checks[] = {
-    [BOUNDS_POSITIVE] = {"bounds-positive", "The box holds every sphere whole, and no more",
-                         "spheres_bounds", 6},
-    [BOUNDS_NEGATIVE] = {"bounds-negative", "Negative radii, and one sphere", "spheres_bounds", 4},
-    [TREE_BOUNDS] = {"tree-bounds", "Whole trees: the root's cell", "spheres_bounds", 5, "*"},
-    [SPLIT_AXIS] = {"split-axis", "The longest side, the first where equal", "choose_split", 8},
-    [SPLIT_MIDDLE] = {"split-middle", "In the middle", "choose_split", 6},
-    [TREE_SPLITS] = {"tree-splits", "Whole trees: each plane halves its cell", "choose_split", 6,
-                     "*"},
-    [OVERLAP_INSIDE] = {"overlap-inside", "Spheres clearly in and clearly out",
-                        "sphere_overlaps_box", 7},
-    [OVERLAP_TOUCHING] = {"overlap-touching", "Touching counts", "sphere_overlaps_box", 6},
-    [OVERLAP_CORNER] = {"overlap-corner", "Exact at edges and corners", "sphere_overlaps_box", 7},
-    [TREE_OVERLAP] = {"tree-overlap", "Whole trees: each leaf has its spheres",
-                      "sphere_overlaps_box", 5, "*"},
-    [DISTRIBUTE_LIST] = {"distribute-list", "The right ids, in order, and how many",
-                         "distribute_spheres", 10, "sphere_overlaps_box"},
-    [TREE_LISTS] = {"tree-lists", "Whole trees: lists ascend, leaves are small enough",
-                    "distribute_spheres", 5, "*"},
-    [PACK_NODE] = {"pack-node", "The node says where its spheres are", "pack_leaf_range", 6},
-    [PACK_IDS] = {"pack-ids", "The ids, one behind the other", "pack_leaf_range", 4},
-    [TREE_PACKING] = {"tree-packing", "Whole trees: packed without gaps", "pack_leaf_range", 5,
-                      "*"},
-    [FITS_LEVELS] = {"fits-levels", "Level by level", "fits_todo", 6},
-    [TREE_DEPTH] = {"tree-depth", "Whole trees: too deep ones are refused, others built",
-                    "fits_todo", 4, "*"},
-};
 
 // ---- Judging whole trees ----------------------------------------------------------------------
 
 static int is_refused(int k, const Sections *answers)
 {
-    char name[32];  // room for any K
-    snprintf(name, sizeof name, "tree.%d.refused", k);
-    return sections_find(answers, name, 0) != NULL;
+    return job_part_find(answers, "tree", k, "refused", 0) != NULL;
 }
 
 // The message when the root is neither a leaf nor has children, or NULL. Who walks down such a tree
@@ -59,6 +28,7 @@ static char *judge_root(const TreeScene3D *scene, const KdTree3D *own)
                        scene->title, root.split_axis, root.first, own->n_nodes, KD_LEAF);
 }
 
+// As tree3d_judge_overlap() and tree3d_judge_depth(), which need a root.
 static char *judge_overlap(const TreeScene3D *scene, const KdTree3D *own)
 {
     char *message = judge_root(scene, own);
@@ -71,19 +41,23 @@ static char *judge_depth(const TreeScene3D *scene, const KdTree3D *own)
     return message != NULL ? message : tree3d_judge_depth(scene, own);
 }
 
-// Judge scene K's tree, which there must be.
-static Verdict judge_tree(const TreeScene3D *scene, int k, const Sections *answers,
-                          char *(*judge_one)(const TreeScene3D *, const KdTree3D *))
+static Verdict judge_tree(const void *pointer, int k, const JudgeCheck *check,
+                          const Sections *answers)
 {
+    const TreeScene3D *scene = &((const Job06 *)pointer)->scenes[k];
     KdTree3D own = {0};
     if (is_refused(k, answers)) {
+        const int is_of_depth = check->tree3d == judge_depth;
+        if (is_of_depth ? k == TOO_DEEP : k == JUST_FITS) {
+            return verdict_of(NULL);  // as it must be, or for fits_todo() to answer for
+        }
         return verdict_of(message_new("%s, maxDepth %d: kdtree3d_build gave up, expected a tree of "
                                       "%u nodes: does splitting ever end, and does fits_todo() "
                                       "allow it?",
                                       scene->title, scene->limits.maxDepth, scene->tree.n_nodes));
     }
     if (tree3d_judge_answer(k, answers, &own)) {
-        return verdict_of(judge_one(scene, &own));
+        return verdict_of(check->tree3d(scene, &own));
     }
     if (own.n_nodes > TREE3D_ANSWER_NODES || own.n_sphere_ids > TREE3D_ANSWER_IDS) {
         return verdict_of(message_new("%s, maxDepth %d: the tree has %u nodes and %u ids, expected "
@@ -93,83 +67,6 @@ static Verdict judge_tree(const TreeScene3D *scene, int k, const Sections *answe
                                       scene->tree.n_sphere_ids));
     }
     return verdict_missing;
-}
-
-static Verdict judge_trees(const Job06 *job, const Sections *answers,
-                           char *(*judge_one)(const TreeScene3D *, const KdTree3D *))
-{
-    for (int k = 0; k <= JUST_FITS; k++) {
-        if (k == JUST_FITS && is_refused(k, answers)) {
-            break;  // for fits_todo() to answer for: see judge_depths()
-        }
-        const Verdict verdict = judge_tree(&job->scenes[k], k, answers, judge_one);
-        if (verdict.kind != VERDICT_PASSED) {
-            return verdict;
-        }
-    }
-    return verdict_of(NULL);
-}
-
-static Verdict judge_depths(const Job06 *job, const Sections *answers)
-{
-    const Verdict verdict = judge_tree(&job->scenes[JUST_FITS], JUST_FITS, answers, judge_depth);
-    if (verdict.kind != VERDICT_PASSED || is_refused(TOO_DEEP, answers)) {
-        return verdict;
-    }
-    return judge_tree(&job->scenes[TOO_DEEP], TOO_DEEP, answers, judge_depth);
-}
-
-static Verdict judge(const void *pointer, int check, const Sections *answers)
-{
-    const Job06 *job = pointer;
-    switch (check) {
-    case BOUNDS_POSITIVE:
-        return judge_06_bounds(job, 0, answers);
-    case BOUNDS_NEGATIVE:
-        return judge_06_bounds(job, 1, answers);
-    case TREE_BOUNDS:
-        return judge_trees(job, answers, tree3d_judge_bounds);
-    case SPLIT_AXIS:
-    case SPLIT_MIDDLE:
-        return judge_06_splits(job, check, answers);
-    case TREE_SPLITS:
-        return judge_trees(job, answers, tree3d_judge_splits);
-    case OVERLAP_INSIDE:
-        return judge_06_overlaps(job, 0, N_INSIDE, answers);
-    case OVERLAP_TOUCHING:
-        return judge_06_overlaps(job, N_INSIDE, N_TOUCHING, answers);
-    case OVERLAP_CORNER:
-        return judge_06_overlaps(job, N_INSIDE + N_TOUCHING, N_CORNER, answers);
-    case TREE_OVERLAP:
-        return judge_trees(job, answers, judge_overlap);
-    case DISTRIBUTE_LIST:
-        return judge_06_distribute(job, answers);
-    case TREE_LISTS:
-        return judge_trees(job, answers, tree3d_judge_lists);
-    case PACK_NODE:
-    case PACK_IDS:
-        return judge_06_pack(job, check, answers);
-    case TREE_PACKING:
-        return judge_trees(job, answers, tree3d_judge_packing);
-    case FITS_LEVELS:
-        return judge_06_fits(answers);
-    default:
-        return judge_depths(job, answers);
-    }
-}
-
-static int passes_alone(const void *pointer, int check, const Sections *answers)
-{
-    if (checks[check].needs != NULL) {
-        return judge_06_passes_alone(pointer, check, answers);
-    }
-    return verdict_passes(judge(pointer, check, answers));
-}
-
-static void adopt(void *pointer, const Sections *answers)
-{
-    // The oracle's trees stay the reference; nothing is drawn on the device.
-    (void)pointer, (void)answers;
 }
 
 // ---- The report -------------------------------------------------------------------------------
@@ -197,15 +94,75 @@ static void add_pictures(const void *pointer, const Sections *answers, Result *r
     }
 }
 
+// ---- The judge ----------------------------------------------------------------------------------
+
+static const JudgeCheck checks[] = {
+    {"bounds-positive", "The box holds every sphere whole, and no more", "spheres_bounds", 6,
+     .function = &bounds_06, .range = {0, N_BOUNDS / 2, 2}},
+    {"bounds-negative", "Negative radii, and one sphere", "spheres_bounds", 4,
+     .function = &bounds_06, .range = {1, N_BOUNDS / 2, 2}},
+    {"tree-bounds", "Whole trees: the root's cell", "spheres_bounds", 5, "*", .tree = judge_tree,
+     .tree3d = tree3d_judge_bounds, .range = {0, JUST_FITS + 1}, .alone_scene = bounds_alone_06},
+
+    {"split-axis", "The longest side, the first where equal", "choose_split", 8,
+     .function = &split_axis_06, .range = {0, N_SPLITS}},
+    {"split-middle", "In the middle", "choose_split", 6, .function = &split_middle_06,
+     .range = {0, N_SPLITS}},
+    {"tree-splits", "Whole trees: each plane halves its cell", "choose_split", 6, "*",
+     .tree = judge_tree, .tree3d = tree3d_judge_splits, .range = {0, JUST_FITS + 1},
+     .replay = &replay_split_06},
+
+    {"overlap-inside", "Spheres clearly in and clearly out", "sphere_overlaps_box", 7,
+     .function = &overlap_06, .range = {0, N_INSIDE}},
+    {"overlap-touching", "Touching counts", "sphere_overlaps_box", 6, .function = &overlap_06,
+     .range = {N_INSIDE, N_TOUCHING}},
+    {"overlap-corner", "Exact at edges and corners", "sphere_overlaps_box", 7,
+     .function = &overlap_06, .range = {N_INSIDE + N_TOUCHING, N_CORNER}},
+    {"tree-overlap", "Whole trees: each leaf has its spheres", "sphere_overlaps_box", 5, "*",
+     .tree = judge_tree, .tree3d = judge_overlap, .range = {0, JUST_FITS + 1},
+     .replay = &replay_overlap_06},
+
+    {"distribute-list", "The right ids, in order, and how many", "distribute_spheres", 10,
+     "sphere_overlaps_box", .function = &distribute_06, .range = {0, N_DISTRIBUTES},
+     .alone = distributes_alone_06},
+    {"tree-lists", "Whole trees: lists ascend, leaves are small enough", "distribute_spheres", 5,
+     "*", .tree = judge_tree, .tree3d = tree3d_judge_lists, .range = {0, JUST_FITS + 1},
+     .alone = lists_alone_06},
+
+    {"pack-node", "The node says where its spheres are", "pack_leaf_range", 6,
+     .function = &pack_node_06, .range = {0, N_PACKS}},
+    {"pack-ids", "The ids, one behind the other", "pack_leaf_range", 4, .function = &pack_ids_06,
+     .range = {0, N_PACKS}},
+    {"tree-packing", "Whole trees: packed without gaps", "pack_leaf_range", 5, "*",
+     .tree = judge_tree, .tree3d = tree3d_judge_packing, .range = {0, JUST_FITS + 1},
+     .alone_scene = packs_alone_06},
+
+    {"fits-levels", "Level by level", "fits_todo", 6, .function = &fits_06,
+     .range = {0, TODO_LEVELS}},
+    {"tree-depth", "Whole trees: too deep ones are refused, others built", "fits_todo", 4, "*",
+     .tree = judge_tree, .tree3d = judge_depth, .range = {JUST_FITS, 2}, .alone = levels_alone_06},
+};
+
+static const Part parts[] = {
+    PART("bounds", "spheres_bounds", Job06, bounds),
+    PART("splits", "choose_split", Job06, splits),
+    PART("overlaps", "sphere_overlaps_box", Job06, overlaps),
+    PART("distribute", NULL, Job06, distributes),  // alone behind what it needs: write_alone_06()
+    PART("pack", "pack_leaf_range", Job06, packs),
+    PART("todo", NULL, Job06, highest_level),
+};
+
 const Judge judge_06 = {
     .lab = "06-kdtree-3d-build",
     .checks = checks,
-    .n_checks = sizeof checks / sizeof *checks,
-    .job_new = job_06_new,
-    .job_free = job_06_free,
-    .judge = judge,
-    .write_alone = judge_06_write_alone,
-    .passes_alone = passes_alone,
-    .adopt = adopt,
+    .n_checks = COUNT(checks),
+    .job_bytes = sizeof(Job06),
+    .draw = job_06_draw,
+    .release = job_06_release,
+    .parts = parts,
+    .n_parts = COUNT(parts),
+    .write_scene = job_06_write_scene,
+    .n_scenes = N_SCENES,
+    .write_alone = write_alone_06,
     .add_pictures = add_pictures,
 };

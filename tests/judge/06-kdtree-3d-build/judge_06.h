@@ -1,82 +1,57 @@
 // What lab 06's judge asks of a submission: inputs of its functions and scenes for its trees.
-// Drawn in judge_06_job.c, judged in judge_06.c and judge_06_functions.c; one answer alone in
-// judge_06_alone.c.
-#ifndef GRADER_JUDGE_06_H
-#define GRADER_JUDGE_06_H
+// Drawn in judge_06_job.c; functions are judged in judge_06_functions.c, whole trees in
+// tree3d_judge.c; one answer alone in judge_06_alone.c.
+#ifndef JUDGE_JUDGE_06_H
+#define JUDGE_JUDGE_06_H
 
 #include "jobs.h"
 #include "judge.h"
-#include "replay.h"
 #include "tree3d_judge.h"
 
-#include <stdint.h>
-#include <stdio.h>
-
-// The checks.
-enum {
-    BOUNDS_POSITIVE,
-    BOUNDS_NEGATIVE,
-    TREE_BOUNDS,
-    SPLIT_AXIS,
-    SPLIT_MIDDLE,
-    TREE_SPLITS,
-    OVERLAP_INSIDE,
-    OVERLAP_TOUCHING,
-    OVERLAP_CORNER,
-    TREE_OVERLAP,
-    DISTRIBUTE_LIST,
-    TREE_LISTS,
-    PACK_NODE,
-    PACK_IDS,
-    TREE_PACKING,
-    FITS_LEVELS,
-    TREE_DEPTH,
-};
-
+// Inputs of spheres_bounds have positive radii and some negative ones by turns; those of
+// sphere_overlaps_box are in three ranges.
 enum { N_BOUNDS = 80, N_SPLITS = 480, N_DISTRIBUTES = 60, N_PACKS = 60 };
-// Inputs of sphere_overlaps_box: a range for each check.
 enum { N_INSIDE = 1000, N_TOUCHING = 600, N_CORNER = 600 };
 enum { N_OVERLAPS = N_INSIDE + N_TOUCHING + N_CORNER };
+
 // Scenes: those whose trees are judged in all respects, then two about the todo stack: one whose
 // tree just fits it, and one that must be refused.
 enum { N_TREES = 10, JUST_FITS = N_TREES, TOO_DEEP, N_SCENES };
 
 typedef struct Job06 {
-    BoundsJob bounds[N_BOUNDS];  // even ones with positive radii, odd ones with some negative
+    Job job;  // with the trees of all scenes but TOO_DEEP
+    BoundsJob bounds[N_BOUNDS];
     BBox3D splits[N_SPLITS];
     SphereBoxJob overlaps[N_OVERLAPS];
     DistributeJob3D distributes[N_DISTRIBUTES];
     PackJob3D packs[N_PACKS];
+    u32 highest_level;  // TODO_LEVELS
     TreeScene3D scenes[N_SCENES];
-    Replay replay;    // of the trees of all scenes but TOO_DEEP
-    Replay too_deep;  // of the tree that must be refused, as it would be
+    Growth too_deep;  // the tree that must be refused, as it would be
 } Job06;
 
-// See job_new and job_free of judge.h.
-void *job_06_new(uint64_t seed, FILE *file);
-void job_06_free(void *job);
-
-// Judge a function by the answers.
-//   first, n   the inputs that the check is about; of the bounds every second from the first
-//   check      which of the function's two properties is judged
-Verdict judge_06_bounds(const Job06 *job, int first, const Sections *answers);
-Verdict judge_06_splits(const Job06 *job, int check, const Sections *answers);
-Verdict judge_06_overlaps(const Job06 *job, int first, int n, const Sections *answers);
-Verdict judge_06_distribute(const Job06 *job, const Sections *answers);
-Verdict judge_06_pack(const Job06 *job, int check, const Sections *answers);
-Verdict judge_06_fits(const Sections *answers);
+// See judge.h.
+int job_06_draw(void *job, Random *random);
+void job_06_release(void *job);
+int job_06_write_scene(const void *job, int k, FILE *file);
 
 // Write "scene.K.spheres", and behind the spheres one that must not be asked. Returns 0, or -1.
 int job_06_write_spheres(const TreeScene3D *scene, int k, FILE *file);
 
-// Write "todo". Returns 0, or -1.
-int job_06_write_levels(FILE *file);
+// The functions; of choose_split and pack_leaf_range one for each property that is judged.
+extern const Function bounds_06, split_axis_06, split_middle_06, overlap_06, distribute_06,
+    pack_node_06, pack_ids_06, fits_06;
 
-// See write_alone of judge.h.
-int judge_06_write_alone(const void *job, const char *task, FILE *file);
+// Call number i of distribute_spheres.
+ListCall list_call_06(const Job06 *job, int i);
 
-// passes_alone of judge.h for the checks that are judged otherwise than in the whole: all of whole
-// trees, and of distribute_spheres.
-int judge_06_passes_alone(const Job06 *job, int check, const Sections *answers);
+// One answer alone.
+extern const Replay replay_split_06, replay_overlap_06;
+int write_alone_06(const void *job, const char *task, FILE *file);
+int bounds_alone_06(const void *job, int k, const Sections *answers);
+int distributes_alone_06(const void *job, const JudgeCheck *check, const Sections *answers);
+int lists_alone_06(const void *job, const JudgeCheck *check, const Sections *answers);
+int packs_alone_06(const void *job, int k, const Sections *answers);
+int levels_alone_06(const void *job, const JudgeCheck *check, const Sections *answers);
 
 #endif

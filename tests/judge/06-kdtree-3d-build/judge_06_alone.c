@@ -2,24 +2,8 @@
 // in its place the one answer is called as the builder would call it: see replay.h.
 #include "judge_06.h"
 
-#include "job_sections.h"
-
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-// The hole of sphere_overlaps_box while another task is tried.
-static int stand_in_overlaps(Sphere sphere, BBox3D box)
-{
-#include "06-kdtree-3d-build/sphere_overlaps_box.c"
-}
-
-// What distribute_spheres makes of the stand-in. As ReplayKeeps of replay.h has it.
-static int keeps(const void *pointer, u32 scene, u32 id, BBox3D cell)
-{
-    const Job06 *job = pointer;
-    return stand_in_overlaps(job->scenes[scene].scene.spheres[id], cell);
-}
 
 // The spheres of all scenes that have a tree. Returns 0, or -1.
 static int write_spheres(const Job06 *job, FILE *file)
@@ -29,6 +13,13 @@ static int write_spheres(const Job06 *job, FILE *file)
         result = job_06_write_spheres(&job->scenes[k], k, file);
     }
     return result;
+}
+
+// Is there nothing to object to? Releases the message.
+static int is_silent(char *message)
+{
+    free(message);
+    return message == NULL;
 }
 
 // ---- spheres_bounds: once for each scene --------------------------------------------------------
@@ -42,158 +33,106 @@ static int write_bounds_calls(const Job06 *job, FILE *file)
     return section_write(file, "replay.bounds", numbers, sizeof numbers) | write_spheres(job, file);
 }
 
-static int bounds_are_right(const Job06 *job, const Sections *answers)
+int bounds_alone_06(const void *job, int k, const Sections *answers)
 {
+    const Scene3D *scene = &((const Job06 *)job)->scenes[k].scene;
     const BBox3D *found = sections_find(answers, "replay.bounds", (JUST_FITS + 1) * sizeof *found);
-    int is_right = found != NULL;
-    for (int k = 0; is_right && k <= JUST_FITS; k++) {
-        const Scene3D *scene = &job->scenes[k].scene;
-        char *message = tree3d_judge_box("alone", scene->spheres, (u32)scene->n_spheres, found[k]);
-        is_right = message == NULL;
-        free(message);
-    }
-    return is_right;
+    return found != NULL &&
+           is_silent(tree3d_judge_box("alone", scene->spheres, (u32)scene->n_spheres, found[k]));
 }
 
 // ---- choose_split: once for each inner node -----------------------------------------------------
 
-static int write_split_calls(const Job06 *job, FILE *file)
+static void split_input(const void *job, ReplayCall call, void *input)
 {
-    const Replay *replay = &job->replay;
-    BBox3D *cells = calloc(replay->n_nodes, sizeof *cells);
-    size_t n = 0;
-    for (u32 i = 0; cells != NULL && i < replay->n_nodes; i++) {
-        if (replay->nodes[i].first_child != 0) {
-            cells[n++] = replay->nodes[i].cell;
-        }
-    }
-    const int result =
-        cells == NULL ? -1 : section_write(file, "replay.split", cells, n * sizeof *cells);
-    free(cells);
-    return result;
+    (void)job;
+    *(BBox3D *)input = call.node->cell;
 }
 
 // The same plane as in the tree, up to what float rounds.
-static int split_is_right(BBox3D cell, SplitAnswer3D found)
+static int split_is_right(const void *job, ReplayCall call, const void *answer)
 {
-    char *message = tree3d_judge_axis("alone", cell, found.axis);
-    if (message == NULL) {
-        message = tree3d_judge_middle("alone", cell, found.axis, found.pos);
-    }
-    const int is_right = message == NULL;
-    free(message);
-    return is_right;
+    const SplitAnswer3D *found = answer;
+    const BBox3D cell = call.node->cell;
+    (void)job;
+    return is_silent(tree3d_judge_axis("alone", cell, found->axis)) &&
+           is_silent(tree3d_judge_middle("alone", cell, found->axis, found->pos));
 }
 
-static int splits_are_right(const Job06 *job, const Sections *answers)
-{
-    const Replay *replay = &job->replay;
-    const SplitAnswer3D *found =
-        sections_find(answers, "replay.split", replay_n_inner(replay) * sizeof *found);
-    int is_right = found != NULL;
-    for (u32 i = 0; is_right && i < replay->n_nodes; i++) {
-        if (replay->nodes[i].first_child != 0) {
-            is_right = split_is_right(replay->nodes[i].cell, *found++);
-        }
-    }
-    return is_right;
-}
+const Replay replay_split_06 = {"replay.split",        EACH_INNER_NODE, sizeof(BBox3D),
+                                sizeof(SplitAnswer3D), split_input,     split_is_right};
 
 // ---- sphere_overlaps_box: once for each sphere of an inner node and each of its children --------
 
-// List the calls; calls may be NULL. Returns how many there are.
-static size_t list_overlap_calls(const Job06 *job, SphereBoxJob *calls)
+static SphereBoxJob overlap_of(const Job06 *job, ReplayCall call)
 {
-    const Replay *replay = &job->replay;
-    size_t n = 0;
-    for (u32 i = 0; i < replay->n_nodes; i++) {
-        const ReplayNode *node = &replay->nodes[i];
-        const Sphere *spheres = job->scenes[node->scene].scene.spheres;
-        for (int side = 0; node->first_child != 0 && side < 2; side++) {
-            for (u32 j = 0; j < node->n_ids; j++, n++) {
-                if (calls != NULL) {
-                    calls[n] = (SphereBoxJob){spheres[replay->ids[node->first_id + j]],
-                                              replay_child(node, side)->cell};
-                }
-            }
-        }
-    }
-    return n;
+    return (SphereBoxJob){job->scenes[call.node->scene].scene.spheres[call.id], call.child->cell};
 }
 
-// The calls, or NULL without memory; owned by the caller.
-static SphereBoxJob *overlap_calls(const Job06 *job, size_t *n)
+static void overlap_input(const void *job, ReplayCall call, void *input)
 {
-    *n = list_overlap_calls(job, NULL);
-    SphereBoxJob *calls = calloc(*n + 1, sizeof *calls);
-    if (calls != NULL) {
-        list_overlap_calls(job, calls);
-    }
-    return calls;
+    *(SphereBoxJob *)input = overlap_of(job, call);
 }
 
-static int write_overlap_calls(const Job06 *job, FILE *file)
+static int overlap_is_right(const void *job, ReplayCall call, const void *answer)
 {
-    size_t n;
-    SphereBoxJob *calls = overlap_calls(job, &n);
-    const int result =
-        calls == NULL ? -1 : section_write(file, "replay.overlap", calls, n * sizeof *calls);
-    free(calls);
-    return result;
+    const SphereBoxJob in = overlap_of(job, call);
+    const SphereInCell is = tree3d_judge_sphere(in.sphere, in.box);
+    return is == SPHERE_EITHER || (*(const i32 *)answer != 0) == (is == SPHERE_INSIDE);
 }
 
-static int overlaps_are_right(const Job06 *job, const Sections *answers)
-{
-    size_t n;
-    SphereBoxJob *calls = overlap_calls(job, &n);
-    const i32 *found = sections_find(answers, "replay.overlap", n * sizeof *found);
-    int is_right = calls != NULL && found != NULL;
-    for (size_t i = 0; is_right && i < n; i++) {
-        const SphereInCell is = tree3d_judge_sphere(calls[i].sphere, calls[i].box);
-        is_right = is == SPHERE_EITHER || (found[i] != 0) == (is == SPHERE_INSIDE);
-    }
-    free(calls);
-    return is_right;
-}
+const Replay replay_overlap_06 = {"replay.overlap", EACH_ID_OF_A_CHILD, sizeof(SphereBoxJob),
+                                  sizeof(i32),      overlap_input,      overlap_is_right};
 
 // ---- distribute_spheres: twice for each inner node ----------------------------------------------
+
+// The hole of sphere_overlaps_box while another task is tried.
+static int stand_in_overlaps(Sphere sphere, BBox3D box)
+{
+#include "06-kdtree-3d-build/sphere_overlaps_box.c"
+}
+
+// What distribute_spheres makes of the stand-in. As ListKeeps of replay.h has it.
+static int keeps(const void *pointer, u32 scene, u32 id, BBox3D cell)
+{
+    const Job06 *job = pointer;
+    return stand_in_overlaps(job->scenes[scene].scene.spheres[id], cell);
+}
+
+static void cell_input(const void *job, ReplayCall call, void *input)
+{
+    (void)job;
+    *(BBox3D *)input = call.child->cell;
+}
+
+static const Replay cells = {"replay.cells", EACH_CHILD, sizeof(BBox3D), .input = cell_input};
 
 // The children's cells, and all that the lists need. Returns 0, or -1.
 static int write_list_calls(const Job06 *job, FILE *file)
 {
-    const Replay *replay = &job->replay;
-    BBox3D *cells = calloc(replay->n_nodes, sizeof *cells);
-    size_t n = 0;
-    for (u32 i = 0; cells != NULL && i < replay->n_nodes; i++) {
-        const ReplayNode *node = &replay->nodes[i];
-        for (int side = 0; node->first_child != 0 && side < 2; side++) {
-            cells[n++] = replay_child(node, side)->cell;
-        }
-    }
-    const int result =
-        cells == NULL
-            ? -1
-            : section_write(file, "replay.cells", cells, n * sizeof *cells) |
-                  replay_write_lists(replay, file) |
-                  section_write(file, "distribute", job->distributes, sizeof job->distributes) |
-                  write_spheres(job, file);
-    free(cells);
-    return result;
+    return replay_write(&cells, &job->job.growth, job, file) |
+           replay_write_lists(&job->job.growth, file) |
+           section_write(file, "distribute", job->distributes, sizeof job->distributes) |
+           write_spheres(job, file);
 }
 
-static int distributes_rightly(const Job06 *job, const Sections *answers)
+_Static_assert(REPLAY_ROOM(DISTRIBUTE_MAX_IDS) <= DISTRIBUTE_ROOM, "the guard is in the answer");
+int distributes_alone_06(const void *job, const JudgeCheck *check, const Sections *answers)
 {
-    const u32 *found =
-        sections_find(answers, "distribute", N_DISTRIBUTES * DISTRIBUTE_ROOM * sizeof *found);
+    const u32 *found = function_answers(check->function, answers);
     int is_right = found != NULL;
     for (int i = 0; is_right && i < N_DISTRIBUTES; i++) {
-        const DistributeJob3D *in = &job->distributes[i];
-        is_right = replay_list_is_right(found + i * DISTRIBUTE_ROOM, in->ids, in->n_ids, 0,
-                                        in->child, keeps, job);
+        is_right = list_is_right(list_call_06(job, i), keeps, job, found + i * DISTRIBUTE_ROOM);
     }
     return is_right;
 }
-_Static_assert(REPLAY_ROOM(DISTRIBUTE_MAX_IDS) <= DISTRIBUTE_ROOM, "the guard is in the answer");
+
+int lists_alone_06(const void *pointer, const JudgeCheck *check, const Sections *answers)
+{
+    const Job06 *job = pointer;
+    (void)check;
+    return replay_lists_are_right(&job->job.growth, answers, keeps, job);
+}
 
 // ---- pack_leaf_range: once for each leaf --------------------------------------------------------
 
@@ -204,8 +143,7 @@ static int write_leaves(const Job06 *job, FILE *file)
         const KdTree3D *tree = &job->scenes[k].tree;
         trees[k] = (ReplayTree){tree->n_nodes, tree->n_sphere_ids};
     }
-    return section_write(file, "pack", job->packs, sizeof job->packs) |
-           replay_write_leaves(&job->replay, trees, JUST_FITS + 1, file);
+    return replay_write_leaves(&job->job.growth, trees, JUST_FITS + 1, file);
 }
 
 // Is a node as it must be: its leaf packed, or untouched? A leaf's split_pos is free.
@@ -219,31 +157,19 @@ static int node_is_right(KdNode3 expected, KdNode3 found)
            found.n_spheres == UNTOUCHED;
 }
 
-static int tree_is_packed(const KdTree3D *tree, int k, const Sections *answers)
+int packs_alone_06(const void *job, int k, const Sections *answers)
 {
-    char name[SECTION_NAME_BYTES];
+    const KdTree3D *tree = &((const Job06 *)job)->scenes[k].tree;
     const size_t n = tree->n_sphere_ids;
-    const u32 *n_sphere_ids = job_section_find(answers, "packed", k, sizeof *n_sphere_ids);
-    snprintf(name, sizeof name, "packed.%d.nodes", k);
-    const KdNode3 *nodes = sections_find(answers, name, tree->n_nodes * sizeof *nodes);
-    snprintf(name, sizeof name, "packed.%d.map", k);
-    const u32 *ids = sections_find(answers, name, (n + REPLAY_GUARD) * sizeof *ids);
-    int is_right = n_sphere_ids != NULL && nodes != NULL && ids != NULL && *n_sphere_ids == n &&
-                   memcmp(ids, tree->sphere_ids, n * sizeof *ids) == 0;
+    const u32 *n_found = job_section_find(answers, "packed", k, sizeof *n_found);
+    const KdNode3 *nodes =
+        job_part_find(answers, "packed", k, "nodes", tree->n_nodes * sizeof *nodes);
+    const u32 *ids = job_part_find(answers, "packed", k, "map", (n + REPLAY_GUARD) * sizeof *ids);
+    int is_right = n_found != NULL && nodes != NULL && ids != NULL && *n_found == n &&
+                   memcmp(ids, tree->sphere_ids, n * sizeof *ids) == 0 &&
+                   guard_is_untouched(ids + n);
     for (u32 id = 0; is_right && id < tree->n_nodes; id++) {
         is_right = node_is_right(tree->nodes[id], nodes[id]);
-    }
-    for (int i = 0; is_right && i < REPLAY_GUARD; i++) {
-        is_right = ids[n + (size_t)i] == UNTOUCHED;
-    }
-    return is_right;
-}
-
-static int trees_are_packed(const Job06 *job, const Sections *answers)
-{
-    int is_right = 1;
-    for (int k = 0; is_right && k <= JUST_FITS; k++) {
-        is_right = tree_is_packed(&job->scenes[k].tree, k, answers);
     }
     return is_right;
 }
@@ -253,18 +179,16 @@ static int trees_are_packed(const Job06 *job, const Sections *answers)
 // The levels that are asked about, n of them; NULL without memory. Owned by the caller.
 static i32 *list_levels(const Job06 *job, size_t *n)
 {
-    i32 *levels = calloc((size_t)job->replay.n_nodes + job->too_deep.n_nodes, sizeof *levels);
+    const Growth *growths[] = {&job->job.growth, &job->too_deep};
+    i32 *levels = calloc((size_t)growths[0]->n_nodes + growths[1]->n_nodes, sizeof *levels);
     *n = 0;
-    for (u32 i = 0; levels != NULL && i < job->replay.n_nodes; i++) {
-        if (job->replay.nodes[i].first_child != 0) {
-            levels[(*n)++] = job->replay.nodes[i].level;
-        }
-    }
-    // The builder gives up where it is told to.
-    int level = 0;
-    for (u32 i = 0; levels != NULL && i < job->too_deep.n_nodes && level <= TODO_SIZE; i++) {
-        if (job->too_deep.nodes[i].first_child != 0) {
-            levels[(*n)++] = level = job->too_deep.nodes[i].level;
+    for (int g = 0; levels != NULL && g < 2; g++) {
+        int level = 0;
+        // The builder gives up where it is told to.
+        for (u32 i = 0; i < growths[g]->n_nodes && level <= TODO_SIZE; i++) {
+            if (growths[g]->nodes[i].first_child != 0) {
+                levels[(*n)++] = level = growths[g]->nodes[i].level;
+            }
         }
     }
     return levels;
@@ -274,20 +198,22 @@ static int write_level_calls(const Job06 *job, FILE *file)
 {
     size_t n;
     i32 *levels = list_levels(job, &n);
+    const u32 highest = job->highest_level;
     const int result = levels == NULL
                            ? -1
                            : section_write(file, "replay.todo", levels, n * sizeof *levels) |
-                                 job_06_write_levels(file);
+                                 section_write(file, "todo", &highest, sizeof highest);
     free(levels);
     return result;
 }
 
-static int levels_are_right(const Job06 *job, const Sections *answers)
+int levels_alone_06(const void *job, const JudgeCheck *check, const Sections *answers)
 {
     size_t n;
     i32 *levels = list_levels(job, &n);
     const i32 *found = sections_find(answers, "replay.todo", n * sizeof *found);
     int is_right = levels != NULL && found != NULL;
+    (void)check;
     for (size_t i = 0; is_right && i < n; i++) {
         is_right = (found[i] != 0) == (levels[i] <= TODO_SIZE);
     }
@@ -297,46 +223,11 @@ static int levels_are_right(const Job06 *job, const Sections *answers)
 
 // ---- All of it ----------------------------------------------------------------------------------
 
-int judge_06_write_alone(const void *pointer, const char *task, FILE *file)
+int write_alone_06(const void *job, const char *task, FILE *file)
 {
-    const Job06 *job = pointer;
-    if (strcmp(task, "spheres_bounds") == 0) {
-        return section_write(file, "bounds", job->bounds, sizeof job->bounds) |
-               write_bounds_calls(job, file);
-    }
-    if (strcmp(task, "choose_split") == 0) {
-        return section_write(file, "splits", job->splits, sizeof job->splits) |
-               write_split_calls(job, file);
-    }
-    if (strcmp(task, "sphere_overlaps_box") == 0) {
-        return section_write(file, "overlaps", job->overlaps, sizeof job->overlaps) |
-               write_overlap_calls(job, file);
-    }
-    if (strcmp(task, "distribute_spheres") == 0) {
-        return write_list_calls(job, file);
-    }
-    return strcmp(task, "pack_leaf_range") == 0 ? write_leaves(job, file)
-                                                : write_level_calls(job, file);
-}
-
-int judge_06_passes_alone(const Job06 *job, int check, const Sections *answers)
-{
-    switch (check) {
-    case TREE_BOUNDS:
-        return bounds_are_right(job, answers);
-    case TREE_SPLITS:
-        return splits_are_right(job, answers);
-    case TREE_OVERLAP:
-        return overlaps_are_right(job, answers);
-    case DISTRIBUTE_LIST:
-        return distributes_rightly(job, answers);
-    case TREE_LISTS:
-        return replay_lists_are_right(&job->replay, answers, keeps, job);
-    case TREE_PACKING:
-        return trees_are_packed(job, answers);
-    case TREE_DEPTH:
-        return levels_are_right(job, answers);
-    default:
-        return 0;
-    }
+    return strcmp(task, "spheres_bounds") == 0       ? write_bounds_calls(job, file)
+           : strcmp(task, "distribute_spheres") == 0 ? write_list_calls(job, file)
+           : strcmp(task, "pack_leaf_range") == 0    ? write_leaves(job, file)
+           : strcmp(task, "fits_todo") == 0          ? write_level_calls(job, file)
+                                                     : 0;
 }

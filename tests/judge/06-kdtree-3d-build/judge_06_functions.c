@@ -2,52 +2,45 @@
 #include "judge_06.h"
 
 #include "message.h"
+#include "words.h"
 
-Verdict judge_06_bounds(const Job06 *job, int first, const Sections *answers)
+// ---- spheres_bounds -----------------------------------------------------------------------------
+
+static char *bounds_fault(const void *pointer, int i, const void *answers)
 {
-    const BBox3D *found = sections_find(answers, "bounds", N_BOUNDS * sizeof *found);
-    if (found == NULL) {
-        return verdict_missing;
-    }
-    for (int i = first; i < N_BOUNDS; i += 2) {
-        const BoundsJob *in = &job->bounds[i];
-        const Sphere s = in->spheres[0];
-        char where[160];
-        if (in->n_spheres == 0) {
-            snprintf(where, sizeof where, "no sphere");
-        } else {
-            snprintf(where, sizeof where, "%u %s, the first at (%g, %g, %g) radius %g",
-                     in->n_spheres, in->n_spheres == 1 ? "sphere" : "spheres", (double)s.x,
-                     (double)s.y, (double)s.z, (double)s.radius);
-        }
-        char *message = tree3d_judge_box(where, in->spheres, in->n_spheres, found[i]);
-        if (message != NULL) {
-            return verdict_of(message);
-        }
-    }
-    return verdict_of(NULL);
+    const BoundsJob *in = &((const Job06 *)pointer)->bounds[i];
+    const Words where = in->n_spheres == 0
+                            ? words("no sphere")
+                            : words("%u sphere%s, the first at %s", in->n_spheres,
+                                    plural(in->n_spheres), words_sphere(in->spheres[0]).text);
+    return tree3d_judge_box(where.text, in->spheres, in->n_spheres, ((const BBox3D *)answers)[i]);
 }
 
-Verdict judge_06_splits(const Job06 *job, int check, const Sections *answers)
+const Function bounds_06 = {"bounds", N_BOUNDS, sizeof(BBox3D), .fault = bounds_fault};
+
+// ---- choose_split -------------------------------------------------------------------------------
+
+static char *split_axis_fault(const void *job, int i, const void *answers)
 {
-    const SplitAnswer3D *found = sections_find(answers, "splits", N_SPLITS * sizeof *found);
-    if (found == NULL) {
-        return verdict_missing;
-    }
-    for (int i = 0; i < N_SPLITS; i++) {
-        // Which side is the one check, where along it the other: that one follows the student's
-        // side. An axis that is none is the first check's matter.
-        const u32 axis = found[i].axis < 3 ? found[i].axis : 0;
-        char *message =
-            check == SPLIT_AXIS
-                ? tree3d_judge_axis("choose_split", job->splits[i], found[i].axis)
-                : tree3d_judge_middle("choose_split", job->splits[i], axis, found[i].pos);
-        if (message != NULL) {
-            return verdict_of(message);
-        }
-    }
-    return verdict_of(NULL);
+    return tree3d_judge_axis("choose_split", ((const Job06 *)job)->splits[i],
+                             ((const SplitAnswer3D *)answers)[i].axis);
 }
+
+// Where along the side that the student has chosen. An axis that is none is the other check's
+// matter.
+static char *split_middle_fault(const void *job, int i, const void *answers)
+{
+    const SplitAnswer3D found = ((const SplitAnswer3D *)answers)[i];
+    return tree3d_judge_middle("choose_split", ((const Job06 *)job)->splits[i],
+                               found.axis < 3 ? found.axis : 0, found.pos);
+}
+
+const Function split_axis_06 = {"splits", N_SPLITS, sizeof(SplitAnswer3D),
+                                .fault = split_axis_fault};
+const Function split_middle_06 = {"splits", N_SPLITS, sizeof(SplitAnswer3D),
+                                  .fault = split_middle_fault};
+
+// ---- sphere_overlaps_box ------------------------------------------------------------------------
 
 // Do sphere and box touch, and no more? One that is a little smaller is outside then.
 static int is_touching(SphereBoxJob in)
@@ -95,93 +88,51 @@ static const char *explain_overlap(const Job06 *job, int i, const i32 *found)
                             : ", its centre is outside but the sphere reaches in";
 }
 
-Verdict judge_06_overlaps(const Job06 *job, int first, int n, const Sections *answers)
+static char *overlap_fault(const void *pointer, int i, const void *answers)
 {
-    const i32 *found = sections_find(answers, "overlaps", N_OVERLAPS * sizeof *found);
-    if (found == NULL) {
-        return verdict_missing;
-    }
-    for (int i = first; i < first + n; i++) {
-        const SphereBoxJob in = job->overlaps[i];
-        const SphereInCell is = tree3d_judge_sphere(in.sphere, in.box);
-        if (is != SPHERE_EITHER && (found[i] != 0) != (is == SPHERE_INSIDE)) {
-            return verdict_of(message_new(
-                "sphere at (%g, %g, %g) radius %g, box x [%g, %g] y [%g, %g] z [%g, %g]: found %d, "
-                "expected %d%s",
-                (double)in.sphere.x, (double)in.sphere.y, (double)in.sphere.z,
-                (double)in.sphere.radius, (double)in.box.min[0], (double)in.box.max[0],
-                (double)in.box.min[1], (double)in.box.max[1], (double)in.box.min[2],
-                (double)in.box.max[2], found[i], is == SPHERE_INSIDE,
-                explain_overlap(job, i, found)));
-        }
-    }
-    return verdict_of(NULL);
+    const Job06 *job = pointer;
+    const SphereBoxJob in = job->overlaps[i];
+    const i32 *found = answers;
+    const SphereInCell is = tree3d_judge_sphere(in.sphere, in.box);
+    return is == SPHERE_EITHER || (found[i] != 0) == (is == SPHERE_INSIDE)
+               ? NULL
+               : message_new("sphere at %s, box %s: found %d, expected %d%s",
+                             words_sphere(in.sphere).text, words_box3d(in.box).text, found[i],
+                             is == SPHERE_INSIDE, explain_overlap(job, i, found));
 }
 
-// Says that an id that belongs into a child's list is nowhere in it; "" when it is.
-static const char *explain_missing(const DistributeJob3D *in, const u32 *list, u32 id)
+const Function overlap_06 = {"overlaps", N_OVERLAPS, sizeof(i32), .fault = overlap_fault};
+
+// ---- distribute_spheres -------------------------------------------------------------------------
+
+ListCall list_call_06(const Job06 *job, int i)
 {
-    for (u32 i = 0; i < in->n_ids; i++) {
-        if (list[i] == id) {
-            return "";
-        }
-    }
-    return ", that sphere overlaps the cell and is missing in its list";
+    const DistributeJob3D *in = &job->distributes[i];
+    return (ListCall){0, in->ids, in->n_ids, in->child};
 }
 
-// What one call of distribute_spheres wrote: its number, then ids.
-static char *judge_distributed(const Scene3D *scene, const DistributeJob3D *in, const u32 *found)
+// As ListKeeps of replay.h has it.
+static int keeps(const void *job, u32 scene, u32 id, BBox3D cell)
 {
-    u32 n = 0;
-    for (u32 j = 0; j < in->n_ids; j++) {
-        const u32 id = in->ids[j];
-        if (tree3d_judge_sphere(scene->spheres[id], in->child) == SPHERE_OUTSIDE) {
-            continue;
-        }
-        if (found[1 + n] == UNTOUCHED) {
-            return message_new("node with %u spheres from id %u on: child_ids[%u] was not written, "
-                               "expected %u%s",
-                               in->n_ids, in->ids[0], n, id, explain_missing(in, found + 1, id));
-        }
-        if (found[1 + n] != id) {
-            return message_new("node with %u spheres from id %u on: child_ids[%u] is %u, expected "
-                               "%u%s",
-                               in->n_ids, in->ids[0], n, found[1 + n], id,
-                               found[1 + n] == j ? "; that is its position in ids[]"
-                                                 : explain_missing(in, found + 1, id));
-        }
-        n++;
-    }
-    if (found[0] != n) {
-        return message_new("node with %u spheres from id %u on: returned %u, expected %u: the "
-                           "number of ids written",
-                           in->n_ids, in->ids[0], found[0], n);
-    }
-    if (found[1 + in->n_ids] != UNTOUCHED) {
-        return message_new("child_ids[%u] was written, but there is room for %u", in->n_ids,
-                           in->n_ids);
-    }
-    return NULL;
+    const Sphere sphere = ((const Job06 *)job)->scenes[scene].scene.spheres[id];
+    return tree3d_judge_sphere(sphere, cell) != SPHERE_OUTSIDE;
 }
 
-Verdict judge_06_distribute(const Job06 *job, const Sections *answers)
+static char *distribute_fault(const void *job, int i, const void *answers)
 {
-    const u32 *found =
-        sections_find(answers, "distribute", N_DISTRIBUTES * DISTRIBUTE_ROOM * sizeof *found);
-    if (found == NULL) {
-        return verdict_missing;
-    }
-    for (int i = 0; i < N_DISTRIBUTES; i++, found += DISTRIBUTE_ROOM) {
-        char *message = judge_distributed(&job->scenes[0].scene, &job->distributes[i], found);
-        if (message != NULL) {
-            return verdict_of(message);
-        }
-    }
-    return verdict_of(NULL);
+    return list_fault("sphere", list_call_06(job, i), keeps, job,
+                      (const u32 *)answers + i * DISTRIBUTE_ROOM);
 }
 
-static char *judge_pack_node(const PackJob3D *in, const PackAnswer3D *out)
+const Function distribute_06 = {"distribute", N_DISTRIBUTES, DISTRIBUTE_ROOM * sizeof(u32),
+                                .fault = distribute_fault};
+
+// ---- pack_leaf_range ----------------------------------------------------------------------------
+
+static char *pack_node_fault(const void *job, int i, const void *answers)
 {
+    const PackJob3D *in = &((const Job06 *)job)->packs[i];
+    const PackAnswer3D *out = (const PackAnswer3D *)answers + i;
     const KdNode3 node = out->nodes[in->id];
     if (node.split_axis != KD_LEAF) {
         return message_new("node %u: split_axis is %u, expected KD_LEAF (%d)", in->id,
@@ -200,25 +151,26 @@ static char *judge_pack_node(const PackJob3D *in, const PackAnswer3D *out)
                              in->n_ids);
 }
 
-static char *judge_pack_ids(const PackJob3D *in, const PackAnswer3D *out)
+static char *pack_ids_fault(const void *job, int i, const void *answers)
 {
+    const PackJob3D *in = &((const Job06 *)job)->packs[i];
+    const PackAnswer3D *out = (const PackAnswer3D *)answers + i;
     const u32 end = in->n_sphere_ids + in->n_ids;
-    for (u32 i = 0; i < PACK_MAP_ROOM; i++) {
-        const int is_range = i >= in->n_sphere_ids && i < end;
-        const u32 expected = is_range ? in->ids[i - in->n_sphere_ids] : UNTOUCHED;
-        if (out->sphere_ids[i] != expected && is_range) {
-            char found[16];
-            snprintf(found, sizeof found, "is %u", out->sphere_ids[i]);
+    for (u32 at = 0; at < PACK_MAP_ROOM; at++) {
+        const int is_range = at >= in->n_sphere_ids && at < end;
+        const u32 found = out->sphere_ids[at];
+        const u32 expected = is_range ? in->ids[at - in->n_sphere_ids] : UNTOUCHED;
+        if (found != expected && is_range) {
             return message_new("leaf with %u spheres, %u ids before it: sphere_ids[%u] %s, "
                                "expected %u",
-                               in->n_ids, in->n_sphere_ids, i,
-                               out->sphere_ids[i] == UNTOUCHED ? "was not written" : found,
+                               in->n_ids, in->n_sphere_ids, at,
+                               found == UNTOUCHED ? "was not written" : words("is %u", found).text,
                                expected);
         }
-        if (out->sphere_ids[i] != expected) {
+        if (found != expected) {
             return message_new("sphere_ids[%u] was written, but the leaf's range goes from %u to "
                                "before %u",
-                               i, in->n_sphere_ids, end);
+                               at, in->n_sphere_ids, end);
         }
     }
     if (out->n_sphere_ids != end) {
@@ -236,36 +188,21 @@ static char *judge_pack_ids(const PackJob3D *in, const PackAnswer3D *out)
     return NULL;
 }
 
-Verdict judge_06_pack(const Job06 *job, int check, const Sections *answers)
+const Function pack_node_06 = {"pack", N_PACKS, sizeof(PackAnswer3D), .fault = pack_node_fault};
+const Function pack_ids_06 = {"pack", N_PACKS, sizeof(PackAnswer3D), .fault = pack_ids_fault};
+
+// ---- fits_todo ----------------------------------------------------------------------------------
+
+static char *fits_fault(const void *job, int i, const void *answers)
 {
-    const PackAnswer3D *found = sections_find(answers, "pack", N_PACKS * sizeof *found);
-    if (found == NULL) {
-        return verdict_missing;
-    }
-    for (int i = 0; i < N_PACKS; i++) {
-        char *message = check == PACK_NODE ? judge_pack_node(&job->packs[i], &found[i])
-                                           : judge_pack_ids(&job->packs[i], &found[i]);
-        if (message != NULL) {
-            return verdict_of(message);
-        }
-    }
-    return verdict_of(NULL);
+    const int level = i + 1, expected = level <= TODO_SIZE;
+    const i32 found = ((const i32 *)answers)[i];
+    (void)job;
+    return (found != 0) == expected
+               ? NULL
+               : message_new("level %d: found %d, expected %d; splitting there leaves up to %d "
+                             "nodes waiting, and TODO_SIZE is %d",
+                             level, found, expected, level, TODO_SIZE);
 }
 
-Verdict judge_06_fits(const Sections *answers)
-{
-    const i32 *found = sections_find(answers, "todo", TODO_LEVELS * sizeof *found);
-    if (found == NULL) {
-        return verdict_missing;
-    }
-    for (int level = 1; level <= TODO_LEVELS; level++) {
-        const int expected = level <= TODO_SIZE;
-        if ((found[level - 1] != 0) != expected) {
-            return verdict_of(message_new(
-                "level %d: found %d, expected %d; splitting there leaves up to %d nodes waiting, "
-                "and TODO_SIZE is %d",
-                level, found[level - 1], expected, level, TODO_SIZE));
-        }
-    }
-    return verdict_of(NULL);
-}
+const Function fits_06 = {"todo", TODO_LEVELS, sizeof(i32), .fault = fits_fault};

@@ -4,8 +4,8 @@
 // distances are whole numbers of grid squares below 2^24, which float holds exactly.
 #include "judge_06.h"
 
-#include "job_sections.h"
-#include "random.h"
+#include "complain.h"
+#include "random3d.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -14,11 +14,6 @@
 static float random_eighth(Random *random, int lowest, int highest)
 {
     return (float)random_integer(random, 8 * (int64_t)lowest, 8 * (int64_t)highest) / 8;
-}
-
-static int random_sign(Random *random)
-{
-    return random_integer(random, 0, 1) ? 1 : -1;
 }
 
 static Sphere sphere_at(const float centre[3], float radius)
@@ -204,6 +199,7 @@ static void draw_inputs(Random *random, Job06 *job)
     for (int i = 0; i < N_PACKS; i++) {
         job->packs[i] = draw_pack(random);
     }
+    job->highest_level = TODO_LEVELS;
 }
 
 // ---- Scenes -------------------------------------------------------------------------------------
@@ -273,9 +269,10 @@ static int draw_deep(TreeScene3D *scene, Random *random, int maxDepth)
     return 0;
 }
 
-static int draw_scenes(Random *random, TreeScene3D scenes[N_SCENES])
+static int draw_scenes(Random *random, Job06 *job)
 {
     static const int wide[3] = {16, 12, 8}, tall[3] = {4, 4, 12};
+    TreeScene3D *scenes = job->scenes;
     int result = draw_on_grid(&scenes[0], random, 150, wide, (KdTreeLimits){9, 4});
     result |= draw_on_grid(&scenes[1], random, 60, tall, (KdTreeLimits){7, 2});
     result |= draw_random(&scenes[2], random, 250, (KdTreeLimits){12, 4});
@@ -288,65 +285,12 @@ static int draw_scenes(Random *random, TreeScene3D scenes[N_SCENES])
     result |= draw_random(&scenes[9], random, 20, (KdTreeLimits){1, 3});
     result |= draw_deep(&scenes[JUST_FITS], random, TODO_SIZE + 1);
     result |= draw_deep(&scenes[TOO_DEEP], random, TODO_SIZE + 2);
-    for (int k = 0; result == 0 && k < N_SCENES; k++) {
-        if (k != TOO_DEEP) {
-            result = tree3d_expect(&scenes[k]);
-        }
-    }
-    return result;
-}
-
-// ---- Replays ------------------------------------------------------------------------------------
-
-// The children of an inner node of the tree, and their cells.
-static void place_children(const KdTree3D *tree, ReplayNode *nodes, u32 id)
-{
-    const KdNode3 node = tree->nodes[id];
-    if (node.split_axis == KD_LEAF) {
-        return;
-    }
-    nodes[id].first_child = node.first;
-    nodes[node.first].cell = nodes[node.first + 1].cell = nodes[id].cell;
-    nodes[node.first].cell.max[node.split_axis] = node.split_pos;
-    nodes[node.first + 1].cell.min[node.split_axis] = node.split_pos;
-}
-
-// Append what the builder does on its way to a scene's tree. Returns 0, or -1 after one message.
-static int replay_scene(Replay *replay, const TreeScene3D *scene, int k)
-{
-    const KdTree3D *tree = &scene->tree;
-    ReplayNode *nodes = replay_add_scene(replay, (u32)k, tree->n_nodes);
-    if (nodes == NULL) {
-        return -1;
-    }
-    int result = 0;
-    nodes[0].cell = tree->bounds;
-    for (u32 id = 0; result == 0 && id < tree->n_nodes; id++) {
-        place_children(tree, nodes, id);
-        for (int i = 0; result == 0 && i < scene->scene.n_spheres; i++) {
-            if (tree3d_judge_sphere(scene->scene.spheres[i], nodes[id].cell) != SPHERE_OUTSIDE) {
-                result = replay_add_id(replay, &nodes[id], (u32)i);
-            }
-        }
-    }
-    if (result == 0) {
-        replay_go_down(nodes, tree->n_nodes, tree3d_split_fails);
-    }
-    return result;
-}
-
-static int replay_scenes(Job06 *job)
-{
-    int result = 0;
     for (int k = 0; result == 0 && k <= JUST_FITS; k++) {
-        result = replay_scene(&job->replay, &job->scenes[k], k);
+        result = tree3d_expect(&scenes[k], (u32)k, &job->job.growth);
     }
-    TreeScene3D deep = job->scenes[TOO_DEEP];
+    TreeScene3D deep = scenes[TOO_DEEP];
     if (result == 0) {
-        result = tree3d_expect(&deep);
-    }
-    if (result == 0) {
-        result = replay_scene(&job->too_deep, &deep, TOO_DEEP);
+        result = tree3d_expect(&deep, TOO_DEEP, &job->too_deep);
         tree3d_free(&deep.tree);
     }
     return result;
@@ -359,7 +303,7 @@ int job_06_write_spheres(const TreeScene3D *scene, int k, FILE *file)
     const size_t n = (size_t)scene->scene.n_spheres;
     Sphere *spheres = calloc(n + 1, sizeof *spheres);
     if (spheres == NULL) {
-        fprintf(stderr, "grade: no memory for a scene\n");
+        complain("grade: no memory for a scene");
         return -1;
     }
     if (n > 0) {
@@ -371,58 +315,32 @@ int job_06_write_spheres(const TreeScene3D *scene, int k, FILE *file)
     return result;
 }
 
-int job_06_write_levels(FILE *file)
-{
-    const u32 highest = TODO_LEVELS;
-    return section_write(file, "todo", &highest, sizeof highest);
-}
-
 // A scene without the expected tree.
-static int write_scene(const TreeScene3D *scene, int k, FILE *file)
+int job_06_write_scene(const void *pointer, int k, FILE *file)
 {
+    const TreeScene3D *scene = &((const Job06 *)pointer)->scenes[k];
     const TreeJob3D job = {(u32)scene->scene.n_spheres, scene->limits.maxDepth,
                            scene->limits.targetElementsPerNode};
     return job_section_write(file, k, NULL, &job, sizeof job) |
            job_title_write(file, k, scene->title) | job_06_write_spheres(scene, k, file);
 }
 
-void job_06_free(void *pointer)
+int job_06_draw(void *pointer, Random *random)
+{
+    Job06 *job = pointer;
+    const int result = draw_scenes(random, job);
+    if (result == 0) {
+        draw_inputs(random, job);
+    }
+    return result;
+}
+
+void job_06_release(void *pointer)
 {
     Job06 *job = pointer;
     for (int k = 0; k < N_SCENES; k++) {
         tree3d_free(&job->scenes[k].tree);
         scene3d_free(&job->scenes[k].scene);
     }
-    replay_free(&job->replay);
-    replay_free(&job->too_deep);
-    free(job);
-}
-
-void *job_06_new(uint64_t seed, FILE *file)
-{
-    Random random = {seed};
-    Job06 *job = calloc(1, sizeof *job);
-    if (job == NULL) {
-        fprintf(stderr, "grade: no memory for a job\n");
-        return NULL;
-    }
-    int result = draw_scenes(&random, job->scenes);
-    if (result == 0) {
-        draw_inputs(&random, job);
-        result |= replay_scenes(job);
-        result |= section_write(file, "bounds", job->bounds, sizeof job->bounds);
-        result |= section_write(file, "splits", job->splits, sizeof job->splits);
-        result |= section_write(file, "overlaps", job->overlaps, sizeof job->overlaps);
-        result |= section_write(file, "distribute", job->distributes, sizeof job->distributes);
-        result |= section_write(file, "pack", job->packs, sizeof job->packs);
-        result |= job_06_write_levels(file);
-    }
-    for (int k = 0; result == 0 && k < N_SCENES; k++) {
-        result = write_scene(&job->scenes[k], k, file);
-    }
-    if (result != 0) {
-        job_06_free(job);
-        return NULL;
-    }
-    return job;
+    growth_free(&job->too_deep);
 }

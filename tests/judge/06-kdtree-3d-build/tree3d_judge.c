@@ -2,9 +2,11 @@
 // give is in tree3d_judge_steps.c.
 #include "tree3d_judge.h"
 
+#include "complain.h"
 #include "job_sections.h"
 #include "jobs.h"
 #include "message.h"
+#include "words.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -15,11 +17,9 @@ int tree3d_judge_answer(int k, const Sections *answers, KdTree3D *own)
     if (answer == NULL || answer->n_nodes == 0) {
         return 0;
     }
-    char name[SECTION_NAME_BYTES];
-    snprintf(name, sizeof name, "tree.%d.nodes", k);
-    const void *nodes = sections_find(answers, name, answer->n_nodes * sizeof(KdNode3));
-    snprintf(name, sizeof name, "tree.%d.ids", k);
-    const void *ids = sections_find(answers, name, answer->n_sphere_ids * sizeof(u32));
+    const void *nodes =
+        job_part_find(answers, "tree", k, "nodes", answer->n_nodes * sizeof(KdNode3));
+    const void *ids = job_part_find(answers, "tree", k, "ids", answer->n_sphere_ids * sizeof(u32));
     // The judge only reads: the casts take no const away that matters.
     *own = (KdTree3D){answer->bounds, (KdNode3 *)nodes, (u32 *)ids, answer->n_nodes,
                       answer->n_sphere_ids};
@@ -74,7 +74,7 @@ static Walk walk_down(const KdTree3D *tree)
     Walk walk = {calloc((size_t)tree->n_nodes + 1, sizeof *walk.cells),
                  calloc((size_t)tree->n_nodes + 1, sizeof *walk.levels)};
     if (walk.cells == NULL || walk.levels == NULL) {
-        fprintf(stderr, "grade: no memory for a tree\n");
+        complain("grade: no memory for a tree");
         exit(2);
     }
     walk.cells[0] = tree->bounds;
@@ -121,9 +121,8 @@ static Count count_spheres(const TreeScene3D *scene, BBox3D cell)
 
 char *tree3d_judge_bounds(const TreeScene3D *scene, const KdTree3D *own)
 {
-    char where[128];
-    snprintf(where, sizeof where, "%s: bounds", scene->title);
-    return tree3d_judge_box(where, scene->scene.spheres, (u32)scene->scene.n_spheres, own->bounds);
+    return tree3d_judge_box(words("%s: bounds", scene->title).text, scene->scene.spheres,
+                            (u32)scene->scene.n_spheres, own->bounds);
 }
 
 char *tree3d_judge_splits(const TreeScene3D *scene, const KdTree3D *own)
@@ -133,8 +132,8 @@ char *tree3d_judge_splits(const TreeScene3D *scene, const KdTree3D *own)
     char *message = NULL;
     for (u32 id = 0; message == NULL && id < n; id++) {
         const KdNode3 node = own->nodes[id];
-        char where[128];
-        snprintf(where, sizeof where, "%s: node %u", scene->title, id);
+        const Words node_words = words("%s: node %u", scene->title, id);
+        const char *where = node_words.text;
         if (walk.levels[id] == 0 || is_leaf_node(own, id)) {
             continue;
         }
@@ -172,17 +171,13 @@ static char *judge_leaf(const TreeScene3D *scene, const KdTree3D *own, u32 id, B
     }
     char *message = NULL;
     for (u32 i = 0; i < n_spheres; i++) {
-        const Sphere s = scene->scene.spheres[i];
-        const SphereInCell is = tree3d_judge_sphere(s, cell);
+        const SphereInCell is = tree3d_judge_sphere(scene->scene.spheres[i], cell);
         if (message == NULL && is != SPHERE_EITHER && listed[i] != (is == SPHERE_INSIDE)) {
-            message = message_new(
-                "%s: leaf %u, x [%g, %g] y [%g, %g] z [%g, %g]: sphere %u at (%g, %g, %g) radius "
-                "%g %s, but the leaf %s it",
-                scene->title, id, (double)cell.min[0], (double)cell.max[0], (double)cell.min[1],
-                (double)cell.max[1], (double)cell.min[2], (double)cell.max[2], i, (double)s.x,
-                (double)s.y, (double)s.z, (double)s.radius,
-                is == SPHERE_INSIDE ? "overlaps its cell" : "does not overlap it",
-                listed[i] ? "lists" : "does not list");
+            message = message_new("%s: leaf %u, %s: sphere %u at %s %s, but the leaf %s it",
+                                  scene->title, id, words_box3d(cell).text, i,
+                                  words_sphere(scene->scene.spheres[i]).text,
+                                  is == SPHERE_INSIDE ? "overlaps its cell" : "does not overlap it",
+                                  listed[i] ? "lists" : "does not list");
         }
         listed[i] = 0;
     }
@@ -195,7 +190,7 @@ char *tree3d_judge_overlap(const TreeScene3D *scene, const KdTree3D *own)
     Walk walk = walk_down(own);
     unsigned char *listed = calloc((size_t)scene->scene.n_spheres + 1, 1);
     if (listed == NULL) {
-        fprintf(stderr, "grade: no memory for a list\n");
+        complain("grade: no memory for a list");
         exit(2);
     }
     char *message = NULL;
@@ -251,8 +246,8 @@ static Count count_failed(const TreeScene3D *scene, const Walk *walk, const KdTr
     const Count parent = count_spheres(scene, walk->cells[id]);
     const Count lower = count_spheres(scene, walk->cells[child]);
     const Count higher = count_spheres(scene, walk->cells[child + 1]);
-    failed.least += (u32)tree3d_split_fails(parent.most, lower.least, higher.least);
-    failed.most += (u32)tree3d_split_fails(parent.least, lower.most, higher.most);
+    failed.least += (u32)oracle_split_fails(parent.most, lower.least, higher.least);
+    failed.most += (u32)oracle_split_fails(parent.least, lower.most, higher.most);
     return failed;
 }
 
@@ -284,7 +279,7 @@ char *tree3d_judge_lists(const TreeScene3D *scene, const KdTree3D *own)
     Walk walk = walk_down(own);
     Count *failed = calloc((size_t)own->n_nodes + 1, sizeof *failed);
     if (failed == NULL) {
-        fprintf(stderr, "grade: no memory for a tree\n");
+        complain("grade: no memory for a tree");
         exit(2);
     }
     char *message = NULL;

@@ -4,9 +4,10 @@
 // student's own box, so that each function below blames one step of the building and no other.
 // Functions return NULL when all is right, else the message for the student, owned by the caller.
 // The arrays are a submission's: every id and range is checked before it is used.
-#ifndef GRADER_TREE3D_JUDGE_H
-#define GRADER_TREE3D_JUDGE_H
+#ifndef JUDGE_TREE3D_JUDGE_H
+#define JUDGE_TREE3D_JUDGE_H
 
+#include "oracle_tree.h"
 #include "scene3d.h"
 #include "sections.h"
 #include "tree3d.h"
@@ -47,9 +48,6 @@ BBox3D tree3d_expected_box(const Sphere *spheres, u32 n_spheres);
 u32 tree3d_expected_axis(BBox3D cell);
 f32 tree3d_expected_middle(BBox3D cell, u32 axis);
 
-// Do both halves of a cell keep nearly all of its spheres?
-int tree3d_split_fails(u32 n_spheres, u32 n_lower, u32 n_higher);
-
 // ---- Whole trees --------------------------------------------------------------------------------
 
 // The root's cell is the scene's box.
@@ -72,9 +70,9 @@ char *tree3d_judge_packing(const TreeScene3D *scene, const KdTree3D *own);
 // The todo stack suffices for a search.
 char *tree3d_judge_depth(const TreeScene3D *scene, const KdTree3D *own);
 
-// Grow scene->tree by the scene's limits, each step in double precision, and see whether it is
-// exact (tree3d_expected.c). Returns 0, or -1 after one message.
-int tree3d_expect(TreeScene3D *scene);
+// Grow scene->tree, of scene number k, by the scene's limits, each step in double precision, and see
+// whether it is exact (tree3d_expected.c). Returns 0, or -1 after one message.
+int tree3d_expect(TreeScene3D *scene, u32 k, Growth *growth);
 
 // Can no right solution have another tree than scene->tree? So it is where no plane and no
 // comparison of a sphere with a cell on the way to it depends on how float rounds.

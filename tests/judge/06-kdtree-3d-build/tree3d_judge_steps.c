@@ -1,9 +1,10 @@
 // What one step of the building must give: a box, an axis, a plane, a sphere in a cell. And where
 // float may round, what else it may give.
-#include "message.h"
 #include "tree3d_judge.h"
 
 #include "jobs.h"
+#include "message.h"
+#include "words.h"
 
 #include <float.h>
 #include <math.h>
@@ -119,13 +120,9 @@ char *tree3d_judge_box(const char *where, const Sphere *spheres, u32 n_spheres, 
             mistake = mistakes[i].name;
         }
     }
-    return message_new("%s: found x [%g, %g] y [%g, %g] z [%g, %g], expected x [%g, %g] y [%g, %g] "
-                       "z [%g, %g]%s%s",
-                       where, (double)found.min[0], (double)found.max[0], (double)found.min[1],
-                       (double)found.max[1], (double)found.min[2], (double)found.max[2],
-                       (double)expected.min[0], (double)expected.max[0], (double)expected.min[1],
-                       (double)expected.max[1], (double)expected.min[2], (double)expected.max[2],
-                       mistake ? "; " : "", mistake ? mistake : "");
+    return message_new("%s: found %s, expected %s%s%s", where, words_box3d(found).text,
+                       words_box3d(expected).text, mistake ? MESSAGE_CAUSE : "",
+                       mistake ? mistake : "");
 }
 
 // ---- Axis and plane -----------------------------------------------------------------------------
@@ -164,14 +161,12 @@ char *tree3d_judge_axis(const char *where, BBox3D cell, u32 axis)
     const double length = axis < 3 ? side(cell, axis, 0) : 0;
     const int is_shortest =
         length <= side(cell, 0, 0) && length <= side(cell, 1, 0) && length <= side(cell, 2, 0);
-    return message_new(
-        "%s: cell x [%g, %g] y [%g, %g] z [%g, %g]: found axis %u, expected %u (%c)%s", where,
-        (double)cell.min[0], (double)cell.max[0], (double)cell.min[1], (double)cell.max[1],
-        (double)cell.min[2], (double)cell.max[2], axis, expected, "xyz"[expected],
-        axis >= 3                           ? "; there are axes 0, 1 and 2"
-        : length == side(cell, expected, 0) ? "; of equal sides the first counts"
-        : is_shortest                       ? "; that side is the shortest"
-                                            : ", that side is not the longest");
+    return message_new("%s: cell %s: found axis %u, expected %u (%c)%s", where,
+                       words_box3d(cell).text, axis, expected, "xyz"[expected],
+                       axis >= 3                           ? "; there are axes 0, 1 and 2"
+                       : length == side(cell, expected, 0) ? "; of equal sides the first counts"
+                       : is_shortest                       ? "; that side is the shortest"
+                                                           : ", that side is not the longest");
 }
 
 // The cell's middle on an axis.
@@ -214,13 +209,4 @@ int tree3d_judge_is_exact_cell(BBox3D cell)
         is_exact = is_exact && is_float(side(cell, axis, 0)) && is_float(middle);
     }
     return is_exact;
-}
-
-// ---- Failed splits ------------------------------------------------------------------------------
-
-int tree3d_split_fails(u32 n_spheres, u32 n_lower, u32 n_higher)
-{
-    // By what is lost: of twice the spheres at most a tenth.
-    const int64_t n_lost = 2 * (int64_t)n_spheres - n_lower - n_higher;
-    return 10 * n_lost <= 2 * (int64_t)n_spheres;
 }
