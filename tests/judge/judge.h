@@ -54,11 +54,11 @@ typedef struct JudgeCheck {
 } JudgeCheck;
 
 // A section of the job that lies as an array in the lab's own job.
-typedef struct Part {
+typedef struct JobPart {
     const char *section;
     const char *tasks;  // by which it is needed alone, parted by blanks; NULL for none
     size_t offset, n_bytes;
-} Part;
+} JobPart;
 #define PART(section, tasks, type, member)                                                         \
     {section, tasks, offsetof(type, member), sizeof((type *)0)->member}
 
@@ -74,7 +74,7 @@ typedef struct Judge {
     void (*release)(void *job);
 
     // The job's file: first the parts, then the scenes. Those that write return 0, or -1.
-    const Part *parts;
+    const JobPart *parts;
     int n_parts;
     int (*write_scene)(const void *job, int k, FILE *file);
     int n_scenes;

@@ -22,7 +22,7 @@
 // grader/judge_process.c. Read next: judge.h.
 #include "complain.h"
 #include "judge.h"
-#include "limits.h"
+#include "judge_limits.h"
 #include "number.h"
 
 #include <inttypes.h>

@@ -304,7 +304,7 @@ static const JudgeCheck checks[] = {
      "*", .scene = judge_picture, .range = {EDGES, N_EDGES}, .alone_scene = nearest_is_drawn},
 };
 
-static const Part parts[] = {PART("overlaps", "overlaps_N_Nearer", Job01, overlaps)};
+static const JobPart parts[] = {PART("overlaps", "overlaps_N_Nearer", Job01, overlaps)};
 
 const Judge judge_01 = {
     .lab = "01-naive-2d",

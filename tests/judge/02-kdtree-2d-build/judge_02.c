@@ -136,7 +136,7 @@ static const JudgeCheck checks[] = {
      .tree2d = tree_judge_packing, .range = {0, N_SCENES}, .alone_scene = packs_alone_02},
 };
 
-static const Part parts[] = {
+static const JobPart parts[] = {
     PART("leaves", "is_leaf", Job02, leaves),
     PART("splits", "split_box", Job02, splits),
     PART("overlaps", "circle_overlaps_box", Job02, overlaps),

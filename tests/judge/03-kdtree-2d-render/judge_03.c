@@ -174,7 +174,7 @@ static const JudgeCheck checks[] = {
      .all = judge_leaf_works},
 };
 
-static const Part parts[] = {PART("children", "getContainingChild", Job03, children)};
+static const JobPart parts[] = {PART("children", "getContainingChild", Job03, children)};
 
 const Judge judge_03 = {
     .lab = "03-kdtree-2d-render",

@@ -33,7 +33,7 @@ static const JudgeCheck checks[] = {
      .alone_scene = is_drawn_04},
 };
 
-static const Part parts[] = {
+static const JobPart parts[] = {
     PART("views", "camera_axes", Job04, views),
     PART("pixels", "pixel_on_display primary_ray", Job04, pixels),
 };

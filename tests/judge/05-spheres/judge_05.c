@@ -132,7 +132,7 @@ static const JudgeCheck checks[] = {
      .range = {0, N_SCENES}, .alone = pixel_shades_05},
 };
 
-static const Part parts[] = {
+static const JobPart parts[] = {
     PART("roots", "nearest_root", Job05, roots),
     PART("textbook", NULL, Job05, textbook),  // alone with other t_min: write_alone_05()
     PART("projection", NULL, Job05, projection),

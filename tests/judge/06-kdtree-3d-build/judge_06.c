@@ -143,7 +143,7 @@ static const JudgeCheck checks[] = {
      .tree = judge_tree, .tree3d = judge_depth, .range = {JUST_FITS, 2}, .alone = levels_alone_06},
 };
 
-static const Part parts[] = {
+static const JobPart parts[] = {
     PART("bounds", "spheres_bounds", Job06, bounds),
     PART("splits", "choose_split", Job06, splits),
     PART("overlaps", "sphere_overlaps_box", Job06, overlaps),

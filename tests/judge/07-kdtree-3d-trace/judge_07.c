@@ -8,43 +8,28 @@
 // alone is in judge_07_alone.c.
 #include "judge_07.h"
 
-#include "job_sections.h"
+#include "job_work.h"
 #include "judge_07_search.h"
 #include "message.h"
+#include "words.h"
 
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
-static const Check checks[] = {
-    [CLIP_CHECK_THROUGH] = {"clip-through", "Rays that go through the box, or past it",
-                            "clip_to_box", 7},
-    [CLIP_CHECK_INSIDE] = {"clip-inside", "From inside, and parts of rays", "clip_to_box", 5},
-    [CLIP_CHECK_BEHIND] = {"clip-behind", "Boxes behind the eye and outside the part",
-                           "clip_to_box", 4},
-    [CLIP_CHECK_PARALLEL] = {"clip-parallel", "Along the planes, and where a point is left",
-                             "clip_to_box", 4},
-    [SIDE_EYE] = {"side-eye", "The eye's side, wherever the ray goes", "near_side", 9},
-    [SIDE_ON_PLANE] = {"side-on-plane", "An eye on the plane", "near_side", 6},
-    [CHILDREN_CASES] = {"children-cases", "Crossed before, inside, and beyond", "children_on_ray",
-                        10},
-    [CHILDREN_BEHIND] = {"children-behind", "Planes behind the eye, or at it", "children_on_ray",
-                         5},
-    [CHILDREN_PARALLEL] = {"children-parallel", "Rays along the plane", "children_on_ray", 5},
-    [LEAF_NEAREST] = {"leaf-nearest", "The nearest hit so far, or nearer", "search_leaf", 6},
-    [LEAF_IDS] = {"leaf-ids", "Whose hit it is, also of two equally far ones", "search_leaf", 5},
-    [LEAF_ONCE] = {"leaf-once", "Each sphere of the leaf is asked once", "search_leaf", 4},
-    [TRACE_RANDOM] = {"trace-random", "No pinholes in random scenes", "trace", 10, "*"},
-    [TRACE_EDGES] = {"trace-edges", "Nor in the edge cases", "trace", 8, "*"},
-    [TRACE_EARLY_END] = {"trace-early-end", "It visits what the ray meets, and ends early", "trace",
-                         7, "*"},
-    [TRACE_PICTURE] = {"trace-picture", "Whole pictures", "trace", 5, "*"},
-};
+// ---- Drawing the job ----------------------------------------------------------------------------
 
-// ---- Drawing the job --------------------------------------------------------------------------
+static int draw(void *pointer, Random *random)
+{
+    Job07 *job = pointer;
+    inputs_07_draw(random, &job->inputs);
+    for (int k = 0; k < N_SCENES; k++) {
+        job_list_picture(&job->job, &job->scenes[k].picture);
+    }
+    return scenes_07_draw(random, job->scenes) | scripted_07_draw(random, job->scripted);
+}
 
-static void job_free(void *pointer)
+static void release(void *pointer)
 {
     Job07 *job = pointer;
     for (int k = 0; k < N_SCENES; k++) {
@@ -53,28 +38,11 @@ static void job_free(void *pointer)
     for (int k = 0; k < N_SCRIPTED; k++) {
         job_scene3d_free(&job->scripted[k]);
     }
-    free(job);
 }
 
-static void *job_new(uint64_t seed, FILE *file)
+static int write_scene(const void *job, int k, FILE *file)
 {
-    Random random = {seed};
-    Job07 *job = calloc(1, sizeof *job);
-    if (job == NULL) {
-        fprintf(stderr, "grade: no memory for a job\n");
-        return NULL;
-    }
-    inputs_07_draw(&random, &job->inputs);
-    int result = inputs_07_write(&job->inputs, file) | scenes_07_draw(&random, job->scenes);
-    for (int k = 0; result == 0 && k < N_SCENES; k++) {
-        job->pictures[k] = &job->scenes[k].picture;
-        result = job_scene3d_write(&job->scenes[k], k, file);
-    }
-    if (result != 0 || scripted_07_draw(&random, job->scripted) != 0) {
-        job_free(job);
-        return NULL;
-    }
-    return job;
+    return job_scene3d_write(&((const Job07 *)job)->scenes[k], k, file);
 }
 
 // ---- Known mistakes ---------------------------------------------------------------------------
@@ -130,8 +98,6 @@ static const SearchMistake early_mistakes[] = {
     {"as if the search ended at any hit, also at one beyond t_max, which another sphere may hide",
      {.ends_at_any_hit = 1}},
 };
-
-#define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 
 static OracleRay ray_of(const JobScene3D *scene, int pixel)
 {
@@ -217,16 +183,15 @@ static int count_wrong(const JobScene3D *scene, const HitAnswer *found)
     return count_differing(&all, &right, hit_agrees, INT_MAX);
 }
 
-// What wrong hits of scenes first to first + n - 1 look like, or NULL. More scenes than the first
+// What wrong hits of a range of scenes look like, or NULL. More scenes than the first
 // that is wrong tell mistakes apart that look the same in that one.
-static const char *explain_hits(const Job07 *job, int first, int n, const Sections *answers)
+static const char *explain_hits(const Job07 *job, Range range, const Sections *answers)
 {
     WrongScene wrong[N_SCENES];
     int n_scenes = 0;
-    for (int k = first; k < first + n; k++) {
+    for (int k = range.first; k < range.first + range.n; k++) {
         const JobScene3D *scene = &job->scenes[k];
-        const size_t n_pixels = (size_t)scene->scene.width * (size_t)scene->scene.height;
-        const HitAnswer *found = job_section_find(answers, "hits", k, n_pixels * sizeof *found);
+        const HitAnswer *found = hits_find(scene, k, answers);
         const int n_wrong = found ? count_wrong(scene, found) : 0;
         if (n_wrong > 0) {
             wrong[n_scenes++] = (WrongScene){scene, found, n_wrong};
@@ -235,20 +200,27 @@ static const char *explain_hits(const Job07 *job, int first, int n, const Sectio
     return explain(wrong, n_scenes, hit_mistakes, COUNT(hit_mistakes), hit_agrees);
 }
 
-static Verdict judge_hits(const Job07 *job, int first, int n, const Sections *answers)
+static Verdict judge_hits(const Job07 *job, Range range, const Sections *answers)
 {
-    const Verdict verdict = job_scenes3d_judge_hits(job->scenes, first, n, answers);
-    // That a miss was taken for a hit is known already.
-    if (verdict.kind != VERDICT_FAILED || strstr(verdict.message, "it looks") != NULL) {
-        return verdict;
+    for (int k = range.first; k < range.first + range.n; k++) {
+        const JobScene3D *scene = &job->scenes[k];
+        const HitAnswer *found = hits_find(scene, k, answers);
+        if (found == NULL) {
+            return verdict_missing;
+        }
+        WrongHits wrong = hits_judge(scene, found);
+        if (wrong.n > 0) {
+            // That a miss was taken for a hit is known already.
+            wrong.looks = wrong.looks ? wrong.looks : explain_hits(job, range, answers);
+            return verdict_of(hits_describe(scene, found, wrong));
+        }
     }
-    const char *looks = explain_hits(job, first, n, answers);
-    if (looks == NULL) {
-        return verdict;
-    }
-    const Verdict explained = verdict_of(message_new("%s; it looks %s", verdict.message, looks));
-    free(verdict.message);
-    return explained;
+    return verdict_of(NULL);
+}
+
+static Verdict judge_random(const void *job, const Sections *answers)
+{
+    return judge_hits(job, (Range){RANDOM, N_RANDOM, 1}, answers);
 }
 
 // Of two spheres at the same distance the one with the lower id, though its leaf comes later: what
@@ -269,15 +241,16 @@ static Verdict judge_tie(const Job07 *job, const Sections *answers)
                                   job->scenes[TIE].picture.title, found->sphere, (double)found->t));
 }
 
-static Verdict judge_edges(const Job07 *job, const Sections *answers)
+static Verdict judge_edges(const void *job, const Sections *answers)
 {
-    const Verdict verdict = judge_hits(job, EDGES, N_SCENES - EDGES, answers);  // and sphereflake
+    const Range edges = {EDGES, N_SCENES - EDGES, 1};  // and sphereflake
+    const Verdict verdict = judge_hits(job, edges, answers);
     return verdict.kind == VERDICT_PASSED ? judge_tie(job, answers) : verdict;
 }
 
 // ---- Work -------------------------------------------------------------------------------------
 
-static int is_within(Work work, Work most)
+static int is_at_most(Work work, Work most)
 {
     return work.n_tests <= most.n_tests && work.n_nodes_visited <= most.n_nodes_visited &&
            work.n_leaves_visited <= most.n_leaves_visited;
@@ -291,28 +264,25 @@ static int work_agrees(const SearchResult *mistaken, const void *answers, int pi
            found.n_tests == mistaken->work.n_tests;
 }
 
-enum { WORK_BYTES = 96 };  // of work in words
-
 // "3 nodes and 1 leaf visited and 17 spheres asked".
-static void describe_work(Work work, char *words, size_t n_bytes)
+static Words work_words(Work work)
 {
-    const u32 n_nodes = work.n_nodes_visited, n_leaves = work.n_leaves_visited;
-    snprintf(words, n_bytes, "%u node%s and %u %s visited and %u sphere%s asked", n_nodes,
-             plural(n_nodes), n_leaves, n_leaves == 1 ? "leaf" : "leaves", work.n_tests,
-             plural(work.n_tests));
+    return words("%u node%s and %u %s visited and %u sphere%s asked", work.n_nodes_visited,
+                 plural(work.n_nodes_visited), work.n_leaves_visited,
+                 work.n_leaves_visited == 1 ? "leaf" : "leaves", work.n_tests,
+                 plural(work.n_tests));
 }
 
 // The message about rays that do less than they must.
 static char *describe_less(const WrongScene *wrong, int pixel, Work least)
 {
     const JobScene3D *scene = wrong->scene;
-    char words[WORK_BYTES];
-    describe_work(((const Work *)wrong->answers)[pixel], words, sizeof words);
+    const Words own = work_words(((const Work *)wrong->answers)[pixel]);
     const char *looks = explain(wrong, 1, early_mistakes, COUNT(early_mistakes), work_agrees);
     return message_new(
         "%s: the ray of pixel (%d, %d): found %s, "
         "expected at least %u, %u and %u (%d of %d rays do less than they must); %s%s",
-        scene->picture.title, pixel % scene->scene.width, pixel / scene->scene.width, words,
+        scene->picture.title, pixel % scene->scene.width, pixel / scene->scene.width, own.text,
         least.n_nodes_visited, least.n_leaves_visited, least.n_tests, wrong->n_wrong,
         scene->scene.width * scene->scene.height, looks ? "it looks " : "",
         looks ? looks
@@ -355,14 +325,13 @@ static char *describe_more(const WrongScene *wrong, const OffRays *more, u64 n_t
 {
     const JobScene3D *scene = wrong->scene;
     const int width = scene->scene.width;
-    char words[WORK_BYTES];
-    describe_work(((const Work *)wrong->answers)[more->first], words, sizeof words);
+    const Words own = work_words(((const Work *)wrong->answers)[more->first]);
     const char *looks = explain(wrong, 1, work_mistakes, COUNT(work_mistakes), work_agrees);
     return message_new(
         "%s: the ray of pixel (%d, %d): found %s, "
         "expected at most %u, %u and %u (%d of %d rays do more than they must, and %llu spheres "
         "are asked instead of %llu)%s%s",
-        scene->picture.title, more->first % width, more->first / width, words,
+        scene->picture.title, more->first % width, more->first / width, own.text,
         more->bound.n_nodes_visited, more->bound.n_leaves_visited, more->bound.n_tests, more->n,
         width * scene->scene.height, (unsigned long long)n_tests, (unsigned long long)n_most,
         looks ? "; it looks " : "", looks ? looks : "");
@@ -381,10 +350,10 @@ static char *judge_scene_work(const JobScene3D *scene, const Work *found)
         const Work own = found[pixel];
         n_tests += own.n_tests;
         n_most += bounds.most.n_tests;
-        if (!is_within(own, bounds.most)) {
+        if (!is_at_most(own, bounds.most)) {
             count_off(&more, pixel, bounds.most);
         }
-        if (!is_within(bounds.least, own)) {
+        if (!is_at_most(bounds.least, own)) {
             count_off(&less, pixel, bounds.least);
         }
         if (stack == NULL) {
@@ -405,93 +374,80 @@ static char *judge_scene_work(const JobScene3D *scene, const Work *found)
 static const int work_scenes[] = {RANDOM + 2, RANDOM + 6, RANDOM + 7, RANDOM + N_RANDOM - 1,
                                   DEEP,       FLAKE};
 
-static Verdict judge_work(const Job07 *job, const Sections *answers)
+static Verdict judge_work(const void *job, int i, const Sections *answers)
 {
-    for (int i = 0; i < COUNT(work_scenes); i++) {
-        const int k = work_scenes[i];
-        const JobScene3D *scene = &job->scenes[k];
-        const size_t n_bytes = (size_t)PROBE_IMAGE_SIDE(scene->scene.width) *
-                               (size_t)PROBE_IMAGE_SIDE(scene->scene.height) * sizeof(Work);
-        const Work *found = job_section_find(answers, "work", k, n_bytes);
-        if (found == NULL) {
-            if (job_picture_answer(&scene->picture, k, answers).pixels == NULL) {
-                return verdict_missing;
-            }
-            return verdict_of(message_new("the work could not be counted; call children_on_ray and "
-                                          "search_leaf in trace itself"));
-        }
-        char *message = judge_scene_work(scene, found);
-        if (message != NULL) {
-            return verdict_of(message);
-        }
-    }
-    return verdict_of(NULL);
+    const int k = work_scenes[i];
+    const JobScene3D *scene = &((const Job07 *)job)->scenes[k];
+    const Work *found;
+    const Verdict verdict = job_work_find(&scene->picture, k, "children_on_ray and search_leaf",
+                                          "trace", answers, &found);
+    return found == NULL ? verdict : verdict_of(judge_scene_work(scene, found));
 }
 
-// ---- All --------------------------------------------------------------------------------------
+// ---- The judge ----------------------------------------------------------------------------------
 
-Verdict judge_07_check(const void *pointer, int check, const Sections *answers)
-{
-    const Job07 *job = pointer;
-    const Inputs07 *inputs = &job->inputs;
-    switch (check) {
-    case CLIP_CHECK_THROUGH:
-        return inputs_07_judge_clips(inputs, CLIP_FROM_OUTSIDE, answers);
-    case CLIP_CHECK_INSIDE:
-        return inputs_07_judge_clips(inputs, CLIP_PART, answers);
-    case CLIP_CHECK_BEHIND:
-        return inputs_07_judge_clips(inputs, CLIP_BESIDE, answers);
-    case CLIP_CHECK_PARALLEL:
-        return inputs_07_judge_clips(inputs, CLIP_ALONG, answers);
-    case SIDE_EYE:
-        return inputs_07_judge_sides(inputs, 0, answers);
-    case SIDE_ON_PLANE:
-        return inputs_07_judge_sides(inputs, 1, answers);
-    case CHILDREN_CASES:
-        return inputs_07_judge_planes(inputs, 0, answers);
-    case CHILDREN_BEHIND:
-        return inputs_07_judge_planes(inputs, 1, answers);
-    case CHILDREN_PARALLEL:
-        return inputs_07_judge_planes(inputs, 2, answers);
-    case LEAF_NEAREST:
-        return inputs_07_judge_leaves(inputs, 0, answers);
-    case LEAF_IDS:
-        return inputs_07_judge_leaves(inputs, 1, answers);
-    case LEAF_ONCE:
-        return inputs_07_judge_leaf_tests(inputs, answers);
-    case TRACE_RANDOM:
-        return judge_hits(job, RANDOM, N_RANDOM, answers);
-    case TRACE_EDGES:
-        return judge_edges(job, answers);
-    case TRACE_EARLY_END:
-        return judge_work(job, answers);
-    default:
-        return job_pictures_judge(job->pictures, 0, N_SCENES, answers);
-    }
-}
+// Range number i of a function's inputs.
+#define RANGE(i, n_inputs) {(i) * (n_inputs), n_inputs}
 
-// The oracle's pictures stay the reference: a right solution may be as far from them as ours is, on
-// the other side.
-static void adopt(void *job, const Sections *answers)
-{
-    (void)job, (void)answers;
-}
+static const JudgeCheck checks[] = {
+    {"clip-through", "Rays that go through the box, or past it", "clip_to_box", 7,
+     .function = &clip_07, .range = RANGE(CLIP_FROM_OUTSIDE, N_CLIP_INPUTS)},
+    {"clip-inside", "From inside, and parts of rays", "clip_to_box", 5, .function = &clip_07,
+     .range = RANGE(CLIP_PART, N_CLIP_INPUTS)},
+    {"clip-behind", "Boxes behind the eye and outside the part", "clip_to_box", 4,
+     .function = &clip_07, .range = RANGE(CLIP_BESIDE, N_CLIP_INPUTS)},
+    {"clip-parallel", "Along the planes, and where a point is left", "clip_to_box", 4,
+     .function = &clip_07, .range = RANGE(CLIP_ALONG, N_CLIP_INPUTS)},
 
-static void add_pictures(const void *pointer, const Sections *answers, Result *result)
-{
-    const Job07 *job = pointer;
-    job_pictures_report(job->pictures, N_SCENES, answers, result);
-}
+    {"side-eye", "The eye's side, wherever the ray goes", "near_side", 9, .function = &side_07,
+     .range = RANGE(0, N_SIDE_INPUTS)},
+    {"side-on-plane", "An eye on the plane", "near_side", 6, .function = &side_07,
+     .range = RANGE(1, N_SIDE_INPUTS)},
+
+    {"children-cases", "Crossed before, inside, and beyond", "children_on_ray", 10,
+     .function = &plane_07, .range = RANGE(0, N_PLANE_INPUTS)},
+    {"children-behind", "Planes behind the eye, or at it", "children_on_ray", 5,
+     .function = &plane_07, .range = RANGE(1, N_PLANE_INPUTS)},
+    {"children-parallel", "Rays along the plane", "children_on_ray", 5, .function = &plane_07,
+     .range = RANGE(2, N_PLANE_INPUTS)},
+
+    {"leaf-nearest", "The nearest hit so far, or nearer", "search_leaf", 6,
+     .function = &leaf_nearest_07, .range = RANGE(0, N_LEAF_INPUTS)},
+    {"leaf-ids", "Whose hit it is, also of two equally far ones", "search_leaf", 5,
+     .function = &leaf_ids_07, .range = RANGE(1, N_LEAF_INPUTS)},
+    {"leaf-once", "Each sphere of the leaf is asked once", "search_leaf", 4,
+     .function = &leaf_once_07, .range = {0, N_LEAVES}},
+
+    {"trace-random", "No pinholes in random scenes", "trace", 10, "*", .all = judge_random,
+     .alone_scene = hits_alone_07, .alone_range = {SCRIPTED_RANDOM, SCRIPTED_EDGES}},
+    {"trace-edges", "Nor in the edge cases", "trace", 8, "*", .all = judge_edges,
+     .alone_scene = hits_alone_07, .alone_range = {SCRIPTED_EDGES, N_SCRIPTED - SCRIPTED_EDGES}},
+    {"trace-early-end", "It visits what the ray meets, and ends early", "trace", 7, "*",
+     .scene = judge_work, .range = {0, COUNT(work_scenes)}, .alone_scene = work_alone_07,
+     .alone_range = {0, N_SCRIPTED}},
+    {"trace-picture", "Whole pictures", "trace", 5, "*", .scene = judge_picture,
+     .range = {0, N_SCENES}, .alone_scene = picture_alone_07, .alone_range = {0, N_SCRIPTED}},
+};
+
+static const JobPart parts[] = {
+    PART("clips", "clip_to_box", Job07, inputs.clips),
+    PART("sides", "near_side", Job07, inputs.sides),
+    PART("planes", "children_on_ray", Job07, inputs.planes),
+    PART("leaves", "search_leaf", Job07, inputs.leaves),
+    PART("leaf_ids", "search_leaf", Job07, inputs.leaf_ids),
+    PART("leaf_spheres", "search_leaf", Job07, inputs.leaf_spheres),
+};
 
 const Judge judge_07 = {
     .lab = "07-kdtree-3d-trace",
     .checks = checks,
-    .n_checks = sizeof checks / sizeof *checks,
-    .job_new = job_new,
-    .job_free = job_free,
-    .judge = judge_07_check,
-    .write_alone = alone_07_write,
-    .passes_alone = alone_07_passes,
-    .adopt = adopt,
-    .add_pictures = add_pictures,
+    .n_checks = COUNT(checks),
+    .job_bytes = sizeof(Job07),
+    .draw = draw,
+    .release = release,
+    .parts = parts,
+    .n_parts = COUNT(parts),
+    .write_scene = write_scene,
+    .n_scenes = N_SCENES,
+    .write_alone = write_alone_07,
 };

@@ -2,34 +2,13 @@
 // Inputs are drawn in judge_07_inputs.c and judged in judge_07_clip.c, judge_07_functions.c and
 // judge_07_leaf.c; scenes are drawn in
 // judge_07_scenes.c and judged in judge_07.c. Answers are tried alone in judge_07_alone.c.
-#ifndef GRADER_JUDGE_07_H
-#define GRADER_JUDGE_07_H
+#ifndef JUDGE_JUDGE_07_H
+#define JUDGE_JUDGE_07_H
 
 #include "job_scene3d.h"
 #include "jobs.h"
 #include "judge.h"
 #include "judge_07_script.h"
-#include "random.h"
-
-// The checks, in the order of the report.
-enum {
-    CLIP_CHECK_THROUGH,
-    CLIP_CHECK_INSIDE,
-    CLIP_CHECK_BEHIND,
-    CLIP_CHECK_PARALLEL,
-    SIDE_EYE,
-    SIDE_ON_PLANE,
-    CHILDREN_CASES,
-    CHILDREN_BEHIND,
-    CHILDREN_PARALLEL,
-    LEAF_NEAREST,
-    LEAF_IDS,
-    LEAF_ONCE,
-    TRACE_RANDOM,
-    TRACE_EDGES,
-    TRACE_EARLY_END,
-    TRACE_PICTURE,
-};
 
 // ---- Functions --------------------------------------------------------------------------------
 
@@ -59,19 +38,25 @@ typedef struct Inputs07 {
 
 void inputs_07_draw(Random *random, Inputs07 *inputs);
 
-// Write the sections "clips", "sides", "planes", "leaves", "leaf_ids" and "leaf_spheres". Returns
-// 0, or -1.
-int inputs_07_write(const Inputs07 *inputs, FILE *file);
+// The functions; of search_leaf one for each property that is judged. The message about one names
+// the mistake that explains every answer in the range.
+extern const Function clip_07, side_07, plane_07, leaf_nearest_07, leaf_ids_07, leaf_once_07;
 
-// Judge a function's answers in one range. The message names the first wrong input, what was found
-// and expected, and the mistake that explains every wrong answer, if one does.
-Verdict inputs_07_judge_clips(const Inputs07 *inputs, int range, const Sections *answers);
-Verdict inputs_07_judge_sides(const Inputs07 *inputs, int range, const Sections *answers);
-Verdict inputs_07_judge_planes(const Inputs07 *inputs, int range, const Sections *answers);
-Verdict inputs_07_judge_leaves(const Inputs07 *inputs, int range, const Sections *answers);
+// How far t may be off that a right solution computes for a plane, in units of (|plane| + |origin|)
+// / |direction|: one rounding for the difference, five for the division (2.5 ulp, OpenCL 1.2, 7.4)
+// or the inverse, one for the product, and the same once more where both terms are multiplied
+// before they are subtracted.
+#define PLANE_ERROR (16 * 0x1p-24)
 
-// Was every sphere of every leaf asked once?
-Verdict inputs_07_judge_leaf_tests(const Inputs07 *inputs, const Sections *answers);
+// Where a number of a right solution may lie.
+typedef struct Span {
+    double low, high;
+} Span;
+
+static inline int is_within(double t, Span span)
+{
+    return t >= span.low && t <= span.high;
+}
 
 // ---- Scenes -----------------------------------------------------------------------------------
 
@@ -95,15 +80,16 @@ int scenes_07_draw(Random *random, JobScene3D scenes[N_SCENES]);
 // ---- The job ----------------------------------------------------------------------------------
 
 typedef struct Job07 {
+    Job job;
     Inputs07 inputs;
     JobScene3D scenes[N_SCENES];
-    JobPicture *pictures[N_SCENES];   // the scenes'
     JobScene3D scripted[N_SCRIPTED];  // what trace is tried on alone
 } Job07;
 
-// See judge, write_alone and passes_alone of judge.h.
-Verdict judge_07_check(const void *job, int check, const Sections *answers);
-int alone_07_write(const void *job, const char *task, FILE *file);
-int alone_07_passes(const void *job, int check, const Sections *answers);
+// One answer alone: see judge.h.
+int write_alone_07(const void *job, const char *task, FILE *file);
+int hits_alone_07(const void *job, int k, const Sections *answers);
+int work_alone_07(const void *job, int k, const Sections *answers);
+int picture_alone_07(const void *job, int k, const Sections *answers);
 
 #endif

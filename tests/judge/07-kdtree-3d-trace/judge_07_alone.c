@@ -3,55 +3,29 @@
 // on the scripted world of judge_07_script.h.
 #include "judge_07.h"
 
-#include "job_sections.h"
+#include "job_work.h"
 
-#include <stdlib.h>
 #include <string.h>
 
-static int write_leaves(const Inputs07 *inputs, FILE *file)
-{
-    int result = section_write(file, "leaves", inputs->leaves, sizeof inputs->leaves);
-    result |= section_write(file, "leaf_ids", inputs->leaf_ids, sizeof inputs->leaf_ids);
-    return result |
-           section_write(file, "leaf_spheres", inputs->leaf_spheres, sizeof inputs->leaf_spheres);
-}
-
-int alone_07_write(const void *pointer, const char *task, FILE *file)
+int write_alone_07(const void *pointer, const char *task, FILE *file)
 {
     const Job07 *job = pointer;
-    const Inputs07 *inputs = &job->inputs;
-    if (strcmp(task, "clip_to_box") == 0) {
-        return section_write(file, "clips", inputs->clips, sizeof inputs->clips);
-    }
-    if (strcmp(task, "near_side") == 0) {
-        return section_write(file, "sides", inputs->sides, sizeof inputs->sides);
-    }
-    if (strcmp(task, "children_on_ray") == 0) {
-        return section_write(file, "planes", inputs->planes, sizeof inputs->planes);
-    }
-    if (strcmp(task, "search_leaf") == 0) {
-        return write_leaves(inputs, file);
-    }
     int result = 0;
-    for (int k = 0; result == 0 && k < N_SCRIPTED; k++) {
+    for (int k = 0; strcmp(task, "trace") == 0 && result == 0 && k < N_SCRIPTED; k++) {
         result = job_scene3d_write(&job->scripted[k], k, file);
     }
     return result;
 }
 
-static int pass_hits(const Job07 *job, int first, int n, const Sections *answers)
+int hits_alone_07(const void *job, int k, const Sections *answers)
 {
-    int passes = 1;
-    for (int k = first; passes && k < first + n; k++) {
-        const JobScene3D *scene = &job->scripted[k];
-        const int width = scene->scene.width, n_pixels = width * scene->scene.height;
-        const HitAnswer *found =
-            job_section_find(answers, "hits", k, (size_t)n_pixels * sizeof *found);
-        passes = found != NULL;
-        for (int i = 0; passes && i < n_pixels; i++) {
-            const ScriptedSearch expected = scripted_07_search(scene, i % width, i / width);
-            passes = found[i].t == expected.t && found[i].sphere == expected.sphere;
-        }
+    const JobScene3D *scene = &((const Job07 *)job)->scripted[k];
+    const int width = scene->scene.width, n_pixels = width * scene->scene.height;
+    const HitAnswer *found = hits_find(scene, k, answers);
+    int passes = found != NULL;
+    for (int i = 0; passes && i < n_pixels; i++) {
+        const ScriptedSearch expected = scripted_07_search(scene, i % width, i / width);
+        passes = found[i].t == expected.t && found[i].sphere == expected.sphere;
     }
     return passes;
 }
@@ -67,48 +41,22 @@ static int is_right_work(const ScriptedSearch *expected, Work found)
            found.stack_depth <= most.stack_depth + 1 && found.stack_depth <= TODO_SIZE;
 }
 
-static int pass_work(const Job07 *job, const Sections *answers)
+int work_alone_07(const void *job, int k, const Sections *answers)
 {
-    int passes = 1;
-    for (int k = 0; passes && k < N_SCRIPTED; k++) {
-        const JobScene3D *scene = &job->scripted[k];
-        const int width = scene->scene.width, height = scene->scene.height;
-        const Work *found = job_section_find(answers, "work", k,
-                                             (size_t)PROBE_IMAGE_SIDE(width) *
-                                                 (size_t)PROBE_IMAGE_SIDE(height) * sizeof *found);
-        passes = found != NULL;
-        for (int i = 0; passes && i < width * height; i++) {
-            const ScriptedSearch expected = scripted_07_search(scene, i % width, i / width);
-            passes = is_right_work(&expected, found[i]);
-        }
+    const JobScene3D *scene = &((const Job07 *)job)->scripted[k];
+    const int width = scene->scene.width, n_pixels = width * scene->scene.height;
+    const Work *found;
+    int passes = verdict_passes(job_work_find(&scene->picture, k, "", "", answers, &found));
+    for (int i = 0; passes && i < n_pixels; i++) {
+        const ScriptedSearch expected = scripted_07_search(scene, i % width, i / width);
+        passes = is_right_work(&expected, found[i]);
     }
     return passes;
 }
 
-static int pass_pictures(const Job07 *job, const Sections *answers)
+int picture_alone_07(const void *job, int k, const Sections *answers)
 {
-    int passes = 1;
-    for (int k = 0; passes && k < N_SCRIPTED; k++) {
-        const JobPicture *picture = &job->scripted[k].picture;
-        const ProbeImage own = job_picture_answer(picture, k, answers);
-        passes = own.pixels != NULL && picture_is_right(own, &picture->expected);
-    }
-    return passes;
-}
-
-int alone_07_passes(const void *pointer, int check, const Sections *answers)
-{
-    const Job07 *job = pointer;
-    switch (check) {
-    case TRACE_RANDOM:
-        return pass_hits(job, SCRIPTED_RANDOM, SCRIPTED_EDGES, answers);
-    case TRACE_EDGES:
-        return pass_hits(job, SCRIPTED_EDGES, N_SCRIPTED - SCRIPTED_EDGES, answers);
-    case TRACE_EARLY_END:
-        return pass_work(job, answers);
-    case TRACE_PICTURE:
-        return pass_pictures(job, answers);
-    default:
-        return verdict_passes(judge_07_check(job, check, answers));
-    }
+    const JobPicture *picture = &((const Job07 *)job)->scripted[k].picture;
+    const ProbeImage own = job_picture_answer(picture, k, answers);
+    return own.pixels != NULL && picture_is_right(own, &picture->expected);
 }

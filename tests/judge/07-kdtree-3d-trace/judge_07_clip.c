@@ -1,7 +1,8 @@
 // Judging the answers of lab 07's clip_to_box by double-precision arithmetic. Along an axis, on the
 // inputs' grid, nothing is rounded; elsewhere either answer is right where rounding decides.
-#include "judge_07_range.h"
+#include "judge_07.h"
 #include "message.h"
+#include "words.h"
 
 #include <math.h>
 
@@ -130,8 +131,9 @@ static int is_divided_by_0(ClipAnswer found)
     return found.t_min == INFINITY || found.t_max == -INFINITY;
 }
 
-static int clip_agrees(const Inputs07 *inputs, int i, const void *answers, int mistake)
+static int clip_agrees(const void *job, int i, const void *answers, int mistake)
 {
+    const Inputs07 *inputs = &((const Job07 *)job)->inputs;
     const ClipAnswer found = ((const ClipAnswer *)answers)[i];
     if (mistake == CLIP_BORDER_DIVIDED && !found.is_met && is_in_side(&inputs->clips[i])) {
         return is_divided_by_0(found);
@@ -145,39 +147,32 @@ static int clip_agrees(const Inputs07 *inputs, int i, const void *answers, int m
 }
 
 // "0", or "1 and [1.5, 3.25]".
-static void describe_clip(char *text, size_t n_bytes, int is_met, double t_min, double t_max)
+static Words clip_words(int is_met, double t_min, double t_max)
 {
-    snprintf(text, n_bytes, is_met ? "%d and [%.7g, %.7g]" : "%d", is_met, t_min, t_max);
+    return is_met ? words("%d and [%.7g, %.7g]", is_met, t_min, t_max) : words("0");
 }
 
-Verdict inputs_07_judge_clips(const Inputs07 *inputs, int range, const Sections *answers)
+static char *describe_clip(const void *pointer, int i, const void *answers)
 {
-    const ClipAnswer *found =
-        sections_find(answers, "clips", sizeof *found * (size_t)COUNT(inputs->clips));
-    if (found == NULL) {
-        return verdict_missing;
-    }
-    const Wrong wrong =
-        range_judge(&(Range){inputs, found, sizeof *found, range * N_CLIP_INPUTS, N_CLIP_INPUTS,
-                             clip_agrees, clip_mistakes, COUNT(clip_mistakes)});
-    if (wrong.n == 0) {
-        return verdict_of(NULL);
-    }
-    const ClipJob *job = &inputs->clips[wrong.first];
-    const ClipAnswer own = found[wrong.first];
+    const ClipJob *job = &((const Job07 *)pointer)->inputs.clips[i];
+    const BBox3D box = job->box;
+    const ClipAnswer own = ((const ClipAnswer *)answers)[i];
     const Clip right = expected_clip(job, 0);
-    char own_text[64], right_text[64];
-    describe_clip(own_text, sizeof own_text, own.is_met, own.t_min, own.t_max);
-    describe_clip(right_text, sizeof right_text, right.may_meet,
-                  (right.t_min.low + right.t_min.high) / 2,
-                  (right.t_max.low + right.t_max.high) / 2);
-    return verdict_of(message_new(
-        "box from (%g, %g, %g) to (%g, %g, %g), ray from (%g, %g, %g) along (%.7g, %.7g, %.7g), "
-        "part [%g, %g]: found %s, expected %s (%d of %d inputs are wrong)%s",
-        (double)job->box.min[0], (double)job->box.min[1], (double)job->box.min[2],
-        (double)job->box.max[0], (double)job->box.max[1], (double)job->box.max[2],
-        (double)job->origin.x, (double)job->origin.y, (double)job->origin.z,
-        (double)job->direction.x, (double)job->direction.y, (double)job->direction.z,
-        (double)job->t_min, (double)job->t_max, own_text, right_text, wrong.n, N_CLIP_INPUTS,
-        wrong.why));
+    return message_new(
+        "box from %s to %s, ray from %s along %s, part [%g, %g]: found %s, expected %s",
+        words_xyz(box.min[0], box.min[1], box.min[2], 6).text,
+        words_xyz(box.max[0], box.max[1], box.max[2], 6).text, words_vec3(job->origin, 6).text,
+        words_vec3(job->direction, 7).text, job->t_min, job->t_max,
+        clip_words(own.is_met, own.t_min, own.t_max).text,
+        clip_words(right.may_meet, (right.t_min.low + right.t_min.high) / 2,
+                   (right.t_max.low + right.t_max.high) / 2)
+            .text);
 }
+
+const Function clip_07 = {"clips",
+                          N_CLIP_RANGES *N_CLIP_INPUTS,
+                          sizeof(ClipAnswer),
+                          .fault = describe_clip,
+                          .agrees = clip_agrees,
+                          .counted = "inputs",
+                          MISTAKES(clip_mistakes)};

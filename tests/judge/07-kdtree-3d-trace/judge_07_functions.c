@@ -1,7 +1,8 @@
 // Judging the answers of lab 07's near_side and children_on_ray by double-precision arithmetic.
 // Where the answer depends on rounding, either one is right.
-#include "judge_07_range.h"
+#include "judge_07.h"
 #include "message.h"
+#include "words.h"
 
 #include <math.h>
 
@@ -52,9 +53,9 @@ static u32 expected_side(const SideJob *job, int mistake)
     return mistake == SIDE_IS_ID ? job->node.first + side : side;
 }
 
-static int side_agrees(const Inputs07 *inputs, int i, const void *answers, int mistake)
+static int side_agrees(const void *pointer, int i, const void *answers, int mistake)
 {
-    const SideJob *job = &inputs->sides[i];
+    const SideJob *job = &((const Job07 *)pointer)->inputs.sides[i];
     const u32 found = ((const u32 *)answers)[i];
     // A mistake may treat -0 or an infinite number in its own way, too.
     if (is_along(job) && (mistake != 0 || job->origin == job->node.split_pos)) {
@@ -63,26 +64,21 @@ static int side_agrees(const Inputs07 *inputs, int i, const void *answers, int m
     return found == expected_side(job, mistake);
 }
 
-Verdict inputs_07_judge_sides(const Inputs07 *inputs, int range, const Sections *answers)
+static char *describe_side(const void *pointer, int i, const void *answers)
 {
-    const u32 *found =
-        sections_find(answers, "sides", sizeof *found * (size_t)COUNT(inputs->sides));
-    if (found == NULL) {
-        return verdict_missing;
-    }
-    const Wrong wrong =
-        range_judge(&(Range){inputs, found, sizeof *found, range * N_SIDE_INPUTS, N_SIDE_INPUTS,
-                             side_agrees, side_mistakes, COUNT(side_mistakes)});
-    if (wrong.n == 0) {
-        return verdict_of(NULL);
-    }
-    const SideJob *job = &inputs->sides[wrong.first];
-    return verdict_of(message_new(
-        "plane at %.9g, eye at %.9g, direction %g: found %u, expected %u (%d of %d inputs are "
-        "wrong)%s",
-        (double)job->node.split_pos, (double)job->origin, (double)job->direction,
-        found[wrong.first], expected_side(job, 0), wrong.n, N_SIDE_INPUTS, wrong.why));
+    const SideJob *job = &((const Job07 *)pointer)->inputs.sides[i];
+    return message_new("plane at %.9g, eye at %.9g, direction %g: found %u, expected %u",
+                       job->node.split_pos, job->origin, job->direction, ((const u32 *)answers)[i],
+                       expected_side(job, 0));
 }
+
+const Function side_07 = {"sides",
+                          2 * N_SIDE_INPUTS,
+                          sizeof(u32),
+                          .fault = describe_side,
+                          .agrees = side_agrees,
+                          .counted = "inputs",
+                          MISTAKES(side_mistakes)};
 
 // ---- children_on_ray --------------------------------------------------------------------------
 
@@ -202,8 +198,9 @@ static Children expected_children(const PlaneJob *job, int mistake)
     return (Children){may_be, split};
 }
 
-static int plane_agrees(const Inputs07 *inputs, int i, const void *answers, int mistake)
+static int plane_agrees(const void *job, int i, const void *answers, int mistake)
 {
+    const Inputs07 *inputs = &((const Job07 *)job)->inputs;
     const PlaneAnswer found = ((const PlaneAnswer *)answers)[i];
     const Children right = expected_children(&inputs->planes[i], mistake);
     if (found.children >= PLANE_UNKNOWN || !(right.may_be >> found.children & 1)) {
@@ -214,45 +211,36 @@ static int plane_agrees(const Inputs07 *inputs, int i, const void *answers, int 
     return !is_of_t || found.children == PLANE_ONLY_NEAR || is_within(found.t_split, right.t_split);
 }
 
-// "BOTH, t_split 1.5"; t_split is not used for ONLY_NEAR.
-static void describe_children(char *text, size_t n_bytes, u32 children, double t_split)
+// "BOTH with t_split 1.5"; t_split is not used for ONLY_NEAR.
+static Words children_words(u32 children, double t_split)
 {
     static const char *const names[] = {"ONLY_NEAR", "ONLY_FAR", "BOTH",
                                         "none of ONLY_NEAR, ONLY_FAR and BOTH"};
     const char *name = names[children < PLANE_UNKNOWN ? children : PLANE_UNKNOWN];
-    if (children == PLANE_ONLY_FAR || children == PLANE_BOTH) {
-        snprintf(text, n_bytes, "%s with t_split %.7g", name, t_split);
-    } else {
-        snprintf(text, n_bytes, "%s", name);
-    }
+    return children == PLANE_ONLY_FAR || children == PLANE_BOTH
+               ? words("%s with t_split %.7g", name, t_split)
+               : words("%s", name);
 }
 
-Verdict inputs_07_judge_planes(const Inputs07 *inputs, int range, const Sections *answers)
+static char *describe_plane(const void *pointer, int i, const void *answers)
 {
-    const PlaneAnswer *found =
-        sections_find(answers, "planes", sizeof *found * (size_t)COUNT(inputs->planes));
-    if (found == NULL) {
-        return verdict_missing;
-    }
-    const Wrong wrong =
-        range_judge(&(Range){inputs, found, sizeof *found, range * N_PLANE_INPUTS, N_PLANE_INPUTS,
-                             plane_agrees, plane_mistakes, COUNT(plane_mistakes)});
-    if (wrong.n == 0) {
-        return verdict_of(NULL);
-    }
-    const PlaneJob *job = &inputs->planes[wrong.first];
-    const PlaneAnswer own = found[wrong.first];
+    const PlaneJob *job = &((const Job07 *)pointer)->inputs.planes[i];
+    const PlaneAnswer own = ((const PlaneAnswer *)answers)[i];
     const Children right = expected_children(job, 0);
-    char own_text[64], right_text[64];
-    describe_children(own_text, sizeof own_text, own.children, own.t_split);
-    describe_children(right_text, sizeof right_text,
-                      right.may_be & BOTH_BIT  ? PLANE_BOTH
-                      : right.may_be & FAR_BIT ? PLANE_ONLY_FAR
-                                               : PLANE_ONLY_NEAR,
-                      (right.t_split.low + right.t_split.high) / 2);
-    return verdict_of(message_new(
-        "plane at %.7g, eye at %.7g, 1 / direction %.7g, part [%g, %g]: found %s, "
-        "expected %s (%d of %d inputs are wrong)%s",
-        (double)job->node.split_pos, (double)job->origin, (double)job->inverse, (double)job->t_min,
-        (double)job->t_max, own_text, right_text, wrong.n, N_PLANE_INPUTS, wrong.why));
+    const u32 expected = right.may_be & BOTH_BIT  ? PLANE_BOTH
+                         : right.may_be & FAR_BIT ? PLANE_ONLY_FAR
+                                                  : PLANE_ONLY_NEAR;
+    return message_new("plane at %.7g, eye at %.7g, 1 / direction %.7g, part [%g, %g]: found %s, "
+                       "expected %s",
+                       job->node.split_pos, job->origin, job->inverse, job->t_min, job->t_max,
+                       children_words(own.children, own.t_split).text,
+                       children_words(expected, (right.t_split.low + right.t_split.high) / 2).text);
 }
+
+const Function plane_07 = {"planes",
+                           3 * N_PLANE_INPUTS,
+                           sizeof(PlaneAnswer),
+                           .fault = describe_plane,
+                           .agrees = plane_agrees,
+                           .counted = "inputs",
+                           MISTAKES(plane_mistakes)};

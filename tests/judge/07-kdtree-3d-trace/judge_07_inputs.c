@@ -6,8 +6,6 @@
 
 #include <math.h>
 
-#define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
-
 static int one_in(Random *random, int n)
 {
     return random_integer(random, 1, n) == 1;
@@ -323,15 +321,4 @@ void inputs_07_draw(Random *random, Inputs07 *inputs)
     for (int i = 0; i < N_LEAVES; i++) {
         inputs->leaves[i] = draw_leaf(random, inputs, i);
     }
-}
-
-int inputs_07_write(const Inputs07 *inputs, FILE *file)
-{
-    int result = section_write(file, "clips", inputs->clips, sizeof inputs->clips);
-    result |= section_write(file, "sides", inputs->sides, sizeof inputs->sides);
-    result |= section_write(file, "planes", inputs->planes, sizeof inputs->planes);
-    result |= section_write(file, "leaves", inputs->leaves, sizeof inputs->leaves);
-    result |= section_write(file, "leaf_ids", inputs->leaf_ids, sizeof inputs->leaf_ids);
-    return result |
-           section_write(file, "leaf_spheres", inputs->leaf_spheres, sizeof inputs->leaf_spheres);
 }

@@ -1,6 +1,7 @@
 // Judging the answers of lab 07's search_leaf by the double-precision oracle.
 #include "judge_07.h"
 #include "message.h"
+#include "words.h"
 
 #include <math.h>
 
@@ -66,7 +67,6 @@ static const Mistake mistakes[] = {
     {"; the first ids of the tree were asked: the leaf's begin at node.first", .comparison = NEARER,
      .from_start = 1, .lower_wins = 1},
 };
-enum { N_MISTAKES = sizeof mistakes / sizeof *mistakes };
 
 // What may come out.
 typedef struct LeafHit {
@@ -182,100 +182,98 @@ static int agrees(const LeafHit *expected, SearchAnswer found)
            (is_right_t(expected, found.t) && found.sphere == expected->sphere);
 }
 
-// The mistake that explains the answers of a range; "" when none does.
-static const char *explain(const Inputs07 *inputs, int first, const SearchAnswer *found)
+// The mistake that explains the answers of a range; "" when none does. That no hit changes has many
+// reasons.
+static const char *explain(const void *job, Range range, const void *answers)
 {
-    for (int m = 0; m < N_MISTAKES; m++) {
-        int i = first, n_changed = 0;
-        for (; i < first + N_LEAF_INPUTS; i++) {
+    const Inputs07 *inputs = &((const Job07 *)job)->inputs;
+    const SearchAnswer *found = answers;
+    for (int m = 0; m < COUNT(mistakes); m++) {
+        int i = range.first, n_changed = 0;
+        for (; i < range.first + range.n; i++) {
             const LeafHit hit = expected_hit(inputs, i, &mistakes[m]);
-            const LeafHit right_hit = expected_hit(inputs, i, NULL);
-            if (!right_hit.is_ambiguous && !agrees(&hit, found[i])) {
+            if (!expected_hit(inputs, i, NULL).is_ambiguous && !agrees(&hit, found[i])) {
                 break;
             }
             n_changed +=
                 found[i].t != inputs->leaves[i].t || found[i].sphere != inputs->leaves[i].sphere;
         }
-        // That no hit changes has many reasons.
-        if (i == first + N_LEAF_INPUTS && n_changed > 0) {
+        if (i == range.first + range.n && n_changed > 0) {
             return mistakes[m].says;
         }
     }
     return "";
 }
 
+// ---- Answers ------------------------------------------------------------------------------------
+
+static LeafHit right_hit(const void *job, int i)
+{
+    return expected_hit(&((const Job07 *)job)->inputs, i, NULL);
+}
+
+static int t_agrees(const void *job, int i, const void *answers, int mistake)
+{
+    const LeafHit expected = right_hit(job, i);
+    (void)mistake;
+    return expected.is_ambiguous || is_right_t(&expected, ((const SearchAnswer *)answers)[i].t);
+}
+
+static int sphere_agrees(const void *job, int i, const void *answers, int mistake)
+{
+    const LeafHit expected = right_hit(job, i);
+    (void)mistake;
+    return expected.is_ambiguous || ((const SearchAnswer *)answers)[i].sphere == expected.sphere;
+}
+
 // "nothing", or "sphere 3 at t = 4.5".
-static void describe_hit(char *text, size_t n_bytes, u32 sphere, double t)
+static Words hit_words(u32 sphere, double t)
 {
-    if (sphere == ORACLE_NO_SPHERE && t == INFINITY) {
-        snprintf(text, n_bytes, "nothing");
-    } else if (sphere == ORACLE_NO_SPHERE) {
-        snprintf(text, n_bytes, "no sphere at t = %.9g", t);
-    } else {
-        snprintf(text, n_bytes, "sphere %u at t = %.9g", sphere, t);
-    }
+    return sphere != ORACLE_NO_SPHERE ? words("sphere %u at t = %.9g", sphere, t)
+           : t == INFINITY            ? words("nothing")
+                                      : words("no sphere at t = %.9g", t);
 }
 
-static const SearchAnswer *answers_of(const Sections *answers)
+static char *describe_leaf(const void *pointer, int i, const void *answers)
 {
-    return sections_find(answers, "leaves", N_LEAVES * sizeof(SearchAnswer));
+    const SearchJob *job = &((const Job07 *)pointer)->inputs.leaves[i];
+    const SearchAnswer own = ((const SearchAnswer *)answers)[i];
+    const LeafHit expected = right_hit(pointer, i);
+    return message_new("a leaf of %u sphere%s, its ids from %u on, ray from %s along %s, hit so "
+                       "far: %s: found %s, expected %s",
+                       job->node.n_spheres, plural(job->node.n_spheres), job->node.first,
+                       words_vec3(job->origin, 6).text, words_vec3(job->direction, 7).text,
+                       hit_words(job->sphere, job->t).text, hit_words(own.sphere, own.t).text,
+                       hit_words(expected.sphere, expected.t).text);
 }
 
-Verdict inputs_07_judge_leaves(const Inputs07 *inputs, int range, const Sections *answers)
+const Function leaf_nearest_07 = {"leaves",
+                                  N_LEAVES,
+                                  sizeof(SearchAnswer),
+                                  .fault = describe_leaf,
+                                  .agrees = t_agrees,
+                                  .counted = "inputs",
+                                  .explain = explain};
+const Function leaf_ids_07 = {"leaves",
+                              N_LEAVES,
+                              sizeof(SearchAnswer),
+                              .fault = describe_leaf,
+                              .agrees = sphere_agrees,
+                              .counted = "inputs",
+                              .explain = explain};
+
+// Was every sphere of the leaf asked once?
+static char *once_fault(const void *job, int i, const void *answers)
 {
-    const SearchAnswer *found = answers_of(answers);
-    if (found == NULL) {
-        return verdict_missing;
-    }
-    const int start = range * N_LEAF_INPUTS;
-    int n_wrong = 0, first = 0;
-    for (int i = start + N_LEAF_INPUTS - 1; i >= start; i--) {
-        const LeafHit expected = expected_hit(inputs, i, NULL);
-        // The first range is about distances, the second about whose they are.
-        const int is_right =
-            range == 0 ? is_right_t(&expected, found[i].t) : found[i].sphere == expected.sphere;
-        if (!expected.is_ambiguous && !is_right) {
-            n_wrong++;
-            first = i;
-        }
-    }
-    if (n_wrong == 0) {
-        return verdict_of(NULL);
-    }
-    const SearchJob *job = &inputs->leaves[first];
-    const LeafHit expected = expected_hit(inputs, first, NULL);
-    char before[64], own[64], wanted[64];
-    describe_hit(before, sizeof before, job->sphere, job->t);
-    describe_hit(own, sizeof own, found[first].sphere, found[first].t);
-    describe_hit(wanted, sizeof wanted, expected.sphere, expected.t);
-    return verdict_of(
-        message_new("a leaf of %u sphere%s, its ids from %u on, ray from (%g, %g, %g) along (%.7g, "
-                    "%.7g, %.7g), "
-                    "hit so far: %s: found %s, expected %s (%d of %d inputs are wrong)%s",
-                    job->node.n_spheres, job->node.n_spheres == 1 ? "" : "s", job->node.first,
-                    (double)job->origin.x, (double)job->origin.y, (double)job->origin.z,
-                    (double)job->direction.x, (double)job->direction.y, (double)job->direction.z,
-                    before, own, wanted, n_wrong, N_LEAF_INPUTS, explain(inputs, start, found)));
+    const u32 n_spheres = ((const Job07 *)job)->inputs.leaves[i].node.n_spheres;
+    const u32 n_tests = ((const SearchAnswer *)answers)[i].n_tests;
+    return n_tests == n_spheres ? NULL
+           : n_tests == UNTOUCHED
+               ? message_new("the work could not be counted; call intersect_sphere in search_leaf "
+                             "itself")
+               : message_new("a leaf of %u sphere%s: intersect_sphere was called %u times, "
+                             "expected %u, once for each sphere of the leaf",
+                             n_spheres, plural(n_spheres), n_tests, n_spheres);
 }
 
-Verdict inputs_07_judge_leaf_tests(const Inputs07 *inputs, const Sections *answers)
-{
-    const SearchAnswer *found = answers_of(answers);
-    if (found == NULL) {
-        return verdict_missing;
-    }
-    for (int i = 0; i < N_LEAVES; i++) {
-        const u32 n_spheres = inputs->leaves[i].node.n_spheres, n_tests = found[i].n_tests;
-        if (n_tests == UNTOUCHED) {
-            return verdict_of(message_new("the work could not be counted; call intersect_sphere in "
-                                          "search_leaf itself"));
-        }
-        if (n_tests != n_spheres) {
-            return verdict_of(message_new("a leaf of %u sphere%s: intersect_sphere was called %u "
-                                          "times, expected %u, once for each sphere of the leaf",
-                                          n_spheres, n_spheres == 1 ? "" : "s", n_tests,
-                                          n_spheres));
-        }
-    }
-    return verdict_of(NULL);
-}
+const Function leaf_once_07 = {"leaves", N_LEAVES, sizeof(SearchAnswer), .fault = once_fault};

@@ -1,5 +1,5 @@
-// Limiting the judge (see limits.h).
-#include "limits.h"
+// Limiting the judge (see judge_limits.h).
+#include "judge_limits.h"
 
 #include <sys/resource.h>
 #include <sys/time.h>
