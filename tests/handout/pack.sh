@@ -65,7 +65,7 @@ git ls-files -- tests/scenes | copy
 git ls-files -- tests/grader tests/systems/report ":(glob)tests/probes/*.[ch]" "tests/probes/$lab" "tests/stand_ins/$lab" | copy
 # Where there are kernels to look into, memcheck; its known faults stay here.
 if [ -n "$(find "labs/$lab" -name '*.cl')" ]; then
-    git ls-files -- ":(glob)tests/memcheck/*.[chm]*" ":(exclude)*.cl" ":(exclude)*.md" | copy
+    git ls-files -- ":(glob)tests/memcheck/*.[ch]" tests/memcheck/memcheck.mk | copy
 fi
 mkdir -p "$root/tests/skeletons/$lab"
 for file in $(sed -n 's/^  "files": \[\(.*\)\],$/\1/p' "labs/$lab/lab.json" | tr -d '",'); do
