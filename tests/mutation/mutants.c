@@ -58,7 +58,7 @@ typedef struct Turns {
     int n_past[RESULT_MAX_CHECKS];
 } Turns;
 
-// Of the mutants of a kind so many must be named.
+// The share of the mutants of a known kind that must be named.
 #define NAMED_SHARE 0.9
 
 // The rest of the header line "// key: value". Returns 0, or -1 after one message.
