@@ -1,45 +1,12 @@
-// The workshop: a temporary folder with everything a sandbox gets to see, and the variants of a
-// submission that are built and run in it.
-//
-//     tree/               seen as /work: headers, kernels, probes, libraries, earlier solutions
-//     job/job             what the probe shall try
-//     NAME/lab            a variant's files, seen as /work/labs/NN-name
-//     NAME/job            what its probe shall try, where that is another
-//     NAME/build, out     what its compiler and its probe write
-#ifndef GRADER_WORKSHOP_H
-#define GRADER_WORKSHOP_H
+// A variant of a submission: one way to combine files, compiled and run in the workshop.
+#ifndef GRADER_VARIANT_H
+#define GRADER_VARIANT_H
 
 #include "allowance.h"
-#include "manifest.h"
 #include "run_place.h"
-#include "sandbox.h"
 #include "sections.h"
+#include "workshop.h"
 
-typedef struct Workshop {
-    char folder[160];   // under $TMPDIR or /tmp
-    const char *build;  // the build folder with the probes and libraries, "build"
-    const Manifest *manifest;
-    const char *device;  // value of COURSE_DEVICE inside; "" for the first
-    SandboxKind sandbox;
-    int needs_compiler;  // the lab has host files
-} Workshop;
-
-// Make the folder and copy in what the lab needs. Returns 0, or -1 after one message on stderr.
-int workshop_open(Workshop *workshop, const Manifest *manifest, const char *build,
-                  const char *device, SandboxKind sandbox);
-
-// Remove the folder.
-void workshop_close(Workshop *workshop);
-
-// Where the job is to be written before any variant runs.
-void workshop_job_path(const Workshop *workshop, char *path, size_t n_bytes);
-
-// Where the job of a variant that is tried alone is to be written before it runs.
-struct Variant;
-void variant_job_path(const Workshop *workshop, const struct Variant *variant, char *path,
-                      size_t n_bytes);
-
-// One way to combine files, built and run.
 typedef struct Variant {
     char name[80];
     char *build_log;   // set when it does not compile; with the student's file and line; owned
@@ -63,6 +30,9 @@ typedef struct Variant {
 // a student hands in, there next. `path` receives the folder. Returns 0, or -1 after one message.
 int variant_open(const Workshop *workshop, const char *name, Variant *variant, char *path,
                  size_t n_bytes);
+
+// Where the job of a variant that is tried alone is to be written before it runs.
+void variant_job_path(const Workshop *workshop, const Variant *variant, char *path, size_t n_bytes);
 
 // Compile and run n variants side by side, each for as long as is allowed. What is ours must come
 // first: what it uses is noted, and from then on that is what limits the others. One that the
