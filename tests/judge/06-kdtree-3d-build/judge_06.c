@@ -28,11 +28,18 @@ static char *judge_root(const TreeScene3D *scene, const KdTree3D *own)
                        scene->title, root.split_axis, root.first, own->n_nodes, KD_LEAF);
 }
 
-// As tree3d_judge_overlap() and tree3d_judge_depth(), which need a root.
+// The scene's box and the lists are given; but a tree is no good without them.
+static char *judge_splits(const TreeScene3D *scene, const KdTree3D *own)
+{
+    char *message = tree3d_judge_bounds(scene, own);
+    return message != NULL ? message : tree3d_judge_splits(scene, own);
+}
+
 static char *judge_overlap(const TreeScene3D *scene, const KdTree3D *own)
 {
     char *message = judge_root(scene, own);
-    return message != NULL ? message : tree3d_judge_overlap(scene, own);
+    message = message != NULL ? message : tree3d_judge_overlap(scene, own);
+    return message != NULL ? message : tree3d_judge_lists(scene, own);
 }
 
 static char *judge_depth(const TreeScene3D *scene, const KdTree3D *own)
@@ -97,43 +104,29 @@ static void add_pictures(const void *pointer, const Sections *answers, Result *r
 // ---- The judge ----------------------------------------------------------------------------------
 
 static const JudgeCheck checks[] = {
-    {"bounds-positive", "The box holds every sphere whole, and no more", "spheres_bounds", 6,
-     .function = &bounds_06, .range = {0, N_BOUNDS / 2, 2}},
-    {"bounds-negative", "Negative radii, and one sphere", "spheres_bounds", 4,
-     .function = &bounds_06, .range = {1, N_BOUNDS / 2, 2}},
-    {"tree-bounds", "Whole trees: the root's cell", "spheres_bounds", 5, "*", .tree = judge_tree,
-     .tree3d = tree3d_judge_bounds, .range = {0, JUST_FITS + 1}, .alone_scene = bounds_alone_06},
-
-    {"split-axis", "The longest side, the first where equal", "choose_split", 8,
+    {"split-axis", "The longest side, the first where equal", "choose_split", 12,
      .function = &split_axis_06, .range = {0, N_SPLITS}},
-    {"split-middle", "In the middle", "choose_split", 6, .function = &split_middle_06,
+    {"split-middle", "In the middle", "choose_split", 9, .function = &split_middle_06,
      .range = {0, N_SPLITS}},
-    {"tree-splits", "Whole trees: each plane halves its cell", "choose_split", 6, "*",
-     .tree = judge_tree, .tree3d = tree3d_judge_splits, .range = {0, JUST_FITS + 1},
+    {"tree-splits", "Whole trees: each plane halves its cell", "choose_split", 9, "*",
+     .tree = judge_tree, .tree3d = judge_splits, .range = {0, JUST_FITS + 1},
      .replay = &replay_split_06},
 
-    {"overlap-inside", "Spheres clearly in and clearly out", "sphere_overlaps_box", 7,
+    {"overlap-inside", "Spheres clearly in and clearly out", "sphere_overlaps_box", 8,
      .function = &overlap_06, .range = {0, N_INSIDE}},
-    {"overlap-touching", "Touching counts", "sphere_overlaps_box", 6, .function = &overlap_06,
+    {"overlap-touching", "Touching counts", "sphere_overlaps_box", 7, .function = &overlap_06,
      .range = {N_INSIDE, N_TOUCHING}},
-    {"overlap-corner", "Exact at edges and corners", "sphere_overlaps_box", 7,
+    {"overlap-corner", "Exact at edges and corners", "sphere_overlaps_box", 9,
      .function = &overlap_06, .range = {N_INSIDE + N_TOUCHING, N_CORNER}},
-    {"tree-overlap", "Whole trees: each leaf has its spheres", "sphere_overlaps_box", 5, "*",
+    {"tree-overlap", "Whole trees: each leaf has its spheres", "sphere_overlaps_box", 6, "*",
      .tree = judge_tree, .tree3d = judge_overlap, .range = {0, JUST_FITS + 1},
      .replay = &replay_overlap_06},
 
-    {"distribute-list", "The right ids, in order, and how many", "distribute_spheres", 10,
-     "sphere_overlaps_box", .function = &distribute_06, .range = {0, N_DISTRIBUTES},
-     .alone = distributes_alone_06},
-    {"tree-lists", "Whole trees: lists ascend, leaves are small enough", "distribute_spheres", 5,
-     "*", .tree = judge_tree, .tree3d = tree3d_judge_lists, .range = {0, JUST_FITS + 1},
-     .alone = lists_alone_06},
-
-    {"pack-node", "The node says where its spheres are", "pack_leaf_range", 6,
+    {"pack-node", "The node says where its spheres are", "pack_leaf_range", 12,
      .function = &pack_node_06, .range = {0, N_PACKS}},
-    {"pack-ids", "The ids, one behind the other", "pack_leaf_range", 4, .function = &pack_ids_06,
+    {"pack-ids", "The ids, one behind the other", "pack_leaf_range", 9, .function = &pack_ids_06,
      .range = {0, N_PACKS}},
-    {"tree-packing", "Whole trees: packed without gaps", "pack_leaf_range", 5, "*",
+    {"tree-packing", "Whole trees: packed without gaps", "pack_leaf_range", 9, "*",
      .tree = judge_tree, .tree3d = tree3d_judge_packing, .range = {0, JUST_FITS + 1},
      .alone_scene = packs_alone_06},
 
@@ -144,10 +137,8 @@ static const JudgeCheck checks[] = {
 };
 
 static const JobPart parts[] = {
-    PART("bounds", "spheres_bounds", Job06, bounds),
     PART("splits", "choose_split", Job06, splits),
     PART("overlaps", "sphere_overlaps_box", Job06, overlaps),
-    PART("distribute", NULL, Job06, distributes),  // alone behind what it needs: write_alone_06()
     PART("pack", "pack_leaf_range", Job06, packs),
     PART("todo", NULL, Job06, highest_level),
 };

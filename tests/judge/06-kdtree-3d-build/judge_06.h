@@ -8,9 +8,8 @@
 #include "judge.h"
 #include "tree3d_judge.h"
 
-// Inputs of spheres_bounds have positive radii and some negative ones by turns; those of
-// sphere_overlaps_box are in three ranges.
-enum { N_BOUNDS = 80, N_SPLITS = 480, N_DISTRIBUTES = 60, N_PACKS = 60 };
+// Inputs of sphere_overlaps_box are in three ranges.
+enum { N_SPLITS = 480, N_PACKS = 60 };
 enum { N_INSIDE = 1000, N_TOUCHING = 600, N_CORNER = 600 };
 enum { N_OVERLAPS = N_INSIDE + N_TOUCHING + N_CORNER };
 
@@ -20,10 +19,8 @@ enum { N_TREES = 10, JUST_FITS = N_TREES, TOO_DEEP, N_SCENES };
 
 typedef struct Job06 {
     Job job;  // with the trees of all scenes but TOO_DEEP
-    BoundsJob bounds[N_BOUNDS];
     BBox3D splits[N_SPLITS];
     SphereBoxJob overlaps[N_OVERLAPS];
-    DistributeJob3D distributes[N_DISTRIBUTES];
     PackJob3D packs[N_PACKS];
     u32 highest_level;  // TODO_LEVELS
     TreeScene3D scenes[N_SCENES];
@@ -35,22 +32,13 @@ int job_06_draw(void *job, Random *random);
 void job_06_release(void *job);
 int job_06_write_scene(const void *job, int k, FILE *file);
 
-// Write "scene.K.spheres", and behind the spheres one that must not be asked. Returns 0, or -1.
-int job_06_write_spheres(const TreeScene3D *scene, int k, FILE *file);
-
 // The functions; of choose_split and pack_leaf_range one for each property that is judged.
-extern const Function bounds_06, split_axis_06, split_middle_06, overlap_06, distribute_06,
-    pack_node_06, pack_ids_06, fits_06;
-
-// Call number i of distribute_spheres.
-ListCall list_call_06(const Job06 *job, int i);
+extern const Function split_axis_06, split_middle_06, overlap_06, pack_node_06, pack_ids_06,
+    fits_06;
 
 // One answer alone.
 extern const Replay replay_split_06, replay_overlap_06;
 int write_alone_06(const void *job, const char *task, FILE *file);
-int bounds_alone_06(const void *job, int k, const Sections *answers);
-int distributes_alone_06(const void *job, const JudgeCheck *check, const Sections *answers);
-int lists_alone_06(const void *job, const JudgeCheck *check, const Sections *answers);
 int packs_alone_06(const void *job, int k, const Sections *answers);
 int levels_alone_06(const void *job, const JudgeCheck *check, const Sections *answers);
 

@@ -5,40 +5,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-// The spheres of all scenes that have a tree. Returns 0, or -1.
-static int write_spheres(const Job06 *job, FILE *file)
-{
-    int result = 0;
-    for (int k = 0; result == 0 && k <= JUST_FITS; k++) {
-        result = job_06_write_spheres(&job->scenes[k], k, file);
-    }
-    return result;
-}
-
 // Is there nothing to object to? Releases the message.
 static int is_silent(char *message)
 {
     free(message);
     return message == NULL;
-}
-
-// ---- spheres_bounds: once for each scene --------------------------------------------------------
-
-static int write_bounds_calls(const Job06 *job, FILE *file)
-{
-    u32 numbers[JUST_FITS + 1];
-    for (int k = 0; k <= JUST_FITS; k++) {
-        numbers[k] = (u32)job->scenes[k].scene.n_spheres;
-    }
-    return section_write(file, "replay.bounds", numbers, sizeof numbers) | write_spheres(job, file);
-}
-
-int bounds_alone_06(const void *job, int k, const Sections *answers)
-{
-    const Scene3D *scene = &((const Job06 *)job)->scenes[k].scene;
-    const BBox3D *found = sections_find(answers, "replay.bounds", (JUST_FITS + 1) * sizeof *found);
-    return found != NULL &&
-           is_silent(tree3d_judge_box("alone", scene->spheres, (u32)scene->n_spheres, found[k]));
 }
 
 // ---- choose_split: once for each inner node -----------------------------------------------------
@@ -83,56 +54,6 @@ static int overlap_is_right(const void *job, ReplayCall call, const void *answer
 
 const Replay replay_overlap_06 = {"replay.overlap", EACH_ID_OF_A_CHILD, sizeof(SphereBoxJob),
                                   sizeof(i32),      overlap_input,      overlap_is_right};
-
-// ---- distribute_spheres: twice for each inner node ----------------------------------------------
-
-// The hole of sphere_overlaps_box while another task is tried.
-static int stand_in_overlaps(Sphere sphere, BBox3D box)
-{
-#include "06-kdtree-3d-build/sphere_overlaps_box.c"
-}
-
-// What distribute_spheres makes of the stand-in. As ListKeeps of replay.h has it.
-static int keeps(const void *pointer, u32 scene, u32 id, BBox3D cell)
-{
-    const Job06 *job = pointer;
-    return stand_in_overlaps(job->scenes[scene].scene.spheres[id], cell);
-}
-
-static void cell_input(const void *job, ReplayCall call, void *input)
-{
-    (void)job;
-    *(BBox3D *)input = call.child->cell;
-}
-
-static const Replay cells = {"replay.cells", EACH_CHILD, sizeof(BBox3D), .input = cell_input};
-
-// The children's cells, and all that the lists need. Returns 0, or -1.
-static int write_list_calls(const Job06 *job, FILE *file)
-{
-    return replay_write(&cells, &job->job.growth, job, file) |
-           replay_write_lists(&job->job.growth, file) |
-           section_write(file, "distribute", job->distributes, sizeof job->distributes) |
-           write_spheres(job, file);
-}
-
-_Static_assert(REPLAY_ROOM(DISTRIBUTE_MAX_IDS) <= DISTRIBUTE_ROOM, "the guard is in the answer");
-int distributes_alone_06(const void *job, const JudgeCheck *check, const Sections *answers)
-{
-    const u32 *found = function_answers(check->function, answers);
-    int is_right = found != NULL;
-    for (int i = 0; is_right && i < N_DISTRIBUTES; i++) {
-        is_right = list_is_right(list_call_06(job, i), keeps, job, found + i * DISTRIBUTE_ROOM);
-    }
-    return is_right;
-}
-
-int lists_alone_06(const void *pointer, const JudgeCheck *check, const Sections *answers)
-{
-    const Job06 *job = pointer;
-    (void)check;
-    return replay_lists_are_right(&job->job.growth, answers, keeps, job);
-}
 
 // ---- pack_leaf_range: once for each leaf --------------------------------------------------------
 
@@ -225,9 +146,7 @@ int levels_alone_06(const void *job, const JudgeCheck *check, const Sections *an
 
 int write_alone_06(const void *job, const char *task, FILE *file)
 {
-    return strcmp(task, "spheres_bounds") == 0       ? write_bounds_calls(job, file)
-           : strcmp(task, "distribute_spheres") == 0 ? write_list_calls(job, file)
-           : strcmp(task, "pack_leaf_range") == 0    ? write_leaves(job, file)
-           : strcmp(task, "fits_todo") == 0          ? write_level_calls(job, file)
-                                                     : 0;
+    return strcmp(task, "pack_leaf_range") == 0 ? write_leaves(job, file)
+           : strcmp(task, "fits_todo") == 0     ? write_level_calls(job, file)
+                                                : 0;
 }

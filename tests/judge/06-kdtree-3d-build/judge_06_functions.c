@@ -4,20 +4,6 @@
 #include "message.h"
 #include "words.h"
 
-// ---- spheres_bounds -----------------------------------------------------------------------------
-
-static char *bounds_fault(const void *pointer, int i, const void *answers)
-{
-    const BoundsJob *in = &((const Job06 *)pointer)->bounds[i];
-    const Words where = in->n_spheres == 0
-                            ? words("no sphere")
-                            : words("%u sphere%s, the first at %s", in->n_spheres,
-                                    plural(in->n_spheres), words_sphere(in->spheres[0]).text);
-    return tree3d_judge_box(where.text, in->spheres, in->n_spheres, ((const BBox3D *)answers)[i]);
-}
-
-const Function bounds_06 = {"bounds", N_BOUNDS, sizeof(BBox3D), .fault = bounds_fault};
-
 // ---- choose_split -------------------------------------------------------------------------------
 
 static char *split_axis_fault(const void *job, int i, const void *answers)
@@ -102,30 +88,6 @@ static char *overlap_fault(const void *pointer, int i, const void *answers)
 }
 
 const Function overlap_06 = {"overlaps", N_OVERLAPS, sizeof(i32), .fault = overlap_fault};
-
-// ---- distribute_spheres -------------------------------------------------------------------------
-
-ListCall list_call_06(const Job06 *job, int i)
-{
-    const DistributeJob3D *in = &job->distributes[i];
-    return (ListCall){0, in->ids, in->n_ids, in->child};
-}
-
-// As ListKeeps of replay.h has it.
-static int keeps(const void *job, u32 scene, u32 id, BBox3D cell)
-{
-    const Sphere sphere = ((const Job06 *)job)->scenes[scene].scene.spheres[id];
-    return tree3d_judge_sphere(sphere, cell) != SPHERE_OUTSIDE;
-}
-
-static char *distribute_fault(const void *job, int i, const void *answers)
-{
-    return list_fault("sphere", list_call_06(job, i), keeps, job,
-                      (const u32 *)answers + i * DISTRIBUTE_ROOM);
-}
-
-const Function distribute_06 = {"distribute", N_DISTRIBUTES, DISTRIBUTE_ROOM * sizeof(u32),
-                                .fault = distribute_fault};
 
 // ---- pack_leaf_range ----------------------------------------------------------------------------
 

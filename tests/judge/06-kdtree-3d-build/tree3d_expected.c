@@ -5,7 +5,6 @@
 #include "complain.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 // The steps, as oracle_tree.h has them. Spheres that touch a cell as nearly as float can tell are
 // in its list, too.
@@ -47,9 +46,9 @@ static int pack(const Growth *growth, const GrownNode *nodes, u32 n_nodes, KdTre
             continue;
         }
         tree->nodes[id] = (KdNode3){0, KD_LEAF, tree->n_sphere_ids, node->n_ids};
-        memcpy(tree->sphere_ids + tree->n_sphere_ids, growth->ids + node->first_id,
-               node->n_ids * sizeof *growth->ids);
-        tree->n_sphere_ids += node->n_ids;
+        for (u32 i = 0; i < node->n_ids; i++) {
+            tree->sphere_ids[tree->n_sphere_ids++] = growth->ids[node->first_id + i];
+        }
     }
     return 0;
 }

@@ -121,8 +121,15 @@ static Count count_spheres(const TreeScene3D *scene, BBox3D cell)
 
 char *tree3d_judge_bounds(const TreeScene3D *scene, const KdTree3D *own)
 {
-    return tree3d_judge_box(words("%s: bounds", scene->title).text, scene->scene.spheres,
-                            (u32)scene->scene.n_spheres, own->bounds);
+    const BBox3D expected = tree3d_expected_box(scene->scene.spheres, (u32)scene->scene.n_spheres);
+    int is_right = 1;
+    for (int axis = 0; axis < 3; axis++) {
+        is_right = is_right && own->bounds.min[axis] == expected.min[axis] &&
+                   own->bounds.max[axis] == expected.max[axis];
+    }
+    return is_right ? NULL
+                    : message_new("%s: bounds: found %s, expected %s", scene->title,
+                                  words_box3d(own->bounds).text, words_box3d(expected).text);
 }
 
 char *tree3d_judge_splits(const TreeScene3D *scene, const KdTree3D *own)

@@ -1,21 +1,16 @@
 // Judge of lab 07: each function on chosen inputs, what rays hit in whole scenes, the pictures, and
-// the counted work. The functions' inputs are drawn in judge_07_inputs.c and judged in
-// judge_07_clip.c, judge_07_functions.c and judge_07_leaf.c.
+// the counted work. The functions' inputs are drawn and judged in the files that judge_07.h names.
 //
 // Hits are those of brute force, whatever the tree: only rays that the oracle calls ambiguous may
-// differ. Wrong ones are compared with searches that make known mistakes (judge_07_search.h). Work
-// is judged ray by ray by the least and the most that a right search may do. How answers are tried
-// alone is in judge_07_alone.c.
+// differ. Work is judged ray by ray by the least and the most that a right search may do
+// (judge_07_work.h). Mistakes of the search are named where its two steps are judged by themselves.
+// Alone, next_child is tried beside stand-ins, all others as in the whole.
 #include "judge_07.h"
 
 #include "job_work.h"
-#include "judge_07_search.h"
+#include "judge_07_work.h"
 #include "message.h"
 #include "words.h"
-
-#include <limits.h>
-#include <math.h>
-#include <stdlib.h>
 
 // ---- Drawing the job ----------------------------------------------------------------------------
 
@@ -26,7 +21,7 @@ static int draw(void *pointer, Random *random)
     for (int k = 0; k < N_SCENES; k++) {
         job_list_picture(&job->job, &job->scenes[k].picture);
     }
-    return scenes_07_draw(random, job->scenes) | scripted_07_draw(random, job->scripted);
+    return scenes_07_draw(random, job->scenes);
 }
 
 static void release(void *pointer)
@@ -35,69 +30,12 @@ static void release(void *pointer)
     for (int k = 0; k < N_SCENES; k++) {
         job_scene3d_free(&job->scenes[k]);
     }
-    for (int k = 0; k < N_SCRIPTED; k++) {
-        job_scene3d_free(&job->scripted[k]);
-    }
 }
 
 static int write_scene(const void *job, int k, FILE *file)
 {
     return job_scene3d_write(&((const Job07 *)job)->scenes[k], k, file);
 }
-
-// ---- Known mistakes ---------------------------------------------------------------------------
-
-// A mistake of the search.
-typedef struct SearchMistake {
-    const char *looks;
-    SearchRules rules;
-} SearchMistake;
-
-static const SearchMistake hit_mistakes[] = {
-    {"as if near and far child were swapped", {.far_first = 1}},
-    {"as if the direction chose the near child, wherever the eye is", {.side_by_direction = 1}},
-    {"as if a plane behind the eye led to the far child", {.behind_is_crossed = 1}},
-    {"as if the far child were never visited where both are met: it does not wait, or the search "
-     "ends at the first leaf",
-     {.far_dropped = 1}},
-    {"as if the search went to the near child where only the far one is met",
-     {.far_alone_is_near = 1}},
-    {"as if t_max did not become t_split for the near child: the search ends too soon",
-     {.near_keeps_t_max = 1}},
-    {"as if t_min and t_max were not taken from the stack with the node", {.part_kept = 1}},
-    {"as if t_max were not taken from the stack with the node", {.t_max_kept = 1}},
-    {"as if the node that waits longest came from the stack first", {.oldest_first = 1}},
-    {"as if the search ended at any hit, also at one beyond t_max, which another sphere may hide",
-     {.ends_at_any_hit = 1}},
-};
-
-static const SearchMistake work_mistakes[] = {
-    {"as if the search went on where it had found a hit, and ended where it had not: the "
-     "comparison "
-     "with t_max is inverted",
-     {.end_inverted = 1}},
-    {"as if the search did not end before the stack is empty", {.never_ends = 1}},
-    {"as if t_min did not become t_split for the far child, which begins at t_split: is that put "
-     "on the stack, and taken from it?",
-     {.far_keeps_t_min = 1}},
-    {"as if the far child waited also where only the near one is met", {.far_always_waits = 1}},
-    {"as if the near child were visited also where only the far one is met",
-     {.near_never_skipped = 1}},
-    {"as if t_max did not become t_split for the near child", {.near_keeps_t_max = 1}},
-    {"as if t_min and t_max were not taken from the stack with the node", {.part_kept = 1}},
-    {"as if t_max were not taken from the stack with the node", {.t_max_kept = 1}},
-    {"as if near and far child were swapped", {.far_first = 1}},
-    {"as if the node that waits longest came from the stack first", {.oldest_first = 1}},
-};
-
-// Of the mistakes of hits those that leave work out.
-static const SearchMistake early_mistakes[] = {
-    {"as if the far child were never visited where both are met: it does not wait, or the search "
-     "ends at the first leaf",
-     {.far_dropped = 1}},
-    {"as if the search ended at any hit, also at one beyond t_max, which another sphere may hide",
-     {.ends_at_any_hit = 1}},
-};
 
 static OracleRay ray_of(const JobScene3D *scene, int pixel)
 {
@@ -107,144 +45,38 @@ static OracleRay ray_of(const JobScene3D *scene, int pixel)
                                 s->height, &right);
 }
 
-// Does a mistaken search of this ray give what was found?
-typedef int Agrees(const SearchResult *mistaken, const void *answers, int pixel);
+// ---- Hits ---------------------------------------------------------------------------------------
 
-// Wrong answers about a scene.
-typedef struct WrongScene {
-    const JobScene3D *scene;
-    const void *answers;  // of each pixel
-    int n_wrong;
-} WrongScene;
-
-// For how many rays of a scene does a mistaken search not give what was found? Gives up at `limit`.
-static int count_differing(const WrongScene *wrong, const SearchRules *rules, Agrees *agrees,
-                           int limit)
+static Verdict judge_hits(const void *job, int k, const Sections *answers)
 {
-    const JobScene3D *scene = wrong->scene;
-    int n_differ = 0;
-    for (int pixel = 0; n_differ < limit && pixel < scene->scene.width * scene->scene.height;
-         pixel++) {
-        const OracleRay ray = ray_of(scene, pixel);
-        const SearchResult mistaken = search3d(scene, &ray, rules);
-        n_differ += !scene->hits[pixel].is_ambiguous && !agrees(&mistaken, wrong->answers, pixel);
-    }
-    return n_differ;
-}
-
-// The mistake that explains wrong answers best, or NULL. A mistaken search is not as good-natured
-// as a right one: where a plane is met almost at a hit, float may decide otherwise than double. So
-// of the rays that are wrong one in SEARCH_EXCEPTIONS may differ.
-enum { SEARCH_EXCEPTIONS = 8 };
-static const char *explain(const WrongScene *wrong, int n_scenes, const SearchMistake *mistakes,
-                           int n_mistakes, Agrees *agrees)
-{
-    int n_wrong = 0;
-    for (int i = 0; i < n_scenes; i++) {
-        n_wrong += wrong[i].n_wrong;
-    }
-    if (n_wrong == 0) {
-        return NULL;  // only distances are a little off
-    }
-    const char *looks = NULL;
-    int fewest = n_wrong / SEARCH_EXCEPTIONS + 1;
-    for (int m = 0; m < n_mistakes; m++) {
-        int n_differ = 0;
-        for (int i = 0; n_differ < fewest && i < n_scenes; i++) {
-            n_differ += count_differing(&wrong[i], &mistakes[m].rules, agrees, fewest - n_differ);
-        }
-        if (n_differ < fewest) {
-            fewest = n_differ;
-            looks = mistakes[m].looks;
-        }
-    }
-    return looks;
-}
-
-// ---- Hits -------------------------------------------------------------------------------------
-
-// A sphere's two roots are farther apart than this, in units of the distance, and float is nearer
-// to double.
-#define SAME_HIT 1e-3
-
-static int hit_agrees(const SearchResult *mistaken, const void *answers, int pixel)
-{
-    const HitAnswer found = ((const HitAnswer *)answers)[pixel];
-    return found.sphere == mistaken->sphere &&
-           (found.sphere == ORACLE_NO_SPHERE ||
-            fabs(found.t - mistaken->t) <= SAME_HIT * fabs(mistaken->t));
-}
-
-// How many rays of a scene hit something else than a right search would.
-static int count_wrong(const JobScene3D *scene, const HitAnswer *found)
-{
-    static const SearchRules right = {0};
-    const WrongScene all = {scene, found, 0};
-    return count_differing(&all, &right, hit_agrees, INT_MAX);
-}
-
-// What wrong hits of a range of scenes look like, or NULL. More scenes than the first
-// that is wrong tell mistakes apart that look the same in that one.
-static const char *explain_hits(const Job07 *job, Range range, const Sections *answers)
-{
-    WrongScene wrong[N_SCENES];
-    int n_scenes = 0;
-    for (int k = range.first; k < range.first + range.n; k++) {
-        const JobScene3D *scene = &job->scenes[k];
-        const HitAnswer *found = hits_find(scene, k, answers);
-        const int n_wrong = found ? count_wrong(scene, found) : 0;
-        if (n_wrong > 0) {
-            wrong[n_scenes++] = (WrongScene){scene, found, n_wrong};
-        }
-    }
-    return explain(wrong, n_scenes, hit_mistakes, COUNT(hit_mistakes), hit_agrees);
-}
-
-static Verdict judge_hits(const Job07 *job, Range range, const Sections *answers)
-{
-    for (int k = range.first; k < range.first + range.n; k++) {
-        const JobScene3D *scene = &job->scenes[k];
-        const HitAnswer *found = hits_find(scene, k, answers);
-        if (found == NULL) {
-            return verdict_missing;
-        }
-        WrongHits wrong = hits_judge(scene, found);
-        if (wrong.n > 0) {
-            // That a miss was taken for a hit is known already.
-            wrong.looks = wrong.looks ? wrong.looks : explain_hits(job, range, answers);
-            return verdict_of(hits_describe(scene, found, wrong));
-        }
-    }
-    return verdict_of(NULL);
-}
-
-static Verdict judge_random(const void *job, const Sections *answers)
-{
-    return judge_hits(job, (Range){RANDOM, N_RANDOM, 1}, answers);
+    const JobScene3D *scene = &((const Job07 *)job)->scenes[k];
+    const HitAnswer *found = hits_find(scene, k, answers);
+    return found == NULL ? verdict_missing
+                         : verdict_of(hits_describe(scene, found, hits_judge(scene, found)));
 }
 
 // Of two spheres at the same distance the one with the lower id, though its leaf comes later: what
 // the oracle calls ambiguous here is not, as float finds the same distance for both.
 static Verdict judge_tie(const Job07 *job, const Sections *answers)
 {
-    const HitAnswer *found = job_section_find(answers, "hits", TIE, sizeof *found);
-    if (found == NULL) {
-        return verdict_missing;
-    }
-    if (found->sphere == 0) {
-        return verdict_of(NULL);
-    }
-    return verdict_of(message_new("%s: the ray hits spheres 0 and 1 at t = 1000, exactly where the "
-                                  "near leaf ends, which lists sphere 1 only: found sphere %u at "
-                                  "t = %.9g, expected sphere 0: of two at the same distance the "
-                                  "lower id",
-                                  job->scenes[TIE].picture.title, found->sphere, (double)found->t));
+    const HitAnswer *found = hits_find(&job->scenes[TIE], TIE, answers);
+    return found == NULL        ? verdict_missing
+           : found->sphere == 0 ? verdict_of(NULL)
+                                : verdict_of(message_new(
+                                      "%s: the ray hits spheres 0 and 1 at t = 1000, exactly where "
+                                      "the near leaf ends, which lists sphere 1 only: found sphere "
+                                      "%u at t = %.9g, expected sphere 0: of two at the same "
+                                      "distance the lower id",
+                                      job->scenes[TIE].picture.title, found->sphere, found->t));
 }
 
+// With the sphereflake behind the edge cases, and the tie behind all.
 static Verdict judge_edges(const void *job, const Sections *answers)
 {
-    const Range edges = {EDGES, N_SCENES - EDGES, 1};  // and sphereflake
-    const Verdict verdict = judge_hits(job, edges, answers);
+    Verdict verdict = verdict_of(NULL);
+    for (int k = EDGES; verdict.kind == VERDICT_PASSED && k < N_SCENES; k++) {
+        verdict = judge_hits(job, k, answers);
+    }
     return verdict.kind == VERDICT_PASSED ? judge_tie(job, answers) : verdict;
 }
 
@@ -253,56 +85,16 @@ static Verdict judge_edges(const void *job, const Sections *answers)
 static int is_at_most(Work work, Work most)
 {
     return work.n_tests <= most.n_tests && work.n_nodes_visited <= most.n_nodes_visited &&
-           work.n_leaves_visited <= most.n_leaves_visited;
+           work.n_leaves_visited <= most.n_leaves_visited && work.stack_depth <= most.stack_depth;
 }
 
-static int work_agrees(const SearchResult *mistaken, const void *answers, int pixel)
-{
-    const Work found = ((const Work *)answers)[pixel];
-    return found.n_leaves_visited == mistaken->work.n_leaves_visited &&
-           found.n_nodes_visited == mistaken->work.n_nodes_visited &&
-           found.n_tests == mistaken->work.n_tests;
-}
-
-// "3 nodes and 1 leaf visited and 17 spheres asked".
+// "3 nodes and 1 leaf visited, 17 spheres asked and 2 waiting at once".
 static Words work_words(Work work)
 {
-    return words("%u node%s and %u %s visited and %u sphere%s asked", work.n_nodes_visited,
-                 plural(work.n_nodes_visited), work.n_leaves_visited,
-                 work.n_leaves_visited == 1 ? "leaf" : "leaves", work.n_tests,
-                 plural(work.n_tests));
-}
-
-// The message about rays that do less than they must.
-static char *describe_less(const WrongScene *wrong, int pixel, Work least)
-{
-    const JobScene3D *scene = wrong->scene;
-    const Words own = work_words(((const Work *)wrong->answers)[pixel]);
-    const char *looks = explain(wrong, 1, early_mistakes, COUNT(early_mistakes), work_agrees);
-    return message_new(
-        "%s: the ray of pixel (%d, %d): found %s, "
-        "expected at least %u, %u and %u (%d of %d rays do less than they must); %s%s",
-        scene->picture.title, pixel % scene->scene.width, pixel / scene->scene.width, own.text,
-        least.n_nodes_visited, least.n_leaves_visited, least.n_tests, wrong->n_wrong,
-        scene->scene.width * scene->scene.height, looks ? "it looks " : "",
-        looks ? looks
-              : "the search ends too soon or skips something, or some of its work is hidden "
-                "and cannot be counted: only children_on_ray, search_leaf and intersect_sphere "
-                "count it");
-}
-
-// The message when more nodes wait than need to, or NULL. One place more is granted to who puts the
-// near child on the stack too, and takes it off at once.
-static char *judge_stack(const JobScene3D *scene, int pixel, u32 found, u32 most)
-{
-    if (found <= most + 1 && found <= TODO_SIZE) {
-        return NULL;
-    }
-    return message_new(
-        "%s: the ray of pixel (%d, %d): found %u node%s waiting on the stack at once, "
-        "expected at most %u; only the far child waits, and only where both are met",
-        scene->picture.title, pixel % scene->scene.width, pixel / scene->scene.width, found,
-        plural(found), most);
+    return words("%u node%s and %u %s visited, %u sphere%s asked and %u waiting at once",
+                 work.n_nodes_visited, plural(work.n_nodes_visited), work.n_leaves_visited,
+                 work.n_leaves_visited == 1 ? "leaf" : "leaves", work.n_tests, plural(work.n_tests),
+                 work.stack_depth);
 }
 
 // Rays of a scene that do more, or less, than they may.
@@ -320,53 +112,42 @@ static void count_off(OffRays *off, int pixel, Work bound)
     }
 }
 
-// The message about rays that do more than they may.
-static char *describe_more(const WrongScene *wrong, const OffRays *more, u64 n_tests, u64 n_most)
+// The message about rays that do more than they may, or less: of which words say what it means.
+static char *describe_off(const JobScene3D *scene, const Work *found, const OffRays *off,
+                          const char *bound, const char *words)
 {
-    const JobScene3D *scene = wrong->scene;
     const int width = scene->scene.width;
-    const Words own = work_words(((const Work *)wrong->answers)[more->first]);
-    const char *looks = explain(wrong, 1, work_mistakes, COUNT(work_mistakes), work_agrees);
     return message_new(
-        "%s: the ray of pixel (%d, %d): found %s, "
-        "expected at most %u, %u and %u (%d of %d rays do more than they must, and %llu spheres "
-        "are asked instead of %llu)%s%s",
-        scene->picture.title, more->first % width, more->first / width, own.text,
-        more->bound.n_nodes_visited, more->bound.n_leaves_visited, more->bound.n_tests, more->n,
-        width * scene->scene.height, (unsigned long long)n_tests, (unsigned long long)n_most,
-        looks ? "; it looks " : "", looks ? looks : "");
+        "%s: the ray of pixel (%d, %d): found %s, expected at %s %u, %u, %u and %u (%d "
+        "of %d rays do %s)",
+        scene->picture.title, off->first % width, off->first / width,
+        work_words(found[off->first]).text, bound, off->bound.n_nodes_visited,
+        off->bound.n_leaves_visited, off->bound.n_tests, off->bound.stack_depth, off->n,
+        width * scene->scene.height, words);
 }
 
 // The message when a scene's rays do too much, or too little, or NULL: too much comes first.
 static char *judge_scene_work(const JobScene3D *scene, const Work *found)
 {
-    const Scene3D *s = &scene->scene;
-    u64 n_tests = 0, n_most = 0;
+    const int n_pixels = scene->scene.width * scene->scene.height;
     OffRays more = {0}, less = {0};
-    char *stack = NULL;
-    for (int pixel = 0; pixel < s->width * s->height; pixel++) {
+    for (int pixel = 0; pixel < n_pixels; pixel++) {
         const OracleRay ray = ray_of(scene, pixel);
         const WorkBounds bounds = search3d_bounds(scene, &ray);
-        const Work own = found[pixel];
-        n_tests += own.n_tests;
-        n_most += bounds.most.n_tests;
-        if (!is_at_most(own, bounds.most)) {
+        if (!is_at_most(found[pixel], bounds.most)) {
             count_off(&more, pixel, bounds.most);
         }
-        if (!is_at_most(bounds.least, own)) {
+        if (!is_at_most(bounds.least, found[pixel])) {
             count_off(&less, pixel, bounds.least);
         }
-        if (stack == NULL) {
-            stack = judge_stack(scene, pixel, own.stack_depth, bounds.most.stack_depth);
-        }
     }
-    if (more.n == 0 && less.n == 0) {
-        return stack;
+    if (more.n > 0) {
+        return describe_off(scene, found, &more, "most", "more than they need to");
     }
-    free(stack);
-    const WrongScene wrong = {scene, found, more.n > 0 ? more.n : less.n};
-    return more.n > 0 ? describe_more(&wrong, &more, n_tests, n_most)
-                      : describe_less(&wrong, less.first, less.bound);
+    return less.n == 0 ? NULL
+                       : describe_off(scene, found, &less, "least",
+                                      "less than they must: they end too soon or skip something, "
+                                      "or work is hidden and cannot be counted");
 }
 
 // The scenes whose work is judged: few levels and many, spheres on all sides of the eye, a tree
@@ -379,8 +160,8 @@ static Verdict judge_work(const void *job, int i, const Sections *answers)
     const int k = work_scenes[i];
     const JobScene3D *scene = &((const Job07 *)job)->scenes[k];
     const Work *found;
-    const Verdict verdict = job_work_find(&scene->picture, k, "children_on_ray and search_leaf",
-                                          "trace", answers, &found);
+    const Verdict verdict =
+        job_work_find(&scene->picture, k, "intersect_sphere", "search_leaf", answers, &found);
     return found == NULL ? verdict : verdict_of(judge_scene_work(scene, found));
 }
 
@@ -418,15 +199,23 @@ static const JudgeCheck checks[] = {
     {"leaf-once", "Each sphere of the leaf is asked once", "search_leaf", 4,
      .function = &leaf_once_07, .range = {0, N_LEAVES}},
 
-    {"trace-random", "No pinholes in random scenes", "trace", 10, "*", .all = judge_random,
-     .alone_scene = hits_alone_07, .alone_range = {SCRIPTED_RANDOM, SCRIPTED_EDGES}},
-    {"trace-edges", "Nor in the edge cases", "trace", 8, "*", .all = judge_edges,
-     .alone_scene = hits_alone_07, .alone_range = {SCRIPTED_EDGES, N_SCRIPTED - SCRIPTED_EDGES}},
-    {"trace-early-end", "It visits what the ray meets, and ends early", "trace", 7, "*",
-     .scene = judge_work, .range = {0, COUNT(work_scenes)}, .alone_scene = work_alone_07,
-     .alone_range = {0, N_SCRIPTED}},
-    {"trace-picture", "Whole pictures", "trace", 5, "*", .scene = judge_picture,
-     .range = {0, N_SCENES}, .alone_scene = picture_alone_07, .alone_range = {0, N_SCRIPTED}},
+    {"child-one", "Where the ray meets one child", "next_child", 4, "near_side children_on_ray",
+     .function = &child_07, .range = RANGE(0, N_CHILD_INPUTS), .alone = one_child_alone_07},
+    {"child-both", "Where it meets both: one waits", "next_child", 5, "near_side children_on_ray",
+     .function = &child_07, .range = RANGE(1, N_CHILD_INPUTS), .alone = both_children_alone_07},
+    {"trace-random", "No pinholes in random scenes", "next_child", 4, "*", .scene = judge_hits,
+     .range = {RANDOM, N_RANDOM}, .alone = children_alone_07},
+    {"trace-picture", "Whole pictures", "next_child", 3, "*", .scene = judge_picture,
+     .range = {0, N_SCENES}, .alone = children_alone_07},
+
+    {"waiting-end", "When the search is over", "next_waiting", 4, .function = &waiting_end_07,
+     .range = {0, N_WAITING_INPUTS}},
+    {"waiting-next", "What comes next where it is not", "next_waiting", 4,
+     .function = &waiting_next_07, .range = {0, N_WAITING_INPUTS}},
+    {"trace-edges", "No pinholes in the edge cases", "next_waiting", 3, "*", .all = judge_edges,
+     .alone = waiting_alone_07},
+    {"trace-work", "No more work than the ray needs", "next_waiting", 3, "*", .scene = judge_work,
+     .range = {0, COUNT(work_scenes)}, .alone = waiting_alone_07},
 };
 
 static const JobPart parts[] = {
@@ -436,6 +225,8 @@ static const JobPart parts[] = {
     PART("leaves", "search_leaf", Job07, inputs.leaves),
     PART("leaf_ids", "search_leaf", Job07, inputs.leaf_ids),
     PART("leaf_spheres", "search_leaf", Job07, inputs.leaf_spheres),
+    PART("next_child", "next_child", Job07, inputs.children),
+    PART("next_waiting", "next_waiting", Job07, inputs.waiting),
 };
 
 const Judge judge_07 = {
@@ -449,5 +240,4 @@ const Judge judge_07 = {
     .n_parts = COUNT(parts),
     .write_scene = write_scene,
     .n_scenes = N_SCENES,
-    .write_alone = write_alone_07,
 };

@@ -1,14 +1,13 @@
 // What lab 07's judge asks of a submission: inputs of its functions, and scenes with their trees.
 // Inputs are drawn in judge_07_inputs.c and judged in judge_07_clip.c, judge_07_functions.c and
-// judge_07_leaf.c; scenes are drawn in
-// judge_07_scenes.c and judged in judge_07.c. Answers are tried alone in judge_07_alone.c.
+// judge_07_leaf.c; those of the search's two steps are drawn and judged in judge_07_children.c and
+// judge_07_waiting.c. Scenes are drawn in judge_07_scenes.c and judged in judge_07.c.
 #ifndef JUDGE_JUDGE_07_H
 #define JUDGE_JUDGE_07_H
 
 #include "job_scene3d.h"
 #include "jobs.h"
 #include "judge.h"
-#include "judge_07_script.h"
 
 // ---- Functions --------------------------------------------------------------------------------
 
@@ -18,6 +17,8 @@ enum {
     N_SIDE_INPUTS = 400,   // 2 ranges: the eye beside the plane, mostly on it
     N_PLANE_INPUTS = 500,  // 3 ranges: the plane ahead, behind the eye, along the ray
     N_LEAF_INPUTS = 240,   // 2 ranges: spheres of different places, some of them twice
+    N_CHILD_INPUTS = 300,  // 2 ranges: where one child is met, and where both are
+    N_WAITING_INPUTS = 400,
     LEAF_MAX_SPHERES = 12,
     N_LEAVES = 2 * N_LEAF_INPUTS,
     // Before and behind each leaf's ids stands one more, which must not be asked.
@@ -34,13 +35,27 @@ typedef struct Inputs07 {
     u32 leaf_ids[N_LEAF_IDS];
     // As many as there are ids: who takes a position for an id finds another sphere.
     Sphere leaf_spheres[N_LEAF_IDS];
+    NextChildJob children[2 * N_CHILD_INPUTS];
+    NextWaitingJob waiting[N_WAITING_INPUTS];
 } Inputs07;
 
 void inputs_07_draw(Random *random, Inputs07 *inputs);
 
-// The functions; of search_leaf one for each property that is judged. The message about one names
-// the mistake that explains every answer in the range.
+// Parts of it.
+void inputs_07_draw_children(Random *random, Inputs07 *inputs);
+void inputs_07_draw_waiting(Random *random, Inputs07 *inputs);
+
+// The functions; of search_leaf and next_waiting one for each property that is judged. The message
+// about one names the mistake that explains every answer in the range.
 extern const Function clip_07, side_07, plane_07, leaf_nearest_07, leaf_ids_07, leaf_once_07;
+extern const Function child_07, waiting_end_07, waiting_next_07;
+
+// Alone, beside the stand-ins: is next_child right wherever one child is met, where both are, and
+// everywhere? Whole scenes need all tasks; in their place stand all inputs of the two steps.
+int one_child_alone_07(const void *job, const JudgeCheck *check, const Sections *answers);
+int both_children_alone_07(const void *job, const JudgeCheck *check, const Sections *answers);
+int children_alone_07(const void *job, const JudgeCheck *check, const Sections *answers);
+int waiting_alone_07(const void *job, const JudgeCheck *check, const Sections *answers);
 
 // How far t may be off that a right solution computes for a plane, in units of (|plane| + |origin|)
 // / |direction|: one rounding for the difference, five for the division (2.5 ulp, OpenCL 1.2, 7.4)
@@ -83,13 +98,6 @@ typedef struct Job07 {
     Job job;
     Inputs07 inputs;
     JobScene3D scenes[N_SCENES];
-    JobScene3D scripted[N_SCRIPTED];  // what trace is tried on alone
 } Job07;
-
-// One answer alone: see judge.h.
-int write_alone_07(const void *job, const char *task, FILE *file);
-int hits_alone_07(const void *job, int k, const Sections *answers);
-int work_alone_07(const void *job, int k, const Sections *answers);
-int picture_alone_07(const void *job, int k, const Sections *answers);
 
 #endif

@@ -321,4 +321,6 @@ void inputs_07_draw(Random *random, Inputs07 *inputs)
     for (int i = 0; i < N_LEAVES; i++) {
         inputs->leaves[i] = draw_leaf(random, inputs, i);
     }
+    inputs_07_draw_children(random, inputs);
+    inputs_07_draw_waiting(random, inputs);
 }

@@ -1,0 +1,72 @@
+// How much time a submission may use (see allowance.h).
+#include "allowance.h"
+
+#include "complain.h"
+#include "number.h"
+#include "text_file.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+// A right answer may be slower than ours, or meet a processor that is shared with others. It may
+// take this many times what ours used, and never less than the floor, as short times vary most.
+// What a handout knows is rounded up already.
+#define FACTOR 8.0
+#define PACKED_FACTOR 4.0
+#define FLOOR_SECONDS 10.0
+
+// A command that gets a thirtieth of a processor still ends by its processor time.
+#define WALL_FACTOR 30.0
+
+enum { OUR_SECONDS = 600 };
+
+static double allowed(double used, double factor)
+{
+    return used * factor > FLOOR_SECONDS ? used * factor : FLOOR_SECONDS;
+}
+
+SandboxTime allowance_ours(void)
+{
+    return (SandboxTime){OUR_SECONDS, OUR_SECONDS, WALL_FACTOR * OUR_SECONDS};
+}
+
+SandboxTime allowance_of(const Allowance *allowance, Step step)
+{
+    const double given = allowance->given_seconds;
+    if (given > 0) {
+        return (SandboxTime){given, given, WALL_FACTOR * given};
+    }
+    if (!allowance->is_known[step]) {
+        return allowance_ours();
+    }
+    const SandboxTime *used = &allowance->solution[step];
+    const double factor = allowance->is_packed ? PACKED_FACTOR : FACTOR;
+    const double processor = allowed(used->processor, factor);
+    return (SandboxTime){processor, allowed(used->asleep, factor), WALL_FACTOR * processor};
+}
+
+void allowance_note(Allowance *allowance, Step step, SandboxTime used)
+{
+    allowance->is_known[step] = 1;
+    allowance->solution[step] = used;
+}
+
+int allowance_read_packed(Allowance *allowance)
+{
+    uint64_t seconds;
+    char *text = text_file_read(SOLUTION_SECONDS_PATH);
+    if (text == NULL) {
+        return -1;
+    }
+    text[strcspn(text, "\n")] = '\0';
+    const int result = number_read_unsigned(text, 1, OUR_SECONDS, &seconds);
+    if (result != 0) {
+        complain(SOLUTION_SECONDS_PATH ": found \"%.20s\", expected whole seconds", text);
+    }
+    allowance->is_packed = 1;
+    for (Step step = 0; result == 0 && step < N_STEPS; step++) {
+        allowance_note(allowance, step, (SandboxTime){.processor = (double)seconds});
+    }
+    free(text);
+    return result;
+}

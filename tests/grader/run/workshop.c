@@ -1,0 +1,142 @@
+// The workshop's folders: what every variant's sandbox gets to see.
+#include "workshop.h"
+
+#include "folder.h"
+#include "limited_folder.h"
+#include "workshop_files.h"
+
+#include <errno.h>
+#include <glob.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { PATH_BYTES = 512 };
+
+// Copy what matches the pattern into tree/folder; that nothing does is a fault of the machinery.
+static int copy_matching(const Workshop *workshop, const char *pattern, const char *folder)
+{
+    char path[PATH_BYTES];
+    snprintf(path, sizeof path, "%s/tree/%s", workshop->folder, folder);
+    if (make_folder(path) != 0) {
+        return -1;
+    }
+    glob_t found;
+    if (glob(pattern, GLOB_BRACE, NULL, &found) != 0) {
+        fprintf(stderr, "grade: %s: not found; run make grader in the course's top folder\n",
+                pattern);
+        return -1;
+    }
+    int result = 0;
+    for (size_t i = 0; result == 0 && i < found.gl_pathc; i++) {
+        const char *name = strrchr(found.gl_pathv[i], '/') + 1;
+        snprintf(path, sizeof path, "%s/tree/%s/%s", workshop->folder, folder, name);
+        result = copy_file(found.gl_pathv[i], path);
+    }
+    globfree(&found);
+    return result;
+}
+
+// The solutions of the labs before this one, as a handout has them.
+static int copy_earlier_solutions(const Workshop *workshop)
+{
+    glob_t found;
+    int result = 0;
+    if (glob("solutions/*", GLOB_ONLYDIR, NULL, &found) != 0) {
+        return 0;  // a handout of the first lab has none
+    }
+    for (size_t i = 0; result == 0 && i < found.gl_pathc; i++) {
+        const char *folder = found.gl_pathv[i];
+        char pattern[PATH_BYTES];
+        if (strcmp(folder + strlen("solutions/"), workshop->manifest->lab) >= 0) {
+            continue;
+        }
+        snprintf(pattern, sizeof pattern, "%s/*.[hc]*", folder);
+        result = copy_matching(workshop, pattern, folder);
+    }
+    globfree(&found);
+    return result;
+}
+
+static int copy_libraries(const Workshop *workshop)
+{
+    const char *lab = workshop->manifest->lab;
+    char pattern[PATH_BYTES];
+    snprintf(pattern, sizeof pattern, "%s/probes/%s*", workshop->build, lab);
+    int result = copy_matching(workshop, pattern, "lib");
+    snprintf(pattern, sizeof pattern, "%s/earlier/%s.a", workshop->build, lab);
+    result |= copy_matching(workshop, pattern, "lib/earlier");
+    snprintf(pattern, sizeof pattern, "%s/libcommon.a", workshop->build);
+    return result | copy_matching(workshop, pattern, "lib");
+}
+
+// The kernels of the lab's probe; a lab of host files alone has none.
+static int copy_probe_kernel(const Workshop *workshop)
+{
+    char from[PATH_BYTES], folder[128];
+    snprintf(folder, sizeof folder, "probes/%s", workshop->manifest->lab);
+    snprintf(from, sizeof from, "tests/%s/probe.cl", folder);
+    return access(from, F_OK) == 0 ? copy_matching(workshop, from, folder) : 0;
+}
+
+// Empty folders that the sandbox puts others in the place of.
+static int make_mount_points(const Workshop *workshop)
+{
+    static const char *const folders[] = {"labs", "job", "build", "out"};
+    char path[PATH_BYTES];
+    int result = 0;
+    for (size_t i = 0; i < sizeof folders / sizeof *folders; i++) {
+        snprintf(path, sizeof path, "%s/tree/%s", workshop->folder, folders[i]);
+        result |= make_folder(path);
+    }
+    snprintf(path, sizeof path, "%s/tree/labs/%s", workshop->folder, workshop->manifest->lab);
+    result |= make_folder(path);
+    snprintf(path, sizeof path, "%s/job", workshop->folder);
+    return result | make_folder(path);
+}
+
+int workshop_open(Workshop *workshop, const Manifest *manifest, const char *build,
+                  const char *device, SandboxKind sandbox)
+{
+    *workshop =
+        (Workshop){.build = build, .manifest = manifest, .device = device, .sandbox = sandbox};
+    workshop->needs_compiler = manifest_has_host_files(manifest);
+    if (temporary_folder_make(workshop->folder, sizeof workshop->folder, "grade") != 0) {
+        fprintf(stderr, "grade: no temporary folder in $TMPDIR or /tmp: %s\n", strerror(errno));
+        return -1;
+    }
+    char path[PATH_BYTES];
+    snprintf(path, sizeof path, "%s/tree", workshop->folder);
+    int result = make_folder(workshop->folder) | make_folder(path);
+    snprintf(path, sizeof path, "%s/tree/solutions", workshop->folder);
+    result |= make_folder(path) | make_mount_points(workshop);
+    result |= copy_matching(workshop, "common/*.h", "common");
+    result |= copy_matching(workshop, "kernels/*.h", "kernels");
+    result |= copy_matching(workshop, "tests/probes/*.h", "probes");
+    return result | copy_probe_kernel(workshop) | copy_earlier_solutions(workshop) |
+                   copy_libraries(workshop)
+               ? -1
+               : 0;
+}
+
+void workshop_close(Workshop *workshop)
+{
+    glob_t found;
+    char pattern[PATH_BYTES];
+    snprintf(pattern, sizeof pattern, "%s/variant-*/{build,out}", workshop->folder);
+    if (workshop->folder[0] != '\0' && glob(pattern, GLOB_BRACE, NULL, &found) == 0) {
+        for (size_t i = 0; i < found.gl_pathc; i++) {
+            limited_folder_unmount(found.gl_pathv[i]);
+        }
+        globfree(&found);
+    }
+    if (workshop->folder[0] != '\0') {
+        folder_remove(workshop->folder);
+    }
+    workshop->folder[0] = '\0';
+}
+
+void workshop_job_path(const Workshop *workshop, char *path, size_t n_bytes)
+{
+    snprintf(path, n_bytes, "%s/job/job", workshop->folder);
+}

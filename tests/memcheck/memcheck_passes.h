@@ -1,0 +1,28 @@
+// Running a submission's probe under Oclgrind, and what was found.
+//
+// Flow: small job -> PASSES, each in the sandbox -> log -> findings. Read next: oclgrind_log.h.
+#ifndef GRADER_MEMCHECK_PASSES_H
+#define GRADER_MEMCHECK_PASSES_H
+
+#include "memcheck_advice.h"
+#include "oclgrind_log.h"
+#include "session.h"
+
+enum { MEMCHECK_PATH_BYTES = 600 };
+
+// One submission under Oclgrind.
+typedef struct Memcheck {
+    Session session;
+    Variant whole;
+    char folder[MEMCHECK_PATH_BYTES];  // of the submission's files
+    int has_trouble;                   // it did not run to its end
+    Finding findings[MAX_FINDINGS];
+    int n_findings;
+} Memcheck;
+
+// Run the submission, whose files are in the folder and whose host files are compiled, and add up
+// what is found; a run that does not come to its end is told on stdout. Returns 0, or -1 after one
+// message when the machinery failed.
+int memcheck_passes(Memcheck *memcheck);
+
+#endif
