@@ -4,11 +4,8 @@
 // distances are whole numbers of grid squares below 2^24, which float holds exactly.
 #include "judge_06.h"
 
-#include "complain.h"
 #include "random.h"
 
-#include <stdlib.h>
-#include <string.h>
 
 // A number on a grid of 1/8, from lowest to highest.
 static float random_eighth(Random *random, int lowest, int highest)
@@ -251,32 +248,17 @@ static int draw_scenes(Random *random, Job06 *job)
 
 // ---- The job ------------------------------------------------------------------------------------
 
-// Write "scene.K.spheres", and behind the spheres one that must not be asked. Returns 0, or -1.
-static int write_spheres(const TreeScene3D *scene, int k, FILE *file)
-{
-    const size_t n = (size_t)scene->scene.n_spheres;
-    Sphere *spheres = calloc(n + 1, sizeof *spheres);
-    if (spheres == NULL) {
-        complain("grade: no memory for a scene");
-        return -1;
-    }
-    if (n > 0) {
-        memcpy(spheres, scene->scene.spheres, n * sizeof *spheres);
-    }
-    spheres[n] = (Sphere){.radius = BEYOND_RADIUS};
-    const int result = job_section_write(file, k, "spheres", spheres, (n + 1) * sizeof *spheres);
-    free(spheres);
-    return result;
-}
-
 // A scene without the expected tree.
 int job_06_write_scene(const void *pointer, int k, FILE *file)
 {
     const TreeScene3D *scene = &((const Job06 *)pointer)->scenes[k];
     const TreeJob3D job = {(u32)scene->scene.n_spheres, scene->limits.maxDepth,
                            scene->limits.targetElementsPerNode};
+    const Sphere beyond = {.radius = BEYOND_RADIUS};
     return job_section_write(file, k, NULL, &job, sizeof job) |
-           job_title_write(file, k, scene->title) | write_spheres(scene, k, file);
+           job_title_write(file, k, scene->title) |
+           job_array_write(file, k, "spheres", scene->scene.spheres, (size_t)scene->scene.n_spheres,
+                           &beyond, sizeof beyond);
 }
 
 int job_06_draw(void *pointer, Random *random)

@@ -5,6 +5,7 @@
 #include "jobs.h"
 #include "message.h"
 #include "picture_looks.h"
+#include "words.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -38,10 +39,16 @@ const float *image_pixel(const Image *image, int x, int y)
     return image->pixels + ((size_t)y * image->width + x) * IMAGE_CHANNELS;
 }
 
-float expected_tolerance(const ExpectedPicture *expected, int x, int y)
+int expected_n_pixels(const ExpectedPicture *expected)
 {
-    return expected->tolerances ? expected->tolerances[(size_t)y * expected->reference.width + x]
-                                : expected->tolerance;
+    return expected->reference.width * expected->reference.height;
+}
+
+PixelPair pixel_pair(ProbeImage own, const ExpectedPicture *expected, int i)
+{
+    const int x = i % expected->reference.width, y = i / expected->reference.width;
+    return (PixelPair){x, y, probe_image_pixel(own, x, y), image_pixel(&expected->reference, x, y),
+                       expected->tolerances ? expected->tolerances[i] : expected->tolerance};
 }
 
 int is_same_color(const float *a, const float *b, float tolerance)
@@ -75,82 +82,70 @@ static int has_nan(const float *pixel)
 }
 
 // A pixel that may have any colour must be one all the same.
-static int is_right(ProbeImage own, const ExpectedPicture *expected, int x, int y)
+static int is_right(PixelPair pixel)
 {
-    const float *pixel = probe_image_pixel(own, x, y);
-    return is_finite(pixel) && !is_unwritten(pixel) &&
-           is_same_color(pixel, image_pixel(&expected->reference, x, y),
-                         expected_tolerance(expected, x, y));
+    return is_finite(pixel.own) && !is_unwritten(pixel.own) &&
+           is_same_color(pixel.own, pixel.wanted, pixel.tolerance);
 }
 
-// ---- Judging ----------------------------------------------------------------------------------
+// ---- Judging ------------------------------------------------------------------------------------
 
-static char *describe_unwritten(const ExpectedPicture *expected, int x, int y, size_t n_unwritten)
+static Words color_words(const float *color)
 {
-    const Image *reference = &expected->reference;
-    const float *wanted = image_pixel(reference, x, y);
-    return message_new("nobody wrote pixel (%d, %d) of a %dx%d picture: found nothing, expected "
-                       "(%.4g, %.4g, %.4g, %.4g) (%zu of %zu pixels were not written)",
-                       x, y, reference->width, reference->height, (double)wanted[0],
-                       (double)wanted[1], (double)wanted[2], (double)wanted[3], n_unwritten,
-                       (size_t)reference->width * (size_t)reference->height);
+    return words("(%.4g, %.4g, %.4g, %.4g)", color[0], color[1], color[2], color[3]);
+}
+
+static char *describe_unwritten(const ExpectedPicture *expected, PixelPair first, int n_unwritten)
+{
+    return message_new("nobody wrote pixel (%d, %d) of a %dx%d picture: found nothing, expected %s "
+                       "(%d of %d pixels were not written)",
+                       first.x, first.y, expected->reference.width, expected->reference.height,
+                       color_words(first.wanted).text, n_unwritten, expected_n_pixels(expected));
 }
 
 char *picture_judge(ProbeImage own, const ExpectedPicture *expected)
 {
-    const Image *reference = &expected->reference;
-    size_t n_wrong = 0, n_unwritten = 0, n_not_finite = 0, n_nan = 0;
-    int first_x = -1, first_y = -1;
-    for (int y = 0; y < reference->height; y++) {
-        for (int x = 0; x < reference->width; x++) {
-            if (is_right(own, expected, x, y)) {
-                continue;
-            }
-            const float *pixel = probe_image_pixel(own, x, y);
-            if (n_wrong++ == 0) {
-                first_x = x, first_y = y;
-            }
-            n_unwritten += (size_t)is_unwritten(pixel);
-            n_not_finite += !is_finite(pixel);
-            n_nan += (size_t)has_nan(pixel);
+    int n_wrong = 0, n_unwritten = 0, n_not_finite = 0, n_nan = 0;
+    PixelPair first = {0};
+    for (int i = 0; i < expected_n_pixels(expected); i++) {
+        const PixelPair pixel = pixel_pair(own, expected, i);
+        if (is_right(pixel)) {
+            continue;
         }
+        first = n_wrong++ == 0 ? pixel : first;
+        n_unwritten += is_unwritten(pixel.own);
+        n_not_finite += !is_finite(pixel.own);
+        n_nan += has_nan(pixel.own);
     }
     if (n_wrong == 0) {
         return NULL;
     }
-    const size_t n_pixels = (size_t)reference->width * (size_t)reference->height;
     if (n_unwritten == n_wrong) {
-        return describe_unwritten(expected, first_x, first_y, n_unwritten);
+        return describe_unwritten(expected, first, n_unwritten);
     }
-    const float *found = probe_image_pixel(own, first_x, first_y);
-    const float *wanted = image_pixel(reference, first_x, first_y);
     const char *plain = n_nan          ? "not a number in places"
                         : n_not_finite ? "infinite in places"
                                        : picture_plain(own, expected);
     char *looks = plain ? NULL : picture_looks(own, expected);
-    char *message = message_new(
-        "pixel (%d, %d): found (%.4g, %.4g, %.4g, %.4g), expected (%.4g, %.4g, %.4g, "
-        "%.4g) (%zu of %zu pixels differ)%s%s%s",
-        first_x, first_y, (double)found[0], (double)found[1], (double)found[2], (double)found[3],
-        (double)wanted[0], (double)wanted[1], (double)wanted[2], (double)wanted[3], n_wrong,
-        n_pixels, plain ? ", it looks " : "", looks ? MESSAGE_CAUSE "it looks " : "",
-        plain   ? plain
-        : looks ? looks
-                : "");
+    char *message =
+        message_new("pixel (%d, %d): found %s, expected %s (%d of %d pixels differ)%s%s%s", first.x,
+                    first.y, color_words(first.own).text, color_words(first.wanted).text, n_wrong,
+                    expected_n_pixels(expected), plain ? ", it looks " : "",
+                    looks ? MESSAGE_CAUSE "it looks " : "",
+                    plain   ? plain
+                    : looks ? looks
+                            : "");
     free(looks);
     return message;
 }
 
 int picture_is_right(ProbeImage own, const ExpectedPicture *expected)
 {
-    for (int y = 0; y < expected->reference.height; y++) {
-        for (int x = 0; x < expected->reference.width; x++) {
-            if (!is_right(own, expected, x, y)) {
-                return 0;
-            }
-        }
+    int i = 0;
+    while (i < expected_n_pixels(expected) && is_right(pixel_pair(own, expected, i))) {
+        i++;
     }
-    return 1;
+    return i == expected_n_pixels(expected);
 }
 
 char *picture_judge_padding(ProbeImage own, int width, int height)
@@ -171,17 +166,16 @@ char *picture_judge_padding(ProbeImage own, int width, int height)
 
 char *picture_judge_written(ProbeImage own, const ExpectedPicture *expected)
 {
-    size_t n_unwritten = 0;
-    int first_x = 0, first_y = 0;
-    for (int y = expected->reference.height - 1; y >= 0; y--) {
-        for (int x = expected->reference.width - 1; x >= 0; x--) {
-            if (is_unwritten(probe_image_pixel(own, x, y))) {
-                n_unwritten++;
-                first_x = x, first_y = y;
-            }
+    int n_unwritten = 0;
+    PixelPair first = {0};
+    for (int i = expected_n_pixels(expected) - 1; i >= 0; i--) {
+        const PixelPair pixel = pixel_pair(own, expected, i);
+        if (is_unwritten(pixel.own)) {
+            n_unwritten++;
+            first = pixel;
         }
     }
-    return n_unwritten == 0 ? NULL : describe_unwritten(expected, first_x, first_y, n_unwritten);
+    return n_unwritten == 0 ? NULL : describe_unwritten(expected, first, n_unwritten);
 }
 
 int picture_copy(ProbeImage own, int width, int height, Image *picture)

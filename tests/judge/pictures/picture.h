@@ -1,7 +1,7 @@
 // Judging a picture: is it right, and where is it wrong? What a wrong one looks like is found out
 // by picture_looks.h.
-#ifndef GRADER_PICTURE_H
-#define GRADER_PICTURE_H
+#ifndef JUDGE_PICTURE_H
+#define JUDGE_PICTURE_H
 
 #include "image.h"
 #include "sections.h"
@@ -61,8 +61,16 @@ int picture_copy(ProbeImage own, int width, int height, Image *picture);
 const float *probe_image_pixel(ProbeImage own, int x, int y);
 const float *image_pixel(const Image *image, int x, int y);
 
-// How far this pixel's channels may be off.
-float expected_tolerance(const ExpectedPicture *expected, int x, int y);
+// A pixel of a picture and what it should be.
+typedef struct PixelPair {
+    int x, y;
+    const float *own, *wanted;
+    float tolerance;  // how far its channels may be off
+} PixelPair;
+
+// Pixel number i of n, row by row.
+PixelPair pixel_pair(ProbeImage own, const ExpectedPicture *expected, int i);
+int expected_n_pixels(const ExpectedPicture *expected);
 
 // Equal within the tolerance; a NaN equals nothing.
 int is_same_color(const float *a, const float *b, float tolerance);

@@ -1,121 +1,86 @@
-// Trying out distortions of the reference (see picture_distortion.h).
-#include "picture_distortion.h"
-
-#include "picture_tally.h"
+// Trying out distortions of the reference (see picture_looks.h).
+#include "picture_looks.h"
 
 #include <math.h>
 #include <string.h>
 
 // ---- Pixels and channels in other places --------------------------------------------------------
 
-// A wrong way to look up the reference: the student's pixel (x, y) shows its pixel (u, v).
-typedef void Lookup(int x, int y, int width, int height, int *u, int *v);
-
-static void mirrored(int x, int y, int width, int height, int *u, int *v)
-{
-    (void)height;
-    *u = width - 1 - x, *v = y;
-}
-static void flipped(int x, int y, int width, int height, int *u, int *v)
-{
-    (void)width;
-    *u = x, *v = height - 1 - y;
-}
-static void turned(int x, int y, int width, int height, int *u, int *v)
-{
-    *u = width - 1 - x, *v = height - 1 - y;
-}
-static void transposed(int x, int y, int width, int height, int *u, int *v)
-{
-    (void)width, (void)height;
-    *u = y, *v = x;
-}
-static void from_left(int x, int y, int width, int height, int *u, int *v)
-{
-    (void)width, (void)height;
-    *u = x - 1, *v = y;
-}
-static void from_right(int x, int y, int width, int height, int *u, int *v)
-{
-    (void)width, (void)height;
-    *u = x + 1, *v = y;
-}
-static void from_above(int x, int y, int width, int height, int *u, int *v)
-{
-    (void)width, (void)height;
-    *u = x, *v = y - 1;
-}
-static void from_below(int x, int y, int width, int height, int *u, int *v)
-{
-    (void)width, (void)height;
-    *u = x, *v = y + 1;
-}
-static void diagonally(int x, int y, int width, int height, int *u, int *v)
-{
-    (void)width, (void)height;
-    *u = x + 1, *v = y + 1;
-}
-static void in_place(int x, int y, int width, int height, int *u, int *v)
-{
-    (void)width, (void)height;
-    *u = x, *v = y;
-}
+// A coordinate of the reference's pixel that a student's pixel (x, y) shows.
+typedef struct Place {
+    int x, y;      // how many times the student's own
+    int from_end;  // counted from the picture's last column or row
+    int shift;
+} Place;
 
 // A mistake made to the reference.
 typedef struct Distortion {
     const char *looks;
-    Lookup *lookup;
+    Place u, v;
     int channels[IMAGE_CHANNELS];  // the student's channel c shows the reference's channels[c]
 } Distortion;
 
+#define AS_IT_IS {.x = 1}, {.y = 1}
+#define SAME_CHANNELS {0, 1, 2, 3}
+
 static const Distortion distortions[] = {
-    {"mirrored left to right", mirrored, {0, 1, 2, 3}},
-    {"flipped top to bottom", flipped, {0, 1, 2, 3}},
-    {"turned upside down (flipped in x and y)", turned, {0, 1, 2, 3}},
-    {"transposed: rows and columns are swapped", transposed, {0, 1, 2, 3}},
-    {"shifted by one pixel to the right", from_left, {0, 1, 2, 3}},
-    {"shifted by one pixel to the left", from_right, {0, 1, 2, 3}},
-    {"shifted by one pixel down", from_above, {0, 1, 2, 3}},
-    {"shifted by one pixel up", from_below, {0, 1, 2, 3}},
-    {"shifted by one pixel to the left and up", diagonally, {0, 1, 2, 3}},
-    {"right with red and blue swapped", in_place, {2, 1, 0, 3}},
-    {"right with red and green swapped", in_place, {1, 0, 2, 3}},
-    {"right with green and blue swapped", in_place, {0, 2, 1, 3}},
-    {"right with its channels rotated (alpha first)", in_place, {3, 0, 1, 2}},
-    {"right with its channels reversed (alpha first)", in_place, {3, 2, 1, 0}},
+    {"mirrored left to right", {.x = -1, .from_end = 1}, {.y = 1}, SAME_CHANNELS},
+    {"flipped top to bottom", {.x = 1}, {.y = -1, .from_end = 1}, SAME_CHANNELS},
+    {"turned upside down (flipped in x and y)",
+     {.x = -1, .from_end = 1},
+     {.y = -1, .from_end = 1},
+     SAME_CHANNELS},
+    {"transposed: rows and columns are swapped", {.y = 1}, {.x = 1}, SAME_CHANNELS},
+    {"shifted by one pixel to the right", {.x = 1, .shift = -1}, {.y = 1}, SAME_CHANNELS},
+    {"shifted by one pixel to the left", {.x = 1, .shift = 1}, {.y = 1}, SAME_CHANNELS},
+    {"shifted by one pixel down", {.x = 1}, {.y = 1, .shift = -1}, SAME_CHANNELS},
+    {"shifted by one pixel up", {.x = 1}, {.y = 1, .shift = 1}, SAME_CHANNELS},
+    {"shifted by one pixel to the left and up",
+     {.x = 1, .shift = 1},
+     {.y = 1, .shift = 1},
+     SAME_CHANNELS},
+    {"right with red and blue swapped", AS_IT_IS, {2, 1, 0, 3}},
+    {"right with red and green swapped", AS_IT_IS, {1, 0, 2, 3}},
+    {"right with green and blue swapped", AS_IT_IS, {0, 2, 1, 3}},
+    {"right with its channels rotated (alpha first)", AS_IT_IS, {3, 0, 1, 2}},
+    {"right with its channels reversed (alpha first)", AS_IT_IS, {3, 2, 1, 0}},
 };
+
+// A coordinate of the pixel that is shown at (x, y).
+static int place_at(Place place, int x, int y, int side)
+{
+    return place.x * x + place.y * y + (place.from_end ? side - 1 : 0) + place.shift;
+}
 
 // Is a pixel background, and right? Who changes what is drawn and not what is behind it is
 // recognised by the rest.
-static int is_right_background(const ExpectedPicture *expected, const float *own, int x, int y)
+static int is_right_background(const ExpectedPicture *expected, PixelPair pixel)
 {
-    const float *reference = image_pixel(&expected->reference, x, y);
-    return is_same_color(reference, expected->background, 0) &&
-           is_same_color(own, reference, expected_tolerance(expected, x, y));
+    return is_same_color(pixel.wanted, expected->background, 0) &&
+           is_same_color(pixel.own, pixel.wanted, pixel.tolerance);
 }
 
 static int looks_distorted(ProbeImage own, const ExpectedPicture *expected,
                            const Distortion *distortion)
 {
-    const Image *reference = &expected->reference;
+    const int width = expected->reference.width, height = expected->reference.height;
+    const int same[IMAGE_CHANNELS] = SAME_CHANNELS;
+    const int is_of_channels = memcmp(distortion->channels, same, sizeof same) != 0;
     Tally tally = {0};
-    for (int y = 0; y < reference->height; y++) {
-        for (int x = 0; x < reference->width; x++) {
-            int u, v;
-            distortion->lookup(x, y, reference->width, reference->height, &u, &v);
-            if (u < 0 || v < 0 || u >= reference->width || v >= reference->height ||
-                (distortion->lookup == in_place &&
-                 is_right_background(expected, probe_image_pixel(own, x, y), x, y))) {
-                continue;
-            }
-            float guess[IMAGE_CHANNELS];
-            for (int channel = 0; channel < IMAGE_CHANNELS; channel++) {
-                guess[channel] = image_pixel(reference, u, v)[distortion->channels[channel]];
-            }
-            tally_add(&tally, probe_image_pixel(own, x, y), guess,
-                      expected_tolerance(expected, u, v), image_pixel(reference, x, y),
-                      expected_tolerance(expected, x, y));
+    for (int i = 0; i < width * height; i++) {
+        const PixelPair pixel = pixel_pair(own, expected, i);
+        const int u = place_at(distortion->u, pixel.x, pixel.y, width);
+        const int v = place_at(distortion->v, pixel.x, pixel.y, height);
+        if (u < 0 || v < 0 || u >= width || v >= height ||
+            (is_of_channels && is_right_background(expected, pixel))) {
+            continue;
         }
+        const PixelPair shown = pixel_pair(own, expected, v * width + u);
+        float guess[IMAGE_CHANNELS];
+        for (int channel = 0; channel < IMAGE_CHANNELS; channel++) {
+            guess[channel] = shown.wanted[distortion->channels[channel]];
+        }
+        tally_add(&tally, pixel, guess, shown.tolerance);
     }
     return tally_recognises(&tally);
 }
@@ -175,23 +140,18 @@ static float channel_bend(Curve *curve, float value, float tolerance, float *err
 
 static int looks_bent(ProbeImage own, const ExpectedPicture *expected, Curve *curve)
 {
-    const Image *reference = &expected->reference;
     Tally tally = {0};
-    for (int y = 0; y < reference->height; y++) {
-        for (int x = 0; x < reference->width; x++) {
-            if (is_right_background(expected, probe_image_pixel(own, x, y), x, y)) {
-                continue;
-            }
-            const float *right = image_pixel(reference, x, y);
-            const float tolerance = expected_tolerance(expected, x, y);
-            float guess[IMAGE_CHANNELS], error = 0;
-            memcpy(guess, right, sizeof guess);
-            for (int channel = 0; channel < 3; channel++) {
-                guess[channel] = channel_bend(curve, right[channel], tolerance, &error);
-            }
-            tally_add(&tally, probe_image_pixel(own, x, y), guess,
-                      isinf(tolerance) ? tolerance : error, right, tolerance);
+    for (int i = 0; i < expected_n_pixels(expected); i++) {
+        const PixelPair pixel = pixel_pair(own, expected, i);
+        if (is_right_background(expected, pixel)) {
+            continue;
         }
+        float guess[IMAGE_CHANNELS], error = 0;
+        memcpy(guess, pixel.wanted, sizeof guess);
+        for (int channel = 0; channel < 3; channel++) {
+            guess[channel] = channel_bend(curve, pixel.wanted[channel], pixel.tolerance, &error);
+        }
+        tally_add(&tally, pixel, guess, isinf(pixel.tolerance) ? pixel.tolerance : error);
     }
     return tally_recognises(&tally);
 }

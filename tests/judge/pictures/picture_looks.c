@@ -3,8 +3,6 @@
 
 #include "jobs.h"
 #include "message.h"
-#include "picture_distortion.h"
-#include "picture_tally.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -15,14 +13,10 @@
 static int looks_like(ProbeImage own, const ExpectedPicture *expected, const Image *guess,
                       const float *guess_tolerances)
 {
-    const Image *reference = &expected->reference;
     Tally tally = {0};
-    for (int y = 0; y < reference->height; y++) {
-        for (int x = 0; x < reference->width; x++) {
-            tally_add(&tally, probe_image_pixel(own, x, y), image_pixel(guess, x, y),
-                      guess_tolerances[(size_t)y * reference->width + x],
-                      image_pixel(reference, x, y), expected_tolerance(expected, x, y));
-        }
+    for (int i = 0; i < expected_n_pixels(expected); i++) {
+        tally_add(&tally, pixel_pair(own, expected, i), guess->pixels + (size_t)i * IMAGE_CHANNELS,
+                  guess_tolerances[i]);
     }
     return tally_recognises(&tally);
 }
@@ -31,7 +25,7 @@ static int looks_like(ProbeImage own, const ExpectedPicture *expected, const Ima
 static const char *looks_mistaken(ProbeImage own, const ExpectedPicture *expected)
 {
     const Image *reference = &expected->reference;
-    const size_t n_pixels = (size_t)reference->width * (size_t)reference->height;
+    const size_t n_pixels = (size_t)expected_n_pixels(expected);
     float *tolerances = calloc(n_pixels, sizeof *tolerances);
     Image guess = {0};
     const char *looks = NULL;
@@ -52,23 +46,18 @@ static const char *looks_mistaken(ProbeImage own, const ExpectedPicture *expecte
 // Is every wrong pixel background, and all of the background one other colour?
 static int is_other_background(ProbeImage own, const ExpectedPicture *expected)
 {
-    const Image *reference = &expected->reference;
     const float *seen = NULL;
-    for (int y = 0; y < reference->height; y++) {
-        for (int x = 0; x < reference->width; x++) {
-            const float *pixel = probe_image_pixel(own, x, y);
-            const float *wanted = image_pixel(reference, x, y);
-            const float tolerance = expected_tolerance(expected, x, y);
-            const int is_background = is_same_color(wanted, expected->background, 0);
-            if (isinf(tolerance)) {
-                continue;
-            }
-            if (is_background == is_same_color(pixel, wanted, tolerance) ||
-                (is_background && seen != NULL && !is_same_color(pixel, seen, 0))) {
-                return 0;
-            }
-            seen = is_background ? pixel : seen;
+    for (int i = 0; i < expected_n_pixels(expected); i++) {
+        const PixelPair pixel = pixel_pair(own, expected, i);
+        const int is_background = is_same_color(pixel.wanted, expected->background, 0);
+        if (isinf(pixel.tolerance)) {
+            continue;
         }
+        if (is_background == is_same_color(pixel.own, pixel.wanted, pixel.tolerance) ||
+            (is_background && seen != NULL && !is_same_color(pixel.own, seen, 0))) {
+            return 0;
+        }
+        seen = is_background ? pixel.own : seen;
     }
     return seen != NULL;
 }
@@ -76,29 +65,25 @@ static int is_other_background(ProbeImage own, const ExpectedPicture *expected)
 // Is every pixel background, though not every pixel should be?
 static int is_empty(ProbeImage own, const ExpectedPicture *expected)
 {
-    for (int y = 0; y < expected->reference.height; y++) {
-        for (int x = 0; x < expected->reference.width; x++) {
-            if (!is_same_color(probe_image_pixel(own, x, y), expected->background, 0)) {
-                return 0;
-            }
-        }
+    int i = 0;
+    while (i < expected_n_pixels(expected) &&
+           is_same_color(pixel_pair(own, expected, i).own, expected->background, 0)) {
+        i++;
     }
-    return 1;
+    return i == expected_n_pixels(expected);
 }
 
 // Is every pixel of one colour, though not every pixel should be?
 static int is_constant(ProbeImage own, const ExpectedPicture *expected)
 {
-    const Image *reference = &expected->reference;
+    const PixelPair first = pixel_pair(own, expected, 0);
     int is_varied = 0;
-    for (int y = 0; y < reference->height; y++) {
-        for (int x = 0; x < reference->width; x++) {
-            if (!is_same_color(probe_image_pixel(own, x, y), probe_image_pixel(own, 0, 0), 0)) {
-                return 0;
-            }
-            is_varied |=
-                !is_same_color(image_pixel(reference, x, y), image_pixel(reference, 0, 0), 0);
+    for (int i = 0; i < expected_n_pixels(expected); i++) {
+        const PixelPair pixel = pixel_pair(own, expected, i);
+        if (!is_same_color(pixel.own, first.own, 0)) {
+            return 0;
         }
+        is_varied |= !is_same_color(pixel.wanted, first.wanted, 0);
     }
     return is_varied;
 }
@@ -107,17 +92,13 @@ static int is_constant(ProbeImage own, const ExpectedPicture *expected)
 static int shows_beyond(ProbeImage own, const ExpectedPicture *expected)
 {
     const float beyond[IMAGE_CHANNELS] = {BEYOND_RED, BEYOND_GREEN, BEYOND_BLUE, 1};
-    const Image *reference = &expected->reference;
     int n_beyond = 0;
-    for (int y = 0; y < reference->height; y++) {
-        for (int x = 0; x < reference->width; x++) {
-            const float *pixel = probe_image_pixel(own, x, y);
-            if (is_same_color(pixel, beyond, 0)) {
-                n_beyond++;
-            } else if (!is_same_color(pixel, image_pixel(reference, x, y),
-                                      expected_tolerance(expected, x, y))) {
-                return 0;
-            }
+    for (int i = 0; i < expected_n_pixels(expected); i++) {
+        const PixelPair pixel = pixel_pair(own, expected, i);
+        if (is_same_color(pixel.own, beyond, 0)) {
+            n_beyond++;
+        } else if (!is_same_color(pixel.own, pixel.wanted, pixel.tolerance)) {
+            return 0;
         }
     }
     return n_beyond > 0;

@@ -1,7 +1,5 @@
-// Holding a guess against the student's picture (see picture_tally.h).
-#include "picture_tally.h"
-
-#include "picture.h"
+// Holding a guess against the student's picture (see picture_looks.h).
+#include "picture_looks.h"
 
 #include <math.h>
 
@@ -15,14 +13,13 @@
 // From fewer wrong pixels than these nothing is concluded: too many mistakes would explain them.
 #define MIN_WRONG 6
 
-void tally_add(Tally *tally, const float *own, const float *guess, float guess_tolerance,
-               const float *reference, float tolerance)
+void tally_add(Tally *tally, PixelPair pixel, const float *guess, float guess_tolerance)
 {
-    if (isinf(guess_tolerance) || isinf(tolerance)) {
+    if (isinf(guess_tolerance) || isinf(pixel.tolerance)) {
         return;
     }
-    const int agrees = is_same_color(own, guess, guess_tolerance);
-    const int wrong = !is_same_color(own, reference, tolerance);
+    const int agrees = is_same_color(pixel.own, guess, guess_tolerance);
+    const int wrong = !is_same_color(pixel.own, pixel.wanted, pixel.tolerance);
     tally->n_compared++;
     tally->n_agree += (size_t)agrees;
     tally->n_wrong += (size_t)wrong;

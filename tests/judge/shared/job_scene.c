@@ -1,6 +1,7 @@
 // Scenes of a job: made from the seed, drawn by the oracle, written for the probe.
 #include "job_scene.h"
 
+#include "complain.h"
 #include "job_sections.h"
 #include "jobs.h"
 #include "oracle2d.h"
@@ -111,7 +112,7 @@ int job_scene_expect(JobScene *scene)
     expected->tolerances = calloc(n_pixels, sizeof *expected->tolerances);
     int result = image_create(s->width, s->height, &expected->reference);
     if (ambiguous == NULL || expected->tolerances == NULL) {
-        fprintf(stderr, "grade: no memory for a picture\n");
+        complain("grade: no memory for a picture");
         result = -1;
     }
     if (result == 0) {
@@ -125,27 +126,16 @@ int job_scene_expect(JobScene *scene)
     return result;
 }
 
-int job_scene_write_circles(const JobScene *job_scene, int k, FILE *file)
+int job_scene_write_circles(const JobScene *scene, int k, FILE *file)
 {
-    const Scene2D *scene = &job_scene->scene;
-    const size_t n = (size_t)scene->n_circles;
-    Circle *circles = calloc(n + 1, sizeof *circles);
-    if (circles == NULL) {
-        fprintf(stderr, "grade: no memory for a scene\n");
-        return -1;
-    }
-    if (n > 0) {
-        memcpy(circles, scene->circles, n * sizeof *circles);
-    }
-    circles[n] = (Circle){.radius = 1e6f,
-                          .depth = -1e9f,
-                          .r = BEYOND_RED,
-                          .g = BEYOND_GREEN,
-                          .b = BEYOND_BLUE,
-                          .a = 1};
-    const int result = job_section_write(file, k, "circles", circles, (n + 1) * sizeof *circles);
-    free(circles);
-    return result;
+    const Circle beyond = {.radius = 1e6f,
+                           .depth = -1e9f,
+                           .r = BEYOND_RED,
+                           .g = BEYOND_GREEN,
+                           .b = BEYOND_BLUE,
+                           .a = 1};
+    return job_array_write(file, k, "circles", scene->scene.circles, (size_t)scene->scene.n_circles,
+                           &beyond, sizeof beyond);
 }
 
 int job_scene_write(const JobScene *scene, int k, FILE *file)
