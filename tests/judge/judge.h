@@ -78,7 +78,7 @@ typedef struct Judge {
     int n_parts;
     int (*write_scene)(const void *job, int k, FILE *file);
     int n_scenes;
-    // What one task is tried on alone, besides its parts; NULL for nothing.
+    // What one task is tried on alone, besides its parts and replays; NULL for nothing.
     int (*write_alone)(const void *job, const char *task, FILE *file);
 
     // Are pictures compared with those of the solution, once they are there? Else the oracle's stay

@@ -133,6 +133,28 @@ LAB_TEST(checks_add_up)
     manifest_free(&manifest);
 }
 
+// A row names one who decides, and inputs or scenes that are there.
+LAB_TEST(each_check_is_decided_by_one)
+{
+    const Judge *judge = judge_of(lab_names[*lab]);
+    for (int i = 0; i < judge->n_checks; i++) {
+        const JudgeCheck *check = &judge->checks[i];
+        cr_expect_eq((check->function != NULL) + (check->scene != NULL) + (check->tree != NULL) +
+                         (check->all != NULL),
+                     1, "%s", check->id);
+        cr_expect_eq(check->tree != NULL, check->tree2d != NULL || check->tree3d != NULL, "%s",
+                     check->id);
+        cr_expect_leq((check->alone != NULL) + (check->alone_scene != NULL) +
+                          (check->replay != NULL),
+                      1, "%s", check->id);
+        cr_expect_eq(check->range.n > 0, check->all == NULL, "%s", check->id);
+        if (check->function != NULL) {
+            cr_expect_lt(range_at(check->range, check->range.n - 1), check->function->n, "%s",
+                         check->id);
+        }
+    }
+}
+
 LAB_TEST(a_seed_says_all_about_a_job)
 {
     Open first = job_open(*lab, 7), same = job_open(*lab, 7), other = job_open(*lab, 8);

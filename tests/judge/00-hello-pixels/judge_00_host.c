@@ -52,8 +52,8 @@ static char *arguments_fault(const JobPicture *gradient, const ArgumentsAnswer *
                            gradient->title);
     }
     return message_new("%s: found width %g and height %g in the kernel, expected %d and %d%s",
-                       gradient->title, (double)arrived[0], (double)arrived[1], width, height,
-                       explain_sizes((double)arrived[0], (double)arrived[1], width, height));
+                       gradient->title, arrived[0], arrived[1], width, height,
+                       explain_sizes(arrived[0], arrived[1], width, height));
 }
 
 Verdict judge_00_arguments(const void *pointer, int k, const Sections *answers)
@@ -132,8 +132,7 @@ static char *pattern_fault(const ExpectedPicture *pattern, ProbeImage own)
     if (isnan(probe_image_pixel(own, x, y)[IMAGE_CHANNELS - 1])) {
         return message_new("the array on the host was not filled to its end: nobody wrote pixel "
                            "(%d, %d): found it untouched, expected (%.4g, %.4g, %.4g, %.4g)",
-                           x, y, (double)wanted[0], (double)wanted[1], (double)wanted[2],
-                           (double)wanted[3]);
+                           x, y, wanted[0], wanted[1], wanted[2], wanted[3]);
     }
     return picture_judge(own, pattern);
 }

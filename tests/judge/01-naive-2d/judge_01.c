@@ -115,7 +115,9 @@ static int draw_scenes(Random *random, JobScene scenes[N_SCENES])
 static int draw(void *pointer, Random *random)
 {
     Job01 *job = pointer;
-    job_scenes_list(job->scenes, N_SCENES, &job->job);
+    for (int k = 0; k < N_SCENES; k++) {
+        job_list_picture(&job->job, &job->scenes[k].picture);
+    }
     draw_overlaps(random, job->overlaps);
     return draw_scenes(random, job->scenes);
 }

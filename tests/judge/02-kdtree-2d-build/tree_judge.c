@@ -1,6 +1,7 @@
 // Tree invariants, checked in double precision with the oracle's overlap test.
 #include "tree_judge.h"
 
+#include "job_sections.h"
 #include "jobs.h"
 #include "message.h"
 #include "oracle2d.h"

@@ -190,7 +190,9 @@ static int draw_scenes(Random *random, JobScene scenes[N_SCENES])
 int job_03_draw(void *pointer, Random *random)
 {
     Job03 *job = pointer;
-    job_scenes_list(job->scenes, N_SCENES, &job->job);
+    for (int k = 0; k < N_SCENES; k++) {
+        job_list_picture(&job->job, &job->scenes[k].picture);
+    }
     const int result = draw_scenes(random, job->scenes);
     for (int i = 0; result == 0 && i < N_CHILDREN; i++) {
         job->children[i] = draw_child(random, &job->scenes[BORDERS].tree, i >= N_INSIDE);

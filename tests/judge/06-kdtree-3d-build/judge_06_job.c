@@ -6,7 +6,6 @@
 
 #include "random.h"
 
-
 // A number on a grid of 1/8, from lowest to highest.
 static float random_eighth(Random *random, int lowest, int highest)
 {

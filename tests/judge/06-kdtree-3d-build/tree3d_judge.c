@@ -322,9 +322,9 @@ static char *judge_equal(const TreeScene3D *scene, const KdTree3D *own)
             found.first != expected.first || found.n_spheres != expected.n_spheres) {
             return message_new("%s: node %u: found split_axis %u, split_pos %g, first %u, "
                                "n_spheres %u, expected %u, %g, %u, %u",
-                               scene->title, id, found.split_axis, (double)found.split_pos,
-                               found.first, found.n_spheres, expected.split_axis,
-                               (double)expected.split_pos, expected.first, expected.n_spheres);
+                               scene->title, id, found.split_axis, found.split_pos, found.first,
+                               found.n_spheres, expected.split_axis, expected.split_pos,
+                               expected.first, expected.n_spheres);
         }
     }
     for (u32 i = 0; i < own->n_sphere_ids; i++) {

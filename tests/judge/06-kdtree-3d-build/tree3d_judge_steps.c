@@ -135,11 +135,10 @@ char *tree3d_judge_middle(const char *where, BBox3D cell, u32 axis, f32 pos)
                            "split, expected %g",
                            where, min, max, axis, "xyz"[axis], expected);
     }
-    return message_new("%s: cell from %g to %g on axis %u (%c): found split at %g, expected %g%s",
-                       where, min, max, axis, "xyz"[axis], (double)pos, expected,
-                       (double)pos == (max - min) / 2
-                           ? "; that is half the length, as if the cell began at 0"
-                           : "");
+    return message_new(
+        "%s: cell from %g to %g on axis %u (%c): found split at %g, expected %g%s", where, min, max,
+        axis, "xyz"[axis], pos, expected,
+        pos == (max - min) / 2 ? "; that is half the length, as if the cell began at 0" : "");
 }
 
 int tree3d_judge_is_exact_cell(BBox3D cell)

@@ -3,8 +3,8 @@
 // It shares no code with the labs. It checks the solutions, says which pixels are ambiguous (a
 // circle's edge within float rounding), and draws wrong pictures on purpose, so that a submission's
 // can be recognised: "as if the boundary did not belong to the circle".
-#ifndef GRADER_ORACLE2D_H
-#define GRADER_ORACLE2D_H
+#ifndef JUDGE_ORACLE2D_H
+#define JUDGE_ORACLE2D_H
 
 #include "circle.h"
 #include "image.h"

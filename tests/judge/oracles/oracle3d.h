@@ -4,8 +4,8 @@
 // solution in float may be from that, and which rays are ambiguous: float may decide otherwise
 // there. And it traces wrong on purpose, so that a submission's picture can be recognised.
 // How the bounds come about stands at the top of oracle3d.c.
-#ifndef GRADER_ORACLE3D_H
-#define GRADER_ORACLE3D_H
+#ifndef JUDGE_ORACLE3D_H
+#define JUDGE_ORACLE3D_H
 
 #include "camera.h"
 #include "image.h"

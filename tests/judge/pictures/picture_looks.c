@@ -126,8 +126,7 @@ char *picture_looks(ProbeImage own, const ExpectedPicture *expected)
         const float *background = expected->background;
         return message_new("right but for the background, which is (%g, %g, %g, %g) in all four "
                            "channels",
-                           (double)background[0], (double)background[1], (double)background[2],
-                           (double)background[3]);
+                           background[0], background[1], background[2], background[3]);
     }
     const char *looks = picture_distortion(own, expected);
     if (looks == NULL && expected->draw_mistaken != NULL) {

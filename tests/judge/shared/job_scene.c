@@ -166,10 +166,3 @@ void job_scene_free(JobScene *scene)
     tree2d_free(&scene->tree);
     scene2d_free(&scene->scene);
 }
-
-void job_scenes_list(JobScene *scenes, int n, Job *job)
-{
-    for (int k = 0; k < n; k++) {
-        job_list_picture(job, &scenes[k].picture);
-    }
-}

@@ -1,8 +1,9 @@
 // A scene of a job: what the probe draws or builds, and what should come out.
-#ifndef GRADER_JOB_SCENE_H
-#define GRADER_JOB_SCENE_H
+#ifndef JUDGE_JOB_SCENE_H
+#define JUDGE_JOB_SCENE_H
 
-#include "judge.h"
+#include "job_picture.h"
+#include "random.h"
 #include "scene2d.h"
 #include "tree2d.h"
 
@@ -38,9 +39,6 @@ int job_scene_write(const JobScene *scene, int k, FILE *file);
 int job_scene_write_circles(const JobScene *scene, int k, FILE *file);
 
 void job_scene_free(JobScene *scene);
-
-// List the pictures of n scenes in the job.
-void job_scenes_list(JobScene *scenes, int n, Job *job);
 
 // Let wrong pictures of a scene be recognised. The scene must stay where it is. job_scene_expect()
 // does it.
