@@ -202,11 +202,7 @@ void case3d_free(Case3D *bench_case)
         }
     }
     cl_mem buffers[] = {bench_case->d_nodes, bench_case->d_sphere_ids};
-    for (size_t i = 0; i < sizeof buffers / sizeof *buffers; i++) {
-        if (buffers[i] != NULL) {
-            CL_CHECK(clReleaseMemObject(buffers[i]));
-        }
-    }
+    cl_memory_release(buffers, sizeof buffers / sizeof *buffers);
     scene_buffers_free(&bench_case->buffers);
     scene3d_free(&bench_case->scene);
 }

@@ -242,8 +242,9 @@ cl_mem probe_image(const Probe *probe, int width, int height)
     const cl_float4 color = {{UNWRITTEN, UNWRITTEN, UNWRITTEN, UNWRITTEN}};
     const size_t corner[3] = {0, 0, 0};
     const size_t region[3] = {(size_t)PROBE_IMAGE_SIDE(width), (size_t)PROBE_IMAGE_SIDE(height), 1};
-    cl_mem d_image = cl_image_create(&probe->cl, PROBE_IMAGE_SIDE(width), PROBE_IMAGE_SIDE(height));
-    if (d_image == NULL) {
+    cl_mem d_image;
+    if (cl_image_create(&probe->cl, PROBE_IMAGE_SIDE(width), PROBE_IMAGE_SIDE(height), &d_image) !=
+        0) {
         fault("no image");
     }
     CL_CHECK(clEnqueueFillImage(probe->cl.queue, d_image, &color, corner, region, 0, NULL, NULL));
