@@ -128,7 +128,7 @@ wrong() {
 
 mkdir "$class/submissions"
 cp -r "solutions/$lab" "$class/submissions/right"
-tests/cut_labs.sh "$build/tools/holes" "$class/cut"
+tests/tools/cut_labs.sh "$build/tools/holes" "$class/cut"
 mv "$class/cut/$lab" "$class/submissions/skeleton"
 rm -r "$class/cut"
 wrong one-level

@@ -49,7 +49,7 @@ copy() {
 git ls-files -- common kernels LICENSE Makefile .clang-format .editorconfig .gitignore | copy
 
 # The skeleton is cut anew: in labs/ somebody may have tried the tasks.
-tests/cut_labs.sh "$holes" "$stage/cut/labs"
+tests/tools/cut_labs.sh "$holes" "$stage/cut/labs"
 git ls-files -- "labs/$lab" | copy "$stage/cut"
 for path in solutions/*/; do
     earlier=$(basename "$path")
@@ -62,7 +62,11 @@ git ls-files -- tests/scenes | copy
 
 # The grader; of the probes and stand-ins this lab's; and the lab's files as they are handed out, whatever
 # becomes of them in labs/.
-git ls-files -- tests/grader ":(glob)tests/probes/*.[ch]" "tests/probes/$lab" "tests/stand_ins/$lab" | copy
+git ls-files -- tests/grader tests/systems/report ":(glob)tests/probes/*.[ch]" "tests/probes/$lab" "tests/stand_ins/$lab" | copy
+# Where there are kernels to look into, memcheck; its known faults stay here.
+if [ -n "$(find "labs/$lab" -name '*.cl')" ]; then
+    git ls-files -- ":(glob)tests/memcheck/*.[chm]*" ":(exclude)*.cl" ":(exclude)*.md" | copy
+fi
 mkdir -p "$root/tests/skeletons/$lab"
 for file in $(sed -n 's/^  "files": \[\(.*\)\],$/\1/p' "labs/$lab/lab.json" | tr -d '",'); do
     cp "$stage/cut/labs/$lab/$file" "$root/tests/skeletons/$lab/"
@@ -70,7 +74,7 @@ done
 
 # The judge as a program, for both kinds of machines. Its text would be the answers in other words.
 mkdir -p "$root/tests/judge"
-cp "$judges"/judge-x86_64 "$judges"/judge-aarch64 "$root/tests/judge/"
+cp "$judges"/judge-x86_64 "$judges"/judge-aarch64 tests/handout/judge.mk "$root/tests/judge/"
 
 # What may be handed in may take so many times what our solution takes, which is not in here
 # (tests/grader/allowance.h). Rounded up to a power of four, it is mostly the same on every machine.

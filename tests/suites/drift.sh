@@ -5,7 +5,7 @@
 tools=${BUILD:-build}/tools
 
 # labs/ is what cutting gives.
-tests/cut_labs.sh "$tools/holes" "$scratch/labs"
+tests/tools/cut_labs.sh "$tools/holes" "$scratch/labs"
 check "labs/ is cut from solutions/ (else: make skeletons)" diff -r labs "$scratch/labs"
 
 # A field of a task in lab.json, which has one field a line: json_field FILE TASK FIELD

@@ -42,7 +42,8 @@ only_its_files() {
     [ -z "$strays" ] || { echo "not tracked: $strays"; return 1; }
     strays=$(grep '^tests/' "$scratch/files" | grep -v -e '^tests/grader/' -e "^tests/probes/$2/" \
         -e '^tests/probes/[^/]*\.[ch]$' -e "^tests/stand_ins/$2/" -e "^tests/skeletons/$2/" \
-        -e '^tests/judge/judge-[^/.]*$' -e '^tests/scenes/' -e '^tests/solution-seconds$')
+        -e '^tests/judge/judge-[^/.]*$' -e '^tests/judge/judge.mk$' -e '^tests/memcheck/[a-z_]*\.\([ch]\|mk\)$' \
+        -e '^tests/scenes/' -e '^tests/solution-seconds$')
     [ -z "$strays" ] || { echo "not expected: $strays"; return 1; }
     sed 's/^[0-9]* //' "$scratch/first/$2.txt" | LC_ALL=C sort | diff - "$scratch/files" ||
         { echo "the list beside the archive is another"; return 1; }
@@ -78,7 +79,7 @@ no_solution() {
 judge_names() {
     sed -n 's/.*{ "id": "\([^"]*\)".*/\1/p; s/^ *"id": "\([^"]*\)".*/\1/p' solutions/*/lab.json >"$scratch/tasks"
     nm "$build/libgrader.a" "$build/libcommon.a" 2>/dev/null | sed -n 's/.* [A-Za-z] //p' | sort -u >"$scratch/shared"
-    nm "$build"/obj/tests/judge/*.o 2>/dev/null | sed -n 's/.* [TtRrDd] \([a-z_0-9]\{12,\}\)$/\1/p' | sort -u |
+    find "$build/obj/tests/judge" -name '*.o' -exec nm {} + 2>/dev/null | sed -n 's/.* [TtRrDd] \([a-z_0-9]\{12,\}\)$/\1/p' | sort -u |
         comm -23 - "$scratch/shared" | grep -v -x -F -f "$scratch/tasks"
 }
 
@@ -93,7 +94,7 @@ no_judge() {
     ! grep -rIlwF -f "$scratch/names" "$1" --exclude-dir=solutions >"$scratch/leaks" || { cat "$scratch/leaks"; return 1; }
     find common kernels labs tests/grader tests/probes tests/stand_ins solutions -type f -name '*.[ch]*' \
         -exec cat {} + | tr -d ' \t' | sort -u >"$scratch/given"
-    cat tests/judge/*.[ch] | tr -d ' \t' | grep '[A-Za-z0-9].\{16,\}' | sort -u |
+    find tests/judge -name '*.[ch]' -exec cat {} + | tr -d ' \t' | grep '[A-Za-z0-9].\{16,\}' | sort -u |
         comm -23 - "$scratch/given" >"$scratch/lines"
     [ "$(wc -l <"$scratch/lines")" -ge 1000 ] || { echo "only few lines to look for"; return 1; }
     find "$1" -name '*.[ch]*' -exec cat {} + | tr -d ' \t' | sort -u | comm -12 - "$scratch/lines" >"$scratch/leaks"
@@ -163,10 +164,10 @@ ok $? "a solution in the wrong place is found"
 check "each of its lines" test "$(wc -l <"$scratch/leaks")" -ge 15
 rm "$scratch/02-kdtree-2d-build/tests/grader/kdtree2d_build.c"
 
-cp tests/judge/oracle3d.c "$scratch/02-kdtree-2d-build/tests/grader/another.c"
+cp "$(find tests/judge -name oracle3d.c)" "$scratch/02-kdtree-2d-build/tests/grader/another.c"
 ! no_judge "$scratch/02-kdtree-2d-build" >/dev/null
 ok $? "a part of the judge under another name is found"
-sed 's/oracle[23]d_\([a-z]\)/know_\1/g' tests/judge/oracle3d.c >"$scratch/02-kdtree-2d-build/tests/grader/another.c"
+sed 's/oracle[23]d_\([a-z]\)/know_\1/g' "$(find tests/judge -name oracle3d.c)" >"$scratch/02-kdtree-2d-build/tests/grader/another.c"
 ! no_judge "$scratch/02-kdtree-2d-build" >/dev/null
 ok $? "and with other names in it"
 rm "$scratch/02-kdtree-2d-build/tests/grader/another.c"

@@ -4,7 +4,7 @@
 
 sources=$(git ls-files -- '*.c' '*.h' '*.cpp' '*.cl' 2>/dev/null)
 [ -n "$sources" ] || sources=$(find common kernels labs solutions tests -name '*.[ch]' -o -name '*.cpp' -o -name '*.cl')
-written=$(echo "$sources" | grep -v -e '^labs/' -e '^tests/stand_ins/' -e '^tests/mutants/' -e '^tests/right/' -e '^tests/memcheck/' -e '^tests/attacks/')
+written=$(echo "$sources" | grep -v -e '^labs/' -e '^tests/stand_ins/' -e '^tests/mutants/' -e '^tests/right/' -e '^tests/memcheck/.*\.cl' -e '^tests/attacks/')
 
 # shellcheck disable=SC2086 # lists of names without spaces
 check "clang-format (make format mends it)" clang-format-19 --dry-run -Werror $written
@@ -14,7 +14,7 @@ check "cppcheck" cppcheck --quiet --error-exitcode=1 --inline-suppr --std=c11 --
     --enable=warning,performance,portability --suppress=missingIncludeSystem \
     --suppress=normalCheckLevelMaxBranches --suppress=nullPointerOutOfMemory \
     --suppress=nullPointerArithmeticOutOfMemory --suppress=nullPointerOutOfResources \
-    -Icommon -Ikernels -Itests/grader -Itests/judge -Itests/mutation -Itests/probes -Itests/stand_ins -Isolutions/02-kdtree-2d-build \
+    -Icommon -Ikernels -Itests/stand_ins $(find tests -name '*.h' -exec dirname {} + | sort -u | sed 's/^/-I/') -Isolutions/02-kdtree-2d-build \
     -Isolutions/04-camera-rays -Isolutions/05-spheres -Isolutions/06-kdtree-3d-build \
     -DJSON_INTEGER_FORMAT='"lld"' -DLAB_NAME='"lab"' -DLAB_FOLDER='"labs/lab"' -DKERNEL_OPTIONS='""' -DPROBE_KERNEL_OPTIONS='""' \
     -DSANDBOX_INIT='""' \
@@ -37,7 +37,7 @@ includes="-I kernels -I tests/probes"
 for folder in solutions/*/; do
     includes="$includes -I $folder"
 done
-for kernel in $(echo "$sources" | grep '\.cl$' | grep -v -e '^tests/stand_ins/' -e '^tests/mutants/' -e '^tests/right/' -e '^tests/memcheck/' -e '^tests/attacks/'); do
+for kernel in $(echo "$sources" | grep '\.cl$' | grep -v -e '^tests/stand_ins/' -e '^tests/mutants/' -e '^tests/right/' -e '^tests/memcheck/.*\.cl' -e '^tests/attacks/'); do
     for variant in "" -DCOUNT_WORK -DTEXTBOOK; do
         case $variant$kernel in -DTEXTBOOK*/05-*) ;; -DTEXTBOOK*) continue ;; esac
         # shellcheck disable=SC2086

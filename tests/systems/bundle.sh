@@ -43,7 +43,7 @@ copy_course() {
     done)
     mkdir -p "$1"
     # shellcheck disable=SC2046,SC2086 # lists of names without spaces
-    tracked Makefile LICENSE common kernels tests/grader tests/judge $(find tests/probes -maxdepth 1 -type f) "tests/probes/$lab" tests/stand_ins tests/systems/prepare.sh \
+    tracked Makefile LICENSE common kernels tests/grader tests/judge $(find tests/probes -maxdepth 1 -type f) "tests/probes/$lab" tests/stand_ins tests/systems/report tests/systems/prepare.sh \
         tests/systems/limits.sh "tests/systems/$system" "labs/$lab" $(printf 'solutions/%s ' $solutions) |
         grep -v '\.md$' | tar -cf - -T - | tar -xf - -C "$1"
 }

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Cut the skeletons of all labs from solutions/ into a folder.
 #
-#     tests/cut_labs.sh HOLES-TOOL FOLDER
+#     tests/tools/cut_labs.sh HOLES-TOOL FOLDER
 #
 # Sources lose what stands in their holes; every other file is copied as it is. What is no longer in
 # solutions/ disappears.

@@ -1,0 +1,34 @@
+# How fast: the bench of naive against kd-tree, in 2D and in 3D.
+
+# Embree, which the 3D bench compares with where its package is installed: version 4, or 3.
+EMBREE := $(firstword $(foreach v,4 3,$(if $(wildcard /usr/include/embree$(v)/rtcore.h),$(v))))
+BENCH_INCLUDES = $(BUILDER_INCLUDES) -I solutions/05-spheres
+$(OUT)/obj/tests/bench/%.o: EXTRA = $(BENCH_INCLUDES) \
+    -DNAIVE_OPTIONS='"$(call include_path,01-naive-2d)"' \
+    -DKDTREE_OPTIONS='"$(call include_path,03-kdtree-2d-render)"' \
+    -DSPHERES_OPTIONS='"$(call include_path,05-spheres)"' \
+    -DTRACE_OPTIONS='"$(call include_path,07-kdtree-3d-trace)"'
+# For this machine, as OpenCL compiles the kernels; anew when Embree was installed since.
+$(OUT)/obj/tests/bench/embree_peer.c.o: EXTRA = $(BENCH_INCLUDES) -O3 -march=native \
+    $(if $(EMBREE),-DWITH_EMBREE=$(EMBREE))
+$(OUT)/obj/tests/bench/embree_peer.c.o: $(OUT)/embree-version
+$(OUT)/embree-version: always
+	@mkdir -p $(@D)
+	@echo "$(EMBREE)" | cmp -s - $@ || echo "$(EMBREE)" >$@
+
+$(OUT)/libbench.a: $(call objects,$(filter-out tests/bench/bench%d.c,$(wildcard tests/bench/*.c)) \
+    $(BUILDERS) solutions/05-spheres/scene_buffers.c)
+	$(archive)
+
+$(OUT)/tools/bench2d $(OUT)/tools/bench3d: $(OUT)/tools/%: $(OUT)/obj/tests/bench/%.c.o $(OUT)/libbench.a $(OUT)/libcommon.a
+	$(call link,$(LIBRARIES) $(if $(EMBREE),-lembree$(EMBREE)) -pthread)
+
+.PHONY: bench
+bench:  ## install what is missing, measure naive against kd-tree in 2D and 3D, plot to build/bench
+	@common/setup/install.sh bench
+	@$(MAKE) --no-print-directory $(OUT)/tools/bench2d $(OUT)/tools/bench3d
+	@for bench in bench2d bench3d; do \
+	    $(OUT)/tools/$$bench --output $(OUT)/bench $(if $(DEVICE),--device "$$DEVICE") \
+	        $(if $(ROUNDS),--rounds "$$ROUNDS") && \
+	    gnuplot -e "folder='$(OUT)/bench'" tests/bench/$$bench.gnuplot && \
+	    echo "The plot: $(OUT)/bench/$$bench.png and .svg" || exit 1; done

@@ -1,0 +1,26 @@
+# What libFuzzer feeds, compiled by clang together with the target: a list for each tests/fuzz/fuzz_*.c.
+
+CLANG ?= $(firstword $(foreach c,clang clang-19 clang-15 clang-14,$(shell command -v $(c))))
+SECONDS ?= 60
+FUZZED_graded = tests/class/graded.c tests/grader/verdict/result.c $(addprefix common/,message.c image.c) $(MESSAGES)
+FUZZED_manifest = tests/grader/lab/manifest.c common/message.c $(MESSAGES)
+FUZZED_scene3d = $(wildcard common/scene3d*.c common/molecule*.c) $(MESSAGES) \
+    $(addprefix common/,elements.c line_reader.c number.c scene_arguments.c text_file.c)
+FUZZED_sections = tests/probes/sections.c
+FUZZED_source = $(addprefix tests/grader/,lab/holes.c submission/source_words.c submission/stands_out.c \
+    submission/extra_files.c) $(addprefix common/,message.c text_file.c) $(MESSAGES)
+FUZZED_unpack = $(addprefix tests/grader/submission/,unpack.c unpack_entry.c file_kind.c bytes_write.c \
+    places.c stage.c) common/message.c $(MESSAGES)
+FUZZ_TARGETS := $(patsubst tests/fuzz/fuzz_%.c,fuzz-%,$(wildcard tests/fuzz/fuzz_*.c))
+
+.PHONY: fuzz $(FUZZ_TARGETS)
+fuzz: $(if $(TARGET),fuzz-$(TARGET),$(FUZZ_TARGETS))  ## for authors: fuzz what reads files, [TARGET=unpack] for SECONDS=60 each (needs libclang-rt-dev)
+
+$(FUZZ_TARGETS): fuzz-%:
+	@mkdir -p $(BUILD)/fuzz/$*/new
+	$(CLANG) -std=c11 -D_GNU_SOURCE -O1 -g -fsanitize=fuzzer,address,undefined \
+	    -fno-sanitize-recover=undefined $(INCLUDES) $(GRADER_INCLUDES) tests/fuzz/fuzz_$*.c \
+	    $(FUZZED_$*) -larchive -ljansson -lm -o $(BUILD)/fuzz/$*/fuzz
+	$(BUILD)/fuzz/$*/fuzz $(addprefix -dict=,$(wildcard tests/fuzz/$*.dict)) -max_len=4096 \
+	    -max_total_time=$(SECONDS) -artifact_prefix=$(BUILD)/fuzz/$*/ $(FUZZ_OPTIONS) \
+	    $(BUILD)/fuzz/$*/new tests/fuzz/corpus/$*

@@ -1,0 +1,52 @@
+# How the grader is built, in the course and in a handout: its library, its programs, the probes.
+# Included by the top folder's Makefile, whose words it uses.
+
+GRADER_ROOMS := tests/grader $(patsubst %/,%,$(wildcard tests/grader/*/)) tests/systems/report
+GRADER_MAINS := tests/grader/grade.c tests/grader/submission/unpack_tool.c tests/grader/sandbox/sandbox_init_tool.c
+GRADER_SOURCES := $(filter-out $(GRADER_MAINS),$(foreach room,$(GRADER_ROOMS),$(wildcard $(room)/*.c)))
+GRADER_INCLUDES = $(addprefix -I ,$(GRADER_ROOMS) tests/probes tests/stand_ins) $(AUTHORS_INCLUDES)
+$(OUT)/obj/tests/%.o: EXTRA = $(GRADER_INCLUDES)
+
+$(OUT)/libgrader.a: $(call objects,$(GRADER_SOURCES) tests/probes/sections.c)
+	$(archive)
+$(OUT)/tools/grade: $(call objects,tests/grader/grade.c) $(OUT)/libgrader.a $(OUT)/libcommon.a | $(OUT)/libimage_codec.so
+	$(call link,$(LIBRARIES))
+# The only program that reads archives of students, in the sandbox.
+$(OUT)/tools/unpack: $(call objects,tests/grader/submission/unpack_tool.c) $(OUT)/libgrader.a $(OUT)/libcommon.a
+	$(call link,$(LIBRARIES) -larchive)
+
+# Process 1 of bubblewrap's sandboxes is a program inside the grader, never with the sanitizers.
+SANDBOX_INIT := $(OUT)/obj/tests/grader/sandbox/sandbox_init
+$(SANDBOX_INIT): tests/grader/sandbox/sandbox_init_tool.c Makefile
+	@mkdir -p $(@D)
+	$(call say,link    $@)$(CC) -std=c11 -D_GNU_SOURCE -O2 -s $(WARNINGS) $< -o $@
+$(SANDBOX_INIT).c.o: EXTRA = $(GRADER_INCLUDES) -DSANDBOX_INIT='"$(SANDBOX_INIT)"'
+$(SANDBOX_INIT).c.o: $(SANDBOX_INIT)
+
+# One probe a lab: an archive for labs with host files, which the grader links with the student's, and
+# a program for the others.
+PROBED := $(patsubst tests/probes/%/main.c,%,$(wildcard tests/probes/*/main.c))
+WITH_HOST_FILES := $(patsubst labs/%/lab.json,%,$(shell grep -l '"[a-zA-Z0-9_]*\.c"' labs/*/lab.json))
+PROBES := $(PROBED:%=$(OUT)/probes/%.a) $(addprefix $(OUT)/probes/,$(filter-out $(WITH_HOST_FILES),$(PROBED)))
+$(OUT)/obj/tests/probes/%/main.c.o: EXTRA = -I tests/probes -I labs/$(lab_name) -DLAB_NAME='"$(lab_name)"' \
+    -DLAB_FOLDER='"labs/$(lab_name)"' -DPROBE_KERNEL_OPTIONS='"$(call include_path,$(lab_name))"'
+$(OUT)/probes/%.a: $(OUT)/obj/tests/probes/%/main.c.o $(call objects,tests/probes/probe.c tests/probes/sections.c)
+	$(archive)
+$(OUT)/probes/%: $(OUT)/probes/%.a $(OUT)/libcommon.a
+	$(call link,-lOpenCL -lm)
+
+.PHONY: grader lab-grader grade
+grader: $(addprefix $(OUT)/tools/,grade judge unpack) $(PROBES) $(LABS:%=$(OUT)/earlier/%.a)  ## build the grader and its probes
+
+# The same for one lab: what a bundle for another system builds.
+lab-grader: $(addprefix $(OUT)/tools/,grade judge unpack) $(filter $(OUT)/probes/$(LAB)-%,$(PROBES)) $(patsubst %,$(OUT)/earlier/%.a,$(filter $(LAB)-%,$(LABS)))
+
+# Status 1 is a verdict, such as points that are missing: make has nothing to complain of.
+verdict_is_no_fault = || test $$? -eq 1
+
+grade: grader  ## grade LAB=03 [SUBMISSION=folder or archive] [SEED=n] [DEVICE=d] [TIME_LIMIT=seconds] [FORMAT=junit,tap]
+	@test -n "$(LAB)" || { echo "make grade: say which lab: make grade LAB=$(EXAMPLE_LAB)" >&2; exit 2; }
+	@$(OUT)/tools/grade --build $(OUT) --lab "$$LAB" $(if $(SUBMISSION),--submission "$$SUBMISSION") \
+	    $(if $(SEED),--seed "$$SEED") $(if $(DEVICE),--device "$$DEVICE") \
+	    $(if $(TIME_LIMIT),--time-limit "$$TIME_LIMIT") \
+	    $(if $(FORMAT),--format "$$FORMAT") $(verdict_is_no_fault)

@@ -1,0 +1,32 @@
+# How the judge is built. It knows the answers: never in a handout as text, and never linked with what
+# starts a student's code.
+
+JUDGE_ROOMS := tests/judge $(patsubst %/,%,$(wildcard tests/judge/*/))
+JUDGE_SOURCES := $(filter-out %/judge_tool.c,$(foreach room,$(JUDGE_ROOMS),$(wildcard $(room)/*.c)))
+# Judges of later labs get their trees and cameras from the solutions of labs 02, 04 and 06.
+BUILDERS := $(wildcard solutions/02-kdtree-2d-build/kdtree2d_build.c \
+    solutions/04-camera-rays/camera_from_view.c solutions/06-kdtree-3d-build/kdtree3d_build.c)
+BUILDER_INCLUDES = $(addprefix -I ,$(sort $(dir $(BUILDERS))))
+AUTHORS_INCLUDES += $(addprefix -I ,$(JUDGE_ROOMS)) $(BUILDER_INCLUDES)
+
+$(OUT)/libjudge.a: $(call objects,$(JUDGE_SOURCES) $(BUILDERS))
+	$(archive)
+
+# What the judge needs besides: no file is read by it, no device opened.
+JUDGE_NEEDS = $(addprefix common/,$(addsuffix .c,cl_check clean_text complain image message number scene2d \
+    scene2d_edge_cases scene2d_random scene3d scene3d_edge_cases scene3d_lattice scene3d_random \
+    scene3d_sphereflake scene3d_view scene_arguments tree2d tree2d_draw tree3d tree3d_draw)) \
+    tests/grader/verdict/result.c tests/judge/judge_tool.c tests/probes/sections.c
+# Linked statically: it runs wherever a handout that holds it is unpacked.
+$(OUT)/tools/judge: $(call objects,$(JUDGE_NEEDS)) $(OUT)/libjudge.a
+	$(call link,$(if $(SANITIZERS),,-static) -lm)
+
+# The same for handouts, which go to machines of both kinds, stripped: judge-x86_64, judge-aarch64.
+JUDGES = $(addprefix $(OUT)/judges/judge-,x86_64 aarch64)
+.PHONY: judge always
+judge: $(OUT)/tools/judge
+$(OUT)/judges/judge-%: always
+	@command -v $*-linux-gnu-gcc >/dev/null || { \
+	    echo "make: found no $*-linux-gnu-gcc, expected one: make handout installs it" >&2; exit 2; }
+	@$(MAKE) --no-print-directory BUILD=$(OUT)/judges/$* CC=$*-linux-gnu-gcc OPTIMISATION='-O2 -flto=auto' LDFLAGS=-s judge
+	@cp $(OUT)/judges/$*/tools/judge $@

@@ -1,0 +1,132 @@
+# What authors need besides: a class, other systems, skeletons and handouts, the tests, known answers,
+# the figures. The bench and fuzzing have files of their own. Nothing of this is in a handout.
+
+AUTHORS_INCLUDES += -I tests/mutation -I tests/memcheck -I tests/class
+
+# ---- Known answers, and mechanical ones -----------------------------------------------------
+
+$(OUT)/libmutation.a: $(call objects,tests/mutation/mistake_kinds.c tests/mutation/mutations.c)
+	$(archive)
+$(OUT)/tools/mutants $(OUT)/tools/mutate: $(OUT)/tools/%: $(OUT)/obj/tests/mutation/%.c.o $(OUT)/libmutation.a $(OUT)/libgrader.a $(OUT)/libcommon.a | $(OUT)/libimage_codec.so
+	$(call link,$(LIBRARIES))
+
+# ---- A class ---------------------------------------------------------------------------------
+
+$(OUT)/libclass.a: $(call objects,$(filter-out %_tool.c,$(wildcard tests/class/*.c)))
+	$(archive)
+$(OUT)/tools/gradebook: $(call objects,tests/class/gradebook_tool.c) $(OUT)/libclass.a $(OUT)/libgrader.a $(OUT)/libcommon.a
+	$(call link,$(LIBRARIES) -lnettle)
+
+grader: $(addprefix $(OUT)/tools/,holes gradebook mutants mutate)
+.PHONY: grade-class
+grade-class: grader  ## grade a class: LAB=03 SUBMISSIONS=folder [OUTPUT=folder] [ENGINE=slurm] [SEED=n] [ONLY=failed|latest] [JOBS=n] [TIME_LIMIT=seconds] [AGAIN=1] [MOODLE=file.csv] [AGAINST=gradebook.json]
+	@tests/class/grade_class.sh --build $(OUT) --lab "$(LAB)" --submissions "$$SUBMISSIONS" \
+	    $(if $(OUTPUT),--output "$$OUTPUT") $(if $(ENGINE),--engine "$$ENGINE") \
+	    $(if $(SEED),--seed "$$SEED") $(if $(ONLY),--only "$$ONLY") $(if $(JOBS),--jobs "$$JOBS") \
+	    $(if $(AGAIN),--again "$$AGAIN") $(if $(MOODLE),--moodle "$$MOODLE") \
+	    $(if $(AGAINST),--against "$$AGAINST") $(if $(DEVICE),--device "$$DEVICE") \
+	    $(if $(TIME_LIMIT),--time-limit "$$TIME_LIMIT")
+
+# Bundles for the systems that courses use (tests/systems/README.md), in build/systems.
+.PHONY: gradescope autolab prairielearn github
+gradescope:  ## the autograder of LAB=03 for Gradescope
+autolab:  ## the assessment of LAB=03 for Autolab
+prairielearn:  ## the question of LAB=03 for PrairieLearn, and its grader's image
+github:  ## the workflow of LAB=03 for GitHub Classroom
+gradescope autolab prairielearn github:
+	@test -n "$(LAB)" || { echo "make $@: say which lab: make $@ LAB=03" >&2; exit 2; }
+	@tests/systems/bundle.sh $@ "$$LAB" $(BUILD)/systems
+
+# ---- Skeletons, handouts, pictures ----------------------------------------------------------
+
+# What a message needs, for tools that need little else of common/.
+MESSAGES = common/complain.c common/clean_text.c
+$(OUT)/tools/holes: $(call objects,tests/tools/holes.c tests/grader/lab/holes.c common/message.c common/text_file.c $(MESSAGES))
+	$(call link)
+
+.PHONY: skeletons handout pack demo figures format
+skeletons: $(OUT)/tools/holes  ## for authors: cut labs/ anew from solutions/; the old one goes to build/labs-replaced
+	@if [ -d labs ]; then rm -rf $(BUILD)/labs-replaced && cp -r labs $(BUILD)/labs-replaced; fi
+	@tests/tools/cut_labs.sh $(OUT)/tools/holes labs
+
+handout:  ## install what is missing, pack what students get: LAB=03
+	@test -n "$(LAB)" || { echo "make handout: say which lab: make handout LAB=03" >&2; exit 2; }
+	@common/setup/install.sh handout
+	@$(MAKE) --no-print-directory pack
+pack: $(OUT)/tools/holes grader $(JUDGES)
+	@tests/handout/pack.sh $(OUT)/tools "$$LAB" $(OUT)/handout
+
+demo:  ## install what is missing, render every solution, grade a small class
+	@common/setup/install.sh demo
+	@$(MAKE) --no-print-directory all
+	@tests/demo.sh $(OUT)
+
+figures: all  ## draw the pictures of the READMEs and notes anew
+	tests/figures.sh slides-notes/figures $(OUT) >/dev/null
+
+# Texts of answers are as somebody wrote them.
+NOT_OURS = -e ^labs/ -e ^tests/stand_ins/ -e ^tests/mutants/ -e ^tests/right/ -e ^tests/memcheck/.*\\.cl -e ^tests/attacks/
+format:  ## put every source into the one format
+	clang-format-19 -i $$(git ls-files -- '*.c' '*.h' '*.cpp' '*.cl' | grep -v $(NOT_OURS))
+
+# ---- Tests ----------------------------------------------------------------------------------
+
+UNIT_TESTS := $(patsubst tests/unit/%.c,$(OUT)/tests/%,$(wildcard tests/unit/test_*.c))
+$(UNIT_TESTS): $(OUT)/tests/%: $(OUT)/obj/tests/unit/%.c.o $(OUT)/libclass.a $(OUT)/libmutation.a $(OUT)/libgrader.a $(OUT)/libjudge.a $(OUT)/libcommon.a | $(OUT)/libimage_codec.so
+	$(call link,$(LIBRARIES) -larchive -lnettle -lcriterion)
+$(OUT)/tests/test_memcheck: $(call objects,$(filter-out %/memcheck.c,$(MEMCHECK_SOURCES)))
+$(OUT)/tests/test_oclgrind_log: $(call objects,tests/memcheck/oclgrind_log.c)
+
+# Fuzz targets, each as a function of its name, for the test that runs their corpus through.
+$(OUT)/obj/tests/fuzz/%.c.o: EXTRA = $(GRADER_INCLUDES) -DLLVMFuzzerTestOneInput=$(basename $(notdir $<))
+$(OUT)/obj/tests/unit/test_corpus.c.o: EXTRA = $(GRADER_INCLUDES) -I tests/fuzz
+$(OUT)/tests/test_corpus: $(call objects,$(wildcard tests/fuzz/fuzz_*.c))
+
+# The figures that the bench prints.
+$(OUT)/obj/tests/unit/test_bench_report.c.o: EXTRA = -I tests/bench
+$(OUT)/tests/test_bench_report: $(call objects,tests/bench/report.c tests/bench/series.c)
+
+# Lab 02's builder with a distribute() that returns more circles than it was given.
+TOO_MANY = $(OUT)/wrong/returns-too-many.c
+$(TOO_MANY): solutions/02-kdtree-2d-build/kdtree2d_build.c tests/mutants/02-kdtree-2d-build/returns-too-many.c $(OUT)/tools/holes
+	@mkdir -p $(@D)
+	@$(OUT)/tools/holes fill $< distribute $(word 2,$^) >$@.new && mv $@.new $@
+$(OUT)/obj/tests/unit/test_builder_guard.c.o: EXTRA = $(GRADER_INCLUDES) -I $(dir $(TOO_MANY))
+$(OUT)/obj/tests/unit/test_builder_guard.c.o: $(TOO_MANY)
+
+# What the suites use: a comparison of two pictures, what rays hit; for the attacks a listener that must
+# not be reached, and a wrapper that sees survivors; a kernel without Landlock, a device without images.
+SUITE_TOOLS = $(addprefix $(OUT)/tools/,compare count_hits listener left_behind older_kernel)
+$(SUITE_TOOLS): $(OUT)/tools/%: $(OUT)/obj/tests/tools/%.c.o $(OUT)/libgrader.a $(OUT)/libjudge.a $(OUT)/libcommon.a | $(OUT)/libimage_codec.so
+	$(call link,$(LIBRARIES))
+$(OUT)/tests/no_images.so: tests/tools/no_images.c
+	@mkdir -p $(@D)
+	$(call say,link    $@)$(CC) $(CFLAGS) -fPIC -shared $< -ldl -o $@
+
+# Unit tests run under the sanitizers, but for this one: PoCL's compiler is not built for them.
+NATIVE_TEST = $(OUT)/tests/test_cl_setup
+
+.PHONY: unit-tests tests check test test-scale test-mutants test-attacks
+unit-tests: $(filter-out $(NATIVE_TEST),$(UNIT_TESTS))
+tests: all $(NATIVE_TEST) $(JUDGES) $(SUITE_TOOLS) $(OUT)/tests/no_images.so  ## build all that the tests run
+	@$(MAKE) --no-print-directory SANITIZE=1 all unit-tests
+check: tests  ## run the tests without installing anything
+	@BUILD="$(BUILD)" tests/run.sh
+test:  ## install what is missing and run every test
+	@common/setup/install.sh test
+	@$(MAKE) --no-print-directory check
+test-scale:  ## install what is missing, grade a class of N=1000, try mechanical mutants of every lab (long)
+	@common/setup/install.sh test
+	@common/setup/install.sh scale
+	@$(MAKE) --no-print-directory grader
+	@BUILD="$(BUILD)" tests/run.sh slurm
+	@tests/scale/run.sh $(or $(N),1000) $(OUT)
+	@$(MAKE) --no-print-directory test-mutants
+	@$(MAKE) --no-print-directory test-attacks
+test-mutants: grader  ## try mechanical mutants of every lab, or of LAB=03 (long)
+	@tests/mutate.sh $(OUT) $(LAB)
+test-attacks: tests  ## try every attack in every sandbox, as root (long)
+	@BUILD="$(BUILD)" SANDBOXES="bubblewrap landlock user user-unfiltered" \
+	    sh tests/suites/attacks.sh tests/attacks/*/*
+
+include tests/fuzz/fuzz.mk tests/bench/bench.mk
