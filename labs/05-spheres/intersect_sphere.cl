@@ -8,16 +8,17 @@
 #include "ray.h"
 #include "sphere.h"
 
-// The hit of a ray and a sphere: the nearer of its two roots that is beyond t_min. Of a sphere
-// with a negative radius, which is seen from inside only, the farther root.
+// The hit of a ray and a sphere: of the roots t_near and t_far the nearer one that is beyond t_min.
+// Of a sphere with a negative radius, which is seen from inside only, t_far or none.
 //   b     the middle between the two roots, along the ray
 //   disc  the square of half the distance between them; negative when the ray misses
 //   radius, t_min   the sphere's and the ray's
 // Returns the distance t, or INFINITY when there is no hit.
 float nearest_root(float b, float disc, float radius, float t_min)
 {
-    // TASK nearest_root: no hit when disc is negative. The roots are b - sqrt(disc), where the ray
-    // enters the sphere, and b + sqrt(disc), where it leaves. From inside only the second is ahead.
+    // TASK nearest_root: no hit when disc is negative. The ray enters the sphere at the root
+    // t_near = b - sqrt(disc) and leaves it at t_far = b + sqrt(disc). From inside only t_far is
+    // ahead.
     (void)b, (void)disc, (void)radius, (void)t_min;
     return INFINITY;
     // END nearest_root

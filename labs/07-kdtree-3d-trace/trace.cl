@@ -39,9 +39,9 @@ static Hit trace(Ray ray, global const Sphere *spheres, global const KdNode3 *no
 {
     Hit hit = {INFINITY, NO_SPHERE};
     // The part of the ray inside the node at hand: at first inside the scene's box.
-    float t_near = ray.t_min;
-    float t_far = ray.t_max;
-    if (!clip_to_box(bounds, ray, &t_near, &t_far)) {
+    float t_min = ray.t_min;
+    float t_max = ray.t_max;
+    if (!clip_to_box(bounds, ray, &t_min, &t_max)) {
         return hit;
     }
     // What every inner node asks of the ray, one entry an axis: a division here saves one a node.

@@ -48,9 +48,9 @@ static Hit trace(Ray ray, global const Sphere *spheres, global const KdNode3 *no
 {
     Hit hit = {INFINITY, NO_SPHERE};
     // The part of the ray inside the node at hand: at first inside the scene's box.
-    float t_near = ray.t_min;
-    float t_far = ray.t_max;
-    if (!clip_to_box(bounds, ray, &t_near, &t_far)) {
+    float t_min = ray.t_min;
+    float t_max = ray.t_max;
+    if (!clip_to_box(bounds, ray, &t_min, &t_max)) {
         return hit;
     }
     // What every inner node asks of the ray, one entry an axis: a division here saves one a node.
@@ -69,15 +69,15 @@ static Hit trace(Ray ray, global const Sphere *spheres, global const KdNode3 *no
         const KdNode3 node = nodes[id];
         if (node.split_axis == KD_LEAF) {
             search_leaf(node, sphere_ids, spheres, ray, &hit);
-            // A hit beyond t_far may still be hidden by a sphere that only a later leaf knows; and
-            // one at t_far be just as far away as one of a sphere with a lower index.
-            if (hit.t < t_far || todo.n == 0) {
+            // A hit beyond t_max may still be hidden by a sphere that only a later leaf knows; and
+            // one at t_max be just as far away as one of a sphere with a lower index.
+            if (hit.t < t_max || todo.n == 0) {
                 break;
             }
             const TodoEntry next = todo_pop(&todo);
             id = next.node;
-            t_near = next.t_near;
-            t_far = next.t_far;
+            t_min = next.t_min;
+            t_max = next.t_max;
             continue;
         }
         const float origin = origins[node.split_axis];
@@ -88,7 +88,7 @@ static Hit trace(Ray ray, global const Sphere *spheres, global const KdNode3 *no
         const uint near_child = side ? node.first + 1 : node.first;
         const uint far_child = side ? node.first : node.first + 1;
         float t_split;
-        switch (children_on_ray(node, origin, inverse, t_near, t_far, &t_split)) {
+        switch (children_on_ray(node, origin, inverse, t_min, t_max, &t_split)) {
         case ONLY_NEAR:
             id = near_child;
             break;
@@ -96,9 +96,9 @@ static Hit trace(Ray ray, global const Sphere *spheres, global const KdNode3 *no
             id = far_child;
             break;
         default:
-            todo_push(&todo, far_child, t_split, t_far);
+            todo_push(&todo, far_child, t_split, t_max);
             id = near_child;
-            t_far = t_split;
+            t_max = t_split;
         }
     }
     // END trace

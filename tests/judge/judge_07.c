@@ -94,30 +94,30 @@ static const SearchMistake hit_mistakes[] = {
      {.far_dropped = 1}},
     {"as if the search went to the near child where only the far one is met",
      {.far_alone_is_near = 1}},
-    {"as if t_far did not become t_split for the near child: the search ends too soon",
-     {.near_keeps_t_far = 1}},
-    {"as if t_near and t_far were not taken from the stack with the node", {.part_kept = 1}},
-    {"as if t_far were not taken from the stack with the node", {.t_far_kept = 1}},
+    {"as if t_max did not become t_split for the near child: the search ends too soon",
+     {.near_keeps_t_max = 1}},
+    {"as if t_min and t_max were not taken from the stack with the node", {.part_kept = 1}},
+    {"as if t_max were not taken from the stack with the node", {.t_max_kept = 1}},
     {"as if the node that waits longest came from the stack first", {.oldest_first = 1}},
-    {"as if the search ended at any hit, also at one beyond t_far, which another sphere may hide",
+    {"as if the search ended at any hit, also at one beyond t_max, which another sphere may hide",
      {.ends_at_any_hit = 1}},
 };
 
 static const SearchMistake work_mistakes[] = {
     {"as if the search went on where it had found a hit, and ended where it had not: the "
      "comparison "
-     "with t_far is inverted",
+     "with t_max is inverted",
      {.end_inverted = 1}},
     {"as if the search did not end before the stack is empty", {.never_ends = 1}},
-    {"as if t_near did not become t_split for the far child, which begins at t_split: is that put "
+    {"as if t_min did not become t_split for the far child, which begins at t_split: is that put "
      "on the stack, and taken from it?",
-     {.far_keeps_t_near = 1}},
+     {.far_keeps_t_min = 1}},
     {"as if the far child waited also where only the near one is met", {.far_always_waits = 1}},
     {"as if the near child were visited also where only the far one is met",
-     {.near_never_passed = 1}},
-    {"as if t_far did not become t_split for the near child", {.near_keeps_t_far = 1}},
-    {"as if t_near and t_far were not taken from the stack with the node", {.part_kept = 1}},
-    {"as if t_far were not taken from the stack with the node", {.t_far_kept = 1}},
+     {.near_never_skipped = 1}},
+    {"as if t_max did not become t_split for the near child", {.near_keeps_t_max = 1}},
+    {"as if t_min and t_max were not taken from the stack with the node", {.part_kept = 1}},
+    {"as if t_max were not taken from the stack with the node", {.t_max_kept = 1}},
     {"as if near and far child were swapped", {.far_first = 1}},
     {"as if the node that waits longest came from the stack first", {.oldest_first = 1}},
 };
@@ -127,7 +127,7 @@ static const SearchMistake early_mistakes[] = {
     {"as if the far child were never visited where both are met: it does not wait, or the search "
      "ends at the first leaf",
      {.far_dropped = 1}},
-    {"as if the search ended at any hit, also at one beyond t_far, which another sphere may hide",
+    {"as if the search ended at any hit, also at one beyond t_max, which another sphere may hide",
      {.ends_at_any_hit = 1}},
 };
 
@@ -316,7 +316,7 @@ static char *describe_less(const WrongScene *wrong, int pixel, Work least)
         least.n_nodes_visited, least.n_leaves_visited, least.n_tests, wrong->n_wrong,
         scene->scene.width * scene->scene.height, looks ? "it looks " : "",
         looks ? looks
-              : "the search ends too soon or passes something by, or some of its work is hidden "
+              : "the search ends too soon or skips something, or some of its work is hidden "
                 "and cannot be counted: only children_on_ray, search_leaf and intersect_sphere "
                 "count it");
 }

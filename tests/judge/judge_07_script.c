@@ -20,7 +20,7 @@ typedef struct Hit {
 } Hit;
 enum { ONLY_NEAR, ONLY_FAR, BOTH };
 
-static int stand_in_clip(BBox3D box, Ray ray, float *t_near, float *t_far)
+static int stand_in_clip(BBox3D box, Ray ray, float *t_min, float *t_max)
 {
 #include "07-kdtree-3d-trace/clip_to_box.cl"
 }
@@ -30,7 +30,7 @@ static uint stand_in_side(KdNode3 node, float origin, float inverse)
 #include "07-kdtree-3d-trace/near_side.cl"
 }
 
-static int stand_in_children(KdNode3 node, float origin, float inverse, float t_near, float t_far,
+static int stand_in_children(KdNode3 node, float origin, float inverse, float t_min, float t_max,
                              float *t_split)
 {
 #include "07-kdtree-3d-trace/children_on_ray.cl"
@@ -54,7 +54,7 @@ typedef struct Search {
 } Search;
 
 // Visit a node's part of the ray. Returns 1 when the search is over.
-static int visit(Search *search, u32 id, float t_near, float t_far, u32 n_waiting)
+static int visit(Search *search, u32 id, float t_min, float t_max, u32 n_waiting)
 {
     const KdTree3D *tree = &search->scene->tree;
     const KdNode3 node = tree->nodes[id];
@@ -65,7 +65,7 @@ static int visit(Search *search, u32 id, float t_near, float t_far, u32 n_waitin
         search->n_empty += node.n_spheres == 0;
         stand_in_leaf(node, tree->sphere_ids, search->scene->scene.spheres, search->ray,
                       &search->hit);
-        return search->hit.t < t_far;
+        return search->hit.t < t_max;
     }
     const float origin = search->origins[node.split_axis];
     const float inverse = search->inverses[node.split_axis];
@@ -73,15 +73,15 @@ static int visit(Search *search, u32 id, float t_near, float t_far, u32 n_waitin
     const u32 far = 2 * node.first + 1 - near;
     float t_split;
     work->n_nodes_visited++;
-    switch (stand_in_children(node, origin, inverse, t_near, t_far, &t_split)) {
+    switch (stand_in_children(node, origin, inverse, t_min, t_max, &t_split)) {
     case ONLY_NEAR:
-        return visit(search, near, t_near, t_far, n_waiting);
+        return visit(search, near, t_min, t_max, n_waiting);
     case ONLY_FAR:
-        return visit(search, far, t_near, t_far, n_waiting);
+        return visit(search, far, t_min, t_max, n_waiting);
     default:
         work->stack_depth = n_waiting >= work->stack_depth ? n_waiting + 1 : work->stack_depth;
-        return visit(search, near, t_near, t_split, n_waiting + 1) ||
-               visit(search, far, t_split, t_far, n_waiting);
+        return visit(search, near, t_min, t_split, n_waiting + 1) ||
+               visit(search, far, t_split, t_max, n_waiting);
     }
 }
 
@@ -100,9 +100,9 @@ ScriptedSearch scripted_07_search(const JobScene3D *scene, int x, int y)
                      .origins = {eye.x, eye.y, eye.z},
                      .inverses = {1 / way.x, 1 / way.y, 1 / way.z},
                      .hit = {INFINITY, ORACLE_NO_SPHERE}};
-    float t_near = 0, t_far = INFINITY;
-    if (stand_in_clip(scene->tree.bounds, search.ray, &t_near, &t_far)) {
-        visit(&search, 0, t_near, t_far, 0);
+    float t_min = 0, t_max = INFINITY;
+    if (stand_in_clip(scene->tree.bounds, search.ray, &t_min, &t_max)) {
+        visit(&search, 0, t_min, t_max, 0);
     }
     return (ScriptedSearch){search.hit.t, search.hit.sphere, search.work, search.n_empty};
 }

@@ -9,7 +9,7 @@
 // - The part of a ray inside the tree's box goes from a whole number, box.min[0] or a little more,
 //   to another; t_split lies between the two, or on them.
 // - Sphere i is hit at the distance spheres[i].radius; no two have the same. A leaf gives one of
-//   its spheres or none: hits lie before, at and beyond t_far, and in a later leaf nearer ones.
+//   its spheres or none: hits lie before, at and beyond t_max, and in a later leaf nearer ones.
 // - n_spheres of an inner node holds a table for near_side: bit e for an eye at e on the node's
 //   axis, 8 + e where the ray goes up that axis. It is true: who compares with the plane finds the
 //   same. Bit 16 says that every ray meets both children.

@@ -4,8 +4,8 @@
 // a right solution may lie: a direction's part anywhere within the ray's error (oracle3d.c, 1), and
 // t_split within PLANE_ERROR (judge_07_range.h) of what follows from it. Whatever may be visited
 // counts for the most; the search ends only where every right one must: in a leaf that no right one
-// passes by, with a hit that is certain and certainly not beyond t_far. For the least counts what
-// no right one passes by, up to the first leaf where one of them may end. A ray along a plane may
+// skips, with a hit that is certain and certainly not beyond t_max. For the least counts what no
+// right one skips, up to the first leaf where one of them may end. A ray along a plane may
 // go to either side of it.
 #include "judge_07_search.h"
 
@@ -22,7 +22,7 @@ static double along(OracleVector v, u32 axis)
 
 typedef struct Waiting {
     u32 id;
-    double t_near, t_far;
+    double t_min, t_max;
 } Waiting;
 
 typedef struct Search {
@@ -34,11 +34,11 @@ typedef struct Search {
     SearchResult result;
 } Search;
 
-static void wait_for(Search *search, u32 id, double t_near, double t_far)
+static void wait_for(Search *search, u32 id, double t_min, double t_max)
 {
     Work *work = &search->result.work;
     if (search->n_todo < sizeof search->todo / sizeof *search->todo) {
-        search->todo[search->n_todo++] = (Waiting){id, t_near, t_far};
+        search->todo[search->n_todo++] = (Waiting){id, t_min, t_max};
         work->stack_depth = search->n_todo > work->stack_depth ? search->n_todo : work->stack_depth;
     }
 }
@@ -67,11 +67,11 @@ static int clip(BBox3D box, const OracleRay *ray, Waiting *root)
         if (direction != 0) {
             const double low = (box.min[axis] - origin) / direction;
             const double high = (box.max[axis] - origin) / direction;
-            root->t_near = fmax(root->t_near, fmin(low, high));
-            root->t_far = fmin(root->t_far, fmax(low, high));
+            root->t_min = fmax(root->t_min, fmin(low, high));
+            root->t_max = fmin(root->t_max, fmax(low, high));
         }
     }
-    return root->t_near <= root->t_far;
+    return root->t_min <= root->t_max;
 }
 
 static void search_spheres(Search *search, KdNode3 leaf)
@@ -102,24 +102,24 @@ static Waiting choose_child(Search *search, KdNode3 node, Waiting at)
     u32 side = origin < node.split_pos ? 0 : origin > node.split_pos ? 1 : direction > 0;
     side = rules->side_by_direction ? direction < 0 : side;
     side ^= rules->far_first ? 1 : 0;
-    Waiting near = {node.first + side, at.t_near, at.t_far};
-    Waiting far = {node.first + !side, at.t_near, at.t_far};
+    Waiting near = {node.first + side, at.t_min, at.t_max};
+    Waiting far = {node.first + !side, at.t_min, at.t_max};
     search->result.work.n_nodes_visited++;
 
     const int is_behind = !(t_split > 0);
     const int is_met =
-        t_split <= at.t_far && (!is_behind || (rules->behind_is_crossed && t_split < at.t_near));
-    if (is_met && (t_split >= at.t_near || rules->near_never_passed)) {
-        near.t_far = rules->near_keeps_t_far ? at.t_far : t_split;
-        far.t_near = rules->far_keeps_t_near ? at.t_near : t_split;
+        t_split <= at.t_max && (!is_behind || (rules->behind_is_crossed && t_split < at.t_min));
+    if (is_met && (t_split >= at.t_min || rules->near_never_skipped)) {
+        near.t_max = rules->near_keeps_t_max ? at.t_max : t_split;
+        far.t_min = rules->far_keeps_t_min ? at.t_min : t_split;
         if (!rules->far_dropped) {
-            wait_for(search, far.id, far.t_near, far.t_far);
+            wait_for(search, far.id, far.t_min, far.t_max);
         }
         return near;
     }
     const int is_far = is_met && !rules->far_alone_is_near;
     if (!is_far && rules->far_always_waits) {
-        wait_for(search, far.id, far.t_near, far.t_far);
+        wait_for(search, far.id, far.t_min, far.t_max);
         return near;
     }
     return is_far ? far : near;
@@ -142,15 +142,15 @@ SearchResult search3d(const JobScene3D *scene, const OracleRay *ray, const Searc
             continue;
         }
         search_spheres(&search, node);
-        const int has_hit = rules->ends_at_any_hit ? result->t < INFINITY : result->t <= at.t_far;
+        const int has_hit = rules->ends_at_any_hit ? result->t < INFINITY : result->t <= at.t_max;
         const int is_end = rules->end_inverted ? !has_hit : has_hit && !rules->never_ends;
         if (search.n_todo == 0 || is_end) {
             return *result;
         }
         const Waiting next = next_waiting(&search);
         at.id = next.id;
-        at.t_near = rules->part_kept ? at.t_near : next.t_near;
-        at.t_far = rules->part_kept || rules->t_far_kept ? at.t_far : next.t_far;
+        at.t_min = rules->part_kept ? at.t_min : next.t_min;
+        at.t_max = rules->part_kept || rules->t_max_kept ? at.t_max : next.t_max;
     }
 }
 
@@ -186,7 +186,7 @@ static Span plane_span(const OracleRay *ray, u32 axis, double plane, int *is_alo
 }
 
 typedef struct Part {
-    Span t_near, t_far;
+    Span t_min, t_max;
 } Part;
 
 // Narrow a part of the ray to the scene's box. Along the planes, a ray between them leaves at the
@@ -199,12 +199,12 @@ static void clip_span(BBox3D box, const OracleRay *ray, Part *part)
         const Span low = plane_span(ray, axis, box.min[axis], &is_along);
         const Span high = plane_span(ray, axis, box.max[axis], &is_along);
         if (!is_along) {
-            part->t_near = span_max(part->t_near, span_min(low, high));
-            part->t_far = span_min(part->t_far, span_max(low, high));
+            part->t_min = span_max(part->t_min, span_min(low, high));
+            part->t_max = span_min(part->t_max, span_max(low, high));
         } else if (origin >= box.min[axis] && origin <= box.max[axis]) {
-            part->t_far = span_min(part->t_far, span_min(low, high));
+            part->t_max = span_min(part->t_max, span_min(low, high));
         } else {
-            part->t_near = span_max(part->t_near, span_min(low, high));
+            part->t_min = span_max(part->t_min, span_min(low, high));
         }
     }
 }
@@ -239,12 +239,12 @@ static int visit_leaf(Visits *visits, KdNode3 leaf, Part part, int is_certain)
         }
     }
     visits->may_have_ended |=
-        visits->t_possible < INFINITY && visits->t_possible <= part.t_far.high;
-    return is_certain && visits->t_certain <= part.t_far.low;
+        visits->t_possible < INFINITY && visits->t_possible <= part.t_max.high;
+    return is_certain && visits->t_certain <= part.t_max.low;
 }
 
 // Visit all that a right search may visit in a node.
-//   is_certain   no right search that has not ended yet passes the node by
+//   is_certain   no right search that has not ended yet skips the node
 //   n_waiting    how many nodes may wait meanwhile
 // Returns 1 when every right search has ended by then.
 static int visit(Visits *visits, u32 id, Part part, int is_certain, u32 n_waiting)
@@ -267,20 +267,20 @@ static int visit(Visits *visits, u32 id, Part part, int is_certain, u32 n_waitin
         return 0;
     }
     const u32 side = origin < node.split_pos ? 0 : origin > node.split_pos ? 1 : direction > 0;
-    const int may_meet = split.high > 0 && split.low <= part.t_far.high;
-    const int must_meet = split.low > 0 && split.high <= part.t_far.low && !is_along;
-    const int may_pass_near = may_meet && split.low < part.t_near.high;
-    const int must_pass_near = must_meet && split.high < part.t_near.low;
+    const int may_meet = split.high > 0 && split.low <= part.t_max.high;
+    const int must_meet = split.low > 0 && split.high <= part.t_max.low && !is_along;
+    const int may_skip_near = may_meet && split.low < part.t_min.high;
+    const int must_skip_near = must_meet && split.high < part.t_min.low;
     Part near = part, far = part;
     if (may_meet) {
-        near.t_far.low = fmin(part.t_far.low, split.low);
-        near.t_far.high = must_meet ? fmin(part.t_far.high, split.high) : part.t_far.high;
-        far.t_near = span_max(part.t_near, split);
+        near.t_max.low = fmin(part.t_max.low, split.low);
+        near.t_max.high = must_meet ? fmin(part.t_max.high, split.high) : part.t_max.high;
+        far.t_min = span_max(part.t_min, split);
     }
     const u32 n_with_far = n_waiting + (may_meet ? 1 : 0);
-    if (!must_pass_near) {
+    if (!must_skip_near) {
         most->stack_depth = n_with_far > most->stack_depth ? n_with_far : most->stack_depth;
-        if (visit(visits, node.first + side, near, is_certain && !may_pass_near, n_with_far)) {
+        if (visit(visits, node.first + side, near, is_certain && !may_skip_near, n_with_far)) {
             return 1;
         }
     }
@@ -292,8 +292,8 @@ WorkBounds search3d_bounds(const JobScene3D *scene, const OracleRay *ray)
     Visits visits = {.scene = scene, .ray = ray, .t_certain = INFINITY, .t_possible = INFINITY};
     Part part = {{ray->t_min, ray->t_min}, {INFINITY, INFINITY}};
     clip_span(scene->tree.bounds, ray, &part);
-    if (part.t_near.low <= part.t_far.high) {
-        visit(&visits, 0, part, part.t_near.high <= part.t_far.low, 0);
+    if (part.t_min.low <= part.t_max.high) {
+        visit(&visits, 0, part, part.t_min.high <= part.t_max.low, 0);
     }
     return visits.work;
 }

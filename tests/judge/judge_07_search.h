@@ -9,22 +9,22 @@
 
 // A way of searching. All zeros is the right one.
 typedef struct SearchRules {
-    int far_first;          // near and far child are swapped
-    int side_by_direction;  // the near child by the direction, wherever the eye is
-    int behind_is_crossed;  // a plane behind the eye counts as crossed before the node is entered
-    int far_dropped;        // where both children are met the far one never waits; or the search
-                            // ends at the first leaf
-    int far_alone_is_near;  // where the far child alone is met the search goes to the near one
-    int far_always_waits;   // where the near child alone is met the far one waits besides
-    int near_never_passed;  // where the far child alone is met the near one comes before it
-    int near_keeps_t_far;   // the near child does not end at the plane
-    int far_keeps_t_near;   // the far child does not begin there
-    int part_kept;          // a node that waited gets the part of the ray of the one before it
-    int t_far_kept;         // it gets the end of that part only
-    int oldest_first;       // the first that was put on the stack comes from it first
-    int ends_at_any_hit;    // also beyond the leaf's part of the ray
-    int never_ends;         // before the stack is empty
-    int end_inverted;       // at a leaf with no hit in its part of the ray, not at one with a hit
+    int far_first;           // near and far child are swapped
+    int side_by_direction;   // the near child by the direction, wherever the eye is
+    int behind_is_crossed;   // a plane behind the eye counts as crossed before the node is entered
+    int far_dropped;         // where both children are met the far one never waits; or the search
+                             // ends at the first leaf
+    int far_alone_is_near;   // where the far child alone is met the search goes to the near one
+    int far_always_waits;    // where the near child alone is met the far one waits besides
+    int near_never_skipped;  // where the far child alone is met the near one comes before it
+    int near_keeps_t_max;    // the near child does not end at the plane
+    int far_keeps_t_min;     // the far child does not begin there
+    int part_kept;           // a node that waited gets the part of the ray of the one before it
+    int t_max_kept;          // it gets the end of that part only
+    int oldest_first;        // the first that was put on the stack comes from it first
+    int ends_at_any_hit;     // also beyond the leaf's part of the ray
+    int never_ends;          // before the stack is empty
+    int end_inverted;        // at a leaf with no hit in its part of the ray, not at one with a hit
 } SearchRules;
 
 typedef struct SearchResult {

@@ -363,21 +363,20 @@ LAYOUT_ASSERT(ShadeJob, 64);
 
 // Its scenes are those of labs 04 and 05, with a tree.
 
-// Section "clips", one call of clip_to_box each. The ray's own t_min and t_max are t_near and
-// t_far.
+// Section "clips", one call of clip_to_box each. The ray's own t_min and t_max are the same.
 typedef struct ClipJob {
     BBox3D box;
     Vec3 origin;
     Vec3 direction;
-    f32 t_near;
-    f32 t_far;
+    f32 t_min;
+    f32 t_max;
 } ClipJob;
 LAYOUT_ASSERT(ClipJob, 56);
 
 typedef struct ClipAnswer {
     i32 is_met;
-    f32 t_near;
-    f32 t_far;
+    f32 t_min;
+    f32 t_max;
 } ClipAnswer;
 LAYOUT_ASSERT(ClipAnswer, 12);
 
@@ -394,8 +393,8 @@ typedef struct PlaneJob {
     KdNode3 node;
     f32 origin;
     f32 inverse;
-    f32 t_near;
-    f32 t_far;
+    f32 t_min;
+    f32 t_max;
 } PlaneJob;
 LAYOUT_ASSERT(PlaneJob, 32);
 

@@ -84,7 +84,7 @@ Test(judge_07, each_mistake_shows)
 {
     static const SearchRules mistakes[] = {
         {.far_first = 1},   {.side_by_direction = 1}, {.behind_is_crossed = 1},
-        {.far_dropped = 1}, {.far_alone_is_near = 1}, {.near_keeps_t_far = 1},
+        {.far_dropped = 1}, {.far_alone_is_near = 1}, {.near_keeps_t_max = 1},
         {.part_kept = 1},   {.oldest_first = 1},      {.ends_at_any_hit = 1},
     };
     JobScene3D *scenes = scenes_open(5);
@@ -133,9 +133,9 @@ Test(judge_07, a_right_search_does_the_least_work_and_the_most_or_almost)
 Test(judge_07, wasted_work_is_more_than_the_most)
 {
     static const SearchRules wasteful[] = {{.never_ends = 1},
-                                           {.far_keeps_t_near = 1},
+                                           {.far_keeps_t_min = 1},
                                            {.far_always_waits = 1},
-                                           {.near_never_passed = 1}};
+                                           {.near_never_skipped = 1}};
     JobScene3D *scenes = scenes_open(7);
     for (size_t m = 0; m < sizeof wasteful / sizeof *wasteful; m++) {
         int n_more = 0;

@@ -12,7 +12,7 @@
     for (;;) {
         const KdNode3 node = nodes[id];
         if (node.split_axis != KD_LEAF) {
-            (todo_push)(&todo, node.first + 1, t_near, t_far);
+            (todo_push)(&todo, node.first + 1, t_min, t_max);
             id = node.first;
             continue;
         }

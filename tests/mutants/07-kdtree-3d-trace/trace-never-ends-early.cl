@@ -12,8 +12,8 @@
             }
             const TodoEntry next = todo_pop(&todo);
             id = next.node;
-            t_near = next.t_near;
-            t_far = next.t_far;
+            t_min = next.t_min;
+            t_max = next.t_max;
             continue;
         }
         const float origin = origins[node.split_axis];
@@ -22,7 +22,7 @@
         const uint near_child = side ? node.first + 1 : node.first;
         const uint far_child = side ? node.first : node.first + 1;
         float t_split;
-        switch (children_on_ray(node, origin, inverse, t_near, t_far, &t_split)) {
+        switch (children_on_ray(node, origin, inverse, t_min, t_max, &t_split)) {
         case ONLY_NEAR:
             id = near_child;
             break;
@@ -30,8 +30,8 @@
             id = far_child;
             break;
         default:
-            todo_push(&todo, far_child, t_split, t_far);
+            todo_push(&todo, far_child, t_split, t_max);
             id = near_child;
-            t_far = t_split;
+            t_max = t_split;
         }
     }

@@ -1,4 +1,4 @@
-// mutant: t_near and t_far are not taken from the stack
+// mutant: t_min and t_max are not taken from the stack
 // task: trace
 // caught by: trace-random
 // says: not taken from the stack
@@ -7,7 +7,7 @@
         const KdNode3 node = nodes[id];
         if (node.split_axis == KD_LEAF) {
             search_leaf(node, sphere_ids, spheres, ray, &hit);
-            if (hit.t < t_far || todo.n == 0) {
+            if (hit.t < t_max || todo.n == 0) {
                 break;
             }
             const TodoEntry next = todo_pop(&todo);
@@ -20,7 +20,7 @@
         const uint near_child = side ? node.first + 1 : node.first;
         const uint far_child = side ? node.first : node.first + 1;
         float t_split;
-        switch (children_on_ray(node, origin, inverse, t_near, t_far, &t_split)) {
+        switch (children_on_ray(node, origin, inverse, t_min, t_max, &t_split)) {
         case ONLY_NEAR:
             id = near_child;
             break;
@@ -28,8 +28,8 @@
             id = far_child;
             break;
         default:
-            todo_push(&todo, far_child, t_split, t_far);
+            todo_push(&todo, far_child, t_split, t_max);
             id = near_child;
-            t_far = t_split;
+            t_max = t_split;
         }
     }

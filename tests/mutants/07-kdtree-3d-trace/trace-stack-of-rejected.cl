@@ -7,20 +7,20 @@
         const KdNode3 node = nodes[id];
         if (node.split_axis == KD_LEAF) {
             search_leaf(node, sphere_ids, spheres, ray, &hit);
-            // A hit beyond t_far may still be hidden by a sphere that only a later leaf knows.
-            if (hit.t < t_far || todo.n == 0) {
+            // A hit beyond t_max may still be hidden by a sphere that only a later leaf knows.
+            if (hit.t < t_max || todo.n == 0) {
                 break;
             }
             TodoEntry next = todo_pop(&todo);
-            while (next.t_far < 0.0f && todo.n > 0) {
+            while (next.t_max < 0.0f && todo.n > 0) {
                 next = todo_pop(&todo);
             }
-            if (next.t_far < 0.0f) {
+            if (next.t_max < 0.0f) {
                 break;
             }
             id = next.node;
-            t_near = next.t_near;
-            t_far = next.t_far;
+            t_min = next.t_min;
+            t_max = next.t_max;
             continue;
         }
         const float origin = origins[node.split_axis];
@@ -31,17 +31,17 @@
         const uint near_child = side ? node.first + 1 : node.first;
         const uint far_child = side ? node.first : node.first + 1;
         float t_split;
-        switch (children_on_ray(node, origin, inverse, t_near, t_far, &t_split)) {
+        switch (children_on_ray(node, origin, inverse, t_min, t_max, &t_split)) {
         case ONLY_NEAR:
-            todo_push(&todo, far_child, t_near, -1.0f);
+            todo_push(&todo, far_child, t_min, -1.0f);
             id = near_child;
             break;
         case ONLY_FAR:
             id = far_child;
             break;
         default:
-            todo_push(&todo, far_child, t_split, t_far);
+            todo_push(&todo, far_child, t_split, t_max);
             id = near_child;
-            t_far = t_split;
+            t_max = t_split;
         }
     }

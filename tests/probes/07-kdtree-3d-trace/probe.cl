@@ -18,12 +18,12 @@ kernel void probe_clips(global const ClipJob *jobs, global ClipAnswer *answers)
 {
     const size_t i = get_global_id(0);
     const ClipJob job = jobs[i];
-    float t_near = job.t_near;
-    float t_far = job.t_far;
-    const Ray ray = ray_of(job.origin, job.direction, t_near, t_far);
-    answers[i].is_met = clip_to_box(job.box, ray, &t_near, &t_far);
-    answers[i].t_near = t_near;
-    answers[i].t_far = t_far;
+    float t_min = job.t_min;
+    float t_max = job.t_max;
+    const Ray ray = ray_of(job.origin, job.direction, t_min, t_max);
+    answers[i].is_met = clip_to_box(job.box, ray, &t_min, &t_max);
+    answers[i].t_min = t_min;
+    answers[i].t_max = t_max;
 }
 
 kernel void probe_sides(global const SideJob *jobs, global uint *answers)
@@ -38,7 +38,7 @@ kernel void probe_planes(global const PlaneJob *jobs, global PlaneAnswer *answer
     const PlaneJob job = jobs[i];
     float t_split = UNWRITTEN;
     const int children =
-        children_on_ray(job.node, job.origin, job.inverse, job.t_near, job.t_far, &t_split);
+        children_on_ray(job.node, job.origin, job.inverse, job.t_min, job.t_max, &t_split);
     answers[i].children = children == ONLY_NEAR  ? PLANE_ONLY_NEAR
                           : children == ONLY_FAR ? PLANE_ONLY_FAR
                           : children == BOTH     ? PLANE_BOTH

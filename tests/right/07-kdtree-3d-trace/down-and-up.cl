@@ -8,22 +8,22 @@
             float t_split = 0.0f;
             const float origin = origins[node.split_axis];
             const float inverse = inverses[node.split_axis];
-            const int which = children_on_ray(node, origin, inverse, t_near, t_far, &t_split);
+            const int which = children_on_ray(node, origin, inverse, t_min, t_max, &t_split);
             const uint near_child = node.first + near_side(node, origin, inverse);
             const uint far_child = 2 * node.first + 1 - near_child;
             if (which == BOTH) {
-                todo_push(&todo, far_child, t_split, t_far);
-                t_far = t_split;
+                todo_push(&todo, far_child, t_split, t_max);
+                t_max = t_split;
             }
             id = which == ONLY_FAR ? far_child : near_child;
             node = nodes[id];
         }
         search_leaf(node, sphere_ids, spheres, ray, &hit);
-        is_done = hit.t < t_far || todo.n == 0;
+        is_done = hit.t < t_max || todo.n == 0;
         if (!is_done) {
             const TodoEntry next = todo_pop(&todo);
             id = next.node;
-            t_near = next.t_near;
-            t_far = next.t_far;
+            t_min = next.t_min;
+            t_max = next.t_max;
         }
     }

@@ -1,18 +1,19 @@
-// mutant: t_far is not taken from the stack
+// mutant: a hit at t_max exactly ends the search
 // task: trace
-// caught by: trace-random
-// says: t_far were not taken
+// caught by: trace-edges
+// says: exactly where the near leaf ends
     uint id = 0;
     for (;;) {
         const KdNode3 node = nodes[id];
         if (node.split_axis == KD_LEAF) {
             search_leaf(node, sphere_ids, spheres, ray, &hit);
-            if (hit.t < t_far || todo.n == 0) {
+            if (hit.t <= t_max || todo.n == 0) {
                 break;
             }
             const TodoEntry next = todo_pop(&todo);
             id = next.node;
-            t_near = next.t_near;
+            t_min = next.t_min;
+            t_max = next.t_max;
             continue;
         }
         const float origin = origins[node.split_axis];
@@ -21,7 +22,7 @@
         const uint near_child = side ? node.first + 1 : node.first;
         const uint far_child = side ? node.first : node.first + 1;
         float t_split;
-        switch (children_on_ray(node, origin, inverse, t_near, t_far, &t_split)) {
+        switch (children_on_ray(node, origin, inverse, t_min, t_max, &t_split)) {
         case ONLY_NEAR:
             id = near_child;
             break;
@@ -29,8 +30,8 @@
             id = far_child;
             break;
         default:
-            todo_push(&todo, far_child, t_split, t_far);
+            todo_push(&todo, far_child, t_split, t_max);
             id = near_child;
-            t_far = t_split;
+            t_max = t_split;
         }
     }

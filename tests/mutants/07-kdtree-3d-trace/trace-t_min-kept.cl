@@ -1,19 +1,18 @@
-// mutant: the near child does not end at t_split
+// mutant: t_min is not taken from the stack
 // task: trace
-// caught by: trace-random
-// says: t_far did not become t_split
+// caught by: trace-early-end
+// says: taken from it
     uint id = 0;
     for (;;) {
         const KdNode3 node = nodes[id];
         if (node.split_axis == KD_LEAF) {
             search_leaf(node, sphere_ids, spheres, ray, &hit);
-            if (hit.t < t_far || todo.n == 0) {
+            if (hit.t < t_max || todo.n == 0) {
                 break;
             }
             const TodoEntry next = todo_pop(&todo);
             id = next.node;
-            t_near = next.t_near;
-            t_far = next.t_far;
+            t_max = next.t_max;
             continue;
         }
         const float origin = origins[node.split_axis];
@@ -22,7 +21,7 @@
         const uint near_child = side ? node.first + 1 : node.first;
         const uint far_child = side ? node.first : node.first + 1;
         float t_split;
-        switch (children_on_ray(node, origin, inverse, t_near, t_far, &t_split)) {
+        switch (children_on_ray(node, origin, inverse, t_min, t_max, &t_split)) {
         case ONLY_NEAR:
             id = near_child;
             break;
@@ -30,7 +29,8 @@
             id = far_child;
             break;
         default:
-            todo_push(&todo, far_child, t_split, t_far);
+            todo_push(&todo, far_child, t_split, t_max);
             id = near_child;
+            t_max = t_split;
         }
     }
