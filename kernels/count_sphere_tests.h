@@ -2,7 +2,7 @@
 // work.h. (A macro is not expanded inside its own expansion: the inner name is the function
 // itself.)
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: count_search.h.
+// Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: work.h.
 #ifdef COUNT_WORK
 #define intersect_sphere(sphere, ray) (work->n_tests++, intersect_sphere(sphere, ray))
 #endif

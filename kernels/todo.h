@@ -12,6 +12,7 @@
 
 #ifdef __OPENCL_C_VERSION__
 
+// A node to visit, and the part of the ray inside it.
 typedef struct TodoEntry {
     uint node;  // id
     float t_min;

@@ -24,7 +24,7 @@ kernel void render_kdtree(global const Sphere *spheres, global const uint *mater
     WORK_BEGIN;
 
     const Ray ray = primary_ray(x, y, width, height, camera);
-    const Hit hit = trace(ray, spheres, nodes, sphere_ids, bounds);
+    const Hit hit = trace(ray, spheres, nodes, sphere_ids, bounds WORK_ARGUMENT);
     const float3 color =
         hit_color(ray, hit, spheres, material_ids, materials, lights, n_lights, background);
     write_imagef(image, (int2)(x, y), (float4)(color, 1.0f));

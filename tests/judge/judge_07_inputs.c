@@ -323,6 +323,8 @@ void inputs_07_draw(Random *random, Inputs07 *inputs)
     for (int i = 0; i < N_LEAVES; i++) {
         inputs->leaves[i] = draw_leaf(random, inputs, i);
     }
+    inputs_07_draw_children(random, inputs);
+    inputs_07_draw_waiting(random, inputs);
 }
 
 int inputs_07_write(const Inputs07 *inputs, FILE *file)
@@ -332,6 +334,8 @@ int inputs_07_write(const Inputs07 *inputs, FILE *file)
     result |= section_write(file, "planes", inputs->planes, sizeof inputs->planes);
     result |= section_write(file, "leaves", inputs->leaves, sizeof inputs->leaves);
     result |= section_write(file, "leaf_ids", inputs->leaf_ids, sizeof inputs->leaf_ids);
-    return result |
-           section_write(file, "leaf_spheres", inputs->leaf_spheres, sizeof inputs->leaf_spheres);
+    result |=
+        section_write(file, "leaf_spheres", inputs->leaf_spheres, sizeof inputs->leaf_spheres);
+    result |= section_write(file, "next_child", inputs->children, sizeof inputs->children);
+    return result | section_write(file, "next_waiting", inputs->waiting, sizeof inputs->waiting);
 }

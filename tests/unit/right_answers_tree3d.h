@@ -12,20 +12,11 @@
 
 // ---- Lab 06 -------------------------------------------------------------------------------------
 
-static void answer_boxes_and_planes(Writer *writer, const Sections *job)
+static void answer_planes_and_overlaps(Writer *writer, const Sections *job)
 {
     size_t n_bytes;
-    const BoundsJob *groups = sections_find_any(job, "bounds", &n_bytes);
-    size_t n = n_bytes / sizeof *groups;
-    BBox3D *bounds = calloc(n, sizeof *bounds);
-    for (size_t i = 0; i < n; i++) {
-        bounds[i] = spheres_bounds(groups[i].spheres, groups[i].n_spheres);
-    }
-    answer(writer, "bounds", bounds, n * sizeof *bounds);
-    free(bounds);
-
     const BBox3D *cells = sections_find_any(job, "splits", &n_bytes);
-    n = n_bytes / sizeof *cells;
+    size_t n = n_bytes / sizeof *cells;
     KdSplit *splits = calloc(n, sizeof *splits);
     for (size_t i = 0; i < n; i++) {
         splits[i] = choose_split(cells[i]);
@@ -41,24 +32,6 @@ static void answer_boxes_and_planes(Writer *writer, const Sections *job)
     }
     answer(writer, "overlaps", decisions, n * sizeof *decisions);
     free(decisions);
-}
-
-static void answer_lists_3d(Writer *writer, const Sections *job)
-{
-    size_t n_bytes;
-    const Sphere *spheres = sphere_scene_part(job, 0, "spheres");
-    const DistributeJob3D *nodes = sections_find_any(job, "distribute", &n_bytes);
-    size_t n = n_bytes / sizeof *nodes;
-    u32(*lists)[DISTRIBUTE_ROOM] = calloc(n, sizeof *lists);
-    for (size_t i = 0; i < n; i++) {
-        for (int j = 0; j < DISTRIBUTE_ROOM; j++) {
-            lists[i][j] = UNTOUCHED;
-        }
-        lists[i][0] =
-            distribute_spheres(spheres, nodes[i].ids, nodes[i].n_ids, nodes[i].child, lists[i] + 1);
-    }
-    answer(writer, "distribute", lists, n * sizeof *lists);
-    free(lists);
 }
 
 static void answer_leaves_3d(Writer *writer, const Sections *job)
@@ -215,6 +188,49 @@ static void answer_planes_and_leaves(Writer *writer, const Sections *job)
     }
     answer(writer, "leaves", searched, n * sizeof *searched);
     free(searched);
+}
+
+// The far child waits where both are met.
+static NextChildAnswer next_child(const NextChildJob *in)
+{
+    const u32 side = near_side(in->node, in->origin, in->inverse);
+    const PlaneAnswer plane =
+        children_on_ray(in->node, in->origin, in->inverse, in->t_min, in->t_max);
+    const u32 chosen = plane.children == PLANE_ONLY_FAR ? !side : side;
+    NextChildAnswer answer = {{in->node.first + chosen, in->t_min, in->t_max}, in->todo};
+    if (plane.children == PLANE_BOTH) {
+        answer.next.t_max = plane.t_split;
+        answer.todo.upper[answer.todo.n++ - answer.todo.n_lower] =
+            (StackEntry){in->node.first + !side, plane.t_split, in->t_max};
+    }
+    return answer;
+}
+
+static void answer_steps(Writer *writer, const Sections *job)
+{
+    size_t n_bytes;
+    const NextChildJob *nodes = sections_find_any(job, "next_child", &n_bytes);
+    size_t n = n_bytes / sizeof *nodes;
+    NextChildAnswer *children = calloc(n, sizeof *children);
+    for (size_t i = 0; i < n; i++) {
+        children[i] = next_child(&nodes[i]);
+    }
+    answer(writer, "next_child", children, n * sizeof *children);
+    free(children);
+
+    const NextWaitingJob *leaves = sections_find_any(job, "next_waiting", &n_bytes);
+    n = n_bytes / sizeof *leaves;
+    NextWaitingAnswer *waiting = calloc(n, sizeof *waiting);
+    for (size_t i = 0; i < n; i++) {
+        NextWaitingAnswer *out = &waiting[i];
+        *out = (NextWaitingAnswer){0, leaves[i].at, leaves[i].todo};
+        if (leaves[i].t >= leaves[i].at.t_max && out->todo.n > 0) {
+            out->goes_on = 1;
+            out->at = out->todo.upper[--out->todo.n - out->todo.n_lower];
+        }
+    }
+    answer(writer, "next_waiting", waiting, n * sizeof *waiting);
+    free(waiting);
 }
 
 // ---- Lab 07: the search -------------------------------------------------------------------------

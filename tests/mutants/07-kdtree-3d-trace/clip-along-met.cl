@@ -1,7 +1,7 @@
 // mutant: a ray along the planes is never outside
 // task: clip_to_box
 // caught by: clip-parallel
-// says: passes
+// says: misses
     for (uint axis = 0; axis < 3; axis++) {
         const float origin = component(ray.origin, axis);
         const float direction = component(ray.direction, axis);

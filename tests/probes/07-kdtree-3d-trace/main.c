@@ -29,6 +29,10 @@ static void answer_functions(const Probe *probe, cl_program program)
     probe_call(probe, program, "sides", sizeof(SideJob), sizeof(cl_uint), NULL, 0);
     probe_call(probe, program, "planes", sizeof(PlaneJob), sizeof(PlaneAnswer), NULL, 0);
     answer_leaves(probe, program);
+    probe_call(probe, program, "next_child", sizeof(NextChildJob), sizeof(NextChildAnswer), NULL,
+               0);
+    probe_call(probe, program, "next_waiting", sizeof(NextWaitingJob), sizeof(NextWaitingAnswer),
+               NULL, 0);
 }
 
 // A scene with its tree on the device.

@@ -1,7 +1,7 @@
 // Probe of lab 07: the kernel with the student's functions in it, and others that call each of them
 // with the job's inputs.
 #include "render_kdtree.cl"
-#undef children_on_ray  // not to be counted here
+
 #include "jobs.h"
 
 static Ray ray_of(Vec3 origin, Vec3 direction, float t_min, float t_max)
@@ -54,7 +54,7 @@ kernel void probe_leaves(global const SearchJob *jobs, global const uint *sphere
     Hit hit = {job.t, job.sphere};
     WORK_BEGIN;
     search_leaf(job.node, sphere_ids, spheres, ray_of(job.origin, job.direction, 0.0f, INFINITY),
-                &hit);
+                &hit WORK_ARGUMENT);
     answers[i].t = hit.t;
     answers[i].sphere = hit.sphere;
 #ifdef COUNT_WORK
@@ -62,6 +62,64 @@ kernel void probe_leaves(global const SearchJob *jobs, global const uint *sphere
 #else
     answers[i].n_tests = UNTOUCHED;
 #endif
+}
+
+// What the lower entries of a stack look like.
+constant TodoEntry lowest = {UNTOUCHED - 1, 1.0f, 2.0f};
+
+static void fill_stack(StackState state, Todo *todo)
+{
+    todo->n = state.n;
+    for (uint i = 0; i < TODO_SIZE; i++) {
+        todo->entries[i] = lowest;
+    }
+    for (uint i = 0; i < STACK_ENTRIES; i++) {
+        const StackEntry entry = state.upper[i];
+        todo->entries[state.n_lower + i] = (TodoEntry){entry.node, entry.t_min, entry.t_max};
+    }
+}
+
+// What became of a stack with n_lower entries like `lowest`.
+static StackState look_at_stack(uint n_lower, const Todo *todo)
+{
+    StackState state;
+    state.n = todo->n;
+    state.n_lower = 0;
+    for (uint i = 0; i < n_lower; i++) {
+        const TodoEntry entry = todo->entries[i];
+        state.n_lower +=
+            entry.node == lowest.node && entry.t_min == lowest.t_min && entry.t_max == lowest.t_max;
+    }
+    for (uint i = 0; i < STACK_ENTRIES; i++) {
+        const TodoEntry entry = todo->entries[n_lower + i];
+        state.upper[i] = (StackEntry){entry.node, entry.t_min, entry.t_max};
+    }
+    return state;
+}
+
+kernel void probe_next_child(global const NextChildJob *jobs, global NextChildAnswer *answers)
+{
+    const size_t i = get_global_id(0);
+    const NextChildJob job = jobs[i];
+    Todo todo;
+    fill_stack(job.todo, &todo);
+    const TodoEntry next =
+        next_child(job.node, job.origin, job.inverse, job.t_min, job.t_max, &todo);
+    answers[i].next = (StackEntry){next.node, next.t_min, next.t_max};
+    answers[i].todo = look_at_stack(job.todo.n_lower, &todo);
+}
+
+kernel void probe_next_waiting(global const NextWaitingJob *jobs, global NextWaitingAnswer *answers)
+{
+    const size_t i = get_global_id(0);
+    const NextWaitingJob job = jobs[i];
+    const Hit hit = {job.t, job.sphere};
+    TodoEntry at = {job.at.node, job.at.t_min, job.at.t_max};
+    Todo todo;
+    fill_stack(job.todo, &todo);
+    answers[i].goes_on = next_waiting(hit, &todo, &at);
+    answers[i].at = (StackEntry){at.node, at.t_min, at.t_max};
+    answers[i].todo = look_at_stack(job.todo.n_lower, &todo);
 }
 
 // What each pixel's ray hits, with the camera of lab 04's solution.
@@ -76,7 +134,7 @@ kernel void probe_hits(global const Sphere *spheres, global const KdNode3 *nodes
     }
     WORK_BEGIN;  // only because trace wants it
     const Ray ray = primary_ray(x, y, width, height, camera);
-    const Hit hit = trace(ray, spheres, nodes, sphere_ids, bounds);
+    const Hit hit = trace(ray, spheres, nodes, sphere_ids, bounds WORK_ARGUMENT);
     answers[y * width + x].t = hit.t;
     answers[y * width + x].sphere = hit.sphere;
 }
