@@ -44,9 +44,7 @@ int main(int argc, char **argv)
         CL_CHECK(clSetKernelArg(kernel, 2, sizeof scene.width, &scene.width));
         CL_CHECK(clSetKernelArg(kernel, 3, sizeof scene.height, &scene.height));
         CL_CHECK(clSetKernelArg(kernel, 4, sizeof d_image, &d_image));
-        if (i == LAB_COUNTS) {
-            CL_CHECK(clSetKernelArg(kernel, 5, sizeof lab.d_work[i], &lab.d_work[i]));
-        }
+        CL_CHECK(clSetKernelArg(kernel, 5, sizeof lab.d_work[i], &lab.d_work[i]));
     }
     lab_draw(&lab, enqueue_pixels, lab.kernels[LAB_DRAWS], scene.width, scene.height);
 

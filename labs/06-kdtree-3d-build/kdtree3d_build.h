@@ -1,6 +1,6 @@
 // Building the 3D kd-tree: from spheres to nodes without boxes. Lab 06 gives what is as in lab 02,
-// the rest are its tasks; lab 07 searches what comes out. Source of all of it: lecture, "kd-tree for
-// ray tracing: construction".
+// the rest are its tasks; lab 07 searches what comes out. Source of all of it: lecture, "kd-tree
+// for ray tracing: construction".
 #ifndef KDTREE3D_BUILD_H
 #define KDTREE3D_BUILD_H
 

@@ -33,9 +33,7 @@ int main(int argc, char **argv)
         cl_kernel kernel = lab.kernels[i];
         scene_buffers_set(&buffers, &scene, kernel);  // arguments 0 to 9
         CL_CHECK(clSetKernelArg(kernel, 10, sizeof scene.n_spheres, &scene.n_spheres));
-        if (i == LAB_COUNTS) {
-            CL_CHECK(clSetKernelArg(kernel, 11, sizeof lab.d_work[i], &lab.d_work[i]));
-        }
+        CL_CHECK(clSetKernelArg(kernel, 11, sizeof lab.d_work[i], &lab.d_work[i]));
     }
     lab_draw(&lab, enqueue_pixels, lab.kernels[LAB_DRAWS], scene.width, scene.height);
 

@@ -55,9 +55,7 @@ int main(int argc, char **argv)
         CL_CHECK(clSetKernelArg(kernel, 10, sizeof d_nodes, &d_nodes));
         CL_CHECK(clSetKernelArg(kernel, 11, sizeof d_sphere_ids, &d_sphere_ids));
         CL_CHECK(clSetKernelArg(kernel, 12, sizeof bounds, &bounds));
-        if (i == LAB_COUNTS) {
-            CL_CHECK(clSetKernelArg(kernel, 13, sizeof lab.d_work[i], &lab.d_work[i]));
-        }
+        CL_CHECK(clSetKernelArg(kernel, 13, sizeof lab.d_work[i], &lab.d_work[i]));
     }
     lab_draw(&lab, enqueue_pixels, lab.kernels[LAB_DRAWS], scene.width, scene.height);
 
