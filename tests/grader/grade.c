@@ -9,7 +9,6 @@
 #include "complain.h"
 #include "grading.h"
 #include "memcheck_advice.h"
-#include "memcheck_passes.h"
 #include "message.h"
 #include "settings.h"
 #include "stands_out.h"

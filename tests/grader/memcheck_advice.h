@@ -5,6 +5,9 @@
 #include "manifest.h"
 #include "result.h"
 
+// Oclgrind as a driver that the OpenCL loader can be told of; without it nothing is offered.
+#define OCLGRIND_DRIVER "/usr/lib/oclgrind/liboclgrind-rt-icd.so"
+
 // Note the offer under the stage "Running", where the submission's kernels crashed or drew pixels
 // that are wrong in a way that looks like no known mistake. Costs no points.
 //   crashed        the submission as a whole ended by a signal, at no known line

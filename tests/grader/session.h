@@ -10,7 +10,7 @@
 #include "manifest.h"
 #include "result.h"
 #include "settings.h"
-#include "workshop.h"
+#include "variant.h"
 
 typedef struct Session {
     const Settings *settings;

@@ -65,7 +65,7 @@ git ls-files -- tests/scenes | copy
 git ls-files -- tests/grader ":(glob)tests/probes/*.[ch]" "tests/probes/$lab" "tests/stand_ins/$lab" | copy
 # Where there are kernels to look into, memcheck; its known faults stay here.
 if [ -n "$(find "labs/$lab" -name '*.cl')" ]; then
-    git ls-files -- ":(glob)tests/memcheck/*.[chm]*" ":(exclude)*.cl" ":(exclude)*.md" | copy
+    git ls-files -- ":(glob)tests/memcheck/*.[ch]" tests/memcheck/memcheck.mk | copy
 fi
 mkdir -p "$root/tests/skeletons/$lab"
 for file in $(sed -n 's/^  "files": \[\(.*\)\],$/\1/p' "labs/$lab/lab.json" | tr -d '",'); do
@@ -76,8 +76,8 @@ done
 mkdir -p "$root/tests/judge"
 cp "$judges"/judge-x86_64 "$judges"/judge-aarch64 tests/handout/judge.mk "$root/tests/judge/"
 
-# What may be handed in may take so many times what our solution takes, which is not in here
-# (tests/grader/allowance.h). Rounded up to a power of four, it is mostly the same on every machine.
+# A submission may take a multiple of the time of our solution, which is not in here
+# (tests/grader/run/allowance.h). Rounded up to a power of four, it is mostly the same on every machine.
 seconds=$("$grade" --build "$(dirname "$1")" --lab "$lab" --seed 1 --time-solution) || fail "the solution of $lab cannot be timed"
 mkdir -p "$root/tests"
 echo "$seconds" | awk '{ for (most = 4; most < $1; most *= 4); print most }' >"$root/tests/solution-seconds"

@@ -19,7 +19,7 @@
 //                    picture those that it has, in this order
 //
 // Exit status: 0 at the end of the requests, 2 after one message on stderr. Started by
-// grader/judge_process.c. Read next: judge.h.
+// grader/verdict/judge_process.c. Read next: judge.h.
 #include "complain.h"
 #include "judge.h"
 #include "number.h"

@@ -10,8 +10,9 @@
 
 #include <stdio.h>
 
-// Write the small job. The entry behind the end of each array, which shows who asks one too many in
-// a picture, is left out: here the array ends where it ends. Returns 0, or -1 after one message.
+// Write the small job. The entry behind the end of each array, which shows in a picture that a loop
+// runs one step too far, is left out: here the array ends where it ends. Returns 0, or -1 after one
+// message.
 int memcheck_job_write(const Sections *job, FILE *file);
 
 #endif

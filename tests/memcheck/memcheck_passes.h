@@ -4,11 +4,9 @@
 #ifndef GRADER_MEMCHECK_PASSES_H
 #define GRADER_MEMCHECK_PASSES_H
 
+#include "memcheck_advice.h"
 #include "oclgrind_log.h"
 #include "session.h"
-
-// Oclgrind as a driver that the OpenCL loader can be told of.
-#define OCLGRIND_DRIVER "/usr/lib/oclgrind/liboclgrind-rt-icd.so"
 
 enum { MEMCHECK_PATH_BYTES = 600 };
 

@@ -4,6 +4,9 @@
 //
 //     mutants --lab 01 [--seed N]
 //
+// To be tried alone is to be compiled and run once more. Every right answer is; of the wrong ones
+// that a check is meant for one is, and the seed says which.
+//
 // Prints TAP, a line for each file in tests/mutants/NN-name/ and tests/right/NN-name/. Their format
 // stands in tests/mutants/README.md and tests/right/README.md. Exit status: 0 all judged as they
 // should be, 1 some not, 2 the machinery failed.
@@ -48,7 +51,14 @@ typedef struct Naming {
     int n_misnamed;   // of all mutants, those named as what they are not
 } Naming;
 
-// Of the mutants of a kind so many must be named.
+// For each check: how many wrong answers it is meant for, and how many of them have had their turn.
+typedef struct Turns {
+    uint64_t seed;
+    int n_meant[RESULT_MAX_CHECKS];
+    int n_past[RESULT_MAX_CHECKS];
+} Turns;
+
+// The share of the mutants of a known kind that must be named.
 #define NAMED_SHARE 0.9
 
 // The rest of the header line "// key: value". Returns 0, or -1 after one message.
@@ -90,23 +100,54 @@ static int read_kinds(Answer *answer)
     return 0;
 }
 
-// Is there something to be learnt from trying it alone? A check that needs no other task's answer
-// is judged there by the same inputs in the same way.
-static int is_worth_alone(const Session *session, const Answer *answer)
+// The number of the check that the answer shall be caught by, or -1.
+static int check_of(const Session *session, const Answer *answer)
 {
-    int needs_others = 0;
     for (int i = 0; i < session->judge.n_checks; i++) {
-        const Check *check = &session->judge.checks[i];
-        needs_others |= strcmp(check->id, answer->check) == 0 && check_needs_others(check);
+        if (strcmp(session->judge.checks[i].id, answer->check) == 0) {
+            return i;
+        }
     }
-    return answer->is_right || needs_others;
+    return -1;
 }
 
-static int answer_open(Answer *answer, Session *session, const char *path, int slot)
+// Shall it be tried alone? A check that needs no other task's answer is judged there by the same
+// inputs in the same way, so nothing would be learnt.
+static int is_to_be_alone(const Session *session, const Answer *answer, Turns *turns)
+{
+    const int i = check_of(session, answer);
+    if (answer->is_right || i < 0) {
+        return answer->is_right;
+    }
+    const int turn = (int)(turns->seed % (uint64_t)turns->n_meant[i]);
+    return turns->n_past[i]++ == turn && check_needs_others(&session->judge.checks[i]);
+}
+
+static int is_right_answer(const char *path)
+{
+    return strncmp(path, RIGHT_FOLDER, strlen(RIGHT_FOLDER)) == 0;
+}
+
+static Turns turns_count(const Session *session, const glob_t *found, uint64_t seed)
+{
+    Turns turns = {.seed = seed};
+    for (size_t i = 0; i < found->gl_pathc; i++) {
+        Answer answer = {.path = found->gl_pathv[i]};
+        answer.text = is_right_answer(answer.path) ? NULL : text_file_read(answer.path);
+        if (answer.text != NULL && read_header(&answer, "caught by", answer.check) == 0) {
+            const int check = check_of(session, &answer);
+            turns.n_meant[check >= 0 ? check : 0] += check >= 0;
+        }
+        free(answer.text);
+    }
+    return turns;
+}
+
+static int answer_open(Answer *answer, Session *session, const char *path, int slot, Turns *turns)
 {
     char whole[24], alone[24], why_right[LINE_BYTES];
     *answer = (Answer){.path = path, .text = text_file_read(path)};
-    answer->is_right = strncmp(path, RIGHT_FOLDER, strlen(RIGHT_FOLDER)) == 0;
+    answer->is_right = is_right_answer(path);
     if (answer->text == NULL || read_header(answer, "task", answer->task) != 0 ||
         (answer->is_right ? read_header(answer, "right", why_right)
                           : read_header(answer, "caught by", answer->check) |
@@ -122,7 +163,7 @@ static int answer_open(Answer *answer, Session *session, const char *path, int s
     snprintf(whole, sizeof whole, "answer-%d", slot);
     snprintf(alone, sizeof alone, "alone-%d", slot);
     const int filled = session_fill(session, whole, answer->task, answer->text, &answer->variant);
-    answer->is_tried_alone = is_worth_alone(session, answer);
+    answer->is_tried_alone = is_to_be_alone(session, answer, turns);
     return !answer->is_tried_alone
                ? filled
                : filled | alone_fill(session, alone, task, answer->text, NULL, &answer->alone);
@@ -235,14 +276,14 @@ static char *judge_answer(Session *session, const Answer *answer)
 
 // Run up to PAIR answers side by side and print a TAP line for each. Returns how many were not
 // judged as they should be, or -1 after one message.
-static int try_answers(Session *session, char *const paths[], int n, int first_number,
+static int try_answers(Session *session, char *const paths[], int n, int first_number, Turns *turns,
                        Naming *naming)
 {
     Answer answers[PAIR] = {{0}};
     Variant *variants[2 * PAIR];
     int n_variants = 0, n_missed = 0;
     for (int i = 0; i < n; i++) {
-        n_missed |= answer_open(&answers[i], session, paths[i], i);
+        n_missed |= answer_open(&answers[i], session, paths[i], i, turns);
         variants[n_variants++] = &answers[i].variant;
         if (answers[i].is_tried_alone) {
             variants[n_variants++] = &answers[i].alone;
@@ -280,7 +321,7 @@ static int report_naming(const Naming *naming, const char *lab, int n)
 }
 
 // The solution first, then every known answer of the lab. Returns an exit status.
-static int try_all(Session *session)
+static int try_all(Session *session, uint64_t seed)
 {
     char pattern[LINE_BYTES];
     Variant *solution[] = {&session->solution};
@@ -296,10 +337,11 @@ static int try_all(Session *session)
     }
     int n_missed = 0;
     Naming naming = {0};
+    Turns turns = turns_count(session, &found, seed);
     const int n = (int)found.gl_pathc;
     for (int i = 0; n_missed >= 0 && i < n; i += PAIR) {
-        const int missed =
-            try_answers(session, found.gl_pathv + i, n - i < PAIR ? n - i : PAIR, i + 1, &naming);
+        const int missed = try_answers(session, found.gl_pathv + i, n - i < PAIR ? n - i : PAIR,
+                                       i + 1, &turns, &naming);
         n_missed = missed < 0 ? -1 : n_missed + missed;
     }
     globfree(&found);
@@ -318,7 +360,7 @@ int main(int argc, char **argv)
     Session session;
     int status = 2;
     if (session_open(&session, &settings) == 0) {
-        status = try_all(&session);
+        status = try_all(&session, settings.seed);
     }
     session_close(&session);
     return status;

@@ -275,7 +275,7 @@ static void find_drops(Search *search, int at)
         }
         end = is(search, end, "( [ {") ? closing(search, end) + 1 : end + 1;
     }
-    // What a function returns after its last return is dropped is not the text's to say.
+    // Without its last return a function returns whatever was there: no two machines agree on that.
     if (end < search->n && !(is(search, at, "return") && end == search->n - 1)) {
         add(search, at, end, "drop", "", strdup(";"));
     }

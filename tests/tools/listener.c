@@ -23,7 +23,7 @@ static _Noreturn void fault(const char *what)
     exit(1);
 }
 
-// Bind a socket of this type to the port of loopback; port 0: any, told in *port.
+// Bind a socket of this type to the port of loopback; port 0: any; *port receives it.
 static int loopback_open(int type, in_port_t *port)
 {
     struct sockaddr_in address = {

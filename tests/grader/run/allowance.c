@@ -8,9 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-// A right answer may be slower than ours, or meet a processor that is shared with others: so many
-// times what ours used, and never less than the floor, as what is short varies most. What a handout
-// knows is rounded up already.
+// A right answer may be slower than ours, or meet a processor that is shared with others. It may
+// take this many times what ours used, and never less than the floor, as short times vary most.
+// What a handout knows is rounded up already.
 #define FACTOR 8.0
 #define PACKED_FACTOR 4.0
 #define FLOOR_SECONDS 10.0

@@ -13,7 +13,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-// So many names are shown; so many entries are read before it is enough.
+// How many names are shown, and how many entries are read at most.
 enum { MAX_NAMES = 6, MAX_NAME_BYTES = 60, MAX_ENTRIES = 2000 };
 
 enum { MAX_MANIFEST_BYTES = 65536, PATH_BYTES = 600 };

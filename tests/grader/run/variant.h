@@ -1,0 +1,51 @@
+// A variant of a submission: one way to combine files, compiled and run in the workshop.
+#ifndef GRADER_VARIANT_H
+#define GRADER_VARIANT_H
+
+#include "allowance.h"
+#include "run_place.h"
+#include "sections.h"
+#include "workshop.h"
+
+typedef struct Variant {
+    char name[80];
+    char *build_log;   // set when it does not compile; with the student's file and line; owned
+    char *trouble;     // set when it compiled and did not run to its end: what happened; owned
+    RunPlace place;    // and where; all NULL when nobody knows
+    int has_crashed;   // by a signal
+    char *habits;      // what else there is to say about its run, "" for most; owned
+    char *run_output;  // what it wrote to stdout and stderr; owned
+    unsigned number;   // of its answers: no other variant has the same
+    Sections answers;  // whatever it answered
+    SandboxRun *run;   // while it runs
+    int is_ours;       // the solution: what it uses says what others may
+    int is_checked;    // built and run with the address sanitizer: see variant_find_line()
+    const char *task;  // whose answer stands in the solution of the others; NULL: a submission
+    int is_changed;  // tried alone in files that differ from those handed out in more than answers
+    const char *alone;  // whose answer is tried alone, with a job of its own; NULL: all of them
+    int is_told;        // the report says already how and where it ended
+} Variant;
+
+// Make the folder of a variant, with the lab's given files in it; put the lab's own files, the ones
+// a student hands in, there next. `path` receives the folder. Returns 0, or -1 after one message.
+int variant_open(const Workshop *workshop, const char *name, Variant *variant, char *path,
+                 size_t n_bytes);
+
+// Where the job of a variant that is tried alone is to be written before it runs.
+void variant_job_path(const Workshop *workshop, const Variant *variant, char *path, size_t n_bytes);
+
+// Compile and run n variants side by side, each for as long as is allowed. What is ours must come
+// first: what it uses is noted, and from then on that is what limits the others. One that the
+// machine was too busy for is tried again. Returns 0, or -1 after one message when the machinery
+// failed.
+int variants_run(const Workshop *workshop, Variant *const variants[], int n, Allowance *allowance);
+
+// After a crash of a lab with host files: compile and run it once more, with the address sanitizer,
+// and say at which line of the student's and by what it came about, "render.c:12: ..." and the line
+// itself. Owned by the caller; NULL where that finds nothing. What a student's program prints can
+// decide the number of the line and which of our words are said of it. The answers stay.
+char *variant_find_line(const Workshop *workshop, const Variant *variant, Allowance *allowance);
+
+void variant_free(Variant *variant);
+
+#endif

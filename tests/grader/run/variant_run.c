@@ -1,0 +1,207 @@
+// Compiling and running variants side by side, and what the end of each says about it.
+#include "variant_steps.h"
+
+#include "crash_line.h"
+#include "message.h"
+#include "probe.h"
+#include "run_end.h"
+
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { PATH_BYTES = 512 };
+
+// Answers are pictures of at most 336x240 pixels of 16 bytes, a dozen of them: far below this.
+#define MAX_ANSWER_BYTES ((size_t)FILE_MB << 20)
+
+// Why the compiler came to no end of its own.
+static char *describe_compiler_end(const SandboxResult *result, SandboxTime allowed)
+{
+    if (result->outcome == SANDBOX_TIMED_OUT) {
+        return message_new("the compiler did not finish in time: it used up the %.1f s of "
+                           "processor time that are allowed; too large a program?",
+                           allowed.processor);
+    }
+    char *end = run_end_describe(result, allowed);
+    char *message = message_new("the compiler did not finish: %s", end);
+    free(end);
+    return message;
+}
+
+// What a compiler's end says about the variant.
+static void take_build(Variant *variant, SandboxResult *result, SandboxTime allowed)
+{
+    if (result->outcome != SANDBOX_EXITED) {
+        variant->build_log = describe_compiler_end(result, allowed);
+    } else if (result->exit_status != 0) {
+        variant->build_log = result->output;
+        result->output = NULL;
+    }
+}
+
+// Where the probe says it was.
+static void take_place(const Workshop *workshop, Variant *variant)
+{
+    char path[PATH_BYTES];
+    Sections job;
+    snprintf(path, sizeof path, "%s/variant-%s/out/note", workshop->folder, variant->name);
+    const ProbeNote note = run_note_load(path);
+    if (variant->alone) {
+        return;  // nothing of it is told
+    }
+    workshop_job_path(workshop, path, sizeof path);
+    if (sections_load(path, (size_t)256 << 20, &job) == 0) {
+        variant->place = run_place_find(workshop->manifest->lab, &job, &note);
+    }
+    sections_free(&job);
+}
+
+// What a probe's end and answers say about the variant.
+static void take_answers(const Workshop *workshop, Variant *variant, SandboxResult *result,
+                         SandboxTime allowed)
+{
+    char path[PATH_BYTES];
+    snprintf(path, sizeof path, "%s/variant-%s/out/answers", workshop->folder, variant->name);
+    sections_load(path, MAX_ANSWER_BYTES, &variant->answers);
+    variant->run_output = strdup(result->output);
+    if (result->outcome == SANDBOX_EXITED && result->exit_status == PROBE_EXIT_NO_BUILD) {
+        variant->build_log = strdup(variant->run_output);
+        return;
+    }
+    variant->trouble = run_end_describe(result, allowed);
+    variant->habits = run_habits_describe(result);
+    size_t n_bytes;
+    if (variant->trouble == NULL &&
+        sections_find_any(&variant->answers, PROBE_END, &n_bytes) == NULL) {
+        variant->trouble = message_new("it ended by itself, with exit status 0, before it had "
+                                       "answered everything: a call of exit()?");
+    }
+    variant->has_crashed = result->outcome == SANDBOX_CRASHED && result->signal != SIGXFSZ &&
+                           result->signal != SIGKILL;
+    if (variant->trouble != NULL) {
+        take_place(workshop, variant);
+    }
+}
+
+// ---- Both steps, side by side ---------------------------------------------------------------
+
+static SandboxTime time_allowed(const Variant *variant, Step step, const Allowance *allowance)
+{
+    return variant->is_ours ? allowance_ours() : allowance_of(allowance, step);
+}
+
+static int step_start(const Workshop *workshop, Variant *variant, Step step,
+                      const Allowance *allowance)
+{
+    variant->run = step_sandbox(workshop, variant, step, time_allowed(variant, step, allowance));
+    return variant->run != NULL ? 0 : -1;
+}
+
+// Make anew what a step writes to: behind Landlock the old files belong to a user that is gone.
+// Returns 0, or -1 after one message.
+static int step_clear(const Workshop *workshop, const Variant *variant, Step step)
+{
+    return step_folder_remove(workshop, variant->name, step) != 0
+               ? -1
+               : step_folder_make(workshop, variant->name, step);
+}
+
+// Wait for a variant's step, which is started again where the machine had no time for it. Returns
+// 0, or -1 after one message when the machinery failed.
+static int step_take(const Workshop *workshop, Variant *variant, Step step, Allowance *allowance)
+{
+    enum { TRIES = 2 };
+    SandboxResult result = {.outcome = SANDBOX_FAULT};
+    // The line of a crash is not worth a second try.
+    const int n_tries = variant->is_checked ? 1 : TRIES;
+    for (int i = 0; i < n_tries; i++) {
+        if (i > 0) {
+            free(result.output);
+            if (step_clear(workshop, variant, step) != 0 ||
+                step_start(workshop, variant, step, allowance) != 0) {
+                return -1;
+            }
+        }
+        result = sandbox_wait(variant->run);
+        variant->run = NULL;
+        if (result.outcome != SANDBOX_STARVED) {
+            break;
+        }
+    }
+    int failed = result.outcome == SANDBOX_FAULT || result.outcome == SANDBOX_STARVED;
+    if (failed && variant->is_checked) {
+        free(result.output);
+        return -1;  // in silence: only the line of a crash is not known then
+    }
+    if (result.outcome == SANDBOX_FAULT) {
+        fprintf(stderr, "grade: the sandbox failed: %s\n", result.output);
+    } else if (result.outcome == SANDBOX_STARVED) {
+        fprintf(stderr,
+                "grade: this machine is too busy: twice it had %.1f s of processor time for %s in "
+                "%.0f s; grade again when it is less so\n",
+                result.used.processor, step == STEP_COMPILING ? "compiling" : "running the program",
+                result.used.wall);
+    } else if (step == STEP_COMPILING) {
+        take_build(variant, &result, time_allowed(variant, step, allowance));
+    } else {
+        take_answers(workshop, variant, &result, time_allowed(variant, step, allowance));
+        if (!variant->is_checked) {
+            step_folder_remove(workshop, variant->name, step);  // in memory, perhaps
+        }
+    }
+    if (!failed && variant->is_ours) {
+        allowance_note(allowance, step, result.used);
+    }
+    free(result.output);
+    return failed ? -1 : 0;
+}
+
+// Run a step of those variants that compile, side by side.
+static int step_run(const Workshop *workshop, Variant *const variants[], int n, Step step,
+                    Allowance *allowance)
+{
+    int result = 0;
+    for (int i = 0; i < n; i++) {
+        if (variants[i]->build_log == NULL) {
+            result |= step_start(workshop, variants[i], step, allowance);
+        }
+    }
+    for (int i = 0; i < n; i++) {
+        if (variants[i]->run == NULL) {
+            continue;
+        }
+        // What ours took, ahead of it, may have become known since it was started.
+        sandbox_allow(variants[i]->run, time_allowed(variants[i], step, allowance));
+        result |= step_take(workshop, variants[i], step, allowance);
+    }
+    return result;
+}
+
+int variants_run(const Workshop *workshop, Variant *const variants[], int n, Allowance *allowance)
+{
+    const int compiled =
+        workshop->needs_compiler ? step_run(workshop, variants, n, STEP_COMPILING, allowance) : 0;
+    return compiled != 0 ? -1 : step_run(workshop, variants, n, STEP_RUNNING, allowance);
+}
+
+// ---- The line of a crash ------------------------------------------------------------------------
+
+char *variant_find_line(const Workshop *workshop, const Variant *variant, Allowance *allowance)
+{
+    char out[PATH_BYTES], lab[PATH_BYTES];
+    Variant checked = {.is_checked = 1};
+    Variant *const variants[] = {&checked};
+    memcpy(checked.name, variant->name, sizeof checked.name);
+    if (!workshop->needs_compiler || step_clear(workshop, variant, STEP_COMPILING) != 0 ||
+        step_clear(workshop, variant, STEP_RUNNING) != 0 ||
+        variants_run(workshop, variants, 1, allowance) != 0) {
+        return NULL;
+    }
+    snprintf(out, sizeof out, "%s/variant-%s/out", workshop->folder, variant->name);
+    snprintf(lab, sizeof lab, "%s/variant-%s/lab", workshop->folder, variant->name);
+    char *line = checked.trouble != NULL ? crash_line_find(out, lab, workshop->manifest) : NULL;
+    variant_free(&checked);
+    return line;
+}

@@ -1,0 +1,126 @@
+// Starting a variant's compiler and its probe in a sandbox.
+#include "variant_steps.h"
+
+#include "crash_line.h"
+#include "probe.h"
+#include "run_end.h"
+
+#include <glob.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { PATH_BYTES = 512 };
+
+// The folders of a variant as mounts; paths[] keeps the strings.
+static void mount_variant(const Workshop *workshop, const Variant *variant, int building,
+                          char paths[5][PATH_BYTES], char *lab_inside, SandboxCommand *command)
+{
+    snprintf(paths[0], PATH_BYTES, "%s/tree", workshop->folder);
+    snprintf(paths[1], PATH_BYTES, "%s/variant-%s/lab", workshop->folder, variant->name);
+    snprintf(paths[2], PATH_BYTES, "%s/variant-%s/build", workshop->folder, variant->name);
+    snprintf(paths[3], PATH_BYTES, "%s/variant-%s/out", workshop->folder, variant->name);
+    snprintf(paths[4], PATH_BYTES, variant->alone ? "%1$s/variant-%2$s/job" : "%1$s/job",
+             workshop->folder, variant->name);
+    snprintf(lab_inside, PATH_BYTES, "/work/labs/%s", workshop->manifest->lab);
+    const SandboxMount mounts[] = {
+        {paths[0], "/work", 0},
+        {paths[1], lab_inside, 0},
+        {paths[2], "/work/build", building},
+        {paths[3], "/work/out", !building},
+        {paths[4], "/work/job", 0},
+    };
+    memcpy(command->mounts, mounts, sizeof mounts);
+    // The compiler needs neither the job nor a place for answers.
+    command->n_mounts = building ? 3 : 5;
+}
+
+static SandboxRun *start(const Workshop *workshop, const Variant *variant, int building,
+                         const char *const *argv, SandboxTime time)
+{
+    char paths[5][PATH_BYTES], lab_inside[PATH_BYTES], device[PATH_BYTES];
+    snprintf(device, sizeof device, CL_DEVICE_VARIABLE "=%s", workshop->device);
+    // PoCL takes groups of 4096, GPUs often no more than 256: what is graded here shall run there.
+    // One thread: an endless loop then keeps one processor busy, not all of them.
+    const char *const environment[] = {device,
+                                       "POCL_MAX_WORK_GROUP_SIZE=256",
+                                       "POCL_MAX_PTHREAD_COUNT=1",
+                                       "POCL_CPU_MAX_CU_COUNT=1",
+                                       CRASH_LINE_OPTIONS,
+                                       NULL};
+    SandboxCommand command = {
+        .kind = workshop->sandbox,
+        .argv = argv,
+        .environment = environment,
+        .folder = "/work",
+        .time = time,
+        // The address sanitizer reserves terabytes that it never uses; what is in use is still
+        // counted.
+        .memory_mb = variant->is_checked && !building ? 0 : MEMORY_MB,
+        .file_mb = FILE_MB,
+        .n_processes = N_PROCESSES,
+        .total_memory_mb = TOTAL_MEMORY_MB,
+        .total_file_mb = TOTAL_FILE_MB,
+        .n_files = N_FILES,
+    };
+    mount_variant(workshop, variant, building, paths, lab_inside, &command);
+    return sandbox_start(&command);
+}
+
+// The compiler's command line for the lab's host files, the probe and the libraries.
+static SandboxRun *start_compiler(const Workshop *workshop, const Variant *variant,
+                                  SandboxTime time)
+{
+    const Manifest *manifest = workshop->manifest;
+    enum { MAX_WORDS = 64 };
+    const char *argv[MAX_WORDS] = {"/usr/bin/gcc", "-std=c11", "-D_GNU_SOURCE", "-O2",      "-g",
+                                   "-Wall",        "-Wextra",  "-Icommon",      "-Ikernels"};
+    char words[MAX_WORDS][PATH_BYTES];
+    int n = 9, n_words = 0;
+    snprintf(words[n_words], PATH_BYTES, "-Ilabs/%s", manifest->lab);
+    argv[n++] = words[n_words++];
+    glob_t found;
+    if (glob("solutions/*", GLOB_ONLYDIR, NULL, &found) == 0) {
+        for (size_t i = 0; i < found.gl_pathc && n < MAX_WORDS / 2; i++) {
+            if (strcmp(found.gl_pathv[i] + strlen("solutions/"), manifest->lab) < 0) {
+                snprintf(words[n_words], PATH_BYTES, "-I%s", found.gl_pathv[i]);
+                argv[n++] = words[n_words++];
+            }
+        }
+        globfree(&found);
+    }
+    for (int i = 0; i < manifest->n_files; i++) {
+        const char *name = manifest->files[i];
+        if (manifest_is_host_file(name)) {
+            snprintf(words[n_words], PATH_BYTES, "labs/%s/%s", manifest->lab, name);
+            argv[n++] = words[n_words++];
+        }
+    }
+    const char *const libraries[] = {"lib/%s.a", "lib/earlier/%s.a"};
+    for (int i = 0; i < 2; i++) {
+        snprintf(words[n_words], PATH_BYTES, libraries[i], manifest->lab);
+        argv[n++] = words[n_words++];
+    }
+    if (variant->is_checked) {
+        argv[n++] = "-fsanitize=address";
+        argv[n++] = "-fno-omit-frame-pointer";
+        argv[n++] = "-fno-optimize-sibling-calls";
+    }
+    const char *const rest[] = {"lib/libcommon.a", "-lOpenCL", "-lm", "-o", "build/probe"};
+    memcpy(argv + n, rest, sizeof rest);
+    return start(workshop, variant, 1, argv, time);
+}
+
+static SandboxRun *start_probe(const Workshop *workshop, const Variant *variant, SandboxTime time)
+{
+    char path[PATH_BYTES];
+    snprintf(path, sizeof path, "lib/%s", workshop->manifest->lab);
+    const char *const argv[] = {workshop->needs_compiler ? "build/probe" : path, NULL};
+    return start(workshop, variant, 0, argv, time);
+}
+
+SandboxRun *step_sandbox(const Workshop *workshop, const Variant *variant, Step step,
+                         SandboxTime time)
+{
+    return step == STEP_COMPILING ? start_compiler(workshop, variant, time)
+                                  : start_probe(workshop, variant, time);
+}
