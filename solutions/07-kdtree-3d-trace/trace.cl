@@ -8,24 +8,23 @@
 #include "todo.h"
 #include "work.h"
 
-#include "count_sphere_tests.h"
-
 // Ask the spheres of a leaf.
 //   node         the leaf
 //   sphere_ids   of the whole tree; the leaf's are node.n_spheres from node.first on
 //   hit          in: the nearest hit so far; out: the same, or a nearer one; of two at the same
 //                distance the sphere with the lower index
+//   work         what this pixel has cost so far: for intersect_sphere()
 // A hit beyond the leaf is kept, too: next_waiting() decides when it counts. Source: lecture, "Leaf
 // search".
 void search_leaf(KdNode3 node, global const uint *sphere_ids, global const Sphere *spheres, Ray ray,
-                 Hit *hit WORK_POINTER)
+                 Hit *hit, Work *work)
 {
     // TASK search_leaf: as nearest_hit() of lab 05, over the leaf's spheres only. hit->sphere is an
     // index into spheres[], not into sphere_ids[].
-    //> (void)node, (void)sphere_ids, (void)spheres, (void)ray, (void)hit;
+    //> (void)node, (void)sphere_ids, (void)spheres, (void)ray, (void)hit, (void)work;
     for (uint i = node.first; i < node.first + node.n_spheres; i++) {
         const uint id = sphere_ids[i];
-        const float t = intersect_sphere(spheres[id], ray);
+        const float t = intersect_sphere(spheres[id], ray, work);
         // The hit so far may be of another leaf, and of a sphere with a higher index.
         if (t < hit->t || (t == hit->t && t < INFINITY && id < hit->sphere)) {
             hit->t = t;
@@ -92,11 +91,12 @@ static int next_waiting(Hit hit, Todo *todo, TodoEntry *at)
 // What the ray hits first.
 //   spheres                      the scene
 //   nodes, sphere_ids, bounds    its kd-tree (kdtree3d.h); node 0 is the root
+//   work                         what this pixel has cost so far
 // Returns what nearest_hit() of lab 05 finds: the distance and the sphere.
 // Source: lecture, "Traversal". Static, so that a compiler may put it into the kernel, its only
 // caller.
 static Hit trace(Ray ray, global const Sphere *spheres, global const KdNode3 *nodes,
-                 global const uint *sphere_ids, BBox3D bounds WORK_POINTER)
+                 global const uint *sphere_ids, BBox3D bounds, Work *work)
 {
     Hit hit = {INFINITY, NO_SPHERE};
     // The node at hand, and the part of the ray inside it: at first the root, and the scene's box.
@@ -113,14 +113,14 @@ static Hit trace(Ray ray, global const Sphere *spheres, global const KdNode3 *no
     for (;;) {
         const KdNode3 node = nodes[at.node];
         if (node.split_axis != KD_LEAF) {
+            count_node(work);
             at = next_child(node, origins[node.split_axis], inverses[node.split_axis], at.t_min,
                             at.t_max, &todo);
-            WORK_COUNT(n_nodes_visited);
-            WORK_MOST(stack_depth, todo.n);
+            count_waiting(work, todo.n);
             continue;
         }
-        search_leaf(node, sphere_ids, spheres, ray, &hit WORK_ARGUMENT);
-        WORK_COUNT(n_leaves_visited);
+        count_leaf(work);
+        search_leaf(node, sphere_ids, spheres, ray, &hit, work);
         if (!next_waiting(hit, &todo, &at)) {
             return hit;
         }

@@ -68,7 +68,8 @@ typedef struct Judge {
     int n_checks;
     size_t job_bytes;  // of the lab's own job
 
-    // Draw all of the job, which is zeros, and what is expected. Returns 0, or -1 after one message.
+    // Draw all of the job, which is zeros, and what is expected. Returns 0, or -1 after one
+    // message.
     int (*draw)(void *job, Random *random);
     // Release what the job owns; it may be drawn in part only.
     void (*release)(void *job);

@@ -92,7 +92,7 @@ Test(judge_process, a_lab_without_a_judge_is_refused)
 
 // ---- Limits -------------------------------------------------------------------------------------
 
-// The judge itself is limited: to 2 GB of memory. That the limits end it is seen of another program.
+// The judge itself is limited, to 2 GB of memory. What the limits do is seen of another program.
 Test(judge_process, its_memory_is_limited, .init = start, .fini = stop)
 {
     char path[64], line[256];

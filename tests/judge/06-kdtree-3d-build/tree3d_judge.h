@@ -66,8 +66,8 @@ char *tree3d_judge_packing(const TreeScene3D *scene, const KdTree3D *own);
 // The todo stack suffices for a search.
 char *tree3d_judge_depth(const TreeScene3D *scene, const KdTree3D *own);
 
-// Grow scene->tree, of scene number k, by the scene's limits, each step in double precision, and see
-// whether it is exact (tree3d_expected.c). Returns 0, or -1 after one message.
+// Grow scene->tree, of scene number k, by the scene's limits, each step in double precision, and
+// see whether it is exact (tree3d_expected.c). Returns 0, or -1 after one message.
 int tree3d_expect(TreeScene3D *scene, u32 k, Growth *growth);
 
 // Can no right solution have another tree than scene->tree? So it is where no plane and no

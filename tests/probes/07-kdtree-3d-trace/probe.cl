@@ -52,16 +52,12 @@ kernel void probe_leaves(global const SearchJob *jobs, global const uint *sphere
     const size_t i = get_global_id(0);
     const SearchJob job = jobs[i];
     Hit hit = {job.t, job.sphere};
-    WORK_BEGIN;
+    Work work = {0, 0, 0, 0};
     search_leaf(job.node, sphere_ids, spheres, ray_of(job.origin, job.direction, 0.0f, INFINITY),
-                &hit WORK_ARGUMENT);
+                &hit, &work);
     answers[i].t = hit.t;
     answers[i].sphere = hit.sphere;
-#ifdef COUNT_WORK
-    answers[i].n_tests = work->n_tests;
-#else
-    answers[i].n_tests = UNTOUCHED;
-#endif
+    answers[i].n_tests = work.n_tests;
 }
 
 // What the lower entries of a stack look like.
@@ -132,9 +128,9 @@ kernel void probe_hits(global const Sphere *spheres, global const KdNode3 *nodes
     if (x >= width || y >= height) {
         return;
     }
-    WORK_BEGIN;  // only because trace wants it
+    Work work = {0, 0, 0, 0};
     const Ray ray = primary_ray(x, y, width, height, camera);
-    const Hit hit = trace(ray, spheres, nodes, sphere_ids, bounds WORK_ARGUMENT);
+    const Hit hit = trace(ray, spheres, nodes, sphere_ids, bounds, &work);
     answers[y * width + x].t = hit.t;
     answers[y * width + x].sphere = hit.sphere;
 }
