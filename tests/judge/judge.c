@@ -1,9 +1,10 @@
-// The table of judges.
+// The table of judges, and what is the same in all of them: drawing and writing a job, and asking
+// whatever a check's row names.
 #include "judge.h"
 
+#include "complain.h"
 #include "number.h"
 
-#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -11,28 +12,166 @@ extern const Judge judge_00, judge_01, judge_02, judge_03, judge_04, judge_05, j
 static const Judge *const judges[] = {&judge_00, &judge_01, &judge_02, &judge_03,
                                       &judge_04, &judge_05, &judge_06, &judge_07};
 
-const Verdict verdict_missing = {VERDICT_MISSING, NULL};
-
-Verdict verdict_of(char *message)
-{
-    return (Verdict){message ? VERDICT_FAILED : VERDICT_PASSED, message};
-}
-
-int verdict_passes(Verdict verdict)
-{
-    free(verdict.message);
-    return verdict.kind == VERDICT_PASSED;
-}
-
 const Judge *judge_of(const char *lab)
 {
     uint64_t number;
     const int is_number = number_read_unsigned(lab, 0, 99, &number) == 0;
-    for (size_t i = 0; i < sizeof judges / sizeof *judges; i++) {
+    for (int i = 0; i < COUNT(judges); i++) {
         const char *name = judges[i]->lab;
         if (is_number ? strtoul(name, NULL, 10) == number : strcmp(name, lab) == 0) {
             return judges[i];
         }
     }
     return NULL;
+}
+
+// ---- Drawing and writing ------------------------------------------------------------------------
+
+void job_list_picture(Job *job, JobPicture *picture)
+{
+    job->pictures[job->n_pictures++] = picture;
+}
+
+// Is the task among those that the text names? NULL names none.
+static int is_among(const char *tasks, const char *task)
+{
+    const size_t n = strlen(task);
+    for (const char *at = tasks; at != NULL && *at != '\0'; at += strspn(at, " ")) {
+        const size_t length = strcspn(at, " ");
+        if (length == n && memcmp(at, task, n) == 0) {
+            return 1;
+        }
+        at += length;
+    }
+    return 0;
+}
+
+// Write the parts for a task alone, or all of them where it is NULL. Returns 0, or -1.
+static int write_parts(const Job *job, const char *task, FILE *file)
+{
+    int result = 0;
+    for (int i = 0; result == 0 && i < job->judge->n_parts; i++) {
+        const JobPart *part = &job->judge->parts[i];
+        if (task == NULL || is_among(part->tasks, task)) {
+            result =
+                section_write(file, part->section, (const char *)job + part->offset, part->n_bytes);
+        }
+    }
+    return result;
+}
+
+Job *job_new(const Judge *judge, uint64_t seed, FILE *file)
+{
+    Random random = {seed};
+    Job *job = calloc(1, judge->job_bytes);
+    if (job == NULL) {
+        complain("grade: no memory for a job");
+        return NULL;
+    }
+    job->judge = judge;
+    int result = judge->draw(job, &random);
+    if (result == 0) {
+        result = write_parts(job, NULL, file);
+    }
+    for (int k = 0; result == 0 && k < judge->n_scenes; k++) {
+        result = judge->write_scene(job, k, file);
+    }
+    if (result != 0) {
+        job_free(job);
+        return NULL;
+    }
+    return job;
+}
+
+void job_free(Job *job)
+{
+    if (job->judge->release != NULL) {
+        job->judge->release(job);
+    }
+    growth_free(&job->growth);
+    free(job);
+}
+
+int job_write_alone(const Job *job, const char *task, FILE *file)
+{
+    const Judge *judge = job->judge;
+    int result = write_parts(job, task, file);
+    for (int i = 0; result == 0 && i < judge->n_checks; i++) {
+        const JudgeCheck *check = &judge->checks[i];
+        if (check->replay != NULL && strcmp(check->task, task) == 0) {
+            result = replay_write(check->replay, &job->growth, job, file);
+        }
+    }
+    return result == 0 && judge->write_alone != NULL ? judge->write_alone(job, task, file) : result;
+}
+
+// ---- Judging ------------------------------------------------------------------------------------
+
+static Verdict judge_scenes(const Job *job, const JudgeCheck *check, const Sections *answers)
+{
+    Verdict verdict = verdict_of(NULL);
+    for (int i = 0; verdict.kind == VERDICT_PASSED && i < check->range.n; i++) {
+        const int k = range_at(check->range, i);
+        verdict = check->tree != NULL ? check->tree(job, k, check, answers)
+                                      : check->scene(job, k, answers);
+    }
+    return verdict;
+}
+
+Verdict job_judge(const Job *job, int number, const Sections *answers)
+{
+    const JudgeCheck *check = &job->judge->checks[number];
+    return check->function != NULL ? function_judge(check->function, job, check->range, answers)
+           : check->all != NULL    ? check->all(job, answers)
+                                   : judge_scenes(job, check, answers);
+}
+
+int job_passes_alone(const Job *job, int number, const Sections *answers)
+{
+    const JudgeCheck *check = &job->judge->checks[number];
+    if (check->alone != NULL) {
+        return check->alone(job, check, answers);
+    }
+    if (check->replay != NULL) {
+        return replay_is_right(check->replay, &job->growth, job, answers);
+    }
+    if (check->alone_scene == NULL) {
+        return verdict_passes(job_judge(job, number, answers));
+    }
+    const Range range = check->alone_range.n > 0 ? check->alone_range : check->range;
+    int passes = 1;
+    for (int i = 0; passes && i < range.n; i++) {
+        passes = check->alone_scene(job, range_at(range, i), answers);
+    }
+    return passes;
+}
+
+// ---- Pictures -----------------------------------------------------------------------------------
+
+Verdict judge_picture(const void *pointer, int k, const Sections *answers)
+{
+    const Job *job = pointer;
+    return job_picture_judge(job->pictures[k], k, answers);
+}
+
+Verdict judge_padding(const void *pointer, int k, const Sections *answers)
+{
+    const Job *job = pointer;
+    return job_picture_judge_padding(job->pictures[k], k, answers);
+}
+
+void job_adopt(Job *job, const Sections *answers)
+{
+    for (int k = 0; job->judge->adopts && k < job->n_pictures; k++) {
+        job_picture_adopt(job->pictures[k], k, answers);
+    }
+}
+
+void job_add_pictures(const Job *job, const Sections *answers, Result *result)
+{
+    if (job->judge->add_pictures != NULL) {
+        job->judge->add_pictures(job, answers, result);
+    } else {
+        job_pictures_report(job->pictures, job->n_pictures, answers, result);
+    }
 }

@@ -1,49 +1,136 @@
-// What a lab's judge is made of: its checks, the job it sets, and how it judges the answers.
+// What a lab's judge is made of: a table of its checks, the job that it sets, and what decides each
+// check.
 //
 // The grader runs the same job for the solution and for the submission, and for each task with a
-// failed check a job with the answer to that task alone, and asks the judge about each. One table
-// a lab: judge_00.c and on.
+// failed check a job with the answer to that task alone, and asks the judge about each
+// (judge_tool.c). One folder a lab: what a check costs and who decides it stands in the table
+// `checks` of its judge_NN.c.
 #ifndef JUDGE_JUDGE_H
 #define JUDGE_JUDGE_H
 
+#include "function.h"
+#include "job_picture.h"
+#include "job_sections.h"
+#include "random.h"
+#include "replay.h"
 #include "result.h"
 #include "sections.h"
-#include "verdict.h"
 
+#include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
 
-// Passed when message is NULL, else failed. Takes the message over.
-Verdict verdict_of(char *message);
+struct JobScene;
+struct KdTree2D;
+struct TreeScene3D;
+struct KdTree3D;
 
-// Has it passed? Releases the message.
-int verdict_passes(Verdict verdict);
+// A row of a lab's table. The functions get the lab's own job, which begins with a Job.
+typedef struct JudgeCheck {
+    const char *id;     // "overlaps-boundary"
+    const char *title;  // "Pixels exactly on the boundary"
+    const char *task;   // whose answer it judges
+    int points;
+    const char *needs;  // whose answers have a part in it besides: see verdict.h
 
-extern const Verdict verdict_missing;
+    // One of these decides: a function of the student's over a range of inputs; each scene of a
+    // range, of which the first that does not pass is the verdict; the same of each scene's tree,
+    // by the property below; or all the answers at once.
+    const Function *function;
+    Verdict (*scene)(const void *job, int k, const Sections *answers);
+    Verdict (*tree)(const void *job, int k, const struct JudgeCheck *check,
+                    const Sections *answers);
+    Verdict (*all)(const void *job, const Sections *answers);
+    Range range;  // of inputs or scenes; none for all
+    char *(*tree2d)(const struct JobScene *scene, const struct KdTree2D *own);     // lab 02
+    char *(*tree3d)(const struct TreeScene3D *scene, const struct KdTree3D *own);  // lab 06
+
+    // The same by what the answer to its task does alone (grader/alone.h): all of it, scene by
+    // scene, or in a replay. Where none is set, it is judged as in the whole.
+    int (*alone)(const void *job, const struct JudgeCheck *check, const Sections *answers);
+    int (*alone_scene)(const void *job, int k, const Sections *answers);
+    Range alone_range;  // of scenes; that of the whole where none is set
+    const Replay *replay;
+} JudgeCheck;
+
+// A section of the job that lies as an array in the lab's own job.
+typedef struct JobPart {
+    const char *section;
+    const char *tasks;  // by which it is needed alone, parted by blanks; NULL for none
+    size_t offset, n_bytes;
+} JobPart;
+#define PART(section, tasks, type, member)                                                         \
+    {section, tasks, offsetof(type, member), sizeof((type *)0)->member}
 
 typedef struct Judge {
-    const char *lab;
-    const Check *checks;
+    const char *lab;  // "01-naive-2d"
+    const JudgeCheck *checks;
     int n_checks;
-    // Draw a job from the seed and write it as sections. Returns the job, with all that is
-    // expected, or NULL after one message on stderr.
-    void *(*job_new)(uint64_t seed, FILE *file);
-    void (*job_free)(void *job);
-    // Judge check number `check` by the answers.
-    Verdict (*judge)(const void *job, int check, const Sections *answers);
-    // Write what the probe shall try of one task's answer alone (grader/alone.h) as sections.
-    // Returns 0, or -1.
+    size_t job_bytes;  // of the lab's own job
+
+    // Draw all of the job, which is zeros, and what is expected. Returns 0, or -1 after one
+    // message.
+    int (*draw)(void *job, Random *random);
+    // Release what the job owns; it may be drawn in part only.
+    void (*release)(void *job);
+
+    // The job's file: first the parts, then the scenes. Those that write return 0, or -1.
+    const JobPart *parts;
+    int n_parts;
+    int (*write_scene)(const void *job, int k, FILE *file);
+    int n_scenes;
+    // What one task is tried on alone, besides its parts and replays; NULL for nothing.
     int (*write_alone)(const void *job, const char *task, FILE *file);
-    // Does check number `check` pass by what the answer to its task does alone?
-    int (*passes_alone)(const void *job, int check, const Sections *answers);
-    // From now on compare pictures with these, which the solution drew on this device and which
-    // have just passed every check against the oracle. Never called where there is no solution.
-    void (*adopt)(void *job, const Sections *answers);
-    // Add pictures for the report: those that are wrong first.
+
+    // Are pictures compared with those of the solution, once they are there? Else the oracle's stay
+    // the reference: a right solution may be as far from them as ours is, on the other side.
+    int adopts;
+    // Add pictures for the report; NULL for those that the job lists.
     void (*add_pictures)(const void *job, const Sections *answers, Result *result);
 } Judge;
 
 // The judge of a lab by its name, "03-kdtree-2d-render", or its number, "03" or "3"; or NULL.
 const Judge *judge_of(const char *lab);
+
+// ---- A job --------------------------------------------------------------------------------------
+
+// What each lab's own job begins with.
+enum { MOST_PICTURES = 48 };
+typedef struct Job {
+    const Judge *judge;
+    JobPicture *pictures[MOST_PICTURES];  // number K is answered by "picture.K"
+    int n_pictures;
+    Growth growth;  // labs 02 and 06: the right trees of the scenes, for replays
+} Job;
+
+// Let the next picture be part of the job. It must stay where it is.
+void job_list_picture(Job *job, JobPicture *picture);
+
+// Draw a job from the seed and write it as sections. Returns the job, with all that is expected, or
+// NULL after one message on stderr.
+Job *job_new(const Judge *judge, uint64_t seed, FILE *file);
+void job_free(Job *job);
+
+// Write what the probe shall try of one task's answer alone as sections. Returns 0, or -1.
+int job_write_alone(const Job *job, const char *task, FILE *file);
+
+// Judge check number `check` by the answers.
+Verdict job_judge(const Job *job, int check, const Sections *answers);
+
+// Does check number `check` pass by what the answer to its task does alone?
+int job_passes_alone(const Job *job, int check, const Sections *answers);
+
+// From now on compare pictures with these, which the solution drew on this device and which have
+// just passed every check against the oracle. Never called where there is no solution.
+void job_adopt(Job *job, const Sections *answers);
+
+// Add pictures for the report: those that are wrong first.
+void job_add_pictures(const Job *job, const Sections *answers, Result *result);
+
+// ---- What tables name ---------------------------------------------------------------------------
+
+// Is the picture of scene K right? Is nothing written outside of it, and everything inside?
+Verdict judge_picture(const void *job, int k, const Sections *answers);
+Verdict judge_padding(const void *job, int k, const Sections *answers);
 
 #endif

@@ -22,24 +22,17 @@
 // grader/verdict/judge_process.c. Read next: judge.h.
 #include "complain.h"
 #include "judge.h"
+#include "judge_limits.h"
 #include "number.h"
 
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/resource.h>
-#include <sys/time.h>
 
-// No probe's answers take so long to judge, in seconds of processor time a request: those that do
-// were made for it, and end the program.
-enum { MOST_SECONDS = 20, EXIT_FAULT = 2 };
-
-// Nor do they need so much memory, in bytes; a sanitizer reserves far more.
-#define MOST_BYTES ((rlim_t)2 << 30)
+enum { EXIT_FAULT = 2 };
 
 typedef struct Desk {
-    const Judge *judge;
-    void *job;
+    Job *job;
     char *job_bytes;
     size_t n_job_bytes;
     Sections held;
@@ -61,8 +54,8 @@ static int reply_checks(Desk *desk, const char *argument, FILE *reply)
 {
     (void)argument;
     int result = 0;
-    for (int i = 0; result == 0 && i < desk->judge->n_checks; i++) {
-        const Check *check = &desk->judge->checks[i];
+    for (int i = 0; result == 0 && i < desk->job->judge->n_checks; i++) {
+        const JudgeCheck *check = &desk->job->judge->checks[i];
         char text[512];
         const int n =
             snprintf(text, sizeof text, "%s%c%s%c%s%c%d%c%s", check->id, 0, check->title, 0,
@@ -75,7 +68,7 @@ static int reply_checks(Desk *desk, const char *argument, FILE *reply)
 static int reply_job(Desk *desk, const char *argument, FILE *reply)
 {
     if (strcmp(argument, "-") != 0) {
-        return desk->judge->write_alone(desk->job, argument, reply);
+        return job_write_alone(desk->job, argument, reply);
     }
     return fwrite(desk->job_bytes, 1, desk->n_job_bytes, reply) == desk->n_job_bytes ? 0 : -1;
 }
@@ -84,7 +77,7 @@ static int reply_job(Desk *desk, const char *argument, FILE *reply)
 static int read_check(const Desk *desk, const char *argument)
 {
     uint64_t number;
-    const int n = desk->judge->n_checks;
+    const int n = desk->job->judge->n_checks;
     return number_read_unsigned(argument, 0, (uint64_t)n - 1, &number) == 0 ? (int)number : -1;
 }
 
@@ -96,7 +89,7 @@ static int reply_verdict(Desk *desk, const char *argument, FILE *reply)
     if (check < 0) {
         return -1;
     }
-    const Verdict verdict = desk->judge->judge(desk->job, check, &desk->held);
+    const Verdict verdict = job_judge(desk->job, check, &desk->held);
     const char *message = verdict.message ? verdict.message : "";
     const int result = section_write(reply, names[verdict.kind], message, strlen(message));
     free(verdict.message);
@@ -109,14 +102,14 @@ static int reply_alone(Desk *desk, const char *argument, FILE *reply)
     if (check < 0) {
         return -1;
     }
-    const int passes = desk->judge->passes_alone(desk->job, check, &desk->held);
+    const int passes = job_passes_alone(desk->job, check, &desk->held);
     return section_write(reply, passes ? "passed" : "failed", "", 0);
 }
 
 static int reply_adopt(Desk *desk, const char *argument, FILE *reply)
 {
     (void)argument, (void)reply;
-    desk->judge->adopt(desk->job, &desk->held);
+    job_adopt(desk->job, &desk->held);
     return 0;
 }
 
@@ -148,7 +141,7 @@ static int reply_pictures(Desk *desk, const char *argument, FILE *reply)
     (void)argument;
     static Result result;
     int failed = 0;
-    desk->judge->add_pictures(desk->job, &desk->held, &result);
+    job_add_pictures(desk->job, &desk->held, &result);
     for (int i = 0; !failed && i < result.n_pictures; i++) {
         const PictureResult *picture = &result.pictures[i];
         failed = write_text(reply, "title", picture->title) |
@@ -170,21 +163,6 @@ static const struct {
     {"checks", reply_checks}, {"job", reply_job},     {"verdict", reply_verdict},
     {"alone", reply_alone},   {"adopt", reply_adopt}, {"pictures", reply_pictures},
 };
-
-// Start counting the processor time of a request; SIGVTALRM ends the program.
-static void limit_time(void)
-{
-    const struct itimerval limit = {.it_value = {.tv_sec = MOST_SECONDS}};
-    setitimer(ITIMER_VIRTUAL, &limit, NULL);
-}
-
-static void limit_memory(void)
-{
-#ifndef __SANITIZE_ADDRESS__
-    const struct rlimit limit = {MOST_BYTES, MOST_BYTES};
-    setrlimit(RLIMIT_AS, &limit);
-#endif
-}
 
 // Reply to one request. Returns 0, or -1.
 static int serve(Desk *desk, const char *word, const char *argument)
@@ -219,7 +197,7 @@ static int serve_all(Desk *desk)
             complain("judge: a request that is no word, argument and number");
             return EXIT_FAULT;
         }
-        limit_time();
+        limit_time(MOST_SECONDS);
         if (strcmp(word, "answers") == 0) {
             sections_free(&desk->held);
             if (sections_read(stdin, n_bytes, &desk->held) != 0 || write_reply("", 0) != 0) {
@@ -241,19 +219,19 @@ int main(int argc, char **argv)
         complain("judge: expected the number or name of a lab, and a seed");
         return EXIT_FAULT;
     }
-    desk.judge = judge_of(argv[1]);
-    if (desk.judge == NULL) {
+    const Judge *judge = judge_of(argv[1]);
+    if (judge == NULL) {
         complain("judge: %s: this lab has no judge", argv[1]);
         return EXIT_FAULT;
     }
-    limit_memory();
+    limit_memory(MOST_BYTES);
     FILE *job = open_memstream(&desk.job_bytes, &desk.n_job_bytes);
-    desk.job = job != NULL ? desk.judge->job_new(seed, job) : NULL;
+    desk.job = job != NULL ? job_new(judge, seed, job) : NULL;
     if (job == NULL || fclose(job) != 0 || desk.job == NULL) {
         return EXIT_FAULT;
     }
     const int status = serve_all(&desk);
-    desk.judge->job_free(desk.job);
+    job_free(desk.job);
     sections_free(&desk.held);
     free(desk.job_bytes);
     return status;

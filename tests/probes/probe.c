@@ -130,6 +130,35 @@ void probe_answer(const Probe *probe, const char *stem, int k, const char *part,
     }
 }
 
+void probe_answer_array(const Probe *probe, const char *name, void *array, size_t n_bytes)
+{
+    probe_answer(probe, name, -1, NULL, array, n_bytes);
+    free(array);
+}
+
+void probe_leave_untouched(uint32_t *array, size_t n)
+{
+    for (size_t i = 0; i < n; i++) {
+        array[i] = UNTOUCHED;
+    }
+}
+
+void probe_replay_leaves(const Probe *probe, const char *name, PackTree *pack_tree)
+{
+    size_t n_bytes;
+    const ReplayTree *trees = probe_job(probe, "replay.trees", &n_bytes);
+    const size_t n_trees = n_bytes / sizeof *trees;
+    const ReplayList *leaves = probe_job(probe, name, &n_bytes);
+    const size_t n = n_bytes / sizeof *leaves;
+    size_t i = 0;
+    for (uint32_t k = 0; k < n_trees; k++) {
+        pack_tree(probe, k, trees[k], leaves + i, n - i);
+        while (i < n && leaves[i].scene == k) {
+            i++;
+        }
+    }
+}
+
 cl_program probe_build(const Probe *probe, const char *path, const char *options)
 {
     probe_note(probe, "build", PROBE_NO_INPUT);

@@ -62,6 +62,19 @@ void probe_note(const Probe *probe, const char *name, uint32_t input);
 void probe_answer(const Probe *probe, const char *name, int k, const char *part, const void *bytes,
                   size_t n_bytes);
 
+// Write an array as section "name" and free it.
+void probe_answer_array(const Probe *probe, const char *name, void *array, size_t n_bytes);
+
+// Make n entries UNTOUCHED.
+void probe_leave_untouched(uint32_t *array, size_t n);
+
+// Pack all leaves of scene K, the first of which is leaves[0], into a tree.
+typedef void PackTree(const Probe *probe, uint32_t k, ReplayTree room, const ReplayList *leaves,
+                      size_t n_leaves);
+
+// Do so for every scene of a replay (jobs.h, "Replays"), whose leaves are section "name".
+void probe_replay_leaves(const Probe *probe, const char *name, PackTree *pack_tree);
+
 // Build the program; ends with PROBE_EXIT_NO_BUILD when it does not compile.
 cl_program probe_build(const Probe *probe, const char *path, const char *options);
 

@@ -35,7 +35,7 @@ static void *job_open(const Judge *judge)
 {
     Writer writer;
     writer_open(&writer);
-    void *job = judge->job_new(1, writer.file);
+    Job *job = job_new(judge, 1, writer.file);
     Sections whole = writer_close(&writer);
     sections_free(&whole);
     cr_assert_not_null(job);
@@ -45,7 +45,7 @@ static void *job_open(const Judge *judge)
 static void expect_none_passes(const Judge *judge, const void *job, const Sections *answers)
 {
     for (int i = 0; i < judge->n_checks; i++) {
-        cr_expect_eq(judge->passes_alone(job, i, answers), 0, "%s", judge->checks[i].id);
+        cr_expect_eq(job_passes_alone(job, i, answers), 0, "%s", judge->checks[i].id);
     }
 }
 
@@ -53,10 +53,10 @@ Test(alone_trees, without_answers_nothing_passes)
 {
     for (int lab = 0; lab < N_LABS; lab++) {
         const Judge *judge = judge_of(lab_numbers[lab]);
-        void *job = job_open(judge);
+        Job *job = job_open(judge);
         const Sections none = {0};
         expect_none_passes(judge, job, &none);
-        judge->job_free(job);
+        job_free(job);
     }
 }
 
@@ -69,7 +69,7 @@ Test(alone_trees, answers_of_another_size_do_not_pass)
     const float few[4] = {0};
     for (int lab = 0; lab < N_LABS; lab++) {
         const Judge *judge = judge_of(lab_numbers[lab]);
-        void *job = job_open(judge);
+        Job *job = job_open(judge);
         Writer writer;
         writer_open(&writer);
         for (size_t i = 0; i < sizeof stems / sizeof *stems; i++) {
@@ -83,7 +83,7 @@ Test(alone_trees, answers_of_another_size_do_not_pass)
         Sections answers = writer_close(&writer);
         expect_none_passes(judge, job, &answers);
         sections_free(&answers);
-        judge->job_free(job);
+        job_free(job);
     }
 }
 
@@ -91,14 +91,14 @@ Test(alone_trees, an_alone_job_that_cannot_be_written_is_none)
 {
     for (int lab = 0; lab < N_LABS; lab++) {
         const Judge *judge = judge_of(lab_numbers[lab]);
-        void *job = job_open(judge);
+        Job *job = job_open(judge);
         for (int i = 0; i < judge->n_checks; i++) {
             FILE *full = fopen("/dev/full", "wb");
             cr_assert_not_null(full);
-            cr_expect_neq(judge->write_alone(job, judge->checks[i].task, full), 0, "%s",
+            cr_expect_neq(job_write_alone(job, judge->checks[i].task, full), 0, "%s",
                           judge->checks[i].task);
             fclose(full);
         }
-        judge->job_free(job);
+        job_free(job);
     }
 }

@@ -39,7 +39,7 @@ enum { N_DRAWN_LABS = sizeof drawn_labs / sizeof *drawn_labs };
 
 typedef struct Case {
     const Judge *judge;
-    void *job;
+    Job *job;
     Sections job_file, right;
     char name[SECTION_NAME_BYTES];  // of the section of the picture
     const float *pixels;            // the right ones: [image height][image width][4]
@@ -53,7 +53,7 @@ static Case case_open(const DrawnLab *lab)
     Case c = {.judge = judge_of(lab->name)};
     Writer writer;
     writer_open(&writer);
-    c.job = c.judge->job_new(1, writer.file);
+    c.job = job_new(c.judge, 1, writer.file);
     c.job_file = writer_close(&writer);
     cr_assert_not_null(c.job);
     c.right = right_answers(lab->number, &c.job_file);
@@ -73,7 +73,7 @@ static Case case_open(const DrawnLab *lab)
 
 static void case_close(Case *c)
 {
-    c->judge->job_free(c->job);
+    job_free(c->job);
     sections_free(&c->right);
     sections_free(&c->job_file);
 }
@@ -102,7 +102,7 @@ static void expect_fault(const Case *c, const void *bytes, size_t n_bytes, const
     Sections answers = with_picture(c, bytes, n_bytes);
     int n_failed = 0, n_said = 0;
     for (int i = 0; i < c->judge->n_checks; i++) {
-        const Verdict verdict = c->judge->judge(c->job, i, &answers);
+        const Verdict verdict = job_judge(c->job, i, &answers);
         n_failed += verdict.kind == VERDICT_FAILED;
         n_said += verdict.message != NULL && strstr(verdict.message, says) != NULL;
         free(verdict.message);
@@ -261,7 +261,7 @@ Test(comparison, black_against_black)
     picture_fill(&c, pixels, (float[]){-0.0f, 0, 0, 0});
     Sections answers = with_picture(&c, pixels, c.n_bytes);
     for (int i = 0; i < c.judge->n_checks; i++) {
-        const Verdict verdict = c.judge->judge(c.job, i, &answers);
+        const Verdict verdict = job_judge(c.job, i, &answers);
         cr_expect_eq(verdict.kind, VERDICT_PASSED, "%s", verdict.message);
         free(verdict.message);
     }

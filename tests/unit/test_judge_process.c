@@ -2,9 +2,12 @@
 #include "judge_process.h"
 
 #include <criterion/criterion.h>
+#include <limits.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 TestSuite(judge_process);
 
@@ -85,4 +88,81 @@ Test(judge_process, a_lab_without_a_judge_is_refused)
     cr_expect_neq(judge_start(&judge, getenv("BUILD") ? getenv("BUILD") : "build", "44-none", 7),
                   0);
     judge_stop(&judge);
+}
+
+// ---- Limits -------------------------------------------------------------------------------------
+
+// The judge itself is limited, to 2 GB of memory. What the limits do is seen of another program.
+Test(judge_process, its_memory_is_limited, .init = start, .fini = stop)
+{
+    char path[64], line[256];
+    snprintf(path, sizeof path, "/proc/%d/limits", (int)judge.pid);
+    FILE *limits = fopen(path, "r");
+    cr_assert_not_null(limits);
+    unsigned long long most = 0;
+    while (fgets(line, sizeof line, limits) != NULL) {
+        sscanf(line, "Max address space %llu", &most);
+    }
+    fclose(limits);
+    cr_expect_eq(most, 2ull << 30, "found %llu", most);
+}
+
+// A build folder in which the judge is greedy_judge.
+static char greedy_build[] = "/tmp/greedy-judge-XXXXXX";
+
+static void greedy_start(void)
+{
+    char tools[64], link[64], program[PATH_MAX], greedy[PATH_MAX + 32];
+    const char *build = getenv("BUILD");
+    cr_assert_not_null(realpath(build != NULL ? build : "build", program));
+    cr_assert_not_null(mkdtemp(greedy_build));
+    snprintf(tools, sizeof tools, "%s/tools", greedy_build);
+    snprintf(link, sizeof link, "%s/tools/judge", greedy_build);
+    snprintf(greedy, sizeof greedy, "%s/tools/greedy_judge", program);
+    cr_assert_eq(mkdir(tools, 0755), 0);
+    cr_assert_eq(symlink(greedy, link), 0);
+    cr_assert_eq(judge_start(&judge, greedy_build, "01-naive-2d", 7), 0);
+}
+
+static void greedy_stop(void)
+{
+    char tools[64], link[64];
+    judge_stop(&judge);
+    snprintf(tools, sizeof tools, "%s/tools", greedy_build);
+    snprintf(link, sizeof link, "%s/tools/judge", greedy_build);
+    unlink(link);
+    rmdir(tools);
+    rmdir(greedy_build);
+}
+
+// What a check comes to over answers that it has not seen yet.
+static VerdictKind greedy_verdict(int check)
+{
+    static unsigned number;
+    const Verdict verdict = judge_verdict(&judge, (Answers){++number, &empty}, check);
+    cr_expect_eq(verdict.message != NULL, verdict.kind == VERDICT_FAILED);
+    free(verdict.message);
+    return verdict.kind;
+}
+
+Test(judge_process, answers_that_take_all_its_time_are_wrong, .init = greedy_start,
+     .fini = greedy_stop)
+{
+    cr_expect_eq(greedy_verdict(0), VERDICT_FAILED);
+    cr_expect_eq(greedy_verdict(2), VERDICT_PASSED, "the next ones are judged");
+}
+
+Test(judge_process, answers_that_take_all_its_memory_are_wrong, .init = greedy_start,
+     .fini = greedy_stop)
+{
+    cr_expect_eq(greedy_verdict(1), VERDICT_FAILED);
+    cr_expect_eq(greedy_verdict(2), VERDICT_PASSED, "the next ones are judged");
+}
+
+// Each request has the time anew: none adds up with those before.
+Test(judge_process, time_is_counted_from_each_request_on, .init = greedy_start, .fini = greedy_stop)
+{
+    for (int i = 0; i < 4; i++) {
+        cr_expect_eq(greedy_verdict(2), VERDICT_PASSED, "request %d", i);
+    }
 }

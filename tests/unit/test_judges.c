@@ -68,7 +68,7 @@ static int list_sections(const Sections *sections, Section list[MAX_SECTIONS])
 // A job, as the judge keeps it and as the probe reads it.
 typedef struct Open {
     const Judge *judge;
-    void *job;
+    Job *job;
     Sections file;
 } Open;
 
@@ -78,7 +78,7 @@ static Open job_open(int lab, uint64_t seed)
     cr_assert_not_null(open.judge, "%s", lab_names[lab]);
     Writer writer;
     writer_open(&writer);
-    open.job = open.judge->job_new(seed, writer.file);
+    open.job = job_new(open.judge, seed, writer.file);
     open.file = writer_close(&writer);
     cr_assert_not_null(open.job);
     return open;
@@ -86,7 +86,7 @@ static Open job_open(int lab, uint64_t seed)
 
 static void job_close(Open *open)
 {
-    open->judge->job_free(open->job);
+    job_free(open->job);
     sections_free(&open->file);
 }
 
@@ -115,7 +115,7 @@ LAB_TEST(checks_add_up)
     int sum = 0, task_sums[MANIFEST_MAX_TASKS] = {0};
     cr_assert_leq(judge->n_checks, RESULT_MAX_CHECKS);
     for (int i = 0; i < judge->n_checks; i++) {
-        const Check *check = &judge->checks[i];
+        const JudgeCheck *check = &judge->checks[i];
         cr_assert(check->id != NULL && check->title != NULL, "check %d", i);
         const Task *task = manifest_task(&manifest, check->task);
         cr_assert_not_null(task, "%s: no task called %s", check->id, check->task);
@@ -131,6 +131,28 @@ LAB_TEST(checks_add_up)
         cr_expect_eq(task_sums[i], manifest.tasks[i].points, "%s", manifest.tasks[i].id);
     }
     manifest_free(&manifest);
+}
+
+// A row names one who decides, and inputs or scenes that are there.
+LAB_TEST(each_check_is_decided_by_one)
+{
+    const Judge *judge = judge_of(lab_names[*lab]);
+    for (int i = 0; i < judge->n_checks; i++) {
+        const JudgeCheck *check = &judge->checks[i];
+        cr_expect_eq((check->function != NULL) + (check->scene != NULL) + (check->tree != NULL) +
+                         (check->all != NULL),
+                     1, "%s", check->id);
+        cr_expect_eq(check->tree != NULL, check->tree2d != NULL || check->tree3d != NULL, "%s",
+                     check->id);
+        cr_expect_leq((check->alone != NULL) + (check->alone_scene != NULL) +
+                          (check->replay != NULL),
+                      1, "%s", check->id);
+        cr_expect_eq(check->range.n > 0, check->all == NULL, "%s", check->id);
+        if (check->function != NULL) {
+            cr_expect_lt(range_at(check->range, check->range.n - 1), check->function->n, "%s",
+                         check->id);
+        }
+    }
 }
 
 LAB_TEST(a_seed_says_all_about_a_job)
@@ -149,7 +171,7 @@ LAB_TEST(a_job_that_cannot_be_written_is_none)
 {
     FILE *full = fopen("/dev/full", "wb");
     cr_assert_not_null(full);
-    cr_expect_null(judge_of(lab_names[*lab])->job_new(7, full));
+    cr_expect_null(job_new(judge_of(lab_names[*lab]), 7, full));
     fclose(full);
 }
 
@@ -158,7 +180,7 @@ LAB_TEST(a_job_that_cannot_be_written_is_none)
 // A check's verdict without its message; a message comes with a failure and only then.
 static VerdictKind verdict_on(const Open *open, int check, const Sections *answers)
 {
-    const Verdict verdict = open->judge->judge(open->job, check, answers);
+    const Verdict verdict = job_judge(open->job, check, answers);
     cr_expect_eq(verdict.message != NULL, verdict.kind == VERDICT_FAILED, "%s",
                  open->judge->checks[check].id);
     cr_expect(verdict.message == NULL || strlen(verdict.message) > 10);
@@ -170,7 +192,7 @@ static VerdictKind verdict_on(const Open *open, int check, const Sections *answe
 static void add_pictures(const Open *open, const Sections *answers)
 {
     Result *result = calloc(1, sizeof *result);
-    open->judge->add_pictures(open->job, answers, result);
+    job_add_pictures(open->job, answers, result);
     cr_expect(result->n_pictures > 0 && result->n_pictures <= RESULT_MAX_PICTURES);
     result_free(result);
     free(result);
@@ -183,13 +205,13 @@ LAB_TEST(right_answers_pass)
         Sections answers = right_answers(*lab, &open.file);
         for (int adopted = 0; adopted <= 1; adopted++) {
             for (int i = 0; i < open.judge->n_checks; i++) {
-                const Verdict verdict = open.judge->judge(open.job, i, &answers);
+                const Verdict verdict = job_judge(open.job, i, &answers);
                 cr_expect_eq(verdict.kind, VERDICT_PASSED, "%s: %s", open.judge->checks[i].id,
                              verdict.message ? verdict.message : "missing");
                 free(verdict.message);
             }
             add_pictures(&open, &answers);
-            open.judge->adopt(open.job, &answers);
+            job_adopt(open.job, &answers);
         }
         sections_free(&answers);
         job_close(&open);
@@ -213,9 +235,9 @@ LAB_TEST(without_answers_nothing_passes_alone)
 {
     Open open = job_open(*lab, 1);
     Sections nothing = {0}, job = open.file;
-    for (int i = 0; open.judge->passes_alone != NULL && i < open.judge->n_checks; i++) {
-        cr_expect_eq(open.judge->passes_alone(open.job, i, &nothing), 0);
-        cr_expect_eq(open.judge->passes_alone(open.job, i, &job), 0, "the job is no answer");
+    for (int i = 0; i < open.judge->n_checks; i++) {
+        cr_expect_eq(job_passes_alone(open.job, i, &nothing), 0);
+        cr_expect_eq(job_passes_alone(open.job, i, &job), 0, "the job is no answer");
     }
     job_close(&open);
 }
@@ -225,7 +247,7 @@ static Sections alone_job(const Open *open, const char *task)
 {
     Writer writer;
     writer_open(&writer);
-    cr_expect_eq(open->judge->write_alone(open->job, task, writer.file), 0, "%s", task);
+    cr_expect_eq(job_write_alone(open->job, task, writer.file), 0, "%s", task);
     return writer_close(&writer);
 }
 
@@ -233,11 +255,11 @@ LAB_TEST(every_task_has_a_job_alone)
 {
     Open open = job_open(*lab, 1);
     FILE *full = fopen("/dev/full", "wb");
-    for (int i = 0; open.judge->write_alone != NULL && i < open.judge->n_checks; i++) {
+    for (int i = 0; i < open.judge->n_checks; i++) {
         const char *task = open.judge->checks[i].task;
         Sections job = alone_job(&open, task);
         cr_expect(job.n_bytes > 0, "%s", task);
-        cr_expect_neq(open.judge->write_alone(open.job, task, full), 0, "%s", task);
+        cr_expect_neq(job_write_alone(open.job, task, full), 0, "%s", task);
         sections_free(&job);
     }
     fclose(full);
@@ -374,7 +396,7 @@ LAB_TEST(garbage_passes_no_check)
     for (int kind = 0; kind < N_KINDS; kind++) {
         Sections bad = garbled(list, n, -1, kind, &random);
         for (int i = 0; i < open.judge->n_checks; i++) {
-            const Check *check = &open.judge->checks[i];
+            const JudgeCheck *check = &open.judge->checks[i];
             cr_expect_eq(verdict_on(&open, i, &bad), VERDICT_FAILED, "garbage %d: %s", kind,
                          check->id);
         }

@@ -21,10 +21,10 @@ static Sections small_job(const char *lab)
     char *bytes[2] = {NULL, NULL};
     size_t n_bytes[2];
     FILE *file = open_memstream(&bytes[0], &n_bytes[0]);
-    void *job = judge->job_new(1, file);
+    Job *job = job_new(judge, 1, file);
     fclose(file);
     cr_assert_not_null(job);
-    judge->job_free(job);
+    job_free(job);
     const Sections whole = {(unsigned char *)bytes[0], n_bytes[0]};
     file = open_memstream(&bytes[1], &n_bytes[1]);
     cr_assert_eq(memcheck_job_write(&whole, file), 0);

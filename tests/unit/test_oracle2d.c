@@ -386,7 +386,9 @@ static void expect_solutions_tree(const char *name, int width, int height, KdTre
     KdTree2D own, tree;
     cr_assert_eq(scene2d_open(name, width, height, &scene), 0);
     cr_assert_eq(kdtree2d_build(scene.circles, (u32)scene.n_circles, limits, &own), 0);
-    cr_assert_eq(oracle2d_tree(&scene, limits, &tree), 0);
+    Growth growth = {0};
+    cr_assert_eq(oracle2d_tree(&scene, 0, limits, &growth, &tree), 0);
+    growth_free(&growth);
     cr_assert_eq(own.n_nodes, tree.n_nodes, "%s", name);
     cr_assert_eq(own.n_map, tree.n_map, "%s", name);
     cr_expect_eq(memcmp(own.nodes_Relations, tree.nodes_Relations, own.n_nodes * sizeof(NodeRel)),

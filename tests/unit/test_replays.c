@@ -218,7 +218,7 @@ _Static_assert(sizeof(NodeRel) == sizeof(KdNode3), "answered alike");
 typedef struct Alone {
     const Judge *judge;
     const char *task;
-    void *job;
+    Job *job;
     Sections file;
     Sections answers;
 } Alone;
@@ -252,12 +252,12 @@ static Alone alone_open(int lab, const char *task, uint64_t seed)
     Alone alone = {.judge = judge_of(lab_names[lab]), .task = task};
     Writer whole, own;
     writer_open(&whole);
-    alone.job = alone.judge->job_new(seed, whole.file);
+    alone.job = job_new(alone.judge, seed, whole.file);
     Sections file = writer_close(&whole);
     sections_free(&file);
     cr_assert_not_null(alone.job);
     writer_open(&own);
-    cr_assert_eq(alone.judge->write_alone(alone.job, task, own.file), 0);
+    cr_assert_eq(job_write_alone(alone.job, task, own.file), 0);
     alone.file = writer_close(&own);
     alone.answers = right_answers_to(&alone.file, lab == 1);
     return alone;
@@ -265,7 +265,7 @@ static Alone alone_open(int lab, const char *task, uint64_t seed)
 
 static void alone_close(Alone *alone)
 {
-    alone->judge->job_free(alone->job);
+    job_free(alone->job);
     sections_free(&alone->file);
     sections_free(&alone->answers);
 }
@@ -276,7 +276,7 @@ static int n_passed(const Alone *alone, const Sections *answers)
     int n = 0;
     for (int i = 0; i < alone->judge->n_checks; i++) {
         n += strcmp(alone->judge->checks[i].task, alone->task) == 0 &&
-             alone->judge->passes_alone(alone->job, i, answers);
+             job_passes_alone(alone->job, i, answers);
     }
     return n;
 }
@@ -286,7 +286,7 @@ static int n_checks(const Alone *alone)
 {
     int n = 0;
     for (int i = 0; i < alone->judge->n_checks; i++) {
-        const Check *check = &alone->judge->checks[i];
+        const JudgeCheck *check = &alone->judge->checks[i];
         n += strcmp(check->task, alone->task) == 0 && strncmp(check->id, "pack-", 5) != 0;
     }
     return n;
@@ -339,9 +339,8 @@ TASK_TEST(without_answers_nothing_passes)
     Alone alone = alone_open(at->lab, at->task, 1);
     const Sections nothing = {0};
     for (int i = 0; i < alone.judge->n_checks; i++) {
-        cr_expect_not(alone.judge->passes_alone(alone.job, i, &nothing), "%s",
-                      alone.judge->checks[i].id);
-        cr_expect_not(alone.judge->passes_alone(alone.job, i, &alone.file),
+        cr_expect_not(job_passes_alone(alone.job, i, &nothing), "%s", alone.judge->checks[i].id);
+        cr_expect_not(job_passes_alone(alone.job, i, &alone.file),
                       "%s: the job is no answer to itself", alone.judge->checks[i].id);
     }
     alone_close(&alone);

@@ -24,10 +24,10 @@ static Sections job_of(const char *lab)
     Sections job = {0};
     const Judge *judge = judge_of(lab);
     FILE *file = open_memstream((char **)&job.bytes, &job.n_bytes);
-    void *made = judge->job_new(3, file);
+    Job *made = job_new(judge, 3, file);
     fclose(file);
     cr_assert_not_null(made);
-    judge->job_free(made);
+    job_free(made);
     return job;
 }
 

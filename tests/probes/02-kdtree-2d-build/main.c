@@ -7,15 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Write an array as section `name` and free it.
-static void answer_array(const Probe *probe, const char *name, void *array, size_t n_bytes)
-{
-    if (section_write(probe->answers, name, array, n_bytes) != 0) {
-        exit(PROBE_EXIT_FAULT);
-    }
-    free(array);
-}
-
 static void answer_is_leaf(const Probe *probe, const char *name)
 {
     size_t n_bytes;
@@ -27,7 +18,7 @@ static void answer_is_leaf(const Probe *probe, const char *name)
         const KdTreeLimits limits = {jobs[i].maxDepth, jobs[i].targetElementsPerNode};
         answers[i] = is_leaf(jobs[i].level, jobs[i].n_circles, jobs[i].n_failed, limits);
     }
-    answer_array(probe, name, answers, n * sizeof *answers);
+    probe_answer_array(probe, name, answers, n * sizeof *answers);
 }
 
 static void answer_split_box(const Probe *probe, const char *name)
@@ -40,7 +31,7 @@ static void answer_split_box(const Probe *probe, const char *name)
         probe_note(probe, name, (uint32_t)i);
         split_box(boxes[i], &answers[2 * i], &answers[2 * i + 1]);
     }
-    answer_array(probe, name, answers, 2 * n * sizeof *answers);
+    probe_answer_array(probe, name, answers, 2 * n * sizeof *answers);
 }
 
 static void answer_circle_overlaps_box(const Probe *probe, const char *name)
@@ -53,7 +44,7 @@ static void answer_circle_overlaps_box(const Probe *probe, const char *name)
         probe_note(probe, name, (uint32_t)i);
         answers[i] = circle_overlaps_box(jobs[i].circle, jobs[i].box);
     }
-    answer_array(probe, name, answers, n * sizeof *answers);
+    probe_answer_array(probe, name, answers, n * sizeof *answers);
 }
 
 static void answer_distribute(const Probe *probe, const char *name)
@@ -65,13 +56,11 @@ static void answer_distribute(const Probe *probe, const char *name)
     u32 *answers = calloc(n * DISTRIBUTE_ROOM, sizeof *answers);
     for (size_t i = 0; i < n; i++) {
         u32 *answer = answers + i * DISTRIBUTE_ROOM;
-        for (int j = 0; j < DISTRIBUTE_ROOM; j++) {
-            answer[j] = UNTOUCHED;
-        }
+        probe_leave_untouched(answer, DISTRIBUTE_ROOM);
         probe_note(probe, name, (uint32_t)i);
         answer[0] = distribute(circles, jobs[i].ids, jobs[i].n_ids, jobs[i].child, answer + 1);
     }
-    answer_array(probe, name, answers, n * DISTRIBUTE_ROOM * sizeof *answers);
+    probe_answer_array(probe, name, answers, n * DISTRIBUTE_ROOM * sizeof *answers);
 }
 
 static void answer_pack_leaf(const Probe *probe, const char *name)
@@ -88,9 +77,7 @@ static void answer_pack_leaf(const Probe *probe, const char *name)
             answer->relations[id].id = id;
             flags[id] = INNER;
         }
-        for (int j = 0; j < PACK_MAP_ROOM; j++) {
-            answer->map[j] = UNTOUCHED;
-        }
+        probe_leave_untouched(answer->map, PACK_MAP_ROOM);
         KdTree2D tree = {answer->relations, flags, boxes, answer->map, PACK_NODES, jobs[i].n_map};
         probe_note(probe, name, (uint32_t)i);
         pack_leaf(&tree, jobs[i].id, jobs[i].ids, jobs[i].n_ids);
@@ -99,17 +86,10 @@ static void answer_pack_leaf(const Probe *probe, const char *name)
         }
         answer->n_map = tree.n_map;
     }
-    answer_array(probe, name, answers, n * sizeof *answers);
+    probe_answer_array(probe, name, answers, n * sizeof *answers);
 }
 
 // ---- Replays ------------------------------------------------------------------------------------
-
-static void leave_untouched(u32 *array, size_t n)
-{
-    for (size_t i = 0; i < n; i++) {
-        array[i] = UNTOUCHED;
-    }
-}
 
 static void replay_distribute(const Probe *probe, const char *name)
 {
@@ -125,13 +105,13 @@ static void replay_distribute(const Probe *probe, const char *name)
     u32 *answers = calloc(n_answered, sizeof *answers), *answer = answers;
     for (size_t i = 0; i < n; i++) {
         const Circle *circles = probe_scene_part(probe, (int)lists[i].scene, "circles", &n_other);
-        leave_untouched(answer, REPLAY_ROOM(lists[i].n_ids));
+        probe_leave_untouched(answer, REPLAY_ROOM(lists[i].n_ids));
         probe_note(probe, name, (uint32_t)i);
         answer[0] =
             distribute(circles, ids + lists[i].first_id, lists[i].n_ids, cells[i], answer + 1);
         answer += REPLAY_ROOM(lists[i].n_ids);
     }
-    answer_array(probe, name, answers, n_answered * sizeof *answers);
+    probe_answer_array(probe, name, answers, n_answered * sizeof *answers);
 }
 
 // Pack all leaves of scene K, the first of which is leaves[0], into a tree.
@@ -149,7 +129,7 @@ static void pack_tree(const Probe *probe, u32 k, ReplayTree room, const ReplayLi
         relations[id].id = id;
         flags[id] = INNER;
     }
-    leave_untouched(map, n_map);
+    probe_leave_untouched(map, n_map);
     KdTree2D tree = {relations, flags, boxes, map, room.n_nodes, 0};
     // As the builder does: no further with a list that took more room than it needs.
     for (size_t i = 0, end = 0; i < n_leaves && leaves[i].scene == k && tree.n_map <= end; i++) {
@@ -169,18 +149,7 @@ static void pack_tree(const Probe *probe, u32 k, ReplayTree room, const ReplayLi
 
 static void replay_pack_leaf(const Probe *probe, const char *name)
 {
-    size_t n_bytes;
-    const ReplayTree *trees = probe_job(probe, "replay.trees", &n_bytes);
-    const size_t n_trees = n_bytes / sizeof *trees;
-    const ReplayList *leaves = probe_job(probe, name, &n_bytes);
-    const size_t n = n_bytes / sizeof *leaves;
-    size_t i = 0;
-    for (u32 k = 0; k < n_trees; k++) {
-        pack_tree(probe, k, trees[k], leaves + i, n - i);
-        while (i < n && leaves[i].scene == k) {
-            i++;
-        }
-    }
+    probe_replay_leaves(probe, name, pack_tree);
 }
 
 // ---- Whole trees --------------------------------------------------------------------------------

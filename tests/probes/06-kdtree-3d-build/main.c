@@ -6,15 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Write an array as section `name` and free it.
-static void answer_array(const Probe *probe, const char *name, void *array, size_t n_bytes)
-{
-    if (section_write(probe->answers, name, array, n_bytes) != 0) {
-        exit(PROBE_EXIT_FAULT);
-    }
-    free(array);
-}
-
 static void answer_choose_split(const Probe *probe, const char *name)
 {
     size_t n_bytes;
@@ -25,7 +16,7 @@ static void answer_choose_split(const Probe *probe, const char *name)
         probe_note(probe, name, (uint32_t)i);
         answers[i] = choose_split(boxes[i]);
     }
-    answer_array(probe, name, answers, n * sizeof *answers);
+    probe_answer_array(probe, name, answers, n * sizeof *answers);
 }
 
 static void answer_sphere_overlaps_box(const Probe *probe, const char *name)
@@ -38,7 +29,7 @@ static void answer_sphere_overlaps_box(const Probe *probe, const char *name)
         probe_note(probe, name, (uint32_t)i);
         answers[i] = sphere_overlaps_box(jobs[i].sphere, jobs[i].box);
     }
-    answer_array(probe, name, answers, n * sizeof *answers);
+    probe_answer_array(probe, name, answers, n * sizeof *answers);
 }
 
 static void answer_pack_leaf_range(const Probe *probe, const char *name)
@@ -52,9 +43,7 @@ static void answer_pack_leaf_range(const Probe *probe, const char *name)
         for (u32 id = 0; id < PACK_NODES; id++) {
             answer->nodes[id] = (KdNode3){.first = UNTOUCHED, .n_spheres = UNTOUCHED};
         }
-        for (int j = 0; j < PACK_MAP_ROOM; j++) {
-            answer->sphere_ids[j] = UNTOUCHED;
-        }
+        probe_leave_untouched(answer->sphere_ids, PACK_MAP_ROOM);
         KdTree3D tree = {.nodes = answer->nodes,
                          .sphere_ids = answer->sphere_ids,
                          .n_nodes = PACK_NODES,
@@ -63,7 +52,7 @@ static void answer_pack_leaf_range(const Probe *probe, const char *name)
         pack_leaf_range(&tree, jobs[i].id, jobs[i].ids, jobs[i].n_ids);
         answer->n_sphere_ids = tree.n_sphere_ids;
     }
-    answer_array(probe, name, answers, n * sizeof *answers);
+    probe_answer_array(probe, name, answers, n * sizeof *answers);
 }
 
 static void answer_fits_todo(const Probe *probe, const char *name)
@@ -75,17 +64,10 @@ static void answer_fits_todo(const Probe *probe, const char *name)
         probe_note(probe, name, level);
         answers[level - 1] = fits_todo((int)level);
     }
-    answer_array(probe, name, answers, highest * sizeof *answers);
+    probe_answer_array(probe, name, answers, highest * sizeof *answers);
 }
 
 // ---- Replays ------------------------------------------------------------------------------------
-
-static void leave_untouched(u32 *array, size_t n)
-{
-    for (size_t i = 0; i < n; i++) {
-        array[i] = UNTOUCHED;
-    }
-}
 
 // Pack all leaves of scene K, the first of which is leaves[0], into a tree.
 static void pack_tree(const Probe *probe, u32 k, ReplayTree room, const ReplayList *leaves,
@@ -99,7 +81,7 @@ static void pack_tree(const Probe *probe, u32 k, ReplayTree room, const ReplayLi
     for (u32 id = 0; id < room.n_nodes; id++) {
         nodes[id] = (KdNode3){.first = UNTOUCHED, .n_spheres = UNTOUCHED};
     }
-    leave_untouched(sphere_ids, n_ids);
+    probe_leave_untouched(sphere_ids, n_ids);
     KdTree3D tree = {.nodes = nodes, .sphere_ids = sphere_ids, .n_nodes = room.n_nodes};
     // As the builder does: no further with a list that took more room than it needs.
     u32 end = 0;
@@ -117,18 +99,7 @@ static void pack_tree(const Probe *probe, u32 k, ReplayTree room, const ReplayLi
 
 static void replay_pack_leaf(const Probe *probe, const char *name)
 {
-    size_t n_bytes;
-    const ReplayTree *trees = probe_job(probe, "replay.trees", &n_bytes);
-    const size_t n_trees = n_bytes / sizeof *trees;
-    const ReplayList *leaves = probe_job(probe, name, &n_bytes);
-    const size_t n = n_bytes / sizeof *leaves;
-    size_t i = 0;
-    for (u32 k = 0; k < n_trees; k++) {
-        pack_tree(probe, k, trees[k], leaves + i, n - i);
-        while (i < n && leaves[i].scene == k) {
-            i++;
-        }
-    }
+    probe_replay_leaves(probe, name, pack_tree);
 }
 
 static void replay_fits_todo(const Probe *probe, const char *name)
@@ -141,7 +112,7 @@ static void replay_fits_todo(const Probe *probe, const char *name)
         probe_note(probe, name, (uint32_t)i);
         answers[i] = fits_todo(levels[i]);
     }
-    answer_array(probe, name, answers, n * sizeof *answers);
+    probe_answer_array(probe, name, answers, n * sizeof *answers);
 }
 
 // ---- Whole trees --------------------------------------------------------------------------------

@@ -1,0 +1,182 @@
+// Judge of lab 00: a gradient on several sizes, and the host's functions on the same sizes. Read
+// next: judge_00.h.
+#include "judge_00.h"
+
+#include "jobs.h"
+#include "pattern.h"
+
+#include <string.h>
+
+// A device's float division may be off by 2.5 units in the last place (OpenCL 1.2, 7.4), of values
+// below 1: 2.5 * 2^-24; twice that is allowed.
+#define GRADIENT_ERROR (5 * 0x1p-24f)
+
+// Draw in double precision, with `offset` added to each coordinate and `less` taken from each size:
+// both are 0 in the right picture.
+static void gradient_draw(Image *image, double offset, int less)
+{
+    float *pixel = image->pixels;
+    for (int y = 0; y < image->height; y++) {
+        for (int x = 0; x < image->width; x++, pixel += IMAGE_CHANNELS) {
+            pixel[0] = (float)((x + offset) / (image->width - less));
+            pixel[1] = (float)((y + offset) / (image->height - less));
+            pixel[2] = 0.25f;
+            pixel[3] = 1;
+        }
+    }
+}
+
+// As DrawMistaken of picture.h has it.
+static const char *draw_mistaken(const void *scene, int mistake, Image *guess, float *tolerances)
+{
+    static const struct {
+        const char *looks;
+        double offset;
+        int less;
+    } mistakes[] = {
+        {"shifted by half a pixel: the colour is that of the pixel's middle, not of its integer "
+         "coordinate",
+         0.5, 0},
+        {"drawn as if the last column and row had the colour 1: the sizes are one too small", 0, 1},
+    };
+    (void)scene;
+    if (mistake >= (int)(sizeof mistakes / sizeof *mistakes)) {
+        return NULL;
+    }
+    gradient_draw(guess, mistakes[mistake].offset, mistakes[mistake].less);
+    for (int i = 0; i < guess->width * guess->height; i++) {
+        tolerances[i] = GRADIENT_ERROR;
+    }
+    return mistakes[mistake].looks;
+}
+
+// What the gradient should be.
+static int expect_gradient(int width, int height, JobPicture *gradient)
+{
+    ExpectedPicture *expected = &gradient->expected;
+    snprintf(gradient->title, sizeof gradient->title, "gradient, %dx%d", width, height);
+    if (image_create(width, height, &expected->reference) != 0) {
+        return -1;
+    }
+    expected->tolerance = GRADIENT_ERROR;
+    expected->draw_mistaken = draw_mistaken;
+    gradient_draw(&expected->reference, 0, 0);
+    return 0;
+}
+
+// As DrawMistaken of picture.h has it, for a pattern.
+static const char *pattern_mistaken(const void *scene, int mistake, Image *guess, float *tolerances)
+{
+    (void)scene;
+    if (mistake > 0) {
+        return NULL;
+    }
+    gradient_draw(guess, 0, 0);
+    for (int i = 0; i < guess->width * guess->height; i++) {
+        tolerances[i] = GRADIENT_ERROR;
+    }
+    return "like the gradient: read_back copies what is in the image, whatever that is";
+}
+
+// Colours for read_back, which have to arrive to the bit.
+static int draw_pattern(u32 key, int width, int height, ExpectedPicture *pattern)
+{
+    if (image_create(width, height, &pattern->reference) != 0) {
+        return -1;
+    }
+    pattern->draw_mistaken = pattern_mistaken;
+    for (int i = 0; i < width * height * IMAGE_CHANNELS; i++) {
+        pattern->reference.pixels[i] = pattern_value(key, (u32)i);
+    }
+    return 0;
+}
+
+static void draw_sizes(Random *random, int sizes[N_SIZES][2])
+{
+    static const int fixed[][2] = {{64, 48}, {317, 211}, {48, 64}, {1, 1}, {17, 16}};
+    const int n_fixed = sizeof fixed / sizeof *fixed;
+    memcpy(sizes, fixed, sizeof fixed);
+    for (int k = n_fixed; k < N_SIZES; k++) {
+        sizes[k][0] = (int)random_integer(random, 20, 200);
+        sizes[k][1] = (int)random_integer(random, 20, 200);
+    }
+}
+
+static int draw(void *pointer, Random *random)
+{
+    Job00 *job = pointer;
+    int sizes[N_SIZES][2], result = 0;
+    draw_sizes(random, sizes);
+    for (int k = 0; result == 0 && k < N_SIZES; k++) {
+        job_list_picture(&job->job, &job->gradients[k]);
+        result = expect_gradient(sizes[k][0], sizes[k][1], &job->gradients[k]);
+        job->keys[k] = (u32)random_integer(random, 0, UINT32_MAX);
+        result |= draw_pattern(job->keys[k], sizes[k][0], sizes[k][1], &job->patterns[k]);
+    }
+    return result;
+}
+
+static void release(void *pointer)
+{
+    Job00 *job = pointer;
+    for (int k = 0; k < N_SIZES; k++) {
+        expected_picture_free(&job->gradients[k].expected);
+        expected_picture_free(&job->patterns[k]);
+    }
+}
+
+// ---- Writing ------------------------------------------------------------------------------------
+
+static int write_size(const Job00 *job, int k, FILE *file)
+{
+    const Image *reference = &job->gradients[k].expected.reference;
+    const SceneJob size = {.width = reference->width, .height = reference->height};
+    return job_section_write(file, k, NULL, &size, sizeof size) |
+           job_title_write(file, k, job->gradients[k].title);
+}
+
+static int write_scene(const void *pointer, int k, FILE *file)
+{
+    const Job00 *job = pointer;
+    return write_size(job, k, file) |
+           job_section_write(file, k, "pattern", &job->keys[k], sizeof job->keys[k]);
+}
+
+// No task needs another: alone each is tried on the same.
+static int write_alone(const void *job, const char *task, FILE *file)
+{
+    int result = 0;
+    for (int k = 0; result == 0 && k < N_SIZES; k++) {
+        result =
+            strcmp(task, "read_back") == 0 ? write_scene(job, k, file) : write_size(job, k, file);
+    }
+    return result;
+}
+
+// ---- The judge ----------------------------------------------------------------------------------
+
+static const JudgeCheck checks[] = {
+    {"gradient-picture", "Every pixel has its colour", "gradient", 30, .scene = judge_picture,
+     .range = {0, N_SIZES}},
+    {"gradient-padding", "Nothing is written outside the picture", "gradient", 10,
+     .scene = judge_padding, .range = {0, N_SIZES}},
+    {"set_arguments-picture", "The kernel gets width, height and image", "set_arguments", 20,
+     .scene = judge_00_arguments, .range = {0, N_SIZES}},
+    {"enqueue-covers", "Every pixel of every size is drawn", "enqueue_pixels", 20,
+     .scene = judge_00_items, .range = {0, N_SIZES}},
+    {"read_back-picture", "The picture arrives on the host", "read_back", 20,
+     .scene = judge_00_read_back, .range = {0, N_SIZES}},
+};
+
+const Judge judge_00 = {
+    .lab = "00-hello-pixels",
+    .checks = checks,
+    .n_checks = COUNT(checks),
+    .job_bytes = sizeof(Job00),
+    .draw = draw,
+    .release = release,
+    .write_scene = write_scene,
+    .n_scenes = N_SIZES,
+    .write_alone = write_alone,
+    .adopts = 1,
+};

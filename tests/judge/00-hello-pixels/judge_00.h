@@ -1,0 +1,26 @@
+// What lab 00's judge asks of a submission: pictures of several sizes, each with a pattern for
+// read_back. Drawn in judge_00.c, the host's functions judged in judge_00_host.c.
+#ifndef JUDGE_JUDGE_00_H
+#define JUDGE_JUDGE_00_H
+
+#include "judge.h"
+#include "layout.h"
+
+// Multiples of the work-group and not, higher than wide, a single pixel; the last two from the
+// seed.
+enum { N_SIZES = 7 };
+
+typedef struct Job00 {
+    Job job;
+    JobPicture gradients[N_SIZES];
+    u32 keys[N_SIZES];                  // of the patterns (probes/pattern.h)
+    ExpectedPicture patterns[N_SIZES];  // what is in the images that read_back is given
+} Job00;
+
+// Judge of size K what set_arguments handed over, which work-items enqueue_pixels started, and what
+// read_back brought home. As `scene` of judge.h has it.
+Verdict judge_00_arguments(const void *job, int k, const Sections *answers);
+Verdict judge_00_items(const void *job, int k, const Sections *answers);
+Verdict judge_00_read_back(const void *job, int k, const Sections *answers);
+
+#endif

@@ -1,0 +1,160 @@
+// Judge of lab 02: each function on chosen inputs, and whole trees by their invariants. Read next:
+// judge_02.h.
+#include "judge_02.h"
+
+#include "message.h"
+#include "tree2d_draw.h"
+#include "tree_judge.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+// Why the builder gave up. Of what a task's function did the checks of the others say no more than
+// that there is no tree.
+typedef struct Refusal {
+    const char *task;   // whose function did it; NULL when that is not known
+    const char *check;  // which says it
+    const char *says;
+} Refusal;
+
+static const Refusal refusals[N_TREE_REFUSALS] = {
+    [TREE_TOO_LARGE] = {NULL, NULL, "the tree grows and grows: does splitting ever end?"},
+    [TREE_OF_TOO_MANY_IDS] = {"distribute", "tree-lists",
+                              "distribute() returned more circles than the node has"},
+    [TREE_OF_LONG_LISTS] = {"pack_leaf", "tree-packing",
+                            "pack_leaf() moved n_map by more than the leaf's list is long"},
+};
+
+// Why there is no tree: the builder gave up, or the probe ended before.
+static Verdict tree_refused(const char *title, int k, const char *task, const Sections *answers)
+{
+    const u32 *reason = job_part_find(answers, "tree", k, "refused", sizeof *reason);
+    if (reason == NULL) {
+        return verdict_missing;
+    }
+    const Refusal *refusal = &refusals[*reason < N_TREE_REFUSALS ? *reason : TREE_TOO_LARGE];
+    if (refusal->task != NULL && strcmp(refusal->task, task) != 0) {
+        return verdict_of(message_new("%s: kdtree2d_build gave up: see %s", title, refusal->check));
+    }
+    return verdict_of(message_new("%s: kdtree2d_build gave up%s%s", title,
+                                  refusal->task ? MESSAGE_CAUSE : ": ", refusal->says));
+}
+
+static Verdict judge_tree(const void *pointer, int k, const JudgeCheck *check,
+                          const Sections *answers)
+{
+    const JobScene *scene = &((const Job02 *)pointer)->scenes[k];
+    KdTree2D own;
+    return tree_judge_answer(k, answers, &own)
+               ? verdict_of(check->tree2d(scene, &own))
+               : tree_refused(scene->picture.title, k, check->task, answers);
+}
+
+// ---- The report ---------------------------------------------------------------------------------
+
+// A tree as SVG text, or NULL.
+static char *svg_of(const Scene2D *scene, const KdTree2D *tree)
+{
+    char *text = NULL;
+    size_t n_bytes = 0;
+    FILE *file = open_memstream(&text, &n_bytes);
+    if (file == NULL) {
+        return NULL;
+    }
+    const int result = tree2d_write_svg(file, scene, tree);
+    fclose(file);
+    if (result != 0) {
+        free(text);
+        return NULL;
+    }
+    return text;
+}
+
+// A submission's tree may have more nodes than these, but a report of many megabytes helps nobody.
+enum { MAX_DRAWN_NODES = 20000 };
+
+// The example's tree and the first random one.
+static void add_pictures(const void *pointer, const Sections *answers, Result *result)
+{
+    const Job02 *job = pointer;
+    for (int k = 1; k >= 0 && result->n_pictures < RESULT_MAX_PICTURES; k--) {
+        PictureResult *picture = &result->pictures[result->n_pictures++];
+        KdTree2D own;
+        snprintf(picture->title, sizeof picture->title, "tree over %s",
+                 job->scenes[k].picture.title);
+        picture->svg_reference = svg_of(&job->scenes[k].scene, &job->scenes[k].tree);
+        if (tree_judge_answer(k, answers, &own) && own.n_nodes <= MAX_DRAWN_NODES) {
+            picture->svg_own = svg_of(&job->scenes[k].scene, &own);
+        }
+    }
+}
+
+// ---- The judge ----------------------------------------------------------------------------------
+
+static const JudgeCheck checks[] = {
+    {"is_leaf-depth", "The last level is leaves", "is_leaf", 4, .function = &is_leaf_02,
+     .range = {0, N_LEAVES / 3, 3}},
+    {"is_leaf-count", "Few circles make a leaf", "is_leaf", 4, .function = &is_leaf_02,
+     .range = {1, N_LEAVES / 3, 3}},
+    {"is_leaf-failed", "Failed splits make a leaf", "is_leaf", 3, .function = &is_leaf_02,
+     .range = {2, N_LEAVES / 3, 3}},
+    {"tree-limits", "Whole trees: leaves where the limits say so", "is_leaf", 4, "*",
+     .tree = judge_tree, .tree2d = tree_judge_limits, .range = {0, N_SCENES},
+     .replay = &replay_leaf_02},
+
+    {"split-longer", "The longer side is split, x where equal", "split_box", 8,
+     .function = &split_longer_02, .range = {0, N_SPLITS}},
+    {"split-middle", "In the middle, and nothing else moves", "split_box", 7,
+     .function = &split_middle_02, .range = {0, N_SPLITS}},
+    {"tree-cells", "Whole trees: children tile their parent", "split_box", 5, "*",
+     .tree = judge_tree, .tree2d = tree_judge_cells, .range = {0, N_SCENES},
+     .replay = &replay_split_02},
+
+    {"overlap-inside", "Circles clearly in and clearly out", "circle_overlaps_box", 8,
+     .function = &overlap_02, .range = {0, N_INSIDE}},
+    {"overlap-boundary", "Touching counts", "circle_overlaps_box", 6, .function = &overlap_02,
+     .range = {N_INSIDE, N_BOUNDARY}},
+    {"overlap-corner", "Exact at the corners", "circle_overlaps_box", 6, .function = &overlap_02,
+     .range = {N_INSIDE + N_BOUNDARY, N_CORNER}},
+    {"tree-overlap", "Whole trees: each leaf has its circles", "circle_overlaps_box", 5, "*",
+     .tree = judge_tree, .tree2d = tree_judge_overlap, .range = {0, N_SCENES},
+     .replay = &replay_overlap_02},
+
+    {"distribute-list", "The right ids, in order, and how many", "distribute", 15,
+     "circle_overlaps_box", .function = &distribute_02, .range = {0, N_DISTRIBUTES},
+     .alone = distributes_alone_02},
+    {"tree-lists", "Whole trees: lists ascend", "distribute", 5, "*", .tree = judge_tree,
+     .tree2d = tree_judge_lists, .range = {0, N_SCENES}, .alone = lists_alone_02},
+
+    {"pack-count", "The list starts with its count", "pack_leaf", 6, .function = &pack_count_02,
+     .range = {0, N_PACKS}},
+    {"pack-offset", "circleMapOffset points at the count", "pack_leaf", 6,
+     .function = &pack_offset_02, .range = {0, N_PACKS}},
+    {"pack-rest", "Ids, flag and n_map; nothing else moves", "pack_leaf", 3,
+     .function = &pack_rest_02, .range = {0, N_PACKS}},
+    {"tree-packing", "Whole trees: packed without gaps", "pack_leaf", 5, "*", .tree = judge_tree,
+     .tree2d = tree_judge_packing, .range = {0, N_SCENES}, .alone_scene = packs_alone_02},
+};
+
+static const JobPart parts[] = {
+    PART("leaves", "is_leaf", Job02, leaves),
+    PART("splits", "split_box", Job02, splits),
+    PART("overlaps", "circle_overlaps_box", Job02, overlaps),
+    PART("distribute", NULL, Job02, distributes),  // alone behind what it needs: write_alone_02()
+    PART("pack", "pack_leaf", Job02, packs),
+};
+
+const Judge judge_02 = {
+    .lab = "02-kdtree-2d-build",
+    .checks = checks,
+    .n_checks = COUNT(checks),
+    .job_bytes = sizeof(Job02),
+    .draw = job_02_draw,
+    .release = job_02_release,
+    .parts = parts,
+    .n_parts = COUNT(parts),
+    .write_scene = job_02_write_scene,
+    .n_scenes = N_SCENES,
+    .write_alone = write_alone_02,
+    .add_pictures = add_pictures,
+};

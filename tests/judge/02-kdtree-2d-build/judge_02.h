@@ -1,0 +1,46 @@
+// What lab 02's judge asks of a submission: inputs of its functions and scenes for its trees.
+// Drawn in judge_02_job.c; functions are judged in judge_02_functions.c, whole trees in
+// tree_judge.c; one answer alone in judge_02_alone.c.
+#ifndef JUDGE_JUDGE_02_H
+#define JUDGE_JUDGE_02_H
+
+#include "job_scene.h"
+#include "jobs.h"
+#include "judge.h"
+
+// Inputs of is_leaf are by turns about the level, the number of circles and failed splits; those of
+// circle_overlaps_box are in three ranges.
+enum { N_LEAVES = 600, N_SPLITS = 400, N_DISTRIBUTES = 60, N_PACKS = 60, N_SCENES = 7 };
+enum { N_INSIDE = 1000, N_BOUNDARY = 500, N_CORNER = 500 };
+enum { N_OVERLAPS = N_INSIDE + N_BOUNDARY + N_CORNER };
+
+typedef struct Job02 {
+    Job job;
+    LeafJob leaves[N_LEAVES];
+    BBox2D splits[N_SPLITS];
+    BoxOverlapJob overlaps[N_OVERLAPS];
+    DistributeJob distributes[N_DISTRIBUTES];
+    PackJob packs[N_PACKS];
+    JobScene scenes[N_SCENES];
+} Job02;
+
+// See judge.h.
+int job_02_draw(void *job, Random *random);
+void job_02_release(void *job);
+int job_02_write_scene(const void *job, int k, FILE *file);
+
+// The functions; of split_box and pack_leaf one for each property that is judged.
+extern const Function is_leaf_02, split_longer_02, split_middle_02, overlap_02, distribute_02,
+    pack_count_02, pack_offset_02, pack_rest_02;
+
+// Call number i of distribute.
+ListCall list_call_02(const Job02 *job, int i);
+
+// One answer alone.
+extern const Replay replay_leaf_02, replay_split_02, replay_overlap_02;
+int write_alone_02(const void *job, const char *task, FILE *file);
+int distributes_alone_02(const void *job, const JudgeCheck *check, const Sections *answers);
+int lists_alone_02(const void *job, const JudgeCheck *check, const Sections *answers);
+int packs_alone_02(const void *job, int k, const Sections *answers);
+
+#endif

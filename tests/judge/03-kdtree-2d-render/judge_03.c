@@ -1,0 +1,192 @@
+// Judge of lab 03: getContainingChild on chosen inputs, pictures through given trees, counted work.
+// Read next: judge_03.h, judge_03_alone.c.
+#include "judge_03.h"
+
+#include "job_work.h"
+#include "message.h"
+#include "words.h"
+
+// ---- getContainingChild -------------------------------------------------------------------------
+
+// A way to decide whether a cell holds a pixel.
+typedef int Holds(BBox2D box, double x, double y);
+
+static int holds_inner(BBox2D box, double x, double y)
+{
+    return x > box.minX && x < box.maxX && y > box.minY && y < box.maxY;
+}
+
+static int holds_border(BBox2D box, double x, double y)
+{
+    return x >= box.minX && x <= box.maxX && y >= box.minY && y <= box.maxY;
+}
+
+// Do all answers, in both checks, follow from this way?
+static int children_follow(const Job03 *job, const u32 *found, Holds *way)
+{
+    const KdTree2D *tree = &job->scenes[BORDERS].tree;
+    for (int i = 0; i < N_CHILDREN; i++) {
+        const ChildJob in = job->children[i];
+        const NodeRel node = tree->nodes_Relations[in.id];
+        const int in_left = way(tree->nodes_BBox[node.lChild], in.x, in.y);
+        if (found[i] != (in_left ? node.lChild : node.rChild)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+// What wrong children suggest, "" when nothing.
+static const char *explain_children(const Job03 *job, const u32 *found)
+{
+    if (children_follow(job, found, holds_inner)) {
+        return "; strict where it should not be: cells are half-open, minX <= x < maxX";
+    }
+    if (children_follow(job, found, holds_border)) {
+        return "; cells are half-open: a border belongs to the cell that starts there";
+    }
+    return "";
+}
+
+// A half-open cell.
+static Words cell_words(BBox2D box)
+{
+    return words("x [%g, %g) y [%g, %g)", box.minX, box.maxX, box.minY, box.maxY);
+}
+
+static char *child_fault(const void *pointer, int i, const void *answers)
+{
+    const Job03 *job = pointer;
+    const u32 *found = answers;
+    const KdTree2D *tree = &job->scenes[BORDERS].tree;
+    const ChildJob in = job->children[i];
+    const NodeRel node = tree->nodes_Relations[in.id];
+    const BBox2D left = tree->nodes_BBox[node.lChild], right = tree->nodes_BBox[node.rChild];
+    const u32 expected = cell_holds(left, in.x, in.y) ? node.lChild : node.rChild;
+    if (found[i] == expected) {
+        return NULL;
+    }
+    const char *why = found[i] != node.lChild && found[i] != node.rChild
+                          ? "; that is no child of the node"
+                          : explain_children(job, found);
+    return message_new("node %u, pixel (%d, %d): found child %u, expected %u (left child %u is %s, "
+                       "right child %u is %s)%s",
+                       in.id, in.x, in.y, found[i], expected, node.lChild, cell_words(left).text,
+                       node.rChild, cell_words(right).text, why);
+}
+
+static const Function children = {
+    .section = "children", .n = N_CHILDREN, .answer_bytes = sizeof(u32), .fault = child_fault};
+
+// ---- Work ---------------------------------------------------------------------------------------
+
+// How many nodes above the leaf: every node whose cell holds the pixel lies on the way.
+static u32 steps_to_leaf(const KdTree2D *tree, int x, int y)
+{
+    u32 steps = 0;
+    for (u32 id = 0; id < tree->n_nodes; id++) {
+        steps += tree->nodes_flag[id] != LEAF && cell_holds(tree->nodes_BBox[id], x, y);
+    }
+    return steps;
+}
+
+// The message when a pixel's work is not as it should be, or NULL.
+typedef char *JudgeWork(const JobScene *scene, int x, int y, Work found);
+
+static char *judge_descent(const JobScene *scene, int x, int y, Work found)
+{
+    const u32 steps = steps_to_leaf(&scene->tree, x, y);
+    return found.n_nodes_visited == steps
+               ? NULL
+               : message_new("%s: pixel (%d, %d): getContainingChild was called %u times, expected "
+                             "%u, once for each inner node on the way to the leaf",
+                             scene->picture.title, x, y, found.n_nodes_visited, steps);
+}
+
+static char *judge_leaf(const JobScene *scene, int x, int y, Work found)
+{
+    const KdTree2D *tree = &scene->tree;
+    const u32 n = tree->mapNode2Circles[tree->nodes_Relations[leaf_at(tree, x, y)].circleMapOffset];
+    return found.n_tests == n
+               ? NULL
+               : message_new("%s: pixel (%d, %d): overlaps_N_Nearer was called %u times, but the "
+                             "leaf lists %u circles",
+                             scene->picture.title, x, y, found.n_tests, n);
+}
+
+// Judge the counted work of scene K. Every seventh pixel each way is plenty, and the tree is asked
+// node by node.
+static Verdict judge_work(const Job03 *job, int k, JudgeWork *judge_pixel, const Sections *answers)
+{
+    const JobScene *scene = &job->scenes[k];
+    const int width = scene->scene.width, height = scene->scene.height;
+    const Work *found;
+    Verdict verdict = job_work_find(&scene->picture, k, "getContainingChild and overlaps_N_Nearer",
+                                    "the kernel", answers, &found);
+    for (int y = 0; y < height; y += 7) {
+        for (int x = 0; verdict.kind == VERDICT_PASSED && x < width; x += 7) {
+            if (cell_holds(scene->tree.nodes_BBox[0], x, y)) {
+                verdict = verdict_of(judge_pixel(scene, x, y, found[y * width + x]));
+            }
+        }
+    }
+    return verdict;
+}
+
+static Verdict judge_descent_work(const void *job, int k, const Sections *answers)
+{
+    return judge_work(job, k, judge_descent, answers);
+}
+
+// The kernel could write down any count: the leaf map shows whether other leaves' circles were
+// asked.
+static Verdict judge_leaf_works(const void *job, const Sections *answers)
+{
+    Verdict verdict = judge_work(job, WIDE, judge_leaf, answers);
+    if (verdict.kind == VERDICT_PASSED) {
+        verdict = judge_work(job, ROOT_IS_LEAF, judge_leaf, answers);
+    }
+    return verdict.kind == VERDICT_PASSED ? judge_picture(job, LEAF_MAP, answers) : verdict;
+}
+
+// ---- The judge ----------------------------------------------------------------------------------
+
+static const JudgeCheck checks[] = {
+    {"child-inside", "Pixels inside one of the children", "getContainingChild", 15,
+     .function = &children, .range = {0, N_INSIDE}},
+    {"child-border", "Pixels on a border between children", "getContainingChild", 10,
+     .function = &children, .range = {N_INSIDE, N_BORDER}},
+
+    {"descent-picture", "Random scenes through their trees", "descent", 15, "*",
+     .scene = judge_picture, .range = {BORDERS, 2}, .alone = all_end_in_leaves_03},
+    {"descent-leaf", "Every pixel ends in its own leaf", "descent", 10, "*", .scene = judge_picture,
+     .range = {LEAF_MAP, 1}, .alone_scene = ends_in_leaves_03},
+    {"descent-work", "One step a level, no more", "descent", 10, "getContainingChild",
+     .scene = judge_descent_work, .range = {WIDE, 2, ROOT_IS_LEAF - WIDE}},
+
+    {"leaf-random", "Random scenes", "leaf_loop", 15, "*", .scene = judge_picture,
+     .range = {RANDOM, 2}},
+    {"leaf-order", "Of equal depths the lower index wins", "leaf_loop", 10, "*",
+     .scene = judge_picture, .range = {ORDER, 1}},
+    {"leaf-edges", "Empty leaves, one leaf, no circles, huge, tiny", "leaf_loop", 10, "*",
+     .scene = judge_picture, .range = {EDGES, N_EDGES}},
+    {"leaf-work", "Only the leaf's own circles are asked", "leaf_loop", 5, "*",
+     .all = judge_leaf_works},
+};
+
+static const JobPart parts[] = {PART("children", "getContainingChild", Job03, children)};
+
+const Judge judge_03 = {
+    .lab = "03-kdtree-2d-render",
+    .checks = checks,
+    .n_checks = COUNT(checks),
+    .job_bytes = sizeof(Job03),
+    .draw = job_03_draw,
+    .release = job_03_release,
+    .parts = parts,
+    .n_parts = COUNT(parts),
+    .write_scene = job_03_write_scene,
+    .n_scenes = N_SCENES,
+    .write_alone = write_alone_03,
+    .adopts = 1,
+};

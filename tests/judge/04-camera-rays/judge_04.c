@@ -1,0 +1,53 @@
+// Judge of lab 04: the camera's axes, pixels on the display, rays, and directions as colours. Read
+// next: judge_04.h.
+#include "judge_04.h"
+
+static const JudgeCheck checks[] = {
+    {"axes-orthonormal", "Unit vectors at right angles, right to view.up, too", "camera_axes", 10,
+     .function = &axes_orthonormal_04, .range = {0, N_VIEWS}},
+    {"axes-forward", "Forward goes to the point looked at", "camera_axes", 10,
+     .function = &axes_forward_04, .range = {0, N_VIEWS}},
+    {"axes-up", "Right is to the right and up is up", "camera_axes", 10, .function = &axes_up_04,
+     .range = {0, N_VIEWS}},
+
+    {"display-sides", "x grows to the right, y upwards, z is 1", "pixel_on_display", 8,
+     .function = &display_sides_04, .range = {ANYWHERE * N_PIXELS, N_PIXELS}},
+    {"display-middle", "The middle of the pixel, in square pictures", "pixel_on_display", 11,
+     .function = &display_04, .range = {SQUARE * N_PIXELS, N_PIXELS}},
+    {"display-aspect", "Wide and high pictures have square pixels", "pixel_on_display", 11,
+     .function = &display_04, .range = {OBLONG * N_PIXELS, N_PIXELS}},
+
+    {"ray-transform", "From the camera's axes to the scene's", "primary_ray", 14,
+     "pixel_on_display", .function = &ray_transform_04, .range = {0, N_ALL_PIXELS},
+     .alone = are_turned_04},
+    {"ray-unit", "The direction is a unit vector", "primary_ray", 8, .function = &ray_unit_04,
+     .range = {0, N_ALL_PIXELS}},
+    {"ray-limits", "From the eye on, without an end", "primary_ray", 8, .function = &ray_limits_04,
+     .range = {0, N_ALL_PIXELS}},
+
+    {"color-picture", "From -1 to 1 becomes from 0 to 1", "direction_color", 6,
+     "primary_ray pixel_on_display", .scene = judge_picture, .range = {RANDOM, ALONG - RANDOM},
+     .alone_scene = is_drawn_04},
+    {"color-channels", "x is red, y is green, z is blue", "direction_color", 4,
+     "primary_ray pixel_on_display", .scene = judge_picture, .range = {ALONG, N_PICTURES - ALONG},
+     .alone_scene = is_drawn_04},
+};
+
+static const JobPart parts[] = {
+    PART("views", "camera_axes", Job04, views),
+    PART("pixels", "pixel_on_display primary_ray", Job04, pixels),
+};
+
+const Judge judge_04 = {
+    .lab = "04-camera-rays",
+    .checks = checks,
+    .n_checks = COUNT(checks),
+    .job_bytes = sizeof(Job04),
+    .draw = job_04_draw,
+    .release = job_04_release,
+    .parts = parts,
+    .n_parts = COUNT(parts),
+    .write_scene = job_04_write_scene,
+    .n_scenes = N_PICTURES,
+    .write_alone = write_alone_04,
+};

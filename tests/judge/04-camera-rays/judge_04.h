@@ -1,0 +1,39 @@
+// What lab 04's judge asks of a submission: views, pixels and pictures of directions. Drawn in
+// judge_04_job.c, judged in judge_04_functions.c, alone in judge_04_alone.c.
+#ifndef JUDGE_JUDGE_04_H
+#define JUDGE_JUDGE_04_H
+
+#include "jobs.h"
+#include "judge.h"
+
+// Pixels in three ranges: anywhere, in square pictures, in wide and high ones.
+enum { N_VIEWS = 600, N_PIXELS = 500, N_RANGES = 3, N_ALL_PIXELS = N_RANGES * N_PIXELS };
+enum { ANYWHERE, SQUARE, OBLONG };
+
+// Two pictures of any camera, then one along each axis.
+enum { RANDOM = 0, ALONG = 2, N_PICTURES = ALONG + 3 };
+
+typedef struct Job04 {
+    Job job;
+    ViewJob views[N_VIEWS];
+    PixelJob pixels[N_ALL_PIXELS];
+    SceneJob3D scenes[N_PICTURES];
+    JobPicture directions[N_PICTURES];
+} Job04;
+
+// See judge.h.
+int job_04_draw(void *job, Random *random);
+void job_04_release(void *job);
+int job_04_write_scene(const void *job, int k, FILE *file);
+
+// camera_axes, pixel_on_display and primary_ray: one for each property that is judged.
+extern const Function axes_orthonormal_04, axes_forward_04, axes_up_04;
+extern const Function display_sides_04, display_04;
+extern const Function ray_transform_04, ray_unit_04, ray_limits_04;
+
+// One answer alone.
+int write_alone_04(const void *job, const char *task, FILE *file);
+int are_turned_04(const void *job, const JudgeCheck *check, const Sections *answers);
+int is_drawn_04(const void *job, int k, const Sections *answers);
+
+#endif

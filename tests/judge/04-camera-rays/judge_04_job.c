@@ -1,0 +1,128 @@
+// Drawing lab 04's job from the seed: see judge_04.h.
+#include "judge_04.h"
+
+#include "oracle3d.h"
+#include "random3d.h"
+
+static const OracleRules3D right = {0};
+
+// Any view whose direction is a quarter of a unit or longer; its up is of any length, mostly not at
+// right angles to it.
+static ViewJob draw_view(Random *random)
+{
+    ViewJob view;
+    Vec3 way, aside;
+    do {
+        view = (ViewJob){random_point(random, 5), random_point(random, 3), random_point(random, 4)};
+        way = vec3_minus(view.at, view.from);
+        aside = vec3_cross(way, view.up);
+    } while (vec3_length(way) < 0.25f || vec3_length(view.up) < 0.25f ||
+             vec3_length(aside) < 0.25f * vec3_length(way) * vec3_length(view.up));
+    return view;
+}
+
+static Vec3 to_vec3(OracleVector v)
+{
+    return (Vec3){(float)v.x, (float)v.y, (float)v.z};
+}
+
+static Camera camera_of(ViewJob job, float fov)
+{
+    const View view = {.from = job.from, .at = job.at, .up = job.up};
+    OracleVector axes[3];
+    oracle3d_axes(&view, axes);
+    return (Camera){job.from, to_vec3(axes[0]), to_vec3(axes[1]), to_vec3(axes[2]), fov};
+}
+
+static PixelJob draw_pixel(Random *random, int range)
+{
+    PixelJob job = {.camera = camera_of(draw_view(random), random_number(random, 0.25, 2.5))};
+    job.width = (i32)random_integer(random, 2, 300);
+    job.height = (i32)random_integer(random, 2, 300);
+    if (range == SQUARE) {
+        job.height = job.width;
+    } else if (range == OBLONG && random_integer(random, 0, 1)) {
+        job.height = job.width * 2 + 1;
+    } else if (range == OBLONG) {
+        job.width = job.height * 3;
+    }
+    job.x = (i32)random_integer(random, 0, job.width - 1);
+    job.y = (i32)random_integer(random, 0, job.height - 1);
+    return job;
+}
+
+// The picture of the directions, in double precision.
+static int expect_directions(const Camera *camera, int width, int height, JobPicture *picture)
+{
+    ExpectedPicture *expected = &picture->expected;
+    if (image_create(width, height, &expected->reference) != 0) {
+        return -1;
+    }
+    expected->background[3] = 1;
+    float *pixel = expected->reference.pixels;
+    for (int y = 0; y < height; y++) {
+        for (int x = 0; x < width; x++, pixel += IMAGE_CHANNELS) {
+            const OracleRay ray = oracle3d_primary_ray(camera, x, y, width, height, &right);
+            pixel[0] = (float)((ray.direction.x + 1) / 2);
+            pixel[1] = (float)((ray.direction.y + 1) / 2);
+            pixel[2] = (float)((ray.direction.z + 1) / 2);
+            pixel[3] = 1;
+            // Half of the direction's, and the rounding of product and sum.
+            expected->tolerance = (float)(ray.direction_error / 2 + 2 * 0x1p-24);
+        }
+    }
+    return 0;
+}
+
+static int draw_pictures(Random *random, Job04 *job)
+{
+    static const int sizes[N_PICTURES][2] = {{96, 64}, {49, 67}, {48, 48}, {48, 48}, {48, 48}};
+    static const Vec3 ways[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
+    static const Vec3 ups[3] = {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}};
+    static const char *const names[3] = {"x", "y", "-z"};
+    int result = 0;
+    for (int k = 0; result == 0 && k < N_PICTURES; k++) {
+        JobPicture *picture = &job->directions[k];
+        const int width = sizes[k][0], height = sizes[k][1];
+        SceneJob3D scene = {.width = width, .height = height};
+        if (k < ALONG) {
+            scene.camera = camera_of(draw_view(random), random_number(random, 0.5, 1.5));
+            snprintf(picture->title, sizeof picture->title, "directions, %dx%d", width, height);
+        } else {
+            scene.camera = camera_of((ViewJob){{0}, ways[k - ALONG], ups[k - ALONG]}, 1);
+            snprintf(picture->title, sizeof picture->title, "directions, looking along %s",
+                     names[k - ALONG]);
+        }
+        job->scenes[k] = scene;
+        job_list_picture(&job->job, picture);
+        result = expect_directions(&scene.camera, width, height, picture);
+    }
+    return result;
+}
+
+int job_04_draw(void *pointer, Random *random)
+{
+    Job04 *job = pointer;
+    for (int i = 0; i < N_VIEWS; i++) {
+        job->views[i] = draw_view(random);
+    }
+    for (int i = 0; i < N_ALL_PIXELS; i++) {
+        job->pixels[i] = draw_pixel(random, i / N_PIXELS);
+    }
+    return draw_pictures(random, job);
+}
+
+void job_04_release(void *pointer)
+{
+    Job04 *job = pointer;
+    for (int k = 0; k < N_PICTURES; k++) {
+        expected_picture_free(&job->directions[k].expected);
+    }
+}
+
+int job_04_write_scene(const void *pointer, int k, FILE *file)
+{
+    const Job04 *job = pointer;
+    return job_section_write(file, k, NULL, &job->scenes[k], sizeof job->scenes[k]) |
+           job_title_write(file, k, job->directions[k].title);
+}

@@ -1,0 +1,156 @@
+// Judge of lab 05: each function on chosen inputs, and what rays hit in whole scenes. Read next:
+// judge_05.h.
+#include "judge_05.h"
+
+#include "job_work.h"
+#include "message.h"
+
+static const char *const edge_names[N_EDGES] = {"inside", "behind", "large-small", "one", "none"};
+
+// ---- Drawing the job ----------------------------------------------------------------------------
+
+static int draw_scenes(Random *random, JobScene3D scenes[N_SCENES])
+{
+    int result = job_scene3d_random(&scenes[RANDOM], random, 60, 0.125f, 0.375f, 96, 64);
+    result |= job_scene3d_random(&scenes[RANDOM + 1], random, 100, 0.0625f, 0.25f, 49, 67);
+    result |= job_scene3d_named(&scenes[FLAKE], "sphereflake:size=2", 64, 64);
+    result |= job_scene3d_named(&scenes[TIES], "coincident", 64, 48);
+    for (int i = 0; i < N_EDGES; i++) {
+        result |= job_scene3d_named(&scenes[EDGES + i], edge_names[i], 48, 36);
+    }
+    for (int k = 0; result == 0 && k < N_SCENES; k++) {
+        result = job_scene3d_expect(&scenes[k]);
+    }
+    return result;
+}
+
+static int draw(void *pointer, Random *random)
+{
+    Job05 *job = pointer;
+    inputs_05_draw(job, random);
+    const int result = draw_scenes(random, job->scenes);
+    squares_05_draw(random, job->squares);
+    for (int k = 0; k < N_SCENES; k++) {
+        job_list_picture(&job->job, &job->scenes[k].picture);
+    }
+    return result;
+}
+
+static void release(void *pointer)
+{
+    Job05 *job = pointer;
+    for (int k = 0; k < N_SCENES; k++) {
+        job_scene3d_free(&job->scenes[k]);
+    }
+}
+
+static int write_scene(const void *job, int k, FILE *file)
+{
+    return job_scene3d_write(&((const Job05 *)job)->scenes[k], k, file);
+}
+
+// ---- Scenes -------------------------------------------------------------------------------------
+
+static Verdict judge_hits(const void *job, int k, const Sections *answers)
+{
+    const JobScene3D *scene = &((const Job05 *)job)->scenes[k];
+    const HitAnswer *found = hits_find(scene, k, answers);
+    return found == NULL ? verdict_missing
+                         : verdict_of(hits_describe(scene, found, hits_judge(scene, found)));
+}
+
+// Every pixel asks every sphere, once.
+static Verdict judge_work(const void *job, int k, const Sections *answers)
+{
+    const JobScene3D *scene = &((const Job05 *)job)->scenes[k];
+    const int width = scene->scene.width, n_pixels = width * scene->scene.height;
+    const Work *found;
+    const Verdict verdict =
+        job_work_find(&scene->picture, k, "intersect_sphere", "nearest_hit", answers, &found);
+    for (int pixel = 0; found != NULL && pixel < n_pixels; pixel++) {
+        if (found[pixel].n_tests != (u32)scene->scene.n_spheres) {
+            return verdict_of(message_new("%s: the ray of pixel (%d, %d): intersect_sphere was "
+                                          "called %u times, but the scene has %d spheres",
+                                          scene->picture.title, pixel % width, pixel / width,
+                                          found[pixel].n_tests, scene->scene.n_spheres));
+        }
+    }
+    return verdict;
+}
+
+// ---- The judge ----------------------------------------------------------------------------------
+
+// Range number i of a function's inputs.
+#define RANGE(i, n_inputs) {(i) * (n_inputs), n_inputs}
+
+static const JudgeCheck checks[] = {
+    {"root-nearer", "Where the ray enters, or no hit", "nearest_root", 5,
+     .function = &nearest_root_05, .range = RANGE(0, N_ROOTS)},
+    {"root-inside", "Where it leaves, from inside and for negative radii", "nearest_root", 5,
+     .function = &nearest_root_05, .range = RANGE(1, N_ROOTS)},
+    {"root-t_min", "Only beyond t_min", "nearest_root", 5, .function = &nearest_root_05,
+     .range = RANGE(2, N_ROOTS)},
+
+    {"textbook-outside", "Spheres before the eye, and misses", "intersect_textbook", 5,
+     "nearest_root", .function = &textbook_05, .range = RANGE(0, N_SPHERES),
+     .alone = spheres_alone_05},
+    {"textbook-inside", "Spheres around the eye and behind it", "intersect_textbook", 5,
+     "nearest_root", .function = &textbook_05, .range = RANGE(1, N_SPHERES),
+     .alone = spheres_alone_05},
+
+    {"sphere-near", "Spheres before the eye, and misses", "intersect_sphere", 8, "nearest_root",
+     .function = &projection_05, .range = RANGE(0, N_SPHERES), .alone = spheres_alone_05},
+    {"sphere-inside", "Spheres around the eye and behind it", "intersect_sphere", 5, "nearest_root",
+     .function = &projection_05, .range = RANGE(1, N_SPHERES), .alone = spheres_alone_05},
+    {"sphere-far-small", "Small spheres far away", "intersect_sphere", 12, "nearest_root",
+     .function = &projection_05, .range = RANGE(2, N_SPHERES), .alone = spheres_alone_05},
+
+    {"hit-nearest", "Random scenes", "nearest_hit", 8, "intersect_sphere nearest_root",
+     .scene = judge_hits, .range = {RANDOM, 3}, .alone_scene = square_hits_05},
+    {"hit-ties", "Of equal distances the lower index wins", "nearest_hit", 4,
+     "intersect_sphere nearest_root", .scene = judge_hits, .range = {TIES, 1},
+     .alone_scene = square_hits_05},
+    {"hit-edges", "Inside, behind, large and small, one, none", "nearest_hit", 4,
+     "intersect_sphere nearest_root", .scene = judge_hits, .range = {EDGES, N_EDGES},
+     .alone_scene = square_hits_05},
+    {"hit-work", "Every sphere is asked once", "nearest_hit", 4, .scene = judge_work,
+     .range = {WORK, 1}, .alone_scene = square_work_05},
+
+    {"normal-unit", "From the centre to the point, a unit vector", "surface_normal", 5,
+     .function = &normal_05, .range = RANGE(0, N_NORMALS)},
+    {"normal-inside", "Seen from inside, towards the eye", "surface_normal", 5,
+     .function = &normal_05, .range = RANGE(1, N_NORMALS)},
+
+    {"shade-lambert", "kd x cosine x colours, one light", "shade", 6, .function = &shade_05,
+     .range = RANGE(0, N_SHADES)},
+    {"shade-behind", "A light behind the surface adds nothing", "shade", 4, .function = &shade_05,
+     .range = RANGE(1, N_SHADES)},
+    {"shade-lights", "All lights, and no more", "shade", 5, .function = &shade_05,
+     .range = RANGE(2, N_SHADES)},
+    {"shade-picture", "Whole pictures", "shade", 5,
+     "nearest_hit intersect_sphere nearest_root surface_normal", .scene = judge_picture,
+     .range = {0, N_SCENES}, .alone = pixel_shades_05},
+};
+
+static const JobPart parts[] = {
+    PART("roots", "nearest_root", Job05, roots),
+    PART("textbook", NULL, Job05, textbook),  // alone with other t_min: write_alone_05()
+    PART("projection", NULL, Job05, projection),
+    PART("normals", "surface_normal", Job05, normals),
+    PART("shades", "shade", Job05, shades),
+    PART("lights", NULL, Job05, lights),  // alone with those of the scenes
+};
+
+const Judge judge_05 = {
+    .lab = "05-spheres",
+    .checks = checks,
+    .n_checks = COUNT(checks),
+    .job_bytes = sizeof(Job05),
+    .draw = draw,
+    .release = release,
+    .parts = parts,
+    .n_parts = COUNT(parts),
+    .write_scene = write_scene,
+    .n_scenes = N_SCENES,
+    .write_alone = write_alone_05,
+};

@@ -1,0 +1,73 @@
+// What lab 05's judge asks of a submission: inputs of its functions and whole scenes, and what an
+// answer is tried on alone. Inputs are drawn in judge_05_inputs.c, functions judged in
+// judge_05_functions.c; one answer alone in judge_05_alone.c, nearest_hit in judge_05_squares.c.
+#ifndef JUDGE_JUDGE_05_H
+#define JUDGE_JUDGE_05_H
+
+#include "job_scene3d.h"
+#include "jobs.h"
+#include "judge.h"
+
+// How many inputs each range has; the ranges of one function follow one another.
+enum {
+    N_ROOTS = 600,    // 3 ranges: outside, inside, t_min
+    N_SPHERES = 800,  // 3 ranges: outside, inside, small and far; the textbook has the first 2
+    N_NORMALS = 500,  // 2 ranges: outside, inside
+    N_SHADES = 300,   // 3 ranges: one light before the surface, one behind it too, several
+    N_LIGHTS = 40,
+};
+
+// The scenes, in the order of the job.
+enum {
+    RANDOM = 0,  // two
+    FLAKE = 2,
+    TIES = 3,
+    EDGES = 4,
+    N_EDGES = 5,
+    N_SCENES = EDGES + N_EDGES,
+    WORK = RANDOM + 1,
+};
+
+// Alone, nearest_hit is tried on scenes whose spheres are squares for the stand-in of
+// intersect_sphere. They have the numbers of the scenes above that they are there for.
+enum { MAX_SQUARES = 160 };
+typedef struct SquareScene {
+    int n, width, height;
+    Sphere squares[MAX_SQUARES + 1];  // behind the last one that must not be asked
+} SquareScene;
+
+typedef struct Job05 {
+    Job job;
+    RootJob roots[3 * N_ROOTS];
+    SphereRayJob textbook[2 * N_SPHERES];
+    SphereRayJob projection[3 * N_SPHERES];
+    NormalJob normals[2 * N_NORMALS];
+    ShadeJob shades[3 * N_SHADES];
+    Light lights[N_LIGHTS];
+    JobScene3D scenes[N_SCENES];
+    SquareScene squares[N_SCENES];
+} Job05;
+
+// Draw what the functions get.
+void inputs_05_draw(Job05 *job, Random *random);
+
+// The functions. The message about one names the mistake that explains every answer in the range.
+extern const Function nearest_root_05, textbook_05, projection_05, normal_05, shade_05;
+
+// ---- Alone --------------------------------------------------------------------------------------
+
+void squares_05_draw(Random *random, SquareScene scenes[N_SCENES]);
+
+// Write the sections "scene.K" and "scene.K.spheres". Returns 0, or -1.
+int squares_05_write(const SquareScene scenes[N_SCENES], FILE *file);
+
+// Are all hits of scene K right? Was every square of it asked once by every ray?
+int square_hits_05(const void *job, int k, const Sections *answers);
+int square_work_05(const void *job, int k, const Sections *answers);
+
+// See judge.h.
+int write_alone_05(const void *job, const char *task, FILE *file);
+int spheres_alone_05(const void *job, const JudgeCheck *check, const Sections *answers);
+int pixel_shades_05(const void *job, const JudgeCheck *check, const Sections *answers);
+
+#endif

@@ -1,0 +1,117 @@
+// Lab 05: nearest_hit alone. Beside the stand-in of intersect_sphere spheres are squares, which
+// rays along z meet: all in steps of 1/16 or 1/4, so that hits are foreseen to the bit.
+#include "judge_05.h"
+
+#include "work.h"
+
+#include <math.h>
+
+// The probe's rays: from (x, y, 0) along z. All that the stand-in asks of one has the same name on
+// the device.
+typedef struct Ray {
+    Vec3 origin, direction;
+    float t_min;
+} Ray;
+
+static Ray grid_ray(int x, int y)
+{
+    return (Ray){{(float)x, (float)y, 0}, {0, 0, 1}, SQUARES_T_MIN};
+}
+
+// What stands in the hole of intersect_sphere.
+static float stand_in_square(Sphere sphere, Ray ray)
+{
+#include "05-spheres/intersect_sphere.cl"
+}
+
+// Squares of a scene: how many, how large, at how many distances, `step` apart, in which picture.
+// Every nth has a negative radius: nobody hits it.
+typedef struct SquarePlan {
+    int n, max_radius, n_distances;
+    float step;
+    int width, height, every_negative;
+} SquarePlan;
+
+static const SquarePlan plans[N_SCENES] = {
+    [RANDOM] = {60, 6, 4000, 0.25f, 48, 32, 0},
+    [RANDOM + 1] = {100, 5, 900, 1, 49, 37, 6},
+    [FLAKE] = {MAX_SQUARES, 3, 300, 0.125f, 64, 40, 0},
+    [TIES] = {90, 8, 3, 1, 64, 48, 7},
+    [EDGES] = {1, 6, 5, 1, 16, 16, 0},
+    [EDGES + 1] = {0, 1, 1, 1, 16, 16, 0},
+    [EDGES + 2] = {12, 6, 9, 1, 24, 16, 1},           // nothing is hit, though much is asked
+    [EDGES + 3] = {30, 8, 9, 65536, 24, 16, 0},       // far away
+    [EDGES + 4] = {30, 30, 900, 0.0625f, 24, 24, 0},  // large: everything is hit many times
+};
+
+static void draw_squares(Random *random, const SquarePlan *plan, SquareScene *scene)
+{
+    scene->n = plan->n;
+    scene->width = plan->width, scene->height = plan->height;
+    for (int i = 0; i < plan->n; i++) {
+        const int is_negative = plan->every_negative > 0 && i % plan->every_negative == 0;
+        scene->squares[i] =
+            (Sphere){random_grid(random, 0, plan->width), random_grid(random, 0, plan->height),
+                     plan->step * (float)random_integer(random, 1, plan->n_distances),
+                     random_grid(random, 1, plan->max_radius) * (is_negative ? -1 : 1)};
+    }
+    scene->squares[plan->n] = (Sphere){0, 0, 0.03125f, 1000};
+}
+
+void squares_05_draw(Random *random, SquareScene scenes[N_SCENES])
+{
+    for (int k = 0; k < N_SCENES; k++) {
+        draw_squares(random, &plans[k], &scenes[k]);
+    }
+}
+
+int squares_05_write(const SquareScene scenes[N_SCENES], FILE *file)
+{
+    int result = 0;
+    for (int k = 0; k < N_SCENES; k++) {
+        const SquareScene *scene = &scenes[k];
+        const SceneJob3D size = {
+            .n_spheres = scene->n, .width = scene->width, .height = scene->height};
+        result |= job_section_write(file, k, NULL, &size, sizeof size);
+        result |= job_section_write(file, k, "spheres", scene->squares,
+                                    ((size_t)scene->n + 1) * sizeof *scene->squares);
+    }
+    return result;
+}
+
+static int hits_square(const SquareScene *scene, int x, int y, HitAnswer found)
+{
+    HitAnswer nearest = {INFINITY, ORACLE_NO_SPHERE};
+    for (int i = scene->n - 1; i >= 0; i--) {
+        const float t = stand_in_square(scene->squares[i], grid_ray(x, y));
+        if (!isinf(t) && t <= nearest.t) {
+            nearest = (HitAnswer){t, (u32)i};
+        }
+    }
+    return found.sphere == nearest.sphere && found.t == nearest.t;
+}
+
+int square_hits_05(const void *job, int k, const Sections *answers)
+{
+    const SquareScene *scene = &((const Job05 *)job)->squares[k];
+    const int n_pixels = scene->width * scene->height;
+    const HitAnswer *found = job_section_find(answers, "hits", k, (size_t)n_pixels * sizeof *found);
+    int i = 0;
+    while (found != NULL && i < n_pixels &&
+           hits_square(scene, i % scene->width, i / scene->width, found[i])) {
+        i++;
+    }
+    return i == n_pixels;
+}
+
+int square_work_05(const void *job, int k, const Sections *answers)
+{
+    const SquareScene *scene = &((const Job05 *)job)->squares[k];
+    const int n_pixels = scene->width * scene->height;
+    const Work *found = job_section_find(answers, "work", k, (size_t)n_pixels * sizeof *found);
+    int i = 0;
+    while (found != NULL && i < n_pixels && found[i].n_tests == (u32)scene->n) {
+        i++;
+    }
+    return i == n_pixels;
+}

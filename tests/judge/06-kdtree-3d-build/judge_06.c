@@ -1,0 +1,159 @@
+// Judge of lab 06: each function on chosen inputs, and whole trees by their invariants. Read next:
+// judge_06.h.
+#include "judge_06.h"
+#include "message.h"
+#include "tree3d_draw.h"
+
+#include <stdlib.h>
+
+// ---- Judging whole trees ----------------------------------------------------------------------
+
+static int is_refused(int k, const Sections *answers)
+{
+    return job_part_find(answers, "tree", k, "refused", 0) != NULL;
+}
+
+// The message when the root is neither a leaf nor has children, or NULL. Who walks down such a tree
+// meets no leaf and comes no level deeper: nothing is wrong there, but nothing is right.
+static char *judge_root(const TreeScene3D *scene, const KdTree3D *own)
+{
+    const KdNode3 root = own->nodes[0];
+    const int has_children = root.split_axis < KD_LEAF && root.first > 0 && own->n_nodes > 2 &&
+                             root.first <= own->n_nodes - 2;
+    if (root.split_axis == KD_LEAF || has_children) {
+        return NULL;
+    }
+    return message_new("%s: node 0, the root: split_axis is %u and first %u of %u nodes, expected "
+                       "KD_LEAF (%d), or an axis and its children: no search comes to a leaf",
+                       scene->title, root.split_axis, root.first, own->n_nodes, KD_LEAF);
+}
+
+// The scene's box and the lists are given; but a tree is no good without them.
+static char *judge_splits(const TreeScene3D *scene, const KdTree3D *own)
+{
+    char *message = tree3d_judge_bounds(scene, own);
+    return message != NULL ? message : tree3d_judge_splits(scene, own);
+}
+
+static char *judge_overlap(const TreeScene3D *scene, const KdTree3D *own)
+{
+    char *message = judge_root(scene, own);
+    message = message != NULL ? message : tree3d_judge_overlap(scene, own);
+    return message != NULL ? message : tree3d_judge_lists(scene, own);
+}
+
+static char *judge_depth(const TreeScene3D *scene, const KdTree3D *own)
+{
+    char *message = judge_root(scene, own);
+    return message != NULL ? message : tree3d_judge_depth(scene, own);
+}
+
+static Verdict judge_tree(const void *pointer, int k, const JudgeCheck *check,
+                          const Sections *answers)
+{
+    const TreeScene3D *scene = &((const Job06 *)pointer)->scenes[k];
+    KdTree3D own = {0};
+    if (is_refused(k, answers)) {
+        const int is_of_depth = check->tree3d == judge_depth;
+        if (is_of_depth ? k == TOO_DEEP : k == JUST_FITS) {
+            return verdict_of(NULL);  // as it must be, or for fits_todo() to answer for
+        }
+        return verdict_of(message_new("%s, maxDepth %d: kdtree3d_build gave up, expected a tree of "
+                                      "%u nodes: does splitting ever end, and does fits_todo() "
+                                      "allow it?",
+                                      scene->title, scene->limits.maxDepth, scene->tree.n_nodes));
+    }
+    if (tree3d_judge_answer(k, answers, &own)) {
+        return verdict_of(check->tree3d(scene, &own));
+    }
+    if (own.n_nodes > TREE3D_ANSWER_NODES || own.n_sphere_ids > TREE3D_ANSWER_IDS) {
+        return verdict_of(message_new("%s, maxDepth %d: the tree has %u nodes and %u ids, expected "
+                                      "%u and %u",
+                                      scene->title, scene->limits.maxDepth, own.n_nodes,
+                                      own.n_sphere_ids, scene->tree.n_nodes,
+                                      scene->tree.n_sphere_ids));
+    }
+    return verdict_missing;
+}
+
+// ---- The report -------------------------------------------------------------------------------
+
+// Cuts through the first tree and through one that small spheres make deep.
+static void add_pictures(const void *pointer, const Sections *answers, Result *result)
+{
+    static const int drawn[] = {0, 2};
+    const Job06 *job = pointer;
+    for (int i = 0; i < 2 && result->n_pictures < RESULT_MAX_PICTURES; i++) {
+        const TreeScene3D *scene = &job->scenes[drawn[i]];
+        PictureResult *picture = &result->pictures[result->n_pictures++];
+        KdTree3D own;
+        snprintf(picture->title, sizeof picture->title, "cut through the tree over %s",
+                 scene->title);
+        tree3d_draw(&scene->scene, &scene->tree, &picture->reference);
+        // Only what is packed as it should be can be followed. Lists do not matter to a drawing.
+        if (!is_refused(drawn[i], answers) && tree3d_judge_answer(drawn[i], answers, &own)) {
+            char *unfit = tree3d_judge_packing(scene, &own);
+            if (unfit == NULL) {
+                tree3d_draw(&scene->scene, &own, &picture->own);
+            }
+            free(unfit);
+        }
+    }
+}
+
+// ---- The judge ----------------------------------------------------------------------------------
+
+static const JudgeCheck checks[] = {
+    {"split-axis", "The longest side, the first where equal", "choose_split", 12,
+     .function = &split_axis_06, .range = {0, N_SPLITS}},
+    {"split-middle", "In the middle", "choose_split", 9, .function = &split_middle_06,
+     .range = {0, N_SPLITS}},
+    {"tree-splits", "Whole trees: each plane halves its cell", "choose_split", 9, "*",
+     .tree = judge_tree, .tree3d = judge_splits, .range = {0, JUST_FITS + 1},
+     .replay = &replay_split_06},
+
+    {"overlap-inside", "Spheres clearly in and clearly out", "sphere_overlaps_box", 8,
+     .function = &overlap_06, .range = {0, N_INSIDE}},
+    {"overlap-touching", "Touching counts", "sphere_overlaps_box", 7, .function = &overlap_06,
+     .range = {N_INSIDE, N_TOUCHING}},
+    {"overlap-corner", "Exact at edges and corners", "sphere_overlaps_box", 9,
+     .function = &overlap_06, .range = {N_INSIDE + N_TOUCHING, N_CORNER}},
+    {"tree-overlap", "Whole trees: each leaf has its spheres", "sphere_overlaps_box", 6, "*",
+     .tree = judge_tree, .tree3d = judge_overlap, .range = {0, JUST_FITS + 1},
+     .replay = &replay_overlap_06},
+
+    {"pack-node", "The node says where its spheres are", "pack_leaf_range", 12,
+     .function = &pack_node_06, .range = {0, N_PACKS}},
+    {"pack-ids", "The ids, one behind the other", "pack_leaf_range", 9, .function = &pack_ids_06,
+     .range = {0, N_PACKS}},
+    {"tree-packing", "Whole trees: packed without gaps", "pack_leaf_range", 9, "*",
+     .tree = judge_tree, .tree3d = tree3d_judge_packing, .range = {0, JUST_FITS + 1},
+     .alone_scene = packs_alone_06},
+
+    {"fits-levels", "Level by level", "fits_todo", 6, .function = &fits_06,
+     .range = {0, TODO_LEVELS}},
+    {"tree-depth", "Whole trees: too deep ones are refused, others built", "fits_todo", 4, "*",
+     .tree = judge_tree, .tree3d = judge_depth, .range = {JUST_FITS, 2}, .alone = levels_alone_06},
+};
+
+static const JobPart parts[] = {
+    PART("splits", "choose_split", Job06, splits),
+    PART("overlaps", "sphere_overlaps_box", Job06, overlaps),
+    PART("pack", "pack_leaf_range", Job06, packs),
+    PART("todo", NULL, Job06, highest_level),
+};
+
+const Judge judge_06 = {
+    .lab = "06-kdtree-3d-build",
+    .checks = checks,
+    .n_checks = COUNT(checks),
+    .job_bytes = sizeof(Job06),
+    .draw = job_06_draw,
+    .release = job_06_release,
+    .parts = parts,
+    .n_parts = COUNT(parts),
+    .write_scene = job_06_write_scene,
+    .n_scenes = N_SCENES,
+    .write_alone = write_alone_06,
+    .add_pictures = add_pictures,
+};

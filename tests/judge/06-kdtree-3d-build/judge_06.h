@@ -1,0 +1,45 @@
+// What lab 06's judge asks of a submission: inputs of its functions and scenes for its trees.
+// Drawn in judge_06_job.c; functions are judged in judge_06_functions.c, whole trees in
+// tree3d_judge.c; one answer alone in judge_06_alone.c.
+#ifndef JUDGE_JUDGE_06_H
+#define JUDGE_JUDGE_06_H
+
+#include "jobs.h"
+#include "judge.h"
+#include "tree3d_judge.h"
+
+// Inputs of sphere_overlaps_box are in three ranges.
+enum { N_SPLITS = 480, N_PACKS = 60 };
+enum { N_INSIDE = 1000, N_TOUCHING = 600, N_CORNER = 600 };
+enum { N_OVERLAPS = N_INSIDE + N_TOUCHING + N_CORNER };
+
+// Scenes: those whose trees are judged in all respects, then two about the todo stack: one whose
+// tree just fits it, and one that must be refused.
+enum { N_TREES = 10, JUST_FITS = N_TREES, TOO_DEEP, N_SCENES };
+
+typedef struct Job06 {
+    Job job;  // with the trees of all scenes but TOO_DEEP
+    BBox3D splits[N_SPLITS];
+    SphereBoxJob overlaps[N_OVERLAPS];
+    PackJob3D packs[N_PACKS];
+    u32 highest_level;  // TODO_LEVELS
+    TreeScene3D scenes[N_SCENES];
+    Growth too_deep;  // the tree that must be refused, as it would be
+} Job06;
+
+// See judge.h.
+int job_06_draw(void *job, Random *random);
+void job_06_release(void *job);
+int job_06_write_scene(const void *job, int k, FILE *file);
+
+// The functions; of choose_split and pack_leaf_range one for each property that is judged.
+extern const Function split_axis_06, split_middle_06, overlap_06, pack_node_06, pack_ids_06,
+    fits_06;
+
+// One answer alone.
+extern const Replay replay_split_06, replay_overlap_06;
+int write_alone_06(const void *job, const char *task, FILE *file);
+int packs_alone_06(const void *job, int k, const Sections *answers);
+int levels_alone_06(const void *job, const JudgeCheck *check, const Sections *answers);
+
+#endif

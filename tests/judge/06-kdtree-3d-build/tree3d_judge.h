@@ -1,0 +1,81 @@
+// Judging a student's 3D kd-tree by its invariants, and against the expected tree.
+//
+// A packed tree has no cells: they are found anew by walking down the student's own planes from the
+// student's own box, so that each function below blames one step of the building and no other.
+// Functions return NULL when all is right, else the message for the student, owned by the caller.
+// The arrays are a submission's: every id and range is checked before it is used.
+#ifndef JUDGE_TREE3D_JUDGE_H
+#define JUDGE_TREE3D_JUDGE_H
+
+#include "oracle_tree.h"
+#include "scene3d.h"
+#include "sections.h"
+#include "tree3d.h"
+
+typedef struct TreeScene3D {
+    char title[96];       // "random scene"
+    Scene3D scene;        // spheres, and what they look like in the report
+    KdTreeLimits limits;  // of its tree
+    KdTree3D tree;        // what is expected; no nodes where the builder must refuse
+    int is_exact;         // no right solution can have another tree: see tree3d_judge_is_exact()
+} TreeScene3D;
+
+// ---- One call of a function, and the same in a tree ---------------------------------------------
+
+// May a sphere be in a cell's list, must it, or must it not?
+typedef enum SphereInCell { SPHERE_OUTSIDE, SPHERE_EITHER, SPHERE_INSIDE } SphereInCell;
+
+// Both with their boundaries. Where they touch so nearly that float may round either way, either
+// answer is right; never so where float is exact, as on the coarse grids of the job's inputs.
+SphereInCell tree3d_judge_sphere(Sphere sphere, BBox3D cell);
+
+// Is this the axis that the cell must be split on?
+char *tree3d_judge_axis(const char *where, BBox3D cell, u32 axis);
+
+// Is this the cell's middle on the axis, as float rounds it? The axis is below 3.
+char *tree3d_judge_middle(const char *where, BBox3D cell, u32 axis, f32 pos);
+
+// Do all right solutions split the cell on the same plane? So it is where float rounds neither its
+// sides nor its middle.
+int tree3d_judge_is_exact_cell(BBox3D cell);
+
+// What the three above expect, in double precision, rounded to float at the end.
+BBox3D tree3d_expected_box(const Sphere *spheres, u32 n_spheres);
+u32 tree3d_expected_axis(BBox3D cell);
+f32 tree3d_expected_middle(BBox3D cell, u32 axis);
+
+// ---- Whole trees --------------------------------------------------------------------------------
+
+// The root's cell is the scene's box.
+char *tree3d_judge_bounds(const TreeScene3D *scene, const KdTree3D *own);
+
+// Each inner node has its children behind it and halves its cell's longest side.
+char *tree3d_judge_splits(const TreeScene3D *scene, const KdTree3D *own);
+
+// Each leaf lists exactly the spheres that overlap its cell.
+char *tree3d_judge_overlap(const TreeScene3D *scene, const KdTree3D *own);
+
+// Each list ascends and names spheres of the scene; leaves are where the limits say so, and nowhere
+// else.
+char *tree3d_judge_lists(const TreeScene3D *scene, const KdTree3D *own);
+
+// Nodes are in breadth-first order without gaps, and so are the leaves' ranges; and where no right
+// solution can differ, the arrays are the expected ones.
+char *tree3d_judge_packing(const TreeScene3D *scene, const KdTree3D *own);
+
+// The todo stack suffices for a search.
+char *tree3d_judge_depth(const TreeScene3D *scene, const KdTree3D *own);
+
+// Grow scene->tree, of scene number k, by the scene's limits, each step in double precision, and
+// see whether it is exact (tree3d_expected.c). Returns 0, or -1 after one message.
+int tree3d_expect(TreeScene3D *scene, u32 k, Growth *growth);
+
+// Can no right solution have another tree than scene->tree? So it is where no plane and no
+// comparison of a sphere with a cell on the way to it depends on how float rounds.
+int tree3d_judge_is_exact(const TreeScene3D *scene);
+
+// The probe's answer for scene K as a tree that points into the answers (do not free it). Returns
+// 1, or 0 when it is missing or its arrays do not fit together.
+int tree3d_judge_answer(int k, const Sections *answers, KdTree3D *own);
+
+#endif

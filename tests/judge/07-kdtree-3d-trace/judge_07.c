@@ -1,0 +1,243 @@
+// Judge of lab 07: each function on chosen inputs, what rays hit in whole scenes, the pictures, and
+// the counted work. The functions' inputs are drawn and judged in the files that judge_07.h names.
+//
+// Hits are those of brute force, whatever the tree: only rays that the oracle calls ambiguous may
+// differ. Work is judged ray by ray by the least and the most that a right search may do
+// (judge_07_work.h). Mistakes of the search are named where its two steps are judged by themselves.
+// Alone, next_child is tried beside stand-ins, all others as in the whole.
+#include "judge_07.h"
+
+#include "job_work.h"
+#include "judge_07_work.h"
+#include "message.h"
+#include "words.h"
+
+// ---- Drawing the job ----------------------------------------------------------------------------
+
+static int draw(void *pointer, Random *random)
+{
+    Job07 *job = pointer;
+    inputs_07_draw(random, &job->inputs);
+    for (int k = 0; k < N_SCENES; k++) {
+        job_list_picture(&job->job, &job->scenes[k].picture);
+    }
+    return scenes_07_draw(random, job->scenes);
+}
+
+static void release(void *pointer)
+{
+    Job07 *job = pointer;
+    for (int k = 0; k < N_SCENES; k++) {
+        job_scene3d_free(&job->scenes[k]);
+    }
+}
+
+static int write_scene(const void *job, int k, FILE *file)
+{
+    return job_scene3d_write(&((const Job07 *)job)->scenes[k], k, file);
+}
+
+static OracleRay ray_of(const JobScene3D *scene, int pixel)
+{
+    static const OracleRules3D right = {0};
+    const Scene3D *s = &scene->scene;
+    return oracle3d_primary_ray(&scene->camera, pixel % s->width, pixel / s->width, s->width,
+                                s->height, &right);
+}
+
+// ---- Hits ---------------------------------------------------------------------------------------
+
+static Verdict judge_hits(const void *job, int k, const Sections *answers)
+{
+    const JobScene3D *scene = &((const Job07 *)job)->scenes[k];
+    const HitAnswer *found = hits_find(scene, k, answers);
+    return found == NULL ? verdict_missing
+                         : verdict_of(hits_describe(scene, found, hits_judge(scene, found)));
+}
+
+// Of two spheres at the same distance the one with the lower id, though its leaf comes later: what
+// the oracle calls ambiguous here is not, as float finds the same distance for both.
+static Verdict judge_tie(const Job07 *job, const Sections *answers)
+{
+    const HitAnswer *found = hits_find(&job->scenes[TIE], TIE, answers);
+    return found == NULL        ? verdict_missing
+           : found->sphere == 0 ? verdict_of(NULL)
+                                : verdict_of(message_new(
+                                      "%s: the ray hits spheres 0 and 1 at t = 1000, exactly where "
+                                      "the near leaf ends, which lists sphere 1 only: found sphere "
+                                      "%u at t = %.9g, expected sphere 0: of two at the same "
+                                      "distance the lower id",
+                                      job->scenes[TIE].picture.title, found->sphere, found->t));
+}
+
+// With the sphereflake behind the edge cases, and the tie behind all.
+static Verdict judge_edges(const void *job, const Sections *answers)
+{
+    Verdict verdict = verdict_of(NULL);
+    for (int k = EDGES; verdict.kind == VERDICT_PASSED && k < N_SCENES; k++) {
+        verdict = judge_hits(job, k, answers);
+    }
+    return verdict.kind == VERDICT_PASSED ? judge_tie(job, answers) : verdict;
+}
+
+// ---- Work -------------------------------------------------------------------------------------
+
+static int is_at_most(Work work, Work most)
+{
+    return work.n_tests <= most.n_tests && work.n_nodes_visited <= most.n_nodes_visited &&
+           work.n_leaves_visited <= most.n_leaves_visited && work.stack_depth <= most.stack_depth;
+}
+
+// "3 nodes and 1 leaf visited, 17 spheres asked and 2 waiting at once".
+static Words work_words(Work work)
+{
+    return words("%u node%s and %u %s visited, %u sphere%s asked and %u waiting at once",
+                 work.n_nodes_visited, plural(work.n_nodes_visited), work.n_leaves_visited,
+                 work.n_leaves_visited == 1 ? "leaf" : "leaves", work.n_tests, plural(work.n_tests),
+                 work.stack_depth);
+}
+
+// Rays of a scene that do more, or less, than they may.
+typedef struct OffRays {
+    int n;
+    int first;   // a pixel
+    Work bound;  // of the first
+} OffRays;
+
+static void count_off(OffRays *off, int pixel, Work bound)
+{
+    if (off->n++ == 0) {
+        off->first = pixel;
+        off->bound = bound;
+    }
+}
+
+// The message about rays that do more than they may, or less: of which words say what it means.
+static char *describe_off(const JobScene3D *scene, const Work *found, const OffRays *off,
+                          const char *bound, const char *words)
+{
+    const int width = scene->scene.width;
+    return message_new(
+        "%s: the ray of pixel (%d, %d): found %s, expected at %s %u, %u, %u and %u (%d "
+        "of %d rays do %s)",
+        scene->picture.title, off->first % width, off->first / width,
+        work_words(found[off->first]).text, bound, off->bound.n_nodes_visited,
+        off->bound.n_leaves_visited, off->bound.n_tests, off->bound.stack_depth, off->n,
+        width * scene->scene.height, words);
+}
+
+// The message when a scene's rays do too much, or too little, or NULL: too much comes first.
+static char *judge_scene_work(const JobScene3D *scene, const Work *found)
+{
+    const int n_pixels = scene->scene.width * scene->scene.height;
+    OffRays more = {0}, less = {0};
+    for (int pixel = 0; pixel < n_pixels; pixel++) {
+        const OracleRay ray = ray_of(scene, pixel);
+        const WorkBounds bounds = search3d_bounds(scene, &ray);
+        if (!is_at_most(found[pixel], bounds.most)) {
+            count_off(&more, pixel, bounds.most);
+        }
+        if (!is_at_most(bounds.least, found[pixel])) {
+            count_off(&less, pixel, bounds.least);
+        }
+    }
+    if (more.n > 0) {
+        return describe_off(scene, found, &more, "most", "more than they need to");
+    }
+    return less.n == 0 ? NULL
+                       : describe_off(scene, found, &less, "least",
+                                      "less than they must: they end too soon or skip something, "
+                                      "or work is hidden and cannot be counted");
+}
+
+// The scenes whose work is judged: few levels and many, spheres on all sides of the eye, a tree
+// that is as deep as it may be.
+static const int work_scenes[] = {RANDOM + 2, RANDOM + 6, RANDOM + 7, RANDOM + N_RANDOM - 1,
+                                  DEEP,       FLAKE};
+
+static Verdict judge_work(const void *job, int i, const Sections *answers)
+{
+    const int k = work_scenes[i];
+    const JobScene3D *scene = &((const Job07 *)job)->scenes[k];
+    const Work *found;
+    const Verdict verdict =
+        job_work_find(&scene->picture, k, "intersect_sphere", "search_leaf", answers, &found);
+    return found == NULL ? verdict : verdict_of(judge_scene_work(scene, found));
+}
+
+// ---- The judge ----------------------------------------------------------------------------------
+
+// Range number i of a function's inputs.
+#define RANGE(i, n_inputs) {(i) * (n_inputs), n_inputs}
+
+static const JudgeCheck checks[] = {
+    {"clip-through", "Rays that go through the box, or past it", "clip_to_box", 7,
+     .function = &clip_07, .range = RANGE(CLIP_FROM_OUTSIDE, N_CLIP_INPUTS)},
+    {"clip-inside", "From inside, and parts of rays", "clip_to_box", 5, .function = &clip_07,
+     .range = RANGE(CLIP_PART, N_CLIP_INPUTS)},
+    {"clip-behind", "Boxes behind the eye and outside the part", "clip_to_box", 4,
+     .function = &clip_07, .range = RANGE(CLIP_BESIDE, N_CLIP_INPUTS)},
+    {"clip-parallel", "Along the planes, and where a point is left", "clip_to_box", 4,
+     .function = &clip_07, .range = RANGE(CLIP_ALONG, N_CLIP_INPUTS)},
+
+    {"side-eye", "The eye's side, wherever the ray goes", "near_side", 9, .function = &side_07,
+     .range = RANGE(0, N_SIDE_INPUTS)},
+    {"side-on-plane", "An eye on the plane", "near_side", 6, .function = &side_07,
+     .range = RANGE(1, N_SIDE_INPUTS)},
+
+    {"children-cases", "Crossed before, inside, and beyond", "children_on_ray", 10,
+     .function = &plane_07, .range = RANGE(0, N_PLANE_INPUTS)},
+    {"children-behind", "Planes behind the eye, or at it", "children_on_ray", 5,
+     .function = &plane_07, .range = RANGE(1, N_PLANE_INPUTS)},
+    {"children-parallel", "Rays along the plane", "children_on_ray", 5, .function = &plane_07,
+     .range = RANGE(2, N_PLANE_INPUTS)},
+
+    {"leaf-nearest", "The nearest hit so far, or nearer", "search_leaf", 6,
+     .function = &leaf_nearest_07, .range = RANGE(0, N_LEAF_INPUTS)},
+    {"leaf-ids", "Whose hit it is, also of two equally far ones", "search_leaf", 5,
+     .function = &leaf_ids_07, .range = RANGE(1, N_LEAF_INPUTS)},
+    {"leaf-once", "Each sphere of the leaf is asked once", "search_leaf", 4,
+     .function = &leaf_once_07, .range = {0, N_LEAVES}},
+
+    {"child-one", "Where the ray meets one child", "next_child", 4, "near_side children_on_ray",
+     .function = &child_07, .range = RANGE(0, N_CHILD_INPUTS), .alone = one_child_alone_07},
+    {"child-both", "Where it meets both: one waits", "next_child", 5, "near_side children_on_ray",
+     .function = &child_07, .range = RANGE(1, N_CHILD_INPUTS), .alone = both_children_alone_07},
+    {"trace-random", "No pinholes in random scenes", "next_child", 4, "*", .scene = judge_hits,
+     .range = {RANDOM, N_RANDOM}, .alone = children_alone_07},
+    {"trace-picture", "Whole pictures", "next_child", 3, "*", .scene = judge_picture,
+     .range = {0, N_SCENES}, .alone = children_alone_07},
+
+    {"waiting-end", "When the search is over", "next_waiting", 4, .function = &waiting_end_07,
+     .range = {0, N_WAITING_INPUTS}},
+    {"waiting-next", "What comes next where it is not", "next_waiting", 4,
+     .function = &waiting_next_07, .range = {0, N_WAITING_INPUTS}},
+    {"trace-edges", "No pinholes in the edge cases", "next_waiting", 3, "*", .all = judge_edges,
+     .alone = waiting_alone_07},
+    {"trace-work", "No more work than the ray needs", "next_waiting", 3, "*", .scene = judge_work,
+     .range = {0, COUNT(work_scenes)}, .alone = waiting_alone_07},
+};
+
+static const JobPart parts[] = {
+    PART("clips", "clip_to_box", Job07, inputs.clips),
+    PART("sides", "near_side", Job07, inputs.sides),
+    PART("planes", "children_on_ray", Job07, inputs.planes),
+    PART("leaves", "search_leaf", Job07, inputs.leaves),
+    PART("leaf_ids", "search_leaf", Job07, inputs.leaf_ids),
+    PART("leaf_spheres", "search_leaf", Job07, inputs.leaf_spheres),
+    PART("next_child", "next_child", Job07, inputs.children),
+    PART("next_waiting", "next_waiting", Job07, inputs.waiting),
+};
+
+const Judge judge_07 = {
+    .lab = "07-kdtree-3d-trace",
+    .checks = checks,
+    .n_checks = COUNT(checks),
+    .job_bytes = sizeof(Job07),
+    .draw = draw,
+    .release = release,
+    .parts = parts,
+    .n_parts = COUNT(parts),
+    .write_scene = write_scene,
+    .n_scenes = N_SCENES,
+};

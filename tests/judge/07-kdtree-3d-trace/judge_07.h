@@ -1,0 +1,103 @@
+// What lab 07's judge asks of a submission: inputs of its functions, and scenes with their trees.
+// Inputs are drawn in judge_07_inputs.c and judged in judge_07_clip.c, judge_07_functions.c and
+// judge_07_leaf.c; those of the search's two steps are drawn and judged in judge_07_children.c and
+// judge_07_waiting.c. Scenes are drawn in judge_07_scenes.c and judged in judge_07.c.
+#ifndef JUDGE_JUDGE_07_H
+#define JUDGE_JUDGE_07_H
+
+#include "job_scene3d.h"
+#include "jobs.h"
+#include "judge.h"
+
+// ---- Functions --------------------------------------------------------------------------------
+
+// How many inputs each range has; a function's ranges follow one another.
+enum {
+    N_CLIP_INPUTS = 500,   // 4 ranges, see ClipRange
+    N_SIDE_INPUTS = 400,   // 2 ranges: the eye beside the plane, mostly on it
+    N_PLANE_INPUTS = 500,  // 3 ranges: the plane ahead, behind the eye, along the ray
+    N_LEAF_INPUTS = 240,   // 2 ranges: spheres of different places, some of them twice
+    N_CHILD_INPUTS = 300,  // 2 ranges: where one child is met, and where both are
+    N_WAITING_INPUTS = 400,
+    LEAF_MAX_SPHERES = 12,
+    N_LEAVES = 2 * N_LEAF_INPUTS,
+    // Before and behind each leaf's ids stands one more, which must not be asked.
+    N_LEAF_IDS = N_LEAVES * (LEAF_MAX_SPHERES + 2),
+};
+
+enum ClipRange { CLIP_FROM_OUTSIDE, CLIP_PART, CLIP_BESIDE, CLIP_ALONG, N_CLIP_RANGES };
+
+typedef struct Inputs07 {
+    ClipJob clips[N_CLIP_RANGES * N_CLIP_INPUTS];
+    SideJob sides[2 * N_SIDE_INPUTS];
+    PlaneJob planes[3 * N_PLANE_INPUTS];
+    SearchJob leaves[N_LEAVES];
+    u32 leaf_ids[N_LEAF_IDS];
+    // As many as there are ids: who takes a position for an id finds another sphere.
+    Sphere leaf_spheres[N_LEAF_IDS];
+    NextChildJob children[2 * N_CHILD_INPUTS];
+    NextWaitingJob waiting[N_WAITING_INPUTS];
+} Inputs07;
+
+void inputs_07_draw(Random *random, Inputs07 *inputs);
+
+// Parts of it.
+void inputs_07_draw_children(Random *random, Inputs07 *inputs);
+void inputs_07_draw_waiting(Random *random, Inputs07 *inputs);
+
+// The functions; of search_leaf and next_waiting one for each property that is judged. The message
+// about one names the mistake that explains every answer in the range.
+extern const Function clip_07, side_07, plane_07, leaf_nearest_07, leaf_ids_07, leaf_once_07;
+extern const Function child_07, waiting_end_07, waiting_next_07;
+
+// Alone, beside the stand-ins: is next_child right wherever one child is met, where both are, and
+// everywhere? Whole scenes need all tasks; in their place stand all inputs of the two steps.
+int one_child_alone_07(const void *job, const JudgeCheck *check, const Sections *answers);
+int both_children_alone_07(const void *job, const JudgeCheck *check, const Sections *answers);
+int children_alone_07(const void *job, const JudgeCheck *check, const Sections *answers);
+int waiting_alone_07(const void *job, const JudgeCheck *check, const Sections *answers);
+
+// How far t may be off that a right solution computes for a plane, in units of (|plane| + |origin|)
+// / |direction|: one rounding for the difference, five for the division (2.5 ulp, OpenCL 1.2, 7.4)
+// or the inverse, one for the product, and the same once more where both terms are multiplied
+// before they are subtracted.
+#define PLANE_ERROR (16 * 0x1p-24)
+
+// Where a number of a right solution may lie.
+typedef struct Span {
+    double low, high;
+} Span;
+
+static inline int is_within(double t, Span span)
+{
+    return t >= span.low && t <= span.high;
+}
+
+// ---- Scenes -----------------------------------------------------------------------------------
+
+// In the order of the job.
+enum {
+    RANDOM = 0,
+    N_RANDOM = 20,
+    EDGES = RANDOM + N_RANDOM,
+    N_NAMED = 9,             // scenes of scene3d.h
+    DEEP = EDGES + N_NAMED,  // a tree that needs the whole todo stack
+    TOUCHING,                // hits on the side of the scene's box
+    TIE,                     // one ray, two spheres: see draw_tie()
+    N_EDGES = TIE + 1 - EDGES,
+    FLAKE = EDGES + N_EDGES,
+    N_SCENES,
+};
+
+// Draw the scenes, with their trees and what is expected. Returns 0, or -1 after one message.
+int scenes_07_draw(Random *random, JobScene3D scenes[N_SCENES]);
+
+// ---- The job ----------------------------------------------------------------------------------
+
+typedef struct Job07 {
+    Job job;
+    Inputs07 inputs;
+    JobScene3D scenes[N_SCENES];
+} Job07;
+
+#endif

@@ -1,0 +1,178 @@
+// Judging the answers of lab 07's clip_to_box by double-precision arithmetic. Along an axis, on the
+// inputs' grid, nothing is rounded; elsewhere either answer is right where rounding decides.
+#include "judge_07.h"
+#include "message.h"
+#include "words.h"
+
+#include <math.h>
+
+enum {
+    CLIP_LOW_IS_ENTRY = 1,
+    CLIP_T_MIN_IGNORED,
+    CLIP_T_MAX_IGNORED,
+    CLIP_FIRST_ENTRY,
+    CLIP_LAST_EXIT,
+    CLIP_POINT_MISSED,
+    CLIP_ALONG_IGNORED,
+    CLIP_ALONG_MISSED,
+    CLIP_ALWAYS_MET,
+    CLIP_BORDER_DIVIDED,
+    CLIP_BORDER_OUTSIDE,
+};
+static const char *const clip_mistakes[] = {
+    [CLIP_LOW_IS_ENTRY] = "; that is as if every ray entered at the lower plane: with a negative "
+                          "direction it enters at the upper one",
+    [CLIP_T_MIN_IGNORED] = "; that is as if t_min did not count: it only grows",
+    [CLIP_T_MAX_IGNORED] = "; that is as if t_max did not count: it only shrinks",
+    [CLIP_FIRST_ENTRY] = "; that is as if the first entry counted: the ray is inside from the last",
+    [CLIP_LAST_EXIT] = "; that is as if the last exit counted: the ray is inside up to the first",
+    [CLIP_POINT_MISSED] = "; where t_min and t_max are equal a point is left: that is 1",
+    [CLIP_ALONG_IGNORED] = "; a ray along the planes of an axis is between them, or never: then it "
+                           "misses the box",
+    [CLIP_ALONG_MISSED] = "; a ray along the planes of an axis may be between them all the way",
+    [CLIP_BORDER_DIVIDED] =
+        "; 0 / 0 is not a number: for a ray in the plane of a side nothing is to "
+        "be divided by the direction, it is inside",
+    [CLIP_BORDER_OUTSIDE] = "; strict where it should not be: a ray in the plane of a side is "
+                            "inside",
+    [CLIP_ALWAYS_MET] = "; when t_min is beyond t_max nothing is left: that is 0",
+};
+
+// What may come out.
+typedef struct Clip {
+    int may_meet, may_miss;
+    Span t_min, t_max;
+} Clip;
+
+static double along(Vec3 v, int axis)
+{
+    return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
+static Span clip_plane(const ClipJob *job, int axis, double plane)
+{
+    const double origin = along(job->origin, axis), direction = along(job->direction, axis);
+    const double t = (plane - origin) / direction;
+    const int is_exact = fabs(direction) == 1;
+    const double error =
+        is_exact ? 0 : PLANE_ERROR * (fabs(plane) + fabs(origin)) / fabs(direction);
+    return (Span){t - error, t + error};
+}
+
+static Span later(Span a, Span b)
+{
+    return (Span){fmax(a.low, b.low), fmax(a.high, b.high)};
+}
+
+static Span earlier(Span a, Span b)
+{
+    return (Span){fmin(a.low, b.low), fmin(a.high, b.high)};
+}
+
+static Clip expected_clip(const ClipJob *job, int mistake)
+{
+    const double from = mistake == CLIP_T_MIN_IGNORED ? -(double)INFINITY : (double)job->t_min;
+    const double to = mistake == CLIP_T_MAX_IGNORED ? (double)INFINITY : (double)job->t_max;
+    Span entry = {-INFINITY, -INFINITY}, exit = {INFINITY, INFINITY};
+    int n_axes = 0, is_outside = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        const double min = job->box.min[axis], max = job->box.max[axis];
+        if (along(job->direction, axis) == 0) {
+            const double origin = along(job->origin, axis);
+            const int is_border = origin == min || origin == max;
+            is_outside |= mistake == CLIP_ALONG_MISSED || origin < min || origin > max ||
+                          (mistake == CLIP_BORDER_OUTSIDE && is_border);
+            continue;
+        }
+        const Span low = clip_plane(job, axis, min), high = clip_plane(job, axis, max);
+        const Span in = mistake == CLIP_LOW_IS_ENTRY ? low : earlier(low, high);
+        const Span out = mistake == CLIP_LOW_IS_ENTRY ? high : later(low, high);
+        if (n_axes++ == 0) {
+            entry = in;
+            exit = out;
+        }
+        entry = mistake == CLIP_FIRST_ENTRY ? earlier(entry, in) : later(entry, in);
+        exit = mistake == CLIP_LAST_EXIT ? later(exit, out) : earlier(exit, out);
+    }
+    Clip clip = {.t_min = later(entry, (Span){from, from}), .t_max = earlier(exit, (Span){to, to})};
+    const int point_counts = mistake != CLIP_POINT_MISSED;
+    clip.may_meet =
+        point_counts ? clip.t_min.low <= clip.t_max.high : clip.t_min.low < clip.t_max.high;
+    clip.may_miss =
+        point_counts ? clip.t_min.high > clip.t_max.low : clip.t_min.high >= clip.t_max.low;
+    if (mistake == CLIP_ALWAYS_MET) {
+        clip.may_meet = 1;
+        clip.may_miss = 0;
+    }
+    if (is_outside && mistake != CLIP_ALONG_IGNORED) {
+        clip.may_meet = 0;
+        clip.may_miss = 1;
+    }
+    return clip;
+}
+
+// Is the ray in the plane of a side?
+static int is_in_side(const ClipJob *job)
+{
+    for (int axis = 0; axis < 3; axis++) {
+        const float origin = (float)along(job->origin, axis);
+        if (along(job->direction, axis) == 0 &&
+            (origin == job->box.min[axis] || origin == job->box.max[axis])) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+// Was something divided by 0 on the way to this answer? Of a plane that the ray is in comes 0 / 0,
+// which fmin() and fmax() pass over; of the other one an infinite number, which they take.
+static int is_divided_by_0(ClipAnswer found)
+{
+    return found.t_min == INFINITY || found.t_max == -INFINITY;
+}
+
+static int clip_agrees(const void *job, int i, const void *answers, int mistake)
+{
+    const Inputs07 *inputs = &((const Job07 *)job)->inputs;
+    const ClipAnswer found = ((const ClipAnswer *)answers)[i];
+    if (mistake == CLIP_BORDER_DIVIDED && !found.is_met && is_in_side(&inputs->clips[i])) {
+        return is_divided_by_0(found);
+    }
+    const Clip clip = expected_clip(&inputs->clips[i], mistake);
+    if (!found.is_met) {
+        return clip.may_miss;
+    }
+    return clip.may_meet && is_within(found.t_min, clip.t_min) &&
+           is_within(found.t_max, clip.t_max);
+}
+
+// "0", or "1 and [1.5, 3.25]".
+static Words clip_words(int is_met, double t_min, double t_max)
+{
+    return is_met ? words("%d and [%.7g, %.7g]", is_met, t_min, t_max) : words("0");
+}
+
+static char *describe_clip(const void *pointer, int i, const void *answers)
+{
+    const ClipJob *job = &((const Job07 *)pointer)->inputs.clips[i];
+    const BBox3D box = job->box;
+    const ClipAnswer own = ((const ClipAnswer *)answers)[i];
+    const Clip right = expected_clip(job, 0);
+    return message_new(
+        "box from %s to %s, ray from %s along %s, part [%g, %g]: found %s, expected %s",
+        words_xyz(box.min[0], box.min[1], box.min[2], 6).text,
+        words_xyz(box.max[0], box.max[1], box.max[2], 6).text, words_vec3(job->origin, 6).text,
+        words_vec3(job->direction, 7).text, job->t_min, job->t_max,
+        clip_words(own.is_met, own.t_min, own.t_max).text,
+        clip_words(right.may_meet, (right.t_min.low + right.t_min.high) / 2,
+                   (right.t_max.low + right.t_max.high) / 2)
+            .text);
+}
+
+const Function clip_07 = {"clips",
+                          N_CLIP_RANGES *N_CLIP_INPUTS,
+                          sizeof(ClipAnswer),
+                          .fault = describe_clip,
+                          .agrees = clip_agrees,
+                          .counted = "inputs",
+                          MISTAKES(clip_mistakes)};

@@ -1,0 +1,54 @@
+// The oracle: an independent brute-force renderer in double precision.
+//
+// It shares no code with the labs. It checks the solutions, says which pixels are ambiguous (a
+// circle's edge within float rounding), and draws wrong pictures on purpose, so that a submission's
+// can be recognised: "as if the boundary did not belong to the circle".
+#ifndef JUDGE_ORACLE2D_H
+#define JUDGE_ORACLE2D_H
+
+#include "circle.h"
+#include "image.h"
+#include "tree2d.h"
+
+// What is taken for a circle's id in a leaf's list.
+typedef enum OracleId {
+    ID_LISTED,        // what stands in the list
+    ID_PLACE_FROM_0,  // its place in the list, without the count
+    ID_PLACE_FROM_1,  // its place with the count, which is at place 0
+} OracleId;
+
+// A way of drawing. All zeros is the right one.
+typedef struct OracleRules {
+    int strict_boundary;   // distance² < radius²
+    int later_wins_ties;   // depth <= minDepth
+    int ignore_depth;      // the last covering circle wins
+    int farthest_wins;     // depth > maxDepth
+    int first_wins;        // the first covering circle wins, whatever its depth
+    int skip_first;        // the first circle is not asked
+    int skip_last;         // nor the last
+    double sample_offset;  // added to the pixel's coordinates, 0.5 for the pixel's centre
+    int diameter;          // the radius taken for a diameter
+    OracleId id;           // through a tree only
+    int first_list;        // the same: every leaf has the list at the start of mapNode2Circles
+} OracleRules;
+
+// Draw circles into an image of its size.
+//   ambiguous   out: [height * width], 1 where a right float renderer may differ; or NULL
+void oracle2d_draw(const Circle *circles, int n_circles, const OracleRules *rules, Image *image,
+                   unsigned char *ambiguous);
+
+// The same through a tree: a pixel asks the circles of its leaf only, and it is of each leaf's list
+// that the first or the last circle may be left out.
+//   tolerances   out: [height * width], INFINITY where a circle behind the end would be asked;
+//                else left alone
+void oracle2d_draw_leaves(const Circle *circles, int n_circles, const KdTree2D *tree,
+                          const OracleRules *rules, Image *image, float *tolerances);
+
+// Does the circle cover the point? Exact for the grid scenes.
+int oracle2d_covers(Circle circle, double x, double y);
+
+// Do circle and closed box share a point? By the distance of the centre to the box's four sides,
+// not by clamping as the solution does.
+int oracle2d_overlaps_box(Circle circle, BBox2D box);
+
+#endif

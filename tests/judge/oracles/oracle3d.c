@@ -1,0 +1,412 @@
+// Brute force in double precision: every ray asks every sphere, in the order of the array.
+//
+// How far may a right solution in float be off? With u = 2^-24, the rounding of one float
+// operation:
+//
+// 1. The ray. pixel_on_display() costs a division (2.5 ulp = 5 u, OpenCL 1.2, 7.4) and a handful of
+//    roundings of numbers up to the display's half width; the view transform three products and two
+//    sums; normalize() a few ulp more, for which OpenCL 1.2 gives no bound: about 25 u altogether.
+//    RAY_ERROR is 32 u, across the ray and along it.
+// 2. The sphere's centre seen from the eye, c, is exact within u |c|, b = c . d within 4 u |c|, and
+//    l = c - b d within 2 u |c| more. With the ray's error the line is displaced at the sphere by
+//        e = (direction_error + ROOT_ERROR) |c|,   ROOT_ERROR = 12 u
+//    so l lies between |l| - e and |l| + e, the middle of the chord b between b - e and b + e.
+// 3. r² - l . l costs 5 u (r² + l²), its root 3 ulp = 6 u. From the largest and the smallest l
+//    come the longest and the shortest half chord, and so an interval for either root: a hit is
+//    certain when even the shortest is there, impossible when not even the longest is. The
+//    textbook's form has no l: its discriminant is the difference of two numbers of the size of
+//    c . c, off by TEXTBOOK_ERROR |c|² besides.
+// 4. A ray is ambiguous unless its nearest hit is certain and its interval ends before every other
+//    one begins. Its t is off by no more than the interval says.
+// 5. The point hit is off by p: t's interval, the direction's error times t, and 4 u of its
+//    coordinates; the unit normal by p / (r - p) and a normalisation, much for small spheres far
+//    away; the way to a light by p over its distance. Their cosine is off by the sum of both, and
+//    so is a channel in units of kd x colour x light. Seen along the surface, float may turn the
+//    normal or not: the pixel is ambiguous then.
+#include "oracle3d.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#define ROUNDING 0x1p-24                // u
+#define RAY_ERROR (32 * ROUNDING)       // see 1
+#define ROOT_ERROR (12 * ROUNDING)      // see 2
+#define TEXTBOOK_ERROR (24 * ROUNDING)  // see 3: o . o, (o . d)² and d's own length, 8 u each
+#define UNIT_ERROR (8 * ROUNDING)       // of a unit vector made by normalize(): see 1
+#define POW_ERROR (32 * ROUNDING)       // of pow(), a share: 16 ulp (OpenCL 1.2, 7.4)
+#define SUM_ERROR (8 * ROUNDING)        // of a light's share: five products and a sum, of 1 u each
+
+// ---- Vectors ----------------------------------------------------------------------------------
+
+typedef OracleVector Vector;
+
+static Vector vector(Vec3 v)
+{
+    return (Vector){v.x, v.y, v.z};
+}
+
+static Vector plus(Vector a, Vector b)
+{
+    return (Vector){a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+static Vector minus(Vector a, Vector b)
+{
+    return (Vector){a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+static Vector scaled(double factor, Vector v)
+{
+    return (Vector){factor * v.x, factor * v.y, factor * v.z};
+}
+
+static double dot(Vector a, Vector b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+static Vector cross(Vector a, Vector b)
+{
+    return (Vector){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+static double length(Vector v)
+{
+    return sqrt(dot(v, v));
+}
+
+static Vector unit(Vector v)
+{
+    const double l = length(v);
+    return l > 0 ? scaled(1 / l, v) : v;
+}
+
+static Vector centre(Sphere sphere)
+{
+    return (Vector){sphere.x, sphere.y, sphere.z};
+}
+
+// ---- Rays -------------------------------------------------------------------------------------
+
+void oracle3d_axes(const View *view, OracleVector axes[3])
+{
+    const Vector forward = unit(minus(vector(view->at), vector(view->from)));
+    // Up is what is left of view.up when its share along forward is taken away.
+    const Vector view_up = unit(vector(view->up));
+    const Vector up = unit(minus(view_up, scaled(dot(view_up, forward), forward)));
+    axes[0] = cross(forward, up);
+    axes[1] = up;
+    axes[2] = forward;
+}
+
+OracleVector oracle3d_display(int x, int y, int width, int height, double fov,
+                              const OracleRules3D *rules)
+{
+    const double fov_width = rules->fov_is_half_width ? 2 * fov
+                             : rules->fov_is_angle    ? 2 * tan(fov / 2)
+                                                      : fov;
+    const double pixel_width = fov_width / (rules->fov_is_height ? height : width);
+    const double pixel_height = rules->fov_both_ways ? fov_width / height : pixel_width;
+    return (Vector){(x + 0.5 + rules->sample_offset - width / 2.0) * pixel_width,
+                    (height / 2.0 - y - 0.5 - rules->sample_offset) * pixel_height, 1};
+}
+
+OracleRay oracle3d_primary_ray(const Camera *camera, int x, int y, int width, int height,
+                               const OracleRules3D *rules)
+{
+    const Vector p = oracle3d_display(x, y, width, height, camera->fov, rules);
+    const Vector right = vector(camera->right), up = vector(camera->up),
+                 forward = vector(camera->forward);
+    const Vector direction =
+        rules->axes_transposed
+            ? (Vector){dot(p, right), dot(p, up), dot(p, forward)}
+            : plus(plus(scaled(p.x, right), scaled(p.y, up)), scaled(p.z, forward));
+    return (OracleRay){vector(camera->eye), rules->not_normalised ? direction : unit(direction), 0,
+                       RAY_ERROR};
+}
+
+OracleRay oracle3d_given_ray(Vec3 origin, Vec3 direction, float t_min)
+{
+    // In float a unit vector is as long as 1 within the rounding of three components.
+    return (OracleRay){vector(origin), unit(vector(direction)), t_min, 2 * ROUNDING};
+}
+
+// ---- One sphere -------------------------------------------------------------------------------
+
+// One of the two roots: where it is, NAN when nowhere, and where float may find it.
+typedef struct Root {
+    double t, low, high;
+} Root;
+
+// Take a root for the hit where it is, or may be, beyond the limit. Returns 1 when it is for
+// certain, so that the other root no longer matters.
+static int may_hit(OracleRoot *hit, Root root, double limit)
+{
+    if (root.high <= limit) {
+        return 0;
+    }
+    hit->t = hit->t == INFINITY && root.t > limit ? root.t : hit->t;
+    hit->t_low = hit->is_possible ? fmin(hit->t_low, root.low) : root.low;
+    hit->t_high = hit->is_possible ? fmax(hit->t_high, root.high) : root.high;
+    hit->is_possible = 1;
+    hit->is_certain = root.low > limit;
+    return hit->is_certain;
+}
+
+OracleChord oracle3d_chord(Sphere sphere, const OracleRay *ray, OracleForm form)
+{
+    const Vector c = minus(centre(sphere), ray->origin);
+    const double r2 = (double)sphere.radius * sphere.radius, c2 = dot(c, c);
+    const double b = dot(c, ray->direction);
+    const Vector across = minus(c, scaled(b, ray->direction));
+    const double l2 = dot(across, across), error = ray->direction_error + ROOT_ERROR;
+    OracleChord chord = {.middle = b, .error = error * sqrt(c2), .half = NAN};
+    // A clear miss takes no root: (r + e)² is at most 2 (r² + e²).
+    if (l2 > 4 * (r2 + (error * error + TEXTBOOK_ERROR) * c2)) {
+        return chord;
+    }
+    // 3: the shortest and the longest half chord, squared.
+    const double l = sqrt(l2), e = chord.error, l_low = fmax(l - e, 0);
+    const double rounding = 5 * ROUNDING * (r2 + (l + e) * (l + e)) +
+                            (form == ORACLE_TEXTBOOK ? TEXTBOOK_ERROR * c2 : 0);
+    const double shortest2 = r2 - (l + e) * (l + e) - rounding;
+    const double longest2 = r2 - l_low * l_low + rounding;
+    chord.is_possible = longest2 >= 0;
+    chord.is_certain = shortest2 >= 0;
+    chord.shortest = sqrt(fmax(shortest2, 0)) * (1 - 6 * ROUNDING);
+    chord.longest = sqrt(fmax(longest2, 0)) * (1 + 6 * ROUNDING);
+    chord.half = l2 <= r2 ? sqrt(r2 - l2) : NAN;
+    return chord;
+}
+
+OracleRoot oracle3d_root(Sphere sphere, const OracleRay *ray, OracleForm form,
+                         const OracleRules3D *rules)
+{
+    const OracleChord chord = oracle3d_chord(sphere, ray, form);
+    OracleRoot root = {.t = INFINITY};
+    const int is_missed = rules->negative_radius_missed && sphere.radius < 0;
+    if (!chord.is_possible || is_missed) {
+        return root;
+    }
+    const double b = chord.middle, shortest = chord.shortest, longest = chord.longest;
+    // Of b, and of the last operation.
+    const double last = chord.error + ROUNDING * (fabs(b) + longest);
+    const Root t_near = {b - chord.half, b - longest - last, b - shortest + last};
+    const Root t_far = {b + chord.half, b + shortest - last, b + longest + last};
+
+    const double limit = rules->any_distance ? -INFINITY : ray->t_min;
+    const int has_near_side =
+        (sphere.radius > 0 || rules->radius_sign_ignored) && !rules->farther_root;
+    const int enters = has_near_side && may_hit(&root, t_near, limit);
+    if (!enters && !rules->inside_is_miss) {
+        may_hit(&root, t_far, limit);
+    }
+    root.is_certain &= chord.is_certain;
+    return root;
+}
+
+// ---- The nearest ------------------------------------------------------------------------------
+
+// Does the hit at t take the ray from the one found so far?
+static int takes_ray(double t, const OracleHit *found, const OracleRules3D *rules)
+{
+    if (t == INFINITY) {
+        return 0;
+    }
+    if (found->sphere == ORACLE_NO_SPHERE) {
+        return 1;
+    }
+    if (rules->first_wins || rules->last_wins) {
+        return rules->last_wins;
+    }
+    if (rules->farthest_wins) {
+        return t > found->t;
+    }
+    return rules->later_wins_ties ? t <= found->t : t < found->t;
+}
+
+static int is_copy(const Sphere *a, const Sphere *b)
+{
+    return a->x == b->x && a->y == b->y && a->z == b->z && a->radius == b->radius;
+}
+
+OracleHit oracle3d_nearest(const Sphere *spheres, u32 n_spheres, const OracleRay *ray,
+                           const OracleRules3D *rules)
+{
+    OracleHit hit = {.sphere = ORACLE_NO_SPHERE, .t = INFINITY};
+    OracleRoot root = {0};         // of the hit
+    double others_low = INFINITY;  // where the first interval of any other sphere begins
+    u32 other = ORACLE_NO_SPHERE;  // and whose it is
+    const u32 first = rules->skip_first ? 1 : 0;
+    const u32 end = n_spheres + (rules->one_sphere_more ? 1 : 0);
+    for (u32 i = first; i + (rules->skip_last ? 1 : 0) < end; i++) {
+        const OracleRoot own = oracle3d_root(spheres[i], ray, ORACLE_PROJECTION, rules);
+        const int takes = takes_ray(own.t, &hit, rules);
+        // What is not, or is no longer, the hit is one of the others.
+        const OracleRoot *loser = takes ? &root : &own;
+        const u32 loser_id = takes ? hit.sphere : i;
+        const int is_rival =
+            loser->is_possible && loser_id != ORACLE_NO_SPHERE &&
+            (hit.sphere == ORACLE_NO_SPHERE || !is_copy(&spheres[i], &spheres[hit.sphere]));
+        if (is_rival && loser->t_low < others_low) {
+            others_low = loser->t_low;
+            other = loser_id;
+        }
+        if (takes) {
+            hit.sphere = i;
+            hit.t = own.t;
+            root = own;
+        }
+    }
+    if (hit.sphere == ORACLE_NO_SPHERE) {
+        hit.is_ambiguous = other != ORACLE_NO_SPHERE;
+    } else {
+        hit.t_tolerance = fmax(root.t_high - hit.t, hit.t - root.t_low);
+        const int is_by_distance = !(rules->first_wins || rules->last_wins || rules->farthest_wins);
+        hit.is_ambiguous = !root.is_certain || (is_by_distance && others_low <= root.t_high);
+    }
+    return hit;
+}
+
+// ---- Colours ----------------------------------------------------------------------------------
+
+OracleNear oracle3d_exactly(Vec3 v)
+{
+    return (OracleNear){vector(v), 0};
+}
+
+int oracle3d_is_near(Vec3 found, OracleNear expected)
+{
+    return fabs(found.x - expected.value.x) <= expected.error &&
+           fabs(found.y - expected.value.y) <= expected.error &&
+           fabs(found.z - expected.value.z) <= expected.error;
+}
+
+// How far the direction of a vector of this length may be off when the vector is off by `error`.
+static double direction_error(double error, double length)
+{
+    return length > error ? error / (length - error) + UNIT_ERROR : INFINITY;
+}
+
+OracleNear oracle3d_normal(Sphere sphere, OracleNear point, OracleNear direction,
+                           const OracleRules3D *rules)
+{
+    const Vector outwards = minus(point.value, centre(sphere));
+    const double rounding = ROUNDING * length(outwards);
+    OracleNear normal = {rules->normal_not_normalised ? outwards : unit(outwards),
+                         direction_error(point.error + rounding, length(outwards))};
+    const double cosine = dot(unit(outwards), direction.value);
+    const int is_turned = rules->normal_always_turned || (cosine > 0 && !rules->normal_not_turned);
+    if (is_turned != rules->normal_turned_away) {
+        normal.value = scaled(-1, normal.value);
+    }
+    if (!(fabs(cosine) > normal.error + direction.error + 4 * ROUNDING)) {
+        normal.error = INFINITY;
+    }
+    return normal;
+}
+
+// Lambert's cosine for a light, and how far it may be off.
+static double cosine_of(OracleNear point, OracleNear normal, const Light *light,
+                        const OracleRules3D *rules, double *error)
+{
+    const Vector way = minus(vector(light->position), point.value);
+    const Vector to_light = rules->to_light_not_normalised ? way : unit(way);
+    const double cosine = dot(normal.value, to_light);
+    *error =
+        length(to_light) * (normal.error + 4 * ROUNDING +
+                            direction_error(point.error + ROUNDING * length(way), length(way)));
+    if (rules->cosine_absolute) {
+        return fabs(cosine);
+    }
+    return rules->cosine_not_clamped ? cosine : fmax(cosine, 0);
+}
+
+// A colour raised to a power, and how far that may be off.
+static OracleNear bent(OracleNear color, double power)
+{
+    const double channels[3] = {color.value.x, color.value.y, color.value.z};
+    double value[3], error = 0;
+    for (int i = 0; i < 3; i++) {
+        value[i] = pow(fmax(channels[i], 0), power);
+        const double low = pow(fmax(channels[i] - color.error, 0), power);
+        const double high = pow(fmax(channels[i] + color.error, 0), power);
+        error = fmax(error, fmax(high - value[i], value[i] - low) + POW_ERROR * value[i]);
+    }
+    return (OracleNear){{value[0], value[1], value[2]}, error};
+}
+
+OracleNear oracle3d_shade(OracleNear point, OracleNear normal, const Material *material,
+                          const Light *lights, int n_lights, const OracleRules3D *rules)
+{
+    const Vector white = {1, 1, 1};
+    const Vector surface = scaled(rules->ignore_kd ? 1 : material->kd,
+                                  rules->ignore_color ? white : vector(material->color));
+    OracleNear color = {{0}, 0};
+    const int first = rules->last_light_only && n_lights > 1 ? n_lights - 1 : 0;
+    const int end = rules->first_light_only && n_lights > 1 ? 1 : n_lights;
+    for (int i = first; i < end + (rules->one_light_more ? 1 : 0); i++) {
+        const Vector light = rules->ignore_light_color ? white : vector(lights[i].color);
+        double error;
+        const double cosine = cosine_of(point, normal, &lights[i], rules, &error);
+        const Vector full = {surface.x * light.x, surface.y * light.y, surface.z * light.z};
+        const double brightest = fmax(fmax(fabs(full.x), fabs(full.y)), fabs(full.z));
+        color.value = plus(color.value, scaled(cosine, full));
+        color.error += brightest * (error + SUM_ERROR * fmax(n_lights, 1));
+    }
+    if (rules->gamma > 0) {
+        color = bent(color, rules->gamma);
+    }
+    return rules->red_blue_swapped
+               ? (OracleNear){{color.value.z, color.value.y, color.value.x}, color.error}
+               : color;
+}
+
+// ---- Pictures ---------------------------------------------------------------------------------
+
+// The colour of a ray that hits something, and how far a channel may be off.
+static OracleNear hit_color(const Scene3D *scene, const OracleRay *ray, const OracleHit *hit,
+                            const OracleRules3D *rules)
+{
+    const Sphere sphere = scene->spheres[hit->sphere];
+    const OracleNear direction = {ray->direction, ray->direction_error};
+    const Vector at = plus(ray->origin, scaled(hit->t, ray->direction));
+    const OracleNear point = {at, hit->t_tolerance + ray->direction_error * fabs(hit->t) +
+                                      4 * ROUNDING * (length(ray->origin) + fabs(hit->t))};
+    const OracleNear normal = oracle3d_normal(sphere, point, direction, rules);
+    const u32 material = rules->ignore_material_ids && hit->sphere < (u32)scene->n_materials
+                             ? hit->sphere
+                             : scene->material_ids[hit->sphere];
+    return oracle3d_shade(point, normal, &scene->materials[material], scene->lights,
+                          scene->n_lights, rules);
+}
+
+void oracle3d_draw(const Scene3D *scene, const Camera *camera, const OracleRules3D *rules,
+                   Image *image, float *tolerances, OracleHit *hits)
+{
+    const Vector background =
+        rules->background_black ? (Vector){0, 0, 0} : vector(scene->background);
+    for (int y = 0; y < image->height; y++) {
+        for (int x = 0; x < image->width; x++) {
+            const size_t pixel = (size_t)y * (size_t)image->width + (size_t)x;
+            const OracleRay ray =
+                oracle3d_primary_ray(camera, x, y, image->width, image->height, rules);
+            const OracleHit hit =
+                oracle3d_nearest(scene->spheres, (u32)scene->n_spheres, &ray, rules);
+            OracleNear color = {background, 0};
+            if (hit.sphere != ORACLE_NO_SPHERE) {
+                color = hit_color(scene, &ray, &hit, rules);
+            }
+            const float channels[IMAGE_CHANNELS] = {(float)color.value.x, (float)color.value.y,
+                                                    (float)color.value.z, 1};
+            memcpy(image->pixels + pixel * IMAGE_CHANNELS, channels, sizeof channels);
+            if (tolerances != NULL) {
+                tolerances[pixel] = hit.is_ambiguous ? INFINITY : (float)color.error;
+            }
+            if (hits != NULL) {
+                hits[pixel] = hit;
+            }
+        }
+    }
+}

@@ -1,0 +1,78 @@
+// Judging a picture: is it right, and where is it wrong? What a wrong one looks like is found out
+// by picture_looks.h.
+#ifndef JUDGE_PICTURE_H
+#define JUDGE_PICTURE_H
+
+#include "image.h"
+#include "sections.h"
+
+// Draw a scene with known mistake number `mistake`, from 0 on, so that a student's picture can be
+// recognised.
+//   scene        what ExpectedPicture.scene points at
+//   guess        out: the picture; of the reference's size
+//   tolerances   out: [height * width], as in ExpectedPicture; all 0 at the start
+// Returns what such a picture looks like ("drawn as if ..."), or NULL behind the last mistake.
+typedef const char *DrawMistaken(const void *scene, int mistake, Image *guess, float *tolerances);
+
+// What a picture should be.
+typedef struct ExpectedPicture {
+    Image reference;    // owned
+    float *tolerances;  // [height * width], how far a pixel's channels may be off; INFINITY where a
+                        // pixel may have any colour; owned. NULL: `tolerance` everywhere
+    float tolerance;    // 0 for bit-equal pictures
+    float background[IMAGE_CHANNELS];  // the colour where nothing is drawn
+    DrawMistaken *draw_mistaken;       // the mistakes known for such scenes; NULL when none are
+    const void *scene;                 // what it draws
+} ExpectedPicture;
+
+void expected_picture_free(ExpectedPicture *expected);
+
+// A probe's image: the picture in the upper left corner of [image_height][image_width][4] floats
+// that were UNWRITTEN before.
+typedef struct ProbeImage {
+    const float *pixels;
+    int image_width;
+    int image_height;
+} ProbeImage;
+
+// The probe's answer "picture.K", of a picture of width x height; pixels NULL when it is missing.
+ProbeImage probe_image_find(const Sections *answers, int k, int width, int height);
+
+// Compare a picture with what it should be.
+// Returns NULL when it is right, else the message for the student: the first wrong pixel with both
+// values, how many are wrong, and what the picture looks like. Owned by the caller.
+char *picture_judge(ProbeImage own, const ExpectedPicture *expected);
+
+// Is it right? The same without a message, and quicker when it is not.
+int picture_is_right(ProbeImage own, const ExpectedPicture *expected);
+
+// Was anything written outside the picture of width x height? Returns NULL or the message.
+char *picture_judge_padding(ProbeImage own, int width, int height);
+
+// Is there any pixel nobody wrote? Returns NULL or the message.
+char *picture_judge_written(ProbeImage own, const ExpectedPicture *expected);
+
+// Copy the picture out of a probe's image. Returns 0, or -1 after one message.
+int picture_copy(ProbeImage own, int width, int height, Image *picture);
+
+// ---- Pixel by pixel ---------------------------------------------------------------------------
+
+// The four channels of a pixel.
+const float *probe_image_pixel(ProbeImage own, int x, int y);
+const float *image_pixel(const Image *image, int x, int y);
+
+// A pixel of a picture and what it should be.
+typedef struct PixelPair {
+    int x, y;
+    const float *own, *wanted;
+    float tolerance;  // how far its channels may be off
+} PixelPair;
+
+// Pixel number i of n, row by row.
+PixelPair pixel_pair(ProbeImage own, const ExpectedPicture *expected, int i);
+int expected_n_pixels(const ExpectedPicture *expected);
+
+// Equal within the tolerance; a NaN equals nothing.
+int is_same_color(const float *a, const float *b, float tolerance);
+
+#endif

@@ -1,0 +1,136 @@
+// Trying out what a wrong picture looks like.
+#include "picture_looks.h"
+
+#include "jobs.h"
+#include "message.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+// ---- Mistakes made by the oracle --------------------------------------------------------------
+
+static int looks_like(ProbeImage own, const ExpectedPicture *expected, const Image *guess,
+                      const float *guess_tolerances)
+{
+    Tally tally = {0};
+    for (int i = 0; i < expected_n_pixels(expected); i++) {
+        tally_add(&tally, pixel_pair(own, expected, i), guess->pixels + (size_t)i * IMAGE_CHANNELS,
+                  guess_tolerances[i]);
+    }
+    return tally_recognises(&tally);
+}
+
+// The scene's mistake that the picture looks like, or NULL.
+static const char *looks_mistaken(ProbeImage own, const ExpectedPicture *expected)
+{
+    const Image *reference = &expected->reference;
+    const size_t n_pixels = (size_t)expected_n_pixels(expected);
+    float *tolerances = calloc(n_pixels, sizeof *tolerances);
+    Image guess = {0};
+    const char *looks = NULL;
+    if (tolerances != NULL && image_create(reference->width, reference->height, &guess) == 0) {
+        int mistake = 0;
+        do {
+            memset(tolerances, 0, n_pixels * sizeof *tolerances);
+            looks = expected->draw_mistaken(expected->scene, mistake++, &guess, tolerances);
+        } while (looks != NULL && !looks_like(own, expected, &guess, tolerances));
+    }
+    image_free(&guess);
+    free(tolerances);
+    return looks;
+}
+
+// ---- Backgrounds ------------------------------------------------------------------------------
+
+// Is every wrong pixel background, and all of the background one other colour?
+static int is_other_background(ProbeImage own, const ExpectedPicture *expected)
+{
+    const float *seen = NULL;
+    for (int i = 0; i < expected_n_pixels(expected); i++) {
+        const PixelPair pixel = pixel_pair(own, expected, i);
+        const int is_background = is_same_color(pixel.wanted, expected->background, 0);
+        if (isinf(pixel.tolerance)) {
+            continue;
+        }
+        if (is_background == is_same_color(pixel.own, pixel.wanted, pixel.tolerance) ||
+            (is_background && seen != NULL && !is_same_color(pixel.own, seen, 0))) {
+            return 0;
+        }
+        seen = is_background ? pixel.own : seen;
+    }
+    return seen != NULL;
+}
+
+// Is every pixel background, though not every pixel should be?
+static int is_empty(ProbeImage own, const ExpectedPicture *expected)
+{
+    int i = 0;
+    while (i < expected_n_pixels(expected) &&
+           is_same_color(pixel_pair(own, expected, i).own, expected->background, 0)) {
+        i++;
+    }
+    return i == expected_n_pixels(expected);
+}
+
+// Is every pixel of one colour, though not every pixel should be?
+static int is_constant(ProbeImage own, const ExpectedPicture *expected)
+{
+    const PixelPair first = pixel_pair(own, expected, 0);
+    int is_varied = 0;
+    for (int i = 0; i < expected_n_pixels(expected); i++) {
+        const PixelPair pixel = pixel_pair(own, expected, i);
+        if (!is_same_color(pixel.own, first.own, 0)) {
+            return 0;
+        }
+        is_varied |= !is_same_color(pixel.wanted, first.wanted, 0);
+    }
+    return is_varied;
+}
+
+// Does every wrong pixel show the circle behind the end of the array?
+static int shows_beyond(ProbeImage own, const ExpectedPicture *expected)
+{
+    const float beyond[IMAGE_CHANNELS] = {BEYOND_RED, BEYOND_GREEN, BEYOND_BLUE, 1};
+    int n_beyond = 0;
+    for (int i = 0; i < expected_n_pixels(expected); i++) {
+        const PixelPair pixel = pixel_pair(own, expected, i);
+        if (is_same_color(pixel.own, beyond, 0)) {
+            n_beyond++;
+        } else if (!is_same_color(pixel.own, pixel.wanted, pixel.tolerance)) {
+            return 0;
+        }
+    }
+    return n_beyond > 0;
+}
+
+// ---- What does it look like? ------------------------------------------------------------------
+
+const char *picture_plain(ProbeImage own, const ExpectedPicture *expected)
+{
+    if (is_empty(own, expected)) {
+        return "empty: nothing but the background";
+    }
+    // One circle too many may cover all of the picture, and is a mistake of its own.
+    return is_constant(own, expected) && !shows_beyond(own, expected) ? "of one colour everywhere"
+                                                                      : NULL;
+}
+
+char *picture_looks(ProbeImage own, const ExpectedPicture *expected)
+{
+    if (shows_beyond(own, expected)) {
+        return message_new("drawn as if one circle too many were asked, the one behind the end of "
+                           "the array");
+    }
+    if (is_other_background(own, expected)) {
+        const float *background = expected->background;
+        return message_new("right but for the background, which is (%g, %g, %g, %g) in all four "
+                           "channels",
+                           background[0], background[1], background[2], background[3]);
+    }
+    const char *looks = picture_distortion(own, expected);
+    if (looks == NULL && expected->draw_mistaken != NULL) {
+        looks = looks_mistaken(own, expected);
+    }
+    return looks ? message_new("%s", looks) : NULL;
+}

@@ -1,0 +1,37 @@
+// Recognising common mistakes in a wrong picture.
+//
+// Recognising works by trying: each known mistake is made on purpose, to the reference (flips,
+// swaps, shifts, gamma: picture_distortion.c) or by the scene's oracle (strict boundary, half a
+// pixel), and the one whose picture equals the student's is named. Nothing is guessed from
+// statistics. By which rules a guess is believed stands in picture_tally.c.
+#ifndef JUDGE_PICTURE_LOOKS_H
+#define JUDGE_PICTURE_LOOKS_H
+
+#include "picture.h"
+
+// What a wrong picture looks like that may have many causes, "of one colour everywhere", or NULL.
+const char *picture_plain(ProbeImage own, const ExpectedPicture *expected);
+
+// The mistake that a wrong picture looks like, "shifted by one pixel up", or NULL. Owned by the
+// caller.
+char *picture_looks(ProbeImage own, const ExpectedPicture *expected);
+
+// The same of mistakes that are made to a whole picture.
+const char *picture_distortion(ProbeImage own, const ExpectedPicture *expected);
+
+// How a guess, the picture that a known mistake would draw, fares against the student's picture.
+typedef struct Tally {
+    size_t n_compared;   // pixels the guess says anything about
+    size_t n_agree;      // of those, equal to the student's
+    size_t n_wrong;      // of those, where the student differs from the reference
+    size_t n_explained;  // of those, equal to the student's
+} Tally;
+
+// Add a pixel. One about which the reference or the guess says nothing, its tolerance INFINITY, is
+// left out.
+void tally_add(Tally *tally, PixelPair pixel, const float *guess, float guess_tolerance);
+
+// Does the guess explain what is wrong, and agree with the rest?
+int tally_recognises(const Tally *tally);
+
+#endif

@@ -1,0 +1,98 @@
+// Judging a range of a function's answers (see function.h).
+#include "function.h"
+
+#include "message.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+int range_at(Range range, int i)
+{
+    return range.first + i * (range.step > 1 ? range.step : 1);
+}
+
+const void *function_answers(const Function *function, const Sections *answers)
+{
+    return sections_find(answers, function->section, (size_t)function->n * function->answer_bytes);
+}
+
+// Does a mistake explain every answer of the range?
+static int explains(const Function *function, const void *job, Range range, const void *answers,
+                    int mistake)
+{
+    int i = 0;
+    while (i < range.n && function->agrees(job, range_at(range, i), answers, mistake)) {
+        i++;
+    }
+    return i == range.n;
+}
+
+// Are all answers the same, as where nothing was filled in?
+static int is_constant(const Function *function, Range range, const char *answers)
+{
+    const size_t n_bytes = function->answer_bytes;
+    const char *first = answers + (size_t)range.first * n_bytes;
+    int i = 1;
+    while (i < range.n &&
+           memcmp(first, answers + (size_t)range_at(range, i) * n_bytes, n_bytes) == 0) {
+        i++;
+    }
+    return i == range.n;
+}
+
+// The known mistake that explains all answers, "" when none does. Nothing is concluded from answers
+// that are all the same.
+static const char *explain(const Function *function, const void *job, Range range,
+                           const void *answers)
+{
+    if (function->explain != NULL) {
+        return function->explain(job, range, answers);
+    }
+    const int n = is_constant(function, range, answers) ? 0 : function->n_mistakes;
+    for (int m = 1; m < n; m++) {
+        if (explains(function, job, range, answers, m)) {
+            const char *mistake =
+                (const char *)function->mistakes + (size_t)m * function->mistake_bytes;
+            return *(const char *const *)mistake;
+        }
+    }
+    return "";
+}
+
+// The message about wrong answers, or NULL: how many, the first one, and what explains them.
+static char *judge_counting(const Function *function, const void *job, Range range,
+                            const void *answers)
+{
+    int n_wrong = 0, first = 0;
+    for (int i = range.n - 1; i >= 0; i--) {
+        if (!function->agrees(job, range_at(range, i), answers, 0)) {
+            n_wrong++;
+            first = range_at(range, i);
+        }
+    }
+    if (n_wrong == 0) {
+        return NULL;
+    }
+    char *fault = function->fault(job, first, answers);
+    char *message = message_new("%s (%d of %d %s are wrong)%s", fault, n_wrong, range.n,
+                                function->counted, explain(function, job, range, answers));
+    free(fault);
+    return message;
+}
+
+Verdict function_judge(const Function *function, const void *job, Range range,
+                       const Sections *answers)
+{
+    const void *found = function_answers(function, answers);
+    if (found == NULL) {
+        return verdict_missing;
+    }
+    if (function->agrees != NULL) {
+        return verdict_of(judge_counting(function, job, range, found));
+    }
+    char *fault = NULL;
+    for (int i = 0; fault == NULL && i < range.n; i++) {
+        fault = function->fault(job, range_at(range, i), found);
+    }
+    return verdict_of(fault);
+}

@@ -1,0 +1,49 @@
+// Judging a function of the student's: a range of inputs for each check, an answer for each input.
+#ifndef JUDGE_FUNCTION_H
+#define JUDGE_FUNCTION_H
+
+#include "sections.h"
+#include "verdicts.h"
+
+#include <stddef.h>
+
+#define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
+
+// Inputs or scenes first, first + step, ... , n of them; a step of 0 is 1.
+typedef struct Range {
+    int first, n, step;
+} Range;
+
+// Number i of a range.
+int range_at(Range range, int i);
+
+typedef struct Function {
+    const char *section;  // of the answers
+    int n;                // how many there are in all ranges together
+    size_t answer_bytes;  // of one
+
+    // What is wrong with answer number i, "...: found 1, expected 2", or NULL. Owned by the caller.
+    char *(*fault)(const void *job, int i, const void *answers);
+
+    // Where known mistakes are tried: does answer number i agree with what comes of a mistake, or
+    // of none, which is number 0? Then `fault` is asked about wrong answers only, the message says
+    // how many are wrong, and it names the mistake that explains every answer of the range.
+    int (*agrees)(const void *job, int i, const void *answers, int mistake);
+    const char *counted;   // "inputs", "points"
+    const void *mistakes;  // structures that begin with what is said, a const char *
+    size_t mistake_bytes;  // of one
+    int n_mistakes;        // with number 0
+    // In the place of these mistakes: what is said about wrong answers, "" for nothing.
+    const char *(*explain)(const void *job, Range range, const void *answers);
+} Function;
+#define MISTAKES(table)                                                                            \
+    .mistakes = (table), .mistake_bytes = sizeof *(table), .n_mistakes = COUNT(table)
+
+// The function's answers, or NULL when they are missing.
+const void *function_answers(const Function *function, const Sections *answers);
+
+// Judge the answers to a range of inputs: the message is about the first wrong one.
+Verdict function_judge(const Function *function, const void *job, Range range,
+                       const Sections *answers);
+
+#endif

@@ -1,0 +1,168 @@
+// Scenes of a job: made from the seed, drawn by the oracle, written for the probe.
+#include "job_scene.h"
+
+#include "complain.h"
+#include "job_sections.h"
+#include "jobs.h"
+#include "oracle2d.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+int job_scene_random(JobScene *scene, Random *random, int n_circles, int max_radius, int width,
+                     int height)
+{
+    *scene = (JobScene){0};
+    snprintf(scene->picture.title, sizeof scene->picture.title, "random scene, %d circles, %dx%d",
+             n_circles, width, height);
+    if (scene2d_random(n_circles, random_bits(random), 2, (float)max_radius, width, height,
+                       &scene->scene) != 0) {
+        return -1;
+    }
+    // Opaque circles would hide who forgets the fourth channel.
+    for (int i = 0; i < n_circles; i++) {
+        scene->scene.circles[i].a = (float)random_integer(random, 4, 16) / 16;
+    }
+    return 0;
+}
+
+int job_scene_named(JobScene *scene, const char *name, int width, int height)
+{
+    *scene = (JobScene){0};
+    snprintf(scene->picture.title, sizeof scene->picture.title, "scene \"%s\", %dx%d", name, width,
+             height);
+    return scene2d_generate(name, width, height, &scene->scene);
+}
+
+void job_scene_spread_depths(JobScene *scene)
+{
+    for (int i = 0; i < scene->scene.n_circles; i++) {
+        scene->scene.circles[i].depth = 0x1p20f * scene->scene.circles[i].depth - 0x1p19f;
+    }
+}
+
+// The oracle's mistakes, as DrawMistaken has it.
+static const char *draw_mistaken(const void *pointer, int mistake, Image *guess, float *tolerances)
+{
+    static const struct {
+        const char *looks;
+        OracleRules rules;
+    } mistakes[] = {
+        {"drawn as if the boundary did not belong to the circle (strict where it should not be)",
+         {.strict_boundary = 1}},
+        {"drawn as if of two equal depths the later circle won", {.later_wins_ties = 1}},
+        {"drawn as if depth did not matter: the last circle covers the others",
+         {.ignore_depth = 1}},
+        {"drawn as if depth did not matter: the first circle keeps the pixel", {.first_wins = 1}},
+        {"drawn as if the farthest circle won: the depth test is inverted", {.farthest_wins = 1}},
+        {"drawn as if the first circle were missing", {.skip_first = 1}},
+        {"drawn as if the last circle were missing", {.skip_last = 1}},
+        {"shifted by half a pixel: the sample point is the integer coordinate",
+         {.sample_offset = 0.5}},
+        {"shifted by half a pixel: the sample point is the integer coordinate",
+         {.sample_offset = -0.5}},
+        {"drawn with half the radius", {.diameter = 1}},
+    };
+    enum { N_MISTAKES = sizeof mistakes / sizeof *mistakes };
+    static const struct {
+        const char *looks;
+        OracleRules rules;
+    } leaf_mistakes[] = {
+        {"drawn as if the first circle of every leaf were missing", {.skip_first = 1}},
+        {"drawn as if the last circle of every leaf were missing", {.skip_last = 1}},
+        {"drawn as if a position in the list were used as the circle's id",
+         {.id = ID_PLACE_FROM_0}},
+        {"drawn as if a position in the list were used as the circle's id",
+         {.id = ID_PLACE_FROM_1}},
+        {"drawn as if every pixel read the list at the start of mapNode2Circles, where the "
+         "circleMapOffset of an inner node points, too",
+         {.first_list = 1}},
+    };
+    enum { N_LEAF_MISTAKES = sizeof leaf_mistakes / sizeof *leaf_mistakes };
+    const JobScene *scene = pointer;
+    const Circle *circles = scene->scene.circles;
+    // Tolerances stay 0: these pictures are as exact as the right one.
+    if (mistake < N_MISTAKES) {
+        oracle2d_draw(circles, scene->scene.n_circles, &mistakes[mistake].rules, guess, NULL);
+        return mistakes[mistake].looks;
+    }
+    mistake -= N_MISTAKES;
+    if (scene->tree.n_nodes == 0 || mistake >= N_LEAF_MISTAKES) {
+        return NULL;
+    }
+    oracle2d_draw_leaves(circles, scene->scene.n_circles, &scene->tree,
+                         &leaf_mistakes[mistake].rules, guess, tolerances);
+    return leaf_mistakes[mistake].looks;
+}
+
+void job_scene_recognise(const JobScene *scene, ExpectedPicture *expected)
+{
+    expected->draw_mistaken = draw_mistaken;
+    expected->scene = scene;
+}
+
+int job_scene_expect(JobScene *scene)
+{
+    const Scene2D *s = &scene->scene;
+    ExpectedPicture *expected = &scene->picture.expected;
+    const OracleRules right = {0};
+    const size_t n_pixels = (size_t)s->width * (size_t)s->height;
+    unsigned char *ambiguous = calloc(n_pixels, 1);
+    expected->tolerances = calloc(n_pixels, sizeof *expected->tolerances);
+    int result = image_create(s->width, s->height, &expected->reference);
+    if (ambiguous == NULL || expected->tolerances == NULL) {
+        complain("grade: no memory for a picture");
+        result = -1;
+    }
+    if (result == 0) {
+        oracle2d_draw(s->circles, s->n_circles, &right, &expected->reference, ambiguous);
+        for (size_t i = 0; i < n_pixels; i++) {
+            expected->tolerances[i] = ambiguous[i] ? INFINITY : 0;
+        }
+        job_scene_recognise(scene, expected);
+    }
+    free(ambiguous);
+    return result;
+}
+
+int job_scene_write_circles(const JobScene *scene, int k, FILE *file)
+{
+    const Circle beyond = {.radius = 1e6f,
+                           .depth = -1e9f,
+                           .r = BEYOND_RED,
+                           .g = BEYOND_GREEN,
+                           .b = BEYOND_BLUE,
+                           .a = 1};
+    return job_array_write(file, k, "circles", scene->scene.circles, (size_t)scene->scene.n_circles,
+                           &beyond, sizeof beyond);
+}
+
+int job_scene_write(const JobScene *scene, int k, FILE *file)
+{
+    const Scene2D *s = &scene->scene;
+    const SceneJob job = {s->n_circles, s->width, s->height, scene->limits.maxDepth,
+                          scene->limits.targetElementsPerNode};
+    int result = job_section_write(file, k, NULL, &job, sizeof job);
+    result |= job_title_write(file, k, scene->picture.title);
+    result |= job_scene_write_circles(scene, k, file);
+    const KdTree2D *tree = &scene->tree;
+    if (tree->n_nodes > 0) {
+        result |= job_section_write(file, k, "relations", tree->nodes_Relations,
+                                    tree->n_nodes * sizeof *tree->nodes_Relations);
+        result |= job_section_write(file, k, "flags", tree->nodes_flag,
+                                    tree->n_nodes * sizeof *tree->nodes_flag);
+        result |= job_section_write(file, k, "boxes", tree->nodes_BBox,
+                                    tree->n_nodes * sizeof *tree->nodes_BBox);
+        result |= job_section_write(file, k, "map", tree->mapNode2Circles,
+                                    tree->n_map * sizeof *tree->mapNode2Circles);
+    }
+    return result;
+}
+
+void job_scene_free(JobScene *scene)
+{
+    expected_picture_free(&scene->picture.expected);
+    tree2d_free(&scene->tree);
+    scene2d_free(&scene->scene);
+}

@@ -1,0 +1,47 @@
+// A scene of a job: what the probe draws or builds, and what should come out.
+#ifndef JUDGE_JOB_SCENE_H
+#define JUDGE_JOB_SCENE_H
+
+#include "job_picture.h"
+#include "random.h"
+#include "scene2d.h"
+#include "tree2d.h"
+
+typedef struct JobScene {
+    Scene2D scene;        // circles and the picture's size
+    KdTreeLimits limits;  // of its tree
+    KdTree2D tree;        // lab 02: what is expected; lab 03: what the kernel searches
+    JobPicture picture;
+} JobScene;
+
+// A random scene with circles of 2 to max_radius pixels. Returns 0, or -1 after one message.
+int job_scene_random(JobScene *scene, Random *random, int n_circles, int max_radius, int width,
+                     int height);
+
+// A scene of scene2d.h by name. Returns 0, or -1 after one message.
+int job_scene_named(JobScene *scene, const char *name, int width, int height);
+
+// Spread the depths of a random scene from about -500 000 to 500 000: a depth may be any number.
+void job_scene_spread_depths(JobScene *scene);
+
+// Let the oracle draw what is expected. Returns 0, or -1 after one message.
+int job_scene_expect(JobScene *scene);
+
+// Build the scene's tree with the solution of lab 02 (job_scene_tree.c: for the labs behind that
+// one). Returns 0, or -1 after one message.
+int job_scene_grow_tree(JobScene *scene, KdTreeLimits limits);
+
+// Write the sections "scene.K" ...; the tree's too when there is one. Returns 0, or -1.
+int job_scene_write(const JobScene *scene, int k, FILE *file);
+
+// Write "scene.K.circles" alone, and behind the circles one that must not be asked. Returns 0, or
+// -1.
+int job_scene_write_circles(const JobScene *scene, int k, FILE *file);
+
+void job_scene_free(JobScene *scene);
+
+// Let wrong pictures of a scene be recognised. The scene must stay where it is. job_scene_expect()
+// does it.
+void job_scene_recognise(const JobScene *scene, ExpectedPicture *expected);
+
+#endif

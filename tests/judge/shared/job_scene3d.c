@@ -1,0 +1,139 @@
+// 3D scenes of a job: made from the seed or by name, written for the probe. What is expected of
+// them is in job_scene3d_expected.c.
+#include "job_scene3d.h"
+
+#include "camera_from_view.h"
+#include "complain.h"
+#include "job_sections.h"
+#include "jobs.h"
+#include "random3d.h"
+
+#include <stdlib.h>
+
+// ---- Making -----------------------------------------------------------------------------------
+
+// An array with room for one entry more. Returns 0, or -1 after one message.
+static int array_extend(void **array, int n_entries, size_t entry_size)
+{
+    void *longer = realloc(*array, ((size_t)n_entries + 1) * entry_size);
+    if (longer == NULL) {
+        complain("grade: no memory for a scene");
+        return -1;
+    }
+    *array = longer;
+    return 0;
+}
+
+// Give a scene of scene3d.h its entries behind the ends. Returns 0, or -1 after one message.
+static int finish(JobScene3D *scene)
+{
+    Scene3D *s = &scene->scene;
+    void *spheres = s->spheres, *ids = s->material_ids, *materials = s->materials,
+         *lights = s->lights;
+    int result = array_extend(&spheres, s->n_spheres, sizeof *s->spheres);
+    result |= array_extend(&ids, s->n_spheres, sizeof *s->material_ids);
+    result |= array_extend(&materials, s->n_materials, sizeof *s->materials);
+    result |= array_extend(&lights, s->n_lights, sizeof *s->lights);
+    s->spheres = spheres, s->material_ids = ids, s->materials = materials, s->lights = lights;
+    if (result == 0) {
+        s->material_ids[s->n_spheres] = (u32)s->n_materials;
+        s->materials[s->n_materials] =
+            (Material){.color = {BEYOND_RED, BEYOND_GREEN, BEYOND_BLUE}, .kd = 1};
+        job_scene3d_aim(scene);
+    }
+    return result;
+}
+
+void job_scene3d_aim(JobScene3D *scene)
+{
+    Scene3D *s = &scene->scene;
+    const Vec3 eye = s->view.from;
+    // Nearest of all: the eye is inside, and the light shines on it from there.
+    const float radius = vec3_length(vec3_minus(s->view.at, eye)) / 1024;
+    s->spheres[s->n_spheres] = (Sphere){eye.x, eye.y, eye.z, radius};
+    s->lights[s->n_lights] = (Light){eye, {BEYOND_RED, BEYOND_GREEN, BEYOND_BLUE}};
+    scene->camera = camera_from_view(s->view, s->width, s->height);
+}
+
+// Somewhere around the cube, its middle somewhere in the picture, any side up.
+static void draw_view(Random *random, View *view)
+{
+    do {
+        // Never near the middle, in any of the eight octants.
+        const Vec3 way = vec3_normalized(random_vector(random, 0.25, 1));
+        const float distance = random_number(random, 3, 5);
+        view->from =
+            (Vec3){distance * random_sign(random) * way.x, distance * random_sign(random) * way.y,
+                   distance * random_sign(random) * way.z};
+        view->at = random_vector(random, -0.5, 0.5);
+        view->up = random_vector(random, -2, 2);
+        view->angle = random_number(random, 25, 55);
+    } while (scene3d_view_fault(view) != NULL);
+}
+
+int job_scene3d_random(JobScene3D *scene, Random *random, int n_spheres, float min_radius,
+                       float max_radius, int width, int height)
+{
+    *scene = (JobScene3D){0};
+    snprintf(scene->picture.title, sizeof scene->picture.title, "random scene, %d spheres, %dx%d",
+             n_spheres, width, height);
+    Scene3D *s = &scene->scene;
+    if (scene3d_random(n_spheres, random_bits(random), min_radius, max_radius, s) != 0) {
+        return -1;
+    }
+    s->width = width, s->height = height;
+    draw_view(random, &s->view);
+    // What is the same everywhere would hide who forgets it.
+    for (int i = 0; i < s->n_materials; i++) {
+        s->materials[i].kd = random_number(random, 0.25, 1);
+    }
+    for (int i = 0; i < n_spheres; i++) {
+        s->material_ids[i] = (u32)((i * 7 + 3) % s->n_materials);
+    }
+    for (int i = 0; i < s->n_lights; i++) {
+        s->lights[i].color = random_vector(random, 0.125, 0.75);
+    }
+    return finish(scene);
+}
+
+int job_scene3d_named(JobScene3D *scene, const char *name, int width, int height)
+{
+    *scene = (JobScene3D){0};
+    snprintf(scene->picture.title, sizeof scene->picture.title, "scene \"%s\", %dx%d", name, width,
+             height);
+    return scene3d_generate(name, width, height, &scene->scene) == 0 ? finish(scene) : -1;
+}
+
+void job_scene3d_free(JobScene3D *scene)
+{
+    expected_picture_free(&scene->picture.expected);
+    tree3d_free(&scene->tree);
+    scene3d_free(&scene->scene);
+    free(scene->hits);
+    scene->hits = NULL;
+}
+
+int job_scene3d_write(const JobScene3D *scene, int k, FILE *file)
+{
+    const Scene3D *s = &scene->scene;
+    const KdTree3D *tree = &scene->tree;
+    const SceneJob3D job = {s->n_spheres,  s->n_lights,   s->width,    s->height,
+                            s->background, scene->camera, tree->bounds};
+    const size_t n_spheres = (size_t)s->n_spheres + 1, n_materials = (size_t)s->n_materials + 1,
+                 n_lights = (size_t)s->n_lights + 1;
+    int result = job_section_write(file, k, NULL, &job, sizeof job);
+    result |= job_title_write(file, k, scene->picture.title);
+    result |= job_section_write(file, k, "spheres", s->spheres, n_spheres * sizeof *s->spheres);
+    result |= job_section_write(file, k, "material_ids", s->material_ids,
+                                n_spheres * sizeof *s->material_ids);
+    result |=
+        job_section_write(file, k, "materials", s->materials, n_materials * sizeof *s->materials);
+    result |= job_section_write(file, k, "lights", s->lights, n_lights * sizeof *s->lights);
+    if (tree->n_nodes > 0) {
+        result |=
+            job_section_write(file, k, "nodes", tree->nodes, tree->n_nodes * sizeof *tree->nodes);
+        result |= job_section_write(file, k, "sphere_ids", tree->sphere_ids,
+                                    tree->n_sphere_ids * sizeof *tree->sphere_ids);
+    }
+    return result;
+}

@@ -1,0 +1,64 @@
+// A 3D scene of a job: what the probe traces, and what should come out. The sibling of job_scene.h.
+//
+// Behind the end of each of the scene's arrays stands one entry more, which must not be asked: a
+// sphere nearest of all, its material, and a garish light.
+#ifndef JUDGE_JOB_SCENE3D_H
+#define JUDGE_JOB_SCENE3D_H
+
+#include "job_picture.h"
+#include "jobs.h"
+#include "oracle3d.h"
+#include "random.h"
+#include "scene3d.h"
+#include "tree3d.h"
+
+typedef struct JobScene3D {
+    Scene3D scene;        // with its view and the picture's size
+    Camera camera;        // for that view and size, by lab 04's solution: what kernels get
+    KdTreeLimits limits;  // of its tree
+    KdTree3D tree;        // lab 07: what the kernel searches
+    OracleHit *hits;      // [height * width], what each pixel's ray hits
+    JobPicture picture;
+} JobScene3D;
+
+// A random scene with radii of min_radius to max_radius in the cube [-1, 1]^3, seen from anywhere
+// around it; materials and lights of all colours. Returns 0, or -1 after one message.
+int job_scene3d_random(JobScene3D *scene, Random *random, int n_spheres, float min_radius,
+                       float max_radius, int width, int height);
+
+// A scene of scene3d.h by name. Returns 0, or -1 after one message.
+int job_scene3d_named(JobScene3D *scene, const char *name, int width, int height);
+
+// Set up the camera anew after the scene's view has been changed. Both functions above do it.
+void job_scene3d_aim(JobScene3D *scene);
+
+// Let the oracle trace what is expected: hits and picture. Returns 0, or -1 after one message.
+int job_scene3d_expect(JobScene3D *scene);
+
+// Build the scene's tree with the solution of lab 06 (job_scene3d_tree.c: for the labs behind that
+// one). Returns 0, or -1 after one message.
+int job_scene3d_grow_tree(JobScene3D *scene, KdTreeLimits limits);
+
+// Write the sections "scene.K" ...; the tree's too when there is one. Returns 0, or -1.
+int job_scene3d_write(const JobScene3D *scene, int k, FILE *file);
+
+void job_scene3d_free(JobScene3D *scene);
+
+// ---- Hits ---------------------------------------------------------------------------------------
+
+// The answer "hits.K", [height * width], or NULL when it is missing.
+const HitAnswer *hits_find(const JobScene3D *scene, int k, const Sections *answers);
+
+// What is wrong with a scene's hits.
+typedef struct WrongHits {
+    int n;              // how many rays
+    int first;          // the first one's pixel
+    const char *looks;  // "as if ...": the mistake that explains all of them; or NULL
+} WrongHits;
+
+WrongHits hits_judge(const JobScene3D *scene, const HitAnswer *found);
+
+// The same in words, NULL when nothing is wrong. Owned by the caller.
+char *hits_describe(const JobScene3D *scene, const HitAnswer *found, WrongHits wrong);
+
+#endif

@@ -1,0 +1,199 @@
+// What is expected of a job's 3D scenes: hits and pictures by the oracle, and what wrong ones look
+// like.
+#include "job_scene3d.h"
+
+#include "complain.h"
+#include "job_sections.h"
+#include "message.h"
+#include "words.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+// A mistake made by the oracle.
+typedef struct Mistake3D {
+    const char *looks;
+    OracleRules3D rules;
+} Mistake3D;
+
+static const Mistake3D mistakes[] = {
+    // Of rays,
+    {"shifted by half a pixel: the ray goes through the pixel's corner, not its middle",
+     {.sample_offset = -0.5}},
+    {"shifted by half a pixel: the ray goes through the pixel's far corner, not its middle",
+     {.sample_offset = 0.5}},
+    {"drawn as if fov were the display's height: it is its width", {.fov_is_height = 1}},
+    {"drawn as if fov were the display's height as well: pixels are squares", {.fov_both_ways = 1}},
+    {"drawn as if fov were an angle: it is a width at distance 1", {.fov_is_angle = 1}},
+    {"drawn as if fov were half the display's width", {.fov_is_half_width = 1}},
+    {"drawn with directions that are not unit vectors", {.not_normalised = 1}},
+    {"drawn with the view transform turned round (rows for columns)", {.axes_transposed = 1}},
+    // of hits,
+    {"drawn as if the farther root were the hit: one sees the spheres' far sides",
+     {.farther_root = 1}},
+    {"drawn as if t_min did not matter: hits behind the eye count", {.any_distance = 1}},
+    {"drawn as if a sphere around the eye were not there: the second root is forgotten",
+     {.inside_is_miss = 1}},
+    {"drawn as if the sign of the radius did not matter: negative means seen from inside only",
+     {.radius_sign_ignored = 1}},
+    {"drawn as if spheres with a negative radius were not there", {.negative_radius_missed = 1}},
+    {"drawn as if the first sphere that is hit kept the pixel, however far", {.first_wins = 1}},
+    {"drawn as if distance did not matter: the last sphere that is hit covers the others",
+     {.last_wins = 1}},
+    {"drawn as if the farthest sphere won: the comparison is inverted", {.farthest_wins = 1}},
+    {"drawn as if of two equally far spheres the later one won", {.later_wins_ties = 1}},
+    {"drawn as if the first sphere were missing", {.skip_first = 1}},
+    {"drawn as if the last sphere were missing", {.skip_last = 1}},
+    {"drawn as if one sphere too many were asked, the one behind the end of the array",
+     {.one_sphere_more = 1}},
+    // and of colours.
+    {"drawn with normals that point away from the centre, seen from inside, too",
+     {.normal_not_turned = 1}},
+    {"drawn with normals that point into the spheres", {.normal_always_turned = 1}},
+    {"drawn with normals that are not unit vectors", {.normal_not_normalised = 1}},
+    {"drawn as if a light behind the surface took light away: negative cosines count as 0",
+     {.cosine_not_clamped = 1}},
+    {"drawn as if a light behind the surface lit it: negative cosines count as 0",
+     {.cosine_absolute = 1}},
+    {"drawn with ways to the lights that are not unit vectors", {.to_light_not_normalised = 1}},
+    {"lit by the first light only", {.first_light_only = 1}},
+    {"lit by the last light only", {.last_light_only = 1}},
+    {"lit by one light too many, the one behind the end of the array", {.one_light_more = 1}},
+    {"drawn without kd", {.ignore_kd = 1}},
+    {"drawn without the materials' colours", {.ignore_color = 1}},
+    {"drawn without the lights' colours", {.ignore_light_color = 1}},
+    {"drawn as if sphere i were of material i: its material is material_ids[i]",
+     {.ignore_material_ids = 1}},
+    {"drawn with a black background", {.background_black = 1}},
+};
+
+// Where they begin.
+enum { FIRST_HIT_MISTAKE = 8, FIRST_COLOR_MISTAKE = 20 };
+
+// Who asks the spheres through a tree makes other mistakes than who asks all of them, though a few
+// rays may show the same.
+static int is_brute_force(const JobScene3D *scene)
+{
+    return scene->tree.n_nodes == 0;
+}
+
+// As DrawMistaken of picture.h has it.
+static const char *draw_mistaken(const void *pointer, int mistake, Image *guess, float *tolerances)
+{
+    const JobScene3D *scene = pointer;
+    if (!is_brute_force(scene) || mistake >= (int)(sizeof mistakes / sizeof *mistakes)) {
+        return NULL;
+    }
+    oracle3d_draw(&scene->scene, &scene->camera, &mistakes[mistake].rules, guess, tolerances, NULL);
+    return mistakes[mistake].looks;
+}
+
+int job_scene3d_expect(JobScene3D *scene)
+{
+    const Scene3D *s = &scene->scene;
+    ExpectedPicture *expected = &scene->picture.expected;
+    const OracleRules3D right = {0};
+    const size_t n_pixels = (size_t)s->width * (size_t)s->height;
+    const Vec3 background = s->background;
+    expected->tolerances = calloc(n_pixels, sizeof *expected->tolerances);
+    scene->hits = calloc(n_pixels, sizeof *scene->hits);
+    if (expected->tolerances == NULL || scene->hits == NULL) {
+        complain("grade: no memory for a picture");
+        return -1;
+    }
+    if (image_create(s->width, s->height, &expected->reference) != 0) {
+        return -1;
+    }
+    oracle3d_draw(s, &scene->camera, &right, &expected->reference, expected->tolerances,
+                  scene->hits);
+    memcpy(expected->background, (float[]){background.x, background.y, background.z, 1},
+           sizeof expected->background);
+    expected->draw_mistaken = draw_mistaken;
+    expected->scene = scene;
+    return 0;
+}
+
+// ---- Hits -------------------------------------------------------------------------------------
+
+static int is_right_hit(const OracleHit *expected, HitAnswer found)
+{
+    if (expected->is_ambiguous) {
+        return 1;
+    }
+    if (expected->sphere == ORACLE_NO_SPHERE) {
+        return found.sphere == ORACLE_NO_SPHERE && found.t == INFINITY;
+    }
+    return found.sphere == expected->sphere && fabs(found.t - expected->t) <= expected->t_tolerance;
+}
+
+// "nothing (t = inf)" or "sphere 3 at t = 4.5".
+static Words hit_words(u32 sphere, double t)
+{
+    return sphere == ORACLE_NO_SPHERE ? words("nothing (t = %.9g)", t)
+                                      : words("sphere %u at t = %.9g", sphere, t);
+}
+
+// What wrong hits look like, or NULL: the mistake that explains all of them, if one does. Rays and
+// colours have no part in them.
+static const char *explain_hits(const JobScene3D *scene, const HitAnswer *found)
+{
+    const Scene3D *s = &scene->scene;
+    for (int i = FIRST_HIT_MISTAKE; is_brute_force(scene) && i < FIRST_COLOR_MISTAKE; i++) {
+        int explains = 1, n_hits = 0;
+        for (int pixel = 0; explains && pixel < s->width * s->height; pixel++) {
+            const OracleRay ray =
+                oracle3d_primary_ray(&scene->camera, pixel % s->width, pixel / s->width, s->width,
+                                     s->height, &mistakes[i].rules);
+            const OracleHit hit =
+                oracle3d_nearest(s->spheres, (u32)s->n_spheres, &ray, &mistakes[i].rules);
+            explains = scene->hits[pixel].is_ambiguous || is_right_hit(&hit, found[pixel]);
+            n_hits += hit.sphere != ORACLE_NO_SPHERE;
+        }
+        // That nothing at all is hit has many reasons.
+        if (explains && n_hits > 0) {
+            return mistakes[i].looks;
+        }
+    }
+    for (int pixel = 0; pixel < s->width * s->height; pixel++) {
+        if (found[pixel].sphere != ORACLE_NO_SPHERE && isinf(found[pixel].t)) {
+            return "as if a miss, t = inf, were a hit: infinity is not nearer than infinity";
+        }
+    }
+    return NULL;
+}
+
+const HitAnswer *hits_find(const JobScene3D *scene, int k, const Sections *answers)
+{
+    const size_t n_pixels = (size_t)scene->scene.width * (size_t)scene->scene.height;
+    return job_section_find(answers, "hits", k, n_pixels * sizeof(HitAnswer));
+}
+
+WrongHits hits_judge(const JobScene3D *scene, const HitAnswer *found)
+{
+    WrongHits wrong = {0};
+    for (int pixel = scene->scene.width * scene->scene.height - 1; pixel >= 0; pixel--) {
+        if (!is_right_hit(&scene->hits[pixel], found[pixel])) {
+            wrong.n++;
+            wrong.first = pixel;
+        }
+    }
+    wrong.looks = wrong.n > 0 ? explain_hits(scene, found) : NULL;
+    return wrong;
+}
+
+char *hits_describe(const JobScene3D *scene, const HitAnswer *found, WrongHits wrong)
+{
+    const int width = scene->scene.width, height = scene->scene.height;
+    const HitAnswer own = found[wrong.first];
+    const OracleHit *wanted = &scene->hits[wrong.first];
+    return wrong.n == 0
+               ? NULL
+               : message_new("%s: the ray of pixel (%d, %d): found %s, expected %s (%d of %d rays "
+                             "are wrong)%s%s",
+                             scene->picture.title, wrong.first % width, wrong.first / width,
+                             hit_words(own.sphere, own.t).text,
+                             hit_words(wanted->sphere, wanted->t).text, wrong.n, width * height,
+                             wrong.looks ? MESSAGE_CAUSE "it looks " : "",
+                             wrong.looks ? wrong.looks : "");
+}

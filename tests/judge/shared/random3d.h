@@ -1,0 +1,36 @@
+// Random numbers and points for the inputs of the 3D labs.
+#ifndef JUDGE_RANDOM3D_H
+#define JUDGE_RANDOM3D_H
+
+#include "random.h"
+#include "vec3.h"
+
+#include <math.h>
+
+// A number from lowest to highest in steps of 1/1024.
+static inline float random_number(Random *random, double lowest, double highest)
+{
+    return (float)random_integer(random, llrint(lowest * 1024), llrint(highest * 1024)) / 1024;
+}
+
+// A vector whose parts are such numbers.
+static inline Vec3 random_vector(Random *random, double lowest, double highest)
+{
+    const float x = random_number(random, lowest, highest);
+    const float y = random_number(random, lowest, highest);
+    const float z = random_number(random, lowest, highest);
+    return (Vec3){x, y, z};
+}
+
+// A point whose coordinates are at most `reach` from 0.
+static inline Vec3 random_point(Random *random, double reach)
+{
+    return random_vector(random, -reach, reach);
+}
+
+static inline int random_sign(Random *random)
+{
+    return random_integer(random, 0, 1) ? 1 : -1;
+}
+
+#endif
