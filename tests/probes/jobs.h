@@ -405,7 +405,7 @@ LAYOUT_ASSERT(SearchJob, 48);
 typedef struct SearchAnswer {
     f32 t;
     u32 sphere;
-    u32 n_tests;  // calls of intersect_sphere; UNTOUCHED where they cannot be counted
+    u32 n_tests;  // calls of intersect_sphere
 } SearchAnswer;
 LAYOUT_ASSERT(SearchAnswer, 12);
 

@@ -64,10 +64,11 @@ static Verdict judge_work(const void *job, int k, const Sections *answers)
 {
     const JobScene3D *scene = &((const Job05 *)job)->scenes[k];
     const int width = scene->scene.width, n_pixels = width * scene->scene.height;
-    const Work *found;
-    const Verdict verdict =
-        job_work_find(&scene->picture, k, "intersect_sphere", "nearest_hit", answers, &found);
-    for (int pixel = 0; found != NULL && pixel < n_pixels; pixel++) {
+    const Work *found = job_work_find(&scene->picture, k, answers);
+    if (found == NULL) {
+        return verdict_missing;
+    }
+    for (int pixel = 0; pixel < n_pixels; pixel++) {
         if (found[pixel].n_tests != (u32)scene->scene.n_spheres) {
             return verdict_of(message_new("%s: the ray of pixel (%d, %d): intersect_sphere was "
                                           "called %u times, but the scene has %d spheres",
@@ -75,7 +76,7 @@ static Verdict judge_work(const void *job, int k, const Sections *answers)
                                           found[pixel].n_tests, scene->scene.n_spheres));
         }
     }
-    return verdict;
+    return verdict_of(NULL);
 }
 
 // ---- The judge ----------------------------------------------------------------------------------

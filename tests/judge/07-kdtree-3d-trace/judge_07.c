@@ -159,10 +159,8 @@ static Verdict judge_work(const void *job, int i, const Sections *answers)
 {
     const int k = work_scenes[i];
     const JobScene3D *scene = &((const Job07 *)job)->scenes[k];
-    const Work *found;
-    const Verdict verdict =
-        job_work_find(&scene->picture, k, "intersect_sphere", "search_leaf", answers, &found);
-    return found == NULL ? verdict : verdict_of(judge_scene_work(scene, found));
+    const Work *found = job_work_find(&scene->picture, k, answers);
+    return found == NULL ? verdict_missing : verdict_of(judge_scene_work(scene, found));
 }
 
 // ---- The judge ----------------------------------------------------------------------------------

@@ -267,10 +267,8 @@ static char *once_fault(const void *job, int i, const void *answers)
 {
     const u32 n_spheres = ((const Job07 *)job)->inputs.leaves[i].node.n_spheres;
     const u32 n_tests = ((const SearchAnswer *)answers)[i].n_tests;
-    return n_tests == n_spheres ? NULL
-           : n_tests == UNTOUCHED
-               ? message_new("the work could not be counted; call intersect_sphere in search_leaf "
-                             "itself")
+    return n_tests == n_spheres
+               ? NULL
                : message_new("a leaf of %u sphere%s: intersect_sphere was called %u times, "
                              "expected %u, once for each sphere of the leaf",
                              n_spheres, plural(n_spheres), n_tests, n_spheres);

@@ -5,11 +5,8 @@
 #include "job_picture.h"
 #include "work.h"
 
-// The counted work of scene K, whose picture this is: passed where it is there; missing where the
-// picture is, too; else the student's doing.
-//   calls, where   what must be called where so that it can be counted, in words
-//   found          out: [height * width] and room behind them, NULL when it is not there
-Verdict job_work_find(const JobPicture *picture, int k, const char *calls, const char *where,
-                      const Sections *answers, const Work **found);
+// The counted work of scene K, whose picture this is: [height * width] and room behind them, NULL
+// when it is missing.
+const Work *job_work_find(const JobPicture *picture, int k, const Sections *answers);
 
 #endif
