@@ -51,7 +51,7 @@ static inline void count_leaf(Work *work)
     }
 }
 
-// So many nodes wait on the todo stack.
+// This many nodes wait on the todo stack.
 static inline void count_waiting(Work *work, uint n_waiting)
 {
     if (IS_COUNTING) {

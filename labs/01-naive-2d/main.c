@@ -35,6 +35,7 @@ int main(int argc, char **argv)
     require(cl_image_create(&lab.cl, scene.width, scene.height, &d_image));
 
     // ---- Kernel ----------------------------------------------------------------------------
+    // One kernel draws. Where the work is counted, a second one does that, with the same arguments.
     lab_build_kernels(&lab, LAB_FOLDER "/implicit2DRenderer.cl", "implicit2DRenderer",
                       KERNEL_OPTIONS, scene.width, scene.height);
     for (int i = 0; i < lab.n_kernels; i++) {

@@ -43,6 +43,7 @@ int main(int argc, char **argv)
     require(cl_image_create(cl, scene.width, scene.height, &d_image));
 
     // ---- Kernel ----------------------------------------------------------------------------
+    // One kernel draws. Where the work is counted, a second one does that, with the same arguments.
     lab_build_kernels(&lab, LAB_FOLDER "/implicit2DRenderer_KD.cl", "implicit2DRenderer_KD",
                       KERNEL_OPTIONS, scene.width, scene.height);
     for (int i = 0; i < lab.n_kernels; i++) {

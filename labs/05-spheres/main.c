@@ -26,6 +26,7 @@ int main(int argc, char **argv)
     require(scene_buffers_create(&lab.cl, &scene, &buffers));
 
     // ---- Kernel ----------------------------------------------------------------------------
+    // One kernel draws. Where the work is counted, a second one does that, with the same arguments.
     lab_build_kernels(&lab, LAB_FOLDER "/render_spheres.cl", "render_spheres",
                       lab.options.textbook ? KERNEL_OPTIONS " -DTEXTBOOK" : KERNEL_OPTIONS,
                       scene.width, scene.height);

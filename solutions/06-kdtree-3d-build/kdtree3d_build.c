@@ -134,7 +134,7 @@ static void level_free(Level *level)
     *level = (Level){0};
 }
 
-// Room for so many more open nodes and ids. Returns 0, or -1 when memory runs out.
+// Room for n_open more open nodes and n_ids more ids. Returns 0, or -1 when memory runs out.
 static int level_reserve(Level *level, u32 n_open, u32 n_ids)
 {
     OpenNode *open =

@@ -47,6 +47,7 @@ int main(int argc, char **argv)
         cl_buffer_create(&lab.cl, tree.sphere_ids, tree.n_sphere_ids * sizeof(u32));
 
     // ---- Kernel ----------------------------------------------------------------------------
+    // One kernel draws. Where the work is counted, a second one does that, with the same arguments.
     lab_build_kernels(&lab, LAB_FOLDER "/render_kdtree.cl", "render_kdtree", KERNEL_OPTIONS,
                       scene.width, scene.height);
     for (int i = 0; i < lab.n_kernels; i++) {

@@ -21,7 +21,7 @@
 #define UNWRITTEN (-77.0f)
 
 // The colour of the circle behind the end of circles[], nearest of all and everywhere: no scene has
-// it either, and who asks one circle too many paints it.
+// it either, and a loop that runs one step too far paints it.
 #define BEYOND_RED 0.140625f
 #define BEYOND_GREEN 0.859375f
 #define BEYOND_BLUE 0.390625f
@@ -207,7 +207,8 @@ LAYOUT_ASSERT(TreeAnswer3D, 32);
 // No right tree of the job has more: answers shall stay a few megabytes.
 enum { TREE3D_ANSWER_NODES = 1 << 14, TREE3D_ANSWER_IDS = 1 << 16 };
 
-// The sphere behind the end of an array: who asks it gets a box or a leaf like no other.
+// The sphere behind the end of an array: a loop that runs too far gets a box or a leaf like no
+// other.
 #define BEYOND_RADIUS 1e6f
 
 // choose_split takes a BBox3D and is answered by a KdSplit of lab 06, which is laid out so.

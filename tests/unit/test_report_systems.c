@@ -1,6 +1,6 @@
 // tests/systems/formats, the reports for other systems: whatever a student's code put into a
-// message, each document keeps its form, its size and its points, and a fault of the machinery is no
-// zero. The documents are made as everywhere, of the results.json that the grader writes.
+// message, each document keeps its form, its size and its points, and a fault of the machinery is
+// no zero. The documents are made as everywhere, of the results.json that the grader writes.
 #include "report.h"
 #include "sample_result.h"
 

@@ -175,7 +175,7 @@ static const TreeJob3D *tree_job(const Probe *probe, int k)
     return sections_find(&probe->job, name, sizeof(TreeJob3D));
 }
 
-// Leave numbers like no other on the stack, where cells are handed over: who asks for a fourth side
+// Leave numbers like no other on the stack, where cells are handed over: what reads a fourth side
 // of one gets these. In a whole job other functions leave theirs.
 static __attribute__((noinline)) void soil_stack(void)
 {
