@@ -5,7 +5,6 @@
 // Read next: cl_build.c.
 #include "build_log.h"
 
-#include <regex.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -55,19 +54,28 @@ static int log_has_carets(const char *log)
     return 0;
 }
 
+// What a compiler counts.
+static int is_counted(const char *word)
+{
+    static const char *const WORDS[] = {"error", "errors", "warning", "warnings"};
+    for (size_t i = 0; i < sizeof WORDS / sizeof WORDS[0]; i++) {
+        if (strcmp(word, WORDS[i]) == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
 // "1 error generated.", "2 warnings and 1 error generated."
 static int line_is_summary(const char *line)
 {
-#define COUNT "[0-9]+ (error|warning)s?"
-    regex_t summary;
-    if (regcomp(&summary, "^" COUNT "( and " COUNT ")? generated\\.[ \r]*$",
-                REG_EXTENDED | REG_NOSUB) != 0) {
-        return 0;
+    char first[9] = "", second[9] = "error";  // hold "warnings"
+    int n_read = 0;
+    sscanf(line, "%*u %8[a-z] generated. %n", first, &n_read);
+    if (n_read == 0) {
+        sscanf(line, "%*u %8[a-z] and %*u %8[a-z] generated. %n", first, second, &n_read);
     }
-    int is_summary = regexec(&summary, line, 0, NULL, 0) == 0;
-    regfree(&summary);
-    return is_summary;
-#undef COUNT
+    return n_read > 0 && line[n_read] == '\0' && is_counted(first) && is_counted(second);
 }
 
 // For lines that are no diagnostic.
