@@ -79,7 +79,8 @@ $(OUT)/tests/test_oclgrind_log: $(call objects,tests/memcheck/oclgrind_log.c)
 
 # Fuzz targets, each as a function of its name, for the test that runs their corpus through.
 $(OUT)/obj/tests/fuzz/%.c.o: EXTRA = $(GRADER_INCLUDES) -DLLVMFuzzerTestOneInput=$(basename $(notdir $<))
-$(OUT)/obj/tests/unit/test_corpus.c.o: EXTRA = $(GRADER_INCLUDES) -I tests/fuzz
+$(OUT)/obj/tests/unit/test_corpus.c.o $(OUT)/obj/tests/unit/test_nff_round_trip.c.o: \
+    EXTRA = $(GRADER_INCLUDES) -I tests/fuzz
 $(OUT)/tests/test_corpus: $(call objects,$(wildcard tests/fuzz/fuzz_*.c))
 
 # The figures that the bench prints.
