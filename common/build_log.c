@@ -5,6 +5,8 @@
 // Read next: cl_build.c.
 #include "build_log.h"
 
+#include "utf8.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -117,8 +119,7 @@ static void source_line_print(FILE *out, const char *path, int line, int column)
         fprintf(out, "%s\n", text);
         for (int i = 0; i < column - 1 && text[i] != '\0'; i++) {
             // A tab stays one, and a letter of several bytes (UTF-8) is one column wide on screen.
-            int is_continuation = ((unsigned char)text[i] & 0xC0) == 0x80;
-            if (!is_continuation) {
+            if (!utf8_goes_on(text[i])) {
                 fputc(text[i] == '\t' ? '\t' : ' ', out);
             }
         }

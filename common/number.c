@@ -44,8 +44,8 @@ int number_read_unsigned(const char *text, uint64_t lowest, uint64_t highest, ui
     return 0;
 }
 
-// strtof() follows the locale of the thread. A library that sets it to one with a decimal comma must
-// not change what a scene file means, so it runs under the "C" locale.
+// strtof() follows the locale of the thread. A library that sets it to one with a decimal comma
+// must not change what a scene file means, so it runs under the "C" locale.
 static locale_t locale_enter(void)
 {
     static locale_t c_locale = (locale_t)0;

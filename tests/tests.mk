@@ -40,7 +40,7 @@ gradescope autolab prairielearn github:
 # ---- Skeletons, handouts, pictures ----------------------------------------------------------
 
 # What a message needs, for tools that need little else of common/.
-MESSAGES = common/complain.c common/clean_text.c
+MESSAGES = $(addprefix common/,complain.c clean_text.c utf8.c)
 $(OUT)/tools/holes: $(call objects,tests/tools/holes.c tests/grader/lab/holes.c common/message.c common/text_file.c $(MESSAGES))
 	$(call link)
 
