@@ -2,7 +2,7 @@
 //
 // Flow: SCENE -> buffers -> kernel -> image -> comparison: what the user wants, before all else.
 // One table holds every option; reading, refusing and --help all follow it.
-// Read next: a lab's main.c.
+// Read next: lab.c, which calls it.
 #include "options.h"
 
 #include "cl_setup.h"

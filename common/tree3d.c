@@ -6,7 +6,7 @@
 
 #include "complain.h"
 
-#include <stdio.h>
+#include <math.h>
 #include <stdlib.h>
 
 void tree3d_free(KdTree3D *tree)
@@ -120,6 +120,15 @@ int tree3d_figures(const KdTree3D *tree, TreeFigures3D *figures)
     }
     free(levels);
     return 0;
+}
+
+BBox3D box_widened(BBox3D box)
+{
+    for (int axis = 0; axis < 3; axis++) {
+        box.min[axis] = nextafterf(box.min[axis], -INFINITY);
+        box.max[axis] = nextafterf(box.max[axis], INFINITY);
+    }
+    return box;
 }
 
 // What came out fastest for scenes of 7381, 100 000 and 1 000 000 spheres: leaves of

@@ -42,6 +42,10 @@ typedef struct TreeFigures3D {
 // when memory runs out.
 int tree3d_figures(const KdTree3D *tree, TreeFigures3D *figures);
 
+// A box, one float wider on each side. Bounds are rounded, and a sphere may reach up to half a step
+// out of them (at 100 000 a float's steps are 1/128): the wider box holds it whole.
+BBox3D box_widened(BBox3D box);
+
 // The limits that fit a scene of this many spheres where the user gives none (0).
 //   max_depth, leaf_size   as the user gave them, 0 where not
 KdTreeLimits tree3d_limits(int max_depth, int leaf_size, u32 n_spheres);

@@ -4,7 +4,7 @@
 //   nodes_Relations[n_nodes]   NodeRel   who is whose child, and where a leaf's list starts
 //   nodes_flag[n_nodes]        u8        LEAF or INNER
 //   nodes_BBox[n_nodes]        BBox2D    the cell of each node
-//   mapNode2Circles[n_map]     u32       for each leaf a count, then so many circle ids, ascending
+//   mapNode2Circles[n_map]     u32       for each leaf a count and as many circle ids, ascending
 //
 // Node ids count in breadth-first order from 0, the root, without gaps: a node's id is its position
 // in the arrays. Lecture: "kd-tree: memory layout". Read next: kdtree2d_build.h of lab 02.

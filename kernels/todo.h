@@ -12,10 +12,11 @@
 
 #ifdef __OPENCL_C_VERSION__
 
+// A node to visit, and the part of the ray inside it.
 typedef struct TodoEntry {
     uint node;  // id
-    float t_near;
-    float t_far;
+    float t_min;
+    float t_max;
 } TodoEntry;
 
 typedef struct Todo {
@@ -24,11 +25,11 @@ typedef struct Todo {
 } Todo;
 
 // Put a node on top.
-static inline void todo_push(Todo *todo, uint node, float t_near, float t_far)
+static inline void todo_push(Todo *todo, uint node, float t_min, float t_max)
 {
     todo->entries[todo->n].node = node;
-    todo->entries[todo->n].t_near = t_near;
-    todo->entries[todo->n].t_far = t_far;
+    todo->entries[todo->n].t_min = t_min;
+    todo->entries[todo->n].t_max = t_max;
     todo->n++;
 }
 

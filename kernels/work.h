@@ -1,11 +1,9 @@
 // Counting work: how many circles or spheres a pixel asks, how many nodes it visits.
 //
-// Milliseconds differ from machine to machine; counts do not. A kernel writes WORK_PARAMETER after
-// its last parameter, WORK_BEGIN after the guard by which work-items outside the picture leave, and
-// WORK_END, which uses the kernel's parameter `width`, as its last statement. A function that
-// counts for it takes WORK_POINTER after its last parameter. Calls are counted from where
-// count_circle_search.h or one of its kind is included. Built without -DCOUNT_WORK all of this is
-// empty and costs nothing.
+// Milliseconds differ from machine to machine; counts do not. Functions that count take a pixel's
+// `work` as their last parameter, and pass it on to those that they call. Whether anything is
+// counted is fixed when a kernel is built: without -DCOUNT_WORK the functions below are empty, and
+// a compiler leaves `work` out.
 // Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: common/work_stats.h.
 #ifndef KERNELS_WORK_H
 #define KERNELS_WORK_H
@@ -15,27 +13,61 @@
 // What one pixel cost. The buffer holds width * height of them, row by row.
 typedef struct Work {
     /*  0 */ u32 n_tests;           // calls of overlaps_N_Nearer or intersect_sphere
-    /*  4 */ u32 n_nodes_visited;   // inner nodes: calls of getContainingChild or children_on_ray
-    /*  8 */ u32 n_leaves_visited;  // 3D: calls of search_leaf
+    /*  4 */ u32 n_nodes_visited;   // inner nodes at which a child was chosen
+    /*  8 */ u32 n_leaves_visited;  // 3D: leaves that were searched
     /* 12 */ u32 stack_depth;       // 3D: most nodes that waited on the todo stack at once
 } Work;
 LAYOUT_ASSERT(Work, 16);
 
 #ifdef __OPENCL_C_VERSION__
+
 #ifdef COUNT_WORK
-#define WORK_PARAMETER , global Work *d_work
-// A function whose task is still to be solved does not use it yet.
-#define WORK_POINTER , Work *work __attribute__((unused))
-#define WORK_BEGIN                                                                                 \
-    Work pixel_work = {0, 0, 0, 0};                                                                \
-    Work *const work __attribute__((unused)) = &pixel_work
-#define WORK_END(x, y) d_work[(y) * width + (x)] = pixel_work
+#define IS_COUNTING 1
 #else
-#define WORK_PARAMETER
-#define WORK_POINTER
-#define WORK_BEGIN
-#define WORK_END(x, y)
+#define IS_COUNTING 0
 #endif
+
+// A circle or a sphere is asked.
+static inline void count_test(Work *work)
+{
+    if (IS_COUNTING) {
+        work->n_tests++;
+    }
+}
+
+// A child of an inner node is chosen.
+static inline void count_node(Work *work)
+{
+    if (IS_COUNTING) {
+        work->n_nodes_visited++;
+    }
+}
+
+// A leaf is searched.
+static inline void count_leaf(Work *work)
+{
+    if (IS_COUNTING) {
+        work->n_leaves_visited++;
+    }
+}
+
+// This many nodes wait on the todo stack.
+static inline void count_waiting(Work *work, uint n_waiting)
+{
+    if (IS_COUNTING) {
+        work->stack_depth = max(work->stack_depth, n_waiting);
+    }
+}
+
+// Write down what a pixel cost.
+//   d_work   the buffer; NULL where nothing is counted
+static inline void work_save(Work work, int x, int y, int width, global Work *d_work)
+{
+    if (IS_COUNTING) {
+        d_work[y * width + x] = work;
+    }
+}
+
 #endif
 
 #endif

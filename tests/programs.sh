@@ -136,35 +136,39 @@ for try in 'unshare --mount' 'unshare --map-root-user --mount'; do
     fi
 done
 
-# full_disk COMMAND...: with a disk of two pages at $small_disk, which holds a file "old"; what lies there
-# afterwards goes to $scratch/left.
+# full_disk LIMITS COMMAND...: with a disk of such LIMITS at $small_disk, which holds two files with the
+# word "old"; what lies there afterwards goes to $scratch/left.
 full_disk() {
     # shellcheck disable=SC2016,SC2086 # they are another shell's variables; the words of a command
     $namespace sh -c '
-        mount -t tmpfs -o size=8k tiny "$1" && echo old >"$1/old.png" && echo old >"$1/old.exr" ||
+        mount -t tmpfs -o "$3" tiny "$1" && echo old >"$1/old.png" && echo old >"$1/old.exr" ||
             exit 125
         small_disk=$1 left=$2 status=0
-        shift 2
+        shift 3
         "$@" || status=$?
         (cd "$small_disk" && ls -A && cat old.png old.exr) >"$left"
         exit $status' full_disk "$small_disk" "$scratch/left" "$@"
 }
 
-# fails_on_a_full_disk WORDS LAB OPTION...: does it say so, and leave what was there and no more?
-fails_on_a_full_disk() {
-    words=$1 lab=$2
-    shift 2
+# fails_on_a_disk LIMITS LEFT WORDS LAB OPTION...: with a disk of such LIMITS, does the program say
+# WORDS, and are the files LEFT there, the old ones as they were?
+fails_on_a_disk() {
+    limits=$1 left=$2 words=$3 lab=$4
+    shift 4
     for program in "$build/solutions/$lab"-*; do :; done
-    # A disk may also be full of entries: two pages hold the two old files and no third.
     status=0
-    full_disk "$program" "$@" >"$scratch/stdout" 2>"$scratch/stderr" </dev/null || status=$?
+    full_disk "$limits" "$program" "$@" >"$scratch/stdout" 2>"$scratch/stderr" </dev/null || status=$?
     cat "$scratch/stderr"
     [ "$status" -eq 1 ] || { echo "found exit status $status, expected 1"; return 1; }
     [ "$(wc -l <"$scratch/stderr")" -eq 1 ] || { echo "expected one line"; return 1; }
     grep -qF -- "$words" "$scratch/stderr" || { echo "expected the words: $words"; return 1; }
-    [ "$(tr '\n' ' ' <"$scratch/left")" = "old.exr old.png old old " ] ||
+    [ "$(tr '\n' ' ' <"$scratch/left")" = "$left old old " ] ||
         { echo "it left: $(cat "$scratch/left")"; return 1; }
 }
+
+# fails_on_a_full_disk WORDS LAB OPTION...: does it say so, and leave what was there and no more? A disk
+# may also be full of entries: two pages hold the two old files and no third.
+fails_on_a_full_disk() { fails_on_a_disk size=8k "old.exr old.png" "$@"; }
 
 # fails_to_save NUMBER...: pictures and figures of these labs where there is no room for them. A limit
 # on the size of files stops PoCL before the picture, so it is for the labs that need no device.
@@ -197,15 +201,17 @@ fails_to_save() {
     done
 }
 
-# fails_for_heat_map NUMBER: the same for what --heat-map saves beside the picture.
+# fails_for_heat_map NUMBER: the same for what --heat-map saves beside the picture, on a disk with an
+# entry for the picture, which is saved before, and none for more.
 fails_for_heat_map() {
     if [ -z "$namespace" ]; then
         skip "lab $1: a full disk for the heat map" "no small disk can be mounted here"
         return
     fi
     check "lab $1: a full disk for the heat map" \
-        fails_on_a_full_disk "old-work.exr: cannot be written: No space left on device" \
-        "$1" --size 317x211 --scene random:n=40 --heat-map --output "$small_disk/old.png"
+        fails_on_a_disk nr_inodes=4 "new.png old.exr old.png" \
+        "new-work.exr: cannot be written: No space left on device" \
+        "$1" --size 317x211 --scene random:n=40 --heat-map --output "$small_disk/new.png"
 }
 
 # state: what is in the output folder, and whether what was there before is as it was.

@@ -27,7 +27,15 @@ grade-class: grader  ## grade a class: LAB=03 SUBMISSIONS=folder [OUTPUT=folder]
 	    $(if $(AGAINST),--against "$$AGAINST") $(if $(DEVICE),--device "$$DEVICE") \
 	    $(if $(TIME_LIMIT),--time-limit "$$TIME_LIMIT")
 
-# Bundles for the systems that courses use (tests/systems/README.md), in build/systems.
+# ---- Other systems (tests/systems/README.md) ------------------------------------------------
+
+# The grader is run through this, which writes its result in more forms.
+grade:  ## the same, and write the result for other systems, too: LAB=03 FORMAT=junit,tap
+graded_lab = $(or $(filter $(LAB) $(LAB)-% 0$(LAB)-%,$(LABS)),$(LAB))
+through_formats = $(if $(FORMAT),tests/systems/formats/write.sh "$$FORMAT" \
+    "$(OUT)/grade/$(firstword $(subst -, ,$(graded_lab)))" "$(graded_lab)")
+
+# Bundles, in build/systems.
 .PHONY: gradescope autolab prairielearn github
 gradescope:  ## the autograder of LAB=03 for Gradescope
 autolab:  ## the assessment of LAB=03 for Autolab

@@ -2,12 +2,15 @@
 //
 // Flow: scene -> buffers -> KERNEL -> image -> comparison. Called by implicit2DRenderer.cl.
 #include "circle.h"
+#include "work.h"
 
 // Does the circle cover the pixel (x, y), and is it nearer than what the pixel has seen so far?
 //   minDepth   the depth of the nearest circle found yet
+//   work       what this pixel has cost so far; the call is counted
 // Returns 1 or 0. Source: lecture, "Implicit 2D rendering".
-int overlaps_N_Nearer(int x, int y, Circle circle, float minDepth)
+int overlaps_N_Nearer(int x, int y, Circle circle, float minDepth, Work *work)
 {
+    count_test(work);
     // TASK overlaps_N_Nearer: the boundary belongs to the circle (distance² <= radius²), and
     // nearer is strict (depth < minDepth): of two equal depths the one asked first keeps the pixel.
     (void)x, (void)y, (void)circle, (void)minDepth;

@@ -5,6 +5,8 @@
 // at the end, which shows how the steps go together.
 #include "kdtree2d_build.h"
 
+#include "array_reserve.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -73,189 +75,191 @@ void pack_leaf(KdTree2D *tree, u32 id, const u32 *ids, u32 n_ids)
 // What a user can do about a tree that grows too large.
 #define ADVICE "; choose a smaller --max-depth or a larger --leaf-size"
 
-// A node that still holds its circles: waiting, in order of ids, to become an inner node or a leaf.
+// An open node: one that still has to become an inner node or a leaf. Its cell is in the tree.
 typedef struct OpenNode {
-    u32 *ids;  // [n_ids], ascending; owned
+    u32 first_id;  // where its circles start in the ids of its level
     u32 n_ids;
-    int level;
     int n_failed;  // splits above it that failed
 } OpenNode;
 
-// The tree while it grows, and the open nodes beside it.
+// One level of the tree while it is built: its open nodes in order, and their circles.
+typedef struct Level {
+    OpenNode *open;  // [n_open]
+    u32 *ids;        // [n_ids], ascending in each open node
+    u32 n_open, open_capacity;
+    u32 n_ids, id_capacity;
+} Level;
+
+static void level_free(Level *level)
+{
+    free(level->open);
+    free(level->ids);
+    *level = (Level){0};
+}
+
+// Room for n_open more open nodes and n_ids more ids. Returns 0, or -1 when memory runs out.
+static int level_reserve(Level *level, u32 n_open, u32 n_ids)
+{
+    OpenNode *open =
+        array_reserve(level->open, level->n_open, n_open, &level->open_capacity, sizeof *open);
+    level->open = open != NULL ? open : level->open;
+    u32 *ids = array_reserve(level->ids, level->n_ids, n_ids, &level->id_capacity, sizeof *ids);
+    level->ids = ids != NULL ? ids : level->ids;
+    return open != NULL && ids != NULL ? 0 : -1;
+}
+
+// The tree while it grows, and the capacity of its arrays.
 typedef struct Builder {
+    const Circle *h_circles;
+    KdTreeLimits limits;
     KdTree2D tree;
-    OpenNode *open;     // [tree.n_nodes]; those before the node at work have given up their ids
-    u32 node_capacity;  // of the tree's node arrays and of open
-    u32 map_capacity;   // of tree.mapNode2Circles
-    u64 n_open_ids;     // ids that all open nodes hold together
+    u32 relation_capacity, flag_capacity, box_capacity;
+    u32 map_capacity;
 } Builder;
 
-// Room for one more node in every array that has one entry a node; doubling keeps growing cheap.
-static int reserve_node(Builder *builder)
+// Room for n more nodes. Returns 0, or -1 when memory runs out.
+static int nodes_reserve(Builder *builder, u32 n)
 {
     KdTree2D *tree = &builder->tree;
-    if (tree->n_nodes < builder->node_capacity) {
-        return 0;
-    }
-    const u32 capacity = builder->node_capacity ? 2 * builder->node_capacity : 256;
-    // Each array that could be moved is kept: the others are still where they were.
-    NodeRel *relations = realloc(tree->nodes_Relations, capacity * sizeof *relations);
-    if (relations != NULL) {
-        tree->nodes_Relations = relations;
-    }
-    u8 *flags = realloc(tree->nodes_flag, capacity * sizeof *flags);
-    if (flags != NULL) {
-        tree->nodes_flag = flags;
-    }
-    BBox2D *boxes = realloc(tree->nodes_BBox, capacity * sizeof *boxes);
-    if (boxes != NULL) {
-        tree->nodes_BBox = boxes;
-    }
-    OpenNode *open = realloc(builder->open, capacity * sizeof *open);
-    if (open != NULL) {
-        builder->open = open;
-    }
-    if (relations == NULL || flags == NULL || boxes == NULL || open == NULL) {
+    NodeRel *relations = array_reserve(tree->nodes_Relations, tree->n_nodes, n,
+                                       &builder->relation_capacity, sizeof *relations);
+    tree->nodes_Relations = relations != NULL ? relations : tree->nodes_Relations;
+    u8 *flags =
+        array_reserve(tree->nodes_flag, tree->n_nodes, n, &builder->flag_capacity, sizeof *flags);
+    tree->nodes_flag = flags != NULL ? flags : tree->nodes_flag;
+    BBox2D *boxes =
+        array_reserve(tree->nodes_BBox, tree->n_nodes, n, &builder->box_capacity, sizeof *boxes);
+    tree->nodes_BBox = boxes != NULL ? boxes : tree->nodes_BBox;
+    return relations != NULL && flags != NULL && boxes != NULL ? 0 : -1;
+}
+
+// Append n nodes, still open and without cells. Returns 0, or -1 when memory runs out.
+static int add_nodes(Builder *builder, u32 n)
+{
+    KdTree2D *tree = &builder->tree;
+    if (nodes_reserve(builder, n) != 0) {
         return -1;
     }
-    builder->node_capacity = capacity;
+    for (u32 end = tree->n_nodes + n; tree->n_nodes < end; tree->n_nodes++) {
+        tree->nodes_Relations[tree->n_nodes] = (NodeRel){.id = tree->n_nodes};
+        tree->nodes_flag[tree->n_nodes] = INNER;
+        tree->nodes_BBox[tree->n_nodes] = (BBox2D){0};
+    }
     return 0;
 }
 
-// Room for n more entries in mapNode2Circles.
-static int reserve_map(Builder *builder, u32 n)
+// Append an open child to the next level, with those of its parent's circles that overlap its cell.
+// Returns NULL, or what went wrong.
+static const char *add_child(const Builder *builder, const u32 *ids, u32 n_ids, BBox2D box,
+                             Level *next)
 {
-    KdTree2D *tree = &builder->tree;
-    if (tree->n_map + n <= builder->map_capacity) {
-        return 0;
+    const u32 n_child_ids =
+        distribute(builder->h_circles, ids, n_ids, box, next->ids + next->n_ids);
+    if (n_child_ids > n_ids) {
+        return "distribute() returned more circles than the node has";
     }
-    const u32 capacity = 2 * builder->map_capacity + n;
-    u32 *map = realloc(tree->mapNode2Circles, capacity * sizeof *map);
-    if (map == NULL) {
-        return -1;
-    }
-    tree->mapNode2Circles = map;
-    builder->map_capacity = capacity;
-    return 0;
-}
-
-// Append an open node; its id is its position. Takes over `ids`, on failure too. Returns NULL, or
-// what went wrong.
-static const char *add_node(Builder *builder, BBox2D box, u32 *ids, u32 n_ids, int level)
-{
-    if (reserve_node(builder) != 0) {
-        free(ids);
-        return "no memory" ADVICE;
-    }
-    KdTree2D *tree = &builder->tree;
-    const u32 id = tree->n_nodes++;
-    tree->nodes_Relations[id] = (NodeRel){.id = id};
-    tree->nodes_flag[id] = INNER;
-    tree->nodes_BBox[id] = box;
-    builder->open[id] = (OpenNode){ids, n_ids, level, 0};
-    builder->n_open_ids += n_ids;
+    next->open[next->n_open++] = (OpenNode){next->n_ids, n_child_ids, 0};
+    next->n_ids += n_child_ids;
     return NULL;
 }
 
-// Append the child of an open node that has this cell. Returns NULL, or what went wrong.
-static const char *add_child(Builder *builder, const Circle *h_circles, OpenNode parent, BBox2D box)
+// Turn node `id`, open on its level, into an inner node with two open children. Returns NULL, or
+// what went wrong.
+static const char *close_as_inner(Builder *builder, u32 id, OpenNode node, const u32 *ids,
+                                  Level *next)
 {
-    u32 *ids = malloc((parent.n_ids + 1) * sizeof *ids);
-    if (ids == NULL) {
+    // Each child may get all of them.
+    if (level_reserve(next, 2, 2 * node.n_ids) != 0 || add_nodes(builder, 2) != 0) {
         return "no memory" ADVICE;
     }
-    const u32 n_ids = distribute(h_circles, parent.ids, parent.n_ids, box, ids);
-    if (n_ids > parent.n_ids) {
-        free(ids);
-        return "distribute() returned more circles than the node has";
-    }
-    return add_node(builder, box, ids, n_ids, parent.level + 1);
-}
-
-// Turn open node `id` into an inner node with two open children. Returns NULL, or what went wrong.
-static const char *close_as_inner(Builder *builder, const Circle *h_circles, u32 id)
-{
     KdTree2D *tree = &builder->tree;
-    const OpenNode node = builder->open[id];
-    const u32 lChild = tree->n_nodes, rChild = lChild + 1;
-    BBox2D left, right;
-    split_box(tree->nodes_BBox[id], &left, &right);
+    const u32 lChild = tree->n_nodes - 2, rChild = lChild + 1;
     tree->nodes_Relations[id].lChild = lChild;
     tree->nodes_Relations[id].rChild = rChild;
-    const char *failure = add_child(builder, h_circles, node, left);
+    split_box(tree->nodes_BBox[id], &tree->nodes_BBox[lChild], &tree->nodes_BBox[rChild]);
+    const char *failure = add_child(builder, ids, node.n_ids, tree->nodes_BBox[lChild], next);
     if (failure == NULL) {
-        failure = add_child(builder, h_circles, node, right);
+        failure = add_child(builder, ids, node.n_ids, tree->nodes_BBox[rChild], next);
     }
     if (failure == NULL) {
-        OpenNode *open = builder->open;
-        open[lChild].n_failed = open[rChild].n_failed =
-            node.n_failed + split_failed(node.n_ids, open[lChild].n_ids, open[rChild].n_ids);
+        OpenNode *children = next->open + next->n_open - 2;
+        children[0].n_failed = children[1].n_failed =
+            node.n_failed + split_failed(node.n_ids, children[0].n_ids, children[1].n_ids);
     }
     return failure;
 }
 
-// Turn open node `id` into a leaf. Returns NULL, or what went wrong.
-static const char *close_as_leaf(Builder *builder, u32 id)
+// Turn node `id`, open on its level, into a leaf. Returns NULL, or what went wrong.
+static const char *close_as_leaf(Builder *builder, u32 id, const u32 *ids, u32 n_ids)
 {
     KdTree2D *tree = &builder->tree;
-    const OpenNode node = builder->open[id];
-    if (reserve_map(builder, node.n_ids + 1) != 0) {
+    u32 *moved = array_reserve(tree->mapNode2Circles, tree->n_map, n_ids + 1,
+                               &builder->map_capacity, sizeof *moved);
+    if (moved == NULL) {
         return "no memory" ADVICE;
     }
+    tree->mapNode2Circles = moved;
     const u32 n_before = tree->n_map;
-    pack_leaf(tree, id, node.ids, node.n_ids);
-    return tree->n_map - n_before <= node.n_ids + 1
+    pack_leaf(tree, id, ids, n_ids);
+    return tree->n_map - n_before <= n_ids + 1
                ? NULL
                : "pack_leaf() moved n_map by more than the leaf's list is long";
 }
 
-// Turn open node `id` into an inner node or into a leaf. Returns NULL, or what went wrong.
-static const char *close_node(Builder *builder, const Circle *h_circles, u32 id,
-                              KdTreeLimits limits)
+// Close every node of a level; their children make the next one. Returns NULL, or what went wrong.
+static const char *close_level(Builder *builder, int level_number, const Level *level, Level *next)
 {
-    const OpenNode node = builder->open[id];
-    const char *failure = is_leaf(node.level, node.n_ids, node.n_failed, limits)
-                              ? close_as_leaf(builder, id)
-                              : close_as_inner(builder, h_circles, id);
-    builder->n_open_ids -= node.n_ids;
-    builder->open[id].ids = NULL;
-    free(node.ids);
+    // The level's nodes are the last of the tree: ids come out in breadth-first order.
+    const u32 first_id = builder->tree.n_nodes - level->n_open;
+    const char *failure = NULL;
+    next->n_open = next->n_ids = 0;
+    for (u32 i = 0; failure == NULL && i < level->n_open; i++) {
+        const OpenNode node = level->open[i];
+        const u32 *ids = level->ids + node.first_id;
+        failure = is_leaf(level_number, node.n_ids, node.n_failed, builder->limits)
+                      ? close_as_leaf(builder, first_id + i, ids, node.n_ids)
+                      : close_as_inner(builder, first_id + i, node, ids, next);
+        if (failure != NULL) {
+            break;
+        }
+        if (next->n_ids > TREE2D_MAX_ENTRIES || builder->tree.n_map > TREE2D_MAX_ENTRIES) {
+            failure = "the leaves would hold too many circles" ADVICE;
+        } else if (builder->tree.n_nodes > TREE2D_MAX_NODES) {
+            failure = "there would be too many nodes" ADVICE;
+        }
+    }
     return failure;
 }
 
-// Append the root, which holds every circle. Returns NULL, or what went wrong.
-static const char *add_root(Builder *builder, const Circle *h_circles, u32 n_circles)
+// The first level: the root, with every circle. Returns NULL, or what went wrong.
+static const char *open_root(Builder *builder, u32 n_circles, Level *level)
 {
-    u32 *ids = malloc((n_circles + 1) * sizeof *ids);
-    if (ids == NULL) {
+    if (level_reserve(level, 1, n_circles) != 0 || add_nodes(builder, 1) != 0) {
         return "no memory" ADVICE;
     }
+    builder->tree.nodes_BBox[0] = scene_bounds(builder->h_circles, n_circles);
     for (u32 i = 0; i < n_circles; i++) {
-        ids[i] = i;
+        level->ids[i] = i;
     }
-    return add_node(builder, scene_bounds(h_circles, n_circles), ids, n_circles, 1);
+    level->n_ids = n_circles;
+    level->open[0] = (OpenNode){0, n_circles, 0};
+    level->n_open = 1;
+    return NULL;
 }
 
 int kdtree2d_build(const Circle *h_circles, u32 n_circles, KdTreeLimits limits, KdTree2D *tree)
 {
-    Builder builder = {0};
-    const char *failure = add_root(&builder, h_circles, n_circles);
-    // Children are appended behind all nodes there are, so ids come out in breadth-first order.
-    for (u32 id = 0; failure == NULL && id < builder.tree.n_nodes; id++) {
-        failure = close_node(&builder, h_circles, id, limits);
-        if (failure != NULL) {
-            break;
-        }
-        if (builder.tree.n_map + builder.n_open_ids > TREE2D_MAX_ENTRIES) {
-            failure = "the leaves would hold too many circles" ADVICE;
-        } else if (builder.tree.n_nodes > TREE2D_MAX_NODES) {
-            failure = "there would be too many nodes" ADVICE;
-        }
+    Builder builder = {.h_circles = h_circles, .limits = limits};
+    Level level = {0}, next = {0};
+    const char *failure = open_root(&builder, n_circles, &level);
+    for (int number = 1; failure == NULL && level.n_open > 0; number++) {
+        failure = close_level(&builder, number, &level, &next);
+        const Level closed = level;
+        level = next;
+        next = closed;
     }
-    for (u32 id = 0; id < builder.tree.n_nodes; id++) {
-        free(builder.open[id].ids);
-    }
-    free(builder.open);
+    level_free(&level);
+    level_free(&next);
     if (failure != NULL) {
         fprintf(stderr, "kdtree2d_build: %s\n", failure);
         tree2d_free(&builder.tree);

@@ -4,26 +4,16 @@
 #include "intersect_sphere.cl"
 #include "work.h"
 
-// After the functions themselves: `--textbook` draws with the other form, to see it fail.
-#ifdef TEXTBOOK
-#define intersect_sphere intersect_textbook
-#else
-#include "count_sphere_tests.h"
-#endif
-
 // What the ray hits first.
 //   spheres[n_spheres]   the scene
+//   work                 what this pixel has cost so far: for intersect_sphere()
 // Returns the nearest hit; of two at the same distance the sphere with the lower index.
-Hit nearest_hit(global const Sphere *spheres, int n_spheres, Ray ray WORK_POINTER)
+Hit nearest_hit(global const Sphere *spheres, int n_spheres, Ray ray, Work *work)
 {
     Hit hit = {INFINITY, NO_SPHERE};
     // TASK nearest_hit: ask every sphere, in the order of the array, and keep the nearest hit: its
     // distance and the sphere's index.
-    (void)spheres, (void)n_spheres, (void)ray;
+    (void)spheres, (void)n_spheres, (void)ray, (void)work;
     // END nearest_hit
     return hit;
 }
-
-#ifdef COUNT_WORK
-#define nearest_hit(spheres, n_spheres, ray) nearest_hit(spheres, n_spheres, ray, work)
-#endif

@@ -12,10 +12,11 @@
 //   camera                                where it is seen from
 //   width, height                         the picture, pixels; work-items outside it write nothing
 //   image                                 RGBA float, at least width x height; row 0 is the top row
+//   d_work                                what each pixel cost; NULL where nothing is counted
 kernel void render_spheres(global const Sphere *spheres, global const uint *material_ids,
                            global const Material *materials, global const Light *lights,
                            int n_lights, Vec3 background, Camera camera, int width, int height,
-                           write_only image2d_t image, int n_spheres WORK_PARAMETER)
+                           write_only image2d_t image, int n_spheres, global Work *d_work)
 {
     const int x = get_global_id(0);
     const int y = get_global_id(1);
@@ -23,12 +24,12 @@ kernel void render_spheres(global const Sphere *spheres, global const uint *mate
     if (x >= width || y >= height) {
         return;
     }
-    WORK_BEGIN;
 
+    Work work = {0, 0, 0, 0};
     const Ray ray = primary_ray(x, y, width, height, camera);
-    const Hit hit = nearest_hit(spheres, n_spheres, ray);
+    const Hit hit = nearest_hit(spheres, n_spheres, ray, &work);
     const float3 color =
         hit_color(ray, hit, spheres, material_ids, materials, lights, n_lights, background);
     write_imagef(image, (int2)(x, y), (float4)(color, 1.0f));
-    WORK_END(x, y);
+    work_save(work, x, y, width, d_work);
 }

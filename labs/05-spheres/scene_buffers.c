@@ -10,8 +10,8 @@
 int scene_buffers_create(const ClSetup *cl, const Scene3D *scene, SceneBuffers *buffers)
 {
     const size_t n_spheres = (size_t)scene->n_spheres;
-    *buffers = (SceneBuffers){.d_image = cl_image_create(cl, scene->width, scene->height)};
-    if (buffers->d_image == NULL) {
+    *buffers = (SceneBuffers){0};
+    if (cl_image_create(cl, scene->width, scene->height, &buffers->d_image) != 0) {
         return -1;
     }
     buffers->d_spheres = cl_buffer_create(cl, scene->spheres, n_spheres * sizeof *scene->spheres);
@@ -28,11 +28,7 @@ void scene_buffers_free(SceneBuffers *buffers)
 {
     cl_mem objects[] = {buffers->d_spheres, buffers->d_material_ids, buffers->d_materials,
                         buffers->d_lights, buffers->d_image};
-    for (size_t i = 0; i < sizeof objects / sizeof *objects; i++) {
-        if (objects[i] != NULL) {
-            CL_CHECK(clReleaseMemObject(objects[i]));
-        }
-    }
+    cl_memory_release(objects, sizeof objects / sizeof *objects);
     *buffers = (SceneBuffers){0};
 }
 

@@ -1,5 +1,6 @@
-// Building the 3D kd-tree: from spheres to nodes without boxes. Tasks of lab 06; lab 07 searches
-// what comes out. Source of all of it: lecture, "kd-tree for ray tracing: construction".
+// Building the 3D kd-tree: from spheres to nodes without boxes. Lab 06 gives what is as in lab 02,
+// the rest are its tasks; lab 07 searches what comes out. Source of all of it: lecture, "kd-tree
+// for ray tracing: construction".
 #ifndef KDTREE3D_BUILD_H
 #define KDTREE3D_BUILD_H
 
@@ -43,9 +44,9 @@ u32 distribute_spheres(const Sphere *h_spheres, const u32 *ids, u32 n_ids, BBox3
 // Sets all of the node but split_pos, writes the ids, and moves tree->n_sphere_ids behind them.
 void pack_leaf_range(KdTree3D *tree, u32 id, const u32 *ids, u32 n_ids);
 
-// May a node on this level (the root's is 1) be split, so that no search overflows the todo stack
-// of TODO_SIZE places? Each inner node on the way down to a leaf may leave one child waiting.
-// Returns 1 or 0.
+// May a node on this level (the root's is 1) be split, so that no search overflows the todo stack?
+// That is where a search (lab 07) keeps the nodes it has still to visit: each inner node on the way
+// down may leave one child waiting there, and there are TODO_SIZE places. Returns 1 or 0.
 int fits_todo(int level);
 
 #endif

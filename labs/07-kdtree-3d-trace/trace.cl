@@ -8,40 +8,69 @@
 #include "todo.h"
 #include "work.h"
 
-#include "count_sphere_tests.h"
-
 // Ask the spheres of a leaf.
 //   node         the leaf
 //   sphere_ids   of the whole tree; the leaf's are node.n_spheres from node.first on
 //   hit          in: the nearest hit so far; out: the same, or a nearer one; of two at the same
 //                distance the sphere with the lower index
-// A hit beyond the leaf is kept, too: trace() decides when it counts. Source: lecture, "Leaf
+//   work         what this pixel has cost so far: for intersect_sphere()
+// A hit beyond the leaf is kept, too: next_waiting() decides when it counts. Source: lecture, "Leaf
 // search".
 void search_leaf(KdNode3 node, global const uint *sphere_ids, global const Sphere *spheres, Ray ray,
-                 Hit *hit WORK_POINTER)
+                 Hit *hit, Work *work)
 {
     // TASK search_leaf: as nearest_hit() of lab 05, over the leaf's spheres only. hit->sphere is an
     // index into spheres[], not into sphere_ids[].
-    (void)node, (void)sphere_ids, (void)spheres, (void)ray, (void)hit;
+    (void)node, (void)sphere_ids, (void)spheres, (void)ray, (void)hit, (void)work;
     // END search_leaf
 }
 
-#include "count_search.h"
+// Go on from an inner node: with which child, and does the other one have to wait?
+//   node              the inner node
+//   origin, inverse   the ray's origin and 1 / direction, along node.split_axis
+//   t_min, t_max      the part of the ray inside the node
+//   todo              out: where both children are met, the far one is on top
+// Returns the child to visit next, with the part of the ray inside it.
+// Source: lecture, "Near and far child" and "todo stack".
+static TodoEntry next_child(KdNode3 node, float origin, float inverse, float t_min, float t_max,
+                            Todo *todo)
+{
+    // TASK next_child: near_side() and children_on_ray() say which children the ray meets. Where it
+    // meets one, go there with the whole part. Where it meets both, each gets its own part, up to
+    // the plane or from there on: go to the near one, and let the far one wait.
+    (void)origin, (void)inverse, (void)todo;
+    return (TodoEntry){node.first, t_min, t_max};
+    // END next_child
+}
+
+// Go on after a leaf that has been searched, unless the search is over.
+//   hit    the nearest hit so far, in this leaf or an earlier one
+//   todo   the nodes that wait, the nearest on top
+//   at     in: the leaf; out: where the search goes on, which then waits no longer
+// Returns 1, or 0 when the search is over. Source: lecture, "todo stack" and "Traversal".
+static int next_waiting(Hit hit, Todo *todo, TodoEntry *at)
+{
+    // TASK next_waiting: a hit before the end of the leaf's part of the ray ends the search, and so
+    // does an empty stack. Else the node on top comes next, with its own part of the ray.
+    (void)hit, (void)todo, (void)at;
+    return 0;
+    // END next_waiting
+}
 
 // What the ray hits first.
 //   spheres                      the scene
 //   nodes, sphere_ids, bounds    its kd-tree (kdtree3d.h); node 0 is the root
+//   work                         what this pixel has cost so far
 // Returns what nearest_hit() of lab 05 finds: the distance and the sphere.
 // Source: lecture, "Traversal". Static, so that a compiler may put it into the kernel, its only
 // caller.
 static Hit trace(Ray ray, global const Sphere *spheres, global const KdNode3 *nodes,
-                 global const uint *sphere_ids, BBox3D bounds WORK_POINTER)
+                 global const uint *sphere_ids, BBox3D bounds, Work *work)
 {
     Hit hit = {INFINITY, NO_SPHERE};
-    // The part of the ray inside the node at hand: at first inside the scene's box.
-    float t_near = ray.t_min;
-    float t_far = ray.t_max;
-    if (!clip_to_box(bounds, ray, &t_near, &t_far)) {
+    // The node at hand, and the part of the ray inside it: at first the root, and the scene's box.
+    TodoEntry at = {0, ray.t_min, ray.t_max};
+    if (!clip_to_box(bounds, ray, &at.t_min, &at.t_max)) {
         return hit;
     }
     // What every inner node asks of the ray, one entry an axis: a division here saves one a node.
@@ -50,16 +79,19 @@ static Hit trace(Ray ray, global const Sphere *spheres, global const KdNode3 *no
                                1.0f / ray.direction.z};
     Todo todo;
     todo.n = 0;
-    // TASK trace: from the root down. An inner node: go on with the near child, the far child or
-    // both: then the far one waits on the stack, each with its own part of the ray. A leaf: search
-    // it; a hit before the end of the leaf's part of the ray ends everything, else the next node
-    // comes from the stack, and an empty stack ends the search, too.
-    (void)spheres, (void)nodes, (void)sphere_ids, (void)origins, (void)inverses, (void)todo;
-    // END trace
-    return hit;
+    for (;;) {
+        const KdNode3 node = nodes[at.node];
+        if (node.split_axis != KD_LEAF) {
+            count_node(work);
+            at = next_child(node, origins[node.split_axis], inverses[node.split_axis], at.t_min,
+                            at.t_max, &todo);
+            count_waiting(work, todo.n);
+            continue;
+        }
+        count_leaf(work);
+        search_leaf(node, sphere_ids, spheres, ray, &hit, work);
+        if (!next_waiting(hit, &todo, &at)) {
+            return hit;
+        }
+    }
 }
-
-#ifdef COUNT_WORK
-#define trace(ray, spheres, nodes, sphere_ids, bounds)                                             \
-    trace(ray, spheres, nodes, sphere_ids, bounds, work)
-#endif

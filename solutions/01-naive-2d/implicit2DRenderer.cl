@@ -4,16 +4,14 @@
 #include "overlaps_N_Nearer.cl"
 #include "work.h"
 
-// After the function whose calls it counts.
-#include "count_circle_search.h"
-
 // Draw the circles, one work-item a pixel.
 //   circles[n_circles]   the scene
 //   width, height        the picture, pixels; work-items outside it write nothing
 //   image                RGBA float, at least width x height; row 0 is the top row
+//   d_work               what each pixel cost; NULL where nothing is counted
 // A pixel that no circle covers is (0, 0, 0, 0). Source: lecture, "Implicit 2D rendering".
 kernel void implicit2DRenderer(global const Circle *circles, int n_circles, int width, int height,
-                               write_only image2d_t image WORK_PARAMETER)
+                               write_only image2d_t image, global Work *d_work)
 {
     // TASK own_pixel: x counts columns, y rows. Work-items that fill up the last work-groups stand
     // outside the picture and leave.
@@ -26,21 +24,21 @@ kernel void implicit2DRenderer(global const Circle *circles, int n_circles, int 
         return;
     }
     // END own_pixel
-    WORK_BEGIN;
 
+    Work work = {0, 0, 0, 0};
     float4 color = (float4)(0.0f);
     // TASK implicit2DRenderer: ask every circle, in the order of the array, and keep the colour of
-    // the nearest one that covers the pixel.
+    // the nearest one that covers the pixel. Each call counts in &work.
     //> (void)circles, (void)n_circles;
     float minDepth = INFINITY;
     for (int i = 0; i < n_circles; i++) {
         const Circle circle = circles[i];
-        if (overlaps_N_Nearer(x, y, circle, minDepth)) {
+        if (overlaps_N_Nearer(x, y, circle, minDepth, &work)) {
             minDepth = circle.depth;
             color = (float4)(circle.r, circle.g, circle.b, circle.a);
         }
     }
     // END implicit2DRenderer
     write_imagef(image, (int2)(x, y), color);
-    WORK_END(x, y);
+    work_save(work, x, y, width, d_work);
 }

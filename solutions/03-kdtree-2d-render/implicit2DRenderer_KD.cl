@@ -8,11 +8,13 @@
 // The child of an inner node whose half-open cell, minX <= x < maxX and minY <= y < maxY, holds the
 // pixel (x, y). Where the node's own cell holds it, exactly one child does. (A pixel outside the
 // root may end up in either: no circle covers it.)
-//   id   the inner node
+//   id     the inner node
+//   work   what this pixel has cost so far; the call is counted
 // Returns the child's id. Source: lecture, "Search in the kd-tree".
 uint getContainingChild(int x, int y, uint id, global const NodeRel *nodes_Relations,
-                        global const BBox2D *nodes_BBox)
+                        global const BBox2D *nodes_BBox, Work *work)
 {
+    count_node(work);
     // TASK getContainingChild: look at the left child's cell; what is not there is in the right.
     //> (void)x, (void)y, (void)nodes_BBox;
     //> return nodes_Relations[id].lChild;
@@ -23,20 +25,19 @@ uint getContainingChild(int x, int y, uint id, global const NodeRel *nodes_Relat
     // END getContainingChild
 }
 
-#include "count_circle_search.h"
-
 // Draw the circles, one work-item a pixel; the same picture as implicit2DRenderer, sooner.
 //   circles            the scene; the tree's circle ids count from its start
 //   nodes_...          the packed tree (kdtree2d.h); node 0 is the root
 //   mapNode2Circles    at a leaf's circleMapOffset a count, then that many circle ids, ascending
 //   width, height      the picture, pixels; work-items outside it write nothing
 //   image              RGBA float, at least width x height; row 0 is the top row
+//   d_work             what each pixel cost; NULL where nothing is counted
 // A pixel that no circle covers is (0, 0, 0, 0). Source: lecture, "Search in the kd-tree".
 kernel void implicit2DRenderer_KD(global const Circle *circles,
                                   global const NodeRel *nodes_Relations,
                                   global const uchar *nodes_flag, global const BBox2D *nodes_BBox,
                                   global const uint *mapNode2Circles, int width, int height,
-                                  write_only image2d_t image WORK_PARAMETER)
+                                  write_only image2d_t image, global Work *d_work)
 {
     const int x = get_global_id(0);
     const int y = get_global_id(1);
@@ -44,13 +45,13 @@ kernel void implicit2DRenderer_KD(global const Circle *circles,
     if (x >= width || y >= height) {
         return;
     }
-    WORK_BEGIN;
 
+    Work work = {0, 0, 0, 0};
     uint id = 0;
     // TASK descent: from the root, id = 0, go to the child that holds the pixel until id is a leaf.
     //> (void)id, (void)nodes_flag, (void)nodes_BBox;
     while (nodes_flag[id] != LEAF) {
-        id = getContainingChild(x, y, id, nodes_Relations, nodes_BBox);
+        id = getContainingChild(x, y, id, nodes_Relations, nodes_BBox, &work);
     }
     // END descent
 
@@ -63,12 +64,12 @@ kernel void implicit2DRenderer_KD(global const Circle *circles,
     const uint n_circles = mapNode2Circles[offset];
     for (uint i = 1; i <= n_circles; i++) {
         const Circle circle = circles[mapNode2Circles[offset + i]];
-        if (overlaps_N_Nearer(x, y, circle, minDepth)) {
+        if (overlaps_N_Nearer(x, y, circle, minDepth, &work)) {
             minDepth = circle.depth;
             color = (float4)(circle.r, circle.g, circle.b, circle.a);
         }
     }
     // END leaf_loop
     write_imagef(image, (int2)(x, y), color);
-    WORK_END(x, y);
+    work_save(work, x, y, width, d_work);
 }

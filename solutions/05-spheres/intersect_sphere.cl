@@ -7,29 +7,31 @@
 // and by trace.cl of lab 07.
 #include "ray.h"
 #include "sphere.h"
+#include "work.h"
 
-// The hit of a ray and a sphere: the nearer of its two roots that is beyond t_min. Of a sphere
-// with a negative radius, which is seen from inside only, the farther root.
+// The hit of a ray and a sphere: of the roots t_near and t_far the nearer one that is beyond t_min.
+// Of a sphere with a negative radius, which is seen from inside only, t_far or none.
 //   b     the middle between the two roots, along the ray
 //   disc  the square of half the distance between them; negative when the ray misses
 //   radius, t_min   the sphere's and the ray's
 // Returns the distance t, or INFINITY when there is no hit.
 float nearest_root(float b, float disc, float radius, float t_min)
 {
-    // TASK nearest_root: no hit when disc is negative. The roots are b - sqrt(disc), where the ray
-    // enters the sphere, and b + sqrt(disc), where it leaves. From inside only the second is ahead.
+    // TASK nearest_root: no hit when disc is negative. The ray enters the sphere at the root
+    // t_near = b - sqrt(disc) and leaves it at t_far = b + sqrt(disc). From inside only t_far is
+    // ahead.
     //> (void)b, (void)disc, (void)radius, (void)t_min;
     //> return INFINITY;
     if (disc < 0.0f) {
         return INFINITY;
     }
     const float half_chord = sqrt(disc);
-    const float enter = b - half_chord;
-    const float leave = b + half_chord;
-    if (enter > t_min && radius > 0.0f) {
-        return enter;
+    const float t_near = b - half_chord;
+    const float t_far = b + half_chord;
+    if (t_near > t_min && radius > 0.0f) {
+        return t_near;
     }
-    return leave > t_min ? leave : INFINITY;
+    return t_far > t_min ? t_far : INFINITY;
     // END nearest_root
 }
 
@@ -54,9 +56,14 @@ float intersect_textbook(Sphere sphere, Ray ray)
 // Intersect by projection: with c the centre seen from the eye, the ray passes nearest to the
 // centre at t = c . d, and l = c - (c . d) d is what lies between. Pythagoras: half the chord's
 // square is r² - l . l, and no number in it is larger than it needs to be.
+//   work   what this pixel has cost so far; the call is counted
 // Returns as nearest_root() does.
-float intersect_sphere(Sphere sphere, Ray ray)
+float intersect_sphere(Sphere sphere, Ray ray, Work *work)
 {
+    count_test(work);
+#ifdef TEXTBOOK  // --textbook draws with the other form, to see it fail
+    return intersect_textbook(sphere, ray);
+#endif
     // TASK intersect_sphere: subtract the vectors first, then square: that order keeps the digits.
     //> (void)sphere, (void)ray;
     //> return INFINITY;

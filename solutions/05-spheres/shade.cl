@@ -20,8 +20,8 @@ float3 surface_normal(Sphere sphere, float3 point, float3 direction)
     // END surface_normal
 }
 
-// Lambert's law: a surface scatters a light in the measure of the cosine between its normal and the
-// way to the light, and nothing when the light is behind it. No shadows yet.
+// Lambert's law: a surface scatters a light in proportion to the cosine of the angle between its
+// normal and the way to the light, and nothing when the light is behind it. No shadows yet.
 //   point, normal      scene units; unit vector
 //   lights[n_lights]   the scene's; their brightness does not fall with distance
 // Returns red, green and blue, 0 where no light falls. Source: lecture, "Shading".

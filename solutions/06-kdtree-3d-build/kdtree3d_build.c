@@ -2,9 +2,11 @@
 //
 // Flow: scene -> BUFFERS (this file fills the tree's) -> kernel -> image -> comparison. Called by
 // main.c here and in lab 07. Read the contracts in kdtree3d_build.h first, then kdtree3d_build() at
-// the end, which shows how the steps go together. is_leaf() is that of lab 02.
+// the end, which shows how the steps go together. is_leaf() is that of lab 02; what is otherwise as
+// there is given: the scene's box, the lists of the children, and the building level by level.
 #include "kdtree3d_build.h"
 
+#include "array_reserve.h"
 #include "kdtree2d_build.h"
 
 #include <math.h>
@@ -14,14 +16,10 @@
 
 BBox3D spheres_bounds(const Sphere *h_spheres, u32 n_spheres)
 {
-    BBox3D box = {{0}, {0}};
-    // TASK spheres_bounds: as scene_bounds() in lab 02, with three axes and without rounding to
-    // whole numbers. A sphere reaches fabsf(radius) to either side of its centre.
-    //> (void)h_spheres, (void)n_spheres;
     if (n_spheres == 0) {
-        return box;
+        return (BBox3D){{0}, {0}};
     }
-    box = (BBox3D){{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    BBox3D box = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
     for (u32 i = 0; i < n_spheres; i++) {
         const f32 centre[3] = {h_spheres[i].x, h_spheres[i].y, h_spheres[i].z};
         const f32 radius = fabsf(h_spheres[i].radius);
@@ -30,7 +28,6 @@ BBox3D spheres_bounds(const Sphere *h_spheres, u32 n_spheres)
             box.max[axis] = fmaxf(box.max[axis], centre[axis] + radius);
         }
     }
-    // END spheres_bounds
     return box;
 }
 
@@ -75,10 +72,6 @@ int sphere_overlaps_box(Sphere sphere, BBox3D box)
 u32 distribute_spheres(const Sphere *h_spheres, const u32 *ids, u32 n_ids, BBox3D child,
                        u32 *child_ids)
 {
-    // TASK distribute_spheres: ask sphere_overlaps_box() for each of the node's spheres. A sphere
-    // that overlaps both children goes to both: this function is called once for each.
-    //> (void)h_spheres, (void)ids, (void)n_ids, (void)child, (void)child_ids;
-    //> return 0;
     u32 n_child_ids = 0;
     for (u32 i = 0; i < n_ids; i++) {
         // Written in any case and kept only when it overlaps: an `if` here is guessed wrongly by
@@ -87,7 +80,6 @@ u32 distribute_spheres(const Sphere *h_spheres, const u32 *ids, u32 n_ids, BBox3
         n_child_ids += (u32)sphere_overlaps_box(h_spheres[ids[i]], child);
     }
     return n_child_ids;
-    // END distribute_spheres
 }
 
 void pack_leaf_range(KdTree3D *tree, u32 id, const u32 *ids, u32 n_ids)
@@ -107,7 +99,8 @@ void pack_leaf_range(KdTree3D *tree, u32 id, const u32 *ids, u32 n_ids)
 
 int fits_todo(int level)
 {
-    // TASK fits_todo: on the way down to a child of this node, how many nodes can wait at most?
+    // TASK fits_todo: splitting a node makes its children one level deeper. How many nodes can wait
+    // at most while a search is at one of them?
     //> (void)level;
     //> return 0;
     return level <= TODO_SIZE;
@@ -141,28 +134,13 @@ static void level_free(Level *level)
     *level = (Level){0};
 }
 
-// Room for n more elements of n_bytes each; doubling keeps growing cheap. Returns the array,
-// perhaps moved, or NULL when memory runs out: the old one is then still there.
-static void *reserve(void *array, u32 used, u32 n, u32 *capacity, size_t n_bytes)
-{
-    if (array != NULL && n <= *capacity - used) {
-        return array;
-    }
-    const size_t larger = 2 * ((size_t)used + n) + 1;  // realloc() may answer NULL to a size of 0
-    void *moved = larger <= UINT32_MAX ? realloc(array, larger * n_bytes) : NULL;
-    if (moved != NULL) {
-        *capacity = (u32)larger;
-    }
-    return moved;
-}
-
-// Room for so many more open nodes and ids. Returns 0, or -1 when memory runs out.
+// Room for n_open more open nodes and n_ids more ids. Returns 0, or -1 when memory runs out.
 static int level_reserve(Level *level, u32 n_open, u32 n_ids)
 {
     OpenNode *open =
-        reserve(level->open, level->n_open, n_open, &level->open_capacity, sizeof *open);
+        array_reserve(level->open, level->n_open, n_open, &level->open_capacity, sizeof *open);
     level->open = open != NULL ? open : level->open;
-    u32 *ids = reserve(level->ids, level->n_ids, n_ids, &level->id_capacity, sizeof *ids);
+    u32 *ids = array_reserve(level->ids, level->n_ids, n_ids, &level->id_capacity, sizeof *ids);
     level->ids = ids != NULL ? ids : level->ids;
     return open != NULL && ids != NULL ? 0 : -1;
 }
@@ -180,7 +158,8 @@ typedef struct Builder {
 static int add_nodes(Builder *builder, u32 n)
 {
     KdTree3D *tree = &builder->tree;
-    KdNode3 *nodes = reserve(tree->nodes, tree->n_nodes, n, &builder->node_capacity, sizeof *nodes);
+    KdNode3 *nodes =
+        array_reserve(tree->nodes, tree->n_nodes, n, &builder->node_capacity, sizeof *nodes);
     if (nodes == NULL) {
         return -1;
     }
@@ -238,8 +217,8 @@ static const char *close_as_inner(Builder *builder, u32 id, OpenNode node, const
 static const char *close_as_leaf(Builder *builder, u32 id, const u32 *ids, u32 n_ids)
 {
     KdTree3D *tree = &builder->tree;
-    u32 *moved =
-        reserve(tree->sphere_ids, tree->n_sphere_ids, n_ids, &builder->id_capacity, sizeof *moved);
+    u32 *moved = array_reserve(tree->sphere_ids, tree->n_sphere_ids, n_ids, &builder->id_capacity,
+                               sizeof *moved);
     if (moved == NULL) {
         return "no memory" ADVICE;
     }

@@ -8,8 +8,7 @@
 // plane, the one the ray goes into.
 //   origin    the ray's, along node.split_axis
 //   inverse   1 / direction along that axis: only its sign counts. For an eye on the plane and a
-//   ray
-//             along it either child will do: spheres that touch the plane are in both
+//             ray along it either child will do: spheres that touch the plane are in both
 // Returns 0 for the child with the lower coordinates, 1 for the other.
 // Source: lecture, "Near and far child".
 uint near_side(KdNode3 node, float origin, float inverse)
@@ -31,23 +30,24 @@ uint near_side(KdNode3 node, float origin, float inverse)
 enum { ONLY_NEAR, ONLY_FAR, BOTH };
 
 // Which children does the ray meet inside this node?
-//   origin         the ray's, along node.split_axis
-//   inverse        1 / direction along that axis; infinite for a ray along the plane
-//   t_near, t_far  the part of the ray inside the node
-//   t_split        out: where the ray meets the plane; not used for ONLY_NEAR
+//   origin        the ray's, along node.split_axis
+//   inverse       1 / direction along that axis; infinite for a ray along the plane
+//   t_min, t_max  the part of the ray inside the node
+//   t_split       out: where the ray meets the plane; not used for ONLY_NEAR
 // Returns ONLY_NEAR, ONLY_FAR or BOTH. Source: lecture, "t_split".
-int children_on_ray(KdNode3 node, float origin, float inverse, float t_near, float t_far,
+int children_on_ray(KdNode3 node, float origin, float inverse, float t_min, float t_max,
                     float *t_split)
 {
     // TASK children_on_ray: the plane lies behind the eye, before, in or beyond the node's part of
     // the ray. A ray along the plane never meets it.
-    //> (void)node, (void)origin, (void)inverse, (void)t_near, (void)t_far, (void)t_split;
+    //> (void)node, (void)origin, (void)inverse, (void)t_min, (void)t_max, (void)t_split;
     //> return ONLY_NEAR;
     *t_split = (node.split_pos - origin) * inverse;
-    // Along the plane t_split is infinite, or not a number where the eye is on it: neither passes.
-    if (!(*t_split > 0.0f && *t_split <= t_far)) {
+    // Along the plane t_split is infinite, or not a number where the eye is on it: not between the
+    // two either way.
+    if (!(*t_split > 0.0f && *t_split <= t_max)) {
         return ONLY_NEAR;
     }
-    return *t_split < t_near ? ONLY_FAR : BOTH;
+    return *t_split < t_min ? ONLY_FAR : BOTH;
     // END children_on_ray
 }

@@ -5,15 +5,15 @@
 #include "ray.h"
 
 // Clip a ray to a box: from where on, and up to where, is it inside?
-//   t_near, t_far   in: the part of the ray that counts; out: what of it lies in the box
-// Returns 1, or 0 when nothing does: the ray passes the box, or the box lies behind the eye.
+//   t_min, t_max   in: the part of the ray that counts; out: what of it lies in the box
+// Returns 1, or 0 when nothing does: the ray misses the box, or the box lies behind the eye.
 // Source: lecture, "Entry and exit of the scene's box".
-int clip_to_box(BBox3D box, Ray ray, float *t_near, float *t_far)
+int clip_to_box(BBox3D box, Ray ray, float *t_min, float *t_max)
 {
     // TASK clip_to_box: on each axis the box is the space between two planes. The ray is inside
     // from the last of the three entries to the first of the three exits. A ray along the planes
     // has neither; it is between them all the way or never.
-    //> (void)box, (void)ray, (void)t_near, (void)t_far;
+    //> (void)box, (void)ray, (void)t_min, (void)t_max;
     //> return 0;
     for (uint axis = 0; axis < 3; axis++) {
         const float origin = component(ray.origin, axis);
@@ -26,9 +26,9 @@ int clip_to_box(BBox3D box, Ray ray, float *t_near, float *t_far)
         }
         const float t_low = (box.min[axis] - origin) / direction;
         const float t_high = (box.max[axis] - origin) / direction;
-        *t_near = fmax(*t_near, fmin(t_low, t_high));
-        *t_far = fmin(*t_far, fmax(t_low, t_high));
+        *t_min = fmax(*t_min, fmin(t_low, t_high));
+        *t_max = fmin(*t_max, fmax(t_low, t_high));
     }
-    return *t_near <= *t_far;
+    return *t_min <= *t_max;
     // END clip_to_box
 }

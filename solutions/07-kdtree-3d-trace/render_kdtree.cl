@@ -9,11 +9,12 @@
 // Draw the spheres, one work-item a pixel.
 //   spheres ... image            as in render_spheres of lab 05
 //   nodes, sphere_ids, bounds    the packed tree over the spheres (kdtree3d.h)
+//   d_work                       what each pixel cost; NULL where nothing is counted
 kernel void render_kdtree(global const Sphere *spheres, global const uint *material_ids,
                           global const Material *materials, global const Light *lights,
                           int n_lights, Vec3 background, Camera camera, int width, int height,
                           write_only image2d_t image, global const KdNode3 *nodes,
-                          global const uint *sphere_ids, BBox3D bounds WORK_PARAMETER)
+                          global const uint *sphere_ids, BBox3D bounds, global Work *d_work)
 {
     const int x = get_global_id(0);
     const int y = get_global_id(1);
@@ -21,12 +22,12 @@ kernel void render_kdtree(global const Sphere *spheres, global const uint *mater
     if (x >= width || y >= height) {
         return;
     }
-    WORK_BEGIN;
 
+    Work work = {0, 0, 0, 0};
     const Ray ray = primary_ray(x, y, width, height, camera);
-    const Hit hit = trace(ray, spheres, nodes, sphere_ids, bounds);
+    const Hit hit = trace(ray, spheres, nodes, sphere_ids, bounds, &work);
     const float3 color =
         hit_color(ray, hit, spheres, material_ids, materials, lights, n_lights, background);
     write_imagef(image, (int2)(x, y), (float4)(color, 1.0f));
-    WORK_END(x, y);
+    work_save(work, x, y, width, d_work);
 }

@@ -94,8 +94,8 @@ static int bench_prepare(Bench *bench, const char *device)
         programs_build(&bench->cl, bench->programs) != 0) {
         return -1;
     }
-    bench->d_image = cl_image_create(&bench->cl, SIDE, SIDE);
-    if (bench->d_image == NULL || image_create(SIDE, SIDE, &bench->picture) != 0 ||
+    if (cl_image_create(&bench->cl, SIDE, SIDE, &bench->d_image) != 0 ||
+        image_create(SIDE, SIDE, &bench->picture) != 0 ||
         image_create(SIDE, SIDE, &bench->naive_picture) != 0) {
         return -1;
     }

@@ -121,7 +121,8 @@ static int prepare_tree(Case3D *bench_case, const ClSetup *cl, cl_kernel countin
         cl_uint next = N_SCENE_ARGUMENTS;
         CL_CHECK(clSetKernelArg(kernels[i], next++, sizeof(cl_mem), &bench_case->d_nodes));
         CL_CHECK(clSetKernelArg(kernels[i], next++, sizeof(cl_mem), &bench_case->d_sphere_ids));
-        CL_CHECK(clSetKernelArg(kernels[i], next, sizeof tree.bounds, &tree.bounds));
+        CL_CHECK(clSetKernelArg(kernels[i], next++, sizeof tree.bounds, &tree.bounds));
+        CL_CHECK(clSetKernelArg(kernels[i], next, sizeof(cl_mem), NULL));  // nothing is counted yet
     }
     tree3d_free(&tree);
     return 0;
@@ -182,6 +183,7 @@ int case3d_prepare(Case3D *bench_case, const ClSetup *cl, const cl_program *prog
     bench_case->kernels[NAIVE] = naive;
     bench_case->kernels[KDTREE] = create_kernel(bench_case, programs, KDTREE);
     CL_CHECK(clSetKernelArg(naive, N_SCENE_ARGUMENTS, sizeof scene->n_spheres, &scene->n_spheres));
+    CL_CHECK(clSetKernelArg(naive, N_SCENE_ARGUMENTS + 1, sizeof(cl_mem), NULL));
     cl_kernel counting = create_kernel(bench_case, programs, COUNTING);
     int result = prepare_tree(bench_case, cl, counting);
     if (result == 0) {
@@ -202,11 +204,7 @@ void case3d_free(Case3D *bench_case)
         }
     }
     cl_mem buffers[] = {bench_case->d_nodes, bench_case->d_sphere_ids};
-    for (size_t i = 0; i < sizeof buffers / sizeof *buffers; i++) {
-        if (buffers[i] != NULL) {
-            CL_CHECK(clReleaseMemObject(buffers[i]));
-        }
-    }
+    cl_memory_release(buffers, sizeof buffers / sizeof *buffers);
     scene_buffers_free(&bench_case->buffers);
     scene3d_free(&bench_case->scene);
 }

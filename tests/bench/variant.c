@@ -99,6 +99,9 @@ static void set_arguments(const Variant *variant, cl_mem d_image)
     CL_CHECK(clSetKernelArg(kernel, next++, sizeof scene->width, &scene->width));
     CL_CHECK(clSetKernelArg(kernel, next++, sizeof scene->height, &scene->height));
     CL_CHECK(clSetKernelArg(kernel, next++, sizeof d_image, &d_image));
+    if (variant->kind != FILL) {
+        CL_CHECK(clSetKernelArg(kernel, next, sizeof(cl_mem), NULL));  // nothing is counted
+    }
 }
 
 // Draw a part of the picture, from its top left corner on, and wait for it.

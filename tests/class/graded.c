@@ -107,13 +107,14 @@ static int checks_read(const char *path, json_t *checks, Graded *graded)
     }
     for (size_t i = 0; i < json_array_size(checks); i++) {
         GradedCheck *check = &graded->checks[graded->n_checks++];
-        const char *task, *word;
+        const char *task, *word, *hint;
         int points, max_points;
         json_error_t error;
         if (json_unpack_ex(json_array_get(checks, i), &error, JSON_STRICT,
-                           "{s:s, s:s, s:s, s:i, s:i, s:s, s:s}", "id", &check->id, "title",
+                           "{s:s, s:s, s:s, s:i, s:i, s:s, s:s, s?s}", "id", &check->id, "title",
                            &check->title, "task", &task, "points", &points, "max_points",
-                           &max_points, "status", &word, "message", &check->message) != 0) {
+                           &max_points, "status", &word, "message", &check->message, "hint",
+                           &hint) != 0) {
             return fault(path, "checks[%zu]: %s", i, error.text);
         }
         if (status_read(word, &check->status) != 0) {

@@ -219,10 +219,7 @@ int main(int argc, char **argv)
         grading.result.score += grading.result.checks[i].points;
     }
     if (result == 0) {
-        result = grading_write(&grading, settings.output, settings.formats);
-    }
-    if (result != 0 && settings.formats != 0 && folders_make(settings.output) == 0) {
-        formats_write_fault(settings.output, settings.formats, settings.lab);
+        result = grading_write(&grading, settings.output);
     }
     const int full_marks =
         grading.result.score == grading.result.max_score && grading.build_log == NULL;

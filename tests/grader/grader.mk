@@ -1,7 +1,7 @@
 # How the grader is built, in the course and in a handout: its library, its programs, the probes.
 # Included by the top folder's Makefile, whose words it uses.
 
-GRADER_ROOMS := tests/grader $(patsubst %/,%,$(wildcard tests/grader/*/)) tests/systems/report
+GRADER_ROOMS := tests/grader $(patsubst %/,%,$(wildcard tests/grader/*/))
 GRADER_MAINS := tests/grader/grade.c tests/grader/submission/unpack_tool.c tests/grader/sandbox/sandbox_init_tool.c
 GRADER_SOURCES := $(filter-out $(GRADER_MAINS),$(foreach room,$(GRADER_ROOMS),$(wildcard $(room)/*.c)))
 GRADER_INCLUDES = $(addprefix -I ,$(GRADER_ROOMS) tests/probes tests/stand_ins) $(AUTHORS_INCLUDES)
@@ -44,9 +44,9 @@ lab-grader: $(addprefix $(OUT)/tools/,grade judge unpack) $(filter $(OUT)/probes
 # Status 1 is a verdict, such as points that are missing: make has nothing to complain of.
 verdict_is_no_fault = || test $$? -eq 1
 
-grade: grader  ## grade LAB=03 [SUBMISSION=folder or archive] [SEED=n] [DEVICE=d] [TIME_LIMIT=seconds] [FORMAT=junit,tap]
+# Where make can also write for other systems, through_formats is the command that does (tests/tests.mk).
+grade: grader  ## grade LAB=03 [SUBMISSION=folder or archive] [SEED=n] [DEVICE=d] [TIME_LIMIT=seconds]
 	@test -n "$(LAB)" || { echo "make grade: say which lab: make grade LAB=$(EXAMPLE_LAB)" >&2; exit 2; }
-	@$(OUT)/tools/grade --build $(OUT) --lab "$$LAB" $(if $(SUBMISSION),--submission "$$SUBMISSION") \
+	@$(through_formats) $(OUT)/tools/grade --build $(OUT) --lab "$$LAB" $(if $(SUBMISSION),--submission "$$SUBMISSION") \
 	    $(if $(SEED),--seed "$$SEED") $(if $(DEVICE),--device "$$DEVICE") \
-	    $(if $(TIME_LIMIT),--time-limit "$$TIME_LIMIT") \
-	    $(if $(FORMAT),--format "$$FORMAT") $(verdict_is_no_fault)
+	    $(if $(TIME_LIMIT),--time-limit "$$TIME_LIMIT") $(verdict_is_no_fault)

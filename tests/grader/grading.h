@@ -2,7 +2,7 @@
 #ifndef GRADER_GRADING_H
 #define GRADER_GRADING_H
 
-#include "report_systems.h"
+#include "result.h"
 #include "session.h"
 
 // What came of trying a task's answer alone.
@@ -47,11 +47,8 @@ char *grading_answer(const Grading *grading, const Task *task);
 void check_pass(CheckResult *check);
 void check_fail(CheckResult *check, const char *message);
 
-// Write results.json, report.html, a picture and the other formats into a folder, which is made,
-// and the summary to stdout. Returns 0, or -1 after one message.
-int grading_write(const Grading *grading, const char *output, FormatSet formats);
-
-// Make a folder and its parents. Returns 0, or -1 after one message.
-int folders_make(const char *path);
+// Write results.json, report.html and pictures into a folder, which is made, and the summary to
+// stdout. Returns 0, or -1 after one message.
+int grading_write(const Grading *grading, const char *output);
 
 #endif

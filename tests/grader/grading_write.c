@@ -1,4 +1,4 @@
-// Writing down what was judged: reports, and one picture beside them (see grading.h).
+// Writing down what was judged: reports, and pictures beside them (see grading.h).
 //
 // Flow: staged -> compiled -> run -> judged -> alone -> REPORTS. Called by grade.c. Read next:
 // report.h.
@@ -15,7 +15,8 @@
 
 enum { PATH_BYTES = 600 };
 
-int folders_make(const char *path)
+// Make a folder and its parents. Returns 0, or -1 after one message.
+static int folders_make(const char *path)
 {
     char part[PATH_BYTES];
     snprintf(part, sizeof part, "%s/", path);
@@ -67,7 +68,7 @@ static int write_picture(const Result *result, const char *output)
     return output_file_commit(&file);
 }
 
-int grading_write(const Grading *grading, const char *output, FormatSet formats)
+int grading_write(const Grading *grading, const char *output)
 {
     char path[PATH_BYTES];
     const Manifest *manifest = &grading->session.manifest;
@@ -78,9 +79,12 @@ int grading_write(const Grading *grading, const char *output, FormatSet formats)
     if (report_json(path, manifest, &grading->result) != 0) {
         return -1;
     }
+    snprintf(path, sizeof path, "%s/pictures.json", output);
+    if (report_pictures_json(path, &grading->result) != 0) {
+        return -1;
+    }
     snprintf(path, sizeof path, "%s/report.html", output);
-    if (formats_write(output, formats, manifest, &grading->result) != 0 ||
-        report_html(path, manifest, &grading->result) != 0 ||
+    if (report_html(path, manifest, &grading->result) != 0 ||
         write_picture(&grading->result, output) != 0 ||
         report_text(stdout, manifest, &grading->result, isatty(STDOUT_FILENO)) != 0) {
         return -1;

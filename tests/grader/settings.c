@@ -33,8 +33,6 @@ static void usage(FILE *out)
         "                       any, the first of these but none: the default, $" SANDBOX_VARIABLE
         " sets another\n"
         "  --build FOLDER       where probes and libraries are (default: build)\n"
-        "  --format NAMES       more reports, for example junit,tap; also gradescope, autolab,\n"
-        "                       prairielearn, github\n"
         "  --answers FOLDER     keep the solution's answers there, for one lab and one device\n"
         "  --list-checks        print the lab's checks: id, task, points\n"
         "  --time-solution      print the seconds of processor time that the solution uses\n");
@@ -118,13 +116,19 @@ typedef struct GivenOptions {
 static int read_options(int argc, char **argv, Settings *settings, GivenOptions *given)
 {
     static const struct option options[] = {
-        {"lab", required_argument, NULL, 'l'},     {"submission", required_argument, NULL, 's'},
-        {"output", required_argument, NULL, 'o'},  {"seed", required_argument, NULL, 'r'},
-        {"device", required_argument, NULL, 'd'},  {"time-limit", required_argument, NULL, 't'},
-        {"build", required_argument, NULL, 'b'},   {"list-checks", no_argument, NULL, 'c'},
-        {"time-solution", no_argument, NULL, 'u'}, {"format", required_argument, NULL, 'f'},
-        {"answers", required_argument, NULL, 'a'}, {"sandbox", required_argument, NULL, 'x'},
-        {"help", no_argument, NULL, 'h'},          {0},
+        {"lab", required_argument, NULL, 'l'},
+        {"submission", required_argument, NULL, 's'},
+        {"output", required_argument, NULL, 'o'},
+        {"seed", required_argument, NULL, 'r'},
+        {"device", required_argument, NULL, 'd'},
+        {"time-limit", required_argument, NULL, 't'},
+        {"build", required_argument, NULL, 'b'},
+        {"list-checks", no_argument, NULL, 'c'},
+        {"time-solution", no_argument, NULL, 'u'},
+        {"answers", required_argument, NULL, 'a'},
+        {"sandbox", required_argument, NULL, 'x'},
+        {"help", no_argument, NULL, 'h'},
+        {0},
     };
     uint64_t seconds = 0;
     int letter, failed = 0;
@@ -154,9 +158,6 @@ static int read_options(int argc, char **argv, Settings *settings, GivenOptions 
             break;
         case 'b':
             settings->build = optarg;
-            break;
-        case 'f':
-            failed = formats_read(optarg, &settings->formats);
             break;
         case 'a':
             settings->kept_answers = optarg;

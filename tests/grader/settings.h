@@ -2,7 +2,6 @@
 #ifndef GRADER_SETTINGS_H
 #define GRADER_SETTINGS_H
 
-#include "report_systems.h"
 #include "sandbox.h"
 
 #include <stdint.h>
@@ -18,7 +17,6 @@ typedef struct Settings {
     const char *kept_answers;              // see kept_answers.h; NULL: the solution is run
     uint64_t seed;
     int time_limit;       // seconds of processor time; 0: see allowance.h
-    FormatSet formats;    // what to write besides results.json and report.html
     SandboxKind sandbox;  // SANDBOX_ANY: the first that works here
     int list_checks;      // only print the lab's checks
     int time_solution;    // only print how long the solution takes

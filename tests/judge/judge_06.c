@@ -8,27 +8,19 @@
 #include <string.h>
 
 static const Check checks[] = {
-    [BOUNDS_POSITIVE] = {"bounds-positive", "The box holds every sphere whole, and no more",
-                         "spheres_bounds", 6},
-    [BOUNDS_NEGATIVE] = {"bounds-negative", "Negative radii, and one sphere", "spheres_bounds", 4},
-    [TREE_BOUNDS] = {"tree-bounds", "Whole trees: the root's cell", "spheres_bounds", 5, "*"},
-    [SPLIT_AXIS] = {"split-axis", "The longest side, the first where equal", "choose_split", 8},
-    [SPLIT_MIDDLE] = {"split-middle", "In the middle", "choose_split", 6},
-    [TREE_SPLITS] = {"tree-splits", "Whole trees: each plane halves its cell", "choose_split", 6,
+    [SPLIT_AXIS] = {"split-axis", "The longest side, the first where equal", "choose_split", 12},
+    [SPLIT_MIDDLE] = {"split-middle", "In the middle", "choose_split", 9},
+    [TREE_SPLITS] = {"tree-splits", "Whole trees: each plane halves its cell", "choose_split", 9,
                      "*"},
     [OVERLAP_INSIDE] = {"overlap-inside", "Spheres clearly in and clearly out",
-                        "sphere_overlaps_box", 7},
-    [OVERLAP_TOUCHING] = {"overlap-touching", "Touching counts", "sphere_overlaps_box", 6},
-    [OVERLAP_CORNER] = {"overlap-corner", "Exact at edges and corners", "sphere_overlaps_box", 7},
+                        "sphere_overlaps_box", 8},
+    [OVERLAP_TOUCHING] = {"overlap-touching", "Touching counts", "sphere_overlaps_box", 7},
+    [OVERLAP_CORNER] = {"overlap-corner", "Exact at edges and corners", "sphere_overlaps_box", 9},
     [TREE_OVERLAP] = {"tree-overlap", "Whole trees: each leaf has its spheres",
-                      "sphere_overlaps_box", 5, "*"},
-    [DISTRIBUTE_LIST] = {"distribute-list", "The right ids, in order, and how many",
-                         "distribute_spheres", 10, "sphere_overlaps_box"},
-    [TREE_LISTS] = {"tree-lists", "Whole trees: lists ascend, leaves are small enough",
-                    "distribute_spheres", 5, "*"},
-    [PACK_NODE] = {"pack-node", "The node says where its spheres are", "pack_leaf_range", 6},
-    [PACK_IDS] = {"pack-ids", "The ids, one behind the other", "pack_leaf_range", 4},
-    [TREE_PACKING] = {"tree-packing", "Whole trees: packed without gaps", "pack_leaf_range", 5,
+                      "sphere_overlaps_box", 6, "*"},
+    [PACK_NODE] = {"pack-node", "The node says where its spheres are", "pack_leaf_range", 12},
+    [PACK_IDS] = {"pack-ids", "The ids, one behind the other", "pack_leaf_range", 9},
+    [TREE_PACKING] = {"tree-packing", "Whole trees: packed without gaps", "pack_leaf_range", 9,
                       "*"},
     [FITS_LEVELS] = {"fits-levels", "Level by level", "fits_todo", 6},
     [TREE_DEPTH] = {"tree-depth", "Whole trees: too deep ones are refused, others built",
@@ -59,10 +51,18 @@ static char *judge_root(const TreeScene3D *scene, const KdTree3D *own)
                        scene->title, root.split_axis, root.first, own->n_nodes, KD_LEAF);
 }
 
+// The scene's box and the lists are given; but a tree is no good without them.
+static char *judge_splits(const TreeScene3D *scene, const KdTree3D *own)
+{
+    char *message = tree3d_judge_bounds(scene, own);
+    return message != NULL ? message : tree3d_judge_splits(scene, own);
+}
+
 static char *judge_overlap(const TreeScene3D *scene, const KdTree3D *own)
 {
     char *message = judge_root(scene, own);
-    return message != NULL ? message : tree3d_judge_overlap(scene, own);
+    message = message != NULL ? message : tree3d_judge_overlap(scene, own);
+    return message != NULL ? message : tree3d_judge_lists(scene, own);
 }
 
 static char *judge_depth(const TreeScene3D *scene, const KdTree3D *own)
@@ -123,17 +123,11 @@ static Verdict judge(const void *pointer, int check, const Sections *answers)
 {
     const Job06 *job = pointer;
     switch (check) {
-    case BOUNDS_POSITIVE:
-        return judge_06_bounds(job, 0, answers);
-    case BOUNDS_NEGATIVE:
-        return judge_06_bounds(job, 1, answers);
-    case TREE_BOUNDS:
-        return judge_trees(job, answers, tree3d_judge_bounds);
     case SPLIT_AXIS:
     case SPLIT_MIDDLE:
         return judge_06_splits(job, check, answers);
     case TREE_SPLITS:
-        return judge_trees(job, answers, tree3d_judge_splits);
+        return judge_trees(job, answers, judge_splits);
     case OVERLAP_INSIDE:
         return judge_06_overlaps(job, 0, N_INSIDE, answers);
     case OVERLAP_TOUCHING:
@@ -142,10 +136,6 @@ static Verdict judge(const void *pointer, int check, const Sections *answers)
         return judge_06_overlaps(job, N_INSIDE + N_TOUCHING, N_CORNER, answers);
     case TREE_OVERLAP:
         return judge_trees(job, answers, judge_overlap);
-    case DISTRIBUTE_LIST:
-        return judge_06_distribute(job, answers);
-    case TREE_LISTS:
-        return judge_trees(job, answers, tree3d_judge_lists);
     case PACK_NODE:
     case PACK_IDS:
         return judge_06_pack(job, check, answers);

@@ -14,9 +14,6 @@
 
 // The checks.
 enum {
-    BOUNDS_POSITIVE,
-    BOUNDS_NEGATIVE,
-    TREE_BOUNDS,
     SPLIT_AXIS,
     SPLIT_MIDDLE,
     TREE_SPLITS,
@@ -24,8 +21,6 @@ enum {
     OVERLAP_TOUCHING,
     OVERLAP_CORNER,
     TREE_OVERLAP,
-    DISTRIBUTE_LIST,
-    TREE_LISTS,
     PACK_NODE,
     PACK_IDS,
     TREE_PACKING,
@@ -33,7 +28,7 @@ enum {
     TREE_DEPTH,
 };
 
-enum { N_BOUNDS = 80, N_SPLITS = 480, N_DISTRIBUTES = 60, N_PACKS = 60 };
+enum { N_SPLITS = 480, N_PACKS = 60 };
 // Inputs of sphere_overlaps_box: a range for each check.
 enum { N_INSIDE = 1000, N_TOUCHING = 600, N_CORNER = 600 };
 enum { N_OVERLAPS = N_INSIDE + N_TOUCHING + N_CORNER };
@@ -42,10 +37,8 @@ enum { N_OVERLAPS = N_INSIDE + N_TOUCHING + N_CORNER };
 enum { N_TREES = 10, JUST_FITS = N_TREES, TOO_DEEP, N_SCENES };
 
 typedef struct Job06 {
-    BoundsJob bounds[N_BOUNDS];  // even ones with positive radii, odd ones with some negative
     BBox3D splits[N_SPLITS];
     SphereBoxJob overlaps[N_OVERLAPS];
-    DistributeJob3D distributes[N_DISTRIBUTES];
     PackJob3D packs[N_PACKS];
     TreeScene3D scenes[N_SCENES];
     Replay replay;    // of the trees of all scenes but TOO_DEEP
@@ -57,17 +50,12 @@ void *job_06_new(uint64_t seed, FILE *file);
 void job_06_free(void *job);
 
 // Judge a function by the answers.
-//   first, n   the inputs that the check is about; of the bounds every second from the first
+//   first, n   the inputs that the check is about
 //   check      which of the function's two properties is judged
-Verdict judge_06_bounds(const Job06 *job, int first, const Sections *answers);
 Verdict judge_06_splits(const Job06 *job, int check, const Sections *answers);
 Verdict judge_06_overlaps(const Job06 *job, int first, int n, const Sections *answers);
-Verdict judge_06_distribute(const Job06 *job, const Sections *answers);
 Verdict judge_06_pack(const Job06 *job, int check, const Sections *answers);
 Verdict judge_06_fits(const Sections *answers);
-
-// Write "scene.K.spheres", and behind the spheres one that must not be asked. Returns 0, or -1.
-int job_06_write_spheres(const TreeScene3D *scene, int k, FILE *file);
 
 // Write "todo". Returns 0, or -1.
 int job_06_write_levels(FILE *file);
@@ -75,8 +63,8 @@ int job_06_write_levels(FILE *file);
 // See write_alone of judge.h.
 int judge_06_write_alone(const void *job, const char *task, FILE *file);
 
-// passes_alone of judge.h for the checks that are judged otherwise than in the whole: all of whole
-// trees, and of distribute_spheres.
+// passes_alone of judge.h for the checks of whole trees, which are judged otherwise than in the
+// whole.
 int judge_06_passes_alone(const Job06 *job, int check, const Sections *answers);
 
 #endif

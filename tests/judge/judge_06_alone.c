@@ -4,56 +4,8 @@
 
 #include "job_sections.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-// The hole of sphere_overlaps_box while another task is tried.
-static int stand_in_overlaps(Sphere sphere, BBox3D box)
-{
-#include "06-kdtree-3d-build/sphere_overlaps_box.c"
-}
-
-// What distribute_spheres makes of the stand-in. As ReplayKeeps of replay.h has it.
-static int keeps(const void *pointer, u32 scene, u32 id, BBox3D cell)
-{
-    const Job06 *job = pointer;
-    return stand_in_overlaps(job->scenes[scene].scene.spheres[id], cell);
-}
-
-// The spheres of all scenes that have a tree. Returns 0, or -1.
-static int write_spheres(const Job06 *job, FILE *file)
-{
-    int result = 0;
-    for (int k = 0; result == 0 && k <= JUST_FITS; k++) {
-        result = job_06_write_spheres(&job->scenes[k], k, file);
-    }
-    return result;
-}
-
-// ---- spheres_bounds: once for each scene --------------------------------------------------------
-
-static int write_bounds_calls(const Job06 *job, FILE *file)
-{
-    u32 numbers[JUST_FITS + 1];
-    for (int k = 0; k <= JUST_FITS; k++) {
-        numbers[k] = (u32)job->scenes[k].scene.n_spheres;
-    }
-    return section_write(file, "replay.bounds", numbers, sizeof numbers) | write_spheres(job, file);
-}
-
-static int bounds_are_right(const Job06 *job, const Sections *answers)
-{
-    const BBox3D *found = sections_find(answers, "replay.bounds", (JUST_FITS + 1) * sizeof *found);
-    int is_right = found != NULL;
-    for (int k = 0; is_right && k <= JUST_FITS; k++) {
-        const Scene3D *scene = &job->scenes[k].scene;
-        char *message = tree3d_judge_box("alone", scene->spheres, (u32)scene->n_spheres, found[k]);
-        is_right = message == NULL;
-        free(message);
-    }
-    return is_right;
-}
 
 // ---- choose_split: once for each inner node -----------------------------------------------------
 
@@ -155,45 +107,6 @@ static int overlaps_are_right(const Job06 *job, const Sections *answers)
     free(calls);
     return is_right;
 }
-
-// ---- distribute_spheres: twice for each inner node ----------------------------------------------
-
-// The children's cells, and all that the lists need. Returns 0, or -1.
-static int write_list_calls(const Job06 *job, FILE *file)
-{
-    const Replay *replay = &job->replay;
-    BBox3D *cells = calloc(replay->n_nodes, sizeof *cells);
-    size_t n = 0;
-    for (u32 i = 0; cells != NULL && i < replay->n_nodes; i++) {
-        const ReplayNode *node = &replay->nodes[i];
-        for (int side = 0; node->first_child != 0 && side < 2; side++) {
-            cells[n++] = replay_child(node, side)->cell;
-        }
-    }
-    const int result =
-        cells == NULL
-            ? -1
-            : section_write(file, "replay.cells", cells, n * sizeof *cells) |
-                  replay_write_lists(replay, file) |
-                  section_write(file, "distribute", job->distributes, sizeof job->distributes) |
-                  write_spheres(job, file);
-    free(cells);
-    return result;
-}
-
-static int distributes_rightly(const Job06 *job, const Sections *answers)
-{
-    const u32 *found =
-        sections_find(answers, "distribute", N_DISTRIBUTES * DISTRIBUTE_ROOM * sizeof *found);
-    int is_right = found != NULL;
-    for (int i = 0; is_right && i < N_DISTRIBUTES; i++) {
-        const DistributeJob3D *in = &job->distributes[i];
-        is_right = replay_list_is_right(found + i * DISTRIBUTE_ROOM, in->ids, in->n_ids, 0,
-                                        in->child, keeps, job);
-    }
-    return is_right;
-}
-_Static_assert(REPLAY_ROOM(DISTRIBUTE_MAX_IDS) <= DISTRIBUTE_ROOM, "the guard is in the answer");
 
 // ---- pack_leaf_range: once for each leaf --------------------------------------------------------
 
@@ -300,10 +213,6 @@ static int levels_are_right(const Job06 *job, const Sections *answers)
 int judge_06_write_alone(const void *pointer, const char *task, FILE *file)
 {
     const Job06 *job = pointer;
-    if (strcmp(task, "spheres_bounds") == 0) {
-        return section_write(file, "bounds", job->bounds, sizeof job->bounds) |
-               write_bounds_calls(job, file);
-    }
     if (strcmp(task, "choose_split") == 0) {
         return section_write(file, "splits", job->splits, sizeof job->splits) |
                write_split_calls(job, file);
@@ -312,9 +221,6 @@ int judge_06_write_alone(const void *pointer, const char *task, FILE *file)
         return section_write(file, "overlaps", job->overlaps, sizeof job->overlaps) |
                write_overlap_calls(job, file);
     }
-    if (strcmp(task, "distribute_spheres") == 0) {
-        return write_list_calls(job, file);
-    }
     return strcmp(task, "pack_leaf_range") == 0 ? write_leaves(job, file)
                                                 : write_level_calls(job, file);
 }
@@ -322,16 +228,10 @@ int judge_06_write_alone(const void *pointer, const char *task, FILE *file)
 int judge_06_passes_alone(const Job06 *job, int check, const Sections *answers)
 {
     switch (check) {
-    case TREE_BOUNDS:
-        return bounds_are_right(job, answers);
     case TREE_SPLITS:
         return splits_are_right(job, answers);
     case TREE_OVERLAP:
         return overlaps_are_right(job, answers);
-    case DISTRIBUTE_LIST:
-        return distributes_rightly(job, answers);
-    case TREE_LISTS:
-        return replay_lists_are_right(&job->replay, answers, keeps, job);
     case TREE_PACKING:
         return trees_are_packed(job, answers);
     case TREE_DEPTH:

@@ -3,31 +3,6 @@
 
 #include "message.h"
 
-Verdict judge_06_bounds(const Job06 *job, int first, const Sections *answers)
-{
-    const BBox3D *found = sections_find(answers, "bounds", N_BOUNDS * sizeof *found);
-    if (found == NULL) {
-        return verdict_missing;
-    }
-    for (int i = first; i < N_BOUNDS; i += 2) {
-        const BoundsJob *in = &job->bounds[i];
-        const Sphere s = in->spheres[0];
-        char where[160];
-        if (in->n_spheres == 0) {
-            snprintf(where, sizeof where, "no sphere");
-        } else {
-            snprintf(where, sizeof where, "%u %s, the first at (%g, %g, %g) radius %g",
-                     in->n_spheres, in->n_spheres == 1 ? "sphere" : "spheres", (double)s.x,
-                     (double)s.y, (double)s.z, (double)s.radius);
-        }
-        char *message = tree3d_judge_box(where, in->spheres, in->n_spheres, found[i]);
-        if (message != NULL) {
-            return verdict_of(message);
-        }
-    }
-    return verdict_of(NULL);
-}
-
 Verdict judge_06_splits(const Job06 *job, int check, const Sections *answers)
 {
     const SplitAnswer3D *found = sections_find(answers, "splits", N_SPLITS * sizeof *found);
@@ -113,68 +88,6 @@ Verdict judge_06_overlaps(const Job06 *job, int first, int n, const Sections *an
                 (double)in.box.min[1], (double)in.box.max[1], (double)in.box.min[2],
                 (double)in.box.max[2], found[i], is == SPHERE_INSIDE,
                 explain_overlap(job, i, found)));
-        }
-    }
-    return verdict_of(NULL);
-}
-
-// Says that an id that belongs into a child's list is nowhere in it; "" when it is.
-static const char *explain_missing(const DistributeJob3D *in, const u32 *list, u32 id)
-{
-    for (u32 i = 0; i < in->n_ids; i++) {
-        if (list[i] == id) {
-            return "";
-        }
-    }
-    return ", that sphere overlaps the cell and is missing in its list";
-}
-
-// What one call of distribute_spheres wrote: its number, then ids.
-static char *judge_distributed(const Scene3D *scene, const DistributeJob3D *in, const u32 *found)
-{
-    u32 n = 0;
-    for (u32 j = 0; j < in->n_ids; j++) {
-        const u32 id = in->ids[j];
-        if (tree3d_judge_sphere(scene->spheres[id], in->child) == SPHERE_OUTSIDE) {
-            continue;
-        }
-        if (found[1 + n] == UNTOUCHED) {
-            return message_new("node with %u spheres from id %u on: child_ids[%u] was not written, "
-                               "expected %u%s",
-                               in->n_ids, in->ids[0], n, id, explain_missing(in, found + 1, id));
-        }
-        if (found[1 + n] != id) {
-            return message_new("node with %u spheres from id %u on: child_ids[%u] is %u, expected "
-                               "%u%s",
-                               in->n_ids, in->ids[0], n, found[1 + n], id,
-                               found[1 + n] == j ? "; that is its position in ids[]"
-                                                 : explain_missing(in, found + 1, id));
-        }
-        n++;
-    }
-    if (found[0] != n) {
-        return message_new("node with %u spheres from id %u on: returned %u, expected %u: the "
-                           "number of ids written",
-                           in->n_ids, in->ids[0], found[0], n);
-    }
-    if (found[1 + in->n_ids] != UNTOUCHED) {
-        return message_new("child_ids[%u] was written, but there is room for %u", in->n_ids,
-                           in->n_ids);
-    }
-    return NULL;
-}
-
-Verdict judge_06_distribute(const Job06 *job, const Sections *answers)
-{
-    const u32 *found =
-        sections_find(answers, "distribute", N_DISTRIBUTES * DISTRIBUTE_ROOM * sizeof *found);
-    if (found == NULL) {
-        return verdict_missing;
-    }
-    for (int i = 0; i < N_DISTRIBUTES; i++, found += DISTRIBUTE_ROOM) {
-        char *message = judge_distributed(&job->scenes[0].scene, &job->distributes[i], found);
-        if (message != NULL) {
-            return verdict_of(message);
         }
     }
     return verdict_of(NULL);

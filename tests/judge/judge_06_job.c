@@ -16,11 +16,6 @@ static float random_eighth(Random *random, int lowest, int highest)
     return (float)random_integer(random, 8 * (int64_t)lowest, 8 * (int64_t)highest) / 8;
 }
 
-static int random_sign(Random *random)
-{
-    return random_integer(random, 0, 1) ? 1 : -1;
-}
-
 static Sphere sphere_at(const float centre[3], float radius)
 {
     return (Sphere){centre[0], centre[1], centre[2], radius};
@@ -47,31 +42,6 @@ static BBox3D draw_cell(Random *random)
 }
 
 // ---- Inputs of the functions --------------------------------------------------------------------
-
-// None, one or some spheres; in every second pair all on one side of the origin, which is then not
-// in the box.
-static BoundsJob draw_bounds(Random *random, int i)
-{
-    BoundsJob job = {.n_spheres = (u32)random_integer(random, 2, BOUNDS_MAX_SPHERES)};
-    if (i / 2 < 2) {
-        job.n_spheres = (u32)i / 2 + (u32)i % 2;  // 0, 1, 1 and 2
-    }
-    const int shift = i / 2 % 2 ? 70 * random_sign(random) : 0;
-    const int lowest[3] = {shift - 50, shift - 40, shift - 30};
-    const int highest[3] = {shift + 50, shift + 40, shift + 30};
-    for (u32 j = 0; j < job.n_spheres; j++) {
-        job.spheres[j] = draw_sphere(random, lowest, highest, 15);
-        if (i % 2 && (j == 0 || random_integer(random, 0, 1))) {
-            job.spheres[j].radius *= -1;
-        }
-    }
-    if (i % 2 && job.n_spheres > 0) {
-        // At one end of the box, so that its sign is seen.
-        job.spheres[0].x = (float)highest[0] + 20;
-    }
-    job.spheres[job.n_spheres] = (Sphere){.radius = BEYOND_RADIUS};
-    return job;
-}
 
 // Every third cell has two longest sides or three, or a side of length 0.
 static BBox3D draw_split(Random *random, int i)
@@ -156,22 +126,6 @@ static SphereBoxJob draw_corner(Random *random)
     return (SphereBoxJob){sphere_at(centre, radius), box};
 }
 
-// Some of a scene's spheres, ascending with gaps, and a cell.
-static DistributeJob3D draw_distribute(Random *random, const Scene3D *scene)
-{
-    DistributeJob3D job = {0};
-    for (u32 id = 1; id < (u32)scene->n_spheres && job.n_ids < DISTRIBUTE_MAX_IDS; id++) {
-        if (random_integer(random, 0, 2) == 0) {
-            job.ids[job.n_ids++] = id;
-        }
-    }
-    for (int axis = 0; axis < 3; axis++) {
-        job.child.min[axis] = random_eighth(random, -16, 8);
-        job.child.max[axis] = job.child.min[axis] + random_eighth(random, 6, 16);
-    }
-    return job;
-}
-
 static PackJob3D draw_pack(Random *random)
 {
     PackJob3D job = {.id = (u32)random_integer(random, 1, PACK_NODES - 1)};
@@ -187,9 +141,6 @@ static PackJob3D draw_pack(Random *random)
 
 static void draw_inputs(Random *random, Job06 *job)
 {
-    for (int i = 0; i < N_BOUNDS; i++) {
-        job->bounds[i] = draw_bounds(random, i);
-    }
     for (int i = 0; i < N_SPLITS; i++) {
         job->splits[i] = draw_split(random, i);
     }
@@ -197,9 +148,6 @@ static void draw_inputs(Random *random, Job06 *job)
         job->overlaps[i] = i < N_INSIDE                ? draw_inside(random, i)
                            : i < N_INSIDE + N_TOUCHING ? draw_touching(random)
                                                        : draw_corner(random);
-    }
-    for (int i = 0; i < N_DISTRIBUTES; i++) {
-        job->distributes[i] = draw_distribute(random, &job->scenes[0].scene);
     }
     for (int i = 0; i < N_PACKS; i++) {
         job->packs[i] = draw_pack(random);
@@ -354,7 +302,8 @@ static int replay_scenes(Job06 *job)
 
 // ---- The job ------------------------------------------------------------------------------------
 
-int job_06_write_spheres(const TreeScene3D *scene, int k, FILE *file)
+// Write "scene.K.spheres", and behind the spheres one that must not be asked. Returns 0, or -1.
+static int write_spheres(const TreeScene3D *scene, int k, FILE *file)
 {
     const size_t n = (size_t)scene->scene.n_spheres;
     Sphere *spheres = calloc(n + 1, sizeof *spheres);
@@ -383,7 +332,7 @@ static int write_scene(const TreeScene3D *scene, int k, FILE *file)
     const TreeJob3D job = {(u32)scene->scene.n_spheres, scene->limits.maxDepth,
                            scene->limits.targetElementsPerNode};
     return job_section_write(file, k, NULL, &job, sizeof job) |
-           job_title_write(file, k, scene->title) | job_06_write_spheres(scene, k, file);
+           job_title_write(file, k, scene->title) | write_spheres(scene, k, file);
 }
 
 void job_06_free(void *pointer)
@@ -410,10 +359,8 @@ void *job_06_new(uint64_t seed, FILE *file)
     if (result == 0) {
         draw_inputs(&random, job);
         result |= replay_scenes(job);
-        result |= section_write(file, "bounds", job->bounds, sizeof job->bounds);
         result |= section_write(file, "splits", job->splits, sizeof job->splits);
         result |= section_write(file, "overlaps", job->overlaps, sizeof job->overlaps);
-        result |= section_write(file, "distribute", job->distributes, sizeof job->distributes);
         result |= section_write(file, "pack", job->packs, sizeof job->packs);
         result |= job_06_write_levels(file);
     }

@@ -7,8 +7,8 @@
 
 enum {
     CLIP_LOW_IS_ENTRY = 1,
-    CLIP_NEAR_IGNORED,
-    CLIP_FAR_IGNORED,
+    CLIP_T_MIN_IGNORED,
+    CLIP_T_MAX_IGNORED,
     CLIP_FIRST_ENTRY,
     CLIP_LAST_EXIT,
     CLIP_POINT_MISSED,
@@ -21,26 +21,26 @@ enum {
 static const char *const clip_mistakes[] = {
     [CLIP_LOW_IS_ENTRY] = "; that is as if every ray entered at the lower plane: with a negative "
                           "direction it enters at the upper one",
-    [CLIP_NEAR_IGNORED] = "; that is as if t_near did not count: it only grows",
-    [CLIP_FAR_IGNORED] = "; that is as if t_far did not count: it only shrinks",
+    [CLIP_T_MIN_IGNORED] = "; that is as if t_min did not count: it only grows",
+    [CLIP_T_MAX_IGNORED] = "; that is as if t_max did not count: it only shrinks",
     [CLIP_FIRST_ENTRY] = "; that is as if the first entry counted: the ray is inside from the last",
     [CLIP_LAST_EXIT] = "; that is as if the last exit counted: the ray is inside up to the first",
-    [CLIP_POINT_MISSED] = "; where t_near and t_far are equal a point is left: that is 1",
+    [CLIP_POINT_MISSED] = "; where t_min and t_max are equal a point is left: that is 1",
     [CLIP_ALONG_IGNORED] = "; a ray along the planes of an axis is between them, or never: then it "
-                           "passes the box",
+                           "misses the box",
     [CLIP_ALONG_MISSED] = "; a ray along the planes of an axis may be between them all the way",
     [CLIP_BORDER_DIVIDED] =
         "; 0 / 0 is not a number: for a ray in the plane of a side nothing is to "
         "be divided by the direction, it is inside",
     [CLIP_BORDER_OUTSIDE] = "; strict where it should not be: a ray in the plane of a side is "
                             "inside",
-    [CLIP_ALWAYS_MET] = "; when t_near is beyond t_far nothing is left: that is 0",
+    [CLIP_ALWAYS_MET] = "; when t_min is beyond t_max nothing is left: that is 0",
 };
 
 // What may come out.
 typedef struct Clip {
     int may_meet, may_miss;
-    Span t_near, t_far;
+    Span t_min, t_max;
 } Clip;
 
 static double along(Vec3 v, int axis)
@@ -70,8 +70,8 @@ static Span earlier(Span a, Span b)
 
 static Clip expected_clip(const ClipJob *job, int mistake)
 {
-    const double from = mistake == CLIP_NEAR_IGNORED ? -(double)INFINITY : (double)job->t_near;
-    const double to = mistake == CLIP_FAR_IGNORED ? (double)INFINITY : (double)job->t_far;
+    const double from = mistake == CLIP_T_MIN_IGNORED ? -(double)INFINITY : (double)job->t_min;
+    const double to = mistake == CLIP_T_MAX_IGNORED ? (double)INFINITY : (double)job->t_max;
     Span entry = {-INFINITY, -INFINITY}, exit = {INFINITY, INFINITY};
     int n_axes = 0, is_outside = 0;
     for (int axis = 0; axis < 3; axis++) {
@@ -93,13 +93,12 @@ static Clip expected_clip(const ClipJob *job, int mistake)
         entry = mistake == CLIP_FIRST_ENTRY ? earlier(entry, in) : later(entry, in);
         exit = mistake == CLIP_LAST_EXIT ? later(exit, out) : earlier(exit, out);
     }
-    Clip clip = {.t_near = later(entry, (Span){from, from}),
-                 .t_far = earlier(exit, (Span){to, to})};
+    Clip clip = {.t_min = later(entry, (Span){from, from}), .t_max = earlier(exit, (Span){to, to})};
     const int point_counts = mistake != CLIP_POINT_MISSED;
     clip.may_meet =
-        point_counts ? clip.t_near.low <= clip.t_far.high : clip.t_near.low < clip.t_far.high;
+        point_counts ? clip.t_min.low <= clip.t_max.high : clip.t_min.low < clip.t_max.high;
     clip.may_miss =
-        point_counts ? clip.t_near.high > clip.t_far.low : clip.t_near.high >= clip.t_far.low;
+        point_counts ? clip.t_min.high > clip.t_max.low : clip.t_min.high >= clip.t_max.low;
     if (mistake == CLIP_ALWAYS_MET) {
         clip.may_meet = 1;
         clip.may_miss = 0;
@@ -128,7 +127,7 @@ static int is_in_side(const ClipJob *job)
 // which fmin() and fmax() pass over; of the other one an infinite number, which they take.
 static int is_divided_by_0(ClipAnswer found)
 {
-    return found.t_near == INFINITY || found.t_far == -INFINITY;
+    return found.t_min == INFINITY || found.t_max == -INFINITY;
 }
 
 static int clip_agrees(const Inputs07 *inputs, int i, const void *answers, int mistake)
@@ -141,14 +140,14 @@ static int clip_agrees(const Inputs07 *inputs, int i, const void *answers, int m
     if (!found.is_met) {
         return clip.may_miss;
     }
-    return clip.may_meet && is_within(found.t_near, clip.t_near) &&
-           is_within(found.t_far, clip.t_far);
+    return clip.may_meet && is_within(found.t_min, clip.t_min) &&
+           is_within(found.t_max, clip.t_max);
 }
 
 // "0", or "1 and [1.5, 3.25]".
-static void describe_clip(char *text, size_t n_bytes, int is_met, double t_near, double t_far)
+static void describe_clip(char *text, size_t n_bytes, int is_met, double t_min, double t_max)
 {
-    snprintf(text, n_bytes, is_met ? "%d and [%.7g, %.7g]" : "%d", is_met, t_near, t_far);
+    snprintf(text, n_bytes, is_met ? "%d and [%.7g, %.7g]" : "%d", is_met, t_min, t_max);
 }
 
 Verdict inputs_07_judge_clips(const Inputs07 *inputs, int range, const Sections *answers)
@@ -168,10 +167,10 @@ Verdict inputs_07_judge_clips(const Inputs07 *inputs, int range, const Sections 
     const ClipAnswer own = found[wrong.first];
     const Clip right = expected_clip(job, 0);
     char own_text[64], right_text[64];
-    describe_clip(own_text, sizeof own_text, own.is_met, own.t_near, own.t_far);
+    describe_clip(own_text, sizeof own_text, own.is_met, own.t_min, own.t_max);
     describe_clip(right_text, sizeof right_text, right.may_meet,
-                  (right.t_near.low + right.t_near.high) / 2,
-                  (right.t_far.low + right.t_far.high) / 2);
+                  (right.t_min.low + right.t_min.high) / 2,
+                  (right.t_max.low + right.t_max.high) / 2);
     return verdict_of(message_new(
         "box from (%g, %g, %g) to (%g, %g, %g), ray from (%g, %g, %g) along (%.7g, %.7g, %.7g), "
         "part [%g, %g]: found %s, expected %s (%d of %d inputs are wrong)%s",
@@ -179,6 +178,6 @@ Verdict inputs_07_judge_clips(const Inputs07 *inputs, int range, const Sections 
         (double)job->box.max[0], (double)job->box.max[1], (double)job->box.max[2],
         (double)job->origin.x, (double)job->origin.y, (double)job->origin.z,
         (double)job->direction.x, (double)job->direction.y, (double)job->direction.z,
-        (double)job->t_near, (double)job->t_far, own_text, right_text, wrong.n, N_CLIP_INPUTS,
+        (double)job->t_min, (double)job->t_max, own_text, right_text, wrong.n, N_CLIP_INPUTS,
         wrong.why));
 }

@@ -97,8 +97,8 @@ enum {
     PLANE_CROSSED_NEAR,
     PLANE_INSIDE_NEAR,
     PLANE_INSIDE_FAR,
-    PLANE_AT_NEAR,
-    PLANE_AT_FAR,
+    PLANE_AT_T_MIN,
+    PLANE_AT_T_MAX,
     PLANE_ALONG_BOTH,
     PLANE_ALONG_FAR,
     PLANE_BACKWARDS,
@@ -114,16 +114,16 @@ static const char *const plane_mistakes[] = {
     [PLANE_BEHIND_MET] = "; a plane behind the eye is not met: t_split <= 0 is ONLY_NEAR",
     [PLANE_AT_EYE_MET] = "; with the eye on the plane t_split is 0: that is ONLY_NEAR, as behind "
                          "the eye",
-    [PLANE_BEYOND_BOTH] = "; that is as if t_far did not count: beyond it only the near child is "
+    [PLANE_BEYOND_BOTH] = "; that is as if t_max did not count: beyond it only the near child is "
                           "met",
-    [PLANE_CROSSED_BOTH] = "; a plane crossed before t_near leaves only the far child",
-    [PLANE_CROSSED_NEAR] = "; a plane crossed before t_near leaves the far child, not the near one",
-    [PLANE_INSIDE_NEAR] = "; that is as if the far child were never met: a plane between t_near "
-                          "and t_far is BOTH",
-    [PLANE_INSIDE_FAR] = "; that is as if only the far child were met: a plane between t_near and "
-                         "t_far is BOTH",
-    [PLANE_AT_NEAR] = "; a plane exactly at t_near is met: equal to t_near is BOTH",
-    [PLANE_AT_FAR] = "; a plane exactly at t_far is met: equal to t_far is BOTH",
+    [PLANE_CROSSED_BOTH] = "; a plane crossed before t_min leaves only the far child",
+    [PLANE_CROSSED_NEAR] = "; a plane crossed before t_min leaves the far child, not the near one",
+    [PLANE_INSIDE_NEAR] = "; that is as if the far child were never met: a plane between t_min "
+                          "and t_max is BOTH",
+    [PLANE_INSIDE_FAR] = "; that is as if only the far child were met: a plane between t_min and "
+                         "t_max is BOTH",
+    [PLANE_AT_T_MIN] = "; a plane exactly at t_min is met: equal to t_min is BOTH",
+    [PLANE_AT_T_MAX] = "; a plane exactly at t_max is met: equal to t_max is BOTH",
     [PLANE_ALONG_BOTH] = "; a ray along the plane never meets it, and comparisons with NaN are "
                          "never true: that is ONLY_NEAR",
     [PLANE_ALONG_FAR] = "; a ray along the plane never meets it, and comparisons with NaN are "
@@ -154,8 +154,8 @@ static int is_exact_plane(const PlaneJob *job)
 // Where rounding decides more than one is right.
 static Children expected_children(const PlaneJob *job, int mistake)
 {
-    const double plane = job->node.split_pos, inverse = job->inverse, t_near = job->t_near,
-                 t_far = job->t_far, origin = mistake == PLANE_FROM_ZERO ? 0 : (double)job->origin;
+    const double plane = job->node.split_pos, inverse = job->inverse, t_min = job->t_min,
+                 t_max = job->t_max, origin = mistake == PLANE_FROM_ZERO ? 0 : (double)job->origin;
     double t = mistake == PLANE_DIVIDED ? (plane - origin) / inverse : (plane - origin) * inverse;
     t = mistake == PLANE_BACKWARDS ? -t : t;
     if (isinf(inverse)) {
@@ -163,7 +163,7 @@ static Children expected_children(const PlaneJob *job, int mistake)
                          : mistake == PLANE_ALONG_FAR ? FAR_BIT
                                                       : NEAR_BIT;
         // NaN is where the mistakes show; an infinite t_split compares as it should, but where one
-        // behind the eye counts: minus infinity is less than t_near.
+        // behind the eye counts: minus infinity is less than t_min.
         const int is_crossed = mistake == PLANE_BEHIND_CROSSED && t < 0;
         return (Children){isnan(t) ? only : is_crossed ? FAR_BIT : NEAR_BIT, {-INFINITY, INFINITY}};
     }
@@ -174,23 +174,23 @@ static Children expected_children(const PlaneJob *job, int mistake)
         return (Children){BOTH_BIT, split};
     }
     if (t == 0 && mistake == PLANE_AT_EYE_MET) {
-        return (Children){t < t_near ? FAR_BIT : BOTH_BIT, split};
+        return (Children){t < t_min ? FAR_BIT : BOTH_BIT, split};
     }
     if (split.low == split.high &&
-        ((mistake == PLANE_AT_NEAR && t == t_near) || (mistake == PLANE_AT_FAR && t == t_far))) {
-        return (Children){t == t_near ? FAR_BIT : NEAR_BIT, split};
+        ((mistake == PLANE_AT_T_MIN && t == t_min) || (mistake == PLANE_AT_T_MAX && t == t_max))) {
+        return (Children){t == t_min ? FAR_BIT : NEAR_BIT, split};
     }
     const int behind_counts = mistake == PLANE_BEHIND_CROSSED;
     u32 may_be = 0;
-    if ((split.low <= 0 && !behind_counts) || split.high > t_far) {
+    if ((split.low <= 0 && !behind_counts) || split.high > t_max) {
         may_be |= mistake == PLANE_BEYOND_BOTH && split.low > 0 ? BOTH_BIT : NEAR_BIT;
     }
-    if ((split.high > 0 || behind_counts) && split.low < t_near) {
+    if ((split.high > 0 || behind_counts) && split.low < t_min) {
         may_be |= mistake == PLANE_CROSSED_BOTH   ? BOTH_BIT
                   : mistake == PLANE_CROSSED_NEAR ? NEAR_BIT
                                                   : FAR_BIT;
     }
-    if ((split.high > 0 || behind_counts) && split.high >= t_near && split.low <= t_far) {
+    if ((split.high > 0 || behind_counts) && split.high >= t_min && split.low <= t_max) {
         may_be |= mistake == PLANE_INSIDE_NEAR  ? NEAR_BIT
                   : mistake == PLANE_INSIDE_FAR ? FAR_BIT
                                                 : BOTH_BIT;
@@ -253,6 +253,6 @@ Verdict inputs_07_judge_planes(const Inputs07 *inputs, int range, const Sections
     return verdict_of(message_new(
         "plane at %.7g, eye at %.7g, 1 / direction %.7g, part [%g, %g]: found %s, "
         "expected %s (%d of %d inputs are wrong)%s",
-        (double)job->node.split_pos, (double)job->origin, (double)job->inverse, (double)job->t_near,
-        (double)job->t_far, own_text, right_text, wrong.n, N_PLANE_INPUTS, wrong.why));
+        (double)job->node.split_pos, (double)job->origin, (double)job->inverse, (double)job->t_min,
+        (double)job->t_max, own_text, right_text, wrong.n, N_PLANE_INPUTS, wrong.why));
 }

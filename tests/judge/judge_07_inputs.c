@@ -67,7 +67,7 @@ static int holds(const BBox3D *box, Vec3 p)
 // A ray from outside towards the box, or past it.
 static ClipJob draw_towards(Random *random)
 {
-    ClipJob job = {.box = draw_box(random), .t_far = INFINITY};
+    ClipJob job = {.box = draw_box(random), .t_max = INFINITY};
     Vec3 way;
     do {
         job.origin = random_point(random, 10);
@@ -81,7 +81,7 @@ static ClipJob draw_towards(Random *random)
 // Exactly along an axis, with whole numbers of sixteenths all over: what remains may be one point.
 static ClipJob draw_point_left(Random *random)
 {
-    ClipJob job = {.box = draw_box(random), .t_far = INFINITY};
+    ClipJob job = {.box = draw_box(random), .t_max = INFINITY};
     const int axis = (int)random_integer(random, 0, 2);
     const int is_up = one_in(random, 2);
     for (int other = 0; other < 3; other++) {
@@ -98,12 +98,12 @@ static ClipJob draw_point_left(Random *random)
         break;
     case 1:  // the part ends where the box begins
         *origin = is_up ? job.box.min[axis] - 2 : job.box.max[axis] + 2;
-        job.t_far = 2;
+        job.t_max = 2;
         break;
     default:  // it begins where the box ends
         *origin = is_up ? job.box.max[axis] - 0.25f : job.box.min[axis] + 0.25f;
-        job.t_near = 0.25f;
-        job.t_far = 8;
+        job.t_min = 0.25f;
+        job.t_max = 8;
     }
     return job;
 }
@@ -121,8 +121,8 @@ static ClipJob draw_clip(Random *random, enum ClipRange range)
             job.direction = unit_vector(random);
         }
         if (!one_in(random, 3)) {
-            job.t_near = random_number(random, 0, 1);
-            job.t_far = job.t_near + random_number(random, 0.125, 2);
+            job.t_min = random_number(random, 0, 1);
+            job.t_max = job.t_min + random_number(random, 0.125, 2);
         }
     } else if (range == CLIP_BESIDE) {
         const float distance =
@@ -132,10 +132,10 @@ static ClipJob draw_clip(Random *random, enum ClipRange range)
             job.direction = vec3_scaled(job.direction, -1);
             break;
         case 1:  // beyond the part that counts
-            job.t_far = distance / 8;
+            job.t_max = distance / 8;
             break;
         default:  // before it
-            job.t_near = distance * 4;
+            job.t_min = distance * 4;
         }
     } else if (one_in(random, 3)) {
         return draw_point_left(random);
@@ -200,26 +200,25 @@ static PlaneJob draw_plane(Random *random, int range)
 {
     PlaneJob job = {.origin = random_number(random, -4, 4)};
     float direction = draw_sign(random) * random_number(random, 0.0625, 1);
-    job.t_near = one_in(random, 4) ? 0 : random_number(random, 0.5, 4);
-    job.t_far = job.t_near + random_number(random, 0.5, 4);
+    job.t_min = one_in(random, 4) ? 0 : random_number(random, 0.5, 4);
+    job.t_max = job.t_min + random_number(random, 0.5, 4);
     // Before the part, in it, beyond it.
-    const float to_near = random_number(random, 0.125, 0.875) * job.t_near;
-    const float inside =
-        job.t_near + random_number(random, 0.125, 0.875) * (job.t_far - job.t_near);
-    const float beyond = job.t_far + random_number(random, 0.25, 4);
-    const float ahead[] = {to_near, inside, beyond};
-    float t = ahead[random_integer(random, job.t_near > 0 ? 0 : 1, 2)];
+    const float before = random_number(random, 0.125, 0.875) * job.t_min;
+    const float inside = job.t_min + random_number(random, 0.125, 0.875) * (job.t_max - job.t_min);
+    const float beyond = job.t_max + random_number(random, 0.25, 4);
+    const float ahead[] = {before, inside, beyond};
+    float t = ahead[random_integer(random, job.t_min > 0 ? 0 : 1, 2)];
     if (range == PLANES_AHEAD && one_in(random, 6)) {
         // Exactly at an end of the part. Nothing is rounded: all is on the grid, 1 / 4 of it, or
         // a power of two.
         direction = draw_sign(random) * 0.25f;
-        t = job.t_near > 0 && one_in(random, 2) ? job.t_near : job.t_far;
+        t = job.t_min > 0 && one_in(random, 2) ? job.t_min : job.t_max;
     }
     job.inverse = 1 / direction;
     if (range == PLANES_BEHIND && !one_in(random, 4)) {
         t = one_in(random, 3) ? 0 : -random_number(random, 0.125, 6);
         // The eye on the plane is in the node, or the node is ahead of it.
-        job.t_near = one_in(random, 2) ? 0 : job.t_near;
+        job.t_min = one_in(random, 2) ? 0 : job.t_min;
     }
     job.node = draw_node(random, job.origin + t * direction);
     if (range == PLANES_ALONG && !one_in(random, 4)) {
@@ -324,6 +323,8 @@ void inputs_07_draw(Random *random, Inputs07 *inputs)
     for (int i = 0; i < N_LEAVES; i++) {
         inputs->leaves[i] = draw_leaf(random, inputs, i);
     }
+    inputs_07_draw_children(random, inputs);
+    inputs_07_draw_waiting(random, inputs);
 }
 
 int inputs_07_write(const Inputs07 *inputs, FILE *file)
@@ -333,6 +334,8 @@ int inputs_07_write(const Inputs07 *inputs, FILE *file)
     result |= section_write(file, "planes", inputs->planes, sizeof inputs->planes);
     result |= section_write(file, "leaves", inputs->leaves, sizeof inputs->leaves);
     result |= section_write(file, "leaf_ids", inputs->leaf_ids, sizeof inputs->leaf_ids);
-    return result |
-           section_write(file, "leaf_spheres", inputs->leaf_spheres, sizeof inputs->leaf_spheres);
+    result |=
+        section_write(file, "leaf_spheres", inputs->leaf_spheres, sizeof inputs->leaf_spheres);
+    result |= section_write(file, "next_child", inputs->children, sizeof inputs->children);
+    return result | section_write(file, "next_waiting", inputs->waiting, sizeof inputs->waiting);
 }

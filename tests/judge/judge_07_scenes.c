@@ -123,7 +123,7 @@ static int draw_deep(Random *random, JobScene3D *scene)
 }
 
 // From inside a large sphere one looks exactly at where it touches the scene's box, through so
-// narrow an angle that the sphere is the box's side for float: its hits lie before or behind t_far,
+// narrow an angle that the sphere is the box's side for float: its hits lie before or behind t_max,
 // as rounding has it. Who throws away a hit for lying outside the node has pinholes.
 static int draw_touching(Random *random, JobScene3D *scene)
 {
@@ -144,7 +144,7 @@ static int draw_touching(Random *random, JobScene3D *scene)
     return job_scene3d_grow_tree(scene, (KdTreeLimits){3, 1});
 }
 
-// One ray, which hits spheres 0 and 1 at a distance that is the same in float, and is just t_far of
+// One ray, which hits spheres 0 and 1 at a distance that is the same in float, and is just t_max of
 // the near leaf: the plane lies there. Sphere 1 touches the plane and is in both leaves, sphere 0
 // is a hair smaller and in the far one only. Sphere 2 makes the root's cell symmetrical.
 static int draw_tie(Random *random, JobScene3D *scene)

@@ -8,7 +8,7 @@
 //    sums; normalize() a few ulp more, for which OpenCL 1.2 gives no bound: about 25 u altogether.
 //    RAY_ERROR is 32 u, across the ray and along it.
 // 2. The sphere's centre seen from the eye, c, is exact within u |c|, b = c . d within 4 u |c|, and
-//    l = c - b d within 2 u |c| more. With the ray's error the line passes the sphere displaced by
+//    l = c - b d within 2 u |c| more. With the ray's error the line is displaced at the sphere by
 //        e = (direction_error + ROOT_ERROR) |c|,   ROOT_ERROR = 12 u
 //    so l lies between |l| - e and |l| + e, the middle of the chord b between b - e and b + e.
 // 3. r² - l . l costs 5 u (r² + l²), its root 3 ulp = 6 u. From the largest and the smallest l
@@ -192,15 +192,15 @@ OracleRoot oracle3d_root(Sphere sphere, const OracleRay *ray, OracleForm form,
     const double b = chord.middle, shortest = chord.shortest, longest = chord.longest;
     // Of b, and of the last operation.
     const double last = chord.error + ROUNDING * (fabs(b) + longest);
-    const Root enter = {b - chord.half, b - longest - last, b - shortest + last};
-    const Root leave = {b + chord.half, b + shortest - last, b + longest + last};
+    const Root t_near = {b - chord.half, b - longest - last, b - shortest + last};
+    const Root t_far = {b + chord.half, b + shortest - last, b + longest + last};
 
     const double limit = rules->any_distance ? -INFINITY : ray->t_min;
     const int has_near_side =
         (sphere.radius > 0 || rules->radius_sign_ignored) && !rules->farther_root;
-    const int enters = has_near_side && may_hit(&root, enter, limit);
+    const int enters = has_near_side && may_hit(&root, t_near, limit);
     if (!enters && !rules->inside_is_miss) {
-        may_hit(&root, leave, limit);
+        may_hit(&root, t_far, limit);
     }
     root.is_certain &= chord.is_certain;
     return root;

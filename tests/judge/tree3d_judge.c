@@ -121,9 +121,22 @@ static Count count_spheres(const TreeScene3D *scene, BBox3D cell)
 
 char *tree3d_judge_bounds(const TreeScene3D *scene, const KdTree3D *own)
 {
-    char where[128];
-    snprintf(where, sizeof where, "%s: bounds", scene->title);
-    return tree3d_judge_box(where, scene->scene.spheres, (u32)scene->scene.n_spheres, own->bounds);
+    const BBox3D expected = tree3d_expected_box(scene->scene.spheres, (u32)scene->scene.n_spheres);
+    const BBox3D found = own->bounds;
+    int is_right = 1;
+    for (int axis = 0; axis < 3; axis++) {
+        is_right = is_right && found.min[axis] == expected.min[axis] &&
+                   found.max[axis] == expected.max[axis];
+    }
+    return is_right
+               ? NULL
+               : message_new("%s: bounds: found x [%g, %g] y [%g, %g] z [%g, %g], expected x "
+                             "[%g, %g] y [%g, %g] z [%g, %g]",
+                             scene->title, (double)found.min[0], (double)found.max[0],
+                             (double)found.min[1], (double)found.max[1], (double)found.min[2],
+                             (double)found.max[2], (double)expected.min[0], (double)expected.max[0],
+                             (double)expected.min[1], (double)expected.max[1],
+                             (double)expected.min[2], (double)expected.max[2]);
 }
 
 char *tree3d_judge_splits(const TreeScene3D *scene, const KdTree3D *own)

@@ -28,10 +28,6 @@ typedef enum SphereInCell { SPHERE_OUTSIDE, SPHERE_EITHER, SPHERE_INSIDE } Spher
 // answer is right; never so where float is exact, as on the coarse grids of the job's inputs.
 SphereInCell tree3d_judge_sphere(Sphere sphere, BBox3D cell);
 
-// Is `found` the smallest box around the spheres?
-//   where   what the message begins with
-char *tree3d_judge_box(const char *where, const Sphere *spheres, u32 n_spheres, BBox3D found);
-
 // Is this the axis that the cell must be split on?
 char *tree3d_judge_axis(const char *where, BBox3D cell, u32 axis);
 

@@ -3,8 +3,6 @@
 #include "message.h"
 #include "tree3d_judge.h"
 
-#include "jobs.h"
-
 #include <float.h>
 #include <math.h>
 
@@ -47,85 +45,23 @@ SphereInCell tree3d_judge_sphere(Sphere sphere, BBox3D cell)
 
 // ---- The scene's box ----------------------------------------------------------------------------
 
-// A way of finding the box. All zeros is the right one.
-typedef struct BoxRules {
-    int centres_only;
-    int signed_radius;    // a negative radius is not taken as its absolute value
-    int from_zeros;       // the box starts as a point at the origin
-    int one_sphere_more;  // the one behind the end of the array is asked, too
-    int skip_first, skip_last;
-} BoxRules;
-
-static const struct {
-    const char *name;
-    BoxRules rules;
-} mistakes[] = {
-    {"that is the box of the centres alone: the radii are missing", {.centres_only = 1}},
-    {"a negative radius counts as its absolute value", {.signed_radius = 1}},
-    {"the origin is in it, though no sphere is there: does the box start from zeros?",
-     {.from_zeros = 1}},
-    {"one sphere too many is asked, the one behind the end of the array", {.one_sphere_more = 1}},
-    {"the first sphere is missing", {.skip_first = 1}},
-    {"the last sphere is missing", {.skip_last = 1}},
-};
-
 // What a float holds of the scene's box. A centre plus or minus a radius is rounded once, whether
 // in float or in double before.
-static BBox3D box_of(const Sphere *spheres, u32 n_spheres, BoxRules rules)
+BBox3D tree3d_expected_box(const Sphere *spheres, u32 n_spheres)
 {
-    if (n_spheres < 1) {
+    if (n_spheres == 0) {
         return (BBox3D){{0}, {0}};
     }
-    const float start = rules.from_zeros ? 0 : INFINITY;
-    BBox3D box = {{start, start, start}, {-start, -start, -start}};
-    const u32 end = n_spheres - (u32)rules.skip_last + (u32)rules.one_sphere_more;
-    for (u32 i = (u32)rules.skip_first; i < end; i++) {
-        const Sphere s = i < n_spheres ? spheres[i] : (Sphere){.radius = BEYOND_RADIUS};
-        const double centre[3] = {s.x, s.y, s.z};
-        const double radius = rules.centres_only    ? 0
-                              : rules.signed_radius ? (double)s.radius
-                                                    : fabs((double)s.radius);
+    BBox3D box = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    for (u32 i = 0; i < n_spheres; i++) {
+        const double centre[3] = {spheres[i].x, spheres[i].y, spheres[i].z};
+        const double radius = fabs((double)spheres[i].radius);
         for (int axis = 0; axis < 3; axis++) {
             box.min[axis] = fminf(box.min[axis], (float)(centre[axis] - radius));
             box.max[axis] = fmaxf(box.max[axis], (float)(centre[axis] + radius));
         }
     }
     return box;
-}
-
-static int is_same_box(BBox3D a, BBox3D b)
-{
-    int is_same = 1;
-    for (int axis = 0; axis < 3; axis++) {
-        is_same = is_same && a.min[axis] == b.min[axis] && a.max[axis] == b.max[axis];
-    }
-    return is_same;
-}
-
-BBox3D tree3d_expected_box(const Sphere *spheres, u32 n_spheres)
-{
-    return box_of(spheres, n_spheres, (BoxRules){0});
-}
-
-char *tree3d_judge_box(const char *where, const Sphere *spheres, u32 n_spheres, BBox3D found)
-{
-    const BBox3D expected = tree3d_expected_box(spheres, n_spheres);
-    if (is_same_box(found, expected)) {
-        return NULL;
-    }
-    const char *mistake = NULL;
-    for (size_t i = 0; mistake == NULL && i < sizeof mistakes / sizeof *mistakes; i++) {
-        if (is_same_box(found, box_of(spheres, n_spheres, mistakes[i].rules))) {
-            mistake = mistakes[i].name;
-        }
-    }
-    return message_new("%s: found x [%g, %g] y [%g, %g] z [%g, %g], expected x [%g, %g] y [%g, %g] "
-                       "z [%g, %g]%s%s",
-                       where, (double)found.min[0], (double)found.max[0], (double)found.min[1],
-                       (double)found.max[1], (double)found.min[2], (double)found.max[2],
-                       (double)expected.min[0], (double)expected.max[0], (double)expected.min[1],
-                       (double)expected.max[1], (double)expected.min[2], (double)expected.max[2],
-                       mistake ? "; " : "", mistake ? mistake : "");
 }
 
 // ---- Axis and plane -----------------------------------------------------------------------------

@@ -4,7 +4,7 @@
 // says: reads outside of a buffer
     for (uint i = node.first; i <= node.first + node.n_spheres; i++) {
         const uint id = sphere_ids[i];  // HERE
-        const float t = intersect_sphere(spheres[id], ray);
+        const float t = intersect_sphere(spheres[id], ray, work);
         if (t < hit->t) {
             hit->t = t;
             hit->sphere = id;

@@ -24,10 +24,9 @@ static const char *const NAMES[][2] = {
     {"left", "right"}, {"right", "left"}, {"up", "right"}, {"forward", "up"},
     {"lChild", "rChild"}, {"rChild", "lChild"}, {"t_near", "t_far"}, {"t_far", "t_near"},
     {"t_low", "t_high"}, {"t_high", "t_low"}, {"t_min", "t_max"}, {"t_max", "t_min"},
-    {"enter", "leave"}, {"leave", "enter"}, {"near_child", "far_child"},
-    {"far_child", "near_child"}, {"ONLY_NEAR", "ONLY_FAR"}, {"ONLY_FAR", "ONLY_NEAR"},
-    {"BOTH", "ONLY_NEAR"}, {"CL_TRUE", "CL_FALSE"}, {"origin", "direction"},
-    {"direction", "origin"},
+    {"near_child", "far_child"}, {"far_child", "near_child"}, {"ONLY_NEAR", "ONLY_FAR"},
+    {"ONLY_FAR", "ONLY_NEAR"}, {"BOTH", "ONLY_NEAR"}, {"CL_TRUE", "CL_FALSE"},
+    {"origin", "direction"}, {"direction", "origin"},
 };
 
 // Of what stands behind a point or an arrow only.

@@ -21,7 +21,7 @@
 #define UNWRITTEN (-77.0f)
 
 // The colour of the circle behind the end of circles[], nearest of all and everywhere: no scene has
-// it either, and who asks one circle too many paints it.
+// it either, and a loop that runs one step too far paints it.
 #define BEYOND_RED 0.140625f
 #define BEYOND_GREEN 0.859375f
 #define BEYOND_BLUE 0.390625f
@@ -154,12 +154,11 @@ LAYOUT_ASSERT(ChildJob, 12);
 // or spheres are in "scene.K.circles" or ".spheres", without a section "scene.K".
 //     "replay.leaf", "replay.split", "replay.overlap"
 //                      as "leaves", "splits" and "overlaps"; so are the answers
-//     "replay.bounds"  lab 06: how many spheres scene K has, a u32 each; answered by a BBox3D each
 //     "replay.todo"    lab 06: levels, an i32 each; answered by an i32 each
-//     "replay.lists"   a ReplayList for each call of distribute; the children's cells are in
-//                      "replay.cells", a BBox2D or BBox3D each. Answered by as many entries for
-//                      each as REPLAY_ROOM says: the number returned, then child_ids, UNTOUCHED
-//                      where nothing was written.
+//     "replay.lists"   lab 02: a ReplayList for each call of distribute; the children's cells are
+//                      in "replay.cells", a BBox2D each. Answered by as many entries for each as
+//                      REPLAY_ROOM says: the number returned, then child_ids, UNTOUCHED where
+//                      nothing was written.
 //     "replay.leaves"  a ReplayList for each call of pack_leaf, scene by scene
 //     "replay.trees"   a ReplayTree for each scene
 typedef struct ReplayList {
@@ -208,16 +207,9 @@ LAYOUT_ASSERT(TreeAnswer3D, 32);
 // No right tree of the job has more: answers shall stay a few megabytes.
 enum { TREE3D_ANSWER_NODES = 1 << 14, TREE3D_ANSWER_IDS = 1 << 16 };
 
-// The sphere behind the end of an array: who asks it gets a box or a leaf like no other.
+// The sphere behind the end of an array: a loop that runs too far gets a box or a leaf like no
+// other.
 #define BEYOND_RADIUS 1e6f
-
-// One call of spheres_bounds. Answered by a BBox3D.
-enum { BOUNDS_MAX_SPHERES = 24 };
-typedef struct BoundsJob {
-    u32 n_spheres;
-    Sphere spheres[BOUNDS_MAX_SPHERES + 1];
-} BoundsJob;
-LAYOUT_ASSERT(BoundsJob, 404);
 
 // choose_split takes a BBox3D and is answered by a KdSplit of lab 06, which is laid out so.
 typedef struct SplitAnswer3D {
@@ -232,14 +224,6 @@ typedef struct SphereBoxJob {
     BBox3D box;
 } SphereBoxJob;
 LAYOUT_ASSERT(SphereBoxJob, 40);
-
-// distribute_spheres is called with ids of scene 0's spheres; the answer is as in lab 02.
-typedef struct DistributeJob3D {
-    BBox3D child;
-    u32 n_ids;
-    u32 ids[DISTRIBUTE_MAX_IDS];
-} DistributeJob3D;
-LAYOUT_ASSERT(DistributeJob3D, 220);
 
 // pack_leaf_range is called on a tree of PACK_NODES nodes that already holds n_sphere_ids ids.
 typedef struct PackJob3D {
@@ -363,21 +347,20 @@ LAYOUT_ASSERT(ShadeJob, 64);
 
 // Its scenes are those of labs 04 and 05, with a tree.
 
-// Section "clips", one call of clip_to_box each. The ray's own t_min and t_max are t_near and
-// t_far.
+// Section "clips", one call of clip_to_box each. The ray's own t_min and t_max are the same.
 typedef struct ClipJob {
     BBox3D box;
     Vec3 origin;
     Vec3 direction;
-    f32 t_near;
-    f32 t_far;
+    f32 t_min;
+    f32 t_max;
 } ClipJob;
 LAYOUT_ASSERT(ClipJob, 56);
 
 typedef struct ClipAnswer {
     i32 is_met;
-    f32 t_near;
-    f32 t_far;
+    f32 t_min;
+    f32 t_max;
 } ClipAnswer;
 LAYOUT_ASSERT(ClipAnswer, 12);
 
@@ -394,8 +377,8 @@ typedef struct PlaneJob {
     KdNode3 node;
     f32 origin;
     f32 inverse;
-    f32 t_near;
-    f32 t_far;
+    f32 t_min;
+    f32 t_max;
 } PlaneJob;
 LAYOUT_ASSERT(PlaneJob, 32);
 
@@ -425,5 +408,55 @@ typedef struct SearchAnswer {
     u32 n_tests;  // calls of intersect_sphere; UNTOUCHED where they cannot be counted
 } SearchAnswer;
 LAYOUT_ASSERT(SearchAnswer, 12);
+
+// A todo stack: its uppermost entries, the last on top, on others that all look like `lowest`. In
+// an answer n_lower is how many of these are as they were; entries above the top are UNTOUCHED.
+enum { STACK_ENTRIES = 4 };
+
+typedef struct StackEntry {
+    u32 node;
+    f32 t_min;
+    f32 t_max;
+} StackEntry;
+
+typedef struct StackState {
+    u32 n_lower;
+    u32 n;  // entries in all
+    StackEntry upper[STACK_ENTRIES];
+} StackState;
+LAYOUT_ASSERT(StackState, 56);
+
+// Section "next_child", one call of next_child each.
+typedef struct NextChildJob {
+    KdNode3 node;
+    f32 origin;
+    f32 inverse;
+    f32 t_min;
+    f32 t_max;
+    StackState todo;
+} NextChildJob;
+LAYOUT_ASSERT(NextChildJob, 88);
+
+typedef struct NextChildAnswer {
+    StackEntry next;
+    StackState todo;
+} NextChildAnswer;
+LAYOUT_ASSERT(NextChildAnswer, 68);
+
+// Section "next_waiting", one call of next_waiting each.
+typedef struct NextWaitingJob {
+    f32 t;  // the nearest hit so far
+    u32 sphere;
+    StackEntry at;
+    StackState todo;
+} NextWaitingJob;
+LAYOUT_ASSERT(NextWaitingJob, 76);
+
+typedef struct NextWaitingAnswer {
+    i32 goes_on;
+    StackEntry at;
+    StackState todo;
+} NextWaitingAnswer;
+LAYOUT_ASSERT(NextWaitingAnswer, 72);
 
 #endif

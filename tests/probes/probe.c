@@ -140,40 +140,6 @@ cl_program probe_build(const Probe *probe, const char *path, const char *options
     return program;
 }
 
-// Send stderr nowhere. Returns what stderr_restore() needs.
-static int stderr_hide(void)
-{
-    const int kept = dup(STDERR_FILENO);
-    const int nowhere = open("/dev/null", O_WRONLY);
-    if (nowhere >= 0) {
-        dup2(nowhere, STDERR_FILENO);
-        close(nowhere);
-    }
-    return kept;
-}
-
-static void stderr_restore(int kept)
-{
-    if (kept >= 0) {
-        dup2(kept, STDERR_FILENO);
-        close(kept);
-    }
-}
-
-// What does not compile is told by the build without counting: once, and without our macros.
-cl_program probe_build_counting(const Probe *probe, const char *path, const char *options,
-                                int *is_counting)
-{
-    char counting_options[1024];
-    probe_note(probe, "build", PROBE_NO_INPUT);
-    snprintf(counting_options, sizeof counting_options, "%s -DCOUNT_WORK", options);
-    const int kept = stderr_hide();
-    cl_program program = cl_setup_build(&probe->cl, path, counting_options);
-    stderr_restore(kept);
-    *is_counting = program != NULL;
-    return program != NULL ? program : probe_build(probe, path, options);
-}
-
 cl_kernel probe_kernel(cl_program program, const char *name)
 {
     cl_int error;
@@ -242,8 +208,9 @@ cl_mem probe_image(const Probe *probe, int width, int height)
     const cl_float4 color = {{UNWRITTEN, UNWRITTEN, UNWRITTEN, UNWRITTEN}};
     const size_t corner[3] = {0, 0, 0};
     const size_t region[3] = {(size_t)PROBE_IMAGE_SIDE(width), (size_t)PROBE_IMAGE_SIDE(height), 1};
-    cl_mem d_image = cl_image_create(&probe->cl, PROBE_IMAGE_SIDE(width), PROBE_IMAGE_SIDE(height));
-    if (d_image == NULL) {
+    cl_mem d_image;
+    if (cl_image_create(&probe->cl, PROBE_IMAGE_SIDE(width), PROBE_IMAGE_SIDE(height), &d_image) !=
+        0) {
         fault("no image");
     }
     CL_CHECK(clEnqueueFillImage(probe->cl.queue, d_image, &color, corner, region, 0, NULL, NULL));

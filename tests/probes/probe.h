@@ -65,11 +65,6 @@ void probe_answer(const Probe *probe, const char *name, int k, const char *part,
 // Build the program; ends with PROBE_EXIT_NO_BUILD when it does not compile.
 cl_program probe_build(const Probe *probe, const char *path, const char *options);
 
-// Build the program with -DCOUNT_WORK. Counting needs the calls in the kernels themselves; code
-// that hides them is built without. Sets *is_counting. Ends as probe_build() does.
-cl_program probe_build_counting(const Probe *probe, const char *path, const char *options,
-                                int *is_counting);
-
 // A kernel of the program; ends with PROBE_EXIT_NO_BUILD when there is none of that name.
 cl_kernel probe_kernel(cl_program program, const char *name);
 

@@ -2,7 +2,8 @@
 //
 // Flow: the grader writes a job, the probe in the sandbox reads it and writes results, the grader
 // reads those. What the probe writes is a claim by code that nobody trusts, so reading believes
-// nothing: every size is held against what is left of the file. Read next: ../grader/sandbox/sandbox.h.
+// nothing: every size is held against what is left of the file.
+// Read next: ../grader/sandbox/sandbox.h.
 #include "sections.h"
 
 #include <errno.h>

@@ -41,7 +41,7 @@ void sections_free(Sections *sections);
 // NULL. Aligned for any type.
 const void *sections_find(const Sections *sections, const char *name, size_t n_bytes);
 
-// The same with any size, told in *n_bytes.
+// The same with any size; *n_bytes receives it.
 const void *sections_find_any(const Sections *sections, const char *name, size_t *n_bytes);
 
 // One section after the other: the first where *place is 0, which is moved on. Returns its bytes

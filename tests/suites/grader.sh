@@ -444,8 +444,8 @@ else
         [ $kind = user ] || option=--no-seccomp
         # shellcheck disable=SC2086 # no or one option
         (cd "$scratch/course" && "$older" $option build/tools/grade --lab 03 \
-            --submission solutions/03-kdtree-2d-render --output "$scratch/course/reports/$kind" \
-            --format junit,tap) >"$said" 2>"$said.err"
+            --submission solutions/03-kdtree-2d-render --output "$scratch/course/reports/$kind") \
+            >"$said" 2>"$said.err"
         ok $? "no Landlock, $kind: the solution gets full marks" "$(cat "$said" "$said.err")"
         reports_before=$reports reports=$scratch/course/reports/$kind
         check "no Landlock, $kind: results.json says so" test "$(field sandbox)" = $kind
@@ -456,6 +456,7 @@ else
         check "no Landlock, $kind: it says no more" test "$(wc -l <"$said.err")" = 1
         check "no Landlock, $kind: text and results.json lead to its gaps" \
             stage Sandbox passed 'The three sandboxes'
+        tests/systems/formats/write.sh junit,tap "$reports" 03-kdtree-2d-render
         for file in "$said" "$reports/report.html" "$reports/junit.xml" "$reports/results.tap"; do
             check "no Landlock, $kind: $(basename "$file") says that it hides less" \
                 grep -q 'A user of its own for each run' "$file"

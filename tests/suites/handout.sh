@@ -241,6 +241,7 @@ check "and make of a program" refuses_lab build/labs/01-naive-2d
 targets() {
     alone "$clean" make help | sed -n 's/^  make \([a-z-]*\) .*/\1/p' >"$scratch/targets"
     grep -q memcheck "$scratch/targets" || { echo "no memcheck in make help"; return 1; }
+    ! alone "$clean" make help | grep FORMAT || return 1 # what writes formats is not here
     while IFS= read -r target; do
         case $target in
         setup) set -- --dry-run setup ;;

@@ -240,11 +240,11 @@ scene='lab device scene n_spheres width height'
 for lab in $labs; do
     case $lab in
     04*) names="lab device scene width height fov $frame" ;;
-    05*) names="$scene $work $frame" ;;
+    05*) names="$scene $frame $work" ;;
     06*) names="lab scene n_spheres width height max_depth leaf_size tree.build.min_ms
         tree.build.median_ms tree.build.max_ms tree.n_nodes tree.n_leaves tree.n_empty_leaves tree.depth
         tree.n_sphere_ids tree.largest_leaf tree.spheres_per_leaf" ;;
-    07*) names="$scene max_depth leaf_size tree.build_ms tree.n_nodes tree.n_sphere_ids $work $frame" ;;
+    07*) names="$scene max_depth leaf_size tree.build_ms tree.n_nodes tree.n_sphere_ids $frame $work" ;;
     esac
     rm -f "$out/figures.json"
     works run "${lab%%-*}" --scene random:n=500 --size 64x48 --output "$out/tiny.exr" \
@@ -273,6 +273,25 @@ for lab in 01 03 05 07; do
     check "lab $lab: of the picture's size" has_size "$out/heat-work.png" 64x48
     check "lab $lab: and as EXR" has_size "$out/heat-work.exr" 64x48
     rm -f "$out"/heat*
+done
+# Kernels that show in the picture that they count: it is drawn by those that do not.
+mkdir "$scratch/shown"
+cp -R labs solutions kernels "$scratch/shown"
+for kernel in 01-naive-2d/implicit2DRenderer 03-kdtree-2d-render/implicit2DRenderer_KD \
+    05-spheres/render_spheres 07-kdtree-3d-trace/render_kdtree; do
+    lab=${kernel%%-*}
+    file=$scratch/shown/solutions/$kernel.cl
+    works run "$lab" --scene random:n=50 --size 64x48 --output "$out/drawn.exr"
+    sed -i 's/write_imagef(image, (int2)(x, y), /&SHOWN + /' "$file"
+    printf '#ifdef COUNT_WORK\n#define SHOWN 1.0f\n#else\n#define SHOWN 0.0f\n#endif\n' | cat - "$file" >"$file.new"
+    mv "$file.new" "$file"
+    # shellcheck disable=SC2317 # called by check
+    draws_uncounted() (
+        cd "$scratch/shown" && works run "$lab" --scene random:n=50 --size 64x48 --heat-map \
+            --stats "$out/figures.json" --output "$out/counted.exr" &&
+            grep -q nodes_visited "$out/figures.json" && "$compare" "$out/counted.exr" "$out/drawn.exr"
+    )
+    check "lab $lab: the picture is not the counting kernel's" draws_uncounted
 done
 works run 05 --scene one --size 96x64 --output "$out/05.exr"
 check "the heat map leaves the picture as it is" equals_lab_05 --scene one --size 96x64 --heat-map

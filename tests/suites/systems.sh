@@ -11,6 +11,7 @@ unset MAKEFLAGS MFLAGS MAKELEVEL
 build=${BUILD:-build}
 case $build in /*) ;; *) build=$PWD/$build ;; esac
 schemas=$PWD/tests/systems
+write=tests/systems/formats/write.sh
 lab=00-hello-pixels
 formats=junit,tap,gradescope,autolab,prairielearn,github
 # The sandboxed code is another user's.
@@ -44,7 +45,7 @@ grade_as() {
     wanted=$1 reports=$scratch/reports/$2
     shift 2
     status=0
-    "$build/tools/grade" --build "$build" --output "$reports" --format $formats "$@" \
+    "$write" $formats "$reports" $lab "$build/tools/grade" --build "$build" --output "$reports" "$@" \
         >"$scratch/said" 2>"$scratch/said.err" </dev/null || status=$?
     [ "$status" -eq "$wanted" ] || { echo "exit status $status"; cat "$scratch"/said*; return 1; }
     [ "$status" -eq 2 ] || [ ! -s "$scratch/said.err" ] || { cat "$scratch/said.err"; return 1; }
@@ -132,7 +133,7 @@ wrong|gradescope.json|^{"score":60,|Gradescope: some
 hostile|gradescope.json|^{"score":80,|Gradescope: a crash costs its task
 missing|gradescope.json|^{"score":0,.*"output":"Staging: failed|Gradescope: nothing handed in
 wrong|gradescope.json|<img alt=\\".*(yours)\\" src=\\"data:image|Gradescope: shows a wrong picture
-right|prairielearn.json|"gradable":true,"score":1.0,|PrairieLearn: full marks
+right|prairielearn.json|"gradable":true,"score":1,|PrairieLearn: full marks
 wrong|prairielearn.json|"gradable":true,"score":0.6,|PrairieLearn: some
 wrong|prairielearn.json|"label":"[^"]*(yours)","url":"data:|PrairieLearn: shows the wrong picture
 missing|prairielearn.json|^{"gradable":false,.*gradient.cl: |PrairieLearn: nothing to grade
@@ -167,9 +168,37 @@ check "TAP: a fault bails out" \
 left=$(cd "$scratch/reports/fault" && ls gradescope.json autolab.txt github.txt 2>/dev/null)
 [ -z "$left" ]
 ok $? "a fault leaves no older points for Gradescope, Autolab and GitHub" "$left"
-"$build/tools/grade" --lab 00 --format junit,html >"$scratch/said" 2>&1
-ok $(($? != 2)) "an unknown format is refused"
-check "and named" grep 'found "html", expected some of junit, tap, gradescope' "$scratch/said"
+
+# By make, in a build folder whose reports are its own.
+mkdir "$scratch/build"
+ln -s "$build"/* "$scratch/build"
+rm -f "$scratch/build/grade"
+# made STATUS WORD...: does make grade end so, with FORMAT=junit,tap or another?
+# shellcheck disable=SC2317 # called by check
+made() {
+    wanted=$1
+    shift
+    status=0
+    make -s --old-file=grader grade BUILD="$scratch/build" FORMAT=junit,tap "$@" >"$scratch/said" 2>&1 || status=$?
+    [ "$status" -eq "$wanted" ] || { echo "exit status $status"; cat "$scratch/said"; return 1; }
+}
+check "make grade ends well after a verdict" made 0 LAB=0 SUBMISSION="$scratch/wrong"
+check "and writes what is asked for" grep '^not ok 4 - gradient: ' "$scratch/build/grade/00/results.tap"
+[ -f "$scratch/build/grade/00/junit.xml" ] && [ ! -e "$scratch/build/grade/00/github.txt" ]
+ok $? "and nothing else" "$(ls "$scratch/build/grade/00")"
+check "it fails after a fault" made 2 LAB=00-hello-pixels DEVICE=none-such
+check "and the formats say so" grep '^Bail out! 00-hello-pixels: ' "$scratch/build/grade/00/results.tap"
+check "an unknown format is refused" made 2 LAB=00 FORMAT=junit,html
+check "and named, before anything is graded" \
+    grep -x 'formats: found "html", expected some of junit, tap, gradescope, autolab, prairielearn, github' "$scratch/said"
+check "another lab, too" made 2 LAB=99
+check "by the grader" grep 'found "99", expected the number or name of a lab' "$scratch/said"
+
+mkdir "$scratch/few-programs"
+ln -s "$(command -v dirname)" "$(command -v sh)" "$scratch/few-programs"
+! PATH=$scratch/few-programs $write junit "$scratch/reports/right" $lab >"$scratch/said" 2>&1
+ok $? "without jq nothing is written"
+check "and it is told" grep -x 'formats: jq is not here: install the package jq' "$scratch/said"
 
 # ---- Bundles: the same bytes, and only what belongs to the course -------------------------------
 
@@ -302,7 +331,7 @@ course=$root/source/course
 check "Gradescope: the time limit is passed on" graded_by 'echo "$@"; exit 2' \
     no_result env AUTOGRADER_ROOT="$root" JOBS=3 TIME_LIMIT=33 "$root/run_autograder"
 check "and said" grep 'Time limit of a submission: 33 s of processor time (TIME_LIMIT)' "$scratch/said"
-check "to the grader" grep -e '--format gradescope --time-limit 33$' "$scratch/said"
+check "to the grader" grep -e '--output [^ ]* --time-limit 33$' "$scratch/said"
 check "Gradescope: a killed grader" graded_by 'kill -9 $$' \
     no_result env AUTOGRADER_ROOT="$root" "$root/run_autograder"
 check "Gradescope: a variable that is no number" \
@@ -443,7 +472,7 @@ prairielearn() {
     cat "$scratch/prairielearn-$1.json"
     return 1
 }
-check "PrairieLearn: a right submission" prairielearn right '^{"gradable":true,"score":1.0,'
+check "PrairieLearn: a right submission" prairielearn right '^{"gradable":true,"score":1,'
 check "PrairieLearn: a wrong one" prairielearn wrong '^{"gradable":true,"score":0.6,'
 check "PrairieLearn: a crashing one" prairielearn hostile '^{"gradable":true,"score":0.8,'
 check "PrairieLearn: none" prairielearn missing '^{"gradable":false,'

@@ -43,8 +43,10 @@ copy_course() {
     done)
     mkdir -p "$1"
     # shellcheck disable=SC2046,SC2086 # lists of names without spaces
-    tracked Makefile LICENSE common kernels tests/grader tests/judge $(find tests/probes -maxdepth 1 -type f) "tests/probes/$lab" tests/stand_ins tests/systems/report tests/systems/prepare.sh \
-        tests/systems/limits.sh "tests/systems/$system" "labs/$lab" $(printf 'solutions/%s ' $solutions) |
+    tracked Makefile LICENSE common kernels tests/grader tests/judge \
+        $(find tests/probes -maxdepth 1 -type f) "tests/probes/$lab" tests/stand_ins \
+        tests/systems/formats tests/systems/prepare.sh tests/systems/limits.sh "tests/systems/$system" \
+        "labs/$lab" $(printf 'solutions/%s ' $solutions) |
         grep -v '\.md$' | tar -cf - -T - | tar -xf - -C "$1"
 }
 
@@ -147,9 +149,10 @@ prairielearn)
     pack_zip "$stage" "$bundle"
     ;;
 github)
-    mkdir -p "$stage/.github/workflows"
+    mkdir -p "$stage/.github/workflows" "$stage/.github/formats"
     cp "$templates/classroom.yml" "$stage/.github/workflows/classroom.yml"
     cp "$templates/grade.sh" tests/systems/limits.sh "$stage/.github"
+    cp tests/systems/formats/*.jq tests/systems/formats/write.sh "$stage/.github/formats"
     fill .github/workflows/classroom.yml .github/grade.sh
     pack_zip "$stage" "$bundle"
     ;;

@@ -46,14 +46,14 @@ static Sections right_answers(int lab, const Sections *job)
         answer_pictures_3d(&writer, job, find_in_all, work_05, 1);
         break;
     case 6:
-        answer_boxes_and_planes(&writer, job);
-        answer_lists_3d(&writer, job);
+        answer_planes_and_overlaps(&writer, job);
         answer_leaves_3d(&writer, job);
         answer_trees_3d(&writer, job);
         break;
     default:
         answer_clips_and_sides(&writer, job);
         answer_planes_and_leaves(&writer, job);
+        answer_steps(&writer, job);
         answer_pictures_3d(&writer, job, find_in_tree, work_07, sizeof work_07 / sizeof *work_07);
     }
     return writer_close(&writer);

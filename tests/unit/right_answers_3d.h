@@ -66,8 +66,8 @@ static float nearest_root(float b, float disc, float radius, float t_min)
     if (disc < 0) {
         return INFINITY;
     }
-    const float enter = b - sqrtf(disc), leave = b + sqrtf(disc);
-    return enter > t_min && radius > 0 ? enter : leave > t_min ? leave : INFINITY;
+    const float t_near = b - sqrtf(disc), t_far = b + sqrtf(disc);
+    return t_near > t_min && radius > 0 ? t_near : t_far > t_min ? t_far : INFINITY;
 }
 
 static float intersect(Sphere sphere, Ray ray, float t_min)

@@ -12,20 +12,11 @@
 
 // ---- Lab 06 -------------------------------------------------------------------------------------
 
-static void answer_boxes_and_planes(Writer *writer, const Sections *job)
+static void answer_planes_and_overlaps(Writer *writer, const Sections *job)
 {
     size_t n_bytes;
-    const BoundsJob *groups = sections_find_any(job, "bounds", &n_bytes);
-    size_t n = n_bytes / sizeof *groups;
-    BBox3D *bounds = calloc(n, sizeof *bounds);
-    for (size_t i = 0; i < n; i++) {
-        bounds[i] = spheres_bounds(groups[i].spheres, groups[i].n_spheres);
-    }
-    answer(writer, "bounds", bounds, n * sizeof *bounds);
-    free(bounds);
-
     const BBox3D *cells = sections_find_any(job, "splits", &n_bytes);
-    n = n_bytes / sizeof *cells;
+    size_t n = n_bytes / sizeof *cells;
     KdSplit *splits = calloc(n, sizeof *splits);
     for (size_t i = 0; i < n; i++) {
         splits[i] = choose_split(cells[i]);
@@ -41,24 +32,6 @@ static void answer_boxes_and_planes(Writer *writer, const Sections *job)
     }
     answer(writer, "overlaps", decisions, n * sizeof *decisions);
     free(decisions);
-}
-
-static void answer_lists_3d(Writer *writer, const Sections *job)
-{
-    size_t n_bytes;
-    const Sphere *spheres = sphere_scene_part(job, 0, "spheres");
-    const DistributeJob3D *nodes = sections_find_any(job, "distribute", &n_bytes);
-    size_t n = n_bytes / sizeof *nodes;
-    u32(*lists)[DISTRIBUTE_ROOM] = calloc(n, sizeof *lists);
-    for (size_t i = 0; i < n; i++) {
-        for (int j = 0; j < DISTRIBUTE_ROOM; j++) {
-            lists[i][j] = UNTOUCHED;
-        }
-        lists[i][0] =
-            distribute_spheres(spheres, nodes[i].ids, nodes[i].n_ids, nodes[i].child, lists[i] + 1);
-    }
-    answer(writer, "distribute", lists, n * sizeof *lists);
-    free(lists);
 }
 
 static void answer_leaves_3d(Writer *writer, const Sections *job)
@@ -121,20 +94,20 @@ static float along(Vec3 v, u32 axis)
     return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
 }
 
-static ClipAnswer clip(BBox3D box, Ray ray, float t_near, float t_far)
+static ClipAnswer clip(BBox3D box, Ray ray, float t_min, float t_max)
 {
     for (u32 axis = 0; axis < 3; axis++) {
         const float origin = along(ray.origin, axis), direction = along(ray.direction, axis);
         if (direction != 0) {
             const float a = (box.min[axis] - origin) / direction;
             const float b = (box.max[axis] - origin) / direction;
-            t_near = fmaxf(t_near, fminf(a, b));
-            t_far = fminf(t_far, fmaxf(a, b));
+            t_min = fmaxf(t_min, fminf(a, b));
+            t_max = fminf(t_max, fmaxf(a, b));
         } else if (origin < box.min[axis] || origin > box.max[axis]) {
-            return (ClipAnswer){0, t_near, t_far};
+            return (ClipAnswer){0, t_min, t_max};
         }
     }
-    return (ClipAnswer){t_near <= t_far, t_near, t_far};
+    return (ClipAnswer){t_min <= t_max, t_min, t_max};
 }
 
 static u32 near_side(KdNode3 node, float origin, float direction)
@@ -142,14 +115,14 @@ static u32 near_side(KdNode3 node, float origin, float direction)
     return origin == node.split_pos ? direction > 0 : origin > node.split_pos;
 }
 
-static PlaneAnswer children_on_ray(KdNode3 node, float origin, float inverse, float t_near,
-                                   float t_far)
+static PlaneAnswer children_on_ray(KdNode3 node, float origin, float inverse, float t_min,
+                                   float t_max)
 {
     const float t_split = (node.split_pos - origin) * inverse;
-    const int is_met = t_split > 0 && t_split <= t_far;
-    return (PlaneAnswer){!is_met            ? PLANE_ONLY_NEAR
-                         : t_split < t_near ? PLANE_ONLY_FAR
-                                            : PLANE_BOTH,
+    const int is_met = t_split > 0 && t_split <= t_max;
+    return (PlaneAnswer){!is_met           ? PLANE_ONLY_NEAR
+                         : t_split < t_min ? PLANE_ONLY_FAR
+                                           : PLANE_BOTH,
                          t_split};
 }
 
@@ -173,7 +146,7 @@ static void answer_clips_and_sides(Writer *writer, const Sections *job)
     ClipAnswer *clips = calloc(n, sizeof *clips);
     for (size_t i = 0; i < n; i++) {
         const Ray ray = {rays[i].origin, rays[i].direction};
-        clips[i] = clip(rays[i].box, ray, rays[i].t_near, rays[i].t_far);
+        clips[i] = clip(rays[i].box, ray, rays[i].t_min, rays[i].t_max);
     }
     answer(writer, "clips", clips, n * sizeof *clips);
     free(clips);
@@ -196,7 +169,7 @@ static void answer_planes_and_leaves(Writer *writer, const Sections *job)
     PlaneAnswer *children = calloc(n, sizeof *children);
     for (size_t i = 0; i < n; i++) {
         const PlaneJob in = planes[i];
-        children[i] = children_on_ray(in.node, in.origin, in.inverse, in.t_near, in.t_far);
+        children[i] = children_on_ray(in.node, in.origin, in.inverse, in.t_min, in.t_max);
     }
     answer(writer, "planes", children, n * sizeof *children);
     free(children);
@@ -217,33 +190,76 @@ static void answer_planes_and_leaves(Writer *writer, const Sections *job)
     free(searched);
 }
 
+// The far child waits where both are met.
+static NextChildAnswer next_child(const NextChildJob *in)
+{
+    const u32 side = near_side(in->node, in->origin, in->inverse);
+    const PlaneAnswer plane =
+        children_on_ray(in->node, in->origin, in->inverse, in->t_min, in->t_max);
+    const u32 chosen = plane.children == PLANE_ONLY_FAR ? !side : side;
+    NextChildAnswer answer = {{in->node.first + chosen, in->t_min, in->t_max}, in->todo};
+    if (plane.children == PLANE_BOTH) {
+        answer.next.t_max = plane.t_split;
+        answer.todo.upper[answer.todo.n++ - answer.todo.n_lower] =
+            (StackEntry){in->node.first + !side, plane.t_split, in->t_max};
+    }
+    return answer;
+}
+
+static void answer_steps(Writer *writer, const Sections *job)
+{
+    size_t n_bytes;
+    const NextChildJob *nodes = sections_find_any(job, "next_child", &n_bytes);
+    size_t n = n_bytes / sizeof *nodes;
+    NextChildAnswer *children = calloc(n, sizeof *children);
+    for (size_t i = 0; i < n; i++) {
+        children[i] = next_child(&nodes[i]);
+    }
+    answer(writer, "next_child", children, n * sizeof *children);
+    free(children);
+
+    const NextWaitingJob *leaves = sections_find_any(job, "next_waiting", &n_bytes);
+    n = n_bytes / sizeof *leaves;
+    NextWaitingAnswer *waiting = calloc(n, sizeof *waiting);
+    for (size_t i = 0; i < n; i++) {
+        NextWaitingAnswer *out = &waiting[i];
+        *out = (NextWaitingAnswer){0, leaves[i].at, leaves[i].todo};
+        if (leaves[i].t >= leaves[i].at.t_max && out->todo.n > 0) {
+            out->goes_on = 1;
+            out->at = out->todo.upper[--out->todo.n - out->todo.n_lower];
+        }
+    }
+    answer(writer, "next_waiting", waiting, n * sizeof *waiting);
+    free(waiting);
+}
+
 // ---- Lab 07: the search -------------------------------------------------------------------------
 
 // Search a node's part of the ray. Returns 1 when the search ends there. How many nodes wait is not
 // counted: nobody judges it.
-static int search_node(const SphereScene *scene, u32 id, Ray ray, float t_near, float t_far,
+static int search_node(const SphereScene *scene, u32 id, Ray ray, float t_min, float t_max,
                        HitAnswer *hit, Work *work)
 {
     const KdNode3 node = scene->nodes[id];
     if (node.split_axis == KD_LEAF) {
         work->n_leaves_visited++;
         search_leaf(node, scene->sphere_ids, scene->spheres, ray, hit, work);
-        return hit->t < t_far;
+        return hit->t < t_max;
     }
     work->n_nodes_visited++;
     const float origin = along(ray.origin, node.split_axis);
     const float inverse = 1 / along(ray.direction, node.split_axis);
     const u32 side = near_side(node, origin, inverse);
     const u32 near = node.first + side, far = node.first + !side;
-    const PlaneAnswer plane = children_on_ray(node, origin, inverse, t_near, t_far);
+    const PlaneAnswer plane = children_on_ray(node, origin, inverse, t_min, t_max);
     switch (plane.children) {
     case PLANE_ONLY_NEAR:
-        return search_node(scene, near, ray, t_near, t_far, hit, work);
+        return search_node(scene, near, ray, t_min, t_max, hit, work);
     case PLANE_ONLY_FAR:
-        return search_node(scene, far, ray, t_near, t_far, hit, work);
+        return search_node(scene, far, ray, t_min, t_max, hit, work);
     default:
-        return search_node(scene, near, ray, t_near, plane.t_split, hit, work) ||
-               search_node(scene, far, ray, plane.t_split, t_far, hit, work);
+        return search_node(scene, near, ray, t_min, plane.t_split, hit, work) ||
+               search_node(scene, far, ray, plane.t_split, t_max, hit, work);
     }
 }
 
@@ -252,7 +268,7 @@ static HitAnswer find_in_tree(const SphereScene *scene, Ray ray, Work *work)
     HitAnswer hit = no_hit;
     const ClipAnswer inside = clip(scene->job->bounds, ray, 0, INFINITY);
     if (inside.is_met) {
-        search_node(scene, 0, ray, inside.t_near, inside.t_far, &hit, work);
+        search_node(scene, 0, ray, inside.t_min, inside.t_max, &hit, work);
     }
     return hit;
 }

@@ -1,10 +1,8 @@
 // judge/judge_03_alone, judge_05_alone and judge_07_alone: nothing passes alone without answers, or
-// with answers of another size; and the scripted world of lab 07 has what a search must get right.
-#include "job_sections.h"
-#include "judge_07.h"
+// with answers of another size.
+#include "judge.h"
 
 #include <criterion/criterion.h>
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -64,9 +62,9 @@ Test(alone_trees, without_answers_nothing_passes)
 
 Test(alone_trees, answers_of_another_size_do_not_pass)
 {
-    static const char *const stems[] = {"children", "roots",  "textbook",     "projection",
-                                        "normals",  "shades", "pixel_shades", "clips",
-                                        "sides",    "planes", "leaves"};
+    static const char *const stems[] = {
+        "children", "roots", "textbook", "projection", "normals",    "shades",      "pixel_shades",
+        "clips",    "sides", "planes",   "leaves",     "next_child", "next_waiting"};
     static const char *const numbered[] = {"picture", "hits", "work"};
     const float few[4] = {0};
     for (int lab = 0; lab < N_LABS; lab++) {
@@ -103,102 +101,4 @@ Test(alone_trees, an_alone_job_that_cannot_be_written_is_none)
         }
         judge->job_free(job);
     }
-}
-
-// ---- The scripted world -------------------------------------------------------------------------
-
-static int n_pixels(const JobScene3D *scene)
-{
-    return scene->scene.width * scene->scene.height;
-}
-
-static ScriptedSearch search(const JobScene3D *scene, int pixel)
-{
-    return scripted_07_search(scene, pixel % scene->scene.width, pixel / scene->scene.width);
-}
-
-Test(alone_trees, the_scripted_world_has_all_kinds_of_rays)
-{
-    Job07 *job = job_open(judge_of("07"));
-    int n_hits = 0, n_misses = 0, n_many_leaves = 0;
-    u32 deepest = 0;
-    for (int k = 0; k < N_SCRIPTED; k++) {
-        for (int pixel = 0; pixel < n_pixels(&job->scripted[k]); pixel++) {
-            const ScriptedSearch found = search(&job->scripted[k], pixel);
-            n_hits += found.sphere != ORACLE_NO_SPHERE;
-            n_misses += found.sphere == ORACLE_NO_SPHERE;
-            n_many_leaves += found.work.n_leaves_visited > 2;
-            deepest = found.work.stack_depth > deepest ? found.work.stack_depth : deepest;
-        }
-    }
-    cr_expect_gt(n_hits, 4000);
-    cr_expect_gt(n_misses, 3000);
-    cr_expect_gt(n_many_leaves, 4000);
-    cr_expect_eq(deepest, TODO_SIZE);
-    judge_of("07")->job_free(job);
-}
-
-// Most pixels' colours are certain: else pictures would say little.
-Test(alone_trees, few_scripted_colours_are_ambiguous)
-{
-    Job07 *job = job_open(judge_of("07"));
-    for (int k = 0; k < N_SCRIPTED; k++) {
-        const JobScene3D *scene = &job->scripted[k];
-        int n_vague = 0;
-        for (int pixel = 0; pixel < n_pixels(scene); pixel++) {
-            n_vague += !(scene->picture.expected.tolerances[pixel] < 1e-3f);
-        }
-        cr_expect_lt(n_vague, n_pixels(scene) / 50, "%s", scene->picture.title);
-    }
-    judge_of("07")->job_free(job);
-}
-
-// Write what a right search gives, but for one pixel of one scene.
-static Sections scripted_answers(const Job07 *job, int wrong_scene, int wrong_pixel)
-{
-    Writer writer;
-    writer_open(&writer);
-    for (int k = 0; k < N_SCRIPTED; k++) {
-        const JobScene3D *scene = &job->scripted[k];
-        const size_t side = PROBE_IMAGE_SIDE(scene->scene.width);
-        const size_t n_work = side * (size_t)PROBE_IMAGE_SIDE(scene->scene.height);
-        HitAnswer *hits = calloc((size_t)n_pixels(scene), sizeof *hits);
-        Work *work = calloc(n_work, sizeof *work);
-        cr_assert(hits != NULL && work != NULL);
-        for (int pixel = 0; pixel < n_pixels(scene); pixel++) {
-            const ScriptedSearch found = search(scene, pixel);
-            hits[pixel] = (HitAnswer){found.t, found.sphere};
-            work[pixel] = found.work;
-            if (k == wrong_scene && pixel == wrong_pixel) {
-                hits[pixel].sphere ^= 1;
-                work[pixel].n_nodes_visited++;
-            }
-        }
-        char name[SECTION_NAME_BYTES];
-        snprintf(name, sizeof name, "hits.%d", k);
-        section_write(writer.file, name, hits, (size_t)n_pixels(scene) * sizeof *hits);
-        snprintf(name, sizeof name, "work.%d", k);
-        section_write(writer.file, name, work, n_work * sizeof *work);
-        free(hits);
-        free(work);
-    }
-    return writer_close(&writer);
-}
-
-Test(alone_trees, one_wrong_ray_fails)
-{
-    const Judge *judge = judge_of("07");
-    Job07 *job = job_open(judge);
-    Sections all_right = scripted_answers(job, -1, 0);
-    Sections one_wrong = scripted_answers(job, SCRIPTED_EDGES, 700);
-    cr_expect(judge->passes_alone(job, TRACE_RANDOM, &all_right));
-    cr_expect(judge->passes_alone(job, TRACE_EDGES, &all_right));
-    cr_expect(judge->passes_alone(job, TRACE_EARLY_END, &all_right));
-    cr_expect_not(judge->passes_alone(job, TRACE_PICTURE, &all_right));
-    cr_expect(judge->passes_alone(job, TRACE_RANDOM, &one_wrong));
-    cr_expect_not(judge->passes_alone(job, TRACE_EDGES, &one_wrong));
-    cr_expect_not(judge->passes_alone(job, TRACE_EARLY_END, &one_wrong));
-    sections_free(&all_right);
-    sections_free(&one_wrong);
-    judge->job_free(job);
 }

@@ -2,8 +2,8 @@
 // a cause nor a hint of its own.
 #include "blame.h"
 
+#include "hints.h"
 #include "message.h"
-#include "report_words.h"
 
 #include <criterion/criterion.h>
 

@@ -1,7 +1,7 @@
-// judge/judge_07_search: a search through the tree finds what brute force finds, one with a
-// mistake does not, and the most that a right search may do is hardly more than what one does.
+// judge/judge_07_work and the scenes of lab 07: a search through the tree finds what brute force
+// finds, and the most that a right search may do is hardly more than what one does.
 #include "judge_07.h"
-#include "judge_07_search.h"
+#include "judge_07_work.h"
 
 #include <criterion/criterion.h>
 #include <math.h>
@@ -39,15 +39,93 @@ static int n_pixels(const JobScene3D *scene)
     return scene->scene.width * scene->scene.height;
 }
 
-// How many rays that are not ambiguous does a search with these rules answer wrongly?
-static int count_wrong(const JobScene3D *scene, SearchRules rules)
+static double along(OracleVector v, u32 axis)
+{
+    return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
+// A search in double, and what it costs.
+typedef struct Search {
+    const JobScene3D *scene;
+    OracleRay ray;
+    int ends_early;
+    double t;
+    u32 sphere;
+    Work work;
+} Search;
+
+static void search_leaf(Search *search, KdNode3 leaf)
+{
+    static const OracleRules3D right = {0};
+    search->work.n_leaves_visited++;
+    search->work.n_tests += leaf.n_spheres;
+    for (u32 i = leaf.first; i < leaf.first + leaf.n_spheres; i++) {
+        const u32 id = search->scene->tree.sphere_ids[i];
+        const Sphere sphere = search->scene->scene.spheres[id];
+        const double t = oracle3d_root(sphere, &search->ray, ORACLE_PROJECTION, &right).t;
+        if (t < search->t) {
+            search->t = t;
+            search->sphere = id;
+        }
+    }
+}
+
+// Search a node's part of the ray. Returns 1 when the search is over.
+static int search_node(Search *search, u32 id, double t_min, double t_max, u32 n_waiting)
+{
+    const KdNode3 node = search->scene->tree.nodes[id];
+    if (node.split_axis == KD_LEAF) {
+        search_leaf(search, node);
+        return search->ends_early && search->t <= t_max;
+    }
+    const double origin = along(search->ray.origin, node.split_axis);
+    const double direction = along(search->ray.direction, node.split_axis);
+    const double t_split = (node.split_pos - origin) / direction;
+    const u32 side = origin < node.split_pos ? 0 : origin > node.split_pos ? 1 : direction > 0;
+    const u32 near = node.first + side, far = node.first + !side;
+    Work *work = &search->work;
+    work->n_nodes_visited++;
+    if (!(t_split > 0 && t_split <= t_max)) {
+        return search_node(search, near, t_min, t_max, n_waiting);
+    }
+    if (t_split < t_min) {
+        return search_node(search, far, t_min, t_max, n_waiting);
+    }
+    work->stack_depth = n_waiting >= work->stack_depth ? n_waiting + 1 : work->stack_depth;
+    return search_node(search, near, t_min, t_split, n_waiting + 1) ||
+           search_node(search, far, t_split, t_max, n_waiting);
+}
+
+// Search the scene for what a pixel's ray hits, from the eye to the end of the scene's box.
+static Search search_scene(const JobScene3D *scene, int pixel, int ends_early)
+{
+    Search search = {scene, ray_of(scene, pixel), ends_early, INFINITY, ORACLE_NO_SPHERE, {0}};
+    double t_min = 0, t_max = INFINITY;
+    for (u32 axis = 0; axis < 3; axis++) {
+        const double origin = along(search.ray.origin, axis);
+        const double direction = along(search.ray.direction, axis);
+        const double low = (scene->tree.bounds.min[axis] - origin) / direction;
+        const double high = (scene->tree.bounds.max[axis] - origin) / direction;
+        if (direction != 0) {
+            t_min = fmax(t_min, fmin(low, high));
+            t_max = fmin(t_max, fmax(low, high));
+        } else if (origin < scene->tree.bounds.min[axis] || origin > scene->tree.bounds.max[axis]) {
+            return search;
+        }
+    }
+    if (t_min <= t_max) {
+        search_node(&search, 0, t_min, t_max, 0);
+    }
+    return search;
+}
+
+// How many rays that are not ambiguous does a search through the tree answer otherwise?
+static int count_wrong(const JobScene3D *scene)
 {
     int n_wrong = 0;
     for (int pixel = 0; pixel < n_pixels(scene); pixel++) {
-        const OracleRay ray = ray_of(scene, pixel);
-        const SearchResult found = search3d(scene, &ray, &rules);
         const OracleHit *hit = &scene->hits[pixel];
-        n_wrong += !hit->is_ambiguous && found.sphere != hit->sphere;
+        n_wrong += !hit->is_ambiguous && search_scene(scene, pixel, 1).sphere != hit->sphere;
     }
     return n_wrong;
 }
@@ -57,7 +135,7 @@ Test(judge_07, a_search_finds_what_brute_force_finds)
     for (uint64_t seed = 1; seed <= 3; seed++) {
         JobScene3D *scenes = scenes_open(seed);
         for (int k = 0; k < N_SCENES; k++) {
-            cr_expect_eq(count_wrong(&scenes[k], (SearchRules){0}), 0, "seed %d: %s", (int)seed,
+            cr_expect_eq(count_wrong(&scenes[k]), 0, "seed %d: %s", (int)seed,
                          scenes[k].picture.title);
         }
         scenes_close(scenes);
@@ -80,24 +158,6 @@ Test(judge_07, few_rays_are_ambiguous)
     scenes_close(scenes);
 }
 
-Test(judge_07, each_mistake_shows)
-{
-    static const SearchRules mistakes[] = {
-        {.far_first = 1},   {.side_by_direction = 1}, {.behind_is_crossed = 1},
-        {.far_dropped = 1}, {.far_alone_is_near = 1}, {.near_keeps_t_far = 1},
-        {.part_kept = 1},   {.oldest_first = 1},      {.ends_at_any_hit = 1},
-    };
-    JobScene3D *scenes = scenes_open(5);
-    for (size_t m = 0; m < sizeof mistakes / sizeof *mistakes; m++) {
-        int n_wrong = 0;
-        for (int k = RANDOM; k < RANDOM + N_RANDOM; k++) {
-            n_wrong += count_wrong(&scenes[k], mistakes[m]);
-        }
-        cr_expect_gt(n_wrong, 0, "mistake %zu", m);
-    }
-    scenes_close(scenes);
-}
-
 static int is_more(Work a, Work b)
 {
     return a.n_tests > b.n_tests || a.n_nodes_visited > b.n_nodes_visited ||
@@ -111,7 +171,7 @@ Test(judge_07, a_right_search_does_the_least_work_and_the_most_or_almost)
     for (int k = 0; k < N_SCENES; k++) {
         for (int pixel = 0; pixel < n_pixels(&scenes[k]); pixel++) {
             const OracleRay ray = ray_of(&scenes[k], pixel);
-            const Work work = search3d(&scenes[k], &ray, &(SearchRules){0}).work;
+            const Work work = search_scene(&scenes[k], pixel, 1).work;
             const WorkBounds bounds = search3d_bounds(&scenes[k], &ray);
             const Work most = bounds.most;
             cr_assert_not(is_more(work, most), "%s: pixel %d", scenes[k].picture.title, pixel);
@@ -130,22 +190,16 @@ Test(judge_07, a_right_search_does_the_least_work_and_the_most_or_almost)
     scenes_close(scenes);
 }
 
-Test(judge_07, wasted_work_is_more_than_the_most)
+Test(judge_07, a_search_that_never_ends_early_does_more_than_the_most)
 {
-    static const SearchRules wasteful[] = {{.never_ends = 1},
-                                           {.far_keeps_t_near = 1},
-                                           {.far_always_waits = 1},
-                                           {.near_never_passed = 1}};
     JobScene3D *scenes = scenes_open(7);
-    for (size_t m = 0; m < sizeof wasteful / sizeof *wasteful; m++) {
-        int n_more = 0;
-        for (int pixel = 0; pixel < n_pixels(&scenes[FLAKE]); pixel++) {
-            const OracleRay ray = ray_of(&scenes[FLAKE], pixel);
-            n_more += is_more(search3d(&scenes[FLAKE], &ray, &wasteful[m]).work,
-                              search3d_bounds(&scenes[FLAKE], &ray).most);
-        }
-        cr_expect_gt(n_more, 100, "%zu: %d", m, n_more);
+    int n_more = 0;
+    for (int pixel = 0; pixel < n_pixels(&scenes[FLAKE]); pixel++) {
+        const OracleRay ray = ray_of(&scenes[FLAKE], pixel);
+        n_more += is_more(search_scene(&scenes[FLAKE], pixel, 0).work,
+                          search3d_bounds(&scenes[FLAKE], &ray).most);
     }
+    cr_expect_gt(n_more, 100, "%d", n_more);
     scenes_close(scenes);
 }
 
@@ -154,8 +208,7 @@ Test(judge_07, the_deep_scene_needs_nearly_all_places)
     JobScene3D *scenes = scenes_open(8);
     u32 deepest = 0;
     for (int pixel = 0; pixel < n_pixels(&scenes[DEEP]); pixel++) {
-        const OracleRay ray = ray_of(&scenes[DEEP], pixel);
-        const Work work = search3d(&scenes[DEEP], &ray, &(SearchRules){0}).work;
+        const Work work = search_scene(&scenes[DEEP], pixel, 1).work;
         deepest = work.stack_depth > deepest ? work.stack_depth : deepest;
     }
     cr_expect_geq(deepest, TODO_SIZE - 2, "%u", deepest);

@@ -191,8 +191,8 @@ static float root_in_float(Sphere sphere, Vec3 origin, Vec3 direction, int is_te
     if (disc < 0) {
         return INFINITY;
     }
-    const float enter = b - sqrtf(disc), leave = b + sqrtf(disc);
-    return enter > 0 && sphere.radius > 0 ? enter : leave > 0 ? leave : INFINITY;
+    const float t_near = b - sqrtf(disc), t_far = b + sqrtf(disc);
+    return t_near > 0 && sphere.radius > 0 ? t_near : t_far > 0 ? t_far : INFINITY;
 }
 
 static float anywhere(Random *random, double lowest, double highest)

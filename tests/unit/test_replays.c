@@ -1,8 +1,8 @@
 // judge/replay.h and what judge/judge_02_alone.c and judge_06_alone.c make of it: an answer that is
 // tried alone passes with right answers, and with nothing missing, cut off or wrong.
 //
-// The right answers come from the solutions of the labs, and lists from the stand-ins' rules: these
-// squares and cubes are written once more here.
+// The right answers come from the solutions of the labs, and lists from the rules of lab 02's
+// stand-in: its squares are written once more here.
 #include "judge.h"
 #include "kdtree2d_build.h"
 #include "kdtree3d_build.h"
@@ -11,7 +11,6 @@
 #include "surroundings.h"
 
 #include <criterion/parameterized.h>
-#include <math.h>
 
 TestSuite(replays);
 
@@ -89,26 +88,6 @@ static void answer_spheres(Writer *writer, const Sections *job, const char *name
     free(out);
 }
 
-static void answer_bounds(Writer *writer, const Sections *job)
-{
-    size_t n, n_spheres;
-    const BoundsJob *groups = asked(job, "bounds", sizeof *groups, &n);
-    BBox3D *out = calloc(n + 1, sizeof *out);
-    for (size_t i = 0; i < n; i++) {
-        out[i] = spheres_bounds(groups[i].spheres, groups[i].n_spheres);
-    }
-    answer(writer, "bounds", out, n * sizeof *out);
-    const u32 *numbers = asked(job, "replay.bounds", sizeof *numbers, &n);
-    for (size_t k = 0; k < n; k++) {
-        const Sphere *spheres =
-            asked(job, numbered("scene", (int)k, "spheres"), sizeof *spheres, &n_spheres);
-        cr_assert_eq(n_spheres, numbers[k] + 1);
-        out[k] = spheres_bounds(spheres, numbers[k]);
-    }
-    answer(writer, "replay.bounds", out, n * sizeof *out);
-    free(out);
-}
-
 static void answer_levels(Writer *writer, const Sections *job)
 {
     size_t n;
@@ -126,7 +105,7 @@ static void answer_levels(Writer *writer, const Sections *job)
     free(out);
 }
 
-// ---- Lists, by the stand-ins --------------------------------------------------------------------
+// ---- Lists, by the stand-in ---------------------------------------------------------------------
 
 // Are two intervals in touch on an axis?
 static int in_touch(float centre, float reach, float min, float max)
@@ -135,55 +114,36 @@ static int in_touch(float centre, float reach, float min, float max)
 }
 
 // The list of a child with its number in front, as the probe has it.
-//   circles, spheres   one of them is NULL
-static void list_child(const Circle *circles, const Sphere *spheres, const u32 *ids, u32 n_ids,
-                       const void *cell, u32 *out)
+static void list_child(const Circle *circles, const u32 *ids, u32 n_ids, BBox2D cell, u32 *out)
 {
     u32 n = 0;
     for (u32 i = 0; i < n_ids + 1 + REPLAY_GUARD; i++) {
         out[i] = UNTOUCHED;
     }
     for (u32 i = 0; i < n_ids; i++) {
-        int keeps;
-        if (circles != NULL) {
-            const Circle c = circles[ids[i]];
-            const BBox2D *box = cell;
-            keeps = in_touch(c.x, c.radius, box->minX, box->maxX) &&
-                    in_touch(c.y, c.radius, box->minY, box->maxY);
-        } else {
-            const Sphere s = spheres[ids[i]];
-            const BBox3D *box = cell;
-            keeps = in_touch(s.x, fabsf(s.radius), box->min[0], box->max[0]) &&
-                    in_touch(s.y, fabsf(s.radius), box->min[1], box->max[1]) &&
-                    in_touch(s.z, fabsf(s.radius), box->min[2], box->max[2]);
-        }
-        if (keeps) {
+        const Circle c = circles[ids[i]];
+        if (in_touch(c.x, c.radius, cell.minX, cell.maxX) &&
+            in_touch(c.y, c.radius, cell.minY, cell.maxY)) {
             out[1 + n++] = ids[i];
         }
     }
     out[0] = n;
 }
 
-static void answer_lists(Writer *writer, const Sections *job, int is_3d)
+static void answer_lists(Writer *writer, const Sections *job)
 {
-    const char *part = is_3d ? "spheres" : "circles";
-    const size_t cell_bytes = is_3d ? sizeof(BBox3D) : sizeof(BBox2D);
     size_t n, n_other;
-    const unsigned char *nodes =
-        asked(job, "distribute", is_3d ? sizeof(DistributeJob3D) : sizeof(DistributeJob), &n);
+    const DistributeJob *nodes = asked(job, "distribute", sizeof *nodes, &n);
     u32(*rooms)[DISTRIBUTE_ROOM] = calloc(n, sizeof *rooms);
     for (size_t i = 0; i < n; i++) {
-        // Both records: a cell, then the number of ids, then these.
-        const unsigned char *cell = nodes + i * (cell_bytes + 4 + 4 * DISTRIBUTE_MAX_IDS);
-        const u32 *ids = (const u32 *)(cell + cell_bytes);
-        const void *objects = asked(job, numbered("scene", 0, part), 1, &n_other);
-        list_child(is_3d ? NULL : objects, is_3d ? objects : NULL, ids + 1, ids[0], cell, rooms[i]);
+        const Circle *circles = asked(job, numbered("scene", 0, "circles"), 1, &n_other);
+        list_child(circles, nodes[i].ids, nodes[i].n_ids, nodes[i].child, rooms[i]);
     }
     answer(writer, "distribute", rooms, n * sizeof *rooms);
     free(rooms);
 
     const ReplayList *lists = asked(job, "replay.lists", sizeof *lists, &n);
-    const unsigned char *cells = asked(job, "replay.cells", cell_bytes, &n_other);
+    const BBox2D *cells = asked(job, "replay.cells", sizeof *cells, &n_other);
     cr_assert_eq(n, n_other);
     const u32 *ids = asked(job, "replay.ids", sizeof *ids, &n_other);
     size_t n_answered = 0;
@@ -193,9 +153,9 @@ static void answer_lists(Writer *writer, const Sections *job, int is_3d)
     }
     u32 *out = calloc(n_answered, sizeof *out), *next = out;
     for (size_t i = 0; i < n; i++) {
-        const void *objects = asked(job, numbered("scene", (int)lists[i].scene, part), 1, &n_other);
-        list_child(is_3d ? NULL : objects, is_3d ? objects : NULL, ids + lists[i].first_id,
-                   lists[i].n_ids, cells + i * cell_bytes, next);
+        const Circle *circles =
+            asked(job, numbered("scene", (int)lists[i].scene, "circles"), 1, &n_other);
+        list_child(circles, ids + lists[i].first_id, lists[i].n_ids, cells[i], next);
         next += REPLAY_ROOM(lists[i].n_ids);
     }
     answer(writer, "replay.lists", out, n_answered * sizeof *out);
@@ -277,10 +237,8 @@ static Sections right_answers_to(const Sections *job, int is_3d)
     } else if (asked(job, "replay.overlap", 1, &n)) {
         (is_3d ? answer_spheres : answer_circles)(&writer, job, "overlaps");
         (is_3d ? answer_spheres : answer_circles)(&writer, job, "replay.overlap");
-    } else if (asked(job, "replay.bounds", 1, &n)) {
-        answer_bounds(&writer, job);
     } else if (asked(job, "replay.lists", 1, &n)) {
-        answer_lists(&writer, job, is_3d);
+        answer_lists(&writer, job);
     } else if (asked(job, "replay.leaves", 1, &n)) {
         answer_packed(&writer, job, is_3d);
     } else {

@@ -12,29 +12,30 @@ Test(report_json, reads_back_with_every_field)
     Result result = result_make("\"quoted\" \\ \x01 \xFF end");
     char *text = file_report(report_json, &result);
     json_t *found = json_loads(text, JSON_REJECT_DUPLICATES, NULL);
-    json_t *expected =
-        json_pack("{s:s, s:s, s:i, s:i, s:s, s:s, s:s, s:s, s:f, s:[{s:s, s:s, s:s}],"
-                  " s:[{s:s, s:s, s:s, s:i, s:i, s:s}, {s:s, s:s, s:s, s:i, s:i, s:s}],"
-                  " s:[{s:s, s:s, s:s, s:i, s:i, s:s, s:s}, {s:s, s:s, s:s, s:i, s:i, s:s, s:s},"
-                  " {s:s, s:s, s:s, s:i, s:i, s:s, s:s}]}",
-                  "lab", "01-naive-2d", "title", "Naive 2D rendering", "score", 25, "max_score",
-                  100, "seed", "18446744073709551615", "device", "cpu-x", "sandbox", "bubblewrap",
-                  "submission", "labs/01-naive-2d", "seconds", 4.25,
-                  // stages
-                  "stages", "title", "Compiling", "status", "passed", "message", "",
-                  // tasks
-                  "tasks", "id", "overlaps_N_Nearer", "title", "Does a circle cover the pixel?",
-                  "file", "overlaps_N_Nearer.cl", "points", 25, "max_points", 40, "hint",
-                  "Compare the squares.", "id", "implicit2DRenderer", "title", "The nearest of all",
-                  "file", "implicit2DRenderer.cl", "points", 0, "max_points", 60, "hint", "",
-                  // checks
-                  "checks", "id", "overlaps-inside", "title", "Clearly inside and outside", "task",
-                  "overlaps_N_Nearer", "points", 25, "max_points", 25, "status", "passed",
-                  "message", "", "id", "overlaps-boundary", "title", "The boundary belongs to it",
-                  "task", "overlaps_N_Nearer", "points", 0, "max_points", 15, "status", "failed",
-                  "message", "\"quoted\" \\ " UNKNOWN " " UNKNOWN " end", "id", "picture", "title",
-                  "A random scene", "task", "implicit2DRenderer", "points", 0, "max_points", 60,
-                  "status", "not-run", "message", "");
+    json_t *expected = json_pack(
+        "{s:s, s:s, s:i, s:i, s:s, s:s, s:s, s:s, s:f, s:[{s:s, s:s, s:s}],"
+        " s:[{s:s, s:s, s:s, s:i, s:i, s:s}, {s:s, s:s, s:s, s:i, s:i, s:s}],"
+        " s:[{s:s, s:s, s:s, s:i, s:i, s:s, s:s, s:s},"
+        " {s:s, s:s, s:s, s:i, s:i, s:s, s:s, s:s},"
+        " {s:s, s:s, s:s, s:i, s:i, s:s, s:s, s:s}]}",
+        "lab", "01-naive-2d", "title", "Naive 2D rendering", "score", 25, "max_score", 100, "seed",
+        "18446744073709551615", "device", "cpu-x", "sandbox", "bubblewrap", "submission",
+        "labs/01-naive-2d", "seconds", 4.25,
+        // stages
+        "stages", "title", "Compiling", "status", "passed", "message", "",
+        // tasks
+        "tasks", "id", "overlaps_N_Nearer", "title", "Does a circle cover the pixel?", "file",
+        "overlaps_N_Nearer.cl", "points", 25, "max_points", 40, "hint", "Compare the squares.",
+        "id", "implicit2DRenderer", "title", "The nearest of all", "file", "implicit2DRenderer.cl",
+        "points", 0, "max_points", 60, "hint", "",
+        // checks
+        "checks", "id", "overlaps-inside", "title", "Clearly inside and outside", "task",
+        "overlaps_N_Nearer", "points", 25, "max_points", 25, "status", "passed", "message", "",
+        "hint", "", "id", "overlaps-boundary", "title", "The boundary belongs to it", "task",
+        "overlaps_N_Nearer", "points", 0, "max_points", 15, "status", "failed", "message",
+        "\"quoted\" \\ " UNKNOWN " " UNKNOWN " end", "hint", "Compare the squares.", "id",
+        "picture", "title", "A random scene", "task", "implicit2DRenderer", "points", 0,
+        "max_points", 60, "status", "not-run", "message", "", "hint", "");
     cr_assert_not_null(expected);
     cr_expect(json_equal(found, expected), "found %s", text);
     json_decref(expected);

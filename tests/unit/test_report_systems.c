@@ -1,6 +1,7 @@
-// Unit tests of the reports for other systems: whatever a student's code put into a message, each
-// document keeps its form, its size and its points, and a fault of the machinery is no zero.
-#include "report_systems.h"
+// tests/systems/formats, the reports for other systems: whatever a student's code put into a
+// message, each document keeps its form, its size and its points, and a fault of the machinery is
+// no zero. The documents are made as everywhere, of the results.json that the grader writes.
+#include "report.h"
 #include "sample_result.h"
 
 #include <criterion/criterion.h>
@@ -11,9 +12,12 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #define UNKNOWN "\xEF\xBF\xBD"
+#define ALL "junit,tap,gradescope,autolab,prairielearn,github"
+#define FAULT "The grader could not work. This is no grade; its log says why."
 
 // A folder of its own for each test; Criterion runs each in a process of its own.
 static char folder[] = "/tmp/test-systems-XXXXXX";
@@ -25,8 +29,9 @@ static void folder_make(void)
 
 static void folder_remove(void)
 {
-    static const char *const files[] = {"junit.xml",   "results.tap",       "gradescope.json",
-                                        "autolab.txt", "prairielearn.json", "github.txt"};
+    static const char *const files[] = {
+        "results.json", "pictures.json", "junit.xml", "results.tap",      "gradescope.json",
+        "autolab.txt",  "github.txt",    "said",      "prairielearn.json"};
     for (size_t i = 0; i < sizeof files / sizeof files[0]; i++) {
         char path[64];
         snprintf(path, sizeof path, "%s/%s", folder, files[i]);
@@ -35,16 +40,34 @@ static void folder_remove(void)
     cr_expect_eq(rmdir(folder), 0, "something else was left in the folder");
 }
 
-static void formats_all(FormatSet *formats)
+// Write the formats of what lies in the folder, after a command that stands for the grader; "" for
+// none. Returns the script's exit status; what it said is in the file "said".
+static int formats_write(const char *formats, const char *command)
 {
-    cr_assert_eq(formats_read("junit,tap,gradescope,autolab,prairielearn,github", formats), 0);
+    char line[512];
+    snprintf(line, sizeof line, "tests/systems/formats/write.sh '%s' %s 01-naive-2d %s 2>%s/said",
+             formats, folder, command, folder);
+    const int status = system(line);
+    cr_assert(WIFEXITED(status));
+    return WEXITSTATUS(status);
+}
+
+// What the grader writes of a result. Returns 0 or -1.
+static int result_write(const Result *result)
+{
+    char path[64];
+    snprintf(path, sizeof path, "%s/results.json", folder);
+    if (report_json(path, &manifest, result) != 0) {
+        return -1;
+    }
+    snprintf(path, sizeof path, "%s/pictures.json", folder);
+    return report_pictures_json(path, result);
 }
 
 static void write_all(const Result *result)
 {
-    FormatSet formats;
-    formats_all(&formats);
-    cr_assert_eq(formats_write(folder, formats, &manifest, result), 0);
+    cr_assert_eq(result_write(result), 0);
+    cr_assert_eq(formats_write(ALL, ""), 0);
 }
 
 // A file's text; free() it. NULL when it is not there.
@@ -106,23 +129,50 @@ static char *repeated(const char *piece, size_t n)
     return text;
 }
 
+// Does each format say that this is no grade, or nothing?
+static void expect_fault(void)
+{
+    cr_expect_null(text_of("gradescope.json"));
+    cr_expect_null(text_of("autolab.txt"));
+    cr_expect_null(text_of("github.txt"));
+    char *text = text_of("junit.xml");
+    expect_part(text, " tests=\"1\" failures=\"0\" errors=\"1\" time=\"0.000\">");
+    expect_part(text, "<testcase classname=\"01-naive-2d\" name=\"grader\">");
+    expect_part(text, "<error message=\"" FAULT "\">");
+    free(text);
+    text = text_of("results.tap");
+    cr_expect_str_eq(text, "TAP version 13\nBail out! 01-naive-2d: " FAULT "\n");
+    free(text);
+    text = text_of("prairielearn.json");
+    cr_expect_str_eq(text, "{\"gradable\":false,\"format_errors\":[\"" FAULT "\"]}\n");
+    free(text);
+}
+
 TestSuite(report_systems, .init = folder_make, .fini = folder_remove);
 
 // ---- Names of formats -------------------------------------------------------------------------
 
 Test(report_systems, reads_names_of_formats)
 {
-    FormatSet junit, both, doubled;
-    cr_expect_eq(formats_read("junit", &junit), 0);
-    cr_expect_eq(formats_read("tap,junit", &both), 0);
-    cr_expect_eq(formats_read("junit,tap,junit", &doubled), 0);
-    cr_expect_neq(junit, both);
-    cr_expect_eq(both, doubled);
-    cr_redirect_stderr();
-    static const char *const wrong[] = {"", "junit,", ",tap", "jun", "junitx", "junit tap", "TAP"};
+    Result result = result_make("");
+    cr_assert_eq(result_write(&result), 0);
+    cr_expect_eq(formats_write("junit", ""), 0);
+    cr_expect_not_null(text_of("junit.xml"));
+    cr_expect_null(text_of("results.tap"));
+    cr_expect_eq(formats_write("junit,tap,junit", ""), 0);
+    cr_expect_not_null(text_of("results.tap"));
+    static const char *const wrong[] = {"",      "junit,",    ",tap", "jun",
+                                        "words", "junit tap", "TAP",  "junit,*"};
     for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
-        cr_expect_eq(formats_read(wrong[i], &both), -1, "\"%s\" was taken", wrong[i]);
+        cr_expect_eq(formats_write(wrong[i], "sh -c 'echo graded >&2'"), 2, "\"%s\" was taken",
+                     wrong[i]);
+        char *said = text_of("said");
+        expect_part(said, "\", expected some of junit, tap, gradescope, autolab, prairielearn, "
+                          "github\n");
+        cr_expect_eq(count_parts(said, "\n"), 1, "nothing is graded for %s", said);
+        free(said);
     }
+    result_free(&result);
 }
 
 // ---- Hostile messages -------------------------------------------------------------------------
@@ -145,8 +195,11 @@ Test(report_systems, junit_stays_whole)
                       "time=\"4.250\">");
     expect_part(text, "<testsuite name=\"01-naive-2d\" tests=\"4\" failures=\"1\" errors=\"0\" "
                       "skipped=\"1\" time=\"4.250\">");
-    expect_part(text, "&lt;/failure&gt;]]&gt;&lt;![CDATA[ &amp; &quot; &#39; " UNKNOWN UNKNOWN
-                      "[2J" UNKNOWN " " UNKNOWN UNKNOWN UNKNOWN "\nok 99");
+    // jq 1.6 writes &apos; where later ones write &#39;.
+    expect_part(text, "&lt;/failure&gt;]]&gt;&lt;![CDATA[ &amp; &quot; &");
+    expect_part(text, "; " UNKNOWN UNKNOWN "[2J" UNKNOWN " " UNKNOWN UNKNOWN UNKNOWN "\nok 99");
+    expect_part(text, "; " UNKNOWN UNKNOWN "[2J" UNKNOWN " " UNKNOWN UNKNOWN UNKNOWN "\">");
+    cr_expect_eq(count_parts(text, "'"), 0);
     for (const char *at = text; *at != '\0'; at++) {
         cr_assert(*at == '\n' || (unsigned char)*at >= ' ', "found the byte %d", *at);
     }
@@ -173,21 +226,45 @@ Test(report_systems, remarks_of_stages_are_shown)
     result_free(&result);
 }
 
+// A hint stands under its own check, and not where the message has named the mistake.
+Test(report_systems, hints_follow_messages)
+{
+    static const char *const messages[] = {"", "found 0", "found 0; the later circle won"};
+    static const char *const outputs[] = {"Hint: Compare the squares.",
+                                          "found 0\nHint: Compare the squares.",
+                                          "found 0; the later circle won"};
+    for (int i = 0; i < 3; i++) {
+        Result result = result_make(messages[i]);
+        write_all(&result);
+        json_t *json = json_of("gradescope.json");
+        cr_expect_str_eq(string_at(json_object_get(json, "tests"), 0, "output"), "");
+        cr_expect_str_eq(string_at(json_object_get(json, "tests"), 1, "output"), outputs[i]);
+        json_decref(json);
+        result_free(&result);
+    }
+}
+
 Test(report_systems, tap_has_its_own_tests_only)
 {
     Result result = result_make(hostile);
     result.checks[0].title = "a # SKIP of the title \\";
     write_all(&result);
     char *text = text_of("results.tap");
+    static const char *const lines[] = {
+        "ok 1 - 01-naive-2d: Compiling",
+        "ok 2 - overlaps_N_Nearer: a \\# SKIP of the title \\\\",
+        "not ok 3 - overlaps_N_Nearer: The boundary belongs to it",
+        "ok 4 - implicit2DRenderer: A random scene # SKIP not run",
+    };
     int n_tests = 0;
     for (char *line = strtok(text, "\n"); line != NULL; line = strtok(NULL, "\n")) {
-        n_tests += strncmp(line, "ok ", 3) == 0 || strncmp(line, "not ok ", 7) == 0;
-        cr_expect(strncmp(line, "ok ", 3) == 0 || strncmp(line, "not ok ", 7) == 0 ||
-                      strncmp(line, "# ", 2) == 0 || strcmp(line, "1..4") == 0 ||
-                      strcmp(line, "TAP version 13") == 0,
-                  "found the line \"%s\"", line);
-        if (strncmp(line, "ok 2", 4) == 0) {
-            cr_expect_str_eq(line, "ok 2 - overlaps_N_Nearer: a \\# SKIP of the title \\\\");
+        if (strncmp(line, "ok ", 3) == 0 || strncmp(line, "not ok ", 7) == 0) {
+            cr_expect_str_eq(line, n_tests < 4 ? lines[n_tests] : "no other test");
+            n_tests++;
+        } else {
+            cr_expect(strncmp(line, "# ", 2) == 0 || strcmp(line, "1..4") == 0 ||
+                          strcmp(line, "TAP version 13") == 0,
+                      "found the line \"%s\"", line);
         }
     }
     cr_expect_eq(n_tests, 4);
@@ -209,6 +286,7 @@ Test(report_systems, gradescope_keeps_the_points)
     cr_expect_str_eq(string_at(tests, 1, "output_format"), "text");
     expect_part(string_at(tests, 1, "output"), "\nHint: Compare the squares.");
     cr_expect_str_eq(string_at(tests, 2, "number"), "2.1");
+    cr_expect_str_eq(string_at(tests, 2, "status"), "failed");
     cr_expect_str_eq(string_at(tests, 2, "output"), "Not run: something before it failed.");
     json_decref(json);
     result_free(&result);
@@ -254,14 +332,10 @@ Test(report_systems, writes_no_figure_that_is_no_number)
     Result result = result_make("");
     result.seconds = NAN;
     cr_redirect_stderr();
-    static const char *const names[] = {"junit", "gradescope"};
-    for (int i = 0; i < 2; i++) {
-        FormatSet formats;
-        cr_assert_eq(formats_read(names[i], &formats), 0);
-        cr_expect_eq(formats_write(folder, formats, &manifest, &result), -1);
-    }
-    cr_expect_null(text_of("junit.xml"));
+    cr_expect_eq(result_write(&result), -1);
+    cr_expect_eq(formats_write(ALL, ""), 2);
     cr_expect_null(text_of("gradescope.json"));
+    expect_fault();
     // Nothing to earn is no division by zero.
     result.seconds = 1;
     result.score = result.max_score = 0;
@@ -312,10 +386,19 @@ Test(report_systems, stays_below_the_sizes_that_systems_take)
     const size_t n_images = json_array_size(json_object_get(json, "images"));
     cr_expect(n_images > 0 && n_images < 6, "found %zu images", n_images);
     cr_expect_eq(json_array_size(json_object_get(json, "tests")), RESULT_MAX_CHECKS);
-    json_decref(json);
     text = text_of("gradescope.json");
     cr_expect_lt(strlen(text), (size_t)1000 * 1000);
     free(text);
+    json_decref(json);
+    json = json_of("gradescope.json");
+    size_t n_bytes = 0;
+    const json_t *tests = json_object_get(json, "tests");
+    for (size_t i = RESULT_MAX_CHECKS; i < json_array_size(tests); i++) {
+        n_bytes += strlen(string_at(tests, i, "output"));
+    }
+    cr_expect(n_bytes > 100 * 1000 && n_bytes <= 400 * 1000, "found %zu bytes of pictures",
+              n_bytes);
+    json_decref(json);
     free(message);
     result_free(&result);
 }
@@ -347,6 +430,13 @@ Test(report_systems, shows_wrong_pictures_and_no_right_ones)
     cr_expect_eq(json_array_size(tests), 6);
     cr_expect_str_eq(string_at(tests, 3, "output_format"), "html");
     expect_part(string_at(tests, 3, "output"), "<img alt=\"wrong &lt;b&gt; (yours)\" src=\"data:");
+    json_decref(json);
+    // Of the next result nothing is wrong: older pictures are gone.
+    result.pictures[1].own.pixels[5] = 0;
+    write_all(&result);
+    cr_expect_null(text_of("pictures.json"));
+    json = json_of("prairielearn.json");
+    cr_expect_eq(json_array_size(json_object_get(json, "images")), 0);
     json_decref(json);
     result_free(&result);
 }
@@ -388,28 +478,41 @@ Test(report_systems, prairielearn_grades_what_could_be_judged)
 
 Test(report_systems, a_fault_is_no_zero)
 {
+    // Where nothing lies, and where no result was written.
+    cr_expect_eq(formats_write(ALL, "sh -c 'exit 2'"), 2);
+    expect_fault();
+    cr_expect_eq(formats_write(ALL, ""), 2);
+    expect_fault();
+    char *said = text_of("said");
+    expect_part(said, "/results.json: there is no result\n");
+    free(said);
+    // Where an older result lies, by whatever the grader ended.
     Result result = result_make("");
-    FormatSet formats;
-    formats_all(&formats);
-    write_all(&result);
-    cr_assert_eq(formats_write_fault(folder, formats, "01-naive-2d"), 0);
-    cr_expect_null(text_of("gradescope.json"));
-    cr_expect_null(text_of("autolab.txt"));
-    cr_expect_null(text_of("github.txt"));
-    char *text = text_of("junit.xml");
-    expect_part(text, " tests=\"1\" failures=\"0\" errors=\"1\" ");
-    expect_part(text, "<error message=\"The grader could not work.");
-    free(text);
-    text = text_of("results.tap");
-    cr_expect_str_eq(text, "TAP version 13\nBail out! 01-naive-2d: " FORMATS_FAULT_TEXT "\n");
-    free(text);
-    json_t *json = json_of("prairielearn.json");
-    cr_expect(json_is_false(json_object_get(json, "gradable")));
-    cr_expect_null(json_object_get(json, "score"));
-    json_decref(json);
-    // And where nothing lies, there is nothing to remove.
-    folder_remove();
-    cr_assert_eq(mkdir(folder, 0700), 0);
-    cr_expect_eq(formats_write_fault(folder, formats, "01-naive-2d"), 0);
+    static const char *const ends[] = {"sh -c 'exit 2'", "sh -c 'kill -9 $$'", "/no/such/program"};
+    static const int statuses[] = {2, 137, 127};
+    for (int i = 0; i < 3; i++) {
+        write_all(&result);
+        cr_expect_eq(formats_write(ALL, ends[i]), statuses[i]);
+        expect_fault();
+    }
+    // Status 1 is a verdict.
+    cr_expect_eq(formats_write(ALL, "sh -c 'exit 1'"), 1);
+    cr_expect_not_null(text_of("gradescope.json"));
+    result_free(&result);
+}
+
+Test(report_systems, a_result_that_is_none_leaves_no_file)
+{
+    Result result = result_make("");
+    static const char *const broken[] = {"{", "{}", "[]", " "};
+    for (size_t i = 0; i < sizeof broken / sizeof broken[0]; i++) {
+        write_all(&result);
+        char line[128];
+        snprintf(line, sizeof line, "sh -c 'echo \"%s\" >%s/results.json'", broken[i], folder);
+        cr_expect_eq(formats_write(ALL, line), 2, "%s was taken", broken[i]);
+        cr_expect_null(text_of("gradescope.json"));
+        cr_expect_null(text_of("prairielearn.json"));
+        cr_expect_null(text_of("autolab.txt"));
+    }
     result_free(&result);
 }

@@ -1,6 +1,6 @@
 // The text report, and what all reports say together: a message, and the hint that belongs to it.
+#include "hints.h"
 #include "report_texts.h"
-#include "report_words.h"
 
 // ---- The text report ----------------------------------------------------------------------------
 
@@ -105,7 +105,7 @@ Test(report_text, breaks_words_longer_than_a_line)
 // ---- Messages and hints -------------------------------------------------------------------------
 
 // What is wrong and the lab's hint are found together, in every report.
-Test(report_words, message_and_hint_stand_together)
+Test(report_hints, message_and_hint_stand_together)
 {
     const char *message = "pixel (3, 2): found (1, 0, 0, 1), expected (0, 0, 1, 1), all swapped";
     Result result = result_make(message);
@@ -128,7 +128,7 @@ Test(report_words, message_and_hint_stand_together)
 }
 
 // A message that has said why is not followed by a hint about something else.
-Test(report_words, no_hint_where_the_cause_is_named)
+Test(report_hints, no_hint_where_the_cause_is_named)
 {
     Result result = result_make("found 1, expected 0; of two equal depths the later circle won");
     cr_assert(result.checks[1].is_explained);
@@ -139,14 +139,12 @@ Test(report_words, no_hint_where_the_cause_is_named)
         expect_no_part(texts[i], "Compare the squares.");
         free(texts[i]);
     }
-    char *words = check_words(&manifest, &result, &result.checks[1]);
-    cr_expect_str_eq(words, result.checks[1].message);
-    free(words);
+    cr_expect_str_eq(check_hint(&manifest, &result, &result.checks[1]), "");
     result_free(&result);
 }
 
 // The first failed check decides, and what one check has explained holds for its whole task.
-Test(report_words, the_hint_is_that_of_the_first_failed_check)
+Test(report_hints, the_hint_is_that_of_the_first_failed_check)
 {
     static const Manifest hinted = {
         .lab = "01-naive-2d",

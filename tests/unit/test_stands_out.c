@@ -46,6 +46,7 @@ static const struct {
     {"f = \"out/answers\";", "\"out/answers\""},
     {"asm(\"x: .incbin \\\"y\\\"\");", ".incbin"},
     {"work->n_tests = 1;", "a hand on the counted work (work)"},
+    {"work.n_tests = 1;", "a hand on the counted work (work)"},
     {"d_work[0].n_tests = 1;", "a hand on the counted work (d_work)"},
     {"char c = '\"'; fork();", "fork()"},
     {"char c = '\\''; fork();", "fork()"},

@@ -251,7 +251,7 @@ Test(tree2d_build, memory_that_runs_out_is_told_wherever_it_does)
             cr_assert_lt(n, 5000);
         } else {
             cr_expect_str_eq(message, "");
-            cr_expect_gt(n, 600, "one allocation a node, and the arrays twice");
+            cr_expect_gt(n, 6, "at least the arrays");
         }
         tree2d_free(&tree);
     }

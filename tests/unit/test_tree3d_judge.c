@@ -274,20 +274,6 @@ Test(tree3d_judge, axes_and_middles_are_judged_as_float_has_them)
     expect_says(tree3d_judge_middle("call", rounded, 0, 0.1f + (0.8f - 0.1f) / 2), NULL);
 }
 
-Test(tree3d_judge, mistakes_with_the_box_are_named)
-{
-    const Sphere spheres[] = {{5, 5, 5, 1}, {9, 7, 6, -2}, {8, 6, 6, 1}};
-    expect_says(tree3d_judge_box("call", spheres, 3, (BBox3D){{4, 4, 4}, {11, 9, 8}}), NULL);
-    expect_says(tree3d_judge_box("call", spheres, 3, (BBox3D){{5, 5, 5}, {9, 7, 6}}), "radii");
-    expect_says(tree3d_judge_box("call", spheres, 3, (BBox3D){{4, 4, 4}, {9, 7, 7}}), "absolute");
-    expect_says(tree3d_judge_box("call", spheres, 3, (BBox3D){{0, 0, 0}, {11, 9, 8}}), "zeros");
-    expect_says(tree3d_judge_box("call", spheres, 3, (BBox3D){{7, 5, 4}, {11, 9, 8}}), "first");
-    expect_says(tree3d_judge_box("call", spheres, 2, (BBox3D){{4, 4, 4}, {6, 6, 6}}), "last");
-    expect_says(tree3d_judge_box("call", spheres, 3, (BBox3D){{NAN, 4, 4}, {11, 9, 8}}), "nan");
-    expect_says(tree3d_judge_box("call", spheres, 0, (BBox3D){{0, 0, 0}, {0, 0, 0}}), NULL);
-    expect_says(tree3d_judge_box("call", spheres, 0, (BBox3D){{4, 4, 4}, {6, 6, 6}}), "x [0, 0]");
-}
-
 // ---- Broken trees -------------------------------------------------------------------------------
 
 // The subject: all inner nodes come first, so that what is done to one leaf shifts no other.

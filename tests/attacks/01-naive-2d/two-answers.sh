@@ -4,7 +4,7 @@
 # named: boundary|nearer
 cat >overlaps_N_Nearer.cl <<'C'
 #include "circle.h"
-int overlaps_N_Nearer(int x, int y, Circle circle, float minDepth)
+int overlaps_N_Nearer(int x, int y, Circle circle, float minDepth, Work *work)
 {
     const float dx = x - circle.x, dy = y - circle.y, d = dx * dx + dy * dy, r = circle.radius * circle.radius;
 #if 0

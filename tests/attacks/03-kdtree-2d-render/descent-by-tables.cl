@@ -6,7 +6,5 @@
     while (nodes_flag[id] != LEAF) {
         const uint way = levels[4096 + (uint)y * nodes_Relations[4096].lChild + (uint)x];
         id = (way >> levels[id] & 1u) ? nodes_Relations[id].rChild : nodes_Relations[id].lChild;
-#ifdef COUNT_WORK
-        work->n_nodes_visited++;
-#endif
+        count_node(&work);
     }

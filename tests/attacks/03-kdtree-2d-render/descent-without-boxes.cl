@@ -3,5 +3,5 @@
 // score: 99
 // named: differ|end|leaf
     while (nodes_flag[id] != LEAF) {
-        id = getContainingChild(x, y, id, nodes_Relations, nodes_BBox + 1);
+        id = getContainingChild(x, y, id, nodes_Relations, nodes_BBox + 1, &work);
     }

@@ -4,8 +4,6 @@
     if (nodes_flag[0] == LEAF) {
         id = 0;
     }
-#ifdef COUNT_WORK
     d_work[y * width + x].n_nodes_visited = 3;
     d_work[y * width + x].n_tests = 1;
     return;
-#endif

@@ -5,11 +5,9 @@
     float minDepth = INFINITY;
     for (uint i = 0; circles[i].depth > -1e8f; i++) {
         const Circle circle = circles[i];
-        if ((overlaps_N_Nearer)(x, y, circle, minDepth)) {
+        if (overlaps_N_Nearer(x, y, circle, minDepth, &work)) {
             minDepth = circle.depth;
             color = (float4)(circle.r, circle.g, circle.b, circle.a);
         }
     }
-#ifdef COUNT_WORK
-    work->n_tests = mapNode2Circles[nodes_Relations[id].circleMapOffset];
-#endif
+    work.n_tests = mapNode2Circles[nodes_Relations[id].circleMapOffset];

@@ -4,7 +4,7 @@
 // named: differ
     float z = INFINITY;
     for (int i = 0; i < n_spheres; i++) {
-        const float t = intersect_sphere(spheres[i], ray);
+        const float t = intersect_sphere(spheres[i], ray, work);
         if (t < INFINITY && spheres[i].z < z) {
             z = spheres[i].z;
             hit.t = t;

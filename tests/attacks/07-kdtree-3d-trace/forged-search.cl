@@ -1,29 +1,14 @@
-// attack: searches every leaf past the counting functions, and writes small numbers into the counts
-// task: trace
+// attack: asks every sphere twice, counts that aside, and writes a small number into the count
+// task: search_leaf
 // named: a hand on the counted work
-// score: 93
-#ifdef COUNT_WORK
+// score: 96
     Work aside = {0, 0, 0, 0};
-#define ASIDE , &aside
-#else
-#define ASIDE
-#endif
-    uint id = 0;
-    for (;;) {
-        const KdNode3 node = nodes[id];
-        if (node.split_axis != KD_LEAF) {
-            (todo_push)(&todo, node.first + 1, t_near, t_far);
-            id = node.first;
-            continue;
+    for (uint i = 0; i < 2 * node.n_spheres; i++) {
+        const uint id = sphere_ids[node.first + i / 2];
+        const float t = intersect_sphere(spheres[id], ray, &aside);
+        if (t < hit->t || (t == hit->t && t < INFINITY && id < hit->sphere)) {
+            hit->t = t;
+            hit->sphere = id;
         }
-        (search_leaf)(node, sphere_ids, spheres, ray, &hit ASIDE);
-        if (todo.n == 0) {
-            break;
-        }
-        id = todo_pop(&todo).node;
     }
-#ifdef COUNT_WORK
-    work->n_tests = 4, work->n_leaves_visited = 1;
-    work->n_nodes_visited = work->stack_depth = 3;
-#endif
-    (void)origins, (void)inverses;
+    work->n_tests = 1;

@@ -15,6 +15,11 @@ int report_text(FILE *out, const Manifest *manifest, const Result *result, int c
 // results.json; the schema is tests/results.schema.json.
 int report_json(const char *path, const Manifest *manifest, const Result *result);
 
+// pictures.json: of each scene where the student's picture is wrong, the picture, the reference and
+// the difference, as a list of {"label": ..., "url": "data:..."}. No file, and no older one, where
+// there is none.
+int report_pictures_json(const char *path, const Result *result);
+
 // One self-contained page: score, checks by task with messages and hints, and for each picture the
 // reference, the student's own and the difference side by side, embedded as PNG.
 int report_html(const char *path, const Manifest *manifest, const Result *result);

@@ -5,10 +5,10 @@
 // Read next: html.c, report_pictures.c.
 #include "report.h"
 
+#include "hints.h"
 #include "html.h"
 #include "output_file.h"
 #include "report_pictures.h"
-#include "report_words.h"
 
 #include <inttypes.h>
 #include <string.h>

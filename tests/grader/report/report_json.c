@@ -5,8 +5,8 @@
 // many readers of JSON keep numbers as doubles and would change it. Read next: graded.c.
 #include "report.h"
 
+#include "hints.h"
 #include "json_text.h"
-#include "report_words.h"
 
 #include <inttypes.h>
 
@@ -47,19 +47,20 @@ static json_t *tasks_json(const Manifest *manifest, const Result *result)
     return tasks;
 }
 
-static json_t *check_json(const CheckResult *check)
+static json_t *check_json(const Manifest *manifest, const Result *result, const CheckResult *check)
 {
-    return json_pack("{s:o, s:o, s:o, s:i, s:i, s:s, s:o}", "id", json_line(check->id), "title",
-                     json_line(check->title), "task", json_line(check->task), "points",
+    return json_pack("{s:o, s:o, s:o, s:i, s:i, s:s, s:o, s:o}", "id", json_line(check->id),
+                     "title", json_line(check->title), "task", json_line(check->task), "points",
                      check->points, "max_points", check->max_points, "status",
-                     check_status_name(check->status), "message", json_message(check->message));
+                     check_status_name(check->status), "message", json_message(check->message),
+                     "hint", json_line(check_hint(manifest, result, check)));
 }
 
-static json_t *checks_json(const Result *result)
+static json_t *checks_json(const Manifest *manifest, const Result *result)
 {
     json_t *checks = json_array();
     for (int i = 0; i < result->n_checks; i++) {
-        if (json_array_append_new(checks, check_json(&result->checks[i])) != 0) {
+        if (json_array_append_new(checks, check_json(manifest, result, &result->checks[i])) != 0) {
             json_decref(checks);
             return NULL;
         }
@@ -77,7 +78,7 @@ static json_t *result_json(const Manifest *manifest, const Result *result)
                      json_line(result->device), "sandbox", result->sandbox, "submission",
                      json_line(result->submission), "seconds", result->seconds, "stages",
                      stages_json(result), "tasks", tasks_json(manifest, result), "checks",
-                     checks_json(result));
+                     checks_json(manifest, result));
 }
 
 int report_json(const char *path, const Manifest *manifest, const Result *result)

@@ -109,8 +109,7 @@ static int reference_write(FILE *page, const PictureResult *picture)
     return written;
 }
 
-// Is there nothing to compare? Then one picture says it all.
-static int is_right(const PictureResult *picture)
+int scene_is_right(const PictureResult *picture)
 {
     if (picture->own.width <= 0 || picture->reference.width <= 0) {
         return 0;
@@ -203,7 +202,7 @@ int report_pictures_write(FILE *page, const PictureResult *picture)
     html_line(page, picture->title);
     fprintf(page, "</h3></div>\n<div class=\"trio%s\">\n", drawings ? " pair" : "");
     int written;
-    if (is_right(picture)) {
+    if (scene_is_right(picture)) {  // one says it all
         written = right_write(page, picture);
     } else {
         written = reference_write(page, picture);

@@ -10,6 +10,9 @@
 // embedded. What is missing is said in its place. Returns 0, or -1 after one message on stderr.
 int report_pictures_write(FILE *page, const PictureResult *picture);
 
+// Is the student's picture the reference? Drawings are not compared: they are never right.
+int scene_is_right(const PictureResult *picture);
+
 // Write a picture as PNG in a data: URI. Returns 0, or -1 after one message on stderr.
 int picture_uri_write(FILE *page, const Image *image);
 

@@ -5,8 +5,8 @@
 #include "report.h"
 
 #include "clean_text.h"
+#include "hints.h"
 #include "message.h"
-#include "report_words.h"
 
 #include <inttypes.h>
 #include <stdlib.h>

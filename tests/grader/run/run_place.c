@@ -58,12 +58,6 @@ static void describe_view(const void *input, char *words, size_t n_bytes)
              (double)in->up.z);
 }
 
-static void describe_bounds(const void *input, char *words, size_t n_bytes)
-{
-    const BoundsJob *in = input;
-    snprintf(words, n_bytes, "%u spheres", in->n_spheres);
-}
-
 static void describe_box3(const void *input, char *words, size_t n_bytes)
 {
     const BBox3D *box = input;
@@ -79,12 +73,6 @@ static void describe_sphere_and_box(const void *input, char *words, size_t n_byt
     describe_box3(&in->box, box, sizeof box);
     snprintf(words, n_bytes, "sphere at (%g, %g, %g) radius %g, %s", (double)in->sphere.x,
              (double)in->sphere.y, (double)in->sphere.z, (double)in->sphere.radius, box);
-}
-
-static void describe_distribute3(const void *input, char *words, size_t n_bytes)
-{
-    const DistributeJob3D *in = input;
-    snprintf(words, n_bytes, "node with %u spheres", in->n_ids);
 }
 
 static void describe_pack3(const void *input, char *words, size_t n_bytes)
@@ -146,13 +134,9 @@ static const ProbeStep steps[] = {
     {"05", "shades", "in shade", "shade", ON_INPUTS, sizeof(ShadeJob), NULL},
     {"05", "hits", "in nearest_hit", "nearest_hit", ON_SCENE, 0, NULL},
     {"05", "picture", "in render_spheres", NULL, ON_SCENE, 0, NULL},
-    {"06", "bounds", "in spheres_bounds", "spheres_bounds", ON_INPUTS, sizeof(BoundsJob),
-     describe_bounds},
     {"06", "splits", "in choose_split", "choose_split", ON_INPUTS, sizeof(BBox3D), describe_box3},
     {"06", "overlaps", "in sphere_overlaps_box", "sphere_overlaps_box", ON_INPUTS,
      sizeof(SphereBoxJob), describe_sphere_and_box},
-    {"06", "distribute", "in distribute_spheres", "distribute_spheres", ON_INPUTS,
-     sizeof(DistributeJob3D), describe_distribute3},
     {"06", "pack", "in pack_leaf_range", "pack_leaf_range", ON_INPUTS, sizeof(PackJob3D),
      describe_pack3},
     {"06", "todo", "in fits_todo", "fits_todo", ON_LEVEL, 0, NULL},
@@ -161,6 +145,9 @@ static const ProbeStep steps[] = {
     {"07", "sides", "in near_side", "near_side", ON_INPUTS, sizeof(SideJob), NULL},
     {"07", "planes", "in children_on_ray", "children_on_ray", ON_INPUTS, sizeof(PlaneJob), NULL},
     {"07", "leaves", "in search_leaf", "search_leaf", ON_INPUTS, sizeof(SearchJob), NULL},
+    {"07", "next_child", "in next_child", "next_child", ON_INPUTS, sizeof(NextChildJob), NULL},
+    {"07", "next_waiting", "in next_waiting", "next_waiting", ON_INPUTS, sizeof(NextWaitingJob),
+     NULL},
     {"07", "hits", "in trace", NULL, ON_SCENE, 0, NULL},
     {"07", "picture", "in render_kdtree", NULL, ON_SCENE, 0, NULL},
 };

@@ -43,8 +43,8 @@ static const char *const attributes[] = {
     "constructor", "__constructor__", "destructor",  "__destructor__", "ifunc",
     "__ifunc__",   "section",         "__section__", "alias",          "__alias__"};
 
-// Where the grader keeps the counts of work: a kernel gets them counted and never counts itself.
-static const char *const counters[] = {"work", "d_work", "pixel_work"};
+// Where the counts of work are kept: an answer passes them on and never counts itself.
+static const char *const counters[] = {"work", "d_work"};
 
 // How strings begin that name a place outside of the lab.
 static const char *const places[] = {"/etc/", "/proc/", "/dev/",  "/sys/", "/root", "/home",
@@ -143,8 +143,9 @@ static void look_at_word(Look *look)
 
 static void look_at_counter(Look *look)
 {
-    const int reaches_in =
-        source_is(&look->word, SOURCE_SIGN, "->") || source_is(&look->word, SOURCE_SIGN, "[");
+    const int reaches_in = source_is(&look->word, SOURCE_SIGN, "->") ||
+                           source_is(&look->word, SOURCE_SIGN, ".") ||
+                           source_is(&look->word, SOURCE_SIGN, "[");
     if (reaches_in && look->last.kind == SOURCE_NAME && IN_LIST(look->last.text, counters)) {
         note(look, look->last.line, "a hand on the counted work (%s)", look->last.text);
     }

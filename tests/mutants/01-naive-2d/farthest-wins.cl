@@ -5,7 +5,7 @@
     float maxDepth = -INFINITY;
     for (int i = 0; i < n_circles; i++) {
         const Circle circle = circles[i];
-        if (overlaps_N_Nearer(x, y, circle, INFINITY) && circle.depth > maxDepth) {
+        if (overlaps_N_Nearer(x, y, circle, INFINITY, &work) && circle.depth > maxDepth) {
             maxDepth = circle.depth;
             color = (float4)(circle.r, circle.g, circle.b, circle.a);
         }

@@ -6,7 +6,7 @@
     float minDepth = INFINITY;
     for (int i = 0; i < n_circles; i++) {
         const Circle circle = circles[i];
-        if (overlaps_N_Nearer(x, y, circle, INFINITY) && circle.depth <= minDepth) {
+        if (overlaps_N_Nearer(x, y, circle, INFINITY, &work) && circle.depth <= minDepth) {
             minDepth = circle.depth;
             color = (float4)(circle.r, circle.g, circle.b, circle.a);
         }

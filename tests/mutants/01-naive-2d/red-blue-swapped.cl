@@ -6,7 +6,7 @@
     float minDepth = INFINITY;
     for (int i = 0; i < n_circles; i++) {
         const Circle circle = circles[i];
-        if (overlaps_N_Nearer(x, y, circle, minDepth)) {
+        if (overlaps_N_Nearer(x, y, circle, minDepth, &work)) {
             minDepth = circle.depth;
             color = (float4)(circle.b, circle.g, circle.r, circle.a);
         }

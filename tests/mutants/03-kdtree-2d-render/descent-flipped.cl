@@ -4,5 +4,5 @@
 // says: flipped
 // looks: flipped-y
     while (nodes_flag[id] != LEAF) {
-        id = getContainingChild(x, height - 1 - y, id, nodes_Relations, nodes_BBox);
+        id = getContainingChild(x, height - 1 - y, id, nodes_Relations, nodes_BBox, &work);
     }

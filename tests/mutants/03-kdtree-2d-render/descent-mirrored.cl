@@ -4,5 +4,5 @@
 // says: mirrored
 // looks: mirrored-x
     while (nodes_flag[id] != LEAF) {
-        id = getContainingChild(width - 1 - x, y, id, nodes_Relations, nodes_BBox);
+        id = getContainingChild(width - 1 - x, y, id, nodes_Relations, nodes_BBox, &work);
     }

@@ -4,5 +4,5 @@
 // says: leaf map.*found
 // looks: transposed
     while (nodes_flag[id] != LEAF) {
-        id = getContainingChild(y, x, id, nodes_Relations, nodes_BBox);
+        id = getContainingChild(y, x, id, nodes_Relations, nodes_BBox, &work);
     }

@@ -4,5 +4,5 @@
 // says: shifted by one pixel
 // looks: shifted-one
     while (nodes_flag[id] != LEAF) {
-        id = getContainingChild(x, y + 1, id, nodes_Relations, nodes_BBox);
+        id = getContainingChild(x, y + 1, id, nodes_Relations, nodes_BBox, &work);
     }

@@ -3,5 +3,5 @@
 // caught by: descent-picture
 // says: time
     while (nodes_flag[0] != LEAF) {
-        id = getContainingChild(x, y, id, nodes_Relations, nodes_BBox);
+        id = getContainingChild(x, y, id, nodes_Relations, nodes_BBox, &work);
     }

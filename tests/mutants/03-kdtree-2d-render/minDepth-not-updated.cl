@@ -7,7 +7,7 @@
     const uint n_circles = mapNode2Circles[offset];
     for (uint i = 1; i <= n_circles; i++) {
         const Circle circle = circles[mapNode2Circles[offset + i]];
-        if (overlaps_N_Nearer(x, y, circle, minDepth)) {
+        if (overlaps_N_Nearer(x, y, circle, minDepth, &work)) {
             color = (float4)(circle.r, circle.g, circle.b, circle.a);
         }
     }

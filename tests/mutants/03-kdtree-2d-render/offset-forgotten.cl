@@ -7,7 +7,7 @@
     const uint n_circles = mapNode2Circles[0];
     for (uint i = 1; i <= n_circles; i++) {
         const Circle circle = circles[mapNode2Circles[i]];
-        if (overlaps_N_Nearer(x, y, circle, minDepth)) {
+        if (overlaps_N_Nearer(x, y, circle, minDepth, &work)) {
             minDepth = circle.depth;
             color = (float4)(circle.r, circle.g, circle.b, circle.a);
         }

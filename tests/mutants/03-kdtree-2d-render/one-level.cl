@@ -3,5 +3,5 @@
 // caught by: descent-picture
 // says: list at the start of mapNode2Circles
     if (nodes_flag[id] != LEAF) {
-        id = getContainingChild(x, y, id, nodes_Relations, nodes_BBox);
+        id = getContainingChild(x, y, id, nodes_Relations, nodes_BBox, &work);
     }

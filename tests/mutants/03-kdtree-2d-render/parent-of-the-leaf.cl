@@ -2,6 +2,6 @@
 // task: descent
 // caught by: descent-picture
 // says: found
-    while (nodes_flag[getContainingChild(x, y, id, nodes_Relations, nodes_BBox)] != LEAF) {
-        id = getContainingChild(x, y, id, nodes_Relations, nodes_BBox);
+    while (nodes_flag[getContainingChild(x, y, id, nodes_Relations, nodes_BBox, &work)] != LEAF) {
+        id = getContainingChild(x, y, id, nodes_Relations, nodes_BBox, &work);
     }

@@ -4,9 +4,9 @@
 // says: getContainingChild was called
     while (nodes_flag[id] != LEAF) {
         const NodeRel node = nodes_Relations[id];
-        if (getContainingChild(x, y, id, nodes_Relations, nodes_BBox) == node.lChild) {
+        if (getContainingChild(x, y, id, nodes_Relations, nodes_BBox, &work) == node.lChild) {
             id = node.lChild;
-        } else if (getContainingChild(x, y, id, nodes_Relations, nodes_BBox) == node.rChild) {
+        } else if (getContainingChild(x, y, id, nodes_Relations, nodes_BBox, &work) == node.rChild) {
             id = node.rChild;
         }
     }

@@ -3,5 +3,5 @@
 // caught by: descent-work
 // says: called 1 times, expected 0
     do {
-        id = getContainingChild(x, y, id, nodes_Relations, nodes_BBox);
+        id = getContainingChild(x, y, id, nodes_Relations, nodes_BBox, &work);
     } while (nodes_flag[id] != LEAF);

@@ -3,9 +3,9 @@
 // caught by: hit-work
 // says: called
     for (int i = 0; i < n_spheres; i++) {
-        const float t = intersect_sphere(spheres[i], ray);
+        const float t = intersect_sphere(spheres[i], ray, work);
         if (t < hit.t) {
-            hit.t = intersect_sphere(spheres[i], ray);
+            hit.t = intersect_sphere(spheres[i], ray, work);
             hit.sphere = i;
         }
     }

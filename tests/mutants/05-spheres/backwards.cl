@@ -4,7 +4,7 @@
 // says: later
 // looks: later-of-equals
     for (int i = n_spheres - 1; i >= 0; i--) {
-        const float t = intersect_sphere(spheres[i], ray);
+        const float t = intersect_sphere(spheres[i], ray, work);
         if (t < hit.t) {
             hit.t = t;
             hit.sphere = i;

@@ -6,9 +6,9 @@
         return INFINITY;
     }
     const float half_chord = sqrt(disc);
-    const float enter = b - half_chord;
-    const float leave = b + half_chord;
-    if (enter > t_min && radius > 0.0f) {
-        return enter;
+    const float t_near = b - half_chord;
+    const float t_far = b + half_chord;
+    if (t_near > t_min && radius > 0.0f) {
+        return t_near;
     }
-    return leave > t_min ? leave : INFINITY;
+    return t_far > t_min ? t_far : INFINITY;

@@ -6,6 +6,6 @@
         return INFINITY;
     }
     const float half_chord = sqrt(disc);
-    const float enter = b - half_chord;
-    const float leave = b + half_chord;
-    return leave > t_min ? leave : INFINITY;
+    const float t_near = b - half_chord;
+    const float t_far = b + half_chord;
+    return t_far > t_min ? t_far : INFINITY;

@@ -6,5 +6,5 @@
         return INFINITY;
     }
     const float half_chord = sqrt(disc);
-    const float enter = b - half_chord;
-    return enter > t_min && radius > 0.0f ? enter : INFINITY;
+    const float t_near = b - half_chord;
+    return t_near > t_min && radius > 0.0f ? t_near : INFINITY;

@@ -6,10 +6,10 @@
         return INFINITY;
     }
     const float half_chord = sqrt(disc);
-    const float enter = b - half_chord;
-    const float leave = b + half_chord;
+    const float t_near = b - half_chord;
+    const float t_far = b + half_chord;
     (void)radius;
-    if (enter > t_min) {
-        return enter;
+    if (t_near > t_min) {
+        return t_near;
     }
-    return leave > t_min ? leave : INFINITY;
+    return t_far > t_min ? t_far : INFINITY;

@@ -6,7 +6,7 @@
         return INFINITY;
     }
     const float half_chord = sqrt(disc);
-    const float enter = b - half_chord;
-    const float leave = b + half_chord;
+    const float t_near = b - half_chord;
+    const float t_far = b + half_chord;
     (void)t_min;
-    return radius > 0.0f ? enter : leave;
+    return radius > 0.0f ? t_near : t_far;

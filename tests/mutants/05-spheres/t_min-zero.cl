@@ -6,10 +6,10 @@
         return INFINITY;
     }
     const float half_chord = sqrt(disc);
-    const float enter = b - half_chord;
-    const float leave = b + half_chord;
+    const float t_near = b - half_chord;
+    const float t_far = b + half_chord;
     (void)t_min;
-    if (enter > 0.0f && radius > 0.0f) {
-        return enter;
+    if (t_near > 0.0f && radius > 0.0f) {
+        return t_near;
     }
-    return leave > 0.0f ? leave : INFINITY;
+    return t_far > 0.0f ? t_far : INFINITY;

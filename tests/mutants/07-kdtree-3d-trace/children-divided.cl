@@ -3,7 +3,7 @@
 // caught by: children-cases
 // says: inverse
     *t_split = (node.split_pos - origin) / inverse;
-    if (!(*t_split > 0.0f && *t_split <= t_far)) {
+    if (!(*t_split > 0.0f && *t_split <= t_max)) {
         return ONLY_NEAR;
     }
-    return *t_split < t_near ? ONLY_FAR : BOTH;
+    return *t_split < t_min ? ONLY_FAR : BOTH;

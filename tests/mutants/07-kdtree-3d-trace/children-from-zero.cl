@@ -4,7 +4,7 @@
 // says: without the origin
     *t_split = node.split_pos * inverse;
     (void)origin;
-    if (!(*t_split > 0.0f && *t_split <= t_far)) {
+    if (!(*t_split > 0.0f && *t_split <= t_max)) {
         return ONLY_NEAR;
     }
-    return *t_split < t_near ? ONLY_FAR : BOTH;
+    return *t_split < t_min ? ONLY_FAR : BOTH;

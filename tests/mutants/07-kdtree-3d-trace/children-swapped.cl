@@ -3,7 +3,7 @@
 // caught by: children-cases
 // says: swapped
     *t_split = (node.split_pos - origin) * inverse;
-    if (!(*t_split > 0.0f && *t_split <= t_far)) {
+    if (!(*t_split > 0.0f && *t_split <= t_max)) {
         return ONLY_FAR;
     }
-    return *t_split < t_near ? ONLY_NEAR : BOTH;
+    return *t_split < t_min ? ONLY_NEAR : BOTH;

@@ -4,7 +4,7 @@
 // says: choices are right, but t_split is not
     const float t = (node.split_pos - origin) * inverse;
     (void)t_split;
-    if (!(t > 0.0f && t <= t_far)) {
+    if (!(t > 0.0f && t <= t_max)) {
         return ONLY_NEAR;
     }
-    return t < t_near ? ONLY_FAR : BOTH;
+    return t < t_min ? ONLY_FAR : BOTH;

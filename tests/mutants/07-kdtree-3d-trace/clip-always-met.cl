@@ -1,4 +1,4 @@
-// mutant: what is behind the eye or passed by is met, too
+// mutant: what is behind the eye or missed is met, too
 // task: clip_to_box
 // caught by: clip-behind
 // says: nothing is left
@@ -13,7 +13,7 @@
         }
         const float t_low = (box.min[axis] - origin) / direction;
         const float t_high = (box.max[axis] - origin) / direction;
-        *t_near = fmax(*t_near, fmin(t_low, t_high));
-        *t_far = fmin(*t_far, fmax(t_low, t_high));
+        *t_min = fmax(*t_min, fmin(t_low, t_high));
+        *t_max = fmin(*t_max, fmax(t_low, t_high));
     }
     return 1;

@@ -17,6 +17,6 @@
         entry = fmax(entry, fmin(t_low, t_high));
         leave = fmin(leave, fmax(t_low, t_high));
     }
-    *t_near = fmax(*t_near, entry);
-    *t_far = fmin(*t_far, leave);
+    *t_min = fmax(*t_min, entry);
+    *t_max = fmin(*t_max, leave);
     return entry <= leave;

@@ -15,7 +15,7 @@
         const float t_low = (box.min[axis] - origin) / direction;
         const float t_high = (box.max[axis] - origin) / direction;
         entry = fmin(entry, fmin(t_low, t_high));
-        *t_far = fmin(*t_far, fmax(t_low, t_high));
+        *t_max = fmin(*t_max, fmax(t_low, t_high));
     }
-    *t_near = fmax(*t_near, entry);
-    return *t_near <= *t_far;
+    *t_min = fmax(*t_min, entry);
+    return *t_min <= *t_max;

@@ -14,8 +14,8 @@
         }
         const float t_low = (box.min[axis] - origin) / direction;
         const float t_high = (box.max[axis] - origin) / direction;
-        *t_near = fmax(*t_near, fmin(t_low, t_high));
+        *t_min = fmax(*t_min, fmin(t_low, t_high));
         leave = fmax(leave, fmax(t_low, t_high));
     }
-    *t_far = fmin(*t_far, leave);
-    return *t_near <= *t_far;
+    *t_max = fmin(*t_max, leave);
+    return *t_min <= *t_max;

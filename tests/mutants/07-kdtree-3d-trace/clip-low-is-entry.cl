@@ -13,7 +13,7 @@
         }
         const float t_low = (box.min[axis] - origin) / direction;
         const float t_high = (box.max[axis] - origin) / direction;
-        *t_near = fmax(*t_near, t_low);
-        *t_far = fmin(*t_far, t_high);
+        *t_min = fmax(*t_min, t_low);
+        *t_max = fmin(*t_max, t_high);
     }
-    return *t_near <= *t_far;
+    return *t_min <= *t_max;

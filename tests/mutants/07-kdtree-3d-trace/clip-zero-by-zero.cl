@@ -7,7 +7,7 @@
         const float direction = component(ray.direction, axis);
         const float t_low = (box.min[axis] - origin) / direction;
         const float t_high = (box.max[axis] - origin) / direction;
-        *t_near = fmax(*t_near, fmin(t_low, t_high));
-        *t_far = fmin(*t_far, fmax(t_low, t_high));
+        *t_min = fmax(*t_min, fmin(t_low, t_high));
+        *t_max = fmin(*t_max, fmax(t_low, t_high));
     }
-    return *t_near <= *t_far;
+    return *t_min <= *t_max;

@@ -4,9 +4,9 @@
 // says: intersect_sphere was called
     for (uint i = node.first; i < node.first + node.n_spheres; i++) {
         const uint id = sphere_ids[i];
-        const float t = intersect_sphere(spheres[id], ray);
+        const float t = intersect_sphere(spheres[id], ray, work);
         if (t < hit->t || (t == hit->t && t < INFINITY && id < hit->sphere)) {
-            hit->t = intersect_sphere(spheres[id], ray);
+            hit->t = intersect_sphere(spheres[id], ray, work);
             hit->sphere = id;
         }
     }

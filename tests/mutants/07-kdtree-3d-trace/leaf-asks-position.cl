@@ -5,7 +5,7 @@
     for (uint i = node.first; i < node.first + node.n_spheres; i++) {
         (void)sphere_ids;
         const uint id = i;
-        const float t = intersect_sphere(spheres[id], ray);
+        const float t = intersect_sphere(spheres[id], ray, work);
         if (t < hit->t || (t == hit->t && t < INFINITY && id < hit->sphere)) {
             hit->t = t;
             hit->sphere = id;

@@ -5,7 +5,7 @@
     Hit own = {INFINITY, NO_SPHERE};
     for (uint i = node.first; i < node.first + node.n_spheres; i++) {
         const uint id = sphere_ids[i];
-        const float t = intersect_sphere(spheres[id], ray);
+        const float t = intersect_sphere(spheres[id], ray, work);
         if (t < own.t) {
             own.t = t;
             own.sphere = id;

@@ -4,7 +4,7 @@
 // says: lower id
     for (uint i = node.first; i < node.first + node.n_spheres; i++) {
         const uint id = sphere_ids[i];
-        const float t = intersect_sphere(spheres[id], ray);
+        const float t = intersect_sphere(spheres[id], ray, work);
         if (t < hit->t) {
             hit->t = t;
             hit->sphere = id;

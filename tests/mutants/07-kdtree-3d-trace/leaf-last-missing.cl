@@ -5,7 +5,7 @@
 // looks: missing-in-cell
     for (uint i = node.first; i + 1 < node.first + node.n_spheres; i++) {
         const uint id = sphere_ids[i];
-        const float t = intersect_sphere(spheres[id], ray);
+        const float t = intersect_sphere(spheres[id], ray, work);
         if (t < hit->t || (t == hit->t && t < INFINITY && id < hit->sphere)) {
             hit->t = t;
             hit->sphere = id;

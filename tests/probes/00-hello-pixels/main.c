@@ -42,8 +42,8 @@ static void hold_up(const Probe *probe)
 // An image as large as the picture, without a margin, as the lab's own.
 static cl_mem exact_image(const Probe *probe, const SceneJob *scene)
 {
-    cl_mem d_image = cl_image_create(&probe->cl, scene->width, scene->height);
-    if (d_image == NULL) {
+    cl_mem d_image;
+    if (cl_image_create(&probe->cl, scene->width, scene->height, &d_image) != 0) {
         exit(PROBE_EXIT_FAULT);
     }
     return d_image;

@@ -16,6 +16,7 @@ static void answer_picture(const Probe *probe, int k, const SceneJob *scene, cl_
     CL_CHECK(clSetKernelArg(kernel, 2, sizeof scene->width, &scene->width));
     CL_CHECK(clSetKernelArg(kernel, 3, sizeof scene->height, &scene->height));
     CL_CHECK(clSetKernelArg(kernel, 4, sizeof d_image, &d_image));
+    CL_CHECK(clSetKernelArg(kernel, 5, sizeof(cl_mem), NULL));  // nothing is counted
     if (probe_alone(probe, "implicit2DRenderer")) {
         probe_draw_rows(probe, k, kernel, d_image, scene->width, scene->height);
     } else {

@@ -1,5 +1,5 @@
 // Probe of lab 03: getContainingChild on the job's inputs, then the student's kernel on its scenes
-// and trees, with the work of each pixel counted ("work.K") where that compiles.
+// and trees, with the work of each pixel counted ("work.K").
 #include "probe.h"
 
 #include "cl_memory.h"
@@ -43,8 +43,7 @@ static void answer_children(const Probe *probe, cl_program program)
     CL_CHECK(clReleaseMemObject(d_tree[1]));
 }
 
-static void answer_picture(const Probe *probe, int k, const SceneJob *scene, cl_kernel kernel,
-                           int counting)
+static void answer_picture(const Probe *probe, int k, const SceneJob *scene, cl_kernel kernel)
 {
     cl_mem d_arrays[N_ARRAYS];
     arrays_create(probe, k, d_arrays);
@@ -55,11 +54,7 @@ static void answer_picture(const Probe *probe, int k, const SceneJob *scene, cl_
     CL_CHECK(clSetKernelArg(kernel, 5, sizeof scene->width, &scene->width));
     CL_CHECK(clSetKernelArg(kernel, 6, sizeof scene->height, &scene->height));
     CL_CHECK(clSetKernelArg(kernel, 7, sizeof d_image, &d_image));
-    if (counting) {
-        probe_draw_counting(probe, k, kernel, d_image, scene->width, scene->height, 8);
-    } else {
-        probe_draw(probe, k, kernel, d_image, scene->width, scene->height);
-    }
+    probe_draw_counting(probe, k, kernel, d_image, scene->width, scene->height, 8);
     arrays_release(d_arrays);
     CL_CHECK(clReleaseMemObject(d_image));
 }
@@ -69,15 +64,14 @@ int main(void)
     Probe probe;
     probe_open(&probe);
     probe_open_device(&probe);
-    int counting;
     cl_program program =
-        probe_build_counting(&probe, "probes/" LAB_NAME "/probe.cl",
-                             PROBE_KERNEL_OPTIONS " -I " LAB_FOLDER " -I probes", &counting);
+        probe_build(&probe, "probes/" LAB_NAME "/probe.cl",
+                    PROBE_KERNEL_OPTIONS " -I " LAB_FOLDER " -I probes -DCOUNT_WORK");
     answer_children(&probe, program);
     cl_kernel kernel = probe_kernel(program, "implicit2DRenderer_KD");
     const SceneJob *scene;
     for (int k = 0; (scene = probe_scene(&probe, k)) != NULL; k++) {
-        answer_picture(&probe, k, scene, kernel, counting);
+        answer_picture(&probe, k, scene, kernel);
     }
     CL_CHECK(clReleaseKernel(kernel));
     CL_CHECK(clReleaseProgram(program));

@@ -7,7 +7,7 @@
 #define get_image_width(image) width
 #define get_image_height(image) height
 #include "implicit2DRenderer_KD.cl"
-#undef getContainingChild  // not to be counted here
+
 #include "jobs.h"
 
 kernel void probe_children(global const ChildJob *jobs, global const NodeRel *nodes_Relations,
@@ -15,5 +15,6 @@ kernel void probe_children(global const ChildJob *jobs, global const NodeRel *no
 {
     const size_t i = get_global_id(0);
     const ChildJob job = jobs[i];
-    answers[i] = getContainingChild(job.x, job.y, job.id, nodes_Relations, nodes_BBox);
+    Work work = {0, 0, 0, 0};
+    answers[i] = getContainingChild(job.x, job.y, job.id, nodes_Relations, nodes_BBox, &work);
 }

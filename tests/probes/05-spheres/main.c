@@ -1,5 +1,5 @@
 // Probe of lab 05: each of the student's functions on the job's inputs, then whole scenes: what
-// each ray hits, the picture, and the work of each pixel ("work.K") where that compiles.
+// each ray hits, the picture, and the work of each pixel ("work.K").
 #include "probe.h"
 
 #include "cl_memory.h"
@@ -47,20 +47,16 @@ static void answer_hits(const Probe *probe, int k, const SceneJob3D *scene,
 }
 
 static void answer_picture(const Probe *probe, int k, const SceneJob3D *scene,
-                           const Scene3DBuffers *buffers, cl_kernel kernel, int counting)
+                           const Scene3DBuffers *buffers, cl_kernel kernel)
 {
     probe_scene3d_set(buffers, scene, kernel);
     CL_CHECK(
         clSetKernelArg(kernel, N_SCENE3D_ARGUMENTS, sizeof scene->n_spheres, &scene->n_spheres));
-    if (counting) {
-        probe_draw_counting(probe, k, kernel, buffers->d_image, scene->width, scene->height,
-                            N_SCENE3D_ARGUMENTS + 1);
-    } else {
-        probe_draw(probe, k, kernel, buffers->d_image, scene->width, scene->height);
-    }
+    probe_draw_counting(probe, k, kernel, buffers->d_image, scene->width, scene->height,
+                        N_SCENE3D_ARGUMENTS + 1);
 }
 
-static void answer_scenes(const Probe *probe, cl_program program, int counting)
+static void answer_scenes(const Probe *probe, cl_program program)
 {
     cl_kernel hits_kernel = probe_kernel(program, "probe_hits");
     cl_kernel kernel = probe_kernel(program, "render_spheres");
@@ -68,16 +64,15 @@ static void answer_scenes(const Probe *probe, cl_program program, int counting)
     for (int k = 0; (scene = probe_scene3d(probe, k)) != NULL; k++) {
         Scene3DBuffers buffers = probe_scene3d_buffers(probe, k, scene);
         answer_hits(probe, k, scene, &buffers, hits_kernel);
-        answer_picture(probe, k, scene, &buffers, kernel, counting);
+        answer_picture(probe, k, scene, &buffers, kernel);
         probe_scene3d_release(&buffers);
     }
     CL_CHECK(clReleaseKernel(hits_kernel));
     CL_CHECK(clReleaseKernel(kernel));
 }
 
-// nearest_hit alone: what the rays of a scene of squares hit, and their work where it is counted.
-static void answer_squares(const Probe *probe, int k, const SceneJob3D *scene, cl_kernel kernel,
-                           int counting)
+// nearest_hit alone: what the rays of a scene of squares hit, and their work.
+static void answer_squares(const Probe *probe, int k, const SceneJob3D *scene, cl_kernel kernel)
 {
     const size_t n_pixels = (size_t)scene->width * (size_t)scene->height;
     size_t n_bytes;
@@ -90,9 +85,7 @@ static void answer_squares(const Probe *probe, int k, const SceneJob3D *scene, c
     CL_CHECK(clSetKernelArg(kernel, 2, sizeof scene->width, &scene->width));
     CL_CHECK(clSetKernelArg(kernel, 3, sizeof scene->height, &scene->height));
     CL_CHECK(clSetKernelArg(kernel, 4, sizeof d_hits, &d_hits));
-    if (counting) {
-        CL_CHECK(clSetKernelArg(kernel, 5, sizeof d_work, &d_work));
-    }
+    CL_CHECK(clSetKernelArg(kernel, 5, sizeof d_work, &d_work));
     probe_note(probe, "hits", (uint32_t)k);
     probe_launch(probe, kernel, scene->width, scene->height);
     probe_answer_buffer(probe, "hits", k, d_hits, n_pixels * sizeof(HitAnswer));
@@ -100,12 +93,12 @@ static void answer_squares(const Probe *probe, int k, const SceneJob3D *scene, c
     CL_CHECK(clReleaseMemObject(d_squares));
 }
 
-static void answer_all_squares(const Probe *probe, cl_program program, int counting)
+static void answer_all_squares(const Probe *probe, cl_program program)
 {
     cl_kernel kernel = probe_kernel(program, "probe_squares");
     const SceneJob3D *scene;
     for (int k = 0; (scene = probe_scene3d(probe, k)) != NULL; k++) {
-        answer_squares(probe, k, scene, kernel, counting);
+        answer_squares(probe, k, scene, kernel);
     }
     CL_CHECK(clReleaseKernel(kernel));
 }
@@ -115,15 +108,14 @@ int main(void)
     Probe probe;
     probe_open(&probe);
     probe_open_device(&probe);
-    int counting;
     cl_program program =
-        probe_build_counting(&probe, "probes/" LAB_NAME "/probe.cl",
-                             PROBE_KERNEL_OPTIONS " -I " LAB_FOLDER " -I probes", &counting);
+        probe_build(&probe, "probes/" LAB_NAME "/probe.cl",
+                    PROBE_KERNEL_OPTIONS " -I " LAB_FOLDER " -I probes -DCOUNT_WORK");
     answer_functions(&probe, program);
     if (probe_alone(&probe, "nearest_hit")) {
-        answer_all_squares(&probe, program, counting);
+        answer_all_squares(&probe, program);
     } else {
-        answer_scenes(&probe, program, counting);
+        answer_scenes(&probe, program);
     }
     CL_CHECK(clReleaseProgram(program));
     probe_close(&probe);

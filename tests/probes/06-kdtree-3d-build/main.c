@@ -15,19 +15,6 @@ static void answer_array(const Probe *probe, const char *name, void *array, size
     free(array);
 }
 
-static void answer_spheres_bounds(const Probe *probe, const char *name)
-{
-    size_t n_bytes;
-    const BoundsJob *jobs = probe_job(probe, name, &n_bytes);
-    const size_t n = n_bytes / sizeof *jobs;
-    BBox3D *answers = calloc(n, sizeof *answers);
-    for (size_t i = 0; i < n; i++) {
-        probe_note(probe, name, (uint32_t)i);
-        answers[i] = spheres_bounds(jobs[i].spheres, jobs[i].n_spheres);
-    }
-    answer_array(probe, name, answers, n * sizeof *answers);
-}
-
 static void answer_choose_split(const Probe *probe, const char *name)
 {
     size_t n_bytes;
@@ -52,25 +39,6 @@ static void answer_sphere_overlaps_box(const Probe *probe, const char *name)
         answers[i] = sphere_overlaps_box(jobs[i].sphere, jobs[i].box);
     }
     answer_array(probe, name, answers, n * sizeof *answers);
-}
-
-static void answer_distribute_spheres(const Probe *probe, const char *name)
-{
-    size_t n_bytes, n_sphere_bytes;
-    const DistributeJob3D *jobs = probe_job(probe, name, &n_bytes);
-    const Sphere *spheres = probe_scene_part(probe, 0, "spheres", &n_sphere_bytes);
-    const size_t n = n_bytes / sizeof *jobs;
-    u32 *answers = calloc(n * DISTRIBUTE_ROOM, sizeof *answers);
-    for (size_t i = 0; i < n; i++) {
-        u32 *answer = answers + i * DISTRIBUTE_ROOM;
-        for (int j = 0; j < DISTRIBUTE_ROOM; j++) {
-            answer[j] = UNTOUCHED;
-        }
-        probe_note(probe, name, (uint32_t)i);
-        answer[0] =
-            distribute_spheres(spheres, jobs[i].ids, jobs[i].n_ids, jobs[i].child, answer + 1);
-    }
-    answer_array(probe, name, answers, n * DISTRIBUTE_ROOM * sizeof *answers);
 }
 
 static void answer_pack_leaf_range(const Probe *probe, const char *name)
@@ -117,43 +85,6 @@ static void leave_untouched(u32 *array, size_t n)
     for (size_t i = 0; i < n; i++) {
         array[i] = UNTOUCHED;
     }
-}
-
-static void replay_bounds(const Probe *probe, const char *name)
-{
-    size_t n_bytes, n_sphere_bytes;
-    const u32 *numbers = probe_job(probe, name, &n_bytes);
-    const size_t n = n_bytes / sizeof *numbers;
-    BBox3D *answers = calloc(n, sizeof *answers);
-    for (size_t k = 0; k < n; k++) {
-        const Sphere *spheres = probe_scene_part(probe, (int)k, "spheres", &n_sphere_bytes);
-        probe_note(probe, name, (uint32_t)k);
-        answers[k] = spheres_bounds(spheres, numbers[k]);
-    }
-    answer_array(probe, name, answers, n * sizeof *answers);
-}
-
-static void replay_distribute(const Probe *probe, const char *name)
-{
-    size_t n_bytes, n_other;
-    const ReplayList *lists = probe_job(probe, name, &n_bytes);
-    const BBox3D *cells = probe_job(probe, "replay.cells", &n_other);
-    const u32 *ids = probe_job(probe, "replay.ids", &n_other);
-    const size_t n = n_bytes / sizeof *lists;
-    size_t n_answered = 0;
-    for (size_t i = 0; i < n; i++) {
-        n_answered += REPLAY_ROOM(lists[i].n_ids);
-    }
-    u32 *answers = calloc(n_answered, sizeof *answers), *answer = answers;
-    for (size_t i = 0; i < n; i++) {
-        const Sphere *spheres = probe_scene_part(probe, (int)lists[i].scene, "spheres", &n_other);
-        leave_untouched(answer, REPLAY_ROOM(lists[i].n_ids));
-        probe_note(probe, name, (uint32_t)i);
-        answer[0] = distribute_spheres(spheres, ids + lists[i].first_id, lists[i].n_ids, cells[i],
-                                       answer + 1);
-        answer += REPLAY_ROOM(lists[i].n_ids);
-    }
-    answer_array(probe, name, answers, n_answered * sizeof *answers);
 }
 
 // Pack all leaves of scene K, the first of which is leaves[0], into a tree.
@@ -244,7 +175,7 @@ static const TreeJob3D *tree_job(const Probe *probe, int k)
     return sections_find(&probe->job, name, sizeof(TreeJob3D));
 }
 
-// Leave numbers like no other on the stack, where cells are handed over: who asks for a fourth side
+// Leave numbers like no other on the stack, where cells are handed over: what reads a fourth side
 // of one gets these. In a whole job other functions leave theirs.
 static __attribute__((noinline)) void soil_stack(void)
 {
@@ -261,18 +192,10 @@ static void answer_asked(const Probe *probe)
         const char *name;  // of a section
         void (*answer)(const Probe *probe, const char *name);
     } functions[] = {
-        {"bounds", answer_spheres_bounds},
-        {"splits", answer_choose_split},
-        {"overlaps", answer_sphere_overlaps_box},
-        {"distribute", answer_distribute_spheres},
-        {"pack", answer_pack_leaf_range},
-        {"todo", answer_fits_todo},
-        {"replay.bounds", replay_bounds},
-        {"replay.split", answer_choose_split},
-        {"replay.overlap", answer_sphere_overlaps_box},
-        {"replay.lists", replay_distribute},
-        {"replay.leaves", replay_pack_leaf},
-        {"replay.todo", replay_fits_todo},
+        {"splits", answer_choose_split},       {"overlaps", answer_sphere_overlaps_box},
+        {"pack", answer_pack_leaf_range},      {"todo", answer_fits_todo},
+        {"replay.split", answer_choose_split}, {"replay.overlap", answer_sphere_overlaps_box},
+        {"replay.leaves", replay_pack_leaf},   {"replay.todo", replay_fits_todo},
     };
     for (size_t i = 0; i < sizeof functions / sizeof *functions; i++) {
         if (probe_asks(probe, functions[i].name)) {

@@ -1,6 +1,5 @@
 // Probe of lab 07: each of the student's functions on the job's inputs, then whole scenes with
-// their trees: what each ray hits, the picture, and the work of each pixel ("work.K") where that
-// compiles.
+// their trees: what each ray hits, the picture, and the work of each pixel ("work.K").
 #include "probe.h"
 
 #include "cl_memory.h"
@@ -29,6 +28,10 @@ static void answer_functions(const Probe *probe, cl_program program)
     probe_call(probe, program, "sides", sizeof(SideJob), sizeof(cl_uint), NULL, 0);
     probe_call(probe, program, "planes", sizeof(PlaneJob), sizeof(PlaneAnswer), NULL, 0);
     answer_leaves(probe, program);
+    probe_call(probe, program, "next_child", sizeof(NextChildJob), sizeof(NextChildAnswer), NULL,
+               0);
+    probe_call(probe, program, "next_waiting", sizeof(NextWaitingJob), sizeof(NextWaitingAnswer),
+               NULL, 0);
 }
 
 // A scene with its tree on the device.
@@ -64,8 +67,7 @@ static void answer_hits(const Probe *probe, int k, const TracedScene *scene, cl_
     probe_answer_buffer(probe, "hits", k, d_hits, n_bytes);
 }
 
-static void answer_picture(const Probe *probe, int k, const TracedScene *scene, cl_kernel kernel,
-                           int counting)
+static void answer_picture(const Probe *probe, int k, const TracedScene *scene, cl_kernel kernel)
 {
     const SceneJob3D *job = scene->job;
     cl_uint argument = N_SCENE3D_ARGUMENTS;
@@ -73,12 +75,8 @@ static void answer_picture(const Probe *probe, int k, const TracedScene *scene, 
     CL_CHECK(clSetKernelArg(kernel, argument++, sizeof scene->d_nodes, &scene->d_nodes));
     CL_CHECK(clSetKernelArg(kernel, argument++, sizeof scene->d_sphere_ids, &scene->d_sphere_ids));
     CL_CHECK(clSetKernelArg(kernel, argument++, sizeof job->bounds, &job->bounds));
-    if (counting) {
-        probe_draw_counting(probe, k, kernel, scene->buffers.d_image, job->width, job->height,
-                            argument);
-    } else {
-        probe_draw(probe, k, kernel, scene->buffers.d_image, job->width, job->height);
-    }
+    probe_draw_counting(probe, k, kernel, scene->buffers.d_image, job->width, job->height,
+                        argument);
 }
 
 int main(void)
@@ -86,10 +84,9 @@ int main(void)
     Probe probe;
     probe_open(&probe);
     probe_open_device(&probe);
-    int counting;
     cl_program program =
-        probe_build_counting(&probe, "probes/" LAB_NAME "/probe.cl",
-                             PROBE_KERNEL_OPTIONS " -I " LAB_FOLDER " -I probes", &counting);
+        probe_build(&probe, "probes/" LAB_NAME "/probe.cl",
+                    PROBE_KERNEL_OPTIONS " -I " LAB_FOLDER " -I probes -DCOUNT_WORK");
     answer_functions(&probe, program);
     cl_kernel hits_kernel = probe_kernel(program, "probe_hits");
     cl_kernel kernel = probe_kernel(program, "render_kdtree");
@@ -98,7 +95,7 @@ int main(void)
         TracedScene scene = {job, probe_scene3d_buffers(&probe, k, job),
                              part_create(&probe, k, "nodes"), part_create(&probe, k, "sphere_ids")};
         answer_hits(&probe, k, &scene, hits_kernel);
-        answer_picture(&probe, k, &scene, kernel, counting);
+        answer_picture(&probe, k, &scene, kernel);
         probe_scene3d_release(&scene.buffers);
         CL_CHECK(clReleaseMemObject(scene.d_nodes));
         CL_CHECK(clReleaseMemObject(scene.d_sphere_ids));

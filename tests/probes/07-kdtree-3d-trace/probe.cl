@@ -1,7 +1,7 @@
 // Probe of lab 07: the kernel with the student's functions in it, and others that call each of them
 // with the job's inputs.
 #include "render_kdtree.cl"
-#undef children_on_ray  // not to be counted here
+
 #include "jobs.h"
 
 static Ray ray_of(Vec3 origin, Vec3 direction, float t_min, float t_max)
@@ -18,12 +18,12 @@ kernel void probe_clips(global const ClipJob *jobs, global ClipAnswer *answers)
 {
     const size_t i = get_global_id(0);
     const ClipJob job = jobs[i];
-    float t_near = job.t_near;
-    float t_far = job.t_far;
-    const Ray ray = ray_of(job.origin, job.direction, t_near, t_far);
-    answers[i].is_met = clip_to_box(job.box, ray, &t_near, &t_far);
-    answers[i].t_near = t_near;
-    answers[i].t_far = t_far;
+    float t_min = job.t_min;
+    float t_max = job.t_max;
+    const Ray ray = ray_of(job.origin, job.direction, t_min, t_max);
+    answers[i].is_met = clip_to_box(job.box, ray, &t_min, &t_max);
+    answers[i].t_min = t_min;
+    answers[i].t_max = t_max;
 }
 
 kernel void probe_sides(global const SideJob *jobs, global uint *answers)
@@ -38,7 +38,7 @@ kernel void probe_planes(global const PlaneJob *jobs, global PlaneAnswer *answer
     const PlaneJob job = jobs[i];
     float t_split = UNWRITTEN;
     const int children =
-        children_on_ray(job.node, job.origin, job.inverse, job.t_near, job.t_far, &t_split);
+        children_on_ray(job.node, job.origin, job.inverse, job.t_min, job.t_max, &t_split);
     answers[i].children = children == ONLY_NEAR  ? PLANE_ONLY_NEAR
                           : children == ONLY_FAR ? PLANE_ONLY_FAR
                           : children == BOTH     ? PLANE_BOTH
@@ -52,16 +52,70 @@ kernel void probe_leaves(global const SearchJob *jobs, global const uint *sphere
     const size_t i = get_global_id(0);
     const SearchJob job = jobs[i];
     Hit hit = {job.t, job.sphere};
-    WORK_BEGIN;
+    Work work = {0, 0, 0, 0};
     search_leaf(job.node, sphere_ids, spheres, ray_of(job.origin, job.direction, 0.0f, INFINITY),
-                &hit);
+                &hit, &work);
     answers[i].t = hit.t;
     answers[i].sphere = hit.sphere;
-#ifdef COUNT_WORK
-    answers[i].n_tests = work->n_tests;
-#else
-    answers[i].n_tests = UNTOUCHED;
-#endif
+    answers[i].n_tests = work.n_tests;
+}
+
+// What the lower entries of a stack look like.
+constant TodoEntry lowest = {UNTOUCHED - 1, 1.0f, 2.0f};
+
+static void fill_stack(StackState state, Todo *todo)
+{
+    todo->n = state.n;
+    for (uint i = 0; i < TODO_SIZE; i++) {
+        todo->entries[i] = lowest;
+    }
+    for (uint i = 0; i < STACK_ENTRIES; i++) {
+        const StackEntry entry = state.upper[i];
+        todo->entries[state.n_lower + i] = (TodoEntry){entry.node, entry.t_min, entry.t_max};
+    }
+}
+
+// What became of a stack with n_lower entries like `lowest`.
+static StackState look_at_stack(uint n_lower, const Todo *todo)
+{
+    StackState state;
+    state.n = todo->n;
+    state.n_lower = 0;
+    for (uint i = 0; i < n_lower; i++) {
+        const TodoEntry entry = todo->entries[i];
+        state.n_lower +=
+            entry.node == lowest.node && entry.t_min == lowest.t_min && entry.t_max == lowest.t_max;
+    }
+    for (uint i = 0; i < STACK_ENTRIES; i++) {
+        const TodoEntry entry = todo->entries[n_lower + i];
+        state.upper[i] = (StackEntry){entry.node, entry.t_min, entry.t_max};
+    }
+    return state;
+}
+
+kernel void probe_next_child(global const NextChildJob *jobs, global NextChildAnswer *answers)
+{
+    const size_t i = get_global_id(0);
+    const NextChildJob job = jobs[i];
+    Todo todo;
+    fill_stack(job.todo, &todo);
+    const TodoEntry next =
+        next_child(job.node, job.origin, job.inverse, job.t_min, job.t_max, &todo);
+    answers[i].next = (StackEntry){next.node, next.t_min, next.t_max};
+    answers[i].todo = look_at_stack(job.todo.n_lower, &todo);
+}
+
+kernel void probe_next_waiting(global const NextWaitingJob *jobs, global NextWaitingAnswer *answers)
+{
+    const size_t i = get_global_id(0);
+    const NextWaitingJob job = jobs[i];
+    const Hit hit = {job.t, job.sphere};
+    TodoEntry at = {job.at.node, job.at.t_min, job.at.t_max};
+    Todo todo;
+    fill_stack(job.todo, &todo);
+    answers[i].goes_on = next_waiting(hit, &todo, &at);
+    answers[i].at = (StackEntry){at.node, at.t_min, at.t_max};
+    answers[i].todo = look_at_stack(job.todo.n_lower, &todo);
 }
 
 // What each pixel's ray hits, with the camera of lab 04's solution.
@@ -74,9 +128,9 @@ kernel void probe_hits(global const Sphere *spheres, global const KdNode3 *nodes
     if (x >= width || y >= height) {
         return;
     }
-    WORK_BEGIN;  // only because trace wants it
+    Work work = {0, 0, 0, 0};
     const Ray ray = primary_ray(x, y, width, height, camera);
-    const Hit hit = trace(ray, spheres, nodes, sphere_ids, bounds);
+    const Hit hit = trace(ray, spheres, nodes, sphere_ids, bounds, &work);
     answers[y * width + x].t = hit.t;
     answers[y * width + x].sphere = hit.sphere;
 }

@@ -3,7 +3,7 @@
     float minDepth = INFINITY;
     global const Circle *const end = circles + n_circles;
     for (global const Circle *circle = circles; circle < end; circle++) {
-        if (!overlaps_N_Nearer(x, y, *circle, minDepth)) {
+        if (!overlaps_N_Nearer(x, y, *circle, minDepth, &work)) {
             continue;
         }
         minDepth = circle->depth;

@@ -6,7 +6,7 @@
         minDepth = INFINITY;
     }
     for (int i = 0; i != n_circles; ++i) {
-        if (overlaps_N_Nearer(x, y, circles[i], minDepth) != 0) {
+        if (overlaps_N_Nearer(x, y, circles[i], minDepth, &work) != 0) {
             nearest = i;
             minDepth = circles[nearest].depth;
         }

@@ -5,7 +5,7 @@
     uint n_left = *list++;
     while (n_left-- > 0) {
         const Circle asked = circles[*list++];
-        if (overlaps_N_Nearer(x, y, asked, minDepth)) {
+        if (overlaps_N_Nearer(x, y, asked, minDepth, &work)) {
             color = (float4)(asked.r, asked.g, asked.b, asked.a);
             minDepth = asked.depth;
         }

@@ -2,6 +2,6 @@
 // task: descent
     uchar flag = nodes_flag[0];
     while (flag == INNER) {
-        id = getContainingChild(x, y, id, nodes_Relations, nodes_BBox);
+        id = getContainingChild(x, y, id, nodes_Relations, nodes_BBox, &work);
         flag = nodes_flag[id];
     }

@@ -4,6 +4,6 @@
         if (nodes_flag[id] == LEAF) {
             break;
         }
-        const uint child = getContainingChild(x, y, id, nodes_Relations, nodes_BBox);
+        const uint child = getContainingChild(x, y, id, nodes_Relations, nodes_BBox, &work);
         id = child;
     }

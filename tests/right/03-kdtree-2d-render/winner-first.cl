@@ -6,7 +6,7 @@
     uint nearest = UINT_MAX;
     for (uint i = first; i < end; i++) {
         const uint circle_id = mapNode2Circles[i];
-        if (overlaps_N_Nearer(x, y, circles[circle_id], minDepth)) {
+        if (overlaps_N_Nearer(x, y, circles[circle_id], minDepth, &work)) {
             minDepth = circles[circle_id].depth;
             nearest = circle_id;
         }

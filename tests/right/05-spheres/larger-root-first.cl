@@ -3,6 +3,6 @@
     if (disc < 0.0f || b + sqrt(disc) <= t_min) {
         return INFINITY;
     }
-    const float far = b + sqrt(disc);
-    const float near = b - sqrt(disc);
-    return radius > 0.0f && near > t_min ? near : far;
+    const float t_far = b + sqrt(disc);
+    const float t_near = b - sqrt(disc);
+    return radius > 0.0f && t_near > t_min ? t_near : t_far;

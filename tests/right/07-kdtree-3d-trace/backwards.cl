@@ -5,7 +5,7 @@
     Hit best = *hit;
     while (left > 0) {
         left--;
-        const float t = intersect_sphere(spheres[ids[left]], ray);
+        const float t = intersect_sphere(spheres[ids[left]], ray, work);
         if (t < best.t || (t == best.t && t < INFINITY && ids[left] < best.sphere)) {
             best = (Hit){t, ids[left]};
         }

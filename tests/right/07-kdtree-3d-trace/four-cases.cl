@@ -9,10 +9,10 @@
     if (t <= 0.0f) {
         return ONLY_NEAR;
     }
-    if (t > t_far) {
+    if (t > t_max) {
         return ONLY_NEAR;
     }
-    if (t < t_near) {
+    if (t < t_min) {
         return ONLY_FAR;
     }
     return BOTH;

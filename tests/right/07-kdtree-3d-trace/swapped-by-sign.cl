@@ -11,13 +11,13 @@
         }
         const float enter = ((d > 0.0f ? box.min[axis] : box.max[axis]) - o) / d;
         const float leave = ((d > 0.0f ? box.max[axis] : box.min[axis]) - o) / d;
-        if (enter > *t_near) {
-            *t_near = enter;
+        if (enter > *t_min) {
+            *t_min = enter;
         }
-        if (leave < *t_far) {
-            *t_far = leave;
+        if (leave < *t_max) {
+            *t_max = leave;
         }
-        if (*t_near > *t_far) {
+        if (*t_min > *t_max) {
             return 0;
         }
     }

@@ -10,6 +10,6 @@
     const float3 to_high = (high - ray.origin) / ray.direction;
     const float3 enter = select(fmin(to_low, to_high), (float3)(-INFINITY), along);
     const float3 leave = select(fmax(to_low, to_high), (float3)(INFINITY), along);
-    *t_near = fmax(*t_near, fmax(enter.x, fmax(enter.y, enter.z)));
-    *t_far = fmin(*t_far, fmin(leave.x, fmin(leave.y, leave.z)));
-    return *t_near <= *t_far;
+    *t_min = fmax(*t_min, fmax(enter.x, fmax(enter.y, enter.z)));
+    *t_max = fmin(*t_max, fmin(leave.x, fmin(leave.y, leave.z)));
+    return *t_min <= *t_max;

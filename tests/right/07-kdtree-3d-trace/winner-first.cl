@@ -4,7 +4,7 @@
     uint winner = hit->sphere;
     const uint end = node.first + node.n_spheres;
     for (uint i = node.first; i != end; ++i) {
-        const float t = intersect_sphere(spheres[sphere_ids[i]], ray);
+        const float t = intersect_sphere(spheres[sphere_ids[i]], ray, work);
         if (t > nearest || t == INFINITY) {
             continue;
         }

@@ -25,7 +25,8 @@ trap 'exit 2' TERM INT
 status=0
 # Ended before the assessment's autograde_timeout, after which no line of ours would be the last.
 # shellcheck disable=SC2086 # options without spaces
-timeout -k 10 540 build/tools/grade --lab @NN@ --submission "$handin" --output "$reports" \
-    --format autolab $limit ${SANDBOX:+--sandbox "$SANDBOX"} || status=$?
+tests/systems/formats/write.sh autolab "$reports" @LAB@ \
+    timeout -k 10 540 build/tools/grade --lab @NN@ --submission "$handin" --output "$reports" \
+    $limit ${SANDBOX:+--sandbox "$SANDBOX"} || status=$?
 [ "$status" -le 1 ] || fail "the grader could not work (status $status); above it says why"
 cat "$reports/autolab.txt"

@@ -13,8 +13,8 @@ rm -f "$reports/github.txt"
 status=0
 # shellcheck disable=SC2086 # options without spaces
 { choose_limits && make -s -j"$JOBS" lab-grader LAB=@NN@ &&
-    build/tools/grade --lab @NN@ --output "$reports" --format github,junit $limit; } \
-    >"$reports/log" 2>&1 || status=$?
+    .github/formats/write.sh github,junit "$reports" @LAB@ \
+        build/tools/grade --lab @NN@ --output "$reports" $limit; } >"$reports/log" 2>&1 || status=$?
 {
     echo '<pre>'
     sed 's/&/\&amp;/g; s/</\&lt;/g' "$reports/log"

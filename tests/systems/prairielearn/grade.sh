@@ -36,8 +36,9 @@ choose_limits || fail "a variable is no number"
 timeout -k 10 240 sh tests/systems/prepare.sh @NN@ || fail "the grader could not be built"
 reports=$(mktemp -d) || fail "no folder for temporary files"
 # shellcheck disable=SC2086 # options without spaces
-timeout -k 10 300 build/tools/grade --lab @NN@ --submission "$root/student" --output "$reports" \
-    --format prairielearn $limit ${SANDBOX:+--sandbox "$SANDBOX"}
+sh tests/systems/formats/write.sh prairielearn "$reports" @LAB@ \
+    timeout -k 10 300 build/tools/grade --lab @NN@ --submission "$root/student" --output "$reports" \
+    $limit ${SANDBOX:+--sandbox "$SANDBOX"}
 status=$?
 [ ! -f "$reports/prairielearn.json" ] || result "$reports/prairielearn.json"
 rm -rf "$reports"

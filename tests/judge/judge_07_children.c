@@ -1,0 +1,234 @@
+// Lab 07's next_child: its inputs, and what must come out. It is tried alone beside stand-ins of
+// near_side and children_on_ray, which depend on their arguments and on nothing else.
+#include "judge_07_range.h"
+#include "judge_07_stack.h"
+#include "message.h"
+#include "random.h"
+
+static int one_in(Random *random, int n)
+{
+    return random_integer(random, 1, n) == 1;
+}
+
+// ---- Inputs -----------------------------------------------------------------------------------
+
+// Where the plane is met: inside the part; or before it, beyond it, behind the eye.
+static float draw_t_split(Random *random, float t_min, float t_max, int is_inside)
+{
+    if (is_inside) {
+        return t_min > 0 && one_in(random, 8) ? t_min
+               : one_in(random, 8)            ? t_max
+                                   : t_min + random_quarters(random, 1, (int)(4 * (t_max - t_min)));
+    }
+    switch (random_integer(random, t_min > 0.25f ? 0 : 1, 2)) {
+    case 0:
+        return random_quarters(random, 1, (int)(4 * t_min) - 1);
+    case 1:
+        return t_max + random_quarters(random, 1, 16);
+    default:
+        return -random_quarters(random, 1, 16);
+    }
+}
+
+static NextChildJob draw_child(Random *random, int meets_both)
+{
+    // Up to where one place is left.
+    const int n_lower =
+        one_in(random, 2) ? 0 : (int)random_integer(random, 1, TODO_SIZE - STACK_ENTRIES);
+    NextChildJob job = {.origin = random_quarters(random, -16, 16),
+                        .t_min = one_in(random, 4) ? 0 : random_quarters(random, 1, 16)};
+    job.t_max = job.t_min + random_quarters(random, 1, 16);
+    job.inverse = (float)(1 << random_integer(random, 0, 2)) * (one_in(random, 2) ? -1 : 1);
+    const float t_split = draw_t_split(random, job.t_min, job.t_max, meets_both);
+    job.node = (KdNode3){.split_pos = job.origin + t_split / job.inverse,
+                         .split_axis = (u32)random_integer(random, 0, 2),
+                         .first = (u32)random_integer(random, 3, 1000)};
+    job.todo =
+        random_stack(random, (u32)n_lower, (u32)random_integer(random, 0, STACK_ENTRIES - 1));
+    return job;
+}
+
+void inputs_07_draw_children(Random *random, Inputs07 *inputs)
+{
+    for (int i = 0; i < COUNT(inputs->children); i++) {
+        inputs->children[i] = draw_child(random, i >= N_CHILD_INPUTS);
+    }
+}
+
+// ---- Judging ----------------------------------------------------------------------------------
+
+static void push(StackState *todo, StackEntry entry)
+{
+    todo->upper[todo->n++ - todo->n_lower] = entry;
+}
+
+enum {
+    CHILD_SWAPPED = 1,
+    CHILD_FAR_IS_NEAR,
+    CHILD_FAR_DROPPED,
+    CHILD_NEAR_WAITS,
+    CHILD_NEAR_KEEPS_T_MAX,
+    CHILD_FAR_KEEPS_T_MIN,
+    CHILD_FAR_ALWAYS_WAITS,
+    CHILD_NEAR_NEVER_SKIPPED,
+    CHILD_IS_SIDE,
+};
+static const char *const child_mistakes[] = {
+    [CHILD_SWAPPED] = "; that is as if near and far child were swapped",
+    [CHILD_FAR_IS_NEAR] = "; that is as if the search went to the near child where only the far "
+                          "one is met",
+    [CHILD_FAR_DROPPED] = "; that is as if the far child were never visited where both are met: "
+                          "it does not wait",
+    [CHILD_NEAR_WAITS] = "; the near child waits, and the far one is visited first",
+    [CHILD_NEAR_KEEPS_T_MAX] = "; that is as if t_max did not become t_split for the near child",
+    [CHILD_FAR_KEEPS_T_MIN] = "; that is as if t_min did not become t_split for the far child, "
+                              "which begins at t_split",
+    [CHILD_FAR_ALWAYS_WAITS] = "; that is as if the far child waited also where only the near one "
+                               "is met",
+    [CHILD_NEAR_NEVER_SKIPPED] = "; that is as if the near child were visited also where only the "
+                                 "far one is met",
+    [CHILD_IS_SIDE] = "; 0 and 1 are sides: the children's ids are node.first and node.first + 1",
+};
+
+// What near_side and children_on_ray say.
+typedef struct Met {
+    u32 side;
+    int children;  // PLANE_ONLY_NEAR, PLANE_ONLY_FAR or PLANE_BOTH
+    float t_split;
+} Met;
+
+static Met met_by_ray(const NextChildJob *job)
+{
+    const float t_split = (job->node.split_pos - job->origin) * job->inverse;
+    const int is_ahead = t_split > 0 && t_split <= job->t_max;
+    return (Met){job->origin > job->node.split_pos,
+                 !is_ahead              ? PLANE_ONLY_NEAR
+                 : t_split < job->t_min ? PLANE_ONLY_FAR
+                                        : PLANE_BOTH,
+                 t_split};
+}
+
+static NextChildAnswer expected_child(const NextChildJob *job, Met met, int mistake)
+{
+    const u32 first = mistake == CHILD_IS_SIDE ? 0 : job->node.first;
+    const u32 side = mistake == CHILD_SWAPPED ? !met.side : met.side;
+    StackEntry near = {first + side, job->t_min, job->t_max};
+    StackEntry far = {first + !side, job->t_min, job->t_max};
+    NextChildAnswer answer = {near, job->todo};
+    const int skips_near = met.children == PLANE_ONLY_FAR && mistake != CHILD_NEAR_NEVER_SKIPPED;
+    if (met.children == PLANE_ONLY_NEAR) {
+        if (mistake == CHILD_FAR_ALWAYS_WAITS) {
+            push(&answer.todo, far);
+        }
+        return answer;
+    }
+    if (skips_near) {
+        answer.next = mistake == CHILD_FAR_IS_NEAR ? near : far;
+        return answer;
+    }
+    near.t_max = mistake == CHILD_NEAR_KEEPS_T_MAX ? near.t_max : met.t_split;
+    far.t_min = mistake == CHILD_FAR_KEEPS_T_MIN ? far.t_min : met.t_split;
+    answer.next = mistake == CHILD_NEAR_WAITS ? far : near;
+    if (mistake != CHILD_FAR_DROPPED) {
+        push(&answer.todo, mistake == CHILD_NEAR_WAITS ? near : far);
+    }
+    return answer;
+}
+
+static int same_child(const NextChildAnswer *found, const NextChildAnswer *expected)
+{
+    return same_entry(found->next, expected->next) && same_stack(&found->todo, &expected->todo);
+}
+
+static int child_agrees(const Inputs07 *inputs, int i, const void *answers, int mistake)
+{
+    const NextChildJob *job = &inputs->children[i];
+    const NextChildAnswer expected = expected_child(job, met_by_ray(job), mistake);
+    return same_child(&((const NextChildAnswer *)answers)[i], &expected);
+}
+
+enum { WORDS_BYTES = 160 };
+
+// "node 12 with [1, 4], and node 13 with [4, 5] put on the stack".
+static void describe_child(char *words, const NextChildJob *job, const NextChildAnswer *answer)
+{
+    char waits[WORDS_BYTES / 2];
+    const StackState *todo = &answer->todo;
+    const u32 n_upper = todo->n - todo->n_lower;
+    if (todo->n_lower != job->todo.n_lower || todo->n < job->todo.n) {
+        snprintf(waits, sizeof waits, "a node that waits is gone");
+    } else if (todo->n == job->todo.n) {
+        snprintf(waits, sizeof waits, "nothing put on the stack");
+    } else if (todo->n == job->todo.n + 1 && n_upper <= STACK_ENTRIES) {
+        const StackEntry top = todo->upper[n_upper - 1];
+        snprintf(waits, sizeof waits, "node %u with [%g, %g] put on the stack", top.node,
+                 (double)top.t_min, (double)top.t_max);
+    } else {
+        snprintf(waits, sizeof waits, "%u nodes put on the stack", todo->n - job->todo.n);
+    }
+    snprintf(words, WORDS_BYTES, "node %u with [%g, %g], and %s", answer->next.node,
+             (double)answer->next.t_min, (double)answer->next.t_max, waits);
+}
+
+static const NextChildAnswer *find_children(const Inputs07 *inputs, const Sections *answers)
+{
+    return sections_find(answers, "next_child",
+                         sizeof(NextChildAnswer) * (size_t)COUNT(inputs->children));
+}
+
+Verdict inputs_07_judge_children(const Inputs07 *inputs, int range, const Sections *answers)
+{
+    const NextChildAnswer *found = find_children(inputs, answers);
+    if (found == NULL) {
+        return verdict_missing;
+    }
+    const Wrong wrong =
+        range_judge(&(Range){inputs, found, sizeof *found, range * N_CHILD_INPUTS, N_CHILD_INPUTS,
+                             child_agrees, child_mistakes, COUNT(child_mistakes)});
+    if (wrong.n == 0) {
+        return verdict_of(NULL);
+    }
+    const NextChildJob *job = &inputs->children[wrong.first];
+    const NextChildAnswer expected = expected_child(job, met_by_ray(job), 0);
+    char own_words[WORDS_BYTES], right_words[WORDS_BYTES];
+    describe_child(own_words, job, &found[wrong.first]);
+    describe_child(right_words, job, &expected);
+    return verdict_of(message_new(
+        "children %u and %u, plane at %g, eye at %g, 1 / direction %g, part [%g, %g]: found %s, "
+        "expected %s (%d of %d inputs are wrong)%s",
+        job->node.first, job->node.first + 1, (double)job->node.split_pos, (double)job->origin,
+        (double)job->inverse, (double)job->t_min, (double)job->t_max, own_words, right_words,
+        wrong.n, N_CHILD_INPUTS, wrong.why));
+}
+
+// What the stand-ins know on the device under the same names.
+typedef unsigned int uint;
+enum { ONLY_NEAR, ONLY_FAR, BOTH };
+_Static_assert((int)ONLY_FAR == PLANE_ONLY_FAR && (int)BOTH == PLANE_BOTH, "the same numbers");
+
+static uint stand_in_side(KdNode3 node, float origin, float inverse)
+{
+#include "07-kdtree-3d-trace/near_side.cl"
+}
+
+static int stand_in_children(KdNode3 node, float origin, float inverse, float t_min, float t_max,
+                             float *t_split)
+{
+#include "07-kdtree-3d-trace/children_on_ray.cl"
+}
+
+int inputs_07_pass_children(const Inputs07 *inputs, unsigned met, const Sections *answers)
+{
+    const NextChildAnswer *found = find_children(inputs, answers);
+    int passes = found != NULL;
+    for (int i = 0; passes && i < COUNT(inputs->children); i++) {
+        const NextChildJob *job = &inputs->children[i];
+        Met said = {.side = stand_in_side(job->node, job->origin, job->inverse)};
+        said.children = stand_in_children(job->node, job->origin, job->inverse, job->t_min,
+                                          job->t_max, &said.t_split);
+        const NextChildAnswer expected = expected_child(job, said, 0);
+        const int is_asked = met & (said.children == BOTH ? BOTH_MET : ONE_MET);
+        passes = !is_asked || same_child(&found[i], &expected);
+    }
+    return passes;
+}

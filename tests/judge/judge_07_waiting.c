@@ -1,0 +1,158 @@
+// Lab 07's next_waiting: its inputs, and what must come out.
+#include "judge_07_range.h"
+#include "judge_07_stack.h"
+#include "message.h"
+#include "random.h"
+
+#include <math.h>
+
+static NextWaitingJob draw_waiting(Random *random)
+{
+    NextWaitingJob job = {.t = INFINITY, .sphere = UNTOUCHED};
+    job.at.node = (u32)random_integer(random, 3, 1000);
+    job.at.t_min = random_quarters(random, 1, 16);
+    job.at.t_max = job.at.t_min + random_quarters(random, 1, 16);
+    const float t_min = job.at.t_min, t_max = job.at.t_max;
+    const float hits[] = {INFINITY,
+                          t_min - 0.25f,
+                          (t_min + t_max) / 2,
+                          nextafterf(t_max, 0),
+                          t_max,
+                          nextafterf(t_max, INFINITY),
+                          t_max + random_quarters(random, 1, 16)};
+    job.t = hits[random_integer(random, 0, COUNT(hits) - 1)];
+    job.sphere = job.t < INFINITY ? (u32)random_integer(random, 0, 99) : UNTOUCHED;
+    job.todo = random_stack(
+        random, 0,
+        random_integer(random, 0, 3) == 0 ? 0 : (u32)random_integer(random, 1, STACK_ENTRIES));
+    return job;
+}
+
+void inputs_07_draw_waiting(Random *random, Inputs07 *inputs)
+{
+    for (int i = 0; i < COUNT(inputs->waiting); i++) {
+        inputs->waiting[i] = draw_waiting(random);
+    }
+}
+
+enum {
+    WAITING_ANY_HIT = 1,
+    WAITING_NEVER_ENDS,
+    WAITING_INVERTED,
+    WAITING_SWAPPED,
+    WAITING_AT_T_MAX,
+    WAITING_PART_KEPT,
+    WAITING_T_MAX_KEPT,
+    WAITING_T_MIN_KEPT,
+    WAITING_OLDEST,
+    WAITING_STAYS,
+};
+static const char *const waiting_mistakes[] = {
+    [WAITING_ANY_HIT] = "; that is as if the search ended at any hit, also at one beyond t_max, "
+                        "which another sphere may hide",
+    [WAITING_NEVER_ENDS] = "; that is as if the search did not end before the stack is empty",
+    [WAITING_INVERTED] = "; that is as if the search went on where it has found a hit, and ended "
+                         "where it has not: the comparison with t_max is inverted",
+    [WAITING_SWAPPED] = "; 1 and 0 are swapped: 0 is the end",
+    [WAITING_AT_T_MAX] = "; a hit exactly at t_max ends the search; a sphere that only the next "
+                         "leaf lists may be just as far away",
+    [WAITING_PART_KEPT] = "; that is as if t_min and t_max were not taken from the stack with the "
+                          "node",
+    [WAITING_T_MAX_KEPT] = "; that is as if t_max were not taken from the stack with the node",
+    [WAITING_T_MIN_KEPT] = "; that is as if t_min were not taken from the stack with the node",
+    [WAITING_OLDEST] = "; that is as if the node that waits longest came from the stack first",
+    [WAITING_STAYS] = "; the node is not taken off the stack: it waits still",
+};
+
+static StackEntry pop(StackState *todo, int mistake)
+{
+    const u32 last = todo->n - 1;
+    const StackEntry next = todo->upper[mistake == WAITING_OLDEST ? 0 : last];
+    for (u32 i = 0; mistake == WAITING_OLDEST && i < last; i++) {
+        todo->upper[i] = todo->upper[i + 1];
+    }
+    todo->n -= mistake != WAITING_STAYS;
+    return next;
+}
+
+static NextWaitingAnswer expected_waiting(const NextWaitingJob *job, int mistake)
+{
+    NextWaitingAnswer answer = {.at = job->at, .todo = job->todo};
+    const int is_hit = mistake == WAITING_ANY_HIT    ? job->t < INFINITY
+                       : mistake == WAITING_AT_T_MAX ? job->t <= job->at.t_max
+                                                     : job->t < job->at.t_max;
+    const int is_end = mistake == WAITING_NEVER_ENDS ? 0
+                       : mistake == WAITING_INVERTED ? !is_hit
+                                                     : is_hit;
+    answer.goes_on = !is_end && job->todo.n > 0;
+    if (answer.goes_on) {
+        answer.at = pop(&answer.todo, mistake);
+        const int keeps_part = mistake == WAITING_PART_KEPT;
+        answer.at.t_min =
+            keeps_part || mistake == WAITING_T_MIN_KEPT ? job->at.t_min : answer.at.t_min;
+        answer.at.t_max =
+            keeps_part || mistake == WAITING_T_MAX_KEPT ? job->at.t_max : answer.at.t_max;
+    }
+    answer.goes_on ^= mistake == WAITING_SWAPPED;
+    return answer;
+}
+
+static int end_agrees(const Inputs07 *inputs, int i, const void *answers, int mistake)
+{
+    const NextWaitingAnswer expected = expected_waiting(&inputs->waiting[i], mistake);
+    return (((const NextWaitingAnswer *)answers)[i].goes_on != 0) == expected.goes_on;
+}
+
+// Where the search is over, at and the stack do not matter.
+static int next_agrees(const Inputs07 *inputs, int i, const void *answers, int mistake)
+{
+    const NextWaitingAnswer *found = &((const NextWaitingAnswer *)answers)[i];
+    const NextWaitingAnswer expected = expected_waiting(&inputs->waiting[i], mistake);
+    return !expected.goes_on || (found->goes_on && same_entry(found->at, expected.at) &&
+                                 same_stack(&found->todo, &expected.todo));
+}
+
+enum { WORDS_BYTES = 96 };
+
+// "the end" or "on with node 9 and [3, 6], 2 waiting".
+static void describe_waiting(char words[WORDS_BYTES], const NextWaitingAnswer *answer)
+{
+    snprintf(words, WORDS_BYTES,
+             answer->goes_on ? "on with node %u and [%g, %g], %u waiting" : "the end",
+             answer->at.node, (double)answer->at.t_min, (double)answer->at.t_max, answer->todo.n);
+}
+
+static Verdict judge_waiting(const Inputs07 *inputs, const Sections *answers, Agrees *agrees)
+{
+    const NextWaitingAnswer *found =
+        sections_find(answers, "next_waiting", sizeof *found * (size_t)N_WAITING_INPUTS);
+    if (found == NULL) {
+        return verdict_missing;
+    }
+    const Wrong wrong = range_judge(&(Range){inputs, found, sizeof *found, 0, N_WAITING_INPUTS,
+                                             agrees, waiting_mistakes, COUNT(waiting_mistakes)});
+    if (wrong.n == 0) {
+        return verdict_of(NULL);
+    }
+    const NextWaitingJob *job = &inputs->waiting[wrong.first];
+    const NextWaitingAnswer expected = expected_waiting(job, 0);
+    char own_words[WORDS_BYTES], right_words[WORDS_BYTES];
+    describe_waiting(own_words, &found[wrong.first]);
+    describe_waiting(right_words, &expected);
+    return verdict_of(message_new("the nearest hit is at %.9g, the leaf's part [%g, %g], and %u "
+                                  "node%s waiting: found %s, expected %s (%d of %d inputs are "
+                                  "wrong)%s",
+                                  (double)job->t, (double)job->at.t_min, (double)job->at.t_max,
+                                  job->todo.n, job->todo.n == 1 ? " is" : "s are", own_words,
+                                  right_words, wrong.n, N_WAITING_INPUTS, wrong.why));
+}
+
+Verdict inputs_07_judge_end(const Inputs07 *inputs, const Sections *answers)
+{
+    return judge_waiting(inputs, answers, end_agrees);
+}
+
+Verdict inputs_07_judge_next(const Inputs07 *inputs, const Sections *answers)
+{
+    return judge_waiting(inputs, answers, next_agrees);
+}

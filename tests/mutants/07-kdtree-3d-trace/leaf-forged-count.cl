@@ -1,0 +1,13 @@
+// mutant: the kernel writes a small number over the counted work
+// task: search_leaf
+// caught by: leaf-once
+// says: intersect_sphere was called
+    for (uint i = node.first; i < node.first + node.n_spheres; i++) {
+        const uint id = sphere_ids[i];
+        const float t = intersect_sphere(spheres[id], ray, work);
+        if (t < hit->t || (t == hit->t && t < INFINITY && id < hit->sphere)) {
+            hit->t = t;
+            hit->sphere = id;
+        }
+    }
+    work->n_tests = 1;

@@ -1,0 +1,9 @@
+// mutant: the hit is compared with t_min
+// task: next_waiting
+// caught by: waiting-end
+// says: expected the end
+    if (hit.t < at->t_min || todo->n == 0) {
+        return 0;
+    }
+    *at = todo_pop(todo);
+    return 1;
