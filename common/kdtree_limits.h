@@ -11,7 +11,7 @@ typedef struct KdTreeLimits {
     int targetElementsPerNode;  // a node with this many circles or spheres, or fewer, is a leaf
 } KdTreeLimits;
 
-// A node with so many failed splits above it is a leaf. Elements that lie one upon another are
+// A node with this many failed splits above it is a leaf. Elements that lie one upon another are
 // parted by no split; without this limit each level would list all of them twice as often. One
 // split on each axis may fail and the next still help, as where a scene is symmetrical: so one more
 // than there are axes in 3D.

@@ -195,7 +195,7 @@ static void cut_name_check(Molecule *molecule, const char *record)
     } else if (strcmp(record, "END") != 0 &&
                (is_begun(lines->text, "END") || is_begun(lines->text, "ENDMDL"))) {
         molecule->cut_line = lines->line;
-        lines->unended_line = 0;  // it is told in other words
+        lines->unended_line = 0;  // another message says so
     }
 }
 

@@ -162,7 +162,7 @@ static void draw_tiny(Scene2D *scene)
     }
 }
 
-// One circle beyond a border; it reaches so many pixels into the picture, none when negative.
+// One circle beyond a border. It reaches `reach` pixels into the picture, none when negative.
 static void add_beyond_border(Scene2D *scene, int border, float radius, float reach)
 {
     float middle_x = (float)(scene->width / 2);

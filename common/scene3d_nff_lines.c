@@ -29,7 +29,7 @@ static const char *const EXPECTED[] = {
 
 static const struct LineForm {
     const char *keyword;
-    int n_required;  // numbers; a line has so many, or all
+    int n_required;  // numbers: a line has this many, or all
     struct {
         const char *name;
         Range range;

@@ -1,4 +1,4 @@
-// Reading the work counters back (see work_stats.h); what they count is told in kernels/work.h.
+// Reading the work counters back (see work_stats.h); what they count stands in kernels/work.h.
 //
 // Flow: scene -> BUFFERS -> KERNEL -> image -> comparison: a buffer beside the picture, for the
 // figures. Read next: stats.c.

@@ -205,7 +205,7 @@ static int stand_in_children(KdNode3 node, float origin, float inverse, float t_
 #include "07-kdtree-3d-trace/children_on_ray.cl"
 }
 
-// Is next_child right wherever the ray meets so many children, as the stand-ins have it?
+// Is next_child right wherever the ray meets one child, or both, as the stand-ins have it?
 enum { ONE_MET = 1, BOTH_MET = 2 };
 static int pass_children(const Job07 *job, int met, const Sections *answers)
 {

@@ -71,8 +71,8 @@ static const Mistake3D mistakes[] = {
 // Where they begin.
 enum { FIRST_HIT_MISTAKE = 8, FIRST_COLOR_MISTAKE = 20 };
 
-// Who asks the spheres through a tree makes other mistakes than who asks all of them, though a few
-// rays may show the same.
+// An answer that goes through a tree makes other mistakes than one that asks every sphere, though a
+// few rays may show the same.
 static int is_brute_force(const JobScene3D *scene)
 {
     return scene->tree.n_nodes == 0;
