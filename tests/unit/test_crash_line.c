@@ -6,7 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-TestSuite(crash_line, .timeout = 10);
+TestSuite(crash_line, .timeout = 600);
 
 static const Manifest manifest = {
     .lab = "02-kdtree-2d-build",

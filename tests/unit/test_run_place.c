@@ -9,7 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-TestSuite(run_place, .timeout = 20);
+TestSuite(run_place, .timeout = 600);
 
 static ProbeNote note_of(const char *name, uint32_t input)
 {

@@ -6,6 +6,16 @@
 #include <stdlib.h>
 #include <string.h>
 
+// A cell as choose_split gets it, by value and so large that it lies in memory, with a fourth side
+// behind it: what reads one finds a cell that is longest there. To the function it is a BBox3D.
+typedef struct CellAndBeyond {
+    BBox3D cell;
+    f32 beyond[2];
+} CellAndBeyond;
+typedef KdSplit ChooseSplit(CellAndBeyond cell);
+// Volatile, so that no compiler looks through it.
+static ChooseSplit *volatile choose = (ChooseSplit *)(void (*)(void))choose_split;
+
 static void answer_choose_split(const Probe *probe, const char *name)
 {
     size_t n_bytes;
@@ -14,7 +24,7 @@ static void answer_choose_split(const Probe *probe, const char *name)
     KdSplit *answers = calloc(n, sizeof *answers);
     for (size_t i = 0; i < n; i++) {
         probe_note(probe, name, (uint32_t)i);
-        answers[i] = choose_split(boxes[i]);
+        answers[i] = choose((CellAndBeyond){boxes[i], {BEYOND_RADIUS, BEYOND_RADIUS}});
     }
     probe_answer_array(probe, name, answers, n * sizeof *answers);
 }
@@ -146,16 +156,6 @@ static const TreeJob3D *tree_job(const Probe *probe, int k)
     return sections_find(&probe->job, name, sizeof(TreeJob3D));
 }
 
-// Leave numbers like no other on the stack, where cells are handed over: what reads a fourth side
-// of one gets these. In a whole job other functions leave theirs.
-static __attribute__((noinline)) void soil_stack(void)
-{
-    volatile float numbers[1024];
-    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
-        numbers[i] = BEYOND_RADIUS;
-    }
-}
-
 // Call the functions that the job asks for, one by one.
 static void answer_asked(const Probe *probe)
 {
@@ -170,7 +170,6 @@ static void answer_asked(const Probe *probe)
     };
     for (size_t i = 0; i < sizeof functions / sizeof *functions; i++) {
         if (probe_asks(probe, functions[i].name)) {
-            soil_stack();
             functions[i].answer(probe, functions[i].name);
         }
     }
