@@ -5,7 +5,8 @@
 // Read next: cl_build.c.
 #include "build_log.h"
 
-#include <regex.h>
+#include "utf8.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -55,19 +56,28 @@ static int log_has_carets(const char *log)
     return 0;
 }
 
+// What a compiler counts.
+static int is_counted(const char *word)
+{
+    static const char *const WORDS[] = {"error", "errors", "warning", "warnings"};
+    for (size_t i = 0; i < sizeof WORDS / sizeof WORDS[0]; i++) {
+        if (strcmp(word, WORDS[i]) == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
 // "1 error generated.", "2 warnings and 1 error generated."
 static int line_is_summary(const char *line)
 {
-#define COUNT "[0-9]+ (error|warning)s?"
-    regex_t summary;
-    if (regcomp(&summary, "^" COUNT "( and " COUNT ")? generated\\.[ \r]*$",
-                REG_EXTENDED | REG_NOSUB) != 0) {
-        return 0;
+    char first[9] = "", second[9] = "error";  // hold "warnings"
+    int n_read = 0;
+    sscanf(line, "%*u %8[a-z] generated. %n", first, &n_read);
+    if (n_read == 0) {
+        sscanf(line, "%*u %8[a-z] and %*u %8[a-z] generated. %n", first, second, &n_read);
     }
-    int is_summary = regexec(&summary, line, 0, NULL, 0) == 0;
-    regfree(&summary);
-    return is_summary;
-#undef COUNT
+    return n_read > 0 && line[n_read] == '\0' && is_counted(first) && is_counted(second);
 }
 
 // For lines that are no diagnostic.
@@ -109,8 +119,7 @@ static void source_line_print(FILE *out, const char *path, int line, int column)
         fprintf(out, "%s\n", text);
         for (int i = 0; i < column - 1 && text[i] != '\0'; i++) {
             // A tab stays one, and a letter of several bytes (UTF-8) is one column wide on screen.
-            int is_continuation = ((unsigned char)text[i] & 0xC0) == 0x80;
-            if (!is_continuation) {
+            if (!utf8_goes_on(text[i])) {
                 fputc(text[i] == '\t' ? '\t' : ' ', out);
             }
         }

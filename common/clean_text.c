@@ -3,7 +3,8 @@
 // Flow: scene -> buffers -> kernel -> image -> comparison. Read next: complain.c.
 #include "clean_text.h"
 
-#include <stdint.h>
+#include "utf8.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -32,32 +33,6 @@ static void *memory_for(size_t n_bytes)
     return bytes;
 }
 
-// Read one character of UTF-8. Returns its length in bytes, or 0 when it is none: broken off,
-// longer than needed, half of a surrogate pair or beyond U+10FFFF.
-static int utf8_read(const unsigned char *bytes, uint32_t *character)
-{
-    static const uint32_t lowest[] = {0, 0, 0x80, 0x800, 0x10000};
-    int length = bytes[0] < 0x80             ? 1
-                 : (bytes[0] & 0xE0) == 0xC0 ? 2
-                 : (bytes[0] & 0xF0) == 0xE0 ? 3
-                 : (bytes[0] & 0xF8) == 0xF0 ? 4
-                                             : 0;
-    if (length < 2) {
-        *character = bytes[0];
-        return length;
-    }
-    uint32_t read = bytes[0] & (0x7Fu >> length);
-    for (int i = 1; i < length; i++) {
-        if ((bytes[i] & 0xC0) != 0x80) {
-            return 0;
-        }
-        read = read << 6 | (bytes[i] & 0x3Fu);
-    }
-    *character = read;
-    int is_surrogate = read >= 0xD800 && read <= 0xDFFF;
-    return read < lowest[length] || is_surrogate || read > 0x10FFFF ? 0 : length;
-}
-
 static int is_showable(uint32_t character)
 {
     int is_control = character < 0x20 || (character >= 0x7F && character <= 0x9F);
@@ -73,13 +48,13 @@ static int is_showable(uint32_t character)
 void text_show(const char *text, int one_line, char *clean)
 {
     char *end = clean;
-    for (const unsigned char *from = (const unsigned char *)text; *from != '\0';) {
+    for (const char *from = text; *from != '\0';) {
         uint32_t character;
-        int length = utf8_read(from, &character);
+        const int length = utf8_read(from, &character);
         if (from[0] == '\r' && from[1] == '\n') {
             from++;
         } else if (*from == '\n' || *from == '\t') {
-            *end++ = one_line ? ' ' : (char)*from;
+            *end++ = one_line ? ' ' : *from;
             from++;
         } else if (length > 0 && is_showable(character)) {
             memcpy(end, from, (size_t)length);
@@ -115,21 +90,16 @@ static char *middle_replace(char *text, size_t head, size_t tail, const char *no
     return shorter;
 }
 
-static int is_inside_character(char byte)
-{
-    return ((unsigned char)byte & 0xC0) == 0x80;
-}
-
 // At most head_bytes + tail_bytes stay, whole characters only.
 static char *bytes_limit(char *text, size_t head_bytes, size_t tail_bytes)
 {
     size_t length = strlen(text);
     size_t head = head_bytes;
     size_t tail = length - tail_bytes;
-    while (head > 0 && is_inside_character(text[head])) {
+    while (head > 0 && utf8_goes_on(text[head])) {
         head--;
     }
-    while (tail < length && is_inside_character(text[tail])) {
+    while (tail < length && utf8_goes_on(text[tail])) {
         tail++;
     }
     char note[64];

@@ -5,6 +5,7 @@
 #include "line_reader.h"
 
 #include "complain.h"
+#include "number.h"
 
 #include <errno.h>
 #include <inttypes.h>
@@ -39,7 +40,8 @@ int line_read(LineReader *reader)
             return 0;
         }
         if (length == LINE_MAX_LENGTH) {
-            line_fault(reader, "", "more than 4096 characters", "a shorter line");
+            line_fault(reader, "", "more than " NUMBER_TEXT(LINE_MAX_LENGTH) " characters",
+                       "a shorter line");
             return 0;
         }
         reader->text[length++] = (char)c;
@@ -76,8 +78,6 @@ void line_warn(const LineReader *reader, const char *warning)
         complain("%s: warning: %s%s", reader->name, warning, end);
     }
 }
-
-_Static_assert(LINE_MAX_LENGTH == 4096, "the message above names this limit");
 
 void line_fault(LineReader *reader, const char *where, const char *found, const char *expected)
 {

@@ -12,6 +12,7 @@
 // How far from the origin an atom may be, Angstrom: a tenth of a millimetre. Beyond, float leaves
 // less than two digits of a bond's length.
 #define LARGEST_COORDINATE 1000000
+#define LARGEST NUMBER_TEXT(LARGEST_COORDINATE)
 
 #define VIEW_ANGLE 35.0  // degrees
 // The view's distance, as a multiple of the one at which the outermost atom would touch the
@@ -36,7 +37,7 @@ float molecule_read_coordinate(Molecule *molecule, const char *axis, const char 
     if (number_read_float(text, &value) != 0) {
         expected = "a finite number";
     } else if (fabsf(value) > LARGEST_COORDINATE) {
-        expected = "a number from -1000000 to 1000000";
+        expected = "a number from -" LARGEST " to " LARGEST;
     }
     if (expected != NULL) {
         char where[16], found[LINE_QUOTE_SIZE];
@@ -46,8 +47,6 @@ float molecule_read_coordinate(Molecule *molecule, const char *axis, const char 
     }
     return value;
 }
-
-_Static_assert(LARGEST_COORDINATE == 1000000, "the message above names this limit");
 
 static void unknown_count(Molecule *molecule, const char *name)
 {

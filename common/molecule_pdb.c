@@ -8,6 +8,8 @@
 // 2012, sections ATOM, HETATM and MODEL.
 #include "molecule.h"
 
+#include "number.h"
+
 #include <search.h>
 #include <stdlib.h>
 #include <string.h>
@@ -151,7 +153,8 @@ static void atom_read(PdbReader *reader, int is_polymer)
     if (molecule->lines.unended_line != 0 && length < LAST_COLUMN) {
         char found[LINE_QUOTE_SIZE];
         snprintf(found, sizeof found, "the end of the file in column %d", length);
-        line_fault(&molecule->lines, "", found, "x, y and z up to column 54");
+        line_fault(&molecule->lines, "", found,
+                   "x, y and z up to column " NUMBER_TEXT(LAST_COLUMN));
         return;
     }
     if (!is_location_taken(reader)) {
@@ -167,12 +170,10 @@ static void atom_read(PdbReader *reader, int is_polymer)
     Vec3 point;
     point.x = molecule_read_coordinate(molecule, "x", field_read(reader, 31, 38, field));
     point.y = molecule_read_coordinate(molecule, "y", field_read(reader, 39, 46, field));
-    point.z = molecule_read_coordinate(molecule, "z", field_read(reader, 47, 54, field));
+    point.z = molecule_read_coordinate(molecule, "z", field_read(reader, 47, LAST_COLUMN, field));
     const char *symbol = symbol_read(reader, is_polymer, field);
     molecule_add_atom(molecule, point, element_by_symbol(symbol), symbol);
 }
-
-_Static_assert(LAST_COLUMN == 54, "the message above names this column");
 
 // Is a line the beginning of a record's name, and not all of it?
 static int is_begun(const char *line, const char *name)

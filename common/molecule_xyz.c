@@ -10,7 +10,8 @@
 // Read how many atoms there are. Returns it, or 0 after a complaint.
 static int count_read(Molecule *molecule)
 {
-    static const char EXPECTED[] = "the number of atoms, from 1 to 10000000";
+    static const char EXPECTED[] =
+        "the number of atoms, from 1 to " NUMBER_TEXT(SCENE3D_MAX_SPHERES);
     LineReader *lines = &molecule->lines;
     char *word;
     int64_t n_atoms = 0;
@@ -28,8 +29,6 @@ static int count_read(Molecule *molecule)
     }
     return (int)n_atoms;
 }
-
-_Static_assert(SCENE3D_MAX_SPHERES == 10000000, "the message above names this limit");
 
 // "C" or "6".
 static const Element *element_read(const char *word)

@@ -1,4 +1,4 @@
-// Numbers from text and back (see number.h).
+// Numbers from text (see number.h).
 //
 // Flow: SCENE -> buffers -> kernel -> image -> comparison: the first thing that touches what a user
 // typed. Read next: scene2d_csv.c.
@@ -7,7 +7,6 @@
 #include <errno.h>
 #include <locale.h>
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -45,8 +44,8 @@ int number_read_unsigned(const char *text, uint64_t lowest, uint64_t highest, ui
     return 0;
 }
 
-// strtof() and printf() follow the locale of the thread. A library that sets it to one with a
-// decimal comma must not change what a scene file means, so both run under the "C" locale.
+// strtof() follows the locale of the thread. A library that sets it to one with a decimal comma
+// must not change what a scene file means, so it runs under the "C" locale.
 static locale_t locale_enter(void)
 {
     static locale_t c_locale = (locale_t)0;
@@ -71,15 +70,4 @@ int number_read_float(const char *text, float *value)
     }
     *value = number;
     return 0;
-}
-
-void number_write_float(float value, char *text)
-{
-    locale_t caller_locale = locale_enter();
-    // 9 digits bring every float back; mostly 6 do, and "0.1" reads better than "0.100000001".
-    snprintf(text, NUMBER_TEXT_SIZE, "%.6g", (double)value);
-    if (strtof(text, NULL) != value) {
-        snprintf(text, NUMBER_TEXT_SIZE, "%.9g", (double)value);
-    }
-    uselocale(caller_locale);
 }

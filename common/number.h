@@ -8,6 +8,11 @@
 
 #include <stdint.h>
 
+// A limit in a message, as its definition writes it: NUMBER_TEXT(LINE_MAX_LENGTH) is "4096". So the
+// message follows the limit. For a macro that is a plain number.
+#define NUMBER_TEXT(limit) NUMBER_TEXT_OF(limit)
+#define NUMBER_TEXT_OF(digits) #digits
+
 // Read a whole number, decimal, from lowest to highest, both included. Returns 0, or -1 and leaves
 // *value alone; prints nothing.
 int number_read_integer(const char *text, int64_t lowest, int64_t highest, int64_t *value);
@@ -18,10 +23,5 @@ int number_read_unsigned(const char *text, uint64_t lowest, uint64_t highest, ui
 // Read a finite number, rounded to the nearest float. Returns 0, or -1 and leaves *value alone;
 // prints nothing.
 int number_read_float(const char *text, float *value);
-
-// Write a float as text that reads back to the same float: 6 digits where they do, else 9. `text`
-// holds at least NUMBER_TEXT_SIZE bytes.
-#define NUMBER_TEXT_SIZE 32
-void number_write_float(float value, char *text);
 
 #endif

@@ -183,7 +183,7 @@ static OptionsResult read_option(const char *lab_name, enum OptionId id, const c
         break;
     case SIZE:
         if (read_size(text, &options->width, &options->height) != 0) {
-            expected = "WxH, two whole numbers from 1 to 1000000";
+            expected = "WxH, two whole numbers from 1 to " NUMBER_TEXT(LARGEST_SIDE);
         }
         break;
     case FRAMES:
@@ -193,7 +193,7 @@ static OptionsResult read_option(const char *lab_name, enum OptionId id, const c
         break;
     case MAX_DEPTH:
         if (read_count(text, OPTIONS_LARGEST_MAX_DEPTH, &options->max_depth) != 0) {
-            expected = "a whole number from 1 to 64";
+            expected = "a whole number from 1 to " NUMBER_TEXT(OPTIONS_LARGEST_MAX_DEPTH);
         }
         break;
     case LEAF_SIZE:
@@ -213,9 +213,6 @@ static OptionsResult read_option(const char *lab_name, enum OptionId id, const c
     }
     return expected == NULL ? OPTIONS_RUN : refuse(lab_name, ROWS[id].name, text, expected);
 }
-
-_Static_assert(LARGEST_SIDE == 1000000 && OPTIONS_LARGEST_MAX_DEPTH == 64,
-               "the messages above name these limits");
 
 // The folder of a path as stat() takes it, "." where the path names none.
 //   folder   out; holds PATH_MAX bytes

@@ -34,6 +34,9 @@ typedef struct Scene2D {
 // The most circles of a scene: 320 MB.
 #define SCENE2D_MAX_CIRCLES 10000000
 
+// Generated centres and radii are whole numbers of steps; this many make a pixel.
+#define SCENE2D_STEPS_PER_PIXEL 16
+
 // The largest generated radius whose boundary crosses the picture. In steps of 1/16 px its square
 // stays below 2^24, where float is exact; a larger one would round, and pictures could differ.
 #define SCENE2D_MAX_RADIUS 255
@@ -51,6 +54,10 @@ int scene2d_open(const char *name, int width, int height, Scene2D *scene);
 // The same for those that are made, never a file.
 int scene2d_generate(const char *name, int width, int height, Scene2D *scene);
 
+// Make room for a scene of this many circles, all zero; labs do not need it. Returns 0, or -1 after
+// one message on stderr (no memory).
+int scene2d_create(int n_circles, int width, int height, Scene2D *scene);
+
 // Release the circles; a zeroed Scene2D is fine.
 void scene2d_free(Scene2D *scene);
 
@@ -61,9 +68,6 @@ void scene2d_free(Scene2D *scene);
 //   name   what messages call the file
 // Sets circles and n_circles only. Returns 0, or -1 after one message on stderr.
 int scene2d_read_csv(FILE *file, const char *name, Scene2D *scene);
-
-// Write circles as CSV that reads back to the same floats. Returns 0, or -1 when writing failed.
-int scene2d_write_csv(FILE *file, const Scene2D *scene);
 
 // The random scene. width, height: where centres may lie; radii are rounded to the grid,
 // 0 <= min_radius <= max_radius <= SCENE2D_MAX_RADIUS. The same arguments give the same scene on

@@ -1,4 +1,4 @@
-// 2D scenes as CSV text (scene2d_read_csv() and scene2d_write_csv() of scene2d.h).
+// 2D scenes as CSV text (scene2d_read_csv() of scene2d.h).
 //
 // Flow: SCENE -> buffers -> kernel -> image -> comparison. A line is read, cut into fields by
 // libcsv (which knows about quotes), and every field becomes a number of the circle. The first
@@ -128,7 +128,7 @@ static void circle_end(CsvReader *reader)
         return;
     }
     if (reader->n_circles == SCENE2D_MAX_CIRCLES) {
-        line_fault(&reader->lines, "", "more circles", "at most 10000000");
+        line_fault(&reader->lines, "", "more circles", "at most " NUMBER_TEXT(SCENE2D_MAX_CIRCLES));
         return;
     }
     if (reader->n_circles == reader->capacity) {
@@ -157,8 +157,6 @@ static void line_end(int terminator, void *context)
     reader->n_fields = 0;
     reader->circle = (Circle){.a = 1};
 }
-
-_Static_assert(SCENE2D_MAX_CIRCLES == 10000000, "the message above names this limit");
 
 // Each line is a record of its own: a quote left open ends with its line, not with the file.
 static void line_parse(CsvReader *reader, struct csv_parser *parser)
@@ -200,20 +198,4 @@ int scene2d_read_csv(FILE *file, const char *name, Scene2D *scene)
     scene->circles = reader.circles;
     scene->n_circles = reader.n_circles;
     return 0;
-}
-
-int scene2d_write_csv(FILE *file, const Scene2D *scene)
-{
-    fprintf(file, "x,y,radius,depth,r,g,b,a\n");
-    for (int i = 0; i < scene->n_circles; i++) {
-        for (int column = 0; column < N_COLUMNS; column++) {
-            float value;
-            char text[NUMBER_TEXT_SIZE];
-            memcpy(&value, (const char *)&scene->circles[i] + COLUMNS[column].offset, sizeof value);
-            number_write_float(value, text);
-            fprintf(file, column == 0 ? "%s" : ",%s", text);
-        }
-        fputc('\n', file);
-    }
-    return ferror(file) ? -1 : 0;
 }

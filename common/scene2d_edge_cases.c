@@ -3,8 +3,9 @@
 // Flow: SCENE -> buffers -> kernel -> image -> comparison. All coordinates are whole steps of 1/16
 // px (see scene2d.h why). What a scene is for stands above its function.
 // Read next: scene2d_random.c.
+#include "scene2d_edge_cases.h"
+
 #include "random.h"
-#include "scene2d_generate.h"
 
 #include <assert.h>
 #include <stddef.h>
@@ -58,14 +59,14 @@ static void draw_equal_depths(Scene2D *scene)
 {
     Random random = {2};
     int shorter_side = smaller_of(scene->width, scene->height);
-    int smallest = smaller_of(shorter_side * 2, SCENE2D_MAX_RADIUS * STEPS_PER_PIXEL / 2);
+    int smallest = smaller_of(shorter_side * 2, SCENE2D_MAX_RADIUS * SCENE2D_STEPS_PER_PIXEL / 2);
     for (int i = 0; i < 120; i++) {
-        int64_t x = random_integer(&random, 0, (int64_t)scene->width * STEPS_PER_PIXEL);
-        int64_t y = random_integer(&random, 0, (int64_t)scene->height * STEPS_PER_PIXEL);
+        int64_t x = random_integer(&random, 0, (int64_t)scene->width * SCENE2D_STEPS_PER_PIXEL);
+        int64_t y = random_integer(&random, 0, (int64_t)scene->height * SCENE2D_STEPS_PER_PIXEL);
         int64_t radius = random_integer(&random, smallest, smallest * 2);
         float depth = (float)random_integer(&random, 1, 3) / 4;
-        add_circle(scene, (float)x / STEPS_PER_PIXEL, (float)y / STEPS_PER_PIXEL,
-                   (float)radius / STEPS_PER_PIXEL, depth);
+        add_circle(scene, (float)x / SCENE2D_STEPS_PER_PIXEL, (float)y / SCENE2D_STEPS_PER_PIXEL,
+                   (float)radius / SCENE2D_STEPS_PER_PIXEL, depth);
     }
 }
 
@@ -193,7 +194,7 @@ static void draw_outside(Scene2D *scene)
     float radius = (float)smaller_of(larger_of(shorter_side / 4, 1), SCENE2D_MAX_RADIUS);
     for (int border = 0; border < 4; border++) {
         add_beyond_border(scene, border, 5, 0);
-        add_beyond_border(scene, border, 5, -1.0f / STEPS_PER_PIXEL);
+        add_beyond_border(scene, border, 5, -1.0f / SCENE2D_STEPS_PER_PIXEL);
         add_beyond_border(scene, border, radius, -4 * radius);
         add_beyond_border(scene, border, radius, radius / 2);
     }

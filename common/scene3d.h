@@ -28,7 +28,7 @@ typedef struct View {
     Vec3 at;     // a point in the middle of the picture
     Vec3 up;     // which way is up; need not be at right angles to the view
     f32 angle;   // degrees, from the centre of the top row to the centre of the bottom row
-    f32 hither;  // near plane's distance: read and written, not used in this course
+    f32 hither;  // near plane's distance: read, not used in this course
 } View;
 
 typedef struct Scene3D {
@@ -62,8 +62,8 @@ typedef struct Scene3D {
 
 // The radii a random scene can be asked for. A smaller sphere is lost in the rounding of what is
 // computed about its centre, 6e-8; a larger one leaves nothing of the cube to see.
-#define SCENE3D_MIN_RADIUS 1e-6f
-#define SCENE3D_MAX_RADIUS 1000.0f
+#define SCENE3D_MIN_RADIUS 0.000001
+#define SCENE3D_MAX_RADIUS 1000
 
 // The picture's size where neither --size nor the scene says one.
 #define SCENE3D_DEFAULT_SIZE 512
@@ -80,6 +80,23 @@ int scene3d_generate(const char *name, int width, int height, Scene3D *scene);
 
 // Release what the scene holds; a zeroed Scene3D is fine.
 void scene3d_free(Scene3D *scene);
+
+// Three functions for what makes or reads a scene; labs do not need them.
+
+// Make room for a scene of this many spheres, materials and lights, all zero, and give it the
+// usual view: seen from `from` towards the origin, z up, 45 degrees. Sphere i is of material
+// i % n_materials: its own where there are as many. Spheres need a material.
+// Leaves width and height alone. Returns 0, or -1 after one message on stderr (no memory).
+int scene3d_create(int n_spheres, int n_materials, int n_lights, Vec3 from, Scene3D *scene);
+
+// The brightness of each of n lights that together are as bright as NFF has it: 1 / sqrt(n).
+Vec3 scene3d_light_color(int n_lights);
+
+// Complete a scene: a light at the eye where it has none, the size that the user gave, and a view
+// that can be drawn at it.
+//   made   0, or -1 where reading or making it has failed, after one message
+// Returns 0, or -1 after one message; the scene is then released.
+int scene3d_settle(const char *name, int width, int height, int made, Scene3D *scene);
 
 // The display's width over its distance from the eye, for a picture of this size (Camera's fov).
 // The rows' centres span view.angle; pixels are squares.
@@ -111,10 +128,6 @@ double scene3d_smallest_angle(const View *view, int height);
 // Sets everything, width and height to the file's resolution. Returns 0, or -1 after one message on
 // stderr.
 int scene3d_read_nff(FILE *file, const char *name, Scene3D *scene);
-
-// Write a scene as NFF that reads back to the same numbers; equal materials become one. Returns 0,
-// or -1 when writing failed.
-int scene3d_write_nff(FILE *file, const Scene3D *scene);
 
 // Read a molecule: PDB (the ATOM and HETATM records of its first model, every atom once: of each
 // residue's alternate locations the first) or XYZ (its first frame). Atoms become spheres with

@@ -4,6 +4,8 @@
 // not believed: arrays grow with what was read. Read next: scene3d_nff.c.
 #include "scene3d_builder.h"
 
+#include "number.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -78,7 +80,8 @@ u32 builder_add_material(Scene3DBuilder *builder, const Material *material)
         return *slot - 1;
     }
     if (scene->n_materials == SCENE3D_MAX_SPHERES) {
-        line_fault(builder->reader, "", "more materials", "at most 10000000");
+        line_fault(builder->reader, "", "more materials",
+                   "at most " NUMBER_TEXT(SCENE3D_MAX_SPHERES));
         return 0;
     }
     Material *materials =
@@ -98,7 +101,8 @@ void builder_add_sphere(Scene3DBuilder *builder, Sphere sphere, u32 material_id)
 {
     Scene3D *scene = &builder->scene;
     if (scene->n_spheres == SCENE3D_MAX_SPHERES) {
-        line_fault(builder->reader, "", "more spheres", "at most 10000000");
+        line_fault(builder->reader, "", "more spheres",
+                   "at most " NUMBER_TEXT(SCENE3D_MAX_SPHERES));
         return;
     }
     Sphere *spheres = array_grow(builder, scene->spheres, scene->n_spheres, sizeof *spheres);
@@ -119,7 +123,7 @@ void builder_add_light(Scene3DBuilder *builder, Light light)
 {
     Scene3D *scene = &builder->scene;
     if (scene->n_lights == SCENE3D_MAX_LIGHTS) {
-        line_fault(builder->reader, "", "more lights", "at most 1000");
+        line_fault(builder->reader, "", "more lights", "at most " NUMBER_TEXT(SCENE3D_MAX_LIGHTS));
         return;
     }
     Light *lights = array_grow(builder, scene->lights, scene->n_lights, sizeof *lights);
@@ -129,9 +133,6 @@ void builder_add_light(Scene3DBuilder *builder, Light light)
     scene->lights = lights;
     scene->lights[scene->n_lights++] = light;
 }
-
-_Static_assert(SCENE3D_MAX_SPHERES == 10000000 && SCENE3D_MAX_LIGHTS == 1000,
-               "the messages above name these limits");
 
 int builder_finish(Scene3DBuilder *builder, Scene3D *scene)
 {

@@ -3,12 +3,11 @@
 // Flow: SCENE -> buffers -> kernel -> image -> comparison. A line is a keyword and numbers; only
 // cones, polygons and patches, which are skipped, may begin and end anywhere. scene3d_nff_lines.c
 // knows which numbers each takes and what they may be; here they find their place in the scene. The
-// first fault is reported with its line and ends the reading. Read next: scene3d_nff_write.c.
+// first fault is reported with its line and ends the reading. Read next: line_reader.h.
 //
 // Source: E. Haines, "A Proposal for Standard Graphics Environments", IEEE Computer Graphics &
 // Applications 7(11), 1987, and the file NFF.TXT of his Standard Procedural Databases.
 #include "scene3d_builder.h"
-#include "scene3d_generate.h"
 #include "scene3d_nff_lines.h"
 
 #include <string.h>

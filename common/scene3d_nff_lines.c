@@ -19,11 +19,9 @@ static const char *const EXPECTED[] = {
     [NOT_NEGATIVE] = "a finite number of at least 0",
     [COLOUR] = "a number from 0 to 1",
     [OPENING] = "an angle between 0 and 180 degrees",
-    [PIXELS] = "a whole number from 1 to 1000000",
-    [COUNT] = "a number of corners from 3 to 10000000",
+    [PIXELS] = "a whole number from 1 to " NUMBER_TEXT(LARGEST_SIDE),
+    [COUNT] = "a number of corners from 3 to " NUMBER_TEXT(LARGEST_COUNT),
 };
-_Static_assert(LARGEST_SIDE == 1000000 && LARGEST_COUNT == 10000000,
-               "the messages above name these limits");
 
 // clang-format off: a row a line
 #define XYZ {"x", ANY_FINITE}, {"y", ANY_FINITE}, {"z", ANY_FINITE}
@@ -74,10 +72,11 @@ NffForm nff_form_find(const char *keyword)
     return N_KEYWORDS;
 }
 
-const char *nff_form_describe(NffForm id, char *text)
+// What a line of this form looks like: "s x y z radius". `text` holds FORM_SIZE bytes. Returns it.
+#define FORM_SIZE 64
+static const char *form_describe(const struct LineForm *form, char *text)
 {
-    const struct LineForm *form = &FORMS[id];
-    const size_t size = NFF_FORM_SIZE;
+    const size_t size = FORM_SIZE;
     int length = snprintf(text, size, "%s", form->keyword);
     int n_names = 0;
     for (; form->numbers[n_names].name != NULL; n_names++) {
@@ -124,7 +123,7 @@ static int number_read(const char *word, Range range, float *value)
 int nff_numbers_read(LineReader *lines, NffForm id, char **words, int n_words, float *numbers)
 {
     const struct LineForm *form = &FORMS[id];
-    char where[16], found[LINE_QUOTE_SIZE], expected[NFF_FORM_SIZE];
+    char where[16], found[LINE_QUOTE_SIZE], expected[FORM_SIZE];
     int n_names = 0;
     while (form->numbers[n_names].name != NULL) {
         n_names++;
@@ -132,7 +131,7 @@ int nff_numbers_read(LineReader *lines, NffForm id, char **words, int n_words, f
     if (n_words != form->n_required && n_words != n_names) {
         snprintf(found, sizeof found, "%s and %d word%s", form->keyword, n_words,
                  n_words == 1 ? "" : "s");
-        line_fault(lines, "", found, nff_form_describe(id, expected));
+        line_fault(lines, "", found, form_describe(form, expected));
         return -1;
     }
     for (int i = 0; i < n_words; i++) {

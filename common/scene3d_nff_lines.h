@@ -37,11 +37,6 @@ const char *nff_keyword(NffForm form);
 // The form with this keyword, or N_KEYWORDS.
 NffForm nff_form_find(const char *keyword);
 
-// What a line of this form looks like: "s x y z radius". `text` holds NFF_FORM_SIZE bytes. Returns
-// it.
-#define NFF_FORM_SIZE 64
-const char *nff_form_describe(NffForm form, char *text);
-
 // Read the numbers of a line, and check how many they are and what each may be.
 //   words[n_words]            what follows the keyword
 //   numbers[NFF_MAX_NUMBERS]  n_words of them are set

@@ -3,7 +3,7 @@
 // Flow: SCENE -> buffers -> kernel -> image -> comparison. Everything is drawn as a whole number
 // and divided once, which rounds the same on every machine. Read next: random.h.
 #include "random.h"
-#include "scene3d_generate.h"
+#include "scene3d.h"
 
 #include <math.h>
 

@@ -1,8 +1,9 @@
 // The arguments in a scene's name: "n=100,seed=3" of "random:n=100,seed=3". They may stand in any
 // order, each at most once.
 //
-// scene2d.c and scene3d.c say in a table what a scene takes; the reading is done here.
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: scene2d.c.
+// scene2d_generate.c and scene3d_generate.c say in a table what a scene takes; the reading is done
+// here.
+// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: scene2d_generate.c.
 #ifndef COMMON_SCENE_ARGUMENTS_H
 #define COMMON_SCENE_ARGUMENTS_H
 

@@ -48,7 +48,7 @@ gradescope autolab prairielearn github:
 # ---- Skeletons, handouts, pictures ----------------------------------------------------------
 
 # What a message needs, for tools that need little else of common/.
-MESSAGES = common/complain.c common/clean_text.c
+MESSAGES = $(addprefix common/,complain.c clean_text.c utf8.c)
 $(OUT)/tools/holes: $(call objects,tests/tools/holes.c tests/grader/lab/holes.c common/message.c common/text_file.c $(MESSAGES))
 	$(call link)
 
@@ -87,7 +87,8 @@ $(OUT)/tests/test_oclgrind_log: $(call objects,tests/memcheck/oclgrind_log.c)
 
 # Fuzz targets, each as a function of its name, for the test that runs their corpus through.
 $(OUT)/obj/tests/fuzz/%.c.o: EXTRA = $(GRADER_INCLUDES) -DLLVMFuzzerTestOneInput=$(basename $(notdir $<))
-$(OUT)/obj/tests/unit/test_corpus.c.o: EXTRA = $(GRADER_INCLUDES) -I tests/fuzz
+$(OUT)/obj/tests/unit/test_corpus.c.o $(OUT)/obj/tests/unit/test_nff_round_trip.c.o: \
+    EXTRA = $(GRADER_INCLUDES) -I tests/fuzz
 $(OUT)/tests/test_corpus: $(call objects,$(wildcard tests/fuzz/fuzz_*.c))
 
 # The figures that the bench prints.

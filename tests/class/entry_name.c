@@ -5,6 +5,8 @@
 // command. Read next: roster.c.
 #include "entry_name.h"
 
+#include "utf8.h"
+
 #include <ctype.h>
 #include <nettle/sha2.h>
 #include <stdint.h>
@@ -23,27 +25,15 @@ enum { SLUG_WORDS = 40, SLUG_DIGEST_BYTES = 8 };
 // one meaning, or 0. Left out besides: control characters and what changes the reading direction.
 static int shown_length(const char *text)
 {
-    const unsigned char *at = (const unsigned char *)text;
-    if (at[0] < 0x80) {
-        return at[0] >= ' ' && at[0] != 0x7f && at[0] != '\\';
+    uint32_t code;
+    const int length = utf8_read(text, &code);
+    if (length == 1) {
+        return code >= ' ' && code != 0x7f && code != '\\';
     }
-    const int length = at[0] >= 0xF0 && at[0] < 0xF5 ? 4 : at[0] >= 0xE0 ? 3 : 2;
-    if (at[0] < 0xC2 || at[0] >= 0xF5) {
-        return 0;
-    }
-    uint32_t code = at[0] & (0x7Fu >> length);
-    for (int i = 1; i < length; i++) {
-        if ((at[i] & 0xC0) != 0x80) {
-            return 0;
-        }
-        code = code << 6 | (at[i] & 0x3Fu);
-    }
-    const int too_long = (length == 3 && code < 0x800) || (length == 4 && code < 0x10000);
-    const int surrogate = code >= 0xD800 && code <= 0xDFFF;
-    const int moves = code < 0xA0 || (code >= 0x200B && code <= 0x200F) ||
-                      (code >= 0x2028 && code <= 0x202E) || (code >= 0x2060 && code <= 0x206F) ||
-                      code == 0xFEFF;
-    return too_long || surrogate || moves || code > 0x10FFFF ? 0 : length;
+    const int moves = length > 0 && (code < 0xA0 || (code >= 0x200B && code <= 0x200F) ||
+                                     (code >= 0x2028 && code <= 0x202E) ||
+                                     (code >= 0x2060 && code <= 0x206F) || code == 0xFEFF);
+    return moves ? 0 : length;
 }
 
 void entry_name_show(const char *bytes, size_t n_bytes, char text[ENTRY_NAME_BYTES])

@@ -5,8 +5,9 @@
 // keyboards have. Used by look_alikes.c and owners.c.
 #include "name_likeness.h"
 
+#include "utf8.h"
+
 #include <ctype.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -36,17 +37,9 @@ static const struct {
 // The character at *text, which moves behind it. What is not UTF-8 is taken byte by byte.
 static uint32_t character_take(const char **text)
 {
-    const unsigned char *at = (const unsigned char *)*text;
-    const int length = at[0] < 0xC2 ? 1 : at[0] < 0xE0 ? 2 : at[0] < 0xF0 ? 3 : 4;
-    uint32_t code = length == 1 ? at[0] : at[0] & (0x7Fu >> length);
-    for (int i = 1; i < length; i++) {
-        if ((at[i] & 0xC0) != 0x80) {
-            *text += 1;
-            return at[0];
-        }
-        code = code << 6 | (at[i] & 0x3Fu);
-    }
-    *text += length;
+    uint32_t code = (unsigned char)**text;
+    const int length = utf8_read(*text, &code);
+    *text += length > 0 ? length : 1;
     return code;
 }
 

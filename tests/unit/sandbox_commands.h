@@ -125,6 +125,22 @@ static inline SandboxResult shell_run(const char *script)
     return command_run(&command);
 }
 
+// A program in Perl, which every Debian has, started directly. Quotes in it would end the string.
+static inline SandboxCommand perl_command(const char *program)
+{
+    static const char *argv[] = {"/usr/bin/perl", "-e", NULL, NULL};
+    argv[2] = program;
+    SandboxCommand command = shell_command("");
+    command.argv = argv;
+    return command;
+}
+
+static inline SandboxResult perl_run(const char *program)
+{
+    SandboxCommand command = perl_command(program);
+    return command_run(&command);
+}
+
 static inline void expect_exit(SandboxResult result, int exit_status)
 {
     cr_expect_eq(result.outcome, SANDBOX_EXITED, "outcome %d, signal %d: %s", result.outcome,

@@ -73,6 +73,17 @@ static inline void file_write(const char *path, const char *text, size_t length)
     fclose(file);
 }
 
+// The first line of a file.
+static inline void expect_content(const char *path, const char *expected)
+{
+    char text[64] = "";
+    FILE *file = fopen(path, "r");
+    cr_assert_not_null(file, "%s", path);
+    cr_expect(fgets(text, sizeof text, file) != NULL);
+    cr_expect_str_eq(text, expected);
+    fclose(file);
+}
+
 // ---- What a call prints -------------------------------------------------------------------------
 
 static char captured_text[64 * 1024];

@@ -323,6 +323,9 @@ Test(cl_setup, errors_that_speak_of_what_is_generated_are_kept)
     cr_expect_str_eq(print_log("see 2 errors generated. Then more\n"),
                      "k.cl: see 2 errors generated. Then more\n");
     cr_expect_str_empty(print_log("3 warnings generated.\n12 errors generated.\r\n"));
+    cr_expect_str_eq(print_log("1 error and 2 kernels generated.\n"),
+                     "k.cl: 1 error and 2 kernels generated.\n");
+    cr_expect_str_eq(print_log("2 errorss generated.\n"), "k.cl: 2 errorss generated.\n");
 }
 
 Test(cl_setup, the_caret_stands_below_tabs_and_letters_of_two_bytes)

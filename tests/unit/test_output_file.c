@@ -7,16 +7,6 @@
 
 TestSuite(output_file, .init = folder_enter, .fini = folder_leave);
 
-static void expect_content(const char *path, const char *expected)
-{
-    char text[64] = "";
-    FILE *file = fopen(path, "r");
-    cr_assert_not_null(file);
-    cr_expect(fgets(text, sizeof text, file) != NULL);
-    cr_expect_str_eq(text, expected);
-    fclose(file);
-}
-
 Test(output_file, appears_on_commit_and_not_before)
 {
     OutputFile output;

@@ -1,13 +1,10 @@
-// What scene2d.c and the files of the generators share; labs do not need it.
+// The 2D edge cases, for scene2d_generate.c, which finds them by name; labs do not need it.
 //
 // Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: scene2d_edge_cases.c.
-#ifndef COMMON_SCENE2D_GENERATE_H
-#define COMMON_SCENE2D_GENERATE_H
+#ifndef COMMON_SCENE2D_EDGE_CASES_H
+#define COMMON_SCENE2D_EDGE_CASES_H
 
 #include "scene2d.h"
-
-// Generated coordinates are whole numbers of steps; this many make a pixel.
-#define STEPS_PER_PIXEL 16
 
 // The most circles of an edge case.
 #define SCENE2D_EDGE_CASE_CIRCLES 512

@@ -1,0 +1,169 @@
+// The text report, and what all reports say together: a message, and the hint that belongs to it.
+#include "hints.h"
+#include "report_texts.h"
+
+// ---- The text report ----------------------------------------------------------------------------
+
+Test(report_text, is_laid_out_by_task)
+{
+    Result result =
+        result_make("pixel (3, 4), circle (0, 0) radius 5: found 0, expected 1, it looks "
+                    "strict where the boundary belongs to the circle");
+    result.seed = 42;
+    char *text = text_report(&result, 0);
+    cr_expect_str_eq(
+        text,
+        "01-naive-2d  Naive 2D rendering\n"
+        " seed 42, device cpu-x, sandbox bubblewrap\n"
+        " submission labs/01-naive-2d\n"
+        "\n"
+        " Task overlaps_N_Nearer in overlaps_N_Nearer.cl: Does a circle cover the pixel?           "
+        " 25/40\n"
+        "   ok    overlaps-inside      25/25  Clearly inside and outside\n"
+        "   FAIL  overlaps-boundary     0/15  The boundary belongs to it\n"
+        "         pixel (3, 4), circle (0, 0) radius 5: found 0, expected 1, it looks strict where "
+        "the\n"
+        "         boundary belongs to the circle\n"
+        "         Hint: Compare the squares.\n"
+        "\n"
+        " Task implicit2DRenderer in implicit2DRenderer.cl: The nearest of all                     "
+        "  0/60\n"
+        "   --    picture               0/60  A random scene\n"
+        "\n"
+        " Score 25/100\n",
+        "found:\n%s", text);
+    free(text);
+    result_free(&result);
+}
+
+Test(report_text, puts_a_title_below_that_does_not_fit)
+{
+    Result result = result_make("");
+    Manifest long_titles = manifest;
+    long_titles.tasks[0].title = "Does a circle cover the pixel, and is it nearer?";
+    FILE *file = tmpfile();
+    cr_assert_eq(report_text(file, &long_titles, &result, 0), 0);
+    char *text = stream_text(file);
+    expect_part(text, "\n Task overlaps_N_Nearer in overlaps_N_Nearer.cl:\n"
+                      "   Does a circle cover the pixel, and is it nearer?       ");
+    for (const char *line = text; *line != '\0'; line += strcspn(line, "\n") + 1) {
+        cr_expect_leq(strcspn(line, "\n"), (size_t)96);
+    }
+    free(text);
+    result_free(&result);
+}
+
+Test(report_text, keeps_a_compile_log_line_by_line)
+{
+    Result result = result_make("");
+    result.stages[0].status = CHECK_FAILED;
+    result.stages[0].message =
+        strdup("a.cl:1:2: error: a very long line that is not wrapped because its "
+               "carets point at columns of it\n    int x\n         ^\n");
+    char *text = text_report(&result, 0);
+    expect_part(text,
+                "   FAIL  Compiling\n"
+                "         a.cl:1:2: error: a very long line that is not wrapped because its carets "
+                "point at columns of it\n"
+                "             int x\n"
+                "                  ^\n");
+    free(text);
+    result_free(&result);
+}
+
+Test(report_text, lets_no_message_reach_the_terminal_raw)
+{
+    Result result = result_make("\033[2J\033]0;pwned\007\x9B"
+                                "31m");
+    strcpy(result.submission, "labs/\033[2J\nScore 100/100");
+    char *text = text_report(&result, 0);
+    expect_no_part(text, "\033");
+    expect_no_part(text, "\007");
+    expect_no_part(text, "\nScore 100/100");
+    free(text);
+    text = text_report(&result, 1);
+    expect_part(text, "\033[31mFAIL\033[0m");
+    expect_no_part(text, "\033[2J");
+    free(text);
+    result_free(&result);
+}
+
+Test(report_text, breaks_words_longer_than_a_line)
+{
+    char *message = repeated("x", 100000);
+    Result result = result_make(message);
+    char *text = text_report(&result, 0);
+    for (const char *line = text; *line != '\0'; line += strcspn(line, "\n") + 1) {
+        cr_expect_leq(strcspn(line, "\n"), (size_t)96);
+    }
+    cr_expect_leq(strlen(text), (size_t)11000);
+    free(text);
+    free(message);
+    result_free(&result);
+}
+
+// ---- Messages and hints -------------------------------------------------------------------------
+
+// What is wrong and the lab's hint are found together, in every report.
+Test(report_hints, message_and_hint_stand_together)
+{
+    const char *message = "pixel (3, 2): found (1, 0, 0, 1), expected (0, 0, 1, 1), all swapped";
+    Result result = result_make(message);
+    char *texts[] = {text_report(&result, 0), file_report(report_html, &result),
+                     file_report(report_json, &result)};
+    for (int i = 0; i < 2; i++) {
+        const char *says = strstr(texts[i], "all swapped");
+        const char *hint = says ? strstr(says, "Compare the squares.") : NULL;
+        const char *next_task = says ? strstr(says, "The nearest of all") : NULL;
+        cr_expect(hint != NULL && next_task != NULL && hint < next_task, "%s", texts[i]);
+        expect_no_part(texts[i], "Remember the depth.");  // nothing of that task has failed
+    }
+    expect_part(texts[2], message);
+    expect_part(texts[2], "\"hint\": \"Compare the squares.\"");
+    expect_no_part(texts[2], "Remember the depth.");
+    for (int i = 0; i < 3; i++) {
+        free(texts[i]);
+    }
+    result_free(&result);
+}
+
+// A message that has said why is not followed by a hint about something else.
+Test(report_hints, no_hint_where_the_cause_is_named)
+{
+    Result result = result_make("found 1, expected 0; of two equal depths the later circle won");
+    cr_assert(result.checks[1].is_explained);
+    char *texts[] = {text_report(&result, 0), file_report(report_html, &result),
+                     file_report(report_json, &result)};
+    for (int i = 0; i < 3; i++) {
+        expect_part(texts[i], "the later circle won");
+        expect_no_part(texts[i], "Compare the squares.");
+        free(texts[i]);
+    }
+    cr_expect_str_eq(check_hint(&manifest, &result, &result.checks[1]), "");
+    result_free(&result);
+}
+
+// The first failed check decides, and what one check has explained holds for its whole task.
+Test(report_hints, the_hint_is_that_of_the_first_failed_check)
+{
+    static const Manifest hinted = {
+        .lab = "01-naive-2d",
+        .n_tasks = 1,
+        .tasks = {{.id = "overlaps_N_Nearer",
+                   .hint = "Of the task.",
+                   .hints = {{"overlaps-boundary", "Of the boundary."}},
+                   .n_hints = 1}},
+    };
+    const Task *task = &hinted.tasks[0];
+    Result result = result_make("found 0, expected 1");
+    cr_expect_str_eq(task_hint(&hinted, &result, task), "Of the boundary.");
+    result.checks[0].status = CHECK_FAILED;
+    cr_expect_str_eq(task_hint(&hinted, &result, task), "Of the task.");
+    cr_expect_str_eq(check_hint(&hinted, &result, &result.checks[1]), "Of the boundary.");
+    result.checks[1].is_explained = 1;
+    cr_expect_str_eq(task_hint(&hinted, &result, task), "");
+    result.checks[0].status = CHECK_PASSED;
+    result.checks[1].status = CHECK_NOT_RUN;
+    cr_expect_str_eq(task_hint(&hinted, &result, task), "");
+    result_free(&result);
+}

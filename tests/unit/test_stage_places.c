@@ -1,0 +1,194 @@
+// grader/stage: each file of the lab is taken from its best place in a submission.
+#include "staged_files.h"
+
+TestSuite(stage_places, .init = two_folders_enter, .fini = folder_leave);
+
+// A file, with the folders above it, that holds its own path.
+static void path_write(const char *path)
+{
+    char whole[4096];
+    snprintf(whole, sizeof whole, "from/%s", path);
+    for (char *slash = strchr(whole, '/'); slash != NULL; slash = strchr(slash + 1, '/')) {
+        *slash = '\0';
+        cr_assert(mkdir(whole, 0755) == 0 || access(whole, F_OK) == 0, "%s", whole);
+        *slash = '/';
+    }
+    file_write(whole, path, strlen(path));
+}
+
+// Stage a.cl, and b.c where n_files is 2, of lab 03-x.
+static int lab_stage(int n_files, char **message)
+{
+    Manifest manifest = {.lab = "03-x", .files = {"a.cl", "b.c"}, .n_files = n_files};
+    return stage_submission(&manifest, "from", "to", message);
+}
+
+typedef struct Layout {
+    const char *paths[4];  // what the submission holds
+    const char *taken;     // which of them is staged as a.cl; NULL: none
+} Layout;
+
+static const Layout layouts[] = {
+    {{"a.cl", "labs/03-x/a.cl", "one/a.cl"}, "a.cl"},
+    {{"labs/03-x/a.cl", "one/a.cl"}, "labs/03-x/a.cl"},
+    {{"labs/02-w/a.cl", "labs/03-x/a.cl"}, "labs/03-x/a.cl"},
+    {{"labs/02-w/a.cl", "one/a.cl"}, "one/a.cl"},
+    {{"My Lab (2)/a.cl"}, "My Lab (2)/a.cl"},
+    {{"one/two/a.cl", "two/a.cl"}, "two/a.cl"},
+    // As GitHub packs a whole repository.
+    {{"repo-main/labs/03-x/a.cl", "repo-main/solutions/03-x/a.cl"}, "repo-main/labs/03-x/a.cl"},
+    {{"repo-main/labs/03-x/a.cl", "repo-main/a.cl"}, "repo-main/a.cl"},
+    {{"repo-main/labs/03-x/a.cl", "one/two/a.cl"}, "repo-main/labs/03-x/a.cl"},
+    {{"repo-main/labs/03-x/a.cl", "one/a.cl"}, "one/a.cl"},
+    // Only the whole names count.
+    {{"mylabs/03-x/a.cl", "one/a.cl"}, "one/a.cl"},
+    {{"labs/03-x2/a.cl", "one/a.cl"}, "one/a.cl"},
+    {{"one/A.cl", "one/a.cl.txt", "one/xa.cl"}, NULL},
+    // What is passed over.
+    {{"__MACOSX/a.cl", "one/two/a.cl"}, "one/two/a.cl"},
+    {{".git/a.cl", "build/a.cl", "one/.hidden/a.cl", "one/build/obj/a.cl"}, NULL},
+    // The deepest place, and one beyond it.
+    {{"1/2/3/4/5/6/7/8/a.cl"}, "1/2/3/4/5/6/7/8/a.cl"},
+    {{"1/2/3/4/5/6/7/8/9/a.cl"}, NULL},
+};
+
+Test(stage_places, takes_a_file_from_its_best_place)
+{
+    for (size_t i = 0; i < sizeof layouts / sizeof *layouts; i++) {
+        const Layout *layout = &layouts[i];
+        for (int k = 0; k < 4 && layout->paths[k] != NULL; k++) {
+            path_write(layout->paths[k]);
+        }
+        char *message;
+        const int status = lab_stage(1, &message);
+        cr_expect_eq(status, layout->taken == NULL, "layout %zu: %s", i, message);
+        if (layout->taken != NULL) {
+            expect_content("to/a.cl", layout->taken);
+        } else {
+            cr_expect_not_null(strstr(message, "a.cl: not in the submission, nor in a folder"));
+        }
+        free(message);
+        nftw("from", entry_remove, 16, FTW_DEPTH | FTW_PHYS);
+    }
+}
+
+Test(stage_places, takes_each_file_from_its_own_best_place)
+{
+    path_write("old/a.cl");
+    path_write("old/b.c");
+    path_write("b.c");
+    char *message;
+    cr_assert_eq(lab_stage(2, &message), 0);
+    expect_content("to/a.cl", "old/a.cl");
+    expect_content("to/b.c", "b.c");
+}
+
+static void equal_write(const char *folder, const char *text)
+{
+    char path[512];
+    snprintf(path, sizeof path, "from/%s", folder);
+    cr_assert_eq(mkdir(path, 0755), 0);
+    snprintf(path, sizeof path, "from/%s/a.cl", folder);
+    file_write(path, text, strlen(text));
+}
+
+Test(stage_places, takes_equal_files_from_equally_good_places)
+{
+    equal_write("one", "kernel");
+    equal_write("two", "kernel");
+    char *message;
+    cr_assert_eq(lab_stage(1, &message), 0);
+    expect_content("to/a.cl", "kernel");
+}
+
+Test(stage_places, names_two_places_with_different_content)
+{
+    equal_write("three", "newer");
+    equal_write("one", "kernel");
+    equal_write("two", "kernel");
+    expect_refused("a.cl", "a.cl: found in \"one\" and, with another content, in \"three\": hand");
+    // The same size, and a place that cannot be read like a file.
+    equal_write("four", "kernal");
+    expect_refused("a.cl", "found in \"four\" and, with another content, in \"one\"");
+    cr_assert_eq(unlink("from/four/a.cl"), 0);
+    cr_assert_eq(mkdir("from/four/a.cl", 0755), 0);
+    expect_refused("a.cl", "found in \"four\" and, with another content, in \"one\"");
+}
+
+Test(stage_places, refuses_too_many_equally_good_places)
+{
+    for (int i = 0; i < 17; i++) {
+        char folder[16];
+        snprintf(folder, sizeof folder, "copy-%d", i);
+        equal_write(folder, "kernel");
+    }
+    expect_refused("a.cl", "found in more than 16 folders");
+    path_write("a.cl");
+    char *message;
+    cr_expect_eq(lab_stage(1, &message), 0, "a better place does not end that: %s", message);
+}
+
+Test(stage_places, shows_names_that_are_fit_for_a_terminal)
+{
+    char longest[256];
+    memset(longest, 'x', 255);
+    longest[255] = '\0';
+    equal_write("a\nb\x1b[2J\xc3\x9c", "one");
+    equal_write(longest, "two");
+    char *message = NULL;
+    cr_assert_eq(lab_stage(1, &message), 1);
+    cr_expect_not_null(strstr(message, "\"a?b?[2J??\""), "%s", message);
+    cr_expect_not_null(strstr(message, "\"xxxx"), "%s", message);
+    cr_expect_not_null(strstr(message, "x...x"), "%s", message);
+    cr_expect_lt(strlen(message), 300);
+    cr_expect_null(strchr(message, '\n'));
+    free(message);
+}
+
+Test(stage_places, enters_no_folder_through_a_link)
+{
+    cr_assert_eq(mkdir("elsewhere", 0755), 0);
+    file_write("elsewhere/a.cl", "secret", 6);
+    cr_assert_eq(symlink("../elsewhere", "from/folder"), 0);
+    cr_assert_eq(symlink("..", "from/loop"), 0);
+    cr_assert_eq(symlink("../elsewhere", "from/labs"), 0);
+    expect_refused("a.cl", "not in the submission");
+}
+
+Test(stage_places, passes_over_a_folder_nobody_may_read)
+{
+    if (geteuid() == 0) {
+        SKIP_TEST("root may read everything");
+    }
+    path_write("locked/a.cl");
+    path_write("one/two/a.cl");
+    cr_assert_eq(chmod("from/locked", 0), 0);
+    char *message;
+    cr_expect_eq(lab_stage(1, &message), 0);
+    cr_assert_eq(chmod("from/locked", 0755), 0);
+    expect_content("to/a.cl", "one/two/a.cl");
+}
+
+Test(stage_places, finds_a_file_among_a_hundred_thousand)
+{
+    // Links are made faster than files, and are as many entries.
+    char path[256], filler[201];
+    memset(filler, 'y', sizeof filler - 1);
+    filler[sizeof filler - 1] = '\0';
+    path_write("one/a.cl");
+    file_write("from/filler", "", 0);
+    for (int i = 0; i < 100000; i++) {
+        snprintf(path, sizeof path, "from/%s-%d", filler, i);
+        if (i % 30000 == 0) {
+            snprintf(path, sizeof path, "from/filler-%d", i);
+            file_write(path, "", 0);
+        } else {
+            char first[64];
+            snprintf(first, sizeof first, "from/filler-%d", i / 30000 * 30000);
+            cr_assert_eq(link(first, path), 0, "%s", path);
+        }
+    }
+    char *message;
+    cr_expect_eq(lab_stage(1, &message), 0);
+    expect_content("to/a.cl", "one/a.cl");
+}
