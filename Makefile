@@ -17,12 +17,15 @@ OUT := $(BUILD)
 endif
 CFLAGS = -std=c11 -D_GNU_SOURCE $(OPTIMISATION) $(WARNINGS) $(SANITIZERS)
 CXXFLAGS = -std=c++17 $(OPTIMISATION) $(WARNINGS) $(SANITIZERS)
-# pkg-config is asked only when something is made, so that `make demo` can install it first. Old tags,
-# because the address sanitizer's dlopen() does not look at the new ones.
+# pkg-config is asked only when something is made, so that `make demo` can install it first. RPATH and
+# not RUNPATH, at which the address sanitizer's dlopen() does not look.
 LIBRARIES = -Wl,--as-needed,--disable-new-dtags,-rpath,'$$ORIGIN/..' $(shell pkg-config --libs jansson) -lcsv -lseccomp -lOpenCL -lm
+
+FLAG_FILES := Makefile $(wildcard tests/grader/grader.mk)
 
 .DELETE_ON_ERROR:
 .SECONDARY:
+# In prerequisites $$ stands for what is known only when the target is: $$* is its %, as $* in recipes.
 .SECONDEXPANSION:
 .DEFAULT_GOAL := all
 # As many at a time as there are processors, where the command line does not say how many.
@@ -32,7 +35,7 @@ endif
 # `make V=1` shows whole commands.
 say = $(if $(V),,@echo "  $(1)" && )
 objects = $(patsubst %,$(OUT)/obj/%.o,$(1))
-# Recipes: an archive of the objects, or a program of the objects and archives, that a target depends on.
+# Two recipes: an archive of all objects that its target depends on; a program of all objects and archives.
 archive = @mkdir -p $(@D) && rm -f $@ && ar rcs $@ $(filter %.o,$^)
 define link  # LIBRARIES
 	@mkdir -p $(@D)
@@ -68,11 +71,11 @@ $(OUT)/labs/% $(OUT)/solutions/%:
 
 # ---- Common ---------------------------------------------------------------------------------
 
-# What is said here decides how everything is compiled.
-$(OUT)/obj/%.c.o: %.c Makefile
+# When a flag changes, here or in the grader's file, everything is compiled anew.
+$(OUT)/obj/%.c.o: %.c $(FLAG_FILES)
 	@mkdir -p $(@D)
 	$(call say,compile $<)$(CC) $(CFLAGS) -MMD -MP $(INCLUDES) $(EXTRA) -c $< -o $@
-$(OUT)/obj/%.cpp.o: %.cpp Makefile
+$(OUT)/obj/%.cpp.o: %.cpp $(FLAG_FILES)
 	@mkdir -p $(@D)
 	$(call say,compile $<)$(CXX) $(CXXFLAGS) -MMD -MP $(INCLUDES) $(shell pkg-config --cflags OpenImageIO) -fPIC -c $< -o $@
 $(OUT)/libcommon.a: $(call objects,$(wildcard common/*.c))
@@ -90,7 +93,7 @@ setup:  ## install what building and grading need, where it is missing
 # The grader and, where they are, its judge, memcheck and all that is for authors. A handout has not all of it.
 -include tests/grader/grader.mk tests/judge/judge.mk tests/memcheck/memcheck.mk tests/tests.mk
 
-# Make looks into folders once, at its start: what is cleaned then cannot be built in the same run.
+# Make lists the sources and what is built once, when it starts: after a clean in the same run it would not know.
 ifneq ($(and $(filter clean,$(MAKECMDGOALS)),$(filter-out clean,$(MAKECMDGOALS))),)
 $(error make clean stands alone: run it first, then make $(filter-out clean,$(MAKECMDGOALS)))
 endif

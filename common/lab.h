@@ -1,12 +1,12 @@
 // What every lab's program does besides its lesson: the command line, the figures of the run, its
 // kernels, the time of a frame, the work of each pixel, the end.
 //
-// A lab's program has one way to fail: one message on stderr, then the end with EXIT_FAILURE. A
-// library prints the message and returns an error; a program requires that there is none. What is
-// declared here belongs to the programs and ends them itself. Nothing half-written stays behind:
-// a library that fails gives its unfinished file up before it returns (output_file.h).
-// Flow: SCENE -> BUFFERS -> KERNEL -> IMAGE -> comparison: around all of it. Read next: a lab's
-// main.c.
+// A lab's program has one way to fail: one message on stderr, then the end with EXIT_FAILURE.
+// Libraries print the message and return an error; a program passes what they return to require().
+// The functions declared here end the program themselves. Nothing half-written stays behind: a
+// library that fails removes its unfinished file before it returns (output_file.h).
+// LAB_NAME, LAB_FOLDER and KERNEL_OPTIONS, which each main.c uses, come from the Makefile.
+// Read next: a lab's main.c.
 #ifndef COMMON_LAB_H
 #define COMMON_LAB_H
 
@@ -17,7 +17,7 @@
 
 #include <stdlib.h>
 
-// A lab's kernel is built to draw, and a second time to count where the work is counted.
+// A lab's kernel is built to draw; where work is to be counted, it is built again to count.
 enum { LAB_DRAWS, LAB_COUNTS, LAB_MAX_KERNELS };
 
 typedef struct Lab {

@@ -1,10 +1,10 @@
 # How the grader is built, in the course and in a handout: its library, its programs, the probes.
-# Included by the top folder's Makefile, whose words it uses.
+# Included by the top folder's Makefile, whose variables it uses.
 
 GRADER_ROOMS := tests/grader $(patsubst %/,%,$(wildcard tests/grader/*/))
 GRADER_MAINS := tests/grader/grade.c tests/grader/submission/unpack_tool.c tests/grader/sandbox/sandbox_init_tool.c
 GRADER_SOURCES := $(filter-out $(GRADER_MAINS),$(foreach room,$(GRADER_ROOMS),$(wildcard $(room)/*.c)))
-GRADER_INCLUDES = $(addprefix -I ,$(GRADER_ROOMS) tests/probes tests/stand_ins) $(AUTHORS_INCLUDES)
+GRADER_INCLUDES = $(addprefix -I ,$(GRADER_ROOMS) tests/probes) $(AUTHORS_INCLUDES)
 $(OUT)/obj/tests/%.o: EXTRA = $(GRADER_INCLUDES)
 
 $(OUT)/libgrader.a: $(call objects,$(GRADER_SOURCES) tests/probes/sections.c)
@@ -15,7 +15,8 @@ $(OUT)/tools/grade: $(call objects,tests/grader/grade.c) $(OUT)/libgrader.a $(OU
 $(OUT)/tools/unpack: $(call objects,tests/grader/submission/unpack_tool.c) $(OUT)/libgrader.a $(OUT)/libcommon.a
 	$(call link,$(LIBRARIES) -larchive)
 
-# Process 1 of bubblewrap's sandboxes is a program inside the grader, never with the sanitizers.
+# Process 1 of bubblewrap's sandboxes is a program of its own, whose bytes the grader holds; never with
+# the sanitizers.
 SANDBOX_INIT := $(OUT)/obj/tests/grader/sandbox/sandbox_init
 $(SANDBOX_INIT): tests/grader/sandbox/sandbox_init_tool.c Makefile
 	@mkdir -p $(@D)
@@ -38,10 +39,10 @@ $(OUT)/probes/%: $(OUT)/probes/%.a $(OUT)/libcommon.a
 .PHONY: grader lab-grader grade
 grader: $(addprefix $(OUT)/tools/,grade judge unpack) $(PROBES) $(LABS:%=$(OUT)/earlier/%.a)  ## build the grader and its probes
 
-# The same for one lab: what a bundle for another system builds.
+# The grader of one lab, LAB=03: what a bundle for another system builds.
 lab-grader: $(addprefix $(OUT)/tools/,grade judge unpack) $(filter $(OUT)/probes/$(LAB)-%,$(PROBES)) $(patsubst %,$(OUT)/earlier/%.a,$(filter $(LAB)-%,$(LABS)))
 
-# Status 1 is a verdict, such as points that are missing: make has nothing to complain of.
+# Status 1 is a verdict, such as points that are missing, and no error of make.
 verdict_is_no_fault = || test $$? -eq 1
 
 # Where make can also write for other systems, through_formats is the command that does (tests/tests.mk).

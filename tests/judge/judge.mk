@@ -7,7 +7,7 @@ JUDGE_SOURCES := $(filter-out %/judge_tool.c,$(foreach room,$(JUDGE_ROOMS),$(wil
 BUILDERS := $(wildcard solutions/02-kdtree-2d-build/kdtree2d_build.c \
     solutions/04-camera-rays/camera_from_view.c solutions/06-kdtree-3d-build/kdtree3d_build.c)
 BUILDER_INCLUDES = $(addprefix -I ,$(sort $(dir $(BUILDERS))))
-AUTHORS_INCLUDES += $(addprefix -I ,$(JUDGE_ROOMS)) $(BUILDER_INCLUDES)
+AUTHORS_INCLUDES += $(addprefix -I ,$(JUDGE_ROOMS) tests/stand_ins) $(BUILDER_INCLUDES)
 
 $(OUT)/libjudge.a: $(call objects,$(JUDGE_SOURCES) $(BUILDERS))
 	$(archive)

@@ -1,5 +1,5 @@
 // What the judge may use: answers over which it computes for long, or fills the memory, were made
-// for that. It ends over them, and they are wrong (grader/judge_process.c).
+// for that. It ends over them, and they are wrong (grader/verdict/judge_process.c).
 #ifndef JUDGE_JUDGE_LIMITS_H
 #define JUDGE_JUDGE_LIMITS_H
 

