@@ -1,5 +1,8 @@
-// judge/shared/replay.h and what judge_02_alone.c and judge_06_alone.c make of it: an answer that is
-// tried alone passes with right answers, and with nothing missing, cut off or wrong.
+// judge/shared/replay.h and what judge_02_alone.c and judge_06_alone.c make of it: an answer tried
+// alone passes with right answers, and with nothing missing, cut off or wrong.
+//
+// The right answers come from the solutions of the labs, and lists from the rules of lab 02's
+// stand-in: its squares are written once more here.
 #include "judge.h"
 #include "kdtree2d_build.h"
 #include "kdtree3d_build.h"
