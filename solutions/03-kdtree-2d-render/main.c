@@ -24,6 +24,7 @@ int main(int argc, char **argv)
     lab_describe(&lab, "n_circles", scene.n_circles, scene.width, scene.height);
 
     // ---- Buffers ---------------------------------------------------------------------------
+    // New in this lab: the tree of lab 02 over the scene's circles.
     KdTree2D tree;
     const KdTreeLimits limits = {lab.options.max_depth, lab.options.leaf_size};
     const double start = stats_clock_ms();
@@ -31,7 +32,7 @@ int main(int argc, char **argv)
     stats_number(&lab.stats, "tree.build_ms", stats_clock_ms() - start);
     stats_integer(&lab.stats, "tree.n_nodes", tree.n_nodes);
     stats_integer(&lab.stats, "tree.n_map", tree.n_map);
-    // cl_buffer_create() is lab 01's clCreateBuffer and its check.
+    // cl_buffer_create() is lab 01's clCreateBuffer and its check; of nothing it makes one byte.
     const ClSetup *cl = &lab.cl;
     cl_mem d_circles = cl_buffer_create(cl, scene.circles, scene.n_circles * sizeof(Circle));
     cl_mem d_nodes_Relations =
