@@ -4,15 +4,16 @@
 . tests/tap.sh
 
 course=$PWD
-mkdir -p "$scratch/tests/suites" "$scratch/build/tests" "$scratch/build/sanitized/tests"
+mkdir -p "$scratch/tests/suites" "$scratch/tests/unit" "$scratch/build/tests" "$scratch/build/sanitized/tests"
 cp tests/run.sh tests/tap.sh "$scratch/tests"
 cd "$scratch" || exit 1
 
-# unit NAME: a unit test that reads a script on stdin; its TAP is asked for as --tap=FILE.
+# unit PROGRAM: a unit test, a script on stdin, and its source; its TAP is asked for as --tap=FILE.
 # shellcheck disable=SC2016 # for the script that is written
 unit() {
     { printf '#!/bin/sh\ntap=${3#--tap=}\n'; cat; } >"$1"
     chmod +x "$1"
+    : >"tests/unit/$(basename "$1").c"
 }
 
 # runs STATUS NAME...: does run.sh end so? What it said is in said.
@@ -37,9 +38,15 @@ for name in a b c d e f; do
 printf 'ok 1\n' >"$tap"
 END
 done
+unit build/sanitized/tests/test_gone <<'END'
+printf 'ok 1\n' >"$tap"
+END
+rm tests/unit/test_gone.c
 printf '. tests/tap.sh\nok 0 good\nok 0 better\nskip other why\nfinish\n' >tests/suites/good.sh
 check "all pass" runs 0
 check "the last line counts them" test "$(tail -n 1 said)" = "10 passed, 0 failed"
+! says "test_gone                 1 passed, 0 failed" >/dev/null
+ok $? "a program whose source is gone is not run"
 check "a suite's line" says "good                      2 passed, 0 failed, 1 skipped"
 check "a unit test's line" says "test_cl_setup             2 passed, 0 failed"
 
@@ -61,7 +68,7 @@ check "a unit test dies before it writes anything" runs 1 test_a
 check "and it says so" says "    not ok - the suite ended with exit status 137"
 check "no test of this name" runs 1 none-such
 check "and it says so" says "no test is called: none-such"
-rm tests/suites/bad.sh build/sanitized/tests/test_a
+rm tests/suites/bad.sh tests/unit/test_a.c
 
 # Where the home cannot be written, as in many a container, the tests have a cache for kernels.
 # shellcheck disable=SC2016 # for the script that is written
