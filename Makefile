@@ -90,8 +90,9 @@ $(OUT)/libimage_codec.so: $(call objects,common/image.cpp)
 setup:  ## install what building and grading need, where it is missing
 	@common/setup/install.sh demo
 
-# The grader and, where they are, its judge, memcheck and all that is for authors. A handout has not all of it.
--include tests/grader/grader.mk tests/judge/judge.mk tests/memcheck/memcheck.mk tests/tests.mk
+# The grader; and, where they are, its judge, memcheck and all that is for authors. A handout has not all of it.
+include tests/grader/grader.mk
+-include tests/judge/judge.mk tests/memcheck/memcheck.mk tests/tests.mk
 
 # Make lists the sources and what is built once, when it starts: after a clean in the same run it would not know.
 ifneq ($(and $(filter clean,$(MAKECMDGOALS)),$(filter-out clean,$(MAKECMDGOALS))),)

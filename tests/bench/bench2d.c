@@ -6,7 +6,7 @@
 // them: trust the ratios more than the milliseconds. In the first round every kd-tree picture is
 // compared with the naive one of the same scene, bit by bit; where one differs there are no
 // figures.
-// Flow: scene -> buffers -> kernel -> image -> COMPARISON. Read next: variant.h, report.c.
+// Read next: variant.h, report.c.
 #include "bench_options.h"
 #include "cl_memory.h"
 #include "equal_pixels.h"

@@ -6,8 +6,7 @@
 // pictures of a scene are compared; where they differ there are no figures. Embree takes part where
 // its package is installed (embree_peer.h), with as many threads as the OpenCL device has compute
 // units where that is a CPU, and with all of the machine's beside a GPU.
-// Flow: scene -> buffers -> kernel -> image -> COMPARISON. Read next: case3d.h, pictures3d.h,
-// report3d.c.
+// Read next: case3d.h, pictures3d.h, report3d.c.
 #include "bench_options.h"
 #include "embree_peer.h"
 #include "launch.h"

@@ -1,6 +1,6 @@
 // The command line of the benches (see bench_options.h).
 //
-// Flow: scene -> buffers -> kernel -> image -> COMPARISON. Read next: rounds.c.
+// Read next: rounds.c.
 #include "bench_options.h"
 
 #include "cl_setup.h"

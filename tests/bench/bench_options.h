@@ -1,6 +1,6 @@
 // The command line of the benches: both take the same options.
 //
-// Flow: scene -> buffers -> kernel -> image -> COMPARISON. Read next: rounds.h.
+// Read next: rounds.h.
 #ifndef BENCH_BENCH_OPTIONS_H
 #define BENCH_BENCH_OPTIONS_H
 

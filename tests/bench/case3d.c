@@ -1,6 +1,6 @@
 // A scene of the 3D bench (see case3d.h).
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: pictures3d.c.
+// Read next: pictures3d.c.
 #include "case3d.h"
 
 #include "cl_memory.h"

@@ -3,7 +3,7 @@
 //
 // The kernels, the tree's builder and the camera are those of the solutions: the bench has no
 // renderer of its own.
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: pictures3d.h.
+// Read next: pictures3d.h.
 #ifndef BENCH_CASE3D_H
 #define BENCH_CASE3D_H
 

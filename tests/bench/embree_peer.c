@@ -1,7 +1,7 @@
 // Embree on a scene of the course (see embree_peer.h). Rays and shading follow primary_ray.cl and
 // shade.cl, so that both sides do the same work around the search.
 //
-// Flow: scene -> buffers -> kernel -> image -> COMPARISON. Read next: bench3d.c.
+// Read next: bench3d.c.
 #include "embree_peer.h"
 
 #ifdef WITH_EMBREE

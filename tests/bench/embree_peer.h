@@ -2,7 +2,7 @@
 // lights and number of threads. Built where its package is installed (libembree-dev); version 3
 // and 4.
 //
-// Flow: scene -> buffers -> kernel -> image -> COMPARISON. Read next: bench3d.c.
+// Read next: bench3d.c.
 #ifndef BENCH_EMBREE_PEER_H
 #define BENCH_EMBREE_PEER_H
 

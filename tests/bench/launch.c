@@ -1,6 +1,6 @@
 // Starting a kernel (see launch.h).
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Used by variant.c and case3d.c.
+// Used by variant.c and case3d.c.
 #include "launch.h"
 
 int device_is_cpu(const ClSetup *cl)

@@ -1,6 +1,6 @@
 // The pictures of the 3D bench (see pictures3d.h).
 //
-// Flow: scene -> buffers -> kernel -> image -> COMPARISON. Read next: report3d.c.
+// Read next: report3d.c.
 #include "pictures3d.h"
 
 #include "complain.h"

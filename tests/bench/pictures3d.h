@@ -1,7 +1,7 @@
 // Do the naive kernel, the kd-tree kernel and Embree draw the same picture? Asked before any figure
 // is told.
 //
-// Flow: scene -> buffers -> kernel -> image -> COMPARISON. Read next: report3d.h.
+// Read next: report3d.h.
 #ifndef BENCH_PICTURES3D_H
 #define BENCH_PICTURES3D_H
 

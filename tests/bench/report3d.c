@@ -1,6 +1,6 @@
 // What the 3D bench tells (see report3d.h).
 //
-// Flow: scene -> buffers -> kernel -> image -> COMPARISON. Read next: bench3d.gnuplot.
+// Read next: bench3d.gnuplot.
 #include "report3d.h"
 
 #include "embree_peer.h"

@@ -1,6 +1,6 @@
 // What the 3D bench tells: tables for people, a CSV file for the plot.
 //
-// Flow: scene -> buffers -> kernel -> image -> COMPARISON. Read next: bench3d.gnuplot.
+// Read next: bench3d.gnuplot.
 #ifndef BENCH_REPORT3D_H
 #define BENCH_REPORT3D_H
 

@@ -1,6 +1,6 @@
 // Rounds of a bench (see rounds.h).
 //
-// Flow: scene -> buffers -> kernel -> image -> COMPARISON. Read next: series.c.
+// Read next: series.c.
 #include "rounds.h"
 
 #include "stats.h"

@@ -1,7 +1,7 @@
 // Rounds: everything is measured in turn, then all of it again, so that what else the machine does
 // falls on all variants: trust the ratios more than the milliseconds.
 //
-// Flow: scene -> buffers -> kernel -> image -> COMPARISON. Read next: series.h.
+// Read next: series.h.
 #ifndef BENCH_ROUNDS_H
 #define BENCH_ROUNDS_H
 

@@ -3,7 +3,7 @@
 //
 // The kernels are those of the solutions, and so is the tree's builder: the bench has no renderer
 // of its own but the fill.
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Used by bench2d.c.
+// Used by bench2d.c.
 #ifndef BENCH_VARIANT_H
 #define BENCH_VARIANT_H
 

@@ -1,7 +1,5 @@
 // What the class has in common: distribution, changes, failures, checks, pictures (see
 // class_page.h).
-//
-// Flow: graded -> gradebook -> PAGE.
 #include "class_page.h"
 
 #include "html.h"

@@ -1,8 +1,7 @@
 // The names that course systems give to what students hand in (see entry_name.h).
 //
-// Flow: SUBMISSIONS -> roster -> graded -> gradebook. A name is chosen by a student or by a
-// stranger: it is only ever compared, shown and made into a slug, never a part of a path or a
-// command. Read next: roster.c.
+// A name is chosen by a student or by a stranger: it is only ever compared, shown and made into a
+// slug, never a part of a path or a command. Read next: roster.c.
 #include "entry_name.h"
 
 #include "utf8.h"

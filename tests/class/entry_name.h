@@ -1,7 +1,7 @@
 // Who handed an entry in, by the entry's name: what Moodle, Gradescope, GitHub Classroom and an
 // archiver add to a name is taken off.
 //
-// Flow: SUBMISSIONS -> roster -> graded -> gradebook. Read next: roster.h.
+// Read next: roster.h.
 #ifndef CLASS_ENTRY_NAME_H
 #define CLASS_ENTRY_NAME_H
 

@@ -1,8 +1,7 @@
 // Rows that failed alike: the same check first, and the same sentence about it.
 //
-// Flow: graded -> gradebook -> FAILURES -> page. Two students with the same mistake meet different
-// hidden scenes: what differs in their sentences is numbers, and those are left out of the
-// comparison. Read next: failures.c.
+// Two students with the same mistake meet different hidden scenes: what differs in their sentences
+// is numbers, and those are left out of the comparison. Read next: failures.c.
 #ifndef CLASS_FAILURES_H
 #define CLASS_FAILURES_H
 

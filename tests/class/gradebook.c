@@ -1,7 +1,6 @@
 // Gathering a class (see gradebook.h).
 //
-// Flow: submissions -> roster -> graded -> GRADEBOOK -> CSV, JSON, page. Read next: failures.h,
-// which rows failed alike; class_page.c.
+// Read next: failures.h, which rows failed alike; class_page.c.
 #include "gradebook.h"
 
 #include "clean_text.h"

@@ -1,8 +1,7 @@
 // The gradebook: a row for each entry of the roster, in its order, and what they have in common.
 //
-// Flow: submissions -> roster -> graded -> GRADEBOOK -> CSV, JSON, page. Results are read one at a
-// time, and of each only what a row needs is kept. Nothing in it depends on the time, the engine or
-// the order in which submissions were graded. Read next: gradebook.c.
+// Results are read one at a time, and of each only what a row needs is kept. Nothing in it depends
+// on the time, the engine or the order in which submissions were graded. Read next: gradebook.c.
 #ifndef CLASS_GRADEBOOK_H
 #define CLASS_GRADEBOOK_H
 

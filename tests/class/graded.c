@@ -1,7 +1,6 @@
 // Reading results.json back (see graded.h).
 //
-// Flow: results of many submissions -> CHECKED -> one page. The writer is report_json.c.
-// Read next: tests/class/gradebook.c.
+// The writer is report_json.c. Read next: tests/class/gradebook.c.
 #include "graded.h"
 
 #include "complain.h"

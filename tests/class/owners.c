@@ -1,6 +1,6 @@
 // Finding who handed in what (see owners.h).
 //
-// Flow: gradebook + Moodle's list -> WHO IS WHO -> gradebook.csv. Read next: gradebook_csv.c.
+// Read next: gradebook_csv.c.
 #include "owners.h"
 
 #include "name_likeness.h"

@@ -1,8 +1,8 @@
 // Reading a folder of submissions (see roster.h).
 //
-// Flow: SUBMISSIONS -> ROSTER -> graded -> gradebook. Only names are read here; what is inside an
-// entry is the grader's, in its sandbox. The links spare the driver, a shell script, every name
-// that somebody else chose. Read next: entry_name.h, grade_class.sh.
+// Only names are read here; what is inside an entry is the grader's, in its sandbox. The links
+// spare the driver, a shell script, every name that somebody else chose. Read next: entry_name.h,
+// grade_class.sh.
 #include "roster.h"
 
 #include "complain.h"

@@ -1,7 +1,7 @@
 // The roster: who handed in, and under which name the driver's files of each are.
 //
-// Flow: SUBMISSIONS -> ROSTER -> graded -> gradebook. Made once at the start of a class run, from
-// the names in the folder alone, and read again for the gradebook. Read next: roster.c.
+// Made once at the start of a class run, from the names in the folder alone, and read again for the
+// gradebook. Read next: roster.c.
 #ifndef CLASS_ROSTER_H
 #define CLASS_ROSTER_H
 

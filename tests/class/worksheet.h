@@ -1,7 +1,7 @@
 // Moodle's lists of participants, read and filled: the grading worksheet of an assignment, or the
 // list of a course's participants.
 //
-// Flow: graded -> gradebook -> CSV. Read next: gradebook_csv.c.
+// Read next: gradebook_csv.c.
 #ifndef CLASS_WORKSHEET_H
 #define CLASS_WORKSHEET_H
 

@@ -2,7 +2,7 @@
 //
 // The first byte chooses the reader: 'p' PDB, 'x' XYZ, anything else NFF. What was read is checked,
 // written as NFF, and must be the same when it is read again.
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: common/scene3d.h.
+// Read next: common/scene3d.h.
 #include "fuzz.h"
 
 #include "nff_text.h"

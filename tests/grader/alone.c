@@ -1,7 +1,7 @@
 // Trying the answer to one task alone (see alone.h).
 //
-// Flow: staged -> compiled -> run -> judged -> ALONE. Called by grading_alone.c for each task with
-// a failed check. Read next: tests/stand_ins/README.md.
+// Called by grading_alone.c for each task with a failed check. Read next:
+// tests/stand_ins/README.md.
 #include "alone.h"
 
 #include "holes.h"

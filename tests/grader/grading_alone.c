@@ -1,7 +1,6 @@
 // Trying answers alone, and what a task may have of it (see grading.h).
 //
-// Flow: staged -> compiled -> run -> judged -> ALONE -> result -> reports. Called by
-// grading_judge.c. Read next: alone.h.
+// Called by grading_judge.c. Read next: alone.h.
 //
 // The whole decides wherever it can. A check counts as passed by what an answer does alone only
 // where another answer is wrong for certain and has a part in the check, or where the whole did not

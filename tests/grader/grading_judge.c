@@ -1,8 +1,7 @@
 // Judging a submission that has run: as a whole, then each answer that failed alone (see
 // grading.h).
 //
-// Flow: staged -> compiled -> run -> JUDGED -> ALONE -> result -> reports. Called by grade.c. Read
-// next: session.h, alone.h, blame.h.
+// Called by grade.c. Read next: session.h, alone.h, blame.h.
 #include "grading.h"
 
 #include "blame.h"

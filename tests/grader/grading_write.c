@@ -1,7 +1,6 @@
 // Writing down what was judged: reports, and pictures beside them (see grading.h).
 //
-// Flow: staged -> compiled -> run -> judged -> alone -> REPORTS. Called by grade.c. Read next:
-// report.h.
+// Called by grade.c. Read next: report.h.
 #include "complain.h"
 #include "grading.h"
 #include "output_file.h"

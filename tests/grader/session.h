@@ -1,8 +1,8 @@
 // A session: one lab, one seed, one device; the solution's answers, and variants judged beside
 // them.
 //
-// Flow: SESSION -> variants -> answers -> judge -> result. Used by grade.c for a submission and by
-// mutants.c for many known-wrong answers in a row. Read next: workshop.h, judge_process.h.
+// Used by grade.c for a submission and by mutants.c for many known-wrong answers in a row. Read
+// next: variant.h, judge_process.h.
 #ifndef GRADER_SESSION_H
 #define GRADER_SESSION_H
 

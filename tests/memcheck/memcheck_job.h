@@ -1,8 +1,8 @@
 // A small job for Oclgrind, which is a thousand times slower than a device: the lab's own job with
 // fewer calls, fewer scenes and pictures of at most 16x16 pixels.
 //
-// Flow: judge's job -> SMALL JOB -> probe under Oclgrind -> log. What comes out is not judged, so
-// that a scene is only scaled down, not drawn anew. Read next: memcheck.c.
+// What comes out is not judged, so that a scene is only scaled down, not drawn anew. Read next:
+// memcheck.c.
 #ifndef GRADER_MEMCHECK_JOB_H
 #define GRADER_MEMCHECK_JOB_H
 

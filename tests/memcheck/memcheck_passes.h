@@ -1,6 +1,6 @@
 // Running a submission's probe under Oclgrind, and what was found.
 //
-// Flow: small job -> PASSES, each in the sandbox -> log -> findings. Read next: oclgrind_log.h.
+// Read next: oclgrind_log.h.
 #ifndef GRADER_MEMCHECK_PASSES_H
 #define GRADER_MEMCHECK_PASSES_H
 

@@ -2,7 +2,7 @@
 //
 // A mutation's id is "position:operator:old:new", position being the number of the word, old and
 // new what stands there before and after ("17:compare:<:<="); it depends on nothing but the text.
-// Flow: a solution's hole -> words -> MUTATIONS -> session. Used by mutate.c.
+// Used by mutate.c.
 #ifndef GRADER_MUTATIONS_H
 #define GRADER_MUTATIONS_H
 

@@ -1,9 +1,8 @@
 // Named blocks of bytes in a file (see sections.h): what grader and probe tell each other.
 //
-// Flow: the grader writes a job, the probe in the sandbox reads it and writes results, the grader
-// reads those. What the probe writes is a claim by code that nobody trusts, so reading believes
-// nothing: every size is held against what is left of the file.
-// Read next: ../grader/sandbox/sandbox.h.
+// The grader writes a job; the probe in the sandbox reads it and writes answers. These are a claim
+// by code that nobody trusts, so reading believes nothing: every size is held against what is left
+// of the file. Read next: ../grader/sandbox/sandbox.h.
 #include "sections.h"
 
 #include <errno.h>

@@ -43,7 +43,7 @@ only_its_files() {
     strays=$(grep '^tests/' "$scratch/files" | grep -v -e '^tests/grader/' -e "^tests/probes/$2/" \
         -e '^tests/probes/[^/]*\.[ch]$' -e "^tests/stand_ins/$2/" -e "^tests/skeletons/$2/" \
         -e '^tests/judge/judge-[^/.]*$' -e '^tests/judge/judge.mk$' -e '^tests/memcheck/[a-z_]*\.\([ch]\|mk\)$' \
-        -e '^tests/scenes/' -e '^tests/solution-seconds$' -e '^tests/systems/report/')
+        -e '^tests/scenes/' -e '^tests/solution-seconds$')
     [ -z "$strays" ] || { echo "not expected: $strays"; return 1; }
     sed 's/^[0-9]* //' "$scratch/first/$2.txt" | LC_ALL=C sort | diff - "$scratch/files" ||
         { echo "the list beside the archive is another"; return 1; }
@@ -92,7 +92,7 @@ no_judge() {
         return 1
     fi
     ! grep -rIlwF -f "$scratch/names" "$1" --exclude-dir=solutions >"$scratch/leaks" || { cat "$scratch/leaks"; return 1; }
-    find common kernels labs tests/grader tests/memcheck tests/systems tests/probes tests/stand_ins solutions -type f -name '*.[ch]*' \
+    find common kernels labs tests/grader tests/memcheck tests/probes tests/stand_ins solutions -type f -name '*.[ch]*' \
         -exec cat {} + | tr -d ' \t' | sort -u >"$scratch/given"
     find tests/judge -name '*.[ch]' -exec cat {} + | tr -d ' \t' | grep '[A-Za-z0-9].\{16,\}' | sort -u |
         comm -23 - "$scratch/given" >"$scratch/lines"

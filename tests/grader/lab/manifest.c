@@ -1,8 +1,8 @@
 // Reading a lab's manifest, labs/NN-name/lab.json (see manifest.h).
 //
-// Flow: MANIFEST -> staging -> compiling -> running -> judging -> reports. The file is the
-// instructor's own, and a slip in it would cost a whole class points: every field is checked, and
-// the message says where it stands, what was found and what was expected. Read next: stage.h.
+// The file is the instructor's own, and a slip in it would cost a whole class points: every field
+// is checked, and the message says where it stands, what was found and what was expected. Read
+// next: stage.h.
 #include "manifest.h"
 
 #include "complain.h"

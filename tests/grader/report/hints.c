@@ -1,6 +1,6 @@
 // The hints that stand below what failed (see hints.h).
 //
-// Flow: judging -> result -> REPORTS. Read next: report_text.c.
+// Read next: report_text.c.
 #include "hints.h"
 
 #include <string.h>

@@ -1,8 +1,8 @@
 // Writing HTML that nothing can break out of (see html.h).
 //
-// Flow: judging -> result -> REPORTS. The page works without a script, and its policy forbids them,
-// so that escaping is not the only thing between a student's text and an instructor's browser.
-// Read next: html_style.c, report_html.c.
+// The page works without a script, and its policy forbids them, so that escaping is not the only
+// thing between a student's text and an instructor's browser. Read next: html_style.c,
+// report_html.c.
 #include "html.h"
 
 #include "clean_text.h"

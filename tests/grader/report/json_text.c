@@ -1,6 +1,6 @@
 // JSON documents for the reports (see json_text.h).
 //
-// Flow: judging -> result -> REPORTS. Read next: report_json.c.
+// Read next: report_json.c.
 #include "json_text.h"
 
 #include "clean_text.h"

@@ -1,8 +1,7 @@
 // The report as one self-contained page (see report.h).
 //
-// Flow: judging -> result -> REPORTS. The page may be opened by an instructor, beside other
-// students' pages, and quotes code that nobody has read: nothing in it runs, nothing is fetched.
-// Read next: html.c, report_pictures.c.
+// The page may be opened by an instructor, beside other students' pages, and quotes code that
+// nobody has read: nothing in it runs, nothing is fetched. Read next: html.c, report_pictures.c.
 #include "report.h"
 
 #include "hints.h"

@@ -1,8 +1,8 @@
 // results.json (see report.h; the schema is tests/results.schema.json).
 //
-// Flow: judging -> result -> REPORTS: for programs, so every other format can be made from it.
-// Scores are whole numbers. The seed has 64 bits and stands as a string of decimal digits, because
-// many readers of JSON keep numbers as doubles and would change it. Read next: graded.c.
+// For programs: every form for another system is made of it. Scores are whole numbers. The seed has
+// 64 bits and stands as a string of decimal digits, because many readers of JSON keep numbers as
+// doubles and would change it. Read next: graded.c.
 #include "report.h"
 
 #include "hints.h"

@@ -1,8 +1,7 @@
 // The pictures of an HTML report (see report_pictures.h).
 //
-// Flow: judging -> result -> REPORTS. Pixels are written as PNG to a folder of our own and read
-// back, because image.h writes files only; drawings (<svg>) go in as images, in which no script can
-// run.
+// Pixels are written as PNG to a folder of our own and read back, because image.h writes files
+// only; drawings (<svg>) go in as images, in which no script can run.
 #include "report_pictures.h"
 
 #include "complain.h"

@@ -1,6 +1,6 @@
 // pictures.json (see report.h): the wrong pictures, for programs.
 //
-// Flow: judging -> result -> REPORTS. Read next: report_pictures.c.
+// Read next: report_pictures.c.
 #include "complain.h"
 #include "html.h"
 #include "json_text.h"

@@ -1,7 +1,7 @@
 // The report for the terminal (see report.h).
 //
-// Flow: judging -> result -> REPORTS. A line a check, so that a student sees at a glance what to do
-// next; messages and hints only where something failed. Read next: report_html.c.
+// A line a check, so that a student sees at a glance what to do next; messages and hints only where
+// something failed. Read next: report_html.c.
 #include "report.h"
 
 #include "clean_text.h"

@@ -1,8 +1,7 @@
 // How much time a submission's compiler and probe may use: what our solution used for the same,
 // times a factor. So the limit is right on any machine and device, and for any job.
 //
-// Flow: solution run -> ALLOWANCE -> submission run. Used by variant_run.c; read next:
-// sandbox_clock.h.
+// Used by variant_run.c; read next: sandbox_clock.h.
 #ifndef GRADER_ALLOWANCE_H
 #define GRADER_ALLOWANCE_H
 

@@ -3,7 +3,7 @@
 // The report is a file that the run wrote, and the run is a student's: taken from it are a line's
 // number in a file that the lab has, and which kind of fault it was, out of a table of ours. The
 // line itself is read from the file that was handed in.
-// Flow: workshop -> sandbox -> LINE OF A CRASH -> report. Used by variant_run.c.
+// Used by variant_run.c.
 #ifndef GRADER_CRASH_LINE_H
 #define GRADER_CRASH_LINE_H
 

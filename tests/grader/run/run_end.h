@@ -1,6 +1,6 @@
 // What the end of a sandboxed run means for the student, in words, and what a run may use.
 //
-// Flow: workshop -> sandbox -> RUN'S END -> variant -> report. Used by variant_run.c.
+// Used by variant_run.c.
 #ifndef GRADER_RUN_END_H
 #define GRADER_RUN_END_H
 

@@ -2,7 +2,7 @@
 //
 // The probe notes that in a file (probes/note.h), which the student's code can write as well. So of
 // the note only what a table here holds becomes words, and numbers that the job has.
-// Flow: workshop -> sandbox -> RUN'S PLACE -> variant -> report. Used by variant_run.c.
+// Used by variant_run.c.
 #ifndef GRADER_RUN_PLACE_H
 #define GRADER_RUN_PLACE_H
 

@@ -1,8 +1,7 @@
 // Running one command on code that must not be trusted (see sandbox.h): start and wait.
 //
-// Flow: staged -> compiled HERE -> run HERE -> judged outside. Each run has a process of its own
-// that watches over it and leaves its report in memory that both share. Read next:
-// sandbox_supervisor.c.
+// Each run has a process of its own that watches over it and leaves its report in memory that both
+// share. Read next: sandbox_supervisor.c.
 #include "sandbox.h"
 
 #include "sandbox_supervisor.h"

@@ -1,6 +1,6 @@
 // Which sandbox works on this host (see sandbox.h): tried, not guessed.
 //
-// Flow: SANDBOX CHOSEN -> staged -> compiled -> run -> judged. Read next: sandbox.c.
+// Read next: sandbox.c.
 #include "sandbox.h"
 
 #include "message.h"

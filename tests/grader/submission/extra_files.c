@@ -1,8 +1,7 @@
 // Naming what else was handed in (see extra_files.h).
 //
-// Flow: staged -> LOOKED AT -> compiled -> run -> judged. The grader never uses any of it: a
-// Makefile, a manifest or a header of the student's own has no effect, and this line says so.
-// Read next: stage.c.
+// The grader never uses any of it: a Makefile, a manifest or a header of the student's own has no
+// effect, and this line says so. Read next: stage.c.
 #include "extra_files.h"
 
 #include <ctype.h>

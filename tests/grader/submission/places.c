@@ -1,7 +1,7 @@
 // The search for the lab's files in a submission (see places.h).
 //
-// Flow: submission -> PLACES -> staged. The folder was filled by somebody who may mean harm, so
-// every name and number in it is bounded: depth, folders, entries, and what is kept of them.
+// The folder was filled by somebody who may mean harm, so every name and number in it is bounded:
+// depth, folders, entries, and what is kept of them.
 #include "places.h"
 
 #include <dirent.h>

@@ -1,7 +1,6 @@
 // The words of a C or OpenCL C source, without its comments: what a compiler reads as one.
 //
-// Flow: a submission's files -> WORDS -> what stands out, what is borrowed; a solution's holes ->
-// WORDS -> mutations. Read next: stands_out.h, mutations.h.
+// Read next: stands_out.h, mutations.h.
 #ifndef GRADER_SOURCE_WORDS_H
 #define GRADER_SOURCE_WORDS_H
 

@@ -1,9 +1,8 @@
 // Staging: the manifest's files, and only those, from a submission into the instructor's own tree.
 //
-// Flow: STAGED -> compiled -> run -> judged. A submission is a folder that a student filled as they
-// liked, so each file is opened without following links or waiting, and looked at through its open
-// descriptor: what was checked is what is copied. Read next: places.h (where a file is looked for),
-// sandbox.h.
+// A submission is a folder that a student filled as they liked, so each file is opened without
+// following links or waiting, and looked at through its open descriptor: what was checked is what
+// is copied. Read next: places.h (where a file is looked for), sandbox.h.
 #include "stage.h"
 
 #include "bytes_write.h"

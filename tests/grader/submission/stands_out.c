@@ -1,7 +1,7 @@
 // What no answer needs, found among a source's words (see stands_out.h).
 //
-// Flow: staged -> LOOKED AT -> compiled -> run -> judged. Called by grade.c once a submission is
-// staged. Read next: source_words.h, and extra_files.c for what lies beside the answers.
+// Called by grade.c once a submission is staged. Read next: source_words.h, and extra_files.c for
+// what lies beside the answers.
 #include "stands_out.h"
 
 #include "extra_files.h"

@@ -1,7 +1,6 @@
 // Staging what was handed in: a folder, or an archive that becomes one.
 //
-// Flow: SUBMISSION -> (unpack) -> places -> staged. Archives are read only in the sandbox. Read
-// next: unpack.h, stage.h.
+// Archives are read only in the sandbox. Read next: unpack.h, stage.h.
 #ifndef GRADER_SUBMISSION_H
 #define GRADER_SUBMISSION_H
 

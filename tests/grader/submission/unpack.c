@@ -1,7 +1,7 @@
 // The lab's files out of an archive (see unpack.h).
 //
-// Flow: archive -> UNPACKED in the sandbox -> places -> staged. libarchive reads the formats; here
-// is decided what of that is written, and how much. Read next: unpack_entry.c.
+// libarchive reads the formats; here is decided what of that is written, and how much. Read next:
+// unpack_entry.c.
 #include "unpack.h"
 
 #include "places.h"

@@ -1,7 +1,7 @@
 // One entry of an archive becomes a file (see unpack_entry.h).
 //
-// Flow: archive -> ENTRY -> places -> staged. Every step of a path is opened by itself and through
-// no link, so that no earlier entry can lead a later one out of the folder.
+// Every step of a path is opened by itself and through no link, so that no earlier entry can lead a
+// later one out of the folder.
 #include "unpack_entry.h"
 
 #include "bytes_write.h"

@@ -1,7 +1,6 @@
 // Asking the judge (see judge_process.h).
 //
-// Flow: staged -> compiled -> run -> JUDGED -> alone -> result -> reports. Called by session.c. Its
-// other end: tests/judge/judge_tool.c, where the requests are listed.
+// Called by session.c. Its other end: tests/judge/judge_tool.c, where the requests are listed.
 #include "judge_process.h"
 
 #include "complain.h"

@@ -1,6 +1,6 @@
 // Releasing a Result and summing it up (see result.h).
 //
-// Flow: staging -> compiling -> running -> judging -> RESULT -> reports. Read next: report.h.
+// Read next: report.h.
 #include "result.h"
 
 #include <stdlib.h>
