@@ -160,15 +160,36 @@ content() {
     ) 2>&1 | sha256sum | cut -c 1-64
 }
 
-# A line "SLUG KEY SEED" for each. The class has sixteen sets of hidden scenes, so that the solution
+# What is new in a run is graded in a round of its own: reports show much of a job, and who knows those
+# of earlier rounds shall not meet it again. Sets `own_round`.
+last_round=0
+[ ! -s "$CLASS_FOLDER/round" ] || read -r last_round <"$CLASS_FOLDER/round"
+find_round() {
+    known=
+    [ ! -s "$CLASS_FOLDER/rounds/$1" ] || read -r known own_round <"$CLASS_FOLDER/rounds/$1"
+    if [ "$known" != "$2" ]; then
+        own_round=$((last_round + 1))
+        echo "$2 $own_round" >"$CLASS_FOLDER/rounds/$1.new" &&
+            mv "$CLASS_FOLDER/rounds/$1.new" "$CLASS_FOLDER/rounds/$1"
+    fi
+}
+
+# A line "SLUG KEY SEED" for each. A round has sixteen sets of hidden scenes, so that the solution
 # need not run for every student; which one it is nobody can foresee.
+mkdir -p "$CLASS_FOLDER/rounds"
+newest_round=$last_round
 while read -r slug; do
+    hash=$(content "$slug")
+    find_round "$slug" "$hash"
+    [ "$own_round" -le "$newest_round" ] || newest_round=$own_round
+    echo "$newest_round" >"$CLASS_FOLDER/round.new"
     draw=$(printf '%s %s' "$seed" "$slug" | sha256sum | cut -c 1)
-    own_seed=$((0x$(printf '%s %s' "$seed" "$draw" | sha256sum | cut -c 1-8)))
-    key=$(echo "$grader $own_seed $(content "$slug")" | sha256sum | cut -c 1-64)
+    own_seed=$((0x$(printf '%s %s %s' "$seed" "$draw" "$own_round" | sha256sum | cut -c 1-8)))
+    key=$(echo "$grader $own_seed $hash" | sha256sum | cut -c 1-64)
     echo "$slug $key $own_seed"
 done <"$CLASS_FOLDER/slugs" >"$CLASS_FOLDER/keys.new"
 mv "$CLASS_FOLDER/keys.new" "$CLASS_FOLDER/keys"
+[ ! -e "$CLASS_FOLDER/round.new" ] || mv "$CLASS_FOLDER/round.new" "$CLASS_FOLDER/round"
 rm "$CLASS_FOLDER/slugs"
 
 # has_full_marks SLUG

@@ -173,6 +173,27 @@ static void note_own(const Grading *grading, const Variant *alone, int passes, C
     }
 }
 
+// Of a task of which not one check by itself passes, those of whole scenes may pass by what stands
+// elsewhere: another answer, or a given function that was changed.
+static void void_borrowed(Grading *grading, int t)
+{
+    int n_own = 0, n_passed = 0;
+    for (int i = 0; i < grading->result.n_checks; i++) {
+        const CheckResult *check = &grading->result.checks[i];
+        const int is_own = is_of(check, task_of(grading, t)) &&
+                           !check_needs_others(&grading->session.judge.checks[i]);
+        n_own += is_own;
+        n_passed += is_own && (check->status == CHECK_PASSED || grading->verdicts[t].passes[i]);
+    }
+    for (int i = 0; i < grading->result.n_checks && n_own > 0 && n_passed == 0; i++) {
+        CheckResult *check = &grading->result.checks[i];
+        if (is_of(check, task_of(grading, t)) && check->status == CHECK_PASSED) {
+            check_fail(check, "it passes by what stands elsewhere: of what this task is asked by "
+                              "itself nothing is right");
+        }
+    }
+}
+
 // Give a task the checks of the better run.
 static void settle(Grading *grading, int t, const int is_task_wrong[])
 {
@@ -214,6 +235,7 @@ int grading_try_alone(Grading *grading)
     }
     for (int t = 0; t < grading->session.manifest.n_tasks; t++) {
         if (grading->verdicts[t].was_tried) {
+            void_borrowed(grading, t);
             settle(grading, t, is_task_wrong);
         }
     }

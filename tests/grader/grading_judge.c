@@ -8,6 +8,7 @@
 #include "holes.h"
 #include "message.h"
 #include "skeleton.h"
+#include "source_words.h"
 #include "text_file.h"
 
 #include <stdlib.h>
@@ -76,13 +77,26 @@ static void add_marker_stage(Grading *grading)
 
 // ---- Answers that are not there -------------------------------------------------------------
 
+// Do two texts say the same to a compiler? Comments and blanks say nothing.
+static int are_same_words(const char *a, const char *b)
+{
+    SourceReader own = source_reader(a), handed_out = source_reader(b);
+    SourceWord x, y;
+    do {
+        x = source_next(&own);
+        y = source_next(&handed_out);
+    } while (x.kind == y.kind && x.length == y.length && memcmp(x.start, y.start, x.length) == 0 &&
+             x.kind != SOURCE_END);
+    return x.kind == SOURCE_END && y.kind == SOURCE_END;
+}
+
 // Does the answer stand as it is handed out? The folder labs/ is not asked: a student may be at
 // work there.
 static int is_untouched(const Grading *grading, const Task *task, const char *answer)
 {
     char *skeleton = skeleton_read(&grading->session.manifest, task->file);
     char *placeholder = skeleton != NULL ? hole_read(skeleton, task->id) : NULL;
-    const int is_same = placeholder != NULL && strcmp(answer, placeholder) == 0;
+    const int is_same = placeholder != NULL && are_same_words(answer, placeholder);
     free(placeholder);
     free(skeleton);
     return is_same;

@@ -72,9 +72,13 @@ for file in $(sed -n 's/^  "files": \[\(.*\)\],$/\1/p' "labs/$lab/lab.json" | tr
     cp "$stage/cut/labs/$lab/$file" "$root/tests/skeletons/$lab/"
 done
 
-# The judge as a program, for both kinds of machines. Its text would be the answers in other words.
+# The lab's judge as a program, for both kinds of machines. Its text would be the answers in other words; the
+# judges of other labs, in the same program, would bring along this lab's solution, compiled.
 mkdir -p "$root/tests/judge"
-cp "$judges"/judge-x86_64 "$judges"/judge-aarch64 tests/handout/judge.mk "$root/tests/judge/"
+for machine in x86_64 aarch64; do
+    cp "$judges/$machine/tools/judge-$number" "$root/tests/judge/judge-$machine"
+done
+cp tests/handout/judge.mk "$root/tests/judge/"
 
 # A submission may take a multiple of the time of our solution, which is not in here
 # (tests/grader/run/allowance.h). Rounded up to a power of four, it is mostly the same on every machine.

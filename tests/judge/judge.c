@@ -1,5 +1,5 @@
-// The table of judges, and what is the same in all of them: drawing and writing a job, and asking
-// whatever a check's row names.
+// What is the same in all judges: drawing and writing a job, and asking whatever a check's row
+// names.
 #include "judge.h"
 
 #include "complain.h"
@@ -8,18 +8,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-extern const Judge judge_00, judge_01, judge_02, judge_03, judge_04, judge_05, judge_06, judge_07;
-static const Judge *const judges[] = {&judge_00, &judge_01, &judge_02, &judge_03,
-                                      &judge_04, &judge_05, &judge_06, &judge_07};
-
 const Judge *judge_of(const char *lab)
 {
     uint64_t number;
     const int is_number = number_read_unsigned(lab, 0, 99, &number) == 0;
-    for (int i = 0; i < COUNT(judges); i++) {
-        const char *name = judges[i]->lab;
+    for (const Judge *const *judge = judges; *judge != NULL; judge++) {
+        const char *name = (*judge)->lab;
         if (is_number ? strtoul(name, NULL, 10) == number : strcmp(name, lab) == 0) {
-            return judges[i];
+            return *judge;
         }
     }
     return NULL;

@@ -89,6 +89,10 @@ typedef struct Judge {
     void (*add_pictures)(const void *job, const Sections *answers, Result *result);
 } Judge;
 
+// Those that a program is linked with, NULL behind the last: all (judges.c), or in a handout one
+// (one_judge.c).
+extern const Judge *const judges[];
+
 // The judge of a lab by its name, "03-kdtree-2d-render", or its number, "03" or "3"; or NULL.
 const Judge *judge_of(const char *lab);
 

@@ -2,7 +2,7 @@
 # starts a student's code.
 
 JUDGE_ROOMS := tests/judge $(patsubst %/,%,$(wildcard tests/judge/*/))
-JUDGE_SOURCES := $(filter-out %/judge_tool.c,$(foreach room,$(JUDGE_ROOMS),$(wildcard $(room)/*.c)))
+JUDGE_SOURCES := $(filter-out %/judge_tool.c %/one_judge.c,$(foreach room,$(JUDGE_ROOMS),$(wildcard $(room)/*.c)))
 # Judges of later labs get their trees and cameras from the solutions of labs 02, 04 and 06.
 BUILDERS := $(wildcard solutions/02-kdtree-2d-build/kdtree2d_build.c \
     solutions/04-camera-rays/camera_from_view.c solutions/06-kdtree-3d-build/kdtree3d_build.c)
@@ -22,12 +22,19 @@ JUDGE_NEEDS = $(addprefix common/,$(addsuffix .c,cl_check clean_text complain im
 $(OUT)/tools/judge: $(call objects,$(JUDGE_NEEDS)) $(OUT)/libjudge.a
 	$(call link,$(if $(SANITIZERS),,-static) -lm)
 
-# The same for handouts, which go to machines of both kinds, stripped: judge-x86_64, judge-aarch64.
-JUDGES = $(addprefix $(OUT)/judges/judge-,x86_64 aarch64)
-.PHONY: judge always
-judge: $(OUT)/tools/judge
-$(OUT)/judges/judge-%: always
+# The same for handouts, which go to machines of both kinds, stripped, and each with the judge of its lab
+# alone: NN/judge-x86_64, NN/judge-aarch64.
+JUDGE_NUMBERS = $(patsubst tests/judge/%/,%,$(sort $(dir $(wildcard tests/judge/[0-9]*/judge_*.c))))
+LAB_JUDGES = $(foreach lab,$(JUDGE_NUMBERS),$(OUT)/tools/judge-$(firstword $(subst -, ,$(lab))))
+JUDGES = $(addprefix $(OUT)/judges/,x86_64 aarch64)
+.PHONY: lab-judges always
+$(OUT)/obj/only/%.o: tests/judge/one_judge.c
+	@mkdir -p $(@D)
+	$(call say,compile $< for lab $*)$(CC) $(CFLAGS) $(INCLUDES) $(AUTHORS_INCLUDES) $(GRADER_INCLUDES) -DONLY=judge_$* -c $< -o $@
+$(LAB_JUDGES): $(OUT)/tools/judge-%: $(OUT)/obj/only/%.o $(call objects,$(JUDGE_NEEDS)) $(OUT)/libjudge.a
+	$(call link,-static -lm)
+lab-judges: $(LAB_JUDGES)
+$(JUDGES): $(OUT)/judges/%: always
 	@command -v $*-linux-gnu-gcc >/dev/null || { \
 	    echo "make: found no $*-linux-gnu-gcc, expected one: make handout installs it" >&2; exit 2; }
-	@$(MAKE) --no-print-directory BUILD=$(OUT)/judges/$* CC=$*-linux-gnu-gcc OPTIMISATION='-O2 -flto=auto' LDFLAGS=-s judge
-	@cp $(OUT)/judges/$*/tools/judge $@
+	@$(MAKE) --no-print-directory BUILD=$(OUT)/judges/$* CC=$*-linux-gnu-gcc OPTIMISATION='-O2 -flto=auto' LDFLAGS=-s lab-judges

@@ -140,10 +140,13 @@ before=$(n_graded "$first")
 check "again: all is there" exits 0 run "$first"
 check "and nothing was graded" test "$(n_graded "$first")" -eq "$before"
 cp "$first/gradebook.json" "$scratch/old.json"
+grep -h '^ *"seed"' "$first"/students/*/results.json >"$scratch/seeds"
 cp solutions/$lab/* "$class/lab-00-bob/"
 check "one has changed" exits 0 run "$first" --against "$scratch/old.json"
 check "and is graded alone" test "$(n_graded "$first")" -eq $((before + 1))
 check "with the new score" row "$first" '"bob","",1,"graded",100,100,'
+check "on scenes that no report of the first run has shown" \
+    test "$(cat "$first"/students/bob-*/results.json | grep -c -F -f "$scratch/seeds")" -eq 0
 check "old and new scores are compared" grep -q '0 &rarr; 100' "$first/class.html"
 echo '{' >"$(echo "$first"/students/ada-lovelace-*)/results.json"
 check "a damaged result does not keep the others from theirs" exits 1 run "$first"

@@ -101,6 +101,21 @@ no_judge() {
     [ ! -s "$scratch/leaks" ] || { head -n 5 "$scratch/leaks"; return 1; }
 }
 
+# no_compiled_solution LAB: has its judge no function of the lab's solution, nor of a later one? Looked for in
+# the same program with its names.
+no_compiled_solution() {
+    judge=$build/tools/judge-${1%%-*}
+    later=
+    for lab in $labs; do
+        [ "$lab" != "$1" ] || later=yes
+        [ -n "$later" ] || continue
+        find "$build/obj/solutions/$lab" -name '*.o' ! -name 'main.c.o' -exec nm -g {} + | sed -n 's/.* T //p'
+    done | sort -u >"$scratch/functions"
+    nm "$judge" | sed -n 's/.* [Tt] //p' | sort -u >"$scratch/judged" || return 1
+    [ "$(wc -l <"$scratch/judged")" -ge 500 ] || { echo "only few functions in $judge"; return 1; }
+    ! comm -12 "$scratch/functions" "$scratch/judged" | grep .
+}
+
 # Every link that is not of the web, and every picture, leads to a file; and to a heading, where it
 # names one.
 links() {
@@ -160,6 +175,7 @@ for lab in $labs; do
     check "$lab: its files and no others" only_its_files "$scratch/$lab" "$lab"
     check "$lab: no line of a solution" no_solution "$scratch/$lab" "$lab"
     check "$lab: nothing of the judge's text" no_judge "$scratch/$lab"
+    check "$lab: nor the solution, compiled, in its program" no_compiled_solution "$lab"
     check "$lab: one job on both kinds of processors" same_jobs "$scratch/$lab" "$lab"
     check "$lab: no link leads nowhere" links "$scratch/$lab"
     check "$lab: make knows the commands of its READMEs" commands "$scratch/$lab" "$lab"

@@ -5,6 +5,7 @@
 #include "stands_out.h"
 
 #include "extra_files.h"
+#include "skeleton.h"
 #include "source_words.h"
 #include "text_file.h"
 
@@ -244,6 +245,34 @@ int stands_out_in_text(const char *name, const char *text, FILE *notes)
     return look.n_notes;
 }
 
+// How many words of a source say that something is to be counted.
+static int count_counting(const char *source)
+{
+    SourceReader reader = source_reader(source);
+    int n = 0;
+    for (SourceWord word = source_next(&reader); word.kind != SOURCE_END;
+         word = source_next(&reader)) {
+        n += source_is_one_of(&word, "count_test count_node count_leaf count_waiting work_save");
+    }
+    return n;
+}
+
+// Given functions count. Who does so as well can make much work look like little.
+static int note_counting(const Manifest *manifest, const char *name, const char *source,
+                         FILE *notes)
+{
+    char *skeleton = skeleton_read(manifest, name);
+    const int is_more = skeleton != NULL && count_counting(source) > count_counting(skeleton);
+    if (is_more) {
+        fprintf(notes,
+                "%s: a hand on the counted work: it counts more often than the lab's given "
+                "lines do: no answer needs it\n",
+                name);
+    }
+    free(skeleton);
+    return is_more;
+}
+
 char *stands_out(const Manifest *manifest, const char *staged, const char *submission)
 {
     char *text = NULL;
@@ -258,7 +287,10 @@ char *stands_out(const Manifest *manifest, const char *staged, const char *submi
         snprintf(path, sizeof path, "%s/%s", staged, manifest->files[i]);
         // A file that could not be staged is told of elsewhere.
         char *source = access(path, R_OK) == 0 ? text_file_read(path) : NULL;
-        n_notes += source ? stands_out_in_text(manifest->files[i], source, notes) : 0;
+        if (source != NULL) {
+            n_notes += stands_out_in_text(manifest->files[i], source, notes);
+            n_notes += note_counting(manifest, manifest->files[i], source, notes);
+        }
         free(source);
     }
     if (n_notes > 0) {

@@ -1,0 +1,7 @@
+// The table of one judge, ONLY, for a handout of its lab: whoever disassembles it finds neither this
+// lab's solution, which its judge may not use, nor those of later labs, which other judges use.
+#include "judge.h"
+
+extern const Judge ONLY;
+
+const Judge *const judges[] = {&ONLY, NULL};
