@@ -15,7 +15,6 @@
 #include "complain.h"
 #include "holes.h"
 #include "message.h"
-#include "mistake_kinds.h"
 #include "session.h"
 #include "settings.h"
 #include "text_file.h"
@@ -37,14 +36,14 @@ typedef struct Answer {
     int is_right;            // then the two below are not used
     char check[LINE_BYTES];  // by which it shall be caught
     char says[LINE_BYTES];   // regular expression for that check's message
-    unsigned kinds;          // of mistake_kinds.h, a bit for each; 0 when it is of none
-    int first_kind;          // the one that must be named
+    unsigned mistakes;       // of diagnosis.h, a bit for each; 0 when it is of none
+    Mistake first_mistake;   // the one that must be named
     Variant variant;         // in the solution of the other tasks
     int is_tried_alone;
     Variant alone;
 } Answer;
 
-// How well the reports name kinds of mistakes (mistake_kinds.h).
+// How well the reports name kinds of mistakes (diagnosis.h).
 typedef struct Naming {
     int n_of_a_kind;  // mutants whose header says which
     int n_named;      // of those, by a failed check of the task
@@ -78,7 +77,7 @@ static int read_header(const Answer *answer, const char *key, char value[LINE_BY
 
 // The kinds of mistake in the optional header line "// looks: kind kind". Returns 0, or -1 after
 // one message.
-static int read_kinds(Answer *answer)
+static int read_mistakes(Answer *answer)
 {
     char ids[LINE_BYTES];
     if (strstr(answer->text, "// looks: ") == NULL) {
@@ -89,13 +88,13 @@ static int read_kinds(Answer *answer)
     }
     char *rest = NULL;
     for (char *id = strtok_r(ids, " ", &rest); id != NULL; id = strtok_r(NULL, " ", &rest)) {
-        const int kind = mistake_kind_find(id);
-        if (kind < 0) {
+        const Mistake mistake = mistake_find(id);
+        if (mistake == MISTAKE_NONE) {
             complain("%s: no kind of mistake is called \"%s\"", answer->path, id);
             return -1;
         }
-        answer->first_kind = answer->kinds == 0 ? kind : answer->first_kind;
-        answer->kinds |= 1u << kind;
+        answer->first_mistake = answer->mistakes == 0 ? mistake : answer->first_mistake;
+        answer->mistakes |= 1u << mistake;
     }
     return 0;
 }
@@ -152,7 +151,7 @@ static int answer_open(Answer *answer, Session *session, const char *path, int s
         (answer->is_right ? read_header(answer, "right", why_right)
                           : read_header(answer, "caught by", answer->check) |
                                 read_header(answer, "says", answer->says)) != 0 ||
-        read_kinds(answer) != 0) {
+        read_mistakes(answer) != 0) {
         return -1;
     }
     if (manifest_task(&session->manifest, answer->task) == NULL) {
@@ -197,7 +196,7 @@ static char *judge_wrong(Session *session, const Answer *answer)
         if (strcmp(session->judge.checks[i].id, answer->check) != 0) {
             continue;
         }
-        CheckResult result = {.message = NULL};
+        CheckResult result = {0};
         session_judge(session, i, &answer->variant, &result);
         free(why);
         why = NULL;
@@ -212,7 +211,7 @@ static char *judge_wrong(Session *session, const Answer *answer)
         if (why == NULL && answer->is_tried_alone && alone_passes(session, i, &answer->alone)) {
             why = message_new("%s passes alone", answer->check);
         }
-        free(result.message);
+        check_free(&result);
         break;
     }
     return why;
@@ -223,24 +222,25 @@ static void judge_naming(Session *session, const Answer *answer, Naming *naming)
 {
     unsigned named = 0;
     for (int i = 0; i < session->judge.n_checks; i++) {
-        CheckResult result = {.message = NULL};
+        CheckResult result = {0};
         if (strcmp(session->judge.checks[i].task, answer->task) == 0) {
             session_judge(session, i, &answer->variant, &result);
-            named |= mistake_kinds_named(result.message);
+            named |= 1u << result.diagnosis.mistake;
         }
-        free(result.message);
+        check_free(&result);
     }
-    const unsigned strange = named & ~answer->kinds;
-    const int is_named = answer->kinds != 0 && (named >> answer->first_kind & 1);
-    naming->n_of_a_kind += answer->kinds != 0;
+    named &= ~(1u << MISTAKE_NONE);
+    const unsigned strange = named & ~answer->mistakes;
+    const int is_named = answer->mistakes != 0 && (named >> answer->first_mistake & 1);
+    naming->n_of_a_kind += answer->mistakes != 0;
     naming->n_named += is_named;
     naming->n_misnamed += strange != 0;
-    if (answer->kinds != 0 && !is_named) {
-        printf("  # %s: not named as %s\n", answer->path, mistake_kinds[answer->first_kind].id);
+    if (answer->mistakes != 0 && !is_named) {
+        printf("  # %s: not named as %s\n", answer->path, mistake_name(answer->first_mistake));
     }
-    for (int kind = 0; kind < N_MISTAKE_KINDS; kind++) {
-        if (strange >> kind & 1) {
-            printf("  # %s: named as %s\n", answer->path, mistake_kinds[kind].id);
+    for (Mistake mistake = 0; mistake < N_MISTAKES; mistake++) {
+        if (strange >> mistake & 1) {
+            printf("  # %s: named as %s\n", answer->path, mistake_name(mistake));
         }
     }
 }
@@ -250,7 +250,7 @@ static char *judge_right(Session *session, const Answer *answer)
 {
     char *why = NULL;
     for (int i = 0; why == NULL && i < session->judge.n_checks; i++) {
-        CheckResult result = {.message = NULL};
+        CheckResult result = {0};
         session_judge(session, i, &answer->variant, &result);
         if (result.status != CHECK_PASSED) {
             why = message_new("%s: %s", session->judge.checks[i].id, result.message);
@@ -260,7 +260,7 @@ static char *judge_right(Session *session, const Answer *answer)
                               answer->alone.build_log ? ": " : "",
                               answer->alone.build_log ? answer->alone.build_log : "");
         }
-        free(result.message);
+        check_free(&result);
     }
     return why;
 }
