@@ -70,9 +70,9 @@ static OverlapJob draw_boundary(Random *random)
     return job;
 }
 
-// Points that an epsilon would put on the wrong side, and radius 0: a pixel's offset from the centre.
-// The squares are exact in float. A root may be off by a few units in the last place; these are
-// off by sixteen at least.
+// Points that an epsilon would put on the wrong side, and radius 0: a pixel's offset from the
+// centre. The squares are exact in float. A root may be off by a few units in the last place;
+// these are off by sixteen at least.
 static const struct {
     float radius, dx, dy;
 } beside_boundary[] = {

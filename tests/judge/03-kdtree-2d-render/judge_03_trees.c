@@ -26,8 +26,8 @@ int tree_create_03(u32 n_nodes, u32 n_map, KdTree2D *tree)
 
 // ---- Leaf maps ----------------------------------------------------------------------------------
 
-// In front of all nodes but the root a leaf map has four leaves to which no way leads from there, two
-// pairs with the halves of the root's cell. A search for a leaf in the arrays ends in the first
+// In front of all nodes but the root a leaf map has four leaves to which no way leads from there,
+// two pairs with the halves of the root's cell. A search for a leaf in the arrays ends in the first
 // pair. The second are the children of every leaf, so a search that does not ask nodes_flag ends
 // there.
 enum { STRANGERS = 1, FALSE_CHILDREN = 3, N_STRANGERS = 4 };

@@ -35,8 +35,8 @@ int job_scene_expect(JobScene *scene);
 // one). Returns 0, or -1 after one message.
 int job_scene_grow_tree(JobScene *scene, KdTreeLimits limits);
 
-// Write the sections "scene.K" ...; the tree's too when there is one, and behind its lists the id of
-// the circle that must not be asked. Returns 0, or -1.
+// Write the sections "scene.K" ...; the tree's too when there is one, and behind its lists the id
+// of the circle that must not be asked. Returns 0, or -1.
 int job_scene_write(const JobScene *scene, int k, FILE *file);
 
 // Write "scene.K.circles" alone, and behind the circles one that must not be asked. Returns 0, or
