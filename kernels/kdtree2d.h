@@ -18,8 +18,8 @@ enum {
     INNER = 1,  // nodes_flag of a node with two children
 };
 
-// A leaf has lChild = rChild = 0: the root is nobody's child. An inner node has circleMapOffset = 0
-// and never reads it.
+// What a node is, nodes_flag says, as in the lecture. A leaf's lChild and rChild mean nothing (the
+// builder leaves 0 there), nor does an inner node's circleMapOffset, which is 0.
 typedef struct NodeRel {
     /*  0 */ u32 id;               // the node's own position in the arrays
     /*  4 */ u32 lChild;           // the child with the lower coordinates

@@ -28,7 +28,8 @@ static const struct {
     {"sides", sizeof(SideJob)},           {"planes", sizeof(PlaneJob)},
     {"leaves", sizeof(SearchJob)},
 };
-static const char *const whole[] = {"lights", "leaf_ids", "leaf_spheres"};
+static const char *const whole[] = {"children.relations", "children.boxes", "lights", "leaf_ids",
+                                    "leaf_spheres"};
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
@@ -173,7 +174,7 @@ static int scene2d_write(const SmallScene *scene, SceneJob header)
     result |= circles_write(scene, scale) | boxes_write(scene, scale);
     result |= part_write(scene, "pattern", 0);
     result |= part_write(scene, "relations", 0) | part_write(scene, "flags", 0);
-    return result | part_write(scene, "map", 0);
+    return result | part_write(scene, "map", sizeof(u32));
 }
 
 // The display's size is the camera's: fewer pixels show all of it.

@@ -31,7 +31,8 @@
 #define PROBE_MARGIN 16
 
 // Section "scene.K"; the circles are in "scene.K.circles", one more than there are, and a tree (lab
-// 03) in "scene.K.relations", ".flags", ".boxes" and ".map". The probe answers with "picture.K":
+// 03) in "scene.K.relations", ".flags", ".boxes" and ".map", which has one entry more, the id of
+// that circle. The probe answers with "picture.K":
 // [image height][image width][4], and lab 03 with "work.K" besides: a Work for each pixel, and room
 // behind them.
 typedef struct SceneJob {
@@ -49,7 +50,9 @@ LAYOUT_ASSERT(SceneJob, 20);
 // Lab 00: a scene is a size, and "scene.K.pattern" the key, a u32, of what is in the image that
 // read_back is given (pattern.h). Besides "picture.K" the answers are "arguments.K", an
 // ArgumentsAnswer, "items.K", the number of work-items at each place of the image, [image
-// height][image width], and N_ITEMS_REST numbers behind them, and "readback.K", [height][width][4].
+// height][image width], and N_ITEMS_REST numbers behind them, and "readback.K", [height][width][4]
+// and READ_BACK_GUARD floats behind them, which must stay UNWRITTEN.
+enum { READ_BACK_GUARD = 4 };
 typedef struct ArgumentsAnswer {
     i32 error;       // of launching a kernel with what set_arguments handed over: an OpenCL status
     f32 arrived[4];  // what that kernel wrote: width, height, 0, 1; UNWRITTEN where it did not
@@ -139,7 +142,8 @@ typedef struct TreeAnswer {
 } TreeAnswer;
 LAYOUT_ASSERT(TreeAnswer, 8);
 
-// Lab 03: one call of getContainingChild on scene 0's tree. Answered by a u32.
+// Lab 03: one call of getContainingChild on the nodes in sections "children.relations" and
+// "children.boxes". Answered by a u32.
 typedef struct ChildJob {
     i32 x;
     i32 y;

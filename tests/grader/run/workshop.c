@@ -71,12 +71,16 @@ static int copy_libraries(const Workshop *workshop)
 }
 
 // The kernels of the lab's probe; a lab of host files alone has none.
-static int copy_probe_kernel(const Workshop *workshop)
+static int copy_probe_kernels(const Workshop *workshop)
 {
     char from[PATH_BYTES], folder[128];
     snprintf(folder, sizeof folder, "probes/%s", workshop->manifest->lab);
     snprintf(from, sizeof from, "tests/%s/probe.cl", folder);
-    return access(from, F_OK) == 0 ? copy_matching(workshop, from, folder) : 0;
+    if (access(from, F_OK) != 0) {
+        return 0;
+    }
+    snprintf(from, sizeof from, "tests/%s/*.cl", folder);
+    return copy_matching(workshop, from, folder);
 }
 
 // Empty folders that the sandbox puts others in the place of.
@@ -113,7 +117,7 @@ int workshop_open(Workshop *workshop, const Manifest *manifest, const char *buil
     result |= copy_matching(workshop, "common/*.h", "common");
     result |= copy_matching(workshop, "kernels/*.h", "kernels");
     result |= copy_matching(workshop, "tests/probes/*.h", "probes");
-    return result | copy_probe_kernel(workshop) | copy_earlier_solutions(workshop) |
+    return result | copy_probe_kernels(workshop) | copy_earlier_solutions(workshop) |
                    copy_libraries(workshop)
                ? -1
                : 0;

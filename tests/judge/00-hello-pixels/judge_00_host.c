@@ -147,15 +147,31 @@ static Diagnosis pattern_fault(const ExpectedPicture *pattern, ProbeImage own)
     return picture_judge(own, pattern);
 }
 
+// Was something written behind the picture's last float?
+static Diagnosis guard_fault(const float *guard)
+{
+    for (int i = 0; i < READ_BACK_GUARD; i++) {
+        if (guard[i] != UNWRITTEN) {
+            return diagnosis_new("float %d behind the end of h_pixels: found %.9g written there, "
+                                 "expected nothing; h_pixels has room for the picture only",
+                                 i, guard[i]);
+        }
+    }
+    return NOTHING_WRONG;
+}
+
 Verdict judge_00_read_back(const void *pointer, int k, const Sections *answers)
 {
     const ExpectedPicture *pattern = &((const Job00 *)pointer)->patterns[k];
     const int width = pattern->reference.width, height = pattern->reference.height;
-    const size_t n_bytes = (size_t)width * (size_t)height * IMAGE_CHANNELS * sizeof(float);
+    const size_t n_floats = (size_t)width * (size_t)height * IMAGE_CHANNELS;
+    const size_t n_bytes = (n_floats + READ_BACK_GUARD) * sizeof(float);
     const ProbeImage own = {job_section_find(answers, "readback", k, n_bytes), width, height};
     if (own.pixels == NULL) {
         return verdict_missing;
     }
+    Diagnosis fault = pattern_fault(pattern, own);
+    fault = fault.found != NULL ? fault : guard_fault(own.pixels + n_floats);
     const Words where = words("an image of %dx%d random colours, read back", width, height);
-    return verdict_of(diagnosis_at(where.text, pattern_fault(pattern, own)));
+    return verdict_of(diagnosis_at(where.text, fault));
 }

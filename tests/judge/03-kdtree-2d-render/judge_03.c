@@ -6,6 +6,8 @@
 #include "message.h"
 #include "words.h"
 
+#include <math.h>
+
 // ---- getContainingChild -------------------------------------------------------------------------
 
 // A way to decide whether a cell holds a pixel.
@@ -21,10 +23,27 @@ static int holds_border(BBox2D box, double x, double y)
     return x >= box.minX && x <= box.maxX && y >= box.minY && y <= box.maxY;
 }
 
+static int holds_middle(BBox2D box, double x, double y)
+{
+    return cell_holds(box, x + 0.5, y + 0.5);
+}
+
+static int holds_corner(BBox2D box, double x, double y)
+{
+    return cell_holds(box, x - 0.5, y - 0.5);
+}
+
+// As whole numbers, like a conversion to int.
+static int holds_whole(BBox2D box, double x, double y)
+{
+    const BBox2D whole = {truncf(box.minX), truncf(box.maxX), truncf(box.minY), truncf(box.maxY)};
+    return cell_holds(whole, x, y);
+}
+
 // Do all answers, in both checks, follow from this way?
 static int children_follow(const Job03 *job, const u32 *found, Holds *way)
 {
-    const KdTree2D *tree = &job->scenes[BORDERS].tree;
+    const KdTree2D *tree = &job->child_tree;
     for (int i = 0; i < N_CHILDREN; i++) {
         const ChildJob in = job->children[i];
         const NodeRel node = tree->nodes_Relations[in.id];
@@ -36,16 +55,29 @@ static int children_follow(const Job03 *job, const u32 *found, Holds *way)
     return 1;
 }
 
+#define SHIFTED "shifted by half a pixel: the sample point is the integer coordinate"
+
 // What wrong children suggest.
 static Cause explain_children(const Job03 *job, const u32 *found)
 {
-    if (children_follow(job, found, holds_inner)) {
-        return (Cause){"strict where it should not be: cells are half-open, minX <= x < maxX",
-                       MISTAKE_STRICT_BOUNDARY};
-    }
-    if (children_follow(job, found, holds_border)) {
-        return (Cause){.says =
-                           "cells are half-open: a border belongs to the cell that starts there"};
+    static const struct {
+        Holds *way;
+        Cause cause;
+    } mistakes[] = {
+        {holds_inner,
+         {"strict where it should not be: cells are half-open, minX <= x < maxX",
+          MISTAKE_STRICT_BOUNDARY}},
+        {holds_border,
+         {.says = "cells are half-open: a border belongs to the cell that starts there"}},
+        {holds_middle, {SHIFTED, MISTAKE_SHIFTED_HALF}},
+        {holds_corner, {SHIFTED, MISTAKE_SHIFTED_HALF}},
+        {holds_whole,
+         {.says = "a cell's border was made a whole number: it may lie between two pixels"}},
+    };
+    for (int i = 0; i < COUNT(mistakes); i++) {
+        if (children_follow(job, found, mistakes[i].way)) {
+            return mistakes[i].cause;
+        }
     }
     return (Cause){0};
 }
@@ -53,14 +85,14 @@ static Cause explain_children(const Job03 *job, const u32 *found)
 // A half-open cell.
 static Words cell_words(BBox2D box)
 {
-    return words("x [%g, %g) y [%g, %g)", box.minX, box.maxX, box.minY, box.maxY);
+    return words("x [%.9g, %.9g) y [%.9g, %.9g)", box.minX, box.maxX, box.minY, box.maxY);
 }
 
 static Diagnosis child_fault(const void *pointer, int i, const void *answers)
 {
     const Job03 *job = pointer;
     const u32 *found = answers;
-    const KdTree2D *tree = &job->scenes[BORDERS].tree;
+    const KdTree2D *tree = &job->child_tree;
     const ChildJob in = job->children[i];
     const NodeRel node = tree->nodes_Relations[in.id];
     const BBox2D left = tree->nodes_BBox[node.lChild], right = tree->nodes_BBox[node.rChild];
@@ -145,9 +177,10 @@ static Verdict judge_descent_work(const void *job, int k, const Sections *answer
 // asked.
 static Verdict judge_leaf_works(const void *job, const Sections *answers)
 {
-    Verdict verdict = judge_work(job, WIDE, judge_leaf, answers);
-    if (verdict.kind == VERDICT_PASSED) {
-        verdict = judge_work(job, ROOT_IS_LEAF, judge_leaf, answers);
+    static const int scenes[] = {WIDE, EMPTY_LEAVES, ROOT_IS_LEAF, LONG_LIST};
+    Verdict verdict = verdict_passed;
+    for (int i = 0; verdict.kind == VERDICT_PASSED && i < COUNT(scenes); i++) {
+        verdict = judge_work(job, scenes[i], judge_leaf, answers);
     }
     return verdict.kind == VERDICT_PASSED ? judge_picture(job, LEAF_MAP, answers) : verdict;
 }
@@ -155,15 +188,15 @@ static Verdict judge_leaf_works(const void *job, const Sections *answers)
 // ---- The judge ----------------------------------------------------------------------------------
 
 static const JudgeCheck checks[] = {
-    {"child-inside", "Pixels inside one of the children", "getContainingChild", 15,
-     .function = &children, .range = {0, N_INSIDE}},
+    {"child-inside", "Pixels inside one of the children, by however little", "getContainingChild",
+     15, .function = &children, .range = {0, N_INSIDE}},
     {"child-border", "Pixels on a border between children", "getContainingChild", 10,
      .function = &children, .range = {N_INSIDE, N_BORDER}},
 
     {"descent-picture", "Random scenes through their trees", "descent", 15, "*",
-     .scene = judge_picture, .range = {BORDERS, 2}, .alone = all_end_in_leaves_03},
+     .scene = judge_picture, .range = {BORDERS, 3}, .alone = all_end_in_leaves_03},
     {"descent-leaf", "Every pixel ends in its own leaf", "descent", 10, "*", .scene = judge_picture,
-     .range = {LEAF_MAP, 1}, .alone_scene = ends_in_leaves_03},
+     .range = {LEAF_MAP, 2}, .alone_scene = ends_in_leaves_03},
     {"descent-work", "One step a level, no more", "descent", 10, "getContainingChild",
      .scene = judge_descent_work, .range = {WIDE, 2, ROOT_IS_LEAF - WIDE}},
 
@@ -171,8 +204,8 @@ static const JudgeCheck checks[] = {
      .range = {RANDOM, 2}},
     {"leaf-order", "Of equal depths the lower index wins", "leaf_loop", 10, "*",
      .scene = judge_picture, .range = {ORDER, 1}},
-    {"leaf-edges", "Empty leaves, one leaf, no circles, huge, tiny", "leaf_loop", 10, "*",
-     .scene = judge_picture, .range = {EDGES, N_EDGES}},
+    {"leaf-edges", "Empty leaves, long lists, no circles, huge, tiny, any depth", "leaf_loop", 10,
+     "*", .scene = judge_picture, .range = {EDGES, N_EDGES}},
     {"leaf-work", "Only the leaf's own circles are asked", "leaf_loop", 5, "*",
      .all = judge_leaf_works},
 };

@@ -1,6 +1,6 @@
 // What lab 03's judge asks of a submission: inputs of getContainingChild, and scenes with their
-// trees. Drawn in judge_03_job.c, judged in judge_03.c; answers are tried alone in
-// judge_03_alone.c.
+// trees. Drawn in judge_03_job.c and judge_03_trees.c, judged in judge_03.c; answers are tried
+// alone in judge_03_alone.c.
 #ifndef JUDGE_JUDGE_03_H
 #define JUDGE_JUDGE_03_H
 
@@ -12,20 +12,33 @@
 enum {
     BORDERS = 0,  // root [0, 256] x [0, 256]: splits fall on whole pixels
     WIDE = 1,
-    LEAF_MAP = 2,  // each leaf has a colour of its own
-    RANDOM = 3,    // two
-    ORDER = 5,
-    EDGES = 6,
+    WITHIN = 2,    // smaller than its picture: pixels outside the root
+    LEAF_MAP = 3,  // each leaf has a colour of its own,
+    STAIRS = 4,    // and here the tree is deeper than any number one might think of
+    RANDOM = 5,    // two
+    ORDER = 7,
+    EDGES = 8,
+    EMPTY_LEAVES = EDGES + 1,
     ROOT_IS_LEAF = EDGES + 4,
-    N_EDGES = 6,
+    DEPTHS = EDGES + 6,
+    LONG_LIST = EDGES + 7,
+    N_EDGES = 8,
     N_SCENES = EDGES + N_EDGES,
 };
+
+// No tree of a leaf map has more levels.
+enum { MOST_LEVELS = 73 };
+
+// Inputs of getContainingChild: first borders that lie beside a whole pixel, in either direction,
+// each with the pixels before, at and behind it; then random ones.
+enum { N_BESIDE = 7, N_BESIDE_JOBS = 2 * 3 * N_BESIDE };
 enum { N_INSIDE = 2000, N_BORDER = 1000 };
 enum { N_CHILDREN = N_INSIDE + N_BORDER };
 
 typedef struct Job03 {
     Job job;
     ChildJob children[N_CHILDREN];
+    KdTree2D child_tree;  // of these: nodes of the scene BORDERS, and families that are nobody's
     JobScene scenes[N_SCENES];
 } Job03;
 
@@ -38,6 +51,24 @@ int job_03_write_scene(const void *job, int k, FILE *file);
 int write_alone_03(const void *job, const char *task, FILE *file);
 int ends_in_leaves_03(const void *job, int k, const Sections *answers);
 int all_end_in_leaves_03(const void *job, const JudgeCheck *check, const Sections *answers);
+
+// A tree with room for so many nodes and entries, all zeros. Returns 0, or -1 after one message; to
+// be freed in either case.
+int tree_create_03(u32 n_nodes, u32 n_map, KdTree2D *tree);
+
+// Make the scene's tree a leaf map, with the picture that is expected. Outside the root a pixel may
+// end in any leaf. Returns 0, or -1 after one message.
+int make_leaf_map(JobScene *scene);
+
+// Draw the scene STAIRS. Returns 0, or -1 after one message.
+int draw_stairs(JobScene *scene);
+
+// The nodes of a tree, without lists, and more of them, with borders beside a whole pixel; and the
+// inputs that ask for these. Returns 0, or -1 after one message.
+int add_borders_beside(const KdTree2D *tree, KdTree2D *more, ChildJob jobs[N_BESIDE_JOBS]);
+
+// Write the nodes of getContainingChild. Returns 0, or -1.
+int write_child_tree_03(const Job03 *job, FILE *file);
 
 // Is the point in the cell? Cells are half-open: minX <= x < maxX.
 int cell_holds(BBox2D box, double x, double y);

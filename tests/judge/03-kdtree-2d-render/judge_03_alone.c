@@ -6,15 +6,17 @@
 //
 //   nodes_Relations[n_nodes]      a leaf that is nobody's
 //   nodes_Relations[TABLE_NODES]  its id, and the picture's width and height
-//   behind that, u32              levels[TABLE_NODES] of the nodes, 0 the root's; then a word for
-//                                 each pixel: for leaf_loop its leaf; for descent, which has to
-//                                 find that, only the way there: bit i says where to go at level i
+//   behind that, u32              for each of TABLE_NODES nodes the number of the first leaf below
+//                                 its right child, leaves counted from left to right; then a word
+//                                 for each pixel: for leaf_loop its leaf; for descent, which has to
+//                                 find that, only the leaf's number
 //
 // So descent and leaf_loop have all that they have in the whole, and who does without the stand-in
 // is as right as there.
 #include "judge_03.h"
 
 #include "complain.h"
+#include "jobs.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -55,10 +57,23 @@ static u32 *list_leaves(const JobScene *scene)
     return leaves;
 }
 
-// What a leaf's pixels have in their word.
-static u32 word_of(u32 leaf, const u32 *ways, int is_for_descent)
+// Count leaves from left to right: first[] gets the number of the first leaf below each node, a
+// leaf's own. Children have higher ids than their parent.
+static void number_leaves(const KdTree2D *tree, u32 first[TABLE_NODES])
 {
-    return is_for_descent ? ways[leaf] : leaf;
+    u32 n_leaves[TABLE_NODES];
+    for (u32 id = tree->n_nodes; id-- > 0;) {
+        const NodeRel node = tree->nodes_Relations[id];
+        n_leaves[id] =
+            tree->nodes_flag[id] == LEAF ? 1 : n_leaves[node.lChild] + n_leaves[node.rChild];
+    }
+    for (u32 id = 0; id < tree->n_nodes; id++) {
+        const NodeRel node = tree->nodes_Relations[id];
+        if (tree->nodes_flag[id] != LEAF) {
+            first[node.lChild] = first[id];
+            first[node.rChild] = first[id] + n_leaves[node.lChild];
+        }
+    }
 }
 
 // Fill the tables of a tree with room for them. A pixel outside the root may end in any leaf: its
@@ -68,22 +83,21 @@ static void fill_tables(const JobScene *scene, const u32 *leaves, int is_for_des
 {
     const KdTree2D *tree = &scene->tree;
     const u32 width = (u32)scene->scene.width, height = (u32)scene->scene.height;
-    u32 ways[TABLE_NODES] = {0}, first_leaf = NO_LEAF;
-    u32 *levels = (u32 *)(relations + TABLE_NODES + 1);
+    u32 first[TABLE_NODES] = {0}, first_leaf = 0;
+    u32 *table = (u32 *)(relations + TABLE_NODES + 1);
     relations[TABLE_NODES] = (NodeRel){tree->n_nodes, width, height, 0};
+    number_leaves(tree, first);
     for (u32 id = 0; id < tree->n_nodes; id++) {
-        const u32 left = relations[id].lChild, right = relations[id].rChild;
-        if (tree->nodes_flag[id] == LEAF) {
-            first_leaf = first_leaf == NO_LEAF ? id : first_leaf;
-            continue;
+        if (tree->nodes_flag[id] != LEAF) {
+            table[id] = first[relations[id].rChild];
         }
-        levels[left] = levels[right] = levels[id] + 1;
-        ways[left] = ways[id];
-        ways[right] = ways[id] | 1u << levels[id];
+    }
+    while (tree->nodes_flag[first_leaf] != LEAF) {
+        first_leaf = relations[first_leaf].lChild;
     }
     for (u32 i = 0; i < width * height; i++) {
         const u32 leaf = leaves[i] != NO_LEAF ? leaves[i] : first_leaf;
-        levels[TABLE_NODES + i] = word_of(leaf, ways, is_for_descent);
+        table[TABLE_NODES + i] = is_for_descent ? first[leaf] : leaf;
     }
 }
 
@@ -95,16 +109,12 @@ static int extend_tree(const JobScene *scene, int is_for_descent, KdTree2D *tree
     const size_t n_pixels = (size_t)scene->scene.width * (size_t)scene->scene.height;
     const size_t n_words = TABLE_NODES + n_pixels;
     const size_t n_nodes = TABLE_NODES + 1 + (n_words + WORDS_A_NODE - 1) / WORDS_A_NODE;
+    if (own->n_nodes >= TABLE_NODES) {
+        complain("grade: a tree of %u nodes, expected less than %d", own->n_nodes, TABLE_NODES);
+        return -1;
+    }
     u32 *leaves = list_leaves(scene);
-    *tree = (KdTree2D){.nodes_Relations = calloc(n_nodes, sizeof *tree->nodes_Relations),
-                       .nodes_flag = calloc(n_nodes, sizeof *tree->nodes_flag),
-                       .nodes_BBox = calloc(n_nodes, sizeof *tree->nodes_BBox),
-                       .mapNode2Circles = calloc(own->n_map, sizeof *tree->mapNode2Circles),
-                       .n_nodes = (u32)n_nodes,
-                       .n_map = own->n_map};
-    if (leaves == NULL || tree->nodes_Relations == NULL || tree->nodes_flag == NULL ||
-        tree->nodes_BBox == NULL || tree->mapNode2Circles == NULL || own->n_nodes >= TABLE_NODES) {
-        complain("grade: no room for tables");
+    if (leaves == NULL || tree_create_03((u32)n_nodes, own->n_map, tree) != 0) {
         free(leaves);
         return -1;
     }
@@ -122,6 +132,7 @@ static int extend_tree(const JobScene *scene, int is_for_descent, KdTree2D *tree
 static int write_scene(const JobScene *scene, int k, int is_for_descent, FILE *file)
 {
     JobScene extended = *scene;
+    extended.tree = (KdTree2D){0};
     int result = extend_tree(scene, is_for_descent, &extended.tree);
     if (result == 0) {
         result = job_scene_write(&extended, k, file);
@@ -134,11 +145,7 @@ int write_alone_03(const void *pointer, const char *task, FILE *file)
 {
     const Job03 *job = pointer;
     if (strcmp(task, "getContainingChild") == 0) {
-        const KdTree2D *tree = &job->scenes[BORDERS].tree;
-        return job_section_write(file, BORDERS, "relations", tree->nodes_Relations,
-                                 tree->n_nodes * sizeof *tree->nodes_Relations) |
-               job_section_write(file, BORDERS, "boxes", tree->nodes_BBox,
-                                 tree->n_nodes * sizeof *tree->nodes_BBox);
+        return write_child_tree_03(job, file);
     }
     const int is_for_descent = strcmp(task, "descent") == 0;
     int result = 0;
@@ -150,7 +157,15 @@ int write_alone_03(const void *pointer, const char *task, FILE *file)
 
 // ---- Judging ------------------------------------------------------------------------------------
 
-// Did every pixel of scene K end in its leaf? The stand-in of leaf_loop paints it.
+// Did a pixel end in its leaf? The stand-in of leaf_loop paints it. Outside the root it may end in
+// any leaf, or be background at once, but drawn it must be.
+static int ends_in_leaf(const float *found, u32 leaf, int x, int y)
+{
+    const float color[IMAGE_CHANNELS] = {(float)leaf, (float)x, (float)y, 1};
+    return leaf == NO_LEAF ? found[0] != UNWRITTEN : is_same_color(found, color, 0);
+}
+
+// Did every pixel of scene K?
 int ends_in_leaves_03(const void *pointer, int k, const Sections *answers)
 {
     const JobScene *scene = &((const Job03 *)pointer)->scenes[k];
@@ -160,20 +175,19 @@ int ends_in_leaves_03(const void *pointer, int k, const Sections *answers)
     int is_right = leaves != NULL;
     for (int i = 0; is_right && i < width * height; i++) {
         const int x = i % width, y = i / width;
-        const float color[IMAGE_CHANNELS] = {(float)leaves[i], (float)x, (float)y, 1};
-        is_right = leaves[i] == NO_LEAF || is_same_color(probe_image_pixel(own, x, y), color, 0);
+        is_right = ends_in_leaf(probe_image_pixel(own, x, y), leaves[i], x, y);
     }
     free(leaves);
     return is_right;
 }
 
-// The leaf map is another check's.
+// The leaf maps are another check's.
 int all_end_in_leaves_03(const void *job, const JudgeCheck *check, const Sections *answers)
 {
     int is_right = 1;
     (void)check;
     for (int k = 0; is_right && k < N_SCENES; k++) {
-        is_right = k == LEAF_MAP || ends_in_leaves_03(job, k, answers);
+        is_right = k == LEAF_MAP || k == STAIRS || ends_in_leaves_03(job, k, answers);
     }
     return is_right;
 }

@@ -10,8 +10,16 @@
 static const struct {
     const char *name;
     KdTreeLimits limits;
-} edges[N_EDGES] = {{"none", {4, 1}}, {"tiny", {8, 1}},     {"outside", {6, 2}},
-                    {"huge", {4, 1}}, {"touching", {1, 1}}, {"borders", {7, 2}}};
+} edges[DEPTHS - EDGES] = {{"none", {4, 1}}, {"tiny", {8, 1}},     {"outside", {6, 2}},
+                           {"huge", {4, 1}}, {"touching", {1, 1}}, {"borders", {7, 2}}};
+
+static void shift_circles(Scene2D *scene, float shift)
+{
+    for (int i = 0; i < scene->n_circles; i++) {
+        scene->circles[i].x += shift;
+        scene->circles[i].y += shift;
+    }
+}
 
 // A random scene whose bounds are [0, 256] in x and y, so that halves are whole pixels.
 static int draw_borders(Random *random, JobScene *scene)
@@ -20,11 +28,8 @@ static int draw_borders(Random *random, JobScene *scene)
         return -1;
     }
     snprintf(scene->picture.title, sizeof scene->picture.title, "random scene in a 256x256 root");
-    for (int i = 0; i < scene->scene.n_circles; i++) {
-        // Centres of 0 to 200 move to where circles of 9 pixels stay inside.
-        scene->scene.circles[i].x += 20;
-        scene->scene.circles[i].y += 20;
-    }
+    // Centres of 0 to 200 move to where circles of 9 pixels stay inside.
+    shift_circles(&scene->scene, 20);
     Circle *corner = scene->scene.circles;
     corner[0].x = corner[0].y = 1;
     corner[0].radius = 1;
@@ -32,6 +37,18 @@ static int draw_borders(Random *random, JobScene *scene)
     corner[1].radius = 1.5f;
     scene->scene.width = scene->scene.height = 256;
     return job_scene_grow_tree(scene, (KdTreeLimits){12, 4});
+}
+
+// A random scene in the middle of a larger picture.
+static int draw_within(Random *random, JobScene *scene)
+{
+    const int result = job_scene_random(scene, random, 40, 8, 60, 40);
+    snprintf(scene->picture.title, sizeof scene->picture.title,
+             "random scene, smaller than its picture of 100x80");
+    shift_circles(&scene->scene, 20);
+    scene->scene.width = 100;
+    scene->scene.height = 80;
+    return result;
 }
 
 int cell_holds(BBox2D box, double x, double y)
@@ -72,83 +89,6 @@ static ChildJob draw_child(Random *random, const KdTree2D *tree, int on_border)
     }
 }
 
-// Give each leaf one more circle, nearest of all, that covers everything in the leaf's own colour:
-// the picture then shows which leaf each pixel asked.
-static int colour_leaves(JobScene *scene)
-{
-    Scene2D *s = &scene->scene;
-    KdTree2D *tree = &scene->tree;
-    const u32 n_circles = (u32)s->n_circles;
-    u32 *map = malloc((tree->n_map + tree->n_nodes) * sizeof *map);
-    Circle *circles = realloc(s->circles, (n_circles + tree->n_nodes) * sizeof *circles);
-    s->circles = circles ? circles : s->circles;
-    if (map == NULL || circles == NULL) {
-        complain("grade: no memory for a scene");
-        free(map);
-        return -1;
-    }
-    u32 n_map = 0, n = n_circles;
-    for (u32 id = 0; id < tree->n_nodes; id++) {
-        if (tree->nodes_flag[id] != LEAF) {
-            continue;
-        }
-        const u32 *list = tree->mapNode2Circles + tree->nodes_Relations[id].circleMapOffset;
-        tree->nodes_Relations[id].circleMapOffset = n_map;
-        map[n_map++] = list[0] + 1;
-        memcpy(map + n_map, list + 1, list[0] * sizeof *map);
-        n_map += list[0];
-        map[n_map++] = n;
-        circles[n++] = (Circle){.radius = 100000,
-                                .depth = -1,
-                                .r = (float)(id % 7) / 6,
-                                .g = (float)(id / 7 % 7) / 6,
-                                .b = (float)(id / 49) / 64,
-                                .a = 1};
-    }
-    free(tree->mapNode2Circles);
-    tree->mapNode2Circles = map;
-    tree->n_map = n_map;
-    s->n_circles = (int)n;
-    return 0;
-}
-
-u32 leaf_at(const KdTree2D *tree, int x, int y)
-{
-    u32 id = 0;
-    while (id < tree->n_nodes &&
-           (tree->nodes_flag[id] != LEAF || !cell_holds(tree->nodes_BBox[id], x, y))) {
-        id++;
-    }
-    return id;
-}
-
-// The picture of the leaf map: outside the root a pixel may end in any leaf.
-static int expect_leaf_map(JobScene *scene)
-{
-    if (job_scene_expect(scene) != 0) {
-        return -1;
-    }
-    const KdTree2D *tree = &scene->tree;
-    ExpectedPicture *expected = &scene->picture.expected;
-    Image *reference = &expected->reference;
-    for (int y = 0; y < reference->height; y++) {
-        for (int x = 0; x < reference->width; x++) {
-            const size_t pixel = (size_t)y * (size_t)reference->width + (size_t)x;
-            const u32 leaf = leaf_at(tree, x, y);
-            expected->tolerances[pixel] = leaf == tree->n_nodes ? INFINITY : 0;
-            if (leaf < tree->n_nodes) {
-                const u32 *list =
-                    tree->mapNode2Circles + tree->nodes_Relations[leaf].circleMapOffset;
-                const Circle own = scene->scene.circles[list[list[0]]];
-                const float color[IMAGE_CHANNELS] = {own.r, own.g, own.b, own.a};
-                memcpy(reference->pixels + pixel * IMAGE_CHANNELS, color, sizeof color);
-            }
-        }
-    }
-    expected->draw_mistaken = NULL;
-    return 0;
-}
-
 static int draw_leaf_map(Random *random, JobScene *scene)
 {
     int result = job_scene_random(scene, random, 60, 12, 128, 96);
@@ -157,34 +97,73 @@ static int draw_leaf_map(Random *random, JobScene *scene)
     if (result == 0) {
         result = job_scene_grow_tree(scene, (KdTreeLimits){8, 3});
     }
-    if (result == 0) {
-        result = colour_leaves(scene);
+    return result == 0 ? make_leaf_map(scene) : -1;
+}
+
+// A pixel's circles in one list, each nearer than those before it: the last one has all pixels.
+static int draw_long_list(JobScene *scene)
+{
+    enum { N_CIRCLES = 1100 };
+    *scene = (JobScene){0};
+    snprintf(scene->picture.title, sizeof scene->picture.title, "a leaf that lists %d circles",
+             N_CIRCLES);
+    if (scene2d_create(N_CIRCLES, 24, 16, &scene->scene) != 0) {
+        return -1;
     }
-    return result == 0 ? expect_leaf_map(scene) : -1;
+    for (int i = 0; i < N_CIRCLES; i++) {
+        scene->scene.circles[i] = (Circle){.x = 12,
+                                           .y = 8,
+                                           .radius = 20,
+                                           .depth = (float)(N_CIRCLES - i) / 2048,
+                                           .r = (float)(i % 32) / 32,
+                                           .g = (float)(i / 32) / 64,
+                                           .b = 0.5f,
+                                           .a = 1};
+    }
+    return 0;
+}
+
+// The limits of the tree of scene K.
+static KdTreeLimits limits_of(int k)
+{
+    const KdTreeLimits usual = {9, 6}, one_leaf = {1, 1};
+    return k == LONG_LIST ? one_leaf : k >= EDGES && k < DEPTHS ? edges[k - EDGES].limits : usual;
 }
 
 static int draw_scenes(Random *random, JobScene scenes[N_SCENES])
 {
     int result = draw_borders(random, &scenes[BORDERS]);
     result |= job_scene_random(&scenes[WIDE], random, 200, 20, 317, 211);
+    result |= draw_within(random, &scenes[WITHIN]);
     result |= draw_leaf_map(random, &scenes[LEAF_MAP]);
+    result |= draw_stairs(&scenes[STAIRS]);
     result |= job_scene_random(&scenes[RANDOM], random, 150, 12, 96, 128);
     result |= job_scene_random(&scenes[RANDOM + 1], random, 9, 30, 100, 60);
     job_scene_spread_depths(&scenes[RANDOM + 1]);
     result |= job_scene_named(&scenes[ORDER], "equal-depths", 96, 64);
-    for (int i = 0; i < N_EDGES; i++) {
-        result |= job_scene_named(&scenes[EDGES + i], edges[i].name, 64, 48);
+    for (int k = EDGES; k < DEPTHS; k++) {
+        result |= job_scene_named(&scenes[k], edges[k - EDGES].name, 64, 48);
     }
+    result |= job_scene_depths(&scenes[DEPTHS]) | draw_long_list(&scenes[LONG_LIST]);
     for (int k = 0; result == 0 && k < N_SCENES; k++) {
         if (scenes[k].tree.n_nodes == 0) {
-            const KdTreeLimits limits = {9, 6};
-            result = job_scene_grow_tree(&scenes[k], k < EDGES ? limits : edges[k - EDGES].limits);
+            result = job_scene_grow_tree(&scenes[k], limits_of(k));
         }
-        if (result == 0 && k != LEAF_MAP) {
+        if (result == 0 && k != LEAF_MAP && k != STAIRS) {
             result = job_scene_expect(&scenes[k]);
         }
     }
     return result;
+}
+
+// The nodes and inputs of getContainingChild.
+static int draw_children(Random *random, Job03 *job)
+{
+    const KdTree2D *tree = &job->scenes[BORDERS].tree;
+    for (int i = N_BESIDE_JOBS; i < N_CHILDREN; i++) {
+        job->children[i] = draw_child(random, tree, i >= N_INSIDE);
+    }
+    return add_borders_beside(tree, &job->child_tree, job->children);
 }
 
 int job_03_draw(void *pointer, Random *random)
@@ -193,11 +172,7 @@ int job_03_draw(void *pointer, Random *random)
     for (int k = 0; k < N_SCENES; k++) {
         job_list_picture(&job->job, &job->scenes[k].picture);
     }
-    const int result = draw_scenes(random, job->scenes);
-    for (int i = 0; result == 0 && i < N_CHILDREN; i++) {
-        job->children[i] = draw_child(random, &job->scenes[BORDERS].tree, i >= N_INSIDE);
-    }
-    return result;
+    return draw_scenes(random, job->scenes) == 0 ? draw_children(random, job) : -1;
 }
 
 void job_03_release(void *pointer)
@@ -206,9 +181,21 @@ void job_03_release(void *pointer)
     for (int k = 0; k < N_SCENES; k++) {
         job_scene_free(&job->scenes[k]);
     }
+    tree2d_free(&job->child_tree);
+}
+
+int write_child_tree_03(const Job03 *job, FILE *file)
+{
+    const KdTree2D *tree = &job->child_tree;
+    return section_write(file, "children.relations", tree->nodes_Relations,
+                         tree->n_nodes * sizeof *tree->nodes_Relations) |
+           section_write(file, "children.boxes", tree->nodes_BBox,
+                         tree->n_nodes * sizeof *tree->nodes_BBox);
 }
 
 int job_03_write_scene(const void *pointer, int k, FILE *file)
 {
-    return job_scene_write(&((const Job03 *)pointer)->scenes[k], k, file);
+    const Job03 *job = pointer;
+    return (k == 0 ? write_child_tree_03(job, file) : 0) |
+           job_scene_write(&job->scenes[k], k, file);
 }

@@ -40,6 +40,9 @@ static int is_ambiguous(Circle c, double x, double y)
 // Does this circle take the pixel from the one found so far (NULL: none)?
 static int takes_pixel(const Circle *circle, const Circle *found, const OracleRules *rules)
 {
+    if (rules->too_far != 0 && circle->depth >= rules->too_far) {
+        return 0;
+    }
     if (found == NULL) {
         return 1;
     }
@@ -105,6 +108,13 @@ static const u32 *list_at(const KdTree2D *tree, double x, double y)
     return NULL;
 }
 
+// The place behind the last entry of a list that is asked.
+static u32 end_of(const u32 *list, const OracleRules *rules)
+{
+    const int is_cut = rules->longest_list != 0 && list[0] > rules->longest_list;
+    return 1 + (is_cut ? rules->longest_list : list[0] - (u32)rules->skip_last);
+}
+
 // The id that is asked for entry i of a list.
 static u32 id_of_entry(const u32 *list, u32 i, OracleId id)
 {
@@ -117,7 +127,7 @@ void oracle2d_draw_leaves(const Circle *circles, int n_circles, const KdTree2D *
     for (int v = 0; v < image->height; v++) {
         for (int u = 0; u < image->width; u++) {
             const u32 *list = rules->first_list ? tree->mapNode2Circles : list_at(tree, u, v);
-            const u32 end = list ? list[0] + 1 - (u32)rules->skip_last : 0;
+            const u32 end = list ? end_of(list, rules) : 0;
             const Circle *found = NULL;
             for (u32 i = 1 + (u32)rules->skip_first; i < end; i++) {
                 const u32 id = id_of_entry(list, i, rules->id);

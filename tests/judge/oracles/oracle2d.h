@@ -28,8 +28,10 @@ typedef struct OracleRules {
     int skip_last;         // nor the last
     double sample_offset;  // added to the pixel's coordinates, 0.5 for the pixel's centre
     int diameter;          // the radius taken for a diameter
+    double too_far;        // circles of this depth and behind it are never taken; 0: none is
     OracleId id;           // through a tree only
     int first_list;        // the same: every leaf has the list at the start of mapNode2Circles
+    u32 longest_list;      // the same: no more of a list than this is asked; 0: all of it
 } OracleRules;
 
 // Draw circles into an image of its size.

@@ -42,6 +42,43 @@ void job_scene_spread_depths(JobScene *scene)
     }
 }
 
+// Where circles have the same centre, one of them takes the pixels, and its depth says which. The
+// largest float is left out: minDepth may start there.
+int job_scene_depths(JobScene *scene)
+{
+    static const struct {
+        int place;
+        float depth;
+    } rows[] = {
+        {0, 0.5f},   {0, 0x1.fffffep-2f},  // nearer by one float
+        {1, 0.5f},   {1, 0x1.000002p-1f},  // farther by one float
+        {2, 3e38f},                        // alone: taken, however far
+        {3, 0.0f},   {3, -0.0f},           // equal
+        {4, 0.0f},   {4, -0x1p-100f},      // nearer by less than any epsilon
+        {5, 1e30f},  {5, -1e30f},          // much nearer
+        {6, -3e38f},
+    };
+    enum { N_ROWS = sizeof rows / sizeof *rows, PLACES_A_ROW = 4, PLACE = 8, RADIUS = 3 };
+    *scene = (JobScene){0};
+    snprintf(scene->picture.title, sizeof scene->picture.title,
+             "depths from -3e38 to 3e38, and one float apart");
+    if (scene2d_create(N_ROWS, PLACES_A_ROW * PLACE, 2 * PLACE, &scene->scene) != 0) {
+        return -1;
+    }
+    for (int i = 0; i < N_ROWS; i++) {
+        scene->scene.circles[i] =
+            (Circle){.x = (float)(rows[i].place % PLACES_A_ROW * PLACE + PLACE / 2),
+                     .y = (float)(rows[i].place / PLACES_A_ROW * PLACE + PLACE / 2),
+                     .radius = RADIUS,
+                     .depth = rows[i].depth,
+                     .r = (float)(i + 1) / 16,
+                     .g = 1 - (float)i / 16,
+                     .b = (float)(i % 3) / 2,
+                     .a = 1};
+    }
+    return 0;
+}
+
 // The oracle's mistakes, as DrawMistaken has it.
 static Cause draw_mistaken(const void *pointer, int mistake, Image *guess, float *tolerances)
 {
@@ -69,6 +106,10 @@ static Cause draw_mistaken(const void *pointer, int mistake, Image *guess, float
           MISTAKE_SHIFTED_HALF},
          {.sample_offset = -0.5}},
         {{.says = "drawn with half the radius"}, {.diameter = 1}},
+        {{.says = "drawn as if far circles were never taken: minDepth starts too small"},
+         {.too_far = 1e6}},
+        {{.says = "drawn as if far circles were never taken: minDepth starts too small"},
+         {.too_far = 1e33}},
     };
     enum { N_MISTAKES = sizeof mistakes / sizeof *mistakes };
     static const struct {
@@ -87,6 +128,11 @@ static Cause draw_mistaken(const void *pointer, int mistake, Image *guess, float
               "drawn as if every pixel read the list at the start of mapNode2Circles, where the "
               "circleMapOffset of an inner node points, too"},
          {.first_list = 1}},
+        {{.says = "drawn as if the end of a long list were never asked"}, {.longest_list = 64}},
+        {{.says = "drawn as if the end of a long list were never asked"}, {.longest_list = 128}},
+        {{.says = "drawn as if the end of a long list were never asked"}, {.longest_list = 256}},
+        {{.says = "drawn as if the end of a long list were never asked"}, {.longest_list = 512}},
+        {{.says = "drawn as if the end of a long list were never asked"}, {.longest_list = 1024}},
     };
     enum { N_LEAF_MISTAKES = sizeof leaf_mistakes / sizeof *leaf_mistakes };
     const JobScene *scene = pointer;
@@ -163,8 +209,9 @@ int job_scene_write(const JobScene *scene, int k, FILE *file)
                                     tree->n_nodes * sizeof *tree->nodes_flag);
         result |= job_section_write(file, k, "boxes", tree->nodes_BBox,
                                     tree->n_nodes * sizeof *tree->nodes_BBox);
-        result |= job_section_write(file, k, "map", tree->mapNode2Circles,
-                                    tree->n_map * sizeof *tree->mapNode2Circles);
+        const u32 beyond = (u32)s->n_circles;
+        result |= job_array_write(file, k, "map", tree->mapNode2Circles, tree->n_map, &beyond,
+                                  sizeof beyond);
     }
     return result;
 }

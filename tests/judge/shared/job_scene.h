@@ -24,6 +24,10 @@ int job_scene_named(JobScene *scene, const char *name, int width, int height);
 // Spread the depths of a random scene from about -500 000 to 500 000: a depth may be any number.
 void job_scene_spread_depths(JobScene *scene);
 
+// Depths of every size: one of 3e38, two that are one float apart, both zeros. Returns 0, or -1
+// after one message.
+int job_scene_depths(JobScene *scene);
+
 // Let the oracle draw what is expected. Returns 0, or -1 after one message.
 int job_scene_expect(JobScene *scene);
 
@@ -31,7 +35,8 @@ int job_scene_expect(JobScene *scene);
 // one). Returns 0, or -1 after one message.
 int job_scene_grow_tree(JobScene *scene, KdTreeLimits limits);
 
-// Write the sections "scene.K" ...; the tree's too when there is one. Returns 0, or -1.
+// Write the sections "scene.K" ...; the tree's too when there is one, and behind its lists the id
+// of the circle that must not be asked. Returns 0, or -1.
 int job_scene_write(const JobScene *scene, int k, FILE *file);
 
 // Write "scene.K.circles" alone, and behind the circles one that must not be asked. Returns 0, or

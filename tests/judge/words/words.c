@@ -26,7 +26,7 @@ Words words_vec3(Vec3 v, int digits)
 
 Words words_circle(Circle circle)
 {
-    return words("(%g, %g) radius %g", circle.x, circle.y, circle.radius);
+    return words("(%.9g, %.9g) radius %.9g", circle.x, circle.y, circle.radius);
 }
 
 Words words_sphere(Sphere sphere)

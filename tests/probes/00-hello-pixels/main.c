@@ -71,7 +71,8 @@ static void answer_picture(const Probe *probe, int k, const SceneJob *scene, cl_
 
 static void answer_pictures(const Probe *probe)
 {
-    cl_program program = probe_build(probe, LAB_FOLDER "/gradient.cl", "-I kernels");
+    cl_program program = probe_build(probe, "probes/" LAB_NAME "/picture.cl",
+                                     "-I " LAB_FOLDER " -I kernels -I probes");
     const SceneJob *scene;
     for (int k = 0; (scene = probe_scene(probe, k)) != NULL; k++) {
         answer_picture(probe, k, scene, program);
@@ -144,13 +145,16 @@ static void answer_read_back(const Probe *probe, int k, const SceneJob *scene)
     size_t n_bytes;
     const u32 *key = probe_scene_part(probe, k, "pattern", &n_bytes);
     float *h_pattern = malloc(n_floats * sizeof *h_pattern);
-    float *h_pixels = malloc(n_floats * sizeof *h_pixels);
+    const size_t n_answers = n_floats + READ_BACK_GUARD;
+    float *h_pixels = malloc(n_answers * sizeof *h_pixels);
     if (h_pattern == NULL || h_pixels == NULL || n_bytes != sizeof *key) {
         exit(PROBE_EXIT_FAULT);
     }
     for (size_t i = 0; i < n_floats; i++) {
         h_pattern[i] = pattern_value(*key, (u32)i);
-        h_pixels[i] = NAN;
+    }
+    for (size_t i = 0; i < n_answers; i++) {
+        h_pixels[i] = i < n_floats ? NAN : UNWRITTEN;
     }
     cl_mem d_image = exact_image(probe, scene);
     if (k == 0) {
@@ -161,7 +165,7 @@ static void answer_read_back(const Probe *probe, int k, const SceneJob *scene)
     probe_note(probe, "readback", (uint32_t)k);
     read_back(probe->cl.queue, d_image, scene->width, scene->height, h_pixels);
     // As it is when read_back() returns: what arrives later is too late.
-    probe_answer(probe, "readback", k, NULL, h_pixels, n_floats * sizeof *h_pixels);
+    probe_answer(probe, "readback", k, NULL, h_pixels, n_answers * sizeof *h_pixels);
     CL_CHECK(clFinish(probe->cl.queue));
     CL_CHECK(clReleaseMemObject(d_image));
     free(h_pattern);

@@ -1,11 +1,7 @@
 // Probe of lab 01: the student's kernel, and one that calls overlaps_N_Nearer with the job's
 // inputs.
+#include "image_size.h"
 
-// In the probe the image is larger than the picture; a guard by the image's size is right as well.
-#undef get_image_width  // a macro in some drivers
-#undef get_image_height
-#define get_image_width(image) width
-#define get_image_height(image) height
 #include "implicit2DRenderer.cl"
 
 #include "jobs.h"

@@ -9,19 +9,20 @@
 // A scene's arrays on the device, in the order of the kernel's first parameters.
 enum { N_ARRAYS = 5 };
 static const char *const array_names[N_ARRAYS] = {"circles", "relations", "flags", "boxes", "map"};
-enum { RELATIONS = 1, BOXES = 3 };
 
-static cl_mem array_create(const Probe *probe, int k, int array)
+static cl_mem section_create(const Probe *probe, const char *name)
 {
     size_t n_bytes;
-    const void *bytes = probe_scene_part(probe, k, array_names[array], &n_bytes);
+    const void *bytes = probe_job(probe, name, &n_bytes);
     return cl_buffer_create(&probe->cl, bytes, n_bytes);
 }
 
 static void arrays_create(const Probe *probe, int k, cl_mem d_arrays[N_ARRAYS])
 {
     for (int i = 0; i < N_ARRAYS; i++) {
-        d_arrays[i] = array_create(probe, k, i);
+        size_t n_bytes;
+        const void *bytes = probe_scene_part(probe, k, array_names[i], &n_bytes);
+        d_arrays[i] = cl_buffer_create(&probe->cl, bytes, n_bytes);
     }
 }
 
@@ -37,7 +38,8 @@ static void answer_children(const Probe *probe, cl_program program)
     if (!probe_asks(probe, "children")) {
         return;
     }
-    const cl_mem d_tree[] = {array_create(probe, 0, RELATIONS), array_create(probe, 0, BOXES)};
+    const cl_mem d_tree[] = {section_create(probe, "children.relations"),
+                             section_create(probe, "children.boxes")};
     probe_call(probe, program, "children", sizeof(ChildJob), sizeof(cl_uint), d_tree, 2);
     CL_CHECK(clReleaseMemObject(d_tree[0]));
     CL_CHECK(clReleaseMemObject(d_tree[1]));

@@ -1,11 +1,7 @@
 // Probe of lab 04: the student's kernel, and one that calls pixel_on_display and primary_ray with
 // the job's inputs.
+#include "image_size.h"
 
-// In the probe the image is larger than the picture; a guard by the image's size is right as well.
-#undef get_image_width  // a macro in some drivers
-#undef get_image_height
-#define get_image_width(image) width
-#define get_image_height(image) height
 #include "draw_directions.cl"
 #include "jobs.h"
 
