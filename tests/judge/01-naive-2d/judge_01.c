@@ -224,7 +224,7 @@ static int is_little_nearer(OverlapJob in, int found)
 
 static int is_on_boundary(OverlapJob in, int found)
 {
-    return !found && outside_by(in) == 0 && in.circle.radius > 0;
+    return !found && outside_by(in) == 0;
 }
 
 static int has_no_radius(OverlapJob in, int found)
