@@ -92,8 +92,12 @@ static int colour_leaves(JobScene *scene)
     const u32 n_nodes = scene->tree.n_nodes + N_STRANGERS;
     KdTree2D map;
     Circle *circles = realloc(s->circles, ((size_t)s->n_circles + n_nodes) * sizeof *circles);
-    s->circles = circles ? circles : s->circles;
-    if (tree_create_03(n_nodes, scene->tree.n_map + 2 * n_nodes, &map) != 0 || circles == NULL) {
+    if (circles == NULL) {
+        complain("grade: no memory for a scene");
+        return -1;
+    }
+    s->circles = circles;
+    if (tree_create_03(n_nodes, scene->tree.n_map + 2 * n_nodes, &map) != 0) {
         tree2d_free(&map);
         return -1;
     }

@@ -10,18 +10,19 @@
 
 // ---- Mistakes made by the oracle --------------------------------------------------------------
 
-static int looks_like(ProbeImage own, const ExpectedPicture *expected, const Image *guess,
-                      const float *guess_tolerances)
+static Tally compare(ProbeImage own, const ExpectedPicture *expected, const Image *guess,
+                     const float *guess_tolerances)
 {
     Tally tally = {0};
     for (int i = 0; i < expected_n_pixels(expected); i++) {
         tally_add(&tally, pixel_pair(own, expected, i), guess->pixels + (size_t)i * IMAGE_CHANNELS,
                   guess_tolerances[i]);
     }
-    return tally_recognises(&tally);
+    return tally;
 }
 
-// The scene's mistake that the picture looks like.
+// The scene's mistake that the picture looks like: the first that it is to the last pixel, or where
+// it is none, the first that it resembles. Two may resemble it where a picture is sparse.
 static Cause looks_mistaken(ProbeImage own, const ExpectedPicture *expected)
 {
     const Image *reference = &expected->reference;
@@ -30,11 +31,18 @@ static Cause looks_mistaken(ProbeImage own, const ExpectedPicture *expected)
     Image guess = {0};
     Cause looks = {0};
     if (tolerances != NULL && image_create(reference->width, reference->height, &guess) == 0) {
-        int mistake = 0;
-        do {
+        int is_exact = 0;
+        for (int mistake = 0; !is_exact; mistake++) {
             memset(tolerances, 0, n_pixels * sizeof *tolerances);
-            looks = expected->draw_mistaken(expected->scene, mistake++, &guess, tolerances);
-        } while (looks.says != NULL && !looks_like(own, expected, &guess, tolerances));
+            const Cause next =
+                expected->draw_mistaken(expected->scene, mistake, &guess, tolerances);
+            if (next.says == NULL) {
+                break;
+            }
+            const Tally tally = compare(own, expected, &guess, tolerances);
+            is_exact = tally_recognises(&tally) && tally.n_agree == tally.n_compared;
+            looks = is_exact || (looks.says == NULL && tally_recognises(&tally)) ? next : looks;
+        }
     }
     image_free(&guess);
     free(tolerances);
