@@ -12,9 +12,11 @@
 #include "manifest.h"
 #include "sandbox.h"
 
+#include <limits.h>
+
 typedef struct Workshop {
-    char folder[160];   // under $TMPDIR or /tmp
-    const char *build;  // the build folder with the probes and libraries, "build"
+    char folder[PATH_MAX];  // under $TMPDIR or /tmp
+    const char *build;      // the build folder with the probes and libraries, "build"
     const Manifest *manifest;
     const char *device;  // value of COURSE_DEVICE inside; "" for the first
     SandboxKind sandbox;
@@ -29,6 +31,6 @@ int workshop_open(Workshop *workshop, const Manifest *manifest, const char *buil
 void workshop_close(Workshop *workshop);
 
 // Where the job is to be written before any variant runs.
-void workshop_job_path(const Workshop *workshop, char *path, size_t n_bytes);
+void workshop_job_path(const Workshop *workshop, char path[PATH_MAX]);
 
 #endif
