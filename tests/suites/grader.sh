@@ -67,6 +67,16 @@ make_grade() {
 check "make grade below full marks ends with 0" make_grade 0 LAB=02 SUBMISSION=labs/02-kdtree-2d-build SEED=5
 check "and its last line is the report's" test "$(tail -n 1 "$said" | cut -d ' ' -f 1)" = Report:
 check "a fault of the grader is one of make's" make_grade 2 LAB=02 SUBMISSION=/nowhere
+# lab_grader LAB: what make would do for the grader of this lab alone.
+lab_grader() { make --no-print-directory --dry-run lab-grader BUILD="$scratch/none" LAB="$1"; }
+lab_grader 03 >"$said"
+check "the grader of one lab is built with its probe" grep -q ' -o .*/probes/03-kdtree-2d-render$' "$said"
+for number in 3 03-kdtree-2d-render; do
+    check "the same with LAB=$number" test "$(lab_grader $number)" = "$(cat "$said")"
+done
+make --no-print-directory lab-grader BUILD="${BUILD:-build}" LAB=77 >"$said" 2>"$said.err"
+ok $(($? != 2)) "the grader of a lab that is not there is refused"
+check "with the labs that are" grep -q '^make lab-grader: found LAB="77", expected .* 03-kdtree-2d-render ' "$said.err"
 make --no-print-directory "${BUILD:-build}/labs/77-none" >"$said" 2>&1
 ok $(($? != 2)) "make refuses a lab that is not there"
 check "and says which labs are" grep -q "found no lab for .*77-none, expected .*/labs/03-kdtree-2d-render" "$said"
