@@ -135,7 +135,17 @@ void workshop_close(Workshop *workshop)
     workshop->folder[0] = '\0';
 }
 
-void workshop_job_path(const Workshop *workshop, char path[PATH_MAX])
+void workshop_job_suffix(int job, char suffix[16])
 {
-    path_make(path, "%s/job/job", workshop->folder);
+    suffix[0] = '\0';
+    if (job > 0) {
+        snprintf(suffix, 16, ".%d", job);
+    }
+}
+
+void workshop_job_path(const Workshop *workshop, int job, char path[PATH_MAX])
+{
+    char suffix[16];
+    workshop_job_suffix(job, suffix);
+    path_make(path, "%s/job/job%s", workshop->folder, suffix);
 }
