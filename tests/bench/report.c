@@ -3,6 +3,7 @@
 
 #include "options.h"
 #include "output_file.h"
+#include "path.h"
 
 #include <stdio.h>
 
@@ -160,9 +161,9 @@ static enum RowGroup row_group(const Variant *variant)
 
 int report_write_csv(const Variant *variants, int n_variants, const char *folder)
 {
-    char path[4096];
+    char path[PATH_MAX];
     OutputFile output;
-    snprintf(path, sizeof path, "%s/bench2d.csv", folder);
+    path_make(path, "%s/bench2d.csv", folder);
     if (output_file_open(&output, path) != 0) {
         return -1;
     }
