@@ -88,7 +88,7 @@ $(OUT)/libimage_codec.so: $(call objects,common/image.cpp)
 
 .PHONY: setup help clean
 setup:  ## install what building and grading need, where it is missing
-	@common/setup/install.sh demo
+	@common/setup/install.sh $(setup_for)
 
 # The grader; and, where they are, its judge, memcheck and all that is for authors. A handout has not all of it.
 include tests/grader/grader.mk

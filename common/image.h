@@ -38,6 +38,13 @@ size_t image_stem_length(const char *path);
 // Returns 0, or -1 after one message on stderr.
 int image_save(const Image *image, const char *path);
 
+// A picture as the bytes of a file of `format`, "exr" or "png".
+//   name             what a message calls it
+//   bytes, n_bytes   out; release with free()
+// Returns 0, or -1 after one message on stderr.
+int image_encode(const Image *image, const char *format, const char *name, unsigned char **bytes,
+                 size_t *n_bytes);
+
 // Read a picture of any kind OpenImageIO knows into 4 channels (grey is spread, a missing alpha is
 // 1). Returns 0, or -1 after one message on stderr. Release with image_free().
 int image_load(const char *path, Image *image);

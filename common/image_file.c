@@ -35,6 +35,22 @@ static int bytes_save(const char *path, const unsigned char *bytes, size_t n_byt
     return output_file_commit(&output);
 }
 
+int image_encode(const Image *image, const char *format, const char *name, unsigned char **bytes,
+                 size_t *n_bytes)
+{
+    const ImageCodec *codec = codec_load(name);
+    if (codec == NULL) {
+        return -1;
+    }
+    char *fault = codec->encode(image, format, bytes, n_bytes);
+    if (fault != NULL) {
+        complain("%s: %s", name, fault);
+    }
+    const int result = fault != NULL ? -1 : 0;
+    free(fault);
+    return result;
+}
+
 int image_save(const Image *image, const char *path)
 {
     const size_t stem_length = image_stem_length(path);
@@ -42,21 +58,13 @@ int image_save(const Image *image, const char *path)
         complain("%s: expected a file that ends in .exr or .png", path);
         return -1;
     }
-    const ImageCodec *codec = codec_load(path);
-    if (codec == NULL) {
-        return -1;
-    }
-    unsigned char *bytes = NULL;
+    unsigned char *bytes;
     size_t n_bytes;
     const char *format = path + stem_length + 1;  // behind the point: "exr" or "png"
-    char *fault = codec->encode(image, format, &bytes, &n_bytes);
-    int result = -1;
-    if (fault != NULL) {
-        complain("%s: %s", path, fault);
-    } else {
-        result = bytes_save(path, bytes, n_bytes);
+    if (image_encode(image, format, path, &bytes, &n_bytes) != 0) {
+        return -1;
     }
-    free(fault);
+    const int result = bytes_save(path, bytes, n_bytes);
     free(bytes);
     return result;
 }

@@ -1,6 +1,7 @@
 # What authors need besides: a class, other systems, skeletons and handouts, the tests, known answers,
 # the figures. The bench and fuzzing have files of their own. Nothing of this is in a handout.
 
+setup_for = demo
 AUTHORS_INCLUDES += -I tests/mutation -I tests/memcheck -I tests/class
 
 # ---- Known answers, and mechanical ones -----------------------------------------------------
@@ -31,7 +32,6 @@ grade-class: grader  ## grade a class: LAB=03 SUBMISSIONS=folder [OUTPUT=folder]
 
 # The grader is run through this, which writes its result in more forms.
 grade:  ## the same, and write the result for other systems, too: LAB=03 FORMAT=junit,tap
-graded_lab = $(or $(filter $(LAB) $(LAB)-% 0$(LAB)-%,$(LABS)),$(LAB))
 through_formats = $(if $(FORMAT),tests/systems/formats/write.sh "$$FORMAT" \
     "$(OUT)/grade/$(firstword $(subst -, ,$(graded_lab)))" "$(graded_lab)")
 

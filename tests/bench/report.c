@@ -3,6 +3,7 @@
 
 #include "options.h"
 #include "output_file.h"
+#include "path.h"
 
 #include <stdio.h>
 
@@ -163,9 +164,9 @@ static enum RowGroup row_group(const Case2D *bench_case)
 
 int report_write_csv(const Case2D *cases, int n_cases, const char *folder)
 {
-    char path[4096];
+    char path[PATH_MAX];
     OutputFile output;
-    snprintf(path, sizeof path, "%s/bench2d.csv", folder);
+    path_make(path, "%s/bench2d.csv", folder);
     if (output_file_open(&output, path) != 0) {
         return -1;
     }

@@ -5,6 +5,7 @@
 
 #include "embree_peer.h"
 #include "output_file.h"
+#include "path.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -277,9 +278,9 @@ static void write_row(FILE *file, const Case3D *bench_case, Renderer renderer)
 
 int report3d_write_csv(const Case3D *cases, int n_cases, const char *folder)
 {
-    char path[4096];
+    char path[PATH_MAX];
     OutputFile output;
-    snprintf(path, sizeof path, "%s/bench3d.csv", folder);
+    path_make(path, "%s/bench3d.csv", folder);
     if (output_file_open(&output, path) != 0) {
         return -1;
     }

@@ -6,11 +6,11 @@
 #include "clean_text.h"
 #include "complain.h"
 #include "graded.h"
+#include "path.h"
 #include "text_file.h"
 
 #include <errno.h>
 #include <jansson.h>
-#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -116,7 +116,7 @@ static const char *picture_find(const char *folder, const char *slug)
     static const char *const names[] = {"picture.png", "picture.svg"};
     char path[PATH_MAX];
     for (int i = 0; i < 2; i++) {
-        snprintf(path, sizeof path, "%s/students/%s/%s", folder, slug, names[i]);
+        path_make(path, "%s/students/%s/%s", folder, slug, names[i]);
         if (access(path, R_OK) == 0) {
             return names[i];
         }
@@ -158,22 +158,22 @@ static void row_read(Gradebook *gradebook, Row *row, const char *wanted_key)
         row->reason = strdup("neither a folder nor an archive");
         return;
     }
-    snprintf(path, sizeof path, "%s/faults/%s", gradebook->folder, slug);
+    path_make(path, "%s/faults/%s", gradebook->folder, slug);
     line_read(path, line);
     if (line[0] != '\0') {
         row->reason = line_clean(line);
-        snprintf(path, sizeof path, "%s/logs/%s.txt", gradebook->folder, slug);
+        path_make(path, "%s/logs/%s.txt", gradebook->folder, slug);
         row->has_log = access(path, R_OK) == 0;
         return;
     }
-    snprintf(path, sizeof path, "%s/students/%s/key", gradebook->folder, slug);
+    path_make(path, "%s/students/%s/key", gradebook->folder, slug);
     line_read(path, line);
     if (line[0] == '\0') {
         row->reason = strdup("not reached");
         return;
     }
     Graded graded;
-    snprintf(path, sizeof path, "%s/students/%s/results.json", gradebook->folder, slug);
+    path_make(path, "%s/students/%s/results.json", gradebook->folder, slug);
     if (graded_load(path, &graded) != 0) {
         row->reason = strdup("its results cannot be read: run again with ONLY=failed");
         return;
@@ -189,7 +189,7 @@ static void row_read(Gradebook *gradebook, Row *row, const char *wanted_key)
 static int rows_read(Gradebook *gradebook)
 {
     char path[PATH_MAX], line[KEY_LINE_BYTES], slug[KEY_LINE_BYTES] = "", key[KEY_LINE_BYTES] = "";
-    snprintf(path, sizeof path, "%s/keys", gradebook->folder);
+    path_make(path, "%s/keys", gradebook->folder);
     FILE *keys = fopen(path, "r");
     if (keys == NULL) {
         return fault(path, strerror(errno));
@@ -246,7 +246,7 @@ int gradebook_load(const char *folder, const char *against, Gradebook *gradebook
 {
     char path[PATH_MAX];
     *gradebook = (Gradebook){.folder = folder};
-    snprintf(path, sizeof path, "%s/roster.json", folder);
+    path_make(path, "%s/roster.json", folder);
     if (roster_load(path, &gradebook->roster) != 0) {
         return -1;
     }

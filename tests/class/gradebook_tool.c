@@ -10,9 +10,9 @@
 #include "gradebook.h"
 #include "look_alikes.h"
 #include "number.h"
+#include "path.h"
 
 #include <getopt.h>
-#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -29,8 +29,8 @@ static int usage(void)
 static int roster_make(int lab_number, const char *submissions, const char *folder, int only_latest)
 {
     char links[PATH_MAX], path[PATH_MAX];
-    snprintf(links, sizeof links, "%s/submissions", folder);
-    snprintf(path, sizeof path, "%s/roster.json", folder);
+    path_make(links, "%s/submissions", folder);
+    path_make(path, "%s/roster.json", folder);
     Roster roster;
     int result = roster_read(submissions, lab_number, only_latest, links, &roster);
     if (result == 0) {
@@ -98,9 +98,9 @@ static void summary_print(const Gradebook *gradebook, const char *folder)
 static int gradebook_write(const char *folder, const char *worksheet, const char *against)
 {
     char csv[PATH_MAX], json[PATH_MAX], page[PATH_MAX];
-    snprintf(csv, sizeof csv, "%s/gradebook.csv", folder);
-    snprintf(json, sizeof json, "%s/gradebook.json", folder);
-    snprintf(page, sizeof page, "%s/class.html", folder);
+    path_make(csv, "%s/gradebook.csv", folder);
+    path_make(json, "%s/gradebook.json", folder);
+    path_make(page, "%s/class.html", folder);
     Gradebook gradebook;
     int status = EXIT_FAULT;
     if (gradebook_load(folder, against, &gradebook) == 0 &&

@@ -13,10 +13,10 @@
 
 #include "complain.h"
 #include "entry_name.h"
+#include "path.h"
 
 #include <errno.h>
 #include <fcntl.h>
-#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -181,7 +181,7 @@ int gradescope_names_load(const char *folder, GradescopeNames *names)
 {
     char path[PATH_MAX], line[LINE_BYTES];
     *names = (GradescopeNames){0};
-    snprintf(path, sizeof path, "%s/%s", folder, GRADESCOPE_NAMES_FILE);
+    path_make(path, "%s/%s", folder, GRADESCOPE_NAMES_FILE);
     FILE *file;
     if (regular_file_open(path, &file) != 0) {
         return fault(path, strerror(errno));

@@ -6,11 +6,11 @@
 #include "roster.h"
 
 #include "complain.h"
+#include "path.h"
 
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
-#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -211,10 +211,9 @@ static char *slug_new(const Roster *roster, const Found *found)
 static int link_make(const char *submissions, const Found *found, const char *links,
                      const char *slug)
 {
-    char from[2 * PATH_MAX];
-    char to[PATH_MAX];
-    snprintf(from, sizeof from, "%s/%s", submissions, found->file);
-    snprintf(to, sizeof to, "%s/%s", links, slug);
+    char from[PATH_MAX], to[PATH_MAX];
+    path_make(from, "%s/%s", submissions, found->file);
+    path_make(to, "%s/%s", links, slug);
     if (symlink(from, to) != 0) {
         return fault(to, strerror(errno));
     }

@@ -6,6 +6,7 @@
 
 #include "holes.h"
 #include "jobs.h"
+#include "path.h"
 #include "skeleton.h"
 #include "text_file.h"
 
@@ -13,8 +14,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-
-enum { PATH_BYTES = 512 };
 
 // What stands in the hole of a task that is not tried: its stand-in, or what is handed out. NULL
 // after one message.
@@ -59,13 +58,13 @@ static char *holes_settle(const Manifest *manifest, const char *file, const Task
 static char *file_text(const Manifest *manifest, const char *file, const Task *task,
                        const char *answer, const char *own, int *is_changed)
 {
-    char path[2 * PATH_BYTES];
+    char path[PATH_MAX];
     char *text = skeleton_read(manifest, file);
     text = text != NULL ? holes_settle(manifest, file, task, answer, text) : NULL;
     if (own == NULL || text == NULL) {
         return text;
     }
-    snprintf(path, sizeof path, "%s/%s", own, file);
+    path_make(path, "%s/%s", own, file);
     char *own_text = text_file_read(path);
     own_text = own_text != NULL ? holes_settle(manifest, file, task, answer, own_text) : NULL;
     if (own_text == NULL || strcmp(own_text, text) == 0) {
@@ -80,8 +79,8 @@ static char *file_text(const Manifest *manifest, const char *file, const Task *t
 // Returns 0, or -1 after one message.
 static int write_job(Session *session, const Task *task, const Variant *variant)
 {
-    char job[PATH_BYTES];
-    variant_job_path(&session->workshop, variant, job, sizeof job);
+    char job[PATH_MAX];
+    variant_job_path(&session->workshop, variant, job);
     FILE *file = fopen(job, "wb");
     int failed = file == NULL || section_write(file, PROBE_ALONE, task->id, strlen(task->id)) != 0;
     if (!failed && judge_job(&session->judge, task->id, file) != 0) {
@@ -100,8 +99,8 @@ int alone_fill(Session *session, const char *name, const Task *task, const char 
                const char *own, Variant *variant)
 {
     const Manifest *manifest = &session->manifest;
-    char folder[PATH_BYTES];
-    int result = variant_open(&session->workshop, name, variant, folder, sizeof folder);
+    char folder[PATH_MAX];
+    int result = variant_open(&session->workshop, name, variant, folder);
     variant->alone = task->id;
     for (int i = 0; result == 0 && i < manifest->n_files; i++) {
         char *text =
@@ -116,9 +115,9 @@ int alone_fill(Session *session, const char *name, const Task *task, const char 
 // NULL after one message.
 static char *answers_text(const Manifest *manifest, const char *file, const char *own)
 {
-    char path[2 * PATH_BYTES];
+    char path[PATH_MAX];
     char *text = skeleton_read(manifest, file);
-    snprintf(path, sizeof path, "%s/%s", own, file);
+    path_make(path, "%s/%s", own, file);
     for (int t = 0; text != NULL && t < manifest->n_tasks; t++) {
         const Task *task = &manifest->tasks[t];
         char *answer = strcmp(task->file, file) == 0 ? hole_load(path, task->id) : NULL;
@@ -135,8 +134,8 @@ static char *answers_text(const Manifest *manifest, const char *file, const char
 int answers_fill(Session *session, const char *name, const char *own, Variant *variant)
 {
     const Manifest *manifest = &session->manifest;
-    char folder[PATH_BYTES];
-    int result = variant_open(&session->workshop, name, variant, folder, sizeof folder);
+    char folder[PATH_MAX];
+    int result = variant_open(&session->workshop, name, variant, folder);
     for (int i = 0; result == 0 && i < manifest->n_files; i++) {
         char *text = answers_text(manifest, manifest->files[i], own);
         result = text == NULL ? -1 : session_write(folder, manifest->files[i], text);

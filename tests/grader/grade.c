@@ -18,7 +18,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-enum { EXIT_FULL_MARKS = 0, EXIT_BELOW = 1, EXIT_FAULT = 2, PATH_BYTES = 600 };
+enum { EXIT_FULL_MARKS = 0, EXIT_BELOW = 1, EXIT_FAULT = 2 };
 
 // ---- The result -----------------------------------------------------------------------------
 
@@ -29,7 +29,7 @@ static void start_result(Grading *grading, const Settings *settings)
     result->title = grading->session.manifest.title;
     result->seed = settings->seed;
     result->sandbox = sandbox_kind_name(grading->session.workshop.sandbox);
-    snprintf(result->submission, sizeof result->submission, "%s", settings->submission);
+    result->submission = settings->submission;
     result->n_checks = grading->session.judge.n_checks;
     for (int i = 0; i < result->n_checks; i++) {
         const Check *check = &grading->session.judge.checks[i];
@@ -93,10 +93,10 @@ static void add_run_stages(Grading *grading)
 static int grade(Grading *grading, const Settings *settings)
 {
     Session *session = &grading->session;
-    char folder[PATH_BYTES];
+    char folder[PATH_MAX];
     char *staging = NULL;
     if (session_open(session, settings) != 0 ||
-        variant_open(&session->workshop, "whole", &grading->whole, folder, sizeof folder) != 0) {
+        variant_open(&session->workshop, "whole", &grading->whole, folder) != 0) {
         return -1;
     }
     start_result(grading, settings);

@@ -10,20 +10,19 @@
 #include "blame.h"
 #include "grading.h"
 #include "message.h"
+#include "path.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-enum { PATH_BYTES = 600 };
-
-static void own_folder(const Grading *grading, char folder[PATH_BYTES])
+static void own_folder(const Grading *grading, char folder[PATH_MAX])
 {
-    snprintf(folder, PATH_BYTES, "%s/variant-whole/lab", grading->session.workshop.folder);
+    path_make(folder, "%s/variant-whole/lab", grading->session.workshop.folder);
 }
 
 int grading_retry(Grading *grading)
 {
-    char folder[PATH_BYTES];
+    char folder[PATH_MAX];
     Variant answers;
     Variant *const variants[] = {&answers};
     if (grading->whole.build_log == NULL) {
@@ -225,7 +224,7 @@ static void settle(Grading *grading, int t, const int is_task_wrong[])
 
 int grading_try_alone(Grading *grading)
 {
-    char folder[PATH_BYTES];
+    char folder[PATH_MAX];
     int is_task_wrong[MANIFEST_MAX_TASKS];
     own_folder(grading, folder);
     if (try_in(grading, folder) != 0 || try_in(grading, NULL) != 0) {

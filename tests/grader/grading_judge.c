@@ -7,6 +7,7 @@
 #include "blame.h"
 #include "holes.h"
 #include "message.h"
+#include "path.h"
 #include "skeleton.h"
 #include "source_words.h"
 #include "text_file.h"
@@ -14,7 +15,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PATH_BYTES = 600 };
 
 // ---- The whole ----------------------------------------------------------------------------------
 
@@ -27,9 +27,8 @@ static void judge_whole(Grading *grading)
 
 char *grading_answer(const Grading *grading, const Task *task)
 {
-    char path[PATH_BYTES];
-    snprintf(path, sizeof path, "%s/variant-whole/lab/%s", grading->session.workshop.folder,
-             task->file);
+    char path[PATH_MAX];
+    path_make(path, "%s/variant-whole/lab/%s", grading->session.workshop.folder, task->file);
     return hole_load(path, task->id);
 }
 
@@ -42,9 +41,8 @@ static char *describe_markers(const Grading *grading)
     char *faults = message_new("%s", "");
     for (int t = 0; t < manifest->n_tasks; t++) {
         const Task *task = &manifest->tasks[t];
-        char path[PATH_BYTES];
-        snprintf(path, sizeof path, "%s/variant-whole/lab/%s", grading->session.workshop.folder,
-                 task->file);
+        char path[PATH_MAX];
+        path_make(path, "%s/variant-whole/lab/%s", grading->session.workshop.folder, task->file);
         char *text = text_file_read(path);
         char *fault = text != NULL ? hole_fault(text, task->id) : NULL;
         if (fault != NULL) {
@@ -157,10 +155,9 @@ static int kernels_have_points(const Grading *grading)
 // were handed in could do its work themselves. Returns 0, or -1 after one message.
 static int confirm_kernels(Grading *grading)
 {
-    char folder[PATH_BYTES];
+    char folder[PATH_MAX];
     Variant *const variants[] = {&grading->kernels};
-    snprintf(folder, sizeof folder, "%s/variant-%s/lab", grading->session.workshop.folder,
-             grading->whole.name);
+    path_make(folder, "%s/variant-%s/lab", grading->session.workshop.folder, grading->whole.name);
     if (!kernels_have_points(grading)) {
         return 0;
     }

@@ -4,6 +4,7 @@
 #include "complain.h"
 #include "grading.h"
 #include "output_file.h"
+#include "path.h"
 #include "report.h"
 
 #include <errno.h>
@@ -12,13 +13,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { PATH_BYTES = 600 };
-
 // Make a folder and its parents. Returns 0, or -1 after one message.
 static int folders_make(const char *path)
 {
-    char part[PATH_BYTES];
-    snprintf(part, sizeof part, "%s/", path);
+    char part[PATH_MAX];
+    path_make(part, "%s/", path);
     for (char *slash = strchr(part + 1, '/'); slash != NULL; slash = strchr(slash + 1, '/')) {
         *slash = '\0';
         if (mkdir(part, 0777) != 0 && errno != EEXIST) {
@@ -51,9 +50,9 @@ static const PictureResult *telling_picture(const Result *result)
 // message.
 static int write_picture(const Result *result, const char *output)
 {
-    char png[PATH_BYTES], svg[PATH_BYTES];
-    snprintf(png, sizeof png, "%s/picture.png", output);
-    snprintf(svg, sizeof svg, "%s/picture.svg", output);
+    char png[PATH_MAX], svg[PATH_MAX];
+    path_make(png, "%s/picture.png", output);
+    path_make(svg, "%s/picture.svg", output);
     unlink(png), unlink(svg);  // of an earlier grading
     const PictureResult *picture = telling_picture(result);
     if (picture == NULL || picture->svg_own == NULL) {
@@ -69,20 +68,20 @@ static int write_picture(const Result *result, const char *output)
 
 int grading_write(const Grading *grading, const char *output)
 {
-    char path[PATH_BYTES];
+    char path[PATH_MAX];
     const Manifest *manifest = &grading->session.manifest;
     if (folders_make(output) != 0) {
         return -1;
     }
-    snprintf(path, sizeof path, "%s/results.json", output);
+    path_make(path, "%s/results.json", output);
     if (report_json(path, manifest, &grading->result) != 0) {
         return -1;
     }
-    snprintf(path, sizeof path, "%s/pictures.json", output);
+    path_make(path, "%s/pictures.json", output);
     if (report_pictures_json(path, &grading->result) != 0) {
         return -1;
     }
-    snprintf(path, sizeof path, "%s/report.html", output);
+    path_make(path, "%s/report.html", output);
     if (report_html(path, manifest, &grading->result) != 0 ||
         write_picture(&grading->result, output) != 0 ||
         report_text(stdout, manifest, &grading->result, isatty(STDOUT_FILENO)) != 0) {

@@ -3,11 +3,11 @@
 // Read next: session.c, which asks before anything of a submission is run.
 #include "secrets.h"
 
+#include "path.h"
 #include "sandbox_user.h"
 
 #include <errno.h>
 #include <fcntl.h>
-#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -73,7 +73,7 @@ static void neighbourhood_add(Secrets *secrets, const char *path)
     struct stat status;
     // It may not be there yet; what it is to lie in is.
     const int is_there = realpath(path, own) != NULL;
-    snprintf(above, sizeof above, "%s", is_there ? own : path);
+    path_make(above, "%s", is_there ? own : path);
     char *slash = strrchr(above, '/');
     if (slash == NULL) {
         strcpy(above, ".");

@@ -3,6 +3,7 @@
 
 #include "holes.h"
 #include "kept_answers.h"
+#include "path.h"
 #include "sandbox.h"
 #include "secrets.h"
 #include "skeleton.h"
@@ -15,12 +16,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { PATH_BYTES = 512 };
-
 int session_write(const char *folder, const char *name, const char *text)
 {
-    char path[2 * PATH_BYTES];
-    snprintf(path, sizeof path, "%s/%s", folder, name);
+    char path[PATH_MAX];
+    path_make(path, "%s/%s", folder, name);
     FILE *file = fopen(path, "w");
     if (file == NULL || fputs(text, file) == EOF || fclose(file) != 0 || chmod(path, 0644) != 0) {
         fprintf(stderr, "grade: %s: cannot be written: %s\n", path, strerror(errno));
@@ -33,8 +32,8 @@ int session_write(const char *folder, const char *name, const char *text)
 static char *solution_text(const Session *session, const char *name, const Task *task,
                            const char *answer)
 {
-    char path[PATH_BYTES];
-    snprintf(path, sizeof path, "solutions/%s/%s", session->manifest.lab, name);
+    char path[PATH_MAX];
+    path_make(path, "solutions/%s/%s", session->manifest.lab, name);
     char *text = text_file_read(path);
     if (text == NULL || task == NULL || strcmp(task->file, name) != 0) {
         return text;
@@ -50,9 +49,9 @@ static char *solution_text(const Session *session, const char *name, const Task 
 int session_fill(const Session *session, const char *name, const char *task_id, const char *answer,
                  Variant *variant)
 {
-    char folder[PATH_BYTES];
+    char folder[PATH_MAX];
     const Task *task = task_id ? manifest_task(&session->manifest, task_id) : NULL;
-    int result = variant_open(&session->workshop, name, variant, folder, sizeof folder);
+    int result = variant_open(&session->workshop, name, variant, folder);
     variant->task = task != NULL ? task->id : NULL;
     for (int i = 0; result == 0 && i < session->manifest.n_files; i++) {
         const char *file = session->manifest.files[i];
@@ -66,12 +65,12 @@ int session_fill(const Session *session, const char *name, const char *task_id, 
 int session_fill_kernels(const Session *session, const char *name, const char *folder,
                          Variant *variant)
 {
-    char path[PATH_BYTES];
-    int result = variant_open(&session->workshop, name, variant, path, sizeof path);
+    char path[PATH_MAX];
+    int result = variant_open(&session->workshop, name, variant, path);
     for (int i = 0; result == 0 && i < session->manifest.n_files; i++) {
         const char *file = session->manifest.files[i];
-        char own[2 * PATH_BYTES];
-        snprintf(own, sizeof own, "%s/%s", folder, file);
+        char own[PATH_MAX];
+        path_make(own, "%s/%s", folder, file);
         char *text = manifest_is_host_file(file) ? skeleton_read(&session->manifest, file)
                                                  : text_file_read(own);
         result = text == NULL ? -1 : session_write(path, file, text);
@@ -83,8 +82,8 @@ int session_fill_kernels(const Session *session, const char *name, const char *f
 // Write a judge's job as the workshop's job of this number. Returns 0, or -1 after one message.
 static int write_job(const Session *session, JudgeProcess *judge, int job)
 {
-    char path[PATH_BYTES];
-    workshop_job_path(&session->workshop, job, path, sizeof path);
+    char path[PATH_MAX];
+    workshop_job_path(&session->workshop, job, path);
     FILE *file = fopen(path, "wb");
     if (file == NULL) {
         fprintf(stderr, "grade: %s: cannot be written: %s\n", path, strerror(errno));
@@ -98,8 +97,8 @@ static int write_job(const Session *session, JudgeProcess *judge, int job)
 // A handout has the solutions of earlier labs only.
 static int has_solution(const char *lab)
 {
-    char path[PATH_BYTES];
-    snprintf(path, sizeof path, "solutions/%s", lab);
+    char path[PATH_MAX];
+    path_make(path, "solutions/%s", lab);
     return access(path, F_OK) == 0;
 }
 

@@ -186,15 +186,13 @@ static int read_options(int argc, char **argv, Settings *settings, GivenOptions 
 static int set_folders(const GivenOptions *given, Settings *settings)
 {
     const int n_submission =
-        given->submission
-            ? snprintf(settings->submission, SETTINGS_PATH_BYTES, "%s", given->submission)
-            : snprintf(settings->submission, SETTINGS_PATH_BYTES, "labs/%s", settings->lab);
-    const int n_output = given->output
-                             ? snprintf(settings->output, SETTINGS_PATH_BYTES, "%s", given->output)
-                             : snprintf(settings->output, SETTINGS_PATH_BYTES, "%s/grade/%.2s",
-                                        settings->build, settings->lab);
-    if (n_submission >= SETTINGS_PATH_BYTES || n_output >= SETTINGS_PATH_BYTES) {
-        fprintf(stderr, "grade: a path of over %d bytes\n", SETTINGS_PATH_BYTES - 1);
+        given->submission ? snprintf(settings->submission, PATH_MAX, "%s", given->submission)
+                          : snprintf(settings->submission, PATH_MAX, "labs/%s", settings->lab);
+    const int n_output = given->output ? snprintf(settings->output, PATH_MAX, "%s", given->output)
+                                       : snprintf(settings->output, PATH_MAX, "%s/grade/%.2s",
+                                                  settings->build, settings->lab);
+    if (n_submission >= PATH_MAX || n_output >= PATH_MAX) {
+        fprintf(stderr, "grade: a path of over %d bytes\n", PATH_MAX - 1);
         return -1;
     }
     return 0;

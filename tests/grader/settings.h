@@ -4,17 +4,16 @@
 
 #include "sandbox.h"
 
+#include <limits.h>
 #include <stdint.h>
 
-enum { SETTINGS_PATH_BYTES = 512 };
-
 typedef struct Settings {
-    char lab[64];                          // "03-kdtree-2d-render"
-    char submission[SETTINGS_PATH_BYTES];  // a folder or an archive
-    char output[SETTINGS_PATH_BYTES];      // a folder for the reports
-    const char *build;                     // where the probes are
-    const char *device;                    // "" for the first
-    const char *kept_answers;              // see kept_answers.h; NULL: the solution is run
+    char lab[64];               // "03-kdtree-2d-render"
+    char submission[PATH_MAX];  // a folder or an archive
+    char output[PATH_MAX];      // a folder for the reports
+    const char *build;          // where the probes are
+    const char *device;         // "" for the first
+    const char *kept_answers;   // see kept_answers.h; NULL: the solution is run
     uint64_t seed;
     int time_limit;       // seconds of processor time; 0: see allowance.h
     SandboxKind sandbox;  // SANDBOX_ANY: the first that works here

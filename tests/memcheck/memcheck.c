@@ -10,6 +10,7 @@
 #include "complain.h"
 #include "memcheck_job.h"
 #include "memcheck_passes.h"
+#include "path.h"
 #include "settings.h"
 #include "submission.h"
 
@@ -18,16 +19,16 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { EXIT_CLEAN = 0, EXIT_FOUND = 1, EXIT_FAULT = 2, PATH_BYTES = MEMCHECK_PATH_BYTES };
+enum { EXIT_CLEAN = 0, EXIT_FOUND = 1, EXIT_FAULT = 2 };
 
 // ---- The job -----------------------------------------------------------------------------------
 
 // Replace the judge's job by a small one. Returns 0, or -1 after one message.
 static int shrink_job(const Session *session)
 {
-    char path[PATH_BYTES];
+    char path[PATH_MAX];
     Sections job;
-    workshop_job_path(&session->workshop, 0, path, sizeof path);
+    workshop_job_path(&session->workshop, 0, path);
     if (sections_load(path, (size_t)256 << 20, &job) != 0) {
         complain("memcheck: %s: the job cannot be read", path);
         return -1;
@@ -60,8 +61,8 @@ static int is_own_file(const Memcheck *memcheck, const char *path, const char **
 // Print a line of one of the student's files, without its indentation.
 static void source_print(const Memcheck *memcheck, const char *name, int line)
 {
-    char path[2 * PATH_BYTES], text[512];
-    snprintf(path, sizeof path, "%s/%s", memcheck->folder, name);
+    char path[PATH_MAX], text[512];
+    path_make(path, "%s/%s", memcheck->folder, name);
     FILE *file = fopen(path, "r");
     for (int at = 0; file != NULL && at < line && fgets(text, sizeof text, file) != NULL;) {
         const size_t length = strlen(text);
@@ -128,8 +129,7 @@ static int memcheck_run(Memcheck *memcheck, const Settings *settings)
     Session *session = &memcheck->session;
     char *staging = NULL;
     if (session_open(session, settings) != 0 || shrink_job(session) != 0 ||
-        variant_open(&session->workshop, "whole", &memcheck->whole, memcheck->folder,
-                     sizeof memcheck->folder) != 0) {
+        variant_open(&session->workshop, "whole", &memcheck->whole, memcheck->folder) != 0) {
         return EXIT_FAULT;
     }
     const int staged =

@@ -3,6 +3,7 @@
 
 #include "complain.h"
 #include "folder.h"
+#include "path.h"
 #include "run_end.h"
 
 #include <errno.h>
@@ -12,8 +13,6 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-enum { PATH_BYTES = MEMCHECK_PATH_BYTES };
 
 // Its log ends after a thousand messages by itself.
 enum { MAX_LOG_BYTES = 8 << 20 };
@@ -38,10 +37,10 @@ enum { N_PASSES = sizeof passes / sizeof *passes };
 
 // The folder that a pass writes its log to.
 static void out_path(const Memcheck *memcheck, const Variant *variant, const Pass *pass,
-                     char path[PATH_BYTES])
+                     char path[PATH_MAX])
 {
-    snprintf(path, PATH_BYTES, "%s/variant-%s/out-%s", memcheck->session.workshop.folder,
-             variant->name, pass->log);
+    path_make(path, "%s/variant-%s/out-%s", memcheck->session.workshop.folder, variant->name,
+              pass->log);
 }
 
 // Start a variant's probe with Oclgrind for its driver. NULL after one message.
@@ -50,23 +49,23 @@ static SandboxRun *start_pass(const Memcheck *memcheck, const Variant *variant, 
 {
     const Workshop *workshop = &memcheck->session.workshop;
     const char *lab = memcheck->session.manifest.lab, *name = variant->name;
-    char tree[PATH_BYTES], files[PATH_BYTES], build[PATH_BYTES], out[PATH_BYTES], job[PATH_BYTES],
-        inside[PATH_BYTES], probe[PATH_BYTES];
-    snprintf(files, sizeof files, "%s/variant-%s/lab", workshop->folder, name);
-    snprintf(tree, sizeof tree, "%s/tree", workshop->folder);
-    snprintf(build, sizeof build, "%s/variant-%s/build", workshop->folder, name);
+    char tree[PATH_MAX], files[PATH_MAX], build[PATH_MAX], out[PATH_MAX], job[PATH_MAX],
+        inside[PATH_MAX], probe[PATH_MAX];
+    path_make(files, "%s/variant-%s/lab", workshop->folder, name);
+    path_make(tree, "%s/tree", workshop->folder);
+    path_make(build, "%s/variant-%s/build", workshop->folder, name);
     out_path(memcheck, variant, pass, out);
     if ((folder_remove(out) != 0 && errno != ENOENT) || mkdir(out, 0755) != 0 ||
         chmod(out, 0755) != 0) {
         complain("memcheck: %s: cannot be made: %s", out, strerror(errno));
         return NULL;
     }
-    snprintf(job, sizeof job, "%s/job", workshop->folder);
-    snprintf(inside, sizeof inside, "/work/labs/%s", lab);
-    snprintf(probe, sizeof probe, "lib/%s", lab);
+    path_make(job, "%s/job", workshop->folder);
+    path_make(inside, "/work/labs/%s", lab);
+    path_make(probe, "lib/%s", lab);
     const char *const argv[] = {workshop->needs_compiler ? "build/probe" : probe, NULL};
-    char log[PATH_BYTES];
-    snprintf(log, sizeof log, "OCLGRIND_LOG=out/%s", pass->log);
+    char log[PATH_MAX];
+    path_make(log, "OCLGRIND_LOG=out/%s", pass->log);
     const char *const environment[] = {"OCL_ICD_VENDORS=" OCLGRIND_DRIVER, log, pass->looks,
                                        pass->option, NULL};
     const SandboxCommand command = {
@@ -92,9 +91,9 @@ static SandboxRun *start_pass(const Memcheck *memcheck, const Variant *variant, 
 // by what ran inside, is neither followed nor waited for.
 static char *log_load(const Memcheck *memcheck, const Pass *pass)
 {
-    char folder[PATH_BYTES], path[PATH_BYTES + 16];
+    char folder[PATH_MAX], path[PATH_MAX];
     out_path(memcheck, &memcheck->whole, pass, folder);
-    snprintf(path, sizeof path, "%s/%s", folder, pass->log);
+    path_make(path, "%s/%s", folder, pass->log);
     const int descriptor = open(path, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
     struct stat status;
     if (descriptor < 0 || fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {
@@ -141,10 +140,10 @@ static void print_trouble(Memcheck *memcheck, const SandboxResult *result, Sandb
 static int folders_open(const Memcheck *memcheck, const Variant *variant)
 {
     static const char *const folders[] = {"lab", "build"};
-    char path[PATH_BYTES];
+    char path[PATH_MAX];
     for (size_t i = 0; i < sizeof folders / sizeof *folders; i++) {
-        snprintf(path, sizeof path, "%s/variant-%s/%s", memcheck->session.workshop.folder,
-                 variant->name, folders[i]);
+        path_make(path, "%s/variant-%s/%s", memcheck->session.workshop.folder, variant->name,
+                  folders[i]);
         if (chmod(path, 0755) != 0) {
             complain("memcheck: %s: cannot be opened: %s", path, strerror(errno));
             return -1;

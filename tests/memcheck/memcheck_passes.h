@@ -8,14 +8,12 @@
 #include "oclgrind_log.h"
 #include "session.h"
 
-enum { MEMCHECK_PATH_BYTES = 600 };
-
 // One submission under Oclgrind.
 typedef struct Memcheck {
     Session session;
     Variant whole;
-    char folder[MEMCHECK_PATH_BYTES];  // of the submission's files
-    int has_trouble;                   // it did not run to its end
+    char folder[PATH_MAX];  // of the submission's files
+    int has_trouble;        // it did not run to its end
     Finding findings[MAX_FINDINGS];
     int n_findings;
 } Memcheck;

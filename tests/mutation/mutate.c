@@ -11,6 +11,7 @@
 #include "holes.h"
 #include "message.h"
 #include "mutations.h"
+#include "path.h"
 #include "session.h"
 #include "settings.h"
 #include "text_file.h"
@@ -20,7 +21,7 @@
 #include <string.h>
 
 // Two run side by side, as mutants do. KILLED_PERCENT is what the course promises.
-enum { PAIR = 2, PATH_BYTES = 512, KILLED_PERCENT = 95 };
+enum { PAIR = 2, ID_BYTES = 512, KILLED_PERCENT = 95 };
 
 static const char EQUIVALENT_PATH[] = "tests/mutants/equivalent.txt";
 
@@ -54,8 +55,8 @@ typedef struct Population {
 static int add_task(Population *population, Session *session, int task_number)
 {
     const Task *task = &session->manifest.tasks[task_number];
-    char path[PATH_BYTES];
-    snprintf(path, sizeof path, "solutions/%s/%s", session->manifest.lab, task->file);
+    char path[PATH_MAX];
+    path_make(path, "solutions/%s/%s", session->manifest.lab, task->file);
     char *hole = hole_load(path, task->id);
     population->holes[task_number] = hole;
     Mutations *mutations = &population->mutations[task_number];
@@ -102,7 +103,7 @@ static int mark_equivalents(Population *population, const char *lab)
     char *text = text_file_read(EQUIVALENT_PATH);
     char *rest = text, *line;
     while (rest != NULL && (line = strsep(&rest, "\n")) != NULL) {
-        char number[8], id[PATH_BYTES];
+        char number[8], id[ID_BYTES];
         if (line[0] == '#' || sscanf(line, "%7s %511s", number, id) != 2 ||
             strncmp(number, lab, 2) != 0) {
             continue;

@@ -296,6 +296,14 @@ for tool in sh awk grep sed dirname make; do
 done
 (cd "$clean" && env -i PATH="$scratch/bare" make setup) >"$scratch/said" 2>&1
 check "make setup names what a bare machine lacks" grep -q '^ *pocl-opencl-icd$' "$scratch/said"
+! grep -x -e ' *jq' -e ' *parallel' -e ' *nettle-dev' "$scratch/said"
+ok $? "and nothing that only the course needs"
+
+# What the course's README says of FORMAT is not for here.
+! alone "$clean" make -s grade LAB=7 FORMAT=junit >"$scratch/said" 2>&1
+ok $? "make grade with FORMAT is refused"
+check "with one message" test "$(grep -v '^make: ' "$scratch/said")" = \
+    "make grade: a handout has no FORMAT: build/grade/ holds what it writes"
 
 check "each target of make help works" targets
 

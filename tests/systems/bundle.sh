@@ -1,7 +1,9 @@
 #!/bin/sh
 # Pack what one of the systems that courses use needs to grade one lab (tests/systems/README.md).
 #
-#     tests/systems/bundle.sh gradescope|autolab|prairielearn|github NN FOLDER
+#     tests/systems/bundle.sh gradescope|autolab|prairielearn|github LAB FOLDER
+#
+# LAB is a lab's number or name: 3, 03 or 03-kdtree-2d-render.
 #
 # The same sources make the same bytes: names are sorted, owners and rights are fixed, and every
 # time is that of the last commit (or SOURCE_DATE_EPOCH). Only what git tracks is packed.
@@ -9,19 +11,20 @@ set -eu
 umask 022
 export LC_ALL=C TZ=UTC
 
-usage="usage: bundle.sh gradescope|autolab|prairielearn|github NN FOLDER"
-system=${1:?$usage} number=${2:?$usage} folder=${3:?$usage}
+usage="usage: bundle.sh gradescope|autolab|prairielearn|github LAB FOLDER"
+system=${1:?$usage} wanted=${2:?$usage} folder=${3:?$usage}
 cd "$(dirname "$0")/../.."
 templates=tests/systems/$system
 lab=
-for manifest in solutions/"$number"-*/lab.json; do
+for manifest in solutions/"$wanted"/lab.json solutions/"$wanted"-*/lab.json solutions/0"$wanted"-*/lab.json; do
     [ ! -f "$manifest" ] || lab=$(basename "$(dirname "$manifest")")
 done
 if [ ! -d "$templates" ] || [ -z "$lab" ]; then
-    echo "bundle: found \"$system\" and \"$number\", expected a system and a lab's number" >&2
+    echo "bundle: found \"$system\" and \"$wanted\", expected a system and a lab's number or name" >&2
     echo "$usage" >&2
     exit 2
 fi
+number=${lab%%-*}
 date=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || stat -c %Y CHANGELOG.md)}
 stage=$(mktemp -d "${TMPDIR:-/tmp}/bundle-XXXXXX")
 trap 'rm -rf "$stage"' EXIT

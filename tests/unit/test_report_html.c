@@ -8,7 +8,7 @@ Test(report_html, escapes_every_message)
 {
     Result result = result_make("<script>alert('1')</script> & \"quotes\" \x01 \xFF </p>");
     result.stages[0].message = strdup("<img src=x onerror=alert(1)>\n</pre><b>");
-    strcpy(result.submission, "labs/\"><script>");
+    result.submission = "labs/\"><script>";
     strcpy(result.device, "<svg onload=x>");
     result.n_pictures = 1;
     strcpy(result.pictures[0].title, "</h3><script>");

@@ -75,7 +75,7 @@ Test(report_text, lets_no_message_reach_the_terminal_raw)
 {
     Result result = result_make("\033[2J\033]0;pwned\007\x9B"
                                 "31m");
-    strcpy(result.submission, "labs/\033[2J\nScore 100/100");
+    result.submission = "labs/\033[2J\nScore 100/100";
     char *text = text_report(&result, 0);
     expect_no_part(text, "\033");
     expect_no_part(text, "\007");

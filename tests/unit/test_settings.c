@@ -96,12 +96,12 @@ Test(settings, bad_words_give_one_message)
 
 Test(settings, a_path_that_is_too_long)
 {
-    char path[SETTINGS_PATH_BYTES + 1];
+    char path[PATH_MAX + 1];
     memset(path, 'a', sizeof path);
-    path[SETTINGS_PATH_BYTES] = '\0';
+    path[PATH_MAX] = '\0';
     Settings settings;
     capture_begin(2);
     const int result = parse((const char *[MAX_WORDS]){"--lab=3", "--output", path}, &settings);
-    expect_one_message(capture_end(2), "a path of over 511 bytes");
+    expect_one_message(capture_end(2), "a path of over 4095 bytes");
     cr_expect_eq(result, -1);
 }

@@ -7,6 +7,7 @@
 
 #include "complain.h"
 #include "message.h"
+#include "path.h"
 
 #include <errno.h>
 #include <jansson.h>
@@ -300,12 +301,8 @@ int manifest_load(const char *labs_folder, const char *lab, Manifest *manifest)
         complain("found the lab \"%s\", expected the name of a folder in %s", lab, labs_folder);
         return -1;
     }
-    char path[4096];
-    int length = snprintf(path, sizeof path, "%s/%s/lab.json", labs_folder, lab);
-    if (length < 0 || (size_t)length >= sizeof path) {
-        complain("%.60s...: the path of the labs' folder is too long", labs_folder);
-        return -1;
-    }
+    char path[PATH_MAX];
+    path_make(path, "%s/%s/lab.json", labs_folder, lab);
     snprintf(manifest->lab, sizeof manifest->lab, "%s", lab);
     if (file_read(path, manifest) != 0) {
         manifest_free(manifest);

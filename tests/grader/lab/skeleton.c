@@ -2,6 +2,7 @@
 #include "skeleton.h"
 
 #include "holes.h"
+#include "path.h"
 #include "text_file.h"
 
 #include <stdio.h>
@@ -9,16 +10,14 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { PATH_BYTES = 512 };
-
 char *skeleton_read(const Manifest *manifest, const char *file)
 {
-    char path[PATH_BYTES];
-    snprintf(path, sizeof path, "tests/skeletons/%s/%s", manifest->lab, file);
+    char path[PATH_MAX];
+    path_make(path, "tests/skeletons/%s/%s", manifest->lab, file);
     if (access(path, F_OK) == 0) {
         return text_file_read(path);
     }
-    snprintf(path, sizeof path, "solutions/%s/%s", manifest->lab, file);
+    path_make(path, "solutions/%s/%s", manifest->lab, file);
     char *solution = text_file_read(path);
     char *skeleton = solution != NULL ? holes_cut(solution, path) : NULL;
     free(solution);
@@ -27,9 +26,8 @@ char *skeleton_read(const Manifest *manifest, const char *file)
 
 char *stand_in_read(const Manifest *manifest, const Task *task)
 {
-    char path[PATH_BYTES];
+    char path[PATH_MAX];
     const char *ending = strrchr(task->file, '.');
-    snprintf(path, sizeof path, "tests/stand_ins/%s/%s%s", manifest->lab, task->id,
-             ending ? ending : "");
+    path_make(path, "tests/stand_ins/%s/%s%s", manifest->lab, task->id, ending ? ending : "");
     return access(path, F_OK) == 0 ? text_file_read(path) : NULL;
 }

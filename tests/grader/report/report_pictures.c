@@ -1,74 +1,29 @@
 // The pictures of an HTML report (see report_pictures.h).
 //
-// Pixels are written as PNG to a folder of our own and read back, because image.h writes files
-// only; drawings (<svg>) go in as images, in which no script can run.
+// Pixels go in as PNG; drawings (<svg>) go in as images, in which no script can run.
 #include "report_pictures.h"
 
-#include "complain.h"
-#include "folder.h"
 #include "html.h"
 #include "image.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 // Below this width a picture is shown magnified on any screen: its pixels shall stay squares.
 #define SMALL_WIDTH 360
 
-static int fault(const char *path)
-{
-    complain("%s: %s", path, strerror(errno));
-    return -1;
-}
-
-// Write the bytes of a file as a data: URI.
-static int file_uri_write(FILE *page, const char *path)
-{
-    FILE *file = fopen(path, "rb");
-    if (file == NULL) {
-        return fault(path);
-    }
-    // A multiple of three bytes at a time would do as well, but a PNG of a report fits in memory.
-    char *bytes = NULL;
-    size_t n_bytes = 0;
-    FILE *copy = open_memstream(&bytes, &n_bytes);
-    int byte;
-    while (copy != NULL && (byte = fgetc(file)) != EOF) {
-        fputc(byte, copy);
-    }
-    int failed = copy == NULL || ferror(file) || ferror(copy);
-    if (copy != NULL && fclose(copy) != 0) {
-        failed = 1;
-    }
-    fclose(file);
-    if (failed) {
-        fault(path);
-    } else {
-        html_file_uri(page, "image/png", bytes, n_bytes);
-    }
-    free(bytes);
-    return failed ? -1 : 0;
-}
-
 int picture_uri_write(FILE *page, const Image *image)
 {
-    char folder[4096 - sizeof "/picture.png"];
-    if (temporary_folder_make(folder, sizeof folder, "grader-picture") != 0) {
-        return fault("a folder in $TMPDIR or /tmp");
+    unsigned char *bytes;
+    size_t n_bytes;
+    if (image_encode(image, "png", "a picture of the report", &bytes, &n_bytes) != 0) {
+        return -1;
     }
-    char path[4096];
-    snprintf(path, sizeof path, "%s/picture.png", folder);
-    int written = image_save(image, path);
-    if (written == 0) {
-        written = file_uri_write(page, path);
-    }
-    unlink(path);
-    rmdir(folder);
-    return written;
+    html_file_uri(page, "image/png", bytes, n_bytes);
+    free(bytes);
+    return 0;
 }
 
 static int image_figure_write(FILE *page, const Image *image, const char *alt)

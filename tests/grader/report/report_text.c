@@ -7,6 +7,7 @@
 #include "clean_text.h"
 #include "hints.h"
 #include "message.h"
+#include "utf8.h"
 
 #include <inttypes.h>
 #include <stdlib.h>
@@ -49,7 +50,7 @@ static int columns_count(const char *text)
 {
     int columns = 0;
     for (; *text != '\0'; text++) {
-        columns += ((unsigned char)*text & 0xC0) != 0x80;
+        columns += !utf8_goes_on(*text);
     }
     return columns;
 }
@@ -61,7 +62,7 @@ static size_t bytes_that_fit(const char *line, size_t n_bytes, int columns)
     size_t last_space = 0;
     int column = 0;
     for (size_t i = 0; i < n_bytes; i++) {
-        if (((unsigned char)line[i] & 0xC0) == 0x80) {
+        if (utf8_goes_on(line[i])) {
             continue;
         }
         if (line[i] == ' ' && column <= columns) {

@@ -3,6 +3,7 @@
 
 #include "holes.h"
 #include "message.h"
+#include "path.h"
 #include "text_file.h"
 
 #include <dirent.h>
@@ -13,7 +14,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { REPORT_BYTES = 1 << 16, PATH_BYTES = 768, MAX_LINE = 1000000 };
+enum { REPORT_BYTES = 1 << 16, FRAME_BYTES = 768, MAX_LINE = 1000000 };
 
 // What the sanitizer calls a fault, the first that fits, and what we call it.
 static const char *const faults[][2] = {
@@ -47,8 +48,8 @@ static const char *fault_find(const char *report)
 // The number of a line behind "labs/NN-name/FILE:" in one frame of the stack, or 0.
 static int frame_line(const char *frame, const Manifest *manifest, const char *name)
 {
-    char place[PATH_BYTES];
-    snprintf(place, sizeof place, "labs/%s/%s:", manifest->lab, name);
+    char place[PATH_MAX];
+    path_make(place, "labs/%s/%s:", manifest->lab, name);
     const char *at = strstr(frame, place);
     if (at == NULL || (at[-1] != '/' && at[-1] != ' ')) {
         return 0;
@@ -64,7 +65,7 @@ int crash_line_read(const char *report, const Manifest *manifest, const char **f
     *says = fault_find(report);
     int number = 0;  // of the frame that is looked for: each stack begins with #0
     for (const char *at = report; at != NULL; at = strchr(at, '\n')) {
-        char frame[PATH_BYTES], expected[16];
+        char frame[FRAME_BYTES], expected[16];
         at += *at == '\n';
         snprintf(frame, sizeof frame, "%.*s", (int)strcspn(at, "\n"), at);
         const char *begin = frame + strspn(frame, " ");
@@ -113,9 +114,9 @@ static char *report_find(const char *out)
     DIR *folder = opendir(out);
     const struct dirent *entry;
     while (folder != NULL && text == NULL && (entry = readdir(folder)) != NULL) {
-        char path[PATH_BYTES];
-        if (strncmp(entry->d_name, "crash.", strlen("crash.")) == 0 &&
-            snprintf(path, sizeof path, "%s/%s", out, entry->d_name) < (int)sizeof path) {
+        char path[PATH_MAX];
+        if (strncmp(entry->d_name, "crash.", strlen("crash.")) == 0) {
+            path_make(path, "%s/%s", out, entry->d_name);
             text = report_load(path);
         }
     }
@@ -147,8 +148,8 @@ char *crash_line_find(const char *out, const char *lab, const Manifest *manifest
     if (line == 0) {
         return NULL;
     }
-    char path[PATH_BYTES];
-    snprintf(path, sizeof path, "%s/%s", lab, file);
+    char path[PATH_MAX];
+    path_make(path, "%s/%s", lab, file);
     char *text = text_file_read(path);
     const char *source = text;
     for (int i = 1; i < line && source != NULL; i++) {

@@ -2,23 +2,23 @@
 #include "kept_answers.h"
 
 #include "output_file.h"
+#include "path.h"
 
 #include <inttypes.h>
-#include <limits.h>
 #include <stdint.h>
 
 // Behind the answers stand the times, a SandboxTime for each step.
 #define TIMES_SECTION "grader-times"
 
-static void path_make(const char *folder, uint64_t seed, char path[PATH_MAX])
+static void answers_path(const char *folder, uint64_t seed, char path[PATH_MAX])
 {
-    snprintf(path, PATH_MAX, "%s/%" PRIu64, folder, seed);
+    path_make(path, "%s/%" PRIu64, folder, seed);
 }
 
 int kept_answers_load(const char *folder, uint64_t seed, Sections *answers, Allowance *allowance)
 {
     char path[PATH_MAX];
-    path_make(folder, seed, path);
+    answers_path(folder, seed, path);
     if (sections_load(path, SIZE_MAX, answers) != 0) {
         return -1;
     }
@@ -38,7 +38,7 @@ int kept_answers_save(const char *folder, uint64_t seed, const Sections *answers
 {
     char path[PATH_MAX];
     OutputFile output;
-    path_make(folder, seed, path);
+    answers_path(folder, seed, path);
     if (output_file_open(&output, path) != 0) {
         return -1;
     }

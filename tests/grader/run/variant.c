@@ -3,6 +3,7 @@
 
 #include "folder.h"
 #include "limited_folder.h"
+#include "path.h"
 #include "run_end.h"
 #include "variant_steps.h"
 #include "workshop_files.h"
@@ -13,19 +14,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PATH_BYTES = 512 };
-
 // The folder of a variant that its compiler or its probe writes to.
 static void step_folder(const Workshop *workshop, const char *variant, Step step,
-                        char path[PATH_BYTES])
+                        char path[PATH_MAX])
 {
-    snprintf(path, PATH_BYTES, "%s/variant-%s/%s", workshop->folder, variant,
-             step == STEP_COMPILING ? "build" : "out");
+    path_make(path, "%s/variant-%s/%s", workshop->folder, variant,
+              step == STEP_COMPILING ? "build" : "out");
 }
 
 int step_folder_remove(const Workshop *workshop, const char *variant, Step step)
 {
-    char path[PATH_BYTES];
+    char path[PATH_MAX];
     step_folder(workshop, variant, step, path);
     limited_folder_unmount(path);
     return folder_remove(path) != 0 && errno != ENOENT ? -1 : 0;
@@ -33,7 +32,7 @@ int step_folder_remove(const Workshop *workshop, const char *variant, Step step)
 
 int step_folder_make(const Workshop *workshop, const char *variant, Step step)
 {
-    char path[PATH_BYTES];
+    char path[PATH_MAX];
     step_folder(workshop, variant, step, path);
     if (make_closed_folder(path) != 0) {
         return -1;
@@ -55,9 +54,9 @@ static int is_handed_in(const Manifest *manifest, const char *name)
 
 static int copy_given_files(const Manifest *manifest, const char *folder)
 {
-    char path[PATH_BYTES];
+    char path[PATH_MAX];
     glob_t found;
-    snprintf(path, sizeof path, "labs/%s/*.[hc]*", manifest->lab);
+    path_make(path, "labs/%s/*.[hc]*", manifest->lab);
     if (glob(path, 0, NULL, &found) != 0) {
         fprintf(stderr, "grade: labs/%s: not found\n", manifest->lab);
         return -1;
@@ -66,7 +65,7 @@ static int copy_given_files(const Manifest *manifest, const char *folder)
     for (size_t i = 0; result == 0 && i < found.gl_pathc; i++) {
         const char *name = strrchr(found.gl_pathv[i], '/') + 1;
         if (!is_handed_in(manifest, name) && strcmp(name, "main.c") != 0) {
-            snprintf(path, sizeof path, "%s/%s", folder, name);
+            path_make(path, "%s/%s", folder, name);
             result = copy_file(found.gl_pathv[i], path);
         }
     }
@@ -74,8 +73,7 @@ static int copy_given_files(const Manifest *manifest, const char *folder)
     return result;
 }
 
-int variant_open(const Workshop *workshop, const char *name, Variant *variant, char *path,
-                 size_t n_bytes)
+int variant_open(const Workshop *workshop, const char *name, Variant *variant, char path[PATH_MAX])
 {
     static const char *const folders[] = {"/job", "/lab"};
     static unsigned n_variants;
@@ -83,7 +81,7 @@ int variant_open(const Workshop *workshop, const char *name, Variant *variant, c
     snprintf(variant->name, sizeof variant->name, "%s", name);
     // Of an earlier variant of this name nothing may stay: behind Landlock its answers belong to a
     // user that is gone, and nobody could overwrite them.
-    snprintf(path, n_bytes, "%s/variant-%s", workshop->folder, name);
+    path_make(path, "%s/variant-%s", workshop->folder, name);
     if (step_folder_remove(workshop, name, STEP_COMPILING) != 0 ||
         step_folder_remove(workshop, name, STEP_RUNNING) != 0 ||
         (folder_remove(path) != 0 && errno != ENOENT)) {
@@ -95,7 +93,7 @@ int variant_open(const Workshop *workshop, const char *name, Variant *variant, c
         return -1;
     }
     for (size_t i = 0; i < sizeof folders / sizeof *folders; i++) {
-        snprintf(path, n_bytes, "%s/variant-%s%s", workshop->folder, name, folders[i]);
+        path_make(path, "%s/variant-%s%s", workshop->folder, name, folders[i]);
         if (make_closed_folder(path) != 0) {
             return -1;
         }
@@ -116,7 +114,7 @@ void variant_free(Variant *variant)
     *variant = (Variant){0};
 }
 
-void variant_job_path(const Workshop *workshop, const Variant *variant, char *path, size_t n_bytes)
+void variant_job_path(const Workshop *workshop, const Variant *variant, char path[PATH_MAX])
 {
-    snprintf(path, n_bytes, "%s/variant-%s/job/job", workshop->folder, variant->name);
+    path_make(path, "%s/variant-%s/job/job", workshop->folder, variant->name);
 }

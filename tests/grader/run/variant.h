@@ -29,11 +29,10 @@ typedef struct Variant {
 
 // Make the folder of a variant, with the lab's given files in it; put the lab's own files, the ones
 // a student hands in, there next. `path` receives the folder. Returns 0, or -1 after one message.
-int variant_open(const Workshop *workshop, const char *name, Variant *variant, char *path,
-                 size_t n_bytes);
+int variant_open(const Workshop *workshop, const char *name, Variant *variant, char path[PATH_MAX]);
 
 // Where the job of a variant that is tried alone is to be written before it runs.
-void variant_job_path(const Workshop *workshop, const Variant *variant, char *path, size_t n_bytes);
+void variant_job_path(const Workshop *workshop, const Variant *variant, char path[PATH_MAX]);
 
 // Compile and run n variants side by side, each for as long as is allowed. What is ours must come
 // first: what it uses is noted, and from then on that is what limits the others. One that the

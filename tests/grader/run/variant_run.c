@@ -3,6 +3,7 @@
 
 #include "crash_line.h"
 #include "message.h"
+#include "path.h"
 #include "probe.h"
 #include "run_end.h"
 
@@ -10,8 +11,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-enum { PATH_BYTES = 512 };
 
 // Answers are pictures of at most 336x240 pixels of 16 bytes, a dozen of them: far below this.
 #define MAX_ANSWER_BYTES ((size_t)FILE_MB << 20)
@@ -44,14 +43,14 @@ static void take_build(Variant *variant, SandboxResult *result, SandboxTime allo
 // Where the probe says it was.
 static void take_place(const Workshop *workshop, Variant *variant)
 {
-    char path[PATH_BYTES];
+    char path[PATH_MAX];
     Sections job;
-    snprintf(path, sizeof path, "%s/variant-%s/out/note", workshop->folder, variant->name);
+    path_make(path, "%s/variant-%s/out/note", workshop->folder, variant->name);
     const ProbeNote note = run_note_load(path);
     if (variant->alone) {
         return;  // nothing of it is told
     }
-    workshop_job_path(workshop, 0, path, sizeof path);
+    workshop_job_path(workshop, 0, path);
     if (sections_load(path, (size_t)256 << 20, &job) == 0) {
         variant->place = run_place_find(workshop->manifest->lab, &job, &note);
     }
@@ -61,10 +60,9 @@ static void take_place(const Workshop *workshop, Variant *variant)
 static void take_further_answers(const Workshop *workshop, Variant *variant)
 {
     for (int i = 0; i < workshop->n_further_jobs && variant->alone == NULL; i++) {
-        char suffix[16], path[PATH_BYTES];
+        char suffix[16], path[PATH_MAX];
         workshop_job_suffix(i + 1, suffix);
-        snprintf(path, sizeof path, "%s/variant-%s/out/answers%s", workshop->folder, variant->name,
-                 suffix);
+        path_make(path, "%s/variant-%s/out/answers%s", workshop->folder, variant->name, suffix);
         sections_load(path, MAX_ANSWER_BYTES, &variant->further[i]);
     }
 }
@@ -73,8 +71,8 @@ static void take_further_answers(const Workshop *workshop, Variant *variant)
 static void take_answers(const Workshop *workshop, Variant *variant, SandboxResult *result,
                          SandboxTime allowed)
 {
-    char path[PATH_BYTES];
-    snprintf(path, sizeof path, "%s/variant-%s/out/answers", workshop->folder, variant->name);
+    char path[PATH_MAX];
+    path_make(path, "%s/variant-%s/out/answers", workshop->folder, variant->name);
     sections_load(path, MAX_ANSWER_BYTES, &variant->answers);
     take_further_answers(workshop, variant);
     variant->run_output = strdup(result->output);
@@ -202,7 +200,7 @@ int variants_run(const Workshop *workshop, Variant *const variants[], int n, All
 
 char *variant_find_line(const Workshop *workshop, const Variant *variant, Allowance *allowance)
 {
-    char out[PATH_BYTES], lab[PATH_BYTES];
+    char out[PATH_MAX], lab[PATH_MAX];
     Variant checked = {.is_checked = 1};
     Variant *const variants[] = {&checked};
     memcpy(checked.name, variant->name, sizeof checked.name);
@@ -211,8 +209,8 @@ char *variant_find_line(const Workshop *workshop, const Variant *variant, Allowa
         variants_run(workshop, variants, 1, allowance) != 0) {
         return NULL;
     }
-    snprintf(out, sizeof out, "%s/variant-%s/out", workshop->folder, variant->name);
-    snprintf(lab, sizeof lab, "%s/variant-%s/lab", workshop->folder, variant->name);
+    path_make(out, "%s/variant-%s/out", workshop->folder, variant->name);
+    path_make(lab, "%s/variant-%s/lab", workshop->folder, variant->name);
     char *line = checked.trouble != NULL ? crash_line_find(out, lab, workshop->manifest) : NULL;
     variant_free(&checked);
     return line;

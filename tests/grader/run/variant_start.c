@@ -2,6 +2,7 @@
 #include "variant_steps.h"
 
 #include "crash_line.h"
+#include "path.h"
 #include "probe.h"
 #include "run_end.h"
 
@@ -9,19 +10,18 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { PATH_BYTES = 512 };
-
 // The folders of a variant as mounts; paths[] keeps the strings.
 static void mount_variant(const Workshop *workshop, const Variant *variant, int building,
-                          char paths[5][PATH_BYTES], char *lab_inside, SandboxCommand *command)
+                          char paths[5][PATH_MAX], char lab_inside[PATH_MAX],
+                          SandboxCommand *command)
 {
-    snprintf(paths[0], PATH_BYTES, "%s/tree", workshop->folder);
-    snprintf(paths[1], PATH_BYTES, "%s/variant-%s/lab", workshop->folder, variant->name);
-    snprintf(paths[2], PATH_BYTES, "%s/variant-%s/build", workshop->folder, variant->name);
-    snprintf(paths[3], PATH_BYTES, "%s/variant-%s/out", workshop->folder, variant->name);
-    snprintf(paths[4], PATH_BYTES, variant->alone ? "%1$s/variant-%2$s/job" : "%1$s/job",
-             workshop->folder, variant->name);
-    snprintf(lab_inside, PATH_BYTES, "/work/labs/%s", workshop->manifest->lab);
+    path_make(paths[0], "%s/tree", workshop->folder);
+    path_make(paths[1], "%s/variant-%s/lab", workshop->folder, variant->name);
+    path_make(paths[2], "%s/variant-%s/build", workshop->folder, variant->name);
+    path_make(paths[3], "%s/variant-%s/out", workshop->folder, variant->name);
+    path_make(paths[4], variant->alone ? "%1$s/variant-%2$s/job" : "%1$s/job", workshop->folder,
+              variant->name);
+    path_make(lab_inside, "/work/labs/%s", workshop->manifest->lab);
     const SandboxMount mounts[] = {
         {paths[0], "/work", 0},
         {paths[1], lab_inside, 0},
@@ -37,8 +37,8 @@ static void mount_variant(const Workshop *workshop, const Variant *variant, int 
 static SandboxRun *start(const Workshop *workshop, const Variant *variant, int building,
                          const char *const *argv, SandboxTime time)
 {
-    char paths[5][PATH_BYTES], lab_inside[PATH_BYTES], device[PATH_BYTES];
-    snprintf(device, sizeof device, CL_DEVICE_VARIABLE "=%s", workshop->device);
+    char paths[5][PATH_MAX], lab_inside[PATH_MAX], device[PATH_MAX];
+    path_make(device, CL_DEVICE_VARIABLE "=%s", workshop->device);
     // PoCL takes groups of 4096, GPUs often no more than 256: what is graded here shall run there.
     // One thread: an endless loop then keeps one processor busy, not all of them.
     const char *const environment[] = {device,
@@ -74,15 +74,15 @@ static SandboxRun *start_compiler(const Workshop *workshop, const Variant *varia
     enum { MAX_WORDS = 64 };
     const char *argv[MAX_WORDS] = {"/usr/bin/gcc", "-std=c11", "-D_GNU_SOURCE", "-O2",      "-g",
                                    "-Wall",        "-Wextra",  "-Icommon",      "-Ikernels"};
-    char words[MAX_WORDS][PATH_BYTES];
+    char words[MAX_WORDS][PATH_MAX];
     int n = 9, n_words = 0;
-    snprintf(words[n_words], PATH_BYTES, "-Ilabs/%s", manifest->lab);
+    path_make(words[n_words], "-Ilabs/%s", manifest->lab);
     argv[n++] = words[n_words++];
     glob_t found;
     if (glob("solutions/*", GLOB_ONLYDIR, NULL, &found) == 0) {
         for (size_t i = 0; i < found.gl_pathc && n < MAX_WORDS / 2; i++) {
             if (strcmp(found.gl_pathv[i] + strlen("solutions/"), manifest->lab) < 0) {
-                snprintf(words[n_words], PATH_BYTES, "-I%s", found.gl_pathv[i]);
+                path_make(words[n_words], "-I%s", found.gl_pathv[i]);
                 argv[n++] = words[n_words++];
             }
         }
@@ -91,13 +91,13 @@ static SandboxRun *start_compiler(const Workshop *workshop, const Variant *varia
     for (int i = 0; i < manifest->n_files; i++) {
         const char *name = manifest->files[i];
         if (manifest_is_host_file(name)) {
-            snprintf(words[n_words], PATH_BYTES, "labs/%s/%s", manifest->lab, name);
+            path_make(words[n_words], "labs/%s/%s", manifest->lab, name);
             argv[n++] = words[n_words++];
         }
     }
     const char *const libraries[] = {"lib/%s.a", "lib/earlier/%s.a"};
     for (int i = 0; i < 2; i++) {
-        snprintf(words[n_words], PATH_BYTES, libraries[i], manifest->lab);
+        path_make(words[n_words], libraries[i], manifest->lab);
         argv[n++] = words[n_words++];
     }
     if (variant->is_checked) {
@@ -117,8 +117,8 @@ static SandboxRun *start_probe(const Workshop *workshop, const Variant *variant,
                                    "    " PROBE_JOB_VARIABLE "=$job \"$1\"\n"
                                    "done\n"
                                    "exec \"$1\"\n";
-    char path[PATH_BYTES], n_further[16];
-    snprintf(path, sizeof path, "lib/%s", workshop->manifest->lab);
+    char path[PATH_MAX], n_further[16];
+    path_make(path, "lib/%s", workshop->manifest->lab);
     snprintf(n_further, sizeof n_further, "%d", workshop->n_further_jobs);
     const char *const probe = workshop->needs_compiler ? "build/probe" : path;
     const char *const once[] = {probe, NULL};

@@ -3,6 +3,7 @@
 
 #include "folder.h"
 #include "limited_folder.h"
+#include "path.h"
 #include "workshop_files.h"
 
 #include <errno.h>
@@ -11,13 +12,11 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { PATH_BYTES = 512 };
-
 // Copy what matches the pattern into tree/folder; that nothing does is a fault of the machinery.
 static int copy_matching(const Workshop *workshop, const char *pattern, const char *folder)
 {
-    char path[PATH_BYTES];
-    snprintf(path, sizeof path, "%s/tree/%s", workshop->folder, folder);
+    char path[PATH_MAX];
+    path_make(path, "%s/tree/%s", workshop->folder, folder);
     if (make_folder(path) != 0) {
         return -1;
     }
@@ -30,7 +29,7 @@ static int copy_matching(const Workshop *workshop, const char *pattern, const ch
     int result = 0;
     for (size_t i = 0; result == 0 && i < found.gl_pathc; i++) {
         const char *name = strrchr(found.gl_pathv[i], '/') + 1;
-        snprintf(path, sizeof path, "%s/tree/%s/%s", workshop->folder, folder, name);
+        path_make(path, "%s/tree/%s/%s", workshop->folder, folder, name);
         result = copy_file(found.gl_pathv[i], path);
     }
     globfree(&found);
@@ -47,11 +46,11 @@ static int copy_earlier_solutions(const Workshop *workshop)
     }
     for (size_t i = 0; result == 0 && i < found.gl_pathc; i++) {
         const char *folder = found.gl_pathv[i];
-        char pattern[PATH_BYTES];
+        char pattern[PATH_MAX];
         if (strcmp(folder + strlen("solutions/"), workshop->manifest->lab) >= 0) {
             continue;
         }
-        snprintf(pattern, sizeof pattern, "%s/*.[hc]*", folder);
+        path_make(pattern, "%s/*.[hc]*", folder);
         result = copy_matching(workshop, pattern, folder);
     }
     globfree(&found);
@@ -61,25 +60,25 @@ static int copy_earlier_solutions(const Workshop *workshop)
 static int copy_libraries(const Workshop *workshop)
 {
     const char *lab = workshop->manifest->lab;
-    char pattern[PATH_BYTES];
-    snprintf(pattern, sizeof pattern, "%s/probes/%s*", workshop->build, lab);
+    char pattern[PATH_MAX];
+    path_make(pattern, "%s/probes/%s*", workshop->build, lab);
     int result = copy_matching(workshop, pattern, "lib");
-    snprintf(pattern, sizeof pattern, "%s/earlier/%s.a", workshop->build, lab);
+    path_make(pattern, "%s/earlier/%s.a", workshop->build, lab);
     result |= copy_matching(workshop, pattern, "lib/earlier");
-    snprintf(pattern, sizeof pattern, "%s/libcommon.a", workshop->build);
+    path_make(pattern, "%s/libcommon.a", workshop->build);
     return result | copy_matching(workshop, pattern, "lib");
 }
 
 // The kernels of the lab's probe; a lab of host files alone has none.
 static int copy_probe_kernels(const Workshop *workshop)
 {
-    char from[PATH_BYTES], folder[128];
+    char from[PATH_MAX], folder[128];
     snprintf(folder, sizeof folder, "probes/%s", workshop->manifest->lab);
-    snprintf(from, sizeof from, "tests/%s/probe.cl", folder);
+    path_make(from, "tests/%s/probe.cl", folder);
     if (access(from, F_OK) != 0) {
         return 0;
     }
-    snprintf(from, sizeof from, "tests/%s/*.cl", folder);
+    path_make(from, "tests/%s/*.cl", folder);
     return copy_matching(workshop, from, folder);
 }
 
@@ -87,15 +86,15 @@ static int copy_probe_kernels(const Workshop *workshop)
 static int make_mount_points(const Workshop *workshop)
 {
     static const char *const folders[] = {"labs", "job", "build", "out"};
-    char path[PATH_BYTES];
+    char path[PATH_MAX];
     int result = 0;
     for (size_t i = 0; i < sizeof folders / sizeof *folders; i++) {
-        snprintf(path, sizeof path, "%s/tree/%s", workshop->folder, folders[i]);
+        path_make(path, "%s/tree/%s", workshop->folder, folders[i]);
         result |= make_folder(path);
     }
-    snprintf(path, sizeof path, "%s/tree/labs/%s", workshop->folder, workshop->manifest->lab);
+    path_make(path, "%s/tree/labs/%s", workshop->folder, workshop->manifest->lab);
     result |= make_folder(path);
-    snprintf(path, sizeof path, "%s/job", workshop->folder);
+    path_make(path, "%s/job", workshop->folder);
     return result | make_folder(path);
 }
 
@@ -105,14 +104,14 @@ int workshop_open(Workshop *workshop, const Manifest *manifest, const char *buil
     *workshop =
         (Workshop){.build = build, .manifest = manifest, .device = device, .sandbox = sandbox};
     workshop->needs_compiler = manifest_has_host_files(manifest);
-    if (temporary_folder_make(workshop->folder, sizeof workshop->folder, "grade") != 0) {
+    if (temporary_folder_make(workshop->folder, "grade") != 0) {
         fprintf(stderr, "grade: no temporary folder in $TMPDIR or /tmp: %s\n", strerror(errno));
         return -1;
     }
-    char path[PATH_BYTES];
-    snprintf(path, sizeof path, "%s/tree", workshop->folder);
+    char path[PATH_MAX];
+    path_make(path, "%s/tree", workshop->folder);
     int result = make_folder(workshop->folder) | make_folder(path);
-    snprintf(path, sizeof path, "%s/tree/solutions", workshop->folder);
+    path_make(path, "%s/tree/solutions", workshop->folder);
     result |= make_folder(path) | make_mount_points(workshop);
     result |= copy_matching(workshop, "common/*.h", "common");
     result |= copy_matching(workshop, "kernels/*.h", "kernels");
@@ -126,8 +125,8 @@ int workshop_open(Workshop *workshop, const Manifest *manifest, const char *buil
 void workshop_close(Workshop *workshop)
 {
     glob_t found;
-    char pattern[PATH_BYTES];
-    snprintf(pattern, sizeof pattern, "%s/variant-*/{build,out}", workshop->folder);
+    char pattern[PATH_MAX];
+    path_make(pattern, "%s/variant-*/{build,out}", workshop->folder);
     if (workshop->folder[0] != '\0' && glob(pattern, GLOB_BRACE, NULL, &found) == 0) {
         for (size_t i = 0; i < found.gl_pathc; i++) {
             limited_folder_unmount(found.gl_pathv[i]);
@@ -148,9 +147,9 @@ void workshop_job_suffix(int job, char suffix[16])
     }
 }
 
-void workshop_job_path(const Workshop *workshop, int job, char *path, size_t n_bytes)
+void workshop_job_path(const Workshop *workshop, int job, char path[PATH_MAX])
 {
     char suffix[16];
     workshop_job_suffix(job, suffix);
-    snprintf(path, n_bytes, "%s/job/job%s", workshop->folder, suffix);
+    path_make(path, "%s/job/job%s", workshop->folder, suffix);
 }

@@ -13,9 +13,11 @@
 #include "manifest.h"
 #include "sandbox.h"
 
+#include <limits.h>
+
 typedef struct Workshop {
-    char folder[160];   // under $TMPDIR or /tmp
-    const char *build;  // the build folder with the probes and libraries, "build"
+    char folder[PATH_MAX];  // under $TMPDIR or /tmp
+    const char *build;      // the build folder with the probes and libraries, "build"
     const Manifest *manifest;
     const char *device;  // value of COURSE_DEVICE inside; "" for the first
     SandboxKind sandbox;
@@ -34,7 +36,7 @@ int workshop_open(Workshop *workshop, const Manifest *manifest, const char *buil
 void workshop_close(Workshop *workshop);
 
 // Where job number `job` is to be written before any variant runs: 0, or of a further seed.
-void workshop_job_path(const Workshop *workshop, int job, char *path, size_t n_bytes);
+void workshop_job_path(const Workshop *workshop, int job, char path[PATH_MAX]);
 
 // What stands behind the names of its files: "" for 0, ".3" for the third further one.
 void workshop_job_suffix(int job, char suffix[16]);

@@ -13,14 +13,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-int temporary_folder_make(char *path, size_t n_bytes, const char *name)
+int temporary_folder_make(char path[PATH_MAX], const char *name)
 {
     const char *parent = getenv("TMPDIR");
     if (parent == NULL || parent[0] == '\0') {
         parent = "/tmp";
     }
-    const int length = snprintf(path, n_bytes, "%s/%s-XXXXXX", parent, name);
-    if (length < 0 || (size_t)length >= n_bytes) {
+    const int length = snprintf(path, PATH_MAX, "%s/%s-XXXXXX", parent, name);
+    if (length < 0 || length >= PATH_MAX) {
         errno = ENAMETOOLONG;
     } else if (mkdtemp(path) != NULL) {
         return 0;

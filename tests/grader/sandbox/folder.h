@@ -3,12 +3,13 @@
 #ifndef GRADER_FOLDER_H
 #define GRADER_FOLDER_H
 
+#include <limits.h>
 #include <stddef.h>
 #include <sys/types.h>
 
 // Make a folder "NAME-" and six random characters in $TMPDIR, or in /tmp when that is unset or
 // empty, and put its path into `path`. Returns 0, or -1 with errno set and `path` empty.
-int temporary_folder_make(char *path, size_t n_bytes, const char *name);
+int temporary_folder_make(char path[PATH_MAX], const char *name);
 
 typedef struct FolderSize {
     long long n_bytes;  // that its files take on the disk

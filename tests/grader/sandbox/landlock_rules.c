@@ -3,10 +3,10 @@
 #include "landlock_rules.h"
 
 #include "landlock.h"
+#include "path.h"
 #include "sandbox_system.h"
 
 #include <glob.h>
-#include <limits.h>
 #include <stdio.h>
 
 static int list_allow(int rules, const char *const *paths, size_t n, LandlockAccess access)
@@ -78,8 +78,8 @@ int landlock_rules_enter(const Walls *walls)
                                         "/proc/self/stat",
                                         "/proc/self/statm",
                                         "/proc/self/status"};
-    char own[PATH_MAX + sizeof "/tmp"];
-    snprintf(own, sizeof own, "%s/tmp", walls->view);
+    char own[PATH_MAX];
+    path_make(own, "%s/tmp", walls->view);
     int rules = landlock_open();
     if (rules < 0) {
         return -1;

@@ -9,6 +9,7 @@
 
 #include "bwrap_arguments.h"
 #include "folder.h"
+#include "path.h"
 #include "sandbox_leftovers.h"
 #include "sandbox_removed_files.h"
 
@@ -317,8 +318,8 @@ void census_folders(const Walls *walls, Census *census)
         }
     }
     if (walls->view[0] != '\0') {
-        char path[PATH_MAX + sizeof "/tmp"];
-        snprintf(path, sizeof path, "%s/tmp", walls->view);
+        char path[PATH_MAX];
+        path_make(path, "%s/tmp", walls->view);
         folder_measure(path, n_most, &size);
     }
     if (sandbox_is_open(walls->command.kind)) {

@@ -7,6 +7,7 @@
 
 #include "folder.h"
 #include "limited_folder.h"
+#include "path.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -14,14 +15,6 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-// A path of two parts; cut off, it is too long for the kernel as well and fails there.
-static void path_join(char path[PATH_MAX], const char *folder, const char *name)
-{
-    if (snprintf(path, PATH_MAX, "%s%s", folder, name) >= PATH_MAX) {
-        memset(path, 'x', PATH_MAX - 1);
-    }
-}
 
 // Is there a mount at this place, or (below) anywhere under it?
 static int has_mount(const SandboxCommand *command, const char *inside, int below)
@@ -49,7 +42,7 @@ static int open_folder_make(const char *path)
 static int parents_make(const char *view, const char *inside)
 {
     char path[PATH_MAX];
-    path_join(path, view, inside);
+    path_make(path, "%s%s", view, inside);
     for (char *slash = path + strlen(view) + 1; (slash = strchr(slash, '/')) != NULL; slash++) {
         *slash = '\0';
         if (open_folder_make(path) != 0) {
@@ -68,7 +61,7 @@ static int folder_make(const SandboxCommand *command, const char *view, const ch
                        const char *inside)
 {
     char path[PATH_MAX];
-    path_join(path, view, inside);
+    path_make(path, "%s%s", view, inside);
     if (open_folder_make(path) != 0) {
         return -1;
     }
@@ -79,13 +72,12 @@ static int folder_make(const SandboxCommand *command, const char *view, const ch
     int result = 0;
     const struct dirent *entry;
     while (result == 0 && (entry = readdir(folder)) != NULL) {
-        char name[NAME_MAX + 2], entry_outside[PATH_MAX], entry_inside[PATH_MAX];
+        char entry_outside[PATH_MAX], entry_inside[PATH_MAX];
         if (strcmp(entry->d_name, ".") == 0 || strcmp(entry->d_name, "..") == 0) {
             continue;
         }
-        snprintf(name, sizeof name, "/%s", entry->d_name);
-        path_join(entry_outside, outside, name);
-        path_join(entry_inside, inside, name);
+        path_make(entry_outside, "%s/%s", outside, entry->d_name);
+        path_make(entry_inside, "%s/%s", inside, entry->d_name);
         if (!has_mount(command, entry_inside, 0)) {
             result = entry_make(command, view, entry_outside, entry_inside);
         }
@@ -101,17 +93,17 @@ static int entry_make(const SandboxCommand *command, const char *view, const cha
     if (has_mount(command, inside, 1)) {
         return folder_make(command, view, outside, inside);
     }
-    path_join(path, view, inside);
+    path_make(path, "%s%s", view, inside);
     return symlink(outside, path);
 }
 
 int view_make(const SandboxCommand *command, uid_t user, char view[PATH_MAX])
 {
     char path[PATH_MAX];
-    if (temporary_folder_make(view, PATH_MAX, "sandbox") != 0) {
+    if (temporary_folder_make(view, "sandbox") != 0) {
         return -1;
     }
-    path_join(path, view, "/tmp");
+    path_make(path, "%s/tmp", view);
     if (chmod(view, 0750) != 0 || mkdir(path, 0700) != 0) {
         return -1;
     }

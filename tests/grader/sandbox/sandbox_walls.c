@@ -11,6 +11,7 @@
 #include "folder.h"
 #include "landlock_rules.h"
 #include "limited_folder.h"
+#include "path.h"
 #include "sandbox_filter.h"
 #include "sandbox_init.h"
 #include "sandbox_leftovers.h"
@@ -196,8 +197,8 @@ void walls_take_down(Walls *walls)
 {
     mounts_take_back(walls);
     if (walls->view[0] != '\0') {
-        char tmp[PATH_MAX + 8];
-        snprintf(tmp, sizeof tmp, "%s/tmp", walls->view);
+        char tmp[PATH_MAX];
+        path_make(tmp, "%s/tmp", walls->view);
         limited_folder_unmount(tmp);
         folder_remove(walls->view);
     }
@@ -263,8 +264,8 @@ void walls_enter(const Walls *walls, const char **step)
         }
         return;
     }
-    char folder[PATH_MAX + 64];
-    snprintf(folder, sizeof folder, "%s%s", walls->view, walls->command.folder);
+    char folder[PATH_MAX];
+    path_make(folder, "%s%s", walls->view, walls->command.folder);
     *step = "cannot enter its folder";
     if (chdir(folder) != 0 || fcntl(WALLS_STATUS_DESCRIPTOR, F_SETFD, FD_CLOEXEC) != 0 ||
         fcntl(WALLS_FILTER_DESCRIPTOR, F_SETFD, FD_CLOEXEC) != 0) {

@@ -4,6 +4,8 @@
 // effect, and this line says so. Read next: stage.c.
 #include "extra_files.h"
 
+#include "path.h"
+
 #include <ctype.h>
 #include <dirent.h>
 #include <fcntl.h>
@@ -15,7 +17,7 @@
 // How many names are shown, and how many entries are read at most.
 enum { MAX_NAMES = 6, MAX_NAME_BYTES = 60, MAX_ENTRIES = 2000 };
 
-enum { MAX_MANIFEST_BYTES = 65536, PATH_BYTES = 600 };
+enum { MAX_MANIFEST_BYTES = 65536 };
 
 // A short file's bytes, not followed where it is a link. Returns their number, or -1.
 static ssize_t file_bytes(int folder, const char *name, char *bytes)
@@ -94,10 +96,10 @@ static void name_write(FILE *notes, const char *name)
 
 int extra_files_note(const Manifest *manifest, const char *submission, FILE *notes)
 {
-    char given[PATH_BYTES];
+    char given[PATH_MAX];
     char *names[MAX_ENTRIES];
     int n_names = 0;
-    snprintf(given, sizeof given, "labs/%s", manifest->lab);
+    path_make(given, "labs/%s", manifest->lab);
     const int given_folder = open(given, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     DIR *entries = opendir(submission);
     if (entries != NULL && given_folder >= 0) {

@@ -5,6 +5,7 @@
 #include "stands_out.h"
 
 #include "extra_files.h"
+#include "path.h"
 #include "skeleton.h"
 #include "source_words.h"
 #include "text_file.h"
@@ -283,8 +284,8 @@ char *stands_out(const Manifest *manifest, const char *staged, const char *submi
     }
     int n_notes = 0;
     for (int i = 0; i < manifest->n_files; i++) {
-        char path[600];
-        snprintf(path, sizeof path, "%s/%s", staged, manifest->files[i]);
+        char path[PATH_MAX];
+        path_make(path, "%s/%s", staged, manifest->files[i]);
         // A file that could not be staged is told of elsewhere.
         char *source = access(path, R_OK) == 0 ? text_file_read(path) : NULL;
         if (source != NULL) {

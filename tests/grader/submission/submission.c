@@ -8,20 +8,18 @@
 #include "bytes_write.h"
 #include "complain.h"
 #include "message.h"
+#include "path.h"
 #include "sandbox.h"
 #include "stage.h"
 
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
-#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-enum { PATH_BYTES = 600 };
 
 // What unpacking may use. The xz format's own limit on memory is 64 MB; a MB is more than any file
 // that is written.
@@ -86,9 +84,9 @@ static int copy_open_file(int from, const char *to, off_t n_bytes, mode_t mode)
 
 static int copy_tool(const char *build, const char *to)
 {
-    char path[PATH_BYTES];
+    char path[PATH_MAX];
     struct stat status;
-    snprintf(path, sizeof path, "%s/tools/unpack", build);
+    path_make(path, "%s/tools/unpack", build);
     const int from = open(path, O_RDONLY | O_CLOEXEC);
     if (from < 0 || fstat(from, &status) != 0 ||
         copy_open_file(from, to, status.st_size, 0755) != 0) {
@@ -134,9 +132,9 @@ static int folders_make(const char *room)
 {
     static const char *const folders[] = {"unpack", "unpack/in", "unpack/out"};
     static const mode_t modes[] = {0755, 0700, 0700};
-    char path[PATH_BYTES];
+    char path[PATH_MAX];
     for (size_t i = 0; i < sizeof folders / sizeof *folders; i++) {
-        snprintf(path, sizeof path, "%s/%s", room, folders[i]);
+        path_make(path, "%s/%s", room, folders[i]);
         if (mkdir(path, modes[i]) != 0 || chmod(path, modes[i]) != 0) {
             return machinery_fault(path, errno);
         }
@@ -206,11 +204,11 @@ static int take_unpack(const char *path, const SandboxResult *result, char **mes
 static int archive_unpack(const Workshop *workshop, const char *path, int archive, char **message)
 {
     const char *room = workshop->folder;
-    char in[PATH_BYTES], out[PATH_BYTES], copy[PATH_BYTES], tool[PATH_BYTES];
-    snprintf(in, sizeof in, "%s/unpack/in", room);
-    snprintf(out, sizeof out, "%s/unpack/out", room);
-    snprintf(copy, sizeof copy, "%s/unpack/in/archive", room);
-    snprintf(tool, sizeof tool, "%s/unpack/in/unpack", room);
+    char in[PATH_MAX], out[PATH_MAX], copy[PATH_MAX], tool[PATH_MAX];
+    path_make(in, "%s/unpack/in", room);
+    path_make(out, "%s/unpack/out", room);
+    path_make(copy, "%s/unpack/in/archive", room);
+    path_make(tool, "%s/unpack/in/unpack", room);
     int outcome = folders_make(room);
     if (outcome == 0) {
         outcome = copy_archive(path, archive, copy, message);
@@ -259,7 +257,7 @@ static void only_entry(DIR *folder, char *name, size_t n_bytes)
 
 // Where a folder holds nothing but one regular file that is none of the lab's: that file, open, and
 // its path for messages. Else -1.
-static int only_file_open(const Manifest *manifest, const char *folder, char *path, size_t n_bytes)
+static int only_file_open(const Manifest *manifest, const char *folder, char path[PATH_MAX])
 {
     char name[NAME_MAX + 1];
     DIR *entries = opendir(folder);
@@ -273,16 +271,17 @@ static int only_file_open(const Manifest *manifest, const char *folder, char *pa
         fstatat(dirfd(entries), name, &status, AT_SYMLINK_NOFOLLOW) == 0 &&
         S_ISREG(status.st_mode)) {
         file = openat(dirfd(entries), name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-        snprintf(path, n_bytes, "%s/%s", folder, name);
+        path_make(path, "%s/%s", folder, name);
     }
     closedir(entries);
     return file;
 }
 
 // The folder to stage from. Returns 0, 1 with a message, or -1.
-static int source_open(const Workshop *workshop, const char *path, char *source, char **message)
+static int source_open(const Workshop *workshop, const char *path, char source[PATH_MAX],
+                       char **message)
 {
-    char inner[PATH_BYTES + NAME_MAX];
+    char inner[PATH_MAX];
     struct stat status;
     // O_NONBLOCK: a FIFO would otherwise wait for a writer that never comes.
     int file = open(path, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
@@ -295,14 +294,14 @@ static int source_open(const Workshop *workshop, const char *path, char *source,
     }
     if (S_ISDIR(status.st_mode)) {
         close(file);
-        file = only_file_open(workshop->manifest, path, inner, sizeof inner);
-        snprintf(source, PATH_BYTES, "%s", path);
+        file = only_file_open(workshop->manifest, path, inner);
+        path_make(source, "%s", path);
         path = inner;
     }
     if (file < 0) {
         return 0;
     }
-    snprintf(source, PATH_BYTES, "%s/unpack/out", workshop->folder);
+    path_make(source, "%s/unpack/out", workshop->folder);
     const int outcome = archive_unpack(workshop, path, file, message);
     close(file);
     return outcome;
@@ -311,7 +310,7 @@ static int source_open(const Workshop *workshop, const char *path, char *source,
 int submission_stage(const Workshop *workshop, const char *path, const char *destination,
                      char **message)
 {
-    char source[PATH_BYTES];
+    char source[PATH_MAX];
     *message = NULL;
     const int opened = source_open(workshop, path, source, message);
     return opened != 0 ? opened

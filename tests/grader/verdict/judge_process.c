@@ -5,6 +5,7 @@
 
 #include "complain.h"
 #include "message.h"
+#include "path.h"
 
 #include <errno.h>
 #include <inttypes.h>
@@ -17,8 +18,6 @@
 
 extern char **environ;
 
-enum { PATH_BYTES = 512 };
-
 // A reply holds pictures at most: a dozen, three times each.
 #define MOST_REPLY_BYTES ((size_t)1 << 30)
 
@@ -28,10 +27,10 @@ enum { PATH_BYTES = 512 };
 // after one message.
 static int spawn(JudgeProcess *judge)
 {
-    char program[PATH_BYTES], seed[32];
+    char program[PATH_MAX], seed[32];
     int ends[2];
     posix_spawn_file_actions_t actions;
-    snprintf(program, sizeof program, "%s/tools/judge", judge->build);
+    path_make(program, "%s/tools/judge", judge->build);
     snprintf(seed, sizeof seed, "%" PRIu64, judge->seed);
     char *const argv[] = {program, (char *)judge->lab, seed, NULL};
     // Closed in every other program that is started.

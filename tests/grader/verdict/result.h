@@ -51,9 +51,9 @@ typedef struct StageResult {
 enum { RESULT_MAX_CHECKS = 32, RESULT_MAX_PICTURES = 12, RESULT_MAX_STAGES = 7 };
 
 typedef struct Result {
-    const char *lab;    // "01-naive-2d"
-    const char *title;  // of the lab
-    char submission[512];
+    const char *lab;         // "01-naive-2d"
+    const char *title;       // of the lab
+    const char *submission;  // as given
     uint64_t seed;
     char device[256];
     const char *sandbox;   // it ran in: a name of sandbox.h's

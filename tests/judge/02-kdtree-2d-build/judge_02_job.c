@@ -6,7 +6,9 @@
 
 static BBox2D draw_box(Random *random)
 {
-    BBox2D box = {.minX = random_grid(random, -100, 100), .minY = random_grid(random, -100, 100)};
+    BBox2D box = {0};
+    box.minX = random_grid(random, -100, 100);
+    box.minY = random_grid(random, -100, 100);
     box.maxX = box.minX + random_grid(random, 1, 120);
     box.maxY = box.minY + random_grid(random, 1, 120);
     return box;
@@ -15,8 +17,8 @@ static BBox2D draw_box(Random *random)
 // Of three inputs one is about the depth, one about the count and one about failed splits.
 static LeafJob draw_leaf(Random *random, int i)
 {
-    LeafJob job = {.maxDepth = (i32)random_integer(random, 1, 14),
-                   .targetElementsPerNode = (i32)random_integer(random, 1, 20)};
+    LeafJob job = {.maxDepth = (i32)random_integer(random, 1, 14)};
+    job.targetElementsPerNode = (i32)random_integer(random, 1, 20);
     if (i % 3 == 0) {
         job.level = job.maxDepth + (i32)random_integer(random, -1, 1);
         job.n_circles = (u32)job.targetElementsPerNode + (u32)random_integer(random, 1, 50);
@@ -109,9 +111,9 @@ static DistributeJob draw_distribute(Random *random, const Scene2D *scene)
 
 static PackJob draw_pack(Random *random)
 {
-    PackJob job = {.id = (u32)random_integer(random, 1, PACK_NODES - 1),
-                   .n_map = (u32)random_integer(random, 1, 20),
-                   .n_ids = (u32)random_integer(random, 0, PACK_MAX_IDS)};
+    PackJob job = {.id = (u32)random_integer(random, 1, PACK_NODES - 1)};
+    job.n_map = (u32)random_integer(random, 1, 20);
+    job.n_ids = (u32)random_integer(random, 0, PACK_MAX_IDS);
     u32 id = (u32)random_integer(random, 0, 5);
     for (u32 i = 0; i < job.n_ids; i++) {
         job.ids[i] = id;

@@ -71,8 +71,9 @@ static ChildJob draw_child(Random *random, const KdTree2D *tree, int on_border)
         if (tree->nodes_flag[id] == LEAF || box.maxX - box.minX < 4 || box.maxY - box.minY < 4) {
             continue;
         }
-        ChildJob job = {coordinate(random, box.minX, box.maxX),
-                        coordinate(random, box.minY, box.maxY), id};
+        const i32 x = coordinate(random, box.minX, box.maxX);
+        const i32 y = coordinate(random, box.minY, box.maxY);
+        ChildJob job = {x, y, id};
         const BBox2D left = tree->nodes_BBox[tree->nodes_Relations[id].lChild];
         if (on_border) {
             // One coordinate on a border: the lower one of the node, or the one the children share.

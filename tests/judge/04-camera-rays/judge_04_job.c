@@ -13,7 +13,9 @@ static ViewJob draw_view(Random *random)
     ViewJob view;
     Vec3 way, aside;
     do {
-        view = (ViewJob){random_point(random, 5), random_point(random, 3), random_point(random, 4)};
+        view.from = random_point(random, 5);
+        view.at = random_point(random, 3);
+        view.up = random_point(random, 4);
         way = vec3_minus(view.at, view.from);
         aside = vec3_cross(way, view.up);
     } while (vec3_length(way) < 0.25f || vec3_length(view.up) < 0.25f ||

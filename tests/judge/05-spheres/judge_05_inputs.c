@@ -76,7 +76,8 @@ static SphereRayJob draw_sphere(Random *random, int range)
     // Some of the spheres around the eye are before it after all.
     const int is_inside = range == 1 && random_integer(random, 0, 3) != 0;
     const Distances d = range == 2 ? small : is_inside ? inside : outside;
-    SphereRayJob job = {.origin = random_point(random, 4), .direction = direction(random)};
+    SphereRayJob job = {.origin = random_point(random, 4)};
+    job.direction = direction(random);
     const float distance = random_number(random, d.nearest, d.farthest);
     const float radius =
         distance * (float)(d.smallest + (d.largest - d.smallest) *
@@ -97,10 +98,11 @@ static SphereRayJob draw_sphere(Random *random, int range)
 
 static NormalJob draw_normal(Random *random, int range)
 {
-    NormalJob job = {.sphere = {random_number(random, -3, 3), random_number(random, -3, 3),
-                                random_number(random, -3, 3), random_number(random, 0.25, 4)}};
+    NormalJob job = {0};
+    const Vec3 centre = random_vector(random, -3, 3);
+    const float radius = random_number(random, 0.25, 4);
+    job.sphere = (Sphere){centre.x, centre.y, centre.z, radius};
     const Vec3 outwards = direction(random);
-    const Vec3 centre = {job.sphere.x, job.sphere.y, job.sphere.z};
     job.point = vec3_plus(centre, vec3_scaled(outwards, job.sphere.radius));
     do {
         job.direction = direction(random);
@@ -115,12 +117,12 @@ static NormalJob draw_normal(Random *random, int range)
 
 static ShadeJob draw_shade(Random *random, int range, const Light lights[N_LIGHTS])
 {
-    ShadeJob job = {.point = random_point(random, 2), .normal = direction(random), .n_lights = 1};
-    job.material = (Material){.color = random_vector(random, 0.25, 1),
-                              .kd = random_number(random, 0.125, 0.875),
-                              .ks = random_number(random, 0, 1),
-                              .shine = 30,
-                              .refraction = 1};
+    ShadeJob job = {.point = random_point(random, 2), .n_lights = 1};
+    job.normal = direction(random);
+    job.material = (Material){.shine = 30, .refraction = 1};
+    job.material.color = random_vector(random, 0.25, 1);
+    job.material.kd = random_number(random, 0.125, 0.875);
+    job.material.ks = random_number(random, 0, 1);
     job.first_light = (i32)random_integer(random, 0, N_LIGHTS - 6);
     const Vec3 way = vec3_minus(lights[job.first_light].position, job.point);
     if (range == 2) {

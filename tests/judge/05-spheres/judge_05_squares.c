@@ -50,10 +50,11 @@ static void draw_squares(Random *random, const SquarePlan *plan, SquareScene *sc
     scene->width = plan->width, scene->height = plan->height;
     for (int i = 0; i < plan->n; i++) {
         const int is_negative = plan->every_negative > 0 && i % plan->every_negative == 0;
-        scene->squares[i] =
-            (Sphere){random_grid(random, 0, plan->width), random_grid(random, 0, plan->height),
-                     plan->step * (float)random_integer(random, 1, plan->n_distances),
-                     random_grid(random, 1, plan->max_radius) * (is_negative ? -1 : 1)};
+        const float x = random_grid(random, 0, plan->width);
+        const float y = random_grid(random, 0, plan->height);
+        const float z = plan->step * (float)random_integer(random, 1, plan->n_distances);
+        const float radius = random_grid(random, 1, plan->max_radius);
+        scene->squares[i] = (Sphere){x, y, z, is_negative ? -radius : radius};
     }
     scene->squares[plan->n] = (Sphere){0, 0, 0.03125f, 1000};
 }

@@ -35,14 +35,15 @@ static NextChildJob draw_child(Random *random, int meets_both)
     // Up to where one place is left.
     const int n_lower =
         one_in(random, 2) ? 0 : (int)random_integer(random, 1, TODO_SIZE - STACK_ENTRIES);
-    NextChildJob job = {.origin = random_quarters(random, -16, 16),
-                        .t_min = one_in(random, 4) ? 0 : random_quarters(random, 1, 16)};
+    NextChildJob job = {.origin = random_quarters(random, -16, 16)};
+    job.t_min = one_in(random, 4) ? 0 : random_quarters(random, 1, 16);
     job.t_max = job.t_min + random_quarters(random, 1, 16);
-    job.inverse = (float)(1 << random_integer(random, 0, 2)) * (one_in(random, 2) ? -1 : 1);
+    job.inverse = (float)(1 << random_integer(random, 0, 2));
+    job.inverse *= one_in(random, 2) ? -1 : 1;
     const float t_split = draw_t_split(random, job.t_min, job.t_max, meets_both);
-    job.node = (KdNode3){.split_pos = job.origin + t_split / job.inverse,
-                         .split_axis = (u32)random_integer(random, 0, 2),
-                         .first = (u32)random_integer(random, 3, 1000)};
+    job.node.split_pos = job.origin + t_split / job.inverse;
+    job.node.split_axis = (u32)random_integer(random, 0, 2);
+    job.node.first = (u32)random_integer(random, 3, 1000);
     job.todo =
         random_stack(random, (u32)n_lower, (u32)random_integer(random, 0, STACK_ENTRIES - 1));
     return job;

@@ -159,8 +159,9 @@ static ClipJob draw_clip(Random *random, enum ClipRange range)
 
 static KdNode3 draw_node(Random *random, float split_pos)
 {
-    return (KdNode3){split_pos, (u32)random_integer(random, 0, 2),
-                     (u32)random_integer(random, 1, 100), 0};
+    KdNode3 node = {.split_pos = split_pos, .split_axis = (u32)random_integer(random, 0, 2)};
+    node.first = (u32)random_integer(random, 1, 100);
+    return node;
 }
 
 static float draw_sign(Random *random)

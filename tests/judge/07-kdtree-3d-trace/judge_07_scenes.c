@@ -55,9 +55,9 @@ static void move_eye(Random *random, JobScene3D *scene, EyePlace place)
     const float reach = is_inside ? fabsf(around.radius) / 4 : 0.75f;
     do {
         const float step = reach / 64;
-        s->view.from = (Vec3){middle.x + step * (float)random_integer(random, -64, 64),
-                              middle.y + step * (float)random_integer(random, -64, 64),
-                              middle.z + step * (float)random_integer(random, -64, 64)};
+        s->view.from.x = middle.x + step * (float)random_integer(random, -64, 64);
+        s->view.from.y = middle.y + step * (float)random_integer(random, -64, 64);
+        s->view.from.z = middle.z + step * (float)random_integer(random, -64, 64);
         s->view.angle = 90;  // most of what is around
     } while (scene3d_view_fault(&s->view) != NULL);
     job_scene3d_aim(scene);
@@ -135,8 +135,9 @@ static int draw_touching(Random *random, JobScene3D *scene)
     Scene3D *s = &scene->scene;
     s->spheres[0] = (Sphere){0, 0, 0, radius};
     s->spheres[1] = (Sphere){radius / 2, radius / 2, radius / 2, 1};
-    s->view.from =
-        (Vec3){random_grid(random, 20, 40), random_grid(random, 1, 3), random_grid(random, 1, 3)};
+    s->view.from.x = random_grid(random, 20, 40);
+    s->view.from.y = random_grid(random, 1, 3);
+    s->view.from.z = random_grid(random, 1, 3);
     s->view.at = (Vec3){-radius, 0, 0};
     s->view.up = (Vec3){0, 0, 1};
     s->view.angle = 0.02f;

@@ -62,9 +62,9 @@ static void draw_view(Random *random, View *view)
         // Never near the middle, in any of the eight octants.
         const Vec3 way = vec3_normalized(random_vector(random, 0.25, 1));
         const float distance = random_number(random, 3, 5);
-        view->from =
-            (Vec3){distance * random_sign(random) * way.x, distance * random_sign(random) * way.y,
-                   distance * random_sign(random) * way.z};
+        view->from.x = distance * random_sign(random) * way.x;
+        view->from.y = distance * random_sign(random) * way.y;
+        view->from.z = distance * random_sign(random) * way.z;
         view->at = random_vector(random, -0.5, 0.5);
         view->up = random_vector(random, -2, 2);
         view->angle = random_number(random, 25, 55);

@@ -1,0 +1,251 @@
+// The judges of 3D trees: each fault is found by the judges that look at it and by no other, and is
+// named.
+#include "kdtree3d_build.h"
+#include "tree3d_subject.h"
+
+#include <math.h>
+
+TestSuite(tree3d_faults);
+
+static u32 *list_of(const KdTree3D *tree, u32 id)
+{
+    return tree->sphere_ids + tree->nodes[id].first;
+}
+
+static void bounds_are_too_wide(KdTree3D *t)
+{
+    t->bounds.max[1] += 0.125f;
+}
+
+static void bounds_are_one_step_off(KdTree3D *t)
+{
+    t->bounds.min[0] = nextafterf(t->bounds.min[0], -2);
+}
+
+static void bounds_are_not_numbers(KdTree3D *t)
+{
+    t->bounds.min[2] = NAN;
+}
+
+static void last_plane_is_moved(KdTree3D *t)
+{
+    t->nodes[N_INNER - 1].split_pos += 0.25f;
+}
+
+static void last_plane_is_moved_by_a_hair(KdTree3D *t)
+{
+    t->nodes[N_INNER - 1].split_pos += 1e-6f;
+}
+
+static void last_axis_is_another(KdTree3D *t)
+{
+    t->nodes[N_INNER - 1].split_axis = (t->nodes[N_INNER - 1].split_axis + 1) % 3;
+}
+
+static void axis_is_none(KdTree3D *t)
+{
+    t->nodes[N_INNER - 1].split_axis = 7;
+}
+
+static void children_are_swapped_with_the_neighbours(KdTree3D *t)
+{
+    t->nodes[13].first += 2;
+    t->nodes[14].first -= 2;
+}
+
+static void child_is_far_out(KdTree3D *t)
+{
+    t->nodes[3].first = 0xffffffff;
+}
+
+static void child_is_the_root(KdTree3D *t)
+{
+    t->nodes[3].first = 0;
+}
+
+static void inner_node_has_spheres(KdTree3D *t)
+{
+    t->nodes[3].n_spheres = 1;
+}
+
+static void range_is_far_out(KdTree3D *t)
+{
+    t->nodes[A_LEAF].first = 0xffffffff;
+}
+
+static void ranges_are_swapped(KdTree3D *t)
+{
+    const u32 first = t->nodes[A_LEAF].first;
+    t->nodes[A_LEAF].first = t->nodes[A_LEAF + 1].first;
+    t->nodes[A_LEAF + 1].first = first;
+}
+
+static void count_is_one_less(KdTree3D *t)
+{
+    t->nodes[A_LEAF].n_spheres--;
+}
+
+static void last_count_is_one_more(KdTree3D *t)
+{
+    t->nodes[N_NODES - 1].n_spheres++;
+}
+
+static void list_is_unsorted(KdTree3D *t)
+{
+    u32 *list = list_of(t, A_LEAF);
+    const u32 id = list[0];
+    list[0] = list[1];
+    list[1] = id;
+}
+
+static void sphere_is_listed_twice(KdTree3D *t)
+{
+    list_of(t, A_LEAF)[1] = list_of(t, A_LEAF)[0];
+}
+
+static void sphere_is_another(KdTree3D *t)
+{
+    // The leaf's last may be 59 already: then the one before it is free.
+    u32 *last = &list_of(t, A_LEAF)[t->nodes[A_LEAF].n_spheres - 1];
+    *last = *last < 59 ? *last + 1 : 58;
+}
+
+static void sphere_is_none(KdTree3D *t)
+{
+    list_of(t, A_LEAF)[t->nodes[A_LEAF].n_spheres - 1] = 60;
+}
+
+static void inner_node_is_a_leaf(KdTree3D *t)
+{
+    t->nodes[N_INNER - 1].split_axis = KD_LEAF;
+}
+
+static void leaf_is_not_marked(KdTree3D *t)
+{
+    t->nodes[A_LEAF] = (KdNode3){.first = 0};
+}
+
+static void ids_have_a_tail(KdTree3D *t)
+{
+    t->sphere_ids = realloc(t->sphere_ids, (t->n_sphere_ids + 1) * sizeof *t->sphere_ids);
+    t->sphere_ids[t->n_sphere_ids++] = 0;
+}
+
+static void ids_are_cut_off(KdTree3D *t)
+{
+    t->n_sphere_ids--;
+}
+
+static void nodes_have_a_tail(KdTree3D *t)
+{
+    t->nodes = realloc(t->nodes, (t->n_nodes + 2) * sizeof *t->nodes);
+    t->nodes[t->n_nodes++] = (KdNode3){0, KD_LEAF, t->n_sphere_ids, 0};
+    t->nodes[t->n_nodes++] = (KdNode3){0, KD_LEAF, t->n_sphere_ids, 0};
+}
+
+static void nodes_are_cut_off(KdTree3D *t)
+{
+    t->n_nodes -= 2;
+}
+
+static const struct {
+    const char *what;
+    void (*corrupt)(KdTree3D *tree);
+    int against;
+    int judge;         // one of them,
+    const char *says;  // and a part of its message
+} corruptions[] = {
+#define CORRUPTION(corrupt, ...) {#corrupt, corrupt, __VA_ARGS__}
+    // Moving the box or a plane moves cells, and what is in them.
+    CORRUPTION(bounds_are_too_wide, BOUNDS | SPLITS, BOUNDS, "bounds: found x ["),
+    CORRUPTION(bounds_are_one_step_off, BOUNDS, BOUNDS, "bounds: found x ["),
+    CORRUPTION(bounds_are_not_numbers, BOUNDS | SPLITS, BOUNDS, "nan"),
+    CORRUPTION(last_plane_is_moved, SPLITS | OVERLAP, SPLITS, "node 14: cell from"),
+    CORRUPTION(last_plane_is_moved_by_a_hair, SPLITS, SPLITS, "node 14: cell from"),
+    CORRUPTION(last_axis_is_another, SPLITS | OVERLAP, SPLITS, "node 14: cell x ["),
+    CORRUPTION(axis_is_none, SPLITS | OVERLAP | PACKING, SPLITS, "there are axes 0, 1 and 2"),
+    CORRUPTION(children_are_swapped_with_the_neighbours, OVERLAP | PACKING, PACKING,
+               "node 13's children are 29 and 30, expected 27 and 28 (breadth-first)"),
+    CORRUPTION(child_is_far_out, SPLITS | OVERLAP | PACKING, SPLITS, "node 3: an inner node, but"),
+    CORRUPTION(child_is_the_root, SPLITS | OVERLAP | PACKING, PACKING, "not marked KD_LEAF?"),
+    CORRUPTION(inner_node_has_spheres, PACKING, PACKING, "node 3: split_axis is"),
+    CORRUPTION(range_is_far_out, OVERLAP | LISTS | PACKING, LISTS, "leaf 20: first is 4294967295"),
+    CORRUPTION(ranges_are_swapped, OVERLAP | LISTS | PACKING, PACKING, "leaf 20: first is"),
+    CORRUPTION(count_is_one_less, OVERLAP | PACKING, OVERLAP, "overlaps its cell, but the leaf"),
+    CORRUPTION(last_count_is_one_more, OVERLAP | LISTS | PACKING, LISTS, "but sphere_ids has"),
+    CORRUPTION(list_is_unsorted, LISTS, LISTS, "the ids must ascend"),
+    CORRUPTION(sphere_is_listed_twice, OVERLAP | LISTS, LISTS, "the ids must ascend"),
+    CORRUPTION(sphere_is_another, OVERLAP, OVERLAP, "leaf 20, x ["),
+    CORRUPTION(sphere_is_none, OVERLAP | LISTS, LISTS, "lists sphere 60, but the scene has 60"),
+    CORRUPTION(inner_node_is_a_leaf, LISTS | OVERLAP | PACKING, LISTS,
+               "is a leaf, expected it to be split"),
+    CORRUPTION(leaf_is_not_marked, SPLITS | OVERLAP | LISTS | PACKING, LISTS,
+               "is split, expected a leaf"),
+    CORRUPTION(ids_have_a_tail, PACKING, PACKING, "but its arrays hold"),
+    CORRUPTION(ids_are_cut_off, OVERLAP | LISTS | PACKING, LISTS, "but sphere_ids has"),
+    CORRUPTION(nodes_have_a_tail, PACKING, PACKING, "31 nodes and"),
+    CORRUPTION(nodes_are_cut_off, SPLITS | OVERLAP | PACKING, PACKING, "nodes and"),
+#undef CORRUPTION
+};
+
+Test(tree3d_faults, each_fault_is_found_by_its_judges_alone)
+{
+    TreeScene3D scene = subject_open();
+    for (size_t i = 0; i < sizeof corruptions / sizeof *corruptions; i++) {
+        KdTree3D tree = tree_copy(&scene.tree);
+        corruptions[i].corrupt(&tree);
+        const int against = judges_against(&scene, &tree);
+        cr_expect_eq(against, corruptions[i].against, "%s: found by %s", corruptions[i].what,
+                     names_of(against));
+        for (size_t j = 0; j < sizeof judges / sizeof *judges; j++) {
+            if (judges[j].bit == corruptions[i].judge) {
+                expect_says(judges[j].judge(&scene, &tree), corruptions[i].says);
+            }
+        }
+        tree3d_free(&tree);
+    }
+    scene_close(&scene);
+}
+
+// Another tree that is consistent in itself: only the limits say which one was asked for.
+Test(tree3d_faults, leaves_too_early_or_too_late_are_found)
+{
+    static const KdTreeLimits others[] = {{4, 1}, {6, 1}, {1, 1}, {5, 40}};
+    TreeScene3D scene = subject_open();
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
+        KdTree3D tree;
+        cr_assert_eq(kdtree3d_build(scene.scene.spheres, 60, others[i], &tree), 0);
+        const int against = judges_against(&scene, &tree) & ~PACKING;
+        cr_expect_eq(against, LISTS, "found by %s", names_of(against));
+        tree3d_free(&tree);
+    }
+    scene_close(&scene);
+}
+
+// A sphere more or less on a plane that it touches exactly.
+Test(tree3d_faults, exact_trees_must_be_equal)
+{
+    TreeScene3D scene = scene_of("planes", (KdTreeLimits){7, 3});
+    KdTree3D tree = tree_copy(&scene.tree);
+    cr_assert(scene.is_exact);
+    tree.nodes[0].split_pos = nextafterf(tree.nodes[0].split_pos, 1);
+    expect_says(tree3d_judge_packing(&scene, &tree), "node 0: found split_axis 0, split_pos");
+    tree3d_free(&tree);
+    scene_close(&scene);
+}
+
+Test(tree3d_faults, a_tree_too_deep_for_the_todo_stack_is_found)
+{
+    TreeScene3D scene = {.title = "chain"};
+    KdNode3 nodes[2 * TODO_SIZE + 3];
+    KdTree3D tree = {.nodes = nodes};
+    for (int n_levels = TODO_SIZE + 1; n_levels <= TODO_SIZE + 2; n_levels++) {
+        tree.n_nodes = 2 * (u32)n_levels - 1;
+        for (u32 id = 0; id < tree.n_nodes; id++) {
+            nodes[id] = id % 2 == 0 && id + 2 < tree.n_nodes ? (KdNode3){.first = id + 1}
+                                                             : (KdNode3){.split_axis = KD_LEAF};
+        }
+        expect_says(tree3d_judge_depth(&scene, &tree),
+                    n_levels > TODO_SIZE + 1 ? "levels, so" : NULL);
+    }
+}
