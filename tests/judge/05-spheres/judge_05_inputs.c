@@ -121,7 +121,7 @@ static ShadeJob draw_shade(Random *random, int range, const Light lights[N_LIGHT
                               .ks = random_number(random, 0, 1),
                               .shine = 30,
                               .refraction = 1};
-    job.first_light = (i32)random_integer(random, 0, N_LIGHTS - 6);
+    job.first_light = (i32)random_integer(random, 0, N_LIGHTS - N_EDGE_LIGHTS - 6);
     const Vec3 way = vec3_minus(lights[job.first_light].position, job.point);
     if (range == 2) {
         job.n_lights = (i32)random_integer(random, 1, 5);

@@ -33,6 +33,9 @@ typedef struct Function {
     const void *mistakes;  // structures that begin with what is said, a const char *
     size_t mistake_bytes;  // of one
     int n_mistakes;        // with number 0
+    // Does the range as a whole look like a mistake, too, that explains every answer? NULL where
+    // that is enough.
+    int (*shows)(const void *job, Range range, const void *answers, int mistake);
     // In the place of these mistakes: what is said about wrong answers, "" for nothing.
     const char *(*explain)(const void *job, Range range, const void *answers);
 } Function;

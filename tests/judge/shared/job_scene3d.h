@@ -29,7 +29,11 @@ int job_scene3d_random(JobScene3D *scene, Random *random, int n_spheres, float m
 // A scene of scene3d.h by name. Returns 0, or -1 after one message.
 int job_scene3d_named(JobScene3D *scene, const char *name, int width, int height);
 
-// Set up the camera anew after the scene's view has been changed. Both functions above do it.
+// Make a scene `factor` times as large, a power of two: its picture stays as it is.
+//   words   what the title says of that: "a millionth as large"
+void job_scene3d_scale(JobScene3D *scene, float factor, const char *words);
+
+// Set up the camera anew after the scene's view has been changed. All functions above do it.
 void job_scene3d_aim(JobScene3D *scene);
 
 // Let the oracle trace what is expected: hits and picture. Returns 0, or -1 after one message.
