@@ -1,4 +1,4 @@
-// Lab 05: surface_normal and shade on their inputs. See judge_05.h; judge_05_roots.c is the sibling.
+// Lab 05: surface_normal and shade on their inputs. See judge_05.h; judge_05_roots.c is a sibling.
 #include "judge_05.h"
 
 #include "message.h"
