@@ -59,50 +59,64 @@ static int is_across(const AxesCall *call, Vec3 a, Vec3 b)
     return fabs(dot(a, in_double(b))) <= call->error * vec3_length(b);
 }
 
-// What is wrong with an answer, or NULL.
-typedef const char *AxesFault(const AxesCall *call);
+// What is said of wrong axes: a remark on what was found, or what it looks like. Neither where
+// nothing is wrong.
+typedef struct AxesFault {
+    const char *remark;  // ": right is not forward x up"
+    const char *looks;   // "forward points backwards"
+} AxesFault;
+typedef AxesFault JudgeAxes(const AxesCall *call);
 
-static const char *not_orthonormal(const AxesCall *call)
+static AxesFault not_orthonormal(const AxesCall *call)
 {
     const Axes *found = &call->found;
-    return !is_unit(call, found->forward) || !is_unit(call, found->right) ||
-                   !is_unit(call, found->up)
-               ? ": not all three are unit vectors"
-           : !is_across(call, found->forward, found->right) ||
-                   !is_across(call, found->up, found->right)
-               ? ": right is not at right angles to the others"
-           : !is_across(call, found->forward, found->up) ? ": up is not at right angles to forward"
-           : !is_across(call, found->right, call->view->up)
-               ? ": right is not at right angles to view.up"
-               : NULL;
+    const char *remark =
+        !is_unit(call, found->forward) || !is_unit(call, found->right) || !is_unit(call, found->up)
+            ? ": not all three are unit vectors"
+        : !is_across(call, found->forward, found->right) ||
+                !is_across(call, found->up, found->right)
+            ? ": right is not at right angles to the others"
+        : !is_across(call, found->forward, found->up) ? ": up is not at right angles to forward"
+        : !is_across(call, found->right, call->view->up)
+            ? ": right is not at right angles to view.up"
+            : NULL;
+    return (AxesFault){.remark = remark};
 }
 
 // Of any length: that is the business of the check above.
-static const char *not_forward(const AxesCall *call)
+static AxesFault not_forward(const AxesCall *call)
 {
     const Vec3 found = call->found.forward;
     const double length = vec3_length(found);
     const OracleVector f = call->expected[2], wanted = {length * f.x, length * f.y, length * f.z};
     if (is_near_04(found, wanted, call->error * length) && length > 0) {
-        return NULL;
+        return (AxesFault){0};
     }
-    return is_opposite_04(found, f, call->error) ? "; forward points backwards"
-                                                 : ": forward does not go from `from` to `at`";
+    if (is_opposite_04(found, f, call->error)) {
+        return (AxesFault){.looks = "forward points backwards"};
+    }
+    return (AxesFault){.remark = ": forward does not go from `from` to `at`"};
 }
 
-static const char *not_upright(const AxesCall *call)
+static AxesFault not_upright(const AxesCall *call)
 {
     const Axes *found = &call->found;
     const OracleVector *expected = call->expected;
     const int is_right = is_near_04(found->right, expected[0], call->error);
     const int is_up = is_near_04(found->up, expected[1], call->error);
-    return is_right && is_up ? NULL
-           : is_opposite_04(found->right, expected[0], call->error)
-               ? "; right points to the left: mind the order of the cross product"
-           : is_opposite_04(found->up, expected[1], call->error)
-               ? "; up points down: mind the order of the cross product"
-           : is_right ? ": up is not what is left of view.up at right angles to forward"
-                      : ": right is not forward x up";
+    if (is_right && is_up) {
+        return (AxesFault){0};
+    }
+    if (is_opposite_04(found->right, expected[0], call->error)) {
+        return (AxesFault){.looks =
+                               "right points to the left: mind the order of the cross product"};
+    }
+    if (is_opposite_04(found->up, expected[1], call->error)) {
+        return (AxesFault){.looks = "up points down: mind the order of the cross product"};
+    }
+    return (AxesFault){
+        .remark = is_right ? ": up is not what is left of view.up at right angles to forward"
+                           : ": right is not forward x up"};
 }
 
 // Is an axis zero, infinite or no number?
@@ -118,46 +132,52 @@ static int has_left_range(const Axes *found)
 }
 
 // What is special about view number i where all before it are right; else NULL.
-static const char *axes_cause(int i, const Axes *found)
+static const char *special_looks(int i, const Axes *found)
 {
-    return i >= FIRST_STEEP   ? "; other views are right, and any angle to up counts, however small"
+    return i >= FIRST_STEEP   ? "other views are right, and any angle to up counts, however small"
            : i < FIRST_LENGTH ? NULL
            : has_left_range(found)
-               ? "; views of usual length are right, but squares and products of numbers as large "
+               ? "views of usual length are right, but squares and products of numbers as large "
                  "or small as these leave float's range"
-               : "; views of usual length are right, and any length counts";
+               : "views of usual length are right, and any length counts";
 }
 
-static char *axes_fault(const void *job, int i, const void *answers, AxesFault *fault)
+static Diagnosis axes_fault(const void *job, int i, const void *answers, JudgeAxes *judge)
 {
     const AxesCall call = axes_call(job, i, answers);
     const ViewJob *view = call.view;
     const Axes *found = &call.found;
     const OracleVector *e = call.expected;
-    const char *what = fault(&call), *cause = axes_cause(i, found);
-    return what == NULL
-               ? NULL
-               : message_new("view from %s at %s up %s: found right %s, up %s, forward %s, "
-                             "expected right %s, up %s, forward %s%s",
-                             words_vec3(view->from, 6).text, words_vec3(view->at, 6).text,
-                             words_vec3(view->up, 6).text, words_vec3(found->right, 4).text,
-                             words_vec3(found->up, 4).text, words_vec3(found->forward, 4).text,
-                             words_xyz(e[0].x, e[0].y, e[0].z, 4).text,
-                             words_xyz(e[1].x, e[1].y, e[1].z, 4).text,
-                             words_xyz(e[2].x, e[2].y, e[2].z, 4).text, cause ? cause : what);
+    AxesFault fault = judge(&call);
+    if (fault.remark == NULL && fault.looks == NULL) {
+        return NOTHING_WRONG;
+    }
+    const char *special = special_looks(i, found);
+    if (special != NULL) {
+        fault = (AxesFault){.looks = special};
+    }
+    char *wrong = message_new(
+        "view from %s at %s up %s: found right %s, up %s, forward %s, expected right %s, up %s, "
+        "forward %s%s",
+        words_vec3(view->from, 6).text, words_vec3(view->at, 6).text, words_vec3(view->up, 6).text,
+        words_vec3(found->right, 4).text, words_vec3(found->up, 4).text,
+        words_vec3(found->forward, 4).text, words_xyz(e[0].x, e[0].y, e[0].z, 4).text,
+        words_xyz(e[1].x, e[1].y, e[1].z, 4).text, words_xyz(e[2].x, e[2].y, e[2].z, 4).text,
+        fault.remark != NULL ? fault.remark : "");
+    return diagnosis_of(wrong, (Cause){.says = fault.looks});
 }
 
-static char *orthonormal_fault(const void *job, int i, const void *answers)
+static Diagnosis orthonormal_fault(const void *job, int i, const void *answers)
 {
     return axes_fault(job, i, answers, not_orthonormal);
 }
 
-static char *forward_fault(const void *job, int i, const void *answers)
+static Diagnosis forward_fault(const void *job, int i, const void *answers)
 {
     return axes_fault(job, i, answers, not_forward);
 }
 
-static char *upright_fault(const void *job, int i, const void *answers)
+static Diagnosis upright_fault(const void *job, int i, const void *answers)
 {
     return axes_fault(job, i, answers, not_upright);
 }

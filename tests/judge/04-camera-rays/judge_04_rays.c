@@ -31,35 +31,46 @@ int is_opposite_04(Vec3 found, OracleVector expected, double error)
 
 // A mistake that would explain wrong points.
 typedef struct DisplayMistake {
-    const char *says;
+    Cause cause;
     OracleRules3D rules;
     int mirrored, flipped, transposed;
     int columns, rows;  // how many pixels on
 } DisplayMistake;
 
 static const DisplayMistake display_mistakes[] = {
-    {0},  // none
-    {.says = "; shifted by half a pixel: that is the pixel's corner, not its middle",
+    {.cause = {0}},  // none
+    {.cause = {"shifted by half a pixel: that is the pixel's corner, not its middle",
+               MISTAKE_SHIFTED_HALF},
      .rules = {.sample_offset = -0.5}},
-    {.says = "; shifted by half a pixel: that is the pixel's far corner, not its middle",
+    {.cause = {"shifted by half a pixel: that is the pixel's far corner, not its middle",
+               MISTAKE_SHIFTED_HALF},
      .rules = {.sample_offset = 0.5}},
-    {.says = "; fov is the display's width, not half of it", .rules = {.fov_is_half_width = 1}},
-    {.says = "; fov is the display's width, not its height", .rules = {.fov_is_height = 1}},
-    {.says = "; pixels are squares: y needs the same size of a pixel as x",
+    {.cause = {.says = "fov is the display's width, not half of it"},
+     .rules = {.fov_is_half_width = 1}},
+    {.cause = {.says = "fov is the display's width, not its height"},
+     .rules = {.fov_is_height = 1}},
+    {.cause = {.says = "pixels are squares: y needs the same size of a pixel as x"},
      .rules = {.fov_both_ways = 1}},
-    {.says = "; mirrored: x grows to the right", .mirrored = 1},
-    {.says = "; flipped: row 0 is the top row, where y is largest", .flipped = 1},
-    {.says = "; fov is a width at distance 1, not an angle", .rules = {.fov_is_angle = 1}},
-    {.says = "; transposed: x counts columns and y rows", .transposed = 1},
-    {.says = "; shifted by one pixel to the right: columns count from 0", .columns = 1},
+    {.cause = {"mirrored: x grows to the right", MISTAKE_MIRRORED_X}, .mirrored = 1},
+    {.cause = {"flipped: row 0 is the top row, where y is largest", MISTAKE_FLIPPED_Y},
+     .flipped = 1},
+    {.cause = {.says = "fov is a width at distance 1, not an angle"}, .rules = {.fov_is_angle = 1}},
+    {.cause = {"transposed: x counts columns and y rows", MISTAKE_TRANSPOSED}, .transposed = 1},
+    {.cause = {"shifted by one pixel to the right: columns count from 0", MISTAKE_SHIFTED_ONE},
+     .columns = 1},
     // Nobody counts from -1: the half that leads to the middle was taken off.
-    {.says = "; shifted by one pixel to the left: half a pixel has the wrong sign", .columns = -1},
-    {.says = "; shifted by one pixel down: rows count from 0", .rows = 1},
-    {.says = "; shifted by one pixel up: half a pixel has the wrong sign", .rows = -1},
-    {.says = "; shifted by one pixel to the left and up: half a pixel has the wrong sign",
+    {.cause = {"shifted by one pixel to the left: half a pixel has the wrong sign",
+               MISTAKE_SHIFTED_ONE},
+     .columns = -1},
+    {.cause = {"shifted by one pixel down: rows count from 0", MISTAKE_SHIFTED_ONE}, .rows = 1},
+    {.cause = {"shifted by one pixel up: half a pixel has the wrong sign", MISTAKE_SHIFTED_ONE},
+     .rows = -1},
+    {.cause = {"shifted by one pixel to the left and up: half a pixel has the wrong sign",
+               MISTAKE_SHIFTED_ONE},
      .columns = -1,
      .rows = -1},
-    {.says = "; shifted by one pixel to the right and down: columns and rows count from 0",
+    {.cause = {"shifted by one pixel to the right and down: columns and rows count from 0",
+               MISTAKE_SHIFTED_ONE},
      .columns = 1,
      .rows = 1},
 };
@@ -111,100 +122,102 @@ static char *describe_point(const void *pointer, int i, const void *answers)
 const Function display_sides_04 = {"pixels",
                                    N_ALL_PIXELS,
                                    sizeof(PixelAnswer),
-                                   .fault = describe_point,
+                                   .describe = describe_point,
                                    .agrees = side_agrees,
                                    .counted = "points",
                                    MISTAKES(display_mistakes)};
 const Function display_04 = {"pixels",
                              N_ALL_PIXELS,
                              sizeof(PixelAnswer),
-                             .fault = describe_point,
+                             .describe = describe_point,
                              .agrees = display_agrees,
                              .counted = "points",
                              MISTAKES(display_mistakes)};
 
 // ---- Rays -------------------------------------------------------------------------------------
 
-// What is wrong with the direction of pixel number i, or NULL; of any length.
-static const char *direction_fault(const PixelJob *job, int i, Vec3 found)
+static OracleRay ray_of(const PixelJob *job, const OracleRules3D *rules)
+{
+    return oracle3d_primary_ray(&job->camera, job->x, job->y, job->width, job->height, rules);
+}
+
+// A wrong direction.
+//   remark   joins what was found
+static Diagnosis describe_direction(const PixelJob *in, Vec3 found, const char *remark, Cause cause)
+{
+    const OracleVector e = ray_of(in, &right).direction;
+    return diagnosis_of(
+        message_new("pixel (%d, %d) of %dx%d: found direction %s of length %.6g, expected %s%s",
+                    in->x, in->y, in->width, in->height, words_vec3(found, 6).text,
+                    vec3_length(found), words_xyz(e.x, e.y, e.z, 6).text, remark),
+        cause);
+}
+
+// What the wrong direction of pixel number i, made a unit vector, looks like, or NULL.
+static const char *direction_looks(const PixelJob *in, int i, Vec3 unit)
 {
     const OracleRules3D transposed = {.axes_transposed = 1};
-    const OracleRay ray =
-        oracle3d_primary_ray(&job->camera, job->x, job->y, job->width, job->height, &right);
-    const OracleRay other =
-        oracle3d_primary_ray(&job->camera, job->x, job->y, job->width, job->height, &transposed);
-    const double length = vec3_length(found), error = ray.direction_error;
+    const OracleRay ray = ray_of(in, &right), other = ray_of(in, &transposed);
+    const double error = ray.direction_error;
+    // A sum with the eye rounds to the eye's digits.
+    const double eye_error = 4 * 0x1p-24 * vec3_length(in->camera.eye);
+    return is_near_04(unit, other.direction, error)
+               ? "the view transform is turned round: x times right plus y times up plus z times "
+                 "forward"
+           : is_opposite_04(unit, ray.direction, error) ? "it points backwards"
+           : i >= FIRST_FAR_EYE && is_near_04(unit, ray.direction, eye_error)
+               ? "from a near eye it is right, from a far eye its digits are lost: the eye, a "
+                 "large number, has no part in the direction"
+               : NULL;
+}
+
+// Is a ray's direction right, of any length?
+static Diagnosis transform_fault(const void *job, int i, const void *answers)
+{
+    const PixelJob *in = &((const Job04 *)job)->pixels[i];
+    const Vec3 found = ((const PixelAnswer *)answers)[i].direction;
+    const OracleRay ray = ray_of(in, &right);
+    const double length = vec3_length(found);
     const Vec3 unit = {(float)(found.x / length), (float)(found.y / length),
                        (float)(found.z / length)};
-    // A sum with the eye rounds to the eye's digits.
-    const double eye_error = 4 * 0x1p-24 * vec3_length(job->camera.eye);
-    if (length > 0 && is_near_04(unit, ray.direction, error)) {
-        return NULL;
+    if (length == 0) {
+        return describe_direction(in, found, ": it is zero", (Cause){0});
     }
-    return length == 0 ? ": it is zero"
-           : is_near_04(unit, other.direction, error)
-               ? "; the view transform is turned round: x times right plus y times up plus z times "
-                 "forward"
-           : is_opposite_04(unit, ray.direction, error) ? "; it points backwards"
-           : i >= FIRST_FAR_EYE && is_near_04(unit, ray.direction, eye_error)
-               ? "; from a near eye it is right, from a far eye its digits are lost: the eye, a "
-                 "large number, has no part in the direction"
-               : "";
+    if (is_near_04(unit, ray.direction, ray.direction_error)) {
+        return NOTHING_WRONG;
+    }
+    return describe_direction(in, found, "", (Cause){.says = direction_looks(in, i, unit)});
 }
 
-// The same for where a ray begins and ends.
-static const char *limits_fault(const PixelJob *job, const PixelAnswer *found)
+static Diagnosis unit_fault(const void *job, int i, const void *answers)
 {
-    const Vec3 eye = job->camera.eye;
-    return found->origin.x != eye.x || found->origin.y != eye.y || found->origin.z != eye.z
-               ? "; the ray begins at the eye"
-           : found->t_min != 0          ? "; what is before the eye counts from 0 on"
-           : !(found->t_max >= FLT_MAX) ? "; the ray has no end: t_max is INFINITY"
-                                        : NULL;
+    static const Cause not_unit = {
+        .says = "it must be a unit vector, so that t is a distance: normalize()"};
+    const Vec3 found = ((const PixelAnswer *)answers)[i].direction;
+    return fabs(vec3_length(found) - 1) <= DISPLAY_ERROR
+               ? NOTHING_WRONG
+               : describe_direction(&((const Job04 *)job)->pixels[i], found, "", not_unit);
 }
 
-static char *describe_direction(const PixelJob *in, const PixelAnswer *own, const char *fault)
-{
-    const Vec3 d = own->direction;
-    const OracleVector e =
-        oracle3d_primary_ray(&in->camera, in->x, in->y, in->width, in->height, &right).direction;
-    return fault == NULL
-               ? NULL
-               : message_new("pixel (%d, %d) of %dx%d: found direction %s of length %.6g, expected "
-                             "%s%s",
-                             in->x, in->y, in->width, in->height, words_vec3(d, 6).text,
-                             vec3_length(d), words_xyz(e.x, e.y, e.z, 6).text, fault);
-}
-
-static char *transform_fault(const void *job, int i, const void *answers)
+// Where a ray begins and ends.
+static Diagnosis ray_limits_fault(const void *job, int i, const void *answers)
 {
     const PixelJob *in = &((const Job04 *)job)->pixels[i];
     const PixelAnswer *own = (const PixelAnswer *)answers + i;
-    return describe_direction(in, own, direction_fault(in, i, own->direction));
-}
-
-static char *unit_fault(const void *job, int i, const void *answers)
-{
-    const PixelAnswer *own = (const PixelAnswer *)answers + i;
-    const double length = vec3_length(own->direction);
-    return describe_direction(&((const Job04 *)job)->pixels[i], own,
-                              fabs(length - 1) <= DISPLAY_ERROR
-                                  ? NULL
-                                  : "; it must be a unit vector, so that t is a distance: "
-                                    "normalize()");
-}
-
-static char *ray_limits_fault(const void *job, int i, const void *answers)
-{
-    const PixelJob *in = &((const Job04 *)job)->pixels[i];
-    const PixelAnswer *own = (const PixelAnswer *)answers + i;
-    const char *fault = limits_fault(in, own);
-    return fault == NULL
-               ? NULL
-               : message_new("pixel (%d, %d) of %dx%d: found origin %s, t_min %g, t_max %g, "
-                             "expected %s, 0 and inf%s",
-                             in->x, in->y, in->width, in->height, words_vec3(own->origin, 6).text,
-                             own->t_min, own->t_max, words_vec3(in->camera.eye, 6).text, fault);
+    const Vec3 eye = in->camera.eye;
+    const char *looks = own->origin.x != eye.x || own->origin.y != eye.y || own->origin.z != eye.z
+                            ? "the ray begins at the eye"
+                        : own->t_min != 0          ? "what is before the eye counts from 0 on"
+                        : !(own->t_max >= FLT_MAX) ? "the ray has no end: t_max is INFINITY"
+                                                   : NULL;
+    if (looks == NULL) {
+        return NOTHING_WRONG;
+    }
+    char *found = message_new(
+        "pixel (%d, %d) of %dx%d: found origin %s, t_min %g, t_max %g, expected %s, 0 and inf",
+        in->x, in->y, in->width, in->height, words_vec3(own->origin, 6).text, own->t_min,
+        own->t_max, words_vec3(eye, 6).text);
+    return diagnosis_of(found, (Cause){.says = looks});
 }
 
 const Function ray_transform_04 = {"pixels", N_ALL_PIXELS, sizeof(PixelAnswer),

@@ -3,7 +3,6 @@
 #include "judge_05.h"
 
 #include "job_work.h"
-#include "message.h"
 
 static const char *const edge_names[N_EDGES] = {"inside", "behind", "large-small", "one", "none"};
 
@@ -57,7 +56,7 @@ static int write_scene(const void *job, int k, FILE *file)
 // ---- Scenes -------------------------------------------------------------------------------------
 
 // Does each ray that is wrong hit nothing?
-static int are_all_lost(const JobScene3D *scene, const HitAnswer *found, WrongHits wrong)
+static int are_all_lost(const JobScene3D *scene, const HitAnswer *found)
 {
     int n_lost = 0;
     for (int pixel = 0; pixel < scene->scene.width * scene->scene.height; pixel++) {
@@ -65,16 +64,17 @@ static int are_all_lost(const JobScene3D *scene, const HitAnswer *found, WrongHi
         n_lost += !hit->is_ambiguous && hit->sphere != ORACLE_NO_SPHERE &&
                   found[pixel].sphere == ORACLE_NO_SPHERE;
     }
-    return n_lost == wrong.n;
+    return n_lost == hits_count_wrong(scene, found);
 }
 
 // What wrong hits look like in a scene that is special by its size: one of usual size is right.
-static const char *looks_at_size(int k, int are_lost)
+static Cause looks_at_size(int k, int are_lost)
 {
-    return k == SMALL && are_lost   ? "as if hits so close to the eye did not count"
-           : k == SMALL             ? "as if differences so small did not count: nearer is nearer"
-           : k == LARGE && are_lost ? "as if hits so far away did not count"
-                                    : NULL;
+    return (Cause){.says = k == SMALL && are_lost ? "as if hits so close to the eye did not count"
+                           : k == SMALL
+                               ? "as if differences so small did not count: nearer is nearer"
+                           : k == LARGE && are_lost ? "as if hits so far away did not count"
+                                                    : NULL};
 }
 
 static Verdict judge_hits(const void *job, int k, const Sections *answers)
@@ -84,10 +84,8 @@ static Verdict judge_hits(const void *job, int k, const Sections *answers)
     if (found == NULL) {
         return verdict_missing;
     }
-    WrongHits wrong = hits_judge(scene, found);
-    const char *looks = looks_at_size(k, are_all_lost(scene, found, wrong));
-    wrong.looks = looks != NULL ? looks : wrong.looks;
-    return verdict_of(hits_describe(scene, found, wrong));
+    const Cause looks = looks_at_size(k, are_all_lost(scene, found));
+    return verdict_of(hits_judge_as(scene, found, looks));
 }
 
 // Every pixel asks every sphere, once.
@@ -101,13 +99,13 @@ static Verdict judge_work(const void *job, int k, const Sections *answers)
     }
     for (int pixel = 0; pixel < n_pixels; pixel++) {
         if (found[pixel].n_tests != (u32)scene->scene.n_spheres) {
-            return verdict_of(message_new("%s: the ray of pixel (%d, %d): intersect_sphere was "
-                                          "called %u times, but the scene has %d spheres",
-                                          scene->picture.title, pixel % width, pixel / width,
-                                          found[pixel].n_tests, scene->scene.n_spheres));
+            return verdict_of(diagnosis_new("%s: the ray of pixel (%d, %d): intersect_sphere was "
+                                            "called %u times, but the scene has %d spheres",
+                                            scene->picture.title, pixel % width, pixel / width,
+                                            found[pixel].n_tests, scene->scene.n_spheres));
         }
     }
-    return verdict_of(NULL);
+    return verdict_passed;
 }
 
 // ---- The judge ----------------------------------------------------------------------------------

@@ -11,35 +11,38 @@
 static const OracleRules3D right = {0};
 
 // A known mistake, and what is said about it; number 0 is none.
-typedef struct Mistake {
-    const char *says;
+typedef struct RuleMistake {
+    Cause cause;
     OracleRules3D rules;
     int touching_missed;  // nearest_root: no hit where disc is 0
     int t_min_counts;     // nearest_root: a hit at t_min itself
     int is_textbook;      // intersect_sphere in the textbook's form
     int is_missed;        // some hits are none, and all else is right
-} Mistake;
+} RuleMistake;
 
-static const Mistake root_mistakes[] = {
-    {0},
-    {"; that is the farther root, where the ray leaves the sphere", .rules = {.farther_root = 1}},
-    {"; that is not beyond t_min", .rules = {.any_distance = 1}},
-    {"; from inside the second root is the hit: b + sqrt(disc)", .rules = {.inside_is_miss = 1}},
-    {"; a negative radius means that only the farther root counts",
+static const RuleMistake root_mistakes[] = {
+    {.cause = {0}},
+    {{.says = "that is the farther root, where the ray leaves the sphere"},
+     .rules = {.farther_root = 1}},
+    {{.says = "that is not beyond t_min"}, .rules = {.any_distance = 1}},
+    {{.says = "from inside the second root is the hit: b + sqrt(disc)"},
+     .rules = {.inside_is_miss = 1}},
+    {{.says = "a negative radius means that only the farther root counts"},
      .rules = {.radius_sign_ignored = 1}},
-    {"; a sphere with a negative radius is seen from inside",
+    {{.says = "a sphere with a negative radius is seen from inside"},
      .rules = {.negative_radius_missed = 1}},
-    {"; where the radius is negative the farther root counts beyond t_min only, too",
+    {{.says = "where the radius is negative the farther root counts beyond t_min only, too"},
      .rules = {.negative_radius_always = 1}},
-    {"; t_min is the ray's, and need not be 0", .rules = {.t_min_zero = 1}},
-    {"; t_min itself does not count", .t_min_counts = 1},
-    {"; where disc is 0 the ray touches the sphere, and that is a hit", .touching_missed = 1},
-    {"; the centre is behind the eye, which does not matter where the eye is inside",
+    {{.says = "t_min is the ray's, and need not be 0"}, .rules = {.t_min_zero = 1}},
+    {{.says = "t_min itself does not count"}, .t_min_counts = 1},
+    {{.says = "where disc is 0 the ray touches the sphere, and that is a hit"},
+     .touching_missed = 1},
+    {{.says = "the centre is behind the eye, which does not matter where the eye is inside"},
      .rules = {.centre_behind_missed = 1}},
-    {"; the digits are lost: the textbook's form, or one like it, which squares before it "
-     "subtracts",
+    {{.says = "the digits are lost: the textbook's form, or one like it, which squares before it "
+              "subtracts"},
      .is_textbook = 1},
-    {"; other hits are right, and nothing but a negative disc and t_min makes a miss",
+    {{.says = "other hits are right, and nothing but a negative disc and t_min makes a miss"},
      .is_missed = 1},
 };
 
@@ -70,7 +73,7 @@ static int is_right_root(const OracleRoot *root, float found)
 }
 
 // Where disc is 0, all is exact in float, too: the one root is b, and a hit beyond t_min.
-static int touches(RootJob job, const Mistake *mistake)
+static int touches(RootJob job, const RuleMistake *mistake)
 {
     const OracleRules3D *rules = &mistake->rules;
     const int is_negative = job.radius < 0;
@@ -86,7 +89,7 @@ static int touches(RootJob job, const Mistake *mistake)
 static int root_agrees(const void *pointer, int i, const void *answers, int number)
 {
     const RootJob job = ((const Job05 *)pointer)->roots[i];
-    const Mistake *mistake = &root_mistakes[number];
+    const RuleMistake *mistake = &root_mistakes[number];
     const float found = ((const float *)answers)[i];
     if (mistake->is_missed && is_miss(found)) {
         return 1;
@@ -122,7 +125,7 @@ static char *describe_root(const void *pointer, int i, const void *answers)
 const Function nearest_root_05 = {"roots",
                                   3 * N_ROOTS,
                                   sizeof(float),
-                                  .fault = describe_root,
+                                  .describe = describe_root,
                                   .agrees = root_agrees,
                                   .shows = root_shows,
                                   .counted = "inputs",
@@ -136,7 +139,7 @@ static OracleRoot expected_hit(const SphereRayJob *job, OracleForm form, const O
     return oracle3d_root(job->sphere, &ray, form, rules);
 }
 
-static int sphere_agrees(const SphereRayJob *job, OracleForm form, const Mistake *mistake,
+static int sphere_agrees(const SphereRayJob *job, OracleForm form, const RuleMistake *mistake,
                          float found)
 {
     const OracleRoot root = expected_hit(job, form, &mistake->rules);
@@ -151,7 +154,7 @@ static int textbook_agrees(const void *job, int i, const void *answers, int mist
 
 static int projection_agrees(const void *job, int i, const void *answers, int number)
 {
-    const Mistake *mistake = &root_mistakes[number];
+    const RuleMistake *mistake = &root_mistakes[number];
     return sphere_agrees(&((const Job05 *)job)->projection[i],
                          mistake->is_textbook ? ORACLE_TEXTBOOK : ORACLE_PROJECTION, mistake,
                          ((const float *)answers)[i]);
@@ -228,7 +231,7 @@ static char *describe_projection(const void *job, int i, const void *answers)
 const Function textbook_05 = {"textbook",
                               2 * N_SPHERES,
                               sizeof(float),
-                              .fault = describe_textbook,
+                              .describe = describe_textbook,
                               .agrees = textbook_agrees,
                               .shows = textbook_shows,
                               .counted = "inputs",
@@ -236,7 +239,7 @@ const Function textbook_05 = {"textbook",
 const Function projection_05 = {"projection",
                                 3 * N_SPHERES,
                                 sizeof(float),
-                                .fault = describe_projection,
+                                .describe = describe_projection,
                                 .agrees = projection_agrees,
                                 .shows = projection_shows,
                                 .counted = "inputs",

@@ -8,24 +8,25 @@
 static const OracleRules3D right = {0};
 
 // A known mistake, and what is said about it; number 0 is none.
-typedef struct Mistake {
-    const char *says;
+typedef struct RuleMistake {
+    Cause cause;
     OracleRules3D rules;
-} Mistake;
+} RuleMistake;
 
 // ---- surface_normal -----------------------------------------------------------------------------
 
-static const Mistake normal_mistakes[] = {
-    {0},
-    {"; it is not a unit vector", .rules = {.normal_not_normalised = 1}},
-    {"; it is not a unit vector, and points away from the eye",
+static const RuleMistake normal_mistakes[] = {
+    {.cause = {0}},
+    {{.says = "it is not a unit vector"}, .rules = {.normal_not_normalised = 1}},
+    {{.says = "it is not a unit vector, and points away from the eye"},
      .rules = {.normal_not_normalised = 1, .normal_not_turned = 1}},
-    {"; seen from inside it must be turned, towards the eye", .rules = {.normal_not_turned = 1}},
-    {"; it points to the centre, not away from it", .rules = {.normal_always_turned = 1}},
-    {"; it points away from where the ray comes from", .rules = {.normal_turned_away = 1}},
-    {"; it must be turned where the dot product is positive, however small",
+    {{.says = "seen from inside it must be turned, towards the eye"},
+     .rules = {.normal_not_turned = 1}},
+    {{.says = "it points to the centre, not away from it"}, .rules = {.normal_always_turned = 1}},
+    {{.says = "it points away from where the ray comes from"}, .rules = {.normal_turned_away = 1}},
+    {{.says = "it must be turned where the dot product is positive, however small"},
      .rules = {.normal_threshold = 0x1p-5}},
-    {"; it must not be turned where the dot product is negative, however small",
+    {{.says = "it must not be turned where the dot product is negative, however small"},
      .rules = {.normal_threshold = -0x1p-5}},
 };
 
@@ -56,35 +57,39 @@ static char *describe_normal(const void *pointer, int i, const void *answers)
 const Function normal_05 = {"normals",
                             2 * N_NORMALS,
                             sizeof(Vec3),
-                            .fault = describe_normal,
+                            .describe = describe_normal,
                             .agrees = normal_agrees,
                             .counted = "inputs",
                             MISTAKES(normal_mistakes)};
 
 // ---- shade --------------------------------------------------------------------------------------
 
-static const Mistake shade_mistakes[] = {
-    {0},
-    {"; a light behind the surface takes light away: a negative cosine counts as 0",
+static const RuleMistake shade_mistakes[] = {
+    {.cause = {0}},
+    {{.says = "a light behind the surface takes light away: a negative cosine counts as 0"},
      .rules = {.cosine_not_clamped = 1}},
-    {"; a light behind the surface lights it: a negative cosine counts as 0",
+    {{.says = "a light behind the surface lights it: a negative cosine counts as 0"},
      .rules = {.cosine_absolute = 1}},
-    {"; the way to the light is not made a unit vector", .rules = {.to_light_not_normalised = 1}},
-    {"; that is the first light's share only", .rules = {.first_light_only = 1}},
-    {"; that is the last light's share only", .rules = {.last_light_only = 1}},
-    {"; one light too many shines, the one behind the end of the array",
+    {{.says = "the way to the light is not made a unit vector"},
+     .rules = {.to_light_not_normalised = 1}},
+    {{.says = "that is the first light's share only"}, .rules = {.first_light_only = 1}},
+    {{.says = "that is the last light's share only"}, .rules = {.last_light_only = 1}},
+    {{.says = "one light too many shines, the one behind the end of the array"},
      .rules = {.one_light_more = 1}},
-    {"; that is the first 4 lights' share only", .rules = {.most_lights = 4}},
-    {"; that is the first 8 lights' share only", .rules = {.most_lights = 8}},
-    {"; that is the first 16 lights' share only", .rules = {.most_lights = 16}},
-    {"; the sum was cut at 1, but many lights may be brighter", .rules = {.cut_at_one = 1}},
-    {"; kd is missing", .rules = {.ignore_kd = 1}},
-    {"; the material's colour is missing", .rules = {.ignore_color = 1}},
-    {"; the light's colour is missing", .rules = {.ignore_light_color = 1}},
-    {"; that is right with red and blue swapped", .rules = {.red_blue_swapped = 1}},
-    {"; that is right but for gamma: the colour was raised to 1 / 2.2, but it is linear here",
+    {{.says = "that is the first 4 lights' share only"}, .rules = {.most_lights = 4}},
+    {{.says = "that is the first 8 lights' share only"}, .rules = {.most_lights = 8}},
+    {{.says = "that is the first 16 lights' share only"}, .rules = {.most_lights = 16}},
+    {{.says = "the sum was cut at 1, but many lights may be brighter"}, .rules = {.cut_at_one = 1}},
+    {{.says = "kd is missing"}, .rules = {.ignore_kd = 1}},
+    {{.says = "the material's colour is missing"}, .rules = {.ignore_color = 1}},
+    {{.says = "the light's colour is missing"}, .rules = {.ignore_light_color = 1}},
+    {{"that is right with red and blue swapped", MISTAKE_CHANNELS_SWAPPED},
+     .rules = {.red_blue_swapped = 1}},
+    {{"that is right but for gamma: the colour was raised to 1 / 2.2, but it is linear here",
+      MISTAKE_GAMMA},
      .rules = {.gamma = 1 / 2.2}},
-    {"; that is right but for gamma: the colour was raised to 2.2, but it is linear here",
+    {{"that is right but for gamma: the colour was raised to 2.2, but it is linear here",
+      MISTAKE_GAMMA},
      .rules = {.gamma = 2.2}},
 };
 
@@ -119,7 +124,7 @@ static char *describe_shade(const void *pointer, int i, const void *answers)
 const Function shade_05 = {"shades",
                            3 * N_SHADES,
                            sizeof(Vec3),
-                           .fault = describe_shade,
+                           .describe = describe_shade,
                            .agrees = shade_agrees,
                            .counted = "inputs",
                            MISTAKES(shade_mistakes)};

@@ -6,7 +6,7 @@
 
 // ---- choose_split -------------------------------------------------------------------------------
 
-static char *split_axis_fault(const void *job, int i, const void *answers)
+static Diagnosis split_axis_fault(const void *job, int i, const void *answers)
 {
     return tree3d_judge_axis("choose_split", ((const Job06 *)job)->splits[i],
                              ((const SplitAnswer3D *)answers)[i].axis);
@@ -14,7 +14,7 @@ static char *split_axis_fault(const void *job, int i, const void *answers)
 
 // Where along the side that the student has chosen. An axis that is none is the other check's
 // matter.
-static char *split_middle_fault(const void *job, int i, const void *answers)
+static Diagnosis split_middle_fault(const void *job, int i, const void *answers)
 {
     const SplitAnswer3D found = ((const SplitAnswer3D *)answers)[i];
     return tree3d_judge_middle("choose_split", ((const Job06 *)job)->splits[i],
@@ -50,7 +50,9 @@ static int is_strict(const Job06 *job, const i32 *found)
     return 1;
 }
 
-static const char *explain_overlap(const Job06 *job, int i, const i32 *found)
+// What a wrong answer looks like.
+//   remark   out: what joins the facts, "" for nothing
+static Cause explain_overlap(const Job06 *job, int i, const i32 *found, const char **remark)
 {
     const SphereBoxJob in = job->overlaps[i];
     const double centre[3] = {in.sphere.x, in.sphere.y, in.sphere.z};
@@ -61,59 +63,68 @@ static const char *explain_overlap(const Job06 *job, int i, const i32 *found)
         cube_overlaps &= centre[axis] + radius >= min && centre[axis] - radius <= max;
         is_centre_inside &= centre[axis] >= min && centre[axis] <= max;
     }
+    *remark = "";
     if (found[i]) {
-        return cube_overlaps ? "; the sphere's bounding cube overlaps, the sphere does not" : "";
+        return (Cause){.says = cube_overlaps
+                                   ? "the sphere's bounding cube overlaps, the sphere does not"
+                                   : NULL};
     }
     if (is_strict(job, found)) {
-        return "; they touch, and touching counts: both have their boundaries";
+        return (Cause){"they touch, and touching counts: both have their boundaries",
+                       MISTAKE_STRICT_BOUNDARY};
     }
     if (in.sphere.radius < 0) {
-        return "; a negative radius counts as its absolute value";
+        return (Cause){.says = "a negative radius counts as its absolute value"};
     }
-    return is_centre_inside ? ", even its centre is inside"
-                            : ", its centre is outside but the sphere reaches in";
+    *remark = is_centre_inside ? ", even its centre is inside"
+                               : ", its centre is outside but the sphere reaches in";
+    return (Cause){0};
 }
 
-static char *overlap_fault(const void *pointer, int i, const void *answers)
+static Diagnosis overlap_fault(const void *pointer, int i, const void *answers)
 {
     const Job06 *job = pointer;
     const SphereBoxJob in = job->overlaps[i];
     const i32 *found = answers;
     const SphereInCell is = tree3d_judge_sphere(in.sphere, in.box);
-    return is == SPHERE_EITHER || (found[i] != 0) == (is == SPHERE_INSIDE)
-               ? NULL
-               : message_new("sphere at %s, box %s: found %d, expected %d%s",
-                             words_sphere(in.sphere).text, words_box3d(in.box).text, found[i],
-                             is == SPHERE_INSIDE, explain_overlap(job, i, found));
+    if (is == SPHERE_EITHER || (found[i] != 0) == (is == SPHERE_INSIDE)) {
+        return NOTHING_WRONG;
+    }
+    const char *remark;
+    const Cause cause = explain_overlap(job, i, found, &remark);
+    return diagnosis_of(message_new("sphere at %s, box %s: found %d, expected %d%s",
+                                    words_sphere(in.sphere).text, words_box3d(in.box).text,
+                                    found[i], is == SPHERE_INSIDE, remark),
+                        cause);
 }
 
 const Function overlap_06 = {"overlaps", N_OVERLAPS, sizeof(i32), .fault = overlap_fault};
 
 // ---- pack_leaf_range ----------------------------------------------------------------------------
 
-static char *pack_node_fault(const void *job, int i, const void *answers)
+static Diagnosis pack_node_fault(const void *job, int i, const void *answers)
 {
     const PackJob3D *in = &((const Job06 *)job)->packs[i];
     const PackAnswer3D *out = (const PackAnswer3D *)answers + i;
     const KdNode3 node = out->nodes[in->id];
     if (node.split_axis != KD_LEAF) {
-        return message_new("node %u: split_axis is %u, expected KD_LEAF (%d)", in->id,
-                           node.split_axis, KD_LEAF);
+        return diagnosis_new("node %u: split_axis is %u, expected KD_LEAF (%d)", in->id,
+                             node.split_axis, KD_LEAF);
     }
     if (node.first != in->n_sphere_ids) {
-        return message_new(
+        return diagnosis_new(
             "leaf with %u spheres, %u ids before it: first is %u, expected %u, where "
             "its first id goes",
             in->n_ids, in->n_sphere_ids, node.first, in->n_sphere_ids);
     }
     return node.n_spheres == in->n_ids
-               ? NULL
-               : message_new("leaf with %u spheres: n_spheres is %u%s, expected %u", in->n_ids,
-                             node.n_spheres, node.n_spheres == UNTOUCHED ? ", not set" : "",
-                             in->n_ids);
+               ? NOTHING_WRONG
+               : diagnosis_new("leaf with %u spheres: n_spheres is %u%s, expected %u", in->n_ids,
+                               node.n_spheres, node.n_spheres == UNTOUCHED ? ", not set" : "",
+                               in->n_ids);
 }
 
-static char *pack_ids_fault(const void *job, int i, const void *answers)
+static Diagnosis pack_ids_fault(const void *job, int i, const void *answers)
 {
     const PackJob3D *in = &((const Job06 *)job)->packs[i];
     const PackAnswer3D *out = (const PackAnswer3D *)answers + i;
@@ -123,31 +134,32 @@ static char *pack_ids_fault(const void *job, int i, const void *answers)
         const u32 found = out->sphere_ids[at];
         const u32 expected = is_range ? in->ids[at - in->n_sphere_ids] : UNTOUCHED;
         if (found != expected && is_range) {
-            return message_new("leaf with %u spheres, %u ids before it: sphere_ids[%u] %s, "
-                               "expected %u",
-                               in->n_ids, in->n_sphere_ids, at,
-                               found == UNTOUCHED ? "was not written" : words("is %u", found).text,
-                               expected);
+            return diagnosis_new(
+                "leaf with %u spheres, %u ids before it: sphere_ids[%u] %s, "
+                "expected %u",
+                in->n_ids, in->n_sphere_ids, at,
+                found == UNTOUCHED ? "was not written" : words("is %u", found).text, expected);
         }
         if (found != expected) {
-            return message_new("sphere_ids[%u] was written, but the leaf's range goes from %u to "
-                               "before %u",
-                               at, in->n_sphere_ids, end);
+            return diagnosis_new("sphere_ids[%u] was written, but the leaf's range goes from %u to "
+                                 "before %u",
+                                 at, in->n_sphere_ids, end);
         }
     }
     if (out->n_sphere_ids != end) {
-        return message_new("leaf with %u spheres, %u ids before it: n_sphere_ids is %u afterwards, "
-                           "expected %u",
-                           in->n_ids, in->n_sphere_ids, out->n_sphere_ids, end);
+        return diagnosis_new(
+            "leaf with %u spheres, %u ids before it: n_sphere_ids is %u afterwards, "
+            "expected %u",
+            in->n_ids, in->n_sphere_ids, out->n_sphere_ids, end);
     }
     for (u32 id = 0; id < PACK_NODES; id++) {
         const KdNode3 node = out->nodes[id];
         if (id != in->id && (node.split_pos != 0 || node.split_axis != 0 ||
                              node.first != UNTOUCHED || node.n_spheres != UNTOUCHED)) {
-            return message_new("packing leaf %u changed node %u", in->id, id);
+            return diagnosis_new("packing leaf %u changed node %u", in->id, id);
         }
     }
-    return NULL;
+    return NOTHING_WRONG;
 }
 
 const Function pack_node_06 = {"pack", N_PACKS, sizeof(PackAnswer3D), .fault = pack_node_fault};
@@ -155,16 +167,19 @@ const Function pack_ids_06 = {"pack", N_PACKS, sizeof(PackAnswer3D), .fault = pa
 
 // ---- fits_todo ----------------------------------------------------------------------------------
 
-static char *fits_fault(const void *job, int i, const void *answers)
+static Diagnosis fits_fault(const void *job, int i, const void *answers)
 {
     const int level = i + 1, expected = level <= TODO_SIZE;
     const i32 found = ((const i32 *)answers)[i];
     (void)job;
     return (found != 0) == expected
-               ? NULL
-               : message_new("level %d: found %d, expected %d; splitting there leaves up to %d "
-                             "nodes waiting, and TODO_SIZE is %d",
-                             level, found, expected, level, TODO_SIZE);
+               ? NOTHING_WRONG
+               : diagnosis_of(
+                     message_new("level %d: found %d, expected %d", level, found, expected),
+                     (Cause){.says = words("splitting there leaves up to %d nodes waiting, and "
+                                           "TODO_SIZE is %d",
+                                           level, TODO_SIZE)
+                                         .text});
 }
 
 const Function fits_06 = {"todo", TODO_LEVELS, sizeof(i32), .fault = fits_fault};

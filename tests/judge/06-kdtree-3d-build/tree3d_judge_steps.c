@@ -92,22 +92,24 @@ u32 tree3d_expected_axis(BBox3D cell)
     return longest_axis(cell, 0);
 }
 
-char *tree3d_judge_axis(const char *where, BBox3D cell, u32 axis)
+Diagnosis tree3d_judge_axis(const char *where, BBox3D cell, u32 axis)
 {
     // Two sides may differ by less than float sees.
     const u32 expected = tree3d_expected_axis(cell);
     if (axis == expected || axis == longest_axis(cell, 1)) {
-        return NULL;
+        return NOTHING_WRONG;
     }
     const double length = axis < 3 ? side(cell, axis, 0) : 0;
     const int is_shortest =
         length <= side(cell, 0, 0) && length <= side(cell, 1, 0) && length <= side(cell, 2, 0);
-    return message_new("%s: cell %s: found axis %u, expected %u (%c)%s", where,
-                       words_box3d(cell).text, axis, expected, "xyz"[expected],
-                       axis >= 3                           ? "; there are axes 0, 1 and 2"
-                       : length == side(cell, expected, 0) ? "; of equal sides the first counts"
-                       : is_shortest                       ? "; that side is the shortest"
-                                                           : ", that side is not the longest");
+    const char *looks = axis >= 3                           ? "there are axes 0, 1 and 2"
+                        : length == side(cell, expected, 0) ? "of equal sides the first counts"
+                        : is_shortest                       ? "that side is the shortest"
+                                                            : NULL;
+    return diagnosis_of(message_new("%s: cell %s: found axis %u, expected %u (%c)%s", where,
+                                    words_box3d(cell).text, axis, expected, "xyz"[expected],
+                                    looks == NULL ? ", that side is not the longest" : ""),
+                        (Cause){.says = looks});
 }
 
 // The cell's middle on an axis.
@@ -121,24 +123,27 @@ f32 tree3d_expected_middle(BBox3D cell, u32 axis)
     return (f32)middle(cell, axis);
 }
 
-char *tree3d_judge_middle(const char *where, BBox3D cell, u32 axis, f32 pos)
+Diagnosis tree3d_judge_middle(const char *where, BBox3D cell, u32 axis, f32 pos)
 {
     const double min = cell.min[axis], max = cell.max[axis];
     const double expected = middle(cell, axis);
     // (min + max) / 2 and min + (max - min) / 2 round one sum or two numbers, each by half of
     // FLT_EPSILON, and none is larger than the larger end.
     if (fabs((double)pos - expected) <= (double)FLT_EPSILON * fmax(fabs(min), fabs(max))) {
-        return NULL;
+        return NOTHING_WRONG;
     }
     if (isnan(pos)) {
-        return message_new("%s: cell from %g to %g on axis %u (%c): found no number (NaN) for the "
-                           "split, expected %g",
-                           where, min, max, axis, "xyz"[axis], expected);
+        return diagnosis_new(
+            "%s: cell from %g to %g on axis %u (%c): found no number (NaN) for the "
+            "split, expected %g",
+            where, min, max, axis, "xyz"[axis], expected);
     }
-    return message_new(
-        "%s: cell from %g to %g on axis %u (%c): found split at %g, expected %g%s", where, min, max,
-        axis, "xyz"[axis], pos, expected,
-        pos == (max - min) / 2 ? "; that is half the length, as if the cell began at 0" : "");
+    const char *looks =
+        pos == (max - min) / 2 ? "that is half the length, as if the cell began at 0" : NULL;
+    return diagnosis_of(
+        message_new("%s: cell from %g to %g on axis %u (%c): found split at %g, expected %g", where,
+                    min, max, axis, "xyz"[axis], pos, expected),
+        (Cause){.says = looks});
 }
 
 int tree3d_judge_is_exact_cell(BBox3D cell)
