@@ -2,9 +2,9 @@
 //
 //     point at distance t:  origin + t * direction
 //
-// A hit counts when t > t_min, which is 0, the eye. t_max is INFINITY: the ray has no end. Lab 07
-// starts with the two and narrows them to the part of the ray inside a node, in variables of its
-// own.
+// A hit counts when t > t_min. For a ray from the eye t_min is 0, and t_max is INFINITY: it has no
+// end. Lab 07 starts with the two and narrows them to the part of the ray inside a node, in
+// variables of its own.
 // Lecture: "Rays". Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: sphere.h.
 #ifndef KERNELS_RAY_H
 #define KERNELS_RAY_H
@@ -16,7 +16,7 @@
 typedef struct Ray {
     float3 origin;     // scene units
     float3 direction;  // unit vector, so that t is a distance in scene units
-    float t_min;       // hits count beyond it
+    float t_min;       // hits count beyond it; not negative
     float t_max;       // where the ray ends
 } Ray;
 

@@ -8,7 +8,8 @@
 #include "scene3d.h"
 
 // The camera's three axes for a view (see camera.h): unit vectors at right angles to each other.
-//   view   its direction and its `up` are not zero and not parallel, but of any length
+//   view   its direction and its `up` are not zero and not parallel, but of any length, as 1e-20
+//          or 1e20
 //   right, up, forward   out
 void camera_axes(View view, Vec3 *right, Vec3 *up, Vec3 *forward);
 

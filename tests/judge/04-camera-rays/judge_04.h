@@ -1,14 +1,26 @@
 // What lab 04's judge asks of a submission: views, pixels and pictures of directions. Drawn in
-// judge_04_job.c, judged in judge_04_functions.c, alone in judge_04_alone.c.
+// judge_04_job.c, judged in judge_04_axes.c and judge_04_rays.c, alone in judge_04_alone.c.
 #ifndef JUDGE_JUDGE_04_H
 #define JUDGE_JUDGE_04_H
 
 #include "jobs.h"
 #include "judge.h"
+#include "oracle3d.h"
 
 // Pixels in three ranges: anywhere, in square pictures, in wide and high ones.
 enum { N_VIEWS = 600, N_PIXELS = 500, N_RANGES = 3, N_ALL_PIXELS = N_RANGES * N_PIXELS };
 enum { ANYWHERE, SQUARE, OBLONG };
+
+// The last inputs are the same in every job. They come last, so that what is wrong with them only
+// is known by that.
+enum {
+    N_LENGTHS = 6,  // views along long or short vectors,
+    N_STEEP = 4,    // then some that look nearly along view.up
+    FIRST_STEEP = N_VIEWS - N_STEEP,
+    FIRST_LENGTH = FIRST_STEEP - N_LENGTHS,
+    N_FAR_EYES = 8,  // pixels
+    FIRST_FAR_EYE = N_ALL_PIXELS - N_FAR_EYES,
+};
 
 // Two pictures of any camera, then one along each axis.
 enum { RANDOM = 0, ALONG = 2, N_PICTURES = ALONG + 3 };
@@ -30,6 +42,10 @@ int job_04_write_scene(const void *job, int k, FILE *file);
 extern const Function axes_orthonormal_04, axes_forward_04, axes_up_04;
 extern const Function display_sides_04, display_04;
 extern const Function ray_transform_04, ray_unit_04, ray_limits_04;
+
+// Is a vector as near to the expected one, or to its opposite, in each part?
+int is_near_04(Vec3 found, OracleVector expected, double error);
+int is_opposite_04(Vec3 found, OracleVector expected, double error);
 
 // One answer alone.
 int write_alone_04(const void *job, const char *task, FILE *file);

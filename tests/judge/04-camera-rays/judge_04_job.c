@@ -23,6 +23,28 @@ static ViewJob draw_view(Random *random)
     return view;
 }
 
+// Squares of these numbers, and their products, are no numbers of float any more.
+#define LONG 0x1p66f
+#define SHORT 0x1p-70f
+
+// View number i of those along such vectors: the long ones first, as what becomes of them is
+// plainer.
+static ViewJob view_of_length(int i)
+{
+    static const float ways[N_LENGTHS] = {LONG, 1, LONG, SHORT, 1, SHORT};
+    static const float ups[N_LENGTHS] = {1, LONG, LONG, 1, SHORT, SHORT};
+    const Vec3 at = {2, -1, 2}, up = {1, 3, 1};
+    return (ViewJob){{0}, vec3_scaled(at, ways[i]), vec3_scaled(up, ups[i])};
+}
+
+// View number i of those that look nearly along their up, or against it.
+static ViewJob steep_view(int i)
+{
+    static const Vec3 ups[N_STEEP] = {
+        {0x1p-6f, 0, 1}, {0, 0x1p-6f, -1}, {0x1p-10f, 0, -1}, {0, 0x1p-10f, 1}};
+    return (ViewJob){{1, 2, 3}, {1, 2, -5}, ups[i]};
+}
+
 static Vec3 to_vec3(OracleVector v)
 {
     return (Vec3){(float)v.x, (float)v.y, (float)v.z};
@@ -108,10 +130,15 @@ int job_04_draw(void *pointer, Random *random)
 {
     Job04 *job = pointer;
     for (int i = 0; i < N_VIEWS; i++) {
-        job->views[i] = draw_view(random);
+        job->views[i] = i >= FIRST_STEEP    ? steep_view(i - FIRST_STEEP)
+                        : i >= FIRST_LENGTH ? view_of_length(i - FIRST_LENGTH)
+                                            : draw_view(random);
     }
     for (int i = 0; i < N_ALL_PIXELS; i++) {
         job->pixels[i] = draw_pixel(random, i / N_PIXELS);
+        if (i >= FIRST_FAR_EYE) {
+            job->pixels[i].camera.eye = (Vec3){4000, -3000, 2500};
+        }
     }
     return draw_pictures(random, job);
 }

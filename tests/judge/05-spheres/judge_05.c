@@ -10,12 +10,16 @@ static const char *const edge_names[N_EDGES] = {"inside", "behind", "large-small
 
 static int draw_scenes(Random *random, JobScene3D scenes[N_SCENES])
 {
-    int result = job_scene3d_random(&scenes[RANDOM], random, 60, 0.125f, 0.375f, 96, 64);
-    result |= job_scene3d_random(&scenes[RANDOM + 1], random, 100, 0.0625f, 0.25f, 49, 67);
-    result |= job_scene3d_named(&scenes[FLAKE], "sphereflake:size=2", 64, 64);
+    int result = job_scene3d_random(&scenes[RANDOM], random, 100, 0.0625f, 0.25f, 96, 64);
+    result |= job_scene3d_random(&scenes[SMALL], random, 60, 0.125f, 0.375f, 49, 67);
+    result |= job_scene3d_named(&scenes[LARGE], "sphereflake:size=2", 64, 64);
     result |= job_scene3d_named(&scenes[TIES], "coincident", 64, 48);
     for (int i = 0; i < N_EDGES; i++) {
         result |= job_scene3d_named(&scenes[EDGES + i], edge_names[i], 48, 36);
+    }
+    if (result == 0) {
+        job_scene3d_scale(&scenes[SMALL], 0x1p-20f, "a millionth as large");
+        job_scene3d_scale(&scenes[LARGE], 0x1p40f, "a million million times as large");
     }
     for (int k = 0; result == 0 && k < N_SCENES; k++) {
         result = job_scene3d_expect(&scenes[k]);
@@ -27,6 +31,7 @@ static int draw(void *pointer, Random *random)
 {
     Job05 *job = pointer;
     inputs_05_draw(job, random);
+    inputs_05_set_edges(job);
     const int result = draw_scenes(random, job->scenes);
     squares_05_draw(random, job->squares);
     for (int k = 0; k < N_SCENES; k++) {
@@ -50,11 +55,37 @@ static int write_scene(const void *job, int k, FILE *file)
 
 // ---- Scenes -------------------------------------------------------------------------------------
 
+// Does each ray that is wrong hit nothing?
+static int are_all_lost(const JobScene3D *scene, const HitAnswer *found)
+{
+    int n_lost = 0;
+    for (int pixel = 0; pixel < scene->scene.width * scene->scene.height; pixel++) {
+        const OracleHit *hit = &scene->hits[pixel];
+        n_lost += !hit->is_ambiguous && hit->sphere != ORACLE_NO_SPHERE &&
+                  found[pixel].sphere == ORACLE_NO_SPHERE;
+    }
+    return n_lost == hits_count_wrong(scene, found);
+}
+
+// What wrong hits look like in a scene that is special by its size: one of usual size is right.
+static Cause looks_at_size(int k, int are_lost)
+{
+    return (Cause){.says = k == SMALL && are_lost ? "as if hits so close to the eye did not count"
+                           : k == SMALL
+                               ? "as if differences so small did not count: nearer is nearer"
+                           : k == LARGE && are_lost ? "as if hits so far away did not count"
+                                                    : NULL};
+}
+
 static Verdict judge_hits(const void *job, int k, const Sections *answers)
 {
     const JobScene3D *scene = &((const Job05 *)job)->scenes[k];
     const HitAnswer *found = hits_find(scene, k, answers);
-    return found == NULL ? verdict_missing : verdict_of(hits_judge(scene, found));
+    if (found == NULL) {
+        return verdict_missing;
+    }
+    const Cause looks = looks_at_size(k, are_all_lost(scene, found));
+    return verdict_of(hits_judge_as(scene, found, looks));
 }
 
 // Every pixel asks every sphere, once.
@@ -104,8 +135,9 @@ static const JudgeCheck checks[] = {
     {"sphere-far-small", "Small spheres far away", "intersect_sphere", 12, "nearest_root",
      .function = &projection_05, .range = RANGE(2, N_SPHERES), .alone = spheres_alone_05},
 
-    {"hit-nearest", "Random scenes", "nearest_hit", 8, "intersect_sphere nearest_root",
-     .scene = judge_hits, .range = {RANDOM, 3}, .alone_scene = square_hits_05},
+    {"hit-nearest", "Many spheres, at any distance", "nearest_hit", 8,
+     "intersect_sphere nearest_root", .scene = judge_hits, .range = {RANDOM, 3},
+     .alone_scene = square_hits_05},
     {"hit-ties", "Of equal distances the lower index wins", "nearest_hit", 4,
      "intersect_sphere nearest_root", .scene = judge_hits, .range = {TIES, 1},
      .alone_scene = square_hits_05},

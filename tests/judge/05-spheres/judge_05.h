@@ -1,6 +1,7 @@
 // What lab 05's judge asks of a submission: inputs of its functions and whole scenes, and what an
-// answer is tried on alone. Inputs are drawn in judge_05_inputs.c, functions judged in
-// judge_05_functions.c; one answer alone in judge_05_alone.c, nearest_hit in judge_05_squares.c.
+// answer is tried on alone. Inputs are drawn in judge_05_inputs.c, those of every job stand in
+// judge_05_edges.c; functions are judged in judge_05_roots.c and judge_05_shading.c, one answer
+// alone in judge_05_alone.c, nearest_hit in judge_05_squares.c.
 #ifndef JUDGE_JUDGE_05_H
 #define JUDGE_JUDGE_05_H
 
@@ -14,18 +15,28 @@ enum {
     N_SPHERES = 800,  // 3 ranges: outside, inside, small and far; the textbook has the first 2
     N_NORMALS = 500,  // 2 ranges: outside, inside
     N_SHADES = 300,   // 3 ranges: one light before the surface, one behind it too, several
-    N_LIGHTS = 40,
+    N_LIGHTS = 80,
 };
 
-// The scenes, in the order of the job.
+// The last inputs of a range are the same in every job.
 enum {
-    RANDOM = 0,  // two
-    FLAKE = 2,
+    N_EDGE_ROOTS = 10,   // of each range
+    N_EDGE_SPHERES = 8,  // outside and inside
+    N_EDGE_NORMALS = 4,  // of each range
+    N_EDGE_SHADES = 8,   // several lights; one light has a single one
+    N_EDGE_LIGHTS = 6,   // the last ones
+};
+
+// The scenes, in the order of the job. The first one shows what is wrong at any size.
+enum {
+    RANDOM = 0,
+    SMALL = 1,  // another random one, a millionth as large
+    LARGE = 2,  // a sphereflake, a million million times as large
     TIES = 3,
     EDGES = 4,
     N_EDGES = 5,
     N_SCENES = EDGES + N_EDGES,
-    WORK = RANDOM + 1,
+    WORK = SMALL,
 };
 
 // Alone, nearest_hit is tried on scenes whose spheres are squares for the stand-in of
@@ -48,8 +59,9 @@ typedef struct Job05 {
     SquareScene squares[N_SCENES];
 } Job05;
 
-// Draw what the functions get.
+// Draw what the functions get; put the inputs of every job into their places.
 void inputs_05_draw(Job05 *job, Random *random);
+void inputs_05_set_edges(Job05 *job);
 
 // The functions. The message about one names the mistake that explains every answer in the range.
 extern const Function nearest_root_05, textbook_05, projection_05, normal_05, shade_05;

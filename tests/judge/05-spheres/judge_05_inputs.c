@@ -123,7 +123,7 @@ static ShadeJob draw_shade(Random *random, int range, const Light lights[N_LIGHT
     job.material.color = random_vector(random, 0.25, 1);
     job.material.kd = random_number(random, 0.125, 0.875);
     job.material.ks = random_number(random, 0, 1);
-    job.first_light = (i32)random_integer(random, 0, N_LIGHTS - 6);
+    job.first_light = (i32)random_integer(random, 0, N_LIGHTS - N_EDGE_LIGHTS - 6);
     const Vec3 way = vec3_minus(lights[job.first_light].position, job.point);
     if (range == 2) {
         job.n_lights = (i32)random_integer(random, 1, 5);

@@ -30,12 +30,13 @@ typedef struct SquarePlan {
     int n, max_radius, n_distances;
     float step;
     int width, height, every_negative;
+    float nearest;  // added to each distance
 } SquarePlan;
 
 static const SquarePlan plans[N_SCENES] = {
-    [RANDOM] = {60, 6, 4000, 0.25f, 48, 32, 0},
-    [RANDOM + 1] = {100, 5, 900, 1, 49, 37, 6},
-    [FLAKE] = {MAX_SQUARES, 3, 300, 0.125f, 64, 40, 0},
+    [RANDOM] = {60, 6, 4000, 0.25f, 48, 32, 0, 0},
+    [SMALL] = {100, 5, 900, 0x1p-24f, 49, 37, 6, -SQUARES_T_MIN},  // hits close to 0
+    [LARGE] = {MAX_SQUARES, 3, 300, 0x1p40f, 64, 40, 0},
     [TIES] = {90, 8, 3, 1, 64, 48, 7},
     [EDGES] = {1, 6, 5, 1, 16, 16, 0},
     [EDGES + 1] = {0, 1, 1, 1, 16, 16, 0},
@@ -52,7 +53,8 @@ static void draw_squares(Random *random, const SquarePlan *plan, SquareScene *sc
         const int is_negative = plan->every_negative > 0 && i % plan->every_negative == 0;
         const float x = random_grid(random, 0, plan->width);
         const float y = random_grid(random, 0, plan->height);
-        const float z = plan->step * (float)random_integer(random, 1, plan->n_distances);
+        const float z =
+            plan->nearest + plan->step * (float)random_integer(random, 1, plan->n_distances);
         const float radius = random_grid(random, 1, plan->max_radius);
         scene->squares[i] = (Sphere){x, y, z, is_negative ? -radius : radius};
     }

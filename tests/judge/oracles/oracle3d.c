@@ -185,7 +185,10 @@ OracleRoot oracle3d_root(Sphere sphere, const OracleRay *ray, OracleForm form,
 {
     const OracleChord chord = oracle3d_chord(sphere, ray, form);
     OracleRoot root = {.t = INFINITY};
-    const int is_missed = rules->negative_radius_missed && sphere.radius < 0;
+    // Beside the eye float decides whether the centre is behind it.
+    const int is_missed = (rules->negative_radius_missed && sphere.radius < 0) ||
+                          (rules->centre_behind_missed && chord.middle < -chord.error);
+    const int may_be_missed = rules->centre_behind_missed && chord.middle < chord.error;
     if (!chord.is_possible || is_missed) {
         return root;
     }
@@ -195,14 +198,16 @@ OracleRoot oracle3d_root(Sphere sphere, const OracleRay *ray, OracleForm form,
     const Root t_near = {b - chord.half, b - longest - last, b - shortest + last};
     const Root t_far = {b + chord.half, b + shortest - last, b + longest + last};
 
-    const double limit = rules->any_distance ? -INFINITY : ray->t_min;
+    const int is_any_distance =
+        rules->any_distance || (rules->negative_radius_always && sphere.radius < 0);
+    const double limit = is_any_distance ? -INFINITY : rules->t_min_zero ? 0 : ray->t_min;
     const int has_near_side =
         (sphere.radius > 0 || rules->radius_sign_ignored) && !rules->farther_root;
     const int enters = has_near_side && may_hit(&root, t_near, limit);
     if (!enters && !rules->inside_is_miss) {
         may_hit(&root, t_far, limit);
     }
-    root.is_certain &= chord.is_certain;
+    root.is_certain &= chord.is_certain && !may_be_missed;
     return root;
 }
 
@@ -297,7 +302,8 @@ OracleNear oracle3d_normal(Sphere sphere, OracleNear point, OracleNear direction
     OracleNear normal = {rules->normal_not_normalised ? outwards : unit(outwards),
                          direction_error(point.error + rounding, length(outwards))};
     const double cosine = dot(unit(outwards), direction.value);
-    const int is_turned = rules->normal_always_turned || (cosine > 0 && !rules->normal_not_turned);
+    const int is_turned = rules->normal_always_turned ||
+                          (cosine > rules->normal_threshold && !rules->normal_not_turned);
     if (is_turned != rules->normal_turned_away) {
         normal.value = scaled(-1, normal.value);
     }
@@ -345,7 +351,8 @@ OracleNear oracle3d_shade(OracleNear point, OracleNear normal, const Material *m
                                   rules->ignore_color ? white : vector(material->color));
     OracleNear color = {{0}, 0};
     const int first = rules->last_light_only && n_lights > 1 ? n_lights - 1 : 0;
-    const int end = rules->first_light_only && n_lights > 1 ? 1 : n_lights;
+    const int most = rules->first_light_only ? 1 : rules->most_lights;
+    const int end = most > 0 && n_lights > most ? most : n_lights;
     for (int i = first; i < end + (rules->one_light_more ? 1 : 0); i++) {
         const Vector light = rules->ignore_light_color ? white : vector(lights[i].color);
         double error;
@@ -354,6 +361,10 @@ OracleNear oracle3d_shade(OracleNear point, OracleNear normal, const Material *m
         const double brightest = fmax(fmax(fabs(full.x), fabs(full.y)), fabs(full.z));
         color.value = plus(color.value, scaled(cosine, full));
         color.error += brightest * (error + SUM_ERROR * fmax(n_lights, 1));
+    }
+    if (rules->cut_at_one) {
+        color.value =
+            (Vector){fmin(color.value.x, 1), fmin(color.value.y, 1), fmin(color.value.z, 1)};
     }
     if (rules->gamma > 0) {
         color = bent(color, rules->gamma);

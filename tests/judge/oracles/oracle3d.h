@@ -31,6 +31,9 @@ typedef struct OracleRules3D {
     int inside_is_miss;          // no hit when the ray enters behind the eye
     int radius_sign_ignored;     // a negative radius as a positive one
     int negative_radius_missed;  // a sphere with a negative radius is not there
+    int negative_radius_always;  // its farther root counts at any distance
+    int centre_behind_missed;    // a sphere whose centre is behind the eye is not there
+    int t_min_zero;              // 0 for the ray's t_min
     // Which sphere.
     int first_wins;       // the first sphere that is hit, however far
     int last_wins;        // the last one
@@ -44,11 +47,14 @@ typedef struct OracleRules3D {
     int normal_always_turned;   // it points to the centre
     int normal_turned_away;     // away from where the ray comes from
     int normal_not_normalised;  // as long as the radius
+    double normal_threshold;    // it is turned from this cosine on
     int cosine_not_clamped;     // a light behind the surface takes light away
     int cosine_absolute;        // and lights it from behind
     int to_light_not_normalised;
     int first_light_only;
     int last_light_only;
+    int most_lights;     // no more than so many shine; 0 is no limit
+    int cut_at_one;      // no channel is above 1
     int one_light_more;  // the one behind the end of the array shines, too
     int ignore_kd;
     int ignore_color;         // of the material

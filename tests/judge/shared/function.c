@@ -24,7 +24,8 @@ static int explains(const Function *function, const void *job, Range range, cons
     while (i < range.n && function->agrees(job, range_at(range, i), answers, mistake)) {
         i++;
     }
-    return i == range.n;
+    return i == range.n &&
+           (function->shows == NULL || function->shows(job, range, answers, mistake));
 }
 
 // Are all answers the same, as where nothing was filled in?

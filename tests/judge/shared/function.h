@@ -35,6 +35,9 @@ typedef struct Function {
     const void *mistakes;  // structures that begin with a Cause
     size_t mistake_bytes;  // of one
     int n_mistakes;        // with number 0
+    // Does the range as a whole look like a mistake, too, that explains every answer? NULL where
+    // that is enough.
+    int (*shows)(const void *job, Range range, const void *answers, int mistake);
     // In the place of these mistakes: what wrong answers look like.
     Cause (*explain)(const void *job, Range range, const void *answers);
 } Function;

@@ -9,6 +9,7 @@
 #include "random3d.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 // ---- Making -----------------------------------------------------------------------------------
 
@@ -102,6 +103,25 @@ int job_scene3d_named(JobScene3D *scene, const char *name, int width, int height
     snprintf(scene->picture.title, sizeof scene->picture.title, "scene \"%s\", %dx%d", name, width,
              height);
     return scene3d_generate(name, width, height, &scene->scene) == 0 ? finish(scene) : -1;
+}
+
+void job_scene3d_scale(JobScene3D *scene, float factor, const char *words)
+{
+    Scene3D *s = &scene->scene;
+    char *title = scene->picture.title;
+    const size_t length = strlen(title);
+    snprintf(title + length, sizeof scene->picture.title - length, ", %s", words);
+    for (int i = 0; i < s->n_spheres; i++) {
+        const Sphere sphere = s->spheres[i];
+        s->spheres[i] = (Sphere){factor * sphere.x, factor * sphere.y, factor * sphere.z,
+                                 factor * sphere.radius};
+    }
+    for (int i = 0; i < s->n_lights; i++) {
+        s->lights[i].position = vec3_scaled(s->lights[i].position, factor);
+    }
+    s->view.from = vec3_scaled(s->view.from, factor);
+    s->view.at = vec3_scaled(s->view.at, factor);
+    job_scene3d_aim(scene);
 }
 
 void job_scene3d_free(JobScene3D *scene)

@@ -29,7 +29,11 @@ int job_scene3d_random(JobScene3D *scene, Random *random, int n_spheres, float m
 // A scene of scene3d.h by name. Returns 0, or -1 after one message.
 int job_scene3d_named(JobScene3D *scene, const char *name, int width, int height);
 
-// Set up the camera anew after the scene's view has been changed. Both functions above do it.
+// Make a scene `factor` times as large, a power of two: its picture stays as it is.
+//   words   what the title says of that: "a millionth as large"
+void job_scene3d_scale(JobScene3D *scene, float factor, const char *words);
+
+// Set up the camera anew after the scene's view has been changed. All functions above do it.
 void job_scene3d_aim(JobScene3D *scene);
 
 // Let the oracle trace what is expected: hits and picture. Returns 0, or -1 after one message.
@@ -52,5 +56,12 @@ const HitAnswer *hits_find(const JobScene3D *scene, int k, const Sections *answe
 // What is wrong with a scene's hits: the first wrong ray, how many there are, and the mistake that
 // explains all of them, if one does. Owned by the caller.
 Diagnosis hits_judge(const JobScene3D *scene, const HitAnswer *found);
+
+// The same where more is known of what they look like: that counts before known mistakes, unless
+// `looks` says nothing.
+Diagnosis hits_judge_as(const JobScene3D *scene, const HitAnswer *found, Cause looks);
+
+// How many rays of a scene are wrong.
+int hits_count_wrong(const JobScene3D *scene, const HitAnswer *found);
 
 #endif

@@ -182,18 +182,25 @@ const HitAnswer *hits_find(const JobScene3D *scene, int k, const Sections *answe
     return job_section_find(answers, "hits", k, n_pixels * sizeof(HitAnswer));
 }
 
-Diagnosis hits_judge(const JobScene3D *scene, const HitAnswer *found)
+int hits_count_wrong(const JobScene3D *scene, const HitAnswer *found)
+{
+    int n_wrong = 0;
+    for (int pixel = 0; pixel < scene->scene.width * scene->scene.height; pixel++) {
+        n_wrong += !is_right_hit(&scene->hits[pixel], found[pixel]);
+    }
+    return n_wrong;
+}
+
+Diagnosis hits_judge_as(const JobScene3D *scene, const HitAnswer *found, Cause looks)
 {
     const int width = scene->scene.width, height = scene->scene.height;
-    int n_wrong = 0, first = 0;
-    for (int pixel = width * height - 1; pixel >= 0; pixel--) {
-        if (!is_right_hit(&scene->hits[pixel], found[pixel])) {
-            n_wrong++;
-            first = pixel;
-        }
-    }
+    const int n_wrong = hits_count_wrong(scene, found);
     if (n_wrong == 0) {
         return NOTHING_WRONG;
+    }
+    int first = 0;
+    while (is_right_hit(&scene->hits[first], found[first])) {
+        first++;
     }
     const OracleHit *wanted = &scene->hits[first];
     char *wrong = message_new(
@@ -201,5 +208,11 @@ Diagnosis hits_judge(const JobScene3D *scene, const HitAnswer *found)
         scene->picture.title, first % width, first / width,
         hit_words(found[first].sphere, found[first].t).text,
         hit_words(wanted->sphere, wanted->t).text, n_wrong, width * height);
-    return diagnosis_seen(wrong, explain_hits(scene, found), EVIDENCE_RAYS);
+    return diagnosis_seen(wrong, looks.says != NULL ? looks : explain_hits(scene, found),
+                          EVIDENCE_RAYS);
+}
+
+Diagnosis hits_judge(const JobScene3D *scene, const HitAnswer *found)
+{
+    return hits_judge_as(scene, found, (Cause){0});
 }

@@ -1,10 +1,10 @@
-// Lab 04: each function on the job's inputs. See judge_04.h.
+// Lab 04: pixel_on_display and primary_ray on the job's pixels. See judge_04.h; judge_04_axes.c is
+// the sibling.
 //
 // What is expected comes from oracle3d.h, in double precision, and so do the bounds on rounding.
 #include "judge_04.h"
 
 #include "message.h"
-#include "oracle3d.h"
 #include "words.h"
 
 #include <float.h>
@@ -13,150 +13,19 @@
 
 static const OracleRules3D right = {0};
 
-// How far a right solution's axes may be off: a difference, two cross products and two
-// normalisations in float, each of few roundings of 2^-24; the cross product with `up` loses as
-// many digits more as the angle between the two is small, of which draw_view() sets a lowest sine
-// of 1/4.
-#define AXES_ERROR (64 * 0x1p-24)
-
 // Of a point on the display, as a share of the display's half width: see oracle3d.c.
 #define DISPLAY_ERROR (32 * 0x1p-24)
 
-// ---- The camera's axes ------------------------------------------------------------------------
-
-typedef struct Axes {
-    Vec3 right, up, forward;
-} Axes;
-
-static double dot(Vec3 a, OracleVector b)
-{
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-static OracleVector in_double(Vec3 v)
-{
-    return (OracleVector){v.x, v.y, v.z};
-}
-
-static int is_unit(Vec3 v)
-{
-    return fabs(sqrt(dot(v, in_double(v))) - 1) <= AXES_ERROR;
-}
-
-static int is_across(Vec3 a, Vec3 b)
-{
-    const double length = sqrt(dot(b, in_double(b)));
-    return fabs(dot(a, in_double(b))) <= AXES_ERROR * fmax(length, 1);
-}
-
-static int is_near(Vec3 found, OracleVector expected, double error)
+int is_near_04(Vec3 found, OracleVector expected, double error)
 {
     return fabs(found.x - expected.x) <= error && fabs(found.y - expected.y) <= error &&
            fabs(found.z - expected.z) <= error;
 }
 
-static int is_opposite(Vec3 found, OracleVector expected)
+int is_opposite_04(Vec3 found, OracleVector expected, double error)
 {
-    return is_near(found, (OracleVector){-expected.x, -expected.y, -expected.z}, AXES_ERROR);
+    return is_near_04(found, (OracleVector){-expected.x, -expected.y, -expected.z}, error);
 }
-
-// What is said of wrong axes: a remark on what was found, or what it looks like. Neither where
-// nothing is wrong.
-typedef struct AxesFault {
-    const char *remark;  // ": right is not forward x up"
-    const char *looks;   // "forward points backwards"
-} AxesFault;
-typedef AxesFault JudgeAxes(const ViewJob *view, const Axes *found, const OracleVector expected[3]);
-
-static AxesFault not_orthonormal(const ViewJob *view, const Axes *found,
-                                 const OracleVector expected[3])
-{
-    (void)expected;
-    const char *remark =
-        !is_unit(found->forward) || !is_unit(found->right) || !is_unit(found->up)
-            ? ": not all three are unit vectors"
-        : !is_across(found->forward, found->right) || !is_across(found->up, found->right)
-            ? ": right is not at right angles to the others"
-        : !is_across(found->forward, found->up) ? ": up is not at right angles to forward"
-        : !is_across(found->right, view->up)    ? ": right is not at right angles to view.up"
-                                                : NULL;
-    return (AxesFault){.remark = remark};
-}
-
-// Of any length: that is the business of the check above.
-static AxesFault not_forward(const ViewJob *view, const Axes *found, const OracleVector expected[3])
-{
-    const double length = sqrt(dot(found->forward, in_double(found->forward)));
-    const OracleVector f = expected[2], wanted = {length * f.x, length * f.y, length * f.z};
-    (void)view;
-    if (is_near(found->forward, wanted, AXES_ERROR * length) && length > 0) {
-        return (AxesFault){0};
-    }
-    if (is_opposite(found->forward, f)) {
-        return (AxesFault){.looks = "forward points backwards"};
-    }
-    return (AxesFault){.remark = ": forward does not go from `from` to `at`"};
-}
-
-static AxesFault not_upright(const ViewJob *view, const Axes *found, const OracleVector expected[3])
-{
-    const int is_right = is_near(found->right, expected[0], AXES_ERROR);
-    const int is_up = is_near(found->up, expected[1], AXES_ERROR);
-    (void)view;
-    if (is_right && is_up) {
-        return (AxesFault){0};
-    }
-    if (is_opposite(found->right, expected[0])) {
-        return (AxesFault){.looks =
-                               "right points to the left: mind the order of the cross product"};
-    }
-    if (is_opposite(found->up, expected[1])) {
-        return (AxesFault){.looks = "up points down: mind the order of the cross product"};
-    }
-    return (AxesFault){
-        .remark = is_right ? ": up is not what is left of view.up at right angles to forward"
-                           : ": right is not forward x up"};
-}
-
-static Diagnosis axes_fault(const void *pointer, int i, const void *answers, JudgeAxes *judge)
-{
-    const ViewJob *job = &((const Job04 *)pointer)->views[i];
-    const View view = {.from = job->from, .at = job->at, .up = job->up};
-    const Axes own = ((const Axes *)answers)[i];
-    OracleVector e[3];
-    oracle3d_axes(&view, e);
-    const AxesFault fault = judge(job, &own, e);
-    if (fault.remark == NULL && fault.looks == NULL) {
-        return NOTHING_WRONG;
-    }
-    char *found = message_new(
-        "view from %s at %s up %s: found right %s, up %s, forward %s, expected right %s, up %s, "
-        "forward %s%s",
-        words_vec3(view.from, 6).text, words_vec3(view.at, 6).text, words_vec3(view.up, 6).text,
-        words_vec3(own.right, 4).text, words_vec3(own.up, 4).text, words_vec3(own.forward, 4).text,
-        words_xyz(e[0].x, e[0].y, e[0].z, 4).text, words_xyz(e[1].x, e[1].y, e[1].z, 4).text,
-        words_xyz(e[2].x, e[2].y, e[2].z, 4).text, fault.remark != NULL ? fault.remark : "");
-    return diagnosis_of(found, (Cause){.says = fault.looks});
-}
-
-static Diagnosis orthonormal_fault(const void *job, int i, const void *answers)
-{
-    return axes_fault(job, i, answers, not_orthonormal);
-}
-
-static Diagnosis forward_fault(const void *job, int i, const void *answers)
-{
-    return axes_fault(job, i, answers, not_forward);
-}
-
-static Diagnosis upright_fault(const void *job, int i, const void *answers)
-{
-    return axes_fault(job, i, answers, not_upright);
-}
-
-const Function axes_orthonormal_04 = {"axes", N_VIEWS, sizeof(Axes), .fault = orthonormal_fault};
-const Function axes_forward_04 = {"axes", N_VIEWS, sizeof(Axes), .fault = forward_fault};
-const Function axes_up_04 = {"axes", N_VIEWS, sizeof(Axes), .fault = upright_fault};
 
 // ---- Pixels on the display --------------------------------------------------------------------
 
@@ -218,7 +87,7 @@ static int display_agrees(const void *pointer, int i, const void *answers, int n
     p.x = mistake->mirrored ? -p.x : p.x;
     p.y = mistake->flipped ? -p.y : p.y;
     const double half = job->camera.fov / 2 * fmax(1, (double)job->height / job->width);
-    return is_near(found, p, DISPLAY_ERROR * fmax(half, 1));
+    return is_near_04(found, p, DISPLAY_ERROR * fmax(half, 1));
 }
 
 // The sides only: which half of the display the point is in. The middle itself says nothing.
@@ -280,32 +149,44 @@ static Diagnosis describe_direction(const PixelJob *in, Vec3 found, const char *
     return diagnosis_of(
         message_new("pixel (%d, %d) of %dx%d: found direction %s of length %.6g, expected %s%s",
                     in->x, in->y, in->width, in->height, words_vec3(found, 6).text,
-                    sqrt(dot(found, in_double(found))), words_xyz(e.x, e.y, e.z, 6).text, remark),
+                    vec3_length(found), words_xyz(e.x, e.y, e.z, 6).text, remark),
         cause);
+}
+
+// What the wrong direction of pixel number i, made a unit vector, looks like, or NULL.
+static const char *direction_looks(const PixelJob *in, int i, Vec3 unit)
+{
+    const OracleRules3D transposed = {.axes_transposed = 1};
+    const OracleRay ray = ray_of(in, &right), other = ray_of(in, &transposed);
+    const double error = ray.direction_error;
+    // A sum with the eye rounds to the eye's digits.
+    const double eye_error = 4 * 0x1p-24 * vec3_length(in->camera.eye);
+    return is_near_04(unit, other.direction, error)
+               ? "the view transform is turned round: x times right plus y times up plus z times "
+                 "forward"
+           : is_opposite_04(unit, ray.direction, error) ? "it points backwards"
+           : i >= FIRST_FAR_EYE && is_near_04(unit, ray.direction, eye_error)
+               ? "from a near eye it is right, from a far eye its digits are lost: the eye, a "
+                 "large number, has no part in the direction"
+               : NULL;
 }
 
 // Is a ray's direction right, of any length?
 static Diagnosis transform_fault(const void *job, int i, const void *answers)
 {
-    const OracleRules3D transposed = {.axes_transposed = 1};
     const PixelJob *in = &((const Job04 *)job)->pixels[i];
     const Vec3 found = ((const PixelAnswer *)answers)[i].direction;
-    const OracleRay ray = ray_of(in, &right), other = ray_of(in, &transposed);
-    const double length = sqrt(dot(found, in_double(found)));
+    const OracleRay ray = ray_of(in, &right);
+    const double length = vec3_length(found);
     const Vec3 unit = {(float)(found.x / length), (float)(found.y / length),
                        (float)(found.z / length)};
     if (length == 0) {
         return describe_direction(in, found, ": it is zero", (Cause){0});
     }
-    if (is_near(unit, ray.direction, ray.direction_error)) {
+    if (is_near_04(unit, ray.direction, ray.direction_error)) {
         return NOTHING_WRONG;
     }
-    const char *looks = is_near(unit, other.direction, ray.direction_error)
-                            ? "the view transform is turned round: x times right plus y times up "
-                              "plus z times forward"
-                        : is_opposite(unit, ray.direction) ? "it points backwards"
-                                                           : NULL;
-    return describe_direction(in, found, "", (Cause){.says = looks});
+    return describe_direction(in, found, "", (Cause){.says = direction_looks(in, i, unit)});
 }
 
 static Diagnosis unit_fault(const void *job, int i, const void *answers)
@@ -313,8 +194,7 @@ static Diagnosis unit_fault(const void *job, int i, const void *answers)
     static const Cause not_unit = {
         .says = "it must be a unit vector, so that t is a distance: normalize()"};
     const Vec3 found = ((const PixelAnswer *)answers)[i].direction;
-    const double length = sqrt(dot(found, in_double(found)));
-    return fabs(length - 1) <= DISPLAY_ERROR
+    return fabs(vec3_length(found) - 1) <= DISPLAY_ERROR
                ? NOTHING_WRONG
                : describe_direction(&((const Job04 *)job)->pixels[i], found, "", not_unit);
 }

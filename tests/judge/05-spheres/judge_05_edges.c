@@ -1,0 +1,171 @@
+// The inputs of lab 05's functions that stand in every job: see judge_05.h.
+//
+// Each is there for a mistake that drawn inputs show by chance or not at all: limits and epsilons
+// where none belong, and cases that have to meet. They end their ranges, so that a message tells of
+// a drawn input where one is wrong, too.
+#include "judge_05.h"
+
+#include <string.h>
+
+// ---- nearest_root -------------------------------------------------------------------------------
+
+static const RootJob edge_roots[3][N_EDGE_ROOTS] = {
+    // b, disc, radius, t_min
+    {
+        {1, -0x1p-30f, 1, 0},  // near misses
+        {8, -0x1p-12f, 1, 0},
+        {1, 0, 1, 0},  // touching, and short chords
+        {0x1p-20f, 0, 0x1p-22f, 0},
+        {1, 0x1p-30f, 1, 0},
+        {0x1p-20f, 0x1p-44f, 0x1p-22f, 0},  // close to the eye
+        {0x1p-10f, 0x1p-24f, 0x1p-12f, 0},
+        {0x1p20f, 0x1p30f, 0x1p15f, 0},  // far away
+        {0x1p40f, 0x1p70f, 0x1p35f, 0},
+        {5, 4, 3, 0},
+    },
+    {
+        {1, 4, 3, 0},  // the eye inside, the centre ahead,
+        {1, 4, -3, 0},
+        {-1, 4, 3, 0},  // and behind
+        {-1, 4, -3, 0},
+        {-5, 4, 3, 0},  // all of it behind
+        {-5, 4, -3, 0},
+        {5, 4, -3, 0},  // all of it ahead
+        {-0x1p-22f, 0x1p-40f, 0x1p-20f, 0},
+        {-0x1p-22f, 0x1p-40f, -0x1p-20f, 0},
+        {0x1p20f, 0x1p30f, -0x1p15f, 0},
+    },
+    {
+        {5, 4, 3, 8},  // t_min beyond the roots, before them and between them
+        {5, 4, -3, 1},
+        {5, 4, -3, 4},
+        {5, 4, -3, 8},
+        {1, 4, -3, 4},
+        {1, 0, 3, 0.5f},  // touching beyond t_min, at it, and as closely beyond it as can be
+        {1, 0, 3, 1},
+        {1, 0, -3, 1},
+        {1, 0, 3, 0x1.fffffep-1f},
+        {1, 0, -3, 0x1.fffffep-1f},
+    },
+};
+
+// ---- intersect_textbook, intersect_sphere -------------------------------------------------------
+
+// A ray from the origin along z, and what it may hit.
+typedef struct EdgeSphere {
+    Sphere sphere;
+    float t_min;
+} EdgeSphere;
+
+static const EdgeSphere edge_spheres[2][N_EDGE_SPHERES] = {
+    {
+        {{0x1p-23f, 0, 0x1p-20f, 0x1p-22f}, 0},  // close to the eye
+        {{0x1p-13f, 0, 0x1p-10f, 0x1p-12f}, 0},
+        {{0x1p17f, 0, 0x1p20f, 0x1p18f}, 0},  // far away
+        {{0x1p37f, 0, 0x1p40f, 0x1p38f}, 0},
+        {{0.5f - 0x1p-12f, 0, 2, 0.5f}, 0},  // nearly missed, and
+        {{0.5f + 0x1p-12f, 0, 2, 0.5f}, 0},  // missed by little
+        {{0, 0.25f, 3, -1}, 0},
+        {{0, 0.25f, 3, 1}, 0},
+    },
+    {
+        {{0.5f, 0, -1, 3}, 0},  // the eye inside, the centre behind
+        {{0.5f, 0, -1, -3}, 0},
+        {{0, 0.5f, -5, -1}, 0},  // all of it behind
+        {{0, 0.5f, 5, 1}, 5},    // t_min between the roots,
+        {{0, 0.5f, 5, -1}, 5},
+        {{0, 0.5f, 5, 1}, 8},  // beyond them
+        {{0, 0.5f, 1, 2}, 4},
+        {{0, 0.5f, 5, -1}, 1},  // and before them
+    },
+};
+
+static void set_edge_spheres(SphereRayJob *jobs, const EdgeSphere *edges)
+{
+    for (int i = 0; i < N_EDGE_SPHERES; i++) {
+        jobs[i] = (SphereRayJob){
+            .sphere = edges[i].sphere, .direction = {0, 0, 1}, .t_min = edges[i].t_min};
+    }
+}
+
+// ---- surface_normal -----------------------------------------------------------------------------
+
+// Rays that graze the surface, to the bit: the cosine is nearly the least of which a right solution
+// is sure to find the sign (oracle3d_normal()).
+static NormalJob edge_normal(int range, int i)
+{
+    const float cosine = range == 0 ? -0x1p-20f : 0x1p-20f, radius = i < 2 ? 2 : -2;
+    NormalJob job = {.sphere = {1, 2, 3, radius}, .point = {1, 2, 3}};
+    if (i % 2 == 0) {
+        job.point.x += 2, job.direction = (Vec3){cosine, 1, 0};
+    } else {
+        job.point.z -= 2, job.direction = (Vec3){0, 1, -cosine};
+    }
+    return job;
+}
+
+// ---- shade --------------------------------------------------------------------------------------
+
+// The last lights of all.
+enum {
+    BRIGHT_LIGHT = N_LIGHTS - N_EDGE_LIGHTS,  // four, at the zenith
+    N_BRIGHT_LIGHTS = 4,
+    LOW_LIGHT = BRIGHT_LIGHT + N_BRIGHT_LIGHTS,  // and behind it one that must not shine
+};
+
+static void set_edge_lights(Light lights[N_LIGHTS])
+{
+    const Vec3 white = {1, 1, 1};
+    for (int i = 0; i < N_BRIGHT_LIGHTS; i++) {
+        lights[BRIGHT_LIGHT + i] = (Light){{0, 0, (float)(4 + i)}, white};
+    }
+    lights[LOW_LIGHT] = (Light){{1024, 0, 0.0625f}, white};
+    lights[LOW_LIGHT + 1] = (Light){{0, 0, 4}, white};
+}
+
+// Of so many lights the last one stands straight above the surface; of none, the one that must not
+// shine.
+static ShadeJob shade_of_many(int n_lights, const Light lights[N_LIGHTS])
+{
+    const int above = n_lights > 0 ? n_lights - 1 : 0;
+    return (ShadeJob){.normal = vec3_normalized(lights[above].position),
+                      .material = {.color = {1, 0.5f, 0.25f}, .kd = 0.5f},
+                      .n_lights = n_lights};
+}
+
+static void set_edge_shades(Job05 *job)
+{
+    static const int n_lights[N_EDGE_SHADES - 1] = {0, 6, 9, 11, 17, 33, 65};
+    const ShadeJob on_the_ground = {.normal = {0, 0, 1},
+                                    .material = {.color = {1, 0.75f, 0.5f}, .kd = 1}};
+    ShadeJob *one_light = &job->shades[N_SHADES - 1];
+    ShadeJob *several = &job->shades[3 * N_SHADES - N_EDGE_SHADES];
+    set_edge_lights(job->lights);
+    *one_light = on_the_ground;
+    one_light->first_light = LOW_LIGHT, one_light->n_lights = 1;
+    for (int i = 0; i < N_EDGE_SHADES - 1; i++) {
+        several[i] = shade_of_many(n_lights[i], job->lights);
+    }
+    several[N_EDGE_SHADES - 1] = on_the_ground;
+    several[N_EDGE_SHADES - 1].first_light = BRIGHT_LIGHT;
+    several[N_EDGE_SHADES - 1].n_lights = N_BRIGHT_LIGHTS;
+}
+
+// ---- All ----------------------------------------------------------------------------------------
+
+void inputs_05_set_edges(Job05 *job)
+{
+    for (int range = 0; range < 3; range++) {
+        memcpy(&job->roots[(range + 1) * N_ROOTS - N_EDGE_ROOTS], edge_roots[range],
+               sizeof edge_roots[range]);
+    }
+    for (int range = 0; range < 2; range++) {
+        const int first = (range + 1) * N_SPHERES - N_EDGE_SPHERES;
+        set_edge_spheres(&job->textbook[first], edge_spheres[range]);
+        set_edge_spheres(&job->projection[first], edge_spheres[range]);
+        for (int i = 0; i < N_EDGE_NORMALS; i++) {
+            job->normals[(range + 1) * N_NORMALS - N_EDGE_NORMALS + i] = edge_normal(range, i);
+        }
+    }
+    set_edge_shades(job);
+}

@@ -1,0 +1,10 @@
+// mutant: eight lights are enough
+// task: shade
+// caught by: shade-lights
+// says: first 8 lights
+    for (int i = 0; i < min(n_lights, 8); i++) {
+        const Light light = lights[i];
+        const float3 to_light = normalize(to_float3(light.position) - point);
+        const float cosine = fmax(0.0f, dot(normal, to_light));
+        color += material.kd * cosine * to_float3(material.color) * to_float3(light.color);
+    }
