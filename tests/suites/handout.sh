@@ -136,6 +136,15 @@ links() {
     [ ! -s "$scratch/dangling" ]
 }
 
+# finished FOLDER: are earlier solutions without the authors' placeholders, and does the README name their
+# folder where there is one?
+finished() {
+    ! grep -rn '^ *//>' "$1/solutions" 2>/dev/null || return 1
+    named=no
+    ! grep -q 'labs before' "$1/README.md" || named=yes
+    [ "$named" = "$([ -d "$1/solutions" ] && echo yes || echo no)" ] || { echo "labs before: $named"; return 1; }
+}
+
 # The commands that its READMEs name: does make know each target?
 commands() {
     grep -h -o 'make [A-Za-z][A-Za-z0-9_/=. -]*' "$1/README.md" "$1/labs/$2/README.md" |
@@ -177,6 +186,7 @@ for lab in $labs; do
     check "$lab: nothing of the judge's text" no_judge "$scratch/$lab"
     check "$lab: nor the solution, compiled, in its program" no_compiled_solution "$lab"
     check "$lab: one job on both kinds of processors" same_jobs "$scratch/$lab" "$lab"
+    check "$lab: earlier solutions, where there are any, as a reader wants them" finished "$scratch/$lab"
     check "$lab: no link leads nowhere" links "$scratch/$lab"
     check "$lab: make knows the commands of its READMEs" commands "$scratch/$lab" "$lab"
 done
