@@ -36,8 +36,12 @@ $(OUT)/probes/%.a: $(OUT)/obj/tests/probes/%/main.c.o $(call objects,tests/probe
 $(OUT)/probes/%: $(OUT)/probes/%.a $(OUT)/libcommon.a
 	$(call link,-lOpenCL -lm)
 
+# In a handout, which has no solution to run: is there a device?
+$(OUT)/probes/find_device: $(call objects,tests/probes/find_device.c) $(OUT)/libcommon.a
+	$(call link,-lOpenCL -lm)
+
 .PHONY: grader lab-grader grade
-grader: $(addprefix $(OUT)/tools/,grade judge unpack) $(PROBES) $(LABS:%=$(OUT)/earlier/%.a)  ## build the grader and its probes
+grader: $(addprefix $(OUT)/tools/,grade judge unpack) $(OUT)/probes/find_device $(PROBES) $(LABS:%=$(OUT)/earlier/%.a)  ## build the grader and its probes
 
 # The grader of one lab, LAB=03: what a bundle for another system builds.
 lab-grader: $(addprefix $(OUT)/tools/,grade judge unpack) $(filter $(OUT)/probes/$(LAB)-%,$(PROBES)) $(patsubst %,$(OUT)/earlier/%.a,$(filter $(LAB)-%,$(LABS)))

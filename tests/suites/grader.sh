@@ -175,6 +175,7 @@ echo '    return no_such_name;' | answer implicit2DRenderer_KD.cl getContainingC
 broken "a skeleton with it gets nothing" 0
 check "and what nobody answered is called so" \
     holds "not answered yet: it stands as it was handed out"
+check "and shown as not tried" grep -q '^   --    descent-picture ' "$said"
 
 lab=02-kdtree-2d-build
 file=kdtree2d_build.c
@@ -340,10 +341,13 @@ check "and says which labs are" grep -q "found no lab for .*77-none, expected .*
 
 # grade_with_seed SEED COPY: without the time it took, which is never the same.
 grade_with_seed() {
-    grade --lab 01 --submission labs/01-naive-2d --seed "$1"
+    grade --lab 01 --submission "$scratch/submission" --seed "$1"
     grep -v '^  "seconds"' "$reports/results.json" >"$2"
 }
 
+lab=01-naive-2d
+copy_lab solutions $lab
+echo '    return 0;' | answer overlaps_N_Nearer.cl overlaps_N_Nearer
 grade_with_seed 11 "$scratch/first"
 check "the seed is recorded" test "$(field seed)" = 11
 grade_with_seed 11 "$scratch/second"

@@ -266,6 +266,17 @@ for lab in 00-hello-pixels 02-kdtree-2d-build 07-kdtree-3d-trace; do
     ok $? "$lab: no file of the course was used" "$(cat "$scratch/said")"
 done
 
+# no_device: without the device that was named nothing is judged, and the last report stays.
+no_device() {
+    cp "$clean/build/grade/07/results.json" "$scratch/last" || return 1
+    status=0
+    alone "$clean" make grade LAB=07 DEVICE=none-such >"$scratch/said" 2>&1 || status=$?
+    [ "$status" -eq 2 ] && grep -q 'found no device "none-such"' "$scratch/said" &&
+        ! grep -q Score "$scratch/said" && cmp "$scratch/last" "$clean/build/grade/07/results.json" ||
+        { cat "$scratch/said"; return 1; }
+}
+check "a device that is not there is no verdict" no_device
+
 # Of other labs it says which one is here.
 refuses_lab() {
     ! alone "$clean" make "$@" >"$scratch/said" 2>&1 || { cat "$scratch/said"; return 1; }

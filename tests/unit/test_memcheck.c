@@ -1,8 +1,8 @@
-// grader/memcheck_job and memcheck_advice: the job for Oclgrind is small and its arrays end where
+// grader/memcheck_job and advice: the job for Oclgrind is small and its arrays end where
 // they end; a report offers Oclgrind where it may help.
+#include "advice.h"
 #include "jobs.h"
 #include "judge.h"
-#include "memcheck_advice.h"
 #include "memcheck_job.h"
 #include "surroundings.h"
 
@@ -108,9 +108,9 @@ Test(memcheck, a_job_of_spheres_is_small)
 
 // ---- The offer ----------------------------------------------------------------------------------
 
-// What the stage "Running" says after failed checks of a task with these messages, `other` or NULL.
-static const char *advice_on_two(const char *file, int crashed, int is_untouched,
-                                 const char *message, const char *other)
+// What is offered after failed checks of a task with these messages, `other` or NULL; "" for nothing.
+static const char *advice_on_two(const char *file, int is_untouched, const char *message,
+                                 const char *other)
 {
     static char said[512];
     Manifest manifest = {.lab = "03-kdtree-2d-render",
@@ -118,44 +118,70 @@ static const char *advice_on_two(const char *file, int crashed, int is_untouched
                          .n_files = 1,
                          .tasks = {{.id = "descent"}},
                          .n_tasks = 1};
-    Result result = {.n_stages = 1, .n_checks = 2};
-    result.stages[0] = (StageResult){"Running", CHECK_PASSED, strdup("")};
+    Result result = {.n_checks = 2};
     result.checks[0] =
         (CheckResult){.task = "descent", .status = CHECK_FAILED, .message = strdup(message)};
     result.checks[1] = (CheckResult){.task = "descent",
                                      .status = other ? CHECK_FAILED : CHECK_PASSED,
                                      .message = strdup(other ? other : "")};
-    memcheck_advise(&manifest, crashed, &is_untouched, &result);
-    snprintf(said, sizeof said, "%s", result.stages[0].message);
+    char *advice = advice_on_pixels(&manifest, &is_untouched, &result);
+    snprintf(said, sizeof said, "%s", advice ? advice : "");
+    free(advice);
     result_free(&result);
     return said;
 }
 
-static const char *advice(const char *file, int crashed, const char *message)
+static const char *advice(const char *file, const char *message)
 {
-    return advice_on_two(file, crashed, 0, message, NULL);
+    return advice_on_two(file, 0, message, NULL);
 }
 
-Test(memcheck, is_offered_where_it_may_help)
+Test(advice, memcheck_is_offered_where_it_may_help)
 {
-    cr_expect(strstr(advice("a.cl", 1, "no answer"), "A crash: `make memcheck LAB=03`"));
-    cr_expect(strstr(advice("a.cl", 0, "pixel (1, 2): ...; 9 of 99 pixels differ"),
+    cr_expect(strstr(advice("a.cl", "pixel (1, 2): ...; 9 of 99 pixels differ"),
                      "Some pixels are wrong in no usual way: `make memcheck LAB=03`"));
-    cr_expect(strstr(advice("a.cl", 0, "9 of 99 pixels differ; it looks not a number in places"),
+    cr_expect(strstr(advice("a.cl", "9 of 99 pixels differ; it looks not a number in places"),
                      "make memcheck"));
 }
 
-Test(memcheck, is_not_offered_where_the_cause_is_known)
+Test(advice, memcheck_is_not_offered_where_the_cause_is_known)
 {
-    cr_expect_str_eq(advice("a.cl", 0, "9 of 99 pixels differ; it looks flipped top to bottom"),
-                     "");
-    cr_expect_str_eq(advice("a.cl", 0, "found child 3, expected 4"), "");
+    cr_expect_str_eq(advice("a.cl", "9 of 99 pixels differ; it looks flipped top to bottom"), "");
+    cr_expect_str_eq(advice("a.cl", "found child 3, expected 4"), "");
     static const char strange[] = "pixel (1, 2): ...; 9 of 99 pixels differ";
-    cr_expect_str_neq(advice_on_two("a.cl", 0, 0, strange, strange), "");
-    cr_expect_str_eq(advice_on_two("a.cl", 0, 1, strange, NULL), "", "an untouched skeleton");
-    cr_expect_str_eq(advice_on_two("a.cl", 0, 0, strange, "found 1, expected 0"), "",
+    cr_expect_str_neq(advice_on_two("a.cl", 0, strange, strange), "");
+    cr_expect_str_eq(advice_on_two("a.cl", 1, strange, NULL), "", "an untouched skeleton");
+    cr_expect_str_eq(advice_on_two("a.cl", 0, strange, "found 1, expected 0"), "",
                      "a function check of the same task");
-    cr_expect_str_eq(advice_on_two("a.cl", 0, 0, strange, "nobody wrote pixel (1, 0)"), "",
+    cr_expect_str_eq(advice_on_two("a.cl", 0, strange, "nobody wrote pixel (1, 0)"), "",
                      "pixels that were not written");
-    cr_expect_str_eq(advice("a.c", 1, "no answer"), "", "a lab without kernels");
+    cr_expect_str_eq(advice("a.c", strange), "", "a lab without kernels");
+}
+
+// Does the advice after a crash in this task's answer name the command, and nothing else to try?
+static int crash_leads_to(const Manifest *manifest, const char *task, int has_oclgrind,
+                          const char *command)
+{
+    char *advice = advice_after_crash(manifest, task, has_oclgrind);
+    const int leads = command == NULL ? advice == NULL : advice && strstr(advice, command) != NULL;
+    free(advice);
+    return leads;
+}
+
+// Oclgrind looks at kernels, the sanitizers at host files.
+Test(advice, a_crash_leads_to_what_looks_at_its_file)
+{
+    const Manifest both = {.lab = "00-hello-pixels",
+                           .files = {"a.cl", "b.c"},
+                           .n_files = 2,
+                           .tasks = {{.id = "draw", .file = "a.cl"}, {.id = "set", .file = "b.c"}},
+                           .n_tasks = 2};
+    static const char sanitize[] = "`make SANITIZE=1 build/sanitized/labs/00-hello-pixels`";
+    cr_expect(crash_leads_to(&both, "draw", 1, "A crash: `make memcheck LAB=00`"));
+    cr_expect(crash_leads_to(&both, "draw", 0, NULL));
+    cr_expect(crash_leads_to(&both, "set", 1, sanitize));
+    cr_expect(crash_leads_to(&both, "set", 0, sanitize));
+    cr_expect(crash_leads_to(&both, NULL, 1, "make memcheck"));
+    const Manifest host = {.lab = "00-hello-pixels", .files = {"b.c"}, .n_files = 1};
+    cr_expect(crash_leads_to(&host, NULL, 1, sanitize));
 }
