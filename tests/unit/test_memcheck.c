@@ -108,7 +108,8 @@ Test(memcheck, a_job_of_spheres_is_small)
 
 // ---- The offer ----------------------------------------------------------------------------------
 
-// What is offered after failed checks of a task with these messages, `other` or NULL; "" for nothing.
+// What is offered after failed checks of a task with these messages, `other` or NULL; "" for
+// nothing.
 static const char *advice_on_two(const char *file, int is_untouched, const char *message,
                                  const char *other)
 {
