@@ -240,8 +240,8 @@ int memcheck_passes(Memcheck *memcheck)
     Allowance first = {.given_seconds = given > 0 ? given : can_ask ? SHORT_SECONDS : LONG_SECONDS};
     SandboxTime time = allowance_of(&first, STEP_RUNNING);
     SandboxResult results[N_PASSES] = {0};
-    say("Oclgrind runs the kernels twice on a small job, once to look for races and once for "
-        "values never set: %.0f s of processor time each at most.\n",
+    say("Oclgrind runs the kernels twice on a small job, for races and for values never set:\n"
+        "%.0f s of processor time each at most.\n",
         time.processor);
     int failed = passes_run(memcheck, &memcheck->whole, time, results);
     if (failed == 0 && can_ask && has_timed_out(results)) {
