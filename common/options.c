@@ -52,7 +52,7 @@ static const struct OptionRow {
     const char *meaning;
 } ROWS[] = {
     [SCENE] = {"scene", "NAME", OPTIONS_SCENE | OPTIONS_SCENE3D, "a file or a generator"},
-    [SIZE] = {"size", "WxH", 0, "the picture's size in pixels (the scene's own)"},
+    [SIZE] = {"size", "WxH", 0, "the picture's size in pixels"},
     [OUTPUT] = {"output", "FILE", 0, "the picture, .png or .exr"},
     [FRAMES] = {"frames", "N", 0, "draw N times, for measuring (1)"},
     [STATS] = {"stats", "FILE", 0, "write the figures as JSON"},
@@ -97,6 +97,15 @@ static void print_scenes(const char *list, const char *edge_case(int index))
     printf("\n");
 }
 
+static void print_default_size(int set)
+{
+    if (set & (OPTIONS_SCENE | OPTIONS_SCENE3D)) {
+        printf(" (the scene's own)");
+    } else {
+        printf(" (%dx%d)", OPTIONS_DEFAULT_WIDTH, OPTIONS_DEFAULT_HEIGHT);
+    }
+}
+
 static void print_help(const char *lab_name, const char *what, int set)
 {
     printf("%s: %s\n\nOptions (and what holds without them):\n", lab_name, what);
@@ -113,6 +122,9 @@ static void print_help(const char *lab_name, const char *what, int set)
         }
         if (id == SCENE) {
             printf(" (%s)", default_scene(set));
+        }
+        if (id == SIZE) {
+            print_default_size(set);
         }
         if (set & OPTIONS_SCENE3D && (id == MAX_DEPTH || id == LEAF_SIZE)) {
             printf(" (fits the scene)");

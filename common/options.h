@@ -23,6 +23,10 @@ enum {
     OPTIONS_TEXTBOOK = 32,  // --textbook
 };
 
+// The picture's size in pixels in a lab without a scene.
+#define OPTIONS_DEFAULT_WIDTH 640
+#define OPTIONS_DEFAULT_HEIGHT 480
+
 #define OPTIONS_DEFAULT_MAX_DEPTH 16
 #define OPTIONS_DEFAULT_LEAF_SIZE 8
 

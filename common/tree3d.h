@@ -25,8 +25,8 @@ void tree3d_free(KdTree3D *tree);
 #define TREE3D_MAX_NODES (1u << 24)
 
 // Does the tree hold together, so that its ids and ranges may be followed, by a kernel too:
-// children and ranges inside their arrays, children behind their parents, and no deeper than
-// TODO_SIZE + 1 levels? Returns 0, or -1 after one message on stderr that names the first node that
+// children and ranges inside their arrays, children behind their parents, and no deeper than the
+// todo stack allows? Returns 0, or -1 after one message on stderr that names the first node that
 // does not.
 int tree3d_check(const KdTree3D *tree, u32 n_spheres);
 

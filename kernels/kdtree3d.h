@@ -16,9 +16,9 @@ enum {
     KD_LEAF = 3,  // split_axis of a node without children; 0, 1 and 2 stand for x, y and z
 };
 
-// How many nodes can wait at once while a ray is traced (todo.h). Every inner node on the way to a
-// leaf may leave one waiting, so a tree of n levels needs n - 1 places: the builder refuses a tree
-// of more than TODO_SIZE + 1 levels.
+// How many nodes can wait at once while a ray is traced (todo.h). The kernel never asks whether
+// there is room: the builder refuses a tree in which more could wait. Which tree that is, is task
+// fits_todo of lab 06.
 #define TODO_SIZE 40
 
 typedef struct KdNode3 {

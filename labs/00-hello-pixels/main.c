@@ -15,8 +15,8 @@ int main(int argc, char **argv)
 
     // ---- Scene, device ---------------------------------------------------------------------
     // A gradient is no scene: there is only the picture's size.
-    const int width = lab.options.width ? lab.options.width : 640;
-    const int height = lab.options.height ? lab.options.height : 480;
+    const int width = lab.options.width ? lab.options.width : OPTIONS_DEFAULT_WIDTH;
+    const int height = lab.options.height ? lab.options.height : OPTIONS_DEFAULT_HEIGHT;
     require(cl_setup_open(lab.options.device, &lab.cl));
     lab_describe(&lab, NULL, 0, width, height);
 

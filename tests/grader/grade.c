@@ -6,9 +6,10 @@
 // task with a failed check the student's answer to it is then tried alone, so that one mistake
 // costs one task. Read next: session.h (how it is run), grading.h (how it is judged and written
 // down). Exit status: 0 full marks, 1 below, 2 when the grader itself could not work.
+#include "advice.h"
 #include "complain.h"
+#include "device.h"
 #include "grading.h"
-#include "memcheck_advice.h"
 #include "message.h"
 #include "settings.h"
 #include "stands_out.h"
@@ -87,7 +88,33 @@ static void add_run_stages(Grading *grading)
     }
 }
 
+// Say what to try next. What ended for a reason that is told already needs nothing to find one.
+static void add_advice(Grading *grading)
+{
+    const Variant *whole = &grading->whole;
+    const Manifest *manifest = &grading->session.manifest;
+    const int has_oclgrind = access(OCLGRIND_DRIVER, R_OK) == 0;
+    char *advice = NULL;
+    if (whole->has_crashed && !grading->has_line) {
+        advice = advice_after_crash(manifest, whole->place.task, has_oclgrind);
+    } else if (whole->trouble == NULL && has_oclgrind) {
+        advice = advice_on_pixels(manifest, grading->is_untouched, &grading->result);
+    }
+    if (advice != NULL) {
+        grading_add_stage(grading, "What to try next", CHECK_PASSED, advice);
+    }
+    free(advice);
+}
+
 // ---- Grading --------------------------------------------------------------------------------
+
+// Where our solution runs, it tells whether there is a device. In a handout nothing of ours does.
+// Returns 0, or -1 after one message.
+static int find_device(const Session *session)
+{
+    const int is_asked = !session->has_solution && manifest_has_kernels(&session->manifest);
+    return is_asked ? device_find(&session->workshop) : 0;
+}
 
 // Stage, run, judge. Returns 0 when there is a result, or -1 after one message.
 static int grade(Grading *grading, const Settings *settings)
@@ -95,7 +122,7 @@ static int grade(Grading *grading, const Settings *settings)
     Session *session = &grading->session;
     char folder[PATH_MAX];
     char *staging = NULL;
-    if (session_open(session, settings) != 0 ||
+    if (session_open(session, settings) != 0 || find_device(session) != 0 ||
         variant_open(&session->workshop, "whole", &grading->whole, folder) != 0) {
         return -1;
     }
@@ -141,12 +168,7 @@ static int grade(Grading *grading, const Settings *settings)
     if (grading_judge(grading) != 0) {
         return -1;
     }
-    // What ended for a reason that is told already needs no Oclgrind to find one.
-    const int crashed = grading->whole.has_crashed && !grading->has_line;
-    const int has_oclgrind = access(OCLGRIND_DRIVER, R_OK) == 0;
-    if (has_oclgrind && (grading->whole.trouble == NULL || crashed)) {
-        memcheck_advise(&session->manifest, crashed, grading->is_untouched, &grading->result);
-    }
+    add_advice(grading);
     const Answers answers = {grading->whole.number, &grading->whole.answers};
     return judge_add_pictures(&session->judge, answers, &grading->result);
 }

@@ -36,8 +36,12 @@ $(OUT)/probes/%.a: $(OUT)/obj/tests/probes/%/main.c.o $(call objects,tests/probe
 $(OUT)/probes/%: $(OUT)/probes/%.a $(OUT)/libcommon.a
 	$(call link,-lOpenCL -lm)
 
+# In a handout, which has no solution to run: is there a device?
+$(OUT)/probes/find_device: $(call objects,tests/probes/find_device.c) $(OUT)/libcommon.a
+	$(call link,-lOpenCL -lm)
+
 .PHONY: grader lab-grader grade
-grader: $(addprefix $(OUT)/tools/,grade judge unpack) $(PROBES) $(LABS:%=$(OUT)/earlier/%.a)  ## build the grader and its probes
+grader: $(addprefix $(OUT)/tools/,grade judge unpack) $(OUT)/probes/find_device $(PROBES) $(LABS:%=$(OUT)/earlier/%.a)  ## build the grader and its probes
 
 # Which packages `make setup` installs (common/setup/packages.txt): what a handout needs. The course needs more.
 setup_for = grade

@@ -15,7 +15,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-
 // ---- The whole ----------------------------------------------------------------------------------
 
 static void judge_whole(Grading *grading)
@@ -94,17 +93,17 @@ static int is_untouched(const Grading *grading, const Task *task, const char *an
     return is_same;
 }
 
-// Where the whole did not run to its end, nothing else is to be said about a task that stands as it
-// was handed out.
-static void note_unanswered(Grading *grading, const char *task)
+// What it found is no news.
+static void note_unanswered(CheckResult *check)
 {
-    const int has_failed = grading->whole.build_log != NULL || grading->whole.trouble != NULL;
-    for (int i = 0; i < grading->result.n_checks && has_failed; i++) {
-        CheckResult *check = &grading->result.checks[i];
-        if (check->status != CHECK_PASSED && strcmp(check->task, task) == 0) {
-            check_tell(check, diagnosis_new("not answered yet: it stands as it was handed out"));
-        }
+    if (check->status == CHECK_PASSED) {
+        check_fail(check, diagnosis_new("not answered yet: it stands as it was handed out, and "
+                                        "what passed here is the work of another task's answer"));
+    } else {
+        check_tell(check, diagnosis_new("not answered yet: it stands as it was handed out"));
     }
+    check->is_unanswered = 1;
+    check->is_explained = 0;
 }
 
 // A task that stands as it was handed out earns nothing, whatever another task's answer does for
@@ -117,16 +116,9 @@ static void refuse_unanswered(Grading *grading)
         char *answer = grading_answer(grading, task);
         grading->is_untouched[t] = answer != NULL && is_untouched(grading, task, answer);
         for (int i = 0; i < grading->result.n_checks && grading->is_untouched[t]; i++) {
-            CheckResult *check = &grading->result.checks[i];
-            check->is_unanswered |= strcmp(check->task, task->id) == 0;
-            if (check->status == CHECK_PASSED && strcmp(check->task, task->id) == 0) {
-                check_fail(check, diagnosis_new("not answered yet: it stands as it was handed out, "
-                                                "and what passed here is the work of another "
-                                                "task's answer"));
+            if (strcmp(grading->result.checks[i].task, task->id) == 0) {
+                note_unanswered(&grading->result.checks[i]);
             }
-        }
-        if (grading->is_untouched[t]) {
-            note_unanswered(grading, task->id);
         }
         free(answer);
     }

@@ -56,6 +56,9 @@ for path in solutions/*/; do
     [ "$(printf '%s\n' "$earlier" "$lab" | sort | head -n 1)" = "$lab" ] || git ls-files -- "$path" | copy
 done
 
+# What an author's `//>` lines hold is no part of a solution (tests/grader/lab/holes.h).
+find "$root" -type f -path '*/solutions/*.[ch]*' -exec sed -i '/^ *\/\/>/d' {} +
+
 # The figures that their READMEs show, and scenes.
 sed -n 's|.*](\.\./\.\./\(slides-notes/figures/[^)]*\)).*|\1|p' "$root"/*/*/README.md | sort -u | copy
 git ls-files -- tests/scenes | copy
@@ -95,7 +98,9 @@ section() {
 
 title=$(sed -n 's/^  "title": "\(.*\)",$/\1/p' "labs/$lab/lab.json")
 {
-    sed -e "s/@LAB@/$lab/g" -e "s/@NUMBER@/$number/g" -e "s|@TITLE@|$title|g" tests/handout/README.in
+    # The first lab has no solutions of others.
+    [ -d "$root/solutions" ] && none= || none='/labs before/d'
+    sed -e "$none" -e "s/@LAB@/$lab/g" -e "s/@NUMBER@/$number/g" -e "s|@TITLE@|$title|g" tests/handout/README.in
     # Its first paragraph is about `make bench`, which is for authors.
     section "How fast" | awk 'BEGIN { RS = ""; ORS = "\n\n" } NR != 2'
     section "Troubleshooting"

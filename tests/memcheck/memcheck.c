@@ -162,13 +162,10 @@ static int memcheck_run(Memcheck *memcheck, const Settings *settings)
 static int has_kernels(const char *lab)
 {
     Manifest manifest;
-    int has = 0;
     if (manifest_load("labs", lab, &manifest) != 0) {
         return 0;
     }
-    for (int i = 0; i < manifest.n_files; i++) {
-        has |= strstr(manifest.files[i], ".cl") != NULL;
-    }
+    const int has = manifest_has_kernels(&manifest);
     manifest_free(&manifest);
     return has;
 }

@@ -8,6 +8,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -221,6 +222,16 @@ static int has_timed_out(const SandboxResult results[N_PASSES])
     return has;
 }
 
+// Tell at once what may take a while.
+static void say(const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vprintf(format, arguments);
+    va_end(arguments);
+    fflush(stdout);
+}
+
 int memcheck_passes(Memcheck *memcheck)
 {
     const int given = memcheck->session.settings->time_limit;
@@ -228,9 +239,13 @@ int memcheck_passes(Memcheck *memcheck)
     Allowance first = {.given_seconds = given > 0 ? given : can_ask ? SHORT_SECONDS : LONG_SECONDS};
     SandboxTime time = allowance_of(&first, STEP_RUNNING);
     SandboxResult results[N_PASSES] = {0};
+    say("Oclgrind runs the kernels twice on a small job, for races and for values never set:\n"
+        "%.0f s of processor time each at most.\n",
+        time.processor);
     int failed = passes_run(memcheck, &memcheck->whole, time, results);
     if (failed == 0 && can_ask && has_timed_out(results)) {
         SandboxTime more = time;
+        say("That was not enough. How much does the solution take? This may last minutes.\n");
         failed = ask_solution(memcheck, &more);
         if (failed == 0 && more.processor > time.processor) {
             time = more;

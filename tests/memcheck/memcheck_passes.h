@@ -4,7 +4,7 @@
 #ifndef GRADER_MEMCHECK_PASSES_H
 #define GRADER_MEMCHECK_PASSES_H
 
-#include "memcheck_advice.h"
+#include "advice.h"
 #include "oclgrind_log.h"
 #include "session.h"
 

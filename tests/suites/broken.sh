@@ -48,6 +48,7 @@ echo '    return no_such_name;' | answer implicit2DRenderer_KD.cl getContainingC
 broken "a skeleton with it gets nothing" 0
 check "and what nobody answered is called so" \
     holds "not answered yet: it stands as it was handed out"
+check "and shown as not tried" grep -q '^   --    descent-picture ' "$said"
 
 lab=02-kdtree-2d-build
 file=kdtree2d_build.c

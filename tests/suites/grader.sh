@@ -85,10 +85,13 @@ check "and says which labs are" grep -q "found no lab for .*77-none, expected .*
 
 # grade_with_seed SEED COPY: without the time it took, which is never the same.
 grade_with_seed() {
-    grade --lab 01 --submission labs/01-naive-2d --seed "$1"
+    grade --lab 01 --submission "$scratch/submission" --seed "$1"
     grep -v '^  "seconds"' "$reports/results.json" >"$2"
 }
 
+lab=01-naive-2d
+copy_lab solutions $lab
+echo '    return 0;' | answer overlaps_N_Nearer.cl overlaps_N_Nearer
 grade_with_seed 11 "$scratch/first"
 check "the seed is recorded" test "$(field seed)" = 11
 grade_with_seed 11 "$scratch/second"

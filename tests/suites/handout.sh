@@ -136,6 +136,15 @@ links() {
     [ ! -s "$scratch/dangling" ]
 }
 
+# finished FOLDER: are earlier solutions without the authors' placeholders, and does the README name their
+# folder where there is one?
+finished() {
+    ! grep -rn '^ *//>' "$1/solutions" 2>/dev/null || return 1
+    named=no
+    ! grep -q 'labs before' "$1/README.md" || named=yes
+    [ "$named" = "$([ -d "$1/solutions" ] && echo yes || echo no)" ] || { echo "labs before: $named"; return 1; }
+}
+
 # The commands that its READMEs name: does make know each target?
 commands() {
     grep -h -o 'make [A-Za-z][A-Za-z0-9_/=. -]*' "$1/README.md" "$1/labs/$2/README.md" |
@@ -177,6 +186,7 @@ for lab in $labs; do
     check "$lab: nothing of the judge's text" no_judge "$scratch/$lab"
     check "$lab: nor the solution, compiled, in its program" no_compiled_solution "$lab"
     check "$lab: one job on both kinds of processors" same_jobs "$scratch/$lab" "$lab"
+    check "$lab: earlier solutions, where there are any, as a reader wants them" finished "$scratch/$lab"
     check "$lab: no link leads nowhere" links "$scratch/$lab"
     check "$lab: make knows the commands of its READMEs" commands "$scratch/$lab" "$lab"
 done
@@ -255,6 +265,17 @@ for lab in 00-hello-pixels 02-kdtree-2d-build 07-kdtree-3d-trace; do
     ! grep -rlF "$course/" "$clean/build" >"$scratch/said"
     ok $? "$lab: no file of the course was used" "$(cat "$scratch/said")"
 done
+
+# no_device: without the device that was named nothing is judged, and the last report stays.
+no_device() {
+    cp "$clean/build/grade/07/results.json" "$scratch/last" || return 1
+    status=0
+    alone "$clean" make grade LAB=07 DEVICE=none-such >"$scratch/said" 2>&1 || status=$?
+    cat "$scratch/said"
+    [ "$status" -eq 2 ] && grep -q 'found no device "none-such"' "$scratch/said" &&
+        ! grep -q Score "$scratch/said" && cmp "$scratch/last" "$clean/build/grade/07/results.json"
+}
+check "a device that is not there is no verdict" no_device
 
 # Of other labs it says which one is here.
 refuses_lab() {

@@ -71,6 +71,8 @@ file=$scratch/submission/implicit2DRenderer_KD.cl
 cp "$scratch/filled" "$file"
 check "a kernel that does not end is cut off" \
     memchecks 1 03 "$scratch/submission" --time-limit 2
+check "how long that may take is told first" \
+    sh -c "sed -n 2p '$scratch/said' | grep -qx '2 s of processor time each at most.'"
 check "and said to be endless" grep -q "used up the 2.0 s of processor time" "$scratch/said"
 check "a folder that is not there is a fault" memchecks 2 01 "$scratch/nowhere"
 finish

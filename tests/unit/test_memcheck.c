@@ -1,8 +1,8 @@
-// grader/memcheck_job and memcheck_advice: the job for Oclgrind is small and its arrays end where
+// grader/memcheck_job and advice: the job for Oclgrind is small and its arrays end where
 // they end; a report offers Oclgrind where it may help.
+#include "advice.h"
 #include "jobs.h"
 #include "judge.h"
-#include "memcheck_advice.h"
 #include "memcheck_job.h"
 #include "message.h"
 #include "surroundings.h"
@@ -123,9 +123,8 @@ static void see(CheckResult *check, Seen seen)
     check_fail(check, diagnosis_seen(message_new("found 1"), seen.cause, seen.evidence));
 }
 
-// What the stage "Running" says after a failed check of a task, or two; `other` or NULL.
-static const char *advice_on_two(const char *file, int crashed, int is_untouched, Seen seen,
-                                 const Seen *other)
+// What is offered after a failed check of a task, or two; `other` or NULL. "" for nothing.
+static const char *advice_on_two(const char *file, int is_untouched, Seen seen, const Seen *other)
 {
     static char said[512];
     Manifest manifest = {.lab = "03-kdtree-2d-render",
@@ -133,52 +132,51 @@ static const char *advice_on_two(const char *file, int crashed, int is_untouched
                          .n_files = 1,
                          .tasks = {{.id = "descent"}},
                          .n_tasks = 1};
-    Result result = {.n_stages = 1, .n_checks = other != NULL ? 2 : 1};
-    result.stages[0] = (StageResult){"Running", CHECK_PASSED, strdup("")};
+    Result result = {.n_checks = other != NULL ? 2 : 1};
     see(&result.checks[0], seen);
     if (other != NULL) {
         see(&result.checks[1], *other);
     }
-    memcheck_advise(&manifest, crashed, &is_untouched, &result);
-    snprintf(said, sizeof said, "%s", result.stages[0].message);
+    char *advice = advice_on_pixels(&manifest, &is_untouched, &result);
+    snprintf(said, sizeof said, "%s", advice ? advice : "");
+    free(advice);
     result_free(&result);
     return said;
 }
 
-static const char *advice(const char *file, int crashed, Seen seen)
+static const char *advice(const char *file, Seen seen)
 {
-    return advice_on_two(file, crashed, 0, seen, NULL);
+    return advice_on_two(file, 0, seen, NULL);
 }
 
-Test(memcheck, is_offered_where_it_may_help)
+Test(advice, memcheck_is_offered_where_it_may_help)
 {
-    cr_expect(strstr(advice("a.cl", 1, values), "A crash: `make memcheck LAB=03`"));
-    cr_expect(strstr(advice("a.cl", 0, strange),
+    cr_expect(strstr(advice("a.cl", strange),
                      "Some pixels are wrong in no usual way: `make memcheck LAB=03`"));
-    cr_expect_str_neq(advice_on_two("a.cl", 0, 0, strange, &strange), "");
+    cr_expect_str_neq(advice_on_two("a.cl", 0, strange, &strange), "");
 }
 
-Test(memcheck, is_not_offered_where_the_cause_is_known)
+Test(advice, memcheck_is_not_offered_where_the_cause_is_known)
 {
     const Seen flipped = {EVIDENCE_PICTURE, {"flipped top to bottom", MISTAKE_FLIPPED_Y}};
     const Seen empty = {.evidence = EVIDENCE_PLAIN_PICTURE};
     const Seen unwritten = {.cause = {.mistake = MISTAKE_UNWRITTEN}};
     const Seen rays = {EVIDENCE_RAYS, {.says = "drawn as if the first sphere were missing"}};
-    cr_expect_str_eq(advice("a.cl", 0, flipped), "");
-    cr_expect_str_eq(advice("a.cl", 0, empty), "");
-    cr_expect_str_eq(advice("a.cl", 0, values), "");
-    cr_expect_str_eq(advice_on_two("a.cl", 0, 1, strange, NULL), "", "an untouched skeleton");
-    cr_expect_str_eq(advice_on_two("a.cl", 0, 0, strange, &values), "",
+    cr_expect_str_eq(advice("a.cl", flipped), "");
+    cr_expect_str_eq(advice("a.cl", empty), "");
+    cr_expect_str_eq(advice("a.cl", values), "");
+    cr_expect_str_eq(advice_on_two("a.cl", 1, strange, NULL), "", "an untouched skeleton");
+    cr_expect_str_eq(advice_on_two("a.cl", 0, strange, &values), "",
                      "a function check of the same task");
-    cr_expect_str_eq(advice_on_two("a.cl", 0, 0, strange, &unwritten), "",
+    cr_expect_str_eq(advice_on_two("a.cl", 0, strange, &unwritten), "",
                      "pixels that were not written");
-    cr_expect_str_eq(advice_on_two("a.cl", 0, 0, strange, &rays), "", "rays of the same scene");
-    cr_expect_str_eq(advice("a.c", 1, values), "", "a lab without kernels");
+    cr_expect_str_eq(advice_on_two("a.cl", 0, strange, &rays), "", "rays of the same scene");
+    cr_expect_str_eq(advice("a.c", strange), "", "a lab without kernels");
 }
 
 // A picture whose cause is another task's answer is still strange; what is known of a function says
 // nothing about pixels.
-Test(memcheck, is_offered_where_only_another_task_is_named)
+Test(advice, memcheck_is_offered_where_only_another_task_is_named)
 {
     Seen blamed = strange;
     blamed.cause.says = "search_leaf is wrong, too, and has a part in this";
@@ -188,14 +186,13 @@ Test(memcheck, is_offered_where_only_another_task_is_named)
                          .tasks = {{.id = "descent"}, {.id = "leaf_loop"}},
                          .n_tasks = 2};
     const int is_untouched[] = {0, 0};
-    Result result = {.n_stages = 1, .n_checks = 2};
-    result.stages[0] = (StageResult){"Running", CHECK_PASSED, strdup("")};
+    Result result = {.n_checks = 2};
     see(&result.checks[0], blamed);
     result.checks[0].is_explained = 0;  // as blame_others() has it
     see(&result.checks[1], (Seen){.cause = {.says = "the boundary belongs to it"}});
     result.checks[1].task = "leaf_loop";
-    memcheck_advise(&manifest, 0, is_untouched, &result);
-    cr_expect(strstr(result.stages[0].message, "Some pixels are wrong in no usual way"), "%s",
-              result.stages[0].message);
+    char *said = advice_on_pixels(&manifest, is_untouched, &result);
+    cr_expect(said != NULL && strstr(said, "Some pixels are wrong in no usual way"), "%s", said);
+    free(said);
     result_free(&result);
 }

@@ -219,6 +219,18 @@ Test(options, help_names_what_the_lab_understands)
     cr_expect_eq(folder_count(), 2, "help makes no folder");
 }
 
+// Only a scene can have a size of its own.
+Test(options, help_says_which_size_holds)
+{
+    Options options;
+    capture_begin(1);
+    parse((const char *[MAX_WORDS]){"--help"}, 0, &options);
+    cr_expect_not_null(strstr(capture_end(1), "the picture's size in pixels (640x480)"));
+    capture_begin(1);
+    parse((const char *[MAX_WORDS]){"--help"}, OPTIONS_SCENE3D, &options);
+    cr_expect_not_null(strstr(capture_end(1), "the picture's size in pixels (the scene's own)"));
+}
+
 Test(options, devices_are_listed)
 {
     Options options;

@@ -36,6 +36,23 @@ Test(report_text, is_laid_out_by_task)
     result_free(&result);
 }
 
+// To systems the checks of a task that nobody has answered have failed; to people it is no fault.
+Test(report_text, shows_what_is_not_answered_as_not_tried)
+{
+    Result result = result_make("not answered yet");
+    result.checks[1].is_unanswered = 1;
+    char *texts[] = {text_report(&result, 0), file_report(report_html, &result),
+                     file_report(report_json, &result)};
+    expect_part(texts[0], "   --    overlaps-boundary ");
+    expect_no_part(texts[0], "FAIL");
+    expect_part(texts[1], "<div class=\"check not-run\" id=\"overlaps-boundary\">");
+    expect_part(texts[2], "\"status\": \"failed\"");
+    for (int i = 0; i < 3; i++) {
+        free(texts[i]);
+    }
+    result_free(&result);
+}
+
 Test(report_text, puts_a_title_below_that_does_not_fit)
 {
     Result result = result_make("");

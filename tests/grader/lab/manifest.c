@@ -351,18 +351,33 @@ const char *manifest_hint(const Task *task, const char *check)
     return task->hint;
 }
 
-int manifest_is_host_file(const char *name)
+static int ends_with(const char *name, const char *ending)
 {
-    const char *ending = strrchr(name, '.');
-    return ending != NULL && strcmp(ending, ".c") == 0;
+    const char *last = strrchr(name, '.');
+    return last != NULL && strcmp(last, ending) == 0;
 }
 
-int manifest_has_host_files(const Manifest *manifest)
+static int has_file(const Manifest *manifest, const char *ending)
 {
     for (int i = 0; i < manifest->n_files; i++) {
-        if (manifest_is_host_file(manifest->files[i])) {
+        if (ends_with(manifest->files[i], ending)) {
             return 1;
         }
     }
     return 0;
+}
+
+int manifest_is_host_file(const char *name)
+{
+    return ends_with(name, ".c");
+}
+
+int manifest_has_host_files(const Manifest *manifest)
+{
+    return has_file(manifest, ".c");
+}
+
+int manifest_has_kernels(const Manifest *manifest)
+{
+    return has_file(manifest, ".cl");
 }

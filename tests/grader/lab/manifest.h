@@ -58,4 +58,7 @@ int manifest_is_host_file(const char *name);
 // Do students hand in host files of this lab?
 int manifest_has_host_files(const Manifest *manifest);
 
+// Do they hand in kernels? Only then a device is needed.
+int manifest_has_kernels(const Manifest *manifest);
+
 #endif

@@ -112,11 +112,12 @@ static void stages_write(FILE *page, const Result *result)
 
 static void check_write(FILE *page, const CheckResult *check)
 {
-    const char *status = check_status_name(check->status);
+    const CheckStatus shown = check_status_shown(check);
+    const char *status = check_status_name(shown);
     fprintf(page, "<div class=\"check %s\" id=\"", status);
     html_line(page, check->id);
     fprintf(page, "\"><span class=\"mark\" role=\"img\" aria-label=\"%s\">%s</span>", status,
-            status_mark(check->status));
+            status_mark(shown));
     fputs("<div><span class=\"name\">", page);
     html_line(page, check->title);
     fputs("</span> <code class=\"id\">", page);

@@ -150,9 +150,10 @@ static void check_print(const TextReport *report, const CheckResult *check)
 {
     char points[32];
     snprintf(points, sizeof points, "%d/%d", check->points, check->max_points);
-    fprintf(report->out, "   %s%-4s%s  %-*s  %7s  %s\n",
-            colour(report, status_colour(check->status)), status_mark(check->status),
-            colour(report, PLAIN), report->id_columns, check->id, points, check->title);
+    const CheckStatus status = check_status_shown(check);
+    fprintf(report->out, "   %s%-4s%s  %-*s  %7s  %s\n", colour(report, status_colour(status)),
+            status_mark(status), colour(report, PLAIN), report->id_columns, check->id, points,
+            check->title);
     message_print(report->out, check->message, MESSAGE_PROSE);
 }
 

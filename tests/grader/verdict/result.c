@@ -57,6 +57,11 @@ const char *check_status_name(CheckStatus status)
     return status == CHECK_PASSED ? "passed" : status == CHECK_FAILED ? "failed" : "not-run";
 }
 
+CheckStatus check_status_shown(const CheckResult *check)
+{
+    return check->is_unanswered ? CHECK_NOT_RUN : check->status;
+}
+
 TaskPoints result_task_points(const Result *result, const char *task)
 {
     TaskPoints sum = {0};

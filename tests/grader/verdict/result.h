@@ -42,7 +42,8 @@ typedef struct PictureResult {
 // A note about the whole submission: staged, compiled, ran.
 typedef struct StageResult {
     const char
-        *title;  // "Staging", "What stands out", "Sandbox", "Compiling", "Running", "Markers"
+        *title;  // "Staging", "What stands out", "Sandbox", "Compiling", "Running", "Markers",
+                 // "What to try next"
     CheckStatus status;
     // Compiler output with the student's own file and line, crash, time-out... Owned.
     char *message;
@@ -81,6 +82,10 @@ void check_free(CheckResult *check);
 
 // The word for a status in results.json and in reports: "passed", "failed" or "not-run".
 const char *check_status_name(CheckStatus status);
+
+// What reports for people show: nothing is wrong yet with a task that stands as it was handed out,
+// though to other systems its checks have failed.
+CheckStatus check_status_shown(const CheckResult *check);
 
 typedef struct TaskPoints {
     int points, max_points;  // sums over the task's checks

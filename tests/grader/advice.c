@@ -1,20 +1,12 @@
-// Offering `make memcheck` (see memcheck_advice.h).
-#include "memcheck_advice.h"
+// What a report offers to try next (see advice.h).
+//
+// Called by grade.c. Read next: tests/memcheck/README.md.
+#include "advice.h"
 
 #include "message.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-static int has_kernels(const Manifest *manifest)
-{
-    for (int i = 0; i < manifest->n_files; i++) {
-        if (strstr(manifest->files[i], ".cl") != NULL) {
-            return 1;
-        }
-    }
-    return 0;
-}
 
 static int is_failed(const CheckResult *check)
 {
@@ -64,22 +56,34 @@ static int has_unexplained_pixels(const Manifest *manifest, const int *is_untouc
     return n_strange > 0 && n_recognised == 0;
 }
 
-void memcheck_advise(const Manifest *manifest, int crashed, const int *is_untouched, Result *result)
+// `what` happened, and Oclgrind looks for its cause.
+static char *offer_memcheck(const Manifest *manifest, const char *what)
 {
-    if (!has_kernels(manifest) ||
-        (!crashed && !has_unexplained_pixels(manifest, is_untouched, result))) {
-        return;
+    return message_new("%s: `make memcheck LAB=%.2s` looks for indices out of range, values that "
+                       "were never set and races, at your own lines.",
+                       what, manifest->lab);
+}
+
+char *advice_after_crash(const Manifest *manifest, const char *task, int has_oclgrind)
+{
+    const Task *at = task != NULL ? manifest_task(manifest, task) : NULL;
+    const int is_on_host =
+        at != NULL ? manifest_is_host_file(at->file) : !manifest_has_kernels(manifest);
+    if (is_on_host) {
+        // Oclgrind looks at kernels only.
+        return message_new("A crash in a host file: `make SANITIZE=1 build/sanitized/labs/%s`, and "
+                           "run that program: the topmost line that names a file of yours is the "
+                           "place. The table \"Common mistakes\" in the lab's README says what "
+                           "leads there.",
+                           manifest->lab);
     }
-    for (int i = 0; i < result->n_stages; i++) {
-        StageResult *stage = &result->stages[i];
-        if (strcmp(stage->title, "Running") == 0) {
-            char *message = message_new(
-                "%s%s%s: `make memcheck LAB=%.2s` looks for indices out of range, "
-                "values that were never set and races, at your own lines.",
-                stage->message, stage->message[0] != '\0' ? "\n" : "",
-                crashed ? "A crash" : "Some pixels are wrong in no usual way", manifest->lab);
-            free(stage->message);
-            stage->message = message;
-        }
-    }
+    return has_oclgrind && manifest_has_kernels(manifest) ? offer_memcheck(manifest, "A crash")
+                                                          : NULL;
+}
+
+char *advice_on_pixels(const Manifest *manifest, const int *is_untouched, const Result *result)
+{
+    return manifest_has_kernels(manifest) && has_unexplained_pixels(manifest, is_untouched, result)
+               ? offer_memcheck(manifest, "Some pixels are wrong in no usual way")
+               : NULL;
 }

@@ -1,0 +1,24 @@
+// What a report offers a student to try next: looking for a fault with Oclgrind, which sees what a
+// device passes over in silence, or with the sanitizers on the host. Costs no points.
+#ifndef GRADER_ADVICE_H
+#define GRADER_ADVICE_H
+
+#include "manifest.h"
+#include "result.h"
+
+// Oclgrind as a driver that the OpenCL loader can be told of; without it `make memcheck` is not
+// offered.
+#define OCLGRIND_DRIVER "/usr/lib/oclgrind/liboclgrind-rt-icd.so"
+
+// After a crash at no known line.
+//   task   whose answer alone was running then; NULL where that is not known
+// Returns what to try, free() it; NULL where nothing helps.
+char *advice_after_crash(const Manifest *manifest, const char *task, int has_oclgrind);
+
+// Where the submission came to its end and drew pixels that are wrong in a way that looks like no
+// known mistake.
+//   is_untouched   for each task: does it stand as it was handed out?
+// Returns what to try, free() it; NULL where all is explained.
+char *advice_on_pixels(const Manifest *manifest, const int *is_untouched, const Result *result);
+
+#endif

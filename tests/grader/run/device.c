@@ -1,0 +1,59 @@
+// Looking for the device in the sandbox, where drivers may see less than outside (see device.h).
+#include "device.h"
+
+#include "allowance.h"
+#include "cl_setup.h"
+#include "run_end.h"
+#include "workshop_files.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { PATH_BYTES = 600 };
+
+// Run the program that looks for it, which is in the tree. NULL after one message.
+static SandboxRun *start(const Workshop *workshop, SandboxTime time)
+{
+    char tree[PATH_BYTES], device[PATH_BYTES];
+    snprintf(tree, sizeof tree, "%s/tree", workshop->folder);
+    snprintf(device, sizeof device, CL_DEVICE_VARIABLE "=%s", workshop->device);
+    const char *const argv[] = {"lib/find_device", NULL};
+    const char *const environment[] = {device, NULL};
+    const SandboxCommand command = {
+        .kind = workshop->sandbox,
+        .argv = argv,
+        .environment = environment,
+        .folder = "/work",
+        .mounts = {{tree, "/work", 0}},
+        .n_mounts = 1,
+        .time = time,
+        .memory_mb = MEMORY_MB,
+        .file_mb = FILE_MB,
+        .n_processes = N_PROCESSES,
+    };
+    return sandbox_start(&command);
+}
+
+int device_find(const Workshop *workshop)
+{
+    char from[PATH_BYTES], to[PATH_BYTES];
+    snprintf(from, sizeof from, "%s/probes/find_device", workshop->build);
+    snprintf(to, sizeof to, "%s/tree/lib/find_device", workshop->folder);
+    const SandboxTime time = allowance_ours();
+    SandboxRun *run = copy_file(from, to) == 0 ? start(workshop, time) : NULL;
+    if (run == NULL) {
+        return -1;
+    }
+    SandboxResult result = sandbox_wait(run);
+    char *end = result.outcome != SANDBOX_FAULT ? run_end_describe(&result, time) : NULL;
+    const int is_there = result.outcome == SANDBOX_EXITED && result.exit_status == 0;
+    if (!is_there) {
+        // What the program says is one line; where it said nothing, how it ended.
+        const char *why = result.output[0] != '\0' || end == NULL ? result.output : end;
+        fprintf(stderr, "grade: nothing can be judged here: %.*s\n", (int)strcspn(why, "\n"), why);
+    }
+    free(end);
+    free(result.output);
+    return is_there ? 0 : -1;
+}
