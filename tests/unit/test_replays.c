@@ -136,7 +136,8 @@ static void answer_lists(Writer *writer, const Sections *job)
     const DistributeJob *nodes = asked(job, "distribute", sizeof *nodes, &n);
     u32(*rooms)[DISTRIBUTE_ROOM] = calloc(n, sizeof *rooms);
     for (size_t i = 0; i < n; i++) {
-        const Circle *circles = asked(job, numbered("scene", 0, "circles"), 1, &n_other);
+        const Circle *circles =
+            asked(job, numbered("scene", DISTRIBUTE_SCENE, "circles"), 1, &n_other);
         list_child(circles, nodes[i].ids, nodes[i].n_ids, nodes[i].child, rooms[i]);
     }
     answer(writer, "distribute", rooms, n * sizeof *rooms);

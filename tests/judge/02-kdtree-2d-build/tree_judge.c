@@ -207,27 +207,33 @@ char *tree_judge_overlap(const JobScene *scene, const KdTree2D *own)
                                sizeof *own->nodes_BBox, "the cell");
 }
 
+// Does a leaf's list name circles of the scene, in ascending order?
+static char *judge_list(const JobScene *scene, const KdTree2D *own, u32 id)
+{
+    u32 n_ids = 0;
+    const u32 *ids = leaf_list(own, id, &n_ids);
+    if (ids == NULL) {
+        return bad_list(scene, own, id);
+    }
+    for (u32 i = 0; i < n_ids; i++) {
+        if (ids[i] >= (u32)scene->scene.n_circles) {
+            return message_new("%s: leaf %u lists circle %u, but the scene has %d",
+                               scene->picture.title, id, ids[i], scene->scene.n_circles);
+        }
+        if (i > 0 && ids[i] <= ids[i - 1]) {
+            return message_new("%s: leaf %u lists circle %u after circle %u: the ids must ascend",
+                               scene->picture.title, id, ids[i], ids[i - 1]);
+        }
+    }
+    return NULL;
+}
+
 char *tree_judge_lists(const JobScene *scene, const KdTree2D *own)
 {
     for (u32 id = 0; id < own->n_nodes; id++) {
-        u32 n_ids = 0;
-        if (is_inner(own, id)) {
-            continue;
-        }
-        const u32 *ids = leaf_list(own, id, &n_ids);
-        if (ids == NULL) {
-            return bad_list(scene, own, id);
-        }
-        for (u32 i = 0; i < n_ids; i++) {
-            if (ids[i] >= (u32)scene->scene.n_circles) {
-                return message_new("%s: leaf %u lists circle %u, but the scene has %d",
-                                   scene->picture.title, id, ids[i], scene->scene.n_circles);
-            }
-            if (i > 0 && ids[i] <= ids[i - 1]) {
-                return message_new("%s: leaf %u lists circle %u after circle %u: the ids must "
-                                   "ascend",
-                                   scene->picture.title, id, ids[i], ids[i - 1]);
-            }
+        char *message = is_inner(own, id) ? NULL : judge_list(scene, own, id);
+        if (message != NULL) {
+            return message;
         }
     }
     if (own->n_map != scene->tree.n_map) {
@@ -243,7 +249,6 @@ char *tree_judge_packing(const JobScene *scene, const KdTree2D *own)
     u32 next_id = 1, next_offset = 0;
     for (u32 id = 0; id < own->n_nodes; id++) {
         const NodeRel node = own->nodes_Relations[id];
-        u32 n_ids = 0;
         if (node.id != id) {
             return message_new("%s: the node at position %u has id %u", scene->picture.title, id,
                                node.id);
@@ -264,8 +269,9 @@ char *tree_judge_packing(const JobScene *scene, const KdTree2D *own)
             next_id += 2;
             continue;
         }
-        if (leaf_list(own, id, &n_ids) == NULL) {
-            return bad_list(scene, own, id);
+        char *message = judge_list(scene, own, id);
+        if (message != NULL) {
+            return message;
         }
         if (node.circleMapOffset != next_offset) {
             return message_new(
@@ -273,7 +279,7 @@ char *tree_judge_packing(const JobScene *scene, const KdTree2D *own)
                 "leaf before it",
                 scene->picture.title, id, node.circleMapOffset, next_offset);
         }
-        next_offset += n_ids + 1;
+        next_offset += own->mapNode2Circles[next_offset] + 1;
     }
     if (next_id != own->n_nodes || next_offset != own->n_map) {
         return message_new(
