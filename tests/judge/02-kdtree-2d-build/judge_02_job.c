@@ -230,9 +230,19 @@ static PackJob draw_pack(Random *random, int i)
     return job;
 }
 
+// Let some circles of a scene lie one upon another in its middle: no split parts them.
+static void pile_up(Scene2D *scene)
+{
+    for (int i = 20; i < 32; i++) {
+        scene->circles[i].x = (float)(scene->width / 2);
+        scene->circles[i].y = (float)(scene->height / 2);
+        scene->circles[i].radius = 16;
+    }
+}
+
 static int draw_scenes(Random *random, JobScene scenes[N_SCENES], Growth *growth)
 {
-    static const KdTreeLimits limits[N_SCENES] = {{7, 4}, {4, 1}, {9, 6}, {6, 2},
+    static const KdTreeLimits limits[N_SCENES] = {{7, 4}, {4, 1}, {16, 6}, {6, 2},
                                                   {9, 1}, {4, 1}, {1, 3}};
     int result = job_scene_random(&scenes[0], random, 150, 14, 200, 150);
     result |= job_scene_named(&scenes[1], "example", 10, 10);
@@ -246,6 +256,7 @@ static int draw_scenes(Random *random, JobScene scenes[N_SCENES], Growth *growth
         // Circles that are equal are two all the same.
         circles[1] = circles[0];
         circles[DISTRIBUTE_MAX_IDS - 1] = circles[2];
+        pile_up(&scenes[2].scene);
     }
     for (int k = 0; result == 0 && k < N_SCENES; k++) {
         scenes[k].limits = limits[k];

@@ -228,13 +228,21 @@ static char *judge_list(const JobScene *scene, const KdTree2D *own, u32 id)
     return NULL;
 }
 
+// The lists of all leaves.
+static char *judge_lists(const JobScene *scene, const KdTree2D *own)
+{
+    char *message = NULL;
+    for (u32 id = 0; message == NULL && id < own->n_nodes; id++) {
+        message = is_inner(own, id) ? NULL : judge_list(scene, own, id);
+    }
+    return message;
+}
+
 char *tree_judge_lists(const JobScene *scene, const KdTree2D *own)
 {
-    for (u32 id = 0; id < own->n_nodes; id++) {
-        char *message = is_inner(own, id) ? NULL : judge_list(scene, own, id);
-        if (message != NULL) {
-            return message;
-        }
+    char *message = judge_lists(scene, own);
+    if (message != NULL) {
+        return message;
     }
     if (own->n_map != scene->tree.n_map) {
         return message_new("%s: mapNode2Circles has %u entries, expected %u", scene->picture.title,
@@ -249,6 +257,7 @@ char *tree_judge_packing(const JobScene *scene, const KdTree2D *own)
     u32 next_id = 1, next_offset = 0;
     for (u32 id = 0; id < own->n_nodes; id++) {
         const NodeRel node = own->nodes_Relations[id];
+        u32 n_ids = 0;
         if (node.id != id) {
             return message_new("%s: the node at position %u has id %u", scene->picture.title, id,
                                node.id);
@@ -269,9 +278,8 @@ char *tree_judge_packing(const JobScene *scene, const KdTree2D *own)
             next_id += 2;
             continue;
         }
-        char *message = judge_list(scene, own, id);
-        if (message != NULL) {
-            return message;
+        if (leaf_list(own, id, &n_ids) == NULL) {
+            return bad_list(scene, own, id);
         }
         if (node.circleMapOffset != next_offset) {
             return message_new(
@@ -279,13 +287,17 @@ char *tree_judge_packing(const JobScene *scene, const KdTree2D *own)
                 "leaf before it",
                 scene->picture.title, id, node.circleMapOffset, next_offset);
         }
-        next_offset += own->mapNode2Circles[next_offset] + 1;
+        next_offset += n_ids + 1;
     }
     if (next_id != own->n_nodes || next_offset != own->n_map) {
         return message_new(
             "%s: %u node%s and %u map entries belong to the tree, but its arrays hold %u "
             "and %u",
             scene->picture.title, next_id, plural(next_id), next_offset, own->n_nodes, own->n_map);
+    }
+    char *message = judge_lists(scene, own);
+    if (message != NULL) {
+        return message;
     }
     return differs_from_oracle(scene, own, own->nodes_Relations, scene->tree.nodes_Relations,
                                sizeof *own->nodes_Relations, "its entry in nodes_Relations");

@@ -8,6 +8,7 @@
 // they lead to exactly.
 #include "judge_06.h"
 
+#include "overlap_cause.h"
 #include "random.h"
 
 // A number on a grid of 1/8, from lowest to highest.
@@ -86,8 +87,20 @@ static const SphereBoxJob points[] = {
     {{8.125f, 4, 4, 0}, {{0, 0, 0}, {8, 8, 8}}}, {{8, 8, -0.125f, 0}, {{0, 0, 0}, {8, 8, 8}}},
 };
 
-// Spheres of any place beside, in and around the cell, its size or smaller; some with a negative
-// radius.
+// Do sphere and cell share a point of their boundaries, and no more?
+static int touches(SphereBoxJob in)
+{
+    const float centre[3] = {in.sphere.x, in.sphere.y, in.sphere.z};
+    double distance2 = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        const double outside = outside_of(centre[axis], in.box.min[axis], in.box.max[axis]);
+        distance2 += outside * outside;
+    }
+    return distance2 == (double)in.sphere.radius * in.sphere.radius;
+}
+
+// Spheres of any place beside, in and around the cell, its size or smaller, none of which only
+// touches it; some with a negative radius.
 static SphereBoxJob draw_inside(Random *random, int i)
 {
     const int edge = edge_of(i, N_INSIDE, COUNT(points));
@@ -106,7 +119,10 @@ static SphereBoxJob draw_inside(Random *random, int i)
     }
     // Not among the first: a mistake that has nothing to do with them is shown without them.
     const int sign = i > N_INSIDE / 2 && i % 5 == 0 ? -1 : 1;
-    return (SphereBoxJob){sphere_at(centre, (float)sign * random_eighth(random, 1, 70)), box};
+    SphereBoxJob job = {sphere_at(centre, random_eighth(random, 1, 70)), box};
+    job.sphere.radius += touches(job) ? 0.125f : 0;
+    job.sphere.radius *= (float)sign;
+    return job;
 }
 
 // So small that every epsilon is larger.
