@@ -115,8 +115,8 @@ typedef struct PackJob {
 } PackJob;
 LAYOUT_ASSERT(PackJob, 1212);
 
-// What the tree looks like afterwards; nodes start as {id = position, rest 0}, flags as INNER, cells
-// as PACK_CELL, the map as UNTOUCHED.
+// What the tree looks like afterwards; nodes start as {id = position, rest 0}, flags as INNER,
+// cells as PACK_CELL, the map as UNTOUCHED.
 typedef struct PackAnswer {
     NodeRel relations[PACK_NODES];
     u32 flags[PACK_NODES];

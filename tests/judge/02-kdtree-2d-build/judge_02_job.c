@@ -78,7 +78,8 @@ static BBox2D draw_split(Random *random, int i)
     return box;
 }
 
-// Circles of radius 0, which are points: within the box, on its border, in its corner, and beside it.
+// Circles of radius 0, which are points: within the box, on its border, in its corner, and beside
+// it.
 static const BoxOverlapJob points[] = {
     {{.x = 4, .y = 4}, {0, 8, 0, 8}},        {{.x = 8, .y = 4}, {0, 8, 0, 8}},
     {{.x = 8, .y = 8}, {0, 8, 0, 8}},        {{.x = 8.0625f, .y = 4}, {0, 8, 0, 8}},
@@ -142,8 +143,8 @@ static BoxOverlapJob draw_boundary(Random *random, int i)
     return job;
 }
 
-// Beyond a corner: whole numbers with a² + b² = c² + 1, too large for float, which takes both sides
-// for equal; and the same and a triple, tiny.
+// Beyond a corner: whole numbers with a² + b² = c² + 1, too large for float, which takes both
+// sides for equal; and the same and a triple, tiny.
 static const BoxOverlapJob beyond[] = {
     {{.x = 64 + 738, .y = 64 + 4031, .radius = 4098}, {0, 64, 0, 64}},
     {{.x = -1576, .y = 64 + 3785, .radius = 4100}, {0, 64, 0, 64}},

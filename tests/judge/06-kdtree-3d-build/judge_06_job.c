@@ -79,8 +79,8 @@ static BBox3D draw_split(Random *random, int i)
     return cell;
 }
 
-// Spheres of radius 0, which are points: within the cell, on a side, an edge and a corner of it, and
-// beside it.
+// Spheres of radius 0, which are points: within the cell, on a side, an edge and a corner of it,
+// and beside it.
 static const SphereBoxJob points[] = {
     {{4, 4, 4, 0}, {{0, 0, 0}, {8, 8, 8}}},      {{8, 4, 4, 0}, {{0, 0, 0}, {8, 8, 8}}},
     {{8, 0, 4, 0}, {{0, 0, 0}, {8, 8, 8}}},      {{8, 8, 8, 0}, {{0, 0, 0}, {8, 8, 8}}},
@@ -173,8 +173,8 @@ static SphereBoxJob draw_touching(Random *random, int i)
     return (SphereBoxJob){sphere_at(centre, (float)distances[3]), box};
 }
 
-// Beyond edges and corners: whole numbers with a² + b² + c² = d² + 1, too large for float, which
-// takes both sides for equal; and such numbers, and four whose squares are equal, tiny.
+// Beyond edges and corners: whole numbers with a² + b² + c² = d² + 1, too large for float,
+// which takes both for equal; and such numbers, and four with a² + b² + c² = d², tiny.
 static const SphereBoxJob beyond[] = {
     {{64 + 738, 64 + 4031, 32, 4098}, {{0, 0, 0}, {64, 64, 64}}},
     {{64 + 1759, -2456, 64 + 2772, 4100}, {{0, 0, 0}, {64, 64, 64}}},

@@ -2,6 +2,7 @@
 // task: distribute
 // caught by: distribute-list
 // says: circles that are equal
+// looks: missing-in-cell
     u32 n_child_ids = 0;
     for (u32 i = 0; i < n_ids; i++) {
         const Circle c = h_circles[ids[i]];
