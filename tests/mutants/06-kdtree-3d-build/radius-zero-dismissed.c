@@ -2,7 +2,6 @@
 // task: sphere_overlaps_box
 // caught by: overlap-inside
 // says: radius 0
-// looks: missing-in-cell
     if (sphere.radius == 0) {
         return 0;
     }
