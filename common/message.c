@@ -1,22 +1,26 @@
 // Messages on the heap.
 #include "message.h"
 
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-char *message_new(const char *format, ...)
+char *message_new_from(const char *format, va_list arguments)
 {
     char *text = NULL;
-    va_list arguments;
-    va_start(arguments, format);
-    const int length = vasprintf(&text, format, arguments);
-    va_end(arguments);
-    if (length < 0) {
+    if (vasprintf(&text, format, arguments) < 0) {
         fprintf(stderr, "grade: no memory for a message\n");
         exit(2);
     }
+    return text;
+}
+
+char *message_new(const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    char *text = message_new_from(format, arguments);
+    va_end(arguments);
     return text;
 }
 
@@ -41,9 +45,4 @@ char *message_show(const char *text, char *shown, size_t n_bytes)
         }
     }
     return shown;
-}
-
-int message_names_cause(const char *message)
-{
-    return strstr(message, MESSAGE_CAUSE) != NULL;
 }

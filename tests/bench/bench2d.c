@@ -2,19 +2,19 @@
 //
 //     build/tools/bench2d [--device D] [--rounds N] [--output FOLDER]       or: make bench
 //
-// Variants are drawn in turn within each round, so that what else the machine does falls on all of
+// Cases are drawn in turn within each round, so that what else the machine does falls on all of
 // them: trust the ratios more than the milliseconds. In the first round every kd-tree picture is
 // compared with the naive one of the same scene, bit by bit; where one differs there are no
 // figures.
-// Read next: variant.h, report.c.
+// Read next: case2d.h, report.c.
 #include "bench_options.h"
+#include "case2d.h"
 #include "cl_memory.h"
 #include "equal_pixels.h"
 #include "image.h"
 #include "launch.h"
 #include "report.h"
 #include "rounds.h"
-#include "variant.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -46,45 +46,45 @@ static const KdTreeLimits LIMITS[] = {{8, 8},   {10, 8},  {12, 8}, {14, 8}, {18,
                                       {16, 32}, {16, 16}, {16, 4}, {20, 4}};
 enum { N_LIMITS = sizeof LIMITS / sizeof *LIMITS };
 
-enum { MAX_VARIANTS = 1 + 2 * N_SCENES + N_LIMITS };
+enum { MAX_CASES = 1 + 2 * N_SCENES + N_LIMITS };
 
 static const KdTreeLimits USUAL_LIMITS = {OPTIONS_DEFAULT_MAX_DEPTH, OPTIONS_DEFAULT_LEAF_SIZE};
 
 typedef struct Bench {
     ClSetup cl;
-    cl_program programs[N_VARIANT_KINDS];
+    cl_program programs[N_CASE2D_KINDS];
     cl_mem d_image;
     Image picture, naive_picture;  // read back for the comparison
     int n_naive_rows;              // of naive_picture that are drawn
     Scene2D scenes[N_SCENES];
-    Variant variants[MAX_VARIANTS];
-    int n_variants;
+    Case2D cases[MAX_CASES];
+    int n_cases;
 } Bench;
 
-static void add_variant(Bench *bench, Variant variant)
+static void add_case(Bench *bench, Case2D bench_case)
 {
-    bench->variants[bench->n_variants++] = variant;
+    bench->cases[bench->n_cases++] = bench_case;
 }
 
-// The list of variants. A scene's naive one comes right before those that are compared with it.
-static void list_variants(Bench *bench)
+// The list of cases. A scene's naive one comes right before those that are compared with it.
+static void list_cases(Bench *bench)
 {
     for (int i = 0; i < N_SCENES; i++) {
         const Scene2D *scene = &bench->scenes[i];
-        Variant naive = {.kind = NAIVE, .scene = scene, .n_frames = 1};
+        Case2D naive = {.kind = NAIVE, .scene = scene, .n_frames = 1};
         naive.n_rows = device_is_cpu(&bench->cl) ? SCENES[i].n_cpu_rows : SIDE;
-        add_variant(bench, naive);
-        Variant kdtree = {.kind = KDTREE, .scene = scene, .n_frames = 10, .n_rows = SIDE};
+        add_case(bench, naive);
+        Case2D kdtree = {.kind = KDTREE, .scene = scene, .n_frames = 10, .n_rows = SIDE};
         kdtree.limits = USUAL_LIMITS;
-        add_variant(bench, kdtree);
+        add_case(bench, kdtree);
         for (int j = 0; j < N_LIMITS && scene->n_circles == SCENE2D_DEFAULT_CIRCLES; j++) {
             kdtree.n_frames = 5;
             kdtree.limits = LIMITS[j];
-            add_variant(bench, kdtree);
+            add_case(bench, kdtree);
         }
     }
-    Variant fill = {.kind = FILL, .scene = &bench->scenes[0], .n_frames = 10, .n_rows = SIDE};
-    add_variant(bench, fill);
+    Case2D fill = {.kind = FILL, .scene = &bench->scenes[0], .n_frames = 10, .n_rows = SIDE};
+    add_case(bench, fill);
 }
 
 // Everything up to the first frame. Returns 0, or -1 after one message.
@@ -105,10 +105,9 @@ static int bench_prepare(Bench *bench, const char *device)
             return -1;
         }
     }
-    list_variants(bench);
-    for (int i = 0; i < bench->n_variants; i++) {
-        if (variant_prepare(&bench->variants[i], &bench->cl, bench->programs, bench->d_image) !=
-            0) {
+    list_cases(bench);
+    for (int i = 0; i < bench->n_cases; i++) {
+        if (case2d_prepare(&bench->cases[i], &bench->cl, bench->programs, bench->d_image) != 0) {
             return -1;
         }
     }
@@ -117,8 +116,8 @@ static int bench_prepare(Bench *bench, const char *device)
 
 static void bench_free(Bench *bench)
 {
-    for (int i = 0; i < bench->n_variants; i++) {
-        variant_free(&bench->variants[i]);
+    for (int i = 0; i < bench->n_cases; i++) {
+        case2d_free(&bench->cases[i]);
     }
     for (int i = 0; i < N_SCENES; i++) {
         scene2d_free(&bench->scenes[i]);
@@ -134,48 +133,48 @@ static void bench_free(Bench *bench)
 
 // ---- Equal pixels ---------------------------------------------------------------------------
 
-// Compare what a kd-tree variant has just drawn with the naive picture of its scene; a naive
-// variant's picture becomes that. Returns 0, or -1 after one message.
-static int check_picture(Bench *bench, const Variant *variant)
+// Compare what a kd-tree case has just drawn with the naive picture of its scene; a naive
+// case's picture becomes that. Returns 0, or -1 after one message.
+static int check_picture(Bench *bench, const Case2D *bench_case)
 {
-    if (variant->kind == FILL) {
+    if (bench_case->kind == FILL) {
         return 0;
     }
-    Image *picture = variant->kind == NAIVE ? &bench->naive_picture : &bench->picture;
+    Image *picture = bench_case->kind == NAIVE ? &bench->naive_picture : &bench->picture;
     read_image(&bench->cl, bench->d_image, picture);
-    if (variant->kind == NAIVE) {
-        bench->n_naive_rows = variant->n_rows;
+    if (bench_case->kind == NAIVE) {
+        bench->n_naive_rows = bench_case->n_rows;
         return 0;
     }
     char name[128];
     snprintf(name, sizeof name, "bench2d: kd-tree, %d circles, --max-depth %d --leaf-size %d",
-             variant->scene->n_circles, variant->limits.maxDepth,
-             variant->limits.targetElementsPerNode);
+             bench_case->scene->n_circles, bench_case->limits.maxDepth,
+             bench_case->limits.targetElementsPerNode);
     return equal_pixels(picture, &bench->naive_picture, bench->n_naive_rows, name);
 }
 
 // ---- Rounds ---------------------------------------------------------------------------------
 
-// One variant's part of a round. Returns 0, or -1 after one message.
-static int measure(Bench *bench, Variant *variant, int round)
+// One case's part of a round. Returns 0, or -1 after one message.
+static int measure(Bench *bench, Case2D *bench_case, int round)
 {
     if (round == 0) {
         spoil_image(&bench->cl, bench->d_image, SIDE, SIDE);
     }
-    for (int i = 0; i < variant->n_frames; i++) {
-        series_add(&variant->frames, variant_draw(variant, &bench->cl));
-        if (round == 0 && i == 0 && check_picture(bench, variant) != 0) {
+    for (int i = 0; i < bench_case->n_frames; i++) {
+        series_add(&bench_case->frames, case2d_draw(bench_case, &bench->cl));
+        if (round == 0 && i == 0 && check_picture(bench, bench_case) != 0) {
             return -1;
         }
     }
-    series_end_round(&variant->frames);
-    if (variant->kind == KDTREE) {
-        const double ms = variant_time_build(variant);
+    series_end_round(&bench_case->frames);
+    if (bench_case->kind == KDTREE) {
+        const double ms = case2d_time_build(bench_case);
         if (ms < 0) {
             return -1;
         }
-        series_add(&variant->builds, ms);
-        series_end_round(&variant->builds);
+        series_add(&bench_case->builds, ms);
+        series_end_round(&bench_case->builds);
     }
     return 0;
 }
@@ -183,8 +182,8 @@ static int measure(Bench *bench, Variant *variant, int round)
 static int measure_round(void *shared, int round)
 {
     Bench *bench = shared;
-    for (int i = 0; i < bench->n_variants; i++) {
-        if (measure(bench, &bench->variants[i], round) != 0) {
+    for (int i = 0; i < bench->n_cases; i++) {
+        if (measure(bench, &bench->cases[i], round) != 0) {
             return -1;
         }
     }
@@ -212,8 +211,8 @@ int main(int argc, char **argv)
                             "; all pictures are equal, to the bit");
     }
     if (result == 0) {
-        report_print(bench.variants, bench.n_variants, bench.cl.device_name);
-        result = report_write_csv(bench.variants, bench.n_variants, options.folder);
+        report_print(bench.cases, bench.n_cases, bench.cl.device_name);
+        result = report_write_csv(bench.cases, bench.n_cases, options.folder);
     }
     bench_free(&bench);
     return result == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

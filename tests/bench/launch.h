@@ -1,7 +1,7 @@
 // Starting a kernel over a part of the picture and reading it back, and what the bench asks of a
 // device.
 //
-// Used by variant.c and case3d.c.
+// Used by case2d.c and case3d.c.
 #ifndef BENCH_LAUNCH_H
 #define BENCH_LAUNCH_H
 

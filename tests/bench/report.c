@@ -11,44 +11,44 @@
 #define LECTURE_KDTREE_FPS 311.0
 #define LECTURE_RATIO 124.0
 
-static Spread frame_ms(const Variant *variant)
+static Spread frame_ms(const Case2D *bench_case)
 {
-    return spread_of(variant->frames.ms, variant->frames.n);
+    return spread_of(bench_case->frames.ms, bench_case->frames.n);
 }
 
-static double fps(const Variant *variant)
+static double fps(const Case2D *bench_case)
 {
-    return 1e3 / frame_ms(variant).median;
+    return 1e3 / frame_ms(bench_case).median;
 }
 
-static int has_usual_limits(const Variant *variant)
+static int has_usual_limits(const Case2D *bench_case)
 {
-    return variant->limits.maxDepth == OPTIONS_DEFAULT_MAX_DEPTH &&
-           variant->limits.targetElementsPerNode == OPTIONS_DEFAULT_LEAF_SIZE;
+    return bench_case->limits.maxDepth == OPTIONS_DEFAULT_MAX_DEPTH &&
+           bench_case->limits.targetElementsPerNode == OPTIONS_DEFAULT_LEAF_SIZE;
 }
 
-// The first variant of a kind and number of circles; a kd-tree of usual limits.
-static const Variant *find(const Variant *variants, VariantKind kind, int n_circles)
+// The first case of a kind and number of circles; a kd-tree of usual limits.
+static const Case2D *find(const Case2D *cases, Case2DKind kind, int n_circles)
 {
-    const Variant *variant = variants;
-    while (variant->kind != kind || variant->scene->n_circles != n_circles ||
-           (kind == KDTREE && !has_usual_limits(variant))) {
-        variant++;
+    const Case2D *bench_case = cases;
+    while (bench_case->kind != kind || bench_case->scene->n_circles != n_circles ||
+           (kind == KDTREE && !has_usual_limits(bench_case))) {
+        bench_case++;
     }
-    return variant;
+    return bench_case;
 }
 
 // ---- For people -----------------------------------------------------------------------------
 
-static void print_spread(const Variant *variant)
+static void print_spread(const Case2D *bench_case)
 {
-    const Spread ms = frame_ms(variant);
-    printf("  %9.2f  (%.2f to %.2f, %d %s)\n", ms.median, ms.min, ms.max, variant->frames.n,
-           variant->frames.n == 1 ? "frame" : "frames");
+    const Spread ms = frame_ms(bench_case);
+    printf("  %9.2f  (%.2f to %.2f, %d %s)\n", ms.median, ms.min, ms.max, bench_case->frames.n,
+           bench_case->frames.n == 1 ? "frame" : "frames");
 }
 
 // The lecture's comparison; every ratio that is printed is the median of the single rounds' ratios.
-static void print_comparison(const Variant *naive, const Variant *kdtree, const char *device_name)
+static void print_comparison(const Case2D *naive, const Case2D *kdtree, const char *device_name)
 {
     const Spread ratio = series_ratio(&naive->frames, &kdtree->frames);
     printf("\nFrames a second, %d circles, radius 2 to 20 px\n", naive->scene->n_circles);
@@ -59,7 +59,7 @@ static void print_comparison(const Variant *naive, const Variant *kdtree, const 
            LECTURE_KDTREE_FPS, LECTURE_RATIO);
 }
 
-static void print_milliseconds(const Variant *naive, const Variant *kdtree, const Variant *fill)
+static void print_milliseconds(const Case2D *naive, const Case2D *kdtree, const Case2D *fill)
 {
     printf("\nMilliseconds a frame: median (smallest to largest)\n");
     printf("  naive             ");
@@ -72,28 +72,29 @@ static void print_milliseconds(const Variant *naive, const Variant *kdtree, cons
 }
 
 // How deep is best? All limits for the lecture's scene.
-static void print_trees(const Variant *variants, int n_variants, const Variant *naive)
+static void print_trees(const Case2D *cases, int n_cases, const Case2D *naive)
 {
-    const Variant *best = NULL;
-    for (int i = 0; i < n_variants; i++) {
-        if (variants[i].kind == KDTREE && variants[i].scene == naive->scene &&
-            (best == NULL || fps(&variants[i]) > fps(best))) {
-            best = &variants[i];
+    const Case2D *best = NULL;
+    for (int i = 0; i < n_cases; i++) {
+        if (cases[i].kind == KDTREE && cases[i].scene == naive->scene &&
+            (best == NULL || fps(&cases[i]) > fps(best))) {
+            best = &cases[i];
         }
     }
     printf("\nHow deep is best? The same scene with other limits\n");
     printf("  %9s  %9s  %6s  %8s  %10s  %8s  %8s  %6s\n", "max-depth", "leaf-size", "levels",
            "nodes", "references", "build ms", "frame ms", "ratio");
-    for (int i = 0; i < n_variants; i++) {
-        const Variant *variant = &variants[i];
-        if (variant->kind == KDTREE && variant->scene == naive->scene) {
+    for (int i = 0; i < n_cases; i++) {
+        const Case2D *bench_case = &cases[i];
+        if (bench_case->kind == KDTREE && bench_case->scene == naive->scene) {
             printf("  %9d  %9d  %6d  %8u  %10u  %8.2f  %8.2f  %6.0f%s%s\n",
-                   variant->limits.maxDepth, variant->limits.targetElementsPerNode, variant->depth,
-                   variant->n_nodes, variant->n_references,
-                   spread_of(variant->builds.ms, variant->builds.n).median,
-                   frame_ms(variant).median, series_ratio(&naive->frames, &variant->frames).median,
-                   has_usual_limits(variant) ? "  the labs' own" : "",
-                   variant == best ? "  fastest" : "");
+                   bench_case->limits.maxDepth, bench_case->limits.targetElementsPerNode,
+                   bench_case->depth, bench_case->n_nodes, bench_case->n_references,
+                   spread_of(bench_case->builds.ms, bench_case->builds.n).median,
+                   frame_ms(bench_case).median,
+                   series_ratio(&naive->frames, &bench_case->frames).median,
+                   has_usual_limits(bench_case) ? "  the labs' own" : "",
+                   bench_case == best ? "  fastest" : "");
         }
     }
     printf(
@@ -101,15 +102,15 @@ static void print_trees(const Variant *variants, int n_variants, const Variant *
         "  steps down, and memory that no cache holds, for lists that hardly get shorter.\n");
 }
 
-static void print_growth(const Variant *variants, int n_variants)
+static void print_growth(const Case2D *cases, int n_cases)
 {
     printf(
         "\nGrowth: milliseconds a frame; the more circles the smaller, covering the same area\n");
     printf("  %9s  %10s  %10s  %7s\n", "circles", "naive", "kd-tree", "ratio");
-    for (int i = 0; i < n_variants; i++) {
-        if (variants[i].kind == NAIVE) {
-            const Variant *naive = &variants[i];
-            const Variant *kdtree = find(variants, KDTREE, naive->scene->n_circles);
+    for (int i = 0; i < n_cases; i++) {
+        if (cases[i].kind == NAIVE) {
+            const Case2D *naive = &cases[i];
+            const Case2D *kdtree = find(cases, KDTREE, naive->scene->n_circles);
             printf("  %9d  %10.2f  %10.2f  %7.1f", naive->scene->n_circles, frame_ms(naive).median,
                    frame_ms(kdtree).median, series_ratio(&naive->frames, &kdtree->frames).median);
             if (naive->n_rows < naive->scene->height) {
@@ -120,45 +121,47 @@ static void print_growth(const Variant *variants, int n_variants)
     }
 }
 
-void report_print(const Variant *variants, int n_variants, const char *device_name)
+void report_print(const Case2D *cases, int n_cases, const char *device_name)
 {
-    const Variant *naive = find(variants, NAIVE, SCENE2D_DEFAULT_CIRCLES);
-    const Variant *kdtree = find(variants, KDTREE, SCENE2D_DEFAULT_CIRCLES);
+    const Case2D *naive = find(cases, NAIVE, SCENE2D_DEFAULT_CIRCLES);
+    const Case2D *kdtree = find(cases, KDTREE, SCENE2D_DEFAULT_CIRCLES);
     print_comparison(naive, kdtree, device_name);
-    print_milliseconds(naive, kdtree, &variants[n_variants - 1]);
-    print_trees(variants, n_variants, naive);
-    print_growth(variants, n_variants);
+    print_milliseconds(naive, kdtree, &cases[n_cases - 1]);
+    print_trees(cases, n_cases, naive);
+    print_growth(cases, n_cases);
 }
 
 // ---- For the plot ---------------------------------------------------------------------------
 
-static void write_row(FILE *file, const Variant *variant)
+static void write_row(FILE *file, const Case2D *bench_case)
 {
-    const Spread ms = frame_ms(variant);
-    fprintf(file, "%s,", VARIANT_NAMES[variant->kind]);
-    if (variant->kind != FILL) {
-        fprintf(file, "%d", variant->scene->n_circles);
+    const Spread ms = frame_ms(bench_case);
+    fprintf(file, "%s,", CASE2D_NAMES[bench_case->kind]);
+    if (bench_case->kind != FILL) {
+        fprintf(file, "%d", bench_case->scene->n_circles);
     }
-    if (variant->kind == KDTREE) {
-        fprintf(file, ",%d,%d", variant->limits.maxDepth, variant->limits.targetElementsPerNode);
+    if (bench_case->kind == KDTREE) {
+        fprintf(file, ",%d,%d", bench_case->limits.maxDepth,
+                bench_case->limits.targetElementsPerNode);
     } else {
         fprintf(file, ",,");
     }
-    fprintf(file, ",%.4f,%.4f,%.4f,%.4f\n", ms.median, ms.min, ms.max, fps(variant));
+    fprintf(file, ",%.4f,%.4f,%.4f,%.4f\n", ms.median, ms.min, ms.max, fps(bench_case));
 }
 
 // The order of the rows: a kd-tree of other limits belongs to no curve.
 enum RowGroup { NAIVE_ROWS, USUAL_KDTREE_ROWS, OTHER_ROWS, N_ROW_GROUPS };
 
-static enum RowGroup row_group(const Variant *variant)
+static enum RowGroup row_group(const Case2D *bench_case)
 {
-    if (variant->kind == NAIVE) {
+    if (bench_case->kind == NAIVE) {
         return NAIVE_ROWS;
     }
-    return variant->kind == KDTREE && has_usual_limits(variant) ? USUAL_KDTREE_ROWS : OTHER_ROWS;
+    return bench_case->kind == KDTREE && has_usual_limits(bench_case) ? USUAL_KDTREE_ROWS
+                                                                      : OTHER_ROWS;
 }
 
-int report_write_csv(const Variant *variants, int n_variants, const char *folder)
+int report_write_csv(const Case2D *cases, int n_cases, const char *folder)
 {
     char path[4096];
     OutputFile output;
@@ -168,9 +171,9 @@ int report_write_csv(const Variant *variants, int n_variants, const char *folder
     }
     fprintf(output.file, "variant,n_circles,max_depth,leaf_size,median_ms,min_ms,max_ms,fps\n");
     for (int group = 0; group < N_ROW_GROUPS; group++) {
-        for (int i = 0; i < n_variants; i++) {
-            if ((int)row_group(&variants[i]) == group) {
-                write_row(output.file, &variants[i]);
+        for (int i = 0; i < n_cases; i++) {
+            if ((int)row_group(&cases[i]) == group) {
+                write_row(output.file, &cases[i]);
             }
         }
     }

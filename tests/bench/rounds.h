@@ -1,5 +1,5 @@
 // Rounds: everything is measured in turn, then all of it again, so that what else the machine does
-// falls on all variants: trust the ratios more than the milliseconds.
+// falls on all cases: trust the ratios more than the milliseconds.
 //
 // Read next: series.h.
 #ifndef BENCH_ROUNDS_H

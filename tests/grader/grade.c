@@ -37,8 +37,8 @@ static void start_result(Grading *grading, const Settings *settings)
                                           .title = check->title,
                                           .task = check->task,
                                           .max_points = check->points,
-                                          .status = CHECK_NOT_RUN,
-                                          .message = message_new("%s", "")};
+                                          .status = CHECK_NOT_RUN};
+        check_tell(&result->checks[i], NOTHING_WRONG);
         result->max_score += check->points;
     }
 }

@@ -44,9 +44,6 @@ int grading_try_alone(Grading *grading);
 // by the caller.
 char *grading_answer(const Grading *grading, const Task *task);
 
-void check_pass(CheckResult *check);
-void check_fail(CheckResult *check, const char *message);
-
 // Write results.json, report.html and pictures into a folder, which is made, and the summary to
 // stdout. Returns 0, or -1 after one message.
 int grading_write(const Grading *grading, const char *output);

@@ -165,11 +165,12 @@ static int may_count(const Grading *grading, int i, const int is_task_wrong[])
 // What is said of a check that failed alone, too, or that failed by nobody else's fault.
 static void note_own(const Grading *grading, const Variant *alone, int passes, CheckResult *check)
 {
+    static const Cause not_yet = {
+        .says = "what is wrong can be said once the whole program comes this far"};
     check->is_own = !passes || is_finished(grading);
     // What does not compile is told once, under "Compiling".
     if (check->is_own && check->status == CHECK_NOT_RUN && alone->build_log == NULL) {
-        check_fail(check, "it fails by itself, too; what is wrong can be said once the whole "
-                          "program comes this far");
+        check_fail(check, diagnosis_of(message_new("it fails by itself, too"), not_yet));
     }
 }
 
@@ -193,8 +194,8 @@ static void settle(Grading *grading, int t, const int is_task_wrong[])
         if (points > whole_points && counts[i]) {
             check_pass(check);
         } else if (points > whole_points && check->status == CHECK_PASSED) {
-            check_fail(check, "it passes together with your other answers, and not by itself: then "
-                              "the task earned more");
+            check_fail(check, diagnosis_new("it passes together with your other answers, and not "
+                                            "by itself: then the task earned more"));
         } else if (check->status != CHECK_PASSED) {
             note_own(grading, &grading->alone[t], alone->passes[i], check);
         }

@@ -13,20 +13,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define NO_ANSWER "no answer: "
-
 enum { PATH_BYTES = 600 };
 
 // ---- The whole ----------------------------------------------------------------------------------
 
-// Judge every check. An end before its time is told once.
 static void judge_whole(Grading *grading)
 {
-    Variant *whole = &grading->whole;
     for (int i = 0; i < grading->result.n_checks; i++) {
-        CheckResult *check = &grading->result.checks[i];
-        session_judge(&grading->session, i, whole, check);
-        whole->is_told |= strncmp(check->message, NO_ANSWER, strlen(NO_ANSWER)) == 0;
+        session_judge(&grading->session, i, &grading->whole, &grading->result.checks[i]);
     }
 }
 
@@ -88,22 +82,6 @@ static int is_untouched(const Grading *grading, const Task *task, const char *an
     return is_same;
 }
 
-void check_pass(CheckResult *check)
-{
-    check->status = CHECK_PASSED;
-    check->points = check->max_points;
-    free(check->message);
-    check->message = message_new("%s", "");
-}
-
-void check_fail(CheckResult *check, const char *message)
-{
-    check->status = CHECK_FAILED;
-    check->points = 0;
-    free(check->message);
-    check->message = message_new("%s", message);
-}
-
 // Where the whole did not run to its end, nothing else is to be said about a task that stands as it
 // was handed out.
 static void note_unanswered(Grading *grading, const char *task)
@@ -112,8 +90,7 @@ static void note_unanswered(Grading *grading, const char *task)
     for (int i = 0; i < grading->result.n_checks && has_failed; i++) {
         CheckResult *check = &grading->result.checks[i];
         if (check->status != CHECK_PASSED && strcmp(check->task, task) == 0) {
-            free(check->message);
-            check->message = message_new("not answered yet: it stands as it was handed out");
+            check_tell(check, diagnosis_new("not answered yet: it stands as it was handed out"));
         }
     }
 }
@@ -131,9 +108,9 @@ static void refuse_unanswered(Grading *grading)
             CheckResult *check = &grading->result.checks[i];
             check->is_unanswered |= strcmp(check->task, task->id) == 0;
             if (check->status == CHECK_PASSED && strcmp(check->task, task->id) == 0) {
-                check_fail(check,
-                           "not answered yet: it stands as it was handed out, and what passed "
-                           "here is the work of another task's answer");
+                check_fail(check, diagnosis_new("not answered yet: it stands as it was handed out, "
+                                                "and what passed here is the work of another "
+                                                "task's answer"));
             }
         }
         if (grading->is_untouched[t]) {

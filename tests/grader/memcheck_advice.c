@@ -18,20 +18,22 @@ static int has_kernels(const Manifest *manifest)
 
 static int is_failed(const CheckResult *check)
 {
-    return check->status == CHECK_FAILED && check->message != NULL;
+    return check->status == CHECK_FAILED;
 }
 
 static int is_of_pixels(const CheckResult *check)
 {
-    return strstr(check->message, "pixels differ") != NULL;
+    return check->diagnosis.evidence == EVIDENCE_PICTURE ||
+           check->diagnosis.evidence == EVIDENCE_PLAIN_PICTURE;
 }
 
-// Was it seen in the picture what is wrong with it? That it holds no numbers explains nothing.
+// Was it seen in a scene what is wrong with it?
 static int is_recognised(const CheckResult *check)
 {
-    return strstr(check->message, "nobody wrote") != NULL ||
-           (strstr(check->message, "it looks") != NULL &&
-            strstr(check->message, "not a number") == NULL);
+    const Diagnosis *diagnosis = &check->diagnosis;
+    return diagnosis->mistake == MISTAKE_UNWRITTEN ||
+           diagnosis->evidence == EVIDENCE_PLAIN_PICTURE ||
+           (diagnosis->evidence != EVIDENCE_VALUES && check->is_explained);
 }
 
 // Are pixels of this task wrong, while all that is asked of its functions is right?

@@ -3,7 +3,6 @@
 
 #include "holes.h"
 #include "kept_answers.h"
-#include "message.h"
 #include "sandbox.h"
 #include "secrets.h"
 #include "skeleton.h"
@@ -180,11 +179,12 @@ static int trust_answers(JudgeProcess *judge, Answers answers)
     for (int i = 0; i < judge->n_checks; i++) {
         Verdict verdict = judge_verdict(judge, answers, i);
         if (verdict.kind != VERDICT_PASSED) {
+            char *message = diagnosis_text(&verdict.diagnosis);
             fprintf(stderr,
                     "grade: the solution itself fails %s on this device (seed %" PRIu64 "): %s\n",
-                    judge->checks[i].id, judge->seed,
-                    verdict.message ? verdict.message : "no answer");
-            free(verdict.message);
+                    judge->checks[i].id, judge->seed, message[0] != '\0' ? message : "no answer");
+            free(message);
+            diagnosis_free(&verdict.diagnosis);
             return -1;
         }
     }
@@ -238,46 +238,43 @@ static int ended_elsewhere(const Variant *variant, const char *task)
 }
 
 // Why a check got no answer from a variant.
-static char *describe_missing(const Variant *variant, const char *task)
+static Diagnosis describe_missing(const Variant *variant, const char *task)
 {
     const RunPlace *place = &variant->place;
     if (variant->build_log != NULL) {
-        return message_new("not tried: it does not compile");
+        return diagnosis_new("not tried: it does not compile");
     }
     if (variant->trouble == NULL) {
-        return message_new("no answer: the program said nothing about it");
+        return diagnosis_new("no answer: the program said nothing about it");
     }
     if (!variant->is_told) {
-        return message_new("no answer: %s%s%s%s%s%s", variant->trouble, place->where ? " (" : "",
-                           place->where ? place->where : "", place->with[0] ? ", " : "",
-                           place->with, place->where ? ")" : "");
+        return diagnosis_new("no answer: %s%s%s%s%s%s", variant->trouble, place->where ? " (" : "",
+                             place->where ? place->where : "", place->with[0] ? ", " : "",
+                             place->with, place->where ? ")" : "");
     }
-    return message_new("%s: the program had ended%s%s",
-                       ended_elsewhere(variant, task) ? "not reached" : "no answer",
-                       place->where ? " " : " before", place->where ? place->where : "");
+    return diagnosis_new("%s: the program had ended%s%s",
+                         ended_elsewhere(variant, task) ? "not reached" : "no answer",
+                         place->where ? " " : " before", place->where ? place->where : "");
 }
 
 // Note what a verdict says about the task of a check.
 static void take_verdict(const Variant *variant, const char *task, Verdict verdict,
                          CheckResult *result)
 {
-    free(result->message);
+    result->is_explained = verdict.kind == VERDICT_MISSING || verdict.diagnosis.cause != NULL;
     if (verdict.kind == VERDICT_PASSED) {
-        result->status = CHECK_PASSED;
-        result->points = result->max_points;
-        result->message = message_new("%s", "");
+        check_pass(result);
     } else if (verdict.kind == VERDICT_FAILED) {
         result->status = CHECK_FAILED;
-        result->message = verdict.message;
+        check_tell(result, verdict.diagnosis);
     } else {
         // A crash or an endless loop is the answer's own fault; what does not compile was not
         // tried, nor what comes behind the crash of another task's answer.
         result->status = variant->trouble != NULL && !ended_elsewhere(variant, task)
                              ? CHECK_FAILED
                              : CHECK_NOT_RUN;
-        result->message = describe_missing(variant, task);
+        check_tell(result, describe_missing(variant, task));
     }
-    result->is_explained = verdict.kind == VERDICT_MISSING || message_names_cause(result->message);
 }
 
 void session_judge(Session *session, int i, const Variant *variant, CheckResult *result)

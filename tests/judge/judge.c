@@ -109,7 +109,7 @@ int job_write_alone(const Job *job, const char *task, FILE *file)
 
 static Verdict judge_scenes(const Job *job, const JudgeCheck *check, const Sections *answers)
 {
-    Verdict verdict = verdict_of(NULL);
+    Verdict verdict = verdict_passed;
     for (int i = 0; verdict.kind == VERDICT_PASSED && i < check->range.n; i++) {
         const int k = range_at(check->range, i);
         verdict = check->tree != NULL ? check->tree(job, k, check, answers)

@@ -42,8 +42,8 @@ typedef struct JudgeCheck {
                     const Sections *answers);
     Verdict (*all)(const void *job, const Sections *answers);
     Range range;  // of inputs or scenes; none for all
-    char *(*tree2d)(const struct JobScene *scene, const struct KdTree2D *own);     // lab 02
-    char *(*tree3d)(const struct TreeScene3D *scene, const struct KdTree3D *own);  // lab 06
+    Diagnosis (*tree2d)(const struct JobScene *scene, const struct KdTree2D *own);     // lab 02
+    Diagnosis (*tree3d)(const struct TreeScene3D *scene, const struct KdTree3D *own);  // lab 06
 
     // The same by what the answer to its task does alone (grader/alone.h): all of it, scene by
     // scene, or in a replay. Where none is set, it is judged as in the whole.

@@ -12,7 +12,8 @@
 //     job TASK 0     what it shall try of one task's answer alone
 //     answers - N    hold these N bytes: what a probe answered. An empty reply, as for adopt
 //     verdict I 0    check number I by the answers held: a section "passed", "missing" or "failed",
-//                    the last with the message
+//                    the last with a SentKinds; and of a failed one "found" and, where it is known,
+//                    "cause" (grader/verdict/diagnosis.h)
 //     alone I 0      does check number I pass by what one answer did alone? "passed" or "failed"
 //     adopt - 0      compare pictures with those held from now on
 //     pictures - 0   sections "title", "reference", "own", "svg_reference", "svg_own", of each
@@ -73,6 +74,12 @@ static int reply_job(Desk *desk, const char *argument, FILE *reply)
     return fwrite(desk->job_bytes, 1, desk->n_job_bytes, reply) == desk->n_job_bytes ? 0 : -1;
 }
 
+// A text; nothing where there is none.
+static int write_text(FILE *reply, const char *name, const char *text)
+{
+    return text != NULL ? section_write(reply, name, text, strlen(text)) : 0;
+}
+
 // The number of a check, or -1.
 static int read_check(const Desk *desk, const char *argument)
 {
@@ -89,10 +96,14 @@ static int reply_verdict(Desk *desk, const char *argument, FILE *reply)
     if (check < 0) {
         return -1;
     }
-    const Verdict verdict = job_judge(desk->job, check, &desk->held);
-    const char *message = verdict.message ? verdict.message : "";
-    const int result = section_write(reply, names[verdict.kind], message, strlen(message));
-    free(verdict.message);
+    Verdict verdict = job_judge(desk->job, check, &desk->held);
+    const Diagnosis *diagnosis = &verdict.diagnosis;
+    const SentKinds kinds = {diagnosis->mistake, diagnosis->evidence};
+    const size_t n_bytes = verdict.kind == VERDICT_FAILED ? sizeof kinds : 0;
+    const int result = section_write(reply, names[verdict.kind], &kinds, n_bytes) |
+                       write_text(reply, "found", diagnosis->found) |
+                       write_text(reply, "cause", diagnosis->cause);
+    diagnosis_free(&verdict.diagnosis);
     return result;
 }
 
@@ -129,11 +140,6 @@ static int write_image(FILE *reply, const char *name, const Image *image)
         section_write(reply, name, bytes, sizeof sides + n_floats * sizeof *image->pixels);
     free(bytes);
     return result;
-}
-
-static int write_text(FILE *reply, const char *name, const char *text)
-{
-    return text != NULL ? section_write(reply, name, text, strlen(text)) : 0;
 }
 
 static int reply_pictures(Desk *desk, const char *argument, FILE *reply)

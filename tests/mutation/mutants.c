@@ -19,7 +19,6 @@
 #include "complain.h"
 #include "holes.h"
 #include "message.h"
-#include "mistake_kinds.h"
 #include "number.h"
 #include "session.h"
 #include "settings.h"
@@ -46,8 +45,8 @@ typedef struct Answer {
     int is_right;            // then the two below are not used
     char check[LINE_BYTES];  // by which it shall be caught
     char says[LINE_BYTES];   // regular expression for that check's message
-    unsigned kinds;          // of mistake_kinds.h, a bit for each; 0 when it is of none
-    int first_kind;          // the one that must be named
+    unsigned mistakes;       // of diagnosis.h, a bit for each; 0 when it is of none
+    Mistake first_mistake;   // the one that must be named
     Variant variant;         // in the solution of the other tasks
     int is_tried_alone;
     Variant alone;
@@ -59,7 +58,7 @@ typedef struct Trial {
     const char *only;  // "" for all
 } Trial;
 
-// How well the reports name kinds of mistakes (mistake_kinds.h).
+// How well the reports name kinds of mistakes (diagnosis.h).
 typedef struct Naming {
     int n_of_a_kind;  // mutants whose header says which
     int n_named;      // of those, by a failed check of the task
@@ -93,7 +92,7 @@ static int read_header(const Answer *answer, const char *key, char value[LINE_BY
 
 // The kinds of mistake in the optional header line "// looks: kind kind". Returns 0, or -1 after
 // one message.
-static int read_kinds(Answer *answer)
+static int read_mistakes(Answer *answer)
 {
     char ids[LINE_BYTES];
     if (strstr(answer->text, "// looks: ") == NULL) {
@@ -104,13 +103,13 @@ static int read_kinds(Answer *answer)
     }
     char *rest = NULL;
     for (char *id = strtok_r(ids, " ", &rest); id != NULL; id = strtok_r(NULL, " ", &rest)) {
-        const int kind = mistake_kind_find(id);
-        if (kind < 0) {
+        const Mistake mistake = mistake_find(id);
+        if (mistake == MISTAKE_NONE) {
             complain("%s: no kind of mistake is called \"%s\"", answer->path, id);
             return -1;
         }
-        answer->first_kind = answer->kinds == 0 ? kind : answer->first_kind;
-        answer->kinds |= 1u << kind;
+        answer->first_mistake = answer->mistakes == 0 ? mistake : answer->first_mistake;
+        answer->mistakes |= 1u << mistake;
     }
     return 0;
 }
@@ -167,7 +166,7 @@ static int answer_open(Answer *answer, Session *session, const char *path, int s
         (answer->is_right ? read_header(answer, "right", why_right)
                           : read_header(answer, "caught by", answer->check) |
                                 read_header(answer, "says", answer->says)) != 0 ||
-        read_kinds(answer) != 0) {
+        read_mistakes(answer) != 0) {
         return -1;
     }
     if (manifest_task(&session->manifest, answer->task) == NULL) {
@@ -207,7 +206,7 @@ static int matches(const char *message, const char *expression)
 // What check i says in the job of the k-th seed.
 static CheckResult judge_in(Session *session, int k, int i, const Variant *variant)
 {
-    CheckResult result = {.message = NULL};
+    CheckResult result = {0};
     if (k == 0) {
         session_judge(session, i, variant, &result);
     } else {
@@ -225,7 +224,7 @@ static uint64_t seed_of(const Session *session, int k)
 // by the caller.
 static char *judge_wrong_in(Session *session, int k, int i, const Answer *answer)
 {
-    const CheckResult result = judge_in(session, k, i, &answer->variant);
+    CheckResult result = judge_in(session, k, i, &answer->variant);
     char *why = NULL;
     if (result.status == CHECK_PASSED) {
         why = message_new("%s passed with seed %" PRIu64, answer->check, seed_of(session, k));
@@ -233,7 +232,7 @@ static char *judge_wrong_in(Session *session, int k, int i, const Answer *answer
         why = message_new("%s says with seed %" PRIu64 " \"%s\", expected /%s/", answer->check,
                           seed_of(session, k), result.message, answer->says);
     }
-    free(result.message);
+    check_free(&result);
     return why;
 }
 
@@ -258,37 +257,37 @@ static char *judge_wrong(Session *session, const Answer *answer)
 }
 
 // Which kinds of mistakes do the failed checks of the answer's task name in the k-th job?
-static unsigned kinds_named(Session *session, int k, const Answer *answer)
+static unsigned mistakes_named(Session *session, int k, const Answer *answer)
 {
     unsigned named = 0;
     for (int i = 0; i < session->judge.n_checks; i++) {
         if (strcmp(session->judge.checks[i].task, answer->task) == 0) {
-            const CheckResult result = judge_in(session, k, i, &answer->variant);
-            named |= mistake_kinds_named(result.message);
-            free(result.message);
+            CheckResult result = judge_in(session, k, i, &answer->variant);
+            named |= 1u << result.diagnosis.mistake;
+            check_free(&result);
         }
     }
-    return named;
+    return named & ~(1u << MISTAKE_NONE);
 }
 
 // A mistake must be named in the first job, and in none as what it is not.
 static void judge_naming(Session *session, const Answer *answer, Naming *naming)
 {
-    unsigned named = kinds_named(session, 0, answer);
+    unsigned named = mistakes_named(session, 0, answer);
     for (int k = 1; k <= session->workshop.n_further_jobs; k++) {
-        named |= kinds_named(session, k, answer) & ~answer->kinds;
+        named |= mistakes_named(session, k, answer) & ~answer->mistakes;
     }
-    const unsigned strange = named & ~answer->kinds;
-    const int is_named = answer->kinds != 0 && (named >> answer->first_kind & 1);
-    naming->n_of_a_kind += answer->kinds != 0;
+    const unsigned strange = named & ~answer->mistakes;
+    const int is_named = answer->mistakes != 0 && (named >> answer->first_mistake & 1);
+    naming->n_of_a_kind += answer->mistakes != 0;
     naming->n_named += is_named;
     naming->n_misnamed += strange != 0;
-    if (answer->kinds != 0 && !is_named) {
-        printf("  # %s: not named as %s\n", answer->path, mistake_kinds[answer->first_kind].id);
+    if (answer->mistakes != 0 && !is_named) {
+        printf("  # %s: not named as %s\n", answer->path, mistake_name(answer->first_mistake));
     }
-    for (int kind = 0; kind < N_MISTAKE_KINDS; kind++) {
-        if (strange >> kind & 1) {
-            printf("  # %s: named as %s\n", answer->path, mistake_kinds[kind].id);
+    for (Mistake mistake = 0; mistake < N_MISTAKES; mistake++) {
+        if (strange >> mistake & 1) {
+            printf("  # %s: named as %s\n", answer->path, mistake_name(mistake));
         }
     }
 }
@@ -299,12 +298,12 @@ static char *judge_right(Session *session, const Answer *answer)
     char *why = NULL;
     for (int i = 0; why == NULL && i < session->judge.n_checks; i++) {
         for (int k = 0; why == NULL && k <= session->workshop.n_further_jobs; k++) {
-            const CheckResult result = judge_in(session, k, i, &answer->variant);
+            CheckResult result = judge_in(session, k, i, &answer->variant);
             if (result.status != CHECK_PASSED) {
                 why = message_new("%s, seed %" PRIu64 ": %s", session->judge.checks[i].id,
                                   seed_of(session, k), result.message);
             }
-            free(result.message);
+            check_free(&result);
         }
         if (why == NULL && strcmp(session->judge.checks[i].task, answer->task) == 0 &&
             !alone_passes(session, i, &answer->alone)) {

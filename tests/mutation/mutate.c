@@ -146,9 +146,9 @@ static Fate judge_fate(Session *session, const Variant *variant)
         return NOT_COMPILING;
     }
     for (int i = 0; i < session->judge.n_checks; i++) {
-        CheckResult result = {.message = NULL};
+        CheckResult result = {0};
         session_judge(session, i, variant, &result);
-        free(result.message);
+        check_free(&result);
         if (result.status != CHECK_PASSED) {
             return KILLED;
         }

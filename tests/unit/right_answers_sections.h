@@ -37,10 +37,11 @@ static void answer(Writer *writer, const char *name, const void *bytes, size_t n
 }
 
 // Section "name.k" or "name.k.part".
-static const char *numbered(const char *name, int k, const char *part)
+static inline const char *numbered(const char *name, int k, const char *part)
 {
     static char text[2 * SECTION_NAME_BYTES];
     snprintf(text, sizeof text, "%s.%d%s%s", name, k, part ? "." : "", part ? part : "");
     return text;
 }
+
 #endif

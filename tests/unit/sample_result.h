@@ -3,7 +3,6 @@
 #define UNIT_SAMPLE_RESULT_H
 
 #include "manifest.h"
-#include "message.h"
 #include "result.h"
 
 #include <string.h>
@@ -39,29 +38,31 @@ static inline Result result_make(const char *message)
                      .n_stages = 1,
                      .n_checks = 3};
     result.stages[0] = (StageResult){"Compiling", CHECK_PASSED, NULL};
-    result.checks[0] = (CheckResult){"overlaps-inside",
-                                     "Clearly inside and outside",
-                                     "overlaps_N_Nearer",
-                                     25,
-                                     25,
-                                     CHECK_PASSED,
-                                     strdup(""),
-                                     0,
-                                     0,
-                                     0};
-    result.checks[1] = (CheckResult){"overlaps-boundary",
-                                     "The boundary belongs to it",
-                                     "overlaps_N_Nearer",
-                                     0,
-                                     15,
-                                     CHECK_FAILED,
-                                     strdup(message),
-                                     message_names_cause(message),
-                                     0,
-                                     0};
-    result.checks[2] = (CheckResult){
-        "picture", "A random scene", "implicit2DRenderer", 0, 60, CHECK_NOT_RUN, NULL, 0, 0, 0};
+    result.checks[0] = (CheckResult){.id = "overlaps-inside",
+                                     .title = "Clearly inside and outside",
+                                     .task = "overlaps_N_Nearer",
+                                     .max_points = 25};
+    check_pass(&result.checks[0]);
+    result.checks[1] = (CheckResult){.id = "overlaps-boundary",
+                                     .title = "The boundary belongs to it",
+                                     .task = "overlaps_N_Nearer",
+                                     .max_points = 15};
+    check_fail(&result.checks[1], diagnosis_new("%s", message));
+    result.checks[2] = (CheckResult){.id = "picture",
+                                     .title = "A random scene",
+                                     .task = "implicit2DRenderer",
+                                     .max_points = 60,
+                                     .status = CHECK_NOT_RUN};
     return result;
+}
+
+// Let a failed check of it say what it looks like.
+static inline void name_cause(CheckResult *check, const char *looks)
+{
+    Diagnosis diagnosis = diagnosis_new("%s", check->diagnosis.found);
+    diagnosis.cause = strdup(looks);
+    check_tell(check, diagnosis);
+    check->is_explained = 1;
 }
 
 #endif

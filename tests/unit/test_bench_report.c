@@ -6,7 +6,7 @@
 
 enum { N_ROUNDS = 3 };
 
-const char *const VARIANT_NAMES[N_VARIANT_KINDS] = {"fill", "naive", "kdtree"};
+const char *const CASE2D_NAMES[N_CASE2D_KINDS] = {"fill", "naive", "kdtree"};
 
 // A kernel that is ten times as fast as the naive one in every round, though 1 is the ratio of the
 // medians of all frames: half of them were drawn while the machine was slow.
@@ -26,17 +26,17 @@ static void rounds_make(Series *naive, Series *kdtree)
 
 Test(bench_report, a_ratio_is_the_median_of_the_rounds)
 {
-    static Variant variants[3];
+    static Case2D cases[3];
     static const Scene2D scene = {
         .n_circles = SCENE2D_DEFAULT_CIRCLES, .width = 1024, .height = 1024};
-    variants[0] = (Variant){.kind = NAIVE, .scene = &scene, .n_rows = 1024};
-    variants[1] = (Variant){.kind = KDTREE, .scene = &scene, .n_rows = 1024};
-    variants[1].limits = (KdTreeLimits){OPTIONS_DEFAULT_MAX_DEPTH, OPTIONS_DEFAULT_LEAF_SIZE};
-    variants[2] = (Variant){.kind = FILL, .scene = &scene, .n_rows = 1024};
-    rounds_make(&variants[0].frames, &variants[1].frames);
-    rounds_make(&variants[2].frames, &variants[1].builds);
+    cases[0] = (Case2D){.kind = NAIVE, .scene = &scene, .n_rows = 1024};
+    cases[1] = (Case2D){.kind = KDTREE, .scene = &scene, .n_rows = 1024};
+    cases[1].limits = (KdTreeLimits){OPTIONS_DEFAULT_MAX_DEPTH, OPTIONS_DEFAULT_LEAF_SIZE};
+    cases[2] = (Case2D){.kind = FILL, .scene = &scene, .n_rows = 1024};
+    rounds_make(&cases[0].frames, &cases[1].frames);
+    rounds_make(&cases[2].frames, &cases[1].builds);
     capture_begin(1);
-    report_print(variants, 3, "a device");
+    report_print(cases, 3, "a device");
     const char *report = capture_end(1);
     cr_expect_not_null(strstr(report, "    10  (single rounds: 10 to 10)\n"), "%s", report);
     // And in the tables, which tell no spread.

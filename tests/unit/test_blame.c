@@ -22,16 +22,19 @@ static const Manifest manifest = {
               {.id = "trace", .hint = "Play with cards."}},
 };
 
-// A result in which the checks have these statuses, with the same message each.
-static Result result_of(const CheckStatus statuses[3], const char *message)
+// A result in which the checks have these statuses, and the same was found in each: `looks`, where
+// it is not NULL, is its cause.
+static Result result_of(const CheckStatus statuses[3], const char *looks)
 {
     Result result = {.n_checks = 3};
     for (int i = 0; i < 3; i++) {
         result.checks[i] = (CheckResult){.id = checks[i].id,
                                          .task = checks[i].task,
                                          .status = statuses[i],
-                                         .message = message_new("%s", message),
-                                         .is_explained = message_names_cause(message)};
+                                         .is_explained = looks != NULL};
+        check_tell(&result.checks[i],
+                   diagnosis_of(message_new("found 1, expected 2"),
+                                (Cause){looks, looks ? MISTAKE_MIRRORED_X : MISTAKE_NONE}));
     }
     return result;
 }
@@ -39,7 +42,7 @@ static Result result_of(const CheckStatus statuses[3], const char *message)
 Test(blame, what_was_not_tried_alone_waits_for_the_task_at_fault)
 {
     const CheckStatus statuses[] = {CHECK_FAILED, CHECK_PASSED, CHECK_FAILED};
-    Result result = result_of(statuses, "found 1, expected 2; it looks mirrored");
+    Result result = result_of(statuses, "it looks mirrored");
     blame_others(checks, &result);
     cr_expect_eq(result.checks[2].status, CHECK_NOT_RUN);
     cr_expect_str_eq(result.checks[2].message,
@@ -53,13 +56,30 @@ Test(blame, what_was_not_tried_alone_waits_for_the_task_at_fault)
 Test(blame, what_fails_alone_stays_a_failure_without_a_cause)
 {
     const CheckStatus statuses[] = {CHECK_FAILED, CHECK_PASSED, CHECK_FAILED};
-    Result result = result_of(statuses, "found 1, expected 2; it looks mirrored");
+    Result result = result_of(statuses, "it looks mirrored");
     result.checks[2].is_own = 1;
     blame_others(checks, &result);
     cr_expect_eq(result.checks[2].status, CHECK_FAILED);
     cr_expect_str_eq(result.checks[2].message,
                      "found 1, expected 2; search_leaf is wrong, too, and has a part in this");
     cr_expect_str_eq(task_hint(&manifest, &result, &manifest.tasks[1]), "Play with cards.");
+    cr_expect_eq(result.checks[2].diagnosis.mistake, MISTAKE_NONE, "what the cause named");
+    result_free(&result);
+}
+
+// What nobody wrote is a fact, whoever has a part in it, and so are pixels.
+Test(blame, what_the_facts_name_stays)
+{
+    const CheckStatus statuses[] = {CHECK_FAILED, CHECK_PASSED, CHECK_FAILED};
+    Result result = result_of(statuses, NULL);
+    result.checks[2].is_own = 1;
+    result.checks[2].diagnosis.mistake = MISTAKE_UNWRITTEN;
+    result.checks[2].diagnosis.evidence = EVIDENCE_PICTURE;
+    blame_others(checks, &result);
+    cr_expect_str_eq(result.checks[2].message,
+                     "found 1, expected 2; search_leaf is wrong, too, and has a part in this");
+    cr_expect_eq(result.checks[2].diagnosis.mistake, MISTAKE_UNWRITTEN);
+    cr_expect_eq(result.checks[2].diagnosis.evidence, EVIDENCE_PICTURE);
     result_free(&result);
 }
 
@@ -67,7 +87,7 @@ Test(blame, what_fails_alone_stays_a_failure_without_a_cause)
 Test(blame, what_is_not_answered_does_not_wait)
 {
     const CheckStatus statuses[] = {CHECK_FAILED, CHECK_PASSED, CHECK_FAILED};
-    Result result = result_of(statuses, "found 1, expected 2");
+    Result result = result_of(statuses, NULL);
     result.checks[2].is_unanswered = 1;
     blame_others(checks, &result);
     cr_expect_eq(result.checks[2].status, CHECK_FAILED);
@@ -84,12 +104,12 @@ Test(blame, only_what_is_needed_is_blamed)
         {"pixel", "Pixels", "pixel_on_display", 60, ""},
     };
     const CheckStatus first[] = {CHECK_FAILED, CHECK_FAILED, CHECK_PASSED};
-    Result result = result_of(first, "found 1, expected 2");
+    Result result = result_of(first, NULL);
     blame_others(rays, &result);
     cr_expect_eq(result.checks[1].status, CHECK_FAILED);
     result_free(&result);
     const CheckStatus last[] = {CHECK_FAILED, CHECK_FAILED, CHECK_FAILED};
-    result = result_of(last, "found 1, expected 2");
+    result = result_of(last, NULL);
     blame_others(rays, &result);
     cr_expect_str_eq(result.checks[1].message,
                      "waits for pixel_on_display, which it needs and which is wrong: without its "
@@ -106,7 +126,7 @@ Test(blame, what_fails_alone_is_at_fault_for_certain)
         {"child", "Children", "getContainingChild", 0, NULL},
     };
     const CheckStatus both[] = {CHECK_FAILED, CHECK_FAILED, CHECK_PASSED};
-    Result result = result_of(both, "found 1, expected 2");
+    Result result = result_of(both, NULL);
     result.checks[1].is_own = 1;
     blame_others(pictures, &result);
     cr_expect_str_eq(result.checks[0].message,
@@ -119,7 +139,7 @@ Test(blame, what_fails_alone_is_at_fault_for_certain)
 Test(blame, hints_follow_the_task_at_fault)
 {
     const CheckStatus statuses[] = {CHECK_FAILED, CHECK_PASSED, CHECK_FAILED};
-    Result result = result_of(statuses, "found 1, expected 2");
+    Result result = result_of(statuses, NULL);
     blame_others(checks, &result);
     cr_expect_str_eq(task_hint(&manifest, &result, &manifest.tasks[0]), "Write down the ids.");
     cr_expect_str_eq(task_hint(&manifest, &result, &manifest.tasks[1]), "");
@@ -129,7 +149,7 @@ Test(blame, hints_follow_the_task_at_fault)
 Test(blame, a_task_with_a_fault_of_its_own_keeps_its_message_and_hint)
 {
     const CheckStatus statuses[] = {CHECK_FAILED, CHECK_FAILED, CHECK_FAILED};
-    Result result = result_of(statuses, "found 1, expected 2");
+    Result result = result_of(statuses, NULL);
     blame_others(checks, &result);
     cr_expect_str_eq(result.checks[2].message, "found 1, expected 2");
     cr_expect_str_eq(task_hint(&manifest, &result, &manifest.tasks[1]), "Play with cards.");
@@ -145,13 +165,13 @@ Test(blame, a_caller_is_not_at_fault_where_what_it_calls_is)
         {"tree", "Whole trees", "trace", 40, "*"},
     };
     const CheckStatus all[] = {CHECK_FAILED, CHECK_FAILED, CHECK_FAILED};
-    Result result = result_of(all, "found 1, expected 2");
+    Result result = result_of(all, NULL);
     blame_others(calls, &result);
     cr_expect_eq(result.checks[1].status, CHECK_NOT_RUN);
     cr_expect_eq(result.checks[2].status, CHECK_NOT_RUN);
     result_free(&result);
     const CheckStatus last[] = {CHECK_PASSED, CHECK_FAILED, CHECK_FAILED};
-    result = result_of(last, "found 1, expected 2");
+    result = result_of(last, NULL);
     blame_others(calls, &result);
     cr_expect_eq(result.checks[1].status, CHECK_FAILED);
     cr_expect_eq(result.checks[2].status, CHECK_FAILED);
@@ -161,7 +181,7 @@ Test(blame, a_caller_is_not_at_fault_where_what_it_calls_is)
 Test(blame, where_no_function_fails_the_whole_is_at_fault_itself)
 {
     const CheckStatus statuses[] = {CHECK_NOT_RUN, CHECK_PASSED, CHECK_FAILED};
-    Result result = result_of(statuses, "found 1, expected 2; it looks mirrored");
+    Result result = result_of(statuses, "it looks mirrored");
     blame_others(checks, &result);
     cr_expect_str_eq(result.checks[2].message, "found 1, expected 2; it looks mirrored");
     result_free(&result);

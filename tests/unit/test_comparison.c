@@ -6,6 +6,7 @@
 #include "judge.h"
 #include "right_answers.h"
 #include "surroundings.h"
+#include "told.h"
 
 #include <criterion/parameterized.h>
 #include <math.h>
@@ -104,8 +105,9 @@ static void expect_fault(const Case *c, const void *bytes, size_t n_bytes, const
     for (int i = 0; i < c->judge->n_checks; i++) {
         const Verdict verdict = job_judge(c->job, i, &answers);
         n_failed += verdict.kind == VERDICT_FAILED;
-        n_said += verdict.message != NULL && strstr(verdict.message, says) != NULL;
-        free(verdict.message);
+        char *message = told(verdict.diagnosis);
+        n_said += message != NULL && strstr(message, says) != NULL;
+        free(message);
     }
     cr_expect_gt(n_said, 0, "%s: %d checks failed, none said \"%s\"", c->judge->lab, n_failed,
                  says);
@@ -262,8 +264,9 @@ Test(comparison, black_against_black)
     Sections answers = with_picture(&c, pixels, c.n_bytes);
     for (int i = 0; i < c.judge->n_checks; i++) {
         const Verdict verdict = job_judge(c.job, i, &answers);
-        cr_expect_eq(verdict.kind, VERDICT_PASSED, "%s", verdict.message);
-        free(verdict.message);
+        char *message = told(verdict.diagnosis);
+        cr_expect_eq(verdict.kind, VERDICT_PASSED, "%s", message);
+        free(message);
     }
     sections_free(&answers);
     free(pixels);

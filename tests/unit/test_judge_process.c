@@ -1,5 +1,6 @@
 // grader/judge_process: asking the judge, and answers over which it ends.
 #include "judge_process.h"
+#include "right_answers_sections.h"
 
 #include <criterion/criterion.h>
 #include <limits.h>
@@ -64,8 +65,57 @@ Test(judge_process, what_is_missing_is_not_wrong, .init = start, .fini = stop)
 {
     const Verdict verdict = judge_verdict(&judge, (Answers){1, &empty}, 0);
     cr_expect_eq(verdict.kind, VERDICT_MISSING);
-    cr_expect_null(verdict.message);
+    cr_expect_null(verdict.diagnosis.found);
     cr_expect_not(judge_passes_alone(&judge, (Answers){1, &empty}, 0));
+}
+
+// The judge's verdict on a check by its id.
+static Verdict verdict_on(Answers answers, const char *id)
+{
+    int i = 0;
+    while (i < judge.n_checks && strcmp(judge.checks[i].id, id) != 0) {
+        i++;
+    }
+    cr_assert_lt(i, judge.n_checks);
+    return judge_verdict(&judge, answers, i);
+}
+
+// The answer to the first picture, all pixels and the margin of this value, as answer `number`.
+static Answers picture_of(unsigned number, float value, Sections *sections)
+{
+    enum { N_FLOATS = PROBE_IMAGE_SIDE(317) * PROBE_IMAGE_SIDE(211) * 4 };
+    static float pixels[N_FLOATS];
+    for (int i = 0; i < N_FLOATS; i++) {
+        pixels[i] = value;
+    }
+    Writer writer;
+    writer_open(&writer);
+    answer(&writer, "picture.0", pixels, sizeof pixels);
+    *sections = writer_close(&writer);
+    return (Answers){number, sections};
+}
+
+Test(judge_process, a_diagnosis_arrives_in_its_parts, .init = start, .fini = stop)
+{
+    Sections sections;
+    Answers black = picture_of(1, 0, &sections);
+    Verdict picture = verdict_on(black, "own_pixel-picture");
+    Verdict padding = verdict_on(black, "own_pixel-padding");
+    cr_expect_eq(picture.kind, VERDICT_FAILED);
+    cr_expect_eq(picture.diagnosis.evidence, EVIDENCE_PLAIN_PICTURE);
+    cr_expect_null(picture.diagnosis.cause);
+    cr_expect_eq(padding.diagnosis.evidence, EVIDENCE_VALUES);
+    cr_expect_str_eq(padding.diagnosis.found, "the kernel wrote outside the picture: pixel (317, "
+                                              "0) of a 317x211 picture");
+    cr_expect_str_eq(padding.diagnosis.cause, "a guard for the work-items that fill up the last "
+                                              "work-groups is missing or wrong");
+    diagnosis_free(&picture.diagnosis);
+    diagnosis_free(&padding.diagnosis);
+    sections_free(&sections);
+    picture = verdict_on(picture_of(2, UNWRITTEN, &sections), "own_pixel-picture");
+    cr_expect_eq(picture.diagnosis.mistake, MISTAKE_UNWRITTEN);
+    diagnosis_free(&picture.diagnosis);
+    sections_free(&sections);
 }
 
 // Whatever answers make of the judge: they fail, and the next ones are judged.
@@ -74,10 +124,10 @@ Test(judge_process, answers_over_which_it_ends_are_wrong, .init = start, .fini =
     const Answers fatal = {1, &empty}, next = {2, &empty};
     kill(judge.pid, SIGKILL);
     for (int i = 0; i < 2; i++) {
-        const Verdict verdict = judge_verdict(&judge, fatal, i);
+        Verdict verdict = judge_verdict(&judge, fatal, i);
         cr_expect_eq(verdict.kind, VERDICT_FAILED);
-        cr_expect_not_null(verdict.message);
-        free(verdict.message);
+        cr_expect_not_null(verdict.diagnosis.found);
+        diagnosis_free(&verdict.diagnosis);
         cr_expect_not(judge_passes_alone(&judge, fatal, i));
     }
     cr_expect_eq(judge_verdict(&judge, next, 0).kind, VERDICT_MISSING);
@@ -139,9 +189,9 @@ static void greedy_stop(void)
 static VerdictKind greedy_verdict(int check)
 {
     static unsigned number;
-    const Verdict verdict = judge_verdict(&judge, (Answers){++number, &empty}, check);
-    cr_expect_eq(verdict.message != NULL, verdict.kind == VERDICT_FAILED);
-    free(verdict.message);
+    Verdict verdict = judge_verdict(&judge, (Answers){++number, &empty}, check);
+    cr_expect_eq(verdict.diagnosis.found != NULL, verdict.kind == VERDICT_FAILED);
+    diagnosis_free(&verdict.diagnosis);
     return verdict.kind;
 }
 

@@ -8,6 +8,7 @@
 #include "random.h"
 #include "right_answers.h"
 #include "surroundings.h"
+#include "told.h"
 
 #include <criterion/parameterized.h>
 #include <glob.h>
@@ -181,10 +182,11 @@ LAB_TEST(a_job_that_cannot_be_written_is_none)
 static VerdictKind verdict_on(const Open *open, int check, const Sections *answers)
 {
     const Verdict verdict = job_judge(open->job, check, answers);
-    cr_expect_eq(verdict.message != NULL, verdict.kind == VERDICT_FAILED, "%s",
+    char *message = told(verdict.diagnosis);
+    cr_expect_eq(message != NULL, verdict.kind == VERDICT_FAILED, "%s",
                  open->judge->checks[check].id);
-    cr_expect(verdict.message == NULL || strlen(verdict.message) > 10);
-    free(verdict.message);
+    cr_expect(message == NULL || strlen(message) > 10);
+    free(message);
     return verdict.kind;
 }
 
@@ -206,9 +208,10 @@ LAB_TEST(right_answers_pass)
         for (int adopted = 0; adopted <= 1; adopted++) {
             for (int i = 0; i < open.judge->n_checks; i++) {
                 const Verdict verdict = job_judge(open.job, i, &answers);
+                char *message = told(verdict.diagnosis);
                 cr_expect_eq(verdict.kind, VERDICT_PASSED, "%s: %s", open.judge->checks[i].id,
-                             verdict.message ? verdict.message : "missing");
-                free(verdict.message);
+                             message ? message : "missing");
+                free(message);
             }
             add_pictures(&open, &answers);
             job_adopt(open.job, &answers);

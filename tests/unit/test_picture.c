@@ -5,6 +5,7 @@
 #include "picture.h"
 #include "random.h"
 #include "surroundings.h"
+#include "told.h"
 
 #include <math.h>
 
@@ -98,14 +99,14 @@ static void case_close(Case *c)
 static void expect_right(const Case *c)
 {
     cr_expect(picture_is_right(c->probe, &c->expected));
-    char *message = picture_judge(c->probe, &c->expected);
+    char *message = told(picture_judge(c->probe, &c->expected));
     cr_expect_null(message, "%s", message);
     free(message);
 }
 
 static void expect_wrong(const Case *c, const char *expected)
 {
-    char *message = picture_judge(c->probe, &c->expected);
+    char *message = told(picture_judge(c->probe, &c->expected));
     cr_expect(message != NULL && strcmp(message, expected) == 0, "found \"%s\", expected \"%s\"",
               message ? message : "(right)", expected);
     free(message);
@@ -128,7 +129,7 @@ static void expect_unwritten(const Case *c, int x, int y, int n)
 static const char *looks_of(const Case *c)
 {
     static char looks[512];
-    char *message = picture_judge(c->probe, &c->expected);
+    char *message = told(picture_judge(c->probe, &c->expected));
     cr_assert_not_null(message);
     cr_expect_not(picture_is_right(c->probe, &c->expected));
     const char *at = strstr(message, " it looks ");
@@ -163,14 +164,14 @@ Test(picture, one_pixel_is_named_with_both_values)
     for (int channel = 0; channel < IMAGE_CHANNELS; channel++) {
         own_show(c, &c->expected.reference);
         own_pixel(c, 3, 2)[channel] = nextafterf(own_pixel(c, 3, 2)[channel], 2);
-        char *message = picture_judge(c->probe, &c->expected);
+        char *message = told(picture_judge(c->probe, &c->expected));
         cr_expect(message != NULL && strstr(message, "pixel (3, 2): ") == message);
         free(message);
     }
     // The first in reading order is named, and all are counted.
     own_show(c, &c->expected.reference);
     own_pixel(c, 9, 8)[0] += 1, own_pixel(c, 8, 9)[0] += 1;
-    char *message = picture_judge(c->probe, &c->expected);
+    char *message = told(picture_judge(c->probe, &c->expected));
     cr_expect(message != NULL && strstr(message, "pixel (9, 8): ") == message &&
                   strstr(message, " (2 of 6144 pixels differ)") != NULL,
               "%s", message);
@@ -246,7 +247,7 @@ Test(picture, only_ambiguous_pixels_may_differ)
     own_pixel(c, 5, 7)[0] += 0.5f;
     expect_right(c);
     own_pixel(c, 7, 5)[0] += 0.5f;
-    char *message = picture_judge(c->probe, &c->expected);
+    char *message = told(picture_judge(c->probe, &c->expected));
     cr_expect(message != NULL && strstr(message, "pixel (7, 5): ") == message &&
                   strstr(message, " (1 of 6144 pixels differ)") != NULL,
               "%s", message);
@@ -558,10 +559,42 @@ Test(picture, a_guess_must_explain_what_is_wrong)
     case_close(c);
 }
 
+// What is said in words is there as a value, too.
+static void expect_kinds(const Case *c, Mistake mistake, Evidence evidence, int has_cause)
+{
+    Diagnosis diagnosis = picture_judge(c->probe, &c->expected);
+    cr_expect_eq(diagnosis.mistake, mistake, "%s: %s", diagnosis.found,
+                 mistake_name(diagnosis.mistake));
+    cr_expect_eq(diagnosis.evidence, evidence, "%s: %d", diagnosis.found, diagnosis.evidence);
+    cr_expect_eq(diagnosis.cause != NULL, has_cause, "%s: %s", diagnosis.found, diagnosis.cause);
+    diagnosis_free(&diagnosis);
+}
+
+Test(picture, the_kinds_of_what_is_wrong_are_known)
+{
+    Case *c = case_open(96, 64, 1);
+    expect_kinds(c, MISTAKE_NONE, EVIDENCE_VALUES, 0);
+    own_pixel(c, 9, 8)[0] += 1;
+    expect_kinds(c, MISTAKE_NONE, EVIDENCE_PICTURE, 0);
+    own_pixel(c, 9, 8)[0] = INFINITY;
+    expect_kinds(c, MISTAKE_NONE, EVIDENCE_PLAIN_PICTURE, 0);
+    own_pixel(c, 9, 8)[0] = NAN;
+    expect_kinds(c, MISTAKE_NONE, EVIDENCE_PICTURE, 0);
+    own_clear(c);
+    expect_kinds(c, MISTAKE_UNWRITTEN, EVIDENCE_PICTURE, 0);
+    for (int i = 0; i < 96 * 64; i++) {
+        memcpy(own_pixel(c, i % 96, i / 96), reference_pixel(c, 95 - i % 96, i / 96),
+               IMAGE_CHANNELS * sizeof(float));
+    }
+    expect_kinds(c, MISTAKE_MIRRORED_X, EVIDENCE_PICTURE, 1);
+    case_close(c);
+}
+
 // ---- Around the picture -------------------------------------------------------------------------
 
-static void expect_message(char *message, const char *part)
+static void expect_message(Diagnosis diagnosis, const char *part)
 {
+    char *message = told(diagnosis);
     cr_expect(part ? message != NULL && strstr(message, part) != NULL : message == NULL,
               "found \"%s\", expected \"%s\"", message ? message : "(nothing)",
               part ? part : "(nothing)");

@@ -229,12 +229,15 @@ Test(report_systems, remarks_of_stages_are_shown)
 // A hint stands under its own check, and not where the message has named the mistake.
 Test(report_systems, hints_follow_messages)
 {
-    static const char *const messages[] = {"", "found 0", "found 0; the later circle won"};
+    static const char *const found[] = {"", "found 0", "found 0"};
     static const char *const outputs[] = {"Hint: Compare the squares.",
                                           "found 0\nHint: Compare the squares.",
                                           "found 0; the later circle won"};
     for (int i = 0; i < 3; i++) {
-        Result result = result_make(messages[i]);
+        Result result = result_make(found[i]);
+        if (i == 2) {
+            name_cause(&result.checks[1], "the later circle won");
+        }
         write_all(&result);
         json_t *json = json_of("gradescope.json");
         cr_expect_str_eq(string_at(json_object_get(json, "tests"), 0, "output"), "");
@@ -365,6 +368,7 @@ Test(report_systems, stays_below_the_sizes_that_systems_take)
     result.n_checks = RESULT_MAX_CHECKS;
     for (int i = 3; i < RESULT_MAX_CHECKS; i++) {
         result.checks[i] = result.checks[1];
+        result.checks[i].diagnosis = NOTHING_WRONG;
         result.checks[i].message = strdup(message);
     }
     result.n_stages = RESULT_MAX_STAGES;

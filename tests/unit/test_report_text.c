@@ -130,8 +130,8 @@ Test(report_hints, message_and_hint_stand_together)
 // A message that has said why is not followed by a hint about something else.
 Test(report_hints, no_hint_where_the_cause_is_named)
 {
-    Result result = result_make("found 1, expected 0; of two equal depths the later circle won");
-    cr_assert(result.checks[1].is_explained);
+    Result result = result_make("found 1, expected 0");
+    name_cause(&result.checks[1], "of two equal depths the later circle won");
     char *texts[] = {text_report(&result, 0), file_report(report_html, &result),
                      file_report(report_json, &result)};
     for (int i = 0; i < 3; i++) {

@@ -337,7 +337,7 @@ Test(tree2d_faults, each_fault_is_named)
         messages[i].corrupt(&tree);
         for (size_t j = 0; j < sizeof judges / sizeof *judges; j++) {
             if (judges[j].bit == messages[i].judge) {
-                char *message = judges[j].judge(&scene, &tree);
+                char *message = told(judges[j].judge(&scene, &tree));
                 cr_expect(message != NULL && strstr(message, messages[i].says) != NULL,
                           "found \"%s\", expected \"%s\"", message ? message : "(nothing)",
                           messages[i].says);
@@ -357,7 +357,7 @@ static void expect_against_tree_of(const JobScene *scene, KdTreeLimits limits)
                  0);
     cr_assert_neq(tree.n_nodes, scene->tree.n_nodes);
     cr_expect_eq(tree2d_check(&tree, (u32)scene->scene.n_circles), 0);
-    char *message = tree_judge_limits(scene, &tree);
+    char *message = told(tree_judge_limits(scene, &tree));
     cr_expect_not_null(message, "maxDepth %d, targetElementsPerNode %d", limits.maxDepth,
                        limits.targetElementsPerNode);
     cr_expect_not_null(strstr(message ? message : "", "node "), "no node is named: %s", message);

@@ -20,7 +20,7 @@ Test(tree2d_hostile, any_number_anywhere_is_survived)
             for (int j = 0; j < N_HOSTILE; j++) {
                 arrays[a][i] = hostile_numbers[j];
                 for (size_t k = 0; k < sizeof judges / sizeof *judges; k++) {
-                    free(judges[k].judge(&scene, &tree));
+                    free(told(judges[k].judge(&scene, &tree)));
                 }
             }
             arrays[a][i] = was;
@@ -79,7 +79,7 @@ static void expect_judged(u32 n_listed)
     memset(tree.mapNode2Circles, 0x7f, N_MAP * sizeof(u32));
     tree.mapNode2Circles[0] = n_listed;
     for (size_t i = 0; i < sizeof judges / sizeof *judges; i++) {
-        char *message = judges[i].judge(&scene, &tree);
+        char *message = told(judges[i].judge(&scene, &tree));
         cr_expect_not_null(message, "%s", judges[i].name);
         free(message);
     }

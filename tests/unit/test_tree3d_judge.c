@@ -7,6 +7,7 @@
 #include "message.h"
 #include "random.h"
 #include "surroundings.h"
+#include "told.h"
 
 #include <math.h>
 
@@ -17,7 +18,7 @@ enum { BOUNDS = 1, SPLITS = 2, OVERLAP = 4, LISTS = 8, PACKING = 16, DEPTH = 32 
 static const struct {
     int bit;
     const char *name;
-    char *(*judge)(const TreeScene3D *, const KdTree3D *);
+    Diagnosis (*judge)(const TreeScene3D *, const KdTree3D *);
 } judges[] = {
     {BOUNDS, "bounds", tree3d_judge_bounds},    {SPLITS, "splits", tree3d_judge_splits},
     {OVERLAP, "overlap", tree3d_judge_overlap}, {LISTS, "lists", tree3d_judge_lists},
@@ -29,7 +30,7 @@ static int judges_against(const TreeScene3D *scene, const KdTree3D *tree)
 {
     int against = 0;
     for (size_t i = 0; i < sizeof judges / sizeof *judges; i++) {
-        char *message = judges[i].judge(scene, tree);
+        char *message = told(judges[i].judge(scene, tree));
         if (message != NULL) {
             against |= judges[i].bit;
             cr_expect(strchr(message, '\n') == NULL && strstr(message, scene->title) == message,
@@ -252,8 +253,9 @@ Test(tree3d_judge, no_answer_of_double_is_blamed_and_float_is)
 }
 
 // The message of a judge about one call must hold `says`; NULL: there must be none.
-static void expect_says(char *message, const char *says)
+static void expect_says(Diagnosis diagnosis, const char *says)
 {
+    char *message = told(diagnosis);
     if (says == NULL) {
         cr_expect_null(message, "%s", message);
     } else {
@@ -537,8 +539,7 @@ Test(tree3d_judge, exact_trees_must_be_equal)
     KdTree3D tree = tree_copy(&scene.tree);
     cr_assert(scene.is_exact);
     tree.nodes[0].split_pos = nextafterf(tree.nodes[0].split_pos, 1);
-    char *message = tree3d_judge_packing(&scene, &tree);
-    expect_says(message, "node 0: found split_axis 0, split_pos");
+    expect_says(tree3d_judge_packing(&scene, &tree), "node 0: found split_axis 0, split_pos");
     tree3d_free(&tree);
     scene_close(&scene);
 }

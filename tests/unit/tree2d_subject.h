@@ -7,6 +7,7 @@
 
 #include "job_scene.h"
 #include "surroundings.h"
+#include "told.h"
 #include "tree2d_draw.h"
 #include "tree_judge.h"
 
@@ -24,7 +25,7 @@ enum {
 static const struct {
     int bit;
     const char *name;
-    char *(*judge)(const JobScene *, const KdTree2D *);
+    Diagnosis (*judge)(const JobScene *, const KdTree2D *);
 } judges[] = {{LIMITS, "limits", tree_judge_limits},
               {CELLS, "cells", tree_judge_cells},
               {OVERLAP, "overlap", tree_judge_overlap},
@@ -36,7 +37,7 @@ static inline int judges_against(const JobScene *scene, const KdTree2D *tree)
 {
     int against = 0;
     for (size_t i = 0; i < sizeof judges / sizeof *judges; i++) {
-        char *message = judges[i].judge(scene, tree);
+        char *message = told(judges[i].judge(scene, tree));
         if (message != NULL) {
             against |= judges[i].bit;
             cr_expect(strchr(message, '\n') == NULL &&
@@ -130,7 +131,7 @@ static inline JobScene subject_open(void)
 static inline void survive(const JobScene *scene, const KdTree2D *tree)
 {
     for (size_t i = 0; i < sizeof judges / sizeof *judges; i++) {
-        free(judges[i].judge(scene, tree));
+        free(told(judges[i].judge(scene, tree)));
     }
     (void)tree2d_check(tree, (u32)scene->scene.n_circles);
     char *svg = NULL;

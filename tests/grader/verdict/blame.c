@@ -5,7 +5,6 @@
 
 #include "message.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 int check_needs(const Check *check, const char *task)
@@ -52,20 +51,24 @@ static const char *culprit_of(const Check *checks, const Result *result, int i)
     return culprit;
 }
 
+// The same facts with another task for their cause; what the cause named goes with it.
+static Diagnosis with_culprit(const Diagnosis *diagnosis, const char *task)
+{
+    return (Diagnosis){.found = message_new("%s", diagnosis->found),
+                       .cause = message_new("%s is wrong, too, and has a part in this", task),
+                       .mistake = diagnosis->cause == NULL ? diagnosis->mistake : MISTAKE_NONE,
+                       .evidence = diagnosis->evidence};
+}
+
 // What a check found comes of another task's answer, too. Where it fails alone as well, only the
 // cause that it names is in doubt; where nobody could try that, it waits.
 static void pass_blame(CheckResult *check, const char *task)
 {
-    const char *cause = strstr(check->message, MESSAGE_CAUSE);
-    const size_t length = cause ? (size_t)(cause - check->message) : strlen(check->message);
-    char *message =
-        check->is_own ? message_new("%.*s" MESSAGE_CAUSE "%s is wrong, too, and has a part in this",
-                                    (int)length, check->message, task)
-                      : message_new("waits for %s, which it needs and which is wrong: without its "
-                                    "marker lines it cannot be tried alone",
-                                    task);
-    free(check->message);
-    check->message = message;
+    check_tell(check, check->is_own
+                          ? with_culprit(&check->diagnosis, task)
+                          : diagnosis_new("waits for %s, which it needs and which is wrong: "
+                                          "without its marker lines it cannot be tried alone",
+                                          task));
     check->is_explained = 0;
     check->status = check->is_own ? CHECK_FAILED : CHECK_NOT_RUN;
 }

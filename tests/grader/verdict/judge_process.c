@@ -207,23 +207,38 @@ int judge_job(JudgeProcess *judge, const char *task, FILE *file)
     return result;
 }
 
+// A text of a reply, NULL where there is none. Owned by the caller.
+static char *read_text(const Sections *reply, const char *name)
+{
+    size_t n_bytes;
+    const char *text = sections_find_any(reply, name, &n_bytes);
+    return text != NULL ? message_new("%.*s", (int)n_bytes, text) : NULL;
+}
+
+static Verdict read_verdict(const Sections *reply)
+{
+    const SentKinds *kinds = sections_find(reply, "failed", sizeof *kinds);
+    if (kinds != NULL && kinds->mistake < N_MISTAKES && kinds->evidence < N_EVIDENCES) {
+        return (Verdict){VERDICT_FAILED,
+                         {.found = read_text(reply, "found"),
+                          .cause = read_text(reply, "cause"),
+                          .mistake = (Mistake)kinds->mistake,
+                          .evidence = (Evidence)kinds->evidence}};
+    }
+    return (Verdict){.kind = sections_find(reply, "passed", 0) != NULL ? VERDICT_PASSED
+                                                                       : VERDICT_MISSING};
+}
+
 Verdict judge_verdict(JudgeProcess *judge, Answers answers, int check)
 {
     Sections reply;
     char number[16];
-    Verdict verdict = {VERDICT_MISSING, NULL};
-    size_t n_bytes;
     snprintf(number, sizeof number, "%d", check);
     if (ask_about(judge, answers, "verdict", number, &reply) != 0) {
         return (Verdict){VERDICT_FAILED,
-                         message_new("the answers cannot be judged: no probe writes such ones")};
+                         diagnosis_new("the answers cannot be judged: no probe writes such ones")};
     }
-    const char *message = sections_find_any(&reply, "failed", &n_bytes);
-    if (message != NULL) {
-        verdict = (Verdict){VERDICT_FAILED, message_new("%.*s", (int)n_bytes, message)};
-    } else if (sections_find(&reply, "passed", 0) != NULL) {
-        verdict.kind = VERDICT_PASSED;
-    }
+    const Verdict verdict = read_verdict(&reply);
     sections_free(&reply);
     return verdict;
 }

@@ -45,7 +45,7 @@ void judge_stop(JudgeProcess *judge);
 // Returns 0, or -1 after one message.
 int judge_job(JudgeProcess *judge, const char *task, FILE *file);
 
-// Judge check number `check`. The message is owned by the caller.
+// Judge check number `check`. The diagnosis is owned by the caller.
 Verdict judge_verdict(JudgeProcess *judge, Answers answers, int check);
 
 // Does it pass by what the answer to its task did alone?

@@ -12,7 +12,7 @@ void result_free(Result *result)
         free(result->stages[i].message);
     }
     for (int i = 0; i < result->n_checks; i++) {
-        free(result->checks[i].message);
+        check_free(&result->checks[i]);
     }
     for (int i = 0; i < result->n_pictures; i++) {
         PictureResult *picture = &result->pictures[i];
@@ -22,6 +22,34 @@ void result_free(Result *result)
         free(picture->svg_own);
     }
     *result = (Result){0};
+}
+
+void check_tell(CheckResult *check, Diagnosis diagnosis)
+{
+    check_free(check);
+    check->diagnosis = diagnosis;
+    check->message = diagnosis_text(&diagnosis);
+}
+
+void check_pass(CheckResult *check)
+{
+    check->status = CHECK_PASSED;
+    check->points = check->max_points;
+    check_tell(check, NOTHING_WRONG);
+}
+
+void check_fail(CheckResult *check, Diagnosis diagnosis)
+{
+    check->status = CHECK_FAILED;
+    check->points = 0;
+    check_tell(check, diagnosis);
+}
+
+void check_free(CheckResult *check)
+{
+    diagnosis_free(&check->diagnosis);
+    free(check->message);
+    check->message = NULL;
 }
 
 const char *check_status_name(CheckStatus status)

@@ -2,6 +2,7 @@
 #ifndef GRADER_RESULT_H
 #define GRADER_RESULT_H
 
+#include "diagnosis.h"
 #include "image.h"
 
 #include <stdint.h>
@@ -20,10 +21,12 @@ typedef struct CheckResult {
     int points;         // earned: 0 or max_points
     int max_points;
     CheckStatus status;
-    char *message;     // what is wrong, where, and what it looks like; may come from student code's
-                       // values, never trusted as markup. "" when passed. Owned.
-    int is_explained;  // the message says why: a hint would only lead elsewhere
-    int is_own;        // its answer fails it alone, too: whatever else is wrong, it is its fault
+    // Of what check_tell() was told. Both owned.
+    Diagnosis diagnosis;
+    char *message;      // the same as a sentence: what is wrong, where, and what it looks like; may
+                        // come from student code's values, never trusted as markup. "" when passed
+    int is_explained;   // the message says why: a hint would only lead elsewhere
+    int is_own;         // its answer fails it alone, too: whatever else is wrong, it is its fault
     int is_unanswered;  // its task stands as it was handed out
 } CheckResult;
 
@@ -65,6 +68,16 @@ typedef struct Result {
 } Result;
 
 void result_free(Result *result);
+
+// Say this of a check, in the place of what was said before. Takes the diagnosis over.
+void check_tell(CheckResult *check, Diagnosis diagnosis);
+
+// Let it pass with all its points, and nothing to say; or fail with none.
+void check_pass(CheckResult *check);
+void check_fail(CheckResult *check, Diagnosis diagnosis);
+
+// Release what is said of it.
+void check_free(CheckResult *check);
 
 // The word for a status in results.json and in reports: "passed", "failed" or "not-run".
 const char *check_status_name(CheckStatus status);

@@ -3,6 +3,10 @@
 #ifndef GRADER_VERDICT_H
 #define GRADER_VERDICT_H
 
+#include "diagnosis.h"
+
+#include <stdint.h>
+
 typedef struct Check {
     const char *id;
     const char *title;
@@ -22,7 +26,13 @@ typedef enum VerdictKind {
 
 typedef struct Verdict {
     VerdictKind kind;
-    char *message;  // what is wrong; NULL unless VERDICT_FAILED; owned
+    Diagnosis diagnosis;  // of VERDICT_FAILED; else NOTHING_WRONG. Owned
 } Verdict;
+
+// The kinds of a diagnosis as they are sent from the judge to the grader.
+typedef struct SentKinds {
+    uint32_t mistake;   // below N_MISTAKES
+    uint32_t evidence;  // below N_EVIDENCES
+} SentKinds;
 
 #endif

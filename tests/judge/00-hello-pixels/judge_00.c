@@ -27,21 +27,26 @@ static void gradient_draw(Image *image, double offset, int less)
 }
 
 // As DrawMistaken of picture.h has it.
-static const char *draw_mistaken(const void *scene, int mistake, Image *guess, float *tolerances)
+static Cause draw_mistaken(const void *scene, int mistake, Image *guess, float *tolerances)
 {
     static const struct {
-        const char *looks;
+        Cause looks;
         double offset;
         int less;
     } mistakes[] = {
-        {"shifted by half a pixel: the colour is that of the pixel's middle, not of its integer "
-         "coordinate",
-         0.5, 0},
-        {"drawn as if the last column and row had the colour 1: the sizes are one too small", 0, 1},
+        {{"shifted by half a pixel: the colour is that of the pixel's middle, not of its integer "
+          "coordinate",
+          MISTAKE_SHIFTED_HALF},
+         0.5,
+         0},
+        {{.says =
+              "drawn as if the last column and row had the colour 1: the sizes are one too small"},
+         0,
+         1},
     };
     (void)scene;
     if (mistake >= (int)(sizeof mistakes / sizeof *mistakes)) {
-        return NULL;
+        return (Cause){0};
     }
     gradient_draw(guess, mistakes[mistake].offset, mistakes[mistake].less);
     for (int i = 0; i < guess->width * guess->height; i++) {
@@ -65,17 +70,18 @@ static int expect_gradient(int width, int height, JobPicture *gradient)
 }
 
 // As DrawMistaken of picture.h has it, for a pattern.
-static const char *pattern_mistaken(const void *scene, int mistake, Image *guess, float *tolerances)
+static Cause pattern_mistaken(const void *scene, int mistake, Image *guess, float *tolerances)
 {
     (void)scene;
     if (mistake > 0) {
-        return NULL;
+        return (Cause){0};
     }
     gradient_draw(guess, 0, 0);
     for (int i = 0; i < guess->width * guess->height; i++) {
         tolerances[i] = GRADIENT_ERROR;
     }
-    return "like the gradient: read_back copies what is in the image, whatever that is";
+    return (Cause){
+        .says = "like the gradient: read_back copies what is in the image, whatever that is"};
 }
 
 // Colours for read_back, which have to arrive to the bit.

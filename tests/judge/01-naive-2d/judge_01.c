@@ -137,26 +137,29 @@ static int write_scene(const void *pointer, int k, FILE *file)
 
 // ---- overlaps_N_Nearer --------------------------------------------------------------------------
 
-// What a wrong answer of overlaps_N_Nearer suggests, "" when nothing.
-static const char *explain_overlap(OverlapJob input, int found)
+// What a wrong answer of overlaps_N_Nearer suggests.
+static Cause explain_overlap(OverlapJob input, int found)
 {
     const double dx = input.x - (double)input.circle.x, dy = input.y - (double)input.circle.y;
     const double radius = input.circle.radius;
     const int on_boundary = dx * dx + dy * dy == radius * radius;
     if (found && input.circle.depth == input.minDepth) {
-        return "; nearer is strict: a circle at equal depth does not take the pixel";
+        return (Cause){"nearer is strict: a circle at equal depth does not take the pixel",
+                       MISTAKE_LATER_OF_EQUALS};
     }
     if (found && input.circle.depth > input.minDepth) {
-        return "; the circle is farther than what the pixel has seen";
+        return (Cause){.says = "the circle is farther than what the pixel has seen"};
     }
     if (!found && on_boundary) {
-        return "; strict where it should not be: the boundary belongs to the circle";
+        return (Cause){"strict where it should not be: the boundary belongs to the circle",
+                       MISTAKE_STRICT_BOUNDARY};
     }
     if (found && oracle2d_covers(input.circle, input.x, input.y) == 0 && fabs(dx) <= radius &&
         fabs(dy) <= radius) {
-        return "; the pixel is in the circle's bounding square but not in the circle";
+        return (Cause){.says =
+                           "the pixel is in the circle's bounding square but not in the circle"};
     }
-    return "";
+    return (Cause){0};
 }
 
 // The right answer for a sample point that is `offset` away from the pixel's.
@@ -174,22 +177,26 @@ static int overlap_agrees(const void *pointer, int i, const void *answers, int m
 }
 
 // A cause is named only when it explains every wrong answer.
-static const char *explain_overlaps(const void *pointer, Range range, const void *answers)
+static Cause explain_overlaps(const void *pointer, Range range, const void *answers)
 {
     const Job01 *job = pointer;
     int is_shifted[] = {1, 1, 1};
-    const char *why = NULL;
+    const Cause unknown = {0};
+    Cause why = unknown;
+    int n_wrong = 0;
     for (int i = range.first; i < range.first + range.n; i++) {
-        const char *cause = explain_overlap(job->overlaps[i], ((const i32 *)answers)[i] != 0);
+        const Cause cause = explain_overlap(job->overlaps[i], ((const i32 *)answers)[i] != 0);
         if (!overlap_agrees(job, i, answers, 0)) {
-            why = why == NULL || why == cause ? cause : "";
+            why = n_wrong++ == 0 || why.says == cause.says ? cause : unknown;
         }
         is_shifted[1] &= overlap_agrees(job, i, answers, 1);
         is_shifted[2] &= overlap_agrees(job, i, answers, 2);
     }
-    return is_shifted[1] || is_shifted[2]
-               ? "; shifted by half a pixel: the sample point is the integer coordinate"
-               : why;
+    if (is_shifted[1] || is_shifted[2]) {
+        return (Cause){"shifted by half a pixel: the sample point is the integer coordinate",
+                       MISTAKE_SHIFTED_HALF};
+    }
+    return why;
 }
 
 static char *describe_overlap(const void *pointer, int i, const void *answers)
@@ -204,7 +211,7 @@ static char *describe_overlap(const void *pointer, int i, const void *answers)
 static const Function overlaps = {.section = "overlaps",
                                   .n = N_OVERLAPS,
                                   .answer_bytes = sizeof(i32),
-                                  .fault = describe_overlap,
+                                  .describe = describe_overlap,
                                   .agrees = overlap_agrees,
                                   .counted = "inputs",
                                   .explain = explain_overlaps};

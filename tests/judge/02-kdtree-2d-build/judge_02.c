@@ -34,10 +34,13 @@ static Verdict tree_refused(const char *title, int k, const char *task, const Se
     }
     const Refusal *refusal = &refusals[*reason < N_TREE_REFUSALS ? *reason : TREE_TOO_LARGE];
     if (refusal->task != NULL && strcmp(refusal->task, task) != 0) {
-        return verdict_of(message_new("%s: kdtree2d_build gave up: see %s", title, refusal->check));
+        return verdict_of(
+            diagnosis_new("%s: kdtree2d_build gave up: see %s", title, refusal->check));
     }
-    return verdict_of(message_new("%s: kdtree2d_build gave up%s%s", title,
-                                  refusal->task ? MESSAGE_CAUSE : ": ", refusal->says));
+    return verdict_of(refusal->task != NULL
+                          ? diagnosis_of(message_new("%s: kdtree2d_build gave up", title),
+                                         (Cause){.says = refusal->says})
+                          : diagnosis_new("%s: kdtree2d_build gave up: %s", title, refusal->says));
 }
 
 static Verdict judge_tree(const void *pointer, int k, const JudgeCheck *check,

@@ -8,7 +8,6 @@
 #include "packed_list.h"
 #include "words.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 // ---- is_leaf ------------------------------------------------------------------------------------
@@ -29,24 +28,24 @@ static int is_cut_to(const Job02 *job, const i32 *found, u32 bits)
     return i == N_LEAVES;
 }
 
-static char *leaf_fault(const void *pointer, int i, const void *answers)
+static Diagnosis leaf_fault(const void *pointer, int i, const void *answers)
 {
     const Job02 *job = pointer;
     const LeafJob in = job->leaves[i];
     const i32 *found = answers;
     const int expected = leaf_expected(in, ~0u);
     if ((found[i] != 0) == expected) {
-        return NULL;
+        return NOTHING_WRONG;
     }
-    const char *cause = is_cut_to(job, found, 0xff) ? MESSAGE_CAUSE
-                            "your answers are those of a count cut to 8 bits"
-                        : is_cut_to(job, found, 0xffff) ? MESSAGE_CAUSE
-                            "your answers are those of a count cut to 16 bits"
-                                                        : "";
-    return message_new("level %d, %u circles, %d failed splits, maxDepth %d, "
-                       "targetElementsPerNode %d: found %d, expected %d%s",
-                       in.level, in.n_circles, in.n_failed, in.maxDepth, in.targetElementsPerNode,
-                       found[i], expected, cause);
+    const char *looks =
+        is_cut_to(job, found, 0xff)     ? "your answers are those of a count cut to 8 bits"
+        : is_cut_to(job, found, 0xffff) ? "your answers are those of a count cut to 16 bits"
+                                        : NULL;
+    return diagnosis_of(message_new("level %d, %u circles, %d failed splits, maxDepth %d, "
+                                    "targetElementsPerNode %d: found %d, expected %d",
+                                    in.level, in.n_circles, in.n_failed, in.maxDepth,
+                                    in.targetElementsPerNode, found[i], expected),
+                        (Cause){.says = looks});
 }
 
 const Function is_leaf_02 = {"leaves", N_LEAVES, sizeof(i32), .fault = leaf_fault};
@@ -82,12 +81,13 @@ static int longer_side(BBox2D box)
     return (double)box.maxX - box.minX >= (double)box.maxY - box.minY ? 'x' : 'y';
 }
 
-static char *describe_split(BBox2D box, const BBox2D found[2], const BBox2D expected[2],
-                            const char *why)
+static Diagnosis describe_split(BBox2D box, const BBox2D found[2], const BBox2D expected[2],
+                                const char *why)
 {
-    return message_new("box %s: found left %s and right %s, expected left %s%s",
-                       words_box2d(box).text, words_box2d(found[0]).text,
-                       words_box2d(found[1]).text, words_box2d(expected[0]).text, why);
+    return diagnosis_of(message_new("box %s: found left %s and right %s, expected left %s",
+                                    words_box2d(box).text, words_box2d(found[0]).text,
+                                    words_box2d(found[1]).text, words_box2d(expected[0]).text),
+                        (Cause){.says = why});
 }
 
 // Why a side is the wrong one.
@@ -95,25 +95,26 @@ static const char *explain_side(BBox2D box, int side)
 {
     const double width = (double)box.maxX - box.minX, height = (double)box.maxY - box.minY;
     const double apart = width - height;
-    return side == '?'  ? MESSAGE_CAUSE "nothing was split, or both sides"
-           : apart == 0 ? MESSAGE_CAUSE "where both sides are equal, x is split"
+    return side == '?'  ? "nothing was split, or both sides"
+           : apart == 0 ? "where both sides are equal, x is split"
            : -apart < height / 1024 && apart < width / 1024
-               ? MESSAGE_CAUSE "the sides are not equal, if nearly, and the longer one is split"
-               : MESSAGE_CAUSE "the shorter side was split";
+               ? "the sides are not equal, if nearly, and the longer one is split"
+               : "the shorter side was split";
 }
 
-static char *split_longer_fault(const void *pointer, int i, const void *answers)
+static Diagnosis split_longer_fault(const void *pointer, int i, const void *answers)
 {
     const BBox2D box = ((const Job02 *)pointer)->splits[i];
     const BBox2D *found = (const BBox2D *)answers + 2 * i;
     const int longer = longer_side(box), side = split_side(found);
     BBox2D expected[2];
     halve(box, longer, expected);
-    return side == longer ? NULL : describe_split(box, found, expected, explain_side(box, side));
+    return side == longer ? NOTHING_WRONG
+                          : describe_split(box, found, expected, explain_side(box, side));
 }
 
 // Where along the side that the student has split, be it the right one or not.
-static char *split_middle_fault(const void *pointer, int i, const void *answers)
+static Diagnosis split_middle_fault(const void *pointer, int i, const void *answers)
 {
     const BBox2D box = ((const Job02 *)pointer)->splits[i];
     const BBox2D *found = (const BBox2D *)answers + 2 * i;
@@ -121,10 +122,10 @@ static char *split_middle_fault(const void *pointer, int i, const void *answers)
     BBox2D expected[2];
     halve(box, side == '?' ? longer_side(box) : side, expected);
     if (is_box(found[0], expected[0]) && is_box(found[1], expected[1])) {
-        return NULL;
+        return NOTHING_WRONG;
     }
     const int swapped = is_box(found[0], expected[1]) && is_box(found[1], expected[0]);
-    return describe_split(box, found, expected, swapped ? "; left and right are swapped" : "");
+    return describe_split(box, found, expected, swapped ? "left and right are swapped" : NULL);
 }
 
 const Function split_longer_02 = {"splits", N_SPLITS, 2 * sizeof(BBox2D),
@@ -143,25 +144,26 @@ static Reach reach_of(const void *job, int i)
                    in.circle.radius};
 }
 
-static const char *explain_overlap(const Job02 *job, int i, const i32 *found)
+static Cause explain_overlap(const Job02 *job, int i, const i32 *found)
 {
-    const char *cause = overlap_cause(reach_of, job, N_OVERLAPS, found);
-    return cause[0] == '\0' && found[i] && overlap_is_of_box(reach_of, job, N_OVERLAPS, found)
-               ? MESSAGE_CAUSE "the circle's bounding square overlaps, the circle does not"
+    const Cause cause = overlap_cause(reach_of, job, N_OVERLAPS, found);
+    return cause.says == NULL && found[i] && overlap_is_of_box(reach_of, job, N_OVERLAPS, found)
+               ? (Cause){.says = "the circle's bounding square overlaps, the circle does not"}
                : cause;
 }
 
-static char *overlap_fault(const void *pointer, int i, const void *answers)
+static Diagnosis overlap_fault(const void *pointer, int i, const void *answers)
 {
     const Job02 *job = pointer;
     const BoxOverlapJob in = job->overlaps[i];
     const i32 *found = answers;
     const int expected = oracle2d_overlaps_box(in.circle, in.box);
     return (found[i] != 0) == expected
-               ? NULL
-               : message_new("circle at %s, box %s: found %d, expected %d%s",
-                             words_circle(in.circle).text, words_box2d(in.box).text, found[i],
-                             expected, explain_overlap(job, i, found));
+               ? NOTHING_WRONG
+               : diagnosis_of(message_new("circle at %s, box %s: found %d, expected %d",
+                                          words_circle(in.circle).text, words_box2d(in.box).text,
+                                          found[i], expected),
+                              explain_overlap(job, i, found));
 }
 
 const Function overlap_02 = {"overlaps", N_OVERLAPS, sizeof(i32), .fault = overlap_fault};
@@ -200,8 +202,8 @@ static int64_t listed_as(const Job02 *job, u32 id, const u32 *list, u32 n)
 }
 
 // Lists in which all that is wrong is that circles are missing: those that are equal to others, or
-// those behind some place.
-static Words explain_list(const Job02 *job, ListCall call, const u32 *found)
+// those behind some place. NULL for other lists; owned by the caller.
+static char *explain_list(const Job02 *job, ListCall call, const u32 *found)
 {
     const u32 n = found[0] < call.n_ids ? found[0] : call.n_ids;
     int is_start = 1, are_equal = 1;
@@ -213,27 +215,23 @@ static Words explain_list(const Job02 *job, ListCall call, const u32 *found)
             n_kept++;
         }
     }
-    return n >= n_kept ? words("%s", "")
-           : are_equal ? words(MESSAGE_CAUSE "circles that are equal are all listed")
+    return n >= n_kept ? NULL
+           : are_equal ? message_new("circles that are equal are all listed")
            : is_start && n > 0
-               ? words(MESSAGE_CAUSE "the list ends after %u ids, and there is room for more", n)
-               : words("%s", "");
+               ? message_new("the list ends after %u ids, and there is room for more", n)
+               : NULL;
 }
 
-static char *distribute_fault(const void *pointer, int i, const void *answers)
+static Diagnosis distribute_fault(const void *pointer, int i, const void *answers)
 {
     const Job02 *job = pointer;
     const ListCall call = list_call_02(job, i);
     const u32 *found = (const u32 *)answers + i * DISTRIBUTE_ROOM;
-    char *fault = list_fault("circle", call, keeps, job, found);
-    char *message = fault == NULL || strstr(fault, MESSAGE_CAUSE) != NULL
-                        ? NULL
-                        : message_new("%s%s", fault, explain_list(job, call, found).text);
-    if (message == NULL) {
-        return fault;
+    Diagnosis wrong = list_fault("circle", call, keeps, job, found);
+    if (wrong.found != NULL && wrong.cause == NULL) {
+        wrong.cause = explain_list(job, call, found);
     }
-    free(fault);
-    return message;
+    return wrong;
 }
 
 const Function distribute_02 = {"distribute", N_DISTRIBUTES, DISTRIBUTE_ROOM * sizeof(u32),
@@ -241,53 +239,54 @@ const Function distribute_02 = {"distribute", N_DISTRIBUTES, DISTRIBUTE_ROOM * s
 
 // ---- pack_leaf ----------------------------------------------------------------------------------
 
-static char *pack_offset_fault(const void *job, int i, const void *answers)
+static Diagnosis pack_offset_fault(const void *job, int i, const void *answers)
 {
     const PackJob *in = &((const Job02 *)job)->packs[i];
     const PackAnswer *out = (const PackAnswer *)answers + i;
     const u32 offset = out->relations[in->id].circleMapOffset;
     return offset == in->n_map
-               ? NULL
-               : message_new(
+               ? NOTHING_WRONG
+               : diagnosis_new(
                      "leaf with %u circles, map of %u entries: circleMapOffset is %u, expected "
                      "%u, the place of the count",
                      in->n_ids, in->n_map, offset, in->n_map);
 }
 
-static char *pack_count_fault(const void *job, int i, const void *answers)
+static Diagnosis pack_count_fault(const void *job, int i, const void *answers)
 {
     const PackJob *in = &((const Job02 *)job)->packs[i];
     const PackAnswer *out = (const PackAnswer *)answers + i;
     const u32 count = out->map[in->n_map];
     if (count == UNTOUCHED) {
-        return message_new("leaf with %u circles, map of %u entries: mapNode2Circles[%u] was not "
-                           "written, expected the count",
-                           in->n_ids, in->n_map, in->n_map);
+        return diagnosis_new("leaf with %u circles, map of %u entries: mapNode2Circles[%u] was not "
+                             "written, expected the count",
+                             in->n_ids, in->n_map, in->n_map);
     }
     return count == in->n_ids
-               ? NULL
-               : message_new("leaf with %u circles, map of %u entries: the count at %u "
-                             "is %u, expected %u%s",
-                             in->n_ids, in->n_map, in->n_map, count, in->n_ids,
-                             number_cause(count, in->n_ids));
+               ? NOTHING_WRONG
+               : diagnosis_of(message_new("leaf with %u circles, map of %u entries: the count at "
+                                          "%u is %u, expected %u",
+                                          in->n_ids, in->n_map, in->n_map, count, in->n_ids),
+                              number_cause(count, in->n_ids));
 }
 
 // The leaf's ids, and what else is in the map.
-static char *map_fault(const PackJob *in, const PackAnswer *out)
+static Diagnosis map_fault(const PackJob *in, const PackAnswer *out)
 {
     const u32 *list = out->map + in->n_map + 1;
     for (u32 j = 0; j < in->n_ids; j++) {
         if (list[j] == UNTOUCHED) {
-            return message_new("leaf with %u circles: id number %u was not written, expected %u",
-                               in->n_ids, j, in->ids[j]);
+            return diagnosis_new("leaf with %u circles: id number %u was not written, expected %u",
+                                 in->n_ids, j, in->ids[j]);
         }
         if (list[j] != in->ids[j]) {
-            return message_new("leaf with %u circles: id number %u is %u, expected %u%s", in->n_ids,
-                               j, list[j], in->ids[j], list_cause(list, in->ids, in->n_ids));
+            return diagnosis_of(message_new("leaf with %u circles: id number %u is %u, expected %u",
+                                            in->n_ids, j, list[j], in->ids[j]),
+                                list_cause(list, in->ids, in->n_ids));
         }
     }
     if (out->n_map != in->n_map + 1 + in->n_ids) {
-        return message_new(
+        return diagnosis_new(
             "leaf with %u circles, map of %u entries: n_map is %u afterwards, expected "
             "%u",
             in->n_ids, in->n_map, out->n_map, in->n_map + 1 + in->n_ids);
@@ -295,15 +294,15 @@ static char *map_fault(const PackJob *in, const PackAnswer *out)
     for (u32 j = 0; j < PACK_MAP_ROOM; j++) {
         const int is_list = j >= in->n_map && j < in->n_map + 1 + in->n_ids;
         if (!is_list && out->map[j] != UNTOUCHED) {
-            return message_new("mapNode2Circles[%u] was written, but the list goes from %u to %u",
-                               j, in->n_map, in->n_map + in->n_ids);
+            return diagnosis_new("mapNode2Circles[%u] was written, but the list goes from %u to %u",
+                                 j, in->n_map, in->n_map + in->n_ids);
         }
     }
-    return NULL;
+    return NOTHING_WRONG;
 }
 
 // Is a node as it was, but for the leaf's flag and circleMapOffset?
-static char *node_fault(const PackJob *in, const PackAnswer *out, u32 id)
+static Diagnosis node_fault(const PackJob *in, const PackAnswer *out, u32 id)
 {
     const NodeRel node = out->relations[id];
     const int is_leaf = id == in->id;
@@ -319,34 +318,35 @@ static char *node_fault(const PackJob *in, const PackAnswer *out, u32 id)
     };
     for (int f = 0; f < COUNT(fields); f++) {
         if (fields[f].found != fields[f].expected) {
-            return message_new("packing leaf %u changed %s[%u]%s to %u, expected it to stay %u",
-                               in->id, fields[f].array, id, fields[f].field, fields[f].found,
-                               fields[f].expected);
+            return diagnosis_new("packing leaf %u changed %s[%u]%s to %u, expected it to stay %u",
+                                 in->id, fields[f].array, id, fields[f].field, fields[f].found,
+                                 fields[f].expected);
         }
     }
     return is_box(out->boxes[id], PACK_CELL(id))
-               ? NULL
-               : message_new("packing leaf %u changed nodes_BBox[%u] to %s, expected it to stay %s",
-                             in->id, id, words_box2d(out->boxes[id]).text,
-                             words_box2d(PACK_CELL(id)).text);
+               ? NOTHING_WRONG
+               : diagnosis_new("packing leaf %u changed nodes_BBox[%u] to %s, expected it to stay "
+                               "%s",
+                               in->id, id, words_box2d(out->boxes[id]).text,
+                               words_box2d(PACK_CELL(id)).text);
 }
 
-static char *pack_rest_fault(const void *job, int i, const void *answers)
+static Diagnosis pack_rest_fault(const void *job, int i, const void *answers)
 {
     const PackJob *in = &((const Job02 *)job)->packs[i];
     const PackAnswer *out = (const PackAnswer *)answers + i;
     if (out->flags[in->id] != LEAF) {
-        return message_new("nodes_flag[%u] is %u, expected LEAF", in->id, out->flags[in->id]);
+        return diagnosis_new("nodes_flag[%u] is %u, expected LEAF", in->id, out->flags[in->id]);
     }
-    char *message = map_fault(in, out);
-    for (u32 id = 0; message == NULL && id < PACK_NODES; id++) {
-        message = node_fault(in, out, id);
+    Diagnosis wrong = map_fault(in, out);
+    for (u32 id = 0; wrong.found == NULL && id < PACK_NODES; id++) {
+        wrong = node_fault(in, out, id);
     }
-    if (message == NULL && out->n_nodes != PACK_NODES) {
-        message = message_new("packing leaf %u changed n_nodes to %u, expected it to stay %d",
+    if (wrong.found == NULL && out->n_nodes != PACK_NODES) {
+        wrong = diagnosis_new("packing leaf %u changed n_nodes to %u, expected it to stay %d",
                               in->id, out->n_nodes, PACK_NODES);
     }
-    return message;
+    return wrong;
 }
 
 const Function pack_count_02 = {"pack", N_PACKS, sizeof(PackAnswer), .fault = pack_count_fault};

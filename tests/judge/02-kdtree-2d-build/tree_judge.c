@@ -55,34 +55,37 @@ static const u32 *leaf_list(const KdTree2D *tree, u32 id, u32 *n_ids)
     return tree->mapNode2Circles + offset + 1;
 }
 
-static char *bad_list(const JobScene *scene, const KdTree2D *own, u32 id)
+static Diagnosis bad_list(const JobScene *scene, const KdTree2D *own, u32 id)
 {
     const u32 offset = own->nodes_Relations[id].circleMapOffset;
     if (offset >= own->n_map) {
-        return message_new("%s: leaf %u: circleMapOffset is %u, but mapNode2Circles has %u entries",
-                           scene->picture.title, id, offset, own->n_map);
+        return diagnosis_new(
+            "%s: leaf %u: circleMapOffset is %u, but mapNode2Circles has %u entries",
+            scene->picture.title, id, offset, own->n_map);
     }
-    return message_new("%s: leaf %u: circleMapOffset is %u, where the count would be %u, but "
-                       "mapNode2Circles has %u entries",
-                       scene->picture.title, id, offset, own->mapNode2Circles[offset], own->n_map);
+    return diagnosis_new("%s: leaf %u: circleMapOffset is %u, where the count would be %u, but "
+                         "mapNode2Circles has %u entries",
+                         scene->picture.title, id, offset, own->mapNode2Circles[offset],
+                         own->n_map);
 }
 
 // The invariants hold for the tree by itself; is it also the tree that was asked for?
-static char *differs_from_oracle(const JobScene *scene, const KdTree2D *own, const void *own_array,
-                                 const void *array, size_t element_size, const char *what)
+static Diagnosis differs_from_oracle(const JobScene *scene, const KdTree2D *own,
+                                     const void *own_array, const void *array, size_t element_size,
+                                     const char *what)
 {
     if (own->n_nodes != scene->tree.n_nodes) {
-        return message_new("%s: the tree has %u node%s, expected %u", scene->picture.title,
-                           own->n_nodes, plural(own->n_nodes), scene->tree.n_nodes);
+        return diagnosis_new("%s: the tree has %u node%s, expected %u", scene->picture.title,
+                             own->n_nodes, plural(own->n_nodes), scene->tree.n_nodes);
     }
     for (u32 id = 0; id < own->n_nodes; id++) {
         if (memcmp((const char *)own_array + id * element_size,
                    (const char *)array + id * element_size, element_size) != 0) {
-            return message_new("%s: node %u: %s is not as expected", scene->picture.title, id,
-                               what);
+            return diagnosis_new("%s: node %u: %s is not as expected", scene->picture.title, id,
+                                 what);
         }
     }
-    return NULL;
+    return NOTHING_WRONG;
 }
 
 // How many nodes are looked at where each is held against every circle. As long as ids are
@@ -101,16 +104,16 @@ typedef struct Above {
     int n_failed;  // splits that failed
 } Above;
 
-char *tree_judge_limits(const JobScene *scene, const KdTree2D *own)
+Diagnosis tree_judge_limits(const JobScene *scene, const KdTree2D *own)
 {
-    char *message = NULL;
+    Diagnosis wrong = NOTHING_WRONG;
     Above *above = calloc(own->n_nodes, sizeof *above);
-    for (u32 id = 0; above != NULL && message == NULL && id < n_judged(scene, own); id++) {
+    for (u32 id = 0; above != NULL && wrong.found == NULL && id < n_judged(scene, own); id++) {
         const int level = above[id].n_levels + 1, n_failed = above[id].n_failed;
         const u32 n = oracle2d_n_overlapping(&scene->scene, own->nodes_BBox[id]);
         const int should_be_leaf = oracle_is_leaf(level, n, n_failed, scene->limits);
         if (is_inner(own, id) == should_be_leaf) {
-            message = message_new(
+            wrong = diagnosis_new(
                 "%s, maxDepth %d, targetElementsPerNode %d: node %u on level %d with "
                 "%u circles, below %d failed splits, is %s, expected %s",
                 scene->picture.title, scene->limits.maxDepth, scene->limits.targetElementsPerNode,
@@ -126,9 +129,10 @@ char *tree_judge_limits(const JobScene *scene, const KdTree2D *own)
         }
     }
     free(above);
-    return message ? message
-                   : differs_from_oracle(scene, own, own->nodes_flag, scene->tree.nodes_flag,
-                                         sizeof *own->nodes_flag, "leaf or inner node");
+    return wrong.found != NULL
+               ? wrong
+               : differs_from_oracle(scene, own, own->nodes_flag, scene->tree.nodes_flag,
+                                     sizeof *own->nodes_flag, "leaf or inner node");
 }
 
 static int is_same_box(BBox2D a, BBox2D b)
@@ -136,17 +140,18 @@ static int is_same_box(BBox2D a, BBox2D b)
     return a.minX == b.minX && a.maxX == b.maxX && a.minY == b.minY && a.maxY == b.maxY;
 }
 
-char *tree_judge_cells(const JobScene *scene, const KdTree2D *own)
+Diagnosis tree_judge_cells(const JobScene *scene, const KdTree2D *own)
 {
     for (u32 id = 0; id < own->n_nodes; id++) {
         if (!is_inner(own, id)) {
             continue;
         }
         if (!has_children(own, id)) {
-            return message_new("%s: node %u is an inner node, but its children are %u and %u of %u "
-                               "nodes",
-                               scene->picture.title, id, own->nodes_Relations[id].lChild,
-                               own->nodes_Relations[id].rChild, own->n_nodes);
+            return diagnosis_new(
+                "%s: node %u is an inner node, but its children are %u and %u of %u "
+                "nodes",
+                scene->picture.title, id, own->nodes_Relations[id].lChild,
+                own->nodes_Relations[id].rChild, own->n_nodes);
         }
         BBox2D halves[2];
         oracle2d_halves(own->nodes_BBox[id], halves);
@@ -155,9 +160,9 @@ char *tree_judge_cells(const JobScene *scene, const KdTree2D *own)
             const u32 child = side == 0 ? node.lChild : node.rChild;
             const BBox2D found = own->nodes_BBox[child];
             if (!is_same_box(found, halves[side])) {
-                return message_new("%s: node %u's child %u: found %s, expected %s",
-                                   scene->picture.title, id, child, words_box2d(found).text,
-                                   words_box2d(halves[side]).text);
+                return diagnosis_new("%s: node %u's child %u: found %s, expected %s",
+                                     scene->picture.title, id, child, words_box2d(found).text,
+                                     words_box2d(halves[side]).text);
             }
         }
     }
@@ -166,7 +171,7 @@ char *tree_judge_cells(const JobScene *scene, const KdTree2D *own)
 }
 
 // Compare one leaf's list with the circles that overlap its cell.
-static char *judge_leaf_overlap(const JobScene *scene, const KdTree2D *own, u32 id)
+static Diagnosis judge_leaf_overlap(const JobScene *scene, const KdTree2D *own, u32 id)
 {
     u32 n_ids = 0;
     const u32 *ids = leaf_list(own, id, &n_ids);
@@ -174,8 +179,8 @@ static char *judge_leaf_overlap(const JobScene *scene, const KdTree2D *own, u32 
         return bad_list(scene, own, id);
     }
     if (n_ids > (u32)scene->scene.n_circles) {
-        return message_new("%s: leaf %u lists %u circles, but the scene has %d",
-                           scene->picture.title, id, n_ids, scene->scene.n_circles);
+        return diagnosis_new("%s: leaf %u lists %u circles, but the scene has %d",
+                             scene->picture.title, id, n_ids, scene->scene.n_circles);
     }
     const BBox2D box = own->nodes_BBox[id];
     for (u32 circle = 0; circle < (u32)scene->scene.n_circles; circle++) {
@@ -185,22 +190,25 @@ static char *judge_leaf_overlap(const JobScene *scene, const KdTree2D *own, u32 
         }
         const int overlaps = oracle2d_overlaps_box(scene->scene.circles[circle], box);
         if (listed != overlaps) {
-            return message_new("%s: leaf %u, %s: circle %u at %s %s, but the leaf %s it",
-                               scene->picture.title, id, words_box2d(box).text, circle,
-                               words_circle(scene->scene.circles[circle]).text,
-                               overlaps ? "overlaps its cell" : "does not overlap it",
-                               listed ? "lists" : "does not list");
+            char *found = message_new("%s: leaf %u, %s: circle %u at %s %s, but the leaf %s it",
+                                      scene->picture.title, id, words_box2d(box).text, circle,
+                                      words_circle(scene->scene.circles[circle]).text,
+                                      overlaps ? "overlaps its cell" : "does not overlap it",
+                                      listed ? "lists" : "does not list");
+            return diagnosis_of(
+                found, (Cause){.mistake = listed ? MISTAKE_NONE : MISTAKE_MISSING_IN_CELL});
         }
     }
-    return NULL;
+    return NOTHING_WRONG;
 }
 
-char *tree_judge_overlap(const JobScene *scene, const KdTree2D *own)
+Diagnosis tree_judge_overlap(const JobScene *scene, const KdTree2D *own)
 {
     for (u32 id = 0; id < n_judged(scene, own); id++) {
-        char *message = is_inner(own, id) ? NULL : judge_leaf_overlap(scene, own, id);
-        if (message != NULL) {
-            return message;
+        const Diagnosis wrong =
+            is_inner(own, id) ? NOTHING_WRONG : judge_leaf_overlap(scene, own, id);
+        if (wrong.found != NULL) {
+            return wrong;
         }
     }
     return differs_from_oracle(scene, own, own->nodes_BBox, scene->tree.nodes_BBox,
@@ -208,7 +216,7 @@ char *tree_judge_overlap(const JobScene *scene, const KdTree2D *own)
 }
 
 // Does a leaf's list name circles of the scene, in ascending order?
-static char *judge_list(const JobScene *scene, const KdTree2D *own, u32 id)
+static Diagnosis judge_list(const JobScene *scene, const KdTree2D *own, u32 id)
 {
     u32 n_ids = 0;
     const u32 *ids = leaf_list(own, id, &n_ids);
@@ -217,63 +225,62 @@ static char *judge_list(const JobScene *scene, const KdTree2D *own, u32 id)
     }
     for (u32 i = 0; i < n_ids; i++) {
         if (ids[i] >= (u32)scene->scene.n_circles) {
-            return message_new("%s: leaf %u lists circle %u, but the scene has %d",
-                               scene->picture.title, id, ids[i], scene->scene.n_circles);
+            return diagnosis_new("%s: leaf %u lists circle %u, but the scene has %d",
+                                 scene->picture.title, id, ids[i], scene->scene.n_circles);
         }
         if (i > 0 && ids[i] <= ids[i - 1]) {
-            return message_new("%s: leaf %u lists circle %u after circle %u: the ids must ascend",
-                               scene->picture.title, id, ids[i], ids[i - 1]);
+            return diagnosis_new("%s: leaf %u lists circle %u after circle %u: the ids must ascend",
+                                 scene->picture.title, id, ids[i], ids[i - 1]);
         }
     }
-    return NULL;
+    return NOTHING_WRONG;
 }
 
 // The lists of all leaves.
-static char *judge_lists(const JobScene *scene, const KdTree2D *own)
+static Diagnosis judge_lists(const JobScene *scene, const KdTree2D *own)
 {
-    char *message = NULL;
-    for (u32 id = 0; message == NULL && id < own->n_nodes; id++) {
-        message = is_inner(own, id) ? NULL : judge_list(scene, own, id);
+    Diagnosis wrong = NOTHING_WRONG;
+    for (u32 id = 0; wrong.found == NULL && id < own->n_nodes; id++) {
+        wrong = is_inner(own, id) ? NOTHING_WRONG : judge_list(scene, own, id);
     }
-    return message;
+    return wrong;
 }
 
-char *tree_judge_lists(const JobScene *scene, const KdTree2D *own)
+Diagnosis tree_judge_lists(const JobScene *scene, const KdTree2D *own)
 {
-    char *message = judge_lists(scene, own);
-    if (message != NULL) {
-        return message;
+    const Diagnosis wrong = judge_lists(scene, own);
+    if (wrong.found != NULL) {
+        return wrong;
     }
     if (own->n_map != scene->tree.n_map) {
-        return message_new("%s: mapNode2Circles has %u entries, expected %u", scene->picture.title,
-                           own->n_map, scene->tree.n_map);
+        return diagnosis_new("%s: mapNode2Circles has %u entries, expected %u",
+                             scene->picture.title, own->n_map, scene->tree.n_map);
     }
     return differs_from_oracle(scene, own, own->nodes_flag, scene->tree.nodes_flag,
                                sizeof *own->nodes_flag, "leaf or inner node");
 }
 
-char *tree_judge_packing(const JobScene *scene, const KdTree2D *own)
+Diagnosis tree_judge_packing(const JobScene *scene, const KdTree2D *own)
 {
     u32 next_id = 1, next_offset = 0;
     for (u32 id = 0; id < own->n_nodes; id++) {
         const NodeRel node = own->nodes_Relations[id];
         u32 n_ids = 0;
         if (node.id != id) {
-            return message_new("%s: the node at position %u has id %u", scene->picture.title, id,
-                               node.id);
+            return diagnosis_new("%s: the node at position %u has id %u", scene->picture.title, id,
+                                 node.id);
         }
         if (is_inner(own, id)) {
             if (node.lChild == 0 && node.rChild == 0) {
-                return message_new(
-                    "%s: node %u is marked INNER and has no children; pack_leaf marks "
-                    "the leaves",
-                    scene->picture.title, id);
+                return diagnosis_of(message_new("%s: node %u is marked INNER and has no children",
+                                                scene->picture.title, id),
+                                    (Cause){.says = "pack_leaf marks the leaves"});
             }
             if (node.lChild != next_id || node.rChild != next_id + 1) {
-                return message_new("%s: node %u's children are %u and %u, expected %u and %u "
-                                   "(breadth-first)",
-                                   scene->picture.title, id, node.lChild, node.rChild, next_id,
-                                   next_id + 1);
+                return diagnosis_new("%s: node %u's children are %u and %u, expected %u and %u "
+                                     "(breadth-first)",
+                                     scene->picture.title, id, node.lChild, node.rChild, next_id,
+                                     next_id + 1);
             }
             next_id += 2;
             continue;
@@ -282,7 +289,7 @@ char *tree_judge_packing(const JobScene *scene, const KdTree2D *own)
             return bad_list(scene, own, id);
         }
         if (node.circleMapOffset != next_offset) {
-            return message_new(
+            return diagnosis_new(
                 "%s: leaf %u: circleMapOffset is %u, expected %u, behind the list of the "
                 "leaf before it",
                 scene->picture.title, id, node.circleMapOffset, next_offset);
@@ -290,14 +297,14 @@ char *tree_judge_packing(const JobScene *scene, const KdTree2D *own)
         next_offset += n_ids + 1;
     }
     if (next_id != own->n_nodes || next_offset != own->n_map) {
-        return message_new(
+        return diagnosis_new(
             "%s: %u node%s and %u map entries belong to the tree, but its arrays hold %u "
             "and %u",
             scene->picture.title, next_id, plural(next_id), next_offset, own->n_nodes, own->n_map);
     }
-    char *message = judge_lists(scene, own);
-    if (message != NULL) {
-        return message;
+    const Diagnosis wrong = judge_lists(scene, own);
+    if (wrong.found != NULL) {
+        return wrong;
     }
     return differs_from_oracle(scene, own, own->nodes_Relations, scene->tree.nodes_Relations,
                                sizeof *own->nodes_Relations, "its entry in nodes_Relations");

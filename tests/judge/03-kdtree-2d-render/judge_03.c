@@ -36,16 +36,18 @@ static int children_follow(const Job03 *job, const u32 *found, Holds *way)
     return 1;
 }
 
-// What wrong children suggest, "" when nothing.
-static const char *explain_children(const Job03 *job, const u32 *found)
+// What wrong children suggest.
+static Cause explain_children(const Job03 *job, const u32 *found)
 {
     if (children_follow(job, found, holds_inner)) {
-        return "; strict where it should not be: cells are half-open, minX <= x < maxX";
+        return (Cause){"strict where it should not be: cells are half-open, minX <= x < maxX",
+                       MISTAKE_STRICT_BOUNDARY};
     }
     if (children_follow(job, found, holds_border)) {
-        return "; cells are half-open: a border belongs to the cell that starts there";
+        return (Cause){.says =
+                           "cells are half-open: a border belongs to the cell that starts there"};
     }
-    return "";
+    return (Cause){0};
 }
 
 // A half-open cell.
@@ -54,7 +56,7 @@ static Words cell_words(BBox2D box)
     return words("x [%g, %g) y [%g, %g)", box.minX, box.maxX, box.minY, box.maxY);
 }
 
-static char *child_fault(const void *pointer, int i, const void *answers)
+static Diagnosis child_fault(const void *pointer, int i, const void *answers)
 {
     const Job03 *job = pointer;
     const u32 *found = answers;
@@ -64,15 +66,16 @@ static char *child_fault(const void *pointer, int i, const void *answers)
     const BBox2D left = tree->nodes_BBox[node.lChild], right = tree->nodes_BBox[node.rChild];
     const u32 expected = cell_holds(left, in.x, in.y) ? node.lChild : node.rChild;
     if (found[i] == expected) {
-        return NULL;
+        return NOTHING_WRONG;
     }
-    const char *why = found[i] != node.lChild && found[i] != node.rChild
-                          ? "; that is no child of the node"
-                          : explain_children(job, found);
-    return message_new("node %u, pixel (%d, %d): found child %u, expected %u (left child %u is %s, "
-                       "right child %u is %s)%s",
-                       in.id, in.x, in.y, found[i], expected, node.lChild, cell_words(left).text,
-                       node.rChild, cell_words(right).text, why);
+    static const Cause no_child = {.says = "that is no child of the node"};
+    const int is_child = found[i] == node.lChild || found[i] == node.rChild;
+    const Cause why = is_child ? explain_children(job, found) : no_child;
+    return diagnosis_of(message_new("node %u, pixel (%d, %d): found child %u, expected %u (left "
+                                    "child %u is %s, right child %u is %s)",
+                                    in.id, in.x, in.y, found[i], expected, node.lChild,
+                                    cell_words(left).text, node.rChild, cell_words(right).text),
+                        why);
 }
 
 static const Function children = {
@@ -90,28 +93,29 @@ static u32 steps_to_leaf(const KdTree2D *tree, int x, int y)
     return steps;
 }
 
-// The message when a pixel's work is not as it should be, or NULL.
-typedef char *JudgeWork(const JobScene *scene, int x, int y, Work found);
+// Is a pixel's work as it should be?
+typedef Diagnosis JudgeWork(const JobScene *scene, int x, int y, Work found);
 
-static char *judge_descent(const JobScene *scene, int x, int y, Work found)
+static Diagnosis judge_descent(const JobScene *scene, int x, int y, Work found)
 {
     const u32 steps = steps_to_leaf(&scene->tree, x, y);
     return found.n_nodes_visited == steps
-               ? NULL
-               : message_new("%s: pixel (%d, %d): getContainingChild was called %u times, expected "
-                             "%u, once for each inner node on the way to the leaf",
-                             scene->picture.title, x, y, found.n_nodes_visited, steps);
+               ? NOTHING_WRONG
+               : diagnosis_new(
+                     "%s: pixel (%d, %d): getContainingChild was called %u times, expected "
+                     "%u, once for each inner node on the way to the leaf",
+                     scene->picture.title, x, y, found.n_nodes_visited, steps);
 }
 
-static char *judge_leaf(const JobScene *scene, int x, int y, Work found)
+static Diagnosis judge_leaf(const JobScene *scene, int x, int y, Work found)
 {
     const KdTree2D *tree = &scene->tree;
     const u32 n = tree->mapNode2Circles[tree->nodes_Relations[leaf_at(tree, x, y)].circleMapOffset];
     return found.n_tests == n
-               ? NULL
-               : message_new("%s: pixel (%d, %d): overlaps_N_Nearer was called %u times, but the "
-                             "leaf lists %u circles",
-                             scene->picture.title, x, y, found.n_tests, n);
+               ? NOTHING_WRONG
+               : diagnosis_new("%s: pixel (%d, %d): overlaps_N_Nearer was called %u times, but the "
+                               "leaf lists %u circles",
+                               scene->picture.title, x, y, found.n_tests, n);
 }
 
 // Judge the counted work of scene K. Every seventh pixel each way is plenty, and the tree is asked
@@ -121,7 +125,7 @@ static Verdict judge_work(const Job03 *job, int k, JudgeWork *judge_pixel, const
     const JobScene *scene = &job->scenes[k];
     const int width = scene->scene.width, height = scene->scene.height;
     const Work *found = job_work_find(&scene->picture, k, answers);
-    Verdict verdict = found == NULL ? verdict_missing : verdict_of(NULL);
+    Verdict verdict = found == NULL ? verdict_missing : verdict_passed;
     for (int y = 0; y < height; y += 7) {
         for (int x = 0; verdict.kind == VERDICT_PASSED && x < width; x += 7) {
             if (cell_holds(scene->tree.nodes_BBox[0], x, y)) {

@@ -60,83 +60,96 @@ static int is_opposite(Vec3 found, OracleVector expected)
     return is_near(found, (OracleVector){-expected.x, -expected.y, -expected.z}, AXES_ERROR);
 }
 
-// What is wrong with an answer, or NULL.
-typedef const char *AxesFault(const ViewJob *view, const Axes *found,
-                              const OracleVector expected[3]);
+// What is said of wrong axes: a remark on what was found, or what it looks like. Neither where
+// nothing is wrong.
+typedef struct AxesFault {
+    const char *remark;  // ": right is not forward x up"
+    const char *looks;   // "forward points backwards"
+} AxesFault;
+typedef AxesFault JudgeAxes(const ViewJob *view, const Axes *found, const OracleVector expected[3]);
 
-static const char *not_orthonormal(const ViewJob *view, const Axes *found,
-                                   const OracleVector expected[3])
+static AxesFault not_orthonormal(const ViewJob *view, const Axes *found,
+                                 const OracleVector expected[3])
 {
     (void)expected;
-    return !is_unit(found->forward) || !is_unit(found->right) || !is_unit(found->up)
-               ? ": not all three are unit vectors"
-           : !is_across(found->forward, found->right) || !is_across(found->up, found->right)
-               ? ": right is not at right angles to the others"
-           : !is_across(found->forward, found->up) ? ": up is not at right angles to forward"
-           : !is_across(found->right, view->up)    ? ": right is not at right angles to view.up"
-                                                   : NULL;
+    const char *remark =
+        !is_unit(found->forward) || !is_unit(found->right) || !is_unit(found->up)
+            ? ": not all three are unit vectors"
+        : !is_across(found->forward, found->right) || !is_across(found->up, found->right)
+            ? ": right is not at right angles to the others"
+        : !is_across(found->forward, found->up) ? ": up is not at right angles to forward"
+        : !is_across(found->right, view->up)    ? ": right is not at right angles to view.up"
+                                                : NULL;
+    return (AxesFault){.remark = remark};
 }
 
 // Of any length: that is the business of the check above.
-static const char *not_forward(const ViewJob *view, const Axes *found,
-                               const OracleVector expected[3])
+static AxesFault not_forward(const ViewJob *view, const Axes *found, const OracleVector expected[3])
 {
     const double length = sqrt(dot(found->forward, in_double(found->forward)));
     const OracleVector f = expected[2], wanted = {length * f.x, length * f.y, length * f.z};
     (void)view;
     if (is_near(found->forward, wanted, AXES_ERROR * length) && length > 0) {
-        return NULL;
+        return (AxesFault){0};
     }
-    return is_opposite(found->forward, f) ? "; forward points backwards"
-                                          : ": forward does not go from `from` to `at`";
+    if (is_opposite(found->forward, f)) {
+        return (AxesFault){.looks = "forward points backwards"};
+    }
+    return (AxesFault){.remark = ": forward does not go from `from` to `at`"};
 }
 
-static const char *not_upright(const ViewJob *view, const Axes *found,
-                               const OracleVector expected[3])
+static AxesFault not_upright(const ViewJob *view, const Axes *found, const OracleVector expected[3])
 {
     const int is_right = is_near(found->right, expected[0], AXES_ERROR);
     const int is_up = is_near(found->up, expected[1], AXES_ERROR);
     (void)view;
-    return is_right && is_up ? NULL
-           : is_opposite(found->right, expected[0])
-               ? "; right points to the left: mind the order of the cross product"
-           : is_opposite(found->up, expected[1])
-               ? "; up points down: mind the order of the cross product"
-           : is_right ? ": up is not what is left of view.up at right angles to forward"
-                      : ": right is not forward x up";
+    if (is_right && is_up) {
+        return (AxesFault){0};
+    }
+    if (is_opposite(found->right, expected[0])) {
+        return (AxesFault){.looks =
+                               "right points to the left: mind the order of the cross product"};
+    }
+    if (is_opposite(found->up, expected[1])) {
+        return (AxesFault){.looks = "up points down: mind the order of the cross product"};
+    }
+    return (AxesFault){
+        .remark = is_right ? ": up is not what is left of view.up at right angles to forward"
+                           : ": right is not forward x up"};
 }
 
-static char *axes_fault(const void *pointer, int i, const void *answers, AxesFault *fault)
+static Diagnosis axes_fault(const void *pointer, int i, const void *answers, JudgeAxes *judge)
 {
     const ViewJob *job = &((const Job04 *)pointer)->views[i];
     const View view = {.from = job->from, .at = job->at, .up = job->up};
     const Axes own = ((const Axes *)answers)[i];
     OracleVector e[3];
     oracle3d_axes(&view, e);
-    const char *what = fault(job, &own, e);
-    return what == NULL
-               ? NULL
-               : message_new("view from %s at %s up %s: found right %s, up %s, forward %s, "
-                             "expected right %s, up %s, forward %s%s",
-                             words_vec3(view.from, 6).text, words_vec3(view.at, 6).text,
-                             words_vec3(view.up, 6).text, words_vec3(own.right, 4).text,
-                             words_vec3(own.up, 4).text, words_vec3(own.forward, 4).text,
-                             words_xyz(e[0].x, e[0].y, e[0].z, 4).text,
-                             words_xyz(e[1].x, e[1].y, e[1].z, 4).text,
-                             words_xyz(e[2].x, e[2].y, e[2].z, 4).text, what);
+    const AxesFault fault = judge(job, &own, e);
+    if (fault.remark == NULL && fault.looks == NULL) {
+        return NOTHING_WRONG;
+    }
+    char *found = message_new(
+        "view from %s at %s up %s: found right %s, up %s, forward %s, expected right %s, up %s, "
+        "forward %s%s",
+        words_vec3(view.from, 6).text, words_vec3(view.at, 6).text, words_vec3(view.up, 6).text,
+        words_vec3(own.right, 4).text, words_vec3(own.up, 4).text, words_vec3(own.forward, 4).text,
+        words_xyz(e[0].x, e[0].y, e[0].z, 4).text, words_xyz(e[1].x, e[1].y, e[1].z, 4).text,
+        words_xyz(e[2].x, e[2].y, e[2].z, 4).text, fault.remark != NULL ? fault.remark : "");
+    return diagnosis_of(found, (Cause){.says = fault.looks});
 }
 
-static char *orthonormal_fault(const void *job, int i, const void *answers)
+static Diagnosis orthonormal_fault(const void *job, int i, const void *answers)
 {
     return axes_fault(job, i, answers, not_orthonormal);
 }
 
-static char *forward_fault(const void *job, int i, const void *answers)
+static Diagnosis forward_fault(const void *job, int i, const void *answers)
 {
     return axes_fault(job, i, answers, not_forward);
 }
 
-static char *upright_fault(const void *job, int i, const void *answers)
+static Diagnosis upright_fault(const void *job, int i, const void *answers)
 {
     return axes_fault(job, i, answers, not_upright);
 }
@@ -149,35 +162,46 @@ const Function axes_up_04 = {"axes", N_VIEWS, sizeof(Axes), .fault = upright_fau
 
 // A mistake that would explain wrong points.
 typedef struct DisplayMistake {
-    const char *says;
+    Cause cause;
     OracleRules3D rules;
     int mirrored, flipped, transposed;
     int columns, rows;  // how many pixels on
 } DisplayMistake;
 
 static const DisplayMistake display_mistakes[] = {
-    {0},  // none
-    {.says = "; shifted by half a pixel: that is the pixel's corner, not its middle",
+    {.cause = {0}},  // none
+    {.cause = {"shifted by half a pixel: that is the pixel's corner, not its middle",
+               MISTAKE_SHIFTED_HALF},
      .rules = {.sample_offset = -0.5}},
-    {.says = "; shifted by half a pixel: that is the pixel's far corner, not its middle",
+    {.cause = {"shifted by half a pixel: that is the pixel's far corner, not its middle",
+               MISTAKE_SHIFTED_HALF},
      .rules = {.sample_offset = 0.5}},
-    {.says = "; fov is the display's width, not half of it", .rules = {.fov_is_half_width = 1}},
-    {.says = "; fov is the display's width, not its height", .rules = {.fov_is_height = 1}},
-    {.says = "; pixels are squares: y needs the same size of a pixel as x",
+    {.cause = {.says = "fov is the display's width, not half of it"},
+     .rules = {.fov_is_half_width = 1}},
+    {.cause = {.says = "fov is the display's width, not its height"},
+     .rules = {.fov_is_height = 1}},
+    {.cause = {.says = "pixels are squares: y needs the same size of a pixel as x"},
      .rules = {.fov_both_ways = 1}},
-    {.says = "; mirrored: x grows to the right", .mirrored = 1},
-    {.says = "; flipped: row 0 is the top row, where y is largest", .flipped = 1},
-    {.says = "; fov is a width at distance 1, not an angle", .rules = {.fov_is_angle = 1}},
-    {.says = "; transposed: x counts columns and y rows", .transposed = 1},
-    {.says = "; shifted by one pixel to the right: columns count from 0", .columns = 1},
+    {.cause = {"mirrored: x grows to the right", MISTAKE_MIRRORED_X}, .mirrored = 1},
+    {.cause = {"flipped: row 0 is the top row, where y is largest", MISTAKE_FLIPPED_Y},
+     .flipped = 1},
+    {.cause = {.says = "fov is a width at distance 1, not an angle"}, .rules = {.fov_is_angle = 1}},
+    {.cause = {"transposed: x counts columns and y rows", MISTAKE_TRANSPOSED}, .transposed = 1},
+    {.cause = {"shifted by one pixel to the right: columns count from 0", MISTAKE_SHIFTED_ONE},
+     .columns = 1},
     // Nobody counts from -1: the half that leads to the middle was taken off.
-    {.says = "; shifted by one pixel to the left: half a pixel has the wrong sign", .columns = -1},
-    {.says = "; shifted by one pixel down: rows count from 0", .rows = 1},
-    {.says = "; shifted by one pixel up: half a pixel has the wrong sign", .rows = -1},
-    {.says = "; shifted by one pixel to the left and up: half a pixel has the wrong sign",
+    {.cause = {"shifted by one pixel to the left: half a pixel has the wrong sign",
+               MISTAKE_SHIFTED_ONE},
+     .columns = -1},
+    {.cause = {"shifted by one pixel down: rows count from 0", MISTAKE_SHIFTED_ONE}, .rows = 1},
+    {.cause = {"shifted by one pixel up: half a pixel has the wrong sign", MISTAKE_SHIFTED_ONE},
+     .rows = -1},
+    {.cause = {"shifted by one pixel to the left and up: half a pixel has the wrong sign",
+               MISTAKE_SHIFTED_ONE},
      .columns = -1,
      .rows = -1},
-    {.says = "; shifted by one pixel to the right and down: columns and rows count from 0",
+    {.cause = {"shifted by one pixel to the right and down: columns and rows count from 0",
+               MISTAKE_SHIFTED_ONE},
      .columns = 1,
      .rows = 1},
 };
@@ -229,95 +253,91 @@ static char *describe_point(const void *pointer, int i, const void *answers)
 const Function display_sides_04 = {"pixels",
                                    N_ALL_PIXELS,
                                    sizeof(PixelAnswer),
-                                   .fault = describe_point,
+                                   .describe = describe_point,
                                    .agrees = side_agrees,
                                    .counted = "points",
                                    MISTAKES(display_mistakes)};
 const Function display_04 = {"pixels",
                              N_ALL_PIXELS,
                              sizeof(PixelAnswer),
-                             .fault = describe_point,
+                             .describe = describe_point,
                              .agrees = display_agrees,
                              .counted = "points",
                              MISTAKES(display_mistakes)};
 
 // ---- Rays -------------------------------------------------------------------------------------
 
-// What is wrong with a ray's direction, or NULL; of any length.
-static const char *direction_fault(const PixelJob *job, Vec3 found)
+static OracleRay ray_of(const PixelJob *job, const OracleRules3D *rules)
+{
+    return oracle3d_primary_ray(&job->camera, job->x, job->y, job->width, job->height, rules);
+}
+
+// A wrong direction.
+//   remark   joins what was found
+static Diagnosis describe_direction(const PixelJob *in, Vec3 found, const char *remark, Cause cause)
+{
+    const OracleVector e = ray_of(in, &right).direction;
+    return diagnosis_of(
+        message_new("pixel (%d, %d) of %dx%d: found direction %s of length %.6g, expected %s%s",
+                    in->x, in->y, in->width, in->height, words_vec3(found, 6).text,
+                    sqrt(dot(found, in_double(found))), words_xyz(e.x, e.y, e.z, 6).text, remark),
+        cause);
+}
+
+// Is a ray's direction right, of any length?
+static Diagnosis transform_fault(const void *job, int i, const void *answers)
 {
     const OracleRules3D transposed = {.axes_transposed = 1};
-    const OracleRay ray =
-        oracle3d_primary_ray(&job->camera, job->x, job->y, job->width, job->height, &right);
-    const OracleRay other =
-        oracle3d_primary_ray(&job->camera, job->x, job->y, job->width, job->height, &transposed);
+    const PixelJob *in = &((const Job04 *)job)->pixels[i];
+    const Vec3 found = ((const PixelAnswer *)answers)[i].direction;
+    const OracleRay ray = ray_of(in, &right), other = ray_of(in, &transposed);
     const double length = sqrt(dot(found, in_double(found)));
     const Vec3 unit = {(float)(found.x / length), (float)(found.y / length),
                        (float)(found.z / length)};
-    if (length > 0 && is_near(unit, ray.direction, ray.direction_error)) {
-        return NULL;
+    if (length == 0) {
+        return describe_direction(in, found, ": it is zero", (Cause){0});
     }
-    return length == 0 ? ": it is zero"
-           : is_near(unit, other.direction, ray.direction_error)
-               ? "; the view transform is turned round: x times right plus y times up plus z times "
-                 "forward"
-           : is_opposite(unit, ray.direction) ? "; it points backwards"
-                                              : "";
+    if (is_near(unit, ray.direction, ray.direction_error)) {
+        return NOTHING_WRONG;
+    }
+    const char *looks = is_near(unit, other.direction, ray.direction_error)
+                            ? "the view transform is turned round: x times right plus y times up "
+                              "plus z times forward"
+                        : is_opposite(unit, ray.direction) ? "it points backwards"
+                                                           : NULL;
+    return describe_direction(in, found, "", (Cause){.says = looks});
 }
 
-// The same for where a ray begins and ends.
-static const char *limits_fault(const PixelJob *job, const PixelAnswer *found)
+static Diagnosis unit_fault(const void *job, int i, const void *answers)
 {
-    const Vec3 eye = job->camera.eye;
-    return found->origin.x != eye.x || found->origin.y != eye.y || found->origin.z != eye.z
-               ? "; the ray begins at the eye"
-           : found->t_min != 0          ? "; what is before the eye counts from 0 on"
-           : !(found->t_max >= FLT_MAX) ? "; the ray has no end: t_max is INFINITY"
-                                        : NULL;
+    static const Cause not_unit = {
+        .says = "it must be a unit vector, so that t is a distance: normalize()"};
+    const Vec3 found = ((const PixelAnswer *)answers)[i].direction;
+    const double length = sqrt(dot(found, in_double(found)));
+    return fabs(length - 1) <= DISPLAY_ERROR
+               ? NOTHING_WRONG
+               : describe_direction(&((const Job04 *)job)->pixels[i], found, "", not_unit);
 }
 
-static char *describe_direction(const PixelJob *in, const PixelAnswer *own, const char *fault)
-{
-    const Vec3 d = own->direction;
-    const OracleVector e =
-        oracle3d_primary_ray(&in->camera, in->x, in->y, in->width, in->height, &right).direction;
-    return fault == NULL
-               ? NULL
-               : message_new("pixel (%d, %d) of %dx%d: found direction %s of length %.6g, expected "
-                             "%s%s",
-                             in->x, in->y, in->width, in->height, words_vec3(d, 6).text,
-                             sqrt(dot(d, in_double(d))), words_xyz(e.x, e.y, e.z, 6).text, fault);
-}
-
-static char *transform_fault(const void *job, int i, const void *answers)
+// Where a ray begins and ends.
+static Diagnosis ray_limits_fault(const void *job, int i, const void *answers)
 {
     const PixelJob *in = &((const Job04 *)job)->pixels[i];
     const PixelAnswer *own = (const PixelAnswer *)answers + i;
-    return describe_direction(in, own, direction_fault(in, own->direction));
-}
-
-static char *unit_fault(const void *job, int i, const void *answers)
-{
-    const PixelAnswer *own = (const PixelAnswer *)answers + i;
-    const double length = sqrt(dot(own->direction, in_double(own->direction)));
-    return describe_direction(&((const Job04 *)job)->pixels[i], own,
-                              fabs(length - 1) <= DISPLAY_ERROR
-                                  ? NULL
-                                  : "; it must be a unit vector, so that t is a distance: "
-                                    "normalize()");
-}
-
-static char *ray_limits_fault(const void *job, int i, const void *answers)
-{
-    const PixelJob *in = &((const Job04 *)job)->pixels[i];
-    const PixelAnswer *own = (const PixelAnswer *)answers + i;
-    const char *fault = limits_fault(in, own);
-    return fault == NULL
-               ? NULL
-               : message_new("pixel (%d, %d) of %dx%d: found origin %s, t_min %g, t_max %g, "
-                             "expected %s, 0 and inf%s",
-                             in->x, in->y, in->width, in->height, words_vec3(own->origin, 6).text,
-                             own->t_min, own->t_max, words_vec3(in->camera.eye, 6).text, fault);
+    const Vec3 eye = in->camera.eye;
+    const char *looks = own->origin.x != eye.x || own->origin.y != eye.y || own->origin.z != eye.z
+                            ? "the ray begins at the eye"
+                        : own->t_min != 0          ? "what is before the eye counts from 0 on"
+                        : !(own->t_max >= FLT_MAX) ? "the ray has no end: t_max is INFINITY"
+                                                   : NULL;
+    if (looks == NULL) {
+        return NOTHING_WRONG;
+    }
+    char *found = message_new(
+        "pixel (%d, %d) of %dx%d: found origin %s, t_min %g, t_max %g, expected %s, 0 and inf",
+        in->x, in->y, in->width, in->height, words_vec3(own->origin, 6).text, own->t_min,
+        own->t_max, words_vec3(eye, 6).text);
+    return diagnosis_of(found, (Cause){.says = looks});
 }
 
 const Function ray_transform_04 = {"pixels", N_ALL_PIXELS, sizeof(PixelAnswer),

@@ -3,7 +3,6 @@
 #include "judge_05.h"
 
 #include "job_work.h"
-#include "message.h"
 
 static const char *const edge_names[N_EDGES] = {"inside", "behind", "large-small", "one", "none"};
 
@@ -55,8 +54,7 @@ static Verdict judge_hits(const void *job, int k, const Sections *answers)
 {
     const JobScene3D *scene = &((const Job05 *)job)->scenes[k];
     const HitAnswer *found = hits_find(scene, k, answers);
-    return found == NULL ? verdict_missing
-                         : verdict_of(hits_describe(scene, found, hits_judge(scene, found)));
+    return found == NULL ? verdict_missing : verdict_of(hits_judge(scene, found));
 }
 
 // Every pixel asks every sphere, once.
@@ -70,13 +68,13 @@ static Verdict judge_work(const void *job, int k, const Sections *answers)
     }
     for (int pixel = 0; pixel < n_pixels; pixel++) {
         if (found[pixel].n_tests != (u32)scene->scene.n_spheres) {
-            return verdict_of(message_new("%s: the ray of pixel (%d, %d): intersect_sphere was "
-                                          "called %u times, but the scene has %d spheres",
-                                          scene->picture.title, pixel % width, pixel / width,
-                                          found[pixel].n_tests, scene->scene.n_spheres));
+            return verdict_of(diagnosis_new("%s: the ray of pixel (%d, %d): intersect_sphere was "
+                                            "called %u times, but the scene has %d spheres",
+                                            scene->picture.title, pixel % width, pixel / width,
+                                            found[pixel].n_tests, scene->scene.n_spheres));
         }
     }
-    return verdict_of(NULL);
+    return verdict_passed;
 }
 
 // ---- The judge ----------------------------------------------------------------------------------

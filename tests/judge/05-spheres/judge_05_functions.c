@@ -12,23 +12,25 @@
 static const OracleRules3D right = {0};
 
 // A known mistake, and what is said about it; number 0 is none.
-typedef struct Mistake {
-    const char *says;
+typedef struct RuleMistake {
+    Cause cause;
     OracleRules3D rules;
     int is_textbook;  // intersect_sphere in the textbook's form
-} Mistake;
+} RuleMistake;
 
-static const Mistake root_mistakes[] = {
-    {0},
-    {"; that is the farther root, where the ray leaves the sphere", .rules = {.farther_root = 1}},
-    {"; that is not beyond t_min", .rules = {.any_distance = 1}},
-    {"; from inside the second root is the hit: b + sqrt(disc)", .rules = {.inside_is_miss = 1}},
-    {"; a negative radius means that only the farther root counts",
+static const RuleMistake root_mistakes[] = {
+    {.cause = {0}},
+    {{.says = "that is the farther root, where the ray leaves the sphere"},
+     .rules = {.farther_root = 1}},
+    {{.says = "that is not beyond t_min"}, .rules = {.any_distance = 1}},
+    {{.says = "from inside the second root is the hit: b + sqrt(disc)"},
+     .rules = {.inside_is_miss = 1}},
+    {{.says = "a negative radius means that only the farther root counts"},
      .rules = {.radius_sign_ignored = 1}},
-    {"; a sphere with a negative radius is seen from inside",
+    {{.says = "a sphere with a negative radius is seen from inside"},
      .rules = {.negative_radius_missed = 1}},
-    {"; the digits are lost: the textbook's form, or one like it, which squares before it "
-     "subtracts",
+    {{.says = "the digits are lost: the textbook's form, or one like it, which squares before it "
+              "subtracts"},
      .is_textbook = 1},
 };
 
@@ -80,7 +82,7 @@ static char *describe_root(const void *pointer, int i, const void *answers)
 const Function nearest_root_05 = {"roots",
                                   3 * N_ROOTS,
                                   sizeof(float),
-                                  .fault = describe_root,
+                                  .describe = describe_root,
                                   .agrees = root_agrees,
                                   .counted = "inputs",
                                   MISTAKES(root_mistakes)};
@@ -102,7 +104,7 @@ static int textbook_agrees(const void *job, int i, const void *answers, int mist
 
 static int projection_agrees(const void *job, int i, const void *answers, int number)
 {
-    const Mistake *mistake = &root_mistakes[number];
+    const RuleMistake *mistake = &root_mistakes[number];
     const OracleRoot root =
         expected_hit(&((const Job05 *)job)->projection[i],
                      mistake->is_textbook ? ORACLE_TEXTBOOK : ORACLE_PROJECTION, &mistake->rules);
@@ -132,28 +134,29 @@ static char *describe_projection(const void *job, int i, const void *answers)
 const Function textbook_05 = {"textbook",
                               2 * N_SPHERES,
                               sizeof(float),
-                              .fault = describe_textbook,
+                              .describe = describe_textbook,
                               .agrees = textbook_agrees,
                               .counted = "inputs",
                               MISTAKES(root_mistakes)};
 const Function projection_05 = {"projection",
                                 3 * N_SPHERES,
                                 sizeof(float),
-                                .fault = describe_projection,
+                                .describe = describe_projection,
                                 .agrees = projection_agrees,
                                 .counted = "inputs",
                                 MISTAKES(root_mistakes)};
 
 // ---- surface_normal -----------------------------------------------------------------------------
 
-static const Mistake normal_mistakes[] = {
-    {0},
-    {"; it is not a unit vector", .rules = {.normal_not_normalised = 1}},
-    {"; it is not a unit vector, and points away from the eye",
+static const RuleMistake normal_mistakes[] = {
+    {.cause = {0}},
+    {{.says = "it is not a unit vector"}, .rules = {.normal_not_normalised = 1}},
+    {{.says = "it is not a unit vector, and points away from the eye"},
      .rules = {.normal_not_normalised = 1, .normal_not_turned = 1}},
-    {"; seen from inside it must be turned, towards the eye", .rules = {.normal_not_turned = 1}},
-    {"; it points to the centre, not away from it", .rules = {.normal_always_turned = 1}},
-    {"; it points away from where the ray comes from", .rules = {.normal_turned_away = 1}},
+    {{.says = "seen from inside it must be turned, towards the eye"},
+     .rules = {.normal_not_turned = 1}},
+    {{.says = "it points to the centre, not away from it"}, .rules = {.normal_always_turned = 1}},
+    {{.says = "it points away from where the ray comes from"}, .rules = {.normal_turned_away = 1}},
 };
 
 static OracleNear expected_normal(const void *pointer, int i, const OracleRules3D *rules)
@@ -183,31 +186,35 @@ static char *describe_normal(const void *pointer, int i, const void *answers)
 const Function normal_05 = {"normals",
                             2 * N_NORMALS,
                             sizeof(Vec3),
-                            .fault = describe_normal,
+                            .describe = describe_normal,
                             .agrees = normal_agrees,
                             .counted = "inputs",
                             MISTAKES(normal_mistakes)};
 
 // ---- shade --------------------------------------------------------------------------------------
 
-static const Mistake shade_mistakes[] = {
-    {0},
-    {"; a light behind the surface takes light away: a negative cosine counts as 0",
+static const RuleMistake shade_mistakes[] = {
+    {.cause = {0}},
+    {{.says = "a light behind the surface takes light away: a negative cosine counts as 0"},
      .rules = {.cosine_not_clamped = 1}},
-    {"; a light behind the surface lights it: a negative cosine counts as 0",
+    {{.says = "a light behind the surface lights it: a negative cosine counts as 0"},
      .rules = {.cosine_absolute = 1}},
-    {"; the way to the light is not made a unit vector", .rules = {.to_light_not_normalised = 1}},
-    {"; that is the first light's share only", .rules = {.first_light_only = 1}},
-    {"; that is the last light's share only", .rules = {.last_light_only = 1}},
-    {"; one light too many shines, the one behind the end of the array",
+    {{.says = "the way to the light is not made a unit vector"},
+     .rules = {.to_light_not_normalised = 1}},
+    {{.says = "that is the first light's share only"}, .rules = {.first_light_only = 1}},
+    {{.says = "that is the last light's share only"}, .rules = {.last_light_only = 1}},
+    {{.says = "one light too many shines, the one behind the end of the array"},
      .rules = {.one_light_more = 1}},
-    {"; kd is missing", .rules = {.ignore_kd = 1}},
-    {"; the material's colour is missing", .rules = {.ignore_color = 1}},
-    {"; the light's colour is missing", .rules = {.ignore_light_color = 1}},
-    {"; that is right with red and blue swapped", .rules = {.red_blue_swapped = 1}},
-    {"; that is right but for gamma: the colour was raised to 1 / 2.2, but it is linear here",
+    {{.says = "kd is missing"}, .rules = {.ignore_kd = 1}},
+    {{.says = "the material's colour is missing"}, .rules = {.ignore_color = 1}},
+    {{.says = "the light's colour is missing"}, .rules = {.ignore_light_color = 1}},
+    {{"that is right with red and blue swapped", MISTAKE_CHANNELS_SWAPPED},
+     .rules = {.red_blue_swapped = 1}},
+    {{"that is right but for gamma: the colour was raised to 1 / 2.2, but it is linear here",
+      MISTAKE_GAMMA},
      .rules = {.gamma = 1 / 2.2}},
-    {"; that is right but for gamma: the colour was raised to 2.2, but it is linear here",
+    {{"that is right but for gamma: the colour was raised to 2.2, but it is linear here",
+      MISTAKE_GAMMA},
      .rules = {.gamma = 2.2}},
 };
 
@@ -242,7 +249,7 @@ static char *describe_shade(const void *pointer, int i, const void *answers)
 const Function shade_05 = {"shades",
                            3 * N_SHADES,
                            sizeof(Vec3),
-                           .fault = describe_shade,
+                           .describe = describe_shade,
                            .agrees = shade_agrees,
                            .counted = "inputs",
                            MISTAKES(shade_mistakes)};

@@ -1,10 +1,7 @@
 // Judge of lab 06: each function on chosen inputs, and whole trees by their invariants. Read next:
 // judge_06.h.
 #include "judge_06.h"
-#include "message.h"
 #include "tree3d_draw.h"
-
-#include <stdlib.h>
 
 // ---- Judging whole trees ----------------------------------------------------------------------
 
@@ -13,39 +10,40 @@ static int is_refused(int k, const Sections *answers)
     return job_part_find(answers, "tree", k, "refused", 0) != NULL;
 }
 
-// The message when the root is neither a leaf nor has children, or NULL. Who walks down such a tree
+// Is the root neither a leaf nor has children? Who walks down such a tree
 // meets no leaf and comes no level deeper: nothing is wrong there, but nothing is right.
-static char *judge_root(const TreeScene3D *scene, const KdTree3D *own)
+static Diagnosis judge_root(const TreeScene3D *scene, const KdTree3D *own)
 {
     const KdNode3 root = own->nodes[0];
     const int has_children = root.split_axis < KD_LEAF && root.first > 0 && own->n_nodes > 2 &&
                              root.first <= own->n_nodes - 2;
     if (root.split_axis == KD_LEAF || has_children) {
-        return NULL;
+        return NOTHING_WRONG;
     }
-    return message_new("%s: node 0, the root: split_axis is %u and first %u of %u nodes, expected "
-                       "KD_LEAF (%d), or an axis and its children: no search comes to a leaf",
-                       scene->title, root.split_axis, root.first, own->n_nodes, KD_LEAF);
+    return diagnosis_new(
+        "%s: node 0, the root: split_axis is %u and first %u of %u nodes, expected "
+        "KD_LEAF (%d), or an axis and its children: no search comes to a leaf",
+        scene->title, root.split_axis, root.first, own->n_nodes, KD_LEAF);
 }
 
 // The scene's box and the lists are given; but a tree is no good without them.
-static char *judge_splits(const TreeScene3D *scene, const KdTree3D *own)
+static Diagnosis judge_splits(const TreeScene3D *scene, const KdTree3D *own)
 {
-    char *message = tree3d_judge_bounds(scene, own);
-    return message != NULL ? message : tree3d_judge_splits(scene, own);
+    const Diagnosis wrong = tree3d_judge_bounds(scene, own);
+    return wrong.found != NULL ? wrong : tree3d_judge_splits(scene, own);
 }
 
-static char *judge_overlap(const TreeScene3D *scene, const KdTree3D *own)
+static Diagnosis judge_overlap(const TreeScene3D *scene, const KdTree3D *own)
 {
-    char *message = judge_root(scene, own);
-    message = message != NULL ? message : tree3d_judge_overlap(scene, own);
-    return message != NULL ? message : tree3d_judge_lists(scene, own);
+    Diagnosis wrong = judge_root(scene, own);
+    wrong = wrong.found != NULL ? wrong : tree3d_judge_overlap(scene, own);
+    return wrong.found != NULL ? wrong : tree3d_judge_lists(scene, own);
 }
 
-static char *judge_depth(const TreeScene3D *scene, const KdTree3D *own)
+static Diagnosis judge_depth(const TreeScene3D *scene, const KdTree3D *own)
 {
-    char *message = judge_root(scene, own);
-    return message != NULL ? message : tree3d_judge_depth(scene, own);
+    const Diagnosis wrong = judge_root(scene, own);
+    return wrong.found != NULL ? wrong : tree3d_judge_depth(scene, own);
 }
 
 static Verdict judge_tree(const void *pointer, int k, const JudgeCheck *check,
@@ -56,22 +54,23 @@ static Verdict judge_tree(const void *pointer, int k, const JudgeCheck *check,
     if (is_refused(k, answers)) {
         const int is_of_depth = check->tree3d == judge_depth;
         if (is_of_depth ? k == TOO_DEEP : k == JUST_FITS) {
-            return verdict_of(NULL);  // as it must be, or for fits_todo() to answer for
+            return verdict_passed;  // as it must be, or for fits_todo() to answer for
         }
-        return verdict_of(message_new("%s, maxDepth %d: kdtree3d_build gave up, expected a tree of "
-                                      "%u nodes: does splitting ever end, and does fits_todo() "
-                                      "allow it?",
-                                      scene->title, scene->limits.maxDepth, scene->tree.n_nodes));
+        return verdict_of(
+            diagnosis_new("%s, maxDepth %d: kdtree3d_build gave up, expected a tree of "
+                          "%u nodes: does splitting ever end, and does fits_todo() "
+                          "allow it?",
+                          scene->title, scene->limits.maxDepth, scene->tree.n_nodes));
     }
     if (tree3d_judge_answer(k, answers, &own)) {
         return verdict_of(check->tree3d(scene, &own));
     }
     if (own.n_nodes > TREE3D_ANSWER_NODES || own.n_sphere_ids > TREE3D_ANSWER_IDS) {
-        return verdict_of(message_new("%s, maxDepth %d: the tree has %u nodes and %u ids, expected "
-                                      "%u and %u",
-                                      scene->title, scene->limits.maxDepth, own.n_nodes,
-                                      own.n_sphere_ids, scene->tree.n_nodes,
-                                      scene->tree.n_sphere_ids));
+        return verdict_of(
+            diagnosis_new("%s, maxDepth %d: the tree has %u nodes and %u ids, expected "
+                          "%u and %u",
+                          scene->title, scene->limits.maxDepth, own.n_nodes, own.n_sphere_ids,
+                          scene->tree.n_nodes, scene->tree.n_sphere_ids));
     }
     return verdict_missing;
 }
@@ -92,11 +91,9 @@ static void add_pictures(const void *pointer, const Sections *answers, Result *r
         tree3d_draw(&scene->scene, &scene->tree, &picture->reference);
         // Only what is packed as it should be can be followed. Lists do not matter to a drawing.
         if (!is_refused(drawn[i], answers) && tree3d_judge_answer(drawn[i], answers, &own)) {
-            char *unfit = tree3d_judge_packing(scene, &own);
-            if (unfit == NULL) {
+            if (verdict_passes(verdict_of(tree3d_judge_packing(scene, &own)))) {
                 tree3d_draw(&scene->scene, &own, &picture->own);
             }
-            free(unfit);
         }
     }
 }

@@ -5,13 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Is there nothing to object to? Releases the message.
-static int is_silent(char *message)
-{
-    free(message);
-    return message == NULL;
-}
-
 // ---- choose_split: once for each inner node -----------------------------------------------------
 
 static void split_input(const void *job, ReplayCall call, void *input)
@@ -26,8 +19,8 @@ static int split_is_right(const void *job, ReplayCall call, const void *answer)
     const SplitAnswer3D *found = answer;
     const BBox3D cell = call.node->cell;
     (void)job;
-    return is_silent(tree3d_judge_axis("alone", cell, found->axis)) &&
-           is_silent(tree3d_judge_middle("alone", cell, found->axis, found->pos));
+    return verdict_passes(verdict_of(tree3d_judge_axis("alone", cell, found->axis))) &&
+           verdict_passes(verdict_of(tree3d_judge_middle("alone", cell, found->axis, found->pos)));
 }
 
 const Replay replay_split_06 = {"replay.split",        EACH_INNER_NODE, sizeof(BBox3D),

@@ -2,11 +2,12 @@
 //
 // A packed tree has no cells: they are found anew by walking down the student's own planes from the
 // student's own box, so that each function below blames one step of the building and no other.
-// Functions return NULL when all is right, else the message for the student, owned by the caller.
+// Functions return NOTHING_WRONG when all is right, else what is wrong, owned by the caller.
 // The arrays are a submission's: every id and range is checked before it is used.
 #ifndef JUDGE_TREE3D_JUDGE_H
 #define JUDGE_TREE3D_JUDGE_H
 
+#include "diagnosis.h"
 #include "oracle_tree.h"
 #include "scene3d.h"
 #include "sections.h"
@@ -30,10 +31,10 @@ typedef enum SphereInCell { SPHERE_OUTSIDE, SPHERE_EITHER, SPHERE_INSIDE } Spher
 SphereInCell tree3d_judge_sphere(Sphere sphere, BBox3D cell);
 
 // Is this the axis that the cell must be split on?
-char *tree3d_judge_axis(const char *where, BBox3D cell, u32 axis);
+Diagnosis tree3d_judge_axis(const char *where, BBox3D cell, u32 axis);
 
 // Is this the cell's middle on the axis, as float rounds it? The axis is below 3.
-char *tree3d_judge_middle(const char *where, BBox3D cell, u32 axis, f32 pos);
+Diagnosis tree3d_judge_middle(const char *where, BBox3D cell, u32 axis, f32 pos);
 
 // Do all right solutions split the cell on the same plane? So it is where float rounds neither its
 // sides nor its middle.
@@ -47,24 +48,24 @@ f32 tree3d_expected_middle(BBox3D cell, u32 axis);
 // ---- Whole trees --------------------------------------------------------------------------------
 
 // The root's cell is the scene's box.
-char *tree3d_judge_bounds(const TreeScene3D *scene, const KdTree3D *own);
+Diagnosis tree3d_judge_bounds(const TreeScene3D *scene, const KdTree3D *own);
 
 // Each inner node has its children behind it and halves its cell's longest side.
-char *tree3d_judge_splits(const TreeScene3D *scene, const KdTree3D *own);
+Diagnosis tree3d_judge_splits(const TreeScene3D *scene, const KdTree3D *own);
 
 // Each leaf lists exactly the spheres that overlap its cell.
-char *tree3d_judge_overlap(const TreeScene3D *scene, const KdTree3D *own);
+Diagnosis tree3d_judge_overlap(const TreeScene3D *scene, const KdTree3D *own);
 
 // Each list ascends and names spheres of the scene; leaves are where the limits say so, and nowhere
 // else.
-char *tree3d_judge_lists(const TreeScene3D *scene, const KdTree3D *own);
+Diagnosis tree3d_judge_lists(const TreeScene3D *scene, const KdTree3D *own);
 
 // Nodes are in breadth-first order without gaps, and so are the leaves' ranges, which ascend; and
 // where no right solution can differ, the arrays are the expected ones.
-char *tree3d_judge_packing(const TreeScene3D *scene, const KdTree3D *own);
+Diagnosis tree3d_judge_packing(const TreeScene3D *scene, const KdTree3D *own);
 
 // The todo stack suffices for a search.
-char *tree3d_judge_depth(const TreeScene3D *scene, const KdTree3D *own);
+Diagnosis tree3d_judge_depth(const TreeScene3D *scene, const KdTree3D *own);
 
 // Grow scene->tree, of scene number k, by the scene's limits, each step in double precision, and
 // see whether it is exact (tree3d_expected.c). Returns 0, or -1 after one message.

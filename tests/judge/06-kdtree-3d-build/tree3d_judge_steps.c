@@ -97,32 +97,34 @@ u32 tree3d_expected_axis(BBox3D cell)
     return longest_axis(cell, 0);
 }
 
-// Why an axis is the wrong one.
+// Why an axis is the wrong one, or NULL.
 static const char *explain_axis(BBox3D cell, u32 axis, u32 expected)
 {
     if (axis >= 3) {
-        return MESSAGE_CAUSE "there are axes 0, 1 and 2";
+        return "there are axes 0, 1 and 2";
     }
     const double length = side(cell, axis, 0), longest = side(cell, expected, 0);
     const int is_shortest =
         length <= side(cell, 0, 0) && length <= side(cell, 1, 0) && length <= side(cell, 2, 0);
-    return length == longest                   ? MESSAGE_CAUSE "of equal sides the first counts"
-           : longest - length < longest / 1024 ? MESSAGE_CAUSE
-               "these sides are not equal, if nearly, and the longest is split"
-           : is_shortest ? MESSAGE_CAUSE "that side is the shortest"
-                         : ", that side is not the longest";
+    return length == longest ? "of equal sides the first counts"
+           : longest - length < longest / 1024
+               ? "these sides are not equal, if nearly, and the longest is split"
+           : is_shortest ? "that side is the shortest"
+                         : NULL;
 }
 
-char *tree3d_judge_axis(const char *where, BBox3D cell, u32 axis)
+Diagnosis tree3d_judge_axis(const char *where, BBox3D cell, u32 axis)
 {
     // Two sides may differ by less than float sees.
     const u32 expected = tree3d_expected_axis(cell);
     if (axis == expected || axis == longest_axis(cell, 1)) {
-        return NULL;
+        return NOTHING_WRONG;
     }
-    return message_new("%s: cell %s: found axis %u, expected %u (%c)%s", where,
-                       words_box3d(cell).text, axis, expected, "xyz"[expected],
-                       explain_axis(cell, axis, expected));
+    const char *looks = explain_axis(cell, axis, expected);
+    return diagnosis_of(message_new("%s: cell %s: found axis %u, expected %u (%c)%s", where,
+                                    words_box3d(cell).text, axis, expected, "xyz"[expected],
+                                    looks == NULL ? ", that side is not the longest" : ""),
+                        (Cause){.says = looks});
 }
 
 // The cell's middle on an axis.
@@ -136,26 +138,29 @@ f32 tree3d_expected_middle(BBox3D cell, u32 axis)
     return (f32)middle(cell, axis);
 }
 
-char *tree3d_judge_middle(const char *where, BBox3D cell, u32 axis, f32 pos)
+Diagnosis tree3d_judge_middle(const char *where, BBox3D cell, u32 axis, f32 pos)
 {
     const double min = cell.min[axis], max = cell.max[axis];
     const double expected = middle(cell, axis);
     // (min + max) / 2 and min + (max - min) / 2 round one sum or two numbers, each by half of
     // FLT_EPSILON, and none is larger than the larger end.
     if (fabs((double)pos - expected) <= (double)FLT_EPSILON * fmax(fabs(min), fabs(max))) {
-        return NULL;
+        return NOTHING_WRONG;
     }
     const Words from = words_float(cell.min[axis]), to = words_float(cell.max[axis]);
     const Words middle_words = words_float((float)expected);
     if (isnan(pos)) {
-        return message_new("%s: cell from %s to %s on axis %u (%c): found no number (NaN) for the "
-                           "split, expected %s",
-                           where, from.text, to.text, axis, "xyz"[axis], middle_words.text);
+        return diagnosis_new("%s: cell from %s to %s on axis %u (%c): found no number (NaN) for "
+                             "the split, expected %s",
+                             where, from.text, to.text, axis, "xyz"[axis], middle_words.text);
     }
-    return message_new(
-        "%s: cell from %s to %s on axis %u (%c): found split at %s, expected %s%s", where,
-        from.text, to.text, axis, "xyz"[axis], words_float(pos).text, middle_words.text,
-        pos == (max - min) / 2 ? "; that is half the length, as if the cell began at 0" : "");
+    const char *looks =
+        pos == (max - min) / 2 ? "that is half the length, as if the cell began at 0" : NULL;
+    return diagnosis_of(
+        message_new("%s: cell from %s to %s on axis %u (%c): found split at %s, expected %s", where,
+                    from.text, to.text, axis, "xyz"[axis], words_float(pos).text,
+                    middle_words.text),
+        (Cause){.says = looks});
 }
 
 int tree3d_judge_is_exact_cell(BBox3D cell)

@@ -51,8 +51,7 @@ static Verdict judge_hits(const void *job, int k, const Sections *answers)
 {
     const JobScene3D *scene = &((const Job07 *)job)->scenes[k];
     const HitAnswer *found = hits_find(scene, k, answers);
-    return found == NULL ? verdict_missing
-                         : verdict_of(hits_describe(scene, found, hits_judge(scene, found)));
+    return found == NULL ? verdict_missing : verdict_of(hits_judge(scene, found));
 }
 
 // Of two spheres at the same distance the one with the lower id, though its leaf comes later: what
@@ -61,8 +60,8 @@ static Verdict judge_tie(const Job07 *job, const Sections *answers)
 {
     const HitAnswer *found = hits_find(&job->scenes[TIE], TIE, answers);
     return found == NULL        ? verdict_missing
-           : found->sphere == 0 ? verdict_of(NULL)
-                                : verdict_of(message_new(
+           : found->sphere == 0 ? verdict_passed
+                                : verdict_of(diagnosis_new(
                                       "%s: the ray hits spheres 0 and 1 at t = 1000, exactly where "
                                       "the near leaf ends, which lists sphere 1 only: found sphere "
                                       "%u at t = %.9g, expected sphere 0: of two at the same "
@@ -73,7 +72,7 @@ static Verdict judge_tie(const Job07 *job, const Sections *answers)
 // With the sphereflake behind the edge cases, and the tie behind all.
 static Verdict judge_edges(const void *job, const Sections *answers)
 {
-    Verdict verdict = verdict_of(NULL);
+    Verdict verdict = verdict_passed;
     for (int k = EDGES; verdict.kind == VERDICT_PASSED && k <= FLAKE; k++) {
         verdict = judge_hits(job, k, answers);
     }
@@ -112,12 +111,12 @@ static void count_off(OffRays *off, int pixel, Work bound)
     }
 }
 
-// The message about rays that do more than they may, or less: of which words say what it means.
-static char *describe_off(const JobScene3D *scene, const Work *found, const OffRays *off,
-                          const char *bound, const char *words)
+// Rays that do more than they may, or less: of which words say what it means.
+static Diagnosis describe_off(const JobScene3D *scene, const Work *found, const OffRays *off,
+                              const char *bound, const char *words)
 {
     const int width = scene->scene.width;
-    return message_new(
+    return diagnosis_new(
         "%s: the ray of pixel (%d, %d): found %s, expected at %s %u, %u, %u and %u (%d "
         "of %d rays do %s)",
         scene->picture.title, off->first % width, off->first / width,
@@ -126,8 +125,8 @@ static char *describe_off(const JobScene3D *scene, const Work *found, const OffR
         width * scene->scene.height, words);
 }
 
-// The message when a scene's rays do too much, or too little, or NULL: too much comes first.
-static char *judge_scene_work(const JobScene3D *scene, const Work *found)
+// Do a scene's rays too much, or too little? Too much comes first.
+static Diagnosis judge_scene_work(const JobScene3D *scene, const Work *found)
 {
     const int n_pixels = scene->scene.width * scene->scene.height;
     OffRays more = {0}, less = {0};
@@ -144,7 +143,7 @@ static char *judge_scene_work(const JobScene3D *scene, const Work *found)
     if (more.n > 0) {
         return describe_off(scene, found, &more, "most", "more than they need to");
     }
-    return less.n == 0 ? NULL
+    return less.n == 0 ? NOTHING_WRONG
                        : describe_off(scene, found, &less, "least",
                                       "less than they must: they end too soon or skip something, "
                                       "or work is hidden and cannot be counted");
@@ -168,14 +167,16 @@ static Verdict judge_strangers(const JobScene3D *scene, const Sections *answers)
             first = pixel;
         }
     }
-    return found == NULL ? verdict_missing
-           : n == 0
-               ? verdict_of(NULL)
-               : verdict_of(message_new(
-                     "%s: the ray of pixel (%d, %d): found sphere %u, which only leaves list "
-                     "that this ray need not visit (%d of %d rays); whatever is counted, more "
-                     "is asked than the leaves on the ray up to its first hit",
-                     scene->picture.title, first % width, first / width, stranger, n, n_pixels));
+    if (found == NULL || n == 0) {
+        return found == NULL ? verdict_missing : verdict_passed;
+    }
+    char *message =
+        message_new("%s: the ray of pixel (%d, %d): found sphere %u, which only leaves "
+                    "list that this ray need not visit (%d of %d rays)",
+                    scene->picture.title, first % width, first / width, stranger, n, n_pixels);
+    return verdict_of(diagnosis_of(message, (Cause){.says = "whatever is counted, more is asked "
+                                                            "than the leaves on the ray up to its "
+                                                            "first hit"}));
 }
 
 static Verdict judge_work(const void *job, int i, const Sections *answers)

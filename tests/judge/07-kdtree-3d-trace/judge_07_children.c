@@ -73,21 +73,28 @@ enum {
     CHILD_NEAR_NEVER_SKIPPED,
     CHILD_IS_SIDE,
 };
-static const char *const child_mistakes[] = {
-    [CHILD_SWAPPED] = "; that is as if near and far child were swapped",
-    [CHILD_FAR_IS_NEAR] = "; that is as if the search went to the near child where only the far "
-                          "one is met",
-    [CHILD_FAR_DROPPED] = "; that is as if the far child were never visited where both are met: "
-                          "it does not wait",
-    [CHILD_NEAR_WAITS] = "; the near child waits, and the far one is visited first",
-    [CHILD_NEAR_KEEPS_T_MAX] = "; that is as if t_max did not become t_split for the near child",
-    [CHILD_FAR_KEEPS_T_MIN] = "; that is as if t_min did not become t_split for the far child, "
-                              "which begins at t_split",
-    [CHILD_FAR_ALWAYS_WAITS] = "; that is as if the far child waited also where only the near one "
-                               "is met",
-    [CHILD_NEAR_NEVER_SKIPPED] = "; that is as if the near child were visited also where only the "
-                                 "far one is met",
-    [CHILD_IS_SIDE] = "; 0 and 1 are sides: the children's ids are node.first and node.first + 1",
+static const Cause child_mistakes[] = {
+    [CHILD_SWAPPED] = {.says = "that is as if near and far child were swapped"},
+    [CHILD_FAR_IS_NEAR] = {.says =
+                               "that is as if the search went to the near child where only the far "
+                               "one is met"},
+    [CHILD_FAR_DROPPED] = {"that is as if the far child were never visited where both are met: "
+                           "it does not wait",
+                           MISTAKE_FAR_CHILD},
+    [CHILD_NEAR_WAITS] = {.says = "the near child waits, and the far one is visited first"},
+    [CHILD_NEAR_KEEPS_T_MAX] =
+        {.says = "that is as if t_max did not become t_split for the near child"},
+    [CHILD_FAR_KEEPS_T_MIN] = {.says =
+                                   "that is as if t_min did not become t_split for the far child, "
+                                   "which begins at t_split"},
+    [CHILD_FAR_ALWAYS_WAITS] =
+        {.says = "that is as if the far child waited also where only the near one "
+                 "is met"},
+    [CHILD_NEAR_NEVER_SKIPPED] =
+        {.says = "that is as if the near child were visited also where only the "
+                 "far one is met"},
+    [CHILD_IS_SIDE] =
+        {.says = "0 and 1 are sides: the children's ids are node.first and node.first + 1"},
 };
 
 // What near_side and children_on_ray say.
@@ -183,9 +190,13 @@ static char *describe_child(const void *pointer, int i, const void *answers)
                        child_words(job, &expected).text);
 }
 
-const Function child_07 = {
-    "next_child",           2 * N_CHILD_INPUTS,  sizeof(NextChildAnswer), .fault = describe_child,
-    .agrees = child_agrees, .counted = "inputs", MISTAKES(child_mistakes)};
+const Function child_07 = {"next_child",
+                           2 * N_CHILD_INPUTS,
+                           sizeof(NextChildAnswer),
+                           .describe = describe_child,
+                           .agrees = child_agrees,
+                           .counted = "inputs",
+                           MISTAKES(child_mistakes)};
 
 // ---- Alone --------------------------------------------------------------------------------------
 

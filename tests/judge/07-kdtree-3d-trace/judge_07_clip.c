@@ -19,23 +19,29 @@ enum {
     CLIP_BORDER_DIVIDED,
     CLIP_BORDER_OUTSIDE,
 };
-static const char *const clip_mistakes[] = {
-    [CLIP_LOW_IS_ENTRY] = "; that is as if every ray entered at the lower plane: with a negative "
-                          "direction it enters at the upper one",
-    [CLIP_T_MIN_IGNORED] = "; that is as if t_min did not count: it only grows",
-    [CLIP_T_MAX_IGNORED] = "; that is as if t_max did not count: it only shrinks",
-    [CLIP_FIRST_ENTRY] = "; that is as if the first entry counted: the ray is inside from the last",
-    [CLIP_LAST_EXIT] = "; that is as if the last exit counted: the ray is inside up to the first",
-    [CLIP_POINT_MISSED] = "; where t_min and t_max are equal a point is left: that is 1",
-    [CLIP_ALONG_IGNORED] = "; a ray along the planes of an axis is between them, or never: then it "
-                           "misses the box",
-    [CLIP_ALONG_MISSED] = "; a ray along the planes of an axis may be between them all the way",
+static const Cause clip_mistakes[] = {
+    [CLIP_LOW_IS_ENTRY] =
+        {.says = "that is as if every ray entered at the lower plane: with a negative "
+                 "direction it enters at the upper one"},
+    [CLIP_T_MIN_IGNORED] = {.says = "that is as if t_min did not count: it only grows"},
+    [CLIP_T_MAX_IGNORED] = {.says = "that is as if t_max did not count: it only shrinks"},
+    [CLIP_FIRST_ENTRY] =
+        {.says = "that is as if the first entry counted: the ray is inside from the last"},
+    [CLIP_LAST_EXIT] =
+        {.says = "that is as if the last exit counted: the ray is inside up to the first"},
+    [CLIP_POINT_MISSED] = {.says = "where t_min and t_max are equal a point is left: that is 1"},
+    [CLIP_ALONG_IGNORED] =
+        {.says = "a ray along the planes of an axis is between them, or never: then it "
+                 "misses the box"},
+    [CLIP_ALONG_MISSED] = {.says =
+                               "a ray along the planes of an axis may be between them all the way"},
     [CLIP_BORDER_DIVIDED] =
-        "; 0 / 0 is not a number: for a ray in the plane of a side nothing is to "
-        "be divided by the direction, it is inside",
-    [CLIP_BORDER_OUTSIDE] = "; strict where it should not be: a ray in the plane of a side is "
-                            "inside",
-    [CLIP_ALWAYS_MET] = "; when t_min is beyond t_max nothing is left: that is 0",
+        {.says = "0 / 0 is not a number: for a ray in the plane of a side nothing is to "
+                 "be divided by the direction, it is inside"},
+    [CLIP_BORDER_OUTSIDE] = {"strict where it should not be: a ray in the plane of a side is "
+                             "inside",
+                             MISTAKE_STRICT_BOUNDARY},
+    [CLIP_ALWAYS_MET] = {.says = "when t_min is beyond t_max nothing is left: that is 0"},
 };
 
 // What may come out.
@@ -172,7 +178,7 @@ static char *describe_clip(const void *pointer, int i, const void *answers)
 const Function clip_07 = {"clips",
                           N_CLIP_RANGES *N_CLIP_INPUTS,
                           sizeof(ClipAnswer),
-                          .fault = describe_clip,
+                          .describe = describe_clip,
                           .agrees = clip_agrees,
                           .counted = "inputs",
                           MISTAKES(clip_mistakes)};

@@ -17,17 +17,20 @@ enum {
     SIDE_ON_PLANE_SWAPPED,
     SIDE_IS_ID,
 };
-static const char *const side_mistakes[] = {
-    [SIDE_SWAPPED] = "; that is the far side: near and far are swapped",
-    [SIDE_BY_DIRECTION] = "; that is as if the direction decided, wherever the eye is",
-    [SIDE_INTO] = "; that is as if the ray's way decided, wherever the eye is",
-    [SIDE_ON_PLANE_LOWER] = "; an eye on the plane was sent to the lower child, wherever the ray "
-                            "goes",
-    [SIDE_ON_PLANE_UPPER] = "; an eye on the plane was sent to the upper child, wherever the ray "
-                            "goes",
-    [SIDE_ON_PLANE_SWAPPED] = "; with the eye on the plane the near child is the one the ray goes "
-                              "into, not the one it comes from",
-    [SIDE_IS_ID] = "; that is the id of a child; 0 and 1 are the sides",
+static const Cause side_mistakes[] = {
+    [SIDE_SWAPPED] = {.says = "that is the far side: near and far are swapped"},
+    [SIDE_BY_DIRECTION] = {.says = "that is as if the direction decided, wherever the eye is"},
+    [SIDE_INTO] = {.says = "that is as if the ray's way decided, wherever the eye is"},
+    [SIDE_ON_PLANE_LOWER] =
+        {.says = "an eye on the plane was sent to the lower child, wherever the ray "
+                 "goes"},
+    [SIDE_ON_PLANE_UPPER] =
+        {.says = "an eye on the plane was sent to the upper child, wherever the ray "
+                 "goes"},
+    [SIDE_ON_PLANE_SWAPPED] =
+        {.says = "with the eye on the plane the near child is the one the ray goes "
+                 "into, not the one it comes from"},
+    [SIDE_IS_ID] = {.says = "that is the id of a child; 0 and 1 are the sides"},
 };
 
 // Is the ray along the plane? Then the eye is on either side when it is on the plane.
@@ -75,7 +78,7 @@ static char *describe_side(const void *pointer, int i, const void *answers)
 const Function side_07 = {"sides",
                           2 * N_SIDE_INPUTS,
                           sizeof(u32),
-                          .fault = describe_side,
+                          .describe = describe_side,
                           .agrees = side_agrees,
                           .counted = "inputs",
                           MISTAKES(side_mistakes)};
@@ -101,32 +104,41 @@ enum {
     PLANE_DIVIDED,
     PLANE_FROM_ZERO,
 };
-static const char *const plane_mistakes[] = {
-    [PLANE_T_OTHER] = "; the choices are right, but t_split is not: is it handed out, and by the "
-                      "README's formula?",
-    [PLANE_SWAPPED] = "; ONLY_NEAR and ONLY_FAR are swapped",
-    [PLANE_BEHIND_CROSSED] = "; that is as if a plane behind the eye had been crossed before the "
-                             "node: t_split <= 0 is ONLY_NEAR",
-    [PLANE_BEHIND_MET] = "; a plane behind the eye is not met: t_split <= 0 is ONLY_NEAR",
-    [PLANE_AT_EYE_MET] = "; with the eye on the plane t_split is 0: that is ONLY_NEAR, as behind "
-                         "the eye",
-    [PLANE_BEYOND_BOTH] = "; that is as if t_max did not count: beyond it only the near child is "
-                          "met",
-    [PLANE_CROSSED_BOTH] = "; a plane crossed before t_min leaves only the far child",
-    [PLANE_CROSSED_NEAR] = "; a plane crossed before t_min leaves the far child, not the near one",
-    [PLANE_INSIDE_NEAR] = "; that is as if the far child were never met: a plane between t_min "
-                          "and t_max is BOTH",
-    [PLANE_INSIDE_FAR] = "; that is as if only the far child were met: a plane between t_min and "
-                         "t_max is BOTH",
-    [PLANE_AT_T_MIN] = "; a plane exactly at t_min is met: equal to t_min is BOTH",
-    [PLANE_AT_T_MAX] = "; a plane exactly at t_max is met: equal to t_max is BOTH",
-    [PLANE_ALONG_BOTH] = "; a ray along the plane never meets it, and comparisons with NaN are "
-                         "never true: that is ONLY_NEAR",
-    [PLANE_ALONG_FAR] = "; a ray along the plane never meets it, and comparisons with NaN are "
-                        "never true: that is ONLY_NEAR",
-    [PLANE_BACKWARDS] = "; t_split has the wrong sign",
-    [PLANE_DIVIDED] = "; t_split is divided by the inverse: it is 1 / direction already",
-    [PLANE_FROM_ZERO] = "; t_split is computed without the origin",
+static const Cause plane_mistakes[] = {
+    [PLANE_T_OTHER] =
+        {.says = "the choices are right, but t_split is not: is it handed out, and by the "
+                 "README's formula?"},
+    [PLANE_SWAPPED] = {.says = "ONLY_NEAR and ONLY_FAR are swapped"},
+    [PLANE_BEHIND_CROSSED] =
+        {.says = "that is as if a plane behind the eye had been crossed before the "
+                 "node: t_split <= 0 is ONLY_NEAR"},
+    [PLANE_BEHIND_MET] = {.says = "a plane behind the eye is not met: t_split <= 0 is ONLY_NEAR"},
+    [PLANE_AT_EYE_MET] =
+        {.says = "with the eye on the plane t_split is 0: that is ONLY_NEAR, as behind "
+                 "the eye"},
+    [PLANE_BEYOND_BOTH] =
+        {.says = "that is as if t_max did not count: beyond it only the near child is "
+                 "met"},
+    [PLANE_CROSSED_BOTH] = {.says = "a plane crossed before t_min leaves only the far child"},
+    [PLANE_CROSSED_NEAR] =
+        {.says = "a plane crossed before t_min leaves the far child, not the near one"},
+    [PLANE_INSIDE_NEAR] = {"that is as if the far child were never met: a plane between t_min "
+                           "and t_max is BOTH",
+                           MISTAKE_FAR_CHILD},
+    [PLANE_INSIDE_FAR] =
+        {.says = "that is as if only the far child were met: a plane between t_min and "
+                 "t_max is BOTH"},
+    [PLANE_AT_T_MIN] = {.says = "a plane exactly at t_min is met: equal to t_min is BOTH"},
+    [PLANE_AT_T_MAX] = {.says = "a plane exactly at t_max is met: equal to t_max is BOTH"},
+    [PLANE_ALONG_BOTH] = {.says =
+                              "a ray along the plane never meets it, and comparisons with NaN are "
+                              "never true: that is ONLY_NEAR"},
+    [PLANE_ALONG_FAR] = {.says =
+                             "a ray along the plane never meets it, and comparisons with NaN are "
+                             "never true: that is ONLY_NEAR"},
+    [PLANE_BACKWARDS] = {.says = "t_split has the wrong sign"},
+    [PLANE_DIVIDED] = {.says = "t_split is divided by the inverse: it is 1 / direction already"},
+    [PLANE_FROM_ZERO] = {.says = "t_split is computed without the origin"},
 };
 
 // What may come out: a bit for each of ONLY_NEAR, ONLY_FAR and BOTH, and where t_split lies.
@@ -240,7 +252,7 @@ static char *describe_plane(const void *pointer, int i, const void *answers)
 const Function plane_07 = {"planes",
                            3 * N_PLANE_INPUTS,
                            sizeof(PlaneAnswer),
-                           .fault = describe_plane,
+                           .describe = describe_plane,
                            .agrees = plane_agrees,
                            .counted = "inputs",
                            MISTAKES(plane_mistakes)};

@@ -17,8 +17,8 @@ typedef enum Comparison {
 
 // A known mistake: rules of the oracle's, or one about the hit so far, or a loop that is played
 // again with what it mistakes for what.
-typedef struct Mistake {
-    const char *says;
+typedef struct LeafMistake {
+    Cause cause;
     OracleRules3D rules;
     int forgets_hit;        // the hit so far is replaced whatever it is
     int is_position;        // the sphere is a position in sphere_ids
@@ -30,42 +30,56 @@ typedef struct Mistake {
     int asks_position;      // the loop asks the sphere whose id is the position in sphere_ids,
     int keeps_position;     // and keeps the position
     int from_start;         // it runs over the first ids of the tree
-} Mistake;
+} LeafMistake;
 
-#define ASKS_POSITION "; the position in sphere_ids was taken for the id of the sphere to ask"
-#define FARTHER_WINS "; that is as if a hit had to be farther than the one so far: t > hit->t"
+#define ASKS_POSITION "the position in sphere_ids was taken for the id of the sphere to ask"
+#define FARTHER_WINS "that is as if a hit had to be farther than the one so far: t > hit->t"
 
-static const Mistake mistakes[] = {
-    {"; that is a position in sphere_ids, not what stands there", .is_position = 1},
-    {"; hit->sphere is not set", .keeps_sphere = 1},
+static const LeafMistake mistakes[] = {
+    {{.says = "that is a position in sphere_ids, not what stands there"}, .is_position = 1},
+    {{.says = "hit->sphere is not set"}, .keeps_sphere = 1},
     // Each sphere that is nearer than the hit so far is then taken, up to the last.
-    {"; hit->t is not set", .keeps_distance = 1, .rules = {.last_wins = 1}},
-    {"; the hit so far was nearer: it stays", .forgets_hit = 1},
-    {"; the last sphere of the leaf is missing", .rules = {.skip_last = 1}},
-    {"; the first sphere of the leaf is missing", .rules = {.skip_first = 1}},
-    {"; one sphere too many is asked, the one before the leaf's or the one behind them",
+    {{.says = "hit->t is not set"}, .keeps_distance = 1, .rules = {.last_wins = 1}},
+    {{.says = "the hit so far was nearer: it stays"}, .forgets_hit = 1},
+    {{"the last sphere of the leaf is missing", MISTAKE_MISSING_IN_CELL},
+     .rules = {.skip_last = 1}},
+    {{"the first sphere of the leaf is missing", MISTAKE_MISSING_IN_CELL},
+     .rules = {.skip_first = 1}},
+    {{.says = "one sphere too many is asked, the one before the leaf's or the one behind them"},
      .rules = {.one_sphere_more = 1}},
-    {"; of two equally far spheres the later one won", .rules = {.later_wins_ties = 1}},
-    {"; the hit so far stayed, where a sphere with a lower id is just as far away",
+    {{"of two equally far spheres the later one won", MISTAKE_LATER_OF_EQUALS},
+     .rules = {.later_wins_ties = 1}},
+    {{.says = "the hit so far stayed, where a sphere with a lower id is just as far away"},
      .first_stays = 1},
-    {"; that is as if the first sphere that is hit won, however far", .rules = {.first_wins = 1}},
-    {"; that is as if the last sphere that is hit won, however far", .rules = {.last_wins = 1}},
-    {"; that is as if the farthest sphere won", .rules = {.farthest_wins = 1}},
-    {FARTHER_WINS, .comparison = FARTHER},
-    {FARTHER_WINS, .comparison = FARTHER, .lower_wins = 1},
-    {FARTHER_WINS, .comparison = FARTHER_HIT},
-    {FARTHER_WINS, .comparison = FARTHER_HIT, .lower_wins = 1},
-    {FARTHER_WINS, .comparison = FARTHER_OR_ANY},
-    {ASKS_POSITION, .comparison = NEARER, .asks_position = 1},
-    {ASKS_POSITION, .comparison = NEARER, .asks_position = 1, .lower_wins = 1},
-    {ASKS_POSITION, .comparison = NEARER, .asks_position = 1, .keeps_position = 1},
-    {ASKS_POSITION, .comparison = NEARER, .asks_position = 1, .keeps_position = 1, .lower_wins = 1},
-    {"; hit->sphere is a position in sphere_ids, not what stands there", .comparison = NEARER,
-     .keeps_position = 1, .lower_wins = 1},
-    {"; the first ids of the tree were asked: the leaf's begin at node.first", .comparison = NEARER,
+    {{.says = "that is as if the first sphere that is hit won, however far"},
+     .rules = {.first_wins = 1}},
+    {{.says = "that is as if the last sphere that is hit won, however far"},
+     .rules = {.last_wins = 1}},
+    {{.says = "that is as if the farthest sphere won"}, .rules = {.farthest_wins = 1}},
+    {{.says = FARTHER_WINS}, .comparison = FARTHER},
+    {{.says = FARTHER_WINS}, .comparison = FARTHER, .lower_wins = 1},
+    {{.says = FARTHER_WINS}, .comparison = FARTHER_HIT},
+    {{.says = FARTHER_WINS}, .comparison = FARTHER_HIT, .lower_wins = 1},
+    {{.says = FARTHER_WINS}, .comparison = FARTHER_OR_ANY},
+    {{.says = ASKS_POSITION}, .comparison = NEARER, .asks_position = 1},
+    {{.says = ASKS_POSITION}, .comparison = NEARER, .asks_position = 1, .lower_wins = 1},
+    {{.says = ASKS_POSITION}, .comparison = NEARER, .asks_position = 1, .keeps_position = 1},
+    {{.says = ASKS_POSITION},
+     .comparison = NEARER,
+     .asks_position = 1,
+     .keeps_position = 1,
+     .lower_wins = 1},
+    {{.says = "hit->sphere is a position in sphere_ids, not what stands there"},
+     .comparison = NEARER,
+     .keeps_position = 1,
+     .lower_wins = 1},
+    {{.says = "the first ids of the tree were asked: the leaf's begin at node.first"},
+     .comparison = NEARER,
      .from_start = 1},
-    {"; the first ids of the tree were asked: the leaf's begin at node.first", .comparison = NEARER,
-     .from_start = 1, .lower_wins = 1},
+    {{.says = "the first ids of the tree were asked: the leaf's begin at node.first"},
+     .comparison = NEARER,
+     .from_start = 1,
+     .lower_wins = 1},
 };
 
 // What may come out.
@@ -81,7 +95,7 @@ static int is_along_axis(Vec3 v)
 }
 
 // Does the leaf's sphere take the place of the hit so far, just as far away?
-static int wins_tie(u32 id, u32 id_so_far, const Mistake *mistake)
+static int wins_tie(u32 id, u32 id_so_far, const LeafMistake *mistake)
 {
     if (mistake != NULL && (mistake->first_stays || mistake->rules.later_wins_ties)) {
         return mistake->rules.later_wins_ties;
@@ -90,7 +104,7 @@ static int wins_tie(u32 id, u32 id_so_far, const Mistake *mistake)
 }
 
 // Does a distance take the place of the one so far, in a mistaken loop?
-static int takes(const Mistake *mistake, double t, u32 id, const LeafHit *so_far)
+static int takes(const LeafMistake *mistake, double t, u32 id, const LeafHit *so_far)
 {
     if (t == so_far->t && t < INFINITY) {
         return mistake->lower_wins && id < so_far->sphere;
@@ -108,7 +122,7 @@ static int takes(const Mistake *mistake, double t, u32 id, const LeafHit *so_far
 }
 
 // What a mistaken loop over the leaf's spheres finds.
-static LeafHit looped_hit(const Inputs07 *inputs, int i, const Mistake *mistake)
+static LeafHit looped_hit(const Inputs07 *inputs, int i, const LeafMistake *mistake)
 {
     const SearchJob *job = &inputs->leaves[i];
     const OracleRay ray = oracle3d_given_ray(job->origin, job->direction, 0);
@@ -129,7 +143,7 @@ static LeafHit looped_hit(const Inputs07 *inputs, int i, const Mistake *mistake)
     return result;
 }
 
-static LeafHit expected_hit(const Inputs07 *inputs, int i, const Mistake *mistake)
+static LeafHit expected_hit(const Inputs07 *inputs, int i, const LeafMistake *mistake)
 {
     if (mistake != NULL && mistake->comparison != 0) {
         return looped_hit(inputs, i, mistake);
@@ -182,9 +196,9 @@ static int agrees(const LeafHit *expected, SearchAnswer found)
            (is_right_t(expected, found.t) && found.sphere == expected->sphere);
 }
 
-// The mistake that explains the answers of a range; "" when none does. That no hit changes has many
+// The mistake that explains the answers of a range, if one does. That no hit changes has many
 // reasons.
-static const char *explain(const void *job, Range range, const void *answers)
+static Cause explain(const void *job, Range range, const void *answers)
 {
     const Inputs07 *inputs = &((const Job07 *)job)->inputs;
     const SearchAnswer *found = answers;
@@ -199,10 +213,10 @@ static const char *explain(const void *job, Range range, const void *answers)
                 found[i].t != inputs->leaves[i].t || found[i].sphere != inputs->leaves[i].sphere;
         }
         if (i == range.first + range.n && n_changed > 0) {
-            return mistakes[m].says;
+            return mistakes[m].cause;
         }
     }
-    return "";
+    return (Cause){0};
 }
 
 // ---- Answers ------------------------------------------------------------------------------------
@@ -250,28 +264,28 @@ static char *describe_leaf(const void *pointer, int i, const void *answers)
 const Function leaf_nearest_07 = {"leaves",
                                   N_LEAVES,
                                   sizeof(SearchAnswer),
-                                  .fault = describe_leaf,
+                                  .describe = describe_leaf,
                                   .agrees = t_agrees,
                                   .counted = "inputs",
                                   .explain = explain};
 const Function leaf_ids_07 = {"leaves",
                               N_LEAVES,
                               sizeof(SearchAnswer),
-                              .fault = describe_leaf,
+                              .describe = describe_leaf,
                               .agrees = sphere_agrees,
                               .counted = "inputs",
                               .explain = explain};
 
 // Was every sphere of the leaf asked once?
-static char *once_fault(const void *job, int i, const void *answers)
+static Diagnosis once_fault(const void *job, int i, const void *answers)
 {
     const u32 n_spheres = ((const Job07 *)job)->inputs.leaves[i].node.n_spheres;
     const u32 n_tests = ((const SearchAnswer *)answers)[i].n_tests;
     return n_tests == n_spheres
-               ? NULL
-               : message_new("a leaf of %u sphere%s: intersect_sphere was called %u times, "
-                             "expected %u, once for each sphere of the leaf",
-                             n_spheres, plural(n_spheres), n_tests, n_spheres);
+               ? NOTHING_WRONG
+               : diagnosis_new("a leaf of %u sphere%s: intersect_sphere was called %u times, "
+                               "expected %u, once for each sphere of the leaf",
+                               n_spheres, plural(n_spheres), n_tests, n_spheres);
 }
 
 const Function leaf_once_07 = {"leaves", N_LEAVES, sizeof(SearchAnswer), .fault = once_fault};

@@ -47,21 +47,29 @@ enum {
     WAITING_OLDEST,
     WAITING_STAYS,
 };
-static const char *const waiting_mistakes[] = {
-    [WAITING_ANY_HIT] = "; that is as if the search ended at any hit, also at one beyond t_max, "
-                        "which another sphere may hide",
-    [WAITING_NEVER_ENDS] = "; that is as if the search did not end before the stack is empty",
-    [WAITING_INVERTED] = "; that is as if the search went on where it has found a hit, and ended "
-                         "where it has not: the comparison with t_max is inverted",
-    [WAITING_SWAPPED] = "; 1 and 0 are swapped: 0 is the end",
-    [WAITING_AT_T_MAX] = "; a hit exactly at t_max ends the search; a sphere that only the next "
-                         "leaf lists may be just as far away",
-    [WAITING_PART_KEPT] = "; that is as if t_min and t_max were not taken from the stack with the "
-                          "node",
-    [WAITING_T_MAX_KEPT] = "; that is as if t_max were not taken from the stack with the node",
-    [WAITING_T_MIN_KEPT] = "; that is as if t_min were not taken from the stack with the node",
-    [WAITING_OLDEST] = "; that is as if the node that waits longest came from the stack first",
-    [WAITING_STAYS] = "; the node is not taken off the stack: it waits still",
+static const Cause waiting_mistakes[] = {
+    [WAITING_ANY_HIT] = {.says =
+                             "that is as if the search ended at any hit, also at one beyond t_max, "
+                             "which another sphere may hide"},
+    [WAITING_NEVER_ENDS] = {.says =
+                                "that is as if the search did not end before the stack is empty"},
+    [WAITING_INVERTED] =
+        {.says = "that is as if the search went on where it has found a hit, and ended "
+                 "where it has not: the comparison with t_max is inverted"},
+    [WAITING_SWAPPED] = {.says = "1 and 0 are swapped: 0 is the end"},
+    [WAITING_AT_T_MAX] = {.says =
+                              "a hit exactly at t_max ends the search; a sphere that only the next "
+                              "leaf lists may be just as far away"},
+    [WAITING_PART_KEPT] =
+        {.says = "that is as if t_min and t_max were not taken from the stack with the "
+                 "node"},
+    [WAITING_T_MAX_KEPT] = {.says =
+                                "that is as if t_max were not taken from the stack with the node"},
+    [WAITING_T_MIN_KEPT] = {.says =
+                                "that is as if t_min were not taken from the stack with the node"},
+    [WAITING_OLDEST] = {.says =
+                            "that is as if the node that waits longest came from the stack first"},
+    [WAITING_STAYS] = {.says = "the node is not taken off the stack: it waits still"},
 };
 
 static StackEntry pop(StackState *todo, int mistake)
@@ -133,13 +141,17 @@ static char *describe_waiting(const void *pointer, int i, const void *answers)
         waiting_words((const NextWaitingAnswer *)answers + i).text, waiting_words(&expected).text);
 }
 
-const Function waiting_end_07 = {
-    "next_waiting",       N_WAITING_INPUTS,    sizeof(NextWaitingAnswer), .fault = describe_waiting,
-    .agrees = end_agrees, .counted = "inputs", MISTAKES(waiting_mistakes)};
+const Function waiting_end_07 = {"next_waiting",
+                                 N_WAITING_INPUTS,
+                                 sizeof(NextWaitingAnswer),
+                                 .describe = describe_waiting,
+                                 .agrees = end_agrees,
+                                 .counted = "inputs",
+                                 MISTAKES(waiting_mistakes)};
 const Function waiting_next_07 = {"next_waiting",
                                   N_WAITING_INPUTS,
                                   sizeof(NextWaitingAnswer),
-                                  .fault = describe_waiting,
+                                  .describe = describe_waiting,
                                   .agrees = next_agrees,
                                   .counted = "inputs",
                                   MISTAKES(waiting_mistakes)};

@@ -3,9 +3,6 @@
 
 #include "job_sections.h"
 #include "jobs.h"
-#include "message.h"
-
-#include <stdlib.h>
 
 ProbeImage job_picture_answer(const JobPicture *picture, int k, const Sections *answers)
 {
@@ -14,13 +11,13 @@ ProbeImage job_picture_answer(const JobPicture *picture, int k, const Sections *
 }
 
 // An answer of another size than the probe writes: NULL when there is none at all, or two.
-static char *describe_size(const JobPicture *picture, int k, const Sections *answers)
+static Diagnosis describe_size(const JobPicture *picture, int k, const Sections *answers)
 {
     char name[SECTION_NAME_BYTES];
     size_t n_found;
     snprintf(name, sizeof name, "picture.%d", k);
     if (sections_find_any(answers, name, &n_found) == NULL) {
-        return NULL;
+        return NOTHING_WRONG;
     }
     const Image *reference = &picture->expected.reference;
     const size_t n_pixels =
@@ -28,27 +25,22 @@ static char *describe_size(const JobPicture *picture, int k, const Sections *ans
     const size_t pixel_bytes = IMAGE_CHANNELS * sizeof(float);
     const size_t n_channels = n_found / (n_pixels * sizeof(float));
     if (n_channels > 0 && n_found == n_channels * n_pixels * sizeof(float)) {
-        return message_new("%s: found a picture of %zu channels, expected %d", picture->title,
-                           n_channels, IMAGE_CHANNELS);
+        return diagnosis_new("%s: found a picture of %zu channels, expected %d", picture->title,
+                             n_channels, IMAGE_CHANNELS);
     }
-    return message_new("%s: found a picture of another size: %zu bytes, expected %zu pixels of %zu",
-                       picture->title, n_found, n_pixels, pixel_bytes);
+    return diagnosis_new(
+        "%s: found a picture of another size: %zu bytes, expected %zu pixels of %zu",
+        picture->title, n_found, n_pixels, pixel_bytes);
 }
 
 Verdict job_picture_judge(const JobPicture *picture, int k, const Sections *answers)
 {
     const ProbeImage own = job_picture_answer(picture, k, answers);
     if (own.pixels == NULL) {
-        char *size = describe_size(picture, k, answers);
-        return size ? verdict_of(size) : verdict_missing;
+        const Diagnosis size = describe_size(picture, k, answers);
+        return size.found != NULL ? verdict_of(size) : verdict_missing;
     }
-    char *wrong = picture_judge(own, &picture->expected);
-    if (wrong == NULL) {
-        return verdict_of(NULL);
-    }
-    char *message = message_new("%s: %s", picture->title, wrong);
-    free(wrong);
-    return verdict_of(message);
+    return verdict_of(diagnosis_at(picture->title, picture_judge(own, &picture->expected)));
 }
 
 Verdict job_picture_judge_padding(const JobPicture *picture, int k, const Sections *answers)
@@ -58,9 +50,10 @@ Verdict job_picture_judge_padding(const JobPicture *picture, int k, const Sectio
     if (own.pixels == NULL) {
         return verdict_missing;
     }
-    char *message = picture_judge_padding(own, reference->width, reference->height);
+    const Diagnosis outside = picture_judge_padding(own, reference->width, reference->height);
     // Drawing too little is no way to keep inside the picture.
-    return verdict_of(message ? message : picture_judge_written(own, &picture->expected));
+    return verdict_of(outside.found != NULL ? outside
+                                            : picture_judge_written(own, &picture->expected));
 }
 
 void job_picture_adopt(JobPicture *picture, int k, const Sections *answers)

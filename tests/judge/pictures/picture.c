@@ -95,15 +95,18 @@ static Words color_words(const float *color)
     return words("(%.4g, %.4g, %.4g, %.4g)", color[0], color[1], color[2], color[3]);
 }
 
-static char *describe_unwritten(const ExpectedPicture *expected, PixelPair first, int n_unwritten)
+static Diagnosis describe_unwritten(const ExpectedPicture *expected, PixelPair first,
+                                    int n_unwritten)
 {
-    return message_new("nobody wrote pixel (%d, %d) of a %dx%d picture: found nothing, expected %s "
-                       "(%d of %d pixels were not written)",
-                       first.x, first.y, expected->reference.width, expected->reference.height,
-                       color_words(first.wanted).text, n_unwritten, expected_n_pixels(expected));
+    return diagnosis_seen(
+        message_new("nobody wrote pixel (%d, %d) of a %dx%d picture: found nothing, expected %s "
+                    "(%d of %d pixels were not written)",
+                    first.x, first.y, expected->reference.width, expected->reference.height,
+                    color_words(first.wanted).text, n_unwritten, expected_n_pixels(expected)),
+        (Cause){.mistake = MISTAKE_UNWRITTEN}, EVIDENCE_PICTURE);
 }
 
-char *picture_judge(ProbeImage own, const ExpectedPicture *expected)
+Diagnosis picture_judge(ProbeImage own, const ExpectedPicture *expected)
 {
     int n_wrong = 0, n_unwritten = 0, n_not_finite = 0, n_nan = 0;
     PixelPair first = {0};
@@ -118,7 +121,7 @@ char *picture_judge(ProbeImage own, const ExpectedPicture *expected)
         n_nan += has_nan(pixel.own);
     }
     if (n_wrong == 0) {
-        return NULL;
+        return NOTHING_WRONG;
     }
     if (n_unwritten == n_wrong) {
         return describe_unwritten(expected, first, n_unwritten);
@@ -126,17 +129,16 @@ char *picture_judge(ProbeImage own, const ExpectedPicture *expected)
     const char *plain = n_nan          ? "not a number in places"
                         : n_not_finite ? "infinite in places"
                                        : picture_plain(own, expected);
-    char *looks = plain ? NULL : picture_looks(own, expected);
-    char *message =
-        message_new("pixel (%d, %d): found %s, expected %s (%d of %d pixels differ)%s%s%s", first.x,
+    char *found =
+        message_new("pixel (%d, %d): found %s, expected %s (%d of %d pixels differ)%s%s", first.x,
                     first.y, color_words(first.own).text, color_words(first.wanted).text, n_wrong,
-                    expected_n_pixels(expected), plain ? ", it looks " : "",
-                    looks ? MESSAGE_CAUSE "it looks " : "",
-                    plain   ? plain
-                    : looks ? looks
-                            : "");
-    free(looks);
-    return message;
+                    expected_n_pixels(expected), plain ? ", it looks " : "", plain ? plain : "");
+    if (plain == NULL) {
+        return picture_looks(own, expected, found);
+    }
+    // That it holds no numbers says nothing.
+    return (Diagnosis){.found = found,
+                       .evidence = n_nan ? EVIDENCE_PICTURE : EVIDENCE_PLAIN_PICTURE};
 }
 
 int picture_is_right(ProbeImage own, const ExpectedPicture *expected)
@@ -148,23 +150,24 @@ int picture_is_right(ProbeImage own, const ExpectedPicture *expected)
     return i == expected_n_pixels(expected);
 }
 
-char *picture_judge_padding(ProbeImage own, int width, int height)
+Diagnosis picture_judge_padding(ProbeImage own, int width, int height)
 {
+    static const Cause no_guard = {
+        .says = "a guard for the work-items that fill up the last work-groups is missing or wrong"};
     for (int y = 0; y < own.image_height; y++) {
         for (int x = 0; x < own.image_width; x++) {
             if ((x >= width || y >= height) && !is_unwritten(probe_image_pixel(own, x, y))) {
-                return message_new(
-                    "the kernel wrote outside the picture: pixel (%d, %d) of a %dx%d "
-                    "picture; a guard for the work-items that fill up the last "
-                    "work-groups is missing or wrong",
-                    x, y, width, height);
+                return diagnosis_of(message_new("the kernel wrote outside the picture: pixel (%d, "
+                                                "%d) of a %dx%d picture",
+                                                x, y, width, height),
+                                    no_guard);
             }
         }
     }
-    return NULL;
+    return NOTHING_WRONG;
 }
 
-char *picture_judge_written(ProbeImage own, const ExpectedPicture *expected)
+Diagnosis picture_judge_written(ProbeImage own, const ExpectedPicture *expected)
 {
     int n_unwritten = 0;
     PixelPair first = {0};
@@ -175,7 +178,7 @@ char *picture_judge_written(ProbeImage own, const ExpectedPicture *expected)
             first = pixel;
         }
     }
-    return n_unwritten == 0 ? NULL : describe_unwritten(expected, first, n_unwritten);
+    return n_unwritten == 0 ? NOTHING_WRONG : describe_unwritten(expected, first, n_unwritten);
 }
 
 int picture_copy(ProbeImage own, int width, int height, Image *picture)

@@ -3,6 +3,7 @@
 #ifndef JUDGE_PICTURE_H
 #define JUDGE_PICTURE_H
 
+#include "diagnosis.h"
 #include "image.h"
 #include "sections.h"
 
@@ -11,8 +12,8 @@
 //   scene        what ExpectedPicture.scene points at
 //   guess        out: the picture; of the reference's size
 //   tolerances   out: [height * width], as in ExpectedPicture; all 0 at the start
-// Returns what such a picture looks like ("drawn as if ..."), or NULL behind the last mistake.
-typedef const char *DrawMistaken(const void *scene, int mistake, Image *guess, float *tolerances);
+// Returns what such a picture looks like ("drawn as if ..."); nothing behind the last mistake.
+typedef Cause DrawMistaken(const void *scene, int mistake, Image *guess, float *tolerances);
 
 // What a picture should be.
 typedef struct ExpectedPicture {
@@ -39,18 +40,18 @@ typedef struct ProbeImage {
 ProbeImage probe_image_find(const Sections *answers, int k, int width, int height);
 
 // Compare a picture with what it should be.
-// Returns NULL when it is right, else the message for the student: the first wrong pixel with both
-// values, how many are wrong, and what the picture looks like. Owned by the caller.
-char *picture_judge(ProbeImage own, const ExpectedPicture *expected);
+// Returns NOTHING_WRONG when it is right, else the first wrong pixel with both values, how many are
+// wrong, and what the picture looks like. Owned by the caller, here and below.
+Diagnosis picture_judge(ProbeImage own, const ExpectedPicture *expected);
 
-// Is it right? The same without a message, and quicker when it is not.
+// Is it right? The same without a diagnosis, and quicker when it is not.
 int picture_is_right(ProbeImage own, const ExpectedPicture *expected);
 
-// Was anything written outside the picture of width x height? Returns NULL or the message.
-char *picture_judge_padding(ProbeImage own, int width, int height);
+// Was anything written outside the picture of width x height?
+Diagnosis picture_judge_padding(ProbeImage own, int width, int height);
 
-// Is there any pixel nobody wrote? Returns NULL or the message.
-char *picture_judge_written(ProbeImage own, const ExpectedPicture *expected);
+// Is there any pixel nobody wrote?
+Diagnosis picture_judge_written(ProbeImage own, const ExpectedPicture *expected);
 
 // Copy the picture out of a probe's image. Returns 0, or -1 after one message.
 int picture_copy(ProbeImage own, int width, int height, Image *picture);

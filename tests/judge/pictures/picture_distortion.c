@@ -15,7 +15,7 @@ typedef struct Place {
 
 // A mistake made to the reference.
 typedef struct Distortion {
-    const char *looks;
+    Cause looks;
     Place u, v;
     int channels[IMAGE_CHANNELS];  // the student's channel c shows the reference's channels[c]
 } Distortion;
@@ -24,26 +24,51 @@ typedef struct Distortion {
 #define SAME_CHANNELS {0, 1, 2, 3}
 
 static const Distortion distortions[] = {
-    {"mirrored left to right", {.x = -1, .from_end = 1}, {.y = 1}, SAME_CHANNELS},
-    {"flipped top to bottom", {.x = 1}, {.y = -1, .from_end = 1}, SAME_CHANNELS},
-    {"turned upside down (flipped in x and y)",
+    {{"mirrored left to right", MISTAKE_MIRRORED_X},
+     {.x = -1, .from_end = 1},
+     {.y = 1},
+     SAME_CHANNELS},
+    {{"flipped top to bottom", MISTAKE_FLIPPED_Y},
+     {.x = 1},
+     {.y = -1, .from_end = 1},
+     SAME_CHANNELS},
+    {{"turned upside down (flipped in x and y)", MISTAKE_MIRRORED_X},
      {.x = -1, .from_end = 1},
      {.y = -1, .from_end = 1},
      SAME_CHANNELS},
-    {"transposed: rows and columns are swapped", {.y = 1}, {.x = 1}, SAME_CHANNELS},
-    {"shifted by one pixel to the right", {.x = 1, .shift = -1}, {.y = 1}, SAME_CHANNELS},
-    {"shifted by one pixel to the left", {.x = 1, .shift = 1}, {.y = 1}, SAME_CHANNELS},
-    {"shifted by one pixel down", {.x = 1}, {.y = 1, .shift = -1}, SAME_CHANNELS},
-    {"shifted by one pixel up", {.x = 1}, {.y = 1, .shift = 1}, SAME_CHANNELS},
-    {"shifted by one pixel to the left and up",
+    {{"transposed: rows and columns are swapped", MISTAKE_TRANSPOSED},
+     {.y = 1},
+     {.x = 1},
+     SAME_CHANNELS},
+    {{"shifted by one pixel to the right", MISTAKE_SHIFTED_ONE},
+     {.x = 1, .shift = -1},
+     {.y = 1},
+     SAME_CHANNELS},
+    {{"shifted by one pixel to the left", MISTAKE_SHIFTED_ONE},
+     {.x = 1, .shift = 1},
+     {.y = 1},
+     SAME_CHANNELS},
+    {{"shifted by one pixel down", MISTAKE_SHIFTED_ONE},
+     {.x = 1},
+     {.y = 1, .shift = -1},
+     SAME_CHANNELS},
+    {{"shifted by one pixel up", MISTAKE_SHIFTED_ONE},
+     {.x = 1},
+     {.y = 1, .shift = 1},
+     SAME_CHANNELS},
+    {{"shifted by one pixel to the left and up", MISTAKE_SHIFTED_ONE},
      {.x = 1, .shift = 1},
      {.y = 1, .shift = 1},
      SAME_CHANNELS},
-    {"right with red and blue swapped", AS_IT_IS, {2, 1, 0, 3}},
-    {"right with red and green swapped", AS_IT_IS, {1, 0, 2, 3}},
-    {"right with green and blue swapped", AS_IT_IS, {0, 2, 1, 3}},
-    {"right with its channels rotated (alpha first)", AS_IT_IS, {3, 0, 1, 2}},
-    {"right with its channels reversed (alpha first)", AS_IT_IS, {3, 2, 1, 0}},
+    {{"right with red and blue swapped", MISTAKE_CHANNELS_SWAPPED}, AS_IT_IS, {2, 1, 0, 3}},
+    {{"right with red and green swapped", MISTAKE_CHANNELS_SWAPPED}, AS_IT_IS, {1, 0, 2, 3}},
+    {{"right with green and blue swapped", MISTAKE_CHANNELS_SWAPPED}, AS_IT_IS, {0, 2, 1, 3}},
+    {{"right with its channels rotated (alpha first)", MISTAKE_CHANNELS_SWAPPED},
+     AS_IT_IS,
+     {3, 0, 1, 2}},
+    {{"right with its channels reversed (alpha first)", MISTAKE_CHANNELS_SWAPPED},
+     AS_IT_IS,
+     {3, 2, 1, 0}},
 };
 
 // A coordinate of the pixel that is shown at (x, y).
@@ -109,18 +134,22 @@ static double srgb_decoded(double value)
 }
 
 static const struct {
-    const char *looks;
+    Cause looks;
     Curve *curve;
 } gammas[] = {
-    {"right but for gamma: the colours were raised to 1 / 2.2, but pictures here are linear",
+    {{"right but for gamma: the colours were raised to 1 / 2.2, but pictures here are linear",
+      MISTAKE_GAMMA},
      power_encoded},
-    {"right but for gamma: the colours were raised to 2.2, but pictures here are linear",
+    {{"right but for gamma: the colours were raised to 2.2, but pictures here are linear",
+      MISTAKE_GAMMA},
      power_decoded},
-    {"right but for gamma: the colours were encoded by the sRGB curve, but pictures here are "
-     "linear",
+    {{"right but for gamma: the colours were encoded by the sRGB curve, but pictures here are "
+      "linear",
+      MISTAKE_GAMMA},
      srgb_encoded},
-    {"right but for gamma: the colours were decoded by the sRGB curve, but pictures here are "
-     "linear",
+    {{"right but for gamma: the colours were decoded by the sRGB curve, but pictures here are "
+      "linear",
+      MISTAKE_GAMMA},
      srgb_decoded},
 };
 
@@ -158,7 +187,7 @@ static int looks_bent(ProbeImage own, const ExpectedPicture *expected, Curve *cu
 
 // ---- All ----------------------------------------------------------------------------------------
 
-const char *picture_distortion(ProbeImage own, const ExpectedPicture *expected)
+Cause picture_distortion(ProbeImage own, const ExpectedPicture *expected)
 {
     for (size_t i = 0; i < sizeof distortions / sizeof *distortions; i++) {
         if (looks_distorted(own, expected, &distortions[i])) {
@@ -170,5 +199,5 @@ const char *picture_distortion(ProbeImage own, const ExpectedPicture *expected)
             return gammas[i].looks;
         }
     }
-    return NULL;
+    return (Cause){0};
 }

@@ -2,7 +2,7 @@
 #include "picture_looks.h"
 
 #include "jobs.h"
-#include "message.h"
+#include "words.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -21,20 +21,20 @@ static int looks_like(ProbeImage own, const ExpectedPicture *expected, const Ima
     return tally_recognises(&tally);
 }
 
-// The scene's mistake that the picture looks like, or NULL.
-static const char *looks_mistaken(ProbeImage own, const ExpectedPicture *expected)
+// The scene's mistake that the picture looks like.
+static Cause looks_mistaken(ProbeImage own, const ExpectedPicture *expected)
 {
     const Image *reference = &expected->reference;
     const size_t n_pixels = (size_t)expected_n_pixels(expected);
     float *tolerances = calloc(n_pixels, sizeof *tolerances);
     Image guess = {0};
-    const char *looks = NULL;
+    Cause looks = {0};
     if (tolerances != NULL && image_create(reference->width, reference->height, &guess) == 0) {
         int mistake = 0;
         do {
             memset(tolerances, 0, n_pixels * sizeof *tolerances);
             looks = expected->draw_mistaken(expected->scene, mistake++, &guess, tolerances);
-        } while (looks != NULL && !looks_like(own, expected, &guess, tolerances));
+        } while (looks.says != NULL && !looks_like(own, expected, &guess, tolerances));
     }
     image_free(&guess);
     free(tolerances);
@@ -116,21 +116,24 @@ const char *picture_plain(ProbeImage own, const ExpectedPicture *expected)
                                                                       : NULL;
 }
 
-char *picture_looks(ProbeImage own, const ExpectedPicture *expected)
+Diagnosis picture_looks(ProbeImage own, const ExpectedPicture *expected, char *found)
 {
     if (shows_beyond(own, expected)) {
-        return message_new("drawn as if one circle too many were asked, the one behind the end of "
-                           "the array");
+        const Cause one_more = {.says =
+                                    "drawn as if one circle too many were asked, the one behind "
+                                    "the end of the array"};
+        return diagnosis_seen(found, one_more, EVIDENCE_PICTURE);
     }
     if (is_other_background(own, expected)) {
-        const float *background = expected->background;
-        return message_new("right but for the background, which is (%g, %g, %g, %g) in all four "
-                           "channels",
-                           background[0], background[1], background[2], background[3]);
+        const float *color = expected->background;
+        const Words background =
+            words("right but for the background, which is (%g, %g, %g, %g) in all four channels",
+                  color[0], color[1], color[2], color[3]);
+        return diagnosis_seen(found, (Cause){.says = background.text}, EVIDENCE_PICTURE);
     }
-    const char *looks = picture_distortion(own, expected);
-    if (looks == NULL && expected->draw_mistaken != NULL) {
+    Cause looks = picture_distortion(own, expected);
+    if (looks.says == NULL && expected->draw_mistaken != NULL) {
         looks = looks_mistaken(own, expected);
     }
-    return looks ? message_new("%s", looks) : NULL;
+    return diagnosis_seen(found, looks, EVIDENCE_PICTURE);
 }

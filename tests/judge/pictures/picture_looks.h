@@ -12,12 +12,12 @@
 // What a wrong picture looks like that may have many causes, "of one colour everywhere", or NULL.
 const char *picture_plain(ProbeImage own, const ExpectedPicture *expected);
 
-// The mistake that a wrong picture looks like, "shifted by one pixel up", or NULL. Owned by the
-// caller.
-char *picture_looks(ProbeImage own, const ExpectedPicture *expected);
+// What was found in a wrong picture, and the mistake that it looks like, "it looks shifted by one
+// pixel up". Takes `found` over; the diagnosis is owned by the caller.
+Diagnosis picture_looks(ProbeImage own, const ExpectedPicture *expected, char *found);
 
-// The same of mistakes that are made to a whole picture.
-const char *picture_distortion(ProbeImage own, const ExpectedPicture *expected);
+// The same of mistakes that are made to a whole picture, "shifted by one pixel up".
+Cause picture_distortion(ProbeImage own, const ExpectedPicture *expected);
 
 // How a guess, the picture that a known mistake would draw, fares against the student's picture.
 typedef struct Tally {

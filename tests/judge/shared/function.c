@@ -45,10 +45,9 @@ static int is_constant(const Function *function, Range range, const char *answer
     return i == range.n;
 }
 
-// The known mistake that explains all answers, "" when none does. Nothing is concluded from answers
-// that are all the same.
-static const char *explain(const Function *function, const void *job, Range range,
-                           const void *answers)
+// The known mistake that explains all answers, if one does. Nothing is concluded from answers that
+// are all the same.
+static Cause explain(const Function *function, const void *job, Range range, const void *answers)
 {
     if (function->explain != NULL) {
         return function->explain(job, range, answers);
@@ -56,17 +55,16 @@ static const char *explain(const Function *function, const void *job, Range rang
     const int n = is_constant(function, range, answers) ? 0 : function->n_mistakes;
     for (int m = 1; m < n; m++) {
         if (explains(function, job, range, answers, m)) {
-            const char *mistake =
-                (const char *)function->mistakes + (size_t)m * function->mistake_bytes;
-            return *(const char *const *)mistake;
+            return *(const Cause *)((const char *)function->mistakes +
+                                    (size_t)m * function->mistake_bytes);
         }
     }
-    return "";
+    return (Cause){0};
 }
 
-// The message about wrong answers, or NULL: how many, the first one, and what explains them.
-static char *judge_counting(const Function *function, const void *job, Range range,
-                            const void *answers)
+// What is wrong with the answers: how many, the first one, and what explains them.
+static Diagnosis judge_counting(const Function *function, const void *job, Range range,
+                                const void *answers)
 {
     int n_wrong = 0, first = 0;
     for (int i = range.n - 1; i >= 0; i--) {
@@ -76,13 +74,13 @@ static char *judge_counting(const Function *function, const void *job, Range ran
         }
     }
     if (n_wrong == 0) {
-        return NULL;
+        return NOTHING_WRONG;
     }
-    char *fault = function->fault(job, first, answers);
-    char *message = message_new("%s (%d of %d %s are wrong)%s", fault, n_wrong, range.n,
-                                function->counted, explain(function, job, range, answers));
-    free(fault);
-    return message;
+    char *wrong = function->describe(job, first, answers);
+    char *found =
+        message_new("%s (%d of %d %s are wrong)", wrong, n_wrong, range.n, function->counted);
+    free(wrong);
+    return diagnosis_of(found, explain(function, job, range, answers));
 }
 
 Verdict function_judge(const Function *function, const void *job, Range range,
@@ -95,9 +93,9 @@ Verdict function_judge(const Function *function, const void *job, Range range,
     if (function->agrees != NULL) {
         return verdict_of(judge_counting(function, job, range, found));
     }
-    char *fault = NULL;
-    for (int i = 0; fault == NULL && i < range.n; i++) {
-        fault = function->fault(job, range_at(range, i), found);
+    Verdict verdict = verdict_passed;
+    for (int i = 0; verdict.kind == VERDICT_PASSED && i < range.n; i++) {
+        verdict = verdict_of(function->fault(job, range_at(range, i), found));
     }
-    return verdict_of(fault);
+    return verdict;
 }

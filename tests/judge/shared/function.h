@@ -26,19 +26,21 @@ typedef struct Function {
     int n;                // how many there are in all ranges together
     size_t answer_bytes;  // of one
 
-    // What is wrong with answer number i, "...: found 1, expected 2", or NULL. Owned by the caller.
-    char *(*fault)(const void *job, int i, const void *answers);
+    // What is wrong with answer number i, or NOTHING_WRONG. Owned by the caller.
+    Diagnosis (*fault)(const void *job, int i, const void *answers);
 
-    // Where known mistakes are tried: does answer number i agree with what comes of a mistake, or
-    // of none, which is number 0? Then `fault` is asked about wrong answers only, the message says
-    // how many are wrong, and it names the mistake that explains every answer of the range.
+    // In its place, where known mistakes are tried: does answer number i agree with what comes of a
+    // mistake, or of none, which is number 0? Then a wrong answer is described, "...: found 1,
+    // expected 2", owned by the caller; how many are wrong is counted; and the cause is the mistake
+    // that explains every answer of the range.
     int (*agrees)(const void *job, int i, const void *answers, int mistake);
+    char *(*describe)(const void *job, int i, const void *answers);
     const char *counted;   // "inputs", "points"
-    const void *mistakes;  // structures that begin with what is said, a const char *
+    const void *mistakes;  // structures that begin with a Cause
     size_t mistake_bytes;  // of one
     int n_mistakes;        // with number 0
-    // In the place of these mistakes: what is said about wrong answers, "" for nothing.
-    const char *(*explain)(const void *job, Range range, const void *answers);
+    // In the place of these mistakes: what wrong answers look like.
+    Cause (*explain)(const void *job, Range range, const void *answers);
 } Function;
 #define MISTAKES(table)                                                                            \
     .mistakes = (table), .mistake_bytes = sizeof *(table), .n_mistakes = COUNT(table)
@@ -46,7 +48,7 @@ typedef struct Function {
 // The function's answers, or NULL when they are missing.
 const void *function_answers(const Function *function, const Sections *answers);
 
-// Judge the answers to a range of inputs: the message is about the first wrong one.
+// Judge the answers to a range of inputs: the diagnosis is of the first wrong one.
 Verdict function_judge(const Function *function, const void *job, Range range,
                        const Sections *answers);
 

@@ -43,40 +43,49 @@ void job_scene_spread_depths(JobScene *scene)
 }
 
 // The oracle's mistakes, as DrawMistaken has it.
-static const char *draw_mistaken(const void *pointer, int mistake, Image *guess, float *tolerances)
+static Cause draw_mistaken(const void *pointer, int mistake, Image *guess, float *tolerances)
 {
     static const struct {
-        const char *looks;
+        Cause looks;
         OracleRules rules;
     } mistakes[] = {
-        {"drawn as if the boundary did not belong to the circle (strict where it should not be)",
+        {{"drawn as if the boundary did not belong to the circle (strict where it should not be)",
+          MISTAKE_STRICT_BOUNDARY},
          {.strict_boundary = 1}},
-        {"drawn as if of two equal depths the later circle won", {.later_wins_ties = 1}},
-        {"drawn as if depth did not matter: the last circle covers the others",
+        {{"drawn as if of two equal depths the later circle won", MISTAKE_LATER_OF_EQUALS},
+         {.later_wins_ties = 1}},
+        {{.says = "drawn as if depth did not matter: the last circle covers the others"},
          {.ignore_depth = 1}},
-        {"drawn as if depth did not matter: the first circle keeps the pixel", {.first_wins = 1}},
-        {"drawn as if the farthest circle won: the depth test is inverted", {.farthest_wins = 1}},
-        {"drawn as if the first circle were missing", {.skip_first = 1}},
-        {"drawn as if the last circle were missing", {.skip_last = 1}},
-        {"shifted by half a pixel: the sample point is the integer coordinate",
+        {{.says = "drawn as if depth did not matter: the first circle keeps the pixel"},
+         {.first_wins = 1}},
+        {{.says = "drawn as if the farthest circle won: the depth test is inverted"},
+         {.farthest_wins = 1}},
+        {{.says = "drawn as if the first circle were missing"}, {.skip_first = 1}},
+        {{.says = "drawn as if the last circle were missing"}, {.skip_last = 1}},
+        {{"shifted by half a pixel: the sample point is the integer coordinate",
+          MISTAKE_SHIFTED_HALF},
          {.sample_offset = 0.5}},
-        {"shifted by half a pixel: the sample point is the integer coordinate",
+        {{"shifted by half a pixel: the sample point is the integer coordinate",
+          MISTAKE_SHIFTED_HALF},
          {.sample_offset = -0.5}},
-        {"drawn with half the radius", {.diameter = 1}},
+        {{.says = "drawn with half the radius"}, {.diameter = 1}},
     };
     enum { N_MISTAKES = sizeof mistakes / sizeof *mistakes };
     static const struct {
-        const char *looks;
+        Cause looks;
         OracleRules rules;
     } leaf_mistakes[] = {
-        {"drawn as if the first circle of every leaf were missing", {.skip_first = 1}},
-        {"drawn as if the last circle of every leaf were missing", {.skip_last = 1}},
-        {"drawn as if a position in the list were used as the circle's id",
+        {{"drawn as if the first circle of every leaf were missing", MISTAKE_MISSING_IN_CELL},
+         {.skip_first = 1}},
+        {{"drawn as if the last circle of every leaf were missing", MISTAKE_MISSING_IN_CELL},
+         {.skip_last = 1}},
+        {{.says = "drawn as if a position in the list were used as the circle's id"},
          {.id = ID_PLACE_FROM_0}},
-        {"drawn as if a position in the list were used as the circle's id",
+        {{.says = "drawn as if a position in the list were used as the circle's id"},
          {.id = ID_PLACE_FROM_1}},
-        {"drawn as if every pixel read the list at the start of mapNode2Circles, where the "
-         "circleMapOffset of an inner node points, too",
+        {{.says =
+              "drawn as if every pixel read the list at the start of mapNode2Circles, where the "
+              "circleMapOffset of an inner node points, too"},
          {.first_list = 1}},
     };
     enum { N_LEAF_MISTAKES = sizeof leaf_mistakes / sizeof *leaf_mistakes };
@@ -89,7 +98,7 @@ static const char *draw_mistaken(const void *pointer, int mistake, Image *guess,
     }
     mistake -= N_MISTAKES;
     if (scene->tree.n_nodes == 0 || mistake >= N_LEAF_MISTAKES) {
-        return NULL;
+        return (Cause){0};
     }
     oracle2d_draw_leaves(circles, scene->scene.n_circles, &scene->tree,
                          &leaf_mistakes[mistake].rules, guess, tolerances);

@@ -49,16 +49,8 @@ void job_scene3d_free(JobScene3D *scene);
 // The answer "hits.K", [height * width], or NULL when it is missing.
 const HitAnswer *hits_find(const JobScene3D *scene, int k, const Sections *answers);
 
-// What is wrong with a scene's hits.
-typedef struct WrongHits {
-    int n;              // how many rays
-    int first;          // the first one's pixel
-    const char *looks;  // "as if ...": the mistake that explains all of them; or NULL
-} WrongHits;
-
-WrongHits hits_judge(const JobScene3D *scene, const HitAnswer *found);
-
-// The same in words, NULL when nothing is wrong. Owned by the caller.
-char *hits_describe(const JobScene3D *scene, const HitAnswer *found, WrongHits wrong);
+// What is wrong with a scene's hits: the first wrong ray, how many there are, and the mistake that
+// explains all of them, if one does. Owned by the caller.
+Diagnosis hits_judge(const JobScene3D *scene, const HitAnswer *found);
 
 #endif

@@ -13,59 +13,71 @@
 
 // A mistake made by the oracle.
 typedef struct Mistake3D {
-    const char *looks;
+    Cause looks;
     OracleRules3D rules;
 } Mistake3D;
 
 static const Mistake3D mistakes[] = {
     // Of rays,
-    {"shifted by half a pixel: the ray goes through the pixel's corner, not its middle",
+    {{"shifted by half a pixel: the ray goes through the pixel's corner, not its middle",
+      MISTAKE_SHIFTED_HALF},
      {.sample_offset = -0.5}},
-    {"shifted by half a pixel: the ray goes through the pixel's far corner, not its middle",
+    {{"shifted by half a pixel: the ray goes through the pixel's far corner, not its middle",
+      MISTAKE_SHIFTED_HALF},
      {.sample_offset = 0.5}},
-    {"drawn as if fov were the display's height: it is its width", {.fov_is_height = 1}},
-    {"drawn as if fov were the display's height as well: pixels are squares", {.fov_both_ways = 1}},
-    {"drawn as if fov were an angle: it is a width at distance 1", {.fov_is_angle = 1}},
-    {"drawn as if fov were half the display's width", {.fov_is_half_width = 1}},
-    {"drawn with directions that are not unit vectors", {.not_normalised = 1}},
-    {"drawn with the view transform turned round (rows for columns)", {.axes_transposed = 1}},
+    {{.says = "drawn as if fov were the display's height: it is its width"}, {.fov_is_height = 1}},
+    {{.says = "drawn as if fov were the display's height as well: pixels are squares"},
+     {.fov_both_ways = 1}},
+    {{.says = "drawn as if fov were an angle: it is a width at distance 1"}, {.fov_is_angle = 1}},
+    {{.says = "drawn as if fov were half the display's width"}, {.fov_is_half_width = 1}},
+    {{.says = "drawn with directions that are not unit vectors"}, {.not_normalised = 1}},
+    {{.says = "drawn with the view transform turned round (rows for columns)"},
+     {.axes_transposed = 1}},
     // of hits,
-    {"drawn as if the farther root were the hit: one sees the spheres' far sides",
+    {{.says = "drawn as if the farther root were the hit: one sees the spheres' far sides"},
      {.farther_root = 1}},
-    {"drawn as if t_min did not matter: hits behind the eye count", {.any_distance = 1}},
-    {"drawn as if a sphere around the eye were not there: the second root is forgotten",
+    {{.says = "drawn as if t_min did not matter: hits behind the eye count"}, {.any_distance = 1}},
+    {{.says = "drawn as if a sphere around the eye were not there: the second root is forgotten"},
      {.inside_is_miss = 1}},
-    {"drawn as if the sign of the radius did not matter: negative means seen from inside only",
+    {{.says = "drawn as if the sign of the radius did not matter: negative means seen from inside "
+              "only"},
      {.radius_sign_ignored = 1}},
-    {"drawn as if spheres with a negative radius were not there", {.negative_radius_missed = 1}},
-    {"drawn as if the first sphere that is hit kept the pixel, however far", {.first_wins = 1}},
-    {"drawn as if distance did not matter: the last sphere that is hit covers the others",
+    {{.says = "drawn as if spheres with a negative radius were not there"},
+     {.negative_radius_missed = 1}},
+    {{.says = "drawn as if the first sphere that is hit kept the pixel, however far"},
+     {.first_wins = 1}},
+    {{.says = "drawn as if distance did not matter: the last sphere that is hit covers the others"},
      {.last_wins = 1}},
-    {"drawn as if the farthest sphere won: the comparison is inverted", {.farthest_wins = 1}},
-    {"drawn as if of two equally far spheres the later one won", {.later_wins_ties = 1}},
-    {"drawn as if the first sphere were missing", {.skip_first = 1}},
-    {"drawn as if the last sphere were missing", {.skip_last = 1}},
-    {"drawn as if one sphere too many were asked, the one behind the end of the array",
+    {{.says = "drawn as if the farthest sphere won: the comparison is inverted"},
+     {.farthest_wins = 1}},
+    {{"drawn as if of two equally far spheres the later one won", MISTAKE_LATER_OF_EQUALS},
+     {.later_wins_ties = 1}},
+    {{.says = "drawn as if the first sphere were missing"}, {.skip_first = 1}},
+    {{.says = "drawn as if the last sphere were missing"}, {.skip_last = 1}},
+    {{.says = "drawn as if one sphere too many were asked, the one behind the end of the array"},
      {.one_sphere_more = 1}},
     // and of colours.
-    {"drawn with normals that point away from the centre, seen from inside, too",
+    {{.says = "drawn with normals that point away from the centre, seen from inside, too"},
      {.normal_not_turned = 1}},
-    {"drawn with normals that point into the spheres", {.normal_always_turned = 1}},
-    {"drawn with normals that are not unit vectors", {.normal_not_normalised = 1}},
-    {"drawn as if a light behind the surface took light away: negative cosines count as 0",
+    {{.says = "drawn with normals that point into the spheres"}, {.normal_always_turned = 1}},
+    {{.says = "drawn with normals that are not unit vectors"}, {.normal_not_normalised = 1}},
+    {{.says =
+          "drawn as if a light behind the surface took light away: negative cosines count as 0"},
      {.cosine_not_clamped = 1}},
-    {"drawn as if a light behind the surface lit it: negative cosines count as 0",
+    {{.says = "drawn as if a light behind the surface lit it: negative cosines count as 0"},
      {.cosine_absolute = 1}},
-    {"drawn with ways to the lights that are not unit vectors", {.to_light_not_normalised = 1}},
-    {"lit by the first light only", {.first_light_only = 1}},
-    {"lit by the last light only", {.last_light_only = 1}},
-    {"lit by one light too many, the one behind the end of the array", {.one_light_more = 1}},
-    {"drawn without kd", {.ignore_kd = 1}},
-    {"drawn without the materials' colours", {.ignore_color = 1}},
-    {"drawn without the lights' colours", {.ignore_light_color = 1}},
-    {"drawn as if sphere i were of material i: its material is material_ids[i]",
+    {{.says = "drawn with ways to the lights that are not unit vectors"},
+     {.to_light_not_normalised = 1}},
+    {{.says = "lit by the first light only"}, {.first_light_only = 1}},
+    {{.says = "lit by the last light only"}, {.last_light_only = 1}},
+    {{.says = "lit by one light too many, the one behind the end of the array"},
+     {.one_light_more = 1}},
+    {{.says = "drawn without kd"}, {.ignore_kd = 1}},
+    {{.says = "drawn without the materials' colours"}, {.ignore_color = 1}},
+    {{.says = "drawn without the lights' colours"}, {.ignore_light_color = 1}},
+    {{.says = "drawn as if sphere i were of material i: its material is material_ids[i]"},
      {.ignore_material_ids = 1}},
-    {"drawn with a black background", {.background_black = 1}},
+    {{.says = "drawn with a black background"}, {.background_black = 1}},
 };
 
 // Where they begin.
@@ -79,11 +91,11 @@ static int is_brute_force(const JobScene3D *scene)
 }
 
 // As DrawMistaken of picture.h has it.
-static const char *draw_mistaken(const void *pointer, int mistake, Image *guess, float *tolerances)
+static Cause draw_mistaken(const void *pointer, int mistake, Image *guess, float *tolerances)
 {
     const JobScene3D *scene = pointer;
     if (!is_brute_force(scene) || mistake >= (int)(sizeof mistakes / sizeof *mistakes)) {
-        return NULL;
+        return (Cause){0};
     }
     oracle3d_draw(&scene->scene, &scene->camera, &mistakes[mistake].rules, guess, tolerances, NULL);
     return mistakes[mistake].looks;
@@ -134,9 +146,9 @@ static Words hit_words(u32 sphere, double t)
                                       : words("sphere %u at t = %.9g", sphere, t);
 }
 
-// What wrong hits look like, or NULL: the mistake that explains all of them, if one does. Rays and
+// What wrong hits look like: the mistake that explains all of them, if one does. Rays and
 // colours have no part in them.
-static const char *explain_hits(const JobScene3D *scene, const HitAnswer *found)
+static Cause explain_hits(const JobScene3D *scene, const HitAnswer *found)
 {
     const Scene3D *s = &scene->scene;
     for (int i = FIRST_HIT_MISTAKE; is_brute_force(scene) && i < FIRST_COLOR_MISTAKE; i++) {
@@ -157,10 +169,11 @@ static const char *explain_hits(const JobScene3D *scene, const HitAnswer *found)
     }
     for (int pixel = 0; pixel < s->width * s->height; pixel++) {
         if (found[pixel].sphere != ORACLE_NO_SPHERE && isinf(found[pixel].t)) {
-            return "as if a miss, t = inf, were a hit: infinity is not nearer than infinity";
+            return (Cause){
+                .says = "as if a miss, t = inf, were a hit: infinity is not nearer than infinity"};
         }
     }
-    return NULL;
+    return (Cause){0};
 }
 
 const HitAnswer *hits_find(const JobScene3D *scene, int k, const Sections *answers)
@@ -169,31 +182,24 @@ const HitAnswer *hits_find(const JobScene3D *scene, int k, const Sections *answe
     return job_section_find(answers, "hits", k, n_pixels * sizeof(HitAnswer));
 }
 
-WrongHits hits_judge(const JobScene3D *scene, const HitAnswer *found)
-{
-    WrongHits wrong = {0};
-    for (int pixel = scene->scene.width * scene->scene.height - 1; pixel >= 0; pixel--) {
-        if (!is_right_hit(&scene->hits[pixel], found[pixel])) {
-            wrong.n++;
-            wrong.first = pixel;
-        }
-    }
-    wrong.looks = wrong.n > 0 ? explain_hits(scene, found) : NULL;
-    return wrong;
-}
-
-char *hits_describe(const JobScene3D *scene, const HitAnswer *found, WrongHits wrong)
+Diagnosis hits_judge(const JobScene3D *scene, const HitAnswer *found)
 {
     const int width = scene->scene.width, height = scene->scene.height;
-    const HitAnswer own = found[wrong.first];
-    const OracleHit *wanted = &scene->hits[wrong.first];
-    return wrong.n == 0
-               ? NULL
-               : message_new("%s: the ray of pixel (%d, %d): found %s, expected %s (%d of %d rays "
-                             "are wrong)%s%s",
-                             scene->picture.title, wrong.first % width, wrong.first / width,
-                             hit_words(own.sphere, own.t).text,
-                             hit_words(wanted->sphere, wanted->t).text, wrong.n, width * height,
-                             wrong.looks ? MESSAGE_CAUSE "it looks " : "",
-                             wrong.looks ? wrong.looks : "");
+    int n_wrong = 0, first = 0;
+    for (int pixel = width * height - 1; pixel >= 0; pixel--) {
+        if (!is_right_hit(&scene->hits[pixel], found[pixel])) {
+            n_wrong++;
+            first = pixel;
+        }
+    }
+    if (n_wrong == 0) {
+        return NOTHING_WRONG;
+    }
+    const OracleHit *wanted = &scene->hits[first];
+    char *wrong = message_new(
+        "%s: the ray of pixel (%d, %d): found %s, expected %s (%d of %d rays are wrong)",
+        scene->picture.title, first % width, first / width,
+        hit_words(found[first].sphere, found[first].t).text,
+        hit_words(wanted->sphere, wanted->t).text, n_wrong, width * height);
+    return diagnosis_seen(wrong, explain_hits(scene, found), EVIDENCE_RAYS);
 }

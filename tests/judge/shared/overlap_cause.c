@@ -1,9 +1,8 @@
 // Telling mistakes of overlap tests apart by all answers (see overlap_cause.h).
 #include "overlap_cause.h"
 
-#include "message.h"
-
 #include <math.h>
+#include <stddef.h>
 
 double outside_of(double coordinate, double min, double max)
 {
@@ -50,12 +49,12 @@ static const struct {
     int (*overlaps)(Reach);
     const char *says;
 } foretold[] = {
-    {overlaps_by_squares_in_float, MESSAGE_CAUSE
+    {overlaps_by_squares_in_float,
      "your answers are those of float, which rounds squares: in double they are exact"},
-    {overlaps_by_root_in_float, MESSAGE_CAUSE
+    {overlaps_by_root_in_float,
      "your answers are those of float, which rounds squares: in double they are exact"},
     {overlaps_by_radius_in_float,
-     MESSAGE_CAUSE "your answers are those of a radius squared in float, which rounds it"},
+     "your answers are those of a radius squared in float, which rounds it"},
 };
 
 static int foretells(int (*mistaken)(Reach), ReachOf *reach_of, const void *job, int n,
@@ -91,12 +90,13 @@ static int is_of_negative_radius(Reach r, int found)
 // In this order: a point on a cell's border touches it, too.
 static const struct {
     MayBe *may_be;
-    const char *says;
+    Cause cause;
 } in_common[] = {
     {is_of_radius_0,
-     MESSAGE_CAUSE "a radius of 0 makes a point, and it overlaps the cells that it is in"},
-    {is_of_negative_radius, MESSAGE_CAUSE "a negative radius counts as its absolute value"},
-    {is_of_touching, MESSAGE_CAUSE "they touch, and touching counts: both have their boundaries"},
+     {.says = "a radius of 0 makes a point, and it overlaps the cells that it is in"}},
+    {is_of_negative_radius, {.says = "a negative radius counts as its absolute value"}},
+    {is_of_touching,
+     {"they touch, and touching counts: both have their boundaries", MISTAKE_STRICT_BOUNDARY}},
 };
 
 static int have_in_common(MayBe *may_be, ReachOf *reach_of, const void *job, int n,
@@ -158,24 +158,25 @@ static int is_epsilon(int e, ReachOf *reach_of, const void *job, int n, const i3
 
 #define COUNT_OF(array) (sizeof(array) / sizeof *(array))
 
-const char *overlap_cause(ReachOf *reach_of, const void *job, int n, const i32 *found)
+Cause overlap_cause(ReachOf *reach_of, const void *job, int n, const i32 *found)
 {
     for (size_t m = 0; m < COUNT_OF(foretold); m++) {
         if (foretells(foretold[m].overlaps, reach_of, job, n, found)) {
-            return foretold[m].says;
+            return (Cause){.says = foretold[m].says};
         }
     }
     for (size_t m = 0; m < COUNT_OF(in_common); m++) {
         if (have_in_common(in_common[m].may_be, reach_of, job, n, found)) {
-            return in_common[m].says;
+            return in_common[m].cause;
         }
     }
     for (size_t e = 0; e < COUNT_OF(epsilons); e++) {
         if (is_epsilon((int)e, reach_of, job, n, found)) {
-            return MESSAGE_CAUSE "your answers are those with an epsilon: in double none is needed";
+            return (Cause){.says =
+                               "your answers are those with an epsilon: in double none is needed"};
         }
     }
-    return "";
+    return (Cause){0};
 }
 
 // What misses by less may be decided by how the sides of the square were rounded.

@@ -3,6 +3,7 @@
 #ifndef JUDGE_OVERLAP_CAUSE_H
 #define JUDGE_OVERLAP_CAUSE_H
 
+#include "diagnosis.h"
 #include "layout.h"
 
 // One input: how far the centre lies outside of the cell on each axis, 0 where it does not, and how
@@ -18,10 +19,10 @@ typedef Reach ReachOf(const void *job, int i);
 // How far a coordinate lies outside of [min, max].
 double outside_of(double coordinate, double min, double max);
 
-// What is said about the wrong answers, of which there is one at least; "" where no known mistake
+// What the wrong answers look like, of which there is one at least; no cause where no known mistake
 // explains them all. Every input is such that double decides it exactly.
 //   found[n]   the answers to all inputs of the job
-const char *overlap_cause(ReachOf *reach_of, const void *job, int n, const i32 *found);
+Cause overlap_cause(ReachOf *reach_of, const void *job, int n, const i32 *found);
 
 // Are the answers those about the square around the circle, or the cube around the sphere?
 int overlap_is_of_box(ReachOf *reach_of, const void *job, int n, const i32 *found);

@@ -1,14 +1,14 @@
 // Causes of wrong lists (see packed_list.h).
 #include "packed_list.h"
 
-#include "message.h"
+#include <stddef.h>
 
-const char *number_cause(u32 found, u32 expected)
+Cause number_cause(u32 found, u32 expected)
 {
-    return found == expected              ? ""
-           : found == (expected & 0xff)   ? MESSAGE_CAUSE "that is what 8 bits hold of it"
-           : found == (expected & 0xffff) ? MESSAGE_CAUSE "that is what 16 bits hold of it"
-                                          : "";
+    return (Cause){.says = found == expected              ? NULL
+                           : found == (expected & 0xff)   ? "that is what 8 bits hold of it"
+                           : found == (expected & 0xffff) ? "that is what 16 bits hold of it"
+                                                          : NULL};
 }
 
 // Is each entry what these bits hold of the right one?
@@ -30,11 +30,11 @@ static int is_reversed(const u32 *found, const u32 *expected, u32 n)
     return i == n;
 }
 
-const char *list_cause(const u32 *found, const u32 *expected, u32 n)
+Cause list_cause(const u32 *found, const u32 *expected, u32 n)
 {
-    return is_reversed(found, expected, n) ? MESSAGE_CAUSE
-               "the ids stand there from the last to the first, and must ascend"
-           : is_cut(found, expected, n, 0xff)   ? MESSAGE_CAUSE "of each id 8 bits are there"
-           : is_cut(found, expected, n, 0xffff) ? MESSAGE_CAUSE "of each id 16 bits are there"
-                                                : "";
+    return (Cause){.says = is_reversed(found, expected, n)
+                               ? "the ids stand there from the last to the first, and must ascend"
+                           : is_cut(found, expected, n, 0xff)   ? "of each id 8 bits are there"
+                           : is_cut(found, expected, n, 0xffff) ? "of each id 16 bits are there"
+                                                                : NULL};
 }

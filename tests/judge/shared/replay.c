@@ -97,47 +97,53 @@ int guard_is_untouched(const u32 *guard)
     return i == REPLAY_GUARD;
 }
 
-// Says that an id that belongs into a child's list is nowhere in it; "" when it is.
-static Words missing(const char *element, ListCall call, const u32 *list, u32 id)
+// Is an id that belongs into a child's list nowhere in it?
+static int is_missing(ListCall call, const u32 *list, u32 id)
 {
-    for (u32 i = 0; i < call.n_ids; i++) {
-        if (list[i] == id) {
-            return words("%s", "");
-        }
+    u32 i = 0;
+    while (i < call.n_ids && list[i] != id) {
+        i++;
     }
-    return words(", that %s overlaps the cell and is missing in its list", element);
+    return i == call.n_ids;
 }
 
-char *list_fault(const char *element, ListCall call, ListKeeps *keeps, const void *job,
-                 const u32 *found)
+// What is wrong where list[n] should be the parent's id number j, and is not.
+static Diagnosis id_fault(const char *element, ListCall call, const u32 *list, u32 n, u32 j)
 {
-    const Words node = words("node with %u %ss from id %u on", call.n_ids, element, call.ids[0]);
+    const int is_position = list[n] == j;
+    const int is_lost = !is_position && is_missing(call, list, call.ids[j]);
+    char *found = message_new(
+        "node with %u %ss from id %u on: child_ids[%u] %s, expected %u%s", call.n_ids, element,
+        call.ids[0], n, list[n] == UNTOUCHED ? "was not written" : words("is %u", list[n]).text,
+        call.ids[j],
+        is_lost ? words(", that %s overlaps the cell and is missing in its list", element).text
+                : "");
+    return diagnosis_of(found,
+                        (Cause){.says = is_position ? "that is its position in ids[]" : NULL,
+                                .mistake = is_lost ? MISTAKE_MISSING_IN_CELL : MISTAKE_NONE});
+}
+
+Diagnosis list_fault(const char *element, ListCall call, ListKeeps *keeps, const void *job,
+                     const u32 *found)
+{
     u32 n = 0;
     for (u32 j = 0; j < call.n_ids; j++) {
-        const u32 id = call.ids[j];
-        if (!keeps(job, call.scene, id, call.cell)) {
-            continue;
+        if (keeps(job, call.scene, call.ids[j], call.cell)) {
+            if (found[1 + n] != call.ids[j]) {
+                return id_fault(element, call, found + 1, n, j);
+            }
+            n++;
         }
-        if (found[1 + n] == UNTOUCHED) {
-            return message_new("%s: child_ids[%u] was not written, expected %u%s", node.text, n, id,
-                               missing(element, call, found + 1, id).text);
-        }
-        if (found[1 + n] != id) {
-            return message_new("%s: child_ids[%u] is %u, expected %u%s", node.text, n, found[1 + n],
-                               id,
-                               found[1 + n] == j ? "; that is its position in ids[]"
-                                                 : missing(element, call, found + 1, id).text);
-        }
-        n++;
     }
     if (found[0] != n) {
-        return message_new("%s: returned %u, expected %u: the number of ids written", node.text,
-                           found[0], n);
+        return diagnosis_new("node with %u %ss from id %u on: returned %u, expected %u: the number "
+                             "of ids written",
+                             call.n_ids, element, call.ids[0], found[0], n);
     }
     return found[1 + call.n_ids] == UNTOUCHED
-               ? NULL
-               : message_new("child_ids[%u] was written, but there is room for %u", call.n_ids,
-                             call.n_ids);
+               ? NOTHING_WRONG
+               : diagnosis_new("child_ids[%u] was written, but there is room for %u", call.n_ids,
+                               call.n_ids);
 }
 
 int list_is_right(ListCall call, ListKeeps *keeps, const void *job, const u32 *found)

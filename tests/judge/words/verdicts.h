@@ -5,20 +5,20 @@
 #include "verdict.h"
 
 #include <stddef.h>
-#include <stdlib.h>
 
-static const Verdict verdict_missing = {VERDICT_MISSING, NULL};
+static const Verdict verdict_passed = {.kind = VERDICT_PASSED};
+static const Verdict verdict_missing = {.kind = VERDICT_MISSING};
 
-// Passed when message is NULL, else failed. Takes the message over.
-static inline Verdict verdict_of(char *message)
+// Passed where nothing is wrong, else failed. Takes the diagnosis over.
+static inline Verdict verdict_of(Diagnosis diagnosis)
 {
-    return (Verdict){message ? VERDICT_FAILED : VERDICT_PASSED, message};
+    return (Verdict){diagnosis.found != NULL ? VERDICT_FAILED : VERDICT_PASSED, diagnosis};
 }
 
-// Has it passed? Releases the message.
+// Has it passed? Releases the diagnosis.
 static inline int verdict_passes(Verdict verdict)
 {
-    free(verdict.message);
+    diagnosis_free(&verdict.diagnosis);
     return verdict.kind == VERDICT_PASSED;
 }
 

@@ -4,26 +4,26 @@
 // The kernels are those of the solutions, and so is the tree's builder: the bench has no renderer
 // of its own but the fill.
 // Used by bench2d.c.
-#ifndef BENCH_VARIANT_H
-#define BENCH_VARIANT_H
+#ifndef BENCH_CASE2D_H
+#define BENCH_CASE2D_H
 
 #include "cl_setup.h"
 #include "scene2d.h"
 #include "series.h"
 #include "tree2d.h"
 
-typedef enum VariantKind {
+typedef enum Case2DKind {
     FILL,    // fill.cl: the floor
     NAIVE,   // lab 01
     KDTREE,  // lab 03 with the tree of lab 02
-    N_VARIANT_KINDS,
-} VariantKind;
+    N_CASE2D_KINDS,
+} Case2DKind;
 
 // "fill", "naive", "kdtree": the first column of the table and of the CSV file.
-extern const char *const VARIANT_NAMES[N_VARIANT_KINDS];
+extern const char *const CASE2D_NAMES[N_CASE2D_KINDS];
 
-typedef struct Variant {
-    VariantKind kind;
+typedef struct Case2D {
+    Case2DKind kind;
     const Scene2D *scene;  // kept by the caller
     KdTreeLimits limits;   // KDTREE only
     int n_frames;          // frames a round
@@ -43,24 +43,24 @@ typedef struct Variant {
 
     Series frames;
     Series builds;  // of the tree
-} Variant;
+} Case2D;
 
 // The three programs, compiled. Returns 0, or -1 after one message. Release with programs_free().
-int programs_build(const ClSetup *cl, cl_program programs[N_VARIANT_KINDS]);
-void programs_free(cl_program programs[N_VARIANT_KINDS]);
+int programs_build(const ClSetup *cl, cl_program programs[N_CASE2D_KINDS]);
+void programs_free(cl_program programs[N_CASE2D_KINDS]);
 
-// Make a variant ready to be drawn: builds the tree, copies scene and tree to the device, and runs
+// Make a case ready to be drawn: builds the tree, copies scene and tree to the device, and runs
 // one work-group, so that the driver has finished compiling before anything is timed.
-// Returns 0, or -1 after one message. Release with variant_free(), after a failure too.
-int variant_prepare(Variant *variant, const ClSetup *cl, const cl_program *programs,
-                    cl_mem d_image);
-void variant_free(Variant *variant);
+// Returns 0, or -1 after one message. Release with case2d_free(), after a failure too.
+int case2d_prepare(Case2D *bench_case, const ClSetup *cl, const cl_program *programs,
+                   cl_mem d_image);
+void case2d_free(Case2D *bench_case);
 
 // Draw a frame and wait for it. Returns the milliseconds from the launch until the queue is empty;
 // of some rows, scaled to the whole frame.
-double variant_draw(const Variant *variant, const ClSetup *cl);
+double case2d_draw(const Case2D *bench_case, const ClSetup *cl);
 
 // Build the tree and throw it away. Returns the milliseconds, or -1 after one message.
-double variant_time_build(const Variant *variant);
+double case2d_time_build(const Case2D *bench_case);
 
 #endif

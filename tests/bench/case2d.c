@@ -1,0 +1,167 @@
+// What the bench measures (see case2d.h).
+#include "case2d.h"
+
+#include "cl_memory.h"
+#include "kdtree2d_build.h"
+#include "launch.h"
+#include "stats.h"
+
+const char *const CASE2D_NAMES[N_CASE2D_KINDS] = {"fill", "naive", "kdtree"};
+
+// NAIVE_OPTIONS and KDTREE_OPTIONS come from the Makefile, as KERNEL_OPTIONS does in the labs.
+static const struct KernelRow {
+    const char *path;
+    const char *options;
+    const char *name;
+} KERNELS[N_CASE2D_KINDS] = {
+    [FILL] = {"tests/bench/fill.cl", "", "fill"},
+    [NAIVE] = {"solutions/01-naive-2d/implicit2DRenderer.cl", NAIVE_OPTIONS, "implicit2DRenderer"},
+    [KDTREE] = {"solutions/03-kdtree-2d-render/implicit2DRenderer_KD.cl", KDTREE_OPTIONS,
+                "implicit2DRenderer_KD"},
+};
+
+int programs_build(const ClSetup *cl, cl_program programs[N_CASE2D_KINDS])
+{
+    for (int kind = 0; kind < N_CASE2D_KINDS; kind++) {
+        programs[kind] = cl_setup_build(cl, KERNELS[kind].path, KERNELS[kind].options);
+        if (programs[kind] == NULL) {
+            return -1;
+        }
+    }
+    return 0;
+}
+
+void programs_free(cl_program programs[N_CASE2D_KINDS])
+{
+    for (int kind = 0; kind < N_CASE2D_KINDS; kind++) {
+        if (programs[kind] != NULL) {
+            CL_CHECK(clReleaseProgram(programs[kind]));
+        }
+    }
+}
+
+// A tree in which every inner node has two children has one leaf more than inner nodes, and every
+// leaf has a count before its ids.
+static u32 tree_references(const KdTree2D *tree)
+{
+    const u32 n_leaves = (tree->n_nodes + 1) / 2;
+    return tree->n_map - n_leaves;
+}
+
+// Build the tree and copy it to the device. Returns 0, or -1 after one message.
+static int prepare_tree(Case2D *bench_case, const ClSetup *cl)
+{
+    KdTree2D tree = {0};
+    if (kdtree2d_build(bench_case->scene->circles, (u32)bench_case->scene->n_circles,
+                       bench_case->limits, &tree) != 0) {
+        return -1;
+    }
+    bench_case->depth = -1;
+    if (tree2d_check(&tree, (u32)bench_case->scene->n_circles) == 0) {
+        bench_case->depth = tree2d_depth(&tree);
+    }
+    if (bench_case->depth < 0) {
+        tree2d_free(&tree);
+        return -1;
+    }
+    bench_case->n_nodes = tree.n_nodes;
+    bench_case->n_references = tree_references(&tree);
+    bench_case->d_nodes_Relations =
+        cl_buffer_create(cl, tree.nodes_Relations, tree.n_nodes * sizeof *tree.nodes_Relations);
+    bench_case->d_nodes_flag =
+        cl_buffer_create(cl, tree.nodes_flag, tree.n_nodes * sizeof *tree.nodes_flag);
+    bench_case->d_nodes_BBox =
+        cl_buffer_create(cl, tree.nodes_BBox, tree.n_nodes * sizeof *tree.nodes_BBox);
+    bench_case->d_mapNode2Circles =
+        cl_buffer_create(cl, tree.mapNode2Circles, tree.n_map * sizeof *tree.mapNode2Circles);
+    tree2d_free(&tree);
+    return 0;
+}
+
+// The arguments, in the order of each kernel's parameter list.
+static void set_arguments(const Case2D *bench_case, cl_mem d_image)
+{
+    cl_kernel kernel = bench_case->kernel;
+    const Scene2D *scene = bench_case->scene;
+    cl_uint next = 0;
+    if (bench_case->kind != FILL) {
+        CL_CHECK(clSetKernelArg(kernel, next++, sizeof(cl_mem), &bench_case->d_circles));
+    }
+    if (bench_case->kind == NAIVE) {
+        CL_CHECK(clSetKernelArg(kernel, next++, sizeof scene->n_circles, &scene->n_circles));
+    }
+    if (bench_case->kind == KDTREE) {
+        CL_CHECK(clSetKernelArg(kernel, next++, sizeof(cl_mem), &bench_case->d_nodes_Relations));
+        CL_CHECK(clSetKernelArg(kernel, next++, sizeof(cl_mem), &bench_case->d_nodes_flag));
+        CL_CHECK(clSetKernelArg(kernel, next++, sizeof(cl_mem), &bench_case->d_nodes_BBox));
+        CL_CHECK(clSetKernelArg(kernel, next++, sizeof(cl_mem), &bench_case->d_mapNode2Circles));
+    }
+    CL_CHECK(clSetKernelArg(kernel, next++, sizeof scene->width, &scene->width));
+    CL_CHECK(clSetKernelArg(kernel, next++, sizeof scene->height, &scene->height));
+    CL_CHECK(clSetKernelArg(kernel, next++, sizeof d_image, &d_image));
+    if (bench_case->kind != FILL) {
+        CL_CHECK(clSetKernelArg(kernel, next, sizeof(cl_mem), NULL));  // nothing is counted
+    }
+}
+
+// Draw a part of the picture, from its top left corner on, and wait for it.
+static void draw(const Case2D *bench_case, const ClSetup *cl, int width, int height)
+{
+    launch(cl, bench_case->kernel, 0, 0, width, height);
+    CL_CHECK(clFinish(cl->queue));
+}
+
+int case2d_prepare(Case2D *bench_case, const ClSetup *cl, const cl_program *programs,
+                   cl_mem d_image)
+{
+    const Scene2D *scene = bench_case->scene;
+    cl_int error;
+    bench_case->kernel =
+        clCreateKernel(programs[bench_case->kind], KERNELS[bench_case->kind].name, &error);
+    CL_CHECK_CREATED(error, clCreateKernel);
+    if (bench_case->kind != FILL) {
+        bench_case->d_circles =
+            cl_buffer_create(cl, scene->circles, (size_t)scene->n_circles * sizeof *scene->circles);
+    }
+    if (bench_case->kind == KDTREE && prepare_tree(bench_case, cl) != 0) {
+        return -1;
+    }
+    set_arguments(bench_case, d_image);
+    draw(bench_case, cl, GROUP_SIZE, GROUP_SIZE);
+    return 0;
+}
+
+void case2d_free(Case2D *bench_case)
+{
+    cl_mem buffers[] = {bench_case->d_circles, bench_case->d_nodes_Relations,
+                        bench_case->d_nodes_flag, bench_case->d_nodes_BBox,
+                        bench_case->d_mapNode2Circles};
+    for (size_t i = 0; i < sizeof buffers / sizeof *buffers; i++) {
+        if (buffers[i] != NULL) {
+            CL_CHECK(clReleaseMemObject(buffers[i]));
+        }
+    }
+    if (bench_case->kernel != NULL) {
+        CL_CHECK(clReleaseKernel(bench_case->kernel));
+    }
+}
+
+double case2d_draw(const Case2D *bench_case, const ClSetup *cl)
+{
+    const double start = stats_clock_ms();
+    draw(bench_case, cl, bench_case->scene->width, bench_case->n_rows);
+    return (stats_clock_ms() - start) * bench_case->scene->height / bench_case->n_rows;
+}
+
+double case2d_time_build(const Case2D *bench_case)
+{
+    KdTree2D tree = {0};
+    const double start = stats_clock_ms();
+    if (kdtree2d_build(bench_case->scene->circles, (u32)bench_case->scene->n_circles,
+                       bench_case->limits, &tree) != 0) {
+        return -1;
+    }
+    const double ms = stats_clock_ms() - start;
+    tree2d_free(&tree);
+    return ms;
+}
