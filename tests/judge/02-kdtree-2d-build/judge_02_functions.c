@@ -147,9 +147,10 @@ static Reach reach_of(const void *job, int i)
 static Cause explain_overlap(const Job02 *job, int i, const i32 *found)
 {
     const Cause cause = overlap_cause(reach_of, job, N_OVERLAPS, found);
-    return cause.says == NULL && found[i] && overlap_is_of_box(reach_of, job, N_OVERLAPS, found)
-               ? (Cause){.says = "the circle's bounding square overlaps, the circle does not"}
-               : cause;
+    if (cause.says == NULL && found[i] && overlap_is_of_box(reach_of, job, N_OVERLAPS, found)) {
+        return (Cause){.says = "the circle's bounding square overlaps, the circle does not"};
+    }
+    return cause;
 }
 
 static Diagnosis overlap_fault(const void *pointer, int i, const void *answers)
