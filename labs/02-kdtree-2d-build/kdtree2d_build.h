@@ -40,8 +40,8 @@ u32 distribute(const Circle *h_circles, const u32 *ids, u32 n_ids, BBox2D child,
 
 // Make node `id` a leaf and append its list to tree->mapNode2Circles, which has room for it.
 //   ids[n_ids]   the leaf's circles, ascending
-// Sets the node's flag and circleMapOffset, writes the count and the ids, and moves tree->n_map
-// behind them.
+// Sets the node's flag and circleMapOffset, writes the count and the ids in this order, and moves
+// tree->n_map behind them. Nothing else in the tree changes.
 void pack_leaf(KdTree2D *tree, u32 id, const u32 *ids, u32 n_ids);
 
 #endif

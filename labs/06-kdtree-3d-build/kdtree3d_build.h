@@ -41,7 +41,8 @@ u32 distribute_spheres(const Sphere *h_spheres, const u32 *ids, u32 n_ids, BBox3
 
 // Make node `id` a leaf and append its spheres to tree->sphere_ids, which has room for them.
 //   ids[n_ids]   the leaf's spheres, ascending
-// Sets all of the node but split_pos, writes the ids, and moves tree->n_sphere_ids behind them.
+// Sets all of the node but split_pos, writes the ids in this order, and moves tree->n_sphere_ids
+// behind them. Nothing else in the tree changes.
 void pack_leaf_range(KdTree3D *tree, u32 id, const u32 *ids, u32 n_ids);
 
 // May a node on this level (the root's is 1) be split, so that no search overflows the todo stack?

@@ -96,36 +96,40 @@ typedef struct BoxOverlapJob {
 } BoxOverlapJob;
 LAYOUT_ASSERT(BoxOverlapJob, 48);
 
-// Lab 02: distribute is called with ids of scene 0's circles; the answer has DISTRIBUTE_ROOM
-// entries: the number returned, then child_ids, UNTOUCHED where nothing was written.
-enum { DISTRIBUTE_MAX_IDS = 48, DISTRIBUTE_ROOM = DISTRIBUTE_MAX_IDS + 8, PACK_MAX_IDS = 24 };
+// Lab 02: distribute is called with ids of the circles of scene DISTRIBUTE_SCENE; the answer has
+// DISTRIBUTE_ROOM entries: the number returned, then child_ids, UNTOUCHED where nothing was
+// written.
+enum { DISTRIBUTE_SCENE = 6, DISTRIBUTE_MAX_IDS = 600, DISTRIBUTE_ROOM = DISTRIBUTE_MAX_IDS + 8 };
 #define UNTOUCHED 0xabadcafeu
 typedef struct DistributeJob {
     BBox2D child;
     u32 n_ids;
     u32 ids[DISTRIBUTE_MAX_IDS];
 } DistributeJob;
-LAYOUT_ASSERT(DistributeJob, 212);
+LAYOUT_ASSERT(DistributeJob, 2420);
 
 // Lab 02: pack_leaf is called on a tree of PACK_NODES nodes whose map already holds n_map entries.
-enum { PACK_NODES = 8, PACK_MAP_ROOM = 64 };
+enum { PACK_NODES = 8, PACK_MAX_IDS = 300, PACK_MAP_ROOM = PACK_MAX_IDS + 40 };
 typedef struct PackJob {
     u32 id;
     u32 n_map;
     u32 n_ids;
     u32 ids[PACK_MAX_IDS];
 } PackJob;
-LAYOUT_ASSERT(PackJob, 108);
+LAYOUT_ASSERT(PackJob, 1212);
 
-// What the tree looks like afterwards; nodes start as {id = position, rest 0}, flags as INNER, the
-// map as UNTOUCHED.
+// What the tree looks like afterwards; nodes start as {id = position, rest 0}, flags as INNER,
+// cells as PACK_CELL, the map as UNTOUCHED.
 typedef struct PackAnswer {
     NodeRel relations[PACK_NODES];
     u32 flags[PACK_NODES];
+    BBox2D boxes[PACK_NODES];
     u32 map[PACK_MAP_ROOM];
     u32 n_map;
+    u32 n_nodes;
 } PackAnswer;
-LAYOUT_ASSERT(PackAnswer, 420);
+LAYOUT_ASSERT(PackAnswer, 1656);
+#define PACK_CELL(id) ((BBox2D){(f32)(id), (f32)(id) + 2, 1, 3})
 
 // Lab 02 answers scene K with "tree.K" and the four arrays "tree.K.relations", ".flags", ".boxes"
 // and ".map"; with "tree.K.refused", a u32, where the builder gave up.
@@ -236,7 +240,7 @@ typedef struct PackJob3D {
     u32 n_ids;
     u32 ids[PACK_MAX_IDS];
 } PackJob3D;
-LAYOUT_ASSERT(PackJob3D, 108);
+LAYOUT_ASSERT(PackJob3D, 1212);
 
 // What the tree looks like afterwards; nodes start as {0, 0, UNTOUCHED, UNTOUCHED}, ids as
 // UNTOUCHED.
@@ -244,8 +248,9 @@ typedef struct PackAnswer3D {
     KdNode3 nodes[PACK_NODES];
     u32 sphere_ids[PACK_MAP_ROOM];
     u32 n_sphere_ids;
+    u32 n_nodes;
 } PackAnswer3D;
-LAYOUT_ASSERT(PackAnswer3D, 388);
+LAYOUT_ASSERT(PackAnswer3D, 1496);
 
 // Section "todo": a u32, TODO_LEVELS. fits_todo is called with every level from 1 to this. Answered
 // by an i32 each.

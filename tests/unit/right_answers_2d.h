@@ -193,7 +193,7 @@ static void answer_lists(Writer *writer, const Sections *job)
 {
     size_t n_bytes;
     JobScene scene;
-    cr_assert(scene_read(job, 0, &scene));
+    cr_assert(scene_read(job, DISTRIBUTE_SCENE, &scene));
     const DistributeJob *nodes = sections_find_any(job, "distribute", &n_bytes);
     size_t n = n_bytes / sizeof *nodes;
     u32(*lists)[DISTRIBUTE_ROOM] = calloc(n, sizeof *lists);
@@ -214,15 +214,17 @@ static void answer_lists(Writer *writer, const Sections *job)
         u8 flags[PACK_NODES];
         for (u32 id = 0; id < PACK_NODES; id++) {
             packed[i].relations[id].id = id;
+            packed[i].boxes[id] = PACK_CELL(id);
             flags[id] = INNER;
         }
         for (int j = 0; j < PACK_MAP_ROOM; j++) {
             packed[i].map[j] = UNTOUCHED;
         }
-        KdTree2D tree = {packed[i].relations, flags,      NULL,
+        KdTree2D tree = {packed[i].relations, flags,      packed[i].boxes,
                          packed[i].map,       PACK_NODES, leaves[i].n_map};
         pack_leaf(&tree, leaves[i].id, leaves[i].ids, leaves[i].n_ids);
         packed[i].n_map = tree.n_map;
+        packed[i].n_nodes = tree.n_nodes;
         for (u32 id = 0; id < PACK_NODES; id++) {
             packed[i].flags[id] = flags[id];
         }

@@ -53,6 +53,7 @@ static void answer_leaves_3d(Writer *writer, const Sections *job)
                          .n_sphere_ids = leaves[i].n_sphere_ids};
         pack_leaf_range(&tree, leaves[i].id, leaves[i].ids, leaves[i].n_ids);
         packed[i].n_sphere_ids = tree.n_sphere_ids;
+        packed[i].n_nodes = tree.n_nodes;
     }
     answer(writer, "pack", packed, n * sizeof *packed);
     free(packed);

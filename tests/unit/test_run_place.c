@@ -45,7 +45,7 @@ Test(run_place, names_the_function_its_task_and_the_input)
     RunPlace place = place_of("02", "splits", 16);
     cr_assert_str_eq(place.where, "in split_box");
     cr_expect_str_eq(place.task, "split_box");
-    cr_expect_eq(strncmp(place.with, "input 17 of 400: box x [", 24), 0, "%s", place.with);
+    cr_expect_eq(strncmp(place.with, "input 17 of 408: box x [", 24), 0, "%s", place.with);
     place = place_of("06", "todo", 9);
     cr_assert_str_eq(place.where, "in fits_todo");
     cr_expect_str_eq(place.with, "level 9");
@@ -125,7 +125,7 @@ Test(run_place, takes_no_word_from_a_note)
 
 Test(run_place, takes_no_number_that_the_job_has_not)
 {
-    static const uint32_t numbers[] = {400, 401, 1u << 31, UINT32_MAX};
+    static const uint32_t numbers[] = {408, 409, 1u << 31, UINT32_MAX};
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
         cr_expect_str_eq(place_of("02", "splits", numbers[i]).with, "");
         cr_expect_str_eq(place_of("02", "tree", numbers[i]).with, "");

@@ -3,6 +3,7 @@
 
 #include "allowance.h"
 #include "cl_setup.h"
+#include "path.h"
 #include "run_end.h"
 #include "workshop_files.h"
 
@@ -10,14 +11,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PATH_BYTES = 600 };
-
 // Run the program that looks for it, which is in the tree. NULL after one message.
 static SandboxRun *start(const Workshop *workshop, SandboxTime time)
 {
-    char tree[PATH_BYTES], device[PATH_BYTES];
-    snprintf(tree, sizeof tree, "%s/tree", workshop->folder);
-    snprintf(device, sizeof device, CL_DEVICE_VARIABLE "=%s", workshop->device);
+    char tree[PATH_MAX], device[PATH_MAX];
+    path_make(tree, "%s/tree", workshop->folder);
+    path_make(device, CL_DEVICE_VARIABLE "=%s", workshop->device);
     const char *const argv[] = {"lib/find_device", NULL};
     const char *const environment[] = {device, NULL};
     const SandboxCommand command = {
@@ -37,9 +36,9 @@ static SandboxRun *start(const Workshop *workshop, SandboxTime time)
 
 int device_find(const Workshop *workshop)
 {
-    char from[PATH_BYTES], to[PATH_BYTES];
-    snprintf(from, sizeof from, "%s/probes/find_device", workshop->build);
-    snprintf(to, sizeof to, "%s/tree/lib/find_device", workshop->folder);
+    char from[PATH_MAX], to[PATH_MAX];
+    path_make(from, "%s/probes/find_device", workshop->build);
+    path_make(to, "%s/tree/lib/find_device", workshop->folder);
     const SandboxTime time = allowance_ours();
     SandboxRun *run = copy_file(from, to) == 0 ? start(workshop, time) : NULL;
     if (run == NULL) {

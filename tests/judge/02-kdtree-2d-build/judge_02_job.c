@@ -1,5 +1,8 @@
-// Drawing lab 02's job from the seed: see judge_02.h. All coordinates are on a grid of 1/16 pixel,
-// so that no right answer depends on rounding.
+// Drawing lab 02's job from the seed: see judge_02.h. What is drawn is on a grid of 1/16 pixel, so
+// that no right answer depends on rounding.
+//
+// Behind it stand the edges, which no seed may miss: inputs that show a rare mistake. They come
+// last, so that any other mistake is shown without them. On them, too, double decides exactly.
 #include "judge_02.h"
 
 #include "oracle2d_tree.h"
@@ -14,9 +17,17 @@ static BBox2D draw_box(Random *random)
     return box;
 }
 
+// Counts and limits that are others in 8 or 16 bits, with a sign or without.
+static const struct {
+    u32 n_circles;
+    i32 targetElementsPerNode;
+} counts[] = {{0, 1},     {200, 4},   {256, 4},   {259, 4},   {299, 300},
+              {300, 300}, {301, 300}, {40000, 4}, {65536, 8}, {65540, 8}};
+
 // Of three inputs one is about the depth, one about the count and one about failed splits.
 static LeafJob draw_leaf(Random *random, int i)
 {
+    const int edge = edge_of(i / 3, N_LEAVES / 3, COUNT(counts));
     LeafJob job = {.maxDepth = (i32)random_integer(random, 1, 14)};
     job.targetElementsPerNode = (i32)random_integer(random, 1, 20);
     if (i % 3 == 0) {
@@ -26,6 +37,10 @@ static LeafJob draw_leaf(Random *random, int i)
         job.maxDepth += 2;
         job.level = (i32)random_integer(random, 1, job.maxDepth - 1);
         job.n_circles = (u32)(job.targetElementsPerNode + random_integer(random, -1, 1));
+        if (edge >= 0) {
+            job.targetElementsPerNode = counts[edge].targetElementsPerNode;
+            job.n_circles = counts[edge].n_circles;
+        }
     } else {
         job.maxDepth += MAX_FAILED_SPLITS + 2;
         job.n_failed = (i32)random_integer(random, 0, MAX_FAILED_SPLITS + 1);
@@ -35,8 +50,27 @@ static LeafJob draw_leaf(Random *random, int i)
     return job;
 }
 
+// The next float above 1 is 1 + STEP.
+#define STEP 0x1p-23f
+
+// Sides that are nearly equal: by a step of float, and by next to nothing in small cells.
+static const BBox2D nearly_square[] = {
+    {0, 1, 0, 1 + 0x1p-12f},
+    {0, 1 + 0x1p-12f, 0, 1},
+    {0, 1, 0, 1 + STEP},
+    {0, 1 + STEP, 0, 1},
+    {0, 4096, 0, 4096 + 0x1p-11f},
+    {-1, 0, -1 - STEP, 0},
+    {0, 0x1p-20f, 0, 0x1p-20f + 0x1p-30f},
+    {0, 0x1p-20f + 0x1p-30f, 0, 0x1p-20f},
+};
+
 static BBox2D draw_split(Random *random, int i)
 {
+    const int edge = edge_of(i, N_SPLITS, COUNT(nearly_square));
+    if (edge >= 0) {
+        return nearly_square[edge];
+    }
     BBox2D box = draw_box(random);
     if (i % 4 == 0) {
         box.maxY = box.minY + (box.maxX - box.minX);
@@ -44,9 +78,21 @@ static BBox2D draw_split(Random *random, int i)
     return box;
 }
 
+// Circles of radius 0, which are points: within the box, on its border, in its corner, and beside
+// it.
+static const BoxOverlapJob points[] = {
+    {{.x = 4, .y = 4}, {0, 8, 0, 8}},        {{.x = 8, .y = 4}, {0, 8, 0, 8}},
+    {{.x = 8, .y = 8}, {0, 8, 0, 8}},        {{.x = 8.0625f, .y = 4}, {0, 8, 0, 8}},
+    {{.x = 8, .y = -0.0625f}, {0, 8, 0, 8}},
+};
+
 // Circles of any place beside, in and around the box, its size or smaller.
-static BoxOverlapJob draw_inside(Random *random)
+static BoxOverlapJob draw_inside(Random *random, int i)
 {
+    const int edge = edge_of(i, N_INSIDE, COUNT(points));
+    if (edge >= 0) {
+        return points[edge];
+    }
     BoxOverlapJob job = {.box = draw_box(random)};
     job.circle.x = random_grid(random, -150, 250);
     job.circle.y = random_grid(random, -150, 250);
@@ -54,10 +100,28 @@ static BoxOverlapJob draw_inside(Random *random)
     return job;
 }
 
+// So small that every epsilon is larger.
+#define TINY 0x1p-30f
+
+// Beside a side: large circles whose squared radius float would round down and up, and one that
+// misses by a step of float; tiny circles, and one that misses by a fifth.
+static const BoxOverlapJob beside[] = {
+    {{.x = 64 + 4097, .y = 32, .radius = 4097}, {0, 64, 0, 64}},
+    {{.x = 32, .y = -4099, .radius = 4099}, {0, 64, 0, 64}},
+    {{.x = 64 + 4097 + 0x1p-11f, .y = 32, .radius = 4097}, {0, 64, 0, 64}},
+    {{.x = 5 * TINY, .y = -0.5f, .radius = 5 * TINY}, {-1, 0, -1, 0}},
+    {{.x = 6 * TINY, .y = -0.5f, .radius = 5 * TINY}, {-1, 0, -1, 0}},
+    {{.x = -0.5f, .y = 6 * TINY, .radius = 5 * TINY}, {-1, 0, -1, 0}},
+};
+
 // A circle that touches a side from outside, or a corner by a Pythagorean triple; or misses it by a
 // sixteenth of a pixel.
-static BoxOverlapJob draw_boundary(Random *random)
+static BoxOverlapJob draw_boundary(Random *random, int i)
 {
+    const int edge = edge_of(i, N_BOUNDARY, COUNT(beside));
+    if (edge >= 0) {
+        return beside[edge];
+    }
     static const int triples[][3] = {{3, 4, 5}, {5, 12, 13}, {8, 15, 17}, {7, 24, 25}};
     BoxOverlapJob job = {.box = draw_box(random)};
     const BBox2D box = job.box;
@@ -79,10 +143,25 @@ static BoxOverlapJob draw_boundary(Random *random)
     return job;
 }
 
+// Beyond a corner: whole numbers with a² + b² = c² + 1, too large for float, which takes both
+// sides for equal; and the same and a triple, tiny.
+static const BoxOverlapJob beyond[] = {
+    {{.x = 64 + 738, .y = 64 + 4031, .radius = 4098}, {0, 64, 0, 64}},
+    {{.x = -1576, .y = 64 + 3785, .radius = 4100}, {0, 64, 0, 64}},
+    {{.x = 64 + 2782, .y = -3009, .radius = 4098}, {0, 64, 0, 64}},
+    {{.x = 0.25f, .y = 0.4375f, .radius = 0.5f}, {-1, 0, -1, 0}},
+    {{.x = 4 * TINY, .y = 7 * TINY, .radius = 8 * TINY}, {-1, 0, -1, 0}},
+    {{.x = 3 * TINY, .y = 4 * TINY, .radius = 5 * TINY}, {-1, 0, -1, 0}},
+};
+
 // A circle beyond a corner, nearer than its radius on each axis: the square overlaps, the circle
 // may not.
-static BoxOverlapJob draw_corner(Random *random)
+static BoxOverlapJob draw_corner(Random *random, int i)
 {
+    const int edge = edge_of(i, N_CORNER, COUNT(beyond));
+    if (edge >= 0) {
+        return beyond[edge];
+    }
     BoxOverlapJob job = {.box = draw_box(random)};
     const BBox2D box = job.box;
     job.circle.radius = random_grid(random, 4, 60);
@@ -93,11 +172,28 @@ static BoxOverlapJob draw_corner(Random *random)
     return job;
 }
 
-// Some of scene 0's circles, ascending with gaps, and a cell.
-static DistributeJob draw_distribute(Random *random, const Scene2D *scene)
+// Long lists: all circles of the scene in one cell, some of them, and none; and a list of one.
+static DistributeJob list_of_many(int edge, const Scene2D *scene)
 {
+    const BBox2D all = oracle2d_root(scene);
+    const BBox2D cells[] = {all, {0, 100, 0, 75}, {all.maxX + 1, all.maxX + 9, 0, 8}, all};
+    DistributeJob job = {.child = cells[edge], .n_ids = edge < 3 ? DISTRIBUTE_MAX_IDS : 1};
+    for (u32 i = 0; i < job.n_ids; i++) {
+        job.ids[i] = i;
+    }
+    return job;
+}
+
+// Some of the scene's circles, ascending with gaps, and a cell.
+static DistributeJob draw_distribute(Random *random, int i, const Scene2D *scene)
+{
+    enum { N_EDGES = 4, MOST_IDS = 48 };
+    const int edge = edge_of(i, N_DISTRIBUTES, N_EDGES);
+    if (edge >= 0) {
+        return list_of_many(edge, scene);
+    }
     DistributeJob job = {0};
-    for (u32 id = 1; id < (u32)scene->n_circles && job.n_ids < DISTRIBUTE_MAX_IDS; id++) {
+    for (u32 id = 1; id < (u32)scene->n_circles && job.n_ids < MOST_IDS; id++) {
         if (random_integer(random, 0, 2) == 0) {
             job.ids[job.n_ids++] = id;
         }
@@ -109,30 +205,60 @@ static DistributeJob draw_distribute(Random *random, const Scene2D *scene)
     return job;
 }
 
-static PackJob draw_pack(Random *random)
+// Empty leaves and the first one of a tree; then long lists, before the leaf and in it. Their ids
+// are too large for 16 bits.
+static const struct {
+    u32 n_map, n_ids;
+} leaves[] = {{5, 0}, {9, 0}, {0, 2}, {0, 0}, {PACK_MAX_IDS, 3}, {7, PACK_MAX_IDS}};
+
+static PackJob draw_pack(Random *random, int i)
 {
+    enum { MOST_IDS = 24 };
+    const int edge = edge_of(i, N_PACKS, COUNT(leaves));
     PackJob job = {.id = (u32)random_integer(random, 1, PACK_NODES - 1)};
     job.n_map = (u32)random_integer(random, 1, 20);
-    job.n_ids = (u32)random_integer(random, 0, PACK_MAX_IDS);
+    job.n_ids = (u32)random_integer(random, 0, MOST_IDS);
     u32 id = (u32)random_integer(random, 0, 5);
-    for (u32 i = 0; i < job.n_ids; i++) {
-        job.ids[i] = id;
+    if (edge >= 0) {
+        job.n_map = leaves[edge].n_map;
+        job.n_ids = leaves[edge].n_ids;
+        id += 90000;
+    }
+    for (u32 j = 0; j < job.n_ids; j++) {
+        job.ids[j] = id;
         id += (u32)random_integer(random, 1, 90);
     }
     return job;
 }
 
+// Let some circles of a scene lie one upon another in its middle: no split parts them.
+static void pile_up(Scene2D *scene)
+{
+    for (int i = 20; i < 32; i++) {
+        scene->circles[i].x = (float)(scene->width / 2);
+        scene->circles[i].y = (float)(scene->height / 2);
+        scene->circles[i].radius = 16;
+    }
+}
+
 static int draw_scenes(Random *random, JobScene scenes[N_SCENES], Growth *growth)
 {
-    static const KdTreeLimits limits[N_SCENES] = {{7, 4}, {4, 1}, {9, 6}, {6, 2},
-                                                  {5, 1}, {4, 1}, {1, 3}};
+    static const KdTreeLimits limits[N_SCENES] = {{7, 4}, {4, 1}, {16, 6}, {6, 2},
+                                                  {9, 1}, {4, 1}, {1, 3}};
     int result = job_scene_random(&scenes[0], random, 150, 14, 200, 150);
     result |= job_scene_named(&scenes[1], "example", 10, 10);
     result |= job_scene_random(&scenes[2], random, 300, 10, 120, 240);
     result |= job_scene_named(&scenes[3], "touching", 64, 48);
     result |= job_scene_named(&scenes[4], "tiny", 64, 48);
     result |= job_scene_named(&scenes[5], "none", 64, 48);
-    result |= job_scene_random(&scenes[6], random, 20, 10, 64, 64);
+    result |= job_scene_random(&scenes[DISTRIBUTE_SCENE], random, DISTRIBUTE_MAX_IDS, 10, 200, 150);
+    if (result == 0) {
+        Circle *circles = scenes[DISTRIBUTE_SCENE].scene.circles;
+        // Circles that are equal are two all the same.
+        circles[1] = circles[0];
+        circles[DISTRIBUTE_MAX_IDS - 1] = circles[2];
+        pile_up(&scenes[2].scene);
+    }
     for (int k = 0; result == 0 && k < N_SCENES; k++) {
         scenes[k].limits = limits[k];
         result = oracle2d_tree(&scenes[k].scene, (u32)k, limits[k], growth, &scenes[k].tree);
@@ -149,15 +275,16 @@ static void draw_inputs(Random *random, Job02 *job)
         job->splits[i] = draw_split(random, i);
     }
     for (int i = 0; i < N_OVERLAPS; i++) {
-        job->overlaps[i] = i < N_INSIDE                ? draw_inside(random)
-                           : i < N_INSIDE + N_BOUNDARY ? draw_boundary(random)
-                                                       : draw_corner(random);
+        const int j = i - N_INSIDE;
+        job->overlaps[i] = j < 0            ? draw_inside(random, i)
+                           : j < N_BOUNDARY ? draw_boundary(random, j)
+                                            : draw_corner(random, j - N_BOUNDARY);
     }
     for (int i = 0; i < N_DISTRIBUTES; i++) {
-        job->distributes[i] = draw_distribute(random, &job->scenes[0].scene);
+        job->distributes[i] = draw_distribute(random, i, &job->scenes[DISTRIBUTE_SCENE].scene);
     }
     for (int i = 0; i < N_PACKS; i++) {
-        job->packs[i] = draw_pack(random);
+        job->packs[i] = draw_pack(random, i);
     }
 }
 

@@ -215,28 +215,42 @@ Diagnosis tree_judge_overlap(const JobScene *scene, const KdTree2D *own)
                                sizeof *own->nodes_BBox, "the cell");
 }
 
+// Does a leaf's list name circles of the scene, in ascending order?
+static Diagnosis judge_list(const JobScene *scene, const KdTree2D *own, u32 id)
+{
+    u32 n_ids = 0;
+    const u32 *ids = leaf_list(own, id, &n_ids);
+    if (ids == NULL) {
+        return bad_list(scene, own, id);
+    }
+    for (u32 i = 0; i < n_ids; i++) {
+        if (ids[i] >= (u32)scene->scene.n_circles) {
+            return diagnosis_new("%s: leaf %u lists circle %u, but the scene has %d",
+                                 scene->picture.title, id, ids[i], scene->scene.n_circles);
+        }
+        if (i > 0 && ids[i] <= ids[i - 1]) {
+            return diagnosis_new("%s: leaf %u lists circle %u after circle %u: the ids must ascend",
+                                 scene->picture.title, id, ids[i], ids[i - 1]);
+        }
+    }
+    return NOTHING_WRONG;
+}
+
+// The lists of all leaves.
+static Diagnosis judge_lists(const JobScene *scene, const KdTree2D *own)
+{
+    Diagnosis wrong = NOTHING_WRONG;
+    for (u32 id = 0; wrong.found == NULL && id < own->n_nodes; id++) {
+        wrong = is_inner(own, id) ? NOTHING_WRONG : judge_list(scene, own, id);
+    }
+    return wrong;
+}
+
 Diagnosis tree_judge_lists(const JobScene *scene, const KdTree2D *own)
 {
-    for (u32 id = 0; id < own->n_nodes; id++) {
-        u32 n_ids = 0;
-        if (is_inner(own, id)) {
-            continue;
-        }
-        const u32 *ids = leaf_list(own, id, &n_ids);
-        if (ids == NULL) {
-            return bad_list(scene, own, id);
-        }
-        for (u32 i = 0; i < n_ids; i++) {
-            if (ids[i] >= (u32)scene->scene.n_circles) {
-                return diagnosis_new("%s: leaf %u lists circle %u, but the scene has %d",
-                                     scene->picture.title, id, ids[i], scene->scene.n_circles);
-            }
-            if (i > 0 && ids[i] <= ids[i - 1]) {
-                return diagnosis_new("%s: leaf %u lists circle %u after circle %u: the ids must "
-                                     "ascend",
-                                     scene->picture.title, id, ids[i], ids[i - 1]);
-            }
-        }
+    const Diagnosis wrong = judge_lists(scene, own);
+    if (wrong.found != NULL) {
+        return wrong;
     }
     if (own->n_map != scene->tree.n_map) {
         return diagnosis_new("%s: mapNode2Circles has %u entries, expected %u",
@@ -287,6 +301,10 @@ Diagnosis tree_judge_packing(const JobScene *scene, const KdTree2D *own)
             "%s: %u node%s and %u map entries belong to the tree, but its arrays hold %u "
             "and %u",
             scene->picture.title, next_id, plural(next_id), next_offset, own->n_nodes, own->n_map);
+    }
+    const Diagnosis wrong = judge_lists(scene, own);
+    if (wrong.found != NULL) {
+        return wrong;
     }
     return differs_from_oracle(scene, own, own->nodes_Relations, scene->tree.nodes_Relations,
                                sizeof *own->nodes_Relations, "its entry in nodes_Relations");

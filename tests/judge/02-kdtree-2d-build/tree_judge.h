@@ -20,7 +20,7 @@ Diagnosis tree_judge_overlap(const JobScene *scene, const KdTree2D *own);
 // Each list is ascending and names no circle twice.
 Diagnosis tree_judge_lists(const JobScene *scene, const KdTree2D *own);
 
-// Ids are positions, breadth-first without gaps; lists follow one another and fill the map.
+// Ids are positions, breadth-first without gaps; lists ascend, follow one another and fill the map.
 Diagnosis tree_judge_packing(const JobScene *scene, const KdTree2D *own);
 
 // The probe's answer for scene K as a tree that points into the answers (do not free it). Returns

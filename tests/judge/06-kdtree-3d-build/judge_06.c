@@ -119,11 +119,11 @@ static const JudgeCheck checks[] = {
      .tree = judge_tree, .tree3d = judge_overlap, .range = {0, JUST_FITS + 1},
      .replay = &replay_overlap_06},
 
-    {"pack-node", "The node says where its spheres are", "pack_leaf_range", 12,
+    {"pack-node", "The node says where its spheres are", "pack_leaf_range", 15,
      .function = &pack_node_06, .range = {0, N_PACKS}},
-    {"pack-ids", "The ids, one behind the other", "pack_leaf_range", 9, .function = &pack_ids_06,
+    {"pack-ids", "The ids, one behind the other", "pack_leaf_range", 8, .function = &pack_ids_06,
      .range = {0, N_PACKS}},
-    {"tree-packing", "Whole trees: packed without gaps", "pack_leaf_range", 9, "*",
+    {"tree-packing", "Whole trees: packed without gaps", "pack_leaf_range", 7, "*",
      .tree = judge_tree, .tree3d = tree3d_judge_packing, .range = {0, JUST_FITS + 1},
      .alone_scene = packs_alone_06},
 

@@ -2,6 +2,8 @@
 #include "judge_06.h"
 
 #include "message.h"
+#include "overlap_cause.h"
+#include "packed_list.h"
 #include "words.h"
 
 // ---- choose_split -------------------------------------------------------------------------------
@@ -28,56 +30,34 @@ const Function split_middle_06 = {"splits", N_SPLITS, sizeof(SplitAnswer3D),
 
 // ---- sphere_overlaps_box ------------------------------------------------------------------------
 
-// Do sphere and box touch, and no more? One that is a little smaller is outside then.
-static int is_touching(SphereBoxJob in)
+// As overlap_cause.h has it.
+static Reach reach_of(const void *job, int i)
 {
-    const int overlaps = tree3d_judge_sphere(in.sphere, in.box) == SPHERE_INSIDE;
-    in.sphere.radius -= (in.sphere.radius < 0 ? -1.0f : 1.0f) / 1024;
-    return overlaps && tree3d_judge_sphere(in.sphere, in.box) == SPHERE_OUTSIDE;
-}
-
-// Is all that is wrong, in any check, that touching does not count?
-static int is_strict(const Job06 *job, const i32 *found)
-{
-    for (int i = 0; i < N_OVERLAPS; i++) {
-        const SphereBoxJob in = job->overlaps[i];
-        const SphereInCell is = tree3d_judge_sphere(in.sphere, in.box);
-        const int is_wrong = is != SPHERE_EITHER && (found[i] != 0) != (is == SPHERE_INSIDE);
-        if (is_wrong && (found[i] || !is_touching(in))) {
-            return 0;
-        }
-    }
-    return 1;
+    const SphereBoxJob in = ((const Job06 *)job)->overlaps[i];
+    return (Reach){{outside_of(in.sphere.x, in.box.min[0], in.box.max[0]),
+                    outside_of(in.sphere.y, in.box.min[1], in.box.max[1]),
+                    outside_of(in.sphere.z, in.box.min[2], in.box.max[2])},
+                   in.sphere.radius};
 }
 
 // What a wrong answer looks like.
 //   remark   out: what joins the facts, "" for nothing
 static Cause explain_overlap(const Job06 *job, int i, const i32 *found, const char **remark)
 {
-    const SphereBoxJob in = job->overlaps[i];
-    const double centre[3] = {in.sphere.x, in.sphere.y, in.sphere.z};
-    int cube_overlaps = 1, is_centre_inside = 1;
-    for (int axis = 0; axis < 3; axis++) {
-        const double min = in.box.min[axis], max = in.box.max[axis];
-        const double radius = in.sphere.radius < 0 ? -in.sphere.radius : in.sphere.radius;
-        cube_overlaps &= centre[axis] + radius >= min && centre[axis] - radius <= max;
-        is_centre_inside &= centre[axis] >= min && centre[axis] <= max;
-    }
+    const Cause cause = overlap_cause(reach_of, job, N_OVERLAPS, found);
+    const Reach reach = reach_of(job, i);
     *remark = "";
+    if (cause.says != NULL) {
+        return cause;
+    }
     if (found[i]) {
-        return (Cause){.says = cube_overlaps
+        return (Cause){.says = overlap_is_of_box(reach_of, job, N_OVERLAPS, found)
                                    ? "the sphere's bounding cube overlaps, the sphere does not"
                                    : NULL};
     }
-    if (is_strict(job, found)) {
-        return (Cause){"they touch, and touching counts: both have their boundaries",
-                       MISTAKE_STRICT_BOUNDARY};
-    }
-    if (in.sphere.radius < 0) {
-        return (Cause){.says = "a negative radius counts as its absolute value"};
-    }
-    *remark = is_centre_inside ? ", even its centre is inside"
-                               : ", its centre is outside but the sphere reaches in";
+    *remark = reach.outside[0] == 0 && reach.outside[1] == 0 && reach.outside[2] == 0
+                  ? ", even its centre is inside"
+                  : ", its centre is outside but the sphere reaches in";
     return (Cause){0};
 }
 
@@ -119,47 +99,70 @@ static Diagnosis pack_node_fault(const void *job, int i, const void *answers)
     }
     return node.n_spheres == in->n_ids
                ? NOTHING_WRONG
-               : diagnosis_new("leaf with %u spheres: n_spheres is %u%s, expected %u", in->n_ids,
-                               node.n_spheres, node.n_spheres == UNTOUCHED ? ", not set" : "",
-                               in->n_ids);
+               : diagnosis_of(message_new("leaf with %u spheres: n_spheres is %u%s, expected %u",
+                                          in->n_ids, node.n_spheres,
+                                          node.n_spheres == UNTOUCHED ? ", not set" : "",
+                                          in->n_ids),
+                              number_cause(node.n_spheres, in->n_ids));
+}
+
+// What is in the array: the leaf's range, and the rest of it.
+static Diagnosis ids_fault(const PackJob3D *in, const PackAnswer3D *out)
+{
+    const u32 first = in->n_sphere_ids, end = first + in->n_ids;
+    for (u32 at = 0; at < PACK_MAP_ROOM; at++) {
+        const int is_range = at >= first && at < end;
+        const u32 found = out->sphere_ids[at];
+        const u32 expected = is_range ? in->ids[at - first] : UNTOUCHED;
+        if (found != expected && is_range) {
+            return diagnosis_of(
+                message_new(
+                    "leaf with %u spheres, %u ids before it: sphere_ids[%u] %s, expected %u",
+                    in->n_ids, first, at,
+                    found == UNTOUCHED ? "was not written" : words("is %u", found).text, expected),
+                list_cause(out->sphere_ids + first, in->ids, in->n_ids));
+        }
+        if (found != expected) {
+            return diagnosis_new("sphere_ids[%u] was written, but the leaf's range goes from %u to "
+                                 "before %u",
+                                 at, first, end);
+        }
+    }
+    return out->n_sphere_ids == end
+               ? NOTHING_WRONG
+               : diagnosis_new("leaf with %u spheres, %u ids before it: n_sphere_ids is %u "
+                               "afterwards, expected %u",
+                               in->n_ids, first, out->n_sphere_ids, end);
+}
+
+// Is a node as it was?
+static Diagnosis node_fault(u32 leaf, const PackAnswer3D *out, u32 id)
+{
+    const KdNode3 node = out->nodes[id];
+    const char *changed = node.split_pos != 0           ? "split_pos"
+                          : node.split_axis != 0        ? "split_axis"
+                          : node.first != UNTOUCHED     ? "first"
+                          : node.n_spheres != UNTOUCHED ? "n_spheres"
+                                                        : NULL;
+    return changed == NULL ? NOTHING_WRONG
+                           : diagnosis_new("packing leaf %u changed %s of node %u, expected it to "
+                                           "leave other nodes as they are",
+                                           leaf, changed, id);
 }
 
 static Diagnosis pack_ids_fault(const void *job, int i, const void *answers)
 {
     const PackJob3D *in = &((const Job06 *)job)->packs[i];
     const PackAnswer3D *out = (const PackAnswer3D *)answers + i;
-    const u32 end = in->n_sphere_ids + in->n_ids;
-    for (u32 at = 0; at < PACK_MAP_ROOM; at++) {
-        const int is_range = at >= in->n_sphere_ids && at < end;
-        const u32 found = out->sphere_ids[at];
-        const u32 expected = is_range ? in->ids[at - in->n_sphere_ids] : UNTOUCHED;
-        if (found != expected && is_range) {
-            return diagnosis_new(
-                "leaf with %u spheres, %u ids before it: sphere_ids[%u] %s, "
-                "expected %u",
-                in->n_ids, in->n_sphere_ids, at,
-                found == UNTOUCHED ? "was not written" : words("is %u", found).text, expected);
-        }
-        if (found != expected) {
-            return diagnosis_new("sphere_ids[%u] was written, but the leaf's range goes from %u to "
-                                 "before %u",
-                                 at, in->n_sphere_ids, end);
-        }
+    Diagnosis wrong = ids_fault(in, out);
+    for (u32 id = 0; wrong.found == NULL && id < PACK_NODES; id++) {
+        wrong = id != in->id ? node_fault(in->id, out, id) : NOTHING_WRONG;
     }
-    if (out->n_sphere_ids != end) {
-        return diagnosis_new(
-            "leaf with %u spheres, %u ids before it: n_sphere_ids is %u afterwards, "
-            "expected %u",
-            in->n_ids, in->n_sphere_ids, out->n_sphere_ids, end);
+    if (wrong.found == NULL && out->n_nodes != PACK_NODES) {
+        wrong = diagnosis_new("packing leaf %u changed n_nodes to %u, expected it to stay %d",
+                              in->id, out->n_nodes, PACK_NODES);
     }
-    for (u32 id = 0; id < PACK_NODES; id++) {
-        const KdNode3 node = out->nodes[id];
-        if (id != in->id && (node.split_pos != 0 || node.split_axis != 0 ||
-                             node.first != UNTOUCHED || node.n_spheres != UNTOUCHED)) {
-            return diagnosis_new("packing leaf %u changed node %u", in->id, id);
-        }
-    }
-    return NOTHING_WRONG;
+    return wrong;
 }
 
 const Function pack_node_06 = {"pack", N_PACKS, sizeof(PackAnswer3D), .fault = pack_node_fault};

@@ -2,8 +2,13 @@
 //
 // The functions' inputs are on coarse grids, so that no right answer depends on rounding: squared
 // distances are whole numbers of grid squares below 2^24, which float holds exactly.
+//
+// Behind those that are drawn stand the edges, which no seed may miss: inputs that show a rare
+// mistake. They come last, so that any other mistake is shown without them. Double holds all that
+// they lead to exactly.
 #include "judge_06.h"
 
+#include "overlap_cause.h"
 #include "random.h"
 
 // A number on a grid of 1/8, from lowest to highest.
@@ -39,9 +44,28 @@ static BBox3D draw_cell(Random *random)
 
 // ---- Inputs of the functions --------------------------------------------------------------------
 
+// The next float above 1 is 1 + STEP.
+#define STEP 0x1p-23f
+
+// Sides that are nearly equal: by a step of float, and by next to nothing in small cells.
+static const BBox3D nearly_cubes[] = {
+    {{0, 0, 0}, {1, 1 + 0x1p-12f, 1}},
+    {{0, 0, 0}, {1, 1, 1 + 0x1p-12f}},
+    {{0, 0, 0}, {1 + 0x1p-12f, 1 + 0x1p-11f, 1}},
+    {{0, 0, 0}, {1, 1 + STEP, 1}},
+    {{0, 0, 0}, {1, 1, 1 + STEP}},
+    {{0, 0, -4096 - 0x1p-11f}, {4096, 4096, 0}},
+    {{0, 0, 0}, {0x1p-20f, 0x1p-20f + 0x1p-30f, 0x1p-20f}},
+    {{0, 0, 0}, {0x1p-20f + 0x1p-30f, 0x1p-20f, 0x1p-20f}},
+};
+
 // Every third cell has two longest sides or three, or a side of length 0.
 static BBox3D draw_split(Random *random, int i)
 {
+    const int edge = edge_of(i, N_SPLITS, COUNT(nearly_cubes));
+    if (edge >= 0) {
+        return nearly_cubes[edge];
+    }
     BBox3D cell = draw_cell(random);
     const int kind = i % 15;
     const float length = random_eighth(random, 40, 60);
@@ -55,10 +79,34 @@ static BBox3D draw_split(Random *random, int i)
     return cell;
 }
 
-// Spheres of any place beside, in and around the cell, its size or smaller; some with a negative
-// radius.
+// Spheres of radius 0, which are points: within the cell, on a side, an edge and a corner of it,
+// and beside it.
+static const SphereBoxJob points[] = {
+    {{4, 4, 4, 0}, {{0, 0, 0}, {8, 8, 8}}},      {{8, 4, 4, 0}, {{0, 0, 0}, {8, 8, 8}}},
+    {{8, 0, 4, 0}, {{0, 0, 0}, {8, 8, 8}}},      {{8, 8, 8, 0}, {{0, 0, 0}, {8, 8, 8}}},
+    {{8.125f, 4, 4, 0}, {{0, 0, 0}, {8, 8, 8}}}, {{8, 8, -0.125f, 0}, {{0, 0, 0}, {8, 8, 8}}},
+};
+
+// Do sphere and cell share a point of their boundaries, and no more?
+static int touches(SphereBoxJob in)
+{
+    const float centre[3] = {in.sphere.x, in.sphere.y, in.sphere.z};
+    double distance2 = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        const double outside = outside_of(centre[axis], in.box.min[axis], in.box.max[axis]);
+        distance2 += outside * outside;
+    }
+    return distance2 == (double)in.sphere.radius * in.sphere.radius;
+}
+
+// Spheres of any place beside, in and around the cell, its size or smaller, none of which only
+// touches it; some with a negative radius.
 static SphereBoxJob draw_inside(Random *random, int i)
 {
+    const int edge = edge_of(i, N_INSIDE, COUNT(points));
+    if (edge >= 0) {
+        return points[edge];
+    }
     const BBox3D box = draw_cell(random);
     // In every fourth the centre is in the cell, or level with it on two axes.
     const int n_level = i % 4 == 0 ? (int)random_integer(random, 2, 3) : 0;
@@ -71,13 +119,34 @@ static SphereBoxJob draw_inside(Random *random, int i)
     }
     // Not among the first: a mistake that has nothing to do with them is shown without them.
     const int sign = i > N_INSIDE / 2 && i % 5 == 0 ? -1 : 1;
-    return (SphereBoxJob){sphere_at(centre, (float)sign * random_eighth(random, 1, 70)), box};
+    SphereBoxJob job = {sphere_at(centre, random_eighth(random, 1, 70)), box};
+    job.sphere.radius += touches(job) ? 0.125f : 0;
+    job.sphere.radius *= (float)sign;
+    return job;
 }
+
+// So small that every epsilon is larger.
+#define TINY_STEP 0x1p-30f
+
+// Beside a side: large spheres whose squared radius float would round down and up, and one that
+// misses by a step of float; a tiny one, and two that miss by a fifth.
+static const SphereBoxJob beside[] = {
+    {{64 + 4097, 32, 32, 4097}, {{0, 0, 0}, {64, 64, 64}}},
+    {{32, 32, -4099, 4099}, {{0, 0, 0}, {64, 64, 64}}},
+    {{32, 64 + 4097 + 0x1p-11f, 32, 4097}, {{0, 0, 0}, {64, 64, 64}}},
+    {{-0.5f, 5 * TINY_STEP, -0.5f, 5 * TINY_STEP}, {{-1, -1, -1}, {0, 0, 0}}},
+    {{-0.5f, -0.5f, 6 * TINY_STEP, 5 * TINY_STEP}, {{-1, -1, -1}, {0, 0, 0}}},
+    {{6 * TINY_STEP, -0.5f, -0.5f, -5 * TINY_STEP}, {{-1, -1, -1}, {0, 0, 0}}},
+};
 
 // A sphere that touches a side, an edge or a corner of the cell from outside, or misses it by an
 // eighth.
-static SphereBoxJob draw_touching(Random *random)
+static SphereBoxJob draw_touching(Random *random, int i)
 {
+    const int edge = edge_of(i, N_TOUCHING, COUNT(beside));
+    if (edge >= 0) {
+        return beside[edge];
+    }
     // Whole numbers with a² + b² + c² = d².
     static const int quadruples[][3][4] = {
         {{3, 0, 0, 3}, {8, 0, 0, 8}, {17, 0, 0, 17}},
@@ -104,10 +173,25 @@ static SphereBoxJob draw_touching(Random *random)
     return (SphereBoxJob){sphere_at(centre, (float)distances[3]), box};
 }
 
+// Beyond edges and corners: whole numbers with a² + b² + c² = d² + 1, too large for float,
+// which takes both for equal; and such numbers, and four with a² + b² + c² = d², tiny.
+static const SphereBoxJob beyond[] = {
+    {{64 + 738, 64 + 4031, 32, 4098}, {{0, 0, 0}, {64, 64, 64}}},
+    {{64 + 1759, -2456, 64 + 2772, 4100}, {{0, 0, 0}, {64, 64, 64}}},
+    {{-1870, -2157, -2954, 4108}, {{0, 0, 0}, {64, 64, 64}}},
+    {{-0.5f, 4 * TINY_STEP, 7 * TINY_STEP, 8 * TINY_STEP}, {{-1, -1, -1}, {0, 0, 0}}},
+    {{TINY_STEP, 4 * TINY_STEP, 7 * TINY_STEP, 8 * TINY_STEP}, {{-1, -1, -1}, {0, 0, 0}}},
+    {{2 * TINY_STEP, 3 * TINY_STEP, 6 * TINY_STEP, 7 * TINY_STEP}, {{-1, -1, -1}, {0, 0, 0}}},
+};
+
 // A sphere beyond a corner or an edge, nearer than its radius on each axis: its bounding cube
 // overlaps the cell, the sphere itself may not.
-static SphereBoxJob draw_corner(Random *random)
+static SphereBoxJob draw_corner(Random *random, int i)
 {
+    const int edge = edge_of(i, N_CORNER, COUNT(beyond));
+    if (edge >= 0) {
+        return beyond[edge];
+    }
     const BBox3D box = draw_cell(random);
     const int first = (int)random_integer(random, 0, 2);
     const float radius = (float)random_integer(random, 4, 40);
@@ -122,14 +206,27 @@ static SphereBoxJob draw_corner(Random *random)
     return (SphereBoxJob){sphere_at(centre, radius), box};
 }
 
-static PackJob3D draw_pack(Random *random)
+// Empty leaves and the first one of a tree; then long lists, before the leaf and in it. Their ids
+// are too large for 16 bits.
+static const struct {
+    u32 n_sphere_ids, n_ids;
+} leaves[] = {{5, 0}, {9, 0}, {0, 2}, {0, 0}, {PACK_MAX_IDS, 3}, {7, PACK_MAX_IDS}};
+
+static PackJob3D draw_pack(Random *random, int i)
 {
+    enum { MOST_IDS = 24 };
+    const int edge = edge_of(i, N_PACKS, COUNT(leaves));
     PackJob3D job = {.id = (u32)random_integer(random, 1, PACK_NODES - 1)};
     job.n_sphere_ids = (u32)random_integer(random, 1, 20);
-    job.n_ids = (u32)random_integer(random, 0, PACK_MAX_IDS);
+    job.n_ids = (u32)random_integer(random, 0, MOST_IDS);
     u32 id = (u32)random_integer(random, 0, 5);
-    for (u32 i = 0; i < job.n_ids; i++) {
-        job.ids[i] = id;
+    if (edge >= 0) {
+        job.n_sphere_ids = leaves[edge].n_sphere_ids;
+        job.n_ids = leaves[edge].n_ids;
+        id += 90000;
+    }
+    for (u32 j = 0; j < job.n_ids; j++) {
+        job.ids[j] = id;
         id += (u32)random_integer(random, 1, 90);
     }
     return job;
@@ -141,12 +238,13 @@ static void draw_inputs(Random *random, Job06 *job)
         job->splits[i] = draw_split(random, i);
     }
     for (int i = 0; i < N_OVERLAPS; i++) {
-        job->overlaps[i] = i < N_INSIDE                ? draw_inside(random, i)
-                           : i < N_INSIDE + N_TOUCHING ? draw_touching(random)
-                                                       : draw_corner(random);
+        const int j = i - N_INSIDE;
+        job->overlaps[i] = j < 0            ? draw_inside(random, i)
+                           : j < N_TOUCHING ? draw_touching(random, j)
+                                            : draw_corner(random, j - N_TOUCHING);
     }
     for (int i = 0; i < N_PACKS; i++) {
-        job->packs[i] = draw_pack(random);
+        job->packs[i] = draw_pack(random, i);
     }
     job->highest_level = TODO_LEVELS;
 }
@@ -231,7 +329,7 @@ static int draw_scenes(Random *random, Job06 *job)
     result |= draw_named(&scenes[6], "large-small", (KdTreeLimits){10, 6});
     result |= draw_named(&scenes[7], "one", (KdTreeLimits){4, 1});
     result |= draw_named(&scenes[8], "none", (KdTreeLimits){4, 1});
-    result |= draw_random(&scenes[9], random, 20, (KdTreeLimits){1, 3});
+    result |= draw_random(&scenes[9], random, 300, (KdTreeLimits){1, 3});
     result |= draw_deep(&scenes[JUST_FITS], random, TODO_SIZE + 1);
     result |= draw_deep(&scenes[TOO_DEEP], random, TODO_SIZE + 2);
     for (int k = 0; result == 0 && k <= JUST_FITS; k++) {

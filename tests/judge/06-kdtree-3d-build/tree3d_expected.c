@@ -6,7 +6,7 @@
 
 #include <stdlib.h>
 
-// The steps, as oracle_tree.h has them. Spheres that touch a cell as nearly as float can tell are
+// The steps, as oracle_tree.h has them. Spheres that touch a cell as nearly as double can tell are
 // in its list, too.
 static int overlaps(const void *scene, u32 id, BBox3D cell)
 {

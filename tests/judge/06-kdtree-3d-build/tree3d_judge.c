@@ -226,6 +226,19 @@ Diagnosis tree3d_judge_overlap(const TreeScene3D *scene, const KdTree3D *own)
     return wrong;
 }
 
+// Does a leaf's list ascend? Its range is in the array.
+static Diagnosis judge_order(const TreeScene3D *scene, const KdTree3D *own, u32 id)
+{
+    const u32 *ids = leaf_ids(own, id);
+    for (u32 i = 1; i < own->nodes[id].n_spheres; i++) {
+        if (ids[i] <= ids[i - 1]) {
+            return diagnosis_new("%s: leaf %u lists sphere %u after sphere %u: the ids must ascend",
+                                 scene->title, id, ids[i], ids[i - 1]);
+        }
+    }
+    return NOTHING_WRONG;
+}
+
 // One leaf's list by itself.
 static Diagnosis judge_list(const TreeScene3D *scene, const KdTree3D *own, u32 id)
 {
@@ -238,12 +251,8 @@ static Diagnosis judge_list(const TreeScene3D *scene, const KdTree3D *own, u32 i
             return diagnosis_new("%s: leaf %u lists sphere %u, but the scene has %d", scene->title,
                                  id, ids[i], scene->scene.n_spheres);
         }
-        if (i > 0 && ids[i] <= ids[i - 1]) {
-            return diagnosis_new("%s: leaf %u lists sphere %u after sphere %u: the ids must ascend",
-                                 scene->title, id, ids[i], ids[i - 1]);
-        }
     }
-    return NOTHING_WRONG;
+    return judge_order(scene, own, id);
 }
 
 // Of the splits above node `id`, how many failed at least and at most: what its children have, too,
@@ -323,10 +332,11 @@ static Diagnosis judge_equal(const TreeScene3D *scene, const KdTree3D *own)
         const int same_plane = found.split_axis == KD_LEAF || found.split_pos == expected.split_pos;
         if (found.split_axis != expected.split_axis || !same_plane ||
             found.first != expected.first || found.n_spheres != expected.n_spheres) {
-            return diagnosis_new("%s: node %u: found split_axis %u, split_pos %g, first %u, "
-                                 "n_spheres %u, expected %u, %g, %u, %u",
-                                 scene->title, id, found.split_axis, found.split_pos, found.first,
-                                 found.n_spheres, expected.split_axis, expected.split_pos,
+            return diagnosis_new("%s: node %u: found split_axis %u, split_pos %s, first %u, "
+                                 "n_spheres %u, expected %u, %s, %u, %u",
+                                 scene->title, id, found.split_axis,
+                                 words_float(found.split_pos).text, found.first, found.n_spheres,
+                                 expected.split_axis, words_float(expected.split_pos).text,
                                  expected.first, expected.n_spheres);
         }
     }
@@ -352,6 +362,10 @@ Diagnosis tree3d_judge_packing(const TreeScene3D *scene, const KdTree3D *own)
                 return diagnosis_new("%s: leaf %u: first is %u, expected %u, behind the ids of the "
                                      "leaf before it",
                                      scene->title, id, node.first, next_id);
+            }
+            const Diagnosis wrong = judge_order(scene, own, id);
+            if (wrong.found != NULL) {
+                return wrong;
             }
             next_id += node.n_spheres;
             continue;

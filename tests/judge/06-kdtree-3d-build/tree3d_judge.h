@@ -26,8 +26,8 @@ typedef struct TreeScene3D {
 // May a sphere be in a cell's list, must it, or must it not?
 typedef enum SphereInCell { SPHERE_OUTSIDE, SPHERE_EITHER, SPHERE_INSIDE } SphereInCell;
 
-// Both with their boundaries. Where they touch so nearly that float may round either way, either
-// answer is right; never so where float is exact, as on the coarse grids of the job's inputs.
+// Both with their boundaries. Where they touch so nearly that double may round either way, either
+// answer is right; never so where double is exact, as on all of the job's inputs.
 SphereInCell tree3d_judge_sphere(Sphere sphere, BBox3D cell);
 
 // Is this the axis that the cell must be split on?
@@ -60,8 +60,8 @@ Diagnosis tree3d_judge_overlap(const TreeScene3D *scene, const KdTree3D *own);
 // else.
 Diagnosis tree3d_judge_lists(const TreeScene3D *scene, const KdTree3D *own);
 
-// Nodes are in breadth-first order without gaps, and so are the leaves' ranges; and where no right
-// solution can differ, the arrays are the expected ones.
+// Nodes are in breadth-first order without gaps, and so are the leaves' ranges, which ascend; and
+// where no right solution can differ, the arrays are the expected ones.
 Diagnosis tree3d_judge_packing(const TreeScene3D *scene, const KdTree3D *own);
 
 // The todo stack suffices for a search.
@@ -71,8 +71,8 @@ Diagnosis tree3d_judge_depth(const TreeScene3D *scene, const KdTree3D *own);
 // see whether it is exact (tree3d_expected.c). Returns 0, or -1 after one message.
 int tree3d_expect(TreeScene3D *scene, u32 k, Growth *growth);
 
-// Can no right solution have another tree than scene->tree? So it is where no plane and no
-// comparison of a sphere with a cell on the way to it depends on how float rounds.
+// Can no right solution have another tree than scene->tree? So it is where no plane on the way to
+// it depends on how float rounds, and no comparison of a sphere with a cell on how double does.
 int tree3d_judge_is_exact(const TreeScene3D *scene);
 
 // The probe's answer for scene K as a tree that points into the answers (do not free it). Returns

@@ -3,6 +3,7 @@
 #include "tree3d_judge.h"
 
 #include "message.h"
+#include "overlap_cause.h"
 #include "words.h"
 
 #include <float.h>
@@ -11,35 +12,34 @@
 // ---- A sphere and a cell ------------------------------------------------------------------------
 
 // How far squared distance and squared radius may be apart, relative to the latter, and still come
-// out of float in the other order. With u = FLT_EPSILON / 2 the distance on an axis is off by u,
+// out of double in the other order. With u = DBL_EPSILON / 2 the distance on an axis is off by u,
 // its square by 3u, the sum of three by 5u, the squared radius by u: 6u together. Comparing the
 // root with the radius instead gives 7u. So 8u.
-#define TOUCH_TOLERANCE (4 * (double)FLT_EPSILON)
+#define TOUCH_TOLERANCE (4 * DBL_EPSILON)
 
-static int is_float(double value)
+// Is the square of a distance exact, and so coarse beside the largest of the numbers that are added
+// and compared that double does so in any order without rounding? Of its 53 bits three are left
+// over, so that roots differ, too, where squares do.
+static int is_exact_beside(double distance, double largest)
 {
-    return (double)(float)value == value;
+    int exponent;
+    frexp(largest, &exponent);
+    const double square = distance * distance;
+    return fma(distance, distance, -square) == 0 && fmod(square, ldexp(1, exponent - 50)) == 0;
 }
 
 SphereInCell tree3d_judge_sphere(Sphere sphere, BBox3D cell)
 {
-    const double centre[3] = {sphere.x, sphere.y, sphere.z};
-    const double radius2 = (double)sphere.radius * sphere.radius;
-    double distance2 = 0;
-    int is_exact = is_float(radius2);
+    const double centre[3] = {sphere.x, sphere.y, sphere.z}, radius = sphere.radius;
+    double outside[3], distance2 = 0;
     for (int axis = 0; axis < 3; axis++) {
-        // How far the centre is outside the cell on this axis.
-        double distance = 0;
-        if (centre[axis] < (double)cell.min[axis]) {
-            distance = (double)cell.min[axis] - centre[axis];
-        } else if (centre[axis] > (double)cell.max[axis]) {
-            distance = centre[axis] - (double)cell.max[axis];
-        }
-        distance2 += distance * distance;
-        is_exact =
-            is_exact && is_float(distance) && is_float(distance * distance) && is_float(distance2);
+        outside[axis] = outside_of(centre[axis], cell.min[axis], cell.max[axis]);
+        distance2 += outside[axis] * outside[axis];
     }
-    if (!is_exact && fabs(distance2 - radius2) <= TOUCH_TOLERANCE * radius2) {
+    const double radius2 = radius * radius, largest = fmax(distance2, radius2);
+    if (fabs(distance2 - radius2) <= TOUCH_TOLERANCE * radius2 &&
+        !(is_exact_beside(radius, largest) && is_exact_beside(outside[0], largest) &&
+          is_exact_beside(outside[1], largest) && is_exact_beside(outside[2], largest))) {
         return SPHERE_EITHER;
     }
     return distance2 <= radius2 ? SPHERE_INSIDE : SPHERE_OUTSIDE;
@@ -68,6 +68,11 @@ BBox3D tree3d_expected_box(const Sphere *spheres, u32 n_spheres)
 
 // ---- Axis and plane -----------------------------------------------------------------------------
 
+static int is_float(double value)
+{
+    return (double)(float)value == value;
+}
+
 // A side's length: exact, or as float rounds it.
 static double side(BBox3D cell, u32 axis, int in_float)
 {
@@ -92,6 +97,22 @@ u32 tree3d_expected_axis(BBox3D cell)
     return longest_axis(cell, 0);
 }
 
+// Why an axis is the wrong one, or NULL.
+static const char *explain_axis(BBox3D cell, u32 axis, u32 expected)
+{
+    if (axis >= 3) {
+        return "there are axes 0, 1 and 2";
+    }
+    const double length = side(cell, axis, 0), longest = side(cell, expected, 0);
+    const int is_shortest =
+        length <= side(cell, 0, 0) && length <= side(cell, 1, 0) && length <= side(cell, 2, 0);
+    return length == longest ? "of equal sides the first counts"
+           : longest - length < longest / 1024
+               ? "these sides are not equal, if nearly, and the longest is split"
+           : is_shortest ? "that side is the shortest"
+                         : NULL;
+}
+
 Diagnosis tree3d_judge_axis(const char *where, BBox3D cell, u32 axis)
 {
     // Two sides may differ by less than float sees.
@@ -99,13 +120,7 @@ Diagnosis tree3d_judge_axis(const char *where, BBox3D cell, u32 axis)
     if (axis == expected || axis == longest_axis(cell, 1)) {
         return NOTHING_WRONG;
     }
-    const double length = axis < 3 ? side(cell, axis, 0) : 0;
-    const int is_shortest =
-        length <= side(cell, 0, 0) && length <= side(cell, 1, 0) && length <= side(cell, 2, 0);
-    const char *looks = axis >= 3                           ? "there are axes 0, 1 and 2"
-                        : length == side(cell, expected, 0) ? "of equal sides the first counts"
-                        : is_shortest                       ? "that side is the shortest"
-                                                            : NULL;
+    const char *looks = explain_axis(cell, axis, expected);
     return diagnosis_of(message_new("%s: cell %s: found axis %u, expected %u (%c)%s", where,
                                     words_box3d(cell).text, axis, expected, "xyz"[expected],
                                     looks == NULL ? ", that side is not the longest" : ""),
@@ -132,17 +147,19 @@ Diagnosis tree3d_judge_middle(const char *where, BBox3D cell, u32 axis, f32 pos)
     if (fabs((double)pos - expected) <= (double)FLT_EPSILON * fmax(fabs(min), fabs(max))) {
         return NOTHING_WRONG;
     }
+    const Words from = words_float(cell.min[axis]), to = words_float(cell.max[axis]);
+    const Words middle_words = words_float((float)expected);
     if (isnan(pos)) {
-        return diagnosis_new(
-            "%s: cell from %g to %g on axis %u (%c): found no number (NaN) for the "
-            "split, expected %g",
-            where, min, max, axis, "xyz"[axis], expected);
+        return diagnosis_new("%s: cell from %s to %s on axis %u (%c): found no number (NaN) for "
+                             "the split, expected %s",
+                             where, from.text, to.text, axis, "xyz"[axis], middle_words.text);
     }
     const char *looks =
         pos == (max - min) / 2 ? "that is half the length, as if the cell began at 0" : NULL;
     return diagnosis_of(
-        message_new("%s: cell from %g to %g on axis %u (%c): found split at %g, expected %g", where,
-                    min, max, axis, "xyz"[axis], pos, expected),
+        message_new("%s: cell from %s to %s on axis %u (%c): found split at %s, expected %s", where,
+                    from.text, to.text, axis, "xyz"[axis], words_float(pos).text,
+                    middle_words.text),
         (Cause){.says = looks});
 }
 

@@ -11,6 +11,11 @@ int range_at(Range range, int i)
     return range.first + i * (range.step > 1 ? range.step : 1);
 }
 
+int edge_of(int i, int n, int n_edges)
+{
+    return i < n - n_edges ? -1 : i - (n - n_edges);
+}
+
 const void *function_answers(const Function *function, const Sections *answers)
 {
     return sections_find(answers, function->section, (size_t)function->n * function->answer_bytes);

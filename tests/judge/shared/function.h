@@ -17,6 +17,10 @@ typedef struct Range {
 // Number i of a range.
 int range_at(Range range, int i);
 
+// Of n inputs the last n_edges are the same in every job. Which of these is number i, from 0 on?
+// Returns -1 for an input that is drawn.
+int edge_of(int i, int n, int n_edges);
+
 typedef struct Function {
     const char *section;  // of the answers
     int n;                // how many there are in all ranges together

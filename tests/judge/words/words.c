@@ -3,6 +3,7 @@
 
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 Words words(const char *format, ...)
 {
@@ -24,23 +25,37 @@ Words words_vec3(Vec3 v, int digits)
     return words_xyz(v.x, v.y, v.z, digits);
 }
 
+Words words_float(float value)
+{
+    Words text = words("%g", value);
+    for (int digits = 7; digits <= 9 && strtof(text.text, NULL) != value; digits++) {
+        text = words("%.*g", digits, value);
+    }
+    return text;
+}
+
 Words words_circle(Circle circle)
 {
-    return words("(%.9g, %.9g) radius %.9g", circle.x, circle.y, circle.radius);
+    return words("(%s, %s) radius %s", words_float(circle.x).text, words_float(circle.y).text,
+                 words_float(circle.radius).text);
 }
 
 Words words_sphere(Sphere sphere)
 {
-    return words("(%g, %g, %g) radius %g", sphere.x, sphere.y, sphere.z, sphere.radius);
+    return words("(%s, %s, %s) radius %s", words_float(sphere.x).text, words_float(sphere.y).text,
+                 words_float(sphere.z).text, words_float(sphere.radius).text);
 }
 
 Words words_box2d(BBox2D box)
 {
-    return words("x [%g, %g] y [%g, %g]", box.minX, box.maxX, box.minY, box.maxY);
+    return words("x [%s, %s] y [%s, %s]", words_float(box.minX).text, words_float(box.maxX).text,
+                 words_float(box.minY).text, words_float(box.maxY).text);
 }
 
 Words words_box3d(BBox3D box)
 {
-    return words("x [%g, %g] y [%g, %g] z [%g, %g]", box.min[0], box.max[0], box.min[1], box.max[1],
-                 box.min[2], box.max[2]);
+    return words("x [%s, %s] y [%s, %s] z [%s, %s]", words_float(box.min[0]).text,
+                 words_float(box.max[0]).text, words_float(box.min[1]).text,
+                 words_float(box.max[1]).text, words_float(box.min[2]).text,
+                 words_float(box.max[2]).text);
 }

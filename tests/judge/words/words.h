@@ -18,9 +18,12 @@ __attribute__((format(printf, 1, 2))) Words words(const char *format, ...);
 
 Words words_xyz(double x, double y, double z, int digits);  // "(1, 2, 3)"
 Words words_vec3(Vec3 v, int digits);                       // the same
-Words words_circle(Circle circle);                          // "(1, 2) radius 3"
-Words words_sphere(Sphere sphere);                          // "(1, 2, 3) radius 4"
-Words words_box2d(BBox2D box);                              // "x [1, 2] y [3, 4]"
-Words words_box3d(BBox3D box);                              // "x [1, 2] y [3, 4] z [5, 6]"
+// With as many digits as it takes to tell it from every other float: "0.1", "0.100000009".
+Words words_float(float value);
+
+Words words_circle(Circle circle);  // "(1, 2) radius 3"
+Words words_sphere(Sphere sphere);  // "(1, 2, 3) radius 4"
+Words words_box2d(BBox2D box);      // "x [1, 2] y [3, 4]"
+Words words_box3d(BBox3D box);      // "x [1, 2] y [3, 4] z [5, 6]"
 
 #endif

@@ -2,6 +2,7 @@
 // task: distribute
 // caught by: distribute-list
 // says: child_ids\[|returned
+// looks: missing-in-cell
     (void)ids;
     u32 n_child_ids = 0;
     for (u32 i = 0; i < n_ids; i++) {

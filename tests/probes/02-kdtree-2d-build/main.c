@@ -51,7 +51,7 @@ static void answer_distribute(const Probe *probe, const char *name)
 {
     size_t n_bytes, n_circle_bytes;
     const DistributeJob *jobs = probe_job(probe, name, &n_bytes);
-    const Circle *circles = probe_scene_part(probe, 0, "circles", &n_circle_bytes);
+    const Circle *circles = probe_scene_part(probe, DISTRIBUTE_SCENE, "circles", &n_circle_bytes);
     const size_t n = n_bytes / sizeof *jobs;
     u32 *answers = calloc(n * DISTRIBUTE_ROOM, sizeof *answers);
     for (size_t i = 0; i < n; i++) {
@@ -72,19 +72,21 @@ static void answer_pack_leaf(const Probe *probe, const char *name)
     for (size_t i = 0; i < n; i++) {
         PackAnswer *answer = &answers[i];
         u8 flags[PACK_NODES];
-        BBox2D boxes[PACK_NODES] = {{0}};
         for (u32 id = 0; id < PACK_NODES; id++) {
             answer->relations[id].id = id;
+            answer->boxes[id] = PACK_CELL(id);
             flags[id] = INNER;
         }
         probe_leave_untouched(answer->map, PACK_MAP_ROOM);
-        KdTree2D tree = {answer->relations, flags, boxes, answer->map, PACK_NODES, jobs[i].n_map};
+        KdTree2D tree = {answer->relations, flags,      answer->boxes,
+                         answer->map,       PACK_NODES, jobs[i].n_map};
         probe_note(probe, name, (uint32_t)i);
         pack_leaf(&tree, jobs[i].id, jobs[i].ids, jobs[i].n_ids);
         for (int id = 0; id < PACK_NODES; id++) {
             answer->flags[id] = flags[id];
         }
         answer->n_map = tree.n_map;
+        answer->n_nodes = tree.n_nodes;
     }
     probe_answer_array(probe, name, answers, n * sizeof *answers);
 }

@@ -70,6 +70,7 @@ static void answer_pack_leaf_range(const Probe *probe, const char *name)
         probe_note(probe, name, (uint32_t)i);
         pack_leaf_range(&tree, jobs[i].id, jobs[i].ids, jobs[i].n_ids);
         answer->n_sphere_ids = tree.n_sphere_ids;
+        answer->n_nodes = tree.n_nodes;
     }
     probe_answer_array(probe, name, answers, n * sizeof *answers);
 }

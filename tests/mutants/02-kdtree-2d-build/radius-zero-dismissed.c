@@ -1,0 +1,13 @@
+// mutant: a circle of radius 0 is taken for none
+// task: circle_overlaps_box
+// caught by: overlap-inside
+// says: radius 0
+// looks: missing-in-cell
+    if (circle.radius <= 0) {
+        return 0;
+    }
+    const double nearest_x = fmin(fmax(circle.x, box.minX), box.maxX);
+    const double nearest_y = fmin(fmax(circle.y, box.minY), box.maxY);
+    const double dx = circle.x - nearest_x;
+    const double dy = circle.y - nearest_y;
+    return dx * dx + dy * dy <= (double)circle.radius * circle.radius;
