@@ -12,6 +12,8 @@
 #include "message.h"
 #include "words.h"
 
+#include <stdlib.h>
+
 // ---- Drawing the job ----------------------------------------------------------------------------
 
 static int draw(void *pointer, Random *random)
@@ -70,12 +72,38 @@ static Verdict judge_tie(const Job07 *job, const Sections *answers)
                                       job->scenes[TIE].picture.title, found->sphere, found->t));
 }
 
+// In the scene of the tip, and in no other, hits lie so near to where their leaf begins that
+// rounding may put them before it. In their place another leaf's sphere is found, the sphere's far
+// side, or nothing.
+static Verdict judge_tip(const Job07 *job, const Sections *answers)
+{
+    const JobScene3D *scene = &job->scenes[TIP];
+    const HitAnswer *found = hits_find(scene, TIP, answers);
+    if (found == NULL) {
+        return verdict_missing;
+    }
+    const WrongHits wrong = hits_judge(scene, found);
+    int n_lost = 0;
+    for (int pixel = 0; pixel < scene->scene.width * scene->scene.height; pixel++) {
+        n_lost += found[pixel].t > scene->hits[pixel].t + 1;
+    }
+    char *message = hits_describe(scene, found, wrong);
+    if (message != NULL && n_lost == wrong.n) {
+        char *cause = message_new("%s; that is as if a hit were thrown away that rounding puts "
+                                  "before the leaf's t_min: it counts all the same",
+                                  message);
+        free(message);
+        message = cause;
+    }
+    return verdict_of(message);
+}
+
 // With the sphereflake behind the edge cases, and the tie behind all.
 static Verdict judge_edges(const void *job, const Sections *answers)
 {
     Verdict verdict = verdict_of(NULL);
     for (int k = EDGES; verdict.kind == VERDICT_PASSED && k < N_SCENES; k++) {
-        verdict = judge_hits(job, k, answers);
+        verdict = k == TIP ? judge_tip(job, answers) : judge_hits(job, k, answers);
     }
     return verdict.kind == VERDICT_PASSED ? judge_tie(job, answers) : verdict;
 }
@@ -100,19 +128,22 @@ static Words work_words(Work work)
 // Rays of a scene that do more, or less, than they may.
 typedef struct OffRays {
     int n;
-    int first;   // a pixel
-    Work bound;  // of the first
+    int first;      // a pixel
+    Work bound;     // of the first
+    int n_shorter;  // how many visit fewer nodes or leaves than the bound
 } OffRays;
 
-static void count_off(OffRays *off, int pixel, Work bound)
+static void count_off(OffRays *off, int pixel, Work found, Work bound)
 {
     if (off->n++ == 0) {
         off->first = pixel;
         off->bound = bound;
     }
+    off->n_shorter += found.n_nodes_visited < bound.n_nodes_visited ||
+                      found.n_leaves_visited < bound.n_leaves_visited;
 }
 
-// The message about rays that do more than they may, or less: of which words say what it means.
+// The message about rays that do more than they may, or less: `words` say what it means.
 static char *describe_off(const JobScene3D *scene, const Work *found, const OffRays *off,
                           const char *bound, const char *words)
 {
@@ -135,10 +166,10 @@ static char *judge_scene_work(const JobScene3D *scene, const Work *found)
         const OracleRay ray = ray_of(scene, pixel);
         const WorkBounds bounds = search3d_bounds(scene, &ray);
         if (!is_at_most(found[pixel], bounds.most)) {
-            count_off(&more, pixel, bounds.most);
+            count_off(&more, pixel, found[pixel], bounds.most);
         }
         if (!is_at_most(bounds.least, found[pixel])) {
-            count_off(&less, pixel, bounds.least);
+            count_off(&less, pixel, found[pixel], bounds.least);
         }
     }
     if (more.n > 0) {
@@ -146,8 +177,12 @@ static char *judge_scene_work(const JobScene3D *scene, const Work *found)
     }
     return less.n == 0 ? NULL
                        : describe_off(scene, found, &less, "least",
-                                      "less than they must: they end too soon or skip something, "
-                                      "or work is hidden and cannot be counted");
+                                      less.n_shorter > 0
+                                          ? "less than they must: the search ends too soon, or "
+                                            "leaves out a child that the ray meets"
+                                          : "less than they must: they are in the right leaves, "
+                                            "but there spheres are not asked, or not by "
+                                            "intersect_sphere, which counts");
 }
 
 // The scenes whose work is judged: few levels and many, spheres on all sides of the eye, a tree

@@ -11,9 +11,12 @@ StackState random_stack(Random *random, u32 n_lower, u32 n_upper)
     StackState todo = {.n_lower = n_lower, .n = n_lower + n_upper};
     for (u32 i = 0; i < STACK_ENTRIES; i++) {
         const float t_min = random_quarters(random, 40, 80);
-        todo.upper[i] = i < n_upper ? (StackEntry){(u32)random_integer(random, 2000, 3000), t_min,
-                                                   t_min + random_quarters(random, 1, 20)}
-                                    : (StackEntry){UNTOUCHED, 0, 0};
+        if (i < n_upper) {
+            const u32 node = (u32)random_integer(random, 2000, 3000);
+            todo.upper[i] = (StackEntry){node, t_min, t_min + random_quarters(random, 1, 20)};
+        } else {
+            todo.upper[i] = (StackEntry){UNTOUCHED, 0, 0};
+        }
     }
     return todo;
 }
