@@ -1,6 +1,6 @@
 // What lab 07's judge asks of a submission: inputs of its functions, and scenes with their trees.
-// Inputs are drawn in judge_07_inputs.c; those that stand in every job are in judge_07_edges.c. They
-// are judged in judge_07_clip.c, judge_07_side.c, judge_07_planes.c, judge_07_leaf.c and
+// Inputs are drawn in judge_07_inputs.c; those that stand in every job are in judge_07_edges.c.
+// They are judged in judge_07_clip.c, judge_07_side.c, judge_07_planes.c, judge_07_leaf.c and
 // judge_07_once.c; those of the search's two steps are drawn and judged in judge_07_children.c and
 // judge_07_waiting.c. Scenes are drawn in judge_07_scenes.c and judged in judge_07.c.
 #ifndef JUDGE_JUDGE_07_H

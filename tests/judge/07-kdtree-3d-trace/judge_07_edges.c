@@ -193,8 +193,8 @@ static void set_leaf(Inputs07 *inputs, int i, int edge)
 
 // ---- next_child ---------------------------------------------------------------------------------
 
-// Both children are met, by our rules and by those of the stand-ins (tests/stand_ins), and one place
-// is left on the stack.
+// Both children are met, by our rules and by those of the stand-ins (tests/stand_ins), and one
+// place is left on the stack.
 static void set_children(Inputs07 *inputs)
 {
     NextChildJob job = {.node = {.split_pos = 2, .split_axis = 1, .first = 7},
