@@ -116,7 +116,7 @@ $(OUT)/tests/no_images.so: tests/tools/no_images.c
 # Unit tests run under the sanitizers, but for this one: PoCL's compiler is not built for them.
 NATIVE_TEST = $(OUT)/tests/test_cl_setup
 
-.PHONY: unit-tests tests check test test-scale test-mutants test-attacks
+.PHONY: unit-tests tests check test test-scale test-seeds test-mutants test-attacks
 unit-tests: $(filter-out $(NATIVE_TEST),$(UNIT_TESTS))
 tests: all $(NATIVE_TEST) $(JUDGES) $(SUITE_TOOLS) $(OUT)/tests/no_images.so  ## build all that the tests run
 	@$(MAKE) --no-print-directory SANITIZE=1 all unit-tests
@@ -131,8 +131,11 @@ test-scale:  ## install what is missing, grade a class of N=1000, try mechanical
 	@$(MAKE) --no-print-directory grader
 	@BUILD="$(BUILD)" tests/run.sh slurm
 	@tests/scale/run.sh $(or $(N),1000) $(OUT)
+	@$(MAKE) --no-print-directory test-seeds
 	@$(MAKE) --no-print-directory test-mutants
 	@$(MAKE) --no-print-directory test-attacks
+test-seeds: grader  ## try the known answers of every lab, or of LAB=03, with 20 seeds (long)
+	@BUILD="$(BUILD)" SEEDS=20 LAB="$(LAB)" sh tests/suites/mutants.sh
 test-mutants: grader  ## try mechanical mutants of every lab, or of LAB=03 (long)
 	@tests/mutate.sh $(OUT) $(LAB)
 test-attacks: tests  ## try every attack in every sandbox, as root (long)

@@ -10,6 +10,7 @@
 #include "text_file.h"
 
 #include <errno.h>
+#include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -80,16 +81,17 @@ int session_fill_kernels(const Session *session, const char *name, const char *f
     return result;
 }
 
-static int write_job(Session *session)
+// Write a judge's job as the workshop's job of this number. Returns 0, or -1 after one message.
+static int write_job(const Session *session, JudgeProcess *judge, int job)
 {
     char path[PATH_BYTES];
-    workshop_job_path(&session->workshop, path, sizeof path);
+    workshop_job_path(&session->workshop, job, path, sizeof path);
     FILE *file = fopen(path, "wb");
     if (file == NULL) {
         fprintf(stderr, "grade: %s: cannot be written: %s\n", path, strerror(errno));
         return -1;
     }
-    const int result = judge_job(&session->judge, NULL, file);
+    const int result = judge_job(judge, NULL, file);
     const int closed = fclose(file);
     return result != 0 || closed != 0 || chmod(path, 0644) != 0 ? -1 : 0;
 }
@@ -115,7 +117,7 @@ int session_open(Session *session, const Settings *settings)
         workshop_open(&session->workshop, &session->manifest, settings->build, settings->device,
                       sandbox) != 0 ||
         judge_start(&session->judge, settings->build, settings->lab, settings->seed) != 0 ||
-        write_job(session) != 0) {
+        write_job(session, &session->judge, 0) != 0) {
         return -1;
     }
     if (!session->has_solution) {
@@ -130,10 +132,27 @@ int session_open(Session *session, const Settings *settings)
     return result;
 }
 
+int session_add_seeds(Session *session, int n)
+{
+    const Settings *settings = session->settings;
+    for (int k = 0; k < n; k++) {
+        if (judge_start(&session->further[k], settings->build, settings->lab,
+                        settings->seed + 1 + (uint64_t)k) != 0 ||
+            write_job(session, &session->further[k], 1 + k) != 0) {
+            return -1;
+        }
+        session->workshop.n_further_jobs = 1 + k;
+    }
+    return 0;
+}
+
 void session_close(Session *session)
 {
     variant_free(&session->solution);
     judge_stop(&session->judge);
+    for (int k = 0; k < session->workshop.n_further_jobs; k++) {
+        judge_stop(&session->further[k]);
+    }
     workshop_close(&session->workshop);
     manifest_free(&session->manifest);
 }
@@ -149,6 +168,29 @@ static Answers answers_of(const Variant *variant)
     return (Answers){variant->number, &variant->answers};
 }
 
+static Answers further_of(const Variant *variant, int k)
+{
+    return (Answers){variant->number, &variant->further[k]};
+}
+
+// The solution's answers to a judge's job must pass; then its pictures are what is compared with.
+// Returns 0, or -1 after one message.
+static int trust_answers(JudgeProcess *judge, Answers answers)
+{
+    for (int i = 0; i < judge->n_checks; i++) {
+        Verdict verdict = judge_verdict(judge, answers, i);
+        if (verdict.kind != VERDICT_PASSED) {
+            fprintf(stderr,
+                    "grade: the solution itself fails %s on this device (seed %" PRIu64 "): %s\n",
+                    judge->checks[i].id, judge->seed,
+                    verdict.message ? verdict.message : "no answer");
+            free(verdict.message);
+            return -1;
+        }
+    }
+    return judge_adopt(judge, answers);
+}
+
 int session_trust_solution(Session *session)
 {
     const Variant *solution = &session->solution;
@@ -161,16 +203,11 @@ int session_trust_solution(Session *session)
                 solution->build_log ? solution->build_log : solution->run_output);
         return -1;
     }
-    for (int i = 0; i < session->judge.n_checks; i++) {
-        Verdict verdict = judge_verdict(&session->judge, answers_of(solution), i);
-        if (verdict.kind != VERDICT_PASSED) {
-            fprintf(stderr, "grade: the solution itself fails %s on this device: %s\n",
-                    session->judge.checks[i].id, verdict.message ? verdict.message : "no answer");
-            free(verdict.message);
-            return -1;
-        }
+    int result = trust_answers(&session->judge, answers_of(solution));
+    for (int k = 0; result == 0 && k < session->workshop.n_further_jobs; k++) {
+        result = trust_answers(&session->further[k], further_of(solution, k));
     }
-    if (judge_adopt(&session->judge, answers_of(solution)) != 0) {
+    if (result != 0) {
         return -1;
     }
     if (session->settings->kept_answers == NULL || session->has_kept_answers) {
@@ -220,9 +257,10 @@ static char *describe_missing(const Variant *variant, const char *task)
                        place->where ? " " : " before", place->where ? place->where : "");
 }
 
-void session_judge(Session *session, int i, const Variant *variant, CheckResult *result)
+// Note what a verdict says about the task of a check.
+static void take_verdict(const Variant *variant, const char *task, Verdict verdict,
+                         CheckResult *result)
 {
-    const Verdict verdict = judge_verdict(&session->judge, answers_of(variant), i);
     free(result->message);
     if (verdict.kind == VERDICT_PASSED) {
         result->status = CHECK_PASSED;
@@ -234,11 +272,23 @@ void session_judge(Session *session, int i, const Variant *variant, CheckResult 
     } else {
         // A crash or an endless loop is the answer's own fault; what does not compile was not
         // tried, nor what comes behind the crash of another task's answer.
-        const char *task = session->judge.checks[i].task;
         result->status = variant->trouble != NULL && !ended_elsewhere(variant, task)
                              ? CHECK_FAILED
                              : CHECK_NOT_RUN;
         result->message = describe_missing(variant, task);
     }
     result->is_explained = verdict.kind == VERDICT_MISSING || message_names_cause(result->message);
+}
+
+void session_judge(Session *session, int i, const Variant *variant, CheckResult *result)
+{
+    const Verdict verdict = judge_verdict(&session->judge, answers_of(variant), i);
+    take_verdict(variant, session->judge.checks[i].task, verdict, result);
+}
+
+void session_judge_further(Session *session, int k, int i, const Variant *variant,
+                           CheckResult *result)
+{
+    const Verdict verdict = judge_verdict(&session->further[k], further_of(variant, k), i);
+    take_verdict(variant, session->judge.checks[i].task, verdict, result);
 }

@@ -15,6 +15,7 @@
 typedef struct Session {
     const Settings *settings;
     JudgeProcess judge;
+    JudgeProcess further[MAX_FURTHER_JOBS];  // of the seeds that follow; workshop.n_further_jobs
     Manifest manifest;
     Workshop workshop;
     int has_solution;      // 0 in a handout: the oracle alone judges
@@ -29,6 +30,10 @@ typedef struct Session {
 // outlive the session. Returns 0, or -1 after one message on stderr.
 int session_open(Session *session, const Settings *settings);
 void session_close(Session *session);
+
+// Before anything runs: let each variant also try the jobs of the n seeds that follow on the
+// settings'. n is MAX_FURTHER_JOBS at most. Returns 0, or -1 after one message.
+int session_add_seeds(Session *session, int n);
 
 // Run n variants side by side, the solution first where it is one of them. Returns 0, or -1 after
 // one message when the machinery failed.
@@ -63,5 +68,9 @@ char *session_find_line(Session *session, const Variant *variant);
 
 // Judge check number i by a variant that has run, and note points, status and message.
 void session_judge(Session *session, int i, const Variant *variant, CheckResult *result);
+
+// The same by what it did in the job of further seed number k, from 0 on.
+void session_judge_further(Session *session, int k, int i, const Variant *variant,
+                           CheckResult *result);
 
 #endif

@@ -27,7 +27,7 @@ static int shrink_job(const Session *session)
 {
     char path[PATH_BYTES];
     Sections job;
-    workshop_job_path(&session->workshop, path, sizeof path);
+    workshop_job_path(&session->workshop, 0, path, sizeof path);
     if (sections_load(path, (size_t)256 << 20, &job) != 0) {
         complain("memcheck: %s: the job cannot be read", path);
         return -1;

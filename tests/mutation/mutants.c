@@ -2,7 +2,11 @@
 // each of which the check meant for it must catch in both, with the right message, and right ones
 // written another way, which must pass every check.
 //
-//     mutants --lab 01 [--seed N]
+//     mutants [--seeds N] [--only WORD] --lab 01 [--seed N]
+//
+// --seeds says for how many seeds, from --seed on, each must be so; one is the default. Jobs of
+// further seeds are run beside the first, by programs that are compiled once. --only tries those
+// whose path holds the word.
 //
 // To be tried alone is to be compiled and run once more. Every right answer is; of the wrong ones
 // that a check is meant for one is, and the seed says which.
@@ -16,16 +20,21 @@
 #include "holes.h"
 #include "message.h"
 #include "mistake_kinds.h"
+#include "number.h"
 #include "session.h"
 #include "settings.h"
 #include "text_file.h"
 
 #include <glob.h>
+#include <inttypes.h>
 #include <regex.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum { LINE_BYTES = 256, PAIR = 2 };
+
+// For more than one; for one goes the grader's own limit (allowance.h).
+enum { SECONDS_A_SEED = 10 };
 
 static const char WRONG_FOLDER[] = "tests/mutants";
 static const char RIGHT_FOLDER[] = "tests/right";
@@ -43,6 +52,12 @@ typedef struct Answer {
     int is_tried_alone;
     Variant alone;
 } Answer;
+
+// What this program's own options say.
+typedef struct Trial {
+    int n_further;     // seeds besides the first
+    const char *only;  // "" for all
+} Trial;
 
 // How well the reports name kinds of mistakes (mistake_kinds.h).
 typedef struct Naming {
@@ -189,46 +204,79 @@ static int matches(const char *message, const char *expression)
     return found;
 }
 
+// What check i says in the job of the k-th seed.
+static CheckResult judge_in(Session *session, int k, int i, const Variant *variant)
+{
+    CheckResult result = {.message = NULL};
+    if (k == 0) {
+        session_judge(session, i, variant, &result);
+    } else {
+        session_judge_further(session, k - 1, i, variant, &result);
+    }
+    return result;
+}
+
+static uint64_t seed_of(const Session *session, int k)
+{
+    return session->settings->seed + (uint64_t)k;
+}
+
+// Why check i did not catch a wrong answer as it should in the job of the k-th seed, or NULL. Owned
+// by the caller.
+static char *judge_wrong_in(Session *session, int k, int i, const Answer *answer)
+{
+    const CheckResult result = judge_in(session, k, i, &answer->variant);
+    char *why = NULL;
+    if (result.status == CHECK_PASSED) {
+        why = message_new("%s passed with seed %" PRIu64, answer->check, seed_of(session, k));
+    } else if (!matches(result.message, answer->says)) {
+        why = message_new("%s says with seed %" PRIu64 " \"%s\", expected /%s/", answer->check,
+                          seed_of(session, k), result.message, answer->says);
+    }
+    free(result.message);
+    return why;
+}
+
 // Why a wrong answer was not caught as it should be, or NULL. Owned by the caller.
 static char *judge_wrong(Session *session, const Answer *answer)
 {
-    char *why = message_new("no check called %s", answer->check);
-    for (int i = 0; i < session->judge.n_checks; i++) {
-        if (strcmp(session->judge.checks[i].id, answer->check) != 0) {
-            continue;
-        }
-        CheckResult result = {.message = NULL};
-        session_judge(session, i, &answer->variant, &result);
-        free(why);
-        why = NULL;
-        if (strcmp(session->judge.checks[i].task, answer->task) != 0) {
-            why = message_new("%s belongs to another task", answer->check);
-        } else if (result.status == CHECK_PASSED) {
-            why = message_new("%s passed", answer->check);
-        } else if (!matches(result.message, answer->says)) {
-            why = message_new("%s says \"%s\", expected /%s/", answer->check, result.message,
-                              answer->says);
-        }
-        if (why == NULL && answer->is_tried_alone && alone_passes(session, i, &answer->alone)) {
-            why = message_new("%s passes alone", answer->check);
-        }
-        free(result.message);
-        break;
+    const int i = check_of(session, answer);
+    if (i < 0) {
+        return message_new("no check called %s", answer->check);
+    }
+    if (strcmp(session->judge.checks[i].task, answer->task) != 0) {
+        return message_new("%s belongs to another task", answer->check);
+    }
+    char *why = NULL;
+    for (int k = 0; why == NULL && k <= session->workshop.n_further_jobs; k++) {
+        why = judge_wrong_in(session, k, i, answer);
+    }
+    if (why == NULL && answer->is_tried_alone && alone_passes(session, i, &answer->alone)) {
+        why = message_new("%s passes alone", answer->check);
     }
     return why;
 }
 
-// Which kinds of mistakes do the failed checks of the answer's task name?
-static void judge_naming(Session *session, const Answer *answer, Naming *naming)
+// Which kinds of mistakes do the failed checks of the answer's task name in the k-th job?
+static unsigned kinds_named(Session *session, int k, const Answer *answer)
 {
     unsigned named = 0;
     for (int i = 0; i < session->judge.n_checks; i++) {
-        CheckResult result = {.message = NULL};
         if (strcmp(session->judge.checks[i].task, answer->task) == 0) {
-            session_judge(session, i, &answer->variant, &result);
+            const CheckResult result = judge_in(session, k, i, &answer->variant);
             named |= mistake_kinds_named(result.message);
+            free(result.message);
         }
-        free(result.message);
+    }
+    return named;
+}
+
+// A mistake must be named in the first job, and in none as what it is not.
+static void judge_naming(Session *session, const Answer *answer, Naming *naming)
+{
+    unsigned named = kinds_named(session, 0, answer);
+    for (int k = 1; k <= session->workshop.n_further_jobs; k++) {
+        named |= kinds_named(session, k, answer) & ~answer->kinds;
     }
     const unsigned strange = named & ~answer->kinds;
     const int is_named = answer->kinds != 0 && (named >> answer->first_kind & 1);
@@ -250,17 +298,20 @@ static char *judge_right(Session *session, const Answer *answer)
 {
     char *why = NULL;
     for (int i = 0; why == NULL && i < session->judge.n_checks; i++) {
-        CheckResult result = {.message = NULL};
-        session_judge(session, i, &answer->variant, &result);
-        if (result.status != CHECK_PASSED) {
-            why = message_new("%s: %s", session->judge.checks[i].id, result.message);
-        } else if (strcmp(session->judge.checks[i].task, answer->task) == 0 &&
-                   !alone_passes(session, i, &answer->alone)) {
+        for (int k = 0; why == NULL && k <= session->workshop.n_further_jobs; k++) {
+            const CheckResult result = judge_in(session, k, i, &answer->variant);
+            if (result.status != CHECK_PASSED) {
+                why = message_new("%s, seed %" PRIu64 ": %s", session->judge.checks[i].id,
+                                  seed_of(session, k), result.message);
+            }
+            free(result.message);
+        }
+        if (why == NULL && strcmp(session->judge.checks[i].task, answer->task) == 0 &&
+            !alone_passes(session, i, &answer->alone)) {
             why = message_new("%s: it fails alone%s%s", session->judge.checks[i].id,
                               answer->alone.build_log ? ": " : "",
                               answer->alone.build_log ? answer->alone.build_log : "");
         }
-        free(result.message);
     }
     return why;
 }
@@ -320,13 +371,28 @@ static int report_naming(const Naming *naming, const char *lab, int n)
     return !is_named + !is_never_wrong;
 }
 
+// Leave those whose path holds the word. What glob() found must be freed in whole, so the list is
+// another one: of n paths, owned by the caller.
+static char **choose(const glob_t *found, const char *only, int *n)
+{
+    char **paths = calloc(found->gl_pathc + 1, sizeof *paths);
+    *n = 0;
+    for (size_t i = 0; paths != NULL && i < found->gl_pathc; i++) {
+        if (strstr(found->gl_pathv[i], only) != NULL) {
+            paths[(*n)++] = found->gl_pathv[i];
+        }
+    }
+    return paths;
+}
+
 // The solution first, then every known answer of the lab. Returns an exit status.
-static int try_all(Session *session, uint64_t seed)
+static int try_all(Session *session, const Trial *trial)
 {
     char pattern[LINE_BYTES];
     Variant *solution[] = {&session->solution};
     glob_t found;
-    if (session_run(session, solution, 1) != 0 || session_trust_solution(session) != 0) {
+    if (session_add_seeds(session, trial->n_further) != 0 ||
+        session_run(session, solution, 1) != 0 || session_trust_solution(session) != 0) {
         return 2;
     }
     snprintf(pattern, sizeof pattern, "{%s,%s}/%s/*.c*", WRONG_FOLDER, RIGHT_FOLDER,
@@ -335,32 +401,64 @@ static int try_all(Session *session, uint64_t seed)
         complain("mutants: %s: none found", pattern);
         return 2;
     }
-    int n_missed = 0;
+    int n, n_missed = 0;
     Naming naming = {0};
-    Turns turns = turns_count(session, &found, seed);
-    const int n = (int)found.gl_pathc;
+    Turns turns = turns_count(session, &found, session->settings->seed);
+    char **paths = choose(&found, trial->only, &n);
     for (int i = 0; n_missed >= 0 && i < n; i += PAIR) {
-        const int missed = try_answers(session, found.gl_pathv + i, n - i < PAIR ? n - i : PAIR,
-                                       i + 1, &turns, &naming);
+        const int missed =
+            try_answers(session, paths + i, n - i < PAIR ? n - i : PAIR, i + 1, &turns, &naming);
         n_missed = missed < 0 ? -1 : n_missed + missed;
     }
+    free(paths);
     globfree(&found);
     n_missed = n_missed < 0 ? -1 : n_missed + report_naming(&naming, session->manifest.lab, n);
     printf("1..%d\n", n + 2);
     return n_missed < 0 ? 2 : n_missed > 0;
 }
 
+// Take this program's own options, which come first, from the words. Returns 0, or -1 after one
+// message.
+static int read_trial(int *argc, char ***argv, Trial *trial)
+{
+    uint64_t n_seeds = 1;
+    *trial = (Trial){.only = ""};
+    while (*argc > 2) {
+        if (strcmp((*argv)[1], "--only") == 0) {
+            trial->only = (*argv)[2];
+        } else if (strcmp((*argv)[1], "--seeds") != 0) {
+            break;
+        } else if (number_read_unsigned((*argv)[2], 1, 1 + MAX_FURTHER_JOBS, &n_seeds) != 0) {
+            complain("mutants: --seeds: found \"%s\", expected a whole number from 1 to %d",
+                     (*argv)[2], 1 + MAX_FURTHER_JOBS);
+            return -1;
+        }
+        (*argv)[2] = (*argv)[0];  // its name, in messages
+        *argc -= 2;
+        *argv += 2;
+    }
+    trial->n_further = (int)n_seeds - 1;
+    return 0;
+}
+
 int main(int argc, char **argv)
 {
     Settings settings;
+    Trial trial;
+    if (read_trial(&argc, &argv, &trial) != 0) {
+        return 2;
+    }
     const int parsed = settings_parse(argc, argv, &settings);
     if (parsed != 0) {
         return parsed > 0 ? 0 : 2;
     }
+    if (settings.time_limit == 0 && trial.n_further > 0) {
+        settings.time_limit = SECONDS_A_SEED * (1 + trial.n_further);
+    }
     Session session;
     int status = 2;
     if (session_open(&session, &settings) == 0) {
-        status = try_all(&session, settings.seed);
+        status = try_all(&session, &trial);
     }
     session_close(&session);
     return status;

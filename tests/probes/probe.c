@@ -42,11 +42,15 @@ void probe_note(const Probe *probe, const char *name, uint32_t input)
 
 void probe_open(Probe *probe)
 {
+    char job[64], answers[64];
+    const char *which = getenv(PROBE_JOB_VARIABLE);
+    snprintf(job, sizeof job, PROBE_JOB_PATH "%s", which ? which : "");
+    snprintf(answers, sizeof answers, PROBE_ANSWERS_PATH "%s", which ? which : "");
     *probe = (Probe){0};
-    if (sections_load(PROBE_JOB_PATH, MAX_JOB_BYTES, &probe->job) != 0) {
+    if (sections_load(job, MAX_JOB_BYTES, &probe->job) != 0) {
         fault("no job");
     }
-    probe->answers = fopen(PROBE_ANSWERS_PATH, "w");
+    probe->answers = fopen(answers, "w");
     if (probe->answers == NULL) {
         fault("nowhere to write answers");
     }

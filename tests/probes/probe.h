@@ -9,9 +9,11 @@
 
 #include <stdio.h>
 
-// Where the sandbox has the job and takes the answers, from the folder the probe starts in.
+// Where the sandbox has the job and takes the answers, from the folder the probe starts in. Behind
+// them stands what this variable says, ".3" for the jobs of further seeds; nothing for the first.
 #define PROBE_JOB_PATH "job/job"
 #define PROBE_ANSWERS_PATH "out/answers"
+#define PROBE_JOB_VARIABLE "COURSE_JOB"
 
 // The last section of complete answers: a student's exit(0) leaves none.
 #define PROBE_END "end"

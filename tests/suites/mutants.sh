@@ -1,17 +1,20 @@
 #!/bin/sh
 # Every known-wrong answer is caught by the check meant for it, with the right message; every right
-# answer that is written another way earns all points.
+# answer that is written another way earns all points: with each of SEEDS seeds, in every lab or in LAB.
 . tests/tap.sh
 
 tools=${BUILD:-build}/tools
 
-for folder in tests/mutants/*/; do
+# The seeds are fixed, as this is about the answers, and other seeds would be another test. What
+# catches them stands in every job; `make test-seeds` shows it with 20.
+seeds=${SEEDS:-3}
+
+for folder in tests/mutants/"${LAB:-}"*/; do
     lab=$(basename "$folder")
     # One lab in the other sandbox, where it can be had.
     sandbox=any
     [ "$lab$(id -u)" != 02-kdtree-2d-build0 ] || sandbox=landlock
-    # The seed is fixed: this is about the answers, and another seed would be another test.
-    "$tools/mutants" --lab "$lab" --seed 1 --sandbox $sandbox \
+    "$tools/mutants" --seeds "$seeds" --lab "$lab" --seed 1 --sandbox $sandbox \
         >"$scratch/out" 2>"$scratch/errors"
     status=$?
     # Its lines are TAP already; number them on.

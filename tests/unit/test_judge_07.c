@@ -26,14 +26,6 @@ static void scenes_close(JobScene3D *scenes)
     free(scenes);
 }
 
-static OracleRay ray_of(const JobScene3D *scene, int pixel)
-{
-    const OracleRules3D right = {0};
-    const Scene3D *s = &scene->scene;
-    return oracle3d_primary_ray(&scene->camera, pixel % s->width, pixel / s->width, s->width,
-                                s->height, &right);
-}
-
 static int n_pixels(const JobScene3D *scene)
 {
     return scene->scene.width * scene->scene.height;
@@ -99,7 +91,7 @@ static int search_node(Search *search, u32 id, double t_min, double t_max, u32 n
 // Search the scene for what a pixel's ray hits, from the eye to the end of the scene's box.
 static Search search_scene(const JobScene3D *scene, int pixel, int ends_early)
 {
-    Search search = {scene, ray_of(scene, pixel), ends_early, INFINITY, ORACLE_NO_SPHERE, {0}};
+    Search search = {scene, ray_07_of(scene, pixel), ends_early, INFINITY, ORACLE_NO_SPHERE, {0}};
     double t_min = 0, t_max = INFINITY;
     for (u32 axis = 0; axis < 3; axis++) {
         const double origin = along(search.ray.origin, axis);
@@ -146,7 +138,8 @@ Test(judge_07, few_rays_are_ambiguous)
 {
     JobScene3D *scenes = scenes_open(4);
     int n_ambiguous = 0, n_hits = 0, n_rays = 0;
-    for (int k = 0; k < N_SCENES; k++) {
+    // Many are where leaves list strangers: see the last test.
+    for (int k = 0; k < STRANGERS; k++) {
         for (int pixel = 0; pixel < n_pixels(&scenes[k]); pixel++) {
             n_ambiguous += scenes[k].hits[pixel].is_ambiguous;
             n_hits += scenes[k].hits[pixel].sphere != ORACLE_NO_SPHERE;
@@ -170,7 +163,7 @@ Test(judge_07, a_right_search_does_the_least_work_and_the_most_or_almost)
     int n_rays = 0, n_equal = 0, n_least = 0;
     for (int k = 0; k < N_SCENES; k++) {
         for (int pixel = 0; pixel < n_pixels(&scenes[k]); pixel++) {
-            const OracleRay ray = ray_of(&scenes[k], pixel);
+            const OracleRay ray = ray_07_of(&scenes[k], pixel);
             const Work work = search_scene(&scenes[k], pixel, 1).work;
             const WorkBounds bounds = search3d_bounds(&scenes[k], &ray);
             const Work most = bounds.most;
@@ -195,7 +188,7 @@ Test(judge_07, a_search_that_never_ends_early_does_more_than_the_most)
     JobScene3D *scenes = scenes_open(7);
     int n_more = 0;
     for (int pixel = 0; pixel < n_pixels(&scenes[FLAKE]); pixel++) {
-        const OracleRay ray = ray_of(&scenes[FLAKE], pixel);
+        const OracleRay ray = ray_07_of(&scenes[FLAKE], pixel);
         n_more += is_more(search_scene(&scenes[FLAKE], pixel, 0).work,
                           search3d_bounds(&scenes[FLAKE], &ray).most);
     }
@@ -221,7 +214,7 @@ static int count_before_leaf(const JobScene3D *scene)
     const Sphere sphere = scene->scene.spheres[0];
     int n_before = 0;
     for (int pixel = 0; pixel < n_pixels(scene); pixel++) {
-        const OracleRay ray = ray_of(scene, pixel);
+        const OracleRay ray = ray_07_of(scene, pixel);
         const Vec3 origin = {(float)ray.origin.x, (float)ray.origin.y, (float)ray.origin.z};
         const Vec3 direction = {(float)ray.direction.x, (float)ray.direction.y,
                                 (float)ray.direction.z};
@@ -245,5 +238,31 @@ Test(judge_07, at_the_tip_rounding_puts_hits_before_their_leaf)
         cr_expect_eq(tree->sphere_ids[tree->nodes[1].first], 1);
         cr_expect_gt(count_before_leaf(&scenes[TIP]), 5);
         scenes_close(scenes);
+    }
+}
+
+// How many rays that count find the stranger, of a search that ends early or never does.
+static int count_strangers(const JobScene3D *scene, int ends_early)
+{
+    int n = 0;
+    for (int pixel = 0; pixel < n_pixels(scene); pixel++) {
+        n += !scene->hits[pixel].is_ambiguous &&
+             search_scene(scene, pixel, ends_early).sphere == (u32)scene->scene.n_spheres;
+    }
+    return n;
+}
+
+Test(judge_07, who_goes_on_behind_the_hit_meets_strangers_with_every_seed)
+{
+    for (uint64_t seed = 1; seed <= 20; seed++) {
+        Random random = {seed};
+        JobScene3D scene;
+        cr_assert_eq(strangers_07_draw(&random, &scene), 0);
+        cr_assert_eq(job_scene3d_expect(&scene), 0);
+        strangers_07_expect(&scene);
+        cr_expect_eq(count_strangers(&scene, 1), 0, "seed %d", (int)seed);
+        cr_expect_gt(count_strangers(&scene, 0), 20, "seed %d: %d", (int)seed,
+                     count_strangers(&scene, 0));
+        job_scene3d_free(&scene);
     }
 }

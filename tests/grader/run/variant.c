@@ -110,6 +110,9 @@ void variant_free(Variant *variant)
     free(variant->habits);
     free(variant->run_output);
     sections_free(&variant->answers);
+    for (int i = 0; i < MAX_FURTHER_JOBS; i++) {
+        sections_free(&variant->further[i]);
+    }
     *variant = (Variant){0};
 }
 

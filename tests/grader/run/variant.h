@@ -17,8 +17,9 @@ typedef struct Variant {
     char *run_output;  // what it wrote to stdout and stderr; owned
     unsigned number;   // of its answers: no other variant has the same
     Sections answers;  // whatever it answered
-    SandboxRun *run;   // while it runs
-    int is_ours;       // the solution: what it uses says what others may
+    Sections further[MAX_FURTHER_JOBS];  // and to the jobs of further seeds
+    SandboxRun *run;                     // while it runs
+    int is_ours;                         // the solution: what it uses says what others may
     int is_checked;    // built and run with the address sanitizer: see variant_find_line()
     const char *task;  // whose answer stands in the solution of the others; NULL: a submission
     int is_changed;  // tried alone in files that differ from those handed out in more than answers

@@ -51,11 +51,22 @@ static void take_place(const Workshop *workshop, Variant *variant)
     if (variant->alone) {
         return;  // nothing of it is told
     }
-    workshop_job_path(workshop, path, sizeof path);
+    workshop_job_path(workshop, 0, path, sizeof path);
     if (sections_load(path, (size_t)256 << 20, &job) == 0) {
         variant->place = run_place_find(workshop->manifest->lab, &job, &note);
     }
     sections_free(&job);
+}
+
+static void take_further_answers(const Workshop *workshop, Variant *variant)
+{
+    for (int i = 0; i < workshop->n_further_jobs && variant->alone == NULL; i++) {
+        char suffix[16], path[PATH_BYTES];
+        workshop_job_suffix(i + 1, suffix);
+        snprintf(path, sizeof path, "%s/variant-%s/out/answers%s", workshop->folder, variant->name,
+                 suffix);
+        sections_load(path, MAX_ANSWER_BYTES, &variant->further[i]);
+    }
 }
 
 // What a probe's end and answers say about the variant.
@@ -65,6 +76,7 @@ static void take_answers(const Workshop *workshop, Variant *variant, SandboxResu
     char path[PATH_BYTES];
     snprintf(path, sizeof path, "%s/variant-%s/out/answers", workshop->folder, variant->name);
     sections_load(path, MAX_ANSWER_BYTES, &variant->answers);
+    take_further_answers(workshop, variant);
     variant->run_output = strdup(result->output);
     if (result->outcome == SANDBOX_EXITED && result->exit_status == PROBE_EXIT_NO_BUILD) {
         variant->build_log = strdup(variant->run_output);

@@ -112,10 +112,19 @@ static SandboxRun *start_compiler(const Workshop *workshop, const Variant *varia
 
 static SandboxRun *start_probe(const Workshop *workshop, const Variant *variant, SandboxTime time)
 {
-    char path[PATH_BYTES];
+    // The first job comes last: how the probe ends there is how the variant does.
+    static const char all_jobs[] = "for job in $(seq -f .%.0f \"$2\"); do\n"
+                                   "    " PROBE_JOB_VARIABLE "=$job \"$1\"\n"
+                                   "done\n"
+                                   "exec \"$1\"\n";
+    char path[PATH_BYTES], n_further[16];
     snprintf(path, sizeof path, "lib/%s", workshop->manifest->lab);
-    const char *const argv[] = {workshop->needs_compiler ? "build/probe" : path, NULL};
-    return start(workshop, variant, 0, argv, time);
+    snprintf(n_further, sizeof n_further, "%d", workshop->n_further_jobs);
+    const char *const probe = workshop->needs_compiler ? "build/probe" : path;
+    const char *const once[] = {probe, NULL};
+    const char *const often[] = {"/bin/sh", "-c", all_jobs, "probe", probe, n_further, NULL};
+    const int is_once = workshop->n_further_jobs == 0 || variant->alone != NULL;
+    return start(workshop, variant, 0, is_once ? once : often, time);
 }
 
 SandboxRun *step_sandbox(const Workshop *workshop, const Variant *variant, Step step,

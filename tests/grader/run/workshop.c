@@ -136,7 +136,17 @@ void workshop_close(Workshop *workshop)
     workshop->folder[0] = '\0';
 }
 
-void workshop_job_path(const Workshop *workshop, char *path, size_t n_bytes)
+void workshop_job_suffix(int job, char suffix[16])
 {
-    snprintf(path, n_bytes, "%s/job/job", workshop->folder);
+    suffix[0] = '\0';
+    if (job > 0) {
+        snprintf(suffix, 16, ".%d", job);
+    }
+}
+
+void workshop_job_path(const Workshop *workshop, int job, char *path, size_t n_bytes)
+{
+    char suffix[16];
+    workshop_job_suffix(job, suffix);
+    snprintf(path, n_bytes, "%s/job/job%s", workshop->folder, suffix);
 }

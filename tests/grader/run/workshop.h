@@ -3,6 +3,7 @@
 //
 //     tree/               seen as /work: headers, kernels, probes, libraries, earlier solutions
 //     job/job             what the probe shall try
+//     job/job.1, ...      the same drawn from further seeds, where there are any
 //     NAME/lab            a variant's files, seen as /work/labs/NN-name
 //     NAME/job            what its probe shall try, where that is another
 //     NAME/build, out     what its compiler and its probe write
@@ -19,7 +20,11 @@ typedef struct Workshop {
     const char *device;  // value of COURSE_DEVICE inside; "" for the first
     SandboxKind sandbox;
     int needs_compiler;  // the lab has host files
+    int n_further_jobs;  // tried by each variant but those alone
 } Workshop;
+
+// The most jobs besides the first.
+enum { MAX_FURTHER_JOBS = 31 };
 
 // Make the folder and copy in what the lab needs. Returns 0, or -1 after one message on stderr.
 int workshop_open(Workshop *workshop, const Manifest *manifest, const char *build,
@@ -28,7 +33,10 @@ int workshop_open(Workshop *workshop, const Manifest *manifest, const char *buil
 // Remove the folder.
 void workshop_close(Workshop *workshop);
 
-// Where the job is to be written before any variant runs.
-void workshop_job_path(const Workshop *workshop, char *path, size_t n_bytes);
+// Where job number `job` is to be written before any variant runs: 0, or of a further seed.
+void workshop_job_path(const Workshop *workshop, int job, char *path, size_t n_bytes);
+
+// What stands behind the names of its files: "" for 0, ".3" for the third further one.
+void workshop_job_suffix(int job, char suffix[16]);
 
 #endif

@@ -39,7 +39,7 @@ static int write_scene(const void *job, int k, FILE *file)
     return job_scene3d_write(&((const Job07 *)job)->scenes[k], k, file);
 }
 
-static OracleRay ray_of(const JobScene3D *scene, int pixel)
+OracleRay ray_07_of(const JobScene3D *scene, int pixel)
 {
     static const OracleRules3D right = {0};
     const Scene3D *s = &scene->scene;
@@ -102,7 +102,7 @@ static Verdict judge_tip(const Job07 *job, const Sections *answers)
 static Verdict judge_edges(const void *job, const Sections *answers)
 {
     Verdict verdict = verdict_of(NULL);
-    for (int k = EDGES; verdict.kind == VERDICT_PASSED && k < N_SCENES; k++) {
+    for (int k = EDGES; verdict.kind == VERDICT_PASSED && k <= FLAKE; k++) {
         verdict = k == TIP ? judge_tip(job, answers) : judge_hits(job, k, answers);
     }
     return verdict.kind == VERDICT_PASSED ? judge_tie(job, answers) : verdict;
@@ -163,7 +163,7 @@ static char *judge_scene_work(const JobScene3D *scene, const Work *found)
     const int n_pixels = scene->scene.width * scene->scene.height;
     OffRays more = {0}, less = {0};
     for (int pixel = 0; pixel < n_pixels; pixel++) {
-        const OracleRay ray = ray_of(scene, pixel);
+        const OracleRay ray = ray_07_of(scene, pixel);
         const WorkBounds bounds = search3d_bounds(scene, &ray);
         if (!is_at_most(found[pixel], bounds.most)) {
             count_off(&more, pixel, found[pixel], bounds.most);
@@ -188,11 +188,37 @@ static char *judge_scene_work(const JobScene3D *scene, const Work *found)
 // The scenes whose work is judged: few levels and many, spheres on all sides of the eye, a tree
 // that is as deep as it may be.
 static const int work_scenes[] = {RANDOM + 2, RANDOM + 6, RANDOM + 7, RANDOM + N_RANDOM - 1,
-                                  DEEP,       FLAKE};
+                                  DEEP,       FLAKE,      STRANGERS};
+
+// Whatever is counted: the ray of which pixel has seen a sphere of a leaf that it need not visit?
+static Verdict judge_strangers(const JobScene3D *scene, const Sections *answers)
+{
+    const HitAnswer *found = hits_find(scene, STRANGERS, answers);
+    const int width = scene->scene.width, n_pixels = width * scene->scene.height;
+    const u32 stranger = (u32)scene->scene.n_spheres;
+    int n = 0, first = 0;
+    for (int pixel = n_pixels - 1; found != NULL && pixel >= 0; pixel--) {
+        if (!scene->hits[pixel].is_ambiguous && found[pixel].sphere == stranger) {
+            n++;
+            first = pixel;
+        }
+    }
+    return found == NULL ? verdict_missing
+           : n == 0
+               ? verdict_of(NULL)
+               : verdict_of(message_new(
+                     "%s: the ray of pixel (%d, %d): found sphere %u, which only leaves list "
+                     "that this ray need not visit (%d of %d rays); whatever is counted, more "
+                     "is asked than the leaves on the ray up to its first hit",
+                     scene->picture.title, first % width, first / width, stranger, n, n_pixels));
+}
 
 static Verdict judge_work(const void *job, int i, const Sections *answers)
 {
     const int k = work_scenes[i];
+    if (k == STRANGERS) {
+        return judge_strangers(&((const Job07 *)job)->scenes[k], answers);
+    }
     const JobScene3D *scene = &((const Job07 *)job)->scenes[k];
     const Work *found = job_work_find(&scene->picture, k, answers);
     return found == NULL ? verdict_missing : verdict_of(judge_scene_work(scene, found));
@@ -239,7 +265,7 @@ static const JudgeCheck checks[] = {
     {"trace-random", "No pinholes in random scenes", "next_child", 4, "*", .scene = judge_hits,
      .range = {RANDOM, N_RANDOM}, .alone = children_alone_07},
     {"trace-picture", "Whole pictures", "next_child", 3, "*", .scene = judge_picture,
-     .range = {0, N_SCENES}, .alone = children_alone_07},
+     .range = {0, STRANGERS}, .alone = children_alone_07},
 
     {"waiting-end", "When the search is over", "next_waiting", 4, .function = &waiting_end_07,
      .range = {0, N_WAITING_INPUTS}},

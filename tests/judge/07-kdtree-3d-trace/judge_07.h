@@ -99,11 +99,21 @@ enum {
     TIP,                     // hits that rounding puts before the leaf they are in
     N_EDGES = TIP + 1 - EDGES,
     FLAKE = EDGES + N_EDGES,
+    STRANGERS,  // leaves list what does not lie in them: see judge_07_strangers.c
     N_SCENES,
 };
 
 // Draw the scenes, with their trees and what is expected. Returns 0, or -1 after one message.
 int scenes_07_draw(Random *random, JobScene3D scenes[N_SCENES]);
+
+// The scene with strangers. Returns 0, or -1 after one message.
+int strangers_07_draw(Random *random, JobScene3D *scene);
+
+// Of what the oracle expects there let only those rays count that no right search lets meet one.
+void strangers_07_expect(JobScene3D *scene);
+
+// The ray of a scene's pixel.
+OracleRay ray_07_of(const JobScene3D *scene, int pixel);
 
 // ---- The job ----------------------------------------------------------------------------------
 

@@ -223,6 +223,9 @@ int scenes_07_draw(Random *random, JobScene3D scenes[N_SCENES])
     if (result == 0) {
         result = job_scene3d_grow_tree(&scenes[FLAKE], tree3d_limits(0, 0, 820));
     }
+    if (result == 0) {
+        result = strangers_07_draw(random, &scenes[STRANGERS]);
+    }
     for (int k = 0; result == 0 && k < N_SCENES; k++) {
         JobPicture *picture = &scenes[k].picture;
         const size_t n_bytes = strlen(picture->title);
@@ -230,6 +233,9 @@ int scenes_07_draw(Random *random, JobScene3D scenes[N_SCENES])
                  ", maxDepth %d, leaf size %d", scenes[k].limits.maxDepth,
                  scenes[k].limits.targetElementsPerNode);
         result = job_scene3d_expect(&scenes[k]);
+    }
+    if (result == 0) {
+        strangers_07_expect(&scenes[STRANGERS]);
     }
     return result;
 }

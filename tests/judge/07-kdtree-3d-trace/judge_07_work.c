@@ -77,6 +77,8 @@ typedef struct Visits {
     double t_certain;    // every right search that got here has a hit no farther than this
     double t_possible;   // none has a nearer one
     int may_have_ended;  // a right search may have ended by now
+    u32 sought;          // a sphere,
+    int may_ask;         // which a right search may have asked by now
     WorkBounds work;
 } Visits;
 
@@ -92,6 +94,7 @@ static int visit_leaf(Visits *visits, KdNode3 leaf, Part part, int is_certain)
     }
     for (u32 i = leaf.first; i < leaf.first + leaf.n_spheres; i++) {
         const Sphere sphere = scene->scene.spheres[scene->tree.sphere_ids[i]];
+        visits->may_ask |= scene->tree.sphere_ids[i] == visits->sought;
         const OracleRoot root = oracle3d_root(sphere, visits->ray, ORACLE_PROJECTION, &right);
         if (root.is_possible) {
             visits->t_possible = fmin(visits->t_possible, root.t_low);
@@ -149,13 +152,27 @@ static int visit(Visits *visits, u32 id, Part part, int is_certain, u32 n_waitin
     return may_meet && visit(visits, node.first + !side, far, is_certain && must_meet, n_waiting);
 }
 
-WorkBounds search3d_bounds(const JobScene3D *scene, const OracleRay *ray)
+static Visits search(const JobScene3D *scene, const OracleRay *ray, u32 sought)
 {
-    Visits visits = {.scene = scene, .ray = ray, .t_certain = INFINITY, .t_possible = INFINITY};
+    Visits visits = {.scene = scene,
+                     .ray = ray,
+                     .t_certain = INFINITY,
+                     .t_possible = INFINITY,
+                     .sought = sought};
     Part part = {{ray->t_min, ray->t_min}, {INFINITY, INFINITY}};
     clip_span(scene->tree.bounds, ray, &part);
     if (part.t_min.low <= part.t_max.high) {
         visit(&visits, 0, part, part.t_min.high <= part.t_max.low, 0);
     }
-    return visits.work;
+    return visits;
+}
+
+WorkBounds search3d_bounds(const JobScene3D *scene, const OracleRay *ray)
+{
+    return search(scene, ray, ORACLE_NO_SPHERE).work;
+}
+
+int search3d_may_ask(const JobScene3D *scene, const OracleRay *ray, u32 sphere)
+{
+    return search(scene, ray, sphere).may_ask;
 }

@@ -18,4 +18,7 @@ typedef struct WorkBounds {
 // stack depth is known.
 WorkBounds search3d_bounds(const JobScene3D *scene, const OracleRay *ray);
 
+// May a right search for this ray ask the sphere?
+int search3d_may_ask(const JobScene3D *scene, const OracleRay *ray, u32 sphere);
+
 #endif
