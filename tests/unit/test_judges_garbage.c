@@ -223,7 +223,7 @@ static int is_free(int lab, const char *name, const u32 *words, size_t at)
         return at % 3 != 0 && !words[at - at % 3];  // the part of a ray that misses the box
     }
     if (lab == 7 && strcmp(name, "planes") == 0) {
-        return at % 2 == 1 && words[at - 1] == PLANE_ONLY_NEAR;  // t_split
+        return at % 2 == 1 && words[at - 1] != PLANE_BOTH;  // t_split
     }
     if (lab == 7 && strcmp(name, "leaves") == 0) {
         // The first half is about distances, the second about whose they are.

@@ -128,7 +128,7 @@ int job_scene3d_expect(JobScene3D *scene)
 
 // ---- Hits -------------------------------------------------------------------------------------
 
-static int is_right_hit(const OracleHit *expected, HitAnswer found)
+int hit_is_right(const OracleHit *expected, HitAnswer found)
 {
     if (expected->is_ambiguous) {
         return 1;
@@ -159,7 +159,7 @@ static Cause explain_hits(const JobScene3D *scene, const HitAnswer *found)
                                      s->height, &mistakes[i].rules);
             const OracleHit hit =
                 oracle3d_nearest(s->spheres, (u32)s->n_spheres, &ray, &mistakes[i].rules);
-            explains = scene->hits[pixel].is_ambiguous || is_right_hit(&hit, found[pixel]);
+            explains = scene->hits[pixel].is_ambiguous || hit_is_right(&hit, found[pixel]);
             n_hits += hit.sphere != ORACLE_NO_SPHERE;
         }
         // That nothing at all is hit has many reasons.
@@ -187,7 +187,7 @@ Diagnosis hits_judge(const JobScene3D *scene, const HitAnswer *found)
     const int width = scene->scene.width, height = scene->scene.height;
     int n_wrong = 0, first = 0;
     for (int pixel = width * height - 1; pixel >= 0; pixel--) {
-        if (!is_right_hit(&scene->hits[pixel], found[pixel])) {
+        if (!hit_is_right(&scene->hits[pixel], found[pixel])) {
             n_wrong++;
             first = pixel;
         }
