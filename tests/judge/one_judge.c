@@ -1,4 +1,4 @@
-// The table of one judge, ONLY, for a handout of its lab: whoever disassembles it finds neither this
+// The table of one judge, ONLY, for a handout of its lab: whoever takes it apart finds neither this
 // lab's solution, which its judge may not use, nor those of later labs, which other judges use.
 #include "judge.h"
 

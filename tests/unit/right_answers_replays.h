@@ -108,11 +108,12 @@ static inline int in_touch(float centre, float reach, float min, float max)
 }
 
 // The list of a child with its number in front, as the probe has it.
+//   out[n_room]   where it goes, and what stays as it was
 static inline void list_child(const Circle *circles, const u32 *ids, u32 n_ids, BBox2D cell,
-                              u32 *out)
+                              u32 *out, size_t n_room)
 {
     u32 n = 0;
-    for (u32 i = 0; i < n_ids + 1 + REPLAY_GUARD; i++) {
+    for (size_t i = 0; i < n_room; i++) {
         out[i] = UNTOUCHED;
     }
     for (u32 i = 0; i < n_ids; i++) {
@@ -131,8 +132,10 @@ static inline void answer_lists(Writer *writer, const Sections *job)
     const DistributeJob *nodes = asked(job, "distribute", sizeof *nodes, &n);
     u32(*rooms)[DISTRIBUTE_ROOM] = calloc(n, sizeof *rooms);
     for (size_t i = 0; i < n; i++) {
-        const Circle *circles = asked(job, numbered("scene", 0, "circles"), 1, &n_other);
-        list_child(circles, nodes[i].ids, nodes[i].n_ids, nodes[i].child, rooms[i]);
+        const Circle *circles =
+            asked(job, numbered("scene", DISTRIBUTE_SCENE, "circles"), 1, &n_other);
+        list_child(circles, nodes[i].ids, nodes[i].n_ids, nodes[i].child, rooms[i],
+                   DISTRIBUTE_ROOM);
     }
     answer(writer, "distribute", rooms, n * sizeof *rooms);
     free(rooms);
@@ -150,7 +153,8 @@ static inline void answer_lists(Writer *writer, const Sections *job)
     for (size_t i = 0; i < n; i++) {
         const Circle *circles =
             asked(job, numbered("scene", (int)lists[i].scene, "circles"), 1, &n_other);
-        list_child(circles, ids + lists[i].first_id, lists[i].n_ids, cells[i], next);
+        list_child(circles, ids + lists[i].first_id, lists[i].n_ids, cells[i], next,
+                   REPLAY_ROOM(lists[i].n_ids));
         next += REPLAY_ROOM(lists[i].n_ids);
     }
     answer(writer, "replay.lists", out, n_answered * sizeof *out);

@@ -208,6 +208,39 @@ Test(judge_07, the_deep_scene_needs_nearly_all_places)
     scenes_close(scenes);
 }
 
+// How many hits of the scene "tip" does float find before their leaf's part of the ray begins?
+static int count_before_leaf(const JobScene3D *scene)
+{
+    const Sphere sphere = scene->scene.spheres[0];
+    int n_before = 0;
+    for (int pixel = 0; pixel < n_pixels(scene); pixel++) {
+        const OracleRay ray = ray_07_of(scene, pixel);
+        const Vec3 origin = {(float)ray.origin.x, (float)ray.origin.y, (float)ray.origin.z};
+        const Vec3 direction = {(float)ray.direction.x, (float)ray.direction.y,
+                                (float)ray.direction.z};
+        const Vec3 c = vec3_minus((Vec3){sphere.x, sphere.y, sphere.z}, origin);
+        const float b = vec3_dot(c, direction);
+        const Vec3 l = vec3_minus(c, vec3_scaled(direction, b));
+        const float t = b - sqrtf(sphere.radius * sphere.radius - vec3_dot(l, l));
+        const float t_split = (scene->tree.nodes[0].split_pos - origin.y) * (1 / direction.y);
+        n_before += !scene->hits[pixel].is_ambiguous && t < t_split;
+    }
+    return n_before;
+}
+
+Test(judge_07, at_the_tip_rounding_puts_hits_before_their_leaf)
+{
+    for (uint64_t seed = 11; seed <= 13; seed++) {
+        JobScene3D *scenes = scenes_open(seed);
+        const KdTree3D *tree = &scenes[TIP].tree;
+        cr_expect_eq(tree->nodes[0].split_axis, 1, "y");
+        cr_expect_eq(tree->nodes[1].n_spheres, 1, "the near leaf lists sphere 1 only");
+        cr_expect_eq(tree->sphere_ids[tree->nodes[1].first], 1);
+        cr_expect_gt(count_before_leaf(&scenes[TIP]), 5);
+        scenes_close(scenes);
+    }
+}
+
 // How many rays that count find the stranger, of a search that ends early or never does.
 static int count_strangers(const JobScene3D *scene, int ends_early)
 {

@@ -69,12 +69,35 @@ static Verdict judge_tie(const Job07 *job, const Sections *answers)
                                       job->scenes[TIE].picture.title, found->sphere, found->t));
 }
 
+// In the scene of the tip, and in no other, hits lie so near to where their leaf begins that
+// rounding may put them before it. In their place another leaf's sphere is found, the sphere's far
+// side, or nothing.
+static Verdict judge_tip(const Job07 *job, const Sections *answers)
+{
+    const JobScene3D *scene = &job->scenes[TIP];
+    const HitAnswer *found = hits_find(scene, TIP, answers);
+    if (found == NULL) {
+        return verdict_missing;
+    }
+    int is_lost = 1;  // each wrong hit
+    for (int pixel = 0; pixel < scene->scene.width * scene->scene.height; pixel++) {
+        const OracleHit *expected = &scene->hits[pixel];
+        is_lost &= hit_is_right(expected, found[pixel]) || found[pixel].t > expected->t + 1;
+    }
+    Diagnosis wrong = hits_judge(scene, found);
+    if (wrong.found != NULL && wrong.cause == NULL && is_lost) {
+        wrong.cause = message_new("that is as if a hit were thrown away that rounding puts before "
+                                  "the leaf's t_min: it counts all the same");
+    }
+    return verdict_of(wrong);
+}
+
 // With the sphereflake behind the edge cases, and the tie behind all.
 static Verdict judge_edges(const void *job, const Sections *answers)
 {
     Verdict verdict = verdict_passed;
     for (int k = EDGES; verdict.kind == VERDICT_PASSED && k <= FLAKE; k++) {
-        verdict = judge_hits(job, k, answers);
+        verdict = k == TIP ? judge_tip(job, answers) : judge_hits(job, k, answers);
     }
     return verdict.kind == VERDICT_PASSED ? judge_tie(job, answers) : verdict;
 }
@@ -99,16 +122,19 @@ static Words work_words(Work work)
 // Rays of a scene that do more, or less, than they may.
 typedef struct OffRays {
     int n;
-    int first;   // a pixel
-    Work bound;  // of the first
+    int first;      // a pixel
+    Work bound;     // of the first
+    int n_shorter;  // how many visit fewer nodes or leaves than the bound
 } OffRays;
 
-static void count_off(OffRays *off, int pixel, Work bound)
+static void count_off(OffRays *off, int pixel, Work found, Work bound)
 {
     if (off->n++ == 0) {
         off->first = pixel;
         off->bound = bound;
     }
+    off->n_shorter += found.n_nodes_visited < bound.n_nodes_visited ||
+                      found.n_leaves_visited < bound.n_leaves_visited;
 }
 
 // Rays that do more than they may, or less: of which words say what it means.
@@ -134,10 +160,10 @@ static Diagnosis judge_scene_work(const JobScene3D *scene, const Work *found)
         const OracleRay ray = ray_07_of(scene, pixel);
         const WorkBounds bounds = search3d_bounds(scene, &ray);
         if (!is_at_most(found[pixel], bounds.most)) {
-            count_off(&more, pixel, bounds.most);
+            count_off(&more, pixel, found[pixel], bounds.most);
         }
         if (!is_at_most(bounds.least, found[pixel])) {
-            count_off(&less, pixel, bounds.least);
+            count_off(&less, pixel, found[pixel], bounds.least);
         }
     }
     if (more.n > 0) {
@@ -145,8 +171,12 @@ static Diagnosis judge_scene_work(const JobScene3D *scene, const Work *found)
     }
     return less.n == 0 ? NOTHING_WRONG
                        : describe_off(scene, found, &less, "least",
-                                      "less than they must: they end too soon or skip something, "
-                                      "or work is hidden and cannot be counted");
+                                      less.n_shorter > 0
+                                          ? "less than they must: the search ends too soon, or "
+                                            "leaves out a child that the ray meets"
+                                          : "less than they must: they are in the right leaves, "
+                                            "but there spheres are not asked, or not by "
+                                            "intersect_sphere, which counts");
 }
 
 // The scenes whose work is judged: few levels and many, spheres on all sides of the eye, a tree

@@ -1,6 +1,7 @@
 // What lab 07's judge asks of a submission: inputs of its functions, and scenes with their trees.
-// Inputs are drawn in judge_07_inputs.c and judged in judge_07_clip.c, judge_07_functions.c and
-// judge_07_leaf.c; those of the search's two steps are drawn and judged in judge_07_children.c and
+// Inputs are drawn in judge_07_inputs.c; those that stand in every job are in judge_07_edges.c.
+// They are judged in judge_07_clip.c, judge_07_side.c, judge_07_planes.c, judge_07_leaf.c and
+// judge_07_once.c; those of the search's two steps are drawn and judged in judge_07_children.c and
 // judge_07_waiting.c. Scenes are drawn in judge_07_scenes.c and judged in judge_07.c.
 #ifndef JUDGE_JUDGE_07_H
 #define JUDGE_JUDGE_07_H
@@ -26,11 +27,15 @@ enum {
 };
 
 enum ClipRange { CLIP_FROM_OUTSIDE, CLIP_PART, CLIP_BESIDE, CLIP_ALONG, N_CLIP_RANGES };
+enum PlaneRange { PLANES_AHEAD, PLANES_BEHIND, PLANES_ALONG, N_PLANE_RANGES };
+
+// A leaf's guards are around the eye, nearer than all.
+#define GUARD_RADIUS 0x1p-10f
 
 typedef struct Inputs07 {
     ClipJob clips[N_CLIP_RANGES * N_CLIP_INPUTS];
     SideJob sides[2 * N_SIDE_INPUTS];
-    PlaneJob planes[3 * N_PLANE_INPUTS];
+    PlaneJob planes[N_PLANE_RANGES * N_PLANE_INPUTS];
     SearchJob leaves[N_LEAVES];
     u32 leaf_ids[N_LEAF_IDS];
     // As many as there are ids: who takes a position for an id finds another sphere.
@@ -44,6 +49,9 @@ void inputs_07_draw(Random *random, Inputs07 *inputs);
 // Parts of it.
 void inputs_07_draw_children(Random *random, Inputs07 *inputs);
 void inputs_07_draw_waiting(Random *random, Inputs07 *inputs);
+
+// Put the inputs that stand in every job into the places of drawn ones, at the end of each range.
+void inputs_07_set_edges(Inputs07 *inputs);
 
 // The functions; of search_leaf and next_waiting one for each property that is judged. The message
 // about one names the mistake that explains every answer in the range.
@@ -62,6 +70,10 @@ int waiting_alone_07(const void *job, const JudgeCheck *check, const Sections *a
 // or the inverse, one for the product, and the same once more where both terms are multiplied
 // before they are subtracted.
 #define PLANE_ERROR (16 * 0x1p-24)
+
+// An answer that is wrong only so near to a border was compared with an epsilon; in units of t or
+// of a scene. Epsilons are smaller.
+#define HAIR 0.01
 
 // Where a number of a right solution may lie.
 typedef struct Span {
@@ -84,7 +96,8 @@ enum {
     DEEP = EDGES + N_NAMED,  // a tree that needs the whole todo stack
     TOUCHING,                // hits on the side of the scene's box
     TIE,                     // one ray, two spheres: see draw_tie()
-    N_EDGES = TIE + 1 - EDGES,
+    TIP,                     // hits that rounding puts before the leaf they are in
+    N_EDGES = TIP + 1 - EDGES,
     FLAKE = EDGES + N_EDGES,
     STRANGERS,  // leaves list what does not lie in them: see judge_07_strangers.c
     N_SCENES,

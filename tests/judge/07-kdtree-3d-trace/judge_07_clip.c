@@ -12,36 +12,48 @@ enum {
     CLIP_T_MAX_IGNORED,
     CLIP_FIRST_ENTRY,
     CLIP_LAST_EXIT,
+    CLIP_PART_IGNORED,
     CLIP_POINT_MISSED,
     CLIP_ALONG_IGNORED,
     CLIP_ALONG_MISSED,
     CLIP_ALWAYS_MET,
     CLIP_BORDER_DIVIDED,
     CLIP_BORDER_OUTSIDE,
+    // Of an epsilon, whose size is not known: the answer is right, or what comes of a large one.
+    CLIP_SMALL_IS_ALONG,
+    CLIP_HAIR_MET,
+    CLIP_HAIR_MISSED,
 };
 static const Cause clip_mistakes[] = {
-    [CLIP_LOW_IS_ENTRY] =
-        {.says = "that is as if every ray entered at the lower plane: with a negative "
-                 "direction it enters at the upper one"},
+    [CLIP_LOW_IS_ENTRY] = {.says = "that is as if every ray entered at the lower plane: with a "
+                                   "negative direction it enters at the upper one"},
     [CLIP_T_MIN_IGNORED] = {.says = "that is as if t_min did not count: it only grows"},
     [CLIP_T_MAX_IGNORED] = {.says = "that is as if t_max did not count: it only shrinks"},
     [CLIP_FIRST_ENTRY] =
         {.says = "that is as if the first entry counted: the ray is inside from the last"},
     [CLIP_LAST_EXIT] =
         {.says = "that is as if the last exit counted: the ray is inside up to the first"},
+    [CLIP_PART_IGNORED] = {.says = "that is as if neither t_min nor t_max counted: t_min only "
+                                   "grows, and t_max only shrinks"},
     [CLIP_POINT_MISSED] = {.says = "where t_min and t_max are equal a point is left: that is 1"},
     [CLIP_ALONG_IGNORED] =
-        {.says = "a ray along the planes of an axis is between them, or never: then it "
-                 "misses the box"},
+        {.says =
+             "a ray along the planes of an axis is between them, or never: then it misses the box"},
     [CLIP_ALONG_MISSED] = {.says =
                                "a ray along the planes of an axis may be between them all the way"},
-    [CLIP_BORDER_DIVIDED] =
-        {.says = "0 / 0 is not a number: for a ray in the plane of a side nothing is to "
-                 "be divided by the direction, it is inside"},
-    [CLIP_BORDER_OUTSIDE] = {"strict where it should not be: a ray in the plane of a side is "
-                             "inside",
-                             MISTAKE_STRICT_BOUNDARY},
+    [CLIP_BORDER_DIVIDED] = {.says = "0 / 0 is not a number: for a ray in the plane of a side "
+                                     "nothing is to be divided by the direction, it is inside"},
+    [CLIP_BORDER_OUTSIDE] =
+        {"strict where it should not be: a ray in the plane of a side is inside",
+         MISTAKE_STRICT_BOUNDARY},
     [CLIP_ALWAYS_MET] = {.says = "when t_min is beyond t_max nothing is left: that is 0"},
+    [CLIP_SMALL_IS_ALONG] = {.says = "that is as if a small direction were 0: a ray is along the "
+                                     "planes only where it is exactly 0, without an epsilon"},
+    [CLIP_HAIR_MET] =
+        {.says =
+             "that is as if a box that is missed by a hair were met: compare without an epsilon"},
+    [CLIP_HAIR_MISSED] =
+        {.says = "that is as if a part that is short were none: compare without an epsilon"},
 };
 
 // What may come out.
@@ -75,19 +87,29 @@ static Span earlier(Span a, Span b)
     return (Span){fmin(a.low, b.low), fmin(a.high, b.high)};
 }
 
+// Is the ray taken for one along the planes of an axis?
+static int is_along(double direction, int mistake)
+{
+    return direction == 0 || (mistake == CLIP_SMALL_IS_ALONG && fabs(direction) < HAIR);
+}
+
 static Clip expected_clip(const ClipJob *job, int mistake)
 {
-    const double from = mistake == CLIP_T_MIN_IGNORED ? -(double)INFINITY : (double)job->t_min;
-    const double to = mistake == CLIP_T_MAX_IGNORED ? (double)INFINITY : (double)job->t_max;
+    const int part_counts = mistake != CLIP_PART_IGNORED;
+    const double from =
+        part_counts && mistake != CLIP_T_MIN_IGNORED ? (double)job->t_min : -(double)INFINITY;
+    const double to =
+        part_counts && mistake != CLIP_T_MAX_IGNORED ? (double)job->t_max : (double)INFINITY;
+    const double beside = mistake == CLIP_HAIR_MET ? HAIR : 0;
     Span entry = {-INFINITY, -INFINITY}, exit = {INFINITY, INFINITY};
     int n_axes = 0, is_outside = 0;
     for (int axis = 0; axis < 3; axis++) {
         const double min = job->box.min[axis], max = job->box.max[axis];
-        if (along(job->direction, axis) == 0) {
+        if (is_along(along(job->direction, axis), mistake)) {
             const double origin = along(job->origin, axis);
             const int is_border = origin == min || origin == max;
-            is_outside |= mistake == CLIP_ALONG_MISSED || origin < min || origin > max ||
-                          (mistake == CLIP_BORDER_OUTSIDE && is_border);
+            is_outside |= mistake == CLIP_ALONG_MISSED || origin < min - beside ||
+                          origin > max + beside || (mistake == CLIP_BORDER_OUTSIDE && is_border);
             continue;
         }
         const Span low = clip_plane(job, axis, min), high = clip_plane(job, axis, max);
@@ -102,10 +124,11 @@ static Clip expected_clip(const ClipJob *job, int mistake)
     }
     Clip clip = {.t_min = later(entry, (Span){from, from}), .t_max = earlier(exit, (Span){to, to})};
     const int point_counts = mistake != CLIP_POINT_MISSED;
-    clip.may_meet =
-        point_counts ? clip.t_min.low <= clip.t_max.high : clip.t_min.low < clip.t_max.high;
-    clip.may_miss =
-        point_counts ? clip.t_min.high > clip.t_max.low : clip.t_min.high >= clip.t_max.low;
+    clip.may_meet = point_counts ? clip.t_min.low <= clip.t_max.high + beside
+                                 : clip.t_min.low < clip.t_max.high;
+    const double short_part = mistake == CLIP_HAIR_MISSED ? HAIR : 0;
+    clip.may_miss = point_counts ? clip.t_min.high > clip.t_max.low - short_part
+                                 : clip.t_min.high >= clip.t_max.low;
     if (mistake == CLIP_ALWAYS_MET) {
         clip.may_meet = 1;
         clip.may_miss = 0;
@@ -141,6 +164,9 @@ static int clip_agrees(const void *job, int i, const void *answers, int mistake)
 {
     const Inputs07 *inputs = &((const Job07 *)job)->inputs;
     const ClipAnswer found = ((const ClipAnswer *)answers)[i];
+    if (mistake >= CLIP_SMALL_IS_ALONG && clip_agrees(job, i, answers, 0)) {
+        return 1;
+    }
     if (mistake == CLIP_BORDER_DIVIDED && !found.is_met && is_in_side(&inputs->clips[i])) {
         return is_divided_by_0(found);
     }
@@ -155,7 +181,7 @@ static int clip_agrees(const void *job, int i, const void *answers, int mistake)
 // "0", or "1 and [1.5, 3.25]".
 static Words clip_words(int is_met, double t_min, double t_max)
 {
-    return is_met ? words("%d and [%.7g, %.7g]", is_met, t_min, t_max) : words("0");
+    return is_met ? words("%d and [%.9g, %.9g]", is_met, t_min, t_max) : words("0");
 }
 
 static char *describe_clip(const void *pointer, int i, const void *answers)
@@ -165,9 +191,9 @@ static char *describe_clip(const void *pointer, int i, const void *answers)
     const ClipAnswer own = ((const ClipAnswer *)answers)[i];
     const Clip right = expected_clip(job, 0);
     return message_new(
-        "box from %s to %s, ray from %s along %s, part [%g, %g]: found %s, expected %s",
+        "box from %s to %s, ray from %s along %s, part [%.9g, %.9g]: found %s, expected %s",
         words_xyz(box.min[0], box.min[1], box.min[2], 6).text,
-        words_xyz(box.max[0], box.max[1], box.max[2], 6).text, words_vec3(job->origin, 6).text,
+        words_xyz(box.max[0], box.max[1], box.max[2], 6).text, words_vec3(job->origin, 9).text,
         words_vec3(job->direction, 7).text, job->t_min, job->t_max,
         clip_words(own.is_met, own.t_min, own.t_max).text,
         clip_words(right.may_meet, (right.t_min.low + right.t_min.high) / 2,

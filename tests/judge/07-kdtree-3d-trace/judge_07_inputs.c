@@ -159,9 +159,9 @@ static ClipJob draw_clip(Random *random, enum ClipRange range)
 
 static KdNode3 draw_node(Random *random, float split_pos)
 {
-    KdNode3 node = {.split_pos = split_pos, .split_axis = (u32)random_integer(random, 0, 2)};
-    node.first = (u32)random_integer(random, 1, 100);
-    return node;
+    const u32 split_axis = (u32)random_integer(random, 0, 2);
+    const u32 first = (u32)random_integer(random, 1, 100);
+    return (KdNode3){split_pos, split_axis, first, 0};
 }
 
 static float draw_sign(Random *random)
@@ -201,9 +201,7 @@ static SideJob draw_side(Random *random, int is_on_plane)
     return job;
 }
 
-enum { PLANES_AHEAD, PLANES_BEHIND, PLANES_ALONG };
-
-static PlaneJob draw_plane(Random *random, int range)
+static PlaneJob draw_plane(Random *random, enum PlaneRange range)
 {
     PlaneJob job = {.origin = random_number(random, -4, 4)};
     float direction = draw_signed(random, 0.0625, 1);
@@ -309,8 +307,7 @@ static SearchJob draw_leaf(Random *random, Inputs07 *inputs, int i)
         draw_tie(random, sphere, &job);
     }
     // Around the eye: nearer than all.
-    inputs->leaf_spheres[guard] =
-        (Sphere){job.origin.x, job.origin.y, job.origin.z, 1.0f / (1 << 10)};
+    inputs->leaf_spheres[guard] = (Sphere){job.origin.x, job.origin.y, job.origin.z, GUARD_RADIUS};
     return job;
 }
 
@@ -325,7 +322,7 @@ void inputs_07_draw(Random *random, Inputs07 *inputs)
         inputs->sides[i] = draw_side(random, i >= N_SIDE_INPUTS && !one_in(random, 4));
     }
     for (int i = 0; i < COUNT(inputs->planes); i++) {
-        inputs->planes[i] = draw_plane(random, i / N_PLANE_INPUTS);
+        inputs->planes[i] = draw_plane(random, (enum PlaneRange)(i / N_PLANE_INPUTS));
     }
     draw_leaf_spheres(random, inputs->leaf_spheres);
     for (int i = 0; i < N_LEAVES; i++) {
@@ -333,4 +330,5 @@ void inputs_07_draw(Random *random, Inputs07 *inputs)
     }
     inputs_07_draw_children(random, inputs);
     inputs_07_draw_waiting(random, inputs);
+    inputs_07_set_edges(inputs);
 }

@@ -168,6 +168,30 @@ static int draw_tie(Random *random, JobScene3D *scene)
     return job_scene3d_grow_tree(scene, (KdTreeLimits){2, 1});
 }
 
+// From far away, and through so narrow an angle that it is flat, one looks at the tip of a sphere
+// just behind a plane, which only the far leaf lists. Its hits lie behind t_split or before it, as
+// rounding has it. Who throws away a hit for lying before the node's part has pinholes.
+static int draw_tip(Random *random, JobScene3D *scene)
+{
+    const float radius = 64, gap = 0x1p-17f, end = 2 * radius + gap;
+    if (job_scene3d_random(scene, random, 2, 0.25f, 0.5f, 24, 16) != 0) {
+        return -1;
+    }
+    snprintf(scene->picture.title, sizeof scene->picture.title, "scene \"tip\", 24x16");
+    Scene3D *s = &scene->scene;
+    s->spheres[0] = (Sphere){0, radius + gap, 0, radius};
+    // At the other end, so that the plane is at y = 0; and out of the way.
+    s->spheres[1] = (Sphere){radius / 2, 1 - end, radius / 2, 1};
+    s->view.from.x = random_grid(random, -400, -200);
+    s->view.from.y = -900;
+    s->view.from.z = random_grid(random, -400, -200);
+    s->view.at = (Vec3){0, gap, 0};
+    s->view.up = (Vec3){0, 0, 1};
+    s->view.angle = 0.005f;
+    job_scene3d_aim(scene);
+    return job_scene3d_grow_tree(scene, (KdTreeLimits){2, 1});
+}
+
 int scenes_07_draw(Random *random, JobScene3D scenes[N_SCENES])
 {
     int result = 0;
@@ -189,6 +213,9 @@ int scenes_07_draw(Random *random, JobScene3D scenes[N_SCENES])
     }
     if (result == 0) {
         result = draw_tie(random, &scenes[TIE]);
+    }
+    if (result == 0) {
+        result = draw_tip(random, &scenes[TIP]);
     }
     if (result == 0) {
         result = job_scene3d_named(&scenes[FLAKE], "sphereflake:size=3", 96, 72);

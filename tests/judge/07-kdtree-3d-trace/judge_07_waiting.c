@@ -22,9 +22,9 @@ static NextWaitingJob draw_waiting(Random *random)
                           t_max + random_quarters(random, 1, 16)};
     job.t = hits[random_integer(random, 0, COUNT(hits) - 1)];
     job.sphere = job.t < INFINITY ? (u32)random_integer(random, 0, 99) : UNTOUCHED;
-    job.todo = random_stack(
-        random, 0,
-        random_integer(random, 0, 3) == 0 ? 0 : (u32)random_integer(random, 1, STACK_ENTRIES));
+    const int is_empty = random_integer(random, 0, 3) == 0;
+    job.todo =
+        random_stack(random, 0, is_empty ? 0 : (u32)random_integer(random, 1, STACK_ENTRIES));
     return job;
 }
 
@@ -41,6 +41,9 @@ enum {
     WAITING_INVERTED,
     WAITING_SWAPPED,
     WAITING_AT_T_MAX,
+    WAITING_AT_T_MIN,
+    WAITING_BEFORE_T_MIN,
+    WAITING_HAIR,
     WAITING_PART_KEPT,
     WAITING_T_MAX_KEPT,
     WAITING_T_MIN_KEPT,
@@ -48,21 +51,23 @@ enum {
     WAITING_STAYS,
 };
 static const Cause waiting_mistakes[] = {
-    [WAITING_ANY_HIT] = {.says =
-                             "that is as if the search ended at any hit, also at one beyond t_max, "
-                             "which another sphere may hide"},
+    [WAITING_ANY_HIT] = {.says = "that is as if the search ended at any hit, also at one beyond "
+                                 "t_max, which another sphere may hide"},
     [WAITING_NEVER_ENDS] = {.says =
                                 "that is as if the search did not end before the stack is empty"},
-    [WAITING_INVERTED] =
-        {.says = "that is as if the search went on where it has found a hit, and ended "
-                 "where it has not: the comparison with t_max is inverted"},
+    [WAITING_INVERTED] = {.says = "that is as if the search went on where it has found a hit, and "
+                                  "ended where it has not: the comparison with t_max is inverted"},
     [WAITING_SWAPPED] = {.says = "1 and 0 are swapped: 0 is the end"},
-    [WAITING_AT_T_MAX] = {.says =
-                              "a hit exactly at t_max ends the search; a sphere that only the next "
-                              "leaf lists may be just as far away"},
+    [WAITING_AT_T_MAX] = {.says = "a hit exactly at t_max ends the search; a sphere that only the "
+                                  "next leaf lists may be just as far away"},
+    [WAITING_AT_T_MIN] =
+        {.says = "that is as if the hit were compared with the leaf's t_min: its t_max counts"},
+    [WAITING_BEFORE_T_MIN] = {.says = "a hit before t_min ends the search, too: it is in this leaf "
+                                      "or before it, and all that waits is farther away"},
+    [WAITING_HAIR] =
+        {.says = "only hits a hair before or beyond t_max are wrong: compare without an epsilon"},
     [WAITING_PART_KEPT] =
-        {.says = "that is as if t_min and t_max were not taken from the stack with the "
-                 "node"},
+        {.says = "that is as if t_min and t_max were not taken from the stack with the node"},
     [WAITING_T_MAX_KEPT] = {.says =
                                 "that is as if t_max were not taken from the stack with the node"},
     [WAITING_T_MIN_KEPT] = {.says =
@@ -86,9 +91,12 @@ static StackEntry pop(StackState *todo, int mistake)
 static NextWaitingAnswer expected_waiting(const NextWaitingJob *job, int mistake)
 {
     NextWaitingAnswer answer = {.at = job->at, .todo = job->todo};
-    const int is_hit = mistake == WAITING_ANY_HIT    ? job->t < INFINITY
-                       : mistake == WAITING_AT_T_MAX ? job->t <= job->at.t_max
-                                                     : job->t < job->at.t_max;
+    const int is_in_part = job->t < job->at.t_max;
+    const int is_hit = mistake == WAITING_ANY_HIT        ? job->t < INFINITY
+                       : mistake == WAITING_AT_T_MAX     ? job->t <= job->at.t_max
+                       : mistake == WAITING_AT_T_MIN     ? job->t < job->at.t_min
+                       : mistake == WAITING_BEFORE_T_MIN ? job->t >= job->at.t_min && is_in_part
+                                                         : is_in_part;
     const int is_end = mistake == WAITING_NEVER_ENDS ? 0
                        : mistake == WAITING_INVERTED ? !is_hit
                                                      : is_hit;
@@ -107,9 +115,10 @@ static NextWaitingAnswer expected_waiting(const NextWaitingJob *job, int mistake
 
 static int end_agrees(const void *job, int i, const void *answers, int mistake)
 {
-    const NextWaitingAnswer expected =
-        expected_waiting(&((const Job07 *)job)->inputs.waiting[i], mistake);
-    return (((const NextWaitingAnswer *)answers)[i].goes_on != 0) == expected.goes_on;
+    const NextWaitingJob *waiting = &((const Job07 *)job)->inputs.waiting[i];
+    const NextWaitingAnswer expected = expected_waiting(waiting, mistake);
+    const int is_hair = mistake == WAITING_HAIR && fabsf(waiting->t - waiting->at.t_max) < HAIR;
+    return is_hair || (((const NextWaitingAnswer *)answers)[i].goes_on != 0) == expected.goes_on;
 }
 
 // Where the search is over, at and the stack do not matter.

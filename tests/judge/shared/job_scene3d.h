@@ -53,6 +53,9 @@ void job_scene3d_free(JobScene3D *scene);
 // The answer "hits.K", [height * width], or NULL when it is missing.
 const HitAnswer *hits_find(const JobScene3D *scene, int k, const Sections *answers);
 
+// Is it what the oracle says? Where rounding decides anything is.
+int hit_is_right(const OracleHit *expected, HitAnswer found);
+
 // What is wrong with a scene's hits: the first wrong ray, how many there are, and the mistake that
 // explains all of them, if one does. Owned by the caller.
 Diagnosis hits_judge(const JobScene3D *scene, const HitAnswer *found);

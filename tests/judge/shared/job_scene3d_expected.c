@@ -128,7 +128,7 @@ int job_scene3d_expect(JobScene3D *scene)
 
 // ---- Hits -------------------------------------------------------------------------------------
 
-static int is_right_hit(const OracleHit *expected, HitAnswer found)
+int hit_is_right(const OracleHit *expected, HitAnswer found)
 {
     if (expected->is_ambiguous) {
         return 1;
@@ -159,7 +159,7 @@ static Cause explain_hits(const JobScene3D *scene, const HitAnswer *found)
                                      s->height, &mistakes[i].rules);
             const OracleHit hit =
                 oracle3d_nearest(s->spheres, (u32)s->n_spheres, &ray, &mistakes[i].rules);
-            explains = scene->hits[pixel].is_ambiguous || is_right_hit(&hit, found[pixel]);
+            explains = scene->hits[pixel].is_ambiguous || hit_is_right(&hit, found[pixel]);
             n_hits += hit.sphere != ORACLE_NO_SPHERE;
         }
         // That nothing at all is hit has many reasons.
@@ -186,7 +186,7 @@ int hits_count_wrong(const JobScene3D *scene, const HitAnswer *found)
 {
     int n_wrong = 0;
     for (int pixel = 0; pixel < scene->scene.width * scene->scene.height; pixel++) {
-        n_wrong += !is_right_hit(&scene->hits[pixel], found[pixel]);
+        n_wrong += !hit_is_right(&scene->hits[pixel], found[pixel]);
     }
     return n_wrong;
 }
@@ -199,7 +199,7 @@ Diagnosis hits_judge_as(const JobScene3D *scene, const HitAnswer *found, Cause l
         return NOTHING_WRONG;
     }
     int first = 0;
-    while (is_right_hit(&scene->hits[first], found[first])) {
+    while (hit_is_right(&scene->hits[first], found[first])) {
         first++;
     }
     const OracleHit *wanted = &scene->hits[first];

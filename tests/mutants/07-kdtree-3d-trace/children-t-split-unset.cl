@@ -1,7 +1,7 @@
 // mutant: t_split is not handed out
 // task: children_on_ray
 // caught by: children-cases
-// says: choices are right, but t_split is not
+// says: t_split is not set
     const float t = (node.split_pos - origin) * inverse;
     (void)t_split;
     if (!(t > 0.0f && t <= t_max)) {

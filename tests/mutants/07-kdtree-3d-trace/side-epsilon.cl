@@ -1,7 +1,7 @@
 // mutant: an eye near the plane counts as one on it
 // task: near_side
 // caught by: side-eye
-// says: found
+// says: epsilon
     if (origin < node.split_pos - 0.01f) {
         return 0;
     }

@@ -1,7 +1,7 @@
 // mutant: a hit a little beyond t_max ends the search, too
 // task: next_waiting
 // caught by: waiting-end
-// says: found the end
+// says: epsilon
     if (hit.t < at->t_max + 1e-4f || todo->n == 0) {
         return 0;
     }

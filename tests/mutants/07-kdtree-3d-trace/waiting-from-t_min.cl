@@ -1,7 +1,7 @@
 // mutant: the hit is compared with t_min
 // task: next_waiting
 // caught by: waiting-end
-// says: expected the end
+// says: compared with the leaf's t_min
     if (hit.t < at->t_min || todo->n == 0) {
         return 0;
     }

@@ -1,7 +1,7 @@
 // mutant: it ends at any hit: too little work
 // task: next_waiting
 // caught by: trace-work
-// says: less than they must
+// says: ends too soon
     if (hit.t < INFINITY || todo->n == 0) {
         return 0;
     }

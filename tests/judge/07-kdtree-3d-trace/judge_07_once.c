@@ -1,0 +1,56 @@
+// Judging how often lab 07's search_leaf calls intersect_sphere: once for each sphere of the leaf.
+#include "judge_07.h"
+#include "message.h"
+#include "words.h"
+
+static int once_agrees(const void *job, int i, const void *answers, int mistake)
+{
+    (void)mistake;
+    return ((const SearchAnswer *)answers)[i].n_tests ==
+           ((const Job07 *)job)->inputs.leaves[i].node.n_spheres;
+}
+
+static char *describe_once(const void *job, int i, const void *answers)
+{
+    const u32 n_spheres = ((const Job07 *)job)->inputs.leaves[i].node.n_spheres;
+    return message_new("a leaf of %u sphere%s: intersect_sphere was called %u times, expected %u, "
+                       "once for each sphere of the leaf",
+                       n_spheres, plural(n_spheres), ((const SearchAnswer *)answers)[i].n_tests,
+                       n_spheres);
+}
+
+static int lists(const Inputs07 *inputs, KdNode3 leaf, u32 sphere)
+{
+    u32 k = 0;
+    while (k < leaf.n_spheres && inputs->leaf_ids[leaf.first + k] != sphere) {
+        k++;
+    }
+    return k < leaf.n_spheres;
+}
+
+// Is it the sphere of the hit so far that was left out, and nothing else? It need not be where a
+// nearer one comes before it.
+static Cause explain_once(const void *job, Range range, const void *answers)
+{
+    const Inputs07 *inputs = &((const Job07 *)job)->inputs;
+    int i = range.first;
+    for (; i < range.first + range.n; i++) {
+        const SearchJob *leaf = &inputs->leaves[i];
+        const u32 n_skipped = leaf->node.n_spheres - ((const SearchAnswer *)answers)[i].n_tests;
+        if (n_skipped > (lists(inputs, leaf->node, leaf->sphere) ? 1 : 0)) {
+            break;
+        }
+    }
+    const int is_all = i == range.first + range.n;
+    return (Cause){.says = is_all ? "the sphere that is hit already was not asked again: the "
+                                    "contract is once for each"
+                                  : NULL};
+}
+
+const Function leaf_once_07 = {"leaves",
+                               N_LEAVES,
+                               sizeof(SearchAnswer),
+                               .describe = describe_once,
+                               .agrees = once_agrees,
+                               .counted = "inputs",
+                               .explain = explain_once};
