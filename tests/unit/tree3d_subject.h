@@ -83,8 +83,9 @@ static inline void expect_good(const TreeScene3D *scene)
 }
 
 // The message of a judge about one call must hold `says`; NULL: there must be none.
-static inline void expect_says(char *message, const char *says)
+static inline void expect_says(Diagnosis diagnosis, const char *says)
 {
+    char *message = told(diagnosis);
     if (says == NULL) {
         cr_expect_null(message, "%s", message);
     } else {
