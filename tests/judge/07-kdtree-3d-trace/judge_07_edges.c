@@ -150,6 +150,8 @@ static const struct {
     {0.25f + 0x1p-11f, {0.25f, 0}, NO_HIT, INFINITY},
     {0x1p-6f + 0x1p-17f, {0x1p-6f, 0}, NO_HIT, INFINITY},
     {0x1p+27f, {0x1p+20f, 0}, NO_HIT, INFINITY},
+    // Behind the eye: no hit, and there was none before.
+    {-64, {0.25f, 0}, NO_HIT, INFINITY},
     // The sphere that is hit so far is in this leaf, too.
     {64, {0.25f, 0.125f}, OF_THE_LEAFS_FIRST, 63.75f},
 };

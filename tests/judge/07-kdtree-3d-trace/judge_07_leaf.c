@@ -228,7 +228,7 @@ static int agrees(const LeafHit *expected, SearchAnswer found)
 // What all wrong answers of a range have to do with, when it is one thing.
 static Cause explain_by_distance(const Inputs07 *inputs, Range range, const SearchAnswer *found)
 {
-    int n_close = 0, n_far = 0, n_hairs = 0, n_wrong = 0;
+    int n_close = 0, n_far = 0, n_hairs = 0, n_misses = 0, n_wrong = 0;
     for (int i = range.first; i < range.first + range.n; i++) {
         const LeafHit right_one = expected_hit(inputs, i, NULL);
         if (agrees(&right_one, found[i])) {
@@ -239,9 +239,12 @@ static Cause explain_by_distance(const Inputs07 *inputs, Range range, const Sear
         n_far += right_one.t > 1e6 && right_one.t < INFINITY;
         n_hairs += found[i].sphere != right_one.sphere && found[i].t != (float)right_one.t &&
                    fabs(found[i].t - right_one.t) < HAIR;
+        n_misses += right_one.sphere == ORACLE_NO_SPHERE && found[i].t == INFINITY;
     }
     const char *says =
-        n_hairs == n_wrong   ? "of two hits a hair apart the nearer one is the nearer: compare "
+        n_misses == n_wrong  ? "a miss was taken for a hit: its t is INFINITY, as that of no hit "
+                               "so far, and that is no tie"
+        : n_hairs == n_wrong ? "of two hits a hair apart the nearer one is the nearer: compare "
                                "without an epsilon"
         : n_close == n_wrong ? "only hits very close to the eye are wrong: they count, too, "
                                "without an epsilon"
