@@ -43,7 +43,8 @@ int copy_file(const char *from, const char *to)
         failed |= fclose(out) != 0;
     }
     struct stat status;
-    if (failed || stat(from, &status) != 0 || chmod(to, (status.st_mode & 0111) | 0644) != 0) {
+    // What its owner may start the sandbox's user may, under whatever umask it was built.
+    if (failed || stat(from, &status) != 0 || chmod(to, status.st_mode & 0100 ? 0755 : 0644) != 0) {
         fprintf(stderr, "grade: %s: cannot be copied: %s\n", from, strerror(errno));
         return -1;
     }
