@@ -93,17 +93,24 @@ TEST_EACH(closing_the_output_does_not_hide_a_sleeper)
     expect_end(&command, SANDBOX_ASLEEP);
 }
 
-// Loops of nobody's run on the processor that this test is on first.
+// The number of the processor that this test is on first.
+static int first_processor(void)
+{
+    cpu_set_t all;
+    int cpu = 0;
+    cr_assert_eq(sched_getaffinity(0, sizeof all, &all), 0);
+    while (!CPU_ISSET(cpu, &all)) {
+        cpu++;
+    }
+    return cpu;
+}
+
+// Loops of nobody's run on that processor.
 static void others_start(pid_t others[], int n)
 {
-    cpu_set_t all, one;
+    cpu_set_t one;
     CPU_ZERO(&one);
-    cr_assert_eq(sched_getaffinity(0, sizeof all, &all), 0);
-    for (int cpu = 0; CPU_COUNT(&one) == 0; cpu++) {
-        if (CPU_ISSET(cpu, &all)) {
-            CPU_SET(cpu, &one);
-        }
-    }
+    CPU_SET(first_processor(), &one);
     for (int i = 0; i < n; i++) {
         others[i] = fork();
         if (others[i] == 0) {
@@ -115,8 +122,8 @@ static void others_start(pid_t others[], int n)
     }
 }
 
-#define ON_ONE_PROCESSOR                                                                           \
-    "taskset -c $(taskset -cp $$ | sed 's/.*: //; s/[-,].*//') sh -c 'while :; do :; done'"
+// An endless loop there. Inside nobody can ask which processors there are but for itself.
+#define LOOP_THERE "taskset -c %d sh -c 'while :; do :; done'"
 
 TEST_EACH(who_was_kept_waiting_for_a_processor_was_starved)
 {
@@ -124,7 +131,9 @@ TEST_EACH(who_was_kept_waiting_for_a_processor_was_starved)
     enum { N_OTHERS = 4 };
     pid_t others[N_OTHERS];
     others_start(others, N_OTHERS);
-    SandboxCommand command = shell_command(ON_ONE_PROCESSOR);
+    char program[128];
+    snprintf(program, sizeof program, LOOP_THERE, first_processor());
+    SandboxCommand command = shell_command(program);
     command.time = (SandboxTime){.processor = 600, .asleep = 600, .wall = 3};
     expect_end(&command, SANDBOX_STARVED);
     for (int i = 0; i < N_OTHERS; i++) {
@@ -136,8 +145,11 @@ TEST_EACH(who_was_kept_waiting_for_a_processor_was_starved)
 TEST_EACH(who_keeps_itself_waiting_was_not_starved)
 {
     // Far more loops than processors, which wait for each other.
-    SandboxCommand command = shell_command(
-        "for i in $(seq $((4 + 4 * $(nproc)))); do " ON_ONE_PROCESSOR " & done; wait");
+    char program[128];
+    snprintf(program, sizeof program,
+             "for i in $(seq $((4 + 4 * $(nproc)))); do " LOOP_THERE " & done; wait",
+             first_processor());
+    SandboxCommand command = shell_command(program);
     command.time = (SandboxTime){.processor = 600, .asleep = 600, .wall = 3};
     command.n_processes = 512;
     expect_end(&command, SANDBOX_OVERDUE);
