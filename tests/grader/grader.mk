@@ -49,7 +49,7 @@ setup_for = grade
 # The name of the lab that is asked for as LAB=3, LAB=03 or by its name; any other word as it is.
 graded_lab = $(or $(filter $(LAB) $(LAB)-% 0$(LAB)-%,$(LABS)),$(LAB))
 # The grader of one lab: what a bundle for another system builds.
-lab-grader: $(addprefix $(OUT)/tools/,grade judge unpack) $(filter $(addprefix $(OUT)/probes/,$(graded_lab) $(graded_lab).a),$(PROBES))
+lab-grader: $(addprefix $(OUT)/tools/,grade judge unpack) $(OUT)/probes/find_device $(filter $(addprefix $(OUT)/probes/,$(graded_lab) $(graded_lab).a),$(PROBES))
 	$(if $(filter $(graded_lab),$(LABS)),@:,@echo 'make $@: found LAB="$(LAB)", expected the number or name of a lab: $(LABS)' >&2; exit 2)
 lab-grader: $(patsubst %,$(OUT)/earlier/%.a,$(filter $(graded_lab),$(LABS)))
 
