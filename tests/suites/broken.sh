@@ -62,7 +62,7 @@ echo '    *(volatile u32 *)(size_t)(id & 0) = n_ids;' | answer $file pack_leaf
 broken "a null pointer costs its task" 80
 check "and the message is of a crash" stage Running failed "it crashed: signal 11"
 check "which is told once" test "$(grep -c 'it crashed' "$said")" = 1
-check "and names function and input" holds "where: in pack_leaf, input 1 of 60: leaf with "
+check "and names function and input" holds "where: in pack_leaf, input 1 of 66: leaf with "
 line=$(grep -n 'n_ids;$' "$scratch/submission/$file" | grep volatile | cut -d: -f1)
 check "and the line" holds "$file:$line, task pack_leaf: a null pointer"
 check "and shows it" grep -qF '*(volatile u32 *)(size_t)(id & 0) = n_ids;' "$said"
@@ -85,7 +85,7 @@ echo '    for (volatile u32 i = 0;; i++) { (void)h_circles, (void)ids, (void)n_i
     answer $file distribute
 broken "an endless loop costs its task" 80 2
 check "and the message is of the processor's time" stage Running failed "used up the 2.0 s of processor time"
-check "and names function and input" holds "where: in distribute, input 1 of 60: node with "
+check "and names function and input" holds "where: in distribute, input 1 of 64: node with "
 
 copy_lab solutions $lab
 echo '    extern unsigned sleep(unsigned); (void)box; for (;;) { sleep(1000); }' | answer $file split_box
@@ -102,7 +102,7 @@ copy_lab solutions $lab
 echo '    (void)box; exit(0);' | answer $file split_box
 broken "leaving early with status 0 costs its task" 80
 check "and the message is of that" stage Running failed "a call of exit"
-check "and names function and input" holds "where: in split_box, input 1 of 400: box x ["
+check "and names function and input" holds "where: in split_box, input 1 of 408: box x ["
 
 copy_lab solutions $lab
 echo '    (void)box; exit(3);' | answer $file split_box
