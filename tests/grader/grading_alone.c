@@ -173,15 +173,21 @@ static void note_own(const Grading *grading, const Variant *alone, int passes, C
     }
 }
 
-// Of a task of which not one check by itself passes, those of whole scenes may pass by what stands
-// elsewhere: another answer, or a given function that was changed.
+// Is it about whole scenes, in which every answer has a part?
+static int is_of_whole(const Grading *grading, int i)
+{
+    const char *needs = grading->session.judge.checks[i].needs;
+    return needs != NULL && strcmp(needs, "*") == 0;
+}
+
+// Where a task passes whole scenes and nothing else, that may be the work of what stands elsewhere:
+// of another answer, or of a given function that was changed.
 static void void_borrowed(Grading *grading, int t)
 {
     int n_own = 0, n_passed = 0;
     for (int i = 0; i < grading->result.n_checks; i++) {
         const CheckResult *check = &grading->result.checks[i];
-        const int is_own = is_of(check, task_of(grading, t)) &&
-                           !check_needs_others(&grading->session.judge.checks[i]);
+        const int is_own = is_of(check, task_of(grading, t)) && !is_of_whole(grading, i);
         n_own += is_own;
         n_passed += is_own && (check->status == CHECK_PASSED || grading->verdicts[t].passes[i]);
     }

@@ -16,7 +16,7 @@ static SandboxRun *start(const Workshop *workshop, SandboxTime time)
 {
     char tree[PATH_MAX], device[PATH_MAX];
     path_make(tree, "%s/tree", workshop->folder);
-    path_make(device, CL_DEVICE_VARIABLE "=%s", workshop->device);
+    snprintf(device, sizeof device, CL_DEVICE_VARIABLE "=%s", workshop->device);
     const char *const argv[] = {"lib/find_device", NULL};
     const char *const environment[] = {device, NULL};
     const SandboxCommand command = {

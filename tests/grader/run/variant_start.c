@@ -38,7 +38,7 @@ static SandboxRun *start(const Workshop *workshop, const Variant *variant, int b
                          const char *const *argv, SandboxTime time)
 {
     char paths[5][PATH_MAX], lab_inside[PATH_MAX], device[PATH_MAX];
-    path_make(device, CL_DEVICE_VARIABLE "=%s", workshop->device);
+    snprintf(device, sizeof device, CL_DEVICE_VARIABLE "=%s", workshop->device);
     // PoCL takes groups of 4096, GPUs often no more than 256: what is graded here shall run there.
     // One thread: an endless loop then keeps one processor busy, not all of them.
     const char *const environment[] = {device,
