@@ -3,14 +3,14 @@
 # sphere, up to the one that stands behind the end of the array, around the eye
 # score: 0
 # named: nothing is right
-for file in *.cl; do
+for file in choose_children clip_to_box trace; do
     more='// done'
-    [ "$file" != trace.cl ] || more=';'
-    @BUILD@/tools/holes cut "$file" | sed "s|^ *// END |    $more\n&|" >cut
-    mv cut "$file"
+    [ $file != trace ] || more=';'
+    @BUILD@/tools/holes cut $file.cl | sed "s|^ *// END |    $more\n&|" >placeholders
+    mv placeholders $file.cl
 done
-sed '/^static Hit trace(/,$d' trace.cl >cut
-cat cut - >trace.cl <<'END'
+sed '/^static Hit trace(/,$d' trace.cl >before
+cat before - >trace.cl <<'END'
 static Hit trace(Ray ray, global const Sphere *spheres, global const KdNode3 *nodes,
                  global const uint *sphere_ids, BBox3D bounds, Work *work)
 {
@@ -25,4 +25,4 @@ static Hit trace(Ray ray, global const Sphere *spheres, global const KdNode3 *no
     return hit;
 }
 END
-rm cut
+rm before

@@ -112,17 +112,20 @@ static SandboxRun *start_compiler(const Workshop *workshop, const Variant *varia
 
 static SandboxRun *start_probe(const Workshop *workshop, const Variant *variant, SandboxTime time)
 {
-    // The first job comes last: how the probe ends there is how the variant does.
-    static const char all_jobs[] = "for job in $(seq -f .%.0f \"$2\"); do\n"
-                                   "    " PROBE_JOB_VARIABLE "=$job \"$1\"\n"
-                                   "done\n"
-                                   "exec \"$1\"\n";
-    char path[PATH_MAX], n_further[16];
+    // The first job comes last: how the probe ends there is how the variant does. An endless loop
+    // in one job leaves the others their share of the time.
+    static const char all_jobs[] =
+        "for job in $(seq -f .%.0f \"$2\"); do\n"
+        "    (ulimit -t \"$3\" && " PROBE_JOB_VARIABLE "=$job exec \"$1\")\n"
+        "done\n"
+        "exec \"$1\"\n";
+    char path[PATH_MAX], n_further[16], share[16];
     path_make(path, "lib/%s", workshop->manifest->lab);
     snprintf(n_further, sizeof n_further, "%d", workshop->n_further_jobs);
+    snprintf(share, sizeof share, "%.0f", time.processor / (1 + workshop->n_further_jobs));
     const char *const probe = workshop->needs_compiler ? "build/probe" : path;
     const char *const once[] = {probe, NULL};
-    const char *const often[] = {"/bin/sh", "-c", all_jobs, "probe", probe, n_further, NULL};
+    const char *const often[] = {"/bin/sh", "-c", all_jobs, "probe", probe, n_further, share, NULL};
     const int is_once = workshop->n_further_jobs == 0 || variant->alone != NULL;
     return start(workshop, variant, 0, is_once ? once : often, time);
 }
