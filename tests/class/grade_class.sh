@@ -182,14 +182,13 @@ while read -r slug; do
     hash=$(content "$slug")
     find_round "$slug" "$hash"
     [ "$own_round" -le "$newest_round" ] || newest_round=$own_round
-    echo "$newest_round" >"$CLASS_FOLDER/round.new"
     draw=$(printf '%s %s' "$seed" "$slug" | sha256sum | cut -c 1)
     own_seed=$((0x$(printf '%s %s %s' "$seed" "$draw" "$own_round" | sha256sum | cut -c 1-8)))
     key=$(echo "$grader $own_seed $hash" | sha256sum | cut -c 1-64)
     echo "$slug $key $own_seed"
 done <"$CLASS_FOLDER/slugs" >"$CLASS_FOLDER/keys.new"
 mv "$CLASS_FOLDER/keys.new" "$CLASS_FOLDER/keys"
-[ ! -e "$CLASS_FOLDER/round.new" ] || mv "$CLASS_FOLDER/round.new" "$CLASS_FOLDER/round"
+echo "$newest_round" >"$CLASS_FOLDER/round.new" && mv "$CLASS_FOLDER/round.new" "$CLASS_FOLDER/round"
 rm "$CLASS_FOLDER/slugs"
 
 # has_full_marks SLUG

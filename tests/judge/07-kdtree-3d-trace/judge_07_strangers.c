@@ -3,7 +3,7 @@
 // Counts are written by the code that is judged, so they can be forged. What a sphere does to a
 // picture cannot: here some leaves also list a sphere that does not lie in them, the one behind the
 // end of the array, which is around the eye (job_scene3d.h). A ray that meets none of these leaves
-// never hears of it; an answer that asks all spheres, or goes on behind the hit, sees nothing else,
+// is never asked about it; an answer that asks all spheres, or goes on behind the hit, finds it,
 // whatever it counts.
 #include "judge_07.h"
 
