@@ -17,6 +17,13 @@ typedef struct Job00 {
     ExpectedPicture patterns[N_SIZES];  // what is in the images that read_back is given
 } Job00;
 
+// How many work-items it takes for a side of the picture: whole groups, of GROUP_SIZE in render.h.
+enum { GROUP_SIDE = 16 };
+static inline int side_in_groups(int side)
+{
+    return (side + GROUP_SIDE - 1) / GROUP_SIDE * GROUP_SIDE;
+}
+
 // Judge of size K what set_arguments handed over, which work-items enqueue_pixels started, and what
 // read_back brought home. As `scene` of judge.h has it.
 Verdict judge_00_arguments(const void *job, int k, const Sections *answers);

@@ -19,6 +19,7 @@ enum {
     N_EDGES = 8,
     N_SCENES = EDGES + N_EDGES,
 };
+
 // How many inputs each of the three function checks tries, one range after the other.
 enum { N_INSIDE = 3000, N_BOUNDARY = 1000, N_NEARER = 1000 };
 enum { N_OVERLAPS = N_INSIDE + N_BOUNDARY + N_NEARER };

@@ -327,15 +327,14 @@ static const struct {
     {is_farther, {.says = "the farther circle took the pixel: the smaller depth is the nearer"}},
 };
 
-// Does a rival give all answers of the range?
-static int is_rival(const Job01 *job, Range range, const i32 *answers, int rival)
+// Does a rival give all answers, of all ranges?
+static int is_rival(const Job01 *job, const i32 *answers, int rival)
 {
-    int i = range.first;
-    while (i < range.first + range.n &&
-           answers[i] == overlap_rivals[rival].answer(job->overlaps[i])) {
+    int i = 0;
+    while (i < N_OVERLAPS && answers[i] == overlap_rivals[rival].answer(job->overlaps[i])) {
         i++;
     }
-    return i == range.first + range.n;
+    return i == N_OVERLAPS;
 }
 
 static int overlap_agrees(const void *pointer, int i, const void *answers, int mistake)
@@ -359,7 +358,7 @@ static int fits_all(const Job01 *job, Range range, const i32 *answers, Fits *fit
 static Cause explain_overlaps(const void *job, Range range, const void *answers)
 {
     for (int i = 0; i < COUNT(overlap_rivals); i++) {
-        if (is_rival(job, range, answers, i)) {
+        if (is_rival(job, answers, i)) {
             return overlap_rivals[i].cause;
         }
     }

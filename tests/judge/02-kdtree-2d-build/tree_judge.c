@@ -115,9 +115,10 @@ Diagnosis tree_judge_limits(const JobScene *scene, const KdTree2D *own)
         if (is_inner(own, id) == should_be_leaf) {
             wrong = diagnosis_new(
                 "%s, maxDepth %d, targetElementsPerNode %d: node %u on level %d with "
-                "%u circles, below %d failed splits, is %s, expected %s",
+                "%u circle%s, below %d failed split%s, is %s, expected %s",
                 scene->picture.title, scene->limits.maxDepth, scene->limits.targetElementsPerNode,
-                id, level, n, n_failed, is_inner(own, id) ? "split" : "a leaf",
+                id, level, n, plural(n), n_failed, plural((unsigned)n_failed),
+                is_inner(own, id) ? "split" : "a leaf",
                 should_be_leaf ? "a leaf" : "it to be split");
         } else if (is_inner(own, id) && has_children(own, id)) {
             const u32 lChild = own->nodes_Relations[id].lChild;
@@ -179,8 +180,9 @@ static Diagnosis judge_leaf_overlap(const JobScene *scene, const KdTree2D *own, 
         return bad_list(scene, own, id);
     }
     if (n_ids > (u32)scene->scene.n_circles) {
-        return diagnosis_new("%s: leaf %u lists %u circles, but the scene has %d",
-                             scene->picture.title, id, n_ids, scene->scene.n_circles);
+        return diagnosis_new("%s: leaf %u lists %u circle%s, but the scene has %d",
+                             scene->picture.title, id, n_ids, plural(n_ids),
+                             scene->scene.n_circles);
     }
     const BBox2D box = own->nodes_BBox[id];
     for (u32 circle = 0; circle < (u32)scene->scene.n_circles; circle++) {

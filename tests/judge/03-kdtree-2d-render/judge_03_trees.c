@@ -151,11 +151,11 @@ typedef struct Walk {
     int n_steps;      // it ends after so many; 0: in a leaf only
 } Walk;
 
-// The node in which it ends.
+// The node in which it ends. A way that is lost may lead round in a ring.
 static u32 end_of_walk(const KdTree2D *tree, int x, int y, const Walk *walk)
 {
     u32 id = 0;
-    for (int step = 0; tree->nodes_flag[id] != LEAF; step++) {
+    for (int step = 0; step < MOST_LEVELS && tree->nodes_flag[id] != LEAF; step++) {
         const BBox2D cell = tree->nodes_BBox[id];
         const NodeRel node = tree->nodes_Relations[id];
         if ((walk->n_steps != 0 && step == walk->n_steps) ||

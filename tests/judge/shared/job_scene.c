@@ -56,7 +56,8 @@ int job_scene_depths(JobScene *scene)
         {3, 0.0f},    {3, -0.0f},           // equal
         {4, 0.0f},    {4, -0x1p-100f},      // nearer by less than any epsilon
         {5, 1e30f},   {5, -1e30f},          // much nearer
-        {6, -3e38f},
+        {6, -3e38f},  {7, -1},
+        {7, 0.5f},  // farther than a negative one
     };
     enum { N_ROWS = sizeof rows / sizeof *rows, PLACES_A_ROW = 4, PLACE = 8, RADIUS = 3 };
     *scene = (JobScene){0};
@@ -132,6 +133,12 @@ static Cause draw_mistaken(const void *pointer, int mistake, Image *guess, float
         Cause looks;
         OracleRules rules;
     } mistakes[] = {
+        // Before those of all depths, which a scene of few circles may not tell from these.
+        {{.says = "drawn as if nothing could be nearer than depth 0: a depth may be negative"},
+         {.ends_at_0 = 1}},
+        {{.says = "drawn as if a negative minDepth said that there is no circle yet: a depth may "
+                  "be negative"},
+         {.negative_is_none = 1}},
         {{"drawn as if the boundary did not belong to the circle (strict where it should not be)",
           MISTAKE_STRICT_BOUNDARY},
          {.strict_boundary = 1}},
@@ -158,11 +165,6 @@ static Cause draw_mistaken(const void *pointer, int mistake, Image *guess, float
         {{.says = "drawn as if minDepth started with the depth of the first circle, which is not "
                   "nearer than itself"},
          {.first_is_limit = 1}},
-        {{.says = "drawn as if nothing could be nearer than depth 0: a depth may be negative"},
-         {.ends_at_0 = 1}},
-        {{.says = "drawn as if a negative minDepth said that there is no circle yet: a depth may "
-                  "be negative"},
-         {.negative_is_none = 1}},
         {{.says = "drawn as if circle 0 were none: 0 is an id as any other"},
          {.first_is_nobody = 1}},
         {{.says = "drawn as if the last circles were missing"}, {.skip_last = 2}},
