@@ -66,11 +66,6 @@ static int by_y(BBox2D node, BBox2D left, double x, double y)
     return y >= left.minY && y < left.maxY;
 }
 
-static int by_either(BBox2D node, BBox2D left, double x, double y)
-{
-    return by_x(node, left, x, y) || by_y(node, left, x, y);
-}
-
 static int by_copied_x(BBox2D node, BBox2D left, double x, double y)
 {
     return by_x(node, left, x, y) && y >= left.minY && y < left.maxX;
@@ -120,14 +115,13 @@ static const struct {
               "coordinates"}},
     {by_x, {.says = ONE_AXIS}},
     {by_y, {.says = ONE_AXIS}},
-    {by_either,
-     {.says = "one direction that fits is not enough: the cell holds the pixel in both"}},
     {by_copied_x, {.says = OTHER_AXIS}},
     {by_copied_y, {.says = OTHER_AXIS}},
     {by_swapped, {.says = OTHER_AXIS}},
     {by_the_contrary, {.says = "left and right are swapped"}},
     {always,
-     {.says = "the left child was chosen every time: look at its cell, not at the node's own"}},
+     {.says = "the left child was chosen every time: its own cell has to hold the pixel, in both "
+              "directions"}},
 };
 
 // Do all answers, in both checks, follow from this way?

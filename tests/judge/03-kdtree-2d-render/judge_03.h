@@ -29,8 +29,8 @@ enum {
 // No tree of a leaf map has more levels.
 enum { MOST_LEVELS = 74 };
 
-// Nodes of higher ids than this need not be many: all between are nobody's.
-enum { FAR_IDS = 1 << 16 };
+// Where ids are high: what 16 or 8 bits hold of them is the id of a node that is nobody's.
+enum { FAR_IDS = (1 << 16) + 64 };
 
 // Inputs of getContainingChild: first families that are nobody's, in either direction, each with
 // the pixels before, at and behind the border; then random ones.

@@ -30,8 +30,15 @@ int tree_create_03(u32 n_nodes, u32 n_map, KdTree2D *tree)
 // root: three pairs of leaves with the halves of the root's cell, and an inner node. A search for a
 // leaf in the arrays ends in the first pair, or in the last, which are that node's children, so
 // that who looks for the highest id finds them. The second pair are the children of every leaf: a
-// search that does not ask nodes_flag ends there.
-enum { FIRST_PAIR = 1, FALSE_CHILDREN = 3, FALSE_PARENT = 5, N_BEFORE = 5, N_BEHIND = 2 };
+// search that does not ask nodes_flag ends there. All nodes between are as one more leaf.
+enum {
+    FIRST_PAIR = 1,
+    FALSE_CHILDREN = 3,
+    FALSE_PARENT = 5,
+    NOWHERE = 6,
+    N_BEFORE = 6,
+    N_BEHIND = 2,
+};
 
 // Where a tree's node comes to lie.
 static u32 moved(u32 id, u32 first_id)
@@ -80,7 +87,7 @@ static void add_pair(JobScene *scene, KdTree2D *map, u32 first)
 }
 
 // The scene's tree as a leaf map; the strangers' lists come last. Nodes that are none of these have
-// their id and no cell.
+// no cell.
 static void fill_leaf_map(JobScene *scene, u32 first_id, KdTree2D *map)
 {
     const KdTree2D *tree = &scene->tree;
@@ -104,6 +111,10 @@ static void fill_leaf_map(JobScene *scene, u32 first_id, KdTree2D *map)
     add_pair(scene, map, FIRST_PAIR);
     add_pair(scene, map, FALSE_CHILDREN);
     add_pair(scene, map, last_pair(map));
+    colour_leaf(scene, map, NOWHERE, &(u32){0});
+    for (u32 id = NOWHERE + 1; id <= first_id; id++) {
+        map->nodes_Relations[id].circleMapOffset = map->nodes_Relations[NOWHERE].circleMapOffset;
+    }
     map->nodes_flag[FALSE_PARENT] = INNER;
     map->nodes_BBox[FALSE_PARENT] = tree->nodes_BBox[0];
     map->nodes_Relations[FALSE_PARENT] =

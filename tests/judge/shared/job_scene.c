@@ -82,7 +82,7 @@ int job_scene_depths(JobScene *scene)
 
 int job_scene_pile(JobScene *scene)
 {
-    enum { N_CIRCLES = 8200 };
+    enum { N_CIRCLES = 8203 };
     *scene = (JobScene){0};
     snprintf(scene->picture.title, sizeof scene->picture.title,
              "%d circles, one upon another, each nearer than those before it", N_CIRCLES);

@@ -2,6 +2,7 @@
 // task: gradient
 // caught by: gradient-picture
 // says: last column
+// looks: unwritten
     const int x = get_global_id(0);
     const int y = get_global_id(1);
     if (!(x < width - 1 && y < height - 1))

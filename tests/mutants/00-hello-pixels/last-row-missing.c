@@ -2,6 +2,7 @@
 // task: read_back
 // caught by: read_back-picture
 // says: last row
+// looks: unwritten
     const size_t region[3] = {(size_t)width, 1, 1};
     for (size_t y = 0; y + 1 < (size_t)height; y++) {
         const size_t origin[3] = {0, y, 0};

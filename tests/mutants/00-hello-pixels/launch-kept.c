@@ -2,6 +2,7 @@
 // task: enqueue_pixels
 // caught by: enqueue-covers
 // says: earlier
+// looks: unwritten
     static size_t global[2] = {0, 0};
     const size_t local[2] = {GROUP_SIZE, GROUP_SIZE};
     if (global[0] == 0) {

@@ -2,6 +2,7 @@
 // task: enqueue_pixels
 // caught by: enqueue-covers
 // says: each other
+// looks: unwritten
     const size_t local[2] = {GROUP_SIZE, GROUP_SIZE};
     size_t global[2] = {(size_t)height, (size_t)width};
     for (int i = 0; i < 2; i++) {

@@ -1,6 +1,6 @@
 // mutant: the rest behind whole groups of four is not asked
 // task: implicit2DRenderer
-// caught by: renderer-random
+// caught by: renderer-edges
 // says: last circles were missing
     float minDepth = INFINITY;
     for (int i = 0; i + 4 <= n_circles; i += 4) {
