@@ -186,7 +186,8 @@ static const struct {
     Fits *fits;
     Cause cause;
 } overlap_mistakes[] = {
-    {is_true_but_not_1, {.says = "the answers are 1 and 0: true is -1 for vectors"}},
+    {is_true_but_not_1,
+     {.says = "the answers are 1 and 0, and no other number for true (vectors say -1)"}},
     {is_equal_depth,
      {"nearer is strict: a circle at equal depth does not take the pixel",
       MISTAKE_LATER_OF_EQUALS}},
@@ -207,7 +208,7 @@ static int expected_overlap(OverlapJob in, double offset)
            in.circle.depth < in.minDepth;
 }
 
-// ---- Rivals --------------------------------------------------------------------------------------
+// ---- Rivals -------------------------------------------------------------------------------------
 
 // What a known mistake answers to any input.
 

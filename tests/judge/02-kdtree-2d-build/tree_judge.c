@@ -44,6 +44,11 @@ static int has_children(const KdTree2D *tree, u32 id)
            node.rChild < tree->n_nodes;
 }
 
+static const char *entries(u32 n)
+{
+    return n == 1 ? "entry" : "entries";
+}
+
 // A leaf's list: the ids, and how many; NULL when offset or count lead out of the map.
 static const u32 *leaf_list(const KdTree2D *tree, u32 id, u32 *n_ids)
 {
@@ -59,14 +64,13 @@ static Diagnosis bad_list(const JobScene *scene, const KdTree2D *own, u32 id)
 {
     const u32 offset = own->nodes_Relations[id].circleMapOffset;
     if (offset >= own->n_map) {
-        return diagnosis_new(
-            "%s: leaf %u: circleMapOffset is %u, but mapNode2Circles has %u entries",
-            scene->picture.title, id, offset, own->n_map);
+        return diagnosis_new("%s: leaf %u: circleMapOffset is %u, but mapNode2Circles has %u %s",
+                             scene->picture.title, id, offset, own->n_map, entries(own->n_map));
     }
     return diagnosis_new("%s: leaf %u: circleMapOffset is %u, where the count would be %u, but "
-                         "mapNode2Circles has %u entries",
-                         scene->picture.title, id, offset, own->mapNode2Circles[offset],
-                         own->n_map);
+                         "mapNode2Circles has %u %s",
+                         scene->picture.title, id, offset, own->mapNode2Circles[offset], own->n_map,
+                         entries(own->n_map));
 }
 
 // The invariants hold for the tree by itself; is it also the tree that was asked for?
@@ -255,8 +259,8 @@ Diagnosis tree_judge_lists(const JobScene *scene, const KdTree2D *own)
         return wrong;
     }
     if (own->n_map != scene->tree.n_map) {
-        return diagnosis_new("%s: mapNode2Circles has %u entries, expected %u",
-                             scene->picture.title, own->n_map, scene->tree.n_map);
+        return diagnosis_new("%s: mapNode2Circles has %u %s, expected %u", scene->picture.title,
+                             own->n_map, entries(own->n_map), scene->tree.n_map);
     }
     return differs_from_oracle(scene, own, own->nodes_flag, scene->tree.nodes_flag,
                                sizeof *own->nodes_flag, "leaf or inner node");
@@ -300,9 +304,10 @@ Diagnosis tree_judge_packing(const JobScene *scene, const KdTree2D *own)
     }
     if (next_id != own->n_nodes || next_offset != own->n_map) {
         return diagnosis_new(
-            "%s: %u node%s and %u map entries belong to the tree, but its arrays hold %u "
+            "%s: %u node%s and %u map %s belong to the tree, but its arrays hold %u "
             "and %u",
-            scene->picture.title, next_id, plural(next_id), next_offset, own->n_nodes, own->n_map);
+            scene->picture.title, next_id, plural(next_id), next_offset, entries(next_offset),
+            own->n_nodes, own->n_map);
     }
     const Diagnosis wrong = judge_lists(scene, own);
     if (wrong.found != NULL) {

@@ -47,6 +47,14 @@ static int by_whole(BBox2D node, BBox2D left, double x, double y)
     return cell_holds(whole, x, y);
 }
 
+static int by_nearest(BBox2D node, BBox2D left, double x, double y)
+{
+    const BBox2D whole = {floorf(left.minX + 0.5f), floorf(left.maxX + 0.5f),
+                          floorf(left.minY + 0.5f), floorf(left.maxY + 0.5f)};
+    (void)node;
+    return cell_holds(whole, x, y);
+}
+
 // As numbers without a sign, which have no room for negative ones.
 static int by_unsigned(BBox2D node, BBox2D left, double x, double y)
 {
@@ -96,6 +104,7 @@ static int by_the_contrary(BBox2D node, BBox2D left, double x, double y)
 }
 
 #define SHIFTED "shifted by half a pixel: the sample point is the integer coordinate"
+#define WHOLE_BORDER "a cell's border was made a whole number: it may lie between two pixels"
 #define OTHER_AXIS "your answers are those of a comparison with a border of the other axis"
 #define ONE_AXIS "your answers are those of one axis alone: there are splits across x and across y"
 
@@ -109,7 +118,8 @@ static const struct {
     {by_border, {.says = "cells are half-open: a border belongs to the cell that starts there"}},
     {by_middle, {SHIFTED, MISTAKE_SHIFTED_HALF}},
     {by_corner, {SHIFTED, MISTAKE_SHIFTED_HALF}},
-    {by_whole, {.says = "a cell's border was made a whole number: it may lie between two pixels"}},
+    {by_whole, {.says = WHOLE_BORDER}},
+    {by_nearest, {.says = WHOLE_BORDER}},
     {by_unsigned,
      {.says = "your answers are those of numbers without a sign: a cell may begin at negative "
               "coordinates"}},
@@ -140,7 +150,8 @@ static int children_follow(const Job03 *job, const u32 *found, GoesLeft *goes_le
     return 1;
 }
 
-// Is all that is wrong beside a border by less than a pixel and not on it?
+// What may be meant for one. Is all that is wrong beside a border by no more?
+#define EPSILON 0.125
 static int all_are_beside(const Job03 *job, const u32 *found)
 {
     const KdTree2D *tree = &job->child_tree;
@@ -150,7 +161,7 @@ static int all_are_beside(const Job03 *job, const u32 *found)
         const BBox2D left = tree->nodes_BBox[node.lChild];
         const int is_left = cell_holds(left, in.x, in.y);
         const double to_x = fabs((double)in.x - left.maxX), to_y = fabs((double)in.y - left.maxY);
-        if (found[i] != (is_left ? node.lChild : node.rChild) && fmin(to_x, to_y) >= 0.5) {
+        if (found[i] != (is_left ? node.lChild : node.rChild) && fmin(to_x, to_y) >= EPSILON) {
             return 0;
         }
     }

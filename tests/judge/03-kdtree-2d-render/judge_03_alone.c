@@ -49,9 +49,9 @@ static u32 *list_leaves(const JobScene *scene)
     return leaves;
 }
 
-// Count leaves from left to right: first[n_nodes] gets the number of the first leaf below each node,
-// a leaf's own. Children have higher ids than their parent. Owned by the caller; NULL after one
-// message.
+// Count leaves from left to right: first[n_nodes] gets the number of the first leaf below each
+// node, a leaf's own. Children have higher ids than their parent. Owned by the caller; NULL after
+// one message.
 static u32 *number_leaves(const KdTree2D *tree)
 {
     u32 *first = calloc(tree->n_nodes, sizeof *first);

@@ -139,7 +139,8 @@ Diagnosis picture_judge(ProbeImage own, const ExpectedPicture *expected)
         return picture_looks(own, expected, found);
     }
     // That it holds no numbers says nothing. One colour may be that of a known mistake.
-    return diagnosis_seen(found, n_not_finite == 0 ? picture_mistaken(own, expected) : (Cause){0},
+    const int may_be_known = n_not_finite == 0 && !picture_is_empty(own, expected);
+    return diagnosis_seen(found, may_be_known ? picture_mistaken(own, expected) : (Cause){0},
                           n_nan ? EVIDENCE_PICTURE : EVIDENCE_PLAIN_PICTURE);
 }
 

@@ -72,7 +72,7 @@ static int is_other_background(ProbeImage own, const ExpectedPicture *expected)
 }
 
 // Is every pixel background, though not every pixel should be?
-static int is_empty(ProbeImage own, const ExpectedPicture *expected)
+int picture_is_empty(ProbeImage own, const ExpectedPicture *expected)
 {
     int i = 0;
     while (i < expected_n_pixels(expected) &&
@@ -117,7 +117,7 @@ static int shows_beyond(ProbeImage own, const ExpectedPicture *expected)
 
 const char *picture_plain(ProbeImage own, const ExpectedPicture *expected)
 {
-    if (is_empty(own, expected)) {
+    if (picture_is_empty(own, expected)) {
         return "empty: nothing but the background";
     }
     // One circle too many may cover all of the picture, and is a mistake of its own.

@@ -13,6 +13,9 @@
 // What a wrong picture looks like that may have many causes, "of one colour everywhere", or NULL.
 const char *picture_plain(ProbeImage own, const ExpectedPicture *expected);
 
+// Is every pixel background, though not every pixel should be? Many a mistake leaves that.
+int picture_is_empty(ProbeImage own, const ExpectedPicture *expected);
+
 // What was found in a wrong picture, and the mistake that it looks like, "it looks shifted by one
 // pixel up". Takes `found` over; the diagnosis is owned by the caller.
 Diagnosis picture_looks(ProbeImage own, const ExpectedPicture *expected, char *found);
