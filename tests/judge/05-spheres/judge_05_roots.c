@@ -2,6 +2,7 @@
 // judge_05_shading.c is the sibling.
 #include "judge_05.h"
 
+#include "judge_05_mistakes.h"
 #include "message.h"
 #include "oracle3d.h"
 #include "words.h"
@@ -10,165 +11,6 @@
 #include <math.h>
 
 static const OracleRules3D right = {0};
-
-// What an answer to nearest_root with a mistake returns.
-typedef float MistakenRoot(RootJob job, float t_near, float t_far);
-
-// What an answer to the other two hands to nearest_root.
-typedef struct Quadratic {
-    double b, disc;
-} Quadratic;
-typedef Quadratic MistakenQuadratic(double b, double c2, double radius);
-
-// A known mistake, and what is said about it; number 0 is none.
-typedef struct RuleMistake {
-    Cause cause;
-    OracleRules3D rules;
-    MistakenRoot *root;            // nearest_root only;
-    const struct Misses *misses;   // right ones where it is NULL
-    MistakenQuadratic *quadratic;  // the other two only
-    int touching_missed;           // no hit where disc is 0
-    int t_min_counts;              // nearest_root: a hit at t_min itself
-    int is_textbook;               // intersect_sphere in the textbook's form
-    int is_lost_afar;              // far from the scene's origin anything, and all else is right
-    int is_missed;                 // some hits are none, and all else is right
-} RuleMistake;
-
-// ---- Mistakes of nearest_root --------------------------------------------------------------------
-
-static float entry_at_t_min(RootJob job, float t_near, float t_far)
-{
-    return job.radius > 0 && t_near >= job.t_min ? t_near : t_far > job.t_min ? t_far : INFINITY;
-}
-
-static float exit_unasked(RootJob job, float t_near, float t_far)
-{
-    return job.radius > 0 && t_near > job.t_min ? t_near : t_far;
-}
-
-static float exit_beyond_0(RootJob job, float t_near, float t_far)
-{
-    return job.radius > 0 && t_near > job.t_min ? t_near : t_far > 0 ? t_far : INFINITY;
-}
-
-static float part_begins(RootJob job, float t_near, float t_far)
-{
-    return t_far <= job.t_min ? INFINITY : job.radius < 0 ? t_far : fmaxf(t_near, job.t_min);
-}
-
-static float usual_root(RootJob job, float t_near, float t_far)
-{
-    return job.radius > 0 && t_near > job.t_min ? t_near : t_far > job.t_min ? t_far : INFINITY;
-}
-
-// What is returned for a negative disc, and where no root is beyond t_min.
-typedef struct Misses {
-    float by_disc, by_t_min;
-} Misses;
-
-static const Misses misses = {INFINITY, INFINITY};
-static const Misses largest_float = {FLT_MAX, FLT_MAX}, zero = {0, 0},
-                    root_of_negative = {NAN, INFINITY};
-
-// ---- Mistakes of the other two ------------------------------------------------------------------
-
-static double disc_of(double b, double c2, double radius)
-{
-    return b * b - (c2 - radius * radius);
-}
-
-static Quadratic b_turned(double b, double c2, double radius)
-{
-    return (Quadratic){-b, disc_of(b, c2, radius)};
-}
-
-static Quadratic both_undivided(double b, double c2, double radius)
-{
-    return (Quadratic){2 * b, 4 * disc_of(b, c2, radius)};
-}
-
-static Quadratic disc_halved(double b, double c2, double radius)
-{
-    return (Quadratic){b, 2 * disc_of(b, c2, radius)};
-}
-
-static Quadratic four_times_c(double b, double c2, double radius)
-{
-    return (Quadratic){b, b * b - 4 * (c2 - radius * radius)};
-}
-
-static Quadratic radius_as_it_is(double b, double c2, double radius)
-{
-    return (Quadratic){b, b * b - (c2 - radius)};
-}
-
-static Quadratic radius_less_way(double b, double c2, double radius)
-{
-    const double half = radius - sqrt(fmax(c2 - b * b, 0));
-    return (Quadratic){b, half * half};
-}
-
-static Quadratic disc_turned(double b, double c2, double radius)
-{
-    return (Quadratic){b, -disc_of(b, c2, radius)};
-}
-
-// ---- All of them --------------------------------------------------------------------------------
-
-static const RuleMistake root_mistakes[] = {
-    {.cause = {0}},
-    {{.says = "that is the farther root, where the ray leaves the sphere"},
-     .rules = {.farther_root = 1}},
-    {{.says = "that is not beyond t_min"}, .rules = {.any_distance = 1}},
-    {{.says = "a sphere with a negative radius is seen from inside"},
-     .rules = {.negative_radius_missed = 1}},
-    {{.says = "from inside the second root is the hit: b + sqrt(disc)"},
-     .rules = {.inside_is_miss = 1}},
-    {{.says = "a negative radius means that only the farther root counts"},
-     .rules = {.radius_sign_ignored = 1}},
-    {{.says = "where the radius is negative the farther root counts beyond t_min only, too"},
-     .rules = {.negative_radius_always = 1}},
-    {{.says = "t_min is the ray's, and need not be 0"}, .rules = {.t_min_zero = 1}},
-    {{.says = "t_min itself does not count"}, .t_min_counts = 1},
-    {{.says = "an entry at t_min itself does not count"}, .root = entry_at_t_min},
-    {{.says = "the exit counts beyond t_min only, too"}, .root = exit_unasked},
-    {{.says = "the exit counts beyond t_min, not beyond 0"}, .root = exit_beyond_0},
-    {{.says = "from inside the hit is where the ray leaves the sphere, not t_min"},
-     .root = part_begins},
-    {{.says = "where nothing is hit INFINITY is to be returned, not the largest float"},
-     .root = usual_root,
-     .misses = &largest_float},
-    {{.says = "a negative disc has no root: it is a miss, to be found before sqrt() makes NaN"},
-     .root = usual_root,
-     .misses = &root_of_negative},
-    {{.says = "where nothing is hit INFINITY is to be returned, not 0"},
-     .root = usual_root,
-     .misses = &zero},
-    {{.says = "b has the wrong sign: what is ahead is taken for what is behind"},
-     .quadratic = b_turned},
-    {{.says = "the formula with 2 b divides by 2 in the end: both roots are twice as far"},
-     .quadratic = both_undivided},
-    {{.says = "disc is twice as large: with 2 b for b it is divided by 4"},
-     .quadratic = disc_halved},
-    {{.says = "with half of the equation's b the discriminant is b² - c, not b² - 4 c"},
-     .quadratic = four_times_c},
-    {{.says = "the radius is not squared"}, .quadratic = radius_as_it_is},
-    {{.says = "the square of r - |l| is never negative: the difference is that of squares"},
-     .quadratic = radius_less_way},
-    {{.says = "disc has the wrong sign"}, .quadratic = disc_turned},
-    {{.says = "where disc is 0 the ray touches the sphere, and that is a hit"},
-     .touching_missed = 1},
-    {{.says = "the centre is behind the eye, which does not matter where the eye is inside"},
-     .rules = {.centre_behind_missed = 1}},
-    {{.says = "the digits are lost: the textbook's form, or one like it, which squares before it "
-              "subtracts"},
-     .is_textbook = 1},
-    {{.says = "near the scene's origin hits are right, far from it their digits are lost: subtract "
-              "the eye first, and go on with the difference only"},
-     .is_lost_afar = 1},
-    {{.says = "other hits are right, and nothing but a negative disc and t_min makes a miss"},
-     .is_missed = 1},
-};
 
 // ---- nearest_root -------------------------------------------------------------------------------
 
@@ -197,7 +39,7 @@ static int is_right_root(const OracleRoot *root, float found)
 }
 
 // Where disc is 0, all is exact in float, too: the one root is b, and a hit beyond t_min.
-static int touches(RootJob job, const RuleMistake *mistake)
+static int touches(RootJob job, const RootMistake *mistake)
 {
     const OracleRules3D *rules = &mistake->rules;
     const int is_negative = job.radius < 0;
@@ -211,8 +53,9 @@ static int touches(RootJob job, const RuleMistake *mistake)
 }
 
 // Of a disc and a b that are exact the roots are, but for the rounding of a root and a sum.
-static int is_mistaken_root(RootJob job, const RuleMistake *mistake, float found)
+static int is_mistaken_root(RootJob job, const RootMistake *mistake, float found)
 {
+    static const Misses misses = {INFINITY, INFINITY};
     const Misses *miss = mistake->misses != NULL ? mistake->misses : &misses;
     const float half_chord = sqrtf(fmaxf(job.disc, 0));
     const float root = mistake->root(job, job.b - half_chord, job.b + half_chord);
@@ -224,7 +67,7 @@ static int is_mistaken_root(RootJob job, const RuleMistake *mistake, float found
 static int root_agrees(const void *pointer, int i, const void *answers, int number)
 {
     const RootJob job = ((const Job05 *)pointer)->roots[i];
-    const RuleMistake *mistake = &root_mistakes[number];
+    const RootMistake *mistake = &root_mistakes_05[number];
     const float found = ((const float *)answers)[i];
     if (mistake->quadratic != NULL || mistake->is_lost_afar) {
         return 0;  // of the other two
@@ -250,15 +93,15 @@ static int root_shows(const void *job, Range range, const void *answers, int mis
         const int input = range_at(range, i);
         n_hits += !is_miss(((const float *)answers)[input]) && root_agrees(job, input, answers, 0);
     }
-    return !root_mistakes[mistake].is_missed || n_hits > 0;
+    return !root_mistakes_05[mistake].is_missed || n_hits > 0;
 }
 
 static char *describe_root(const void *pointer, int i, const void *answers)
 {
     const RootJob job = ((const Job05 *)pointer)->roots[i];
-    const double expected = job.disc != 0                     ? expected_root(job, &right).t
-                            : touches(job, &root_mistakes[0]) ? (double)job.b
-                                                              : (double)INFINITY;
+    const double expected = job.disc != 0                        ? expected_root(job, &right).t
+                            : touches(job, &root_mistakes_05[0]) ? (double)job.b
+                                                                 : (double)INFINITY;
     return message_new("b %g, disc %g, radius %g, t_min %.9g: found %.9g, expected %.9g", job.b,
                        job.disc, job.radius, job.t_min, ((const float *)answers)[i], expected);
 }
@@ -270,7 +113,7 @@ const Function nearest_root_05 = {"roots",
                                   .agrees = root_agrees,
                                   .shows = root_shows,
                                   .counted = "inputs",
-                                  MISTAKES(root_mistakes)};
+                                  MISTAKES(root_mistakes_05)};
 
 // ---- intersect_textbook, intersect_sphere -------------------------------------------------------
 
@@ -297,19 +140,30 @@ static int is_near_share(double found, double expected, double size)
     return found == expected || fabs(found - expected) <= MISTAKEN_ERROR * size;
 }
 
-// Does an answer come of b and disc with a mistake?
-static int is_mistaken_hit(const SphereRayJob *job, MistakenQuadratic *mistaken, float found)
+// What a mistake hands to nearest_root, and how far float may be off with its disc.
+typedef struct Mistaken {
+    Quadratic in;
+    double doubt;
+} Mistaken;
+
+static Mistaken mistaken_of(const SphereRayJob *job, MistakenQuadratic *mistaken)
 {
     const OracleRay ray = oracle3d_given_ray(job->origin, job->direction, job->t_min);
     const OracleVector centre = {job->sphere.x, job->sphere.y, job->sphere.z};
     const OracleVector c = vector_minus(centre, ray.origin);
     const double b = vector_dot(c, ray.direction), c2 = vector_dot(c, c);
-    const Quadratic in = mistaken(b, c2, job->sphere.radius);
-    const double doubt = MISTAKEN_DISC_ERROR * (b * b + c2);
+    return (Mistaken){mistaken(b, c2, job->sphere.radius), MISTAKEN_DISC_ERROR * (b * b + c2)};
+}
+
+// Does an answer come of b and disc with a mistake?
+static int is_mistaken_hit(const SphereRayJob *job, MistakenQuadratic *mistaken, float found)
+{
+    const Mistaken what = mistaken_of(job, mistaken);
+    const Quadratic in = what.in;
     const double half = sqrt(fmax(in.disc, 0)), t_near = in.b - half, t_far = in.b + half;
-    if (fabs(in.disc) <= doubt) {
+    if (fabs(in.disc) <= what.doubt) {
         // Float may find it negative or not: the roots are near b, or there are none.
-        return is_miss(found) || fabs(found - in.b) <= 2 * sqrt(doubt);
+        return is_miss(found) || fabs(found - in.b) <= 2 * sqrt(what.doubt);
     }
     const double t = in.disc < 0                                     ? (double)INFINITY
                      : job->sphere.radius > 0 && t_near > job->t_min ? t_near
@@ -324,7 +178,7 @@ static int is_afar(const SphereRayJob *job)
     return fabsf(job->origin.x) > 1000;
 }
 
-static int sphere_agrees(const SphereRayJob *job, OracleForm form, const RuleMistake *mistake,
+static int sphere_agrees(const SphereRayJob *job, OracleForm form, const RootMistake *mistake,
                          float found)
 {
     if (mistake->root != NULL) {
@@ -336,7 +190,7 @@ static int sphere_agrees(const SphereRayJob *job, OracleForm form, const RuleMis
     if (mistake->is_lost_afar && is_afar(job)) {
         return 1;
     }
-    if (touches_exactly_05(job) && (mistake == root_mistakes || mistake->touching_missed)) {
+    if (touches_exactly_05(job) && (mistake == root_mistakes_05 || mistake->touching_missed)) {
         return mistake->touching_missed ? is_miss(found) : found == job->sphere.z - job->origin.z;
     }
     const OracleRoot root = expected_hit(job, form, &mistake->rules);
@@ -346,12 +200,12 @@ static int sphere_agrees(const SphereRayJob *job, OracleForm form, const RuleMis
 static int textbook_agrees(const void *job, int i, const void *answers, int mistake)
 {
     return sphere_agrees(&((const Job05 *)job)->textbook[i], ORACLE_TEXTBOOK,
-                         &root_mistakes[mistake], ((const float *)answers)[i]);
+                         &root_mistakes_05[mistake], ((const float *)answers)[i]);
 }
 
 static int projection_agrees(const void *job, int i, const void *answers, int number)
 {
-    const RuleMistake *mistake = &root_mistakes[number];
+    const RootMistake *mistake = &root_mistakes_05[number];
     return sphere_agrees(&((const Job05 *)job)->projection[i],
                          mistake->is_textbook ? ORACLE_TEXTBOOK : ORACLE_PROJECTION, mistake,
                          ((const float *)answers)[i]);
@@ -382,27 +236,42 @@ static HitCounts count_sphere_hits(const SphereRayJob *jobs, OracleForm form, Ra
     return counts;
 }
 
+// Is a mistaken quadratic certain, whichever way float rounds, of most inputs?
+static int is_decided(const SphereRayJob *jobs, Range range, MistakenQuadratic *mistaken)
+{
+    int n_decided = 0;
+    for (int i = 0; i < range.n; i++) {
+        const Mistaken what = mistaken_of(&jobs[range_at(range, i)], mistaken);
+        n_decided += fabs(what.in.disc) > what.doubt;
+    }
+    return 2 * n_decided > range.n;
+}
+
 // Whoever only misses hits finds others. The textbook's form is so far off with small and far
 // spheres that any answer could be its: it loses hits, and finds others beside the sphere.
-static int sphere_shows(HitCounts counts, int mistake)
+static int sphere_shows(const SphereRayJob *jobs, OracleForm form, Range range,
+                        const float *answers, const RootMistake *mistake)
 {
-    return root_mistakes[mistake].is_missed     ? counts.n_right > 0
-           : root_mistakes[mistake].is_textbook ? counts.n_lost > 0 && counts.n_off > 0
-                                                : 1;
+    if (mistake->quadratic != NULL) {
+        return is_decided(jobs, range, mistake->quadratic);
+    }
+    if (!mistake->is_missed && !mistake->is_textbook) {
+        return 1;
+    }
+    const HitCounts counts = count_sphere_hits(jobs, form, range, answers);
+    return mistake->is_missed ? counts.n_right > 0 : counts.n_lost > 0 && counts.n_off > 0;
 }
 
 static int textbook_shows(const void *job, Range range, const void *answers, int mistake)
 {
-    return sphere_shows(
-        count_sphere_hits(((const Job05 *)job)->textbook, ORACLE_TEXTBOOK, range, answers),
-        mistake);
+    return sphere_shows(((const Job05 *)job)->textbook, ORACLE_TEXTBOOK, range, answers,
+                        &root_mistakes_05[mistake]);
 }
 
 static int projection_shows(const void *job, Range range, const void *answers, int mistake)
 {
-    return sphere_shows(
-        count_sphere_hits(((const Job05 *)job)->projection, ORACLE_PROJECTION, range, answers),
-        mistake);
+    return sphere_shows(((const Job05 *)job)->projection, ORACLE_PROJECTION, range, answers,
+                        &root_mistakes_05[mistake]);
 }
 
 static char *describe_sphere(const SphereRayJob *job, OracleForm form, float found)
@@ -432,7 +301,7 @@ const Function textbook_05 = {"textbook",
                               .agrees = textbook_agrees,
                               .shows = textbook_shows,
                               .counted = "inputs",
-                              MISTAKES(root_mistakes)};
+                              MISTAKES(root_mistakes_05)};
 const Function projection_05 = {"projection",
                                 3 * N_SPHERES,
                                 sizeof(float),
@@ -440,4 +309,4 @@ const Function projection_05 = {"projection",
                                 .agrees = projection_agrees,
                                 .shows = projection_shows,
                                 .counted = "inputs",
-                                MISTAKES(root_mistakes)};
+                                MISTAKES(root_mistakes_05)};

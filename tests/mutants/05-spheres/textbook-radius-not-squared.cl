@@ -1,7 +1,7 @@
 // mutant: r for r²
 // task: intersect_textbook
 // caught by: textbook-outside
-// says: found
+// says: not squared
     const float3 o = ray.origin - (float3)(sphere.x, sphere.y, sphere.z);
     const float half_b = dot(o, ray.direction);
     const float c = dot(o, o) - fabs(sphere.radius);
