@@ -81,6 +81,7 @@ enum {
     CHILD_ONLY_NEAR_CUT,
     CHILD_ONLY_FAR_CUT,
     CHILD_NO_POINTS,
+    CHILD_LAST_PLACE,
     CHILD_HAIR,
 };
 static const Cause child_mistakes[] = {
@@ -113,6 +114,8 @@ static const Cause child_mistakes[] = {
         {.says = "where only the far child is met the part stays as it is: t_split is before it"},
     [CHILD_NO_POINTS] = {.says = "a part that is a point was left out: BOTH is both, and hits on "
                                  "the plane are in either"},
+    [CHILD_LAST_PLACE] = {.says = "only where one place is left on the stack is it wrong: that is "
+                                  "enough, as the near child takes none"},
     [CHILD_HAIR] = {.says =
                         "only the ends of the parts are wrong, by a hair: no epsilon is needed"},
 };
@@ -197,6 +200,9 @@ static int child_agrees(const void *pointer, int i, const void *answers, int mis
         const u32 top = expected.todo.n - expected.todo.n_lower - 1;
         return found.next.node == expected.next.node &&
                found.todo.upper[top].node == expected.todo.upper[top].node;
+    }
+    if (mistake == CHILD_LAST_PLACE && job->todo.n + 1 == TODO_SIZE) {
+        return 1;
     }
     if (mistake == CHILD_HAIR) {
         drop_hair(&found.next.t_min, expected.next.t_min);

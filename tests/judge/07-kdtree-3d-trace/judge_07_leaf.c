@@ -29,8 +29,7 @@ typedef struct LeafMistake {
     int lower_wins;         // of equal distances that of the lower number, as it should
     int asks_position;      // the loop asks the sphere whose id is the position in sphere_ids,
     int keeps_position;     // and keeps the position
-    int from_start;         // it runs over the first ids of the tree,
-    int count_is_end;       // or from node.first to before node.n_spheres
+    int from_start;         // it runs over the first ids of the tree
 } LeafMistake;
 
 #define ASKS_POSITION "the position in sphere_ids was taken for the id of the sphere to ask"
@@ -73,10 +72,6 @@ static const LeafMistake mistakes[] = {
     {{.says = "hit->sphere is a position in sphere_ids, not what stands there"},
      .comparison = NEARER,
      .keeps_position = 1,
-     .lower_wins = 1},
-    {{.says = "node.n_spheres was taken for the end of the range: it is how many there are"},
-     .comparison = NEARER,
-     .count_is_end = 1,
      .lower_wins = 1},
     {{.says = "the first ids of the tree were asked: the leaf's begin at node.first"},
      .comparison = NEARER,
@@ -133,8 +128,7 @@ static LeafHit looped_hit(const Inputs07 *inputs, int i, const LeafMistake *mist
     const OracleRay ray = oracle3d_given_ray(job->origin, job->direction, 0);
     const u32 first = mistake->from_start ? 0 : job->node.first;
     LeafHit result = {job->sphere, job->t, 0, 0};
-    const u32 end = mistake->count_is_end ? job->node.n_spheres : first + job->node.n_spheres;
-    for (u32 at = first; at < end; at++) {
+    for (u32 at = first; at < first + job->node.n_spheres; at++) {
         const u32 id = inputs->leaf_ids[at];
         const Sphere sphere = inputs->leaf_spheres[mistake->asks_position ? at : id];
         const OracleRoot root = oracle3d_root(sphere, &ray, ORACLE_PROJECTION, &right);

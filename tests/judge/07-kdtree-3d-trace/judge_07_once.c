@@ -31,13 +31,19 @@ static int lists(const Inputs07 *inputs, KdNode3 leaf, u32 sphere)
 // Was nothing counted at all, or only too much?
 static Cause explain_count(const Inputs07 *inputs, Range range, const SearchAnswer *found)
 {
-    int n_counted = 0, n_less = 0;
+    int n_counted = 0, n_less = 0, is_to_count = 1;
     for (int i = range.first; i < range.first + range.n; i++) {
         n_counted += found[i].n_tests > 0;
-        n_less += found[i].n_tests < inputs->leaves[i].node.n_spheres;
+        const KdNode3 leaf = inputs->leaves[i].node;
+        n_less += found[i].n_tests < leaf.n_spheres;
+        // A loop from first to before n_spheres.
+        is_to_count &=
+            found[i].n_tests == (leaf.first < leaf.n_spheres ? leaf.n_spheres - leaf.first : 0);
     }
     return (Cause){.says = n_counted == 0 ? "the calls were not counted in the `work` that was "
                                             "handed in"
+                           : is_to_count  ? "node.n_spheres was taken for the end of the range: "
+                                            "it is how many there are"
                            : n_less == 0  ? "some spheres were asked more than once: a distance "
                                             "that is needed twice can be kept"
                                           : NULL};

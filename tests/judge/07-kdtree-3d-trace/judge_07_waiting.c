@@ -145,6 +145,9 @@ static int next_agrees(const void *job, int i, const void *answers, int mistake)
         return found->goes_on && found->todo.n == expected.todo.n &&
                !is_waiting(&((const Job07 *)job)->inputs.waiting[i].todo, found->at);
     }
+    if (mistake != 0 && !expected.goes_on) {
+        return !found->goes_on;
+    }
     return !expected.goes_on || (found->goes_on && same_entry(found->at, expected.at) &&
                                  same_stack(&found->todo, &expected.todo));
 }
