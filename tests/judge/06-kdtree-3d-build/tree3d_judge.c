@@ -69,7 +69,7 @@ Diagnosis tree3d_judge_bounds(const TreeScene3D *scene, const KdTree3D *own)
 
 Diagnosis tree3d_judge_splits(const TreeScene3D *scene, const KdTree3D *own)
 {
-    const u32 n = n_judged(scene, own), n_expected = (scene->tree.n_nodes - 1) / 2;
+    const u32 n = n_judged(scene, own), n_expected = scene->tree.n_nodes / 2;
     Walk walk = walk_down(own);
     Diagnosis wrong = NOTHING_WRONG;
     u32 n_splits = 0;
