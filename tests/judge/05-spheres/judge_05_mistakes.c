@@ -4,7 +4,7 @@
 #include <float.h>
 #include <math.h>
 
-// ---- Mistakes of nearest_root --------------------------------------------------------------------
+// ---- Mistakes of nearest_root ------------------------------------------------------------------
 
 static float entry_at_t_min(RootJob job, float t_near, float t_far)
 {

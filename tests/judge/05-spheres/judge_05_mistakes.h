@@ -1,5 +1,5 @@
-// Known mistakes of nearest_root, and of intersect_textbook and intersect_sphere, which call it. See
-// judge_05_roots.c.
+// Known mistakes of nearest_root, and of intersect_textbook and intersect_sphere, which call it.
+// See judge_05_roots.c.
 #ifndef JUDGE_JUDGE_05_MISTAKES_H
 #define JUDGE_JUDGE_05_MISTAKES_H
 

@@ -37,7 +37,7 @@ int job_06_write_scene(const void *job, int k, FILE *file);
 extern const Function split_axis_06, split_middle_06, overlap_06, pack_node_06, pack_ids_06,
     fits_06;
 
-// The diagnosis with this for its cause, unless it has one or `says` is NULL. Takes it over.
+// The diagnosis with this for its cause; as it is where `says` is NULL. Takes it over.
 Diagnosis explained_06(Diagnosis wrong, const char *says);
 
 // One answer alone.

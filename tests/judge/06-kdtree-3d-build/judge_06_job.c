@@ -131,8 +131,8 @@ static SphereBoxJob draw_inside(Random *random, int i)
 #define TINY_STEP 0x1p-30f
 
 // Beside a side: large spheres whose squared radius float would round down and up, and one that
-// misses by a step of float; a tiny one, and two that miss by a fifth; one whose distance float would
-// round to its radius.
+// misses by a step of float; a tiny one, and two that miss by a fifth; one whose distance float
+// would round to its radius.
 static const SphereBoxJob beside[] = {
     {{64 + 4097, 32, 32, 4097}, {{0, 0, 0}, {64, 64, 64}}},
     {{32, 32, -4099, 4099}, {{0, 0, 0}, {64, 64, 64}}},

@@ -4,9 +4,12 @@
 #include "packed_list.h"
 #include "words.h"
 
+#include <stdlib.h>
+
 Diagnosis explained_06(Diagnosis wrong, const char *says)
 {
-    if (wrong.found != NULL && wrong.cause == NULL && says != NULL) {
+    if (wrong.found != NULL && says != NULL) {
+        free(wrong.cause);
         wrong.cause = message_new("%s", says);
     }
     return wrong;
@@ -118,10 +121,11 @@ static Cause range_cause(const PackJob3D *in, const u32 *found)
     while (i < in->n_ids && found[i] == in->ids[i - 1]) {
         i++;
     }
-    return in->n_ids > 1 && i == in->n_ids && found[0] == in->n_ids
-               ? (Cause){.says = "a count stands before the ids, as in lab 02: here it is in the "
-                                 "node only"}
-               : list_cause(found, in->ids, in->n_ids);
+    if (in->n_ids > 1 && i == in->n_ids && found[0] == in->n_ids) {
+        return (Cause){.says = "a count stands before the ids, as in lab 02: here it is in the "
+                               "node only"};
+    }
+    return list_cause(found, in->ids, in->n_ids);
 }
 
 // Do the ids stand at the array's beginning?

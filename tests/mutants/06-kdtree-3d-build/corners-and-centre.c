@@ -2,6 +2,7 @@
 // task: sphere_overlaps_box
 // caught by: overlap-inside
 // says: side or over an edge
+// looks: missing-in-cell
     const double r2 = (double)sphere.radius * sphere.radius;
     if (outside(sphere.x, box.min[0], box.max[0]) == 0 &&
         outside(sphere.y, box.min[1], box.max[1]) == 0 &&

@@ -2,6 +2,7 @@
 // task: sphere_overlaps_box
 // caught by: overlap-inside
 // says: lies within the sphere
+// looks: missing-in-cell
     const double x = outside(sphere.x, box.min[0], box.max[0]),
                  y = outside(sphere.y, box.min[1], box.max[1]);
     const double z = outside(sphere.z, box.min[2], box.max[2]),
