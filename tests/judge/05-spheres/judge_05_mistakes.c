@@ -16,11 +16,6 @@ static float exit_unasked(RootJob job, float t_near, float t_far)
     return job.radius > 0 && t_near > job.t_min ? t_near : t_far;
 }
 
-static float exit_beyond_0(RootJob job, float t_near, float t_far)
-{
-    return job.radius > 0 && t_near > job.t_min ? t_near : t_far > 0 ? t_far : INFINITY;
-}
-
 static float part_begins(RootJob job, float t_near, float t_far)
 {
     return t_far <= job.t_min ? INFINITY : job.radius < 0 ? t_far : fmaxf(t_near, job.t_min);
@@ -98,7 +93,6 @@ const RootMistake root_mistakes_05[N_ROOT_MISTAKES] = {
     {{.says = "t_min itself does not count"}, .t_min_counts = 1},
     {{.says = "an entry at t_min itself does not count"}, .root = entry_at_t_min},
     {{.says = "the exit counts beyond t_min only, too"}, .root = exit_unasked},
-    {{.says = "the exit counts beyond t_min, not beyond 0"}, .root = exit_beyond_0},
     {{.says = "from inside the hit is where the ray leaves the sphere, not t_min"},
      .root = part_begins},
     {{.says = "where nothing is hit INFINITY is to be returned, not the largest float"},

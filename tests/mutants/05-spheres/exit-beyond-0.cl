@@ -1,7 +1,7 @@
 // mutant: the exit is asked for 0, not for t_min
 // task: nearest_root
 // caught by: root-t_min
-// says: not beyond 0
+// says: exit counts beyond t_min
     if (disc < 0.0f) {
         return INFINITY;
     }
