@@ -2,6 +2,7 @@
 #include "judge_03.h"
 
 #include "complain.h"
+#include "scene_vary.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -101,10 +102,12 @@ static int draw_leaf_map(Random *random, JobScene *scene)
     return result == 0 ? make_leaf_map(scene) : -1;
 }
 
-// A pixel's circles in one list, each nearer than those before it: the last one has all pixels.
-static int draw_long_list(JobScene *scene)
+// A pixel's circles in one list, each nearer than those before it, up to one near the end, which
+// has all pixels.
+static int draw_long_list(JobScene *scene, Random *random)
 {
     enum { N_CIRCLES = 1100 };
+    const int nearest = (int)random_integer(random, N_CIRCLES - 50, N_CIRCLES - 1);
     *scene = (JobScene){0};
     snprintf(scene->picture.title, sizeof scene->picture.title, "a leaf that lists %d circles",
              N_CIRCLES);
@@ -112,15 +115,11 @@ static int draw_long_list(JobScene *scene)
         return -1;
     }
     for (int i = 0; i < N_CIRCLES; i++) {
-        scene->scene.circles[i] = (Circle){.x = 12,
-                                           .y = 8,
-                                           .radius = 20,
-                                           .depth = (float)(N_CIRCLES - i) / 2048,
-                                           .r = (float)(i % 32) / 32,
-                                           .g = (float)(i / 32) / 64,
-                                           .b = 0.5f,
-                                           .a = 1};
+        const int rank = i > nearest ? N_CIRCLES : N_CIRCLES - i;
+        scene->scene.circles[i] =
+            (Circle){.x = 12, .y = 8, .radius = 20, .depth = (float)rank / 2048};
     }
+    scene2d_recolour(&scene->scene, random);
     return 0;
 }
 
@@ -141,11 +140,12 @@ static int draw_scenes(Random *random, JobScene scenes[N_SCENES])
     result |= job_scene_random(&scenes[RANDOM], random, 150, 12, 96, 128);
     result |= job_scene_random(&scenes[RANDOM + 1], random, 9, 30, 100, 60);
     job_scene_spread_depths(&scenes[RANDOM + 1]);
-    result |= job_scene_named(&scenes[ORDER], "equal-depths", 96, 64);
+    result |= job_scene_named(&scenes[ORDER], random, "equal-depths", 96, 64);
     for (int k = EDGES; k < DEPTHS; k++) {
-        result |= job_scene_named(&scenes[k], edges[k - EDGES].name, 64, 48);
+        result |= job_scene_named(&scenes[k], random, edges[k - EDGES].name, 64, 48);
     }
-    result |= job_scene_depths(&scenes[DEPTHS]) | draw_long_list(&scenes[LONG_LIST]);
+    result |= job_scene_depths(&scenes[DEPTHS], random);
+    result |= draw_long_list(&scenes[LONG_LIST], random);
     for (int k = 0; result == 0 && k < N_SCENES; k++) {
         if (scenes[k].tree.n_nodes == 0) {
             result = job_scene_grow_tree(&scenes[k], limits_of(k));

@@ -5,6 +5,7 @@
 #include "job_sections.h"
 #include "jobs.h"
 #include "oracle2d.h"
+#include "scene_vary.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -27,12 +28,17 @@ int job_scene_random(JobScene *scene, Random *random, int n_circles, int max_rad
     return 0;
 }
 
-int job_scene_named(JobScene *scene, const char *name, int width, int height)
+int job_scene_named(JobScene *scene, Random *random, const char *name, int width, int height)
 {
     *scene = (JobScene){0};
-    snprintf(scene->picture.title, sizeof scene->picture.title, "scene \"%s\", %dx%d", name, width,
-             height);
-    return scene2d_generate(name, width, height, &scene->scene);
+    const int wider = side_vary(random, width), higher = side_vary(random, height);
+    if (scene2d_generate(name, wider, higher, &scene->scene) != 0) {
+        return -1;
+    }
+    scene2d_vary(&scene->scene, random);
+    snprintf(scene->picture.title, sizeof scene->picture.title, "a scene like \"%s\", %dx%d", name,
+             scene->scene.width, scene->scene.height);
+    return 0;
 }
 
 void job_scene_spread_depths(JobScene *scene)
@@ -42,9 +48,19 @@ void job_scene_spread_depths(JobScene *scene)
     }
 }
 
+// The places 0 and on in any order.
+static void shuffle_places(Random *random, int n, int places[])
+{
+    for (int i = 0; i < n; i++) {
+        const int j = (int)random_integer(random, 0, i);
+        places[i] = places[j];
+        places[j] = i;
+    }
+}
+
 // Where circles have the same centre, one of them takes the pixels, and its depth says which. The
 // largest float is left out: minDepth may start there.
-int job_scene_depths(JobScene *scene)
+int job_scene_depths(JobScene *scene, Random *random)
 {
     static const struct {
         int place;
@@ -58,24 +74,24 @@ int job_scene_depths(JobScene *scene)
         {5, 1e30f},  {5, -1e30f},          // much nearer
         {6, -3e38f},
     };
-    enum { N_ROWS = sizeof rows / sizeof *rows, PLACES_A_ROW = 4, PLACE = 8, RADIUS = 3 };
+    enum { N_ROWS = sizeof rows / sizeof *rows, N_PLACES = 8, PLACES_A_ROW = 4, PLACE = 8 };
+    int places[N_PLACES];
     *scene = (JobScene){0};
     snprintf(scene->picture.title, sizeof scene->picture.title,
              "depths from -3e38 to 3e38, and one float apart");
     if (scene2d_create(N_ROWS, PLACES_A_ROW * PLACE, 2 * PLACE, &scene->scene) != 0) {
         return -1;
     }
+    shuffle_places(random, N_PLACES, places);
     for (int i = 0; i < N_ROWS; i++) {
-        scene->scene.circles[i] =
-            (Circle){.x = (float)(rows[i].place % PLACES_A_ROW * PLACE + PLACE / 2),
-                     .y = (float)(rows[i].place / PLACES_A_ROW * PLACE + PLACE / 2),
-                     .radius = RADIUS,
-                     .depth = rows[i].depth,
-                     .r = (float)(i + 1) / 16,
-                     .g = 1 - (float)i / 16,
-                     .b = (float)(i % 3) / 2,
-                     .a = 1};
+        const int place = places[rows[i].place];
+        scene->scene.circles[i] = (Circle){.x = (float)(place % PLACES_A_ROW * PLACE + PLACE / 2),
+                                           .y = (float)(place / PLACES_A_ROW * PLACE + PLACE / 2),
+                                           .radius = (float)random_integer(random, 2, 4),
+                                           .depth = rows[i].depth};
     }
+    scene2d_turn(&scene->scene, random);
+    scene2d_recolour(&scene->scene, random);
     return 0;
 }
 
