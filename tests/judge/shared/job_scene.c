@@ -31,8 +31,8 @@ int job_scene_random(JobScene *scene, Random *random, int n_circles, int max_rad
 int job_scene_named(JobScene *scene, Random *random, const char *name, int width, int height)
 {
     *scene = (JobScene){0};
-    const int wider = side_vary(random, width), higher = side_vary(random, height);
-    if (scene2d_generate(name, wider, higher, &scene->scene) != 0) {
+    const int columns = side_vary(random, width), rows = side_vary(random, height);
+    if (scene2d_generate(name, columns, rows, &scene->scene) != 0) {
         return -1;
     }
     scene2d_vary(&scene->scene, random);

@@ -19,7 +19,7 @@ int job_scene_random(JobScene *scene, Random *random, int n_circles, int max_rad
                      int height);
 
 // A scene of scene2d.h by name, varied by the seed (scene_vary.h): sides of width and height or a
-// few pixels more, in any order. Returns 0, or -1 after one message.
+// few pixels less, in any order. Returns 0, or -1 after one message.
 int job_scene_named(JobScene *scene, Random *random, const char *name, int width, int height);
 
 // Spread the depths of a random scene from about -500 000 to 500 000: a depth may be any number.

@@ -101,10 +101,10 @@ int job_scene3d_random(JobScene3D *scene, Random *random, int n_spheres, float m
 int job_scene3d_named(JobScene3D *scene, Random *random, const char *name, int width, int height)
 {
     *scene = (JobScene3D){0};
-    const int wider = side_vary(random, width), higher = side_vary(random, height);
+    const int columns = side_vary(random, width), rows = side_vary(random, height);
     snprintf(scene->picture.title, sizeof scene->picture.title, "a scene like \"%s\", %dx%d", name,
-             wider, higher);
-    if (scene3d_generate(name, wider, higher, &scene->scene) != 0) {
+             columns, rows);
+    if (scene3d_generate(name, columns, rows, &scene->scene) != 0) {
         return -1;
     }
     scene3d_vary(&scene->scene, random);

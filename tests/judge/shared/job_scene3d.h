@@ -27,7 +27,7 @@ int job_scene3d_random(JobScene3D *scene, Random *random, int n_spheres, float m
                        float max_radius, int width, int height);
 
 // A scene of scene3d.h by name, varied by the seed (scene_vary.h): sides of width and height or a
-// few pixels more. Returns 0, or -1 after one message.
+// few pixels less. Returns 0, or -1 after one message.
 int job_scene3d_named(JobScene3D *scene, Random *random, const char *name, int width, int height);
 
 // Make a scene `factor` times as large, a power of two: its picture stays as it is.

@@ -9,7 +9,7 @@
 
 int side_vary(Random *random, int n)
 {
-    return n + 2 * (int)random_integer(random, 0, 7);
+    return n - 2 * (int)random_integer(random, 0, n / 12);
 }
 
 // ---- Circles ------------------------------------------------------------------------------------
@@ -51,7 +51,8 @@ void scene2d_recolour(Scene2D *scene, Random *random)
     }
 }
 
-// Deal the circles out over the array anew; those of one depth stay in their order.
+// Deal the circles out over the array anew, but for the first and the last, which a wrong loop
+// leaves out: they stay where they can be seen. Those of one depth stay in their order.
 static void shuffle_circles(Scene2D *scene, Random *random)
 {
     const int n = scene->n_circles;
@@ -61,8 +62,8 @@ static void shuffle_circles(Scene2D *scene, Random *random)
     for (int i = 0; i < n; i++) {
         given[i] = circles[i];
     }
-    for (int i = n - 1; i > 0; i--) {
-        swap_floats(&circles[i].depth, &circles[random_integer(random, 0, i)].depth);
+    for (int i = n - 2; i > 1; i--) {
+        swap_floats(&circles[i].depth, &circles[random_integer(random, 1, i)].depth);
     }
     // Which depth goes where is drawn: there goes the first circle of it that is left.
     for (int i = 0; i < n; i++) {
@@ -111,10 +112,11 @@ void scene2d_vary(Scene2D *scene, Random *random)
 
 // ---- Spheres ------------------------------------------------------------------------------------
 
+// All but the first and the last: see shuffle_circles().
 static void shuffle_spheres(Scene3D *scene, Random *random)
 {
-    for (int i = scene->n_spheres - 1; i > 0; i--) {
-        const int j = (int)random_integer(random, 0, i);
+    for (int i = scene->n_spheres - 2; i > 1; i--) {
+        const int j = (int)random_integer(random, 1, i);
         const Sphere sphere = scene->spheres[i];
         const u32 material = scene->material_ids[i];
         scene->spheres[i] = scene->spheres[j];

@@ -8,7 +8,7 @@
 #include "scene2d.h"
 #include "scene3d.h"
 
-// A picture's side of n pixels or a few more. What is even or odd stays so.
+// A picture's side of n pixels, or up to a sixth less. What is even or odd stays so.
 int side_vary(Random *random, int n);
 
 // Mirror and turn a scene as a whole, each of the eight ways as likely.
