@@ -175,6 +175,11 @@ int grading_judge(Grading *grading)
     if (confirm_kernels(grading) != 0 || grading_try_alone(grading) != 0) {
         return -1;
     }
+    if (grading->has_no_time) {
+        grading_add_stage(grading, "Trying answers alone", CHECK_FAILED,
+                          "what is left was not tried by itself: all runs together had used up the "
+                          "time that a submission has; do answers wait, or never end?");
+    }
     blame_others(grading->session.judge.checks, &grading->result);
     return 0;
 }

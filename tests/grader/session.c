@@ -5,6 +5,7 @@
 #include "kept_answers.h"
 #include "path.h"
 #include "sandbox.h"
+#include "sandbox_clock.h"
 #include "secrets.h"
 #include "skeleton.h"
 #include "text_file.h"
@@ -106,6 +107,9 @@ int session_open(Session *session, const Settings *settings)
 {
     *session =
         (Session){.settings = settings, .allowance = {.given_seconds = settings->time_limit}};
+    if (settings->deadline > 0) {
+        session->allowance.deadline = seconds_now() + settings->deadline;
+    }
     SandboxKind sandbox;
     session->has_solution = has_solution(settings->lab);
     if (manifest_load("labs", settings->lab, &session->manifest) != 0 ||
@@ -158,6 +162,9 @@ void session_close(Session *session)
 int session_run(Session *session, Variant *const variants[], int n)
 {
     const int known = session->has_kept_answers && n > 0 && variants[0] == &session->solution;
+    // Answers over which the judge ended took its time, which counts as theirs.
+    session->allowance.spent += session->judge.lost_seconds;
+    session->judge.lost_seconds = 0;
     return variants_run(&session->workshop, variants + known, n - known, &session->allowance);
 }
 

@@ -44,13 +44,13 @@ typedef struct PictureResult {
 typedef struct StageResult {
     const char
         *title;  // "Staging", "What stands out", "Sandbox", "Compiling", "Running", "Markers",
-                 // "What to try next"
+                 // "Trying answers alone", "What to try next"
     CheckStatus status;
     // Compiler output with the student's own file and line, crash, time-out... Owned.
     char *message;
 } StageResult;
 
-enum { RESULT_MAX_CHECKS = 32, RESULT_MAX_PICTURES = 12, RESULT_MAX_STAGES = 7 };
+enum { RESULT_MAX_CHECKS = 32, RESULT_MAX_PICTURES = 12, RESULT_MAX_STAGES = 8 };
 
 typedef struct Result {
     const char *lab;         // "01-naive-2d"
