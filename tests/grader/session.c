@@ -168,14 +168,15 @@ int session_run(Session *session, Variant *const variants[], int n)
     return variants_run(&session->workshop, variants + known, n - known, &session->allowance);
 }
 
-static Answers answers_of(const Variant *variant)
+static JudgeProcess *judge_of_job(Session *session, int k)
 {
-    return (Answers){variant->number, &variant->answers};
+    return k == 0 ? &session->judge : &session->further[k - 1];
 }
 
-static Answers further_of(const Variant *variant, int k)
+// What a variant answered to job number k.
+static Answers answers_to(const Variant *variant, int k)
 {
-    return (Answers){variant->number, &variant->further[k]};
+    return (Answers){variant->number, k == 0 ? &variant->answers : &variant->further[k - 1]};
 }
 
 // The solution's answers to a judge's job must pass; then its pictures are what is compared with.
@@ -209,12 +210,10 @@ int session_trust_solution(Session *session)
                 solution->build_log ? solution->build_log : solution->run_output);
         return -1;
     }
-    int result = trust_answers(&session->judge, answers_of(solution));
-    for (int k = 0; result == 0 && k < session->workshop.n_further_jobs; k++) {
-        result = trust_answers(&session->further[k], further_of(solution, k));
-    }
-    if (result != 0) {
-        return -1;
+    for (int k = 0; k <= session->workshop.n_further_jobs; k++) {
+        if (trust_answers(judge_of_job(session, k), answers_to(solution, k)) != 0) {
+            return -1;
+        }
     }
     if (session->settings->kept_answers == NULL || session->has_kept_answers) {
         return 0;
@@ -283,15 +282,8 @@ static void take_verdict(const Variant *variant, const char *task, Verdict verdi
     }
 }
 
-void session_judge(Session *session, int i, const Variant *variant, CheckResult *result)
+void session_judge(Session *session, int k, int i, const Variant *variant, CheckResult *result)
 {
-    const Verdict verdict = judge_verdict(&session->judge, answers_of(variant), i);
-    take_verdict(variant, session->judge.checks[i].task, verdict, result);
-}
-
-void session_judge_further(Session *session, int k, int i, const Variant *variant,
-                           CheckResult *result)
-{
-    const Verdict verdict = judge_verdict(&session->further[k], further_of(variant, k), i);
+    const Verdict verdict = judge_verdict(judge_of_job(session, k), answers_to(variant, k), i);
     take_verdict(variant, session->judge.checks[i].task, verdict, result);
 }
