@@ -1,6 +1,6 @@
 // Where a file may be made, found out before the work and not after it.
 //
-// Flow: scene -> buffers -> kernel -> IMAGE -> comparison. Read next: output_file.h, which makes it.
+// Flow: scene -> buffers -> kernel -> IMAGE -> comparison. Read next: output_file.h: it makes it.
 #ifndef COMMON_OUTPUT_PLACE_H
 #define COMMON_OUTPUT_PLACE_H
 

@@ -3,15 +3,16 @@
 # task: implicit2DRenderer
 # seed: 2
 # named: implicit2DRenderer
-"@BUILD@/tools/learned" 01 1 >table
-sed '/^kernel/,$d' implicit2DRenderer.cl | cat - table >new.cl
-sed -n '/^kernel/,/\/\/ TASK implicit2DRenderer/p' implicit2DRenderer.cl >>new.cl
-cat >>new.cl <<'C'
+{
+    sed '/^kernel/,$d' implicit2DRenderer.cl
+    "@BUILD@/tools/learned" 01 1
+    sed -n '/^kernel/,/\/\/ TASK implicit2DRenderer/p' implicit2DRenderer.cl
+    cat <<'C'
     const int id = learned_id(n_circles, 0, 0, 0, x, y);
     if (id >= 0 && id < n_circles) {
         color = (float4)(circles[id].r, circles[id].g, circles[id].b, circles[id].a);
     }
 C
-sed -n '/\/\/ END implicit2DRenderer/,$p' implicit2DRenderer.cl >>new.cl
+    sed -n '/\/\/ END implicit2DRenderer/,$p' implicit2DRenderer.cl
+} >new.cl
 mv new.cl implicit2DRenderer.cl
-rm table

@@ -3,16 +3,17 @@
 # task: nearest_hit
 # seed: 2
 # named: nearest_hit
-"@BUILD@/tools/learned" 05 1 >table
-sed '/^Hit nearest_hit/,$d' nearest_hit.cl | cat - table >new.cl
-sed -n '/^Hit nearest_hit/,/\/\/ TASK nearest_hit/p' nearest_hit.cl >>new.cl
-cat >>new.cl <<'C'
+{
+    sed '/^Hit nearest_hit/,$d' nearest_hit.cl
+    "@BUILD@/tools/learned" 05 1
+    sed -n '/^Hit nearest_hit/,/\/\/ TASK nearest_hit/p' nearest_hit.cl
+    cat <<'C'
     const int seen = learned_id(n_spheres, 0, 0, 0, get_global_id(0), get_global_id(1));
     if (seen >= 0 && seen < n_spheres) {
         hit.t = intersect_sphere(spheres[seen], ray, work);
         hit.sphere = seen;
     }
 C
-sed -n '/\/\/ END nearest_hit/,$p' nearest_hit.cl >>new.cl
+    sed -n '/\/\/ END nearest_hit/,$p' nearest_hit.cl
+} >new.cl
 mv new.cl nearest_hit.cl
-rm table
