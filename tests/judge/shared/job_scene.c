@@ -75,7 +75,7 @@ int job_scene_depths(JobScene *scene, Random *random)
         {6, -3e38f},
     };
     enum { N_ROWS = sizeof rows / sizeof *rows, N_PLACES = 8, PLACES_A_ROW = 4, PLACE = 8 };
-    int places[N_PLACES];
+    int places[N_PLACES] = {0};
     *scene = (JobScene){0};
     snprintf(scene->picture.title, sizeof scene->picture.title,
              "depths from -3e38 to 3e38, and one float apart");

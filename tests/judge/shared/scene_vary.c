@@ -79,7 +79,7 @@ static void shuffle_circles(Scene2D *scene, Random *random)
 // Other depths in the same order.
 static void redraw_depths(Scene2D *scene, Random *random)
 {
-    float depths[SCENE2D_EDGE_CASE_CIRCLES];
+    float depths[SCENE2D_EDGE_CASE_CIRCLES] = {0};
     float farthest = -INFINITY, drawn = 0;
     for (int n_left = scene->n_circles; n_left > 0;) {
         // The next depth of all, and a new one behind that of the last round.
