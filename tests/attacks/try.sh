@@ -75,13 +75,13 @@ earned() {
 
 # grade: by the sandbox asked for; everything it starts has to end with it.
 grade() {
-    limit=
-    seed=
-    [ ! -f "$attack" ] || limit=$(header limit) seed=$(header seed)
+    limit='' deadline='' seed=''
+    [ ! -f "$attack" ] || limit=$(header limit) deadline=$(header deadline) seed=$(header seed)
     # The solution's answers are kept: it need not run beside every attack.
     mkdir -p "$answers/$lab"
     set -- --build "$build" --lab "$lab" --submission "$submission" --output "$reports" \
-        ${limit:+--time-limit "$limit"} --seed "${seed:-1}" --answers "$answers/$lab" --sandbox "$sandbox"
+        ${limit:+--time-limit "$limit"} ${deadline:+--deadline "$deadline"} \
+        --seed "${seed:-1}" --answers "$answers/$lab" --sandbox "$sandbox"
     status=0
     # So far off that no busy machine gets there.
     TMPDIR=$work timeout 900 "$build/tools/left_behind" "$build/tools/grade" "$@" \
