@@ -6,7 +6,7 @@ AUTHORS_INCLUDES += -I tests/mutation -I tests/memcheck -I tests/class
 
 # ---- Known answers, and mechanical ones -----------------------------------------------------
 
-$(OUT)/libmutation.a: $(call objects,tests/mutation/mutations.c)
+$(OUT)/libmutation.a: $(call objects,tests/mutation/mutations.c tests/mutation/known_answer.c)
 	$(archive)
 $(OUT)/tools/mutants $(OUT)/tools/mutate: $(OUT)/tools/%: $(OUT)/obj/tests/mutation/%.c.o $(OUT)/libmutation.a $(OUT)/libgrader.a $(OUT)/libcommon.a | $(OUT)/libimage_codec.so
 	$(call link,$(LIBRARIES))
@@ -104,9 +104,9 @@ $(OUT)/obj/tests/unit/test_builder_guard.c.o: EXTRA = $(GRADER_INCLUDES) -I $(di
 $(OUT)/obj/tests/unit/test_builder_guard.c.o: $(TOO_MANY)
 
 # What the suites use: a comparison of two pictures, what rays hit; for the attacks a listener that must
-# not be reached, and a wrapper that sees survivors; a judge over answers that exhaust it; a kernel
-# without Landlock, a device without images.
-SUITE_TOOLS = $(addprefix $(OUT)/tools/,compare count_hits greedy_judge listener left_behind older_kernel)
+# not be reached, a wrapper that sees survivors, and a table of what a seed shows; a judge over answers
+# that exhaust it; a kernel without Landlock, a device without images.
+SUITE_TOOLS = $(addprefix $(OUT)/tools/,compare count_hits greedy_judge learned listener left_behind older_kernel)
 $(SUITE_TOOLS): $(OUT)/tools/%: $(OUT)/obj/tests/tools/%.c.o $(OUT)/libgrader.a $(OUT)/libjudge.a $(OUT)/libcommon.a | $(OUT)/libimage_codec.so
 	$(call link,$(LIBRARIES))
 $(OUT)/tests/no_images.so: tests/tools/no_images.c

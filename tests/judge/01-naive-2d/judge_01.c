@@ -17,11 +17,12 @@ static int draw_scenes(Random *random, JobScene scenes[N_SCENES])
     result |= job_scene_random(&scenes[RANDOM], random, 200, 16, 128, 96);
     result |= job_scene_random(&scenes[RANDOM + 1], random, 7, 40, 96, 100);
     job_scene_spread_depths(&scenes[RANDOM + 1]);
-    result |= job_scene_named(&scenes[ORDER], "equal-depths", 96, 64);
+    result |= job_scene_named(&scenes[ORDER], random, "equal-depths", 96, 64);
     for (int k = EDGES; k < DEPTHS; k++) {
-        result |= job_scene_named(&scenes[k], edge_names[k - EDGES], 64, 48);
+        result |= job_scene_named(&scenes[k], random, edge_names[k - EDGES], 64, 48);
     }
-    result |= job_scene_depths(&scenes[DEPTHS]) | job_scene_pile(&scenes[PILE]);
+    result |= job_scene_depths(&scenes[DEPTHS], random);
+    result |= job_scene_pile(&scenes[PILE], random);
     for (int k = 0; result == 0 && k < N_SCENES; k++) {
         result = job_scene_expect(&scenes[k]);
     }

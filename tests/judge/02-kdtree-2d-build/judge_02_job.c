@@ -259,11 +259,11 @@ static int draw_scenes(Random *random, JobScene scenes[N_SCENES], Growth *growth
     static const KdTreeLimits limits[N_SCENES] = {{7, 4}, {4, 1}, {16, 6}, {6, 2},
                                                   {9, 1}, {4, 1}, {1, 3}};
     int result = job_scene_random(&scenes[0], random, 150, 14, 200, 150);
-    result |= job_scene_named(&scenes[1], "example", 10, 10);
+    result |= job_scene_named(&scenes[1], random, "example", 10, 10);
     result |= job_scene_random(&scenes[2], random, 300, 10, 120, 240);
-    result |= job_scene_named(&scenes[3], "touching", 64, 48);
-    result |= job_scene_named(&scenes[4], "tiny", 64, 48);
-    result |= job_scene_named(&scenes[5], "none", 64, 48);
+    result |= job_scene_named(&scenes[3], random, "touching", 64, 48);
+    result |= job_scene_named(&scenes[4], random, "tiny", 64, 48);
+    result |= job_scene_named(&scenes[5], random, "none", 64, 48);
     result |= job_scene_random(&scenes[DISTRIBUTE_SCENE], random, DISTRIBUTE_MAX_IDS, 10, 200, 150);
     if (result == 0) {
         Circle *circles = scenes[DISTRIBUTE_SCENE].scene.circles;

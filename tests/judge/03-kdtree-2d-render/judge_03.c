@@ -277,16 +277,17 @@ static Diagnosis judge_leaf(const JobScene *scene, int x, int y, Work found)
                               explain_tests(found.n_tests, n));
 }
 
-// Judge the counted work of scene K. Every seventh pixel each way is plenty, and the tree is asked
-// node by node.
+// Judge the counted work of scene K. In a large picture every seventh pixel each way is plenty: the
+// tree is asked node by node. In a small one a leaf may be a few pixels.
 static Verdict judge_work(const Job03 *job, int k, JudgeWork *judge_pixel, const Sections *answers)
 {
     const JobScene *scene = &job->scenes[k];
     const int width = scene->scene.width, height = scene->scene.height;
     const Work *found = job_work_find(&scene->picture, k, answers);
     Verdict verdict = found == NULL ? verdict_missing : verdict_passed;
-    for (int y = 0; y < height; y += 7) {
-        for (int x = 0; verdict.kind == VERDICT_PASSED && x < width; x += 7) {
+    const int step = width * height > 10000 ? 7 : 1;
+    for (int y = 0; y < height; y += step) {
+        for (int x = 0; verdict.kind == VERDICT_PASSED && x < width; x += step) {
             if (cell_holds(scene->tree.nodes_BBox[0], x, y)) {
                 verdict = verdict_of(judge_pixel(scene, x, y, found[y * width + x]));
             }

@@ -5,6 +5,7 @@
 #include "job_sections.h"
 #include "jobs.h"
 #include "oracle2d.h"
+#include "scene_vary.h"
 
 #include <float.h>
 #include <math.h>
@@ -28,12 +29,17 @@ int job_scene_random(JobScene *scene, Random *random, int n_circles, int max_rad
     return 0;
 }
 
-int job_scene_named(JobScene *scene, const char *name, int width, int height)
+int job_scene_named(JobScene *scene, Random *random, const char *name, int width, int height)
 {
     *scene = (JobScene){0};
-    snprintf(scene->picture.title, sizeof scene->picture.title, "scene \"%s\", %dx%d", name, width,
-             height);
-    return scene2d_generate(name, width, height, &scene->scene);
+    const int columns = side_vary(random, width), rows = side_vary(random, height);
+    if (scene2d_generate(name, columns, rows, &scene->scene) != 0) {
+        return -1;
+    }
+    scene2d_vary(&scene->scene, random);
+    snprintf(scene->picture.title, sizeof scene->picture.title, "a scene like \"%s\", %dx%d", name,
+             scene->scene.width, scene->scene.height);
+    return 0;
 }
 
 void job_scene_spread_depths(JobScene *scene)
@@ -43,8 +49,18 @@ void job_scene_spread_depths(JobScene *scene)
     }
 }
 
+// The places 0 and on in any order.
+static void shuffle_places(Random *random, int n, int places[])
+{
+    for (int i = 0; i < n; i++) {
+        const int j = (int)random_integer(random, 0, i);
+        places[i] = places[j];
+        places[j] = i;
+    }
+}
+
 // Where circles have the same centre, one of them takes the pixels, and its depth says which.
-int job_scene_depths(JobScene *scene)
+int job_scene_depths(JobScene *scene, Random *random)
 {
     static const struct {
         int place;
@@ -59,46 +75,41 @@ int job_scene_depths(JobScene *scene)
         {6, -3e38f},  {7, -1},
         {7, 0.5f},  // farther than a negative one
     };
-    enum { N_ROWS = sizeof rows / sizeof *rows, PLACES_A_ROW = 4, PLACE = 8, RADIUS = 3 };
+    enum { N_ROWS = sizeof rows / sizeof *rows, N_PLACES = 8, PLACES_A_ROW = 4, PLACE = 8 };
+    int places[N_PLACES] = {0};
     *scene = (JobScene){0};
     snprintf(scene->picture.title, sizeof scene->picture.title,
              "depths up to the largest float, and one float apart");
     if (scene2d_create(N_ROWS, PLACES_A_ROW * PLACE, 2 * PLACE, &scene->scene) != 0) {
         return -1;
     }
+    shuffle_places(random, N_PLACES, places);
     for (int i = 0; i < N_ROWS; i++) {
-        scene->scene.circles[i] =
-            (Circle){.x = (float)(rows[i].place % PLACES_A_ROW * PLACE + PLACE / 2),
-                     .y = (float)(rows[i].place / PLACES_A_ROW * PLACE + PLACE / 2),
-                     .radius = RADIUS,
-                     .depth = rows[i].depth,
-                     .r = (float)(i + 1) / 16,
-                     .g = 1 - (float)i / 16,
-                     .b = (float)(i % 3) / 2,
-                     .a = 1};
+        const int place = places[rows[i].place];
+        scene->scene.circles[i] = (Circle){.x = (float)(place % PLACES_A_ROW * PLACE + PLACE / 2),
+                                           .y = (float)(place / PLACES_A_ROW * PLACE + PLACE / 2),
+                                           .radius = (float)random_integer(random, 2, 4),
+                                           .depth = rows[i].depth};
     }
+    scene2d_turn(&scene->scene, random);
+    scene2d_recolour(&scene->scene, random);
     return 0;
 }
 
-int job_scene_pile(JobScene *scene)
+int job_scene_pile(JobScene *scene, Random *random)
 {
-    enum { N_CIRCLES = 8203 };
+    const int n_circles = (int)random_integer(random, 8203, 8303);
     *scene = (JobScene){0};
     snprintf(scene->picture.title, sizeof scene->picture.title,
-             "%d circles, one upon another, each nearer than those before it", N_CIRCLES);
-    if (scene2d_create(N_CIRCLES, 24, 16, &scene->scene) != 0) {
+             "%d circles, one upon another, each nearer than those before it", n_circles);
+    if (scene2d_create(n_circles, 24, 16, &scene->scene) != 0) {
         return -1;
     }
-    for (int i = 0; i < N_CIRCLES; i++) {
-        scene->scene.circles[i] = (Circle){.x = 12,
-                                           .y = 8,
-                                           .radius = 20,
-                                           .depth = (float)(N_CIRCLES - i) / 16384,
-                                           .r = (float)(i % 128) / 128,
-                                           .g = (float)(i / 128) / 128,
-                                           .b = 0.5f,
-                                           .a = 1};
+    for (int i = 0; i < n_circles; i++) {
+        scene->scene.circles[i] =
+            (Circle){.x = 12, .y = 8, .radius = 20, .depth = (float)(n_circles - i) / 16384};
     }
+    scene2d_recolour(&scene->scene, random);
     return 0;
 }
 
