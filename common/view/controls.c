@@ -220,6 +220,10 @@ const ControlLine *controls_help(int i)
 static void key_take(Viewer *viewer, const SDL_KeyboardEvent *event)
 {
     const int is_down = event->type == SDL_KEYDOWN;
+    // A key that is held is pressed once.
+    if (event->repeat) {
+        return;
+    }
     if (is_down) {
         viewer->note = NULL;
         viewer->key_at_ms = stats_clock_ms() - (double)(SDL_GetTicks() - event->timestamp);
@@ -265,7 +269,7 @@ static void button_let_go(Viewer *viewer, int button)
         viewer->pixel_x = viewer->grip_x;
         viewer->pixel_y = viewer->grip_y;
         viewer->is_following = 1;
-        viewer->is_followed = 0;
+        viewer->is_followed = viewer->is_told = 0;
     }
     viewer->grip = GRIP_NONE;
 }

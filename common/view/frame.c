@@ -9,16 +9,6 @@
 #include <stdio.h>
 #include <string.h>
 
-void *world_allocate(size_t n_bytes)
-{
-    void *memory = calloc(1, n_bytes);
-    if (memory == NULL) {
-        complain("view: no memory for %zu bytes", n_bytes);
-        exit(EXIT_FAILURE);
-    }
-    return memory;
-}
-
 int frame_open(Frame *frame, const World *world)
 {
     *frame = (Frame){0};

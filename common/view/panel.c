@@ -76,7 +76,7 @@ static void work_write(Viewer *viewer)
     const int n_counters = kind == &CIRCLES ? 2 : N_COUNTERS;
     Pen pen = {viewer, TOP_OF_WORK};
     write_rule(&pen);
-    write_line(&pen, SOFT, "%-20s %9s %9s", "a pixel asks", "mean", "most");
+    write_line(&pen, SOFT, "%-20s %9s %9s", "work of a pixel", "mean", "most");
     for (int i = 0; i < n_counters; i++) {
         // While something moves, the figures are those of the last frame that stood still.
         write_line(&pen, viewer->is_counted ? INK : SOFT, "%-20s %9.2f %9u", names[i],

@@ -70,7 +70,8 @@ int poses_read(const char *path, const WorldKind *kind, Poses *poses)
     int result = 0;
     while (result == 0 && line_read(&reader)) {
         Pose pose;
-        if (reader.text[0] == '#' || reader.text[0] == '\0') {
+        const char first = reader.text[strspn(reader.text, " \t\r")];
+        if (first == '#' || first == '\0') {
             continue;
         }
         result = pose_read(&reader, kind, &pose);

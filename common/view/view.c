@@ -11,6 +11,7 @@
 #include "viewer.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 // ---- One frame --------------------------------------------------------------------------------
@@ -57,6 +58,31 @@ static void frame_update(Viewer *viewer)
     }
 }
 
+// Ask the followed pixel for its steps.
+static void pixel_update(Viewer *viewer)
+{
+    viewer->is_followed = 1;
+    viewer->is_shown = 0;
+    if (record_pixel(&viewer->world, &viewer->kernels[viewer->kernel], viewer->pixel_x,
+                     viewer->pixel_y, &viewer->steps) != 0) {
+        viewer->is_following = 0;
+        viewer->note = "no steps: see the terminal";
+        return;
+    }
+    viewer->n_lines = record_words(&viewer->world, &viewer->steps, viewer->lines);
+    viewer->first_line = 0;
+    if (viewer->is_told) {
+        return;
+    }
+    // After a click they go to the terminal as well, to be copied and compared.
+    printf("pixel %d, %d:\n", viewer->pixel_x, viewer->pixel_y);
+    for (int i = 0; i < viewer->n_lines; i++) {
+        printf("%s\n", viewer->lines[i].text);
+    }
+    fflush(stdout);
+    viewer->is_told = 1;
+}
+
 // What has time until nothing moves.
 static void still_update(Viewer *viewer)
 {
@@ -66,15 +92,7 @@ static void still_update(Viewer *viewer)
         viewer->is_shown = 0;
     }
     if (viewer->is_following && !viewer->is_followed) {
-        if (record_pixel(&viewer->world, &viewer->kernels[viewer->kernel], viewer->pixel_x,
-                         viewer->pixel_y, &viewer->steps) != 0) {
-            viewer->is_following = 0;
-            viewer->note = "its steps cannot be told: see the terminal";
-        }
-        viewer->n_lines = record_words(&viewer->world, &viewer->steps, viewer->lines);
-        viewer->first_line = 0;
-        viewer->is_followed = 1;
-        viewer->is_shown = 0;
+        pixel_update(viewer);
     }
 }
 

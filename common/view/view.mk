@@ -30,7 +30,8 @@ $(VIEWS): $(OUT)/view/%: $$(call view_objects,$$*) $(OUT)/libview.a $(OUT)/earli
 view_program = $(OUT)/view/$(if $(SOLUTION),solutions,labs)/$(graded_lab)
 view_ready = test -n "$(filter $(graded_lab),$(VIEWED))" || { echo 'make $@: found LAB="$(LAB)", expected a lab that draws with a kernel: $(VIEWED)' >&2; exit 2; }; \
     common/setup/install.sh view && $(MAKE) -s --no-print-directory $(view_program)
-.PHONY: view movie
+.PHONY: views view movie
+views: $(VIEWS)
 view:  ## install what is missing, fly through LAB=03 in a window [SOLUTION=1] [OPTIONS="--size 800x600 ..."]
 	+@$(view_ready)
 	@$(view_program) $(OPTIONS)

@@ -43,6 +43,7 @@ typedef struct Viewer {
 
     // The pixel that is followed.
     int is_following, pixel_x, pixel_y;
+    int is_told;  // its steps stand on standard output, too
     Steps steps;
     RecordLine lines[RECORD_MAX_LINES];
     int n_lines, first_line;  // and which of them is the first that is shown
