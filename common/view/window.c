@@ -79,7 +79,8 @@ void window_text(Window *window, Box box, Colour colour, const char *text)
     // Of nothing SDL makes no picture.
     SDL_Surface *drawn = text[0] != '\0' ? TTF_RenderUTF8_Blended(window->font, text, ink) : NULL;
     if (drawn != NULL) {
-        SDL_BlitSurface(drawn, &(SDL_Rect){0, 0, box.w, drawn->h}, window->canvas, &box);
+        const Box part = {0, 0, box.w, drawn->h};
+        SDL_BlitSurface(drawn, &part, window->canvas, &box);
         SDL_FreeSurface(drawn);
     }
 }

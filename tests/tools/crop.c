@@ -22,7 +22,8 @@ static int crop(const Image *image, int x, int y, Image *part)
     }
     const size_t row_length = (size_t)part->width * IMAGE_CHANNELS;
     for (int row = 0; row < part->height; row++) {
-        const size_t start = ((size_t)(y + row) * (size_t)image->width + (size_t)x) * IMAGE_CHANNELS;
+        const size_t start =
+            ((size_t)(y + row) * (size_t)image->width + (size_t)x) * IMAGE_CHANNELS;
         memcpy(part->pixels + (size_t)row * row_length, image->pixels + start,
                row_length * sizeof *image->pixels);
     }

@@ -1,6 +1,6 @@
 // common/view/flight: how a view moves.
-#include "flight.h"
 #include "camera_from_view.h"
+#include "flight.h"
 
 #include <criterion/criterion.h>
 

@@ -10,6 +10,9 @@
 #define KERNELS_WORK_H
 typedef Steps Work;
 
+// Kernels begin with Work work = {0, 0, 0, 0}: what is more is 0, too, and no mistake.
+#pragma clang diagnostic ignored "-Wmissing-field-initializers"
+
 static inline void step_add(Work *work, Step step)
 {
     // The last one is always kept: it says how the pixel ended.

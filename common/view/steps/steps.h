@@ -37,7 +37,7 @@ LAYOUT_ASSERT(Step, 44);
 
 // It begins like a Work (kernels/work.h), as kernels set those four to 0.
 typedef struct Steps {
-    u32 work[4];
+    u32 n_tests, n_nodes_visited, n_leaves_visited, stack_depth;
     u32 n_steps;  // all of them, STEP_END included
     Step steps[MAX_STEPS];
 } Steps;
