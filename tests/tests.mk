@@ -69,7 +69,7 @@ demo:  ## install what is missing, render every solution, grade a small class
 	@$(MAKE) --no-print-directory all
 	@tests/demo.sh $(OUT)
 
-figures: all  ## draw the pictures of the READMEs and notes anew
+figures: all views  ## draw the pictures of the READMEs and notes anew
 	tests/figures.sh slides-notes/figures $(OUT) >/dev/null
 
 # Texts of answers are as somebody wrote them.

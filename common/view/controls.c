@@ -187,7 +187,7 @@ static const struct PressedKey {
     {SDLK_f, path_restart, {"F", "fly the path of --path, from its start"}},
     {SDLK_HOME, home_go, {"Home", "back to the scene's own view"}},
     {SDLK_c, pixel_forget, {"C", "follow no pixel any more"}},
-    {SDLK_PAGEDOWN, steps_down, {"Page", "up and down through its steps; or wheel"}},
+    {SDLK_PAGEDOWN, steps_down, {"Page Up, Down", "through its steps; or the wheel"}},
     {SDLK_PAGEUP, steps_up, {0}},
     {SDLK_r, kernel_again, {"R", "read and build your kernel again"}},
     {SDLK_p, picture_save, {"P", "save the picture to --output"}},

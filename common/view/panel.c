@@ -197,7 +197,7 @@ static void mark_draw(Viewer *viewer)
 
 static void help_draw(Viewer *viewer)
 {
-    enum { KEYS_WIDTH = 100, HELP_WIDTH = 460 };
+    enum { KEYS_WIDTH = 118, HELP_WIDTH = 490 };
     Window *window = &viewer->window;
     int n_lines = 0;
     while (controls_help(n_lines) != NULL) {
@@ -221,7 +221,7 @@ void panel_draw(Viewer *viewer)
         mark_draw(viewer);
     }
     const int width = viewer->world.width, height = viewer->world.height;
-    window_fill(window, (Box){width, 0, PANEL_WIDTH, window->canvas->h}, PAPER);
+    window_fill(window, (Box){width, 0, window->canvas->w - width, window->canvas->h}, PAPER);
     window_fill(window, (Box){0, height, width, window->canvas->h - height}, PAPER);
     speed_write(viewer);
     work_write(viewer);

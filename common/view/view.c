@@ -249,7 +249,7 @@ static void session_open(Session *session, const Lab *lab)
 {
     Viewer *viewer = &session->viewer;
     const Options *options = &lab->options;
-    const int height = viewer->world.height;
+    const int width = viewer->world.width + PANEL_WIDTH, height = viewer->world.height;
     viewer->limits = viewer->world.limits;
     viewer->is_placed = 1;
     if (options->script != NULL) {
@@ -260,8 +260,8 @@ static void session_open(Session *session, const Lab *lab)
         viewer->restarts_path = 1;
     }
     require(image_create(viewer->world.width, height, &viewer->heat));
-    require(window_open(&viewer->window, lab->name, viewer->world.width + PANEL_WIDTH,
-                        height > PANEL_MIN_HEIGHT ? height : PANEL_MIN_HEIGHT));
+    require(window_open(&viewer->window, lab->name, width > MIN_WIDTH ? width : MIN_WIDTH,
+                        height > MIN_HEIGHT ? height : MIN_HEIGHT));
 }
 
 static void session_close(Session *session)

@@ -9,8 +9,9 @@
 #include "record.h"
 #include "window.h"
 
-// The panel stands to the right of the picture, so that it hides nothing of it.
-enum { PANEL_WIDTH = 352, PANEL_MIN_HEIGHT = 640 };
+// The panel stands to the right of the picture, so that it hides nothing of it. However small the
+// picture is, all of the panel and of the help is seen.
+enum { PANEL_WIDTH = 352, MIN_WIDTH = 520, MIN_HEIGHT = 640 };
 
 // Levels of the tree that the slider offers.
 enum { SHALLOWEST = 1, DEEPEST = 30 };

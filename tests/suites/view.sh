@@ -47,19 +47,13 @@ check "a lab without a window has none" sh -c '! make -s view LAB=02 2>&1 | grep
 
 # ---- A display ------------------------------------------------------------------------------------
 
-if ! command -v Xvfb >/dev/null; then
+. tests/display.sh
+if ! display_open; then
     skip "windows" "there is no Xvfb"
     finish
     exit
 fi
-# It chooses a free number itself, and says which once it is ready.
-mkfifo "$scratch/number"
-Xvfb -displayfd 3 -screen 0 1600x1200x24 -nolisten tcp 3>"$scratch/number" >/dev/null 2>&1 &
-server=$!
-trap 'kill $server 2>/dev/null; rm -rf "$scratch"' EXIT
-read -r number <"$scratch/number"
-DISPLAY=:$number
-export DISPLAY
+trap 'display_close; rm -rf "$scratch"' EXIT
 
 # ---- What is shown --------------------------------------------------------------------------------
 
@@ -144,6 +138,24 @@ window 07 "$(printf 'key N\nclick 0 0\nframes 1\n')" --size 1x1 --scene spherefl
 [ "$(grep '^hit:' "$scratch/stdout")" = "$end" ]
 ok $? "the naive kernel's ray hits the same" "$(tail -n 1 "$scratch/stdout"), expected $end"
 check "more steps than are kept: all are counted" grep -q '^and 3[0-9]* more$' "$scratch/stdout"
+
+# ---- Watched by the sanitizers --------------------------------------------------------------------
+
+# All keys, and a mouse that leaves the picture.
+restless() {
+    for program in "$build/sanitized/view/solutions/$1"-*; do :; done
+    with ASAN_OPTIONS=detect_leaks=0 run_script "$program" "$(printf '%s\n' 'frames 1' 'click 300 20' 'click 30 20' \
+        'key H' 'key M' 'key N' 'frames 1' 'key PageDown' 'key P' 'wheel -2 300 500' 'wheel 2 30 20' 'key -' 'frames 2' \
+        'drag 10 10 900 900' 'drag 10 10 -50 -50 right' 'key O' 'frames 3' 'key Home' 'key R' 'key C' 'key F' \
+        'drag 500 286 700 286' 'frames 1' 'key Escape' 'frames 1')" --scene random:n=40 --size 64x48 \
+        --record "$out/restless.path" --output "$out/restless.png"
+}
+if $is_sanitized; then
+    check "lab 03: every key, watched" works restless 03
+    check "lab 07: every key, watched" works restless 07
+    [ ! -s "$scratch/stderr" ]
+    ok $? "and nothing is said" "$(cat "$scratch/stderr")"
+fi
 
 # ---- Paths and films ------------------------------------------------------------------------------
 
