@@ -89,6 +89,16 @@ both_draw_alike() {
 }
 check "lab 03: tree and naive show the same, here and elsewhere" both_draw_alike 03 --scene random:n=300
 check "lab 07: tree and naive show the same, here and elsewhere" both_draw_alike 07 --scene sphereflake:size=2
+# works_like LAB NAIVE-LAB OPTION...: behind N, is the heat map that of the naive lab?
+works_like() {
+    lab=$1 naive=$2
+    shift 2
+    run "$naive" --size 96x64 --heat-map --output "$out/naive.png" "$@" &&
+        works window "$lab" "$(printf '%s\n' 'frames 1' 'key N' 'key M' 'frames 1' 'save @/window.png')" --size 96x64 "$@" &&
+        shows window 96x64 "$out/naive-work.png"
+}
+check "lab 03: the naive kernel asks every circle" works_like 03 01 --scene random:n=100
+check "lab 07: the naive kernel asks every sphere" works_like 07 05 --scene sphereflake:size=1
 check "lab 01 has one kernel; R builds it again" works window 01 \
     "$(printf '%s\n' 'frames 1' 'save @/before.png' 'key N' 'key R' 'frames 1' 'save @/after.png')" --size 64x48
 check "and it shows the same" shows after 64x48 "$(picture before 64x48)"
