@@ -105,21 +105,28 @@ check "and it shows the same" shows after 64x48 "$(picture before 64x48)"
 
 # ---- The tree's depth -----------------------------------------------------------------------------
 
-# depth_is DEPTH SCRIPT-LINE...: after these, is the heat map that of the lab with --max-depth DEPTH?
+# At every depth up to 30 this tree is another one.
+deep='--scene random:n=300,min=0.1,max=0.3 --leaf-size 1 --size 96x64'
+
+# depth_is DEPTH OTHER SCRIPT-LINE...: after these, is the heat map that of the lab with --max-depth DEPTH, and not
+# that with OTHER?
 depth_is() {
-    depth=$1
-    shift
-    run 07 --scene sphereflake:size=2 --size 160x120 --max-depth "$depth" --heat-map --output "$out/depth.png" &&
-        works window 07 "$(printf '%s\n' 'key M' "$@" 'frames 1' 'save @/window.png')" \
-            --scene sphereflake:size=2 --size 160x120 --max-depth 10 &&
-        shows window 160x120 "$out/depth-work.png"
+    depth=$1 other=$2
+    shift 2
+    # shellcheck disable=SC2086 # options
+    for levels in "$depth" "$other"; do
+        run 07 $deep --max-depth "$levels" --heat-map --output "$out/depth-$levels.png" || return 1
+    done
+    # shellcheck disable=SC2086
+    works window 07 "$(printf '%s\n' 'key M' "$@" 'frames 1' 'save @/window.png')" $deep --max-depth 10 &&
+        shows window 96x64 "$out/depth-$depth-work.png" && shows_another window 96x64 "$out/depth-$other-work.png"
 }
-check "a key takes a level off the tree" depth_is 9 'key -'
-check "and another one gives it one more" depth_is 11 'key ='
-check "the slider's left end is one level" depth_is 1 'drag 400 286 174 286'
-check "its right end is 30" depth_is 30 'drag 400 286 800 286'
-check "its middle is what it stands for" depth_is 16 'click 341 286'
-check "a press beside it changes nothing" depth_is 10 'click 341 330'
+check "a key takes a level off the tree" depth_is 9 11 'key -'
+check "and another one gives it one more" depth_is 11 9 'key ='
+check "the slider's left end is one level" depth_is 1 2 'drag 280 286 110 286'
+check "its right end is 30" depth_is 30 20 'drag 280 286 520 286'
+check "its middle is what it stands for" depth_is 16 15 'click 277 286'
+check "a press beside it changes nothing" depth_is 10 16 'click 277 330'
 
 # ---- A pixel is followed --------------------------------------------------------------------------
 
