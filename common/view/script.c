@@ -90,14 +90,18 @@ static const struct CommandRow {
     [SAVE] = {"save", -1, "save FILE"},
 };
 
+// What stands behind a command's name.
+typedef struct Arguments {
+    const char *word;  // NULL where it takes numbers
+    int64_t n[MAX_WORDS];
+    int button;  // of a drag
+} Arguments;
+
 // Take in what a command asks for.
-//   word     behind its name; NULL where it takes numbers
-//   n        the numbers
-//   button   of a drag
-static void command_take(Script *script, enum Command command, const char *word, const int64_t *n,
-                         int button)
+static void command_take(Script *script, enum Command command, const Arguments *arguments)
 {
-    const SDL_Keycode key = word != NULL ? SDL_GetKeyFromName(word) : 0;
+    const int64_t *n = arguments->n;
+    const SDL_Keycode key = arguments->word != NULL ? SDL_GetKeyFromName(arguments->word) : 0;
     switch (command) {
     case KEY:
         key_add(script, SDL_KEYUP, key);
@@ -114,7 +118,7 @@ static void command_take(Script *script, enum Command command, const char *word,
         button_add(script, SDL_MOUSEBUTTONDOWN, SDL_BUTTON_LEFT, n[0], n[1]);
         break;
     case DRAG:
-        drag_add(script, button, n);
+        drag_add(script, arguments->button, n);
         break;
     case WHEEL:
         wheel_add(script, n);
@@ -123,7 +127,7 @@ static void command_take(Script *script, enum Command command, const char *word,
         script->n_frames = (int)n[0];
         break;
     case SAVE:
-        strcpy(script->save, word);
+        strcpy(script->save, arguments->word);
         break;
     case N_COMMANDS:
         break;
@@ -139,15 +143,28 @@ static enum Command command_find(const char *name)
     return command;
 }
 
-// Read the numbers behind a command's name. Returns how many there are, -1 where one is none.
-static int numbers_read(char **words, int n_words, int64_t *numbers)
+// Read what stands behind a command's name. Returns 0, or -1 where it is not what the command takes.
+static int arguments_read(enum Command command, char **words, int n_words, Arguments *arguments)
 {
-    for (int i = 0; i < n_words; i++) {
-        if (number_read_integer(words[i], -LARGEST_NUMBER, LARGEST_NUMBER, &numbers[i]) != 0) {
-            return -1;
-        }
+    *arguments = (Arguments){.button = SDL_BUTTON_LEFT};
+    if (COMMANDS[command].n_numbers < 0) {
+        arguments->word = n_words == 1 ? words[0] : NULL;
+        const int is_right =
+            n_words == 1 && (command == SAVE || SDL_GetKeyFromName(words[0]) != SDLK_UNKNOWN);
+        return is_right ? 0 : -1;
     }
-    return n_words;
+    if (command == DRAG && n_words == 5 && strcmp(words[4], "right") == 0) {
+        arguments->button = SDL_BUTTON_RIGHT;
+        n_words--;
+    }
+    if (n_words != COMMANDS[command].n_numbers) {
+        return -1;
+    }
+    int result = 0;
+    for (int i = 0; result == 0 && i < n_words; i++) {
+        result = number_read_integer(words[i], -LARGEST_NUMBER, LARGEST_NUMBER, &arguments->n[i]);
+    }
+    return result;
 }
 
 // Take in the line at hand. Returns the command, or N_COMMANDS after one message; KEY, with no
@@ -158,7 +175,7 @@ static enum Command line_take(Script *script)
     char line[LINE_MAX_LENGTH + 1], quoted[LINE_QUOTE_SIZE];
     strcpy(line, reader->text);
     char *words[MAX_WORDS];
-    int n_words = line_split(line, words, MAX_WORDS);
+    const int n_words = line_split(line, words, MAX_WORDS);
     if (n_words == 0 || words[0][0] == '#') {
         return KEY;
     }
@@ -168,26 +185,12 @@ static enum Command line_take(Script *script)
                    "key, down, up, click, drag, wheel, frames or save");
         return N_COMMANDS;
     }
-    const struct CommandRow *row = &COMMANDS[command];
-    int64_t numbers[MAX_WORDS] = {0};
-    int is_right = 0;
-    int button = SDL_BUTTON_LEFT;
-    if (row->n_numbers < 0) {
-        const int is_key = command != SAVE;
-        is_right = n_words == 2 && (!is_key || SDL_GetKeyFromName(words[1]) != SDLK_UNKNOWN);
-    } else {
-        if (command == DRAG && n_words == MAX_WORDS && strcmp(words[MAX_WORDS - 1], "right") == 0) {
-            button = SDL_BUTTON_RIGHT;
-            n_words--;
-        }
-        is_right =
-            n_words <= MAX_WORDS && numbers_read(words + 1, n_words - 1, numbers) == row->n_numbers;
-    }
-    if (!is_right) {
-        line_fault(reader, "", line_quote(reader->text, quoted), row->expected);
+    Arguments arguments;
+    if (arguments_read(command, words + 1, n_words - 1, &arguments) != 0) {
+        line_fault(reader, "", line_quote(reader->text, quoted), COMMANDS[command].expected);
         return N_COMMANDS;
     }
-    command_take(script, command, row->n_numbers < 0 ? words[1] : NULL, numbers, button);
+    command_take(script, command, &arguments);
     return command;
 }
 
