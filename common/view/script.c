@@ -143,7 +143,8 @@ static enum Command command_find(const char *name)
     return command;
 }
 
-// Read what stands behind a command's name. Returns 0, or -1 where it is not what the command takes.
+// Read what stands behind a command's name. Returns 0, or -1 where it is not what the command
+// takes.
 static int arguments_read(enum Command command, char **words, int n_words, Arguments *arguments)
 {
     *arguments = (Arguments){.button = SDL_BUTTON_LEFT};
