@@ -20,7 +20,6 @@
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 // A picture's side at most: pixel coordinates stay exact in float, with 1/16 px to spare.
 #define LARGEST_SIDE 1000000
@@ -41,6 +40,10 @@ enum OptionId {
     LEAF_SIZE,
     HEAT_MAP,
     TEXTBOOK,
+    PATH,
+    RECORD,
+    MOVIE,
+    SCRIPT,
     LIST_DEVICES,
     HELP
 };
@@ -62,6 +65,10 @@ static const struct OptionRow {
     [LEAF_SIZE] = {"leaf-size", "N", OPTIONS_TREE, "elements at which a node stays a leaf"},
     [HEAT_MAP] = {"heat-map", NULL, OPTIONS_WORK, "save each pixel's work beside the picture"},
     [TEXTBOOK] = {"textbook", NULL, OPTIONS_TEXTBOOK, "intersect by the textbook's quadratic"},
+    [PATH] = {"path", "FILE", OPTIONS_VIEW, "fly this path, as --record writes it"},
+    [RECORD] = {"record", "FILE", OPTIONS_VIEW, "write down the path that is flown"},
+    [MOVIE] = {"movie", "FOLDER", OPTIONS_VIEW, "no window: draw --path as pictures"},
+    [SCRIPT] = {"script", "FILE", OPTIONS_VIEW, "keys and mouse events from a file"},
     [LIST_DEVICES] = {"list-devices", NULL, 0, "show the devices and end"},
     [HELP] = {"help", NULL, 0, "show this and end"},
 };
@@ -219,6 +226,18 @@ static OptionsResult read_option(const char *lab_name, enum OptionId id, const c
     case TEXTBOOK:
         options->textbook = 1;
         break;
+    case PATH:
+        options->path = text;
+        break;
+    case RECORD:
+        options->record = text;
+        break;
+    case MOVIE:
+        options->movie = text;
+        break;
+    case SCRIPT:
+        options->script = text;
+        break;
     case LIST_DEVICES:
     case HELP:
         break;
@@ -226,10 +245,10 @@ static OptionsResult read_option(const char *lab_name, enum OptionId id, const c
     return expected == NULL ? OPTIONS_RUN : refuse(lab_name, ROWS[id].name, text, expected);
 }
 
-// Can a file be made at `path`? Found out before the work and not after it.
+// Can the file be made?
 static OptionsResult check_place(const char *lab_name, const char *option, const char *path)
 {
-    const char *expected = output_place_expected(path);
+    const char *expected = output_place_fault(path);
     return expected == NULL ? OPTIONS_RUN : refuse(lab_name, option, path, expected);
 }
 
@@ -351,6 +370,9 @@ OptionsResult options_parse(int argc, char **argv, const char *lab_name, const c
     }
     if (result == OPTIONS_RUN && options->stats != NULL) {
         result = check_stats(lab_name, options);
+    }
+    if (result == OPTIONS_RUN && options->record != NULL) {
+        result = check_place(lab_name, "record", options->record);
     }
     // Last, so that a fault is told alone.
     if (result == OPTIONS_RUN) {

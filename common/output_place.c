@@ -1,10 +1,9 @@
-// Where a file may be made (see output_place.h).
+// Where a file is to be written (see output_place.h).
 //
-// Flow: scene -> buffers -> kernel -> IMAGE -> comparison. Read next: options.c, which asks.
+// Flow: SCENE -> buffers -> kernel -> image -> comparison. Called by options.c.
 #include "output_place.h"
 
 #include <limits.h>
-#include <stddef.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -28,19 +27,22 @@ static const char *folder_of(const char *path, char *folder)
     return slash + 1;
 }
 
-const char *output_place_expected(const char *path)
+const char *output_place_fault(const char *path)
 {
     struct stat status;
     if (stat(path, &status) == 0 && !S_ISREG(status.st_mode)) {
         return S_ISDIR(status.st_mode) ? "a file, not a folder" : "a regular file";
     }
+
     char folder[PATH_MAX];
     const char *name = folder_of(path, folder);
-    return name == NULL || strlen(name) > NAME_MAX ? "a shorter path"
-           : stat(folder, &status) != 0 || !S_ISDIR(status.st_mode)
-               ? "a file in a folder that exists"
-           : access(folder, W_OK | X_OK) != 0 ? "a file in a folder that can be written"
-                                              : NULL;
+    if (name == NULL || strlen(name) > NAME_MAX) {
+        return "a shorter path";
+    }
+    if (stat(folder, &status) != 0 || !S_ISDIR(status.st_mode)) {
+        return "a file in a folder that exists";
+    }
+    return access(folder, W_OK | X_OK) == 0 ? NULL : "a file in a folder that can be written";
 }
 
 int output_place_is_same(const char *left, const char *right)

@@ -6,7 +6,6 @@
 
 #include "complain.h"
 #include "image.h"
-#include "work.h"
 
 #include <stddef.h>
 #include <stdio.h>
@@ -98,8 +97,7 @@ static int save_beside(const Image *image, const char *picture_path, const char 
     return result;
 }
 
-// All steps of one pixel: what the heat map shows.
-static u32 n_steps(const Work *work)
+u32 work_steps(const Work *work)
 {
     return work->n_tests + work->n_nodes_visited + work->n_leaves_visited;
 }
@@ -113,14 +111,14 @@ static int save_pictures(const Work *h_work, Image *image, const char *picture_p
             image->pixels[i * IMAGE_CHANNELS + (size_t)c] =
                 (float)counter_of(&h_work[i], &COUNTERS[c]);
         }
-        brightest = n_steps(&h_work[i]) > brightest ? n_steps(&h_work[i]) : brightest;
+        brightest = work_steps(&h_work[i]) > brightest ? work_steps(&h_work[i]) : brightest;
     }
     if (save_beside(image, picture_path, "-work.exr") != 0) {
         return -1;
     }
     for (size_t i = 0; i < n_pixels; i++) {
         float *pixel = image->pixels + i * IMAGE_CHANNELS;
-        image_heat_colour((float)n_steps(&h_work[i]) / (float)brightest, pixel);
+        image_heat_colour((float)work_steps(&h_work[i]) / (float)brightest, pixel);
         pixel[3] = 1;
     }
     stats_integer(stats, "heat_map.brightest", brightest);

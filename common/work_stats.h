@@ -7,6 +7,7 @@
 
 #include "cl_setup.h"
 #include "stats.h"
+#include "work.h"
 
 // What the counters count; the kinds differ in the figures' names and in how many there are.
 typedef enum WorkKind {
@@ -17,6 +18,9 @@ typedef enum WorkKind {
 // A device buffer of width * height Work and some room behind them, zeroed. Release with
 // clReleaseMemObject. Here and below, running out of memory ends the program with a message.
 cl_mem work_buffer_create(const ClSetup *cl, int width, int height);
+
+// All steps of one pixel, of whatever kind: what a heat map shows.
+u32 work_steps(const Work *work);
 
 // Read the counters back, and add NAME.mean_per_pixel and NAME.max_per_pixel of each to the
 // figures.
