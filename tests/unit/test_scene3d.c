@@ -147,7 +147,9 @@ static const struct {
     const char *message;
 } BAD[] = {
     {"sphere", "--scene sphere: found no such scene, expected FILE.nff, FILE.pdb, FILE.xyz"},
-    {"sphere", "sphereflake[:size=N], random[:n=N,seed=S,min=R,max=R], lattice[:n=N], inside"},
+    {"sphere",
+     "sphereflake[:size=N], random[:n=N,seed=S,min=R,max=R], lattice[:n=N], clusters[:n=N,seed=S], "
+     "stadium[:n=N,seed=S], inside"},
     {"sphere", "large-small, behind"},
     {"", "found no such scene"},
     {".nff", "found no such scene"},
