@@ -130,9 +130,8 @@ typedef struct LeafMistake {
     int no_depth;        // a limit is not looked at
     int no_target;
     int no_cost;
-    int leaf_steps;        // a leaf costs KD_COST_TRAVERSAL, too
-    int no_test;           // its tests cost 1
-    int without_constant;  // the split's cost is compared without KD_COST_TRAVERSAL
+    int leaf_steps;  // a leaf costs KD_COST_TRAVERSAL, too
+    int no_test;     // its tests cost 1
     int is_reversed;
     int both_limits;  // both limits must be reached
 } LeafMistake;
@@ -145,10 +144,10 @@ static const LeafMistake leaf_mistakes[] = {
     {{.says = "maxDepth is not looked at"}, .no_depth = 1},
     {{.says = "targetElementsPerNode is not looked at"}, .no_target = 1},
     {{.says = "the cost is not looked at"}, .no_cost = 1},
-    {{.says = "a leaf asks its spheres and chooses no child: KD_COST_TRAVERSAL is not its cost"},
+    {{.says = "a leaf chooses no child: KD_COST_TRAVERSAL is in the split's cost alone, and stays "
+              "there"},
      .leaf_steps = 1},
     {{.says = "a test costs KD_COST_TEST, not 1"}, .no_test = 1},
-    {{.says = "the split's cost has KD_COST_TRAVERSAL in it already"}, .without_constant = 1},
     {{.says = "the other way round: the cheaper of the two is right"}, .is_reversed = 1},
     {{.says = "each limit ends the splitting by itself, not only both together"}, .both_limits = 1},
 };
@@ -157,7 +156,7 @@ static int expected_decision(LeafCostJob in, const LeafMistake *mistake)
 {
     const double leaf_cost = (mistake->no_test ? 1 : SAH_TEST) * in.n_spheres +
                              (mistake->leaf_steps ? SAH_TRAVERSAL : 0);
-    const double cost = in.best_cost - (mistake->without_constant ? SAH_TRAVERSAL : 0);
+    const double cost = in.best_cost;
     const int is_deep = !mistake->no_depth && in.level >= in.maxDepth + mistake->one_level_more;
     const int is_small = !mistake->no_target &&
                          (int64_t)in.n_spheres <= in.targetElementsPerNode - mistake->fewer_than;

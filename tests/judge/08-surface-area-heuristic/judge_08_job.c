@@ -207,6 +207,8 @@ static const OddCell odd_cells[] = {
     {{64, 64, 64}, 2, {0, 32, 32}, {64, 0, 0}, 1},  // at both ends: the middle is empty
     {{64, 64, 64}, 2, {32, 32, 0}, {0, 0, 64}, 1},
     {{0x1p15f, 0x1p15f, 0x1p14f}, 10, {1, 1, 1}, {1024, 2048, 512}, 256},
+    {{64, 16, 16}, 4, {33, 8, 8}, {0}, 30},  // only the first bin is empty, only the last one
+    {{64, 16, 16}, 4, {31, 8, 8}, {0}, 30},
 };
 
 static void draw_odd_cell(Random *random, Job08 *job, int i)
@@ -271,6 +273,12 @@ static LeafCostJob draw_decision(Random *random, int i)
     const u32 n_spheres = (u32)target + (u32)random_integer(random, 4, 200);
     LeafCostJob job = {(i32)random_integer(random, 1, max_depth - 1), n_spheres,
                        SAH_TEST * n_spheres, max_depth, target};
+    if (i < N_BY_COST && i % 4 == 0) {
+        // Far from the leaf's cost; or a leaf by its level, whatever it costs.
+        job.best_cost *= (double)random_integer(random, 1, 24) / 8;
+        job.level = i % 16 == 0 ? max_depth : job.level;
+        return job;
+    }
     if (i < N_BY_COST) {
         // As much as the leaf, or by an eighth to some steps more or less.
         job.best_cost += (double)random_integer(random, -1, 1) *
