@@ -108,7 +108,7 @@ for figure in slides-notes/figures/*; do
     drawn=$scratch/figures/$(basename "$figure")
     case $figure in
     */05-textbook.png) check "$figure is drawn" test -s "$drawn" ;;
-    */0[4-7]*.png) check "$figure is what a solution draws" "$tools/compare" "$drawn" "$figure" 0.004 300 ;;
+    */0[4-8]*.png) check "$figure is what a solution draws" "$tools/compare" "$drawn" "$figure" 0.004 300 ;;
     *.png) check "$figure is what a solution draws" "$tools/compare" "$drawn" "$figure" 0.004 ;;
     *) check "$figure is what a solution draws" cmp "$drawn" "$figure" ;;
     esac

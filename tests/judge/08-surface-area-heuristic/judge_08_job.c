@@ -321,16 +321,16 @@ static int draw_seeded(TreeScene3D *scene, Random *random, const char *kind, int
 static int draw_scenes(Random *random, Job08 *job)
 {
     TreeScene3D *scenes = job->scenes;
-    int result = draw_seeded(&scenes[0], random, "random", 250, (KdTreeLimits){14, 1});
-    result |= draw_seeded(&scenes[1], random, "clusters", 300, (KdTreeLimits){16, 2});
-    result |= draw_seeded(&scenes[2], random, "stadium", 200, (KdTreeLimits){16, 1});
-    result |= draw_named(&scenes[3], "one-cell", (KdTreeLimits){16, 1});
-    result |= draw_named(&scenes[4], "large-small", (KdTreeLimits){12, 4});
-    result |= draw_named(&scenes[5], "planes", (KdTreeLimits){12, 1});
-    result |= draw_named(&scenes[6], "coincident", (KdTreeLimits){9, 1});
+    int result = draw_seeded(&scenes[0], random, "random", 120, (KdTreeLimits){12, 1});
+    result |= draw_seeded(&scenes[1], random, "clusters", 140, (KdTreeLimits){14, 2});
+    result |= draw_seeded(&scenes[2], random, "stadium", 120, (KdTreeLimits){16, 1});
+    result |= draw_named(&scenes[3], "one-cell", (KdTreeLimits){12, 1});
+    result |= draw_named(&scenes[4], "large-small", (KdTreeLimits){9, 4});
+    result |= draw_named(&scenes[5], "planes", (KdTreeLimits){8, 1});
+    result |= draw_named(&scenes[6], "coincident", (KdTreeLimits){7, 1});
     result |= draw_named(&scenes[7], "one", (KdTreeLimits){4, 1});
     result |= draw_named(&scenes[8], "none", (KdTreeLimits){4, 1});
-    result |= draw_named(&scenes[9], "lattice:n=4", (KdTreeLimits){12, 1});
+    result |= draw_named(&scenes[9], "lattice:n=4", (KdTreeLimits){9, 1});
     result |= draw_seeded(&scenes[10], random, "random", 100, (KdTreeLimits){3, 1});
     for (int k = 0; result == 0 && k < N_TREES; k++) {
         result = tree_expect_08(&scenes[k]);

@@ -165,14 +165,16 @@ static Diagnosis judge_decision(const TreeScene3D *scene, const SahNode *node, i
                                 int is_leaf)
 {
     const KdTreeLimits limits = scene->limits;
-    const SahPlane best = sah_best(node, &right);
+    const u32 target = (u32)limits.targetElementsPerNode;
     u32 n_least = 0;
     for (u32 i = 0; i < node->n_ids; i++) {
         n_least += !node->may_lack[i];
     }
-    const u32 target = (u32)limits.targetElementsPerNode;
-    const int may_be_leaf = level >= limits.maxDepth || n_least <= target ||
-                            best.most * (1 + SAH_COST_TOLERANCE) >= SAH_TEST * n_least;
+    if (is_leaf && (level >= limits.maxDepth || n_least <= target)) {
+        return NOTHING_WRONG;  // whatever it costs
+    }
+    const SahPlane best = sah_best(node, &right);
+    const int may_be_leaf = best.most * (1 + SAH_COST_TOLERANCE) >= SAH_TEST * n_least;
     const int may_be_split = level < limits.maxDepth && node->n_ids > target &&
                              best.least * (1 - SAH_COST_TOLERANCE) < SAH_TEST * node->n_ids;
     if (is_leaf ? may_be_leaf : may_be_split) {
