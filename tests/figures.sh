@@ -27,3 +27,5 @@ mv "$folder/08-stadium-middle-work.png" "$folder/08-middle-work.png"
 rm "$folder"/08-stadium*-work.exr
 "$build/solutions/02-kdtree-2d-build" --scene example --max-depth 4 --leaf-size 1 \
     --output "$folder/02-example.png"
+# Ten by ten pixels: only the drawing beside it is of use.
+rm "$folder/02-example.png"
