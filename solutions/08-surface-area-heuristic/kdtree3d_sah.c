@@ -92,8 +92,8 @@ BestSplit find_best_split(const Sphere *h_spheres, const u32 *ids, u32 n_ids, BB
             n_begin[planes_below(box, axis, range.begin)]++;
             n_end[planes_up_to(box, axis, range.end)]++;
         }
-        // From plane to plane: who begins before it is in the lower child from now on, who ends
-        // before it no longer in the higher one.
+        // From plane to plane: who begins in the bin before it, or at it, is in the lower child
+        // from now on; who ends in that bin is no longer in the higher one.
         u32 n_lower = 0, n_higher = n_ids;
         for (int plane = 1; plane < N_BINS; plane++) {
             n_lower += n_begin[plane - 1];
