@@ -246,12 +246,15 @@ for lab in $labs; do
         tree.n_sphere_ids tree.largest_leaf tree.spheres_per_leaf" ;;
     07*) names="$scene max_depth leaf_size tree.build_ms tree.n_nodes tree.n_sphere_ids $frame $work" ;;
     08*)
-        names="$scene $frame $work"
+        names=$scene
+        for tree in middle by_cost; do
+            for name in cost build_ms n_nodes depth largest_leaf n_sphere_ids; do
+                names="$names $tree.$name"
+            done
+        done
+        names="$names $frame $work"
         for name in $work; do
             names="$names middle.$name"
-        done
-        for name in cost build_ms n_nodes depth largest_leaf n_sphere_ids; do
-            names="$names middle.$name by_cost.$name"
         done
         ;;
     esac
