@@ -1,6 +1,6 @@
 // Building the 3D kd-tree where it pays: the surface area heuristic. The tasks of lab 08; the rest
-// of the builder is that of lab 06. Source: lecture 16.2, "Prinzip KD-Tree II", where it is named as
-// the alternative to the middle ("Spatial Area Heuristic").
+// of the builder is that of lab 06. Source: lecture 16.2, "Prinzip KD-Tree II", where it is named
+// as the alternative to the middle ("Spatial Area Heuristic").
 //
 // A cost is what a ray that meets a node's cell is expected to take, in steps of the search.
 #ifndef KDTREE3D_SAH_H
