@@ -24,9 +24,13 @@ int job_scene_named(JobScene *scene, const char *name, int width, int height);
 // Spread the depths of a random scene from about -500 000 to 500 000: a depth may be any number.
 void job_scene_spread_depths(JobScene *scene);
 
-// Depths of every size: one of 3e38, two that are one float apart, both zeros. Returns 0, or -1
-// after one message.
+// Depths of every size: the largest float, two that are one float apart, both zeros. Returns 0, or
+// -1 after one message.
 int job_scene_depths(JobScene *scene);
+
+// More circles than the lecture has, all of them over all pixels: the last one is seen. Returns 0,
+// or -1 after one message.
+int job_scene_pile(JobScene *scene);
 
 // Let the oracle draw what is expected. Returns 0, or -1 after one message.
 int job_scene_expect(JobScene *scene);
