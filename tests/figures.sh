@@ -21,6 +21,10 @@ done
 "$build/solutions/07-kdtree-3d-trace" --heat-map --output "$folder/07-kdtree-3d-trace.png"
 mv "$folder/07-kdtree-3d-trace-work.png" "$folder/07-work.png"
 rm "$folder/07-kdtree-3d-trace-work.exr"
+"$build/solutions/08-surface-area-heuristic" --scene stadium --heat-map --output "$folder/08-stadium.png"
+mv "$folder/08-stadium-work.png" "$folder/08-work.png"
+mv "$folder/08-stadium-middle-work.png" "$folder/08-middle-work.png"
+rm "$folder"/08-stadium*-work.exr
 "$build/solutions/02-kdtree-2d-build" --scene example --max-depth 4 --leaf-size 1 \
     --output "$folder/02-example.png"
 # Ten by ten pixels: only the drawing beside it is of use.

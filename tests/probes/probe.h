@@ -6,6 +6,7 @@
 #include "jobs.h"
 #include "note.h"
 #include "sections.h"
+#include "tree3d.h"
 
 #include <stdio.h>
 
@@ -76,6 +77,13 @@ typedef void PackTree(const Probe *probe, uint32_t k, ReplayTree room, const Rep
 
 // Do so for every scene of a replay (jobs.h, "Replays"), whose leaves are section "name".
 void probe_replay_leaves(const Probe *probe, const char *name, PackTree *pack_tree);
+
+// kdtree3d_build() of lab 06, or what takes its place.
+typedef int BuildTree3D(const Sphere *h_spheres, u32 n_spheres, KdTreeLimits limits,
+                        KdTree3D *tree);
+
+// Build a tree for every scene of the job, and answer as jobs.h says of lab 06.
+void probe_answer_trees(const Probe *probe, BuildTree3D *build);
 
 // Build the program; ends with PROBE_EXIT_NO_BUILD when it does not compile.
 cl_program probe_build(const Probe *probe, const char *path, const char *options);

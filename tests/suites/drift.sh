@@ -110,7 +110,7 @@ for figure in slides-notes/figures/*; do
     case $figure in
     */07-view.png) ! command -v Xvfb >/dev/null || check "$figure is drawn" test -s "$drawn" ;;
     */05-textbook.png) check "$figure is drawn" test -s "$drawn" ;;
-    */0[4-7]*.png) check "$figure is what a solution draws" "$tools/compare" "$drawn" "$figure" 0.004 300 ;;
+    */0[4-8]*.png) check "$figure is what a solution draws" "$tools/compare" "$drawn" "$figure" 0.004 300 ;;
     *.png) check "$figure is what a solution draws" "$tools/compare" "$drawn" "$figure" 0.004 ;;
     *) check "$figure is what a solution draws" cmp "$drawn" "$figure" ;;
     esac
