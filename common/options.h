@@ -9,6 +9,7 @@
 //     --max-depth N     levels of the tree (labs with trees)       --list-devices
 //     --leaf-size N     elements at which a node stays a leaf      --help
 //     --heat-map        save the work of each pixel, too           --textbook      (lab 05)
+//     --bounces N       mirrors a ray meets at most (lab 09)       --acne          (lab 09)
 #ifndef COMMON_OPTIONS_H
 #define COMMON_OPTIONS_H
 
@@ -21,6 +22,7 @@ enum {
     OPTIONS_SCENE3D = 8,    // --scene, of spheres
     OPTIONS_WORK = 16,      // --heat-map; --stats then counts the work, too
     OPTIONS_TEXTBOOK = 32,  // --textbook
+    OPTIONS_MIRRORS = 64,   // --bounces, --acne
 };
 
 // The picture's size in pixels in a lab without a scene.
@@ -33,6 +35,9 @@ enum {
 // The most levels that may be asked for. The builders refuse trees that grow too large or too deep.
 #define OPTIONS_LARGEST_MAX_DEPTH 64
 
+#define OPTIONS_DEFAULT_BOUNCES 5
+#define OPTIONS_MOST_BOUNCES 64
+
 typedef struct Options {
     const char *scene;   // as given; "random", in 3D "sphereflake", when it was not
     int width, height;   // 0, 0: not given
@@ -44,6 +49,8 @@ typedef struct Options {
     int leaf_size;       // targetElementsPerNode; in 3D 0 when not given
     int heat_map;        // 1 when asked for
     int textbook;        // 1 when asked for
+    int n_bounces;       // mirrors a ray meets at most; 0: none
+    int acne;            // 1 when asked for
 } Options;
 
 typedef enum OptionsResult {

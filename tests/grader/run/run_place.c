@@ -150,6 +150,13 @@ static const ProbeStep steps[] = {
      NULL},
     {"07", "hits", "in trace", NULL, ON_SCENE, 0, NULL},
     {"07", "picture", "in render_kdtree", NULL, ON_SCENE, 0, NULL},
+    {"09", "starts", "in leave_surface", "leave_surface", ON_INPUTS, sizeof(StartJob), NULL},
+    {"09", "mirrors", "in mirrored_direction", "mirrored_direction", ON_INPUTS, sizeof(MirrorJob),
+     NULL},
+    {"09", "shadow_rays", "in shadow_ray", "shadow_ray", ON_INPUTS, sizeof(ShadowRayJob), NULL},
+    {"09", "blocks", "in leaf_blocks", "leaf_blocks", ON_INPUTS, sizeof(BlockJob), NULL},
+    {"09", "lits", "in lit_color", "lit_color", ON_INPUTS, sizeof(LitJob), NULL},
+    {"09", "picture", "in render_mirrors", NULL, ON_SCENE, 0, NULL},
 };
 
 // The step of a note, or NULL. Names are compared with their padding: one without an end is none.

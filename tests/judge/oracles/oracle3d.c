@@ -23,69 +23,23 @@
 //    away; the way to a light by p over its distance. Their cosine is off by the sum of both, and
 //    so is a channel in units of kd x colour x light. Seen along the surface, float may turn the
 //    normal or not: the pixel is ambiguous then.
+// 6. A ray that leaves a surface (oracle3d_mirrors.c) starts at a point that is off by origin_error,
+//    and the line by as much at every sphere. Of the sphere that it leaves, a right solution does not
+//    find the point where it starts. With b = c . d and |c| = r the other root is at 2 b, ahead when
+//    b > 0: from inside. Off by e, b makes that 2 e, and |c| as much as r e / b.
 #include "oracle3d.h"
+
+#include "oracle3d_vector.h"
 
 #include <float.h>
 #include <math.h>
 #include <string.h>
 
-#define ROUNDING 0x1p-24                // u
 #define RAY_ERROR (32 * ROUNDING)       // see 1
 #define ROOT_ERROR (12 * ROUNDING)      // see 2
 #define TEXTBOOK_ERROR (24 * ROUNDING)  // see 3: o . o, (o . d)² and d's own length, 8 u each
-#define UNIT_ERROR (8 * ROUNDING)       // of a unit vector made by normalize(): see 1
 #define POW_ERROR (32 * ROUNDING)       // of pow(), a share: 16 ulp (OpenCL 1.2, 7.4)
 #define SUM_ERROR (8 * ROUNDING)        // of a light's share: five products and a sum, of 1 u each
-
-// ---- Vectors ----------------------------------------------------------------------------------
-
-typedef OracleVector Vector;
-
-static Vector vector(Vec3 v)
-{
-    return (Vector){v.x, v.y, v.z};
-}
-
-static Vector plus(Vector a, Vector b)
-{
-    return (Vector){a.x + b.x, a.y + b.y, a.z + b.z};
-}
-
-static Vector minus(Vector a, Vector b)
-{
-    return (Vector){a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-static Vector scaled(double factor, Vector v)
-{
-    return (Vector){factor * v.x, factor * v.y, factor * v.z};
-}
-
-static double dot(Vector a, Vector b)
-{
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-static Vector cross(Vector a, Vector b)
-{
-    return (Vector){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-static double length(Vector v)
-{
-    return sqrt(dot(v, v));
-}
-
-static Vector unit(Vector v)
-{
-    const double l = length(v);
-    return l > 0 ? scaled(1 / l, v) : v;
-}
-
-static Vector centre(Sphere sphere)
-{
-    return (Vector){sphere.x, sphere.y, sphere.z};
-}
 
 // ---- Rays -------------------------------------------------------------------------------------
 
@@ -122,14 +76,18 @@ OracleRay oracle3d_primary_ray(const Camera *camera, int x, int y, int width, in
         rules->axes_transposed
             ? (Vector){dot(p, right), dot(p, up), dot(p, forward)}
             : plus(plus(scaled(p.x, right), scaled(p.y, up)), scaled(p.z, forward));
-    return (OracleRay){vector(camera->eye), rules->not_normalised ? direction : unit(direction), 0,
-                       RAY_ERROR};
+    return (OracleRay){.origin = vector(camera->eye),
+                       .direction = rules->not_normalised ? direction : unit(direction),
+                       .direction_error = RAY_ERROR};
 }
 
 OracleRay oracle3d_given_ray(Vec3 origin, Vec3 direction, float t_min)
 {
     // In float a unit vector is as long as 1 within the rounding of three components.
-    return (OracleRay){vector(origin), unit(vector(direction)), t_min, 2 * ROUNDING};
+    return (OracleRay){.origin = vector(origin),
+                       .direction = unit(vector(direction)),
+                       .t_min = t_min,
+                       .direction_error = 2 * ROUNDING};
 }
 
 // ---- One sphere -------------------------------------------------------------------------------
@@ -160,14 +118,15 @@ OracleChord oracle3d_chord(Sphere sphere, const OracleRay *ray, OracleForm form)
     const double r2 = (double)sphere.radius * sphere.radius, c2 = dot(c, c);
     const double b = dot(c, ray->direction);
     const Vector across = minus(c, scaled(b, ray->direction));
-    const double l2 = dot(across, across), error = ray->direction_error + ROOT_ERROR;
-    OracleChord chord = {.middle = b, .error = error * sqrt(c2), .half = NAN};
+    const double l2 = dot(across, across);
+    const double e = (ray->direction_error + ROOT_ERROR) * sqrt(c2) + ray->origin_error;
+    OracleChord chord = {.middle = b, .error = e, .half = NAN};
     // A clear miss takes no root: (r + e)² is at most 2 (r² + e²).
-    if (l2 > 4 * (r2 + (error * error + TEXTBOOK_ERROR) * c2)) {
+    if (l2 > 4 * (r2 + e * e + TEXTBOOK_ERROR * c2)) {
         return chord;
     }
     // 3: the shortest and the longest half chord, squared.
-    const double l = sqrt(l2), e = chord.error, l_low = fmax(l - e, 0);
+    const double l = sqrt(l2), l_low = fmax(l - e, 0);
     const double rounding = 5 * ROUNDING * (r2 + (l + e) * (l + e)) +
                             (form == ORACLE_TEXTBOOK ? TEXTBOOK_ERROR * c2 : 0);
     const double shortest2 = r2 - (l + e) * (l + e) - rounding;
@@ -180,9 +139,31 @@ OracleChord oracle3d_chord(Sphere sphere, const OracleRay *ray, OracleForm form)
     return chord;
 }
 
+static int is_copy(const Sphere *a, const Sphere *b)
+{
+    return a->x == b->x && a->y == b->y && a->z == b->z && a->radius == b->radius;
+}
+
+// 6: of the sphere that the ray leaves, or a copy of it, the root at its start is none.
+static OracleRoot root_of_left(Sphere sphere, const OracleRay *ray)
+{
+    const OracleChord chord = oracle3d_chord(sphere, ray, ORACLE_PROJECTION);
+    const double b = chord.middle, e = chord.error;
+    OracleRoot root = {.t = b > 0 ? 2 * b : INFINITY, .is_possible = b > -e, .is_certain = b > e};
+    if (root.is_possible) {
+        const double off = 2 * e + (b > 0 ? fabs((double)sphere.radius) * e / b : 0);
+        root.t_low = 2 * b - off;
+        root.t_high = 2 * b + off;
+    }
+    return root;
+}
+
 OracleRoot oracle3d_root(Sphere sphere, const OracleRay *ray, OracleForm form,
                          const OracleRules3D *rules)
 {
+    if (ray->leaves != NULL && is_copy(&sphere, ray->leaves)) {
+        return root_of_left(sphere, ray);
+    }
     const OracleChord chord = oracle3d_chord(sphere, ray, form);
     OracleRoot root = {.t = INFINITY};
     // Beside the eye float decides whether the centre is behind it.
@@ -229,11 +210,6 @@ static int takes_ray(double t, const OracleHit *found, const OracleRules3D *rule
         return t > found->t;
     }
     return rules->later_wins_ties ? t <= found->t : t < found->t;
-}
-
-static int is_copy(const Sphere *a, const Sphere *b)
-{
-    return a->x == b->x && a->y == b->y && a->z == b->z && a->radius == b->radius;
 }
 
 OracleHit oracle3d_nearest(const Sphere *spheres, u32 n_spheres, const OracleRay *ray,
@@ -286,12 +262,6 @@ int oracle3d_is_near(Vec3 found, OracleNear expected)
     return fabs(found.x - expected.value.x) <= expected.error &&
            fabs(found.y - expected.value.y) <= expected.error &&
            fabs(found.z - expected.value.z) <= expected.error;
-}
-
-// How far the direction of a vector of this length may be off when the vector is off by `error`.
-static double direction_error(double error, double length)
-{
-    return length > error ? error / (length - error) + UNIT_ERROR : INFINITY;
 }
 
 OracleNear oracle3d_normal(Sphere sphere, OracleNear point, OracleNear direction,

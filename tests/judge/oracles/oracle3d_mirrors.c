@@ -1,0 +1,301 @@
+// Shadows and mirrors by brute force, in double precision: every ray asks every sphere.
+//
+// How far may a right solution in float be off? With u = 2^-24 and the bounds of oracle3d.c:
+//
+// 1. The point of a hit is off by p, its interval of t included (5 of oracle3d.c), and new rays
+//    start up to two offsets beside it (oracle3d_offset()): their origin_error is the sum.
+// 2. A mirrored direction d - 2 (d . n) n is off by the error of d, as mirroring keeps lengths, by
+//    four times that of n, and by 16 u: a dot product of 4 u, twice, two products and a sum.
+//    A right solution may also make it a unit vector.
+// 3. So errors grow from mirror to mirror: a point off by p turns the normal of a sphere of radius r
+//    by p / r and the ray by 4 p / r, which moves its hit at distance t by 4 p t / r. Mirrors that
+//    are small for their distance multiply errors, as they spread light. Nothing bounds the product
+//    beforehand; each ray's own errors are carried along, and where they become as large as what
+//    is decided by them, the ray is ambiguous.
+// 4. A light arrives for certain when no sphere may be hit before it, does not when one is hit for
+//    certain, up to the error of its distance. Else this light's share is added to the error.
+// 5. Light counts its weight, a product of exact numbers with a rounding of u each; so do errors.
+//    A weight within that of the least one makes the ray ambiguous.
+#include "oracle3d_mirrors.h"
+
+#include "oracle3d_vector.h"
+
+#include <string.h>
+
+#define SURFACE_ERROR 0x1p-18         // of lab 09, leave_surface.cl
+#define MIRROR_ERROR (16 * ROUNDING)  // see 2
+#define WEIGHT_ERROR (16 * ROUNDING)  // see 5: a product of up to 16 factors
+#define STAND_IN_OFFSET 0.125         // of the radius
+
+static const OracleRules3D right = {0};
+
+double oracle3d_offset(OracleVector point, double t, double radius)
+{
+    const double largest = fmax(fmax(fabs(point.x), fabs(point.y)), fabs(point.z));
+    return SURFACE_ERROR * (t + fabs(radius) + largest);
+}
+
+OracleNear oracle3d_mirrored(OracleNear direction, OracleNear normal, OracleTurn turn)
+{
+    const Vector d = direction.value, n = normal.value;
+    const double along = dot(d, n), error = direction.error + 4 * normal.error + MIRROR_ERROR;
+    switch (turn) {
+    case TURN_BACKWARDS:
+        return (OracleNear){minus(scaled(2 * along, n), d), error};
+    case TURN_NONE:
+        return direction;
+    case TURN_BACK:
+        return (OracleNear){scaled(-1, d), direction.error};
+    case TURN_HALF:
+        return (OracleNear){minus(d, scaled(along, n)), error};
+    case TURN_ALONG_NORMAL:
+        return normal;
+    default:
+        return (OracleNear){minus(d, scaled(2 * along, n)), error};
+    }
+}
+
+// ---- Lights -------------------------------------------------------------------------------------
+
+typedef enum Arrival { ARRIVES, IS_BLOCKED, IS_UNSURE } Arrival;
+
+// Does anything stand between a point and a light?
+static Arrival arrival_of(const Scene3D *scene, OracleNear point, const Light *light,
+                          const Sphere *leaves, const OracleMirrorRules *rules)
+{
+    const Vector way = minus(vector(light->position), point.value);
+    const double distance = length(way);
+    const double error = point.error + 8 * ROUNDING * distance;
+    const double end = rules->endless_light ? INFINITY : distance;
+    const OracleRay ray = {.origin = point.value,
+                           .direction = unit(way),
+                           .direction_error = direction_error(error, distance),
+                           .origin_error = point.error,
+                           .leaves = leaves};
+    Arrival arrival = ARRIVES;
+    for (int i = 0; i < scene->n_spheres; i++) {
+        const OracleRoot root = oracle3d_root(scene->spheres[i], &ray, ORACLE_PROJECTION, &right);
+        if (root.is_certain && root.t_high < end - error) {
+            return IS_BLOCKED;
+        }
+        if (root.is_possible && root.t_low < end + error) {
+            arrival = IS_UNSURE;
+        }
+    }
+    return arrival;
+}
+
+// Add what a light gives, as far as it is sure.
+static void add_light(OracleNear *color, OracleNear share, Arrival arrival)
+{
+    if (arrival == ARRIVES) {
+        color->value = plus(color->value, share.value);
+        color->error += share.error;
+    } else if (arrival == IS_UNSURE) {
+        color->error += length(share.value) + share.error;
+    }
+}
+
+static Arrival turned_round(Arrival arrival)
+{
+    return arrival == ARRIVES ? IS_BLOCKED : arrival == IS_BLOCKED ? ARRIVES : IS_UNSURE;
+}
+
+OracleNear oracle3d_lit(const Scene3D *scene, OracleNear point, OracleNear normal,
+                        const Material *material, const Sphere *leaves,
+                        const OracleMirrorRules *rules)
+{
+    OracleNear color = {{0}, 0};
+    const int n_lights = rules->first_light_only && scene->n_lights > 1
+                             ? 1
+                             : scene->n_lights + (rules->one_light_more ? 1 : 0);
+    int is_any_dark = 0;
+    for (int i = 0; i < n_lights; i++) {
+        const Light *light = &scene->lights[i];
+        const OracleNear own = oracle3d_shade(point, normal, material, light, 1, &right);
+        const OracleNear share =
+            rules->each_adds_all
+                ? oracle3d_shade(point, normal, material, scene->lights, scene->n_lights, &right)
+                : own;
+        // Behind the surface it gives nothing, whatever stands before it.
+        const int is_behind = length(own.value) == 0;
+        Arrival arrival = rules->no_shadows || is_behind
+                              ? ARRIVES
+                              : arrival_of(scene, point, light, leaves, rules);
+        is_any_dark |= arrival != ARRIVES;
+        if (rules->only_shadows) {
+            arrival = turned_round(arrival);
+        }
+        if (rules->dark_ends_lights && is_any_dark) {
+            break;
+        }
+        add_light(&color, share, arrival);
+    }
+    // Each sum rounds.
+    color.error += ROUNDING * scene->n_lights * length(color.value);
+    return rules->one_dark_all_dark && is_any_dark ? (OracleNear){{0}, color.error} : color;
+}
+
+// ---- Mirrors ------------------------------------------------------------------------------------
+
+// A point of a surface, as new rays need it.
+typedef struct Surface {
+    OracleNear point, normal;
+    const Material *material;
+    const Sphere *sphere;
+} Surface;
+
+static Surface surface_at(const Scene3D *scene, const OracleRay *ray, const OracleHit *hit,
+                          const OracleMirrorRules *rules)
+{
+    const Sphere *sphere = &scene->spheres[hit->sphere];
+    const Vector at = plus(ray->origin, scaled(hit->t, ray->direction));
+    const double error = ray->origin_error + hit->t_tolerance +
+                         ray->direction_error * fabs(hit->t) +
+                         4 * ROUNDING * (length(ray->origin) + fabs(hit->t));
+    Surface surface = {.point = {at, error},
+                       .material = &scene->materials[scene->material_ids[hit->sphere]],
+                       .sphere = sphere};
+    surface.normal = oracle3d_normal(*sphere, surface.point,
+                                     (OracleNear){ray->direction, ray->direction_error}, &right);
+    if (rules->stand_ins) {
+        const double off = STAND_IN_OFFSET * fabs((double)sphere->radius);
+        surface.point.value = plus(at, scaled(off, surface.normal.value));
+        surface.point.error += off * surface.normal.error + 4 * ROUNDING * (off + length(at));
+        surface.sphere = NULL;
+    } else {
+        surface.point.error += 2 * oracle3d_offset(at, hit->t, sphere->radius);
+    }
+    return surface;
+}
+
+// What the stand-in of lit_color gives: the material's colour by the normal, and a bit of where.
+static OracleNear stand_in_light(const Surface *at)
+{
+    const Vector n = at->normal.value, c = vector(at->material->color), p = at->point.value;
+    const Vector value = {c.x * (1 + n.x) + p.x / 8, c.y * (1 + n.y) + p.y / 8,
+                          c.z * (1 + n.z) + p.z / 8};
+    return (OracleNear){value,
+                        at->normal.error + at->point.error / 8 + 8 * ROUNDING * (2 + length(p))};
+}
+
+// The way of a ray so far.
+typedef struct Followed {
+    OracleNear color;
+    double weight;
+    double last_ks;  // of the last mirror; 1 before the first
+    int n_bounces;
+} Followed;
+
+// By what the light of a surface counts.
+static double local_weight(const Followed *ray, double ks, OracleWeight weight)
+{
+    switch (weight) {
+    case WEIGHT_LAST_KS:
+        return ray->last_ks;
+    case WEIGHT_OWN_KS:
+        return ray->weight * ks;
+    case WEIGHT_SHARED:
+        return ray->weight * (1 - ks);
+    case WEIGHT_ONLY_FIRST:
+        return ray->n_bounces == 0 ? 1 : 0;
+    case WEIGHT_LOCAL_ONE:
+        return 1;
+    default:
+        return ray->weight;
+    }
+}
+
+static double next_weight(double so_far, const Material *material, OracleWeight weight)
+{
+    const double ks = material->ks;
+    return weight == WEIGHT_ONE          ? 1
+           : weight == WEIGHT_KS_SQUARED ? so_far * ks * ks
+           : weight == WEIGHT_KD         ? so_far * material->kd
+           : weight == WEIGHT_LAST_KS    ? ks
+                                         : so_far * ks;
+}
+
+static void add_weighted(OracleNear *color, double weight, OracleNear light)
+{
+    const double rounding = WEIGHT_ERROR * (length(light.value) * weight + length(color->value));
+    color->value = plus(color->value, scaled(weight, light.value));
+    color->error += weight * light.error + rounding;
+}
+
+static OracleNear ambiguous(void)
+{
+    return (OracleNear){{0}, INFINITY};
+}
+
+// The light of where the ray ends: nothing is hit.
+static OracleNear with_background(const Scene3D *scene, const Followed *ray,
+                                  const OracleMirrorRules *rules)
+{
+    OracleNear color = ray->color;
+    const int is_first = ray->n_bounces == 0;
+    if (is_first || !rules->background_missing) {
+        add_weighted(&color, rules->background_unweighted ? 1 : ray->weight,
+                     oracle3d_exactly(scene->background));
+    }
+    return color;
+}
+
+OracleNear oracle3d_follow(const Scene3D *scene, OracleRay ray, int max_bounces,
+                           const OracleMirrorRules *rules)
+{
+    Followed followed = {.weight = 1, .last_ks = 1};
+    const int most = max_bounces + rules->more_bounces;
+    for (;; followed.n_bounces++) {
+        const OracleHit hit = oracle3d_nearest(scene->spheres, (u32)scene->n_spheres, &ray, &right);
+        if (hit.is_ambiguous) {
+            return ambiguous();
+        }
+        if (hit.sphere == ORACLE_NO_SPHERE) {
+            return with_background(scene, &followed, rules);
+        }
+        const Surface at = surface_at(scene, &ray, &hit, rules);
+        if (isinf(at.normal.error) || isinf(at.point.error)) {
+            return ambiguous();
+        }
+        const OracleNear light = rules->stand_ins ? stand_in_light(&at)
+                                                  : oracle3d_lit(scene, at.point, at.normal,
+                                                                 at.material, at.sphere, rules);
+        add_weighted(&followed.color, local_weight(&followed, at.material->ks, rules->weight),
+                     light);
+        followed.last_ks = at.material->ks;
+        followed.weight = next_weight(followed.weight, at.material, rules->weight);
+        const double beyond = followed.weight - ORACLE_LEAST_WEIGHT;
+        const int is_light = beyond < 0 && !rules->no_cut_off;
+        if (followed.n_bounces >= most || is_light) {
+            return followed.color;
+        }
+        if (fabs(beyond) <= WEIGHT_ERROR * followed.weight) {
+            return ambiguous();
+        }
+        const OracleNear direction = oracle3d_mirrored(
+            (OracleNear){ray.direction, ray.direction_error}, at.normal, rules->turn);
+        ray = (OracleRay){.origin = at.point.value,
+                          .direction = unit(direction.value),
+                          .direction_error = direction.error,
+                          .origin_error = at.point.error,
+                          .leaves = at.sphere};
+    }
+}
+
+void oracle3d_draw_mirrors(const Scene3D *scene, const Camera *camera, int max_bounces,
+                           const OracleMirrorRules *rules, Image *image, float *tolerances)
+{
+    for (int y = 0; y < image->height; y++) {
+        for (int x = 0; x < image->width; x++) {
+            const size_t pixel = (size_t)y * (size_t)image->width + (size_t)x;
+            const OracleRay ray =
+                oracle3d_primary_ray(camera, x, y, image->width, image->height, &right);
+            const OracleNear color = oracle3d_follow(scene, ray, max_bounces, rules);
+            const float channels[IMAGE_CHANNELS] = {(float)color.value.x, (float)color.value.y,
+                                                    (float)color.value.z, 1};
+            memcpy(image->pixels + pixel * IMAGE_CHANNELS, channels, sizeof channels);
+            tolerances[pixel] = (float)color.error;
+        }
+    }
+}
