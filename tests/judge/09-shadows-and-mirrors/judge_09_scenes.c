@@ -29,12 +29,12 @@ typedef struct RandomPlan {
 
 // Six walls, each a sphere this large, around a room of this half width; so mirrors in it are nearly
 // flat, and errors grow little from one to the next.
-#define WALL_RADIUS 16.0f
+#define WALL_RADIUS 5.0f
 #define ROOM 2.0f
 
 // A room with spheres in it.
 typedef struct RoomPlan {
-    float wall_ks, ball_ks;
+    float wall_ks, ball_ks, small_ks;
     i32 max_bounces;
 } RoomPlan;
 
@@ -103,7 +103,9 @@ static int draw_room(Random *random, const RoomPlan *plan, MirrorScene *scene)
     s->spheres[N_WALLS] = (Sphere){0, 0, 0, 0.5f};
     for (int i = 0; i < N_SPHERES; i++) {
         s->material_ids[i] = (u32)i;
-        s->materials[i].ks = i < N_WALLS ? plan->wall_ks : plan->ball_ks;
+        s->materials[i].ks = i < N_WALLS    ? plan->wall_ks
+                             : i == N_WALLS ? plan->ball_ks
+                                            : plan->small_ks;
     }
     for (int i = 0; i < s->n_lights; i++) {
         s->lights[i].position = vec3_scaled(random_point(random, 1), 1.5f);
@@ -128,14 +130,15 @@ static const RandomPlan mirror_plans[] = {
     {24, 0.25f, 0.5f, 0.25f, 0.75f, 0, LIGHTS_AMONG, EYE_OUTSIDE, {7, 2}, 2},
     {24, 0.25f, 0.5f, 0.5f, 0.875f, 0, LIGHTS_AMONG, EYE_IN_MIRROR, {7, 2}, 2},
 };
-static const RoomPlan mirror_room = {0.5f, 0.75f, 2};
+static const RoomPlan mirror_room = {0.5f, 0.75f, 0.25f, 2};
 static const RandomPlan end_plans[] = {
     {16, 0.375f, 0.75f, 1, 1, 0, LIGHTS_OUTSIDE, EYE_OUTSIDE, {5, 2}, 2},
     {24, 0.25f, 0.5f, 0, 0, 0, LIGHTS_OUTSIDE, EYE_OUTSIDE, {5, 2}, 5},
     {1, 1, 1, 0.75f, 0.875f, 0, LIGHTS_OUTSIDE, EYE_IN_NEGATIVE, {5, 1}, 4},
 };
 static const RoomPlan end_rooms[] = {
-    {0.75f, 0.75f, 3}, {0.875f, 1, 4}, {1, 1, 5}, {0.0625f, 0.5f, 5}, {0.03125f, 0.03125f, 5},
+    {0.75f, 0.75f, 0.25f, 3},      {0.875f, 1, 0, 4}, {1, 0, 0, 5}, {0.0625f, 0.5f, 0.5f, 5},
+    {0.03125f, 0.03125f, 0.5f, 5},
 };
 static const RandomPlan background_plans[] = {
     {12, 0.375f, 0.75f, 0.25f, 0.75f, 0, LIGHTS_OUTSIDE, EYE_OUTSIDE, {5, 2}, 1},

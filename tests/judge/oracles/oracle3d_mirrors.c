@@ -2,23 +2,27 @@
 //
 // How far may a right solution in float be off? With u = 2^-24 and the bounds of oracle3d.c:
 //
-// 1. The point of a hit is off by p, its interval of t included (5 of oracle3d.c), and new rays
-//    start up to two offsets beside it (oracle3d_offset()): their origin_error is the sum.
-// 2. A mirrored direction d - 2 (d . n) n is off by the error of d, as mirroring keeps lengths, by
-//    four times that of n, and by 16 u: a dot product of 4 u, twice, two products and a sum.
-//    A right solution may also make it a unit vector.
+// 1. The first hit is off as oracle3d.c has it. Each later one is off by what the ray that leads
+//    there makes of every error before: followed to first order, one by one (oracle3d_deviation.h),
+//    as the sum of their sizes, doubled for what is left out. The higher orders stay below the
+//    first while no error is more than a sixteenth of a radius or of a unit vector; beyond that, and
+//    beyond the eighth mirror, the ray is ambiguous.
+// 2. New errors at each mirror: the intersection moves the point by 16 u of the centre's distance,
+//    over the cosine at which the ray meets it, and by 4 u of its own numbers; new rays start one or
+//    two offsets off the surface (oracle3d_offset()). The direction d - 2 (d . n) n is off by four
+//    times a normal's rounding, UNIT_ERROR, and by 16 u: a dot product of 4 u, twice, two products
+//    and a sum. A right solution may also make it a unit vector.
 // 3. So errors grow from mirror to mirror: a point off by p turns the normal of a sphere of radius r
-//    by p / r and the ray by 4 p / r, which moves its hit at distance t by 4 p t / r. Mirrors that
-//    are small for their distance multiply errors, as they spread light. Nothing bounds the product
-//    beforehand; each ray's own errors are carried along, and where they become as large as what
-//    is decided by them, the ray is ambiguous.
+//    by p / r and the ray by up to 2 p / r, which moves its hit at distance t by 2 p t / r over the
+//    cosine there. Small mirrors far apart multiply errors, as they spread light; flat ones and the
+//    inside of a sphere only add them.
 // 4. A light arrives for certain when no sphere may be hit before it, does not when one is hit for
 //    certain, up to the error of its distance. Else this light's share is added to the error.
 // 5. Light counts its weight, a product of exact numbers with a rounding of u each; so do errors.
 //    A weight within that of the least one makes the ray ambiguous.
 #include "oracle3d_mirrors.h"
 
-#include "oracle3d_vector.h"
+#include "oracle3d_deviation.h"
 
 #include <string.h>
 
@@ -145,28 +149,61 @@ typedef struct Surface {
     const Sphere *sphere;
 } Surface;
 
-static Surface surface_at(const Scene3D *scene, const OracleRay *ray, const OracleHit *hit,
-                          const OracleMirrorRules *rules)
+// The way of a ray so far.
+typedef struct Followed {
+    OracleRay ray;          // the one at hand
+    Deviations deviations;  // of it
+    OracleNear color;
+    double weight;
+    double last_ks;  // of the last mirror; 1 before the first
+    int n_bounces;
+} Followed;
+
+// How far the point of a hit is off: by the interval of t, or to first order, whichever is less. The
+// deviations are moved there.
+static double point_error(Followed *followed, const OracleHit *hit, Vector normal, double radius)
 {
+    const OracleRay *ray = &followed->ray;
+    const double to_centre = hit->t + fabs(radius), cosine = fabs(dot(normal, ray->direction));
+    const double rounding = 4 * ROUNDING * (length(ray->origin) + hit->t);
+    const double by_interval =
+        ray->origin_error + hit->t_tolerance + ray->direction_error * fabs(hit->t) + rounding;
+    deviations_hit(&followed->deviations, ray->direction, normal, hit->t);
+    deviations_add_origin(&followed->deviations, rounding + 16 * ROUNDING * to_centre / cosine);
+    const double to_first_order = 2 * deviations_of_origin(&followed->deviations);
+    return to_first_order < fabs(radius) / 16 ? fmin(by_interval, to_first_order) : by_interval;
+}
+
+static Surface surface_at(const Scene3D *scene, Followed *followed, const OracleHit *hit)
+{
+    const OracleRay *ray = &followed->ray;
     const Sphere *sphere = &scene->spheres[hit->sphere];
     const Vector at = plus(ray->origin, scaled(hit->t, ray->direction));
-    const double error = ray->origin_error + hit->t_tolerance +
-                         ray->direction_error * fabs(hit->t) +
-                         4 * ROUNDING * (length(ray->origin) + fabs(hit->t));
-    Surface surface = {.point = {at, error},
+    const Vector outwards = unit(minus(at, centre(*sphere)));
+    Surface surface = {.point = {at, point_error(followed, hit, outwards, sphere->radius)},
                        .material = &scene->materials[scene->material_ids[hit->sphere]],
                        .sphere = sphere};
     surface.normal = oracle3d_normal(*sphere, surface.point,
                                      (OracleNear){ray->direction, ray->direction_error}, &right);
-    if (rules->stand_ins) {
-        const double off = STAND_IN_OFFSET * fabs((double)sphere->radius);
-        surface.point.value = plus(at, scaled(off, surface.normal.value));
-        surface.point.error += off * surface.normal.error + 4 * ROUNDING * (off + length(at));
-        surface.sphere = NULL;
-    } else {
-        surface.point.error += 2 * oracle3d_offset(at, hit->t, sphere->radius);
-    }
     return surface;
+}
+
+// Move the point off the surface, to where new rays start.
+static void leave_surface(Surface *surface, Followed *followed, double t, int is_stand_in)
+{
+    const double radius = surface->sphere->radius;
+    const Vector n = surface->normal.value;
+    if (is_stand_in) {
+        const double off = STAND_IN_OFFSET * fabs(radius);
+        surface->point.value = plus(surface->point.value, scaled(off, n));
+        surface->point.error += off * surface->normal.error;
+        deviations_add_origin(&followed->deviations, off * surface->normal.error);
+        surface->sphere = NULL;
+    } else {
+        const double off = 2 * oracle3d_offset(surface->point.value, t, radius);
+        surface->point.error += off;
+        deviations_add_along(&followed->deviations, scaled(off, n));
+    }
 }
 
 // What the stand-in of lit_color gives: the material's colour by the normal, and a bit of where.
@@ -178,14 +215,6 @@ static OracleNear stand_in_light(const Surface *at)
     return (OracleNear){value,
                         at->normal.error + at->point.error / 8 + 8 * ROUNDING * (2 + length(p))};
 }
-
-// The way of a ray so far.
-typedef struct Followed {
-    OracleNear color;
-    double weight;
-    double last_ks;  // of the last mirror; 1 before the first
-    int n_bounces;
-} Followed;
 
 // By what the light of a surface counts.
 static double local_weight(const Followed *ray, double ks, OracleWeight weight)
@@ -241,45 +270,73 @@ static OracleNear with_background(const Scene3D *scene, const Followed *ray,
     return color;
 }
 
+// Add the light of a hit, and move its point to where new rays start.
+static void add_local(const Scene3D *scene, Followed *followed, Surface *at, double t,
+                      const OracleMirrorRules *rules)
+{
+    const double weight = local_weight(followed, at->material->ks, rules->weight);
+    const Sphere *sphere = at->sphere;
+    leave_surface(at, followed, t, rules->stand_ins);
+    add_weighted(&followed->color, weight,
+                 rules->stand_ins
+                     ? stand_in_light(at)
+                     : oracle3d_lit(scene, at->point, at->normal, at->material, sphere, rules));
+}
+
+// Go on from a mirror. Returns 0 where the ray is too far off for first order.
+static int mirror(Followed *followed, const Surface *at, const Sphere *sphere, OracleTurn turn)
+{
+    Deviations *deviations = &followed->deviations;
+    const Vector d = followed->ray.direction, n = at->normal.value;
+    const int bulges = dot(n, minus(at->point.value, centre(*sphere))) > 0;
+    const double curvature = (bulges ? 1 : -1) / fabs((double)sphere->radius);
+    const OracleNear direction = oracle3d_mirrored((OracleNear){d, 0}, at->normal, turn);
+    if (turn == TURN_ALONG_NORMAL) {
+        deviations_leave_along_normal(deviations, curvature);
+    } else {
+        deviations_mirror(deviations, d, n, curvature);
+    }
+    deviations_add_direction(deviations, 4 * UNIT_ERROR + MIRROR_ERROR);
+    const double error = 2 * deviations_of_direction(deviations);
+    followed->ray = (OracleRay){.origin = at->point.value,
+                                .direction = unit(direction.value),
+                                .direction_error = error,
+                                .origin_error = at->point.error,
+                                .leaves = at->sphere};
+    followed->n_bounces++;
+    return error < 1.0 / 16 && followed->n_bounces < MOST_DEVIATED_MIRRORS;
+}
+
 OracleNear oracle3d_follow(const Scene3D *scene, OracleRay ray, int max_bounces,
                            const OracleMirrorRules *rules)
 {
-    Followed followed = {.weight = 1, .last_ks = 1};
+    Followed followed = {.ray = ray, .weight = 1, .last_ks = 1};
     const int most = max_bounces + rules->more_bounces;
-    for (;; followed.n_bounces++) {
-        const OracleHit hit = oracle3d_nearest(scene->spheres, (u32)scene->n_spheres, &ray, &right);
+    deviations_add_direction(&followed.deviations, ray.direction_error);
+    for (;;) {
+        const OracleHit hit =
+            oracle3d_nearest(scene->spheres, (u32)scene->n_spheres, &followed.ray, &right);
         if (hit.is_ambiguous) {
             return ambiguous();
         }
         if (hit.sphere == ORACLE_NO_SPHERE) {
             return with_background(scene, &followed, rules);
         }
-        const Surface at = surface_at(scene, &ray, &hit, rules);
+        Surface at = surface_at(scene, &followed, &hit);
         if (isinf(at.normal.error) || isinf(at.point.error)) {
             return ambiguous();
         }
-        const OracleNear light = rules->stand_ins ? stand_in_light(&at)
-                                                  : oracle3d_lit(scene, at.point, at.normal,
-                                                                 at.material, at.sphere, rules);
-        add_weighted(&followed.color, local_weight(&followed, at.material->ks, rules->weight),
-                     light);
-        followed.last_ks = at.material->ks;
+        add_local(scene, &followed, &at, hit.t, rules);
         followed.weight = next_weight(followed.weight, at.material, rules->weight);
+        followed.last_ks = at.material->ks;
         const double beyond = followed.weight - ORACLE_LEAST_WEIGHT;
-        const int is_light = beyond < 0 && !rules->no_cut_off;
-        if (followed.n_bounces >= most || is_light) {
+        if (followed.n_bounces >= most || (beyond < 0 && !rules->no_cut_off)) {
             return followed.color;
         }
-        if (fabs(beyond) <= WEIGHT_ERROR * followed.weight) {
+        if (fabs(beyond) <= WEIGHT_ERROR * followed.weight ||
+            !mirror(&followed, &at, &scene->spheres[hit.sphere], rules->turn)) {
             return ambiguous();
         }
-        const OracleNear direction = oracle3d_mirrored(
-            (OracleNear){ray.direction, ray.direction_error}, at.normal, rules->turn);
-        ray = (OracleRay){.origin = at.point.value,
-                          .direction = unit(direction.value),
-                          .direction_error = direction.error,
-                          .origin_error = at.point.error,
-                          .leaves = at.sphere};
     }
 }
 
