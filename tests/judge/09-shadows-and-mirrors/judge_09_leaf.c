@@ -145,7 +145,7 @@ typedef struct BlockMistake {
     int from_start;      // the first ids of the tree are asked
     int one_more;        // the one behind the leaf is asked, too
     int skips_first;     // of the leaf
-    double hair;         // hits so near to start or end, as a share of t_max, do not count
+    double start, end;   // hits so near to them, as a share of t_max, do not count
 } BlockMistake;
 
 static const BlockMistake mistakes[] = {
@@ -163,8 +163,10 @@ static const BlockMistake mistakes[] = {
      .from_start = 1},
     {{.says = "one sphere too many was asked, the one behind the end of the leaf"}, .one_more = 1},
     {{.says = "the leaf's first sphere was not asked"}, .skips_first = 1},
-    {{.says = "hits very near to the start or the end of the ray count, too, without an epsilon"},
-     .hair = 2 * HAIR},
+    {{.says = "hits very near to the start of the ray count, too, without an epsilon"},
+     .start = 1.5 * HAIR},
+    {{.says = "hits very near to the end of the ray count, too, without an epsilon"},
+     .end = 1.5 * HAIR},
 };
 
 static OracleRay ray_of(const BlockJob *in)
@@ -182,9 +184,9 @@ static Blocks sphere_blocks(const Job09 *job, const BlockJob *in, u32 at,
     if (mistake->behind_end) {
         return root.is_certain && root.t_low > in->t_max ? YES : NO;
     }
-    const double hair = mistake->hair * in->t_max;
-    const double end = mistake->any_distance ? INFINITY : in->t_max - hair;
-    if (!root.is_possible || root.t_low >= end || root.t_high < hair) {
+    const double start = mistake->start * in->t_max;
+    const double end = mistake->any_distance ? INFINITY : in->t_max * (1 - mistake->end);
+    if (!root.is_possible || root.t_low >= end || root.t_high < start) {
         return NO;
     }
     return root.is_certain && root.t_high < end ? YES : EITHER;

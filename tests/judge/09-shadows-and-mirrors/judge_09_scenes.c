@@ -20,15 +20,14 @@ typedef struct RandomPlan {
     int n_spheres;
     float min_radius, max_radius;
     float min_ks, max_ks;
-    float kd;  // 0: by lot
     Lights lights;
     Eye eye;
     KdTreeLimits limits;
     i32 max_bounces;
 } RandomPlan;
 
-// Six walls, each a sphere this large, around a room of this half width; so mirrors in it are nearly
-// flat, and errors grow little from one to the next.
+// Six walls, each a sphere this large, around a room of this half width: large mirrors near to each
+// other, so that errors grow little from one to the next.
 #define WALL_RADIUS 5.0f
 #define ROOM 2.0f
 
@@ -120,29 +119,29 @@ static int draw_room(Random *random, const RoomPlan *plan, MirrorScene *scene)
 // ---- All ----------------------------------------------------------------------------------------
 
 static const RandomPlan local_plans[] = {
-    {24, 0.25f, 0.5f, 0.125f, 0.75f, 0, LIGHTS_OUTSIDE, EYE_OUTSIDE, {6, 3}, 0},
-    {40, 0.125f, 0.375f, 0.125f, 0.75f, 0, LIGHTS_AMONG, EYE_OUTSIDE, {8, 2}, 0},
-    {40, 0.125f, 0.5f, 0.125f, 0.75f, 0, LIGHTS_IN_SPHERES, EYE_OUTSIDE, {8, 2}, 0},
-    {24, 0.25f, 0.5f, 0.5f, 0.75f, 0, LIGHTS_AMONG, EYE_IN_MIRROR, {7, 2}, 0},
+    {24, 0.25f, 0.5f, 0.125f, 0.75f, LIGHTS_OUTSIDE, EYE_OUTSIDE, {6, 3}, 0},
+    {40, 0.125f, 0.375f, 0.125f, 0.75f, LIGHTS_AMONG, EYE_OUTSIDE, {8, 2}, 0},
+    {40, 0.125f, 0.5f, 0.125f, 0.75f, LIGHTS_IN_SPHERES, EYE_OUTSIDE, {8, 2}, 0},
+    {24, 0.25f, 0.5f, 0.5f, 0.75f, LIGHTS_AMONG, EYE_IN_MIRROR, {7, 2}, 0},
 };
 static const RandomPlan mirror_plans[] = {
-    {16, 0.375f, 0.75f, 0.25f, 0.75f, 0, LIGHTS_OUTSIDE, EYE_OUTSIDE, {5, 2}, 1},
-    {24, 0.25f, 0.5f, 0.25f, 0.75f, 0, LIGHTS_AMONG, EYE_OUTSIDE, {7, 2}, 2},
-    {24, 0.25f, 0.5f, 0.5f, 0.875f, 0, LIGHTS_AMONG, EYE_IN_MIRROR, {7, 2}, 2},
+    {16, 0.375f, 0.75f, 0.25f, 0.75f, LIGHTS_OUTSIDE, EYE_OUTSIDE, {5, 2}, 1},
+    {24, 0.25f, 0.5f, 0.25f, 0.75f, LIGHTS_AMONG, EYE_OUTSIDE, {7, 2}, 2},
+    {24, 0.25f, 0.5f, 0.5f, 0.875f, LIGHTS_AMONG, EYE_IN_MIRROR, {7, 2}, 2},
 };
 static const RoomPlan mirror_room = {0.5f, 0.75f, 0.25f, 2};
 static const RandomPlan end_plans[] = {
-    {16, 0.375f, 0.75f, 1, 1, 0, LIGHTS_OUTSIDE, EYE_OUTSIDE, {5, 2}, 2},
-    {24, 0.25f, 0.5f, 0, 0, 0, LIGHTS_OUTSIDE, EYE_OUTSIDE, {5, 2}, 5},
-    {1, 1, 1, 0.75f, 0.875f, 0, LIGHTS_OUTSIDE, EYE_IN_NEGATIVE, {5, 1}, 4},
+    {16, 0.375f, 0.75f, 1, 1, LIGHTS_OUTSIDE, EYE_OUTSIDE, {5, 2}, 2},
+    {24, 0.25f, 0.5f, 0, 0, LIGHTS_OUTSIDE, EYE_OUTSIDE, {5, 2}, 5},
+    {1, 1, 1, 0.75f, 0.875f, LIGHTS_OUTSIDE, EYE_IN_NEGATIVE, {5, 1}, 4},
 };
 static const RoomPlan end_rooms[] = {
     {0.75f, 0.75f, 0.25f, 3},      {0.875f, 1, 0, 4}, {1, 0, 0, 5}, {0.0625f, 0.5f, 0.5f, 5},
     {0.03125f, 0.03125f, 0.5f, 5},
 };
 static const RandomPlan background_plans[] = {
-    {12, 0.375f, 0.75f, 0.25f, 0.75f, 0, LIGHTS_OUTSIDE, EYE_OUTSIDE, {5, 2}, 1},
-    {16, 0.25f, 0.5f, 0.25f, 0.75f, 0, LIGHTS_OUTSIDE, EYE_OUTSIDE, {5, 2}, 2},
+    {12, 0.375f, 0.75f, 0.25f, 0.75f, LIGHTS_OUTSIDE, EYE_OUTSIDE, {5, 2}, 2},
+    {16, 0.25f, 0.5f, 0.25f, 0.75f, LIGHTS_OUTSIDE, EYE_OUTSIDE, {5, 2}, 3},
 };
 
 static int draw_each(Random *random, const RandomPlan *plans, int n, MirrorScene *scenes)

@@ -126,6 +126,9 @@ OracleNear oracle3d_lit(const Scene3D *scene, OracleNear point, OracleNear norma
         Arrival arrival = rules->no_shadows || is_behind
                               ? ARRIVES
                               : arrival_of(scene, point, light, leaves, rules);
+        if (is_behind && rules->each_adds_all) {
+            continue;
+        }
         is_any_dark |= arrival != ARRIVES;
         if (rules->only_shadows) {
             arrival = turned_round(arrival);
