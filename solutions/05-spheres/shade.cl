@@ -24,8 +24,8 @@ float3 surface_normal(Sphere sphere, float3 point, float3 direction)
 // normal and the way to the light, and nothing when the light is behind it. No shadows yet.
 //   point, normal      scene units; unit vector
 //   lights[n_lights]   the scene's; their brightness does not fall with distance
-// Returns red, green and blue, 0 where no light falls, above 1 where much does. Source: lecture,
-// "Shading".
+// Returns red, green and blue, 0 where no light falls, above 1 where much does. Source: Lambert,
+// Photometria, 1760; the lecture's last slide only says that a hit is shaded.
 float3 shade(float3 point, float3 normal, Material material, global const Light *lights,
              int n_lights)
 {

@@ -69,7 +69,7 @@ no_solution() {
     n_lines=$(wc -l <"$scratch/lines")
     [ "$n_lines" -ge 10 ] || { echo "only $n_lines lines to look for"; return 1; }
     find "$1" -type f ! -name '*.png' -exec awk '{ gsub(/[ \t]/, ""); print FILENAME ":" FNR ":" $0 }' {} + |
-        grep -F -f "$scratch/lines" >"$scratch/leaks" || return 0
+        grep -a -F -f "$scratch/lines" >"$scratch/leaks" || return 0
     cat "$scratch/leaks"
     return 1
 }
