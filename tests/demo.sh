@@ -108,6 +108,11 @@ figure 07-kdtree-3d-trace 07-large.png --scene random:n=100000 --size 1024x1024 
 figure 07-kdtree-3d-trace 07-helix.png --scene tests/scenes/helix.pdb --size 1024x640
 figure 07-kdtree-3d-trace 07-c60.png --scene tests/scenes/c60.xyz
 figure 07-kdtree-3d-trace 07-lattice.png --scene lattice:n=40 --size 640x640
+section 09-shadows-and-mirrors
+figure 09-shadows-and-mirrors 09.png --size 1024x1024
+figure 09-shadows-and-mirrors 09-shadows.png --bounces 0
+figure 09-shadows-and-mirrors 09-inside.png --scene inside
+figure 09-shadows-and-mirrors 09-acne.png --scene one --bounces 0 --acne
 echo "</section></body></html>" >>"$gallery/index.html"
 
 # ---- A small class ----------------------------------------------------------------------------
