@@ -138,6 +138,7 @@ typedef struct BlockMistake {
     Cause cause;
     int any_distance;    // t_max does not count
     int behind_end;      // hits behind the end block, not those before it
+    int miss_blocks;     // so does what is not hit at all
     int first_only;      // of the leaf's spheres
     int last_decides;    // of them
     int all_must_block;  // each
@@ -154,6 +155,9 @@ static const BlockMistake mistakes[] = {
     {{.says =
           "hits behind the ray's end block, those before it do not: the comparison is inverted"},
      .behind_end = 1},
+    {{.says = "hits behind the ray's end and misses block: the comparison is inverted"},
+     .behind_end = 1,
+     .miss_blocks = 1},
     {{.says = "only the leaf's first sphere decides"}, .first_only = 1},
     {{.says = "only the leaf's last sphere decides"}, .last_decides = 1},
     {{.says = "one sphere in the way is enough, not all must be"}, .all_must_block = 1},
@@ -181,6 +185,9 @@ static Blocks sphere_blocks(const Job09 *job, const BlockJob *in, u32 at,
     const OracleRay ray = ray_of(in);
     const u32 id = mistake->is_position ? at : job->block_ids[at];
     const OracleRoot root = oracle3d_root(job->block_spheres[id], &ray, ORACLE_PROJECTION, &right);
+    if (mistake->miss_blocks && !root.is_possible) {
+        return YES;
+    }
     if (mistake->behind_end) {
         return root.is_certain && root.t_low > in->t_max ? YES : NO;
     }
