@@ -1,6 +1,5 @@
-// Lab 09: trace spheres with shadows and mirrors and save the picture. Nothing to fill in here; read
-// it beside lab 07's, see what is new (how often a ray is mirrored), then go to leave_surface.cl,
-// shadows.cl and mirrors.cl.
+// Lab 09: trace spheres with shadows and mirrors and save the picture. Nothing to fill in here: see
+// what is new since lab 07's, then go to leave_surface.cl, shadows.cl and mirrors.cl.
 //
 // Flow: scene -> buffers -> kernel -> image -> comparison; the banners below name the steps.
 // enqueue_pixels() and read_back() are those of lab 00 (render.h).

@@ -1,5 +1,5 @@
-// judge/oracle3d_mirrors: right where right can be worked out by hand, and honest about how rounding
-// grows from mirror to mirror.
+// judge/oracle3d_mirrors: right where right can be worked out by hand, and honest about how
+// rounding grows from mirror to mirror.
 #include "job_scene3d.h"
 #include "oracle3d_mirrors.h"
 #include "random3d.h"

@@ -281,12 +281,12 @@ const Function mirror_09 = {"mirrors",
 
 // ---- shadow_ray ---------------------------------------------------------------------------------
 
-// The way to the light, and how far a right solution's direction and length may be off: one rounding
-// of the difference, of the size of the coordinates, and a normalisation or a length of few u.
+// The way to the light, and how far a right solution's direction and length may be off: one
+// rounding of the difference of exact numbers, and a normalisation or a length of few u.
 typedef struct Way {
     OracleVector way;
     double length;
-    double error;  // a share
+    double error;  // as a share of the length
 } Way;
 
 static Way way_of(const void *job, int i)

@@ -23,10 +23,10 @@
 //    away; the way to a light by p over its distance. Their cosine is off by the sum of both, and
 //    so is a channel in units of kd x colour x light. Seen along the surface, float may turn the
 //    normal or not: the pixel is ambiguous then.
-// 6. A ray that leaves a surface (oracle3d_mirrors.c) starts at a point that is off by origin_error,
-//    and the line by as much at every sphere. Of the sphere that it leaves, a right solution does not
-//    find the point where it starts. With b = c . d and |c| = r the other root is at 2 b, ahead when
-//    b > 0: from inside. Off by e, b makes that 2 e, and |c| as much as r e / b.
+// 6. A ray that leaves a surface (oracle3d_mirrors.c) starts at a point that is off by
+//    origin_error, and the line by as much at every sphere. Of the sphere that it leaves, a right
+//    solution does not find the point where it starts. With b = c . d and |c| = r the other root is
+//    at 2 b, ahead when b > 0: from inside. Off by e, b makes that 2 e, and |c| as much as r e / b.
 #include "oracle3d.h"
 
 #include "oracle3d_vector.h"

@@ -5,17 +5,17 @@
 // 1. The first hit is off as oracle3d.c has it. Each later one is off by what the ray that leads
 //    there makes of every error before: followed to first order, one by one (oracle3d_deviation.h),
 //    as the sum of their sizes, doubled for what is left out. The higher orders stay below the
-//    first while no error is more than a sixteenth of a radius or of a unit vector; beyond that, and
-//    beyond the eighth mirror, the ray is ambiguous.
+//    first while no error is more than a sixteenth of a radius or of a unit vector; beyond that,
+//    and beyond the eighth mirror, the ray is ambiguous.
 // 2. New errors at each mirror: the intersection moves the point by 16 u of the centre's distance,
-//    over the cosine at which the ray meets it, and by 4 u of its own numbers; new rays start one or
-//    two offsets off the surface (oracle3d_offset()). The direction d - 2 (d . n) n is off by four
-//    times a normal's rounding, UNIT_ERROR, and by 16 u: a dot product of 4 u, twice, two products
-//    and a sum. A right solution may also make it a unit vector.
-// 3. So errors grow from mirror to mirror: a point off by p turns the normal of a sphere of radius r
-//    by p / r and the ray by up to 2 p / r, which moves its hit at distance t by 2 p t / r over the
-//    cosine there. Small mirrors far apart multiply errors, as they spread light; flat ones and the
-//    inside of a sphere only add them.
+//    over the cosine at which the ray meets it, and by 4 u of its own numbers; new rays start one
+//    or two offsets off the surface (oracle3d_offset()). The direction d - 2 (d . n) n is off by
+//    four times a normal's rounding, UNIT_ERROR, and by 16 u: a dot product of 4 u, twice, two
+//    products and a sum. A right solution may also make it a unit vector.
+// 3. So errors grow from mirror to mirror: a point off by p turns the normal of a sphere of radius
+//    r by p / r and the ray by up to 2 p / r, which moves its hit at distance t by 2 p t / r over
+//    the cosine there. Small mirrors far apart multiply errors, as they spread light; flat ones and
+//    the inside of a sphere only add them.
 // 4. A light arrives for certain when no sphere may be hit before it, does not when one is hit for
 //    certain, up to the error of its distance. Else this light's share is added to the error.
 // 5. Light counts its weight, a product of exact numbers with a rounding of u each; so do errors.
@@ -162,8 +162,8 @@ typedef struct Followed {
     int n_bounces;
 } Followed;
 
-// How far the point of a hit is off: by the interval of t, or to first order, whichever is less. The
-// deviations are moved there.
+// How far the point of a hit is off: by the interval of t, or to first order, whichever is less.
+// The deviations are moved there.
 static double point_error(Followed *followed, const OracleHit *hit, Vector normal, double radius)
 {
     const OracleRay *ray = &followed->ray;

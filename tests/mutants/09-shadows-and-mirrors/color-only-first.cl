@@ -10,7 +10,8 @@
             return color + weight * scene->background;
         }
         const Surface at = surface_at(ray, hit, scene);
-        color += (n_bounces == 0 ? 1.0f : 0.0f) * lit_color(at.point, at.normal, at.material, scene, work);
+        const float own = n_bounces == 0 ? 1.0f : 0.0f;
+        color += own * lit_color(at.point, at.normal, at.material, scene, work);
         weight *= at.material.ks;
         if (n_bounces == max_bounces || weight < LEAST_WEIGHT) {
             return color;

@@ -10,7 +10,8 @@
             return color + weight * scene->background;
         }
         const Surface at = surface_at(ray, hit, scene);
-        color += weight * (1.0f - at.material.ks) * lit_color(at.point, at.normal, at.material, scene, work);
+        color += weight * (1.0f - at.material.ks) *
+                 lit_color(at.point, at.normal, at.material, scene, work);
         weight *= at.material.ks;
         if (n_bounces == max_bounces || weight < LEAST_WEIGHT) {
             return color;
