@@ -37,8 +37,7 @@ extern const Function lit_09;
 
 // ---- Scenes -----------------------------------------------------------------------------------
 
-// In the order of the job; the first one is LIT_SCENE. The last of each range is the next one's
-// first.
+// In the order of the job; the first one is LIT_SCENE.
 enum {
     LOCAL = 0,  // no mirrors
     N_LOCAL = 5,

@@ -29,15 +29,6 @@ typedef struct Frame {
     float t_max;
 } Frame;
 
-static Vec3 unit_vector(Random *random)
-{
-    Vec3 v;
-    do {
-        v = random_point(random, 1);
-    } while (vec3_dot(v, v) < 0.25f);
-    return vec3_normalized(v);
-}
-
 // A sphere whose middle is `along` the ray and `aside` of it.
 static Sphere sphere_at(const Frame *frame, float along, float aside, float radius)
 {
@@ -84,14 +75,14 @@ static Sphere draw_edge(Random *random, const Frame *frame)
 
 static Frame draw_frame(Random *random, int range)
 {
-    Frame frame = {.direction = unit_vector(random)};
+    Frame frame = {.direction = random_direction(random)};
     frame.t_max = random_number(random, 2, 8);
     if (range == 1) {
         frame.t_max *= ldexpf(1, (int)random_integer(random, -20, 20));
     }
     frame.origin = vec3_scaled(random_point(random, 1), frame.t_max / 4);
     do {
-        frame.across = vec3_cross(frame.direction, unit_vector(random));
+        frame.across = vec3_cross(frame.direction, random_direction(random));
     } while (vec3_dot(frame.across, frame.across) < 0.125f);
     frame.across = vec3_normalized(frame.across);
     return frame;

@@ -19,21 +19,12 @@ static void draw_lights(Random *random, Light lights[N_LIT_LIGHTS])
     }
 }
 
-static Vec3 unit_vector(Random *random)
-{
-    Vec3 v;
-    do {
-        v = random_point(random, 1);
-    } while (vec3_dot(v, v) < 0.25f);
-    return vec3_normalized(v);
-}
-
 // A point beside a sphere of the scene, far enough that it is no part of it.
 static void draw_point(Random *random, const Scene3D *scene, LitJob *job)
 {
     const Sphere sphere = scene->spheres[random_integer(random, 0, scene->n_spheres - 1)];
     const float distance = 1.0625f * fabsf(sphere.radius);
-    job->normal = unit_vector(random);
+    job->normal = random_direction(random);
     job->point = (Vec3){sphere.x + distance * job->normal.x, sphere.y + distance * job->normal.y,
                         sphere.z + distance * job->normal.z};
 }

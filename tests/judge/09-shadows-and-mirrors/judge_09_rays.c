@@ -9,15 +9,6 @@
 
 // ---- Drawing ------------------------------------------------------------------------------------
 
-static Vec3 unit_vector(Random *random)
-{
-    Vec3 v;
-    do {
-        v = random_point(random, 1);
-    } while (vec3_dot(v, v) < 0.25f);
-    return vec3_normalized(v);
-}
-
 // A power of two from 2^lowest to 2^highest.
 static float power(Random *random, int lowest, int highest)
 {
@@ -28,7 +19,7 @@ static float power(Random *random, int lowest, int highest)
 // as large as may be.
 static StartJob draw_start(Random *random, int range, int i)
 {
-    StartJob job = {.point = random_point(random, 4), .normal = unit_vector(random)};
+    StartJob job = {.point = random_point(random, 4), .normal = random_direction(random)};
     job.t = random_number(random, 0.25, 8);
     job.radius = random_number(random, 0.125, 4) * (float)random_sign(random);
     if (range == 1) {
@@ -45,7 +36,7 @@ static StartJob draw_start(Random *random, int range, int i)
 // In the second range rays go along axes, straight at the mirror, or graze it.
 static MirrorJob draw_mirror(Random *random, int range, int i)
 {
-    MirrorJob job = {unit_vector(random), unit_vector(random)};
+    MirrorJob job = {random_direction(random), random_direction(random)};
     const Vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     if (range == 1 && i % 3 == 0) {
         job.direction = vec3_scaled(job.normal, -1);
