@@ -157,7 +157,7 @@ static int draw_each(Random *random, const RandomPlan *plans, int n, MirrorScene
 static int draw_named(MirrorScene *scene, const char *name, i32 max_bounces)
 {
     scene->max_bounces = max_bounces;
-    const int result = job_scene3d_named(&scene->base, name, 48, 36);
+    const int result = job_scene3d_named(&scene->base, name, 48, 32);
     scene->base.limits = (KdTreeLimits){9, 4};
     return result;
 }
