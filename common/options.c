@@ -40,6 +40,8 @@ enum OptionId {
     LEAF_SIZE,
     HEAT_MAP,
     TEXTBOOK,
+    BOUNCES,
+    ACNE,
     PATH,
     RECORD,
     MOVIE,
@@ -65,6 +67,9 @@ static const struct OptionRow {
     [LEAF_SIZE] = {"leaf-size", "N", OPTIONS_TREE, "elements at which a node stays a leaf"},
     [HEAT_MAP] = {"heat-map", NULL, OPTIONS_WORK, "save each pixel's work beside the picture"},
     [TEXTBOOK] = {"textbook", NULL, OPTIONS_TEXTBOOK, "intersect by the textbook's quadratic"},
+    [BOUNCES] = {"bounces", "N", OPTIONS_MIRRORS,
+                 "mirrors a ray meets at most (" NUMBER_TEXT(OPTIONS_DEFAULT_BOUNCES) ")"},
+    [ACNE] = {"acne", NULL, OPTIONS_MIRRORS, "let new rays start on the surface, not off it"},
     [PATH] = {"path", "FILE", OPTIONS_VIEW, "fly this path, as --record writes it"},
     [RECORD] = {"record", "FILE", OPTIONS_VIEW, "write down the path that is flown"},
     [MOVIE] = {"movie", "FOLDER", OPTIONS_VIEW, "no window: draw --path as pictures"},
@@ -172,10 +177,10 @@ static int read_size(const char *text, int *width, int *height)
     return 0;
 }
 
-static int read_count(const char *text, int highest, int *count)
+static int read_count(const char *text, int lowest, int highest, int *count)
 {
     int64_t number;
-    if (number_read_integer(text, 1, highest, &number) != 0) {
+    if (number_read_integer(text, lowest, highest, &number) != 0) {
         return -1;
     }
     *count = (int)number;
@@ -206,17 +211,17 @@ static OptionsResult read_option(const char *lab_name, enum OptionId id, const c
         }
         break;
     case FRAMES:
-        if (read_count(text, LARGEST_COUNT, &options->n_frames) != 0) {
+        if (read_count(text, 1, LARGEST_COUNT, &options->n_frames) != 0) {
             expected = "a whole number of at least 1";
         }
         break;
     case MAX_DEPTH:
-        if (read_count(text, OPTIONS_LARGEST_MAX_DEPTH, &options->max_depth) != 0) {
+        if (read_count(text, 1, OPTIONS_LARGEST_MAX_DEPTH, &options->max_depth) != 0) {
             expected = "a whole number from 1 to " NUMBER_TEXT(OPTIONS_LARGEST_MAX_DEPTH);
         }
         break;
     case LEAF_SIZE:
-        if (read_count(text, LARGEST_COUNT, &options->leaf_size) != 0) {
+        if (read_count(text, 1, LARGEST_COUNT, &options->leaf_size) != 0) {
             expected = "a whole number of at least 1";
         }
         break;
@@ -225,6 +230,14 @@ static OptionsResult read_option(const char *lab_name, enum OptionId id, const c
         break;
     case TEXTBOOK:
         options->textbook = 1;
+        break;
+    case BOUNCES:
+        if (read_count(text, 0, OPTIONS_MOST_BOUNCES, &options->n_bounces) != 0) {
+            expected = "a whole number from 0 to " NUMBER_TEXT(OPTIONS_MOST_BOUNCES);
+        }
+        break;
+    case ACNE:
+        options->acne = 1;
         break;
     case PATH:
         options->path = text;
@@ -357,6 +370,7 @@ OptionsResult options_parse(int argc, char **argv, const char *lab_name, const c
         .scene = default_scene(set),
         .output = default_output,
         .n_frames = 1,
+        .n_bounces = OPTIONS_DEFAULT_BOUNCES,
         .max_depth = set & OPTIONS_SCENE3D ? 0 : OPTIONS_DEFAULT_MAX_DEPTH,
         .leaf_size = set & OPTIONS_SCENE3D ? 0 : OPTIONS_DEFAULT_LEAF_SIZE,
     };

@@ -9,6 +9,7 @@
 //     --max-depth N     levels of the tree (labs with trees)       --list-devices
 //     --leaf-size N     elements at which a node stays a leaf      --help
 //     --heat-map        save the work of each pixel, too           --textbook      (lab 05)
+//     --bounces N       mirrors a ray meets at most (lab 09)       --acne          (lab 09)
 //     --path FILE, --record FILE, --movie FOLDER, --script FILE      (windows)
 #ifndef COMMON_OPTIONS_H
 #define COMMON_OPTIONS_H
@@ -22,7 +23,8 @@ enum {
     OPTIONS_SCENE3D = 8,    // --scene, of spheres
     OPTIONS_WORK = 16,      // --heat-map; --stats then counts the work, too
     OPTIONS_TEXTBOOK = 32,  // --textbook
-    OPTIONS_VIEW = 64,      // --path, --record, --movie, --script: of windows (common/view)
+    OPTIONS_MIRRORS = 64,   // --bounces, --acne
+    OPTIONS_VIEW = 128,     // --path, --record, --movie, --script: of windows (common/view)
 };
 
 // The picture's size in pixels in a lab without a scene.
@@ -35,6 +37,9 @@ enum {
 // The most levels that may be asked for. The builders refuse trees that grow too large or too deep.
 #define OPTIONS_LARGEST_MAX_DEPTH 64
 
+#define OPTIONS_DEFAULT_BOUNCES 5
+#define OPTIONS_MOST_BOUNCES 64
+
 typedef struct Options {
     const char *scene;   // as given; "random", in 3D "sphereflake", when it was not
     int width, height;   // 0, 0: not given
@@ -46,6 +51,8 @@ typedef struct Options {
     int leaf_size;       // targetElementsPerNode; in 3D 0 when not given
     int heat_map;        // 1 when asked for
     int textbook;        // 1 when asked for
+    int n_bounces;       // mirrors a ray meets at most; 0: none
+    int acne;            // 1 when asked for
     const char *path, *record, *movie, *script;  // as given, or NULL
 } Options;
 

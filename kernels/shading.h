@@ -7,7 +7,7 @@
 #include "vec3.h"
 
 // As the file format NFF has it, line "f": colour, then what the surface does with light. Lab 05
-// uses colour and kd; the rest waits for reflections.
+// uses colour and kd, lab 09 ks as well; the rest is read and not used.
 typedef struct Material {
     /*  0 */ Vec3 color;  // red, green, blue, 0 to 1
     /* 12 */ f32 kd;      // share of light scattered in all directions (Lambert)

@@ -112,6 +112,11 @@ section 08-surface-area-heuristic
 figure 08-surface-area-heuristic 08.png --scene stadium --heat-map
 picture 08-surface-area-heuristic 08-work.png "The same, by work, with the tree that is built by cost"
 picture 08-surface-area-heuristic 08-middle-work.png "With lab 06's tree, to a scale of its own"
+section 09-shadows-and-mirrors
+figure 09-shadows-and-mirrors 09.png --size 1024x1024
+figure 09-shadows-and-mirrors 09-shadows.png --bounces 0
+figure 09-shadows-and-mirrors 09-inside.png --scene inside
+figure 09-shadows-and-mirrors 09-acne.png --scene one --bounces 0 --acne
 echo "</section></body></html>" >>"$gallery/index.html"
 
 # ---- A small class ----------------------------------------------------------------------------

@@ -25,6 +25,8 @@ rm "$folder/07-kdtree-3d-trace-work.exr"
 mv "$folder/08-stadium-work.png" "$folder/08-work.png"
 mv "$folder/08-stadium-middle-work.png" "$folder/08-middle-work.png"
 rm "$folder"/08-stadium*-work.exr
+"$build/solutions/09-shadows-and-mirrors" --output "$folder/09-shadows-and-mirrors.png"
+"$build/solutions/09-shadows-and-mirrors" --scene one --bounces 0 --acne --output "$folder/09-acne.png"
 "$build/solutions/02-kdtree-2d-build" --scene example --max-depth 4 --leaf-size 1 \
     --output "$folder/02-example.png"
 # Ten by ten pixels: only the drawing beside it is of use.

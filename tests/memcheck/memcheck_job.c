@@ -26,10 +26,13 @@ static const struct {
     {"projection", sizeof(SphereRayJob)}, {"normals", sizeof(NormalJob)},
     {"shades", sizeof(ShadeJob)},         {"clips", sizeof(ClipJob)},
     {"sides", sizeof(SideJob)},           {"planes", sizeof(PlaneJob)},
-    {"leaves", sizeof(SearchJob)},
+    {"leaves", sizeof(SearchJob)},        {"starts", sizeof(StartJob)},
+    {"mirrors", sizeof(MirrorJob)},       {"shadow_rays", sizeof(ShadowRayJob)},
+    {"blocks", sizeof(BlockJob)},         {"lits", sizeof(LitJob)},
 };
-static const char *const whole[] = {"children.relations", "children.boxes", "lights", "leaf_ids",
-                                    "leaf_spheres"};
+static const char *const whole[] = {"children.relations", "children.boxes", "lights",
+                                    "leaf_ids",           "leaf_spheres",   "block_ids",
+                                    "block_spheres",      "lit_lights"};
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
@@ -40,7 +43,7 @@ static int calls_write(const Sections *job, const char *name, size_t record_byte
 {
     size_t n_bytes;
     const unsigned char *records = sections_find_any(job, name, &n_bytes);
-    unsigned char some[MAX_CALLS * sizeof(PixelJob)];  // the largest record
+    unsigned char some[MAX_CALLS * sizeof(LitJob)];  // the largest record
     if (records == NULL) {
         return 0;
     }
@@ -188,6 +191,7 @@ static int scene3d_write(const SmallScene *scene, SceneJob3D header)
     result |= part_write(scene, "material_ids", sizeof(u32));
     result |= part_write(scene, "materials", sizeof(Material));
     result |= part_write(scene, "lights", sizeof(Light));
+    result |= part_write(scene, "bounces", 0);
     return result | part_write(scene, "nodes", 0) | part_write(scene, "sphere_ids", 0);
 }
 

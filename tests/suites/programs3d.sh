@@ -6,7 +6,8 @@
 set -u
 . tests/tap.sh
 . tests/programs.sh
-labs='04-camera-rays 05-spheres 06-kdtree-3d-build 07-kdtree-3d-trace 08-surface-area-heuristic'
+labs='04-camera-rays 05-spheres 06-kdtree-3d-build 07-kdtree-3d-trace 08-surface-area-heuristic
+    09-shadows-and-mirrors'
 
 # ---- Good runs ----------------------------------------------------------------------------------
 
@@ -257,6 +258,8 @@ for lab in $labs; do
             names="$names middle.$name"
         done
         ;;
+    09*) names="$scene max_depth leaf_size max_bounces tree.build_ms tree.n_nodes tree.n_sphere_ids
+        $frame $work" ;;
     esac
     rm -f "$out/figures.json"
     works run "${lab%%-*}" --scene random:n=500 --size 64x48 --output "$out/tiny.exr" \
@@ -281,7 +284,7 @@ works run 08 --scene one-cell --size 64x48 --output "$out/08.exr" --stats "$out/
 check "by cost one cell costs less than by its middle" test \
     "$(figure sphere_tests.max_per_pixel)" -lt "$(figure middle.sphere_tests.max_per_pixel)"
 check "no heat map without --heat-map" test ! -e "$out/tiny-work.png"
-for lab in 01 03 05 07; do
+for lab in 01 03 05 07 09; do
     scene=random:n=50
     check "lab $lab saves a heat map" works run $lab --scene $scene --size 64x48 --heat-map \
         --output "$out/heat.png"
@@ -300,7 +303,7 @@ rm -f "$out"/heat*
 mkdir "$scratch/shown"
 cp -R labs solutions kernels "$scratch/shown"
 for kernel in 01-naive-2d/implicit2DRenderer 03-kdtree-2d-render/implicit2DRenderer_KD \
-    05-spheres/render_spheres 07-kdtree-3d-trace/render_kdtree; do
+    05-spheres/render_spheres 07-kdtree-3d-trace/render_kdtree 09-shadows-and-mirrors/render_mirrors; do
     lab=${kernel%%-*}
     file=$scratch/shown/solutions/$kernel.cl
     works run "$lab" --scene random:n=50 --size 64x48 --output "$out/drawn.exr"
@@ -319,6 +322,20 @@ for scene in stadium clusters one-cell inside planes none; do
     works run 07 --scene "$scene" --size 96x64 --output "$out/07.exr"
     works run 08 --scene "$scene" --size 96x64 --output "$out/08.exr"
     check "lab 08 draws what lab 07 draws: $scene" "$compare" "$out/08.exr" "$out/07.exr"
+done
+# shellcheck disable=SC2317 # called by check
+differs_with_acne() {
+    works run 09 --scene one --size 96x64 --bounces 0 --acne --output "$out/acne.exr" &&
+        differs "$compare" "$out/acne.exr" "$out/05.exr" 0.00002
+}
+# Where no ray is mirrored and nothing is in the way, lab 09 draws what lab 05 does.
+check "lab 05 draws one" draws 05 96x64 "$out/05.exr" --scene one --size 96x64
+check "lab 09 draws it, too" draws 09 96x64 "$out/09.exr" --scene one --size 96x64 --bounces 0
+check "and the same, within rounding" "$compare" "$out/09.exr" "$out/05.exr" 0.00002
+check "with --acne it does not" differs_with_acne
+for bounces in 1 5 64; do
+    check "lab 09 follows up to $bounces mirrors" draws 09 64x48 "$out/09.exr" --scene inside \
+        --size 64x48 --bounces $bounces
 done
 works run 05 --scene one --size 96x64 --output "$out/05.exr"
 check "the heat map leaves the picture as it is" equals_lab_05 --scene one --size 96x64 --heat-map
@@ -399,10 +416,13 @@ refuses_each <<'END'
 07|found min=0.5 above max=0.25|--scene random:min=0.5,max=0.25
 04|n=N, a whole number|--scene lattice:n=1000
 05|--textbook does not take an argument|--textbook=1
+09|--bounces: found "65", expected a whole number from 0 to 64|--bounces 65
+09|--bounces: found "-1", expected a whole number from 0 to 64|--bounces -1
+09|--acne does not take an argument|--acne=1
 07|too deep for the todo stack (TODO_SIZE); choose|--scene $scenes/same.nff --max-depth 64 --leaf-size 1
 END
 
-fails_to_save 04 05 06 07 08
-fails_for_heat_map 07
+fails_to_save 04 05 06 07 08 09
+fails_for_heat_map 07 09
 
 finish

@@ -9,6 +9,7 @@
 #include "judge_07.h"
 #include "right_answers_2d.h"
 #include "right_answers_3d.h"
+#include "right_answers_mirrors.h"
 #include "right_answers_sah.h"
 #include "right_answers_tree3d.h"
 
@@ -40,11 +41,11 @@ static Sections right_answers(int lab, const Sections *job)
         break;
     case 4:
         answer_axes_and_pixels(&writer, job);
-        answer_pictures_3d(&writer, job, NULL, NULL, 0);
+        answer_pictures_3d(&writer, job, NULL, NULL, NULL, 0);
         break;
     case 5:
         answer_sphere_functions(&writer, job);
-        answer_pictures_3d(&writer, job, find_in_all, work_05, 1);
+        answer_pictures_3d(&writer, job, find_in_all, hit_color, work_05, 1);
         break;
     case 6:
         answer_planes_and_overlaps(&writer, job);
@@ -57,11 +58,18 @@ static Sections right_answers(int lab, const Sections *job)
         answer_decisions(&writer, job);
         answer_trees_sah(&writer, job);
         break;
-    default:
+    case 7:
         answer_clips_and_sides(&writer, job);
         answer_planes_and_leaves(&writer, job);
         answer_steps(&writer, job);
-        answer_pictures_3d(&writer, job, find_in_tree, work_07, sizeof work_07 / sizeof *work_07);
+        answer_pictures_3d(&writer, job, find_in_tree, hit_color, work_07,
+                           sizeof work_07 / sizeof *work_07);
+        break;
+    default:
+        answer_rays(&writer, job);
+        answer_blocks(&writer, job);
+        answer_lits(&writer, job);
+        answer_pictures_3d(&writer, job, find_in_all, color_over_mirrors, NULL, 0);
     }
     return writer_close(&writer);
 }

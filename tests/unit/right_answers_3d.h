@@ -157,6 +157,7 @@ typedef struct SphereScene {
     const Light *lights;
     const KdNode3 *nodes;  // lab 07, else NULL
     const u32 *sphere_ids;
+    const i32 *max_bounces;  // lab 09, else NULL
 } SphereScene;
 
 static const void *sphere_scene_part(const Sections *job, int k, const char *part)
@@ -175,6 +176,7 @@ static int sphere_scene_read(const Sections *job, int k, SphereScene *scene)
         .lights = sphere_scene_part(job, k, "lights"),
         .nodes = sphere_scene_part(job, k, "nodes"),
         .sphere_ids = sphere_scene_part(job, k, "sphere_ids"),
+        .max_bounces = sphere_scene_part(job, k, "bounces"),
     };
     return scene->job != NULL;
 }
@@ -197,6 +199,9 @@ static HitAnswer find_in_all(const SphereScene *scene, Ray ray, Work *work)
     return hit;
 }
 
+// The colour of a ray that hits this, or nothing.
+typedef Vec3 ColorOfHit(const SphereScene *scene, Ray ray, HitAnswer hit);
+
 static Vec3 hit_color(const SphereScene *scene, Ray ray, HitAnswer hit)
 {
     if (hit.t == INFINITY) {
@@ -211,7 +216,7 @@ static Vec3 hit_color(const SphereScene *scene, Ray ray, HitAnswer hit)
 // The picture of scene k, in which a ray has the colour of what it hits, and the hits; with
 // find_hit NULL that of its direction (lab 04). With has_work, the work besides.
 static void answer_picture_3d(Writer *writer, int k, const SphereScene *scene, FindHit *find_hit,
-                              int has_work)
+                              ColorOfHit *color_of, int has_work)
 {
     const int width = scene->job->width, height = scene->job->height;
     const int image_width = PROBE_IMAGE_SIDE(width);
@@ -230,7 +235,7 @@ static void answer_picture_3d(Writer *writer, int k, const SphereScene *scene, F
             Vec3 color = vec3_plus(vec3_scaled(ray.direction, 0.5f), grey);
             if (find_hit != NULL) {
                 hits[pixel] = find_hit(scene, ray, &work[pixel]);
-                color = hit_color(scene, ray, hits[pixel]);
+                color = color_of(scene, ray, hits[pixel]);
             }
             memcpy(image[y * image_width + x], (float[]){color.x, color.y, color.z, 1},
                    sizeof *image);
@@ -251,7 +256,7 @@ static void answer_picture_3d(Writer *writer, int k, const SphereScene *scene, F
 // The pictures of all scenes.
 //   work_scenes[n_work_scenes]   those whose work is judged; NULL, 0 where it never is
 static void answer_pictures_3d(Writer *writer, const Sections *job, FindHit *find_hit,
-                               const int *work_scenes, int n_work_scenes)
+                               ColorOfHit *color_of, const int *work_scenes, int n_work_scenes)
 {
     SphereScene scene;
     for (int k = 0; sphere_scene_read(job, k, &scene); k++) {
@@ -259,7 +264,7 @@ static void answer_pictures_3d(Writer *writer, const Sections *job, FindHit *fin
         for (int i = 0; i < n_work_scenes; i++) {
             has_work |= work_scenes[i] == k;
         }
-        answer_picture_3d(writer, k, &scene, find_hit, has_work);
+        answer_picture_3d(writer, k, &scene, find_hit, color_of, has_work);
     }
 }
 

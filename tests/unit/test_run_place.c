@@ -92,6 +92,7 @@ Test(run_place, knows_every_lab)
         {"05", "roots", "textbook", "projection", "normals", "shades", "hits", NULL},
         {"06", "splits", "overlaps", "pack", "todo", NULL},
         {"07", "clips", "sides", "planes", "leaves", NULL},
+        {"09", "starts", "mirrors", "shadow_rays", "blocks", "lits", NULL},
     };
     for (size_t l = 0; l < sizeof noted / sizeof *noted; l++) {
         Manifest manifest;

@@ -156,6 +156,13 @@ static const ProbeStep steps[] = {
     {"08", "decisions", "in is_leaf_by_cost", "is_leaf_by_cost", ON_INPUTS, sizeof(LeafCostJob),
      NULL},
     {"08", "tree", "while kdtree3d_build_sah built a whole tree", NULL, ON_SCENE, 0, NULL},
+    {"09", "starts", "in leave_surface", "leave_surface", ON_INPUTS, sizeof(StartJob), NULL},
+    {"09", "mirrors", "in mirrored_direction", "mirrored_direction", ON_INPUTS, sizeof(MirrorJob),
+     NULL},
+    {"09", "shadow_rays", "in shadow_ray", "shadow_ray", ON_INPUTS, sizeof(ShadowRayJob), NULL},
+    {"09", "blocks", "in leaf_blocks", "leaf_blocks", ON_INPUTS, sizeof(BlockJob), NULL},
+    {"09", "lits", "in lit_color", "lit_color", ON_INPUTS, sizeof(LitJob), NULL},
+    {"09", "picture", "in render_mirrors", NULL, ON_SCENE, 0, NULL},
 };
 
 // The step of a note, or NULL. Names are compared with their padding: one without an end is none.

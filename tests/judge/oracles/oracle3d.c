@@ -20,11 +20,14 @@
 //    one begins. Its t is off by no more than the interval says.
 //
 // Colours, 5, are in oracle3d_colors.c.
+//
+// 6. A ray that leaves a surface (oracle3d_mirrors.c) starts at a point that is off by
+//    origin_error, and the line by as much at every sphere. Of the sphere that it leaves, a right
+//    solution does not find the point where it starts. With b = c . d and |c| = r the other root is
+//    at 2 b, ahead when b > 0: from inside. Off by e, b makes that 2 e, and |c| as much as r e / b.
 #include "oracle3d.h"
+#include "oracle3d_rounding.h"
 
-#include <math.h>
-
-#define ROUNDING 0x1p-24                // u
 #define RAY_ERROR (32 * ROUNDING)       // see 1
 #define ROOT_ERROR (12 * ROUNDING)      // see 2
 #define TEXTBOOK_ERROR (24 * ROUNDING)  // see 3: o . o, (o . d)² and d's own length, 8 u each
@@ -67,14 +70,18 @@ OracleRay oracle3d_primary_ray(const Camera *camera, int x, int y, int width, in
             ? (OracleVector){vector_dot(p, right), vector_dot(p, up), vector_dot(p, forward)}
             : vector_plus(vector_plus(vector_scaled(p.x, right), vector_scaled(p.y, up)),
                           vector_scaled(p.z, forward));
-    return (OracleRay){vector_of(camera->eye),
-                       rules->not_normalised ? direction : vector_unit(direction), 0, RAY_ERROR};
+    return (OracleRay){.origin = vector_of(camera->eye),
+                       .direction = rules->not_normalised ? direction : vector_unit(direction),
+                       .direction_error = RAY_ERROR};
 }
 
 OracleRay oracle3d_given_ray(Vec3 origin, Vec3 direction, float t_min)
 {
     // In float a unit vector is as long as 1 within the rounding of three components.
-    return (OracleRay){vector_of(origin), vector_unit(vector_of(direction)), t_min, 2 * ROUNDING};
+    return (OracleRay){.origin = vector_of(origin),
+                       .direction = vector_unit(vector_of(direction)),
+                       .t_min = t_min,
+                       .direction_error = 2 * ROUNDING};
 }
 
 // ---- One sphere -------------------------------------------------------------------------------
@@ -101,19 +108,19 @@ static int may_hit(OracleRoot *hit, Root root, double limit)
 
 OracleChord oracle3d_chord(Sphere sphere, const OracleRay *ray, OracleForm form)
 {
-    const OracleVector centre = {sphere.x, sphere.y, sphere.z};
-    const OracleVector c = vector_minus(centre, ray->origin);
+    const OracleVector c = vector_minus(centre_of(sphere), ray->origin);
     const double r2 = (double)sphere.radius * sphere.radius, c2 = vector_dot(c, c);
     const double b = vector_dot(c, ray->direction);
     const OracleVector across = vector_minus(c, vector_scaled(b, ray->direction));
-    const double l2 = vector_dot(across, across), error = ray->direction_error + ROOT_ERROR;
-    OracleChord chord = {.middle = b, .error = error * sqrt(c2), .half = NAN};
+    const double l2 = vector_dot(across, across);
+    const double e = (ray->direction_error + ROOT_ERROR) * sqrt(c2) + ray->origin_error;
+    OracleChord chord = {.middle = b, .error = e, .half = NAN};
     // A clear miss takes no root: (r + e)² is at most 2 (r² + e²).
-    if (l2 > 4 * (r2 + (error * error + TEXTBOOK_ERROR) * c2)) {
+    if (l2 > 4 * (r2 + e * e + TEXTBOOK_ERROR * c2)) {
         return chord;
     }
     // 3: the shortest and the longest half chord, squared.
-    const double l = sqrt(l2), e = chord.error, l_low = fmax(l - e, 0);
+    const double l = sqrt(l2), l_low = fmax(l - e, 0);
     const double rounding = 5 * ROUNDING * (r2 + (l + e) * (l + e)) +
                             (form == ORACLE_TEXTBOOK ? TEXTBOOK_ERROR * c2 : 0);
     const double shortest2 = r2 - (l + e) * (l + e) - rounding;
@@ -126,9 +133,31 @@ OracleChord oracle3d_chord(Sphere sphere, const OracleRay *ray, OracleForm form)
     return chord;
 }
 
+static int is_copy(const Sphere *a, const Sphere *b)
+{
+    return a->x == b->x && a->y == b->y && a->z == b->z && a->radius == b->radius;
+}
+
+// 6: of the sphere that the ray leaves, or a copy of it, the root at its start is none.
+static OracleRoot root_of_left(Sphere sphere, const OracleRay *ray)
+{
+    const OracleChord chord = oracle3d_chord(sphere, ray, ORACLE_PROJECTION);
+    const double b = chord.middle, e = chord.error;
+    OracleRoot root = {.t = b > 0 ? 2 * b : INFINITY, .is_possible = b > -e, .is_certain = b > e};
+    if (root.is_possible) {
+        const double off = 2 * e + (b > 0 ? fabs((double)sphere.radius) * e / b : 0);
+        root.t_low = 2 * b - off;
+        root.t_high = 2 * b + off;
+    }
+    return root;
+}
+
 OracleRoot oracle3d_root(Sphere sphere, const OracleRay *ray, OracleForm form,
                          const OracleRules3D *rules)
 {
+    if (ray->leaves != NULL && is_copy(&sphere, ray->leaves)) {
+        return root_of_left(sphere, ray);
+    }
     const OracleChord chord = oracle3d_chord(sphere, ray, form);
     OracleRoot root = {.t = INFINITY};
     // Beside the eye float decides whether the centre is behind it.
@@ -175,11 +204,6 @@ static int takes_ray(double t, const OracleHit *found, const OracleRules3D *rule
         return t > found->t;
     }
     return rules->later_wins_ties ? t <= found->t : t < found->t;
-}
-
-static int is_copy(const Sphere *a, const Sphere *b)
-{
-    return a->x == b->x && a->y == b->y && a->z == b->z && a->radius == b->radius;
 }
 
 OracleHit oracle3d_nearest(const Sphere *spheres, u32 n_spheres, const OracleRay *ray,

@@ -78,10 +78,12 @@ typedef struct OracleRules3D {
 // ---- Rays -------------------------------------------------------------------------------------
 
 typedef struct OracleRay {
-    OracleVector origin;     // exact: it comes from floats
+    OracleVector origin;     // exact from the eye: it comes from floats
     OracleVector direction;  // a unit vector, but for the rule not_normalised
     double t_min;
     double direction_error;  // how far a right solution's direction may be from it
+    double origin_error;     // and its origin
+    const Sphere *leaves;    // the sphere that it starts on and must not hit there; NULL for none
 } OracleRay;
 
 // The camera's axes for a view: right, up and forward.

@@ -8,12 +8,10 @@
 //    so is a channel in units of kd x colour x light. Seen along the surface, float may turn the
 //    normal or not: the pixel is ambiguous then.
 #include "oracle3d.h"
+#include "oracle3d_rounding.h"
 
-#include <math.h>
 #include <string.h>
 
-#define ROUNDING 0x1p-24           // u
-#define UNIT_ERROR (8 * ROUNDING)  // of a unit vector made by normalize(): see oracle3d.c, 1
 #define POW_ERROR (32 * ROUNDING)  // of pow(), a share: 16 ulp (OpenCL 1.2, 7.4)
 #define SUM_ERROR (8 * ROUNDING)   // of a light's share: five products and a sum, of 1 u each
 
@@ -29,12 +27,6 @@ int oracle3d_is_near(Vec3 found, OracleNear expected)
     return fabs(found.x - expected.value.x) <= expected.error &&
            fabs(found.y - expected.value.y) <= expected.error &&
            fabs(found.z - expected.value.z) <= expected.error;
-}
-
-// How far the direction of a vector of this length may be off when the vector is off by `error`.
-static double direction_error(double error, double length)
-{
-    return length > error ? error / (length - error) + UNIT_ERROR : INFINITY;
 }
 
 // Is the normal of a point turned round?
@@ -53,8 +45,7 @@ static int is_turned(Sphere sphere, OracleVector point, OracleVector direction, 
 OracleNear oracle3d_normal(Sphere sphere, OracleNear point, OracleNear direction,
                            const OracleRules3D *rules)
 {
-    const OracleVector centre = {sphere.x, sphere.y, sphere.z};
-    const OracleVector outwards = vector_minus(point.value, centre);
+    const OracleVector outwards = vector_minus(point.value, centre_of(sphere));
     const double distance = vector_length(outwards), rounding = ROUNDING * distance;
     OracleNear normal = {rules->normal_not_normalised ? outwards
                          : rules->normal_by_radius

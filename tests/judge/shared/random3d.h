@@ -28,6 +28,16 @@ static inline Vec3 random_point(Random *random, double reach)
     return random_vector(random, -reach, reach);
 }
 
+// A unit vector.
+static inline Vec3 random_direction(Random *random)
+{
+    Vec3 v;
+    do {
+        v = random_point(random, 1);
+    } while (vec3_dot(v, v) < 0.25f);
+    return vec3_normalized(v);
+}
+
 static inline int random_sign(Random *random)
 {
     return random_integer(random, 0, 1) ? 1 : -1;

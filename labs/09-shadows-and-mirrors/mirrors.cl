@@ -1,0 +1,56 @@
+// Lab 09: the colour of a ray that mirrors send on.
+//
+// OpenCL C knows no recursion, and none is needed: a mirrored ray has one successor, so a loop
+// follows it, and one number says what its light still counts.
+// Flow: scene -> buffers -> KERNEL -> image -> comparison. Called by render_mirrors.cl.
+#include "leave_surface.cl"
+#include "shadows.cl"
+
+// Where a mirror sends a ray: the angle of exit is that of entry.
+//   direction, normal   unit vectors; the normal is on the side the ray comes from
+// Returns a unit vector within their rounding.
+float3 mirrored_direction(float3 direction, float3 normal)
+{
+    // TASK mirrored_direction: the part of the direction along the normal turns round.
+    (void)normal;
+    return direction;
+    // END mirrored_direction
+}
+
+// What a ray has hit, as new rays need it.
+typedef struct Surface {
+    float3 point;   // off the surface already: new rays start here
+    float3 normal;  // unit vector, to the side the ray came from
+    Material material;
+} Surface;
+
+// The surface at a hit, which is one. Nothing to fill in here.
+static Surface surface_at(Ray ray, Hit hit, const TracedScene *scene)
+{
+    const Sphere sphere = scene->spheres[hit.sphere];
+    const float3 point = ray.origin + hit.t * ray.direction;
+    Surface surface;
+    surface.normal = surface_normal(sphere, point, ray.direction);
+    surface.point = leave_surface(point, surface.normal, hit.t, sphere.radius);
+    surface.material = scene->materials[scene->material_ids[hit.sphere]];
+    return surface;
+}
+
+// Light that counts less than this is not followed: half of one of the 255 steps of a PNG.
+#define LEAST_WEIGHT (0.5f / 255.0f)
+
+// The colour of a ray and of what it sees in mirrors.
+//   ray           from the eye
+//   max_bounces   it is mirrored so often at most; 0: never
+//   work          what this pixel has cost so far
+// The sum begins with what is hit first. Light that comes over a mirror counts ks of its material,
+// over two of them the product, and so on; the background, too.
+float3 ray_color(Ray ray, int max_bounces, const TracedScene *scene, Work *work)
+{
+    float3 color = (float3)(0.0f);
+    // TASK ray_color: follow the ray from hit to hit, add the light of each by its weight. The end
+    // is where nothing is hit, after max_bounces mirrors, or when the weight is below LEAST_WEIGHT.
+    (void)ray, (void)max_bounces, (void)scene, (void)work;
+    // END ray_color
+    return color;
+}

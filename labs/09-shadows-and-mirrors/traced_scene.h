@@ -1,0 +1,25 @@
+// All that a ray may ask: the spheres, what they look like, the lights, and the tree over the
+// spheres. The device's own: a kernel's parameters put together, so that functions take one
+// argument in the place of nine.
+//
+// Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: shadows.cl.
+#ifndef TRACED_SCENE_H
+#define TRACED_SCENE_H
+
+#include "kdtree3d.h"
+#include "shading.h"
+#include "sphere.h"
+
+typedef struct TracedScene {
+    global const Sphere *spheres;
+    global const uint *material_ids;   // what each sphere is made of: an index into materials
+    global const Material *materials;  // shading.h
+    global const Light *lights;        // [n_lights]
+    int n_lights;
+    float3 background;            // the colour of a ray that hits nothing
+    global const KdNode3 *nodes;  // the tree of lab 06 (kdtree3d.h); node 0 is the root
+    global const uint *sphere_ids;
+    BBox3D bounds;
+} TracedScene;
+
+#endif

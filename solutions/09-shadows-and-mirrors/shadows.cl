@@ -1,0 +1,99 @@
+// Lab 09: which lights reach a point? A shadow ray goes to each, and whatever it hits before the
+// light will do: no nearest hit is needed.
+//
+// Flow: scene -> buffers -> KERNEL -> image -> comparison. Called by mirrors.cl.
+#include "shade.cl"
+#include "trace.cl"
+#include "traced_scene.h"
+
+// The ray from a point to a light. It ends there: what stands behind the light casts no shadow.
+//   point   off the surface already (leave_surface())
+// Returns a ray whose direction is a unit vector, t_min 0 and t_max the light's distance.
+Ray shadow_ray(float3 point, Light light)
+{
+    Ray ray = {point, (float3)(0.0f, 0.0f, 1.0f), 0.0f, 0.0f};
+    // TASK shadow_ray: the direction to the light, and how far it is.
+    //> (void)light;
+    const float3 way = to_float3(light.position) - point;
+    ray.t_max = length(way);
+    ray.direction = way / ray.t_max;
+    // END shadow_ray
+    return ray;
+}
+
+// Does a sphere of this leaf stand in the ray's way, before its end?
+//   node         the leaf
+//   sphere_ids   of the whole tree; the leaf's are node.n_spheres from node.first on
+//   work         what this pixel has cost so far: for intersect_sphere()
+// Returns 1, or 0 when no sphere of it does.
+int leaf_blocks(KdNode3 node, global const uint *sphere_ids, global const Sphere *spheres, Ray ray,
+                Work *work)
+{
+    // TASK leaf_blocks: as search_leaf() of lab 07, but any hit before ray.t_max will do: the first
+    // one that is found ends the search.
+    //> (void)node, (void)sphere_ids, (void)spheres, (void)ray, (void)work;
+    for (uint i = node.first; i < node.first + node.n_spheres; i++) {
+        if (intersect_sphere(spheres[sphere_ids[i]], ray, work) < ray.t_max) {
+            return 1;
+        }
+    }
+    // END leaf_blocks
+    return 0;
+}
+
+// Does anything stand in the ray's way? trace() of lab 07 with another end: not at a hit that
+// nothing nearer can precede, but at any. Nothing to fill in here.
+//   work   what this pixel has cost so far
+static int is_blocked(Ray ray, const TracedScene *scene, Work *work)
+{
+    // The node at hand, and the part of the ray inside it.
+    TodoEntry at = {0, ray.t_min, ray.t_max};
+    if (!clip_to_box(scene->bounds, ray, &at.t_min, &at.t_max)) {
+        return 0;
+    }
+    const float origins[3] = {ray.origin.x, ray.origin.y, ray.origin.z};
+    const float inverses[3] = {1.0f / ray.direction.x, 1.0f / ray.direction.y,
+                               1.0f / ray.direction.z};
+    Todo todo;
+    todo.n = 0;
+    for (;;) {
+        const KdNode3 node = scene->nodes[at.node];
+        if (node.split_axis != KD_LEAF) {
+            count_node(work);
+            at = next_child(node, origins[node.split_axis], inverses[node.split_axis], at.t_min,
+                            at.t_max, &todo);
+            count_waiting(work, todo.n);
+            continue;
+        }
+        count_leaf(work);
+        if (leaf_blocks(node, scene->sphere_ids, scene->spheres, ray, work)) {
+            return 1;
+        }
+        if (todo.n == 0) {
+            return 0;
+        }
+        at = todo_pop(&todo);
+    }
+}
+
+// Lambert's law as in lab 05, without the lights that do not reach the point.
+//   point, normal   off the surface already; unit vector
+//   work            what this pixel has cost so far
+// Returns red, green and blue.
+float3 lit_color(float3 point, float3 normal, Material material, const TracedScene *scene,
+                 Work *work)
+{
+    float3 color = (float3)(0.0f);
+    // TASK lit_color: ask each light that is before the surface whether anything stands between. If
+    // not, add what shade() of lab 05 makes of this one light.
+    //> (void)point, (void)normal, (void)material, (void)scene, (void)work;
+    for (int i = 0; i < scene->n_lights; i++) {
+        const Ray ray = shadow_ray(point, scene->lights[i]);
+        // A light behind the surface adds nothing: no ray is needed for that.
+        if (dot(normal, ray.direction) > 0.0f && !is_blocked(ray, scene, work)) {
+            color += shade(point, normal, material, scene->lights + i, 1);
+        }
+    }
+    // END lit_color
+    return color;
+}

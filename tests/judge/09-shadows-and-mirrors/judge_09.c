@@ -1,0 +1,112 @@
+// Judge of lab 09: each function on chosen inputs, and whole pictures. The functions' inputs are
+// drawn and judged in the files that judge_09.h names.
+//
+// Pictures are those of an oracle that follows each ray in double precision, with a bound for every
+// pixel that grows from mirror to mirror; what rounding may decide on the way is left out. Read
+// next: judge_09.h.
+#include "judge_09.h"
+
+// ---- Drawing the job ----------------------------------------------------------------------------
+
+static int draw(void *pointer, Random *random)
+{
+    Job09 *job = pointer;
+    rays_09_draw(random, job);
+    blocks_09_draw(random, job);
+    alone_09_draw(random, job);
+    for (int k = 0; k < N_SCENES; k++) {
+        job_list_picture(&job->job, &job->scenes[k].base.picture);
+    }
+    if (scenes_09_draw(random, job->scenes) != 0) {
+        return -1;
+    }
+    lits_09_draw(random, job);
+    return 0;
+}
+
+static void release(void *pointer)
+{
+    Job09 *job = pointer;
+    for (int k = 0; k < N_SCENES; k++) {
+        job_scene3d_free(&job->scenes[k].base);
+    }
+}
+
+static int write_scene(const void *job, int k, FILE *file)
+{
+    return scene_09_write(&((const Job09 *)job)->scenes[k], k, file);
+}
+
+// ---- The judge ----------------------------------------------------------------------------------
+
+// Range number i of a function's inputs.
+#define RANGE(i, n_inputs) {(i) * (n_inputs), n_inputs}
+
+static const JudgeCheck checks[] = {
+    {"leave-side", "Along the normal, and far enough", "leave_surface", 7, .function = &start_09,
+     .range = RANGE(0, N_START_INPUTS)},
+    {"leave-scale", "With numbers of any size", "leave_surface", 7, .function = &start_09,
+     .range = RANGE(1, N_START_INPUTS)},
+
+    {"mirror-direction", "The angle of exit is that of entry", "mirrored_direction", 8,
+     .function = &mirror_09, .range = RANGE(0, N_MIRROR_INPUTS)},
+    {"mirror-edges", "Head-on, grazing, along axes", "mirrored_direction", 4,
+     .function = &mirror_09, .range = RANGE(1, N_MIRROR_INPUTS)},
+
+    {"ray-origin", "From the point, with t_min 0", "shadow_ray", 4, .function = &ray_origin_09,
+     .range = {0, N_SHADOW_RAY_INPUTS}},
+    {"ray-direction", "To the light, a unit vector", "shadow_ray", 6, .function = &ray_direction_09,
+     .range = {0, N_SHADOW_RAY_INPUTS}},
+    {"ray-end", "As far as the light", "shadow_ray", 6, .function = &ray_end_09,
+     .range = {0, N_SHADOW_RAY_INPUTS}},
+
+    {"blocks-before", "Before the end of the ray, and behind it", "leaf_blocks", 7,
+     .function = &block_09, .range = RANGE(0, N_BLOCK_INPUTS)},
+    {"blocks-edges", "By a hair", "leaf_blocks", 4, .function = &block_09,
+     .range = RANGE(1, N_BLOCK_INPUTS)},
+    {"blocks-early", "The first one that is found ends the search", "leaf_blocks", 7,
+     .function = &block_early_09, .range = {0, N_BLOCKS}},
+
+    {"lit-shadow", "One light, and what may stand between", "lit_color", 7,
+     "shadow_ray leaf_blocks", .function = &lit_09, .range = RANGE(0, N_LIT_INPUTS),
+     .alone = lits_alone_09},
+    {"lit-behind", "No ray for a light behind the surface", "lit_color", 4,
+     "shadow_ray leaf_blocks", .function = &lit_09, .range = RANGE(1, N_LIT_INPUTS),
+     .alone = lits_alone_09},
+    {"lit-lights", "Every light for itself", "lit_color", 7, "shadow_ray leaf_blocks",
+     .function = &lit_09, .range = RANGE(2, N_LIT_INPUTS), .alone = lits_alone_09},
+
+    {"color-local", "Without mirrors", "ray_color", 5, "*", .scene = judge_picture,
+     .range = {LOCAL, N_LOCAL}, .alone_scene = picture_alone_09},
+    {"color-mirrors", "One mirror or two", "ray_color", 6, "*", .scene = judge_picture,
+     .range = {MIRRORS, N_MIRRORS}, .alone_scene = picture_alone_09},
+    {"color-end", "Many mirrors, and where the end is", "ray_color", 6, "*", .scene = judge_picture,
+     .range = {ENDS, N_ENDS}, .alone_scene = picture_alone_09},
+    {"color-background", "The background over mirrors", "ray_color", 5, "*", .scene = judge_picture,
+     .range = {BACKGROUNDS, N_BACKGROUNDS}, .alone_scene = picture_alone_09},
+};
+
+static const JobPart parts[] = {
+    PART("starts", "leave_surface", Job09, starts),
+    PART("mirrors", "mirrored_direction", Job09, mirrors),
+    PART("shadow_rays", "shadow_ray", Job09, shadow_rays),
+    PART("blocks", "leaf_blocks", Job09, blocks),
+    PART("block_ids", "leaf_blocks", Job09, block_ids),
+    PART("block_spheres", "leaf_blocks", Job09, block_spheres),
+    PART("lits", NULL, Job09, lits),  // alone with other points: write_alone_09()
+    PART("lit_lights", NULL, Job09, lit_lights),
+};
+
+const Judge judge_09 = {
+    .lab = "09-shadows-and-mirrors",
+    .checks = checks,
+    .n_checks = COUNT(checks),
+    .job_bytes = sizeof(Job09),
+    .draw = draw,
+    .release = release,
+    .parts = parts,
+    .n_parts = COUNT(parts),
+    .write_scene = write_scene,
+    .n_scenes = N_SCENES,
+    .write_alone = write_alone_09,
+};

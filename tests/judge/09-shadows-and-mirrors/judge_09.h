@@ -1,0 +1,98 @@
+// What lab 09's judge asks of a submission: inputs of its functions, and scenes with their trees,
+// each with a number of mirrors that a ray meets at most. Starts and directions of new rays are
+// drawn and judged in judge_09_rays.c, leaves in judge_09_leaf.c, lights in judge_09_lit.c, the
+// scenes in judge_09_scenes.c, one answer alone in judge_09_alone.c.
+#ifndef JUDGE_JUDGE_09_H
+#define JUDGE_JUDGE_09_H
+
+#include "job_scene3d.h"
+#include "jobs.h"
+#include "judge.h"
+#include "oracle3d_mirrors.h"
+
+// ---- Functions --------------------------------------------------------------------------------
+
+// How many inputs each range has; a function's ranges follow one another.
+enum {
+    N_START_INPUTS = 300,   // 2 ranges: numbers of usual size, and of any
+    N_MIRROR_INPUTS = 300,  // 2 ranges: by lot, and along axes, head-on and grazing
+    N_SHADOW_RAY_INPUTS = 400,
+    N_BLOCK_INPUTS = 400,  // 2 ranges: by lot, and at the ends of the ray
+    N_LIT_INPUTS = 300,    // 3 ranges: one light, lights behind the surface, several
+    N_BLOCKS = 2 * N_BLOCK_INPUTS,
+    N_LITS = 3 * N_LIT_INPUTS,
+    BLOCK_MAX_SPHERES = 8,
+    // Before and behind each leaf's ids stands one more, which must not be asked.
+    N_BLOCK_IDS = N_BLOCKS * (BLOCK_MAX_SPHERES + 2),
+    N_LIT_LIGHTS = 64,
+    MOST_ALONE_LIGHTS = 4,  // of one input of lit_color that is tried alone
+};
+
+extern const Function start_09, mirror_09, ray_origin_09, ray_direction_09, ray_end_09;
+extern const Function block_09, block_early_09;
+extern const Function lit_09;
+
+// A number a hair off is one that was compared or moved by an epsilon.
+#define HAIR 0x1p-13f
+
+// ---- Scenes -----------------------------------------------------------------------------------
+
+// In the order of the job; the first one is LIT_SCENE.
+enum {
+    LOCAL = 0,  // no mirrors
+    N_LOCAL = 5,
+    MIRRORS = LOCAL + N_LOCAL,  // one or two
+    N_MIRRORS = 5,
+    ENDS = MIRRORS + N_MIRRORS,  // up to five, cut-offs, ks of 0 and 1
+    N_ENDS = 9,
+    BACKGROUNDS = ENDS + N_ENDS,  // nothing has light of its own
+    N_BACKGROUNDS = 3,
+    N_SCENES = BACKGROUNDS + N_BACKGROUNDS,
+};
+
+typedef struct MirrorScene {
+    JobScene3D base;
+    i32 max_bounces;
+} MirrorScene;
+
+// Draw the scenes, with their trees and what is expected. Returns 0, or -1 after one message.
+int scenes_09_draw(Random *random, MirrorScene scenes[N_SCENES]);
+
+// Write scene K. Returns 0, or -1.
+int scene_09_write(const MirrorScene *scene, int k, FILE *file);
+
+// ---- The job ----------------------------------------------------------------------------------
+
+typedef struct Job09 {
+    Job job;
+    StartJob starts[2 * N_START_INPUTS];
+    MirrorJob mirrors[2 * N_MIRROR_INPUTS];
+    ShadowRayJob shadow_rays[N_SHADOW_RAY_INPUTS];
+    BlockJob blocks[N_BLOCKS];
+    u32 block_ids[N_BLOCK_IDS];
+    // As many as there are ids: who takes a position for an id finds another sphere.
+    Sphere block_spheres[N_BLOCK_IDS];
+    LitJob lits[N_LITS];
+    Light lit_lights[N_LIT_LIGHTS];
+    LitJob alone_lits[N_LITS];
+    Light alone_lights[N_LITS * (MOST_ALONE_LIGHTS + 1)];  // behind those of each one that is not
+    MirrorScene scenes[N_SCENES];
+} Job09;
+
+void rays_09_draw(Random *random, Job09 *job);
+void blocks_09_draw(Random *random, Job09 *job);
+void lits_09_draw(Random *random, Job09 *job);  // the scenes are drawn already
+
+// ---- Alone ------------------------------------------------------------------------------------
+
+void alone_09_draw(Random *random, Job09 *job);
+
+// See judge.h.
+int write_alone_09(const void *job, const char *task, FILE *file);
+
+// Beside the stand-ins: is lit_color right for every light, and does it leave those alone that are
+// behind the surface? Is the picture of scene K right?
+int lits_alone_09(const void *job, const JudgeCheck *check, const Sections *answers);
+int picture_alone_09(const void *job, int k, const Sections *answers);
+
+#endif

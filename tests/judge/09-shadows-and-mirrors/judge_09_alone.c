@@ -1,0 +1,174 @@
+// Lab 09: each answer alone, beside stand-ins where it calls another task's function (see
+// tests/stand_ins/README.md).
+//
+// leave_surface, mirrored_direction, shadow_ray and leaf_blocks need no other task. lit_color is
+// tried on points and lights of a grid, where a ray goes along the axis on which the light is
+// farthest and a lot says what blocks it; ray_color on the scenes of the whole job, where mirrors
+// send every ray along the normal and surfaces shine by themselves.
+#include "judge_09.h"
+
+#include "job_sections.h"
+#include "random3d.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const OracleRules3D right = {0};
+
+// ---- lit_color ----------------------------------------------------------------------------------
+
+// The lights of input i begin here.
+static int first_light(int i)
+{
+    return i * (MOST_ALONE_LIGHTS + 1);
+}
+
+static Vec3 along(int axis, float x)
+{
+    return (Vec3){axis == 0 ? x : 0, axis == 1 ? x : 0, axis == 2 ? x : 0};
+}
+
+// A whole number of sixteenths.
+static float sixteenths(Random *random, int lowest, int highest)
+{
+    return (float)random_integer(random, lowest, highest) / 16;
+}
+
+// A light that is farthest along an axis: nowhere else half as far.
+static Light draw_light(Random *random, Vec3 point, int axis, int sign)
+{
+    const float distance = (float)sign * sixteenths(random, 16, 96);
+    Vec3 position = along(axis, distance);
+    const float aside = sixteenths(random, -7, 7), up = sixteenths(random, -7, 7);
+    const Vec3 a = along((axis + 1) % 3, aside), b = along((axis + 2) % 3, up);
+    position = (Vec3){point.x + position.x + a.x + b.x, point.y + position.y + a.y + b.y,
+                      point.z + position.z + a.z + b.z};
+    return (Light){position, random_vector(random, 0.125, 1)};
+}
+
+// In the second range all lights are behind the surface.
+static void draw_input(Random *random, Job09 *job, int i)
+{
+    const int axis = i % 3, side = random_sign(random), range = i / N_LIT_INPUTS;
+    LitJob *lit = &job->alone_lits[i];
+    *lit = (LitJob){.normal = along(axis, (float)side),
+                    .first_light = first_light(i),
+                    .n_lights = range == 0 ? 1 : (i32)random_integer(random, 2, MOST_ALONE_LIGHTS),
+                    .bounds = {{-100, -100, -100}, {100, 100, 100}}};
+    lit->point = (Vec3){sixteenths(random, -64, 64), sixteenths(random, -64, 64),
+                        sixteenths(random, -64, 64)};
+    lit->material.color = random_vector(random, 0.25, 1);
+    lit->material.kd = random_number(random, 0.125, 0.875);
+    for (int k = 0; k <= MOST_ALONE_LIGHTS; k++) {
+        const int is_behind = range == 1 || (range == 2 && random_integer(random, 0, 2) == 0);
+        job->alone_lights[first_light(i) + k] =
+            draw_light(random, lit->point, axis, is_behind ? -side : side);
+    }
+}
+
+void alone_09_draw(Random *random, Job09 *job)
+{
+    for (int i = 0; i < N_LITS; i++) {
+        draw_input(random, job, i);
+    }
+}
+
+// A tree of one leaf.
+static int write_lits(const Job09 *job, FILE *file)
+{
+    const Sphere sphere = {0, 0, 0, 1};
+    const KdNode3 leaf = {0, KD_LEAF, 0, 1};
+    const u32 id = 0;
+    return section_write(file, "lits", job->alone_lits, sizeof job->alone_lits) |
+           section_write(file, "lit_lights", job->alone_lights, sizeof job->alone_lights) |
+           job_section_write(file, LIT_SCENE, "spheres", &sphere, sizeof sphere) |
+           job_section_write(file, LIT_SCENE, "nodes", &leaf, sizeof leaf) |
+           job_section_write(file, LIT_SCENE, "sphere_ids", &id, sizeof id);
+}
+
+// What the stand-in of leaf_blocks says, with what it knows on the device under the same names.
+typedef unsigned int uint;
+static int is_blocked_by_lot(ShadowRayAnswer ray)
+{
+#include "09-shadows-and-mirrors/leaf_blocks.cl"
+}
+
+// How long the ray of the stand-in of shadow_ray is.
+static float length_along_axis(Vec3 way)
+{
+    return fmaxf(fmaxf(fabsf(way.x), fabsf(way.y)), fabsf(way.z));
+}
+
+static int is_right_light(const Job09 *job, int i, const LitAnswer *found)
+{
+    const LitJob *in = &job->alone_lits[i];
+    OracleNear sum = {{0}, 0};
+    int n_before = 0;
+    for (int k = 0; k < in->n_lights; k++) {
+        const Light *light = &job->alone_lights[in->first_light + k];
+        const Vec3 way = vec3_minus(light->position, in->point);
+        const OracleNear share =
+            oracle3d_shade(oracle3d_exactly(in->point), oracle3d_exactly(in->normal), &in->material,
+                           light, 1, &right);
+        const int is_before = vec3_dot(in->normal, way) > 0;
+        n_before += is_before;
+        if (is_before && !is_blocked_by_lot((ShadowRayAnswer){.t_max = length_along_axis(way)})) {
+            sum.value.x += share.value.x;
+            sum.value.y += share.value.y;
+            sum.value.z += share.value.z;
+            sum.error += share.error + 0x1p-22;
+        }
+    }
+    return oracle3d_is_near(found->color, sum) && (n_before > 0 || found->n_leaves == 0);
+}
+
+int lits_alone_09(const void *job, const JudgeCheck *check, const Sections *answers)
+{
+    const LitAnswer *found = function_answers(check->function, answers);
+    int i = check->range.first;
+    const int end = i + check->range.n;
+    while (found != NULL && i < end && is_right_light(job, i, &found[i])) {
+        i++;
+    }
+    return i == end;
+}
+
+// ---- ray_color ----------------------------------------------------------------------------------
+
+int picture_alone_09(const void *job, int k, const Sections *answers)
+{
+    static const OracleMirrorRules rules = {.stand_ins = 1, .turn = TURN_ALONG_NORMAL};
+    const MirrorScene *scene = &((const Job09 *)job)->scenes[k];
+    const Scene3D *s = &scene->base.scene;
+    const ProbeImage own = probe_image_find(answers, k, s->width, s->height);
+    ExpectedPicture expected = {.tolerances =
+                                    calloc((size_t)s->width * (size_t)s->height, sizeof(float))};
+    int passes = own.pixels != NULL && expected.tolerances != NULL &&
+                 image_create(s->width, s->height, &expected.reference) == 0;
+    if (passes) {
+        oracle3d_draw_mirrors(s, &scene->base.camera, scene->max_bounces, &rules,
+                              &expected.reference, expected.tolerances);
+        passes = picture_is_right(own, &expected);
+    }
+    expected_picture_free(&expected);
+    return passes;
+}
+
+static int write_pictures(const Job09 *job, FILE *file)
+{
+    int result = 0;
+    for (int k = 0; result == 0 && k < N_SCENES; k++) {
+        result = scene_09_write(&job->scenes[k], k, file);
+    }
+    return result;
+}
+
+// ---- All ----------------------------------------------------------------------------------------
+
+int write_alone_09(const void *job, const char *task, FILE *file)
+{
+    return strcmp(task, "lit_color") == 0   ? write_lits(job, file)
+           : strcmp(task, "ray_color") == 0 ? write_pictures(job, file)
+                                            : 0;
+}

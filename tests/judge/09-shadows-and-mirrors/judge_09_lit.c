@@ -1,0 +1,139 @@
+// Lab 09: which lights arrive at a point: drawn and judged.
+#include "judge_09.h"
+
+#include "message.h"
+#include "random3d.h"
+#include "words.h"
+
+#include <math.h>
+
+// ---- Drawing ------------------------------------------------------------------------------------
+
+// Lights all over the scene: before and behind its spheres, and some in them.
+static void draw_lights(Random *random, Light lights[N_LIT_LIGHTS])
+{
+    for (int i = 0; i < N_LIT_LIGHTS; i++) {
+        const double reach = i % 3 == 0 ? 4 : 1.5;
+        lights[i].position = random_point(random, reach);
+        lights[i].color = random_vector(random, 0.125, 1);
+    }
+}
+
+// A point beside a sphere of the scene, far enough that it is no part of it.
+static void draw_point(Random *random, const Scene3D *scene, LitJob *job)
+{
+    const Sphere sphere = scene->spheres[random_integer(random, 0, scene->n_spheres - 1)];
+    const float distance = 1.0625f * fabsf(sphere.radius);
+    job->normal = random_direction(random);
+    job->point = (Vec3){sphere.x + distance * job->normal.x, sphere.y + distance * job->normal.y,
+                        sphere.z + distance * job->normal.z};
+}
+
+// How many of a job's lights are before the surface?
+static int count_before(const LitJob *job, const Light *lights)
+{
+    int n = 0;
+    for (int k = 0; k < job->n_lights; k++) {
+        n += vec3_dot(job->normal, vec3_minus(lights[k].position, job->point)) > 0;
+    }
+    return n;
+}
+
+// One light before the surface; all of them behind it; several, on either side.
+static LitJob draw_lit(Random *random, int range, const JobScene3D *scene, const Light *lights)
+{
+    LitJob job = {.bounds = scene->tree.bounds};
+    job.material.color = random_vector(random, 0.25, 1);
+    job.material.kd = random_number(random, 0.125, 0.875);
+    job.material.ks = random_number(random, 0, 1);
+    do {
+        draw_point(random, &scene->scene, &job);
+        job.n_lights = range == 0 ? 1 : (i32)random_integer(random, range == 1 ? 1 : 2, 5);
+        job.first_light = (i32)random_integer(random, 0, N_LIT_LIGHTS - 6);
+    } while ((range == 0 && count_before(&job, lights + job.first_light) != 1) ||
+             (range == 1 && count_before(&job, lights + job.first_light) != 0));
+    return job;
+}
+
+void lits_09_draw(Random *random, Job09 *job)
+{
+    draw_lights(random, job->lit_lights);
+    for (int i = 0; i < COUNT(job->lits); i++) {
+        job->lits[i] =
+            draw_lit(random, i / N_LIT_INPUTS, &job->scenes[LIT_SCENE].base, job->lit_lights);
+    }
+}
+
+// ---- Judging ------------------------------------------------------------------------------------
+
+typedef struct LitMistake {
+    Cause cause;
+    OracleMirrorRules rules;
+} LitMistake;
+
+static const LitMistake mistakes[] = {
+    {.cause = {0}},
+    {{.says = "light is added although something stands between"}, {.no_shadows = 1}},
+    {{.says = "light is added where something stands between, and not where nothing does"},
+     {.only_shadows = 1}},
+    {{.says = "what stands behind the light casts a shadow, too"}, {.endless_light = 1}},
+    {{.says = "that is the first light's share only"}, {.first_light_only = 1}},
+    {{.says = "one light too many shines, the one behind the end of the array"},
+     {.one_light_more = 1}},
+    {{.says = "behind a light that does not arrive no other one is asked"},
+     {.dark_ends_lights = 1}},
+    {{.says = "one light that does not arrive takes the others with it"}, {.one_dark_all_dark = 1}},
+    {{.says = "every light was added once for each light"}, {.each_adds_all = 1}},
+};
+
+static OracleNear expected_light(const Job09 *job, int i, const OracleMirrorRules *rules)
+{
+    const LitJob *in = &job->lits[i];
+    Scene3D scene = job->scenes[LIT_SCENE].base.scene;
+    scene.lights = (Light *)(job->lit_lights + in->first_light);
+    scene.n_lights = in->n_lights;
+    return oracle3d_lit(&scene, oracle3d_exactly(in->point), oracle3d_exactly(in->normal),
+                        &in->material, NULL, rules);
+}
+
+// Are all lights behind the surface? Then no ray is needed.
+static int is_behind(const Job09 *job, int i)
+{
+    return i / N_LIT_INPUTS == 1 &&
+           count_before(&job->lits[i], job->lit_lights + job->lits[i].first_light) == 0;
+}
+
+static int lit_agrees(const void *pointer, int i, const void *answers, int mistake)
+{
+    const LitAnswer *found = (const LitAnswer *)answers + i;
+    const OracleNear expected = expected_light(pointer, i, &mistakes[mistake].rules);
+    const int is_spared = mistake != 0 || !is_behind(pointer, i) || found->n_leaves == 0;
+    return oracle3d_is_near(found->color, expected) && is_spared;
+}
+
+static char *describe_lit(const void *pointer, int i, const void *answers)
+{
+    const Job09 *job = pointer;
+    const LitJob *in = &job->lits[i];
+    const LitAnswer *found = (const LitAnswer *)answers + i;
+    const OracleVector e = expected_light(job, i, &mistakes[0].rules).value;
+    if (is_behind(job, i) && found->n_leaves > 0) {
+        return message_new("point %s, normal %s, %d light%s, all behind the surface: found %u "
+                           "leaves visited, expected none: no ray is needed for them",
+                           words_vec3(in->point, 6).text, words_vec3(in->normal, 6).text,
+                           in->n_lights, plural((unsigned)in->n_lights), found->n_leaves);
+    }
+    return message_new("point %s, normal %s, %d light%s, the first at %s: found %s, expected %s",
+                       words_vec3(in->point, 6).text, words_vec3(in->normal, 6).text, in->n_lights,
+                       plural((unsigned)in->n_lights),
+                       words_vec3(job->lit_lights[in->first_light].position, 6).text,
+                       words_vec3(found->color, 5).text, words_xyz(e.x, e.y, e.z, 5).text);
+}
+
+const Function lit_09 = {"lits",
+                         N_LITS,
+                         sizeof(LitAnswer),
+                         .describe = describe_lit,
+                         .agrees = lit_agrees,
+                         .counted = "inputs",
+                         MISTAKES(mistakes)};

@@ -1,0 +1,416 @@
+// Lab 09: where new rays start, where mirrors send them, and rays to lights: drawn and judged.
+#include "judge_09.h"
+
+#include "message.h"
+#include "random3d.h"
+#include "words.h"
+
+#include <math.h>
+
+// ---- Drawing ------------------------------------------------------------------------------------
+
+// A power of two from 2^lowest to 2^highest.
+static float power(Random *random, int lowest, int highest)
+{
+    return ldexpf(1, (int)random_integer(random, lowest, highest));
+}
+
+// In the second range one of the three numbers is much larger than the others, in turn, and all are
+// as large as may be.
+static StartJob draw_start(Random *random, int range, int i)
+{
+    StartJob job = {.point = random_point(random, 4), .normal = random_direction(random)};
+    job.t = random_number(random, 0.25, 8);
+    job.radius = random_number(random, 0.125, 4) * (float)random_sign(random);
+    if (range == 1) {
+        const float size = power(random, -20, 20);
+        const float share[3] = {i % 3 == 0 ? 1 : 0x1p-8f, i % 3 == 1 ? 1 : 0x1p-8f,
+                                i % 3 == 2 ? 1 : 0x1p-8f};
+        job.t *= size * share[0];
+        job.radius *= size * share[1];
+        job.point = vec3_scaled(job.point, size * share[2]);
+    }
+    return job;
+}
+
+// In the second range rays go along axes, straight at the mirror, or graze it.
+static MirrorJob draw_mirror(Random *random, int range, int i)
+{
+    MirrorJob job = {random_direction(random), random_direction(random)};
+    const Vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    if (range == 1 && i % 3 == 0) {
+        job.direction = vec3_scaled(job.normal, -1);
+    } else if (range == 1) {
+        const Vec3 along = axes[(i + 1) % 3], up = axes[i % 3];
+        const float cosine = i % 3 == 1 ? 0 : 0x1p-10f;
+        job.normal = vec3_scaled(up, (float)random_sign(random));
+        job.direction = vec3_normalized(vec3_minus(along, vec3_scaled(job.normal, cosine)));
+    }
+    // The normal is on the side the ray comes from.
+    if (vec3_dot(job.direction, job.normal) > 0) {
+        job.direction = vec3_scaled(job.direction, -1);
+    }
+    return job;
+}
+
+static ShadowRayJob draw_shadow_ray(Random *random, int i)
+{
+    ShadowRayJob job = {random_point(random, 4), {random_point(random, 4), {1, 1, 1}}};
+    const Vec3 way = vec3_minus(job.light.position, job.point);
+    if (vec3_dot(way, way) < 0.0625f) {
+        job.light.position.x += 2;
+    }
+    if (i % 2 == 1) {
+        const float size = power(random, -20, 20);
+        job.point = vec3_scaled(job.point, size);
+        job.light.position = vec3_scaled(job.light.position, size);
+    }
+    return job;
+}
+
+void rays_09_draw(Random *random, Job09 *job)
+{
+    for (int i = 0; i < COUNT(job->starts); i++) {
+        job->starts[i] = draw_start(random, i / N_START_INPUTS, i);
+    }
+    for (int i = 0; i < COUNT(job->mirrors); i++) {
+        job->mirrors[i] = draw_mirror(random, i / N_MIRROR_INPUTS, i);
+    }
+    for (int i = 0; i < COUNT(job->shadow_rays); i++) {
+        job->shadow_rays[i] = draw_shadow_ray(random, i);
+    }
+}
+
+// ---- Vectors ------------------------------------------------------------------------------------
+
+static OracleVector difference(Vec3 a, Vec3 b)
+{
+    return vector_minus(vector_of(a), vector_of(b));
+}
+
+static double largest_of(Vec3 v)
+{
+    return fmax(fmax(fabs(v.x), fabs(v.y)), fabs(v.z));
+}
+
+// ---- leave_surface ------------------------------------------------------------------------------
+
+// A known mistake: what of the sum is there, and how often it is taken.
+typedef struct StartMistake {
+    Cause cause;
+    double share;  // of the offset; 0 where it has another size
+    double t, radius, point;
+    double distance;  // the same everywhere
+} StartMistake;
+
+static const StartMistake start_mistakes[] = {
+    {.cause = {0}, .share = 1, .t = 1, .radius = 1, .point = 1},
+    {.cause = {.says = "the point was not moved: new rays would hit the surface that they leave"}},
+    {.cause = {.says = "it was moved to the other side: against the normal"},
+     .share = -1,
+     .t = 1,
+     .radius = 1,
+     .point = 1},
+    {.cause = {.says = "t is missing in the sum"}, .share = 1, .radius = 1, .point = 1},
+    {.cause = {.says = "the radius is missing in the sum"}, .share = 1, .t = 1, .point = 1},
+    {.cause = {.says = "the point's coordinate is missing in the sum"},
+     .share = 1,
+     .t = 1,
+     .radius = 1},
+    {.cause = {.says = "only t counts in the sum"}, .share = 1, .t = 1},
+    {.cause = {.says = "only the radius counts in the sum"}, .share = 1, .radius = 1},
+    {.cause = {.says = "only the point's coordinate counts in the sum"}, .share = 1, .point = 1},
+};
+
+// How far the point was moved along the normal, and how far beside it.
+typedef struct Moved {
+    double along, beside;
+    double rounding;  // that far both may be off
+} Moved;
+
+static Moved moved(const StartJob *in, Vec3 found)
+{
+    const OracleVector n = vector_of(in->normal);
+    const OracleVector way = difference(found, in->point);
+    const double along = vector_dot(way, n), square = vector_dot(way, way);
+    // Each coordinate is rounded by half a step of its size; the offset itself by a few u.
+    return (Moved){along, sqrt(fmax(square - along * along, 0)),
+                   4 * 0x1p-24 * (largest_of(in->point) + sqrt(square))};
+}
+
+// The sum that a mistake makes of the three numbers, times SURFACE_ERROR.
+static double offset_of(const StartJob *in, const StartMistake *mistake)
+{
+    return mistake->share * 0x1p-18 *
+           (mistake->t * in->t + mistake->radius * fabs(in->radius) +
+            mistake->point * largest_of(in->point));
+}
+
+static int start_agrees(const void *pointer, int i, const void *answers, int mistake)
+{
+    const StartJob *in = &((const Job09 *)pointer)->starts[i];
+    const Moved found = moved(in, ((const Vec3 *)answers)[i]);
+    const double offset = offset_of(in, &start_mistakes[mistake]);
+    // Twice as far is far enough, and still right; a mistake is known by its number.
+    const double most = mistake == 0 ? 2 * offset : offset;
+    return found.beside <= found.rounding + 0x1p-8 * fabs(found.along) &&
+           found.along >= offset - found.rounding && found.along <= most + found.rounding;
+}
+
+static char *describe_start(const void *pointer, int i, const void *answers)
+{
+    const StartJob *in = &((const Job09 *)pointer)->starts[i];
+    const Moved found = moved(in, ((const Vec3 *)answers)[i]);
+    const double offset = offset_of(in, &start_mistakes[0]);
+    return message_new("point %s, normal %s, t %g, radius %g: found it moved by %g along the "
+                       "normal and %g beside it, expected %g to %g and 0",
+                       words_vec3(in->point, 6).text, words_vec3(in->normal, 6).text, in->t,
+                       in->radius, found.along, found.beside, offset, 2 * offset);
+}
+
+// Is every point moved by the same distance?
+static int is_one_distance(const Job09 *job, Range range, const Vec3 *found)
+{
+    const double first = moved(&job->starts[range.first], found[range.first]).along;
+    int i = range.first;
+    while (i < range.first + range.n) {
+        const Moved own = moved(&job->starts[i], found[i]);
+        if (fabs(own.along - first) > own.rounding + 0x1p-8 * fabs(first)) {
+            break;
+        }
+        i++;
+    }
+    return i == range.first + range.n;
+}
+
+static Cause explain_start(const void *pointer, Range range, const void *answers)
+{
+    const Job09 *job = pointer;
+    int n_far = 0;
+    for (int m = 1; m < COUNT(start_mistakes); m++) {
+        int i = range.first;
+        while (i < range.first + range.n && start_agrees(job, i, answers, m)) {
+            i++;
+        }
+        if (i == range.first + range.n) {
+            return start_mistakes[m].cause;
+        }
+    }
+    for (int i = range.first; i < range.first + range.n; i++) {
+        const StartJob *in = &job->starts[i];
+        const Moved found = moved(in, ((const Vec3 *)answers)[i]);
+        n_far += found.along > 2 * offset_of(in, &start_mistakes[0]) + found.rounding;
+    }
+    return (Cause){.says = n_far == range.n ? "farther than needed: what is near is not seen"
+                           : is_one_distance(job, range, answers)
+                               ? "the same distance everywhere: rounding grows with the numbers"
+                               : NULL};
+}
+
+const Function start_09 = {"starts",
+                           2 * N_START_INPUTS,
+                           sizeof(Vec3),
+                           .describe = describe_start,
+                           .agrees = start_agrees,
+                           .counted = "inputs",
+                           .explain = explain_start};
+
+// ---- mirrored_direction -------------------------------------------------------------------------
+
+typedef struct MirrorMistake {
+    Cause cause;
+    OracleTurn turn;
+} MirrorMistake;
+
+static const MirrorMistake mirror_mistakes[] = {
+    {.cause = {0}, .turn = TURN_RIGHT},
+    {{.says = "that is the mirrored direction turned round: the sign"}, TURN_BACKWARDS},
+    {{.says = "the ray goes straight on"}, TURN_NONE},
+    {{.says = "the ray goes back to where it came from"}, TURN_BACK},
+    {{.says = "its part along the normal is gone, not turned round: it counts twice"}, TURN_HALF},
+    {{.says = "that is the normal: only a ray that meets the mirror head-on goes along it"},
+     TURN_ALONG_NORMAL},
+};
+
+static OracleNear expected_direction(const void *pointer, int i, OracleTurn turn)
+{
+    const MirrorJob *in = &((const Job09 *)pointer)->mirrors[i];
+    // Unit vectors in float are as long as 1 within the rounding of three components.
+    OracleNear direction = oracle3d_exactly(in->direction), normal = oracle3d_exactly(in->normal);
+    direction.error = normal.error = 2 * 0x1p-24;
+    return oracle3d_mirrored(direction, normal, turn);
+}
+
+static int mirror_agrees(const void *job, int i, const void *answers, int mistake)
+{
+    return oracle3d_is_near(((const Vec3 *)answers)[i],
+                            expected_direction(job, i, mirror_mistakes[mistake].turn));
+}
+
+static char *describe_mirror(const void *pointer, int i, const void *answers)
+{
+    const MirrorJob *in = &((const Job09 *)pointer)->mirrors[i];
+    const OracleVector e = expected_direction(pointer, i, TURN_RIGHT).value;
+    return message_new("direction %s, normal %s: found %s, expected %s",
+                       words_vec3(in->direction, 6).text, words_vec3(in->normal, 6).text,
+                       words_vec3(((const Vec3 *)answers)[i], 6).text,
+                       words_xyz(e.x, e.y, e.z, 6).text);
+}
+
+const Function mirror_09 = {"mirrors",
+                            2 * N_MIRROR_INPUTS,
+                            sizeof(Vec3),
+                            .describe = describe_mirror,
+                            .agrees = mirror_agrees,
+                            .counted = "inputs",
+                            MISTAKES(mirror_mistakes)};
+
+// ---- shadow_ray ---------------------------------------------------------------------------------
+
+// The way to the light, and how far a right solution's direction and length may be off: one
+// rounding of the difference of exact numbers, and a normalisation or a length of few u.
+typedef struct Way {
+    OracleVector way;
+    double length;
+    double error;  // as a share of the length
+} Way;
+
+static Way way_of(const void *job, int i)
+{
+    const ShadowRayJob *in = &((const Job09 *)job)->shadow_rays[i];
+    const OracleVector way = difference(in->light.position, in->point);
+    const double length = sqrt(vector_dot(way, way));
+    return (Way){way, length, 12 * 0x1p-24};
+}
+
+static const ShadowRayAnswer *answer_at(const void *answers, int i)
+{
+    return (const ShadowRayAnswer *)answers + i;
+}
+
+static char *describe_ray(const void *job, int i, const void *answers)
+{
+    const ShadowRayJob *in = &((const Job09 *)job)->shadow_rays[i];
+    const ShadowRayAnswer *found = answer_at(answers, i);
+    const Way way = way_of(job, i);
+    return message_new(
+        "point %s, light at %s: found a ray from %s along %s, t from %g to %g; expected one from "
+        "the point along %s, t from 0 to %g",
+        words_vec3(in->point, 6).text, words_vec3(in->light.position, 6).text,
+        words_vec3(found->origin, 6).text, words_vec3(found->direction, 6).text, found->t_min,
+        found->t_max,
+        words_xyz(way.way.x / way.length, way.way.y / way.length, way.way.z / way.length, 6).text,
+        way.length);
+}
+
+typedef enum OriginMistake {
+    ORIGIN_RIGHT,
+    ORIGIN_AT_LIGHT,
+    ORIGIN_AT_ZERO,
+    T_MIN_SET
+} OriginMistake;
+static const Cause origin_causes[] = {
+    [ORIGIN_RIGHT] = {0},
+    [ORIGIN_AT_LIGHT] = {.says = "it starts at the light, not at the point"},
+    [ORIGIN_AT_ZERO] = {.says = "it starts at the origin of the scene"},
+    [T_MIN_SET] = {.says = "t_min is 0: the point is off the surface already, and a blocker may be "
+                           "as close as one likes"},
+};
+
+static int is_at(Vec3 a, Vec3 b)
+{
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+static int origin_agrees(const void *job, int i, const void *answers, int mistake)
+{
+    const ShadowRayJob *in = &((const Job09 *)job)->shadow_rays[i];
+    const ShadowRayAnswer *found = answer_at(answers, i);
+    const Vec3 at = mistake == ORIGIN_AT_LIGHT  ? in->light.position
+                    : mistake == ORIGIN_AT_ZERO ? (Vec3){0, 0, 0}
+                                                : in->point;
+    return is_at(found->origin, at) && (found->t_min == 0) != (mistake == T_MIN_SET);
+}
+
+const Function ray_origin_09 = {
+    "shadow_rays",           N_SHADOW_RAY_INPUTS, sizeof(ShadowRayAnswer), .describe = describe_ray,
+    .agrees = origin_agrees, .counted = "inputs", MISTAKES(origin_causes)};
+
+typedef enum DirectionMistake {
+    DIRECTION_RIGHT,
+    DIRECTION_REVERSED,
+    DIRECTION_NOT_UNIT,
+    DIRECTION_TO_ORIGIN,
+} DirectionMistake;
+static const Cause direction_causes[] = {
+    [DIRECTION_RIGHT] = {0},
+    [DIRECTION_REVERSED] = {.says = "it goes away from the light: light minus point"},
+    [DIRECTION_NOT_UNIT] = {.says = "the direction is not a unit vector: t is a distance then"},
+    [DIRECTION_TO_ORIGIN] = {.says = "that is the light's position, not the way to it"},
+};
+
+static int direction_agrees(const void *job, int i, const void *answers, int mistake)
+{
+    const ShadowRayJob *in = &((const Job09 *)job)->shadow_rays[i];
+    const Way way = way_of(job, i);
+    const Vec3 l = in->light.position;
+    const OracleVector from_zero = {l.x, l.y, l.z};
+    const OracleVector v = mistake == DIRECTION_TO_ORIGIN ? from_zero : way.way;
+    const double scale = mistake == DIRECTION_NOT_UNIT    ? 1
+                         : mistake == DIRECTION_REVERSED  ? -1 / way.length
+                         : mistake == DIRECTION_TO_ORIGIN ? 1 / sqrt(vector_dot(v, v))
+                                                          : 1 / way.length;
+    const OracleNear expected = {{scale * v.x, scale * v.y, scale * v.z},
+                                 way.error * fabs(scale) * sqrt(vector_dot(v, v))};
+    return oracle3d_is_near(answer_at(answers, i)->direction, expected);
+}
+
+const Function ray_direction_09 = {"shadow_rays",
+                                   N_SHADOW_RAY_INPUTS,
+                                   sizeof(ShadowRayAnswer),
+                                   .describe = describe_ray,
+                                   .agrees = direction_agrees,
+                                   .counted = "inputs",
+                                   MISTAKES(direction_causes)};
+
+typedef enum EndMistake {
+    END_RIGHT,
+    END_NOWHERE,
+    END_AT_ONE,
+    END_SQUARED,
+    END_HAIR,
+    END_AT_START
+} EndMistake;
+static const Cause end_causes[] = {
+    [END_RIGHT] = {0},
+    [END_NOWHERE] = {.says =
+                         "it has no end: what stands behind the light would cast a shadow, too"},
+    [END_AT_ONE] = {.says = "it ends at t = 1: so it is where the direction is as long as the way"},
+    [END_SQUARED] = {.says = "that is the square of the distance"},
+    [END_HAIR] = {.says = "it ends beside the light: t_max is its distance, without an epsilon"},
+    [END_AT_START] = {.says = "it ends where it starts"},
+};
+
+static int end_agrees(const void *job, int i, const void *answers, int mistake)
+{
+    const Way way = way_of(job, i);
+    const double t_max = answer_at(answers, i)->t_max, error = way.error * way.length;
+    switch (mistake) {
+    case END_NOWHERE:
+        return t_max > 1e9 * way.length;
+    case END_AT_ONE:
+        return t_max == 1;
+    case END_SQUARED:
+        return fabs(t_max - way.length * way.length) <= 2 * error * way.length;
+    case END_HAIR:
+        return fabs(t_max - way.length) <= 0.02 * fmax(1, way.length);
+    case END_AT_START:
+        return t_max == 0;
+    default:
+        return fabs(t_max - way.length) <= error;
+    }
+}
+
+const Function ray_end_09 = {
+    "shadow_rays",        N_SHADOW_RAY_INPUTS, sizeof(ShadowRayAnswer), .describe = describe_ray,
+    .agrees = end_agrees, .counted = "inputs", MISTAKES(end_causes)};

@@ -1,0 +1,366 @@
+// Shadows and mirrors by brute force, in double precision: every ray asks every sphere.
+//
+// How far may a right solution in float be off? With u = 2^-24 and the bounds of oracle3d.c:
+//
+// 1. The first hit is off as oracle3d.c has it. Each later one is off by what the ray that leads
+//    there makes of every error before: followed to first order, one by one (oracle3d_deviation.h),
+//    as the sum of their sizes, doubled for what is left out. The higher orders stay below the
+//    first while no error is more than a sixteenth of a radius or of a unit vector; beyond that,
+//    and beyond the eighth mirror, the ray is ambiguous.
+// 2. New errors at each mirror: the intersection moves the point by 16 u of the centre's distance,
+//    over the cosine at which the ray meets it, and by 4 u of its own numbers; new rays start one
+//    or two offsets off the surface (oracle3d_offset()). The direction d - 2 (d . n) n is off by
+//    four times a normal's rounding, UNIT_ERROR, and by 16 u: a dot product of 4 u, twice, two
+//    products and a sum. A right solution may also make it a unit vector.
+// 3. So errors grow from mirror to mirror: a point off by p turns the normal of a sphere of radius
+//    r by p / r and the ray by up to 2 p / r, which moves its hit at distance t by 2 p t / r over
+//    the cosine there. Small mirrors far apart multiply errors, as they spread light; flat ones and
+//    the inside of a sphere only add them.
+// 4. A light arrives for certain when no sphere may be hit before it, does not when one is hit for
+//    certain, up to the error of its distance. Else this light's share is added to the error.
+// 5. Light counts its weight, a product of exact numbers with a rounding of u each; so do errors.
+//    A weight within that of the least one makes the ray ambiguous.
+#include "oracle3d_mirrors.h"
+
+#include "oracle3d_deviation.h"
+
+#include <string.h>
+
+#define SURFACE_ERROR 0x1p-18         // of lab 09, leave_surface.cl
+#define MIRROR_ERROR (16 * ROUNDING)  // see 2
+#define WEIGHT_ERROR (16 * ROUNDING)  // see 5: a product of up to 16 factors
+#define STAND_IN_OFFSET 0.125         // of the radius
+
+static const OracleRules3D right = {0};
+
+double oracle3d_offset(OracleVector point, double t, double radius)
+{
+    const double largest = fmax(fmax(fabs(point.x), fabs(point.y)), fabs(point.z));
+    return SURFACE_ERROR * (t + fabs(radius) + largest);
+}
+
+OracleNear oracle3d_mirrored(OracleNear direction, OracleNear normal, OracleTurn turn)
+{
+    const OracleVector d = direction.value, n = normal.value;
+    const double along = vector_dot(d, n),
+                 error = direction.error + 4 * normal.error + MIRROR_ERROR;
+    switch (turn) {
+    case TURN_BACKWARDS:
+        return (OracleNear){vector_minus(vector_scaled(2 * along, n), d), error};
+    case TURN_NONE:
+        return direction;
+    case TURN_BACK:
+        return (OracleNear){vector_scaled(-1, d), direction.error};
+    case TURN_HALF:
+        return (OracleNear){vector_minus(d, vector_scaled(along, n)), error};
+    case TURN_ALONG_NORMAL:
+        return normal;
+    default:
+        return (OracleNear){vector_minus(d, vector_scaled(2 * along, n)), error};
+    }
+}
+
+// ---- Lights -------------------------------------------------------------------------------------
+
+typedef enum Arrival { ARRIVES, IS_BLOCKED, IS_UNSURE } Arrival;
+
+// Does anything stand between a point and a light?
+static Arrival arrival_of(const Scene3D *scene, OracleNear point, const Light *light,
+                          const Sphere *leaves, const OracleMirrorRules *rules)
+{
+    const OracleVector way = vector_minus(vector_of(light->position), point.value);
+    const double distance = vector_length(way);
+    const double error = point.error + 8 * ROUNDING * distance;
+    const double end = rules->endless_light ? INFINITY : distance;
+    const OracleRay ray = {.origin = point.value,
+                           .direction = vector_unit(way),
+                           .direction_error = direction_error(error, distance),
+                           .origin_error = point.error,
+                           .leaves = leaves};
+    Arrival arrival = ARRIVES;
+    for (int i = 0; i < scene->n_spheres; i++) {
+        const OracleRoot root = oracle3d_root(scene->spheres[i], &ray, ORACLE_PROJECTION, &right);
+        if (root.is_certain && root.t_high < end - error) {
+            return IS_BLOCKED;
+        }
+        if (root.is_possible && root.t_low < end + error) {
+            arrival = IS_UNSURE;
+        }
+    }
+    return arrival;
+}
+
+// Add what a light gives, as far as it is sure.
+static void add_light(OracleNear *color, OracleNear share, Arrival arrival)
+{
+    if (arrival == ARRIVES) {
+        color->value = vector_plus(color->value, share.value);
+        color->error += share.error;
+    } else if (arrival == IS_UNSURE) {
+        color->error += vector_length(share.value) + share.error;
+    }
+}
+
+static Arrival turned_round(Arrival arrival)
+{
+    return arrival == ARRIVES ? IS_BLOCKED : arrival == IS_BLOCKED ? ARRIVES : IS_UNSURE;
+}
+
+OracleNear oracle3d_lit(const Scene3D *scene, OracleNear point, OracleNear normal,
+                        const Material *material, const Sphere *leaves,
+                        const OracleMirrorRules *rules)
+{
+    OracleNear color = {{0}, 0};
+    const int n_lights = rules->first_light_only && scene->n_lights > 1
+                             ? 1
+                             : scene->n_lights + (rules->one_light_more ? 1 : 0);
+    int is_any_dark = 0;
+    for (int i = 0; i < n_lights; i++) {
+        const Light *light = &scene->lights[i];
+        const OracleNear own = oracle3d_shade(point, normal, material, light, 1, &right);
+        const OracleNear share =
+            rules->each_adds_all
+                ? oracle3d_shade(point, normal, material, scene->lights, scene->n_lights, &right)
+                : own;
+        // Behind the surface it gives nothing, whatever stands before it.
+        const int is_behind = vector_length(own.value) == 0;
+        Arrival arrival = rules->no_shadows || is_behind
+                              ? ARRIVES
+                              : arrival_of(scene, point, light, leaves, rules);
+        if (is_behind && rules->each_adds_all) {
+            continue;
+        }
+        is_any_dark |= arrival != ARRIVES;
+        if (rules->only_shadows) {
+            arrival = turned_round(arrival);
+        }
+        if (rules->dark_ends_lights && is_any_dark) {
+            break;
+        }
+        add_light(&color, share, arrival);
+    }
+    // Each sum rounds.
+    color.error += ROUNDING * scene->n_lights * vector_length(color.value);
+    return rules->one_dark_all_dark && is_any_dark ? (OracleNear){{0}, color.error} : color;
+}
+
+// ---- Mirrors ------------------------------------------------------------------------------------
+
+// A point of a surface, as new rays need it.
+typedef struct Surface {
+    OracleNear point, normal;
+    const Material *material;
+    const Sphere *sphere;
+} Surface;
+
+// The way of a ray so far.
+typedef struct Followed {
+    OracleRay ray;          // the one at hand
+    Deviations deviations;  // of it
+    OracleNear color;
+    double weight;
+    double last_ks;  // of the last mirror; 1 before the first
+    int n_bounces;
+} Followed;
+
+// How far the point of a hit is off: by the interval of t, or to first order, whichever is less.
+// The deviations are moved there.
+static double point_error(Followed *followed, const OracleHit *hit, OracleVector normal,
+                          double radius)
+{
+    const OracleRay *ray = &followed->ray;
+    const double to_centre = hit->t + fabs(radius),
+                 cosine = fabs(vector_dot(normal, ray->direction));
+    const double rounding = 4 * ROUNDING * (vector_length(ray->origin) + hit->t);
+    const double by_interval =
+        ray->origin_error + hit->t_tolerance + ray->direction_error * fabs(hit->t) + rounding;
+    deviations_hit(&followed->deviations, ray->direction, normal, hit->t);
+    deviations_add_origin(&followed->deviations, rounding + 16 * ROUNDING * to_centre / cosine);
+    const double to_first_order = 2 * deviations_of_origin(&followed->deviations);
+    return to_first_order < fabs(radius) / 16 ? fmin(by_interval, to_first_order) : by_interval;
+}
+
+static Surface surface_at(const Scene3D *scene, Followed *followed, const OracleHit *hit)
+{
+    const OracleRay *ray = &followed->ray;
+    const Sphere *sphere = &scene->spheres[hit->sphere];
+    const OracleVector at = vector_plus(ray->origin, vector_scaled(hit->t, ray->direction));
+    const OracleVector outwards = vector_unit(vector_minus(at, centre_of(*sphere)));
+    Surface surface = {.point = {at, point_error(followed, hit, outwards, sphere->radius)},
+                       .material = &scene->materials[scene->material_ids[hit->sphere]],
+                       .sphere = sphere};
+    surface.normal = oracle3d_normal(*sphere, surface.point,
+                                     (OracleNear){ray->direction, ray->direction_error}, &right);
+    return surface;
+}
+
+// Move the point off the surface, to where new rays start.
+static void leave_surface(Surface *surface, Followed *followed, double t, int is_stand_in)
+{
+    const double radius = surface->sphere->radius;
+    const OracleVector n = surface->normal.value;
+    if (is_stand_in) {
+        const double off = STAND_IN_OFFSET * fabs(radius);
+        surface->point.value = vector_plus(surface->point.value, vector_scaled(off, n));
+        surface->point.error += off * surface->normal.error;
+        deviations_add_origin(&followed->deviations, off * surface->normal.error);
+        surface->sphere = NULL;
+    } else {
+        const double off = 2 * oracle3d_offset(surface->point.value, t, radius);
+        surface->point.error += off;
+        deviations_add_along(&followed->deviations, vector_scaled(off, n));
+    }
+}
+
+// What the stand-in of lit_color gives: the material's colour by the normal, and a bit of where.
+static OracleNear stand_in_light(const Surface *at)
+{
+    const OracleVector n = at->normal.value, c = vector_of(at->material->color),
+                       p = at->point.value;
+    const OracleVector value = {c.x * (1 + n.x) + p.x / 8, c.y * (1 + n.y) + p.y / 8,
+                                c.z * (1 + n.z) + p.z / 8};
+    return (OracleNear){value, at->normal.error + at->point.error / 8 +
+                                   8 * ROUNDING * (2 + vector_length(p))};
+}
+
+// By what the light of a surface counts.
+static double local_weight(const Followed *ray, double ks, OracleWeight weight)
+{
+    switch (weight) {
+    case WEIGHT_LAST_KS:
+        return ray->last_ks;
+    case WEIGHT_OWN_KS:
+        return ray->weight * ks;
+    case WEIGHT_SHARED:
+        return ray->weight * (1 - ks);
+    case WEIGHT_ONLY_FIRST:
+        return ray->n_bounces == 0 ? 1 : 0;
+    case WEIGHT_LOCAL_ONE:
+        return 1;
+    default:
+        return ray->weight;
+    }
+}
+
+static double next_weight(double so_far, const Material *material, OracleWeight weight)
+{
+    const double ks = material->ks;
+    return weight == WEIGHT_ONE          ? 1
+           : weight == WEIGHT_KS_SQUARED ? so_far * ks * ks
+           : weight == WEIGHT_KD         ? so_far * material->kd
+           : weight == WEIGHT_LAST_KS    ? ks
+                                         : so_far * ks;
+}
+
+static void add_weighted(OracleNear *color, double weight, OracleNear light)
+{
+    const double rounding =
+        WEIGHT_ERROR * (vector_length(light.value) * weight + vector_length(color->value));
+    color->value = vector_plus(color->value, vector_scaled(weight, light.value));
+    color->error += weight * light.error + rounding;
+}
+
+static OracleNear ambiguous(void)
+{
+    return (OracleNear){{0}, INFINITY};
+}
+
+// The light of where the ray ends: nothing is hit.
+static OracleNear with_background(const Scene3D *scene, const Followed *ray,
+                                  const OracleMirrorRules *rules)
+{
+    OracleNear color = ray->color;
+    const int is_first = ray->n_bounces == 0;
+    if (is_first || !rules->background_missing) {
+        add_weighted(&color, rules->background_unweighted ? 1 : ray->weight,
+                     oracle3d_exactly(scene->background));
+    }
+    return color;
+}
+
+// Add the light of a hit, and move its point to where new rays start.
+static void add_local(const Scene3D *scene, Followed *followed, Surface *at, double t,
+                      const OracleMirrorRules *rules)
+{
+    const double weight = local_weight(followed, at->material->ks, rules->weight);
+    const Sphere *sphere = at->sphere;
+    leave_surface(at, followed, t, rules->stand_ins);
+    add_weighted(&followed->color, weight,
+                 rules->stand_ins
+                     ? stand_in_light(at)
+                     : oracle3d_lit(scene, at->point, at->normal, at->material, sphere, rules));
+}
+
+// Go on from a mirror. Returns 0 where the ray is too far off for first order.
+static int mirror(Followed *followed, const Surface *at, const Sphere *sphere, OracleTurn turn)
+{
+    Deviations *deviations = &followed->deviations;
+    const OracleVector d = followed->ray.direction, n = at->normal.value;
+    const int bulges = vector_dot(n, vector_minus(at->point.value, centre_of(*sphere))) > 0;
+    const double curvature = (bulges ? 1 : -1) / fabs((double)sphere->radius);
+    const OracleNear direction = oracle3d_mirrored((OracleNear){d, 0}, at->normal, turn);
+    if (turn == TURN_ALONG_NORMAL) {
+        deviations_leave_along_normal(deviations, curvature);
+    } else {
+        deviations_mirror(deviations, d, n, curvature);
+    }
+    deviations_add_direction(deviations, 4 * UNIT_ERROR + MIRROR_ERROR);
+    const double error = 2 * deviations_of_direction(deviations);
+    followed->ray = (OracleRay){.origin = at->point.value,
+                                .direction = vector_unit(direction.value),
+                                .direction_error = error,
+                                .origin_error = at->point.error,
+                                .leaves = at->sphere};
+    followed->n_bounces++;
+    return error < 1.0 / 16 && followed->n_bounces < MOST_DEVIATED_MIRRORS;
+}
+
+OracleNear oracle3d_follow(const Scene3D *scene, OracleRay ray, int max_bounces,
+                           const OracleMirrorRules *rules)
+{
+    Followed followed = {.ray = ray, .weight = 1, .last_ks = 1};
+    const int most = max_bounces + rules->more_bounces;
+    deviations_add_direction(&followed.deviations, ray.direction_error);
+    for (;;) {
+        const OracleHit hit =
+            oracle3d_nearest(scene->spheres, (u32)scene->n_spheres, &followed.ray, &right);
+        if (hit.is_ambiguous) {
+            return ambiguous();
+        }
+        if (hit.sphere == ORACLE_NO_SPHERE) {
+            return with_background(scene, &followed, rules);
+        }
+        Surface at = surface_at(scene, &followed, &hit);
+        if (isinf(at.normal.error) || isinf(at.point.error)) {
+            return ambiguous();
+        }
+        add_local(scene, &followed, &at, hit.t, rules);
+        followed.weight = next_weight(followed.weight, at.material, rules->weight);
+        followed.last_ks = at.material->ks;
+        const double beyond = followed.weight - ORACLE_LEAST_WEIGHT;
+        if (followed.n_bounces >= most || (beyond < 0 && !rules->no_cut_off)) {
+            return followed.color;
+        }
+        if (fabs(beyond) <= WEIGHT_ERROR * followed.weight ||
+            !mirror(&followed, &at, &scene->spheres[hit.sphere], rules->turn)) {
+            return ambiguous();
+        }
+    }
+}
+
+void oracle3d_draw_mirrors(const Scene3D *scene, const Camera *camera, int max_bounces,
+                           const OracleMirrorRules *rules, Image *image, float *tolerances)
+{
+    for (int y = 0; y < image->height; y++) {
+        for (int x = 0; x < image->width; x++) {
+            const size_t pixel = (size_t)y * (size_t)image->width + (size_t)x;
+            const OracleRay ray =
+                oracle3d_primary_ray(camera, x, y, image->width, image->height, &right);
+            const OracleNear color = oracle3d_follow(scene, ray, max_bounces, rules);
+            const float channels[IMAGE_CHANNELS] = {(float)color.value.x, (float)color.value.y,
+                                                    (float)color.value.z, 1};
+            memcpy(image->pixels + pixel * IMAGE_CHANNELS, channels, sizeof channels);
+            tolerances[pixel] = (float)color.error;
+        }
+    }
+}

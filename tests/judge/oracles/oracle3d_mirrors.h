@@ -1,0 +1,78 @@
+// The 3D oracle for shadows and mirrors: what oracle3d.h says of a ray, followed from mirror to
+// mirror, in double precision and without a tree.
+//
+// Whatever is decided on the way may be decided otherwise in float: then the colour is ambiguous,
+// or, where the decision is about one light, off by no more than this light. How the bounds grow
+// stands at the top of oracle3d_mirrors.c.
+#ifndef JUDGE_ORACLE3D_MIRRORS_H
+#define JUDGE_ORACLE3D_MIRRORS_H
+
+#include "oracle3d.h"
+
+// What a mirror makes of a ray.
+typedef enum OracleTurn {
+    TURN_RIGHT,
+    TURN_BACKWARDS,     // the mirrored direction, with the other sign
+    TURN_NONE,          // straight on
+    TURN_BACK,          // to where it came from
+    TURN_HALF,          // d - (d . n) n, along the surface
+    TURN_ALONG_NORMAL,  // the stand-in's: see tests/stand_ins/09-shadows-and-mirrors
+} OracleTurn;
+
+// What the light of a hit counts.
+typedef enum OracleWeight {
+    WEIGHT_RIGHT,
+    WEIGHT_ONE,         // ks is forgotten
+    WEIGHT_LAST_KS,     // ks of the last mirror, not the product
+    WEIGHT_KS_SQUARED,  // ks counts twice for each mirror
+    WEIGHT_KD,          // kd for ks
+    WEIGHT_OWN_KS,      // a surface's own light counts its own ks as well
+    WEIGHT_SHARED,      // and 1 - ks
+    WEIGHT_ONLY_FIRST,  // only what is hit first has light of its own
+    WEIGHT_LOCAL_ONE,   // light of surfaces counts in full, the background does not
+} OracleWeight;
+
+// A way of following. All zeros is the right one.
+typedef struct OracleMirrorRules {
+    OracleTurn turn;
+    OracleWeight weight;
+    int no_shadows;             // every light arrives
+    int only_shadows;           // those arrive that something is before
+    int endless_light;          // what stands behind a light casts a shadow, too
+    int first_light_only;       // of the lights
+    int one_light_more;         // the one behind the end of the array shines, too
+    int dark_ends_lights;       // the first light that does not arrive is the last one asked
+    int one_dark_all_dark;      // all lights arrive or none
+    int each_adds_all;          // a light that arrives adds the shares of all
+    int more_bounces;           // 1: one mirror more than allowed; -1: one less
+    int no_cut_off;             // weights below the least are followed
+    int background_unweighted;  // counts in full over mirrors
+    int background_missing;     // is not seen in mirrors
+    int stand_ins;              // as ray_color sees the stand-ins
+} OracleMirrorRules;
+
+// Weights below this are not followed: LEAST_WEIGHT of lab 09.
+#define ORACLE_LEAST_WEIGHT (0.5 / 255)
+
+// How far off a surface new rays start, at least; a right solution may go twice as far.
+//   t, radius, point   of the hit: see leave_surface.cl of lab 09
+double oracle3d_offset(OracleVector point, double t, double radius);
+
+// A direction, mirrored at a surface with this normal.
+OracleNear oracle3d_mirrored(OracleNear direction, OracleNear normal, OracleTurn turn);
+
+// The light that arrives at a point and is scattered there.
+//   leaves   the sphere that the point is on, NULL for none
+OracleNear oracle3d_lit(const Scene3D *scene, OracleNear point, OracleNear normal,
+                        const Material *material, const Sphere *leaves,
+                        const OracleMirrorRules *rules);
+
+// The colour of a ray from the eye; its error is INFINITY where it is ambiguous.
+OracleNear oracle3d_follow(const Scene3D *scene, OracleRay ray, int max_bounces,
+                           const OracleMirrorRules *rules);
+
+// Draw a scene as oracle3d_draw() does.
+void oracle3d_draw_mirrors(const Scene3D *scene, const Camera *camera, int max_bounces,
+                           const OracleMirrorRules *rules, Image *image, float *tolerances);
+
+#endif

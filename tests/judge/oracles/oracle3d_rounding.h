@@ -1,0 +1,23 @@
+// How far float's vectors may be off: for the 3D oracle's own files.
+#ifndef JUDGE_ORACLE3D_ROUNDING_H
+#define JUDGE_ORACLE3D_ROUNDING_H
+
+#include "oracle3d.h"
+
+#include <math.h>
+
+#define ROUNDING 0x1p-24           // u, the rounding of one float operation
+#define UNIT_ERROR (8 * ROUNDING)  // of a unit vector made by normalize(): see 1 in oracle3d.c
+
+// How far the direction of a vector of this length may be off when the vector is off by `error`.
+static inline double direction_error(double error, double length)
+{
+    return length > error ? error / (length - error) + UNIT_ERROR : INFINITY;
+}
+
+static inline OracleVector centre_of(Sphere sphere)
+{
+    return (OracleVector){sphere.x, sphere.y, sphere.z};
+}
+
+#endif

@@ -1,0 +1,10 @@
+// mutant: each light that arrives brings all
+// task: lit_color
+// caught by: lit-lights
+// says: once for each light
+    for (int i = 0; i < scene->n_lights; i++) {
+        const Ray ray = shadow_ray(point, scene->lights[i]);
+        if (dot(normal, ray.direction) > 0.0f && !is_blocked(ray, scene, work)) {
+            color += shade(point, normal, material, scene->lights, scene->n_lights);
+        }
+    }

@@ -1,0 +1,5 @@
+// mutant: plus in the place of minus
+// task: mirrored_direction
+// caught by: mirror-direction
+// says: expected
+    return direction + 2.0f * dot(direction, normal) * normal;

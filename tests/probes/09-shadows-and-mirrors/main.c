@@ -1,0 +1,92 @@
+// Probe of lab 09: each of the student's functions on the job's inputs, then whole scenes with
+// their trees: the picture, and the work of each pixel ("work.K").
+#include "probe.h"
+
+#include "cl_memory.h"
+
+#include <stdlib.h>
+
+// A section of the job, or a part of a scene, on the device.
+static cl_mem section_create(const Probe *probe, const char *name)
+{
+    size_t n_bytes;
+    const void *array = probe_job(probe, name, &n_bytes);
+    return cl_buffer_create(&probe->cl, array, n_bytes);
+}
+
+static cl_mem part_create(const Probe *probe, int k, const char *part)
+{
+    size_t n_bytes;
+    const void *array = probe_scene_part(probe, k, part, &n_bytes);
+    return cl_buffer_create(&probe->cl, array, n_bytes);
+}
+
+static void answer_blocks(const Probe *probe, cl_program program)
+{
+    if (!probe_asks(probe, "blocks")) {
+        return;
+    }
+    const cl_mem d_leaves[] = {section_create(probe, "block_ids"),
+                               section_create(probe, "block_spheres")};
+    probe_call(probe, program, "blocks", sizeof(BlockJob), sizeof(BlockAnswer), d_leaves, 2);
+    cl_memory_release(d_leaves, 2);
+}
+
+static void answer_lits(const Probe *probe, cl_program program)
+{
+    if (!probe_asks(probe, "lits")) {
+        return;
+    }
+    const cl_mem d_scene[] = {
+        part_create(probe, LIT_SCENE, "spheres"), part_create(probe, LIT_SCENE, "nodes"),
+        part_create(probe, LIT_SCENE, "sphere_ids"), section_create(probe, "lit_lights")};
+    probe_call(probe, program, "lits", sizeof(LitJob), sizeof(LitAnswer), d_scene, 4);
+    cl_memory_release(d_scene, 4);
+}
+
+static void answer_functions(const Probe *probe, cl_program program)
+{
+    probe_call(probe, program, "starts", sizeof(StartJob), sizeof(Vec3), NULL, 0);
+    probe_call(probe, program, "mirrors", sizeof(MirrorJob), sizeof(Vec3), NULL, 0);
+    probe_call(probe, program, "shadow_rays", sizeof(ShadowRayJob), sizeof(ShadowRayAnswer), NULL,
+               0);
+    answer_blocks(probe, program);
+    answer_lits(probe, program);
+}
+
+static void answer_picture(const Probe *probe, int k, const SceneJob3D *job, cl_kernel kernel)
+{
+    Scene3DBuffers buffers = probe_scene3d_buffers(probe, k, job);
+    const cl_mem d_tree[] = {part_create(probe, k, "nodes"), part_create(probe, k, "sphere_ids")};
+    size_t n_bytes;
+    const cl_int *n_bounces = probe_scene_part(probe, k, "bounces", &n_bytes);
+    cl_uint argument = N_SCENE3D_ARGUMENTS;
+    probe_scene3d_set(&buffers, job, kernel);
+    CL_CHECK(clSetKernelArg(kernel, argument++, sizeof d_tree[0], &d_tree[0]));
+    CL_CHECK(clSetKernelArg(kernel, argument++, sizeof d_tree[1], &d_tree[1]));
+    CL_CHECK(clSetKernelArg(kernel, argument++, sizeof job->bounds, &job->bounds));
+    CL_CHECK(clSetKernelArg(kernel, argument++, sizeof *n_bounces, n_bounces));
+    probe_draw_counting(probe, k, kernel, buffers.d_image, job->width, job->height, argument);
+    probe_scene3d_release(&buffers);
+    cl_memory_release(d_tree, 2);
+}
+
+int main(void)
+{
+    Probe probe;
+    probe_open(&probe);
+    probe_open_device(&probe);
+    cl_program program =
+        probe_build(&probe, "probes/" LAB_NAME "/probe.cl",
+                    PROBE_KERNEL_OPTIONS " -I " LAB_FOLDER " -I probes -DCOUNT_WORK");
+    answer_functions(&probe, program);
+    cl_kernel kernel = probe_kernel(program, "render_mirrors");
+    const SceneJob3D *job;
+    for (int k = 0; (job = probe_scene3d(&probe, k)) != NULL; k++) {
+        answer_picture(&probe, k, job, kernel);
+    }
+    CL_CHECK(clReleaseKernel(kernel));
+    CL_CHECK(clReleaseProgram(program));
+    probe_close(&probe);
+    return EXIT_SUCCESS;
+}

@@ -1,0 +1,2 @@
+    // Every ray leaves along the normal.
+    return normal;
