@@ -21,7 +21,7 @@ LAYOUT_ASSERT(Material, 32);
 // A light at a point. Its brightness is the same at any distance.
 typedef struct Light {
     /*  0 */ Vec3 position;  // scene units
-    /* 12 */ Vec3 color;     // red, green, blue; 1 is full brightness
+    /* 12 */ Vec3 color;     // red, green, blue; 1 is full brightness, and more is brighter
 } Light;
 LAYOUT_ASSERT(Light, 24);
 

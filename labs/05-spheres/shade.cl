@@ -7,7 +7,7 @@
 
 // The unit vector at right angles to the sphere at one of its points, on the side the ray comes
 // from.
-//   point       on the sphere, scene units
+//   point       on the sphere, as float rounds it, scene units
 //   direction   the ray's
 float3 surface_normal(Sphere sphere, float3 point, float3 direction)
 {

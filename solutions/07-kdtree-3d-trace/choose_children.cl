@@ -33,7 +33,7 @@ enum { ONLY_NEAR, ONLY_FAR, BOTH };
 //   origin        the ray's, along node.split_axis
 //   inverse       1 / direction along that axis; infinite for a ray along the plane
 //   t_min, t_max  the part of the ray inside the node
-//   t_split       out: where the ray meets the plane; needed for BOTH only
+//   t_split       out, for BOTH: where the ray meets the plane; for the others it may be anything
 // Returns ONLY_NEAR, ONLY_FAR or BOTH. Source: lecture, "t_split".
 int children_on_ray(KdNode3 node, float origin, float inverse, float t_min, float t_max,
                     float *t_split)

@@ -46,8 +46,9 @@ echo "$canary" >"$scratch/reference/picture.csv"
 # Somebody else's process of the sandbox's own user, where the grader runs as root.
 as_nobody=
 [ "$(id -u)" -ne 0 ] || as_nobody='setpriv --reuid 65534 --regid 65534 --clear-groups'
+# Until it is killed at the end, however long the attacks take here.
 # shellcheck disable=SC2086 # a command
-$as_nobody sleep 1000 &
+$as_nobody sleep infinity &
 bystander=$!
 "$build/tools/listener" "$scratch/listener" &
 listener=$!

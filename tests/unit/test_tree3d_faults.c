@@ -215,7 +215,8 @@ Test(tree3d_faults, leaves_too_early_or_too_late_are_found)
     for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
         KdTree3D tree;
         cr_assert_eq(kdtree3d_build(scene.scene.spheres, 60, others[i], &tree), 0);
-        const int against = judges_against(&scene, &tree) & ~PACKING;
+        // A tree of another size is wrong in these, too.
+        const int against = judges_against(&scene, &tree) & ~(PACKING | SPLITS | DEPTH);
         cr_expect_eq(against, LISTS, "found by %s", names_of(against));
         tree3d_free(&tree);
     }
@@ -234,18 +235,37 @@ Test(tree3d_faults, exact_trees_must_be_equal)
     scene_close(&scene);
 }
 
+// A tree of so many levels, with two nodes on each but the first.
+static KdTree3D chain_of(u32 n_levels, KdNode3 *nodes)
+{
+    const KdTree3D tree = {.nodes = nodes, .n_nodes = 2 * n_levels - 1};
+    for (u32 id = 0; id < tree.n_nodes; id++) {
+        nodes[id] = id % 2 == 0 && id + 2 < tree.n_nodes ? (KdNode3){.first = id + 1}
+                                                         : (KdNode3){.split_axis = KD_LEAF};
+    }
+    return tree;
+}
+
 Test(tree3d_faults, a_tree_too_deep_for_the_todo_stack_is_found)
 {
-    TreeScene3D scene = {.title = "chain"};
-    KdNode3 nodes[2 * TODO_SIZE + 3];
-    KdTree3D tree = {.nodes = nodes};
-    for (int n_levels = TODO_SIZE + 1; n_levels <= TODO_SIZE + 2; n_levels++) {
-        tree.n_nodes = 2 * (u32)n_levels - 1;
-        for (u32 id = 0; id < tree.n_nodes; id++) {
-            nodes[id] = id % 2 == 0 && id + 2 < tree.n_nodes ? (KdNode3){.first = id + 1}
-                                                             : (KdNode3){.split_axis = KD_LEAF};
-        }
-        expect_says(tree3d_judge_depth(&scene, &tree),
-                    n_levels > TODO_SIZE + 1 ? "levels, so" : NULL);
-    }
+    KdNode3 expected[2 * TODO_SIZE + 3], nodes[2 * TODO_SIZE + 3];
+    const TreeScene3D scene = {.title = "chain", .tree = chain_of(TODO_SIZE + 1, expected)};
+    const KdTree3D fits = chain_of(TODO_SIZE + 1, nodes);
+    expect_says(tree3d_judge_depth(&scene, &fits), NULL);
+    const KdTree3D too_deep = chain_of(TODO_SIZE + 2, nodes);
+    expect_says(tree3d_judge_depth(&scene, &too_deep), "levels, so");
+}
+
+// Of a tree that ends too soon nothing is wrong in itself, and nothing is shown.
+Test(tree3d_faults, a_tree_of_one_leaf_shows_neither_splits_nor_depth)
+{
+    TreeScene3D scene = scene_of("planes", (KdTreeLimits){7, 3}), refused = scene;
+    KdTree3D tree = tree_copy(&scene.tree);
+    tree.nodes[0] = (KdNode3){.split_axis = KD_LEAF};
+    expect_says(tree3d_judge_splits(&scene, &tree), "found 0 nodes with children");
+    expect_says(tree3d_judge_depth(&scene, &tree), "found a tree of 1 level, expected one of 7");
+    refused.tree = (KdTree3D){0};
+    expect_says(tree3d_judge_depth(&refused, &tree), "to give up");
+    tree3d_free(&tree);
+    scene_close(&scene);
 }

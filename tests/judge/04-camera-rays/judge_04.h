@@ -1,5 +1,6 @@
 // What lab 04's judge asks of a submission: views, pixels and pictures of directions. Drawn in
-// judge_04_job.c, judged in judge_04_axes.c and judge_04_rays.c, alone in judge_04_alone.c.
+// judge_04_job.c, judged in judge_04_axes.c, judge_04_display.c and judge_04_rays.c, alone in
+// judge_04_alone.c.
 #ifndef JUDGE_JUDGE_04_H
 #define JUDGE_JUDGE_04_H
 
@@ -33,10 +34,18 @@ typedef struct Job04 {
     JobPicture directions[N_PICTURES];
 } Job04;
 
+// How far a point on the display may be off, as a share of the display's half width: see
+// oracle3d.c.
+#define DISPLAY_ERROR_04 (32 * 0x1p-24)
+
 // See judge.h.
 int job_04_draw(void *job, Random *random);
 void job_04_release(void *job);
 int job_04_write_scene(const void *job, int k, FILE *file);
+
+// The picture of the directions of a scene, which must stay where it is. Returns 0, or -1 after one
+// message.
+int expect_directions_04(const SceneJob3D *scene, ExpectedPicture *expected);
 
 // camera_axes, pixel_on_display and primary_ray: one for each property that is judged.
 extern const Function axes_orthonormal_04, axes_forward_04, axes_up_04;

@@ -19,14 +19,59 @@ typedef struct Axes {
     Vec3 right, up, forward;
 } Axes;
 
-static double dot(Vec3 a, OracleVector b)
+// ---- Known mistakes -----------------------------------------------------------------------------
+
+// A way of making the axes, each from its own way of the step that its name tells.
+typedef struct AxesMistake {
+    const char *says;
+    int at_for_way;      // forward: the point looked at for the way to it
+    int z_for_up;        // z for view.up
+    int unit_up;         // view.up made a unit vector, and its cross product left as long as it is
+    int long_right;      // right as long as the cross product
+    int right_late;      // the same for up only
+    int up_is_view_up;   // view.up for up,
+    int up_is_unit;      // made a unit vector
+    int up_is_from_raw;  // view.up without its part along the way, which is no unit vector
+} AxesMistake;
+
+static const AxesMistake axes_mistakes[] = {
+    {"forward is the way to `at` from the origin, not from the eye", .at_for_way = 1},
+    {"view.up is not asked: z was taken for it", .z_for_up = 1},
+    {"of two unit vectors that are not at right angles the cross product is shorter than 1: right "
+     "is to be made a unit vector",
+     .unit_up = 1, .long_right = 1},
+    {"right is not made a unit vector, and up comes from it", .long_right = 1},
+    {"right was made a unit vector only after up had come from it", .right_late = 1},
+    {"up is view.up, which need be neither a unit vector nor at right angles to forward",
+     .up_is_view_up = 1},
+    {"up is view.up, which need not be at right angles to forward", .up_is_view_up = 1,
+     .up_is_unit = 1},
+    {"up lost its part along a forward that is not yet a unit vector", .up_is_from_raw = 1},
+};
+
+static void mistaken_axes(const ViewJob *view, const AxesMistake *mistake, OracleVector axes[3])
 {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
+    const OracleVector z = {0, 0, 1}, at = vector_of(view->at);
+    const OracleVector way = mistake->at_for_way ? at : vector_minus(at, vector_of(view->from));
+    const OracleVector forward = vector_unit(way);
+    const OracleVector given = mistake->z_for_up ? z : vector_of(view->up);
+    const OracleVector view_up = mistake->unit_up ? vector_unit(given) : given;
+    const OracleVector product = vector_cross(forward, view_up), right = vector_unit(product);
+    const double along = vector_dot(view_up, way);
+    axes[0] = mistake->long_right ? product : right;
+    axes[1] =
+        mistake->up_is_from_raw  ? vector_unit(vector_minus(view_up, vector_scaled(along, forward)))
+        : mistake->up_is_unit    ? vector_unit(view_up)
+        : mistake->up_is_view_up ? view_up
+                                 : vector_cross(mistake->right_late ? product : axes[0], forward);
+    axes[2] = forward;
 }
 
-static OracleVector in_double(Vec3 v)
+// ---- One call -----------------------------------------------------------------------------------
+
+static double dot(Vec3 a, OracleVector b)
 {
-    return (OracleVector){v.x, v.y, v.z};
+    return vector_dot(vector_of(a), b);
 }
 
 // One call of camera_axes.
@@ -56,7 +101,7 @@ static int is_unit(const AxesCall *call, Vec3 v)
 // Is a unit vector at right angles to b?
 static int is_across(const AxesCall *call, Vec3 a, Vec3 b)
 {
-    return fabs(dot(a, in_double(b))) <= call->error * vec3_length(b);
+    return fabs(dot(a, vector_of(b))) <= call->error * vec3_length(b);
 }
 
 // What is said of wrong axes: a remark on what was found, or what it looks like. Neither where
@@ -119,6 +164,34 @@ static AxesFault not_upright(const AxesCall *call)
                            : ": right is not forward x up"};
 }
 
+// Is an axis what a mistake makes of it?
+static int is_mistaken(Vec3 found, OracleVector axis, double error)
+{
+    return is_near_04(found, axis, error * fmax(1, vector_length(axis)));
+}
+
+// The mistake that explains the axes of every view that was drawn, or NULL.
+static const char *recognised(const Job04 *job, const Axes *answers)
+{
+    for (int m = 0; m < COUNT(axes_mistakes); m++) {
+        int i = 0, agrees = 1;
+        for (; agrees && i < FIRST_LENGTH; i++) {
+            OracleVector axes[3];
+            mistaken_axes(&job->views[i], &axes_mistakes[m], axes);
+            const double error = axes_call(job, i, answers).error;
+            // A cross product with z loses digits where the view is nearly along it.
+            const double lost = axes_mistakes[m].z_for_up ? 64 * error : error;
+            agrees = is_mistaken(answers[i].right, axes[0], lost) &&
+                     is_mistaken(answers[i].up, axes[1], lost) &&
+                     is_mistaken(answers[i].forward, axes[2], error);
+        }
+        if (agrees) {
+            return axes_mistakes[m].says;
+        }
+    }
+    return NULL;
+}
+
 // Is an axis zero, infinite or no number?
 static int has_left_range(const Axes *found)
 {
@@ -153,8 +226,11 @@ static Diagnosis axes_fault(const void *job, int i, const void *answers, JudgeAx
         return NOTHING_WRONG;
     }
     const char *special = special_looks(i, found);
+    const char *mistake = special == NULL ? recognised(job, answers) : NULL;
     if (special != NULL) {
         fault = (AxesFault){.looks = special};
+    } else if (mistake != NULL) {
+        fault.looks = mistake;
     }
     char *wrong = message_new(
         "view from %s at %s up %s: found right %s, up %s, forward %s, expected right %s, up %s, "

@@ -4,8 +4,6 @@
 #include "oracle3d.h"
 #include "random3d.h"
 
-static const OracleRules3D right = {0};
-
 // Any view whose direction is a quarter of a unit or longer; its up is of any length, mostly not at
 // right angles to it.
 static ViewJob draw_view(Random *random)
@@ -45,6 +43,13 @@ static ViewJob steep_view(int i)
     return (ViewJob){{1, 2, 3}, {1, 2, -5}, ups[i]};
 }
 
+// The same eye turned round: between them the two see every sign of a direction.
+static ViewJob looking_back(ViewJob view)
+{
+    view.at = vec3_minus(vec3_scaled(view.from, 2), view.at);
+    return view;
+}
+
 static Vec3 to_vec3(OracleVector v)
 {
     return (Vec3){(float)v.x, (float)v.y, (float)v.z};
@@ -76,35 +81,13 @@ static PixelJob draw_pixel(Random *random, int range)
     return job;
 }
 
-// The picture of the directions, in double precision.
-static int expect_directions(const Camera *camera, int width, int height, JobPicture *picture)
-{
-    ExpectedPicture *expected = &picture->expected;
-    if (image_create(width, height, &expected->reference) != 0) {
-        return -1;
-    }
-    expected->background[3] = 1;
-    float *pixel = expected->reference.pixels;
-    for (int y = 0; y < height; y++) {
-        for (int x = 0; x < width; x++, pixel += IMAGE_CHANNELS) {
-            const OracleRay ray = oracle3d_primary_ray(camera, x, y, width, height, &right);
-            pixel[0] = (float)((ray.direction.x + 1) / 2);
-            pixel[1] = (float)((ray.direction.y + 1) / 2);
-            pixel[2] = (float)((ray.direction.z + 1) / 2);
-            pixel[3] = 1;
-            // Half of the direction's, and the rounding of product and sum.
-            expected->tolerance = (float)(ray.direction_error / 2 + 2 * 0x1p-24);
-        }
-    }
-    return 0;
-}
-
 static int draw_pictures(Random *random, Job04 *job)
 {
     static const int sizes[N_PICTURES][2] = {{96, 64}, {49, 67}, {48, 48}, {48, 48}, {48, 48}};
     static const Vec3 ways[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
     static const Vec3 ups[3] = {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}};
     static const char *const names[3] = {"x", "y", "-z"};
+    ViewJob view = draw_view(random);
     int result = 0;
     for (int k = 0; result == 0 && k < N_PICTURES; k++) {
         JobPicture *picture = &job->directions[k];
@@ -112,7 +95,8 @@ static int draw_pictures(Random *random, Job04 *job)
         SceneJob3D scene = {.width = width, .height = height};
         if (k < ALONG) {
             const float fov = random_number(random, 0.5, 1.5);
-            scene.camera = camera_of(draw_view(random), fov);
+            scene.camera = camera_of(view, fov);
+            view = looking_back(view);
             snprintf(picture->title, sizeof picture->title, "directions, %dx%d", width, height);
         } else {
             scene.camera = camera_of((ViewJob){{0}, ways[k - ALONG], ups[k - ALONG]}, 1);
@@ -121,7 +105,7 @@ static int draw_pictures(Random *random, Job04 *job)
         }
         job->scenes[k] = scene;
         job_list_picture(&job->job, picture);
-        result = expect_directions(&scene.camera, width, height, picture);
+        result = expect_directions_04(&job->scenes[k], &picture->expected);
     }
     return result;
 }

@@ -1,5 +1,4 @@
-// Lab 04: pixel_on_display and primary_ray on the job's pixels. See judge_04.h; judge_04_axes.c is
-// the sibling.
+// Lab 04: primary_ray on the job's pixels. See judge_04.h; judge_04_display.c is the sibling.
 //
 // What is expected comes from oracle3d.h, in double precision, and so do the bounds on rounding.
 #include "judge_04.h"
@@ -9,12 +8,8 @@
 
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
 
 static const OracleRules3D right = {0};
-
-// Of a point on the display, as a share of the display's half width: see oracle3d.c.
-#define DISPLAY_ERROR (32 * 0x1p-24)
 
 int is_near_04(Vec3 found, OracleVector expected, double error)
 {
@@ -27,119 +22,148 @@ int is_opposite_04(Vec3 found, OracleVector expected, double error)
     return is_near_04(found, (OracleVector){-expected.x, -expected.y, -expected.z}, error);
 }
 
-// ---- Pixels on the display --------------------------------------------------------------------
-
-// A mistake that would explain wrong points.
-typedef struct DisplayMistake {
-    Cause cause;
-    OracleRules3D rules;
-    int mirrored, flipped, transposed;
-    int columns, rows;  // how many pixels on
-} DisplayMistake;
-
-static const DisplayMistake display_mistakes[] = {
-    {.cause = {0}},  // none
-    {.cause = {"shifted by half a pixel: that is the pixel's corner, not its middle",
-               MISTAKE_SHIFTED_HALF},
-     .rules = {.sample_offset = -0.5}},
-    {.cause = {"shifted by half a pixel: that is the pixel's far corner, not its middle",
-               MISTAKE_SHIFTED_HALF},
-     .rules = {.sample_offset = 0.5}},
-    {.cause = {.says = "fov is the display's width, not half of it"},
-     .rules = {.fov_is_half_width = 1}},
-    {.cause = {.says = "fov is the display's width, not its height"},
-     .rules = {.fov_is_height = 1}},
-    {.cause = {.says = "pixels are squares: y needs the same size of a pixel as x"},
-     .rules = {.fov_both_ways = 1}},
-    {.cause = {"mirrored: x grows to the right", MISTAKE_MIRRORED_X}, .mirrored = 1},
-    {.cause = {"flipped: row 0 is the top row, where y is largest", MISTAKE_FLIPPED_Y},
-     .flipped = 1},
-    {.cause = {.says = "fov is a width at distance 1, not an angle"}, .rules = {.fov_is_angle = 1}},
-    {.cause = {"transposed: x counts columns and y rows", MISTAKE_TRANSPOSED}, .transposed = 1},
-    {.cause = {"shifted by one pixel to the right: columns count from 0", MISTAKE_SHIFTED_ONE},
-     .columns = 1},
-    // Nobody counts from -1: the half that leads to the middle was taken off.
-    {.cause = {"shifted by one pixel to the left: half a pixel has the wrong sign",
-               MISTAKE_SHIFTED_ONE},
-     .columns = -1},
-    {.cause = {"shifted by one pixel down: rows count from 0", MISTAKE_SHIFTED_ONE}, .rows = 1},
-    {.cause = {"shifted by one pixel up: half a pixel has the wrong sign", MISTAKE_SHIFTED_ONE},
-     .rows = -1},
-    {.cause = {"shifted by one pixel to the left and up: half a pixel has the wrong sign",
-               MISTAKE_SHIFTED_ONE},
-     .columns = -1,
-     .rows = -1},
-    {.cause = {"shifted by one pixel to the right and down: columns and rows count from 0",
-               MISTAKE_SHIFTED_ONE},
-     .columns = 1,
-     .rows = 1},
-};
-
-static int display_agrees(const void *pointer, int i, const void *answers, int number)
-{
-    const PixelJob *job = &((const Job04 *)pointer)->pixels[i];
-    const Vec3 found = ((const PixelAnswer *)answers)[i].on_display;
-    const DisplayMistake *mistake = &display_mistakes[number];
-    const int x = (mistake->transposed ? job->y : job->x) + mistake->columns;
-    const int y = (mistake->transposed ? job->x : job->y) + mistake->rows;
-    OracleVector p =
-        oracle3d_display(x, y, job->width, job->height, job->camera.fov, &mistake->rules);
-    p.x = mistake->mirrored ? -p.x : p.x;
-    p.y = mistake->flipped ? -p.y : p.y;
-    const double half = job->camera.fov / 2 * fmax(1, (double)job->height / job->width);
-    return is_near_04(found, p, DISPLAY_ERROR * fmax(half, 1));
-}
-
-// The sides only: which half of the display the point is in. The middle itself says nothing.
-static int is_on_its_side(const PixelJob *job, Vec3 found)
-{
-    const int right_of_middle = 2 * job->x + 1 - job->width;
-    const int above_middle = job->height - 2 * job->y - 1;
-    // A corner may be on the other side of a middle pixel.
-    return (abs(right_of_middle) <= 1 || (found.x > 0) == (right_of_middle > 0)) &&
-           (abs(above_middle) <= 1 || (found.y > 0) == (above_middle > 0)) && found.z == 1 &&
-           isfinite(found.x) && isfinite(found.y);
-}
-
-static int side_agrees(const void *job, int i, const void *answers, int mistake)
-{
-    return mistake == 0 ? is_on_its_side(&((const Job04 *)job)->pixels[i],
-                                         ((const PixelAnswer *)answers)[i].on_display)
-                        : display_agrees(job, i, answers, mistake);
-}
-
-static char *describe_point(const void *pointer, int i, const void *answers)
-{
-    const PixelJob *in = &((const Job04 *)pointer)->pixels[i];
-    const OracleVector e =
-        oracle3d_display(in->x, in->y, in->width, in->height, in->camera.fov, &right);
-    return message_new("pixel (%d, %d) of %dx%d, fov %g: found %s, expected %s", in->x, in->y,
-                       in->width, in->height, in->camera.fov,
-                       words_vec3(((const PixelAnswer *)answers)[i].on_display, 6).text,
-                       words_xyz(e.x, e.y, e.z, 6).text);
-}
-
-const Function display_sides_04 = {"pixels",
-                                   N_ALL_PIXELS,
-                                   sizeof(PixelAnswer),
-                                   .describe = describe_point,
-                                   .agrees = side_agrees,
-                                   .counted = "points",
-                                   MISTAKES(display_mistakes)};
-const Function display_04 = {"pixels",
-                             N_ALL_PIXELS,
-                             sizeof(PixelAnswer),
-                             .describe = describe_point,
-                             .agrees = display_agrees,
-                             .counted = "points",
-                             MISTAKES(display_mistakes)};
-
-// ---- Rays -------------------------------------------------------------------------------------
+// ---- Known mistakes -----------------------------------------------------------------------------
 
 static OracleRay ray_of(const PixelJob *job, const OracleRules3D *rules)
 {
     return oracle3d_primary_ray(&job->camera, job->x, job->y, job->width, job->height, rules);
 }
+
+// The direction on the display, as long as it is there: of another pixel, picture or fov.
+typedef struct Seen {
+    int x, y, width, height;
+    float fov;
+} Seen;
+
+static Seen seen_by(const PixelJob *in)
+{
+    return (Seen){in->x, in->y, in->width, in->height, in->camera.fov};
+}
+
+static OracleVector display_of(Seen seen)
+{
+    return oracle3d_display(seen.x, seen.y, seen.width, seen.height, seen.fov, &right);
+}
+
+// A point as seen from the eye, turned to the scene's axes.
+static OracleVector turned_by(const Camera *camera, OracleVector p)
+{
+    const OracleVector x = vector_scaled(p.x, vector_of(camera->right));
+    const OracleVector y = vector_scaled(p.y, vector_of(camera->up));
+    return vector_plus(vector_plus(x, y), vector_scaled(p.z, vector_of(camera->forward)));
+}
+
+static OracleVector unturned(const PixelJob *in)
+{
+    return display_of(seen_by(in));
+}
+
+static OracleVector turned_round(const PixelJob *in)
+{
+    const OracleRules3D transposed = {.axes_transposed = 1};
+    return ray_of(in, &transposed).direction;
+}
+
+static OracleVector backwards(const PixelJob *in)
+{
+    return vector_scaled(-1, ray_of(in, &right).direction);
+}
+
+static OracleVector with_the_eye(const PixelJob *in)
+{
+    return vector_plus(vector_of(in->camera.eye), turned_by(&in->camera, unturned(in)));
+}
+
+static OracleVector with_fov_1(const PixelJob *in)
+{
+    Seen seen = seen_by(in);
+    seen.fov = 1;
+    return turned_by(&in->camera, display_of(seen));
+}
+
+static OracleVector with_swapped_size(const PixelJob *in)
+{
+    Seen seen = seen_by(in);
+    seen.width = in->height, seen.height = in->width;
+    return turned_by(&in->camera, display_of(seen));
+}
+
+static OracleVector with_up_down(const PixelJob *in)
+{
+    OracleVector p = unturned(in);
+    p.y = -p.y;
+    return turned_by(&in->camera, p);
+}
+
+static OracleVector with_unit_sides(const PixelJob *in)
+{
+    OracleVector p = unturned(in);
+    p.z = 0;
+    p = vector_unit(p);
+    p.z = 1;
+    return turned_by(&in->camera, p);
+}
+
+// Mistakes that explain every wrong direction, but for its length. The far eyes are left out: with
+// them sums lose digits.
+static const struct {
+    OracleVector (*direction)(const PixelJob *in);
+    const char *says;
+} ray_mistakes[] = {
+    {turned_round,
+     "the view transform is turned round: x times right plus y times up plus z times forward"},
+    {backwards, "it points backwards"},
+    {unturned, "it is still in the camera's axes: they are to turn it to the scene's"},
+    {with_the_eye, "the eye was added: that makes a point, and a direction has no place"},
+    {with_fov_1, "that is the direction of a fov of 1, not the camera's"},
+    {with_swapped_size, "width and height are swapped"},
+    {with_up_down, "up and down are swapped"},
+    {with_unit_sides, "the part along the display was made a unit vector before forward was added"},
+};
+
+static OracleVector unit_of(Vec3 v)
+{
+    return vector_unit(vector_of(v));
+}
+
+static int is_direction(OracleVector found, OracleVector expected, double error)
+{
+    return vector_length(vector_minus(found, vector_unit(expected))) <= 2 * error;
+}
+
+// What wrong directions look like, or NULL.
+static const char *directions_look(const Job04 *job, const PixelAnswer *answers)
+{
+    for (int m = 0; m < COUNT(ray_mistakes); m++) {
+        int i = 0;
+        while (i < FIRST_FAR_EYE && is_direction(unit_of(answers[i].direction),
+                                                 ray_mistakes[m].direction(&job->pixels[i]),
+                                                 ray_of(&job->pixels[i], &right).direction_error)) {
+            i++;
+        }
+        if (i == FIRST_FAR_EYE) {
+            return ray_mistakes[m].says;
+        }
+    }
+    return NULL;
+}
+
+// The same of pixel number i, the first one that is wrong.
+static const char *direction_looks(const Job04 *job, int i, const PixelAnswer *answers)
+{
+    const PixelJob *in = &job->pixels[i];
+    // A sum with the eye rounds to the eye's digits.
+    const double eye_error = 4 * 0x1p-24 * vec3_length(in->camera.eye);
+    if (i >= FIRST_FAR_EYE) {
+        return is_direction(unit_of(answers[i].direction), ray_of(in, &right).direction, eye_error)
+                   ? "from a near eye it is right, from a far eye its digits are lost: the eye, a "
+                     "large number, has no part in the direction"
+                   : NULL;
+    }
+    return directions_look(job, answers);
+}
+
+// ---- Judging ------------------------------------------------------------------------------------
 
 // A wrong direction.
 //   remark   joins what was found
@@ -153,24 +177,6 @@ static Diagnosis describe_direction(const PixelJob *in, Vec3 found, const char *
         cause);
 }
 
-// What the wrong direction of pixel number i, made a unit vector, looks like, or NULL.
-static const char *direction_looks(const PixelJob *in, int i, Vec3 unit)
-{
-    const OracleRules3D transposed = {.axes_transposed = 1};
-    const OracleRay ray = ray_of(in, &right), other = ray_of(in, &transposed);
-    const double error = ray.direction_error;
-    // A sum with the eye rounds to the eye's digits.
-    const double eye_error = 4 * 0x1p-24 * vec3_length(in->camera.eye);
-    return is_near_04(unit, other.direction, error)
-               ? "the view transform is turned round: x times right plus y times up plus z times "
-                 "forward"
-           : is_opposite_04(unit, ray.direction, error) ? "it points backwards"
-           : i >= FIRST_FAR_EYE && is_near_04(unit, ray.direction, eye_error)
-               ? "from a near eye it is right, from a far eye its digits are lost: the eye, a "
-                 "large number, has no part in the direction"
-               : NULL;
-}
-
 // Is a ray's direction right, of any length?
 static Diagnosis transform_fault(const void *job, int i, const void *answers)
 {
@@ -181,12 +187,12 @@ static Diagnosis transform_fault(const void *job, int i, const void *answers)
     const Vec3 unit = {(float)(found.x / length), (float)(found.y / length),
                        (float)(found.z / length)};
     if (length == 0) {
-        return describe_direction(in, found, ": it is zero", (Cause){0});
+        return describe_direction(in, found, "", (Cause){.says = "it is zero"});
     }
     if (is_near_04(unit, ray.direction, ray.direction_error)) {
         return NOTHING_WRONG;
     }
-    return describe_direction(in, found, "", (Cause){.says = direction_looks(in, i, unit)});
+    return describe_direction(in, found, "", (Cause){.says = direction_looks(job, i, answers)});
 }
 
 static Diagnosis unit_fault(const void *job, int i, const void *answers)
@@ -194,7 +200,7 @@ static Diagnosis unit_fault(const void *job, int i, const void *answers)
     static const Cause not_unit = {
         .says = "it must be a unit vector, so that t is a distance: normalize()"};
     const Vec3 found = ((const PixelAnswer *)answers)[i].direction;
-    return fabs(vec3_length(found) - 1) <= DISPLAY_ERROR
+    return fabs(vec3_length(found) - 1) <= DISPLAY_ERROR_04
                ? NOTHING_WRONG
                : describe_direction(&((const Job04 *)job)->pixels[i], found, "", not_unit);
 }
@@ -207,9 +213,11 @@ static Diagnosis ray_limits_fault(const void *job, int i, const void *answers)
     const Vec3 eye = in->camera.eye;
     const char *looks = own->origin.x != eye.x || own->origin.y != eye.y || own->origin.z != eye.z
                             ? "the ray begins at the eye"
-                        : own->t_min != 0          ? "what is before the eye counts from 0 on"
-                        : !(own->t_max >= FLT_MAX) ? "the ray has no end: t_max is INFINITY"
-                                                   : NULL;
+                        : own->t_min != 0 ? "what is before the eye counts from 0 on"
+                        : own->t_max == FLT_MAX
+                            ? "the largest float is an end, too: t_max is INFINITY"
+                        : own->t_max != INFINITY ? "the ray has no end: t_max is INFINITY"
+                                                 : NULL;
     if (looks == NULL) {
         return NOTHING_WRONG;
     }

@@ -3,6 +3,9 @@
 #include "judge_05.h"
 
 #include "job_work.h"
+#include "message.h"
+
+#include <string.h>
 
 static const char *const edge_names[N_EDGES] = {"inside", "behind", "large-small", "one", "none"};
 
@@ -88,6 +91,52 @@ static Verdict judge_hits(const void *job, int k, const Sections *answers)
     return verdict_of(hits_judge_as(scene, found, looks));
 }
 
+// How many spheres are asked where the one before has the same place and radius, or where the
+// centre is behind the ray's origin, is passed over.
+static int is_same_as_before(const Scene3D *scene, int i)
+{
+    return i > 0 && memcmp(&scene->spheres[i], &scene->spheres[i - 1], sizeof(Sphere)) == 0;
+}
+
+static u32 count_different(const Scene3D *scene)
+{
+    u32 n = 0;
+    for (int i = 0; i < scene->n_spheres; i++) {
+        n += !is_same_as_before(scene, i);
+    }
+    return n;
+}
+
+static u32 count_ahead(const JobScene3D *scene, int pixel)
+{
+    static const OracleRules3D right = {0};
+    const Scene3D *s = &scene->scene;
+    const OracleRay ray = oracle3d_primary_ray(&scene->camera, pixel % s->width, pixel / s->width,
+                                               s->width, s->height, &right);
+    u32 n = 0;
+    for (int i = 0; i < s->n_spheres; i++) {
+        const OracleVector centre = {s->spheres[i].x, s->spheres[i].y, s->spheres[i].z};
+        n += vector_dot(vector_minus(centre, ray.origin), ray.direction) > 0;
+    }
+    return n;
+}
+
+// Why a ray's number of tests is wrong, or NULL.
+static const char *work_looks(const JobScene3D *scene, int pixel, u32 found)
+{
+    const u32 n = (u32)scene->scene.n_spheres;
+    return found == 0       ? "the calls were not counted in the `work` that was handed in"
+           : found == 2 * n ? "each sphere was asked twice"
+           : found > n      ? "some spheres were asked more than once, or one behind the last: a "
+                              "distance that is needed twice can be kept"
+           : found == count_different(&scene->scene)
+               ? "spheres like the one before were passed over: every sphere is asked"
+           : found == count_ahead(scene, pixel)
+               ? "spheres whose centre is behind the eye were passed over: the eye may be inside, "
+                 "and every sphere is asked"
+               : "some spheres were not asked";
+}
+
 // Every pixel asks every sphere, once.
 static Verdict judge_work(const void *job, int k, const Sections *answers)
 {
@@ -97,15 +146,19 @@ static Verdict judge_work(const void *job, int k, const Sections *answers)
     if (found == NULL) {
         return verdict_missing;
     }
-    for (int pixel = 0; pixel < n_pixels; pixel++) {
-        if (found[pixel].n_tests != (u32)scene->scene.n_spheres) {
-            return verdict_of(diagnosis_new("%s: the ray of pixel (%d, %d): intersect_sphere was "
-                                            "called %u times, but the scene has %d spheres",
-                                            scene->picture.title, pixel % width, pixel / width,
-                                            found[pixel].n_tests, scene->scene.n_spheres));
-        }
+    int pixel = 0;
+    while (pixel < n_pixels && found[pixel].n_tests == (u32)scene->scene.n_spheres) {
+        pixel++;
     }
-    return verdict_passed;
+    if (pixel == n_pixels) {
+        return verdict_passed;
+    }
+    const u32 n_tests = found[pixel].n_tests;
+    char *wrong = message_new("%s: the ray of pixel (%d, %d): intersect_sphere was called %u "
+                              "times, but the scene has %d spheres",
+                              scene->picture.title, pixel % width, pixel / width, n_tests,
+                              scene->scene.n_spheres);
+    return verdict_of(diagnosis_of(wrong, (Cause){.says = work_looks(scene, pixel, n_tests)}));
 }
 
 // ---- The judge ----------------------------------------------------------------------------------
@@ -145,7 +198,7 @@ static const JudgeCheck checks[] = {
      "intersect_sphere nearest_root", .scene = judge_hits, .range = {EDGES, N_EDGES},
      .alone_scene = square_hits_05},
     {"hit-work", "Every sphere is asked once", "nearest_hit", 4, .scene = judge_work,
-     .range = {WORK, 1}, .alone_scene = square_work_05},
+     .range = {SMALL, N_WORK, WORK_STEP}, .alone_scene = square_work_05},
 
     {"normal-unit", "From the centre to the point, a unit vector", "surface_normal", 5,
      .function = &normal_05, .range = RANGE(0, N_NORMALS)},

@@ -20,11 +20,11 @@ enum {
 
 // The last inputs of a range are the same in every job.
 enum {
-    N_EDGE_ROOTS = 10,   // of each range
-    N_EDGE_SPHERES = 8,  // outside and inside
-    N_EDGE_NORMALS = 4,  // of each range
-    N_EDGE_SHADES = 8,   // several lights; one light has a single one
-    N_EDGE_LIGHTS = 6,   // the last ones
+    N_EDGE_ROOTS = 10,    // of each range
+    N_EDGE_SPHERES = 11,  // outside and inside
+    N_EDGE_NORMALS = 7,   // of each range
+    N_EDGE_SHADES = 8,    // several lights; one light has a single one
+    N_EDGE_LIGHTS = 6,    // the last ones
 };
 
 // The scenes, in the order of the job. The first one shows what is wrong at any size.
@@ -36,7 +36,9 @@ enum {
     EDGES = 4,
     N_EDGES = 5,
     N_SCENES = EDGES + N_EDGES,
-    WORK = SMALL,
+    // Where work is counted: SMALL; TIES, with spheres like others; and "behind".
+    WORK_STEP = TIES - SMALL,
+    N_WORK = 3,
 };
 
 // Alone, nearest_hit is tried on scenes whose spheres are squares for the stand-in of
@@ -62,6 +64,10 @@ typedef struct Job05 {
 // Draw what the functions get; put the inputs of every job into their places.
 void inputs_05_draw(Job05 *job, Random *random);
 void inputs_05_set_edges(Job05 *job);
+
+// Does the ray, along z, touch the sphere and all of that in numbers that float holds? Then every
+// right form finds a disc of exactly 0, and b for the hit.
+int touches_exactly_05(const SphereRayJob *job);
 
 // The functions. The message about one names the mistake that explains every answer in the range.
 extern const Function nearest_root_05, textbook_05, projection_05, normal_05, shade_05;

@@ -49,6 +49,9 @@ static int follows(const SphereRayJob *job, OracleForm form, float found)
     const double rounding = 3 * 0x1p-24;
     const OracleRay ray = oracle3d_given_ray(job->origin, job->direction, job->t_min);
     const OracleChord chord = oracle3d_chord(job->sphere, &ray, form);
+    if (touches_exactly_05(job)) {
+        return found == stand_in_root(chord.middle, 0, job->sphere.radius, job->t_min);
+    }
     if (isinf(found) && found > 0) {
         return !chord.is_certain;
     }

@@ -51,11 +51,16 @@ static const RootJob edge_roots[3][N_EDGE_ROOTS] = {
 
 // ---- intersect_textbook, intersect_sphere -------------------------------------------------------
 
-// A ray from the origin along z, and what it may hit.
+// A sphere, seen from the eye, and the ray's t_min. The ray goes along z, from the origin.
 typedef struct EdgeSphere {
     Sphere sphere;
     float t_min;
 } EdgeSphere;
+
+// Of each range the last ones lie as far as that from the origin, and the ray is aslant. Steps of
+// float are 1/8 there: what is added to such a number, or multiplied with it, loses digits.
+#define AFAR 0x1p20f
+enum { FIRST_AFAR = N_EDGE_SPHERES - 2 };
 
 static const EdgeSphere edge_spheres[2][N_EDGE_SPHERES] = {
     {
@@ -66,7 +71,10 @@ static const EdgeSphere edge_spheres[2][N_EDGE_SPHERES] = {
         {{0.5f - 0x1p-12f, 0, 2, 0.5f}, 0},  // nearly missed, and
         {{0.5f + 0x1p-12f, 0, 2, 0.5f}, 0},  // missed by little
         {{0, 0.25f, 3, -1}, 0},
+        {{2, 0, 4, 2}, 0},  // touched
         {{0, 0.25f, 3, 1}, 0},
+        {{6.25f, 1, 8, 2}, 0},  // afar
+        {{-0.5f, 7, 8.5f, 3}, 0},
     },
     {
         {{0.5f, 0, -1, 3}, 0},  // the eye inside, the centre behind
@@ -76,7 +84,10 @@ static const EdgeSphere edge_spheres[2][N_EDGE_SPHERES] = {
         {{0, 0.5f, 5, -1}, 5},
         {{0, 0.5f, 5, 1}, 8},  // beyond them
         {{0, 0.5f, 1, 2}, 4},
-        {{0, 0.5f, 5, -1}, 1},  // and before them
+        {{0, 0.5f, 5, -1}, 1},      // and before them
+        {{2, 0, 4, -2}, 0},         // touched
+        {{1, 0.5f, -0.25f, 3}, 0},  // afar
+        {{0.5f, -1, 1, -4}, 0},
     },
 };
 
@@ -85,14 +96,21 @@ static void set_edge_spheres(SphereRayJob *jobs, const EdgeSphere *edges)
     for (int i = 0; i < N_EDGE_SPHERES; i++) {
         jobs[i] = (SphereRayJob){
             .sphere = edges[i].sphere, .direction = {0, 0, 1}, .t_min = edges[i].t_min};
+        if (i >= FIRST_AFAR) {
+            jobs[i].origin = (Vec3){AFAR, -AFAR, AFAR};
+            jobs[i].direction = (Vec3){0.6f, 0, 0.8f};
+            jobs[i].sphere.x += AFAR, jobs[i].sphere.y -= AFAR, jobs[i].sphere.z += AFAR;
+        }
     }
 }
 
 // ---- surface_normal -----------------------------------------------------------------------------
 
+enum { N_GRAZED_NORMALS = 4 };
+
 // Rays that graze the surface, to the bit: the cosine is nearly the least of which a right solution
 // is sure to find the sign (oracle3d_normal()).
-static NormalJob edge_normal(int range, int i)
+static NormalJob grazed_normal(int range, int i)
 {
     const float cosine = range == 0 ? -0x1p-20f : 0x1p-20f, radius = i < 2 ? 2 : -2;
     NormalJob job = {.sphere = {1, 2, 3, radius}, .point = {1, 2, 3}};
@@ -102,6 +120,28 @@ static NormalJob edge_normal(int range, int i)
         job.point.z -= 2, job.direction = (Vec3){0, 1, -cosine};
     }
     return job;
+}
+
+// Spheres so small that their vectors are short, and of which, away from the origin, float rounds
+// the point: it is not as far from the centre as the radius says.
+static NormalJob small_normal(int range, int i)
+{
+    static const NormalJob small[] = {
+        {{0.5f, 0, 0, 0x1p-12f}, {0.5f + 0x1p-12f, 0, 0}, {-1, 0, 0}},
+        {{96, 0, 0, 0x1.8p-17f}, {96 + 0x1p-17f, 0x1p-17f, 0}, {-0.8f, 0, 0.6f}},
+        {{0, 96, -96, 0x1.8p-16f}, {0, 96 + 0x1p-16f, -96 - 0x1p-17f}, {0.6f, 0, 0.8f}},
+    };
+    NormalJob job = small[i];
+    if (range == 1) {
+        job.direction = vec3_scaled(job.direction, -1);
+    }
+    return job;
+}
+
+static NormalJob edge_normal(int range, int i)
+{
+    return i < N_GRAZED_NORMALS ? grazed_normal(range, i)
+                                : small_normal(range, i - N_GRAZED_NORMALS);
 }
 
 // ---- shade --------------------------------------------------------------------------------------
@@ -119,6 +159,8 @@ static void set_edge_lights(Light lights[N_LIGHTS])
     for (int i = 0; i < N_BRIGHT_LIGHTS; i++) {
         lights[BRIGHT_LIGHT + i] = (Light){{0, 0, (float)(4 + i)}, white};
     }
+    // One of them is bright by itself.
+    lights[BRIGHT_LIGHT].color = (Vec3){4, 2, 0.5f};
     lights[LOW_LIGHT] = (Light){{1024, 0, 0.0625f}, white};
     lights[LOW_LIGHT + 1] = (Light){{0, 0, 4}, white};
 }

@@ -2,49 +2,15 @@
 // judge_05_shading.c is the sibling.
 #include "judge_05.h"
 
+#include "judge_05_mistakes.h"
 #include "message.h"
 #include "oracle3d.h"
 #include "words.h"
 
+#include <float.h>
 #include <math.h>
 
 static const OracleRules3D right = {0};
-
-// A known mistake, and what is said about it; number 0 is none.
-typedef struct RuleMistake {
-    Cause cause;
-    OracleRules3D rules;
-    int touching_missed;  // nearest_root: no hit where disc is 0
-    int t_min_counts;     // nearest_root: a hit at t_min itself
-    int is_textbook;      // intersect_sphere in the textbook's form
-    int is_missed;        // some hits are none, and all else is right
-} RuleMistake;
-
-static const RuleMistake root_mistakes[] = {
-    {.cause = {0}},
-    {{.says = "that is the farther root, where the ray leaves the sphere"},
-     .rules = {.farther_root = 1}},
-    {{.says = "that is not beyond t_min"}, .rules = {.any_distance = 1}},
-    {{.says = "from inside the second root is the hit: b + sqrt(disc)"},
-     .rules = {.inside_is_miss = 1}},
-    {{.says = "a negative radius means that only the farther root counts"},
-     .rules = {.radius_sign_ignored = 1}},
-    {{.says = "a sphere with a negative radius is seen from inside"},
-     .rules = {.negative_radius_missed = 1}},
-    {{.says = "where the radius is negative the farther root counts beyond t_min only, too"},
-     .rules = {.negative_radius_always = 1}},
-    {{.says = "t_min is the ray's, and need not be 0"}, .rules = {.t_min_zero = 1}},
-    {{.says = "t_min itself does not count"}, .t_min_counts = 1},
-    {{.says = "where disc is 0 the ray touches the sphere, and that is a hit"},
-     .touching_missed = 1},
-    {{.says = "the centre is behind the eye, which does not matter where the eye is inside"},
-     .rules = {.centre_behind_missed = 1}},
-    {{.says = "the digits are lost: the textbook's form, or one like it, which squares before it "
-              "subtracts"},
-     .is_textbook = 1},
-    {{.says = "other hits are right, and nothing but a negative disc and t_min makes a miss"},
-     .is_missed = 1},
-};
 
 // ---- nearest_root -------------------------------------------------------------------------------
 
@@ -73,7 +39,7 @@ static int is_right_root(const OracleRoot *root, float found)
 }
 
 // Where disc is 0, all is exact in float, too: the one root is b, and a hit beyond t_min.
-static int touches(RootJob job, const RuleMistake *mistake)
+static int touches(RootJob job, const RootMistake *mistake)
 {
     const OracleRules3D *rules = &mistake->rules;
     const int is_negative = job.radius < 0;
@@ -86,13 +52,31 @@ static int touches(RootJob job, const RuleMistake *mistake)
            (is_negative && rules->negative_radius_always);
 }
 
+// Of a disc and a b that are exact the roots are, but for the rounding of a root and a sum.
+static int is_mistaken_root(RootJob job, const RootMistake *mistake, float found)
+{
+    static const Misses misses = {INFINITY, INFINITY};
+    const Misses *miss = mistake->misses != NULL ? mistake->misses : &misses;
+    const float half_chord = sqrtf(fmaxf(job.disc, 0));
+    const float root = mistake->root(job, job.b - half_chord, job.b + half_chord);
+    const float t = job.disc < 0 ? miss->by_disc : isinf(root) ? miss->by_t_min : root;
+    return (isnan(t) && isnan(found)) || t == found ||
+           fabsf(found - t) <= 4 * FLT_EPSILON * (fabsf(job.b) + half_chord);
+}
+
 static int root_agrees(const void *pointer, int i, const void *answers, int number)
 {
     const RootJob job = ((const Job05 *)pointer)->roots[i];
-    const RuleMistake *mistake = &root_mistakes[number];
+    const RootMistake *mistake = &root_mistakes_05[number];
     const float found = ((const float *)answers)[i];
+    if (mistake->quadratic != NULL || mistake->is_lost_afar) {
+        return 0;  // of the other two
+    }
     if (mistake->is_missed && is_miss(found)) {
         return 1;
+    }
+    if (mistake->root != NULL) {
+        return is_mistaken_root(job, mistake, found);
     }
     if (job.disc == 0) {
         return touches(job, mistake) ? found == job.b : is_miss(found);
@@ -109,15 +93,15 @@ static int root_shows(const void *job, Range range, const void *answers, int mis
         const int input = range_at(range, i);
         n_hits += !is_miss(((const float *)answers)[input]) && root_agrees(job, input, answers, 0);
     }
-    return !root_mistakes[mistake].is_missed || n_hits > 0;
+    return !root_mistakes_05[mistake].is_missed || n_hits > 0;
 }
 
 static char *describe_root(const void *pointer, int i, const void *answers)
 {
     const RootJob job = ((const Job05 *)pointer)->roots[i];
-    const double expected = job.disc != 0                     ? expected_root(job, &right).t
-                            : touches(job, &root_mistakes[0]) ? (double)job.b
-                                                              : (double)INFINITY;
+    const double expected = job.disc != 0                        ? expected_root(job, &right).t
+                            : touches(job, &root_mistakes_05[0]) ? (double)job.b
+                                                                 : (double)INFINITY;
     return message_new("b %g, disc %g, radius %g, t_min %.9g: found %.9g, expected %.9g", job.b,
                        job.disc, job.radius, job.t_min, ((const float *)answers)[i], expected);
 }
@@ -129,7 +113,7 @@ const Function nearest_root_05 = {"roots",
                                   .agrees = root_agrees,
                                   .shows = root_shows,
                                   .counted = "inputs",
-                                  MISTAKES(root_mistakes)};
+                                  MISTAKES(root_mistakes_05)};
 
 // ---- intersect_textbook, intersect_sphere -------------------------------------------------------
 
@@ -139,9 +123,76 @@ static OracleRoot expected_hit(const SphereRayJob *job, OracleForm form, const O
     return oracle3d_root(job->sphere, &ray, form, rules);
 }
 
-static int sphere_agrees(const SphereRayJob *job, OracleForm form, const RuleMistake *mistake,
+int touches_exactly_05(const SphereRayJob *job)
+{
+    const double x = (double)job->sphere.x - job->origin.x;
+    const double y = (double)job->sphere.y - job->origin.y;
+    return job->direction.x == 0 && job->direction.y == 0 &&
+           x * x + y * y == (double)job->sphere.radius * job->sphere.radius;
+}
+
+// How far the roots of a mistaken quadratic may be off in float, and its disc, both as a share.
+#define MISTAKEN_ERROR 1e-4
+#define MISTAKEN_DISC_ERROR 0x1p-18
+
+static int is_near_share(double found, double expected, double size)
+{
+    return found == expected || fabs(found - expected) <= MISTAKEN_ERROR * size;
+}
+
+// What a mistake hands to nearest_root, and how far float may be off with its disc.
+typedef struct Mistaken {
+    Quadratic in;
+    double doubt;
+} Mistaken;
+
+static Mistaken mistaken_of(const SphereRayJob *job, MistakenQuadratic *mistaken)
+{
+    const OracleRay ray = oracle3d_given_ray(job->origin, job->direction, job->t_min);
+    const OracleVector centre = {job->sphere.x, job->sphere.y, job->sphere.z};
+    const OracleVector c = vector_minus(centre, ray.origin);
+    const double b = vector_dot(c, ray.direction), c2 = vector_dot(c, c);
+    return (Mistaken){mistaken(b, c2, job->sphere.radius), MISTAKEN_DISC_ERROR * (b * b + c2)};
+}
+
+// Does an answer come of b and disc with a mistake?
+static int is_mistaken_hit(const SphereRayJob *job, MistakenQuadratic *mistaken, float found)
+{
+    const Mistaken what = mistaken_of(job, mistaken);
+    const Quadratic in = what.in;
+    const double half = sqrt(fmax(in.disc, 0)), t_near = in.b - half, t_far = in.b + half;
+    if (fabs(in.disc) <= what.doubt) {
+        // Float may find it negative or not: the roots are near b, or there are none.
+        return is_miss(found) || fabs(found - in.b) <= 2 * sqrt(what.doubt);
+    }
+    const double t = in.disc < 0                                     ? (double)INFINITY
+                     : job->sphere.radius > 0 && t_near > job->t_min ? t_near
+                     : t_far > job->t_min                            ? t_far
+                                                                     : (double)INFINITY;
+    return is_near_share(found, t, fabs(in.b) + half);
+}
+
+// Is the eye far from the scene's origin?
+static int is_afar(const SphereRayJob *job)
+{
+    return fabsf(job->origin.x) > 1000;
+}
+
+static int sphere_agrees(const SphereRayJob *job, OracleForm form, const RootMistake *mistake,
                          float found)
 {
+    if (mistake->root != NULL) {
+        return 0;  // of nearest_root
+    }
+    if (mistake->quadratic != NULL) {
+        return is_mistaken_hit(job, mistake->quadratic, found);
+    }
+    if (mistake->is_lost_afar && is_afar(job)) {
+        return 1;
+    }
+    if (touches_exactly_05(job) && (mistake == root_mistakes_05 || mistake->touching_missed)) {
+        return mistake->touching_missed ? is_miss(found) : found == job->sphere.z - job->origin.z;
+    }
     const OracleRoot root = expected_hit(job, form, &mistake->rules);
     return (mistake->is_missed && is_miss(found)) || is_right_root(&root, found);
 }
@@ -149,12 +200,12 @@ static int sphere_agrees(const SphereRayJob *job, OracleForm form, const RuleMis
 static int textbook_agrees(const void *job, int i, const void *answers, int mistake)
 {
     return sphere_agrees(&((const Job05 *)job)->textbook[i], ORACLE_TEXTBOOK,
-                         &root_mistakes[mistake], ((const float *)answers)[i]);
+                         &root_mistakes_05[mistake], ((const float *)answers)[i]);
 }
 
 static int projection_agrees(const void *job, int i, const void *answers, int number)
 {
-    const RuleMistake *mistake = &root_mistakes[number];
+    const RootMistake *mistake = &root_mistakes_05[number];
     return sphere_agrees(&((const Job05 *)job)->projection[i],
                          mistake->is_textbook ? ORACLE_TEXTBOOK : ORACLE_PROJECTION, mistake,
                          ((const float *)answers)[i]);
@@ -185,27 +236,42 @@ static HitCounts count_sphere_hits(const SphereRayJob *jobs, OracleForm form, Ra
     return counts;
 }
 
+// Is a mistaken quadratic certain, whichever way float rounds, of most inputs?
+static int is_decided(const SphereRayJob *jobs, Range range, MistakenQuadratic *mistaken)
+{
+    int n_decided = 0;
+    for (int i = 0; i < range.n; i++) {
+        const Mistaken what = mistaken_of(&jobs[range_at(range, i)], mistaken);
+        n_decided += fabs(what.in.disc) > what.doubt;
+    }
+    return 2 * n_decided > range.n;
+}
+
 // Whoever only misses hits finds others. The textbook's form is so far off with small and far
 // spheres that any answer could be its: it loses hits, and finds others beside the sphere.
-static int sphere_shows(HitCounts counts, int mistake)
+static int sphere_shows(const SphereRayJob *jobs, OracleForm form, Range range,
+                        const float *answers, const RootMistake *mistake)
 {
-    return root_mistakes[mistake].is_missed     ? counts.n_right > 0
-           : root_mistakes[mistake].is_textbook ? counts.n_lost > 0 && counts.n_off > 0
-                                                : 1;
+    if (mistake->quadratic != NULL) {
+        return is_decided(jobs, range, mistake->quadratic);
+    }
+    if (!mistake->is_missed && !mistake->is_textbook) {
+        return 1;
+    }
+    const HitCounts counts = count_sphere_hits(jobs, form, range, answers);
+    return mistake->is_missed ? counts.n_right > 0 : counts.n_lost > 0 && counts.n_off > 0;
 }
 
 static int textbook_shows(const void *job, Range range, const void *answers, int mistake)
 {
-    return sphere_shows(
-        count_sphere_hits(((const Job05 *)job)->textbook, ORACLE_TEXTBOOK, range, answers),
-        mistake);
+    return sphere_shows(((const Job05 *)job)->textbook, ORACLE_TEXTBOOK, range, answers,
+                        &root_mistakes_05[mistake]);
 }
 
 static int projection_shows(const void *job, Range range, const void *answers, int mistake)
 {
-    return sphere_shows(
-        count_sphere_hits(((const Job05 *)job)->projection, ORACLE_PROJECTION, range, answers),
-        mistake);
+    return sphere_shows(((const Job05 *)job)->projection, ORACLE_PROJECTION, range, answers,
+                        &root_mistakes_05[mistake]);
 }
 
 static char *describe_sphere(const SphereRayJob *job, OracleForm form, float found)
@@ -235,7 +301,7 @@ const Function textbook_05 = {"textbook",
                               .agrees = textbook_agrees,
                               .shows = textbook_shows,
                               .counted = "inputs",
-                              MISTAKES(root_mistakes)};
+                              MISTAKES(root_mistakes_05)};
 const Function projection_05 = {"projection",
                                 3 * N_SPHERES,
                                 sizeof(float),
@@ -243,4 +309,4 @@ const Function projection_05 = {"projection",
                                 .agrees = projection_agrees,
                                 .shows = projection_shows,
                                 .counted = "inputs",
-                                MISTAKES(root_mistakes)};
+                                MISTAKES(root_mistakes_05)};

@@ -25,19 +25,20 @@ static float stand_in_square(Sphere sphere, Ray ray)
 }
 
 // Squares of a scene: how many, how large, at how many distances, `step` apart, in which picture.
-// Every nth has a negative radius: nobody hits it.
+// Every nth has a negative radius: nobody hits it. Every mth is the same as the one before.
 typedef struct SquarePlan {
     int n, max_radius, n_distances;
     float step;
     int width, height, every_negative;
-    float nearest;  // added to each distance
+    float nearest;   // added to each distance
+    int every_same;  // m
 } SquarePlan;
 
 static const SquarePlan plans[N_SCENES] = {
     [RANDOM] = {60, 6, 4000, 0.25f, 48, 32, 0, 0},
     [SMALL] = {100, 5, 900, 0x1p-24f, 49, 37, 6, -SQUARES_T_MIN},  // hits close to 0
     [LARGE] = {MAX_SQUARES, 3, 300, 0x1p40f, 64, 40, 0},
-    [TIES] = {90, 8, 3, 1, 64, 48, 7},
+    [TIES] = {90, 8, 3, 1, 64, 48, 7, 0, 5},
     [EDGES] = {1, 6, 5, 1, 16, 16, 0},
     [EDGES + 1] = {0, 1, 1, 1, 16, 16, 0},
     [EDGES + 2] = {12, 6, 9, 1, 24, 16, 1},           // nothing is hit, though much is asked
@@ -56,7 +57,9 @@ static void draw_squares(Random *random, const SquarePlan *plan, SquareScene *sc
         const float z =
             plan->nearest + plan->step * (float)random_integer(random, 1, plan->n_distances);
         const float radius = random_grid(random, 1, plan->max_radius);
-        scene->squares[i] = (Sphere){x, y, z, is_negative ? -radius : radius};
+        const int is_same = plan->every_same > 0 && i % plan->every_same == plan->every_same - 1;
+        scene->squares[i] =
+            is_same ? scene->squares[i - 1] : (Sphere){x, y, z, is_negative ? -radius : radius};
     }
     scene->squares[plan->n] = (Sphere){0, 0, 0.03125f, 1000};
 }

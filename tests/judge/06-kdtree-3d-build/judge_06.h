@@ -1,6 +1,6 @@
 // What lab 06's judge asks of a submission: inputs of its functions and scenes for its trees.
-// Drawn in judge_06_job.c; functions are judged in judge_06_functions.c, whole trees in
-// tree3d_judge.c; one answer alone in judge_06_alone.c.
+// Drawn in judge_06_job.c; functions are judged in judge_06_functions.c and judge_06_packs.c, whole
+// trees in tree3d_judge.c; one answer alone in judge_06_alone.c.
 #ifndef JUDGE_JUDGE_06_H
 #define JUDGE_JUDGE_06_H
 
@@ -10,8 +10,8 @@
 
 // Inputs of sphere_overlaps_box are in three ranges. The last of each kind are the same with every
 // seed.
-enum { N_SPLITS = 488, N_PACKS = 66 };
-enum { N_INSIDE = 1006, N_TOUCHING = 606, N_CORNER = 606 };
+enum { N_SPLITS = 489, N_PACKS = 66 };
+enum { N_INSIDE = 1006, N_TOUCHING = 607, N_CORNER = 606 };
 enum { N_OVERLAPS = N_INSIDE + N_TOUCHING + N_CORNER };
 
 // Scenes: those whose trees are judged in all respects, then two about the todo stack: one whose
@@ -36,6 +36,9 @@ int job_06_write_scene(const void *job, int k, FILE *file);
 // The functions; of choose_split and pack_leaf_range one for each property that is judged.
 extern const Function split_axis_06, split_middle_06, overlap_06, pack_node_06, pack_ids_06,
     fits_06;
+
+// The diagnosis with this for its cause; as it is where `says` is NULL. Takes it over.
+Diagnosis explained_06(Diagnosis wrong, const char *says);
 
 // One answer alone.
 extern const Replay replay_split_06, replay_overlap_06;

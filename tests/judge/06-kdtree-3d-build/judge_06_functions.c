@@ -1,26 +1,125 @@
-// Lab 06: each function on the job's inputs. See judge_06.h.
+// Lab 06: choose_split, sphere_overlaps_box and fits_todo on the job's inputs. See judge_06.h;
+// judge_06_packs.c is the sibling.
 #include "judge_06.h"
 
 #include "message.h"
 #include "overlap_cause.h"
-#include "packed_list.h"
 #include "words.h"
+
+#include <float.h>
+#include <math.h>
 
 // ---- choose_split -------------------------------------------------------------------------------
 
+// What an answer with a mistake returns for a cell; the position is on the axis that it chose.
+typedef u32 MistakenAxis(BBox3D cell);
+typedef double MistakenMiddle(BBox3D cell, u32 axis);
+
+static u32 axis_by_whole_numbers(BBox3D cell)
+{
+    u32 longest = 0;
+    for (u32 axis = 1; axis < 3; axis++) {
+        if ((int)(cell.max[axis] - cell.min[axis]) > (int)(cell.max[longest] - cell.min[longest])) {
+            longest = axis;
+        }
+    }
+    return longest;
+}
+
+static u32 axis_by_largest(BBox3D cell)
+{
+    const u32 first = cell.max[1] > cell.max[0] ? 1 : 0;
+    return cell.max[2] > cell.max[first] ? 2 : first;
+}
+
+static const struct {
+    MistakenAxis *axis;
+    const char *says;
+} axis_mistakes[] = {
+    {axis_by_whole_numbers, "the sides were compared as whole numbers"},
+    {axis_by_largest, "that is the axis of the largest coordinate, not of the longest side"},
+};
+
+static double middle_in_whole_numbers(BBox3D cell, u32 axis)
+{
+    return floor(((double)cell.min[axis] + cell.max[axis]) / 2);
+}
+
+static double middle_of_x(BBox3D cell, u32 axis)
+{
+    (void)axis;
+    return ((double)cell.min[0] + cell.max[0]) / 2;
+}
+
+static double sum_of_ends(BBox3D cell, u32 axis)
+{
+    return (double)cell.min[axis] + cell.max[axis];
+}
+
+static double zero_for_a_point(BBox3D cell, u32 axis)
+{
+    return cell.max[axis] > cell.min[axis] ? ((double)cell.min[axis] + cell.max[axis]) / 2 : 0;
+}
+
+static const struct {
+    MistakenMiddle *middle;
+    const char *says;
+} middle_mistakes[] = {
+    {zero_for_a_point, "other cells are right, but one of no length has its middle where it lies, "
+                       "too"},
+    {middle_in_whole_numbers, "the middle was rounded to a whole number"},
+    {middle_of_x, "the position is the middle of x, whatever the axis"},
+    {sum_of_ends, "the sum of both ends is to be halved"},
+};
+
+// The mistake that explains all answers, or NULL.
+static const char *axes_look(const Job06 *job, const SplitAnswer3D *found)
+{
+    for (int m = 0; m < COUNT(axis_mistakes); m++) {
+        int i = 0;
+        while (i < N_SPLITS && found[i].axis == axis_mistakes[m].axis(job->splits[i])) {
+            i++;
+        }
+        if (i == N_SPLITS) {
+            return axis_mistakes[m].says;
+        }
+    }
+    return NULL;
+}
+
+static const char *middles_look(const Job06 *job, const SplitAnswer3D *found)
+{
+    for (int m = 0; m < COUNT(middle_mistakes); m++) {
+        int i = 0;
+        while (i < N_SPLITS && found[i].axis < 3 &&
+               fabs(found[i].pos - middle_mistakes[m].middle(job->splits[i], found[i].axis)) <=
+                   FLT_EPSILON * 4096) {
+            i++;
+        }
+        if (i == N_SPLITS) {
+            return middle_mistakes[m].says;
+        }
+    }
+    return NULL;
+}
+
 static Diagnosis split_axis_fault(const void *job, int i, const void *answers)
 {
-    return tree3d_judge_axis("choose_split", ((const Job06 *)job)->splits[i],
-                             ((const SplitAnswer3D *)answers)[i].axis);
+    const SplitAnswer3D *found = answers;
+    const Diagnosis wrong =
+        tree3d_judge_axis("choose_split", ((const Job06 *)job)->splits[i], found[i].axis);
+    return explained_06(wrong, wrong.found != NULL ? axes_look(job, found) : NULL);
 }
 
 // Where along the side that the student has chosen. An axis that is none is the other check's
 // matter.
 static Diagnosis split_middle_fault(const void *job, int i, const void *answers)
 {
-    const SplitAnswer3D found = ((const SplitAnswer3D *)answers)[i];
-    return tree3d_judge_middle("choose_split", ((const Job06 *)job)->splits[i],
-                               found.axis < 3 ? found.axis : 0, found.pos);
+    const SplitAnswer3D *found = answers;
+    const Diagnosis wrong =
+        tree3d_judge_middle("choose_split", ((const Job06 *)job)->splits[i],
+                            found[i].axis < 3 ? found[i].axis : 0, found[i].pos);
+    return explained_06(wrong, wrong.found != NULL ? middles_look(job, found) : NULL);
 }
 
 const Function split_axis_06 = {"splits", N_SPLITS, sizeof(SplitAnswer3D),
@@ -40,6 +139,52 @@ static Reach reach_of(const void *job, int i)
                    in.sphere.radius};
 }
 
+// How far the cell's nearer, or farther, end lies from the centre on an axis.
+static double to_end(SphereBoxJob in, int axis, int is_farther)
+{
+    const double centre[3] = {in.sphere.x, in.sphere.y, in.sphere.z};
+    const double to_min = fabs(centre[axis] - in.box.min[axis]);
+    const double to_max = fabs(centre[axis] - in.box.max[axis]);
+    return (to_min > to_max) == is_farther ? to_min : to_max;
+}
+
+// Does the sphere hold the cell's nearest corner, or its farthest, and so all of it?
+static int holds_corner(SphereBoxJob in, int is_farthest)
+{
+    double distance2 = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        const double distance = to_end(in, axis, is_farthest);
+        distance2 += distance * distance;
+    }
+    return distance2 <= (double)in.sphere.radius * in.sphere.radius;
+}
+
+// What all wrong answers have in common that are "no", or NULL.
+static const char *misses_look(const Job06 *job, const i32 *found)
+{
+    int n_held = 0, n_cornered = 0, n_centred = 0, n_wrong = 0;
+    for (int i = 0; i < N_OVERLAPS; i++) {
+        const SphereBoxJob in = job->overlaps[i];
+        const SphereInCell is = tree3d_judge_sphere(in.sphere, in.box);
+        if (is == SPHERE_EITHER || (found[i] != 0) == (is == SPHERE_INSIDE)) {
+            continue;
+        }
+        const Reach reach = reach_of(job, i);
+        n_wrong++;
+        n_held += !found[i] && holds_corner(in, 1);
+        n_cornered += !found[i] && !holds_corner(in, 0);
+        n_centred +=
+            !found[i] && reach.outside[0] == 0 && reach.outside[1] == 0 && reach.outside[2] == 0;
+    }
+    return n_held == n_wrong
+               ? "a cell that lies within the sphere overlaps it, too: both have their insides"
+           : n_centred == n_wrong ? "a sphere whose centre is in the cell overlaps it"
+           : n_cornered == n_wrong
+               ? "what is missed holds no corner of the cell: a sphere may come in through a side "
+                 "or over an edge"
+               : NULL;
+}
+
 // What a wrong answer looks like.
 //   remark   out: what joins the facts, "" for nothing
 static Cause explain_overlap(const Job06 *job, int i, const i32 *found, const char **remark)
@@ -54,6 +199,10 @@ static Cause explain_overlap(const Job06 *job, int i, const i32 *found, const ch
         return (Cause){.says = overlap_is_of_box(reach_of, job, N_OVERLAPS, found)
                                    ? "the sphere's bounding cube overlaps, the sphere does not"
                                    : NULL};
+    }
+    const char *looks = misses_look(job, found);
+    if (looks != NULL) {
+        return (Cause){.says = looks};
     }
     *remark = reach.outside[0] == 0 && reach.outside[1] == 0 && reach.outside[2] == 0
                   ? ", even its centre is inside"
@@ -79,94 +228,6 @@ static Diagnosis overlap_fault(const void *pointer, int i, const void *answers)
 }
 
 const Function overlap_06 = {"overlaps", N_OVERLAPS, sizeof(i32), .fault = overlap_fault};
-
-// ---- pack_leaf_range ----------------------------------------------------------------------------
-
-static Diagnosis pack_node_fault(const void *job, int i, const void *answers)
-{
-    const PackJob3D *in = &((const Job06 *)job)->packs[i];
-    const PackAnswer3D *out = (const PackAnswer3D *)answers + i;
-    const KdNode3 node = out->nodes[in->id];
-    if (node.split_axis != KD_LEAF) {
-        return diagnosis_new("node %u: split_axis is %u, expected KD_LEAF (%d)", in->id,
-                             node.split_axis, KD_LEAF);
-    }
-    if (node.first != in->n_sphere_ids) {
-        return diagnosis_new(
-            "leaf with %u spheres, %u ids before it: first is %u, expected %u, where "
-            "its first id goes",
-            in->n_ids, in->n_sphere_ids, node.first, in->n_sphere_ids);
-    }
-    return node.n_spheres == in->n_ids
-               ? NOTHING_WRONG
-               : diagnosis_of(message_new("leaf with %u spheres: n_spheres is %u%s, expected %u",
-                                          in->n_ids, node.n_spheres,
-                                          node.n_spheres == UNTOUCHED ? ", not set" : "",
-                                          in->n_ids),
-                              number_cause(node.n_spheres, in->n_ids));
-}
-
-// What is in the array: the leaf's range, and the rest of it.
-static Diagnosis ids_fault(const PackJob3D *in, const PackAnswer3D *out)
-{
-    const u32 first = in->n_sphere_ids, end = first + in->n_ids;
-    for (u32 at = 0; at < PACK_MAP_ROOM; at++) {
-        const int is_range = at >= first && at < end;
-        const u32 found = out->sphere_ids[at];
-        const u32 expected = is_range ? in->ids[at - first] : UNTOUCHED;
-        if (found != expected && is_range) {
-            return diagnosis_of(
-                message_new(
-                    "leaf with %u spheres, %u ids before it: sphere_ids[%u] %s, expected %u",
-                    in->n_ids, first, at,
-                    found == UNTOUCHED ? "was not written" : words("is %u", found).text, expected),
-                list_cause(out->sphere_ids + first, in->ids, in->n_ids));
-        }
-        if (found != expected) {
-            return diagnosis_new("sphere_ids[%u] was written, but the leaf's range goes from %u to "
-                                 "before %u",
-                                 at, first, end);
-        }
-    }
-    return out->n_sphere_ids == end
-               ? NOTHING_WRONG
-               : diagnosis_new("leaf with %u spheres, %u ids before it: n_sphere_ids is %u "
-                               "afterwards, expected %u",
-                               in->n_ids, first, out->n_sphere_ids, end);
-}
-
-// Is a node as it was?
-static Diagnosis node_fault(u32 leaf, const PackAnswer3D *out, u32 id)
-{
-    const KdNode3 node = out->nodes[id];
-    const char *changed = node.split_pos != 0           ? "split_pos"
-                          : node.split_axis != 0        ? "split_axis"
-                          : node.first != UNTOUCHED     ? "first"
-                          : node.n_spheres != UNTOUCHED ? "n_spheres"
-                                                        : NULL;
-    return changed == NULL ? NOTHING_WRONG
-                           : diagnosis_new("packing leaf %u changed %s of node %u, expected it to "
-                                           "leave other nodes as they are",
-                                           leaf, changed, id);
-}
-
-static Diagnosis pack_ids_fault(const void *job, int i, const void *answers)
-{
-    const PackJob3D *in = &((const Job06 *)job)->packs[i];
-    const PackAnswer3D *out = (const PackAnswer3D *)answers + i;
-    Diagnosis wrong = ids_fault(in, out);
-    for (u32 id = 0; wrong.found == NULL && id < PACK_NODES; id++) {
-        wrong = id != in->id ? node_fault(in->id, out, id) : NOTHING_WRONG;
-    }
-    if (wrong.found == NULL && out->n_nodes != PACK_NODES) {
-        wrong = diagnosis_new("packing leaf %u changed n_nodes to %u, expected it to stay %d",
-                              in->id, out->n_nodes, PACK_NODES);
-    }
-    return wrong;
-}
-
-const Function pack_node_06 = {"pack", N_PACKS, sizeof(PackAnswer3D), .fault = pack_node_fault};
-const Function pack_ids_06 = {"pack", N_PACKS, sizeof(PackAnswer3D), .fault = pack_ids_fault};
 
 // ---- fits_todo ----------------------------------------------------------------------------------
 

@@ -47,7 +47,8 @@ static BBox3D draw_cell(Random *random)
 // The next float above 1 is 1 + STEP.
 #define STEP 0x1p-23f
 
-// Sides that are nearly equal: by a step of float, and by next to nothing in small cells.
+// Sides that are nearly equal: by a step of float, and by next to nothing in small cells; or all of
+// no length.
 static const BBox3D nearly_cubes[] = {
     {{0, 0, 0}, {1, 1 + 0x1p-12f, 1}},
     {{0, 0, 0}, {1, 1, 1 + 0x1p-12f}},
@@ -57,6 +58,7 @@ static const BBox3D nearly_cubes[] = {
     {{0, 0, -4096 - 0x1p-11f}, {4096, 4096, 0}},
     {{0, 0, 0}, {0x1p-20f, 0x1p-20f + 0x1p-30f, 0x1p-20f}},
     {{0, 0, 0}, {0x1p-20f + 0x1p-30f, 0x1p-20f, 0x1p-20f}},
+    {{5, -3, 2}, {5, -3, 2}},  // a point
 };
 
 // Every third cell has two longest sides or three, or a side of length 0.
@@ -129,7 +131,8 @@ static SphereBoxJob draw_inside(Random *random, int i)
 #define TINY_STEP 0x1p-30f
 
 // Beside a side: large spheres whose squared radius float would round down and up, and one that
-// misses by a step of float; a tiny one, and two that miss by a fifth.
+// misses by a step of float; a tiny one, and two that miss by a fifth; one whose distance float
+// would round to its radius.
 static const SphereBoxJob beside[] = {
     {{64 + 4097, 32, 32, 4097}, {{0, 0, 0}, {64, 64, 64}}},
     {{32, 32, -4099, 4099}, {{0, 0, 0}, {64, 64, 64}}},
@@ -137,6 +140,7 @@ static const SphereBoxJob beside[] = {
     {{-0.5f, 5 * TINY_STEP, -0.5f, 5 * TINY_STEP}, {{-1, -1, -1}, {0, 0, 0}}},
     {{-0.5f, -0.5f, 6 * TINY_STEP, 5 * TINY_STEP}, {{-1, -1, -1}, {0, 0, 0}}},
     {{6 * TINY_STEP, -0.5f, -0.5f, -5 * TINY_STEP}, {{-1, -1, -1}, {0, 0, 0}}},
+    {{1, 32, 32, 1}, {{-64, 0, 0}, {-0x1p-26f, 64, 64}}},
 };
 
 // A sphere that touches a side, an edge or a corner of the cell from outside, or misses it by an

@@ -1,11 +1,12 @@
 // Tree invariants in 3D, checked in double precision. What one call of a student's function must
-// give is in tree3d_judge_steps.c.
+// give is in tree3d_judge_steps.c, how the tree is packed in tree3d_packing.c.
 #include "tree3d_judge.h"
 
 #include "complain.h"
 #include "job_sections.h"
 #include "jobs.h"
 #include "message.h"
+#include "tree3d_walk.h"
 #include "words.h"
 
 #include <stdlib.h>
@@ -24,72 +25,6 @@ int tree3d_judge_answer(int k, const Sections *answers, KdTree3D *own)
     *own = (KdTree3D){answer->bounds, (KdNode3 *)nodes, (u32 *)ids, answer->n_nodes,
                       answer->n_sphere_ids};
     return nodes != NULL && ids != NULL;
-}
-
-// ---- Reading a tree without trusting it -------------------------------------------------------
-
-static int is_leaf_node(const KdTree3D *tree, u32 id)
-{
-    return tree->nodes[id].split_axis == KD_LEAF;
-}
-
-// Can one go on from an inner node: an axis, and both children there, behind it?
-static int has_children(const KdTree3D *tree, u32 id)
-{
-    const KdNode3 node = tree->nodes[id];
-    return node.split_axis < 3 && node.first > id && node.first < tree->n_nodes - 1;
-}
-
-// The ids of a leaf, or NULL when its range leads out of the array.
-static const u32 *leaf_ids(const KdTree3D *tree, u32 id)
-{
-    const KdNode3 node = tree->nodes[id];
-    return node.first <= tree->n_sphere_ids && node.n_spheres <= tree->n_sphere_ids - node.first
-               ? tree->sphere_ids + node.first
-               : NULL;
-}
-
-static Diagnosis bad_range(const TreeScene3D *scene, const KdTree3D *own, u32 id)
-{
-    return diagnosis_new("%s: leaf %u: first is %u and n_spheres %u, but sphere_ids has %u entries",
-                         scene->title, id, own->nodes[id].first, own->nodes[id].n_spheres,
-                         own->n_sphere_ids);
-}
-
-// What the nodes do not hold: where each node's cell is, and on which level; 0 where no way leads.
-typedef struct Walk {
-    BBox3D *cells;  // [n_nodes]
-    int *levels;    // [n_nodes]
-} Walk;
-
-static void walk_free(Walk *walk)
-{
-    free(walk->cells);
-    free(walk->levels);
-}
-
-// Walk down from the root; a parent comes before its children.
-static Walk walk_down(const KdTree3D *tree)
-{
-    Walk walk = {calloc((size_t)tree->n_nodes + 1, sizeof *walk.cells),
-                 calloc((size_t)tree->n_nodes + 1, sizeof *walk.levels)};
-    if (walk.cells == NULL || walk.levels == NULL) {
-        complain("grade: no memory for a tree");
-        exit(2);
-    }
-    walk.cells[0] = tree->bounds;
-    walk.levels[0] = 1;
-    for (u32 id = 0; id < tree->n_nodes; id++) {
-        const KdNode3 node = tree->nodes[id];
-        if (walk.levels[id] == 0 || is_leaf_node(tree, id) || !has_children(tree, id)) {
-            continue;
-        }
-        walk.cells[node.first] = walk.cells[node.first + 1] = walk.cells[id];
-        walk.cells[node.first].max[node.split_axis] = node.split_pos;
-        walk.cells[node.first + 1].min[node.split_axis] = node.split_pos;
-        walk.levels[node.first] = walk.levels[node.first + 1] = walk.levels[id] + 1;
-    }
-    return walk;
 }
 
 // How many nodes are looked at where each is held against every sphere. As long as ids are
@@ -134,9 +69,10 @@ Diagnosis tree3d_judge_bounds(const TreeScene3D *scene, const KdTree3D *own)
 
 Diagnosis tree3d_judge_splits(const TreeScene3D *scene, const KdTree3D *own)
 {
-    const u32 n = n_judged(scene, own);
+    const u32 n = n_judged(scene, own), n_expected = scene->tree.n_nodes / 2;
     Walk walk = walk_down(own);
     Diagnosis wrong = NOTHING_WRONG;
+    u32 n_splits = 0;
     for (u32 id = 0; wrong.found == NULL && id < n; id++) {
         const KdNode3 node = own->nodes[id];
         const Words node_words = words("%s: node %u", scene->title, id);
@@ -152,8 +88,14 @@ Diagnosis tree3d_judge_splits(const TreeScene3D *scene, const KdTree3D *own)
         if (wrong.found == NULL) {
             wrong = tree3d_judge_middle(where, walk.cells[id], node.split_axis, node.split_pos);
         }
+        n_splits++;
     }
     walk_free(&walk);
+    // Rounding may make it a few more or less. Far less show nothing of choose_split().
+    if (wrong.found == NULL && n_splits < n_expected / 2 + n_expected % 2) {
+        return diagnosis_new("%s: from the root on, found %u node%s with children, expected %u",
+                             scene->title, n_splits, plural(n_splits), n_expected);
+    }
     return wrong;
 }
 
@@ -224,19 +166,6 @@ Diagnosis tree3d_judge_overlap(const TreeScene3D *scene, const KdTree3D *own)
     free(listed);
     walk_free(&walk);
     return wrong;
-}
-
-// Does a leaf's list ascend? Its range is in the array.
-static Diagnosis judge_order(const TreeScene3D *scene, const KdTree3D *own, u32 id)
-{
-    const u32 *ids = leaf_ids(own, id);
-    for (u32 i = 1; i < own->nodes[id].n_spheres; i++) {
-        if (ids[i] <= ids[i - 1]) {
-            return diagnosis_new("%s: leaf %u lists sphere %u after sphere %u: the ids must ascend",
-                                 scene->title, id, ids[i], ids[i - 1]);
-        }
-    }
-    return NOTHING_WRONG;
 }
 
 // One leaf's list by itself.
@@ -318,99 +247,40 @@ Diagnosis tree3d_judge_lists(const TreeScene3D *scene, const KdTree3D *own)
     return wrong;
 }
 
-// Where no right solution can differ: the first node or id that is not the expected one.
-static Diagnosis judge_equal(const TreeScene3D *scene, const KdTree3D *own)
+// How deep a tree is that can be walked down, in levels.
+static int depth_of(const KdTree3D *tree)
 {
-    const KdTree3D *tree = &scene->tree;
-    if (own->n_nodes != tree->n_nodes || own->n_sphere_ids != tree->n_sphere_ids) {
-        return diagnosis_new("%s: the tree has %u node%s and %u id%s, expected %u and %u",
-                             scene->title, own->n_nodes, plural(own->n_nodes), own->n_sphere_ids,
-                             plural(own->n_sphere_ids), tree->n_nodes, tree->n_sphere_ids);
+    Walk walk = walk_down(tree);
+    int depth = 0;
+    for (u32 id = 0; id < tree->n_nodes; id++) {
+        depth = walk.levels[id] > depth ? walk.levels[id] : depth;
     }
-    for (u32 id = 0; id < own->n_nodes; id++) {
-        const KdNode3 found = own->nodes[id], expected = tree->nodes[id];
-        const int same_plane = found.split_axis == KD_LEAF || found.split_pos == expected.split_pos;
-        if (found.split_axis != expected.split_axis || !same_plane ||
-            found.first != expected.first || found.n_spheres != expected.n_spheres) {
-            return diagnosis_new("%s: node %u: found split_axis %u, split_pos %s, first %u, "
-                                 "n_spheres %u, expected %u, %s, %u, %u",
-                                 scene->title, id, found.split_axis,
-                                 words_float(found.split_pos).text, found.first, found.n_spheres,
-                                 expected.split_axis, words_float(expected.split_pos).text,
-                                 expected.first, expected.n_spheres);
-        }
-    }
-    for (u32 i = 0; i < own->n_sphere_ids; i++) {
-        if (own->sphere_ids[i] != tree->sphere_ids[i]) {
-            return diagnosis_new("%s: sphere_ids[%u] is %u, expected %u", scene->title, i,
-                                 own->sphere_ids[i], tree->sphere_ids[i]);
-        }
-    }
-    return NOTHING_WRONG;
-}
-
-Diagnosis tree3d_judge_packing(const TreeScene3D *scene, const KdTree3D *own)
-{
-    u32 next_child = 1, next_id = 0;
-    for (u32 id = 0; id < own->n_nodes; id++) {
-        const KdNode3 node = own->nodes[id];
-        if (is_leaf_node(own, id)) {
-            if (leaf_ids(own, id) == NULL) {
-                return bad_range(scene, own, id);
-            }
-            if (node.first != next_id) {
-                return diagnosis_new("%s: leaf %u: first is %u, expected %u, behind the ids of the "
-                                     "leaf before it",
-                                     scene->title, id, node.first, next_id);
-            }
-            const Diagnosis wrong = judge_order(scene, own, id);
-            if (wrong.found != NULL) {
-                return wrong;
-            }
-            next_id += node.n_spheres;
-            continue;
-        }
-        if (node.split_axis > KD_LEAF || node.n_spheres != 0) {
-            return diagnosis_new("%s: node %u: split_axis is %u and n_spheres %u, expected an axis "
-                                 "and 0, or KD_LEAF (%d)",
-                                 scene->title, id, node.split_axis, node.n_spheres, KD_LEAF);
-        }
-        if (node.first != next_child) {
-            const char *looks =
-                node.first <= id ? "is it a leaf that is not marked KD_LEAF?" : NULL;
-            return diagnosis_of(message_new("%s: node %u's children are %u and %u, expected %u and "
-                                            "%u (breadth-first)",
-                                            scene->title, id, node.first, node.first + 1,
-                                            next_child, next_child + 1),
-                                (Cause){.says = looks});
-        }
-        next_child += 2;
-    }
-    if (next_child != own->n_nodes || next_id != own->n_sphere_ids) {
-        return diagnosis_new(
-            "%s: %u node%s and %u id%s belong to the tree, but its arrays hold %u and "
-            "%u",
-            scene->title, next_child, plural(next_child), next_id, plural(next_id), own->n_nodes,
-            own->n_sphere_ids);
-    }
-    return scene->is_exact ? judge_equal(scene, own) : NOTHING_WRONG;
+    walk_free(&walk);
+    return depth;
 }
 
 Diagnosis tree3d_judge_depth(const TreeScene3D *scene, const KdTree3D *own)
 {
-    Walk walk = walk_down(own);
-    int depth = 0;
-    for (u32 id = 0; id < own->n_nodes; id++) {
-        depth = walk.levels[id] > depth ? walk.levels[id] : depth;
+    const int depth = depth_of(own);
+    if (depth > TODO_SIZE + 1) {
+        return diagnosis_new(
+            "%s, maxDepth %d: the tree has %d levels, so %d nodes may wait at once, but "
+            "the todo stack has %d places: expected fits_todo() to say so",
+            scene->title, scene->limits.maxDepth, depth, depth - 1, TODO_SIZE);
     }
-    walk_free(&walk);
-    if (depth <= TODO_SIZE + 1) {
-        return NOTHING_WRONG;
+    // So shallow a tree, which may be another task's work, asks fits_todo() for nothing.
+    if (scene->tree.n_nodes == 0) {
+        return diagnosis_new("%s, maxDepth %d: found a tree of %d level%s, expected kdtree3d_build "
+                             "to give up below level %d, where fits_todo() says so",
+                             scene->title, scene->limits.maxDepth, depth, plural((unsigned)depth),
+                             TODO_SIZE);
     }
-    return diagnosis_new(
-        "%s, maxDepth %d: the tree has %d levels, so %d nodes may wait at once, but "
-        "the todo stack has %d places: expected fits_todo() to say so",
-        scene->title, scene->limits.maxDepth, depth, depth - 1, TODO_SIZE);
+    const int expected = depth_of(&scene->tree);
+    return depth == expected
+               ? NOTHING_WRONG
+               : diagnosis_new("%s, maxDepth %d: found a tree of %d level%s, expected one of %d",
+                               scene->title, scene->limits.maxDepth, depth, plural((unsigned)depth),
+                               expected);
 }
 
 int tree3d_judge_is_exact(const TreeScene3D *scene)

@@ -50,7 +50,8 @@ f32 tree3d_expected_middle(BBox3D cell, u32 axis);
 // The root's cell is the scene's box.
 Diagnosis tree3d_judge_bounds(const TreeScene3D *scene, const KdTree3D *own);
 
-// Each inner node has its children behind it and halves its cell's longest side.
+// Each inner node has its children behind it and halves its cell's longest side; and there are
+// about as many of them as there should be, so that this says something.
 Diagnosis tree3d_judge_splits(const TreeScene3D *scene, const KdTree3D *own);
 
 // Each leaf lists exactly the spheres that overlap its cell.
@@ -64,7 +65,7 @@ Diagnosis tree3d_judge_lists(const TreeScene3D *scene, const KdTree3D *own);
 // where no right solution can differ, the arrays are the expected ones.
 Diagnosis tree3d_judge_packing(const TreeScene3D *scene, const KdTree3D *own);
 
-// The todo stack suffices for a search.
+// The todo stack suffices for a search, and the tree is as deep as it should be.
 Diagnosis tree3d_judge_depth(const TreeScene3D *scene, const KdTree3D *own);
 
 // Grow scene->tree, of scene number k, by the scene's limits, each step in double precision, and

@@ -154,8 +154,9 @@ Diagnosis tree3d_judge_middle(const char *where, BBox3D cell, u32 axis, f32 pos)
                              "the split, expected %s",
                              where, from.text, to.text, axis, "xyz"[axis], middle_words.text);
     }
-    const char *looks =
-        pos == (max - min) / 2 ? "that is half the length, as if the cell began at 0" : NULL;
+    const char *looks = max > min && pos == (max - min) / 2
+                            ? "that is half the length, as if the cell began at 0"
+                            : NULL;
     return diagnosis_of(
         message_new("%s: cell from %s to %s on axis %u (%c): found split at %s, expected %s", where,
                     from.text, to.text, axis, "xyz"[axis], words_float(pos).text,

@@ -75,6 +75,13 @@ enum {
     CHILD_FAR_ALWAYS_WAITS,
     CHILD_NEAR_NEVER_SKIPPED,
     CHILD_IS_SIDE,
+    CHILD_BY_DIRECTION,
+    CHILD_LOWER_IS_NEAR,
+    CHILD_XOR,
+    CHILD_ONLY_NEAR_CUT,
+    CHILD_ONLY_FAR_CUT,
+    CHILD_NO_POINTS,
+    CHILD_LAST_PLACE,
     CHILD_HAIR,
 };
 static const Cause child_mistakes[] = {
@@ -95,6 +102,20 @@ static const Cause child_mistakes[] = {
         {.says = "that is as if the near child were visited also where only the far one is met"},
     [CHILD_IS_SIDE] =
         {.says = "0 and 1 are sides: the children's ids are node.first and node.first + 1"},
+    [CHILD_BY_DIRECTION] = {.says = "that is as if the direction decided which child is near: the "
+                                    "eye's side does, which near_side() tells"},
+    [CHILD_LOWER_IS_NEAR] = {.says = "the lower child was taken for the near one, wherever the eye "
+                                     "is"},
+    [CHILD_XOR] = {.says = "the other child's id is not the near one's with its lowest bit turned: "
+                           "node.first may be odd"},
+    [CHILD_ONLY_NEAR_CUT] =
+        {.says = "where only the near child is met the part stays as it is: t_split is not in it"},
+    [CHILD_ONLY_FAR_CUT] =
+        {.says = "where only the far child is met the part stays as it is: t_split is before it"},
+    [CHILD_NO_POINTS] = {.says = "a part that is a point was left out: BOTH is both, and hits on "
+                                 "the plane are in either"},
+    [CHILD_LAST_PLACE] = {.says = "only where one place is left on the stack is it wrong: that is "
+                                  "enough, as the near child takes none"},
     [CHILD_HAIR] = {.says =
                         "only the ends of the parts are wrong, by a hair: no epsilon is needed"},
 };
@@ -120,9 +141,17 @@ static Met met_by_ray(const NextChildJob *job)
 static NextChildAnswer expected_child(const NextChildJob *job, Met met, int mistake)
 {
     const u32 first = mistake == CHILD_IS_SIDE ? 0 : job->node.first;
-    const u32 side = mistake == CHILD_SWAPPED ? !met.side : met.side;
+    const u32 side = mistake == CHILD_SWAPPED         ? !met.side
+                     : mistake == CHILD_BY_DIRECTION  ? job->inverse < 0
+                     : mistake == CHILD_LOWER_IS_NEAR ? 0
+                                                      : met.side;
     StackEntry near = {first + side, job->t_min, job->t_max};
     StackEntry far = {first + !side, job->t_min, job->t_max};
+    far.node = mistake == CHILD_XOR ? near.node ^ 1 : far.node;
+    near.t_max = mistake == CHILD_ONLY_NEAR_CUT && met.children == PLANE_ONLY_NEAR
+                     ? fminf(near.t_max, met.t_split)
+                     : near.t_max;
+    far.t_min = mistake == CHILD_ONLY_FAR_CUT ? met.t_split : far.t_min;
     NextChildAnswer answer = {near, job->todo};
     const int skips_near = met.children == PLANE_ONLY_FAR && mistake != CHILD_NEAR_NEVER_SKIPPED;
     if (met.children == PLANE_ONLY_NEAR) {
@@ -133,6 +162,11 @@ static NextChildAnswer expected_child(const NextChildJob *job, Met met, int mist
     }
     if (skips_near) {
         answer.next = mistake == CHILD_FAR_IS_NEAR ? near : far;
+        return answer;
+    }
+    if (mistake == CHILD_NO_POINTS &&
+        met.t_split == (met.t_split <= job->t_min ? job->t_min : job->t_max)) {
+        answer.next = met.t_split <= job->t_min ? far : near;
         return answer;
     }
     near.t_max = mistake == CHILD_NEAR_KEEPS_T_MAX ? near.t_max : met.t_split;
@@ -160,6 +194,16 @@ static int child_agrees(const void *pointer, int i, const void *answers, int mis
     const NextChildJob *job = &((const Job07 *)pointer)->inputs.children[i];
     const NextChildAnswer expected = expected_child(job, met_by_ray(job), mistake);
     NextChildAnswer found = ((const NextChildAnswer *)answers)[i];
+    // In which part it waits, or where the near one's ends, has many ways to be wrong.
+    if (mistake == CHILD_FAR_ALWAYS_WAITS && found.todo.n == expected.todo.n &&
+        met_by_ray(job).children == PLANE_ONLY_NEAR) {
+        const u32 top = expected.todo.n - expected.todo.n_lower - 1;
+        return found.next.node == expected.next.node &&
+               found.todo.upper[top].node == expected.todo.upper[top].node;
+    }
+    if (mistake == CHILD_LAST_PLACE && job->todo.n + 1 == TODO_SIZE) {
+        return 1;
+    }
     if (mistake == CHILD_HAIR) {
         drop_hair(&found.next.t_min, expected.next.t_min);
         drop_hair(&found.next.t_max, expected.next.t_max);

@@ -19,6 +19,11 @@ enum {
     CLIP_ALWAYS_MET,
     CLIP_BORDER_DIVIDED,
     CLIP_BORDER_OUTSIDE,
+    CLIP_NOT_STORED,
+    CLIP_FROM_0,
+    CLIP_EXIT_AHEAD,
+    CLIP_ENTRY_BEHIND,
+    CLIP_FIRST_ALONG,
     // Of an epsilon, whose size is not known: the answer is right, or what comes of a large one.
     CLIP_SMALL_IS_ALONG,
     CLIP_HAIR_MET,
@@ -46,6 +51,16 @@ static const Cause clip_mistakes[] = {
     [CLIP_BORDER_OUTSIDE] =
         {"strict where it should not be: a ray in the plane of a side is inside",
          MISTAKE_STRICT_BOUNDARY},
+    [CLIP_NOT_STORED] = {.says = "what is left of the ray was not stored: *t_min and *t_max are as "
+                                 "they came"},
+    [CLIP_FROM_0] = {.says = "that is as if the part went from 0 to INFINITY: it comes in *t_min "
+                             "and *t_max"},
+    [CLIP_EXIT_AHEAD] = {.says = "that is as if it were enough that the exit is ahead: where t_min "
+                                 "is beyond t_max nothing is left"},
+    [CLIP_ENTRY_BEHIND] = {.says = "that is as if an entry behind the eye made a miss: the eye may "
+                                   "be between the planes, or in the box"},
+    [CLIP_FIRST_ALONG] = {.says = "that is as if an axis whose planes the ray goes along decided "
+                                  "for the whole box: the others are to be asked, too"},
     [CLIP_ALWAYS_MET] = {.says = "when t_min is beyond t_max nothing is left: that is 0"},
     [CLIP_SMALL_IS_ALONG] = {.says = "that is as if a small direction were 0: a ray is along the "
                                      "planes only where it is exactly 0, without an epsilon"},
@@ -96,13 +111,15 @@ static int is_along(double direction, int mistake)
 static Clip expected_clip(const ClipJob *job, int mistake)
 {
     const int part_counts = mistake != CLIP_PART_IGNORED;
-    const double from =
-        part_counts && mistake != CLIP_T_MIN_IGNORED ? (double)job->t_min : -(double)INFINITY;
-    const double to =
-        part_counts && mistake != CLIP_T_MAX_IGNORED ? (double)job->t_max : (double)INFINITY;
+    const double from = mistake == CLIP_FROM_0                         ? 0
+                        : part_counts && mistake != CLIP_T_MIN_IGNORED ? (double)job->t_min
+                                                                       : -(double)INFINITY;
+    const double to = part_counts && mistake != CLIP_T_MAX_IGNORED && mistake != CLIP_FROM_0
+                          ? (double)job->t_max
+                          : (double)INFINITY;
     const double beside = mistake == CLIP_HAIR_MET ? HAIR : 0;
     Span entry = {-INFINITY, -INFINITY}, exit = {INFINITY, INFINITY};
-    int n_axes = 0, is_outside = 0;
+    int n_axes = 0, is_outside = 0, is_decided = 0;
     for (int axis = 0; axis < 3; axis++) {
         const double min = job->box.min[axis], max = job->box.max[axis];
         if (is_along(along(job->direction, axis), mistake)) {
@@ -110,11 +127,16 @@ static Clip expected_clip(const ClipJob *job, int mistake)
             const int is_border = origin == min || origin == max;
             is_outside |= mistake == CLIP_ALONG_MISSED || origin < min - beside ||
                           origin > max + beside || (mistake == CLIP_BORDER_OUTSIDE && is_border);
+            is_decided = mistake == CLIP_FIRST_ALONG;
+            if (is_decided) {
+                break;
+            }
             continue;
         }
         const Span low = clip_plane(job, axis, min), high = clip_plane(job, axis, max);
         const Span in = mistake == CLIP_LOW_IS_ENTRY ? low : earlier(low, high);
         const Span out = mistake == CLIP_LOW_IS_ENTRY ? high : later(low, high);
+        is_outside |= mistake == CLIP_ENTRY_BEHIND && in.high < 0;
         if (n_axes++ == 0) {
             entry = in;
             exit = out;
@@ -129,7 +151,15 @@ static Clip expected_clip(const ClipJob *job, int mistake)
     const double short_part = mistake == CLIP_HAIR_MISSED ? HAIR : 0;
     clip.may_miss = point_counts ? clip.t_min.high > clip.t_max.low - short_part
                                  : clip.t_min.high >= clip.t_max.low;
-    if (mistake == CLIP_ALWAYS_MET) {
+    if (mistake == CLIP_EXIT_AHEAD) {
+        clip.may_meet = clip.t_max.high >= 0;
+        clip.may_miss = clip.t_max.low < 0;
+    }
+    if (mistake == CLIP_NOT_STORED) {
+        clip.t_min = (Span){job->t_min, job->t_min};
+        clip.t_max = (Span){job->t_max, job->t_max};
+    }
+    if (mistake == CLIP_ALWAYS_MET || is_decided) {
         clip.may_meet = 1;
         clip.may_miss = 0;
     }

@@ -28,13 +28,35 @@ static int lists(const Inputs07 *inputs, KdNode3 leaf, u32 sphere)
     return k < leaf.n_spheres;
 }
 
+// Was nothing counted at all, or only too much?
+static Cause explain_count(const Inputs07 *inputs, Range range, const SearchAnswer *found)
+{
+    int n_counted = 0, n_less = 0, is_to_count = 1;
+    for (int i = range.first; i < range.first + range.n; i++) {
+        n_counted += found[i].n_tests > 0;
+        const KdNode3 leaf = inputs->leaves[i].node;
+        n_less += found[i].n_tests < leaf.n_spheres;
+        // A loop from first to before n_spheres.
+        is_to_count &=
+            found[i].n_tests == (leaf.first < leaf.n_spheres ? leaf.n_spheres - leaf.first : 0);
+    }
+    return (Cause){.says = n_counted == 0 ? "the calls were not counted in the `work` that was "
+                                            "handed in"
+                           : is_to_count  ? "node.n_spheres was taken for the end of the range: "
+                                            "it is how many there are"
+                           : n_less == 0  ? "some spheres were asked more than once: a distance "
+                                            "that is needed twice can be kept"
+                                          : NULL};
+}
+
 // Is it the sphere of the hit so far that was left out, and nothing else? It need not be where a
 // nearer one comes before it.
 static Cause explain_once(const void *job, Range range, const void *answers)
 {
     const Inputs07 *inputs = &((const Job07 *)job)->inputs;
+    const Cause by_count = explain_count(inputs, range, answers);
     int i = range.first;
-    for (; i < range.first + range.n; i++) {
+    for (; by_count.says == NULL && i < range.first + range.n; i++) {
         const SearchJob *leaf = &inputs->leaves[i];
         const u32 n_skipped = leaf->node.n_spheres - ((const SearchAnswer *)answers)[i].n_tests;
         if (n_skipped > (lists(inputs, leaf->node, leaf->sphere) ? 1 : 0)) {
@@ -42,6 +64,9 @@ static Cause explain_once(const void *job, Range range, const void *answers)
         }
     }
     const int is_all = i == range.first + range.n;
+    if (by_count.says != NULL) {
+        return by_count;
+    }
     return (Cause){.says = is_all ? "the sphere that is hit already was not asked again: the "
                                     "contract is once for each"
                                   : NULL};

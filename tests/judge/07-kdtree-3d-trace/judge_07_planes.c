@@ -31,10 +31,12 @@ enum {
     PLANE_HAIR_BEHIND,
     PLANE_HAIR_T_MIN,
     PLANE_HAIR_T_MAX,
+    PLANE_HAIR_WIDER,
     // Of t_split itself.
     PLANE_BACKWARDS,
     PLANE_DIVIDED,
     PLANE_FROM_ZERO,
+    PLANE_CLAMPED,
 };
 static const Cause plane_mistakes[] = {
     [PLANE_T_UNSET] =
@@ -81,9 +83,13 @@ static const Cause plane_mistakes[] = {
         {.says = "only planes a hair before or behind t_min are wrong: compare without an epsilon"},
     [PLANE_HAIR_T_MAX] =
         {.says = "only planes a hair before or behind t_max are wrong: compare without an epsilon"},
+    [PLANE_HAIR_WIDER] = {.says = "planes a hair outside of the part are taken for met: compare "
+                                  "with t_min and t_max without an epsilon"},
     [PLANE_BACKWARDS] = {.says = "t_split has the wrong sign"},
     [PLANE_DIVIDED] = {.says = "t_split is divided by the inverse: it is 1 / direction already"},
     [PLANE_FROM_ZERO] = {.says = "t_split is computed without the origin"},
+    [PLANE_CLAMPED] = {.says = "t_split was moved into [t_min, t_max] before it was compared: then "
+                               "every plane ahead is met"},
 };
 
 // What may come out: a bit for each of ONLY_NEAR, ONLY_FAR and BOTH, and where t_split lies.
@@ -133,6 +139,10 @@ static Children expected_children(const PlaneJob *job, int mistake)
         ((mistake == PLANE_AT_T_MIN && t == t_min) || (mistake == PLANE_AT_T_MAX && t == t_max))) {
         return (Children){t == t_min ? FAR_BIT : NEAR_BIT, split};
     }
+    if (mistake == PLANE_CLAMPED && split.low > 0) {
+        return (Children){
+            BOTH_BIT, {fmin(fmax(split.low, t_min), t_max), fmin(fmax(split.high, t_min), t_max)}};
+    }
     const int behind_counts = mistake == PLANE_BEHIND_CROSSED;
     u32 may_be = 0;
     if ((split.low <= 0 && !behind_counts) || split.high > t_max) {
@@ -175,6 +185,9 @@ static int is_local_mistake(const PlaneJob *job, u32 children, int mistake)
         return fabs(t - job->t_min) < HAIR && !is_near;
     case PLANE_HAIR_T_MAX:
         return fabs(t - job->t_max) < HAIR && !is_far;
+    case PLANE_HAIR_WIDER:
+        return (fabs(t - job->t_min) < HAIR || fabs(t - job->t_max) < HAIR) &&
+               children == PLANE_BOTH;
     default:
         return 0;
     }

@@ -12,6 +12,8 @@ enum {
     SIDE_ON_PLANE_UPPER,
     SIDE_ON_PLANE_SWAPPED,
     SIDE_IS_ID,
+    SIDE_AWAY,
+    SIDE_WHOLE,
     // The answer is right, or other near a border: of an epsilon, whose size is not known.
     SIDE_ALONG,
     SIDE_HAIR_ON_PLANE,
@@ -28,6 +30,9 @@ static const Cause side_mistakes[] = {
     [SIDE_ON_PLANE_SWAPPED] = {.says = "with the eye on the plane the near child is the one the "
                                        "ray goes into, not the one it comes from"},
     [SIDE_IS_ID] = {.says = "that is the id of a child; 0 and 1 are the sides"},
+    [SIDE_AWAY] = {.says = "that is as if it counted whether the ray goes away from the plane: the "
+                           "eye's side is its side, whichever way it looks"},
+    [SIDE_WHOLE] = {.says = "eye and plane were compared as whole numbers"},
     [SIDE_ALONG] = {.says = "only rays along the plane are wrong: of them, too, the near child is "
                             "the one on the eye's side"},
     [SIDE_HAIR_ON_PLANE] =
@@ -47,7 +52,8 @@ static int is_along(const SideJob *job)
 static int is_free_side(const SideJob *job, int mistake)
 {
     const float distance = fabsf(job->origin - job->node.split_pos);
-    const int is_by_direction = mistake == SIDE_BY_DIRECTION || mistake == SIDE_INTO;
+    const int is_by_direction =
+        mistake == SIDE_BY_DIRECTION || mistake == SIDE_INTO || mistake == SIDE_AWAY;
     const int is_small = fabsf(job->direction) < (float)HAIR || fabsf(job->direction) > 1000;
     return (is_along(job) && (distance == 0 || is_by_direction || mistake == SIDE_ALONG)) ||
            (mistake == SIDE_HAIR_ON_PLANE && distance > 0 && distance < (float)HAIR) ||
@@ -56,17 +62,20 @@ static int is_free_side(const SideJob *job, int mistake)
 
 static u32 expected_side(const SideJob *job, int mistake)
 {
-    const f32 plane = job->node.split_pos;
-    u32 side = job->origin < plane ? 0 : job->origin > plane ? 1 : job->direction > 0;
-    if (job->origin == plane) {
+    const int is_whole = mistake == SIDE_WHOLE;
+    const f32 plane = is_whole ? truncf(job->node.split_pos) : job->node.split_pos;
+    const f32 origin = is_whole ? truncf(job->origin) : job->origin;
+    u32 side = origin < plane ? 0 : origin > plane ? 1 : job->direction > 0;
+    if (origin == plane) {
         side = mistake == SIDE_ON_PLANE_LOWER     ? 0
                : mistake == SIDE_ON_PLANE_UPPER   ? 1
                : mistake == SIDE_ON_PLANE_SWAPPED ? !side
                                                   : side;
     }
-    side = mistake == SIDE_BY_DIRECTION ? job->direction < 0
-           : mistake == SIDE_INTO       ? job->direction > 0
-                                        : side;
+    side = mistake == SIDE_BY_DIRECTION              ? job->direction < 0
+           : mistake == SIDE_INTO                    ? job->direction > 0
+           : mistake == SIDE_AWAY && origin != plane ? (origin > plane) == (job->direction > 0)
+                                                     : side;
     side = mistake == SIDE_SWAPPED ? !side : side;
     return mistake == SIDE_IS_ID ? job->node.first + side : side;
 }

@@ -21,7 +21,7 @@ static NextWaitingJob draw_waiting(Random *random)
                           nextafterf(t_max, INFINITY),
                           t_max + random_quarters(random, 1, 16)};
     job.t = hits[random_integer(random, 0, COUNT(hits) - 1)];
-    job.sphere = job.t < INFINITY ? (u32)random_integer(random, 0, 99) : UNTOUCHED;
+    job.sphere = job.t < INFINITY ? (u32)random_integer(random, 0, 99) : ORACLE_NO_SPHERE;
     const int is_empty = random_integer(random, 0, 3) == 0;
     job.todo =
         random_stack(random, 0, is_empty ? 0 : (u32)random_integer(random, 1, STACK_ENTRIES));
@@ -49,6 +49,8 @@ enum {
     WAITING_T_MIN_KEPT,
     WAITING_OLDEST,
     WAITING_STAYS,
+    WAITING_ONE_LEFT,
+    WAITING_ABOVE_TOP,
 };
 static const Cause waiting_mistakes[] = {
     [WAITING_ANY_HIT] = {.says = "that is as if the search ended at any hit, also at one beyond "
@@ -75,6 +77,9 @@ static const Cause waiting_mistakes[] = {
     [WAITING_OLDEST] = {.says =
                             "that is as if the node that waits longest came from the stack first"},
     [WAITING_STAYS] = {.says = "the node is not taken off the stack: it waits still"},
+    [WAITING_ONE_LEFT] = {.says = "the search ended while one node was still waiting"},
+    [WAITING_ABOVE_TOP] = {.says = "what was taken is none of the entries that wait: the top one "
+                                   "is todo->entries[todo->n - 1]"},
 };
 
 static StackEntry pop(StackState *todo, int mistake)
@@ -100,7 +105,7 @@ static NextWaitingAnswer expected_waiting(const NextWaitingJob *job, int mistake
     const int is_end = mistake == WAITING_NEVER_ENDS ? 0
                        : mistake == WAITING_INVERTED ? !is_hit
                                                      : is_hit;
-    answer.goes_on = !is_end && job->todo.n > 0;
+    answer.goes_on = !is_end && job->todo.n > (mistake == WAITING_ONE_LEFT ? 1 : 0);
     if (answer.goes_on) {
         answer.at = pop(&answer.todo, mistake);
         const int keeps_part = mistake == WAITING_PART_KEPT;
@@ -121,12 +126,28 @@ static int end_agrees(const void *job, int i, const void *answers, int mistake)
     return is_hair || (((const NextWaitingAnswer *)answers)[i].goes_on != 0) == expected.goes_on;
 }
 
+static int is_waiting(const StackState *todo, StackEntry entry)
+{
+    u32 i = 0;
+    while (i < todo->n && !same_entry(todo->upper[i], entry)) {
+        i++;
+    }
+    return i < todo->n;
+}
+
 // Where the search is over, at and the stack do not matter.
 static int next_agrees(const void *job, int i, const void *answers, int mistake)
 {
     const NextWaitingAnswer *found = &((const NextWaitingAnswer *)answers)[i];
     const NextWaitingAnswer expected =
         expected_waiting(&((const Job07 *)job)->inputs.waiting[i], mistake);
+    if (mistake == WAITING_ABOVE_TOP && expected.goes_on) {
+        return found->goes_on && found->todo.n == expected.todo.n &&
+               !is_waiting(&((const Job07 *)job)->inputs.waiting[i].todo, found->at);
+    }
+    if (mistake != 0 && !expected.goes_on) {
+        return !found->goes_on;
+    }
     return !expected.goes_on || (found->goes_on && same_entry(found->at, expected.at) &&
                                  same_stack(&found->todo, &expected.todo));
 }

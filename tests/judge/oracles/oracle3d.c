@@ -18,84 +18,28 @@
 //    c . c, off by TEXTBOOK_ERROR |c|² besides.
 // 4. A ray is ambiguous unless its nearest hit is certain and its interval ends before every other
 //    one begins. Its t is off by no more than the interval says.
-// 5. The point hit is off by p: t's interval, the direction's error times t, and 4 u of its
-//    coordinates; the unit normal by p / (r - p) and a normalisation, much for small spheres far
-//    away; the way to a light by p over its distance. Their cosine is off by the sum of both, and
-//    so is a channel in units of kd x colour x light. Seen along the surface, float may turn the
-//    normal or not: the pixel is ambiguous then.
+//
+// Colours, 5, are in oracle3d_colors.c.
 #include "oracle3d.h"
 
-#include <float.h>
 #include <math.h>
-#include <string.h>
 
 #define ROUNDING 0x1p-24                // u
 #define RAY_ERROR (32 * ROUNDING)       // see 1
 #define ROOT_ERROR (12 * ROUNDING)      // see 2
 #define TEXTBOOK_ERROR (24 * ROUNDING)  // see 3: o . o, (o . d)² and d's own length, 8 u each
-#define UNIT_ERROR (8 * ROUNDING)       // of a unit vector made by normalize(): see 1
-#define POW_ERROR (32 * ROUNDING)       // of pow(), a share: 16 ulp (OpenCL 1.2, 7.4)
-#define SUM_ERROR (8 * ROUNDING)        // of a light's share: five products and a sum, of 1 u each
-
-// ---- Vectors ----------------------------------------------------------------------------------
-
-typedef OracleVector Vector;
-
-static Vector vector(Vec3 v)
-{
-    return (Vector){v.x, v.y, v.z};
-}
-
-static Vector plus(Vector a, Vector b)
-{
-    return (Vector){a.x + b.x, a.y + b.y, a.z + b.z};
-}
-
-static Vector minus(Vector a, Vector b)
-{
-    return (Vector){a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-static Vector scaled(double factor, Vector v)
-{
-    return (Vector){factor * v.x, factor * v.y, factor * v.z};
-}
-
-static double dot(Vector a, Vector b)
-{
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-static Vector cross(Vector a, Vector b)
-{
-    return (Vector){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-static double length(Vector v)
-{
-    return sqrt(dot(v, v));
-}
-
-static Vector unit(Vector v)
-{
-    const double l = length(v);
-    return l > 0 ? scaled(1 / l, v) : v;
-}
-
-static Vector centre(Sphere sphere)
-{
-    return (Vector){sphere.x, sphere.y, sphere.z};
-}
 
 // ---- Rays -------------------------------------------------------------------------------------
 
 void oracle3d_axes(const View *view, OracleVector axes[3])
 {
-    const Vector forward = unit(minus(vector(view->at), vector(view->from)));
+    const OracleVector forward =
+        vector_unit(vector_minus(vector_of(view->at), vector_of(view->from)));
     // Up is what is left of view.up when its share along forward is taken away.
-    const Vector view_up = unit(vector(view->up));
-    const Vector up = unit(minus(view_up, scaled(dot(view_up, forward), forward)));
-    axes[0] = cross(forward, up);
+    const OracleVector view_up = vector_unit(vector_of(view->up));
+    const OracleVector up =
+        vector_unit(vector_minus(view_up, vector_scaled(vector_dot(view_up, forward), forward)));
+    axes[0] = vector_cross(forward, up);
     axes[1] = up;
     axes[2] = forward;
 }
@@ -108,28 +52,29 @@ OracleVector oracle3d_display(int x, int y, int width, int height, double fov,
                                                       : fov;
     const double pixel_width = fov_width / (rules->fov_is_height ? height : width);
     const double pixel_height = rules->fov_both_ways ? fov_width / height : pixel_width;
-    return (Vector){(x + 0.5 + rules->sample_offset - width / 2.0) * pixel_width,
-                    (height / 2.0 - y - 0.5 - rules->sample_offset) * pixel_height, 1};
+    return (OracleVector){(x + 0.5 + rules->sample_offset - width / 2.0) * pixel_width,
+                          (height / 2.0 - y - 0.5 - rules->sample_offset) * pixel_height, 1};
 }
 
 OracleRay oracle3d_primary_ray(const Camera *camera, int x, int y, int width, int height,
                                const OracleRules3D *rules)
 {
-    const Vector p = oracle3d_display(x, y, width, height, camera->fov, rules);
-    const Vector right = vector(camera->right), up = vector(camera->up),
-                 forward = vector(camera->forward);
-    const Vector direction =
+    const OracleVector p = oracle3d_display(x, y, width, height, camera->fov, rules);
+    const OracleVector right = vector_of(camera->right), up = vector_of(camera->up),
+                       forward = vector_of(camera->forward);
+    const OracleVector direction =
         rules->axes_transposed
-            ? (Vector){dot(p, right), dot(p, up), dot(p, forward)}
-            : plus(plus(scaled(p.x, right), scaled(p.y, up)), scaled(p.z, forward));
-    return (OracleRay){vector(camera->eye), rules->not_normalised ? direction : unit(direction), 0,
-                       RAY_ERROR};
+            ? (OracleVector){vector_dot(p, right), vector_dot(p, up), vector_dot(p, forward)}
+            : vector_plus(vector_plus(vector_scaled(p.x, right), vector_scaled(p.y, up)),
+                          vector_scaled(p.z, forward));
+    return (OracleRay){vector_of(camera->eye),
+                       rules->not_normalised ? direction : vector_unit(direction), 0, RAY_ERROR};
 }
 
 OracleRay oracle3d_given_ray(Vec3 origin, Vec3 direction, float t_min)
 {
     // In float a unit vector is as long as 1 within the rounding of three components.
-    return (OracleRay){vector(origin), unit(vector(direction)), t_min, 2 * ROUNDING};
+    return (OracleRay){vector_of(origin), vector_unit(vector_of(direction)), t_min, 2 * ROUNDING};
 }
 
 // ---- One sphere -------------------------------------------------------------------------------
@@ -156,11 +101,12 @@ static int may_hit(OracleRoot *hit, Root root, double limit)
 
 OracleChord oracle3d_chord(Sphere sphere, const OracleRay *ray, OracleForm form)
 {
-    const Vector c = minus(centre(sphere), ray->origin);
-    const double r2 = (double)sphere.radius * sphere.radius, c2 = dot(c, c);
-    const double b = dot(c, ray->direction);
-    const Vector across = minus(c, scaled(b, ray->direction));
-    const double l2 = dot(across, across), error = ray->direction_error + ROOT_ERROR;
+    const OracleVector centre = {sphere.x, sphere.y, sphere.z};
+    const OracleVector c = vector_minus(centre, ray->origin);
+    const double r2 = (double)sphere.radius * sphere.radius, c2 = vector_dot(c, c);
+    const double b = vector_dot(c, ray->direction);
+    const OracleVector across = vector_minus(c, vector_scaled(b, ray->direction));
+    const double l2 = vector_dot(across, across), error = ray->direction_error + ROOT_ERROR;
     OracleChord chord = {.middle = b, .error = error * sqrt(c2), .half = NAN};
     // A clear miss takes no root: (r + e)² is at most 2 (r² + e²).
     if (l2 > 4 * (r2 + (error * error + TEXTBOOK_ERROR) * c2)) {
@@ -272,152 +218,4 @@ OracleHit oracle3d_nearest(const Sphere *spheres, u32 n_spheres, const OracleRay
         hit.is_ambiguous = !root.is_certain || (is_by_distance && others_low <= root.t_high);
     }
     return hit;
-}
-
-// ---- Colours ----------------------------------------------------------------------------------
-
-OracleNear oracle3d_exactly(Vec3 v)
-{
-    return (OracleNear){vector(v), 0};
-}
-
-int oracle3d_is_near(Vec3 found, OracleNear expected)
-{
-    return fabs(found.x - expected.value.x) <= expected.error &&
-           fabs(found.y - expected.value.y) <= expected.error &&
-           fabs(found.z - expected.value.z) <= expected.error;
-}
-
-// How far the direction of a vector of this length may be off when the vector is off by `error`.
-static double direction_error(double error, double length)
-{
-    return length > error ? error / (length - error) + UNIT_ERROR : INFINITY;
-}
-
-OracleNear oracle3d_normal(Sphere sphere, OracleNear point, OracleNear direction,
-                           const OracleRules3D *rules)
-{
-    const Vector outwards = minus(point.value, centre(sphere));
-    const double rounding = ROUNDING * length(outwards);
-    OracleNear normal = {rules->normal_not_normalised ? outwards : unit(outwards),
-                         direction_error(point.error + rounding, length(outwards))};
-    const double cosine = dot(unit(outwards), direction.value);
-    const int is_turned = rules->normal_always_turned ||
-                          (cosine > rules->normal_threshold && !rules->normal_not_turned);
-    if (is_turned != rules->normal_turned_away) {
-        normal.value = scaled(-1, normal.value);
-    }
-    if (!(fabs(cosine) > normal.error + direction.error + 4 * ROUNDING)) {
-        normal.error = INFINITY;
-    }
-    return normal;
-}
-
-// Lambert's cosine for a light, and how far it may be off.
-static double cosine_of(OracleNear point, OracleNear normal, const Light *light,
-                        const OracleRules3D *rules, double *error)
-{
-    const Vector way = minus(vector(light->position), point.value);
-    const Vector to_light = rules->to_light_not_normalised ? way : unit(way);
-    const double cosine = dot(normal.value, to_light);
-    *error =
-        length(to_light) * (normal.error + 4 * ROUNDING +
-                            direction_error(point.error + ROUNDING * length(way), length(way)));
-    if (rules->cosine_absolute) {
-        return fabs(cosine);
-    }
-    return rules->cosine_not_clamped ? cosine : fmax(cosine, 0);
-}
-
-// A colour raised to a power, and how far that may be off.
-static OracleNear bent(OracleNear color, double power)
-{
-    const double channels[3] = {color.value.x, color.value.y, color.value.z};
-    double value[3], error = 0;
-    for (int i = 0; i < 3; i++) {
-        value[i] = pow(fmax(channels[i], 0), power);
-        const double low = pow(fmax(channels[i] - color.error, 0), power);
-        const double high = pow(fmax(channels[i] + color.error, 0), power);
-        error = fmax(error, fmax(high - value[i], value[i] - low) + POW_ERROR * value[i]);
-    }
-    return (OracleNear){{value[0], value[1], value[2]}, error};
-}
-
-OracleNear oracle3d_shade(OracleNear point, OracleNear normal, const Material *material,
-                          const Light *lights, int n_lights, const OracleRules3D *rules)
-{
-    const Vector white = {1, 1, 1};
-    const Vector surface = scaled(rules->ignore_kd ? 1 : material->kd,
-                                  rules->ignore_color ? white : vector(material->color));
-    OracleNear color = {{0}, 0};
-    const int first = rules->last_light_only && n_lights > 1 ? n_lights - 1 : 0;
-    const int most = rules->first_light_only ? 1 : rules->most_lights;
-    const int end = most > 0 && n_lights > most ? most : n_lights;
-    for (int i = first; i < end + (rules->one_light_more ? 1 : 0); i++) {
-        const Vector light = rules->ignore_light_color ? white : vector(lights[i].color);
-        double error;
-        const double cosine = cosine_of(point, normal, &lights[i], rules, &error);
-        const Vector full = {surface.x * light.x, surface.y * light.y, surface.z * light.z};
-        const double brightest = fmax(fmax(fabs(full.x), fabs(full.y)), fabs(full.z));
-        color.value = plus(color.value, scaled(cosine, full));
-        color.error += brightest * (error + SUM_ERROR * fmax(n_lights, 1));
-    }
-    if (rules->cut_at_one) {
-        color.value =
-            (Vector){fmin(color.value.x, 1), fmin(color.value.y, 1), fmin(color.value.z, 1)};
-    }
-    if (rules->gamma > 0) {
-        color = bent(color, rules->gamma);
-    }
-    return rules->red_blue_swapped
-               ? (OracleNear){{color.value.z, color.value.y, color.value.x}, color.error}
-               : color;
-}
-
-// ---- Pictures ---------------------------------------------------------------------------------
-
-// The colour of a ray that hits something, and how far a channel may be off.
-static OracleNear hit_color(const Scene3D *scene, const OracleRay *ray, const OracleHit *hit,
-                            const OracleRules3D *rules)
-{
-    const Sphere sphere = scene->spheres[hit->sphere];
-    const OracleNear direction = {ray->direction, ray->direction_error};
-    const Vector at = plus(ray->origin, scaled(hit->t, ray->direction));
-    const OracleNear point = {at, hit->t_tolerance + ray->direction_error * fabs(hit->t) +
-                                      4 * ROUNDING * (length(ray->origin) + fabs(hit->t))};
-    const OracleNear normal = oracle3d_normal(sphere, point, direction, rules);
-    const u32 material = rules->ignore_material_ids && hit->sphere < (u32)scene->n_materials
-                             ? hit->sphere
-                             : scene->material_ids[hit->sphere];
-    return oracle3d_shade(point, normal, &scene->materials[material], scene->lights,
-                          scene->n_lights, rules);
-}
-
-void oracle3d_draw(const Scene3D *scene, const Camera *camera, const OracleRules3D *rules,
-                   Image *image, float *tolerances, OracleHit *hits)
-{
-    const Vector background =
-        rules->background_black ? (Vector){0, 0, 0} : vector(scene->background);
-    for (int y = 0; y < image->height; y++) {
-        for (int x = 0; x < image->width; x++) {
-            const size_t pixel = (size_t)y * (size_t)image->width + (size_t)x;
-            const OracleRay ray =
-                oracle3d_primary_ray(camera, x, y, image->width, image->height, rules);
-            const OracleHit hit =
-                oracle3d_nearest(scene->spheres, (u32)scene->n_spheres, &ray, rules);
-            OracleNear color = {background, 0};
-            if (hit.sphere != ORACLE_NO_SPHERE) {
-                color = hit_color(scene, &ray, &hit, rules);
-            }
-            const float channels[IMAGE_CHANNELS] = {(float)color.value.x, (float)color.value.y,
-                                                    (float)color.value.z, 1};
-            memcpy(image->pixels + pixel * IMAGE_CHANNELS, channels, sizeof channels);
-            if (tolerances != NULL) {
-                tolerances[pixel] = hit.is_ambiguous ? INFINITY : (float)color.error;
-            }
-            if (hits != NULL) {
-                hits[pixel] = hit;
-            }
-        }
-    }
 }

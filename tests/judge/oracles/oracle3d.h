@@ -3,17 +3,14 @@
 // It shares no code with the labs. It says what a ray hits and in which colour, how far a right
 // solution in float may be from that, and which rays are ambiguous: float may decide otherwise
 // there. And it traces wrong on purpose, so that a submission's picture can be recognised.
-// How the bounds come about stands at the top of oracle3d.c.
+// How the bounds come about stands at the top of oracle3d.c and of oracle3d_colors.c.
 #ifndef JUDGE_ORACLE3D_H
 #define JUDGE_ORACLE3D_H
 
 #include "camera.h"
 #include "image.h"
+#include "oracle_vector.h"
 #include "scene3d.h"
-
-typedef struct OracleVector {
-    double x, y, z;
-} OracleVector;
 
 // A way of tracing. All zeros is the right one.
 typedef struct OracleRules3D {
@@ -43,19 +40,32 @@ typedef struct OracleRules3D {
     int skip_last;        // nor the last
     int one_sphere_more;  // the one behind the end of the array is asked, too
     // Which colour.
-    int normal_not_turned;      // it points away from the centre, seen from inside, too
-    int normal_always_turned;   // it points to the centre
-    int normal_turned_away;     // away from where the ray comes from
-    int normal_not_normalised;  // as long as the radius
-    double normal_threshold;    // it is turned from this cosine on
-    int cosine_not_clamped;     // a light behind the surface takes light away
-    int cosine_absolute;        // and lights it from behind
+    int normal_not_turned;        // it points away from the centre, seen from inside, too
+    int normal_always_turned;     // it points to the centre
+    int normal_turned_away;       // away from where the ray comes from
+    int normal_turned_by_radius;  // where the radius is negative
+    int normal_turned_by_place;   // by the point's place in the scene
+    int normal_not_normalised;    // as long as the radius
+    int normal_by_radius;         // divided by the radius
+    double normal_threshold;      // it is turned from this cosine on
+    int cosine_not_clamped;       // a light behind the surface takes light away
+    int cosine_absolute;          // and lights it from behind
     int to_light_not_normalised;
+    int light_from_origin;  // the light's place taken for the way to it
+    int light_falls;        // with the square of the distance
+    int light_red_only;     // its red taken for all three
+    int light_cut_at_one;   // no channel of a light's is above 1
     int first_light_only;
     int last_light_only;
-    int most_lights;     // no more than so many shine; 0 is no limit
-    int cut_at_one;      // no channel is above 1
-    int one_light_more;  // the one behind the end of the array shines, too
+    int most_lights;      // no more than so many shine; 0 is no limit
+    int stops_behind;     // at the first light behind the surface
+    int sum_clamped;      // negative sums, not negative shares, are 0
+    int mean_of_lights;   // divided by their number
+    int brightest_light;  // of each channel the largest share
+    int kd_each_round;    // the sum so far is multiplied by kd, too
+    int highlight;        // Phong's, with ks and shine
+    int cut_at_one;       // no channel is above 1
+    int one_light_more;   // the one behind the end of the array shines, too
     int ignore_kd;
     int ignore_color;         // of the material
     int ignore_light_color;   // every light is white

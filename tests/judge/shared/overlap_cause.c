@@ -45,10 +45,26 @@ static int overlaps_by_radius_in_float(Reach r)
     return distance_squared(r) <= (double)radius_squared;
 }
 
+static int overlaps_by_distances_in_float(Reach r)
+{
+    for (int axis = 0; axis < 3; axis++) {
+        r.outside[axis] = (float)r.outside[axis];
+    }
+    return overlaps(r);
+}
+
+static int overlaps_by_sum(Reach r)
+{
+    return r.outside[0] + r.outside[1] + r.outside[2] <= fabs(r.radius);
+}
+
 static const struct {
     int (*overlaps)(Reach);
     const char *says;
 } foretold[] = {
+    {overlaps_by_sum, "the distances on the axes are added: their squares are to be"},
+    {overlaps_by_distances_in_float,
+     "your answers are those of distances rounded to float: in double they are exact"},
     {overlaps_by_squares_in_float,
      "your answers are those of float, which rounds squares: in double they are exact"},
     {overlaps_by_root_in_float,

@@ -1,7 +1,7 @@
 // mutant: the light falls with the square of the distance
 // task: shade
 // caught by: shade-lambert
-// says: found
+// says: square of the distance
     for (int i = 0; i < n_lights; i++) {
         const Light light = lights[i];
         const float3 to_light = normalize(to_float3(light.position) - point);

@@ -1,7 +1,7 @@
 // mutant: the light's position for the way to it
 // task: shade
 // caught by: shade-lambert
-// says: found
+// says: for the way to it
     for (int i = 0; i < n_lights; i++) {
         const Light light = lights[i];
         const float3 to_light = normalize(to_float3(light.position));

@@ -1,7 +1,7 @@
 // mutant: the mean of the lights
 // task: shade
 // caught by: shade-lights
-// says: found
+// says: divided by the number
     for (int i = 0; i < n_lights; i++) {
         const Light light = lights[i];
         const float3 to_light = normalize(to_float3(light.position) - point);

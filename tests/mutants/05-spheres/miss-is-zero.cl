@@ -1,7 +1,7 @@
 // mutant: 0 for no hit
 // task: nearest_root
 // caught by: root-nearer
-// says: found 0
+// says: not 0
     if (disc < 0.0f) {
         return 0.0f;
     }

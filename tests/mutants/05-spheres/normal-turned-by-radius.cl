@@ -1,7 +1,7 @@
 // mutant: turned only where the radius is negative
 // task: surface_normal
 // caught by: normal-inside
-// says: found
+// says: radius' sign
     const float3 normal = normalize(point - (float3)(sphere.x, sphere.y, sphere.z));
     (void)direction;
     return sphere.radius < 0.0f ? -normal : normal;

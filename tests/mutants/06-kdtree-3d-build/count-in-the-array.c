@@ -1,7 +1,7 @@
 // mutant: the count is written before the ids, as in lab 02
 // task: pack_leaf_range
 // caught by: pack-ids
-// says: sphere_ids\[
+// says: as in lab 02
     KdNode3 *node = &tree->nodes[id];
     node->split_axis = KD_LEAF;
     node->first = tree->n_sphere_ids;

@@ -1,7 +1,7 @@
 // mutant: first is taken after the ids were appended
 // task: pack_leaf_range
 // caught by: pack-node
-// says: first is
+// says: after the end
     KdNode3 *node = &tree->nodes[id];
     node->split_axis = KD_LEAF;
     node->n_spheres = n_ids;

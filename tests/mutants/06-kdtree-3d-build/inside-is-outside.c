@@ -1,7 +1,7 @@
 // mutant: a cell wholly inside the sphere, or the reverse, is not seen: only the surface counts
 // task: sphere_overlaps_box
 // caught by: overlap-inside
-// says: centre is inside
+// says: centre is in the cell
 // looks: missing-in-cell
     const double centre[3] = {sphere.x, sphere.y, sphere.z};
     double distance_squared = 0;

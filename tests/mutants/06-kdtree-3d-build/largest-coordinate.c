@@ -1,7 +1,7 @@
 // mutant: the axis that reaches farthest, not the longest
 // task: choose_split
 // caught by: split-axis
-// says: found axis
+// says: largest coordinate
     for (u32 axis = 1; axis < 3; axis++) {
         if (box.max[axis] > box.max[split.axis]) {
             split.axis = axis;

@@ -1,7 +1,7 @@
 // mutant: the distances on the axes are added, not their squares
 // task: sphere_overlaps_box
 // caught by: overlap-corner
-// says: sphere reaches in|touch
+// says: distances on the axes
 // looks: missing-in-cell
     const double centre[3] = {sphere.x, sphere.y, sphere.z};
     double distance_squared = 0;

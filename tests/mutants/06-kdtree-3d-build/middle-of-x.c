@@ -1,7 +1,7 @@
 // mutant: the axis is right, the middle always that of x
 // task: choose_split
 // caught by: split-middle
-// says: found split at
+// says: middle of x
     for (u32 axis = 1; axis < 3; axis++) {
         if (box.max[axis] - box.min[axis] > box.max[split.axis] - box.min[split.axis]) {
             split.axis = axis;

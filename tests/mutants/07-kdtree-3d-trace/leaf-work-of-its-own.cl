@@ -1,7 +1,7 @@
 // mutant: spheres are asked with a count of their own
 // task: search_leaf
 // caught by: leaf-once
-// says: called 0 times
+// says: not counted
     (void)work;
     for (uint i = node.first; i < node.first + node.n_spheres; i++) {
         const uint id = sphere_ids[i];

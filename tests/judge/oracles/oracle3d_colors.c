@@ -1,0 +1,244 @@
+// The colours of what rays hit, in double precision: normals, Lambert's law, whole pictures.
+//
+// How far a right solution's colour may be off goes on from what oracle3d.c derives for hits:
+//
+// 5. The point hit is off by p: t's interval, the direction's error times t, and 4 u of its
+//    coordinates; the unit normal by p / (r - p) and a normalisation, much for small spheres far
+//    away; the way to a light by p over its distance. Their cosine is off by the sum of both, and
+//    so is a channel in units of kd x colour x light. Seen along the surface, float may turn the
+//    normal or not: the pixel is ambiguous then.
+#include "oracle3d.h"
+
+#include <math.h>
+#include <string.h>
+
+#define ROUNDING 0x1p-24           // u
+#define UNIT_ERROR (8 * ROUNDING)  // of a unit vector made by normalize(): see oracle3d.c, 1
+#define POW_ERROR (32 * ROUNDING)  // of pow(), a share: 16 ulp (OpenCL 1.2, 7.4)
+#define SUM_ERROR (8 * ROUNDING)   // of a light's share: five products and a sum, of 1 u each
+
+// ---- Normals ----------------------------------------------------------------------------------
+
+OracleNear oracle3d_exactly(Vec3 v)
+{
+    return (OracleNear){vector_of(v), 0};
+}
+
+int oracle3d_is_near(Vec3 found, OracleNear expected)
+{
+    return fabs(found.x - expected.value.x) <= expected.error &&
+           fabs(found.y - expected.value.y) <= expected.error &&
+           fabs(found.z - expected.value.z) <= expected.error;
+}
+
+// How far the direction of a vector of this length may be off when the vector is off by `error`.
+static double direction_error(double error, double length)
+{
+    return length > error ? error / (length - error) + UNIT_ERROR : INFINITY;
+}
+
+// Is the normal of a point turned round?
+//   cosine   between the way outwards and the ray's direction
+static int is_turned(Sphere sphere, OracleVector point, OracleVector direction, double cosine,
+                     const OracleRules3D *rules)
+{
+    const int turns = rules->normal_not_turned         ? 0
+                      : rules->normal_always_turned    ? 1
+                      : rules->normal_turned_by_radius ? sphere.radius < 0
+                      : rules->normal_turned_by_place  ? vector_dot(point, direction) > 0
+                                                       : cosine > rules->normal_threshold;
+    return turns != rules->normal_turned_away;
+}
+
+OracleNear oracle3d_normal(Sphere sphere, OracleNear point, OracleNear direction,
+                           const OracleRules3D *rules)
+{
+    const OracleVector centre = {sphere.x, sphere.y, sphere.z};
+    const OracleVector outwards = vector_minus(point.value, centre);
+    const double distance = vector_length(outwards), rounding = ROUNDING * distance;
+    OracleNear normal = {rules->normal_not_normalised ? outwards
+                         : rules->normal_by_radius
+                             ? vector_scaled(1 / fabs(sphere.radius), outwards)
+                             : vector_unit(outwards),
+                         direction_error(point.error + rounding, distance)};
+    const double cosine = vector_dot(vector_unit(outwards), direction.value);
+    if (is_turned(sphere, point.value, direction.value, cosine, rules)) {
+        normal.value = vector_scaled(-1, normal.value);
+    }
+    if (!(fabs(cosine) > normal.error + direction.error + 4 * ROUNDING)) {
+        normal.error = INFINITY;
+    }
+    return normal;
+}
+
+// A colour raised to a power, and how far that may be off.
+static OracleNear bent(OracleNear color, double power)
+{
+    const double channels[3] = {color.value.x, color.value.y, color.value.z};
+    double value[3], error = 0;
+    for (int i = 0; i < 3; i++) {
+        value[i] = pow(fmax(channels[i], 0), power);
+        const double low = pow(fmax(channels[i] - color.error, 0), power);
+        const double high = pow(fmax(channels[i] + color.error, 0), power);
+        error = fmax(error, fmax(high - value[i], value[i] - low) + POW_ERROR * value[i]);
+    }
+    return (OracleNear){{value[0], value[1], value[2]}, error};
+}
+
+// What one light adds.
+typedef struct Share {
+    OracleVector value;
+    double error;      // of each channel
+    double brightest;  // channel of it where the cosine is 1
+    int is_behind;     // is the light behind the surface?
+} Share;
+
+// The way to a light as a right solution has it, a unit vector, or as a mistake makes it.
+static OracleVector way_to(OracleVector point, const Light *light, const OracleRules3D *rules)
+{
+    const OracleVector position = vector_of(light->position);
+    const OracleVector way = rules->light_from_origin ? position : vector_minus(position, point);
+    return rules->to_light_not_normalised ? way : vector_unit(way);
+}
+
+// Lambert's cosine of a light that may be behind the surface.
+static double cosine_by(double cosine, const OracleRules3D *rules)
+{
+    return rules->cosine_absolute                            ? fabs(cosine)
+           : rules->cosine_not_clamped || rules->sum_clamped ? cosine
+                                                             : fmax(cosine, 0);
+}
+
+static OracleVector light_color(const Light *light, double distance, const OracleRules3D *rules)
+{
+    OracleVector color = vector_of(light->color);
+    if (rules->ignore_light_color) {
+        color = (OracleVector){1, 1, 1};
+    } else if (rules->light_red_only) {
+        color = (OracleVector){color.x, color.x, color.x};
+    } else if (rules->light_cut_at_one) {
+        color = (OracleVector){fmin(color.x, 1), fmin(color.y, 1), fmin(color.z, 1)};
+    }
+    return rules->light_falls ? vector_scaled(1 / (distance * distance), color) : color;
+}
+
+static Share share_of(OracleNear point, OracleNear normal, const Material *material,
+                      const Light *light, const OracleRules3D *rules)
+{
+    const OracleVector to_light = way_to(point.value, light, rules);
+    const double distance = vector_length(vector_minus(vector_of(light->position), point.value));
+    const double dot = vector_dot(normal.value, to_light), cosine = cosine_by(dot, rules);
+    const OracleVector white = {1, 1, 1}, shine = light_color(light, distance, rules);
+    const OracleVector surface =
+        vector_scaled(rules->ignore_kd ? 1 : material->kd,
+                      rules->ignore_color ? white : vector_of(material->color));
+    const OracleVector full = {surface.x * shine.x, surface.y * shine.y, surface.z * shine.z};
+    const double brightest = fmax(fmax(fabs(full.x), fabs(full.y)), fabs(full.z));
+    const double error =
+        vector_length(to_light) * (normal.error + 4 * ROUNDING +
+                                   direction_error(point.error + ROUNDING * distance, distance));
+    Share share = {vector_scaled(cosine, full), brightest * error, brightest, dot <= 0};
+    if (rules->highlight) {
+        const double phong = material->ks * pow(cosine, fmax(material->shine, 1));
+        share.value = vector_plus(share.value, vector_scaled(phong, shine));
+        share.error *= 1 + material->shine;
+    }
+    return share;
+}
+
+// The sum so far with one more share.
+static OracleVector joined(OracleVector sum, OracleVector share, double kd,
+                           const OracleRules3D *rules)
+{
+    const OracleVector color = vector_plus(sum, share);
+    return rules->brightest_light
+               ? (OracleVector){fmax(sum.x, share.x), fmax(sum.y, share.y), fmax(sum.z, share.z)}
+           : rules->kd_each_round ? vector_plus(vector_scaled(kd, sum), share)
+                                  : color;
+}
+
+// What is done to the sum of n_lights shares.
+static OracleNear finished(OracleNear sum, int n_lights, const OracleRules3D *rules)
+{
+    OracleVector color = sum.value;
+    if (rules->mean_of_lights) {
+        color = vector_scaled(1.0 / n_lights, color);
+    }
+    if (rules->sum_clamped) {
+        color = (OracleVector){fmax(color.x, 0), fmax(color.y, 0), fmax(color.z, 0)};
+    }
+    if (rules->cut_at_one) {
+        color = (OracleVector){fmin(color.x, 1), fmin(color.y, 1), fmin(color.z, 1)};
+    }
+    if (rules->red_blue_swapped) {
+        color = (OracleVector){color.z, color.y, color.x};
+    }
+    const OracleNear near = {color, sum.error};
+    return rules->gamma > 0 ? bent(near, rules->gamma) : near;
+}
+
+OracleNear oracle3d_shade(OracleNear point, OracleNear normal, const Material *material,
+                          const Light *lights, int n_lights, const OracleRules3D *rules)
+{
+    OracleNear sum = {{0}, 0};
+    const int first = rules->last_light_only && n_lights > 1 ? n_lights - 1 : 0;
+    const int most = rules->first_light_only ? 1 : rules->most_lights;
+    const int end = most > 0 && n_lights > most ? most : n_lights;
+    for (int i = first; i < end + (rules->one_light_more ? 1 : 0); i++) {
+        const Share share = share_of(point, normal, material, &lights[i], rules);
+        if (share.is_behind && rules->stops_behind) {
+            break;
+        }
+        sum.value = joined(sum.value, share.value, material->kd, rules);
+        sum.error += share.error + share.brightest * SUM_ERROR * n_lights;
+    }
+    return finished(sum, n_lights, rules);
+}
+
+// ---- Pictures ---------------------------------------------------------------------------------
+
+// The colour of a ray that hits something, and how far a channel may be off.
+static OracleNear hit_color(const Scene3D *scene, const OracleRay *ray, const OracleHit *hit,
+                            const OracleRules3D *rules)
+{
+    const Sphere sphere = scene->spheres[hit->sphere];
+    const OracleNear direction = {ray->direction, ray->direction_error};
+    const OracleVector at = vector_plus(ray->origin, vector_scaled(hit->t, ray->direction));
+    const OracleNear point = {at, hit->t_tolerance + ray->direction_error * fabs(hit->t) +
+                                      4 * ROUNDING * (vector_length(ray->origin) + fabs(hit->t))};
+    const OracleNear normal = oracle3d_normal(sphere, point, direction, rules);
+    const u32 material = rules->ignore_material_ids && hit->sphere < (u32)scene->n_materials
+                             ? hit->sphere
+                             : scene->material_ids[hit->sphere];
+    return oracle3d_shade(point, normal, &scene->materials[material], scene->lights,
+                          scene->n_lights, rules);
+}
+
+void oracle3d_draw(const Scene3D *scene, const Camera *camera, const OracleRules3D *rules,
+                   Image *image, float *tolerances, OracleHit *hits)
+{
+    const OracleVector background =
+        rules->background_black ? (OracleVector){0, 0, 0} : vector_of(scene->background);
+    for (int y = 0; y < image->height; y++) {
+        for (int x = 0; x < image->width; x++) {
+            const size_t pixel = (size_t)y * (size_t)image->width + (size_t)x;
+            const OracleRay ray =
+                oracle3d_primary_ray(camera, x, y, image->width, image->height, rules);
+            const OracleHit hit =
+                oracle3d_nearest(scene->spheres, (u32)scene->n_spheres, &ray, rules);
+            OracleNear color = {background, 0};
+            if (hit.sphere != ORACLE_NO_SPHERE) {
+                color = hit_color(scene, &ray, &hit, rules);
+            }
+            const float channels[IMAGE_CHANNELS] = {(float)color.value.x, (float)color.value.y,
+                                                    (float)color.value.z, 1};
+            memcpy(image->pixels + pixel * IMAGE_CHANNELS, channels, sizeof channels);
+            if (tolerances != NULL) {
+                tolerances[pixel] = hit.is_ambiguous ? INFINITY : (float)color.error;
+            }
+            if (hits != NULL) {
+                hits[pixel] = hit;
+            }
+        }
+    }
+}

@@ -1,0 +1,11 @@
+// mutant: the part along the display is made a unit vector
+// task: primary_ray
+// caught by: ray-transform
+// says: part along the display
+    const float3 p = pixel_on_display(x, y, width, height, camera.fov);
+    ray.origin = to_float3(camera.eye);
+    ray.direction =
+        normalize(normalize(p.x * to_float3(camera.right) + p.y * to_float3(camera.up)) +
+                  to_float3(camera.forward));
+    ray.t_min = 0.0f;
+    ray.t_max = INFINITY;
