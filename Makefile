@@ -87,11 +87,12 @@ $(OUT)/libimage_codec.so: $(call objects,common/image.cpp)
 # ---- For people -----------------------------------------------------------------------------
 
 .PHONY: setup help clean
-setup:  ## install what building and grading need, where it is missing
+setup:  ## install what building, grading and make view need, where it is missing
 	@common/setup/install.sh $(setup_for)
+	@common/setup/install.sh view
 
-# The grader; and, where they are, its judge, memcheck and all that is for authors. A handout has not all of it.
-include tests/grader/grader.mk
+# Windows; the grader; and, where they are, its judge, memcheck and all that is for authors. A handout has not all of it.
+include common/view/view.mk tests/grader/grader.mk
 -include tests/judge/judge.mk tests/memcheck/memcheck.mk tests/tests.mk
 
 # Make lists the sources and what is built once, when it starts: after a clean in the same run it would not know.

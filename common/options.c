@@ -10,17 +10,16 @@
 #include "course_folder.h"
 #include "image.h"
 #include "number.h"
+#include "output_place.h"
 #include "scene2d.h"
 #include "scene3d.h"
 #include "standard_streams.h"
 
 #include <errno.h>
 #include <getopt.h>
-#include <limits.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 // A picture's side at most: pixel coordinates stay exact in float, with 1/16 px to spare.
 #define LARGEST_SIDE 1000000
@@ -41,6 +40,10 @@ enum OptionId {
     LEAF_SIZE,
     HEAT_MAP,
     TEXTBOOK,
+    PATH,
+    RECORD,
+    MOVIE,
+    SCRIPT,
     LIST_DEVICES,
     HELP
 };
@@ -62,6 +65,10 @@ static const struct OptionRow {
     [LEAF_SIZE] = {"leaf-size", "N", OPTIONS_TREE, "elements at which a node stays a leaf"},
     [HEAT_MAP] = {"heat-map", NULL, OPTIONS_WORK, "save each pixel's work beside the picture"},
     [TEXTBOOK] = {"textbook", NULL, OPTIONS_TEXTBOOK, "intersect by the textbook's quadratic"},
+    [PATH] = {"path", "FILE", OPTIONS_VIEW, "fly this path, as --record writes it"},
+    [RECORD] = {"record", "FILE", OPTIONS_VIEW, "write down the path that is flown"},
+    [MOVIE] = {"movie", "FOLDER", OPTIONS_VIEW, "no window: draw --path as pictures"},
+    [SCRIPT] = {"script", "FILE", OPTIONS_VIEW, "keys and mouse events from a file"},
     [LIST_DEVICES] = {"list-devices", NULL, 0, "show the devices and end"},
     [HELP] = {"help", NULL, 0, "show this and end"},
 };
@@ -219,6 +226,18 @@ static OptionsResult read_option(const char *lab_name, enum OptionId id, const c
     case TEXTBOOK:
         options->textbook = 1;
         break;
+    case PATH:
+        options->path = text;
+        break;
+    case RECORD:
+        options->record = text;
+        break;
+    case MOVIE:
+        options->movie = text;
+        break;
+    case SCRIPT:
+        options->script = text;
+        break;
     case LIST_DEVICES:
     case HELP:
         break;
@@ -226,64 +245,16 @@ static OptionsResult read_option(const char *lab_name, enum OptionId id, const c
     return expected == NULL ? OPTIONS_RUN : refuse(lab_name, ROWS[id].name, text, expected);
 }
 
-// The folder of a path as stat() takes it, "." where the path names none.
-//   folder   out; holds PATH_MAX bytes
-// Returns the file's name in it, or NULL where the path is too long.
-static const char *folder_of(const char *path, char *folder)
-{
-    const char *slash = strrchr(path, '/');
-    if (slash == NULL) {
-        strcpy(folder, ".");
-        return path;
-    }
-    const size_t length = (size_t)(slash - path) + 1;
-    if (length >= PATH_MAX) {
-        return NULL;
-    }
-    memcpy(folder, path, length);
-    folder[length] = '\0';
-    return slash + 1;
-}
-
-// Can a file be made at `path`? Found out before the work and not after it.
+// Can the file be made?
 static OptionsResult check_place(const char *lab_name, const char *option, const char *path)
 {
-    struct stat status;
-    if (stat(path, &status) == 0 && !S_ISREG(status.st_mode)) {
-        return refuse(lab_name, option, path,
-                      S_ISDIR(status.st_mode) ? "a file, not a folder" : "a regular file");
-    }
-
-    char folder[PATH_MAX];
-    const char *name = folder_of(path, folder);
-    if (name == NULL || strlen(name) > NAME_MAX) {
-        return refuse(lab_name, option, path, "a shorter path");
-    }
-    if (stat(folder, &status) != 0 || !S_ISDIR(status.st_mode)) {
-        return refuse(lab_name, option, path, "a file in a folder that exists");
-    }
-    if (access(folder, W_OK | X_OK) != 0) {
-        return refuse(lab_name, option, path, "a file in a folder that can be written");
-    }
-    return OPTIONS_RUN;
-}
-
-// Do two paths name one entry of one folder? A file that is saved takes the place of an entry, so
-// this holds for any spelling of the paths, whether or not there is a file yet.
-static int is_same_entry(const char *left, const char *right)
-{
-    char left_folder[PATH_MAX], right_folder[PATH_MAX];
-    const char *left_name = folder_of(left, left_folder);
-    const char *right_name = folder_of(right, right_folder);
-    struct stat left_status, right_status;
-    return left_name != NULL && right_name != NULL && strcmp(left_name, right_name) == 0 &&
-           stat(left_folder, &left_status) == 0 && stat(right_folder, &right_status) == 0 &&
-           left_status.st_dev == right_status.st_dev && left_status.st_ino == right_status.st_ino;
+    const char *expected = output_place_fault(path);
+    return expected == NULL ? OPTIONS_RUN : refuse(lab_name, option, path, expected);
 }
 
 static OptionsResult check_stats(const char *lab_name, const Options *options)
 {
-    if (is_same_entry(options->stats, options->output)) {
+    if (output_place_is_same(options->stats, options->output)) {
         return refuse(lab_name, "stats", options->stats, "another file than --output");
     }
     return check_place(lab_name, "stats", options->stats);
@@ -399,6 +370,9 @@ OptionsResult options_parse(int argc, char **argv, const char *lab_name, const c
     }
     if (result == OPTIONS_RUN && options->stats != NULL) {
         result = check_stats(lab_name, options);
+    }
+    if (result == OPTIONS_RUN && options->record != NULL) {
+        result = check_place(lab_name, "record", options->record);
     }
     // Last, so that a fault is told alone.
     if (result == OPTIONS_RUN) {

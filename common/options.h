@@ -9,6 +9,7 @@
 //     --max-depth N     levels of the tree (labs with trees)       --list-devices
 //     --leaf-size N     elements at which a node stays a leaf      --help
 //     --heat-map        save the work of each pixel, too           --textbook      (lab 05)
+//     --path FILE, --record FILE, --movie FOLDER, --script FILE      (windows)
 #ifndef COMMON_OPTIONS_H
 #define COMMON_OPTIONS_H
 
@@ -21,6 +22,7 @@ enum {
     OPTIONS_SCENE3D = 8,    // --scene, of spheres
     OPTIONS_WORK = 16,      // --heat-map; --stats then counts the work, too
     OPTIONS_TEXTBOOK = 32,  // --textbook
+    OPTIONS_VIEW = 64,      // --path, --record, --movie, --script: of windows (common/view)
 };
 
 // The picture's size in pixels in a lab without a scene.
@@ -44,6 +46,7 @@ typedef struct Options {
     int leaf_size;       // targetElementsPerNode; in 3D 0 when not given
     int heat_map;        // 1 when asked for
     int textbook;        // 1 when asked for
+    const char *path, *record, *movie, *script;  // as given, or NULL
 } Options;
 
 typedef enum OptionsResult {

@@ -10,6 +10,9 @@
 //     random[:n=N,seed=S,min=R,max=R]        N spheres (1000) with centres in the cube [-1, 1]^3;
 //                                            radii of min to max, which follow N when not given
 //     lattice[:n=N]                          N x N x N equal spheres; N is 10 when not given
+//     clusters[:n=N,seed=S]                  N spheres (1000) in eight heaps, and nothing between
+//     stadium[:n=N,seed=S]                   N spheres (1000), nine of ten of them a teapot in a
+//                                            stadium a hundred times as wide
 //     inside, planes, one-cell, one, none, coincident, large-small, behind     edge cases
 // Arguments come in any order. Space is right-handed.
 #ifndef COMMON_SCENE3D_H
@@ -48,7 +51,7 @@ typedef struct Scene3D {
 // Every name of a scene but the edge cases', for messages.
 #define SCENE3D_NAMES                                                                              \
     "FILE.nff, FILE.pdb, FILE.xyz, sphereflake[:size=N], random[:n=N,seed=S,min=R,max=R], "        \
-    "lattice[:n=N]"
+    "lattice[:n=N], clusters[:n=N,seed=S], stadium[:n=N,seed=S]"
 
 // The most spheres, materials and lights of a scene.
 #define SCENE3D_MAX_SPHERES 10000000
@@ -149,6 +152,8 @@ int scene3d_random(int n_spheres, uint64_t seed, float min_radius, float max_rad
                    Scene3D *scene);
 int scene3d_sphereflake(int size, Scene3D *scene);
 int scene3d_lattice(int n_per_side, Scene3D *scene);
+int scene3d_clusters(int n_spheres, uint64_t seed, Scene3D *scene);
+int scene3d_stadium(int n_spheres, uint64_t seed, Scene3D *scene);
 
 // Radii of a random scene that does not say its own: spheres keep their share of the cube whatever
 // their number.

@@ -1,7 +1,8 @@
 // 3D scenes that are made, by name (scene3d_generate() of scene3d.h).
 //
 // Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: scene3d_sphereflake.c,
-// scene3d_random.c, scene3d_lattice.c and scene3d_edge_cases.c for the generators.
+// scene3d_random.c, scene3d_lattice.c, scene3d_uneven.c and scene3d_edge_cases.c for the
+// generators.
 #include "number.h"
 #include "scene3d_edge_cases.h"
 #include "scene_arguments.h"
@@ -74,6 +75,23 @@ static int lattice_open(const char *name, Scene3D *scene)
     return scene3d_lattice((int)n_per_side, scene);
 }
 
+// "clusters" or "stadium", which take the same arguments.
+static int uneven_open(const char *name, int make(int, uint64_t, Scene3D *), Scene3D *scene)
+{
+    int64_t n_spheres = DEFAULT_SPHERES;
+    int64_t seed = DEFAULT_SEED;
+    const SceneArgument takes[] = {
+        {"n=", "n=N, a whole number from 0 to " NUMBER_TEXT(SCENE3D_MAX_SPHERES),
+         .whole = {&n_spheres, 0, SCENE3D_MAX_SPHERES}},
+        {"seed=", "seed=S, a whole number of at least 0", .whole = {&seed, 0, INT64_MAX}},
+        {.name = NULL},
+    };
+    if (scene_arguments_read(name, takes, "n=N or seed=S") != 0) {
+        return -1;
+    }
+    return make((int)n_spheres, (uint64_t)seed, scene);
+}
+
 // ---- By name ------------------------------------------------------------------------------------
 
 static const Scene3DEdgeCase *edge_case_find(const char *name)
@@ -101,6 +119,12 @@ static int generate(const char *name, Scene3D *scene)
     }
     if (scene_is_called(name, "lattice")) {
         return lattice_open(name, scene);
+    }
+    if (scene_is_called(name, "clusters")) {
+        return uneven_open(name, scene3d_clusters, scene);
+    }
+    if (scene_is_called(name, "stadium")) {
+        return uneven_open(name, scene3d_stadium, scene);
     }
     return scene_report_unknown(name, SCENE3D_NAMES, scene3d_edge_case);
 }

@@ -6,7 +6,6 @@
 
 #include "complain.h"
 #include "image.h"
-#include "work.h"
 
 #include <stddef.h>
 #include <stdio.h>
@@ -28,6 +27,18 @@ static const struct Counter {
     {"stack_depth", offsetof(Work, stack_depth)},
 };
 enum { N_CIRCLE_COUNTERS = 2, N_SPHERE_COUNTERS = 4 };
+
+// What differs from kind to kind.
+static const struct Kind {
+    const char *test_name;
+    int n_counters;
+    const char *prefix;  // of the figures
+    const char *ending;  // of the pictures, before "-work.png"
+} KINDS[] = {
+    [WORK_CIRCLES] = {"circle_tests", N_CIRCLE_COUNTERS, "", ""},
+    [WORK_SPHERES] = {"sphere_tests", N_SPHERE_COUNTERS, "", ""},
+    [WORK_SPHERES_MIDDLE] = {"sphere_tests", N_SPHERE_COUNTERS, "middle.", "-middle"},
+};
 
 _Static_assert(N_SPHERE_COUNTERS == IMAGE_CHANNELS && sizeof(Work) == 4 * sizeof(u32),
                "a pixel has a channel for each counter");
@@ -61,14 +72,10 @@ static u32 counter_of(const Work *work, const struct Counter *counter)
     return count;
 }
 
-static void add_figures(const Work *h_work, size_t n_pixels, WorkKind kind, Stats *stats)
+static void add_figures(const Work *h_work, size_t n_pixels, const struct Kind *kind, Stats *stats)
 {
-    const int n_counters = kind == WORK_CIRCLES ? N_CIRCLE_COUNTERS : N_SPHERE_COUNTERS;
-    for (int c = 0; c < n_counters; c++) {
-        const char *counter_name = COUNTERS[c].name;
-        if (counter_name == NULL) {
-            counter_name = kind == WORK_CIRCLES ? "circle_tests" : "sphere_tests";
-        }
+    for (int c = 0; c < kind->n_counters; c++) {
+        const char *counter_name = COUNTERS[c].name != NULL ? COUNTERS[c].name : kind->test_name;
         double sum = 0;
         u32 most = 0;
         for (size_t i = 0; i < n_pixels; i++) {
@@ -77,19 +84,21 @@ static void add_figures(const Work *h_work, size_t n_pixels, WorkKind kind, Stat
             most = count > most ? count : most;
         }
         char name[64];
-        snprintf(name, sizeof name, "%s.mean_per_pixel", counter_name);
+        snprintf(name, sizeof name, "%s%s.mean_per_pixel", kind->prefix, counter_name);
         stats_number(stats, name, sum / (double)n_pixels);
-        snprintf(name, sizeof name, "%s.max_per_pixel", counter_name);
+        snprintf(name, sizeof name, "%s%s.max_per_pixel", kind->prefix, counter_name);
         stats_integer(stats, name, most);
     }
 }
 
 // Save a picture as the path of the run's picture with another ending: "a.png" becomes
 // "a-work.exr".
-static int save_beside(const Image *image, const char *picture_path, const char *ending)
+static int save_beside(const Image *image, const char *picture_path, const struct Kind *kind,
+                       const char *ending)
 {
     char *path;
-    if (asprintf(&path, "%.*s%s", (int)image_stem_length(picture_path), picture_path, ending) < 0) {
+    if (asprintf(&path, "%.*s%s%s", (int)image_stem_length(picture_path), picture_path,
+                 kind->ending, ending) < 0) {
         complain("%s: no memory", picture_path);
         return -1;
     }
@@ -98,13 +107,13 @@ static int save_beside(const Image *image, const char *picture_path, const char 
     return result;
 }
 
-// All steps of one pixel: what the heat map shows.
-static u32 n_steps(const Work *work)
+u32 work_steps(const Work *work)
 {
     return work->n_tests + work->n_nodes_visited + work->n_leaves_visited;
 }
 
-static int save_pictures(const Work *h_work, Image *image, const char *picture_path, Stats *stats)
+static int save_pictures(const Work *h_work, Image *image, const char *picture_path,
+                         const struct Kind *kind, Stats *stats)
 {
     const size_t n_pixels = (size_t)image->width * (size_t)image->height;
     u32 brightest = 1;
@@ -113,18 +122,20 @@ static int save_pictures(const Work *h_work, Image *image, const char *picture_p
             image->pixels[i * IMAGE_CHANNELS + (size_t)c] =
                 (float)counter_of(&h_work[i], &COUNTERS[c]);
         }
-        brightest = n_steps(&h_work[i]) > brightest ? n_steps(&h_work[i]) : brightest;
+        brightest = work_steps(&h_work[i]) > brightest ? work_steps(&h_work[i]) : brightest;
     }
-    if (save_beside(image, picture_path, "-work.exr") != 0) {
+    if (save_beside(image, picture_path, kind, "-work.exr") != 0) {
         return -1;
     }
     for (size_t i = 0; i < n_pixels; i++) {
         float *pixel = image->pixels + i * IMAGE_CHANNELS;
-        image_heat_colour((float)n_steps(&h_work[i]) / (float)brightest, pixel);
+        image_heat_colour((float)work_steps(&h_work[i]) / (float)brightest, pixel);
         pixel[3] = 1;
     }
-    stats_integer(stats, "heat_map.brightest", brightest);
-    return save_beside(image, picture_path, "-work.png");
+    char name[64];
+    snprintf(name, sizeof name, "%sheat_map.brightest", kind->prefix);
+    stats_integer(stats, name, brightest);
+    return save_beside(image, picture_path, kind, "-work.png");
 }
 
 int work_report(const ClSetup *cl, cl_mem d_work, int width, int height, WorkKind kind,
@@ -134,13 +145,13 @@ int work_report(const ClSetup *cl, cl_mem d_work, int width, int height, WorkKin
     Work *h_work = work_allocate(n_pixels);
     CL_CHECK(clEnqueueReadBuffer(cl->queue, d_work, CL_TRUE, 0, n_pixels * sizeof *h_work, h_work,
                                  0, NULL, NULL));
-    add_figures(h_work, n_pixels, kind, stats);
+    add_figures(h_work, n_pixels, &KINDS[kind], stats);
     int result = 0;
     if (picture_path != NULL) {
         Image image = {0};
         result = image_create(width, height, &image);
         if (result == 0) {
-            result = save_pictures(h_work, &image, picture_path, stats);
+            result = save_pictures(h_work, &image, picture_path, &KINDS[kind], stats);
         }
         image_free(&image);
     }

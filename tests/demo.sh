@@ -108,6 +108,10 @@ figure 07-kdtree-3d-trace 07-large.png --scene random:n=100000 --size 1024x1024 
 figure 07-kdtree-3d-trace 07-helix.png --scene tests/scenes/helix.pdb --size 1024x640
 figure 07-kdtree-3d-trace 07-c60.png --scene tests/scenes/c60.xyz
 figure 07-kdtree-3d-trace 07-lattice.png --scene lattice:n=40 --size 640x640
+section 08-surface-area-heuristic
+figure 08-surface-area-heuristic 08.png --scene stadium --heat-map
+picture 08-surface-area-heuristic 08-work.png "The same, by work, with the tree that is built by cost"
+picture 08-surface-area-heuristic 08-middle-work.png "With lab 06's tree, to a scale of its own"
 echo "</section></body></html>" >>"$gallery/index.html"
 
 # ---- A small class ----------------------------------------------------------------------------

@@ -21,7 +21,21 @@ done
 "$build/solutions/07-kdtree-3d-trace" --heat-map --output "$folder/07-kdtree-3d-trace.png"
 mv "$folder/07-kdtree-3d-trace-work.png" "$folder/07-work.png"
 rm "$folder/07-kdtree-3d-trace-work.exr"
+"$build/solutions/08-surface-area-heuristic" --scene stadium --heat-map --output "$folder/08-stadium.png"
+mv "$folder/08-stadium-work.png" "$folder/08-work.png"
+mv "$folder/08-stadium-middle-work.png" "$folder/08-middle-work.png"
+rm "$folder"/08-stadium*-work.exr
 "$build/solutions/02-kdtree-2d-build" --scene example --max-depth 4 --leaf-size 1 \
     --output "$folder/02-example.png"
 # Ten by ten pixels: only the drawing beside it is of use.
 rm "$folder/02-example.png"
+
+# A window, where a display can be had. How fast it was stands in it, so it differs from run to run.
+. tests/display.sh
+if display_open; then
+    trap display_close EXIT
+    printf '%s\n' 'frames 2' 'key M' 'click 262 250' 'frames 2' 'key +' 'frames 1' 'key -' 'frames 1' \
+        "save $folder/07-view.png" >"$folder/07-view.script"
+    "$build/view/solutions/07-kdtree-3d-trace" --size 640x640 --script "$folder/07-view.script" >/dev/null
+    rm "$folder/07-view.script"
+fi

@@ -6,7 +6,7 @@ AUTHORS_INCLUDES += -I tests/mutation -I tests/memcheck -I tests/class
 
 # ---- Known answers, and mechanical ones -----------------------------------------------------
 
-$(OUT)/libmutation.a: $(call objects,tests/mutation/mutations.c)
+$(OUT)/libmutation.a: $(call objects,tests/mutation/mutations.c tests/mutation/known_answer.c)
 	$(archive)
 $(OUT)/tools/mutants $(OUT)/tools/mutate: $(OUT)/tools/%: $(OUT)/obj/tests/mutation/%.c.o $(OUT)/libmutation.a $(OUT)/libgrader.a $(OUT)/libcommon.a | $(OUT)/libimage_codec.so
 	$(call link,$(LIBRARIES))
@@ -69,7 +69,7 @@ demo:  ## install what is missing, render every solution, grade a small class
 	@$(MAKE) --no-print-directory all
 	@tests/demo.sh $(OUT)
 
-figures: all  ## draw the pictures of the READMEs and notes anew
+figures: all views  ## draw the pictures of the READMEs and notes anew
 	tests/figures.sh slides-notes/figures $(OUT) >/dev/null
 
 # Texts of answers are as somebody wrote them.
@@ -91,6 +91,11 @@ $(OUT)/obj/tests/unit/test_corpus.c.o $(OUT)/obj/tests/unit/test_nff_round_trip.
     EXTRA = $(GRADER_INCLUDES) -I tests/fuzz
 $(OUT)/tests/test_corpus: $(call objects,$(wildcard tests/fuzz/fuzz_*.c))
 
+# The parts of a window that need none.
+$(OUT)/obj/tests/unit/test_flight.c.o $(OUT)/obj/tests/unit/test_poses.c.o: EXTRA = $(GRADER_INCLUDES) -I common/view
+$(OUT)/tests/test_flight: $(call objects,common/view/flight.c)
+$(OUT)/tests/test_poses: $(call objects,common/view/poses.c common/view/world.c)
+
 # The figures that the bench prints.
 $(OUT)/obj/tests/unit/test_bench_report.c.o: EXTRA = -I tests/bench
 $(OUT)/tests/test_bench_report: $(call objects,tests/bench/report.c tests/bench/series.c)
@@ -103,10 +108,10 @@ $(TOO_MANY): solutions/02-kdtree-2d-build/kdtree2d_build.c tests/mutants/02-kdtr
 $(OUT)/obj/tests/unit/test_builder_guard.c.o: EXTRA = $(GRADER_INCLUDES) -I $(dir $(TOO_MANY))
 $(OUT)/obj/tests/unit/test_builder_guard.c.o: $(TOO_MANY)
 
-# What the suites use: a comparison of two pictures, what rays hit; for the attacks a listener that must
-# not be reached, and a wrapper that sees survivors; a judge over answers that exhaust it; a kernel
-# without Landlock, a device without images.
-SUITE_TOOLS = $(addprefix $(OUT)/tools/,compare count_hits greedy_judge listener left_behind older_kernel)
+# What the suites use: a comparison of two pictures, a part of one, what rays hit; for the attacks a
+# listener that must not be reached, a wrapper that sees survivors, and a table of what a seed shows; a
+# judge over answers that exhaust it; a kernel without Landlock, a device without images.
+SUITE_TOOLS = $(addprefix $(OUT)/tools/,compare count_hits crop greedy_judge learned listener left_behind older_kernel)
 $(SUITE_TOOLS): $(OUT)/tools/%: $(OUT)/obj/tests/tools/%.c.o $(OUT)/libgrader.a $(OUT)/libjudge.a $(OUT)/libcommon.a | $(OUT)/libimage_codec.so
 	$(call link,$(LIBRARIES))
 $(OUT)/tests/no_images.so: tests/tools/no_images.c
@@ -118,8 +123,8 @@ NATIVE_TEST = $(OUT)/tests/test_cl_setup
 
 .PHONY: unit-tests tests check test test-scale test-seeds test-mutants test-attacks
 unit-tests: $(filter-out $(NATIVE_TEST),$(UNIT_TESTS))
-tests: all $(NATIVE_TEST) $(JUDGES) $(LAB_JUDGES) $(SUITE_TOOLS) $(OUT)/tests/no_images.so  ## build all that the tests run
-	@$(MAKE) --no-print-directory SANITIZE=1 all unit-tests
+tests: all $(NATIVE_TEST) $(JUDGES) $(LAB_JUDGES) $(SUITE_TOOLS) $(OUT)/tests/no_images.so views  ## build all that the tests run
+	@$(MAKE) --no-print-directory SANITIZE=1 all unit-tests views
 check: tests  ## run the tests without installing anything
 	@BUILD="$(BUILD)" tests/run.sh
 test:  ## install what is missing and run every test

@@ -4,8 +4,7 @@
 #ifndef KDTREE3D_BUILD_H
 #define KDTREE3D_BUILD_H
 
-#include "sphere.h"
-#include "tree3d.h"
+#include "tree3d_grow.h"
 
 // Build the 3D kd-tree over spheres.
 //   h_spheres[n_spheres]  centres and radii in scene units; not modified
@@ -17,12 +16,6 @@ int kdtree3d_build(const Sphere *h_spheres, u32 n_spheres, KdTreeLimits limits, 
 // The root's cell: the smallest box that holds every sphere whole, up to float's rounding. All
 // zeros when there is none. A negative radius counts as its absolute value.
 BBox3D spheres_bounds(const Sphere *h_spheres, u32 n_spheres);
-
-// A plane at right angles to an axis.
-typedef struct KdSplit {
-    u32 axis;  // 0 = x, 1 = y, 2 = z
-    f32 pos;   // the plane's coordinate on it
-} KdSplit;
 
 // Where to split a cell: in the middle of its longest side; of equal sides x comes before y, and y
 // before z.

@@ -45,7 +45,10 @@ hand_in() {
     task=$(header task)
     file=$(header file)
     fill_in >"$place/attack"
-    if [ -n "$task" ]; then
+    if [ "${attack##*.}" = sh ]; then
+        (cd "$submission" && sh "$place/attack") || wrong "the submission cannot be made"
+        attacked=$task
+    elif [ -n "$task" ]; then
         source=$(grep -l "// TASK $task:" "solutions/$lab"/*.c*)
         "$build/tools/holes" fill "$source" "$task" "$place/attack" \
             >"$submission/$(basename "$source")" || wrong "no task $task"
@@ -53,9 +56,6 @@ hand_in() {
     elif [ -n "$file" ]; then
         cp "$place/attack" "$submission/$file"
         attacked=$("$build/tools/holes" list "solutions/$lab/$file")
-    elif [ "${attack##*.}" = sh ]; then
-        (cd "$submission" && sh "$place/attack") || wrong "the submission cannot be made"
-        attacked=
     else
         wrong "it has neither a task nor a file"
     fi
@@ -75,12 +75,13 @@ earned() {
 
 # grade: by the sandbox asked for; everything it starts has to end with it.
 grade() {
-    limit=
-    [ ! -f "$attack" ] || limit=$(header limit)
+    limit='' deadline='' seed=''
+    [ ! -f "$attack" ] || limit=$(header limit) deadline=$(header deadline) seed=$(header seed)
     # The solution's answers are kept: it need not run beside every attack.
     mkdir -p "$answers/$lab"
     set -- --build "$build" --lab "$lab" --submission "$submission" --output "$reports" \
-        ${limit:+--time-limit "$limit"} --seed 1 --answers "$answers/$lab" --sandbox "$sandbox"
+        ${limit:+--time-limit "$limit"} ${deadline:+--deadline "$deadline"} \
+        --seed "${seed:-1}" --answers "$answers/$lab" --sandbox "$sandbox"
     status=0
     # So far off that no busy machine gets there.
     TMPDIR=$work timeout 900 "$build/tools/left_behind" "$build/tools/grade" "$@" \

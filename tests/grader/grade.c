@@ -156,6 +156,7 @@ static int grade(Grading *grading, const Settings *settings)
     if (session_run(session, variants, n_variants) != 0 || session_trust_solution(session) != 0) {
         return -1;
     }
+    session->allowance.is_for_one = 1;
     session_device_name(session->has_solution ? &session->solution : &grading->whole,
                         grading->result.device, sizeof grading->result.device);
     if (staged != 0) {

@@ -31,7 +31,7 @@ WITH_HOST_FILES := $(patsubst labs/%/lab.json,%,$(shell grep -l '"[a-zA-Z0-9_]*\
 PROBES := $(PROBED:%=$(OUT)/probes/%.a) $(addprefix $(OUT)/probes/,$(filter-out $(WITH_HOST_FILES),$(PROBED)))
 $(OUT)/obj/tests/probes/%/main.c.o: EXTRA = -I tests/probes -I labs/$(lab_name) -DLAB_NAME='"$(lab_name)"' \
     -DLAB_FOLDER='"labs/$(lab_name)"' -DPROBE_KERNEL_OPTIONS='"$(call include_path,$(lab_name))"'
-$(OUT)/probes/%.a: $(OUT)/obj/tests/probes/%/main.c.o $(call objects,tests/probes/probe.c tests/probes/sections.c)
+$(OUT)/probes/%.a: $(OUT)/obj/tests/probes/%/main.c.o $(call objects,tests/probes/probe.c tests/probes/probe_trees.c tests/probes/sections.c)
 	$(archive)
 $(OUT)/probes/%: $(OUT)/probes/%.a $(OUT)/libcommon.a
 	$(call link,-lOpenCL -lm)

@@ -99,8 +99,12 @@ static int try_in(Grading *grading, const char *own)
     for (int t = 0; t < n_tasks; t++) {
         Variant *alone = &grading->alone[t];
         const Task *task = task_of(grading, t);
-        const int is_due =
+        int is_due =
             is_open(grading, t) && !grading->is_untouched[t] && (own != NULL || alone->is_changed);
+        if (is_due && allowance_left(&grading->session.allowance) <= 0) {
+            grading->has_no_time = 1;
+            is_due = 0;
+        }
         char *answer = is_due ? grading_answer(grading, task) : NULL;
         if (answer != NULL) {
             variant_free(alone);
@@ -167,6 +171,7 @@ static void note_own(const Grading *grading, const Variant *alone, int passes, C
     static const Cause not_yet = {
         .says = "what is wrong can be said once the whole program comes this far"};
     check->is_own = !passes || is_finished(grading);
+    check->passes_alone = passes;
     // What does not compile is told once, under "Compiling".
     if (check->is_own && check->status == CHECK_NOT_RUN && alone->build_log == NULL) {
         check_fail(check, diagnosis_of(message_new("it fails by itself, too"), not_yet));
@@ -240,8 +245,8 @@ int grading_try_alone(Grading *grading)
         is_task_wrong[t] = is_wrong(grading, t);
     }
     for (int t = 0; t < grading->session.manifest.n_tasks; t++) {
+        void_borrowed(grading, t);
         if (grading->verdicts[t].was_tried) {
-            void_borrowed(grading, t);
             settle(grading, t, is_task_wrong);
         }
     }

@@ -8,9 +8,8 @@
 #include "holes.h"
 #include "message.h"
 #include "path.h"
-#include "skeleton.h"
-#include "source_words.h"
 #include "text_file.h"
+#include "untouched.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -20,7 +19,7 @@
 static void judge_whole(Grading *grading)
 {
     for (int i = 0; i < grading->result.n_checks; i++) {
-        session_judge(&grading->session, i, &grading->whole, &grading->result.checks[i]);
+        session_judge(&grading->session, 0, i, &grading->whole, &grading->result.checks[i]);
     }
 }
 
@@ -68,31 +67,6 @@ static void add_marker_stage(Grading *grading)
 
 // ---- Answers that are not there -------------------------------------------------------------
 
-// Do two texts say the same to a compiler? Comments and blanks say nothing.
-static int are_same_words(const char *a, const char *b)
-{
-    SourceReader own = source_reader(a), handed_out = source_reader(b);
-    SourceWord x, y;
-    do {
-        x = source_next(&own);
-        y = source_next(&handed_out);
-    } while (x.kind == y.kind && x.length == y.length && memcmp(x.start, y.start, x.length) == 0 &&
-             x.kind != SOURCE_END);
-    return x.kind == SOURCE_END && y.kind == SOURCE_END;
-}
-
-// Does the answer stand as it is handed out? The folder labs/ is not asked: a student may be at
-// work there.
-static int is_untouched(const Grading *grading, const Task *task, const char *answer)
-{
-    char *skeleton = skeleton_read(&grading->session.manifest, task->file);
-    char *placeholder = skeleton != NULL ? hole_read(skeleton, task->id) : NULL;
-    const int is_same = placeholder != NULL && are_same_words(answer, placeholder);
-    free(placeholder);
-    free(skeleton);
-    return is_same;
-}
-
 // What it found is no news.
 static void note_unanswered(CheckResult *check)
 {
@@ -114,7 +88,7 @@ static void refuse_unanswered(Grading *grading)
     for (int t = 0; t < manifest->n_tasks; t++) {
         const Task *task = &manifest->tasks[t];
         char *answer = grading_answer(grading, task);
-        grading->is_untouched[t] = answer != NULL && is_untouched(grading, task, answer);
+        grading->is_untouched[t] = answer != NULL && answer_is_untouched(manifest, task, answer);
         for (int i = 0; i < grading->result.n_checks && grading->is_untouched[t]; i++) {
             if (strcmp(grading->result.checks[i].task, task->id) == 0) {
                 note_unanswered(&grading->result.checks[i]);
@@ -161,7 +135,7 @@ static int confirm_kernels(Grading *grading)
         CheckResult *check = &grading->result.checks[i];
         if (check->status == CHECK_PASSED && is_of_kernel(grading, check)) {
             check->points = 0;
-            session_judge(&grading->session, i, &grading->kernels, check);
+            session_judge(&grading->session, 0, i, &grading->kernels, check);
         }
     }
     return 0;
@@ -174,6 +148,11 @@ int grading_judge(Grading *grading)
     refuse_unanswered(grading);
     if (confirm_kernels(grading) != 0 || grading_try_alone(grading) != 0) {
         return -1;
+    }
+    if (grading->has_no_time) {
+        grading_add_stage(grading, "Trying answers alone", CHECK_FAILED,
+                          "what is left was not tried by itself: all runs together had used up the "
+                          "time that a submission has; do answers wait, or never end?");
     }
     blame_others(grading->session.judge.checks, &grading->result);
     return 0;

@@ -5,6 +5,7 @@
 #include "kept_answers.h"
 #include "path.h"
 #include "sandbox.h"
+#include "sandbox_clock.h"
 #include "secrets.h"
 #include "skeleton.h"
 #include "text_file.h"
@@ -106,6 +107,9 @@ int session_open(Session *session, const Settings *settings)
 {
     *session =
         (Session){.settings = settings, .allowance = {.given_seconds = settings->time_limit}};
+    if (settings->deadline > 0) {
+        session->allowance.deadline = seconds_now() + settings->deadline;
+    }
     SandboxKind sandbox;
     session->has_solution = has_solution(settings->lab);
     if (manifest_load("labs", settings->lab, &session->manifest) != 0 ||
@@ -158,17 +162,21 @@ void session_close(Session *session)
 int session_run(Session *session, Variant *const variants[], int n)
 {
     const int known = session->has_kept_answers && n > 0 && variants[0] == &session->solution;
+    // Answers over which the judge ended took its time, which counts as theirs.
+    session->allowance.spent += session->judge.lost_seconds;
+    session->judge.lost_seconds = 0;
     return variants_run(&session->workshop, variants + known, n - known, &session->allowance);
 }
 
-static Answers answers_of(const Variant *variant)
+static JudgeProcess *judge_of_job(Session *session, int k)
 {
-    return (Answers){variant->number, &variant->answers};
+    return k == 0 ? &session->judge : &session->further[k - 1];
 }
 
-static Answers further_of(const Variant *variant, int k)
+// What a variant answered to job number k.
+static Answers answers_to(const Variant *variant, int k)
 {
-    return (Answers){variant->number, &variant->further[k]};
+    return (Answers){variant->number, k == 0 ? &variant->answers : &variant->further[k - 1]};
 }
 
 // The solution's answers to a judge's job must pass; then its pictures are what is compared with.
@@ -202,12 +210,10 @@ int session_trust_solution(Session *session)
                 solution->build_log ? solution->build_log : solution->run_output);
         return -1;
     }
-    int result = trust_answers(&session->judge, answers_of(solution));
-    for (int k = 0; result == 0 && k < session->workshop.n_further_jobs; k++) {
-        result = trust_answers(&session->further[k], further_of(solution, k));
-    }
-    if (result != 0) {
-        return -1;
+    for (int k = 0; k <= session->workshop.n_further_jobs; k++) {
+        if (trust_answers(judge_of_job(session, k), answers_to(solution, k)) != 0) {
+            return -1;
+        }
     }
     if (session->settings->kept_answers == NULL || session->has_kept_answers) {
         return 0;
@@ -276,15 +282,8 @@ static void take_verdict(const Variant *variant, const char *task, Verdict verdi
     }
 }
 
-void session_judge(Session *session, int i, const Variant *variant, CheckResult *result)
+void session_judge(Session *session, int k, int i, const Variant *variant, CheckResult *result)
 {
-    const Verdict verdict = judge_verdict(&session->judge, answers_of(variant), i);
-    take_verdict(variant, session->judge.checks[i].task, verdict, result);
-}
-
-void session_judge_further(Session *session, int k, int i, const Variant *variant,
-                           CheckResult *result)
-{
-    const Verdict verdict = judge_verdict(&session->further[k], further_of(variant, k), i);
+    const Verdict verdict = judge_verdict(judge_of_job(session, k), answers_to(variant, k), i);
     take_verdict(variant, session->judge.checks[i].task, verdict, result);
 }

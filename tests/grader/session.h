@@ -66,11 +66,8 @@ int session_write(const char *folder, const char *name, const char *text);
 // The line at which a variant crashed: see variant_find_line().
 char *session_find_line(Session *session, const Variant *variant);
 
-// Judge check number i by a variant that has run, and note points, status and message.
-void session_judge(Session *session, int i, const Variant *variant, CheckResult *result);
-
-// The same by what it did in the job of further seed number k, from 0 on.
-void session_judge_further(Session *session, int k, int i, const Variant *variant,
-                           CheckResult *result);
+// Judge check number i by what a variant that has run did in job number k, and note points, status
+// and message. Job 0 is the session's own, those behind it are of the seeds that follow.
+void session_judge(Session *session, int k, int i, const Variant *variant, CheckResult *result);
 
 #endif

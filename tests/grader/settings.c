@@ -29,6 +29,9 @@ static void usage(FILE *out)
         "  --device D           OpenCL device by number or name\n"
         "  --time-limit S       seconds of processor time that a submission may use (default: 8\n"
         "                       times what the solution uses here, 10 at least)\n"
+        "  --deadline S         be done S seconds from now: what a submission has not done by "
+        "then,\n"
+        "                       and had the machine for, it has not done\n"
         "  --sandbox KIND       bubblewrap; as root landlock, user or user-unfiltered; none; or\n"
         "                       any, the first of these but none: the default, $" SANDBOX_VARIABLE
         " sets another\n"
@@ -116,21 +119,15 @@ typedef struct GivenOptions {
 static int read_options(int argc, char **argv, Settings *settings, GivenOptions *given)
 {
     static const struct option options[] = {
-        {"lab", required_argument, NULL, 'l'},
-        {"submission", required_argument, NULL, 's'},
-        {"output", required_argument, NULL, 'o'},
-        {"seed", required_argument, NULL, 'r'},
-        {"device", required_argument, NULL, 'd'},
-        {"time-limit", required_argument, NULL, 't'},
-        {"build", required_argument, NULL, 'b'},
-        {"list-checks", no_argument, NULL, 'c'},
-        {"time-solution", no_argument, NULL, 'u'},
-        {"answers", required_argument, NULL, 'a'},
-        {"sandbox", required_argument, NULL, 'x'},
-        {"help", no_argument, NULL, 'h'},
-        {0},
+        {"lab", required_argument, NULL, 'l'},      {"submission", required_argument, NULL, 's'},
+        {"output", required_argument, NULL, 'o'},   {"seed", required_argument, NULL, 'r'},
+        {"device", required_argument, NULL, 'd'},   {"time-limit", required_argument, NULL, 't'},
+        {"deadline", required_argument, NULL, 'e'}, {"build", required_argument, NULL, 'b'},
+        {"list-checks", no_argument, NULL, 'c'},    {"time-solution", no_argument, NULL, 'u'},
+        {"answers", required_argument, NULL, 'a'},  {"sandbox", required_argument, NULL, 'x'},
+        {"help", no_argument, NULL, 'h'},           {0},
     };
-    uint64_t seconds = 0;
+    uint64_t seconds = 0, deadline = 0;
     int letter, failed = 0;
     while (!failed && (letter = getopt_long(argc, argv, "", options, NULL)) != -1) {
         switch (letter) {
@@ -156,6 +153,9 @@ static int read_options(int argc, char **argv, Settings *settings, GivenOptions 
         case 't':
             failed = read_number("--time-limit", optarg, 1, 3600, &seconds);
             break;
+        case 'e':
+            failed = read_number("--deadline", optarg, 1, 86400, &deadline);
+            break;
         case 'b':
             settings->build = optarg;
             break;
@@ -179,6 +179,7 @@ static int read_options(int argc, char **argv, Settings *settings, GivenOptions 
         }
     }
     settings->time_limit = (int)seconds;
+    settings->deadline = (int)deadline;
     return failed;
 }
 

@@ -16,6 +16,7 @@ typedef struct Settings {
     const char *kept_answers;   // see kept_answers.h; NULL: the solution is run
     uint64_t seed;
     int time_limit;       // seconds of processor time; 0: see allowance.h
+    int deadline;         // seconds of wall time from the start, 0 for none: see allowance.h
     SandboxKind sandbox;  // SANDBOX_ANY: the first that works here
     int list_checks;      // only print the lab's checks
     int time_solution;    // only print how long the solution takes

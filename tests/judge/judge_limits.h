@@ -5,8 +5,8 @@
 
 #include <stddef.h>
 
-// No probe's answers take so long to judge, in seconds of processor time a request, nor so much
-// memory, in bytes.
+// No probe's answers take so long to judge, in seconds of processor time for all that is asked of
+// them, nor so much memory, in bytes.
 enum { MOST_SECONDS = 20 };
 #define MOST_BYTES ((size_t)2 << 30)
 

@@ -1,7 +1,8 @@
 // The table of judges.
 #include "judge.h"
 
-extern const Judge judge_00, judge_01, judge_02, judge_03, judge_04, judge_05, judge_06, judge_07;
+extern const Judge judge_00, judge_01, judge_02, judge_03, judge_04, judge_05, judge_06, judge_07,
+    judge_08;
 
 const Judge *const judges[] = {&judge_00, &judge_01, &judge_02, &judge_03, &judge_04,
-                               &judge_05, &judge_06, &judge_07, NULL};
+                               &judge_05, &judge_06, &judge_07, &judge_08, NULL};

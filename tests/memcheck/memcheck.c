@@ -8,11 +8,13 @@
 // or costs no points. Exit status: 0 nothing found, 1 something, 2 it could not be tried.
 #include "clean_text.h"
 #include "complain.h"
+#include "holes.h"
 #include "memcheck_job.h"
 #include "memcheck_passes.h"
 #include "path.h"
 #include "settings.h"
 #include "submission.h"
+#include "untouched.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -121,6 +123,25 @@ static void findings_print(const Memcheck *memcheck)
     }
 }
 
+// Say which kernels' tasks stand as they were handed out: what Oclgrind finds there is given.
+static void untouched_print(const Memcheck *memcheck)
+{
+    const Manifest *manifest = &memcheck->session.manifest;
+    int n_untouched = 0;
+    for (int t = 0; t < manifest->n_tasks; t++) {
+        const Task *task = &manifest->tasks[t];
+        char path[PATH_MAX];
+        path_make(path, "%s/%s", memcheck->folder, task->file);
+        char *answer = manifest_is_host_file(task->file) ? NULL : hole_load(path, task->id);
+        if (answer != NULL && answer_is_untouched(manifest, task, answer)) {
+            printf("%s%s",
+                   n_untouched++ ? ", " : "Not answered yet, as it was handed out: ", task->id);
+        }
+        free(answer);
+    }
+    printf("%s", n_untouched ? "\n" : "");
+}
+
 // ---- All --------------------------------------------------------------------------------------
 
 // Returns an exit status.
@@ -151,6 +172,7 @@ static int memcheck_run(Memcheck *memcheck, const Settings *settings)
         printf("It does not compile:\n%s\n", memcheck->whole.build_log);
         return EXIT_FAULT;
     }
+    untouched_print(memcheck);
     if (memcheck_passes(memcheck) != 0) {
         return EXIT_FAULT;
     }

@@ -207,7 +207,7 @@ static int ask_solution(Memcheck *memcheck, SandboxTime *time)
             allowance_note(&allowance, STEP_RUNNING, used);
         }
     }
-    *time = allowance_of(&allowance, STEP_RUNNING);
+    *time = allowance_of(&allowance, STEP_RUNNING, 1);
     results_free(results);
     return failed;
 }
@@ -237,7 +237,7 @@ int memcheck_passes(Memcheck *memcheck)
     const int given = memcheck->session.settings->time_limit;
     const int can_ask = memcheck->session.has_solution && given == 0;
     Allowance first = {.given_seconds = given > 0 ? given : can_ask ? SHORT_SECONDS : LONG_SECONDS};
-    SandboxTime time = allowance_of(&first, STEP_RUNNING);
+    SandboxTime time = allowance_of(&first, STEP_RUNNING, 1);
     SandboxResult results[N_PASSES] = {0};
     say("Oclgrind runs the kernels twice on a small job, for races and for values never set:\n"
         "%.0f s of processor time each at most.\n",

@@ -15,14 +15,12 @@
 // stands in tests/mutants/README.md and tests/right/README.md. Exit status: 0 all judged as they
 // should be, 1 some not, 2 the machinery failed.
 #include "alone.h"
-#include "blame.h"
 #include "complain.h"
-#include "holes.h"
+#include "known_answer.h"
 #include "message.h"
 #include "number.h"
 #include "session.h"
 #include "settings.h"
-#include "text_file.h"
 
 #include <glob.h>
 #include <inttypes.h>
@@ -30,27 +28,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LINE_BYTES = 256, PAIR = 2 };
+enum { PAIR = 2 };
 
 // For more than one; for one goes the grader's own limit (allowance.h).
 enum { SECONDS_A_SEED = 10 };
-
-static const char WRONG_FOLDER[] = "tests/mutants";
-static const char RIGHT_FOLDER[] = "tests/right";
-
-typedef struct Answer {
-    const char *path;
-    char *text;              // the whole file; its header stays as comments
-    char task[LINE_BYTES];   // whose hole it fills
-    int is_right;            // then the two below are not used
-    char check[LINE_BYTES];  // by which it shall be caught
-    char says[LINE_BYTES];   // regular expression for that check's message
-    unsigned mistakes;       // of diagnosis.h, a bit for each; 0 when it is of none
-    Mistake first_mistake;   // the one that must be named
-    Variant variant;         // in the solution of the other tasks
-    int is_tried_alone;
-    Variant alone;
-} Answer;
 
 // What this program's own options say.
 typedef struct Trial {
@@ -65,131 +46,8 @@ typedef struct Naming {
     int n_misnamed;   // of all mutants, those named as what they are not
 } Naming;
 
-// For each check: how many wrong answers it is meant for, and how many of them have had their turn.
-typedef struct Turns {
-    uint64_t seed;
-    int n_meant[RESULT_MAX_CHECKS];
-    int n_past[RESULT_MAX_CHECKS];
-} Turns;
-
 // The share of the mutants of a known kind that must be named.
 #define NAMED_SHARE 0.9
-
-// The rest of the header line "// key: value". Returns 0, or -1 after one message.
-static int read_header(const Answer *answer, const char *key, char value[LINE_BYTES])
-{
-    char prefix[LINE_BYTES];
-    snprintf(prefix, sizeof prefix, "// %s: ", key);
-    const char *line = strstr(answer->text, prefix);
-    if (line == NULL) {
-        complain("%s: no line \"%s...\"", answer->path, prefix);
-        return -1;
-    }
-    line += strlen(prefix);
-    snprintf(value, LINE_BYTES, "%.*s", (int)strcspn(line, "\n"), line);
-    return 0;
-}
-
-// The kinds of mistake in the optional header line "// looks: kind kind". Returns 0, or -1 after
-// one message.
-static int read_mistakes(Answer *answer)
-{
-    char ids[LINE_BYTES];
-    if (strstr(answer->text, "// looks: ") == NULL) {
-        return 0;
-    }
-    if (read_header(answer, "looks", ids) != 0) {
-        return -1;
-    }
-    char *rest = NULL;
-    for (char *id = strtok_r(ids, " ", &rest); id != NULL; id = strtok_r(NULL, " ", &rest)) {
-        const Mistake mistake = mistake_find(id);
-        if (mistake == MISTAKE_NONE) {
-            complain("%s: no kind of mistake is called \"%s\"", answer->path, id);
-            return -1;
-        }
-        answer->first_mistake = answer->mistakes == 0 ? mistake : answer->first_mistake;
-        answer->mistakes |= 1u << mistake;
-    }
-    return 0;
-}
-
-// The number of the check that the answer shall be caught by, or -1.
-static int check_of(const Session *session, const Answer *answer)
-{
-    for (int i = 0; i < session->judge.n_checks; i++) {
-        if (strcmp(session->judge.checks[i].id, answer->check) == 0) {
-            return i;
-        }
-    }
-    return -1;
-}
-
-// Shall it be tried alone? A check that needs no other task's answer is judged there by the same
-// inputs in the same way, so nothing would be learnt.
-static int is_to_be_alone(const Session *session, const Answer *answer, Turns *turns)
-{
-    const int i = check_of(session, answer);
-    if (answer->is_right || i < 0) {
-        return answer->is_right;
-    }
-    const int turn = (int)(turns->seed % (uint64_t)turns->n_meant[i]);
-    return turns->n_past[i]++ == turn && check_needs_others(&session->judge.checks[i]);
-}
-
-static int is_right_answer(const char *path)
-{
-    return strncmp(path, RIGHT_FOLDER, strlen(RIGHT_FOLDER)) == 0;
-}
-
-static Turns turns_count(const Session *session, const glob_t *found, uint64_t seed)
-{
-    Turns turns = {.seed = seed};
-    for (size_t i = 0; i < found->gl_pathc; i++) {
-        Answer answer = {.path = found->gl_pathv[i]};
-        answer.text = is_right_answer(answer.path) ? NULL : text_file_read(answer.path);
-        if (answer.text != NULL && read_header(&answer, "caught by", answer.check) == 0) {
-            const int check = check_of(session, &answer);
-            turns.n_meant[check >= 0 ? check : 0] += check >= 0;
-        }
-        free(answer.text);
-    }
-    return turns;
-}
-
-static int answer_open(Answer *answer, Session *session, const char *path, int slot, Turns *turns)
-{
-    char whole[24], alone[24], why_right[LINE_BYTES];
-    *answer = (Answer){.path = path, .text = text_file_read(path)};
-    answer->is_right = is_right_answer(path);
-    if (answer->text == NULL || read_header(answer, "task", answer->task) != 0 ||
-        (answer->is_right ? read_header(answer, "right", why_right)
-                          : read_header(answer, "caught by", answer->check) |
-                                read_header(answer, "says", answer->says)) != 0 ||
-        read_mistakes(answer) != 0) {
-        return -1;
-    }
-    if (manifest_task(&session->manifest, answer->task) == NULL) {
-        complain("%s: no task called %s", path, answer->task);
-        return -1;
-    }
-    const Task *task = manifest_task(&session->manifest, answer->task);
-    snprintf(whole, sizeof whole, "answer-%d", slot);
-    snprintf(alone, sizeof alone, "alone-%d", slot);
-    const int filled = session_fill(session, whole, answer->task, answer->text, &answer->variant);
-    answer->is_tried_alone = is_to_be_alone(session, answer, turns);
-    return !answer->is_tried_alone
-               ? filled
-               : filled | alone_fill(session, alone, task, answer->text, NULL, &answer->alone);
-}
-
-static void answer_free(Answer *answer)
-{
-    variant_free(&answer->variant);
-    variant_free(&answer->alone);
-    free(answer->text);
-    *answer = (Answer){0};
-}
 
 // Does the message match the expression, in any case of letters?
 static int matches(const char *message, const char *expression)
@@ -207,11 +65,7 @@ static int matches(const char *message, const char *expression)
 static CheckResult judge_in(Session *session, int k, int i, const Variant *variant)
 {
     CheckResult result = {0};
-    if (k == 0) {
-        session_judge(session, i, variant, &result);
-    } else {
-        session_judge_further(session, k - 1, i, variant, &result);
-    }
+    session_judge(session, k, i, variant, &result);
     return result;
 }
 
@@ -222,7 +76,7 @@ static uint64_t seed_of(const Session *session, int k)
 
 // Why check i did not catch a wrong answer as it should in the job of the k-th seed, or NULL. Owned
 // by the caller.
-static char *judge_wrong_in(Session *session, int k, int i, const Answer *answer)
+static char *judge_wrong_in(Session *session, int k, int i, const KnownAnswer *answer)
 {
     CheckResult result = judge_in(session, k, i, &answer->variant);
     char *why = NULL;
@@ -237,9 +91,9 @@ static char *judge_wrong_in(Session *session, int k, int i, const Answer *answer
 }
 
 // Why a wrong answer was not caught as it should be, or NULL. Owned by the caller.
-static char *judge_wrong(Session *session, const Answer *answer)
+static char *judge_wrong(Session *session, const KnownAnswer *answer)
 {
-    const int i = check_of(session, answer);
+    const int i = answer_check(session, answer);
     if (i < 0) {
         return message_new("no check called %s", answer->check);
     }
@@ -257,7 +111,7 @@ static char *judge_wrong(Session *session, const Answer *answer)
 }
 
 // Which kinds of mistakes do the failed checks of the answer's task name in the k-th job?
-static unsigned mistakes_named(Session *session, int k, const Answer *answer)
+static unsigned mistakes_named(Session *session, int k, const KnownAnswer *answer)
 {
     unsigned named = 0;
     for (int i = 0; i < session->judge.n_checks; i++) {
@@ -271,7 +125,7 @@ static unsigned mistakes_named(Session *session, int k, const Answer *answer)
 }
 
 // A mistake must be named in the first job, and in none as what it is not.
-static void judge_naming(Session *session, const Answer *answer, Naming *naming)
+static void judge_naming(Session *session, const KnownAnswer *answer, Naming *naming)
 {
     unsigned named = mistakes_named(session, 0, answer);
     for (int k = 1; k <= session->workshop.n_further_jobs; k++) {
@@ -293,7 +147,7 @@ static void judge_naming(Session *session, const Answer *answer, Naming *naming)
 }
 
 // The first check that a right answer lost, or NULL. Owned by the caller.
-static char *judge_right(Session *session, const Answer *answer)
+static char *judge_right(Session *session, const KnownAnswer *answer)
 {
     char *why = NULL;
     for (int i = 0; why == NULL && i < session->judge.n_checks; i++) {
@@ -316,7 +170,7 @@ static char *judge_right(Session *session, const Answer *answer)
 }
 
 // Why an answer was not judged as it should be, or NULL. Owned by the caller.
-static char *judge_answer(Session *session, const Answer *answer)
+static char *judge_answer(Session *session, const KnownAnswer *answer)
 {
     if (answer->variant.build_log != NULL) {
         return message_new("it does not compile: %s", answer->variant.build_log);
@@ -329,7 +183,7 @@ static char *judge_answer(Session *session, const Answer *answer)
 static int try_answers(Session *session, char *const paths[], int n, int first_number, Turns *turns,
                        Naming *naming)
 {
-    Answer answers[PAIR] = {{0}};
+    KnownAnswer answers[PAIR] = {{0}};
     Variant *variants[2 * PAIR];
     int n_variants = 0, n_missed = 0;
     for (int i = 0; i < n; i++) {
@@ -387,14 +241,14 @@ static char **choose(const glob_t *found, const char *only, int *n)
 // The solution first, then every known answer of the lab. Returns an exit status.
 static int try_all(Session *session, const Trial *trial)
 {
-    char pattern[LINE_BYTES];
+    char pattern[ANSWER_LINE_BYTES];
     Variant *solution[] = {&session->solution};
     glob_t found;
     if (session_add_seeds(session, trial->n_further) != 0 ||
         session_run(session, solution, 1) != 0 || session_trust_solution(session) != 0) {
         return 2;
     }
-    snprintf(pattern, sizeof pattern, "{%s,%s}/%s/*.c*", WRONG_FOLDER, RIGHT_FOLDER,
+    snprintf(pattern, sizeof pattern, "{" WRONG_FOLDER "," RIGHT_FOLDER "}/%s/*.c*",
              session->manifest.lab);
     if (glob(pattern, GLOB_BRACE, NULL, &found) != 0) {
         complain("mutants: %s: none found", pattern);
@@ -402,7 +256,7 @@ static int try_all(Session *session, const Trial *trial)
     }
     int n, n_missed = 0;
     Naming naming = {0};
-    Turns turns = turns_count(session, &found, session->settings->seed);
+    Turns turns = turns_count(session, &found);
     char **paths = choose(&found, trial->only, &n);
     for (int i = 0; n_missed >= 0 && i < n; i += PAIR) {
         const int missed =

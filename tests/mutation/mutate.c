@@ -148,7 +148,7 @@ static Fate judge_fate(Session *session, const Variant *variant)
     }
     for (int i = 0; i < session->judge.n_checks; i++) {
         CheckResult result = {0};
-        session_judge(session, i, variant, &result);
+        session_judge(session, 0, i, variant, &result);
         check_free(&result);
         if (result.status != CHECK_PASSED) {
             return KILLED;

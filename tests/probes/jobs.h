@@ -51,8 +51,9 @@ LAYOUT_ASSERT(SceneJob, 20);
 // read_back is given (pattern.h). Besides "picture.K" the answers are "arguments.K", an
 // ArgumentsAnswer, "items.K", the number of work-items at each place of the image, [image
 // height][image width], and N_ITEMS_REST numbers behind them, and "readback.K", [height][width][4]
-// and READ_BACK_GUARD floats behind them, which must stay UNWRITTEN.
-enum { READ_BACK_GUARD = 4 };
+// and N_READ_BACK_REST floats behind them: READ_BACK_GUARD, which must stay UNWRITTEN, and one that
+// is not 0 where more arrived after read_back had returned.
+enum { READ_BACK_GUARD = 4, READ_BACK_LATE = READ_BACK_GUARD, N_READ_BACK_REST };
 typedef struct ArgumentsAnswer {
     i32 error;       // of launching a kernel with what set_arguments handed over: an OpenCL status
     f32 arrived[4];  // what that kernel wrote: width, height, 0, 1; UNWRITTEN where it did not

@@ -6,6 +6,7 @@
 #include "jobs.h"
 #include "note.h"
 #include "sections.h"
+#include "tree3d.h"
 
 #include <stdio.h>
 
@@ -77,6 +78,13 @@ typedef void PackTree(const Probe *probe, uint32_t k, ReplayTree room, const Rep
 // Do so for every scene of a replay (jobs.h, "Replays"), whose leaves are section "name".
 void probe_replay_leaves(const Probe *probe, const char *name, PackTree *pack_tree);
 
+// kdtree3d_build() of lab 06, or what takes its place.
+typedef int BuildTree3D(const Sphere *h_spheres, u32 n_spheres, KdTreeLimits limits,
+                        KdTree3D *tree);
+
+// Build a tree for every scene of the job, and answer as jobs.h says of lab 06.
+void probe_answer_trees(const Probe *probe, BuildTree3D *build);
+
 // Build the program; ends with PROBE_EXIT_NO_BUILD when it does not compile.
 cl_program probe_build(const Probe *probe, const char *path, const char *options);
 
@@ -116,6 +124,12 @@ void probe_draw(const Probe *probe, int k, cl_kernel kernel, cl_mem d_image, int
 // with "work.K"; there is room in it for the work-items outside the picture, should they not leave.
 void probe_draw_counting(const Probe *probe, int k, cl_kernel kernel, cl_mem d_image, int width,
                          int height, cl_uint argument);
+
+// Where an image's pixels may be read from its corner on, row by row in steps of *n_row_bytes, until
+// it is unmapped. Students read images back by clEnqueueReadImage: this is no answer to copy.
+const void *probe_map_image(const Probe *probe, cl_mem d_image, const size_t region[3],
+                            size_t *n_row_bytes);
+void probe_unmap_image(const Probe *probe, cl_mem d_image, const void *mapped);
 
 // Read the whole image and answer with "picture.K".
 void probe_answer_image(const Probe *probe, int k, cl_mem d_image, int width, int height);

@@ -62,6 +62,12 @@ for fault in tests/memcheck/*.cl; do
     check "$(basename "$fault"): found at its line" finds "$fault"
 done
 
+# Whoever has written one task of three reads which ones are open.
+check "a skeleton may be looked at" memchecks 0 01 labs/01-naive-2d
+check "and what is not answered yet is named" \
+    grep -qx "Not answered yet, as it was handed out: overlaps_N_Nearer, own_pixel, implicit2DRenderer" \
+    "$scratch/said"
+
 # A kernel that does not end is cut off, and a folder that is not there is a fault.
 rm -rf "$scratch/submission"
 cp -r solutions/03-kdtree-2d-render "$scratch/submission"

@@ -6,7 +6,7 @@
 set -u
 . tests/tap.sh
 . tests/programs.sh
-labs='04-camera-rays 05-spheres 06-kdtree-3d-build 07-kdtree-3d-trace'
+labs='04-camera-rays 05-spheres 06-kdtree-3d-build 07-kdtree-3d-trace 08-surface-area-heuristic'
 
 # ---- Good runs ----------------------------------------------------------------------------------
 
@@ -245,6 +245,18 @@ for lab in $labs; do
         tree.build.median_ms tree.build.max_ms tree.n_nodes tree.n_leaves tree.n_empty_leaves tree.depth
         tree.n_sphere_ids tree.largest_leaf tree.spheres_per_leaf" ;;
     07*) names="$scene max_depth leaf_size tree.build_ms tree.n_nodes tree.n_sphere_ids $frame $work" ;;
+    08*)
+        names=$scene
+        for tree in middle by_cost; do
+            for name in cost build_ms n_nodes depth largest_leaf n_sphere_ids; do
+                names="$names $tree.$name"
+            done
+        done
+        names="$names $frame $work"
+        for name in $work; do
+            names="$names middle.$name"
+        done
+        ;;
     esac
     rm -f "$out/figures.json"
     works run "${lab%%-*}" --scene random:n=500 --size 64x48 --output "$out/tiny.exr" \
@@ -265,6 +277,9 @@ for lab in $labs; do
         ;;
     esac
 done
+works run 08 --scene one-cell --size 64x48 --output "$out/08.exr" --stats "$out/figures.json"
+check "by cost one cell costs less than by its middle" test \
+    "$(figure sphere_tests.max_per_pixel)" -lt "$(figure middle.sphere_tests.max_per_pixel)"
 check "no heat map without --heat-map" test ! -e "$out/tiny-work.png"
 for lab in 01 03 05 07; do
     scene=random:n=50
@@ -274,6 +289,13 @@ for lab in 01 03 05 07; do
     check "lab $lab: and as EXR" has_size "$out/heat-work.exr" 64x48
     rm -f "$out"/heat*
 done
+check "lab 08 saves a heat map of either tree" works run 08 --scene random:n=50 --size 64x48 --heat-map \
+    --output "$out/heat.png"
+for heat in work middle-work; do
+    check "lab 08: $heat of the picture's size" has_size "$out/heat-$heat.png" 64x48
+    check "lab 08: $heat as EXR" has_size "$out/heat-$heat.exr" 64x48
+done
+rm -f "$out"/heat*
 # Kernels that show in the picture that they count: it is drawn by those that do not.
 mkdir "$scratch/shown"
 cp -R labs solutions kernels "$scratch/shown"
@@ -292,6 +314,11 @@ for kernel in 01-naive-2d/implicit2DRenderer 03-kdtree-2d-render/implicit2DRende
             grep -q nodes_visited "$out/figures.json" && "$compare" "$out/counted.exr" "$out/drawn.exr"
     )
     check "lab $lab: the picture is not the counting kernel's" draws_uncounted
+done
+for scene in stadium clusters one-cell inside planes none; do
+    works run 07 --scene "$scene" --size 96x64 --output "$out/07.exr"
+    works run 08 --scene "$scene" --size 96x64 --output "$out/08.exr"
+    check "lab 08 draws what lab 07 draws: $scene" "$compare" "$out/08.exr" "$out/07.exr"
 done
 works run 05 --scene one --size 96x64 --output "$out/05.exr"
 check "the heat map leaves the picture as it is" equals_lab_05 --scene one --size 96x64 --heat-map
@@ -375,7 +402,7 @@ refuses_each <<'END'
 07|too deep for the todo stack (TODO_SIZE); choose|--scene $scenes/same.nff --max-depth 64 --leaf-size 1
 END
 
-fails_to_save 04 05 06 07
+fails_to_save 04 05 06 07 08
 fails_for_heat_map 07
 
 finish

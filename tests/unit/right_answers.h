@@ -9,6 +9,7 @@
 #include "judge_07.h"
 #include "right_answers_2d.h"
 #include "right_answers_3d.h"
+#include "right_answers_sah.h"
 #include "right_answers_tree3d.h"
 
 // As lab_names of test_judges.c has them. Free with sections_free().
@@ -49,6 +50,12 @@ static Sections right_answers(int lab, const Sections *job)
         answer_planes_and_overlaps(&writer, job);
         answer_leaves_3d(&writer, job);
         answer_trees_3d(&writer, job);
+        break;
+    case 8:
+        answer_areas_and_costs(&writer, job);
+        answer_best_splits(&writer, job);
+        answer_decisions(&writer, job);
+        answer_trees_sah(&writer, job);
         break;
     default:
         answer_clips_and_sides(&writer, job);

@@ -65,7 +65,9 @@ static void answer_leaves_3d(Writer *writer, const Sections *job)
     answer(writer, "todo", todo, sizeof todo);
 }
 
-static void answer_trees_3d(Writer *writer, const Sections *job)
+typedef int Build(const Sphere *h_spheres, u32 n_spheres, KdTreeLimits limits, KdTree3D *tree);
+
+static void answer_trees_by(Writer *writer, const Sections *job, Build *build)
 {
     const TreeJob3D *scene;
     for (int k = 0; (scene = sections_find(job, numbered("scene", k, NULL), sizeof *scene)); k++) {
@@ -73,7 +75,7 @@ static void answer_trees_3d(Writer *writer, const Sections *job)
         const KdTreeLimits limits = {scene->maxDepth, scene->targetElementsPerNode};
         KdTree3D tree;
         capture_begin(2);  // the builder says why it gives up
-        const int is_refused = kdtree3d_build(spheres, scene->n_spheres, limits, &tree) != 0;
+        const int is_refused = build(spheres, scene->n_spheres, limits, &tree) != 0;
         capture_end(2);
         if (is_refused) {
             answer(writer, numbered("tree", k, "refused"), "", 0);
@@ -86,6 +88,11 @@ static void answer_trees_3d(Writer *writer, const Sections *job)
                tree.n_sphere_ids * sizeof *tree.sphere_ids);
         tree3d_free(&tree);
     }
+}
+
+static void answer_trees_3d(Writer *writer, const Sections *job)
+{
+    answer_trees_by(writer, job, kdtree3d_build);
 }
 
 // ---- Lab 07: functions --------------------------------------------------------------------------

@@ -1,5 +1,6 @@
 // grader/allowance: what a submission may use, from what the solution used.
 #include "allowance.h"
+#include "sandbox_clock.h"
 #include "surroundings.h"
 
 TestSuite(allowance, .init = folder_enter, .fini = folder_leave);
@@ -8,7 +9,7 @@ Test(allowance, a_solution_that_takes_long_gives_time_in_proportion)
 {
     Allowance allowance = {0};
     allowance_note(&allowance, STEP_RUNNING, (SandboxTime){.processor = 5, .asleep = 3});
-    const SandboxTime time = allowance_of(&allowance, STEP_RUNNING);
+    const SandboxTime time = allowance_of(&allowance, STEP_RUNNING, 1);
     cr_expect_eq(time.processor, 40);
     cr_expect_eq(time.asleep, 24);
     cr_expect_geq(time.wall, 20 * time.processor);
@@ -18,7 +19,7 @@ Test(allowance, of_what_is_short_there_is_a_floor)
 {
     Allowance allowance = {0};
     allowance_note(&allowance, STEP_COMPILING, (SandboxTime){.processor = 0.1});
-    const SandboxTime time = allowance_of(&allowance, STEP_COMPILING);
+    const SandboxTime time = allowance_of(&allowance, STEP_COMPILING, 1);
     cr_expect_eq(time.processor, 10);
     cr_expect_eq(time.asleep, 10);
 }
@@ -27,7 +28,7 @@ Test(allowance, while_nothing_is_known_all_is_as_for_ours)
 {
     Allowance allowance = {0};
     allowance_note(&allowance, STEP_COMPILING, (SandboxTime){.processor = 1});
-    cr_expect_eq(allowance_of(&allowance, STEP_RUNNING).processor, allowance_ours().processor);
+    cr_expect_eq(allowance_of(&allowance, STEP_RUNNING, 1).processor, allowance_ours().processor);
     cr_expect_gt(allowance_ours().processor, 100);
 }
 
@@ -35,10 +36,58 @@ Test(allowance, the_instructors_own_limit_wins)
 {
     Allowance allowance = {.given_seconds = 2};
     allowance_note(&allowance, STEP_RUNNING, (SandboxTime){.processor = 5});
-    const SandboxTime time = allowance_of(&allowance, STEP_RUNNING);
+    const SandboxTime time = allowance_of(&allowance, STEP_RUNNING, 1);
     cr_expect_eq(time.processor, 2);
     cr_expect_eq(time.asleep, 2);
     cr_expect_geq(time.wall, 40);
+}
+
+// However it is shared out, one submission uses no more than its total.
+Test(allowance, all_runs_of_one_submission_have_a_limit_together)
+{
+    Allowance allowance = {.is_for_one = 1};
+    allowance_note(&allowance, STEP_RUNNING, (SandboxTime){.processor = 1});
+    cr_assert_eq(allowance_total(&allowance), 80);
+    int n_runs = 0;
+    double used = 0;
+    for (; allowance_left(&allowance) > 0; n_runs++) {
+        const SandboxTime time = allowance_of(&allowance, STEP_RUNNING, 1);
+        cr_assert_geq(time.processor, 1);
+        allowance.spent += time.processor + time.asleep;
+        used += time.processor + time.asleep;
+    }
+    cr_expect_eq(n_runs, 4);
+    cr_expect_eq(used, 80);
+    cr_expect_eq(allowance_of(&allowance, STEP_RUNNING, 1).processor, 1, "it can be killed");
+}
+
+Test(allowance, what_runs_side_by_side_shares_what_is_left)
+{
+    Allowance allowance = {.is_for_one = 1, .spent = 74};
+    allowance_note(&allowance, STEP_RUNNING, (SandboxTime){.processor = 1});
+    cr_expect_eq(allowance_of(&allowance, STEP_RUNNING, 1).processor, 6);
+    cr_expect_eq(allowance_of(&allowance, STEP_RUNNING, 2).processor, 3);
+}
+
+// The known answers of a lab go through one session.
+Test(allowance, many_submissions_have_no_limit_together)
+{
+    Allowance allowance = {.spent = 10000};
+    allowance_note(&allowance, STEP_RUNNING, (SandboxTime){.processor = 1});
+    cr_expect_gt(allowance_left(&allowance), 10000);
+    cr_expect_eq(allowance_of(&allowance, STEP_RUNNING, 1).processor, 10);
+}
+
+Test(allowance, no_wall_time_goes_beyond_the_deadline)
+{
+    Allowance allowance = {.is_for_one = 1, .deadline = seconds_now() + 30};
+    allowance_note(&allowance, STEP_RUNNING, (SandboxTime){.processor = 1});
+    cr_expect_leq(allowance_of(&allowance, STEP_RUNNING, 1).wall, 30);
+    cr_expect_gt(allowance_of(&allowance, STEP_RUNNING, 1).wall, 20);
+    cr_expect_eq(allowance_left(&allowance), 80);
+    allowance.deadline = seconds_now() - 1;
+    cr_expect_eq(allowance_left(&allowance), 0);
+    cr_expect_eq(allowance_of(&allowance, STEP_RUNNING, 1).wall, 1);
 }
 
 // Write what a handout holds.
@@ -54,7 +103,7 @@ Test(allowance, a_handout_knows_what_the_solution_took)
     pack("4\n");
     cr_assert_eq(allowance_read_packed(&allowance), 0);
     for (Step step = 0; step < N_STEPS; step++) {
-        cr_expect_eq(allowance_of(&allowance, step).processor, 16);
+        cr_expect_eq(allowance_of(&allowance, step, 1).processor, 16);
     }
 }
 

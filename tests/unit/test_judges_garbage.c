@@ -225,6 +225,7 @@ static const struct {
     {7, "planes", 0},       {7, "leaves", 0},
     {7, "next_child", 0},   {7, "next_waiting", 0},
     {7, "hits.0", 0},       {7, "work.2", 0},
+    {8, "decisions", 1},    {8, "tree.0.ids", 0},
 };
 
 // May anything stand in a word of lab 06's or 07's answers?

@@ -56,9 +56,9 @@ Test(run_place, names_the_scene)
     RunPlace place = place_of("02", "tree", 3);
     cr_assert_str_eq(place.where, "while kdtree2d_build built a whole tree");
     cr_expect_null(place.task);
-    cr_expect_str_eq(place.with, "scene \"touching\", 64x48");
+    cr_expect_eq(strncmp(place.with, "a scene like \"touching\", ", 25), 0, "%s", place.with);
     place = place_of("06", "tree", 3);
-    cr_expect_str_eq(place.with, "scene \"planes\"");
+    cr_expect_str_eq(place.with, "a scene like \"planes\"");
     place = place_of("00", "arguments", 0);
     cr_expect_str_eq(place.with, "gradient, 64x48");
     place = place_of("04", "picture", 0);

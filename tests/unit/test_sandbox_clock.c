@@ -24,6 +24,14 @@ Test(sandbox_clock, who_was_not_waits_for_something_else)
     cr_expect_not(clock_is_starved(&clock));
 }
 
+// Somebody else's deadline struck while it ran.
+Test(sandbox_clock, who_ran_most_of_the_time_was_not_starved)
+{
+    const SandboxClock clock = {
+        .used = {.processor = 12, .asleep = 3, .wall = 20}, .tells_waiting = 1, .waited = 5};
+    cr_expect_not(clock_is_starved(&clock));
+}
+
 // Without schedstat, as in some containers, the doubt is the machine's.
 Test(sandbox_clock, where_the_kernel_does_not_tell_it_is_the_machine)
 {

@@ -68,6 +68,8 @@ static const struct {
     {"random", 1000, 0xb30c7f1c8cf2091cu},
     {"random:n=100,seed=3", 100, 0xde902f3573096429u},
     {"lattice:n=3", 27, 0x141fca282d5b1618u},
+    {"clusters:n=100", 100, 0x491737d6290201afu},
+    {"stadium:n=100,seed=2", 100, 0xd371579d63ab5b41u},
     {"inside", 49, 0x5bb56fe526576247u},
     {"planes", 106, 0xc22806ef8eccb5dfu},
     {"one-cell", 251, 0x2bb7c4e989c9d2a1u},
@@ -147,7 +149,9 @@ static const struct {
     const char *message;
 } BAD[] = {
     {"sphere", "--scene sphere: found no such scene, expected FILE.nff, FILE.pdb, FILE.xyz"},
-    {"sphere", "sphereflake[:size=N], random[:n=N,seed=S,min=R,max=R], lattice[:n=N], inside"},
+    {"sphere",
+     "sphereflake[:size=N], random[:n=N,seed=S,min=R,max=R], lattice[:n=N], clusters[:n=N,seed=S], "
+     "stadium[:n=N,seed=S], inside"},
     {"sphere", "large-small, behind"},
     {"", "found no such scene"},
     {".nff", "found no such scene"},

@@ -79,6 +79,7 @@ static const struct {
     {{"--seed", ""}, "--seed: found"},
     {{"--seed", "18446744073709551616"}, "from 0 to 18446744073709551615"},
     {{"--time-limit", "0"}, "from 1 to 3600"},
+    {{"--deadline", "0"}, "from 1 to 86400"},
     {{"--time-limit", "3601"}, "from 1 to 3600"},
     {{"--time-limit", "10s"}, "--time-limit: found \"10s\""},
 };

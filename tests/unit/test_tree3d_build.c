@@ -18,6 +18,7 @@
 
 #include "kdtree3d_build.c"
 #include "tree3d.c"
+#include "tree3d_grow.c"
 #undef malloc
 #undef calloc
 #undef realloc

@@ -71,8 +71,9 @@ static inline const char *names_of(int against)
 
 static inline JobScene scene_of(const char *name, int width, int height, KdTreeLimits limits)
 {
-    JobScene scene;
-    cr_assert_eq(job_scene_named(&scene, name, width, height), 0);
+    JobScene scene = {0};
+    snprintf(scene.picture.title, sizeof scene.picture.title, "scene \"%s\"", name);
+    cr_assert_eq(scene2d_generate(name, width, height, &scene.scene), 0);
     cr_assert_eq(job_scene_grow_tree(&scene, limits), 0);
     return scene;
 }

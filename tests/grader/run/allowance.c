@@ -3,8 +3,10 @@
 
 #include "complain.h"
 #include "number.h"
+#include "sandbox_clock.h"
 #include "text_file.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -14,6 +16,10 @@
 #define FACTOR 8.0
 #define PACKED_FACTOR 4.0
 #define FLOOR_SECONDS 10.0
+
+// All runs together: the whole takes a quarter at most, or half where its compiler is as slow. What
+// never ends in one task or two takes less than the rest.
+#define TOTAL_FACTOR 4.0
 
 // A command that gets a thirtieth of a processor still ends by its processor time.
 #define WALL_FACTOR 30.0
@@ -30,7 +36,8 @@ SandboxTime allowance_ours(void)
     return (SandboxTime){OUR_SECONDS, OUR_SECONDS, WALL_FACTOR * OUR_SECONDS};
 }
 
-SandboxTime allowance_of(const Allowance *allowance, Step step)
+// What a step may use if nothing else has run.
+static SandboxTime allowed_first(const Allowance *allowance, Step step)
 {
     const double given = allowance->given_seconds;
     if (given > 0) {
@@ -43,6 +50,37 @@ SandboxTime allowance_of(const Allowance *allowance, Step step)
     const double factor = allowance->is_packed ? PACKED_FACTOR : FACTOR;
     const double processor = allowed(used->processor, factor);
     return (SandboxTime){processor, allowed(used->asleep, factor), WALL_FACTOR * processor};
+}
+
+double allowance_total(const Allowance *allowance)
+{
+    const SandboxTime step = allowed_first(allowance, STEP_RUNNING);
+    return TOTAL_FACTOR * (step.processor + step.asleep);
+}
+
+double allowance_left(const Allowance *allowance)
+{
+    const int is_late = allowance->deadline > 0 && seconds_now() >= allowance->deadline;
+    return is_late                 ? 0
+           : allowance->is_for_one ? allowance_total(allowance) - allowance->spent
+                                   : INFINITY;
+}
+
+static double at_most(double seconds, double most)
+{
+    return fmax(1, fmin(seconds, most));
+}
+
+SandboxTime allowance_of(const Allowance *allowance, Step step, int n)
+{
+    SandboxTime time = allowed_first(allowance, step);
+    const double left = allowance_left(allowance) / n;
+    time.processor = at_most(time.processor, left);
+    time.asleep = at_most(time.asleep, left);
+    if (allowance->deadline > 0) {
+        time.wall = at_most(time.wall, allowance->deadline - seconds_now());
+    }
+    return time;
 }
 
 void allowance_note(Allowance *allowance, Step step, SandboxTime used)

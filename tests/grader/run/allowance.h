@@ -1,6 +1,9 @@
 // How much time a submission's compiler and probe may use: what our solution used for the same,
 // times a factor. So the limit is right on any machine and device, and for any job.
 //
+// A submission is run more than once: as a whole, for the line of a crash, and each failed answer
+// alone. All its runs together have a limit, too, so that a grading comes to an end.
+//
 // Used by variant_run.c; read next: sandbox_clock.h.
 #ifndef GRADER_ALLOWANCE_H
 #define GRADER_ALLOWANCE_H
@@ -13,12 +16,22 @@ typedef struct Allowance {
     int given_seconds;              // the instructor's own limit, or 0
     SandboxTime solution[N_STEPS];  // what it used, where that is known
     int is_known[N_STEPS];
-    int is_packed;  // it is from allowance_read_packed()
+    int is_packed;    // it is from allowance_read_packed()
+    int is_for_one;   // all that runs is one submission's: together it may use allowance_total()
+    double spent;     // of that, seconds of processor time and asleep
+    double deadline;  // when it must be graded, as seconds_now() has it; 0 for never
 } Allowance;
 
 // What a submission may use in a step. As long as it is not known what the solution needs, that is
-// as much as for ours.
-SandboxTime allowance_of(const Allowance *allowance, Step step);
+// as much as for ours. Never less than a second, so that what is run at all can begin.
+//   n   how many of its runs go on side by side
+SandboxTime allowance_of(const Allowance *allowance, Step step, int n);
+
+// What all runs of one submission may use together: the time of a step, running and asleep, some
+// times over. Side by side with what is left of it; INFINITY where several submissions share the
+// allowance. Nothing is left behind the deadline.
+double allowance_total(const Allowance *allowance);
+double allowance_left(const Allowance *allowance);
 
 // What our solution may use: far more than it needs on any machine, as it ends by itself.
 SandboxTime allowance_ours(void);

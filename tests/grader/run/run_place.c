@@ -1,7 +1,7 @@
 // The steps of each lab's probe, and what they are called with, in words (see run_place.h).
 #include "run_place.h"
 
-#include "jobs.h"
+#include "jobs_08.h"
 
 #include <fcntl.h>
 #include <stdio.h>
@@ -150,6 +150,12 @@ static const ProbeStep steps[] = {
      NULL},
     {"07", "hits", "in trace", NULL, ON_SCENE, 0, NULL},
     {"07", "picture", "in render_kdtree", NULL, ON_SCENE, 0, NULL},
+    {"08", "areas", "in surface_area", "surface_area", ON_INPUTS, sizeof(BBox3D), describe_box3},
+    {"08", "costs", "in split_cost", "split_cost", ON_INPUTS, sizeof(CostJob), NULL},
+    {"08", "bests", "in find_best_split", "find_best_split", ON_INPUTS, sizeof(BestJob), NULL},
+    {"08", "decisions", "in is_leaf_by_cost", "is_leaf_by_cost", ON_INPUTS, sizeof(LeafCostJob),
+     NULL},
+    {"08", "tree", "while kdtree3d_build_sah built a whole tree", NULL, ON_SCENE, 0, NULL},
 };
 
 // The step of a note, or NULL. Names are compared with their padding: one without an end is none.

@@ -97,15 +97,16 @@ static void take_answers(const Workshop *workshop, Variant *variant, SandboxResu
 
 // ---- Both steps, side by side ---------------------------------------------------------------
 
-static SandboxTime time_allowed(const Variant *variant, Step step, const Allowance *allowance)
+// What a variant may use that runs beside n - 1 others.
+static SandboxTime time_allowed(const Variant *variant, Step step, const Allowance *allowance,
+                                int n)
 {
-    return variant->is_ours ? allowance_ours() : allowance_of(allowance, step);
+    return variant->is_ours ? allowance_ours() : allowance_of(allowance, step, n);
 }
 
-static int step_start(const Workshop *workshop, Variant *variant, Step step,
-                      const Allowance *allowance)
+static int step_start(const Workshop *workshop, Variant *variant, Step step, SandboxTime allowed)
 {
-    variant->run = step_sandbox(workshop, variant, step, time_allowed(variant, step, allowance));
+    variant->run = step_sandbox(workshop, variant, step, allowed);
     return variant->run != NULL ? 0 : -1;
 }
 
@@ -120,7 +121,8 @@ static int step_clear(const Workshop *workshop, const Variant *variant, Step ste
 
 // Wait for a variant's step, which is started again where the machine had no time for it. Returns
 // 0, or -1 after one message when the machinery failed.
-static int step_take(const Workshop *workshop, Variant *variant, Step step, Allowance *allowance)
+static int step_take(const Workshop *workshop, Variant *variant, Step step, SandboxTime allowed,
+                     Allowance *allowance)
 {
     enum { TRIES = 2 };
     SandboxResult result = {.outcome = SANDBOX_FAULT};
@@ -130,7 +132,7 @@ static int step_take(const Workshop *workshop, Variant *variant, Step step, Allo
         if (i > 0) {
             free(result.output);
             if (step_clear(workshop, variant, step) != 0 ||
-                step_start(workshop, variant, step, allowance) != 0) {
+                step_start(workshop, variant, step, allowed) != 0) {
                 return -1;
             }
         }
@@ -154,15 +156,17 @@ static int step_take(const Workshop *workshop, Variant *variant, Step step, Allo
                 result.used.processor, step == STEP_COMPILING ? "compiling" : "running the program",
                 result.used.wall);
     } else if (step == STEP_COMPILING) {
-        take_build(variant, &result, time_allowed(variant, step, allowance));
+        take_build(variant, &result, allowed);
     } else {
-        take_answers(workshop, variant, &result, time_allowed(variant, step, allowance));
+        take_answers(workshop, variant, &result, allowed);
         if (!variant->is_checked) {
             step_folder_remove(workshop, variant->name, step);  // in memory, perhaps
         }
     }
     if (!failed && variant->is_ours) {
         allowance_note(allowance, step, result.used);
+    } else if (!variant->is_ours) {
+        allowance->spent += result.used.processor + result.used.asleep;
     }
     free(result.output);
     return failed ? -1 : 0;
@@ -175,7 +179,8 @@ static int step_run(const Workshop *workshop, Variant *const variants[], int n, 
     int result = 0;
     for (int i = 0; i < n; i++) {
         if (variants[i]->build_log == NULL) {
-            result |= step_start(workshop, variants[i], step, allowance);
+            const SandboxTime allowed = time_allowed(variants[i], step, allowance, n);
+            result |= step_start(workshop, variants[i], step, allowed);
         }
     }
     for (int i = 0; i < n; i++) {
@@ -183,8 +188,9 @@ static int step_run(const Workshop *workshop, Variant *const variants[], int n, 
             continue;
         }
         // What ours took, ahead of it, may have become known since it was started.
-        sandbox_allow(variants[i]->run, time_allowed(variants[i], step, allowance));
-        result |= step_take(workshop, variants[i], step, allowance);
+        const SandboxTime allowed = time_allowed(variants[i], step, allowance, n - i);
+        sandbox_allow(variants[i]->run, allowed);
+        result |= step_take(workshop, variants[i], step, allowed, allowance);
     }
     return result;
 }

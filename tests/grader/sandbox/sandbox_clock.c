@@ -63,5 +63,7 @@ int clock_is_starved(const SandboxClock *clock)
 {
     const SandboxTime *used = &clock->used;
     const double rest = used->wall - used->processor - used->asleep;
-    return !clock->tells_waiting || clock->waited >= STARVED_SHARE * rest;
+    // A deadline may strike in the midst of what it does.
+    return rest >= used->wall / 2 &&
+           (!clock->tells_waiting || clock->waited >= STARVED_SHARE * rest);
 }

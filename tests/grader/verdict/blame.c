@@ -32,57 +32,71 @@ static int is_fault(const Check *check, const CheckResult *found)
            (found->is_own || found->is_unanswered || !check_needs_others(check));
 }
 
-// The first task that check number i needs and whose answer is wrong for certain, or NULL. A check
-// that could not be tried alone is its own task's fault where another check of it is.
-static const char *culprit_of(const Check *checks, const Result *result, int i)
+// The tasks that a check needs and whose answers are wrong for certain.
+typedef struct Culprits {
+    const char *first;  // NULL where there is none
+    int are_more;
+} Culprits;
+
+// Those of check number i. A check that could not be tried alone is its own task's fault where
+// another check of it is.
+static Culprits culprits_of(const Check *checks, const Result *result, int i)
 {
-    const char *culprit = NULL;
+    Culprits culprits = {0};
     for (int j = 0; j < result->n_checks; j++) {
         const int is_own_task = strcmp(checks[j].task, checks[i].task) == 0;
         const CheckResult *found = &result->checks[j];
         if (is_own_task && !result->checks[i].is_own && is_fault(&checks[j], found)) {
-            return NULL;
+            return (Culprits){0};
         }
-        if (culprit == NULL && !is_own_task && check_needs(&checks[i], checks[j].task) &&
+        if (!is_own_task && check_needs(&checks[i], checks[j].task) &&
             is_fault(&checks[j], found)) {
-            culprit = checks[j].task;
+            culprits.are_more |=
+                culprits.first != NULL && strcmp(culprits.first, checks[j].task) != 0;
+            culprits.first = culprits.first != NULL ? culprits.first : checks[j].task;
         }
     }
-    return culprit;
+    return culprits;
 }
 
-// The same facts with another task for their cause; what the cause named goes with it.
-static Diagnosis with_culprit(const Diagnosis *diagnosis, const char *task)
+// The same facts without their cause, which another task may have a part in; what the cause named
+// goes with it. Where it passes alone and one other answer is wrong, that one has its part.
+static Diagnosis without_cause(const CheckResult *check, Culprits culprits)
 {
+    const Diagnosis *diagnosis = &check->diagnosis;
+    const int is_known = check->passes_alone && !culprits.are_more;
     return (Diagnosis){.found = message_new("%s", diagnosis->found),
-                       .cause = message_new("%s is wrong, too, and has a part in this", task),
+                       .cause = is_known ? message_new("alone it passes: %s is wrong, too, and has "
+                                                       "a part in this",
+                                                       culprits.first)
+                                         : NULL,
                        .mistake = diagnosis->cause == NULL ? diagnosis->mistake : MISTAKE_NONE,
                        .evidence = diagnosis->evidence};
 }
 
 // What a check found comes of another task's answer, too. Where it fails alone as well, only the
 // cause that it names is in doubt; where nobody could try that, it waits.
-static void pass_blame(CheckResult *check, const char *task)
+static void pass_blame(CheckResult *check, Culprits culprits)
 {
     check_tell(check, check->is_own
-                          ? with_culprit(&check->diagnosis, task)
+                          ? without_cause(check, culprits)
                           : diagnosis_new("waits for %s, which it needs and which is wrong: "
                                           "without its marker lines it cannot be tried alone",
-                                          task));
+                                          culprits.first));
     check->is_explained = 0;
     check->status = check->is_own ? CHECK_FAILED : CHECK_NOT_RUN;
 }
 
 void blame_others(const Check *checks, Result *result)
 {
-    const char *culprits[RESULT_MAX_CHECKS];
+    Culprits culprits[RESULT_MAX_CHECKS];
     for (int i = 0; i < result->n_checks; i++) {
         const int has_failed =
             result->checks[i].status == CHECK_FAILED && !result->checks[i].is_unanswered;
-        culprits[i] = has_failed ? culprit_of(checks, result, i) : NULL;
+        culprits[i] = has_failed ? culprits_of(checks, result, i) : (Culprits){0};
     }
     for (int i = 0; i < result->n_checks; i++) {
-        if (culprits[i] != NULL) {
+        if (culprits[i].first != NULL) {
             pass_blame(&result->checks[i], culprits[i]);
         }
     }

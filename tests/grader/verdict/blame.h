@@ -14,8 +14,9 @@ int check_needs(const Check *check, const char *task);
 int check_needs_others(const Check *check);
 
 // For each failed check that needs other tasks' answers: when one of those is wrong for certain,
-// take the cause out of the message and name that task in its place. A check whose answer could not
-// be tried alone then waits for it: it is no failure.
+// take the cause out of the message. Where it is known that this one has a part in it, it is named:
+// where the check passes alone, and no other answer that it needs is wrong. A check whose answer
+// could not be tried alone then waits for it: it is no failure.
 //   checks[result->n_checks]   the judge's, in the result's order
 void blame_others(const Check *checks, Result *result);
 

@@ -12,6 +12,7 @@
 #include <spawn.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -56,13 +57,16 @@ static int spawn(JudgeProcess *judge)
     return 0;
 }
 
-static void end(JudgeProcess *judge)
+// Returns the processor time that it has used, in seconds.
+static double end(JudgeProcess *judge)
 {
+    struct rusage used = {0};
     if (judge->pid != 0) {
         fclose(judge->replies);  // it reads that nothing more is asked
-        waitpid(judge->pid, NULL, 0);
+        wait4(judge->pid, NULL, 0, &used);
     }
     judge->pid = 0;
+    return (double)used.ru_utime.tv_sec + 1e-6 * (double)used.ru_utime.tv_usec;
 }
 
 void judge_stop(JudgeProcess *judge)
@@ -144,7 +148,7 @@ static int ask_about(JudgeProcess *judge, Answers answers, const char *word, con
         return 0;
     }
     judge->unjudged = answers.number;
-    end(judge);
+    judge->lost_seconds += end(judge);
     if (spawn(judge) == 0 && judge->adopted.number != 0) {
         adopt(judge);
     }

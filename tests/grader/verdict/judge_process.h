@@ -30,10 +30,11 @@ typedef struct JudgeProcess {
     FILE *requests, *replies;
     Check checks[RESULT_MAX_CHECKS];
     int n_checks;
-    Sections table;     // the checks' texts
-    unsigned held;      // the number of the answers that it holds
-    unsigned unjudged;  // of those that it could not judge
-    Answers adopted;    // the solution's, which it compares pictures with
+    Sections table;       // the checks' texts
+    unsigned held;        // the number of the answers that it holds
+    unsigned unjudged;    // of those that it could not judge
+    double lost_seconds;  // of processor time, of those that ended over answers
+    Answers adopted;      // the solution's, which it compares pictures with
 } JudgeProcess;
 
 // Start the judge of a lab: build/tools/judge. `build` and `lab` must stay. Returns 0, or -1 after

@@ -26,7 +26,8 @@ typedef struct CheckResult {
     char *message;      // the same as a sentence: what is wrong, where, and what it looks like; may
                         // come from student code's values, never trusted as markup. "" when passed
     int is_explained;   // the message says why: a hint would only lead elsewhere
-    int is_own;         // its answer fails it alone, too: whatever else is wrong, it is its fault
+    int is_own;         // it is the fault of its own answer, whatever else is wrong
+    int passes_alone;   // its answer passes it alone, though not in the whole
     int is_unanswered;  // its task stands as it was handed out
 } CheckResult;
 
@@ -43,13 +44,13 @@ typedef struct PictureResult {
 typedef struct StageResult {
     const char
         *title;  // "Staging", "What stands out", "Sandbox", "Compiling", "Running", "Markers",
-                 // "What to try next"
+                 // "Trying answers alone", "What to try next"
     CheckStatus status;
     // Compiler output with the student's own file and line, crash, time-out... Owned.
     char *message;
 } StageResult;
 
-enum { RESULT_MAX_CHECKS = 32, RESULT_MAX_PICTURES = 12, RESULT_MAX_STAGES = 7 };
+enum { RESULT_MAX_CHECKS = 32, RESULT_MAX_PICTURES = 12, RESULT_MAX_STAGES = 8 };
 
 typedef struct Result {
     const char *lab;         // "01-naive-2d"

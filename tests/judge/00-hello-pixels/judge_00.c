@@ -5,50 +5,75 @@
 #include "jobs.h"
 #include "pattern.h"
 
+#include <math.h>
 #include <string.h>
 
 // A device's float division may be off by 2.5 units in the last place (OpenCL 1.2, 7.4), of values
 // below 1: 2.5 * 2^-24; twice that is allowed.
 #define GRADIENT_ERROR (5 * 0x1p-24f)
 
-// Draw in double precision, with `offset` added to each coordinate and `less` taken from each size:
-// both are 0 in the right picture.
-static void gradient_draw(Image *image, double offset, int less)
+// A way of drawing. All zeros is the right one.
+typedef struct GradientRules {
+    double offset;     // added to each coordinate
+    int less;          // taken from each size
+    int is_of_launch;  // the sizes are those of the probe's launch
+    int is_whole;      // coordinate and size are divided as whole numbers
+    int n_steps;       // red and green are rounded down to so many; 0: they are not
+} GradientRules;
+
+static float gradient_channel(int coordinate, int size, const GradientRules *rules)
+{
+    const int divisor = rules->is_of_launch ? PROBE_IMAGE_SIDE(size) : size - rules->less;
+    const double value = (coordinate + rules->offset) / divisor;
+    return (float)(rules->is_whole ? floor(value)
+                   : rules->n_steps != 0
+                       ? (double)(rules->n_steps * coordinate / divisor) / rules->n_steps
+                       : value);
+}
+
+// Draw in double precision.
+static void gradient_draw(Image *image, const GradientRules *rules)
 {
     float *pixel = image->pixels;
     for (int y = 0; y < image->height; y++) {
         for (int x = 0; x < image->width; x++, pixel += IMAGE_CHANNELS) {
-            pixel[0] = (float)((x + offset) / (image->width - less));
-            pixel[1] = (float)((y + offset) / (image->height - less));
+            pixel[0] = gradient_channel(x, image->width, rules);
+            pixel[1] = gradient_channel(y, image->height, rules);
             pixel[2] = 0.25f;
             pixel[3] = 1;
         }
     }
 }
 
+static const GradientRules right = {0};
+
 // As DrawMistaken of picture.h has it.
 static Cause draw_mistaken(const void *scene, int mistake, Image *guess, float *tolerances)
 {
     static const struct {
         Cause looks;
-        double offset;
-        int less;
+        GradientRules rules;
     } mistakes[] = {
         {{"shifted by half a pixel: the colour is that of the pixel's middle, not of its integer "
           "coordinate",
           MISTAKE_SHIFTED_HALF},
-         0.5,
-         0},
+         {.offset = 0.5}},
         {{.says =
               "drawn as if the last column and row had the colour 1: the sizes are one too small"},
-         0,
-         1},
+         {.less = 1}},
+        {{.says = "drawn with the size of the launch (get_global_size), which is larger than the "
+                  "picture"},
+         {.is_of_launch = 1}},
+        {{.says = "drawn by whole-number division: x / width is 0 for every pixel"},
+         {.is_whole = 1}},
+        {{.says = "drawn in 255 steps, as a PNG file needs them: the image takes any float"},
+         {.n_steps = 255}},
     };
     (void)scene;
     if (mistake >= (int)(sizeof mistakes / sizeof *mistakes)) {
         return (Cause){0};
     }
-    gradient_draw(guess, mistakes[mistake].offset, mistakes[mistake].less);
+    gradient_draw(guess, &mistakes[mistake].rules);
     for (int i = 0; i < guess->width * guess->height; i++) {
         tolerances[i] = GRADIENT_ERROR;
     }
@@ -65,7 +90,7 @@ static int expect_gradient(int width, int height, JobPicture *gradient)
     }
     expected->tolerance = GRADIENT_ERROR;
     expected->draw_mistaken = draw_mistaken;
-    gradient_draw(&expected->reference, 0, 0);
+    gradient_draw(&expected->reference, &right);
     return 0;
 }
 
@@ -76,7 +101,7 @@ static Cause pattern_mistaken(const void *scene, int mistake, Image *guess, floa
     if (mistake > 0) {
         return (Cause){0};
     }
-    gradient_draw(guess, 0, 0);
+    gradient_draw(guess, &right);
     for (int i = 0; i < guess->width * guess->height; i++) {
         tolerances[i] = GRADIENT_ERROR;
     }

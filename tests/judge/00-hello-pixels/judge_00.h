@@ -1,5 +1,6 @@
 // What lab 00's judge asks of a submission: pictures of several sizes, each with a pattern for
-// read_back. Drawn in judge_00.c, the host's functions judged in judge_00_host.c.
+// read_back. Drawn in judge_00.c, the host's functions judged in judge_00_host.c and
+// judge_00_launch.c.
 #ifndef JUDGE_JUDGE_00_H
 #define JUDGE_JUDGE_00_H
 
@@ -16,6 +17,13 @@ typedef struct Job00 {
     u32 keys[N_SIZES];                  // of the patterns (probes/pattern.h)
     ExpectedPicture patterns[N_SIZES];  // what is in the images that read_back is given
 } Job00;
+
+// How many work-items it takes for a side of the picture: whole groups, of GROUP_SIZE in render.h.
+enum { GROUP_SIDE = 16 };
+static inline int side_in_groups(int side)
+{
+    return (side + GROUP_SIDE - 1) / GROUP_SIDE * GROUP_SIDE;
+}
 
 // Judge of size K what set_arguments handed over, which work-items enqueue_pixels started, and what
 // read_back brought home. As `scene` of judge.h has it.

@@ -1,6 +1,7 @@
 // What lab 02's judge asks of a submission: inputs of its functions and scenes for its trees.
-// Drawn in judge_02_job.c; functions are judged in judge_02_functions.c, whole trees in
-// tree_judge.c; one answer alone in judge_02_alone.c.
+// Drawn in judge_02_job.c; functions are judged in judge_02_functions.c,
+// judge_02_overlap.c and judge_02_lists.c, whole trees in tree_judge.c; one answer alone in
+// judge_02_alone.c.
 #ifndef JUDGE_JUDGE_02_H
 #define JUDGE_JUDGE_02_H
 
@@ -10,8 +11,8 @@
 
 // Inputs of is_leaf are by turns about the level, the number of circles and failed splits; those of
 // circle_overlaps_box are in three ranges. The last of each are the same with every seed.
-enum { N_LEAVES = 630, N_SPLITS = 408, N_DISTRIBUTES = 64, N_PACKS = 66, N_SCENES = 7 };
-enum { N_INSIDE = 1005, N_BOUNDARY = 506, N_CORNER = 506 };
+enum { N_LEAVES = 630, N_SPLITS = 408, N_DISTRIBUTES = 65, N_PACKS = 66, N_SCENES = 7 };
+enum { N_INSIDE = 1000, N_BOUNDARY = 512, N_CORNER = 505 };
 enum { N_OVERLAPS = N_INSIDE + N_BOUNDARY + N_CORNER };
 
 typedef struct Job02 {
@@ -32,6 +33,9 @@ int job_02_write_scene(const void *job, int k, FILE *file);
 // The functions; of split_box and pack_leaf one for each property that is judged.
 extern const Function is_leaf_02, split_longer_02, split_middle_02, overlap_02, distribute_02,
     pack_count_02, pack_offset_02, pack_rest_02;
+
+// Of an answer that is neither 1 nor 0, and means the right one.
+#define JUST_1_AND_0 "right but for its value: the answers are 1 and 0"
 
 // Call number i of distribute.
 ListCall list_call_02(const Job02 *job, int i);

@@ -24,7 +24,7 @@ static void leaf_input(const void *pointer, ReplayCall call, void *input)
 static int leaf_is_right(const void *job, ReplayCall call, const void *answer)
 {
     (void)job;
-    return (*(const i32 *)answer != 0) == (call.node->first_child == 0);
+    return *(const i32 *)answer == (call.node->first_child == 0);
 }
 
 const Replay replay_leaf_02 = {"replay.leaf", EACH_NODE,  sizeof(LeafJob),
@@ -71,7 +71,7 @@ static void overlap_input(const void *job, ReplayCall call, void *input)
 static int overlap_is_right(const void *job, ReplayCall call, const void *answer)
 {
     const BoxOverlapJob in = overlap_of(job, call);
-    return (*(const i32 *)answer != 0) == oracle2d_overlaps_box(in.circle, in.box);
+    return *(const i32 *)answer == oracle2d_overlaps_box(in.circle, in.box);
 }
 
 const Replay replay_overlap_02 = {"replay.overlap", EACH_ID_OF_A_CHILD, sizeof(BoxOverlapJob),

@@ -5,6 +5,7 @@
 // last, so that any other mistake is shown without them. On them, too, double decides exactly.
 #include "judge_02.h"
 
+#include "oracle2d.h"
 #include "oracle2d_tree.h"
 
 static BBox2D draw_box(Random *random)
@@ -78,40 +79,51 @@ static BBox2D draw_split(Random *random, int i)
     return box;
 }
 
-// Circles of radius 0, which are points: within the box, on its border, in its corner, and beside
-// it.
-static const BoxOverlapJob points[] = {
-    {{.x = 4, .y = 4}, {0, 8, 0, 8}},        {{.x = 8, .y = 4}, {0, 8, 0, 8}},
-    {{.x = 8, .y = 8}, {0, 8, 0, 8}},        {{.x = 8.0625f, .y = 4}, {0, 8, 0, 8}},
-    {{.x = 8, .y = -0.0625f}, {0, 8, 0, 8}},
-};
+// How near to touching a drawn circle of overlap-inside may be: that is for the other checks.
+#define CLEARLY 0.25
+
+// Does a circle touch the box, or nearly?
+static int nearly_touches(BoxOverlapJob job)
+{
+    BoxOverlapJob smaller = job, larger = job;
+    smaller.circle.radius -= CLEARLY;
+    larger.circle.radius += CLEARLY;
+    return oracle2d_overlaps_box(smaller.circle, job.box) !=
+           oracle2d_overlaps_box(larger.circle, job.box);
+}
 
 // Circles of any place beside, in and around the box, its size or smaller.
-static BoxOverlapJob draw_inside(Random *random, int i)
+static BoxOverlapJob draw_inside(Random *random)
 {
-    const int edge = edge_of(i, N_INSIDE, COUNT(points));
-    if (edge >= 0) {
-        return points[edge];
-    }
     BoxOverlapJob job = {.box = draw_box(random)};
-    job.circle.x = random_grid(random, -150, 250);
-    job.circle.y = random_grid(random, -150, 250);
-    job.circle.radius = random_grid(random, 1, 100);
+    do {
+        job.circle.x = random_grid(random, -150, 250);
+        job.circle.y = random_grid(random, -150, 250);
+        job.circle.radius = random_grid(random, 1, 100);
+    } while (nearly_touches(job));
     return job;
 }
 
 // So small that every epsilon is larger.
 #define TINY 0x1p-30f
 
-// Beside a side: large circles whose squared radius float would round down and up, and one that
-// misses by a step of float; tiny circles, and one that misses by a fifth.
+// Circles of radius 0, which are points: within the box, on its border, in its corner, and beside
+// it. Beside a side: large circles whose squared radius float would round down and up, and one that
+// misses by a step of float; tiny circles, one that misses by a fifth, and one that
+// touches a corner.
 static const BoxOverlapJob beside[] = {
+    {{.x = 4, .y = 4}, {0, 8, 0, 8}},
+    {{.x = 8, .y = 4}, {0, 8, 0, 8}},
+    {{.x = 8, .y = 8}, {0, 8, 0, 8}},
+    {{.x = 8.0625f, .y = 4}, {0, 8, 0, 8}},
+    {{.x = 8, .y = -0.0625f}, {0, 8, 0, 8}},
     {{.x = 64 + 4097, .y = 32, .radius = 4097}, {0, 64, 0, 64}},
     {{.x = 32, .y = -4099, .radius = 4099}, {0, 64, 0, 64}},
     {{.x = 64 + 4097 + 0x1p-11f, .y = 32, .radius = 4097}, {0, 64, 0, 64}},
     {{.x = 5 * TINY, .y = -0.5f, .radius = 5 * TINY}, {-1, 0, -1, 0}},
     {{.x = 6 * TINY, .y = -0.5f, .radius = 5 * TINY}, {-1, 0, -1, 0}},
     {{.x = -0.5f, .y = 6 * TINY, .radius = 5 * TINY}, {-1, 0, -1, 0}},
+    {{.x = 3 * TINY, .y = 4 * TINY, .radius = 5 * TINY}, {-1, 0, -1, 0}},
 };
 
 // A circle that touches a side from outside, or a corner by a Pythagorean triple; or misses it by a
@@ -144,14 +156,13 @@ static BoxOverlapJob draw_boundary(Random *random, int i)
 }
 
 // Beyond a corner: whole numbers with a² + b² = c² + 1, too large for float, which takes both
-// sides for equal; and the same and a triple, tiny.
+// sides for equal; and the same, small and tiny.
 static const BoxOverlapJob beyond[] = {
     {{.x = 64 + 738, .y = 64 + 4031, .radius = 4098}, {0, 64, 0, 64}},
     {{.x = -1576, .y = 64 + 3785, .radius = 4100}, {0, 64, 0, 64}},
     {{.x = 64 + 2782, .y = -3009, .radius = 4098}, {0, 64, 0, 64}},
     {{.x = 0.25f, .y = 0.4375f, .radius = 0.5f}, {-1, 0, -1, 0}},
     {{.x = 4 * TINY, .y = 7 * TINY, .radius = 8 * TINY}, {-1, 0, -1, 0}},
-    {{.x = 3 * TINY, .y = 4 * TINY, .radius = 5 * TINY}, {-1, 0, -1, 0}},
 };
 
 // A circle beyond a corner, nearer than its radius on each axis: the square overlaps, the circle
@@ -172,12 +183,14 @@ static BoxOverlapJob draw_corner(Random *random, int i)
     return job;
 }
 
-// Long lists: all circles of the scene in one cell, some of them, and none; and a list of one.
+// Long lists: all circles of the scene in one cell, some of them, and none; a list of one; and an
+// empty one, though ids[0] is a circle that overlaps the cell.
 static DistributeJob list_of_many(int edge, const Scene2D *scene)
 {
     const BBox2D all = oracle2d_root(scene);
-    const BBox2D cells[] = {all, {0, 100, 0, 75}, {all.maxX + 1, all.maxX + 9, 0, 8}, all};
-    DistributeJob job = {.child = cells[edge], .n_ids = edge < 3 ? DISTRIBUTE_MAX_IDS : 1};
+    const BBox2D cells[] = {all, {0, 100, 0, 75}, {all.maxX + 1, all.maxX + 9, 0, 8}, all, all};
+    const u32 n_ids[] = {DISTRIBUTE_MAX_IDS, DISTRIBUTE_MAX_IDS, DISTRIBUTE_MAX_IDS, 1, 0};
+    DistributeJob job = {.child = cells[edge], .n_ids = n_ids[edge]};
     for (u32 i = 0; i < job.n_ids; i++) {
         job.ids[i] = i;
     }
@@ -187,7 +200,7 @@ static DistributeJob list_of_many(int edge, const Scene2D *scene)
 // Some of the scene's circles, ascending with gaps, and a cell.
 static DistributeJob draw_distribute(Random *random, int i, const Scene2D *scene)
 {
-    enum { N_EDGES = 4, MOST_IDS = 48 };
+    enum { N_EDGES = 5, MOST_IDS = 48 };
     const int edge = edge_of(i, N_DISTRIBUTES, N_EDGES);
     if (edge >= 0) {
         return list_of_many(edge, scene);
@@ -246,11 +259,11 @@ static int draw_scenes(Random *random, JobScene scenes[N_SCENES], Growth *growth
     static const KdTreeLimits limits[N_SCENES] = {{7, 4}, {4, 1}, {16, 6}, {6, 2},
                                                   {9, 1}, {4, 1}, {1, 3}};
     int result = job_scene_random(&scenes[0], random, 150, 14, 200, 150);
-    result |= job_scene_named(&scenes[1], "example", 10, 10);
+    result |= job_scene_named(&scenes[1], random, "example", 10, 10);
     result |= job_scene_random(&scenes[2], random, 300, 10, 120, 240);
-    result |= job_scene_named(&scenes[3], "touching", 64, 48);
-    result |= job_scene_named(&scenes[4], "tiny", 64, 48);
-    result |= job_scene_named(&scenes[5], "none", 64, 48);
+    result |= job_scene_named(&scenes[3], random, "touching", 64, 48);
+    result |= job_scene_named(&scenes[4], random, "tiny", 64, 48);
+    result |= job_scene_named(&scenes[5], random, "none", 64, 48);
     result |= job_scene_random(&scenes[DISTRIBUTE_SCENE], random, DISTRIBUTE_MAX_IDS, 10, 200, 150);
     if (result == 0) {
         Circle *circles = scenes[DISTRIBUTE_SCENE].scene.circles;
@@ -276,7 +289,7 @@ static void draw_inputs(Random *random, Job02 *job)
     }
     for (int i = 0; i < N_OVERLAPS; i++) {
         const int j = i - N_INSIDE;
-        job->overlaps[i] = j < 0            ? draw_inside(random, i)
+        job->overlaps[i] = j < 0            ? draw_inside(random)
                            : j < N_BOUNDARY ? draw_boundary(random, j)
                                             : draw_corner(random, j - N_BOUNDARY);
     }

@@ -44,6 +44,11 @@ static int has_children(const KdTree2D *tree, u32 id)
            node.rChild < tree->n_nodes;
 }
 
+static const char *entries(u32 n)
+{
+    return n == 1 ? "entry" : "entries";
+}
+
 // A leaf's list: the ids, and how many; NULL when offset or count lead out of the map.
 static const u32 *leaf_list(const KdTree2D *tree, u32 id, u32 *n_ids)
 {
@@ -59,14 +64,13 @@ static Diagnosis bad_list(const JobScene *scene, const KdTree2D *own, u32 id)
 {
     const u32 offset = own->nodes_Relations[id].circleMapOffset;
     if (offset >= own->n_map) {
-        return diagnosis_new(
-            "%s: leaf %u: circleMapOffset is %u, but mapNode2Circles has %u entries",
-            scene->picture.title, id, offset, own->n_map);
+        return diagnosis_new("%s: leaf %u: circleMapOffset is %u, but mapNode2Circles has %u %s",
+                             scene->picture.title, id, offset, own->n_map, entries(own->n_map));
     }
     return diagnosis_new("%s: leaf %u: circleMapOffset is %u, where the count would be %u, but "
-                         "mapNode2Circles has %u entries",
-                         scene->picture.title, id, offset, own->mapNode2Circles[offset],
-                         own->n_map);
+                         "mapNode2Circles has %u %s",
+                         scene->picture.title, id, offset, own->mapNode2Circles[offset], own->n_map,
+                         entries(own->n_map));
 }
 
 // The invariants hold for the tree by itself; is it also the tree that was asked for?
@@ -115,9 +119,10 @@ Diagnosis tree_judge_limits(const JobScene *scene, const KdTree2D *own)
         if (is_inner(own, id) == should_be_leaf) {
             wrong = diagnosis_new(
                 "%s, maxDepth %d, targetElementsPerNode %d: node %u on level %d with "
-                "%u circles, below %d failed splits, is %s, expected %s",
+                "%u circle%s, below %d failed split%s, is %s, expected %s",
                 scene->picture.title, scene->limits.maxDepth, scene->limits.targetElementsPerNode,
-                id, level, n, n_failed, is_inner(own, id) ? "split" : "a leaf",
+                id, level, n, plural(n), n_failed, plural((unsigned)n_failed),
+                is_inner(own, id) ? "split" : "a leaf",
                 should_be_leaf ? "a leaf" : "it to be split");
         } else if (is_inner(own, id) && has_children(own, id)) {
             const u32 lChild = own->nodes_Relations[id].lChild;
@@ -179,8 +184,9 @@ static Diagnosis judge_leaf_overlap(const JobScene *scene, const KdTree2D *own, 
         return bad_list(scene, own, id);
     }
     if (n_ids > (u32)scene->scene.n_circles) {
-        return diagnosis_new("%s: leaf %u lists %u circles, but the scene has %d",
-                             scene->picture.title, id, n_ids, scene->scene.n_circles);
+        return diagnosis_new("%s: leaf %u lists %u circle%s, but the scene has %d",
+                             scene->picture.title, id, n_ids, plural(n_ids),
+                             scene->scene.n_circles);
     }
     const BBox2D box = own->nodes_BBox[id];
     for (u32 circle = 0; circle < (u32)scene->scene.n_circles; circle++) {
@@ -253,8 +259,8 @@ Diagnosis tree_judge_lists(const JobScene *scene, const KdTree2D *own)
         return wrong;
     }
     if (own->n_map != scene->tree.n_map) {
-        return diagnosis_new("%s: mapNode2Circles has %u entries, expected %u",
-                             scene->picture.title, own->n_map, scene->tree.n_map);
+        return diagnosis_new("%s: mapNode2Circles has %u %s, expected %u", scene->picture.title,
+                             own->n_map, entries(own->n_map), scene->tree.n_map);
     }
     return differs_from_oracle(scene, own, own->nodes_flag, scene->tree.nodes_flag,
                                sizeof *own->nodes_flag, "leaf or inner node");
@@ -298,9 +304,10 @@ Diagnosis tree_judge_packing(const JobScene *scene, const KdTree2D *own)
     }
     if (next_id != own->n_nodes || next_offset != own->n_map) {
         return diagnosis_new(
-            "%s: %u node%s and %u map entries belong to the tree, but its arrays hold %u "
+            "%s: %u node%s and %u map %s belong to the tree, but its arrays hold %u "
             "and %u",
-            scene->picture.title, next_id, plural(next_id), next_offset, own->n_nodes, own->n_map);
+            scene->picture.title, next_id, plural(next_id), next_offset, entries(next_offset),
+            own->n_nodes, own->n_map);
     }
     const Diagnosis wrong = judge_lists(scene, own);
     if (wrong.found != NULL) {

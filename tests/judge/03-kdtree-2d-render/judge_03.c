@@ -4,82 +4,182 @@
 
 #include "job_work.h"
 #include "message.h"
+#include "packed_list.h"
 #include "words.h"
 
 #include <math.h>
 
 // ---- getContainingChild -------------------------------------------------------------------------
 
-// A way to decide whether a cell holds a pixel.
-typedef int Holds(BBox2D box, double x, double y);
+// A way to choose: is it the left child? Of the node's cell and the left child's.
+typedef int GoesLeft(BBox2D node, BBox2D left, double x, double y);
 
-static int holds_inner(BBox2D box, double x, double y)
+static int by_inner(BBox2D node, BBox2D left, double x, double y)
 {
-    return x > box.minX && x < box.maxX && y > box.minY && y < box.maxY;
+    (void)node;
+    return x > left.minX && x < left.maxX && y > left.minY && y < left.maxY;
 }
 
-static int holds_border(BBox2D box, double x, double y)
+static int by_border(BBox2D node, BBox2D left, double x, double y)
 {
-    return x >= box.minX && x <= box.maxX && y >= box.minY && y <= box.maxY;
+    (void)node;
+    return x >= left.minX && x <= left.maxX && y >= left.minY && y <= left.maxY;
 }
 
-static int holds_middle(BBox2D box, double x, double y)
+static int by_middle(BBox2D node, BBox2D left, double x, double y)
 {
-    return cell_holds(box, x + 0.5, y + 0.5);
+    (void)node;
+    return cell_holds(left, x + 0.5, y + 0.5);
 }
 
-static int holds_corner(BBox2D box, double x, double y)
+static int by_corner(BBox2D node, BBox2D left, double x, double y)
 {
-    return cell_holds(box, x - 0.5, y - 0.5);
+    (void)node;
+    return cell_holds(left, x - 0.5, y - 0.5);
 }
 
 // As whole numbers, like a conversion to int.
-static int holds_whole(BBox2D box, double x, double y)
+static int by_whole(BBox2D node, BBox2D left, double x, double y)
 {
-    const BBox2D whole = {truncf(box.minX), truncf(box.maxX), truncf(box.minY), truncf(box.maxY)};
+    const BBox2D whole = {truncf(left.minX), truncf(left.maxX), truncf(left.minY),
+                          truncf(left.maxY)};
+    (void)node;
     return cell_holds(whole, x, y);
 }
 
+static int by_nearest(BBox2D node, BBox2D left, double x, double y)
+{
+    const BBox2D whole = {floorf(left.minX + 0.5f), floorf(left.maxX + 0.5f),
+                          floorf(left.minY + 0.5f), floorf(left.maxY + 0.5f)};
+    (void)node;
+    return cell_holds(whole, x, y);
+}
+
+// As numbers without a sign, which have no room for negative ones.
+static int by_unsigned(BBox2D node, BBox2D left, double x, double y)
+{
+    (void)node;
+    return left.minX >= 0 && left.minY >= 0 && cell_holds(left, x, y);
+}
+
+static int by_x(BBox2D node, BBox2D left, double x, double y)
+{
+    (void)node, (void)y;
+    return x >= left.minX && x < left.maxX;
+}
+
+static int by_y(BBox2D node, BBox2D left, double x, double y)
+{
+    (void)node, (void)x;
+    return y >= left.minY && y < left.maxY;
+}
+
+static int by_copied_x(BBox2D node, BBox2D left, double x, double y)
+{
+    return by_x(node, left, x, y) && y >= left.minY && y < left.maxX;
+}
+
+static int by_copied_y(BBox2D node, BBox2D left, double x, double y)
+{
+    return x >= left.minX && x < left.maxY && by_y(node, left, x, y);
+}
+
+static int by_swapped(BBox2D node, BBox2D left, double x, double y)
+{
+    (void)node;
+    return cell_holds(left, y, x);
+}
+
+static int always(BBox2D node, BBox2D left, double x, double y)
+{
+    (void)node, (void)left, (void)x, (void)y;
+    return 1;
+}
+
+// The left child where the cell does not hold the pixel.
+static int by_the_contrary(BBox2D node, BBox2D left, double x, double y)
+{
+    (void)node;
+    return !cell_holds(left, x, y);
+}
+
+#define SHIFTED "shifted by half a pixel: the sample point is the integer coordinate"
+#define WHOLE_BORDER "a cell's border was made a whole number: it may lie between two pixels"
+#define OTHER_AXIS "your answers are those of a comparison with a border of the other axis"
+#define ONE_AXIS "your answers are those of one axis alone: there are splits across x and across y"
+
+static const struct {
+    GoesLeft *goes_left;
+    Cause cause;
+} child_mistakes[] = {
+    {by_inner,
+     {"strict where it should not be: cells are half-open, minX <= x < maxX",
+      MISTAKE_STRICT_BOUNDARY}},
+    {by_border, {.says = "cells are half-open: a border belongs to the cell that starts there"}},
+    {by_middle, {SHIFTED, MISTAKE_SHIFTED_HALF}},
+    {by_corner, {SHIFTED, MISTAKE_SHIFTED_HALF}},
+    {by_whole, {.says = WHOLE_BORDER}},
+    {by_nearest, {.says = WHOLE_BORDER}},
+    {by_unsigned,
+     {.says = "your answers are those of numbers without a sign: a cell may begin at negative "
+              "coordinates"}},
+    {by_x, {.says = ONE_AXIS}},
+    {by_y, {.says = ONE_AXIS}},
+    {by_copied_x, {.says = OTHER_AXIS}},
+    {by_copied_y, {.says = OTHER_AXIS}},
+    {by_swapped, {.says = OTHER_AXIS}},
+    {by_the_contrary, {.says = "left and right are swapped"}},
+    {always,
+     {.says = "the left child was chosen every time: its own cell has to hold the pixel, in both "
+              "directions"}},
+};
+
 // Do all answers, in both checks, follow from this way?
-static int children_follow(const Job03 *job, const u32 *found, Holds *way)
+static int children_follow(const Job03 *job, const u32 *found, GoesLeft *goes_left)
 {
     const KdTree2D *tree = &job->child_tree;
     for (int i = 0; i < N_CHILDREN; i++) {
         const ChildJob in = job->children[i];
         const NodeRel node = tree->nodes_Relations[in.id];
-        const int in_left = way(tree->nodes_BBox[node.lChild], in.x, in.y);
-        if (found[i] != (in_left ? node.lChild : node.rChild)) {
+        const int is_left =
+            goes_left(tree->nodes_BBox[in.id], tree->nodes_BBox[node.lChild], in.x, in.y);
+        if (found[i] != (is_left ? node.lChild : node.rChild)) {
             return 0;
         }
     }
     return 1;
 }
 
-#define SHIFTED "shifted by half a pixel: the sample point is the integer coordinate"
+// What may be meant for one. Is all that is wrong beside a border by no more?
+#define EPSILON 0.125
+static int all_are_beside(const Job03 *job, const u32 *found)
+{
+    const KdTree2D *tree = &job->child_tree;
+    for (int i = 0; i < N_CHILDREN; i++) {
+        const ChildJob in = job->children[i];
+        const NodeRel node = tree->nodes_Relations[in.id];
+        const BBox2D left = tree->nodes_BBox[node.lChild];
+        const int is_left = cell_holds(left, in.x, in.y);
+        const double to_x = fabs((double)in.x - left.maxX), to_y = fabs((double)in.y - left.maxY);
+        if (found[i] != (is_left ? node.lChild : node.rChild) && fmin(to_x, to_y) >= EPSILON) {
+            return 0;
+        }
+    }
+    return 1;
+}
 
 // What wrong children suggest.
 static Cause explain_children(const Job03 *job, const u32 *found)
 {
-    static const struct {
-        Holds *way;
-        Cause cause;
-    } mistakes[] = {
-        {holds_inner,
-         {"strict where it should not be: cells are half-open, minX <= x < maxX",
-          MISTAKE_STRICT_BOUNDARY}},
-        {holds_border,
-         {.says = "cells are half-open: a border belongs to the cell that starts there"}},
-        {holds_middle, {SHIFTED, MISTAKE_SHIFTED_HALF}},
-        {holds_corner, {SHIFTED, MISTAKE_SHIFTED_HALF}},
-        {holds_whole,
-         {.says = "a cell's border was made a whole number: it may lie between two pixels"}},
-    };
-    for (int i = 0; i < COUNT(mistakes); i++) {
-        if (children_follow(job, found, mistakes[i].way)) {
-            return mistakes[i].cause;
+    for (int i = 0; i < COUNT(child_mistakes); i++) {
+        if (children_follow(job, found, child_mistakes[i].goes_left)) {
+            return child_mistakes[i].cause;
         }
     }
-    return (Cause){0};
+    return (Cause){.says = all_are_beside(job, found)
+                               ? "your answers are those with an epsilon: none "
+                                 "is needed"
+                               : NULL};
 }
 
 // A half-open cell.
@@ -128,15 +228,40 @@ static u32 steps_to_leaf(const KdTree2D *tree, int x, int y)
 // Is a pixel's work as it should be?
 typedef Diagnosis JudgeWork(const JobScene *scene, int x, int y, Work found);
 
+static const char *explain_steps(u32 found, u32 steps)
+{
+    return steps == 0   ? "the root is a leaf, and there is no step to take"
+           : found == 0 ? "either the function was not called, or not with &work: work that is "
+                          "hidden cannot be counted"
+           : found == 2 * steps ? "it was called twice for each node"
+           : found > steps      ? "some nodes were asked more than once"
+                                : NULL;
+}
+
 static Diagnosis judge_descent(const JobScene *scene, int x, int y, Work found)
 {
     const u32 steps = steps_to_leaf(&scene->tree, x, y);
     return found.n_nodes_visited == steps
                ? NOTHING_WRONG
-               : diagnosis_new(
-                     "%s: pixel (%d, %d): getContainingChild was called %u times, expected "
-                     "%u, once for each inner node on the way to the leaf",
-                     scene->picture.title, x, y, found.n_nodes_visited, steps);
+               : diagnosis_of(
+                     message_new("%s: pixel (%d, %d): getContainingChild was called %u time%s, "
+                                 "expected %u, once for each inner node on the way to the leaf",
+                                 scene->picture.title, x, y, found.n_nodes_visited,
+                                 plural(found.n_nodes_visited), steps),
+                     (Cause){.says = explain_steps(found.n_nodes_visited, steps)});
+}
+
+static Cause explain_tests(u32 found, u32 n)
+{
+    const char *says = found == 0 ? "either the function was not called, or not with &work: work "
+                                    "that is hidden cannot be counted"
+                       : n == 0   ? "an empty list has no circle to ask"
+                       : found == 2 * n ? "each was asked twice"
+                       : found > n      ? "some were asked more than once, or circles that are not "
+                                          "in the list"
+                                        : "circles of the list were not asked";
+    const Cause cut = number_cause(found, n);
+    return cut.says != NULL ? cut : (Cause){.says = says};
 }
 
 static Diagnosis judge_leaf(const JobScene *scene, int x, int y, Work found)
@@ -145,21 +270,24 @@ static Diagnosis judge_leaf(const JobScene *scene, int x, int y, Work found)
     const u32 n = tree->mapNode2Circles[tree->nodes_Relations[leaf_at(tree, x, y)].circleMapOffset];
     return found.n_tests == n
                ? NOTHING_WRONG
-               : diagnosis_new("%s: pixel (%d, %d): overlaps_N_Nearer was called %u times, but the "
-                               "leaf lists %u circles",
-                               scene->picture.title, x, y, found.n_tests, n);
+               : diagnosis_of(message_new("%s: pixel (%d, %d): overlaps_N_Nearer was called %u "
+                                          "time%s, but the leaf lists %u circle%s",
+                                          scene->picture.title, x, y, found.n_tests,
+                                          plural(found.n_tests), n, plural(n)),
+                              explain_tests(found.n_tests, n));
 }
 
-// Judge the counted work of scene K. Every seventh pixel each way is plenty, and the tree is asked
-// node by node.
+// Judge the counted work of scene K. In a large picture every seventh pixel each way is plenty: the
+// tree is asked node by node. In a small one a leaf may be a few pixels.
 static Verdict judge_work(const Job03 *job, int k, JudgeWork *judge_pixel, const Sections *answers)
 {
     const JobScene *scene = &job->scenes[k];
     const int width = scene->scene.width, height = scene->scene.height;
     const Work *found = job_work_find(&scene->picture, k, answers);
     Verdict verdict = found == NULL ? verdict_missing : verdict_passed;
-    for (int y = 0; y < height; y += 7) {
-        for (int x = 0; verdict.kind == VERDICT_PASSED && x < width; x += 7) {
+    const int step = width * height > 10000 ? 7 : 1;
+    for (int y = 0; y < height; y += step) {
+        for (int x = 0; verdict.kind == VERDICT_PASSED && x < width; x += step) {
             if (cell_holds(scene->tree.nodes_BBox[0], x, y)) {
                 verdict = verdict_of(judge_pixel(scene, x, y, found[y * width + x]));
             }

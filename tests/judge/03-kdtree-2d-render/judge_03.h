@@ -27,11 +27,14 @@ enum {
 };
 
 // No tree of a leaf map has more levels.
-enum { MOST_LEVELS = 73 };
+enum { MOST_LEVELS = 74 };
 
-// Inputs of getContainingChild: first borders that lie beside a whole pixel, in either direction,
-// each with the pixels before, at and behind it; then random ones.
-enum { N_BESIDE = 7, N_BESIDE_JOBS = 2 * 3 * N_BESIDE };
+// Where ids are high: what 16 or 8 bits hold of them is the id of a node that is nobody's.
+enum { FAR_IDS = (1 << 16) + 64 };
+
+// Inputs of getContainingChild: first families that are nobody's, in either direction, each with
+// the pixels before, at and behind the border; then random ones.
+enum { N_FAMILIES = 9, N_FAMILY_JOBS = 2 * 3 * N_FAMILIES };
 enum { N_INSIDE = 2000, N_BORDER = 1000 };
 enum { N_CHILDREN = N_INSIDE + N_BORDER };
 
@@ -56,16 +59,18 @@ int all_end_in_leaves_03(const void *job, const JudgeCheck *check, const Section
 // be freed in either case.
 int tree_create_03(u32 n_nodes, u32 n_map, KdTree2D *tree);
 
-// Make the scene's tree a leaf map, with the picture that is expected. Outside the root a pixel may
-// end in any leaf. Returns 0, or -1 after one message.
-int make_leaf_map(JobScene *scene);
+// Make the scene's tree a leaf map, with the picture that is expected; all its nodes but the root
+// get ids above first_id. Outside the root a pixel may end in any leaf. Returns 0, or -1 after one
+// message.
+int make_leaf_map(JobScene *scene, u32 first_id);
 
 // Draw the scene STAIRS. Returns 0, or -1 after one message.
 int draw_stairs(JobScene *scene);
 
-// The nodes of a tree, without lists, and more of them, with borders beside a whole pixel; and the
-// inputs that ask for these. Returns 0, or -1 after one message.
-int add_borders_beside(const KdTree2D *tree, KdTree2D *more, ChildJob jobs[N_BESIDE_JOBS]);
+// The nodes of a tree, without lists, and behind FAR_IDS families whose borders are beside a whole
+// pixel or at negative coordinates; and the inputs that ask for these. Returns 0, or -1 after one
+// message.
+int add_families(const KdTree2D *tree, KdTree2D *more, ChildJob jobs[N_FAMILY_JOBS]);
 
 // Write the nodes of getContainingChild. Returns 0, or -1.
 int write_child_tree_03(const Job03 *job, FILE *file);
@@ -73,8 +78,7 @@ int write_child_tree_03(const Job03 *job, FILE *file);
 // Is the point in the cell? Cells are half-open: minX <= x < maxX.
 int cell_holds(BBox2D box, double x, double y);
 
-// The leaf whose cell holds the point, found by asking all of them; the number of nodes when none
-// does.
+// The leaf below the root whose cell holds the point; the number of nodes when none does.
 u32 leaf_at(const KdTree2D *tree, int x, int y);
 
 #endif

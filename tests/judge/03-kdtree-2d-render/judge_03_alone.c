@@ -6,10 +6,13 @@
 //
 //   nodes_Relations[n_nodes]      a leaf that is nobody's
 //   nodes_Relations[TABLE_NODES]  its id, and the picture's width and height
-//   behind that, u32              for each of TABLE_NODES nodes the number of the first leaf below
-//                                 its right child, leaves counted from left to right; then a word
-//                                 for each pixel: for leaf_loop its leaf; for descent, which has to
-//                                 find that, only the leaf's number
+//   behind that, u32              by a node's id the number of the first leaf below its right
+//                                 child, leaves counted from left to right; and behind TABLE_NODES
+//                                 of them a word for each pixel: for leaf_loop its leaf; for
+//                                 descent, which has to find that, only the leaf's number
+//
+// Where ids go beyond FAR_IDS, all of that is still below them, in place of the nodes that are
+// nobody's, and the words of high ids come behind those of the pixels.
 //
 // So descent and leaf_loop have all that they have in the whole, and who does without the stand-in
 // is as right as there.
@@ -18,7 +21,6 @@
 #include "complain.h"
 #include "jobs.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -41,59 +43,59 @@ static u32 *list_leaves(const JobScene *scene)
         return NULL;
     }
     for (int i = 0; i < width * height; i++) {
-        leaves[i] = NO_LEAF;
-    }
-    for (u32 id = 0; id < tree->n_nodes; id++) {
-        const BBox2D box = tree->nodes_BBox[id];
-        if (tree->nodes_flag[id] != LEAF) {
-            continue;
-        }
-        for (int y = (int)fmaxf(0, ceilf(box.minY)); y < height && (float)y < box.maxY; y++) {
-            for (int x = (int)fmaxf(0, ceilf(box.minX)); x < width && (float)x < box.maxX; x++) {
-                leaves[y * width + x] = id;
-            }
-        }
+        const u32 leaf = leaf_at(tree, i % width, i / width);
+        leaves[i] = leaf < tree->n_nodes ? leaf : NO_LEAF;
     }
     return leaves;
 }
 
-// Count leaves from left to right: first[] gets the number of the first leaf below each node, a
-// leaf's own. Children have higher ids than their parent.
-static void number_leaves(const KdTree2D *tree, u32 first[TABLE_NODES])
+// Count leaves from left to right: first[n_nodes] gets the number of the first leaf below each
+// node, a leaf's own. Children have higher ids than their parent. Owned by the caller; NULL after
+// one message.
+static u32 *number_leaves(const KdTree2D *tree)
 {
-    u32 n_leaves[TABLE_NODES];
-    for (u32 id = tree->n_nodes; id-- > 0;) {
+    u32 *first = calloc(tree->n_nodes, sizeof *first);
+    u32 *n_leaves = calloc(tree->n_nodes, sizeof *n_leaves);
+    if (first == NULL || n_leaves == NULL) {
+        complain("grade: no memory for a table");
+        free(first);
+        first = NULL;
+    }
+    for (u32 id = tree->n_nodes; first != NULL && id-- > 0;) {
         const NodeRel node = tree->nodes_Relations[id];
         n_leaves[id] =
             tree->nodes_flag[id] == LEAF ? 1 : n_leaves[node.lChild] + n_leaves[node.rChild];
     }
-    for (u32 id = 0; id < tree->n_nodes; id++) {
+    for (u32 id = 0; first != NULL && id < tree->n_nodes; id++) {
         const NodeRel node = tree->nodes_Relations[id];
         if (tree->nodes_flag[id] != LEAF) {
             first[node.lChild] = first[id];
             first[node.rChild] = first[id] + n_leaves[node.lChild];
         }
     }
+    free(n_leaves);
+    return first;
 }
 
 // Fill the tables of a tree with room for them. A pixel outside the root may end in any leaf: its
 // word is that of the first.
-static void fill_tables(const JobScene *scene, const u32 *leaves, int is_for_descent,
-                        NodeRel *relations)
+//   leaves[height * width]   in which leaf each pixel is
+//   first[n_nodes]           of number_leaves()
+static void fill_tables(const JobScene *scene, const u32 *leaves, const u32 *first,
+                        int is_for_descent, NodeRel *relations)
 {
     const KdTree2D *tree = &scene->tree;
     const u32 width = (u32)scene->scene.width, height = (u32)scene->scene.height;
-    u32 first[TABLE_NODES] = {0}, first_leaf = 0;
+    u32 first_leaf = 0;
     u32 *table = (u32 *)(relations + TABLE_NODES + 1);
     relations[TABLE_NODES] = (NodeRel){tree->n_nodes, width, height, 0};
-    number_leaves(tree, first);
     for (u32 id = 0; id < tree->n_nodes; id++) {
         if (tree->nodes_flag[id] != LEAF) {
-            table[id] = first[relations[id].rChild];
+            table[id] = first[tree->nodes_Relations[id].rChild];
         }
     }
     while (tree->nodes_flag[first_leaf] != LEAF) {
-        first_leaf = relations[first_leaf].lChild;
+        first_leaf = tree->nodes_Relations[first_leaf].lChild;
     }
     for (u32 i = 0; i < width * height; i++) {
         const u32 leaf = leaves[i] != NO_LEAF ? leaves[i] : first_leaf;
@@ -101,30 +103,45 @@ static void fill_tables(const JobScene *scene, const u32 *leaves, int is_for_des
     }
 }
 
-// The tree of a scene with the tables behind it, as long as all of that is in nodes. Free it.
-// Returns 0, or -1 after one message.
+// How many nodes the arrays must have for a tree and its tables. Returns 0 after one message where
+// there is no place for them.
+static size_t n_with_tables(const JobScene *scene)
+{
+    const size_t n_own = scene->tree.n_nodes;
+    const size_t n_words = TABLE_NODES + (size_t)scene->scene.width * (size_t)scene->scene.height;
+    const size_t n_nodes = TABLE_NODES + 1 + (n_words + WORDS_A_NODE - 1) / WORDS_A_NODE;
+    if (n_own < TABLE_NODES) {
+        return n_nodes;
+    }
+    if (n_own > FAR_IDS && n_own < 2 * FAR_IDS && n_words <= FAR_IDS) {
+        return n_own + 1;
+    }
+    complain("grade: a tree of %zu nodes leaves no place for tables", n_own);
+    return 0;
+}
+
+// The tree of a scene with the tables, as long as all of that is in nodes. Free it. Returns 0, or
+// -1 after one message.
 static int extend_tree(const JobScene *scene, int is_for_descent, KdTree2D *tree)
 {
     const KdTree2D *own = &scene->tree;
-    const size_t n_pixels = (size_t)scene->scene.width * (size_t)scene->scene.height;
-    const size_t n_words = TABLE_NODES + n_pixels;
-    const size_t n_nodes = TABLE_NODES + 1 + (n_words + WORDS_A_NODE - 1) / WORDS_A_NODE;
-    if (own->n_nodes >= TABLE_NODES) {
-        complain("grade: a tree of %u nodes, expected less than %d", own->n_nodes, TABLE_NODES);
+    const size_t n_nodes = n_with_tables(scene);
+    if (n_nodes == 0) {
         return -1;
     }
-    u32 *leaves = list_leaves(scene);
-    if (leaves == NULL || tree_create_03((u32)n_nodes, own->n_map, tree) != 0) {
-        free(leaves);
-        return -1;
+    u32 *leaves = list_leaves(scene), *first = number_leaves(own);
+    const int result =
+        leaves != NULL && first != NULL ? tree_create_03((u32)n_nodes, own->n_map, tree) : -1;
+    if (result == 0) {
+        memcpy(tree->nodes_Relations, own->nodes_Relations, own->n_nodes * sizeof(NodeRel));
+        memcpy(tree->nodes_flag, own->nodes_flag, own->n_nodes);
+        memcpy(tree->nodes_BBox, own->nodes_BBox, own->n_nodes * sizeof(BBox2D));
+        memcpy(tree->mapNode2Circles, own->mapNode2Circles, own->n_map * sizeof(u32));
+        fill_tables(scene, leaves, first, is_for_descent, tree->nodes_Relations);
     }
-    memcpy(tree->nodes_Relations, own->nodes_Relations, own->n_nodes * sizeof(NodeRel));
-    memcpy(tree->nodes_flag, own->nodes_flag, own->n_nodes);
-    memcpy(tree->nodes_BBox, own->nodes_BBox, own->n_nodes * sizeof(BBox2D));
-    memcpy(tree->mapNode2Circles, own->mapNode2Circles, own->n_map * sizeof(u32));
-    fill_tables(scene, leaves, is_for_descent, tree->nodes_Relations);
     free(leaves);
-    return 0;
+    free(first);
+    return result;
 }
 
 // ---- The job ------------------------------------------------------------------------------------

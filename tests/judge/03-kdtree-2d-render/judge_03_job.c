@@ -2,6 +2,7 @@
 #include "judge_03.h"
 
 #include "complain.h"
+#include "scene_vary.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -92,43 +93,48 @@ static ChildJob draw_child(Random *random, const KdTree2D *tree, int on_border)
 
 static int draw_leaf_map(Random *random, JobScene *scene)
 {
-    int result = job_scene_random(scene, random, 60, 12, 128, 96);
+    int result = job_scene_random(scene, random, 60, 8, 96, 64);
     snprintf(scene->picture.title, sizeof scene->picture.title,
-             "leaf map (each leaf of the tree has a colour of its own), 128x96");
+             "leaf map (each leaf of the tree has a colour of its own), 96x64");
     if (result == 0) {
         result = job_scene_grow_tree(scene, (KdTreeLimits){8, 3});
     }
-    return result == 0 ? make_leaf_map(scene) : -1;
+    return result == 0 ? make_leaf_map(scene, FAR_IDS) : -1;
 }
 
-// A pixel's circles in one list, each nearer than those before it: the last one has all pixels.
-static int draw_long_list(JobScene *scene)
+// Is a pixel's leaf empty?
+static int has_empty_leaf(const JobScene *scene)
 {
-    enum { N_CIRCLES = 1100 };
-    *scene = (JobScene){0};
-    snprintf(scene->picture.title, sizeof scene->picture.title, "a leaf that lists %d circles",
-             N_CIRCLES);
-    if (scene2d_create(N_CIRCLES, 24, 16, &scene->scene) != 0) {
-        return -1;
-    }
-    for (int i = 0; i < N_CIRCLES; i++) {
-        scene->scene.circles[i] = (Circle){.x = 12,
-                                           .y = 8,
-                                           .radius = 20,
-                                           .depth = (float)(N_CIRCLES - i) / 2048,
-                                           .r = (float)(i % 32) / 32,
-                                           .g = (float)(i / 32) / 64,
-                                           .b = 0.5f,
-                                           .a = 1};
+    const KdTree2D *tree = &scene->tree;
+    for (int i = 0; i < scene->scene.width * scene->scene.height; i++) {
+        const u32 id = leaf_at(tree, i % scene->scene.width, i / scene->scene.width);
+        if (id < tree->n_nodes &&
+            tree->mapNode2Circles[tree->nodes_Relations[id].circleMapOffset] == 0) {
+            return 1;
+        }
     }
     return 0;
+}
+
+// An edge case with its tree. Not in all of its sizes has the one with empty leaves any.
+static int draw_edge(Random *random, int k, JobScene *scene)
+{
+    int result;
+    do {
+        job_scene_free(scene);
+        result = job_scene_named(scene, random, edges[k - EDGES].name, 64, 48);
+        if (result == 0) {
+            result = job_scene_grow_tree(scene, edges[k - EDGES].limits);
+        }
+    } while (result == 0 && k == EMPTY_LEAVES && !has_empty_leaf(scene));
+    return result;
 }
 
 // The limits of the tree of scene K.
 static KdTreeLimits limits_of(int k)
 {
     const KdTreeLimits usual = {9, 6}, one_leaf = {1, 1};
-    return k == LONG_LIST ? one_leaf : k >= EDGES && k < DEPTHS ? edges[k - EDGES].limits : usual;
+    return k == LONG_LIST ? one_leaf : usual;
 }
 
 static int draw_scenes(Random *random, JobScene scenes[N_SCENES])
@@ -141,11 +147,12 @@ static int draw_scenes(Random *random, JobScene scenes[N_SCENES])
     result |= job_scene_random(&scenes[RANDOM], random, 150, 12, 96, 128);
     result |= job_scene_random(&scenes[RANDOM + 1], random, 9, 30, 100, 60);
     job_scene_spread_depths(&scenes[RANDOM + 1]);
-    result |= job_scene_named(&scenes[ORDER], "equal-depths", 96, 64);
+    result |= job_scene_named(&scenes[ORDER], random, "equal-depths", 96, 64);
     for (int k = EDGES; k < DEPTHS; k++) {
-        result |= job_scene_named(&scenes[k], edges[k - EDGES].name, 64, 48);
+        result |= draw_edge(random, k, &scenes[k]);
     }
-    result |= job_scene_depths(&scenes[DEPTHS]) | draw_long_list(&scenes[LONG_LIST]);
+    result |= job_scene_depths(&scenes[DEPTHS], random);
+    result |= job_scene_pile(&scenes[LONG_LIST], random);
     for (int k = 0; result == 0 && k < N_SCENES; k++) {
         if (scenes[k].tree.n_nodes == 0) {
             result = job_scene_grow_tree(&scenes[k], limits_of(k));
@@ -161,10 +168,10 @@ static int draw_scenes(Random *random, JobScene scenes[N_SCENES])
 static int draw_children(Random *random, Job03 *job)
 {
     const KdTree2D *tree = &job->scenes[BORDERS].tree;
-    for (int i = N_BESIDE_JOBS; i < N_CHILDREN; i++) {
+    for (int i = N_FAMILY_JOBS; i < N_CHILDREN; i++) {
         job->children[i] = draw_child(random, tree, i >= N_INSIDE);
     }
-    return add_borders_beside(tree, &job->child_tree, job->children);
+    return add_families(tree, &job->child_tree, job->children);
 }
 
 int job_03_draw(void *pointer, Random *random)

@@ -26,15 +26,29 @@ int tree_create_03(u32 n_nodes, u32 n_map, KdTree2D *tree)
 
 // ---- Leaf maps ----------------------------------------------------------------------------------
 
-// In front of all nodes but the root a leaf map has four leaves to which no way leads from there,
-// two pairs with the halves of the root's cell. A search for a leaf in the arrays ends in the first
-// pair. The second are the children of every leaf, so a search that does not ask nodes_flag ends
-// there.
-enum { STRANGERS = 1, FALSE_CHILDREN = 3, N_STRANGERS = 4 };
+// Before and behind the nodes of a tree a leaf map has strangers, to which no way leads from the
+// root: three pairs of leaves with the halves of the root's cell, and an inner node. A search for a
+// leaf in the arrays ends in the first pair, or in the last, which are that node's children, so
+// that who looks for the highest id finds them. The second pair are the children of every leaf: a
+// search that does not ask nodes_flag ends there. All nodes between are as one more leaf.
+enum {
+    FIRST_PAIR = 1,
+    FALSE_CHILDREN = 3,
+    FALSE_PARENT = 5,
+    NOWHERE = 6,
+    N_BEFORE = 6,
+    N_BEHIND = 2,
+};
 
-static u32 moved(u32 id)
+// Where a tree's node comes to lie.
+static u32 moved(u32 id, u32 first_id)
 {
-    return id == 0 ? 0 : id + N_STRANGERS;
+    return id == 0 ? 0 : id + first_id;
+}
+
+static u32 last_pair(const KdTree2D *map)
+{
+    return map->n_nodes - N_BEHIND;
 }
 
 // The left or the right half of a cell.
@@ -56,53 +70,76 @@ static void colour_leaf(JobScene *scene, KdTree2D *map, u32 id, const u32 *list)
     map->mapNode2Circles[map->n_map++] = circle;
     scene->scene.circles[circle] = (Circle){.radius = 100000,
                                             .depth = -1,
-                                            .r = (float)(id % 7) / 6,
-                                            .g = (float)(id / 7 % 7) / 6,
-                                            .b = (float)(id / 49) / 64,
+                                            .r = (float)(id % 16) / 16,
+                                            .g = (float)(id / 16 % 16) / 16,
+                                            .b = (float)(id / 256) / 512,
                                             .a = 1};
 }
 
-// The scene's tree as a leaf map; the strangers' lists come last.
-static void fill_leaf_map(JobScene *scene, KdTree2D *map)
+// Two leaves with the halves of the root's cell.
+static void add_pair(JobScene *scene, KdTree2D *map, u32 first)
+{
+    for (u32 id = first; id < first + 2; id++) {
+        map->nodes_flag[id] = LEAF;
+        map->nodes_BBox[id] = half_of(map->nodes_BBox[0], id > first);
+        colour_leaf(scene, map, id, &(u32){0});
+    }
+}
+
+// The scene's tree as a leaf map; the strangers' lists come last. Nodes that are none of these have
+// no cell.
+static void fill_leaf_map(JobScene *scene, u32 first_id, KdTree2D *map)
 {
     const KdTree2D *tree = &scene->tree;
+    for (u32 id = 0; id < map->n_nodes; id++) {
+        map->nodes_Relations[id].id = id;
+        map->nodes_flag[id] = LEAF;
+    }
     for (u32 id = 0; id < tree->n_nodes; id++) {
         const NodeRel node = tree->nodes_Relations[id];
-        const u32 to = moved(id);
+        const u32 to = moved(id, first_id);
         map->nodes_BBox[to] = tree->nodes_BBox[id];
         map->nodes_flag[to] = tree->nodes_flag[id];
         if (tree->nodes_flag[id] != LEAF) {
-            map->nodes_Relations[to] = (NodeRel){to, moved(node.lChild), moved(node.rChild), 0};
+            map->nodes_Relations[to] =
+                (NodeRel){to, moved(node.lChild, first_id), moved(node.rChild, first_id), 0};
             continue;
         }
         map->nodes_Relations[to] = (NodeRel){to, FALSE_CHILDREN, FALSE_CHILDREN + 1, 0};
         colour_leaf(scene, map, to, tree->mapNode2Circles + node.circleMapOffset);
     }
-    for (u32 id = STRANGERS; id < STRANGERS + N_STRANGERS; id++) {
-        map->nodes_Relations[id].id = id;
-        map->nodes_BBox[id] = half_of(tree->nodes_BBox[0], id % 2 == 0);
-        colour_leaf(scene, map, id, &(u32){0});
+    add_pair(scene, map, FIRST_PAIR);
+    add_pair(scene, map, FALSE_CHILDREN);
+    add_pair(scene, map, last_pair(map));
+    colour_leaf(scene, map, NOWHERE, &(u32){0});
+    for (u32 id = NOWHERE + 1; id <= first_id; id++) {
+        map->nodes_Relations[id].circleMapOffset = map->nodes_Relations[NOWHERE].circleMapOffset;
     }
+    map->nodes_flag[FALSE_PARENT] = INNER;
+    map->nodes_BBox[FALSE_PARENT] = tree->nodes_BBox[0];
+    map->nodes_Relations[FALSE_PARENT] =
+        (NodeRel){FALSE_PARENT, last_pair(map), last_pair(map) + 1, 0};
 }
 
 // Give each leaf a colour of its own: the picture then shows which leaf each pixel asked.
-static int colour_leaves(JobScene *scene)
+static int colour_leaves(JobScene *scene, u32 first_id)
 {
     Scene2D *s = &scene->scene;
-    const u32 n_nodes = scene->tree.n_nodes + N_STRANGERS;
+    const u32 n_leaves = scene->tree.n_nodes + N_BEFORE + N_BEHIND;
     KdTree2D map;
-    Circle *circles = realloc(s->circles, ((size_t)s->n_circles + n_nodes) * sizeof *circles);
+    Circle *circles = realloc(s->circles, ((size_t)s->n_circles + n_leaves) * sizeof *circles);
     if (circles == NULL) {
         complain("grade: no memory for a scene");
         return -1;
     }
     s->circles = circles;
-    if (tree_create_03(n_nodes, scene->tree.n_map + 2 * n_nodes, &map) != 0) {
+    if (tree_create_03(first_id + scene->tree.n_nodes + N_BEHIND, scene->tree.n_map + 2 * n_leaves,
+                       &map) != 0) {
         tree2d_free(&map);
         return -1;
     }
     map.n_map = 0;
-    fill_leaf_map(scene, &map);
+    fill_leaf_map(scene, first_id, &map);
     tree2d_free(&scene->tree);
     scene->tree = map;
     return 0;
@@ -116,57 +153,88 @@ static void node_color(const JobScene *scene, u32 id, float *color)
     memcpy(color, &scene->scene.circles[list[list[0]]].r, IMAGE_CHANNELS * sizeof *color);
 }
 
-// The node to which so many steps lead, or the leaf before.
-static u32 node_after(const KdTree2D *tree, int x, int y, int n_steps)
+// A way to go wrong on the way down.
+typedef struct Walk {
+    Cause looks;
+    u32 id_bits;      // of an id no more than these are kept; 0: all of it
+    float narrowest;  // the way ends in cells that are narrower than this,
+    float lowest;     // or lower
+    int n_steps;      // it ends after so many; 0: in a leaf only
+} Walk;
+
+// The node in which it ends. A way that is lost may lead round in a ring.
+static u32 end_of_walk(const KdTree2D *tree, int x, int y, const Walk *walk)
 {
     u32 id = 0;
-    for (int step = 0; step < n_steps && tree->nodes_flag[id] != LEAF; step++) {
+    for (int step = 0; step < MOST_LEVELS && tree->nodes_flag[id] != LEAF; step++) {
+        const BBox2D cell = tree->nodes_BBox[id];
         const NodeRel node = tree->nodes_Relations[id];
+        if ((walk->n_steps != 0 && step == walk->n_steps) ||
+            cell.maxX - cell.minX < walk->narrowest || cell.maxY - cell.minY < walk->lowest) {
+            break;
+        }
         id = cell_holds(tree->nodes_BBox[node.lChild], x, y) ? node.lChild : node.rChild;
+        id = walk->id_bits != 0 ? id & walk->id_bits : id;
     }
     return id;
 }
 
+u32 leaf_at(const KdTree2D *tree, int x, int y)
+{
+    static const Walk right = {0};
+    return cell_holds(tree->nodes_BBox[0], x, y) ? end_of_walk(tree, x, y, &right) : tree->n_nodes;
+}
+
+#define IN_ARRAYS                                                                                  \
+    "drawn as if leaves were looked for in the arrays, and not on the way down from the root"
+#define SMALL_CELLS "drawn as if the search ended in a small cell, leaf or not"
+#define FEWER_BITS "drawn as if the id of a node were kept in too few bits"
+
 // As DrawMistaken of picture.h has it. Outside the root any leaf is right.
 static Cause draw_mistaken(const void *pointer, int mistake, Image *guess, float *tolerances)
 {
-    static const char *const looks[] = {
-        "drawn as if leaves were looked for in the arrays, and not on the way down from the root",
-        "drawn as if lChild told what is a leaf: nodes_flag does, a leaf's lChild means nothing",
-        "drawn as if the search ended after a fixed number of steps, leaf or not"};
-    enum { IN_ARRAYS, BY_CHILD, FIXED_STEPS };
+    static const Walk walks[] = {
+        {{.says = FEWER_BITS}, .id_bits = 0xff},
+        {{.says = FEWER_BITS}, .id_bits = 0xffff},
+        {{.says = SMALL_CELLS}, .narrowest = 1},
+        {{.says = SMALL_CELLS}, .lowest = 1},
+        {{.says = SMALL_CELLS}, .narrowest = 1, .lowest = 1},
+    };
     const JobScene *scene = pointer;
-    const int n_steps = mistake - FIXED_STEPS;
-    if (n_steps > MOST_LEVELS) {
+    const KdTree2D *tree = &scene->tree;
+    const struct {
+        u32 pair;
+        Cause looks;
+    } pairs[] = {
+        {FIRST_PAIR, {.says = IN_ARRAYS}},
+        {last_pair(tree), {.says = IN_ARRAYS}},
+        {FALSE_CHILDREN,
+         {.says = "drawn as if lChild told what is a leaf: nodes_flag does, a leaf's lChild means "
+                  "nothing"}},
+    };
+    const int n_steps = mistake - COUNT(pairs) - COUNT(walks);
+    const Walk stopped = {
+        {.says = "drawn as if the search ended after a fixed number of steps, leaf or not"},
+        .n_steps = n_steps + 1};
+    if (n_steps >= MOST_LEVELS) {
         return (Cause){0};
     }
+    const int is_pair = mistake < COUNT(pairs);
+    const Walk *walk = n_steps >= 0 ? &stopped : &walks[is_pair ? 0 : mistake - COUNT(pairs)];
+    const u32 pair = pairs[is_pair ? mistake : 0].pair;
     for (int i = 0; i < guess->width * guess->height; i++) {
         const int x = i % guess->width, y = i / guess->width;
-        const u32 pair = mistake == IN_ARRAYS ? STRANGERS : FALSE_CHILDREN;
-        const u32 id = mistake >= FIXED_STEPS
-                           ? node_after(&scene->tree, x, y, n_steps)
-                           : pair + !cell_holds(scene->tree.nodes_BBox[pair], x, y);
+        const u32 id = is_pair ? pair + !cell_holds(tree->nodes_BBox[pair], x, y)
+                               : end_of_walk(tree, x, y, walk);
         node_color(scene, id, guess->pixels + (size_t)i * IMAGE_CHANNELS);
-        tolerances[i] = cell_holds(scene->tree.nodes_BBox[0], x, y) ? 0 : INFINITY;
+        tolerances[i] = cell_holds(tree->nodes_BBox[0], x, y) ? 0 : INFINITY;
     }
-    return (Cause){.says = looks[mistake < FIXED_STEPS ? mistake : FIXED_STEPS]};
+    return is_pair ? pairs[mistake].looks : walk->looks;
 }
 
-// Leaves are looked for from the last on: strangers come first, and hold no more than the root.
-u32 leaf_at(const KdTree2D *tree, int x, int y)
+int make_leaf_map(JobScene *scene, u32 first_id)
 {
-    u32 id = tree->n_nodes;
-    while (id-- > 0) {
-        if (tree->nodes_flag[id] == LEAF && cell_holds(tree->nodes_BBox[id], x, y)) {
-            return id;
-        }
-    }
-    return tree->n_nodes;
-}
-
-int make_leaf_map(JobScene *scene)
-{
-    if (colour_leaves(scene) != 0 || job_scene_expect(scene) != 0) {
+    if (colour_leaves(scene, first_id) != 0 || job_scene_expect(scene) != 0) {
         return -1;
     }
     const KdTree2D *tree = &scene->tree;
@@ -185,13 +253,14 @@ int make_leaf_map(JobScene *scene)
 
 // ---- Stairs -------------------------------------------------------------------------------------
 
-// Each inner node cuts a strip off the rest: on the left, at the top, on the right, at the bottom,
-// and so on. A strip is wider than a pixel, so each holds some, and its border is seldom whole.
-enum { STAIRS_SIDE = 48, N_STRIPS = MOST_LEVELS - 1 };
-#define STRIP_WIDTH 1.25f
+// Each second inner node cuts a strip off the rest: on the left, at the top, on the right, at the
+// bottom, and so on; and each strip is halved, so that it is an inner node that is narrower than a
+// pixel. Most strips hold pixels all the same, and their borders are seldom whole.
+enum { STAIRS_SIDE = 64, N_STRIPS = MOST_LEVELS - 2, STAIRS_NODES = 4 * N_STRIPS + 1 };
+#define STRIP_WIDTH 0.75f
 
-// Cut a strip off: left and right start as the whole cell.
-static void cut_strip(u32 number, BBox2D *left, BBox2D *right)
+// Cut a strip off: left and right start as the whole cell. Returns whether it is the right one.
+static int cut_strip(u32 number, BBox2D *left, BBox2D *right)
 {
     const int is_at_end = number % 4 >= 2;
     if (number % 2 == 0) {
@@ -199,26 +268,42 @@ static void cut_strip(u32 number, BBox2D *left, BBox2D *right)
     } else {
         left->maxY = right->minY = is_at_end ? right->maxY - STRIP_WIDTH : left->minY + STRIP_WIDTH;
     }
+    return is_at_end;
 }
 
-// All lists are empty.
+// Make a node an inner one, with the next two nodes as children, which get its cell. Returns the
+// left one.
+static u32 open_node(KdTree2D *tree, u32 id)
+{
+    const u32 lChild = tree->n_nodes;
+    tree->n_nodes += 2;
+    tree->nodes_flag[id] = INNER;
+    tree->nodes_Relations[id] = (NodeRel){id, lChild, lChild + 1, 0};
+    tree->nodes_BBox[lChild] = tree->nodes_BBox[lChild + 1] = tree->nodes_BBox[id];
+    return lChild;
+}
+
+// All lists are empty: one of them is enough.
 static int grow_stairs(KdTree2D *tree)
 {
-    if (tree_create_03(2 * N_STRIPS + 1, N_STRIPS + 1, tree) != 0) {
+    if (tree_create_03(STAIRS_NODES, 1, tree) != 0) {
         return -1;
     }
+    BBox2D *boxes = tree->nodes_BBox;
     u32 rest = 0;
-    tree->nodes_BBox[0] = (BBox2D){0, STAIRS_SIDE, 0, STAIRS_SIDE};
+    boxes[0] = (BBox2D){0, STAIRS_SIDE, 0, STAIRS_SIDE};
+    tree->n_nodes = 1;
     for (u32 number = 0; number < N_STRIPS; number++) {
-        const u32 left = 2 * number + 1, right = left + 1;
-        tree->nodes_BBox[left] = tree->nodes_BBox[right] = tree->nodes_BBox[rest];
-        cut_strip(number, &tree->nodes_BBox[left], &tree->nodes_BBox[right]);
-        tree->nodes_flag[rest] = INNER;
-        tree->nodes_Relations[rest] = (NodeRel){rest, left, right, 0};
-        rest = number % 4 >= 2 ? left : right;
-        tree->nodes_Relations[rest == left ? right : left].circleMapOffset = number;
+        const u32 left = open_node(tree, rest);
+        const u32 strip = left + (u32)cut_strip(number, &boxes[left], &boxes[left + 1]);
+        const u32 half = open_node(tree, strip);
+        if (number % 2 == 0) {
+            boxes[half].maxY = boxes[half + 1].minY = (boxes[strip].minY + boxes[strip].maxY) / 2;
+        } else {
+            boxes[half].maxX = boxes[half + 1].minX = (boxes[strip].minX + boxes[strip].maxX) / 2;
+        }
+        rest = strip == left ? left + 1 : left;
     }
-    tree->nodes_Relations[rest].circleMapOffset = N_STRIPS;
     return 0;
 }
 
@@ -229,33 +314,44 @@ int draw_stairs(JobScene *scene)
              "leaf map of a tree of %d levels whose cells end between pixels, %dx%d", MOST_LEVELS,
              STAIRS_SIDE, STAIRS_SIDE);
     scene->scene.width = scene->scene.height = STAIRS_SIDE;
-    return grow_stairs(&scene->tree) == 0 ? make_leaf_map(scene) : -1;
+    return grow_stairs(&scene->tree) == 0 ? make_leaf_map(scene, N_BEFORE) : -1;
 }
 
-// ---- Borders beside a pixel ---------------------------------------------------------------------
+// ---- Families -----------------------------------------------------------------------------------
 
-// How far a border lies behind the pixel's coordinate, which is 100: 2^-17 parts floats there.
-static const float beside[N_BESIDE] = {0.25f,     0.5f,     0.75f,    0x1p-10f,
-                                       -0x1p-10f, 0x1p-17f, -0x1p-17f};
+// A cell, both ways from min to max, the border between its children, and another coordinate in it.
+// Most borders lie behind pixel 100 by a little: 2^-17 parts floats there.
+static const struct {
+    float min, max, border;
+    i32 other;
+} families[N_FAMILIES] = {
+    {90, 110, 100.25f, 95},        {90, 110, 100.5f, 95},
+    {90, 110, 100.75f, 95},        {90, 110, 100 + 0x1p-10f, 95},
+    {90, 110, 100 - 0x1p-10f, 95}, {90, 110, 100 + 0x1p-17f, 95},
+    {90, 110, 100 - 0x1p-17f, 95}, {-8, 16, 4, 3},
+    {-8.5f, 15.5f, 3.5f, 0},
+};
 
-int add_borders_beside(const KdTree2D *tree, KdTree2D *more, ChildJob jobs[N_BESIDE_JOBS])
+int add_families(const KdTree2D *tree, KdTree2D *more, ChildJob jobs[N_FAMILY_JOBS])
 {
-    const u32 n_given = tree->n_nodes;
-    if (tree_create_03(n_given + 3 * 2 * N_BESIDE, 1, more) != 0) {
+    if (tree_create_03(FAR_IDS + 3 * 2 * N_FAMILIES, 1, more) != 0) {
         return -1;
     }
-    memcpy(more->nodes_Relations, tree->nodes_Relations, n_given * sizeof(NodeRel));
-    memcpy(more->nodes_BBox, tree->nodes_BBox, n_given * sizeof(BBox2D));
-    for (u32 i = 0; i < 2 * N_BESIDE; i++) {
-        const u32 id = n_given + 3 * i;
-        const float border = 100 + beside[i / 2];
+    memcpy(more->nodes_Relations, tree->nodes_Relations, tree->n_nodes * sizeof(NodeRel));
+    memcpy(more->nodes_BBox, tree->nodes_BBox, tree->n_nodes * sizeof(BBox2D));
+    for (u32 i = 0; i < 2 * N_FAMILIES; i++) {
+        const u32 id = FAR_IDS + 3 * i;
+        const float min = families[i / 2].min, max = families[i / 2].max;
+        const float border = families[i / 2].border;
+        const i32 at = (i32)lrintf(border), other = families[i / 2].other;
         BBox2D *boxes = more->nodes_BBox + id;
         more->nodes_Relations[id] = (NodeRel){id, id + 1, id + 2, 0};
-        boxes[0] = boxes[1] = boxes[2] = (BBox2D){90, 110, 90, 110};
+        boxes[0] = boxes[1] = boxes[2] = (BBox2D){min, max, min, max};
         *(i % 2 == 0 ? &boxes[1].maxX : &boxes[1].maxY) = border;
         *(i % 2 == 0 ? &boxes[2].minX : &boxes[2].minY) = border;
         for (i32 step = -1; step <= 1; step++) {
-            *jobs++ = i % 2 == 0 ? (ChildJob){100 + step, 95, id} : (ChildJob){95, 100 + step, id};
+            *jobs++ =
+                i % 2 == 0 ? (ChildJob){at + step, other, id} : (ChildJob){other, at + step, id};
         }
     }
     return 0;

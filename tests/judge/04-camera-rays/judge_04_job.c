@@ -3,6 +3,7 @@
 
 #include "oracle3d.h"
 #include "random3d.h"
+#include "scene_vary.h"
 
 // Any view whose direction is a quarter of a unit or longer; its up is of any length, mostly not at
 // right angles to it.
@@ -91,15 +92,15 @@ static int draw_pictures(Random *random, Job04 *job)
     int result = 0;
     for (int k = 0; result == 0 && k < N_PICTURES; k++) {
         JobPicture *picture = &job->directions[k];
-        const int width = sizes[k][0], height = sizes[k][1];
+        const int width = side_vary(random, sizes[k][0]), height = side_vary(random, sizes[k][1]);
+        const float fov = random_number(random, 0.5, 1.5);
         SceneJob3D scene = {.width = width, .height = height};
         if (k < ALONG) {
-            const float fov = random_number(random, 0.5, 1.5);
             scene.camera = camera_of(view, fov);
             view = looking_back(view);
             snprintf(picture->title, sizeof picture->title, "directions, %dx%d", width, height);
         } else {
-            scene.camera = camera_of((ViewJob){{0}, ways[k - ALONG], ups[k - ALONG]}, 1);
+            scene.camera = camera_of((ViewJob){{0}, ways[k - ALONG], ups[k - ALONG]}, fov);
             snprintf(picture->title, sizeof picture->title, "directions, looking along %s",
                      names[k - ALONG]);
         }

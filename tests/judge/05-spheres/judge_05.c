@@ -15,10 +15,10 @@ static int draw_scenes(Random *random, JobScene3D scenes[N_SCENES])
 {
     int result = job_scene3d_random(&scenes[RANDOM], random, 100, 0.0625f, 0.25f, 96, 64);
     result |= job_scene3d_random(&scenes[SMALL], random, 60, 0.125f, 0.375f, 49, 67);
-    result |= job_scene3d_named(&scenes[LARGE], "sphereflake:size=2", 64, 64);
-    result |= job_scene3d_named(&scenes[TIES], "coincident", 64, 48);
+    result |= job_scene3d_named(&scenes[LARGE], random, "sphereflake:size=2", 64, 64);
+    result |= job_scene3d_named(&scenes[TIES], random, "coincident", 64, 48);
     for (int i = 0; i < N_EDGES; i++) {
-        result |= job_scene3d_named(&scenes[EDGES + i], edge_names[i], 48, 36);
+        result |= job_scene3d_named(&scenes[EDGES + i], random, edge_names[i], 48, 36);
     }
     if (result == 0) {
         job_scene3d_scale(&scenes[SMALL], 0x1p-20f, "a millionth as large");

@@ -10,6 +10,7 @@
 
 #include "overlap_cause.h"
 #include "random.h"
+#include "scene_vary.h"
 
 // A number on a grid of 1/8, from lowest to highest.
 static float random_eighth(Random *random, int lowest, int highest)
@@ -258,11 +259,15 @@ static void draw_inputs(Random *random, Job06 *job)
 // The size of the report's drawings.
 enum { WIDTH = 320, HEIGHT = 240 };
 
-static int draw_named(TreeScene3D *scene, const char *name, KdTreeLimits limits)
+static int draw_named(TreeScene3D *scene, Random *random, const char *name, KdTreeLimits limits)
 {
     *scene = (TreeScene3D){.limits = limits};
-    snprintf(scene->title, sizeof scene->title, "scene \"%s\"", name);
-    return scene3d_generate(name, WIDTH, HEIGHT, &scene->scene);
+    snprintf(scene->title, sizeof scene->title, "a scene like \"%s\"", name);
+    if (scene3d_generate(name, WIDTH, HEIGHT, &scene->scene) != 0) {
+        return -1;
+    }
+    scene3d_vary(&scene->scene, random);
+    return 0;
 }
 
 // Random spheres as they come: 24 bits of every coordinate are in use, so much is rounded.
@@ -327,12 +332,12 @@ static int draw_scenes(Random *random, Job06 *job)
     int result = draw_on_grid(&scenes[0], random, 150, wide, (KdTreeLimits){9, 4});
     result |= draw_on_grid(&scenes[1], random, 60, tall, (KdTreeLimits){7, 2});
     result |= draw_random(&scenes[2], random, 250, (KdTreeLimits){12, 4});
-    result |= draw_named(&scenes[3], "planes", (KdTreeLimits){10, 3});
-    result |= draw_named(&scenes[4], "inside", (KdTreeLimits){7, 3});
-    result |= draw_named(&scenes[5], "coincident", (KdTreeLimits){6, 8});
-    result |= draw_named(&scenes[6], "large-small", (KdTreeLimits){10, 6});
-    result |= draw_named(&scenes[7], "one", (KdTreeLimits){4, 1});
-    result |= draw_named(&scenes[8], "none", (KdTreeLimits){4, 1});
+    result |= draw_named(&scenes[3], random, "planes", (KdTreeLimits){10, 3});
+    result |= draw_named(&scenes[4], random, "inside", (KdTreeLimits){7, 3});
+    result |= draw_named(&scenes[5], random, "coincident", (KdTreeLimits){6, 8});
+    result |= draw_named(&scenes[6], random, "large-small", (KdTreeLimits){10, 6});
+    result |= draw_named(&scenes[7], random, "one", (KdTreeLimits){4, 1});
+    result |= draw_named(&scenes[8], random, "none", (KdTreeLimits){4, 1});
     result |= draw_random(&scenes[9], random, 300, (KdTreeLimits){1, 3});
     result |= draw_deep(&scenes[JUST_FITS], random, TODO_SIZE + 1);
     result |= draw_deep(&scenes[TOO_DEEP], random, TODO_SIZE + 2);

@@ -200,7 +200,7 @@ int scenes_07_draw(Random *random, JobScene3D scenes[N_SCENES])
     }
     for (int i = 0; result == 0 && i < N_NAMED; i++) {
         JobScene3D *scene = &scenes[EDGES + i];
-        result = job_scene3d_named(scene, edges[i].name, edges[i].width, edges[i].height);
+        result = job_scene3d_named(scene, random, edges[i].name, edges[i].width, edges[i].height);
         if (result == 0) {
             result = job_scene3d_grow_tree(scene, edges[i].limits);
         }
@@ -218,7 +218,7 @@ int scenes_07_draw(Random *random, JobScene3D scenes[N_SCENES])
         result = draw_tip(random, &scenes[TIP]);
     }
     if (result == 0) {
-        result = job_scene3d_named(&scenes[FLAKE], "sphereflake:size=3", 96, 72);
+        result = job_scene3d_named(&scenes[FLAKE], random, "sphereflake:size=3", 96, 72);
     }
     if (result == 0) {
         result = job_scene3d_grow_tree(&scenes[FLAKE], tree3d_limits(0, 0, 820));

@@ -43,10 +43,7 @@ static int takes_pixel(const Circle *circle, const Circle *found, const OracleRu
     if (rules->too_far != 0 && circle->depth >= rules->too_far) {
         return 0;
     }
-    if (found == NULL) {
-        return 1;
-    }
-    if (rules->ignore_depth) {
+    if (found == NULL || rules->ignore_depth || (rules->negative_is_none && found->depth < 0)) {
         return 1;
     }
     if (rules->first_wins) {
@@ -65,6 +62,13 @@ static int covers(Circle circle, double x, double y, const OracleRules *rules)
     return rules->strict_boundary ? sum < radius * radius : sum <= radius * radius;
 }
 
+// Is number i of n circles, or of a list, no longer asked?
+static int is_end(u32 i, u32 n, const Circle *found, const OracleRules *rules)
+{
+    return i + rules->skip_last >= n || (rules->most_asked != 0 && i >= rules->most_asked) ||
+           (rules->ends_at_0 && found != NULL && found->depth <= 0);
+}
+
 static void color_set(Image *image, int u, int v, const Circle *found)
 {
     const float color[IMAGE_CHANNELS] = {found ? found->r : 0, found ? found->g : 0,
@@ -75,19 +79,23 @@ static void color_set(Image *image, int u, int v, const Circle *found)
 void oracle2d_draw(const Circle *circles, int n_circles, const OracleRules *rules, Image *image,
                    unsigned char *ambiguous)
 {
+    OracleRules limited = *rules;
+    if (rules->first_is_limit && n_circles > 0) {
+        limited.too_far = circles[0].depth;
+    }
     for (int v = 0; v < image->height; v++) {
         for (int u = 0; u < image->width; u++) {
             const double x = u + rules->sample_offset, y = v + rules->sample_offset;
             const size_t pixel = (size_t)v * image->width + u;
             const Circle *found = NULL;
             int edge_near = 0;
-            for (int i = rules->skip_first; i < n_circles - rules->skip_last; i++) {
-                if (covers(circles[i], x, y, rules) && takes_pixel(&circles[i], found, rules)) {
+            for (u32 i = (u32)rules->skip_first; !is_end(i, (u32)n_circles, found, rules); i++) {
+                if (covers(circles[i], x, y, rules) && takes_pixel(&circles[i], found, &limited)) {
                     found = &circles[i];
                 }
                 edge_near |= ambiguous != NULL && is_ambiguous(circles[i], x, y);
             }
-            color_set(image, u, v, found);
+            color_set(image, u, v, rules->first_is_nobody && found == circles ? NULL : found);
             if (ambiguous != NULL) {
                 ambiguous[pixel] = (unsigned char)edge_near;
             }
@@ -108,13 +116,6 @@ static const u32 *list_at(const KdTree2D *tree, double x, double y)
     return NULL;
 }
 
-// The place behind the last entry of a list that is asked.
-static u32 end_of(const u32 *list, const OracleRules *rules)
-{
-    const int is_cut = rules->longest_list != 0 && list[0] > rules->longest_list;
-    return 1 + (is_cut ? rules->longest_list : list[0] - (u32)rules->skip_last);
-}
-
 // The id that is asked for entry i of a list.
 static u32 id_of_entry(const u32 *list, u32 i, OracleId id)
 {
@@ -127,10 +128,10 @@ void oracle2d_draw_leaves(const Circle *circles, int n_circles, const KdTree2D *
     for (int v = 0; v < image->height; v++) {
         for (int u = 0; u < image->width; u++) {
             const u32 *list = rules->first_list ? tree->mapNode2Circles : list_at(tree, u, v);
-            const u32 end = list ? end_of(list, rules) : 0;
+            const u32 n = list != NULL ? list[0] : 0;
             const Circle *found = NULL;
-            for (u32 i = 1 + (u32)rules->skip_first; i < end; i++) {
-                const u32 id = id_of_entry(list, i, rules->id);
+            for (u32 i = (u32)rules->skip_first; !is_end(i, n, found, rules); i++) {
+                const u32 id = id_of_entry(list, 1 + i, rules->id);
                 if (id >= (u32)n_circles) {
                     tolerances[(size_t)v * (size_t)image->width + (size_t)u] = INFINITY;
                     continue;

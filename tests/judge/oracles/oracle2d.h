@@ -25,13 +25,17 @@ typedef struct OracleRules {
     int farthest_wins;     // depth > maxDepth
     int first_wins;        // the first covering circle wins, whatever its depth
     int skip_first;        // the first circle is not asked
-    int skip_last;         // nor the last
+    u32 skip_last;         // nor so many at the end
     double sample_offset;  // added to the pixel's coordinates, 0.5 for the pixel's centre
     int diameter;          // the radius taken for a diameter
     double too_far;        // circles of this depth and behind it are never taken; 0: none is
+    int first_is_limit;    // nor those of the first circle's depth and behind it
+    int negative_is_none;  // what has a negative depth is covered by whatever comes later
+    int ends_at_0;         // none is asked behind one that is taken at depth 0 or less
+    int first_is_nobody;   // a pixel of circle 0 is left background
+    u32 most_asked;        // of the scene, or of a leaf's list, no more than this; 0: all
     OracleId id;           // through a tree only
     int first_list;        // the same: every leaf has the list at the start of mapNode2Circles
-    u32 longest_list;      // the same: no more of a list than this is asked; 0: all of it
 } OracleRules;
 
 // Draw circles into an image of its size.

@@ -95,15 +95,17 @@ static Words color_words(const float *color)
     return words("(%.4g, %.4g, %.4g, %.4g)", color[0], color[1], color[2], color[3]);
 }
 
-static Diagnosis describe_unwritten(const ExpectedPicture *expected, PixelPair first,
-                                    int n_unwritten)
+static Diagnosis describe_unwritten(ProbeImage own, const ExpectedPicture *expected,
+                                    PixelPair first, int n_unwritten)
 {
+    const Words cut = picture_cut(own, expected);
     return diagnosis_seen(
         message_new("nobody wrote pixel (%d, %d) of a %dx%d picture: found nothing, expected %s "
                     "(%d of %d pixels were not written)",
                     first.x, first.y, expected->reference.width, expected->reference.height,
                     color_words(first.wanted).text, n_unwritten, expected_n_pixels(expected)),
-        (Cause){.mistake = MISTAKE_UNWRITTEN}, EVIDENCE_PICTURE);
+        (Cause){.says = cut.text[0] != '\0' ? cut.text : NULL, .mistake = MISTAKE_UNWRITTEN},
+        EVIDENCE_PICTURE);
 }
 
 Diagnosis picture_judge(ProbeImage own, const ExpectedPicture *expected)
@@ -124,7 +126,7 @@ Diagnosis picture_judge(ProbeImage own, const ExpectedPicture *expected)
         return NOTHING_WRONG;
     }
     if (n_unwritten == n_wrong) {
-        return describe_unwritten(expected, first, n_unwritten);
+        return describe_unwritten(own, expected, first, n_unwritten);
     }
     const char *plain = n_nan          ? "not a number in places"
                         : n_not_finite ? "infinite in places"
@@ -136,9 +138,10 @@ Diagnosis picture_judge(ProbeImage own, const ExpectedPicture *expected)
     if (plain == NULL) {
         return picture_looks(own, expected, found);
     }
-    // That it holds no numbers says nothing.
-    return (Diagnosis){.found = found,
-                       .evidence = n_nan ? EVIDENCE_PICTURE : EVIDENCE_PLAIN_PICTURE};
+    // That it holds no numbers says nothing. One colour may be that of a known mistake.
+    const int may_be_known = n_not_finite == 0 && !picture_is_empty(own, expected);
+    return diagnosis_seen(found, may_be_known ? picture_mistaken(own, expected) : (Cause){0},
+                          n_nan ? EVIDENCE_PICTURE : EVIDENCE_PLAIN_PICTURE);
 }
 
 int picture_is_right(ProbeImage own, const ExpectedPicture *expected)
@@ -178,7 +181,7 @@ Diagnosis picture_judge_written(ProbeImage own, const ExpectedPicture *expected)
             first = pixel;
         }
     }
-    return n_unwritten == 0 ? NOTHING_WRONG : describe_unwritten(expected, first, n_unwritten);
+    return n_unwritten == 0 ? NOTHING_WRONG : describe_unwritten(own, expected, first, n_unwritten);
 }
 
 int picture_copy(ProbeImage own, int width, int height, Image *picture)

@@ -17,11 +17,13 @@ typedef struct Place {
 typedef struct Distortion {
     Cause looks;
     Place u, v;
-    int channels[IMAGE_CHANNELS];  // the student's channel c shows the reference's channels[c]
+    // The student's channel c shows the reference's channels[c], or that times alpha, or 1.
+    int channels[IMAGE_CHANNELS];
 } Distortion;
 
 #define AS_IT_IS {.x = 1}, {.y = 1}
 #define SAME_CHANNELS {0, 1, 2, 3}
+enum { ALPHA = 3, ALWAYS_1 = IMAGE_CHANNELS, TIMES_ALPHA };
 
 static const Distortion distortions[] = {
     {{"mirrored left to right", MISTAKE_MIRRORED_X},
@@ -69,6 +71,10 @@ static const Distortion distortions[] = {
     {{"right with its channels reversed (alpha first)", MISTAKE_CHANNELS_SWAPPED},
      AS_IT_IS,
      {3, 2, 1, 0}},
+    {{.says = "right but for alpha, which is always 1"}, AS_IT_IS, {0, 1, 2, ALWAYS_1}},
+    {{.says = "right but for its colours, which were multiplied by alpha"},
+     AS_IT_IS,
+     {TIMES_ALPHA + 0, TIMES_ALPHA + 1, TIMES_ALPHA + 2, ALPHA}},
 };
 
 // A coordinate of the pixel that is shown at (x, y).
@@ -83,6 +89,16 @@ static int is_right_background(const ExpectedPicture *expected, PixelPair pixel)
 {
     return is_same_color(pixel.wanted, expected->background, 0) &&
            is_same_color(pixel.own, pixel.wanted, pixel.tolerance);
+}
+
+static void distort_color(const int channels[IMAGE_CHANNELS], const float *wanted, float *guess)
+{
+    for (int channel = 0; channel < IMAGE_CHANNELS; channel++) {
+        const int from = channels[channel];
+        guess[channel] = from >= TIMES_ALPHA ? wanted[from - TIMES_ALPHA] * wanted[ALPHA]
+                         : from == ALWAYS_1  ? 1
+                                             : wanted[from];
+    }
 }
 
 static int looks_distorted(ProbeImage own, const ExpectedPicture *expected,
@@ -102,9 +118,7 @@ static int looks_distorted(ProbeImage own, const ExpectedPicture *expected,
         }
         const PixelPair shown = pixel_pair(own, expected, v * width + u);
         float guess[IMAGE_CHANNELS];
-        for (int channel = 0; channel < IMAGE_CHANNELS; channel++) {
-            guess[channel] = shown.wanted[distortion->channels[channel]];
-        }
+        distort_color(distortion->channels, shown.wanted, guess);
         tally_add(&tally, pixel, guess, shown.tolerance);
     }
     return tally_recognises(&tally);

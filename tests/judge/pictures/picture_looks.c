@@ -23,14 +23,15 @@ static Tally compare(ProbeImage own, const ExpectedPicture *expected, const Imag
 
 // The scene's mistake that the picture looks like: the first that it is to the last pixel, or where
 // it is none, the first that it resembles. Two may resemble it where a picture is sparse.
-static Cause looks_mistaken(ProbeImage own, const ExpectedPicture *expected)
+Cause picture_mistaken(ProbeImage own, const ExpectedPicture *expected)
 {
     const Image *reference = &expected->reference;
     const size_t n_pixels = (size_t)expected_n_pixels(expected);
     float *tolerances = calloc(n_pixels, sizeof *tolerances);
     Image guess = {0};
     Cause looks = {0};
-    if (tolerances != NULL && image_create(reference->width, reference->height, &guess) == 0) {
+    if (tolerances != NULL && expected->draw_mistaken != NULL &&
+        image_create(reference->width, reference->height, &guess) == 0) {
         int is_exact = 0;
         for (int mistake = 0; !is_exact; mistake++) {
             memset(tolerances, 0, n_pixels * sizeof *tolerances);
@@ -71,7 +72,7 @@ static int is_other_background(ProbeImage own, const ExpectedPicture *expected)
 }
 
 // Is every pixel background, though not every pixel should be?
-static int is_empty(ProbeImage own, const ExpectedPicture *expected)
+int picture_is_empty(ProbeImage own, const ExpectedPicture *expected)
 {
     int i = 0;
     while (i < expected_n_pixels(expected) &&
@@ -116,7 +117,7 @@ static int shows_beyond(ProbeImage own, const ExpectedPicture *expected)
 
 const char *picture_plain(ProbeImage own, const ExpectedPicture *expected)
 {
-    if (is_empty(own, expected)) {
+    if (picture_is_empty(own, expected)) {
         return "empty: nothing but the background";
     }
     // One circle too many may cover all of the picture, and is a mistake of its own.
@@ -140,8 +141,13 @@ Diagnosis picture_looks(ProbeImage own, const ExpectedPicture *expected, char *f
         return diagnosis_seen(found, (Cause){.says = background.text}, EVIDENCE_PICTURE);
     }
     Cause looks = picture_distortion(own, expected);
-    if (looks.says == NULL && expected->draw_mistaken != NULL) {
-        looks = looks_mistaken(own, expected);
+    if (looks.says == NULL) {
+        looks = picture_mistaken(own, expected);
     }
-    return diagnosis_seen(found, looks, EVIDENCE_PICTURE);
+    if (looks.says != NULL) {
+        return diagnosis_seen(found, looks, EVIDENCE_PICTURE);
+    }
+    const Words place = picture_place(own, expected);
+    return diagnosis_seen(found, (Cause){.says = place.text[0] != '\0' ? place.text : NULL},
+                          EVIDENCE_PICTURE);
 }

@@ -8,16 +8,30 @@
 #define JUDGE_PICTURE_LOOKS_H
 
 #include "picture.h"
+#include "words.h"
 
 // What a wrong picture looks like that may have many causes, "of one colour everywhere", or NULL.
 const char *picture_plain(ProbeImage own, const ExpectedPicture *expected);
+
+// Is every pixel background, though not every pixel should be? Many a mistake leaves that.
+int picture_is_empty(ProbeImage own, const ExpectedPicture *expected);
 
 // What was found in a wrong picture, and the mistake that it looks like, "it looks shifted by one
 // pixel up". Takes `found` over; the diagnosis is owned by the caller.
 Diagnosis picture_looks(ProbeImage own, const ExpectedPicture *expected, char *found);
 
+// The scene's own mistake that it looks like.
+Cause picture_mistaken(ProbeImage own, const ExpectedPicture *expected);
+
 // The same of mistakes that are made to a whole picture, "shifted by one pixel up".
 Cause picture_distortion(ProbeImage own, const ExpectedPicture *expected);
+
+// Where all is wrong that is, "right but for blue", "right but for the last column"; "" where that
+// cannot be said in a word.
+Words picture_place(ProbeImage own, const ExpectedPicture *expected);
+
+// The same of pixels that nobody wrote: "cut off: the last column is missing".
+Words picture_cut(ProbeImage own, const ExpectedPicture *expected);
 
 // How a guess, the picture that a known mistake would draw, fares against the student's picture.
 typedef struct Tally {

@@ -5,7 +5,9 @@
 #include "job_sections.h"
 #include "jobs.h"
 #include "oracle2d.h"
+#include "scene_vary.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -27,12 +29,17 @@ int job_scene_random(JobScene *scene, Random *random, int n_circles, int max_rad
     return 0;
 }
 
-int job_scene_named(JobScene *scene, const char *name, int width, int height)
+int job_scene_named(JobScene *scene, Random *random, const char *name, int width, int height)
 {
     *scene = (JobScene){0};
-    snprintf(scene->picture.title, sizeof scene->picture.title, "scene \"%s\", %dx%d", name, width,
-             height);
-    return scene2d_generate(name, width, height, &scene->scene);
+    const int columns = side_vary(random, width), rows = side_vary(random, height);
+    if (scene2d_generate(name, columns, rows, &scene->scene) != 0) {
+        return -1;
+    }
+    scene2d_vary(&scene->scene, random);
+    snprintf(scene->picture.title, sizeof scene->picture.title, "a scene like \"%s\", %dx%d", name,
+             scene->scene.width, scene->scene.height);
+    return 0;
 }
 
 void job_scene_spread_depths(JobScene *scene)
@@ -42,42 +49,93 @@ void job_scene_spread_depths(JobScene *scene)
     }
 }
 
-// Where circles have the same centre, one of them takes the pixels, and its depth says which. The
-// largest float is left out: minDepth may start there.
-int job_scene_depths(JobScene *scene)
+// The places 0 and on in any order.
+static void shuffle_places(Random *random, int n, int places[])
+{
+    for (int i = 0; i < n; i++) {
+        const int j = (int)random_integer(random, 0, i);
+        places[i] = places[j];
+        places[j] = i;
+    }
+}
+
+// Where circles have the same centre, one of them takes the pixels, and its depth says which.
+int job_scene_depths(JobScene *scene, Random *random)
 {
     static const struct {
         int place;
         float depth;
     } rows[] = {
-        {0, 0.5f},   {0, 0x1.fffffep-2f},  // nearer by one float
-        {1, 0.5f},   {1, 0x1.000002p-1f},  // farther by one float
-        {2, 3e38f},                        // alone: taken, however far
-        {3, 0.0f},   {3, -0.0f},           // equal
-        {4, 0.0f},   {4, -0x1p-100f},      // nearer by less than any epsilon
-        {5, 1e30f},  {5, -1e30f},          // much nearer
-        {6, -3e38f},
+        {0, 0.5f},    {0, 0x1.fffffep-2f},  // nearer by one float
+        {1, 0.5f},    {1, 0x1.000002p-1f},  // farther by one float
+        {2, FLT_MAX},                       // alone: taken, however far
+        {3, 0.0f},    {3, -0.0f},           // equal
+        {4, 0.0f},    {4, -0x1p-100f},      // nearer by less than any epsilon
+        {5, 1e30f},   {5, -1e30f},          // much nearer
+        {6, -3e38f},  {7, -1},
+        {7, 0.5f},  // farther than a negative one
     };
-    enum { N_ROWS = sizeof rows / sizeof *rows, PLACES_A_ROW = 4, PLACE = 8, RADIUS = 3 };
+    enum { N_ROWS = sizeof rows / sizeof *rows, N_PLACES = 8, PLACES_A_ROW = 4, PLACE = 8 };
+    int places[N_PLACES] = {0};
     *scene = (JobScene){0};
     snprintf(scene->picture.title, sizeof scene->picture.title,
-             "depths from -3e38 to 3e38, and one float apart");
+             "depths up to the largest float, and one float apart");
     if (scene2d_create(N_ROWS, PLACES_A_ROW * PLACE, 2 * PLACE, &scene->scene) != 0) {
         return -1;
     }
+    shuffle_places(random, N_PLACES, places);
     for (int i = 0; i < N_ROWS; i++) {
-        scene->scene.circles[i] =
-            (Circle){.x = (float)(rows[i].place % PLACES_A_ROW * PLACE + PLACE / 2),
-                     .y = (float)(rows[i].place / PLACES_A_ROW * PLACE + PLACE / 2),
-                     .radius = RADIUS,
-                     .depth = rows[i].depth,
-                     .r = (float)(i + 1) / 16,
-                     .g = 1 - (float)i / 16,
-                     .b = (float)(i % 3) / 2,
-                     .a = 1};
+        const int place = places[rows[i].place];
+        scene->scene.circles[i] = (Circle){.x = (float)(place % PLACES_A_ROW * PLACE + PLACE / 2),
+                                           .y = (float)(place / PLACES_A_ROW * PLACE + PLACE / 2),
+                                           .radius = (float)random_integer(random, 2, 4),
+                                           .depth = rows[i].depth};
     }
+    scene2d_turn(&scene->scene, random);
+    scene2d_recolour(&scene->scene, random);
     return 0;
 }
+
+int job_scene_pile(JobScene *scene, Random *random)
+{
+    const int n_circles = (int)random_integer(random, 8203, 8303);
+    *scene = (JobScene){0};
+    snprintf(scene->picture.title, sizeof scene->picture.title,
+             "%d circles, one upon another, each nearer than those before it", n_circles);
+    if (scene2d_create(n_circles, 24, 16, &scene->scene) != 0) {
+        return -1;
+    }
+    for (int i = 0; i < n_circles; i++) {
+        scene->scene.circles[i] =
+            (Circle){.x = 12, .y = 8, .radius = 20, .depth = (float)(n_circles - i) / 16384};
+    }
+    scene2d_recolour(&scene->scene, random);
+    return 0;
+}
+
+// The picture as if of a list no more were asked than some number that one may take for the most
+// there are, or than 8 bits count. As DrawMistaken has it.
+static Cause draw_fewer(const JobScene *scene, int mistake, Image *guess, float *tolerances)
+{
+    static const u32 numbers[] = {64, 128, 256, 512, 1024, 2048, 4096, 8192};
+    const u32 n_circles = (u32)scene->scene.n_circles, n_in_a_byte = n_circles & 0xff;
+    if (mistake > (int)(sizeof numbers / sizeof *numbers) ||
+        (mistake > 0 && numbers[mistake - 1] >= n_circles)) {
+        return (Cause){0};
+    }
+    const OracleRules rules = {.most_asked = mistake == 0 ? n_in_a_byte : numbers[mistake - 1]};
+    if (scene->tree.n_nodes > 0) {
+        oracle2d_draw_leaves(scene->scene.circles, scene->scene.n_circles, &scene->tree, &rules,
+                             guess, tolerances);
+    } else {
+        oracle2d_draw(scene->scene.circles, scene->scene.n_circles, &rules, guess, NULL);
+    }
+    return (Cause){.says = mistake == 0 ? "drawn as if 8 bits held the number of circles"
+                                        : "drawn as if the end of a long list were never asked: "
+                                          "there is no largest number of circles"};
+}
+
+#define TOO_FAR "drawn as if far circles were never taken: minDepth starts too small"
 
 // The oracle's mistakes, as DrawMistaken has it.
 static Cause draw_mistaken(const void *pointer, int mistake, Image *guess, float *tolerances)
@@ -86,6 +144,12 @@ static Cause draw_mistaken(const void *pointer, int mistake, Image *guess, float
         Cause looks;
         OracleRules rules;
     } mistakes[] = {
+        // Before those of all depths, which a scene of few circles may not tell from these.
+        {{.says = "drawn as if nothing could be nearer than depth 0: a depth may be negative"},
+         {.ends_at_0 = 1}},
+        {{.says = "drawn as if a negative minDepth said that there is no circle yet: a depth may "
+                  "be negative"},
+         {.negative_is_none = 1}},
         {{"drawn as if the boundary did not belong to the circle (strict where it should not be)",
           MISTAKE_STRICT_BOUNDARY},
          {.strict_boundary = 1}},
@@ -106,10 +170,16 @@ static Cause draw_mistaken(const void *pointer, int mistake, Image *guess, float
           MISTAKE_SHIFTED_HALF},
          {.sample_offset = -0.5}},
         {{.says = "drawn with half the radius"}, {.diameter = 1}},
-        {{.says = "drawn as if far circles were never taken: minDepth starts too small"},
-         {.too_far = 1e6}},
-        {{.says = "drawn as if far circles were never taken: minDepth starts too small"},
-         {.too_far = 1e33}},
+        {{.says = TOO_FAR}, {.too_far = 1e6}},
+        {{.says = TOO_FAR}, {.too_far = 1e33}},
+        {{.says = TOO_FAR}, {.too_far = FLT_MAX}},
+        {{.says = "drawn as if minDepth started with the depth of the first circle, which is not "
+                  "nearer than itself"},
+         {.first_is_limit = 1}},
+        {{.says = "drawn as if circle 0 were none: 0 is an id as any other"},
+         {.first_is_nobody = 1}},
+        {{.says = "drawn as if the last circles were missing"}, {.skip_last = 2}},
+        {{.says = "drawn as if the last circles were missing"}, {.skip_last = 3}},
     };
     enum { N_MISTAKES = sizeof mistakes / sizeof *mistakes };
     static const struct {
@@ -128,27 +198,23 @@ static Cause draw_mistaken(const void *pointer, int mistake, Image *guess, float
               "drawn as if every pixel read the list at the start of mapNode2Circles, where the "
               "circleMapOffset of an inner node points, too"},
          {.first_list = 1}},
-        {{.says = "drawn as if the end of a long list were never asked"}, {.longest_list = 64}},
-        {{.says = "drawn as if the end of a long list were never asked"}, {.longest_list = 128}},
-        {{.says = "drawn as if the end of a long list were never asked"}, {.longest_list = 256}},
-        {{.says = "drawn as if the end of a long list were never asked"}, {.longest_list = 512}},
-        {{.says = "drawn as if the end of a long list were never asked"}, {.longest_list = 1024}},
     };
     enum { N_LEAF_MISTAKES = sizeof leaf_mistakes / sizeof *leaf_mistakes };
     const JobScene *scene = pointer;
     const Circle *circles = scene->scene.circles;
+    const int n_leaf_mistakes = scene->tree.n_nodes > 0 ? N_LEAF_MISTAKES : 0;
     // Tolerances stay 0: these pictures are as exact as the right one.
     if (mistake < N_MISTAKES) {
         oracle2d_draw(circles, scene->scene.n_circles, &mistakes[mistake].rules, guess, NULL);
         return mistakes[mistake].looks;
     }
     mistake -= N_MISTAKES;
-    if (scene->tree.n_nodes == 0 || mistake >= N_LEAF_MISTAKES) {
-        return (Cause){0};
+    if (mistake < n_leaf_mistakes) {
+        oracle2d_draw_leaves(circles, scene->scene.n_circles, &scene->tree,
+                             &leaf_mistakes[mistake].rules, guess, tolerances);
+        return leaf_mistakes[mistake].looks;
     }
-    oracle2d_draw_leaves(circles, scene->scene.n_circles, &scene->tree,
-                         &leaf_mistakes[mistake].rules, guess, tolerances);
-    return leaf_mistakes[mistake].looks;
+    return draw_fewer(scene, mistake - n_leaf_mistakes, guess, tolerances);
 }
 
 void job_scene_recognise(const JobScene *scene, ExpectedPicture *expected)

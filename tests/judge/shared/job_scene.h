@@ -18,15 +18,20 @@ typedef struct JobScene {
 int job_scene_random(JobScene *scene, Random *random, int n_circles, int max_radius, int width,
                      int height);
 
-// A scene of scene2d.h by name. Returns 0, or -1 after one message.
-int job_scene_named(JobScene *scene, const char *name, int width, int height);
+// A scene of scene2d.h by name, varied by the seed (scene_vary.h): sides of width and height or a
+// few pixels less, in any order. Returns 0, or -1 after one message.
+int job_scene_named(JobScene *scene, Random *random, const char *name, int width, int height);
 
 // Spread the depths of a random scene from about -500 000 to 500 000: a depth may be any number.
 void job_scene_spread_depths(JobScene *scene);
 
-// Depths of every size: one of 3e38, two that are one float apart, both zeros. Returns 0, or -1
-// after one message.
-int job_scene_depths(JobScene *scene);
+// Depths of every size: the largest float, two that are one float apart, both zeros; where they are
+// is drawn. Returns 0, or -1 after one message.
+int job_scene_depths(JobScene *scene, Random *random);
+
+// More circles than the lecture has, all of them over all pixels: the last one is seen. Returns 0,
+// or -1 after one message.
+int job_scene_pile(JobScene *scene, Random *random);
 
 // Let the oracle draw what is expected. Returns 0, or -1 after one message.
 int job_scene_expect(JobScene *scene);

@@ -7,6 +7,7 @@
 #include "job_sections.h"
 #include "jobs.h"
 #include "random3d.h"
+#include "scene_vary.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -97,12 +98,17 @@ int job_scene3d_random(JobScene3D *scene, Random *random, int n_spheres, float m
     return finish(scene);
 }
 
-int job_scene3d_named(JobScene3D *scene, const char *name, int width, int height)
+int job_scene3d_named(JobScene3D *scene, Random *random, const char *name, int width, int height)
 {
     *scene = (JobScene3D){0};
-    snprintf(scene->picture.title, sizeof scene->picture.title, "scene \"%s\", %dx%d", name, width,
-             height);
-    return scene3d_generate(name, width, height, &scene->scene) == 0 ? finish(scene) : -1;
+    const int columns = side_vary(random, width), rows = side_vary(random, height);
+    snprintf(scene->picture.title, sizeof scene->picture.title, "a scene like \"%s\", %dx%d", name,
+             columns, rows);
+    if (scene3d_generate(name, columns, rows, &scene->scene) != 0) {
+        return -1;
+    }
+    scene3d_vary(&scene->scene, random);
+    return finish(scene);
 }
 
 void job_scene3d_scale(JobScene3D *scene, float factor, const char *words)

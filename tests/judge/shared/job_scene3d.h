@@ -26,8 +26,9 @@ typedef struct JobScene3D {
 int job_scene3d_random(JobScene3D *scene, Random *random, int n_spheres, float min_radius,
                        float max_radius, int width, int height);
 
-// A scene of scene3d.h by name. Returns 0, or -1 after one message.
-int job_scene3d_named(JobScene3D *scene, const char *name, int width, int height);
+// A scene of scene3d.h by name, varied by the seed (scene_vary.h): sides of width and height or a
+// few pixels less. Returns 0, or -1 after one message.
+int job_scene3d_named(JobScene3D *scene, Random *random, const char *name, int width, int height);
 
 // Make a scene `factor` times as large, a power of two: its picture stays as it is.
 //   words   what the title says of that: "a millionth as large"

@@ -113,9 +113,9 @@ static Diagnosis id_fault(const char *element, ListCall call, const u32 *list, u
     const int is_position = list[n] == j;
     const int is_lost = !is_position && is_missing(call, list, call.ids[j]);
     char *found = message_new(
-        "node with %u %ss from id %u on: child_ids[%u] %s, expected %u%s", call.n_ids, element,
-        call.ids[0], n, list[n] == UNTOUCHED ? "was not written" : words("is %u", list[n]).text,
-        call.ids[j],
+        "node with %u %s%s from id %u on: child_ids[%u] %s, expected %u%s", call.n_ids, element,
+        plural(call.n_ids), call.ids[0], n,
+        list[n] == UNTOUCHED ? "was not written" : words("is %u", list[n]).text, call.ids[j],
         is_lost ? words(", that %s overlaps the cell and is missing in its list", element).text
                 : "");
     return diagnosis_of(found,
@@ -136,14 +136,19 @@ Diagnosis list_fault(const char *element, ListCall call, ListKeeps *keeps, const
         }
     }
     if (found[0] != n) {
-        return diagnosis_new("node with %u %ss from id %u on: returned %u, expected %u: the number "
-                             "of ids written",
-                             call.n_ids, element, call.ids[0], found[0], n);
+        return diagnosis_of(
+            message_new("node with %u %s%s from id %u on: returned %u, expected %u: the number of "
+                        "ids written",
+                        call.n_ids, element, plural(call.n_ids), call.ids[0], found[0], n),
+            (Cause){.says = call.n_ids == 0 ? "nothing is asked of an empty list, not even ids[0]"
+                                            : NULL});
     }
     return found[1 + call.n_ids] == UNTOUCHED
                ? NOTHING_WRONG
-               : diagnosis_new("child_ids[%u] was written, but there is room for %u", call.n_ids,
-                               call.n_ids);
+               : diagnosis_of(
+                     message_new("child_ids[%u] was written, but there is room for %u", call.n_ids,
+                                 call.n_ids),
+                     (Cause){.says = "nothing comes behind the last id, not even an end mark"});
 }
 
 int list_is_right(ListCall call, ListKeeps *keeps, const void *job, const u32 *found)

@@ -1,7 +1,7 @@
 // mutant: a slip of the pen: dx² + dx² instead of dx² + dy²
 // task: overlaps_N_Nearer
 // caught by: overlaps-inside
-// says: found [01], expected [01]
+// says: dx² \+ dx²
     const float dx = x - circle.x;
     const float dy = y - circle.y;
     (void)dy;

@@ -1,7 +1,7 @@
 // mutant: every circle is opaque: its alpha is forgotten
 // task: implicit2DRenderer
 // caught by: renderer-random
-// says: found
+// says: always 1
     float minDepth = INFINITY;
     for (int i = 0; i < n_circles; i++) {
         const Circle circle = circles[i];

@@ -1,7 +1,7 @@
 // mutant: the radius is taken for the diameter
 // task: overlaps_N_Nearer
 // caught by: overlaps-inside
-// says: found 0, expected 1
+// says: half the radius
     const float dx = x - circle.x;
     const float dy = y - circle.y;
     const float radius = circle.radius / 2;

@@ -1,6 +1,6 @@
 // mutant: a circle of radius 0 is taken for none
 // task: circle_overlaps_box
-// caught by: overlap-inside
+// caught by: overlap-boundary
 // says: radius 0
 // looks: missing-in-cell
     if (circle.radius <= 0) {

@@ -1,7 +1,7 @@
 // mutant: a cell ends a little before its border
 // task: getContainingChild
 // caught by: child-inside
-// says: expected
+// says: epsilon
     const uint lChild = nodes_Relations[id].lChild;
     const BBox2D box = nodes_BBox[lChild];
     const float eps = 1e-4f;

@@ -1,7 +1,7 @@
 // mutant: the count of a list is kept in a byte
 // task: leaf_loop
 // caught by: leaf-work
-// says: leaf lists 1100
+// says: 8 bits
     float minDepth = INFINITY;
     const uint offset = nodes_Relations[id].circleMapOffset;
     const uchar n_circles = mapNode2Circles[offset];

@@ -1,7 +1,7 @@
 // mutant: left and right are swapped
 // task: getContainingChild
 // caught by: child-inside
-// says: found child
+// says: swapped
     const uint lChild = nodes_Relations[id].lChild;
     const BBox2D box = nodes_BBox[lChild];
     const int in_left = x >= box.minX && x < box.maxX && y >= box.minY && y < box.maxY;

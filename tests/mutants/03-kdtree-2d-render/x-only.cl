@@ -1,7 +1,7 @@
 // mutant: only x is compared, so cells split across y are not searched
 // task: getContainingChild
 // caught by: child-inside
-// says: found child
+// says: one axis
     (void)y;
     const uint lChild = nodes_Relations[id].lChild;
     const BBox2D box = nodes_BBox[lChild];

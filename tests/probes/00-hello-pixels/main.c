@@ -14,6 +14,7 @@
 #include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
 
 // Hold the queue up until `release` is set, which a thread of its own does a little later: a read
@@ -92,8 +93,10 @@ static ArgumentsAnswer launch_with_arguments(const Probe *probe, cl_kernel kerne
     CL_CHECK(clEnqueueFillImage(queue, d_image, &color, corner, pixel, 0, NULL, NULL));
     answer.error = clEnqueueNDRangeKernel(queue, kernel, 1, NULL, &one, NULL, 0, NULL, NULL);
     answer.error = answer.error == CL_SUCCESS ? clFinish(queue) : answer.error;
-    CL_CHECK(clEnqueueReadImage(queue, d_image, CL_TRUE, corner, pixel, 0, 0, answer.arrived, 0,
-                                NULL, NULL));
+    size_t n_row_bytes;
+    const void *mapped = probe_map_image(probe, d_image, pixel, &n_row_bytes);
+    memcpy(answer.arrived, mapped, sizeof answer.arrived);
+    probe_unmap_image(probe, d_image, mapped);
     return answer;
 }
 
@@ -145,15 +148,16 @@ static void answer_read_back(const Probe *probe, int k, const SceneJob *scene)
     size_t n_bytes;
     const u32 *key = probe_scene_part(probe, k, "pattern", &n_bytes);
     float *h_pattern = malloc(n_floats * sizeof *h_pattern);
-    const size_t n_answers = n_floats + READ_BACK_GUARD;
-    float *h_pixels = malloc(n_answers * sizeof *h_pixels);
-    if (h_pattern == NULL || h_pixels == NULL || n_bytes != sizeof *key) {
+    const size_t n_written = n_floats + READ_BACK_GUARD, n_answers = n_floats + N_READ_BACK_REST;
+    float *h_pixels = malloc(n_written * sizeof *h_pixels);
+    float *answers = calloc(n_answers, sizeof *answers);
+    if (h_pattern == NULL || h_pixels == NULL || answers == NULL || n_bytes != sizeof *key) {
         exit(PROBE_EXIT_FAULT);
     }
     for (size_t i = 0; i < n_floats; i++) {
         h_pattern[i] = pattern_value(*key, (u32)i);
     }
-    for (size_t i = 0; i < n_answers; i++) {
+    for (size_t i = 0; i < n_written; i++) {
         h_pixels[i] = i < n_floats ? NAN : UNWRITTEN;
     }
     cl_mem d_image = exact_image(probe, scene);
@@ -165,10 +169,14 @@ static void answer_read_back(const Probe *probe, int k, const SceneJob *scene)
     probe_note(probe, "readback", (uint32_t)k);
     read_back(probe->cl.queue, d_image, scene->width, scene->height, h_pixels);
     // As it is when read_back() returns: what arrives later is too late.
-    probe_answer(probe, "readback", k, NULL, h_pixels, n_answers * sizeof *h_pixels);
+    memcpy(answers, h_pixels, n_written * sizeof *answers);
     CL_CHECK(clFinish(probe->cl.queue));
+    answers[n_floats + READ_BACK_LATE] =
+        memcmp(answers, h_pixels, n_written * sizeof *answers) != 0;
+    probe_answer(probe, "readback", k, NULL, answers, n_answers * sizeof *answers);
     CL_CHECK(clReleaseMemObject(d_image));
     free(h_pattern);
+    free(answers);
     free(h_pixels);
 }
 

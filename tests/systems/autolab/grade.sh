@@ -27,6 +27,6 @@ status=0
 # shellcheck disable=SC2086 # options without spaces
 tests/systems/formats/write.sh autolab "$reports" @LAB@ \
     timeout -k 10 540 build/tools/grade --lab @NN@ --submission "$handin" --output "$reports" \
-    $limit ${SANDBOX:+--sandbox "$SANDBOX"} || status=$?
+    --deadline 400 $limit ${SANDBOX:+--sandbox "$SANDBOX"} || status=$?
 [ "$status" -le 1 ] || fail "the grader could not work (status $status); above it says why"
 cat "$reports/autolab.txt"

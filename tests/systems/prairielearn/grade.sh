@@ -38,7 +38,7 @@ reports=$(mktemp -d) || fail "no folder for temporary files"
 # shellcheck disable=SC2086 # options without spaces
 sh tests/systems/formats/write.sh prairielearn "$reports" @LAB@ \
     timeout -k 10 300 build/tools/grade --lab @NN@ --submission "$root/student" --output "$reports" \
-    $limit ${SANDBOX:+--sandbox "$SANDBOX"}
+    --deadline 200 $limit ${SANDBOX:+--sandbox "$SANDBOX"}
 status=$?
 [ ! -f "$reports/prairielearn.json" ] || result "$reports/prairielearn.json"
 rm -rf "$reports"

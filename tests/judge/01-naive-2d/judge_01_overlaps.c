@@ -1,0 +1,389 @@
+// Lab 01: overlaps_N_Nearer on chosen inputs. See judge_01.h.
+#include "judge_01.h"
+
+#include "message.h"
+#include "oracle2d.h"
+#include "words.h"
+
+#include <float.h>
+#include <math.h>
+
+// ---- Inputs -------------------------------------------------------------------------------------
+
+// What is less is near a boundary, and all that an epsilon is meant for.
+#define SMALL 0.125
+
+// How far the pixel is outside the circle, in squares: 0 on the boundary, less inside.
+static double outside_by(OverlapJob in)
+{
+    const double dx = in.x - (double)in.circle.x, dy = in.y - (double)in.circle.y;
+    return dx * dx + dy * dy - (double)in.circle.radius * in.circle.radius;
+}
+
+// A pixel within two radii of a random circle that is nearer than minDepth, and not near its
+// boundary: that is for others.
+static OverlapJob draw_inside(Random *random)
+{
+    OverlapJob job = {.minDepth = 0.75f};
+    do {
+        job.circle.x = random_grid(random, -10, 300);
+        job.circle.y = random_grid(random, -10, 300);
+        job.circle.radius = random_grid(random, 1, 60);
+        job.circle.depth = 0.25f;
+        job.x = (int)lrintf(job.circle.x +
+                            (float)random_integer(random, -1000, 1000) / 500 * job.circle.radius);
+        job.y = (int)lrintf(job.circle.y +
+                            (float)random_integer(random, -1000, 1000) / 500 * job.circle.radius);
+    } while (fabs(outside_by(job)) < SMALL);
+    return job;
+}
+
+// A pixel exactly on the boundary (a Pythagorean triple from the centre), or one step beside it.
+static OverlapJob draw_boundary(Random *random)
+{
+    static const int triples[][3] = {{3, 4, 5}, {5, 12, 13},  {8, 15, 17}, {7, 24, 25},
+                                     {0, 6, 6}, {20, 21, 29}, {0, 1, 1},   {9, 40, 41}};
+    const int *triple = triples[random_integer(random, 0, 7)];
+    const int swap = (int)random_integer(random, 0, 1);
+    const int sign_x = random_integer(random, 0, 1) ? 1 : -1;
+    const int sign_y = random_integer(random, 0, 1) ? 1 : -1;
+    OverlapJob job = {.minDepth = INFINITY};
+    job.circle.x = (float)random_integer(random, 0, 200);
+    job.circle.y = (float)random_integer(random, 0, 200);
+    job.circle.radius = (float)triple[2];
+    job.circle.depth = 0.5f;
+    const int step = random_integer(random, 0, 3) == 0 ? (int)random_integer(random, -1, 1) : 0;
+    job.x = (int)job.circle.x + sign_x * triple[swap] + step;
+    job.y = (int)job.circle.y + sign_y * triple[1 - swap];
+    return job;
+}
+
+// Points that an epsilon would put on the wrong side, and radius 0: a pixel's offset from the
+// centre. The squares are exact in float. A root may be off by a few units in the last place;
+// these are off by sixteen at least.
+static const struct {
+    float radius, dx, dy;
+} beside_boundary[] = {
+    {1, 1, 0x1p-4f},
+    {5, 5, 0x1p-4f},
+    {41, 41, 0x1p-4f},
+    {200, 200, 0x1p-4f},
+    {1, 1, 0x1p-6f},
+    {1, 1, 0x1p-9f},
+    {0, 0, 0},
+    {0, 0, 0x1p-13f},
+    {0, 1, 0},
+    {0x1p-4f, 0x1p-4f, 0},
+    {0x1p-4f, 0x1p-4f, 0x1p-13f},
+};
+enum { N_BESIDE_BOUNDARY = 4 * COUNT(beside_boundary) };
+
+// Number i of these, turned by a quarter for each i of the same row.
+static OverlapJob boundary_edge(int i)
+{
+    const int row = i / 4, sign = i % 2 == 0 ? 1 : -1, is_turned = i % 4 >= 2;
+    const float dx = (float)sign * beside_boundary[row].dx;
+    const float dy = (float)sign * beside_boundary[row].dy;
+    return (OverlapJob){.x = 210,
+                        .y = 220,
+                        .circle = {.x = 210 - (is_turned ? dy : dx),
+                                   .y = 220 - (is_turned ? dx : dy),
+                                   .radius = beside_boundary[row].radius,
+                                   .depth = 0.5f},
+                        .minDepth = INFINITY};
+}
+
+// Depths that are one float apart or equal, and some of any size: the circle's and minDepth.
+static const float depth_pairs[][2] = {
+    {0.5f, 0x1.000002p-1f}, {0x1.000002p-1f, 0.5f}, {0.5f, 0x1.fffffep-2f}, {0x1.fffffep-2f, 0.5f},
+    {0.5f, 0.5f},           {0.0f, -0.0f},          {-0.0f, 0.0f},          {0.0f, 0x1p-100f},
+    {0x1p-100f, 0.0f},      {-0x1p-100f, 0.0f},     {1000, 0x1.f40002p9f},  {0x1.f40002p9f, 1000},
+    {1e30f, INFINITY},      {FLT_MAX, INFINITY},    {1e30f, 3e38f},         {3e38f, 1e30f},
+    {-1e30f, 1e30f},        {-3e38f, -1e30f},
+};
+
+// The centre of a circle, with a depth below, at or above minDepth; negative ones and infinity too.
+static OverlapJob draw_nearer(Random *random)
+{
+    OverlapJob job = {0};
+    job.x = (int)random_integer(random, 0, 200);
+    job.y = (int)random_integer(random, 0, 200);
+    job.circle.x = (float)job.x;
+    job.circle.y = (float)job.y;
+    job.circle.radius = random_grid(random, 1, 20);
+    job.circle.depth = (float)random_integer(random, -8, 8) / 4;
+    const int kind = (int)random_integer(random, 0, 3);
+    job.minDepth = kind == 0   ? INFINITY
+                   : kind == 1 ? job.circle.depth
+                               : (float)random_integer(random, -8, 8) / 4;
+    return job;
+}
+
+void draw_overlaps_01(Random *random, OverlapJob jobs[N_OVERLAPS])
+{
+    for (int i = 0; i < N_OVERLAPS; i++) {
+        jobs[i] = i < N_INSIDE                ? draw_inside(random)
+                  : i < N_INSIDE + N_BOUNDARY ? draw_boundary(random)
+                                              : draw_nearer(random);
+    }
+    for (int i = 0; i < N_BESIDE_BOUNDARY; i++) {
+        jobs[N_INSIDE + i] = boundary_edge(i);
+    }
+    for (int i = 0; i < COUNT(depth_pairs); i++) {
+        OverlapJob *job = &jobs[N_INSIDE + N_BOUNDARY + i];
+        job->circle.depth = depth_pairs[i][0];
+        job->minDepth = depth_pairs[i][1];
+    }
+}
+
+// ---- Mistakes --------------------------------------------------------------------------
+
+// Does a wrong answer fit a mistake?
+typedef int Fits(OverlapJob in, int found);
+
+static int is_true_but_not_1(OverlapJob in, int found)
+{
+    return found != 0 && found != 1 && outside_by(in) <= 0 && in.circle.depth < in.minDepth;
+}
+
+static int is_equal_depth(OverlapJob in, int found)
+{
+    return found && in.circle.depth == in.minDepth;
+}
+
+static int is_little_farther(OverlapJob in, int found)
+{
+    return found && in.circle.depth >= in.minDepth && (double)in.circle.depth - in.minDepth < SMALL;
+}
+
+static int is_not_nearer(OverlapJob in, int found)
+{
+    return found && in.circle.depth >= in.minDepth;
+}
+
+static int is_little_nearer(OverlapJob in, int found)
+{
+    return !found && (double)in.minDepth - in.circle.depth < SMALL;
+}
+
+static int is_on_boundary(OverlapJob in, int found)
+{
+    return !found && outside_by(in) == 0;
+}
+
+static int has_no_radius(OverlapJob in, int found)
+{
+    return !found && in.circle.radius == 0;
+}
+
+static int is_little_outside(OverlapJob in, int found)
+{
+    return found && outside_by(in) > 0 && outside_by(in) < SMALL;
+}
+
+// The first that fits every wrong answer is named.
+static const struct {
+    Fits *fits;
+    Cause cause;
+} overlap_mistakes[] = {
+    {is_true_but_not_1,
+     {.says = "the answers are 1 and 0, and no other number for true (vectors say -1)"}},
+    {is_equal_depth,
+     {"nearer is strict: a circle at equal depth does not take the pixel",
+      MISTAKE_LATER_OF_EQUALS}},
+    {is_little_farther, {.says = "a circle farther by however little is not nearer: no epsilon"}},
+    {is_not_nearer, {.says = "the circle is not nearer than what the pixel has seen"}},
+    {is_little_nearer, {.says = "a circle nearer by however little takes the pixel: no epsilon"}},
+    {has_no_radius, {.says = "a circle of radius 0 covers its centre: the boundary belongs to it"}},
+    {is_on_boundary,
+     {"strict where it should not be: the boundary belongs to the circle",
+      MISTAKE_STRICT_BOUNDARY}},
+    {is_little_outside, {.says = "a pixel outside by however little is outside: no epsilon"}},
+};
+
+// The right answer for a sample point that is `offset` away from the pixel's.
+static int expected_overlap(OverlapJob in, double offset)
+{
+    return oracle2d_covers(in.circle, in.x + offset, in.y + offset) &&
+           in.circle.depth < in.minDepth;
+}
+
+// ---- Rivals -------------------------------------------------------------------------------------
+
+// What a known mistake answers to any input.
+
+static int covers_from_middle(OverlapJob in)
+{
+    return expected_overlap(in, 0.5);
+}
+
+static int covers_from_corner(OverlapJob in)
+{
+    return expected_overlap(in, -0.5);
+}
+
+// With other distances from the centre, in other relations to the radius.
+static int is_within(OverlapJob in, double distance_squared, double radius_squared)
+{
+    return distance_squared <= radius_squared && in.circle.depth < in.minDepth;
+}
+
+static double from_centre(double pixel, double centre)
+{
+    return fabs(pixel - centre);
+}
+
+static int is_in_square(OverlapJob in)
+{
+    const double dx = from_centre(in.x, in.circle.x), dy = from_centre(in.y, in.circle.y);
+    return is_within(in, fmax(dx, dy), in.circle.radius);
+}
+
+static int is_in_diamond(OverlapJob in)
+{
+    const double dx = from_centre(in.x, in.circle.x), dy = from_centre(in.y, in.circle.y);
+    return is_within(in, dx + dy, in.circle.radius);
+}
+
+static int covers_by_radius(OverlapJob in)
+{
+    const double radius = in.circle.radius;
+    return is_within(in, outside_by(in) + radius * radius, radius);
+}
+
+static int covers_by_half(OverlapJob in)
+{
+    const double radius = in.circle.radius;
+    return is_within(in, outside_by(in) + radius * radius, radius * radius / 4);
+}
+
+static int covers_by_x(OverlapJob in)
+{
+    const double dx = from_centre(in.x, in.circle.x), radius = in.circle.radius;
+    return is_within(in, 2 * dx * dx, radius * radius);
+}
+
+static int covers_from_whole_centre(OverlapJob in)
+{
+    in.circle.x = truncf(in.circle.x);
+    in.circle.y = truncf(in.circle.y);
+    return expected_overlap(in, 0);
+}
+
+static int covers_by_whole_differences(OverlapJob in)
+{
+    const double dx = trunc(from_centre(in.x, in.circle.x));
+    const double dy = trunc(from_centre(in.y, in.circle.y)), radius = in.circle.radius;
+    return is_within(in, dx * dx + dy * dy, radius * radius);
+}
+
+// With other depths.
+static int is_nearer_by_amount(OverlapJob in)
+{
+    in.circle.depth = fabsf(in.circle.depth);
+    in.minDepth = fabsf(in.minDepth);
+    return expected_overlap(in, 0);
+}
+
+static int is_nearer_than_1(OverlapJob in)
+{
+    return in.circle.depth < 1 && expected_overlap(in, 0);
+}
+
+static int is_not_behind_the_eye(OverlapJob in)
+{
+    return in.circle.depth >= 0 && expected_overlap(in, 0);
+}
+
+static int is_farther(OverlapJob in)
+{
+    return in.circle.depth > in.minDepth && oracle2d_covers(in.circle, in.x, in.y);
+}
+
+#define HALF_A_PIXEL                                                                               \
+    {"shifted by half a pixel: the sample point is the integer coordinate", MISTAKE_SHIFTED_HALF}
+#define WHOLE_NUMBERS                                                                              \
+    {.says = "your answers are those of whole-numbered distances: a centre lies between pixels"}
+
+static const struct {
+    int (*answer)(OverlapJob in);
+    Cause cause;
+} overlap_rivals[] = {
+    {covers_from_middle, HALF_A_PIXEL},
+    {covers_from_corner, HALF_A_PIXEL},
+    {is_in_square, {.says = "the pixel is in the circle's bounding square but not in the circle"}},
+    {is_in_diamond,
+     {.says = "your answers are those of |dx| + |dy|, and the distance² is dx² + dy²"}},
+    {covers_by_radius,
+     {.says = "your answers are those of distance² <= radius, without its square"}},
+    {covers_by_half, {.says = "your answers are those of half the radius"}},
+    {covers_by_x, {.says = "your answers are those of dx² + dx²: y has no part in them"}},
+    {covers_from_whole_centre, WHOLE_NUMBERS},
+    {covers_by_whole_differences, WHOLE_NUMBERS},
+    {is_nearer_by_amount,
+     {.says = "your answers are those of depths without their sign: -2 is nearer than 1"}},
+    {is_nearer_than_1, {.says = "your answers are those of a largest depth of 1: there is none"}},
+    {is_not_behind_the_eye,
+     {.says = "circles of negative depth were refused: a depth may be any number"}},
+    {is_farther, {.says = "the farther circle took the pixel: the smaller depth is the nearer"}},
+};
+
+// Does a rival give all answers, of all ranges?
+static int is_rival(const Job01 *job, const i32 *answers, int rival)
+{
+    int i = 0;
+    while (i < N_OVERLAPS && answers[i] == overlap_rivals[rival].answer(job->overlaps[i])) {
+        i++;
+    }
+    return i == N_OVERLAPS;
+}
+
+static int overlap_agrees(const void *pointer, int i, const void *answers, int mistake)
+{
+    (void)mistake;
+    return ((const i32 *)answers)[i] == expected_overlap(((const Job01 *)pointer)->overlaps[i], 0);
+}
+
+// Does a mistake fit all wrong answers?
+static int fits_all(const Job01 *job, Range range, const i32 *answers, Fits *fits)
+{
+    for (int i = range.first; i < range.first + range.n; i++) {
+        if (!overlap_agrees(job, i, answers, 0) && !fits(job->overlaps[i], answers[i])) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+// A cause is named only when it explains every wrong answer.
+static Cause explain_overlaps(const void *job, Range range, const void *answers)
+{
+    for (int i = 0; i < COUNT(overlap_rivals); i++) {
+        if (is_rival(job, answers, i)) {
+            return overlap_rivals[i].cause;
+        }
+    }
+    for (int i = 0; i < COUNT(overlap_mistakes); i++) {
+        if (fits_all(job, range, answers, overlap_mistakes[i].fits)) {
+            return overlap_mistakes[i].cause;
+        }
+    }
+    return (Cause){0};
+}
+
+static char *describe_overlap(const void *pointer, int i, const void *answers)
+{
+    const OverlapJob in = ((const Job01 *)pointer)->overlaps[i];
+    return message_new(
+        "pixel (%d, %d), circle at %s depth %.9g, minDepth %.9g: found %d, expected %d", in.x, in.y,
+        words_circle(in.circle).text, in.circle.depth, in.minDepth, ((const i32 *)answers)[i],
+        expected_overlap(in, 0));
+}
+
+const Function overlaps_01 = {.section = "overlaps",
+                              .n = N_OVERLAPS,
+                              .answer_bytes = sizeof(i32),
+                              .describe = describe_overlap,
+                              .agrees = overlap_agrees,
+                              .counted = "inputs",
+                              .explain = explain_overlaps};

@@ -1,0 +1,141 @@
+// Lab 08: find_best_split on its inputs, by asking every sphere at every plane. See judge_08.h.
+#include "judge_08.h"
+
+#include "message.h"
+#include "words.h"
+
+#include <float.h>
+#include <math.h>
+
+// A known mistake, and what is said about it; number 0 is none.
+typedef struct BestMistake {
+    Cause cause;
+    SahRules rules;
+} BestMistake;
+
+static const BestMistake best_mistakes[] = {
+    {.cause = {0}},
+    {{.says = "of equal costs the first plane counts: x before y before z, and the lower one first",
+      .mistake = MISTAKE_LATER_OF_EQUALS},
+     {.last_of_equals = 1}},
+    {{.says = "only the longest side is searched, not all three"}, {.longest_only = 1}},
+    {{.says = "planes across z are not searched"}, {.no_z = 1}},
+    {{.says = "planes across y are not searched"}, {.no_y = 1}},
+    {{.says = "only planes across x are searched"}, {.no_y = 1, .no_z = 1}},
+    {{.says = "that is the plane with the highest cost"}, {.highest_cost = 1}},
+    {{.says = "a sphere counts by its range, not by its centre"}, {.by_centre = 1}},
+    {{.says = "a range that begins at the plane counts in the lower child, too",
+      .mistake = MISTAKE_STRICT_BOUNDARY},
+     {.begin_above = 1}},
+    {{.says = "a range that ends at the plane counts in the higher child, too",
+      .mistake = MISTAKE_STRICT_BOUNDARY},
+     {.end_below = 1}},
+    {{.says = "a range that only touches the plane counts in both children",
+      .mistake = MISTAKE_STRICT_BOUNDARY},
+     {.begin_above = 1, .end_below = 1}},
+    {{.says = "a negative radius counts as its absolute value"}, {.signed_radius = 1}},
+    {{.says = "the first plane is not asked"}, {.without_first = 1}},
+    {{.says = "the last plane is not asked"}, {.without_last = 1}},
+    {{.says = "the node's spheres are those that its ids name"}, {.all_spheres_id = 1}},
+};
+
+SahNode best_node_08(const Job08 *job, int i)
+{
+    const BestJob in = job->bests[i];
+    return (SahNode){in.box, job->best_spheres, job->best_ids + in.first_id, NULL, in.n_ids};
+}
+
+// Of exact ties only the first is right; elsewhere the costs of two planes may be so near that
+// float takes one for the other.
+static int is_tie(int i)
+{
+    return i >= N_CELLS && i < N_CELLS + N_TIES;
+}
+
+// Is this an answer that follows from the rules?
+static int follows(const Job08 *job, int i, BestAnswer found, const SahRules *rules)
+{
+    const SahNode node = best_node_08(job, i);
+    const SahPlane best = sah_best(&node, rules);
+    if (best.cost == INFINITY) {
+        return found.cost == INFINITY;
+    }
+    const int number = found.axis < 3 ? sah_plane_number(node.box, found.axis, found.pos) : 0;
+    if (number == 0 || !(fabs(found.cost - best.cost) <= SAH_COST_TOLERANCE * best.cost)) {
+        return 0;
+    }
+    if (is_tie(i) || rules->last_of_equals) {
+        return found.axis == best.axis && found.pos == best.pos;
+    }
+    const double cost = sah_weigh(&node, found.axis, number, rules).cost;
+    return cost <= best.cost * (1 + 2 * SAH_COST_TOLERANCE) || rules->highest_cost;
+}
+
+static int best_agrees(const void *job, int i, const void *answers, int mistake)
+{
+    return follows(job, i, ((const BestAnswer *)answers)[i], &best_mistakes[mistake].rules);
+}
+
+static Words words_plane(u32 axis, f32 pos)
+{
+    return axis < 3 ? words("%c = %s", "xyz"[axis], words_float(pos).text)
+                    : words("axis %u, which is none", axis);
+}
+
+// What a plane of the student's costs, where it is a candidate.
+static Words words_cost(const SahNode *node, BestAnswer found)
+{
+    static const SahRules right = {0};
+    const int number = found.axis < 3 ? sah_plane_number(node->box, found.axis, found.pos) : 0;
+    return number == 0 ? words("is no candidate plane")
+                       : words("costs %.6g", sah_weigh(node, found.axis, number, &right).cost);
+}
+
+static char *describe_best(const void *pointer, int i, const void *answers)
+{
+    static const SahRules right = {0};
+    const SahNode node = best_node_08(pointer, i);
+    const BestAnswer found = ((const BestAnswer *)answers)[i];
+    const SahPlane best = sah_best(&node, &right);
+    if (best.cost == INFINITY) {
+        return message_new("cell %s with %u spheres, which has no area: found the cost %g, "
+                           "expected INFINITY",
+                           words_box3d(node.box).text, node.n_ids, found.cost);
+    }
+    return message_new(
+        "cell %s with %u spheres: found %s with cost %.6g, which %s; expected %s "
+        "with cost %.6g",
+        words_box3d(node.box).text, node.n_ids, words_plane(found.axis, found.pos).text, found.cost,
+        words_cost(&node, found).text, words_plane(best.axis, best.pos).text, best.cost);
+}
+
+const Function best_08 = {"bests",
+                          N_BESTS,
+                          sizeof(BestAnswer),
+                          .agrees = best_agrees,
+                          .describe = describe_best,
+                          .counted = "cells",
+                          MISTAKES(best_mistakes)};
+
+// Nobody has to call split_cost: the best plane by true costs is right, too. Where the cell has no
+// area, the one says that there is none, and the other need not.
+static int stands_alone(const Job08 *job, Range range, const BestAnswer *found)
+{
+    static const SahRules right = {0}, stand_in = {.is_stand_in = 1};
+    int n_right = 0, n_following = 0;
+    for (int i = 0; i < range.n; i++) {
+        const int input = range_at(range, i);
+        const int is_free = sah_size(job->bests[input].box, SAH_AREA) == 0;
+        n_right += is_free || follows(job, input, found[input], &right);
+        n_following += is_free || follows(job, input, found[input], &stand_in);
+    }
+    return n_right == range.n || n_following == range.n;
+}
+
+int bests_alone_08(const void *job, const JudgeCheck *check, const Sections *answers)
+{
+    const BestAnswer *found = function_answers(&best_08, answers);
+    // In the place of whole trees: all inputs.
+    const Range range = check->function != NULL ? check->range : (Range){0, N_BESTS, 1};
+    return found != NULL && stands_alone(job, range, found);
+}

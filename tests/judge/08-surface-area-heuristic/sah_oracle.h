@@ -1,0 +1,92 @@
+// The surface area heuristic in double precision, by its definition: every plane asks every sphere.
+// It shares no code with lab 08. And it errs on purpose, so that a submission can be recognised.
+#ifndef JUDGE_SAH_ORACLE_H
+#define JUDGE_SAH_ORACLE_H
+
+#include "jobs_08.h"
+
+// As kdtree3d_sah.h of lab 08 has them.
+enum { SAH_BINS = 32 };
+#define SAH_TRAVERSAL 1.0
+#define SAH_TEST 0.5
+
+// How far a right cost may be off, relative to it, where all is computed in float. With u =
+// FLT_EPSILON / 2: a side is off by u, an area by 5u, area times count by 6u, their sum by 7u,
+// over the cell's area by 13u, the cost by 15u. So 16u.
+#define SAH_COST_TOLERANCE (8 * FLT_EPSILON)
+// The same of an area: 5u.
+#define SAH_AREA_TOLERANCE (3 * FLT_EPSILON)
+
+// What is taken for a box's size.
+typedef enum SahMeasure {
+    SAH_AREA,
+    SAH_HALF_AREA,
+    SAH_EDGES,  // the sum of the twelve
+    SAH_SIDES,  // the sum of the three lengths
+    SAH_VOLUME,
+    SAH_WITHOUT_X,  // four faces: those at right angles to x are missing
+    SAH_WITHOUT_Y,
+    SAH_WITHOUT_Z,
+    SAH_SAME,      // every box is as large as every other
+    SAH_STAND_IN,  // surface_area() of tests/stand_ins
+} SahMeasure;
+
+// A way of weighing and choosing. All zeros is the right one.
+typedef struct SahRules {
+    // The cost of a split.
+    SahMeasure measure;
+    int no_traversal;       // the step at the node costs nothing
+    int no_test;            // a test costs 1
+    int constants_swapped;  // each stands in the other's place
+    int no_division;        // by the cell's own measure
+    int counts_swapped;     // each child has the other one's spheres
+    int lower_only;         // the higher child costs nothing
+    int higher_only;
+    int is_stand_in;  // split_cost() of tests/stand_ins
+    // The best of all planes.
+    int last_of_equals;
+    int longest_only;  // only planes across the longest side, the first of equal ones
+    int no_y, no_z;    // an axis is left out
+    int highest_cost;
+    int by_centre;       // a sphere counts where its centre is
+    int begin_above;     // one that begins at the plane is not in the lower child
+    int end_below;       // one that ends at the plane is not in the higher one
+    int signed_radius;   // a negative radius turns the range round
+    int without_first;   // the first plane is not asked
+    int without_last;    // nor the last one
+    int all_spheres_id;  // sphere i of the array for sphere ids[i]
+} SahRules;
+
+double sah_size(BBox3D box, SahMeasure measure);
+double sah_cost(CostJob split, const SahRules *rules);
+
+// Candidate plane number i, rounded as float does.
+f32 sah_plane(BBox3D box, u32 axis, int i);
+
+// A node: the spheres that overlap its cell.
+typedef struct SahNode {
+    BBox3D box;
+    const Sphere *spheres;
+    const u32 *ids;                 // [n_ids]
+    const unsigned char *may_lack;  // [n_ids], 1 where touching is a matter of rounding; NULL: none
+    u32 n_ids;
+} SahNode;
+
+// A plane of it, and what it costs: by the contract, and as little and as much as it may cost where
+// float or double may round a sphere to either side.
+typedef struct SahPlane {
+    u32 axis;
+    f32 pos;
+    double cost, least, most;
+} SahPlane;
+
+SahPlane sah_weigh(const SahNode *node, u32 axis, int i, const SahRules *rules);
+
+// The plane to be chosen; its cost is INFINITY where there is none. `least` and `most` are the
+// lowest of all planes.
+SahPlane sah_best(const SahNode *node, const SahRules *rules);
+
+// Number of the candidate plane on an axis at this position, or 0 where there is none.
+int sah_plane_number(BBox3D box, u32 axis, f32 pos);
+
+#endif

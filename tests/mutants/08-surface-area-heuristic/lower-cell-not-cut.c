@@ -1,0 +1,9 @@
+// mutant: the higher child alone gets a cell of its own
+// task: split_cost
+// caught by: cost-planes
+// says: expected
+    BBox3D higher = box;
+    higher.min[split.axis] = split.pos;
+    return KD_COST_TRAVERSAL +
+           KD_COST_TEST * (surface_area(box) * n_lower + surface_area(higher) * n_higher) /
+               surface_area(box);

@@ -1,0 +1,51 @@
+// Known answers: right ones and wrong ones, each a file with a header that says what must become of
+// it (tests/mutants/README.md, tests/right/README.md).
+//
+// Used by mutants.c.
+#ifndef MUTATION_KNOWN_ANSWER_H
+#define MUTATION_KNOWN_ANSWER_H
+
+#include "session.h"
+
+#include <glob.h>
+
+#define WRONG_FOLDER "tests/mutants"
+#define RIGHT_FOLDER "tests/right"
+
+enum { ANSWER_LINE_BYTES = 256 };
+
+typedef struct KnownAnswer {
+    const char *path;
+    char *text;                     // the whole file; its header stays as comments
+    char task[ANSWER_LINE_BYTES];   // whose hole it fills
+    int is_right;                   // then the two below are not used
+    char check[ANSWER_LINE_BYTES];  // by which it shall be caught
+    char says[ANSWER_LINE_BYTES];   // regular expression for that check's message
+    unsigned mistakes;              // of diagnosis.h, a bit for each; 0 when it is of none
+    Mistake first_mistake;          // the one that must be named
+    Variant variant;                // in the solution of the other tasks
+    int is_tried_alone;
+    Variant alone;
+} KnownAnswer;
+
+// For each check: how many wrong answers it is meant for, and how many of them have had their turn.
+typedef struct Turns {
+    uint64_t seed;
+    int n_meant[RESULT_MAX_CHECKS];
+    int n_past[RESULT_MAX_CHECKS];
+} Turns;
+
+// Count the turns in these files.
+Turns turns_count(const Session *session, const glob_t *found);
+
+// Read an answer and make its variants: in the solution of the other tasks, and alone where it is
+// its turn. Every right answer is tried alone; of the wrong ones that a check is meant for one is.
+//   slot   tells the folders of answers apart that run side by side
+// Returns 0, or -1 after one message; answer_free() it in either case.
+int answer_open(KnownAnswer *answer, Session *session, const char *path, int slot, Turns *turns);
+void answer_free(KnownAnswer *answer);
+
+// The number of the check that the answer shall be caught by, or -1.
+int answer_check(const Session *session, const KnownAnswer *answer);
+
+#endif

@@ -1,0 +1,23 @@
+// right: from the last plane of z to the first of x; <= lets the first win
+// task: find_best_split
+    if (surface_area(box) == 0) {
+        return best;
+    }
+    for (u32 axis = 3; axis-- > 0;) {
+        u32 n_begin[N_BINS] = {0}, n_end[N_BINS] = {0};
+        for (u32 i = 0; i < n_ids; i++) {
+            const Range range = sphere_range(h_spheres[ids[i]], axis);
+            n_begin[planes_below(box, axis, range.begin)]++;
+            n_end[planes_up_to(box, axis, range.end)]++;
+        }
+        u32 n_lower = n_ids, n_higher = 0;
+        for (int plane = N_BINS - 1; plane > 0; plane--) {
+            n_lower -= n_begin[plane];
+            n_higher += n_end[plane];
+            const KdSplit split = {axis, candidate_plane(box, axis, plane)};
+            const double cost = split_cost(box, split, n_lower, n_higher);
+            if (cost <= best.cost) {
+                best = (BestSplit){split, cost};
+            }
+        }
+    }

@@ -1,0 +1,242 @@
+#!/bin/sh
+# The windows of the labs and their films (common/view), by scripts of keys and mouse events, on a display that
+# nobody sees. What they show is held against the pictures that the labs' programs save.
+#
+#     sh tests/suites/view.sh      from the top folder, after `make tests`
+set -u
+. tests/tap.sh
+. tests/programs.sh
+
+# window LAB SCRIPT-LINES OPTION...: the solution's window, run through a script; "@" stands for $out.
+window() {
+    for program in "$build/view/solutions/$1"-*; do :; done
+    shift
+    run_script "$program" "$@"
+}
+
+# run_script PROGRAM SCRIPT-LINES OPTION...
+run_script() (
+    program=$1
+    printf '%s\n' "$2" | sed "s|@|$out|g" >"$scratch/script"
+    shift 2
+    "$program" --script "$scratch/script" "$@" >"$scratch/stdout" 2>"$scratch/stderr" </dev/null
+)
+
+# picture FILE WxH: the window's picture, without the panel: FILE.png becomes FILE-part.png.
+picture() {
+    "$build/tools/crop" "$out/$1.png" 0 0 "${2%x*}" "${2#*x}" "$out/$1-part.png" && echo "$out/$1-part.png"
+}
+
+# shows FILE WxH PICTURE: does the window's picture look like this file?
+shows() { part=$(picture "$1" "$2") && "$compare" "$part" "$3"; }
+
+# shows_another FILE WxH PICTURE: does it not?
+shows_another() { part=$(picture "$1" "$2") && differs "$compare" "$part" "$3"; }
+
+# ---- Without a display ----------------------------------------------------------------------------
+
+empty_output_folder
+unset DISPLAY WAYLAND_DISPLAY SDL_VIDEODRIVER
+check "without a display there is one message" refuses "no window can be opened" \
+    window 01 'frames 1' --size 64x48
+check "nor on a display that is not there" \
+    refuses "no window can be opened" with DISPLAY=:4242 window 07 'frames 1' --size 64x48 --scene one
+check "a path that cannot be written is refused before" refuses "--record: found" \
+    window 01 'frames 1' --record /no/such.path
+check "a lab without a window has none" sh -c '! make -s view LAB=02 2>&1 | grep -v "^make: \*\*\*" | grep -v "expected a lab that draws"'
+
+# ---- A display ------------------------------------------------------------------------------------
+
+. tests/display.sh
+if ! display_open; then
+    skip "windows" "there is no Xvfb"
+    finish
+    exit
+fi
+trap 'display_close; rm -rf "$scratch"' EXIT
+
+# ---- What is shown --------------------------------------------------------------------------------
+
+# matches_lab LAB WxH OPTION...: the window, its heat map and the picture that P saves, as the lab's program has
+# them.
+matches_lab() {
+    lab=$1 size=$2
+    shift 2
+    run "$lab" --output "$out/lab.png" --heat-map --size "$size" "$@" || { cat "$scratch/stderr"; return 1; }
+    works window "$lab" "$(printf 'frames 1\nsave @/window.png\nkey M\nkey P\nframes 1\nsave @/heat.png\n')" \
+        --output "$out/saved.png" --size "$size" "$@" &&
+        shows window "$size" "$out/lab.png" && shows heat "$size" "$out/lab-work.png" &&
+        "$compare" "$out/saved.png" "$out/lab.png"
+}
+
+check "lab 01: picture and heat map are the lab's" matches_lab 01 317x211 --scene random:n=50
+check "lab 03: picture and heat map are the lab's" matches_lab 03 317x211 --scene random:n=500
+check "lab 05: picture and heat map are the lab's" matches_lab 05 131x97 --scene sphereflake:size=1
+check "lab 07: picture and heat map are the lab's" matches_lab 07 317x211 --scene sphereflake:size=2
+check "a picture higher than the panel" matches_lab 03 120x700 --scene random:n=50
+
+# both_draw_alike LAB OPTION...: do the tree's kernel and the naive one, which N gets, show the same, from the
+# scene's own view and from another?
+both_draw_alike() {
+    lab=$1
+    shift
+    works window "$lab" "$(printf '%s\n' 'frames 1' 'save @/tree.png' 'key N' 'frames 1' 'save @/naive.png' \
+        'down W' 'down D' 'frames 5' 'up W' 'up D' 'drag 50 50 71 62' 'wheel 2 50 50' 'frames 2' \
+        'save @/naive-2.png' 'key N' 'frames 1' 'save @/tree-2.png')" --size 160x120 "$@" &&
+        shows naive 160x120 "$(picture tree 160x120)" &&
+        shows naive-2 160x120 "$(picture tree-2 160x120)" &&
+        shows_another tree-2 160x120 "$(picture tree 160x120)"
+}
+check "lab 03: tree and naive show the same, here and elsewhere" both_draw_alike 03 --scene random:n=300
+check "lab 07: tree and naive show the same, here and elsewhere" both_draw_alike 07 --scene sphereflake:size=2
+# works_like LAB NAIVE-LAB OPTION...: behind N, is the heat map that of the naive lab?
+works_like() {
+    lab=$1 naive=$2
+    shift 2
+    run "$naive" --size 96x64 --heat-map --output "$out/naive.png" "$@" &&
+        works window "$lab" "$(printf '%s\n' 'frames 1' 'key N' 'key M' 'frames 1' 'save @/window.png')" --size 96x64 "$@" &&
+        shows window 96x64 "$out/naive-work.png"
+}
+check "lab 03: the naive kernel asks every circle" works_like 03 01 --scene random:n=100
+check "lab 07: the naive kernel asks every sphere" works_like 07 05 --scene sphereflake:size=1
+check "lab 01 has one kernel; R builds it again" works window 01 \
+    "$(printf '%s\n' 'frames 1' 'save @/before.png' 'key N' 'key R' 'frames 1' 'save @/after.png')" --size 64x48
+check "and it shows the same" shows after 64x48 "$(picture before 64x48)"
+
+# ---- The tree's depth -----------------------------------------------------------------------------
+
+# At every depth up to 30 this tree is another one.
+deep='--scene random:n=300,min=0.1,max=0.3 --leaf-size 1 --size 96x64'
+
+# depth_is DEPTH OTHER SCRIPT-LINE...: after these, is the heat map that of the lab with --max-depth DEPTH, and not
+# that with OTHER?
+depth_is() {
+    depth=$1 other=$2
+    shift 2
+    # shellcheck disable=SC2086 # options
+    for levels in "$depth" "$other"; do
+        run 07 $deep --max-depth "$levels" --heat-map --output "$out/depth-$levels.png" || return 1
+    done
+    # shellcheck disable=SC2086
+    works window 07 "$(printf '%s\n' 'key M' "$@" 'frames 1' 'save @/window.png')" $deep --max-depth 10 &&
+        shows window 96x64 "$out/depth-$depth-work.png" && shows_another window 96x64 "$out/depth-$other-work.png"
+}
+check "a key takes a level off the tree" depth_is 9 11 'key -'
+check "and another one gives it one more" depth_is 11 9 'key ='
+check "the slider's left end is one level" depth_is 1 2 'drag 280 286 110 286'
+check "its right end is 30" depth_is 30 20 'drag 280 286 520 286'
+check "its middle is what it stands for" depth_is 16 15 'click 277 286'
+check "a press beside it changes nothing" depth_is 10 16 'click 277 330'
+
+# ---- A pixel is followed --------------------------------------------------------------------------
+
+# follows LAB OPTION...: are the steps of a picture's one pixel as many as the lab counts? Of nodes, leaves and
+# tests; of those that miss there are several in a line.
+follows() {
+    lab=$1
+    shift
+    run "$lab" --size 1x1 --stats "$out/figures.json" --output "$out/one.png" "$@" &&
+        works window "$lab" "$(printf 'click 0 0\nframes 1\n')" --size 1x1 "$@" || return 1
+    tests=$(figure sphere_tests.max_per_pixel)$(figure circle_tests.max_per_pixel)
+    expected="$(figure nodes_visited.max_per_pixel) $(figure leaves_visited.max_per_pixel) $tests"
+    found=$(awk '/^node/ { nodes++ } /^leaf .*wait/ { leaves++ } /^  missed:/ { tests += NF - 1 }
+        /^  (sphere|circle) / { tests++ }
+        END { print nodes + 0, leaves + 0, tests + 0 }' "$scratch/stdout")
+    case $lab in 0[13]) found="${found% 0 *}  ${found##* }" ;; esac
+    [ "$found" = "$expected" ] || { echo "found $found, expected $expected"; cat "$scratch/stdout"; return 1; }
+}
+check "lab 01: all that a pixel asks" follows 01 --scene random:n=40
+check "lab 03: nodes and circles of a pixel" follows 03 --scene random:n=40,min=1,max=1 --leaf-size 2
+check "lab 05: all that a ray asks" follows 05 --scene sphereflake:size=1
+check "lab 07: nodes, leaves and spheres of a ray" follows 07 --scene sphereflake:size=3
+check "its last line is what the ray hits" grep -q '^hit: sphere [0-9]*, t [0-9.]*$' "$scratch/stdout"
+end=$(grep '^hit:' "$scratch/stdout")
+window 07 "$(printf 'key N\nclick 0 0\nframes 1\n')" --size 1x1 --scene sphereflake:size=3
+[ "$(grep '^hit:' "$scratch/stdout")" = "$end" ]
+ok $? "the naive kernel's ray hits the same" "$(tail -n 1 "$scratch/stdout"), expected $end"
+check "more steps than are kept: all are counted" grep -q '^and 3[0-9]* more$' "$scratch/stdout"
+
+# ---- Watched by the sanitizers --------------------------------------------------------------------
+
+# All keys, and a mouse that leaves the picture.
+restless() {
+    for program in "$build/sanitized/view/solutions/$1"-*; do :; done
+    with ASAN_OPTIONS=detect_leaks=0 run_script "$program" "$(printf '%s\n' 'frames 1' 'click 300 20' 'click 30 20' \
+        'key H' 'key M' 'key N' 'frames 1' 'key PageDown' 'key P' 'wheel -2 300 500' 'wheel 2 30 20' 'key -' 'frames 2' \
+        'drag 10 10 900 900' 'drag 10 10 -50 -50 right' 'key O' 'frames 3' 'key Home' 'key R' 'key C' 'key F' \
+        'drag 500 286 700 286' 'frames 1' 'key Escape' 'frames 1')" --scene random:n=40 --size 64x48 \
+        --record "$out/restless.path" --output "$out/restless.png"
+}
+if $is_sanitized; then
+    check "lab 03: every key, watched" works restless 03
+    check "lab 07: every key, watched" works restless 07
+    [ ! -s "$scratch/stderr" ]
+    ok $? "and nothing is said" "$(cat "$scratch/stderr")"
+fi
+
+# ---- Paths and films ------------------------------------------------------------------------------
+
+# A flight is recorded, and its last pose is where the window ended.
+check "a flight is recorded" works window 07 \
+    "$(printf 'down W\ndown LEFT\nframes 10\nup W\nup LEFT\nsave @/flown.png\n')" \
+    --scene sphereflake:size=1 --size 64x48 --record "$out/flight.path"
+[ "$(grep -vc '^#' "$out/flight.path")" -eq 10 ]
+ok $? "with a pose for each of its frames" "$(cat "$out/flight.path")"
+check "its path is flown" works window 07 "$(printf 'frames 10\nsave @/again.png\n')" \
+    --scene sphereflake:size=1 --size 64x48 --path "$out/flight.path"
+check "and ends in the same place" shows again 64x48 "$(picture flown 64x48)"
+check "F flies it once more" works window 07 "$(printf 'frames 12\nkey HOME\nframes 1\nkey F\nframes 10\nsave @/again.png\n')" \
+    --scene sphereflake:size=1 --size 64x48 --path "$out/flight.path"
+check "and ends there, too" shows again 64x48 "$(picture flown 64x48)"
+
+mkdir "$out/film"
+# A frame of a film before, which was longer.
+: >"$out/film/frame-00200.png"
+film() { common/view/movie.sh "$build/view/solutions/$1" "$out/film" "$2" "$3" --size 63x48 >"$scratch/stdout" 2>"$scratch/stderr"; }
+check "a film needs no display" works with DISPLAY= film 07-kdtree-3d-trace --scene sphereflake:size=1
+[ "$(find "$out/film" -name 'frame-*.png' | wc -l)" -eq 100 ]
+ok $? "it goes once round the scene in 100 frames" "$(find "$out/film")"
+run 07 --scene sphereflake:size=1 --size 63x48 --output "$out/lab.png"
+check "its first frame is the scene's own view" "$compare" "$out/film/frame-00001.png" "$out/lab.png"
+check "the others are not" differs "$compare" "$out/film/frame-00026.png" "$out/lab.png"
+if command -v ffprobe >/dev/null; then
+    found=$(ffprobe -v error -count_frames -show_entries stream=nb_read_frames,width,height -of csv=p=0 "$out/film.mp4")
+    [ "$found" = 64,48,100 ]
+    ok $? "and as a film there are as many" "found $found"
+else
+    skip "a film" "there is no ffmpeg"
+fi
+check "a film of the recorded flight" works film 07-kdtree-3d-trace --path "$out/flight.path"
+[ "$(find "$out/film" -name 'frame-*.png' | wc -l)" -eq 10 ]
+ok $? "has a frame a pose, and none of the film before" "$(find "$out/film")"
+rm -r "$out/film" "$out"/*.mp4
+check "in 2D the plane moves" works film 03-kdtree-2d-render --scene random:n=50
+rm -rf "$out/film" "$out"/*.mp4
+
+# ---- What is wrong --------------------------------------------------------------------------------
+
+empty_output_folder
+check "a script's unknown command" refuses 'script:2: found "dance"' window 01 "$(printf 'frames 1\ndance\n')" --size 64x48
+check "a script's unknown key" refuses 'expected key NAME' window 01 'key no-such-key' --size 64x48
+check "a script's number that is none" refuses 'expected click X Y' window 01 'click 1 x' --size 64x48
+echo 1 2 3 >"$scratch/flight.path"
+check "a path of the wrong kind" refuses 'flight.path:1: found 3 numbers, expected 9' \
+    window 07 'frames 1' --scene one --size 8x8 --path "$scratch/flight.path"
+
+# A course in which lab 01 does not build.
+course=$scratch/course
+mkdir -p "$course/labs"
+for entry in kernels solutions common tests; do ln -s "$PWD/$entry" "$course/$entry"; done
+cp -r labs/01-naive-2d "$course/labs/"
+sed 's/^    float4 color.*/    float5 color;/' solutions/01-naive-2d/implicit2DRenderer.cl \
+    >"$course/labs/01-naive-2d/implicit2DRenderer.cl"
+in_course() (cd "$course" && run_script "$build/view/labs/01-naive-2d" "$@" --size 64x48 --output "$out/01.png")
+status=0
+in_course 'frames 1' || status=$?
+[ $status -eq 1 ] && grep -q 'labs/01-naive-2d/implicit2DRenderer.cl:[0-9]*:[0-9]*: error:.*float5' "$scratch/stderr"
+ok $? "a kernel that does not build is told as the lab's program tells it" "$(cat "$scratch/stderr")"
+
+cp labs/01-naive-2d/implicit2DRenderer.cl "$course/labs/01-naive-2d/"
+check "the skeleton has a window" works in_course 'frames 1'
+
+finish
