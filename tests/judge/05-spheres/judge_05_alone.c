@@ -69,7 +69,8 @@ static int follows(const SphereRayJob *job, OracleForm form, float found)
 static int is_clear_miss(const SphereRayJob *job, OracleForm form, float found)
 {
     const OracleRay ray = oracle3d_given_ray(job->origin, job->direction, job->t_min);
-    return isinf(found) && found > 0 && !oracle3d_root(job->sphere, &ray, form, &right).is_certain;
+    return isinf(found) && found > 0 && !touches_exactly_05(job) &&
+           !oracle3d_root(job->sphere, &ray, form, &right).is_certain;
 }
 
 static int all_follow(const SphereRayJob *jobs, int n, OracleForm form, const float *found)
