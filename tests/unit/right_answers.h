@@ -17,7 +17,7 @@
 static Sections right_answers(int lab, const Sections *job)
 {
     // The scenes whose work is judged.
-    static const int work_05[] = {1};
+    static const int work_05[] = {1, 3, 5};  // SMALL, TIES and "behind"
     static const int work_07[] = {RANDOM + 2, RANDOM + 6, RANDOM + 7, RANDOM + N_RANDOM - 1,
                                   DEEP,       FLAKE};
     Writer writer;
@@ -45,7 +45,8 @@ static Sections right_answers(int lab, const Sections *job)
         break;
     case 5:
         answer_sphere_functions(&writer, job);
-        answer_pictures_3d(&writer, job, find_in_all, hit_color, work_05, 1);
+        answer_pictures_3d(&writer, job, find_in_all, hit_color, work_05,
+                           sizeof work_05 / sizeof *work_05);
         break;
     case 6:
         answer_planes_and_overlaps(&writer, job);

@@ -92,11 +92,12 @@ static void answer_host(Writer *writer, const Sections *job, int k, int width, i
     const ArgumentsAnswer arguments = {0, {(float)width, (float)height, 0, 1}};
     const u32 *key = sections_find(job, numbered("scene", k, "pattern"), sizeof *key);
     const size_t n = (size_t)width * (size_t)height * 4;
-    const size_t n_answers = n + READ_BACK_GUARD;
+    const size_t n_answers = n + N_READ_BACK_REST;
     float *pattern = malloc(n_answers * sizeof *pattern);
     for (size_t i = 0; i < n_answers; i++) {
         pattern[i] = i < n ? pattern_value(*key, (u32)i) : UNWRITTEN;
     }
+    pattern[n + READ_BACK_LATE] = 0;
     answer(writer, numbered("arguments", k, NULL), &arguments, sizeof arguments);
     answer_items(writer, k, width, height);
     answer(writer, numbered("readback", k, NULL), pattern, n_answers * sizeof *pattern);

@@ -242,7 +242,8 @@ static void answer_picture_3d(Writer *writer, int k, const SphereScene *scene, F
         }
     }
     answer(writer, numbered("picture", k, NULL), image, n_pixels * sizeof *image);
-    if (find_hit != NULL) {
+    // Of lab 09 only the picture.
+    if (color_of == hit_color) {
         answer(writer, numbered("hits", k, NULL), hits, (size_t)(width * height) * sizeof *hits);
     }
     if (has_work) {

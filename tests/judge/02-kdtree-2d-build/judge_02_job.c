@@ -254,6 +254,36 @@ static void pile_up(Scene2D *scene)
     }
 }
 
+// How many leaves of the scene's tree are empty? Returns -1 after one message.
+static int count_empty_leaves(const Scene2D *scene, KdTreeLimits limits)
+{
+    Growth growth = {0};
+    KdTree2D tree = {0};
+    int n = oracle2d_tree(scene, 0, limits, &growth, &tree);
+    for (u32 id = 0; n >= 0 && id < tree.n_nodes; id++) {
+        n += tree.nodes_flag[id] == LEAF &&
+             tree.mapNode2Circles[tree.nodes_Relations[id].circleMapOffset] == 0;
+    }
+    tree2d_free(&tree);
+    growth_free(&growth);
+    return n;
+}
+
+// A scene whose tree has two empty leaves, each with a list of its own. Not in all of its sizes has
+// it so many.
+static int draw_with_gaps(Random *random, JobScene *scene, KdTreeLimits limits)
+{
+    int n_empty = 0;
+    do {
+        job_scene_free(scene);
+        if (job_scene_named(scene, random, "tiny", 64, 48) != 0) {
+            return -1;
+        }
+        n_empty = count_empty_leaves(&scene->scene, limits);
+    } while (n_empty == 0 || n_empty == 1);
+    return n_empty < 0 ? -1 : 0;
+}
+
 static int draw_scenes(Random *random, JobScene scenes[N_SCENES], Growth *growth)
 {
     static const KdTreeLimits limits[N_SCENES] = {{7, 4}, {4, 1}, {16, 6}, {6, 2},
@@ -262,7 +292,7 @@ static int draw_scenes(Random *random, JobScene scenes[N_SCENES], Growth *growth
     result |= job_scene_named(&scenes[1], random, "example", 10, 10);
     result |= job_scene_random(&scenes[2], random, 300, 10, 120, 240);
     result |= job_scene_named(&scenes[3], random, "touching", 64, 48);
-    result |= job_scene_named(&scenes[4], random, "tiny", 64, 48);
+    result |= draw_with_gaps(random, &scenes[4], limits[4]);
     result |= job_scene_named(&scenes[5], random, "none", 64, 48);
     result |= job_scene_random(&scenes[DISTRIBUTE_SCENE], random, DISTRIBUTE_MAX_IDS, 10, 200, 150);
     if (result == 0) {

@@ -47,7 +47,7 @@ static Light draw_light(Random *random, Vec3 point, int axis, int sign)
     return (Light){position, random_vector(random, 0.125, 1)};
 }
 
-// In the second range all lights are behind the surface.
+// In the second range all lights are behind the surface, but for one input in four.
 static void draw_input(Random *random, Job09 *job, int i)
 {
     const int axis = i % 3, side = random_sign(random), range = i / N_LIT_INPUTS;
@@ -61,7 +61,8 @@ static void draw_input(Random *random, Job09 *job, int i)
     lit->material.color = random_vector(random, 0.25, 1);
     lit->material.kd = random_number(random, 0.125, 0.875);
     for (int k = 0; k <= MOST_ALONE_LIGHTS; k++) {
-        const int is_behind = range == 1 || (range == 2 && random_integer(random, 0, 2) == 0);
+        const int is_behind =
+            (range == 1 && i % 4 != 0) || (range == 2 && random_integer(random, 0, 2) == 0);
         job->alone_lights[first_light(i) + k] =
             draw_light(random, lit->point, axis, is_behind ? -side : side);
     }

@@ -39,19 +39,22 @@ static int count_before(const LitJob *job, const Light *lights)
     return n;
 }
 
-// One light before the surface; all of them behind it; several, on either side.
-static LitJob draw_lit(Random *random, int range, const JobScene3D *scene, const Light *lights)
+// One light before the surface; all of them behind it; several, on either side. Of the second kind
+// one in four has its light before it: who adds no light at all is not right there.
+static LitJob draw_lit(Random *random, int i, const JobScene3D *scene, const Light *lights)
 {
+    const int range = i / N_LIT_INPUTS, is_dark = range == 1 && i % 4 != 0;
+    const int is_lit = range == 0 || (range == 1 && !is_dark);
     LitJob job = {.bounds = scene->tree.bounds};
     job.material.color = random_vector(random, 0.25, 1);
     job.material.kd = random_number(random, 0.125, 0.875);
     job.material.ks = random_number(random, 0, 1);
     do {
         draw_point(random, &scene->scene, &job);
-        job.n_lights = range == 0 ? 1 : (i32)random_integer(random, range == 1 ? 1 : 2, 5);
+        job.n_lights = is_lit ? 1 : (i32)random_integer(random, is_dark ? 1 : 2, 5);
         job.first_light = (i32)random_integer(random, 0, N_LIT_LIGHTS - 6);
-    } while ((range == 0 && count_before(&job, lights + job.first_light) != 1) ||
-             (range == 1 && count_before(&job, lights + job.first_light) != 0));
+    } while ((is_lit && count_before(&job, lights + job.first_light) != 1) ||
+             (is_dark && count_before(&job, lights + job.first_light) != 0));
     return job;
 }
 
@@ -59,8 +62,7 @@ void lits_09_draw(Random *random, Job09 *job)
 {
     draw_lights(random, job->lit_lights);
     for (int i = 0; i < COUNT(job->lits); i++) {
-        job->lits[i] =
-            draw_lit(random, i / N_LIT_INPUTS, &job->scenes[LIT_SCENE].base, job->lit_lights);
+        job->lits[i] = draw_lit(random, i, &job->scenes[LIT_SCENE].base, job->lit_lights);
     }
 }
 
