@@ -60,7 +60,7 @@ done
 find "$root" -type f -path '*/solutions/*.[ch]*' -exec sed -i '/^ *\/\/>/d' {} +
 
 # The figures that their READMEs show, and scenes.
-sed -n 's|.*](\.\./\.\./\(slides-notes/figures/[^)]*\)).*|\1|p' "$root"/*/*/README.md | sort -u | copy
+grep -oh '](\.\./\.\./slides-notes/figures/[^)]*)' "$root"/*/*/README.md | sed 's|](\.\./\.\./||; s|)$||' | sort -u | copy
 git ls-files -- tests/scenes | copy
 
 # The grader; of the probes and stand-ins this lab's; and the lab's files as they are handed out, whatever

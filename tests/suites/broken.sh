@@ -85,7 +85,7 @@ echo '    for (volatile u32 i = 0;; i++) { (void)h_circles, (void)ids, (void)n_i
     answer $file distribute
 broken "an endless loop costs its task" 80 2
 check "and the message is of the processor's time" stage Running failed "used up the 2.0 s of processor time"
-check "and names function and input" holds "where: in distribute, input 1 of 64: node with "
+check "and names function and input" holds "where: in distribute, input 1 of 65: node with "
 
 copy_lab solutions $lab
 echo '    extern unsigned sleep(unsigned); (void)box; for (;;) { sleep(1000); }' | answer $file split_box

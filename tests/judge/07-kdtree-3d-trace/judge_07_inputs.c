@@ -251,10 +251,10 @@ static void draw_leaf_spheres(Random *random, Sphere *spheres)
     }
 }
 
-// Write a leaf's ids, ascending, and a guard before and behind them. Returns how many there are.
-static u32 draw_leaf_ids(Random *random, int has_copies, u32 guard, u32 *ids)
+// Write a leaf's ids, ascending, and a guard before and behind them. Returns how many there are, at
+// most n_wanted.
+static u32 draw_leaf_ids(Random *random, int n_wanted, int has_copies, u32 guard, u32 *ids)
 {
-    const int n_wanted = (int)random_integer(random, 0, LEAF_MAX_SPHERES);
     const int n_all = has_copies ? N_PLACES + N_COPIES : N_PLACES;
     u32 n_ids = 0;
     ids[0] = guard;
@@ -287,7 +287,10 @@ static SearchJob draw_leaf(Random *random, Inputs07 *inputs, int i)
     const u32 guard = FIRST_GUARD + (u32)i;
     const u32 first = (u32)i * (LEAF_MAX_SPHERES + 2);
     u32 *ids = inputs->leaf_ids + first;
-    const u32 n_ids = draw_leaf_ids(random, i >= N_LEAF_INPUTS, guard, ids);
+    // The first leaf is full. Its range begins near 0, where who takes n_spheres for the end asks some.
+    const int n_wanted =
+        i == 0 ? LEAF_MAX_SPHERES : (int)random_integer(random, 0, LEAF_MAX_SPHERES);
+    const u32 n_ids = draw_leaf_ids(random, n_wanted, i >= N_LEAF_INPUTS, guard, ids);
     SearchJob job = {.node = {.split_axis = KD_LEAF, .first = first + 1, .n_spheres = n_ids},
                      .t = INFINITY,
                      .sphere = ORACLE_NO_SPHERE};
