@@ -287,7 +287,7 @@ static SearchJob draw_leaf(Random *random, Inputs07 *inputs, int i)
     const u32 guard = FIRST_GUARD + (u32)i;
     const u32 first = (u32)i * (LEAF_MAX_SPHERES + 2);
     u32 *ids = inputs->leaf_ids + first;
-    // The first leaf is full. Its range begins near 0, where who takes n_spheres for the end asks some.
+    // The first leaf is full. Its range begins near 0: who takes n_spheres for the end asks some.
     const int n_wanted =
         i == 0 ? LEAF_MAX_SPHERES : (int)random_integer(random, 0, LEAF_MAX_SPHERES);
     const u32 n_ids = draw_leaf_ids(random, n_wanted, i >= N_LEAF_INPUTS, guard, ids);
