@@ -125,8 +125,8 @@ void probe_draw(const Probe *probe, int k, cl_kernel kernel, cl_mem d_image, int
 void probe_draw_counting(const Probe *probe, int k, cl_kernel kernel, cl_mem d_image, int width,
                          int height, cl_uint argument);
 
-// Where an image's pixels may be read from its corner on, row by row in steps of *n_row_bytes, until
-// it is unmapped. Students read images back by clEnqueueReadImage: this is no answer to copy.
+// Where an image's pixels may be read from its corner on, row by row in steps of *n_row_bytes,
+// until it is unmapped. Students read images back by clEnqueueReadImage: this is no answer to copy.
 const void *probe_map_image(const Probe *probe, cl_mem d_image, const size_t region[3],
                             size_t *n_row_bytes);
 void probe_unmap_image(const Probe *probe, cl_mem d_image, const void *mapped);

@@ -4,6 +4,8 @@
 #
 #     sh tests/suites/view.sh      from the top folder, after `make tests`
 set -u
+# Suites run under make, and call it: not as a part of that one.
+unset MAKEFLAGS MFLAGS MAKELEVEL
 . tests/tap.sh
 . tests/programs.sh
 

@@ -258,8 +258,8 @@ static Diagnosis pack_offset_fault(const void *job, int i, const void *answers)
 
 static Cause count_cause(u32 count, u32 n_ids)
 {
-    return count == n_ids + 1 ? (Cause){.says = "the count counts the ids, and not itself"}
-                              : number_cause(count, n_ids);
+    const Cause itself = {.says = "the count counts the ids, and not itself"};
+    return count == n_ids + 1 ? itself : number_cause(count, n_ids);
 }
 
 static Diagnosis pack_count_fault(const void *job, int i, const void *answers)
