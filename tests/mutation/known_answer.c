@@ -70,16 +70,16 @@ static int is_to_be_alone(const Session *session, const KnownAnswer *answer, Tur
     return turns->n_past[i]++ == turn && check_needs_others(&session->judge.checks[i]);
 }
 
-static int is_right_answer(const char *path)
+int is_right_answer(const char *path)
 {
     return strncmp(path, RIGHT_FOLDER, strlen(RIGHT_FOLDER)) == 0;
 }
 
-Turns turns_count(const Session *session, const glob_t *found)
+Turns turns_count(const Session *session, char *const *paths, int n)
 {
     Turns turns = {.seed = session->settings->seed};
-    for (size_t i = 0; i < found->gl_pathc; i++) {
-        KnownAnswer answer = {.path = found->gl_pathv[i]};
+    for (int i = 0; i < n; i++) {
+        KnownAnswer answer = {.path = paths[i]};
         answer.text = is_right_answer(answer.path) ? NULL : text_file_read(answer.path);
         if (answer.text != NULL && read_header(&answer, "caught by", answer.check) == 0) {
             const int check = answer_check(session, &answer);

@@ -7,8 +7,6 @@
 
 #include "session.h"
 
-#include <glob.h>
-
 #define WRONG_FOLDER "tests/mutants"
 #define RIGHT_FOLDER "tests/right"
 
@@ -35,8 +33,11 @@ typedef struct Turns {
     int n_past[RESULT_MAX_CHECKS];
 } Turns;
 
-// Count the turns in these files.
-Turns turns_count(const Session *session, const glob_t *found);
+// Is the file at this path a right answer?
+int is_right_answer(const char *path);
+
+// Count the turns in these n files.
+Turns turns_count(const Session *session, char *const *paths, int n);
 
 // Read an answer and make its variants: in the solution of the other tasks, and alone where it is
 // its turn. Every right answer is tried alone; of the wrong ones that a check is meant for one is.

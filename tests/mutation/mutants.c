@@ -2,11 +2,11 @@
 // each of which the check meant for it must catch in both, with the right message, and right ones
 // written another way, which must pass every check.
 //
-//     mutants [--seeds N] [--only WORD] --lab 01 [--seed N]
+//     mutants [--seeds N] [--only WORD] [--every N] --lab 01 [--seed N]
 //
 // --seeds says for how many seeds, from --seed on, each must be so; one is the default. Jobs of
 // further seeds are run beside the first, by programs that are compiled once. --only tries those
-// whose path holds the word.
+// whose path holds the word, --every of the wrong ones each N-th in the order of their names.
 //
 // To be tried alone is to be compiled and run once more. Every right answer is; of the wrong ones
 // that a check is meant for one is, and the seed says which.
@@ -33,10 +33,14 @@ enum { PAIR = 2 };
 // For more than one; for one goes the grader's own limit (allowance.h).
 enum { SECONDS_A_SEED = 10 };
 
+// The largest N of --every.
+enum { MOST_LEFT_OUT = 100 };
+
 // What this program's own options say.
 typedef struct Trial {
     int n_further;     // seeds besides the first
     const char *only;  // "" for all
+    uint64_t every;    // of the wrong answers each so many-th; 1 for all
 } Trial;
 
 // How well the reports name kinds of mistakes (diagnosis.h).
@@ -224,14 +228,15 @@ static int report_naming(const Naming *naming, const char *lab, int n)
     return !is_named + !is_never_wrong;
 }
 
-// Leave those whose path holds the word. What glob() found must be freed in whole, so the list is
+// Leave those that are to be tried. What glob() found must be freed in whole, so the list is
 // another one: of n paths, owned by the caller.
-static char **choose(const glob_t *found, const char *only, int *n)
+static char **choose(const glob_t *found, const Trial *trial, int *n)
 {
     char **paths = calloc(found->gl_pathc + 1, sizeof *paths);
     *n = 0;
     for (size_t i = 0; paths != NULL && i < found->gl_pathc; i++) {
-        if (strstr(found->gl_pathv[i], only) != NULL) {
+        if (strstr(found->gl_pathv[i], trial->only) != NULL &&
+            (is_right_answer(found->gl_pathv[i]) || i % trial->every == 0)) {
             paths[(*n)++] = found->gl_pathv[i];
         }
     }
@@ -256,8 +261,8 @@ static int try_all(Session *session, const Trial *trial)
     }
     int n, n_missed = 0;
     Naming naming = {0};
-    Turns turns = turns_count(session, &found);
-    char **paths = choose(&found, trial->only, &n);
+    char **paths = choose(&found, trial, &n);
+    Turns turns = turns_count(session, paths, n);
     for (int i = 0; n_missed >= 0 && i < n; i += PAIR) {
         const int missed =
             try_answers(session, paths + i, n - i < PAIR ? n - i : PAIR, i + 1, &turns, &naming);
@@ -275,10 +280,16 @@ static int try_all(Session *session, const Trial *trial)
 static int read_trial(int *argc, char ***argv, Trial *trial)
 {
     uint64_t n_seeds = 1;
-    *trial = (Trial){.only = ""};
+    *trial = (Trial){.only = "", .every = 1};
     while (*argc > 2) {
         if (strcmp((*argv)[1], "--only") == 0) {
             trial->only = (*argv)[2];
+        } else if (strcmp((*argv)[1], "--every") == 0) {
+            if (number_read_unsigned((*argv)[2], 1, MOST_LEFT_OUT, &trial->every) != 0) {
+                complain("mutants: --every: found \"%s\", expected a whole number from 1 to %d",
+                         (*argv)[2], MOST_LEFT_OUT);
+                return -1;
+            }
         } else if (strcmp((*argv)[1], "--seeds") != 0) {
             break;
         } else if (number_read_unsigned((*argv)[2], 1, 1 + MAX_FURTHER_JOBS, &n_seeds) != 0) {
