@@ -188,7 +188,8 @@ while read -r slug; do
     echo "$slug $key $own_seed"
 done <"$CLASS_FOLDER/slugs" >"$CLASS_FOLDER/keys.new"
 mv "$CLASS_FOLDER/keys.new" "$CLASS_FOLDER/keys"
-echo "$newest_round" >"$CLASS_FOLDER/round.new" && mv "$CLASS_FOLDER/round.new" "$CLASS_FOLDER/round"
+echo "$newest_round" >"$CLASS_FOLDER/round.new"
+mv "$CLASS_FOLDER/round.new" "$CLASS_FOLDER/round"
 rm "$CLASS_FOLDER/slugs"
 
 # has_full_marks SLUG

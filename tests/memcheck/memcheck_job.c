@@ -1,7 +1,7 @@
 // Making a job small (see memcheck_job.h).
 #include "memcheck_job.h"
 
-#include "jobs.h"
+#include "jobs_09.h"
 
 #include <stdlib.h>
 #include <string.h>

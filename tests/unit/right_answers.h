@@ -53,18 +53,18 @@ static Sections right_answers(int lab, const Sections *job)
         answer_leaves_3d(&writer, job);
         answer_trees_3d(&writer, job);
         break;
-    case 8:
-        answer_areas_and_costs(&writer, job);
-        answer_best_splits(&writer, job);
-        answer_decisions(&writer, job);
-        answer_trees_sah(&writer, job);
-        break;
     case 7:
         answer_clips_and_sides(&writer, job);
         answer_planes_and_leaves(&writer, job);
         answer_steps(&writer, job);
         answer_pictures_3d(&writer, job, find_in_tree, hit_color, work_07,
                            sizeof work_07 / sizeof *work_07);
+        break;
+    case 8:
+        answer_areas_and_costs(&writer, job);
+        answer_best_splits(&writer, job);
+        answer_decisions(&writer, job);
+        answer_trees_sah(&writer, job);
         break;
     default:
         answer_rays(&writer, job);

@@ -2,6 +2,7 @@
 #ifndef UNIT_RIGHT_ANSWERS_MIRRORS_H
 #define UNIT_RIGHT_ANSWERS_MIRRORS_H
 
+#include "jobs_09.h"
 #include "right_answers_3d.h"
 
 // ---- Functions ----------------------------------------------------------------------------------

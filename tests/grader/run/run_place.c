@@ -2,6 +2,7 @@
 #include "run_place.h"
 
 #include "jobs_08.h"
+#include "jobs_09.h"
 
 #include <fcntl.h>
 #include <stdio.h>

@@ -6,7 +6,7 @@
 #define JUDGE_JUDGE_09_H
 
 #include "job_scene3d.h"
-#include "jobs.h"
+#include "jobs_09.h"
 #include "judge.h"
 #include "oracle3d_mirrors.h"
 

@@ -1,5 +1,6 @@
 // Probe of lab 09: each of the student's functions on the job's inputs, then whole scenes with
 // their trees: the picture, and the work of each pixel ("work.K").
+#include "jobs_09.h"
 #include "probe.h"
 
 #include "cl_memory.h"

@@ -2,7 +2,7 @@
 // with the job's inputs.
 #include "render_mirrors.cl"
 
-#include "jobs.h"
+#include "jobs_09.h"
 
 static Vec3 to_vec3(float3 v)
 {
