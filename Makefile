@@ -88,12 +88,12 @@ $(OUT)/libimage_codec.so: $(call objects,common/image.cpp)
 
 .PHONY: setup help clean
 setup:  ## install what building, grading and make view need, where it is missing
-	@common/setup/install.sh $(setup_for)
-	@common/setup/install.sh view
+	@for what in $(setup_for) view; do common/setup/install.sh $$what || exit 1; done
 
-# Windows; the grader; and, where they are, its judge, memcheck and all that is for authors. A handout has not all of it.
-include common/view/view.mk tests/grader/grader.mk
--include tests/judge/judge.mk tests/memcheck/memcheck.mk tests/tests.mk
+# One pixel; windows; the grader; and, where they are, its judge, memcheck, all that is for authors, and the notes. A handout has
+# not all of it.
+include common/follow/follow.mk common/view/view.mk tests/grader/grader.mk
+-include tests/judge/judge.mk tests/memcheck/memcheck.mk tests/tests.mk slides-notes/make/notes.mk
 
 # Make lists the sources and what is built once, when it starts: after a clean in the same run it would not know.
 ifneq ($(and $(filter clean,$(MAKECMDGOALS)),$(filter-out clean,$(MAKECMDGOALS))),)

@@ -33,16 +33,27 @@ static void *memory_for(size_t n_bytes)
     return bytes;
 }
 
+// What is not seen: control characters (category Cc of Unicode 15.1), formats such as marks that
+// make text read in another order than it is written (Cf), separators of lines (Zl, Zp), and two
+// code points that stand for no character, which XML forbids.
+static const struct {
+    uint32_t first, last;
+} unseen[] = {
+    {0x0000, 0x001F},   {0x007F, 0x009F},   {0x00AD, 0x00AD},   {0x0600, 0x0605},
+    {0x061C, 0x061C},   {0x06DD, 0x06DD},   {0x070F, 0x070F},   {0x0890, 0x0891},
+    {0x08E2, 0x08E2},   {0x180E, 0x180E},   {0x200B, 0x200F},   {0x2028, 0x202E},
+    {0x2060, 0x206F},   {0xFEFF, 0xFEFF},   {0xFFF9, 0xFFFB},   {0xFFFE, 0xFFFF},
+    {0x110BD, 0x110BD}, {0x110CD, 0x110CD}, {0x13430, 0x1343F}, {0x1BCA0, 0x1BCA3},
+    {0x1D173, 0x1D17A}, {0xE0001, 0xE0001}, {0xE0020, 0xE007F},
+};
+
 static int is_showable(uint32_t character)
 {
-    int is_control = character < 0x20 || (character >= 0x7F && character <= 0x9F);
-    // Line separators, and the marks that make text read in another order than it is written.
-    int is_ordering = character == 0x200E || character == 0x200F || character == 0x061C ||
-                      (character >= 0x2028 && character <= 0x202E) ||
-                      (character >= 0x2066 && character <= 0x2069);
-    // Two code points that stand for no character, and that XML forbids.
-    int is_none = character == 0xFFFE || character == 0xFFFF;
-    return !is_control && !is_ordering && !is_none;
+    size_t i = 0;
+    while (i < sizeof unseen / sizeof *unseen && character > unseen[i].last) {
+        i++;
+    }
+    return i == sizeof unseen / sizeof *unseen || character < unseen[i].first;
 }
 
 void text_show(const char *text, int one_line, char *clean)

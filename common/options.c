@@ -1,7 +1,7 @@
 // The command line (see options.h).
 //
 // Flow: SCENE -> buffers -> kernel -> image -> comparison: what the user wants, before all else.
-// One table holds every option; reading, refusing and --help all follow it.
+// One table holds every option; reading, refusing and --help all follow it (option_table.h).
 // Read next: lab.c, which calls it.
 #include "options.h"
 
@@ -16,83 +16,67 @@
 #include "standard_streams.h"
 
 #include <errno.h>
-#include <getopt.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
 
 // A picture's side at most: pixel coordinates stay exact in float, with 1/16 px to spare.
 #define LARGEST_SIDE 1000000
-#define LARGEST_COUNT 1000000000
 
-// What getopt_long() returns for the first row of the table: beyond every letter, as those stand
-// for faults.
-#define FIRST_ROW 256
+// Rows whose default the help tells.
+enum { SCENE, SIZE, OUTPUT, MAX_DEPTH, LEAF_SIZE };
 
-enum OptionId {
-    SCENE,
-    SIZE,
-    OUTPUT,
-    FRAMES,
-    STATS,
-    DEVICE,
-    MAX_DEPTH,
-    LEAF_SIZE,
-    HEAT_MAP,
-    TEXTBOOK,
-    BOUNCES,
-    ACNE,
-    PATH,
-    RECORD,
-    MOVIE,
-    SCRIPT,
-    LIST_DEVICES,
-    HELP
-};
+#define PLACE(member) offsetof(Options, member)
 
-static const struct OptionRow {
-    const char *name;
-    const char *argument;  // what --help calls it, NULL when there is none
-    int set;               // the OPTIONS_... it belongs to, 0: used by every lab
-    const char *meaning;
-} ROWS[] = {
-    [SCENE] = {"scene", "NAME", OPTIONS_SCENE | OPTIONS_SCENE3D, "a file or a generator"},
-    [SIZE] = {"size", "WxH", 0, "the picture's size in pixels"},
-    [OUTPUT] = {"output", "FILE", 0, "the picture, .png or .exr"},
-    [FRAMES] = {"frames", "N", 0, "draw N times, for measuring (1)"},
-    [STATS] = {"stats", "FILE", 0, "write the figures as JSON"},
-    [DEVICE] = {"device", "D", OPTIONS_DEVICE,
-                "number or part of a name ($" CL_DEVICE_VARIABLE ", or the first)"},
-    [MAX_DEPTH] = {"max-depth", "N", OPTIONS_TREE, "levels of the tree, the root's included"},
-    [LEAF_SIZE] = {"leaf-size", "N", OPTIONS_TREE, "elements at which a node stays a leaf"},
-    [HEAT_MAP] = {"heat-map", NULL, OPTIONS_WORK, "save each pixel's work beside the picture"},
-    [TEXTBOOK] = {"textbook", NULL, OPTIONS_TEXTBOOK, "intersect by the textbook's quadratic"},
-    [BOUNCES] = {"bounces", "N", OPTIONS_MIRRORS,
-                 "mirrors a ray meets at most (" NUMBER_TEXT(OPTIONS_DEFAULT_BOUNCES) ")"},
-    [ACNE] = {"acne", NULL, OPTIONS_MIRRORS, "let new rays start on the surface, not off it"},
-    [PATH] = {"path", "FILE", OPTIONS_VIEW, "fly this path, as --record writes it"},
-    [RECORD] = {"record", "FILE", OPTIONS_VIEW, "write down the path that is flown"},
-    [MOVIE] = {"movie", "FOLDER", OPTIONS_VIEW, "no window: draw --path as pictures"},
-    [SCRIPT] = {"script", "FILE", OPTIONS_VIEW, "keys and mouse events from a file"},
-    [LIST_DEVICES] = {"list-devices", NULL, 0, "show the devices and end"},
-    [HELP] = {"help", NULL, 0, "show this and end"},
+static const OptionRow ROWS[] = {
+    [SCENE] = {"scene", "NAME", OPTION_TEXT, PLACE(scene), .set = OPTIONS_SCENE | OPTIONS_SCENE3D,
+               .meaning = "a file or a generator"},
+    [SIZE] = {"size", "WxH", OPTION_SIZE, PLACE(width), 1, LARGEST_SIDE,
+              .meaning = "the picture's size in pixels"},
+    [OUTPUT] = {"output", "FILE", OPTION_TEXT, PLACE(output),
+                .meaning = "the picture, .png or .exr"},
+    [MAX_DEPTH] = {"max-depth", "N", OPTION_NUMBER, PLACE(max_depth), 1, OPTIONS_LARGEST_MAX_DEPTH,
+                   OPTIONS_TREE, "levels of the tree, the root's included"},
+    [LEAF_SIZE] = {"leaf-size", "N", OPTION_NUMBER, PLACE(leaf_size), 1, OPTION_LARGEST_NUMBER,
+                   OPTIONS_TREE, "elements at which a node stays a leaf"},
+    {"frames", "N", OPTION_NUMBER, PLACE(n_frames), 1, OPTION_LARGEST_NUMBER,
+     .meaning = "draw N times, for measuring (1)"},
+    {"stats", "FILE", OPTION_TEXT, PLACE(stats), .meaning = "write the figures as JSON"},
+    {"device", "D", OPTION_TEXT, PLACE(device), .set = OPTIONS_DEVICE,
+     .meaning = "number or part of a name ($" CL_DEVICE_VARIABLE ", or the first)"},
+    {"heat-map", NULL, OPTION_FLAG, PLACE(heat_map), .set = OPTIONS_WORK,
+     .meaning = "save each pixel's work beside the picture"},
+    {"textbook", NULL, OPTION_FLAG, PLACE(textbook), .set = OPTIONS_TEXTBOOK,
+     .meaning = "intersect by the textbook's quadratic"},
+    {"bounces", "N", OPTION_NUMBER, PLACE(n_bounces), 0, OPTIONS_MOST_BOUNCES, OPTIONS_MIRRORS,
+     "mirrors a ray meets at most (" NUMBER_TEXT(OPTIONS_DEFAULT_BOUNCES) ")"},
+    {"acne", NULL, OPTION_FLAG, PLACE(acne), .set = OPTIONS_MIRRORS,
+     .meaning = "let new rays start on the surface, not off it"},
+    {"path", "FILE", OPTION_TEXT, PLACE(path), .set = OPTIONS_VIEW,
+     .meaning = "fly this path, as --record writes it"},
+    {"record", "FILE", OPTION_TEXT, PLACE(record), .set = OPTIONS_VIEW,
+     .meaning = "write down the path that is flown"},
+    {"movie", "FOLDER", OPTION_TEXT, PLACE(movie), .set = OPTIONS_VIEW,
+     .meaning = "no window: draw --path as pictures"},
+    {"script", "FILE", OPTION_TEXT, PLACE(script), .set = OPTIONS_VIEW,
+     .meaning = "keys and mouse events from a file"},
+    {"pixel", "X,Y", OPTION_POINT, PLACE(pixel_x), 0, LARGEST_SIDE, .set = OPTIONS_PIXEL,
+     .meaning = "the pixel to follow; 0,0 is the top left one"},
+    {"json", "FILE", OPTION_TEXT, PLACE(json), .set = OPTIONS_PIXEL,
+     .meaning = "write its steps as JSON"},
+    {"svg", "FILE", OPTION_TEXT, PLACE(svg), .set = OPTIONS_PIXEL, .meaning = "draw its steps"},
+    {"list-devices", NULL, OPTION_ANSWER, PLACE(list_devices),
+     .meaning = "show the devices and end"},
+    {"help", NULL, OPTION_ANSWER, PLACE(help), .meaning = "show this and end"},
 };
 #define N_ROWS ((int)(sizeof ROWS / sizeof ROWS[0]))
 
 // The default of --output; an Options points to it.
 static char default_output[256];
 
-static int row_is_used(const struct OptionRow *row, int set)
+static int row_is_used(const OptionRow *row, int set)
 {
     return row->set == 0 || (row->set & set) != 0;
-}
-
-// Complain about an argument. Returns OPTIONS_BAD.
-static OptionsResult refuse(const char *lab_name, const char *option, const char *found,
-                            const char *expected)
-{
-    complain("%s: --%s: found \"%s\", expected %s (try --help)", lab_name, option, found, expected);
-    return OPTIONS_BAD;
 }
 
 static const char *default_scene(int set)
@@ -122,13 +106,10 @@ static void print_help(const char *lab_name, const char *what, int set)
 {
     printf("%s: %s\n\nOptions (and what holds without them):\n", lab_name, what);
     for (int id = 0; id < N_ROWS; id++) {
-        const struct OptionRow *row = &ROWS[id];
-        if (!row_is_used(row, set)) {
+        if (!row_is_used(&ROWS[id], set)) {
             continue;
         }
-        char option[32];
-        snprintf(option, sizeof option, "--%s %s", row->name, row->argument ? row->argument : "");
-        printf("  %-16s  %s", option, row->meaning);
+        option_row_print(&ROWS[id]);
         if (id == OUTPUT) {
             printf(" (%s)", default_output);
         }
@@ -156,160 +137,31 @@ static void print_help(const char *lab_name, const char *what, int set)
     }
 }
 
-// "640x480". Returns 0, or -1.
-static int read_size(const char *text, int *width, int *height)
-{
-    char columns[16];
-    const char *cross = strchr(text, 'x');
-    if (cross == NULL || (size_t)(cross - text) >= sizeof columns) {
-        return -1;
-    }
-    memcpy(columns, text, (size_t)(cross - text));
-    columns[cross - text] = '\0';
-
-    int64_t w, h;
-    if (number_read_integer(columns, 1, LARGEST_SIDE, &w) != 0 ||
-        number_read_integer(cross + 1, 1, LARGEST_SIDE, &h) != 0) {
-        return -1;
-    }
-    *width = (int)w;
-    *height = (int)h;
-    return 0;
-}
-
-static int read_count(const char *text, int lowest, int highest, int *count)
-{
-    int64_t number;
-    if (number_read_integer(text, lowest, highest, &number) != 0) {
-        return -1;
-    }
-    *count = (int)number;
-    return 0;
-}
-
-// Take one option in. Returns OPTIONS_RUN, or OPTIONS_BAD after one message.
-static OptionsResult read_option(const char *lab_name, enum OptionId id, const char *text,
-                                 Options *options)
-{
-    const char *expected = NULL;  // set when the text is not that
-    switch (id) {
-    case SCENE:
-        options->scene = text;
-        break;
-    case OUTPUT:
-        options->output = text;
-        break;
-    case STATS:
-        options->stats = text;
-        break;
-    case DEVICE:
-        options->device = text;
-        break;
-    case SIZE:
-        if (read_size(text, &options->width, &options->height) != 0) {
-            expected = "WxH, two whole numbers from 1 to " NUMBER_TEXT(LARGEST_SIDE);
-        }
-        break;
-    case FRAMES:
-        if (read_count(text, 1, LARGEST_COUNT, &options->n_frames) != 0) {
-            expected = "a whole number of at least 1";
-        }
-        break;
-    case MAX_DEPTH:
-        if (read_count(text, 1, OPTIONS_LARGEST_MAX_DEPTH, &options->max_depth) != 0) {
-            expected = "a whole number from 1 to " NUMBER_TEXT(OPTIONS_LARGEST_MAX_DEPTH);
-        }
-        break;
-    case LEAF_SIZE:
-        if (read_count(text, 1, LARGEST_COUNT, &options->leaf_size) != 0) {
-            expected = "a whole number of at least 1";
-        }
-        break;
-    case HEAT_MAP:
-        options->heat_map = 1;
-        break;
-    case TEXTBOOK:
-        options->textbook = 1;
-        break;
-    case BOUNCES:
-        if (read_count(text, 0, OPTIONS_MOST_BOUNCES, &options->n_bounces) != 0) {
-            expected = "a whole number from 0 to " NUMBER_TEXT(OPTIONS_MOST_BOUNCES);
-        }
-        break;
-    case ACNE:
-        options->acne = 1;
-        break;
-    case PATH:
-        options->path = text;
-        break;
-    case RECORD:
-        options->record = text;
-        break;
-    case MOVIE:
-        options->movie = text;
-        break;
-    case SCRIPT:
-        options->script = text;
-        break;
-    case LIST_DEVICES:
-    case HELP:
-        break;
-    }
-    return expected == NULL ? OPTIONS_RUN : refuse(lab_name, ROWS[id].name, text, expected);
-}
-
 // Can the file be made?
-static OptionsResult check_place(const char *lab_name, const char *option, const char *path)
+static OptionsResult check_place(const OptionTable *table, const char *option, const char *path)
 {
     const char *expected = output_place_fault(path);
-    return expected == NULL ? OPTIONS_RUN : refuse(lab_name, option, path, expected);
+    return expected == NULL ? OPTIONS_RUN : option_table_refuse(table, option, path, expected);
 }
 
-static OptionsResult check_stats(const char *lab_name, const Options *options)
+static OptionsResult check_stats(const OptionTable *table, const Options *options)
 {
     if (output_place_is_same(options->stats, options->output)) {
-        return refuse(lab_name, "stats", options->stats, "another file than --output");
+        return option_table_refuse(table, "stats", options->stats, "another file than --output");
     }
-    return check_place(lab_name, "stats", options->stats);
+    return check_place(table, "stats", options->stats);
 }
 
-static OptionsResult check_output(const char *lab_name, const char *path)
+static OptionsResult check_output(const OptionTable *table, const char *path)
 {
     if (path == default_output && mkdir("build", 0777) != 0 && errno != EEXIST) {
-        complain("%s: cannot make the folder build: %s", lab_name, strerror(errno));
+        complain("%s: cannot make the folder build: %s", table->program, strerror(errno));
         return OPTIONS_BAD;
     }
     if (image_stem_length(path) == 0) {
-        return refuse(lab_name, "output", path, "a file that ends in .png or .exr");
+        return option_table_refuse(table, "output", path, "a file that ends in .png or .exr");
     }
-    return check_place(lab_name, "output", path);
-}
-
-// How many options begin with the word "--s" or "--s=1"?
-static int count_meant(const char *word)
-{
-    int n_meant = 0;
-    for (int id = 0; id < N_ROWS; id++) {
-        n_meant += strncmp(ROWS[id].name, word + 2, strcspn(word + 2, "=")) == 0;
-    }
-    return n_meant;
-}
-
-// What getopt_long() could not take.
-//   fault   its answer: ':' for an argument that is missing, '?' for all else
-//   about   its optopt: FIRST_ROW or more is an option that exists, 0 a word with --, else a letter
-static OptionsResult report_fault(const char *lab_name, int fault, int about, const char *word)
-{
-    if (about >= FIRST_ROW) {
-        complain("%s: --%s %s an argument (try --help)", lab_name, ROWS[about - FIRST_ROW].name,
-                 fault == ':' ? "needs" : "does not take");
-    } else if (about != 0) {
-        complain("%s: -%c is no option here (try --help)", lab_name, about);
-    } else {
-        complain("%s: %s is %s (try --help)", lab_name, word,
-                 count_meant(word) > 1 ? "short for more than one option" : "no option here");
-    }
-    return OPTIONS_BAD;
+    return check_place(table, "output", path);
 }
 
 // Say which of the options given are of no use here; is_given[id] for each row of the table.
@@ -322,43 +174,15 @@ static void note_unused(const char *lab_name, int set, const int is_given[N_ROWS
     }
 }
 
-// Go through the words and mark in is_given[] what was there. Returns as options_parse() does.
-static OptionsResult read_words(int argc, char **argv, const char *lab_name, const char *what,
-                                int set, Options *options, int is_given[N_ROWS])
+// Answer --help or --list-devices.
+static OptionsResult answer(const char *lab_name, const char *what, int set, const Options *options)
 {
-    struct option known[N_ROWS + 1];
-    for (int id = 0; id < N_ROWS; id++) {
-        int has_argument = ROWS[id].argument != NULL ? required_argument : no_argument;
-        known[id] = (struct option){ROWS[id].name, has_argument, NULL, FIRST_ROW + id};
-    }
-    known[N_ROWS] = (struct option){NULL, 0, NULL, 0};
-
-    optind = 0;  // start afresh, for callers that read more than one command line
-    int answer;
-    // ":" asks for silence on faults and for ':' where an argument is missing.
-    while ((answer = getopt_long(argc, argv, ":", known, NULL)) != -1) {
-        if (answer < FIRST_ROW) {
-            return report_fault(lab_name, answer, optopt, argv[optind - 1]);
-        }
-        int id = answer - FIRST_ROW;
-        if (id == HELP) {
-            print_help(lab_name, what, set);
-            return standard_output_check() == 0 ? OPTIONS_DONE : OPTIONS_BAD;
-        }
-        if (id == LIST_DEVICES) {
-            const int is_listed = cl_setup_list(stdout) == 0 && standard_output_check() == 0;
-            return is_listed ? OPTIONS_DONE : OPTIONS_BAD;
-        }
-        if (read_option(lab_name, (enum OptionId)id, optarg, options) != OPTIONS_RUN) {
-            return OPTIONS_BAD;
-        }
-        is_given[id] = 1;
-    }
-    if (optind < argc) {
-        complain("%s: found the stray word \"%s\" (try --help)", lab_name, argv[optind]);
+    if (options->help) {
+        print_help(lab_name, what, set);
+    } else if (cl_setup_list(stdout) != 0) {
         return OPTIONS_BAD;
     }
-    return OPTIONS_RUN;
+    return standard_output_check() == 0 ? OPTIONS_DONE : OPTIONS_BAD;
 }
 
 OptionsResult options_parse(int argc, char **argv, const char *lab_name, const char *what, int set,
@@ -370,23 +194,35 @@ OptionsResult options_parse(int argc, char **argv, const char *lab_name, const c
         .scene = default_scene(set),
         .output = default_output,
         .n_frames = 1,
+        .pixel_x = -1,
+        .pixel_y = -1,
         .n_bounces = OPTIONS_DEFAULT_BOUNCES,
         .max_depth = set & OPTIONS_SCENE3D ? 0 : OPTIONS_DEFAULT_MAX_DEPTH,
         .leaf_size = set & OPTIONS_SCENE3D ? 0 : OPTIONS_DEFAULT_LEAF_SIZE,
     };
-    int is_given[N_ROWS] = {0};
-    OptionsResult result = read_words(argc, argv, lab_name, what, set, options, is_given);
+    const OptionTable table = {.program = lab_name, .rows = ROWS, .n_rows = N_ROWS};
+    int is_given[N_ROWS];
+    OptionsResult result = option_table_read(&table, argc, argv, options, is_given);
+    if (result == OPTIONS_DONE) {
+        return answer(lab_name, what, set, options);
+    }
     if (result == OPTIONS_RUN) {
         result = course_folder_check(lab_name) == 0 ? OPTIONS_RUN : OPTIONS_BAD;
     }
     if (result == OPTIONS_RUN) {
-        result = check_output(lab_name, options->output);
+        result = check_output(&table, options->output);
     }
     if (result == OPTIONS_RUN && options->stats != NULL) {
-        result = check_stats(lab_name, options);
+        result = check_stats(&table, options);
     }
     if (result == OPTIONS_RUN && options->record != NULL) {
-        result = check_place(lab_name, "record", options->record);
+        result = check_place(&table, "record", options->record);
+    }
+    if (result == OPTIONS_RUN && options->json != NULL) {
+        result = check_place(&table, "json", options->json);
+    }
+    if (result == OPTIONS_RUN && options->svg != NULL) {
+        result = check_place(&table, "svg", options->svg);
     }
     // Last, so that a fault is told alone.
     if (result == OPTIONS_RUN) {

@@ -11,8 +11,11 @@
 //     --heat-map        save the work of each pixel, too           --textbook      (lab 05)
 //     --bounces N       mirrors a ray meets at most (lab 09)       --acne          (lab 09)
 //     --path FILE, --record FILE, --movie FOLDER, --script FILE      (windows)
+//     --pixel X,Y, --json FILE, --svg FILE                           (common/follow)
 #ifndef COMMON_OPTIONS_H
 #define COMMON_OPTIONS_H
+
+#include "option_table.h"
 
 // Which options a lab uses besides those that all do. It takes the others too, so that one command
 // line serves every lab, and notes on stderr that they are not used.
@@ -25,6 +28,7 @@ enum {
     OPTIONS_TEXTBOOK = 32,  // --textbook
     OPTIONS_MIRRORS = 64,   // --bounces, --acne
     OPTIONS_VIEW = 128,     // --path, --record, --movie, --script: of windows (common/view)
+    OPTIONS_PIXEL = 256,    // --pixel, --json, --svg: of a followed pixel (common/follow)
 };
 
 // The picture's size in pixels in a lab without a scene.
@@ -54,13 +58,10 @@ typedef struct Options {
     int n_bounces;       // mirrors a ray meets at most; 0: none
     int acne;            // 1 when asked for
     const char *path, *record, *movie, *script;  // as given, or NULL
+    int pixel_x, pixel_y;                        // -1 when not given
+    const char *json, *svg;                      // as given, or NULL
+    int help, list_devices;                      // answered by options_parse()
 } Options;
-
-typedef enum OptionsResult {
-    OPTIONS_RUN,   // go on
-    OPTIONS_DONE,  // --help or --list-devices was answered: end with EXIT_SUCCESS
-    OPTIONS_BAD,   // one message was printed: end with EXIT_FAILURE
-} OptionsResult;
 
 // Read the command line of lab `lab_name` ("01-naive-2d").
 //   what   one sentence for --help: what the program draws

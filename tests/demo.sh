@@ -117,6 +117,10 @@ figure 09-shadows-and-mirrors 09.png --size 1024x1024
 figure 09-shadows-and-mirrors 09-shadows.png --bounces 0
 figure 09-shadows-and-mirrors 09-inside.png --scene inside
 figure 09-shadows-and-mirrors 09-acne.png --scene one --bounces 0 --acne
+section 10-realtime
+figure 10-realtime 10.png --size 1024x1024 --frames 5 --heat-map
+picture 10-realtime 10-work.png "The same, by work: a square is a tile of 8 x 8 rays that went through the tree as one"
+figure 10-realtime 10-large.png --scene random:n=100000 --size 1024x1024 --frames 5
 echo "</section></body></html>" >>"$gallery/index.html"
 
 # ---- A small class ----------------------------------------------------------------------------

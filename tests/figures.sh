@@ -27,10 +27,12 @@ mv "$folder/08-stadium-middle-work.png" "$folder/08-middle-work.png"
 rm "$folder"/08-stadium*-work.exr
 "$build/solutions/09-shadows-and-mirrors" --output "$folder/09-shadows-and-mirrors.png"
 "$build/solutions/09-shadows-and-mirrors" --scene one --bounces 0 --acne --output "$folder/09-acne.png"
-"$build/solutions/02-kdtree-2d-build" --scene example --max-depth 4 --leaf-size 1 \
-    --output "$folder/02-example.png"
-# Ten by ten pixels: only the drawing beside it is of use.
-rm "$folder/02-example.png"
+"$build/solutions/10-realtime" --heat-map --output "$folder/10-realtime.png"
+mv "$folder/10-realtime-work.png" "$folder/10-work.png"
+rm "$folder/10-realtime-work.exr" "$folder/10-realtime.png"
+# What explains.
+"$build/tools/figures2d" "$folder"
+"$build/tools/figures3d" "$folder"
 
 # A window, where a display can be had. How fast it was stands in it, so it differs from run to run.
 . tests/display.sh

@@ -52,6 +52,7 @@ MESSAGES = $(addprefix common/,complain.c clean_text.c utf8.c)
 $(OUT)/tools/holes: $(call objects,tests/tools/holes.c tests/grader/lab/holes.c common/message.c common/text_file.c $(MESSAGES))
 	$(call link)
 
+include tests/figures/figures.mk
 .PHONY: skeletons handout pack demo figures format
 skeletons: $(OUT)/tools/holes  ## for authors: cut labs/ anew from solutions/; the old one goes to build/labs-replaced
 	@if [ -d labs ]; then rm -rf $(BUILD)/labs-replaced && cp -r labs $(BUILD)/labs-replaced; fi
@@ -69,7 +70,7 @@ demo:  ## install what is missing, render every solution, grade a small class
 	@$(MAKE) --no-print-directory all
 	@tests/demo.sh $(OUT)
 
-figures: all views  ## draw the pictures of the READMEs and notes anew
+figures: all views pixels $(FIGURES)  ## draw the pictures of the READMEs and notes anew
 	tests/figures.sh slides-notes/figures $(OUT) >/dev/null
 
 # Texts of answers are as somebody wrote them.
@@ -92,9 +93,9 @@ $(OUT)/obj/tests/unit/test_corpus.c.o $(OUT)/obj/tests/unit/test_nff_round_trip.
 $(OUT)/tests/test_corpus: $(call objects,$(wildcard tests/fuzz/fuzz_*.c))
 
 # The parts of a window that need none.
-$(OUT)/obj/tests/unit/test_flight.c.o $(OUT)/obj/tests/unit/test_poses.c.o: EXTRA = $(GRADER_INCLUDES) -I common/view
-$(OUT)/tests/test_flight: $(call objects,common/view/flight.c)
-$(OUT)/tests/test_poses: $(call objects,common/view/poses.c common/view/world.c)
+$(OUT)/obj/tests/unit/test_flight.c.o $(OUT)/obj/tests/unit/test_poses.c.o: EXTRA = $(GRADER_INCLUDES) -I common/view -I common/follow
+$(OUT)/tests/test_flight: $(call objects,common/follow/flight.c)
+$(OUT)/tests/test_poses: $(call objects,common/view/poses.c common/follow/world.c)
 
 # The figures that the bench prints.
 $(OUT)/obj/tests/unit/test_bench_report.c.o: EXTRA = -I tests/bench
@@ -123,8 +124,8 @@ NATIVE_TEST = $(OUT)/tests/test_cl_setup
 
 .PHONY: unit-tests tests check test test-scale test-seeds test-mutants test-attacks
 unit-tests: $(filter-out $(NATIVE_TEST),$(UNIT_TESTS))
-tests: all $(NATIVE_TEST) $(JUDGES) $(LAB_JUDGES) $(SUITE_TOOLS) $(OUT)/tests/no_images.so views  ## build all that the tests run
-	@$(MAKE) --no-print-directory SANITIZE=1 all unit-tests views
+tests: all $(NATIVE_TEST) $(JUDGES) $(LAB_JUDGES) $(SUITE_TOOLS) $(OUT)/tests/no_images.so views pixels $(FIGURES)  ## build all that the tests run
+	@$(MAKE) --no-print-directory SANITIZE=1 all unit-tests views pixels
 check: tests  ## run the tests without installing anything
 	@BUILD="$(BUILD)" tests/run.sh
 test:  ## install what is missing and run every test

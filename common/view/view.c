@@ -69,7 +69,7 @@ static void pixel_update(Viewer *viewer)
         viewer->note = "no steps: see the terminal";
         return;
     }
-    viewer->n_lines = record_words(&viewer->world, &viewer->steps, viewer->lines);
+    viewer->n_lines = panel_lines(&viewer->world, &viewer->steps, viewer->lines);
     viewer->first_line = 0;
     if (viewer->is_told) {
         return;
@@ -299,22 +299,17 @@ static void film_run(Viewer *viewer, const Lab *lab)
     poses_free(&path);
 }
 
-int view_run(int argc, char **argv, const ViewLab *view_lab)
+int view_run(int argc, char **argv, const WorldLab *world_lab)
 {
-    const int set = view_lab->kind->set | (view_lab->has_tree ? OPTIONS_TREE : 0) | OPTIONS_DEVICE |
-                    OPTIONS_VIEW;
-    Lab lab = lab_begin(argc, argv, view_lab->name, view_lab->what, set);
+    const int set = world_lab->kind->set | (world_lab->has_tree ? OPTIONS_TREE : 0) |
+                    OPTIONS_DEVICE | OPTIONS_VIEW;
+    Lab lab = lab_begin(argc, argv, world_lab->name, world_lab->what, set);
     Session *session = world_allocate(sizeof *session);
     Viewer *viewer = &session->viewer;
-    viewer->kernels = view_lab->kernels;
-    viewer->n_kernels = view_lab->n_kernels;
+    viewer->kernels = world_lab->kernels;
+    viewer->n_kernels = world_lab->n_kernels;
     World *world = &viewer->world;
-    *world = (World){.lab = &lab,
-                     .kind = view_lab->kind,
-                     .build = view_lab->build,
-                     .has_tree = view_lab->has_tree};
-    require(cl_setup_open(lab.options.device, &lab.cl));
-    require(world->kind->open(world));
+    require(world_open(world, &lab, world_lab));
     lab_describe(&lab, NULL, 0, world->width, world->height);
     require(frame_open(&viewer->frame, world));
     require(frame_use(&viewer->frame, world, &viewer->kernels[0]));

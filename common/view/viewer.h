@@ -6,7 +6,7 @@
 #define VIEW_VIEWER_H
 
 #include "frame.h"
-#include "record.h"
+#include "panel_lines.h"
 #include "window.h"
 
 // The panel stands to the right of the picture, so that it hides nothing of it. However small the
@@ -46,7 +46,7 @@ typedef struct Viewer {
     int is_following, pixel_x, pixel_y;
     int is_told;  // its steps stand on standard output, too
     Steps steps;
-    RecordLine lines[RECORD_MAX_LINES];
+    PanelLine lines[PANEL_MAX_LINES];
     int n_lines, first_line;  // and which of them is the first that is shown
 
     // Is what is shown up to date?

@@ -4,7 +4,7 @@
 
 // Write a colour that tells where the pixel is: red grows to the right, green grows downwards.
 //   width, height   the picture, pixels
-//   image           RGBA float, at least width x height; row 0 is the top row
+//   image           RGBA float, width x height; row 0 is the top row
 kernel void gradient(int width, int height, write_only image2d_t image)
 {
     // TASK gradient: red is x / width, green is y / height, blue is 0.25, alpha is 1. Work-items

@@ -15,9 +15,10 @@
 int main(int argc, char **argv)
 {
     // ---- Options ---------------------------------------------------------------------------
-    Lab lab = lab_begin(argc, argv, LAB_NAME,
-                        "Traces spheres with a kd-tree that is built by cost, and compares it.",
-                        OPTIONS_SCENE3D | OPTIONS_TREE | OPTIONS_DEVICE | OPTIONS_WORK);
+    Lab lab = lab_begin(
+        argc, argv, LAB_NAME,
+        "Traces spheres with a kd-tree that is built by cost, and compares it with lab 06's.",
+        OPTIONS_SCENE3D | OPTIONS_TREE | OPTIONS_DEVICE | OPTIONS_WORK);
 
     // ---- Scene, device ---------------------------------------------------------------------
     Scene3D scene;

@@ -7,7 +7,7 @@
 // Draw the circles, one work-item a pixel.
 //   circles[n_circles]   the scene
 //   width, height        the picture, pixels; work-items outside it write nothing
-//   image                RGBA float, at least width x height; row 0 is the top row
+//   image                RGBA float, width x height; row 0 is the top row
 //   d_work               what each pixel cost; NULL where nothing is counted
 // A pixel that no circle covers is (0, 0, 0, 0). Source: lecture, "Implicit 2D rendering".
 kernel void implicit2DRenderer(global const Circle *circles, int n_circles, int width, int height,

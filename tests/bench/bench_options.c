@@ -5,26 +5,36 @@
 
 #include "cl_setup.h"
 #include "complain.h"
-#include "number.h"
+#include "option_table.h"
 #include "series.h"
 
 #include <errno.h>
-#include <getopt.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#define PLACE(member) offsetof(BenchOptions, member)
+
+static const OptionRow ROWS[] = {
+    {"device", "D", OPTION_TEXT, PLACE(device),
+     .meaning = "number or part of a name ($" CL_DEVICE_VARIABLE ", or the first)"},
+    {"rounds", "N", OPTION_NUMBER, PLACE(n_rounds), 1, SERIES_MAX_ROUNDS,
+     .meaning = "how often everything is measured (5)"},
+    {"output", "FOLDER", OPTION_TEXT, PLACE(folder),
+     .meaning = "where the table, a CSV file, goes; made where it is missing\n(build/bench)"},
+    {"help", NULL, OPTION_ANSWER, PLACE(help), .meaning = "show this and end"},
+};
+#define N_ROWS ((int)(sizeof ROWS / sizeof ROWS[0]))
+
 static void print_help(const char *name, const char *what)
 {
-    printf("%s: %s.\n\n"
-           "Options (and what holds without them):\n"
-           "  --device D       number or part of a name ($" CL_DEVICE_VARIABLE ", or the first)\n"
-           "  --rounds N       how often everything is measured, at most %d (5)\n"
-           "  --output FOLDER  where %s.csv goes; made where it is missing (build/bench)\n"
-           "  --help           show this and end\n"
-           "Run it in the top folder of the course, where the kernels are found.\n",
-           name, what, SERIES_MAX_ROUNDS, name);
+    printf("%s: %s.\n\nOptions (and what holds without them):\n", name, what);
+    for (int i = 0; i < N_ROWS; i++) {
+        option_row_print(&ROWS[i]);
+        printf("\n");
+    }
+    printf("Run it in the top folder of the course, where the kernels are found.\n");
 }
 
 // Make a folder and those above it, and see whether files can be made there. Returns 0, or -1
@@ -54,39 +64,14 @@ static int make_folder(const char *name, const char *folder)
 OptionsResult bench_options_read(int argc, char **argv, const char *name, const char *what,
                                  BenchOptions *options)
 {
-    static const struct option known[] = {{"device", required_argument, NULL, 'd'},
-                                          {"rounds", required_argument, NULL, 'r'},
-                                          {"output", required_argument, NULL, 'o'},
-                                          {"help", no_argument, NULL, 'h'},
-                                          {NULL, 0, NULL, 0}};
-    int64_t n_rounds = 5;
-    *options = (BenchOptions){.folder = "build/bench"};
-    for (int id; (id = getopt_long(argc, argv, "", known, NULL)) != -1;) {
-        switch (id) {
-        case 'd':
-            options->device = optarg;
-            break;
-        case 'o':
-            options->folder = optarg;
-            break;
-        case 'r':
-            if (number_read_integer(optarg, 1, SERIES_MAX_ROUNDS, &n_rounds) != 0) {
-                complain("%s: --rounds: found \"%s\", expected a whole number from 1 to %d", name,
-                         optarg, SERIES_MAX_ROUNDS);
-                return OPTIONS_BAD;
-            }
-            break;
-        case 'h':
-            print_help(name, what);
-            return OPTIONS_DONE;
-        default:
-            return OPTIONS_BAD;
-        }
+    const OptionTable table = {.program = name, .rows = ROWS, .n_rows = N_ROWS};
+    *options = (BenchOptions){.folder = "build/bench", .n_rounds = 5};
+    const OptionsResult result = option_table_read(&table, argc, argv, options, NULL);
+    if (result == OPTIONS_DONE) {
+        print_help(name, what);
     }
-    if (optind < argc) {
-        complain("%s: found the stray word \"%s\" (try --help)", name, argv[optind]);
-        return OPTIONS_BAD;
+    if (result != OPTIONS_RUN) {
+        return result;
     }
-    options->n_rounds = (int)n_rounds;
     return make_folder(name, options->folder) == 0 ? OPTIONS_RUN : OPTIONS_BAD;
 }

@@ -4,12 +4,13 @@
 #ifndef BENCH_BENCH_OPTIONS_H
 #define BENCH_BENCH_OPTIONS_H
 
-#include "options.h"
+#include "option_table.h"
 
 typedef struct BenchOptions {
     const char *device;  // or NULL
     const char *folder;  // where the CSV file goes
     int n_rounds;        // 1 to SERIES_MAX_ROUNDS
+    int help;            // answered by bench_options_read()
 } BenchOptions;
 
 // Read the command line of the bench `name` ("bench2d").

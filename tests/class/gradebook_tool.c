@@ -10,6 +10,7 @@
 #include "gradebook.h"
 #include "look_alikes.h"
 #include "number.h"
+#include "option_table.h"
 #include "path.h"
 
 #include <getopt.h>
@@ -113,37 +114,36 @@ static int gradebook_write(const char *folder, const char *worksheet, const char
     return status;
 }
 
+typedef struct GradebookOptions {
+    int only_latest;
+    const char *worksheet, *against;
+    int help;
+} GradebookOptions;
+
+#define PLACE(member) offsetof(GradebookOptions, member)
+
 int main(int argc, char **argv)
 {
-    static const struct option options[] = {{"latest", no_argument, NULL, 'l'},
-                                            {"moodle", required_argument, NULL, 'm'},
-                                            {"against", required_argument, NULL, 'a'},
-                                            {0}};
-    const char *worksheet = NULL, *against = NULL;
-    int only_latest = 0, letter;
-    while ((letter = getopt_long(argc, argv, "", options, NULL)) != -1) {
-        switch (letter) {
-        case 'l':
-            only_latest = 1;
-            break;
-        case 'm':
-            worksheet = optarg;
-            break;
-        case 'a':
-            against = optarg;
-            break;
-        default:
-            return usage();
-        }
+    static const OptionRow rows[] = {
+        {.name = "latest", .kind = OPTION_FLAG, .place = PLACE(only_latest)},
+        {.name = "moodle", .argument = "WORKSHEET", .place = PLACE(worksheet)},
+        {.name = "against", .argument = "OLD", .place = PLACE(against)},
+        {.name = "help", .kind = OPTION_ANSWER, .place = PLACE(help)},
+    };
+    const OptionTable table = {"gradebook", rows, sizeof rows / sizeof rows[0], .takes_words = 1};
+    GradebookOptions options = {0};
+    const OptionsResult result = option_table_read(&table, argc, argv, &options, NULL);
+    if (result != OPTIONS_RUN) {
+        return result == OPTIONS_DONE ? usage() : EXIT_FAULT;
     }
     argv += optind, argc -= optind;
     uint64_t lab;
     if (argc == 4 && strcmp(argv[0], "roster") == 0 &&
         number_read_unsigned(argv[1], 0, 99, &lab) == 0) {
-        return roster_make((int)lab, argv[2], argv[3], only_latest);
+        return roster_make((int)lab, argv[2], argv[3], options.only_latest);
     }
     if (argc == 2 && strcmp(argv[0], "write") == 0) {
-        return gradebook_write(argv[1], worksheet, against);
+        return gradebook_write(argv[1], options.worksheet, options.against);
     }
     return usage();
 }

@@ -199,8 +199,9 @@ static void void_borrowed(Grading *grading, int t)
     for (int i = 0; i < grading->result.n_checks && n_own > 0 && n_passed == 0; i++) {
         CheckResult *check = &grading->result.checks[i];
         if (is_of(check, task_of(grading, t)) && check->status == CHECK_PASSED) {
-            check_fail(check, diagnosis_new("it passes by what stands elsewhere: of what this task "
-                                            "is asked by itself nothing is right"));
+            check_fail(check,
+                       diagnosis_new("what it looks at comes out right, but counts only where "
+                                     "another check of this task passes"));
         }
     }
 }

@@ -71,8 +71,9 @@ static void add_marker_stage(Grading *grading)
 static void note_unanswered(CheckResult *check)
 {
     if (check->status == CHECK_PASSED) {
-        check_fail(check, diagnosis_new("not answered yet: it stands as it was handed out, and "
-                                        "what passed here is the work of another task's answer"));
+        check_fail(check,
+                   diagnosis_new("not answered yet: it stands as it was handed out, and "
+                                 "what is right here was given, or is another answer's work"));
     } else {
         check_tell(check, diagnosis_new("not answered yet: it stands as it was handed out"));
     }

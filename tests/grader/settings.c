@@ -4,10 +4,11 @@
 #include "complain.h"
 #include "course_folder.h"
 #include "number.h"
+#include "option_table.h"
+#include "standard_streams.h"
 
 #include <getopt.h>
 #include <glob.h>
-#include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,29 +17,58 @@
 
 #define SANDBOX_VARIABLE "COURSE_SANDBOX"
 
-static void usage(FILE *out)
+#define PLACE(member) offsetof(GivenSettings, member)
+
+// Settings, and what others of them follow from; NULL where it is not given.
+typedef struct GivenSettings {
+    Settings settings;
+    const char *lab, *submission, *output, *sandbox;
+    int help;
+} GivenSettings;
+
+static const OptionRow ROWS[] = {
+    {"lab", "NN", OPTION_TEXT, PLACE(lab), .meaning = "which lab: its number or its name"},
+    {"submission", "PATH", OPTION_TEXT, PLACE(submission),
+     .meaning = "what to grade: a folder, a zip or a tar archive\n(default: labs/NN-name)"},
+    {"output", "FOLDER", OPTION_TEXT, PLACE(output),
+     .meaning = "where the reports go (default: grade/NN in the build folder)"},
+    {"seed", "N", OPTION_SEED, PLACE(settings.seed),
+     .meaning = "the hidden scenes' seed (default: a new one)"},
+    {"device", "D", OPTION_TEXT, PLACE(settings.device),
+     .meaning = "OpenCL device by number or name"},
+    {"time-limit", "S", OPTION_NUMBER, PLACE(settings.time_limit), 1, 3600,
+     .meaning = "seconds of processor time that a submission may use\n"
+                "(default: 8 times what the solution uses here, 10 at least)"},
+    {"deadline", "S", OPTION_NUMBER, PLACE(settings.deadline), 1, 86400,
+     .meaning = "be done S seconds from now: what a submission has not done\n"
+                "by then, and had the machine for, it has not done"},
+    {"sandbox", "KIND", OPTION_TEXT, PLACE(sandbox),
+     .meaning = "bubblewrap; as root landlock, user or user-unfiltered; none;\n"
+                "or any, the first of these but none: the default,\n"
+                "$" SANDBOX_VARIABLE " sets another"},
+    {"build", "FOLDER", OPTION_TEXT, PLACE(settings.build),
+     .meaning = "where probes and libraries are (default: build)"},
+    {"answers", "FOLDER", OPTION_TEXT, PLACE(settings.kept_answers),
+     .meaning = "keep the solution's answers there, for one lab and one device"},
+    {"list-checks", NULL, OPTION_FLAG, PLACE(settings.list_checks),
+     .meaning = "print the lab's checks: id, task, points"},
+    {"time-solution", NULL, OPTION_FLAG, PLACE(settings.time_solution),
+     .meaning = "print the seconds of processor time that the solution uses"},
+    {"help", NULL, OPTION_ANSWER, PLACE(help), .meaning = "show this and end"},
+};
+#define N_ROWS ((int)(sizeof ROWS / sizeof ROWS[0]))
+
+static const OptionTable TABLE = {.program = "grade", .rows = ROWS, .n_rows = N_ROWS};
+
+// Returns as settings_parse() does.
+static int print_help(void)
 {
-    fprintf(
-        out,
-        "usage: grade --lab NN [options]\n"
-        "  --lab NN             which lab: its number or its name\n"
-        "  --submission PATH    what to grade: a folder, a zip or a tar archive (default: "
-        "labs/NN-name)\n"
-        "  --output FOLDER      where the reports go (default: grade/NN in the build folder)\n"
-        "  --seed N             the hidden scenes' seed (default: a new one)\n"
-        "  --device D           OpenCL device by number or name\n"
-        "  --time-limit S       seconds of processor time that a submission may use (default: 8\n"
-        "                       times what the solution uses here, 10 at least)\n"
-        "  --deadline S         be done S seconds from now: what a submission has not done by "
-        "then,\n"
-        "                       and had the machine for, it has not done\n"
-        "  --sandbox KIND       bubblewrap; as root landlock, user or user-unfiltered; none; or\n"
-        "                       any, the first of these but none: the default, $" SANDBOX_VARIABLE
-        " sets another\n"
-        "  --build FOLDER       where probes and libraries are (default: build)\n"
-        "  --answers FOLDER     keep the solution's answers there, for one lab and one device\n"
-        "  --list-checks        print the lab's checks: id, task, points\n"
-        "  --time-solution      print the seconds of processor time that the solution uses\n");
+    printf("usage: grade --lab NN [options]\n");
+    for (int i = 0; i < N_ROWS; i++) {
+        option_row_print(&ROWS[i]);
+        printf("\n");
+    }
+    return standard_output_check() == 0 ? 1 : -1;
 }
 
 // Is `wanted` the name or the number of the lab?
@@ -76,18 +106,6 @@ static int find_lab(const char *wanted, char lab[64])
     return -1;
 }
 
-// A number from `lowest` to `highest`. Returns 0, or -1 after one message.
-static int read_number(const char *option, const char *text, uint64_t lowest, uint64_t highest,
-                       uint64_t *number)
-{
-    if (number_read_unsigned(text, lowest, highest, number) == 0) {
-        return 0;
-    }
-    complain("grade: %s: found \"%s\", expected a whole number from %" PRIu64 " to %" PRIu64,
-             option, text, lowest, highest);
-    return -1;
-}
-
 // Returns 0, or -1 after one message.
 static int read_sandbox(const char *option, const char *text, SandboxKind *kind)
 {
@@ -110,81 +128,8 @@ static uint64_t draw_seed(void)
     return seed >> 32;
 }
 
-// Options of which others follow; NULL where they are not given.
-typedef struct GivenOptions {
-    const char *lab, *submission, *output;
-} GivenOptions;
-
-// Go through the words. Returns as settings_parse() does.
-static int read_options(int argc, char **argv, Settings *settings, GivenOptions *given)
-{
-    static const struct option options[] = {
-        {"lab", required_argument, NULL, 'l'},      {"submission", required_argument, NULL, 's'},
-        {"output", required_argument, NULL, 'o'},   {"seed", required_argument, NULL, 'r'},
-        {"device", required_argument, NULL, 'd'},   {"time-limit", required_argument, NULL, 't'},
-        {"deadline", required_argument, NULL, 'e'}, {"build", required_argument, NULL, 'b'},
-        {"list-checks", no_argument, NULL, 'c'},    {"time-solution", no_argument, NULL, 'u'},
-        {"answers", required_argument, NULL, 'a'},  {"sandbox", required_argument, NULL, 'x'},
-        {"help", no_argument, NULL, 'h'},           {0},
-    };
-    uint64_t seconds = 0, deadline = 0;
-    int letter, failed = 0;
-    while (!failed && (letter = getopt_long(argc, argv, "", options, NULL)) != -1) {
-        switch (letter) {
-        case 'l':
-            given->lab = optarg;
-            break;
-        case 's':
-            given->submission = optarg;
-            break;
-        case 'o':
-            given->output = optarg;
-            break;
-        case 'r':
-            failed = read_number("--seed", optarg, 0, UINT64_MAX, &settings->seed);
-            break;
-        case 'd':
-            settings->device = optarg;
-            if (optarg[0] == '\0') {
-                complain("grade: --device: found \"\", expected a number or a part of a name");
-                failed = -1;
-            }
-            break;
-        case 't':
-            failed = read_number("--time-limit", optarg, 1, 3600, &seconds);
-            break;
-        case 'e':
-            failed = read_number("--deadline", optarg, 1, 86400, &deadline);
-            break;
-        case 'b':
-            settings->build = optarg;
-            break;
-        case 'a':
-            settings->kept_answers = optarg;
-            break;
-        case 'x':
-            failed = read_sandbox("--sandbox", optarg, &settings->sandbox);
-            break;
-        case 'c':
-            settings->list_checks = 1;
-            break;
-        case 'u':
-            settings->time_solution = 1;
-            break;
-        case 'h':
-            usage(stdout);
-            return 1;
-        default:
-            return -1;
-        }
-    }
-    settings->time_limit = (int)seconds;
-    settings->deadline = (int)deadline;
-    return failed;
-}
-
 // What is graded and where the reports go. Returns 0, or -1 after one message.
-static int set_folders(const GivenOptions *given, Settings *settings)
+static int set_folders(const GivenSettings *given, Settings *settings)
 {
     const int n_submission =
         given->submission ? snprintf(settings->submission, PATH_MAX, "%s", given->submission)
@@ -199,30 +144,42 @@ static int set_folders(const GivenOptions *given, Settings *settings)
     return 0;
 }
 
+// Where a submission's code runs: as the command line says, or else the environment. Returns 0, or
+// -1 after one message.
+static int find_sandbox(const char *given, SandboxKind *kind)
+{
+    const char *variable = getenv(SANDBOX_VARIABLE);
+    if (given != NULL) {
+        return read_sandbox("--sandbox", given, kind);
+    }
+    if (variable != NULL && variable[0] != '\0') {
+        return read_sandbox("$" SANDBOX_VARIABLE, variable, kind);
+    }
+    *kind = SANDBOX_ANY;
+    return 0;
+}
+
 int settings_parse(int argc, char **argv, Settings *settings)
 {
-    GivenOptions given = {0};
-    *settings = (Settings){
-        .build = "build",
-        .device = "",
-        .seed = draw_seed(),
-        .sandbox = SANDBOX_ANY,
-    };
-    const char *sandbox = getenv(SANDBOX_VARIABLE);
-    if (sandbox != NULL && sandbox[0] != '\0' &&
-        read_sandbox("$" SANDBOX_VARIABLE, sandbox, &settings->sandbox) != 0) {
+    GivenSettings given = {.settings = {.build = "build", .seed = draw_seed()}};
+    const OptionsResult result = option_table_read(&TABLE, argc, argv, &given, NULL);
+    if (result != OPTIONS_RUN) {
+        return result == OPTIONS_DONE ? print_help() : -1;
+    }
+    *settings = given.settings;
+    if (given.lab == NULL) {
+        complain("grade: --lab is missing (try --help)");
         return -1;
     }
-    const int answered = read_options(argc, argv, settings, &given);
-    if (answered != 0) {
-        return answered;
-    }
-    if (given.lab == NULL || optind < argc) {
-        complain("grade: %s (try --help)",
-                 given.lab == NULL ? "--lab is missing" : "words that are no option");
+    if (settings->device != NULL && settings->device[0] == '\0') {
+        option_table_refuse(&TABLE, "device", "", "a number or a part of a name");
         return -1;
     }
-    if (course_folder_check("grade") != 0 || find_lab(given.lab, settings->lab) != 0) {
+    if (settings->device == NULL) {
+        settings->device = "";
+    }
+    if (find_sandbox(given.sandbox, &settings->sandbox) != 0 || course_folder_check("grade") != 0 ||
+        find_lab(given.lab, settings->lab) != 0) {
         return -1;
     }
     return set_folders(&given, settings);

@@ -59,6 +59,9 @@ done
 # What an author's `//>` lines hold is no part of a solution (tests/grader/lab/holes.h).
 find "$root" -type f -path '*/solutions/*.[ch]*' -exec sed -i '/^ *\/\/>/d' {} +
 
+# The lecture's notes stay here, so their READMEs do not lead there.
+find "$root" -name README.md -exec sed -i '/^\*\*In the lecture\*\*/,+1d' {} +
+
 # The figures that their READMEs show, and scenes.
 grep -oh '](\.\./\.\./slides-notes/figures/[^)]*)' "$root"/*/*/README.md | sed 's|](\.\./\.\./||; s|)$||' | sort -u | copy
 git ls-files -- tests/scenes | copy

@@ -169,7 +169,9 @@ static int memcheck_run(Memcheck *memcheck, const Settings *settings)
         return EXIT_FAULT;
     }
     if (memcheck->whole.build_log != NULL) {
-        printf("It does not compile:\n%s\n", memcheck->whole.build_log);
+        char *clean = message_clean(memcheck->whole.build_log);
+        printf("It does not compile:\n%s\n", clean);
+        free(clean);
         return EXIT_FAULT;
     }
     untouched_print(memcheck);

@@ -2,17 +2,19 @@
 #include "memcheck_job.h"
 
 #include "jobs_09.h"
+#include "jobs_10.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 enum {
-    MAX_SIDE = 16,      // of a picture of circles, pixels
-    MAX_SIDE_3D = 8,    // of one of spheres
-    MAX_SCENES = 6,     // spread over the job's
-    MAX_SCENES_3D = 3,  // the same
-    MAX_CALLS = 32,     // of each function, spread over the job's inputs
-    JOB_SCENES = 64,    // no judge's job has more
+    MAX_SIDE = 16,       // of a picture of circles, pixels
+    MAX_SIDE_3D = 8,     // of one of spheres
+    MAX_SCENES = 6,      // spread over the job's
+    MAX_SCENES_3D = 3,   // the same
+    MAX_CALLS = 32,      // of each function, spread over the job's inputs
+    MAX_SPHERES = 8192,  // of a scene of spheres: a naive kernel asks them all, for each pixel
+    JOB_SCENES = 64,     // no judge's job has more
 };
 
 // Sections with one record a call of a function. Of all others every byte is needed.
@@ -20,15 +22,28 @@ static const struct {
     const char *name;
     size_t record_bytes;
 } calls[] = {
-    {"overlaps", sizeof(OverlapJob)},     {"children", sizeof(ChildJob)},
-    {"views", sizeof(ViewJob)},           {"pixels", sizeof(PixelJob)},
-    {"roots", sizeof(RootJob)},           {"textbook", sizeof(SphereRayJob)},
-    {"projection", sizeof(SphereRayJob)}, {"normals", sizeof(NormalJob)},
-    {"shades", sizeof(ShadeJob)},         {"clips", sizeof(ClipJob)},
-    {"sides", sizeof(SideJob)},           {"planes", sizeof(PlaneJob)},
-    {"leaves", sizeof(SearchJob)},        {"starts", sizeof(StartJob)},
-    {"mirrors", sizeof(MirrorJob)},       {"shadow_rays", sizeof(ShadowRayJob)},
-    {"blocks", sizeof(BlockJob)},         {"lits", sizeof(LitJob)},
+    {"overlaps", sizeof(OverlapJob)},
+    {"children", sizeof(ChildJob)},
+    {"views", sizeof(ViewJob)},
+    {"pixels", sizeof(PixelJob)},
+    {"roots", sizeof(RootJob)},
+    {"textbook", sizeof(SphereRayJob)},
+    {"projection", sizeof(SphereRayJob)},
+    {"normals", sizeof(NormalJob)},
+    {"shades", sizeof(ShadeJob)},
+    {"clips", sizeof(ClipJob)},
+    {"sides", sizeof(SideJob)},
+    {"planes", sizeof(PlaneJob)},
+    {"leaves", sizeof(SearchJob)},
+    {"starts", sizeof(StartJob)},
+    {"mirrors", sizeof(MirrorJob)},
+    {"shadow_rays", sizeof(ShadowRayJob)},
+    {"blocks", sizeof(BlockJob)},
+    {"lits", sizeof(LitJob)},
+    {"tile_planes", sizeof(TilePlaneJob)},
+    {"tile_children", sizeof(TileChildJob)},
+    {"tile_waiting", sizeof(TileWaitingJob)},
+    {"cones", sizeof(ConeJob)},
 };
 static const char *const whole[] = {"children.relations", "children.boxes", "lights",
                                     "leaf_ids",           "leaf_spheres",   "block_ids",
@@ -43,7 +58,7 @@ static int calls_write(const Sections *job, const char *name, size_t record_byte
 {
     size_t n_bytes;
     const unsigned char *records = sections_find_any(job, name, &n_bytes);
-    unsigned char some[MAX_CALLS * sizeof(LitJob)];  // the largest record
+    unsigned char some[MAX_CALLS * sizeof(TileChildJob)];  // the largest record
     if (records == NULL) {
         return 0;
     }
@@ -192,7 +207,14 @@ static int scene3d_write(const SmallScene *scene, SceneJob3D header)
     result |= part_write(scene, "materials", sizeof(Material));
     result |= part_write(scene, "lights", sizeof(Light));
     result |= part_write(scene, "bounces", 0);
+    result |= part_write(scene, "leaf_spheres", 0);
     return result | part_write(scene, "nodes", 0) | part_write(scene, "sphere_ids", 0);
+}
+
+static int is_too_large(const SmallScene *scene)
+{
+    size_t n_bytes = 0;
+    return scene_part(scene, "spheres", &n_bytes) != NULL && n_bytes / sizeof(Sphere) > MAX_SPHERES;
 }
 
 static int scenes_write(const Sections *job, FILE *file)
@@ -207,6 +229,9 @@ static int scenes_write(const Sections *job, FILE *file)
     int result = 0;
     for (scene.as = 0; scene.as < n_small; scene.as++) {
         scene.k = scene.as * n / n_small;
+        if (scene.k + 1 < n && is_too_large(&scene)) {
+            scene.k++;
+        }
         const void *header = scene_part(&scene, NULL, &header_bytes);
         result |= is_2d ? scene2d_write(&scene, *(const SceneJob *)header)
                         : scene3d_write(&scene, *(const SceneJob3D *)header);

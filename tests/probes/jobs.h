@@ -243,8 +243,10 @@ typedef struct PackJob3D {
 } PackJob3D;
 LAYOUT_ASSERT(PackJob3D, 1212);
 
-// What the tree looks like afterwards; nodes start as {0, 0, UNTOUCHED, UNTOUCHED}, ids as
-// UNTOUCHED.
+// What the tree looks like afterwards; nodes start as PACK_NODE, ids as UNTOUCHED.
+#define PACK_SPLIT_POS 3.5f
+#define PACK_SPLIT_AXIS 1u
+#define PACK_NODE ((KdNode3){PACK_SPLIT_POS, PACK_SPLIT_AXIS, UNTOUCHED, UNTOUCHED})
 typedef struct PackAnswer3D {
     KdNode3 nodes[PACK_NODES];
     u32 sphere_ids[PACK_MAP_ROOM];

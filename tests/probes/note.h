@@ -12,6 +12,9 @@
 
 #define PROBE_NO_INPUT UINT32_MAX
 
+// Noted while kernels are built, ahead of all of the student's functions.
+#define PROBE_NOTE_BUILD "build"
+
 typedef struct ProbeNote {
     /*  0 */ char name[SECTION_NAME_BYTES];  // of the job's section, or of the answer; "" at first
     /* 24 */ uint32_t input;                 // which of that section's, or PROBE_NO_INPUT: all

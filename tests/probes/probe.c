@@ -62,7 +62,7 @@ void probe_open_device(Probe *probe)
     if (cl_setup_open(NULL, &probe->cl) != 0) {
         exit(PROBE_EXIT_FAULT);
     }
-    if (section_write(probe->answers, "device", probe->cl.device_name,
+    if (section_write(probe->answers, PROBE_DEVICE, probe->cl.device_name,
                       sizeof probe->cl.device_name) != 0) {
         fault("cannot write answers");
     }
@@ -165,7 +165,7 @@ void probe_replay_leaves(const Probe *probe, const char *name, PackTree *pack_tr
 
 cl_program probe_build(const Probe *probe, const char *path, const char *options)
 {
-    probe_note(probe, "build", PROBE_NO_INPUT);
+    probe_note(probe, PROBE_NOTE_BUILD, PROBE_NO_INPUT);
     cl_program program = cl_setup_build(&probe->cl, path, options);
     if (program == NULL) {
         exit(PROBE_EXIT_NO_BUILD);

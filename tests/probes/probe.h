@@ -16,6 +16,9 @@
 #define PROBE_ANSWERS_PATH "out/answers"
 #define PROBE_JOB_VARIABLE "COURSE_JOB"
 
+// The first section of the answers of a lab with kernels: what they run on.
+#define PROBE_DEVICE "device"
+
 // The last section of complete answers: a student's exit(0) leaves none.
 #define PROBE_END "end"
 
@@ -88,7 +91,8 @@ void probe_answer_trees(const Probe *probe, BuildTree3D *build);
 // Build the program; ends with PROBE_EXIT_NO_BUILD when it does not compile.
 cl_program probe_build(const Probe *probe, const char *path, const char *options);
 
-// A kernel of the program; ends with PROBE_EXIT_NO_BUILD when there is none of that name.
+// A kernel of the program; ends with PROBE_EXIT_NO_BUILD when there is none of that name. Of the
+// student's kernels: before any other is run, as the grader believes that status only there.
 cl_kernel probe_kernel(cl_program program, const char *name);
 
 // Room for answers on the device, every bit set. Release with probe_answer_buffer().

@@ -102,7 +102,7 @@ copy_lab solutions $lab
 echo '    (void)box; exit(0);' | answer $file split_box
 broken "leaving early with status 0 costs its task" 80
 check "and the message is of that" stage Running failed "a call of exit"
-check "and names function and input" holds "where: in split_box, input 1 of 408: box x ["
+check "and names function and input" holds "where: in split_box, input 1 of 414: box x ["
 
 copy_lab solutions $lab
 echo '    (void)box; exit(3);' | answer $file split_box

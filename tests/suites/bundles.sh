@@ -140,7 +140,7 @@ course=$root/source/course
 check "Gradescope: the time limit is passed on" graded_by 'echo "$@"; exit 2' \
     no_result env AUTOGRADER_ROOT="$root" JOBS=3 TIME_LIMIT=33 "$root/run_autograder"
 check "and said" grep 'Time limit of a submission: 33 s of processor time (TIME_LIMIT)' "$scratch/said"
-check "to the grader" grep -e '--output [^ ]* --time-limit 33$' "$scratch/said"
+check "to the grader" grep -e '--output [^ ]* --deadline 400 --time-limit 33$' "$scratch/said"
 check "Gradescope: a killed grader" graded_by 'kill -9 $$' \
     no_result env AUTOGRADER_ROOT="$root" "$root/run_autograder"
 check "Gradescope: a variable that is no number" \

@@ -112,7 +112,7 @@ for figure in slides-notes/figures/*; do
     */07-view.png) ! command -v Xvfb >/dev/null || check "$figure is drawn" test -s "$drawn" ;;
     */05-textbook.png | */09-acne.png) check "$figure is drawn" test -s "$drawn" ;;
     */09-*.png) check "$figure is what a solution draws" "$tools/compare" "$drawn" "$figure" 0.004 5000 ;;
-    */0[4-8]*.png) check "$figure is what a solution draws" "$tools/compare" "$drawn" "$figure" 0.004 300 ;;
+    */0[4-8]*.png | */10-*.png) check "$figure is what a solution draws" "$tools/compare" "$drawn" "$figure" 0.004 300 ;;
     *.png) check "$figure is what a solution draws" "$tools/compare" "$drawn" "$figure" 0.004 ;;
     *) check "$figure is what a solution draws" cmp "$drawn" "$figure" ;;
     esac

@@ -34,6 +34,23 @@ for lab in $labs; do
         'lab title score max_score seed device sandbox submission seconds stages tasks checks '
 done
 
+# A placeholder that is touched is no longer what was handed out, and still answers nothing.
+touched_placeholders() {
+    rm -rf "$scratch/touched"
+    cp -R "labs/$1" "$scratch/touched"
+    for source in "$scratch/touched"/*.c "$scratch/touched"/*.cl; do
+        [ -f "$source" ] || continue
+        awk '/\/\/ TASK / { begins = 1 }
+            begins && (!/^ *\/\// || /\/\/ END /) { print "    ;"; begins = 0 }
+            { print }' "$source" >"$scratch/touched.source"
+        mv "$scratch/touched.source" "$source"
+    done
+    ! diff -rq "labs/$1" "$scratch/touched" >/dev/null && grades 1 0 --lab "$1" --submission "$scratch/touched"
+}
+for lab in $labs; do
+    check "$lab: a touched placeholder earns nothing" touched_placeholders "$lab"
+done
+
 # ---- One task at a time -------------------------------------------------------------------------
 
 for lab in $labs; do
@@ -137,8 +154,8 @@ done <<'END'
 --seed: found "18446744073709551616"|$here --seed 18446744073709551616
 --time-limit: found "0"|$here --time-limit 0
 --sandbox: found "paper"|$here --sandbox paper
-unrecognized option '--marks'|$here --marks 100
-words that are no option|$here stray
+--marks is no option here|$here --marks 100
+found the stray word "stray"|$here stray
 /nowhere: No such file or directory|--lab 02 --submission /nowhere
 file/reports: cannot be made|$here --output $scratch/file/reports
 END

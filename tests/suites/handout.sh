@@ -295,6 +295,7 @@ targets() {
         setup) set -- --dry-run setup ;;
         clean) continue ;;  # last
         grade | memcheck | view) set -- "$target" LAB=07 ;;
+        pixel) set -- pixel LAB=07 AT=20,20 OPTIONS="--size 64x48" ;;
         movie) set -- movie LAB=07 OPTIONS="--size 32x24" ;;
         *) set -- "$target" ;;
         esac

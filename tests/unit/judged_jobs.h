@@ -12,10 +12,10 @@
 #include <criterion/parameterized.h>
 
 static const char *const lab_names[] = {
-    "00-hello-pixels",       "01-naive-2d",        "02-kdtree-2d-build",
-    "03-kdtree-2d-render",   "04-camera-rays",     "05-spheres",
-    "06-kdtree-3d-build",    "07-kdtree-3d-trace", "08-surface-area-heuristic",
-    "09-shadows-and-mirrors"};
+    "00-hello-pixels",        "01-naive-2d",        "02-kdtree-2d-build",
+    "03-kdtree-2d-render",    "04-camera-rays",     "05-spheres",
+    "06-kdtree-3d-build",     "07-kdtree-3d-trace", "08-surface-area-heuristic",
+    "09-shadows-and-mirrors", "10-realtime"};
 enum { N_LABS = sizeof lab_names / sizeof *lab_names };
 
 // Each test runs once a lab.

@@ -11,15 +11,20 @@
 #include "right_answers_3d.h"
 #include "right_answers_mirrors.h"
 #include "right_answers_sah.h"
+#include "right_answers_tiles.h"
 #include "right_answers_tree3d.h"
 
 // As lab_names of test_judges.c has them. Free with sections_free().
 static Sections right_answers(int lab, const Sections *job)
 {
     // The scenes whose work is judged.
-    static const int work_05[] = {1, 3, 5};  // SMALL, TIES and "behind"
+    static const int work_05[] = {1, 4, 7};  // SMALL, TIES and "behind"
     static const int work_07[] = {RANDOM + 2, RANDOM + 6, RANDOM + 7, RANDOM + N_RANDOM - 1,
                                   DEEP,       FLAKE};
+    int work_10[N_TILE_SCENES];
+    for (int k = 0; k < N_TILE_SCENES; k++) {
+        work_10[k] = k;
+    }
     Writer writer;
     writer_open(&writer);
     switch (lab) {
@@ -66,11 +71,18 @@ static Sections right_answers(int lab, const Sections *job)
         answer_decisions(&writer, job);
         answer_trees_sah(&writer, job);
         break;
-    default:
+    case 9:
         answer_rays(&writer, job);
         answer_blocks(&writer, job);
         answer_lits(&writer, job);
         answer_pictures_3d(&writer, job, find_in_all, color_over_mirrors, NULL, 0);
+        break;
+    default:
+        answer_tile_planes(&writer, job);
+        answer_tile_children(&writer, job);
+        answer_tile_waiting(&writer, job);
+        answer_cones(&writer, job);
+        answer_pictures_3d(&writer, job, find_for_nothing, hit_color, work_10, N_TILE_SCENES);
     }
     return writer_close(&writer);
 }

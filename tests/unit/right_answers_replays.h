@@ -179,7 +179,7 @@ static inline void answer_packed(Writer *writer, const Sections *job, int is_3d)
         for (u32 id = 0; id < trees[k].n_nodes; id++) {
             relations[id].id = id;
             flags[id] = INNER;
-            nodes[id].first = nodes[id].n_spheres = UNTOUCHED;
+            nodes[id] = PACK_NODE;
         }
         for (size_t i = 0; i < room; i++) {
             map[i] = UNTOUCHED;

@@ -42,7 +42,7 @@ static void answer_leaves_3d(Writer *writer, const Sections *job)
     PackAnswer3D *packed = calloc(n, sizeof *packed);
     for (size_t i = 0; i < n; i++) {
         for (u32 id = 0; id < PACK_NODES; id++) {
-            packed[i].nodes[id] = (KdNode3){.first = UNTOUCHED, .n_spheres = UNTOUCHED};
+            packed[i].nodes[id] = PACK_NODE;
         }
         for (int j = 0; j < PACK_MAP_ROOM; j++) {
             packed[i].sphere_ids[j] = UNTOUCHED;

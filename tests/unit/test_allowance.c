@@ -61,6 +61,19 @@ Test(allowance, all_runs_of_one_submission_have_a_limit_together)
     cr_expect_eq(allowance_of(&allowance, STEP_RUNNING, 1).processor, 1, "it can be killed");
 }
 
+// What hid for all of its wall time is tried no more.
+Test(allowance, who_used_up_its_wall_time_has_nothing_left)
+{
+    Allowance allowance = {.is_for_one = 1};
+    allowance_note(&allowance, STEP_RUNNING, (SandboxTime){.processor = 1});
+    SandboxResult result = {.outcome = SANDBOX_EXITED, .used = {.processor = 1, .wall = 300}};
+    allowance_charge(&allowance, &result);
+    cr_expect_eq(allowance_left(&allowance), 79);
+    result.outcome = SANDBOX_OVERDUE;
+    allowance_charge(&allowance, &result);
+    cr_expect_leq(allowance_left(&allowance), 0);
+}
+
 Test(allowance, what_runs_side_by_side_shares_what_is_left)
 {
     Allowance allowance = {.is_for_one = 1, .spent = 74};

@@ -1,4 +1,4 @@
-// judge/judge_03_alone, judge_05_alone, judge_07_alone and judge_09_alone: nothing passes alone
+// judge_03_alone, judge_05_alone, judge_07_alone, judge_09_alone and judge_10: nothing passes alone
 // without answers, or with answers of another size.
 #include "judge.h"
 
@@ -8,7 +8,7 @@
 
 TestSuite(alone_trees);
 
-static const char *const lab_numbers[] = {"03", "05", "07", "09"};
+static const char *const lab_numbers[] = {"03", "05", "07", "09", "10"};
 enum { N_LABS = sizeof lab_numbers / sizeof *lab_numbers };
 
 // A file in memory that becomes sections.
@@ -63,9 +63,10 @@ Test(alone_trees, without_answers_nothing_passes)
 Test(alone_trees, answers_of_another_size_do_not_pass)
 {
     static const char *const stems[] = {
-        "children",     "roots",  "textbook", "projection",  "normals", "shades",
-        "pixel_shades", "clips",  "sides",    "planes",      "leaves",  "next_child",
-        "next_waiting", "starts", "mirrors",  "shadow_rays", "blocks",  "lits"};
+        "children",     "roots",         "textbook",     "projection",  "normals", "shades",
+        "pixel_shades", "clips",         "sides",        "planes",      "leaves",  "next_child",
+        "next_waiting", "starts",        "mirrors",      "shadow_rays", "blocks",  "lits",
+        "tile_planes",  "tile_children", "tile_waiting", "cones"};
     static const char *const numbered[] = {"picture", "hits", "work"};
     const float few[4] = {0};
     for (int lab = 0; lab < N_LABS; lab++) {

@@ -20,6 +20,8 @@ Test(clean_text, keeps_what_can_be_shown_and_replaces_the_rest)
         {"a\xE2\x80\xAE"
          "b",
          "a" UNKNOWN "b"},  // right-to-left override
+        {"\xE2\x80\x8B\xEF\xBB\xBF\xF3\xA0\x81\x81", UNKNOWN UNKNOWN UNKNOWN},  // not seen
+        {"\xC2\xAC\xF3\xA0\x82\x80", "\xC2\xAC\xF3\xA0\x82\x80"},               // beside them
         {"\xFF\xFE", UNKNOWN UNKNOWN},
         {"\xC3", UNKNOWN},                                      // broken off
         {"\xC0\xAF", UNKNOWN UNKNOWN},                          // longer than needed

@@ -20,9 +20,9 @@ typedef struct DrawnLab {
 } DrawnLab;
 
 static const DrawnLab drawn_labs[] = {
-    {"00-hello-pixels", 0, 1},       {"01-naive-2d", 1, 2}, {"03-kdtree-2d-render", 3, 3},
-    {"04-camera-rays", 4, 0},        {"05-spheres", 5, 0},  {"07-kdtree-3d-trace", 7, 4},
-    {"09-shadows-and-mirrors", 9, 4}};
+    {"00-hello-pixels", 0, 1},        {"01-naive-2d", 1, 2}, {"03-kdtree-2d-render", 3, 3},
+    {"04-camera-rays", 4, 0},         {"05-spheres", 5, 0},  {"07-kdtree-3d-trace", 7, 4},
+    {"09-shadows-and-mirrors", 9, 4}, {"10-realtime", 10, 2}};
 enum { N_DRAWN_LABS = sizeof drawn_labs / sizeof *drawn_labs };
 
 // Each test runs once a lab, by its number in the list: tests are processes of their own.

@@ -1,4 +1,4 @@
-// common/view/flight: how a view moves.
+// common/follow/flight: how a view moves.
 #include "camera_from_view.h"
 #include "flight.h"
 

@@ -35,6 +35,7 @@ Test(options, defaults)
     cr_expect_null(options.device);
     cr_expect_null(options.stats);
     cr_expect_eq(options.n_frames, 1);
+    cr_expect(options.pixel_x == -1 && options.pixel_y == -1, "no pixel is followed");
     cr_expect_eq(options.max_depth, OPTIONS_DEFAULT_MAX_DEPTH);
     cr_expect_eq(options.leaf_size, OPTIONS_DEFAULT_LEAF_SIZE);
     cr_expect_eq(access("build", W_OK), 0, "the default's folder is made");
@@ -52,6 +53,12 @@ Test(options, everything_given)
     cr_expect_eq(options.n_frames, 7);
     cr_expect_str_eq(options.stats, "s.json");
     cr_expect_eq(folder_count(), 2, "nothing is made when --output is given");
+
+    const char *pixel[MAX_WORDS] = {"--pixel=0,479", "--json=s.json", "--svg=s.svg"};
+    cr_assert_eq(parse(pixel, OPTIONS_PIXEL, &options), OPTIONS_RUN);
+    cr_expect(options.pixel_x == 0 && options.pixel_y == 479);
+    cr_expect_str_eq(options.json, "s.json");
+    cr_expect_str_eq(options.svg, "s.svg");
 
     const char *second[MAX_WORDS] = {"--device", "pocl", "--max-depth=64", "--leaf-size=1",
                                      "--size=1x1000000"};
@@ -76,6 +83,10 @@ static const struct {
     {{"--size", "640x480x2"}, "expected WxH"},
     {{"--size", "640X480"}, "expected WxH"},
     {{"--size", " 640x480"}, "expected WxH"},
+    {{"--pixel", "7"}, "expected X,Y"},
+    {{"--pixel", "7x7"}, "expected X,Y"},
+    {{"--pixel", "7,-1"}, "expected X,Y, two whole numbers from 0"},
+    {{"--pixel", "7,7,7"}, "expected X,Y"},
     {{"--size", "1000001x1"}, "1000000"},
     {{"--size", "99999999999999999999x1"}, "expected WxH"},
     {{"--frames", "0"}, "--frames: found \"0\""},

@@ -45,7 +45,7 @@ Test(run_place, names_the_function_its_task_and_the_input)
     RunPlace place = place_of("02", "splits", 16);
     cr_assert_str_eq(place.where, "in split_box");
     cr_expect_str_eq(place.task, "split_box");
-    cr_expect_eq(strncmp(place.with, "input 17 of 408: box x [", 24), 0, "%s", place.with);
+    cr_expect_eq(strncmp(place.with, "input 17 of 414: box x [", 24), 0, "%s", place.with);
     place = place_of("06", "todo", 9);
     cr_assert_str_eq(place.where, "in fits_todo");
     cr_expect_str_eq(place.with, "level 9");
@@ -93,6 +93,7 @@ Test(run_place, knows_every_lab)
         {"06", "splits", "overlaps", "pack", "todo", NULL},
         {"07", "clips", "sides", "planes", "leaves", NULL},
         {"09", "starts", "mirrors", "shadow_rays", "blocks", "lits", NULL},
+        {"10", "tile_planes", "tile_children", "tile_waiting", "cones", NULL},
     };
     for (size_t l = 0; l < sizeof noted / sizeof *noted; l++) {
         Manifest manifest;
@@ -126,7 +127,7 @@ Test(run_place, takes_no_word_from_a_note)
 
 Test(run_place, takes_no_number_that_the_job_has_not)
 {
-    static const uint32_t numbers[] = {408, 409, 1u << 31, UINT32_MAX};
+    static const uint32_t numbers[] = {414, 415, 1u << 31, UINT32_MAX};
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
         cr_expect_str_eq(place_of("02", "splits", numbers[i]).with, "");
         cr_expect_str_eq(place_of("02", "tree", numbers[i]).with, "");

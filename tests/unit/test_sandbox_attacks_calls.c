@@ -39,6 +39,10 @@ TEST_EACH(what_only_an_attack_asks_for_ends_it)
         {"io_uring_setup", SYS_io_uring_setup, {8, 0}},
         {"unshare(CLONE_NEWUSER)", SYS_unshare, {CLONE_NEWUSER, 0}},
         {"clone(CLONE_NEWUSER)", SYS_clone, {CLONE_NEWUSER | SIGCHLD, 0}},
+        {"clone(CLONE_PARENT)", SYS_clone, {CLONE_PARENT | SIGCHLD, 0}},
+        {"clone(CLONE_VFORK | CLONE_THREAD)",
+         SYS_clone,
+         {CLONE_VM | CLONE_SIGHAND | CLONE_FILES | CLONE_VFORK | CLONE_THREAD, 0}},
         {"setns", SYS_setns, {0, 0}},
         {"mount", SYS_mount, {0, 0}},
         {"bpf", SYS_bpf, {0, 0}},
@@ -98,6 +102,21 @@ TEST_EACH(what_libraries_can_do_without_is_refused)
         cr_expect_eq(result.exit_status, 7, "%s: outcome %d", calls[i].name, result.outcome);
         free(result.output);
     }
+}
+
+// Who stands back behind others, or hides what its children use, would pass for starved.
+TEST_EACH(nobody_chooses_to_wait_or_hides_the_time_of_its_children)
+{
+    char program[160];
+    // 5 is SCHED_IDLE: what is said to be done is not.
+    snprintf(program, sizeof program,
+             "$p = pack('i', 0); exit(syscall(%d, 0, 5, $p) == 0 && syscall(%d, 0) == 0 ? 7 : 0)",
+             SYS_sched_setscheduler, SYS_sched_getscheduler);
+    expect_exit(perl_run(program), 7);
+    expect_exit(perl_run("$SIG{CHLD} = 'IGNORE'; exit(system('true') == 0 ? 7 : 0)"), 7);
+    expect_exit(perl_run("open(F, '+<', '/proc/self/autogroup') or exit 7; "
+                         "syswrite(F, '19') or exit 7"),
+                tested_kind == SANDBOX_USER ? 0 : 7);
 }
 
 // A file that each call would have to wait for: who asks for that is told at once that it is done.

@@ -52,6 +52,16 @@ Test(sandbox_clock, waiting_is_added_from_look_to_look_and_a_threads_end_takes_n
     cr_expect_eq(clock.used.asleep, 0);
 }
 
+// Work of 15 ms and naps of 85 in turn: the naps count.
+Test(sandbox_clock, what_it_did_not_run_while_nobody_kept_it_waiting_it_slept)
+{
+    SandboxClock clock;
+    clock_start(&clock);
+    clock.last_look -= 0.1;
+    clock_look(&clock, &(Census){.processor_seconds = 0.015});
+    cr_expect_float_eq(clock.used.asleep, 0.085, 0.005, "%g", clock.used.asleep);
+}
+
 // A hundred threads of its own wait for each other.
 Test(sandbox_clock, who_keeps_itself_waiting_was_not_starved)
 {

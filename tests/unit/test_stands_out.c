@@ -47,6 +47,7 @@ static const struct {
     {"asm(\"x: .incbin \\\"y\\\"\");", ".incbin"},
     {"work->n_tests = 1;", "a hand on the counted work (work)"},
     {"work.n_tests = 1;", "a hand on the counted work (work)"},
+    {"Work aside = {0};", "a count of its own (Work aside)"},
     {"d_work[0].n_tests = 1;", "a hand on the counted work (d_work)"},
     {"char c = '\"'; fork();", "fork()"},
     {"char c = '\\''; fork();", "fork()"},
@@ -108,9 +109,10 @@ Test(stands_out, nothing_of_the_course_does)
         for (size_t k = 0; k < found.gl_pathc; k++) {
             char *text = text_file_read(found.gl_pathv[k]);
             char *notes = notes_on(text);
-            // main.c is never handed in; who forges counted work makes no mistake.
-            if (strstr(found.gl_pathv[k], "/main.c") == NULL &&
-                strstr(found.gl_pathv[k], "forged") == NULL) {
+            // main.c is never handed in; who forges or hides counted work makes no mistake.
+            const char *path = found.gl_pathv[k];
+            if (strstr(path, "/main.c") == NULL && strstr(path, "forged") == NULL &&
+                strstr(path, "work-of-its-own") == NULL && strstr(path, "hidden-") == NULL) {
                 cr_expect_str_eq(notes, "", "%s: %s", found.gl_pathv[k], notes);
                 n_files++;
             }

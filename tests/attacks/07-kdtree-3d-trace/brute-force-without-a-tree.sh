@@ -2,7 +2,7 @@
 # attack: no task is answered, but for a comment or an empty statement in each; trace() asks every
 # sphere, up to the one that stands behind the end of the array, around the eye
 # score: 0
-# named: nothing is right
+# named: counts only where another check
 for file in choose_children clip_to_box trace; do
     more='// done'
     [ $file != trace ] || more=';'

@@ -83,6 +83,14 @@ SandboxTime allowance_of(const Allowance *allowance, Step step, int n)
     return time;
 }
 
+void allowance_charge(Allowance *allowance, const SandboxResult *result)
+{
+    // Where its wall time went, nobody saw. It was thirty times what it may use: that is enough.
+    allowance->spent += result->outcome == SANDBOX_OVERDUE
+                            ? allowance_total(allowance)
+                            : result->used.processor + result->used.asleep;
+}
+
 void allowance_note(Allowance *allowance, Step step, SandboxTime used)
 {
     allowance->is_known[step] = 1;

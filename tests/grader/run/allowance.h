@@ -36,6 +36,10 @@ double allowance_left(const Allowance *allowance);
 // What our solution may use: far more than it needs on any machine, as it ends by itself.
 SandboxTime allowance_ours(void);
 
+// Take a run of the submission off what is left of all its runs: the time that it used, or, where
+// it used up its wall time without any, all.
+void allowance_charge(Allowance *allowance, const SandboxResult *result);
+
 // Note what the solution used in a step.
 void allowance_note(Allowance *allowance, Step step, SandboxTime used);
 

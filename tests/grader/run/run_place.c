@@ -3,6 +3,7 @@
 
 #include "jobs_08.h"
 #include "jobs_09.h"
+#include "jobs_10.h"
 
 #include <fcntl.h>
 #include <stdio.h>
@@ -164,6 +165,15 @@ static const ProbeStep steps[] = {
     {"09", "blocks", "in leaf_blocks", "leaf_blocks", ON_INPUTS, sizeof(BlockJob), NULL},
     {"09", "lits", "in lit_color", "lit_color", ON_INPUTS, sizeof(LitJob), NULL},
     {"09", "picture", "in render_mirrors", NULL, ON_SCENE, 0, NULL},
+    {"10", "tile_planes", "in plane_interval", "plane_interval", ON_INPUTS, sizeof(TilePlaneJob),
+     NULL},
+    {"10", "tile_children", "in next_tile_child", "next_tile_child", ON_INPUTS,
+     sizeof(TileChildJob), NULL},
+    {"10", "tile_waiting", "in next_tile_waiting", "next_tile_waiting", ON_INPUTS,
+     sizeof(TileWaitingJob), NULL},
+    {"10", "cones", "in cone_misses_sphere", "cone_misses_sphere", ON_INPUTS, sizeof(ConeJob),
+     NULL},
+    {"10", "picture", "in trace_tile", NULL, ON_SCENE, 0, NULL},
 };
 
 // The step of a note, or NULL. Names are compared with their padding: one without an end is none.

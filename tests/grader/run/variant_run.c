@@ -40,6 +40,22 @@ static void take_build(Variant *variant, SandboxResult *result, SandboxTime allo
     }
 }
 
+// Had it done nothing yet but build its kernels, so that their compiler may have failed? The
+// student's functions end with any exit status they like: believed is who has none of them behind.
+static int has_only_built(const Workshop *workshop, const Variant *variant)
+{
+    char path[PATH_MAX];
+    path_make(path, "%s/variant-%s/out/note", workshop->folder, variant->name);
+    const ProbeNote note = run_note_load(path);
+    const char *name;
+    size_t place = 0, n_bytes;
+    return manifest_has_kernels(workshop->manifest) &&
+           strncmp(note.name, PROBE_NOTE_BUILD, sizeof note.name) == 0 &&
+           sections_next(&variant->answers, &place, &name, &n_bytes) != NULL &&
+           strncmp(name, PROBE_DEVICE, SECTION_NAME_BYTES) == 0 &&
+           sections_next(&variant->answers, &place, &name, &n_bytes) == NULL;
+}
+
 // Where the probe says it was.
 static void take_place(const Workshop *workshop, Variant *variant)
 {
@@ -76,7 +92,8 @@ static void take_answers(const Workshop *workshop, Variant *variant, SandboxResu
     sections_load(path, MAX_ANSWER_BYTES, &variant->answers);
     take_further_answers(workshop, variant);
     variant->run_output = strdup(result->output);
-    if (result->outcome == SANDBOX_EXITED && result->exit_status == PROBE_EXIT_NO_BUILD) {
+    if (result->outcome == SANDBOX_EXITED && result->exit_status == PROBE_EXIT_NO_BUILD &&
+        has_only_built(workshop, variant)) {
         variant->build_log = strdup(variant->run_output);
         return;
     }
@@ -119,8 +136,8 @@ static int step_clear(const Workshop *workshop, const Variant *variant, Step ste
                : step_folder_make(workshop, variant->name, step);
 }
 
-// Wait for a variant's step, which is started again where the machine had no time for it. Returns
-// 0, or -1 after one message when the machinery failed.
+// Wait for a variant's step, which is started again where the machine had no time for it and the
+// deadline leaves some. Returns 0, or -1 after one message when the machinery failed.
 static int step_take(const Workshop *workshop, Variant *variant, Step step, SandboxTime allowed,
                      Allowance *allowance)
 {
@@ -128,9 +145,10 @@ static int step_take(const Workshop *workshop, Variant *variant, Step step, Sand
     SandboxResult result = {.outcome = SANDBOX_FAULT};
     // The line of a crash is not worth a second try.
     const int n_tries = variant->is_checked ? 1 : TRIES;
-    for (int i = 0; i < n_tries; i++) {
+    for (int i = 0; i < n_tries && (i == 0 || allowance_left(allowance) > 0); i++) {
         if (i > 0) {
             free(result.output);
+            allowed = time_allowed(variant, step, allowance, 1);
             if (step_clear(workshop, variant, step) != 0 ||
                 step_start(workshop, variant, step, allowed) != 0) {
                 return -1;
@@ -150,11 +168,12 @@ static int step_take(const Workshop *workshop, Variant *variant, Step step, Sand
     if (result.outcome == SANDBOX_FAULT) {
         fprintf(stderr, "grade: the sandbox failed: %s\n", result.output);
     } else if (result.outcome == SANDBOX_STARVED) {
-        fprintf(stderr,
-                "grade: this machine is too busy: twice it had %.1f s of processor time for %s in "
-                "%.0f s; grade again when it is less so\n",
-                result.used.processor, step == STEP_COMPILING ? "compiling" : "running the program",
-                result.used.wall);
+        fprintf(
+            stderr,
+            "grade: this machine is too busy: it had %.1f s of processor time for %s in %.0f s; "
+            "grade again when it is less so\n",
+            result.used.processor, step == STEP_COMPILING ? "compiling" : "running the program",
+            result.used.wall);
     } else if (step == STEP_COMPILING) {
         take_build(variant, &result, allowed);
     } else {
@@ -166,7 +185,7 @@ static int step_take(const Workshop *workshop, Variant *variant, Step step, Sand
     if (!failed && variant->is_ours) {
         allowance_note(allowance, step, result.used);
     } else if (!variant->is_ours) {
-        allowance->spent += result.used.processor + result.used.asleep;
+        allowance_charge(allowance, &result);
     }
     free(result.output);
     return failed ? -1 : 0;

@@ -192,7 +192,8 @@ char **bwrap_arguments(const SandboxCommand *command)
     }
     init_add(&arguments);
     // Only now, with every mount in its place: the folders between them live in memory, too.
-    ADD(&arguments, "--remount-ro", "/dev", "--remount-ro", "/");
+    // Of /proc nothing is written: it would set how a run is scheduled, and who is ended first.
+    ADD(&arguments, "--remount-ro", "/proc", "--remount-ro", "/dev", "--remount-ro", "/");
     ADD(&arguments, "--chdir", command->folder);
     command_add(&arguments, command);
 

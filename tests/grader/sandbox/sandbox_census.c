@@ -12,6 +12,7 @@
 #include "path.h"
 #include "sandbox_leftovers.h"
 #include "sandbox_removed_files.h"
+#include "sandbox_stat.h"
 
 #include <dirent.h>
 #include <signal.h>
@@ -47,38 +48,9 @@ static int children_add(pid_t process, pid_t thread, ProcessList *list)
     return list->n - n_before;
 }
 
-// What /proc/P/stat and /proc/P/task/T/stat say.
-typedef struct Stat {
-    char state;      // R runs or waits for a processor, D waits for a disk, S sleeps, ...
-    double seconds;  // of processors; of children waited for, too
-} Stat;
-
-static Stat stat_read(const char *path)
-{
-    char text[1024] = "";
-    Stat stat = {.state = 'X'};
-    FILE *file = fopen(path, "re");
-    if (file == NULL) {
-        return stat;
-    }
-    const size_t n = fread(text, 1, sizeof text - 1, file);
-    fclose(file);
-    text[n] = '\0';
-    // The second field is the command's name in parentheses, which may hold anything.
-    const char *rest = strrchr(text, ')');
-    unsigned long user, system;
-    long children_user, children_system;
-    if (rest != NULL &&
-        sscanf(rest, ") %c %*d %*d %*d %*d %*d %*u %*u %*u %*u %*u %lu %lu %ld %ld", &stat.state,
-               &user, &system, &children_user, &children_system) == 5) {
-        stat.seconds = ((double)(user + system) + (double)(children_user + children_system)) /
-                       (double)sysconf(_SC_CLK_TCK);
-    }
-    return stat;
-}
-
-// Add how long a thread has waited for a processor in all, where the kernel tells.
-static void waiting_add(pid_t process, pid_t thread, Census *census)
+// Add how long a thread has waited for a processor in all, where the kernel tells. That it stood
+// back behind others is its own choice.
+static void waiting_add(pid_t process, pid_t thread, const ThreadStat *stat, Census *census)
 {
     char path[64];
     unsigned long long ran, waited;
@@ -89,19 +61,16 @@ static void waiting_add(pid_t process, pid_t thread, Census *census)
     }
     if (fscanf(file, "%llu %llu", &ran, &waited) == 2) {
         census->tells_waiting = 1;
-        census->waited_seconds += 1e-9 * (double)waited;
+        census->waited_seconds += stat_stands_back(process, stat) ? 0 : 1e-9 * (double)waited;
     }
     fclose(file);
 }
 
 // Does the thread run, or wait for a processor or a disk? In the state of who waits for a disk is
 // also who waits for a child started by vfork().
-static int is_awake(pid_t process, pid_t thread, int n_children)
+static int is_awake(const ThreadStat *stat, int n_children)
 {
-    char path[64];
-    snprintf(path, sizeof path, "/proc/%d/task/%d/stat", process, thread);
-    const char state = stat_read(path).state;
-    return state == 'R' || (state == 'D' && n_children == 0);
+    return stat->state == 'R' || (stat->state == 'D' && n_children == 0);
 }
 
 // Add the children of all threads of a process, how many threads are awake, and how long they have
@@ -118,8 +87,11 @@ static int threads_follow(pid_t process, ProcessList *list, Census *census)
         if (thread > 0) {
             n_threads++;
             const int n_children = children_add(process, thread, list);
-            census->n_awake += is_awake(process, thread, n_children);
-            waiting_add(process, thread, census);
+            char stat_path[64];
+            snprintf(stat_path, sizeof stat_path, "/proc/%d/task/%d/stat", process, thread);
+            const ThreadStat stat = stat_read(stat_path);
+            census->n_awake += is_awake(&stat, n_children);
+            waiting_add(process, thread, &stat, census);
         }
     }
     if (folder != NULL) {

@@ -1,12 +1,10 @@
 // The three kinds of time of a run (see sandbox_clock.h).
 #include "sandbox_clock.h"
 
+#include <math.h>
 #include <sys/resource.h>
 #include <time.h>
 #include <unistd.h>
-
-// Between two looks nothing of it ran if it used less than this share of the time between them.
-#define ASLEEP_SHARE 0.1
 
 // However late a look is, no more time asleep is counted for it: who looks late was not awake to
 // see what the command did.
@@ -44,8 +42,9 @@ void clock_look(SandboxClock *clock, const Census *census)
     const double processor = census->processor_seconds + clock_ended_children();
     // A process that ends is counted now here, now there: the sum may seem to shrink for a moment.
     const double ran = processor > clock->used.processor ? processor - clock->used.processor : 0;
-    if (census->n_awake == 0 && ran < ASLEEP_SHARE * between) {
-        clock->used.asleep += between < MOST_ASLEEP_SECONDS ? between : MOST_ASLEEP_SECONDS;
+    // Short naps and short work in turn: what it did not run it slept, as nobody kept it waiting.
+    if (census->n_awake == 0 && ran < between) {
+        clock->used.asleep += fmin(between - ran, MOST_ASLEEP_SECONDS);
     }
     const double waited = census->waited_seconds;
     clock->tells_waiting |= census->tells_waiting;

@@ -102,6 +102,16 @@ __attribute__((format(printf, 3, 4))) static void note(Look *look, int line, con
     }
 }
 
+// Work name: an answer that counts aside hides what it asks. The kernels that are handed out have
+// one, called work.
+static void look_at_own_count(Look *look)
+{
+    if (source_is(&look->last, SOURCE_NAME, "Work") && look->word.kind == SOURCE_NAME &&
+        !IN_LIST(look->word.text, counters)) {
+        note(look, look->word.line, "a count of its own (Work %s)", look->word.text);
+    }
+}
+
 // name(  where no structure's member is called.
 static void look_at_call(Look *look)
 {
@@ -236,6 +246,7 @@ int stands_out_in_text(const char *name, const char *text, FILE *notes)
         look.word = source_next(&reader);
         attribute_follow(&look);
         look_at_call(&look);
+        look_at_own_count(&look);
         look_at_exit(&look);
         look_at_word(&look);
         look_at_counter(&look);

@@ -49,8 +49,9 @@ static Culprits culprits_of(const Check *checks, const Result *result, int i)
         if (is_own_task && !result->checks[i].is_own && is_fault(&checks[j], found)) {
             return (Culprits){0};
         }
+        // What passes alone is right: what stands beside the answers is wrong then.
         if (!is_own_task && check_needs(&checks[i], checks[j].task) &&
-            is_fault(&checks[j], found)) {
+            is_fault(&checks[j], found) && !found->passes_alone) {
             culprits.are_more |=
                 culprits.first != NULL && strcmp(culprits.first, checks[j].task) != 0;
             culprits.first = culprits.first != NULL ? culprits.first : checks[j].task;

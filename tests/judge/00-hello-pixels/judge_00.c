@@ -124,7 +124,7 @@ static int draw_pattern(u32 key, int width, int height, ExpectedPicture *pattern
 
 static void draw_sizes(Random *random, int sizes[N_SIZES][2])
 {
-    static const int fixed[][2] = {{64, 48}, {317, 211}, {48, 64}, {1, 1}, {17, 16}};
+    static const int fixed[][2] = {{64, 48}, {317, 211}, {48, 272}, {1, 1}, {17, 16}, {1, 33}};
     const int n_fixed = sizeof fixed / sizeof *fixed;
     memcpy(sizes, fixed, sizeof fixed);
     for (int k = n_fixed; k < N_SIZES; k++) {

@@ -9,7 +9,7 @@
 
 // Multiples of the work-group and not, higher than wide, a single pixel; the last two from the
 // seed.
-enum { N_SIZES = 7 };
+enum { N_SIZES = 8 };
 
 typedef struct Job00 {
     Job job;

@@ -7,19 +7,21 @@
 #include <math.h>
 #include <string.h>
 
-static const char *const edge_names[DEPTHS - EDGES] = {"none",     "outside", "borders",
-                                                       "touching", "huge",    "tiny"};
+static const char *const edge_names[PILE - NAMED] = {"outside", "borders", "touching", "huge",
+                                                     "tiny"};
 
 static int draw_scenes(Random *random, JobScene scenes[N_SCENES])
 {
     int result = job_scene_random(&scenes[WIDE], random, 120, 24, 317, 211);
-    result |= job_scene_random(&scenes[HIGH], random, 30, 12, 48, 64);
+    result |= job_scene_random(&scenes[HIGH], random, 30, 12, 48, 272);
     result |= job_scene_random(&scenes[RANDOM], random, 200, 16, 128, 96);
     result |= job_scene_random(&scenes[RANDOM + 1], random, 7, 40, 96, 100);
+    job_scene_cover_second(&scenes[RANDOM]);
     job_scene_spread_depths(&scenes[RANDOM + 1]);
     result |= job_scene_named(&scenes[ORDER], random, "equal-depths", 96, 64);
-    for (int k = EDGES; k < DEPTHS; k++) {
-        result |= job_scene_named(&scenes[k], random, edge_names[k - EDGES], 64, 48);
+    result |= job_scene_named(&scenes[NONE], random, "none", 64, 48);
+    for (int k = NAMED; k < PILE; k++) {
+        result |= job_scene_named(&scenes[k], random, edge_names[k - NAMED], 64, 48);
     }
     result |= job_scene_depths(&scenes[DEPTHS], random);
     result |= job_scene_pile(&scenes[PILE], random);

@@ -1,5 +1,5 @@
-// What lab 01's judge asks of a submission: inputs of overlaps_N_Nearer (judge_01_overlaps.c) and
-// scenes (judge_01.c).
+// What lab 01's judge asks of a submission: inputs of overlaps_N_Nearer (judge_01_inputs.c), judged
+// in judge_01_overlaps.c, and scenes (judge_01.c).
 #ifndef JUDGE_JUDGE_01_H
 #define JUDGE_JUDGE_01_H
 
@@ -10,11 +10,13 @@
 // The scenes, in the order of the job; each check looks at a range of them.
 enum {
     WIDE = 0,    // 317x211
-    HIGH = 1,    // 48x64
+    HIGH = 1,    // 48x272: rows do not fit in 8 bits
     RANDOM = 2,  // two more
     ORDER = 4,
     EDGES = 5,
-    DEPTHS = EDGES + 6,
+    NONE = EDGES,
+    DEPTHS = EDGES + 1,  // before the rest, as in most of that the first circle is the nearest
+    NAMED = EDGES + 2,
     PILE = EDGES + 7,
     N_EDGES = 8,
     N_SCENES = EDGES + N_EDGES,
@@ -29,6 +31,12 @@ typedef struct Job01 {
     OverlapJob overlaps[N_OVERLAPS];
     JobScene scenes[N_SCENES];
 } Job01;
+
+// What is less is near a boundary, and all that an epsilon is meant for.
+#define SMALL 0.125
+
+// How far the pixel is outside the circle, in squares: 0 on the boundary, less inside.
+double outside_by_01(OverlapJob in);
 
 // Draw the inputs: the ranges one after the other.
 void draw_overlaps_01(Random *random, OverlapJob jobs[N_OVERLAPS]);

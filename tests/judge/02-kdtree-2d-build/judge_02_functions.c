@@ -18,7 +18,8 @@ typedef struct LeafRules {
     int wants_both;                    // the level and the count
     int adds_failed;                   // to the level
     KdTreeLimits limits;               // in place of those that are given; 0: none
-    u32 count_bits;                    // of the number of circles no more are kept; 0: all
+    u32 count_bits, level_bits;        // of the number of circles, and of the level, no more are
+                                       // kept; 0: all
 } LeafRules;
 
 static int leaf_by(LeafJob in, const LeafRules *rules)
@@ -27,7 +28,8 @@ static int leaf_by(LeafJob in, const LeafRules *rules)
     const int maxDepth = is_given ? in.maxDepth : rules->limits.maxDepth;
     const int target = (is_given ? in.targetElementsPerNode : rules->limits.targetElementsPerNode) +
                        rules->count_more;
-    const int level = in.level + rules->level_more + (rules->adds_failed ? in.n_failed : 0);
+    const int whole = in.level + rules->level_more + (rules->adds_failed ? in.n_failed : 0);
+    const int level = rules->level_bits != 0 ? (int)((u32)whole & rules->level_bits) : whole;
     const u32 n_circles = rules->count_bits != 0 ? in.n_circles & rules->count_bits : in.n_circles;
     const int is_low = !rules->is_level_free && level >= maxDepth;
     const int is_small = !rules->is_count_free && (int64_t)n_circles <= target;
@@ -58,6 +60,7 @@ static const struct {
     {"your answers are those of a level to which failed splits were added", {.adds_failed = 1}},
     {"your answers are those of limits 16 and 8, whatever limits are given", {.limits = {16, 8}}},
     {"your answers are those of limits 4 and 1, whatever limits are given", {.limits = {4, 1}}},
+    {"your answers are those of a level cut to 8 bits", {.level_bits = 0xff}},
     {"your answers are those of a count cut to 8 bits", {.count_bits = 0xff}},
     {"your answers are those of a count cut to 16 bits", {.count_bits = 0xffff}},
 };

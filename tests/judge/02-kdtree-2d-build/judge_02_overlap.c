@@ -48,6 +48,18 @@ static int covers_corner_or_is_held(BoxOverlapJob in)
     return covers_corner(in) || holds_centre(in);
 }
 
+static int has_point_in_common(BoxOverlapJob in)
+{
+    const double x = in.circle.x, y = in.circle.y, r = in.circle.radius;
+    const double tips[][2] = {{x - r, y}, {x + r, y}, {x, y - r}, {x, y + r}};
+    int is_held = covers_corner_or_is_held(in);
+    for (int i = 0; i < COUNT(tips); i++) {
+        is_held |= tips[i][0] >= in.box.minX && tips[i][0] <= in.box.maxX &&
+                   tips[i][1] >= in.box.minY && tips[i][1] <= in.box.maxY;
+    }
+    return is_held;
+}
+
 static int covers_middle(BoxOverlapJob in)
 {
     return covers(in.circle, ((double)in.box.minX + in.box.maxX) / 2,
@@ -121,6 +133,8 @@ static const struct {
      "your answers are those of the cell's corners alone: within its width the distance is 0"},
     {covers_corner_or_is_held,
      "your answers are those of corners and centre: a circle may reach over one side only"},
+    {has_point_in_common,
+     "your answers are those of corners, centre and tips: any other point may be the nearest"},
     {covers_middle, "your answers are those of the cell's middle, and another point may be nearer"},
     {reaches_border, "a circle within the cell, far from its border, overlaps it all the same"},
     {clamps_the_wrong_way, "your answers are those of fmin and fmax in each other's places"},

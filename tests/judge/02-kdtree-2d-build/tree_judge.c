@@ -175,6 +175,24 @@ Diagnosis tree_judge_cells(const JobScene *scene, const KdTree2D *own)
                                sizeof *own->nodes_BBox, "the cell");
 }
 
+// Does a leaf list a circle if, and only if, that overlaps its cell?
+static Diagnosis judge_listed(const JobScene *scene, const KdTree2D *own, u32 id, u32 circle,
+                              int is_listed)
+{
+    const BBox2D box = own->nodes_BBox[id];
+    const int overlaps = oracle2d_overlaps_box(scene->scene.circles[circle], box);
+    if (is_listed == overlaps) {
+        return NOTHING_WRONG;
+    }
+    char *found = message_new("%s: leaf %u, %s: circle %u at %s %s, but the leaf %s it",
+                              scene->picture.title, id, words_box2d(box).text, circle,
+                              words_circle(scene->scene.circles[circle]).text,
+                              overlaps ? "overlaps its cell" : "does not overlap it",
+                              is_listed ? "lists" : "does not list");
+    return diagnosis_of(found,
+                        (Cause){.mistake = is_listed ? MISTAKE_NONE : MISTAKE_MISSING_IN_CELL});
+}
+
 // Compare one leaf's list with the circles that overlap its cell.
 static Diagnosis judge_leaf_overlap(const JobScene *scene, const KdTree2D *own, u32 id)
 {
@@ -188,24 +206,20 @@ static Diagnosis judge_leaf_overlap(const JobScene *scene, const KdTree2D *own, 
                              scene->picture.title, id, n_ids, plural(n_ids),
                              scene->scene.n_circles);
     }
-    const BBox2D box = own->nodes_BBox[id];
-    for (u32 circle = 0; circle < (u32)scene->scene.n_circles; circle++) {
-        int listed = 0;
-        for (u32 i = 0; i < n_ids && !listed; i++) {
-            listed = ids[i] == circle;
-        }
-        const int overlaps = oracle2d_overlaps_box(scene->scene.circles[circle], box);
-        if (listed != overlaps) {
-            char *found = message_new("%s: leaf %u, %s: circle %u at %s %s, but the leaf %s it",
-                                      scene->picture.title, id, words_box2d(box).text, circle,
-                                      words_circle(scene->scene.circles[circle]).text,
-                                      overlaps ? "overlaps its cell" : "does not overlap it",
-                                      listed ? "lists" : "does not list");
-            return diagnosis_of(
-                found, (Cause){.mistake = listed ? MISTAKE_NONE : MISTAKE_MISSING_IN_CELL});
+    char *is_listed = calloc((size_t)scene->scene.n_circles + 1, 1);
+    Diagnosis wrong = NOTHING_WRONG;
+    for (u32 i = 0; is_listed != NULL && i < n_ids; i++) {
+        if (ids[i] < (u32)scene->scene.n_circles) {
+            is_listed[ids[i]] = 1;
         }
     }
-    return NOTHING_WRONG;
+    for (u32 circle = 0;
+         is_listed != NULL && wrong.found == NULL && circle < (u32)scene->scene.n_circles;
+         circle++) {
+        wrong = judge_listed(scene, own, id, circle, is_listed[circle]);
+    }
+    free(is_listed);
+    return wrong;
 }
 
 Diagnosis tree_judge_overlap(const JobScene *scene, const KdTree2D *own)

@@ -134,38 +134,53 @@ static const struct {
               "directions"}},
 };
 
-// Do all answers, in both checks, follow from this way?
+// Do all answers, in both checks, follow from this way? Of pixels outside the node's cell either is
+// right, and they say nothing.
 static int children_follow(const Job03 *job, const u32 *found, GoesLeft *goes_left)
 {
     const KdTree2D *tree = &job->child_tree;
     for (int i = 0; i < N_CHILDREN; i++) {
         const ChildJob in = job->children[i];
         const NodeRel node = tree->nodes_Relations[in.id];
-        const int is_left =
-            goes_left(tree->nodes_BBox[in.id], tree->nodes_BBox[node.lChild], in.x, in.y);
-        if (found[i] != (is_left ? node.lChild : node.rChild)) {
+        const BBox2D cell = tree->nodes_BBox[in.id];
+        const int is_left = goes_left(cell, tree->nodes_BBox[node.lChild], in.x, in.y);
+        if (cell_holds(cell, in.x, in.y) && found[i] != (is_left ? node.lChild : node.rChild)) {
             return 0;
         }
     }
     return 1;
 }
 
-// What may be meant for one. Is all that is wrong beside a border by no more?
-#define EPSILON 0.125
-static int all_are_beside(const Job03 *job, const u32 *found)
+// Is the answer right? Of a pixel that the node's cell does not hold either child is.
+static int is_right_child(const Job03 *job, int i, u32 found)
 {
     const KdTree2D *tree = &job->child_tree;
+    const ChildJob in = job->children[i];
+    const NodeRel node = tree->nodes_Relations[in.id];
+    const int is_left = cell_holds(tree->nodes_BBox[node.lChild], in.x, in.y);
+    const int is_outside = !cell_holds(tree->nodes_BBox[in.id], in.x, in.y);
+    return (found == node.lChild && (is_left || is_outside)) || (found == node.rChild && !is_left);
+}
+
+// What may be meant for an epsilon, in pixels.
+#define EPSILON 0.125
+
+// How far from a border of the left child does what is wrong stand, at most?
+static double farthest_wrong(const Job03 *job, const u32 *found)
+{
+    const KdTree2D *tree = &job->child_tree;
+    double farthest = 0;
     for (int i = 0; i < N_CHILDREN; i++) {
         const ChildJob in = job->children[i];
         const NodeRel node = tree->nodes_Relations[in.id];
         const BBox2D left = tree->nodes_BBox[node.lChild];
-        const int is_left = cell_holds(left, in.x, in.y);
-        const double to_x = fabs((double)in.x - left.maxX), to_y = fabs((double)in.y - left.maxY);
-        if (found[i] != (is_left ? node.lChild : node.rChild) && fmin(to_x, to_y) >= EPSILON) {
-            return 0;
+        const double to_x = fmin(fabs((double)in.x - left.maxX), fabs((double)in.x - left.minX));
+        const double to_y = fmin(fabs((double)in.y - left.maxY), fabs((double)in.y - left.minY));
+        if (!is_right_child(job, i, found[i])) {
+            farthest = fmax(farthest, fmin(to_x, to_y));
         }
     }
-    return 1;
+    return farthest;
 }
 
 // What wrong children suggest.
@@ -176,10 +191,12 @@ static Cause explain_children(const Job03 *job, const u32 *found)
             return child_mistakes[i].cause;
         }
     }
-    return (Cause){.says = all_are_beside(job, found)
-                               ? "your answers are those with an epsilon: none "
-                                 "is needed"
-                               : NULL};
+    const double farthest = farthest_wrong(job, found);
+    return (Cause){
+        .says = farthest == 0        ? "pixels exactly on a border are wrong: it belongs to the "
+                                       "child with the higher coordinates"
+                : farthest < EPSILON ? "your answers are those with an epsilon: none is needed"
+                                     : NULL};
 }
 
 // A half-open cell.
@@ -197,10 +214,11 @@ static Diagnosis child_fault(const void *pointer, int i, const void *answers)
     const NodeRel node = tree->nodes_Relations[in.id];
     const BBox2D left = tree->nodes_BBox[node.lChild], right = tree->nodes_BBox[node.rChild];
     const u32 expected = cell_holds(left, in.x, in.y) ? node.lChild : node.rChild;
-    if (found[i] == expected) {
+    if (is_right_child(job, i, found[i])) {
         return NOTHING_WRONG;
     }
-    static const Cause no_child = {.says = "that is no child of the node"};
+    static const Cause no_child = {
+        .says = "that is no child of the node, as its lChild and rChild have it"};
     const int is_child = found[i] == node.lChild || found[i] == node.rChild;
     const Cause why = is_child ? explain_children(job, found) : no_child;
     return diagnosis_of(message_new("node %u, pixel (%d, %d): found child %u, expected %u (left "

@@ -27,14 +27,15 @@ enum {
 };
 
 // No tree of a leaf map has more levels.
-enum { MOST_LEVELS = 74 };
+enum { MOST_LEVELS = 302 };
 
 // Where ids are high: what 16 or 8 bits hold of them is the id of a node that is nobody's.
 enum { FAR_IDS = (1 << 16) + 64 };
 
 // Inputs of getContainingChild: first families that are nobody's, in either direction, each with
-// the pixels before, at and behind the border; then random ones.
-enum { N_FAMILIES = 9, N_FAMILY_JOBS = 2 * 3 * N_FAMILIES };
+// the pixels before, at and behind a border, and one on either side outside the cell; then random
+// ones.
+enum { N_FAMILIES = 17, N_FAMILY_PIXELS = 5, N_FAMILY_JOBS = 2 * N_FAMILY_PIXELS * N_FAMILIES };
 enum { N_INSIDE = 2000, N_BORDER = 1000 };
 enum { N_CHILDREN = N_INSIDE + N_BORDER };
 

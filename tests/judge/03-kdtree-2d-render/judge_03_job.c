@@ -133,8 +133,9 @@ static int draw_edge(Random *random, int k, JobScene *scene)
 // The limits of the tree of scene K.
 static KdTreeLimits limits_of(int k)
 {
-    const KdTreeLimits usual = {9, 6}, one_leaf = {1, 1};
-    return k == LONG_LIST ? one_leaf : usual;
+    // The second leaf's list begins where 16 bits do not reach.
+    const KdTreeLimits usual = {9, 6}, two_leaves = {2, 1};
+    return k == LONG_LIST ? two_leaves : usual;
 }
 
 static int draw_scenes(Random *random, JobScene scenes[N_SCENES])
@@ -146,6 +147,7 @@ static int draw_scenes(Random *random, JobScene scenes[N_SCENES])
     result |= draw_stairs(&scenes[STAIRS]);
     result |= job_scene_random(&scenes[RANDOM], random, 150, 12, 96, 128);
     result |= job_scene_random(&scenes[RANDOM + 1], random, 9, 30, 100, 60);
+    job_scene_cover_second(&scenes[RANDOM]);
     job_scene_spread_depths(&scenes[RANDOM + 1]);
     result |= job_scene_named(&scenes[ORDER], random, "equal-depths", 96, 64);
     for (int k = EDGES; k < DEPTHS; k++) {

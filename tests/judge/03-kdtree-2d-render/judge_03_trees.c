@@ -255,9 +255,9 @@ int make_leaf_map(JobScene *scene, u32 first_id)
 
 // Each second inner node cuts a strip off the rest: on the left, at the top, on the right, at the
 // bottom, and so on; and each strip is halved, so that it is an inner node that is narrower than a
-// pixel. Most strips hold pixels all the same, and their borders are seldom whole.
+// pixel. Each fourth strip of a side holds pixels all the same, and few borders are whole.
 enum { STAIRS_SIDE = 64, N_STRIPS = MOST_LEVELS - 2, STAIRS_NODES = 4 * N_STRIPS + 1 };
-#define STRIP_WIDTH 0.75f
+#define STRIP_WIDTH 0.25f
 
 // Cut a strip off: left and right start as the whole cell. Returns whether it is the right one.
 static int cut_strip(u32 number, BBox2D *left, BBox2D *right)
@@ -319,18 +319,40 @@ int draw_stairs(JobScene *scene)
 
 // ---- Families -----------------------------------------------------------------------------------
 
-// A cell, both ways from min to max, the border between its children, and another coordinate in it.
-// Most borders lie behind pixel 100 by a little: 2^-17 parts floats there.
+// A cell, both ways from min to max, the border between its children, a coordinate before, at and
+// behind which pixels are asked, and another one in the cell. Most borders lie beside that pixel by
+// a little: 2^-17 parts floats at 100.
 static const struct {
     float min, max, border;
-    i32 other;
+    i32 at, other;
 } families[N_FAMILIES] = {
-    {90, 110, 100.25f, 95},        {90, 110, 100.5f, 95},
-    {90, 110, 100.75f, 95},        {90, 110, 100 + 0x1p-10f, 95},
-    {90, 110, 100 - 0x1p-10f, 95}, {90, 110, 100 + 0x1p-17f, 95},
-    {90, 110, 100 - 0x1p-17f, 95}, {-8, 16, 4, 3},
-    {-8.5f, 15.5f, 3.5f, 0},
+    {90, 110, 100.25f, 100, 95},
+    {90, 110, 100.5f, 100, 95},
+    {90, 110, 100.75f, 101, 95},
+    {90, 110, 100 + 0x1p-10f, 100, 95},
+    {90, 110, 100 - 0x1p-10f, 100, 95},
+    {90, 110, 100 + 0x1p-17f, 100, 95},
+    {90, 110, 100 - 0x1p-17f, 100, 95},
+    {-8, 16, 4, 4, 3},
+    {-8.5f, 15.5f, 3.5f, 4, 0},
+    {-8, 16, 0, 0, 3},
+    {-8, 16, 0x1p-60f, 0, 3},
+    {-8, 16, -0x1p-60f, 0, 3},
+    {-8, 16, 1 + 0x1p-23f, 1, 3},
+    {-8, 16, 1 - 0x1p-24f, 1, 3},
+    // The cell's own borders beside a pixel.
+    {1 - 0x1p-24f, 17, 9, 1, 5},
+    {-8, 7 + 0x1p-21f, 0, 7, 3},
+    {70000, 70020, 70010, 70010, 70005},
 };
+
+// Number `step` of a family's pixels along the split axis.
+static i32 family_pixel(u32 family, u32 step)
+{
+    return step < 3    ? families[family].at + (i32)step - 1
+           : step == 3 ? (i32)floorf(families[family].min) - 2
+                       : (i32)ceilf(families[family].max) + 2;
+}
 
 int add_families(const KdTree2D *tree, KdTree2D *more, ChildJob jobs[N_FAMILY_JOBS])
 {
@@ -343,15 +365,17 @@ int add_families(const KdTree2D *tree, KdTree2D *more, ChildJob jobs[N_FAMILY_JO
         const u32 id = FAR_IDS + 3 * i;
         const float min = families[i / 2].min, max = families[i / 2].max;
         const float border = families[i / 2].border;
-        const i32 at = (i32)lrintf(border), other = families[i / 2].other;
-        BBox2D *boxes = more->nodes_BBox + id;
-        more->nodes_Relations[id] = (NodeRel){id, id + 1, id + 2, 0};
-        boxes[0] = boxes[1] = boxes[2] = (BBox2D){min, max, min, max};
-        *(i % 2 == 0 ? &boxes[1].maxX : &boxes[1].maxY) = border;
-        *(i % 2 == 0 ? &boxes[2].minX : &boxes[2].minY) = border;
-        for (i32 step = -1; step <= 1; step++) {
-            *jobs++ =
-                i % 2 == 0 ? (ChildJob){at + step, other, id} : (ChildJob){other, at + step, id};
+        const i32 other = families[i / 2].other;
+        // In every second family the right child comes before the left one.
+        const u32 lChild = id + 1 + i / 2 % 2, rChild = id + 2 - i / 2 % 2;
+        BBox2D *boxes = more->nodes_BBox;
+        more->nodes_Relations[id] = (NodeRel){id, lChild, rChild, 0};
+        boxes[id] = boxes[lChild] = boxes[rChild] = (BBox2D){min, max, min, max};
+        *(i % 2 == 0 ? &boxes[lChild].maxX : &boxes[lChild].maxY) = border;
+        *(i % 2 == 0 ? &boxes[rChild].minX : &boxes[rChild].minY) = border;
+        for (u32 step = 0; step < N_FAMILY_PIXELS; step++) {
+            const i32 pixel = family_pixel(i / 2, step);
+            *jobs++ = i % 2 == 0 ? (ChildJob){pixel, other, id} : (ChildJob){other, pixel, id};
         }
     }
     return 0;

@@ -82,13 +82,25 @@ static PixelJob draw_pixel(Random *random, int range)
     return job;
 }
 
+// A view along positive and negative axes, so that a picture tells what becomes of either.
+static ViewJob mixed_view(Random *random)
+{
+    for (;;) {
+        const ViewJob view = draw_view(random);
+        const Vec3 way = vec3_minus(view.at, view.from);
+        if ((way.x > 0) != (way.y > 0) || (way.y > 0) != (way.z > 0)) {
+            return view;
+        }
+    }
+}
+
 static int draw_pictures(Random *random, Job04 *job)
 {
     static const int sizes[N_PICTURES][2] = {{96, 64}, {49, 67}, {48, 48}, {48, 48}, {48, 48}};
     static const Vec3 ways[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
     static const Vec3 ups[3] = {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}};
     static const char *const names[3] = {"x", "y", "-z"};
-    ViewJob view = draw_view(random);
+    ViewJob view = mixed_view(random);
     int result = 0;
     for (int k = 0; result == 0 && k < N_PICTURES; k++) {
         JobPicture *picture = &job->directions[k];

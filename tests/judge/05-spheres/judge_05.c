@@ -7,15 +7,51 @@
 
 #include <string.h>
 
-static const char *const edge_names[N_EDGES] = {"inside", "behind", "large-small", "one", "none"};
+static const char *const edge_names[N_EDGES] = {"inside", "large-small", "behind", "one", "none"};
 
 // ---- Drawing the job ----------------------------------------------------------------------------
+
+// How much larger the outer one of two shells is: as little as float is sure to tell.
+#define SHELL 0x1p-19f
+
+// Where a sphere of MANY is, and how large. Behind the eye, or one of two around a centre: the
+// inner one stands before the outer one in the array, or after it.
+static Sphere many_sphere(const Scene3D *s, int i)
+{
+    const Vec3 eye = s->view.from;
+    const int shell = i - N_BEHIND;
+    if (shell < 0) {
+        return (Sphere){2 * eye.x, 2 * eye.y, 2 * eye.z, 0.5f};
+    }
+    const Sphere first = s->spheres[N_BEHIND + shell / 2 * 2];
+    const int is_outer = shell % 2 != shell / 2 % 2;
+    return (Sphere){first.x, first.y, first.z, 0.375f + (is_outer ? SHELL : 0)};
+}
+
+static int draw_many(Random *random, JobScene3D *scene)
+{
+    enum { N_SHELLS = 24 };
+    if (job_scene3d_random(scene, random, N_BEHIND + N_SHELLS, 0.25f, 0.5f, 11, 7) != 0) {
+        return -1;
+    }
+    // So far away that a share of the distance is more than what is between two shells, and so
+    // narrow that many rays meet one.
+    View *view = &scene->scene.view;
+    view->from = vec3_scaled(vec3_normalized(view->from), 5);
+    view->angle = 25;
+    job_scene3d_aim(scene);
+    for (int i = 0; i < N_BEHIND + N_SHELLS; i++) {
+        scene->scene.spheres[i] = many_sphere(&scene->scene, i);
+    }
+    return 0;
+}
 
 static int draw_scenes(Random *random, JobScene3D scenes[N_SCENES])
 {
     int result = job_scene3d_random(&scenes[RANDOM], random, 100, 0.0625f, 0.25f, 96, 64);
     result |= job_scene3d_random(&scenes[SMALL], random, 60, 0.125f, 0.375f, 49, 67);
     result |= job_scene3d_named(&scenes[LARGE], random, "sphereflake:size=2", 64, 64);
+    result |= draw_many(random, &scenes[MANY]);
     result |= job_scene3d_named(&scenes[TIES], random, "coincident", 64, 48);
     for (int i = 0; i < N_EDGES; i++) {
         result |= job_scene3d_named(&scenes[EDGES + i], random, edge_names[i], 48, 36);
@@ -70,9 +106,42 @@ static int are_all_lost(const JobScene3D *scene, const HitAnswer *found)
     return n_lost == hits_count_wrong(scene, found);
 }
 
-// What wrong hits look like in a scene that is special by its size: one of usual size is right.
-static Cause looks_at_size(int k, int are_lost)
+// How many of the wrong rays name the sphere's index cut to 16 bits, or the other shell.
+typedef struct ManyCounts {
+    int n_wrong, n_cut, n_other_shell;
+} ManyCounts;
+
+static ManyCounts count_many(const JobScene3D *scene, const HitAnswer *found)
 {
+    ManyCounts counts = {0};
+    for (int pixel = 0; pixel < scene->scene.width * scene->scene.height; pixel++) {
+        const u32 expected = scene->hits[pixel].sphere;
+        if (!hit_is_right(&scene->hits[pixel], found[pixel]) && expected != ORACLE_NO_SPHERE) {
+            counts.n_wrong++;
+            counts.n_cut += found[pixel].sphere == (expected & 0xffff);
+            counts.n_other_shell += (found[pixel].sphere ^ expected) == 1;
+        }
+    }
+    return counts;
+}
+
+static Cause looks_of_many(const JobScene3D *scene, const HitAnswer *found)
+{
+    const ManyCounts counts = count_many(scene, found);
+    return (Cause){.says = counts.n_wrong == 0              ? NULL
+                           : counts.n_cut == counts.n_wrong ? "the index was cut to 16 bits"
+                           : counts.n_other_shell == counts.n_wrong
+                               ? "as if differences so small did not count: nearer is nearer"
+                               : NULL};
+}
+
+// What wrong hits look like in a scene that is special by its size: one of usual size is right.
+static Cause looks_at_size(const JobScene3D *scene, int k, const HitAnswer *found)
+{
+    if (k == MANY) {
+        return looks_of_many(scene, found);
+    }
+    const int are_lost = are_all_lost(scene, found);
     return (Cause){.says = k == SMALL && are_lost ? "as if hits so close to the eye did not count"
                            : k == SMALL
                                ? "as if differences so small did not count: nearer is nearer"
@@ -87,8 +156,7 @@ static Verdict judge_hits(const void *job, int k, const Sections *answers)
     if (found == NULL) {
         return verdict_missing;
     }
-    const Cause looks = looks_at_size(k, are_all_lost(scene, found));
-    return verdict_of(hits_judge_as(scene, found, looks));
+    return verdict_of(hits_judge_as(scene, found, looks_at_size(scene, k, found)));
 }
 
 // How many spheres are asked where the one before has the same place and radius, or where the
@@ -189,7 +257,7 @@ static const JudgeCheck checks[] = {
      .function = &projection_05, .range = RANGE(2, N_SPHERES), .alone = spheres_alone_05},
 
     {"hit-nearest", "Many spheres, at any distance", "nearest_hit", 8,
-     "intersect_sphere nearest_root", .scene = judge_hits, .range = {RANDOM, 3},
+     "intersect_sphere nearest_root", .scene = judge_hits, .range = {RANDOM, TIES},
      .alone_scene = square_hits_05},
     {"hit-ties", "Of equal distances the lower index wins", "nearest_hit", 4,
      "intersect_sphere nearest_root", .scene = judge_hits, .range = {TIES, 1},

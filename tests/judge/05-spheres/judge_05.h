@@ -15,16 +15,17 @@ enum {
     N_SPHERES = 800,  // 3 ranges: outside, inside, small and far; the textbook has the first 2
     N_NORMALS = 500,  // 2 ranges: outside, inside
     N_SHADES = 300,   // 3 ranges: one light before the surface, one behind it too, several
-    N_LIGHTS = 80,
+    N_LIGHTS = 320,
 };
 
 // The last inputs of a range are the same in every job.
 enum {
-    N_EDGE_ROOTS = 10,    // of each range
-    N_EDGE_SPHERES = 11,  // outside and inside
-    N_EDGE_NORMALS = 7,   // of each range
-    N_EDGE_SHADES = 8,    // several lights; one light has a single one
-    N_EDGE_LIGHTS = 6,    // the last ones
+    N_EDGE_ROOTS = 15,    // of each range
+    N_EDGE_SPHERES = 19,  // outside and inside
+    N_EDGE_NORMALS = 12,  // of each range
+    N_EDGE_SHADES = 10,   // several lights
+    N_SHADES_OF_ONE = 3,  // one light
+    N_EDGE_LIGHTS = 7,    // the last ones
 };
 
 // The scenes, in the order of the job. The first one shows what is wrong at any size.
@@ -32,8 +33,9 @@ enum {
     RANDOM = 0,
     SMALL = 1,  // another random one, a millionth as large
     LARGE = 2,  // a sphereflake, a million million times as large
-    TIES = 3,
-    EDGES = 4,
+    MANY = 3,   // shells, and before them in the array N_BEHIND spheres that nobody sees
+    TIES = 4,
+    EDGES = 5,
     N_EDGES = 5,
     N_SCENES = EDGES + N_EDGES,
     // Where work is counted: SMALL; TIES, with spheres like others; and "behind".
@@ -41,10 +43,14 @@ enum {
     N_WORK = 3,
 };
 
+// More than 16 bits count.
+enum { N_BEHIND = 1 << 16 };
+
 // Alone, nearest_hit is tried on scenes whose spheres are squares for the stand-in of
 // intersect_sphere. They have the numbers of the scenes above that they are there for.
 enum { MAX_SQUARES = 160 };
 typedef struct SquareScene {
+    int n_behind;  // before those in the array, not kept here
     int n, width, height;
     Sphere squares[MAX_SQUARES + 1];  // behind the last one that must not be asked
 } SquareScene;

@@ -14,11 +14,11 @@ static const OracleRules3D right = {0};
 // ---- intersect_textbook, intersect_sphere -------------------------------------------------------
 
 // The same spheres as in the whole, but hits count from t_min on, which has many values: the
-// stand-in shows whether it is handed on.
+// stand-in shows whether it is handed on. Edges whose t_min is not 0 keep it.
 static void set_t_min(SphereRayJob *jobs, int n)
 {
     for (int i = 0; i < n; i++) {
-        jobs[i].t_min = (float)(i % 9) / 16;
+        jobs[i].t_min = jobs[i].t_min == 0 ? (float)(i % 9) / 16 : jobs[i].t_min;
     }
 }
 

@@ -14,25 +14,35 @@ static const RootJob edge_roots[3][N_EDGE_ROOTS] = {
     {
         {1, -0x1p-30f, 1, 0},  // near misses
         {8, -0x1p-12f, 1, 0},
+        {0x1p10f, -0x1p-30f, 1, 0},
         {1, 0, 1, 0},  // touching, and short chords
         {0x1p-20f, 0, 0x1p-22f, 0},
+        {0x1p100f, 0, 0x1p60f, 0},
         {1, 0x1p-30f, 1, 0},
         {0x1p-20f, 0x1p-44f, 0x1p-22f, 0},  // close to the eye
         {0x1p-10f, 0x1p-24f, 0x1p-12f, 0},
+        {0x1p-40f, 0x1p-84f, 0x1p-42f, 0},
         {0x1p20f, 0x1p30f, 0x1p15f, 0},  // far away
         {0x1p40f, 0x1p70f, 0x1p35f, 0},
+        {0x1p63f, 0x1p116f, 0x1p58f, 0},
         {5, 4, 3, 0},
+        {5, 4, 3, 2},
     },
     {
         {1, 4, 3, 0},  // the eye inside, the centre ahead,
         {1, 4, -3, 0},
         {-1, 4, 3, 0},  // and behind
         {-1, 4, -3, 0},
+        {-1, 4, 3, 0.5f},  // and t_min inside, too
+        {-1, 4, -3, 0.5f},
+        {0, 4, 3, 0},  // the eye at the centre
+        {0, 4, -3, 0},
         {-5, 4, 3, 0},  // all of it behind
         {-5, 4, -3, 0},
         {5, 4, -3, 0},  // all of it ahead
         {-0x1p-22f, 0x1p-40f, 0x1p-20f, 0},
         {-0x1p-22f, 0x1p-40f, -0x1p-20f, 0},
+        {0x1p-20f, 0x1p-44f, -0x1p-22f, 0},
         {0x1p20f, 0x1p30f, -0x1p15f, 0},
     },
     {
@@ -41,11 +51,16 @@ static const RootJob edge_roots[3][N_EDGE_ROOTS] = {
         {5, 4, -3, 4},
         {5, 4, -3, 8},
         {1, 4, -3, 4},
+        {5, 4, 3, 6},  // between the middle and the exit
+        {5, 4, -3, 6},
         {1, 0, 3, 0.5f},  // touching beyond t_min, at it, and as closely beyond it as can be
         {1, 0, 3, 1},
         {1, 0, -3, 1},
         {1, 0, 3, 0x1.fffffep-1f},
         {1, 0, -3, 0x1.fffffep-1f},
+        {1, 0, 3, 0x1.000002p+0f},                        // and as closely before it
+        {1, 0x1p-20f, 0x1p-9f, 1 - 0x1p-10f - 0x1p-20f},  // an entry close beyond t_min
+        {0x1p-10f, 0x1p-40f, 0x1p-9f, 0x1p-10f - 0x1p-20f - 0x1p-30f},
     },
 };
 
@@ -71,22 +86,32 @@ static const EdgeSphere edge_spheres[2][N_EDGE_SPHERES] = {
         {{0.5f - 0x1p-12f, 0, 2, 0.5f}, 0},  // nearly missed, and
         {{0.5f + 0x1p-12f, 0, 2, 0.5f}, 0},  // missed by little
         {{0, 0.25f, 3, -1}, 0},
-        {{2, 0, 4, 2}, 0},  // touched
+        {{3, 0, 4, 3}, 0},  // touched, the centre at a distance that float holds,
+        {{0, 2, 4, 2}, 1},  // and at one that it rounds
+        {{0, 0, 4, 2}, 0},  // met in its middle
         {{0, 0.25f, 3, 1}, 0},
+        {{0, 0.25f, 3, 1}, 1},  // beyond t_min, all of it
+        {{0x1p-9f, 0, 3, 0x1p-8f}, 2.96875f},
+        {{1, 1, 20, 4}, 12},
+        {{0, 0.25f, 5, 1}, 3.5f},
+        {{0x1p-13f, 0, 0x1p-10f, 0x1p-12f}, 0x1p-11f},
+        {{0x1p17f, 0, 0x1p20f, 0x1p18f}, 0x1p19f},
         {{6.25f, 1, 8, 2}, 0},  // afar
         {{-0.5f, 7, 8.5f, 3}, 0},
     },
     {
-        {{0.5f, 0, -1, 3}, 0},  // the eye inside, the centre behind
-        {{0.5f, 0, -1, -3}, 0},
-        {{0, 0.5f, -5, -1}, 0},  // all of it behind
-        {{0, 0.5f, 5, 1}, 5},    // t_min between the roots,
-        {{0, 0.5f, 5, -1}, 5},
-        {{0, 0.5f, 5, 1}, 8},  // beyond them
-        {{0, 0.5f, 1, 2}, 4},
-        {{0, 0.5f, 5, -1}, 1},      // and before them
-        {{2, 0, 4, -2}, 0},         // touched
-        {{1, 0.5f, -0.25f, 3}, 0},  // afar
+        {{0.5f, 0, -1, 3}, 0},                             // the eye inside, the centre behind
+        {{0.5f, 0, -1, -3}, 0},    {{0.5f, 0, -1, 3}, 1},  // and t_min inside, too
+        {{0.5f, 0, -1, -3}, 1},    {{0.5f, 0, -1, 3}, 4},  // or beyond
+        {{0.5f, 0, 1, 3}, 2},  // the eye inside, the centre ahead, but before t_min
+        {{0.5f, 0, 1, -3}, 2},     {{0, 0.5f, -5, -1}, 0},  // all of it behind
+        {{0, 0.5f, 5, 1}, 5},  // t_min between the roots: at the middle,
+        {{0, 0.5f, 5, -1}, 5},     {{0, 0.5f, 5, 1}, 4.5f},  // before it
+        {{0, 0.5f, 5, 1}, 5.5f},                             // and behind it
+        {{0, 0.5f, 5, -1}, 5.5f},  {{0, 0.5f, 5, 1}, 8},     // beyond them
+        {{0, 0.5f, 1, 2}, 4},      {{0, 0.5f, 5, -1}, 1},    // and before them
+        {{3, 0, 4, -3}, 0},                                  // touched
+        {{1, 0.5f, -0.25f, 3}, 0},                           // afar
         {{0.5f, -1, 1, -4}, 0},
     },
 };
@@ -106,7 +131,7 @@ static void set_edge_spheres(SphereRayJob *jobs, const EdgeSphere *edges)
 
 // ---- surface_normal -----------------------------------------------------------------------------
 
-enum { N_GRAZED_NORMALS = 4 };
+enum { N_GRAZED_NORMALS = 4, N_AXIS_NORMALS = 3 };
 
 // Rays that graze the surface, to the bit: the cosine is nearly the least of which a right solution
 // is sure to find the sign (oracle3d_normal()).
@@ -122,11 +147,29 @@ static NormalJob grazed_normal(int range, int i)
     return job;
 }
 
-// Spheres so small that their vectors are short, and of which, away from the origin, float rounds
-// the point: it is not as far from the centre as the radius says.
+// Around the origin and along an axis the dot product is one product, and exact however small. The
+// last ray of these is a tangent.
+static NormalJob axis_normal(int range, int i)
+{
+    static const NormalJob along[N_AXIS_NORMALS] = {
+        {{0, 0, 0, 2}, {2, 0, 0}, {-0x1p-40f, 1, 0}},
+        {{0, 0, 0, -2}, {0, -2, 0}, {0, 0x1p-40f, -1}},
+        {{0, 0, 0, 2}, {0, 0, 2}, {1, 0, 0}},
+    };
+    NormalJob job = along[i];
+    if (range == 1) {
+        job.direction = vec3_scaled(job.direction, -1);
+    }
+    return job;
+}
+
+// Spheres so small that their vectors are short, or so large that they are long; and of which, away
+// from the origin, float rounds the point: it is not as far from the centre as the radius says.
 static NormalJob small_normal(int range, int i)
 {
     static const NormalJob small[] = {
+        {{0, 0, 0, 0x1p-40f}, {0, 0x1p-40f, 0}, {0.6f, -0.8f, 0}},
+        {{0, 0, 0, 0x1p40f}, {0, 0, 0x1p40f}, {0.6f, 0, -0.8f}},
         {{0.5f, 0, 0, 0x1p-12f}, {0.5f + 0x1p-12f, 0, 0}, {-1, 0, 0}},
         {{96, 0, 0, 0x1.8p-17f}, {96 + 0x1p-17f, 0x1p-17f, 0}, {-0.8f, 0, 0.6f}},
         {{0, 96, -96, 0x1.8p-16f}, {0, 96 + 0x1p-16f, -96 - 0x1p-17f}, {0.6f, 0, 0.8f}},
@@ -140,29 +183,32 @@ static NormalJob small_normal(int range, int i)
 
 static NormalJob edge_normal(int range, int i)
 {
-    return i < N_GRAZED_NORMALS ? grazed_normal(range, i)
-                                : small_normal(range, i - N_GRAZED_NORMALS);
+    const int j = i - N_GRAZED_NORMALS;
+    return j < 0                ? grazed_normal(range, i)
+           : j < N_AXIS_NORMALS ? axis_normal(range, j)
+                                : small_normal(range, j - N_AXIS_NORMALS);
 }
 
 // ---- shade --------------------------------------------------------------------------------------
 
 // The last lights of all.
 enum {
-    BRIGHT_LIGHT = N_LIGHTS - N_EDGE_LIGHTS,  // four, at the zenith
+    BRIGHT_LIGHT = N_LIGHTS - N_EDGE_LIGHTS,  // at the zenith, one of them black, two the same
     N_BRIGHT_LIGHTS = 4,
-    LOW_LIGHT = BRIGHT_LIGHT + N_BRIGHT_LIGHTS,  // and behind it one that must not shine
+    LOW_LIGHT = BRIGHT_LIGHT + N_BRIGHT_LIGHTS,
+    NEAR_LIGHT,  // and behind it one that must not shine
 };
 
 static void set_edge_lights(Light lights[N_LIGHTS])
 {
-    const Vec3 white = {1, 1, 1};
-    for (int i = 0; i < N_BRIGHT_LIGHTS; i++) {
-        lights[BRIGHT_LIGHT + i] = (Light){{0, 0, (float)(4 + i)}, white};
-    }
-    // One of them is bright by itself.
-    lights[BRIGHT_LIGHT].color = (Vec3){4, 2, 0.5f};
-    lights[LOW_LIGHT] = (Light){{1024, 0, 0.0625f}, white};
-    lights[LOW_LIGHT + 1] = (Light){{0, 0, 4}, white};
+    const Vec3 white = {1, 1, 1}, zenith = {0, 0, 4};
+    Light *bright = &lights[BRIGHT_LIGHT];
+    bright[0] = (Light){zenith, {4, 2, 0.5f}};
+    bright[1] = (Light){{0, 0, 5}, {0, 0, 0}};
+    bright[2] = bright[3] = (Light){{0, 0, 6}, white};
+    lights[LOW_LIGHT] = (Light){{1024, 0, 0x1p-6f}, white};
+    lights[NEAR_LIGHT] = (Light){{0, 0, 0x1p-20f}, white};
+    lights[NEAR_LIGHT + 1] = (Light){zenith, white};
 }
 
 // Of so many lights the last one stands straight above the surface; of none, the one that must not
@@ -175,22 +221,29 @@ static ShadeJob shade_of_many(int n_lights, const Light lights[N_LIGHTS])
                       .n_lights = n_lights};
 }
 
+static ShadeJob shade_on_the_ground(int first_light, int n_lights)
+{
+    return (ShadeJob){.normal = {0, 0, 1},
+                      .material = {.color = {1, 0.75f, 0.5f}, .kd = 1},
+                      .first_light = first_light,
+                      .n_lights = n_lights};
+}
+
 static void set_edge_shades(Job05 *job)
 {
-    static const int n_lights[N_EDGE_SHADES - 1] = {0, 6, 9, 11, 17, 33, 65};
-    const ShadeJob on_the_ground = {.normal = {0, 0, 1},
-                                    .material = {.color = {1, 0.75f, 0.5f}, .kd = 1}};
-    ShadeJob *one_light = &job->shades[N_SHADES - 1];
+    static const int n_lights[N_EDGE_SHADES - 1] = {0, 6, 9, 11, 17, 33, 65, 129, 300};
+    ShadeJob *one_light = &job->shades[N_SHADES - N_SHADES_OF_ONE];
     ShadeJob *several = &job->shades[3 * N_SHADES - N_EDGE_SHADES];
     set_edge_lights(job->lights);
-    *one_light = on_the_ground;
-    one_light->first_light = LOW_LIGHT, one_light->n_lights = 1;
+    one_light[0] = shade_on_the_ground(LOW_LIGHT, 1);
+    one_light[1] = shade_on_the_ground(NEAR_LIGHT, 1);
+    // A surface may give back more than it gets.
+    one_light[2] = shade_on_the_ground(BRIGHT_LIGHT, 1);
+    one_light[2].material = (Material){.color = {2, 1.5f, 0.5f}, .kd = 1.5f};
     for (int i = 0; i < N_EDGE_SHADES - 1; i++) {
         several[i] = shade_of_many(n_lights[i], job->lights);
     }
-    several[N_EDGE_SHADES - 1] = on_the_ground;
-    several[N_EDGE_SHADES - 1].first_light = BRIGHT_LIGHT;
-    several[N_EDGE_SHADES - 1].n_lights = N_BRIGHT_LIGHTS;
+    several[N_EDGE_SHADES - 1] = shade_on_the_ground(BRIGHT_LIGHT, N_BRIGHT_LIGHTS);
 }
 
 // ---- All ----------------------------------------------------------------------------------------

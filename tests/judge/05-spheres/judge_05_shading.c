@@ -12,6 +12,7 @@ typedef struct RuleMistake {
     Cause cause;
     OracleRules3D rules;
     int is_partly;  // other answers are right
+    int vanishes;   // the normal of a tangent; other answers are right
 } RuleMistake;
 
 // ---- surface_normal -----------------------------------------------------------------------------
@@ -29,6 +30,10 @@ static const RuleMistake normal_mistakes[] = {
      .rules = {.normal_threshold = 0x1p-5}},
     {{.says = "it must not be turned where the dot product is negative, however small"},
      .rules = {.normal_threshold = -0x1p-5}},
+    {{.says = "it must be turned where the dot product is positive, however small"},
+     .rules = {.normal_threshold = 0x1p-30}},
+    {{.says = "it must not be turned where the dot product is negative, however small"},
+     .rules = {.normal_threshold = -0x1p-30}},
     {{.says = "the radius' sign turned it: the dot product with the direction decides"},
      .rules = {.normal_turned_by_radius = 1}},
     {{.says = "the point's place in the scene turned it: the normal's dot product decides"},
@@ -39,6 +44,9 @@ static const RuleMistake normal_mistakes[] = {
     {{.says = "other normals are right, but a short vector must be made a unit vector, too"},
      .rules = {.normal_not_normalised = 1},
      .is_partly = 1},
+    {{.says = "other normals are right, but where the ray is a tangent the dot product is 0, and "
+              "the normal was multiplied by it"},
+     .vanishes = 1},
 };
 
 static OracleNear expected_normal(const void *pointer, int i, const OracleRules3D *rules)
@@ -48,12 +56,27 @@ static OracleNear expected_normal(const void *pointer, int i, const OracleRules3
                            oracle3d_exactly(job->direction), rules);
 }
 
-static int normal_agrees(const void *job, int i, const void *answers, int mistake)
+// Is the dot product 0, to the bit? Then the ray comes from neither side, and either is right.
+static int is_tangent(const NormalJob *job)
 {
+    const OracleVector centre = {job->sphere.x, job->sphere.y, job->sphere.z};
+    return vector_dot(vector_minus(vector_of(job->point), centre), vector_of(job->direction)) == 0;
+}
+
+static int normal_agrees(const void *pointer, int i, const void *answers, int mistake)
+{
+    const NormalJob *job = &((const Job05 *)pointer)->normals[i];
     const Vec3 found = ((const Vec3 *)answers)[i];
     const RuleMistake *known = &normal_mistakes[mistake];
-    return oracle3d_is_near(found, expected_normal(job, i, &known->rules)) ||
-           (known->is_partly && oracle3d_is_near(found, expected_normal(job, i, &right)));
+    if (known->vanishes && is_tangent(job)) {
+        return vec3_length(found) == 0;
+    }
+    const OracleNear expected = expected_normal(pointer, i, &known->rules);
+    if (is_tangent(job) && oracle3d_is_near(vec3_scaled(found, -1), expected)) {
+        return 1;
+    }
+    return oracle3d_is_near(found, expected) ||
+           (known->is_partly && oracle3d_is_near(found, expected_normal(pointer, i, &right)));
 }
 
 static char *describe_normal(const void *pointer, int i, const void *answers)
@@ -92,6 +115,10 @@ static const RuleMistake shade_mistakes[] = {
     {{.says = "that is the first 4 lights' share only"}, .rules = {.most_lights = 4}},
     {{.says = "that is the first 8 lights' share only"}, .rules = {.most_lights = 8}},
     {{.says = "that is the first 16 lights' share only"}, .rules = {.most_lights = 16}},
+    {{.says = "that is the first 32 lights' share only"}, .rules = {.most_lights = 32}},
+    {{.says = "that is the first 64 lights' share only"}, .rules = {.most_lights = 64}},
+    {{.says = "that is the first 128 lights' share only"}, .rules = {.most_lights = 128}},
+    {{.says = "that is the first 256 lights' share only"}, .rules = {.most_lights = 256}},
     {{.says = "the sum was cut at 1, but many lights may be brighter"}, .rules = {.cut_at_one = 1}},
     {{.says = "each light was cut at 1, but a light may be brighter"},
      .rules = {.light_cut_at_one = 1}},

@@ -5,6 +5,8 @@
 #include "work.h"
 
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 // The probe's rays: from (x, y, 0) along z. All that the stand-in asks of one has the same name on
 // the device.
@@ -38,6 +40,7 @@ static const SquarePlan plans[N_SCENES] = {
     [RANDOM] = {60, 6, 4000, 0.25f, 48, 32, 0, 0},
     [SMALL] = {100, 5, 900, 0x1p-24f, 49, 37, 6, -SQUARES_T_MIN},  // hits close to 0
     [LARGE] = {MAX_SQUARES, 3, 300, 0x1p40f, 64, 40, 0},
+    [MANY] = {60, 5, 40, 0x1p-18f, 16, 12, 0, 16},  // as little apart as float can tell
     [TIES] = {90, 8, 3, 1, 64, 48, 7, 0, 5},
     [EDGES] = {1, 6, 5, 1, 16, 16, 0},
     [EDGES + 1] = {0, 1, 1, 1, 16, 16, 0},
@@ -49,6 +52,7 @@ static const SquarePlan plans[N_SCENES] = {
 static void draw_squares(Random *random, const SquarePlan *plan, SquareScene *scene)
 {
     scene->n = plan->n;
+    scene->n_behind = plan == &plans[MANY] ? N_BEHIND : 0;
     scene->width = plan->width, scene->height = plan->height;
     for (int i = 0; i < plan->n; i++) {
         const int is_negative = plan->every_negative > 0 && i % plan->every_negative == 0;
@@ -71,16 +75,31 @@ void squares_05_draw(Random *random, SquareScene scenes[N_SCENES])
     }
 }
 
+static int write_squares(const SquareScene *scene, int k, FILE *file)
+{
+    const size_t n = (size_t)scene->n + 1;  // with the one that must not be asked
+    const SceneJob3D size = {
+        .n_spheres = scene->n_behind + scene->n, .width = scene->width, .height = scene->height};
+    Sphere *squares = malloc(((size_t)scene->n_behind + n) * sizeof *squares);
+    if (squares == NULL) {
+        return -1;
+    }
+    for (int i = 0; i < scene->n_behind; i++) {
+        squares[i] = (Sphere){.radius = -1};
+    }
+    memcpy(squares + scene->n_behind, scene->squares, n * sizeof *squares);
+    const int result = job_section_write(file, k, NULL, &size, sizeof size) |
+                       job_section_write(file, k, "spheres", squares,
+                                         ((size_t)scene->n_behind + n) * sizeof *squares);
+    free(squares);
+    return result;
+}
+
 int squares_05_write(const SquareScene scenes[N_SCENES], FILE *file)
 {
     int result = 0;
     for (int k = 0; k < N_SCENES; k++) {
-        const SquareScene *scene = &scenes[k];
-        const SceneJob3D size = {
-            .n_spheres = scene->n, .width = scene->width, .height = scene->height};
-        result |= job_section_write(file, k, NULL, &size, sizeof size);
-        result |= job_section_write(file, k, "spheres", scene->squares,
-                                    ((size_t)scene->n + 1) * sizeof *scene->squares);
+        result |= write_squares(&scenes[k], k, file);
     }
     return result;
 }
@@ -91,7 +110,7 @@ static int hits_square(const SquareScene *scene, int x, int y, HitAnswer found)
     for (int i = scene->n - 1; i >= 0; i--) {
         const float t = stand_in_square(scene->squares[i], grid_ray(x, y));
         if (!isinf(t) && t <= nearest.t) {
-            nearest = (HitAnswer){t, (u32)i};
+            nearest = (HitAnswer){t, (u32)(scene->n_behind + i)};
         }
     }
     return found.sphere == nearest.sphere && found.t == nearest.t;
@@ -116,7 +135,7 @@ int square_work_05(const void *job, int k, const Sections *answers)
     const int n_pixels = scene->width * scene->height;
     const Work *found = job_section_find(answers, "work", k, (size_t)n_pixels * sizeof *found);
     int i = 0;
-    while (found != NULL && i < n_pixels && found[i].n_tests == (u32)scene->n) {
+    while (found != NULL && i < n_pixels && found[i].n_tests == (u32)(scene->n_behind + scene->n)) {
         i++;
     }
     return i == n_pixels;

@@ -60,15 +60,14 @@ static int write_leaves(const Job06 *job, FILE *file)
     return replay_write_leaves(&job->job.growth, trees, JUST_FITS + 1, file);
 }
 
-// Is a node as it must be: its leaf packed, or untouched? A leaf's split_pos is free.
+// Is a node as it must be: its leaf packed, or untouched? Neither has another split_pos.
 static int node_is_right(KdNode3 expected, KdNode3 found)
 {
-    if (expected.split_axis == KD_LEAF) {
-        return found.split_axis == KD_LEAF && found.first == expected.first &&
-               found.n_spheres == expected.n_spheres;
-    }
-    return found.split_pos == 0 && found.split_axis == 0 && found.first == UNTOUCHED &&
-           found.n_spheres == UNTOUCHED;
+    const int is_leaf = expected.split_axis == KD_LEAF;
+    return found.split_pos == PACK_SPLIT_POS &&
+           found.split_axis == (is_leaf ? KD_LEAF : PACK_SPLIT_AXIS) &&
+           found.first == (is_leaf ? expected.first : UNTOUCHED) &&
+           found.n_spheres == (is_leaf ? expected.n_spheres : UNTOUCHED);
 }
 
 int packs_alone_06(const void *job, int k, const Sections *answers)

@@ -59,7 +59,8 @@ static const BBox3D nearly_cubes[] = {
     {{0, 0, -4096 - 0x1p-11f}, {4096, 4096, 0}},
     {{0, 0, 0}, {0x1p-20f, 0x1p-20f + 0x1p-30f, 0x1p-20f}},
     {{0, 0, 0}, {0x1p-20f + 0x1p-30f, 0x1p-20f, 0x1p-20f}},
-    {{5, -3, 2}, {5, -3, 2}},  // a point
+    {{0, 0, 0}, {1.25f, 1.75f, 1}},  // equal in whole numbers only
+    {{5, -3, 2}, {5, -3, 2}},        // a point
 };
 
 // Every third cell has two longest sides or three, or a side of length 0.
@@ -82,12 +83,15 @@ static BBox3D draw_split(Random *random, int i)
     return cell;
 }
 
-// Spheres of radius 0, which are points: within the cell, on a side, an edge and a corner of it,
-// and beside it.
-static const SphereBoxJob points[] = {
-    {{4, 4, 4, 0}, {{0, 0, 0}, {8, 8, 8}}},      {{8, 4, 4, 0}, {{0, 0, 0}, {8, 8, 8}}},
-    {{8, 0, 4, 0}, {{0, 0, 0}, {8, 8, 8}}},      {{8, 8, 8, 0}, {{0, 0, 0}, {8, 8, 8}}},
-    {{8.125f, 4, 4, 0}, {{0, 0, 0}, {8, 8, 8}}}, {{8, 8, -0.125f, 0}, {{0, 0, 0}, {8, 8, 8}}},
+// Spheres that reach into thin cells between their corners, and one that does not: large ones,
+// whose own outermost points are outside, too. Then spheres of radius 0, which are points: within
+// the cell, on a side, an edge and a corner of it, and beside it.
+static const SphereBoxJob odd_inside[] = {
+    {{32, 20, 32, 24}, {{0, 0, 0}, {64, 1, 64}}}, {{20, 32, 32, -24}, {{0, 0, 0}, {1, 64, 64}}},
+    {{10, 10, 32, 15}, {{0, 0, 0}, {1, 1, 64}}},  {{32, 24.5f, 32, 23}, {{0, 0, 0}, {64, 1, 64}}},
+    {{4, 4, 4, 0}, {{0, 0, 0}, {8, 8, 8}}},       {{8, 4, 4, 0}, {{0, 0, 0}, {8, 8, 8}}},
+    {{8, 0, 4, 0}, {{0, 0, 0}, {8, 8, 8}}},       {{8, 8, 8, 0}, {{0, 0, 0}, {8, 8, 8}}},
+    {{8.125f, 4, 4, 0}, {{0, 0, 0}, {8, 8, 8}}},  {{8, 8, -0.125f, 0}, {{0, 0, 0}, {8, 8, 8}}},
 };
 
 // Do sphere and cell share a point of their boundaries, and no more?
@@ -106,9 +110,9 @@ static int touches(SphereBoxJob in)
 // touches it; some with a negative radius.
 static SphereBoxJob draw_inside(Random *random, int i)
 {
-    const int edge = edge_of(i, N_INSIDE, COUNT(points));
+    const int edge = edge_of(i, N_INSIDE, COUNT(odd_inside));
     if (edge >= 0) {
-        return points[edge];
+        return odd_inside[edge];
     }
     const BBox3D box = draw_cell(random);
     // In every fourth the centre is in the cell, or level with it on two axes.
@@ -179,7 +183,8 @@ static SphereBoxJob draw_touching(Random *random, int i)
 }
 
 // Beyond edges and corners: whole numbers with a² + b² + c² = d² + 1, too large for float,
-// which takes both for equal; and such numbers, and four with a² + b² + c² = d², tiny.
+// which takes both for equal; and such numbers, and four with a² + b² + c² = d², tiny. Then one
+// where a² + b² is more than 1, and double holds that, but not its root.
 static const SphereBoxJob beyond[] = {
     {{64 + 738, 64 + 4031, 32, 4098}, {{0, 0, 0}, {64, 64, 64}}},
     {{64 + 1759, -2456, 64 + 2772, 4100}, {{0, 0, 0}, {64, 64, 64}}},
@@ -187,6 +192,7 @@ static const SphereBoxJob beyond[] = {
     {{-0.5f, 4 * TINY_STEP, 7 * TINY_STEP, 8 * TINY_STEP}, {{-1, -1, -1}, {0, 0, 0}}},
     {{TINY_STEP, 4 * TINY_STEP, 7 * TINY_STEP, 8 * TINY_STEP}, {{-1, -1, -1}, {0, 0, 0}}},
     {{2 * TINY_STEP, 3 * TINY_STEP, 6 * TINY_STEP, 7 * TINY_STEP}, {{-1, -1, -1}, {0, 0, 0}}},
+    {{6, 0x1p-26f, 2, 1}, {{0, -5, 0}, {5, 0, 5}}},
 };
 
 // A sphere beyond a corner or an edge, nearer than its radius on each axis: its bounding cube

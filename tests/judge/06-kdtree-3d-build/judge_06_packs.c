@@ -99,18 +99,20 @@ static Diagnosis pack_node_fault(const void *pointer, int i, const void *answers
                                 ? "the end was kept from the tree before: it is tree->n_sphere_ids"
                                 : fields_look(job, out, 1, first_mistakes, COUNT(first_mistakes));
         return diagnosis_of(
-            message_new("leaf with %u spheres, %u ids before it: first is %u, expected %u, where "
+            message_new("leaf with %u sphere%s, %u id%s before it: first is %u, expected %u, where "
                         "its first id goes",
-                        in->n_ids, in->n_sphere_ids, node.first, in->n_sphere_ids),
+                        in->n_ids, plural(in->n_ids), in->n_sphere_ids, plural(in->n_sphere_ids),
+                        node.first, in->n_sphere_ids),
             (Cause){.says = looks});
     }
     if (node.n_spheres == in->n_ids) {
         return NOTHING_WRONG;
     }
-    const Diagnosis wrong = diagnosis_of(
-        message_new("leaf with %u spheres: n_spheres is %u%s, expected %u", in->n_ids,
-                    node.n_spheres, node.n_spheres == UNTOUCHED ? ", not set" : "", in->n_ids),
-        number_cause(node.n_spheres, in->n_ids));
+    const Diagnosis wrong =
+        diagnosis_of(message_new("leaf with %u sphere%s: n_spheres is %u%s, expected %u", in->n_ids,
+                                 plural(in->n_ids), node.n_spheres,
+                                 node.n_spheres == UNTOUCHED ? ", not set" : "", in->n_ids),
+                     number_cause(node.n_spheres, in->n_ids));
     return explained_06(wrong, fields_look(job, out, 0, count_mistakes, COUNT(count_mistakes)));
 }
 
@@ -146,8 +148,8 @@ static Diagnosis ids_fault(const PackJob3D *in, const PackAnswer3D *out)
         if (found != expected && is_range) {
             return diagnosis_of(
                 message_new(
-                    "leaf with %u spheres, %u ids before it: sphere_ids[%u] %s, expected %u",
-                    in->n_ids, first, at,
+                    "leaf with %u sphere%s, %u id%s before it: sphere_ids[%u] %s, expected %u",
+                    in->n_ids, plural(in->n_ids), first, plural(first), at,
                     found == UNTOUCHED ? "was not written" : words("is %u", found).text, expected),
                 range_cause(in, out->sphere_ids + first));
         }
@@ -163,24 +165,32 @@ static Diagnosis ids_fault(const PackJob3D *in, const PackAnswer3D *out)
     }
     return out->n_sphere_ids == end
                ? NOTHING_WRONG
-               : diagnosis_new("leaf with %u spheres, %u ids before it: n_sphere_ids is %u "
+               : diagnosis_new("leaf with %u sphere%s, %u id%s before it: n_sphere_ids is %u "
                                "afterwards, expected %u",
-                               in->n_ids, first, out->n_sphere_ids, end);
+                               in->n_ids, plural(in->n_ids), first, plural(first),
+                               out->n_sphere_ids, end);
 }
 
 // Is a node as it was?
 static Diagnosis node_fault(u32 leaf, const PackAnswer3D *out, u32 id)
 {
     const KdNode3 node = out->nodes[id];
-    const char *changed = node.split_pos != 0           ? "split_pos"
-                          : node.split_axis != 0        ? "split_axis"
-                          : node.first != UNTOUCHED     ? "first"
-                          : node.n_spheres != UNTOUCHED ? "n_spheres"
-                                                        : NULL;
+    const char *changed = node.split_pos != PACK_SPLIT_POS     ? "split_pos"
+                          : node.split_axis != PACK_SPLIT_AXIS ? "split_axis"
+                          : node.first != UNTOUCHED            ? "first"
+                          : node.n_spheres != UNTOUCHED        ? "n_spheres"
+                                                               : NULL;
     return changed == NULL ? NOTHING_WRONG
                            : diagnosis_new("packing leaf %u changed %s of node %u, expected it to "
                                            "leave other nodes as they are",
                                            leaf, changed, id);
+}
+
+// What the longest leaf looks like, the last one: a few ids say little.
+static const char *longest_look(const Job06 *job, const PackAnswer3D *out)
+{
+    const PackJob3D *in = &job->packs[N_PACKS - 1];
+    return range_cause(in, out[N_PACKS - 1].sphere_ids + in->n_sphere_ids).says;
 }
 
 static Diagnosis pack_ids_fault(const void *job, int i, const void *answers)
@@ -188,6 +198,15 @@ static Diagnosis pack_ids_fault(const void *job, int i, const void *answers)
     const PackJob3D *in = &((const Job06 *)job)->packs[i];
     const PackAnswer3D *out = (const PackAnswer3D *)answers + i;
     Diagnosis wrong = ids_fault(in, out);
+    if (wrong.found != NULL && wrong.cause == NULL) {
+        wrong = explained_06(wrong, longest_look(job, answers));
+    }
+    const float split_pos = out->nodes[in->id].split_pos;
+    if (wrong.found == NULL && split_pos != PACK_SPLIT_POS) {
+        wrong = diagnosis_new("packing leaf %u changed its split_pos from %g to %g, expected it to "
+                              "stay: all but split_pos is set",
+                              in->id, PACK_SPLIT_POS, split_pos);
+    }
     for (u32 id = 0; wrong.found == NULL && id < PACK_NODES; id++) {
         wrong = id != in->id ? node_fault(in->id, out, id) : NOTHING_WRONG;
     }

@@ -110,8 +110,9 @@ static Diagnosis judge_leaf(const TreeScene3D *scene, const KdTree3D *own, u32 i
         return bad_range(scene, own, id);
     }
     if (own->nodes[id].n_spheres > n_spheres) {
-        return diagnosis_new("%s: leaf %u lists %u spheres, but the scene has %u", scene->title, id,
-                             own->nodes[id].n_spheres, n_spheres);
+        return diagnosis_new("%s: leaf %u lists %u sphere%s, but the scene has %u", scene->title,
+                             id, own->nodes[id].n_spheres, plural(own->nodes[id].n_spheres),
+                             n_spheres);
     }
     for (u32 i = 0; i < own->nodes[id].n_spheres; i++) {
         if (ids[i] < n_spheres) {
@@ -276,7 +277,7 @@ Diagnosis tree3d_judge_depth(const TreeScene3D *scene, const KdTree3D *own)
                              TODO_SIZE);
     }
     const int expected = depth_of(&scene->tree);
-    return depth == expected
+    return depth == expected || scene->is_tied
                ? NOTHING_WRONG
                : diagnosis_new("%s, maxDepth %d: found a tree of %d level%s, expected one of %d",
                                scene->title, scene->limits.maxDepth, depth, plural((unsigned)depth),

@@ -19,6 +19,7 @@ typedef struct TreeScene3D {
     KdTreeLimits limits;  // of its tree
     KdTree3D tree;        // what is expected; no nodes where the builder must refuse
     int is_exact;         // no right solution can have another tree: see tree3d_judge_is_exact()
+    int is_tied;          // right solutions may have trees of other depths: costs are equal
 } TreeScene3D;
 
 // ---- One call of a function, and the same in a tree ---------------------------------------------
@@ -65,7 +66,8 @@ Diagnosis tree3d_judge_lists(const TreeScene3D *scene, const KdTree3D *own);
 // where no right solution can differ, the arrays are the expected ones.
 Diagnosis tree3d_judge_packing(const TreeScene3D *scene, const KdTree3D *own);
 
-// The todo stack suffices for a search, and the tree is as deep as it should be.
+// The todo stack suffices for a search, and the tree is as deep as it should be, where that is
+// certain.
 Diagnosis tree3d_judge_depth(const TreeScene3D *scene, const KdTree3D *own);
 
 // Grow scene->tree, of scene number k, by the scene's limits, each step in double precision, and

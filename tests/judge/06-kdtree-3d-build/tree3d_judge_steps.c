@@ -13,19 +13,18 @@
 
 // How far squared distance and squared radius may be apart, relative to the latter, and still come
 // out of double in the other order. With u = DBL_EPSILON / 2 the distance on an axis is off by u,
-// its square by 3u, the sum of three by 5u, the squared radius by u: 6u together. Comparing the
-// root with the radius instead gives 7u. So 8u.
+// its square by 3u, the sum of three by 5u, the squared radius by u: 6u together. So 8u.
 #define TOUCH_TOLERANCE (4 * DBL_EPSILON)
 
 // Is the square of a distance exact, and so coarse beside the largest of the numbers that are added
-// and compared that double does so in any order without rounding? Of its 53 bits three are left
-// over, so that roots differ, too, where squares do.
+// and compared that double, with its 53 bits, does so in any order without rounding? (Roots are
+// rounded all the same: who compares them is wrong.)
 static int is_exact_beside(double distance, double largest)
 {
     int exponent;
     frexp(largest, &exponent);
     const double square = distance * distance;
-    return fma(distance, distance, -square) == 0 && fmod(square, ldexp(1, exponent - 50)) == 0;
+    return fma(distance, distance, -square) == 0 && fmod(square, ldexp(1, exponent - 53)) == 0;
 }
 
 SphereInCell tree3d_judge_sphere(Sphere sphere, BBox3D cell)

@@ -1,16 +1,12 @@
 // Lab 07's next_child: its inputs, and what must come out. It is tried alone beside stand-ins of
 // near_side and children_on_ray, which depend on their arguments and on nothing else.
+#include "job_stack.h"
 #include "judge_07.h"
-#include "judge_07_stack.h"
 #include "message.h"
+#include "random3d.h"
 #include "words.h"
 
 #include <math.h>
-
-static int one_in(Random *random, int n)
-{
-    return random_integer(random, 1, n) == 1;
-}
 
 // ---- Inputs -----------------------------------------------------------------------------------
 
@@ -215,30 +211,6 @@ static int child_agrees(const void *pointer, int i, const void *answers, int mis
     return same_child(&found, &expected);
 }
 
-// "and node 13 with [4, 5] put on the stack".
-static Words waiting_words(const NextChildJob *job, const StackState *todo)
-{
-    const u32 n_upper = todo->n - todo->n_lower;
-    if (todo->n_lower != job->todo.n_lower || todo->n < job->todo.n) {
-        return words("a node that waits is gone");
-    }
-    if (todo->n == job->todo.n) {
-        return words("nothing put on the stack");
-    }
-    if (todo->n == job->todo.n + 1 && n_upper <= STACK_ENTRIES) {
-        const StackEntry top = todo->upper[n_upper - 1];
-        return words("node %u with [%.9g, %.9g] put on the stack", top.node, top.t_min, top.t_max);
-    }
-    return words("%u nodes put on the stack", todo->n - job->todo.n);
-}
-
-// "node 12 with [1, 4], and node 13 with [4, 5] put on the stack".
-static Words child_words(const NextChildJob *job, const NextChildAnswer *answer)
-{
-    return words("node %u with [%.9g, %.9g], and %s", answer->next.node, answer->next.t_min,
-                 answer->next.t_max, waiting_words(job, &answer->todo).text);
-}
-
 static char *describe_child(const void *pointer, int i, const void *answers)
 {
     const NextChildJob *job = &((const Job07 *)pointer)->inputs.children[i];
@@ -247,8 +219,8 @@ static char *describe_child(const void *pointer, int i, const void *answers)
                        "%g]: found %s, expected %s",
                        job->node.first, job->node.first + 1, job->node.split_pos, job->origin,
                        job->inverse, job->t_min, job->t_max,
-                       child_words(job, (const NextChildAnswer *)answers + i).text,
-                       child_words(job, &expected).text);
+                       next_child_words(&job->todo, (const NextChildAnswer *)answers + i).text,
+                       next_child_words(&job->todo, &expected).text);
 }
 
 const Function child_07 = {"next_child",

@@ -6,11 +6,6 @@
 
 #include <math.h>
 
-static int one_in(Random *random, int n)
-{
-    return random_integer(random, 1, n) == 1;
-}
-
 static Vec3 unit_vector(Random *random)
 {
     Vec3 v;

@@ -1,6 +1,6 @@
 // Lab 07's next_waiting: its inputs, and what must come out.
+#include "job_stack.h"
 #include "judge_07.h"
-#include "judge_07_stack.h"
 #include "message.h"
 #include "words.h"
 
@@ -152,23 +152,16 @@ static int next_agrees(const void *job, int i, const void *answers, int mistake)
                                  same_stack(&found->todo, &expected.todo));
 }
 
-// "the end" or "on with node 9 and [3, 6], 2 waiting".
-static Words waiting_words(const NextWaitingAnswer *answer)
-{
-    return answer->goes_on ? words("on with node %u and [%g, %g], %u waiting", answer->at.node,
-                                   answer->at.t_min, answer->at.t_max, answer->todo.n)
-                           : words("the end");
-}
-
 static char *describe_waiting(const void *pointer, int i, const void *answers)
 {
     const NextWaitingJob *job = &((const Job07 *)pointer)->inputs.waiting[i];
     const NextWaitingAnswer expected = expected_waiting(job, 0);
-    return message_new(
-        "the nearest hit is at %.9g, the leaf's part [%g, %g], and %u node%s "
-        "waiting: found %s, expected %s",
-        job->t, job->at.t_min, job->at.t_max, job->todo.n, job->todo.n == 1 ? " is" : "s are",
-        waiting_words((const NextWaitingAnswer *)answers + i).text, waiting_words(&expected).text);
+    return message_new("the nearest hit is at %.9g, the leaf's part [%g, %g], and %u node%s "
+                       "waiting: found %s, expected %s",
+                       job->t, job->at.t_min, job->at.t_max, job->todo.n,
+                       job->todo.n == 1 ? " is" : "s are",
+                       next_waiting_words((const NextWaitingAnswer *)answers + i).text,
+                       next_waiting_words(&expected).text);
 }
 
 const Function waiting_end_07 = {"next_waiting",

@@ -15,9 +15,10 @@ enum { N_PLANES = 300, N_COST_EDGES = 100, N_COSTS = N_PLANES + N_COST_EDGES };
 enum { N_CELLS = 120, N_TIES = 36, N_CELL_EDGES = 60, N_BESTS = N_CELLS + N_TIES + N_CELL_EDGES };
 enum { N_BY_COST = 300, N_BY_LIMITS = 200, N_DECISIONS = N_BY_COST + N_BY_LIMITS };
 
-// The most spheres of a node among the inputs of find_best_split. Between them stand others, which
-// its ids leave out.
-enum { MOST_IDS = 40, N_BEST_IDS = N_BESTS * MOST_IDS, N_BEST_SPHERES = 2 * N_BEST_IDS };
+// The most spheres of a node among the inputs of find_best_split; the last one has more. Between
+// them stand others, which its ids leave out.
+enum { MOST_IDS = 40, MANY_NODE = N_BESTS - 1, N_MANY_IDS = 300 };
+enum { N_BEST_IDS = MANY_NODE * MOST_IDS + N_MANY_IDS, N_BEST_SPHERES = 2 * N_BEST_IDS };
 
 enum { N_TREES = 11 };
 
@@ -34,6 +35,7 @@ typedef struct Job08 {
 
 // See judge.h.
 int job_08_draw(void *job, Random *random);
+int scenes_08_draw(Random *random, Job08 *job);  // and the expected trees; 0, or -1 after a message
 void job_08_release(void *job);
 int job_08_write_scene(const void *job, int k, FILE *file);
 

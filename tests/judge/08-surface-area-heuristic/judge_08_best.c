@@ -98,15 +98,16 @@ static char *describe_best(const void *pointer, int i, const void *answers)
     const BestAnswer found = ((const BestAnswer *)answers)[i];
     const SahPlane best = sah_best(&node, &right);
     if (best.cost == INFINITY) {
-        return message_new("cell %s with %u spheres, which has no area: found the cost %g, "
+        return message_new("cell %s with %u sphere%s, which has no area: found the cost %g, "
                            "expected INFINITY",
-                           words_box3d(node.box).text, node.n_ids, found.cost);
+                           words_box3d(node.box).text, node.n_ids, plural(node.n_ids), found.cost);
     }
-    return message_new(
-        "cell %s with %u spheres: found %s with cost %.6g, which %s; expected %s "
-        "with cost %.6g",
-        words_box3d(node.box).text, node.n_ids, words_plane(found.axis, found.pos).text, found.cost,
-        words_cost(&node, found).text, words_plane(best.axis, best.pos).text, best.cost);
+    return message_new("cell %s with %u sphere%s: found %s with cost %.6g, which %s; expected %s "
+                       "with cost %.6g",
+                       words_box3d(node.box).text, node.n_ids, plural(node.n_ids),
+                       words_plane(found.axis, found.pos).text, found.cost,
+                       words_cost(&node, found).text, words_plane(best.axis, best.pos).text,
+                       best.cost);
 }
 
 const Function best_08 = {"bests",

@@ -85,11 +85,11 @@ static char *describe_cost(const void *pointer, int i, const void *answers)
 {
     static const SahRules right = {0};
     const CostJob split = ((const Job08 *)pointer)->costs[i];
-    return message_new("cell %s split at %c = %s, %u spheres below and %u above: found %.9g, "
+    return message_new("cell %s split at %c = %s, %u sphere%s below and %u above: found %.9g, "
                        "expected %.9g",
                        words_box3d(split.box).text, "xyz"[split.axis], words_float(split.pos).text,
-                       split.n_lower, split.n_higher, ((const double *)answers)[i],
-                       sah_cost(split, &right));
+                       split.n_lower, plural(split.n_lower), split.n_higher,
+                       ((const double *)answers)[i], sah_cost(split, &right));
 }
 
 const Function cost_08 = {"costs",
@@ -176,11 +176,11 @@ static int decision_agrees(const void *pointer, int i, const void *answers, int 
 static char *describe_decision(const void *pointer, int i, const void *answers)
 {
     const LeafCostJob in = ((const Job08 *)pointer)->decisions[i];
-    return message_new("level %d of at most %d, %u spheres where %d make a leaf, a leaf costs %g "
+    return message_new("level %d of at most %d, %u sphere%s where %d make a leaf, a leaf costs %g "
                        "and the best split %g: found %d, expected %d",
-                       in.level, in.maxDepth, in.n_spheres, in.targetElementsPerNode,
-                       SAH_TEST * in.n_spheres, in.best_cost, ((const i32 *)answers)[i],
-                       expected_decision(in, &leaf_mistakes[0]));
+                       in.level, in.maxDepth, in.n_spheres, plural(in.n_spheres),
+                       in.targetElementsPerNode, SAH_TEST * in.n_spheres, in.best_cost,
+                       ((const i32 *)answers)[i], expected_decision(in, &leaf_mistakes[0]));
 }
 
 const Function decision_08 = {"decisions",

@@ -29,7 +29,8 @@ static BBox3D draw_cell(Random *random)
 
 // ---- surface_area -------------------------------------------------------------------------------
 
-// A point, lines, a face; tiny and large boxes; one far from 0.
+// A point, lines, a face; tiny and large boxes; one far from 0; two that overflow in float: the one
+// in its area, the other in a side already.
 static const BBox3D odd_boxes[] = {
     {{3, 4, 5}, {3, 4, 5}},
     {{0, 0, 0}, {0, 0, 7}},
@@ -40,6 +41,8 @@ static const BBox3D odd_boxes[] = {
     {{0, 0, 0}, {0x1p-20f, 0x1p-21f, 0x1p-22f}},
     {{0, 0, 0}, {0x1p20f, 0x1p19f, 0x1p18f}},
     {{0x1p20f, -0x1p20f, 0}, {0x1p20f + 2, -0x1p20f + 3, 4}},
+    {{0, 0, 0}, {0x1p70f, 0x1p69f, 0x1p68f}},
+    {{-0x1.8p127f, 1, 2}, {0x1.8p127f, 2, 4}},
 };
 
 static BBox3D draw_box(Random *random, int i)
@@ -64,6 +67,9 @@ static BBox3D draw_box(Random *random, int i)
 
 static CostJob draw_cost(Random *random, int i)
 {
+    if (i == N_COSTS - 1) {  // more spheres than 32 bits hold the sum of
+        return (CostJob){{{0, 0, 0}, {64, 32, 32}}, 0, 16, 3000000000, 3000000000};
+    }
     CostJob job = {.box = draw_cell(random)};
     job.axis = (u32)random_integer(random, 0, 2);
     job.n_lower = (u32)random_integer(random, 1, 60);
@@ -115,7 +121,8 @@ static void begin_node(Job08 *job, int i, BBox3D cell)
 {
     job->bests[i] = (BestJob){cell, MOST_IDS * (u32)i, 0};
     // Whom its ids leave out: larger than the cell, so that it would count everywhere.
-    for (u32 j = 0; j < 2 * MOST_IDS; j += 2) {
+    const u32 most_ids = i == MANY_NODE ? N_MANY_IDS : MOST_IDS;
+    for (u32 j = 0; j < 2 * most_ids; j += 2) {
         job->best_spheres[first_sphere(i) + j] = (Sphere){cell.min[0], cell.min[1], 0, 512};
     }
 }
@@ -177,7 +184,7 @@ static void draw_tie(Random *random, Job08 *job, int i)
     }
 }
 
-// ---- Cells of their own kind: the same in every job but for their place -------------------------
+// ---- Cells of their own kind: in every job, with other axes, sides and sizes --------------------
 
 // How an odd cell is made.
 typedef struct OddCell {
@@ -211,28 +218,48 @@ static const OddCell odd_cells[] = {
     {{64, 16, 16}, 4, {31, 8, 8}, {0}, 30},
 };
 
+// Each of them comes in three turns, so that what it has along x is along y and z, too. By lot it
+// is mirrored, and larger or smaller by a power of two, which moves no range across a plane.
 static void draw_odd_cell(Random *random, Job08 *job, int i)
 {
-    const OddCell *odd = &odd_cells[i % COUNT(odd_cells)];
+    const int k = i - N_CELLS - N_TIES, turn = k / (int)COUNT(odd_cells);
+    const OddCell *odd = &odd_cells[k % (int)COUNT(odd_cells)];
+    const float scale = ldexpf(1, (int)random_integer(random, -1, 2));
     BBox3D cell;
-    float centre[3];
+    float centre[3], step[3];
     for (int axis = 0; axis < 3; axis++) {
-        cell.min[axis] = (float)random_integer(random, -20, 20);
-        cell.max[axis] = cell.min[axis] + odd->sides[axis];
-        centre[axis] = cell.min[axis] + odd->at[axis];
+        const int from = (axis + turn) % 3, is_mirrored = (int)random_integer(random, 0, 1);
+        const float at = is_mirrored ? odd->sides[from] - odd->at[from] : odd->at[from];
+        cell.min[axis] = scale * (float)random_integer(random, -20, 20);
+        cell.max[axis] = cell.min[axis] + scale * odd->sides[from];
+        centre[axis] = cell.min[axis] + scale * at;
+        step[axis] = scale * (is_mirrored ? -odd->step[from] : odd->step[from]);
     }
     begin_node(job, i, cell);
     for (int j = 0; j < odd->n; j++) {
-        add_sphere(job, i, centre, odd->radius);
+        add_sphere(job, i, centre, scale * odd->radius);
         for (int axis = 0; axis < 3; axis++) {
-            centre[axis] += odd->step[axis];
+            centre[axis] += step[axis];
         }
+    }
+}
+
+// In one bin more spheres than 8 bits count.
+static void draw_many(Job08 *job)
+{
+    const BBox3D cell = {{-32, -32, -32}, {32, 32, 32}};
+    const float centre[3] = {-31, -31, -31};
+    begin_node(job, MANY_NODE, cell);
+    for (int j = 0; j < N_MANY_IDS; j++) {
+        add_sphere(job, MANY_NODE, centre, 0.5f);
     }
 }
 
 static void draw_best(Random *random, Job08 *job, int i)
 {
-    if (i < N_CELLS) {
+    if (i == MANY_NODE) {
+        draw_many(job);
+    } else if (i < N_CELLS) {
         draw_node(random, job, i);
     } else if (i < N_CELLS + N_TIES) {
         draw_tie(random, job, i);
@@ -296,48 +323,6 @@ static LeafCostJob draw_decision(Random *random, int i)
     return job;
 }
 
-// ---- Scenes -------------------------------------------------------------------------------------
-
-// The size of the report's drawings.
-enum { WIDTH = 320, HEIGHT = 240 };
-
-static int draw_named(TreeScene3D *scene, const char *name, KdTreeLimits limits)
-{
-    *scene = (TreeScene3D){.limits = limits};
-    snprintf(scene->title, sizeof scene->title, "scene \"%s\"", name);
-    return scene3d_generate(name, WIDTH, HEIGHT, &scene->scene);
-}
-
-// A generator's scene of this many spheres, from a seed of the job's.
-static int draw_seeded(TreeScene3D *scene, Random *random, const char *kind, int n_spheres,
-                       KdTreeLimits limits)
-{
-    char name[64];
-    snprintf(name, sizeof name, "%s:n=%d,seed=%d", kind, n_spheres,
-             (int)random_integer(random, 1, 1 << 30));
-    return draw_named(scene, name, limits);
-}
-
-static int draw_scenes(Random *random, Job08 *job)
-{
-    TreeScene3D *scenes = job->scenes;
-    int result = draw_seeded(&scenes[0], random, "random", 120, (KdTreeLimits){12, 1});
-    result |= draw_seeded(&scenes[1], random, "clusters", 140, (KdTreeLimits){14, 2});
-    result |= draw_seeded(&scenes[2], random, "stadium", 120, (KdTreeLimits){16, 1});
-    result |= draw_named(&scenes[3], "one-cell", (KdTreeLimits){12, 1});
-    result |= draw_named(&scenes[4], "large-small", (KdTreeLimits){9, 4});
-    result |= draw_named(&scenes[5], "planes", (KdTreeLimits){8, 1});
-    result |= draw_named(&scenes[6], "coincident", (KdTreeLimits){7, 1});
-    result |= draw_named(&scenes[7], "one", (KdTreeLimits){4, 1});
-    result |= draw_named(&scenes[8], "none", (KdTreeLimits){4, 1});
-    result |= draw_named(&scenes[9], "lattice:n=4", (KdTreeLimits){9, 1});
-    result |= draw_seeded(&scenes[10], random, "random", 100, (KdTreeLimits){3, 1});
-    for (int k = 0; result == 0 && k < N_TREES; k++) {
-        result = tree_expect_08(&scenes[k]);
-    }
-    return result;
-}
-
 // ---- The job ------------------------------------------------------------------------------------
 
 // A scene without the expected tree.
@@ -368,7 +353,7 @@ int job_08_draw(void *pointer, Random *random)
     for (int i = 0; i < N_DECISIONS; i++) {
         job->decisions[i] = draw_decision(random, i);
     }
-    return draw_scenes(random, job);
+    return scenes_08_draw(random, job);
 }
 
 void job_08_release(void *pointer)

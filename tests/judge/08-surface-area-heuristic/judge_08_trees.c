@@ -8,6 +8,7 @@
 #include "complain.h"
 #include "judge_08_search.h"
 #include "kdtree3d_build.h"
+#include "message.h"
 #include "words.h"
 
 #include <float.h>
@@ -30,16 +31,6 @@ static int choose_expected(const void *pointer, const KdOpenNode *node, KdSplit 
     const SahPlane best = sah_best(&weighed, &right);
     *split = (KdSplit){best.axis, best.pos};
     return best.cost < SAH_TEST * node->n_ids;
-}
-
-// The steps of lab 06 are its solution's: what is judged here are the planes.
-int tree_expect_08(TreeScene3D *scene)
-{
-    const KdSteps steps = {"grade",         choose_expected, scene, distribute_spheres,
-                           pack_leaf_range, fits_todo};
-    const u32 n_spheres = (u32)scene->scene.n_spheres;
-    return tree3d_grow(&steps, scene->scene.spheres, n_spheres,
-                       tree3d_expected_box(scene->scene.spheres, n_spheres), &scene->tree);
 }
 
 // ---- Walking down -------------------------------------------------------------------------------
@@ -109,6 +100,58 @@ static SahNode walk_to(Walk *walk, u32 id)
     return (SahNode){cell, spheres, walk->ids, walk->may_lack, n_ids};
 }
 
+// ---- Ties ---------------------------------------------------------------------------------------
+
+// What a node may be where costs are known but for rounding.
+typedef struct Choice {
+    int may_be_leaf, may_be_split;
+    SahPlane best;
+} Choice;
+
+static Choice choice_at(const TreeScene3D *scene, const SahNode *node, int level)
+{
+    const KdTreeLimits limits = scene->limits;
+    const u32 target = (u32)limits.targetElementsPerNode;
+    u32 n_least = 0;
+    for (u32 i = 0; i < node->n_ids; i++) {
+        n_least += !node->may_lack[i];
+    }
+    const SahPlane best = sah_best(node, &right);
+    return (Choice){level >= limits.maxDepth || n_least <= target ||
+                        best.most * (1 + SAH_COST_TOLERANCE) >= SAH_TEST * n_least,
+                    level < limits.maxDepth && node->n_ids > target &&
+                        best.least * (1 - SAH_COST_TOLERANCE) < SAH_TEST * node->n_ids,
+                    best};
+}
+
+// May right solutions differ in what they do with a node of the expected tree?
+static int has_tie(const TreeScene3D *scene)
+{
+    Walk walk = walk_begin(scene, &scene->tree);
+    int found = 0;
+    for (u32 id = 0; !found && id < scene->tree.n_nodes; id++) {
+        const SahNode node = walk_to(&walk, id);
+        const Choice choice = choice_at(scene, &node, walk.levels[id]);
+        found = choice.may_be_split && (choice.may_be_leaf || sah_is_tied(&node, &choice.best));
+    }
+    walk_end(&walk);
+    return found;
+}
+
+// The steps of lab 06 are its solution's: what is judged here are the planes.
+int tree_expect_08(TreeScene3D *scene)
+{
+    const KdSteps steps = {"grade",         choose_expected, scene, distribute_spheres,
+                           pack_leaf_range, fits_todo};
+    const u32 n_spheres = (u32)scene->scene.n_spheres;
+    if (tree3d_grow(&steps, scene->scene.spheres, n_spheres,
+                    tree3d_expected_box(scene->scene.spheres, n_spheres), &scene->tree) != 0) {
+        return -1;
+    }
+    scene->is_tied = has_tie(scene);
+    return 0;
+}
+
 // ---- The properties -----------------------------------------------------------------------------
 
 // What must hold before a tree can be followed.
@@ -136,10 +179,11 @@ static Diagnosis judge_plane(const char *where, const SahNode *node, KdNode3 fou
     if (best.cost == INFINITY || own.least <= best.most * (1 + 2 * SAH_COST_TOLERANCE)) {
         return NOTHING_WRONG;
     }
-    return diagnosis_new("%s, cell %s with %u spheres: found a split at %s, which costs %.6g, "
+    return diagnosis_new("%s, cell %s with %u sphere%s: found a split at %s, which costs %.6g, "
                          "expected %c = %s, which costs %.6g",
-                         where, words_box3d(node->box).text, node->n_ids, plane.text, own.cost,
-                         "xyz"[best.axis], words_float(best.pos).text, best.cost);
+                         where, words_box3d(node->box).text, node->n_ids, plural(node->n_ids),
+                         plane.text, own.cost, "xyz"[best.axis], words_float(best.pos).text,
+                         best.cost);
 }
 
 Diagnosis tree_judge_splits_08(const TreeScene3D *scene, const KdTree3D *own)
@@ -164,28 +208,17 @@ Diagnosis tree_judge_splits_08(const TreeScene3D *scene, const KdTree3D *own)
 static Diagnosis judge_decision(const TreeScene3D *scene, const SahNode *node, int level, u32 id,
                                 int is_leaf)
 {
-    const KdTreeLimits limits = scene->limits;
-    const u32 target = (u32)limits.targetElementsPerNode;
-    u32 n_least = 0;
-    for (u32 i = 0; i < node->n_ids; i++) {
-        n_least += !node->may_lack[i];
-    }
-    if (is_leaf && (level >= limits.maxDepth || n_least <= target)) {
-        return NOTHING_WRONG;  // whatever it costs
-    }
-    const SahPlane best = sah_best(node, &right);
-    const int may_be_leaf = best.most * (1 + SAH_COST_TOLERANCE) >= SAH_TEST * n_least;
-    const int may_be_split = level < limits.maxDepth && node->n_ids > target &&
-                             best.least * (1 - SAH_COST_TOLERANCE) < SAH_TEST * node->n_ids;
-    if (is_leaf ? may_be_leaf : may_be_split) {
+    const Choice choice = choice_at(scene, node, level);
+    if (is_leaf ? choice.may_be_leaf : choice.may_be_split) {
         return NOTHING_WRONG;
     }
     return diagnosis_new("%s, maxDepth %d, targetElementsPerNode %u: node %u on level %d with %u "
-                         "spheres, where a leaf costs %g and the best split %.6g, is %s, expected "
+                         "sphere%s, where a leaf costs %g and the best split %.6g, is %s, expected "
                          "%s",
-                         scene->title, limits.maxDepth, target, id, level, node->n_ids,
-                         SAH_TEST * node->n_ids, best.cost, is_leaf ? "a leaf" : "split",
-                         is_leaf ? "it to be split" : "a leaf");
+                         scene->title, scene->limits.maxDepth,
+                         (u32)scene->limits.targetElementsPerNode, id, level, node->n_ids,
+                         plural(node->n_ids), SAH_TEST * node->n_ids, choice.best.cost,
+                         is_leaf ? "a leaf" : "split", is_leaf ? "it to be split" : "a leaf");
 }
 
 Diagnosis tree_judge_leaves_08(const TreeScene3D *scene, const KdTree3D *own)

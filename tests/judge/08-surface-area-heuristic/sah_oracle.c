@@ -1,6 +1,7 @@
 // See sah_oracle.h.
 #include "sah_oracle.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
 
@@ -166,4 +167,19 @@ SahPlane sah_best(const SahNode *node, const SahRules *rules)
         }
     }
     return best;
+}
+
+int sah_is_tied(const SahNode *node, const SahPlane *best)
+{
+    static const SahRules right = {0};
+    for (u32 axis = 0; axis < 3; axis++) {
+        for (int i = 1; i < SAH_BINS; i++) {
+            const SahPlane plane = sah_weigh(node, axis, i, &right);
+            const int is_other = plane.axis != best->axis || plane.pos != best->pos;
+            if (is_other && plane.least <= best->most * (1 + 2 * SAH_COST_TOLERANCE)) {
+                return 1;
+            }
+        }
+    }
+    return 0;
 }

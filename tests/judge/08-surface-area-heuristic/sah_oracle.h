@@ -86,6 +86,9 @@ SahPlane sah_weigh(const SahNode *node, u32 axis, int i, const SahRules *rules);
 // lowest of all planes.
 SahPlane sah_best(const SahNode *node, const SahRules *rules);
 
+// Is another plane than the best one as cheap, but for rounding? Then either may be chosen.
+int sah_is_tied(const SahNode *node, const SahPlane *best);
+
 // Number of the candidate plane on an axis at this position, or 0 where there is none.
 int sah_plane_number(BBox3D box, u32 axis, f32 pos);
 

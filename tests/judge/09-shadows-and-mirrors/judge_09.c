@@ -11,6 +11,7 @@
 static int draw(void *pointer, Random *random)
 {
     Job09 *job = pointer;
+    starts_09_draw(random, job);
     rays_09_draw(random, job);
     blocks_09_draw(random, job);
     alone_09_draw(random, job);

@@ -1,7 +1,7 @@
 // What lab 09's judge asks of a submission: inputs of its functions, and scenes with their trees,
-// each with a number of mirrors that a ray meets at most. Starts and directions of new rays are
-// drawn and judged in judge_09_rays.c, leaves in judge_09_leaf.c, lights in judge_09_lit.c, the
-// scenes in judge_09_scenes.c, one answer alone in judge_09_alone.c.
+// each with a number of mirrors that a ray meets at most. Starts of new rays are drawn and judged
+// in judge_09_starts.c, their directions in judge_09_rays.c, leaves in judge_09_leaf.c, lights in
+// judge_09_lit.c, the scenes in judge_09_scenes.c, one answer alone in judge_09_alone.c.
 #ifndef JUDGE_JUDGE_09_H
 #define JUDGE_JUDGE_09_H
 
@@ -22,11 +22,19 @@ enum {
     N_BLOCKS = 2 * N_BLOCK_INPUTS,
     N_LITS = 3 * N_LIT_INPUTS,
     BLOCK_MAX_SPHERES = 8,
+    // The last leaf of the first range is longer than 8 bits count, and its last sphere blocks.
+    LONG_LEAF = N_BLOCK_INPUTS - 1,
+    N_LONG_LEAF = 300,
     // Before and behind each leaf's ids stands one more, which must not be asked.
-    N_BLOCK_IDS = N_BLOCKS * (BLOCK_MAX_SPHERES + 2),
-    N_LIT_LIGHTS = 64,
-    MOST_ALONE_LIGHTS = 4,  // of one input of lit_color that is tried alone
+    N_BLOCK_IDS = N_BLOCKS * (BLOCK_MAX_SPHERES + 2) + N_LONG_LEAF + 2,
+    N_LIT_LIGHTS = 320,
+    N_EDGE_LITS = 8,          // the last ones of several lights: none, and many
+    MOST_ALONE_LIGHTS = 4,    // of one input of lit_color that is tried alone,
+    MANY_ALONE_LIGHTS = 300,  // and of the last one
 };
+
+// How much larger or smaller than usual an input is: a power of two from 2^-20 to 2^20.
+float random_power_09(Random *random);
 
 extern const Function start_09, mirror_09, ray_origin_09, ray_direction_09, ray_end_09;
 extern const Function block_09, block_early_09;
@@ -75,10 +83,12 @@ typedef struct Job09 {
     LitJob lits[N_LITS];
     Light lit_lights[N_LIT_LIGHTS];
     LitJob alone_lits[N_LITS];
-    Light alone_lights[N_LITS * (MOST_ALONE_LIGHTS + 1)];  // behind those of each one that is not
+    Light alone_lights[N_LITS * (MOST_ALONE_LIGHTS + 1) +
+                       MANY_ALONE_LIGHTS];  // behind those of each one that is not
     MirrorScene scenes[N_SCENES];
 } Job09;
 
+void starts_09_draw(Random *random, Job09 *job);
 void rays_09_draw(Random *random, Job09 *job);
 void blocks_09_draw(Random *random, Job09 *job);
 void lits_09_draw(Random *random, Job09 *job);  // the scenes are drawn already

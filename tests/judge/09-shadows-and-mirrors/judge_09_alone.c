@@ -52,15 +52,19 @@ static void draw_input(Random *random, Job09 *job, int i)
 {
     const int axis = i % 3, side = random_sign(random), range = i / N_LIT_INPUTS;
     LitJob *lit = &job->alone_lits[i];
-    *lit = (LitJob){.normal = along(axis, (float)side),
-                    .first_light = first_light(i),
-                    .n_lights = range == 0 ? 1 : (i32)random_integer(random, 2, MOST_ALONE_LIGHTS),
-                    .bounds = {{-100, -100, -100}, {100, 100, 100}}};
+    *lit =
+        (LitJob){.normal = along(axis, (float)side),
+                 .first_light = first_light(i),
+                 .n_lights = range == 0        ? 1
+                             : i == N_LITS - 1 ? MANY_ALONE_LIGHTS
+                                               : (i32)random_integer(random, 2, MOST_ALONE_LIGHTS),
+                 .bounds = {{-100, -100, -100}, {100, 100, 100}}};
     lit->point = (Vec3){sixteenths(random, -64, 64), sixteenths(random, -64, 64),
                         sixteenths(random, -64, 64)};
     lit->material.color = random_vector(random, 0.25, 1);
     lit->material.kd = random_number(random, 0.125, 0.875);
-    for (int k = 0; k <= MOST_ALONE_LIGHTS; k++) {
+    const int n_drawn = i == N_LITS - 1 ? MANY_ALONE_LIGHTS : MOST_ALONE_LIGHTS;
+    for (int k = 0; k <= n_drawn; k++) {
         const int is_behind =
             (range == 1 && i % 4 != 0) || (range == 2 && random_integer(random, 0, 2) == 0);
         job->alone_lights[first_light(i) + k] =
@@ -121,7 +125,9 @@ static int is_right_light(const Job09 *job, int i, const LitAnswer *found)
             sum.error += share.error + 0x1p-22;
         }
     }
-    return oracle3d_is_near(found->color, sum) && (n_before > 0 || found->n_leaves == 0);
+    // The tree is one leaf around all: each ray that is sent asks it once. Who knows the lot and
+    // sends none sees only as many lights as arrive.
+    return oracle3d_is_near(found->color, sum) && found->n_leaves == (u32)n_before;
 }
 
 int lits_alone_09(const void *job, const JudgeCheck *check, const Sections *answers)

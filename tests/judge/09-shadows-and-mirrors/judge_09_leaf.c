@@ -63,10 +63,13 @@ static Sphere draw_sphere(Random *random, const Frame *frame, Place place)
     }
 }
 
+// Not much more than float may be off with where a ray meets a sphere.
+#define LEAST_HAIR 0x1p-16f
+
 // On the ray, met a hair behind its start, before its end or behind its end.
 static Sphere draw_edge(Random *random, const Frame *frame)
 {
-    const float hair = HAIR * frame->t_max;
+    const float hair = frame->t_max * (random_integer(random, 0, 1) ? HAIR : LEAST_HAIR);
     const float radius = frame->t_max * random_number(random, 0.125, 0.25);
     const int kind = (int)random_integer(random, 0, 2);
     const float t = kind == 0 ? hair : frame->t_max + (kind == 1 ? -hair : hair);
@@ -114,11 +117,29 @@ static void draw_block(Random *random, int i, Job09 *job)
     }
 }
 
+// A leaf behind the others in the list of ids; only its last sphere is in the way.
+static void draw_long_leaf(Random *random, Job09 *job)
+{
+    const Frame frame = draw_frame(random, 0);
+    const u32 before = N_BLOCKS * (BLOCK_MAX_SPHERES + 2), end = before + N_LONG_LEAF + 1;
+    job->blocks[LONG_LEAF] = (BlockJob){
+        {0, KD_LEAF, before + 1, N_LONG_LEAF}, frame.origin, frame.direction, frame.t_max};
+    for (u32 at = before; at <= end; at++) {
+        const u32 id = before + end - at;
+        const Place place = at == before || at + 1 >= end
+                                ? BEFORE_END
+                                : (Place)random_integer(random, 0, N_FREE_PLACES - 1);
+        job->block_ids[at] = id;
+        job->block_spheres[id] = draw_sphere(random, &frame, place);
+    }
+}
+
 void blocks_09_draw(Random *random, Job09 *job)
 {
-    for (int i = 0; i < COUNT(job->blocks); i++) {
+    for (int i = 0; i < N_BLOCKS; i++) {
         draw_block(random, i, job);
     }
+    draw_long_leaf(random, job);
 }
 
 // ---- What blocks --------------------------------------------------------------------------------
@@ -162,6 +183,10 @@ static const BlockMistake mistakes[] = {
      .start = 1.5 * HAIR},
     {{.says = "hits very near to the end of the ray count, too, without an epsilon"},
      .end = 1.5 * HAIR},
+    {{.says = "hits very near to the start of the ray count, too, without an epsilon"},
+     .start = 1.5 * LEAST_HAIR},
+    {{.says = "hits very near to the end of the ray count, too, without an epsilon"},
+     .end = 1.5 * LEAST_HAIR},
 };
 
 static OracleRay ray_of(const BlockJob *in)

@@ -39,6 +39,24 @@ static int count_before(const LitJob *job, const Light *lights)
     return n;
 }
 
+// How many lights the last inputs of the last range have. The last light is before the surface and
+// above it, and bright.
+static const i32 edge_lights[N_EDGE_LITS] = {0, 6, 9, 17, 33, 65, 129, 300};
+
+static void set_edge(const Light *lights, LitJob *job, i32 n_lights)
+{
+    job->n_lights = n_lights;
+    job->first_light = 0;
+    job->material.kd = 2;
+    if (n_lights == edge_lights[N_EDGE_LITS - 1]) {
+        // Beside the scene, where most of the many lights arrive: their sum is far beyond 1.
+        job->point = (Vec3){0, 0, 6};
+    }
+    if (n_lights > 0) {
+        job->normal = vec3_normalized(vec3_minus(lights[n_lights - 1].position, job->point));
+    }
+}
+
 // One light before the surface; all of them behind it; several, on either side. Of the second kind
 // one in four has its light before it: who adds no light at all is not right there.
 static LitJob draw_lit(Random *random, int i, const JobScene3D *scene, const Light *lights)
@@ -63,6 +81,9 @@ void lits_09_draw(Random *random, Job09 *job)
     draw_lights(random, job->lit_lights);
     for (int i = 0; i < COUNT(job->lits); i++) {
         job->lits[i] = draw_lit(random, i, &job->scenes[LIT_SCENE].base, job->lit_lights);
+    }
+    for (int i = 0; i < N_EDGE_LITS; i++) {
+        set_edge(job->lit_lights, &job->lits[N_LITS - N_EDGE_LITS + i], edge_lights[i]);
     }
 }
 
@@ -113,6 +134,19 @@ static int lit_agrees(const void *pointer, int i, const void *answers, int mista
     return oracle3d_is_near(found->color, expected) && is_spared;
 }
 
+// A mistake is known by a wrong colour: where only the work is wrong, it is no cause.
+static int lit_shows(const void *job, Range range, const void *answers, int mistake)
+{
+    int n_wrong = 0;
+    (void)mistake;
+    for (int i = 0; i < range.n; i++) {
+        const int input = range_at(range, i);
+        const LitAnswer *found = (const LitAnswer *)answers + input;
+        n_wrong += !oracle3d_is_near(found->color, expected_light(job, input, &mistakes[0].rules));
+    }
+    return n_wrong > 0;
+}
+
 static char *describe_lit(const void *pointer, int i, const void *answers)
 {
     const Job09 *job = pointer;
@@ -137,5 +171,6 @@ const Function lit_09 = {"lits",
                          sizeof(LitAnswer),
                          .describe = describe_lit,
                          .agrees = lit_agrees,
+                         .shows = lit_shows,
                          .counted = "inputs",
                          MISTAKES(mistakes)};

@@ -1,4 +1,4 @@
-// Lab 09: where new rays start, where mirrors send them, and rays to lights: drawn and judged.
+// Lab 09: where mirrors send rays, and rays to lights: drawn and judged.
 #include "judge_09.h"
 
 #include "message.h"
@@ -9,28 +9,9 @@
 
 // ---- Drawing ------------------------------------------------------------------------------------
 
-// A power of two from 2^lowest to 2^highest.
-static float power(Random *random, int lowest, int highest)
+float random_power_09(Random *random)
 {
-    return ldexpf(1, (int)random_integer(random, lowest, highest));
-}
-
-// In the second range one of the three numbers is much larger than the others, in turn, and all are
-// as large as may be.
-static StartJob draw_start(Random *random, int range, int i)
-{
-    StartJob job = {.point = random_point(random, 4), .normal = random_direction(random)};
-    job.t = random_number(random, 0.25, 8);
-    job.radius = random_number(random, 0.125, 4) * (float)random_sign(random);
-    if (range == 1) {
-        const float size = power(random, -20, 20);
-        const float share[3] = {i % 3 == 0 ? 1 : 0x1p-8f, i % 3 == 1 ? 1 : 0x1p-8f,
-                                i % 3 == 2 ? 1 : 0x1p-8f};
-        job.t *= size * share[0];
-        job.radius *= size * share[1];
-        job.point = vec3_scaled(job.point, size * share[2]);
-    }
-    return job;
+    return ldexpf(1, (int)random_integer(random, -20, 20));
 }
 
 // In the second range rays go along axes, straight at the mirror, or graze it.
@@ -42,7 +23,7 @@ static MirrorJob draw_mirror(Random *random, int range, int i)
         job.direction = vec3_scaled(job.normal, -1);
     } else if (range == 1) {
         const Vec3 along = axes[(i + 1) % 3], up = axes[i % 3];
-        const float cosine = i % 3 == 1 ? 0 : 0x1p-10f;
+        const float cosine = i % 3 == 1 ? 0 : i % 2 == 0 ? 0x1p-10f : 0x1p-18f;
         job.normal = vec3_scaled(up, (float)random_sign(random));
         job.direction = vec3_normalized(vec3_minus(along, vec3_scaled(job.normal, cosine)));
     }
@@ -61,7 +42,7 @@ static ShadowRayJob draw_shadow_ray(Random *random, int i)
         job.light.position.x += 2;
     }
     if (i % 2 == 1) {
-        const float size = power(random, -20, 20);
+        const float size = random_power_09(random);
         job.point = vec3_scaled(job.point, size);
         job.light.position = vec3_scaled(job.light.position, size);
     }
@@ -70,9 +51,6 @@ static ShadowRayJob draw_shadow_ray(Random *random, int i)
 
 void rays_09_draw(Random *random, Job09 *job)
 {
-    for (int i = 0; i < COUNT(job->starts); i++) {
-        job->starts[i] = draw_start(random, i / N_START_INPUTS, i);
-    }
     for (int i = 0; i < COUNT(job->mirrors); i++) {
         job->mirrors[i] = draw_mirror(random, i / N_MIRROR_INPUTS, i);
     }
@@ -87,133 +65,6 @@ static OracleVector difference(Vec3 a, Vec3 b)
 {
     return vector_minus(vector_of(a), vector_of(b));
 }
-
-static double largest_of(Vec3 v)
-{
-    return fmax(fmax(fabs(v.x), fabs(v.y)), fabs(v.z));
-}
-
-// ---- leave_surface ------------------------------------------------------------------------------
-
-// A known mistake: what of the sum is there, and how often it is taken.
-typedef struct StartMistake {
-    Cause cause;
-    double share;  // of the offset; 0 where it has another size
-    double t, radius, point;
-    double distance;  // the same everywhere
-} StartMistake;
-
-static const StartMistake start_mistakes[] = {
-    {.cause = {0}, .share = 1, .t = 1, .radius = 1, .point = 1},
-    {.cause = {.says = "the point was not moved: new rays would hit the surface that they leave"}},
-    {.cause = {.says = "it was moved to the other side: against the normal"},
-     .share = -1,
-     .t = 1,
-     .radius = 1,
-     .point = 1},
-    {.cause = {.says = "t is missing in the sum"}, .share = 1, .radius = 1, .point = 1},
-    {.cause = {.says = "the radius is missing in the sum"}, .share = 1, .t = 1, .point = 1},
-    {.cause = {.says = "the point's coordinate is missing in the sum"},
-     .share = 1,
-     .t = 1,
-     .radius = 1},
-    {.cause = {.says = "only t counts in the sum"}, .share = 1, .t = 1},
-    {.cause = {.says = "only the radius counts in the sum"}, .share = 1, .radius = 1},
-    {.cause = {.says = "only the point's coordinate counts in the sum"}, .share = 1, .point = 1},
-};
-
-// How far the point was moved along the normal, and how far beside it.
-typedef struct Moved {
-    double along, beside;
-    double rounding;  // that far both may be off
-} Moved;
-
-static Moved moved(const StartJob *in, Vec3 found)
-{
-    const OracleVector n = vector_of(in->normal);
-    const OracleVector way = difference(found, in->point);
-    const double along = vector_dot(way, n), square = vector_dot(way, way);
-    // Each coordinate is rounded by half a step of its size; the offset itself by a few u.
-    return (Moved){along, sqrt(fmax(square - along * along, 0)),
-                   4 * 0x1p-24 * (largest_of(in->point) + sqrt(square))};
-}
-
-// The sum that a mistake makes of the three numbers, times SURFACE_ERROR.
-static double offset_of(const StartJob *in, const StartMistake *mistake)
-{
-    return mistake->share * 0x1p-18 *
-           (mistake->t * in->t + mistake->radius * fabs(in->radius) +
-            mistake->point * largest_of(in->point));
-}
-
-static int start_agrees(const void *pointer, int i, const void *answers, int mistake)
-{
-    const StartJob *in = &((const Job09 *)pointer)->starts[i];
-    const Moved found = moved(in, ((const Vec3 *)answers)[i]);
-    const double offset = offset_of(in, &start_mistakes[mistake]);
-    // Twice as far is far enough, and still right; a mistake is known by its number.
-    const double most = mistake == 0 ? 2 * offset : offset;
-    return found.beside <= found.rounding + 0x1p-8 * fabs(found.along) &&
-           found.along >= offset - found.rounding && found.along <= most + found.rounding;
-}
-
-static char *describe_start(const void *pointer, int i, const void *answers)
-{
-    const StartJob *in = &((const Job09 *)pointer)->starts[i];
-    const Moved found = moved(in, ((const Vec3 *)answers)[i]);
-    const double offset = offset_of(in, &start_mistakes[0]);
-    return message_new("point %s, normal %s, t %g, radius %g: found it moved by %g along the "
-                       "normal and %g beside it, expected %g to %g and 0",
-                       words_vec3(in->point, 6).text, words_vec3(in->normal, 6).text, in->t,
-                       in->radius, found.along, found.beside, offset, 2 * offset);
-}
-
-// Is every point moved by the same distance?
-static int is_one_distance(const Job09 *job, Range range, const Vec3 *found)
-{
-    const double first = moved(&job->starts[range.first], found[range.first]).along;
-    int i = range.first;
-    while (i < range.first + range.n) {
-        const Moved own = moved(&job->starts[i], found[i]);
-        if (fabs(own.along - first) > own.rounding + 0x1p-8 * fabs(first)) {
-            break;
-        }
-        i++;
-    }
-    return i == range.first + range.n;
-}
-
-static Cause explain_start(const void *pointer, Range range, const void *answers)
-{
-    const Job09 *job = pointer;
-    int n_far = 0;
-    for (int m = 1; m < COUNT(start_mistakes); m++) {
-        int i = range.first;
-        while (i < range.first + range.n && start_agrees(job, i, answers, m)) {
-            i++;
-        }
-        if (i == range.first + range.n) {
-            return start_mistakes[m].cause;
-        }
-    }
-    for (int i = range.first; i < range.first + range.n; i++) {
-        const StartJob *in = &job->starts[i];
-        const Moved found = moved(in, ((const Vec3 *)answers)[i]);
-        n_far += found.along > 2 * offset_of(in, &start_mistakes[0]) + found.rounding;
-    }
-    return (Cause){.says = n_far == range.n ? "farther than needed: what is near is not seen"
-                           : is_one_distance(job, range, answers)
-                               ? "the same distance everywhere: rounding grows with the numbers"
-                               : NULL};
-}
-
-const Function start_09 = {"starts",
-                           2 * N_START_INPUTS,
-                           sizeof(Vec3),
-                           .describe = describe_start,
-                           .agrees = start_agrees,
-                           .counted = "inputs",
-                           .explain = explain_start};
 
 // ---- mirrored_direction -------------------------------------------------------------------------
 
@@ -329,7 +180,10 @@ static int origin_agrees(const void *job, int i, const void *answers, int mistak
     const Vec3 at = mistake == ORIGIN_AT_LIGHT  ? in->light.position
                     : mistake == ORIGIN_AT_ZERO ? (Vec3){0, 0, 0}
                                                 : in->point;
-    return is_at(found->origin, at) && (found->t_min == 0) != (mistake == T_MIN_SET);
+    // What is handed out starts at the point already: to set nothing else is no answer.
+    const int is_handed_out = is_at(found->direction, (Vec3){0, 0, 1}) && found->t_max == 0;
+    return is_at(found->origin, at) && (found->t_min == 0) != (mistake == T_MIN_SET) &&
+           !is_handed_out;
 }
 
 const Function ray_origin_09 = {

@@ -37,13 +37,23 @@ static int is_ambiguous(Circle c, double x, double y)
            fabs(sum - radius_squared) <= 5 * 0x1p-24 * (sum + radius_squared) + 4 * FLT_MIN;
 }
 
+// Is a circle's colour 0 in these channels? In none of them it never is.
+static int is_zero(const Circle *circle, u32 channels)
+{
+    const u32 zeros = (circle->r == 0 ? CHANNEL_R : 0u) | (circle->g == 0 ? CHANNEL_G : 0u) |
+                      (circle->b == 0 ? CHANNEL_B : 0u) | (circle->a == 0 ? CHANNEL_A : 0u);
+    return channels != 0 && (zeros & channels) == channels;
+}
+
 // Does this circle take the pixel from the one found so far (NULL: none)?
 static int takes_pixel(const Circle *circle, const Circle *found, const OracleRules *rules)
 {
-    if (rules->too_far != 0 && circle->depth >= rules->too_far) {
+    if ((rules->too_far != 0 && circle->depth >= rules->too_far) ||
+        (rules->clear_is_hidden && circle->a == 0)) {
         return 0;
     }
-    if (found == NULL || rules->ignore_depth || (rules->negative_is_none && found->depth < 0)) {
+    if (found == NULL || rules->ignore_depth || (rules->negative_is_none && found->depth < 0) ||
+        is_zero(found, rules->zero_is_none)) {
         return 1;
     }
     if (rules->first_wins) {

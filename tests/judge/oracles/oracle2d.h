@@ -17,6 +17,9 @@ typedef enum OracleId {
     ID_PLACE_FROM_1,  // its place with the count, which is at place 0
 } OracleId;
 
+// Channels of a colour, as bits.
+enum { CHANNEL_R = 1, CHANNEL_G = 2, CHANNEL_B = 4, CHANNEL_A = 8 };
+
 // A way of drawing. All zeros is the right one.
 typedef struct OracleRules {
     int strict_boundary;   // distance² < radius²
@@ -31,6 +34,8 @@ typedef struct OracleRules {
     double too_far;        // circles of this depth and behind it are never taken; 0: none is
     int first_is_limit;    // nor those of the first circle's depth and behind it
     int negative_is_none;  // what has a negative depth is covered by whatever comes later
+    u32 zero_is_none;      // so has what is 0 in these channels
+    int clear_is_hidden;   // circles with alpha 0 are never taken
     int ends_at_0;         // none is asked behind one that is taken at depth 0 or less
     int first_is_nobody;   // a pixel of circle 0 is left background
     u32 most_asked;        // of the scene, or of a leaf's list, no more than this; 0: all

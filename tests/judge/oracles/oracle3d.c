@@ -25,6 +25,11 @@
 //    origin_error, and the line by as much at every sphere. Of the sphere that it leaves, a right
 //    solution does not find the point where it starts. With b = c . d and |c| = r the other root is
 //    at 2 b, ahead when b > 0: from inside. Off by e, b makes that 2 e, and |c| as much as r e / b.
+//
+// 7. Of two spheres around one centre a right solution finds the same c, b and l, however far these
+//    are off, and so which is entered first: their discs differ by the difference of the squares of
+//    their radii. What may hide that is each one's own rounding, 10 u r² of the disc, 6 u of its
+//    root and u of the entry.
 #include "oracle3d.h"
 #include "oracle3d_rounding.h"
 
@@ -188,6 +193,26 @@ OracleRoot oracle3d_root(Sphere sphere, const OracleRay *ray, OracleForm form,
 
 // ---- The nearest ------------------------------------------------------------------------------
 
+// 7: does the ray enter the one sphere and then, certainly in float too, the other, around the same
+// centre?
+static int is_shell_before(const Sphere *first, const Sphere *second, const OracleRay *ray)
+{
+    if (first->x != second->x || first->y != second->y || first->z != second->z ||
+        first->radius < second->radius || second->radius <= 0 || ray->leaves != NULL) {
+        return 0;
+    }
+    const OracleChord outer = oracle3d_chord(*first, ray, ORACLE_PROJECTION);
+    const OracleChord inner = oracle3d_chord(*second, ray, ORACLE_PROJECTION);
+    const double last = outer.error + ROUNDING * (fabs(outer.middle) + outer.longest);
+    if (!inner.is_certain || outer.middle - outer.longest - last <= ray->t_min) {
+        return 0;
+    }
+    const double r2 = (double)first->radius * first->radius;
+    const double discs = r2 - (double)second->radius * second->radius - 20 * ROUNDING * r2;
+    const double rounding = 2 * ROUNDING * (6 * outer.longest + fabs(outer.middle) + outer.longest);
+    return discs / (2 * outer.longest) > rounding;
+}
+
 // Does the hit at t take the ray from the one found so far?
 static int takes_ray(double t, const OracleHit *found, const OracleRules3D *rules)
 {
@@ -221,9 +246,11 @@ OracleHit oracle3d_nearest(const Sphere *spheres, u32 n_spheres, const OracleRay
         // What is not, or is no longer, the hit is one of the others.
         const OracleRoot *loser = takes ? &root : &own;
         const u32 loser_id = takes ? hit.sphere : i;
+        const Sphere *winner = &spheres[takes ? i : hit.sphere];
         const int is_rival =
             loser->is_possible && loser_id != ORACLE_NO_SPHERE &&
-            (hit.sphere == ORACLE_NO_SPHERE || !is_copy(&spheres[i], &spheres[hit.sphere]));
+            (hit.sphere == ORACLE_NO_SPHERE || !(is_copy(winner, &spheres[loser_id]) ||
+                                                 is_shell_before(winner, &spheres[loser_id], ray)));
         if (is_rival && loser->t_low < others_low) {
             others_low = loser->t_low;
             other = loser_id;

@@ -42,6 +42,15 @@ static int is_turned(Sphere sphere, OracleVector point, OracleVector direction, 
     return turns != rules->normal_turned_away;
 }
 
+// Is the dot product of a normal and a direction, both given exactly, one product in every right
+// solution? Then it is exact, however small: around the origin, and along an axis.
+static int is_one_product(Sphere sphere, OracleNear point, OracleNear direction)
+{
+    const OracleVector p = point.value;
+    return point.error == 0 && direction.error == 0 && sphere.x == 0 && sphere.y == 0 &&
+           sphere.z == 0 && (p.x != 0) + (p.y != 0) + (p.z != 0) == 1;
+}
+
 OracleNear oracle3d_normal(Sphere sphere, OracleNear point, OracleNear direction,
                            const OracleRules3D *rules)
 {
@@ -56,7 +65,8 @@ OracleNear oracle3d_normal(Sphere sphere, OracleNear point, OracleNear direction
     if (is_turned(sphere, point.value, direction.value, cosine, rules)) {
         normal.value = vector_scaled(-1, normal.value);
     }
-    if (!(fabs(cosine) > normal.error + direction.error + 4 * ROUNDING)) {
+    if (!is_one_product(sphere, point, direction) &&
+        !(fabs(cosine) > normal.error + direction.error + 4 * ROUNDING)) {
         normal.error = INFINITY;
     }
     return normal;
@@ -132,7 +142,9 @@ static Share share_of(OracleNear point, OracleNear normal, const Material *mater
     if (rules->highlight) {
         const double phong = material->ks * pow(cosine, fmax(material->shine, 1));
         share.value = vector_plus(share.value, vector_scaled(phong, shine));
-        share.error *= 1 + material->shine;
+        // The exponent multiplies the cosine's error, and pow() has 16 units of its own.
+        share.error += material->ks * fmax(fmax(shine.x, shine.y), shine.z) *
+                       (fmax(material->shine, 1) * error + 32 * ROUNDING);
     }
     return share;
 }

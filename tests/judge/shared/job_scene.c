@@ -59,28 +59,49 @@ static void shuffle_places(Random *random, int n, int places[])
     }
 }
 
-// Where circles have the same centre, one of them takes the pixels, and its depth says which.
+// Where circles have the same centre, one of them takes the pixels, and its depth says which:
+// neither its colour nor its alpha does.
 int job_scene_depths(JobScene *scene, Random *random)
 {
     static const struct {
         int place;
         float depth;
+        enum { DRAWN, CLEAR, BLACK, CLEAR_AND_BLACK } color;
     } rows[] = {
-        {0, 0.5f},    {0, 0x1.fffffep-2f},  // nearer by one float
-        {1, 0.5f},    {1, 0x1.000002p-1f},  // farther by one float
-        {2, FLT_MAX},                       // alone: taken, however far
-        {3, 0.0f},    {3, -0.0f},           // equal
-        {4, 0.0f},    {4, -0x1p-100f},      // nearer by less than any epsilon
-        {5, 1e30f},   {5, -1e30f},          // much nearer
-        {6, -3e38f},  {7, -1},
-        {7, 0.5f},  // farther than a negative one
+        // Nearer by one float, farther by one, equal, nearer by less than any epsilon, much nearer.
+        {0, 0.5f, DRAWN},
+        {0, 0x1.fffffep-2f, DRAWN},
+        {1, 0.5f, DRAWN},
+        {1, 0x1.000002p-1f, DRAWN},
+        {3, 0.0f, DRAWN},
+        {3, -0.0f, DRAWN},
+        {4, 0.0f, DRAWN},
+        {4, -0x1p-100f, DRAWN},
+        {5, 1e30f, DRAWN},
+        {5, -1e30f, DRAWN},
+        // Alone: taken, however far or near.
+        {2, FLT_MAX, DRAWN},
+        {6, -3e38f, DRAWN},
+        // Farther than a negative one, and than those that cannot be seen.
+        {7, -1, DRAWN},
+        {7, 0.5f, DRAWN},
+        {8, 0.25f, CLEAR},
+        {8, 0.75f, DRAWN},
+        {9, 0.25f, BLACK},
+        {9, 0.75f, DRAWN},
+        {10, 0.25f, CLEAR_AND_BLACK},
+        {10, 0.75f, DRAWN},
+        // Covered by one that cannot be seen.
+        {11, 0.75f, DRAWN},
+        {11, 0.25f, CLEAR},
     };
-    enum { N_ROWS = sizeof rows / sizeof *rows, N_PLACES = 8, PLACES_A_ROW = 4, PLACE = 8 };
+    enum { N_ROWS = sizeof rows / sizeof *rows, N_PLACES = 12, PLACES_A_ROW = 4, PLACE = 8 };
     int places[N_PLACES] = {0};
     *scene = (JobScene){0};
     snprintf(scene->picture.title, sizeof scene->picture.title,
              "depths up to the largest float, and one float apart");
-    if (scene2d_create(N_ROWS, PLACES_A_ROW * PLACE, 2 * PLACE, &scene->scene) != 0) {
+    if (scene2d_create(N_ROWS, PLACES_A_ROW * PLACE, N_PLACES / PLACES_A_ROW * PLACE,
+                       &scene->scene) != 0) {
         return -1;
     }
     shuffle_places(random, N_PLACES, places);
@@ -93,49 +114,81 @@ int job_scene_depths(JobScene *scene, Random *random)
     }
     scene2d_turn(&scene->scene, random);
     scene2d_recolour(&scene->scene, random);
+    for (int i = 0; i < N_ROWS; i++) {
+        Circle *circle = &scene->scene.circles[i];
+        if (rows[i].color == BLACK || rows[i].color == CLEAR_AND_BLACK) {
+            circle->r = circle->g = circle->b = 0;
+        }
+        if (rows[i].color == CLEAR || rows[i].color == CLEAR_AND_BLACK) {
+            circle->a = 0;
+        }
+    }
     return 0;
+}
+
+void job_scene_cover_second(JobScene *scene)
+{
+    Circle *circles = scene->scene.circles;
+    float nearest = INFINITY;
+    for (int i = 0; i < scene->scene.n_circles; i++) {
+        nearest = fminf(nearest, circles[i].depth);
+    }
+    if (scene->scene.n_circles >= 2) {
+        circles[0].x = circles[1].x;
+        circles[0].y = circles[1].y;
+        circles[0].depth = nearest / 2;
+    }
 }
 
 int job_scene_pile(JobScene *scene, Random *random)
 {
-    // What 8 bits hold of it is none of the numbers that a mistake may take for the most there are.
-    const int n_circles = (int)random_integer(random, 8203, 8250);
+    // What 8 bits hold of it, and 16, is none of the numbers that a mistake may take for the most
+    // there are. The picture is small, as each pixel asks all of them.
+    const int n_circles = (1 << 16) + (1 << 8) + (int)random_integer(random, 11, 58);
     *scene = (JobScene){0};
     snprintf(scene->picture.title, sizeof scene->picture.title,
              "%d circles, one upon another, each nearer than those before it", n_circles);
-    if (scene2d_create(n_circles, 24, 16, &scene->scene) != 0) {
+    if (scene2d_create(n_circles, 8, 6, &scene->scene) != 0) {
         return -1;
     }
     for (int i = 0; i < n_circles; i++) {
         scene->scene.circles[i] =
-            (Circle){.x = 12, .y = 8, .radius = 20, .depth = (float)(n_circles - i) / 16384};
+            (Circle){.x = 4, .y = 3, .radius = 20, .depth = (float)(n_circles - i) / 16384};
     }
     scene2d_recolour(&scene->scene, random);
     return 0;
 }
 
 // The picture as if of a list no more were asked than some number that one may take for the most
-// there are, or than 8 bits count. As DrawMistaken has it.
+// there are, or than 8 or 16 bits count. As DrawMistaken has it.
 static Cause draw_fewer(const JobScene *scene, int mistake, Image *guess, float *tolerances)
 {
-    static const u32 numbers[] = {64, 128, 256, 512, 1024, 2048, 4096, 8192};
-    const u32 n_circles = (u32)scene->scene.n_circles, n_in_a_byte = n_circles & 0xff;
-    if (mistake > (int)(sizeof numbers / sizeof *numbers) ||
-        (mistake > 0 && numbers[mistake - 1] >= n_circles)) {
+    static const u32 numbers[] = {64,   128,   256,   512,   1024,  2048,  4096, 8192,
+                                  9999, 10000, 16384, 32767, 32768, 65535, 65536};
+    static const u32 masks[] = {0xff, 0xffff};
+    enum { N_MASKS = sizeof masks / sizeof *masks, N_NUMBERS = sizeof numbers / sizeof *numbers };
+    const u32 n_circles = (u32)scene->scene.n_circles;
+    const int is_cut = mistake < N_MASKS;
+    if (mistake >= N_MASKS + N_NUMBERS || (!is_cut && numbers[mistake - N_MASKS] >= n_circles)) {
         return (Cause){0};
     }
-    const OracleRules rules = {.most_asked = mistake == 0 ? n_in_a_byte : numbers[mistake - 1]};
+    const OracleRules rules = {.most_asked = is_cut ? n_circles & masks[mistake]
+                                                    : numbers[mistake - N_MASKS]};
     if (scene->tree.n_nodes > 0) {
         oracle2d_draw_leaves(scene->scene.circles, scene->scene.n_circles, &scene->tree, &rules,
                              guess, tolerances);
     } else {
         oracle2d_draw(scene->scene.circles, scene->scene.n_circles, &rules, guess, NULL);
     }
-    return (Cause){.says = mistake == 0 ? "drawn as if 8 bits held the number of circles"
-                                        : "drawn as if the end of a long list were never asked: "
-                                          "there is no largest number of circles"};
+    return (Cause){.says = !is_cut        ? "drawn as if the end of a long list were never asked: "
+                                            "there is no largest number of circles"
+                           : mistake == 0 ? "drawn as if 8 bits held the number of circles"
+                                          : "drawn as if 16 bits held the number of circles"};
 }
 
+#define NONE_YET                                                                                   \
+    "drawn as if a colour of zeros said that there is no circle yet: a circle may be black, or "   \
+    "transparent"
 #define TOO_FAR "drawn as if far circles were never taken: minDepth starts too small"
 
 // The oracle's mistakes, as DrawMistaken has it.
@@ -179,6 +232,13 @@ static Cause draw_mistaken(const void *pointer, int mistake, Image *guess, float
          {.first_is_limit = 1}},
         {{.says = "drawn as if circle 0 were none: 0 is an id as any other"},
          {.first_is_nobody = 1}},
+        {{.says = NONE_YET}, {.zero_is_none = CHANNEL_A}},
+        {{.says = NONE_YET}, {.zero_is_none = CHANNEL_R}},
+        {{.says = NONE_YET}, {.zero_is_none = CHANNEL_R | CHANNEL_G | CHANNEL_B}},
+        {{.says = NONE_YET}, {.zero_is_none = CHANNEL_R | CHANNEL_G | CHANNEL_B | CHANNEL_A}},
+        {{.says = "drawn as if transparent circles were none: the nearest circle takes the pixel, "
+                  "alpha included"},
+         {.clear_is_hidden = 1}},
         {{.says = "drawn as if the last circles were missing"}, {.skip_last = 2}},
         {{.says = "drawn as if the last circles were missing"}, {.skip_last = 3}},
     };

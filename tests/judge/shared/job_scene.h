@@ -25,12 +25,17 @@ int job_scene_named(JobScene *scene, Random *random, const char *name, int width
 // Spread the depths of a random scene from about -500 000 to 500 000: a depth may be any number.
 void job_scene_spread_depths(JobScene *scene);
 
-// Depths of every size: the largest float, two that are one float apart, both zeros; where they are
-// is drawn. Returns 0, or -1 after one message.
+// Let the first circle of a random scene be the nearest, and lie before the second: then what is
+// wrong with the first alone is seen.
+void job_scene_cover_second(JobScene *scene);
+
+// Depths of every size: the largest float, two that are one float apart, both zeros; and circles
+// that are black or transparent before others. Where they are is drawn. Returns 0, or -1 after one
+// message.
 int job_scene_depths(JobScene *scene, Random *random);
 
-// More circles than the lecture has, all of them over all pixels: the last one is seen. Returns 0,
-// or -1 after one message.
+// More circles than 16 bits count, all of them over all pixels: the last one is seen. Returns 0, or
+// -1 after one message.
 int job_scene_pile(JobScene *scene, Random *random);
 
 // Let the oracle draw what is expected. Returns 0, or -1 after one message.

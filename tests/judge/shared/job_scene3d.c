@@ -6,6 +6,7 @@
 #include "complain.h"
 #include "job_sections.h"
 #include "jobs.h"
+#include "message.h"
 #include "random3d.h"
 #include "scene_vary.h"
 
@@ -77,8 +78,8 @@ int job_scene3d_random(JobScene3D *scene, Random *random, int n_spheres, float m
                        float max_radius, int width, int height)
 {
     *scene = (JobScene3D){0};
-    snprintf(scene->picture.title, sizeof scene->picture.title, "random scene, %d spheres, %dx%d",
-             n_spheres, width, height);
+    snprintf(scene->picture.title, sizeof scene->picture.title, "random scene, %d sphere%s, %dx%d",
+             n_spheres, plural((unsigned)n_spheres), width, height);
     Scene3D *s = &scene->scene;
     if (scene3d_random(n_spheres, random_bits(random), min_radius, max_radius, s) != 0) {
         return -1;

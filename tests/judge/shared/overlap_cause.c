@@ -38,6 +38,16 @@ static int overlaps_by_root_in_float(Reach r)
     return sqrtf(distance_squared_in_float(r)) <= fabsf((float)r.radius);
 }
 
+static int overlaps_by_root(Reach r)
+{
+    return sqrt(distance_squared(r)) <= fabs(r.radius);
+}
+
+static int overlaps_by_signed_root(Reach r)
+{
+    return sqrt(distance_squared(r)) <= r.radius;
+}
+
 static int overlaps_by_radius_in_float(Reach r)
 {
     const float radius = (float)r.radius;
@@ -63,12 +73,15 @@ static const struct {
     const char *says;
 } foretold[] = {
     {overlaps_by_sum, "the distances on the axes are added: their squares are to be"},
+    {overlaps_by_root, "your answers are those of a root, which is rounded: compare the squares"},
     {overlaps_by_distances_in_float,
      "your answers are those of distances rounded to float: in double they are exact"},
     {overlaps_by_squares_in_float,
      "your answers are those of float, which rounds squares: in double they are exact"},
     {overlaps_by_root_in_float,
      "your answers are those of float, which rounds squares: in double they are exact"},
+    {overlaps_by_signed_root, "a negative radius counts as its absolute value; and the root is "
+                              "rounded: compare squares"},
     {overlaps_by_radius_in_float,
      "your answers are those of a radius squared in float, which rounds it"},
 };

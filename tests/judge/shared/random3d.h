@@ -7,6 +7,12 @@
 
 #include <math.h>
 
+// 1 in one case of n, else 0.
+static inline int one_in(Random *random, int n)
+{
+    return random_integer(random, 1, n) == 1;
+}
+
 // A number from lowest to highest in steps of 1/1024.
 static inline float random_number(Random *random, double lowest, double highest)
 {

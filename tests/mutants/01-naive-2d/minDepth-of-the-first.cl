@@ -1,7 +1,7 @@
 // mutant: minDepth starts with the first circle's depth
 // task: implicit2DRenderer
 // caught by: renderer-edges
-// says: depth of the first circle|looks empty
+// says: depth of the first circle
     float minDepth = n_circles > 0 ? circles[0].depth : 0.0f;
     for (int i = 0; i < n_circles; i++) {
         if (overlaps_N_Nearer(x, y, circles[i], minDepth, &work)) {

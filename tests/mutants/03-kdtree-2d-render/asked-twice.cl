@@ -1,7 +1,7 @@
 // mutant: a circle that covers the pixel is asked twice, once for each half of the question
 // task: leaf_loop
 // caught by: leaf-work
-// says: more than once
+// says: more than once|asked twice
     float minDepth = INFINITY;
     const uint offset = nodes_Relations[id].circleMapOffset;
     const uint n_circles = mapNode2Circles[offset];

@@ -1,7 +1,7 @@
 // mutant: circle 0 is taken for none
 // task: leaf_loop
 // caught by: leaf-random
-// says: circle 0|first circle
+// says: circle 0 were none
     const uint offset = nodes_Relations[id].circleMapOffset;
     float minDepth = INFINITY;
     uint nearest = 0;

@@ -33,8 +33,8 @@ int main(void)
     probe_open_device(&probe);
     cl_program program = probe_build(&probe, "probes/" LAB_NAME "/probe.cl",
                                      "-I " LAB_FOLDER " -I kernels -I probes");
-    probe_call(&probe, program, "overlaps", sizeof(OverlapJob), sizeof(cl_int), NULL, 0);
     cl_kernel kernel = probe_kernel(program, "implicit2DRenderer");
+    probe_call(&probe, program, "overlaps", sizeof(OverlapJob), sizeof(cl_int), NULL, 0);
     const SceneJob *scene;
     for (int k = 0; (scene = probe_scene(&probe, k)) != NULL; k++) {
         answer_picture(&probe, k, scene, kernel);

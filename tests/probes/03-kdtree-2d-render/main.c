@@ -69,8 +69,8 @@ int main(void)
     cl_program program =
         probe_build(&probe, "probes/" LAB_NAME "/probe.cl",
                     PROBE_KERNEL_OPTIONS " -I " LAB_FOLDER " -I probes -DCOUNT_WORK");
-    answer_children(&probe, program);
     cl_kernel kernel = probe_kernel(program, "implicit2DRenderer_KD");
+    answer_children(&probe, program);
     const SceneJob *scene;
     for (int k = 0; (scene = probe_scene(&probe, k)) != NULL; k++) {
         answer_picture(&probe, k, scene, kernel);

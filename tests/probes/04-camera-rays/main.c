@@ -34,13 +34,17 @@ static void answer_picture(const Probe *probe, int k, const SceneJob3D *scene, c
     CL_CHECK(clReleaseMemObject(d_image));
 }
 
-static void answer_kernels(Probe *probe)
+static cl_program kernels_build(Probe *probe)
 {
     probe_open_device(probe);
-    cl_program program = probe_build(probe, "probes/" LAB_NAME "/probe.cl",
-                                     PROBE_KERNEL_OPTIONS " -I " LAB_FOLDER " -I probes");
-    probe_call(probe, program, "pixels", sizeof(PixelJob), sizeof(PixelAnswer), NULL, 0);
+    return probe_build(probe, "probes/" LAB_NAME "/probe.cl",
+                       PROBE_KERNEL_OPTIONS " -I " LAB_FOLDER " -I probes");
+}
+
+static void answer_kernels(const Probe *probe, cl_program program)
+{
     cl_kernel kernel = probe_kernel(program, "draw_directions");
+    probe_call(probe, program, "pixels", sizeof(PixelJob), sizeof(PixelAnswer), NULL, 0);
     const SceneJob3D *scene;
     for (int k = 0; (scene = probe_scene3d(probe, k)) != NULL; k++) {
         answer_picture(probe, k, scene, kernel);
@@ -53,11 +57,13 @@ int main(void)
 {
     Probe probe;
     probe_open(&probe);
+    // First of all: that kernels do not compile is believed of who has called no answer yet.
+    cl_program program = probe_alone(&probe, "camera_axes") ? NULL : kernels_build(&probe);
     if (probe_asks(&probe, "views")) {
         answer_axes(&probe);
     }
-    if (!probe_alone(&probe, "camera_axes")) {
-        answer_kernels(&probe);
+    if (program != NULL) {
+        answer_kernels(&probe, program);
     }
     probe_close(&probe);
     return EXIT_SUCCESS;

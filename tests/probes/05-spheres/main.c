@@ -56,10 +56,9 @@ static void answer_picture(const Probe *probe, int k, const SceneJob3D *scene,
                         N_SCENE3D_ARGUMENTS + 1);
 }
 
-static void answer_scenes(const Probe *probe, cl_program program)
+static void answer_scenes(const Probe *probe, cl_program program, cl_kernel kernel)
 {
     cl_kernel hits_kernel = probe_kernel(program, "probe_hits");
-    cl_kernel kernel = probe_kernel(program, "render_spheres");
     const SceneJob3D *scene;
     for (int k = 0; (scene = probe_scene3d(probe, k)) != NULL; k++) {
         Scene3DBuffers buffers = probe_scene3d_buffers(probe, k, scene);
@@ -68,7 +67,6 @@ static void answer_scenes(const Probe *probe, cl_program program)
         probe_scene3d_release(&buffers);
     }
     CL_CHECK(clReleaseKernel(hits_kernel));
-    CL_CHECK(clReleaseKernel(kernel));
 }
 
 // nearest_hit alone: what the rays of a scene of squares hit, and their work.
@@ -111,12 +109,14 @@ int main(void)
     cl_program program =
         probe_build(&probe, "probes/" LAB_NAME "/probe.cl",
                     PROBE_KERNEL_OPTIONS " -I " LAB_FOLDER " -I probes -DCOUNT_WORK");
+    cl_kernel kernel = probe_kernel(program, "render_spheres");
     answer_functions(&probe, program);
     if (probe_alone(&probe, "nearest_hit")) {
         answer_all_squares(&probe, program);
     } else {
-        answer_scenes(&probe, program);
+        answer_scenes(&probe, program, kernel);
     }
+    CL_CHECK(clReleaseKernel(kernel));
     CL_CHECK(clReleaseProgram(program));
     probe_close(&probe);
     return EXIT_SUCCESS;

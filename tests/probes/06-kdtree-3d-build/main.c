@@ -60,7 +60,7 @@ static void answer_pack_leaf_range(const Probe *probe, const char *name)
     for (size_t i = 0; i < n; i++) {
         PackAnswer3D *answer = &answers[i];
         for (u32 id = 0; id < PACK_NODES; id++) {
-            answer->nodes[id] = (KdNode3){.first = UNTOUCHED, .n_spheres = UNTOUCHED};
+            answer->nodes[id] = PACK_NODE;
         }
         probe_leave_untouched(answer->sphere_ids, PACK_MAP_ROOM);
         KdTree3D tree = {.nodes = answer->nodes,
@@ -99,7 +99,7 @@ static void pack_tree(const Probe *probe, u32 k, ReplayTree room, const ReplayLi
     KdNode3 *nodes = calloc(room.n_nodes, sizeof *nodes);
     u32 *sphere_ids = calloc(n_ids, sizeof *sphere_ids);
     for (u32 id = 0; id < room.n_nodes; id++) {
-        nodes[id] = (KdNode3){.first = UNTOUCHED, .n_spheres = UNTOUCHED};
+        nodes[id] = PACK_NODE;
     }
     probe_leave_untouched(sphere_ids, n_ids);
     KdTree3D tree = {.nodes = nodes, .sphere_ids = sphere_ids, .n_nodes = room.n_nodes};

@@ -80,8 +80,8 @@ int main(void)
     cl_program program =
         probe_build(&probe, "probes/" LAB_NAME "/probe.cl",
                     PROBE_KERNEL_OPTIONS " -I " LAB_FOLDER " -I probes -DCOUNT_WORK");
-    answer_functions(&probe, program);
     cl_kernel kernel = probe_kernel(program, "render_mirrors");
+    answer_functions(&probe, program);
     const SceneJob3D *job;
     for (int k = 0; (job = probe_scene3d(&probe, k)) != NULL; k++) {
         answer_picture(&probe, k, job, kernel);

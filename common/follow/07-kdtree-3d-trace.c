@@ -1,0 +1,34 @@
+// What can be followed in lab 07: its own kernel, and the naive one of lab 05 beside it.
+//
+// Flow: SCENE -> BUFFERS -> KERNEL -> IMAGE -> comparison. Read next: world.h.
+#include "kdtree3d_build.h"
+#include "world.h"
+
+static const WorldKernel KERNELS[] = {
+    {
+        .label = "kd-tree",
+        .path = LAB_FOLDER "/render_kdtree.cl",
+        .function = "render_kdtree",
+        .options = KERNEL_OPTIONS,
+        .steps_path = STEPS_FOLDER "/07-kdtree-3d-trace.cl",
+        .set_arguments = spheres_set_tree,
+    },
+    {
+        .label = "naive",
+        .path = "solutions/05-spheres/render_spheres.cl",
+        .function = "render_spheres",
+        .options = KERNEL_OPTIONS,
+        .steps_path = STEPS_FOLDER "/05-spheres.cl",
+        .set_arguments = spheres_set_naive,
+    },
+};
+
+const WorldLab WORLD_LAB = {
+    .name = LAB_NAME,
+    .what = "Shows spheres; a ray asks the spheres of the kd-tree cells it meets.",
+    .kind = &SPHERES,
+    .build.spheres = kdtree3d_build,
+    .has_tree = 1,
+    .kernels = KERNELS,
+    .n_kernels = sizeof KERNELS / sizeof KERNELS[0],
+};

@@ -1,0 +1,44 @@
+# How a lab's pixel is followed: a library that the windows use, too (common/view), and a program a lab,
+# `make pixel`.
+
+FOLLOWED := $(filter $(patsubst common/follow/%.c,%,$(wildcard common/follow/[0-9]*.c)),$(LABS))
+PIXELS := $(foreach lab,$(FOLLOWED),$(patsubst %/lab.json,$(OUT)/pixel/%,$(wildcard labs/$(lab)/lab.json solutions/$(lab)/lab.json)))
+
+# What every lab's is made of.
+PIXEL_SOURCES := common/follow/pixel.c
+$(OUT)/obj/common/follow/%.o: EXTRA = -I common/follow
+$(OUT)/libfollow.a: $(call objects,$(filter-out common/follow/spheres.c $(PIXEL_SOURCES),$(wildcard common/follow/[a-z]*.c)))
+	$(archive)
+
+# And what is of its lab: a file of its own, the lab's host files but main.c, and from lab 05 on, whose
+# buffers it uses, spheres.c.
+follow_parts = $(1) $(if $(wildcard $(addsuffix /scene_buffers.h,labs/$(1) solutions/$(1) $(addprefix solutions/,$(call earlier,$(1))))),spheres)
+follow_objects = $(patsubst %,$(OUT)/obj/follow/$(1)/%.o,$(call follow_parts,$(notdir $(1)))) \
+    $(call objects,$(filter-out %/main.c,$(wildcard $(1)/*.c)))
+followed_lab = $(patsubst $(OUT)/obj/follow/%/,%,$(dir $@))
+$(OUT)/obj/follow/%.o: EXTRA = -I common/follow -I $(followed_lab) $(call include_path,$(notdir $(followed_lab))) \
+    -DLAB_NAME='"$(notdir $(followed_lab))"' -DLAB_FOLDER='"$(followed_lab)"' -DSTEPS_FOLDER='"common/follow/steps"' \
+    -DKERNEL_OPTIONS='"$(call include_path,$(notdir $(followed_lab)))"'
+$(OUT)/obj/follow/%.o: common/follow/$$(notdir $$*).c $(FLAG_FILES)
+	@mkdir -p $(@D)
+	$(call say,compile $< for $(followed_lab))$(CC) $(CFLAGS) -MMD -MP $(INCLUDES) $(EXTRA) -c $< -o $@
+
+# The reference knows the answers: it is not in a handout, where no_reference.c stands in its place.
+REFERENCE := $(wildcard tests/follow/*.c)
+$(OUT)/obj/tests/follow/%.o: EXTRA = $(GRADER_INCLUDES) -I common/follow
+$(PIXELS): LIBRARIES += -Wl,-rpath,'$$ORIGIN/../..'
+$(PIXELS): $(OUT)/pixel/%: $(call objects,$(PIXEL_SOURCES) $(REFERENCE)) $$(call follow_objects,$$*) $(OUT)/libfollow.a \
+    $(OUT)/earlier/$$(notdir $$*).a $(if $(REFERENCE),$(OUT)/libjudge.a) $(OUT)/libcommon.a | $(OUT)/libimage_codec.so
+	$(call link,$(LIBRARIES))
+
+# The student's own; with SOLUTION=1 the solution.
+own_program = $(OUT)/$(1)/$(if $(SOLUTION),solutions,labs)/$(graded_lab)
+is_followed = test -n "$(filter $(graded_lab),$(FOLLOWED))" || { echo 'make $@: found LAB="$(LAB)", expected a lab that $(1): $(FOLLOWED)$(if $(wildcard solutions/07*/lab.json),; with SOLUTION=1, where it is not yours)' >&2; exit 2; }
+pixel_files = $(OUT)/pixel/$(graded_lab)
+.PHONY: pixels pixel
+pixels: $(PIXELS)
+pixel:  ## follow one pixel, step by step: LAB=03 AT=200,120 [SOLUTION=1] [OPTIONS="--scene ..."]
+	+@$(call is_followed,can be followed); test -n "$(AT)" || { echo 'make $@: say which pixel: make $@ LAB=$(EXAMPLE_LAB) AT=200,120' >&2; exit 2; }; \
+	    $(MAKE) -s --no-print-directory $(call own_program,pixel)
+	@$(call own_program,pixel) --pixel "$(AT)" --json $(pixel_files).json --svg $(pixel_files).svg $(OPTIONS)
+	@echo "written to $(pixel_files).json, drawn in $(pixel_files).svg"

@@ -1,0 +1,68 @@
+// One pixel of a lab, followed: `make pixel LAB=07 AT=200,120`. What there is to follow comes from
+// the lab's own file, NN-name.c.
+//
+// Flow: SCENE -> BUFFERS -> KERNEL -> image -> COMPARISON: all of it for one pixel. Read next:
+// followed.h.
+#include "complain.h"
+#include "followed.h"
+#include "standard_streams.h"
+
+#include <signal.h>
+#include <unistd.h>
+
+// A student's kernel may never end. None that does takes so long for one pixel, on no machine.
+enum { LONGEST_SECONDS = 120 };
+
+static void give_up(int signal_number)
+{
+    static const char MESSAGE[] = "the kernel does not end: is there a loop that never does?\n";
+    (void)signal_number;
+    _exit(write(STDERR_FILENO, MESSAGE, sizeof MESSAGE - 1) < 0 ? EXIT_FAILURE : EXIT_FAILURE);
+}
+
+// Is there such a pixel? Returns 0, or -1 after one message.
+static int pixel_check(const World *world)
+{
+    const Options *options = &world->lab->options;
+    if (options->pixel_x < 0) {
+        complain("%s: say which pixel: --pixel X,Y", world->lab->name);
+        return -1;
+    }
+    if (options->pixel_x >= world->width || options->pixel_y >= world->height) {
+        complain("%s: --pixel: found \"%d,%d\", expected X from 0 to %d and Y from 0 to %d",
+                 world->lab->name, options->pixel_x, options->pixel_y, world->width - 1,
+                 world->height - 1);
+        return -1;
+    }
+    return 0;
+}
+
+int main(int argc, char **argv)
+{
+    const int set = WORLD_LAB.kind->set | (WORLD_LAB.has_tree ? OPTIONS_TREE : 0) | OPTIONS_DEVICE |
+                    OPTIONS_PIXEL;
+    Lab lab = lab_begin(argc, argv, WORLD_LAB.name, "Follows one pixel, step by step.", set);
+    World world;
+    require(world_open(&world, &lab, &WORLD_LAB));
+    require(pixel_check(&world));
+
+    Followed *followed = world_allocate(sizeof *followed);
+    signal(SIGALRM, give_up);
+    alarm(LONGEST_SECONDS);
+    require(followed_make(followed, &world, &WORLD_LAB, lab.options.pixel_x, lab.options.pixel_y));
+    alarm(0);
+
+    followed_print(followed, stdout);
+    if (lab.options.json != NULL) {
+        require(followed_save_json(followed, lab.options.json));
+    }
+    if (lab.options.svg != NULL) {
+        require(followed_save_svg(followed, lab.options.svg));
+    }
+    require(standard_output_check());
+
+    free(followed);
+    world.kind->close(&world);
+    cl_setup_close(&lab.cl);
+    return EXIT_SUCCESS;
+}

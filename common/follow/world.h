@@ -1,0 +1,141 @@
+// A scene on the device, the place it is seen from, its tree, and the kernels that can draw it. 2D
+// (circles.c) and 3D (spheres.c) differ behind this one face.
+//
+// Flow: SCENE -> BUFFERS -> KERNEL -> image -> comparison. Read next: record.h, and frame.h of
+// common/view.
+#ifndef FOLLOW_WORLD_H
+#define FOLLOW_WORLD_H
+
+#include "camera.h"
+#include "circle.h"
+#include "lab.h"
+#include "sphere.h"
+#include "tree2d.h"
+#include "tree3d.h"
+
+// From where a world is seen, as numbers. 3D: from, at and up of the view, x, y, z each. 2D: the
+// scene's x and y in the top left corner of the picture, and the zoom as a power of two: at 0 a
+// pixel of the scene is one of the picture, at 1 two by two.
+enum { POSE_MAX_NUMBERS = 9 };
+typedef struct Pose {
+    f32 numbers[POSE_MAX_NUMBERS];
+} Pose;
+
+// What keys and the mouse ask for in one frame.
+typedef struct Motion {
+    f32 right, up, forward;     // how long to fly each way, seconds
+    f32 turn_right, turn_up;    // look round, radians
+    f32 orbit_right, orbit_up;  // go round the scene's middle, radians
+    f32 drag_right, drag_down;  // pull the scene along, pixels
+    int notches;                // of the wheel, or steps of the zoom; inwards is positive
+} Motion;
+
+typedef struct World World;
+
+// A kernel that can draw the world.
+typedef struct WorldKernel {
+    const char *label;       // what the window calls it: "kd-tree"
+    const char *path;        // its .cl file
+    const char *function;    // its name there
+    const char *options;     // as cl_setup_build() takes them
+    const char *steps_path;  // a .cl file around it that writes down the steps of a pixel (steps.h)
+    // Set its arguments. d_work is its last one: NULL where nothing is counted.
+    void (*set_arguments)(const World *world, cl_kernel kernel, cl_mem d_work);
+} WorldKernel;
+
+// What the device holds, on the host. Of circles or of spheres, the other ones are NULL; `tree2d`
+// or `tree3d` is NULL where there is no tree.
+typedef struct WorldData {
+    const Circle *circles;  // [n_elements], as the pose shows them
+    const KdTree2D *tree2d;
+    const Sphere *spheres;  // [n_elements]
+    const KdTree3D *tree3d;
+    BBox3D bounds;  // of the tree, as the kernel has it: a little wider
+    Camera camera;
+} WorldData;
+
+// How the tree is built: the builder of lab 02 or 06. The window of a lab before them has none.
+typedef union WorldBuilder {
+    int (*circles)(const Circle *h_circles, u32 n_circles, KdTreeLimits limits, KdTree2D *tree);
+    int (*spheres)(const Sphere *h_spheres, u32 n_spheres, KdTreeLimits limits, KdTree3D *tree);
+} WorldBuilder;
+
+// Where 2D and 3D differ. Functions that return an int return 0, or -1 after one message on stderr.
+typedef struct WorldKind {
+    int set;                // the OPTIONS_... of its scenes
+    int n_numbers;          // of a pose
+    const char *pose_line;  // what they are, for the first line of a path's file
+    const char *elements;   // "spheres"
+    const char *askers;     // "rays"
+    // Open the scene that world->lab->options names, and copy it to the device. Sets all of the
+    // world from width on.
+    int (*open)(World *world);
+    // Release what open() made; a world that is zero from width on is fine.
+    void (*close)(World *world);
+    // Look from world->pose: bring what the kernels are given up to date.
+    int (*place)(World *world);
+    // Build the tree anew within world->limits. Where that fails, the old one stays.
+    int (*grow)(World *world);
+    // Change world->pose.
+    void (*move)(World *world, Motion motion);
+    // The pose of frame `frame` of n_frames on the way of a film, where the user has given none.
+    Pose (*film_pose)(const World *world, int frame, int n_frames);
+    // The number of the element with these four numbers (x, y, radius, depth or x, y, z, radius):
+    // the first one from `start` on, or, where there is none, from 0 on; -1: none.
+    int (*find)(const World *world, const f32 *element, int start);
+    WorldData (*data)(const World *world);
+} WorldKind;
+
+// What a lab has to show. Each lab's own file, NN-name.c, holds one, WORLD_LAB.
+typedef struct WorldLab {
+    const char *name;       // LAB_NAME
+    const char *what;       // one sentence for --help
+    const WorldKind *kind;  // CIRCLES or SPHERES
+    WorldBuilder build;     // of its tree
+    int has_tree;
+    const WorldKernel *kernels;  // [n_kernels], the lab's own first
+    int n_kernels;
+} WorldLab;
+extern const WorldLab WORLD_LAB;
+
+// The tree in figures.
+typedef struct TreeFigures {
+    u32 n_nodes;
+    u32 n_listed;  // elements in its leaves, each as often as it is listed
+    int depth;     // levels, the root's included
+    double build_ms;
+} TreeFigures;
+
+struct World {
+    Lab *lab;
+    const WorldKind *kind;
+    WorldBuilder build;
+    int has_tree;
+    // From here on set by open().
+    int width, height;  // the picture, pixels
+    int n_elements;
+    cl_mem d_image;
+    Pose pose, home;      // home: where the scene itself wants to be seen from
+    KdTreeLimits limits;  // of the tree, where there is one
+    TreeFigures figures;
+    void *own;  // what the kind keeps
+};
+
+// Open the device that lab->options names, and on it the scene. Returns 0, or -1 after one message
+// on stderr; close with world->kind->close() either way.
+int world_open(World *world, Lab *lab, const WorldLab *world_lab);
+
+// 2D, of labs 01 and 03; 3D, of labs 05 and 07.
+extern const WorldKind CIRCLES;
+extern const WorldKind SPHERES;
+
+// The arguments of the labs' kernels.
+void circles_set_naive(const World *world, cl_kernel kernel, cl_mem d_work);  // implicit2DRenderer
+void circles_set_tree(const World *world, cl_kernel kernel, cl_mem d_work);   // ..._KD
+void spheres_set_naive(const World *world, cl_kernel kernel, cl_mem d_work);  // render_spheres
+void spheres_set_tree(const World *world, cl_kernel kernel, cl_mem d_work);   // render_kdtree
+
+// Memory for what a kind keeps, all zero. Running out of it ends the program with a message.
+void *world_allocate(size_t n_bytes);
+
+#endif

@@ -1,0 +1,56 @@
+// Lanes: several rays in the place of one, each number of theirs side by side in a vector, so that
+// one instruction computes it for all.
+//
+// How many there are, and how many pixels one tile has, the host says when it builds the kernel
+// (tile_buffers.h): a CPU wants wide vectors and large tiles, a GPU small ones. Without that they
+// are a CPU's. The device's own.
+// Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: tile.h.
+#ifndef LANES_H
+#define LANES_H
+
+#ifndef LANES
+#define LANES 16  // 2, 4, 8 or 16: OpenCL C has vectors of these lengths
+#define TILE_WIDTH 8
+#define TILE_HEIGHT 8
+#endif
+
+// A tile's rays fill so many vectors. Pixel number i of a tile, row by row, is lane i % LANES of
+// block i / LANES.
+#define N_BLOCKS (TILE_WIDTH * TILE_HEIGHT / LANES)
+
+// LANES_TYPE(float) is float16 where LANES is 16.
+#define JOIN_WORDS(a, b) a##b
+#define JOIN(a, b) JOIN_WORDS(a, b)
+#define LANES_TYPE(type) JOIN(type, LANES)
+
+typedef LANES_TYPE(float) Lanes;
+typedef LANES_TYPE(int) LaneInts;  // also what a comparison gives: -1 where it holds, else 0
+typedef LANES_TYPE(uint) LaneUints;
+
+constant int lane_numbers[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+
+// 0 in the first lane, 1 in the second, ...
+static inline LaneInts lane_number(void)
+{
+    return JOIN(vload, LANES)(0, lane_numbers);
+}
+
+// The largest of all lanes: the upper half onto the lower one, until one is left. The halves are
+// read from memory, which compilers see through: Oclgrind takes .lo and .hi for never set.
+static inline float largest_lane(Lanes lanes)
+{
+    float values[LANES];
+    JOIN(vstore, LANES)(lanes, 0, values);
+#if LANES == 16
+    vstore8(fmax(vload8(0, values), vload8(1, values)), 0, values);
+#endif
+#if LANES >= 8
+    vstore4(fmax(vload4(0, values), vload4(1, values)), 0, values);
+#endif
+#if LANES >= 4
+    vstore2(fmax(vload2(0, values), vload2(1, values)), 0, values);
+#endif
+    return fmax(values[0], values[1]);
+}
+
+#endif

@@ -1,0 +1,51 @@
+// What the kernel of lab 10 takes: the scene, its tree with the spheres in the leaves' order, the
+// picture as bytes; and the shape of a tile. Given; labs 05 and 08 have the same steps.
+#ifndef TILE_BUFFERS_H
+#define TILE_BUFFERS_H
+
+#include "image.h"
+#include "lab.h"
+#include "scene3d.h"
+#include "scene_buffers.h"
+#include "tree3d.h"
+
+typedef struct TileBuffers {
+    SceneBuffers scene;
+    cl_mem d_nodes;
+    cl_mem d_sphere_ids;
+    cl_mem d_leaf_spheres;  // the sphere of each id
+    BBox3D bounds;          // widened: see box_widened()
+    cl_mem d_pixels;        // [height * width], RGBA, a byte each
+} TileBuffers;
+
+// Build a tree by cost (lab 08), copy scene and tree to the device and make the picture's buffer.
+// Returns 0, or -1 after one message on stderr. Release with tile_buffers_free().
+int tile_buffers_create(Lab *lab, const Scene3D *scene, TileBuffers *buffers);
+
+// Release them; zeroed TileBuffers are fine.
+void tile_buffers_free(TileBuffers *buffers);
+
+// Set all of a kernel's arguments but the last, d_work: see render_tiles.cl.
+void tile_buffers_set(const TileBuffers *buffers, const Scene3D *scene, cl_kernel kernel);
+
+// The picture as floats from 0 to 1. Returns 0, or -1 after one message on stderr. Release with
+// image_free().
+int tile_buffers_read(const TileBuffers *buffers, const Scene3D *scene, cl_command_queue queue,
+                      Image *image);
+
+// What a device is given at once: a tile of width x height pixels, in vectors of `lanes`. The three
+// become -D options of its kernel (lanes.h).
+typedef struct TileShape {
+    int width, height;  // pixels
+    int lanes;
+    size_t group_side;    // work-groups of so many tiles, squared
+    const char *options;  // for the kernel's build
+} TileShape;
+
+// The shape for a kind of device: of a CPU measured, see the lab's README; of a GPU not yet.
+TileShape tile_shape(cl_device_id device);
+
+// Launch a kernel with one work-item a tile over width x height pixels, as EnqueuePixels (lab.h).
+void enqueue_tiles(cl_command_queue queue, cl_kernel kernel, int width, int height);
+
+#endif

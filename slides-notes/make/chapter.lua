@@ -1,0 +1,309 @@
+-- A pandoc filter: from a Markdown file of the course to a page of the site. See README.md in this folder for
+-- what stands in the files, and build.sh for what calls this. Metadata that it reads:
+--   source    the file, from the course's top folder
+--   form      "notes", "slides" or "page"
+--   edition   "student" or "instructor"
+--   pages     all Markdown files of the site, one a blank
+--   up        the way from the page to the site's top folder: "../../"
+--   runs      the folder with the JSON files of the programs' runs
+
+package.path = PANDOC_SCRIPT_FILE:gsub("[^/]*$", "") .. "?.lua;" .. package.path
+local formula = require "formula"
+local questions = require "questions"
+local listing = require "listing"
+
+local List = pandoc.List
+local source, folder, form, edition, up, runs
+local pages = {}
+local hall, exercises
+
+-- ---- Small things --------------------------------------------------------------------------------
+
+local function read(path)
+    local file = assert(io.open(path, "r"), source .. " needs " .. path .. ", which cannot be read")
+    local text = file:read("a")
+    file:close()
+    return text
+end
+
+local function html(text) return pandoc.RawBlock("html", text) end
+
+-- Markdown as blocks, and as inlines.
+local function blocks(text) return pandoc.read(text, "gfm").blocks end
+local function inlines(text)
+    local first = blocks(text)[1]
+    return first and first.content or List()
+end
+
+local function div(class, content) return pandoc.Div(content, pandoc.Attr("", {class})) end
+
+-- "../labs/x/README.md", written in the source's folder, from the course's top folder.
+local function resolve(path)
+    local parts = {}
+    for part in (folder .. path):gmatch("[^/]+") do
+        if part == ".." then table.remove(parts) elseif part ~= "." then parts[#parts + 1] = part end
+    end
+    return table.concat(parts, "/")
+end
+
+-- ---- Links, pictures, numbers ---------------------------------------------------------------------
+
+-- A link to a Markdown file leads to its page; the word "slides" in it, to a chapter's slides, which on a forge
+-- stand in its notes. What is not on the site loses its link and keeps its words.
+local function link(element)
+    local target, anchor = element.target:match("^([^#]*)(#?.*)$")
+    if element.target:match("^%a+:") or target == "" then return nil end
+    if target:match("/$") then target = target .. "README.md" end
+    local wanted = resolve(target)
+    if not pages[wanted] then return element.content end
+    if pandoc.utils.stringify(element.content):lower():match("^slides") then
+        wanted = wanted:gsub("/notes%-", "/slides-")
+    end
+    element.target = up .. wanted:gsub("%.md$", ".html") .. anchor
+    return element
+end
+
+-- A paragraph that is a picture becomes a figure.
+local function figure(image)
+    local caption = pandoc.utils.stringify(image.caption)
+    local shown = List{pandoc.RawInline("html", "<figure>"), pandoc.Image(image.caption, image.src)}
+    shown:insert(pandoc.RawInline("html", "<figcaption>"))
+    shown:extend(image.caption)
+    shown:insert(pandoc.RawInline("html", "</figcaption></figure>"))
+    assert(caption ~= "", source .. ": " .. image.src .. " has no text in its place")
+    return pandoc.Plain(shown)
+end
+
+-- "10.4" before <!-- 07-sphereflake: sphere_tests.mean_per_pixel --> becomes what the run counted, with as many
+-- decimals, in groups of three where the text has no-break spaces; a difference is told on stderr.
+local no_break = "\u{a0}"
+local function counted(text, run, field)
+    local json = read(runs .. "/" .. run .. ".json")
+    local value = json:match('"' .. field:gsub("%.", "%%.") .. '": ([%d.eE+-]+)')
+    assert(value, source .. ": the run " .. run .. " has no " .. field)
+    local decimals = text:match("%.(%d+)$") or ""
+    local now = string.format("%." .. #decimals .. "f", tonumber(value))
+    if text:find(no_break, 1, true) then
+        now = now:reverse():gsub("%d%d%d", "%0 "):reverse():gsub("^ ", ""):gsub(" ", no_break)
+    end
+    if now ~= text then
+        io.stderr:write(source, ": ", field, " of ", run, " is ", now, ", the text says ", text, "\n")
+    end
+    return now
+end
+
+local function numbers(content)
+    for n = 2, #content do
+        local run, field = (content[n].tag == "RawInline" and content[n].text or ""):match("^<!%-%- ([%w-]+): ([%w_.]+) %-%->$")
+        if run and content[n - 1].tag == "Str" then
+            -- Marks before the number, as of emphasis or a bracket, stay.
+            local before, number = content[n - 1].text:match("^(.-)([%d.\u{a0}]+)$")
+            content[n - 1].text = before .. counted(number, run, field)
+        end
+    end
+    return content
+end
+
+-- ---- What a paragraph may stand for ----------------------------------------------------------------
+
+-- A question for the hall: its words and options.
+local function asked(number)
+    local question = assert(hall[number], source .. ": questions.md has no question " .. number)
+    local rows = {}
+    for _, option in ipairs(question.options) do
+        local row = List{pandoc.RawInline("html", "<b>(" .. option.letter .. ")</b> ")}
+        row:extend(inlines(option.text))
+        rows[#rows + 1] = {pandoc.Plain(row)}
+    end
+    return List{pandoc.Para(inlines(question.text)), div("options", {pandoc.BulletList(rows)})}
+end
+
+-- Its key, in words.
+local function answer(number)
+    local question = hall[number]
+    return blocks("Answer: **(" .. question.letter .. ")**. " .. (question.why or ""))
+end
+
+-- [Question 03.1](questions.md#...), alone in its paragraph.
+local function hall_question(number)
+    local box = blocks("**Question for the hall**")
+    box:extend(asked(number))
+    if edition == "instructor" then box:insert(div("answer", answer(number))) end
+    return div("hall", box)
+end
+
+-- [Exercise 3](questions.md#exercises).
+local function exercise(number)
+    local one = assert(exercises[number], source .. ": questions.md has no exercise " .. number)
+    local box = blocks("**Exercise " .. number .. "** " .. one.text)
+    if edition == "instructor" then box:insert(div("answer", blocks(one.key))) end
+    return div("exercise", box)
+end
+
+-- [Listing: trace](../labs/07-kdtree-3d-trace/trace.cl).
+local function cut(name, target)
+    local path = resolve(target)
+    if edition == "instructor" then path = path:gsub("^labs/", "solutions/") end
+    return List{pandoc.Para{pandoc.Code(path:match("[^/]*$")), pandoc.Str(":")},
+                pandoc.CodeBlock(listing.cut(path, name), pandoc.Attr("", {"c"}))}
+end
+
+-- The kind and the argument of a paragraph that is one such link, or nil.
+local function placed(block)
+    if block.tag ~= "Para" or #block.content ~= 1 or block.content[1].tag ~= "Link" then return nil end
+    local words = pandoc.utils.stringify(block.content[1])
+    local kind, argument = words:match("^(%a+):? ([%w_.]+)$")
+    return kind, argument, block.content[1].target
+end
+
+local function paragraph(block)
+    if #block.content == 1 and block.content[1].tag == "Image" then return figure(block.content[1]) end
+    local kind, argument, target = placed(block)
+    if kind == "Question" and form ~= "page" then return hall_question(argument) end
+    if kind == "Exercise" then return exercise(tonumber(argument)) end
+    if kind == "Listing" then return cut(argument, target) end
+end
+
+local function code(block)
+    if form ~= "page" and #block.classes == 0 and formula.is(block.text) then
+        return html('<div class="formula">' .. formula.mathml(block.text) .. "</div>")
+    end
+end
+
+-- ---- Slides ---------------------------------------------------------------------------------------
+
+-- The minutes and the title of a block that begins a slide, or nil.
+local function slide_head(block)
+    if block.tag ~= "RawBlock" then return nil end
+    return block.text:match("<summary>Slide, (%d+) min: (.-)</summary>")
+end
+
+-- The content of a slide in two columns, what is said and what is shown.
+local function columns(content)
+    local said, shown = List(), List()
+    for _, block in ipairs(content) do
+        local image = block.tag == "Para" and #block.content == 1 and block.content[1].tag == "Image"
+        if image then shown:insert(block) else said:insert(block) end
+    end
+    local parts = List()
+    if #said > 0 then parts:insert(div(#shown > 0 and "said beside" or "said", said)) end
+    if #shown > 0 then parts:insert(div(#said == 0 and #shown > 1 and "shown beside" or "shown", shown)) end
+    return div("columns", parts)
+end
+
+-- One slide. It has an id, where it is the first of its section; lab is a link or nil.
+local function slide(id, class, title, content, lab, speaker, number)
+    local foot = List{pandoc.RawInline("html", "<footer><span>")}
+    if lab then foot:insert(lab) end
+    foot:insert(pandoc.RawInline("html", "</span><span>" .. number .. "</span></footer>"))
+    local stage = div("stage", {pandoc.Header(2, title), columns(content), pandoc.Plain(foot)})
+    local parts = List{stage}
+    if edition == "instructor" and #speaker > 0 then parts:insert(div("speaker", speaker)) end
+    return pandoc.Div(parts, pandoc.Attr(id, {"slide", class}))
+end
+
+-- The blocks between <details> and </details>: content, the link to the lab, the speaker notes.
+local function slide_parts(found, minutes)
+    local content, lab, speaker = List(), nil, blocks("**" .. minutes .. " min.**")
+    for _, block in ipairs(found) do
+        local kind, argument = placed(block)
+        if block.tag == "BlockQuote" then
+            speaker:extend(block.content)
+        elseif kind == "Lab" and argument then
+            lab = block.content[1]
+        else
+            content:insert(block)
+        end
+    end
+    return content, lab, speaker
+end
+
+-- A link to the lab of the question "03.1", as a slide of its own has one; nil where the site has no such lab.
+local function lab_of(number)
+    local lab = number:match("^%d+")
+    for page in pairs(pages) do
+        if page:match("^labs/" .. lab .. "%-") then return pandoc.Link("Lab " .. lab, "../" .. page) end
+    end
+end
+
+-- All slides of a chapter: a title, then one for each <details> and each question, in the text's order.
+local question_minutes = 2
+local function slides_of(document)
+    local deck, at, section, opened = List(), nil, "", nil
+    local function add(class, title, content, lab, speaker)
+        deck:insert(slide(section, class, title, content, lab, speaker, #deck + 1))
+        section = ""
+    end
+    for n, block in ipairs(document) do
+        local minutes, title = slide_head(block)
+        local kind, argument = placed(block)
+        if minutes then
+            opened, at = {minutes = minutes, title = title}, List()
+        elseif opened and block.tag == "RawBlock" and block.text:match("^</details>") then
+            local content, lab, speaker = slide_parts(at, opened.minutes)
+            add("", inlines(opened.title), content, lab, speaker)
+            opened, at = nil, nil
+        elseif at then
+            at:insert(block)
+        elseif block.tag == "Header" and block.level == 1 then
+            -- "Lecture notes, first half: two dimensions. They follow ..."
+            local half = pandoc.utils.stringify(document[n + 1]):match(", ([^.]*)")
+            add("first", block.content, List{pandoc.Para{pandoc.Str(half)}}, nil, List())
+        elseif block.tag == "Header" and block.level == 2 then
+            section = block.identifier
+        elseif kind == "Question" then
+            local speaker = blocks("**" .. question_minutes .. " min.** Read it aloud, let them vote by hand, " ..
+                "ask one of each side why.")
+            speaker:extend(answer(argument))
+            add("asks", inlines("Question for the hall"), asked(argument), lab_of(argument), speaker)
+        end
+    end
+    assert(not opened, source .. ": a <details> does not end")
+    return deck
+end
+
+-- The text without what is for the slides.
+local function without_slides(document)
+    local kept, inside = List(), false
+    for _, block in ipairs(document) do
+        if slide_head(block) then inside = true end
+        if not inside then kept:insert(block) end
+        if inside and block.tag == "RawBlock" and block.text:match("^</details>") then inside = false end
+    end
+    return kept
+end
+
+-- questions.md for students ends before the answers.
+local function without_answers(document)
+    local kept = List()
+    for _, block in ipairs(document) do
+        if block.tag == "Header" and block.level == 2 and pandoc.utils.stringify(block) == "Answers" then
+            if kept[#kept].tag == "HorizontalRule" then kept[#kept] = nil end
+            break
+        end
+        kept:insert(block)
+    end
+    return kept
+end
+
+-- ---- The filter -----------------------------------------------------------------------------------
+
+local function meta(document, name) return pandoc.utils.stringify(document.meta[name] or "") end
+
+function Pandoc(document)
+    source, form, edition = meta(document, "source"), meta(document, "form"), meta(document, "edition")
+    folder, up, runs = source:match("^(.*/)") or "", meta(document, "up"), meta(document, "runs")
+    for page in meta(document, "pages"):gmatch("%S+") do pages[page] = true end
+    hall, exercises = questions.read(read("slides-notes/questions.md"))
+
+    local content = document.blocks
+    if form == "slides" then content = slides_of(content) else content = without_slides(content) end
+    if source:match("questions%.md$") and edition == "student" then content = without_answers(content) end
+    document.blocks = pandoc.walk_block(pandoc.Div(content), {Inlines = numbers}).content
+    document.blocks = pandoc.walk_block(pandoc.Div(document.blocks), {Para = paragraph, CodeBlock = code}).content
+    document.blocks = pandoc.walk_block(pandoc.Div(document.blocks), {
+        Link = link,
+        Table = function(block) return div("scrolls", {block}) end,
+    }).content
+    return document
+end

@@ -1,0 +1,22 @@
+// Lab 10: which spheres of a leaf can be left out for a whole tile?
+//
+// Flow: scene -> buffers -> KERNEL -> image -> comparison. Called by trace_tile.cl.
+#include "tile.h"
+
+// Do all rays of a tile miss a sphere for certain?
+//   cone     around the tile's rays, a little wider than they are: rounding needs no care here
+//   centre   the sphere's, seen from the eye
+//   radius   may be negative
+// Returns 1, or 0 where a ray may hit it. Where the sphere lies behind the eye, either is right.
+int cone_misses_sphere(Cone cone, float3 centre, float radius)
+{
+    // TASK cone_misses_sphere: in the plane through the axis and the centre the cone's border is a
+    // straight line. How far from it, on the outer side, is the centre?
+    //> (void)cone, (void)centre, (void)radius;
+    //> return 0;
+    const float along = dot(centre, cone.axis);
+    // Subtract the vectors first, then square: as in intersect_sphere() of lab 05.
+    const float aside = length(centre - along * cone.axis);
+    return aside * cone.cosine - along * cone.sine > fabs(radius);
+    // END cone_misses_sphere
+}

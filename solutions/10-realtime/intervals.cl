@@ -1,0 +1,83 @@
+// Lab 10: one traversal for a whole tile. What lab 07 knew of one ray as a number, t_split and the
+// part of the ray in a node, is an interval here: every ray's number lies in it.
+//
+// Flow: scene -> buffers -> KERNEL -> image -> comparison. Called by trace_tile.cl.
+#include "kdtree3d.h"
+#include "tile.h"
+#include "todo.h"
+
+// Where do the rays of a tile meet a plane? A ray meets it only where it goes from the eye's side
+// to the other one; an eye on the plane counts to the lower side. What does not meet it, does so at
+// INFINITY.
+//   plane       its coordinate, on one axis
+//   eye         the eye's, on the same axis
+//   direction   of the rays, on the same axis: at least one has the lowest, one the highest
+// Returns the least and the greatest distance of all rays: INFINITY, twice, where none meets it.
+Interval plane_interval(float plane, float eye, Interval direction)
+{
+    // TASK plane_interval: t = (plane - eye) / direction. Which of the two ends gives the least
+    // distance, which one the greatest, and when does an end not meet the plane at all?
+    //> (void)plane, (void)eye, (void)direction;
+    //> return (Interval){0.0f, INFINITY};
+    const float way = plane - eye;
+    if (eye <= plane) {
+        // Only rays that go up meet it, the steepest first.
+        return (Interval){direction.high > 0.0f ? way / direction.high : INFINITY,
+                          direction.low > 0.0f ? way / direction.low : INFINITY};
+    }
+    return (Interval){direction.low < 0.0f ? way / direction.low : INFINITY,
+                      direction.high < 0.0f ? way / direction.high : INFINITY};
+    // END plane_interval
+}
+
+// Go on from an inner node: with which child, and does the other one have to wait?
+//   node      the inner node
+//   eye       its coordinate on node.split_axis
+//   t_split   plane_interval() of the node's plane
+//   at        the node, and the part of the tile's rays inside it: from the least t_min to the
+//             greatest t_max of all rays
+//   todo      out: where both children are met, the far one is on top
+// Returns the child to visit next, with the part of the rays inside it.
+TodoEntry next_tile_child(KdNode3 node, float eye, Interval t_split, TodoEntry at, Todo *todo)
+{
+    // TASK next_tile_child: the near child is on the eye's side of the plane. Where every ray's
+    // part ends before the plane, go there; where every one begins beyond it, to the far child.
+    // Else to both, each with the part that is left for it: up to the greatest t_split, from the
+    // least.
+    //> (void)eye, (void)t_split, (void)todo;
+    //> return (TodoEntry){node.first, at.t_min, at.t_max};
+    const uint near_child = node.first + (eye <= node.split_pos ? 0 : 1);
+    const uint far_child = node.first + (eye <= node.split_pos ? 1 : 0);
+    if (t_split.low > at.t_max) {
+        return (TodoEntry){near_child, at.t_min, at.t_max};
+    }
+    if (t_split.high < at.t_min) {
+        return (TodoEntry){far_child, at.t_min, at.t_max};
+    }
+    todo_push(todo, far_child, fmax(at.t_min, t_split.low), at.t_max);
+    return (TodoEntry){near_child, at.t_min, fmin(at.t_max, t_split.high)};
+    // END next_tile_child
+}
+
+// Go on after a leaf that has been searched, unless the search is over.
+//   farthest   the farthest of all rays' hits so far; INFINITY as long as one has none
+//   todo       the nodes that wait
+//   at         in: the leaf; out: where the search goes on, which then waits no longer
+// Returns 1, or 0 when the search is over.
+int next_tile_waiting(float farthest, Todo *todo, TodoEntry *at)
+{
+    // TASK next_tile_waiting: take nodes from the stack until one is left in which some ray may
+    // find a nearer hit. A node that begins behind the farthest hit is left out: the one below it
+    // need not be, as parts of many rays overlap.
+    //> (void)farthest, (void)todo, (void)at;
+    //> return 0;
+    while (todo->n > 0) {
+        *at = todo_pop(todo);
+        // At the same distance there may be a sphere with a lower index.
+        if (at->t_min <= farthest) {
+            return 1;
+        }
+    }
+    return 0;
+    // END next_tile_waiting
+}

@@ -1,0 +1,37 @@
+// A tile: the rays from the eye through a small rectangle of pixels, which stay close together, so
+// that what holds for all of them can be asked once. The device's own.
+//
+// Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: intervals.cl, cone.cl.
+#ifndef TILE_H
+#define TILE_H
+
+#include "camera.h"
+#include "lanes.h"
+
+// All numbers from low to high.
+typedef struct Interval {
+    float low;
+    float high;
+} Interval;
+
+// All directions that are no farther from the axis than an angle below 90 degrees.
+typedef struct Cone {
+    float3 axis;   // unit vector
+    float cosine;  // of that angle
+    float sine;
+} Cone;
+
+typedef struct Tile {
+    float3 eye;                                   // where all rays start
+    Lanes x[N_BLOCKS], y[N_BLOCKS], z[N_BLOCKS];  // their directions, unit vectors
+    Interval directions[3];                       // on each axis: where these lie
+    Cone cone;                                    // they are inside
+} Tile;
+
+// What each ray of a tile hits, as Hit of ray.h.
+typedef struct TileHits {
+    Lanes t[N_BLOCKS];
+    LaneUints sphere[N_BLOCKS];
+} TileHits;
+
+#endif

@@ -1,0 +1,180 @@
+// Judge of lab 10: each function on chosen inputs, what rays hit in whole scenes, the pictures, and
+// the counted work of tiles. The functions' inputs are drawn and judged in the files that
+// judge_10.h names.
+//
+// Hits are those of brute force, ray by ray, whatever a tile does: only rays that the oracle calls
+// ambiguous may differ. So nothing may be left out that a ray meets; that not too much is asked,
+// the work says, tile by tile (judge_10_work.c).
+#include "judge_10.h"
+
+#include "job_work.h"
+#include "message.h"
+#include "words.h"
+
+// ---- Drawing the job ----------------------------------------------------------------------------
+
+static int draw(void *pointer, Random *random)
+{
+    Job10 *job = pointer;
+    planes_10_draw(random, job);
+    children_10_draw(random, job);
+    waiting_10_draw(random, job);
+    cones_10_draw(random, job);
+    for (int k = 0; k < N_SCENES; k++) {
+        job_list_picture(&job->job, &job->scenes[k].picture);
+    }
+    return scenes_10_draw(random, job->scenes);
+}
+
+static void release(void *pointer)
+{
+    Job10 *job = pointer;
+    for (int k = 0; k < N_SCENES; k++) {
+        job_scene3d_free(&job->scenes[k]);
+    }
+}
+
+static int write_scene(const void *job, int k, FILE *file)
+{
+    return scene_10_write(&((const Job10 *)job)->scenes[k], k, file);
+}
+
+// ---- Scenes -------------------------------------------------------------------------------------
+
+static Verdict judge_hits(const void *job, int k, const Sections *answers)
+{
+    const JobScene3D *scene = &((const Job10 *)job)->scenes[k];
+    const HitAnswer *found = hits_find(scene, k, answers);
+    return found == NULL ? verdict_missing : verdict_of(hits_judge(scene, found));
+}
+
+static int is_at_most(Work work, Work most)
+{
+    return work.n_tests <= most.n_tests && work.n_nodes_visited <= most.n_nodes_visited &&
+           work.n_leaves_visited <= most.n_leaves_visited && work.stack_depth <= most.stack_depth;
+}
+
+// "3 nodes and 1 leaf visited, 17 spheres asked and 2 waiting at once".
+static Words work_words(Work work)
+{
+    return words("%u node%s and %u %s visited, %u sphere%s asked and %u waiting at once",
+                 work.n_nodes_visited, plural(work.n_nodes_visited), work.n_leaves_visited,
+                 work.n_leaves_visited == 1 ? "leaf" : "leaves", work.n_tests, plural(work.n_tests),
+                 work.stack_depth);
+}
+
+// Which of the numbers is too large, of all tiles: a sentence where it is one of them alone.
+static Cause cause_of_work(int more_nodes, int more_tests)
+{
+    if (more_nodes || !more_tests) {
+        return (Cause){0};
+    }
+    return (Cause){
+        .says = "the right leaves are visited, but spheres are asked there that the whole tile "
+                "misses"};
+}
+
+// Do a scene's tiles more than they may?
+static Diagnosis judge_tiles(const JobScene3D *scene, const Work *found)
+{
+    const int width = scene->scene.width, height = scene->scene.height;
+    int n = 0, n_tiles = 0, first_x = 0, first_y = 0, more_nodes = 0, more_tests = 0;
+    int n_asked = 0, must_ask = 0;
+    Work first = {0}, first_most = {0};
+    for (int y = 0; y < height; y += TILE_SIDE) {
+        for (int x = 0; x < width; x += TILE_SIDE, n_tiles++) {
+            int must_tile;
+            const Work work = found[y * width + x], most = tile_10_most(scene, x, y, &must_tile);
+            n_asked += work.n_tests > 0;
+            must_ask |= must_tile;
+            if (is_at_most(work, most)) {
+                continue;
+            }
+            more_nodes |= work.n_nodes_visited > most.n_nodes_visited ||
+                          work.n_leaves_visited > most.n_leaves_visited ||
+                          work.stack_depth > most.stack_depth;
+            more_tests |= work.n_tests > most.n_tests;
+            if (n++ == 0) {
+                first_x = x, first_y = y, first = work, first_most = most;
+            }
+        }
+    }
+    if (must_ask && n_asked == 0) {
+        return diagnosis_of(message_new("%s: found no tile that asks a sphere, but rays hit some",
+                                        scene->picture.title),
+                            (Cause){.says = "work that is hidden cannot be counted"});
+    }
+    if (n == 0) {
+        return NOTHING_WRONG;
+    }
+    char *wrong = message_new(
+        "%s: the tile from pixel (%d, %d) on: found %s, expected at most %u, %u, %u and %u (%d of "
+        "%d tiles do more than they need to)",
+        scene->picture.title, first_x, first_y, work_words(first).text, first_most.n_nodes_visited,
+        first_most.n_leaves_visited, first_most.n_tests, first_most.stack_depth, n, n_tiles);
+    return diagnosis_of(wrong, cause_of_work(more_nodes, more_tests));
+}
+
+static Verdict judge_work(const void *pointer, int k, const Sections *answers)
+{
+    const JobScene3D *scene = &((const Job10 *)pointer)->scenes[k];
+    const Work *found = job_work_find(&scene->picture, k, answers);
+    return found == NULL ? verdict_missing : verdict_of(judge_tiles(scene, found));
+}
+
+// ---- The judge ----------------------------------------------------------------------------------
+
+// Range number i of a function's inputs.
+#define RANGE(i, n_inputs) {(i) * (n_inputs), n_inputs}
+
+static const JudgeCheck checks[] = {
+    {"plane-one-way", "All rays go the same way", "plane_interval", 11, .function = &tile_plane_10,
+     .range = RANGE(TILES_ONE_WAY, N_TILE_PLANE_INPUTS)},
+    {"plane-both-ways", "Some go up, some down, some along", "plane_interval", 9,
+     .function = &tile_plane_10, .range = RANGE(TILES_BOTH_WAYS, N_TILE_PLANE_INPUTS)},
+    {"plane-eye", "The eye is on the plane", "plane_interval", 6, .function = &tile_plane_10,
+     .range = RANGE(TILES_ON_PLANE, N_TILE_PLANE_INPUTS)},
+
+    {"child-one", "Where all rays meet one child", "next_tile_child", 8, .function = &tile_child_10,
+     .range = RANGE(0, N_TILE_CHILD_INPUTS)},
+    {"child-both", "Where both are met: one waits", "next_tile_child", 8,
+     .function = &tile_child_10, .range = RANGE(1, N_TILE_CHILD_INPUTS)},
+    {"tile-hits", "No pinholes, in no scene", "next_tile_child", 6, "*", .scene = judge_hits,
+     .range = {0, N_SCENES}, .alone = children_alone_10},
+    {"tile-picture", "Whole pictures", "next_tile_child", 4, "*", .scene = judge_picture,
+     .range = {0, N_SCENES}, .alone = children_alone_10},
+
+    {"waiting-end", "When the search is over", "next_tile_waiting", 7, .function = &tile_end_10,
+     .range = {0, N_TILE_WAITING_INPUTS}},
+    {"waiting-next", "What comes next where it is not", "next_tile_waiting", 8,
+     .function = &tile_next_10, .range = {0, N_TILE_WAITING_INPUTS}},
+    {"tile-work", "No more work than a tile needs", "next_tile_waiting", 7, "*",
+     .scene = judge_work, .range = {0, N_SCENES}, .alone = waiting_alone_10},
+
+    {"cone-clear", "Hit or missed by far", "cone_misses_sphere", 10, .function = &cone_10,
+     .range = RANGE(CONES_CLEAR, N_CONE_INPUTS)},
+    {"cone-hair", "Hit or missed by a hair", "cone_misses_sphere", 9, .function = &cone_10,
+     .range = RANGE(CONES_HAIR, N_CONE_INPUTS)},
+    {"cone-edges", "Around the eye, behind it, of any size", "cone_misses_sphere", 7,
+     .function = &cone_10, .range = RANGE(CONES_EDGES, N_CONE_INPUTS)},
+};
+
+static const JobPart parts[] = {
+    PART("tile_planes", "plane_interval", Job10, planes),
+    PART("tile_children", "next_tile_child", Job10, children),
+    PART("tile_waiting", "next_tile_waiting", Job10, waiting),
+    PART("cones", "cone_misses_sphere", Job10, cones),
+};
+
+const Judge judge_10 = {
+    .lab = "10-realtime",
+    .checks = checks,
+    .n_checks = COUNT(checks),
+    .job_bytes = sizeof(Job10),
+    .draw = draw,
+    .release = release,
+    .parts = parts,
+    .n_parts = COUNT(parts),
+    .write_scene = write_scene,
+    .n_scenes = N_SCENES,
+};

@@ -1,0 +1,74 @@
+// What lab 10's judge asks of a submission: inputs of its functions, and scenes with their trees.
+// Intervals are drawn and judged in judge_10_planes.c, the search's two steps in
+// judge_10_children.c and judge_10_waiting.c, cones in judge_10_cones.c, scenes in
+// judge_10_scenes.c, the work of tiles in judge_10_work.c.
+#ifndef JUDGE_JUDGE_10_H
+#define JUDGE_JUDGE_10_H
+
+#include "job_scene3d.h"
+#include "jobs_10.h"
+#include "judge.h"
+#include "work.h"
+
+// ---- Functions --------------------------------------------------------------------------------
+
+// How many inputs each range has; a function's ranges follow one another.
+enum {
+    N_TILE_PLANE_INPUTS = 400,  // 3 ranges: see PlaneRange10
+    N_TILE_CHILD_INPUTS = 300,  // 2 ranges: where one child is met, and where both are
+    N_TILE_WAITING_INPUTS = 400,
+    N_CONE_INPUTS = 400,  // 3 ranges: see ConeRange
+    N_TILE_PLANES = 3 * N_TILE_PLANE_INPUTS,
+    N_TILE_CHILDREN = 2 * N_TILE_CHILD_INPUTS,
+    N_CONES = 3 * N_CONE_INPUTS,
+};
+
+// Directions of one sign, of both, and an eye on the plane.
+enum PlaneRange10 { TILES_ONE_WAY, TILES_BOTH_WAYS, TILES_ON_PLANE };
+// Hit or missed by far, by a hair, and in strange places.
+enum ConeRange { CONES_CLEAR, CONES_HAIR, CONES_EDGES };
+
+extern const Function tile_plane_10, tile_child_10, tile_end_10, tile_next_10, cone_10;
+
+// ---- Scenes -----------------------------------------------------------------------------------
+
+// In the order of the job.
+enum {
+    RANDOM = 0,
+    N_RANDOM = 8,
+    EDGES = RANDOM + N_RANDOM,
+    N_EDGES = 9,
+    N_SCENES = EDGES + N_EDGES,
+};
+
+// Draw the scenes, with their trees and what is expected. Returns 0, or -1 after one message.
+int scenes_10_draw(Random *random, JobScene3D scenes[N_SCENES]);
+
+// Write scene K. Returns 0, or -1.
+int scene_10_write(const JobScene3D *scene, int k, FILE *file);
+
+// The most that a right search may do for the tile whose first pixel is (x, y).
+//   must_ask   out: 1 where a ray certainly hits a sphere, so that one has to be asked
+Work tile_10_most(const JobScene3D *scene, int x, int y, int *must_ask);
+
+// ---- The job ----------------------------------------------------------------------------------
+
+typedef struct Job10 {
+    Job job;
+    TilePlaneJob planes[N_TILE_PLANES];
+    TileChildJob children[N_TILE_CHILDREN];
+    TileWaitingJob waiting[N_TILE_WAITING_INPUTS];
+    ConeJob cones[N_CONES];
+    JobScene3D scenes[N_SCENES];
+} Job10;
+
+void planes_10_draw(Random *random, Job10 *job);
+void children_10_draw(Random *random, Job10 *job);
+void waiting_10_draw(Random *random, Job10 *job);
+void cones_10_draw(Random *random, Job10 *job);
+
+// Alone, in the place of whole scenes, which need all tasks: every input of the step.
+int children_alone_10(const void *job, const JudgeCheck *check, const Sections *answers);
+int waiting_alone_10(const void *job, const JudgeCheck *check, const Sections *answers);
+
+#endif

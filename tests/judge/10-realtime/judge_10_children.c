@@ -1,0 +1,218 @@
+// Lab 10's next_tile_child: its inputs, and what must come out. All numbers are quarters, so that
+// nothing is rounded: an answer is right or wrong to the bit.
+#include "judge_10.h"
+
+#include "job_stack.h"
+#include "message.h"
+#include "random3d.h"
+#include "words.h"
+
+#include <math.h>
+
+// ---- Inputs -----------------------------------------------------------------------------------
+
+// The interval in which the rays meet the plane: beyond their part or before it, or over one of its
+// ends, both or none.
+static void draw_split(Random *random, TileChildJob *job, int meets_both)
+{
+    const float t_min = job->at.t_min, t_max = job->at.t_max;
+    const int n_inside = (int)(4 * (t_max - t_min));
+    if (!meets_both && (t_min < 0.5f || one_in(random, 2))) {  // all beyond the part
+        job->split_low = one_in(random, 4) ? INFINITY : t_max + random_quarters(random, 1, 16);
+        job->split_high = one_in(random, 2) ? INFINITY : job->split_low + 1;
+        return;
+    }
+    if (!meets_both) {  // all before it
+        job->split_high = random_quarters(random, 1, (int)(4 * t_min) - 1);
+        job->split_low = one_in(random, 2) ? 0 : job->split_high / 2;
+        return;
+    }
+    job->split_low = one_in(random, 4)   ? t_max
+                     : one_in(random, 3) ? t_min / 2
+                                         : t_min + random_quarters(random, 0, n_inside);
+    job->split_high = one_in(random, 4)   ? t_min
+                      : one_in(random, 4) ? INFINITY
+                      : one_in(random, 3) ? t_max + random_quarters(random, 1, 8)
+                                          : t_min + random_quarters(random, 0, n_inside);
+    if (job->split_high < job->split_low) {
+        const float low = job->split_high;
+        job->split_high = job->split_low;
+        job->split_low = low;
+    }
+}
+
+static TileChildJob draw_child(Random *random, int meets_both)
+{
+    // Up to where one place is left.
+    const int n_lower =
+        one_in(random, 2) ? 0 : (int)random_integer(random, 1, TODO_SIZE - STACK_ENTRIES);
+    TileChildJob job = {.eye = random_quarters(random, -16, 16)};
+    job.at.node = (u32)random_integer(random, 0, 2);
+    job.at.t_min = one_in(random, 4) ? 0 : random_quarters(random, 1, 16);
+    job.at.t_max = job.at.t_min + random_quarters(random, 1, 16);
+    job.node.split_pos = one_in(random, 4) ? job.eye : random_quarters(random, -16, 16);
+    job.node.split_axis = (u32)random_integer(random, 0, 2);
+    job.node.first = (u32)random_integer(random, 3, 1000);
+    job.todo =
+        random_stack(random, (u32)n_lower, (u32)random_integer(random, 0, STACK_ENTRIES - 1));
+    draw_split(random, &job, meets_both);
+    return job;
+}
+
+void children_10_draw(Random *random, Job10 *job)
+{
+    for (int i = 0; i < COUNT(job->children); i++) {
+        job->children[i] = draw_child(random, i >= N_TILE_CHILD_INPUTS);
+    }
+}
+
+// ---- Judging ----------------------------------------------------------------------------------
+
+enum {
+    CHILD_SWAPPED = 1,
+    CHILD_LOWER_IS_NEAR,
+    CHILD_EYE_IS_UPPER,
+    CHILD_FAR_DROPPED,
+    CHILD_NEAR_WAITS,
+    CHILD_FAR_ALWAYS_WAITS,
+    CHILD_NEAR_NEVER_SKIPPED,
+    CHILD_FAR_IS_NEAR,
+    CHILD_NEAR_KEEPS_T_MAX,
+    CHILD_FAR_KEEPS_T_MIN,
+    CHILD_NEAR_CUT_AT_LOW,
+    CHILD_FAR_BEGINS_AT_HIGH,
+    CHILD_FAR_WIDENED,
+    CHILD_NEAR_WIDENED,
+    CHILD_ONE_AT_ENDS,
+    CHILD_OTHER_ENDS,
+    CHILD_NEAR_FOR_ANY,
+    CHILD_IS_SIDE,
+};
+static const Cause child_mistakes[] = {
+    [CHILD_SWAPPED] = {.says = "that is as if near and far child were swapped"},
+    [CHILD_LOWER_IS_NEAR] = {.says = "the near child is the one on the eye's side, not always the "
+                                     "lower one"},
+    [CHILD_EYE_IS_UPPER] = {.says = "an eye on the plane counts to the lower side"},
+    [CHILD_FAR_DROPPED] =
+        {"that is as if the far child were never visited where both are met: it does not wait",
+         MISTAKE_FAR_CHILD},
+    [CHILD_NEAR_WAITS] = {.says = "the near child waits, and the far one is visited first"},
+    [CHILD_FAR_ALWAYS_WAITS] =
+        {.says = "that is as if the far child waited also where every ray's part ends before the "
+                 "plane"},
+    [CHILD_NEAR_NEVER_SKIPPED] =
+        {.says = "that is as if the near child were visited also where every ray's part begins "
+                 "beyond the plane"},
+    [CHILD_FAR_IS_NEAR] =
+        {.says = "where every ray's part begins beyond the plane, the far child is left"},
+    [CHILD_NEAR_KEEPS_T_MAX] =
+        {.says = "the near child's part ends at the greatest t_split, where that is before t_max"},
+    [CHILD_FAR_KEEPS_T_MIN] =
+        {.says = "the far child's part begins at the least t_split, where that is beyond t_min"},
+    [CHILD_NEAR_CUT_AT_LOW] = {.says = "the near child's part ends at the least t_split: rays that "
+                                       "meet the plane later lose some of it"},
+    [CHILD_FAR_BEGINS_AT_HIGH] = {.says = "the far child's part begins at the greatest t_split: "
+                                          "rays that meet the plane earlier lose some of it"},
+    [CHILD_FAR_WIDENED] =
+        {.says = "the far child's part begins before t_min: a part never grows on the way down"},
+    [CHILD_NEAR_WIDENED] =
+        {.says = "the near child's part ends beyond t_max: a part never grows on the way down"},
+    [CHILD_ONE_AT_ENDS] = {.says = "where the plane is met exactly at t_min or t_max, both "
+                                   "children are met"},
+    [CHILD_OTHER_ENDS] = {.says = "one child is enough only where that holds for every ray: the "
+                                  "other end of the interval decides"},
+    [CHILD_NEAR_FOR_ANY] = {.says = "where the interval reaches beyond t_max, some rays may still "
+                                    "meet the plane before it"},
+    [CHILD_IS_SIDE] =
+        {.says = "0 and 1 are sides: the children's ids are node.first and node.first + 1"},
+};
+
+static void push(StackState *todo, u32 node, float t_min, float t_max)
+{
+    todo->upper[todo->n++ - todo->n_lower] = (StackEntry){node, t_min, t_max};
+}
+
+// 0 for the lower child.
+static u32 side_of(const TileChildJob *job, int mistake)
+{
+    const u32 side = mistake == CHILD_EYE_IS_UPPER ? job->eye >= job->node.split_pos
+                                                   : job->eye > job->node.split_pos;
+    return mistake == CHILD_LOWER_IS_NEAR ? 0 : mistake == CHILD_SWAPPED ? !side : side;
+}
+
+enum { NEAR_ONLY, FAR_ONLY, BOTH_CHILDREN };
+static int children_met(const TileChildJob *job, int mistake)
+{
+    const float t_min = job->at.t_min, t_max = job->at.t_max;
+    const int others = mistake == CHILD_OTHER_ENDS, ends = mistake == CHILD_ONE_AT_ENDS;
+    const float beyond = others || mistake == CHILD_NEAR_FOR_ANY ? job->split_high : job->split_low;
+    const float before = others ? job->split_low : job->split_high;
+    if (mistake != CHILD_FAR_ALWAYS_WAITS && (beyond > t_max || (ends && beyond == t_max))) {
+        return NEAR_ONLY;
+    }
+    if (mistake != CHILD_NEAR_NEVER_SKIPPED && (before < t_min || (ends && before == t_min))) {
+        return mistake == CHILD_FAR_IS_NEAR ? NEAR_ONLY : FAR_ONLY;
+    }
+    return BOTH_CHILDREN;
+}
+
+static NextChildAnswer expected_child(const TileChildJob *job, int mistake)
+{
+    const u32 side = side_of(job, mistake), first = mistake == CHILD_IS_SIDE ? 0 : job->node.first;
+    const float t_min = job->at.t_min, t_max = job->at.t_max;
+    const float end = mistake == CHILD_NEAR_CUT_AT_LOW ? job->split_low : job->split_high;
+    const float begin = mistake == CHILD_FAR_BEGINS_AT_HIGH ? job->split_high : job->split_low;
+    const int met = children_met(job, mistake);
+    NextChildAnswer answer = {.todo = job->todo};
+    if (met != BOTH_CHILDREN) {
+        answer.next = (StackEntry){first + (met == NEAR_ONLY ? side : !side), t_min, t_max};
+        return answer;
+    }
+    StackEntry near_child = {first + side, t_min,
+                             mistake == CHILD_NEAR_KEEPS_T_MAX ? t_max
+                             : mistake == CHILD_NEAR_WIDENED   ? end
+                                                               : fminf(t_max, end)};
+    StackEntry far_child = {first + !side,
+                            mistake == CHILD_FAR_KEEPS_T_MIN ? t_min
+                            : mistake == CHILD_FAR_WIDENED   ? begin
+                                                             : fmaxf(t_min, begin),
+                            t_max};
+    const int is_swapped = mistake == CHILD_NEAR_WAITS;
+    answer.next = is_swapped ? far_child : near_child;
+    if (mistake != CHILD_FAR_DROPPED) {
+        const StackEntry waits = is_swapped ? near_child : far_child;
+        push(&answer.todo, waits.node, waits.t_min, waits.t_max);
+    }
+    return answer;
+}
+
+static int child_agrees(const void *job, int i, const void *answers, int mistake)
+{
+    const NextChildAnswer *found = (const NextChildAnswer *)answers + i;
+    const NextChildAnswer expected = expected_child(&((const Job10 *)job)->children[i], mistake);
+    return same_entry(found->next, expected.next) && same_stack(&found->todo, &expected.todo);
+}
+
+static char *describe_child(const void *pointer, int i, const void *answers)
+{
+    const TileChildJob *job = &((const Job10 *)pointer)->children[i];
+    const NextChildAnswer expected = expected_child(job, 0);
+    return message_new("children %u and %u, plane at %g, eye at %g, t_split [%g, %g], part [%g, "
+                       "%g]: found %s, expected %s",
+                       job->node.first, job->node.first + 1, job->node.split_pos, job->eye,
+                       job->split_low, job->split_high, job->at.t_min, job->at.t_max,
+                       next_child_words(&job->todo, (const NextChildAnswer *)answers + i).text,
+                       next_child_words(&job->todo, &expected).text);
+}
+
+const Function tile_child_10 = {"tile_children",         N_TILE_CHILDREN,
+                                sizeof(NextChildAnswer), .describe = describe_child,
+                                .agrees = child_agrees,  .counted = "inputs",
+                                MISTAKES(child_mistakes)};
+
+int children_alone_10(const void *job, const JudgeCheck *check, const Sections *answers)
+{
+    (void)check;
+    return verdict_passes(
+        function_judge(&tile_child_10, job, (Range){0, N_TILE_CHILDREN, 1}, answers));
+}

@@ -1,0 +1,202 @@
+// Lab 10: does a tile's cone miss a sphere? Drawn and judged: by far, by a hair, and in strange
+// places.
+#include "judge_10.h"
+
+#include "message.h"
+#include "oracle_vector.h"
+#include "random3d.h"
+#include "words.h"
+
+#include <math.h>
+
+// ---- Drawing ------------------------------------------------------------------------------------
+
+static void draw_cone(Random *random, ConeJob *job, int is_wide)
+{
+    job->axis = random_direction(random);
+    job->sine = random_number(random, 0.5, is_wide ? 0.96875f : 1);
+    if (!is_wide) {
+        job->sine = ldexpf(job->sine, (int)random_integer(random, -8, -2));
+    }
+    job->cosine = sqrtf(1 - job->sine * job->sine);
+}
+
+// A sphere whose centre is `off` from the cone's border, on the outer side where that is positive,
+// in the plane of the axis and a direction across; the border's nearest point is `reach` from the
+// eye.
+static void place_sphere(Random *random, ConeJob *job, float reach, float off)
+{
+    Vec3 across;
+    do {
+        across = vec3_cross(job->axis, random_direction(random));
+    } while (vec3_dot(across, across) < 0.125f);
+    across = vec3_normalized(across);
+    const float along = reach * job->cosine - off * job->sine;
+    const float aside = reach * job->sine + off * job->cosine;
+    job->centre =
+        (Vec3){along * job->axis.x + aside * across.x, along * job->axis.y + aside * across.y,
+               along * job->axis.z + aside * across.z};
+}
+
+// How much smaller, or larger, the radius is than the distance by which the cone is missed.
+#define HAIR 0x1p-8
+
+static ConeJob draw_cone_job(Random *random, enum ConeRange range)
+{
+    ConeJob job = {.radius = 1};
+    const int is_edge = range == CONES_EDGES, is_missed = one_in(random, 2);
+    const float reach = random_number(random, 1, 8);
+    const float off = reach * random_number(random, 0.03125, 0.5);
+    draw_cone(random, &job, is_edge && one_in(random, 2));
+    place_sphere(random, &job, reach, off);
+    job.radius = range == CONES_HAIR ? off * (float)(is_missed ? 1 - HAIR : 1 + HAIR)
+                 : is_missed         ? off * random_number(random, 0.125, 0.75)
+                                     : off * random_number(random, 1.25, 4);
+    if (range == CONES_CLEAR && one_in(random, 4)) {  // the centre is in the cone
+        place_sphere(random, &job, reach, -reach * job.sine * random_number(random, 0, 1));
+    }
+    if (is_edge) {
+        const float scale = ldexpf(1, (int)random_integer(random, -20, 20));
+        const int kind = (int)random_integer(random, 0, 7);
+        if (kind == 0) {  // around the eye
+            job.radius = 1.25f * (float)vec3_length(job.centre);
+        } else if (kind == 1) {  // behind it, and around it or not
+            job.centre = vec3_scaled(job.centre, -1);
+            job.radius = random_number(random, 0.25, 2) * (float)vec3_length(job.centre);
+        } else if (kind == 2) {  // the cone of a tile that is half a view: nothing is outside
+            job.sine = 0;
+            job.cosine = -1;
+        }
+        job.centre = vec3_scaled(job.centre, scale);
+        job.radius *= scale * (float)random_sign(random);
+    }
+    return job;
+}
+
+void cones_10_draw(Random *random, Job10 *job)
+{
+    for (int i = 0; i < COUNT(job->cones); i++) {
+        job->cones[i] = draw_cone_job(random, (enum ConeRange)(i / N_CONE_INPUTS));
+    }
+}
+
+// ---- Judging ------------------------------------------------------------------------------------
+
+enum {
+    CONE_INVERTED = 1,
+    CONE_RADIUS_SIGNED,
+    CONE_SINE_FOR_COSINE,
+    CONE_OTHER_SIDE,
+    CONE_AXIS_ONLY,
+    CONE_WITHOUT_RADIUS,
+    CONE_ACROSS_AXIS,
+    CONE_RADIUS_SQUARED,
+    CONE_DIAMETER,
+    CONE_FROM_EYE,
+    CONE_ONLY_BEHIND,
+};
+static const Cause cone_mistakes[] = {
+    [CONE_INVERTED] = {.says = "1 and 0 are swapped: 1 where every ray misses"},
+    [CONE_RADIUS_SIGNED] = {.says = "the radius may be negative: how large it is, is fabs(radius)"},
+    [CONE_SINE_FOR_COSINE] = {.says = "sine and cosine are swapped"},
+    [CONE_OTHER_SIDE] = {.says = "the cone grows wider away from the eye: that part is taken off, "
+                                 "not added"},
+    [CONE_AXIS_ONLY] = {.says = "that is as if the cone were its axis: rays beside it may hit what "
+                                "the axis misses"},
+    [CONE_WITHOUT_RADIUS] =
+        {.says = "that is as if the sphere were its centre: compare with the radius"},
+    [CONE_ACROSS_AXIS] = {.says = "the distance from the border is measured at right angles to the "
+                                  "border, not to the axis"},
+    [CONE_RADIUS_SQUARED] = {.says = "a distance is compared with a square"},
+    [CONE_DIAMETER] = {.says = "spheres that the cone misses by less than twice the radius are "
+                               "asked all the same"},
+    [CONE_FROM_EYE] = {.says = "the centre's distance from the axis counts, not that from the eye"},
+    [CONE_ONLY_BEHIND] = {.says = "only spheres whose centre is behind the eye are left out"},
+};
+
+// A sphere as seen in the plane through axis and centre, and how far it is from the cone.
+typedef struct ConeView {
+    double along, aside, size;
+    double border;  // the centre's distance from the border's line: negative inside
+    double cone;    // from the cone itself; 0 inside
+    double error;   // how far a right solution may be off
+} ConeView;
+
+static ConeView view_of(const ConeJob *job)
+{
+    const OracleVector centre = vector_of(job->centre), axis = vector_of(job->axis);
+    ConeView view = {.along = vector_dot(centre, axis), .size = fabs((double)job->radius)};
+    view.aside = vector_length(vector_minus(centre, vector_scaled(view.along, axis)));
+    view.border = view.aside * (double)job->cosine - view.along * (double)job->sine;
+    const int is_beside = view.along * (double)job->cosine + view.aside * (double)job->sine > 0;
+    view.cone = view.border <= 0 ? 0 : is_beside ? view.border : vector_length(centre);
+    // Five roundings for each part, as in oracle3d.c, and one for the comparison.
+    view.error = 16 * 0x1p-24 * (vector_length(centre) + view.size);
+    return view;
+}
+
+// By how much more than its size the sphere is away, by a mistake's rules.
+static double gap_of(const ConeJob *job, const ConeView *view, int mistake)
+{
+    const double sine = job->sine, cosine = job->cosine;
+    switch (mistake) {
+    case CONE_RADIUS_SIGNED:
+        return view->border - (double)job->radius;
+    case CONE_SINE_FOR_COSINE:
+        return view->aside * sine - view->along * cosine - view->size;
+    case CONE_OTHER_SIDE:
+        return view->aside * cosine + view->along * sine - view->size;
+    case CONE_AXIS_ONLY:
+        return view->aside - view->size;
+    case CONE_WITHOUT_RADIUS:
+        return view->border;
+    case CONE_ACROSS_AXIS:
+        return view->aside - view->along * sine / cosine - view->size;
+    case CONE_RADIUS_SQUARED:
+        return view->border - view->size * view->size;
+    case CONE_DIAMETER:
+        return view->border - 2 * view->size;
+    case CONE_FROM_EYE:
+        return hypot(view->along, view->aside) * cosine - view->along * sine - view->size;
+    case CONE_ONLY_BEHIND:
+        return -view->along - view->size;
+    default:
+        return view->border - view->size;
+    }
+}
+
+static int cone_agrees(const void *pointer, int i, const void *answers, int mistake)
+{
+    const ConeJob *job = &((const Job10 *)pointer)->cones[i];
+    const int found = ((const i32 *)answers)[i];
+    const ConeView view = view_of(job);
+    const double gap = gap_of(job, &view, mistake);
+    if (mistake != 0) {
+        return fabs(gap) <= view.error || found == ((gap > 0) != (mistake == CONE_INVERTED));
+    }
+    const int may_keep = gap <= view.error || view.along <= view.error;
+    const int may_miss = view.cone - view.size >= -view.error && gap >= -view.error;
+    // Behind the eye an exact answer knows more than the border's line does.
+    const int may_miss_behind = view.along <= 0 && view.cone - view.size >= -view.error;
+    return found ? (may_miss || may_miss_behind) : may_keep;
+}
+
+static char *describe_cone(const void *pointer, int i, const void *answers)
+{
+    const ConeJob *job = &((const Job10 *)pointer)->cones[i];
+    const ConeView view = view_of(job);
+    const double gap = view.border - view.size;
+    return message_new(
+        "axis %s, sine %.6g, cosine %.6g, sphere %s radius %.6g, which is %.6g along "
+        "the axis and %.6g beside it: found %d, expected %d",
+        words_vec3(job->axis, 6).text, job->sine, job->cosine, words_vec3(job->centre, 6).text,
+        job->radius, view.along, view.aside, ((const i32 *)answers)[i], gap > 0);
+}
+
+const Function cone_10 = {"cones",
+                          N_CONES,
+                          sizeof(i32),
+                          .describe = describe_cone,
+                          .agrees = cone_agrees,
+                          .counted = "inputs",
+                          MISTAKES(cone_mistakes)};

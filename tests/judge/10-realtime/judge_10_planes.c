@@ -1,0 +1,172 @@
+// Lab 10: from where to where do the rays of a tile meet a plane? Drawn and judged.
+//
+// A right answer is as wide as rounding makes it: each end is one ray's distance, by one difference
+// and one division.
+#include "judge_10.h"
+
+#include "message.h"
+#include "random3d.h"
+
+#include <math.h>
+
+// ---- Drawing ------------------------------------------------------------------------------------
+
+static TilePlaneJob draw_plane(Random *random, enum PlaneRange10 range)
+{
+    TilePlaneJob job = {.eye = random_number(random, -4, 4)};
+    // Small and large scenes; the directions of a tile lie close together.
+    const float scale = ldexpf(1, (int)random_integer(random, -10, 10));
+    const float spread = random_number(random, 0.0078125, 0.125);
+    const float sign = (float)random_sign(random);
+    job.plane = job.eye + sign * random_number(random, 0.125, 4);
+    job.low = random_number(random, 0.0625, 0.75);
+    job.high = job.low + spread;
+    if (range == TILES_BOTH_WAYS || (range == TILES_ON_PLANE && random_integer(random, 0, 1))) {
+        const float share = random_number(random, 0, 1);
+        job.low = -share * spread;
+        job.high = (1 - share) * spread;
+        const int end = (int)random_integer(random, 0, 5);
+        job.low = end == 0 ? 0 : end == 1 ? -0.0f : job.low;
+        job.high = end == 2 ? 0 : end == 3 ? -0.0f : job.high;
+        job.high = job.high < job.low ? job.low : job.high;
+    } else if (random_integer(random, 0, 1)) {
+        const float low = job.low;
+        job.low = -job.high;
+        job.high = -low;
+    }
+    job.plane = range == TILES_ON_PLANE && random_integer(random, 0, 7) ? job.eye : job.plane;
+    job.eye *= scale;
+    job.plane *= scale;
+    return job;
+}
+
+void planes_10_draw(Random *random, Job10 *job)
+{
+    for (int i = 0; i < COUNT(job->planes); i++) {
+        job->planes[i] = draw_plane(random, (enum PlaneRange10)(i / N_TILE_PLANE_INPUTS));
+    }
+}
+
+// ---- Judging ------------------------------------------------------------------------------------
+
+enum {
+    PLANE_ENDS_SWAPPED = 1,
+    PLANE_ENDS_OF_ONE_SIDE,
+    PLANE_BEHIND_MET,
+    PLANE_BEHIND_AT_0,
+    PLANE_BOTH_WAYS_NEVER,
+    PLANE_BOTH_WAYS_ALWAYS,
+    PLANE_EYE_IS_UPPER,
+    PLANE_EYE_NEVER,
+    PLANE_BACKWARDS,
+    PLANE_FROM_0,
+    PLANE_ONE_END,
+    PLANE_NEVER_IS_LARGE,
+};
+static const Cause plane_mistakes[] = {
+    [PLANE_ENDS_SWAPPED] = {.says = "the ends are swapped: the least distance is the first one"},
+    [PLANE_ENDS_OF_ONE_SIDE] = {.says = "the ends are right for an eye below the plane only: from "
+                                        "above, the lowest direction meets it first"},
+    [PLANE_BEHIND_MET] =
+        {.says = "rays that go away from the plane never meet it: their distance is INFINITY"},
+    [PLANE_BEHIND_AT_0] =
+        {.says = "rays that go away from the plane count as if they met it at the eye: they never "
+                 "do, their distance is INFINITY"},
+    [PLANE_BOTH_WAYS_NEVER] = {.says = "where rays go both ways, those that go to the plane do "
+                                       "meet it: the least distance is theirs"},
+    [PLANE_BOTH_WAYS_ALWAYS] = {.says = "where rays go both ways, the interval is wider than it "
+                                        "has to be: it begins with the first ray that meets it"},
+    [PLANE_EYE_IS_UPPER] = {.says = "an eye on the plane counts to the lower side: rays that go up "
+                                    "meet it, at 0"},
+    [PLANE_EYE_NEVER] =
+        {.says = "with the eye on the plane, rays that go up meet it, at 0, and others never"},
+    [PLANE_BACKWARDS] = {.says = "the way goes from the eye to the plane, not back"},
+    [PLANE_FROM_0] = {.says = "the distance is computed without the eye"},
+    [PLANE_ONE_END] = {.says = "both ends are the least distance"},
+    [PLANE_NEVER_IS_LARGE] = {.says = "what is never met is at INFINITY, not at a large number"},
+};
+
+typedef struct Ends {
+    double low, high;
+} Ends;
+
+// Where a ray of this direction meets the plane.
+static double distance_of(const TilePlaneJob *job, double direction, int mistake)
+{
+    const double way = (double)job->plane - (mistake == PLANE_FROM_0 ? 0 : (double)job->eye);
+    const int is_lower =
+        mistake == PLANE_EYE_IS_UPPER ? job->eye < job->plane : job->eye <= job->plane;
+    const int meets = is_lower ? direction > 0 : direction < 0;
+    if (mistake == PLANE_EYE_NEVER && job->eye == job->plane) {
+        return INFINITY;
+    }
+    if (mistake == PLANE_BEHIND_MET) {
+        return way / direction;
+    }
+    if (!meets) {
+        return mistake == PLANE_BEHIND_AT_0 ? 0 : INFINITY;
+    }
+    return (mistake == PLANE_BACKWARDS ? -way : way) / direction;
+}
+
+static Ends expected_ends(const TilePlaneJob *job, int mistake)
+{
+    const double of_low = distance_of(job, job->low, mistake);
+    const double of_high = distance_of(job, job->high, mistake);
+    const int is_lower =
+        mistake == PLANE_EYE_IS_UPPER ? job->eye < job->plane : job->eye <= job->plane;
+    const int high_first = mistake == PLANE_ENDS_OF_ONE_SIDE || is_lower;
+    Ends ends = {high_first ? of_high : of_low, high_first ? of_low : of_high};
+    const int both_ways = job->low < 0 && job->high > 0;
+    if (mistake == PLANE_BOTH_WAYS_NEVER && both_ways) {
+        return (Ends){INFINITY, INFINITY};
+    }
+    if (mistake == PLANE_BOTH_WAYS_ALWAYS && both_ways) {
+        return (Ends){0, INFINITY};
+    }
+    if (mistake == PLANE_ONE_END) {
+        ends.high = ends.low;
+    }
+    return mistake == PLANE_ENDS_SWAPPED ? (Ends){ends.high, ends.low} : ends;
+}
+
+// One rounding for the difference, five for the division (2.5 ulp, OpenCL 1.2, 7.4), or an inverse
+// and a product in its place: PLANE_ERROR of lab 07.
+static int is_near(float found, double expected, const TilePlaneJob *job, int mistake)
+{
+    if (mistake == PLANE_NEVER_IS_LARGE && isinf(expected)) {
+        return isfinite(found) && found > 1e6f;
+    }
+    if (!isfinite(expected)) {
+        return isnan(expected) ? isnan(found) : (double)found == expected;
+    }
+    const double way = fabs((double)job->plane - (double)job->eye);
+    const double rounding = 0x1p-20 * (fabs((double)job->plane) + fabs((double)job->eye));
+    return fabs((double)found - expected) <=
+           fabs(expected) * (way > 0 ? rounding / way : 0) + 0x1p-20 * fabs(expected);
+}
+
+static int plane_agrees(const void *pointer, int i, const void *answers, int mistake)
+{
+    const TilePlaneJob *job = &((const Job10 *)pointer)->planes[i];
+    const TilePlaneAnswer *found = (const TilePlaneAnswer *)answers + i;
+    const Ends expected = expected_ends(job, mistake);
+    return is_near(found->low, expected.low, job, mistake) &&
+           is_near(found->high, expected.high, job, mistake);
+}
+
+static char *describe_plane(const void *pointer, int i, const void *answers)
+{
+    const TilePlaneJob *job = &((const Job10 *)pointer)->planes[i];
+    const TilePlaneAnswer *found = (const TilePlaneAnswer *)answers + i;
+    const Ends expected = expected_ends(job, 0);
+    return message_new("plane at %.9g, eye at %.9g, directions from %.9g to %.9g: found [%.9g, "
+                       "%.9g], expected [%.9g, %.9g]",
+                       job->plane, job->eye, job->low, job->high, found->low, found->high,
+                       expected.low, expected.high);
+}
+
+const Function tile_plane_10 = {"tile_planes",           N_TILE_PLANES,
+                                sizeof(TilePlaneAnswer), .describe = describe_plane,
+                                .agrees = plane_agrees,  .counted = "inputs",
+                                MISTAKES(plane_mistakes)};

@@ -1,0 +1,184 @@
+// Lab 10's next_tile_waiting: its inputs, and what must come out. All numbers are quarters, so that
+// nothing is rounded.
+#include "judge_10.h"
+
+#include "job_stack.h"
+#include "message.h"
+#include "words.h"
+
+#include <math.h>
+
+// ---- Inputs -----------------------------------------------------------------------------------
+
+// Parts that overlap, in no order; the farthest hit among them, exactly at the begin of one, or
+// nowhere.
+static TileWaitingJob draw_waiting(Random *random)
+{
+    TileWaitingJob job = {.at = {(u32)random_integer(random, 3, 1000), 1, 2}};
+    const int is_empty = random_integer(random, 0, 5) == 0;
+    const u32 n = is_empty ? 0 : (u32)random_integer(random, 1, STACK_ENTRIES);
+    job.todo = random_stack(random, 0, n);
+    job.farthest = random_quarters(random, 30, 90);
+    const int kind = (int)random_integer(random, 0, 5);
+    if (n > 0 && kind == 0) {
+        job.farthest = job.todo.upper[random_integer(random, 0, (int)n - 1)].t_min;
+    } else if (kind == 1) {
+        job.farthest = INFINITY;
+    } else if (kind == 2) {
+        job.farthest = random_quarters(random, 1, 30);  // before all that waits
+    }
+    return job;
+}
+
+void waiting_10_draw(Random *random, Job10 *job)
+{
+    for (int i = 0; i < COUNT(job->waiting); i++) {
+        job->waiting[i] = draw_waiting(random);
+    }
+}
+
+// ---- Judging ----------------------------------------------------------------------------------
+
+enum {
+    WAITING_TOP_ENDS = 1,
+    WAITING_TAKES_TOP,
+    WAITING_ANY_HIT,
+    WAITING_INVERTED,
+    WAITING_NOT_AT_SAME,
+    WAITING_BY_T_MAX,
+    WAITING_SWAPPED,
+    WAITING_PART_KEPT,
+    WAITING_T_MAX_KEPT,
+    WAITING_T_MIN_KEPT,
+    WAITING_OLDEST,
+    WAITING_STAYS,
+    WAITING_ONE_LEFT,
+    WAITING_TWO_ONLY,
+};
+static const Cause waiting_mistakes[] = {
+    [WAITING_TOP_ENDS] = {.says = "the node on top begins behind every hit, but the one below it "
+                                  "need not: parts of many rays overlap"},
+    [WAITING_TAKES_TOP] =
+        {.says = "that is as if the hits did not matter: nodes that begin behind the farthest one "
+                 "are left out"},
+    [WAITING_ANY_HIT] = {.says = "that is as if the search ended as soon as every ray has a hit: "
+                                 "what begins before the farthest may hold a nearer one"},
+    [WAITING_INVERTED] = {.says = "the comparison with the farthest hit is inverted"},
+    [WAITING_NOT_AT_SAME] = {.says = "a node that begins exactly at the farthest hit is left out; "
+                                     "a sphere with a lower index may be just as far away"},
+    [WAITING_BY_T_MAX] = {.says = "a node can matter where it begins before the farthest hit, "
+                                  "wherever it ends: its t_min counts"},
+    [WAITING_SWAPPED] = {.says = "1 and 0 are swapped: 0 is the end"},
+    [WAITING_PART_KEPT] =
+        {.says = "that is as if t_min and t_max were not taken from the stack with the node"},
+    [WAITING_T_MAX_KEPT] = {.says =
+                                "that is as if t_max were not taken from the stack with the node"},
+    [WAITING_T_MIN_KEPT] = {.says =
+                                "that is as if t_min were not taken from the stack with the node"},
+    [WAITING_OLDEST] = {.says =
+                            "that is as if the node that waits longest came from the stack first"},
+    [WAITING_STAYS] = {.says = "the node is not taken off the stack: it waits still"},
+    [WAITING_ONE_LEFT] = {.says = "the search ended while one node was still waiting"},
+    [WAITING_TWO_ONLY] = {.says = "more than one node in a row may be left out"},
+};
+
+static int matters(const TileWaitingJob *job, StackEntry entry, int mistake)
+{
+    const float from = mistake == WAITING_BY_T_MAX ? entry.t_max : entry.t_min;
+    return mistake == WAITING_TAKES_TOP     ? 1
+           : mistake == WAITING_INVERTED    ? from > job->farthest
+           : mistake == WAITING_NOT_AT_SAME ? from < job->farthest
+           : mistake == WAITING_ANY_HIT     ? isinf(job->farthest)
+                                            : from <= job->farthest;
+}
+
+static NextWaitingAnswer expected_waiting(const TileWaitingJob *job, int mistake)
+{
+    NextWaitingAnswer answer = {.at = job->at, .todo = job->todo};
+    StackState *todo = &answer.todo;
+    const int is_oldest = mistake == WAITING_OLDEST;
+    const u32 left = mistake == WAITING_ONE_LEFT ? 1 : 0;
+    StackEntry next = job->at;
+    for (u32 n_taken = 0; todo->n > left && !answer.goes_on; n_taken++) {
+        next = is_oldest ? todo->upper[n_taken] : todo->upper[todo->n - 1];
+        todo->n--;
+        answer.goes_on =
+            matters(job, next, mistake) || (mistake == WAITING_TWO_ONLY && n_taken == 1);
+        if (mistake == WAITING_TOP_ENDS) {
+            break;
+        }
+    }
+    if (answer.goes_on) {
+        const int keeps_part = mistake == WAITING_PART_KEPT;
+        answer.at.node = next.node;
+        answer.at.t_min = keeps_part || mistake == WAITING_T_MIN_KEPT ? job->at.t_min : next.t_min;
+        answer.at.t_max = keeps_part || mistake == WAITING_T_MAX_KEPT ? job->at.t_max : next.t_max;
+        todo->n += mistake == WAITING_STAYS;
+    }
+    answer.goes_on ^= mistake == WAITING_SWAPPED;
+    return answer;
+}
+
+static int end_agrees(const void *job, int i, const void *answers, int mistake)
+{
+    const NextWaitingAnswer expected = expected_waiting(&((const Job10 *)job)->waiting[i], mistake);
+    return (((const NextWaitingAnswer *)answers)[i].goes_on != 0) == expected.goes_on;
+}
+
+// Where the search is over, at and the stack do not matter.
+static int next_agrees(const void *job, int i, const void *answers, int mistake)
+{
+    const NextWaitingAnswer *found = &((const NextWaitingAnswer *)answers)[i];
+    const NextWaitingAnswer expected = expected_waiting(&((const Job10 *)job)->waiting[i], mistake);
+    if (mistake != 0 && !expected.goes_on) {
+        return !found->goes_on;
+    }
+    // What lies below is untouched in the order in which it came; of the oldest only how many.
+    return !expected.goes_on ||
+           (found->goes_on && same_entry(found->at, expected.at) &&
+            (mistake == WAITING_OLDEST || same_stack(&found->todo, &expected.todo)));
+}
+
+// "from the top: [12, 14] [11, 12.5]".
+static Words stack_words(const StackState *todo)
+{
+    Words all = words("%s", todo->n == 0 ? "nothing" : "from the top");
+    for (u32 i = todo->n; i > 0; i--) {
+        const StackEntry entry = todo->upper[i - 1];
+        all = words("%s [%g, %g]", all.text, entry.t_min, entry.t_max);
+    }
+    return all;
+}
+
+static char *describe_waiting(const void *pointer, int i, const void *answers)
+{
+    const TileWaitingJob *job = &((const Job10 *)pointer)->waiting[i];
+    const NextWaitingAnswer expected = expected_waiting(job, 0);
+    return message_new("the farthest hit is at %g; %s waiting: found %s, expected %s",
+                       job->farthest, stack_words(&job->todo).text,
+                       next_waiting_words((const NextWaitingAnswer *)answers + i).text,
+                       next_waiting_words(&expected).text);
+}
+
+const Function tile_end_10 = {"tile_waiting",
+                              N_TILE_WAITING_INPUTS,
+                              sizeof(NextWaitingAnswer),
+                              .describe = describe_waiting,
+                              .agrees = end_agrees,
+                              .counted = "inputs",
+                              MISTAKES(waiting_mistakes)};
+const Function tile_next_10 = {"tile_waiting",
+                               N_TILE_WAITING_INPUTS,
+                               sizeof(NextWaitingAnswer),
+                               .describe = describe_waiting,
+                               .agrees = next_agrees,
+                               .counted = "inputs",
+                               MISTAKES(waiting_mistakes)};
+
+int waiting_alone_10(const void *job, const JudgeCheck *check, const Sections *answers)
+{
+    const Range all = {0, N_TILE_WAITING_INPUTS, 1};
+    (void)check;
+    return verdict_passes(function_judge(&tile_end_10, job, all, answers)) &&
+           verdict_passes(function_judge(&tile_next_10, job, all, answers));
+}

@@ -1,0 +1,67 @@
+// Todo stacks of inputs and answers (see job_stack.h).
+#include "job_stack.h"
+
+float random_quarters(Random *random, int lowest, int highest)
+{
+    return (float)random_integer(random, lowest, highest) / 4;
+}
+
+StackState random_stack(Random *random, u32 n_lower, u32 n_upper)
+{
+    StackState todo = {.n_lower = n_lower, .n = n_lower + n_upper};
+    for (u32 i = 0; i < STACK_ENTRIES; i++) {
+        StackEntry *entry = &todo.upper[i];
+        const float t_min = random_quarters(random, 40, 80);
+        *entry = (StackEntry){UNTOUCHED, 0, 0};
+        if (i < n_upper) {
+            entry->node = (u32)random_integer(random, 2000, 3000);
+            entry->t_min = t_min;
+            entry->t_max = t_min + random_quarters(random, 1, 20);
+        }
+    }
+    return todo;
+}
+
+int same_entry(StackEntry a, StackEntry b)
+{
+    return a.node == b.node && a.t_min == b.t_min && a.t_max == b.t_max;
+}
+
+int same_stack(const StackState *a, const StackState *b)
+{
+    int is_same = a->n == b->n && a->n_lower == b->n_lower && a->n <= a->n_lower + STACK_ENTRIES;
+    for (u32 i = 0; is_same && i + a->n_lower < a->n; i++) {
+        is_same = same_entry(a->upper[i], b->upper[i]);
+    }
+    return is_same;
+}
+
+// "and node 13 with [4, 5] put on the stack".
+static Words put_words(const StackState *before, const StackState *todo)
+{
+    const u32 n_upper = todo->n - todo->n_lower;
+    if (todo->n_lower != before->n_lower || todo->n < before->n) {
+        return words("a node that waits is gone");
+    }
+    if (todo->n == before->n) {
+        return words("nothing put on the stack");
+    }
+    if (todo->n == before->n + 1 && n_upper <= STACK_ENTRIES) {
+        const StackEntry top = todo->upper[n_upper - 1];
+        return words("node %u with [%.9g, %.9g] put on the stack", top.node, top.t_min, top.t_max);
+    }
+    return words("%u nodes put on the stack", todo->n - before->n);
+}
+
+Words next_child_words(const StackState *before, const NextChildAnswer *answer)
+{
+    return words("node %u with [%.9g, %.9g], and %s", answer->next.node, answer->next.t_min,
+                 answer->next.t_max, put_words(before, &answer->todo).text);
+}
+
+Words next_waiting_words(const NextWaitingAnswer *answer)
+{
+    return answer->goes_on ? words("on with node %u and [%g, %g], %u waiting", answer->at.node,
+                                   answer->at.t_min, answer->at.t_max, answer->todo.n)
+                           : words("the end");
+}

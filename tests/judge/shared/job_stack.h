@@ -1,0 +1,28 @@
+// The todo stacks of inputs and answers, for labs 07 and 10. All their numbers are quarters, so
+// that nothing is rounded: an answer is right or wrong to the bit.
+#ifndef JUDGE_JOB_STACK_H
+#define JUDGE_JOB_STACK_H
+
+#include "jobs.h"
+#include "random.h"
+#include "words.h"
+
+// A number of quarters, from lowest to highest of them.
+float random_quarters(Random *random, int lowest, int highest);
+
+// A stack with n_upper nodes on n_lower others; their parts lie beyond every node's at hand.
+StackState random_stack(Random *random, u32 n_lower, u32 n_upper);
+
+int same_entry(StackEntry a, StackEntry b);
+
+// Do the same nodes wait? What lies above the top does not matter.
+int same_stack(const StackState *a, const StackState *b);
+
+// "node 12 with [1, 4], and node 13 with [4, 5] put on the stack".
+//   before   the stack that was handed in
+Words next_child_words(const StackState *before, const NextChildAnswer *answer);
+
+// "the end" or "on with node 9 and [3, 6], 2 waiting".
+Words next_waiting_words(const NextWaitingAnswer *answer);
+
+#endif

@@ -1,0 +1,11 @@
+// mutant: kd is cut at 1
+// task: shade
+// caught by: shade-lambert
+// says: found
+    for (int i = 0; i < n_lights; i++) {
+        const Light light = lights[i];
+        const float3 to_light = normalize(to_float3(light.position) - point);
+        const float cosine = fmax(0.0f, dot(normal, to_light));
+        color += fmin(material.kd, 1.0f) * cosine * to_float3(material.color) *
+                 to_float3(light.color);
+    }

@@ -1,0 +1,11 @@
+// mutant: both counts are added as u32 first, which wraps round for huge ones
+// task: split_cost
+// caught by: cost-edges
+// says: 3000000000 spheres
+    BBox3D lower = box, higher = box;
+    lower.max[split.axis] = split.pos;
+    higher.min[split.axis] = split.pos;
+    const double a = surface_area(lower), b = surface_area(higher);
+    const u32 both = n_lower + n_higher;
+    return KD_COST_TRAVERSAL +
+           KD_COST_TEST * (a * both + (b - a) * n_higher) / surface_area(box);

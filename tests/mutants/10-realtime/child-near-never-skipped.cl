@@ -1,0 +1,11 @@
+// mutant: never the far child alone
+// task: next_tile_child
+// caught by: child-one
+// says: near child were visited also
+    const uint near_child = node.first + (eye <= node.split_pos ? 0 : 1);
+    const uint far_child = node.first + (eye <= node.split_pos ? 1 : 0);
+    if (t_split.low > at.t_max) {
+        return (TodoEntry){near_child, at.t_min, at.t_max};
+    }
+    todo_push(todo, far_child, fmax(at.t_min, t_split.low), at.t_max);
+    return (TodoEntry){near_child, at.t_min, fmin(at.t_max, t_split.high)};

@@ -1,0 +1,12 @@
+// mutant: the node without its part
+// task: next_tile_waiting
+// caught by: waiting-next
+// says: t_min and t_max were not taken
+    while (todo->n > 0) {
+        const TodoEntry next = todo_pop(todo);
+        if (next.t_min <= farthest) {
+            at->node = next.node;
+            return 1;
+        }
+    }
+    return 0;

@@ -1,0 +1,13 @@
+// mutant: the node without its t_min
+// task: next_tile_waiting
+// caught by: waiting-next
+// says: t_min were not taken
+    while (todo->n > 0) {
+        const TodoEntry next = todo_pop(todo);
+        if (next.t_min <= farthest) {
+            at->node = next.node;
+            at->t_max = next.t_max;
+            return 1;
+        }
+    }
+    return 0;

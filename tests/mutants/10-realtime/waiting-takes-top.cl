@@ -1,0 +1,10 @@
+// mutant: the hits do not matter
+// task: next_tile_waiting
+// caught by: waiting-end
+// says: hits did not matter
+    (void)farthest;
+    if (todo->n == 0) {
+        return 0;
+    }
+    *at = todo_pop(todo);
+    return 1;

@@ -1,0 +1,59 @@
+// The sections of lab 10's job, and of the answers: as jobs.h has those of the others. For host and
+// device.
+#ifndef PROBES_JOBS_10_H
+#define PROBES_JOBS_10_H
+
+#include "jobs.h"
+
+// Its scenes are those of lab 07, and "scene.K.leaf_spheres", a Sphere for each of the tree's ids.
+// Answered by "picture.K", "hits.K" and "work.K": what each pixel's tile cost.
+
+// A tile is what the kernel has where the host says nothing (lanes.h).
+enum { TILE_SIDE = 8, TILE_RAYS = TILE_SIDE * TILE_SIDE };
+
+// Section "tile_planes", one call of plane_interval each. Answered by two f32, low and high.
+typedef struct TilePlaneJob {
+    f32 plane;
+    f32 eye;
+    f32 low;  // of the directions
+    f32 high;
+} TilePlaneJob;
+LAYOUT_ASSERT(TilePlaneJob, 16);
+
+typedef struct TilePlaneAnswer {
+    f32 low;
+    f32 high;
+} TilePlaneAnswer;
+LAYOUT_ASSERT(TilePlaneAnswer, 8);
+
+// Section "tile_children", one call of next_tile_child each. Answered by a NextChildAnswer.
+typedef struct TileChildJob {
+    KdNode3 node;
+    f32 eye;
+    f32 split_low;
+    f32 split_high;
+    StackEntry at;
+    StackState todo;
+} TileChildJob;
+LAYOUT_ASSERT(TileChildJob, 96);
+
+// Section "tile_waiting", one call of next_tile_waiting each. Answered by a NextWaitingAnswer.
+typedef struct TileWaitingJob {
+    f32 farthest;
+    StackEntry at;
+    StackState todo;
+    i32 unused;  // of another size than its answer
+} TileWaitingJob;
+LAYOUT_ASSERT(TileWaitingJob, 76);
+
+// Section "cones", one call of cone_misses_sphere each. Answered by an i32.
+typedef struct ConeJob {
+    Vec3 axis;
+    f32 cosine;
+    f32 sine;
+    Vec3 centre;  // seen from the eye
+    f32 radius;
+} ConeJob;
+LAYOUT_ASSERT(ConeJob, 36);
+
+#endif

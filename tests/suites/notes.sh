@@ -1,0 +1,149 @@
+#!/bin/sh
+# Notes, slides and the site: every page is opened in Chromium; links, pictures, contrast, editions.
+. tests/tap.sh
+
+build=${BUILD:-build}
+notes=$build/notes
+browser=$(slides-notes/make/browser.sh) || browser=
+if ! command -v pandoc >/dev/null || [ -z "$browser" ]; then
+    skip "notes, slides and the site" "pandoc and Chromium are not both here (make setup names the packages)"
+    finish
+    exit
+fi
+
+make --no-print-directory BUILD="$build" notes-html >"$scratch/log" 2>&1
+ok $? "make notes-html" "$(cat "$scratch/log")"
+
+# ---- In a browser --------------------------------------------------------------------------------
+
+# All pages at the width of a screen and of a phone, in one run of the browser.
+inspect() {
+    {
+        echo '<!DOCTYPE html><meta charset="utf-8"><body><script>const jobs = ['
+        find "$(realpath "$notes")" -name '*.html' | LC_ALL=C sort |
+            sed 's|.*|{page: "file://&", width: 1280}, {page: "file://&", width: 390},|'
+        echo '];</script><script>'
+        cat tests/pages/inspect.js
+        echo '</script>'
+    } >"$scratch/inspect.html"
+    "$browser" --headless --no-sandbox --disable-gpu --allow-file-access-from-files --window-size=1280,720 \
+        --user-data-dir="$scratch/profile" --virtual-time-budget=600000 --dump-dom \
+        "file://$scratch/inspect.html" >"$scratch/seen" 2>"$scratch/browser.log"
+    grep -q '^end' "$scratch/seen"
+}
+check "every page can be opened" inspect
+n_pages=$(find "$notes" -name '*.html' | wc -l)
+n_opened=$(grep -c '^\(<[^>]*>\)*opened ' "$scratch/seen")
+[ "$n_opened" -eq $((2 * n_pages)) ] && [ "$n_pages" -gt 0 ]
+ok $? "on a screen and on a phone" "pages: $n_pages, opened: $n_opened"
+# none WORDS NAME: no page has a fault that says so.
+none() {
+    ! grep -o "fault .*$1.*" "$scratch/seen" >"$scratch/faults"
+    ok $? "$2" "$(cat "$scratch/faults")"
+}
+none "a picture is missing" "no picture is missing"
+none "no text in its place" "every picture has a text in its place"
+none "is cut off" "nothing is cut off on a slide"
+none "letters of" "no letter on a slide is smaller than 24 of 720"
+none "wider than the screen" "no page is wider than the screen, at 1280 and at 390"
+
+# ---- PDF -----------------------------------------------------------------------------------------
+
+slides=$notes/student/slides-notes/slides-2d
+check "slides can be printed" slides-notes/make/print.sh "$slides.html" "$scratch/slides.pdf"
+n_slides=$(grep -o '<div[^>]* class="slide' "$slides.html" | wc -l)
+n_printed=$(grep -a -c '/Type /Page$' "$scratch/slides.pdf")
+[ "$n_slides" -gt 1 ] && [ "$n_printed" -eq "$n_slides" ]
+ok $? "each is a page" "slides: $n_slides, pages: $n_printed"
+
+# ---- Links ---------------------------------------------------------------------------------------
+
+# Links of a page that lead nowhere, or not by a relative path; of PDF only those that `make notes` will print.
+broken_links() {
+    folder=$(dirname "$1")
+    grep -o '<a [^>]*href="[^"]*"' "$1" | sed 's/.*href="//; s/"$//' | sort -u | while IFS= read -r link; do
+        file=${link%%#*}
+        case $link in
+        https:*) continue ;;
+        /* | *:*) echo "$1: $link is no relative path" ;;
+        *.pdf) [ -e "$folder/${link%.pdf}.html" ] || echo "$1: $link has no page" ;;
+        *)
+            target=$1
+            [ -z "$file" ] || target=$folder/$file
+            [ -f "$target" ] || { echo "$1: $link leads nowhere" && continue; }
+            case $link in
+            *#*) grep -q " id=\"${link#*#}\"" "$target" || echo "$1: nothing is called ${link#*#} in $target" ;;
+            esac
+            ;;
+        esac
+    done
+}
+find "$notes" -name '*.html' | while IFS= read -r page; do broken_links "$page"; done >"$scratch/broken"
+[ ! -s "$scratch/broken" ]
+ok $? "no link is broken" "$(cat "$scratch/broken")"
+
+# ---- Editions ------------------------------------------------------------------------------------
+
+# The words of pages, without marks and blanks, on one line.
+words() {
+    sed 's/<[^>]*>//g; s/&lt;/</g; s/&gt;/>/g; s/&amp;/\&/g; s/&quot;/"/g; s/&#39;/'"'"'/g' "$@" | tr -d '\n\t *`'
+}
+# The beginning of each reason and of each solved exercise in the key, a line each.
+sed '1,/^## Answers/d; s/^\([1-8]\)\. /**00.\1** /' slides-notes/questions.md | tr '\n' ' ' |
+    grep -o '\*\*[0-9][0-9]\.[0-9]\*\* [^*]*' | sed 's/^[^ ]* //; s/ - $//; s/ ---.*//' | tr -d ' `' >"$scratch/answers"
+for edition in student instructor; do
+    find "$notes/$edition/slides-notes" -name '*.html' -exec grep -h -v -e 'data:image' {} + >"$scratch/pages"
+    words "$scratch/pages" >"$scratch/$edition"
+done
+n_answers=$(wc -l <"$scratch/answers")
+for edition in student instructor; do
+    while IFS= read -r answer; do
+        ! grep -q -F -e "$answer" "$scratch/$edition" || echo "$answer"
+    done <"$scratch/answers" | sort >"$scratch/found-$edition"
+done
+[ "$n_answers" -eq 33 ] && [ "$(wc -l <"$scratch/found-instructor")" -eq "$n_answers" ]
+ok $? "the instructor's edition holds every answer of the key" "$(sort "$scratch/answers" | comm -23 - "$scratch/found-instructor")"
+[ ! -s "$scratch/found-student" ] && ! grep -r -l -e 'class="answer"' -e 'class="speaker"' "$notes/student" >>"$scratch/found-student"
+ok $? "the student edition holds none" "$(cat "$scratch/found-student")"
+
+# ---- Contrast, time, sameness --------------------------------------------------------------------
+
+# The lowest contrast of a text and its ground in style.css, in the light and the dark scheme (WCAG 2.1).
+contrasts() {
+    awk '
+    function part(hex) { hex = (index("0123456789abcdef", substr(hex, 1, 1)) - 1) * 16 + index("0123456789abcdef", substr(hex, 2, 1)) - 1
+        hex /= 255; return hex <= 0.04045 ? hex / 12.92 : ((hex + 0.055) / 1.055) ^ 2.4 }
+    function light(c) { return 0.2126 * part(substr(c, 2, 2)) + 0.7152 * part(substr(c, 4, 2)) + 0.0722 * part(substr(c, 6, 2)) }
+    function against(a, b, x, y) { x = light(a); y = light(b); return x > y ? (x + 0.05) / (y + 0.05) : (y + 0.05) / (x + 0.05) }
+    /^ *--[a-z]+: #/ { name = $1; gsub(/[-:]/, "", name); if (name == "ground") scheme++; colour[scheme, name] = substr($2, 1, 7) }
+    END { split("ground panel", grounds); split("text muted link accent", texts)
+        for (s = 1; s <= 2; s++) for (g in grounds) for (t in texts)
+            print against(colour[s, grounds[g]], colour[s, texts[t]]), s, texts[t], grounds[g] }' slides-notes/make/style.css
+}
+contrasts | sort -n >"$scratch/contrasts"
+[ "$(wc -l <"$scratch/contrasts")" -eq 16 ] && awk '$1 < 4.5 { exit 1 }' "$scratch/contrasts"
+ok $? "text stands out from its ground (WCAG AA)" "$(head -n 3 "$scratch/contrasts")"
+
+# The minutes of a chapter's plan are those of its slides, and two for each question.
+for chapter in slides-notes/notes-*.md; do
+    awk '
+    /^## [0-9]+\./ { section = $2; next }
+    /^## / { section = "" }
+    /<summary>Slide, / { split($0, at, "Slide, "); spent[section] += at[2] }
+    /^\[Question / { spent[section] += 2 }
+    /^\| [0-9]+\. .* \| [0-9]+ \|$/ { planned[$2] = $(NF - 1) }
+    END { for (s in spent) if (spent[s] != planned[s]) { print s, "plan:", planned[s], "slides:", spent[s]; bad = 1 }; exit bad }
+    ' "$chapter" >"$scratch/plan"
+    ok $? "$chapter: the plan's minutes are the slides'" "$(cat "$scratch/plan")"
+done
+
+(cd "$notes" && find . -name '*.html' -exec sha256sum {} + | sort) >"$scratch/first"
+find "$notes" -name '*.html' -delete
+make --no-print-directory BUILD="$build" notes-html >"$scratch/log" 2>&1
+(cd "$notes" && find . -name '*.html' -exec sha256sum {} + | sort) >"$scratch/second"
+check "made twice, the pages are the same bytes" cmp "$scratch/first" "$scratch/second"
+# Said where a page is made, and now each was.
+! grep " of .* is .*, the text says " "$scratch/log" >"$scratch/counts"
+ok $? "numbers in the texts are what the programs count" "$(cat "$scratch/counts")"
+
+finish
