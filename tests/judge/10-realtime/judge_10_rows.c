@@ -7,8 +7,8 @@
 
 // ---- Inputs -----------------------------------------------------------------------------------
 
-// A circle near the row, in a third of all cases with a pixel exactly on its boundary, or outside of
-// it by one float: 3, 4 and 5 make a right angle.
+// A circle near the row, in a third of all cases with a pixel exactly on its boundary, or outside
+// of it by one float: 3, 4 and 5 make a right angle.
 static CircleRowJob draw_row(Random *random, enum RowRange range)
 {
     CircleRowJob job = {.color = (u32)random_bits(random)};

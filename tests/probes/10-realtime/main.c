@@ -1,5 +1,6 @@
 // Probe of lab 10: each of the student's functions on the job's inputs, tiles of circles painted
-// whole, then scenes of spheres with their trees: what each ray hits, the picture, and the work of each pixel's tile ("work.K").
+// whole, then scenes of spheres with their trees: what each ray hits, the picture, and the work of
+// each pixel's tile ("work.K").
 #include "jobs_10.h"
 #include "probe.h"
 
