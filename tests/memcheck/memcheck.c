@@ -4,7 +4,7 @@
 //     memcheck --lab 03 [--submission FOLDER]
 //
 // The lab's probe does a small job (memcheck_job.h) in the sandbox, with Oclgrind as its OpenCL
-// driver; what Oclgrind writes down is reported at the student's own lines. It is a diagnosis, which
+// driver; what Oclgrind writes down is reported at the student's own lines. It is a diagnosis and
 // earns or costs no points. Exit status: 0 nothing found, 1 something, 2 it could not be tried.
 #include "clean_text.h"
 #include "complain.h"
