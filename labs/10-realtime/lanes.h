@@ -8,6 +8,12 @@
 #ifndef LANES_H
 #define LANES_H
 
+// Clang warns of functions that take vectors wider than the processor's registers: code compiled
+// for another processor would pass them otherwise. Here all of it is compiled at once.
+#ifdef __clang__
+#pragma clang diagnostic ignored "-Wpsabi"
+#endif
+
 #ifndef LANES
 #define LANES 16  // 2, 4, 8 or 16: OpenCL C has vectors of these lengths
 #define TILE_WIDTH 8

@@ -1,6 +1,6 @@
-// See judge_08_search.h. Where float would decide otherwise does not matter here: both trees that
+// See judge_08_rays.h. Where float would decide otherwise does not matter here: both trees that
 // are compared are searched with the same rays in double.
-#include "judge_08_search.h"
+#include "judge_08_rays.h"
 
 #include "camera_from_view.h"
 #include "oracle3d.h"
