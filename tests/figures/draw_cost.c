@@ -7,7 +7,7 @@
 #include <math.h>
 
 // Scene units and pixels: the cell from the side, and the curve below it.
-enum { LEFT = 104, UNIT = 28, CELL_TOP = 84, CURVE_TOP = 352, CURVE_HEIGHT = 240, HEIGHT = 664 };
+enum { LEFT = 104, UNIT = 28, CELL_TOP = 84, CURVE_TOP = 372, CURVE_HEIGHT = 330, HEIGHT = 812 };
 static const double MOST_COST = 6;
 
 static const BBox3D CELL = {{0, 0, 0}, {32, 8, 8}};
@@ -103,8 +103,9 @@ static void mark(FILE *file, int number, double dx, double dy, const char *name)
     const Candidate plane = candidate(number);
     const double x = x_of(plane.pos), y = cost_y(plane.cost);
     svg_circle(file, x, y, 10, "fill=\"#ffffff\" stroke=\"" SVG_ORANGE "\" stroke-width=\"4\"");
-    svg_text(file, x + dx, y + dy, SVG_LEFT, SVG_HALO, "%s, x = %g: %.3g, %u below and %u above",
-             name, plane.pos, plane.cost, plane.n_lower, plane.n_higher);
+    svg_text(file, x + dx, y + dy, SVG_LEFT, SVG_HALO, "%s: %.3g", name, plane.cost);
+    svg_text(file, x + dx, y + dy + 26, SVG_LEFT, SVG_HALO, "x = %g, %u below, %u above", plane.pos,
+             plane.n_lower, plane.n_higher);
 }
 
 void draw_cost(FILE *file, const Followed *followed)
@@ -138,7 +139,7 @@ void draw_cost(FILE *file, const Followed *followed)
     svg_text(file, x_of(10), cost_y(leaf) - 10, SVG_LEFT, SVG_HALO,
              "a leaf: %g, all %d spheres asked", leaf, N_SPHERES);
     curve_draw(file);
-    mark(file, cheapest, 12, 36, "the cheapest");
-    mark(file, N_BINS / 2, 12, 70, "the middle");
+    mark(file, cheapest, 12, 44, "the cheapest");
+    mark(file, N_BINS / 2, -36, -46, "the middle");
     svg_end(file);
 }
