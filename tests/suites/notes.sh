@@ -133,8 +133,8 @@ words() {
     sed 's/<[^>]*>//g; s/&lt;/</g; s/&gt;/>/g; s/&amp;/\&/g; s/&quot;/"/g; s/&#39;/'"'"'/g' "$@" | tr -d '\n\t *`'
 }
 # The beginning of each reason and of each solved exercise in the key, a line each.
-sed '1,/^## Answers/d; s/^\([1-8]\)\. /**00.\1** /' slides-notes/questions.md | tr '\n' ' ' |
-    grep -o '\*\*[0-9][0-9]\.[0-9]\*\* [^*]*' | sed 's/^[^ ]* //; s/ - $//; s/ ---.*//' | tr -d ' `' >"$scratch/answers"
+sed '1,/^## Answers/d; s/^\([0-9]*\)\. /**00.\1** /' slides-notes/questions.md | tr '\n' ' ' |
+    grep -o '\*\*[0-9][0-9]\.[0-9]*\*\* [^*]*' | sed 's/^[^ ]* //; s/ - $//; s/ ---.*//' | tr -d ' `' >"$scratch/answers"
 for edition in student instructor; do
     find "$notes/$edition/slides-notes" -name '*.html' -exec grep -h -v -e 'data:image' {} + >"$scratch/pages"
     words "$scratch/pages" >"$scratch/$edition"
@@ -145,7 +145,7 @@ for edition in student instructor; do
         ! grep -q -F -e "$answer" "$scratch/$edition" || echo "$answer"
     done <"$scratch/answers" | sort >"$scratch/found-$edition"
 done
-[ "$n_answers" -eq 33 ] && [ "$(wc -l <"$scratch/found-instructor")" -eq "$n_answers" ]
+[ "$n_answers" -eq 47 ] && [ "$(wc -l <"$scratch/found-instructor")" -eq "$n_answers" ]
 ok $? "the instructor's edition holds every answer of the key" "$(sort "$scratch/answers" | comm -23 - "$scratch/found-instructor")"
 [ ! -s "$scratch/found-student" ] && ! grep -r -l -e 'class="answer"' -e 'class="speaker"' "$notes/student" >>"$scratch/found-student"
 ok $? "the student edition holds none" "$(cat "$scratch/found-student")"
