@@ -4,8 +4,12 @@
 // It has the functions that common/follow and the labs' buffers call, and no others. Sizes and names are
 // the course's own and fit, so nothing is checked.
 // Flow: scene -> BUFFERS -> KERNEL -> image -> comparison. Read next: builtins.cl, record.c.
+#include "camera.h"
 #include "cl_setup.h"
 #include "kdtree2d.h"
+#include "kdtree3d.h"
+#include "shading.h"
+#include "sphere.h"
 #include "steps/steps.h"
 
 #include <stdint.h>
@@ -70,6 +74,9 @@ enum { MOST_ARGUMENTS = 16, ARGUMENT_BYTES = 64 };
 typedef union Argument {
     void *memory;
     i32 number;
+    Vec3 vector;
+    Camera camera;
+    BBox3D box;
     char bytes[ARGUMENT_BYTES];
 } Argument;
 
@@ -89,10 +96,22 @@ static void search_run(const Argument *a)
                           a[5].number, a[6].number, a[7].memory, a[8].memory);
 }
 
+void render_kdtree(const Sphere *spheres, const u32 *material_ids, const Material *materials,
+                   const Light *lights, i32 n_lights, Vec3 background, Camera camera, i32 width,
+                   i32 height, void *image, const KdNode3 *nodes, const u32 *sphere_ids,
+                   BBox3D bounds, Steps *d_work);
+
+static void trace_run(const Argument *a)
+{
+    render_kdtree(a[0].memory, a[1].memory, a[2].memory, a[3].memory, a[4].number, a[5].vector,
+                  a[6].camera, a[7].number, a[8].number, a[9].memory, a[10].memory, a[11].memory,
+                  a[12].box, a[13].memory);
+}
+
 static const struct {
     const char *name;
     void (*run)(const Argument *arguments);
-} KERNELS[] = {{"implicit2DRenderer_KD", search_run}};
+} KERNELS[] = {{"implicit2DRenderer_KD", search_run}, {"render_kdtree", trace_run}};
 
 cl_kernel clCreateKernel(cl_program program, const char *name, cl_int *error)
 {

@@ -7,7 +7,7 @@
 
 #define EXPORT(name) __attribute__((export_name(#name)))
 
-static const TouchFigure *const FIGURES[] = {&TOUCH_SEARCH};
+static const TouchFigure *const FIGURES[] = {&TOUCH_SEARCH, &TOUCH_RAY, &TOUCH_COST};
 enum { N_FIGURES = sizeof FIGURES / sizeof *FIGURES };
 
 static const TouchFigure *figure;
@@ -37,19 +37,24 @@ EXPORT(touch_take) void touch_take(double x, double y)
     }
 }
 
-EXPORT(touch_drag) void touch_drag(double x, double y)
+EXPORT(touch_drag) int touch_drag(double x, double y)
 {
-    figure->drag(x, y);
+    return figure->drag(x, y);
 }
 
-EXPORT(touch_move) void touch_move(int right, int down, int other)
+EXPORT(touch_move) int touch_move(int right, int down, int other)
 {
-    figure->move(right, down, other);
+    return figure->move(right, down, other);
 }
 
-EXPORT(touch_count_steps) uint32_t touch_count_steps(void)
+EXPORT(touch_count_steps) u32 touch_count_steps(void)
 {
     return figure->count_steps();
+}
+
+EXPORT(touch_still_step) u32 touch_still_step(void)
+{
+    return figure->still_step();
 }
 
 // ---- Text ---------------------------------------------------------------------------------------
@@ -68,7 +73,7 @@ static FILE *text_begin(void)
     return file;
 }
 
-EXPORT(touch_draw) const char *touch_draw(uint32_t step, int is_narrow)
+EXPORT(touch_draw) const char *touch_draw(u32 step, int is_narrow)
 {
     FILE *file = text_begin();
     figure->draw(file, step, is_narrow ? SHAPE_NARROW : SHAPE_WIDE);
@@ -76,7 +81,7 @@ EXPORT(touch_draw) const char *touch_draw(uint32_t step, int is_narrow)
     return text;
 }
 
-EXPORT(touch_tell) const char *touch_tell(uint32_t step)
+EXPORT(touch_tell) const char *touch_tell(u32 step)
 {
     FILE *file = text_begin();
     figure->tell(file, step);

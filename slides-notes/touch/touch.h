@@ -8,6 +8,8 @@
 
 #include "figures.h"
 
+enum { STEP_STAYS = -1 };
+
 typedef struct TouchFigure {
     const char *name;  // of the still figure in whose place it stands: "03-search"
     const char *what;  // what it is and what the arrow keys do, for those who cannot see it
@@ -15,16 +17,20 @@ typedef struct TouchFigure {
     int (*open)(void);
     // The reader drags to a point of the drawing; or presses arrow keys: so many to the right and
     // down. With `other` set, Shift is held: it moves the figure's second handle, where it has one.
-    void (*drag)(double x, double y);
-    void (*move)(int right, int down, int other);
+    // Both return the step to show then, or STEP_STAYS.
+    int (*drag)(double x, double y);
+    int (*move)(int right, int down, int other);
     // The pointer goes down at a point: which handle does it take? NULL where there is only one.
     void (*take)(double x, double y);
-    uint32_t (*count_steps)(void);
+    u32 (*count_steps)(void);
+    u32 (*still_step)(void);  // which the still figure shows
     // Draw a step; say it in words, a line or a few.
-    void (*draw)(FILE *file, uint32_t step, FigureShape shape);
-    void (*tell)(FILE *file, uint32_t step);
+    void (*draw)(FILE *file, u32 step, FigureShape shape);
+    void (*tell)(FILE *file, u32 step);
 } TouchFigure;
 
-extern const TouchFigure TOUCH_SEARCH;
+extern const TouchFigure TOUCH_SEARCH;  // 03-search
+extern const TouchFigure TOUCH_RAY;     // 07-search
+extern const TouchFigure TOUCH_COST;    // 08-cost
 
 #endif

@@ -53,15 +53,12 @@ function touch(figure, program, number) {
     const what = textAt(program, program.touch_what(number));
     const picture = element("div", {className: "live", tabIndex: 0, role: "application", ariaLabel: what});
     const said = element("p", {className: "said", ariaLive: "polite"});
-    let step = program.touch_count_steps() - 1;
+    let step = program.touch_still_step();
     let running = 0;
 
     function show() {
         const isNarrow = figure.clientWidth < 600;
         picture.innerHTML = textAt(program, program.touch_draw(step, isNarrow ? 1 : 0));
-        // As wide as there is room.
-        picture.firstElementChild.removeAttribute("width");
-        picture.firstElementChild.removeAttribute("height");
         const words = textAt(program, program.touch_tell(step));
         if (said.textContent !== words) said.textContent = words;
     }
@@ -71,8 +68,14 @@ function touch(figure, program, number) {
         step = to < 0 ? count - 1 : to < count ? to : 0;
         show();
     }
-    function last() {
-        go(program.touch_count_steps() - 1);
+    function isLast() {
+        return step === program.touch_count_steps() - 1;
+    }
+    // Change the state. Where the figure names no step, it stays, and the last one the last.
+    function change(how) {
+        const wasLast = isLast(), to = how(), count = program.touch_count_steps();
+        step = to >= 0 ? to : wasLast ? count - 1 : Math.min(step, count - 1);
+        show();
     }
     function stop() {
         clearInterval(running);
@@ -82,11 +85,11 @@ function touch(figure, program, number) {
     // A step every while, up to the last one; again it stops.
     function toggleRun() {
         if (running) return stop();
-        if (step === program.touch_count_steps() - 1) go(0);
+        if (isLast()) go(0);
         run.textContent = "Stop";
         running = setInterval(() => {
             go(step + 1);
-            if (step === program.touch_count_steps() - 1) stop();
+            if (isLast()) stop();
         }, 1000);
     }
     function button(text, does) {
@@ -103,8 +106,7 @@ function touch(figure, program, number) {
         return [(event.clientX - box.left) * scale, (event.clientY - box.top) * scale];
     }
     function drag(event) {
-        program.touch_drag(...place(event));
-        last();
+        change(() => program.touch_drag(...place(event)));
     }
     let dragging = false;
     picture.addEventListener("pointerdown", event => {
@@ -126,11 +128,10 @@ function touch(figure, program, number) {
         if (event.ctrlKey || event.altKey || event.metaKey) return;
         if (arrows[event.key]) {
             stop();
-            program.touch_move(...arrows[event.key], event.shiftKey ? 1 : 0);
-            last();
+            change(() => program.touch_move(...arrows[event.key], event.shiftKey ? 1 : 0));
         } else if (keys[event.key]) keys[event.key].click();
         else if (event.key === "Home") go(0);
-        else if (event.key === "End") last();
+        else if (event.key === "End") go(-1);
         else return;
         event.preventDefault();
     });

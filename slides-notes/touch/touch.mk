@@ -9,12 +9,15 @@ TOUCH_OUT := $(BUILD)/notes/touch
 # In the place of record.c's device, of tests/follow and of scene2d_open.c stand page_device.c, no_reference.c
 # and scenes.c.
 TOUCH_SOURCES := $(wildcard slides-notes/touch/*.c) \
-    $(addprefix tests/figures/,plane2d.c draw_tree.c draw_search.c) \
-    $(addprefix common/follow/,followed.c followed_text.c record.c world.c circles.c no_reference.c) \
+    $(addprefix tests/figures/,plane2d.c draw_tree.c draw_search.c draw_search3d.c draw_cost.c) \
+    $(addprefix common/follow/,followed.c followed_text.c record.c world.c circles.c spheres.c flight.c no_reference.c) \
     $(addprefix common/,svg.c message.c complain.c clean_text.c utf8.c number.c stats.c cl_memory.c cl_check.c) \
     $(addprefix common/,tree2d.c scene2d.c scene2d_generate.c scene2d_random.c scene2d_edge_cases.c scene_arguments.c) \
-    solutions/02-kdtree-2d-build/kdtree2d_build.c
-TOUCH_KERNELS := slides-notes/touch/builtins.cl common/follow/steps/03-kdtree-2d-render.cl
+    $(addprefix common/,tree3d.c tree3d_grow.c scene3d.c scene3d_view.c scene3d_generate.c scene3d_edge_cases.c) \
+    $(addprefix common/,scene3d_random.c scene3d_lattice.c scene3d_sphereflake.c scene3d_uneven.c) \
+    $(addprefix solutions/,02-kdtree-2d-build/kdtree2d_build.c 04-camera-rays/camera_from_view.c 05-spheres/scene_buffers.c) \
+    solutions/06-kdtree-3d-build/kdtree3d_build.c solutions/08-surface-area-heuristic/kdtree3d_sah.c
+TOUCH_KERNELS := slides-notes/touch/builtins.cl common/follow/steps/03-kdtree-2d-render.cl common/follow/steps/07-kdtree-3d-trace.cl
 TOUCH_OBJECTS := $(patsubst %,$(TOUCH_OUT)/%.o,$(TOUCH_SOURCES) $(TOUCH_KERNELS))
 
 # Arithmetic as it is written: no two operations become one.

@@ -7,6 +7,7 @@
 #include "touch.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 static const WorldKernel KERNEL = {
     .label = "kd-tree",
@@ -48,30 +49,37 @@ static int search_open(void)
     return 0;
 }
 
-static void search_drag(double x, double y)
+static int search_drag(double x, double y)
 {
     double scene_x, scene_y;
     search_point(&followed, x, y, &scene_x, &scene_y);
     pixel_follow((int)lround(scene_x), (int)lround(scene_y));
+    return STEP_STAYS;
 }
 
-static void search_move(int right, int down, int other)
+static int search_move(int right, int down, int other)
 {
     (void)other;
     pixel_follow(followed.x + right, followed.y + down);
+    return STEP_STAYS;
 }
 
-static uint32_t search_count_steps(void)
+static u32 search_count_steps(void)
 {
     return steps_kept(followed.own.n_steps);
 }
 
-static void search_draw(FILE *file, uint32_t step, FigureShape shape)
+static u32 search_still_step(void)
+{
+    return search_count_steps() - 1;
+}
+
+static void search_draw(FILE *file, u32 step, FigureShape shape)
 {
     draw_search_step(file, &followed, step, shape);
 }
 
-static void search_tell(FILE *file, uint32_t step)
+static void search_tell(FILE *file, u32 step)
 {
     search_step_tell(file, &followed, step);
 }
@@ -83,6 +91,7 @@ const TouchFigure TOUCH_SEARCH = {
     .drag = search_drag,
     .move = search_move,
     .count_steps = search_count_steps,
+    .still_step = search_still_step,
     .draw = search_draw,
     .tell = search_tell,
 };

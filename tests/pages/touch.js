@@ -25,9 +25,9 @@ class Figure {
         this.live = this.figure?.querySelector(".live");
     }
     words() { return this.figure.querySelector(".said").textContent; }
-    key(key, times = 1) {
+    key(key, times = 1, shiftKey = false) {
         for (let i = 0; i < times; i++) {
-            this.live.dispatchEvent(new this.window.KeyboardEvent("keydown", {key, bubbles: true, cancelable: true}));
+            this.live.dispatchEvent(new this.window.KeyboardEvent("keydown", {key, shiftKey, bubbles: true, cancelable: true}));
         }
     }
     button(text) { [...this.figure.querySelectorAll("button")].find(button => button.textContent === text).click(); }
@@ -45,7 +45,7 @@ class Figure {
         send("pointermove", to);
         send("pointerup", to);
     }
-    isLast() { return /step (\d+) of \1$/m.test(this.words()); }
+    isLast() { return /(?:step|Plane) (\d+) of \1(?!\d)/.test(this.words()); }
     // All steps from the first one on.
     tell(state) {
         this.key("Home");
@@ -95,6 +95,29 @@ async function searchTouch(page) {
     await figure.check();
 }
 
+async function rayTouch(page) {
+    const figure = await live(page, "07-search");
+    figure.tell("first");
+    for (let i = 0; i < 3; i++) figure.key("ArrowRight", 1, true);
+    figure.tell("moved");
+    // The ray, by a point that it goes through.
+    figure.drag([429, 252], [429, 342]);
+    figure.tell("dragged");
+    await figure.check();
+}
+
+async function costTouch(page) {
+    const figure = await live(page, "08-cost");
+    figure.tell("first");
+    await figure.check();
+    // Towards a lower plane, by one.
+    figure.drag([800, 300], [552, 300]);
+    const dragged = figure.words();
+    figure.key("ArrowLeft");
+    figure.key("ArrowRight");
+    if (!dragged.startsWith("Plane 16 ") || figure.words() !== dragged) figure.fault(`dragged to the middle it says: ${dragged}`);
+}
+
 async function stillCheck(page, name) {
     const figure = new Figure(await open(page, true), name);
     const picture = figure.figure?.querySelector("img, :scope > svg");
@@ -105,7 +128,12 @@ async function stillCheck(page, name) {
 async function run() {
     try {
         await searchTouch(await open("notes-2d.html", false));
+        const second = await open("notes-3d.html", false);
+        await rayTouch(second);
+        await costTouch(second);
         await stillCheck("notes-2d.html", "03-search");
+        await stillCheck("notes-3d.html", "07-search");
+        await stillCheck("notes-3d.html", "08-cost");
     } catch (error) {
         said.push(`fault ${error}`);
     }

@@ -75,16 +75,26 @@ said_is() {
     [ -s "$scratch/expected" ] && diff "$scratch/expected" "$scratch/found" &&
         [ "$(grep -c '^\(node\|leaf\) ' "$scratch/expected")" -eq "$(touched "$state" | grep -c '^\(node\|leaf\) ')" ]
 }
-make --no-print-directory BUILD="$build" "$build/pixel/solutions/03-kdtree-2d-render" >"$scratch/log" 2>&1
+make --no-print-directory BUILD="$build" "$build/pixel/solutions/03-kdtree-2d-render" "$build/pixel/solutions/07-kdtree-3d-trace" >"$scratch/log" 2>&1
 if slides-notes/touch/compiler.sh >/dev/null; then
     check "figures can be touched" touch_figures
+    # The rays that tests/pages/touch.js makes of the worked example's: its eye moved, then turned.
+    sed 's/^from .*/from -1.8 -1.1 -0.5/; s/^at .*/at -1.0 -0.5 -0.5/' tests/scenes/worked.nff >"$scratch/moved.nff"
+    sed 's/^from .*/from -1.8 -1.1 -0.5/; s/^at .*/at 0 -0.3 -0.5/' tests/scenes/worked.nff >"$scratch/dragged.nff"
     example="--scene example --max-depth 4 --leaf-size 1"
     # shellcheck disable=SC2086 # options
     {
         check "03-search takes the steps of make pixel" said_is 03-search:first 03-kdtree-2d-render $example --pixel 7,7
         check "and where the arrow keys lead" said_is 03-search:moved 03-kdtree-2d-render $example --pixel 5,5
         check "and where the pixel is dragged" said_is 03-search:dragged 03-kdtree-2d-render $example --pixel 2,3
+        check "07-search takes the steps of make pixel" said_is 07-search:first 07-kdtree-3d-trace --scene tests/scenes/worked.nff --leaf-size 1 --pixel 1,1
+        check "and where the arrow keys move its eye" said_is 07-search:moved 07-kdtree-3d-trace --scene "$scratch/moved.nff" --leaf-size 1 --pixel 1,1
+        check "and where the ray is dragged" said_is 07-search:dragged 07-kdtree-3d-trace --scene "$scratch/dragged.nff" --leaf-size 1 --pixel 1,1
     }
+    touched 08-cost:first | sed -n 's/^Plane .*, cost //p' >"$scratch/costs"
+    [ "$(wc -l <"$scratch/costs")" -eq 31 ] &&
+        grep -q "the cheapest: $(sort -n "$scratch/costs" | awk 'NR == 1 { printf "%.3g", $1 }')" slides-notes/figures/08-cost.svg
+    ok $? "08-cost has 31 planes, and the still figure's cheapest" "$(sort -n "$scratch/costs" | head -n 2)"
     ! grep '^fault ' "$scratch/touched" >"$scratch/faults"
     ok $? "they can be stepped back, run, and be read without JavaScript" "$(cat "$scratch/faults")"
 else
