@@ -43,6 +43,9 @@ static const f32 KEY_ANGLE = (f32)M_PI / 90, KEY_STEP = 0.1f;
 // Nearer to the eye than this a point is the eye, and no direction.
 static const f32 EYE_REACH = 0.2f;
 
+// What the drawing shows, about (PLAN_MIDDLE_X, 0).
+static const f32 PLAN_MIDDLE_X = -0.7f, PLAN_REACH_X = 2, PLAN_REACH_Y = 1.5f;
+
 static void ray_follow(void)
 {
     world.pose = (Pose){{eye.x, eye.y, eye.z, aim.x, aim.y, aim.z, 0, 0, 1}};
@@ -77,9 +80,12 @@ static void ray_take(double x, double y)
     eye_is_taken = is_at_eye(point_at(x, y));
 }
 
-// The eye takes the ray along, as it is.
+// The eye takes the ray along, as it is; it stays in the drawing.
 static void eye_move(f32 x, f32 y)
 {
+    if (fabsf(eye.x + x - PLAN_MIDDLE_X) > PLAN_REACH_X || fabsf(eye.y + y) > PLAN_REACH_Y) {
+        return;
+    }
     eye.x += x;
     eye.y += y;
     aim.x += x;

@@ -140,7 +140,7 @@ void cost_plane_tell(FILE *file, int number)
 {
     const Candidate plane = candidate(number), cheapest = candidate(cheapest_plane());
     fprintf(file, "Plane %d of %d: x = %g, cost %.4g\n", number, N_BINS - 1, plane.pos, plane.cost);
-    fprintf(file, "%u spheres in the lower child, %u in the higher\n", plane.n_lower,
+    fprintf(file, "spheres in the lower child: %u, in the higher: %u\n", plane.n_lower,
             plane.n_higher);
     fprintf(file, "the cheapest: x = %g, cost %.4g; a leaf: %g", cheapest.pos, cheapest.cost,
             KD_COST_TEST * N_SPHERES);

@@ -32,8 +32,8 @@ static double plan_y(double y)
 
 void search3d_point(double x, double y, double *scene_x, double *scene_y)
 {
-    *scene_x = FIRST_X + (x - LEFT) / UNIT;
-    *scene_y = LAST_Y - (y - TOP) / UNIT;
+    *scene_x = FIRST_X + fmin(fmax((x - LEFT) / UNIT, 0), (double)WIDTH / UNIT);
+    *scene_y = LAST_Y - fmin(fmax((y - TOP) / UNIT, 0), (double)DEPTH / UNIT);
 }
 
 // The node at hand at a step, and which step that is: NULL where the ray misses the box.

@@ -12,7 +12,7 @@ void draw_stack(FILE *file, const Followed *followed);       // 07-stack.svg
 void draw_half_chord(FILE *file, const Followed *followed);  // 05-half-chord.svg
 
 // 07-search.svg at another step; the step that it shows itself; a step in words, a line or a few;
-// and where in the scene a point of that drawing is.
+// and where in the scene a point of that drawing is, or its nearest point from above.
 void draw_search3d_step(FILE *file, const Followed *followed, u32 step, FigureShape shape);
 u32 search3d_still_step(const Followed *followed);
 void search3d_step_tell(FILE *file, const Followed *followed, u32 step);
