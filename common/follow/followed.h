@@ -36,7 +36,8 @@ u32 followed_waiting(const Steps *steps, u32 i, StepWaiting waiting[TODO_SIZE]);
 // Is the element that was asked a hit: sphere met, or circle nearest so far?
 int followed_is_hit(const World *world, const Step *step);
 
-// A step in words, as followed_print() says it; no line where there is no such step.
+// A step in words, as followed_print() says it: how many lines it takes at most, and how long they
+// are. No line where there is no such step.
 enum { STEP_LINES = 3, STEP_LINE_BYTES = 160 };
 typedef struct StepWords {
     char lines[STEP_LINES][STEP_LINE_BYTES];

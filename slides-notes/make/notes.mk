@@ -1,6 +1,5 @@
 # Notes, slides and the course's site, in two editions: `make notes`. Only this needs pandoc and Chromium.
 
-setup_for += notes
 include slides-notes/touch/touch.mk
 
 NOTES := $(BUILD)/notes
