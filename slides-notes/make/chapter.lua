@@ -105,6 +105,12 @@ local function numbers(content)
     return content
 end
 
+-- An option as "--size" is not broken behind its first hyphen.
+local function short_code(element)
+    if #element.text <= 24 then element.classes:insert("short") end
+    return element
+end
+
 -- ---- What a paragraph may stand for ----------------------------------------------------------------
 
 -- A question for the hall: its words and options.
@@ -304,6 +310,7 @@ function Pandoc(document)
     document.blocks = pandoc.walk_block(pandoc.Div(document.blocks), {Para = paragraph, CodeBlock = code}).content
     document.blocks = pandoc.walk_block(pandoc.Div(document.blocks), {
         Link = link,
+        Code = short_code,
         Table = function(block) return div("scrolls", {block}) end,
     }).content
     return document

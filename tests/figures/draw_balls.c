@@ -4,8 +4,8 @@
 #include <math.h>
 
 // From above, in scene units and pixels; and t below.
-enum { LEFT = 40, UNIT = 112, PLAN_TOP = 96, T_TOP = 640, ROW = 46, BAR = 30, HEIGHT = 856 };
-static const double TOP_Y = 2.55;
+enum { LEFT = 40, UNIT = 112, PLAN_TOP = 70, T_TOP = 372, ROW = 80, BAR = 30, HEIGHT = 560 };
+static const double TOP_Y = 2.55, LOWEST_Y = 0.1;
 
 static double plan_x(double x)
 {
@@ -24,7 +24,7 @@ static void ball_draw(FILE *file, Sphere ball, u32 id)
     svg_circle(file, plan_x(ball.x), plan_y(ball.y), ball.radius * UNIT, LOOKS[id]);
     svg_circle(file, plan_x(ball.x), plan_y(ball.y), ball.radius * UNIT,
                "fill=\"none\" stroke=\"" SVG_BLACK "\" stroke-width=\"2\"");
-    svg_title(file, plan_x(ball.x), plan_y(ball.y) - (id == 1 ? 2 : -8), SVG_MIDDLE, "", "%c",
+    svg_title(file, plan_x(ball.x), plan_y(ball.y + 0.35 * ball.radius) + 8, SVG_MIDDLE, "", "%c",
               "ABC"[id]);
 }
 
@@ -37,14 +37,16 @@ static void plan_draw(FILE *file, const Followed *followed)
 {
     const WorldData data = followed->world->kind->data(followed->world);
     const BBox3D box = data.tree3d->bounds;
-    const double bottom = plan_y(box.min[1]);
+    const double bottom = plan_y(LOWEST_Y);
     const KdNode3 root = data.tree3d->nodes[0];
     svg_box(file, plan_x(box.min[0]), plan_y(box.max[1]), (box.max[0] - box.min[0]) * UNIT,
-            bottom - plan_y(box.max[1]), "fill=\"none\" stroke=\"" SVG_BLACK "\"");
+            bottom + 2 - plan_y(box.max[1]), "fill=\"none\" stroke=\"" SVG_BLACK "\"");
     for (u32 id = 0; id < 3; id++) {
         // The large one first, so that the small ones are seen.
         ball_draw(file, data.spheres[id], id);
     }
+    // What is below is of no use here: the box stays open.
+    svg_box(file, 0, bottom, SVG_WIDTH, HEIGHT - bottom, "fill=\"#ffffff\"");
     svg_line(file, plan_x(root.split_pos), plan_y(box.max[1]) - 14, plan_x(root.split_pos), bottom,
              "stroke=\"" SVG_ORANGE "\" stroke-width=\"5\"");
     svg_text(file, plan_x(root.split_pos) - 10, plan_y(box.max[1]) - 8, SVG_RIGHT, SVG_HALO,
@@ -64,7 +66,7 @@ static void plan_draw(FILE *file, const Followed *followed)
 static void leaf_draw(FILE *file, const Followed *followed, const Step *leaf, int row, double hit,
                       const char *look, const char *found, const char *then)
 {
-    const double y = T_TOP + row * (ROW + 38), x = plan_x(leaf->t_min);
+    const double y = T_TOP + row * ROW, x = plan_x(leaf->t_min);
     svg_box(file, x, y, plan_x(leaf->t_max) - x, BAR,
             "fill=\"" SVG_PALE "\" stroke=\"" SVG_BLACK "\" stroke-width=\"2\"");
     svg_text(file, plan_x(leaf->t_max) - 10, y + 22, SVG_RIGHT, "", "leaf %u: t %.4g to %.4g",

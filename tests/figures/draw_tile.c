@@ -6,8 +6,8 @@
 #include <math.h>
 
 // From above, in scene units and pixels; and t below.
-enum { UNIT = 118, LEFT = 60, EYE_Y = 490, T_TOP = 586, T_LEFT = 60, T_UNIT = 158, ROW = 44 };
-enum { BAR = 30, HEIGHT = 802 };
+enum { UNIT = 118, LEFT = 60, EYE_Y = 490, T_TOP = 570, T_LEFT = 60, T_UNIT = 158, ROW = 38 };
+enum { BAR = 30, HEIGHT = 764 };
 // A row of a tile, of a picture that has no other pixels, and the plane that it meets.
 enum { N_RAYS = 8 };
 static const double FOV = 0.42, LOOK = 0.5, PLANE = 1.6;
@@ -138,7 +138,7 @@ void draw_tile(FILE *file, const Followed *followed)
                "fill=\"#ffffff\" stroke=\"" SVG_BLACK "\" stroke-width=\"3\"");
     svg_text(file, x_of(0) - 12, y_of(0) + 34, SVG_LEFT, "", "eye");
 
-    svg_text(file, T_LEFT, T_TOP - 24, SVG_LEFT, "fill=\"" SVG_GREY "\"", "t = 0");
+    svg_text(file, T_LEFT, T_TOP + 10, SVG_LEFT, "fill=\"" SVG_GREY "\"", "t = 0");
     svg_line(file, T_LEFT, T_TOP - 14, 1000, T_TOP - 14, "stroke=\"" SVG_BLACK "\"");
     for (int i = 0; i < N_RAYS; i++) {
         svg_circle(file, T_LEFT + PLANE / row.directions[i].y * T_UNIT, T_TOP - 14, 6,
