@@ -63,10 +63,11 @@ local function link(element)
     return element
 end
 
--- A paragraph that is a picture becomes a figure.
+-- A paragraph that is a picture becomes a figure. By its name slides-notes/touch finds those that can be touched.
 local function figure(image)
     local caption = pandoc.utils.stringify(image.caption)
-    local shown = List{pandoc.RawInline("html", "<figure>"), pandoc.Image(image.caption, image.src)}
+    local name = image.src:match("([^/]*)%.%w+$")
+    local shown = List{pandoc.RawInline("html", '<figure data-name="' .. name .. '">'), pandoc.Image(image.caption, image.src)}
     shown:insert(pandoc.RawInline("html", "<figcaption>"))
     shown:extend(image.caption)
     shown:insert(pandoc.RawInline("html", "</figcaption></figure>"))

@@ -1,12 +1,14 @@
 # Notes, slides and the course's site, in two editions: `make notes`. Only this needs pandoc and Chromium.
 
+include slides-notes/touch/touch.mk
+
 NOTES := $(BUILD)/notes
 NOTES_MAKE := slides-notes/make
 CHAPTERS := $(patsubst slides-notes/notes-%.md,%,$(wildcard slides-notes/notes-*.md))
 # Markdown files that become pages as they are, at the same places; what links to others keeps only its words.
 NOTES_PAGES := README.md slides-notes/slides-and-course.md slides-notes/questions.md $(wildcard labs/*/README.md)
 NOTES_LINKED := $(NOTES_PAGES) $(wildcard slides-notes/notes-*.md)
-NOTES_TOOLS := $(wildcard $(NOTES_MAKE)/*.lua $(NOTES_MAKE)/*.css $(NOTES_MAKE)/*.js) $(NOTES_MAKE)/page.html $(NOTES_MAKE)/build.sh
+NOTES_TOOLS := $(wildcard $(NOTES_MAKE)/*.lua $(NOTES_MAKE)/*.css slides-notes/touch/*.css $(NOTES_MAKE)/*.js) $(NOTES_MAKE)/page.html $(NOTES_MAKE)/build.sh
 
 # What the programs counted, for the numbers in the texts: a run for each line of runs.txt.
 NOTES_RUNS := $(patsubst %,$(NOTES)/runs/%.json,$(shell sed -n 's/^\([0-9][^ ]*\) .*/\1/p' $(NOTES_MAKE)/runs.txt))
@@ -17,13 +19,13 @@ $(NOTES_RUNS): $(NOTES)/runs/%.json: $(NOTES_MAKE)/runs.txt $(NOTES_MAKE)/run.sh
 
 # A page: of edition $(1) and form $(2), from the source that comes first.
 define page
-$(call say,page    $@)$(NOTES_MAKE)/build.sh $(NOTES)/$(1) $(1) $(2) $< $@ "$(NOTES_LINKED)"
+$(call say,page    $@)$(NOTES_MAKE)/build.sh $(NOTES)/$(1) $(1) $(2) $< $@ "$(NOTES_LINKED)" $(TOUCH)
 endef
 define notes_edition  # the rules of the edition $(1)
 NOTES_HTML += $(NOTES)/$(1)/index.html $(addprefix $(NOTES)/$(1)/,$(NOTES_PAGES:.md=.html)) \
     $(foreach chapter,$(CHAPTERS),$(NOTES)/$(1)/slides-notes/notes-$(chapter).html $(NOTES)/$(1)/slides-notes/slides-$(chapter).html)
 NOTES_PDF += $(foreach chapter,$(CHAPTERS),$(NOTES)/$(1)/slides-notes/notes-$(chapter).pdf $(NOTES)/$(1)/slides-notes/slides-$(chapter).pdf)
-$(NOTES)/$(1)/slides-notes/notes-%.html: slides-notes/notes-%.md slides-notes/questions.md $(NOTES_TOOLS) $(NOTES_RUNS)
+$(NOTES)/$(1)/slides-notes/notes-%.html: slides-notes/notes-%.md slides-notes/questions.md $(NOTES_TOOLS) $(NOTES_RUNS) $(TOUCH)
 	$$(call page,$(1),notes)
 $(NOTES)/$(1)/slides-notes/slides-%.html: slides-notes/notes-%.md slides-notes/questions.md $(NOTES_TOOLS) $(NOTES_RUNS)
 	$$(call page,$(1),slides)
@@ -44,6 +46,8 @@ notes:  ## install what is missing, make notes, slides and the course's site, fo
 	@common/setup/install.sh notes
 	@command -v pandoc >/dev/null || { echo "make notes: found no pandoc, expected it to be installed" >&2; exit 1; }
 	@$(MAKE) --no-print-directory notes-html
+	@slides-notes/touch/compiler.sh >/dev/null || \
+	    echo "make notes: found no clang, lld, wasi-libc and libclang-rt-dev-wasm32: no figure can be touched"
 	@if $(NOTES_MAKE)/browser.sh >/dev/null; then $(MAKE) --no-print-directory notes-pdf; \
 	else echo "make notes: found no Chromium: without PDF"; fi
 	@echo "for students: $(NOTES)/student/index.html"

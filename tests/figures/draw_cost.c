@@ -1,4 +1,5 @@
-// 08-cost.svg: what a split costs, over its position: lab 08's example, by lab 08's functions.
+// 08-cost.svg: what a split costs, over its position: lab 08's example, by lab 08's functions. The
+// notes show the middle; in a browser a reader moves the plane (slides-notes/touch).
 #include "figures3d.h"
 
 #include "complain.h"
@@ -7,6 +8,8 @@
 #include <math.h>
 
 // Scene units and pixels: the cell from the side, and the curve below it.
+// Narrow, on a phone, its letters are larger.
+enum { NARROW_TEXT = 30 };
 enum { LEFT = 104, UNIT = 28, CELL_TOP = 84, CURVE_TOP = 372, CURVE_HEIGHT = 330, HEIGHT = 812 };
 static const double MOST_COST = 6;
 
@@ -48,7 +51,7 @@ static double cost_y(double cost)
     return CURVE_TOP + CURVE_HEIGHT * (1 - cost / MOST_COST);
 }
 
-static void cell_draw(FILE *file, f32 best)
+static void cell_draw(FILE *file, f32 best, f32 chosen)
 {
     const double height = (CELL.max[1] - CELL.min[1]) * UNIT;
     svg_box(file, x_of(0), CELL_TOP, x_of(CELL.max[0]) - x_of(0), height,
@@ -63,6 +66,8 @@ static void cell_draw(FILE *file, f32 best)
                    "\" stroke-width=\"2\"");
     }
     // Down to the curve.
+    svg_line(file, x_of(chosen), CELL_TOP - 10, x_of(chosen), cost_y(0),
+             "stroke=\"" SVG_BLACK "\" stroke-width=\"3\" stroke-dasharray=\"10 5\"");
     svg_line(file, x_of(best), CELL_TOP - 10, x_of(best), cost_y(0),
              "stroke=\"" SVG_ORANGE "\" stroke-width=\"4\"");
 }
@@ -98,14 +103,80 @@ static void curve_draw(FILE *file)
     }
 }
 
-static void mark(FILE *file, int number, double dx, double dy, const char *name)
+// A point of the curve, and below the curve, where there is room, what it stands for.
+static void mark(FILE *file, int number, int row, const char *look, const char *name,
+                 FigureShape shape)
 {
     const Candidate plane = candidate(number);
-    const double x = x_of(plane.pos), y = cost_y(plane.cost);
-    svg_circle(file, x, y, 10, "fill=\"#ffffff\" stroke=\"" SVG_ORANGE "\" stroke-width=\"4\"");
-    svg_text(file, x + dx, y + dy, SVG_LEFT, SVG_HALO, "%s: %.3g", name, plane.cost);
-    svg_text(file, x + dx, y + dy + 26, SVG_LEFT, SVG_HALO, "x = %g, %u below, %u above", plane.pos,
-             plane.n_lower, plane.n_higher);
+    const double y = cost_y(2.4 - row);
+    svg_circle(file, x_of(plane.pos), cost_y(plane.cost), 10, look);
+    svg_circle(file, x_of(11), y - 7, 10, look);
+    if (shape == SHAPE_NARROW) {
+        svg_text(file, x_of(11.7), y, SVG_LEFT, SVG_HALO, "%s: %.3g", name, plane.cost);
+    } else {
+        svg_text(file, x_of(11.7), y, SVG_LEFT, SVG_HALO, "%s: %.3g, at x = %g, %u below, %u above",
+                 name, plane.cost, plane.pos, plane.n_lower, plane.n_higher);
+    }
+}
+
+static int cheapest_plane(void)
+{
+    int cheapest = 1;
+    for (int i = 2; i < N_BINS; i++) {
+        cheapest = candidate(i).cost < candidate(cheapest).cost ? i : cheapest;
+    }
+    return cheapest;
+}
+
+// ---- Moving the plane ---------------------------------------------------------------------------
+
+int cost_plane_at(double x)
+{
+    const double n = round((x - LEFT) / UNIT / (CELL.max[0] - CELL.min[0]) * N_BINS);
+    return (int)fmin(fmax(n, 1), N_BINS - 1);
+}
+
+void cost_plane_tell(FILE *file, int number)
+{
+    const Candidate plane = candidate(number), cheapest = candidate(cheapest_plane());
+    fprintf(file, "Plane %d of %d: x = %g, cost %.4g\n", number, N_BINS - 1, plane.pos, plane.cost);
+    fprintf(file, "spheres in the lower child: %u, in the higher: %u\n", plane.n_lower,
+            plane.n_higher);
+    fprintf(file, "the cheapest: x = %g, cost %.4g; a leaf: %g", cheapest.pos, cheapest.cost,
+            KD_COST_TEST * N_SPHERES);
+}
+
+void draw_cost_plane(FILE *file, int number, FigureShape shape)
+{
+    const int cheapest = cheapest_plane();
+    svg_begin(file, HEIGHT, "The cost of a split over its position",
+              "Above: a long cell with six spheres at its left end and four at its right, and the "
+              "31 candidate planes between its 32 bins. Below: the cost of each plane. It falls "
+              "to 3.58 just behind the six spheres, rises slowly up to the four and steeply into "
+              "them. A leaf would cost 5, so the node is split.");
+    if (shape == SHAPE_NARROW) {
+        fprintf(file, "<g font-size=\"%d\">\n", NARROW_TEXT);
+    }
+    svg_title(file, 24, 40, SVG_LEFT, "", "The cheapest plane leaves the empty room to the few");
+    axes_draw(file);
+    cell_draw(file, candidate(cheapest).pos, candidate(number).pos);
+    const double leaf = KD_COST_TEST * N_SPHERES;
+    svg_line(file, x_of(0), cost_y(leaf), x_of(32), cost_y(leaf),
+             "stroke=\"" SVG_BLUE "\" stroke-width=\"3\" stroke-dasharray=\"10 6\"");
+    svg_text(file, x_of(10), cost_y(leaf) - 10, SVG_LEFT, SVG_HALO,
+             "a leaf: %g, all %d spheres asked", leaf, N_SPHERES);
+    curve_draw(file);
+    mark(file, cheapest, 0, "fill=\"" SVG_ORANGE "\" stroke=\"" SVG_BLACK "\"", "the cheapest",
+         shape);
+    mark(file, number, 1, "fill=\"#ffffff\" stroke=\"" SVG_BLACK "\" stroke-width=\"4\"",
+         number == N_BINS / 2 ? "the middle" : "this plane", shape);
+    if (shape == SHAPE_NARROW) {
+        fputs("</g>\n", file);
+    }
+    // Where a reader takes hold of the plane (slides-notes/touch/touch.js).
+    svg_box(file, x_of(0), CELL_TOP, x_of(CELL.max[0]) - x_of(0), cost_y(0) - CELL_TOP,
+            "class=\"drag\" fill=\"none\" pointer-events=\"all\"");
+    svg_end(file);
 }
 
 void draw_cost(FILE *file, const Followed *followed)
@@ -116,30 +187,11 @@ void draw_cost(FILE *file, const Followed *followed)
         ids[i] = i;
     }
     const BestSplit best = find_best_split(HEAPS, ids, N_SPHERES, CELL);
-    int cheapest = 1;
-    for (int i = 2; i < N_BINS; i++) {
-        cheapest = candidate(i).cost < candidate(cheapest).cost ? i : cheapest;
-    }
-    if (best.split.axis != 0 || best.split.pos != candidate(cheapest).pos) {
+    const f32 cheapest = candidate(cheapest_plane()).pos;
+    if (best.split.axis != 0 || best.split.pos != cheapest) {
         complain("figures3d: the curve's lowest plane is at %g, find_best_split() found %g",
-                 candidate(cheapest).pos, best.split.pos);
+                 cheapest, best.split.pos);
         exit(EXIT_FAILURE);
     }
-    svg_begin(file, HEIGHT, "The cost of a split over its position",
-              "Above: a long cell with six spheres at its left end and four at its right, and the "
-              "31 candidate planes between its 32 bins. Below: the cost of each plane. It falls "
-              "to 3.58 just behind the six spheres, rises slowly up to the four and steeply into "
-              "them. A leaf would cost 5, so the node is split.");
-    svg_title(file, 24, 40, SVG_LEFT, "", "The cheapest plane leaves the empty room to the few");
-    axes_draw(file);
-    cell_draw(file, best.split.pos);
-    const double leaf = KD_COST_TEST * N_SPHERES;
-    svg_line(file, x_of(0), cost_y(leaf), x_of(32), cost_y(leaf),
-             "stroke=\"" SVG_BLUE "\" stroke-width=\"3\" stroke-dasharray=\"10 6\"");
-    svg_text(file, x_of(10), cost_y(leaf) - 10, SVG_LEFT, SVG_HALO,
-             "a leaf: %g, all %d spheres asked", leaf, N_SPHERES);
-    curve_draw(file);
-    mark(file, cheapest, 12, 44, "the cheapest");
-    mark(file, N_BINS / 2, -36, -46, "the middle");
-    svg_end(file);
+    draw_cost_plane(file, N_BINS / 2, SHAPE_STILL);
 }

@@ -47,6 +47,60 @@ none "is cut off" "nothing is cut off on a slide"
 none "letters of" "no letter on a slide is smaller than 24 of 720"
 none "wider than the screen" "no page is wider than the screen, at 1280 and at 390"
 
+# ---- Figures that can be touched -----------------------------------------------------------------
+
+# What the reader does, and what the figure then says of all its steps (tests/pages/touch.js).
+touch_figures() {
+    {
+        echo "<!DOCTYPE html><meta charset=\"utf-8\"><body><script>const folder = \"file://$(realpath "$notes")/student/slides-notes/\";</script><script>"
+        cat tests/pages/touch.js
+        echo '</script>'
+    } >"$scratch/touch.html"
+    "$browser" --headless --no-sandbox --disable-gpu --allow-file-access-from-files --window-size=1280,720 \
+        --user-data-dir="$scratch/profile" --virtual-time-budget=600000 --dump-dom \
+        "file://$scratch/touch.html" >"$scratch/touched" 2>"$scratch/browser.log"
+    grep -q '^end' "$scratch/touched"
+}
+# The steps of one state, as the page has said them.
+touched() {
+    sed -n "s/^$1 //p" "$scratch/touched" | sed 's/&gt;/>/g; s/&lt;/</g; s/&amp;/\&/g'
+}
+# said_is STATE LAB OPTIONS...: every line that `make pixel` prints of the steps, the page says, in this order, and no node more.
+said_is() {
+    state=$1
+    lab=$2
+    shift 2
+    "$build/pixel/solutions/$lab" "$@" | sed -n 's/^[ 0-9]\{4\}   *//p' >"$scratch/expected"
+    touched "$state" | grep -F -x -f "$scratch/expected" >"$scratch/found"
+    [ -s "$scratch/expected" ] && diff "$scratch/expected" "$scratch/found" &&
+        [ "$(grep -c '^\(node\|leaf\) ' "$scratch/expected")" -eq "$(touched "$state" | grep -c '^\(node\|leaf\) ')" ]
+}
+make --no-print-directory BUILD="$build" "$build/pixel/solutions/03-kdtree-2d-render" "$build/pixel/solutions/07-kdtree-3d-trace" >"$scratch/log" 2>&1
+if slides-notes/touch/compiler.sh >/dev/null; then
+    check "figures can be touched" touch_figures
+    # The rays that tests/pages/touch.js makes of the worked example's: its eye moved, then turned.
+    sed 's/^from .*/from -1.8 -1.1 -0.5/; s/^at .*/at -1.0 -0.5 -0.5/' tests/scenes/worked.nff >"$scratch/moved.nff"
+    sed 's/^from .*/from -1.8 -1.1 -0.5/; s/^at .*/at 0 -0.3 -0.5/' tests/scenes/worked.nff >"$scratch/dragged.nff"
+    example="--scene example --max-depth 4 --leaf-size 1"
+    # shellcheck disable=SC2086 # options
+    {
+        check "03-search takes the steps of make pixel" said_is 03-search:first 03-kdtree-2d-render $example --pixel 7,7
+        check "and where the arrow keys lead" said_is 03-search:moved 03-kdtree-2d-render $example --pixel 5,5
+        check "and where the pixel is dragged" said_is 03-search:dragged 03-kdtree-2d-render $example --pixel 2,3
+        check "07-search takes the steps of make pixel" said_is 07-search:first 07-kdtree-3d-trace --scene tests/scenes/worked.nff --leaf-size 1 --pixel 1,1
+        check "and where the arrow keys move its eye" said_is 07-search:moved 07-kdtree-3d-trace --scene "$scratch/moved.nff" --leaf-size 1 --pixel 1,1
+        check "and where the ray is dragged" said_is 07-search:dragged 07-kdtree-3d-trace --scene "$scratch/dragged.nff" --leaf-size 1 --pixel 1,1
+    }
+    touched 08-cost:first | sed -n 's/^Plane .*, cost //p' >"$scratch/costs"
+    [ "$(wc -l <"$scratch/costs")" -eq 31 ] &&
+        grep -q "the cheapest: $(sort -n "$scratch/costs" | awk 'NR == 1 { printf "%.3g", $1 }')" slides-notes/figures/08-cost.svg
+    ok $? "08-cost has 31 planes, and the still figure's cheapest" "$(sort -n "$scratch/costs" | head -n 2)"
+    ! grep '^fault ' "$scratch/touched" >"$scratch/faults"
+    ok $? "they can be stepped back, run, and be read without JavaScript" "$(cat "$scratch/faults")"
+else
+    skip "figures that can be touched" "there is no compiler for them (make setup names the packages)"
+fi
+
 # ---- PDF -----------------------------------------------------------------------------------------
 
 slides=$notes/student/slides-notes/slides-2d
