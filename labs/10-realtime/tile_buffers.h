@@ -45,7 +45,7 @@ void pixels_read(cl_command_queue queue, cl_mem d_pixels, Image *image);
 typedef struct TileShape {
     int width, height;  // pixels
     int lanes;
-    size_t group_side;    // work-groups of so many tiles, squared
+    size_t group_side;    // a work-group has this number of tiles, squared
     const char *options;  // for the kernel's build
 } TileShape;
 

@@ -20,8 +20,8 @@
 #define TILE_HEIGHT 8
 #endif
 
-// A tile's rays fill so many vectors. Pixel number i of a tile, row by row, is lane i % LANES of
-// block i / LANES.
+// The number of vectors that a tile's rays fill. Pixel number i of a tile, row by row, is lane
+// i % LANES of block i / LANES.
 #define N_BLOCKS (TILE_WIDTH * TILE_HEIGHT / LANES)
 
 // LANES_TYPE(float) is float16 where LANES is 16.

@@ -12,6 +12,7 @@ $(OUT)/obj/tests/bench/%.o: EXTRA = $(BENCH_INCLUDES) \
 $(OUT)/obj/tests/bench/embree_peer.c.o: EXTRA = $(BENCH_INCLUDES) -O3 -march=native \
     $(if $(EMBREE),-DWITH_EMBREE=$(EMBREE))
 $(OUT)/obj/tests/bench/embree_peer.c.o: $(OUT)/embree-version
+.PHONY: always
 $(OUT)/embree-version: always
 	@mkdir -p $(@D)
 	@echo "$(EMBREE)" | cmp -s - $@ || echo "$(EMBREE)" >$@

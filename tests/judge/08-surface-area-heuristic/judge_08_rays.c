@@ -7,7 +7,7 @@
 
 #include <math.h>
 
-// So many rays show what a tree is worth.
+// That many rays show what a tree is worth.
 enum { WIDTH = 48, HEIGHT = 36 };
 
 typedef struct Search {
