@@ -124,7 +124,8 @@ NATIVE_TEST = $(OUT)/tests/test_cl_setup
 
 .PHONY: unit-tests tests check test test-scale test-seeds test-mutants test-attacks
 unit-tests: $(filter-out $(NATIVE_TEST),$(UNIT_TESTS))
-tests: all $(NATIVE_TEST) $(JUDGES) $(LAB_JUDGES) $(SUITE_TOOLS) $(OUT)/tests/no_images.so views pixels $(FIGURES)  ## build all that the tests run
+# The bench is built here, too: it must not break unnoticed.
+tests: all $(OUT)/tools/bench2d $(OUT)/tools/bench3d $(NATIVE_TEST) $(JUDGES) $(LAB_JUDGES) $(SUITE_TOOLS) $(OUT)/tests/no_images.so views pixels $(FIGURES)  ## build all that the tests run
 	@$(MAKE) --no-print-directory SANITIZE=1 all unit-tests views pixels
 check: tests  ## run the tests without installing anything
 	@BUILD="$(BUILD)" tests/run.sh
