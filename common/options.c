@@ -224,7 +224,7 @@ OptionsResult options_parse(int argc, char **argv, const char *lab_name, const c
     if (result == OPTIONS_RUN && options->svg != NULL) {
         result = check_place(&table, "svg", options->svg);
     }
-    // Last, so that a fault is told alone.
+    // Last, so that a fault is reported alone.
     if (result == OPTIONS_RUN) {
         note_unused(lab_name, set, is_given);
     }

@@ -31,7 +31,7 @@ grade-class: grader  ## grade a class: LAB=03 SUBMISSIONS=folder [OUTPUT=folder]
 # ---- Other systems (tests/systems/README.md) ------------------------------------------------
 
 # The grader is run through this, which writes its result in more forms.
-grade:  ## the same, and write the result for other systems, too: LAB=03 FORMAT=junit,tap
+grade:  ## grade LAB=03 and write the result for other systems, too: FORMAT=junit,tap
 through_formats = $(if $(FORMAT),tests/systems/formats/write.sh "$$FORMAT" \
     "$(OUT)/grade/$(firstword $(subst -, ,$(graded_lab)))" "$(graded_lab)")
 

@@ -9,7 +9,7 @@
 #include <stdarg.h>
 #include <string.h>
 
-// A step takes at most so many lines, each as wide as a column.
+// How many lines a step takes at most, each as wide as a column.
 enum { COLUMN = 62, STEP_LINES = 3, LINE_BYTES = 160 };
 
 typedef struct Block {

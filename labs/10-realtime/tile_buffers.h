@@ -38,7 +38,7 @@ int tile_buffers_read(const TileBuffers *buffers, const Scene3D *scene, cl_comma
 typedef struct TileShape {
     int width, height;  // pixels
     int lanes;
-    size_t group_side;    // work-groups of so many tiles, squared
+    size_t group_side;    // a work-group has this number of tiles, squared
     const char *options;  // for the kernel's build
 } TileShape;
 

@@ -1,7 +1,5 @@
 # Notes, slides and the course's site, in two editions: `make notes`. Only this needs pandoc and Chromium.
 
-setup_for += notes
-
 NOTES := $(BUILD)/notes
 NOTES_MAKE := slides-notes/make
 CHAPTERS := $(patsubst slides-notes/notes-%.md,%,$(wildcard slides-notes/notes-*.md))

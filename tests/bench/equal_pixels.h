@@ -1,5 +1,5 @@
 // Are two pictures equal to the bit? No tolerance: generated scenes are exact in float, so the tree
-// must not change a single pixel. Used by bench2d.c before any figure is told.
+// must not change a single pixel. Used by bench2d.c before any figure is printed.
 #ifndef BENCH_EQUAL_PIXELS_H
 #define BENCH_EQUAL_PIXELS_H
 

@@ -160,8 +160,8 @@ static int has_other_key(const Worksheet *worksheet, const Participant *particip
            (member->sid[0] != '\0' && cell_of(worksheet, participant, sid_titles)[0] != '\0');
 }
 
-// The first line of the list that a name, which fits none, looks like; 0 for none. Only to be told:
-// "carol-2" may be Carol's, or anybody's.
+// The first line of the list that a name, which fits none, looks like; 0 for none. It is only
+// reported: "carol-2" may be Carol's, or anybody's.
 static int look_alike_find(const Worksheet *worksheet, const char *name)
 {
     static const char *const *const titles[] = {name_titles, user_titles, mail_titles};

@@ -40,7 +40,7 @@ enum { MOST_LEFT_OUT = 100 };
 typedef struct Trial {
     int n_further;     // seeds besides the first
     const char *only;  // "" for all
-    uint64_t every;    // of the wrong answers each so many-th; 1 for all
+    uint64_t every;    // 1 tries all wrong answers, 2 every second, ...
 } Trial;
 
 // How well the reports name kinds of mistakes (diagnosis.h).

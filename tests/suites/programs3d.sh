@@ -258,8 +258,8 @@ for lab in $labs; do
             names="$names middle.$name"
         done
         ;;
-    09*) names="$scene max_depth leaf_size max_bounces tree.build_ms tree.n_nodes tree.n_sphere_ids
-        $frame $work" ;;
+    09*) names="$scene tree.cost tree.build_ms tree.n_nodes tree.depth tree.largest_leaf
+        tree.n_sphere_ids max_bounces $frame $work" ;;
     10*) names="$scene tree.cost tree.build_ms tree.n_nodes tree.depth tree.largest_leaf tree.n_sphere_ids
         tile.width tile.height tile.lanes $frame $work" ;;
     esac
