@@ -5,6 +5,9 @@
 
 #include "image.h"
 
+// Round a picture's colours as a picture of bytes has them.
+void round_to_bytes(Image *picture);
+
 // Compare the first n_rows rows of two pictures of the same size.
 //   name   what the message calls the picture
 // Returns 0, or -1 after one message on stderr with the first pixel that differs.
