@@ -178,8 +178,9 @@ static Diagnosis pixels_fault(const Job00 *job, int k, const Sections *answers, 
 // The same for those that stand elsewhere, and for how they are grouped.
 static Diagnosis groups_fault(const Job00 *job, int k, const Sections *answers, const u32 *rest)
 {
-    if (rest[ITEMS_FAR] != 0) {
-        const char *says = explain_launch(job, answers);
+    const char *says = rest[ITEMS_FAR] != 0 ? explain_launch(job, answers) : NULL;
+    // Groups of another shape may need more room: then that is the mistake.
+    if (rest[ITEMS_FAR] != 0 && (says != NULL || rest[ITEMS_IN_OTHER_GROUPS] == 0)) {
         return diagnosis_of(
             message_new("%s: found %u work-item%s more than one group beyond the picture, expected "
                         "none",

@@ -52,6 +52,14 @@ static int is_little_outside(OverlapJob in, int found)
     return found && outside_by_01(in) > 0 && outside_by_01(in) < SMALL;
 }
 
+// By so little that a root which is rounded to float, by up to 3 ulp (OpenCL 1.2, 7.4), may be the
+// reason, on whatever device.
+static int is_outside_by_rounding(OverlapJob in, int found)
+{
+    const double radius = in.circle.radius;
+    return found && outside_by_01(in) > 0 && outside_by_01(in) <= 16 * 0x1p-24 * radius * radius;
+}
+
 // The first that fits every wrong answer is named.
 static const struct {
     Fits *fits;
@@ -69,6 +77,9 @@ static const struct {
     {is_on_boundary,
      {"strict where it should not be: the boundary belongs to the circle",
       MISTAKE_STRICT_BOUNDARY}},
+    {is_outside_by_rounding,
+     {.says = "a pixel outside by however little is outside: no root, which is rounded, and no "
+              "epsilon"}},
     {is_little_outside, {.says = "a pixel outside by however little is outside: no epsilon"}},
 };
 

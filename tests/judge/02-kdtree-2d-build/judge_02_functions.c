@@ -17,6 +17,7 @@ typedef struct LeafRules {
     int is_level_free, is_count_free;  // not asked
     int wants_both;                    // the level and the count
     int adds_failed;                   // to the level
+    int is_signed;                     // the number of circles
     KdTreeLimits limits;               // in place of those that are given; 0: none
     u32 count_bits, level_bits;        // of the number of circles, and of the level, no more are
                                        // kept; 0: all
@@ -32,7 +33,8 @@ static int leaf_by(LeafJob in, const LeafRules *rules)
     const int level = rules->level_bits != 0 ? (int)((u32)whole & rules->level_bits) : whole;
     const u32 n_circles = rules->count_bits != 0 ? in.n_circles & rules->count_bits : in.n_circles;
     const int is_low = !rules->is_level_free && level >= maxDepth;
-    const int is_small = !rules->is_count_free && (int64_t)n_circles <= target;
+    const int is_small =
+        !rules->is_count_free && (rules->is_signed ? (i32)n_circles : (int64_t)n_circles) <= target;
     const int is_hopeless =
         in.n_failed >= (rules->most_failed != 0 ? rules->most_failed : MAX_FAILED_SPLITS);
     return (rules->wants_both ? is_low && is_small : is_low || is_small) || is_hopeless;
@@ -64,6 +66,7 @@ static const struct {
     {"your answers are those of a level cut to 8 bits", {.level_bits = 0xff}},
     {"your answers are those of a count cut to 8 bits", {.count_bits = 0xff}},
     {"your answers are those of a count cut to 16 bits", {.count_bits = 0xffff}},
+    {"your answers are those of a count with a sign: n_circles has none", {.is_signed = 1}},
 };
 
 static int is_of_leaf_rules(const Job02 *job, const i32 *found, const LeafRules *rules)

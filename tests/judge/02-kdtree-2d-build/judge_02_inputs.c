@@ -18,17 +18,17 @@ static BBox2D draw_box(Random *random)
     return box;
 }
 
-// Counts and limits that are others in 8 or 16 bits, with a sign or without.
+// Counts and limits that are others in 8 or 16 bits, or in 32, with a sign or without.
 static const struct {
     u32 n_circles;
     i32 targetElementsPerNode;
-} counts[] = {{0, 1},     {200, 4},   {256, 4},   {259, 4},   {299, 300},
-              {300, 300}, {301, 300}, {40000, 4}, {65536, 8}, {65540, 8}};
+} counts[] = {{0, 1},     {200, 4},   {256, 4},   {259, 4},   {299, 300},     {300, 300},
+              {301, 300}, {40000, 4}, {65536, 8}, {65540, 8}, {3000000000, 8}};
 
 // The last inputs of each of the three kinds. About the depth: the root alone, and levels that are
 // others in 8 bits; about failed splits: more of them than there can be reasons to count. In each
 // kind, too, where two reasons hold, or all: the answer is 1 all the same.
-enum { N_LEAF_EDGES = 10 };
+enum { N_LEAF_EDGES = 11 };
 static const LeafJob leaf_edges[3][N_LEAF_EDGES] = {
     {
         {.level = 1, .maxDepth = 1, .n_circles = 9, .targetElementsPerNode = 8},
@@ -41,6 +41,7 @@ static const LeafJob leaf_edges[3][N_LEAF_EDGES] = {
         {.level = 4, .maxDepth = 4, .n_circles = 1, .targetElementsPerNode = 1},
         {.level = 5, .maxDepth = 4, .n_circles = 0, .targetElementsPerNode = 1},
         {4, 1, 4, 1, MAX_FAILED_SPLITS},
+        {.level = 4, .maxDepth = 5, .n_circles = 2, .targetElementsPerNode = 1},
     },
     {
         {.level = 1, .maxDepth = 9, .n_circles = 0, .targetElementsPerNode = 1},
@@ -53,6 +54,7 @@ static const LeafJob leaf_edges[3][N_LEAF_EDGES] = {
         {.level = 9, .maxDepth = 9, .n_circles = 0, .targetElementsPerNode = 8},
         {6, 8, 9, 8, MAX_FAILED_SPLITS},
         {9, 8, 9, 8, MAX_FAILED_SPLITS},
+        {.level = 2, .maxDepth = 9, .n_circles = 3000000000, .targetElementsPerNode = 8},
     },
     {
         {9, 9, 14, 8, MAX_FAILED_SPLITS - 1},
@@ -65,6 +67,7 @@ static const LeafJob leaf_edges[3][N_LEAF_EDGES] = {
         {15, 9, 14, 8, MAX_FAILED_SPLITS + 1},
         {9, 8, 14, 8, MAX_FAILED_SPLITS},
         {14, 8, 14, 8, MAX_FAILED_SPLITS},
+        {13, 9, 14, 8, MAX_FAILED_SPLITS - 1},
     },
 };
 

@@ -7,6 +7,7 @@
 #include "packed_list.h"
 #include "words.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 // ---- distribute ---------------------------------------------------------------------------------
@@ -201,14 +202,20 @@ static int is_list_rival(const Job02 *job, const u32 *answers, Rival *rival)
     return is_same;
 }
 
-// What all answers look like, or else this list. Owned by the caller; NULL where nothing is known.
-static char *explain_lists(const Job02 *job, ListCall call, const u32 *answers, const u32 *found)
+// The mistake that gives all answers, or NULL.
+static const char *explain_lists(const Job02 *job, const u32 *answers)
 {
     for (int m = 0; m < COUNT(list_rivals); m++) {
         if (is_list_rival(job, answers, list_rivals[m].rival)) {
-            return message_new("%s", list_rivals[m].says);
+            return list_rivals[m].says;
         }
     }
+    return NULL;
+}
+
+// What one list looks like. Owned by the caller; NULL where nothing is known.
+static char *explain_order(const Job02 *job, ListCall call, const u32 *found)
+{
     return is_reordered(job, call, found)
                ? message_new(
                      "these are the right circles in another order: ids ascend, as in ids[]")
@@ -221,8 +228,16 @@ static Diagnosis distribute_fault(const void *pointer, int i, const void *answer
     const ListCall call = list_call_02(job, i);
     const u32 *found = (const u32 *)answers + i * DISTRIBUTE_ROOM;
     Diagnosis wrong = list_fault("circle", call, keeps, job, found);
-    if (wrong.found != NULL && wrong.cause == NULL) {
-        wrong.cause = explain_lists(job, call, answers, found);
+    if (wrong.found == NULL) {
+        return wrong;
+    }
+    // What explains every list counts before what one wrong id looks like, maybe by chance.
+    const char *of_all = explain_lists(job, answers);
+    if (of_all != NULL) {
+        free(wrong.cause);
+        wrong.cause = message_new("%s", of_all);
+    } else if (wrong.cause == NULL) {
+        wrong.cause = explain_order(job, call, found);
     }
     return wrong;
 }

@@ -11,6 +11,25 @@ static float entry_at_t_min(RootJob job, float t_near, float t_far)
     return job.radius > 0 && t_near >= job.t_min ? t_near : t_far > job.t_min ? t_far : INFINITY;
 }
 
+// More than what lies closest beyond t_min among the inputs, and less than all else.
+static float hair_beyond(RootJob job)
+{
+    return job.t_min + 1e-5f * fmaxf(job.t_min, 1);
+}
+
+static float beyond_by_hair(RootJob job, float t_near, float t_far)
+{
+    const float limit = hair_beyond(job);
+    return job.radius > 0 && t_near > limit ? t_near : t_far > limit ? t_far : INFINITY;
+}
+
+static float entry_by_hair(RootJob job, float t_near, float t_far)
+{
+    return job.radius > 0 && t_near > hair_beyond(job) ? t_near
+           : t_far > job.t_min                         ? t_far
+                                                       : INFINITY;
+}
+
 static float exit_unasked(RootJob job, float t_near, float t_far)
 {
     return job.radius > 0 && t_near > job.t_min ? t_near : t_far;
@@ -92,6 +111,8 @@ const RootMistake root_mistakes_05[N_ROOT_MISTAKES] = {
     {{.says = "t_min is the ray's, and need not be 0"}, .rules = {.t_min_zero = 1}},
     {{.says = "t_min itself does not count"}, .t_min_counts = 1},
     {{.says = "an entry at t_min itself does not count"}, .root = entry_at_t_min},
+    {{.says = "a hit beyond t_min by however little counts: no epsilon"}, .root = beyond_by_hair},
+    {{.says = "an entry beyond t_min by however little counts: no epsilon"}, .root = entry_by_hair},
     {{.says = "the exit counts beyond t_min only, too"}, .root = exit_unasked},
     {{.says = "from inside the hit is where the ray leaves the sphere, not t_min"},
      .root = part_begins},

@@ -36,7 +36,7 @@ typedef struct RootMistake {
 } RootMistake;
 
 // Number 0 is none.
-enum { N_ROOT_MISTAKES = 27 };
+enum { N_ROOT_MISTAKES = 29 };
 extern const RootMistake root_mistakes_05[N_ROOT_MISTAKES];
 
 #endif

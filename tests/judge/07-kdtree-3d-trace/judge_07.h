@@ -22,8 +22,12 @@ enum {
     N_WAITING_INPUTS = 400,
     LEAF_MAX_SPHERES = 12,
     N_LEAVES = 2 * N_LEAF_INPUTS,
+    // One leaf of the first range is longer than 8 bits count, with ids and places beyond 16 bits.
+    N_LONG_LEAF = 300,
+    FIRST_LONG_ID = 1 << 16,
     // Before and behind each leaf's ids stands one more, which must not be asked.
-    N_LEAF_IDS = N_LEAVES * (LEAF_MAX_SPHERES + 2),
+    N_SHORT_LEAF_IDS = N_LEAVES * (LEAF_MAX_SPHERES + 2),
+    N_LEAF_IDS = FIRST_LONG_ID + N_LONG_LEAF + 2,
 };
 
 enum ClipRange { CLIP_FROM_OUTSIDE, CLIP_PART, CLIP_BESIDE, CLIP_ALONG, N_CLIP_RANGES };

@@ -157,8 +157,8 @@ static const struct {
 };
 enum {
     N_LEAF_EDGES = COUNT(leaf_edges),
-    OTHER_LEAFS_SPHERE = N_LEAF_IDS - 1,
-    // At the end of the array, where no drawn leaf's spheres are.
+    OTHER_LEAFS_SPHERE = N_SHORT_LEAF_IDS - 1,
+    // Where no drawn leaf's spheres are.
     FIRST_EDGE_SPHERE = OTHER_LEAFS_SPHERE - 2 * N_LEAF_EDGES,
 };
 
@@ -193,6 +193,25 @@ static void set_leaf(Inputs07 *inputs, int i, int edge)
                                                           : id};
 }
 
+// Of the spheres of a long leaf, all on one line, the last one is the nearest.
+static void set_long_leaf(Inputs07 *inputs, int i)
+{
+    const u32 guard = inputs->leaf_ids[i * (LEAF_MAX_SPHERES + 2)];
+    u32 *ids = inputs->leaf_ids + FIRST_LONG_ID;
+    ids[0] = ids[N_LONG_LEAF + 1] = guard;
+    for (u32 k = 0; k < N_LONG_LEAF; k++) {
+        const float distance = k + 1 < N_LONG_LEAF ? 8 + (float)k : 4;
+        ids[k + 1] = FIRST_LONG_ID + k;
+        inputs->leaf_spheres[FIRST_LONG_ID + k] = (Sphere){0, distance, 0, 0.25f};
+    }
+    inputs->leaf_spheres[guard] = (Sphere){0, 0, 0, GUARD_RADIUS};
+    inputs->leaves[i] = (SearchJob){
+        .node = {.split_axis = KD_LEAF, .first = FIRST_LONG_ID + 1, .n_spheres = N_LONG_LEAF},
+        .direction = {0, 1, 0},
+        .t = INFINITY,
+        .sphere = ORACLE_NO_SPHERE};
+}
+
 // ---- next_child ---------------------------------------------------------------------------------
 
 // Both children are met, by our rules and by those of the stand-ins (tests/stand_ins), and one
@@ -224,4 +243,5 @@ void inputs_07_set_edges(Inputs07 *inputs)
         set_leaf(inputs, N_LEAF_INPUTS - N_LEAF_EDGES + edge, edge);
         set_leaf(inputs, N_LEAVES - N_LEAF_EDGES + edge, edge);
     }
+    set_long_leaf(inputs, N_LEAF_INPUTS - N_LEAF_EDGES - 1);
 }

@@ -236,7 +236,7 @@ enum { N_PLACES = 48, N_COPIES = 24, FIRST_GUARD = N_PLACES + N_COPIES };
 
 static void draw_leaf_spheres(Random *random, Sphere *spheres)
 {
-    for (int i = 0; i < N_LEAF_IDS; i++) {
+    for (int i = 0; i < N_SHORT_LEAF_IDS; i++) {
         const Vec3 centre = random_point(random, 1);
         spheres[i] = (Sphere){centre.x, centre.y, centre.z, random_number(random, 0.125, 0.5)};
         spheres[i].radius *= one_in(random, 6) ? -1 : 1;
@@ -299,7 +299,7 @@ static SearchJob draw_leaf(Random *random, Inputs07 *inputs, int i)
     job.direction = vec3_dot(way, way) < 0.0625f ? unit_vector(random) : vec3_normalized(way);
     if (one_in(random, 2)) {
         job.t = random_number(random, 0.25, 5);
-        job.sphere = (u32)random_integer(random, FIRST_GUARD + N_LEAVES, N_LEAF_IDS - 1);
+        job.sphere = (u32)random_integer(random, FIRST_GUARD + N_LEAVES, N_SHORT_LEAF_IDS - 1);
     }
     if (i >= N_LEAF_INPUTS && i % 4 == 0) {
         draw_tie(random, sphere, &job);

@@ -181,8 +181,8 @@ static LeafHit expected_hit(const Inputs07 *inputs, int i, const LeafMistake *mi
     const u32 *ids = inputs->leaf_ids + job->node.first;
     const OracleRay ray = oracle3d_given_ray(job->origin, job->direction, 0);
     const OracleRules3D rules = mistake ? mistake->rules : right;
-    Sphere spheres[LEAF_MAX_SPHERES + 1];
-    u32 positions[LEAF_MAX_SPHERES + 1] = {0}, n_spheres = 0;
+    Sphere spheres[N_LONG_LEAF + 1];
+    u32 positions[N_LONG_LEAF + 1] = {0}, n_spheres = 0;
     for (u32 at = 0; at <= job->node.n_spheres; at++) {
         const Sphere sphere = inputs->leaf_spheres[ids[at]];
         const int is_guard = at == job->node.n_spheres;
@@ -228,7 +228,7 @@ static int agrees(const LeafHit *expected, SearchAnswer found)
 // What all wrong answers of a range have to do with, when it is one thing.
 static Cause explain_by_distance(const Inputs07 *inputs, Range range, const SearchAnswer *found)
 {
-    int n_close = 0, n_far = 0, n_hairs = 0, n_misses = 0, n_wrong = 0;
+    int n_close = 0, n_far = 0, n_hairs = 0, n_misses = 0, n_long = 0, n_wrong = 0;
     for (int i = range.first; i < range.first + range.n; i++) {
         const LeafHit right_one = expected_hit(inputs, i, NULL);
         if (agrees(&right_one, found[i])) {
@@ -240,10 +240,13 @@ static Cause explain_by_distance(const Inputs07 *inputs, Range range, const Sear
         n_hairs += found[i].sphere != right_one.sphere && found[i].t != (float)right_one.t &&
                    fabs(found[i].t - right_one.t) < HAIR;
         n_misses += right_one.sphere == ORACLE_NO_SPHERE && found[i].t == INFINITY;
+        n_long += inputs->leaves[i].node.n_spheres == N_LONG_LEAF;
     }
     const char *says =
         n_misses == n_wrong  ? "a miss was taken for a hit: its t is INFINITY, as that of no hit "
                                "so far, and that is no tie"
+        : n_long == n_wrong  ? "only the longest leaf is wrong: all of its spheres count, and "
+                               "neither 8 bits hold how many they are nor 16 bits where they stand"
         : n_hairs == n_wrong ? "of two hits a hair apart the nearer one is the nearer: compare "
                                "without an epsilon"
         : n_close == n_wrong ? "only hits very close to the eye are wrong: they count, too, "

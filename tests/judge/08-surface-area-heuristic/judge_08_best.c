@@ -36,6 +36,9 @@ static const BestMistake best_mistakes[] = {
     {{.says = "a negative radius counts as its absolute value"}, {.signed_radius = 1}},
     {{.says = "the first plane is not asked"}, {.without_first = 1}},
     {{.says = "the last plane is not asked"}, {.without_last = 1}},
+    {{.says = "the cheapest of all three axes counts, not of the last one"}, {.last_axis = 1}},
+    {{.says = "a sphere over the plane is in both children: the higher one has more than the rest"},
+     {.rest_is_higher = 1}},
     {{.says = "the node's spheres are those that its ids name"}, {.all_spheres_id = 1}},
 };
 

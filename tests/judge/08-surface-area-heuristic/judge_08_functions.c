@@ -70,6 +70,14 @@ static const SahMistake cost_mistakes[] = {
     {{.says = "the two constants stand in each other's place"}, {.constants_swapped = 1}},
     {{.says = "that is not divided by the area of the cell itself"}, {.no_division = 1}},
     {{.says = "each child's area goes with the other one's spheres"}, {.counts_swapped = 1}},
+    {{.says = "the two probabilities do not add up to 1: a ray may meet both children"},
+     {.shares_of_sum = 1}},
+    {{.says = "a ray that meets both children pays for both: nothing is taken off"},
+     {.no_both = 1}},
+    {{.says = "KD_COST_TRAVERSAL is added: what is expected multiplies KD_COST_TEST alone"},
+     {.all_multiplied = 1}},
+    {{.says = "KD_COST_TEST multiplies the tests of both children, not of the lower one alone"},
+     {.lower_tests = 1}},
     {{.says = "the higher child is missing"}, {.lower_only = 1}},
     {{.says = "the lower child is missing"}, {.higher_only = 1}},
 };
@@ -143,7 +151,7 @@ static const LeafMistake leaf_mistakes[] = {
     {{.says = "a split that costs as much as the leaf gains nothing"}, .equal_is_split = 1},
     {{.says = "maxDepth is not looked at"}, .no_depth = 1},
     {{.says = "targetElementsPerNode is not looked at"}, .no_target = 1},
-    {{.says = "the cost is not looked at"}, .no_cost = 1},
+    {{.says = "the cost does not end the splitting by itself, as it should"}, .no_cost = 1},
     {{.says = "a leaf chooses no child: KD_COST_TRAVERSAL is in the split's cost alone, and stays "
               "there"},
      .leaf_steps = 1},

@@ -65,12 +65,25 @@ static BBox3D draw_box(Random *random, int i)
 
 // ---- split_cost ---------------------------------------------------------------------------------
 
+// The same, as if each unit were 256.
+static BBox3D smaller_cell(BBox3D cell)
+{
+    for (int axis = 0; axis < 3; axis++) {
+        cell.min[axis] /= 256;
+        cell.max[axis] /= 256;
+    }
+    return cell;
+}
+
 static CostJob draw_cost(Random *random, int i)
 {
     if (i == N_COSTS - 1) {  // more spheres than 32 bits hold the sum of
         return (CostJob){{{0, 0, 0}, {64, 32, 32}}, 0, 16, 3000000000, 3000000000};
     }
     CostJob job = {.box = draw_cell(random)};
+    if (i < N_PLANES && i % 3 == 0) {  // areas that are no whole numbers
+        job.box = smaller_cell(job.box);
+    }
     job.axis = (u32)random_integer(random, 0, 2);
     job.n_lower = (u32)random_integer(random, 1, 60);
     job.n_higher = (u32)random_integer(random, 1, 60);
@@ -270,15 +283,18 @@ static void draw_best(Random *random, Job08 *job, int i)
 
 // ---- is_leaf_by_cost ----------------------------------------------------------------------------
 
-// No spheres, one, many; a split that costs nothing, and one that is none.
+// No spheres, one, many, more than 31 bits count; a split that costs nothing, one that costs a bit
+// more than the leaf, and one that is none.
 static const LeafCostJob odd_nodes[] = {
     {1, 0, 0, 20, 1},
     {1, 1, 0, 20, 1},
     {1, 2, 1, 20, 1},
     {1, 2, 0.875, 20, 1},
+    {1, 2, 1.5, 20, 1},
     {1, 4000000, 1999999, 20, 1},
     {1, 4000000, 2000000, 20, 1},
     {1, 4000000, 2000001, 20, 1},
+    {1, 3000000000, 1000000, 20, 1},
     {1, 50, INFINITY, 20, 1},
     {20, 50, 1, 20, 1},
     {19, 50, 1, 20, 1},

@@ -59,7 +59,14 @@ double sah_cost(CostJob split, const SahRules *rules)
     const double n_higher = rules->counts_swapped ? split.n_lower : split.n_higher;
     double n_expected = rules->higher_only ? 0 : sah_size(lower, rules->measure) * n_lower;
     n_expected += rules->lower_only ? 0 : sah_size(higher, rules->measure) * n_higher;
-    n_expected /= rules->no_division ? 1 : sah_size(split.box, rules->measure);
+    const double all = sah_size(split.box, rules->measure);
+    const double both = sah_size(lower, rules->measure) + sah_size(higher, rules->measure) - all;
+    n_expected += rules->lower_tests ? sah_size(higher, rules->measure) * n_higher : 0;
+    n_expected -= rules->no_both ? both * n_lower : 0;
+    n_expected /= rules->no_division ? 1 : rules->shares_of_sum ? all + both : all;
+    if (rules->all_multiplied) {
+        return (SAH_TRAVERSAL + SAH_TEST) * n_expected;
+    }
     const double traversal = rules->constants_swapped ? SAH_TEST : SAH_TRAVERSAL;
     const double test = rules->constants_swapped ? SAH_TRAVERSAL : rules->no_test ? 1 : SAH_TEST;
     return (rules->no_traversal ? 0 : traversal) + test * n_expected;
@@ -115,7 +122,7 @@ SahPlane sah_weigh(const SahNode *node, u32 axis, int i, const SahRules *rules)
         const Sides sides = sides_of(node->spheres[id], axis, pos, rules);
         const int is_sure = node->may_lack == NULL || !node->may_lack[j];
         split.n_lower += (u32)sides.is_lower;
-        split.n_higher += (u32)sides.is_higher;
+        split.n_higher += (u32)(rules->rest_is_higher ? !sides.is_lower : sides.is_higher);
         least.n_lower += (u32)(sides.must_lower && is_sure);
         least.n_higher += (u32)(sides.must_higher && is_sure);
         most.n_lower += (u32)sides.may_lower;
@@ -155,6 +162,9 @@ SahPlane sah_best(const SahNode *node, const SahRules *rules)
                                 (rules->no_y && axis == 1) || (rules->no_z && axis == 2);
         const int first = rules->without_first ? 2 : 1;
         const int end = rules->without_last ? SAH_BINS - 1 : SAH_BINS;
+        if (rules->last_axis) {
+            best = (SahPlane){.cost = INFINITY, .least = INFINITY, .most = INFINITY};
+        }
         for (int i = is_left_out ? end : first; i < end; i++) {
             const SahPlane plane = sah_weigh(node, axis, i, rules);
             const double least = fmin(best.least, plane.least);

@@ -42,7 +42,11 @@ typedef struct SahRules {
     int counts_swapped;     // each child has the other one's spheres
     int lower_only;         // the higher child costs nothing
     int higher_only;
-    int is_stand_in;  // split_cost() of tests/stand_ins
+    int shares_of_sum;   // the probabilities are shares of the children's sum
+    int no_both;         // and of what meets both, one child is spared
+    int all_multiplied;  // both constants multiply what is expected
+    int lower_tests;     // a test in the higher child costs 1
+    int is_stand_in;     // split_cost() of tests/stand_ins
     // The best of all planes.
     int last_of_equals;
     int longest_only;  // only planes across the longest side, the first of equal ones
@@ -54,6 +58,8 @@ typedef struct SahRules {
     int signed_radius;   // a negative radius turns the range round
     int without_first;   // the first plane is not asked
     int without_last;    // nor the last one
+    int last_axis;       // each axis begins anew
+    int rest_is_higher;  // who is not in the lower child is in the higher one, and nobody else
     int all_spheres_id;  // sphere i of the array for sphere ids[i]
 } SahRules;
 

@@ -22,12 +22,18 @@ enum {
     N_BLOCKS = 2 * N_BLOCK_INPUTS,
     N_LITS = 3 * N_LIT_INPUTS,
     BLOCK_MAX_SPHERES = 8,
-    // The last leaf of the first range is longer than 8 bits count, and its last sphere blocks.
+    // The last leaf of the first range is longer than 8 bits count, and its last sphere blocks. Its
+    // ids and their places are beyond 16 bits; what these hold of them is nobody's.
     LONG_LEAF = N_BLOCK_INPUTS - 1,
     N_LONG_LEAF = 300,
+    FIRST_LONG_ID = 5 << 14,
+    N_BLOCK_ENDS = 6,  // the last leaves of the second range: a hit at the end itself, or just not
     // Before and behind each leaf's ids stands one more, which must not be asked.
-    N_BLOCK_IDS = N_BLOCKS * (BLOCK_MAX_SPHERES + 2) + N_LONG_LEAF + 2,
-    N_LIT_LIGHTS = 320,
+    N_SHORT_BLOCK_IDS = N_BLOCKS * (BLOCK_MAX_SPHERES + 2),
+    N_BLOCK_IDS = FIRST_LONG_ID + N_LONG_LEAF + 2,
+    N_DRAWN_LIGHTS = 320,
+    N_GRAZING_LITS = 2,  // the last ones with one light before the surface, or none
+    N_LIT_LIGHTS = N_DRAWN_LIGHTS + N_GRAZING_LITS + 1,
     N_EDGE_LITS = 8,          // the last ones of several lights: none, and many
     MOST_ALONE_LIGHTS = 4,    // of one input of lit_color that is tried alone,
     MANY_ALONE_LIGHTS = 300,  // and of the last one
@@ -35,6 +41,11 @@ enum {
 
 // How much larger or smaller than usual an input is: a power of two from 2^-20 to 2^20.
 float random_power_09(Random *random);
+
+// Let light graze the surface of a job whose point and material are set: the number k says how
+// little. It is as bright as that needs to be seen.
+//   axis   along which it comes
+void lit_09_set_grazing(LitJob *job, Light *light, int k, int axis);
 
 extern const Function start_09, mirror_09, ray_origin_09, ray_direction_09, ray_end_09;
 extern const Function block_09, block_early_09;
@@ -52,8 +63,8 @@ enum {
     MIRRORS = LOCAL + N_LOCAL,  // one or two
     N_MIRRORS = 5,
     ENDS = MIRRORS + N_MIRRORS,  // up to five, cut-offs, ks of 0 and 1
-    N_ENDS = 9,
-    BACKGROUNDS = ENDS + N_ENDS,  // nothing has light of its own
+    N_ENDS = 10,
+    BACKGROUNDS = ENDS + N_ENDS,  // next to nothing has light of its own
     N_BACKGROUNDS = 3,
     N_SCENES = BACKGROUNDS + N_BACKGROUNDS,
 };

@@ -77,6 +77,10 @@ void alone_09_draw(Random *random, Job09 *job)
     for (int i = 0; i < N_LITS; i++) {
         draw_input(random, job, i);
     }
+    for (int k = 0; k < N_GRAZING_LITS; k++) {
+        LitJob *lit = &job->alone_lits[2 * N_LIT_INPUTS - 1 - k];
+        lit_09_set_grazing(lit, &job->alone_lights[lit->first_light], k, k);
+    }
 }
 
 // A tree of one leaf.

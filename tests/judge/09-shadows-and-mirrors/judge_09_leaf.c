@@ -121,7 +121,10 @@ static void draw_block(Random *random, int i, Job09 *job)
 static void draw_long_leaf(Random *random, Job09 *job)
 {
     const Frame frame = draw_frame(random, 0);
-    const u32 before = N_BLOCKS * (BLOCK_MAX_SPHERES + 2), end = before + N_LONG_LEAF + 1;
+    const u32 before = FIRST_LONG_ID, end = before + N_LONG_LEAF + 1;
+    for (u32 at = N_SHORT_BLOCK_IDS; at < before; at++) {
+        job->block_ids[at] = N_SHORT_BLOCK_IDS;
+    }
     job->blocks[LONG_LEAF] = (BlockJob){
         {0, KD_LEAF, before + 1, N_LONG_LEAF}, frame.origin, frame.direction, frame.t_max};
     for (u32 at = before; at <= end; at++) {
@@ -134,12 +137,41 @@ static void draw_long_leaf(Random *random, Job09 *job)
     }
 }
 
+// A ray along an axis through the middle of a sphere, whose near side is where the ray ends, or the
+// least before that. All numbers are whole: what is rounded, the sphere's root, is too little to
+// show so far away.
+static void set_end(Job09 *job, int k)
+{
+    const int i = N_BLOCKS - N_BLOCK_ENDS + k, axis = k % 3, is_before = k >= N_BLOCK_ENDS / 2;
+    const float t = 64, way = k % 2 == 0 ? 1 : -1;
+    const Vec3 direction = {axis == 0 ? way : 0, axis == 1 ? way : 0, axis == 2 ? way : 0};
+    const u32 before = (u32)i * (BLOCK_MAX_SPHERES + 2);
+    for (u32 at = before; at < before + 3; at++) {
+        const Vec3 centre = vec3_scaled(direction, at == before + 1 ? t + 1 : t / 2);
+        const u32 id = 2 * before + 2 - at;
+        job->block_ids[at] = id;
+        job->block_spheres[id] = (Sphere){centre.x, centre.y, centre.z, 1};
+    }
+    job->blocks[i] = (BlockJob){
+        {0, KD_LEAF, before + 1, 1}, {0, 0, 0}, direction, is_before ? nextafterf(t, INFINITY) : t};
+}
+
+// Is it one of these, or one that is as exact?
+static int is_exact(const BlockJob *in)
+{
+    const Vec3 d = in->direction;
+    return (d.x == 0) + (d.y == 0) + (d.z == 0) == 2;
+}
+
 void blocks_09_draw(Random *random, Job09 *job)
 {
     for (int i = 0; i < N_BLOCKS; i++) {
         draw_block(random, i, job);
     }
     draw_long_leaf(random, job);
+    for (int k = 0; k < N_BLOCK_ENDS; k++) {
+        set_end(job, k);
+    }
 }
 
 // ---- What blocks --------------------------------------------------------------------------------
@@ -158,6 +190,8 @@ typedef struct BlockMistake {
     int from_start;      // the first ids of the tree are asked
     int one_more;        // the one behind the leaf is asked, too
     int skips_first;     // of the leaf
+    int at_end;          // a hit at t_max itself counts
+    int misses_long;     // the longest leaf blocks nothing
     double start, end;   // hits so near to them, as a share of t_max, do not count
 } BlockMistake;
 
@@ -179,6 +213,10 @@ static const BlockMistake mistakes[] = {
      .from_start = 1},
     {{.says = "one sphere too many was asked, the one behind the end of the leaf"}, .one_more = 1},
     {{.says = "the leaf's first sphere was not asked"}, .skips_first = 1},
+    {{.says = "a hit at the end itself blocks nothing: it counts when t < t_max"}, .at_end = 1},
+    {{.says = "only the longest leaf is wrong: all of its spheres count, and neither 8 bits hold "
+              "how many they are nor 16 bits where they stand"},
+     .misses_long = 1},
     {{.says = "hits very near to the start of the ray count, too, without an epsilon"},
      .start = 1.5 * HAIR},
     {{.says = "hits very near to the end of the ray count, too, without an epsilon"},
@@ -209,6 +247,9 @@ static Blocks sphere_blocks(const Job09 *job, const BlockJob *in, u32 at,
     }
     const double start = mistake->start * in->t_max;
     const double end = mistake->any_distance ? INFINITY : in->t_max * (1 - mistake->end);
+    if (root.is_possible && is_exact(in)) {
+        return root.t < end || (mistake->at_end && root.t == end) ? YES : NO;
+    }
     if (!root.is_possible || root.t_low >= end || root.t_high < start) {
         return NO;
     }
@@ -218,7 +259,7 @@ static Blocks sphere_blocks(const Job09 *job, const BlockJob *in, u32 at,
 static Blocks leaf_blocks(const Job09 *job, int i, const BlockMistake *mistake)
 {
     const BlockJob *in = &job->blocks[i];
-    const u32 n = in->node.n_spheres;
+    const u32 n = mistake->misses_long && i == LONG_LEAF ? 0 : in->node.n_spheres;
     const u32 start = mistake->from_start ? 0 : in->node.first;
     const u32 skipped = mistake->skips_first ? 1 : mistake->last_decides && n > 0 ? n - 1 : 0;
     const u32 end = mistake->first_only && n > 1 ? 1 : n + (mistake->one_more ? 1 : 0);

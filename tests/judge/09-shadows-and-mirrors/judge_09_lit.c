@@ -57,6 +57,30 @@ static void set_edge(const Light *lights, LitJob *job, i32 n_lights)
     }
 }
 
+static Vec3 along(int axis, float x)
+{
+    return (Vec3){axis == 0 ? x : 0, axis == 1 ? x : 0, axis == 2 ? x : 0};
+}
+
+void lit_09_set_grazing(LitJob *job, Light *light, int k, int axis)
+{
+    const float cosine = k == 0 ? 0x1p-12f : 0x1p-17f;
+    job->n_lights = 1;
+    job->material.kd = 1;
+    job->normal = vec3_minus(along((axis + 1) % 3, 1), along(axis, -cosine));
+    light->position = vec3_minus(job->point, along(axis, -4));
+    light->color = vec3_scaled((Vec3){1, 0.5f, 0.25f}, 1 / cosine);
+}
+
+// Beside the scene, where nothing stands between.
+static void set_grazing(Job09 *job, int k)
+{
+    LitJob *lit = &job->lits[2 * N_LIT_INPUTS - 1 - k];
+    lit->first_light = N_DRAWN_LIGHTS + k;
+    lit->point = (Vec3){0, 0, 6};
+    lit_09_set_grazing(lit, &job->lit_lights[lit->first_light], k, k);
+}
+
 // One light before the surface; all of them behind it; several, on either side. Of the second kind
 // one in four has its light before it: who adds no light at all is not right there.
 static LitJob draw_lit(Random *random, int i, const JobScene3D *scene, const Light *lights)
@@ -70,7 +94,7 @@ static LitJob draw_lit(Random *random, int i, const JobScene3D *scene, const Lig
     do {
         draw_point(random, &scene->scene, &job);
         job.n_lights = is_lit ? 1 : (i32)random_integer(random, is_dark ? 1 : 2, 5);
-        job.first_light = (i32)random_integer(random, 0, N_LIT_LIGHTS - 6);
+        job.first_light = (i32)random_integer(random, 0, N_DRAWN_LIGHTS - 6);
     } while ((is_lit && count_before(&job, lights + job.first_light) != 1) ||
              (is_dark && count_before(&job, lights + job.first_light) != 0));
     return job;
@@ -85,6 +109,9 @@ void lits_09_draw(Random *random, Job09 *job)
     for (int i = 0; i < N_EDGE_LITS; i++) {
         set_edge(job->lit_lights, &job->lits[N_LITS - N_EDGE_LITS + i], edge_lights[i]);
     }
+    for (int k = 0; k < N_GRAZING_LITS; k++) {
+        set_grazing(job, k);
+    }
 }
 
 // ---- Judging ------------------------------------------------------------------------------------
@@ -93,6 +120,9 @@ typedef struct LitMistake {
     Cause cause;
     OracleMirrorRules rules;
 } LitMistake;
+
+#define GRAZING_LOST                                                                               \
+    "light that grazes the surface arrives, too: a cosine above 0 is enough, without an epsilon"
 
 static const LitMistake mistakes[] = {
     {.cause = {0}},
@@ -106,6 +136,12 @@ static const LitMistake mistakes[] = {
     {{.says = "behind a light that does not arrive no other one is asked"},
      {.dark_ends_lights = 1}},
     {{.says = "one light that does not arrive takes the others with it"}, {.one_dark_all_dark = 1}},
+    {{.says = GRAZING_LOST}, {.least_cosine = 0x1p-9}},
+    {{.says = GRAZING_LOST}, {.least_cosine = 0x1p-15}},
+    {{.says = "the lights' shares add up: they are not divided by how many there are"},
+     {.mean_of_lights = 1}},
+    {{.says = "light does not fall with the distance here: shade knows all that counts"},
+     {.light_falls = 1}},
     {{.says = "every light was added once for each light"}, {.each_adds_all = 1}},
 };
 

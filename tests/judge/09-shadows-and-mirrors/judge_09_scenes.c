@@ -134,6 +134,7 @@ static const RandomPlan end_plans[] = {
     {16, 0.375f, 0.75f, 1, 1, LIGHTS_OUTSIDE, EYE_OUTSIDE, {5, 2}, 2},
     {24, 0.25f, 0.5f, 0, 0, LIGHTS_OUTSIDE, EYE_OUTSIDE, {5, 2}, 5},
     {1, 1, 1, 0.75f, 0.875f, LIGHTS_OUTSIDE, EYE_IN_NEGATIVE, {5, 1}, 4},
+    {12, 0.375f, 0.75f, 1, 1, LIGHTS_OUTSIDE, EYE_OUTSIDE, {5, 2}, 2},  // see set_least_weight()
 };
 static const RoomPlan end_rooms[] = {
     {0.75f, 0.75f, 0.25f, 3},      {0.875f, 1, 0, 4}, {1, 0, 0, 5}, {0.0625f, 0.5f, 0.5f, 5},
@@ -172,13 +173,23 @@ static int draw_rooms(Random *random, const RoomPlan *plans, int n, MirrorScene 
     return result;
 }
 
-// Surfaces that scatter nothing, before a bright background.
+// Surfaces that scatter nothing, but for one material, before a bright background.
 static void empty_light(MirrorScene *scene)
 {
     Scene3D *s = &scene->base.scene;
     s->background = (Vec3){0.75f, 0.5f, 0.25f};
-    for (int i = 0; i < s->n_materials; i++) {
+    for (int i = 1; i < s->n_materials; i++) {
         s->materials[i].kd = 0;
+    }
+}
+
+// Mirrors of the least weight that is followed, before a background that shows in them.
+static void set_least_weight(MirrorScene *scene)
+{
+    Scene3D *s = &scene->base.scene;
+    s->background = (Vec3){64, 48, 32};
+    for (int i = 0; i < s->n_materials; i++) {
+        s->materials[i].ks = ORACLE_LEAST_WEIGHT;
     }
 }
 
@@ -194,6 +205,12 @@ static int draw_all(Random *random, MirrorScene scenes[N_SCENES])
     result |= draw_named(random, &scenes[BACKGROUNDS - 1], "inside", 3);
     result |= draw_each(random, background_plans, COUNT(background_plans), scenes + BACKGROUNDS);
     result |= draw_named(random, &scenes[N_SCENES - 1], "none", 2);
+    if (result == 0) {
+        // A distance that is small elsewhere is larger than all that is here.
+        job_scene3d_scale(&scenes[MIRRORS + COUNT(mirror_plans) - 1].base, 0x1p-24f,
+                          "made smaller than a millionth");
+        set_least_weight(&scenes[ENDS + COUNT(end_plans) - 1]);
+    }
     return result;
 }
 
@@ -219,8 +236,16 @@ static const Mistake09 mistakes[] = {
     {{.says = "drawn with one mirror less than allowed"}, {.more_bounces = -1}},
     {{.says = "drawn without the cut-off: light was followed that counts less than LEAST_WEIGHT"},
      {.no_cut_off = 1}},
+    {{.says = "drawn as if a weight of LEAST_WEIGHT itself were the end: it goes on"},
+     {.least_ends = 1}},
+    {{.says = "drawn as if mirrored rays hit nothing near: they start off the surface already, and "
+              "t_min stays as it is"},
+     {.mirrors_see_nothing = 1}},
     {{.says = "drawn as if the background counted in full, also over mirrors"},
      {.background_unweighted = 1}},
+    {{.says = "drawn as if what is not followed any more were the background: the ray ends there"},
+     {.rest_is_background = 1}},
+    {{.says = "cut at 1: light may be brighter than that"}, {.cut_at_one = 1}},
     {{.says = "drawn as if the background were black in mirrors"}, {.background_missing = 1}},
     {{.says = "drawn without ks: all light over mirrors counts in full"}, {.weight = WEIGHT_ONE}},
     {{.says = "drawn with ks of the last mirror only: over two of them the product counts"},

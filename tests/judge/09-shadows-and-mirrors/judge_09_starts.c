@@ -46,6 +46,8 @@ typedef struct StartMistake {
     Cause cause;
     double share;  // of the offset; 0 where it has another size
     double t, radius, point;
+    int is_largest;   // of the three, not their sum
+    int adds_all;     // of the point's coordinates
     double distance;  // the same everywhere
 } StartMistake;
 
@@ -57,6 +59,23 @@ static const StartMistake start_mistakes[] = {
      .t = 1,
      .radius = 1,
      .point = 1},
+    {.cause = {.says = "it was moved half as far as needed"},
+     .share = 0.5,
+     .t = 1,
+     .radius = 1,
+     .point = 1},
+    {.cause = {.says = "the sum of the three numbers counts, not the largest of them"},
+     .share = 1,
+     .t = 1,
+     .radius = 1,
+     .point = 1,
+     .is_largest = 1},
+    {.cause = {.says = "of the point's coordinates the largest counts, not their sum"},
+     .share = 1,
+     .t = 1,
+     .radius = 1,
+     .point = 1,
+     .adds_all = 1},
     {.cause = {.says = "t is missing in the sum"}, .share = 1, .radius = 1, .point = 1},
     {.cause = {.says = "the radius is missing in the sum"}, .share = 1, .t = 1, .point = 1},
     {.cause = {.says = "the point's coordinate is missing in the sum"},
@@ -87,9 +106,12 @@ static Moved moved(const StartJob *in, Vec3 found)
 // The sum that a mistake makes of the three numbers, times SURFACE_ERROR.
 static double offset_of(const StartJob *in, const StartMistake *mistake)
 {
+    const double t = mistake->t * in->t, radius = mistake->radius * fabs(in->radius);
+    const Vec3 p = in->point;
+    const double point =
+        mistake->point * (mistake->adds_all ? fabs(p.x) + fabs(p.y) + fabs(p.z) : largest_of(p));
     return mistake->share * 0x1p-18 *
-           (mistake->t * in->t + mistake->radius * fabs(in->radius) +
-            mistake->point * largest_of(in->point));
+           (mistake->is_largest ? fmax(t, fmax(radius, point)) : t + radius + point);
 }
 
 static int start_agrees(const void *pointer, int i, const void *answers, int mistake)

@@ -106,7 +106,8 @@ static Diagnosis judge_tiles(const JobScene3D *scene, const Work *found)
     if (must_ask && n_asked == 0) {
         return diagnosis_of(message_new("%s: found no tile that asks a sphere, but rays hit some",
                                         scene->picture.title),
-                            (Cause){.says = "work that is hidden cannot be counted"});
+                            (Cause){.says = "the search ends before it comes to a leaf that they "
+                                            "need, or its work is hidden and cannot be counted"});
     }
     if (n == 0) {
         return NOTHING_WRONG;

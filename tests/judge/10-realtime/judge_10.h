@@ -25,7 +25,7 @@ enum {
 };
 
 // Directions of one sign, of both, and an eye on the plane.
-enum PlaneRange10 { TILES_ONE_WAY, TILES_BOTH_WAYS, TILES_ON_PLANE };
+enum PlaneRange10 { TILES_ONE_WAY, TILES_BOTH_WAYS, TILES_ON_PLANE, N_PLANE_RANGES_10 };
 // Hit or missed by far, by a hair, and in strange places.
 enum ConeRange { CONES_CLEAR, CONES_HAIR, CONES_EDGES };
 

@@ -1,5 +1,5 @@
-// Lab 10's next_tile_child: its inputs, and what must come out. All numbers are quarters, so that
-// nothing is rounded: an answer is right or wrong to the bit.
+// Lab 10's next_tile_child: its inputs, and what must come out. All numbers are quarters, or
+// the least beside one, so that nothing is rounded: an answer is right or wrong to the bit.
 #include "judge_10.h"
 
 #include "job_stack.h"
@@ -41,6 +41,26 @@ static void draw_split(Random *random, TileChildJob *job, int meets_both)
     }
 }
 
+// The last of each range, in every job: the interval is the least beyond the part or before it, or
+// just not.
+static const TileChildJob child_edges[2][4] = {
+    {{.split_low = 0x1.000002p+2f, .split_high = 8, .at = {1, 2, 4}},
+     {.split_low = 0x1.000002p+2f, .split_high = INFINITY, .at = {1, 0, 4}},
+     {.split_low = 1, .split_high = 0x1.fffffep+0f, .at = {1, 2, 4}},
+     {.split_low = 0, .split_high = 0x1.fffffep+0f, .at = {1, 2, 4}}},
+    {{.split_low = 0x1.fffffep+1f, .split_high = 8, .at = {1, 2, 4}},
+     {.split_low = 4, .split_high = 8, .at = {1, 2, 4}},
+     {.split_low = 1, .split_high = 0x1.000002p+1f, .at = {1, 2, 4}},
+     {.split_low = 1, .split_high = 2, .at = {1, 2, 4}}},
+};
+
+static void set_child_edge(const TileChildJob *edge, TileChildJob *job)
+{
+    job->split_low = edge->split_low;
+    job->split_high = edge->split_high;
+    job->at = edge->at;
+}
+
 static TileChildJob draw_child(Random *random, int meets_both)
 {
     // Up to where one place is left.
@@ -63,6 +83,12 @@ void children_10_draw(Random *random, Job10 *job)
 {
     for (int i = 0; i < COUNT(job->children); i++) {
         job->children[i] = draw_child(random, i >= N_TILE_CHILD_INPUTS);
+    }
+    for (int range = 0; range < 2; range++) {
+        for (int i = 0; i < COUNT(child_edges[range]); i++) {
+            const int last = (range + 1) * N_TILE_CHILD_INPUTS - 1;
+            set_child_edge(&child_edges[range][i], &job->children[last - i]);
+        }
     }
 }
 
@@ -87,6 +113,11 @@ enum {
     CHILD_OTHER_ENDS,
     CHILD_NEAR_FOR_ANY,
     CHILD_IS_SIDE,
+    CHILD_NEAR_AT_T_MAX,
+    CHILD_FAR_AT_T_MIN,
+    CHILD_EPSILON,
+    CHILD_SIBLING_BY_BIT,
+    CHILD_FAR_ENDS,
 };
 static const Cause child_mistakes[] = {
     [CHILD_SWAPPED] = {.says = "that is as if near and far child were swapped"},
@@ -119,6 +150,16 @@ static const Cause child_mistakes[] = {
         {.says = "the near child's part ends beyond t_max: a part never grows on the way down"},
     [CHILD_ONE_AT_ENDS] = {.says = "where the plane is met exactly at t_min or t_max, both "
                                    "children are met"},
+    [CHILD_NEAR_AT_T_MAX] = {.says = "where the first ray meets the plane exactly at t_max, both "
+                                     "children are met"},
+    [CHILD_FAR_AT_T_MIN] = {.says = "where the last ray meets the plane exactly at t_min, both "
+                                    "children are met"},
+    [CHILD_EPSILON] = {.says = "beyond t_max and before t_min one child is enough, however near: "
+                               "without an epsilon"},
+    [CHILD_SIBLING_BY_BIT] = {.says = "the two children are node.first and node.first + 1, where "
+                                      "node.first is odd, too"},
+    [CHILD_FAR_ENDS] = {.says = "the far child's part ends at t_max: behind the plane the rays are "
+                                "in it up to there"},
     [CHILD_OTHER_ENDS] = {.says = "one child is enough only where that holds for every ray: the "
                                   "other end of the interval decides"},
     [CHILD_NEAR_FOR_ANY] = {.says = "where the interval reaches beyond t_max, some rays may still "
@@ -140,6 +181,9 @@ static u32 side_of(const TileChildJob *job, int mistake)
     return mistake == CHILD_LOWER_IS_NEAR ? 0 : mistake == CHILD_SWAPPED ? !side : side;
 }
 
+// More than the hairs of the edges, less than what is drawn.
+#define LEAST_STEP 0x1p-10f
+
 enum { NEAR_ONLY, FAR_ONLY, BOTH_CHILDREN };
 static int children_met(const TileChildJob *job, int mistake)
 {
@@ -147,10 +191,15 @@ static int children_met(const TileChildJob *job, int mistake)
     const int others = mistake == CHILD_OTHER_ENDS, ends = mistake == CHILD_ONE_AT_ENDS;
     const float beyond = others || mistake == CHILD_NEAR_FOR_ANY ? job->split_high : job->split_low;
     const float before = others ? job->split_low : job->split_high;
-    if (mistake != CHILD_FAR_ALWAYS_WAITS && (beyond > t_max || (ends && beyond == t_max))) {
+    const float hair = mistake == CHILD_EPSILON ? LEAST_STEP : 0;
+    const int near_at_end = ends || mistake == CHILD_NEAR_AT_T_MAX;
+    const int far_at_end = ends || mistake == CHILD_FAR_AT_T_MIN;
+    if (mistake != CHILD_FAR_ALWAYS_WAITS &&
+        (beyond > t_max + hair || (near_at_end && beyond == t_max))) {
         return NEAR_ONLY;
     }
-    if (mistake != CHILD_NEAR_NEVER_SKIPPED && (before < t_min || (ends && before == t_min))) {
+    if (mistake != CHILD_NEAR_NEVER_SKIPPED &&
+        (before < t_min - hair || (far_at_end && before == t_min))) {
         return mistake == CHILD_FAR_IS_NEAR ? NEAR_ONLY : FAR_ONLY;
     }
     return BOTH_CHILDREN;
@@ -163,20 +212,21 @@ static NextChildAnswer expected_child(const TileChildJob *job, int mistake)
     const float end = mistake == CHILD_NEAR_CUT_AT_LOW ? job->split_low : job->split_high;
     const float begin = mistake == CHILD_FAR_BEGINS_AT_HIGH ? job->split_high : job->split_low;
     const int met = children_met(job, mistake);
+    const u32 far = mistake == CHILD_SIBLING_BY_BIT ? (first + side) ^ 1 : first + !side;
     NextChildAnswer answer = {.todo = job->todo};
     if (met != BOTH_CHILDREN) {
-        answer.next = (StackEntry){first + (met == NEAR_ONLY ? side : !side), t_min, t_max};
+        answer.next = (StackEntry){met == NEAR_ONLY ? first + side : far, t_min, t_max};
         return answer;
     }
     StackEntry near_child = {first + side, t_min,
                              mistake == CHILD_NEAR_KEEPS_T_MAX ? t_max
                              : mistake == CHILD_NEAR_WIDENED   ? end
                                                                : fminf(t_max, end)};
-    StackEntry far_child = {first + !side,
+    StackEntry far_child = {far,
                             mistake == CHILD_FAR_KEEPS_T_MIN ? t_min
                             : mistake == CHILD_FAR_WIDENED   ? begin
                                                              : fmaxf(t_min, begin),
-                            t_max};
+                            mistake == CHILD_FAR_ENDS ? end : t_max};
     const int is_swapped = mistake == CHILD_NEAR_WAITS;
     answer.next = is_swapped ? far_child : near_child;
     if (mistake != CHILD_FAR_DROPPED) {
@@ -197,8 +247,8 @@ static char *describe_child(const void *pointer, int i, const void *answers)
 {
     const TileChildJob *job = &((const Job10 *)pointer)->children[i];
     const NextChildAnswer expected = expected_child(job, 0);
-    return message_new("children %u and %u, plane at %g, eye at %g, t_split [%g, %g], part [%g, "
-                       "%g]: found %s, expected %s",
+    return message_new("children %u and %u, plane at %g, eye at %g, t_split [%.9g, %.9g], part "
+                       "[%g, %g]: found %s, expected %s",
                        job->node.first, job->node.first + 1, job->node.split_pos, job->eye,
                        job->split_low, job->split_high, job->at.t_min, job->at.t_max,
                        next_child_words(&job->todo, (const NextChildAnswer *)answers + i).text,

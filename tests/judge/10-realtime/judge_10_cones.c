@@ -94,6 +94,10 @@ enum {
     CONE_DIAMETER,
     CONE_FROM_EYE,
     CONE_ONLY_BEHIND,
+    CONE_SQUARED,
+    CONE_BEHIND_MISSED,
+    CONE_BY_TANGENT,
+    CONE_UNIT_CENTRE,
 };
 static const Cause cone_mistakes[] = {
     [CONE_INVERTED] = {.says = "1 and 0 are swapped: 1 where every ray misses"},
@@ -111,6 +115,12 @@ static const Cause cone_mistakes[] = {
     [CONE_DIAMETER] = {.says = "spheres that the cone misses by less than twice the radius are "
                                "asked all the same"},
     [CONE_FROM_EYE] = {.says = "the centre's distance from the axis counts, not that from the eye"},
+    [CONE_SQUARED] = {.says = "squared, a centre inside of the border is as far as one outside: "
+                              "there the distance is negative"},
+    [CONE_BEHIND_MISSED] = {.says = "a sphere whose centre is behind the eye may reach before it"},
+    [CONE_BY_TANGENT] = {.says = "divided by the cosine, which may be negative: that turns the "
+                                 "comparison round"},
+    [CONE_UNIT_CENTRE] = {.says = "the centre was made a unit vector: its distance is lost"},
     [CONE_ONLY_BEHIND] = {.says = "only spheres whose centre is behind the eye are left out"},
 };
 
@@ -158,6 +168,14 @@ static double gap_of(const ConeJob *job, const ConeView *view, int mistake)
         return view->border - 2 * view->size;
     case CONE_FROM_EYE:
         return hypot(view->along, view->aside) * cosine - view->along * sine - view->size;
+    case CONE_SQUARED:
+        return fabs(view->border) - view->size;
+    case CONE_BEHIND_MISSED:
+        return view->along < 0 ? 1 : view->border - view->size;
+    case CONE_BY_TANGENT:
+        return cosine < 0 ? view->size - view->border : view->border - view->size;
+    case CONE_UNIT_CENTRE:
+        return view->border / hypot(view->along, view->aside) - view->size;
     case CONE_ONLY_BEHIND:
         return -view->along - view->size;
     default:

@@ -40,10 +40,31 @@ static TilePlaneJob draw_plane(Random *random, enum PlaneRange10 range)
     return job;
 }
 
+// The last of each range, in every job: directions far below any epsilon, and an eye that is the
+// least beside the plane.
+static const struct {
+    enum PlaneRange10 range;
+    TilePlaneJob job;
+} plane_edges[] = {
+    {TILES_ONE_WAY, {.plane = 1, .eye = 0, .low = 0x1p-30f, .high = 0x1p-29f}},
+    {TILES_ONE_WAY, {.plane = -1, .eye = 0, .low = -0x1p-100f, .high = -0x1p-101f}},
+    {TILES_BOTH_WAYS, {.plane = 1, .eye = 0, .low = -0x1p-30f, .high = 0x1p-30f}},
+    {TILES_BOTH_WAYS, {.plane = -1, .eye = 0, .low = -0x1p-100f, .high = 0.125f}},
+    {TILES_ON_PLANE, {.plane = 1, .eye = 0x1.000002p+0f, .low = -0.5f, .high = -0.25f}},
+    {TILES_ON_PLANE, {.plane = 1, .eye = 0x1.000002p+0f, .low = 0.25f, .high = 0.5f}},
+    {TILES_ON_PLANE, {.plane = 1, .eye = 0x1.fffffep-1f, .low = 0.25f, .high = 0.5f}},
+    {TILES_ON_PLANE, {.plane = 1, .eye = 0x1.fffffep-1f, .low = -0.5f, .high = -0.25f}},
+};
+
 void planes_10_draw(Random *random, Job10 *job)
 {
+    int n_set[N_PLANE_RANGES_10] = {0};
     for (int i = 0; i < COUNT(job->planes); i++) {
         job->planes[i] = draw_plane(random, (enum PlaneRange10)(i / N_TILE_PLANE_INPUTS));
+    }
+    for (int i = 0; i < COUNT(plane_edges); i++) {
+        const enum PlaneRange10 range = plane_edges[i].range;
+        job->planes[((int)range + 1) * N_TILE_PLANE_INPUTS - ++n_set[range]] = plane_edges[i].job;
     }
 }
 
@@ -62,6 +83,9 @@ enum {
     PLANE_FROM_0,
     PLANE_ONE_END,
     PLANE_NEVER_IS_LARGE,
+    PLANE_NEVER_FOR_ALL,
+    PLANE_EPSILON,
+    PLANE_EYE_NEAR,
 };
 static const Cause plane_mistakes[] = {
     [PLANE_ENDS_SWAPPED] = {.says = "the ends are swapped: the least distance is the first one"},
@@ -83,6 +107,12 @@ static const Cause plane_mistakes[] = {
     [PLANE_BACKWARDS] = {.says = "the way goes from the eye to the plane, not back"},
     [PLANE_FROM_0] = {.says = "the distance is computed without the eye"},
     [PLANE_ONE_END] = {.says = "both ends are the least distance"},
+    [PLANE_NEVER_FOR_ALL] = {.says = "where some rays never meet it, the others do all the same: "
+                                     "each end is asked by itself"},
+    [PLANE_EPSILON] = {.says = "no small number is 0: rays that go to the plane meet it, however "
+                               "slowly, without an epsilon"},
+    [PLANE_EYE_NEAR] = {.says = "an eye beside the plane is not on it, however near it is: "
+                                "without an epsilon"},
     [PLANE_NEVER_IS_LARGE] = {.says = "what is never met is at INFINITY, not at a large number"},
 };
 
@@ -90,13 +120,24 @@ typedef struct Ends {
     double low, high;
 } Ends;
 
+// Below that a direction, or the way to the plane, was taken for 0 by an epsilon.
+#define LEAST_DIRECTION 0x1p-20
+
+// Does the eye count to the lower side?
+static int is_lower_side(const TilePlaneJob *job, int mistake)
+{
+    const int is_near = fabs((double)job->plane - (double)job->eye) < LEAST_DIRECTION;
+    return job->eye < job->plane || (mistake == PLANE_EYE_NEAR && is_near) ||
+           (mistake != PLANE_EYE_IS_UPPER && job->eye == job->plane);
+}
+
 // Where a ray of this direction meets the plane.
 static double distance_of(const TilePlaneJob *job, double direction, int mistake)
 {
     const double way = (double)job->plane - (mistake == PLANE_FROM_0 ? 0 : (double)job->eye);
-    const int is_lower =
-        mistake == PLANE_EYE_IS_UPPER ? job->eye < job->plane : job->eye <= job->plane;
-    const int meets = is_lower ? direction > 0 : direction < 0;
+    const int is_lower = is_lower_side(job, mistake);
+    const int is_slow = mistake == PLANE_EPSILON && fabs(direction) < LEAST_DIRECTION;
+    const int meets = !is_slow && (is_lower ? direction > 0 : direction < 0);
     if (mistake == PLANE_EYE_NEVER && job->eye == job->plane) {
         return INFINITY;
     }
@@ -113,12 +154,14 @@ static Ends expected_ends(const TilePlaneJob *job, int mistake)
 {
     const double of_low = distance_of(job, job->low, mistake);
     const double of_high = distance_of(job, job->high, mistake);
-    const int is_lower =
-        mistake == PLANE_EYE_IS_UPPER ? job->eye < job->plane : job->eye <= job->plane;
+    const int is_lower = is_lower_side(job, mistake);
     const int high_first = mistake == PLANE_ENDS_OF_ONE_SIDE || is_lower;
     Ends ends = {high_first ? of_high : of_low, high_first ? of_low : of_high};
     const int both_ways = job->low < 0 && job->high > 0;
     if (mistake == PLANE_BOTH_WAYS_NEVER && both_ways) {
+        return (Ends){INFINITY, INFINITY};
+    }
+    if (mistake == PLANE_NEVER_FOR_ALL && (isinf(of_low) || isinf(of_high))) {
         return (Ends){INFINITY, INFINITY};
     }
     if (mistake == PLANE_BOTH_WAYS_ALWAYS && both_ways) {

@@ -1,9 +1,10 @@
-// Lab 10's next_tile_waiting: its inputs, and what must come out. All numbers are quarters, so that
-// nothing is rounded.
+// Lab 10's next_tile_waiting: its inputs, and what must come out. All numbers are quarters, or
+// the least beside one, so that nothing is rounded.
 #include "judge_10.h"
 
 #include "job_stack.h"
 #include "message.h"
+#include "random3d.h"
 #include "words.h"
 
 #include <math.h>
@@ -15,6 +16,8 @@
 static TileWaitingJob draw_waiting(Random *random)
 {
     TileWaitingJob job = {.at = {(u32)random_integer(random, 3, 1000), 1, 2}};
+    // The leaf's part may reach far beyond what waits.
+    job.at.t_max = one_in(random, 2) ? 2 : 100;
     const int is_empty = random_integer(random, 0, 5) == 0;
     const u32 n = is_empty ? 0 : (u32)random_integer(random, 1, STACK_ENTRIES);
     job.todo = random_stack(random, 0, n);
@@ -26,6 +29,9 @@ static TileWaitingJob draw_waiting(Random *random)
         job.farthest = INFINITY;
     } else if (kind == 2) {
         job.farthest = random_quarters(random, 1, 30);  // before all that waits
+    } else if (n > 0 && kind == 3) {                    // the least before where one begins
+        const StackEntry waits = job.todo.upper[random_integer(random, 0, (int)n - 1)];
+        job.farthest = nextafterf(waits.t_min, 0);
     }
     return job;
 }
@@ -54,13 +60,16 @@ enum {
     WAITING_STAYS,
     WAITING_ONE_LEFT,
     WAITING_TWO_ONLY,
+    WAITING_LEAF_ENDS,
+    WAITING_EPSILON,
+    WAITING_NO_HIT_ENDS,
 };
 static const Cause waiting_mistakes[] = {
     [WAITING_TOP_ENDS] = {.says = "the node on top begins behind every hit, but the one below it "
                                   "need not: parts of many rays overlap"},
     [WAITING_TAKES_TOP] =
-        {.says = "that is as if the hits did not matter: nodes that begin behind the farthest one "
-                 "are left out"},
+        {.says = "the search goes on into nodes that begin behind the farthest hit: they are left "
+                 "out, each of them"},
     [WAITING_ANY_HIT] = {.says = "that is as if the search ended as soon as every ray has a hit: "
                                  "what begins before the farthest may hold a nearer one"},
     [WAITING_INVERTED] = {.says = "the comparison with the farthest hit is inverted"},
@@ -79,8 +88,17 @@ static const Cause waiting_mistakes[] = {
                             "that is as if the node that waits longest came from the stack first"},
     [WAITING_STAYS] = {.says = "the node is not taken off the stack: it waits still"},
     [WAITING_ONE_LEFT] = {.says = "the search ended while one node was still waiting"},
+    [WAITING_LEAF_ENDS] = {.says = "that is lab 07's rule: a farthest hit inside of the leaf is no "
+                                   "end here, as parts of many rays overlap"},
+    [WAITING_EPSILON] = {.says = "a node that begins behind the farthest hit is left out, however "
+                                 "little behind: without an epsilon"},
+    [WAITING_NO_HIT_ENDS] = {.says = "that is as if the search ended while a ray has no hit yet: "
+                                     "INFINITY is farther than all that waits"},
     [WAITING_TWO_ONLY] = {.says = "more than one node in a row may be left out"},
 };
+
+// More than the least before a begin, less than a quarter.
+#define LEAST_STEP 0x1p-10f
 
 static int matters(const TileWaitingJob *job, StackEntry entry, int mistake)
 {
@@ -89,6 +107,7 @@ static int matters(const TileWaitingJob *job, StackEntry entry, int mistake)
            : mistake == WAITING_INVERTED    ? from > job->farthest
            : mistake == WAITING_NOT_AT_SAME ? from < job->farthest
            : mistake == WAITING_ANY_HIT     ? isinf(job->farthest)
+           : mistake == WAITING_EPSILON     ? from <= job->farthest + LEAST_STEP
                                             : from <= job->farthest;
 }
 
@@ -99,6 +118,10 @@ static NextWaitingAnswer expected_waiting(const TileWaitingJob *job, int mistake
     const int is_oldest = mistake == WAITING_OLDEST;
     const u32 left = mistake == WAITING_ONE_LEFT ? 1 : 0;
     StackEntry next = job->at;
+    if ((mistake == WAITING_LEAF_ENDS && job->farthest < job->at.t_max) ||
+        (mistake == WAITING_NO_HIT_ENDS && isinf(job->farthest))) {
+        return answer;
+    }
     for (u32 n_taken = 0; todo->n > left && !answer.goes_on; n_taken++) {
         next = is_oldest ? todo->upper[n_taken] : todo->upper[todo->n - 1];
         todo->n--;
@@ -154,7 +177,7 @@ static char *describe_waiting(const void *pointer, int i, const void *answers)
 {
     const TileWaitingJob *job = &((const Job10 *)pointer)->waiting[i];
     const NextWaitingAnswer expected = expected_waiting(job, 0);
-    return message_new("the farthest hit is at %g; %s waiting: found %s, expected %s",
+    return message_new("the farthest hit is at %.9g; %s waiting: found %s, expected %s",
                        job->farthest, stack_words(&job->todo).text,
                        next_waiting_words((const NextWaitingAnswer *)answers + i).text,
                        next_waiting_words(&expected).text);

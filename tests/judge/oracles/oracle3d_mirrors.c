@@ -19,7 +19,8 @@
 // 4. A light arrives for certain when no sphere may be hit before it, does not when one is hit for
 //    certain, up to the error of its distance. Else this light's share is added to the error.
 // 5. Light counts its weight, a product of exact numbers with a rounding of u each; so do errors.
-//    A weight within that of the least one makes the ray ambiguous.
+//    A product within that of the least weight makes the ray ambiguous. The ks of one mirror is
+//    no product, and exact.
 #include "oracle3d_mirrors.h"
 
 #include "oracle3d_deviation.h"
@@ -106,18 +107,26 @@ static Arrival turned_round(Arrival arrival)
     return arrival == ARRIVES ? IS_BLOCKED : arrival == IS_BLOCKED ? ARRIVES : IS_UNSURE;
 }
 
+// Is a light before the surface, but so little that an epsilon takes it for one behind it?
+static int is_flatter(OracleNear point, OracleNear normal, const Light *light, double least_cosine)
+{
+    const OracleVector way = vector_minus(vector_of(light->position), point.value);
+    return least_cosine > 0 && vector_dot(normal.value, way) < least_cosine * vector_length(way);
+}
+
 OracleNear oracle3d_lit(const Scene3D *scene, OracleNear point, OracleNear normal,
                         const Material *material, const Sphere *leaves,
                         const OracleMirrorRules *rules)
 {
     OracleNear color = {{0}, 0};
+    const OracleRules3D shading = {.light_falls = rules->light_falls};
     const int n_lights = rules->first_light_only && scene->n_lights > 1
                              ? 1
                              : scene->n_lights + (rules->one_light_more ? 1 : 0);
     int is_any_dark = 0;
     for (int i = 0; i < n_lights; i++) {
         const Light *light = &scene->lights[i];
-        const OracleNear own = oracle3d_shade(point, normal, material, light, 1, &right);
+        const OracleNear own = oracle3d_shade(point, normal, material, light, 1, &shading);
         const OracleNear share =
             rules->each_adds_all
                 ? oracle3d_shade(point, normal, material, scene->lights, scene->n_lights, &right)
@@ -127,7 +136,8 @@ OracleNear oracle3d_lit(const Scene3D *scene, OracleNear point, OracleNear norma
         Arrival arrival = rules->no_shadows || is_behind
                               ? ARRIVES
                               : arrival_of(scene, point, light, leaves, rules);
-        if (is_behind && rules->each_adds_all) {
+        if ((is_behind && rules->each_adds_all) ||
+            is_flatter(point, normal, light, rules->least_cosine)) {
             continue;
         }
         is_any_dark |= arrival != ARRIVES;
@@ -138,6 +148,9 @@ OracleNear oracle3d_lit(const Scene3D *scene, OracleNear point, OracleNear norma
             break;
         }
         add_light(&color, share, arrival);
+    }
+    if (rules->mean_of_lights && n_lights > 0) {
+        color = (OracleNear){vector_scaled(1.0 / n_lights, color.value), color.error};
     }
     // Each sum rounds.
     color.error += ROUNDING * scene->n_lights * vector_length(color.value);
@@ -327,7 +340,8 @@ OracleNear oracle3d_follow(const Scene3D *scene, OracleRay ray, int max_bounces,
         if (hit.is_ambiguous) {
             return ambiguous();
         }
-        if (hit.sphere == ORACLE_NO_SPHERE) {
+        if (hit.sphere == ORACLE_NO_SPHERE ||
+            (rules->mirrors_see_nothing && followed.n_bounces > 0)) {
             return with_background(scene, &followed, rules);
         }
         Surface at = surface_at(scene, &followed, &hit);
@@ -338,10 +352,13 @@ OracleNear oracle3d_follow(const Scene3D *scene, OracleRay ray, int max_bounces,
         followed.weight = next_weight(followed.weight, at.material, rules->weight);
         followed.last_ks = at.material->ks;
         const double beyond = followed.weight - ORACLE_LEAST_WEIGHT;
-        if (followed.n_bounces >= most || (beyond < 0 && !rules->no_cut_off)) {
-            return followed.color;
+        const int is_too_little = beyond < 0 || (beyond == 0 && rules->least_ends);
+        if (followed.n_bounces >= most || (is_too_little && !rules->no_cut_off)) {
+            return rules->rest_is_background ? with_background(scene, &followed, rules)
+                                             : followed.color;
         }
-        if (fabs(beyond) <= WEIGHT_ERROR * followed.weight ||
+        const double error = followed.n_bounces == 0 ? 0 : WEIGHT_ERROR * followed.weight;
+        if (fabs(beyond) < error ||
             !mirror(&followed, &at, &scene->spheres[hit.sphere], rules->turn)) {
             return ambiguous();
         }
@@ -356,7 +373,11 @@ void oracle3d_draw_mirrors(const Scene3D *scene, const Camera *camera, int max_b
             const size_t pixel = (size_t)y * (size_t)image->width + (size_t)x;
             const OracleRay ray =
                 oracle3d_primary_ray(camera, x, y, image->width, image->height, &right);
-            const OracleNear color = oracle3d_follow(scene, ray, max_bounces, rules);
+            OracleNear color = oracle3d_follow(scene, ray, max_bounces, rules);
+            if (rules->cut_at_one) {
+                color.value = (OracleVector){fmin(color.value.x, 1), fmin(color.value.y, 1),
+                                             fmin(color.value.z, 1)};
+            }
             const float channels[IMAGE_CHANNELS] = {(float)color.value.x, (float)color.value.y,
                                                     (float)color.value.z, 1};
             memcpy(image->pixels + pixel * IMAGE_CHANNELS, channels, sizeof channels);

@@ -43,16 +43,23 @@ typedef struct OracleMirrorRules {
     int one_light_more;         // the one behind the end of the array shines, too
     int dark_ends_lights;       // the first light that does not arrive is the last one asked
     int one_dark_all_dark;      // all lights arrive or none
+    double least_cosine;        // light that comes flatter gives nothing
+    int mean_of_lights;         // divided by their number
+    int light_falls;            // with the square of the distance
     int each_adds_all;          // a light that arrives adds the shares of all
     int more_bounces;           // 1: one mirror more than allowed; -1: one less
     int no_cut_off;             // weights below the least are followed
+    int least_ends;             // and the least weight itself is not
+    int mirrors_see_nothing;    // what is near to a mirror is not hit: t_min is too large
     int background_unweighted;  // counts in full over mirrors
     int background_missing;     // is not seen in mirrors
+    int rest_is_background;     // what is not followed any more is the background
+    int cut_at_one;             // no channel of the sum is above 1
     int stand_ins;              // as ray_color sees the stand-ins
 } OracleMirrorRules;
 
-// Weights below this are not followed: LEAST_WEIGHT of lab 09.
-#define ORACLE_LEAST_WEIGHT (0.5 / 255)
+// Weights below this are not followed: LEAST_WEIGHT of lab 09, a float.
+#define ORACLE_LEAST_WEIGHT ((float)(0.5 / 255))
 
 // How far off a surface new rays start, at least; a right solution may go twice as far.
 //   t, radius, point   of the hit: see leave_surface.cl of lab 09

@@ -1,7 +1,7 @@
 // mutant: the entry must be beyond t_min by an epsilon
 // task: nearest_root
 // caught by: root-t_min
-// says: found
+// says: no epsilon
     if (disc < 0.0f) {
         return INFINITY;
     }

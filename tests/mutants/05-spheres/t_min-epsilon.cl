@@ -1,7 +1,7 @@
 // mutant: a hit must lie well beyond t_min
 // task: nearest_root
 // caught by: root-t_min
-// says: found inf
+// says: no epsilon
     if (disc < 0.0f) {
         return INFINITY;
     }

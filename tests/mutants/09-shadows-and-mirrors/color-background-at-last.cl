@@ -1,7 +1,7 @@
 // mutant: the background is added at the last mirror, too
 // task: ray_color
 // caught by: color-local
-// says: expected
+// says: what is not followed
     float weight = 1.0f;
     for (int n_bounces = 0;; n_bounces++) {
         const Hit hit =

@@ -1,7 +1,7 @@
 // mutant: the hits do not matter
 // task: next_tile_waiting
 // caught by: waiting-end
-// says: hits did not matter
+// says: they are left out
     (void)farthest;
     if (todo->n == 0) {
         return 0;

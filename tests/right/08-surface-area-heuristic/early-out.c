@@ -3,7 +3,7 @@
     if (level >= limits.maxDepth) {
         return 1;
     }
-    if ((int)n_spheres <= limits.targetElementsPerNode) {
+    if (n_spheres <= (u32)limits.targetElementsPerNode) {
         return 1;
     }
     const double leaf_cost = n_spheres * KD_COST_TEST;

@@ -1,0 +1,22 @@
+// mutant: the higher child has who is not in the lower one
+// task: find_best_split
+// caught by: best-plane
+// says: in both children
+    for (u32 axis = 0; axis < 3; axis++) {
+        u32 n_begin[N_BINS + 1] = {0}, n_end[N_BINS + 1] = {0};
+        for (u32 i = 0; i < n_ids; i++) {
+            const Range range = sphere_range(h_spheres[ids[i]], axis);
+            n_begin[planes_below(box, axis, range.begin)]++;
+            n_end[planes_up_to(box, axis, range.end)]++;
+        }
+        u32 n_lower = 0, n_higher = n_ids;
+        for (int plane = 1; plane < N_BINS; plane++) {
+            n_lower += n_begin[plane - 1];
+            (void)n_higher, (void)n_end;
+            const KdSplit split = {axis, candidate_plane(box, axis, plane)};
+            const double cost = split_cost(box, split, n_lower, n_ids - n_lower);
+            if (cost < best.cost) {
+                best = (BestSplit){split, cost};
+            }
+        }
+    }
