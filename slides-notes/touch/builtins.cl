@@ -1,5 +1,5 @@
-// The functions of OpenCL C that the recorded kernels call, for a device of one work-item: here they
-// are compiled with the kernels, where a driver would bring them.
+// The functions of OpenCL C that the recorded kernels call, for a device of one work-item: here
+// they are compiled with the kernels, where a driver would bring them.
 //
 // Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: page_device.c.
 

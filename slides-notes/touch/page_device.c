@@ -1,8 +1,9 @@
-// A device in a page: OpenCL for the recorder of common/follow, with one work-item, and memory that is
-// the host's. The kernels are the labs' own, compiled beside this file; there is nothing to build.
+// A device in a page: OpenCL for the recorder of common/follow, with one work-item, and memory that
+// is the host's. The kernels are the labs' own, compiled beside this file; there is nothing to
+// build.
 //
-// It has the functions that common/follow and the labs' buffers call, and no others. Sizes and names are
-// the course's own and fit, so nothing is checked.
+// It has the functions that common/follow and the labs' buffers call, and no others. Sizes and
+// names are the course's own and fit, so nothing is checked.
 // Flow: scene -> BUFFERS -> KERNEL -> image -> comparison. Read next: builtins.cl, record.c.
 #include "camera.h"
 #include "cl_setup.h"

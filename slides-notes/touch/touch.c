@@ -1,6 +1,7 @@
 // What the page calls (see touch.h): one figure at a time, and text that comes back.
 //
-// Strings are handed over as addresses in the program's memory, zero at their end. Read next: touch.js.
+// Strings are handed over as addresses in the program's memory, zero at their end. Read next:
+// touch.js.
 #include "touch.h"
 
 #include <stdlib.h>

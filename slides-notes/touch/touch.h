@@ -1,8 +1,9 @@
-// Figures that can be touched: the course's own code, compiled to WebAssembly, in a page of the notes.
+// Figures that can be touched: the course's own code, compiled to WebAssembly, in a page of the
+// notes.
 //
-// A figure is a state (where the pixel or the ray is) and a number of steps. The page hands on what the
-// reader does, and shows the drawing and the words that come back; it computes nothing. Read next:
-// touch.c, then touch.js.
+// A figure is a state (where the pixel or the ray is) and a number of steps. The page hands on what
+// the reader does, and shows the drawing and the words that come back; it computes nothing. Read
+// next: touch.c, then touch.js.
 #ifndef TOUCH_H
 #define TOUCH_H
 

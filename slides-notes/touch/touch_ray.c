@@ -1,8 +1,8 @@
 // 07-search: the reader drags the ray of lab 07 or its eye, and sees node, t_split and todo stack.
 //
-// The scene is the worked example's, tests/scenes/worked.nff; the ray goes through the middle of a picture
-// of 3 x 3 pixels, so that turning the view turns it. The steps are those of lab 07's kernel, written down
-// by the recorder of common/follow. Read next: draw_search3d.c.
+// The scene is the worked example's, tests/scenes/worked.nff; the ray goes through the middle of a
+// picture of 3 x 3 pixels, so that turning the view turns it. The steps are those of lab 07's
+// kernel, written down by the recorder of common/follow. Read next: draw_search3d.c.
 #include "figures3d.h"
 #include "kdtree3d_build.h"
 #include "touch.h"

@@ -1,7 +1,7 @@
 // 03-search: the reader drags the pixel of lab 03, and sees the search for its leaf.
 //
-// Scene and tree are those of the still figure (tests/figures/figures2d.c); the steps are those of lab
-// 03's kernel, written down by the recorder of common/follow. Read next: draw_search.c.
+// Scene and tree are those of the still figure (tests/figures/figures2d.c); the steps are those of
+// lab 03's kernel, written down by the recorder of common/follow. Read next: draw_search.c.
 #include "figures2d.h"
 #include "kdtree2d_build.h"
 #include "touch.h"

@@ -1,5 +1,6 @@
 // 03-search.svg: the search for a pixel's leaf in the plane and in the tree beside it. The notes
-// show its last step; in a browser a reader drags the pixel and takes the steps (slides-notes/touch).
+// show its last step; in a browser a reader drags the pixel and takes the steps
+// (slides-notes/touch).
 #include "figures2d.h"
 
 #include <string.h>
@@ -104,16 +105,14 @@ static void plane_draw(FILE *file, const Followed *followed, u32 step)
 static void tree_draw(FILE *file, const Followed *followed, u32 step)
 {
     const KdTree2D *tree = followed->world->kind->data(followed->world).tree2d;
-    const Step *from = NULL;
-    for (u32 i = 0; i <= step; i++) {
+    const Step *from = followed_step(&followed->own, 0);
+    for (u32 i = 1; i <= step; i++) {
         const Step *to = followed_step(&followed->own, i);
         if (to->kind > STEP_LEAF) {
             break;
         }
-        if (from != NULL) {
-            svg_line(file, tree2d_x(from->id), tree2d_y(from->id), tree2d_x(to->id),
-                     tree2d_y(to->id), "stroke=\"" SVG_ORANGE "\" stroke-width=\"9\"");
-        }
+        svg_line(file, tree2d_x(from->id), tree2d_y(from->id), tree2d_x(to->id), tree2d_y(to->id),
+                 "stroke=\"" SVG_ORANGE "\" stroke-width=\"9\"");
         from = to;
     }
     const int is_leaf = from->kind == STEP_LEAF;

@@ -1,5 +1,6 @@
 // 07-search.svg: the search along a ray of the worked example, from above, with the todo stack. The
-// notes show one step; in a browser a reader drags the ray and takes the steps (slides-notes/touch).
+// notes show one step; in a browser a reader drags the ray and takes the steps
+// (slides-notes/touch).
 #include "figures3d.h"
 
 #include <math.h>
@@ -246,7 +247,7 @@ static void stack_draw(FILE *file, const Followed *followed, u32 step)
     StepWaiting waiting[TODO_SIZE];
     const u32 n_waiting = followed_waiting(&followed->own, place, waiting);
     svg_title(file, STACK_LEFT, STACK_TOP + 2 * STACK_ROW - 14, SVG_LEFT, "", "%s",
-              n_waiting > 0 ? "Todo stack, its top first" : "Todo stack: empty");
+              n_waiting > 0 ? "Todo stack, top first" : "Todo stack: empty");
     for (u32 i = 0; i < n_waiting; i++) {
         const StepWaiting *entry = &waiting[n_waiting - 1 - i];
         stack_row_draw(file, 2 + (int)i,

@@ -98,7 +98,7 @@ if slides-notes/touch/compiler.sh >/dev/null; then
     ! grep '^fault ' "$scratch/touched" >"$scratch/faults"
     ok $? "they can be stepped back, run, and be read without JavaScript" "$(cat "$scratch/faults")"
 else
-    skip "figures that can be touched" "there is no compiler for them (make setup names the packages)"
+    skip "figures that can be touched" "there is no compiler for them (common/setup/packages.txt names the packages)"
 fi
 
 # ---- PDF -----------------------------------------------------------------------------------------
