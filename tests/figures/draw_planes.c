@@ -43,7 +43,7 @@ static u32 first_leaf(const Steps *steps)
     exit(EXIT_FAILURE);
 }
 
-// ---- The plan ------------------------------------------------------------------------------------
+// ---- The plan ----------------------------------------------------------------------------------
 
 static double plan_x(const BBox3D *box, double x)
 {
@@ -113,7 +113,7 @@ static void plan_draw(FILE *file, const Followed *followed, u32 leaf_step)
              root->t_min, root->t_max);
 }
 
-// ---- The tree ------------------------------------------------------------------------------------
+// ---- The tree ----------------------------------------------------------------------------------
 
 static int is_on_way(const Steps *steps, u32 leaf_step, u32 id)
 {
@@ -192,9 +192,9 @@ void draw_planes(FILE *file, const Followed *followed)
     plan_draw(file, followed, leaf_step);
     tree_draw(file, followed, leaf_step);
     svg_text(file, TREE_LEFT, HEIGHT - 56, SVG_LEFT, "",
-             "In leaf %u, on level %d, %u nodes wait: on the way down", leaf->id,
-             level_of(leaf->id), leaf->n_waiting);
+             "In leaf %u, on level %d, %u nodes wait: each node", leaf->id, level_of(leaf->id),
+             leaf->n_waiting);
     svg_text(file, TREE_LEFT, HEIGHT - 28, SVG_LEFT, "",
-             "each inner node adds one at most, so at most %d here", level_of(leaf->id) - 1);
+             "on the way adds one at most, so at most %d here", level_of(leaf->id) - 1);
     svg_end(file);
 }

@@ -59,8 +59,9 @@ done
 # What an author's `//>` lines hold is no part of a solution (tests/grader/lab/holes.h).
 find "$root" -type f -path '*/solutions/*.[ch]*' -exec sed -i '/^ *\/\/>/d' {} +
 
-# The lecture's notes stay here, so their READMEs do not lead there.
-find "$root" -name README.md -exec sed -i '/^\*\*In the lecture\*\*/,+1d' {} +
+# The lecture's notes stay here, so their READMEs do not lead there, and have no marks of numbers (slides-notes/make).
+find "$root" -name README.md -exec sed -i -e '/^\*\*In the lecture\*\*/,+1d' \
+    -e 's/<!-- [0-9][0-9]-[a-z0-9-]*: [A-Za-z0-9_.]* -->//g' {} +
 
 # The figures that their READMEs show, and scenes.
 grep -oh '](\.\./\.\./slides-notes/figures/[^)]*)' "$root"/*/*/README.md | sed 's|](\.\./\.\./||; s|)$||' | sort -u | copy

@@ -1,5 +1,5 @@
-// crop: a part of a picture, or the same part of several, side by side. For tests/suites/view.sh, as
-// a window holds more than its picture, and for figures that compare.
+// crop: a part of a picture, or the same part of several, side by side. For tests/suites/view.sh,
+// as a window holds more than its picture, and for figures that compare.
 //
 //     crop PICTURE... X Y WIDTH HEIGHT OUTPUT
 //
