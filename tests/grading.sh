@@ -77,8 +77,9 @@ answer() {
 
 submission="--submission $scratch/submission"
 
-# kept LAB: options for a seed whose answers of the solution are kept: it need not run every time.
+# kept LAB: options for a seed whose answers of the solution are kept: it need not run every time. LAB
+# is a name or a number.
 kept() {
-    mkdir -p "$scratch/answers/$1"
-    echo "--lab $1 --seed 5 --answers $scratch/answers/$1"
+    mkdir -p "$scratch/answers/${1%%-*}"
+    echo "--lab $1 --seed 5 --answers $scratch/answers/${1%%-*}"
 }

@@ -122,7 +122,7 @@ esac
 # Suites wait for compilers and sandboxes much of their time: two run side by side, the longest first,
 # beside the unit tests. Each one's exit status and seconds are kept for the report.
 suites=
-for suite in mutants.sh attacks.sh grader.sh handout.sh bundles.sh $(cd tests/suites && echo *.sh); do
+for suite in mutants.sh attacks.sh grader.sh handout.sh programs3d.sh broken.sh bundles.sh class.sh $(cd tests/suites && echo *.sh); do
     [ -e "tests/suites/$suite" ] || continue
     suite=${suite%.sh}
     case " $suites " in *" $suite "*) continue ;; esac

@@ -122,11 +122,13 @@ $(OUT)/tests/no_images.so: tests/tools/no_images.c
 # Unit tests run under the sanitizers, but for this one: PoCL's compiler is not built for them.
 NATIVE_TEST = $(OUT)/tests/test_cl_setup
 
-.PHONY: unit-tests tests check test test-scale test-seeds test-mutants test-attacks
+.PHONY: unit-tests watched tests check test test-scale test-seeds test-mutants test-attacks
 unit-tests: $(filter-out $(NATIVE_TEST),$(UNIT_TESTS))
+# What the suites run with the sanitizers: solutions, whose skeletons have the same code around the holes.
+watched: unit-tests $(filter $(OUT)/solutions/% $(OUT)/view/solutions/% $(OUT)/pixel/solutions/%,$(PROGRAMS) $(VIEWS) $(PIXELS))
 # The bench is built here, too: it must not break unnoticed.
 tests: all $(OUT)/tools/bench2d $(OUT)/tools/bench3d $(NATIVE_TEST) $(JUDGES) $(LAB_JUDGES) $(SUITE_TOOLS) $(OUT)/tests/no_images.so views pixels $(FIGURES)  ## build all that the tests run
-	@$(MAKE) --no-print-directory SANITIZE=1 all unit-tests views pixels
+	@$(MAKE) --no-print-directory SANITIZE=1 watched
 check: tests  ## run the tests without installing anything
 	@BUILD="$(BUILD)" tests/run.sh
 test:  ## install what is missing and run every test

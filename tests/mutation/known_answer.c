@@ -58,8 +58,8 @@ int answer_check(const Session *session, const KnownAnswer *answer)
     return -1;
 }
 
-// Whose turn it is when this answer comes: the check's it is meant for, or the task's of a right one.
-// NULL where there is no such check or task.
+// Whose turn it is when this answer comes: the check's it is meant for, or the task's of a right
+// one. NULL where there is no such check or task.
 static Turn *turn_of(const Session *session, const KnownAnswer *answer, Turns *turns)
 {
     const Task *task = manifest_task(&session->manifest, answer->task);

@@ -26,15 +26,15 @@ typedef struct KnownAnswer {
     Variant alone;
 } KnownAnswer;
 
-// How many answers are meant for a check, or are right ones to a task, and how many of them have had
-// their turn.
+// How many answers are meant for a check, or are right ones to a task, and how many of them have
+// had their turn.
 typedef struct Turn {
     int n_meant;
     int n_past;
 } Turn;
 
-// Which answers are tried alone. Of the wrong ones that a check is meant for one is, and of the right
-// ones to a task one, or each; the seed says which.
+// Which answers are tried alone. Of the wrong ones that a check is meant for one is, and of the
+// right ones to a task one, or each; the seed says which.
 typedef struct Turns {
     uint64_t seed;
     int is_each_right_one_alone;

@@ -6,11 +6,11 @@
 //
 // --seeds says for how many seeds, from --seed on, each must be so; one is the default. Jobs of
 // further seeds are run beside the first, by programs that are compiled once. --only tries those
-// whose path holds the word, --every of the wrong ones each N-th in the order of their names, and as
-// many others as it takes that each check and each kind of mistake has one that is meant for it.
+// whose path holds the word, --every of the wrong ones each N-th in the order of their names, and
+// as many others as it takes that each check and each kind of mistake has one.
 //
-// To be tried alone is to be compiled and run once more. Of the wrong ones that a check is meant for
-// one is, and the seed says which. Every right answer is; with --every one of each task.
+// To be tried alone is to be compiled and run once more. Of the wrong ones that a check is meant
+// for one is, and the seed says which. Every right answer is; with --every one of each task.
 //
 // Prints TAP, a line for each file in tests/mutants/NN-name/ and tests/right/NN-name/. Their format
 // stands in tests/mutants/README.md and tests/right/README.md. Exit status: 0 all judged as they
@@ -235,8 +235,8 @@ typedef struct Covered {
     int mistakes[N_MISTAKES];
 } Covered;
 
-// Note what an answer is meant for. Is it the first one there, or can nothing be told of it, so that
-// trying it will say what is wrong?
+// Note what an answer is meant for. Is it the first one there, or can nothing be told of it, so
+// that trying it will say what is wrong?
 static int is_first_of_its_kind(Covered *covered, const Session *session, const char *path)
 {
     KnownAnswer answer;
@@ -277,8 +277,8 @@ static int choose(const Session *session, const Trial *trial, char *paths[], int
     return n_chosen;
 }
 
-// The paths in which the word stands. What glob() found must be freed in whole, so the list is another
-// one: of n paths, owned by the caller. NULL when memory runs out.
+// The paths in which the word stands. What glob() found must be freed in whole, so the list is
+// another one: of n paths, owned by the caller. NULL when memory runs out.
 static char **find_word(const glob_t *found, const char *word, int *n)
 {
     char **paths = calloc(found->gl_pathc + 1, sizeof *paths);

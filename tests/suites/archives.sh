@@ -17,12 +17,13 @@ chmod 711 "$scratch"
 mkdir -m 711 "$scratch/work"
 export TMPDIR="$scratch/work"
 reports=$scratch/reports
+mkdir "$scratch/answers"
 
-# grade PATH: exits as the grader does.
+# grade PATH: exits as the grader does. The solution's answers are kept: it need not run every time.
 grade() {
     rm -rf "$reports"
     "$build/tools/grade" --build "$build" --output "$reports" --lab $lab --seed 5 \
-        --submission "$1" >"$scratch/said" 2>&1 </dev/null
+        --answers "$scratch/answers" --submission "$1" >"$scratch/said" 2>&1 </dev/null
 }
 
 # field NAME: a number of results.json's outermost level.

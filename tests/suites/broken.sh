@@ -138,13 +138,13 @@ strip_markers
 mkdir "$scratch/submission/common"
 echo '#error' | tee "$scratch/submission/main.c" "$scratch/submission/common/scene2d.h" \
     >"$scratch/submission/kdtree2d_build.h"
-# shellcheck disable=SC2086
-check "a right answer without markers gets full marks" grades 0 100 --lab $lab $submission
+# shellcheck disable=SC2046,SC2086
+check "a right answer without markers gets full marks" grades 0 100 $(kept $lab) $submission
 copy_lab solutions $lab
 echo '    return 0;' | answer $file is_leaf
 strip_markers
-# shellcheck disable=SC2086
-grade --lab $lab $submission
+# shellcheck disable=SC2046,SC2086
+grade $(kept $lab) $submission
 ok $(($? != 1)) "a wrong answer without markers gets less"
 check "and the message is of the markers" stage Markers failed "TASK is_leaf"
 check "what cannot be tried alone waits for what it needs" test "$(count_lines 'waits for is_leaf')" -ge 3
@@ -155,12 +155,12 @@ sed -i '/^int circle_overlaps_box/i static double square_of(double x) { return x
 sed -i '/TASK circle_overlaps_box/,/END circle_overlaps_box/s/dx \* dx + dy \* dy/square_of(dx) + square_of(dy)/' \
     "$scratch/submission/$file"
 echo '    return level' | answer $file is_leaf
-# shellcheck disable=SC2086
-check "a helper beside the marked lines costs nothing" grades 1 85 --lab $lab $submission
+# shellcheck disable=SC2046,SC2086
+check "a helper beside the marked lines costs nothing" grades 1 85 $(kept $lab) $submission
 copy_lab solutions $lab
 echo '}' >>"$scratch/submission/$file"
-# shellcheck disable=SC2086
-check "a brace too many at the end costs no task, but is no full success" grades 1 100 --lab $lab $submission
+# shellcheck disable=SC2046,SC2086
+check "a brace too many at the end costs no task, but is no full success" grades 1 100 $(kept $lab) $submission
 
 # A student works in labs/ itself: what stands there is no skeleton.
 course=$scratch/at-work

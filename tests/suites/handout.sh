@@ -83,21 +83,24 @@ judge_names() {
         comm -23 - "$scratch/shared" | grep -v -x -F -f "$scratch/tasks"
 }
 
+# The lines of the judge's sources, blanks aside, but for those that are given out.
+judge_lines() {
+    find common kernels labs tests/grader tests/memcheck tests/probes tests/stand_ins solutions -type f -name '*.[ch]*' \
+        -exec cat {} + | tr -d ' \t' | sort -u >"$scratch/given"
+    find tests/judge -name '*.[ch]' -exec cat {} + | tr -d ' \t' | grep '[A-Za-z0-9].\{16,\}' | sort -u |
+        comm -23 - "$scratch/given"
+}
+
 # no_judge FOLDER: is no function or line of the judge's sources in it, and no name in its programs?
 no_judge() {
-    judge_names >"$scratch/names"
     [ "$(wc -l <"$scratch/names")" -ge 100 ] || { echo "only few names to look for"; return 1; }
     if ! [ -s "$scratch/tasks" ] || nm "$1"/tests/judge/judge-* 2>/dev/null | grep " [A-Za-z] "; then
         echo "the judge has names"
         return 1
     fi
     ! grep -rIlwF -f "$scratch/names" "$1" --exclude-dir=solutions >"$scratch/leaks" || { cat "$scratch/leaks"; return 1; }
-    find common kernels labs tests/grader tests/memcheck tests/probes tests/stand_ins solutions -type f -name '*.[ch]*' \
-        -exec cat {} + | tr -d ' \t' | sort -u >"$scratch/given"
-    find tests/judge -name '*.[ch]' -exec cat {} + | tr -d ' \t' | grep '[A-Za-z0-9].\{16,\}' | sort -u |
-        comm -23 - "$scratch/given" >"$scratch/lines"
-    [ "$(wc -l <"$scratch/lines")" -ge 1000 ] || { echo "only few lines to look for"; return 1; }
-    find "$1" -name '*.[ch]*' -exec cat {} + | tr -d ' \t' | sort -u | comm -12 - "$scratch/lines" >"$scratch/leaks"
+    [ "$(wc -l <"$scratch/judge_lines")" -ge 1000 ] || { echo "only few lines to look for"; return 1; }
+    find "$1" -name '*.[ch]*' -exec cat {} + | tr -d ' \t' | sort -u | comm -12 - "$scratch/judge_lines" >"$scratch/leaks"
     [ ! -s "$scratch/leaks" ] || { head -n 5 "$scratch/leaks"; return 1; }
 }
 
@@ -177,6 +180,8 @@ same_jobs() {
     [ "$(wc -c <"$scratch/job-x86_64")" -gt 100 ] && cmp "$scratch/job-x86_64" "$scratch/job-aarch64"
 }
 
+judge_names >"$scratch/names"
+judge_lines >"$scratch/judge_lines"
 for lab in $labs; do
     later=
     check "$lab: the same bytes twice" same_bytes "$lab"
@@ -249,13 +254,14 @@ some_wrong() {
 }
 
 # Labs with and without host files, with and without earlier solutions that the grader needs. They are
-# built in one folder, one after the other, so that common/ is compiled once; nothing else stays.
+# built in one folder, one after the other, so that common/ and the grader, which are the same in each, are
+# compiled once: a source or a header that a handout lacks is missed by make all the same. Nothing else stays.
 clean=$scratch/clean
 mkdir "$clean"
 for lab in 00-hello-pixels 02-kdtree-2d-build 07-kdtree-3d-trace; do
     find "$clean" -mindepth 1 -maxdepth 1 ! -name build -exec rm -r {} +
     find "$clean/build" -mindepth 1 -maxdepth 1 ! -name obj -exec rm -r {} + 2>/dev/null
-    find "$clean/build/obj" -mindepth 1 -maxdepth 1 ! -name common -exec rm -r {} + 2>/dev/null
+    find "$clean/build/obj" -type f ! -path '*/obj/common/*' ! -path '*/obj/tests/grader/*' -exec rm {} + 2>/dev/null
     tar -xzf "$scratch/first/$lab.tar.gz" -C "$clean" --strip-components=1
     check "$lab: everything builds" alone "$clean" make -j2 all
     check "$lab: the skeleton's score is the instructor's" same_scores "$clean" "$lab" "labs/$lab" 0

@@ -88,8 +88,8 @@ static Sections with_picture(const Case *c, const void *bytes, size_t n_bytes)
     return writer_close(&writer);
 }
 
-// Some check fails, and says so. Asked first is the one that did the last time, as judging is slow with
-// sanitizers.
+// Some check fails, and says so. Asked first is the one that did the last time, as judging is slow
+// with sanitizers.
 static void expect_fault(Case *c, const void *bytes, size_t n_bytes, const char *says)
 {
     Sections answers = with_picture(c, bytes, n_bytes);
@@ -272,8 +272,8 @@ static void black_against_a_scene_fails(Case *c)
 
 // ---- All of them --------------------------------------------------------------------------------
 
-// Each lab is a test, and so a process, of its own: its number in the list. All holes are tried on one
-// job, as drawing it and working out what is right takes longer than judging.
+// Each lab is a test, and so a process, of its own: its number in the list. All holes are tried on
+// one job, as drawing it and working out what is right takes longer than judging.
 ParameterizedTestParameters(comparison, every_hole_is_closed)
 {
     static int numbers[N_DRAWN_LABS];

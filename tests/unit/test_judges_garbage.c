@@ -15,8 +15,8 @@ typedef enum Damage { DROPPED, EMPTY, TRUNCATED, OVERSIZED, TWICE, N_DAMAGES } D
 #define STRANGERS_PICTURE "picture.34"
 _Static_assert(STRANGERS == 34, "the sections of that name");
 
-// Is it one of many that the same code reads, as "picture.3" is, a scene's or a tree's? Then each meets
-// one of the faults, the next one another.
+// Is it one of many that the same code reads, as "picture.3" is, a scene's or a tree's? Then each
+// meets one of the faults, the next one another.
 static int is_one_of_many(const Section *section)
 {
     return strchr(section->name, '.') != NULL;
@@ -177,8 +177,9 @@ static int is_free_section(int lab, const char *name)
                          strcmp(name, STRANGERS_PICTURE) == 0));
 }
 
-// Does every check pass? Asked first is check number *first, the one that did not the last time: what is
-// wrong in the same section is mostly seen by the same check, and judging is slow with sanitizers.
+// Does every check pass? Asked first is check number *first, the one that did not the last time:
+// what is wrong in the same section is mostly seen by the same check, and judging is slow with
+// sanitizers.
 static int passes_everything(const Open *open, const Sections *answers, int *first)
 {
     const int n = open->judge->n_checks;
