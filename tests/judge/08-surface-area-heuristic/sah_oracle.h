@@ -43,6 +43,7 @@ typedef struct SahRules {
     int lower_only;         // the higher child costs nothing
     int higher_only;
     int is_stand_in;  // split_cost() of tests/stand_ins
+    u32 lot;          // of the stand-ins: lot.h
     // The best of all planes.
     int last_of_equals;
     int longest_only;  // only planes across the longest side, the first of equal ones

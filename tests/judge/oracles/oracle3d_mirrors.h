@@ -49,6 +49,7 @@ typedef struct OracleMirrorRules {
     int background_unweighted;  // counts in full over mirrors
     int background_missing;     // is not seen in mirrors
     int stand_ins;              // as ray_color sees the stand-ins
+    u32 lot;                    // of those: lot.h
 } OracleMirrorRules;
 
 // Weights below this are not followed: LEAST_WEIGHT of lab 09.
