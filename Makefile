@@ -17,7 +17,7 @@ OUT := $(BUILD)
 endif
 CFLAGS = -std=c11 -D_GNU_SOURCE $(OPTIMISATION) $(WARNINGS) $(SANITIZERS)
 CXXFLAGS = -std=c++17 $(OPTIMISATION) $(WARNINGS) $(SANITIZERS)
-# pkg-config is asked only when something is made, so that `make demo` can install it first. RPATH and
+# The linker drops those that a program does not use (--as-needed). pkg-config is asked only when something is made, so that `make demo` can install it first. RPATH and
 # not RUNPATH, at which the address sanitizer's dlopen() does not look.
 LIBRARIES = -Wl,--as-needed,--disable-new-dtags,-rpath,'$$ORIGIN/..' $(shell pkg-config --libs jansson) -lcsv -lseccomp -lOpenCL -lm
 
@@ -25,7 +25,7 @@ FLAG_FILES := Makefile $(wildcard tests/grader/grader.mk)
 
 .DELETE_ON_ERROR:
 .SECONDARY:
-# In prerequisites $$ stands for what is known only when the target is: $$* is its %, as $* in recipes.
+# Prerequisites are expanded twice: $$* is the target's %, which the first time does not know.
 .SECONDEXPANSION:
 .DEFAULT_GOAL := all
 # As many at a time as there are processors, where the command line does not say how many.
@@ -49,7 +49,8 @@ PROGRAMS := $(patsubst %/lab.json,$(OUT)/%,$(wildcard labs/*/lab.json solutions/
 .PHONY: all
 all: $(PROGRAMS) grader  ## build every lab, every solution and the grader
 
-# The labs before lab $(1). What they deliver comes from their solutions: every file but main.c.
+# The labs before lab $(1), those whose names sort before it: for 02 they are 00 and 01. What they
+# deliver comes from their solutions: every file but main.c.
 earlier = $(foreach lab,$(LABS),$(if $(filter $(1),$(firstword $(sort $(1) $(lab)))),,$(lab)))
 earlier_sources = $(foreach lab,$(call earlier,$(1)),$(filter-out %/main.c,$(wildcard solutions/$(lab)/*.c)))
 # Where headers and kernels of lab $(1) are looked for, after its own folder.
@@ -105,6 +106,7 @@ clean:  ## remove everything that was made
 # In examples: a lab that is there.
 EXAMPLE_LAB := $(if $(wildcard labs/03-*),03,$(firstword $(subst -, ,$(notdir $(wildcard labs/[0-9]*)))))
 help:  ## print this list
+	@printf '  %-17s %s\n' "make build/labs/$(notdir $(firstword $(wildcard labs/$(EXAMPLE_LAB)-*)))" "one lab's program; V=1 shows whole commands, SANITIZE=1 looks for faults in memory"
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { sub("LAB=03", "LAB=$(EXAMPLE_LAB)"); printf "  make %-12s %s\n", $$1, $$2 }' $(filter %Makefile %.mk,$(MAKEFILE_LIST))
 
 -include $(shell find $(OUT)/obj -name '*.d' 2>/dev/null)

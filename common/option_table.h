@@ -40,7 +40,7 @@ typedef struct OptionRow {
     const char *meaning;  // for the help; lines are separated by '\n'
 } OptionRow;
 
-// At most so many rows in a table.
+// How many rows a table has at most.
 #define OPTION_TABLE_MAX_ROWS 32
 
 typedef struct OptionTable {

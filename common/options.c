@@ -52,6 +52,8 @@ static const OptionRow ROWS[] = {
      "mirrors a ray meets at most (" NUMBER_TEXT(OPTIONS_DEFAULT_BOUNCES) ")"},
     {"acne", NULL, OPTION_FLAG, PLACE(acne), .set = OPTIONS_MIRRORS,
      .meaning = "let new rays start on the surface, not off it"},
+    {"circles", NULL, OPTION_FLAG, PLACE(circles), .set = OPTIONS_CIRCLES,
+     .meaning = "draw circles; --scene is then one of them"},
     {"path", "FILE", OPTION_TEXT, PLACE(path), .set = OPTIONS_VIEW,
      .meaning = "fly this path, as --record writes it"},
     {"record", "FILE", OPTION_TEXT, PLACE(record), .set = OPTIONS_VIEW,
@@ -129,7 +131,7 @@ static void print_help(const char *lab_name, const char *what, int set)
         printf("\n");
     }
     printf("Options of other labs are taken, too, and not used.\n");
-    if (set & OPTIONS_SCENE) {
+    if (set & (OPTIONS_SCENE | OPTIONS_CIRCLES)) {
         print_scenes(SCENE2D_NAMES, scene2d_edge_case);
     }
     if (set & OPTIONS_SCENE3D) {
@@ -206,6 +208,9 @@ OptionsResult options_parse(int argc, char **argv, const char *lab_name, const c
     if (result == OPTIONS_DONE) {
         return answer(lab_name, what, set, options);
     }
+    if (set & OPTIONS_CIRCLES && options->circles && !is_given[SCENE]) {
+        options->scene = default_scene(OPTIONS_SCENE);
+    }
     if (result == OPTIONS_RUN) {
         result = course_folder_check(lab_name) == 0 ? OPTIONS_RUN : OPTIONS_BAD;
     }
@@ -224,7 +229,7 @@ OptionsResult options_parse(int argc, char **argv, const char *lab_name, const c
     if (result == OPTIONS_RUN && options->svg != NULL) {
         result = check_place(&table, "svg", options->svg);
     }
-    // Last, so that a fault is told alone.
+    // Last, so that a fault is reported alone.
     if (result == OPTIONS_RUN) {
         note_unused(lab_name, set, is_given);
     }

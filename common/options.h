@@ -10,6 +10,7 @@
 //     --leaf-size N     elements at which a node stays a leaf      --help
 //     --heat-map        save the work of each pixel, too           --textbook      (lab 05)
 //     --bounces N       mirrors a ray meets at most (lab 09)       --acne          (lab 09)
+//     --circles         a scene of circles (lab 10)
 //     --path FILE, --record FILE, --movie FOLDER, --script FILE      (windows)
 //     --pixel X,Y, --json FILE, --svg FILE                           (common/follow)
 #ifndef COMMON_OPTIONS_H
@@ -29,6 +30,7 @@ enum {
     OPTIONS_MIRRORS = 64,   // --bounces, --acne
     OPTIONS_VIEW = 128,     // --path, --record, --movie, --script: of windows (common/view)
     OPTIONS_PIXEL = 256,    // --pixel, --json, --svg: of a followed pixel (common/follow)
+    OPTIONS_CIRCLES = 512,  // --circles, which makes --scene one of circles
 };
 
 // The picture's size in pixels in a lab without a scene.
@@ -45,7 +47,7 @@ enum {
 #define OPTIONS_MOST_BOUNCES 64
 
 typedef struct Options {
-    const char *scene;   // as given; "random", in 3D "sphereflake", when it was not
+    const char *scene;   // as given; "random", of spheres "sphereflake", when it was not
     int width, height;   // 0, 0: not given
     const char *output;  // as given; build/NN-name.png when it was not
     const char *device;  // as given, or NULL
@@ -57,6 +59,7 @@ typedef struct Options {
     int textbook;        // 1 when asked for
     int n_bounces;       // mirrors a ray meets at most; 0: none
     int acne;            // 1 when asked for
+    int circles;         // 1 when asked for
     const char *path, *record, *movie, *script;  // as given, or NULL
     int pixel_x, pixel_y;                        // -1 when not given
     const char *json, *svg;                      // as given, or NULL

@@ -27,13 +27,13 @@ static void print_escaped(FILE *file, const char *text)
     }
 }
 
-void svg_begin(FILE *file, int height, const char *title, const char *description)
+void svg_begin_wide(FILE *file, int width, int height, const char *title, const char *description)
 {
     fprintf(file,
             "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" width=\"%d\" height=\"%d\" "
             "viewBox=\"0 0 %d %d\" font-family=\"DejaVu Sans, Verdana, sans-serif\" "
             "font-size=\"%d\">\n<title>",
-            SVG_WIDTH, height, SVG_WIDTH, height, SVG_TEXT);
+            width, height, width, height, SVG_TEXT);
     print_escaped(file, title);
     fputs("</title>\n<desc>", file);
     print_escaped(file, description);
@@ -44,6 +44,11 @@ void svg_begin(FILE *file, int height, const char *title, const char *descriptio
           "10z\"/></marker></defs>\n"
           "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n",
           file);
+}
+
+void svg_begin(FILE *file, int height, const char *title, const char *description)
+{
+    svg_begin_wide(file, SVG_WIDTH, height, title, description);
 }
 
 void svg_end(FILE *file)

@@ -27,6 +27,8 @@ typedef enum SvgAnchor { SVG_LEFT, SVG_MIDDLE, SVG_RIGHT } SvgAnchor;
 // Begin and end a drawing SVG_WIDTH wide. `title` and `description` are read to those who cannot
 // see it.
 void svg_begin(FILE *file, int height, const char *title, const char *description);
+// The same of another width, for a screen on which SVG_WIDTH would make its letters too small.
+void svg_begin_wide(FILE *file, int width, int height, const char *title, const char *description);
 void svg_end(FILE *file);
 
 // A line of text, its baseline at y, its left end, middle or right end at x; `look` is further

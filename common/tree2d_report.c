@@ -1,4 +1,4 @@
-// A 2D kd-tree told to people (see tree2d_report.h).
+// A 2D kd-tree described for people (see tree2d_report.h).
 //
 // Flow: scene -> buffers -> kernel -> IMAGE -> comparison. Read next: tree2d_draw.c.
 #include "tree2d_report.h"

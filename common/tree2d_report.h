@@ -1,4 +1,4 @@
-// A 2D kd-tree told to people: its figures, its nodes in words, its drawing in files.
+// A 2D kd-tree described for people: its figures, its nodes in words, its drawing in files.
 //
 // Flow: scene -> buffers -> kernel -> IMAGE -> comparison: what lab 02 shows of its tree.
 // Read next: tree2d_draw.h, stats.h.

@@ -1,4 +1,4 @@
-// A 3D kd-tree told to people (see tree3d_report.h).
+// A 3D kd-tree described for people (see tree3d_report.h).
 //
 // Flow: scene -> buffers -> kernel -> IMAGE -> comparison. Read next: tree3d_draw.c.
 #include "tree3d_report.h"

@@ -1,4 +1,4 @@
-// A 3D kd-tree told to people: its figures, and its nodes in words.
+// A 3D kd-tree described for people: its figures, and its nodes in words.
 //
 // Flow: scene -> buffers -> kernel -> IMAGE -> comparison: what lab 06 shows of its tree.
 // Read next: tree3d_draw.h, stats.h.

@@ -26,7 +26,12 @@ mv "$folder/08-stadium-work.png" "$folder/08-work.png"
 mv "$folder/08-stadium-middle-work.png" "$folder/08-middle-work.png"
 rm "$folder"/08-stadium*-work.exr
 "$build/solutions/09-shadows-and-mirrors" --output "$folder/09-shadows-and-mirrors.png"
-"$build/solutions/09-shadows-and-mirrors" --scene one --bounces 0 --acne --output "$folder/09-acne.png"
+for acne in "" --acne; do
+    # shellcheck disable=SC2086 # one option or none
+    "$build/solutions/09-shadows-and-mirrors" --scene one --bounces 0 $acne --output "$folder/09-one$acne.png"
+done
+"$build/tools/crop" "$folder/09-one--acne.png" "$folder/09-one.png" 126 126 260 260 "$folder/09-acne.png"
+rm "$folder/09-one.png" "$folder/09-one--acne.png"
 "$build/solutions/10-realtime" --heat-map --output "$folder/10-realtime.png"
 mv "$folder/10-realtime-work.png" "$folder/10-work.png"
 rm "$folder/10-realtime-work.exr" "$folder/10-realtime.png"

@@ -31,7 +31,7 @@ grade-class: grader  ## grade a class: LAB=03 SUBMISSIONS=folder [OUTPUT=folder]
 # ---- Other systems (tests/systems/README.md) ------------------------------------------------
 
 # The grader is run through this, which writes its result in more forms.
-grade:  ## the same, and write the result for other systems, too: LAB=03 FORMAT=junit,tap
+grade:  ## grade LAB=03 and write the result for other systems, too: FORMAT=junit,tap
 through_formats = $(if $(FORMAT),tests/systems/formats/write.sh "$$FORMAT" \
     "$(OUT)/grade/$(firstword $(subst -, ,$(graded_lab)))" "$(graded_lab)")
 
@@ -124,7 +124,8 @@ NATIVE_TEST = $(OUT)/tests/test_cl_setup
 
 .PHONY: unit-tests tests check test test-scale test-seeds test-mutants test-attacks
 unit-tests: $(filter-out $(NATIVE_TEST),$(UNIT_TESTS))
-tests: all $(NATIVE_TEST) $(JUDGES) $(LAB_JUDGES) $(SUITE_TOOLS) $(OUT)/tests/no_images.so views pixels $(FIGURES)  ## build all that the tests run
+# The bench is built here, too: it must not break unnoticed.
+tests: all $(OUT)/tools/bench2d $(OUT)/tools/bench3d $(NATIVE_TEST) $(JUDGES) $(LAB_JUDGES) $(SUITE_TOOLS) $(OUT)/tests/no_images.so views pixels $(FIGURES)  ## build all that the tests run
 	@$(MAKE) --no-print-directory SANITIZE=1 all unit-tests views pixels
 check: tests  ## run the tests without installing anything
 	@BUILD="$(BUILD)" tests/run.sh

@@ -12,7 +12,7 @@
 enum { LEFT = 16, TOP = 64, SIDE = 600, WORDS = 644, ROW = 30, MOST_ROWS = 18 };
 enum { HEIGHT = TOP + SIDE + 40 };
 
-// So many levels above the leaf are drawn.
+// How many levels above the leaf are drawn.
 enum { LEVELS_SHOWN = 4 };
 
 // The part of the scene that is shown, and how many pixels of the drawing one of its pixels is.

@@ -36,6 +36,15 @@ u32 followed_waiting(const Steps *steps, u32 i, StepWaiting waiting[TODO_SIZE]);
 // Is the element that was asked a hit: sphere met, or circle nearest so far?
 int followed_is_hit(const World *world, const Step *step);
 
+// A step in words, as followed_print() says it: how many lines it takes at most, and how long they
+// are. No line where there is no such step.
+enum { STEP_LINES = 3, STEP_LINE_BYTES = 160 };
+typedef struct StepWords {
+    char lines[STEP_LINES][STEP_LINE_BYTES];
+    int n;
+} StepWords;
+StepWords followed_words(const World *world, const Steps *steps, u32 i);
+
 // Say it in words: the steps that both take one below the other, then side by side.
 void followed_print(const Followed *followed, FILE *file);
 

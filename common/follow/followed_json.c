@@ -1,4 +1,4 @@
-// A followed pixel as JSON (see followed.h): one object, with the steps that are told in words.
+// A followed pixel as JSON (see followed.h): one object, with the steps that the text gives, too.
 //
 //     {"lab", "scene", "width", "height", "pixel": [x, y],
 //      "own": {"tests", "nodes", "leaves", "most_waiting", "n_steps",

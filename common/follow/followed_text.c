@@ -9,56 +9,52 @@
 #include <stdarg.h>
 #include <string.h>
 
-// A step takes at most so many lines, each as wide as a column.
-enum { COLUMN = 62, STEP_LINES = 3, LINE_BYTES = 160 };
+// A line is as wide as a column.
+enum { COLUMN = 62 };
 
-typedef struct Block {
-    char lines[STEP_LINES][LINE_BYTES];
-    int n;
-} Block;
-
-__attribute__((format(printf, 2, 3))) static void add_line(Block *block, const char *format, ...)
+__attribute__((format(printf, 2, 3))) static void add_line(StepWords *words, const char *format,
+                                                           ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(block->lines[block->n++], LINE_BYTES, format, arguments);
+    vsnprintf(words->lines[words->n++], STEP_LINE_BYTES, format, arguments);
     va_end(arguments);
 }
 
 // ---- One step -----------------------------------------------------------------------------------
 
 // In 2D: the node's cell, and of an inner node its children's.
-static void cell_tell(const World *world, const Step *step, Block *block)
+static void cell_tell(const World *world, const Step *step, StepWords *words)
 {
     const KdTree2D *tree = world->kind->data(world).tree2d;
     if (step->id >= tree->n_nodes) {
-        add_line(block, "node %u, which the tree does not have", step->id);
+        add_line(words, "node %u, which the tree does not have", step->id);
         return;
     }
     const BBox2D box = tree->nodes_BBox[step->id];
     const NodeRel node = tree->nodes_Relations[step->id];
-    add_line(block, "%s %u: x [%g, %g), y [%g, %g)", step->kind == STEP_LEAF ? "leaf" : "node",
+    add_line(words, "%s %u: x [%g, %g), y [%g, %g)", step->kind == STEP_LEAF ? "leaf" : "node",
              step->id, box.minX, box.maxX, box.minY, box.maxY);
     if (step->kind == STEP_LEAF) {
         const u32 n_circles = tree->mapNode2Circles[node.circleMapOffset];
-        add_line(block, "  %u circle%s, from offset %u on", n_circles, plural(n_circles),
+        add_line(words, "  %u circle%s, from offset %u on", n_circles, plural(n_circles),
                  node.circleMapOffset);
     } else {
         const BBox2D left = tree->nodes_BBox[node.lChild];
-        add_line(block, "  left child %u: x [%g, %g), y [%g, %g); right %u", node.lChild, left.minX,
+        add_line(words, "  left child %u: x [%g, %g), y [%g, %g); right %u", node.lChild, left.minX,
                  left.maxX, left.minY, left.maxY, node.rChild);
     }
 }
 
 // What waits on the stack, the nearest first, as far as there is room.
-static void waiting_tell(const Steps *steps, u32 i, Block *block)
+static void waiting_tell(const Steps *steps, u32 i, StepWords *words)
 {
     StepWaiting waiting[TODO_SIZE];
     const u32 n_waiting = followed_waiting(steps, i, waiting);
     if (n_waiting == 0) {
         return;
     }
-    char line[LINE_BYTES];
+    char line[STEP_LINE_BYTES];
     int length = snprintf(line, sizeof line, "  waiting:");
     for (u32 k = 0; k < n_waiting; k++) {
         const StepWaiting *entry = &waiting[n_waiting - 1 - k];
@@ -72,83 +68,83 @@ static void waiting_tell(const Steps *steps, u32 i, Block *block)
         }
         length += snprintf(line + length, sizeof line - (size_t)length, "%s", text);
     }
-    add_line(block, "%s", line);
+    add_line(words, "%s", line);
 }
 
 // In 3D: the node's plane, its part of the ray, and what is decided.
-static void plane_tell(const World *world, const Steps *steps, u32 i, Block *block)
+static void plane_tell(const World *world, const Steps *steps, u32 i, StepWords *words)
 {
     static const char *const MET[] = {"the near one", "the far one", "both, far waits"};
     const Step *step = &steps->steps[i];
     const KdTree3D *tree = world->kind->data(world).tree3d;
     if (step->id >= tree->n_nodes) {
-        add_line(block, "node %u, which the tree does not have", step->id);
+        add_line(words, "node %u, which the tree does not have", step->id);
         return;
     }
     const KdNode3 node = tree->nodes[step->id];
     if (step->kind == STEP_LEAF) {
-        add_line(block, "leaf %u: t %.5g to %.5g, %u sphere%s", step->id, step->t_min, step->t_max,
+        add_line(words, "leaf %u: t %.5g to %.5g, %u sphere%s", step->id, step->t_min, step->t_max,
                  node.n_spheres, plural(node.n_spheres));
     } else {
-        add_line(block, "node %u: %c = %g, t %.5g to %.5g", step->id, "xyz?"[node.split_axis & 3],
+        add_line(words, "node %u: %c = %g, t %.5g to %.5g", step->id, "xyz?"[node.split_axis & 3],
                  node.split_pos, step->t_min, step->t_max);
         char t_split[32] = "";
         if (step->met == MET_BOTH) {
             snprintf(t_split, sizeof t_split, "t_split %.5g, ", step->t_split);
         }
-        add_line(block, "  %snear %u, far %u: %s", t_split, node.first + (step->side != 0),
+        add_line(words, "  %snear %u, far %u: %s", t_split, node.first + (step->side != 0),
                  node.first + (step->side == 0), step->met <= MET_BOTH ? MET[step->met] : "?");
     }
-    waiting_tell(steps, i, block);
+    waiting_tell(steps, i, words);
 }
 
-static void test_tell(const World *world, const Step *step, Block *block)
+static void test_tell(const World *world, const Step *step, StepWords *words)
 {
     const char *what = world->kind == &CIRCLES ? "circle" : "sphere";
     char name[32];
     snprintf(name, sizeof name, step->id == NO_ID ? "  a %s that is not the scene's" : "  %s %u",
              what, step->id);
     if (!followed_is_hit(world, step)) {
-        add_line(block, "%s: %s", name, world->kind == &CIRCLES ? "no" : "missed");
+        add_line(words, "%s: %s", name, world->kind == &CIRCLES ? "no" : "missed");
     } else if (world->kind == &CIRCLES) {
-        add_line(block, "%s: nearest so far, depth %g", name, step->element[3]);
+        add_line(words, "%s: nearest so far, depth %g", name, step->element[3]);
     } else {
-        add_line(block, "%s: t %.6g", name, step->answer);
+        add_line(words, "%s: t %.6g", name, step->answer);
     }
 }
 
-static void end_tell(const World *world, const Step *step, Block *block)
+static void end_tell(const World *world, const Step *step, StepWords *words)
 {
     if (world->kind == &CIRCLES) {
-        add_line(block, "colour: %.4g %.4g %.4g %.4g", step->element[0], step->element[1],
+        add_line(words, "colour: %.4g %.4g %.4g %.4g", step->element[0], step->element[1],
                  step->element[2], step->element[3]);
     } else if (isfinite(step->nearest)) {
-        add_line(block, "hit: sphere %u, t %.6g", step->id, step->nearest);
+        add_line(words, "hit: sphere %u, t %.6g", step->id, step->nearest);
     } else {
-        add_line(block, "hit: none");
+        add_line(words, "hit: none");
     }
 }
 
-static Block block_of(const World *world, const Steps *steps, u32 i)
+StepWords followed_words(const World *world, const Steps *steps, u32 i)
 {
-    Block block = {.n = 0};
+    StepWords words = {.n = 0};
     const Step *step = followed_step(steps, i);
     if (step == NULL) {
-        return block;
+        return words;
     }
     if (step->kind == STEP_TEST) {
-        test_tell(world, step, &block);
+        test_tell(world, step, &words);
     } else if (step->kind == STEP_END) {
         if (steps->n_steps > MAX_STEPS) {
-            add_line(&block, "... %u steps that were not kept", steps->n_steps - MAX_STEPS);
+            add_line(&words, "... %u steps that were not kept", steps->n_steps - MAX_STEPS);
         }
-        end_tell(world, step, &block);
+        end_tell(world, step, &words);
     } else if (world->kind == &CIRCLES) {
-        cell_tell(world, step, &block);
+        cell_tell(world, step, &words);
     } else {
-        plane_tell(world, steps, i, &block);
+        plane_tell(world, steps, i, &words);
     }
-    return block;
+    return words;
 }
 
 // ---- All steps ----------------------------------------------------------------------------------
@@ -166,10 +162,10 @@ static void number_print(u32 i, int line, FILE *file)
 static void print_alone(const World *world, const Steps *steps, u32 from, u32 to, FILE *file)
 {
     for (u32 i = from; i < to; i++) {
-        const Block block = block_of(world, steps, i);
-        for (int line = 0; line < block.n; line++) {
+        const StepWords words = followed_words(world, steps, i);
+        for (int line = 0; line < words.n; line++) {
             number_print(i, line, file);
-            fprintf(file, "%s\n", block.lines[line]);
+            fprintf(file, "%s\n", words.lines[line]);
         }
     }
 }
@@ -180,8 +176,8 @@ static void print_beside(const Followed *followed, u32 from, FILE *file)
     const u32 n_right = steps_kept(followed->reference.n_steps);
     fprintf(file, "      %-*s | %s\n", COLUMN, "your kernel", "the reference");
     for (u32 i = from; i < n_own || i < n_right; i++) {
-        const Block own = block_of(followed->world, &followed->own, i);
-        const Block right = block_of(followed->world, &followed->reference, i);
+        const StepWords own = followed_words(followed->world, &followed->own, i);
+        const StepWords right = followed_words(followed->world, &followed->reference, i);
         for (int line = 0; line < own.n || line < right.n; line++) {
             number_print(i, line, file);
             fprintf(file, "%-*s |", COLUMN, line < own.n ? own.lines[line] : "");
@@ -227,10 +223,10 @@ void followed_print(const Followed *followed, FILE *file)
     }
     count_print(world, "your kernel", &followed->own, file);
     if (followed->naive_label != NULL) {
-        Block block = {.n = 0};
-        end_tell(world, &followed->naive_end, &block);
+        StepWords words = {.n = 0};
+        end_tell(world, &followed->naive_end, &words);
         fprintf(file, "the %s kernel, which asks all %d %s: %s\n", followed->naive_label,
-                world->n_elements, world->kind->elements, block.lines[0]);
+                world->n_elements, world->kind->elements, words.lines[0]);
     }
     if (followed->reference.n_steps == 0) {
         return;

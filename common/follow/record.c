@@ -44,7 +44,7 @@ static void elements_find(const World *world, Steps *steps)
     }
 }
 
-// A step for the leaf of a pixel in 2D, where no function tells of it: behind the last node.
+// A step for the leaf of a pixel in 2D, where no function reports it: behind the last node.
 static void leaf_insert(Steps *steps)
 {
     const u32 n_kept = steps_kept(steps->n_steps);

@@ -66,7 +66,7 @@ int frame_use(Frame *frame, const World *world, const WorldKernel *kernel)
     cl_kernel built[LAB_MAX_KERNELS] = {
         [LAB_DRAWS] = kernel_build(world, kernel, ""),
     };
-    // What does not build is told once.
+    // What does not build is reported once.
     if (built[LAB_DRAWS] != NULL) {
         built[LAB_COUNTS] = kernel_build(world, kernel, " -DCOUNT_WORK");
     }

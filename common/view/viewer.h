@@ -16,7 +16,7 @@ enum { PANEL_WIDTH = 352, MIN_WIDTH = 520, MIN_HEIGHT = 640 };
 // Levels of the tree that the slider offers.
 enum { SHALLOWEST = 1, DEEPEST = 30 };
 
-// A path is recorded and played, and a film made, at so many poses a second.
+// A path is recorded and played, and a film made, at this number of poses a second.
 enum { POSES_A_SECOND = 25 };
 
 // What a pressed mouse button has hold of.

@@ -1,5 +1,5 @@
 // A 3D scene on the device: what every kernel that draws spheres takes as its first arguments.
-// Given; labs 05 and 07 use it.
+// Given; lab 05 and every later one that draws use it.
 #ifndef SCENE_BUFFERS_H
 #define SCENE_BUFFERS_H
 

@@ -28,6 +28,7 @@ int main(int argc, char **argv)
     // ---- Buffers ---------------------------------------------------------------------------
     SceneBuffers buffers;
     require(scene_buffers_create(&lab.cl, &scene, &buffers));
+    // New in this lab: the tree of lab 06 over the scene's spheres.
     const u32 n_spheres = (u32)scene.n_spheres;
     const KdTreeLimits limits =
         tree3d_limits(lab.options.max_depth, lab.options.leaf_size, n_spheres);

@@ -1,5 +1,5 @@
-// A kd-tree for lab 07's kernel: built, checked, told in figures and copied to the device. Given;
-// main.c of lab 07 has the same steps in it, one by one.
+// A kd-tree for lab 07's kernel: built, checked, described in figures and copied to the device.
+// Given; main.c of lab 07 has the same steps in it, one by one.
 #ifndef TREE_BUFFERS_H
 #define TREE_BUFFERS_H
 

@@ -8,14 +8,20 @@
 #ifndef LANES_H
 #define LANES_H
 
+// Clang warns of functions that take vectors wider than the processor's registers: code compiled
+// for another processor would pass them otherwise. Here all of it is compiled at once.
+#ifdef __clang__
+#pragma clang diagnostic ignored "-Wpsabi"
+#endif
+
 #ifndef LANES
 #define LANES 16  // 2, 4, 8 or 16: OpenCL C has vectors of these lengths
 #define TILE_WIDTH 8
 #define TILE_HEIGHT 8
 #endif
 
-// A tile's rays fill so many vectors. Pixel number i of a tile, row by row, is lane i % LANES of
-// block i / LANES.
+// The number of vectors that a tile's rays fill. Pixel number i of a tile, row by row, is lane
+// i % LANES of block i / LANES.
 #define N_BLOCKS (TILE_WIDTH * TILE_HEIGHT / LANES)
 
 // LANES_TYPE(float) is float16 where LANES is 16.

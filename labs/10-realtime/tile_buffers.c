@@ -30,16 +30,58 @@ static size_t count_tiles(int n_pixels, int tile_side, size_t group_side)
     return (n_tiles + group_side - 1) / group_side * group_side;
 }
 
-void enqueue_tiles(cl_command_queue queue, cl_kernel kernel, int width, int height)
+void enqueue_tiles_of(cl_command_queue queue, cl_kernel kernel, TileShape tile, int width,
+                      int height)
 {
-    cl_device_id device;
-    CL_CHECK(clGetCommandQueueInfo(queue, CL_QUEUE_DEVICE, sizeof device, &device, NULL));
-    const TileShape tile = tile_shape(device);
     const size_t local_size[2] = {tile.group_side, tile.group_side};
     const size_t global_size[2] = {count_tiles(width, tile.width, tile.group_side),
                                    count_tiles(height, tile.height, tile.group_side)};
     CL_CHECK(
         clEnqueueNDRangeKernel(queue, kernel, 2, NULL, global_size, local_size, 0, NULL, NULL));
+}
+
+cl_device_id queue_device(cl_command_queue queue)
+{
+    cl_device_id device;
+    CL_CHECK(clGetCommandQueueInfo(queue, CL_QUEUE_DEVICE, sizeof device, &device, NULL));
+    return device;
+}
+
+void enqueue_tiles(cl_command_queue queue, cl_kernel kernel, int width, int height)
+{
+    enqueue_tiles_of(queue, kernel, tile_shape(queue_device(queue)), width, height);
+}
+
+// ---- Pixels -------------------------------------------------------------------------------------
+
+cl_mem pixels_create(const ClSetup *cl, int width, int height)
+{
+    const size_t n_bytes = (size_t)width * (size_t)height * sizeof(cl_uint);
+    cl_int error;
+    cl_mem d_pixels = clCreateBuffer(cl->context, CL_MEM_WRITE_ONLY, n_bytes, NULL, &error);
+    CL_CHECK_CREATED(error, clCreateBuffer);
+    // New memory holds whatever was there. A pixel that no work-item writes shall be black.
+    const cl_uint black = 0;
+    CL_CHECK(
+        clEnqueueFillBuffer(cl->queue, d_pixels, &black, sizeof black, 0, n_bytes, 0, NULL, NULL));
+    return d_pixels;
+}
+
+void pixels_read(cl_command_queue queue, cl_mem d_pixels, Image *image)
+{
+    const size_t n_pixels = (size_t)image->width * (size_t)image->height;
+    // Mapped, not read: on a CPU the picture is where the kernel wrote it.
+    cl_int error;
+    cl_uint *pixels = clEnqueueMapBuffer(queue, d_pixels, CL_TRUE, CL_MAP_READ, 0,
+                                         n_pixels * sizeof *pixels, 0, NULL, NULL, &error);
+    CL_CHECK_CREATED(error, clEnqueueMapBuffer);
+    for (size_t i = 0; i < n_pixels; i++) {
+        for (int channel = 0; channel < IMAGE_CHANNELS; channel++) {
+            image->pixels[i * IMAGE_CHANNELS + (size_t)channel] =
+                (float)(pixels[i] >> (8 * channel) & 0xff) / 255.0f;
+        }
+    }
+    CL_CHECK(clEnqueueUnmapMemObject(queue, d_pixels, pixels, 0, NULL, NULL));
 }
 
 // ---- Tree ---------------------------------------------------------------------------------------
@@ -100,14 +142,7 @@ int tile_buffers_create(Lab *lab, const Scene3D *scene, TileBuffers *buffers)
         tree_create(lab, scene, buffers) != 0) {
         return -1;
     }
-    const size_t n_bytes = (size_t)scene->width * (size_t)scene->height * sizeof(cl_uint);
-    cl_int error;
-    buffers->d_pixels = clCreateBuffer(lab->cl.context, CL_MEM_WRITE_ONLY, n_bytes, NULL, &error);
-    CL_CHECK_CREATED(error, clCreateBuffer);
-    // New memory holds whatever was there. A pixel that no work-item writes shall be black.
-    const cl_uint black = 0;
-    CL_CHECK(clEnqueueFillBuffer(lab->cl.queue, buffers->d_pixels, &black, sizeof black, 0, n_bytes,
-                                 0, NULL, NULL));
+    buffers->d_pixels = pixels_create(&lab->cl, scene->width, scene->height);
     return 0;
 }
 
@@ -146,18 +181,6 @@ int tile_buffers_read(const TileBuffers *buffers, const Scene3D *scene, cl_comma
     if (image_create(scene->width, scene->height, image) != 0) {
         return -1;
     }
-    const size_t n_pixels = (size_t)scene->width * (size_t)scene->height;
-    // Mapped, not read: on a CPU the picture is where the kernel wrote it.
-    cl_int error;
-    cl_uint *pixels = clEnqueueMapBuffer(queue, buffers->d_pixels, CL_TRUE, CL_MAP_READ, 0,
-                                         n_pixels * sizeof *pixels, 0, NULL, NULL, &error);
-    CL_CHECK_CREATED(error, clEnqueueMapBuffer);
-    for (size_t i = 0; i < n_pixels; i++) {
-        for (int channel = 0; channel < IMAGE_CHANNELS; channel++) {
-            image->pixels[i * IMAGE_CHANNELS + (size_t)channel] =
-                (float)(pixels[i] >> (8 * channel) & 0xff) / 255.0f;
-        }
-    }
-    CL_CHECK(clEnqueueUnmapMemObject(queue, buffers->d_pixels, pixels, 0, NULL, NULL));
+    pixels_read(queue, buffers->d_pixels, image);
     return 0;
 }

@@ -33,17 +33,31 @@ void tile_buffers_set(const TileBuffers *buffers, const Scene3D *scene, cl_kerne
 int tile_buffers_read(const TileBuffers *buffers, const Scene3D *scene, cl_command_queue queue,
                       Image *image);
 
+// A picture as bytes on the device, [height * width], RGBA, red lowest; all 0. Release with
+// clReleaseMemObject.
+cl_mem pixels_create(const ClSetup *cl, int width, int height);
+
+// Wait for what is queued and copy them to the host, as floats from 0 to 1; image is of their size.
+void pixels_read(cl_command_queue queue, cl_mem d_pixels, Image *image);
+
 // What a device is given at once: a tile of width x height pixels, in vectors of `lanes`. The three
 // become -D options of its kernel (lanes.h).
 typedef struct TileShape {
     int width, height;  // pixels
     int lanes;
-    size_t group_side;    // work-groups of so many tiles, squared
+    size_t group_side;    // a work-group has this number of tiles, squared
     const char *options;  // for the kernel's build
 } TileShape;
 
 // The shape for a kind of device: of a CPU measured, see the lab's README; of a GPU not yet.
 TileShape tile_shape(cl_device_id device);
+
+// Launch a kernel with one work-item a tile of this shape over width x height pixels.
+void enqueue_tiles_of(cl_command_queue queue, cl_kernel kernel, TileShape tile, int width,
+                      int height);
+
+// The device of a queue.
+cl_device_id queue_device(cl_command_queue queue);
 
 // Launch a kernel with one work-item a tile over width x height pixels, as EnqueuePixels (lab.h).
 void enqueue_tiles(cl_command_queue queue, cl_kernel kernel, int width, int height);

@@ -1,11 +1,11 @@
 #!/bin/sh
 # Make one page of the site from one Markdown file: self-contained HTML.
 #
-#     slides-notes/make/build.sh SITE EDITION FORM SOURCE OUTPUT "PAGE..."
+#     slides-notes/make/build.sh SITE EDITION FORM SOURCE OUTPUT "PAGE..." [TOUCH]
 #
 # EDITION is student or instructor; FORM is notes, slides or page; SOURCE and PAGE... are paths from the
 # course's top folder, where this runs; OUTPUT lies below the folder SITE; beside SITE, runs/ has what the
-# programs counted.
+# programs counted. TOUCH is a piece of a page that lets its figures be touched.
 set -eu
 
 site=$1
@@ -14,6 +14,8 @@ form=$3
 source=$4
 output=$5
 pages=$6
+live=
+[ "$form" != notes ] || live=${7:-}
 make=slides-notes/make
 
 # The way from the page up to the site's top folder.
@@ -30,6 +32,7 @@ slides)
     [ "$edition" = student ] || cat $make/speaker.css >>"$work/style"
     cat $make/slides.js >"$work/script"
     ;;
+notes) cat $make/style.css $make/page.css slides-notes/touch/touch.css >"$work/style" && : >"$work/script" ;;
 *) cat $make/style.css $make/page.css >"$work/style" && : >"$work/script" ;;
 esac
 {
@@ -60,6 +63,6 @@ pandoc --from=gfm --to=html5 $embed --mathml --wrap=preserve --no-highlight \
     --metadata=edition:"$edition" --metadata=pages:"$pages" --metadata=runs:"$(dirname "$site")/runs" --metadata=up:"$up" \
     --variable=form:"$form" --variable=edition:"$edition" \
     --variable=style:"$(cat "$work/style")" --variable=script:"$(cat "$work/script")" \
-    --variable=bar:"$(cat "$work/bar")" \
+    --variable=bar:"$(cat "$work/bar")" ${live:+--include-after-body="$live"} \
     --output="$work/page.html" "$source"
 mv "$work/page.html" "$output"

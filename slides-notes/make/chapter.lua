@@ -63,10 +63,11 @@ local function link(element)
     return element
 end
 
--- A paragraph that is a picture becomes a figure.
+-- A paragraph that is a picture becomes a figure. By its name slides-notes/touch finds those that can be touched.
 local function figure(image)
     local caption = pandoc.utils.stringify(image.caption)
-    local shown = List{pandoc.RawInline("html", "<figure>"), pandoc.Image(image.caption, image.src)}
+    local name = image.src:match("([^/]*)%.%w+$")
+    local shown = List{pandoc.RawInline("html", '<figure data-name="' .. name .. '">'), pandoc.Image(image.caption, image.src)}
     shown:insert(pandoc.RawInline("html", "<figcaption>"))
     shown:extend(image.caption)
     shown:insert(pandoc.RawInline("html", "</figcaption></figure>"))
@@ -102,6 +103,12 @@ local function numbers(content)
         end
     end
     return content
+end
+
+-- An option as "--size" is not broken behind its first hyphen.
+local function short_code(element)
+    if #element.text <= 24 then element.classes:insert("short") end
+    return element
 end
 
 -- ---- What a paragraph may stand for ----------------------------------------------------------------
@@ -303,6 +310,7 @@ function Pandoc(document)
     document.blocks = pandoc.walk_block(pandoc.Div(document.blocks), {Para = paragraph, CodeBlock = code}).content
     document.blocks = pandoc.walk_block(pandoc.Div(document.blocks), {
         Link = link,
+        Code = short_code,
         Table = function(block) return div("scrolls", {block}) end,
     }).content
     return document

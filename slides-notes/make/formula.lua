@@ -48,6 +48,7 @@ local function piece(text, at)
         local root, finish = piece(text, at + #char)
         return "<msqrt>" .. root .. "</msqrt>", finish
     end
+    if text:sub(at, at + 1) == "+=" then return "<mo>+=</mo>", at + 2 end
     if char == "½" then return "<mfrac><mn>1</mn><mn>2</mn></mfrac>", at + #char end
     if char == "Σ" then return "<mo>∑</mo>", at + #char end
     if char == "|" then return "<mo stretchy=\"false\" lspace=\"0\" rspace=\"0\">|</mo>", at + 1 end
@@ -61,6 +62,10 @@ local function row(text)
     while at <= #text do
         local blanks = text:match("^ +", at)
         if blanks then
+            -- Words and names with an index stay apart; "b d" is a product.
+            local left = text:sub(1, at - 1):match("%a[%w_]*$")
+            local right = text:match("^%a[%w_]*", at + #blanks)
+            if left and right and #left + #right > 2 then set[#set + 1] = "<mspace width=\"0.25em\"/>" end
             at = at + #blanks
         else
             set[#set + 1], at = piece(text, at)

@@ -1,43 +1,37 @@
 # Notes, slides and the course's site, in two editions: `make notes`. Only this needs pandoc and Chromium.
 
-setup_for += notes
+include slides-notes/touch/touch.mk
 
 NOTES := $(BUILD)/notes
 NOTES_MAKE := slides-notes/make
 CHAPTERS := $(patsubst slides-notes/notes-%.md,%,$(wildcard slides-notes/notes-*.md))
 # Markdown files that become pages as they are, at the same places; what links to others keeps only its words.
-NOTES_PAGES := README.md slides-notes/slides-and-course.md slides-notes/questions.md slides-notes/realtime.md $(wildcard labs/*/README.md)
+NOTES_PAGES := README.md slides-notes/slides-and-course.md slides-notes/questions.md $(wildcard labs/*/README.md)
 NOTES_LINKED := $(NOTES_PAGES) $(wildcard slides-notes/notes-*.md)
-NOTES_TOOLS := $(wildcard $(NOTES_MAKE)/*.lua $(NOTES_MAKE)/*.css $(NOTES_MAKE)/*.js) $(NOTES_MAKE)/page.html $(NOTES_MAKE)/build.sh
+NOTES_TOOLS := $(wildcard $(NOTES_MAKE)/*.lua $(NOTES_MAKE)/*.css slides-notes/touch/*.css $(NOTES_MAKE)/*.js) $(NOTES_MAKE)/page.html $(NOTES_MAKE)/build.sh
 
-# What the programs counted, for the numbers in the texts.
-NOTES_RUNS := $(addprefix $(NOTES)/runs/,$(addsuffix .json,03-example 03-random 07-lattice 07-sphereflake))
-$(NOTES)/runs/03-%.json: $(OUT)/solutions/03-kdtree-2d-render
+# What the programs counted, for the numbers in the texts: a run for each line of runs.txt.
+NOTES_RUNS := $(patsubst %,$(NOTES)/runs/%.json,$(shell sed -n 's/^\([0-9][^ ]*\) .*/\1/p' $(NOTES_MAKE)/runs.txt))
+$(NOTES_RUNS): $(NOTES)/runs/%.json: $(NOTES_MAKE)/runs.txt $(NOTES_MAKE)/run.sh \
+    $$(addprefix $(OUT)/solutions/,$$(filter $$(firstword $$(subst -, ,$$*))-%,$(LABS)))
 	@mkdir -p $(@D)
-	@$< $(run_options) --stats $@.new --output $(@:.json=.png) >/dev/null && mv $@.new $@
-$(NOTES)/runs/07-%.json: $(OUT)/solutions/07-kdtree-3d-trace
-	@mkdir -p $(@D)
-	@$< $(run_options) --stats $@.new --output $(@:.json=.png) >/dev/null && mv $@.new $@
-$(NOTES)/runs/03-example.json: run_options = --scene example --max-depth 4 --leaf-size 1 --size 10x10
-$(NOTES)/runs/03-random.json: run_options = --scene random
-$(NOTES)/runs/07-lattice.json: run_options = --scene lattice:n=2 --leaf-size 1
-$(NOTES)/runs/07-sphereflake.json: run_options = --scene sphereflake
+	$(call say,count   $*)$(NOTES_MAKE)/run.sh $* $(OUT) $@
 
 # A page: of edition $(1) and form $(2), from the source that comes first.
 define page
-$(call say,page    $@)$(NOTES_MAKE)/build.sh $(NOTES)/$(1) $(1) $(2) $< $@ "$(NOTES_LINKED)"
+$(call say,page    $@)$(NOTES_MAKE)/build.sh $(NOTES)/$(1) $(1) $(2) $< $@ "$(NOTES_LINKED)" $(TOUCH)
 endef
 define notes_edition  # the rules of the edition $(1)
 NOTES_HTML += $(NOTES)/$(1)/index.html $(addprefix $(NOTES)/$(1)/,$(NOTES_PAGES:.md=.html)) \
     $(foreach chapter,$(CHAPTERS),$(NOTES)/$(1)/slides-notes/notes-$(chapter).html $(NOTES)/$(1)/slides-notes/slides-$(chapter).html)
 NOTES_PDF += $(foreach chapter,$(CHAPTERS),$(NOTES)/$(1)/slides-notes/notes-$(chapter).pdf $(NOTES)/$(1)/slides-notes/slides-$(chapter).pdf)
-$(NOTES)/$(1)/slides-notes/notes-%.html: slides-notes/notes-%.md slides-notes/questions.md $(NOTES_TOOLS) $(NOTES_RUNS)
+$(NOTES)/$(1)/slides-notes/notes-%.html: slides-notes/notes-%.md slides-notes/questions.md $(NOTES_TOOLS) $(NOTES_RUNS) $(TOUCH)
 	$$(call page,$(1),notes)
 $(NOTES)/$(1)/slides-notes/slides-%.html: slides-notes/notes-%.md slides-notes/questions.md $(NOTES_TOOLS) $(NOTES_RUNS)
 	$$(call page,$(1),slides)
 $(NOTES)/$(1)/index.html: slides-notes/index.md $(NOTES_TOOLS)
 	$$(call page,$(1),page)
-$(NOTES)/$(1)/%.html: %.md slides-notes/questions.md $(NOTES_TOOLS)
+$(NOTES)/$(1)/%.html: %.md slides-notes/questions.md $(NOTES_TOOLS) $(NOTES_RUNS)
 	$$(call page,$(1),page)
 endef
 $(foreach edition,student instructor,$(eval $(call notes_edition,$(edition))))
@@ -52,6 +46,8 @@ notes:  ## install what is missing, make notes, slides and the course's site, fo
 	@common/setup/install.sh notes
 	@command -v pandoc >/dev/null || { echo "make notes: found no pandoc, expected it to be installed" >&2; exit 1; }
 	@$(MAKE) --no-print-directory notes-html
+	@slides-notes/touch/compiler.sh >/dev/null || \
+	    echo "make notes: found no clang, lld, wasi-libc and libclang-rt-dev-wasm32: no figure can be touched"
 	@if $(NOTES_MAKE)/browser.sh >/dev/null; then $(MAKE) --no-print-directory notes-pdf; \
 	else echo "make notes: found no Chromium: without PDF"; fi
 	@echo "for students: $(NOTES)/student/index.html"

@@ -32,16 +32,17 @@ int main(int argc, char **argv)
     stats_number(&lab.stats, "tree.build_ms", stats_clock_ms() - start);
     stats_integer(&lab.stats, "tree.n_nodes", tree.n_nodes);
     stats_integer(&lab.stats, "tree.n_map", tree.n_map);
+    require(tree2d_check(&tree, (u32)scene.n_circles));  // the kernel follows every id unasked
     // cl_buffer_create() is lab 01's clCreateBuffer and its check; of nothing it makes one byte.
-    const ClSetup *cl = &lab.cl;
-    cl_mem d_circles = cl_buffer_create(cl, scene.circles, scene.n_circles * sizeof(Circle));
+    cl_mem d_circles = cl_buffer_create(&lab.cl, scene.circles, scene.n_circles * sizeof(Circle));
     cl_mem d_nodes_Relations =
-        cl_buffer_create(cl, tree.nodes_Relations, tree.n_nodes * sizeof(NodeRel));
-    cl_mem d_nodes_flag = cl_buffer_create(cl, tree.nodes_flag, tree.n_nodes * sizeof(u8));
-    cl_mem d_nodes_BBox = cl_buffer_create(cl, tree.nodes_BBox, tree.n_nodes * sizeof(BBox2D));
-    cl_mem d_mapNode2Circles = cl_buffer_create(cl, tree.mapNode2Circles, tree.n_map * sizeof(u32));
+        cl_buffer_create(&lab.cl, tree.nodes_Relations, tree.n_nodes * sizeof(NodeRel));
+    cl_mem d_nodes_flag = cl_buffer_create(&lab.cl, tree.nodes_flag, tree.n_nodes * sizeof(u8));
+    cl_mem d_nodes_BBox = cl_buffer_create(&lab.cl, tree.nodes_BBox, tree.n_nodes * sizeof(BBox2D));
+    cl_mem d_mapNode2Circles =
+        cl_buffer_create(&lab.cl, tree.mapNode2Circles, tree.n_map * sizeof(u32));
     cl_mem d_image;
-    require(cl_image_create(cl, scene.width, scene.height, &d_image));
+    require(cl_image_create(&lab.cl, scene.width, scene.height, &d_image));
 
     // ---- Kernel ----------------------------------------------------------------------------
     // One kernel draws. Where the work is counted, a second one does that, with the same arguments.

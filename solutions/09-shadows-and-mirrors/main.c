@@ -3,13 +3,13 @@
 //
 // Flow: scene -> buffers -> kernel -> image -> comparison; the banners below name the steps.
 // enqueue_pixels() and read_back() are those of lab 00 (render.h).
-#include "cl_memory.h"
 #include "image.h"
 #include "kdtree3d_build.h"
 #include "lab.h"
 #include "render.h"
 #include "scene3d.h"
 #include "scene_buffers.h"
+#include "tree_buffers.h"
 
 int main(int argc, char **argv)
 {
@@ -27,24 +27,11 @@ int main(int argc, char **argv)
     // ---- Buffers ---------------------------------------------------------------------------
     SceneBuffers buffers;
     require(scene_buffers_create(&lab.cl, &scene, &buffers));
-    const u32 n_spheres = (u32)scene.n_spheres;
+    TreeBuffers tree;
     const KdTreeLimits limits =
-        tree3d_limits(lab.options.max_depth, lab.options.leaf_size, n_spheres);
-    stats_integer(&lab.stats, "max_depth", limits.maxDepth);
-    stats_integer(&lab.stats, "leaf_size", limits.targetElementsPerNode);
+        tree3d_limits(lab.options.max_depth, lab.options.leaf_size, (u32)scene.n_spheres);
+    require(tree_buffers_create(&lab, &scene, "tree", kdtree3d_build, limits, &tree));
     stats_integer(&lab.stats, "max_bounces", lab.options.n_bounces);
-    KdTree3D tree;
-    const double start = stats_clock_ms();
-    require(kdtree3d_build(scene.spheres, n_spheres, limits, &tree));
-    stats_number(&lab.stats, "tree.build_ms", stats_clock_ms() - start);
-    stats_integer(&lab.stats, "tree.n_nodes", tree.n_nodes);
-    stats_integer(&lab.stats, "tree.n_sphere_ids", tree.n_sphere_ids);
-    // The kernel follows every id without asking.
-    require(tree3d_check(&tree, n_spheres));
-    const BBox3D bounds = box_widened(tree.bounds);
-    cl_mem d_nodes = cl_buffer_create(&lab.cl, tree.nodes, tree.n_nodes * sizeof(KdNode3));
-    cl_mem d_sphere_ids =
-        cl_buffer_create(&lab.cl, tree.sphere_ids, tree.n_sphere_ids * sizeof(u32));
 
     // ---- Kernel ----------------------------------------------------------------------------
     // One kernel draws. Where the work is counted, a second one does that, with the same arguments.
@@ -54,9 +41,7 @@ int main(int argc, char **argv)
     for (int i = 0; i < lab.n_kernels; i++) {
         cl_kernel kernel = lab.kernels[i];
         scene_buffers_set(&buffers, &scene, kernel);  // arguments 0 to 9
-        CL_CHECK(clSetKernelArg(kernel, 10, sizeof d_nodes, &d_nodes));
-        CL_CHECK(clSetKernelArg(kernel, 11, sizeof d_sphere_ids, &d_sphere_ids));
-        CL_CHECK(clSetKernelArg(kernel, 12, sizeof bounds, &bounds));
+        tree_buffers_set(&tree, kernel);              // 10 to 12
         CL_CHECK(clSetKernelArg(kernel, 13, sizeof lab.options.n_bounces, &lab.options.n_bounces));
         CL_CHECK(clSetKernelArg(kernel, 14, sizeof lab.d_work[i], &lab.d_work[i]));
     }
@@ -69,11 +54,9 @@ int main(int argc, char **argv)
     require(image_save(&image, lab.options.output));
     lab_count_work(&lab, enqueue_pixels, scene.width, scene.height, WORK_SPHERES);
 
-    const cl_mem memory[] = {d_nodes, d_sphere_ids};
-    cl_memory_release(memory, sizeof memory / sizeof *memory);
+    tree_buffers_free(&tree);
     scene_buffers_free(&buffers);
     image_free(&image);
-    tree3d_free(&tree);
     scene3d_free(&scene);
     lab_end(&lab);
     return EXIT_SUCCESS;

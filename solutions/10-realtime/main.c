@@ -1,7 +1,9 @@
 // Lab 10: trace spheres tile by tile and save the picture. Nothing to fill in here: see what is new
-// since lab 07's, then go to intervals.cl and cone.cl.
+// since lab 07's, then go to intervals.cl and cone.cl. Part A, circles, has the same steps in
+// circles.c.
 //
 // Flow: scene -> buffers -> kernel -> image -> comparison; the banners below name the steps.
+#include "circles.h"
 #include "image.h"
 #include "lab.h"
 #include "scene3d.h"
@@ -10,9 +12,14 @@
 int main(int argc, char **argv)
 {
     // ---- Options ---------------------------------------------------------------------------
-    Lab lab = lab_begin(argc, argv, LAB_NAME,
-                        "Traces spheres; a tile of rays goes through the kd-tree as one.",
-                        OPTIONS_SCENE3D | OPTIONS_TREE | OPTIONS_DEVICE | OPTIONS_WORK);
+    Lab lab = lab_begin(
+        argc, argv, LAB_NAME, "Traces spheres; a tile of rays goes through the kd-tree as one.",
+        OPTIONS_SCENE3D | OPTIONS_TREE | OPTIONS_DEVICE | OPTIONS_WORK | OPTIONS_CIRCLES);
+    if (lab.options.circles) {
+        draw_circles(&lab);
+        lab_end(&lab);
+        return EXIT_SUCCESS;
+    }
 
     // ---- Scene, device ---------------------------------------------------------------------
     Scene3D scene;

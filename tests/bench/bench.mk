@@ -2,7 +2,7 @@
 
 # Embree, which the 3D bench compares with where its package is installed: version 4, or 3.
 EMBREE := $(firstword $(foreach v,4 3,$(if $(wildcard /usr/include/embree$(v)/rtcore.h),$(v))))
-BENCH_INCLUDES = $(BUILDER_INCLUDES) -I solutions/05-spheres
+BENCH_INCLUDES = $(BUILDER_INCLUDES) -I solutions/05-spheres -I solutions/10-realtime
 $(OUT)/obj/tests/bench/%.o: EXTRA = $(BENCH_INCLUDES) \
     -DNAIVE_OPTIONS='"$(call include_path,01-naive-2d)"' \
     -DKDTREE_OPTIONS='"$(call include_path,03-kdtree-2d-render)"' \
@@ -12,12 +12,15 @@ $(OUT)/obj/tests/bench/%.o: EXTRA = $(BENCH_INCLUDES) \
 $(OUT)/obj/tests/bench/embree_peer.c.o: EXTRA = $(BENCH_INCLUDES) -O3 -march=native \
     $(if $(EMBREE),-DWITH_EMBREE=$(EMBREE))
 $(OUT)/obj/tests/bench/embree_peer.c.o: $(OUT)/embree-version
+.PHONY: always
 $(OUT)/embree-version: always
 	@mkdir -p $(@D)
 	@echo "$(EMBREE)" | cmp -s - $@ || echo "$(EMBREE)" >$@
 
 $(OUT)/libbench.a: $(call objects,$(filter-out tests/bench/bench%d.c,$(wildcard tests/bench/*.c)) \
-    $(BUILDERS) solutions/05-spheres/scene_buffers.c)
+    $(BUILDERS) solutions/05-spheres/scene_buffers.c \
+    $(addprefix solutions/08-surface-area-heuristic/,kdtree3d_sah.c tree_report.c) \
+    $(addprefix solutions/10-realtime/,circle_tree.c circles.c tile_buffers.c))
 	$(archive)
 
 $(OUT)/tools/bench2d $(OUT)/tools/bench3d: $(OUT)/tools/%: $(OUT)/obj/tests/bench/%.c.o $(OUT)/libbench.a $(OUT)/libcommon.a

@@ -1,11 +1,12 @@
-// The 2D bench: the naive kernel of lab 01 against the kd-tree kernel of lab 03, in one run.
+// The 2D bench: the naive kernel of lab 01 against the kd-tree kernel of lab 03 and the tile kernel
+// of lab 10, in one run.
 //
 //     build/tools/bench2d [--device D] [--rounds N] [--output FOLDER]       or: make bench
 //
 // Cases are drawn in turn within each round, so that what else the machine does falls on all of
-// them: trust the ratios more than the milliseconds. In the first round every kd-tree picture is
-// compared with the naive one of the same scene, bit by bit; where one differs there are no
-// figures.
+// them: trust the ratios more than the milliseconds. In the first round every other picture is
+// compared with the naive one of the same scene, bit by bit, that of the tile kernel with its
+// colours as bytes; where one differs there are no figures.
 // Read next: case2d.h, report.c.
 #include "bench_options.h"
 #include "case2d.h"
@@ -13,6 +14,7 @@
 #include "equal_pixels.h"
 #include "image.h"
 #include "launch.h"
+#include "options.h"
 #include "report.h"
 #include "rounds.h"
 
@@ -34,19 +36,25 @@ static const struct SceneRow {
     int n_circles;
     float min_radius, max_radius;
     int n_cpu_rows;  // what the naive kernel draws on a CPU, where whole frames would take minutes
+    const char *radii;  // where the tile kernel draws it, too; without one for the growth alone
 } SCENES[] = {
-    {64, 22.625f, 226.25f, SIDE},        {512, 8, 80, SIDE},
-    {4096, 2.8125f, 28.3125f, SIDE / 4}, {SCENE2D_DEFAULT_CIRCLES, 2, 20, SIDE},
-    {32768, 1, 10, SIDE / 32},
+    {64, 22.625f, 226.25f, SIDE, NULL},
+    {512, 8, 80, SIDE, NULL},
+    {4096, 2.8125f, 28.3125f, SIDE / 4, NULL},
+    {SCENE2D_DEFAULT_CIRCLES, 2, 20, SIDE, "2 to 20"},
+    {32768, 1, 10, SIDE / 32, NULL},
+    // Not of the growth table: the same number of circles, small and large.
+    {SCENE2D_DEFAULT_CIRCLES, 1, 4, SIDE / 16, "1 to 4"},
+    {SCENE2D_DEFAULT_CIRCLES, 10, 60, SIDE / 16, "10 to 60"},
 };
-enum { N_SCENES = sizeof SCENES / sizeof *SCENES };
+enum { N_SCENES = sizeof SCENES / sizeof *SCENES, LECTURES_SCENE = 3 };
 
 // How deep is best? For the lecture's scene, besides the usual limits.
 static const KdTreeLimits LIMITS[] = {{8, 8},   {10, 8},  {12, 8}, {14, 8}, {18, 8},
                                       {16, 32}, {16, 16}, {16, 4}, {20, 4}};
 enum { N_LIMITS = sizeof LIMITS / sizeof *LIMITS };
 
-enum { MAX_CASES = 1 + 2 * N_SCENES + N_LIMITS };
+enum { MAX_CASES = 1 + 3 * N_SCENES + N_LIMITS };
 
 static const KdTreeLimits USUAL_LIMITS = {OPTIONS_DEFAULT_MAX_DEPTH, OPTIONS_DEFAULT_LEAF_SIZE};
 
@@ -71,16 +79,25 @@ static void list_cases(Bench *bench)
 {
     for (int i = 0; i < N_SCENES; i++) {
         const Scene2D *scene = &bench->scenes[i];
-        Case2D naive = {.kind = NAIVE, .scene = scene, .n_frames = 1};
+        Case2D naive = {.kind = NAIVE, .scene = scene, .radii = SCENES[i].radii, .n_frames = 1};
         naive.n_rows = device_is_cpu(&bench->cl) ? SCENES[i].n_cpu_rows : SIDE;
         add_case(bench, naive);
-        Case2D kdtree = {.kind = KDTREE, .scene = scene, .n_frames = 10, .n_rows = SIDE};
+        Case2D kdtree = naive;
+        kdtree.kind = KDTREE;
+        kdtree.n_frames = 10;
+        kdtree.n_rows = SIDE;
         kdtree.limits = USUAL_LIMITS;
         add_case(bench, kdtree);
-        for (int j = 0; j < N_LIMITS && scene->n_circles == SCENE2D_DEFAULT_CIRCLES; j++) {
+        for (int j = 0; j < N_LIMITS && i == LECTURES_SCENE; j++) {
             kdtree.n_frames = 5;
             kdtree.limits = LIMITS[j];
             add_case(bench, kdtree);
+        }
+        if (SCENES[i].radii != NULL) {
+            Case2D tiles = kdtree;
+            tiles.kind = TILES;
+            tiles.n_frames = 20;
+            add_case(bench, tiles);
         }
     }
     Case2D fill = {.kind = FILL, .scene = &bench->scenes[0], .n_frames = 10, .n_rows = SIDE};
@@ -141,6 +158,12 @@ static int check_picture(Bench *bench, const Case2D *bench_case)
         return 0;
     }
     Image *picture = bench_case->kind == NAIVE ? &bench->naive_picture : &bench->picture;
+    if (bench_case->kind == TILES) {
+        // The last case of its scene: nothing else is compared with the naive picture.
+        round_to_bytes(&bench->naive_picture);
+        case2d_read_tiles(bench_case, &bench->cl, picture);
+        return equal_pixels(picture, &bench->naive_picture, bench->n_naive_rows, "bench2d: tiles");
+    }
     read_image(&bench->cl, bench->d_image, picture);
     if (bench_case->kind == NAIVE) {
         bench->n_naive_rows = bench_case->n_rows;
@@ -195,7 +218,8 @@ int main(int argc, char **argv)
     BenchOptions options;
     switch (bench_options_read(
         argc, argv, "bench2d",
-        "measures the naive kernel of lab 01 and the kd-tree kernel of lab 03", &options)) {
+        "measures the naive kernel of lab 01, the kd-tree kernel of lab 03 and the tiles of lab 10",
+        &options)) {
     case OPTIONS_BAD:
         return EXIT_FAILURE;
     case OPTIONS_DONE:

@@ -1,12 +1,14 @@
 // What the bench measures (see case2d.h).
 #include "case2d.h"
 
+#include "circle_tree.h"
+#include "circles.h"
 #include "cl_memory.h"
 #include "kdtree2d_build.h"
 #include "launch.h"
 #include "stats.h"
 
-const char *const CASE2D_NAMES[N_CASE2D_KINDS] = {"fill", "naive", "kdtree"};
+const char *const CASE2D_NAMES[N_CASE2D_KINDS] = {"fill", "naive", "kdtree", "tiles"};
 
 // NAIVE_OPTIONS and KDTREE_OPTIONS come from the Makefile, as KERNEL_OPTIONS does in the labs.
 static const struct KernelRow {
@@ -18,12 +20,16 @@ static const struct KernelRow {
     [NAIVE] = {"solutions/01-naive-2d/implicit2DRenderer.cl", NAIVE_OPTIONS, "implicit2DRenderer"},
     [KDTREE] = {"solutions/03-kdtree-2d-render/implicit2DRenderer_KD.cl", KDTREE_OPTIONS,
                 "implicit2DRenderer_KD"},
+    // Its options depend on the device: see circle_tile_shape().
+    [TILES] = {"solutions/10-realtime/render_circles.cl", NULL, "render_circles"},
 };
 
 int programs_build(const ClSetup *cl, cl_program programs[N_CASE2D_KINDS])
 {
     for (int kind = 0; kind < N_CASE2D_KINDS; kind++) {
-        programs[kind] = cl_setup_build(cl, KERNELS[kind].path, KERNELS[kind].options);
+        const char *options =
+            kind == TILES ? circle_tile_shape(cl->device).options : KERNELS[kind].options;
+        programs[kind] = cl_setup_build(cl, KERNELS[kind].path, options);
         if (programs[kind] == NULL) {
             return -1;
         }
@@ -78,14 +84,40 @@ static int prepare_tree(Case2D *bench_case, const ClSetup *cl)
     return 0;
 }
 
+// The tree of a TILES case, and its picture. Returns 0, or -1 after one message.
+static int prepare_tiles(Case2D *bench_case, const ClSetup *cl)
+{
+    const KdTreeLimits limits = {OPTIONS_LARGEST_MAX_DEPTH, CIRCLE_LEAF_SIZE};
+    CircleTree tree;
+    if (circle_tree_build(bench_case->scene, limits, &tree) != 0) {
+        return -1;
+    }
+    bench_case->d_tile_nodes = cl_buffer_create(cl, tree.nodes, tree.n_nodes * sizeof *tree.nodes);
+    bench_case->d_leaf_circles =
+        cl_buffer_create(cl, tree.leaf_circles, tree.n_leaf_circles * sizeof *tree.leaf_circles);
+    bench_case->d_pixels = pixels_create(cl, bench_case->scene->width, bench_case->scene->height);
+    circle_tree_free(&tree);
+    return 0;
+}
+
+void case2d_read_tiles(const Case2D *bench_case, const ClSetup *cl, Image *picture)
+{
+    pixels_read(cl->queue, bench_case->d_pixels, picture);
+}
+
 // The arguments, in the order of each kernel's parameter list.
 static void set_arguments(const Case2D *bench_case, cl_mem d_image)
 {
     cl_kernel kernel = bench_case->kernel;
     const Scene2D *scene = bench_case->scene;
     cl_uint next = 0;
-    if (bench_case->kind != FILL) {
+    if (bench_case->kind == NAIVE || bench_case->kind == KDTREE) {
         CL_CHECK(clSetKernelArg(kernel, next++, sizeof(cl_mem), &bench_case->d_circles));
+    }
+    if (bench_case->kind == TILES) {
+        CL_CHECK(clSetKernelArg(kernel, next++, sizeof(cl_mem), &bench_case->d_tile_nodes));
+        CL_CHECK(clSetKernelArg(kernel, next++, sizeof(cl_mem), &bench_case->d_leaf_circles));
+        d_image = bench_case->d_pixels;
     }
     if (bench_case->kind == NAIVE) {
         CL_CHECK(clSetKernelArg(kernel, next++, sizeof scene->n_circles, &scene->n_circles));
@@ -107,7 +139,11 @@ static void set_arguments(const Case2D *bench_case, cl_mem d_image)
 // Draw a part of the picture, from its top left corner on, and wait for it.
 static void draw(const Case2D *bench_case, const ClSetup *cl, int width, int height)
 {
-    launch(cl, bench_case->kernel, 0, 0, width, height);
+    if (bench_case->kind == TILES) {
+        enqueue_circle_tiles(cl->queue, bench_case->kernel, width, height);
+    } else {
+        launch(cl, bench_case->kernel, 0, 0, width, height);
+    }
     CL_CHECK(clFinish(cl->queue));
 }
 
@@ -119,11 +155,12 @@ int case2d_prepare(Case2D *bench_case, const ClSetup *cl, const cl_program *prog
     bench_case->kernel =
         clCreateKernel(programs[bench_case->kind], KERNELS[bench_case->kind].name, &error);
     CL_CHECK_CREATED(error, clCreateKernel);
-    if (bench_case->kind != FILL) {
+    if (bench_case->kind == NAIVE || bench_case->kind == KDTREE) {
         bench_case->d_circles =
             cl_buffer_create(cl, scene->circles, (size_t)scene->n_circles * sizeof *scene->circles);
     }
-    if (bench_case->kind == KDTREE && prepare_tree(bench_case, cl) != 0) {
+    if ((bench_case->kind == KDTREE && prepare_tree(bench_case, cl) != 0) ||
+        (bench_case->kind == TILES && prepare_tiles(bench_case, cl) != 0)) {
         return -1;
     }
     set_arguments(bench_case, d_image);
@@ -133,9 +170,10 @@ int case2d_prepare(Case2D *bench_case, const ClSetup *cl, const cl_program *prog
 
 void case2d_free(Case2D *bench_case)
 {
-    cl_mem buffers[] = {bench_case->d_circles, bench_case->d_nodes_Relations,
-                        bench_case->d_nodes_flag, bench_case->d_nodes_BBox,
-                        bench_case->d_mapNode2Circles};
+    cl_mem buffers[] = {bench_case->d_circles,         bench_case->d_nodes_Relations,
+                        bench_case->d_nodes_flag,      bench_case->d_nodes_BBox,
+                        bench_case->d_mapNode2Circles, bench_case->d_tile_nodes,
+                        bench_case->d_leaf_circles,    bench_case->d_pixels};
     for (size_t i = 0; i < sizeof buffers / sizeof *buffers; i++) {
         if (buffers[i] != NULL) {
             CL_CHECK(clReleaseMemObject(buffers[i]));

@@ -8,6 +8,7 @@
 #define BENCH_CASE2D_H
 
 #include "cl_setup.h"
+#include "image.h"
 #include "scene2d.h"
 #include "series.h"
 #include "tree2d.h"
@@ -16,15 +17,17 @@ typedef enum Case2DKind {
     FILL,    // fill.cl: the floor
     NAIVE,   // lab 01
     KDTREE,  // lab 03 with the tree of lab 02
+    TILES,   // lab 10, Part A: tiles of pixels, with a tree of its own
     N_CASE2D_KINDS,
 } Case2DKind;
 
-// "fill", "naive", "kdtree": the first column of the table and of the CSV file.
+// "fill", "naive", "kdtree", "tiles": the first column of the table and of the CSV file.
 extern const char *const CASE2D_NAMES[N_CASE2D_KINDS];
 
 typedef struct Case2D {
     Case2DKind kind;
     const Scene2D *scene;  // kept by the caller
+    const char *radii;     // of the scene, "2 to 20", where it is one of the lecture's 8192 circles
     KdTreeLimits limits;   // KDTREE only
     int n_frames;          // frames a round
     int n_rows;  // of the picture that are drawn, from the top; fewer than all where a whole
@@ -37,6 +40,9 @@ typedef struct Case2D {
     cl_mem d_nodes_flag;
     cl_mem d_nodes_BBox;
     cl_mem d_mapNode2Circles;
+    cl_mem d_tile_nodes;  // these three: TILES only
+    cl_mem d_leaf_circles;
+    cl_mem d_pixels;
     u32 n_nodes;
     u32 n_references;  // circle ids in all lists together
     int depth;         // levels there are
@@ -45,7 +51,7 @@ typedef struct Case2D {
     Series builds;  // of the tree
 } Case2D;
 
-// The three programs, compiled. Returns 0, or -1 after one message. Release with programs_free().
+// The programs, compiled. Returns 0, or -1 after one message. Release with programs_free().
 int programs_build(const ClSetup *cl, cl_program programs[N_CASE2D_KINDS]);
 void programs_free(cl_program programs[N_CASE2D_KINDS]);
 
@@ -55,6 +61,9 @@ void programs_free(cl_program programs[N_CASE2D_KINDS]);
 int case2d_prepare(Case2D *bench_case, const ClSetup *cl, const cl_program *programs,
                    cl_mem d_image);
 void case2d_free(Case2D *bench_case);
+
+// Wait for what is queued and copy the picture of a TILES case to the host, which is of its size.
+void case2d_read_tiles(const Case2D *bench_case, const ClSetup *cl, Image *picture);
 
 // Draw a frame and wait for it. Returns the milliseconds from the launch until the queue is empty;
 // of some rows, scaled to the whole frame.

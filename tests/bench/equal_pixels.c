@@ -1,6 +1,7 @@
 // Are two pictures equal to the bit? (See equal_pixels.h.)
 #include "equal_pixels.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -9,6 +10,15 @@ static void report(const float *found, const float *expected)
     fprintf(stderr, "found (%.9g, %.9g, %.9g, %.9g), expected (%.9g, %.9g, %.9g, %.9g)\n",
             (double)found[0], (double)found[1], (double)found[2], (double)found[3],
             (double)expected[0], (double)expected[1], (double)expected[2], (double)expected[3]);
+}
+
+void round_to_bytes(Image *picture)
+{
+    const size_t n = (size_t)picture->width * (size_t)picture->height * IMAGE_CHANNELS;
+    for (size_t i = 0; i < n; i++) {
+        const float channel = fminf(fmaxf(picture->pixels[i], 0), 1);
+        picture->pixels[i] = floorf(channel * 255 + 0.5f) / 255;
+    }
 }
 
 int equal_pixels(const Image *picture, const Image *reference, int n_rows, const char *name)

@@ -1,5 +1,5 @@
 // Do the naive kernel, the kd-tree kernel and Embree draw the same picture? Asked before any figure
-// is told.
+// is printed.
 //
 // Read next: report3d.h.
 #ifndef BENCH_PICTURES3D_H

@@ -6,11 +6,15 @@
 #include "path.h"
 
 #include <stdio.h>
+#include <string.h>
 
 // The lecture's figures: 8192 circles on a GTX 470, frames a second.
 #define LECTURE_NAIVE_FPS 2.5
 #define LECTURE_KDTREE_FPS 311.0
 #define LECTURE_RATIO 124.0
+
+// What bench2d.c calls the lecture's scene.
+#define LECTURE_RADII "2 to 20"
 
 static Spread frame_ms(const Case2D *bench_case)
 {
@@ -28,11 +32,11 @@ static int has_usual_limits(const Case2D *bench_case)
            bench_case->limits.targetElementsPerNode == OPTIONS_DEFAULT_LEAF_SIZE;
 }
 
-// The first case of a kind and number of circles; a kd-tree of usual limits.
-static const Case2D *find(const Case2D *cases, Case2DKind kind, int n_circles)
+// The case of a kind over a scene; a kd-tree of usual limits.
+static const Case2D *find(const Case2D *cases, Case2DKind kind, const Scene2D *scene)
 {
     const Case2D *bench_case = cases;
-    while (bench_case->kind != kind || bench_case->scene->n_circles != n_circles ||
+    while (bench_case->kind != kind || bench_case->scene != scene ||
            (kind == KDTREE && !has_usual_limits(bench_case))) {
         bench_case++;
     }
@@ -103,15 +107,43 @@ static void print_trees(const Case2D *cases, int n_cases, const Case2D *naive)
         "  steps down, and memory that no cache holds, for lists that hardly get shorter.\n");
 }
 
+// Lab 10's kernel over the lecture's number of circles, small and large.
+static void print_tiles(const Case2D *cases, int n_cases)
+{
+    printf(
+        "\nTiles of 16 x 16 pixels (lab 10): milliseconds a frame, and how many times the others' "
+        "that is\n");
+    printf("  %9s  %10s  %10s  %8s  %14s  %14s\n", "radii, px", "naive", "kd-tree", "tiles",
+           "naive/tiles", "kd-tree/tiles");
+    for (int i = 0; i < n_cases; i++) {
+        if (cases[i].kind == TILES) {
+            const Case2D *tiles = &cases[i];
+            const Case2D *naive = find(cases, NAIVE, tiles->scene);
+            const Case2D *kdtree = find(cases, KDTREE, tiles->scene);
+            const Spread ratio = series_ratio(&kdtree->frames, &tiles->frames);
+            printf("  %9s  %10.2f  %10.2f  %8.3f  %14.0f  %14.1f  (single rounds: %.1f to %.1f)\n",
+                   tiles->radii, frame_ms(naive).median, frame_ms(kdtree).median,
+                   frame_ms(tiles).median, series_ratio(&naive->frames, &tiles->frames).median,
+                   ratio.median, ratio.min, ratio.max);
+        }
+    }
+}
+
+// Is it of the growth table: of the lecture's number of circles only the lecture's scene is.
+static int is_of_growth(const Case2D *bench_case)
+{
+    return bench_case->radii == NULL || strcmp(bench_case->radii, LECTURE_RADII) == 0;
+}
+
 static void print_growth(const Case2D *cases, int n_cases)
 {
     printf(
         "\nGrowth: milliseconds a frame; the more circles the smaller, covering the same area\n");
     printf("  %9s  %10s  %10s  %7s\n", "circles", "naive", "kd-tree", "ratio");
     for (int i = 0; i < n_cases; i++) {
-        if (cases[i].kind == NAIVE) {
+        if (cases[i].kind == NAIVE && is_of_growth(&cases[i])) {
             const Case2D *naive = &cases[i];
-            const Case2D *kdtree = find(cases, KDTREE, naive->scene->n_circles);
+            const Case2D *kdtree = find(cases, KDTREE, naive->scene);
             printf("  %9d  %10.2f  %10.2f  %7.1f", naive->scene->n_circles, frame_ms(naive).median,
                    frame_ms(kdtree).median, series_ratio(&naive->frames, &kdtree->frames).median);
             if (naive->n_rows < naive->scene->height) {
@@ -124,10 +156,14 @@ static void print_growth(const Case2D *cases, int n_cases)
 
 void report_print(const Case2D *cases, int n_cases, const char *device_name)
 {
-    const Case2D *naive = find(cases, NAIVE, SCENE2D_DEFAULT_CIRCLES);
-    const Case2D *kdtree = find(cases, KDTREE, SCENE2D_DEFAULT_CIRCLES);
+    const Case2D *naive = cases;
+    while (naive->radii == NULL || !is_of_growth(naive)) {
+        naive++;
+    }
+    const Case2D *kdtree = find(cases, KDTREE, naive->scene);
     print_comparison(naive, kdtree, device_name);
     print_milliseconds(naive, kdtree, &cases[n_cases - 1]);
+    print_tiles(cases, n_cases);
     print_trees(cases, n_cases, naive);
     print_growth(cases, n_cases);
 }
@@ -137,7 +173,12 @@ void report_print(const Case2D *cases, int n_cases, const char *device_name)
 static void write_row(FILE *file, const Case2D *bench_case)
 {
     const Spread ms = frame_ms(bench_case);
-    fprintf(file, "%s,", CASE2D_NAMES[bench_case->kind]);
+    // Of the growth's curves are only those that are called by the kernel's name alone.
+    fprintf(file, "%s", CASE2D_NAMES[bench_case->kind]);
+    if (bench_case->kind == TILES || !is_of_growth(bench_case)) {
+        fprintf(file, " %s px", bench_case->radii);
+    }
+    fprintf(file, ",");
     if (bench_case->kind != FILL) {
         fprintf(file, "%d", bench_case->scene->n_circles);
     }
@@ -155,6 +196,9 @@ enum RowGroup { NAIVE_ROWS, USUAL_KDTREE_ROWS, OTHER_ROWS, N_ROW_GROUPS };
 
 static enum RowGroup row_group(const Case2D *bench_case)
 {
+    if (!is_of_growth(bench_case)) {
+        return OTHER_ROWS;
+    }
     if (bench_case->kind == NAIVE) {
         return NAIVE_ROWS;
     }

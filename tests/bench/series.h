@@ -1,5 +1,5 @@
-// A series of measured times, and what is told of it: the median with the smallest and the largest.
-// The median, as single frames are slow for reasons that are none of the kernel's.
+// A series of measured times, and what is reported of it: the median with the smallest and the
+// largest. The median, as single frames are slow for reasons that are none of the kernel's.
 #ifndef BENCH_SERIES_H
 #define BENCH_SERIES_H
 

@@ -176,8 +176,8 @@ static int looks_like_line(const Worksheet *worksheet, const Participant *partic
     return 0;
 }
 
-// The first line of the list that a name, which fits none, looks like; 0 for none. Only to be told:
-// "carol-2" may be Carol's, or anybody's. Whoever it looks like may have handed in.
+// The first line of the list that a name, which fits none, looks like; 0 for none. It is only
+// reported: "carol-2" may be Carol's, or anybody's. Whoever it looks like may have handed in.
 static int look_alike_find(const Worksheet *worksheet, const char *name)
 {
     int first = 0;

@@ -1,7 +1,7 @@
 // Who of Moodle's list an entry of the gradebook belongs to: one student, or all of a team.
 //
 // Points must never reach anybody else. So what fits two, or fits one but for a part that differs,
-// is entered for nobody, and the instructor is told.
+// is entered for nobody, and listed for the instructor.
 //   - A Gradescope entry belongs to each of its submitters: whose e-mail address or university
 //     number it is, else whose name, unless the list gives that person another address or number.
 //   - Another entry belongs to the team of its name, where the list has a column of groups, or to

@@ -163,7 +163,7 @@ static int students_compare(const void *left, const void *right)
 }
 
 // Is every name Moodle's? Where others have chosen names, too, one of them may look like Moodle's:
-// then whoever runs this is told.
+// then it is reported to whoever runs this.
 static int is_moodles(const Folder *folder)
 {
     int n_moodles = 0;

@@ -28,8 +28,9 @@ typedef struct Roster {
 // Read the folder of submissions: each folder and each archive in it is an entry, other files are
 // passed over, with one line on stderr.
 //   lab_number   GitHub Classroom's names begin with it
-//   only_latest  of the entries that Moodle's export gives to one student keep the last. A name
-//                that only ends like an attempt's, "ada-2", may be anybody's, and stays.
+//   only_latest  of the entries that Moodle's export gives to one student keep the last: files
+//                after text typed into a form, and these by name. A name that only ends like an
+//                attempt's, "ada-2", may be anybody's, and stays.
 //   links        folder that receives a symbolic link SLUG -> entry for each; made anew
 // Returns 0, or -1 after one message on stderr. Release with roster_free().
 int roster_read(const char *submissions, int lab_number, int only_latest, const char *links,

@@ -3,7 +3,7 @@
 
 #include "oracle3d.h"
 
-// A display of so many pixels, and the pixel whose ray is drawn.
+// The display's size in pixels, and the pixel whose ray is drawn.
 enum { COLUMNS = 8, ROWS = 6, PIXEL_X = 1, PIXEL_Y = 1, HEIGHT = 600 };
 static const double FOV = 1;
 

@@ -20,20 +20,20 @@ static Place place_of(u32 id)
     return (Place){level, (int)(id + 1 - (1u << (level - 1)))};
 }
 
-static double node_x(u32 id)
+double tree2d_x(u32 id)
 {
     const Place place = place_of(id);
     return TREE_LEFT + (place.number + 0.5) * (TREE_RIGHT - TREE_LEFT) / (1 << (place.level - 1));
 }
 
-static double node_y(u32 id)
+double tree2d_y(u32 id)
 {
     return FIRST_LEVEL + (place_of(id).level - 1) * LEVEL;
 }
 
 static void leaf_draw(FILE *file, const KdTree2D *tree, u32 id, int is_marked)
 {
-    svg_box(file, node_x(id) - 24, node_y(id) - 20, 48, 40,
+    svg_box(file, tree2d_x(id) - 24, tree2d_y(id) - 20, 48, 40,
             is_marked ? "fill=\"" SVG_SAND "\" stroke=\"" SVG_BLACK "\" stroke-width=\"5\""
                       : "fill=\"#ffffff\" stroke=\"" SVG_BLACK "\" stroke-width=\"2\"");
     char letters[16] = "";
@@ -41,29 +41,29 @@ static void leaf_draw(FILE *file, const KdTree2D *tree, u32 id, int is_marked)
     for (u32 i = 1; i <= list[0] && i < sizeof letters; i++) {
         letters[i - 1] = circle_letter(list[i]);
     }
-    svg_text(file, node_x(id), node_y(id) + 46, SVG_MIDDLE, "", "%s", letters);
+    svg_text(file, tree2d_x(id), tree2d_y(id) + 46, SVG_MIDDLE, "", "%s", letters);
 }
 
-static void nodes_draw(FILE *file, const KdTree2D *tree, u32 marked)
+void tree2d_nodes(FILE *file, const KdTree2D *tree, u32 marked)
 {
     for (u32 id = 0; id < tree->n_nodes; id++) {
         if (tree->nodes_flag[id] == INNER) {
             const u32 children[] = {tree->nodes_Relations[id].lChild,
                                     tree->nodes_Relations[id].rChild};
             for (int i = 0; i < 2; i++) {
-                svg_line(file, node_x(id), node_y(id), node_x(children[i]), node_y(children[i]),
-                         "stroke=\"" SVG_BLACK "\" stroke-width=\"2\"");
+                svg_line(file, tree2d_x(id), tree2d_y(id), tree2d_x(children[i]),
+                         tree2d_y(children[i]), "stroke=\"" SVG_BLACK "\" stroke-width=\"2\"");
             }
         }
     }
     for (u32 id = 0; id < tree->n_nodes; id++) {
         if (tree->nodes_flag[id] == INNER) {
-            svg_circle(file, node_x(id), node_y(id), 20,
+            svg_circle(file, tree2d_x(id), tree2d_y(id), 20,
                        "fill=\"" SVG_PALE "\" stroke=\"" SVG_BLACK "\" stroke-width=\"2\"");
         } else {
             leaf_draw(file, tree, id, id == marked);
         }
-        svg_text(file, node_x(id), node_y(id) + 7, SVG_MIDDLE, "", "%u", id);
+        svg_text(file, tree2d_x(id), tree2d_y(id) + 7, SVG_MIDDLE, "", "%u", id);
     }
 }
 
@@ -107,7 +107,7 @@ void draw_tree(FILE *file, const Followed *followed)
     svg_title(file, TREE_LEFT - 4, 40, SVG_LEFT, "", "The tree: pixel %d, %d is in leaf %u",
               followed->x, followed->y, marked);
     plane_draw(file, followed, tree, marked);
-    nodes_draw(file, tree, marked);
+    tree2d_nodes(file, tree, marked);
     for (int level = 1; level <= followed->world->figures.depth; level++) {
         svg_text(file, TREE_LEFT - 60, FIRST_LEVEL + (level - 1) * LEVEL - 24, SVG_LEFT,
                  "fill=\"" SVG_GREY "\"", "level %d", level);

@@ -7,6 +7,10 @@
 #include "followed.h"
 #include "svg.h"
 
+// How a figure that can be touched is drawn (slides-notes/touch): as it stands in print, with its
+// words; live, where the page has the words beside it; and that on a phone.
+typedef enum FigureShape { SHAPE_STILL, SHAPE_WIDE, SHAPE_NARROW } FigureShape;
+
 // One figure: `draw` is called with an open file.
 typedef struct Figure {
     const char *name;  // "02-tree.svg"

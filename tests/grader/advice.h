@@ -6,7 +6,7 @@
 #include "manifest.h"
 #include "result.h"
 
-// Oclgrind as a driver that the OpenCL loader can be told of; without it `make memcheck` is not
+// Oclgrind as a driver that the OpenCL loader can be pointed to; without it `make memcheck` is not
 // offered.
 #define OCLGRIND_DRIVER "/usr/lib/oclgrind/liboclgrind-rt-icd.so"
 

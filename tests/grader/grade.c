@@ -88,7 +88,7 @@ static void add_run_stages(Grading *grading)
     }
 }
 
-// Say what to try next. What ended for a reason that is told already needs nothing to find one.
+// Say what to try next. What ended for a reason that is reported already needs nothing to find one.
 static void add_advice(Grading *grading)
 {
     const Variant *whole = &grading->whole;

@@ -21,7 +21,7 @@ typedef struct Grading {
     AloneVerdicts verdicts[MANIFEST_MAX_TASKS];  // of it
     int is_untouched[MANIFEST_MAX_TASKS];        // its task stands as it was handed out
     int has_no_time;  // answers are left that were not tried alone: all tries took too long
-    int has_line;     // it is told at which line of a host file it crashed
+    int has_line;     // the report says at which line of a host file it crashed
     Result result;
 } Grading;
 

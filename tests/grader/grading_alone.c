@@ -172,7 +172,7 @@ static void note_own(const Grading *grading, const Variant *alone, int passes, C
         .says = "what is wrong can be said once the whole program comes this far"};
     check->is_own = !passes || is_finished(grading);
     check->passes_alone = passes;
-    // What does not compile is told once, under "Compiling".
+    // What does not compile is reported once, under "Compiling".
     if (check->is_own && check->status == CHECK_NOT_RUN && alone->build_log == NULL) {
         check_fail(check, diagnosis_of(message_new("it fails by itself, too"), not_yet));
     }

@@ -55,7 +55,7 @@ static char *describe_markers(const Grading *grading)
     return faults;
 }
 
-// Each answer is tried alone by what stands between its markers: who has lost one is told.
+// Each answer is tried alone by what stands between its markers: who has lost one reads so.
 static void add_marker_stage(Grading *grading)
 {
     char *faults = describe_markers(grading);

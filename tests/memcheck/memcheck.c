@@ -4,8 +4,8 @@
 //     memcheck --lab 03 [--submission FOLDER]
 //
 // The lab's probe does a small job (memcheck_job.h) in the sandbox, with Oclgrind as its OpenCL
-// driver; what Oclgrind writes down is told at the student's own lines. It is a diagnosis and earns
-// or costs no points. Exit status: 0 nothing found, 1 something, 2 it could not be tried.
+// driver; what Oclgrind writes down is reported at the student's own lines. It is a diagnosis and
+// earns or costs no points. Exit status: 0 nothing found, 1 something, 2 it could not be tried.
 #include "clean_text.h"
 #include "complain.h"
 #include "holes.h"
@@ -101,7 +101,7 @@ static void finding_print(const Memcheck *memcheck, const Finding *finding)
 }
 
 // Print what was found. What goes wrong in a given file mostly follows from what goes wrong in the
-// student's, so it is told only where nothing else is.
+// student's, so it is reported only where nothing else is.
 static void findings_print(const Memcheck *memcheck)
 {
     const char *name;

@@ -44,10 +44,13 @@ static const struct {
     {"tile_children", sizeof(TileChildJob)},
     {"tile_waiting", sizeof(TileWaitingJob)},
     {"cones", sizeof(ConeJob)},
+    {"circle_rows", sizeof(CircleRowJob)},
+    {"tile_leaves", sizeof(CircleTileJob)},
+    {"circle_tiles", sizeof(CircleTileJob)},
 };
-static const char *const whole[] = {"children.relations", "children.boxes", "lights",
-                                    "leaf_ids",           "leaf_spheres",   "block_ids",
-                                    "block_spheres",      "lit_lights"};
+static const char *const whole[] = {
+    "children.relations", "children.boxes", "lights",     "leaf_ids",     "leaf_spheres",
+    "block_ids",          "block_spheres",  "lit_lights", "circle_nodes", "leaf_circles"};
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
@@ -58,7 +61,7 @@ static int calls_write(const Sections *job, const char *name, size_t record_byte
 {
     size_t n_bytes;
     const unsigned char *records = sections_find_any(job, name, &n_bytes);
-    unsigned char some[MAX_CALLS * sizeof(TileChildJob)];  // the largest record
+    unsigned char some[MAX_CALLS * sizeof(CircleRowJob)];  // the largest record
     if (records == NULL) {
         return 0;
     }

@@ -19,8 +19,8 @@ typedef struct Memcheck {
 } Memcheck;
 
 // Run the submission, whose files are in the folder and whose host files are compiled, and add up
-// what is found; a run that does not come to its end is told on stdout. Returns 0, or -1 after one
-// message when the machinery failed.
+// what is found; a run that does not come to its end is reported on stdout. Returns 0, or -1
+// after one message when the machinery failed.
 int memcheck_passes(Memcheck *memcheck);
 
 #endif

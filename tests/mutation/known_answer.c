@@ -58,16 +58,31 @@ int answer_check(const Session *session, const KnownAnswer *answer)
     return -1;
 }
 
+// Whose turn it is when this answer comes: the check's it is meant for, or the task's of a right one.
+// NULL where there is no such check or task.
+static Turn *turn_of(const Session *session, const KnownAnswer *answer, Turns *turns)
+{
+    const Task *task = manifest_task(&session->manifest, answer->task);
+    const int check = answer->is_right ? -1 : answer_check(session, answer);
+    if (answer->is_right) {
+        return task != NULL ? &turns->tasks[task - session->manifest.tasks] : NULL;
+    }
+    return check >= 0 ? &turns->checks[check] : NULL;
+}
+
 // Shall it be tried alone? A check that needs no other task's answer is judged there by the same
 // inputs in the same way, so nothing would be learnt.
 static int is_to_be_alone(const Session *session, const KnownAnswer *answer, Turns *turns)
 {
-    const int i = answer_check(session, answer);
-    if (answer->is_right || i < 0) {
-        return answer->is_right;
+    Turn *turn = turn_of(session, answer, turns);
+    if (turn == NULL) {
+        return 0;
     }
-    const int turn = (int)(turns->seed % (uint64_t)turns->n_meant[i]);
-    return turns->n_past[i]++ == turn && check_needs_others(&session->judge.checks[i]);
+    const int is_its_turn = turn->n_past++ == (int)(turns->seed % (uint64_t)turn->n_meant);
+    return answer->is_right
+               ? is_its_turn || turns->is_each_right_one_alone
+               : is_its_turn &&
+                     check_needs_others(&session->judge.checks[answer_check(session, answer)]);
 }
 
 int is_right_answer(const char *path)
@@ -75,31 +90,37 @@ int is_right_answer(const char *path)
     return strncmp(path, RIGHT_FOLDER, strlen(RIGHT_FOLDER)) == 0;
 }
 
-Turns turns_count(const Session *session, char *const *paths, int n)
+int answer_read(KnownAnswer *answer, const char *path)
 {
-    Turns turns = {.seed = session->settings->seed};
+    char why_right[ANSWER_LINE_BYTES];
+    *answer = (KnownAnswer){.path = path, .text = text_file_read(path)};
+    answer->is_right = is_right_answer(path);
+    return answer->text == NULL || read_header(answer, "task", answer->task) != 0 ||
+                   (answer->is_right ? read_header(answer, "right", why_right)
+                                     : read_header(answer, "caught by", answer->check) |
+                                           read_header(answer, "says", answer->says)) != 0 ||
+                   read_mistakes(answer) != 0
+               ? -1
+               : 0;
+}
+
+void turns_count(Turns *turns, const Session *session, char *const *paths, int n)
+{
+    turns->seed = session->settings->seed;
     for (int i = 0; i < n; i++) {
-        KnownAnswer answer = {.path = paths[i]};
-        answer.text = is_right_answer(answer.path) ? NULL : text_file_read(answer.path);
-        if (answer.text != NULL && read_header(&answer, "caught by", answer.check) == 0) {
-            const int check = answer_check(session, &answer);
-            turns.n_meant[check >= 0 ? check : 0] += check >= 0;
+        KnownAnswer answer;
+        Turn *turn = answer_read(&answer, paths[i]) == 0 ? turn_of(session, &answer, turns) : NULL;
+        if (turn != NULL) {
+            turn->n_meant++;
         }
-        free(answer.text);
+        answer_free(&answer);
     }
-    return turns;
 }
 
 int answer_open(KnownAnswer *answer, Session *session, const char *path, int slot, Turns *turns)
 {
-    char whole[24], alone[24], why_right[ANSWER_LINE_BYTES];
-    *answer = (KnownAnswer){.path = path, .text = text_file_read(path)};
-    answer->is_right = is_right_answer(path);
-    if (answer->text == NULL || read_header(answer, "task", answer->task) != 0 ||
-        (answer->is_right ? read_header(answer, "right", why_right)
-                          : read_header(answer, "caught by", answer->check) |
-                                read_header(answer, "says", answer->says)) != 0 ||
-        read_mistakes(answer) != 0) {
+    char whole[24], alone[24];
+    if (answer_read(answer, path) != 0) {
         return -1;
     }
     if (manifest_task(&session->manifest, answer->task) == NULL) {

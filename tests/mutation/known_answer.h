@@ -26,21 +26,34 @@ typedef struct KnownAnswer {
     Variant alone;
 } KnownAnswer;
 
-// For each check: how many wrong answers it is meant for, and how many of them have had their turn.
+// How many answers are meant for a check, or are right ones to a task, and how many of them have had
+// their turn.
+typedef struct Turn {
+    int n_meant;
+    int n_past;
+} Turn;
+
+// Which answers are tried alone. Of the wrong ones that a check is meant for one is, and of the right
+// ones to a task one, or each; the seed says which.
 typedef struct Turns {
     uint64_t seed;
-    int n_meant[RESULT_MAX_CHECKS];
-    int n_past[RESULT_MAX_CHECKS];
+    int is_each_right_one_alone;
+    Turn checks[RESULT_MAX_CHECKS];
+    Turn tasks[MANIFEST_MAX_TASKS];
 } Turns;
 
 // Is the file at this path a right answer?
 int is_right_answer(const char *path);
 
-// Count the turns in these n files.
-Turns turns_count(const Session *session, char *const *paths, int n);
+// Read an answer: all but its variants. Returns 0, or -1 after one message; answer_free() it in
+// either case.
+int answer_read(KnownAnswer *answer, const char *path);
+
+// Count the turns in these n files; nothing has been counted before.
+void turns_count(Turns *turns, const Session *session, char *const *paths, int n);
 
 // Read an answer and make its variants: in the solution of the other tasks, and alone where it is
-// its turn. Every right answer is tried alone; of the wrong ones that a check is meant for one is.
+// its turn.
 //   slot   tells the folders of answers apart that run side by side
 // Returns 0, or -1 after one message; answer_free() it in either case.
 int answer_open(KnownAnswer *answer, Session *session, const char *path, int slot, Turns *turns);

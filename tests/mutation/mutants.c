@@ -6,10 +6,11 @@
 //
 // --seeds says for how many seeds, from --seed on, each must be so; one is the default. Jobs of
 // further seeds are run beside the first, by programs that are compiled once. --only tries those
-// whose path holds the word, --every of the wrong ones each N-th in the order of their names.
+// whose path holds the word, --every of the wrong ones each N-th in the order of their names, and as
+// many others as it takes that each check and each kind of mistake has one that is meant for it.
 //
-// To be tried alone is to be compiled and run once more. Every right answer is; of the wrong ones
-// that a check is meant for one is, and the seed says which.
+// To be tried alone is to be compiled and run once more. Of the wrong ones that a check is meant for
+// one is, and the seed says which. Every right answer is; with --every one of each task.
 //
 // Prints TAP, a line for each file in tests/mutants/NN-name/ and tests/right/NN-name/. Their format
 // stands in tests/mutants/README.md and tests/right/README.md. Exit status: 0 all judged as they
@@ -40,7 +41,7 @@ enum { MOST_LEFT_OUT = 100 };
 typedef struct Trial {
     int n_further;     // seeds besides the first
     const char *only;  // "" for all
-    uint64_t every;    // of the wrong answers each so many-th; 1 for all
+    uint64_t every;    // 1 tries all wrong answers, 2 every second, ...
 } Trial;
 
 // How well the reports name kinds of mistakes (diagnosis.h).
@@ -164,7 +165,7 @@ static char *judge_right(Session *session, const KnownAnswer *answer)
             check_free(&result);
         }
         if (why == NULL && strcmp(session->judge.checks[i].task, answer->task) == 0 &&
-            !alone_passes(session, i, &answer->alone)) {
+            answer->is_tried_alone && !alone_passes(session, i, &answer->alone)) {
             why = message_new("%s: it fails alone%s%s", session->judge.checks[i].id,
                               answer->alone.build_log ? ": " : "",
                               answer->alone.build_log ? answer->alone.build_log : "");
@@ -228,15 +229,62 @@ static int report_naming(const Naming *naming, const char *lab, int n)
     return !is_named + !is_never_wrong;
 }
 
-// Leave those that are to be tried. What glob() found must be freed in whole, so the list is
-// another one: of n paths, owned by the caller.
-static char **choose(const glob_t *found, const Trial *trial, int *n)
+// What the wrong answers that are to be tried are meant for.
+typedef struct Covered {
+    int checks[RESULT_MAX_CHECKS];
+    int mistakes[N_MISTAKES];
+} Covered;
+
+// Note what an answer is meant for. Is it the first one there, or can nothing be told of it, so that
+// trying it will say what is wrong?
+static int is_first_of_its_kind(Covered *covered, const Session *session, const char *path)
+{
+    KnownAnswer answer;
+    const int is_read = answer_read(&answer, path) == 0;
+    const int check = answer_check(session, &answer);
+    int is_first = !is_read || (!answer.is_right && check < 0);
+    if (!is_first && !answer.is_right) {
+        is_first |= covered->checks[check]++ == 0;
+        is_first |= answer.mistakes != 0 && covered->mistakes[answer.first_mistake]++ == 0;
+    }
+    answer_free(&answer);
+    return is_first;
+}
+
+// Of n paths leave those that are to be tried, in their order. Returns how many, or -1 when memory
+// runs out.
+static int choose(const Session *session, const Trial *trial, char *paths[], int n)
+{
+    enum { LEFT_OUT, CHOSEN };
+    char *marks = calloc((size_t)n + 1, 1);
+    Covered covered = {0};
+    int n_chosen = 0;
+    if (marks == NULL) {
+        return -1;
+    }
+    for (int i = 0; i < n; i++) {
+        if (is_right_answer(paths[i]) || i % (int)trial->every == 0) {
+            marks[i] = CHOSEN;
+            is_first_of_its_kind(&covered, session, paths[i]);
+        }
+    }
+    for (int i = 0; i < n; i++) {
+        if (marks[i] == CHOSEN || is_first_of_its_kind(&covered, session, paths[i])) {
+            paths[n_chosen++] = paths[i];
+        }
+    }
+    free(marks);
+    return n_chosen;
+}
+
+// The paths in which the word stands. What glob() found must be freed in whole, so the list is another
+// one: of n paths, owned by the caller. NULL when memory runs out.
+static char **find_word(const glob_t *found, const char *word, int *n)
 {
     char **paths = calloc(found->gl_pathc + 1, sizeof *paths);
     *n = 0;
     for (size_t i = 0; paths != NULL && i < found->gl_pathc; i++) {
-        if (strstr(found->gl_pathv[i], trial->only) != NULL &&
-            (is_right_answer(found->gl_pathv[i]) || i % trial->every == 0)) {
+        if (strstr(found->gl_pathv[i], word) != NULL) {
             paths[(*n)++] = found->gl_pathv[i];
         }
     }
@@ -261,8 +309,14 @@ static int try_all(Session *session, const Trial *trial)
     }
     int n, n_missed = 0;
     Naming naming = {0};
-    char **paths = choose(&found, trial, &n);
-    Turns turns = turns_count(session, paths, n);
+    char **paths = find_word(&found, trial->only, &n);
+    n = paths != NULL ? choose(session, trial, paths, n) : -1;
+    if (n < 0) {
+        complain("mutants: out of memory");
+        return 2;
+    }
+    Turns turns = {.is_each_right_one_alone = trial->every == 1};
+    turns_count(&turns, session, paths, n);
     for (int i = 0; n_missed >= 0 && i < n; i += PAIR) {
         const int missed =
             try_answers(session, paths + i, n - i < PAIR ? n - i : PAIR, i + 1, &turns, &naming);

@@ -185,7 +185,7 @@ typedef struct ReplayTree {
 } ReplayTree;
 LAYOUT_ASSERT(ReplayTree, 8);
 
-// So many entries behind an array must stay UNTOUCHED.
+// How many entries behind an array must stay UNTOUCHED.
 enum { REPLAY_GUARD = 6 };
 #define REPLAY_ROOM(n_ids) (1 + (size_t)(n_ids) + REPLAY_GUARD)
 

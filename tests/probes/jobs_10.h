@@ -3,6 +3,7 @@
 #ifndef PROBES_JOBS_10_H
 #define PROBES_JOBS_10_H
 
+#include "circle_tiles.h"
 #include "jobs.h"
 
 // Its scenes are those of lab 07, and "scene.K.leaf_spheres", a Sphere for each of the tree's ids.
@@ -55,5 +56,44 @@ typedef struct ConeJob {
     f32 radius;
 } ConeJob;
 LAYOUT_ASSERT(ConeJob, 36);
+
+// ---- Part A -------------------------------------------------------------------------------------
+
+// A row of a tile of circles is a vector, where the host says nothing; a tile has as many rows.
+enum { ROW_PIXELS = CIRCLE_TILE_SIDE, CIRCLE_TILE_PIXELS = ROW_PIXELS * ROW_PIXELS };
+
+// Section "circle_rows", one call of paint_row each. Answered by a CircleRowAnswer.
+typedef struct CircleRowJob {
+    f32 dx_squared[ROW_PIXELS];
+    f32 dy;
+    f32 radius_squared;
+    u32 color;
+    i32 open[ROW_PIXELS];
+    u32 colors[ROW_PIXELS];
+} CircleRowJob;
+LAYOUT_ASSERT(CircleRowJob, 204);
+
+typedef struct CircleRowAnswer {
+    i32 open[ROW_PIXELS];
+    u32 colors[ROW_PIXELS];
+} CircleRowAnswer;
+LAYOUT_ASSERT(CircleRowAnswer, 128);
+
+// Sections "tile_leaves", one call of tile_leaf each, and "circle_tiles", one tile painted each. A
+// tile's tree begins at first_node of section "circle_nodes", its lists at first_circle of section
+// "leaf_circles". Answered by a u32 and by a CircleTileAnswer.
+typedef struct CircleTileJob {
+    u32 first_node;
+    u32 first_circle;
+    i32 x;  // the tile's first pixel
+    i32 y;
+} CircleTileJob;
+LAYOUT_ASSERT(CircleTileJob, 16);
+
+typedef struct CircleTileAnswer {
+    u32 colors[CIRCLE_TILE_PIXELS];  // row by row
+    u32 n_tests;
+} CircleTileAnswer;
+LAYOUT_ASSERT(CircleTileAnswer, 1028);
 
 #endif

@@ -47,6 +47,60 @@ none "is cut off" "nothing is cut off on a slide"
 none "letters of" "no letter on a slide is smaller than 24 of 720"
 none "wider than the screen" "no page is wider than the screen, at 1280 and at 390"
 
+# ---- Figures that can be touched -----------------------------------------------------------------
+
+# What the reader does, and what the figure then says of all its steps (tests/pages/touch.js).
+touch_figures() {
+    {
+        echo "<!DOCTYPE html><meta charset=\"utf-8\"><body><script>const folder = \"file://$(realpath "$notes")/student/slides-notes/\";</script><script>"
+        cat tests/pages/touch.js
+        echo '</script>'
+    } >"$scratch/touch.html"
+    "$browser" --headless --no-sandbox --disable-gpu --allow-file-access-from-files --window-size=1280,720 \
+        --user-data-dir="$scratch/profile" --virtual-time-budget=600000 --dump-dom \
+        "file://$scratch/touch.html" >"$scratch/touched" 2>"$scratch/browser.log"
+    grep -q '^end' "$scratch/touched"
+}
+# The steps of one state, as the page has said them.
+touched() {
+    sed -n "s/^$1 //p" "$scratch/touched" | sed 's/&gt;/>/g; s/&lt;/</g; s/&amp;/\&/g'
+}
+# said_is STATE LAB OPTIONS...: every line that `make pixel` prints of the steps, the page says, in this order, and no node more.
+said_is() {
+    state=$1
+    lab=$2
+    shift 2
+    "$build/pixel/solutions/$lab" "$@" | sed -n 's/^[ 0-9]\{4\}   *//p' >"$scratch/expected"
+    touched "$state" | grep -F -x -f "$scratch/expected" >"$scratch/found"
+    [ -s "$scratch/expected" ] && diff "$scratch/expected" "$scratch/found" &&
+        [ "$(grep -c '^\(node\|leaf\) ' "$scratch/expected")" -eq "$(touched "$state" | grep -c '^\(node\|leaf\) ')" ]
+}
+make --no-print-directory BUILD="$build" "$build/pixel/solutions/03-kdtree-2d-render" "$build/pixel/solutions/07-kdtree-3d-trace" >"$scratch/log" 2>&1
+if slides-notes/touch/compiler.sh >/dev/null; then
+    check "figures can be touched" touch_figures
+    # The rays that tests/pages/touch.js makes of the worked example's: its eye moved, then turned.
+    sed 's/^from .*/from -1.8 -1.1 -0.5/; s/^at .*/at -1.0 -0.5 -0.5/' tests/scenes/worked.nff >"$scratch/moved.nff"
+    sed 's/^from .*/from -1.8 -1.1 -0.5/; s/^at .*/at 0 -0.3 -0.5/' tests/scenes/worked.nff >"$scratch/dragged.nff"
+    example="--scene example --max-depth 4 --leaf-size 1"
+    # shellcheck disable=SC2086 # options
+    {
+        check "03-search takes the steps of make pixel" said_is 03-search:first 03-kdtree-2d-render $example --pixel 7,7
+        check "and where the arrow keys lead" said_is 03-search:moved 03-kdtree-2d-render $example --pixel 5,5
+        check "and where the pixel is dragged" said_is 03-search:dragged 03-kdtree-2d-render $example --pixel 2,3
+        check "07-search takes the steps of make pixel" said_is 07-search:first 07-kdtree-3d-trace --scene tests/scenes/worked.nff --leaf-size 1 --pixel 1,1
+        check "and where the arrow keys move its eye" said_is 07-search:moved 07-kdtree-3d-trace --scene "$scratch/moved.nff" --leaf-size 1 --pixel 1,1
+        check "and where the ray is dragged" said_is 07-search:dragged 07-kdtree-3d-trace --scene "$scratch/dragged.nff" --leaf-size 1 --pixel 1,1
+    }
+    touched 08-cost:first | sed -n 's/^Plane .*, cost //p' >"$scratch/costs"
+    [ "$(wc -l <"$scratch/costs")" -eq 31 ] &&
+        grep -q "the cheapest: $(sort -n "$scratch/costs" | awk 'NR == 1 { printf "%.3g", $1 }')" slides-notes/figures/08-cost.svg
+    ok $? "08-cost has 31 planes, and the still figure's cheapest" "$(sort -n "$scratch/costs" | head -n 2)"
+    ! grep '^fault ' "$scratch/touched" >"$scratch/faults"
+    ok $? "they can be stepped back, run, and be read without JavaScript" "$(cat "$scratch/faults")"
+else
+    skip "figures that can be touched" "there is no compiler for them (make setup names the packages)"
+fi
+
 # ---- PDF -----------------------------------------------------------------------------------------
 
 slides=$notes/student/slides-notes/slides-2d
@@ -89,8 +143,8 @@ words() {
     sed 's/<[^>]*>//g; s/&lt;/</g; s/&gt;/>/g; s/&amp;/\&/g; s/&quot;/"/g; s/&#39;/'"'"'/g' "$@" | tr -d '\n\t *`'
 }
 # The beginning of each reason and of each solved exercise in the key, a line each.
-sed '1,/^## Answers/d; s/^\([1-8]\)\. /**00.\1** /' slides-notes/questions.md | tr '\n' ' ' |
-    grep -o '\*\*[0-9][0-9]\.[0-9]\*\* [^*]*' | sed 's/^[^ ]* //; s/ - $//; s/ ---.*//' | tr -d ' `' >"$scratch/answers"
+sed '1,/^## Answers/d; s/^\([0-9]*\)\. /**00.\1** /' slides-notes/questions.md | tr '\n' ' ' |
+    grep -o '\*\*[0-9][0-9]\.[0-9]*\*\* [^*]*' | sed 's/^[^ ]* //; s/ - $//; s/ ---.*//' | tr -d ' `' >"$scratch/answers"
 for edition in student instructor; do
     find "$notes/$edition/slides-notes" -name '*.html' -exec grep -h -v -e 'data:image' {} + >"$scratch/pages"
     words "$scratch/pages" >"$scratch/$edition"
@@ -101,7 +155,7 @@ for edition in student instructor; do
         ! grep -q -F -e "$answer" "$scratch/$edition" || echo "$answer"
     done <"$scratch/answers" | sort >"$scratch/found-$edition"
 done
-[ "$n_answers" -eq 33 ] && [ "$(wc -l <"$scratch/found-instructor")" -eq "$n_answers" ]
+[ "$n_answers" -eq 47 ] && [ "$(wc -l <"$scratch/found-instructor")" -eq "$n_answers" ]
 ok $? "the instructor's edition holds every answer of the key" "$(sort "$scratch/answers" | comm -23 - "$scratch/found-instructor")"
 [ ! -s "$scratch/found-student" ] && ! grep -r -l -e 'class="answer"' -e 'class="speaker"' "$notes/student" >>"$scratch/found-student"
 ok $? "the student edition holds none" "$(cat "$scratch/found-student")"
@@ -145,5 +199,14 @@ check "made twice, the pages are the same bytes" cmp "$scratch/first" "$scratch/
 # Said where a page is made, and now each was.
 ! grep " of .* is .*, the text says " "$scratch/log" >"$scratch/counts"
 ok $? "numbers in the texts are what the programs count" "$(cat "$scratch/counts")"
+# In the labs' texts the marks of numbers are cut off with the solutions: there these are looked at.
+marked_numbers() {
+    grep -l '<!-- [0-9][0-9]-[a-z0-9-]*: ' solutions/*/README.md | while IFS= read -r text; do
+        slides-notes/make/build.sh "$notes/solutions" student page "$text" "$scratch/text.html" "" 2>&1 || echo "$text: no page"
+    done
+}
+marked_numbers >"$scratch/counts"
+[ ! -s "$scratch/counts" ]
+ok $? "numbers in the labs' texts, too" "$(cat "$scratch/counts")"
 
 finish

@@ -187,7 +187,7 @@ for figure in slides-notes/figures/*.svg; do
     drawing=${figure##*/}
     [ "$drawing" != 02-kdtree-2d-build.svg ] || continue
     check "$drawing can be read" is_legible "$figure"
-    grep -q "!\[.\{40,\}\](figures/$drawing)" slides-notes/notes-2d.md slides-notes/notes-3d.md
+    grep -q "!\[.\{40,\}\](figures/$drawing)" slides-notes/notes-*.md
     ok $? "$drawing stands in the notes, with a text for those who cannot see it"
 done
 

@@ -258,8 +258,8 @@ for lab in $labs; do
             names="$names middle.$name"
         done
         ;;
-    09*) names="$scene max_depth leaf_size max_bounces tree.build_ms tree.n_nodes tree.n_sphere_ids
-        $frame $work" ;;
+    09*) names="$scene tree.cost tree.build_ms tree.n_nodes tree.depth tree.largest_leaf
+        tree.n_sphere_ids max_bounces $frame $work" ;;
     10*) names="$scene tree.cost tree.build_ms tree.n_nodes tree.depth tree.largest_leaf tree.n_sphere_ids
         tile.width tile.height tile.lanes $frame $work" ;;
     esac
@@ -331,6 +331,22 @@ for scene in sphereflake:size=3 random:n=2000 inside planes behind one-cell none
     works run 10 --scene "$scene" --size 99x67 --output "$out/10.exr"
     check "lab 10 draws what lab 07 draws: $scene" "$compare" "$out/10.exr" "$out/07.exr" 0.0021 3
 done
+# Circles: centres and radii are on the grid of 1/16 px, so that colours differ by the byte's rounding only.
+for scene in random random:n=400,min=10,max=60 example equal-depths borders touching huge tiny outside none; do
+    works run 03 --scene "$scene" --size 99x67 --output "$out/03.exr"
+    works run 10 --circles --scene "$scene" --size 99x67 --output "$out/10.exr"
+    check "lab 10 draws what lab 03 draws: $scene" "$compare" "$out/10.exr" "$out/03.exr" 0.00197
+done
+works run 03 --size 99x67 --output "$out/03.exr"
+for limits in 1/1 3/2 64/100; do
+    works run 10 --circles --size 99x67 --output "$out/10.exr" --max-depth ${limits%/*} \
+        --leaf-size ${limits#*/}
+    check "lab 10 draws the same circles, --max-depth/--leaf-size $limits" "$compare" "$out/10.exr" \
+        "$out/03.exr" 0.00197
+done
+! $is_sanitized || check "lab 10 draws circles, watched by the sanitizers" \
+    works with detect_leaks=0 run_sanitized 10 --circles --heat-map --output "$out/watched.exr" \
+    --size 65x33 --stats "$out/watched.json"
 # shellcheck disable=SC2317 # called by check
 differs_with_acne() {
     works run 09 --scene one --size 96x64 --bounces 0 --acne --output "$out/acne.exr" &&

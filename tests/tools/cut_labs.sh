@@ -3,8 +3,8 @@
 #
 #     tests/tools/cut_labs.sh HOLES-TOOL FOLDER
 #
-# Sources lose what stands in their holes; every other file is copied as it is. What is no longer in
-# solutions/ disappears.
+# Sources lose what stands in their holes, texts the comments that say of which run a number is (slides-notes/make);
+# every other file is copied as it is. What is no longer in solutions/ disappears.
 set -eu
 
 holes=$1
@@ -21,6 +21,7 @@ while IFS= read -r file; do
     mkdir -p "$(dirname "$copy")"
     case $file in
     *.c | *.h | *.cl) "$holes" cut "$file" >"$copy" ;;
+    *.md) sed 's/<!-- [0-9][0-9]-[a-z0-9-]*: [A-Za-z0-9_.]* -->//g' "$file" >"$copy" ;;
     *) cp "$file" "$copy" ;;
     esac
 done <"$folder.new/.list"

@@ -63,10 +63,11 @@ Test(alone_trees, without_answers_nothing_passes)
 Test(alone_trees, answers_of_another_size_do_not_pass)
 {
     static const char *const stems[] = {
-        "children",     "roots",         "textbook",     "projection",  "normals", "shades",
-        "pixel_shades", "clips",         "sides",        "planes",      "leaves",  "next_child",
-        "next_waiting", "starts",        "mirrors",      "shadow_rays", "blocks",  "lits",
-        "tile_planes",  "tile_children", "tile_waiting", "cones"};
+        "children",     "roots",        "textbook",     "projection",  "normals",
+        "shades",       "pixel_shades", "clips",        "sides",       "planes",
+        "leaves",       "next_child",   "next_waiting", "starts",      "mirrors",
+        "shadow_rays",  "blocks",       "lits",         "tile_planes", "tile_children",
+        "tile_waiting", "cones",        "circle_rows",  "tile_leaves", "circle_tiles"};
     static const char *const numbered[] = {"picture", "hits", "work"};
     const float few[4] = {0};
     for (int lab = 0; lab < N_LABS; lab++) {

@@ -117,28 +117,17 @@ LAB_TEST(judges, right_answers_pass)
     }
 }
 
-LAB_TEST(judges, without_answers_nothing_is_judged)
+// Each check, and the same as a task tried alone has it; see grader/alone.h.
+static void expect_nothing_passes(const Open *open)
 {
-    Open open = job_open(*lab, 1);
-    Sections nothing = {0}, job = open.file;
-    for (int i = 0; i < open.judge->n_checks; i++) {
-        cr_expect_eq(verdict_on(&open, i, &nothing), VERDICT_MISSING);
-        cr_expect_eq(verdict_on(&open, i, &job), VERDICT_MISSING, "the job is no answer to itself");
+    Sections nothing = {0}, job = open->file;
+    for (int i = 0; i < open->judge->n_checks; i++) {
+        cr_expect_eq(verdict_on(open, i, &nothing), VERDICT_MISSING);
+        cr_expect_eq(verdict_on(open, i, &job), VERDICT_MISSING, "the job is no answer to itself");
+        cr_expect_eq(job_passes_alone(open->job, i, &nothing), 0);
+        cr_expect_eq(job_passes_alone(open->job, i, &job), 0, "the job is no answer");
     }
-    add_pictures(&open, &nothing);
-    job_close(&open);
-}
-
-// Each check as a task tried alone has it; see grader/alone.h.
-LAB_TEST(judges, without_answers_nothing_passes_alone)
-{
-    Open open = job_open(*lab, 1);
-    Sections nothing = {0}, job = open.file;
-    for (int i = 0; i < open.judge->n_checks; i++) {
-        cr_expect_eq(job_passes_alone(open.job, i, &nothing), 0);
-        cr_expect_eq(job_passes_alone(open.job, i, &job), 0, "the job is no answer");
-    }
-    job_close(&open);
+    add_pictures(open, &nothing);
 }
 
 // What a task is tried on alone, as the probe reads it.
@@ -150,17 +139,24 @@ static Sections alone_job(const Open *open, const char *task)
     return writer_close(&writer);
 }
 
-LAB_TEST(judges, every_task_has_a_job_alone)
+static void expect_jobs_alone(const Open *open)
 {
-    Open open = job_open(*lab, 1);
     FILE *full = fopen("/dev/full", "wb");
-    for (int i = 0; i < open.judge->n_checks; i++) {
-        const char *task = open.judge->checks[i].task;
-        Sections job = alone_job(&open, task);
+    for (int i = 0; i < open->judge->n_checks; i++) {
+        const char *task = open->judge->checks[i].task;
+        Sections job = alone_job(open, task);
         cr_expect(job.n_bytes > 0, "%s", task);
-        cr_expect_neq(job_write_alone(open.job, task, full), 0, "%s", task);
+        cr_expect_neq(job_write_alone(open->job, task, full), 0, "%s", task);
         sections_free(&job);
     }
     fclose(full);
+}
+
+// Of one job, as drawing it takes longer than this.
+LAB_TEST(judges, without_answers_nothing_passes_and_every_task_has_a_job_alone)
+{
+    Open open = job_open(*lab, 1);
+    expect_nothing_passes(&open);
+    expect_jobs_alone(&open);
     job_close(&open);
 }

@@ -48,7 +48,7 @@ static void own_distort(Case *c, const Distortion *d)
     }
 }
 
-enum { N_SEEDS = 8 };
+enum { N_SEEDS = 3 };
 
 // Do this with random scenes, wide ones and high ones.
 static void with_random_scenes(void (*look)(Case *c, size_t i), size_t n)

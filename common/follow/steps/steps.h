@@ -3,7 +3,7 @@
 //
 // The kernels of the labs call count_test(), count_node() and the like where something is done
 // (kernels/work.h). A .cl file of this folder puts other functions of these names in front of a
-// lab's kernel, which write down what is at hand there. So what is told about a ray is what the
+// lab's kernel, which write down what is at hand there. So what is said about a ray is what the
 // student's own code does, and no second search has to agree with it.
 // Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: recording.h, record.h.
 #ifndef FOLLOW_STEPS_H

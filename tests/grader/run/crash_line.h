@@ -15,8 +15,8 @@
     "ASAN_OPTIONS=log_path=out/crash:detect_leaks=0:handle_abort=1:handle_sigfpe=1:"               \
     "handle_sigill=1:handle_sigbus=1:allocator_may_return_null=1:color=never"
 
-// Look for a report in the folder `out`. Returns "render.c:12, in set_arguments: ..." and below it
-// the line in the folder `lab`, each with its newline; free() it. NULL where nothing is found.
+// Look for a report in the folder `out`. Returns "render.c:12, task set_arguments: ..." and below
+// it the line in the folder `lab`, each with its newline; free() it. NULL where nothing is found.
 char *crash_line_find(const char *out, const char *lab, const Manifest *manifest);
 
 // The same of a report's text: returns the line's number, and sets *file to the manifest's file and

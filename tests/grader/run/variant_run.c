@@ -66,7 +66,7 @@ static void take_place(const Workshop *workshop, Variant *variant)
     path_make(path, "%s/variant-%s/out/note", workshop->folder, variant->name);
     const ProbeNote note = run_note_load(path);
     if (variant->alone) {
-        return;  // nothing of it is told
+        return;  // nothing of it is shown
     }
     workshop_job_path(workshop, 0, path);
     if (sections_load(path, (size_t)256 << 20, &job) == 0) {

@@ -61,7 +61,7 @@ static char *kind_try(SandboxKind kind)
     };
     SandboxRun *run = sandbox_start(&command);
     if (run == NULL) {
-        return strdup("");  // told already
+        return strdup("");  // reported already
     }
     SandboxResult result = sandbox_wait(run);
     if (result.outcome == SANDBOX_EXITED && result.exit_status == 0) {

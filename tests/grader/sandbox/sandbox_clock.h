@@ -2,8 +2,8 @@
 //
 // Wall time says nothing about a command: on a busy machine, or in a container of a quarter of a
 // processor, a right answer takes ten times as long. What it used of a processor is the same there.
-// A command that waits for what never comes uses none; it is told from one that gets none by what
-// its threads do: asleep, or ready to run.
+// A command that waits for what never comes uses none, as does one that gets none: what its threads
+// do says which, asleep or ready to run.
 #ifndef GRADER_SANDBOX_CLOCK_H
 #define GRADER_SANDBOX_CLOCK_H
 

@@ -7,7 +7,7 @@
 // In a child of the supervisor: leave what is the supervisor's, and go behind the walls. Where that
 // fails it ends with 127, after one message on `output`.
 //   output   where the command's standard output and errors go
-//   status   where it is told that the command starts and how it ends
+//   status   where it says that the command starts and how it ends
 _Noreturn void leader_become(const Walls *walls, int output, int status);
 
 #endif

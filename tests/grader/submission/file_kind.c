@@ -1,4 +1,4 @@
-// Files that are no archives, told apart by how they begin (see file_kind.h).
+// Files that are no archives, recognised by how they begin (see file_kind.h).
 #include "file_kind.h"
 
 #include <string.h>

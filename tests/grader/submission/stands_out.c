@@ -297,7 +297,7 @@ char *stands_out(const Manifest *manifest, const char *staged, const char *submi
     for (int i = 0; i < manifest->n_files; i++) {
         char path[PATH_MAX];
         path_make(path, "%s/%s", staged, manifest->files[i]);
-        // A file that could not be staged is told of elsewhere.
+        // A file that could not be staged is reported elsewhere.
         char *source = access(path, R_OK) == 0 ? text_file_read(path) : NULL;
         if (source != NULL) {
             n_notes += stands_out_in_text(manifest->files[i], source, notes);

@@ -20,7 +20,7 @@ enum {
 // The longest message, its NUL included.
 enum { UNPACK_MESSAGE_BYTES = 256 };
 
-// A reader for the kinds of archives that are taken, told apart by their content: zip; tar, also
+// A reader for the kinds of archives that are taken, recognised by their content: zip; tar, also
 // compressed by gzip, bzip2 or xz. NULL when memory runs out; release with archive_read_free().
 struct archive *unpack_reader_new(void);
 

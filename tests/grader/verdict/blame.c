@@ -1,6 +1,6 @@
 // Finding whose fault it is that a check failed (see blame.h).
 //
-// Called by grade.c. Read next: hints.c.
+// Called by grading_judge.c. Read next: hints.c.
 #include "blame.h"
 
 #include "message.h"

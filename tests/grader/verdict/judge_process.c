@@ -304,7 +304,7 @@ int judge_add_pictures(JudgeProcess *judge, Answers answers, Result *result)
     size_t place = 0, n_bytes;
     int failed = 0;
     if (ask_about(judge, answers, "pictures", "-", &reply) != 0) {
-        return 0;  // that they cannot be judged is told already
+        return 0;  // that they cannot be judged is reported already
     }
     while (!failed && (bytes = sections_next(&reply, &place, &name, &n_bytes)) != NULL) {
         if (strcmp(name, "title") != 0) {

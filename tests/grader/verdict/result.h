@@ -21,7 +21,7 @@ typedef struct CheckResult {
     int points;         // earned: 0 or max_points
     int max_points;
     CheckStatus status;
-    // Of what check_tell() was told. Both owned.
+    // Of what check_tell() was given. Both owned.
     Diagnosis diagnosis;
     char *message;      // the same as a sentence: what is wrong, where, and what it looks like; may
                         // come from student code's values, never trusted as markup. "" when passed

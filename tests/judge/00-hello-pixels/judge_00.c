@@ -18,7 +18,7 @@ typedef struct GradientRules {
     int less;          // taken from each size
     int is_of_launch;  // the sizes are those of the probe's launch
     int is_whole;      // coordinate and size are divided as whole numbers
-    int n_steps;       // red and green are rounded down to so many; 0: they are not
+    int n_steps;       // to how many red and green are rounded down; 0: they are not
 } GradientRules;
 
 static float gradient_channel(int coordinate, int size, const GradientRules *rules)

@@ -56,8 +56,8 @@ int write_alone_03(const void *job, const char *task, FILE *file);
 int ends_in_leaves_03(const void *job, int k, const Sections *answers);
 int all_end_in_leaves_03(const void *job, const JudgeCheck *check, const Sections *answers);
 
-// A tree with room for so many nodes and entries, all zeros. Returns 0, or -1 after one message; to
-// be freed in either case.
+// A tree with room for that many nodes and entries, all zeros. Returns 0, or -1 after one message;
+// to be freed in either case.
 int tree_create_03(u32 n_nodes, u32 n_map, KdTree2D *tree);
 
 // Make the scene's tree a leaf map, with the picture that is expected; all its nodes but the root

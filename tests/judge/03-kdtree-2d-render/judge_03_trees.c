@@ -159,7 +159,7 @@ typedef struct Walk {
     u32 id_bits;      // of an id no more than these are kept; 0: all of it
     float narrowest;  // the way ends in cells that are narrower than this,
     float lowest;     // or lower
-    int n_steps;      // it ends after so many; 0: in a leaf only
+    int n_steps;      // after how many it ends; 0: in a leaf only
 } Walk;
 
 // The node in which it ends. A way that is lost may lead round in a ring.
@@ -209,7 +209,7 @@ static Cause draw_mistaken(const void *pointer, int mistake, Image *guess, float
         {FIRST_PAIR, {.says = IN_ARRAYS}},
         {last_pair(tree), {.says = IN_ARRAYS}},
         {FALSE_CHILDREN,
-         {.says = "drawn as if lChild told what is a leaf: nodes_flag does, a leaf's lChild means "
+         {.says = "drawn as if lChild said what is a leaf: nodes_flag does, a leaf's lChild means "
                   "nothing"}},
     };
     const int n_steps = mistake - COUNT(pairs) - COUNT(walks);

@@ -1,7 +1,7 @@
 // The inputs of lab 05's functions that stand in every job: see judge_05.h.
 //
 // Each is there for a mistake that drawn inputs show by chance or not at all: limits and epsilons
-// where none belong, and cases that have to meet. They end their ranges, so that a message tells of
+// where none belong, and cases that have to meet. They end their ranges, so that a message names
 // a drawn input where one is wrong, too.
 #include "judge_05.h"
 
@@ -211,7 +211,7 @@ static void set_edge_lights(Light lights[N_LIGHTS])
     lights[NEAR_LIGHT + 1] = (Light){zenith, white};
 }
 
-// Of so many lights the last one stands straight above the surface; of none, the one that must not
+// Of n lights the last one stands straight above the surface; of none, the one that must not
 // shine.
 static ShadeJob shade_of_many(int n_lights, const Light lights[N_LIGHTS])
 {

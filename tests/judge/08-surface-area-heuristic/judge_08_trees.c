@@ -6,7 +6,7 @@
 #include "judge_08.h"
 
 #include "complain.h"
-#include "judge_08_search.h"
+#include "judge_08_rays.h"
 #include "kdtree3d_build.h"
 #include "message.h"
 #include "words.h"

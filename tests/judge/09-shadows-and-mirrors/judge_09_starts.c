@@ -114,7 +114,7 @@ static char *describe_start(const void *pointer, int i, const void *answers)
                        in->radius, found.along, found.beside, offset, 2 * offset);
 }
 
-// Is every point moved by the same distance? By which is told where rounding is least.
+// Is every point moved by the same distance? By which is said where rounding is least.
 static int is_one_distance(const Job09 *job, Range range, const Vec3 *found)
 {
     Moved surest = moved(&job->starts[range.first], found[range.first]);

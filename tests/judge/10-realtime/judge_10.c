@@ -23,7 +23,11 @@ static int draw(void *pointer, Random *random)
     for (int k = 0; k < N_SCENES; k++) {
         job_list_picture(&job->job, &job->scenes[k].picture);
     }
-    return scenes_10_draw(random, job->scenes);
+    if (scenes_10_draw(random, job->scenes) != 0) {
+        return -1;
+    }
+    rows_10_draw(random, job);
+    return circles_10_draw(random, job);
 }
 
 static void release(void *pointer)
@@ -124,38 +128,53 @@ static Verdict judge_work(const void *pointer, int k, const Sections *answers)
 
 // ---- The judge ----------------------------------------------------------------------------------
 
+// What the search for spheres is made of.
+#define SPHERE_TASKS "plane_interval next_tile_child next_tile_waiting cone_misses_sphere"
+
 // Range number i of a function's inputs.
 #define RANGE(i, n_inputs) {(i) * (n_inputs), n_inputs}
 
 static const JudgeCheck checks[] = {
-    {"plane-one-way", "All rays go the same way", "plane_interval", 11, .function = &tile_plane_10,
+    {"leaf-tile", "The leaf of a tile", "tile_leaf", 5, .function = &tile_leaf_10,
+     .range = {0, N_CIRCLE_TILES}},
+    {"circles-pixels", "Tiles of circles, pixel by pixel", "tile_leaf", 3, "paint_row",
+     .function = &circle_pixels_10, .range = {0, N_CIRCLE_TILES}, .alone = leaves_alone_10},
+
+    {"row-open", "A row that nothing is painted in yet", "paint_row", 4, .function = &circle_row_10,
+     .range = RANGE(ROWS_OPEN, N_ROW_INPUTS)},
+    {"row-painted", "A row that is painted in part", "paint_row", 5, .function = &circle_row_10,
+     .range = RANGE(ROWS_PAINTED, N_ROW_INPUTS)},
+    {"circles-work", "No circle is asked behind a tile that is done", "paint_row", 3, "tile_leaf",
+     .function = &circle_work_10, .range = {0, N_CIRCLE_TILES}, .alone = rows_alone_10},
+
+    {"plane-one-way", "All rays go the same way", "plane_interval", 9, .function = &tile_plane_10,
      .range = RANGE(TILES_ONE_WAY, N_TILE_PLANE_INPUTS)},
-    {"plane-both-ways", "Some go up, some down, some along", "plane_interval", 9,
+    {"plane-both-ways", "Some go up, some down, some along", "plane_interval", 7,
      .function = &tile_plane_10, .range = RANGE(TILES_BOTH_WAYS, N_TILE_PLANE_INPUTS)},
-    {"plane-eye", "The eye is on the plane", "plane_interval", 6, .function = &tile_plane_10,
+    {"plane-eye", "The eye is on the plane", "plane_interval", 5, .function = &tile_plane_10,
      .range = RANGE(TILES_ON_PLANE, N_TILE_PLANE_INPUTS)},
 
-    {"child-one", "Where all rays meet one child", "next_tile_child", 8, .function = &tile_child_10,
+    {"child-one", "Where all rays meet one child", "next_tile_child", 6, .function = &tile_child_10,
      .range = RANGE(0, N_TILE_CHILD_INPUTS)},
-    {"child-both", "Where both are met: one waits", "next_tile_child", 8,
+    {"child-both", "Where both are met: one waits", "next_tile_child", 6,
      .function = &tile_child_10, .range = RANGE(1, N_TILE_CHILD_INPUTS)},
-    {"tile-hits", "No pinholes, in no scene", "next_tile_child", 6, "*", .scene = judge_hits,
-     .range = {0, N_SCENES}, .alone = children_alone_10},
-    {"tile-picture", "Whole pictures", "next_tile_child", 4, "*", .scene = judge_picture,
+    {"tile-hits", "No pinholes, in no scene", "next_tile_child", 5, SPHERE_TASKS,
+     .scene = judge_hits, .range = {0, N_SCENES}, .alone = children_alone_10},
+    {"tile-picture", "Whole pictures", "next_tile_child", 4, SPHERE_TASKS, .scene = judge_picture,
      .range = {0, N_SCENES}, .alone = children_alone_10},
 
-    {"waiting-end", "When the search is over", "next_tile_waiting", 7, .function = &tile_end_10,
+    {"waiting-end", "When the search is over", "next_tile_waiting", 5, .function = &tile_end_10,
      .range = {0, N_TILE_WAITING_INPUTS}},
-    {"waiting-next", "What comes next where it is not", "next_tile_waiting", 8,
+    {"waiting-next", "What comes next where it is not", "next_tile_waiting", 6,
      .function = &tile_next_10, .range = {0, N_TILE_WAITING_INPUTS}},
-    {"tile-work", "No more work than a tile needs", "next_tile_waiting", 7, "*",
+    {"tile-work", "No more work than a tile needs", "next_tile_waiting", 6, SPHERE_TASKS,
      .scene = judge_work, .range = {0, N_SCENES}, .alone = waiting_alone_10},
 
-    {"cone-clear", "Hit or missed by far", "cone_misses_sphere", 10, .function = &cone_10,
+    {"cone-clear", "Hit or missed by far", "cone_misses_sphere", 8, .function = &cone_10,
      .range = RANGE(CONES_CLEAR, N_CONE_INPUTS)},
-    {"cone-hair", "Hit or missed by a hair", "cone_misses_sphere", 9, .function = &cone_10,
+    {"cone-hair", "Hit or missed by a hair", "cone_misses_sphere", 7, .function = &cone_10,
      .range = RANGE(CONES_HAIR, N_CONE_INPUTS)},
-    {"cone-edges", "Around the eye, behind it, of any size", "cone_misses_sphere", 7,
+    {"cone-edges", "Around the eye, behind it, of any size", "cone_misses_sphere", 6,
      .function = &cone_10, .range = RANGE(CONES_EDGES, N_CONE_INPUTS)},
 };
 
@@ -164,6 +183,11 @@ static const JobPart parts[] = {
     PART("tile_children", "next_tile_child", Job10, children),
     PART("tile_waiting", "next_tile_waiting", Job10, waiting),
     PART("cones", "cone_misses_sphere", Job10, cones),
+    PART("circle_rows", "paint_row", Job10, rows),
+    PART("circle_nodes", "tile_leaf", Job10, circle_nodes),
+    PART("leaf_circles", "tile_leaf", Job10, leaf_circles),
+    PART("tile_leaves", "tile_leaf", Job10, circle_tiles),
+    PART("circle_tiles", NULL, Job10, circle_tiles),
 };
 
 const Judge judge_10 = {

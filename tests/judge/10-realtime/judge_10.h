@@ -1,7 +1,8 @@
 // What lab 10's judge asks of a submission: inputs of its functions, and scenes with their trees.
 // Intervals are drawn and judged in judge_10_planes.c, the search's two steps in
 // judge_10_children.c and judge_10_waiting.c, cones in judge_10_cones.c, scenes in
-// judge_10_scenes.c, the work of tiles in judge_10_work.c.
+// judge_10_scenes.c, the work of tiles in judge_10_work.c, rows of circles in judge_10_rows.c, and
+// tiles of circles in judge_10_circles.c.
 #ifndef JUDGE_JUDGE_10_H
 #define JUDGE_JUDGE_10_H
 
@@ -28,7 +29,12 @@ enum PlaneRange10 { TILES_ONE_WAY, TILES_BOTH_WAYS, TILES_ON_PLANE };
 // Hit or missed by far, by a hair, and in strange places.
 enum ConeRange { CONES_CLEAR, CONES_HAIR, CONES_EDGES };
 
+// Part A: rows that nothing is painted in yet, and rows that are painted in part.
+enum RowRange { ROWS_OPEN, ROWS_PAINTED, N_ROW_RANGES };
+enum { N_ROW_INPUTS = 200, N_ROWS_10 = N_ROW_RANGES * N_ROW_INPUTS };
+
 extern const Function tile_plane_10, tile_child_10, tile_end_10, tile_next_10, cone_10;
+extern const Function circle_row_10, tile_leaf_10, circle_pixels_10, circle_work_10;
 
 // ---- Scenes -----------------------------------------------------------------------------------
 
@@ -51,6 +57,23 @@ int scene_10_write(const JobScene3D *scene, int k, FILE *file);
 //   must_ask   out: 1 where a ray certainly hits a sphere, so that one has to be asked
 Work tile_10_most(const JobScene3D *scene, int x, int y, int *must_ask);
 
+// ---- Scenes of circles ------------------------------------------------------------------------
+
+enum {
+    N_CIRCLE_SCENES = 4,
+    MOST_CIRCLES = 120,  // of one scene
+    N_CIRCLE_TILES = 1 + 5 * 4 + 5 * 4 + 8 * 8,
+    MOST_CIRCLE_NODES = 2 * N_CIRCLE_TILES,
+    MOST_LEAF_CIRCLES = N_CIRCLE_TILES * MOST_CIRCLES,
+};
+
+// Its tree and lists are in the job's arrays.
+typedef struct CircleScene10 {
+    Circle circles[MOST_CIRCLES];
+    u32 colors[MOST_CIRCLES];
+    int n_circles;
+} CircleScene10;
+
 // ---- The job ----------------------------------------------------------------------------------
 
 typedef struct Job10 {
@@ -60,15 +83,25 @@ typedef struct Job10 {
     TileWaitingJob waiting[N_TILE_WAITING_INPUTS];
     ConeJob cones[N_CONES];
     JobScene3D scenes[N_SCENES];
+    CircleRowJob rows[N_ROWS_10];
+    CircleScene10 circle_scenes[N_CIRCLE_SCENES];
+    TileNode circle_nodes[MOST_CIRCLE_NODES];
+    TileCircle leaf_circles[MOST_LEAF_CIRCLES];
+    CircleTileJob circle_tiles[N_CIRCLE_TILES];
+    int scene_of_tile[N_CIRCLE_TILES];
 } Job10;
 
 void planes_10_draw(Random *random, Job10 *job);
 void children_10_draw(Random *random, Job10 *job);
 void waiting_10_draw(Random *random, Job10 *job);
 void cones_10_draw(Random *random, Job10 *job);
+void rows_10_draw(Random *random, Job10 *job);
+int circles_10_draw(Random *random, Job10 *job);  // 0, or -1 after one message
 
 // Alone, in the place of whole scenes, which need all tasks: every input of the step.
 int children_alone_10(const void *job, const JudgeCheck *check, const Sections *answers);
 int waiting_alone_10(const void *job, const JudgeCheck *check, const Sections *answers);
+int rows_alone_10(const void *job, const JudgeCheck *check, const Sections *answers);
+int leaves_alone_10(const void *job, const JudgeCheck *check, const Sections *answers);
 
 #endif

@@ -28,7 +28,7 @@ typedef struct OracleRules {
     int farthest_wins;     // depth > maxDepth
     int first_wins;        // the first covering circle wins, whatever its depth
     int skip_first;        // the first circle is not asked
-    u32 skip_last;         // nor so many at the end
+    u32 skip_last;         // nor this number at the end
     double sample_offset;  // added to the pixel's coordinates, 0.5 for the pixel's centre
     int diameter;          // the radius taken for a diameter
     double too_far;        // circles of this depth and behind it are never taken; 0: none is

@@ -57,7 +57,7 @@ typedef struct OracleRules3D {
     int light_cut_at_one;   // no channel of a light's is above 1
     int first_light_only;
     int last_light_only;
-    int most_lights;      // no more than so many shine; 0 is no limit
+    int most_lights;      // how many shine at most; 0 is no limit
     int stops_behind;     // at the first light behind the surface
     int sum_clamped;      // negative sums, not negative shares, are 0
     int mean_of_lights;   // divided by their number

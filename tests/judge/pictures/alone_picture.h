@@ -1,5 +1,5 @@
 // Pictures of an answer that is tried alone: drawn with stand-ins (tests/stand_ins/), so that what
-// should come out is worked out here, pixel by pixel, and only whether it did is ever told.
+// should come out is worked out here, pixel by pixel, and only whether it did is ever shown.
 #ifndef JUDGE_ALONE_PICTURE_H
 #define JUDGE_ALONE_PICTURE_H
 

@@ -14,7 +14,7 @@ int job_section_write(FILE *file, int k, const char *part, const void *bytes, si
 int job_array_write(FILE *file, int k, const char *part, const void *array, size_t n_entries,
                     const void *beyond, size_t entry_bytes);
 
-// Write the scene's title for people as "scene.K.title": where a crash was is told with it.
+// Write the scene's title for people as "scene.K.title": a crash is reported with it.
 int job_title_write(FILE *file, int k, const char *title);
 
 // The answer "stem.K" if it is there with exactly n_bytes; else NULL.

@@ -1,5 +1,6 @@
-// Probe of lab 10: each of the student's functions on the job's inputs, then whole scenes with
-// their trees: what each ray hits, the picture, and the work of each pixel's tile ("work.K").
+// Probe of lab 10: each of the student's functions on the job's inputs, tiles of circles painted
+// whole, then scenes of spheres with their trees: what each ray hits, the picture, and the work of
+// each pixel's tile ("work.K").
 #include "jobs_10.h"
 #include "probe.h"
 
@@ -17,6 +18,29 @@ static void answer_functions(const Probe *probe, cl_program program)
     probe_call(probe, program, "tile_waiting", sizeof(TileWaitingJob), sizeof(NextWaitingAnswer),
                NULL, 0);
     probe_call(probe, program, "cones", sizeof(ConeJob), sizeof(cl_int), NULL, 0);
+    probe_call(probe, program, "circle_rows", sizeof(CircleRowJob), sizeof(CircleRowAnswer), NULL,
+               0);
+}
+
+static cl_mem section_create(const Probe *probe, const char *name)
+{
+    size_t n_bytes;
+    const void *bytes = probe_job(probe, name, &n_bytes);
+    return cl_buffer_create(&probe->cl, bytes, n_bytes);
+}
+
+// What goes through the trees of Part A.
+static void answer_circles(const Probe *probe, cl_program program)
+{
+    if (!probe_asks(probe, "tile_leaves")) {
+        return;
+    }
+    const cl_mem d_tree[] = {section_create(probe, "circle_nodes"),
+                             section_create(probe, "leaf_circles")};
+    probe_call(probe, program, "tile_leaves", sizeof(CircleTileJob), sizeof(cl_uint), d_tree, 1);
+    probe_call(probe, program, "circle_tiles", sizeof(CircleTileJob), sizeof(CircleTileAnswer),
+               d_tree, 2);
+    cl_memory_release(d_tree, sizeof d_tree / sizeof *d_tree);
 }
 
 static cl_mem part_create(const Probe *probe, int k, const char *part)
@@ -77,6 +101,7 @@ int main(void)
         probe_build(&probe, "probes/" LAB_NAME "/probe.cl",
                     PROBE_KERNEL_OPTIONS " -I " LAB_FOLDER " -I probes -DCOUNT_WORK");
     answer_functions(&probe, program);
+    answer_circles(&probe, program);
     cl_kernel kernel = probe_kernel(program, "probe_tiles");
     const SceneJob3D *job;
     for (int k = 0; (job = probe_scene3d(&probe, k)) != NULL; k++) {

@@ -1,5 +1,6 @@
 // Probe of lab 10: the kernel's parts with the student's functions in them, and kernels that call
 // each of these with the job's inputs.
+#include "render_circles.cl"
 #include "render_tiles.cl"
 
 #include "jobs_10.h"
@@ -128,4 +129,42 @@ kernel void probe_tiles(global const Sphere *spheres, global const uint *materia
         save_probed(&hits, colors, x, y, block, width, height, answers, image);
     }
     save_work(work, x, y, width, height, d_work);
+}
+
+// ---- Part A -------------------------------------------------------------------------------------
+
+kernel void probe_circle_rows(global const CircleRowJob *jobs, global CircleRowAnswer *answers)
+{
+    const size_t i = get_global_id(0);
+    const CircleRowJob job = jobs[i];
+    LaneInts open = JOIN(vload, LANES)(0, job.open);
+    LaneUints colors = JOIN(vload, LANES)(0, job.colors);
+    paint_row(JOIN(vload, LANES)(0, job.dx_squared), job.dy, job.radius_squared, job.color, &open,
+              &colors);
+    JOIN(vstore, LANES)(open, 0, answers[i].open);
+    JOIN(vstore, LANES)(colors, 0, answers[i].colors);
+}
+
+kernel void probe_tile_leaves(global const CircleTileJob *jobs, global const TileNode *nodes,
+                              global uint *answers)
+{
+    const size_t i = get_global_id(0);
+    const CircleTileJob job = jobs[i];
+    Work work = {0, 0, 0, 0};
+    answers[i] = tile_leaf(job.x, job.y, nodes + job.first_node, &work);
+}
+
+kernel void probe_circle_tiles(global const CircleTileJob *jobs, global const TileNode *nodes,
+                               global const TileCircle *leaf_circles,
+                               global CircleTileAnswer *answers)
+{
+    const size_t i = get_global_id(0);
+    const CircleTileJob job = jobs[i];
+    Work work = {0, 0, 0, 0};
+    const CircleTile tile =
+        draw_tile(job.x, job.y, nodes + job.first_node, leaf_circles + job.first_circle, &work);
+    for (int row = 0; row < N_ROWS; row++) {
+        JOIN(vstore, LANES)(tile.colors[row], row, answers[i].colors);
+    }
+    answers[i].n_tests = work.n_tests;
 }

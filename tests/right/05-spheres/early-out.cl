@@ -1,4 +1,4 @@
-// right: a miss is told by l and the radius; a ray that touches is none
+// right: a miss is known by l and the radius; a ray that touches is none
 // task: intersect_sphere
     const float3 c = (float3)(sphere.x, sphere.y, sphere.z) - ray.origin;
     const float b = dot(c, ray.direction);

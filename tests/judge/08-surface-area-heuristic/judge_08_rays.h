@@ -1,6 +1,6 @@
 // What a search through a kd-tree costs, counted: the oracle's, ray by ray.
-#ifndef JUDGE_JUDGE_08_SEARCH_H
-#define JUDGE_JUDGE_08_SEARCH_H
+#ifndef JUDGE_JUDGE_08_RAYS_H
+#define JUDGE_JUDGE_08_RAYS_H
 
 #include "scene3d.h"
 #include "tree3d.h"

@@ -1,13 +1,13 @@
-// See judge_08_search.h. Where float would decide otherwise does not matter here: both trees that
+// See judge_08_rays.h. Where float would decide otherwise does not matter here: both trees that
 // are compared are searched with the same rays in double.
-#include "judge_08_search.h"
+#include "judge_08_rays.h"
 
 #include "camera_from_view.h"
 #include "oracle3d.h"
 
 #include <math.h>
 
-// So many rays show what a tree is worth.
+// That many rays show what a tree is worth.
 enum { WIDTH = 48, HEIGHT = 36 };
 
 typedef struct Search {

@@ -1,0 +1,48 @@
+// Lab 10, Part A: what one number of a pixel becomes for a tile of pixels: one descent for all of
+// them, and one test for a row.
+//
+// Flow: scene -> buffers -> KERNEL -> image -> comparison. Called by render_circles.cl.
+#include "circle_tiles.h"
+#include "lanes.h"
+#include "work.h"
+
+// Has a node children? Where it has, a step is counted: one of them is visited next.
+static int is_inner(TileNode node, Work *work)
+{
+    if (node.split_axis == KD_LEAF) {
+        return 0;
+    }
+    count_node(work);
+    return 1;
+}
+
+// The leaf that holds a tile.
+//   x, y    the tile's first pixel; the others are in the same leaf
+//   nodes   the tree (circle_tiles.h); node 0 is the root
+//   work    what the tile has cost so far
+// Returns the leaf's id.
+uint tile_leaf(int x, int y, global const TileNode *nodes, Work *work)
+{
+    uint id = 0;
+    // TASK tile_leaf: from the root go to the child that holds the pixel (x, y) until id is a leaf.
+    // Pixel split_pos itself is on the upper side. Ask is_inner(): it counts the steps.
+    (void)x, (void)y, (void)nodes, (void)work;
+    // END tile_leaf
+    return id;
+}
+
+// Paint a circle into one row of a tile, behind all that is there already.
+//   dx_squared       for each pixel: its distance from the centre along x, squared
+//   dy               the row's distance from the centre along y
+//   radius_squared   the circle's; the boundary belongs to it
+//   color            the circle's
+//   open             in and out: -1 where no circle has covered the pixel yet, else 0
+//   colors           in and out: the row's colours
+void paint_row(Lanes dx_squared, float dy, float radius_squared, uint color, LaneInts *open,
+               LaneUints *colors)
+{
+    // TASK paint_row: overlaps_N_Nearer for LANES pixels at once. There is no `if` for lanes:
+    // compare, keep what is still open, and select().
+    (void)dx_squared, (void)dy, (void)radius_squared, (void)color, (void)open, (void)colors;
+    // END paint_row
+}

@@ -1,0 +1,319 @@
+// Lab 10's tiles of circles: scenes and their trees, the leaf of each tile, its pixels, and how
+// many circles it asks. What a pixel shows comes from brute force over the whole scene.
+#include "judge_10.h"
+
+#include "complain.h"
+#include "message.h"
+#include "oracle2d.h"
+#include "random3d.h"
+#include "scene2d.h"
+
+#include <string.h>
+
+// As often as render_circles.cl looks whether a tile is done.
+#define CIRCLES_A_LOOK 8
+
+// ---- Scenes -------------------------------------------------------------------------------------
+
+static const struct {
+    int columns, rows;  // tiles
+    int n_circles;
+    float min_radius, max_radius;
+    u32 leaf_size;
+} plans[N_CIRCLE_SCENES] = {
+    {1, 1, 6, 2, 12, 8},      // the root is a leaf
+    {5, 4, 60, 2, 12, 6},     // background is seen
+    {5, 4, 120, 10, 60, 30},  // most is hidden
+    {8, 8, 40, 1, 8, 1},      // a leaf for nearly every tile
+};
+
+typedef struct TileRange {
+    int min[2], max[2];  // tiles, [min, max) on x and y
+} TileRange;
+
+// A tree that grows in the job's arrays: nodes still to be closed have their tiles in `ranges`.
+typedef struct Growing {
+    Job10 *job;
+    const CircleScene10 *scene;
+    TileNode *nodes;
+    TileRange ranges[MOST_CIRCLE_NODES];
+    u32 n_nodes;
+    TileCircle *circles;
+    u32 n_circles;
+} Growing;
+
+// Is circle `a` of a scene before circle `b`?
+static int is_nearer(const CircleScene10 *scene, int a, int b)
+{
+    const float depth_a = scene->circles[a].depth, depth_b = scene->circles[b].depth;
+    return depth_a < depth_b || (depth_a == depth_b && a < b);
+}
+
+// A leaf's circles, by inserting each where it belongs. A pixel is a point, so the last ones lie on
+// the box's border. What is hidden is in the list, too.
+static void close_as_leaf(Growing *tree, u32 id)
+{
+    const TileRange tiles = tree->ranges[id];
+    const float side = CIRCLE_TILE_SIDE;
+    const BBox2D box = {(float)tiles.min[0] * side, (float)tiles.max[0] * side - 1,
+                        (float)tiles.min[1] * side, (float)tiles.max[1] * side - 1};
+    int ids[MOST_CIRCLES];
+    u32 n_ids = 0;
+    for (int i = 0; i < tree->scene->n_circles; i++) {
+        if (!oracle2d_overlaps_box(tree->scene->circles[i], box)) {
+            continue;
+        }
+        u32 place = n_ids++;
+        for (; place > 0 && is_nearer(tree->scene, i, ids[place - 1]); place--) {
+            ids[place] = ids[place - 1];
+        }
+        ids[place] = i;
+    }
+    tree->nodes[id] =
+        (TileNode){.split_axis = KD_LEAF, .first = tree->n_circles, .n_circles = n_ids};
+    for (u32 i = 0; i < n_ids; i++) {
+        const Circle circle = tree->scene->circles[ids[i]];
+        tree->circles[tree->n_circles++] = (TileCircle){
+            circle.x, circle.y, circle.radius * circle.radius, tree->scene->colors[ids[i]]};
+    }
+}
+
+// Planes stand at any border of tiles, and not only in the middle.
+static void close_as_inner(Growing *tree, Random *random, u32 id, u32 axis)
+{
+    const TileRange tiles = tree->ranges[id];
+    const int split = (int)random_integer(random, tiles.min[axis] + 1, tiles.max[axis] - 1);
+    const u32 first = tree->n_nodes;
+    tree->n_nodes += 2;
+    tree->ranges[first] = tree->ranges[first + 1] = tiles;
+    tree->ranges[first].max[axis] = tree->ranges[first + 1].min[axis] = split;
+    tree->nodes[id] = (TileNode){split * CIRCLE_TILE_SIDE, axis, first, 0};
+}
+
+static void grow(Growing *tree, Random *random, int columns, int rows)
+{
+    tree->ranges[0] = (TileRange){{0, 0}, {columns, rows}};
+    tree->n_nodes = 1;
+    for (u32 id = 0; id < tree->n_nodes; id++) {
+        const TileRange tiles = tree->ranges[id];
+        const int width = tiles.max[0] - tiles.min[0], height = tiles.max[1] - tiles.min[1];
+        // Some leaves hold many tiles.
+        if ((width == 1 && height == 1) || (id > 2 && one_in(random, 6))) {
+            close_as_leaf(tree, id);
+        } else {
+            close_as_inner(tree, random, id,
+                           height == 1 || (width > 1 && one_in(random, 2)) ? 0 : 1);
+        }
+    }
+}
+
+// A random scene in which depths are equal now and then, and colours are all different; the first
+// circle is black and transparent.
+static int draw_scene(Random *random, int k, CircleScene10 *scene)
+{
+    Scene2D drawn;
+    if (scene2d_random(plans[k].n_circles, random_bits(random), plans[k].min_radius,
+                       plans[k].max_radius, plans[k].columns * CIRCLE_TILE_SIDE,
+                       plans[k].rows * CIRCLE_TILE_SIDE, &drawn) != 0) {
+        return -1;
+    }
+    scene->n_circles = drawn.n_circles;
+    for (int i = 0; i < drawn.n_circles; i++) {
+        scene->circles[i] = drawn.circles[i];
+        scene->circles[i].depth = floorf(drawn.circles[i].depth * 16) / 16;
+        // An odd factor: different numbers stay different.
+        scene->colors[i] = (u32)i * 0x9e3779b1u;
+    }
+    scene2d_free(&drawn);
+    return 0;
+}
+
+int circles_10_draw(Random *random, Job10 *job)
+{
+    u32 n_nodes = 0, n_circles = 0;
+    int n_tiles = 0;
+    for (int k = 0; k < N_CIRCLE_SCENES; k++) {
+        if (draw_scene(random, k, &job->circle_scenes[k]) != 0) {
+            return -1;
+        }
+        Growing tree = {.job = job,
+                        .scene = &job->circle_scenes[k],
+                        .nodes = job->circle_nodes + n_nodes,
+                        .circles = job->leaf_circles + n_circles};
+        grow(&tree, random, plans[k].columns, plans[k].rows);
+        for (int i = 0; i < plans[k].columns * plans[k].rows; i++) {
+            job->scene_of_tile[n_tiles] = k;
+            job->circle_tiles[n_tiles++] =
+                (CircleTileJob){n_nodes, n_circles, i % plans[k].columns * CIRCLE_TILE_SIDE,
+                                i / plans[k].columns * CIRCLE_TILE_SIDE};
+        }
+        n_nodes += tree.n_nodes;
+        n_circles += tree.n_circles;
+    }
+    return 0;
+}
+
+// ---- The leaf -----------------------------------------------------------------------------------
+
+enum {
+    LEAF_PLANE_IS_LOWER = 1,
+    LEAF_AXES_SWAPPED,
+    LEAF_SIDES_SWAPPED,
+    LEAF_ONLY_X,
+    LEAF_ONLY_Y,
+    LEAF_ALWAYS_LOWER,
+    LEAF_ONE_STEP,
+    LEAF_IS_ROOT,
+};
+static const Cause leaf_mistakes[] = {
+    [LEAF_PLANE_IS_LOWER] = {.says = "pixel split_pos is the first of the upper side, not the last "
+                                     "of the lower one"},
+    [LEAF_AXES_SWAPPED] = {.says = "the axes are swapped: split_axis 0 is x"},
+    [LEAF_SIDES_SWAPPED] = {.says = "the sides are swapped: first is the child with the lower "
+                                    "coordinates"},
+    [LEAF_ONLY_X] = {.says = "that is as if all planes were across x"},
+    [LEAF_ONLY_Y] = {.says = "that is as if all planes were across y"},
+    [LEAF_ALWAYS_LOWER] = {.says = "that is as if the lower child were taken every time"},
+    [LEAF_ONE_STEP] = {.says = "the search ended after one step, leaf or not"},
+    [LEAF_IS_ROOT] = {.says = "the search did not leave the root"},
+};
+
+static u32 expected_leaf(const Job10 *job, int i, int mistake)
+{
+    const CircleTileJob tile = job->circle_tiles[i];
+    const TileNode *nodes = job->circle_nodes + tile.first_node;
+    u32 id = 0;
+    // A wrong way may lead round in a ring.
+    for (int step = 0; step < MOST_CIRCLE_NODES && nodes[id].split_axis != KD_LEAF &&
+                       mistake != LEAF_IS_ROOT && !(mistake == LEAF_ONE_STEP && step == 1);
+         step++) {
+        const TileNode node = nodes[id];
+        const int is_x = mistake == LEAF_AXES_SWAPPED ? node.split_axis == 1
+                         : mistake == LEAF_ONLY_X     ? 1
+                         : mistake == LEAF_ONLY_Y     ? 0
+                                                      : node.split_axis == 0;
+        const int at = is_x ? tile.x : tile.y;
+        const int is_upper = mistake == LEAF_PLANE_IS_LOWER  ? at > node.split_pos
+                             : mistake == LEAF_SIDES_SWAPPED ? at < node.split_pos
+                             : mistake == LEAF_ALWAYS_LOWER  ? 0
+                                                             : at >= node.split_pos;
+        id = node.first + (u32)is_upper;
+    }
+    return id;
+}
+
+static int leaf_agrees(const void *job, int i, const void *answers, int mistake)
+{
+    return ((const u32 *)answers)[i] == expected_leaf(job, i, mistake);
+}
+
+static char *describe_leaf(const void *pointer, int i, const void *answers)
+{
+    const Job10 *job = pointer;
+    const CircleTileJob tile = job->circle_tiles[i];
+    const u32 root_axis = job->circle_nodes[tile.first_node].split_axis;
+    return message_new("the tile from pixel (%d, %d) on, in a tree %s: found node %u, expected "
+                       "the leaf %u",
+                       tile.x, tile.y,
+                       root_axis == KD_LEAF ? "whose root is a leaf"
+                       : root_axis == 0     ? "whose root is split across x"
+                                            : "whose root is split across y",
+                       ((const u32 *)answers)[i], expected_leaf(job, i, 0));
+}
+
+const Function tile_leaf_10 = {"tile_leaves",
+                               N_CIRCLE_TILES,
+                               sizeof(u32),
+                               .describe = describe_leaf,
+                               .agrees = leaf_agrees,
+                               .counted = "tiles",
+                               MISTAKES(leaf_mistakes)};
+
+int leaves_alone_10(const void *job, const JudgeCheck *check, const Sections *answers)
+{
+    (void)check;
+    return verdict_passes(
+        function_judge(&tile_leaf_10, job, (Range){0, N_CIRCLE_TILES, 1}, answers));
+}
+
+// ---- Pixels and work ----------------------------------------------------------------------------
+
+// The colour of a pixel: of the nearest circle of the whole scene that covers it.
+static u32 expected_color(const CircleScene10 *scene, int x, int y)
+{
+    int nearest = -1;
+    for (int i = 0; i < scene->n_circles; i++) {
+        if (oracle2d_covers(scene->circles[i], x, y) &&
+            (nearest < 0 || is_nearer(scene, i, nearest))) {
+            nearest = i;
+        }
+    }
+    return nearest < 0 ? 0 : scene->colors[nearest];
+}
+
+static Diagnosis pixels_fault(const void *pointer, int i, const void *answers)
+{
+    const Job10 *job = pointer;
+    const CircleTileJob tile = job->circle_tiles[i];
+    const CircleTileAnswer *found = (const CircleTileAnswer *)answers + i;
+    const CircleScene10 *scene = &job->circle_scenes[job->scene_of_tile[i]];
+    for (int pixel = 0; pixel < CIRCLE_TILE_PIXELS; pixel++) {
+        const int x = tile.x + pixel % ROW_PIXELS, y = tile.y + pixel / ROW_PIXELS;
+        const u32 expected = expected_color(scene, x, y);
+        if (found->colors[pixel] != expected) {
+            return diagnosis_of(message_new("a scene of %d circles, pixel (%d, %d), in the tile "
+                                            "from (%d, %d) on: found colour %08x, expected %08x",
+                                            scene->n_circles, x, y, tile.x, tile.y,
+                                            found->colors[pixel], expected),
+                                (Cause){0});
+        }
+    }
+    return NOTHING_WRONG;
+}
+
+const Function circle_pixels_10 = {"circle_tiles", N_CIRCLE_TILES, sizeof(CircleTileAnswer),
+                                   .fault = pixels_fault};
+
+// After how many circles of its list is a tile done? All of them where it never is.
+static u32 count_needed(const Job10 *job, int i)
+{
+    const CircleTileJob tile = job->circle_tiles[i];
+    const TileNode leaf = job->circle_nodes[tile.first_node + expected_leaf(job, i, 0)];
+    const TileCircle *circles = job->leaf_circles + tile.first_circle + leaf.first;
+    u32 most = 0;
+    for (int pixel = 0; pixel < CIRCLE_TILE_PIXELS; pixel++) {
+        const double x = tile.x + pixel % ROW_PIXELS, y = tile.y + pixel / ROW_PIXELS;
+        u32 n = 0;
+        for (int is_covered = 0; n < leaf.n_circles && !is_covered; n++) {
+            const double dx = x - (double)circles[n].x, dy = y - (double)circles[n].y;
+            is_covered = dx * dx + dy * dy <= (double)circles[n].radius_squared;
+        }
+        most = n > most ? n : most;
+    }
+    const u32 until_look = (most + CIRCLES_A_LOOK - 1) / CIRCLES_A_LOOK * CIRCLES_A_LOOK;
+    return until_look < leaf.n_circles ? until_look : leaf.n_circles;
+}
+
+// The loop is given, so the number is known: it says whether what is painted is closed, at once.
+static Diagnosis work_fault(const void *pointer, int i, const void *answers)
+{
+    const Job10 *job = pointer;
+    const CircleTileJob tile = job->circle_tiles[i];
+    const u32 found = ((const CircleTileAnswer *)answers)[i].n_tests;
+    const u32 expected = count_needed(job, i);
+    if (found == expected) {
+        return NOTHING_WRONG;
+    }
+    return diagnosis_of(
+        message_new("a scene of %d circles, the tile from (%d, %d) on: found %u circles asked, "
+                    "expected %u",
+                    job->circle_scenes[job->scene_of_tile[i]].n_circles, tile.x, tile.y, found,
+                    expected),
+        (Cause){.says = found > expected ? "the tile is done, and it goes on: what is covered is "
+                                           "not closed"
+                                         : "the tile is given up before it is done: what is not "
+                                           "covered is closed"});
+}
+
+const Function circle_work_10 = {"circle_tiles", N_CIRCLE_TILES, sizeof(CircleTileAnswer),
+                                 .fault = work_fault};

@@ -1,0 +1,159 @@
+// Lab 10's paint_row: its inputs, and what must come out. Distances are on the grid of 1/16 px, so
+// that every comparison is exact: an answer is right or wrong to the bit.
+#include "judge_10.h"
+
+#include "message.h"
+#include "random3d.h"
+
+// ---- Inputs -----------------------------------------------------------------------------------
+
+// A circle near the row, in a third of all cases with a pixel exactly on its boundary, or outside
+// of it by one float: 3, 4 and 5 make a right angle.
+static CircleRowJob draw_row(Random *random, enum RowRange range)
+{
+    CircleRowJob job = {.color = (u32)random_bits(random)};
+    const int is_exact = one_in(random, 3);
+    const float unit = (float)random_integer(random, 1, 32) / 16;
+    const float x = is_exact ? (float)random_integer(random, 0, ROW_PIXELS - 1) + 3 * unit
+                             : random_grid(random, -8, ROW_PIXELS + 8);
+    const float radius = is_exact ? 5 * unit : random_grid(random, 0, 16);
+    job.dy = is_exact ? (float)random_sign(random) * 4 * unit : random_grid(random, -12, 12);
+    job.radius_squared = radius * radius;
+    if (is_exact && one_in(random, 2)) {
+        job.radius_squared = nextafterf(job.radius_squared, 0);
+    }
+    // Black is a colour as any other.
+    job.color = one_in(random, 8) ? 0 : job.color;
+    for (int i = 0; i < ROW_PIXELS; i++) {
+        const float dx = (float)i - x;
+        job.dx_squared[i] = dx * dx;
+        job.open[i] = range == ROWS_PAINTED && one_in(random, 2) ? 0 : -1;
+        job.colors[i] = job.open[i] || one_in(random, 8) ? 0 : (u32)random_bits(random);
+    }
+    return job;
+}
+
+void rows_10_draw(Random *random, Job10 *job)
+{
+    for (int i = 0; i < COUNT(job->rows); i++) {
+        job->rows[i] = draw_row(random, (enum RowRange)(i / N_ROW_INPUTS));
+    }
+}
+
+// ---- Judging ----------------------------------------------------------------------------------
+
+enum {
+    ROW_STRICT = 1,
+    ROW_WITHOUT_DY,
+    ROW_DY_NOT_SQUARED,
+    ROW_RADIUS_SQUARED_AGAIN,
+    ROW_INVERTED,
+    ROW_PAINTED_OVER,
+    ROW_STAYS_OPEN,
+    ROW_CLOSED_OUTSIDE,
+    ROW_CLOSED_WHOLE,
+    ROW_ALL_OR_NONE,
+    ROW_BLACK_IS_OPEN,
+    ROW_COVERED_ALL_CLOSED,
+};
+static const Cause row_mistakes[] = {
+    [ROW_STRICT] = {"strict where it should not be: the boundary belongs to the circle",
+                    MISTAKE_STRICT_BOUNDARY},
+    [ROW_WITHOUT_DY] = {.says = "that is as if dy were 0: the distance has two parts"},
+    [ROW_DY_NOT_SQUARED] = {.says = "that is as if dy were added as it is: dx_squared is squared "
+                                    "already, dy is not"},
+    [ROW_RADIUS_SQUARED_AGAIN] = {.says = "the radius is squared twice: radius_squared is its "
+                                          "square already"},
+    [ROW_INVERTED] = {.says = "what the circle does not cover is painted, and what it covers is "
+                              "not"},
+    [ROW_PAINTED_OVER] = {.says = "a pixel that a nearer circle covers was painted again: only "
+                                  "what is open may be"},
+    [ROW_STAYS_OPEN] = {.says = "a pixel that is painted stays open: the next circle would paint "
+                                "it again"},
+    [ROW_CLOSED_OUTSIDE] = {.says = "the wrong pixels stay open: what the circle covers is closed, "
+                                    "what it does not cover stays as it was"},
+    [ROW_CLOSED_WHOLE] = {.says = "the whole row is closed: pixels that the circle does not cover "
+                                  "stay as they were"},
+    [ROW_ALL_OR_NONE] = {.says = "that is as if one pixel decided for the whole row: each lane has "
+                                 "an answer of its own"},
+    [ROW_BLACK_IS_OPEN] = {.says = "that is as if a colour of 0 said that a pixel is open: a "
+                                   "circle may be black"},
+    [ROW_COVERED_ALL_CLOSED] = {.says = "what was closed already is open again: a pixel never "
+                                        "opens"},
+};
+
+static int is_covered(const CircleRowJob *job, int i, int mistake)
+{
+    const double dy = job->dy;
+    const double dy_part = mistake == ROW_WITHOUT_DY       ? 0
+                           : mistake == ROW_DY_NOT_SQUARED ? dy
+                                                           : dy * dy;
+    const double r = job->radius_squared, distance = (double)job->dx_squared[i] + dy_part;
+    const double limit = mistake == ROW_RADIUS_SQUARED_AGAIN ? r * r : r;
+    const int covers = mistake == ROW_STRICT ? distance < limit : distance <= limit;
+    return mistake == ROW_INVERTED ? !covers : covers;
+}
+
+static CircleRowAnswer expected_row(const CircleRowJob *job, int mistake)
+{
+    CircleRowAnswer row;
+    int n_covered = 0;
+    for (int i = 0; i < ROW_PIXELS; i++) {
+        n_covered += is_covered(job, i, mistake);
+    }
+    for (int i = 0; i < ROW_PIXELS; i++) {
+        const int covers = mistake == ROW_ALL_OR_NONE ? n_covered > 0 : is_covered(job, i, mistake);
+        const int was_open = mistake == ROW_PAINTED_OVER    ? 1
+                             : mistake == ROW_BLACK_IS_OPEN ? job->colors[i] == 0
+                                                            : job->open[i] != 0;
+        row.colors[i] = covers && was_open ? job->color : job->colors[i];
+        row.open[i] = mistake == ROW_STAYS_OPEN           ? job->open[i]
+                      : mistake == ROW_CLOSED_OUTSIDE     ? (covers ? job->open[i] : 0)
+                      : mistake == ROW_CLOSED_WHOLE       ? (n_covered > 0 ? 0 : job->open[i])
+                      : mistake == ROW_COVERED_ALL_CLOSED ? (covers ? 0 : -1)
+                      : covers                            ? 0
+                                                          : job->open[i];
+    }
+    return row;
+}
+
+// The first pixel in which an answer differs, or ROW_PIXELS.
+static int first_difference(const CircleRowAnswer *found, const CircleRowAnswer *expected)
+{
+    int i = 0;
+    while (i < ROW_PIXELS && found->colors[i] == expected->colors[i] &&
+           found->open[i] == expected->open[i]) {
+        i++;
+    }
+    return i;
+}
+
+static int row_agrees(const void *job, int i, const void *answers, int mistake)
+{
+    const CircleRowAnswer expected = expected_row(&((const Job10 *)job)->rows[i], mistake);
+    return first_difference((const CircleRowAnswer *)answers + i, &expected) == ROW_PIXELS;
+}
+
+static char *describe_row(const void *pointer, int i, const void *answers)
+{
+    const CircleRowJob *job = &((const Job10 *)pointer)->rows[i];
+    const CircleRowAnswer *found = (const CircleRowAnswer *)answers + i;
+    const CircleRowAnswer expected = expected_row(job, 0);
+    const int at = first_difference(found, &expected);
+    return message_new("pixel %d of a row, dx_squared %.9g, dy %.9g, radius_squared %.9g, open %d: "
+                       "found colour %08x and open %d, expected %08x and %d (before: %08x; the "
+                       "circle's: %08x)",
+                       at, job->dx_squared[at], job->dy, job->radius_squared, job->open[at],
+                       found->colors[at], found->open[at], expected.colors[at], expected.open[at],
+                       job->colors[at], job->color);
+}
+
+const Function circle_row_10 = {
+    "circle_rows",        N_ROWS_10,         sizeof(CircleRowAnswer), .describe = describe_row,
+    .agrees = row_agrees, .counted = "rows", MISTAKES(row_mistakes)};
+
+int rows_alone_10(const void *job, const JudgeCheck *check, const Sections *answers)
+{
+    (void)check;
+    return verdict_passes(function_judge(&circle_row_10, job, (Range){0, N_ROWS_10, 1}, answers));
+}
