@@ -42,8 +42,8 @@ static double stand_in_root(double b, double disc, double radius, double t_min, 
 }
 
 // Does an answer follow from a right call of the stand-in? The chord says in which intervals a
-// right solution's b and sqrt(disc) lie. Of its four terms 2 sqrt(disc) is an exact product, and the
-// two other products and the three sums cost one rounding each of at most the sum of all sizes.
+// right solution's b and sqrt(disc) lie. Of its four terms 2 sqrt(disc) is an exact product, and
+// the two other products and the three sums cost one rounding each of at most the sum of all sizes.
 static int follows(const SphereRayJob *job, OracleForm form, float found, u32 lot)
 {
     const double rounding = 5 * 0x1p-24;
