@@ -47,13 +47,13 @@ static const struct {
     {0x1D173, 0x1D17A}, {0xE0001, 0xE0001}, {0xE0020, 0xE007F},
 };
 
-static int is_showable(uint32_t character)
+int character_is_unseen(uint32_t character)
 {
     size_t i = 0;
     while (i < sizeof unseen / sizeof *unseen && character > unseen[i].last) {
         i++;
     }
-    return i == sizeof unseen / sizeof *unseen || character < unseen[i].first;
+    return i < sizeof unseen / sizeof *unseen && character >= unseen[i].first;
 }
 
 void text_show(const char *text, int one_line, char *clean)
@@ -67,7 +67,7 @@ void text_show(const char *text, int one_line, char *clean)
         } else if (*from == '\n' || *from == '\t') {
             *end++ = one_line ? ' ' : *from;
             from++;
-        } else if (length > 0 && is_showable(character)) {
+        } else if (length > 0 && !character_is_unseen(character)) {
             memcpy(end, from, (size_t)length);
             end += length;
             from += length;

@@ -7,6 +7,8 @@
 #ifndef COMMON_CLEAN_TEXT_H
 #define COMMON_CLEAN_TEXT_H
 
+#include <stdint.h>
+
 // A longer message loses its middle: the first errors matter most, the last lines say how it ended.
 enum {
     MESSAGE_MAX_LINES = 40,
@@ -27,5 +29,9 @@ char *line_clean(const char *line);
 //   clean      out; holds CLEAN_TEXT_GROWTH * strlen(text) + 1 bytes
 enum { CLEAN_TEXT_GROWTH = 3 };
 void text_show(const char *text, int one_line, char *clean);
+
+// Is it a character that is not seen: a control, a mark of no width, one that turns the reading
+// direction?
+int character_is_unseen(uint32_t character);
 
 #endif

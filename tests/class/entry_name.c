@@ -4,6 +4,7 @@
 // slug, never a part of a path or a command. Read next: roster.c.
 #include "entry_name.h"
 
+#include "clean_text.h"
 #include "utf8.h"
 
 #include <ctype.h>
@@ -21,18 +22,12 @@ enum { SLUG_WORDS = 40, SLUG_DIGEST_BYTES = 8 };
 // ---- Bytes that can be shown -----------------------------------------------------------------
 
 // The length of the character at text when it is valid UTF-8 that can be shown in one line and has
-// one meaning, or 0. Left out besides: control characters and what changes the reading direction.
+// one meaning, or 0.
 static int shown_length(const char *text)
 {
     uint32_t code;
     const int length = utf8_read(text, &code);
-    if (length == 1) {
-        return code >= ' ' && code != 0x7f && code != '\\';
-    }
-    const int moves = length > 0 && (code < 0xA0 || (code >= 0x200B && code <= 0x200F) ||
-                                     (code >= 0x2028 && code <= 0x202E) ||
-                                     (code >= 0x2060 && code <= 0x206F) || code == 0xFEFF);
-    return moves ? 0 : length;
+    return length > 0 && code != '\\' && !character_is_unseen(code) ? length : 0;
 }
 
 void entry_name_show(const char *bytes, size_t n_bytes, char text[ENTRY_NAME_BYTES])

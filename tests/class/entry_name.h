@@ -10,8 +10,8 @@
 enum { ENTRY_NAME_BYTES = 1100, ENTRY_NUMBER_BYTES = 24 };
 
 typedef struct EntryName {
-    // The student's name or user name: valid UTF-8 in one line; bytes that are not, control
-    // characters and backslashes are written as \xHH, so that two different names stay different.
+    // The student's name or user name: valid UTF-8 in one line; bytes that are not, characters that
+    // are not seen and backslashes are written as \xHH, so that two names never look the same.
     char name[ENTRY_NAME_BYTES];
     char number[ENTRY_NUMBER_BYTES];  // the system's number of the student or team: "1234567"
     int is_text;                      // Moodle's online text, beside which there may be files

@@ -5,6 +5,7 @@
 // keyboards have. Used by look_alikes.c and owners.c.
 #include "name_likeness.h"
 
+#include "clean_text.h"
 #include "utf8.h"
 
 #include <ctype.h>
@@ -67,9 +68,12 @@ static char ascii_of(uint32_t code)
 // some systems write "ü" as "u" and two dots.
 static int is_unseen(uint32_t code)
 {
-    return (code >= 0x80 && code < LATIN_BEGIN) || (code >= 0x300 && code < 0x370) ||
-           (code >= 0x2000 && code < 0x2070) || code == 0x2212 || code == 0x3000 ||
-           (code >= 0xFE00 && code < 0xFE10) || code == 0xFEFF;
+    return character_is_unseen(code) || (code >= 0x80 && code < LATIN_BEGIN) ||
+           (code >= 0x300 && code < 0x370) || code == 0x115F || code == 0x1160 || code == 0x1680 ||
+           (code >= 0x17B4 && code <= 0x17B5) || (code >= 0x180B && code <= 0x180F) ||
+           (code >= 0x2000 && code < 0x2070) || code == 0x2212 || code == 0x2800 ||
+           code == 0x3000 || code == 0x3164 || (code >= 0xFE00 && code < 0xFE10) ||
+           code == 0xFFA0 || (code >= 0xE0100 && code <= 0xE01EF);
 }
 
 // "\x0A" stands for a byte that cannot be shown (entry_name.h).

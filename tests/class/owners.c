@@ -160,23 +160,34 @@ static int has_other_key(const Worksheet *worksheet, const Participant *particip
            (member->sid[0] != '\0' && cell_of(worksheet, participant, sid_titles)[0] != '\0');
 }
 
-// The first line of the list that a name, which fits none, looks like; 0 for none. It is only
-// reported: "carol-2" may be Carol's, or anybody's.
-static int look_alike_find(const Worksheet *worksheet, const char *name)
+// Does a name, which fits no line, look like that of this one?
+static int looks_like_line(const Worksheet *worksheet, const Participant *participant,
+                           const char *name)
 {
     static const char *const *const titles[] = {name_titles, user_titles, mail_titles};
-    for (int i = 1; i < worksheet->n_participants; i++) {
-        const Participant *participant = &worksheet->participants[i];
-        for (size_t t = 0; t < sizeof titles / sizeof *titles; t++) {
-            const char *cell = cell_of(worksheet, participant, titles[t]);
-            char local[ENTRY_NAME_BYTES];
-            snprintf(local, sizeof local, "%.*s", (int)strcspn(cell, "@"), cell);
-            if (name_looks_like(name, local)) {
-                return i + 1;
-            }
+    for (size_t t = 0; t < sizeof titles / sizeof *titles; t++) {
+        const char *cell = cell_of(worksheet, participant, titles[t]);
+        char local[ENTRY_NAME_BYTES];
+        snprintf(local, sizeof local, "%.*s", (int)strcspn(cell, "@"), cell);
+        if (name_looks_like(name, local)) {
+            return 1;
         }
     }
     return 0;
+}
+
+// The first line of the list that a name, which fits none, looks like; 0 for none. It is only
+// reported: "carol-2" may be Carol's, or anybody's. Whoever it looks like may have handed in.
+static int look_alike_find(const Worksheet *worksheet, const char *name)
+{
+    int first = 0;
+    for (int i = worksheet->n_participants - 1; i >= 1; i--) {
+        if (looks_like_line(worksheet, &worksheet->participants[i], name)) {
+            worksheet->participants[i].is_fitted = 1;
+            first = i + 1;
+        }
+    }
+    return first;
 }
 
 // ---- Who is who --------------------------------------------------------------------------------

@@ -13,7 +13,7 @@ typedef struct Participant {
     char *cells[WORKSHEET_MAX_COLUMNS];
     const Row *row;    // the student's last entry, or NULL: handed in nothing, or none that counts
     int is_contested;  // entries of two names fit: then none counts
-    int is_fitted;     // some entry fits, whether it counts or not
+    int is_fitted;     // some entry fits or looks so, whether it counts or not
 } Participant;
 
 // What became of a row of the gradebook.

@@ -6,6 +6,7 @@
 
 #include "holes.h"
 #include "jobs.h"
+#include "lot.h"
 #include "path.h"
 #include "skeleton.h"
 #include "text_file.h"
@@ -17,9 +18,10 @@
 
 // What stands in the hole of a task that is not tried: its stand-in, or what is handed out. NULL
 // after one message.
-static char *other_body(const Manifest *manifest, const Task *task)
+static char *other_body(const Session *session, const Task *task)
 {
-    char *stand_in = stand_in_read(manifest, task);
+    const Manifest *manifest = &session->manifest;
+    char *stand_in = stand_in_read(manifest, task, stand_in_lot(session->settings->seed));
     if (stand_in != NULL) {
         return stand_in;
     }
@@ -39,13 +41,14 @@ static char *settle(char *text, const Task *task, const char *body)
 
 // Take the other tasks' answers out of one of the lab's files, and put this one's in: last, as
 // nobody knows what is in it. Takes `text` over. Returns the text, or NULL when a hole is missing.
-static char *holes_settle(const Manifest *manifest, const char *file, const Task *task,
+static char *holes_settle(const Session *session, const char *file, const Task *task,
                           const char *answer, char *text)
 {
+    const Manifest *manifest = &session->manifest;
     for (int t = 0; t < manifest->n_tasks; t++) {
         const Task *other = &manifest->tasks[t];
         if (other != task && strcmp(other->file, file) == 0) {
-            char *body = other_body(manifest, other);
+            char *body = other_body(session, other);
             text = settle(text, other, body);
             free(body);
         }
@@ -55,18 +58,18 @@ static char *holes_settle(const Manifest *manifest, const char *file, const Task
 
 // One of the lab's files with this answer: the student's own, or where that has no such holes or
 // `own` is NULL, the one that is handed out. NULL after one message.
-static char *file_text(const Manifest *manifest, const char *file, const Task *task,
+static char *file_text(const Session *session, const char *file, const Task *task,
                        const char *answer, const char *own, int *is_changed)
 {
     char path[PATH_MAX];
-    char *text = skeleton_read(manifest, file);
-    text = text != NULL ? holes_settle(manifest, file, task, answer, text) : NULL;
+    char *text = skeleton_read(&session->manifest, file);
+    text = text != NULL ? holes_settle(session, file, task, answer, text) : NULL;
     if (own == NULL || text == NULL) {
         return text;
     }
     path_make(path, "%s/%s", own, file);
     char *own_text = text_file_read(path);
-    own_text = own_text != NULL ? holes_settle(manifest, file, task, answer, own_text) : NULL;
+    own_text = own_text != NULL ? holes_settle(session, file, task, answer, own_text) : NULL;
     if (own_text == NULL || strcmp(own_text, text) == 0) {
         free(own_text);
         return text;
@@ -104,7 +107,7 @@ int alone_fill(Session *session, const char *name, const Task *task, const char 
     variant->alone = task->id;
     for (int i = 0; result == 0 && i < manifest->n_files; i++) {
         char *text =
-            file_text(manifest, manifest->files[i], task, answer, own, &variant->is_changed);
+            file_text(session, manifest->files[i], task, answer, own, &variant->is_changed);
         result = text == NULL ? -1 : session_write(folder, manifest->files[i], text);
         free(text);
     }

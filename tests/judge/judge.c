@@ -3,6 +3,7 @@
 #include "judge.h"
 
 #include "complain.h"
+#include "lot.h"
 #include "number.h"
 
 #include <stdlib.h>
@@ -65,6 +66,7 @@ Job *job_new(const Judge *judge, uint64_t seed, FILE *file)
         return NULL;
     }
     job->judge = judge;
+    job->lot = stand_in_lot(seed);
     int result = judge->draw(job, &random);
     if (result == 0) {
         result = write_parts(job, NULL, file);

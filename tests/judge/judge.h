@@ -105,6 +105,7 @@ typedef struct Job {
     JobPicture *pictures[MOST_PICTURES];  // number K is answered by "picture.K"
     int n_pictures;
     Growth growth;  // labs 02 and 06: the right trees of the scenes, for replays
+    uint32_t lot;   // of the stand-ins: lot.h
 } Job;
 
 // Let the next picture be part of the job. It must stay where it is.

@@ -7,7 +7,7 @@
 void limit_time(int seconds)
 {
     const struct itimerval limit = {.it_value = {.tv_sec = seconds}};
-    setitimer(ITIMER_VIRTUAL, &limit, NULL);
+    setitimer(ITIMER_PROF, &limit, NULL);
 }
 
 void limit_memory(size_t n_bytes)

@@ -10,7 +10,7 @@
 enum { MOST_SECONDS = 20 };
 #define MOST_BYTES ((size_t)2 << 30)
 
-// From now on count processor time from 0: after that many seconds SIGVTALRM ends the program.
+// From now on count processor time from 0: after that many seconds SIGPROF ends the program.
 void limit_time(int seconds);
 
 // From now on memory beyond this is not there. A sanitizer reserves far more: under one there is no

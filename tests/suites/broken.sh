@@ -57,6 +57,21 @@ echo '    return strlen(ids;' | answer $file distribute
 broken "a tree builder that does not compile costs its task" 80
 check "and the message names file and line" holds "$(place $file 'strlen(ids;')"
 
+# The linker knows files by where they were compiled, and the probe was compiled somewhere else.
+copy_lab solutions $lab
+sed -i 's/^void split_box(/void split_boxes(/' "$scratch/submission/$file"
+for sandbox in bubblewrap landlock; do
+    [ $sandbox = bubblewrap ] || [ "$(id -u)" -eq 0 ] || continue
+    # shellcheck disable=SC2046,SC2086
+    check "$sandbox: a function has another name" \
+        grades 1 100 $(kept $lab) --sandbox $sandbox $submission
+    check "and the linker's lines name file and line" holds "$(place $file ' split_box(tree')"
+    check "and where it is asked for" holds " tests/probes/$lab/main.c:"
+    # shellcheck disable=SC2016 # for the inner shell
+    check "and no other place of this machine" sh -c \
+        '! grep "\"message\"" "$1" | grep -E "(\\\\n|[ :\"])/([^u]|u[^s])"' - "$reports/results.json"
+done
+
 copy_lab solutions $lab
 echo '    *(volatile u32 *)(size_t)(id & 0) = n_ids;' | answer $file pack_leaf
 broken "a null pointer costs its task" 80

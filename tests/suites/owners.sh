@@ -185,6 +185,8 @@ Identifier,"Full name","Email address",Username,Grade
 "Participant 7","Gina",gina@example.org,gina,
 "Participant 8","Hanna Müller",hm@example.org,hm,
 "Participant 9","Judy",judy@example.org,judy,
+"Participant 10","Kay",kay@example.org,kay,
+"Participant 11","Lou",lou@example.org,lou,
 END
 newline='
 '
@@ -192,12 +194,14 @@ cyrillic=$(printf 'c\320\260rol')
 decomposed=$(printf 'Hanna Mu\314\210ller')
 escape=$(printf 'frank\033[2J')
 widthless=$(printf 'fra\342\200\213nk')
+soft_hyphen=$(printf 'k\302\255ay')
+filler=$(printf 'lou\343\205\244')
 full_width=$(printf '\357\274\235HYPERLINK(1)')
 twin=$(printf '%0254d' 0)
 # shellcheck disable=SC2016 # a name
 lists whose "$scratch/whose.csv" carol carol-2 "carol (3)" lab-00-carol-4 "$cyrillic" bob bob-2 \
     dora dora.zip erin lab-00-erin frank "frank " frank. "frank$newline" 'frank\x0A' "$escape" \
-    "$widthless" gina GINA "Hanna Müller" "$decomposed" judy "Participant 9" "${twin}a" "${twin}b" \
+    "$widthless" "$soft_hyphen" "$filler" gina GINA "Hanna Müller" "$decomposed" judy "Participant 9" "${twin}a" "${twin}b" \
     gradebook.csv students roster.json lock -- --moodle -n ... '*' '$(exit)' '%s%n' '~' \
     'x;=1+1;b' "$full_width" ada-76651 ada-117211 3d submission_metadata.yml
 check "the grade of carol is that of carol, not of carol-2 nor of carol (3)" row "$class.out" \
@@ -224,11 +228,17 @@ check "blanks, dots and what cannot be seen make another name" has "Participant 
 for attack in "frank " frank. 'frank\x0A' 'frank\x5Cx0A' 'frank\x1B[2J' 'fra\xE2\x80\x8Bnk'; do
     check "$attack: told of" said "\"$attack\": fits no line of the list"
 done
+check "$soft_hyphen: nobody's, told of, and shown with what is not seen" \
+    said '"k\xC2\xADay": fits no line of the list, but looks like line 11'
+check "and kay may have handed in, if not this" has "Participant 10" -
+check "$filler: nobody's, and told of" \
+    said "\"$filler\": fits no line of the list, but looks like line 12"
+check "and lou may have handed in, if not this" has "Participant 11" -
 check "accents that are written apart make another name" has "Participant 8" "Hanna Müller"
 check "and are told of" said "\"$decomposed\": fits no line of the list, but looks like line 9"
 check "every entry has its row" \
-    test "$(grep -c '"students/[^"]*/report.html"' "$class.out/gradebook.csv")" -eq 44
-check "and its folder" test "$(find "$class.out/students" -mindepth 1 -maxdepth 1 | wc -l)" -eq 44
+    test "$(grep -c '"students/[^"]*/report.html"' "$class.out/gradebook.csv")" -eq 46
+check "and its folder" test "$(find "$class.out/students" -mindepth 1 -maxdepth 1 | wc -l)" -eq 46
 check "a name is no file of the driver's" test -f "$class.out/gradebook.csv"
 # shellcheck disable=SC2016 # for the inner shell
 check "no cell is a formula wherever it is parted" sh -c \
@@ -239,7 +249,7 @@ mkdir "$class/$slug"
 check "only the latest, and an entry called like the slug of carol's" \
     exits 0 run "$class.out" --moodle "$scratch/whose.csv" --only latest
 check "every entry still has its row" \
-    test "$(grep -c '"students/[^"]*/report.html"' "$class.out/gradebook.csv")" -eq 45
+    test "$(grep -c '"students/[^"]*/report.html"' "$class.out/gradebook.csv")" -eq 47
 check "carol her own files" test -e "$class.out/students/$slug/key"
 check "and the grade" has "Participant 1" carol
 

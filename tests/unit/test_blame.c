@@ -183,6 +183,18 @@ Test(blame, a_task_with_a_fault_of_its_own_keeps_its_message_and_hint)
     result_free(&result);
 }
 
+// Both are wrong, and which of them made the picture look so, nobody knows.
+Test(blame, of_two_wrong_answers_none_is_the_cause)
+{
+    const CheckStatus statuses[] = {CHECK_FAILED, CHECK_FAILED, CHECK_FAILED};
+    Result result = result_of(statuses, "it looks mirrored");
+    blame_others(checks, &result);
+    cr_expect_str_eq(result.checks[1].message, "found 1, expected 2; it looks mirrored");
+    cr_expect_eq(result.checks[2].status, CHECK_FAILED);
+    cr_expect_str_eq(result.checks[2].message, "found 1, expected 2");
+    result_free(&result);
+}
+
 // Who calls a function is at fault only where that function is not.
 Test(blame, a_caller_is_not_at_fault_where_what_it_calls_is)
 {

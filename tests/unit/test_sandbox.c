@@ -81,6 +81,13 @@ TEST_EACH(a_umask_that_closes_folders_changes_nothing)
     expect_exit(result, 0);
 }
 
+TEST_EACH(what_it_prints_names_no_folder_of_this_machine)
+{
+    SandboxResult result = shell_run("echo $HOME, $TMPDIR/file:1, /work");
+    cr_expect_str_eq(result.output, "/tmp, /tmp/file:1, /work\n");
+    expect_exit(result, 0);
+}
+
 TEST_EACH(runs_as_an_ordinary_user_without_rights)
 {
     SandboxResult result = shell_run("id -u; while read -r name value; do\n"

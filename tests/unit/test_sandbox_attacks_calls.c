@@ -104,6 +104,47 @@ TEST_EACH(what_libraries_can_do_without_is_refused)
     }
 }
 
+// Locks, leases and watches on files that two runs see, and what else each could ask about them:
+// refused as calls that are not there or not allowed, not for what their arguments were.
+TEST_EACH(what_two_runs_could_signal_by_is_refused)
+{
+    enum { CACHESTAT = 451, STATMOUNT = 457, LISTMOUNT = 458 };  // newer than some headers
+    static const long calls[][3] = {
+        {SYS_flock, 0, LOCK_SH},
+        {SYS_fcntl, 0, F_GETLK},
+        {SYS_fcntl, 0, F_SETLK},
+        {SYS_fcntl, 0, F_SETLKW},
+        {SYS_fcntl, 0, F_OFD_GETLK},
+        {SYS_fcntl, 0, F_OFD_SETLK},
+        {SYS_fcntl, 0, F_OFD_SETLKW},
+        {SYS_fcntl, 0, F_SETLEASE},
+        {SYS_fcntl, 0, F_GETLEASE},
+        {SYS_fcntl, 0, F_NOTIFY},
+        {SYS_inotify_init1, 0, 0},
+        {SYS_inotify_add_watch, 0, 0},
+        {SYS_fanotify_init, 0, 0},
+        {SYS_fanotify_mark, 0, 0},
+        {SYS_preadv2, 0, 0},
+        {SYS_memfd_create, 0, 0},
+        {SYS_mincore, 0, 0},
+        {CACHESTAT, 0, 0},
+        {STATMOUNT, 0, 0},
+        {LISTMOUNT, 0, 0},
+    };
+    char program[2048] = "for (";
+    for (size_t i = 0; i < sizeof calls / sizeof *calls; i++) {
+        const size_t length = strlen(program);
+        snprintf(program + length, sizeof program - length, "[%ld,%ld,%ld],", calls[i][0],
+                 calls[i][1], calls[i][2]);
+    }
+    // EPERM or ENOSYS.
+    strcat(program, ") { $r = syscall($_->[0], $_->[1], $_->[2], 0, 0, 0);"
+                    " print qq(@$_: $r, $!;) unless $r < 0 && ($! == 1 || $! == 38) }");
+    SandboxResult result = perl_run(program);
+    cr_expect_str_eq(result.output, "");
+    expect_exit(result, 0);
+}
+
 // Who stands back behind others, or hides what its children use, would pass for starved.
 TEST_EACH(nobody_chooses_to_wait_or_hides_the_time_of_its_children)
 {

@@ -5,6 +5,7 @@
 #include "path.h"
 #include "text_file.h"
 
+#include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,10 +25,35 @@ char *skeleton_read(const Manifest *manifest, const char *file)
     return skeleton;
 }
 
-char *stand_in_read(const Manifest *manifest, const Task *task)
+// The text with this number for each LOT. Takes `text` over; NULL after one message.
+static char *lot_write(char *text, uint32_t lot)
+{
+    static const char word[] = "LOT";
+    char *written = NULL;
+    size_t n_bytes;
+    FILE *stream = text != NULL ? open_memstream(&written, &n_bytes) : NULL;
+    if (stream == NULL) {
+        free(text);
+        return NULL;
+    }
+    const char *from = text;
+    for (const char *at; (at = strstr(from, word)) != NULL; from = at + strlen(word)) {
+        fprintf(stream, "%.*s%" PRIu32 "u", (int)(at - from), from, lot);
+    }
+    fputs(from, stream);
+    free(text);
+    if (fclose(stream) != 0) {
+        fprintf(stderr, "grade: no memory for a stand-in\n");
+        free(written);
+        return NULL;
+    }
+    return written;
+}
+
+char *stand_in_read(const Manifest *manifest, const Task *task, uint32_t lot)
 {
     char path[PATH_MAX];
     const char *ending = strrchr(task->file, '.');
     path_make(path, "tests/stand_ins/%s/%s%s", manifest->lab, task->id, ending ? ending : "");
-    return access(path, F_OK) == 0 ? text_file_read(path) : NULL;
+    return access(path, F_OK) == 0 ? lot_write(text_file_read(path), lot) : NULL;
 }

@@ -4,13 +4,16 @@
 
 #include "manifest.h"
 
+#include <stdint.h>
+
 // One of the lab's files as it is handed out: cut from the solution, or in a handout, which has
 // none, read from tests/skeletons/NN-name/. Returns the text, free() it, or NULL after one message
 // on stderr.
 char *skeleton_read(const Manifest *manifest, const char *file);
 
 // What stands in the hole of a task while another one is tried alone (tests/stand_ins/README.md).
+//   lot   the number that is written for each LOT in it
 // Returns the text, free() it, or NULL where the hole stays as it is handed out.
-char *stand_in_read(const Manifest *manifest, const Task *task);
+char *stand_in_read(const Manifest *manifest, const Task *task, uint32_t lot);
 
 #endif

@@ -2,6 +2,7 @@
 #include "variant_steps.h"
 
 #include "crash_line.h"
+#include "linker_lines.h"
 #include "message.h"
 #include "path.h"
 #include "probe.h"
@@ -35,6 +36,7 @@ static void take_build(Variant *variant, SandboxResult *result, SandboxTime allo
     if (result->outcome != SANDBOX_EXITED) {
         variant->build_log = describe_compiler_end(result, allowed);
     } else if (result->exit_status != 0) {
+        linker_lines_shorten(result->output);
         variant->build_log = result->output;
         result->output = NULL;
     }

@@ -36,19 +36,18 @@ static int is_fault(const Check *check, const CheckResult *found)
 typedef struct Culprits {
     const char *first;  // NULL where there is none
     int are_more;
+    int is_own;  // the check's own task is one, too
 } Culprits;
 
 // Those of check number i. A check that could not be tried alone is its own task's fault where
 // another check of it is.
 static Culprits culprits_of(const Check *checks, const Result *result, int i)
 {
-    Culprits culprits = {0};
+    Culprits culprits = {.is_own = result->checks[i].is_own};
     for (int j = 0; j < result->n_checks; j++) {
         const int is_own_task = strcmp(checks[j].task, checks[i].task) == 0;
         const CheckResult *found = &result->checks[j];
-        if (is_own_task && !result->checks[i].is_own && is_fault(&checks[j], found)) {
-            return (Culprits){0};
-        }
+        culprits.is_own |= is_own_task && is_fault(&checks[j], found);
         // What passes alone is right: what stands beside the answers is wrong then.
         if (!is_own_task && check_needs(&checks[i], checks[j].task) &&
             is_fault(&checks[j], found) && !found->passes_alone) {
@@ -75,17 +74,17 @@ static Diagnosis without_cause(const CheckResult *check, Culprits culprits)
                        .evidence = diagnosis->evidence};
 }
 
-// What a check found comes of another task's answer, too. Where it fails alone as well, only the
+// What a check found comes of another task's answer, too. Where its own is wrong as well, only the
 // cause that it names is in doubt; where nobody could try that, it waits.
 static void pass_blame(CheckResult *check, Culprits culprits)
 {
-    check_tell(check, check->is_own
+    check_tell(check, culprits.is_own
                           ? without_cause(check, culprits)
                           : diagnosis_new("waits for %s, which it needs and which is wrong: "
                                           "without its marker lines it cannot be tried alone",
                                           culprits.first));
     check->is_explained = 0;
-    check->status = check->is_own ? CHECK_FAILED : CHECK_NOT_RUN;
+    check->status = culprits.is_own ? CHECK_FAILED : CHECK_NOT_RUN;
 }
 
 void blame_others(const Check *checks, Result *result)

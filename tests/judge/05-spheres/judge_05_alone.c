@@ -36,32 +36,32 @@ static Job05 *alone_job(const Job05 *whole)
 }
 
 // What stands in the hole of nearest_root, in double: the larger b and disc, the larger it is.
-static double stand_in_root(double b, double disc, double radius, double t_min)
+static double stand_in_root(double b, double disc, double radius, double t_min, u32 LOT)
 {
 #include "05-spheres/nearest_root.cl"
 }
 
 // Does an answer follow from a right call of the stand-in? The chord says in which intervals a
-// right solution's b and sqrt(disc) lie. Of its four terms 2 sqrt(disc), 4 radius and 8 t_min are
-// exact products, and each of the three sums costs one rounding of at most the sum of all sizes.
-static int follows(const SphereRayJob *job, OracleForm form, float found)
+// right solution's b and sqrt(disc) lie. Of its four terms 2 sqrt(disc) is an exact product, and
+// the two other products and the three sums cost one rounding each of at most the sum of all sizes.
+static int follows(const SphereRayJob *job, OracleForm form, float found, u32 lot)
 {
-    const double rounding = 3 * 0x1p-24;
+    const double rounding = 5 * 0x1p-24;
     const OracleRay ray = oracle3d_given_ray(job->origin, job->direction, job->t_min);
     const OracleChord chord = oracle3d_chord(job->sphere, &ray, form);
     if (touches_exactly_05(job)) {
-        return found == stand_in_root(chord.middle, 0, job->sphere.radius, job->t_min);
+        return found == stand_in_root(chord.middle, 0, job->sphere.radius, job->t_min, lot);
     }
     if (isinf(found) && found > 0) {
         return !chord.is_certain;
     }
     const double radius = job->sphere.radius, t_min = job->t_min;
     const double size = stand_in_root(fabs(chord.middle) + chord.error,
-                                      chord.longest * chord.longest, fabs(radius), t_min);
-    const double low =
-        stand_in_root(chord.middle - chord.error, chord.shortest * chord.shortest, radius, t_min);
-    const double high =
-        stand_in_root(chord.middle + chord.error, chord.longest * chord.longest, radius, t_min);
+                                      chord.longest * chord.longest, fabs(radius), t_min, lot);
+    const double low = stand_in_root(chord.middle - chord.error, chord.shortest * chord.shortest,
+                                     radius, t_min, lot);
+    const double high = stand_in_root(chord.middle + chord.error, chord.longest * chord.longest,
+                                      radius, t_min, lot);
     return chord.is_possible && found >= low - rounding * size && found <= high + rounding * size;
 }
 
@@ -73,11 +73,11 @@ static int is_clear_miss(const SphereRayJob *job, OracleForm form, float found)
            !oracle3d_root(job->sphere, &ray, form, &right).is_certain;
 }
 
-static int all_follow(const SphereRayJob *jobs, int n, OracleForm form, const float *found)
+static int all_follow(const SphereRayJob *jobs, int n, OracleForm form, const float *found, u32 lot)
 {
     int i = 0;
     while (i < n &&
-           (follows(&jobs[i], form, found[i]) || is_clear_miss(&jobs[i], form, found[i]))) {
+           (follows(&jobs[i], form, found[i], lot) || is_clear_miss(&jobs[i], form, found[i]))) {
         i++;
     }
     return i == n;
@@ -94,10 +94,10 @@ int spheres_alone_05(const void *whole, const JudgeCheck *check, const Sections 
     }
     const Range range = check->range;
     const int is_textbook = check->function == &textbook_05;
-    const int passes =
-        verdict_passes(function_judge(check->function, job, range, answers)) ||
-        all_follow((is_textbook ? job->textbook : job->projection) + range.first, range.n,
-                   is_textbook ? ORACLE_TEXTBOOK : ORACLE_PROJECTION, found + range.first);
+    const int passes = verdict_passes(function_judge(check->function, job, range, answers)) ||
+                       all_follow((is_textbook ? job->textbook : job->projection) + range.first,
+                                  range.n, is_textbook ? ORACLE_TEXTBOOK : ORACLE_PROJECTION,
+                                  found + range.first, job->job.lot);
     free(job);
     return passes;
 }

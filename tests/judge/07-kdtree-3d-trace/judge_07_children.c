@@ -238,13 +238,13 @@ typedef unsigned int uint;
 enum { ONLY_NEAR, ONLY_FAR, BOTH };
 _Static_assert((int)ONLY_FAR == PLANE_ONLY_FAR && (int)BOTH == PLANE_BOTH, "the same numbers");
 
-static uint stand_in_side(KdNode3 node, float origin, float inverse)
+static uint stand_in_side(KdNode3 node, float origin, float inverse, uint LOT)
 {
 #include "07-kdtree-3d-trace/near_side.cl"
 }
 
 static int stand_in_children(KdNode3 node, float origin, float inverse, float t_min, float t_max,
-                             float *t_split)
+                             uint LOT, float *t_split)
 {
 #include "07-kdtree-3d-trace/children_on_ray.cl"
 }
@@ -254,12 +254,13 @@ enum { ONE_MET = 1, BOTH_MET = 2 };
 static int pass_children(const Job07 *job, int met, const Sections *answers)
 {
     const NextChildAnswer *found = function_answers(&child_07, answers);
+    const uint lot = job->job.lot;
     int passes = found != NULL;
     for (int i = 0; passes && i < COUNT(job->inputs.children); i++) {
         const NextChildJob *in = &job->inputs.children[i];
-        Met said = {.side = stand_in_side(in->node, in->origin, in->inverse)};
+        Met said = {.side = stand_in_side(in->node, in->origin, in->inverse, lot)};
         said.children = stand_in_children(in->node, in->origin, in->inverse, in->t_min, in->t_max,
-                                          &said.t_split);
+                                          lot, &said.t_split);
         const NextChildAnswer expected = expected_child(in, said, 0);
         const int is_asked = met & (said.children == BOTH ? BOTH_MET : ONE_MET);
         passes = !is_asked || same_child(&found[i], &expected);

@@ -125,7 +125,8 @@ const Function best_08 = {"bests",
 // area, the one says that there is none, and the other need not.
 static int stands_alone(const Job08 *job, Range range, const BestAnswer *found)
 {
-    static const SahRules right = {0}, stand_in = {.is_stand_in = 1};
+    static const SahRules right = {0};
+    const SahRules stand_in = {.is_stand_in = 1, .lot = job->job.lot};
     int n_right = 0, n_following = 0;
     for (int i = 0; i < range.n; i++) {
         const int input = range_at(range, i);

@@ -111,8 +111,8 @@ const Function cost_08 = {"costs",
 // Nobody has to call surface_area: costs by the true areas are right, too.
 int costs_alone_08(const void *pointer, const JudgeCheck *check, const Sections *answers)
 {
-    static const SahRules stand_in = {.measure = SAH_STAND_IN};
     const Job08 *job = pointer;
+    const SahRules stand_in = {.measure = SAH_STAND_IN, .lot = job->job.lot};
     const double *found = function_answers(check->function, answers);
     if (found == NULL) {
         return 0;

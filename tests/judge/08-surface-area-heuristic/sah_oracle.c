@@ -7,7 +7,7 @@
 
 // ---- What a split costs -------------------------------------------------------------------------
 
-static double stand_in_area(BBox3D box)
+static double stand_in_area(BBox3D box, u32 LOT)
 {
 #include "08-surface-area-heuristic/surface_area.c"
 }
@@ -39,10 +39,16 @@ double sah_size(BBox3D box, SahMeasure measure)
     case SAH_STAND_IN:
         break;
     }
-    return stand_in_area(box);
+    return NAN;  // only rules know it: size_by()
 }
 
-static double stand_in_cost(BBox3D box, SahPlane split, u32 n_lower, u32 n_higher)
+static double size_by(BBox3D box, const SahRules *rules)
+{
+    return rules->measure == SAH_STAND_IN ? stand_in_area(box, rules->lot)
+                                          : sah_size(box, rules->measure);
+}
+
+static double stand_in_cost(BBox3D box, SahPlane split, u32 n_lower, u32 n_higher, u32 LOT)
 {
 #include "08-surface-area-heuristic/split_cost.c"
 }
@@ -51,17 +57,17 @@ double sah_cost(CostJob split, const SahRules *rules)
 {
     if (rules->is_stand_in) {
         const SahPlane plane = {.axis = split.axis, .pos = split.pos};
-        return stand_in_cost(split.box, plane, split.n_lower, split.n_higher);
+        return stand_in_cost(split.box, plane, split.n_lower, split.n_higher, rules->lot);
     }
     BBox3D lower = split.box, higher = split.box;
     lower.max[split.axis] = higher.min[split.axis] = split.pos;
     const double n_lower = rules->counts_swapped ? split.n_higher : split.n_lower;
     const double n_higher = rules->counts_swapped ? split.n_lower : split.n_higher;
-    double n_expected = rules->higher_only ? 0 : sah_size(lower, rules->measure) * n_lower;
-    n_expected += rules->lower_only ? 0 : sah_size(higher, rules->measure) * n_higher;
-    const double all = sah_size(split.box, rules->measure);
-    const double both = sah_size(lower, rules->measure) + sah_size(higher, rules->measure) - all;
-    n_expected += rules->lower_tests ? sah_size(higher, rules->measure) * n_higher : 0;
+    double n_expected = rules->higher_only ? 0 : size_by(lower, rules) * n_lower;
+    n_expected += rules->lower_only ? 0 : size_by(higher, rules) * n_higher;
+    const double all = size_by(split.box, rules);
+    const double both = size_by(lower, rules) + size_by(higher, rules) - all;
+    n_expected += rules->lower_tests ? size_by(higher, rules) * n_higher : 0;
     n_expected -= rules->no_both ? both * n_lower : 0;
     n_expected /= rules->no_division ? 1 : rules->shares_of_sum ? all + both : all;
     if (rules->all_multiplied) {

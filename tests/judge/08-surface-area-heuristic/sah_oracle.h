@@ -47,6 +47,7 @@ typedef struct SahRules {
     int all_multiplied;  // both constants multiply what is expected
     int lower_tests;     // a test in the higher child costs 1
     int is_stand_in;     // split_cost() of tests/stand_ins
+    u32 lot;             // of the stand-ins: lot.h
     // The best of all planes.
     int last_of_equals;
     int longest_only;  // only planes across the longest side, the first of equal ones

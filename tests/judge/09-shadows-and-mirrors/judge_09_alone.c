@@ -4,7 +4,8 @@
 // leave_surface, mirrored_direction, shadow_ray and leaf_blocks need no other task. lit_color is
 // tried on points and lights of a grid, where a ray goes along the axis on which the light is
 // farthest and a lot says what blocks it; ray_color on the scenes of the whole job, where mirrors
-// send every ray along the normal and surfaces shine by themselves.
+// send every ray almost along the normal and surfaces shine by themselves. How exactly only who
+// calls the stand-ins is told.
 #include "judge_09.h"
 
 #include "job_sections.h"
@@ -98,15 +99,15 @@ static int write_lits(const Job09 *job, FILE *file)
 
 // What the stand-in of leaf_blocks says, with what it knows on the device under the same names.
 typedef unsigned int uint;
-static int is_blocked_by_lot(ShadowRayAnswer ray)
+static int is_blocked_by_lot(ShadowRayAnswer ray, uint LOT)
 {
 #include "09-shadows-and-mirrors/leaf_blocks.cl"
 }
 
 // How long the ray of the stand-in of shadow_ray is.
-static float length_along_axis(Vec3 way)
+static float length_along_axis(Vec3 way, uint lot)
 {
-    return fmaxf(fmaxf(fabsf(way.x), fabsf(way.y)), fabsf(way.z));
+    return fmaxf(fmaxf(fabsf(way.x), fabsf(way.y)), fabsf(way.z)) + (float)(lot / 64 % 64) / 16;
 }
 
 static int is_right_light(const Job09 *job, int i, const LitAnswer *found)
@@ -122,7 +123,8 @@ static int is_right_light(const Job09 *job, int i, const LitAnswer *found)
                            light, 1, &right);
         const int is_before = vec3_dot(in->normal, way) > 0;
         n_before += is_before;
-        if (is_before && !is_blocked_by_lot((ShadowRayAnswer){.t_max = length_along_axis(way)})) {
+        const ShadowRayAnswer ray = {.t_max = length_along_axis(way, job->job.lot)};
+        if (is_before && !is_blocked_by_lot(ray, job->job.lot)) {
             sum.value.x += share.value.x;
             sum.value.y += share.value.y;
             sum.value.z += share.value.z;
@@ -149,7 +151,8 @@ int lits_alone_09(const void *job, const JudgeCheck *check, const Sections *answ
 
 int picture_alone_09(const void *job, int k, const Sections *answers)
 {
-    static const OracleMirrorRules rules = {.stand_ins = 1, .turn = TURN_ALONG_NORMAL};
+    const OracleMirrorRules rules = {
+        .stand_ins = 1, .turn = TURN_ALONG_NORMAL, .lot = ((const Job09 *)job)->job.lot};
     const MirrorScene *scene = &((const Job09 *)job)->scenes[k];
     const Scene3D *s = &scene->base.scene;
     const ProbeImage own = probe_image_find(answers, k, s->width, s->height);

@@ -74,3 +74,14 @@ void deviations_leave_along_normal(Deviations *deviations, double curvature)
         deviations->each[i].direction = vector_scaled(curvature, deviations->each[i].origin);
     }
 }
+
+void deviations_make_unit(Deviations *deviations, OracleVector direction)
+{
+    const double length = vector_length(direction);
+    const OracleVector unit = vector_scaled(1 / length, direction);
+    for (int i = 0; i < deviations->n; i++) {
+        const OracleVector off = deviations->each[i].direction;
+        const OracleVector across = vector_minus(off, vector_scaled(vector_dot(off, unit), unit));
+        deviations->each[i].direction = vector_scaled(1 / length, across);
+    }
+}

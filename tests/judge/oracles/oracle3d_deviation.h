@@ -40,4 +40,7 @@ void deviations_mirror(Deviations *deviations, OracleVector direction, OracleVec
 // The same where every ray leaves along the normal.
 void deviations_leave_along_normal(Deviations *deviations, double curvature);
 
+// And where that direction is one of another length, which is made a unit vector.
+void deviations_make_unit(Deviations *deviations, OracleVector direction);
+
 #endif

@@ -226,13 +226,14 @@ static void leave_surface(Surface *surface, Followed *followed, double t, int is
 }
 
 // What the stand-in of lit_color gives: the material's colour by the normal, and a bit of where.
-static OracleNear stand_in_light(const Surface *at)
+static OracleNear stand_in_light(const Surface *at, u32 lot)
 {
+    const double share = 0x1p-4 + (lot >> 24) * 0x1p-12;
     const OracleVector n = at->normal.value, c = vector_of(at->material->color),
                        p = at->point.value;
-    const OracleVector value = {c.x * (1 + n.x) + p.x / 8, c.y * (1 + n.y) + p.y / 8,
-                                c.z * (1 + n.z) + p.z / 8};
-    return (OracleNear){value, at->normal.error + at->point.error / 8 +
+    const OracleVector value = {c.x * (1 + n.x) + share * p.x, c.y * (1 + n.y) + share * p.y,
+                                c.z * (1 + n.z) + share * p.z};
+    return (OracleNear){value, at->normal.error + share * at->point.error +
                                    8 * ROUNDING * (2 + vector_length(p))};
 }
 
@@ -300,20 +301,30 @@ static void add_local(const Scene3D *scene, Followed *followed, Surface *at, dou
     leave_surface(at, followed, t, rules->stand_ins);
     add_weighted(&followed->color, weight,
                  rules->stand_ins
-                     ? stand_in_light(at)
+                     ? stand_in_light(at, rules->lot)
                      : oracle3d_lit(scene, at->point, at->normal, at->material, sphere, rules));
 }
 
+// What the stand-in of mirrored_direction adds to the normal before it makes it a unit vector.
+static OracleVector stand_in_lean(u32 lot)
+{
+    return (OracleVector){(lot % 16 - 7.5) / 64, (lot / 16 % 16 - 7.5) / 64,
+                          (lot / 256 % 16 - 7.5) / 64};
+}
+
 // Go on from a mirror. Returns 0 where the ray is too far off for first order.
-static int mirror(Followed *followed, const Surface *at, const Sphere *sphere, OracleTurn turn)
+static int mirror(Followed *followed, const Surface *at, const Sphere *sphere,
+                  const OracleMirrorRules *rules)
 {
     Deviations *deviations = &followed->deviations;
     const OracleVector d = followed->ray.direction, n = at->normal.value;
     const int bulges = vector_dot(n, vector_minus(at->point.value, centre_of(*sphere))) > 0;
     const double curvature = (bulges ? 1 : -1) / fabs((double)sphere->radius);
-    const OracleNear direction = oracle3d_mirrored((OracleNear){d, 0}, at->normal, turn);
-    if (turn == TURN_ALONG_NORMAL) {
+    OracleNear direction = oracle3d_mirrored((OracleNear){d, 0}, at->normal, rules->turn);
+    if (rules->turn == TURN_ALONG_NORMAL) {
+        direction.value = vector_plus(direction.value, stand_in_lean(rules->lot));
         deviations_leave_along_normal(deviations, curvature);
+        deviations_make_unit(deviations, direction.value);
     } else {
         deviations_mirror(deviations, d, n, curvature);
     }
@@ -358,8 +369,7 @@ OracleNear oracle3d_follow(const Scene3D *scene, OracleRay ray, int max_bounces,
                                              : followed.color;
         }
         const double error = followed.n_bounces == 0 ? 0 : WEIGHT_ERROR * followed.weight;
-        if (fabs(beyond) < error ||
-            !mirror(&followed, &at, &scene->spheres[hit.sphere], rules->turn)) {
+        if (fabs(beyond) < error || !mirror(&followed, &at, &scene->spheres[hit.sphere], rules)) {
             return ambiguous();
         }
     }

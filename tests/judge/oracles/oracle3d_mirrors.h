@@ -56,6 +56,7 @@ typedef struct OracleMirrorRules {
     int rest_is_background;     // what is not followed any more is the background
     int cut_at_one;             // no channel of the sum is above 1
     int stand_ins;              // as ray_color sees the stand-ins
+    u32 lot;                    // of those: lot.h
 } OracleMirrorRules;
 
 // Weights below this are not followed: LEAST_WEIGHT of lab 09, a float.

@@ -1,7 +1,7 @@
     // By lot, which the arguments draw: on the judge's grids all numbers stay whole.
     const uint ray = (uint)(65536.0f + 176.0f * node.split_pos + 208.0f * origin + 7.0f * inverse);
     const uint part = (uint)(20.0f * t_min + 52.0f * t_max);
-    const uint lot = (ray * 2654435769u + part * 2246822519u) >> 8;
+    const uint lot = (((ray * 2654435769u + part * 2246822519u) ^ LOT) * 2654435769u) >> 8;
     if (lot % 4u < 2u) {
         *t_split = t_min - 1.0f;
         return lot % 4u == 0u ? ONLY_NEAR : ONLY_FAR;
