@@ -9,8 +9,8 @@
 #include "kdtree3d.h"
 #include "layout.h"
 
-// Planes stand at multiples of this, so that a tile of so many pixels squared, or a smaller one
-// that its side divides into, lies in one leaf whole.
+// Planes stand at multiples of this, so that a tile with sides of this many pixels, or a smaller
+// one that its side divides into, lies in one leaf whole.
 #define CIRCLE_TILE_SIDE 16
 
 // As KdNode3, in two dimensions: without boxes, node 0 is the root, a leaf has split_axis KD_LEAF.

@@ -82,6 +82,8 @@ static Sections right_answers(int lab, const Sections *job)
         answer_tile_children(&writer, job);
         answer_tile_waiting(&writer, job);
         answer_cones(&writer, job);
+        answer_circle_rows(&writer, job);
+        answer_circle_tiles(&writer, job);
         answer_pictures_3d(&writer, job, find_for_nothing, hit_color, work_10, N_TILE_SCENES);
     }
     return writer_close(&writer);

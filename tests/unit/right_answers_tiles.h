@@ -1,4 +1,5 @@
-// Right answers of lab 10, in plain C: what holds for a tile, by its outermost rays.
+// Right answers of lab 10, in plain C: circles pixel by pixel, and what holds for a tile of rays by
+// its outermost ones.
 //
 // Whole scenes are answered ray by ray (right_answers_3d.h), at no cost: only too much work is
 // wrong. Read next: right_answers.h.
@@ -9,6 +10,7 @@
 #include "right_answers_sections.h"
 
 #include <math.h>
+#include <string.h>
 
 // How many scenes it has; the work of all is judged.
 enum { N_TILE_SCENES = 17 };
@@ -103,6 +105,88 @@ static void answer_cones(Writer *writer, const Sections *job)
     }
     answer(writer, "cones", out, n * sizeof *out);
     free(out);
+}
+
+// ---- Part A -------------------------------------------------------------------------------------
+
+static void paint_pixel(i32 *open, u32 *color, int is_covered, u32 of_circle)
+{
+    if (is_covered && *open) {
+        *color = of_circle;
+        *open = 0;
+    }
+}
+
+static void answer_circle_rows(Writer *writer, const Sections *job)
+{
+    size_t n_bytes;
+    const CircleRowJob *in = sections_find_any(job, "circle_rows", &n_bytes);
+    const size_t n = n_bytes / sizeof *in;
+    CircleRowAnswer *out = calloc(n, sizeof *out);
+    for (size_t i = 0; i < n; i++) {
+        for (int k = 0; k < ROW_PIXELS; k++) {
+            out[i].open[k] = in[i].open[k];
+            out[i].colors[k] = in[i].colors[k];
+            paint_pixel(&out[i].open[k], &out[i].colors[k],
+                        in[i].dx_squared[k] + in[i].dy * in[i].dy <= in[i].radius_squared,
+                        in[i].color);
+        }
+    }
+    answer(writer, "circle_rows", out, n * sizeof *out);
+    free(out);
+}
+
+static u32 leaf_of_tile(const CircleTileJob *tile, const TileNode *nodes)
+{
+    u32 id = 0;
+    while (nodes[id].split_axis != KD_LEAF) {
+        const int at = nodes[id].split_axis == 0 ? tile->x : tile->y;
+        id = nodes[id].first + (at >= nodes[id].split_pos);
+    }
+    return id;
+}
+
+// Eight circles, then a look whether a pixel is open still, as the given loop does.
+static CircleTileAnswer painted_tile(const CircleTileJob *tile, const TileNode *nodes,
+                                     const TileCircle *circles)
+{
+    const TileNode leaf = nodes[leaf_of_tile(tile, nodes)];
+    i32 open[CIRCLE_TILE_PIXELS];
+    memset(open, -1, sizeof open);
+    CircleTileAnswer out = {.n_tests = 0};
+    int n_open = CIRCLE_TILE_PIXELS;
+    for (u32 i = 0; i < leaf.n_circles && (i % 8 != 0 || n_open > 0); i++) {
+        const TileCircle circle = circles[leaf.first + i];
+        n_open = 0;
+        for (int k = 0; k < CIRCLE_TILE_PIXELS; k++) {
+            const float dx = (float)(tile->x + k % ROW_PIXELS) - circle.x;
+            const float dy = (float)(tile->y + k / ROW_PIXELS) - circle.y;
+            paint_pixel(&open[k], &out.colors[k], dx * dx + dy * dy <= circle.radius_squared,
+                        circle.color);
+            n_open += open[k] != 0;
+        }
+        out.n_tests++;
+    }
+    return out;
+}
+
+static void answer_circle_tiles(Writer *writer, const Sections *job)
+{
+    size_t n_bytes, n_other;
+    const TileNode *nodes = sections_find_any(job, "circle_nodes", &n_other);
+    const TileCircle *circles = sections_find_any(job, "leaf_circles", &n_other);
+    const CircleTileJob *in = sections_find_any(job, "tile_leaves", &n_bytes);
+    const size_t n = n_bytes / sizeof *in;
+    u32 *leaves = calloc(n, sizeof *leaves);
+    CircleTileAnswer *tiles = calloc(n, sizeof *tiles);
+    for (size_t i = 0; i < n; i++) {
+        leaves[i] = leaf_of_tile(&in[i], nodes + in[i].first_node);
+        tiles[i] = painted_tile(&in[i], nodes + in[i].first_node, circles + in[i].first_circle);
+    }
+    answer(writer, "tile_leaves", leaves, n * sizeof *leaves);
+    answer(writer, "circle_tiles", tiles, n * sizeof *tiles);
+    free(leaves);
+    free(tiles);
 }
 
 #endif
