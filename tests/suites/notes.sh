@@ -6,7 +6,7 @@ build=${BUILD:-build}
 notes=$build/notes
 browser=$(slides-notes/make/browser.sh) || browser=
 if ! command -v pandoc >/dev/null || [ -z "$browser" ]; then
-    skip "notes, slides and the site" "pandoc and Chromium are not both here (make setup names the packages)"
+    skip "notes, slides and the site" "pandoc and Chromium are not both here (make notes installs them)"
     finish
     exit
 fi
