@@ -12,8 +12,10 @@ NOTES_TOOLS := $(wildcard $(NOTES_MAKE)/*.lua $(NOTES_MAKE)/*.css slides-notes/t
 
 # What the programs counted, for the numbers in the texts: a run for each line of runs.txt.
 NOTES_RUNS := $(patsubst %,$(NOTES)/runs/%.json,$(shell sed -n 's/^\([0-9][^ ]*\) .*/\1/p' $(NOTES_MAKE)/runs.txt))
+# The lab of a run. Without a filter: a % in a prerequisite would be the target's.
+lab_of_run = $(foreach lab,$(LABS),$(if $(findstring /$(firstword $(subst -, ,$(1)))-,/$(lab)),$(lab)))
 $(NOTES_RUNS): $(NOTES)/runs/%.json: $(NOTES_MAKE)/runs.txt $(NOTES_MAKE)/run.sh \
-    $$(addprefix $(OUT)/solutions/,$$(filter $$(firstword $$(subst -, ,$$*))-%,$(LABS)))
+    $$(addprefix $(OUT)/solutions/,$$(call lab_of_run,$$*))
 	@mkdir -p $(@D)
 	$(call say,count   $*)$(NOTES_MAKE)/run.sh $* $(OUT) $@
 
@@ -43,6 +45,7 @@ $(NOTES)/%.pdf: $(NOTES)/%.html
 
 .PHONY: notes notes-html notes-pdf
 notes:  ## install what is missing, make notes, slides and the course's site, for students and for instructors
+	@common/setup/install.sh demo  # what the solutions need, whose counts stand in the texts
 	@common/setup/install.sh notes
 	@command -v pandoc >/dev/null || { echo "make notes: found no pandoc, expected it to be installed" >&2; exit 1; }
 	@$(MAKE) --no-print-directory notes-html
