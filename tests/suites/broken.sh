@@ -66,7 +66,7 @@ for sandbox in bubblewrap landlock; do
     check "$sandbox: a function has another name" \
         grades 1 100 $(kept $lab) --sandbox $sandbox $submission
     check "and the linker's lines name file and line" holds "$(place $file ' split_box(tree')"
-    check "and where it is asked for" holds " tests/probes/$lab/main.c:"
+    check "and where it is asked for" holds "tests/probes/$lab/main.c:"
     # shellcheck disable=SC2016 # for the inner shell
     check "and no other place of this machine" sh -c \
         '! grep "\"message\"" "$1" | grep -E "(\\\\n|[ :\"])/([^u]|u[^s])"' - "$reports/results.json"
