@@ -109,8 +109,8 @@ Test(stands_out, nothing_of_the_course_does)
         for (size_t k = 0; k < found.gl_pathc; k++) {
             char *text = text_file_read(found.gl_pathv[k]);
             char *notes = notes_on(text);
-            // main.c and what is called from it is never handed in; who forges or hides counted work
-            // makes no mistake.
+            // main.c and what it calls is never handed in; who forges or hides counted work makes
+            // no mistake.
             const char *path = found.gl_pathv[k];
             if (strstr(path, "/main.c") == NULL && strstr(path, "/circles.c") == NULL &&
                 strstr(path, "forged") == NULL && strstr(path, "work-of-its-own") == NULL &&
