@@ -7,8 +7,8 @@
 // A tile has as many rows as a row has pixels.
 #define N_ROWS LANES
 
-// A tile is asked so often whether it is done: the answer costs as much as a circle, and may save
-// all that follow.
+// After how many circles a tile is asked whether it is done: the answer costs as much as a circle,
+// and may save all that follow.
 #define CIRCLES_A_LOOK 8
 
 typedef struct CircleTile {

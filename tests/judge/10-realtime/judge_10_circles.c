@@ -33,7 +33,6 @@ typedef struct TileRange {
 
 // A tree that grows in the job's arrays: nodes still to be closed have their tiles in `ranges`.
 typedef struct Growing {
-    Job10 *job;
     const CircleScene10 *scene;
     TileNode *nodes;
     TileRange ranges[MOST_CIRCLE_NODES];
@@ -136,8 +135,7 @@ int circles_10_draw(Random *random, Job10 *job)
         if (draw_scene(random, k, &job->circle_scenes[k]) != 0) {
             return -1;
         }
-        Growing tree = {.job = job,
-                        .scene = &job->circle_scenes[k],
+        Growing tree = {.scene = &job->circle_scenes[k],
                         .nodes = job->circle_nodes + n_nodes,
                         .circles = job->leaf_circles + n_circles};
         grow(&tree, random, plans[k].columns, plans[k].rows);
