@@ -2,7 +2,7 @@
 # attack: waits as if for a disk, for a child made by vfork() that is its parent's: neither time runs, and the grader is kept for minutes
 # limit: 1
 # score: 80
-# named: it waited, without using a processor
+# named: it waited, without using a processor|does it wait for a disk, or for processes that it started
 cat >>kdtree2d_build.c <<'C'
 #include <sched.h>
 #include <signal.h>
