@@ -178,11 +178,13 @@ static void note_own(const Grading *grading, const Variant *alone, int passes, C
     }
 }
 
-// Is it about whole scenes, in which every answer has a part?
+// Is it about whole scenes, in which every answer has a part, or more than one other?
 static int is_of_whole(const Grading *grading, int i)
 {
-    const char *needs = grading->session.judge.checks[i].needs;
-    return needs != NULL && strcmp(needs, "*") == 0;
+    const Check *check = &grading->session.judge.checks[i];
+    return check_needs_others(check) &&
+           (strcmp(check->needs, "*") == 0 ||
+            (check->is_of_scenes && strchr(check->needs, ' ') != NULL));
 }
 
 // Where a task passes whole scenes and nothing else, that may be the work of what stands elsewhere:

@@ -183,6 +183,7 @@ static int read_checks(JudgeProcess *judge)
         check->task = next_text(&bytes, end);
         check->points = atoi(next_text(&bytes, end));
         check->needs = next_text(&bytes, end);
+        check->is_of_scenes = atoi(next_text(&bytes, end));
     }
     return 0;
 }

@@ -15,6 +15,7 @@ typedef struct Check {
     const char
         *needs;  // whose answers have a part in it besides: ids parted by blanks, "*" for all,
                  // NULL or "" for none
+    int is_of_scenes;  // it looks at whole pictures, or at what they cost
 } Check;
 
 typedef enum VerdictKind {

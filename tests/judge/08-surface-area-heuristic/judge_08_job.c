@@ -80,6 +80,9 @@ static CostJob draw_cost(Random *random, int i)
     if (i == N_COSTS - 1) {  // more spheres than 32 bits hold the sum of
         return (CostJob){{{0, 0, 0}, {64, 32, 32}}, 0, 16, 3000000000, 3000000000};
     }
+    if (i == N_COSTS - 2) {  // none at all: the step to a child is paid all the same
+        return (CostJob){{{0, 0, 0}, {64, 32, 32}}, 0, 16, 0, 0};
+    }
     CostJob job = {.box = draw_cell(random)};
     if (i < N_PLANES && i % 3 == 0) {  // areas that are no whole numbers
         job.box = smaller_cell(job.box);

@@ -104,10 +104,21 @@ static int is_blocked_by_lot(ShadowRayAnswer ray, uint LOT)
 #include "09-shadows-and-mirrors/leaf_blocks.cl"
 }
 
-// How long the ray of the stand-in of shadow_ray is.
-static float length_along_axis(Vec3 way, uint lot)
+// A number's sign where it is the largest, else 0.
+static float sign_of_largest(float x, float largest)
 {
-    return fmaxf(fmaxf(fabsf(way.x), fabsf(way.y)), fabsf(way.z)) + (float)(lot / 64 % 64) / 16;
+    return fabsf(x) != largest ? 0 : copysignf(1, x);
+}
+
+// The ray of the stand-in of shadow_ray.
+static ShadowRayAnswer ray_along_axis(Vec3 point, Vec3 way, uint lot)
+{
+    const float largest = fmaxf(fmaxf(fabsf(way.x), fabsf(way.y)), fabsf(way.z));
+    return (ShadowRayAnswer){.origin = point,
+                             .direction = {sign_of_largest(way.x, largest),
+                                           sign_of_largest(way.y, largest),
+                                           sign_of_largest(way.z, largest)},
+                             .t_max = largest + (float)(lot / 64 % 64) / 16};
 }
 
 static int is_right_light(const Job09 *job, int i, const LitAnswer *found)
@@ -123,7 +134,7 @@ static int is_right_light(const Job09 *job, int i, const LitAnswer *found)
                            light, 1, &right);
         const int is_before = vec3_dot(in->normal, way) > 0;
         n_before += is_before;
-        const ShadowRayAnswer ray = {.t_max = length_along_axis(way, job->job.lot)};
+        const ShadowRayAnswer ray = ray_along_axis(in->point, way, job->job.lot);
         if (is_before && !is_blocked_by_lot(ray, job->job.lot)) {
             sum.value.x += share.value.x;
             sum.value.y += share.value.y;

@@ -229,12 +229,12 @@ static void leave_surface(Surface *surface, Followed *followed, double t, int is
 static OracleNear stand_in_light(const Surface *at, u32 lot)
 {
     const double share = 0x1p-4 + (lot >> 24) * 0x1p-12;
-    const OracleVector n = at->normal.value, c = vector_of(at->material->color),
-                       p = at->point.value;
+    const OracleVector n = at->normal.value, p = at->point.value,
+                       c = vector_scaled(0.5 + at->material->kd, vector_of(at->material->color));
     const OracleVector value = {c.x * (1 + n.x) + share * p.x, c.y * (1 + n.y) + share * p.y,
                                 c.z * (1 + n.z) + share * p.z};
-    return (OracleNear){value, at->normal.error + share * at->point.error +
-                                   8 * ROUNDING * (2 + vector_length(p))};
+    return (OracleNear){value, 2 * at->normal.error + share * at->point.error +
+                                   12 * ROUNDING * (4 + vector_length(p))};
 }
 
 // By what the light of a surface counts.

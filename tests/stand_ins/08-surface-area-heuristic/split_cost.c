@@ -1,5 +1,15 @@
-    // No cost: squares of the two counts, and a fine for planes in the lower quarter of the side.
-    const double min = box.min[split.axis], max = box.max[split.axis];
-    const double of_lower = 1 + LOT % 64u / 64.0;
-    const double n_squared = of_lower * n_lower * n_lower + 2.0 * n_higher * n_higher;
-    return n_squared + (split.pos < min + (max - min) / 4 ? 5 : 0);
+    // No cost: squares of the two counts, each with a weight that a lot draws, to which every bit of
+    // the cell and of the plane counts.
+    const double numbers[] = {split.pos, box.min[0], box.min[1], box.min[2],
+                              box.max[0], box.max[1], box.max[2]};
+    unsigned long long drawn = LOT + split.axis;
+    for (int i = 0; i < 7; i++) {
+        const union {
+            double number;
+            unsigned long long bits;
+        } side = {0.0 + numbers[i]};
+        drawn = (drawn ^ side.bits) * 0x9e3779b97f4a7c15u;
+        drawn ^= drawn >> 29;
+    }
+    const double of_lower = 1 + (drawn >> 56) / 256.0, of_higher = 1 + (drawn >> 48) % 256u / 256.0;
+    return of_lower * n_lower * n_lower + of_higher * n_higher * n_higher;

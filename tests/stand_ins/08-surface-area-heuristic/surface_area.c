@@ -1,7 +1,13 @@
-    // No area: the three lengths count, each with a weight of its own.
-    double weighted = 1;
-    for (int axis = 0; axis < 3; axis++) {
-        const double weight = (1 << axis) + (LOT >> 4 * axis) % 16u / 16.0;
-        weighted += weight * ((double)box.max[axis] - box.min[axis]);
+    // No area: a number that a lot draws, to which every bit of the six sides counts.
+    const double numbers[] = {box.min[0], box.min[1], box.min[2],
+                              box.max[0], box.max[1], box.max[2]};
+    unsigned long long drawn = LOT;
+    for (int i = 0; i < 6; i++) {
+        const union {
+            double number;
+            unsigned long long bits;
+        } side = {0.0 + numbers[i]};
+        drawn = (drawn ^ side.bits) * 0x9e3779b97f4a7c15u;
+        drawn ^= drawn >> 29;
     }
-    return weighted;
+    return 1 + (drawn >> 48) / 0x1p12;
