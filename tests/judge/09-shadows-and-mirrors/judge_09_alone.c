@@ -114,10 +114,11 @@ static float sign_of_largest(float x, float largest)
 static ShadowRayAnswer ray_along_axis(Vec3 point, Vec3 way, uint lot)
 {
     const float largest = fmaxf(fmaxf(fabsf(way.x), fabsf(way.y)), fabsf(way.z));
+    const float length = (float)(17 + lot / 4096 % 15) / 16;
     return (ShadowRayAnswer){.origin = point,
-                             .direction = {sign_of_largest(way.x, largest),
-                                           sign_of_largest(way.y, largest),
-                                           sign_of_largest(way.z, largest)},
+                             .direction = {length * sign_of_largest(way.x, largest),
+                                           length * sign_of_largest(way.y, largest),
+                                           length * sign_of_largest(way.z, largest)},
                              .t_max = largest + (float)(lot / 64 % 64) / 16};
 }
 
