@@ -4,6 +4,8 @@
 #     gnuplot -e "folder='build/bench'" tests/bench/bench3d.gnuplot
 csv = folder . '/bench3d.csv'
 set datafile separator ','
+# A curve goes on across the rows of others.
+set datafile missing NaN
 
 is_random(renderer) = strcol(1) eq renderer && strcol(2)[1:6] eq 'random'
 only(renderer, value) = is_random(renderer) ? value : NaN
@@ -60,7 +62,7 @@ do for [ending in 'png svg'] {
          csv using 3:(embree($4)):5:6 with yerrorlines linestyle 3 title best_title
     set ylabel 'time to build'
     set yrange [lowest(BUILD_min):highest(LONGEST_BUILD_max)]
-    set title "The tree, built on one thread: median, smallest and largest\n"
+    set title "The trees, built on one thread: median, smallest and largest\n"
     plot csv using 3:(only('kdtree', $9)):10:11 with yerrorlines linestyle 2 \
              title 'kd-tree (lab 06)', \
          csv using 3:(only('tiles', $9)):10:11 with yerrorlines linestyle 4 \

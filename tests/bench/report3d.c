@@ -342,8 +342,7 @@ static void write_row(FILE *file, const Case3D *bench_case, Renderer renderer)
         fprintf(file, ",,,,,,,%d,%d,\n", bench_case->scene.n_spheres, n_different);
         break;
     default:
-        fprintf(file, ",,,,,,,,%d,%s\n", n_different,
-                renderer == best_of_embree(bench_case) ? "1" : "");
+        fprintf(file, ",,,,,,,,%d,%d\n", n_different, renderer == best_of_embree(bench_case));
     }
 }
 
@@ -359,8 +358,8 @@ int report3d_write_csv(const Case3D *cases, int n_cases, const char *folder)
             "renderer,scene,n_spheres,median_ms,min_ms,max_ms,mray_s,share,build_median_ms,"
             "build_min_ms,build_max_ms,build_parallel_ms,n_nodes,n_leaves,n_sphere_ids,depth,"
             "nodes_a_ray,leaves_a_ray,tests_a_ray,different_pixels,is_best\n");
-    for (int renderer = 0; renderer < N_RENDERERS; renderer++) {
-        for (int i = 0; i < n_cases; i++) {
+    for (int i = 0; i < n_cases; i++) {
+        for (int renderer = 0; renderer < N_RENDERERS; renderer++) {
             if (cases[i].frames[renderer].n > 0) {
                 write_row(output.file, &cases[i], (Renderer)renderer);
             }

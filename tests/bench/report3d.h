@@ -29,7 +29,7 @@ void report3d_print(const Case3D *cases, int n_cases, ReportContext context);
 //     n_nodes, n_leaves, n_sphere_ids, depth
 //     nodes_a_ray, leaves_a_ray, tests_a_ray
 //     different_pixels     of the kd-tree's picture from this renderer's
-//     is_best              1: of Embree's calls the one with the smallest median
+//     is_best              1: of Embree's calls the one with the smallest median; else 0
 // Returns 0, or -1 after one message.
 int report3d_write_csv(const Case3D *cases, int n_cases, const char *folder);
 

@@ -112,6 +112,19 @@ Test(bench_report3d, a_call_that_is_not_there_is_not_listed)
     cr_expect_null(strstr(report, "rtcIntersect1M"), "%s", report);
 }
 
+Test(bench_report3d, without_embree_there_are_its_rates_and_rows_no_more)
+{
+    Case3D *flake = flake_make();
+    for (int i = EMBREE; i < N_RENDERERS; i++) {
+        flake->frames[i] = (Series){0};
+    }
+    flake->builds[EMBREE] = flake->parallel_builds = (Series){0};
+    const char *report = report_of(flake, (ReportContext){"a device", 1, 0});
+    cr_expect_null(strstr(report, "rtcIntersect"), "%s", report);
+    expect_in(report, "tiles (lab 10) and kd-tree (lab 07)\n");
+    expect_in(report, "Embree took no part");
+}
+
 Test(bench_report3d, the_most_different_picture_of_embrees_counts)
 {
     const char *report = report_of(flake_make(), (ReportContext){"a device", 1, 2});
