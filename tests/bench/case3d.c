@@ -137,7 +137,8 @@ static int prepare_tree(Case3D *bench_case, const ClSetup *cl, cl_kernel countin
     return 0;
 }
 
-// The tiles' tree and picture, and all arguments of their kernel. Returns 0, or -1 after one message.
+// The tiles' tree and picture, and all arguments of their kernel. Returns 0, or -1 after one
+// message.
 static int prepare_tiles(Case3D *bench_case, const ClSetup *cl)
 {
     Lab lab = {.name = "bench3d", .cl = *cl};

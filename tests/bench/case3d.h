@@ -1,5 +1,6 @@
 // What the 3D bench measures: one scene, drawn by the naive kernel of lab 05, by the kd-tree kernel
-// of lab 07, by the tiles of lab 10 and by Embree, each with its times; and lab 07's tree in figures.
+// of lab 07, by the tiles of lab 10 and by Embree, each with its times; and lab 07's tree in
+// figures.
 //
 // The kernels, the trees' builders and the camera are those of the solutions: the bench has no
 // renderer of its own.
@@ -82,8 +83,8 @@ void programs3d_free(cl_program programs[N_PROGRAMS]);
 int case3d_prepare(Case3D *bench_case, const ClSetup *cl, const cl_program *programs);
 void case3d_free(Case3D *bench_case);
 
-// Draw a frame with one of the kernels and wait for it. Returns the milliseconds from the launch until
-// the queue is empty; of a share, scaled to the whole frame.
+// Draw a frame with one of the kernels and wait for it. Returns the milliseconds from the launch
+// until the queue is empty; of a share, scaled to the whole frame.
 double case3d_draw(const Case3D *bench_case, const ClSetup *cl, Renderer renderer);
 
 // How many pixels NAIVE draws.
