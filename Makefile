@@ -17,8 +17,9 @@ OUT := $(BUILD)
 endif
 CFLAGS = -std=c11 -D_GNU_SOURCE $(OPTIMISATION) $(WARNINGS) $(SANITIZERS)
 CXXFLAGS = -std=c++17 $(OPTIMISATION) $(WARNINGS) $(SANITIZERS)
-# The linker drops those that a program does not use (--as-needed). pkg-config is asked only when something is made, so that `make demo` can install it first. RPATH and
-# not RUNPATH, at which the address sanitizer's dlopen() does not look.
+# The linker drops those that a program does not use (--as-needed). pkg-config is asked only when
+# something is made, so that `make demo` can install it first. RPATH and not RUNPATH, at which the
+# address sanitizer's dlopen() does not look.
 LIBRARIES = -Wl,--as-needed,--disable-new-dtags,-rpath,'$$ORIGIN/..' $(shell pkg-config --libs jansson) -lcsv -lseccomp -lOpenCL -lm
 
 FLAG_FILES := Makefile $(wildcard tests/grader/grader.mk)
@@ -91,8 +92,8 @@ $(OUT)/libimage_codec.so: $(call objects,common/image.cpp)
 setup:  ## install what building, grading and make view need, where it is missing
 	@for what in $(setup_for) view; do common/setup/install.sh $$what || exit 1; done
 
-# One pixel; windows; the grader; and, where they are, its judge, memcheck, all that is for authors, and the notes. A handout has
-# not all of it.
+# One pixel; windows; the grader; and, where they are, its judge, memcheck, all that is for authors,
+# and the notes. A handout has not all of it.
 include common/follow/follow.mk common/view/view.mk tests/grader/grader.mk
 -include tests/judge/judge.mk tests/memcheck/memcheck.mk tests/tests.mk slides-notes/make/notes.mk
 
