@@ -18,6 +18,9 @@ typedef struct TileBuffers {
     cl_mem d_pixels;        // [height * width], RGBA, a byte each
 } TileBuffers;
 
+// How deep the tree grows and how small its leaves get; 0 stands for what is best here.
+KdTreeLimits tile_tree_limits(int max_depth, int leaf_size);
+
 // Build a tree by cost (lab 08), copy scene and tree to the device and make the picture's buffer.
 // Returns 0, or -1 after one message on stderr. Release with tile_buffers_free().
 int tile_buffers_create(Lab *lab, const Scene3D *scene, TileBuffers *buffers);

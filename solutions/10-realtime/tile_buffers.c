@@ -107,11 +107,15 @@ static cl_mem leaf_spheres_create(const Lab *lab, const Scene3D *scene, const Kd
 // where a node's step always costs.
 #define LEAF_SIZE 8
 
+KdTreeLimits tile_tree_limits(int max_depth, int leaf_size)
+{
+    return (KdTreeLimits){max_depth > 0 ? max_depth : TODO_SIZE + 1,
+                          leaf_size > 0 ? leaf_size : LEAF_SIZE};
+}
+
 static int tree_create(Lab *lab, const Scene3D *scene, TileBuffers *buffers)
 {
-    const int max_depth = lab->options.max_depth, leaf_size = lab->options.leaf_size;
-    const KdTreeLimits limits = {max_depth > 0 ? max_depth : TODO_SIZE + 1,
-                                 leaf_size > 0 ? leaf_size : LEAF_SIZE};
+    const KdTreeLimits limits = tile_tree_limits(lab->options.max_depth, lab->options.leaf_size);
     KdTree3D tree;
     const double start = stats_clock_ms();
     if (kdtree3d_build_sah(scene->spheres, (u32)scene->n_spheres, limits, &tree) != 0) {

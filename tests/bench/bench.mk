@@ -2,14 +2,15 @@
 
 # Embree, which the 3D bench compares with where its package is installed: version 4, or 3.
 EMBREE := $(firstword $(foreach v,4 3,$(if $(wildcard /usr/include/embree$(v)/rtcore.h),$(v))))
-BENCH_INCLUDES = $(BUILDER_INCLUDES) -I solutions/05-spheres -I solutions/10-realtime
+BENCH_INCLUDES = $(BUILDER_INCLUDES) $(addprefix -I solutions/,05-spheres 08-surface-area-heuristic 10-realtime)
 $(OUT)/obj/tests/bench/%.o: EXTRA = $(BENCH_INCLUDES) \
     -DNAIVE_OPTIONS='"$(call include_path,01-naive-2d)"' \
     -DKDTREE_OPTIONS='"$(call include_path,03-kdtree-2d-render)"' \
     -DSPHERES_OPTIONS='"$(call include_path,05-spheres)"' \
     -DTRACE_OPTIONS='"$(call include_path,07-kdtree-3d-trace)"'
-# For this machine, as OpenCL compiles the kernels; anew when Embree was installed since.
+# For this machine and in vectors, as OpenCL compiles the kernels; anew when Embree was installed since.
 $(OUT)/obj/tests/bench/embree_peer.c.o: EXTRA = $(BENCH_INCLUDES) -O3 -march=native \
+    -fno-math-errno -fno-trapping-math \
     $(if $(EMBREE),-DWITH_EMBREE=$(EMBREE))
 $(OUT)/obj/tests/bench/embree_peer.c.o: $(OUT)/embree-version
 .PHONY: always

@@ -1,4 +1,5 @@
-// The 3D bench: the naive kernel of lab 05, the kd-tree kernel of lab 07 and Embree, in one run.
+// The 3D bench: the naive kernel of lab 05, the kd-tree kernel of lab 07, the tiles of lab 10 and
+// Embree, in one run.
 //
 //     build/tools/bench3d [--device D] [--rounds N] [--output FOLDER]       or: make bench
 //
@@ -20,7 +21,7 @@
 #include <unistd.h>
 
 // No further round begins that would end later.
-#define LONGEST_SECONDS 190
+#define LONGEST_SECONDS 400
 
 // The scenes. Random ones, from few spheres to many, show how times grow.
 static const char *const SCENE_NAMES[] = {
@@ -91,11 +92,23 @@ static void add_round(Series *series, double ms)
     series_end_round(series);
 }
 
-// A kernel's frames of a round; the first round's picture is kept.
+// Keep the picture that a kernel has drawn.
+static void read_picture(Bench *bench, const Case3D *bench_case, Renderer renderer)
+{
+    Image *picture = &bench->pictures.images[renderer];
+    if (renderer == TILES) {
+        pixels_read(bench->cl.queue, bench_case->tiles.d_pixels, picture);
+    } else {
+        read_image(&bench->cl, bench_case->buffers.d_image, picture);
+    }
+}
+
+// A kernel's frames of a round; the first round's picture is kept. The tiles need no spoilt one:
+// theirs is new, and nobody else draws there.
 static void measure_kernel(Bench *bench, Case3D *bench_case, Renderer renderer, int round)
 {
     const int is_long = renderer == NAIVE && bench_case->scene.n_spheres > MANY_SPHERES;
-    if (round == 0) {
+    if (round == 0 && renderer != TILES) {
         spoil_image(&bench->cl, bench_case->buffers.d_image, CASE3D_SIDE, CASE3D_SIDE);
     }
     for (int i = 0; i < (is_long ? 1 : N_FRAMES); i++) {
@@ -103,7 +116,7 @@ static void measure_kernel(Bench *bench, Case3D *bench_case, Renderer renderer, 
     }
     series_end_round(&bench_case->frames[renderer]);
     if (round == 0) {
-        read_image(&bench->cl, bench_case->buffers.d_image, &bench->pictures.images[renderer]);
+        read_picture(bench, bench_case, renderer);
     }
 }
 
@@ -124,12 +137,15 @@ static int measure_embree(Bench *bench, Case3D *bench_case)
         return -1;
     }
     add_round(&bench_case->parallel_builds, ms);
-    for (int i = 0; i < N_FRAMES; i++) {
-        const double start = stats_clock_ms();
-        embree_peer_draw(peer, &bench->pictures.images[EMBREE]);
-        series_add(&bench_case->frames[EMBREE], stats_clock_ms() - start);
+    for (int call = 0; call < N_EMBREE_CALLS; call++) {
+        Series *frames = &bench_case->frames[EMBREE + call];
+        for (int i = 0; i < N_FRAMES && embree_peer_has(call); i++) {
+            const double start = stats_clock_ms();
+            embree_peer_draw(peer, call, &bench->pictures.images[EMBREE + call]);
+            series_add(frames, stats_clock_ms() - start);
+        }
+        series_end_round(frames);
     }
-    series_end_round(&bench_case->frames[EMBREE]);
     embree_peer_free(peer);
     return 0;
 }
@@ -139,13 +155,16 @@ static int measure_round(void *shared, int round)
     Bench *bench = shared;
     for (int i = 0; i < N_CASES; i++) {
         Case3D *bench_case = &bench->cases[i];
-        measure_kernel(bench, bench_case, NAIVE, round);
-        measure_kernel(bench, bench_case, KDTREE, round);
-        const double build_ms = case3d_time_build(bench_case);
-        if (build_ms < 0) {
-            return -1;
+        for (int kernel = 0; kernel < N_KERNELS; kernel++) {
+            measure_kernel(bench, bench_case, kernel, round);
         }
-        add_round(&bench_case->builds[KDTREE], build_ms);
+        for (int builder = KDTREE; builder <= TILES; builder++) {
+            const double build_ms = case3d_time_build(bench_case, builder);
+            if (build_ms < 0) {
+                return -1;
+            }
+            add_round(&bench_case->builds[builder], build_ms);
+        }
         if (bench->n_threads > 0 && measure_embree(bench, bench_case) != 0) {
             return -1;
         }
@@ -160,8 +179,8 @@ int main(int argc, char **argv)
 {
     BenchOptions options;
     switch (bench_options_read(argc, argv, "bench3d",
-                               "measures the naive kernel of lab 05, the kd-tree kernel of lab 07 "
-                               "and Embree",
+                               "measures the naive kernel of lab 05, the kd-tree kernel of lab "
+                               "07, the tiles of lab 10 and Embree",
                                &options)) {
     case OPTIONS_BAD:
         return EXIT_FAILURE;

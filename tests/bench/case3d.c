@@ -5,6 +5,7 @@
 
 #include "cl_memory.h"
 #include "kdtree3d_build.h"
+#include "kdtree3d_sah.h"
 #include "launch.h"
 #include "stats.h"
 #include "work_stats.h"
@@ -22,6 +23,8 @@ static const struct ProgramRow {
 } PROGRAMS[N_PROGRAMS] = {
     [NAIVE] = {"solutions/05-spheres/render_spheres.cl", SPHERES_OPTIONS, "render_spheres"},
     [KDTREE] = {"solutions/07-kdtree-3d-trace/render_kdtree.cl", TRACE_OPTIONS, "render_kdtree"},
+    // Its options depend on the device: see tile_shape().
+    [TILES] = {"solutions/10-realtime/render_tiles.cl", NULL, "render_tiles"},
     [COUNTING] = {"solutions/07-kdtree-3d-trace/render_kdtree.cl", TRACE_OPTIONS " -DCOUNT_WORK",
                   "render_kdtree"},
 };
@@ -29,7 +32,8 @@ static const struct ProgramRow {
 int programs3d_build(const ClSetup *cl, cl_program programs[N_PROGRAMS])
 {
     for (int i = 0; i < N_PROGRAMS; i++) {
-        programs[i] = cl_setup_build(cl, PROGRAMS[i].path, PROGRAMS[i].options);
+        const char *options = i == TILES ? tile_shape(cl->device).options : PROGRAMS[i].options;
+        programs[i] = cl_setup_build(cl, PROGRAMS[i].path, options);
         if (programs[i] == NULL) {
             return -1;
         }
@@ -92,12 +96,17 @@ static int stripe_left(Share share)
 
 // ---- Preparing ------------------------------------------------------------------------------
 
-// Returns the tree, or a zeroed one after one message. Release with tree3d_free().
-static KdTree3D build_tree(const Scene3D *scene)
+// Build the tree of KDTREE or TILES. Returns it, or a zeroed one after one message. Release with
+// tree3d_free().
+static KdTree3D build_tree(const Scene3D *scene, Renderer renderer)
 {
     const u32 n_spheres = (u32)scene->n_spheres;
     KdTree3D tree = {0};
-    kdtree3d_build(scene->spheres, n_spheres, tree3d_limits(0, 0, n_spheres), &tree);
+    if (renderer == TILES) {
+        kdtree3d_build_sah(scene->spheres, n_spheres, tile_tree_limits(0, 0), &tree);
+    } else {
+        kdtree3d_build(scene->spheres, n_spheres, tree3d_limits(0, 0, n_spheres), &tree);
+    }
     return tree;
 }
 
@@ -105,7 +114,7 @@ static KdTree3D build_tree(const Scene3D *scene)
 // after one message.
 static int prepare_tree(Case3D *bench_case, const ClSetup *cl, cl_kernel counting)
 {
-    KdTree3D tree = build_tree(&bench_case->scene);
+    KdTree3D tree = build_tree(&bench_case->scene, KDTREE);
     if (tree.n_nodes == 0 || tree3d_check(&tree, (u32)bench_case->scene.n_spheres) != 0 ||
         tree3d_figures(&tree, &bench_case->figures) != 0) {
         tree3d_free(&tree);
@@ -126,6 +135,21 @@ static int prepare_tree(Case3D *bench_case, const ClSetup *cl, cl_kernel countin
     }
     tree3d_free(&tree);
     return 0;
+}
+
+// The tiles' tree and picture, and all arguments of their kernel. Returns 0, or -1 after one
+// message.
+static int prepare_tiles(Case3D *bench_case, const ClSetup *cl)
+{
+    Lab lab = {.name = "bench3d", .cl = *cl};
+    const int result = tile_buffers_create(&lab, &bench_case->scene, &bench_case->tiles);
+    stats_free(&lab.stats);
+    if (result == 0) {
+        cl_kernel kernel = bench_case->kernels[TILES];
+        tile_buffers_set(&bench_case->tiles, &bench_case->scene, kernel);
+        CL_CHECK(clSetKernelArg(kernel, 14, sizeof(cl_mem), NULL));  // nothing is counted
+    }
+    return result;
 }
 
 static double mean_of(const Stats *stats, const char *name)
@@ -155,7 +179,9 @@ static cl_kernel create_kernel(const Case3D *bench_case, const cl_program *progr
     cl_int error;
     cl_kernel kernel = clCreateKernel(programs[program], PROGRAMS[program].kernel, &error);
     CL_CHECK_CREATED(error, clCreateKernel);
-    scene_buffers_set(&bench_case->buffers, &bench_case->scene, kernel);
+    if (program != TILES) {
+        scene_buffers_set(&bench_case->buffers, &bench_case->scene, kernel);
+    }
     return kernel;
 }
 
@@ -168,6 +194,7 @@ static void run_first_groups(const Case3D *bench_case, const ClSetup *cl)
     launch(cl, bench_case->kernels[NAIVE], whole ? 0 : stripe_left(share),
            whole ? 0 : stripe_top(share, 0), GROUP_SIZE, GROUP_SIZE);
     launch(cl, bench_case->kernels[KDTREE], 0, 0, GROUP_SIZE, GROUP_SIZE);
+    enqueue_tiles(cl->queue, bench_case->kernels[TILES], GROUP_SIZE, GROUP_SIZE);
     CL_CHECK(clFinish(cl->queue));
 }
 
@@ -179,15 +206,19 @@ int case3d_prepare(Case3D *bench_case, const ClSetup *cl, const cl_program *prog
         return -1;
     }
     bench_case->share = choose_share(cl, scene->n_spheres);
-    cl_kernel naive = create_kernel(bench_case, programs, NAIVE);
-    bench_case->kernels[NAIVE] = naive;
-    bench_case->kernels[KDTREE] = create_kernel(bench_case, programs, KDTREE);
+    for (int i = 0; i < N_KERNELS; i++) {
+        bench_case->kernels[i] = create_kernel(bench_case, programs, i);
+    }
+    cl_kernel naive = bench_case->kernels[NAIVE];
     CL_CHECK(clSetKernelArg(naive, N_SCENE_ARGUMENTS, sizeof scene->n_spheres, &scene->n_spheres));
     CL_CHECK(clSetKernelArg(naive, N_SCENE_ARGUMENTS + 1, sizeof(cl_mem), NULL));
     cl_kernel counting = create_kernel(bench_case, programs, COUNTING);
     int result = prepare_tree(bench_case, cl, counting);
     if (result == 0) {
         result = count_work(bench_case, cl, counting);
+    }
+    if (result == 0) {
+        result = prepare_tiles(bench_case, cl);
     }
     if (result == 0) {
         run_first_groups(bench_case, cl);
@@ -205,6 +236,7 @@ void case3d_free(Case3D *bench_case)
     }
     cl_mem buffers[] = {bench_case->d_nodes, bench_case->d_sphere_ids};
     cl_memory_release(buffers, sizeof buffers / sizeof *buffers);
+    tile_buffers_free(&bench_case->tiles);
     scene_buffers_free(&bench_case->buffers);
     scene3d_free(&bench_case->scene);
 }
@@ -217,7 +249,9 @@ double case3d_draw(const Case3D *bench_case, const ClSetup *cl, Renderer rendere
     const int draws_share = renderer == NAIVE && !share_is_whole(share);
     const double n_pixels = (double)CASE3D_SIDE * CASE3D_SIDE;
     const double start = stats_clock_ms();
-    if (!draws_share) {
+    if (renderer == TILES) {
+        enqueue_tiles(cl->queue, bench_case->kernels[TILES], CASE3D_SIDE, CASE3D_SIDE);
+    } else if (!draws_share) {
         launch(cl, bench_case->kernels[renderer], 0, 0, CASE3D_SIDE, CASE3D_SIDE);
     }
     for (int i = 0; draws_share && i < share.n_stripes; i++) {
@@ -229,10 +263,10 @@ double case3d_draw(const Case3D *bench_case, const ClSetup *cl, Renderer rendere
     return draws_share ? ms * n_pixels / case3d_share_pixels(bench_case) : ms;
 }
 
-double case3d_time_build(const Case3D *bench_case)
+double case3d_time_build(const Case3D *bench_case, Renderer renderer)
 {
     const double start = stats_clock_ms();
-    KdTree3D tree = build_tree(&bench_case->scene);
+    KdTree3D tree = build_tree(&bench_case->scene, renderer);
     const double ms = stats_clock_ms() - start;
     const int is_built = tree.n_nodes > 0;
     tree3d_free(&tree);

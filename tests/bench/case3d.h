@@ -1,17 +1,20 @@
 // What the 3D bench measures: one scene, drawn by the naive kernel of lab 05, by the kd-tree kernel
-// of lab 07 and by Embree, each with its times; and the scene's tree in figures.
+// of lab 07, by the tiles of lab 10 and by Embree, each with its times; and lab 07's tree in
+// figures.
 //
-// The kernels, the tree's builder and the camera are those of the solutions: the bench has no
+// The kernels, the trees' builders and the camera are those of the solutions: the bench has no
 // renderer of its own.
 // Read next: pictures3d.h.
 #ifndef BENCH_CASE3D_H
 #define BENCH_CASE3D_H
 
 #include "cl_setup.h"
+#include "embree_peer.h"
 #include "image.h"
 #include "scene3d.h"
 #include "scene_buffers.h"
 #include "series.h"
+#include "tile_buffers.h"
 #include "tree3d.h"
 
 // The picture's side, pixels.
@@ -20,9 +23,13 @@
 typedef enum Renderer {
     NAIVE,   // lab 05
     KDTREE,  // lab 07 with the tree of lab 06
-    EMBREE,
-    N_RENDERERS,
+    TILES,   // lab 10 with the tree of lab 08
+    EMBREE,  // with its first call; those of its other calls follow
+    N_RENDERERS = EMBREE + N_EMBREE_CALLS,
 } Renderer;
+
+// What has a tree: the renderers up to Embree, whose calls share one.
+enum { N_TREES = EMBREE + 1 };
 
 // The renderers that are OpenCL kernels; of as many programs, and of one more: lab 07's built with
 // -DCOUNT_WORK.
@@ -49,19 +56,19 @@ typedef struct Case3D {
     SceneBuffers buffers;
     cl_mem d_nodes;
     cl_mem d_sphere_ids;
-    cl_kernel kernels[N_KERNELS];  // NAIVE, KDTREE, with their arguments set
+    TileBuffers tiles;             // what TILES takes
+    cl_kernel kernels[N_KERNELS];  // with their arguments set
     Share share;
 
     u32 n_nodes, n_sphere_ids;
     TreeFigures3D figures;
     WorkOfRay work;
 
-    ImageDifference naive_difference;   // of the kd-tree's picture from the naive one
-    ImageDifference embree_difference;  // from Embree's
+    ImageDifference differences[N_RENDERERS];  // of the kd-tree's picture from each other one
 
     // Milliseconds a frame, and for a tree on one thread; NAIVE has no tree.
     Series frames[N_RENDERERS];
-    Series builds[N_RENDERERS];
+    Series builds[N_TREES];
     Series parallel_builds;  // Embree's with all its threads
 } Case3D;
 
@@ -69,21 +76,22 @@ typedef struct Case3D {
 int programs3d_build(const ClSetup *cl, cl_program programs[N_PROGRAMS]);
 void programs3d_free(cl_program programs[N_PROGRAMS]);
 
-// Make a zeroed case with a scene_name ready to be drawn: opens the scene, builds the tree, copies
-// both to the device, counts the work of the rays, and runs a first work-group of each kernel, so
+// Make a zeroed case with a scene_name ready to be drawn: opens the scene, builds the trees, copies
+// all to the device, counts the work of the rays, and runs a first work-group of each kernel, so
 // that the driver has finished compiling before anything is timed. Returns 0, or -1 after one
 // message. Release with case3d_free(), after a failure too.
 int case3d_prepare(Case3D *bench_case, const ClSetup *cl, const cl_program *programs);
 void case3d_free(Case3D *bench_case);
 
-// Draw a frame with NAIVE or KDTREE and wait for it. Returns the milliseconds from the launch until
-// the queue is empty; of a share, scaled to the whole frame.
+// Draw a frame with one of the kernels and wait for it. Returns the milliseconds from the launch
+// until the queue is empty; of a share, scaled to the whole frame.
 double case3d_draw(const Case3D *bench_case, const ClSetup *cl, Renderer renderer);
 
 // How many pixels NAIVE draws.
 int case3d_share_pixels(const Case3D *bench_case);
 
-// Build the tree and throw it away. Returns the milliseconds, or -1 after one message.
-double case3d_time_build(const Case3D *bench_case);
+// Build the tree of KDTREE or TILES and throw it away. Returns the milliseconds, or -1 after one
+// message.
+double case3d_time_build(const Case3D *bench_case, Renderer renderer);
 
 #endif

@@ -1,13 +1,13 @@
-// Embree on a scene of the course (see embree_peer.h). Rays and shading follow primary_ray.cl and
-// shade.cl, so that both sides do the same work around the search.
+// Embree on a scene of the course (see embree_peer.h).
 //
-// Read next: bench3d.c.
+// Read next: square_rays.h, bench3d.c.
 #include "embree_peer.h"
 
 #ifdef WITH_EMBREE
 
 #include "camera_from_view.h"
 #include "complain.h"
+#include "square_rays.h"
 #include "stats.h"
 
 #if WITH_EMBREE == 4
@@ -16,14 +16,13 @@
 #include <embree3/rtcore.h>
 #endif
 
-#include <math.h>
 #include <pthread.h>
 #include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 
 // Rows that a thread takes at once: few, so that the threads end together.
-enum { ROWS_AT_ONCE = 8, MAX_THREADS = 256 };
+enum { ROWS_AT_ONCE = LARGEST_SIDE, MAX_THREADS = 256 };
 
 struct EmbreePeer {
     const Scene3D *scene;
@@ -95,108 +94,188 @@ void embree_peer_free(EmbreePeer *peer)
     }
 }
 
-static Vec3 plus(Vec3 a, Vec3 b)
-{
-    return (Vec3){a.x + b.x, a.y + b.y, a.z + b.z};
-}
+// ---- Search ---------------------------------------------------------------------------------
 
-static Vec3 unit(Vec3 v)
-{
-    return vec3_scaled(v, 1 / sqrtf(vec3_dot(v, v)));
-}
-
-// primary_ray() of lab 04.
-static Vec3 direction_of(const Camera *camera, int x, int y, int width, int height)
-{
-    const f32 pixel_size = camera->fov / (f32)width;
-    const f32 right = ((f32)x + 0.5f - 0.5f * (f32)width) * pixel_size;
-    const f32 up = (0.5f * (f32)height - ((f32)y + 0.5f)) * pixel_size;
-    return unit(plus(plus(vec3_scaled(camera->right, right), vec3_scaled(camera->up, up)),
-                     camera->forward));
-}
-
-// hit_color() of lab 05.
-static Vec3 color_of(const Scene3D *scene, Vec3 origin, Vec3 direction, f32 t, u32 id)
-{
-    const Sphere sphere = scene->spheres[id];
-    const Material material = scene->materials[scene->material_ids[id]];
-    const Vec3 point = plus(origin, vec3_scaled(direction, t));
-    Vec3 normal = unit(vec3_minus(point, (Vec3){sphere.x, sphere.y, sphere.z}));
-    if (vec3_dot(normal, direction) > 0) {
-        normal = vec3_scaled(normal, -1);
-    }
-    Vec3 color = {0, 0, 0};
-    for (int i = 0; i < scene->n_lights; i++) {
-        const Light light = scene->lights[i];
-        const f32 cosine = vec3_dot(normal, unit(vec3_minus(light.position, point)));
-        if (cosine > 0) {
-            color.x += material.kd * cosine * material.color.x * light.color.x;
-            color.y += material.kd * cosine * material.color.y * light.color.y;
-            color.z += material.kd * cosine * material.color.z * light.color.z;
-        }
-    }
-    return color;
-}
-
-static Vec3 trace(const EmbreePeer *peer, Vec3 origin, Vec3 direction)
-{
-    struct RTCRayHit query = {.ray = {.org_x = origin.x,
-                                      .org_y = origin.y,
-                                      .org_z = origin.z,
-                                      .dir_x = direction.x,
-                                      .dir_y = direction.y,
-                                      .dir_z = direction.z,
-                                      .tfar = INFINITY,
-                                      .mask = 0xffffffffu},
-                              .hit = {.geomID = RTC_INVALID_GEOMETRY_ID}};
+// What a call is told of its rays, and where among its arguments.
 #if WITH_EMBREE == 4
-    rtcIntersect1(peer->embree_scene, &query, NULL);
+typedef struct RTCIntersectArguments Hints;
+#define ARGUMENTS(peer, hints, query) (peer)->embree_scene, query, hints
 #else
-    struct RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcIntersect1(peer->embree_scene, &context, &query);
+typedef struct RTCIntersectContext Hints;
+#define ARGUMENTS(peer, hints, query) (peer)->embree_scene, hints, query
 #endif
-    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
-        return peer->scene->background;
-    }
-    return color_of(peer->scene, origin, direction, query.ray.tfar, query.hit.primID);
+
+// They lie close together.
+static inline Hints coherent_rays(void)
+{
+    Hints hints;
+#if WITH_EMBREE == 4
+    rtcInitIntersectArguments(&hints);
+    hints.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+#else
+    rtcInitIntersectContext(&hints);
+    hints.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+#endif
+    return hints;
 }
+
+static inline struct RTCRayHit query_of(Vec3 eye, const Rays *rays, int i)
+{
+    return (struct RTCRayHit){.ray = {.org_x = eye.x,
+                                      .org_y = eye.y,
+                                      .org_z = eye.z,
+                                      .dir_x = rays->x[i],
+                                      .dir_y = rays->y[i],
+                                      .dir_z = rays->z[i],
+                                      .tfar = INFINITY,
+                                      .mask = 0xffffffffu,
+                                      .id = (unsigned)i},
+                              .hit = {.primID = NO_SPHERE, .geomID = RTC_INVALID_GEOMETRY_ID}};
+}
+
+static inline void search_1(const EmbreePeer *peer, Rays *rays)
+{
+    struct RTCRayHit query = query_of(peer->camera.eye, rays, 0);
+    Hints hints = coherent_rays();
+    rtcIntersect1(ARGUMENTS(peer, &hints, &query));
+    rays->t[0] = query.ray.tfar;
+    rays->ids[0] = query.hit.primID;
+}
+
+// The packets: three functions that differ in Embree's names alone.
+#define DEFINE_SEARCH(N)                                                                           \
+    static inline void search_##N(const EmbreePeer *peer, Rays *rays)                              \
+    {                                                                                              \
+        const Vec3 eye = peer->camera.eye;                                                         \
+        _Alignas(4 * N) int valid[N];                                                              \
+        struct RTCRayHit##N query;                                                                 \
+        for (int i = 0; i < N; i++) {                                                              \
+            valid[i] = -1;                                                                         \
+            query.ray.org_x[i] = eye.x;                                                            \
+            query.ray.org_y[i] = eye.y;                                                            \
+            query.ray.org_z[i] = eye.z;                                                            \
+            query.ray.dir_x[i] = rays->x[i];                                                       \
+            query.ray.dir_y[i] = rays->y[i];                                                       \
+            query.ray.dir_z[i] = rays->z[i];                                                       \
+            query.ray.tnear[i] = query.ray.time[i] = 0;                                            \
+            query.ray.tfar[i] = INFINITY;                                                          \
+            query.ray.mask[i] = 0xffffffffu;                                                       \
+            query.ray.id[i] = query.ray.flags[i] = 0;                                              \
+            query.hit.primID[i] = NO_SPHERE;                                                       \
+            query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;                                         \
+        }                                                                                          \
+        Hints hints = coherent_rays();                                                             \
+        rtcIntersect##N(valid, ARGUMENTS(peer, &hints, &query));                                   \
+        for (int i = 0; i < N; i++) {                                                              \
+            rays->t[i] = query.ray.tfar[i];                                                        \
+            rays->ids[i] = query.hit.primID[i];                                                    \
+        }                                                                                          \
+    }
+DEFINE_SEARCH(4)
+DEFINE_SEARCH(8)
+DEFINE_SEARCH(16)
+
+#if WITH_EMBREE == 3
+static inline void search_stream(const EmbreePeer *peer, Rays *rays)
+{
+    struct RTCRayHit queries[MAX_SQUARE];
+    for (int i = 0; i < MAX_SQUARE; i++) {
+        queries[i] = query_of(peer->camera.eye, rays, i);
+    }
+    Hints hints = coherent_rays();
+    rtcIntersect1M(ARGUMENTS(peer, &hints, queries), MAX_SQUARE, sizeof *queries);
+    for (int i = 0; i < MAX_SQUARE; i++) {
+        rays->t[i] = queries[i].ray.tfar;
+        rays->ids[i] = queries[i].hit.primID;
+    }
+}
+#else
+#define search_stream NULL
+#endif
+
+static const struct CallRow {
+    Square square;  // of pixels whose rays are searched in one call
+    void (*search)(const EmbreePeer *peer, Rays *rays);  // or NULL
+} CALLS[N_EMBREE_CALLS] = {
+    [EMBREE_1] = {{1, 1}, search_1},
+    [EMBREE_4] = {{2, 2}, search_4},
+    [EMBREE_8] = {{4, 2}, search_8},
+    [EMBREE_16] = {{4, 4}, search_16},
+    [EMBREE_STREAM] = {{LARGEST_SIDE, LARGEST_SIDE}, search_stream},
+};
+
+int embree_peer_has(EmbreeCall call)
+{
+    return CALLS[call].search != NULL;
+}
+
+// ---- Frames ---------------------------------------------------------------------------------
 
 // What the threads of one frame share.
 typedef struct Frame {
     const EmbreePeer *peer;
+    EmbreeCall call;
     Image *image;
     atomic_int next_row;
 } Frame;
 
-static void *draw_rows(void *shared)
+// Rays, search and colours of a band of rows. Compiled once for each call, with loops of a known
+// length.
+static inline __attribute__((always_inline)) void draw_band(const Frame *frame, int first,
+                                                            EmbreeCall call)
 {
-    Frame *frame = shared;
-    const EmbreePeer *peer = frame->peer;
-    const int width = frame->image->width, height = frame->image->height;
-    for (;;) {
-        const int first = atomic_fetch_add(&frame->next_row, ROWS_AT_ONCE);
-        if (first >= height) {
-            return NULL;
-        }
-        for (int y = first; y < first + ROWS_AT_ONCE && y < height; y++) {
-            for (int x = 0; x < width; x++) {
-                const Vec3 direction = direction_of(&peer->camera, x, y, width, height);
-                const Vec3 color = trace(peer, peer->camera.eye, direction);
-                float *pixel =
-                    frame->image->pixels + ((size_t)y * (size_t)width + (size_t)x) * IMAGE_CHANNELS;
-                pixel[0] = color.x;
-                pixel[1] = color.y;
-                pixel[2] = color.z;
+    const Square square = CALLS[call].square;
+    const int n = square.width * square.height, width = frame->image->width;
+    for (int y = first; y < first + ROWS_AT_ONCE; y += square.height) {
+        for (int x = 0; x < width; x += square.width) {
+            Rays rays;
+            f32 colors[3][MAX_SQUARE];
+            rays_create(&frame->peer->camera, x, y, square, frame->image, &rays);
+            CALLS[call].search(frame->peer, &rays);
+            colors_create(frame->peer->scene, frame->peer->camera.eye, &rays, n, colors);
+            for (int i = 0; i < n; i++) {
+                const int to_x = x + i % square.width, to_y = y + i / square.width;
+                float *pixel = frame->image->pixels +
+                               ((size_t)to_y * (size_t)width + (size_t)to_x) * IMAGE_CHANNELS;
+                pixel[0] = colors[0][i];
+                pixel[1] = colors[1][i];
+                pixel[2] = colors[2][i];
                 pixel[3] = 1;
             }
         }
     }
 }
 
-void embree_peer_draw(EmbreePeer *peer, Image *image)
+static void *draw_rows(void *shared)
 {
-    Frame frame = {.peer = peer, .image = image};
+    Frame *frame = shared;
+    for (;;) {
+        const int first = atomic_fetch_add(&frame->next_row, ROWS_AT_ONCE);
+        if (first >= frame->image->height) {
+            return NULL;
+        }
+        switch (frame->call) {
+        case EMBREE_4:
+            draw_band(frame, first, EMBREE_4);
+            break;
+        case EMBREE_8:
+            draw_band(frame, first, EMBREE_8);
+            break;
+        case EMBREE_16:
+            draw_band(frame, first, EMBREE_16);
+            break;
+        case EMBREE_STREAM:
+            draw_band(frame, first, EMBREE_STREAM);
+            break;
+        default:
+            draw_band(frame, first, EMBREE_1);
+        }
+    }
+}
+
+void embree_peer_draw(EmbreePeer *peer, EmbreeCall call, Image *image)
+{
+    Frame frame = {.peer = peer, .call = call, .image = image};
     pthread_t threads[MAX_THREADS];
     int n_started = 0;
     // This thread draws, too.
@@ -219,6 +298,12 @@ const char *embree_peer_version(void)
     return NULL;
 }
 
+int embree_peer_has(EmbreeCall call)
+{
+    (void)call;
+    return 0;
+}
+
 EmbreePeer *embree_peer_new(const Scene3D *scene, int n_threads, double *build_ms)
 {
     (void)scene, (void)n_threads, (void)build_ms;
@@ -230,9 +315,9 @@ void embree_peer_free(EmbreePeer *peer)
     (void)peer;
 }
 
-void embree_peer_draw(EmbreePeer *peer, Image *image)
+void embree_peer_draw(EmbreePeer *peer, EmbreeCall call, Image *image)
 {
-    (void)peer, (void)image;
+    (void)peer, (void)call, (void)image;
 }
 
 #endif

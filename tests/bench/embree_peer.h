@@ -11,6 +11,19 @@
 
 typedef struct EmbreePeer EmbreePeer;
 
+// The calls that find the first hit: of one ray; of a packet of 4, 8 or 16; of a stream.
+typedef enum EmbreeCall {
+    EMBREE_1,       // rtcIntersect1
+    EMBREE_4,       // rtcIntersect4
+    EMBREE_8,       // rtcIntersect8
+    EMBREE_16,      // rtcIntersect16
+    EMBREE_STREAM,  // rtcIntersect1M; Embree 4 has none
+    N_EMBREE_CALLS,
+} EmbreeCall;
+
+// Is the call there in the version this was built with?
+int embree_peer_has(EmbreeCall call);
+
 // The version of Embree this was built with, "3.13.5"; or NULL when it was built without.
 const char *embree_peer_version(void);
 
@@ -20,8 +33,9 @@ const char *embree_peer_version(void);
 EmbreePeer *embree_peer_new(const Scene3D *scene, int n_threads, double *build_ms);
 void embree_peer_free(EmbreePeer *peer);
 
-// Draw the scene with rtcIntersect1, one ray at a time, on the same threads, shaded as lab 05 does.
-//   image   of the scene's size
-void embree_peer_draw(EmbreePeer *peer, Image *image);
+// Draw the scene with one of the calls that are there, on the same threads, shaded as lab 05 does.
+// The rays of a packet or stream are those of a small square of pixels.
+//   image   of the scene's size; width and height are multiples of 8
+void embree_peer_draw(EmbreePeer *peer, EmbreeCall call, Image *image);
 
 #endif

@@ -1,5 +1,5 @@
-// Do the naive kernel, the kd-tree kernel and Embree draw the same picture? Asked before any figure
-// is printed.
+// Do the naive kernel, the kd-tree kernel, the tiles and each of Embree's calls draw the same
+// picture? Asked before any figure is printed.
 //
 // Read next: report3d.h.
 #ifndef BENCH_PICTURES3D_H
@@ -7,7 +7,7 @@
 
 #include "case3d.h"
 
-// A picture of each renderer, and whether there is one of Embree's.
+// A picture of each renderer, and whether there are Embree's.
 typedef struct Pictures3D {
     Image images[N_RENDERERS];
     int has_embree;
@@ -18,7 +18,8 @@ int pictures3d_create(Pictures3D *pictures);
 void pictures3d_free(Pictures3D *pictures);
 
 // Compare the pictures of a case and note in it how they differ. Where the naive kernel drew only
-// its share, only that counts. Returns 0, or -1 after one message: pixels that should be drawn are
+// its share, only that counts. The tiles' picture has bytes, and the kd-tree's is rounded to bytes
+// for it. Returns 0, or -1 after one message: pixels that should be drawn are
 // not, or more differ than rounding explains.
 int pictures3d_check(Pictures3D *pictures, Case3D *bench_case);
 

@@ -10,7 +10,20 @@
 #include <stdio.h>
 #include <string.h>
 
-static const char *const RENDERER_NAMES[N_RENDERERS] = {"naive", "kdtree", "embree"};
+const char *const RENDERER3D_TITLES[N_RENDERERS] = {
+    [NAIVE] = "naive (lab 05)",
+    [KDTREE] = "kd-tree (lab 07)",
+    [TILES] = "tiles (lab 10)",
+    [EMBREE + EMBREE_1] = "rtcIntersect1",
+    [EMBREE + EMBREE_4] = "rtcIntersect4",
+    [EMBREE + EMBREE_8] = "rtcIntersect8",
+    [EMBREE + EMBREE_16] = "rtcIntersect16",
+    [EMBREE + EMBREE_STREAM] = "rtcIntersect1M",
+};
+
+// In the CSV file.
+static const char *const RENDERER_NAMES[N_RENDERERS] = {
+    "naive", "kdtree", "tiles", "embree1", "embree4", "embree8", "embree16", "embree1M"};
 
 // What the course sets out to reach: of Embree's rays a second, and times its time for the tree;
 // 0 where nothing is set.
@@ -54,6 +67,19 @@ static double drawn_share(const Case3D *bench_case, Renderer renderer)
                : 1;
 }
 
+// The call of Embree with the smallest median, where it took part.
+static Renderer best_of_embree(const Case3D *bench_case)
+{
+    Renderer best = EMBREE;
+    for (int i = EMBREE; i < N_RENDERERS; i++) {
+        const Series *frames = &bench_case->frames[i];
+        if (frames->n > 0 && median(frames) < median(&bench_case->frames[best])) {
+            best = i;
+        }
+    }
+    return best;
+}
+
 static int is_random(const Case3D *bench_case)
 {
     return strncmp(bench_case->scene_name, "random", strlen("random")) == 0;
@@ -61,31 +87,36 @@ static int is_random(const Case3D *bench_case)
 
 // ---- For people -----------------------------------------------------------------------------
 
-static void print_spread(const char *renderer, const Series *frames)
+// A ratio of two renderers' times, as the median of the single rounds' ratios.
+static void print_ratio(const Series *dividend, const Series *divisor)
 {
-    const Spread ms = spread(frames);
-    printf("  %-8s  %10.2f  (%.2f to %.2f, %d %s)", renderer, ms.median, ms.min, ms.max, frames->n,
-           frames->n == 1 ? "frame" : "frames");
-    printf("  %.4g Mray/s", mray_s(frames));
+    const Spread ratio = series_ratio(dividend, divisor);
+    printf("  %6.2f  (single rounds: %.2f to %.2f)", ratio.median, ratio.min, ratio.max);
 }
 
-// Naive against kd-tree, for the scenes of thousands of spheres that a target is set for.
+// All renderers, for the scenes of thousands of spheres that a target is set for.
 static void print_comparison(const Case3D *bench_case, ReportContext context)
 {
-    const Series *naive = &bench_case->frames[NAIVE], *kdtree = &bench_case->frames[KDTREE];
-    const Spread ratio = series_ratio(naive, kdtree);
+    const Spread ratio = series_ratio(&bench_case->frames[NAIVE], &bench_case->frames[KDTREE]);
     printf("\n%s, %d spheres: milliseconds a frame, median (smallest to largest)\n",
            bench_case->scene_name, bench_case->scene.n_spheres);
-    print_spread("naive", naive);
-    if (drawn_share(bench_case, NAIVE) < 1) {
-        printf(", %.2g%% of the picture, scaled", 100 * drawn_share(bench_case, NAIVE));
-    }
-    printf("\n");
-    print_spread("kd-tree", kdtree);
-    printf("\n");
-    if (context.n_threads > 0) {
-        print_spread("Embree", &bench_case->frames[EMBREE]);
-        printf(", %d CPU threads\n", context.n_threads);
+    for (int i = 0; i < N_RENDERERS; i++) {
+        const Series *frames = &bench_case->frames[i];
+        if (frames->n == 0) {
+            continue;
+        }
+        const Spread ms = spread(frames);
+        printf("  %-16s  %10.2f  (%.2f to %.2f, %d %s)  %.4g Mray/s", RENDERER3D_TITLES[i],
+               ms.median, ms.min, ms.max, frames->n, frames->n == 1 ? "frame" : "frames",
+               mray_s(frames));
+        if (drawn_share(bench_case, i) < 1) {
+            printf(", %.2g%% of the picture, scaled", 100 * drawn_share(bench_case, i));
+        }
+        if (i >= EMBREE) {
+            printf(", %d CPU threads%s", context.n_threads,
+                   i == (int)best_of_embree(bench_case) ? ": Embree's best" : "");
+        }
+        printf("\n");
     }
     printf("  naive / kd-tree: %.0f  (single rounds: %.0f to %.0f)\n", ratio.median, ratio.min,
            ratio.max);
@@ -94,24 +125,25 @@ static void print_comparison(const Case3D *bench_case, ReportContext context)
 static void print_trees(const Case3D *cases, int n_cases, ReportContext context)
 {
     const int has_embree = context.n_threads > 0;
-    printf("\nTrees, and milliseconds to build them on one thread");
+    printf("\nTrees of lab 06, and milliseconds to build them, and those of lab 08, on one thread");
     if (has_embree) {
-        printf("; parallel: Embree's on %d threads", context.n_threads);
+        printf("; parallel:\nEmbree's on %d threads; ratios: of lab 06 to Embree",
+               context.n_threads);
     }
     printf("\n");
-    printf("  %-16s  %8s  %8s  %8s  %5s  %8s  %8s", "scene", "nodes", "leaves", "ids", "depth",
-           "ids/leaf", "kd-tree");
+    printf("  %-16s  %8s  %8s  %8s  %5s  %8s  %8s  %8s", "scene", "nodes", "leaves", "ids", "depth",
+           "ids/leaf", "lab 08", "lab 06");
     if (has_embree) {
         printf("  %8s  %5s  %8s  %5s", "Embree", "ratio", "parallel", "ratio");
     }
     printf("\n");
     for (int i = 0; i < n_cases; i++) {
         const Case3D *bench_case = &cases[i];
-        printf("  %-16s  %8u  %8u  %8u  %5d  %8.2f  %8.2f", bench_case->scene_name,
+        printf("  %-16s  %8u  %8u  %8u  %5d  %8.2f  %8.2f  %8.2f", bench_case->scene_name,
                bench_case->n_nodes, bench_case->figures.n_leaves, bench_case->n_sphere_ids,
                bench_case->figures.depth,
                (double)bench_case->n_sphere_ids / bench_case->figures.n_leaves,
-               median(&bench_case->builds[KDTREE]));
+               median(&bench_case->builds[TILES]), median(&bench_case->builds[KDTREE]));
         if (has_embree) {
             const Series *embree = &bench_case->builds[EMBREE];
             const Series *parallel = &bench_case->parallel_builds;
@@ -141,8 +173,9 @@ static void print_work(const Case3D *cases, int n_cases)
 
 static void print_growth(const Case3D *cases, int n_cases, ReportContext context)
 {
-    printf("\nGrowth: random spheres; milliseconds a frame, and to build the tree on one thread\n");
-    printf("  %9s  %12s  %9s  %9s", "spheres", "naive", "kd-tree", "ratio");
+    printf("\nGrowth: random spheres; milliseconds a frame, of Embree with its best call, and to "
+           "build the tree on\none thread\n");
+    printf("  %9s  %12s  %9s  %9s  %9s", "spheres", "naive", "kd-tree", "ratio", "tiles");
     if (context.n_threads > 0) {
         printf("  %9s", "Embree");
     }
@@ -157,10 +190,11 @@ static void print_growth(const Case3D *cases, int n_cases, ReportContext context
             continue;
         }
         const Series *naive = &bench_case->frames[NAIVE], *kdtree = &bench_case->frames[KDTREE];
-        printf("  %9d  %12.2f  %9.2f  %9.3g", bench_case->scene.n_spheres, median(naive),
-               median(kdtree), series_ratio(naive, kdtree).median);
+        printf("  %9d  %12.2f  %9.2f  %9.3g  %9.2f", bench_case->scene.n_spheres, median(naive),
+               median(kdtree), series_ratio(naive, kdtree).median,
+               median(&bench_case->frames[TILES]));
         if (context.n_threads > 0) {
-            printf("  %9.2f", median(&bench_case->frames[EMBREE]));
+            printf("  %9.2f", median(&bench_case->frames[best_of_embree(bench_case)]));
         }
         printf("  %10.3f", median(&bench_case->builds[KDTREE]));
         if (context.n_threads > 0) {
@@ -173,43 +207,76 @@ static void print_growth(const Case3D *cases, int n_cases, ReportContext context
     }
 }
 
-// Millions of rays a second against Embree's.
+// Millions of rays a second of lab 07 against Embree's, one ray at a time.
 static void print_rates(const Case3D *cases, int n_cases, ReportContext context)
 {
     printf(
         "\nMillion rays a second: kd-tree (lab 07) and Embree %s, one ray at a time, %d threads\n",
         embree_peer_version(), context.n_threads);
-    printf("  %-16s  %8s  %8s  %6s  %6s\n", "scene", "kd-tree", "Embree", "ratio", "target");
+    printf("  %-16s  %8s  %8s  %6s  %6s\n", "scene", "kd-tree", "Embree", "target", "ratio");
     for (int i = 0; i < n_cases; i++) {
         const struct Target *target = target_of(&cases[i]);
         if (target != NULL) {
             const Series *kdtree = &cases[i].frames[KDTREE], *embree = &cases[i].frames[EMBREE];
-            const Spread ratio = series_ratio(embree, kdtree);
-            printf("  %-16s  %8.2f  %8.2f  %6.2f  %6.1f  (single rounds: %.2f to %.2f)\n",
-                   cases[i].scene_name, mray_s(kdtree), mray_s(embree), ratio.median, target->rate,
-                   ratio.min, ratio.max);
+            printf("  %-16s  %8.2f  %8.2f  %6.1f", cases[i].scene_name, mray_s(kdtree),
+                   mray_s(embree), target->rate);
+            print_ratio(embree, kdtree);
+            printf("\n");
         }
     }
 }
 
+// Those of lab 10 against lab 07's, or against Embree's best call.
+static void print_tile_rates(const Case3D *cases, int n_cases, int against_embree)
+{
+    printf("\nMillion rays a second: tiles (lab 10) and %s\n",
+           against_embree ? "the best of Embree's calls" : RENDERER3D_TITLES[KDTREE]);
+    printf("  %-16s  %8s  %8s  %6s\n", "scene", "tiles", against_embree ? "Embree" : "kd-tree",
+           "ratio");
+    for (int i = 0; i < n_cases; i++) {
+        if (target_of(&cases[i]) != NULL) {
+            const Renderer other = against_embree ? best_of_embree(&cases[i]) : KDTREE;
+            const Series *tiles = &cases[i].frames[TILES], *frames = &cases[i].frames[other];
+            printf("  %-16s  %8.2f  %8.2f", cases[i].scene_name, mray_s(tiles), mray_s(frames));
+            print_ratio(frames, tiles);
+            printf("%s%s\n", against_embree ? "  " : "",
+                   against_embree ? RENDERER3D_TITLES[other] : "");
+        }
+    }
+}
+
+// The most pixels that differ from a picture of Embree's.
+static int most_different(const Case3D *bench_case)
+{
+    int most = 0;
+    for (int i = EMBREE; i < N_RENDERERS; i++) {
+        const int n_different = bench_case->differences[i].n_different;
+        most = n_different > most ? n_different : most;
+    }
+    return most;
+}
+
 static void print_pictures(const Case3D *cases, int n_cases, ReportContext context)
 {
-    printf("\nPixels of the kd-tree's picture that differ by more than half a step of 255\n");
-    printf("  %-16s  %22s", "scene", "from the naive one");
+    const int n_pixels = CASE3D_SIDE * CASE3D_SIDE;
+    printf(
+        "\nPixels of the kd-tree's picture that differ by more than half a step of 255; from the "
+        "tiles' bytes\nby more than one step; from Embree's: the most of a call\n");
+    printf("  %-16s  %20s  %20s", "scene", "from the naive one", "from the tiles'");
     if (context.n_threads > 0) {
-        printf("  %22s", "from Embree's");
+        printf("  %20s", "from Embree's");
     }
     printf("\n");
     for (int i = 0; i < n_cases; i++) {
-        printf("  %-16s  %9d of %9d", cases[i].scene_name, cases[i].naive_difference.n_different,
-               case3d_share_pixels(&cases[i]));
+        const ImageDifference *differences = cases[i].differences;
+        printf("  %-16s  %8d of %8d  %8d of %8d", cases[i].scene_name,
+               differences[NAIVE].n_different, case3d_share_pixels(&cases[i]),
+               differences[TILES].n_different, n_pixels);
         if (context.n_threads > 0) {
-            printf("  %9d of %9d", cases[i].embree_difference.n_different,
-                   CASE3D_SIDE * CASE3D_SIDE);
+            printf("  %8d of %8d", most_different(&cases[i]), n_pixels);
         }
-        printf("%s\n", cases[i].naive_difference.max_difference == 0
-                           ? "  equal to the naive one to the bit"
-                           : "");
+        printf("%s\n",
+               differences[NAIVE].max_difference == 0 ? "  equal to the naive one to the bit" : "");
     }
 }
 
@@ -225,7 +292,9 @@ void report3d_print(const Case3D *cases, int n_cases, ReportContext context)
             "\nEmbree took no part: install the package libembree-dev and build the bench again\n");
     } else if (context.device_is_cpu) {
         print_rates(cases, n_cases, context);
+        print_tile_rates(cases, n_cases, 1);
     }
+    print_tile_rates(cases, n_cases, 0);
     print_trees(cases, n_cases, context);
     print_work(cases, n_cases);
     print_growth(cases, n_cases, context);
@@ -240,9 +309,10 @@ static void write_builds(FILE *file, const Case3D *bench_case, Renderer renderer
         fprintf(file, ",,,,");
         return;
     }
-    const Spread ms = spread(&bench_case->builds[renderer]);
+    // Embree's calls share a tree.
+    const Spread ms = spread(&bench_case->builds[renderer < EMBREE ? renderer : EMBREE]);
     fprintf(file, ",%.4f,%.4f,%.4f,", ms.median, ms.min, ms.max);
-    if (renderer == EMBREE) {
+    if (renderer >= EMBREE) {
         fprintf(file, "%.4f", median(&bench_case->parallel_builds));
     }
 }
@@ -250,7 +320,7 @@ static void write_builds(FILE *file, const Case3D *bench_case, Renderer renderer
 static void write_tree(FILE *file, const Case3D *bench_case)
 {
     const WorkOfRay work = bench_case->work;
-    fprintf(file, ",%u,%u,%u,%d,%.4f,%.4f,%.4f,\n", bench_case->n_nodes,
+    fprintf(file, ",%u,%u,%u,%d,%.4f,%.4f,%.4f,,\n", bench_case->n_nodes,
             bench_case->figures.n_leaves, bench_case->n_sphere_ids, bench_case->figures.depth,
             work.n_nodes, work.n_leaves, work.n_tests);
 }
@@ -263,16 +333,16 @@ static void write_row(FILE *file, const Case3D *bench_case, Renderer renderer)
             bench_case->scene_name, bench_case->scene.n_spheres, ms.median, ms.min, ms.max,
             mray_s(frames), drawn_share(bench_case, renderer));
     write_builds(file, bench_case, renderer);
+    const int n_different = bench_case->differences[renderer].n_different;
     switch (renderer) {
     case KDTREE:
         write_tree(file, bench_case);
         break;
     case NAIVE:
-        fprintf(file, ",,,,,,,%d,%d\n", bench_case->scene.n_spheres,
-                bench_case->naive_difference.n_different);
+        fprintf(file, ",,,,,,,%d,%d,\n", bench_case->scene.n_spheres, n_different);
         break;
     default:
-        fprintf(file, ",,,,,,,,%d\n", bench_case->embree_difference.n_different);
+        fprintf(file, ",,,,,,,,%d,%d\n", n_different, renderer == best_of_embree(bench_case));
     }
 }
 
@@ -287,9 +357,9 @@ int report3d_write_csv(const Case3D *cases, int n_cases, const char *folder)
     fprintf(output.file,
             "renderer,scene,n_spheres,median_ms,min_ms,max_ms,mray_s,share,build_median_ms,"
             "build_min_ms,build_max_ms,build_parallel_ms,n_nodes,n_leaves,n_sphere_ids,depth,"
-            "nodes_a_ray,leaves_a_ray,tests_a_ray,different_pixels\n");
-    for (int renderer = 0; renderer < N_RENDERERS; renderer++) {
-        for (int i = 0; i < n_cases; i++) {
+            "nodes_a_ray,leaves_a_ray,tests_a_ray,different_pixels,is_best\n");
+    for (int i = 0; i < n_cases; i++) {
+        for (int renderer = 0; renderer < N_RENDERERS; renderer++) {
             if (cases[i].frames[renderer].n > 0) {
                 write_row(output.file, &cases[i], (Renderer)renderer);
             }

@@ -6,6 +6,9 @@
 
 #include "case3d.h"
 
+// What tables and messages call the renderers: "kd-tree (lab 07)", "rtcIntersect8".
+extern const char *const RENDERER3D_TITLES[N_RENDERERS];
+
 // What was measured with.
 typedef struct ReportContext {
     const char *device_name;
@@ -17,7 +20,7 @@ typedef struct ReportContext {
 void report3d_print(const Case3D *cases, int n_cases, ReportContext context);
 
 // Write FOLDER/bench3d.csv, one row a scene and renderer; fields that mean nothing are empty:
-//     renderer             naive, kdtree, embree
+//     renderer             naive, kdtree, tiles, embree1, embree4, embree8, embree16, embree1M
 //     scene, n_spheres     as --scene takes it
 //     median_ms, min_ms, max_ms, mray_s    a frame; million rays a second at the median
 //     share                of the picture that was drawn
@@ -26,6 +29,7 @@ void report3d_print(const Case3D *cases, int n_cases, ReportContext context);
 //     n_nodes, n_leaves, n_sphere_ids, depth
 //     nodes_a_ray, leaves_a_ray, tests_a_ray
 //     different_pixels     of the kd-tree's picture from this renderer's
+//     is_best              1: of Embree's calls the one with the smallest median; else 0
 // Returns 0, or -1 after one message.
 int report3d_write_csv(const Case3D *cases, int n_cases, const char *folder);
 

@@ -1,0 +1,159 @@
+// The 3D bench's report: which of Embree's calls it calls the best, and the ratios to it.
+#include "report3d.h"
+
+#include "surroundings.h"
+
+TestSuite(bench_report3d, .init = folder_enter, .fini = folder_leave);
+
+enum { N_ROUNDS = 3, N_FRAMES = 3 };
+
+// What the report asks of the bench's other parts.
+const char *embree_peer_version(void)
+{
+    return "3.13.5";
+}
+
+int case3d_share_pixels(const Case3D *bench_case)
+{
+    (void)bench_case;
+    return CASE3D_SIDE * CASE3D_SIDE;
+}
+
+// Frames of as many milliseconds, but for a quick one and a slow one; twice that in the last round,
+// in which the machine is slow.
+static void frames_make(Series *frames, double ms)
+{
+    for (int round = 0; round < N_ROUNDS; round++) {
+        const double here = round == N_ROUNDS - 1 ? 2 * ms : ms;
+        series_add(frames, here / 10);
+        series_add(frames, here);
+        series_add(frames, here * 10);
+        series_end_round(frames);
+    }
+}
+
+// The sphereflake as all have drawn it, but for Embree's streams: Embree 4 has none.
+static Case3D *flake_make(void)
+{
+    static const double frame_ms[N_RENDERERS] = {
+        [NAIVE] = 8000,
+        [KDTREE] = 80,
+        [TILES] = 10,
+        [EMBREE] = 60,
+        [EMBREE + EMBREE_4] = 40,
+        [EMBREE + EMBREE_8] = 20,
+        [EMBREE + EMBREE_16] = 30,
+    };
+    static Case3D flake;
+    flake = (Case3D){.scene_name = "sphereflake"};
+    for (int i = 0; i < N_RENDERERS; i++) {
+        if (frame_ms[i] > 0) {
+            frames_make(&flake.frames[i], frame_ms[i]);
+        }
+    }
+    // The smallest of all times is not what makes a call the best.
+    flake.frames[EMBREE + EMBREE_16].ms[0] = 0.5;
+    for (int i = KDTREE; i < N_TREES; i++) {
+        frames_make(&flake.builds[i], i);
+    }
+    frames_make(&flake.parallel_builds, 1);
+    flake.differences[EMBREE + EMBREE_4].n_different = 5;
+    flake.differences[EMBREE + EMBREE_8].n_different = 7;
+    flake.differences[TILES].n_different = 3;
+    return &flake;
+}
+
+static const char *report_of(const Case3D *flake, ReportContext context)
+{
+    capture_begin(1);
+    report3d_print(flake, 1, context);
+    return capture_end(1);
+}
+
+static int count_of(const char *text, const char *part)
+{
+    int n = 0;
+    for (const char *at = strstr(text, part); at != NULL; at = strstr(at + 1, part)) {
+        n++;
+    }
+    return n;
+}
+
+static void expect_in(const char *report, const char *part)
+{
+    cr_expect_not_null(strstr(report, part), "%s\nis not in\n%s", part, report);
+}
+
+Test(bench_report3d, the_best_of_embrees_calls_has_the_smallest_median)
+{
+    const char *report = report_of(flake_make(), (ReportContext){"a device", 1, 2});
+    expect_in(report, "  rtcIntersect8          20.00  (2.00 to 400.00, 9 frames)  52.43 Mray/s, "
+                      "2 CPU threads: Embree's best\n");
+    cr_expect_eq(count_of(report, "Embree's best\n"), 1, "%s", report);
+    // Compared with lab 10's tiles, in one line: 104.86 and 52.43 million rays a second.
+    expect_in(report,
+              "sphereflake         104.86     52.43    2.00  (single rounds: 2.00 to 2.00)  "
+              "rtcIntersect8\n");
+    // And lab 07's kernel with one ray at a time.
+    expect_in(report, "13.11     17.48     0.7    0.75  (single rounds: 0.75 to 0.75)\n");
+}
+
+Test(bench_report3d, tiles_are_compared_with_lab_07)
+{
+    const char *report = report_of(flake_make(), (ReportContext){"a device", 1, 2});
+    expect_in(report, "  tiles (lab 10)         10.00  (1.00 to 200.00, 9 frames)  104.9 Mray/s\n");
+    expect_in(report,
+              "sphereflake         104.86     13.11    8.00  (single rounds: 8.00 to 8.00)\n");
+}
+
+Test(bench_report3d, a_call_that_is_not_there_is_not_listed)
+{
+    const char *report = report_of(flake_make(), (ReportContext){"a device", 1, 2});
+    cr_expect_null(strstr(report, "rtcIntersect1M"), "%s", report);
+}
+
+Test(bench_report3d, without_embree_there_are_its_rates_and_rows_no_more)
+{
+    Case3D *flake = flake_make();
+    for (int i = EMBREE; i < N_RENDERERS; i++) {
+        flake->frames[i] = (Series){0};
+    }
+    flake->builds[EMBREE] = flake->parallel_builds = (Series){0};
+    const char *report = report_of(flake, (ReportContext){"a device", 1, 0});
+    cr_expect_null(strstr(report, "rtcIntersect"), "%s", report);
+    expect_in(report, "tiles (lab 10) and kd-tree (lab 07)\n");
+    expect_in(report, "Embree took no part");
+}
+
+Test(bench_report3d, the_most_different_picture_of_embrees_counts)
+{
+    const char *report = report_of(flake_make(), (ReportContext){"a device", 1, 2});
+    expect_in(report, "       3 of  1048576         7 of  1048576");
+}
+
+Test(bench_report3d, rates_beside_a_gpu_are_not_compared_with_embree)
+{
+    const char *report = report_of(flake_make(), (ReportContext){"a device", 0, 2});
+    cr_expect_null(strstr(report, "the best of Embree's calls"), "%s", report);
+    expect_in(report, "tiles (lab 10) and kd-tree (lab 07)\n");
+}
+
+Test(bench_report3d, the_file_marks_the_best_call)
+{
+    capture_begin(1);
+    cr_assert_eq(report3d_write_csv(flake_make(), 1, "."), 0);
+    capture_end(1);
+    char line[512];
+    FILE *file = fopen("bench3d.csv", "r");
+    cr_assert_not_null(file);
+    cr_assert_not_null(fgets(line, sizeof line, file));
+    const int n_commas = count_of(line, ",");
+    int n_rows = 0;
+    for (; fgets(line, sizeof line, file) != NULL; n_rows++) {
+        const int is_best = strstr(line, ",1\n") != NULL;
+        cr_expect_eq(count_of(line, ","), n_commas, "%s", line);
+        cr_expect_eq(is_best, strncmp(line, "embree8,", strlen("embree8,")) == 0, "%s", line);
+    }
+    fclose(file);
+    cr_expect_eq(n_rows, 7);
+}
