@@ -27,13 +27,15 @@ function pictures(job, page) {
     }
 }
 
-// On a slide of 1280 x 720 nothing is cut off, and no letter is smaller than 24.
+// On a slide of 1280 x 720 nothing is cut off, and no letter is smaller than 24. What a figure holds
+// has tests of its own; newer pandocs put its SVG into the page.
 function slides(job, page) {
     const window = page.defaultView;
     page.querySelectorAll(".stage").forEach((stage, n) => {
         const title = `slide ${n + 1}, ${stage.querySelector("h2").textContent}`;
         const foot = stage.querySelector("footer").getBoundingClientRect().top;
         for (const element of stage.querySelectorAll(".columns *")) {
+            if (element.ownerSVGElement) continue;
             const box = element.getBoundingClientRect();
             const column = element.closest(".said, .shown") || stage;
             if (box.bottom > foot + 1 || box.right > column.getBoundingClientRect().right + 1) {
@@ -45,7 +47,7 @@ function slides(job, page) {
         for (let text = letters.nextNode(); text; text = letters.nextNode()) {
             const parent = text.parentElement;
             // Exponents and indices are smaller than what they belong to.
-            if (!text.data.trim() || parent.closest("msub, msup, mfrac")) continue;
+            if (!text.data.trim() || parent.closest("msub, msup, mfrac, svg")) continue;
             const size = parseFloat(window.getComputedStyle(parent).fontSize);
             if (size < 23.9) {
                 tell(job, `${title}: letters of ${size}: ${text.data.trim().slice(0, 30)}`);
