@@ -114,7 +114,7 @@ static float sign_of_largest(float x, float largest)
 static ShadowRayAnswer ray_along_axis(Vec3 point, Vec3 way, uint lot)
 {
     const float largest = fmaxf(fmaxf(fabsf(way.x), fabsf(way.y)), fabsf(way.z));
-    const float length = (float)(17 + lot / 4096 % 15) / 16;
+    const float length = (float)(1 + lot / 4096 % 15) / 16;
     return (ShadowRayAnswer){.origin = point,
                              .direction = {length * sign_of_largest(way.x, largest),
                                            length * sign_of_largest(way.y, largest),

@@ -1,4 +1,4 @@
-    // Along the axis on which the light is farthest, farther by some sixteenths, and no unit vector.
+    // Along the axis on which the light is farthest, farther by some sixteenths, and too short.
     const float3 aside = point - to_float3(light.position);
     const float3 size = fabs(aside);
     ray.t_max = fmax(fmax(size.x, size.y), size.z);
@@ -6,4 +6,4 @@
                              size.y == ray.t_max ? -sign(aside.y) : 0.0f,
                              size.z == ray.t_max ? -sign(aside.z) : 0.0f);
     ray.t_max += (float)(LOT / 64u % 64u) / 16.0f;
-    ray.direction *= (float)(17u + LOT / 4096u % 15u) / 16.0f;
+    ray.direction *= (float)(1u + LOT / 4096u % 15u) / 16.0f;
