@@ -27,8 +27,8 @@ function pictures(job, page) {
     }
 }
 
-// On a slide of 1280 x 720 nothing is cut off, and no letter is smaller than 24. What a figure holds
-// has tests of its own; newer pandocs put its SVG into the page.
+// On a slide of 1280 x 720 nothing is cut off, and no letter is smaller than 24. A figure counts
+// as a picture, also where a newer pandoc puts its SVG into the page.
 function slides(job, page) {
     const window = page.defaultView;
     page.querySelectorAll(".stage").forEach((stage, n) => {

@@ -233,6 +233,8 @@ static OracleNear stand_in_light(const Surface *at, u32 lot)
                        c = vector_scaled(0.5 + at->material->kd, vector_of(at->material->color));
     const OracleVector value = {c.x * (1 + n.x) + share * p.x, c.y * (1 + n.y) + share * p.y,
                                 c.z * (1 + n.z) + share * p.z};
+    // A colour of at most 1 and kd make a factor of at most 1.5; each of the six roundings is of a
+    // number below 4 + |p|, in each of three components.
     return (OracleNear){value, 2 * at->normal.error + share * at->point.error +
                                    12 * ROUNDING * (4 + vector_length(p))};
 }

@@ -1,3 +1,4 @@
-    // As if the surface shone by itself: by its normal and its material, and a little by where it is.
+    // As if the surface shone by itself: by its normal and its material, and a little by where it
+    // is.
     const float share = 0.0625f + (float)(LOT >> 24) / 4096.0f;
     return (0.5f + material.kd) * to_float3(material.color) * (1.0f + normal) + share * point;

@@ -1,4 +1,5 @@
-    // Along the axis on which the light is farthest, farther by some sixteenths, and too short.
+    // Along the axis on which the light is farthest, and farther than it by some sixteenths; the
+    // direction is shorter than 1.
     const float3 aside = point - to_float3(light.position);
     const float3 size = fabs(aside);
     ray.t_max = fmax(fmax(size.x, size.y), size.z);
