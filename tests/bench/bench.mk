@@ -20,7 +20,7 @@ $(OUT)/embree-version: always
 
 $(OUT)/libbench.a: $(call objects,$(filter-out tests/bench/bench%d.c,$(wildcard tests/bench/*.c)) \
     $(BUILDERS) solutions/05-spheres/scene_buffers.c \
-    $(addprefix solutions/08-surface-area-heuristic/,kdtree3d_sah.c tree_report.c) \
+    $(addprefix solutions/08-surface-area-heuristic/,kdtree3d_sah.c tree_buffers.c tree_report.c) \
     $(addprefix solutions/10-realtime/,circle_tree.c circles.c tile_buffers.c))
 	$(archive)
 
@@ -34,5 +34,6 @@ bench:  ## install what is missing, measure naive against kd-tree in 2D and 3D, 
 	@for bench in bench2d bench3d; do \
 	    $(OUT)/tools/$$bench --output $(OUT)/bench $(if $(DEVICE),--device "$$DEVICE") \
 	        $(if $(ROUNDS),--rounds "$$ROUNDS") && \
-	    gnuplot -e "folder='$(OUT)/bench'" tests/bench/$$bench.gnuplot && \
-	    echo "The plot: $(OUT)/bench/$$bench.png and .svg" || exit 1; done
+	    for plot in tests/bench/$$bench*.gnuplot; do \
+	        gnuplot -e "folder='$(OUT)/bench'" $$plot && \
+	        echo "The plot: $(OUT)/bench/$$(basename $$plot .gnuplot).png and .svg" || exit 1; done || exit 1; done

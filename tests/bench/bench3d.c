@@ -1,5 +1,6 @@
-// The 3D bench: the naive kernel of lab 05, the kd-tree kernel of lab 07, the tiles of lab 10 and
-// Embree, in one run.
+// The 3D bench: the naive kernel of lab 05, the kd-tree kernel of lab 07 with the trees of labs 06
+// and 08, the tiles of lab 10 and Embree, in one run; standing scenes, and moving ones, whose trees
+// are built anew for each frame.
 //
 //     build/tools/bench3d [--device D] [--rounds N] [--output FOLDER]       or: make bench
 //
@@ -7,12 +8,13 @@
 // pictures of a scene are compared; where they differ there are no figures. Embree takes part where
 // its package is installed (embree_peer.h), with as many threads as the OpenCL device has compute
 // units where that is a CPU, and with all of the machine's beside a GPU.
-// Read next: case3d.h, pictures3d.h, report3d.c.
+// Read next: case3d.h, pictures3d.h, report3d.c, report_moving.c.
 #include "bench_options.h"
 #include "embree_peer.h"
 #include "launch.h"
 #include "pictures3d.h"
 #include "report3d.h"
+#include "report_moving.h"
 #include "rounds.h"
 #include "stats.h"
 
@@ -23,9 +25,11 @@
 // No further round begins that would end later.
 #define LONGEST_SECONDS 400
 
-// The scenes. Random ones, from few spheres to many, show how times grow.
+// The scenes. Random ones, from few spheres to many, show how times grow. Few stand close together:
+// among them a tree begins to pay.
 static const char *const SCENE_NAMES[] = {
-    "sphereflake",    "random:n=10",     "random:n=100",     "random:n=1000",
+    "sphereflake",    "random:n=1",      "random:n=5",       "random:n=10",
+    "random:n=20",    "random:n=50",     "random:n=100",     "random:n=1000",
     "random:n=10000", "random:n=100000", "random:n=1000000",
 };
 enum { N_CASES = sizeof SCENE_NAMES / sizeof *SCENE_NAMES };
@@ -159,11 +163,12 @@ static int measure_round(void *shared, int round)
             measure_kernel(bench, bench_case, kernel, round);
         }
         for (int builder = KDTREE; builder <= TILES; builder++) {
-            const double build_ms = case3d_time_build(bench_case, builder);
-            if (build_ms < 0) {
+            TreeTimes ms;
+            if (case3d_time_tree(bench_case, &bench->cl, builder, &ms) != 0) {
                 return -1;
             }
-            add_round(&bench_case->builds[builder], build_ms);
+            add_round(&bench_case->builds[builder], ms.build);
+            add_round(&bench_case->copies[builder], ms.copy);
         }
         if (bench->n_threads > 0 && measure_embree(bench, bench_case) != 0) {
             return -1;
@@ -200,7 +205,11 @@ int main(int argc, char **argv)
         const ReportContext context = {bench.cl.device_name, device_is_cpu(&bench.cl),
                                        bench.n_threads};
         report3d_print(bench.cases, N_CASES, context);
+        report_moving_print(bench.cases, N_CASES);
         result = report3d_write_csv(bench.cases, N_CASES, options.folder);
+    }
+    if (result == 0) {
+        result = report_moving_write_csv(bench.cases, N_CASES, options.folder);
     }
     bench_free(&bench);
     return result == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

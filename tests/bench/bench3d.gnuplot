@@ -29,8 +29,8 @@ lowest(ms) = 10.0 ** floor(log10(ms)) * 0.999
 highest(ms) = 10.0 ** ceil(log10(ms)) * 10
 
 set logscale xy
-set xrange [7:1.5e6]
-set xtics ('10' 10, '100' 100, '1000' 1e3, '10 000' 1e4, '100 000' 1e5, '1 million' 1e6)
+set xrange [0.7:1.5e6]
+set xtics ('1' 1, '10' 10, '100' 100, '1000' 1e3, '10⁴' 1e4, '10⁵' 1e5, '10⁶' 1e6)
 set ytics ('0.001 ms' 1e-3, '0.01 ms' 1e-2, '0.1 ms' 0.1, '1 ms' 1, '10 ms' 10, '100 ms' 100, \
            '1 s' 1e3, '10 s' 1e4, '100 s' 1e5, '1000 s' 1e6, '10 000 s' 1e7, \
            '100 000 s' 1e8)

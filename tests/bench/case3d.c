@@ -23,6 +23,7 @@ static const struct ProgramRow {
 } PROGRAMS[N_PROGRAMS] = {
     [NAIVE] = {"solutions/05-spheres/render_spheres.cl", SPHERES_OPTIONS, "render_spheres"},
     [KDTREE] = {"solutions/07-kdtree-3d-trace/render_kdtree.cl", TRACE_OPTIONS, "render_kdtree"},
+    [BY_COST] = {"solutions/07-kdtree-3d-trace/render_kdtree.cl", TRACE_OPTIONS, "render_kdtree"},
     // Its options depend on the device: see tile_shape().
     [TILES] = {"solutions/10-realtime/render_tiles.cl", NULL, "render_tiles"},
     [COUNTING] = {"solutions/07-kdtree-3d-trace/render_kdtree.cl", TRACE_OPTIONS " -DCOUNT_WORK",
@@ -96,45 +97,58 @@ static int stripe_left(Share share)
 
 // ---- Preparing ------------------------------------------------------------------------------
 
-// Build the tree of KDTREE or TILES. Returns it, or a zeroed one after one message. Release with
-// tree3d_free().
+// Those of lab 08's program: the cost knows by itself where to stop.
+static const KdTreeLimits COST_LIMITS = {TODO_SIZE + 1, 1};
+
+// Build the tree of KDTREE, BY_COST or TILES. Returns it, or a zeroed one after one message.
+// Release with tree3d_free().
 static KdTree3D build_tree(const Scene3D *scene, Renderer renderer)
 {
     const u32 n_spheres = (u32)scene->n_spheres;
     KdTree3D tree = {0};
-    if (renderer == TILES) {
-        kdtree3d_build_sah(scene->spheres, n_spheres, tile_tree_limits(0, 0), &tree);
-    } else {
+    if (renderer == KDTREE) {
         kdtree3d_build(scene->spheres, n_spheres, tree3d_limits(0, 0, n_spheres), &tree);
+    } else {
+        const KdTreeLimits limits = renderer == TILES ? tile_tree_limits(0, 0) : COST_LIMITS;
+        kdtree3d_build_sah(scene->spheres, n_spheres, limits, &tree);
     }
     return tree;
 }
 
-// Copy the tree to the device and set the kernels' arguments behind the scene's. Returns 0, or -1
-// after one message.
-static int prepare_tree(Case3D *bench_case, const ClSetup *cl, cl_kernel counting)
+// Copy a tree to the device, as lab 08's tree_buffers_create() does. Release with
+// tree_buffers_free().
+static TreeBuffers copy_tree(const KdTree3D *tree, const ClSetup *cl)
 {
-    KdTree3D tree = build_tree(&bench_case->scene, KDTREE);
-    if (tree.n_nodes == 0 || tree3d_check(&tree, (u32)bench_case->scene.n_spheres) != 0 ||
-        tree3d_figures(&tree, &bench_case->figures) != 0) {
-        tree3d_free(&tree);
-        return -1;
+    return (TreeBuffers){
+        .d_nodes = cl_buffer_create(cl, tree->nodes, tree->n_nodes * sizeof *tree->nodes),
+        .d_sphere_ids =
+            cl_buffer_create(cl, tree->sphere_ids, tree->n_sphere_ids * sizeof *tree->sphere_ids),
+        .bounds = box_widened(tree->bounds)};
+}
+
+// Set a kernel's arguments behind the scene's.
+static void set_tree(const TreeBuffers *buffers, cl_kernel kernel)
+{
+    tree_buffers_set(buffers, kernel);
+    CL_CHECK(clSetKernelArg(kernel, N_SCENE_ARGUMENTS + 3, sizeof(cl_mem), NULL));  // no counting
+}
+
+// The tree of KDTREE or BY_COST, on the device, for its kernel. Returns 0, or -1 after one message.
+static int prepare_tree(Case3D *bench_case, const ClSetup *cl, Renderer renderer)
+{
+    KdTree3D tree = build_tree(&bench_case->scene, renderer);
+    int result = tree.n_nodes > 0 ? tree3d_check(&tree, (u32)bench_case->scene.n_spheres) : -1;
+    if (result == 0 && renderer == KDTREE) {
+        bench_case->n_nodes = tree.n_nodes;
+        bench_case->n_sphere_ids = tree.n_sphere_ids;
+        result = tree3d_figures(&tree, &bench_case->figures);
     }
-    bench_case->n_nodes = tree.n_nodes;
-    bench_case->n_sphere_ids = tree.n_sphere_ids;
-    bench_case->d_nodes = cl_buffer_create(cl, tree.nodes, tree.n_nodes * sizeof *tree.nodes);
-    bench_case->d_sphere_ids =
-        cl_buffer_create(cl, tree.sphere_ids, tree.n_sphere_ids * sizeof *tree.sphere_ids);
-    cl_kernel kernels[] = {bench_case->kernels[KDTREE], counting};
-    for (int i = 0; i < 2; i++) {
-        cl_uint next = N_SCENE_ARGUMENTS;
-        CL_CHECK(clSetKernelArg(kernels[i], next++, sizeof(cl_mem), &bench_case->d_nodes));
-        CL_CHECK(clSetKernelArg(kernels[i], next++, sizeof(cl_mem), &bench_case->d_sphere_ids));
-        CL_CHECK(clSetKernelArg(kernels[i], next++, sizeof tree.bounds, &tree.bounds));
-        CL_CHECK(clSetKernelArg(kernels[i], next, sizeof(cl_mem), NULL));  // nothing is counted yet
+    if (result == 0) {
+        bench_case->trees[renderer] = copy_tree(&tree, cl);
+        set_tree(&bench_case->trees[renderer], bench_case->kernels[renderer]);
     }
     tree3d_free(&tree);
-    return 0;
+    return result;
 }
 
 // The tiles' tree and picture, and all arguments of their kernel. Returns 0, or -1 after one
@@ -157,10 +171,12 @@ static double mean_of(const Stats *stats, const char *name)
     return json_number_value(json_object_get(stats->values, name));
 }
 
-// Draw a frame that counts, which is not timed. Returns 0, or -1 after one message.
+// Draw a frame with lab 06's tree that counts, which is not timed. Returns 0, or -1 after one
+// message.
 static int count_work(Case3D *bench_case, const ClSetup *cl, cl_kernel counting)
 {
     Stats stats = {0};
+    tree_buffers_set(&bench_case->trees[KDTREE], counting);
     cl_mem d_work = work_buffer_create(cl, CASE3D_SIDE, CASE3D_SIDE);
     CL_CHECK(clSetKernelArg(counting, N_SCENE_ARGUMENTS + 3, sizeof d_work, &d_work));
     launch(cl, counting, 0, 0, CASE3D_SIDE, CASE3D_SIDE);
@@ -194,6 +210,7 @@ static void run_first_groups(const Case3D *bench_case, const ClSetup *cl)
     launch(cl, bench_case->kernels[NAIVE], whole ? 0 : stripe_left(share),
            whole ? 0 : stripe_top(share, 0), GROUP_SIZE, GROUP_SIZE);
     launch(cl, bench_case->kernels[KDTREE], 0, 0, GROUP_SIZE, GROUP_SIZE);
+    launch(cl, bench_case->kernels[BY_COST], 0, 0, GROUP_SIZE, GROUP_SIZE);
     enqueue_tiles(cl->queue, bench_case->kernels[TILES], GROUP_SIZE, GROUP_SIZE);
     CL_CHECK(clFinish(cl->queue));
 }
@@ -213,9 +230,12 @@ int case3d_prepare(Case3D *bench_case, const ClSetup *cl, const cl_program *prog
     CL_CHECK(clSetKernelArg(naive, N_SCENE_ARGUMENTS, sizeof scene->n_spheres, &scene->n_spheres));
     CL_CHECK(clSetKernelArg(naive, N_SCENE_ARGUMENTS + 1, sizeof(cl_mem), NULL));
     cl_kernel counting = create_kernel(bench_case, programs, COUNTING);
-    int result = prepare_tree(bench_case, cl, counting);
+    int result = prepare_tree(bench_case, cl, KDTREE);
     if (result == 0) {
         result = count_work(bench_case, cl, counting);
+    }
+    if (result == 0) {
+        result = prepare_tree(bench_case, cl, BY_COST);
     }
     if (result == 0) {
         result = prepare_tiles(bench_case, cl);
@@ -234,8 +254,8 @@ void case3d_free(Case3D *bench_case)
             CL_CHECK(clReleaseKernel(bench_case->kernels[i]));
         }
     }
-    cl_mem buffers[] = {bench_case->d_nodes, bench_case->d_sphere_ids};
-    cl_memory_release(buffers, sizeof buffers / sizeof *buffers);
+    tree_buffers_free(&bench_case->trees[KDTREE]);
+    tree_buffers_free(&bench_case->trees[BY_COST]);
     tile_buffers_free(&bench_case->tiles);
     scene_buffers_free(&bench_case->buffers);
     scene3d_free(&bench_case->scene);
@@ -263,12 +283,30 @@ double case3d_draw(const Case3D *bench_case, const ClSetup *cl, Renderer rendere
     return draws_share ? ms * n_pixels / case3d_share_pixels(bench_case) : ms;
 }
 
-double case3d_time_build(const Case3D *bench_case, Renderer renderer)
+// Copy a tree to the device and throw the copy away. Returns the milliseconds.
+static double time_copy(const KdTree3D *tree, const ClSetup *cl)
+{
+    const double start = stats_clock_ms();
+    TreeBuffers buffers = copy_tree(tree, cl);
+    // A driver may wait with copying until a kernel wants them.
+    const cl_mem copies[] = {buffers.d_nodes, buffers.d_sphere_ids};
+    CL_CHECK(clEnqueueMigrateMemObjects(cl->queue, 2, copies, 0, 0, NULL, NULL));
+    CL_CHECK(clFinish(cl->queue));
+    const double ms = stats_clock_ms() - start;
+    tree_buffers_free(&buffers);
+    return ms;
+}
+
+int case3d_time_tree(const Case3D *bench_case, const ClSetup *cl, Renderer renderer,
+                     TreeTimes *times)
 {
     const double start = stats_clock_ms();
     KdTree3D tree = build_tree(&bench_case->scene, renderer);
-    const double ms = stats_clock_ms() - start;
-    const int is_built = tree.n_nodes > 0;
+    times->build = stats_clock_ms() - start;
+    if (tree.n_nodes == 0) {
+        return -1;
+    }
+    times->copy = time_copy(&tree, cl);
     tree3d_free(&tree);
-    return is_built ? ms : -1;
+    return 0;
 }

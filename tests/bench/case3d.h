@@ -1,6 +1,6 @@
 // What the 3D bench measures: one scene, drawn by the naive kernel of lab 05, by the kd-tree kernel
-// of lab 07, by the tiles of lab 10 and by Embree, each with its times; and lab 07's tree in
-// figures.
+// of lab 07 with either tree, by the tiles of lab 10 and by Embree, each with its times; and lab
+// 06's tree in figures.
 //
 // The kernels, the trees' builders and the camera are those of the solutions: the bench has no
 // renderer of its own.
@@ -16,15 +16,19 @@
 #include "series.h"
 #include "tile_buffers.h"
 #include "tree3d.h"
+#include "tree_buffers.h"
+
+#include <string.h>
 
 // The picture's side, pixels.
 #define CASE3D_SIDE 1024
 
 typedef enum Renderer {
-    NAIVE,   // lab 05
-    KDTREE,  // lab 07 with the tree of lab 06
-    TILES,   // lab 10 with the tree of lab 08
-    EMBREE,  // with its first call; those of its other calls follow
+    NAIVE,    // lab 05
+    KDTREE,   // lab 07 with the tree of lab 06
+    BY_COST,  // lab 07 with the tree of lab 08
+    TILES,    // lab 10 with the tree of lab 08, in larger leaves
+    EMBREE,   // with its first call; those of its other calls follow
     N_RENDERERS = EMBREE + N_EMBREE_CALLS,
 } Renderer;
 
@@ -54,13 +58,12 @@ typedef struct Case3D {
     const char *scene_name;  // as --scene takes it
     Scene3D scene;
     SceneBuffers buffers;
-    cl_mem d_nodes;
-    cl_mem d_sphere_ids;
+    TreeBuffers trees[TILES];      // what KDTREE and BY_COST take
     TileBuffers tiles;             // what TILES takes
     cl_kernel kernels[N_KERNELS];  // with their arguments set
     Share share;
 
-    u32 n_nodes, n_sphere_ids;
+    u32 n_nodes, n_sphere_ids;  // of lab 06's tree
     TreeFigures3D figures;
     WorkOfRay work;
 
@@ -69,8 +72,15 @@ typedef struct Case3D {
     // Milliseconds a frame, and for a tree on one thread; NAIVE has no tree.
     Series frames[N_RENDERERS];
     Series builds[N_TREES];
-    Series parallel_builds;  // Embree's with all its threads
+    Series copies[N_KERNELS];  // of the tree to the device: see TreeTimes
+    Series parallel_builds;    // Embree's with all its threads
 } Case3D;
+
+// Is it a scene of random spheres? Those differ in their number alone, and show how times grow.
+static inline int case3d_is_random(const Case3D *bench_case)
+{
+    return strncmp(bench_case->scene_name, "random", strlen("random")) == 0;
+}
 
 // Compile the programs. Returns 0, or -1 after one message. Release with programs3d_free().
 int programs3d_build(const ClSetup *cl, cl_program programs[N_PROGRAMS]);
@@ -90,8 +100,16 @@ double case3d_draw(const Case3D *bench_case, const ClSetup *cl, Renderer rendere
 // How many pixels NAIVE draws.
 int case3d_share_pixels(const Case3D *bench_case);
 
-// Build the tree of KDTREE or TILES and throw it away. Returns the milliseconds, or -1 after one
-// message.
-double case3d_time_build(const Case3D *bench_case, Renderer renderer);
+// What a tree takes until a kernel can search it, milliseconds.
+typedef struct TreeTimes {
+    double build;
+    double copy;  // of its nodes and ids to the device; TILES takes the spheres in the leaves'
+                  // order besides, which are not in it
+} TreeTimes;
+
+// Build the tree of KDTREE, BY_COST or TILES, copy it to the device and throw both away. Returns 0,
+// or -1 after one message.
+int case3d_time_tree(const Case3D *bench_case, const ClSetup *cl, Renderer renderer,
+                     TreeTimes *times);
 
 #endif

@@ -104,11 +104,13 @@ int pictures3d_check(Pictures3D *pictures, Case3D *bench_case)
     Image *naive = &pictures->images[NAIVE], *kdtree = &pictures->images[KDTREE];
     const int n_naive = case3d_share_pixels(bench_case);
     if (check_drawn(bench_case, KDTREE, count_drawn(kdtree), N_PIXELS) != 0 ||
+        check_drawn(bench_case, BY_COST, count_drawn(&pictures->images[BY_COST]), N_PIXELS) != 0 ||
         check_drawn(bench_case, NAIVE, count_drawn(naive), n_naive) != 0) {
         return -1;
     }
     complete(naive, kdtree);
-    if (check_different(pictures, bench_case, NAIVE, COLOUR_TOLERANCE, n_naive) != 0) {
+    if (check_different(pictures, bench_case, NAIVE, COLOUR_TOLERANCE, n_naive) != 0 ||
+        check_different(pictures, bench_case, BY_COST, COLOUR_TOLERANCE, N_PIXELS) != 0) {
         return -1;
     }
     for (int call = 0; call < N_EMBREE_CALLS && pictures->has_embree; call++) {

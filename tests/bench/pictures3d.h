@@ -1,5 +1,5 @@
-// Do the naive kernel, the kd-tree kernel, the tiles and each of Embree's calls draw the same
-// picture? Asked before any figure is printed.
+// Do the naive kernel, the kd-tree kernel with either tree, the tiles and each of Embree's calls
+// draw the same picture? Asked before any figure is printed.
 //
 // Read next: report3d.h.
 #ifndef BENCH_PICTURES3D_H

@@ -13,6 +13,7 @@
 const char *const RENDERER3D_TITLES[N_RENDERERS] = {
     [NAIVE] = "naive (lab 05)",
     [KDTREE] = "kd-tree (lab 07)",
+    [BY_COST] = "by cost (lab 08)",
     [TILES] = "tiles (lab 10)",
     [EMBREE + EMBREE_1] = "rtcIntersect1",
     [EMBREE + EMBREE_4] = "rtcIntersect4",
@@ -23,7 +24,7 @@ const char *const RENDERER3D_TITLES[N_RENDERERS] = {
 
 // In the CSV file.
 static const char *const RENDERER_NAMES[N_RENDERERS] = {
-    "naive", "kdtree", "tiles", "embree1", "embree4", "embree8", "embree16", "embree1M"};
+    "naive", "kdtree", "bycost", "tiles", "embree1", "embree4", "embree8", "embree16", "embree1M"};
 
 // What the course sets out to reach: of Embree's rays a second, and times its time for the tree;
 // 0 where nothing is set.
@@ -80,11 +81,6 @@ static Renderer best_of_embree(const Case3D *bench_case)
     return best;
 }
 
-static int is_random(const Case3D *bench_case)
-{
-    return strncmp(bench_case->scene_name, "random", strlen("random")) == 0;
-}
-
 // ---- For people -----------------------------------------------------------------------------
 
 // A ratio of two renderers' times, as the median of the single rounds' ratios.
@@ -125,25 +121,28 @@ static void print_comparison(const Case3D *bench_case, ReportContext context)
 static void print_trees(const Case3D *cases, int n_cases, ReportContext context)
 {
     const int has_embree = context.n_threads > 0;
-    printf("\nTrees of lab 06, and milliseconds to build them, and those of lab 08, on one thread");
+    printf(
+        "\nTrees of lab 06, and milliseconds to build them, those of lab 08, and those of lab 10's "
+        "tiles, on one\nthread");
     if (has_embree) {
-        printf("; parallel:\nEmbree's on %d threads; ratios: of lab 06 to Embree",
+        printf("; parallel: Embree's on %d threads; ratios: of lab 06 to Embree",
                context.n_threads);
     }
     printf("\n");
-    printf("  %-16s  %8s  %8s  %8s  %5s  %8s  %8s  %8s", "scene", "nodes", "leaves", "ids", "depth",
-           "ids/leaf", "lab 08", "lab 06");
+    printf("  %-16s  %8s  %8s  %8s  %5s  %8s  %8s  %8s  %8s", "scene", "nodes", "leaves", "ids",
+           "depth", "ids/leaf", "tiles", "lab 08", "lab 06");
     if (has_embree) {
         printf("  %8s  %5s  %8s  %5s", "Embree", "ratio", "parallel", "ratio");
     }
     printf("\n");
     for (int i = 0; i < n_cases; i++) {
         const Case3D *bench_case = &cases[i];
-        printf("  %-16s  %8u  %8u  %8u  %5d  %8.2f  %8.2f  %8.2f", bench_case->scene_name,
+        printf("  %-16s  %8u  %8u  %8u  %5d  %8.2f  %8.2f  %8.2f  %8.2f", bench_case->scene_name,
                bench_case->n_nodes, bench_case->figures.n_leaves, bench_case->n_sphere_ids,
                bench_case->figures.depth,
                (double)bench_case->n_sphere_ids / bench_case->figures.n_leaves,
-               median(&bench_case->builds[TILES]), median(&bench_case->builds[KDTREE]));
+               median(&bench_case->builds[TILES]), median(&bench_case->builds[BY_COST]),
+               median(&bench_case->builds[KDTREE]));
         if (has_embree) {
             const Series *embree = &bench_case->builds[EMBREE];
             const Series *parallel = &bench_case->parallel_builds;
@@ -186,7 +185,7 @@ static void print_growth(const Case3D *cases, int n_cases, ReportContext context
     printf("\n");
     for (int i = 0; i < n_cases; i++) {
         const Case3D *bench_case = &cases[i];
-        if (!is_random(bench_case)) {
+        if (!case3d_is_random(bench_case)) {
             continue;
         }
         const Series *naive = &bench_case->frames[NAIVE], *kdtree = &bench_case->frames[KDTREE];

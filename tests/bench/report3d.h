@@ -1,6 +1,6 @@
 // What the 3D bench tells: tables for people, a CSV file for the plot.
 //
-// Read next: bench3d.gnuplot.
+// Read next: report_moving.h.
 #ifndef BENCH_REPORT3D_H
 #define BENCH_REPORT3D_H
 
@@ -20,7 +20,7 @@ typedef struct ReportContext {
 void report3d_print(const Case3D *cases, int n_cases, ReportContext context);
 
 // Write FOLDER/bench3d.csv, one row a scene and renderer; fields that mean nothing are empty:
-//     renderer             naive, kdtree, tiles, embree1, embree4, embree8, embree16, embree1M
+//     renderer             naive, kdtree, bycost, tiles; embree1, 4, 8, 16 and 1M
 //     scene, n_spheres     as --scene takes it
 //     median_ms, min_ms, max_ms, mray_s    a frame; million rays a second at the median
 //     share                of the picture that was drawn
