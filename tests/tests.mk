@@ -97,6 +97,10 @@ $(OUT)/obj/tests/unit/test_flight.c.o $(OUT)/obj/tests/unit/test_poses.c.o: EXTR
 $(OUT)/tests/test_flight: $(call objects,common/follow/flight.c)
 $(OUT)/tests/test_poses: $(call objects,common/view/poses.c common/follow/world.c)
 
+# What a figure says of trees in the plane.
+$(OUT)/obj/tests/unit/test_plane_trees.c.o: EXTRA = $(GRADER_INCLUDES) -I tests/figures
+$(OUT)/tests/test_plane_trees: $(call objects,tests/figures/plane_trees.c)
+
 # The figures that the bench prints.
 $(OUT)/obj/tests/unit/test_bench_report.c.o: EXTRA = -I tests/bench
 $(OUT)/tests/test_bench_report: $(call objects,tests/bench/report.c tests/bench/series.c)
@@ -130,7 +134,7 @@ unit-tests: $(filter-out $(NATIVE_TEST),$(UNIT_TESTS))
 # What the suites run with the sanitizers: solutions, whose skeletons have the same code around the holes.
 watched: unit-tests $(filter $(OUT)/solutions/% $(OUT)/view/solutions/% $(OUT)/pixel/solutions/%,$(PROGRAMS) $(VIEWS) $(PIXELS))
 # The bench is built here, too: it must not break unnoticed.
-tests: all $(OUT)/tools/bench2d $(OUT)/tools/bench3d $(NATIVE_TEST) $(JUDGES) $(LAB_JUDGES) $(SUITE_TOOLS) $(OUT)/tests/no_images.so views pixels $(FIGURES)  ## build all that the tests run
+tests: all $(OUT)/tools/bench2d $(OUT)/tools/bench3d $(NATIVE_TEST) $(JUDGES) $(LAB_JUDGES) $(SUITE_TOOLS) $(OUT)/tests/no_images.so views pixels $(FIGURES) $(OUT)/tools/plane_costs  ## build all that the tests run
 	@$(MAKE) --no-print-directory SANITIZE=1 watched
 check: tests  ## run the tests without installing anything
 	@BUILD="$(BUILD)" tests/run.sh

@@ -18,6 +18,11 @@ $(NOTES_RUNS): $(NOTES)/runs/%.json: $(NOTES_MAKE)/runs.txt $(NOTES_MAKE)/run.sh
     $$(addprefix $(OUT)/solutions/,$$(call lab_of_run,$$*))
 	@mkdir -p $(@D)
 	$(call say,count   $*)$(NOTES_MAKE)/run.sh $* $(OUT) $@
+# What a pixel is expected to do in lab 08's trees in the plane, which no lab's program grows.
+$(NOTES)/runs/08-plane.json: $(OUT)/tools/plane_costs
+	@mkdir -p $(@D)
+	$(call say,count   08-plane)$< $@ >/dev/null
+NOTES_RUNS += $(NOTES)/runs/08-plane.json
 
 # A page: of edition $(1) and form $(2), from the source that comes first.
 define page

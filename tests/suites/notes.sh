@@ -155,7 +155,7 @@ for edition in student instructor; do
         ! grep -q -F -e "$answer" "$scratch/$edition" || echo "$answer"
     done <"$scratch/answers" | sort >"$scratch/found-$edition"
 done
-[ "$n_answers" -eq 47 ] && [ "$(wc -l <"$scratch/found-instructor")" -eq "$n_answers" ]
+[ "$n_answers" -eq 48 ] && [ "$(wc -l <"$scratch/found-instructor")" -eq "$n_answers" ]
 ok $? "the instructor's edition holds every answer of the key" "$(sort "$scratch/answers" | comm -23 - "$scratch/found-instructor")"
 [ ! -s "$scratch/found-student" ] && ! grep -r -l -e 'class="answer"' -e 'class="speaker"' "$notes/student" >>"$scratch/found-student"
 ok $? "the student edition holds none" "$(cat "$scratch/found-student")"
