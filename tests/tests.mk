@@ -102,10 +102,10 @@ $(OUT)/obj/tests/unit/test_plane_trees.c.o: EXTRA = $(GRADER_INCLUDES) -I tests/
 $(OUT)/tests/test_plane_trees: $(call objects,tests/figures/plane_trees.c)
 
 # The figures that the bench prints.
-$(OUT)/obj/tests/unit/test_bench_report.c.o: EXTRA = -I tests/bench
+$(OUT)/obj/tests/unit/test_bench_report.c.o: EXTRA = $(BENCH_INCLUDES) -I tests/bench
 $(OUT)/tests/test_bench_report: $(call objects,tests/bench/report.c tests/bench/series.c)
 $(addprefix $(OUT)/obj/tests/unit/,test_bench_report3d.c.o test_bench_report_moving.c.o): EXTRA = $(BENCH_INCLUDES) -I tests/bench
-$(OUT)/tests/test_bench_report3d: $(call objects,tests/bench/report3d.c tests/bench/series.c)
+$(OUT)/tests/test_bench_report3d: $(call objects,tests/bench/report3d.c tests/bench/roofline.c tests/bench/series.c)
 $(OUT)/tests/test_bench_report_moving: $(call objects,tests/bench/report_moving.c tests/bench/series.c)
 
 # Lab 02's builder with a distribute() that returns more circles than it was given.

@@ -15,7 +15,7 @@ void report_moving_print(const Case3D *cases, int n_cases);
 // Write FOLDER/bench3d-moving.csv, one row a random scene and renderer; fields that mean nothing
 // are empty:
 //     renderer, n_spheres              naive, kdtree, bycost, tiles
-//     build_ms, copy_ms, draw_ms       of a frame: the tree, to the device, and the picture; medians
+//     build_ms, copy_ms, draw_ms       of a frame: the tree, to the device, the picture; medians
 //     median_ms, min_ms, max_ms        of all three, from round to round
 //     ratio, min_ratio, max_ratio      of the naive frame to that
 // Returns 0, or -1 after one message.
