@@ -1,4 +1,4 @@
-// The world of labs 05 and 07: spheres, seen from a camera that flies (see world.h).
+// The world from lab 05 on: spheres, seen from a camera that flies (see world.h).
 //
 // Flow: SCENE -> BUFFERS -> kernel -> image -> comparison. Camera and buffers are those of labs 04
 // and 05. Read next: flight.h.
@@ -182,12 +182,17 @@ void spheres_set_naive(const World *world, cl_kernel kernel, cl_mem d_work)
     CL_CHECK(clSetKernelArg(kernel, 11, sizeof d_work, &d_work));
 }
 
-void spheres_set_tree(const World *world, cl_kernel kernel, cl_mem d_work)
+void spheres_set_traced(const World *world, cl_kernel kernel)
 {
     const Spheres *own = world->own;
     scene_buffers_set(&own->buffers, &own->scene, kernel);  // arguments 0 to 9
     CL_CHECK(clSetKernelArg(kernel, 10, sizeof own->d_nodes, &own->d_nodes));
     CL_CHECK(clSetKernelArg(kernel, 11, sizeof own->d_sphere_ids, &own->d_sphere_ids));
     CL_CHECK(clSetKernelArg(kernel, 12, sizeof own->bounds, &own->bounds));
+}
+
+void spheres_set_tree(const World *world, cl_kernel kernel, cl_mem d_work)
+{
+    spheres_set_traced(world, kernel);  // arguments 0 to 12
     CL_CHECK(clSetKernelArg(kernel, 13, sizeof d_work, &d_work));
 }

@@ -34,13 +34,18 @@ typedef struct World World;
 
 // A kernel that can draw the world.
 typedef struct WorldKernel {
-    const char *label;       // what the window calls it: "kd-tree"
-    const char *path;        // its .cl file
-    const char *function;    // its name there
-    const char *options;     // as cl_setup_build() takes them
-    const char *steps_path;  // a .cl file around it that writes down the steps of a pixel (steps.h)
+    const char *label;     // what the window calls it: "kd-tree"
+    const char *path;      // its .cl file
+    const char *function;  // its name there
+    const char *options;   // as cl_setup_build() takes them
+    // The same where they depend on the world, in the place of `options`; or NULL.
+    const char *(*options_of)(const World *world);
+    // A .cl file around it that writes down the steps of a pixel (steps.h); or NULL, and in one line
+    // why none can be followed.
+    const char *steps_path, *not_followed;
     // Set its arguments. d_work is its last one: NULL where nothing is counted.
     void (*set_arguments)(const World *world, cl_kernel kernel, cl_mem d_work);
+    int has_bounces;  // rays go on from what they hit: it heeds has_shadows and n_bounces
 } WorldKernel;
 
 // What the device holds, on the host. Of circles or of spheres, the other ones are NULL; `tree2d`
@@ -91,6 +96,7 @@ typedef struct WorldLab {
     const char *name;       // LAB_NAME
     const char *what;       // one sentence for --help
     const WorldKind *kind;  // CIRCLES or SPHERES
+    int set;                // OPTIONS_... that it has besides those of all labs of its kind
     WorldBuilder build;     // of its tree
     int has_tree;
     const WorldKernel *kernels;  // [n_kernels], the lab's own first
@@ -111,6 +117,8 @@ struct World {
     const WorldKind *kind;
     WorldBuilder build;
     int has_tree;
+    int has_shadows;  // of kernels with bounces: do they ask whether light arrives?
+    int n_bounces;    // and how many mirrors does a ray meet at most?
     // From here on set by open().
     int width, height;  // the picture, pixels
     int n_elements;
@@ -125,7 +133,13 @@ struct World {
 // on stderr; close with world->kind->close() either way.
 int world_open(World *world, Lab *lab, const WorldLab *world_lab);
 
-// 2D, of labs 01 and 03; 3D, of labs 05 and 07.
+// Which options a lab's program of this folder or of common/view takes, but for its own.
+int world_options(const WorldLab *world_lab);
+
+// With what a kernel is built here.
+const char *world_kernel_options(const World *world, const WorldKernel *kernel);
+
+// 2D, of labs 01 and 03; 3D, from lab 05 on.
 extern const WorldKind CIRCLES;
 extern const WorldKind SPHERES;
 
@@ -134,6 +148,9 @@ void circles_set_naive(const World *world, cl_kernel kernel, cl_mem d_work);  //
 void circles_set_tree(const World *world, cl_kernel kernel, cl_mem d_work);   // ..._KD
 void spheres_set_naive(const World *world, cl_kernel kernel, cl_mem d_work);  // render_spheres
 void spheres_set_tree(const World *world, cl_kernel kernel, cl_mem d_work);   // render_kdtree
+
+// Those that render_kdtree begins with, and all that trace its rays and more: 0 to 12.
+void spheres_set_traced(const World *world, cl_kernel kernel);
 
 // Memory for what a kind keeps, all zero. Running out of it ends the program with a message.
 void *world_allocate(size_t n_bytes);

@@ -2,6 +2,7 @@
 //
 // Flow: SCENE -> buffers -> kernel -> image -> comparison: from where it is seen. Read next:
 // view.c.
+#include "number.h"
 #include "viewer.h"
 
 #include <math.h>
@@ -77,9 +78,57 @@ static void kernel_next(Viewer *viewer)
 
 static void kernel_again(Viewer *viewer)
 {
-    const int result = frame_use(&viewer->frame, &viewer->world, &viewer->kernels[viewer->kernel]);
+    const int result = frame_use(&viewer->frame, &viewer->world, viewer_kernel(viewer));
     viewer->note = result != 0 ? "the kernel does not build: see the terminal" : "built anew";
     viewer->is_drawn = 0;
+}
+
+// Does the kernel at hand send rays on from what they hit? If not, the user is told.
+static int asks_bounces(Viewer *viewer)
+{
+    const int has_bounces = viewer_kernel(viewer)->has_bounces;
+    viewer->note = has_bounces ? NULL : "no shadows, no mirrors in this kernel";
+    return has_bounces;
+}
+
+static void shadows_switch(Viewer *viewer)
+{
+    World *world = &viewer->world;
+    if (!asks_bounces(viewer)) {
+        return;
+    }
+    world->has_shadows = !world->has_shadows;
+    if (frame_use(&viewer->frame, world, viewer_kernel(viewer)) != 0) {
+        world->has_shadows = !world->has_shadows;
+        viewer->note = "the kernel does not build: see the terminal";
+        return;
+    }
+    viewer->is_drawn = 0;
+}
+
+static void bounces_set(Viewer *viewer, int n_bounces)
+{
+    if (!asks_bounces(viewer)) {
+        return;
+    }
+    if (n_bounces < 0 || n_bounces > OPTIONS_MOST_BOUNCES) {
+        viewer->note = n_bounces < 0
+                           ? "there are no fewer mirrors than none"
+                           : "no more than " NUMBER_TEXT(OPTIONS_MOST_BOUNCES) " mirrors are met";
+        return;
+    }
+    viewer->world.n_bounces = n_bounces;
+    viewer->is_drawn = 0;
+}
+
+static void bounces_more(Viewer *viewer)
+{
+    bounces_set(viewer, viewer->world.n_bounces + 1);
+}
+
+static void bounces_less(Viewer *viewer)
+{
+    bounces_set(viewer, viewer->world.n_bounces - 1);
 }
 
 static void heat_switch(Viewer *viewer)
@@ -181,6 +230,9 @@ static const struct PressedKey {
     {SDLK_KP_PLUS, depth_more, {0}},
     {SDLK_MINUS, depth_less, {0}},
     {SDLK_KP_MINUS, depth_less, {0}},
+    {SDLK_l, shadows_switch, {"L", "lab 09: shadows on and off"}},
+    {SDLK_v, bounces_less, {"V B", "lab 09: a mirror less, a mirror more"}},
+    {SDLK_b, bounces_more, {0}},
     {SDLK_z, zoom_in, {"Z X, wheel", "nearer, farther"}},
     {SDLK_x, zoom_out, {0}},
     {SDLK_o, orbit_switch, {"O", "go round by itself"}},
@@ -266,7 +318,8 @@ static void button_take(Viewer *viewer, int button, int x, int y)
 // A press and a release in one place mean the pixel there.
 static void button_let_go(Viewer *viewer, int button)
 {
-    if (viewer->grip == GRIP_LOOK && button == SDL_BUTTON_LEFT && !viewer->has_dragged) {
+    if (viewer->grip == GRIP_LOOK && button == SDL_BUTTON_LEFT && !viewer->has_dragged &&
+        viewer_kernel(viewer)->steps_path != NULL) {
         viewer->pixel_x = viewer->grip_x;
         viewer->pixel_y = viewer->grip_y;
         viewer->is_following = 1;

@@ -45,7 +45,7 @@ void frame_close(Frame *frame)
 static cl_kernel kernel_build(const World *world, const WorldKernel *kernel, const char *more)
 {
     char *options;
-    if (asprintf(&options, "%s%s", kernel->options, more) < 0) {
+    if (asprintf(&options, "%s%s", world_kernel_options(world, kernel), more) < 0) {
         complain("view: no memory for build options");
         exit(EXIT_FAILURE);
     }

@@ -63,8 +63,8 @@ static void pixel_update(Viewer *viewer)
 {
     viewer->is_followed = 1;
     viewer->is_shown = 0;
-    if (record_pixel(&viewer->world, &viewer->kernels[viewer->kernel], viewer->pixel_x,
-                     viewer->pixel_y, &viewer->steps) != 0) {
+    if (record_pixel(&viewer->world, viewer_kernel(viewer), viewer->pixel_x, viewer->pixel_y,
+                     &viewer->steps) != 0) {
         viewer->is_following = 0;
         viewer->note = "no steps: see the terminal";
         return;
@@ -91,7 +91,7 @@ static void still_update(Viewer *viewer)
         viewer->is_counted = 1;
         viewer->is_shown = 0;
     }
-    if (viewer->is_following && !viewer->is_followed) {
+    if (viewer->is_following && !viewer->is_followed && viewer_kernel(viewer)->steps_path != NULL) {
         pixel_update(viewer);
     }
 }
@@ -301,9 +301,8 @@ static void film_run(Viewer *viewer, const Lab *lab)
 
 int view_run(int argc, char **argv, const WorldLab *world_lab)
 {
-    const int set = world_lab->kind->set | (world_lab->has_tree ? OPTIONS_TREE : 0) |
-                    OPTIONS_DEVICE | OPTIONS_VIEW;
-    Lab lab = lab_begin(argc, argv, world_lab->name, world_lab->what, set);
+    Lab lab = lab_begin(argc, argv, world_lab->name, world_lab->what,
+                        world_options(world_lab) | OPTIONS_VIEW);
     Session *session = world_allocate(sizeof *session);
     Viewer *viewer = &session->viewer;
     viewer->kernels = world_lab->kernels;

@@ -58,6 +58,12 @@ typedef struct Viewer {
     double key_at_ms;   // stats_clock_ms() at that key, 0 where it is shown
 } Viewer;
 
+// The kernel that draws.
+static inline const WorldKernel *viewer_kernel(const Viewer *viewer)
+{
+    return &viewer->kernels[viewer->kernel];
+}
+
 // Take one event of SDL.
 void controls_take(Viewer *viewer, const SDL_Event *event);
 

@@ -75,6 +75,9 @@ check "lab 01: picture and heat map are the lab's" matches_lab 01 317x211 --scen
 check "lab 03: picture and heat map are the lab's" matches_lab 03 317x211 --scene random:n=500
 check "lab 05: picture and heat map are the lab's" matches_lab 05 131x97 --scene sphereflake:size=1
 check "lab 07: picture and heat map are the lab's" matches_lab 07 317x211 --scene sphereflake:size=2
+check "lab 09: picture and heat map are the lab's" matches_lab 09 131x97 --scene sphereflake:size=2
+check "lab 09: with fewer mirrors" matches_lab 09 64x48 --scene inside --bounces 1
+check "lab 09: with acne" matches_lab 09 64x48 --scene one --acne
 check "a picture higher than the panel" matches_lab 03 120x700 --scene random:n=50
 
 # both_draw_alike LAB OPTION...: do the tree's kernel and the naive one, which N gets, show the same, from the
@@ -104,6 +107,52 @@ check "lab 07: the naive kernel asks every sphere" works_like 07 05 --scene sphe
 check "lab 01 has one kernel; R builds it again" works window 01 \
     "$(printf '%s\n' 'frames 1' 'save @/before.png' 'key N' 'key R' 'frames 1' 'save @/after.png')" --size 64x48
 check "and it shows the same" shows after 64x48 "$(picture before 64x48)"
+
+# ---- Shadows and mirrors --------------------------------------------------------------------------
+
+mirrors='--scene sphereflake:size=2 --size 96x64'
+# shellcheck disable=SC2086 # options
+{
+    run 07 $mirrors --output "$out/lab-07.png"
+    run 09 $mirrors --output "$out/five.png"
+    run 09 $mirrors --bounces 4 --output "$out/four.png"
+    run 09 $mirrors --bounces 0 --output "$out/none.png"
+    check "lab 09: keys for shadows and mirrors" works window 09 "$(printf '%s\n' 'key V' 'frames 1' 'save @/v.png' \
+        'key B' 'frames 1' 'save @/b.png' 'key L' 'frames 1' 'save @/l.png' 'key V' 'key V' 'key V' 'key V' 'key V' \
+        'frames 1' 'save @/plain.png' 'key V' 'frames 1' 'save @/fewer.png' 'key L' 'frames 1' 'save @/shadows.png' \
+        'key N' 'frames 1' 'save @/tree.png' 'key L' 'key B' 'frames 1' 'save @/tree-2.png' 'key N' 'frames 1' \
+        'save @/naive.png' 'key N' 'frames 1' 'save @/back.png')" $mirrors
+}
+check "V: four mirrors" shows v 96x64 "$out/four.png"
+check "which is another picture" shows_another v 96x64 "$out/five.png"
+check "B: five again" shows b 96x64 "$out/five.png"
+check "L: no shadows is another picture" shows_another l 96x64 "$out/five.png"
+# Light falls on a point a little off the surface, so that a byte may be rounded to the other side: a step of 1/255.
+check "neither shadows nor mirrors: lab 07's picture" "$compare" "$(picture plain 96x64)" "$out/lab-07.png" 0.004
+check "there are no fewer mirrors than none" shows fewer 96x64 "$(picture plain 96x64)"
+check "L: shadows again" shows shadows 96x64 "$out/none.png"
+check "they are another picture than lab 07's by far" differs "$compare" "$out/none.png" "$out/lab-07.png" 0.1
+check "N: lab 07's kernel" shows tree 96x64 "$out/lab-07.png"
+check "for which the keys do nothing" shows tree-2 96x64 "$out/lab-07.png"
+check "N: lab 05's" shows naive 96x64 "$out/lab-07.png"
+check "N: and its own, with shadows and no mirrors" shows back 96x64 "$out/none.png"
+
+# says_so KEY LAB OPTION...: does a key that means nothing in a lab change the panel's last line, and no picture?
+says_so() {
+    key=$1 lab=$2
+    shift 2
+    works window "$lab" "$(printf '%s\n' 'frames 1' 'frames 1' 'save @/before.png' "key $key" 'frames 1' 'save @/after.png')" \
+        --size 64x48 "$@" || return 1
+    for shown in before after; do
+        "$build/tools/crop" "$out/$shown.png" 64 608 352 32 "$out/$shown-line.png" || return 1
+    done
+    shows after 64x48 "$(picture before 64x48)" && differs "$compare" "$out/after-line.png" "$out/before-line.png"
+}
+for key in L V B; do
+    check "lab 07: $key says that it does nothing" says_so $key 07 --scene one
+done
+check "lab 01: L says so, too" says_so L 01
+check "lab 09: V says so where there are no mirrors" says_so V 09 --scene one --bounces 0
 
 # ---- The tree's depth -----------------------------------------------------------------------------
 
@@ -156,6 +205,13 @@ end=$(grep '^hit:' "$scratch/stdout")
 window 07 "$(printf 'key N\nclick 0 0\nframes 1\n')" --size 1x1 --scene sphereflake:size=3
 [ "$(grep '^hit:' "$scratch/stdout")" = "$end" ]
 ok $? "the naive kernel's ray hits the same" "$(tail -n 1 "$scratch/stdout"), expected $end"
+works window 09 "$(printf '%s\n' 'click 0 0' 'frames 1' 'key N' 'frames 1')" --size 1x1 --scene sphereflake:size=3
+! grep -q pixel "$scratch/stdout"
+ok $? "lab 09: many rays a pixel, so none is followed" "$(cat "$scratch/stdout")"
+works window 09 "$(printf '%s\n' 'key N' 'click 0 0' 'frames 1' 'key N' 'frames 1')" --size 1x1 --scene sphereflake:size=3
+[ "$(grep '^hit:' "$scratch/stdout")" = "$end" ]
+ok $? "but lab 07's kernel's there" "$(cat "$scratch/stdout"), expected $end"
+window 07 "$(printf 'key N\nclick 0 0\nframes 1\n')" --size 1x1 --scene sphereflake:size=3
 check "more steps than are kept: all are counted" grep -q '^and 3[0-9]* more$' "$scratch/stdout"
 
 # ---- Watched by the sanitizers --------------------------------------------------------------------
@@ -164,7 +220,7 @@ check "more steps than are kept: all are counted" grep -q '^and 3[0-9]* more$' "
 restless() {
     for program in "$build/sanitized/view/solutions/$1"-*; do :; done
     with ASAN_OPTIONS=detect_leaks=0 run_script "$program" "$(printf '%s\n' 'frames 1' 'click 300 20' 'click 30 20' \
-        'key H' 'key M' 'key N' 'frames 1' 'key PageDown' 'key P' 'wheel -2 300 500' 'wheel 2 30 20' 'key -' 'frames 2' \
+        'key H' 'key M' 'key L' 'key V' 'key B' 'key B' 'frames 1' 'key N' 'frames 1' 'key PageDown' 'key P' 'wheel -2 300 500' 'wheel 2 30 20' 'key -' 'frames 2' \
         'drag 10 10 900 900' 'drag 10 10 -50 -50 right' 'key O' 'frames 3' 'key Home' 'key R' 'key C' 'key F' \
         'drag 500 286 700 286' 'frames 1' 'key Escape' 'frames 1')" --scene random:n=40 --size 64x48 \
         --record "$out/restless.path" --output "$out/restless.png"
@@ -172,6 +228,7 @@ restless() {
 if $is_sanitized; then
     check "lab 03: every key, watched" works restless 03
     check "lab 07: every key, watched" works restless 07
+    check "lab 09: every key, watched" works restless 09
     [ ! -s "$scratch/stderr" ]
     ok $? "and nothing is said" "$(cat "$scratch/stderr")"
 fi
@@ -240,5 +297,24 @@ ok $? "a kernel that does not build is told as the lab's program tells it" "$(ca
 
 cp labs/01-naive-2d/implicit2DRenderer.cl "$course/labs/01-naive-2d/"
 check "the skeleton has a window" works in_course 'frames 1'
+
+# as_program NAME OPTION...: does a lab's window in that course show what the program there saves? Then `N` is pressed,
+# and the window saved as next.png.
+as_program() (
+    name=$1
+    shift
+    cd "$course" && "$build/labs/$name" "$@" --size 64x48 --output "$out/own.png" >"$scratch/stdout" 2>&1 &&
+        works run_script "$build/view/labs/$name" "$(printf '%s\n' 'frames 1' 'save @/window.png' 'key N' 'frames 1' \
+            'save @/next.png')" "$@" --size 64x48 && shows window 64x48 "$out/own.png"
+)
+cp -r labs/09-shadows-and-mirrors "$course/labs/"
+check "lab 09: the skeleton's picture" as_program 09-shadows-and-mirrors --scene one
+check "behind N stands lab 07's" shows_another next 64x48 "$out/own.png"
+# A colour that is no number: black, as in a .png.
+sed 's/^    float3 color = .*/    float3 color = (float3)(NAN);/' labs/09-shadows-and-mirrors/mirrors.cl \
+    >"$course/labs/09-shadows-and-mirrors/mirrors.cl"
+cp "$out/own.png" "$out/skeleton.png"
+check "lab 09: no number for a colour" as_program 09-shadows-and-mirrors --scene one
+check "is black" "$compare" "$out/own.png" "$out/skeleton.png"
 
 finish
