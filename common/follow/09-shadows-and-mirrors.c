@@ -4,6 +4,8 @@
 #include "kdtree3d_build.h"
 #include "world.h"
 
+static const WorldTree TREE = {.build.spheres = kdtree3d_build, .limits = tree3d_limits};
+
 // As main.c of the lab builds it; and without shadows, where the user wants none.
 static const char *mirrors_options(const World *world)
 {
@@ -26,6 +28,7 @@ static const WorldKernel KERNELS[] = {
         .label = "mirrors",
         .path = LAB_FOLDER "/render_mirrors.cl",
         .function = "render_mirrors",
+        .tree = &TREE,
         .options_of = mirrors_options,
         .not_followed = "many rays a pixel: none is followed (N)",
         .set_arguments = set_mirrors,
@@ -35,6 +38,7 @@ static const WorldKernel KERNELS[] = {
         .label = "kd-tree",
         .path = "solutions/07-kdtree-3d-trace/render_kdtree.cl",
         .function = "render_kdtree",
+        .tree = &TREE,
         .options = KERNEL_OPTIONS,
         .steps_path = STEPS_FOLDER "/07-kdtree-3d-trace.cl",
         .set_arguments = spheres_set_tree,
@@ -54,8 +58,6 @@ const WorldLab WORLD_LAB = {
     .what = "Shows spheres with their shadows, and as mirrors.",
     .kind = &SPHERES,
     .set = OPTIONS_MIRRORS,
-    .build.spheres = kdtree3d_build,
-    .has_tree = 1,
     .kernels = KERNELS,
     .n_kernels = sizeof KERNELS / sizeof KERNELS[0],
 };

@@ -5,17 +5,7 @@
 #include "camera_from_view.h"
 #include "cl_memory.h"
 #include "flight.h"
-#include "scene3d.h"
-#include "scene_buffers.h"
-#include "world.h"
-
-typedef struct Spheres {
-    Scene3D scene;  // its view is that of the world's pose
-    SceneBuffers buffers;
-    KdTree3D tree;
-    BBox3D bounds;  // of the tree, a little wider
-    cl_mem d_nodes, d_sphere_ids;
-} Spheres;
+#include "world_spheres.h"
 
 static Pose pose_of(const View *view)
 {
@@ -39,8 +29,9 @@ static View view_of(const World *world, Pose pose)
 
 static void tree_release(Spheres *own)
 {
-    const cl_mem memory[] = {own->d_nodes, own->d_sphere_ids};
+    const cl_mem memory[] = {own->d_nodes, own->d_sphere_ids, own->d_leaf_spheres, own->d_pixels};
     cl_memory_release(memory, sizeof memory / sizeof *memory);
+    own->d_leaf_spheres = own->d_pixels = NULL;
     tree3d_free(&own->tree);
 }
 
@@ -51,7 +42,7 @@ static int spheres_grow(World *world)
     KdTree3D tree = {0};
     TreeFigures3D counted;
     const double start = stats_clock_ms();
-    int result = world->build.spheres(own->scene.spheres, n_spheres, world->limits, &tree);
+    int result = world->tree->build.spheres(own->scene.spheres, n_spheres, world->limits, &tree);
     const double build_ms = stats_clock_ms() - start;
     // The kernel follows every id without asking.
     if (result != 0 || tree3d_check(&tree, n_spheres) != 0 ||
@@ -67,6 +58,9 @@ static int spheres_grow(World *world)
     own->d_sphere_ids =
         cl_buffer_create(cl, tree.sphere_ids, tree.n_sphere_ids * sizeof *tree.sphere_ids);
     world->figures = (TreeFigures){tree.n_nodes, tree.n_sphere_ids, counted.depth, build_ms};
+    if (world->tree->complete != NULL) {
+        world->tree->complete(world);
+    }
     return 0;
 }
 
@@ -97,9 +91,7 @@ static int spheres_open(World *world)
     world->n_elements = own->scene.n_spheres;
     world->d_image = own->buffers.d_image;
     world->home = world->pose = pose_of(&own->scene.view);
-    world->limits =
-        tree3d_limits(options->max_depth, options->leaf_size, (u32)own->scene.n_spheres);
-    return world->has_tree ? spheres_grow(world) : 0;
+    return 0;
 }
 
 static int spheres_place(World *world)
@@ -150,7 +142,7 @@ static WorldData spheres_data(const World *world)
     const Spheres *own = world->own;
     return (WorldData){
         .spheres = own->scene.spheres,
-        .tree3d = world->has_tree ? &own->tree : NULL,
+        .tree3d = world->tree != NULL ? &own->tree : NULL,
         .bounds = own->bounds,
         .camera = camera_from_view(own->scene.view, world->width, world->height),
     };

@@ -61,25 +61,43 @@ Motion controls_motion(Viewer *viewer, f32 seconds)
 
 // ---- Keys that are pressed --------------------------------------------------------------------
 
+// Draw with a kernel and its tree. Returns NULL, or why not, for the note; then nothing has changed.
+static const char *kernel_use(Viewer *viewer, const WorldKernel *kernel)
+{
+    World *world = &viewer->world;
+    const WorldTree *before = world->tree;
+    const int is_new_tree = kernel->tree != NULL && kernel->tree != before;
+    if (is_new_tree && world_grow(world, kernel->tree, viewer->max_depth) != 0) {
+        return "no such tree: see the terminal";
+    }
+    if (frame_use(&viewer->frame, world, kernel) == 0) {
+        return NULL;
+    }
+    if (is_new_tree) {
+        // It was built like this before.
+        world_grow(world, before, viewer->max_depth);
+    }
+    return "the kernel does not build: see the terminal";
+}
+
 static void kernel_next(Viewer *viewer)
 {
     const int next = (viewer->kernel + 1) % viewer->n_kernels;
-    viewer->note = viewer->n_kernels == 1 ? "this lab has no other kernel" : NULL;
     if (next == viewer->kernel) {
+        viewer->note = "this lab has no other kernel";
         return;
     }
-    if (frame_use(&viewer->frame, &viewer->world, &viewer->kernels[next]) != 0) {
-        viewer->note = "the kernel does not build: see the terminal";
-        return;
+    viewer->note = kernel_use(viewer, &viewer->kernels[next]);
+    if (viewer->note == NULL) {
+        viewer->kernel = next;
+        viewer->is_drawn = 0;
     }
-    viewer->kernel = next;
-    viewer->is_drawn = 0;
 }
 
 static void kernel_again(Viewer *viewer)
 {
-    const int result = frame_use(&viewer->frame, &viewer->world, viewer_kernel(viewer));
-    viewer->note = result != 0 ? "the kernel does not build: see the terminal" : "built anew";
+    viewer->note = kernel_use(viewer, viewer_kernel(viewer));
+    viewer->note = viewer->note == NULL ? "built anew" : viewer->note;
     viewer->is_drawn = 0;
 }
 
@@ -98,10 +116,9 @@ static void shadows_switch(Viewer *viewer)
         return;
     }
     world->has_shadows = !world->has_shadows;
-    if (frame_use(&viewer->frame, world, viewer_kernel(viewer)) != 0) {
+    viewer->note = kernel_use(viewer, viewer_kernel(viewer));
+    if (viewer->note != NULL) {
         world->has_shadows = !world->has_shadows;
-        viewer->note = "the kernel does not build: see the terminal";
-        return;
     }
     viewer->is_drawn = 0;
 }
@@ -148,17 +165,20 @@ static void help_switch(Viewer *viewer)
 
 static void depth_set(Viewer *viewer, int depth)
 {
-    viewer->limits.maxDepth = depth < SHALLOWEST ? SHALLOWEST : depth > DEEPEST ? DEEPEST : depth;
+    viewer->max_depth = depth < SHALLOWEST ? SHALLOWEST : depth > DEEPEST ? DEEPEST : depth;
 }
 
 static void depth_more(Viewer *viewer)
 {
-    depth_set(viewer, viewer->limits.maxDepth + 1);
+    // Trees by cost stop by themselves, and may be given more levels than the slider has.
+    if (viewer_depth(viewer) < DEEPEST) {
+        depth_set(viewer, viewer_depth(viewer) + 1);
+    }
 }
 
 static void depth_less(Viewer *viewer)
 {
-    depth_set(viewer, viewer->limits.maxDepth - 1);
+    depth_set(viewer, viewer_depth(viewer) - 1);
 }
 
 static void zoom_in(Viewer *viewer)
@@ -223,7 +243,7 @@ static const struct PressedKey {
     void (*act)(Viewer *viewer);
     ControlLine help;  // empty for a key that does what the one above it does
 } PRESSED_KEYS[] = {
-    {SDLK_n, kernel_next, {"N", "the next kernel: kd-tree, naive"}},
+    {SDLK_n, kernel_next, {"N", "the next kernel: fast, kd-tree, naive"}},
     {SDLK_m, heat_switch, {"M", "heat map of the counted work"}},
     {SDLK_PLUS, depth_more, {"+ -", "a level more or less of the tree; or drag"}},
     {SDLK_EQUALS, depth_more, {0}},
@@ -307,7 +327,7 @@ static void button_take(Viewer *viewer, int button, int x, int y)
     viewer->has_dragged = 0;
     viewer->grip_x = x;
     viewer->grip_y = y;
-    if (viewer->world.has_tree && is_in(panel_slider(viewer), x, y)) {
+    if (viewer->world.tree != NULL && is_in(panel_slider(viewer), x, y)) {
         viewer->grip = GRIP_SLIDER;
         depth_set(viewer, panel_slider_depth(viewer, x));
     } else if (is_on_picture) {

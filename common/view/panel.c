@@ -90,6 +90,11 @@ static void speed_write(Viewer *viewer)
 
 // ---- Counted work -------------------------------------------------------------------------------
 
+static const char *unit(const Viewer *viewer)
+{
+    return viewer_kernel(viewer)->unit != NULL ? viewer_kernel(viewer)->unit : "pixel";
+}
+
 static void work_write(Viewer *viewer)
 {
     const WorldKind *kind = viewer->world.kind;
@@ -98,7 +103,9 @@ static void work_write(Viewer *viewer)
     const int n_counters = kind == &CIRCLES ? 2 : N_COUNTERS;
     Pen pen = {viewer, section_top(viewer, TOP_OF_WORK)};
     write_rule(&pen);
-    write_line(&pen, SOFT, "%-20s %9s %9s", "work of a pixel", "mean", "most");
+    char title[32];
+    snprintf(title, sizeof title, "work of a %s", unit(viewer));
+    write_line(&pen, SOFT, "%-20s %9s %9s", title, "mean", "most");
     for (int i = 0; i < n_counters; i++) {
         // While something moves, the figures are those of the last frame that stood still.
         write_line(&pen, viewer->is_counted ? INK : SOFT, "%-20s %9.2f %9u", names[i],
@@ -106,15 +113,15 @@ static void work_write(Viewer *viewer)
     }
 }
 
-// Black for no step, the brightest colour for the most of any pixel in this picture.
+// Black for no step, the brightest colour for the most of any in this picture.
 static void legend_draw(Viewer *viewer)
 {
     Window *window = &viewer->window;
     const u32 most = viewer->frame.work.most_steps;
     Pen pen = {viewer, section_top(viewer, TOP_OF_LEGEND)};
     write_rule(&pen);
-    write_line(&pen, viewer->shows_heat ? INK : SOFT, "steps of a pixel (M: heat map %s)",
-               viewer->shows_heat ? "off" : "on");
+    write_line(&pen, viewer->shows_heat ? INK : SOFT, "steps of a %s (M: heat map %s)",
+               unit(viewer), viewer->shows_heat ? "off" : "on");
     for (int x = 0; x < TEXT_WIDTH; x++) {
         float rgb[3];
         image_heat_colour((float)x / (TEXT_WIDTH - 1), rgb);
@@ -155,11 +162,11 @@ static void tree_draw(Viewer *viewer)
     Window *window = &viewer->window;
     Pen pen = {viewer, section_top(viewer, TOP_OF_TREE)};
     write_rule(&pen);
-    if (!viewer->world.has_tree) {
+    if (viewer->world.tree == NULL) {
         write_line(&pen, SOFT, "no tree: it comes with a later lab");
         return;
     }
-    const int max_depth = viewer->limits.maxDepth;
+    const int max_depth = viewer_depth(viewer);
     write_line(&pen, INK, "tree: at most %d levels (+ -)", max_depth);
     const Box slider = panel_slider(viewer);
     const int middle = slider.y + slider.h / 2;

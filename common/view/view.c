@@ -25,11 +25,9 @@ static void world_update(Viewer *viewer, Motion motion)
     if (memcmp(&before, &world->pose, sizeof before) != 0) {
         viewer->is_placed = 0;
     }
-    const KdTreeLimits grown = world->limits;
-    if (world->has_tree && viewer->limits.maxDepth != grown.maxDepth) {
-        world->limits = viewer->limits;
-        if (world->kind->grow(world) != 0) {
-            world->limits = viewer->limits = grown;
+    if (world->tree != NULL && viewer->max_depth != world->max_depth) {
+        if (world_grow(world, world->tree, viewer->max_depth) != 0) {
+            viewer->max_depth = world->max_depth;
             viewer->note = "no such tree: see the terminal";
         }
         viewer->is_drawn = 0;
@@ -250,7 +248,7 @@ static void session_open(Session *session, const Lab *lab)
     Viewer *viewer = &session->viewer;
     const Options *options = &lab->options;
     const int width = viewer->world.width + PANEL_WIDTH, height = viewer->world.height;
-    viewer->limits = viewer->world.limits;
+    viewer->max_depth = viewer->world.max_depth;
     viewer->is_placed = 1;
     if (options->script != NULL) {
         require(script_open(&session->script, options->script));

@@ -34,7 +34,7 @@ typedef struct Viewer {
     int kernel;  // which one draws
     int shows_heat, shows_help, orbits, ends;
     int plays, restarts_path;  // the path of --path
-    KdTreeLimits limits;       // of the tree that is wanted
+    int max_depth;             // of the tree that is wanted; 0: what is best
     unsigned keys_held;        // a bit for each key of flight (controls.c)
     Grip grip;
     int grip_x, grip_y;  // where the mouse was last while it had hold
@@ -62,6 +62,12 @@ typedef struct Viewer {
 static inline const WorldKernel *viewer_kernel(const Viewer *viewer)
 {
     return &viewer->kernels[viewer->kernel];
+}
+
+// How many levels the tree that is wanted may have.
+static inline int viewer_depth(const Viewer *viewer)
+{
+    return viewer->max_depth > 0 ? viewer->max_depth : viewer->world.limits.maxDepth;
 }
 
 // Take one event of SDL.

@@ -83,6 +83,9 @@ spheres='--scene sphereflake:size=2 --size 64x48'
     check "lab 07: as counted" agrees 30 20 $spheres
     check "lab 07: another ray" agrees 33 35 $spheres
     check "lab 07: a ray beside the box" agrees 0 0 $spheres
+    drawn 08 $spheres
+    check "lab 08: as counted, through a tree by cost" agrees 30 20 $spheres
+    check "lab 08: another ray" agrees 33 35 $spheres
 }
 
 # ---- The worked examples of the notes -------------------------------------------------------------
