@@ -11,12 +11,13 @@ PIXELS := $(call programs_of,pixel,$(FOLLOWED))
 # What every lab's is made of.
 PIXEL_SOURCES := common/follow/pixel.c
 $(OUT)/obj/common/follow/%.o: EXTRA = -I common/follow
-$(OUT)/libfollow.a: $(call objects,$(filter-out common/follow/spheres.c $(PIXEL_SOURCES),$(wildcard common/follow/[a-z]*.c)))
+$(OUT)/libfollow.a: $(call objects,$(filter-out $(addprefix common/follow/,eye.c rays.c spheres.c) $(PIXEL_SOURCES),$(wildcard common/follow/[a-z]*.c)))
 	$(archive)
 
-# And what is of its lab: a file of its own, the lab's host files but main.c, and from lab 05 on, whose
-# buffers it uses, spheres.c.
-follow_parts = $(1) $(if $(wildcard $(addsuffix /scene_buffers.h,labs/$(1) solutions/$(1) $(addprefix solutions/,$(call earlier,$(1))))),spheres)
+# And what is of its lab: a file of its own, the lab's host files but main.c, and in 3D eye.c, which needs
+# lab 04's camera, with rays.c there, and from lab 05 on, whose buffers it uses, with spheres.c.
+brings = $(wildcard $(addsuffix /$(2),labs/$(1) solutions/$(1) $(addprefix solutions/,$(call earlier,$(1)))))
+follow_parts = $(1) $(if $(call brings,$(1),scene_buffers.h),eye spheres,$(if $(call brings,$(1),camera_from_view.h),eye rays))
 follow_objects = $(patsubst %,$(OUT)/obj/follow/$(1)/%.o,$(call follow_parts,$(notdir $(1)))) \
     $(call objects,$(filter-out %/main.c,$(wildcard $(1)/*.c)))
 followed_lab = $(patsubst $(OUT)/obj/follow/%/,%,$(dir $@))

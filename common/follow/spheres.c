@@ -1,29 +1,11 @@
 // The world from lab 05 on: spheres, seen from a camera that flies (see world.h).
 //
 // Flow: SCENE -> BUFFERS -> kernel -> image -> comparison. Camera and buffers are those of labs 04
-// and 05. Read next: flight.h.
+// and 05. Read next: eye.h.
 #include "camera_from_view.h"
 #include "cl_memory.h"
-#include "flight.h"
+#include "eye.h"
 #include "world_spheres.h"
-
-static Pose pose_of(const View *view)
-{
-    return (Pose){{view->from.x, view->from.y, view->from.z, view->at.x, view->at.y, view->at.z,
-                   view->up.x, view->up.y, view->up.z}};
-}
-
-// The scene's view, seen from another place.
-static View view_of(const World *world, Pose pose)
-{
-    const Spheres *own = world->own;
-    const f32 *n = pose.numbers;
-    View view = own->scene.view;
-    view.from = (Vec3){n[0], n[1], n[2]};
-    view.at = (Vec3){n[3], n[4], n[5]};
-    view.up = (Vec3){n[6], n[7], n[8]};
-    return view;
-}
 
 // ---- The tree -------------------------------------------------------------------------------
 
@@ -64,7 +46,7 @@ static int spheres_grow(World *world)
     return 0;
 }
 
-// ---- Opening, looking, moving ---------------------------------------------------------------
+// ---- Opening and closing ---------------------------------------------------------------------
 
 static void spheres_close(World *world)
 {
@@ -86,41 +68,10 @@ static int spheres_open(World *world)
         scene_buffers_create(&world->lab->cl, &own->scene, &own->buffers) != 0) {
         return -1;
     }
-    world->width = own->scene.width;
-    world->height = own->scene.height;
+    eye_open(world, &own->scene);
     world->n_elements = own->scene.n_spheres;
     world->d_image = own->buffers.d_image;
-    world->home = world->pose = pose_of(&own->scene.view);
     return 0;
-}
-
-static int spheres_place(World *world)
-{
-    Spheres *own = world->own;
-    own->scene.view = view_of(world, world->pose);
-    return 0;
-}
-
-static void spheres_move(World *world, Motion motion)
-{
-    const View home = view_of(world, world->home);
-    const View view = view_of(world, world->pose);
-    const Camera axes = camera_from_view(view, world->width, world->height);
-    const View moved = flight_move(&view, &home, &axes, motion);
-    // A view from which no camera can be set up is not gone to.
-    if (scene3d_view_fault(&moved) == NULL) {
-        world->pose = pose_of(&moved);
-    }
-}
-
-// Once round the scene's middle.
-static Pose spheres_film_pose(const World *world, int frame, int n_frames)
-{
-    const View home = view_of(world, world->home);
-    const Camera axes = camera_from_view(home, world->width, world->height);
-    const Motion round = {.orbit_right = (f32)(2 * M_PI * frame / n_frames)};
-    const View view = flight_move(&home, &home, &axes, round);
-    return pose_of(&view);
 }
 
 static int spheres_find(const World *world, const f32 *element, int start)
@@ -156,10 +107,10 @@ const WorldKind SPHERES = {
     .askers = "rays",
     .open = spheres_open,
     .close = spheres_close,
-    .place = spheres_place,
+    .place = eye_place,
     .grow = spheres_grow,
-    .move = spheres_move,
-    .film_pose = spheres_film_pose,
+    .move = eye_move,
+    .film_pose = eye_film_pose,
     .find = spheres_find,
     .data = spheres_data,
 };

@@ -10,6 +10,7 @@
 #include "circle.h"
 #include "image.h"
 #include "lab.h"
+#include "scene3d.h"
 #include "sphere.h"
 #include "tree2d.h"
 #include "tree3d.h"
@@ -85,7 +86,7 @@ typedef struct WorldKind {
     int set;                // the OPTIONS_... of its scenes
     int n_numbers;          // of a pose
     const char *pose_line;  // what they are, for the first line of a path's file
-    const char *elements;   // "spheres"
+    const char *elements;   // "spheres"; NULL: none, and no work that is counted
     const char *askers;     // "rays"
     // Open the scene that world->lab->options names, and copy it to the device. Sets width to
     // home, and `own`; there is no tree yet.
@@ -110,7 +111,7 @@ typedef struct WorldKind {
 typedef struct WorldLab {
     const char *name;       // LAB_NAME
     const char *what;       // one sentence for --help
-    const WorldKind *kind;  // CIRCLES or SPHERES
+    const WorldKind *kind;  // CIRCLES, RAYS or SPHERES
     int set;                // OPTIONS_... that it has besides those of all labs of its kind
     // [n_kernels], the lab's own first; where there are others, the last one asks every element.
     const WorldKernel *kernels;
@@ -135,8 +136,9 @@ struct World {
     int width, height;  // the picture, pixels
     int n_elements;
     cl_mem d_image;
-    Pose pose, home;  // home: where the scene itself wants to be seen from
-    void *own;        // what the kind keeps
+    Pose pose, home;   // home: where the scene itself wants to be seen from
+    void *own;         // what the kind keeps
+    Scene3D *scene3d;  // in 3D: the scene, whose view is that of the pose
     // The tree that is there; NULL: none. From here on set by world_grow().
     const WorldTree *tree;
     int max_depth;  // as the user wants it, or 0
@@ -159,15 +161,17 @@ int world_options(const WorldLab *world_lab);
 // With what a kernel is built here.
 const char *world_kernel_options(const World *world, const WorldKernel *kernel);
 
-// 2D, of labs 01 and 03; 3D, from lab 05 on.
+// 2D, of labs 01 and 03; 3D, of lab 04; and from lab 05 on.
 extern const WorldKind CIRCLES;
+extern const WorldKind RAYS;
 extern const WorldKind SPHERES;
 
 // The arguments of the labs' kernels.
 void circles_set_naive(const World *world, cl_kernel kernel, cl_mem d_work);  // implicit2DRenderer
 void circles_set_tree(const World *world, cl_kernel kernel, cl_mem d_work);   // ..._KD
-void spheres_set_naive(const World *world, cl_kernel kernel, cl_mem d_work);  // render_spheres
-void spheres_set_tree(const World *world, cl_kernel kernel, cl_mem d_work);   // render_kdtree
+void rays_set_directions(const World *world, cl_kernel kernel, cl_mem d_work);  // draw_directions
+void spheres_set_naive(const World *world, cl_kernel kernel, cl_mem d_work);    // render_spheres
+void spheres_set_tree(const World *world, cl_kernel kernel, cl_mem d_work);     // render_kdtree
 
 // Those that render_kdtree begins with, and all that trace its rays and more: 0 to 12.
 void spheres_set_traced(const World *world, cl_kernel kernel);

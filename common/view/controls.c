@@ -150,6 +150,10 @@ static void bounces_less(Viewer *viewer)
 
 static void heat_switch(Viewer *viewer)
 {
+    if (viewer->world.kind->elements == NULL) {
+        viewer->note = "no work is counted in this lab";
+        return;
+    }
     viewer->shows_heat = !viewer->shows_heat;
 }
 

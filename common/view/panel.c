@@ -74,8 +74,12 @@ static void speed_write(Viewer *viewer)
     Pen pen = {viewer, MARGIN};
     write_line(&pen, ACCENT, "%s: %s", world->lab->name, viewer_kernel(viewer)->label);
     write_line(&pen, SOFT, "%s", world->lab->options.scene);
-    write_line(&pen, SOFT, "%d %s, %dx%d pixels", world->n_elements, kind->elements, world->width,
-               world->height);
+    if (kind->elements != NULL) {
+        write_line(&pen, SOFT, "%d %s, %dx%d pixels", world->n_elements, kind->elements,
+                   world->width, world->height);
+    } else {
+        write_line(&pen, SOFT, "%dx%d pixels", world->width, world->height);
+    }
     write_line(&pen, SOFT, "%.40s", world->lab->cl.device_name);
     pen.y += GAP;
     const double n_pixels = (double)world->width * world->height;
@@ -103,6 +107,10 @@ static void work_write(Viewer *viewer)
     const int n_counters = kind == &CIRCLES ? 2 : N_COUNTERS;
     Pen pen = {viewer, section_top(viewer, TOP_OF_WORK)};
     write_rule(&pen);
+    if (kind->elements == NULL) {
+        write_line(&pen, SOFT, "no work is counted: a ray asks nothing");
+        return;
+    }
     char title[32];
     snprintf(title, sizeof title, "work of a %s", unit(viewer));
     write_line(&pen, SOFT, "%-20s %9s %9s", title, "mean", "most");
@@ -117,6 +125,9 @@ static void work_write(Viewer *viewer)
 static void legend_draw(Viewer *viewer)
 {
     Window *window = &viewer->window;
+    if (viewer->world.kind->elements == NULL) {
+        return;
+    }
     const u32 most = viewer->frame.work.most_steps;
     Pen pen = {viewer, section_top(viewer, TOP_OF_LEGEND)};
     write_rule(&pen);

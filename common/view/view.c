@@ -84,7 +84,7 @@ static void pixel_update(Viewer *viewer)
 // What has time until nothing moves.
 static void still_update(Viewer *viewer)
 {
-    if (!viewer->is_counted) {
+    if (!viewer->is_counted && viewer->world.kind->elements != NULL) {
         frame_count(&viewer->frame, &viewer->world);
         viewer->is_counted = 1;
         viewer->is_shown = 0;

@@ -73,6 +73,12 @@ matches_lab() {
 
 check "lab 01: picture and heat map are the lab's" matches_lab 01 317x211 --scene random:n=50
 check "lab 03: picture and heat map are the lab's" matches_lab 03 317x211 --scene random:n=500
+check "lab 04: the picture is the lab's" works window 04 "$(printf '%s\n' 'frames 1' 'save @/window.png' 'key M' 'frames 1' \
+    'save @/heat.png' 'click 9 9' 'drag 20 20 90 60' 'key N' 'frames 1' 'save @/turned.png')" --size 131x97 --scene planes
+run 04 --size 131x97 --scene planes --output "$out/lab.png"
+check "so it is" shows window 131x97 "$out/lab.png"
+check "nothing is counted, so there is no heat map" shows heat 131x97 "$out/lab.png"
+check "turned, it is another one" shows_another turned 131x97 "$out/lab.png"
 check "lab 05: picture and heat map are the lab's" matches_lab 05 131x97 --scene sphereflake:size=1
 check "lab 07: picture and heat map are the lab's" matches_lab 07 317x211 --scene sphereflake:size=2
 check "lab 08: picture and heat map are the lab's" matches_lab 08 131x97 --scene clusters
@@ -168,6 +174,7 @@ says_so() {
     done
     shows after 64x48 "$(picture before 64x48)" && differs "$compare" "$out/after-line.png" "$out/before-line.png"
 }
+check "lab 04: M says that it does nothing" says_so M 04
 for key in L V B; do
     check "lab 07: $key says that it does nothing" says_so $key 07 --scene one
 done
@@ -259,6 +266,7 @@ restless() {
 }
 if $is_sanitized; then
     check "lab 03: every key, watched" works restless 03
+    check "lab 04: every key, watched" works restless 04
     check "lab 07: every key, watched" works restless 07
     check "lab 08: every key, watched" works restless 08
     check "lab 09: every key, watched" works restless 09
@@ -350,6 +358,8 @@ sed 's/^    float3 color = .*/    float3 color = (float3)(NAN);/' labs/09-shadow
 cp "$out/own.png" "$out/skeleton.png"
 check "lab 09: no number for a colour" as_program 09-shadows-and-mirrors --scene one
 check "is black" "$compare" "$out/own.png" "$out/skeleton.png"
+cp -r labs/04-camera-rays "$course/labs/"
+check "lab 04: the skeleton's picture" as_program 04-camera-rays
 cp -r labs/10-realtime "$course/labs/"
 check "lab 10: the skeleton's picture" as_program 10-realtime --scene sphereflake:size=1
 check "behind N stands lab 07's" shows_another next 64x48 "$out/own.png"
