@@ -4,11 +4,14 @@
 #include "kdtree2d_build.h"
 #include "world.h"
 
+static const WorldTree TREE = {.build.circles = kdtree2d_build};
+
 static const WorldKernel KERNELS[] = {
     {
         .label = "kd-tree",
         .path = LAB_FOLDER "/implicit2DRenderer_KD.cl",
         .function = "implicit2DRenderer_KD",
+        .tree = &TREE,
         .options = KERNEL_OPTIONS,
         .steps_path = STEPS_FOLDER "/03-kdtree-2d-render.cl",
         .set_arguments = circles_set_tree,
@@ -27,8 +30,6 @@ const WorldLab WORLD_LAB = {
     .name = LAB_NAME,
     .what = "Shows circles; a pixel asks the circles of its kd-tree cell.",
     .kind = &CIRCLES,
-    .build.circles = kdtree2d_build,
-    .has_tree = 1,
     .kernels = KERNELS,
     .n_kernels = sizeof KERNELS / sizeof KERNELS[0],
 };

@@ -4,11 +4,14 @@
 #include "kdtree3d_build.h"
 #include "world.h"
 
+static const WorldTree TREE = {.build.spheres = kdtree3d_build, .limits = tree3d_limits};
+
 static const WorldKernel KERNELS[] = {
     {
         .label = "kd-tree",
         .path = LAB_FOLDER "/render_kdtree.cl",
         .function = "render_kdtree",
+        .tree = &TREE,
         .options = KERNEL_OPTIONS,
         .steps_path = STEPS_FOLDER "/07-kdtree-3d-trace.cl",
         .set_arguments = spheres_set_tree,
@@ -27,8 +30,6 @@ const WorldLab WORLD_LAB = {
     .name = LAB_NAME,
     .what = "Shows spheres; a ray asks the spheres of the kd-tree cells it meets.",
     .kind = &SPHERES,
-    .build.spheres = kdtree3d_build,
-    .has_tree = 1,
     .kernels = KERNELS,
     .n_kernels = sizeof KERNELS / sizeof KERNELS[0],
 };

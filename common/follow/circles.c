@@ -42,7 +42,7 @@ static int circles_grow(World *world)
     const u32 n_circles = (u32)own->scene.n_circles;
     KdTree2D tree = {0};
     const double start = stats_clock_ms();
-    const int result = world->build.circles(own->moved, n_circles, world->limits, &tree);
+    const int result = world->tree->build.circles(own->moved, n_circles, world->limits, &tree);
     const double build_ms = stats_clock_ms() - start;
     // The kernel follows every id without asking.
     const int depth = result == 0 && tree2d_check(&tree, n_circles) == 0 ? tree2d_depth(&tree) : -1;
@@ -81,7 +81,8 @@ static void circles_close(World *world)
     world->own = NULL;
 }
 
-static int circles_place(World *world)
+// Copy the circles to the device, as the pose shows them.
+static void circles_copy(World *world)
 {
     Circles *own = world->own;
     const f32 *pose = world->pose.numbers;
@@ -96,7 +97,12 @@ static int circles_place(World *world)
     cl_memory_release(&own->d_circles, 1);
     own->d_circles = cl_buffer_create(&world->lab->cl, own->moved,
                                       (size_t)own->scene.n_circles * sizeof *own->moved);
-    return world->has_tree ? circles_grow(world) : 0;
+}
+
+static int circles_place(World *world)
+{
+    circles_copy(world);
+    return world->tree != NULL ? circles_grow(world) : 0;
 }
 
 static int circles_open(World *world)
@@ -110,10 +116,8 @@ static int circles_open(World *world)
     world->height = own->scene.height;
     world->n_elements = own->scene.n_circles;
     own->moved = world_allocate(((size_t)world->n_elements + 1) * sizeof *own->moved);
-    world->limits = (KdTreeLimits){options->max_depth, options->leaf_size};
-    return cl_image_create(&world->lab->cl, world->width, world->height, &world->d_image) == 0
-               ? circles_place(world)
-               : -1;
+    circles_copy(world);
+    return cl_image_create(&world->lab->cl, world->width, world->height, &world->d_image);
 }
 
 // Zoom by powers of two about the picture's middle.
@@ -166,7 +170,7 @@ static int circles_find(const World *world, const f32 *element, int start)
 static WorldData circles_data(const World *world)
 {
     const Circles *own = world->own;
-    return (WorldData){.circles = own->moved, .tree2d = world->has_tree ? &own->tree : NULL};
+    return (WorldData){.circles = own->moved, .tree2d = world->tree != NULL ? &own->tree : NULL};
 }
 
 const WorldKind CIRCLES = {

@@ -1,18 +1,23 @@
 # How a lab's pixel is followed: a library that the windows use, too (common/view), and a program a lab,
 # `make pixel`.
 
-FOLLOWED := $(filter $(patsubst common/follow/%.c,%,$(wildcard common/follow/[0-9]*.c)),$(LABS))
-PIXELS := $(foreach lab,$(FOLLOWED),$(patsubst %/lab.json,$(OUT)/pixel/%,$(wildcard labs/$(lab)/lab.json solutions/$(lab)/lab.json)))
+# Labs with something to see, and those of them whose pixels can be followed: each has a file of its name.
+SEEN := $(filter $(patsubst common/follow/%.c,%,$(wildcard common/follow/[0-9]*.c)),$(LABS))
+FOLLOWED := $(filter $(patsubst common/follow/steps/%.cl,%,$(wildcard common/follow/steps/[0-9]*.cl)),$(SEEN))
+# programs_of FOLDER,LABS: of students and solutions.
+programs_of = $(foreach lab,$(2),$(patsubst %/lab.json,$(OUT)/$(1)/%,$(wildcard labs/$(lab)/lab.json solutions/$(lab)/lab.json)))
+PIXELS := $(call programs_of,pixel,$(FOLLOWED))
 
 # What every lab's is made of.
 PIXEL_SOURCES := common/follow/pixel.c
 $(OUT)/obj/common/follow/%.o: EXTRA = -I common/follow
-$(OUT)/libfollow.a: $(call objects,$(filter-out common/follow/spheres.c $(PIXEL_SOURCES),$(wildcard common/follow/[a-z]*.c)))
+$(OUT)/libfollow.a: $(call objects,$(filter-out $(addprefix common/follow/,eye.c rays.c spheres.c) $(PIXEL_SOURCES),$(wildcard common/follow/[a-z]*.c)))
 	$(archive)
 
-# And what is of its lab: a file of its own, the lab's host files but main.c, and from lab 05 on, whose
-# buffers it uses, spheres.c.
-follow_parts = $(1) $(if $(wildcard $(addsuffix /scene_buffers.h,labs/$(1) solutions/$(1) $(addprefix solutions/,$(call earlier,$(1))))),spheres)
+# And what is of its lab: a file of its own, the lab's host files but main.c, and in 3D eye.c, which needs
+# lab 04's camera, with rays.c there, and from lab 05 on, whose buffers it uses, with spheres.c.
+brings = $(wildcard $(addsuffix /$(2),labs/$(1) solutions/$(1) $(addprefix solutions/,$(call earlier,$(1)))))
+follow_parts = $(1) $(if $(call brings,$(1),scene_buffers.h),eye spheres,$(if $(call brings,$(1),camera_from_view.h),eye rays))
 follow_objects = $(patsubst %,$(OUT)/obj/follow/$(1)/%.o,$(call follow_parts,$(notdir $(1)))) \
     $(call objects,$(filter-out %/main.c,$(wildcard $(1)/*.c)))
 followed_lab = $(patsubst $(OUT)/obj/follow/%/,%,$(dir $@))
@@ -33,12 +38,12 @@ $(PIXELS): $(OUT)/pixel/%: $(call objects,$(PIXEL_SOURCES) $(REFERENCE)) $$(call
 
 # The student's own; with SOLUTION=1 the solution.
 own_program = $(OUT)/$(1)/$(if $(SOLUTION),solutions,labs)/$(graded_lab)
-is_followed = test -n "$(filter $(graded_lab),$(FOLLOWED))" || { echo 'make $@: found LAB="$(LAB)", expected a lab that $(1): $(FOLLOWED)$(if $(wildcard solutions/07*/lab.json),; with SOLUTION=1, where it is not yours)' >&2; exit 2; }
+is_one_of = test -n "$(filter $(graded_lab),$(1))" || { echo 'make $@: found LAB="$(LAB)", expected a lab that $(2): $(1)$(if $(wildcard solutions/07*/lab.json),; with SOLUTION=1, where it is not yours)' >&2; exit 2; }
 pixel_files = $(OUT)/pixel/$(graded_lab)
 .PHONY: pixels pixel
 pixels: $(PIXELS)
 pixel:  ## follow one pixel, step by step: LAB=03 AT=200,120 [SOLUTION=1] [OPTIONS="--scene ..."]
-	+@$(call is_followed,can be followed); test -n "$(AT)" || { echo 'make $@: say which pixel: make $@ LAB=$(EXAMPLE_LAB) AT=200,120' >&2; exit 2; }; \
+	+@$(call is_one_of,$(FOLLOWED),can be followed); test -n "$(AT)" || { echo 'make $@: say which pixel: make $@ LAB=$(EXAMPLE_LAB) AT=200,120' >&2; exit 2; }; \
 	    $(MAKE) -s --no-print-directory $(call own_program,pixel)
 	@$(call own_program,pixel) --pixel "$(AT)" --json $(pixel_files).json --svg $(pixel_files).svg $(OPTIONS)
 	@echo "written to $(pixel_files).json, drawn in $(pixel_files).svg"

@@ -136,7 +136,8 @@ int followed_make(Followed *followed, const World *world, const WorldLab *world_
     if (record_pixel(world, &world_lab->kernels[0], x, y, &followed->own) != 0) {
         return -1;
     }
-    if (world_lab->n_kernels > 1 && follow_naive(followed, &world_lab->kernels[1]) != 0) {
+    const int last = world_lab->n_kernels - 1;
+    if (last > 0 && follow_naive(followed, &world_lab->kernels[last]) != 0) {
         return -1;
     }
     if (reference_follow(world, x, y, &followed->reference) != 0) {

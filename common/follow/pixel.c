@@ -39,9 +39,8 @@ static int pixel_check(const World *world)
 
 int main(int argc, char **argv)
 {
-    const int set = WORLD_LAB.kind->set | (WORLD_LAB.has_tree ? OPTIONS_TREE : 0) | OPTIONS_DEVICE |
-                    OPTIONS_PIXEL;
-    Lab lab = lab_begin(argc, argv, WORLD_LAB.name, "Follows one pixel, step by step.", set);
+    Lab lab = lab_begin(argc, argv, WORLD_LAB.name, "Follows one pixel, step by step.",
+                        world_options(&WORLD_LAB) | OPTIONS_PIXEL);
     World world;
     require(world_open(&world, &lab, &WORLD_LAB));
     require(pixel_check(&world));

@@ -14,7 +14,8 @@ static cl_kernel kernel_build(const World *world, const WorldKernel *kernel)
     // The lab's kernel lies in another folder than the file that is built.
     char *options;
     const int folder_length = (int)(strrchr(kernel->path, '/') - kernel->path);
-    if (asprintf(&options, "-I %.*s %s", folder_length, kernel->path, kernel->options) < 0) {
+    if (asprintf(&options, "-I %.*s %s", folder_length, kernel->path,
+                 world_kernel_options(world, kernel)) < 0) {
         complain("no memory for build options");
         exit(EXIT_FAILURE);
     }

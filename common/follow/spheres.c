@@ -1,46 +1,19 @@
-// The world of labs 05 and 07: spheres, seen from a camera that flies (see world.h).
+// The world from lab 05 on: spheres, seen from a camera that flies (see world.h).
 //
 // Flow: SCENE -> BUFFERS -> kernel -> image -> comparison. Camera and buffers are those of labs 04
-// and 05. Read next: flight.h.
+// and 05. Read next: eye.h.
 #include "camera_from_view.h"
 #include "cl_memory.h"
-#include "flight.h"
-#include "scene3d.h"
-#include "scene_buffers.h"
-#include "world.h"
-
-typedef struct Spheres {
-    Scene3D scene;  // its view is that of the world's pose
-    SceneBuffers buffers;
-    KdTree3D tree;
-    BBox3D bounds;  // of the tree, a little wider
-    cl_mem d_nodes, d_sphere_ids;
-} Spheres;
-
-static Pose pose_of(const View *view)
-{
-    return (Pose){{view->from.x, view->from.y, view->from.z, view->at.x, view->at.y, view->at.z,
-                   view->up.x, view->up.y, view->up.z}};
-}
-
-// The scene's view, seen from another place.
-static View view_of(const World *world, Pose pose)
-{
-    const Spheres *own = world->own;
-    const f32 *n = pose.numbers;
-    View view = own->scene.view;
-    view.from = (Vec3){n[0], n[1], n[2]};
-    view.at = (Vec3){n[3], n[4], n[5]};
-    view.up = (Vec3){n[6], n[7], n[8]};
-    return view;
-}
+#include "eye.h"
+#include "world_spheres.h"
 
 // ---- The tree -------------------------------------------------------------------------------
 
 static void tree_release(Spheres *own)
 {
-    const cl_mem memory[] = {own->d_nodes, own->d_sphere_ids};
+    const cl_mem memory[] = {own->d_nodes, own->d_sphere_ids, own->d_leaf_spheres, own->d_pixels};
     cl_memory_release(memory, sizeof memory / sizeof *memory);
+    own->d_leaf_spheres = own->d_pixels = NULL;
     tree3d_free(&own->tree);
 }
 
@@ -51,7 +24,7 @@ static int spheres_grow(World *world)
     KdTree3D tree = {0};
     TreeFigures3D counted;
     const double start = stats_clock_ms();
-    int result = world->build.spheres(own->scene.spheres, n_spheres, world->limits, &tree);
+    int result = world->tree->build.spheres(own->scene.spheres, n_spheres, world->limits, &tree);
     const double build_ms = stats_clock_ms() - start;
     // The kernel follows every id without asking.
     if (result != 0 || tree3d_check(&tree, n_spheres) != 0 ||
@@ -67,10 +40,13 @@ static int spheres_grow(World *world)
     own->d_sphere_ids =
         cl_buffer_create(cl, tree.sphere_ids, tree.n_sphere_ids * sizeof *tree.sphere_ids);
     world->figures = (TreeFigures){tree.n_nodes, tree.n_sphere_ids, counted.depth, build_ms};
+    if (world->tree->complete != NULL) {
+        world->tree->complete(world);
+    }
     return 0;
 }
 
-// ---- Opening, looking, moving ---------------------------------------------------------------
+// ---- Opening and closing ---------------------------------------------------------------------
 
 static void spheres_close(World *world)
 {
@@ -92,43 +68,10 @@ static int spheres_open(World *world)
         scene_buffers_create(&world->lab->cl, &own->scene, &own->buffers) != 0) {
         return -1;
     }
-    world->width = own->scene.width;
-    world->height = own->scene.height;
+    eye_open(world, &own->scene);
     world->n_elements = own->scene.n_spheres;
     world->d_image = own->buffers.d_image;
-    world->home = world->pose = pose_of(&own->scene.view);
-    world->limits =
-        tree3d_limits(options->max_depth, options->leaf_size, (u32)own->scene.n_spheres);
-    return world->has_tree ? spheres_grow(world) : 0;
-}
-
-static int spheres_place(World *world)
-{
-    Spheres *own = world->own;
-    own->scene.view = view_of(world, world->pose);
     return 0;
-}
-
-static void spheres_move(World *world, Motion motion)
-{
-    const View home = view_of(world, world->home);
-    const View view = view_of(world, world->pose);
-    const Camera axes = camera_from_view(view, world->width, world->height);
-    const View moved = flight_move(&view, &home, &axes, motion);
-    // A view from which no camera can be set up is not gone to.
-    if (scene3d_view_fault(&moved) == NULL) {
-        world->pose = pose_of(&moved);
-    }
-}
-
-// Once round the scene's middle.
-static Pose spheres_film_pose(const World *world, int frame, int n_frames)
-{
-    const View home = view_of(world, world->home);
-    const Camera axes = camera_from_view(home, world->width, world->height);
-    const Motion round = {.orbit_right = (f32)(2 * M_PI * frame / n_frames)};
-    const View view = flight_move(&home, &home, &axes, round);
-    return pose_of(&view);
 }
 
 static int spheres_find(const World *world, const f32 *element, int start)
@@ -150,7 +93,7 @@ static WorldData spheres_data(const World *world)
     const Spheres *own = world->own;
     return (WorldData){
         .spheres = own->scene.spheres,
-        .tree3d = world->has_tree ? &own->tree : NULL,
+        .tree3d = world->tree != NULL ? &own->tree : NULL,
         .bounds = own->bounds,
         .camera = camera_from_view(own->scene.view, world->width, world->height),
     };
@@ -164,10 +107,10 @@ const WorldKind SPHERES = {
     .askers = "rays",
     .open = spheres_open,
     .close = spheres_close,
-    .place = spheres_place,
+    .place = eye_place,
     .grow = spheres_grow,
-    .move = spheres_move,
-    .film_pose = spheres_film_pose,
+    .move = eye_move,
+    .film_pose = eye_film_pose,
     .find = spheres_find,
     .data = spheres_data,
 };
@@ -182,12 +125,17 @@ void spheres_set_naive(const World *world, cl_kernel kernel, cl_mem d_work)
     CL_CHECK(clSetKernelArg(kernel, 11, sizeof d_work, &d_work));
 }
 
-void spheres_set_tree(const World *world, cl_kernel kernel, cl_mem d_work)
+void spheres_set_traced(const World *world, cl_kernel kernel)
 {
     const Spheres *own = world->own;
     scene_buffers_set(&own->buffers, &own->scene, kernel);  // arguments 0 to 9
     CL_CHECK(clSetKernelArg(kernel, 10, sizeof own->d_nodes, &own->d_nodes));
     CL_CHECK(clSetKernelArg(kernel, 11, sizeof own->d_sphere_ids, &own->d_sphere_ids));
     CL_CHECK(clSetKernelArg(kernel, 12, sizeof own->bounds, &own->bounds));
+}
+
+void spheres_set_tree(const World *world, cl_kernel kernel, cl_mem d_work)
+{
+    spheres_set_traced(world, kernel);  // arguments 0 to 12
     CL_CHECK(clSetKernelArg(kernel, 13, sizeof d_work, &d_work));
 }

@@ -8,7 +8,9 @@
 
 #include "camera.h"
 #include "circle.h"
+#include "image.h"
 #include "lab.h"
+#include "scene3d.h"
 #include "sphere.h"
 #include "tree2d.h"
 #include "tree3d.h"
@@ -32,15 +34,40 @@ typedef struct Motion {
 
 typedef struct World World;
 
+// How a tree is built: by the builder of a lab.
+typedef union WorldBuilder {
+    int (*circles)(const Circle *h_circles, u32 n_circles, KdTreeLimits limits, KdTree2D *tree);
+    int (*spheres)(const Sphere *h_spheres, u32 n_spheres, KdTreeLimits limits, KdTree3D *tree);
+} WorldBuilder;
+
+// A tree that kernels go through.
+typedef struct WorldTree {
+    WorldBuilder build;
+    // Its limits where the user wants these; 0: the user does not say. NULL: what the user wants, as
+    // in 2D, where it is always said.
+    KdTreeLimits (*limits)(int max_depth, int leaf_size, u32 n_elements);
+    // Copy to the device what the kernel needs besides; or NULL. Called after each building.
+    void (*complete)(World *world);
+} WorldTree;
+
 // A kernel that can draw the world.
 typedef struct WorldKernel {
-    const char *label;       // what the window calls it: "kd-tree"
-    const char *path;        // its .cl file
-    const char *function;    // its name there
-    const char *options;     // as cl_setup_build() takes them
-    const char *steps_path;  // a .cl file around it that writes down the steps of a pixel (steps.h)
+    const char *label;      // what the window calls it: "kd-tree"
+    const char *path;       // its .cl file
+    const char *function;   // its name there
+    const WorldTree *tree;  // NULL: it needs none, and leaves the one that is there
+    const char *options;    // as cl_setup_build() takes them
+    // The same where they depend on the world, in the place of `options`; or NULL.
+    const char *(*options_of)(const World *world);
+    // A .cl file around it that writes down the steps of a pixel (steps.h); or NULL, and in one line
+    // why none can be followed.
+    const char *steps_path, *not_followed;
     // Set its arguments. d_work is its last one: NULL where nothing is counted.
     void (*set_arguments)(const World *world, cl_kernel kernel, cl_mem d_work);
+    EnqueuePixels *enqueue;                            // NULL: one work-item a pixel,
+    void (*read)(const World *world, Image *picture);  // which is then in world->d_image
+    const char *unit;  // what the work is counted for: "tile"; NULL: a pixel
+    int has_bounces;   // rays go on from what they hit: it heeds has_shadows and n_bounces
 } WorldKernel;
 
 // What the device holds, on the host. Of circles or of spheres, the other ones are NULL; `tree2d`
@@ -54,27 +81,21 @@ typedef struct WorldData {
     Camera camera;
 } WorldData;
 
-// How the tree is built: the builder of lab 02 or 06. The window of a lab before them has none.
-typedef union WorldBuilder {
-    int (*circles)(const Circle *h_circles, u32 n_circles, KdTreeLimits limits, KdTree2D *tree);
-    int (*spheres)(const Sphere *h_spheres, u32 n_spheres, KdTreeLimits limits, KdTree3D *tree);
-} WorldBuilder;
-
 // Where 2D and 3D differ. Functions that return an int return 0, or -1 after one message on stderr.
 typedef struct WorldKind {
     int set;                // the OPTIONS_... of its scenes
     int n_numbers;          // of a pose
     const char *pose_line;  // what they are, for the first line of a path's file
-    const char *elements;   // "spheres"
+    const char *elements;   // "spheres"; NULL: none, and no work that is counted
     const char *askers;     // "rays"
-    // Open the scene that world->lab->options names, and copy it to the device. Sets all of the
-    // world from width on.
+    // Open the scene that world->lab->options names, and copy it to the device. Sets width to
+    // home, and `own`; there is no tree yet.
     int (*open)(World *world);
     // Release what open() made; a world that is zero from width on is fine.
     void (*close)(World *world);
     // Look from world->pose: bring what the kernels are given up to date.
     int (*place)(World *world);
-    // Build the tree anew within world->limits. Where that fails, the old one stays.
+    // Build world->tree anew within world->limits. Where that fails, the one before stays.
     int (*grow)(World *world);
     // Change world->pose.
     void (*move)(World *world, Motion motion);
@@ -90,10 +111,10 @@ typedef struct WorldKind {
 typedef struct WorldLab {
     const char *name;       // LAB_NAME
     const char *what;       // one sentence for --help
-    const WorldKind *kind;  // CIRCLES or SPHERES
-    WorldBuilder build;     // of its tree
-    int has_tree;
-    const WorldKernel *kernels;  // [n_kernels], the lab's own first
+    const WorldKind *kind;  // CIRCLES, RAYS or SPHERES
+    int set;                // OPTIONS_... that it has besides those of all labs of its kind
+    // [n_kernels], the lab's own first; where there are others, the last one asks every element.
+    const WorldKernel *kernels;
     int n_kernels;
 } WorldLab;
 extern const WorldLab WORLD_LAB;
@@ -109,31 +130,51 @@ typedef struct TreeFigures {
 struct World {
     Lab *lab;
     const WorldKind *kind;
-    WorldBuilder build;
-    int has_tree;
+    int has_shadows;  // of kernels with bounces: do they ask whether light arrives?
+    int n_bounces;    // and how many mirrors does a ray meet at most?
     // From here on set by open().
     int width, height;  // the picture, pixels
     int n_elements;
     cl_mem d_image;
-    Pose pose, home;      // home: where the scene itself wants to be seen from
-    KdTreeLimits limits;  // of the tree, where there is one
+    Pose pose, home;   // home: where the scene itself wants to be seen from
+    void *own;         // what the kind keeps
+    Scene3D *scene3d;  // in 3D: the scene, whose view is that of the pose
+    // The tree that is there; NULL: none. From here on set by world_grow().
+    const WorldTree *tree;
+    int max_depth;  // as the user wants it, or 0
+    KdTreeLimits limits;
     TreeFigures figures;
-    void *own;  // what the kind keeps
 };
 
 // Open the device that lab->options names, and on it the scene. Returns 0, or -1 after one message
 // on stderr; close with world->kind->close() either way.
 int world_open(World *world, Lab *lab, const WorldLab *world_lab);
 
-// 2D, of labs 01 and 03; 3D, of labs 05 and 07.
+// Build a tree in the place of the one that is there.
+//   max_depth   levels; 0: what is best
+// Returns 0, or -1 after one message on stderr, and the one before stays.
+int world_grow(World *world, const WorldTree *tree, int max_depth);
+
+// Which options a lab's program of this folder or of common/view takes, but for its own.
+int world_options(const WorldLab *world_lab);
+
+// With what a kernel is built here.
+const char *world_kernel_options(const World *world, const WorldKernel *kernel);
+
+// 2D, of labs 01 and 03; 3D, of lab 04; and from lab 05 on.
 extern const WorldKind CIRCLES;
+extern const WorldKind RAYS;
 extern const WorldKind SPHERES;
 
 // The arguments of the labs' kernels.
 void circles_set_naive(const World *world, cl_kernel kernel, cl_mem d_work);  // implicit2DRenderer
 void circles_set_tree(const World *world, cl_kernel kernel, cl_mem d_work);   // ..._KD
-void spheres_set_naive(const World *world, cl_kernel kernel, cl_mem d_work);  // render_spheres
-void spheres_set_tree(const World *world, cl_kernel kernel, cl_mem d_work);   // render_kdtree
+void rays_set_directions(const World *world, cl_kernel kernel, cl_mem d_work);  // draw_directions
+void spheres_set_naive(const World *world, cl_kernel kernel, cl_mem d_work);    // render_spheres
+void spheres_set_tree(const World *world, cl_kernel kernel, cl_mem d_work);     // render_kdtree
+
+// Those that render_kdtree begins with, and all that trace its rays and more: 0 to 12.
+void spheres_set_traced(const World *world, cl_kernel kernel);
 
 // Memory for what a kind keeps, all zero. Running out of it ends the program with a message.
 void *world_allocate(size_t n_bytes);

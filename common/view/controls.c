@@ -2,6 +2,7 @@
 //
 // Flow: SCENE -> buffers -> kernel -> image -> comparison: from where it is seen. Read next:
 // view.c.
+#include "number.h"
 #include "viewer.h"
 
 #include <math.h>
@@ -60,30 +61,99 @@ Motion controls_motion(Viewer *viewer, f32 seconds)
 
 // ---- Keys that are pressed --------------------------------------------------------------------
 
+// Draw with a kernel and its tree. Returns NULL, or why not, for the note; then nothing has changed.
+static const char *kernel_use(Viewer *viewer, const WorldKernel *kernel)
+{
+    World *world = &viewer->world;
+    const WorldTree *before = world->tree;
+    const int is_new_tree = kernel->tree != NULL && kernel->tree != before;
+    if (is_new_tree && world_grow(world, kernel->tree, viewer->max_depth) != 0) {
+        return "no such tree: see the terminal";
+    }
+    if (frame_use(&viewer->frame, world, kernel) == 0) {
+        return NULL;
+    }
+    if (is_new_tree) {
+        // It was built like this before.
+        world_grow(world, before, viewer->max_depth);
+    }
+    return "the kernel does not build: see the terminal";
+}
+
 static void kernel_next(Viewer *viewer)
 {
     const int next = (viewer->kernel + 1) % viewer->n_kernels;
-    viewer->note = viewer->n_kernels == 1 ? "this lab has no other kernel" : NULL;
     if (next == viewer->kernel) {
+        viewer->note = "this lab has no other kernel";
         return;
     }
-    if (frame_use(&viewer->frame, &viewer->world, &viewer->kernels[next]) != 0) {
-        viewer->note = "the kernel does not build: see the terminal";
-        return;
+    viewer->note = kernel_use(viewer, &viewer->kernels[next]);
+    if (viewer->note == NULL) {
+        viewer->kernel = next;
+        viewer->is_drawn = 0;
     }
-    viewer->kernel = next;
-    viewer->is_drawn = 0;
 }
 
 static void kernel_again(Viewer *viewer)
 {
-    const int result = frame_use(&viewer->frame, &viewer->world, &viewer->kernels[viewer->kernel]);
-    viewer->note = result != 0 ? "the kernel does not build: see the terminal" : "built anew";
+    viewer->note = kernel_use(viewer, viewer_kernel(viewer));
+    viewer->note = viewer->note == NULL ? "built anew" : viewer->note;
     viewer->is_drawn = 0;
+}
+
+// Does the kernel at hand send rays on from what they hit? If not, the user is told.
+static int asks_bounces(Viewer *viewer)
+{
+    const int has_bounces = viewer_kernel(viewer)->has_bounces;
+    viewer->note = has_bounces ? NULL : "no shadows, no mirrors in this kernel";
+    return has_bounces;
+}
+
+static void shadows_switch(Viewer *viewer)
+{
+    World *world = &viewer->world;
+    if (!asks_bounces(viewer)) {
+        return;
+    }
+    world->has_shadows = !world->has_shadows;
+    viewer->note = kernel_use(viewer, viewer_kernel(viewer));
+    if (viewer->note != NULL) {
+        world->has_shadows = !world->has_shadows;
+    }
+    viewer->is_drawn = 0;
+}
+
+static void bounces_set(Viewer *viewer, int n_bounces)
+{
+    if (!asks_bounces(viewer)) {
+        return;
+    }
+    if (n_bounces < 0 || n_bounces > OPTIONS_MOST_BOUNCES) {
+        viewer->note = n_bounces < 0
+                           ? "there are no fewer mirrors than none"
+                           : "no more than " NUMBER_TEXT(OPTIONS_MOST_BOUNCES) " mirrors are met";
+        return;
+    }
+    viewer->world.n_bounces = n_bounces;
+    viewer->is_drawn = 0;
+}
+
+static void bounces_more(Viewer *viewer)
+{
+    bounces_set(viewer, viewer->world.n_bounces + 1);
+}
+
+static void bounces_less(Viewer *viewer)
+{
+    bounces_set(viewer, viewer->world.n_bounces - 1);
 }
 
 static void heat_switch(Viewer *viewer)
 {
+    if (viewer->world.kind->elements == NULL) {
+        viewer->note = "no work is counted in this lab";
+        return;
+    }
     viewer->shows_heat = !viewer->shows_heat;
 }
 
@@ -99,17 +169,20 @@ static void help_switch(Viewer *viewer)
 
 static void depth_set(Viewer *viewer, int depth)
 {
-    viewer->limits.maxDepth = depth < SHALLOWEST ? SHALLOWEST : depth > DEEPEST ? DEEPEST : depth;
+    viewer->max_depth = depth < SHALLOWEST ? SHALLOWEST : depth > DEEPEST ? DEEPEST : depth;
 }
 
 static void depth_more(Viewer *viewer)
 {
-    depth_set(viewer, viewer->limits.maxDepth + 1);
+    // Trees by cost stop by themselves, and may be given more levels than the slider has.
+    if (viewer_depth(viewer) < DEEPEST) {
+        depth_set(viewer, viewer_depth(viewer) + 1);
+    }
 }
 
 static void depth_less(Viewer *viewer)
 {
-    depth_set(viewer, viewer->limits.maxDepth - 1);
+    depth_set(viewer, viewer_depth(viewer) - 1);
 }
 
 static void zoom_in(Viewer *viewer)
@@ -174,13 +247,16 @@ static const struct PressedKey {
     void (*act)(Viewer *viewer);
     ControlLine help;  // empty for a key that does what the one above it does
 } PRESSED_KEYS[] = {
-    {SDLK_n, kernel_next, {"N", "the next kernel: kd-tree, naive"}},
+    {SDLK_n, kernel_next, {"N", "the next kernel: fast, kd-tree, naive"}},
     {SDLK_m, heat_switch, {"M", "heat map of the counted work"}},
     {SDLK_PLUS, depth_more, {"+ -", "a level more or less of the tree; or drag"}},
     {SDLK_EQUALS, depth_more, {0}},
     {SDLK_KP_PLUS, depth_more, {0}},
     {SDLK_MINUS, depth_less, {0}},
     {SDLK_KP_MINUS, depth_less, {0}},
+    {SDLK_l, shadows_switch, {"L", "lab 09: shadows on and off"}},
+    {SDLK_v, bounces_less, {"V B", "lab 09: a mirror less, a mirror more"}},
+    {SDLK_b, bounces_more, {0}},
     {SDLK_z, zoom_in, {"Z X, wheel", "nearer, farther"}},
     {SDLK_x, zoom_out, {0}},
     {SDLK_o, orbit_switch, {"O", "go round by itself"}},
@@ -255,7 +331,7 @@ static void button_take(Viewer *viewer, int button, int x, int y)
     viewer->has_dragged = 0;
     viewer->grip_x = x;
     viewer->grip_y = y;
-    if (viewer->world.has_tree && is_in(panel_slider(viewer), x, y)) {
+    if (viewer->world.tree != NULL && is_in(panel_slider(viewer), x, y)) {
         viewer->grip = GRIP_SLIDER;
         depth_set(viewer, panel_slider_depth(viewer, x));
     } else if (is_on_picture) {
@@ -266,7 +342,8 @@ static void button_take(Viewer *viewer, int button, int x, int y)
 // A press and a release in one place mean the pixel there.
 static void button_let_go(Viewer *viewer, int button)
 {
-    if (viewer->grip == GRIP_LOOK && button == SDL_BUTTON_LEFT && !viewer->has_dragged) {
+    if (viewer->grip == GRIP_LOOK && button == SDL_BUTTON_LEFT && !viewer->has_dragged &&
+        viewer_kernel(viewer)->steps_path != NULL) {
         viewer->pixel_x = viewer->grip_x;
         viewer->pixel_y = viewer->grip_y;
         viewer->is_following = 1;

@@ -45,7 +45,7 @@ void frame_close(Frame *frame)
 static cl_kernel kernel_build(const World *world, const WorldKernel *kernel, const char *more)
 {
     char *options;
-    if (asprintf(&options, "%s%s", kernel->options, more) < 0) {
+    if (asprintf(&options, "%s%s", world_kernel_options(world, kernel), more) < 0) {
         complain("view: no memory for build options");
         exit(EXIT_FAILURE);
     }
@@ -87,7 +87,8 @@ static double run(const Frame *frame, const World *world, int which)
     cl_kernel kernel = frame->built[which];
     frame->kernel->set_arguments(world, kernel, which == LAB_COUNTS ? frame->d_work : NULL);
     const double start = stats_clock_ms();
-    enqueue_pixels(queue, kernel, world->width, world->height);
+    EnqueuePixels *enqueue = frame->kernel->enqueue;
+    (enqueue != NULL ? enqueue : enqueue_pixels)(queue, kernel, world->width, world->height);
     CL_CHECK(clFinish(queue));
     return stats_clock_ms() - start;
 }
@@ -95,8 +96,12 @@ static double run(const Frame *frame, const World *world, int which)
 void frame_draw(Frame *frame, const World *world)
 {
     frame->draw_ms = run(frame, world, LAB_DRAWS);
-    read_back(world->lab->cl.queue, world->d_image, world->width, world->height,
-              frame->picture.pixels);
+    if (frame->kernel->read != NULL) {
+        frame->kernel->read(world, &frame->picture);
+    } else {
+        read_back(world->lab->cl.queue, world->d_image, world->width, world->height,
+                  frame->picture.pixels);
+    }
 }
 
 void frame_count(Frame *frame, const World *world)

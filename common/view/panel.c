@@ -1,6 +1,7 @@
 // The panel beside the picture, and what lies over it (see viewer.h).
 //
 // Flow: scene -> buffers -> kernel -> IMAGE -> comparison: in figures. Read next: window.h.
+#include "message.h"
 #include "viewer.h"
 
 #include <stdarg.h>
@@ -11,8 +12,14 @@ static const Colour PAPER = 0x171a20, INK = 0xe6e9ee, SOFT = 0x98a2b3, LINE = 0x
 
 enum { MARGIN = 14, SLIDER_HEIGHT = 16, LEGEND_HEIGHT = 12, GAP = 8, N_LEGEND_NUMBERS = 5 };
 
-// Where the sections of the panel begin, pixels from the top.
+// Where the sections of the panel begin, pixels from the top; all one line lower in a lab with
+// bounces, which has something more to say above them.
 enum { TOP_OF_WORK = 160, TOP_OF_TREE = 262, TOP_OF_LEGEND = 350, TOP_OF_STEPS = 408 };
+
+static int section_top(const Viewer *viewer, int top)
+{
+    return top + (viewer->kernels[0].has_bounces ? viewer->window.line_height : 0);
+}
 
 typedef struct Pen {
     Viewer *viewer;
@@ -48,15 +55,31 @@ static void write_rule(Pen *pen)
 
 // ---- What is drawn, and how fast ----------------------------------------------------------------
 
+static void bounces_write(Viewer *viewer, Pen *pen)
+{
+    const World *world = &viewer->world;
+    if (viewer_kernel(viewer)->has_bounces) {
+        write_line(pen, INK, "shadows %s (L), up to %d mirror%s (V B)",
+                   world->has_shadows ? "on" : "off", world->n_bounces,
+                   plural((u32)world->n_bounces));
+    } else {
+        write_line(pen, SOFT, "no shadows, no mirrors");
+    }
+}
+
 static void speed_write(Viewer *viewer)
 {
     const World *world = &viewer->world;
     const WorldKind *kind = world->kind;
     Pen pen = {viewer, MARGIN};
-    write_line(&pen, ACCENT, "%s: %s", world->lab->name, viewer->kernels[viewer->kernel].label);
+    write_line(&pen, ACCENT, "%s: %s", world->lab->name, viewer_kernel(viewer)->label);
     write_line(&pen, SOFT, "%s", world->lab->options.scene);
-    write_line(&pen, SOFT, "%d %s, %dx%d pixels", world->n_elements, kind->elements, world->width,
-               world->height);
+    if (kind->elements != NULL) {
+        write_line(&pen, SOFT, "%d %s, %dx%d pixels", world->n_elements, kind->elements,
+                   world->width, world->height);
+    } else {
+        write_line(&pen, SOFT, "%dx%d pixels", world->width, world->height);
+    }
     write_line(&pen, SOFT, "%.40s", world->lab->cl.device_name);
     pen.y += GAP;
     const double n_pixels = (double)world->width * world->height;
@@ -64,9 +87,17 @@ static void speed_write(Viewer *viewer)
     write_line(&pen, INK, "%8.1f frames a second", 1000 / viewer->frame_ms);
     write_line(&pen, INK, "%8.2f million %s a second", n_pixels / seconds / 1e6, kind->askers);
     write_line(&pen, INK, "%8.0f ms from key to frame", viewer->latency_ms);
+    if (viewer->kernels[0].has_bounces) {
+        bounces_write(viewer, &pen);
+    }
 }
 
 // ---- Counted work -------------------------------------------------------------------------------
+
+static const char *unit(const Viewer *viewer)
+{
+    return viewer_kernel(viewer)->unit != NULL ? viewer_kernel(viewer)->unit : "pixel";
+}
 
 static void work_write(Viewer *viewer)
 {
@@ -74,9 +105,15 @@ static void work_write(Viewer *viewer)
     const char *const names[N_COUNTERS] = {kind->elements, "inner nodes", "leaves",
                                            "waiting nodes"};
     const int n_counters = kind == &CIRCLES ? 2 : N_COUNTERS;
-    Pen pen = {viewer, TOP_OF_WORK};
+    Pen pen = {viewer, section_top(viewer, TOP_OF_WORK)};
     write_rule(&pen);
-    write_line(&pen, SOFT, "%-20s %9s %9s", "work of a pixel", "mean", "most");
+    if (kind->elements == NULL) {
+        write_line(&pen, SOFT, "no work is counted: a ray asks nothing");
+        return;
+    }
+    char title[32];
+    snprintf(title, sizeof title, "work of a %s", unit(viewer));
+    write_line(&pen, SOFT, "%-20s %9s %9s", title, "mean", "most");
     for (int i = 0; i < n_counters; i++) {
         // While something moves, the figures are those of the last frame that stood still.
         write_line(&pen, viewer->is_counted ? INK : SOFT, "%-20s %9.2f %9u", names[i],
@@ -84,15 +121,18 @@ static void work_write(Viewer *viewer)
     }
 }
 
-// Black for no step, the brightest colour for the most of any pixel in this picture.
+// Black for no step, the brightest colour for the most of any in this picture.
 static void legend_draw(Viewer *viewer)
 {
     Window *window = &viewer->window;
+    if (viewer->world.kind->elements == NULL) {
+        return;
+    }
     const u32 most = viewer->frame.work.most_steps;
-    Pen pen = {viewer, TOP_OF_LEGEND};
+    Pen pen = {viewer, section_top(viewer, TOP_OF_LEGEND)};
     write_rule(&pen);
-    write_line(&pen, viewer->shows_heat ? INK : SOFT, "steps of a pixel (M: heat map %s)",
-               viewer->shows_heat ? "off" : "on");
+    write_line(&pen, viewer->shows_heat ? INK : SOFT, "steps of a %s (M: heat map %s)",
+               unit(viewer), viewer->shows_heat ? "off" : "on");
     for (int x = 0; x < TEXT_WIDTH; x++) {
         float rgb[3];
         image_heat_colour((float)x / (TEXT_WIDTH - 1), rgb);
@@ -116,8 +156,8 @@ static void legend_draw(Viewer *viewer)
 
 Box panel_slider(const Viewer *viewer)
 {
-    return (Box){panel_left(viewer), TOP_OF_TREE + viewer->window.line_height, TEXT_WIDTH,
-                 SLIDER_HEIGHT};
+    const int top = section_top(viewer, TOP_OF_TREE) + viewer->window.line_height;
+    return (Box){panel_left(viewer), top, TEXT_WIDTH, SLIDER_HEIGHT};
 }
 
 int panel_slider_depth(const Viewer *viewer, int x)
@@ -131,13 +171,13 @@ static void tree_draw(Viewer *viewer)
 {
     const TreeFigures *figures = &viewer->world.figures;
     Window *window = &viewer->window;
-    Pen pen = {viewer, TOP_OF_TREE};
+    Pen pen = {viewer, section_top(viewer, TOP_OF_TREE)};
     write_rule(&pen);
-    if (!viewer->world.has_tree) {
+    if (viewer->world.tree == NULL) {
         write_line(&pen, SOFT, "no tree: it comes with a later lab");
         return;
     }
-    const int max_depth = viewer->limits.maxDepth;
+    const int max_depth = viewer_depth(viewer);
     write_line(&pen, INK, "tree: at most %d levels (+ -)", max_depth);
     const Box slider = panel_slider(viewer);
     const int middle = slider.y + slider.h / 2;
@@ -156,8 +196,13 @@ static void tree_draw(Viewer *viewer)
 
 static void steps_write(Viewer *viewer)
 {
-    Pen pen = {viewer, TOP_OF_STEPS};
+    Pen pen = {viewer, section_top(viewer, TOP_OF_STEPS)};
     write_rule(&pen);
+    if (viewer_kernel(viewer)->steps_path == NULL) {
+        write_line(&pen, SOFT, "%s", viewer_kernel(viewer)->not_followed);
+        write_line(&pen, SOFT, "H: all keys");
+        return;
+    }
     if (!viewer->is_following) {
         write_line(&pen, SOFT, "click a pixel to follow it; H: all keys");
         return;
@@ -217,7 +262,7 @@ static void help_draw(Viewer *viewer)
 void panel_draw(Viewer *viewer)
 {
     Window *window = &viewer->window;
-    if (viewer->is_following) {
+    if (viewer->is_following && viewer_kernel(viewer)->steps_path != NULL) {
         mark_draw(viewer);
     }
     const int width = viewer->world.width, height = viewer->world.height;

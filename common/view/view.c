@@ -25,11 +25,9 @@ static void world_update(Viewer *viewer, Motion motion)
     if (memcmp(&before, &world->pose, sizeof before) != 0) {
         viewer->is_placed = 0;
     }
-    const KdTreeLimits grown = world->limits;
-    if (world->has_tree && viewer->limits.maxDepth != grown.maxDepth) {
-        world->limits = viewer->limits;
-        if (world->kind->grow(world) != 0) {
-            world->limits = viewer->limits = grown;
+    if (world->tree != NULL && viewer->max_depth != world->max_depth) {
+        if (world_grow(world, world->tree, viewer->max_depth) != 0) {
+            viewer->max_depth = world->max_depth;
             viewer->note = "no such tree: see the terminal";
         }
         viewer->is_drawn = 0;
@@ -63,8 +61,8 @@ static void pixel_update(Viewer *viewer)
 {
     viewer->is_followed = 1;
     viewer->is_shown = 0;
-    if (record_pixel(&viewer->world, &viewer->kernels[viewer->kernel], viewer->pixel_x,
-                     viewer->pixel_y, &viewer->steps) != 0) {
+    if (record_pixel(&viewer->world, viewer_kernel(viewer), viewer->pixel_x, viewer->pixel_y,
+                     &viewer->steps) != 0) {
         viewer->is_following = 0;
         viewer->note = "no steps: see the terminal";
         return;
@@ -86,12 +84,12 @@ static void pixel_update(Viewer *viewer)
 // What has time until nothing moves.
 static void still_update(Viewer *viewer)
 {
-    if (!viewer->is_counted) {
+    if (!viewer->is_counted && viewer->world.kind->elements != NULL) {
         frame_count(&viewer->frame, &viewer->world);
         viewer->is_counted = 1;
         viewer->is_shown = 0;
     }
-    if (viewer->is_following && !viewer->is_followed) {
+    if (viewer->is_following && !viewer->is_followed && viewer_kernel(viewer)->steps_path != NULL) {
         pixel_update(viewer);
     }
 }
@@ -250,7 +248,7 @@ static void session_open(Session *session, const Lab *lab)
     Viewer *viewer = &session->viewer;
     const Options *options = &lab->options;
     const int width = viewer->world.width + PANEL_WIDTH, height = viewer->world.height;
-    viewer->limits = viewer->world.limits;
+    viewer->max_depth = viewer->world.max_depth;
     viewer->is_placed = 1;
     if (options->script != NULL) {
         require(script_open(&session->script, options->script));
@@ -301,9 +299,8 @@ static void film_run(Viewer *viewer, const Lab *lab)
 
 int view_run(int argc, char **argv, const WorldLab *world_lab)
 {
-    const int set = world_lab->kind->set | (world_lab->has_tree ? OPTIONS_TREE : 0) |
-                    OPTIONS_DEVICE | OPTIONS_VIEW;
-    Lab lab = lab_begin(argc, argv, world_lab->name, world_lab->what, set);
+    Lab lab = lab_begin(argc, argv, world_lab->name, world_lab->what,
+                        world_options(world_lab) | OPTIONS_VIEW);
     Session *session = world_allocate(sizeof *session);
     Viewer *viewer = &session->viewer;
     viewer->kernels = world_lab->kernels;

@@ -34,7 +34,7 @@ typedef struct Viewer {
     int kernel;  // which one draws
     int shows_heat, shows_help, orbits, ends;
     int plays, restarts_path;  // the path of --path
-    KdTreeLimits limits;       // of the tree that is wanted
+    int max_depth;             // of the tree that is wanted; 0: what is best
     unsigned keys_held;        // a bit for each key of flight (controls.c)
     Grip grip;
     int grip_x, grip_y;  // where the mouse was last while it had hold
@@ -57,6 +57,18 @@ typedef struct Viewer {
     double latency_ms;  // from a key to the frame that shows what it did
     double key_at_ms;   // stats_clock_ms() at that key, 0 where it is shown
 } Viewer;
+
+// The kernel that draws.
+static inline const WorldKernel *viewer_kernel(const Viewer *viewer)
+{
+    return &viewer->kernels[viewer->kernel];
+}
+
+// How many levels the tree that is wanted may have.
+static inline int viewer_depth(const Viewer *viewer)
+{
+    return viewer->max_depth > 0 ? viewer->max_depth : viewer->world.limits.maxDepth;
+}
 
 // Take one event of SDL.
 void controls_take(Viewer *viewer, const SDL_Event *event);

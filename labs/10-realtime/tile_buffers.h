@@ -36,6 +36,11 @@ void tile_buffers_set(const TileBuffers *buffers, const Scene3D *scene, cl_kerne
 int tile_buffers_read(const TileBuffers *buffers, const Scene3D *scene, cl_command_queue queue,
                       Image *image);
 
+// A tree's spheres on the device in the order in which the leaves ask them: one in two leaves stands
+// there twice. Returns NULL after one message on stderr when memory runs out. Release with
+// clReleaseMemObject.
+cl_mem leaf_spheres_create(const Lab *lab, const Scene3D *scene, const KdTree3D *tree);
+
 // A picture as bytes on the device, [height * width], RGBA, red lowest; all 0. Release with
 // clReleaseMemObject.
 cl_mem pixels_create(const ClSetup *cl, int width, int height);

@@ -10,10 +10,12 @@
 #include <math.h>
 #include <stdlib.h>
 
+static const WorldTree TREE = {.build.spheres = kdtree3d_build, .limits = tree3d_limits};
 static const WorldKernel KERNEL = {
     .label = "kd-tree",
     .path = "07-kdtree-3d-trace/render_kdtree.cl",
     .function = "render_kdtree",
+    .tree = &TREE,
     .options = "",
     .steps_path = "07-kdtree-3d-trace.cl",
     .set_arguments = spheres_set_tree,
@@ -21,8 +23,6 @@ static const WorldKernel KERNEL = {
 static const WorldLab LAB_07 = {
     .name = "07-kdtree-3d-trace",
     .kind = &SPHERES,
-    .build.spheres = kdtree3d_build,
-    .has_tree = 1,
     .kernels = &KERNEL,
     .n_kernels = 1,
 };

@@ -9,10 +9,12 @@
 #include <math.h>
 #include <stdlib.h>
 
+static const WorldTree TREE = {.build.circles = kdtree2d_build};
 static const WorldKernel KERNEL = {
     .label = "kd-tree",
     .path = "03-kdtree-2d-render/implicit2DRenderer_KD.cl",
     .function = "implicit2DRenderer_KD",
+    .tree = &TREE,
     .options = "",
     .steps_path = "03-kdtree-2d-render.cl",
     .set_arguments = circles_set_tree,
@@ -20,8 +22,6 @@ static const WorldKernel KERNEL = {
 static const WorldLab LAB_03 = {
     .name = "03-kdtree-2d-render",
     .kind = &CIRCLES,
-    .build.circles = kdtree2d_build,
-    .has_tree = 1,
     .kernels = &KERNEL,
     .n_kernels = 1,
 };

@@ -92,8 +92,7 @@ void pixels_read(cl_command_queue queue, cl_mem d_pixels, Image *image)
 
 // ---- Tree ---------------------------------------------------------------------------------------
 
-// Spheres in the order in which the leaves ask them: a sphere in two leaves stands there twice.
-static cl_mem leaf_spheres_create(const Lab *lab, const Scene3D *scene, const KdTree3D *tree)
+cl_mem leaf_spheres_create(const Lab *lab, const Scene3D *scene, const KdTree3D *tree)
 {
     Sphere *leaf_spheres = malloc((tree->n_sphere_ids + 1) * sizeof *leaf_spheres);
     if (leaf_spheres == NULL) {

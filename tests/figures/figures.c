@@ -24,9 +24,8 @@ void figures_draw(const char *folder, char **options, const Figure *figures)
     while (options[n_options] != NULL) {
         n_options++;
     }
-    const int set = WORLD_LAB.kind->set | (WORLD_LAB.has_tree ? OPTIONS_TREE : 0) | OPTIONS_DEVICE |
-                    OPTIONS_PIXEL;
-    Lab lab = lab_begin(n_options, options, WORLD_LAB.name, "Draws figures.", set);
+    Lab lab = lab_begin(n_options, options, WORLD_LAB.name, "Draws figures.",
+                        world_options(&WORLD_LAB) | OPTIONS_PIXEL);
     World world;
     require(world_open(&world, &lab, &WORLD_LAB));
     Followed *followed = world_allocate(sizeof *followed);

@@ -83,6 +83,9 @@ spheres='--scene sphereflake:size=2 --size 64x48'
     check "lab 07: as counted" agrees 30 20 $spheres
     check "lab 07: another ray" agrees 33 35 $spheres
     check "lab 07: a ray beside the box" agrees 0 0 $spheres
+    drawn 08 $spheres
+    check "lab 08: as counted, through a tree by cost" agrees 30 20 $spheres
+    check "lab 08: another ray" agrees 33 35 $spheres
 }
 
 # ---- The worked examples of the notes -------------------------------------------------------------
@@ -247,6 +250,7 @@ pixel_make() {
     return $status
 }
 check "a lab without a kernel that draws" refuses 'found LAB="02", expected a lab that can be followed: ' pixel_make LAB=02 AT=1,1
+check "a lab with many rays a pixel" refuses 'found LAB="09", expected a lab that can be followed: ' pixel_make LAB=09 AT=1,1
 check "and make asks for a pixel" refuses 'say which pixel: make pixel LAB=03 AT=200,120' pixel_make LAB=03
 
 finish
