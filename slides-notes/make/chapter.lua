@@ -105,6 +105,25 @@ local function numbers(content)
     return content
 end
 
+-- A block of code behind <!-- 06-lattice: printed -->: each of its lines must be one that the run printed, in this order; a
+-- difference is told on stderr.
+local function printed(content)
+    for n = 2, #content do
+        local run = (content[n - 1].tag == "RawBlock" and content[n - 1].text or ""):match("^<!%-%- ([%w-]+): printed %-%->%s*$")
+        if run and content[n].tag == "CodeBlock" then
+            local said, at = "\n" .. read(runs .. "/" .. run .. ".txt"), 1
+            for line in content[n].text:gmatch("[^\n]+") do
+                local _, last = said:find("\n" .. line .. "\n", at, true)
+                if not last then
+                    io.stderr:write(source, ": the output of ", run, " is without a line, the text says ", line, "\n")
+                    break
+                end
+                at = last
+            end
+        end
+    end
+end
+
 -- An option as "--size" is not broken behind its first hyphen.
 local function short_code(element)
     if #element.text <= 24 then element.classes:insert("short") end
@@ -306,7 +325,7 @@ function Pandoc(document)
     local content = document.blocks
     if form == "slides" then content = slides_of(content) else content = without_slides(content) end
     if source:match("questions%.md$") and edition == "student" then content = without_answers(content) end
-    document.blocks = pandoc.walk_block(pandoc.Div(content), {Inlines = numbers}).content
+    document.blocks = pandoc.walk_block(pandoc.Div(content), {Inlines = numbers, Blocks = printed}).content
     document.blocks = pandoc.walk_block(pandoc.Div(document.blocks), {Para = paragraph, CodeBlock = code}).content
     document.blocks = pandoc.walk_block(pandoc.Div(document.blocks), {
         Link = link,
