@@ -124,10 +124,34 @@ local function printed(content)
     end
 end
 
--- An option as "--size" is not broken behind its first hyphen.
-local function short_code(element)
-    if #element.text <= 24 then element.classes:insert("short") end
-    return element
+-- Points and intervals as "(2.5, 7)" and "[0, 10]" stay on one line: of short pieces, from an opening bracket to a closing one.
+local function unbroken(content)
+    local from
+    for n = 1, #content do
+        local text = content[n].tag == "Str" and #content[n].text <= 12 and content[n].text
+        if text and text:match("^[%[(][^%s()%[%]]+,$") then
+            from = n
+        elseif from and text and text:match("^[^%s()%[%]]+[%])]") then
+            for m = from, n do
+                if content[m].tag == "Space" or content[m].tag == "SoftBreak" then content[m] = pandoc.Str(no_break) end
+            end
+            from = nil
+        elseif content[n].tag ~= "Space" and content[n].tag ~= "SoftBreak" and not (text and text:match("^[^%s()%[%]]+,$")) then
+            from = nil
+        end
+    end
+    return content
+end
+
+-- An option as "--size" is not broken behind its first hyphen, nor is one in a longer command.
+local function code_words(element)
+    if #element.text <= 24 then
+        element.classes:insert("short")
+        return element
+    end
+    local text = element.text:gsub("[&<>]", {["&"] = "&amp;", ["<"] = "&lt;", [">"] = "&gt;"})
+    local words = (" " .. text):gsub("([ \"])(%-%-?%w[%w-]*)", '%1<span class="short">%2</span>'):sub(2)
+    return pandoc.RawInline("html", "<code>" .. words .. "</code>")
 end
 
 -- ---- What a paragraph may stand for ----------------------------------------------------------------
@@ -329,7 +353,8 @@ function Pandoc(document)
     document.blocks = pandoc.walk_block(pandoc.Div(document.blocks), {Para = paragraph, CodeBlock = code}).content
     document.blocks = pandoc.walk_block(pandoc.Div(document.blocks), {
         Link = link,
-        Code = short_code,
+        Code = code_words,
+        Inlines = unbroken,
         Table = function(block) return div("scrolls", {block}) end,
     }).content
     return document
