@@ -124,11 +124,16 @@ local function printed(content)
     end
 end
 
--- Points and intervals as "(2.5, 7)" and "[0, 10]" stay on one line: of short pieces, from an opening bracket to a closing one.
+-- What stays on one line: points and intervals as "(2.5, 7)" and "[0, 10]", of short pieces from an opening bracket to a
+-- closing one; the groups of "16 777 216"; an option's "(a)" and its first word.
 local function unbroken(content)
     local from
     for n = 1, #content do
         local text = content[n].tag == "Str" and #content[n].text <= 12 and content[n].text
+        local before = n > 2 and content[n - 1].tag ~= "Str" and content[n - 2].tag == "Str" and content[n - 2].text or ""
+        if text and (before:match("^%([a-d]%)$") or before:match("%f[%d]%d%d?%d?$") and text:match("^%d%d%d%f[%D]")) then
+            content[n - 1] = pandoc.Str(no_break)
+        end
         if text and text:match("^[%[(][^%s()%[%]]+,$") then
             from = n
         elseif from and text and text:match("^[^%s()%[%]]+[%])]") then
