@@ -105,10 +105,58 @@ local function numbers(content)
     return content
 end
 
--- An option as "--size" is not broken behind its first hyphen.
-local function short_code(element)
-    if #element.text <= 24 then element.classes:insert("short") end
-    return element
+-- A block of code behind <!-- 06-lattice: printed -->: each of its lines must be one that the run printed, in this order; a
+-- difference is told on stderr.
+local function printed(content)
+    for n = 2, #content do
+        local run = (content[n - 1].tag == "RawBlock" and content[n - 1].text or ""):match("^<!%-%- ([%w-]+): printed %-%->%s*$")
+        if run and content[n].tag == "CodeBlock" then
+            local said, at = "\n" .. read(runs .. "/" .. run .. ".txt"), 1
+            for line in content[n].text:gmatch("[^\n]+") do
+                local _, last = said:find("\n" .. line .. "\n", at, true)
+                if not last then
+                    io.stderr:write(source, ": the output of ", run, " is without a line, the text says ", line, "\n")
+                    break
+                end
+                at = last
+            end
+        end
+    end
+end
+
+-- What stays on one line: points and intervals as "(2.5, 7)" and "[0, 10]", of short pieces from an opening bracket to a
+-- closing one; the groups of "16 777 216"; an option's "(a)" and its first word.
+local function unbroken(content)
+    local from
+    for n = 1, #content do
+        local text = content[n].tag == "Str" and #content[n].text <= 12 and content[n].text
+        local before = n > 2 and content[n - 1].tag ~= "Str" and content[n - 2].tag == "Str" and content[n - 2].text or ""
+        if text and (before:match("^%([a-d]%)$") or before:match("%f[%d]%d%d?%d?$") and text:match("^%d%d%d%f[%D]")) then
+            content[n - 1] = pandoc.Str(no_break)
+        end
+        if text and text:match("^[%[(][^%s()%[%]]+,$") then
+            from = n
+        elseif from and text and text:match("^[^%s()%[%]]+[%])]") then
+            for m = from, n do
+                if content[m].tag == "Space" or content[m].tag == "SoftBreak" then content[m] = pandoc.Str(no_break) end
+            end
+            from = nil
+        elseif content[n].tag ~= "Space" and content[n].tag ~= "SoftBreak" and not (text and text:match("^[^%s()%[%]]+,$")) then
+            from = nil
+        end
+    end
+    return content
+end
+
+-- An option as "--size" is not broken behind its first hyphen, nor is one in a longer command.
+local function code_words(element)
+    if #element.text <= 24 then
+        element.classes:insert("short")
+        return element
+    end
+    local text = element.text:gsub("[&<>]", {["&"] = "&amp;", ["<"] = "&lt;", [">"] = "&gt;"})
+    local words = (" " .. text):gsub("([ \"])(%-%-?%w[%w-]*)", '%1<span class="short">%2</span>'):sub(2)
+    return pandoc.RawInline("html", "<code>" .. words .. "</code>")
 end
 
 -- ---- What a paragraph may stand for ----------------------------------------------------------------
@@ -306,11 +354,12 @@ function Pandoc(document)
     local content = document.blocks
     if form == "slides" then content = slides_of(content) else content = without_slides(content) end
     if source:match("questions%.md$") and edition == "student" then content = without_answers(content) end
-    document.blocks = pandoc.walk_block(pandoc.Div(content), {Inlines = numbers}).content
+    document.blocks = pandoc.walk_block(pandoc.Div(content), {Inlines = numbers, Blocks = printed}).content
     document.blocks = pandoc.walk_block(pandoc.Div(document.blocks), {Para = paragraph, CodeBlock = code}).content
     document.blocks = pandoc.walk_block(pandoc.Div(document.blocks), {
         Link = link,
-        Code = short_code,
+        Code = code_words,
+        Inlines = unbroken,
         Table = function(block) return div("scrolls", {block}) end,
     }).content
     return document

@@ -29,7 +29,8 @@ local function piece(text, at)
     if found then
         local plain, primes = found:match("^([^']*)('*)$")
         local set = name(plain)
-        if primes ~= "" then set = "<msup>" .. set .. "<mo>′</mo></msup>" end
+        -- The letter stands high already, so it is none of the powers.
+        if primes ~= "" then set = set .. "<mo lspace=\"0\" rspace=\"0\">′</mo>" end
         return set, at + #found
     end
     -- Thin blanks part the digits of large numbers: "8 589 934 592".

@@ -3,18 +3,55 @@
 #
 #     slides-notes/make/run.sh NAME BUILD-FOLDER OUTPUT.json
 #
-# NAME is one of runs.txt, in this folder.
+# NAME is one of runs.txt, in this folder. What the program prints is saved, too, as OUTPUT.txt. Where runs.txt names a wrong
+# answer, a kernel of tests/mutants/, the lab is run with that in its place, and "wrong_pixels" is how many pixels it costs.
 set -eu
 
 name=$1
 build=$2
 output=$3
+case $build in /*) ;; *) build=$PWD/$build ;; esac
 options=$(sed -n "s/^$name  *//p" slides-notes/make/runs.txt)
 set -- "$build"/solutions/"${name%%-*}"-*
-# shellcheck disable=SC2086 # options and their arguments
-"$1" $options --stats "$output.new" --output "${output%.json}.png" >"$output.log" 2>&1 || {
-    cat "$output.log" >&2
-    exit 1
+program=$1
+scratch=$(mktemp -d "$output.XXXXXX")
+trap 'rm -rf "$scratch"' EXIT
+
+# run PICTURE OPTION...: with the options of runs.txt. What it says is shown only where it fails.
+run() {
+    picture=$1
+    shift
+    # shellcheck disable=SC2086 # options and their arguments
+    "$program" $options "$@" --output "$picture" >"$scratch/said" 2>&1 || {
+        cat "$scratch/said" >&2
+        exit 1
+    }
 }
-rm "${output%.json}.png" "$output.log"
+
+course=$PWD
+case $options in
+wrong=*)
+    mutant=tests/mutants/${program##*/}/${options#wrong=}
+    mutant=${mutant%% *}.cl
+    options=${options#wrong=* }
+    run "$scratch/right.exr"
+    # A course folder with this one answer in it.
+    task=$(sed -n 's|^// task: ||p' "$mutant")
+    file=$(grep -l "// TASK $task\>" solutions/"${program##*/}"/*.cl)
+    mkdir "$scratch/course"
+    for part in ./*; do ln -s "$course/$part" "$scratch/course/$part"; done
+    rm "$scratch/course/solutions"
+    cp -R solutions "$scratch/course/solutions"
+    "$build/tools/holes" fill "$file" "$task" "$mutant" >"$scratch/course/$file"
+    cd "$scratch/course"
+    run "$scratch/wrong.exr" --stats "$scratch/stats"
+    cd "$course"
+    wrong=$("$build/tools/compare" "$scratch/wrong.exr" "$scratch/right.exr" || [ $? -eq 1 ])
+    sed "1a\\  \"wrong_pixels\": $(echo "$wrong" | sed 's/ pixels differ.*//; s/.*: equal/0/')," "$scratch/stats" >"$output.new"
+    ;;
+*)
+    run "$scratch/picture.png" --stats "$output.new"
+    ;;
+esac
+mv "$scratch/said" "${output%.json}.txt"
 mv "$output.new" "$output"

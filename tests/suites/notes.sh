@@ -140,10 +140,10 @@ ok $? "no link is broken" "$(cat "$scratch/broken")"
 
 # The words of pages, without marks and blanks, on one line.
 words() {
-    sed 's/<[^>]*>//g; s/&lt;/</g; s/&gt;/>/g; s/&amp;/\&/g; s/&quot;/"/g; s/&#39;/'"'"'/g' "$@" | tr -d '\n\t *`'
+    sed 's/<[^>]*>//g; s/&lt;/</g; s/&gt;/>/g; s/&amp;/\&/g; s/&quot;/"/g; s/&#39;/'"'"'/g; s/\xc2\xa0//g' "$@" | tr -d '\n\t *`'
 }
 # The beginning of each reason and of each solved exercise in the key, a line each.
-sed '1,/^## Answers/d; s/^\([0-9]*\)\. /**00.\1** /' slides-notes/questions.md | tr '\n' ' ' |
+sed '1,/^## Answers/d; s/^\([0-9]*\)\. /**00.\1** /; s/<!-- [^>]*-->//g' slides-notes/questions.md | tr '\n' ' ' |
     grep -o '\*\*[0-9][0-9]\.[0-9]*\*\* [^*]*' | sed 's/^[^ ]* //; s/ - $//; s/ ---.*//' | tr -d ' `' >"$scratch/answers"
 for edition in student instructor; do
     find "$notes/$edition/slides-notes" -name '*.html' -exec grep -h -v -e 'data:image' {} + >"$scratch/pages"

@@ -21,7 +21,7 @@ while IFS= read -r file; do
     mkdir -p "$(dirname "$copy")"
     case $file in
     *.c | *.h | *.cl) "$holes" cut "$file" >"$copy" ;;
-    *.md) sed 's/<!-- [0-9][0-9]-[a-z0-9-]*: [A-Za-z0-9_.]* -->//g' "$file" >"$copy" ;;
+    *.md) sed '/^<!-- [0-9][0-9]-[a-z0-9-]*: printed -->$/d; s/<!-- [0-9][0-9]-[a-z0-9-]*: [A-Za-z0-9_.]* -->//g' "$file" >"$copy" ;;
     *) cp "$file" "$copy" ;;
     esac
 done <"$folder.new/.list"
