@@ -233,7 +233,8 @@ void class_leaderboard_write(FILE *page, const Gradebook *gradebook, const Leade
         place_write(page, &leaderboard->places[i], leaderboard->places[0].row->leaderboard);
     }
     if (n > MOST_PLACES) {
-        fprintf(page, "<div class=\"count soft\"><div>and %d more</div></div>\n", n - MOST_PLACES);
+        fprintf(page, "<div class=\"count\"><div class=\"soft\">and %d more</div></div>\n",
+                n - MOST_PLACES);
     }
     fputs("</div>\n", page);
 }
