@@ -118,7 +118,7 @@ tests/attacks/*)
     grade
     # Who attacks what gives no points may have them all.
     [ "$allowed" -eq 100 ] && wanted=0 || wanted=1
-    [ "$status" -eq $wanted ] ||
+    [ "$status" -eq "$wanted" ] ||
         wrong "exit status $status, expected $wanted: $(head -n 3 "$place/said.err")"
     if [ ! -s "$reports/results.json" ]; then
         wrong "there are no results"

@@ -1,8 +1,8 @@
 // class.html: the class on one page (see gradebook.h).
 //
 // Streamed from top to bottom: how the class did, what went wrong how often, who is fastest where
-// that was measured, a row a submission, and all pictures. It links to the reports below its own folder, so that the folder can be moved
-// as a whole. Read next: class_page.h, its parts.
+// that was measured, a row a submission, and all pictures. It links to the reports below its own
+// folder, so that the folder can be moved as a whole. Read next: class_page.h, its parts.
 #include "class_page.h"
 
 #include "html.h"

@@ -1,7 +1,7 @@
-// What a race is worth: how many times as fast as a reference kernel a submission's draws one scene,
-// for a leaderboard. Both draw in turn in one process in the sandbox (variant_race() in variant.h);
-// here are only the times that it wrote down, which a submission can forge as all that runs beside
-// it. So the figure is a number within limits, or none, and gives and costs no points.
+// What a race is worth, for a leaderboard: how many times as fast as a reference kernel a
+// submission's draws one scene. Both draw in turn in one process in the sandbox (variant_race() in
+// variant.h); here are only the times that it wrote down, which a submission can forge. So the
+// figure is a number within limits, or none, and gives and costs no points.
 //
 // Read next: ../../probes/race_answers.h, what is written down.
 #ifndef GRADER_RACE_H

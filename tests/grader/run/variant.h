@@ -48,8 +48,8 @@ int variants_run(const Workshop *workshop, Variant *const variants[], int n, All
 // decide the number of the line and which of our words are said of it. The answers stay.
 char *variant_find_line(const Workshop *workshop, const Variant *variant, Allowance *allowance);
 
-// Of a lab with a leaderboard, whose answers are kernels: let the variant's draw beside a reference,
-// once more. Returns its figure (race.h), or 0 where there is none. The answers stay.
+// Of a lab with a leaderboard, whose answers are kernels: let the variant's draw once more, beside
+// a reference. Returns its figure (race.h), or 0 where there is none. The answers stay.
 double variant_race(const Workshop *workshop, const Variant *variant, Allowance *allowance);
 
 void variant_free(Variant *variant);

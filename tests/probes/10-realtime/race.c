@@ -1,5 +1,5 @@
-// Race of lab 10, for its leaderboard: lab 07's kernel with lab 06's tree, and the submission's with
-// the tree that lab 10 gives it, draw the sphereflake in turn. No points depend on it.
+// Race of lab 10, for its leaderboard: lab 07's kernel with lab 06's tree and the submission's with
+// the tree that lab 10 gives it draw the sphereflake in turn. No points depend on it.
 //
 // Both stand in one process, so that what else the machine does falls on both; the clock is read
 // here, around the kernels. Read next: race_answers.h.
