@@ -98,10 +98,10 @@ $(OUT)/tests/test_flight: $(call objects,common/follow/flight.c)
 $(OUT)/tests/test_poses: $(call objects,common/view/poses.c common/follow/world.c)
 
 # The figures that the bench prints.
-$(OUT)/obj/tests/unit/test_bench_report.c.o: EXTRA = -I tests/bench
+$(OUT)/obj/tests/unit/test_bench_report.c.o: EXTRA = $(BENCH_INCLUDES) -I tests/bench
 $(OUT)/tests/test_bench_report: $(call objects,tests/bench/report.c tests/bench/series.c)
 $(OUT)/obj/tests/unit/test_bench_report3d.c.o: EXTRA = $(BENCH_INCLUDES) -I tests/bench
-$(OUT)/tests/test_bench_report3d: $(call objects,tests/bench/report3d.c tests/bench/series.c)
+$(OUT)/tests/test_bench_report3d: $(call objects,tests/bench/report3d.c tests/bench/roofline.c tests/bench/series.c)
 
 # Lab 02's builder with a distribute() that returns more circles than it was given.
 TOO_MANY = $(OUT)/wrong/returns-too-many.c

@@ -16,7 +16,7 @@ typedef struct TouchFigure {
     const char *what;  // what it is and what the arrow keys do, for those who cannot see it
     // Set the scene up, and the state of the still figure. Returns 0, or -1 after a message.
     int (*open)(void);
-    // The reader drags to a point of the drawing; or presses arrow keys: so many to the right and
+    // The reader drags to a point of the drawing; or presses arrow keys: this many to the right and
     // down. With `other` set, Shift is held: it moves the figure's second handle, where it has one.
     // Both return the step to show then, or STEP_STAYS.
     int (*drag)(double x, double y);

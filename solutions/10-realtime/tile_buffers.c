@@ -67,6 +67,17 @@ cl_mem pixels_create(const ClSetup *cl, int width, int height)
     return d_pixels;
 }
 
+void pixels_unpack(const u32 *pixels, Image *image)
+{
+    const size_t n_pixels = (size_t)image->width * (size_t)image->height;
+    for (size_t i = 0; i < n_pixels; i++) {
+        for (int channel = 0; channel < IMAGE_CHANNELS; channel++) {
+            image->pixels[i * IMAGE_CHANNELS + (size_t)channel] =
+                (float)(pixels[i] >> (8 * channel) & 0xff) / 255.0f;
+        }
+    }
+}
+
 void pixels_read(cl_command_queue queue, cl_mem d_pixels, Image *image)
 {
     const size_t n_pixels = (size_t)image->width * (size_t)image->height;
@@ -75,12 +86,7 @@ void pixels_read(cl_command_queue queue, cl_mem d_pixels, Image *image)
     cl_uint *pixels = clEnqueueMapBuffer(queue, d_pixels, CL_TRUE, CL_MAP_READ, 0,
                                          n_pixels * sizeof *pixels, 0, NULL, NULL, &error);
     CL_CHECK_CREATED(error, clEnqueueMapBuffer);
-    for (size_t i = 0; i < n_pixels; i++) {
-        for (int channel = 0; channel < IMAGE_CHANNELS; channel++) {
-            image->pixels[i * IMAGE_CHANNELS + (size_t)channel] =
-                (float)(pixels[i] >> (8 * channel) & 0xff) / 255.0f;
-        }
-    }
+    pixels_unpack(pixels, image);
     CL_CHECK(clEnqueueUnmapMemObject(queue, d_pixels, pixels, 0, NULL, NULL));
 }
 

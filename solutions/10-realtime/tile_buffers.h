@@ -40,7 +40,10 @@ int tile_buffers_read(const TileBuffers *buffers, const Scene3D *scene, cl_comma
 // clReleaseMemObject.
 cl_mem pixels_create(const ClSetup *cl, int width, int height);
 
-// Wait for what is queued and copy them to the host, as floats from 0 to 1; image is of their size.
+// Such a picture in the host's memory, as floats from 0 to 1; image is of its size.
+void pixels_unpack(const u32 *pixels, Image *image);
+
+// Wait for what is queued and copy a picture to the host, unpacked; image is of its size.
 void pixels_read(cl_command_queue queue, cl_mem d_pixels, Image *image);
 
 // What a device is given at once: a tile of width x height pixels, in vectors of `lanes`. The three
@@ -52,7 +55,7 @@ typedef struct TileShape {
     const char *options;  // for the kernel's build
 } TileShape;
 
-// The shape for a kind of device: of a CPU measured, see the lab's README; of a GPU not yet.
+// The shape for a kind of device: measured, see the lab's README.
 TileShape tile_shape(cl_device_id device);
 
 // Launch a kernel with one work-item a tile of this shape over width x height pixels.

@@ -8,15 +8,20 @@ $(OUT)/obj/tests/bench/%.o: EXTRA = $(BENCH_INCLUDES) \
     -DKDTREE_OPTIONS='"$(call include_path,03-kdtree-2d-render)"' \
     -DSPHERES_OPTIONS='"$(call include_path,05-spheres)"' \
     -DTRACE_OPTIONS='"$(call include_path,07-kdtree-3d-trace)"'
-# For this machine and in vectors, as OpenCL compiles the kernels; anew when Embree was installed since.
+# Cairo, which the 2D bench compares with where its package is installed.
+CAIRO := $(if $(wildcard /usr/include/cairo/cairo.h),1)
+# For this machine and in vectors, as OpenCL compiles the kernels.
+$(OUT)/obj/tests/bench/painter.c.o: EXTRA = $(BENCH_INCLUDES) -O3 -march=native -fno-math-errno
+$(OUT)/obj/tests/bench/cairo_peer.c.o: EXTRA = $(BENCH_INCLUDES) $(if $(CAIRO),-DWITH_CAIRO $(shell pkg-config --cflags cairo))
+# The same; anew when a peer was installed since.
 $(OUT)/obj/tests/bench/embree_peer.c.o: EXTRA = $(BENCH_INCLUDES) -O3 -march=native \
     -fno-math-errno -fno-trapping-math \
     $(if $(EMBREE),-DWITH_EMBREE=$(EMBREE))
-$(OUT)/obj/tests/bench/embree_peer.c.o: $(OUT)/embree-version
+$(OUT)/obj/tests/bench/embree_peer.c.o $(OUT)/obj/tests/bench/cairo_peer.c.o: $(OUT)/peers
 .PHONY: always
-$(OUT)/embree-version: always
+$(OUT)/peers: always
 	@mkdir -p $(@D)
-	@echo "$(EMBREE)" | cmp -s - $@ || echo "$(EMBREE)" >$@
+	@echo "$(EMBREE) $(CAIRO)" | cmp -s - $@ || echo "$(EMBREE) $(CAIRO)" >$@
 
 $(OUT)/libbench.a: $(call objects,$(filter-out tests/bench/bench%d.c,$(wildcard tests/bench/*.c)) \
     $(BUILDERS) solutions/05-spheres/scene_buffers.c \
@@ -25,7 +30,7 @@ $(OUT)/libbench.a: $(call objects,$(filter-out tests/bench/bench%d.c,$(wildcard 
 	$(archive)
 
 $(OUT)/tools/bench2d $(OUT)/tools/bench3d: $(OUT)/tools/%: $(OUT)/obj/tests/bench/%.c.o $(OUT)/libbench.a $(OUT)/libcommon.a
-	$(call link,$(LIBRARIES) $(if $(EMBREE),-lembree$(EMBREE)) -pthread)
+	$(call link,$(LIBRARIES) $(if $(EMBREE),-lembree$(EMBREE)) $(if $(CAIRO),-lcairo) -pthread -lm)
 
 .PHONY: bench
 bench:  ## install what is missing, measure naive against kd-tree in 2D and 3D, plot to build/bench

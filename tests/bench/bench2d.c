@@ -1,12 +1,13 @@
-// The 2D bench: the naive kernel of lab 01 against the kd-tree kernel of lab 03 and the tile kernel
-// of lab 10, in one run.
+// The 2D bench: the naive kernel of lab 01 against the kd-tree kernel of lab 03, the tile kernel of
+// lab 10 and two programs without OpenCL, in one run.
 //
 //     build/tools/bench2d [--device D] [--rounds N] [--output FOLDER]       or: make bench
 //
 // Cases are drawn in turn within each round, so that what else the machine does falls on all of
 // them: trust the ratios more than the milliseconds. In the first round every other picture is
-// compared with the naive one of the same scene, bit by bit, that of the tile kernel with its
-// colours as bytes; where one differs there are no figures.
+// compared with the naive one of the same scene, bit by bit, those of the tile kernel and the
+// painter with their colours as bytes; where one differs there are no figures. Cairo's may differ
+// at borders.
 // Read next: case2d.h, report.c.
 #include "bench_options.h"
 #include "case2d.h"
@@ -15,6 +16,7 @@
 #include "image.h"
 #include "launch.h"
 #include "options.h"
+#include "peers2d.h"
 #include "report.h"
 #include "rounds.h"
 
@@ -54,7 +56,7 @@ static const KdTreeLimits LIMITS[] = {{8, 8},   {10, 8},  {12, 8}, {14, 8}, {18,
                                       {16, 32}, {16, 16}, {16, 4}, {20, 4}};
 enum { N_LIMITS = sizeof LIMITS / sizeof *LIMITS };
 
-enum { MAX_CASES = 1 + 3 * N_SCENES + N_LIMITS };
+enum { MAX_CASES = 1 + 5 * N_SCENES + N_LIMITS };
 
 static const KdTreeLimits USUAL_LIMITS = {OPTIONS_DEFAULT_MAX_DEPTH, OPTIONS_DEFAULT_LEAF_SIZE};
 
@@ -98,6 +100,14 @@ static void list_cases(Bench *bench)
             tiles.kind = TILES;
             tiles.n_frames = 20;
             add_case(bench, tiles);
+            Case2D peer = tiles;
+            peer.kind = PAINTER;
+            add_case(bench, peer);
+            peer.kind = CAIRO;
+            peer.n_frames = 3;
+            if (cairo_peer_version() != NULL) {
+                add_case(bench, peer);
+            }
         }
     }
     Case2D fill = {.kind = FILL, .scene = &bench->scenes[0], .n_frames = 10, .n_rows = SIDE};
@@ -150,6 +160,18 @@ static void bench_free(Bench *bench)
 
 // ---- Equal pixels ---------------------------------------------------------------------------
 
+// Compare a picture of bytes with the naive one, rounded: those cases are the last ones of a scene.
+// Returns 0, or -1 after one message.
+static int check_bytes(Bench *bench, const Case2D *bench_case)
+{
+    char name[32];
+    snprintf(name, sizeof name, "bench2d: %s", CASE2D_NAMES[bench_case->kind]);
+    round_to_bytes(&bench->naive_picture);
+    case2d_read_bytes(bench_case, &bench->cl, &bench->picture);
+    return (bench_case->kind == CAIRO ? similar_pixels : equal_pixels)(
+        &bench->picture, &bench->naive_picture, bench->n_naive_rows, name);
+}
+
 // Compare what a kd-tree case has just drawn with the naive picture of its scene; a naive
 // case's picture becomes that. Returns 0, or -1 after one message.
 static int check_picture(Bench *bench, const Case2D *bench_case)
@@ -158,11 +180,8 @@ static int check_picture(Bench *bench, const Case2D *bench_case)
         return 0;
     }
     Image *picture = bench_case->kind == NAIVE ? &bench->naive_picture : &bench->picture;
-    if (bench_case->kind == TILES) {
-        // The last case of its scene: nothing else is compared with the naive picture.
-        round_to_bytes(&bench->naive_picture);
-        case2d_read_tiles(bench_case, &bench->cl, picture);
-        return equal_pixels(picture, &bench->naive_picture, bench->n_naive_rows, "bench2d: tiles");
+    if (bench_case->kind >= TILES) {
+        return check_bytes(bench, bench_case);
     }
     read_image(&bench->cl, bench->d_image, picture);
     if (bench_case->kind == NAIVE) {
@@ -191,6 +210,10 @@ static int measure(Bench *bench, Case2D *bench_case, int round)
         }
     }
     series_end_round(&bench_case->frames);
+    for (int i = 0; i < bench_case->n_frames && bench_case->kind == TILES; i++) {
+        series_add(&bench_case->mapped, case2d_draw_mapped(bench_case, &bench->cl));
+    }
+    series_end_round(&bench_case->mapped);
     if (bench_case->kind == KDTREE) {
         const double ms = case2d_time_build(bench_case);
         if (ms < 0) {

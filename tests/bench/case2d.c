@@ -1,14 +1,18 @@
 // What the bench measures (see case2d.h).
 #include "case2d.h"
 
-#include "circle_tree.h"
 #include "circles.h"
 #include "cl_memory.h"
+#include "complain.h"
 #include "kdtree2d_build.h"
 #include "launch.h"
+#include "peers2d.h"
 #include "stats.h"
 
-const char *const CASE2D_NAMES[N_CASE2D_KINDS] = {"fill", "naive", "kdtree", "tiles"};
+#include <stdlib.h>
+
+const char *const CASE2D_NAMES[N_CASE2D_KINDS] = {"fill",  "naive",   "kdtree",
+                                                  "tiles", "painter", "cairo"};
 
 // NAIVE_OPTIONS and KDTREE_OPTIONS come from the Makefile, as KERNEL_OPTIONS does in the labs.
 static const struct KernelRow {
@@ -27,6 +31,9 @@ static const struct KernelRow {
 int programs_build(const ClSetup *cl, cl_program programs[N_CASE2D_KINDS])
 {
     for (int kind = 0; kind < N_CASE2D_KINDS; kind++) {
+        if (KERNELS[kind].path == NULL) {
+            continue;  // a peer
+        }
         const char *options =
             kind == TILES ? circle_tile_shape(cl->device).options : KERNELS[kind].options;
         programs[kind] = cl_setup_build(cl, KERNELS[kind].path, options);
@@ -100,9 +107,48 @@ static int prepare_tiles(Case2D *bench_case, const ClSetup *cl)
     return 0;
 }
 
-void case2d_read_tiles(const Case2D *bench_case, const ClSetup *cl, Image *picture)
+// What the peers draw, and where. Returns 0, or -1 after one message.
+static int prepare_peer(Case2D *bench_case, const ClSetup *cl)
 {
-    pixels_read(cl->queue, bench_case->d_pixels, picture);
+    const Scene2D *scene = bench_case->scene;
+    const KdTreeLimits one_leaf = {1, scene->n_circles};
+    if (circle_tree_build(scene, one_leaf, &bench_case->circles) != 0) {
+        return -1;
+    }
+    bench_case->n_threads = device_is_cpu(cl) ? device_units(cl) : 1;
+    bench_case->h_pixels =
+        malloc((size_t)scene->width * (size_t)scene->height * sizeof *bench_case->h_pixels);
+    if (bench_case->h_pixels == NULL) {
+        complain("bench2d: no memory for a picture of %dx%d pixels", scene->width, scene->height);
+        return -1;
+    }
+    return 0;
+}
+
+// Draw a peer's picture. It was tried in case2d_prepare().
+static int draw_peer(const Case2D *bench_case)
+{
+    const Circles circles = {bench_case->circles.leaf_circles, bench_case->circles.n_leaf_circles};
+    const int width = bench_case->scene->width, height = bench_case->scene->height;
+    if (bench_case->kind == CAIRO) {
+        return cairo_peer_draw(circles, width, height, bench_case->h_pixels);
+    }
+    painter_draw(circles, width, height, bench_case->n_threads, bench_case->h_pixels);
+    return 0;
+}
+
+static int is_peer(const Case2D *bench_case)
+{
+    return KERNELS[bench_case->kind].path == NULL;
+}
+
+void case2d_read_bytes(const Case2D *bench_case, const ClSetup *cl, Image *picture)
+{
+    if (is_peer(bench_case)) {
+        pixels_unpack(bench_case->h_pixels, picture);
+    } else {
+        pixels_read(cl->queue, bench_case->d_pixels, picture);
+    }
 }
 
 // The arguments, in the order of each kernel's parameter list.
@@ -152,6 +198,9 @@ int case2d_prepare(Case2D *bench_case, const ClSetup *cl, const cl_program *prog
 {
     const Scene2D *scene = bench_case->scene;
     cl_int error;
+    if (is_peer(bench_case)) {
+        return prepare_peer(bench_case, cl) == 0 ? draw_peer(bench_case) : -1;
+    }
     bench_case->kernel =
         clCreateKernel(programs[bench_case->kind], KERNELS[bench_case->kind].name, &error);
     CL_CHECK_CREATED(error, clCreateKernel);
@@ -182,13 +231,35 @@ void case2d_free(Case2D *bench_case)
     if (bench_case->kernel != NULL) {
         CL_CHECK(clReleaseKernel(bench_case->kernel));
     }
+    circle_tree_free(&bench_case->circles);
+    free(bench_case->h_pixels);
 }
 
 double case2d_draw(const Case2D *bench_case, const ClSetup *cl)
 {
     const double start = stats_clock_ms();
-    draw(bench_case, cl, bench_case->scene->width, bench_case->n_rows);
+    if (is_peer(bench_case)) {
+        draw_peer(bench_case);
+    } else {
+        draw(bench_case, cl, bench_case->scene->width, bench_case->n_rows);
+    }
     return (stats_clock_ms() - start) * bench_case->scene->height / bench_case->n_rows;
+}
+
+double case2d_draw_mapped(const Case2D *bench_case, const ClSetup *cl)
+{
+    const Scene2D *scene = bench_case->scene;
+    const size_t n_bytes = (size_t)scene->width * (size_t)scene->height * sizeof(cl_uint);
+    cl_int error;
+    const double start = stats_clock_ms();
+    enqueue_circle_tiles(cl->queue, bench_case->kernel, scene->width, scene->height);
+    void *pixels = clEnqueueMapBuffer(cl->queue, bench_case->d_pixels, CL_TRUE, CL_MAP_READ, 0,
+                                      n_bytes, 0, NULL, NULL, &error);
+    CL_CHECK_CREATED(error, clEnqueueMapBuffer);
+    const double ms = stats_clock_ms() - start;
+    CL_CHECK(clEnqueueUnmapMemObject(cl->queue, bench_case->d_pixels, pixels, 0, NULL, NULL));
+    CL_CHECK(clFinish(cl->queue));
+    return ms;
 }
 
 double case2d_time_build(const Case2D *bench_case)

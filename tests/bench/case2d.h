@@ -7,6 +7,7 @@
 #ifndef BENCH_CASE2D_H
 #define BENCH_CASE2D_H
 
+#include "circle_tree.h"
 #include "cl_setup.h"
 #include "image.h"
 #include "scene2d.h"
@@ -14,14 +15,16 @@
 #include "tree2d.h"
 
 typedef enum Case2DKind {
-    FILL,    // fill.cl: the floor
-    NAIVE,   // lab 01
-    KDTREE,  // lab 03 with the tree of lab 02
-    TILES,   // lab 10, Part A: tiles of pixels, with a tree of its own
+    FILL,     // fill.cl: the floor
+    NAIVE,    // lab 01
+    KDTREE,   // lab 03 with the tree of lab 02
+    TILES,    // lab 10, Part A: tiles of pixels, with a tree of its own
+    PAINTER,  // no kernel: see peers2d.h
+    CAIRO,    // the same
     N_CASE2D_KINDS,
 } Case2DKind;
 
-// "fill", "naive", "kdtree", "tiles": the first column of the table and of the CSV file.
+// "fill", "naive", "kdtree", "tiles", "painter", "cairo": the first column of the CSV file.
 extern const char *const CASE2D_NAMES[N_CASE2D_KINDS];
 
 typedef struct Case2D {
@@ -47,8 +50,13 @@ typedef struct Case2D {
     u32 n_references;  // circle ids in all lists together
     int depth;         // levels there are
 
+    CircleTree circles;  // these three: PAINTER and CAIRO only; one leaf with all circles
+    u32 *h_pixels;       // [height * width]
+    int n_threads;       // PAINTER only
+
     Series frames;
-    Series builds;  // of the tree
+    Series mapped;  // TILES only: frames that the host has before it, too
+    Series builds;  // KDTREE only: of the tree
 } Case2D;
 
 // The programs, compiled. Returns 0, or -1 after one message. Release with programs_free().
@@ -62,12 +70,16 @@ int case2d_prepare(Case2D *bench_case, const ClSetup *cl, const cl_program *prog
                    cl_mem d_image);
 void case2d_free(Case2D *bench_case);
 
-// Wait for what is queued and copy the picture of a TILES case to the host, which is of its size.
-void case2d_read_tiles(const Case2D *bench_case, const ClSetup *cl, Image *picture);
+// Copy the picture of a case that has it as bytes (TILES, PAINTER, CAIRO) into one of its size.
+void case2d_read_bytes(const Case2D *bench_case, const ClSetup *cl, Image *picture);
 
 // Draw a frame and wait for it. Returns the milliseconds from the launch until the queue is empty;
 // of some rows, scaled to the whole frame.
 double case2d_draw(const Case2D *bench_case, const ClSetup *cl);
+
+// Draw a frame of a TILES case and map its picture on the host. Returns the milliseconds until it
+// is there.
+double case2d_draw_mapped(const Case2D *bench_case, const ClSetup *cl);
 
 // Build the tree and throw it away. Returns the milliseconds, or -1 after one message.
 double case2d_time_build(const Case2D *bench_case);

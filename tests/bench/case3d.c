@@ -157,6 +157,42 @@ static double mean_of(const Stats *stats, const char *name)
     return json_number_value(json_object_get(stats->values, name));
 }
 
+static u32 steps_of(Work work)
+{
+    return work.n_nodes_visited + work.n_leaves_visited + work.n_tests;
+}
+
+// The most steps of a pixel among those side by side whose first one is (x, y).
+static u32 slowest_steps(const Work *h_work, int x, int y)
+{
+    u32 slowest = 0;
+    for (int row = y; row < y + WORK_GROUP_HEIGHT; row++) {
+        for (int column = x; column < x + WORK_GROUP_WIDTH; column++) {
+            const u32 steps = steps_of(h_work[row * CASE3D_SIDE + column]);
+            slowest = steps > slowest ? steps : slowest;
+        }
+    }
+    return slowest;
+}
+
+// What the slowest ray of those side by side takes, on average over the picture.
+static double mean_of_slowest(const ClSetup *cl, cl_mem d_work)
+{
+    cl_int error;
+    const Work *h_work =
+        clEnqueueMapBuffer(cl->queue, d_work, CL_TRUE, CL_MAP_READ, 0,
+                           sizeof *h_work * CASE3D_SIDE * CASE3D_SIDE, 0, NULL, NULL, &error);
+    CL_CHECK_CREATED(error, clEnqueueMapBuffer);
+    double sum = 0;
+    for (int y = 0; y < CASE3D_SIDE; y += WORK_GROUP_HEIGHT) {
+        for (int x = 0; x < CASE3D_SIDE; x += WORK_GROUP_WIDTH) {
+            sum += slowest_steps(h_work, x, y);
+        }
+    }
+    CL_CHECK(clEnqueueUnmapMemObject(cl->queue, d_work, (void *)h_work, 0, NULL, NULL));
+    return sum * (WORK_GROUP_WIDTH * WORK_GROUP_HEIGHT) / (CASE3D_SIDE * CASE3D_SIDE);
+}
+
 // Draw a frame that counts, which is not timed. Returns 0, or -1 after one message.
 static int count_work(Case3D *bench_case, const ClSetup *cl, cl_kernel counting)
 {
@@ -168,7 +204,8 @@ static int count_work(Case3D *bench_case, const ClSetup *cl, cl_kernel counting)
         work_report(cl, d_work, CASE3D_SIDE, CASE3D_SIDE, WORK_SPHERES, NULL, &stats);
     bench_case->work = (WorkOfRay){.n_nodes = mean_of(&stats, "nodes_visited.mean_per_pixel"),
                                    .n_leaves = mean_of(&stats, "leaves_visited.mean_per_pixel"),
-                                   .n_tests = mean_of(&stats, "sphere_tests.mean_per_pixel")};
+                                   .n_tests = mean_of(&stats, "sphere_tests.mean_per_pixel"),
+                                   .n_slowest_steps = mean_of_slowest(cl, d_work)};
     stats_free(&stats);
     CL_CHECK(clReleaseMemObject(d_work));
     return result;

@@ -43,11 +43,16 @@ typedef struct Share {
                     // much already
 } Share;
 
+// The pixels whose rays a GPU walks through the tree side by side, as many as run in step there.
+enum { WORK_GROUP_WIDTH = 8, WORK_GROUP_HEIGHT = 4 };
+
 // What a ray costs in the tree, on average over the picture.
 typedef struct WorkOfRay {
-    double n_nodes;   // inner nodes
-    double n_leaves;  // leaves
-    double n_tests;   // spheres asked
+    double n_nodes;          // inner nodes
+    double n_leaves;         // leaves
+    double n_tests;          // spheres asked
+    double n_slowest_steps;  // all three together of the ray that has most of WORK_GROUP_WIDTH x
+                             // WORK_GROUP_HEIGHT pixels
 } WorkOfRay;
 
 typedef struct Case3D {

@@ -43,6 +43,18 @@ static const Case2D *find(const Case2D *cases, Case2DKind kind, const Scene2D *s
     return bench_case;
 }
 
+// The case of a kind over a scene, or over any where it is NULL; NULL where there is none.
+static const Case2D *find_peer(const Case2D *cases, int n_cases, Case2DKind kind,
+                               const Scene2D *scene)
+{
+    for (int i = 0; i < n_cases; i++) {
+        if (cases[i].kind == kind && (scene == NULL || cases[i].scene == scene)) {
+            return &cases[i];
+        }
+    }
+    return NULL;
+}
+
 // ---- For people -----------------------------------------------------------------------------
 
 static void print_spread(const Case2D *bench_case)
@@ -129,6 +141,52 @@ static void print_tiles(const Case2D *cases, int n_cases)
     }
 }
 
+// What a peer's frame is to that of the tiles, or nothing where the peer is not there.
+static void print_peer(const Case2D *peer, const Case2D *tiles)
+{
+    if (peer == NULL) {
+        printf("  %8s  %22s", "-", "-");
+        return;
+    }
+    const Spread ratio = series_ratio(&peer->frames, &tiles->frames);
+    char spread[64];
+    snprintf(spread, sizeof spread, "%.1f (%.1f to %.1f)", ratio.median, ratio.min, ratio.max);
+    printf("  %8.3f  %22s", frame_ms(peer).median, spread);
+}
+
+// Programs that draw the same circles without OpenCL, and the tiles until the host has the picture,
+// as it has the peers'.
+static void print_peers(const Case2D *cases, int n_cases)
+{
+    printf("\nThe same circles without OpenCL: milliseconds a frame, and how many times the tiles' "
+           "that "
+           "is\n");
+    printf("  %9s  %8s  %8s  %22s  %8s  %22s  %8s  %12s\n", "radii, px", "tiles", "painter",
+           "painter/tiles", "cairo", "cairo/tiles", "mapped", "tiles/mapped");
+    for (int i = 0; i < n_cases; i++) {
+        const Case2D *tiles = &cases[i];
+        if (tiles->kind == TILES) {
+            printf("  %9s  %8.3f", tiles->radii, frame_ms(tiles).median);
+            print_peer(find_peer(cases, n_cases, PAINTER, tiles->scene), tiles);
+            print_peer(find_peer(cases, n_cases, CAIRO, tiles->scene), tiles);
+            printf("  %8.3f  %12.2f\n", spread_of(tiles->mapped.ms, tiles->mapped.n).median,
+                   series_ratio(&tiles->frames, &tiles->mapped).median);
+        }
+    }
+    const Case2D *painter = find_peer(cases, n_cases, PAINTER, NULL);
+    if (painter != NULL) {
+        printf("  painter: row by row in C, threads: %d; ", painter->n_threads);
+    }
+    const Case2D *cairo = find_peer(cases, n_cases, CAIRO, NULL);
+    if (cairo != NULL) {
+        printf("cairo: arc and fill, no smooth borders, one thread;\n");
+    } else {
+        printf("cairo took no part: install the\n  package libcairo2-dev and build the bench "
+               "again;\n");
+    }
+    printf("  mapped: until the host can read the picture\n");
+}
+
 // Is it of the growth table: of the lecture's number of circles only the lecture's scene is.
 static int is_of_growth(const Case2D *bench_case)
 {
@@ -164,6 +222,7 @@ void report_print(const Case2D *cases, int n_cases, const char *device_name)
     print_comparison(naive, kdtree, device_name);
     print_milliseconds(naive, kdtree, &cases[n_cases - 1]);
     print_tiles(cases, n_cases);
+    print_peers(cases, n_cases);
     print_trees(cases, n_cases, naive);
     print_growth(cases, n_cases);
 }
@@ -175,7 +234,7 @@ static void write_row(FILE *file, const Case2D *bench_case)
     const Spread ms = frame_ms(bench_case);
     // Of the growth's curves are only those that are called by the kernel's name alone.
     fprintf(file, "%s", CASE2D_NAMES[bench_case->kind]);
-    if (bench_case->kind == TILES || !is_of_growth(bench_case)) {
+    if (bench_case->kind >= TILES || !is_of_growth(bench_case)) {
         fprintf(file, " %s px", bench_case->radii);
     }
     fprintf(file, ",");

@@ -6,6 +6,7 @@
 #include "embree_peer.h"
 #include "output_file.h"
 #include "path.h"
+#include "roofline.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -297,6 +298,7 @@ void report3d_print(const Case3D *cases, int n_cases, ReportContext context)
     print_tile_rates(cases, n_cases, 0);
     print_trees(cases, n_cases, context);
     print_work(cases, n_cases);
+    roofline_print(cases, n_cases);
     print_growth(cases, n_cases, context);
     print_pictures(cases, n_cases, context);
 }

@@ -4,7 +4,7 @@
 #define BENCH_SERIES_H
 
 #define SERIES_MAX_ROUNDS 100
-#define SERIES_MAX_A_ROUND 10
+#define SERIES_MAX_A_ROUND 20
 
 // Start with {0}.
 typedef struct Series {

@@ -79,10 +79,9 @@ static int is_to_be_alone(const Session *session, const KnownAnswer *answer, Tur
         return 0;
     }
     const int is_its_turn = turn->n_past++ == (int)(turns->seed % (uint64_t)turn->n_meant);
-    return answer->is_right
-               ? is_its_turn || turns->is_each_right_one_alone
-               : is_its_turn &&
-                     check_needs_others(&session->judge.checks[answer_check(session, answer)]);
+    return (is_its_turn || turns->is_each_alone) &&
+           (answer->is_right ||
+            check_needs_others(&session->judge.checks[answer_check(session, answer)]));
 }
 
 int is_right_answer(const char *path)

@@ -33,11 +33,11 @@ typedef struct Turn {
     int n_past;
 } Turn;
 
-// Which answers are tried alone. Of the wrong ones that a check is meant for one is, and of the
-// right ones to a task one, or each; the seed says which.
+// Which answers are tried alone: each; or of the wrong ones that a check is meant for one, and of
+// the right ones to a task one, and the seed says which.
 typedef struct Turns {
     uint64_t seed;
-    int is_each_right_one_alone;
+    int is_each_alone;
     Turn checks[RESULT_MAX_CHECKS];
     Turn tasks[MANIFEST_MAX_TASKS];
 } Turns;

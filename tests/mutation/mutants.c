@@ -9,8 +9,8 @@
 // whose path holds the word, --every of the wrong ones each N-th in the order of their names, and
 // as many others as it takes that each check and each kind of mistake has one.
 //
-// To be tried alone is to be compiled and run once more. Of the wrong ones that a check is meant
-// for one is, and the seed says which. Every right answer is; with --every one of each task.
+// To be tried alone is to be compiled and run once more. Each answer is; with --every one of the
+// wrong ones that a check is meant for, and one right one of each task, and the seed says which.
 //
 // Prints TAP, a line for each file in tests/mutants/NN-name/ and tests/right/NN-name/. Their format
 // stands in tests/mutants/README.md and tests/right/README.md. Exit status: 0 all judged as they
@@ -315,7 +315,7 @@ static int try_all(Session *session, const Trial *trial)
         complain("mutants: out of memory");
         return 2;
     }
-    Turns turns = {.is_each_right_one_alone = trial->every == 1};
+    Turns turns = {.is_each_alone = trial->every == 1};
     turns_count(&turns, session, paths, n);
     for (int i = 0; n_missed >= 0 && i < n; i += PAIR) {
         const int missed =

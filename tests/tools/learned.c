@@ -3,7 +3,7 @@
 //     learned LAB SEED >table.h
 //
 // Used by attacks that answer from such a table (attacks/*/table-of-*.sh). For each
-// scene of up to MOST_PIXELS pixels it has a row with what the scene can be told by, and for each
+// scene of up to MOST_PIXELS pixels it has a row with what the scene is recognised by, and for each
 // pixel the id of the circle or sphere that is seen there.
 #include "job_scene.h"
 #include "job_scene3d.h"
@@ -75,7 +75,7 @@ static int print_runs(const int *ids, int n_pixels)
     return n_runs;
 }
 
-// What a scene can be told by, and where its runs begin.
+// What a scene is recognised by, and where its runs begin.
 typedef struct Row {
     int n, width, height, first_run;
     float radius;

@@ -6,7 +6,8 @@
 
 enum { N_ROUNDS = 3 };
 
-const char *const CASE2D_NAMES[N_CASE2D_KINDS] = {"fill", "naive", "kdtree", "tiles"};
+const char *const CASE2D_NAMES[N_CASE2D_KINDS] = {"fill",  "naive",   "kdtree",
+                                                  "tiles", "painter", "cairo"};
 
 // A kernel that is ten times as fast as the naive one in every round, though 1 is the ratio of the
 // medians of all frames: half of them were drawn while the machine was slow.
@@ -37,7 +38,7 @@ Test(bench_report, a_ratio_is_the_median_of_the_rounds)
     cases[3] = (Case2D){.kind = FILL, .scene = &scene, .n_rows = 1024};
     rounds_make(&cases[0].frames, &cases[1].frames);
     rounds_make(&cases[3].frames, &cases[1].builds);
-    rounds_make(&cases[2].builds, &cases[2].frames);  // tiles as fast as the kd-tree
+    rounds_make(&cases[2].mapped, &cases[2].frames);  // tiles as fast as the kd-tree
     capture_begin(1);
     report_print(cases, 4, "a device");
     const char *report = capture_end(1);
@@ -47,4 +48,30 @@ Test(bench_report, a_ratio_is_the_median_of_the_rounds)
     cr_expect_not_null(strstr(report, "     10.00       10.00     10.0\n"), "%s", report);
     cr_expect_not_null(strstr(report, "10             1.0  (single rounds: 1.0 to 1.0)\n"), "%s",
                        report);
+    // Ten times as long until the host has the picture, and no peer there.
+    cr_expect_not_null(strstr(report, "          0.10\n"), "%s", report);
+    cr_expect_not_null(strstr(report, "cairo took no part"), "%s", report);
+}
+
+Test(bench_report, a_peer_is_compared_with_the_tiles_of_its_scene)
+{
+    static Case2D cases[6];
+    static const Scene2D scene = {
+        .n_circles = SCENE2D_DEFAULT_CIRCLES, .width = 1024, .height = 1024};
+    const Case2DKind kinds[] = {NAIVE, KDTREE, TILES, PAINTER, CAIRO, FILL};
+    for (int i = 0; i < 6; i++) {
+        cases[i] = (Case2D){
+            .kind = kinds[i], .scene = &scene, .n_rows = 1024, .radii = "2 to 20", .n_threads = 7};
+    }
+    cases[1].limits = (KdTreeLimits){OPTIONS_DEFAULT_MAX_DEPTH, OPTIONS_DEFAULT_LEAF_SIZE};
+    rounds_make(&cases[0].frames, &cases[1].frames);
+    rounds_make(&cases[3].frames, &cases[2].frames);  // the painter takes ten times as long
+    rounds_make(&cases[2].mapped, &cases[4].frames);  // cairo as long as the tiles
+    rounds_make(&cases[5].frames, &cases[1].builds);
+    capture_begin(1);
+    report_print(cases, 6, "a device");
+    const char *report = capture_end(1);
+    cr_expect_not_null(strstr(report, "10.0 (10.0 to 10.0)"), "%s", report);
+    cr_expect_not_null(strstr(report, "1.0 (1.0 to 1.0)"), "%s", report);
+    cr_expect_not_null(strstr(report, "threads: 7; cairo: arc"), "%s", report);
 }

@@ -106,6 +106,16 @@ Test(bench_report3d, tiles_are_compared_with_lab_07)
               "sphereflake         104.86     13.11    8.00  (single rounds: 8.00 to 8.00)\n");
 }
 
+// 20 nodes, 5 leaves and 10 spheres of 16 bytes, and the spheres' ids; 13.1 million rays a second.
+Test(bench_report3d, what_a_ray_reads_and_computes)
+{
+    Case3D *flake = flake_make();
+    flake->work = (WorkOfRay){20, 5, 10, 42};
+    const char *report = report_of(flake, (ReportContext){"a device", 1, 2});
+    expect_in(report,
+              "  sphereflake          600         420     7.86     5.51    35.0         42.0\n");
+}
+
 Test(bench_report3d, a_call_that_is_not_there_is_not_listed)
 {
     const char *report = report_of(flake_make(), (ReportContext){"a device", 1, 2});

@@ -235,7 +235,7 @@ Test(tree3d_faults, exact_trees_must_be_equal)
     scene_close(&scene);
 }
 
-// A tree of so many levels, with two nodes on each but the first.
+// A tree of n_levels levels, with two nodes on each but the first.
 static KdTree3D chain_of(u32 n_levels, KdNode3 *nodes)
 {
     const KdTree3D tree = {.nodes = nodes, .n_nodes = 2 * n_levels - 1};

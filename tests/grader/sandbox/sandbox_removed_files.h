@@ -17,8 +17,9 @@ typedef struct RemovedFiles {
     } seen[REMOVED_FILES_SLOTS];
 } RemovedFiles;
 
-// Add those that a process holds, told by the id of a thread of its that is alive. What is only
-// mapped has a size for root alone; to others each is as large as a file may be, `largest` bytes.
+// Add those that a process holds; `thread` is the id of one of its threads that is alive. What is
+// only mapped has a size for root alone; to others each is as large as a file may be, `largest`
+// bytes.
 void removed_files_add(pid_t thread, long long largest, RemovedFiles *files);
 
 #endif

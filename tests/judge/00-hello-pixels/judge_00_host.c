@@ -108,7 +108,7 @@ Verdict judge_00_arguments(const void *pointer, int k, const Sections *answers)
 
 // ---- read_back ----------------------------------------------------------------------------------
 
-// Do rows lie in the array as with a row pitch of so many bytes? What comes later covers what is
+// Do rows lie in the array as with a row pitch of `pitch` bytes? What comes later covers what is
 // there already; what nobody wrote is NaN.
 static int is_pitched(const ExpectedPicture *pattern, const float *found, size_t pitch)
 {

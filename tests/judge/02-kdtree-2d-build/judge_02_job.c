@@ -28,8 +28,8 @@ static int count_empty_leaves(const Scene2D *scene, KdTreeLimits limits)
     return n;
 }
 
-// A scene whose tree has two empty leaves, each with a list of its own. Not in all of its sizes has
-// it so many.
+// A scene whose tree has two empty leaves, each with a list of its own. It has fewer in some of its
+// sizes.
 static int draw_with_gaps(Random *random, JobScene *scene, KdTreeLimits limits)
 {
     int n_empty = 0;

@@ -1,7 +1,7 @@
 // mutant: the sides are compared as whole numbers
 // task: split_box
 // caught by: split-longer
-// says: shorter side
+// says: shorter side|not equal, if nearly
     const int width = (int)(box.maxX - box.minX);
     const int height = (int)(box.maxY - box.minY);
     if (width >= height) {
