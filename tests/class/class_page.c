@@ -1,8 +1,8 @@
 // class.html: the class on one page (see gradebook.h).
 //
-// Streamed from top to bottom: how the class did, what went wrong how often, a row a submission,
-// and all pictures. It links to the reports below its own folder, so that the folder can be moved
-// as a whole. Read next: class_page.h, its parts.
+// Streamed from top to bottom: how the class did, what went wrong how often, who is fastest where
+// that was measured, a row a submission, and all pictures. It links to the reports below its own
+// folder, so that the folder can be moved as a whole. Read next: class_page.h, its parts.
 #include "class_page.h"
 
 #include "html.h"
@@ -72,7 +72,7 @@ static void facts_write(FILE *page, const Gradebook *gradebook)
     free(scores);
 }
 
-static void head_write(FILE *page, const Gradebook *gradebook)
+static void head_write(FILE *page, const Gradebook *gradebook, int has_leaderboard)
 {
     fputs("<header>\n<p class=\"lab\">", page);
     html_line(page, gradebook->lab != NULL ? gradebook->lab : "");
@@ -81,10 +81,11 @@ static void head_write(FILE *page, const Gradebook *gradebook)
     fputs(": the class</h1>\n", page);
     facts_write(page, gradebook);
     class_histogram_write(page, gradebook);
-    fputs("<nav><a href=\"#failures\">What went wrong</a> <a href=\"#checks\">Checks</a> "
-          "<a href=\"#table\">Every submission</a> <a href=\"#gallery\">Pictures</a></nav>\n"
-          "</header>\n",
-          page);
+    fprintf(page,
+            "<nav><a href=\"#failures\">What went wrong</a> <a href=\"#checks\">Checks</a> %s"
+            "<a href=\"#table\">Every submission</a> <a href=\"#gallery\">Pictures</a></nav>\n"
+            "</header>\n",
+            has_leaderboard ? "<a href=\"#leaderboard\">Leaderboard</a> " : "");
 }
 
 // Apart from all others: nobody has judged these, and nobody may read a zero.
@@ -198,17 +199,18 @@ static void table_write(FILE *page, const Gradebook *gradebook)
 // ---- The page --------------------------------------------------------------------------------
 
 static void page_write(FILE *page, const Gradebook *gradebook, const Failures *failures,
-                       const LookAlikes *look_alikes)
+                       const LookAlikes *look_alikes, const Leaderboard *leaderboard)
 {
     char title[256];
     snprintf(title, sizeof title, "%s: the class", gradebook->lab != NULL ? gradebook->lab : "");
     html_album_begin(page, title);
-    head_write(page, gradebook);
+    head_write(page, gradebook, leaderboard->n_places > 0);
     not_graded_write(page, gradebook);
     class_look_alikes_write(page, look_alikes);
     class_changes_write(page, gradebook);
     class_failures_write(page, failures);
     class_checks_write(page, gradebook);
+    class_leaderboard_write(page, gradebook, leaderboard);
     table_write(page, gradebook);
     class_gallery_write(page, gradebook);
     html_page_end(page);
@@ -218,14 +220,17 @@ int gradebook_page(const Gradebook *gradebook, const char *path)
 {
     Failures failures = {0};
     LookAlikes look_alikes = {0};
+    Leaderboard leaderboard = {0};
     OutputFile output;
     int result = -1;
     if (failures_find(gradebook, &failures) == 0 &&
-        look_alikes_find(gradebook, &look_alikes) == 0 && output_file_open(&output, path) == 0) {
-        page_write(output.file, gradebook, &failures, &look_alikes);
+        look_alikes_find(gradebook, &look_alikes) == 0 &&
+        leaderboard_find(gradebook, &leaderboard) == 0 && output_file_open(&output, path) == 0) {
+        page_write(output.file, gradebook, &failures, &look_alikes, &leaderboard);
         result = output_file_commit(&output);
     }
     failures_free(&failures);
     look_alikes_free(&look_alikes);
+    leaderboard_free(&leaderboard);
     return result;
 }

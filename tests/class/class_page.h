@@ -4,6 +4,7 @@
 
 #include "failures.h"
 #include "gradebook.h"
+#include "leaderboard.h"
 #include "look_alikes.h"
 
 // A student's name, linked to the report, with the number of a later attempt.
@@ -23,6 +24,10 @@ void class_failures_write(FILE *page, const Failures *failures);
 
 // How many passed each check.
 void class_checks_write(FILE *page, const Gradebook *gradebook);
+
+// Whose kernels are the fastest, where the lab has a race.
+void class_leaderboard_write(FILE *page, const Gradebook *gradebook,
+                             const Leaderboard *leaderboard);
 
 // The first picture of every report.
 void class_gallery_write(FILE *page, const Gradebook *gradebook);

@@ -1,4 +1,4 @@
-// What the class has in common: distribution, changes, failures, checks, pictures (see
+// What the class has in common: distribution, changes, failures, checks, leaderboard, pictures (see
 // class_page.h).
 #include "class_page.h"
 
@@ -197,6 +197,44 @@ void class_checks_write(FILE *page, const Gradebook *gradebook)
         html_score_bar(page, n_passed, gradebook->n_graded);
         fprintf(page, "<span class=\"number\">%d of %d</span></div>\n", n_passed,
                 gradebook->n_graded);
+    }
+    fputs("</div>\n", page);
+}
+
+// ---- Leaderboard -----------------------------------------------------------------------------
+
+// The page shows these; gradebook.json has all.
+enum { MOST_PLACES = 20 };
+
+static void place_write(FILE *page, const Place *place, double best)
+{
+    fprintf(page, "<div class=\"count\"><div><span class=\"rank number\">%d.</span> ", place->rank);
+    class_name_write(page, place->row);
+    fprintf(page,
+            "</div><div class=\"bar speed\"><div style=\"width: %.1f%%\"></div></div>"
+            "<span class=\"number\">%.1f</span></div>\n",
+            100 * place->row->leaderboard / best, place->row->leaderboard);
+}
+
+void class_leaderboard_write(FILE *page, const Gradebook *gradebook, const Leaderboard *leaderboard)
+{
+    const int n = leaderboard->n_places;
+    if (n == 0) {
+        return;
+    }
+    fputs("<h2 class=\"section\" id=\"leaderboard\">Leaderboard</h2>\n<p class=\"soft\">How many ",
+          page);
+    html_line(page, gradebook->leaderboard);
+    fputs(", of those who have every point. Measured while grading, once each: what else the "
+          "machine did has changed it, and a submission can forge it. It is for fun, and gives and "
+          "costs no points.</p>\n<div class=\"card\">\n",
+          page);
+    for (int i = 0; i < n && i < MOST_PLACES; i++) {
+        place_write(page, &leaderboard->places[i], leaderboard->places[0].row->leaderboard);
+    }
+    if (n > MOST_PLACES) {
+        fprintf(page, "<div class=\"count\"><div class=\"soft\">and %d more</div></div>\n",
+                n - MOST_PLACES);
     }
     fputs("</div>\n", page);
 }

@@ -135,6 +135,10 @@ static void row_take(Gradebook *gradebook, const Graded *graded, Row *row)
         row->reason = strdup("graded with other checks than the rest: run again with AGAIN=1");
         return;
     }
+    if (graded->leaderboard != 0 && gradebook->leaderboard == NULL) {
+        gradebook->leaderboard = strdup(graded->leaderboard_title);
+    }
+    row->leaderboard = graded->leaderboard;
     row->seed = strdup(graded->seed);
     row->score = graded->score;
     for (int i = 0; i < graded->n_tasks; i++) {
@@ -277,7 +281,7 @@ void gradebook_free(Gradebook *gradebook)
     free(gradebook->rows);
     columns_free(gradebook->tasks, gradebook->n_tasks);
     columns_free(gradebook->checks, gradebook->n_checks);
-    free(gradebook->lab), free(gradebook->title);
+    free(gradebook->lab), free(gradebook->title), free(gradebook->leaderboard);
     roster_free(&gradebook->roster);
     *gradebook = (Gradebook){0};
 }

@@ -31,6 +31,7 @@ typedef struct Row {
     char *fault_id;                  // the check's id, "" for a stage
     char *fault_message;             // the first line of what it said
     const char *picture;             // "picture.png" or "picture.svg" beside the report, or NULL
+    double leaderboard;              // the figure of its race; 0: none
     int has_old_score;
     int old_score;  // in the gradebook that this one is compared with
 } Row;
@@ -43,6 +44,7 @@ typedef struct Column {
 typedef struct Gradebook {
     const char *folder;  // where students/SLUG/ and the three files are
     char *lab, *title;   // NULL when nothing was graded
+    char *leaderboard;   // what the rows' figures count; NULL where no row has one
     int max_score;
     Column tasks[MANIFEST_MAX_TASKS];
     int n_tasks;

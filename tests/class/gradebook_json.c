@@ -50,6 +50,9 @@ static json_t *row_json(const Gradebook *gradebook, const Row *row)
                             json_pack("{s:s, s:s, s:s}", "title", row->fault, "check",
                                       row->fault_id, "message", row->fault_message));
     }
+    if (row->leaderboard != 0) {
+        json_object_set_new(json, "leaderboard", json_real(row->leaderboard));
+    }
     json_object_set_new(json, "seed", json_string(row->seed));
     json_object_set_new(json, "report", json_string(report));
     if (row->has_old_score) {
@@ -61,7 +64,8 @@ static json_t *row_json(const Gradebook *gradebook, const Row *row)
 // Write one value and give it up. jansson hands on what went wrong while it was made: NULL fails.
 static int value_write(json_t *json, FILE *file)
 {
-    const int written = json != NULL ? json_dumpf(json, file, JSON_COMPACT | JSON_ENCODE_ANY) : -1;
+    const size_t layout = JSON_COMPACT | JSON_ENCODE_ANY | JSON_REAL_PRECISION(6);
+    const int written = json != NULL ? json_dumpf(json, file, layout) : -1;
     json_decref(json);
     return written;
 }
@@ -88,6 +92,10 @@ int gradebook_json(const Gradebook *gradebook, const char *path)
     int failed = value_write(gradebook->lab ? json_string(gradebook->lab) : json_null(), file);
     fputs(",\n\"title\": ", file);
     failed |= value_write(gradebook->title ? json_string(gradebook->title) : json_null(), file);
+    if (gradebook->leaderboard != NULL) {
+        fputs(",\n\"leaderboard\": ", file);
+        failed |= value_write(json_string(gradebook->leaderboard), file);
+    }
     fprintf(file, ",\n\"max_score\": %d,\n\"tasks\": ", gradebook->max_score);
     failed |= value_write(tasks_json(gradebook), file);
     fputs(",\n\"students\": [", file);

@@ -5,6 +5,7 @@
 
 #include "complain.h"
 #include "message.h"
+#include "race.h"
 
 #include <errno.h>
 #include <jansson.h>
@@ -156,28 +157,46 @@ static int sums_check(const char *path, const Graded *graded)
     return 0;
 }
 
+// Read the figure, which only somebody with every point has. NULL: there is none.
+static int leaderboard_read(const char *path, json_t *leaderboard, Graded *graded)
+{
+    json_error_t error;
+    if (leaderboard == NULL) {
+        return 0;
+    }
+    if (json_unpack_ex(leaderboard, &error, JSON_STRICT, "{s:s, s:F}", "title",
+                       &graded->leaderboard_title, "value", &graded->leaderboard) != 0) {
+        return fault(path, "leaderboard: %s", error.text);
+    }
+    if (!race_is_figure(graded->leaderboard) || graded->score != graded->max_score) {
+        return fault(path, "leaderboard: found %g beside %d of %d points", graded->leaderboard,
+                     graded->score, graded->max_score);
+    }
+    return 0;
+}
+
 static int fields_read(const char *path, Graded *graded)
 {
     const char *device, *sandbox, *submission;
     double seconds;
-    json_t *stages, *tasks, *checks;
+    json_t *stages, *tasks, *checks, *leaderboard = NULL;
     json_error_t error;
     if (json_unpack_ex(graded->json, &error, JSON_STRICT,
-                       "{s:s, s:s, s:i, s:i, s:s, s:s, s:s, s:s, s:F, s:o, s:o, s:o}", "lab",
+                       "{s:s, s:s, s:i, s:i, s:s, s:s, s:s, s:s, s:F, s:o, s:o, s:o, s?o}", "lab",
                        &graded->lab, "title", &graded->title, "score", &graded->score, "max_score",
                        &graded->max_score, "seed", &graded->seed, "device", &device, "sandbox",
                        &sandbox, "submission", &submission, "seconds", &seconds, "stages", &stages,
-                       "tasks", &tasks, "checks", &checks) != 0) {
+                       "tasks", &tasks, "checks", &checks, "leaderboard", &leaderboard) != 0) {
         return fault(path, "%s", error.text);
     }
     if (!json_is_array(stages) || !json_is_array(tasks) || !json_is_array(checks)) {
         return fault(path, "expected lists of stages, tasks and checks");
     }
     if (stages_read(path, stages, graded) != 0 || tasks_read(path, tasks, graded) != 0 ||
-        checks_read(path, checks, graded) != 0) {
+        checks_read(path, checks, graded) != 0 || sums_check(path, graded) != 0) {
         return -1;
     }
-    return sums_check(path, graded);
+    return leaderboard_read(path, leaderboard, graded);
 }
 
 int graded_load(const char *path, Graded *graded)

@@ -25,8 +25,10 @@ typedef struct Graded {
     int n_tasks;
     GradedCheck checks[RESULT_MAX_CHECKS];
     int n_checks;
-    const char *failed_stage;   // title of the first stage that failed, or NULL
-    const char *stage_message;  // and what it said
+    const char *failed_stage;       // title of the first stage that failed, or NULL
+    const char *stage_message;      // and what it said
+    const char *leaderboard_title;  // what its figure counts, or NULL
+    double leaderboard;             // within race.h's limits; 0: none
 } Graded;
 
 // Read and check a results.json, which may have passed through other hands: fields, types and

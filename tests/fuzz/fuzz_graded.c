@@ -3,6 +3,7 @@
 #include "fuzz.h"
 
 #include "graded.h"
+#include "race.h"
 
 static void check_graded(const Graded *graded)
 {
@@ -24,6 +25,9 @@ static void check_graded(const Graded *graded)
         MUST_HOLD(check->status >= CHECK_PASSED && check->status <= CHECK_NOT_RUN);
     }
     MUST_HOLD((graded->failed_stage == NULL) == (graded->stage_message == NULL));
+    MUST_HOLD((graded->leaderboard == 0) == (graded->leaderboard_title == NULL));
+    MUST_HOLD(graded->leaderboard == 0 ||
+              (race_is_figure(graded->leaderboard) && graded->score == graded->max_score));
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t n_bytes)

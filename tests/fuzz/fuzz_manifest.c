@@ -36,6 +36,8 @@ static void check_manifest(const Manifest *manifest)
         points += task->points;
     }
     MUST_HOLD(points == 100);
+    MUST_HOLD(manifest->leaderboard == NULL ||
+              (manifest->leaderboard[0] != '\0' && !manifest_has_host_files(manifest)));
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t n_bytes)

@@ -36,12 +36,21 @@ $(OUT)/probes/%.a: $(OUT)/obj/tests/probes/%/main.c.o $(call objects,tests/probe
 $(OUT)/probes/%: $(OUT)/probes/%.a $(OUT)/libcommon.a
 	$(call link,-lOpenCL -lm)
 
+# Of a lab with a leaderboard: a race between an earlier lab's kernel and the one that was handed in. It
+# holds what the lab gives its students, whose answers are kernels.
+RACES := $(patsubst tests/probes/%/race.c,$(OUT)/probes/%-race,$(wildcard tests/probes/*/race.c))
+$(OUT)/obj/tests/probes/%/race.c.o: EXTRA = -I tests/probes -I labs/$(lab_name) $(call include_path,$(lab_name)) \
+    -DLAB_FOLDER='"labs/$(lab_name)"' -DPROBE_KERNEL_OPTIONS='"$(call include_path,$(lab_name))"'
+$(RACES): $(OUT)/probes/%-race: $(OUT)/obj/tests/probes/%/race.c.o $(call objects,tests/probes/probe.c tests/probes/sections.c) \
+    $$(call objects,$$(filter-out labs/$$*/main.c,$$(wildcard labs/$$*/*.c))) $(OUT)/earlier/%.a $(OUT)/libcommon.a
+	$(call link,$(LIBRARIES))
+
 # In a handout, which has no solution to run: is there a device?
 $(OUT)/probes/find_device: $(call objects,tests/probes/find_device.c) $(OUT)/libcommon.a
 	$(call link,-lOpenCL -lm)
 
 .PHONY: grader lab-grader grade
-grader: $(addprefix $(OUT)/tools/,grade judge unpack) $(OUT)/probes/find_device $(PROBES) $(LABS:%=$(OUT)/earlier/%.a)  ## build the grader and its probes
+grader: $(addprefix $(OUT)/tools/,grade judge unpack) $(OUT)/probes/find_device $(PROBES) $(RACES) $(LABS:%=$(OUT)/earlier/%.a)  ## build the grader and its probes
 
 # Which packages `make setup` installs (common/setup/packages.txt): what a handout needs. The course needs more.
 setup_for = grade
@@ -49,7 +58,7 @@ setup_for = grade
 # The name of the lab that is asked for as LAB=3, LAB=03 or by its name; any other word as it is.
 graded_lab = $(or $(filter $(LAB) $(LAB)-% 0$(LAB)-%,$(LABS)),$(LAB))
 # The grader of one lab: what a bundle for another system builds.
-lab-grader: $(addprefix $(OUT)/tools/,grade judge unpack) $(OUT)/probes/find_device $(filter $(addprefix $(OUT)/probes/,$(graded_lab) $(graded_lab).a),$(PROBES))
+lab-grader: $(addprefix $(OUT)/tools/,grade judge unpack) $(OUT)/probes/find_device $(filter $(addprefix $(OUT)/probes/,$(graded_lab) $(graded_lab).a $(graded_lab)-race),$(PROBES) $(RACES))
 	$(if $(filter $(graded_lab),$(LABS)),@:,@echo 'make $@: found LAB="$(LAB)", expected the number or name of a lab: $(LABS)' >&2; exit 2)
 lab-grader: $(patsubst %,$(OUT)/earlier/%.a,$(filter $(graded_lab),$(LABS)))
 

@@ -235,6 +235,11 @@ char *session_find_line(Session *session, const Variant *variant)
     return variant_find_line(&session->workshop, variant, &session->allowance);
 }
 
+double session_race(Session *session, const Variant *variant)
+{
+    return variant_race(&session->workshop, variant, &session->allowance);
+}
+
 // Did a submission end in the function of another task? Then nothing is known about this one.
 static int ended_elsewhere(const Variant *variant, const char *task)
 {

@@ -66,6 +66,9 @@ int session_write(const char *folder, const char *name, const char *text);
 // The line at which a variant crashed: see variant_find_line().
 char *session_find_line(Session *session, const Variant *variant);
 
+// The figure of a variant's race: see variant_race().
+double session_race(Session *session, const Variant *variant);
+
 // Judge check number i by what a variant that has run did in job number k, and note points, status
 // and message. Job 0 is the session's own, those behind it are of the seeds that follow.
 void session_judge(Session *session, int k, int i, const Variant *variant, CheckResult *result);

@@ -36,6 +36,16 @@ for folder in labs/*; do
         grade_as 1 "$name" --lab "$name" --submission "$folder"
 done
 
+# A lab with a leaderboard: who has every point has a figure, unless the own kernel never ends in the
+# race, which alone counts nothing. It costs no points.
+check "a right submission of a lab with a leaderboard" \
+    grade_as 0 fast --lab 10 --submission solutions/10-realtime
+cp "$scratch/said" "$scratch/fast.said"
+cp -R solutions/10-realtime "$scratch/endless"
+sed -i '/^int cone_misses_sphere/,/{/s/{/{\n#ifndef COUNT_WORK\n    for (volatile int i = 0;; i++) {\n    }\n#endif/' \
+    "$scratch/endless/cone.cl"
+check "one whose race never ends" grade_as 0 endless --lab 10 --submission "$scratch/endless"
+
 # A fault of the machinery, where older results lie.
 mkdir "$scratch/no-build"
 cp -r "$scratch/reports/right" "$scratch/reports/fault"
@@ -49,6 +59,7 @@ for reports in "$scratch/reports"/*; do
     tail -n 1 "$reports/autolab.txt" >"$reports/autolab.json"
     tail -n 2 "$reports/autolab.txt" | head -n 1 >"$reports/feedback.json"
 done
+check "the grader's own results.json" obeys ../results "$scratch/reports"/*/results.json
 check "Gradescope's results.json" obeys gradescope "$scratch/reports"/*/gradescope.json
 check "PrairieLearn's results.json" obeys prairielearn "$scratch/reports"/*/prairielearn.json
 check "Autolab's last line" obeys autolab "$scratch/reports"/*/autolab.json
@@ -100,6 +111,8 @@ missing|gradescope.json|^{"score":0,.*"output":"Staging: failed|Gradescope: noth
 wrong|gradescope.json|<img alt=\\".*(yours)\\" src=\\"data:image|Gradescope: shows a wrong picture
 right|prairielearn.json|"gradable":true,"score":1,|PrairieLearn: full marks
 wrong|prairielearn.json|"gradable":true,"score":0.6,|PrairieLearn: some
+fast|gradescope.json|"leaderboard":\[{"name":"times as fast as lab 07's kernel","value":[0-9.]*,"order":"desc"}\]|Gradescope: the figure of a race
+endless|gradescope.json|^{"score":100,|a race that never ends costs no points
 wrong|prairielearn.json|"label":"[^"]*(yours)","url":"data:|PrairieLearn: shows the wrong picture
 missing|prairielearn.json|^{"gradable":false,.*gradient.cl: |PrairieLearn: nothing to grade
 wrong|autolab.json|^{"scores":{"gradient":0,"set_arguments":20,|Autolab: the points by task
@@ -110,6 +123,10 @@ fault|junit.xml| failures="0" errors="1" |JUnit: a fault is an error
 fault|prairielearn.json|^{"gradable":false,.*The grader could not|PrairieLearn: a fault is no grade
 END
 check "Gradescope: says which checks did not run" counts missing gradescope.json '"Not run: ' 5
+check "the report tells it" grep -q "^ [0-9.]* times as fast as lab 07's kernel on this device, in this run; " \
+    "$scratch/fast.said"
+check "a skeleton has no figure" counts 10-realtime results.json leaderboard 0
+check "nor has a race that never ends" counts endless results.json leaderboard 0
 check "GitHub: two annotations" counts hostile github.txt '^::notice title=[A-Za-z ]*::' 2
 check "JUnit: markup of the student's is text" counts hostile junit.xml '<!\[CDATA\[' 0
 

@@ -21,6 +21,7 @@ static const Manifest manifest = {
                .title = "The nearest of all",
                .points = 60,
                .hint = "Remember the depth."}},
+    .leaderboard = (char *)"times as fast as lab 00's <kernel>",
 };
 
 // A result with a failed, a passed and a not-run check; the failed one says `message`.
@@ -53,6 +54,18 @@ static inline Result result_make(const char *message)
                                      .task = "implicit2DRenderer",
                                      .max_points = 60,
                                      .status = CHECK_NOT_RUN};
+    return result;
+}
+
+// The same with every point earned, and the figure of a race; 0: none.
+static inline Result full_result_make(double leaderboard)
+{
+    Result result = result_make("");
+    for (int i = 0; i < result.n_checks; i++) {
+        check_pass(&result.checks[i]);
+    }
+    result.score = result.max_score;
+    result.leaderboard = leaderboard;
     return result;
 }
 

@@ -1,7 +1,8 @@
-// Unit tests of a class's names and groups: who handed in what, and who failed alike.
+// Unit tests of a class's names and groups: who handed in what, who failed alike, who is fastest.
 #include "csv_cell.h"
 #include "entry_name.h"
 #include "failures.h"
+#include "leaderboard.h"
 #include "look_alikes.h"
 #include "name_likeness.h"
 #include <string.h>
@@ -243,4 +244,39 @@ Test(failures, are_the_same_whatever_the_numbers)
     cr_expect_eq(failures.failures[1].first, &rows[1]);
     cr_expect_eq(failures.failures[2].first, &rows[4]);
     failures_free(&failures);
+}
+
+// ---- Leaderboard -------------------------------------------------------------------------------
+
+Test(leaderboard, who_is_equal_shares_a_rank_in_the_rosters_order)
+{
+    static const double figures[] = {4.5, 0, 12.3, 4.5, 1000, 0.1, 0, 4.5};
+    static const int rows_in_order[] = {4, 2, 0, 3, 7, 5}, ranks[] = {1, 2, 3, 3, 3, 6};
+    enum { N_ROWS = sizeof figures / sizeof *figures, N_PLACES = sizeof ranks / sizeof *ranks };
+    Row rows[N_ROWS] = {0};
+    for (int i = 0; i < N_ROWS; i++) {
+        rows[i].leaderboard = figures[i];
+    }
+    const Gradebook gradebook = {.rows = rows, .n_rows = N_ROWS};
+    Leaderboard found;
+    cr_assert_eq(leaderboard_find(&gradebook, &found), 0);
+    cr_assert_eq(found.n_places, N_PLACES, "found %d", found.n_places);
+    for (int i = 0; i < N_PLACES; i++) {
+        cr_expect_eq(found.places[i].row, &rows[rows_in_order[i]], "place %d", i);
+        cr_expect_eq(found.places[i].rank, ranks[i], "place %d: rank %d", i, found.places[i].rank);
+    }
+    leaderboard_free(&found);
+}
+
+Test(leaderboard, without_figures_there_are_no_places)
+{
+    Row rows[2] = {0};
+    const Gradebook gradebook = {.rows = rows, .n_rows = 2}, nobody = {0};
+    Leaderboard found;
+    cr_assert_eq(leaderboard_find(&gradebook, &found), 0);
+    cr_expect_eq(found.n_places, 0);
+    leaderboard_free(&found);
+    cr_assert_eq(leaderboard_find(&nobody, &found), 0);
+    cr_expect_eq(found.n_places, 0);
+    leaderboard_free(&found);
 }

@@ -94,6 +94,29 @@ Test(manifest, a_check_may_have_a_hint_of_its_own)
     manifest_free(&manifest);
 }
 
+#define BOARD(files, leaderboard)                                                                  \
+    "{\"title\": \"T\", " files ", \"tasks\": [" TASK_A ", " TASK_B                                \
+    "], \"leaderboard\": " leaderboard "}"
+
+Test(manifest, a_lab_may_have_a_leaderboard)
+{
+    static const struct {
+        const char *text, *leaderboard;
+    } cases[] = {{BOARD(FILES, "\"times as fast\""), "times as fast"},
+                 {MANIFEST(FILES, TASK_A ", " TASK_B), NULL}};
+    for (size_t i = 0; i < 2; i++) {
+        char folder[64];
+        lab_write(cases[i].text, folder);
+        Manifest manifest;
+        cr_assert_eq(manifest_load(folder, "01-x", &manifest), 0);
+        lab_remove(folder);
+        cr_expect_str_eq(manifest.leaderboard ? manifest.leaderboard : "none",
+                         cases[i].leaderboard ? cases[i].leaderboard : "none");
+        manifest_free(&manifest);
+        cr_expect_null(manifest.leaderboard);
+    }
+}
+
 typedef struct BadManifest {
     const char *text;
     const char *message;  // part of the one line
@@ -145,6 +168,10 @@ static const BadManifest bad_manifests[] = {
     {MANIFEST(FILES, HINTS("{\"1\":\"\",\"2\":\"\",\"3\":\"\",\"4\":\"\",\"5\":\"\",\"6\":\"\","
                            "\"7\":\"\",\"8\":\"\",\"9\":\"\"}")),
      "tasks[0].hints: found 9 entries, expected at most 8"},
+    {BOARD(FILES, "true"), "leaderboard: found true, expected a string"},
+    {BOARD(FILES, "\"\""), "leaderboard: found an empty string, expected some text"},
+    {BOARD("\"files\": [\"a.cl\", \"b.cl\", \"c.c\"]", "\"x\""),
+     "leaderboard: found one in a lab with host files, expected kernels only"},
 };
 
 Test(manifest, names_each_slip_in_one_message, .init = cr_redirect_stderr)

@@ -29,6 +29,20 @@ Test(report_html, escapes_every_message)
     result_free(&result);
 }
 
+Test(report_html, tells_the_figure_of_a_race_where_there_is_one)
+{
+    Result result = full_result_make(12.3);
+    char *page = file_report(report_html, &result);
+    expect_part(page, "<b class=\"number\">12.3</b> times as fast as lab 00&#39;s &lt;kernel&gt; "
+                      "on this device, in this run; gives and costs no points</p>");
+    free(page);
+    result.leaderboard = 0;
+    page = file_report(report_html, &result);
+    expect_no_part(page, "times as fast");
+    free(page);
+    result_free(&result);
+}
+
 static Image picture_make(int width, float value)
 {
     Image image;

@@ -49,8 +49,32 @@ Test(report_json, is_not_written_with_a_figure_that_is_no_number, .init = cr_red
     Result result = result_make("");
     result.seconds = 0.0 / 0.0;
     cr_expect_eq(report_json("/tmp/test-report-never-written.json", &manifest, &result), -1);
+    result.seconds = 1;
+    result.leaderboard = 0.0 / 0.0;
+    cr_expect_eq(report_json("/tmp/test-report-never-written.json", &manifest, &result), -1);
     cr_expect_eq(access("/tmp/test-report-never-written.json", F_OK), -1);
     result_free(&result);
+}
+
+// What is not measured is not there, and never a zero.
+Test(report_json, has_a_leaderboard_only_where_there_is_a_figure)
+{
+    static const double figures[] = {0, 12.3, 0.1, 1000};
+    static const char *const texts[] = {NULL, "\"value\": 12.3\n", "\"value\": 0.1\n",
+                                        "\"value\": 1000.0\n"};
+    for (size_t i = 0; i < sizeof figures / sizeof *figures; i++) {
+        Result result = full_result_make(figures[i]);
+        char *text = file_report(report_json, &result);
+        if (texts[i] == NULL) {
+            expect_no_part(text, "leaderboard");
+        } else {
+            expect_part(text, "  \"leaderboard\": {\n"
+                              "    \"title\": \"times as fast as lab 00's <kernel>\",\n    ");
+            expect_part(text, texts[i]);
+        }
+        free(text);
+        result_free(&result);
+    }
 }
 
 // ---- Reading results.json back ------------------------------------------------------------------
@@ -85,6 +109,57 @@ Test(graded, reads_what_the_grader_wrote)
     result_free(&result);
 }
 
+Test(graded, reads_the_figure_of_a_race)
+{
+    static const double figures[] = {0, 12.3};
+    for (size_t i = 0; i < 2; i++) {
+        Result result = full_result_make(figures[i]);
+        char *text = file_report(report_json, &result);
+        Graded graded;
+        cr_assert_eq(graded_load_text(text, &graded), 0);
+        cr_expect_eq(graded.leaderboard, figures[i]);
+        cr_expect_str_eq(graded.leaderboard_title ? graded.leaderboard_title : "none",
+                         i ? manifest.leaderboard : "none");
+        graded_free(&graded);
+        free(text);
+        result_free(&result);
+    }
+}
+
+// The text with one part replaced. The result is static.
+static const char *edited(const char *text, const char *part, const char *replacement)
+{
+    static char edited_text[8192];
+    const char *at = strstr(text, part);
+    cr_assert_not_null(at, "no \"%s\" in %s", part, text);
+    snprintf(edited_text, sizeof edited_text, "%.*s%s%s", (int)(at - text), text, replacement,
+             at + strlen(part));
+    return edited_text;
+}
+
+Test(graded, refuses_a_figure_that_is_none, .init = cr_redirect_stderr)
+{
+    static const char *const values[] = {
+        "0",    "0.0",      "-1.5",   "1e300", "1e999", "NaN",  "1000.1",
+        "null", "\"12.3\"", "[12.3]", "0.09",  "true",  "\"\"", "12.3, \"more\": 1"};
+    Result result = full_result_make(12.3);
+    char *text = file_report(report_json, &result);
+    Graded graded;
+    for (size_t i = 0; i < sizeof values / sizeof *values; i++) {
+        cr_expect_eq(graded_load_text(edited(text, "12.3", values[i]), &graded), -1, "%s was taken",
+                     values[i]);
+        cr_expect_null(graded.json);
+    }
+    free(text);
+    // Who has not every point has none.
+    result.checks[0].points = 24;
+    result.score = 99;
+    text = file_report(report_json, &result);
+    cr_expect_eq(graded_load_text(text, &graded), -1);
+    free(text);
+    result_free(&result);
+}
+
 Test(graded, refuses_what_the_grader_never_writes, .init = cr_redirect_stderr)
 {
     // What is replaced, and by what; the result then no longer holds together.
@@ -105,13 +180,9 @@ Test(graded, refuses_what_the_grader_never_writes, .init = cr_redirect_stderr)
     Result result = result_make("wrong");
     char *text = file_report(report_json, &result);
     for (size_t i = 0; i < sizeof edits / sizeof edits[0]; i++) {
-        const char *at = strstr(text, edits[i][0]);
-        cr_assert_not_null(at, "edit %zu", i);
-        char edited[8192];
-        snprintf(edited, sizeof edited, "%.*s%s%s", (int)(at - text), text, edits[i][1],
-                 at + strlen(edits[i][0]));
         Graded graded;
-        cr_expect_eq(graded_load_text(edited, &graded), -1, "edit %zu was taken", i);
+        cr_expect_eq(graded_load_text(edited(text, edits[i][0], edits[i][1]), &graded), -1,
+                     "edit %zu was taken", i);
         cr_expect_null(graded.json);
     }
     Graded graded;

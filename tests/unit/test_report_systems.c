@@ -151,6 +151,38 @@ Test(report_systems, gradescope_keeps_the_points)
     result_free(&result);
 }
 
+// Only Gradescope knows what it is; the other forms are the same with it and without.
+Test(report_systems, the_figure_of_a_race_is_a_leaderboard_of_gradescopes)
+{
+    static const char *const others[] = {"junit.xml", "results.tap", "autolab.txt",
+                                         "prairielearn.json", "github.txt"};
+    enum { N_OTHERS = sizeof others / sizeof *others };
+    char *with[N_OTHERS];
+    Result result = full_result_make(12.3);
+    write_all(&result);
+    json_t *json = json_of("gradescope.json");
+    json_t *expected = json_pack("[{s:s, s:f, s:s}]", "name", manifest.leaderboard, "value", 12.3,
+                                 "order", "desc");
+    cr_expect(json_equal(json_object_get(json, "leaderboard"), expected));
+    cr_expect_eq(json_integer_value(json_object_get(json, "score")), 100);
+    json_decref(expected);
+    json_decref(json);
+    for (int i = 0; i < N_OTHERS; i++) {
+        with[i] = text_of(others[i]);
+    }
+    result.leaderboard = 0;
+    write_all(&result);
+    json = json_of("gradescope.json");
+    cr_expect_null(json_object_get(json, "leaderboard"), "nothing was measured");
+    json_decref(json);
+    for (int i = 0; i < N_OTHERS; i++) {
+        char *without = text_of(others[i]);
+        cr_expect_str_eq(with[i], without);
+        free(with[i]), free(without);
+    }
+    result_free(&result);
+}
+
 Test(report_systems, autolab_ends_with_the_points)
 {
     Result result = result_make(hostile);

@@ -36,6 +36,22 @@ Test(report_text, is_laid_out_by_task)
     result_free(&result);
 }
 
+Test(report_text, ends_with_the_figure_of_a_race_where_there_is_one)
+{
+    Result result = full_result_make(12.34);
+    char *text = text_report(&result, 0);
+    expect_part(text, "\n Score 100/100\n"
+                      " 12.3 times as fast as lab 00's <kernel> on this device, in this run; "
+                      "gives and costs no points\n");
+    free(text);
+    result.leaderboard = 0;
+    text = text_report(&result, 0);
+    expect_part(text, "\n Score 100/100\n");
+    expect_no_part(text, "fast");
+    free(text);
+    result_free(&result);
+}
+
 // To systems the checks of a task that nobody has answered have failed; to people it is no fault.
 Test(report_text, shows_what_is_not_answered_as_not_tried)
 {

@@ -5,7 +5,8 @@
 //       "files": ["overlaps_N_Nearer.cl", "implicit2DRenderer.cl"],
 //       "tasks": [ { "id": "overlaps_N_Nearer", "file": "overlaps_N_Nearer.cl",
 //                    "title": "Does a circle cover the pixel?", "points": 40,
-//                    "hint": "...", "hints": { "overlaps-boundary": "..." } } ] }
+//                    "hint": "...", "hints": { "overlaps-boundary": "..." } } ],
+//       "leaderboard": "times as fast as lab 00's kernel" }
 #ifndef GRADER_MANIFEST_H
 #define GRADER_MANIFEST_H
 
@@ -38,11 +39,14 @@ typedef struct Manifest {
     int n_files;
     Task tasks[MANIFEST_MAX_TASKS];
     int n_tasks;
+    char *leaderboard;  // what a figure counts that no points depend on: "times as fast as ...";
+                        // NULL in a lab without a race (run/race.h)
 } Manifest;
 
 // Read labs_folder/lab/lab.json. Returns 0, or -1 after one message on stderr (missing, no JSON, a
 // field missing or of the wrong type, unknown fields, a file name with a slash or a leading dot, a
-// task whose file is not listed, an id given twice, points that do not add up to 100).
+// task whose file is not listed, an id given twice, points that do not add up to 100, a leaderboard
+// where host files are handed in, which a race could not be built with ahead).
 int manifest_load(const char *labs_folder, const char *lab, Manifest *manifest);
 void manifest_free(Manifest *manifest);
 

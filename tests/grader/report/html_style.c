@@ -121,6 +121,8 @@ const char html_style[] =
     "  border-top: 1px solid var(--edge); }\n"
     ".count:first-child { border-top: 0; }\n"
     ".count .number { text-align: right; }\n"
+    ".rank { display: inline-block; min-width: 2rem; color: var(--soft); }\n"
+    ".speed > div { background: var(--accent); }\n"
     ".short { color: var(--bad); }\n"
     ".gain { color: var(--good); }\n"
     "nav { display: flex; flex-wrap: wrap; gap: 0.25rem 1.5rem; margin-top: 1rem;\n"

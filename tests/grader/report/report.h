@@ -8,6 +8,9 @@
 
 #include <stdio.h>
 
+// What reports for people say behind the figure of a race and what it counts.
+#define REPORT_RACE_NOTE " on this device, in this run; gives and costs no points"
+
 // For the terminal: a line a check, grouped by task, messages and hints under the failed ones, the
 // score last. Colours only when `colours` is set.
 int report_text(FILE *out, const Manifest *manifest, const Result *result, int colours);

@@ -57,7 +57,17 @@ static void summary_write(FILE *page, const Result *result)
     fputs("</p>\n", page);
 }
 
-static void head_write(FILE *page, const Result *result)
+static void leaderboard_write(FILE *page, const Manifest *manifest, const Result *result)
+{
+    if (result->leaderboard == 0) {
+        return;
+    }
+    fprintf(page, "<p class=\"soft\"><b class=\"number\">%.1f</b> ", result->leaderboard);
+    html_line(page, manifest->leaderboard);
+    fputs(REPORT_RACE_NOTE "</p>\n", page);
+}
+
+static void head_write(FILE *page, const Manifest *manifest, const Result *result)
 {
     fputs("<header>\n<div class=\"head\"><div><p class=\"lab\">", page);
     html_line(page, result->lab);
@@ -68,6 +78,7 @@ static void head_write(FILE *page, const Result *result)
             result->score, result->max_score);
     html_score_bar(page, result->score, result->max_score);
     summary_write(page, result);
+    leaderboard_write(page, manifest, result);
     char seed[24];
     char seconds[32];
     snprintf(seed, sizeof seed, "%" PRIu64, result->seed);
@@ -159,7 +170,7 @@ static int page_write(FILE *page, const Manifest *manifest, const Result *result
     char title[256];
     snprintf(title, sizeof title, "%s: %d/%d", result->lab, result->score, result->max_score);
     html_page_begin(page, title);
-    head_write(page, result);
+    head_write(page, manifest, result);
     stages_write(page, result);
     for (int i = 0; i < manifest->n_tasks; i++) {
         task_write(page, manifest, &manifest->tasks[i], result);

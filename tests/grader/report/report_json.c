@@ -81,7 +81,23 @@ static json_t *result_json(const Manifest *manifest, const Result *result)
                      checks_json(manifest, result));
 }
 
+// Where there is a figure, the field comes last; where there is none, there is no field.
+static json_t *result_json_with_leaderboard(const Manifest *manifest, const Result *result)
+{
+    json_t *json = result_json(manifest, result);
+    if (json == NULL || result->leaderboard == 0) {
+        return json;
+    }
+    json_t *entry = json_pack("{s:o, s:f}", "title", json_line(manifest->leaderboard), "value",
+                              result->leaderboard);
+    if (json_object_set_new(json, "leaderboard", entry) != 0) {
+        json_decref(json);
+        return NULL;
+    }
+    return json;
+}
+
 int report_json(const char *path, const Manifest *manifest, const Result *result)
 {
-    return json_save(path, result_json(manifest, result), JSON_INDENT(2));
+    return json_save(path, result_json_with_leaderboard(manifest, result), JSON_INDENT(2));
 }

@@ -216,6 +216,11 @@ int report_text(FILE *out, const Manifest *manifest, const Result *result, int c
     }
     fprintf(out, "\n %sScore %d/%d%s\n", colour(&report, BOLD), result->score, result->max_score,
             colour(&report, PLAIN));
+    if (result->leaderboard != 0) {
+        char *counts = line_clean(manifest->leaderboard);
+        fprintf(out, " %.1f %s" REPORT_RACE_NOTE "\n", result->leaderboard, counts);
+        free(counts);
+    }
     if (fflush(out) != 0 || ferror(out)) {
         fprintf(stderr, "report: cannot write the text report\n");
         return -1;

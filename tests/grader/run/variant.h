@@ -20,7 +20,9 @@ typedef struct Variant {
     Sections further[MAX_FURTHER_JOBS];  // and to the jobs of further seeds
     SandboxRun *run;                     // while it runs
     int is_ours;                         // the solution: what it uses says what others may
+    int is_extra;      // no points depend on it: it is tried once, and fails in silence
     int is_checked;    // built and run with the address sanitizer: see variant_find_line()
+    int is_race;       // the lab's race runs in the place of its probe: see variant_race()
     const char *task;  // whose answer stands in the solution of the others; NULL: a submission
     int is_changed;  // tried alone in files that differ from those handed out in more than answers
     const char *alone;  // whose answer is tried alone, with a job of its own; NULL: all of them
@@ -45,6 +47,10 @@ int variants_run(const Workshop *workshop, Variant *const variants[], int n, All
 // itself. Owned by the caller; NULL where that finds nothing. What a student's program prints can
 // decide the number of the line and which of our words are said of it. The answers stay.
 char *variant_find_line(const Workshop *workshop, const Variant *variant, Allowance *allowance);
+
+// Of a lab with a leaderboard, whose answers are kernels: let the variant's draw once more, beside
+// a reference. Returns its figure (race.h), or 0 where there is none. The answers stay.
+double variant_race(const Workshop *workshop, const Variant *variant, Allowance *allowance);
 
 void variant_free(Variant *variant);
 

@@ -6,6 +6,7 @@
 #include "message.h"
 #include "path.h"
 #include "probe.h"
+#include "race.h"
 #include "run_end.h"
 
 #include <signal.h>
@@ -145,8 +146,7 @@ static int step_take(const Workshop *workshop, Variant *variant, Step step, Sand
 {
     enum { TRIES = 2 };
     SandboxResult result = {.outcome = SANDBOX_FAULT};
-    // The line of a crash is not worth a second try.
-    const int n_tries = variant->is_checked ? 1 : TRIES;
+    const int n_tries = variant->is_extra ? 1 : TRIES;
     for (int i = 0; i < n_tries && (i == 0 || allowance_left(allowance) > 0); i++) {
         if (i > 0) {
             free(result.output);
@@ -163,9 +163,9 @@ static int step_take(const Workshop *workshop, Variant *variant, Step step, Sand
         }
     }
     int failed = result.outcome == SANDBOX_FAULT || result.outcome == SANDBOX_STARVED;
-    if (failed && variant->is_checked) {
+    if (failed && variant->is_extra) {
         free(result.output);
-        return -1;  // in silence: only the line of a crash is not known then
+        return -1;
     }
     if (result.outcome == SANDBOX_FAULT) {
         fprintf(stderr, "grade: the sandbox failed: %s\n", result.output);
@@ -228,7 +228,7 @@ int variants_run(const Workshop *workshop, Variant *const variants[], int n, All
 char *variant_find_line(const Workshop *workshop, const Variant *variant, Allowance *allowance)
 {
     char out[PATH_MAX], lab[PATH_MAX];
-    Variant checked = {.is_checked = 1};
+    Variant checked = {.is_extra = 1, .is_checked = 1};
     Variant *const variants[] = {&checked};
     memcpy(checked.name, variant->name, sizeof checked.name);
     if (!workshop->needs_compiler || step_clear(workshop, variant, STEP_COMPILING) != 0 ||
@@ -241,4 +241,21 @@ char *variant_find_line(const Workshop *workshop, const Variant *variant, Allowa
     char *line = checked.trouble != NULL ? crash_line_find(out, lab, workshop->manifest) : NULL;
     variant_free(&checked);
     return line;
+}
+
+// ---- A race -------------------------------------------------------------------------------------
+
+double variant_race(const Workshop *workshop, const Variant *variant, Allowance *allowance)
+{
+    double figure = 0;
+    Variant race = {.is_extra = 1, .is_race = 1};
+    Variant *const variants[] = {&race};
+    memcpy(race.name, variant->name, sizeof race.name);
+    if (step_clear(workshop, variant, STEP_RUNNING) == 0 &&
+        step_run(workshop, variants, 1, STEP_RUNNING, allowance) == 0 && race.build_log == NULL &&
+        race.trouble == NULL) {
+        figure = race_judge(&race.answers);
+    }
+    variant_free(&race);
+    return figure;
 }

@@ -120,13 +120,14 @@ static SandboxRun *start_probe(const Workshop *workshop, const Variant *variant,
         "done\n"
         "exec \"$1\"\n";
     char path[PATH_MAX], n_further[16], share[16];
-    path_make(path, "lib/%s", workshop->manifest->lab);
+    path_make(path, variant->is_race ? "lib/%s-race" : "lib/%s", workshop->manifest->lab);
     snprintf(n_further, sizeof n_further, "%d", workshop->n_further_jobs);
     snprintf(share, sizeof share, "%.0f", time.processor / (1 + workshop->n_further_jobs));
-    const char *const probe = workshop->needs_compiler ? "build/probe" : path;
+    const int is_built_here = workshop->needs_compiler && !variant->is_race;
+    const char *const probe = is_built_here ? "build/probe" : path;
     const char *const once[] = {probe, NULL};
     const char *const often[] = {"/bin/sh", "-c", all_jobs, "probe", probe, n_further, share, NULL};
-    const int is_once = workshop->n_further_jobs == 0 || variant->alone != NULL;
+    const int is_once = workshop->n_further_jobs == 0 || variant->alone != NULL || variant->is_race;
     return start(workshop, variant, 0, is_once ? once : often, time);
 }
 

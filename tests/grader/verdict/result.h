@@ -66,7 +66,8 @@ typedef struct Result {
     int n_checks;
     PictureResult pictures[RESULT_MAX_PICTURES];
     int n_pictures;
-    double seconds;  // the whole grading
+    double leaderboard;  // how many of what the manifest's leaderboard counts; 0: none (run/race.h)
+    double seconds;      // the whole grading
 } Result;
 
 void result_free(Result *result);

@@ -27,6 +27,12 @@ def check_tests:
       output: .words, output_format: "text", tags: [.task]
     };
 
+# In labs with a leaderboard, of who has a figure: a column of Gradescope's, in which the largest
+# number comes first. https://gradescope-autograders.readthedocs.io/en/latest/leaderboards/
+def leaderboard:
+  if .leaderboard == null then {}
+  else { leaderboard: [.leaderboard | { name: .title, value, order: "desc" }] } end;
+
 # Tests without points that show a picture each.
 def picture_tests:
   $pictures[0] // []
@@ -43,5 +49,5 @@ else
     score, execution_time: (.seconds | round), output: stages_words, output_format: "text",
     tests: [check_tests, picture_tests],
     extra_data: { lab, seed, device }
-  }
+  } + leaderboard
 end
