@@ -162,6 +162,7 @@ enum {
     LEAF_ALWAYS_LOWER,
     LEAF_ONE_STEP,
     LEAF_IS_ROOT,
+    LEAF_OF_NEXT_TILE,
 };
 static const Cause leaf_mistakes[] = {
     [LEAF_PLANE_IS_LOWER] = {.says = "pixel split_pos is the first of the upper side, not the last "
@@ -173,6 +174,8 @@ static const Cause leaf_mistakes[] = {
     [LEAF_ONLY_Y] = {.says = "that is as if all planes were across y"},
     [LEAF_ALWAYS_LOWER] = {.says = "that is as if the lower child were taken every time"},
     [LEAF_ONE_STEP] = {.says = "the search ended after one step, leaf or not"},
+    [LEAF_OF_NEXT_TILE] = {.says = "the first pixel behind the tile was asked: its own first one "
+                                   "counts"},
     [LEAF_IS_ROOT] = {.says = "the search did not leave the root"},
 };
 
@@ -190,7 +193,8 @@ static u32 expected_leaf(const Job10 *job, int i, int mistake)
                          : mistake == LEAF_ONLY_X     ? 1
                          : mistake == LEAF_ONLY_Y     ? 0
                                                       : node.split_axis == 0;
-        const int at = is_x ? tile.x : tile.y;
+        const int beyond = mistake == LEAF_OF_NEXT_TILE ? CIRCLE_TILE_SIDE : 0;
+        const int at = (is_x ? tile.x : tile.y) + beyond;
         const int is_upper = mistake == LEAF_PLANE_IS_LOWER  ? at > node.split_pos
                              : mistake == LEAF_SIDES_SWAPPED ? at < node.split_pos
                              : mistake == LEAF_ALWAYS_LOWER  ? 0
