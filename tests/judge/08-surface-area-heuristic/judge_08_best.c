@@ -120,6 +120,18 @@ static int best_agrees(const void *job, int i, const void *answers, int mistake)
            follows(job, i, ((const BestAnswer *)answers)[i], &best_mistakes[mistake].rules);
 }
 
+// A mistake explains all inputs, not only those of the check: where costs are equal by design, many
+// choose the same plane.
+static int best_shows(const void *job, Range range, const void *answers, int mistake)
+{
+    int i = 0;
+    (void)range;
+    while (i < N_BESTS && best_agrees(job, i, answers, mistake)) {
+        i++;
+    }
+    return i == N_BESTS;
+}
+
 static Words words_plane(u32 axis, f32 pos)
 {
     return axis < 3 ? words("%c = %s", "xyz"[axis], words_float(pos).text)
@@ -158,6 +170,7 @@ const Function best_08 = {"bests",
                           N_BESTS,
                           sizeof(BestAnswer),
                           .agrees = best_agrees,
+                          .shows = best_shows,
                           .describe = describe_best,
                           .counted = "cells",
                           MISTAKES(best_mistakes)};

@@ -18,9 +18,7 @@ typedef struct CostMistake {
 } CostMistake;
 
 #define NO_BONUS                                                                                   \
-    {                                                                                              \
-        .says = "that a child is empty makes a split no cheaper: the formula has no bonus for it"  \
-    }
+    {.says = "that a child is empty makes a split no cheaper: the formula has no bonus for it"}
 
 static const CostMistake cost_mistakes[] = {
     {.cause = {0}},
@@ -199,7 +197,21 @@ static int expected_decision(LeafCostJob in, const LeafMistake *mistake)
 static int decision_agrees(const void *pointer, int i, const void *answers, int mistake)
 {
     const LeafCostJob in = ((const Job08 *)pointer)->decisions[i];
-    return (((const i32 *)answers)[i] != 0) == expected_decision(in, &leaf_mistakes[mistake]);
+    // What INFINITY is as a whole number, C leaves open.
+    return (leaf_mistakes[mistake].cuts_split && isinf(in.best_cost)) ||
+           (((const i32 *)answers)[i] != 0) == expected_decision(in, &leaf_mistakes[mistake]);
+}
+
+// A mistake explains all inputs, not only those of the check: one limit is often forgotten as the
+// other one is.
+static int decision_shows(const void *job, Range range, const void *answers, int mistake)
+{
+    int i = 0;
+    (void)range;
+    while (i < N_DECISIONS && decision_agrees(job, i, answers, mistake)) {
+        i++;
+    }
+    return i == N_DECISIONS;
 }
 
 static char *describe_decision(const void *pointer, int i, const void *answers)
@@ -216,6 +228,7 @@ const Function decision_08 = {"decisions",
                               N_DECISIONS,
                               sizeof(i32),
                               .agrees = decision_agrees,
+                              .shows = decision_shows,
                               .describe = describe_decision,
                               .counted = "nodes",
                               MISTAKES(leaf_mistakes)};

@@ -175,13 +175,13 @@ static int draw_rooms(Random *random, const RoomPlan *plans, int n, MirrorScene 
     return result;
 }
 
-// Surfaces that scatter nothing, but for one material, before a bright background.
+// Surfaces that scatter nothing, but for every fourth material, before a bright background.
 static void empty_light(MirrorScene *scene)
 {
     Scene3D *s = &scene->base.scene;
     s->background = (Vec3){0.75f, 0.5f, 0.25f};
-    for (int i = 1; i < s->n_materials; i++) {
-        s->materials[i].kd = 0;
+    for (int i = 0; i < s->n_materials; i++) {
+        s->materials[i].kd = i % 4 == 0 ? s->materials[i].kd : 0;
     }
 }
 

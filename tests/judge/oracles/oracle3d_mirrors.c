@@ -329,9 +329,8 @@ OracleNear oracle3d_follow(const Scene3D *scene, OracleRay ray, int max_bounces,
             return ambiguous();
         }
         const OracleNear light = add_local(scene, &followed, &at, hit.t, rules);
-        const int is_dark = rules->dark_ends && vector_length(light.value) == 0;
-        if (is_dark) {
-            return light.error > 0 ? ambiguous() : followed.color;
+        if (rules->dark_ends && vector_length(light.value) == 0) {
+            return followed.color;
         }
         followed.first_ks = followed.n_bounces == 0 ? (double)at.material->ks : followed.first_ks;
         followed.weight = next_weight(&followed, at.material, rules->weight);
