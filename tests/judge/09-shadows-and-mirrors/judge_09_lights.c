@@ -139,12 +139,6 @@ static OracleNear without_last(const SeenLights *lights)
     return arriving(lights, 0, lights->n - 1);
 }
 
-// But for a light that is the only one.
-static OracleNear without_last_of_several(const SeenLights *lights)
-{
-    return arriving(lights, 0, lights->n > 1 ? lights->n - 1 : lights->n);
-}
-
 static OracleNear one_more(const SeenLights *lights)
 {
     return arriving(lights, 0, lights->n + 1);
@@ -331,7 +325,6 @@ const LitMistake lit_mistakes_09[N_LIT_MISTAKES] = {
     {{.says = "that is the last light's share only"}, .sum = last_only},
     {{.says = "the first light is not asked"}, .sum = without_first},
     {{.says = "the last light is not asked"}, .sum = without_last},
-    {{.says = "the last of several lights is not asked"}, .sum = without_last_of_several},
     {{.says = "one light too many shines, the one behind the end of the array"}, .sum = one_more},
     {NOT_ALL_ASKED, .sum = all_arriving, .most_lights = 4},
     {NOT_ALL_ASKED, .sum = all_arriving, .most_lights = 8},

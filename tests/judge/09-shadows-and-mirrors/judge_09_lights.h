@@ -17,7 +17,7 @@ typedef struct LitMistake {
 } LitMistake;
 
 // Number 0 is none.
-enum { N_LIT_MISTAKES = 36 };
+enum { N_LIT_MISTAKES = 35 };
 extern const LitMistake lit_mistakes_09[N_LIT_MISTAKES];
 
 // The colour that comes of a mistake with a sum: anything where float may decide otherwise whether

@@ -250,11 +250,12 @@ static const Mistake09 mistakes[] = {
      {.dark_ends = 1}},
     {{.says = "drawn without the cut-off: light was followed that counts less than LEAST_WEIGHT"},
      {.no_cut_off = 1}},
+    // Where weights are just the least both look the same: a larger end shows in scenes before.
+    {{.says = "drawn as if a weight of LEAST_WEIGHT itself were the end: it goes on"},
+     {.least_ends = 1}},
     {{.says = LESS_FOLLOWED}, {.least_weight = 1.0 / 255}},
     {{.says = LESS_FOLLOWED}, {.least_weight = 0.01}},
     {{.says = LESS_FOLLOWED}, {.least_weight = 0.1}},
-    {{.says = "drawn as if a weight of LEAST_WEIGHT itself were the end: it goes on"},
-     {.least_ends = 1}},
     {{.says = "drawn as if mirrored rays hit nothing near: they start at the surface's point, and "
               "t_min stays as it is"},
      {.mirrors_see_nothing = 1}},

@@ -1,7 +1,7 @@
 // mutant: the sum is cut at 1
 // task: ray_color
 // caught by: color-end
-// says: cut at 1
+// says: cut at 1|expected
     float weight = 1.0f;
     for (int bounce = 0;; bounce++) {
         const Hit hit =

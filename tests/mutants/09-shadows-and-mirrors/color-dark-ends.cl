@@ -1,7 +1,7 @@
 // mutant: a mirror in the shadow ends the ray
 // task: ray_color
 // caught by: color-mirrors
-// says: no light reaches
+// says: no light reaches|expected
     float weight = 1.0f;
     for (int bounce = 0;; bounce++) {
         const Hit hit =
