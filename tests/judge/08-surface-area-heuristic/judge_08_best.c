@@ -47,8 +47,6 @@ static const BestMistake best_mistakes[] = {
      .rules = {.from_border = 1, .to_border = 1}},
     {{.says = "of equal costs on several axes x counts before y, and y before z"},
      .rules = {.later_axis = 1}},
-    {{.says = "planes across an axis along which the cell has no length are candidates, too"},
-     .rules = {.flat_skipped = 1}},
     {{.says = "of equal costs on an axis the lower plane counts"}, .rules = {.later_plane = 1}},
     {{.says = "behind a plane that costs more than the one before a cheaper one may come: all are "
               "asked"},

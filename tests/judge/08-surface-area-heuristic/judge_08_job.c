@@ -201,13 +201,6 @@ static void draw_tie(Random *random, Job08 *job, int i)
     }
 }
 
-// No spheres, so that each plane costs a step and no more, and no length along x: its planes are all
-// one, and the first.
-static void draw_empty_tie(Job08 *job, int i)
-{
-    begin_node(job, i, (BBox3D){{4, 0, 0}, {4, 32, 64}});
-}
-
 // ---- Cells of their own kind: in every job, with other axes, sides and sizes --------------------
 
 // How an odd cell is made.
@@ -288,8 +281,6 @@ static void draw_best(Random *random, Job08 *job, int i)
         draw_many(job);
     } else if (i < N_CELLS) {
         draw_node(random, job, i);
-    } else if (i == N_CELLS) {
-        draw_empty_tie(job, i);
     } else if (i < N_CELLS + N_TIES) {
         draw_tie(random, job, i);
     } else {

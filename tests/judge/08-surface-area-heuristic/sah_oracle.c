@@ -258,7 +258,6 @@ SahPlane sah_best(const SahNode *node, const SahRules *rules)
         return best;
     }
     for (u32 axis = 0; axis < 3; axis++) {
-        const int is_flat = node->box.max[axis] == node->box.min[axis];
         const int is_skipped = (rules->flat_skipped && is_flat) ||
                                (rules->longest_only && axis != longest_axis(node->box)) ||
                                (rules->no_y && axis == 1) || (rules->no_z && axis == 2);

@@ -61,7 +61,6 @@ typedef struct SahRules {
     int nan_is_taken;    // where the cell has no area
     int longest_only;    // only planes across the longest side, the first of equal ones
     int no_y, no_z;      // an axis is left out
-    int flat_skipped;    // so is one along which the cell has no length
     int highest_cost;
     int by_centre;      // a sphere counts where its centre is
     int begin_above;    // one that begins at the plane is not in the lower child
