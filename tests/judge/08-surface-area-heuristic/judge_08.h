@@ -1,6 +1,6 @@
 // What lab 08's judge asks of a submission: inputs of its functions and scenes for its trees.
-// Drawn in judge_08_job.c; functions are judged in judge_08_functions.c and judge_08_best.c, whole
-// trees in judge_08_trees.c.
+// Drawn in judge_08_job.c; functions are judged in judge_08_area.c, judge_08_functions.c and
+// judge_08_best.c, whole trees in judge_08_trees.c.
 #ifndef JUDGE_JUDGE_08_H
 #define JUDGE_JUDGE_08_H
 
@@ -12,12 +12,12 @@
 // every seed.
 enum { N_BOXES = 200, N_FLAT = 60, N_AREAS = N_BOXES + N_FLAT };
 enum { N_PLANES = 300, N_COST_EDGES = 100, N_COSTS = N_PLANES + N_COST_EDGES };
-enum { N_CELLS = 120, N_TIES = 36, N_CELL_EDGES = 60, N_BESTS = N_CELLS + N_TIES + N_CELL_EDGES };
+enum { N_CELLS = 120, N_TIES = 36, N_CELL_EDGES = 66, N_BESTS = N_CELLS + N_TIES + N_CELL_EDGES };
 enum { N_BY_COST = 300, N_BY_LIMITS = 200, N_DECISIONS = N_BY_COST + N_BY_LIMITS };
 
 // The most spheres of a node among the inputs of find_best_split; the last one has more. Between
 // them stand others, which its ids leave out.
-enum { MOST_IDS = 40, MANY_NODE = N_BESTS - 1, N_MANY_IDS = 300 };
+enum { MOST_IDS = 40, MANY_NODE = N_BESTS - 1, N_MANY_IDS = (1 << 16) + 300 };
 enum { N_BEST_IDS = MANY_NODE * MOST_IDS + N_MANY_IDS, N_BEST_SPHERES = 2 * N_BEST_IDS };
 
 enum { N_TREES = 11 };

@@ -11,35 +11,74 @@
 typedef struct BestMistake {
     Cause cause;
     SahRules rules;
+    int is_lost_many;  // of the node with the most spheres anything, and all else is right
 } BestMistake;
+
+#define EPSILON {.says = "a plane that is cheaper by however little is the better one: no epsilon"}
 
 static const BestMistake best_mistakes[] = {
     {.cause = {0}},
     {{.says = "of equal costs the first plane counts: x before y before z, and the lower one first",
       .mistake = MISTAKE_LATER_OF_EQUALS},
-     {.last_of_equals = 1}},
-    {{.says = "only the longest side is searched, not all three"}, {.longest_only = 1}},
-    {{.says = "planes across z are not searched"}, {.no_z = 1}},
-    {{.says = "planes across y are not searched"}, {.no_y = 1}},
-    {{.says = "only planes across x are searched"}, {.no_y = 1, .no_z = 1}},
-    {{.says = "that is the plane with the highest cost"}, {.highest_cost = 1}},
-    {{.says = "a sphere counts by its range, not by its centre"}, {.by_centre = 1}},
+     .rules = {.last_of_equals = 1}},
+    {{.says = "only the longest side is searched, not all three"}, .rules = {.longest_only = 1}},
+    {{.says = "planes across z are not searched"}, .rules = {.no_z = 1}},
+    {{.says = "planes across y are not searched"}, .rules = {.no_y = 1}},
+    {{.says = "only planes across x are searched"}, .rules = {.no_y = 1, .no_z = 1}},
+    {{.says = "that is the plane with the highest cost"}, .rules = {.highest_cost = 1}},
+    {{.says = "a sphere counts by its range, not by its centre"}, .rules = {.by_centre = 1}},
     {{.says = "a range that begins at the plane counts in the lower child, too",
       .mistake = MISTAKE_STRICT_BOUNDARY},
-     {.begin_above = 1}},
+     .rules = {.begin_above = 1}},
     {{.says = "a range that ends at the plane counts in the higher child, too",
       .mistake = MISTAKE_STRICT_BOUNDARY},
-     {.end_below = 1}},
+     .rules = {.end_below = 1}},
     {{.says = "a range that only touches the plane counts in both children",
       .mistake = MISTAKE_STRICT_BOUNDARY},
-     {.begin_above = 1, .end_below = 1}},
-    {{.says = "a negative radius counts as its absolute value"}, {.signed_radius = 1}},
-    {{.says = "the first plane is not asked"}, {.without_first = 1}},
-    {{.says = "the last plane is not asked"}, {.without_last = 1}},
-    {{.says = "the cheapest of all three axes counts, not of the last one"}, {.last_axis = 1}},
+     .rules = {.begin_above = 1, .end_below = 1}},
+    {{.says = "a negative radius counts as its absolute value"}, .rules = {.signed_radius = 1}},
+    {{.says = "the first plane is not asked"}, .rules = {.without_first = 1}},
+    {{.says = "the last plane is not asked"}, .rules = {.without_last = 1}},
+    {{.says = "the border of the cell is asked, too: candidates are only the planes in it"},
+     .rules = {.to_border = 1}},
+    {{.says = "the border of the cell is asked, too: candidates are only the planes in it"},
+     .rules = {.from_border = 1}},
+    {{.says = "the border of the cell is asked, too: candidates are only the planes in it"},
+     .rules = {.from_border = 1, .to_border = 1}},
+    {{.says = "of equal costs on several axes x counts before y, and y before z"},
+     .rules = {.later_axis = 1}},
+    {{.says = "of equal costs on an axis the lower plane counts"}, .rules = {.later_plane = 1}},
+    {{.says = "behind a plane that costs more than the one before a cheaper one may come: all are "
+              "asked"},
+     .rules = {.stops_rising = 1}},
+    {{.says = "a plane that leaves a child empty is a candidate, too"}, .rules = {.no_empty = 1}},
+    {{.says = "the cheapest plane is searched, also where a leaf is cheaper: that is asked later"},
+     .rules = {.below_leaf = 1}},
+    {{.says = "a sphere that begins before the cell is in its lower child, too"},
+     .rules = {.begin_in_cell = 1}},
+    {{.says = "a sphere that ends in the bin before a plane is not in its higher child any more"},
+     .rules = {.ends_late = 1}},
+    {{.says = "the higher child keeps all spheres: those that end before the plane leave it"},
+     .rules = {.higher_keeps = 1}},
+    {{.says = "the bins of an axis begin with what those of the axis before hold, not with 0"},
+     .rules = {.carried_over = 1}},
+    {{.says = "the cheapest of all three axes counts, not of the last one"},
+     .rules = {.last_axis = 1}},
     {{.says = "a sphere over the plane is in both children: the higher one has more than the rest"},
-     {.rest_is_higher = 1}},
-    {{.says = "the node's spheres are those that its ids name"}, {.all_spheres_id = 1}},
+     .rules = {.rest_is_higher = 1}},
+    {{.says = "the node's spheres are those that its ids name"}, .rules = {.all_spheres_id = 1}},
+    {EPSILON, .rules = {.least_gain = 1e-2}},
+    {EPSILON, .rules = {.least_gain = 1e-3}},
+    {EPSILON, .rules = {.least_gain = 1e-4}},
+    {EPSILON, .rules = {.least_gain = 1e-5}},
+    {EPSILON, .rules = {.least_share = 1e-2}},
+    {EPSILON, .rules = {.least_share = 1e-3}},
+    {EPSILON, .rules = {.least_share = 1e-4}},
+    {{.says = "in a cell without area each cost is NaN, and is taken: only a lower cost may be"},
+     .rules = {.nan_is_taken = 1}},
+    {{.says = "only the node with the most spheres is wrong: a bin holds more of them than 16 bits "
+              "count"},
+     .is_lost_many = 1},
 };
 
 SahNode best_node_08(const Job08 *job, int i)
@@ -61,14 +100,15 @@ static int follows(const Job08 *job, int i, BestAnswer found, const SahRules *ru
     const SahNode node = best_node_08(job, i);
     const SahPlane best = sah_best(&node, rules);
     if (best.cost == INFINITY) {
-        return found.cost == INFINITY;
+        return rules->nan_is_taken ? isnan(found.cost) : found.cost == INFINITY;
     }
     const int number = found.axis < 3 ? sah_plane_number(node.box, found.axis, found.pos) : 0;
-    if (number == 0 || !(fabs(found.cost - best.cost) <= SAH_COST_TOLERANCE * best.cost)) {
+    const int is_best = found.axis == best.axis && found.pos == best.pos;
+    if (!(fabs(found.cost - best.cost) <= SAH_COST_TOLERANCE * best.cost)) {
         return 0;
     }
-    if (is_tie(i) || rules->last_of_equals) {
-        return found.axis == best.axis && found.pos == best.pos;
+    if (is_tie(i) || rules->last_of_equals || number == 0) {
+        return is_best;
     }
     const double cost = sah_weigh(&node, found.axis, number, rules).cost;
     return cost <= best.cost * (1 + 2 * SAH_COST_TOLERANCE) || rules->highest_cost;
@@ -76,7 +116,20 @@ static int follows(const Job08 *job, int i, BestAnswer found, const SahRules *ru
 
 static int best_agrees(const void *job, int i, const void *answers, int mistake)
 {
-    return follows(job, i, ((const BestAnswer *)answers)[i], &best_mistakes[mistake].rules);
+    return (best_mistakes[mistake].is_lost_many && i == MANY_NODE) ||
+           follows(job, i, ((const BestAnswer *)answers)[i], &best_mistakes[mistake].rules);
+}
+
+// A mistake explains all inputs, not only those of the check: where costs are equal by design, many
+// choose the same plane.
+static int best_shows(const void *job, Range range, const void *answers, int mistake)
+{
+    int i = 0;
+    (void)range;
+    while (i < N_BESTS && best_agrees(job, i, answers, mistake)) {
+        i++;
+    }
+    return i == N_BESTS;
 }
 
 static Words words_plane(u32 axis, f32 pos)
@@ -117,6 +170,7 @@ const Function best_08 = {"bests",
                           N_BESTS,
                           sizeof(BestAnswer),
                           .agrees = best_agrees,
+                          .shows = best_shows,
                           .describe = describe_best,
                           .counted = "cells",
                           MISTAKES(best_mistakes)};

@@ -20,20 +20,10 @@ double sah_size(BBox3D box, SahMeasure measure)
     switch (measure) {
     case SAH_AREA:
         return 2 * (x * y + y * z + z * x);
-    case SAH_HALF_AREA:
-        return x * y + y * z + z * x;
     case SAH_EDGES:
         return 4 * (x + y + z);
-    case SAH_SIDES:
-        return x + y + z;
     case SAH_VOLUME:
         return x * y * z;
-    case SAH_WITHOUT_X:
-        return 2 * (x * y + z * x);
-    case SAH_WITHOUT_Y:
-        return 2 * (x * y + y * z);
-    case SAH_WITHOUT_Z:
-        return 2 * (y * z + z * x);
     case SAH_SAME:
         return 1;
     case SAH_STAND_IN:
@@ -53,29 +43,60 @@ static double stand_in_cost(BBox3D box, SahPlane split, u32 n_lower, u32 n_highe
 #include "08-surface-area-heuristic/split_cost.c"
 }
 
+// The children's sizes, and how many spheres they have.
+typedef struct Children {
+    double lower, higher;
+    double n_lower, n_higher;
+} Children;
+
+static Children children_of(CostJob split, const SahRules *rules)
+{
+    const u32 axis = rules->cut_across_x ? 0 : split.axis;
+    BBox3D lower = split.box, higher = split.box;
+    lower.max[axis] = rules->lower_uncut ? lower.max[axis] : split.pos;
+    higher.min[axis] = rules->higher_uncut ? higher.min[axis] : split.pos;
+    Children children = {size_by(lower, rules), size_by(higher, rules), split.n_lower,
+                         split.n_higher};
+    if (rules->flat_is_missed) {
+        children.lower *= split.pos > split.box.min[axis];
+        children.higher *= split.pos < split.box.max[axis];
+    }
+    if (rules->one_at_least) {
+        children.n_lower = fmax(children.n_lower, 1);
+        children.n_higher = fmax(children.n_higher, 1);
+    }
+    return children;
+}
+
 double sah_cost(CostJob split, const SahRules *rules)
 {
     if (rules->is_stand_in) {
         const SahPlane plane = {.axis = split.axis, .pos = split.pos};
         return stand_in_cost(split.box, plane, split.n_lower, split.n_higher, rules->lot);
     }
-    BBox3D lower = split.box, higher = split.box;
-    lower.max[split.axis] = higher.min[split.axis] = split.pos;
-    const double n_lower = rules->counts_swapped ? split.n_higher : split.n_lower;
-    const double n_higher = rules->counts_swapped ? split.n_lower : split.n_higher;
-    double n_expected = rules->higher_only ? 0 : size_by(lower, rules) * n_lower;
-    n_expected += rules->lower_only ? 0 : size_by(higher, rules) * n_higher;
-    const double all = size_by(split.box, rules);
-    const double both = size_by(lower, rules) + size_by(higher, rules) - all;
-    n_expected += rules->lower_tests ? size_by(higher, rules) * n_higher : 0;
-    n_expected -= rules->no_both ? both * n_lower : 0;
+    const Children children = children_of(split, rules);
+    const double n_lower = rules->counts_swapped ? children.n_higher : children.n_lower;
+    const double n_higher = rules->counts_swapped ? children.n_lower : children.n_higher;
+    const double lower = children.lower, higher = children.higher;
+    const double all = size_by(split.box, rules), both = lower + higher - all;
+    double n_expected = rules->higher_only ? 0 : lower * n_lower;
+    n_expected += rules->lower_only ? 0 : higher * n_higher;
+    n_expected += rules->lower_tests ? higher * n_higher : 0;
+    n_expected -= rules->no_both ? both * n_lower : rules->higher_is_rest ? both * n_higher : 0;
     n_expected /= rules->no_division ? 1 : rules->shares_of_sum ? all + both : all;
+    n_expected = rules->whole_tests ? trunc(n_expected) : n_expected;
     if (rules->all_multiplied) {
         return (SAH_TRAVERSAL + SAH_TEST) * n_expected;
     }
+    const int is_empty = split.n_lower == 0 || split.n_higher == 0;
+    const int is_none = split.n_lower == 0 && split.n_higher == 0;
+    const double bonus = is_empty ? 1 - rules->bonus : 1;
+    const int is_free = rules->no_traversal || (is_empty && rules->empty_saves_step) ||
+                        (is_none && rules->none_saves_step);
     const double traversal = rules->constants_swapped ? SAH_TEST : SAH_TRAVERSAL;
     const double test = rules->constants_swapped ? SAH_TRAVERSAL : rules->no_test ? 1 : SAH_TEST;
-    return (rules->no_traversal ? 0 : traversal) + test * n_expected;
+    return (is_free ? 0 : traversal) * (rules->bonus_of_tests ? 1 : bonus) +
+           bonus * test * n_expected;
 }
 
 // ---- Planes -------------------------------------------------------------------------------------
@@ -102,6 +123,12 @@ typedef struct Sides {
     int must_lower, must_higher;
 } Sides;
 
+static f32 sphere_begin(Sphere sphere, u32 axis)
+{
+    const f32 centre = axis == 0 ? sphere.x : axis == 1 ? sphere.y : sphere.z;
+    return centre - fabsf(sphere.radius);
+}
+
 static Sides sides_of(Sphere sphere, u32 axis, f32 plane, const SahRules *rules)
 {
     const f32 centre = axis == 0 ? sphere.x : axis == 1 ? sphere.y : sphere.z;
@@ -119,21 +146,74 @@ static Sides sides_of(Sphere sphere, u32 axis, f32 plane, const SahRules *rules)
                    is_higher && exact_end >= plane};
 }
 
+// How many spheres the children at a plane have, by the rules.
+typedef struct Counts {
+    u32 n_lower, n_higher;
+} Counts;
+
+//   sides   of the sphere, at plane number i
+static void count_sphere(Counts *counts, const SahNode *node, Sphere sphere, u32 axis, int i,
+                         const Sides *sides, const SahRules *rules)
+{
+    int is_lower = sides->is_lower, is_higher = sides->is_higher;
+    if (rules->begin_in_cell) {
+        is_lower &= sphere_begin(sphere, axis) >= node->box.min[axis];
+    }
+    if (rules->ends_late) {
+        is_higher =
+            i == 1 || sides_of(sphere, axis, sah_plane(node->box, axis, i - 1), rules).is_higher;
+    }
+    counts->n_lower += (u32)is_lower;
+    counts->n_higher += (u32)(rules->higher_keeps     ? 1
+                              : rules->rest_is_higher ? !is_lower
+                                                      : is_higher);
+}
+
+static Counts count_spheres(const SahNode *node, u32 axis, int i, const SahRules *rules)
+{
+    Counts counts = {0};
+    for (u32 j = 0; j < node->n_ids; j++) {
+        const Sphere sphere = node->spheres[rules->all_spheres_id ? j : node->ids[j]];
+        const Sides sides = sides_of(sphere, axis, sah_plane(node->box, axis, i), rules);
+        count_sphere(&counts, node, sphere, axis, i, &sides, rules);
+    }
+    return counts;
+}
+
+// What bins that are not cleared between two axes make of the counts.
+static void carry_over(Counts *counts, const SahNode *node, u32 axis, int i, const SahRules *rules)
+{
+    for (u32 before = 0; before < axis; before++) {
+        const Counts more = count_spheres(node, before, i, rules);
+        counts->n_lower += more.n_lower;
+        // As many fewer as have ended there, though it be fewer than none.
+        counts->n_higher -= node->n_ids - more.n_higher;
+    }
+}
+
 SahPlane sah_weigh(const SahNode *node, u32 axis, int i, const SahRules *rules)
 {
     const f32 pos = sah_plane(node->box, axis, i);
     CostJob split = {node->box, axis, pos, 0, 0}, least = split, most = split;
+    Counts counts = {0};
     for (u32 j = 0; j < node->n_ids; j++) {
-        const u32 id = rules->all_spheres_id ? j : node->ids[j];
-        const Sides sides = sides_of(node->spheres[id], axis, pos, rules);
+        const Sphere sphere = node->spheres[rules->all_spheres_id ? j : node->ids[j]];
+        const Sides sides = sides_of(sphere, axis, pos, rules);
         const int is_sure = node->may_lack == NULL || !node->may_lack[j];
-        split.n_lower += (u32)sides.is_lower;
-        split.n_higher += (u32)(rules->rest_is_higher ? !sides.is_lower : sides.is_higher);
+        count_sphere(&counts, node, sphere, axis, i, &sides, rules);
         least.n_lower += (u32)(sides.must_lower && is_sure);
         least.n_higher += (u32)(sides.must_higher && is_sure);
         most.n_lower += (u32)sides.may_lower;
         most.n_higher += (u32)sides.may_higher;
     }
+    if (rules->carried_over) {
+        carry_over(&counts, node, axis, i, rules);
+    }
+    if (i == 0 || i == SAH_BINS) {  // on the border: the bins before it are none, or all
+        counts = (Counts){i == 0 ? 0 : node->n_ids, i == 0 ? node->n_ids : 0};
+    }
+    split.n_lower = counts.n_lower;
+    split.n_higher = counts.n_higher;
     return (SahPlane){axis, pos, sah_cost(split, rules), sah_cost(least, rules),
                       sah_cost(most, rules)};
 }
@@ -149,12 +229,26 @@ static u32 longest_axis(BBox3D box)
     return longest;
 }
 
-static int is_better(double cost, double best, const SahRules *rules)
+static int is_better(const SahPlane *plane, const SahPlane *best, const SahRules *rules)
 {
+    const int is_same_axis = plane->axis == best->axis;
+    const double limit = best->cost * (1 - rules->least_share) - rules->least_gain;
     if (rules->highest_cost) {
-        return isinf(best) || cost > best;
+        return isinf(best->cost) || plane->cost > best->cost;
     }
-    return rules->last_of_equals ? cost <= best : cost < best;
+    return rules->last_of_equals || (rules->later_axis && !is_same_axis) ||
+                   (rules->later_plane && is_same_axis)
+               ? plane->cost <= best->cost
+               : plane->cost < limit;
+}
+
+// Is plane number i left out?
+static int is_left_out(const SahNode *node, const SahPlane *plane, int i, const SahRules *rules)
+{
+    const Counts counts =
+        rules->no_empty ? count_spheres(node, plane->axis, i, rules) : (Counts){1, 1};
+    return counts.n_lower == 0 || counts.n_higher == 0 ||
+           (rules->below_leaf && plane->cost >= SAH_TEST * node->n_ids);
 }
 
 SahPlane sah_best(const SahNode *node, const SahRules *rules)
@@ -164,22 +258,28 @@ SahPlane sah_best(const SahNode *node, const SahRules *rules)
         return best;
     }
     for (u32 axis = 0; axis < 3; axis++) {
-        const int is_left_out = (rules->longest_only && axis != longest_axis(node->box)) ||
-                                (rules->no_y && axis == 1) || (rules->no_z && axis == 2);
-        const int first = rules->without_first ? 2 : 1;
-        const int end = rules->without_last ? SAH_BINS - 1 : SAH_BINS;
+        const int is_skipped = (rules->flat_skipped && is_flat) ||
+                               (rules->longest_only && axis != longest_axis(node->box)) ||
+                               (rules->no_y && axis == 1) || (rules->no_z && axis == 2);
+        const int first = 1 + rules->without_first - rules->from_border;
+        const int end = SAH_BINS - rules->without_last + rules->to_border;
+        double before = INFINITY;
         if (rules->last_axis) {
             best = (SahPlane){.cost = INFINITY, .least = INFINITY, .most = INFINITY};
         }
-        for (int i = is_left_out ? end : first; i < end; i++) {
+        for (int i = is_skipped ? end : first; i < end; i++) {
             const SahPlane plane = sah_weigh(node, axis, i, rules);
             const double least = fmin(best.least, plane.least);
             const double most = fmin(best.most, plane.most);
-            if (is_better(plane.cost, best.cost, rules)) {
+            if (!is_left_out(node, &plane, i, rules) && is_better(&plane, &best, rules)) {
                 best = plane;
             }
             best.least = least;
             best.most = most;
+            if (rules->stops_rising && plane.cost > before) {
+                break;
+            }
+            before = plane.cost;
         }
     }
     return best;

@@ -1,7 +1,8 @@
 // What lab 09's judge asks of a submission: inputs of its functions, and scenes with their trees,
 // each with a number of mirrors that a ray meets at most. Starts of new rays are drawn and judged
-// in judge_09_starts.c, their directions in judge_09_rays.c, leaves in judge_09_leaf.c, lights in
-// judge_09_lit.c, the scenes in judge_09_scenes.c, one answer alone in judge_09_alone.c.
+// in judge_09_starts.c, their directions in judge_09_rays.c, leaves in judge_09_leaves.c and
+// judge_09_leaf.c, lights in judge_09_lit.c, the scenes in judge_09_scenes.c, one answer alone in
+// judge_09_alone.c.
 #ifndef JUDGE_JUDGE_09_H
 #define JUDGE_JUDGE_09_H
 
@@ -34,7 +35,8 @@ enum {
     N_DRAWN_LIGHTS = 320,
     N_GRAZING_LITS = 2,  // the last ones with one light before the surface, or none
     N_LIT_LIGHTS = N_DRAWN_LIGHTS + N_GRAZING_LITS + 1,
-    N_EDGE_LITS = 8,          // the last ones of several lights: none, and many
+    N_EDGE_LITS = 8,          // the last ones of several lights: none, and many,
+    MOST_LIT_LIGHTS = 300,    // the last one of all
     MOST_ALONE_LIGHTS = 4,    // of one input of lit_color that is tried alone,
     MANY_ALONE_LIGHTS = 300,  // and of the last one
 };
@@ -53,6 +55,8 @@ extern const Function lit_09;
 
 // A number a hair off is one that was compared or moved by an epsilon.
 #define HAIR 0x1p-13f
+// Not much more than float may be off with where a ray meets a sphere.
+#define LEAST_HAIR 0x1p-16f
 
 // ---- Scenes -----------------------------------------------------------------------------------
 
@@ -62,7 +66,7 @@ enum {
     N_LOCAL = 5,
     MIRRORS = LOCAL + N_LOCAL,  // one or two
     N_MIRRORS = 5,
-    ENDS = MIRRORS + N_MIRRORS,  // up to five, cut-offs, ks of 0 and 1
+    ENDS = MIRRORS + N_MIRRORS,  // up to seven, cut-offs, ks of 0 and 1
     N_ENDS = 10,
     BACKGROUNDS = ENDS + N_ENDS,  // next to nothing has light of its own
     N_BACKGROUNDS = 3,

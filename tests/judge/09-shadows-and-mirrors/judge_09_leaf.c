@@ -1,177 +1,19 @@
-// Lab 09: is anything of a leaf in the way of a ray? Drawn and judged, with how many were asked.
+// Lab 09: is anything of a leaf in the way of a ray? Judged, with how many were asked. The leaves
+// are drawn in judge_09_leaves.c.
 #include "judge_09.h"
 
 #include "message.h"
-#include "random3d.h"
 #include "words.h"
 
 #include <math.h>
 
 static const OracleRules3D right = {0};
 
-// ---- Drawing ------------------------------------------------------------------------------------
-
-// Where a sphere is to the ray. Only the last three are in its way.
-typedef enum Place {
-    BEHIND_END,
-    BESIDE,
-    BEHIND_START,
-    AROUND_ALL,    // the ray starts and ends inside
-    FAR_SIDE_OUT,  // of a negative radius: the side that is there is behind the end
-    BEFORE_END,
-    AROUND_START,  // the ray leaves it before its end
-    ACROSS_END,    // the ray ends inside
-} Place;
-enum { N_FREE_PLACES = BEFORE_END, N_PLACES = ACROSS_END + 1 };
-
-typedef struct Frame {
-    Vec3 origin, direction, across;  // unit vectors
-    float t_max;
-} Frame;
-
-// A sphere whose middle is `along` the ray and `aside` of it.
-static Sphere sphere_at(const Frame *frame, float along, float aside, float radius)
-{
-    const Vec3 o = frame->origin, d = frame->direction, a = frame->across;
-    return (Sphere){o.x + along * d.x + aside * a.x, o.y + along * d.y + aside * a.y,
-                    o.z + along * d.z + aside * a.z, radius};
-}
-
-static Sphere draw_sphere(Random *random, const Frame *frame, Place place)
-{
-    const float end = frame->t_max;
-    const float radius = end * random_number(random, 0.0625, 0.1875);
-    const float share = random_number(random, 0.0625, 0.75);
-    const float aside = radius * random_number(random, 0, 0.75);
-    switch (place) {
-    case BEHIND_END:
-        return sphere_at(frame, end * (1 + share) + radius, aside, radius);
-    case BESIDE:
-        return sphere_at(frame, end * share, radius * random_number(random, 1.125, 2), radius);
-    case BEHIND_START:
-        return sphere_at(frame, -end * share - radius, aside, radius);
-    case AROUND_ALL:
-        return sphere_at(frame, end / 2, aside, end * (1 + share));
-    case FAR_SIDE_OUT:
-        return sphere_at(frame, end, aside, -radius);
-    case AROUND_START:
-        return sphere_at(frame, 0, aside, end * random_number(random, 0.25, 0.75));
-    case ACROSS_END:
-        return sphere_at(frame, end, aside, radius);
-    default:
-        return sphere_at(frame, end * share + radius / 4, aside, radius);
-    }
-}
-
-// Not much more than float may be off with where a ray meets a sphere.
-#define LEAST_HAIR 0x1p-16f
-
-// On the ray, met a hair behind its start, before its end or behind its end.
-static Sphere draw_edge(Random *random, const Frame *frame)
-{
-    const float hair = frame->t_max * (random_integer(random, 0, 1) ? HAIR : LEAST_HAIR);
-    const float radius = frame->t_max * random_number(random, 0.125, 0.25);
-    const int kind = (int)random_integer(random, 0, 2);
-    const float t = kind == 0 ? hair : frame->t_max + (kind == 1 ? -hair : hair);
-    return sphere_at(frame, t + radius, 0, radius);
-}
-
-static Frame draw_frame(Random *random, int range)
-{
-    Frame frame = {.direction = random_direction(random)};
-    frame.t_max = random_number(random, 2, 8);
-    if (range == 1) {
-        frame.t_max *= ldexpf(1, (int)random_integer(random, -20, 20));
-    }
-    frame.origin = vec3_scaled(random_point(random, 1), frame.t_max / 4);
-    do {
-        frame.across = vec3_cross(frame.direction, random_direction(random));
-    } while (vec3_dot(frame.across, frame.across) < 0.125f);
-    frame.across = vec3_normalized(frame.across);
-    return frame;
-}
-
-// A leaf of up to BLOCK_MAX_SPHERES spheres, of which none, one or two are in the way, and one
-// before and behind it that must not be asked. Its ids stand in no order.
-static void draw_block(Random *random, int i, Job09 *job)
-{
-    const int range = i / N_BLOCK_INPUTS;
-    const Frame frame = draw_frame(random, range);
-    const u32 n = i % 16 == 0 ? 0 : (u32)random_integer(random, 1, BLOCK_MAX_SPHERES);
-    const u32 before = (u32)i * (BLOCK_MAX_SPHERES + 2);
-    const u32 end = before + 1 + n, room = BLOCK_MAX_SPHERES + 2;
-    const u32 n_blockers = (u32)random_integer(random, 0, 2);
-    job->blocks[i] =
-        (BlockJob){{0, KD_LEAF, before + 1, n}, frame.origin, frame.direction, frame.t_max};
-    for (u32 k = 0; k < room; k++) {
-        const u32 at = before + k, id = before + (k * 7 + 3) % room;
-        const int is_guard = at == before || at == end;
-        const int is_blocker = (k * 5 + (u32)i) % (n + 1) < n_blockers;
-        const Place place = is_guard     ? BEFORE_END
-                            : is_blocker ? (Place)random_integer(random, BEFORE_END, N_PLACES - 1)
-                                         : (Place)random_integer(random, 0, N_FREE_PLACES - 1);
-        job->block_ids[at] = id;
-        job->block_spheres[id] = range == 1 && is_blocker && !is_guard
-                                     ? draw_edge(random, &frame)
-                                     : draw_sphere(random, &frame, place);
-    }
-}
-
-// A leaf behind the others in the list of ids; only its last sphere is in the way.
-static void draw_long_leaf(Random *random, Job09 *job)
-{
-    const Frame frame = draw_frame(random, 0);
-    const u32 before = FIRST_LONG_ID, end = before + N_LONG_LEAF + 1;
-    for (u32 at = N_SHORT_BLOCK_IDS; at < before; at++) {
-        job->block_ids[at] = N_SHORT_BLOCK_IDS;
-    }
-    job->blocks[LONG_LEAF] = (BlockJob){
-        {0, KD_LEAF, before + 1, N_LONG_LEAF}, frame.origin, frame.direction, frame.t_max};
-    for (u32 at = before; at <= end; at++) {
-        const u32 id = before + end - at;
-        const Place place = at == before || at + 1 >= end
-                                ? BEFORE_END
-                                : (Place)random_integer(random, 0, N_FREE_PLACES - 1);
-        job->block_ids[at] = id;
-        job->block_spheres[id] = draw_sphere(random, &frame, place);
-    }
-}
-
-// A ray along an axis through the middle of a sphere, whose near side is where the ray ends, or the
-// least before that. All numbers are whole: what is rounded, the sphere's root, is too little to
-// show so far away.
-static void set_end(Job09 *job, int k)
-{
-    const int i = N_BLOCKS - N_BLOCK_ENDS + k, axis = k % 3, is_before = k >= N_BLOCK_ENDS / 2;
-    const float t = 64, way = k % 2 == 0 ? 1 : -1;
-    const Vec3 direction = {axis == 0 ? way : 0, axis == 1 ? way : 0, axis == 2 ? way : 0};
-    const u32 before = (u32)i * (BLOCK_MAX_SPHERES + 2);
-    for (u32 at = before; at < before + 3; at++) {
-        const Vec3 centre = vec3_scaled(direction, at == before + 1 ? t + 1 : t / 2);
-        const u32 id = 2 * before + 2 - at;
-        job->block_ids[at] = id;
-        job->block_spheres[id] = (Sphere){centre.x, centre.y, centre.z, 1};
-    }
-    job->blocks[i] = (BlockJob){
-        {0, KD_LEAF, before + 1, 1}, {0, 0, 0}, direction, is_before ? nextafterf(t, INFINITY) : t};
-}
-
-// Is it one of these, or one that is as exact?
+// Is it along an axis, where nothing is rounded?
 static int is_exact(const BlockJob *in)
 {
     const Vec3 d = in->direction;
     return (d.x == 0) + (d.y == 0) + (d.z == 0) == 2;
-}
-
-void blocks_09_draw(Random *random, Job09 *job)
-{
-    for (int i = 0; i < N_BLOCKS; i++) {
-        draw_block(random, i, job);
-    }
-    draw_long_leaf(random, job);
-    for (int k = 0; k < N_BLOCK_ENDS; k++) {
-        set_end(job, k);
-    }
 }
 
 // ---- What blocks --------------------------------------------------------------------------------
@@ -190,10 +32,17 @@ typedef struct BlockMistake {
     int from_start;      // the first ids of the tree are asked
     int one_more;        // the one behind the leaf is asked, too
     int skips_first;     // of the leaf
-    int at_end;          // a hit at t_max itself counts
-    int misses_long;     // the longest leaf blocks nothing
-    double start, end;   // hits so near to them, as a share of t_max, do not count
+    int skips_last;
+    int at_end;               // a hit at t_max itself counts
+    int misses_long;          // the longest leaf blocks nothing
+    int not_from_inside;      // nor do spheres in which the ray starts
+    int not_negative;         // nor those with a negative radius
+    double start, end;        // hits so near to them, as a share of t_max, do not count
+    double start_by, end_by;  // the same in scene units
 } BlockMistake;
+
+#define NEAR_START {.says = "hits very near to the start of the ray count, too, without an epsilon"}
+#define NEAR_END {.says = "hits very near to the end of the ray count, too, without an epsilon"}
 
 static const BlockMistake mistakes[] = {
     {.cause = {0}},
@@ -217,19 +66,39 @@ static const BlockMistake mistakes[] = {
     {{.says = "only the longest leaf is wrong: all of its spheres count, and neither 8 bits hold "
               "how many they are nor 16 bits where they stand"},
      .misses_long = 1},
-    {{.says = "hits very near to the start of the ray count, too, without an epsilon"},
-     .start = 1.5 * HAIR},
-    {{.says = "hits very near to the end of the ray count, too, without an epsilon"},
-     .end = 1.5 * HAIR},
-    {{.says = "hits very near to the start of the ray count, too, without an epsilon"},
-     .start = 1.5 * LEAST_HAIR},
-    {{.says = "hits very near to the end of the ray count, too, without an epsilon"},
-     .end = 1.5 * LEAST_HAIR},
+    {{.says = "the leaf's last sphere was not asked"}, .skips_last = 1},
+    {{.says = "a sphere around the start of the ray is in its way, too: from inside it is hit"},
+     .not_from_inside = 1},
+    {{.says = "a sphere with a negative radius is in the way, too, where the ray leaves it"},
+     .not_negative = 1},
+    {NEAR_START, .start = 1.5 * HAIR},
+    {NEAR_START, .start = 1.5 * LEAST_HAIR},
+    {NEAR_START, .start_by = 1e-2},
+    {NEAR_START, .start_by = 1e-3},
+    {NEAR_START, .start_by = 1e-4},
+    {NEAR_START, .start_by = 1e-5},
+    {NEAR_START, .start_by = 1e-6},
+    {NEAR_END, .end = 1.5 * HAIR},
+    {NEAR_END, .end = 1.5 * LEAST_HAIR},
+    {NEAR_END, .end_by = 1e-2},
+    {NEAR_END, .end_by = 1e-3},
+    {NEAR_END, .end_by = 1e-4},
+    {NEAR_END, .end_by = 1e-5},
+    {NEAR_END, .end_by = 1e-6},
 };
 
 static OracleRay ray_of(const BlockJob *in)
 {
     return oracle3d_given_ray(in->origin, in->direction, 0);
+}
+
+// Does a mistake leave this sphere out, wherever it is hit?
+static int is_left_out(const Sphere *sphere, const OracleRay *ray, const BlockMistake *mistake)
+{
+    const OracleVector centre = {sphere->x, sphere->y, sphere->z};
+    const double distance = vector_length(vector_minus(centre, ray->origin));
+    return (mistake->not_negative && sphere->radius < 0) ||
+           (mistake->not_from_inside && distance < fabs(sphere->radius));
 }
 
 // Does the sphere in place `at` of the ids block, by a mistake's rules?
@@ -239,14 +108,18 @@ static Blocks sphere_blocks(const Job09 *job, const BlockJob *in, u32 at,
     const OracleRay ray = ray_of(in);
     const u32 id = mistake->is_position ? at : job->block_ids[at];
     const OracleRoot root = oracle3d_root(job->block_spheres[id], &ray, ORACLE_PROJECTION, &right);
+    if (is_left_out(&job->block_spheres[id], &ray, mistake)) {
+        return NO;
+    }
     if (mistake->miss_blocks && !root.is_possible) {
         return YES;
     }
     if (mistake->behind_end) {
         return root.is_certain && root.t_low > in->t_max ? YES : NO;
     }
-    const double start = mistake->start * in->t_max;
-    const double end = mistake->any_distance ? INFINITY : in->t_max * (1 - mistake->end);
+    const double start = mistake->start * in->t_max + mistake->start_by;
+    const double end =
+        mistake->any_distance ? INFINITY : in->t_max * (1 - mistake->end) - mistake->end_by;
     if (root.is_possible && is_exact(in)) {
         return root.t < end || (mistake->at_end && root.t == end) ? YES : NO;
     }
@@ -259,7 +132,8 @@ static Blocks sphere_blocks(const Job09 *job, const BlockJob *in, u32 at,
 static Blocks leaf_blocks(const Job09 *job, int i, const BlockMistake *mistake)
 {
     const BlockJob *in = &job->blocks[i];
-    const u32 n = mistake->misses_long && i == LONG_LEAF ? 0 : in->node.n_spheres;
+    const u32 n_all = mistake->misses_long && i == LONG_LEAF ? 0 : in->node.n_spheres;
+    const u32 n = mistake->skips_last && n_all > 0 ? n_all - 1 : n_all;
     const u32 start = mistake->from_start ? 0 : in->node.first;
     const u32 skipped = mistake->skips_first ? 1 : mistake->last_decides && n > 0 ? n - 1 : 0;
     const u32 end = mistake->first_only && n > 1 ? 1 : n + (mistake->one_more ? 1 : 0);

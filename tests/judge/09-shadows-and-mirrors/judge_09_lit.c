@@ -1,5 +1,5 @@
 // Lab 09: which lights arrive at a point: drawn and judged.
-#include "judge_09.h"
+#include "judge_09_lights.h"
 
 #include "message.h"
 #include "random3d.h"
@@ -41,7 +41,7 @@ static int count_before(const LitJob *job, const Light *lights)
 
 // How many lights the last inputs of the last range have. The last light is before the surface and
 // above it, and bright.
-static const i32 edge_lights[N_EDGE_LITS] = {0, 6, 9, 17, 33, 65, 129, 300};
+static const i32 edge_lights[N_EDGE_LITS] = {0, 6, 9, 17, 33, 65, 129, MOST_LIT_LIGHTS};
 
 static void set_edge(const Light *lights, LitJob *job, i32 n_lights)
 {
@@ -116,43 +116,15 @@ void lits_09_draw(Random *random, Job09 *job)
 
 // ---- Judging ------------------------------------------------------------------------------------
 
-typedef struct LitMistake {
-    Cause cause;
-    OracleMirrorRules rules;
-} LitMistake;
-
-#define GRAZING_LOST                                                                               \
-    "light that grazes the surface arrives, too: a cosine above 0 is enough, without an epsilon"
-
-static const LitMistake mistakes[] = {
-    {.cause = {0}},
-    {{.says = "light is added although something stands between"}, {.no_shadows = 1}},
-    {{.says = "light is added where something stands between, and not where nothing does"},
-     {.only_shadows = 1}},
-    {{.says = "what stands behind the light casts a shadow, too"}, {.endless_light = 1}},
-    {{.says = "that is the first light's share only"}, {.first_light_only = 1}},
-    {{.says = "one light too many shines, the one behind the end of the array"},
-     {.one_light_more = 1}},
-    {{.says = "behind a light that does not arrive no other one is asked"},
-     {.dark_ends_lights = 1}},
-    {{.says = "one light that does not arrive takes the others with it"}, {.one_dark_all_dark = 1}},
-    {{.says = GRAZING_LOST}, {.least_cosine = 0x1p-9}},
-    {{.says = GRAZING_LOST}, {.least_cosine = 0x1p-15}},
-    {{.says = "the lights' shares add up: they are not divided by how many there are"},
-     {.mean_of_lights = 1}},
-    {{.says = "light does not fall with the distance here: shade knows all that counts"},
-     {.light_falls = 1}},
-    {{.says = "every light was added once for each light"}, {.each_adds_all = 1}},
-};
-
-static OracleNear expected_light(const Job09 *job, int i, const OracleMirrorRules *rules)
+static OracleNear right_light(const Job09 *job, int i)
 {
+    static const OracleMirrorRules right = {0};
     const LitJob *in = &job->lits[i];
     Scene3D scene = job->scenes[LIT_SCENE].base.scene;
     scene.lights = (Light *)(job->lit_lights + in->first_light);
     scene.n_lights = in->n_lights;
     return oracle3d_lit(&scene, oracle3d_exactly(in->point), oracle3d_exactly(in->normal),
-                        &in->material, NULL, rules);
+                        &in->material, NULL, &right);
 }
 
 // Are all lights behind the surface? Then no ray is needed.
@@ -162,25 +134,41 @@ static int is_behind(const Job09 *job, int i)
            count_before(&job->lits[i], job->lit_lights + job->lits[i].first_light) == 0;
 }
 
-static int lit_agrees(const void *pointer, int i, const void *answers, int mistake)
+// Where a ray from the point to any light visits a leaf: in the tree's bounds.
+static int is_in_bounds(const LitJob *in)
 {
-    const LitAnswer *found = (const LitAnswer *)answers + i;
-    const OracleNear expected = expected_light(pointer, i, &mistakes[mistake].rules);
-    const int is_spared = mistake != 0 || !is_behind(pointer, i) || found->n_leaves == 0;
-    return oracle3d_is_near(found->color, expected) && is_spared;
+    const float at[3] = {in->point.x, in->point.y, in->point.z};
+    int is_inside = 1;
+    for (int axis = 0; axis < 3; axis++) {
+        is_inside &= at[axis] > in->bounds.min[axis] && at[axis] < in->bounds.max[axis];
+    }
+    return is_inside;
 }
 
-// A mistake is known by a wrong colour: where only the work is wrong, it is no cause.
+static int lit_agrees(const void *pointer, int i, const void *answers, int number)
+{
+    const LitAnswer *found = (const LitAnswer *)answers + i;
+    const LitMistake *mistake = &lit_mistakes_09[number];
+    const LitJob *in = &((const Job09 *)pointer)->lits[i];
+    const OracleNear expected =
+        mistake->sum == NULL ? right_light(pointer, i) : lights_09_mistaken(pointer, in, mistake);
+    const int is_spared = !is_behind(pointer, i) || found->n_leaves == 0;
+    const int is_sent = !is_behind(pointer, i) || found->n_leaves > 0 || !is_in_bounds(in);
+    // A mistake of the sum is known by its colours: rays may be sent or not.
+    return oracle3d_is_near(found->color, expected) &&
+           (mistake->sum != NULL || (number == 0 ? is_spared : is_sent));
+}
+
+// A mistake of the sum is known by a wrong colour: where only the work is wrong, it is no cause.
 static int lit_shows(const void *job, Range range, const void *answers, int mistake)
 {
     int n_wrong = 0;
-    (void)mistake;
     for (int i = 0; i < range.n; i++) {
         const int input = range_at(range, i);
         const LitAnswer *found = (const LitAnswer *)answers + input;
-        n_wrong += !oracle3d_is_near(found->color, expected_light(job, input, &mistakes[0].rules));
+        n_wrong += !oracle3d_is_near(found->color, right_light(job, input));
     }
-    return n_wrong > 0;
+    return lit_mistakes_09[mistake].sum == NULL || n_wrong > 0;
 }
 
 static char *describe_lit(const void *pointer, int i, const void *answers)
@@ -188,7 +176,7 @@ static char *describe_lit(const void *pointer, int i, const void *answers)
     const Job09 *job = pointer;
     const LitJob *in = &job->lits[i];
     const LitAnswer *found = (const LitAnswer *)answers + i;
-    const OracleVector e = expected_light(job, i, &mistakes[0].rules).value;
+    const OracleVector e = right_light(job, i).value;
     if (is_behind(job, i) && found->n_leaves > 0) {
         return message_new("point %s, normal %s, %d light%s, all behind the surface: found %u "
                            "leaves visited, expected none: no ray is needed for them",
@@ -209,4 +197,4 @@ const Function lit_09 = {"lits",
                          .agrees = lit_agrees,
                          .shows = lit_shows,
                          .counted = "inputs",
-                         MISTAKES(mistakes)};
+                         MISTAKES(lit_mistakes_09)};

@@ -68,40 +68,112 @@ static OracleVector difference(Vec3 a, Vec3 b)
 
 // ---- mirrored_direction -------------------------------------------------------------------------
 
+// What an answer with a mistake returns.
+typedef OracleVector MistakenTurn(OracleVector direction, OracleVector normal);
+
+static OracleVector turned_round(OracleVector d, OracleVector n)
+{
+    return vector_minus(vector_scaled(2 * vector_dot(d, n), n), d);
+}
+
+static OracleVector straight_on(OracleVector d, OracleVector n)
+{
+    (void)n;
+    return d;
+}
+
+static OracleVector back(OracleVector d, OracleVector n)
+{
+    (void)n;
+    return vector_scaled(-1, d);
+}
+
+static OracleVector along_surface(OracleVector d, OracleVector n)
+{
+    return vector_minus(d, vector_scaled(vector_dot(d, n), n));
+}
+
+static OracleVector along_normal(OracleVector d, OracleVector n)
+{
+    (void)d;
+    return n;
+}
+
+static OracleVector part_added(OracleVector d, OracleVector n)
+{
+    return vector_plus(d, vector_scaled(2 * vector_dot(d, n), n));
+}
+
+static OracleVector normal_mirrored(OracleVector d, OracleVector n)
+{
+    return vector_minus(n, vector_scaled(2 * vector_dot(d, n), d));
+}
+
+static OracleVector by_coordinate(OracleVector d, OracleVector n)
+{
+    return (OracleVector){d.x - 2 * d.x * n.x * n.x, d.y - 2 * d.y * n.y * n.y,
+                          d.z - 2 * d.z * n.z * n.z};
+}
+
+static OracleVector dot_without_z(OracleVector d, OracleVector n)
+{
+    return vector_minus(d, vector_scaled(2 * (d.x * n.x + d.y * n.y), n));
+}
+
 typedef struct MirrorMistake {
     Cause cause;
-    OracleTurn turn;
+    MistakenTurn *turn;   // NULL: the right one
+    double least_cosine;  // flatter rays go straight on, or may be mirrored
 } MirrorMistake;
 
+// A ray that grazes a mirror by no more than that is taken for one along it by an epsilon.
+#define GRAZING 0.0625
+
 static const MirrorMistake mirror_mistakes[] = {
-    {.cause = {0}, .turn = TURN_RIGHT},
-    {{.says = "that is the mirrored direction turned round: the sign"}, TURN_BACKWARDS},
-    {{.says = "the ray goes straight on"}, TURN_NONE},
-    {{.says = "the ray goes back to where it came from"}, TURN_BACK},
-    {{.says = "its part along the normal is gone, not turned round: it counts twice"}, TURN_HALF},
+    {.cause = {0}},
+    {{.says = "that is the mirrored direction turned round: the sign"}, .turn = turned_round},
+    {{.says = "the ray goes straight on"}, .turn = straight_on},
+    {{.says = "the ray goes back to where it came from"}, .turn = back},
+    {{.says = "its part along the normal is gone, not turned round: it counts twice"},
+     .turn = along_surface},
     {{.says = "that is the normal: only a ray that meets the mirror head-on goes along it"},
-     TURN_ALONG_NORMAL},
+     .turn = along_normal},
+    {{.says = "its part along the normal grew, and should turn round: the sign"},
+     .turn = part_added},
+    {{.says = "the normal was mirrored at the direction: they stand in each other's place"},
+     .turn = normal_mirrored},
+    {{.says = "coordinates were multiplied one by one: the part along the normal is a dot product"},
+     .turn = by_coordinate},
+    {{.says = "z is missing in the dot product"}, .turn = dot_without_z},
+    {{.says = "a ray that grazes the mirror is mirrored, too, without an epsilon"},
+     .least_cosine = GRAZING},
 };
 
-static OracleNear expected_direction(const void *pointer, int i, OracleTurn turn)
+static OracleNear expected_direction(const void *pointer, int i, MistakenTurn *turn)
 {
     const MirrorJob *in = &((const Job09 *)pointer)->mirrors[i];
     // Unit vectors in float are as long as 1 within the rounding of three components.
     OracleNear direction = oracle3d_exactly(in->direction), normal = oracle3d_exactly(in->normal);
     direction.error = normal.error = 2 * 0x1p-24;
-    return oracle3d_mirrored(direction, normal, turn);
+    OracleNear expected = oracle3d_mirrored(direction, normal, TURN_RIGHT);
+    expected.value = turn != NULL ? turn(direction.value, normal.value) : expected.value;
+    return expected;
 }
 
-static int mirror_agrees(const void *job, int i, const void *answers, int mistake)
+static int mirror_agrees(const void *pointer, int i, const void *answers, int number)
 {
-    return oracle3d_is_near(((const Vec3 *)answers)[i],
-                            expected_direction(job, i, mirror_mistakes[mistake].turn));
+    const MirrorJob *in = &((const Job09 *)pointer)->mirrors[i];
+    const MirrorMistake *mistake = &mirror_mistakes[number];
+    const Vec3 found = ((const Vec3 *)answers)[i];
+    const int is_flat = fabs(vec3_dot(in->direction, in->normal)) < mistake->least_cosine;
+    return oracle3d_is_near(found, expected_direction(pointer, i, mistake->turn)) ||
+           (is_flat && oracle3d_is_near(found, expected_direction(pointer, i, straight_on)));
 }
 
 static char *describe_mirror(const void *pointer, int i, const void *answers)
 {
     const MirrorJob *in = &((const Job09 *)pointer)->mirrors[i];
-    const OracleVector e = expected_direction(pointer, i, TURN_RIGHT).value;
+    const OracleVector e = expected_direction(pointer, i, NULL).value;
     return message_new("direction %s, normal %s: found %s, expected %s",
                        words_vec3(in->direction, 6).text, words_vec3(in->normal, 6).text,
                        words_vec3(((const Vec3 *)answers)[i], 6).text,
@@ -158,12 +230,14 @@ typedef enum OriginMistake {
     ORIGIN_RIGHT,
     ORIGIN_AT_LIGHT,
     ORIGIN_AT_ZERO,
+    ORIGIN_MOVED,
     T_MIN_SET
 } OriginMistake;
 static const Cause origin_causes[] = {
     [ORIGIN_RIGHT] = {0},
     [ORIGIN_AT_LIGHT] = {.says = "it starts at the light, not at the point"},
     [ORIGIN_AT_ZERO] = {.says = "it starts at the origin of the scene"},
+    [ORIGIN_MOVED] = {.says = "it starts beside the point, which is off the surface already"},
     [T_MIN_SET] = {.says = "t_min is 0: the point is off the surface already, and a blocker may be "
                            "as close as one likes"},
 };
@@ -173,6 +247,14 @@ static int is_at(Vec3 a, Vec3 b)
     return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
+// Moved by no more than some epsilon is, in scenes of whatever size.
+static int is_beside(Vec3 origin, const ShadowRayJob *in)
+{
+    const OracleVector off = difference(origin, in->point);
+    const double size = vector_length(vector_of(in->point));
+    return vector_length(off) <= fmax(0.01, 0x1p-8 * size);
+}
+
 static int origin_agrees(const void *job, int i, const void *answers, int mistake)
 {
     const ShadowRayJob *in = &((const Job09 *)job)->shadow_rays[i];
@@ -180,6 +262,9 @@ static int origin_agrees(const void *job, int i, const void *answers, int mistak
     const Vec3 at = mistake == ORIGIN_AT_LIGHT  ? in->light.position
                     : mistake == ORIGIN_AT_ZERO ? (Vec3){0, 0, 0}
                                                 : in->point;
+    if (mistake == ORIGIN_MOVED) {
+        return is_beside(found->origin, in) && found->t_min == 0;
+    }
     // What is handed out starts at the point already: to set nothing else is no answer.
     const int is_handed_out = is_at(found->direction, (Vec3){0, 0, 1}) && found->t_max == 0;
     return is_at(found->origin, at) && (found->t_min == 0) != (mistake == T_MIN_SET) &&
@@ -195,11 +280,14 @@ typedef enum DirectionMistake {
     DIRECTION_REVERSED,
     DIRECTION_NOT_UNIT,
     DIRECTION_TO_ORIGIN,
+    DIRECTION_BY_LARGEST,
 } DirectionMistake;
 static const Cause direction_causes[] = {
     [DIRECTION_RIGHT] = {0},
     [DIRECTION_REVERSED] = {.says = "it goes away from the light: light minus point"},
     [DIRECTION_NOT_UNIT] = {.says = "the direction is not a unit vector: t is a distance then"},
+    [DIRECTION_BY_LARGEST] = {.says = "it is divided by its largest coordinate: by its length it "
+                                      "becomes a unit vector"},
     [DIRECTION_TO_ORIGIN] = {.says = "that is the light's position, not the way to it"},
 };
 
@@ -213,7 +301,9 @@ static int direction_agrees(const void *job, int i, const void *answers, int mis
     const double scale = mistake == DIRECTION_NOT_UNIT    ? 1
                          : mistake == DIRECTION_REVERSED  ? -1 / way.length
                          : mistake == DIRECTION_TO_ORIGIN ? 1 / sqrt(vector_dot(v, v))
-                                                          : 1 / way.length;
+                         : mistake == DIRECTION_BY_LARGEST
+                             ? 1 / fmax(fmax(fabs(v.x), fabs(v.y)), fabs(v.z))
+                             : 1 / way.length;
     const OracleNear expected = {{scale * v.x, scale * v.y, scale * v.z},
                                  way.error * fabs(scale) * sqrt(vector_dot(v, v))};
     return oracle3d_is_near(answer_at(answers, i)->direction, expected);
@@ -232,6 +322,8 @@ typedef enum EndMistake {
     END_NOWHERE,
     END_AT_ONE,
     END_SQUARED,
+    END_FROM_ORIGIN,
+    END_AT_LARGEST,
     END_HAIR,
     END_AT_START
 } EndMistake;
@@ -241,6 +333,9 @@ static const Cause end_causes[] = {
                          "it has no end: what stands behind the light would cast a shadow, too"},
     [END_AT_ONE] = {.says = "it ends at t = 1: so it is where the direction is as long as the way"},
     [END_SQUARED] = {.says = "that is the square of the distance"},
+    [END_FROM_ORIGIN] = {.says = "that is the light's distance from the origin of the scene, not "
+                                 "from the point"},
+    [END_AT_LARGEST] = {.says = "that is the largest coordinate of the way, not its length"},
     [END_HAIR] = {.says = "it ends beside the light: t_max is its distance, without an epsilon"},
     [END_AT_START] = {.says = "it ends where it starts"},
 };
@@ -249,11 +344,18 @@ static int end_agrees(const void *job, int i, const void *answers, int mistake)
 {
     const Way way = way_of(job, i);
     const double t_max = answer_at(answers, i)->t_max, error = way.error * way.length;
+    const double from_origin =
+        vector_length(vector_of(((const Job09 *)job)->shadow_rays[i].light.position));
+    const double largest = fmax(fmax(fabs(way.way.x), fabs(way.way.y)), fabs(way.way.z));
     switch (mistake) {
     case END_NOWHERE:
         return t_max > 1e9 * way.length;
     case END_AT_ONE:
-        return t_max == 1;
+        return fabs(t_max - 1) <= way.error;  // or the length of a unit vector
+    case END_FROM_ORIGIN:
+        return fabs(t_max - from_origin) <= way.error * from_origin;
+    case END_AT_LARGEST:
+        return fabs(t_max - largest) <= error;
     case END_SQUARED:
         return fabs(t_max - way.length * way.length) <= 2 * error * way.length;
     case END_HAIR:

@@ -133,9 +133,11 @@ static const RoomPlan mirror_room = {0.5f, 0.75f, 0.25f, 2};
 static const RandomPlan end_plans[] = {
     {16, 0.375f, 0.75f, 1, 1, LIGHTS_OUTSIDE, EYE_OUTSIDE, {5, 2}, 2},
     {24, 0.25f, 0.5f, 0, 0, LIGHTS_OUTSIDE, EYE_OUTSIDE, {5, 2}, 5},
-    {1, 1, 1, 0.75f, 0.875f, LIGHTS_OUTSIDE, EYE_IN_NEGATIVE, {5, 1}, 4},
-    {12, 0.375f, 0.75f, 1, 1, LIGHTS_OUTSIDE, EYE_OUTSIDE, {5, 2}, 2},  // see set_least_weight()
+    {1, 1, 1, 0.75f, 0.875f, LIGHTS_OUTSIDE, EYE_IN_NEGATIVE, {5, 1}, 7},
 };
+// See set_least_weight().
+static const RandomPlan least_plan = {12,          0.375f, 0.75f, 1, 1, LIGHTS_OUTSIDE,
+                                      EYE_OUTSIDE, {5, 2}, 2};
 static const RoomPlan end_rooms[] = {
     {0.75f, 0.75f, 0.25f, 3},      {0.875f, 1, 0, 4}, {1, 0, 0, 5}, {0.0625f, 0.5f, 0.5f, 5},
     {0.03125f, 0.03125f, 0.5f, 5},
@@ -173,13 +175,13 @@ static int draw_rooms(Random *random, const RoomPlan *plans, int n, MirrorScene 
     return result;
 }
 
-// Surfaces that scatter nothing, but for one material, before a bright background.
+// Surfaces that scatter nothing, but for every fourth material, before a bright background.
 static void empty_light(MirrorScene *scene)
 {
     Scene3D *s = &scene->base.scene;
     s->background = (Vec3){0.75f, 0.5f, 0.25f};
-    for (int i = 1; i < s->n_materials; i++) {
-        s->materials[i].kd = 0;
+    for (int i = 0; i < s->n_materials; i++) {
+        s->materials[i].kd = i % 4 == 0 ? s->materials[i].kd : 0;
     }
 }
 
@@ -188,6 +190,10 @@ static void set_least_weight(MirrorScene *scene)
 {
     Scene3D *s = &scene->base.scene;
     s->background = (Vec3){64, 48, 32};
+    // Surfaces are brighter than 1, too: else who cuts at 1 had the background alone wrong.
+    for (int i = 0; i < s->n_lights; i++) {
+        s->lights[i].color = vec3_scaled(s->lights[i].color, 16);
+    }
     for (int i = 0; i < s->n_materials; i++) {
         s->materials[i].ks = ORACLE_LEAST_WEIGHT;
     }
@@ -202,6 +208,7 @@ static int draw_all(Random *random, MirrorScene scenes[N_SCENES])
     result |= draw_named(random, &scenes[ENDS - 1], "sphereflake:size=1", 2);
     result |= draw_each(random, end_plans, COUNT(end_plans), scenes + ENDS);
     result |= draw_rooms(random, end_rooms, COUNT(end_rooms), scenes + ENDS + COUNT(end_plans));
+    result |= draw_each(random, &least_plan, 1, &scenes[BACKGROUNDS - 2]);
     result |= draw_named(random, &scenes[BACKGROUNDS - 1], "inside", 3);
     result |= draw_each(random, background_plans, COUNT(background_plans), scenes + BACKGROUNDS);
     result |= draw_named(random, &scenes[N_SCENES - 1], "none", 2);
@@ -209,7 +216,7 @@ static int draw_all(Random *random, MirrorScene scenes[N_SCENES])
         // A distance that is small elsewhere is larger than all that is here.
         job_scene3d_scale(&scenes[MIRRORS + COUNT(mirror_plans) - 1].base, 0x1p-24f,
                           "made smaller than a millionth");
-        set_least_weight(&scenes[ENDS + COUNT(end_plans) - 1]);
+        set_least_weight(&scenes[BACKGROUNDS - 2]);
     }
     return result;
 }
@@ -221,6 +228,10 @@ typedef struct Mistake09 {
     Cause looks;
     OracleMirrorRules rules;
 } Mistake09;
+
+#define LESS_FOLLOWED                                                                              \
+    "drawn as if the end were above LEAST_WEIGHT: light that counts a little more is followed, "   \
+    "too"
 
 static const Mistake09 mistakes[] = {
     {{.says = "drawn without shadows: light is added although something stands between"},
@@ -234,11 +245,18 @@ static const Mistake09 mistakes[] = {
      {.one_dark_all_dark = 1}},
     {{.says = "drawn with one mirror more than allowed"}, {.more_bounces = 1}},
     {{.says = "drawn with one mirror less than allowed"}, {.more_bounces = -1}},
+    {{.says = "drawn with five mirrors at most: max_bounces may be more"}, {.most_bounces = 5}},
+    {{.says = "drawn as if a mirror that no light reaches were the end: it mirrors all the same"},
+     {.dark_ends = 1}},
     {{.says = "drawn without the cut-off: light was followed that counts less than LEAST_WEIGHT"},
      {.no_cut_off = 1}},
+    // Where weights are just the least both look the same: a larger end shows in scenes before.
     {{.says = "drawn as if a weight of LEAST_WEIGHT itself were the end: it goes on"},
      {.least_ends = 1}},
-    {{.says = "drawn as if mirrored rays hit nothing near: they start off the surface already, and "
+    {{.says = LESS_FOLLOWED}, {.least_weight = 1.0 / 255}},
+    {{.says = LESS_FOLLOWED}, {.least_weight = 0.01}},
+    {{.says = LESS_FOLLOWED}, {.least_weight = 0.1}},
+    {{.says = "drawn as if mirrored rays hit nothing near: they start at the surface's point, and "
               "t_min stays as it is"},
      {.mirrors_see_nothing = 1}},
     {{.says = "drawn as if the background counted in full, also over mirrors"},
@@ -250,6 +268,8 @@ static const Mistake09 mistakes[] = {
     {{.says = "drawn without ks: all light over mirrors counts in full"}, {.weight = WEIGHT_ONE}},
     {{.says = "drawn with ks of the last mirror only: over two of them the product counts"},
      {.weight = WEIGHT_LAST_KS}},
+    {{.says = "drawn with ks of the first mirror for all of them: each has its own"},
+     {.weight = WEIGHT_FIRST_KS}},
     {{.says = "drawn with ks squared: each mirror counts twice"}, {.weight = WEIGHT_KS_SQUARED}},
     {{.says = "drawn with kd in the place of ks"}, {.weight = WEIGHT_KD}},
     {{.says = "drawn as if a surface's own light counted its own ks: only what comes over it does"},

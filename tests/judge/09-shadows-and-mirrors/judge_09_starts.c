@@ -41,50 +41,97 @@ static double largest_of(Vec3 v)
     return fmax(fmax(fabs(v.x), fabs(v.y)), fabs(v.z));
 }
 
+// What is taken for the largest of a point's coordinates.
+typedef double PointSize(Vec3 p);
+
+static double sum_of_sizes(Vec3 p)
+{
+    return fabs(p.x) + fabs(p.y) + fabs(p.z);
+}
+
+static double mean_size(Vec3 p)
+{
+    return sum_of_sizes(p) / 3;
+}
+
+static double largest_with_sign(Vec3 p)
+{
+    return fmax(fmax(p.x, p.y), p.z);
+}
+
+static double size_of_largest(Vec3 p)
+{
+    return fabs(largest_with_sign(p));
+}
+
+static double without_x(Vec3 p)
+{
+    return fmax(fabs(p.y), fabs(p.z));
+}
+
+static double without_y(Vec3 p)
+{
+    return fmax(fabs(p.x), fabs(p.z));
+}
+
+static double without_z(Vec3 p)
+{
+    return fmax(fabs(p.x), fabs(p.y));
+}
+
 // A known mistake: what of the sum is there, and how often it is taken.
 typedef struct StartMistake {
     Cause cause;
     double share;  // of the offset; 0 where it has another size
     double t, radius, point;
-    int is_largest;   // of the three, not their sum
-    int adds_all;     // of the point's coordinates
-    double distance;  // the same everywhere
+    PointSize *size;       // NULL: the right one
+    int is_largest;        // of the three, not their sum
+    int radius_is_signed;  // a negative one is taken off
+    int sum_is_unsigned;   // and the size is that of its sum with t
+    int by_coordinate;     // each coordinate moves by its own size
 } StartMistake;
 
+#define ALL_THREE .share = 1, .t = 1, .radius = 1, .point = 1
+#define SIZE_FIRST {.says = "coordinates may be negative: of their sizes the largest counts"}
+
 static const StartMistake start_mistakes[] = {
-    {.cause = {0}, .share = 1, .t = 1, .radius = 1, .point = 1},
+    {{0}, ALL_THREE},
     {.cause = {.says = "the point was not moved: new rays would hit the surface that they leave"}},
-    {.cause = {.says = "it was moved to the other side: against the normal"},
+    {{.says = "it was moved to the other side: against the normal"},
      .share = -1,
      .t = 1,
      .radius = 1,
      .point = 1},
-    {.cause = {.says = "it was moved half as far as needed"},
-     .share = 0.5,
-     .t = 1,
-     .radius = 1,
-     .point = 1},
-    {.cause = {.says = "the sum of the three numbers counts, not the largest of them"},
-     .share = 1,
-     .t = 1,
-     .radius = 1,
-     .point = 1,
+    {{.says = "it was moved half as far as needed"}, .share = 0.5, .t = 1, .radius = 1, .point = 1},
+    {{.says = "the sum of the three numbers counts, not the largest of them"},
+     ALL_THREE,
      .is_largest = 1},
-    {.cause = {.says = "of the point's coordinates the largest counts, not their sum"},
-     .share = 1,
-     .t = 1,
-     .radius = 1,
-     .point = 1,
-     .adds_all = 1},
-    {.cause = {.says = "t is missing in the sum"}, .share = 1, .radius = 1, .point = 1},
-    {.cause = {.says = "the radius is missing in the sum"}, .share = 1, .t = 1, .point = 1},
-    {.cause = {.says = "the point's coordinate is missing in the sum"},
-     .share = 1,
-     .t = 1,
-     .radius = 1},
-    {.cause = {.says = "only t counts in the sum"}, .share = 1, .t = 1},
-    {.cause = {.says = "only the radius counts in the sum"}, .share = 1, .radius = 1},
-    {.cause = {.says = "only the point's coordinate counts in the sum"}, .share = 1, .point = 1},
+    {{.says = "of the point's coordinates the largest counts, not their sum"},
+     ALL_THREE,
+     .size = sum_of_sizes},
+    {{.says = "of the point's coordinates the largest counts, not their mean"},
+     ALL_THREE,
+     .size = mean_size},
+    {{.says = "of the point's coordinates x is not looked at"}, ALL_THREE, .size = without_x},
+    {{.says = "of the point's coordinates y is not looked at"}, ALL_THREE, .size = without_y},
+    {{.says = "of the point's coordinates z is not looked at"}, ALL_THREE, .size = without_z},
+    {SIZE_FIRST, ALL_THREE, .size = largest_with_sign},
+    {SIZE_FIRST, ALL_THREE, .size = size_of_largest},
+    {{.says = "each coordinate moves by its own size: the largest one's counts for all three"},
+     ALL_THREE,
+     .by_coordinate = 1},
+    {{.says = "the radius may be negative: its size is added"}, ALL_THREE, .radius_is_signed = 1},
+    {{.says = "the radius may be negative: it is its own size that counts, not that of its sum "
+              "with t"},
+     ALL_THREE,
+     .radius_is_signed = 1,
+     .sum_is_unsigned = 1},
+    {{.says = "t is missing in the sum"}, .share = 1, .radius = 1, .point = 1},
+    {{.says = "the radius is missing in the sum"}, .share = 1, .t = 1, .point = 1},
+    {{.says = "the point's coordinate is missing in the sum"}, .share = 1, .t = 1, .radius = 1},
+    {{.says = "only t counts in the sum"}, .share = 1, .t = 1},
+    {{.says = "only the radius counts in the sum"}, .share = 1, .radius = 1},
+    {{.says = "only the point's coordinate counts in the sum"}, .share = 1, .point = 1},
 };
 
 // How far the point was moved along the normal, and how far beside it.
@@ -104,23 +151,45 @@ static Moved moved(const StartJob *in, Vec3 found)
 }
 
 // The sum that a mistake makes of the three numbers, times SURFACE_ERROR.
-static double offset_of(const StartJob *in, const StartMistake *mistake)
+//   largest   of the point's coordinates, or what is taken for it
+static double offset_by(const StartJob *in, const StartMistake *mistake, double largest)
 {
-    const double t = mistake->t * in->t, radius = mistake->radius * fabs(in->radius);
-    const Vec3 p = in->point;
-    const double point =
-        mistake->point * (mistake->adds_all ? fabs(p.x) + fabs(p.y) + fabs(p.z) : largest_of(p));
+    const double t = mistake->t * in->t, point = mistake->point * largest;
+    const double radius =
+        mistake->radius * (mistake->radius_is_signed ? in->radius : fabs(in->radius));
+    const double both = mistake->sum_is_unsigned ? fabs(t + radius) : t + radius;
     return mistake->share * 0x1p-18 *
-           (mistake->is_largest ? fmax(t, fmax(radius, point)) : t + radius + point);
+           (mistake->is_largest ? fmax(t, fmax(radius, point)) : both + point);
 }
 
-static int start_agrees(const void *pointer, int i, const void *answers, int mistake)
+static double offset_of(const StartJob *in, const StartMistake *mistake)
+{
+    return offset_by(in, mistake,
+                     mistake->size != NULL ? mistake->size(in->point) : largest_of(in->point));
+}
+
+// Where the point comes to when each coordinate moves by its own size.
+static int is_moved_by_coordinate(const StartJob *in, const StartMistake *mistake, Vec3 found)
+{
+    const Vec3 p = in->point, n = in->normal;
+    const OracleVector way = vector_minus(vector_of(found), vector_of(p));
+    const OracleVector expected = {offset_by(in, mistake, fabs(p.x)) * (double)n.x,
+                                   offset_by(in, mistake, fabs(p.y)) * (double)n.y,
+                                   offset_by(in, mistake, fabs(p.z)) * (double)n.z};
+    return vector_length(vector_minus(way, expected)) <= moved(in, found).rounding;
+}
+
+static int start_agrees(const void *pointer, int i, const void *answers, int number)
 {
     const StartJob *in = &((const Job09 *)pointer)->starts[i];
+    const StartMistake *mistake = &start_mistakes[number];
     const Moved found = moved(in, ((const Vec3 *)answers)[i]);
-    const double offset = offset_of(in, &start_mistakes[mistake]);
+    const double offset = offset_of(in, mistake);
     // Twice as far is far enough, and still right; a mistake is known by its number.
-    const double most = mistake == 0 ? 2 * offset : offset;
+    const double most = number == 0 ? 2 * offset : offset;
+    if (mistake->by_coordinate) {
+        return is_moved_by_coordinate(in, mistake, ((const Vec3 *)answers)[i]);
+    }
     return found.beside <= found.rounding + 0x1p-8 * fabs(found.along) &&
            found.along >= offset - found.rounding && found.along <= most + found.rounding;
 }
@@ -136,23 +205,46 @@ static char *describe_start(const void *pointer, int i, const void *answers)
                        in->radius, found.along, found.beside, offset, 2 * offset);
 }
 
-// Is every point moved by the same distance? By which is said where rounding is least.
-static int is_one_distance(const Job09 *job, Range range, const Vec3 *found)
+// Is every point of [first, end) moved by the same distance, or where one is given, by no less than
+// that, and farther where that is needed?
+static int is_one_distance(const Job09 *job, int first, int end, const Vec3 *found, double distance,
+                           int is_least)
 {
-    Moved surest = moved(&job->starts[range.first], found[range.first]);
-    int i = range.first;
-    for (int j = i + 1; j < range.first + range.n; j++) {
-        const Moved own = moved(&job->starts[j], found[j]);
-        surest = own.rounding < surest.rounding ? own : surest;
-    }
-    while (i < range.first + range.n) {
+    int i = first;
+    while (i < end) {
         const Moved own = moved(&job->starts[i], found[i]);
-        if (fabs(own.along - surest.along) > own.rounding + 0x1p-8 * fabs(surest.along)) {
+        const double needed = offset_of(&job->starts[i], &start_mistakes[0]);
+        const double expected = is_least ? fmax(distance, needed) : distance;
+        if (fabs(own.along - expected) > own.rounding + 0x1p-8 * fabs(expected)) {
             break;
         }
         i++;
     }
-    return i == range.first + range.n;
+    return i == end;
+}
+
+// By which distance the points of a range are moved is said where rounding is least.
+static double surest_distance(const Job09 *job, Range range, const Vec3 *found)
+{
+    Moved surest = moved(&job->starts[range.first], found[range.first]);
+    for (int j = range.first + 1; j < range.first + range.n; j++) {
+        const Moved own = moved(&job->starts[j], found[j]);
+        surest = own.rounding < surest.rounding ? own : surest;
+    }
+    return surest.along;
+}
+
+static Cause cause_of_distance(const Job09 *job, Range range, const Vec3 *found)
+{
+    const double distance = surest_distance(job, range, found);
+    if (is_one_distance(job, 0, COUNT(job->starts), found, distance, 0)) {
+        return (Cause){.says = "the same distance everywhere: rounding grows with the numbers"};
+    }
+    if (is_one_distance(job, 0, COUNT(job->starts), found, distance, 1)) {
+        return (Cause){.says = "never less than a fixed distance: that is too much where the "
+                               "numbers are small"};
+    }
+    return (Cause){0};
 }
 
 static Cause explain_start(const void *pointer, Range range, const void *answers)
@@ -173,10 +265,8 @@ static Cause explain_start(const void *pointer, Range range, const void *answers
         const Moved found = moved(in, ((const Vec3 *)answers)[i]);
         n_far += found.along > 2 * offset_of(in, &start_mistakes[0]) + found.rounding;
     }
-    return (Cause){.says = n_far == range.n ? "farther than needed: what is near is not seen"
-                           : is_one_distance(job, range, answers)
-                               ? "the same distance everywhere: rounding grows with the numbers"
-                               : NULL};
+    return n_far == range.n ? (Cause){.says = "farther than needed: what is near is not seen"}
+                            : cause_of_distance(job, range, answers);
 }
 
 const Function start_09 = {"starts",

@@ -60,9 +60,9 @@ Work tile_10_most(const JobScene3D *scene, int x, int y, int *must_ask);
 // ---- Scenes of circles ------------------------------------------------------------------------
 
 enum {
-    N_CIRCLE_SCENES = 4,
+    N_CIRCLE_SCENES = 5,
     MOST_CIRCLES = 120,  // of one scene
-    N_CIRCLE_TILES = 1 + 5 * 4 + 5 * 4 + 8 * 8,
+    N_CIRCLE_TILES = 1 + 5 * 4 + 5 * 4 + 8 * 8 + 20 * 1,
     MOST_CIRCLE_NODES = 2 * N_CIRCLE_TILES,
     MOST_LEAF_CIRCLES = N_CIRCLE_TILES * MOST_CIRCLES,
 };

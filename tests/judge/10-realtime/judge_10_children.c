@@ -118,7 +118,19 @@ enum {
     CHILD_EPSILON,
     CHILD_SIBLING_BY_BIT,
     CHILD_FAR_ENDS,
+    CHILD_FAR_FOR_ANY,
+    CHILD_FAR_ALONE_WIDENED,
+    CHILD_NEAR_ALONE_WIDENED,
+    CHILD_FAR_BEGINS_AT_END,
+    CHILD_NEVER_IS_NEAR,
+    CHILD_FAR_CUT_TOO,
+    CHILD_BOTH_WHOLE,
+    CHILD_AT_0_IS_FAR,
 };
+#define FAR_BEGINS_LATE                                                                            \
+    "the far child's part begins at the greatest t_split: rays that meet the plane earlier lose "  \
+    "some of it"
+
 static const Cause child_mistakes[] = {
     [CHILD_SWAPPED] = {.says = "that is as if near and far child were swapped"},
     [CHILD_LOWER_IS_NEAR] = {.says = "the near child is the one on the eye's side, not always the "
@@ -142,8 +154,7 @@ static const Cause child_mistakes[] = {
         {.says = "the far child's part begins at the least t_split, where that is beyond t_min"},
     [CHILD_NEAR_CUT_AT_LOW] = {.says = "the near child's part ends at the least t_split: rays that "
                                        "meet the plane later lose some of it"},
-    [CHILD_FAR_BEGINS_AT_HIGH] = {.says = "the far child's part begins at the greatest t_split: "
-                                          "rays that meet the plane earlier lose some of it"},
+    [CHILD_FAR_BEGINS_AT_HIGH] = {.says = FAR_BEGINS_LATE},
     [CHILD_FAR_WIDENED] =
         {.says = "the far child's part begins before t_min: a part never grows on the way down"},
     [CHILD_NEAR_WIDENED] =
@@ -164,6 +175,21 @@ static const Cause child_mistakes[] = {
                                   "other end of the interval decides"},
     [CHILD_NEAR_FOR_ANY] = {.says = "where the interval reaches beyond t_max, some rays may still "
                                     "meet the plane before it"},
+    [CHILD_FAR_FOR_ANY] = {.says = "where the interval begins before t_min, some rays may still "
+                                   "meet the plane behind it"},
+    [CHILD_FAR_ALONE_WIDENED] = {.says = "where the far child alone is met, the part stays as it "
+                                         "is: it does not begin at the least t_split"},
+    [CHILD_NEAR_ALONE_WIDENED] = {.says = "where the near child alone is met, the part stays as it "
+                                          "is: it does not end at the greatest t_split"},
+    [CHILD_FAR_BEGINS_AT_END] = {.says = FAR_BEGINS_LATE},
+    [CHILD_NEVER_IS_NEAR] = {.says = "where some rays never meet the plane, others do: an interval "
+                                     "that ends at INFINITY does not mean the near child alone"},
+    [CHILD_FAR_CUT_TOO] = {.says = "the far child's part ends where the near one's does: t_max was "
+                                   "changed before it was used again"},
+    [CHILD_BOTH_WHOLE] = {.says = "both children have the whole part: the near one's ends at the "
+                                  "greatest t_split, the far one's begins at the least"},
+    [CHILD_AT_0_IS_FAR] = {.says = "a plane that is met at 0 is met: where the part begins at 0, "
+                                   "so are both children"},
     [CHILD_IS_SIDE] =
         {.says = "0 and 1 are sides: the children's ids are node.first and node.first + 1"},
 };
@@ -190,10 +216,16 @@ static int children_met(const TileChildJob *job, int mistake)
     const float t_min = job->at.t_min, t_max = job->at.t_max;
     const int others = mistake == CHILD_OTHER_ENDS, ends = mistake == CHILD_ONE_AT_ENDS;
     const float beyond = others || mistake == CHILD_NEAR_FOR_ANY ? job->split_high : job->split_low;
-    const float before = others ? job->split_low : job->split_high;
+    const float before = others || mistake == CHILD_FAR_FOR_ANY ? job->split_low : job->split_high;
     const float hair = mistake == CHILD_EPSILON ? LEAST_STEP : 0;
     const int near_at_end = ends || mistake == CHILD_NEAR_AT_T_MAX;
     const int far_at_end = ends || mistake == CHILD_FAR_AT_T_MIN;
+    if (mistake == CHILD_NEVER_IS_NEAR && isinf(job->split_high)) {
+        return NEAR_ONLY;
+    }
+    if (mistake == CHILD_AT_0_IS_FAR && job->split_high == 0) {
+        return FAR_ONLY;
+    }
     if (mistake != CHILD_FAR_ALWAYS_WAITS &&
         (beyond > t_max + hair || (near_at_end && beyond == t_max))) {
         return NEAR_ONLY;
@@ -210,23 +242,34 @@ static NextChildAnswer expected_child(const TileChildJob *job, int mistake)
     const u32 side = side_of(job, mistake), first = mistake == CHILD_IS_SIDE ? 0 : job->node.first;
     const float t_min = job->at.t_min, t_max = job->at.t_max;
     const float end = mistake == CHILD_NEAR_CUT_AT_LOW ? job->split_low : job->split_high;
-    const float begin = mistake == CHILD_FAR_BEGINS_AT_HIGH ? job->split_high : job->split_low;
+    const float begin = mistake == CHILD_FAR_BEGINS_AT_HIGH  ? job->split_high
+                        : mistake == CHILD_FAR_BEGINS_AT_END ? fminf(t_max, job->split_high)
+                                                             : job->split_low;
     const int met = children_met(job, mistake);
     const u32 far = mistake == CHILD_SIBLING_BY_BIT ? (first + side) ^ 1 : first + !side;
     NextChildAnswer answer = {.todo = job->todo};
     if (met != BOTH_CHILDREN) {
         answer.next = (StackEntry){met == NEAR_ONLY ? first + side : far, t_min, t_max};
+        if (met == FAR_ONLY && mistake == CHILD_FAR_ALONE_WIDENED) {
+            answer.next.t_min = job->split_low;
+        }
+        if (met == NEAR_ONLY && mistake == CHILD_NEAR_ALONE_WIDENED) {
+            answer.next.t_max = job->split_high;
+        }
         return answer;
     }
+    const int both_whole = mistake == CHILD_BOTH_WHOLE;
     StackEntry near_child = {first + side, t_min,
-                             mistake == CHILD_NEAR_KEEPS_T_MAX ? t_max
-                             : mistake == CHILD_NEAR_WIDENED   ? end
-                                                               : fminf(t_max, end)};
+                             both_whole || mistake == CHILD_NEAR_KEEPS_T_MAX ? t_max
+                             : mistake == CHILD_NEAR_WIDENED                 ? end
+                                                                             : fminf(t_max, end)};
     StackEntry far_child = {far,
-                            mistake == CHILD_FAR_KEEPS_T_MIN ? t_min
-                            : mistake == CHILD_FAR_WIDENED   ? begin
-                                                             : fmaxf(t_min, begin),
-                            mistake == CHILD_FAR_ENDS ? end : t_max};
+                            both_whole || mistake == CHILD_FAR_KEEPS_T_MIN ? t_min
+                            : mistake == CHILD_FAR_WIDENED                 ? begin
+                                                                           : fmaxf(t_min, begin),
+                            mistake == CHILD_FAR_ENDS      ? end
+                            : mistake == CHILD_FAR_CUT_TOO ? near_child.t_max
+                                                           : t_max};
     const int is_swapped = mistake == CHILD_NEAR_WAITS;
     answer.next = is_swapped ? far_child : near_child;
     if (mistake != CHILD_FAR_DROPPED) {

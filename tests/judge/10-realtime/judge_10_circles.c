@@ -19,12 +19,12 @@ static const struct {
     int columns, rows;  // tiles
     int n_circles;
     float min_radius, max_radius;
-    u32 leaf_size;
+    int is_deep;  // each plane cuts off one tile
 } plans[N_CIRCLE_SCENES] = {
-    {1, 1, 6, 2, 12, 8},      // the root is a leaf
-    {5, 4, 60, 2, 12, 6},     // background is seen
-    {5, 4, 120, 10, 60, 30},  // most is hidden
-    {8, 8, 40, 1, 8, 1},      // a leaf for nearly every tile
+    {1, 1, 6, 2, 12, 0},     // the root is a leaf
+    {5, 4, 60, 2, 12, 0},    // background is seen
+    {5, 4, 120, 10, 60, 0},  // most is hidden
+    {8, 8, 40, 1, 8, 0},    {20, 1, 40, 1, 8, 1},
 };
 
 typedef struct TileRange {
@@ -78,10 +78,12 @@ static void close_as_leaf(Growing *tree, u32 id)
 }
 
 // Planes stand at any border of tiles, and not only in the middle.
-static void close_as_inner(Growing *tree, Random *random, u32 id, u32 axis)
+static void close_as_inner(Growing *tree, Random *random, u32 id, u32 axis, int is_deep)
 {
     const TileRange tiles = tree->ranges[id];
-    const int split = (int)random_integer(random, tiles.min[axis] + 1, tiles.max[axis] - 1);
+    const int first_border = tiles.min[axis] + 1, last_border = tiles.max[axis] - 1;
+    const int split =
+        is_deep ? first_border : (int)random_integer(random, first_border, last_border);
     const u32 first = tree->n_nodes;
     tree->n_nodes += 2;
     tree->ranges[first] = tree->ranges[first + 1] = tiles;
@@ -89,7 +91,7 @@ static void close_as_inner(Growing *tree, Random *random, u32 id, u32 axis)
     tree->nodes[id] = (TileNode){split * CIRCLE_TILE_SIDE, axis, first, 0};
 }
 
-static void grow(Growing *tree, Random *random, int columns, int rows)
+static void grow(Growing *tree, Random *random, int columns, int rows, int is_deep)
 {
     tree->ranges[0] = (TileRange){{0, 0}, {columns, rows}};
     tree->n_nodes = 1;
@@ -97,11 +99,11 @@ static void grow(Growing *tree, Random *random, int columns, int rows)
         const TileRange tiles = tree->ranges[id];
         const int width = tiles.max[0] - tiles.min[0], height = tiles.max[1] - tiles.min[1];
         // Some leaves hold many tiles.
-        if ((width == 1 && height == 1) || (id > 2 && one_in(random, 6))) {
+        if ((width == 1 && height == 1) || (id > 2 && !is_deep && one_in(random, 6))) {
             close_as_leaf(tree, id);
         } else {
             close_as_inner(tree, random, id,
-                           height == 1 || (width > 1 && one_in(random, 2)) ? 0 : 1);
+                           height == 1 || (width > 1 && one_in(random, 2)) ? 0 : 1, is_deep);
         }
     }
 }
@@ -138,7 +140,7 @@ int circles_10_draw(Random *random, Job10 *job)
         Growing tree = {.scene = &job->circle_scenes[k],
                         .nodes = job->circle_nodes + n_nodes,
                         .circles = job->leaf_circles + n_circles};
-        grow(&tree, random, plans[k].columns, plans[k].rows);
+        grow(&tree, random, plans[k].columns, plans[k].rows, plans[k].is_deep);
         for (int i = 0; i < plans[k].columns * plans[k].rows; i++) {
             job->scene_of_tile[n_tiles] = k;
             job->circle_tiles[n_tiles++] =
@@ -162,7 +164,12 @@ enum {
     LEAF_ALWAYS_LOWER,
     LEAF_ONE_STEP,
     LEAF_IS_ROOT,
+    LEAF_OF_NEXT_TILE,
+    LEAF_8_STEPS,
+    LEAF_10_STEPS,
+    LEAF_16_STEPS,
 };
+#define STEPS_END "the search ended after some steps, leaf or not"
 static const Cause leaf_mistakes[] = {
     [LEAF_PLANE_IS_LOWER] = {.says = "pixel split_pos is the first of the upper side, not the last "
                                      "of the lower one"},
@@ -173,6 +180,11 @@ static const Cause leaf_mistakes[] = {
     [LEAF_ONLY_Y] = {.says = "that is as if all planes were across y"},
     [LEAF_ALWAYS_LOWER] = {.says = "that is as if the lower child were taken every time"},
     [LEAF_ONE_STEP] = {.says = "the search ended after one step, leaf or not"},
+    [LEAF_8_STEPS] = {.says = STEPS_END},
+    [LEAF_10_STEPS] = {.says = STEPS_END},
+    [LEAF_16_STEPS] = {.says = STEPS_END},
+    [LEAF_OF_NEXT_TILE] = {.says = "the first pixel behind the tile was asked: its own first one "
+                                   "counts"},
     [LEAF_IS_ROOT] = {.says = "the search did not leave the root"},
 };
 
@@ -180,17 +192,22 @@ static u32 expected_leaf(const Job10 *job, int i, int mistake)
 {
     const CircleTileJob tile = job->circle_tiles[i];
     const TileNode *nodes = job->circle_nodes + tile.first_node;
-    u32 id = 0;
     // A wrong way may lead round in a ring.
-    for (int step = 0; step < MOST_CIRCLE_NODES && nodes[id].split_axis != KD_LEAF &&
-                       mistake != LEAF_IS_ROOT && !(mistake == LEAF_ONE_STEP && step == 1);
-         step++) {
+    const int n_steps = mistake == LEAF_IS_ROOT    ? 0
+                        : mistake == LEAF_ONE_STEP ? 1
+                        : mistake == LEAF_8_STEPS  ? 8
+                        : mistake == LEAF_10_STEPS ? 10
+                        : mistake == LEAF_16_STEPS ? 16
+                                                   : MOST_CIRCLE_NODES;
+    u32 id = 0;
+    for (int step = 0; step < n_steps && nodes[id].split_axis != KD_LEAF; step++) {
         const TileNode node = nodes[id];
         const int is_x = mistake == LEAF_AXES_SWAPPED ? node.split_axis == 1
                          : mistake == LEAF_ONLY_X     ? 1
                          : mistake == LEAF_ONLY_Y     ? 0
                                                       : node.split_axis == 0;
-        const int at = is_x ? tile.x : tile.y;
+        const int beyond = mistake == LEAF_OF_NEXT_TILE ? CIRCLE_TILE_SIDE : 0;
+        const int at = (is_x ? tile.x : tile.y) + beyond;
         const int is_upper = mistake == LEAF_PLANE_IS_LOWER  ? at > node.split_pos
                              : mistake == LEAF_SIDES_SWAPPED ? at < node.split_pos
                              : mistake == LEAF_ALWAYS_LOWER  ? 0

@@ -11,12 +11,15 @@
 
 // ---- Drawing ------------------------------------------------------------------------------------
 
-static void draw_cone(Random *random, ConeJob *job, int is_wide)
+// How wide a cone is: as that of a tile near to the eye's side, of a usual one, of one far away.
+typedef enum Width { WIDE, USUAL, NARROW } Width;
+
+static void draw_cone(Random *random, ConeJob *job, Width width)
 {
     job->axis = random_direction(random);
-    job->sine = random_number(random, 0.5, is_wide ? 0.96875f : 1);
-    if (!is_wide) {
-        job->sine = ldexpf(job->sine, (int)random_integer(random, -8, -2));
+    job->sine = random_number(random, 0.5, width == WIDE ? 0.96875f : 1);
+    if (width != WIDE) {
+        job->sine = ldexpf(job->sine, width == NARROW ? -10 : (int)random_integer(random, -8, -2));
     }
     job->cosine = sqrtf(1 - job->sine * job->sine);
 }
@@ -46,12 +49,17 @@ static ConeJob draw_cone_job(Random *random, enum ConeRange range)
     ConeJob job = {.radius = 1};
     const int is_edge = range == CONES_EDGES, is_missed = one_in(random, 2);
     const float reach = random_number(random, 1, 8);
-    const float off = reach * random_number(random, 0.03125, 0.5);
-    draw_cone(random, &job, is_edge && one_in(random, 2));
+    // Small spheres beside narrow cones: who subtracts squares loses the digits that decide.
+    const int is_narrow = range == CONES_HAIR && one_in(random, 4);
+    const float off = reach * (is_narrow ? random_number(random, 0x1p-10f, 0x1p-9f)
+                                         : random_number(random, 0.03125, 0.5));
+    draw_cone(random, &job, is_narrow ? NARROW : is_edge && one_in(random, 2) ? WIDE : USUAL);
     place_sphere(random, &job, reach, off);
-    job.radius = range == CONES_HAIR ? off * (float)(is_missed ? 1 - HAIR : 1 + HAIR)
-                 : is_missed         ? off * random_number(random, 0.125, 0.75)
-                                     : off * random_number(random, 1.25, 4);
+    // By a hair, and now and then by far: who is wrong by a hair alone is right there.
+    job.radius = range == CONES_HAIR && !one_in(random, 8)
+                     ? off * (float)(is_missed ? 1 - HAIR : 1 + HAIR)
+                 : is_missed ? off * random_number(random, 0.125, 0.75)
+                             : off * random_number(random, 1.25, 4);
     if (range == CONES_CLEAR && one_in(random, 4)) {  // the centre is in the cone
         place_sphere(random, &job, reach, -reach * job.sine * random_number(random, 0, 1));
     }
@@ -63,9 +71,13 @@ static ConeJob draw_cone_job(Random *random, enum ConeRange range)
         } else if (kind == 1) {  // behind it, and around it or not
             job.centre = vec3_scaled(job.centre, -1);
             job.radius = random_number(random, 0.25, 2) * (float)vec3_length(job.centre);
+        } else if (kind == 3) {  // deep in the cone
+            place_sphere(random, &job, reach, -reach * job.sine * random_number(random, 0.5, 0.75));
+            job.radius = reach * job.sine / 8;
         } else if (kind == 2) {  // the cone of a tile that is half a view: nothing is outside
             job.sine = 0;
             job.cosine = -1;
+            job.centre = vec3_scaled(job.centre, (float)random_sign(random));
         }
         job.centre = vec3_scaled(job.centre, scale);
         job.radius *= scale * (float)random_sign(random);
@@ -98,35 +110,73 @@ enum {
     CONE_BEHIND_MISSED,
     CONE_BY_TANGENT,
     CONE_UNIT_CENTRE,
+    CONE_UNIT_ALONG,
+    CONE_CUBE,
+    CONE_WITHOUT_COSINE,
+    CONE_COSINE_SIZE,
+    CONE_BEHIND_PLANE,
+    CONE_BY_SQUARES,  // the last one: those with a number follow
 };
-static const Cause cone_mistakes[] = {
-    [CONE_INVERTED] = {.says = "1 and 0 are swapped: 1 where every ray misses"},
-    [CONE_RADIUS_SIGNED] = {.says = "the radius may be negative: how large it is, is fabs(radius)"},
-    [CONE_SINE_FOR_COSINE] = {.says = "sine and cosine are swapped"},
-    [CONE_OTHER_SIDE] = {.says = "the cone grows wider away from the eye: that part is taken off, "
-                                 "not added"},
-    [CONE_AXIS_ONLY] = {.says = "that is as if the cone were its axis: rays beside it may hit what "
-                                "the axis misses"},
+
+// A known mistake, and what is said about it; number 0 is none.
+typedef struct ConeMistake {
+    Cause cause;
+    double added, share;  // to the radius, and as a share of it
+} ConeMistake;
+
+#define EPSILON                                                                                    \
+    {.says = "the radius is compared with as it is, without an epsilon: the cone is wide enough"}
+#define SAYS(text) {{.says = (text)}, 0, 0}
+
+static const ConeMistake cone_mistakes[] = {
+    [CONE_INVERTED] = SAYS("1 and 0 are swapped: 1 where every ray misses"),
+    [CONE_RADIUS_SIGNED] = SAYS("the radius may be negative: how large it is, is fabs(radius)"),
+    [CONE_SINE_FOR_COSINE] = SAYS("sine and cosine are swapped"),
+    [CONE_OTHER_SIDE] = SAYS("the cone grows wider away from the eye: that part is taken off, not "
+                             "added"),
+    [CONE_AXIS_ONLY] = SAYS("that is as if the cone were its axis: rays beside it may hit what the "
+                            "axis misses"),
     [CONE_WITHOUT_RADIUS] =
-        {.says = "that is as if the sphere were its centre: compare with the radius"},
-    [CONE_ACROSS_AXIS] = {.says = "the distance from the border is measured at right angles to the "
-                                  "border, not to the axis"},
-    [CONE_RADIUS_SQUARED] = {.says = "a distance is compared with a square"},
-    [CONE_DIAMETER] = {.says = "spheres that the cone misses by less than twice the radius are "
-                               "asked all the same"},
-    [CONE_FROM_EYE] = {.says = "the centre's distance from the axis counts, not that from the eye"},
-    [CONE_SQUARED] = {.says = "squared, a centre inside of the border is as far as one outside: "
-                              "there the distance is negative"},
-    [CONE_BEHIND_MISSED] = {.says = "a sphere whose centre is behind the eye may reach before it"},
-    [CONE_BY_TANGENT] = {.says = "divided by the cosine, which may be negative: that turns the "
-                                 "comparison round"},
-    [CONE_UNIT_CENTRE] = {.says = "the centre was made a unit vector: its distance is lost"},
-    [CONE_ONLY_BEHIND] = {.says = "only spheres whose centre is behind the eye are left out"},
+        SAYS("that is as if the sphere were its centre: compare with the radius"),
+    [CONE_ACROSS_AXIS] = SAYS("the distance from the border is measured at right angles to the "
+                              "border, not to the axis"),
+    [CONE_RADIUS_SQUARED] = SAYS("a distance is compared with a square"),
+    [CONE_DIAMETER] = SAYS("spheres that the cone misses by less than twice the radius are asked "
+                           "all the same"),
+    [CONE_FROM_EYE] = SAYS("the centre's distance from the axis counts, not that from the eye"),
+    [CONE_SQUARED] = SAYS("the distance lost its sign: a centre inside of the border counts as if "
+                          "it were as far outside"),
+    [CONE_BEHIND_MISSED] = SAYS("a sphere whose centre is behind the eye may reach before it"),
+    [CONE_BY_TANGENT] = SAYS("divided by the cosine, which may be negative: that turns the "
+                             "comparison round"),
+    [CONE_UNIT_CENTRE] = SAYS("the centre was made a unit vector: its distance is lost"),
+    [CONE_ONLY_BEHIND] = SAYS("only spheres whose centre is behind the eye are left out"),
+    [CONE_UNIT_ALONG] =
+        SAYS("along the axis counts a distance, not the cosine of the centre's angle"),
+    [CONE_CUBE] = SAYS("the distance beside the axis is a length, not the largest coordinate"),
+    [CONE_WITHOUT_COSINE] =
+        SAYS("the cosine is missing: how far the centre is beside the axis is multiplied by it"),
+    [CONE_COSINE_SIZE] = SAYS("the cosine may be negative, and stays so: nothing is outside of the "
+                              "cone then"),
+    [CONE_BEHIND_PLANE] =
+        SAYS("where the cosine is -1 rays go to all sides: what is behind the eye "
+             "is not missed, either"),
+    [CONE_BY_SQUARES] = SAYS("the digits are lost: subtract the vectors first, and then take the "
+                             "length"),
+    {EPSILON, .added = 1e-2},
+    {EPSILON, .added = 1e-3},
+    {EPSILON, .added = 1e-4},
+    {EPSILON, .added = 1e-5},
+    {EPSILON, .added = 1e-6},
+    {EPSILON, .share = 1e-1},
+    {EPSILON, .share = 1e-2},
+    {EPSILON, .share = 1e-3},
 };
 
 // A sphere as seen in the plane through axis and centre, and how far it is from the cone.
 typedef struct ConeView {
     double along, aside, size;
+    double cube;    // the largest coordinate of what is beside the axis
     double border;  // the centre's distance from the border's line: negative inside
     double cone;    // from the cone itself; 0 inside
     double error;   // how far a right solution may be off
@@ -136,7 +186,9 @@ static ConeView view_of(const ConeJob *job)
 {
     const OracleVector centre = vector_of(job->centre), axis = vector_of(job->axis);
     ConeView view = {.along = vector_dot(centre, axis), .size = fabs((double)job->radius)};
-    view.aside = vector_length(vector_minus(centre, vector_scaled(view.along, axis)));
+    const OracleVector beside = vector_minus(centre, vector_scaled(view.along, axis));
+    view.aside = vector_length(beside);
+    view.cube = fmax(fmax(fabs(beside.x), fabs(beside.y)), fabs(beside.z));
     view.border = view.aside * (double)job->cosine - view.along * (double)job->sine;
     const int is_beside = view.along * (double)job->cosine + view.aside * (double)job->sine > 0;
     view.cone = view.border <= 0 ? 0 : is_beside ? view.border : vector_length(centre);
@@ -172,15 +224,36 @@ static double gap_of(const ConeJob *job, const ConeView *view, int mistake)
         return fabs(view->border) - view->size;
     case CONE_BEHIND_MISSED:
         return view->along < 0 ? 1 : view->border - view->size;
+    case CONE_BEHIND_PLANE:
+        return view->along < -view->size ? 1 : view->border - view->size;
     case CONE_BY_TANGENT:
         return cosine < 0 ? view->size - view->border : view->border - view->size;
     case CONE_UNIT_CENTRE:
         return view->border / hypot(view->along, view->aside) - view->size;
     case CONE_ONLY_BEHIND:
         return -view->along - view->size;
+    case CONE_UNIT_ALONG:
+        return view->aside * cosine - view->along / hypot(view->along, view->aside) * sine -
+               view->size;
+    case CONE_CUBE:
+        return view->cube * cosine - view->along * sine - view->size;
+    case CONE_WITHOUT_COSINE:
+        return view->aside - view->along * sine - view->size;
+    case CONE_COSINE_SIZE:
+        return view->aside * fabs(cosine) - view->along * sine - view->size;
     default:
-        return view->border - view->size;
+        return view->border - view->size * (1 + cone_mistakes[mistake].share) -
+               cone_mistakes[mistake].added;
     }
+}
+
+// How far off it is where the distance beside the axis comes of a difference of squares: six
+// roundings of squares of the centre's distance.
+static double error_by_squares(const ConeView *view)
+{
+    const double square = view->along * view->along + view->aside * view->aside;
+    const double error = 6 * 0x1p-24 * square;
+    return view->error + fmin(sqrt(error), error / view->aside);
 }
 
 static int cone_agrees(const void *pointer, int i, const void *answers, int mistake)
@@ -190,13 +263,28 @@ static int cone_agrees(const void *pointer, int i, const void *answers, int mist
     const ConeView view = view_of(job);
     const double gap = gap_of(job, &view, mistake);
     if (mistake != 0) {
-        return fabs(gap) <= view.error || found == ((gap > 0) != (mistake == CONE_INVERTED));
+        const double error = mistake == CONE_BY_SQUARES ? error_by_squares(&view) : view.error;
+        return fabs(gap) <= error || found == ((gap > 0) != (mistake == CONE_INVERTED));
     }
     const int may_keep = gap <= view.error || view.along <= view.error;
     const int may_miss = view.cone - view.size >= -view.error && gap >= -view.error;
     // Behind the eye an exact answer knows more than the border's line does.
     const int may_miss_behind = view.along <= 0 && view.cone - view.size >= -view.error;
     return found ? (may_miss || may_miss_behind) : may_keep;
+}
+
+// Lost digits err to either side; an epsilon, which is as small, to one alone.
+static int cone_shows(const void *pointer, Range range, const void *answers, int mistake)
+{
+    int n_kept = 0, n_missed = 0;
+    for (int i = 0; i < range.n; i++) {
+        const int input = range_at(range, i);
+        const int is_wrong = !cone_agrees(pointer, input, answers, 0);
+        const int found = ((const i32 *)answers)[input];
+        n_missed += is_wrong && found;
+        n_kept += is_wrong && !found;
+    }
+    return mistake != CONE_BY_SQUARES || (n_kept > 0 && n_missed > 0);
 }
 
 static char *describe_cone(const void *pointer, int i, const void *answers)
@@ -216,5 +304,6 @@ const Function cone_10 = {"cones",
                           sizeof(i32),
                           .describe = describe_cone,
                           .agrees = cone_agrees,
+                          .shows = cone_shows,
                           .counted = "inputs",
                           MISTAKES(cone_mistakes)};

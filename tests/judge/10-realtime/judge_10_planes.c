@@ -85,32 +85,57 @@ enum {
     PLANE_NEVER_IS_LARGE,
     PLANE_NEVER_FOR_ALL,
     PLANE_EPSILON,
+    PLANE_EPSILON_FIRST,
+    PLANE_EPSILON_LAST,
     PLANE_EYE_NEAR,
+    PLANE_EYE_AT_0,
+    PLANE_EYE_FROM_0,
+    PLANE_BEHIND_SORTED,
+    PLANE_BEHIND_CUT_AT_0,
+    PLANE_NEVER_FROM_0,
+    PLANE_ALONG_FIRST,
+    PLANE_ALONG_LAST,
+    PLANE_ALONG_BOTH,
 };
+#define BEHIND_MET "rays that go away from the plane never meet it: their distance is INFINITY"
+#define BEHIND_AT_0                                                                                \
+    "rays that go away from the plane count as if they met it at the eye: they never do, their "   \
+    "distance is INFINITY"
+#define EYE_ON_IT "with the eye on the plane, rays that go up meet it, at 0, and others never"
+#define SMALL_IS_0                                                                                 \
+    "no small number is 0: rays that go to the plane meet it, however slowly, without an epsilon"
+#define ALONG "a ray along the plane never meets it: nothing is divided by a direction of 0"
+
 static const Cause plane_mistakes[] = {
     [PLANE_ENDS_SWAPPED] = {.says = "the ends are swapped: the least distance is the first one"},
     [PLANE_ENDS_OF_ONE_SIDE] = {.says = "the ends are right for an eye below the plane only: from "
                                         "above, the lowest direction meets it first"},
-    [PLANE_BEHIND_MET] =
-        {.says = "rays that go away from the plane never meet it: their distance is INFINITY"},
-    [PLANE_BEHIND_AT_0] =
-        {.says = "rays that go away from the plane count as if they met it at the eye: they never "
-                 "do, their distance is INFINITY"},
+    [PLANE_BEHIND_MET] = {.says = BEHIND_MET},
+    [PLANE_BEHIND_SORTED] = {.says = BEHIND_MET},
+    [PLANE_BEHIND_AT_0] = {.says = BEHIND_AT_0},
+    [PLANE_BEHIND_CUT_AT_0] = {.says = BEHIND_AT_0},
+    [PLANE_NEVER_FROM_0] = {.says = "where no ray meets the plane both ends are INFINITY, not the "
+                                    "greatest distance alone"},
     [PLANE_BOTH_WAYS_NEVER] = {.says = "where rays go both ways, those that go to the plane do "
                                        "meet it: the least distance is theirs"},
     [PLANE_BOTH_WAYS_ALWAYS] = {.says = "where rays go both ways, the interval is wider than it "
                                         "has to be: it begins with the first ray that meets it"},
     [PLANE_EYE_IS_UPPER] = {.says = "an eye on the plane counts to the lower side: rays that go up "
                                     "meet it, at 0"},
-    [PLANE_EYE_NEVER] =
-        {.says = "with the eye on the plane, rays that go up meet it, at 0, and others never"},
+    [PLANE_EYE_NEVER] = {.says = EYE_ON_IT},
+    [PLANE_EYE_AT_0] = {.says = EYE_ON_IT},
+    [PLANE_EYE_FROM_0] = {.says = EYE_ON_IT},
     [PLANE_BACKWARDS] = {.says = "the way goes from the eye to the plane, not back"},
     [PLANE_FROM_0] = {.says = "the distance is computed without the eye"},
     [PLANE_ONE_END] = {.says = "both ends are the least distance"},
     [PLANE_NEVER_FOR_ALL] = {.says = "where some rays never meet it, the others do all the same: "
                                      "each end is asked by itself"},
-    [PLANE_EPSILON] = {.says = "no small number is 0: rays that go to the plane meet it, however "
-                               "slowly, without an epsilon"},
+    [PLANE_EPSILON] = {.says = SMALL_IS_0},
+    [PLANE_EPSILON_FIRST] = {.says = SMALL_IS_0},
+    [PLANE_EPSILON_LAST] = {.says = SMALL_IS_0},
+    [PLANE_ALONG_FIRST] = {.says = ALONG},
+    [PLANE_ALONG_LAST] = {.says = ALONG},
+    [PLANE_ALONG_BOTH] = {.says = ALONG},
     [PLANE_EYE_NEAR] = {.says = "an eye beside the plane is not on it, however near it is: "
                                 "without an epsilon"},
     [PLANE_NEVER_IS_LARGE] = {.says = "what is never met is at INFINITY, not at a large number"},
@@ -131,33 +156,59 @@ static int is_lower_side(const TilePlaneJob *job, int mistake)
            (mistake != PLANE_EYE_IS_UPPER && job->eye == job->plane);
 }
 
+// Is a mistake one of the rays that meet the plane first, or last?
+static int is_of_end(int mistake, int is_first, int of_first, int of_last)
+{
+    return mistake == (is_first ? of_first : of_last);
+}
+
 // Where a ray of this direction meets the plane.
-static double distance_of(const TilePlaneJob *job, double direction, int mistake)
+//   is_first   of all rays, or last
+static double distance_of(const TilePlaneJob *job, double direction, int is_first, int mistake)
 {
     const double way = (double)job->plane - (mistake == PLANE_FROM_0 ? 0 : (double)job->eye);
     const int is_lower = is_lower_side(job, mistake);
-    const int is_slow = mistake == PLANE_EPSILON && fabs(direction) < LEAST_DIRECTION;
-    const int meets = !is_slow && (is_lower ? direction > 0 : direction < 0);
+    const int has_epsilon = mistake == PLANE_EPSILON ||
+                            is_of_end(mistake, is_first, PLANE_EPSILON_FIRST, PLANE_EPSILON_LAST);
+    const int meets_along = mistake == PLANE_ALONG_BOTH ||
+                            is_of_end(mistake, is_first, PLANE_ALONG_FIRST, PLANE_ALONG_LAST);
+    const int is_slow = has_epsilon && fabs(direction) < LEAST_DIRECTION;
+    const int meets =
+        (!is_slow && (is_lower ? direction > 0 : direction < 0)) || (meets_along && direction == 0);
     if (mistake == PLANE_EYE_NEVER && job->eye == job->plane) {
         return INFINITY;
     }
-    if (mistake == PLANE_BEHIND_MET) {
+    if (mistake == PLANE_BEHIND_MET || mistake == PLANE_BEHIND_SORTED ||
+        mistake == PLANE_BEHIND_CUT_AT_0) {
         return way / direction;
     }
     if (!meets) {
-        return mistake == PLANE_BEHIND_AT_0 ? 0 : INFINITY;
+        return mistake == PLANE_BEHIND_AT_0 || (mistake == PLANE_NEVER_FROM_0 && is_first)
+                   ? 0
+                   : INFINITY;
     }
     return (mistake == PLANE_BACKWARDS ? -way : way) / direction;
 }
 
 static Ends expected_ends(const TilePlaneJob *job, int mistake)
 {
-    const double of_low = distance_of(job, job->low, mistake);
-    const double of_high = distance_of(job, job->high, mistake);
     const int is_lower = is_lower_side(job, mistake);
+    const double of_low = distance_of(job, job->low, !is_lower, mistake);
+    const double of_high = distance_of(job, job->high, is_lower, mistake);
     const int high_first = mistake == PLANE_ENDS_OF_ONE_SIDE || is_lower;
     Ends ends = {high_first ? of_high : of_low, high_first ? of_low : of_high};
     const int both_ways = job->low < 0 && job->high > 0;
+    if (job->eye == job->plane && (mistake == PLANE_EYE_AT_0 || mistake == PLANE_EYE_FROM_0)) {
+        return (Ends){0, mistake == PLANE_EYE_AT_0 ? 0 : INFINITY};
+    }
+    if (mistake == PLANE_BEHIND_SORTED) {
+        return (Ends){fmin(of_low, of_high), fmax(of_low, of_high)};
+    }
+    if (mistake == PLANE_BEHIND_CUT_AT_0) {
+        return of_low < 0 && of_high < 0
+                   ? (Ends){INFINITY, INFINITY}
+                   : (Ends){fmax(0, fmin(of_low, of_high)), fmax(of_low, of_high)};
+    }
     if (mistake == PLANE_BOTH_WAYS_NEVER && both_ways) {
         return (Ends){INFINITY, INFINITY};
     }

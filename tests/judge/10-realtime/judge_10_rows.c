@@ -5,6 +5,8 @@
 #include "message.h"
 #include "random3d.h"
 
+#include <math.h>
+
 // ---- Inputs -----------------------------------------------------------------------------------
 
 // A circle near the row, in a third of all cases with a pixel exactly on its boundary, or outside
@@ -55,13 +57,27 @@ enum {
     ROW_ALL_OR_NONE,
     ROW_BLACK_IS_OPEN,
     ROW_COVERED_ALL_CLOSED,
+    ROW_TURNED_ROUND,
+    ROW_NOTHING_PAINTED,
+    ROW_SELECT_SWAPPED,
+    ROW_PART_LEFT,
+    ROW_WHOLE_DY,
+    ROW_DY_SIZE,
+    ROW_WITHOUT_FIRST,
+    ROW_WITHOUT_LAST,
+    ROW_ROOTS,
 };
+#define OPENS_AGAIN "what was closed already is open again: a pixel never opens"
+#define DY_NOT_SQUARED                                                                             \
+    "that is as if dy were added as it is: dx_squared is squared already, dy is not"
+
 static const Cause row_mistakes[] = {
     [ROW_STRICT] = {"strict where it should not be: the boundary belongs to the circle",
                     MISTAKE_STRICT_BOUNDARY},
     [ROW_WITHOUT_DY] = {.says = "that is as if dy were 0: the distance has two parts"},
-    [ROW_DY_NOT_SQUARED] = {.says = "that is as if dy were added as it is: dx_squared is squared "
-                                    "already, dy is not"},
+    [ROW_DY_NOT_SQUARED] = {.says = DY_NOT_SQUARED},
+    [ROW_DY_SIZE] = {.says = DY_NOT_SQUARED},
+    [ROW_WHOLE_DY] = {.says = "dy was cut to a whole number"},
     [ROW_RADIUS_SQUARED_AGAIN] = {.says = "the radius is squared twice: radius_squared is its "
                                           "square already"},
     [ROW_INVERTED] = {.says = "what the circle does not cover is painted, and what it covers is "
@@ -78,39 +94,62 @@ static const Cause row_mistakes[] = {
                                  "an answer of its own"},
     [ROW_BLACK_IS_OPEN] = {.says = "that is as if a colour of 0 said that a pixel is open: a "
                                    "circle may be black"},
-    [ROW_COVERED_ALL_CLOSED] = {.says = "what was closed already is open again: a pixel never "
-                                        "opens"},
+    [ROW_COVERED_ALL_CLOSED] = {.says = OPENS_AGAIN},
+    [ROW_TURNED_ROUND] = {.says = OPENS_AGAIN},
+    [ROW_NOTHING_PAINTED] = {.says = "what is covered is closed, and was not painted before"},
+    [ROW_SELECT_SWAPPED] = {.says = "select(a, b, c) takes b where c is -1: the old colours and "
+                                    "the circle's stand in each other's place"},
+    [ROW_PART_LEFT] = {.says = "a row that is painted in part has open pixels, too"},
+    [ROW_WITHOUT_FIRST] = {.says = "the row's first pixel is left out"},
+    [ROW_WITHOUT_LAST] = {.says = "the row's last pixel is left out"},
+    [ROW_ROOTS] = {.says = "compare the squares: their roots round a pixel beside the circle onto "
+                           "its boundary"},
 };
 
 static int is_covered(const CircleRowJob *job, int i, int mistake)
 {
-    const double dy = job->dy;
+    const double dy = mistake == ROW_WHOLE_DY ? trunc(job->dy) : job->dy;
     const double dy_part = mistake == ROW_WITHOUT_DY       ? 0
                            : mistake == ROW_DY_NOT_SQUARED ? dy
+                           : mistake == ROW_DY_SIZE        ? fabs(dy)
                                                            : dy * dy;
     const double r = job->radius_squared, distance = (double)job->dx_squared[i] + dy_part;
     const double limit = mistake == ROW_RADIUS_SQUARED_AGAIN ? r * r : r;
     const int covers = mistake == ROW_STRICT ? distance < limit : distance <= limit;
+    if ((mistake == ROW_WITHOUT_FIRST && i == 0) ||
+        (mistake == ROW_WITHOUT_LAST && i == ROW_PIXELS - 1)) {
+        return 0;
+    }
+    if (mistake == ROW_ROOTS) {
+        return sqrtf((float)distance) <= sqrtf(job->radius_squared);
+    }
     return mistake == ROW_INVERTED ? !covers : covers;
 }
 
 static CircleRowAnswer expected_row(const CircleRowJob *job, int mistake)
 {
     CircleRowAnswer row;
-    int n_covered = 0;
+    int n_covered = 0, n_open = 0;
     for (int i = 0; i < ROW_PIXELS; i++) {
         n_covered += is_covered(job, i, mistake);
+        n_open += job->open[i] != 0;
     }
+    const int is_left = mistake == ROW_PART_LEFT && n_open < ROW_PIXELS;
     for (int i = 0; i < ROW_PIXELS; i++) {
-        const int covers = mistake == ROW_ALL_OR_NONE ? n_covered > 0 : is_covered(job, i, mistake);
+        const int covers = is_left                      ? 0
+                           : mistake == ROW_ALL_OR_NONE ? n_covered > 0
+                                                        : is_covered(job, i, mistake);
         const int was_open = mistake == ROW_PAINTED_OVER    ? 1
                              : mistake == ROW_BLACK_IS_OPEN ? job->colors[i] == 0
                                                             : job->open[i] != 0;
-        row.colors[i] = covers && was_open ? job->color : job->colors[i];
+        const int is_painted =
+            mistake == ROW_SELECT_SWAPPED ? !(covers && was_open) : covers && was_open;
+        row.colors[i] = is_painted && mistake != ROW_NOTHING_PAINTED ? job->color : job->colors[i];
         row.open[i] = mistake == ROW_STAYS_OPEN           ? job->open[i]
                       : mistake == ROW_CLOSED_OUTSIDE     ? (covers ? job->open[i] : 0)
                       : mistake == ROW_CLOSED_WHOLE       ? (n_covered > 0 ? 0 : job->open[i])
                       : mistake == ROW_COVERED_ALL_CLOSED ? (covers ? 0 : -1)
+                      : mistake == ROW_TURNED_ROUND       ? (covers ? ~job->open[i] : job->open[i])
                       : covers                            ? 0
                                                           : job->open[i];
     }

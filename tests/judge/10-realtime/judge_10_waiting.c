@@ -22,7 +22,7 @@ static TileWaitingJob draw_waiting(Random *random)
     const u32 n = is_empty ? 0 : (u32)random_integer(random, 1, STACK_ENTRIES);
     job.todo = random_stack(random, 0, n);
     job.farthest = random_quarters(random, 30, 90);
-    const int kind = (int)random_integer(random, 0, 5);
+    const int kind = (int)random_integer(random, 0, 6);
     if (n > 0 && kind == 0) {
         job.farthest = job.todo.upper[random_integer(random, 0, (int)n - 1)].t_min;
     } else if (kind == 1) {
@@ -32,6 +32,9 @@ static TileWaitingJob draw_waiting(Random *random)
     } else if (n > 0 && kind == 3) {                    // the least before where one begins
         const StackEntry waits = job.todo.upper[random_integer(random, 0, (int)n - 1)];
         job.farthest = nextafterf(waits.t_min, 0);
+    } else if (n > 0 && kind == 4) {  // the least behind that
+        const StackEntry waits = job.todo.upper[random_integer(random, 0, (int)n - 1)];
+        job.farthest = nextafterf(waits.t_min, INFINITY);
     }
     return job;
 }
@@ -63,7 +66,14 @@ enum {
     WAITING_LEAF_ENDS,
     WAITING_EPSILON,
     WAITING_NO_HIT_ENDS,
+    WAITING_TOO_EARLY,
+    WAITING_BY_LEAF,
+    WAITING_PART_CUT,
+    WAITING_TWO_TRIED,
+    WAITING_THREE_TRIED,
 };
+#define FEW_LEFT_OUT                                                                               \
+    "the search ended after some nodes that are left out: however many they are, it goes on"
 static const Cause waiting_mistakes[] = {
     [WAITING_TOP_ENDS] = {.says = "the node on top begins behind every hit, but the one below it "
                                   "need not: parts of many rays overlap"},
@@ -94,6 +104,13 @@ static const Cause waiting_mistakes[] = {
                                  "little behind: without an epsilon"},
     [WAITING_NO_HIT_ENDS] = {.says = "that is as if the search ended while a ray has no hit yet: "
                                      "INFINITY is farther than all that waits"},
+    [WAITING_TOO_EARLY] = {.says = "a node that begins before the farthest hit is visited, however "
+                                   "little before: without an epsilon"},
+    [WAITING_BY_LEAF] = {.says = "where the waiting node begins counts, not where the leaf did"},
+    [WAITING_PART_CUT] = {.says = "the node comes with its own part: that does not end at the "
+                                  "farthest hit"},
+    [WAITING_TWO_TRIED] = {.says = FEW_LEFT_OUT},
+    [WAITING_THREE_TRIED] = {.says = FEW_LEFT_OUT},
     [WAITING_TWO_ONLY] = {.says = "more than one node in a row may be left out"},
 };
 
@@ -102,12 +119,15 @@ static const Cause waiting_mistakes[] = {
 
 static int matters(const TileWaitingJob *job, StackEntry entry, int mistake)
 {
-    const float from = mistake == WAITING_BY_T_MAX ? entry.t_max : entry.t_min;
+    const float from = mistake == WAITING_BY_T_MAX  ? entry.t_max
+                       : mistake == WAITING_BY_LEAF ? job->at.t_min
+                                                    : entry.t_min;
     return mistake == WAITING_TAKES_TOP     ? 1
            : mistake == WAITING_INVERTED    ? from > job->farthest
            : mistake == WAITING_NOT_AT_SAME ? from < job->farthest
            : mistake == WAITING_ANY_HIT     ? isinf(job->farthest)
            : mistake == WAITING_EPSILON     ? from <= job->farthest + LEAST_STEP
+           : mistake == WAITING_TOO_EARLY   ? from <= job->farthest - LEAST_STEP
                                             : from <= job->farthest;
 }
 
@@ -127,7 +147,8 @@ static NextWaitingAnswer expected_waiting(const TileWaitingJob *job, int mistake
         todo->n--;
         answer.goes_on =
             matters(job, next, mistake) || (mistake == WAITING_TWO_ONLY && n_taken == 1);
-        if (mistake == WAITING_TOP_ENDS) {
+        if (mistake == WAITING_TOP_ENDS || (mistake == WAITING_TWO_TRIED && n_taken == 1) ||
+            (mistake == WAITING_THREE_TRIED && n_taken == 2)) {
             break;
         }
     }
@@ -135,7 +156,9 @@ static NextWaitingAnswer expected_waiting(const TileWaitingJob *job, int mistake
         const int keeps_part = mistake == WAITING_PART_KEPT;
         answer.at.node = next.node;
         answer.at.t_min = keeps_part || mistake == WAITING_T_MIN_KEPT ? job->at.t_min : next.t_min;
-        answer.at.t_max = keeps_part || mistake == WAITING_T_MAX_KEPT ? job->at.t_max : next.t_max;
+        answer.at.t_max = keeps_part || mistake == WAITING_T_MAX_KEPT ? job->at.t_max
+                          : mistake == WAITING_PART_CUT ? fminf(next.t_max, job->farthest)
+                                                        : next.t_max;
         todo->n += mistake == WAITING_STAYS;
     }
     answer.goes_on ^= mistake == WAITING_SWAPPED;

@@ -45,29 +45,15 @@ OracleNear oracle3d_mirrored(OracleNear direction, OracleNear normal, OracleTurn
     const OracleVector d = direction.value, n = normal.value;
     const double along = vector_dot(d, n),
                  error = direction.error + 4 * normal.error + MIRROR_ERROR;
-    switch (turn) {
-    case TURN_BACKWARDS:
-        return (OracleNear){vector_minus(vector_scaled(2 * along, n), d), error};
-    case TURN_NONE:
-        return direction;
-    case TURN_BACK:
-        return (OracleNear){vector_scaled(-1, d), direction.error};
-    case TURN_HALF:
-        return (OracleNear){vector_minus(d, vector_scaled(along, n)), error};
-    case TURN_ALONG_NORMAL:
-        return normal;
-    default:
-        return (OracleNear){vector_minus(d, vector_scaled(2 * along, n)), error};
-    }
+    return turn == TURN_ALONG_NORMAL
+               ? normal
+               : (OracleNear){vector_minus(d, vector_scaled(2 * along, n)), error};
 }
 
 // ---- Lights -------------------------------------------------------------------------------------
 
-typedef enum Arrival { ARRIVES, IS_BLOCKED, IS_UNSURE } Arrival;
-
-// Does anything stand between a point and a light?
-static Arrival arrival_of(const Scene3D *scene, OracleNear point, const Light *light,
-                          const Sphere *leaves, const OracleMirrorRules *rules)
+OracleArrival oracle3d_arrival(const Scene3D *scene, OracleNear point, const Light *light,
+                               const Sphere *leaves, const OracleMirrorRules *rules)
 {
     const OracleVector way = vector_minus(vector_of(light->position), point.value);
     const double distance = vector_length(way);
@@ -78,40 +64,35 @@ static Arrival arrival_of(const Scene3D *scene, OracleNear point, const Light *l
                            .direction_error = direction_error(error, distance),
                            .origin_error = point.error,
                            .leaves = leaves};
-    Arrival arrival = ARRIVES;
+    OracleArrival arrival = LIGHT_ARRIVES;
     for (int i = 0; i < scene->n_spheres; i++) {
         const OracleRoot root = oracle3d_root(scene->spheres[i], &ray, ORACLE_PROJECTION, &right);
         if (root.is_certain && root.t_high < end - error) {
-            return IS_BLOCKED;
+            return LIGHT_IS_BLOCKED;
         }
         if (root.is_possible && root.t_low < end + error) {
-            arrival = IS_UNSURE;
+            arrival = LIGHT_IS_UNSURE;
         }
     }
     return arrival;
 }
 
 // Add what a light gives, as far as it is sure.
-static void add_light(OracleNear *color, OracleNear share, Arrival arrival)
+static void add_light(OracleNear *color, OracleNear share, OracleArrival arrival)
 {
-    if (arrival == ARRIVES) {
+    if (arrival == LIGHT_ARRIVES) {
         color->value = vector_plus(color->value, share.value);
         color->error += share.error;
-    } else if (arrival == IS_UNSURE) {
+    } else if (arrival == LIGHT_IS_UNSURE) {
         color->error += vector_length(share.value) + share.error;
     }
 }
 
-static Arrival turned_round(Arrival arrival)
+static OracleArrival turned_round(OracleArrival arrival)
 {
-    return arrival == ARRIVES ? IS_BLOCKED : arrival == IS_BLOCKED ? ARRIVES : IS_UNSURE;
-}
-
-// Is a light before the surface, but so little that an epsilon takes it for one behind it?
-static int is_flatter(OracleNear point, OracleNear normal, const Light *light, double least_cosine)
-{
-    const OracleVector way = vector_minus(vector_of(light->position), point.value);
-    return least_cosine > 0 && vector_dot(normal.value, way) < least_cosine * vector_length(way);
+    return arrival == LIGHT_ARRIVES      ? LIGHT_IS_BLOCKED
+           : arrival == LIGHT_IS_BLOCKED ? LIGHT_ARRIVES
+                                         : LIGHT_IS_UNSURE;
 }
 
 OracleNear oracle3d_lit(const Scene3D *scene, OracleNear point, OracleNear normal,
@@ -119,38 +100,18 @@ OracleNear oracle3d_lit(const Scene3D *scene, OracleNear point, OracleNear norma
                         const OracleMirrorRules *rules)
 {
     OracleNear color = {{0}, 0};
-    const OracleRules3D shading = {.light_falls = rules->light_falls};
-    const int n_lights = rules->first_light_only && scene->n_lights > 1
-                             ? 1
-                             : scene->n_lights + (rules->one_light_more ? 1 : 0);
+    const int n_lights = rules->first_light_only && scene->n_lights > 1 ? 1 : scene->n_lights;
     int is_any_dark = 0;
     for (int i = 0; i < n_lights; i++) {
         const Light *light = &scene->lights[i];
-        const OracleNear own = oracle3d_shade(point, normal, material, light, 1, &shading);
-        const OracleNear share =
-            rules->each_adds_all
-                ? oracle3d_shade(point, normal, material, scene->lights, scene->n_lights, &right)
-                : own;
+        const OracleNear share = oracle3d_shade(point, normal, material, light, 1, &right);
         // Behind the surface it gives nothing, whatever stands before it.
-        const int is_behind = vector_length(own.value) == 0;
-        Arrival arrival = rules->no_shadows || is_behind
-                              ? ARRIVES
-                              : arrival_of(scene, point, light, leaves, rules);
-        if ((is_behind && rules->each_adds_all) ||
-            is_flatter(point, normal, light, rules->least_cosine)) {
-            continue;
-        }
-        is_any_dark |= arrival != ARRIVES;
-        if (rules->only_shadows) {
-            arrival = turned_round(arrival);
-        }
-        if (rules->dark_ends_lights && is_any_dark) {
-            break;
-        }
-        add_light(&color, share, arrival);
-    }
-    if (rules->mean_of_lights && n_lights > 0) {
-        color = (OracleNear){vector_scaled(1.0 / n_lights, color.value), color.error};
+        const int is_behind = vector_length(share.value) == 0;
+        const OracleArrival arrival = rules->no_shadows || is_behind
+                                          ? LIGHT_ARRIVES
+                                          : oracle3d_arrival(scene, point, light, leaves, rules);
+        is_any_dark |= arrival != LIGHT_ARRIVES;
+        add_light(&color, share, rules->only_shadows ? turned_round(arrival) : arrival);
     }
     // Each sum rounds.
     color.error += ROUNDING * scene->n_lights * vector_length(color.value);
@@ -172,7 +133,8 @@ typedef struct Followed {
     Deviations deviations;  // of it
     OracleNear color;
     double weight;
-    double last_ks;  // of the last mirror; 1 before the first
+    double last_ks;   // of the last mirror; 1 before the first
+    double first_ks;  // of the first one
     int n_bounces;
 } Followed;
 
@@ -258,13 +220,14 @@ static double local_weight(const Followed *ray, double ks, OracleWeight weight)
     }
 }
 
-static double next_weight(double so_far, const Material *material, OracleWeight weight)
+static double next_weight(const Followed *ray, const Material *material, OracleWeight weight)
 {
-    const double ks = material->ks;
+    const double ks = material->ks, so_far = ray->weight;
     return weight == WEIGHT_ONE          ? 1
            : weight == WEIGHT_KS_SQUARED ? so_far * ks * ks
            : weight == WEIGHT_KD         ? so_far * material->kd
            : weight == WEIGHT_LAST_KS    ? ks
+           : weight == WEIGHT_FIRST_KS   ? so_far * ray->first_ks
                                          : so_far * ks;
 }
 
@@ -294,17 +257,18 @@ static OracleNear with_background(const Scene3D *scene, const Followed *ray,
     return color;
 }
 
-// Add the light of a hit, and move its point to where new rays start.
-static void add_local(const Scene3D *scene, Followed *followed, Surface *at, double t,
-                      const OracleMirrorRules *rules)
+// Add the light of a hit, and move its point to where new rays start. Returns that light.
+static OracleNear add_local(const Scene3D *scene, Followed *followed, Surface *at, double t,
+                            const OracleMirrorRules *rules)
 {
     const double weight = local_weight(followed, at->material->ks, rules->weight);
     const Sphere *sphere = at->sphere;
     leave_surface(at, followed, t, rules->stand_ins);
-    add_weighted(&followed->color, weight,
-                 rules->stand_ins
-                     ? stand_in_light(at, rules->lot)
-                     : oracle3d_lit(scene, at->point, at->normal, at->material, sphere, rules));
+    const OracleNear light =
+        rules->stand_ins ? stand_in_light(at, rules->lot)
+                         : oracle3d_lit(scene, at->point, at->normal, at->material, sphere, rules);
+    add_weighted(&followed->color, weight, light);
+    return light;
 }
 
 // What the stand-in of mirrored_direction adds to the normal before it makes it a unit vector.
@@ -345,7 +309,10 @@ OracleNear oracle3d_follow(const Scene3D *scene, OracleRay ray, int max_bounces,
                            const OracleMirrorRules *rules)
 {
     Followed followed = {.ray = ray, .weight = 1, .last_ks = 1};
-    const int most = max_bounces + rules->more_bounces;
+    const int is_limited = rules->most_bounces > 0 && max_bounces > rules->most_bounces;
+    const int most = is_limited ? rules->most_bounces : max_bounces + rules->more_bounces;
+    const double least_weight =
+        rules->least_weight > 0 ? rules->least_weight : (double)ORACLE_LEAST_WEIGHT;
     deviations_add_direction(&followed.deviations, ray.direction_error);
     for (;;) {
         const OracleHit hit =
@@ -361,10 +328,14 @@ OracleNear oracle3d_follow(const Scene3D *scene, OracleRay ray, int max_bounces,
         if (isinf(at.normal.error) || isinf(at.point.error)) {
             return ambiguous();
         }
-        add_local(scene, &followed, &at, hit.t, rules);
-        followed.weight = next_weight(followed.weight, at.material, rules->weight);
+        const OracleNear light = add_local(scene, &followed, &at, hit.t, rules);
+        if (rules->dark_ends && vector_length(light.value) == 0) {
+            return followed.color;
+        }
+        followed.first_ks = followed.n_bounces == 0 ? (double)at.material->ks : followed.first_ks;
+        followed.weight = next_weight(&followed, at.material, rules->weight);
         followed.last_ks = at.material->ks;
-        const double beyond = followed.weight - ORACLE_LEAST_WEIGHT;
+        const double beyond = followed.weight - least_weight;
         const int is_too_little = beyond < 0 || (beyond == 0 && rules->least_ends);
         if (followed.n_bounces >= most || (is_too_little && !rules->no_cut_off)) {
             return rules->rest_is_background ? with_background(scene, &followed, rules)

@@ -12,10 +12,6 @@
 // What a mirror makes of a ray.
 typedef enum OracleTurn {
     TURN_RIGHT,
-    TURN_BACKWARDS,     // the mirrored direction, with the other sign
-    TURN_NONE,          // straight on
-    TURN_BACK,          // to where it came from
-    TURN_HALF,          // d - (d . n) n, along the surface
     TURN_ALONG_NORMAL,  // the stand-in's: see tests/stand_ins/09-shadows-and-mirrors
 } OracleTurn;
 
@@ -24,6 +20,7 @@ typedef enum OracleWeight {
     WEIGHT_RIGHT,
     WEIGHT_ONE,         // ks is forgotten
     WEIGHT_LAST_KS,     // ks of the last mirror, not the product
+    WEIGHT_FIRST_KS,    // each mirror counts ks of the first one
     WEIGHT_KS_SQUARED,  // ks counts twice for each mirror
     WEIGHT_KD,          // kd for ks
     WEIGHT_OWN_KS,      // a surface's own light counts its own ks as well
@@ -40,15 +37,12 @@ typedef struct OracleMirrorRules {
     int only_shadows;           // those arrive that something is before
     int endless_light;          // what stands behind a light casts a shadow, too
     int first_light_only;       // of the lights
-    int one_light_more;         // the one behind the end of the array shines, too
-    int dark_ends_lights;       // the first light that does not arrive is the last one asked
     int one_dark_all_dark;      // all lights arrive or none
-    double least_cosine;        // light that comes flatter gives nothing
-    int mean_of_lights;         // divided by their number
-    int light_falls;            // with the square of the distance
-    int each_adds_all;          // a light that arrives adds the shares of all
     int more_bounces;           // 1: one mirror more than allowed; -1: one less
+    int most_bounces;           // no more, whatever is allowed; 0: no such limit
+    int dark_ends;              // the ray ends where no light arrives
     int no_cut_off;             // weights below the least are followed
+    double least_weight;        // in the place of the least; 0: the right one
     int least_ends;             // and the least weight itself is not
     int mirrors_see_nothing;    // what is near to a mirror is not hit: t_min is too large
     int background_unweighted;  // counts in full over mirrors
@@ -68,6 +62,13 @@ double oracle3d_offset(OracleVector point, double t, double radius);
 
 // A direction, mirrored at a surface with this normal.
 OracleNear oracle3d_mirrored(OracleNear direction, OracleNear normal, OracleTurn turn);
+
+// Does a light before the surface arrive at a point?
+typedef enum OracleArrival { LIGHT_ARRIVES, LIGHT_IS_BLOCKED, LIGHT_IS_UNSURE } OracleArrival;
+
+//   leaves   as below
+OracleArrival oracle3d_arrival(const Scene3D *scene, OracleNear point, const Light *light,
+                               const Sphere *leaves, const OracleMirrorRules *rules);
 
 // The light that arrives at a point and is scattered there.
 //   leaves   the sphere that the point is on, NULL for none

@@ -1,7 +1,7 @@
 // mutant: both counts are added as u32 first, which wraps round for huge ones
 // task: split_cost
 // caught by: cost-edges
-// says: 3000000000 spheres
+// says: 32 bits
     BBox3D lower = box, higher = box;
     lower.max[split.axis] = split.pos;
     higher.min[split.axis] = split.pos;

@@ -1,7 +1,7 @@
 // mutant: bins that count up to 255
 // task: find_best_split
 // caught by: best-edges
-// says: found
+// says: most spheres
     for (u32 axis = 0; axis < 3; axis++) {
         unsigned char n_begin[N_BINS] = {0}, n_end[N_BINS] = {0};
         for (u32 i = 0; i < n_ids; i++) {

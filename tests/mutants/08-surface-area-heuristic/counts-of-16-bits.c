@@ -1,7 +1,7 @@
 // mutant: counts kept in 16 bits
 // task: split_cost
 // caught by: cost-edges
-// says: expected
+// says: 16 bits
     BBox3D lower = box, higher = box;
     lower.max[split.axis] = higher.min[split.axis] = split.pos;
     return KD_COST_TRAVERSAL +

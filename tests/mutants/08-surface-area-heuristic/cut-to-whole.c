@@ -1,7 +1,7 @@
 // mutant: the expected number of tests as a whole number
 // task: split_cost
 // caught by: cost-planes
-// says: expected
+// says: cut to a whole number
     BBox3D lower = box, higher = box;
     lower.max[split.axis] = higher.min[split.axis] = split.pos;
     return KD_COST_TRAVERSAL +

@@ -1,7 +1,7 @@
 // mutant: where no child has a sphere, the step costs nothing
 // task: split_cost
 // caught by: cost-edges
-// says: found 0
+// says: both children are empty
     if (n_lower == 0 && n_higher == 0) {
         return 0;
     }

@@ -1,7 +1,7 @@
 // mutant: the higher child alone gets a cell of its own
 // task: split_cost
 // caught by: cost-planes
-// says: expected
+// says: lower child.s box is not cut
     BBox3D higher = box;
     higher.min[split.axis] = split.pos;
     return KD_COST_TRAVERSAL +

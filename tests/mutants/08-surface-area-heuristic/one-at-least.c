@@ -1,7 +1,7 @@
 // mutant: a child without spheres is thought to cost a test
 // task: split_cost
 // caught by: cost-edges
-// says: expected
+// says: costs no test
     BBox3D lower = box, higher = box;
     lower.max[split.axis] = higher.min[split.axis] = split.pos;
     return KD_COST_TRAVERSAL +

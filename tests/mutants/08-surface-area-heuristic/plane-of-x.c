@@ -1,7 +1,7 @@
 // mutant: the children are always cut across x
 // task: split_cost
 // caught by: cost-planes
-// says: expected
+// says: cut across x
     BBox3D lower = box, higher = box;
     lower.max[0] = higher.min[0] = split.pos;
     return KD_COST_TRAVERSAL +

@@ -1,7 +1,7 @@
 // mutant: from the highest plane to the lowest
 // task: find_best_split
 // caught by: best-ties
-// says: of equal costs|found
+// says: lower plane counts
     for (u32 axis = 0; axis < 3; axis++) {
         u32 n_begin[N_BINS] = {0}, n_end[N_BINS] = {0};
         for (u32 i = 0; i < n_ids; i++) {

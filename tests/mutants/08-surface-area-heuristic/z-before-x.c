@@ -1,7 +1,7 @@
 // mutant: from the last axis to the first
 // task: find_best_split
 // caught by: best-ties
-// says: expected
+// says: x counts before y
     for (u32 axis = 2; axis < 3; axis--) {
         u32 n_begin[N_BINS] = {0}, n_end[N_BINS] = {0};
         for (u32 i = 0; i < n_ids; i++) {

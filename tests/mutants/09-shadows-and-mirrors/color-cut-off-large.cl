@@ -1,7 +1,7 @@
 // mutant: the cut-off is a tenth
 // task: ray_color
 // caught by: color-mirrors
-// says: expected
+// says: end were above|expected
     float weight = 1.0f;
     for (int n_bounces = 0;; n_bounces++) {
         const Hit hit =

@@ -1,7 +1,7 @@
 // mutant: rays to lights behind the surface
 // task: lit_color
 // caught by: lit-behind
-// says: no ray is needed
+// says: sent to every light
     for (int i = 0; i < scene->n_lights; i++) {
         const Ray ray = shadow_ray(point, scene->lights[i]);
         if (!is_blocked(ray, scene, work)) {

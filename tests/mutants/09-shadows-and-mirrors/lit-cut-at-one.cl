@@ -1,7 +1,7 @@
 // mutant: the sum is cut at 1
 // task: lit_color
 // caught by: lit-lights
-// says: found
+// says: cut at 1
     for (int i = 0; i < scene->n_lights; i++) {
         const Ray ray = shadow_ray(point, scene->lights[i]);
         if (dot(normal, ray.direction) > 0.0f && !is_blocked(ray, scene, work)) {

@@ -1,7 +1,7 @@
 // mutant: always the first light's share
 // task: lit_color
 // caught by: lit-lights
-// says: expected
+// says: not its own
     for (int i = 0; i < scene->n_lights; i++) {
         const Ray ray = shadow_ray(point, scene->lights[i]);
         if (dot(normal, ray.direction) > 0.0f && !is_blocked(ray, scene, work)) {

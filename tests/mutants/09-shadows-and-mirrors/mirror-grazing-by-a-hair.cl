@@ -1,7 +1,7 @@
 // mutant: a ray that all but goes along the mirror goes straight on
 // task: mirrored_direction
 // caught by: mirror-edges
-// says: found
+// says: without an epsilon
     if (dot(direction, normal) > -1e-5f) {
         return direction;
     }

@@ -1,0 +1,27 @@
+// Known mistakes of lit_color: a point's lights, added up in another way. See judge_09_lit.c.
+#ifndef JUDGE_JUDGE_09_LIGHTS_H
+#define JUDGE_JUDGE_09_LIGHTS_H
+
+#include "judge_09.h"
+
+// What comes of a point's lights in an answer with a mistake.
+typedef struct SeenLights SeenLights;
+typedef OracleNear MistakenSum(const SeenLights *lights);
+
+// A known mistake, and what is said about it; number 0 is none.
+typedef struct LitMistake {
+    Cause cause;
+    MistakenSum *sum;     // NULL: colours are right
+    int most_lights;      // that are asked; 0: all of them
+    double least_cosine;  // at which light arrives
+} LitMistake;
+
+// Number 0 is none.
+enum { N_LIT_MISTAKES = 35 };
+extern const LitMistake lit_mistakes_09[N_LIT_MISTAKES];
+
+// The colour that comes of a mistake with a sum: anything where float may decide otherwise whether
+// a light arrives.
+OracleNear lights_09_mistaken(const Job09 *job, const LitJob *lit, const LitMistake *mistake);
+
+#endif

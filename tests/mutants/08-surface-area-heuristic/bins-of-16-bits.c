@@ -1,0 +1,23 @@
+// mutant: bins that count up to 65535
+// task: find_best_split
+// caught by: best-edges
+// says: 16 bits count
+    for (u32 axis = 0; axis < 3; axis++) {
+        uint16_t begins[N_BINS] = {0}, ends[N_BINS] = {0};
+        for (u32 i = 0; i < n_ids; i++) {
+            const Range range = sphere_range(h_spheres[ids[i]], axis);
+            begins[planes_below(box, axis, range.begin)]++;
+            ends[planes_up_to(box, axis, range.end)]++;
+        }
+        u32 n_lower = 0, n_higher = n_ids;
+        for (int i = 1; i < N_BINS; i++) {
+            n_lower += begins[i - 1];
+            n_higher -= ends[i - 1];
+            const KdSplit split = {axis, candidate_plane(box, axis, i)};
+            const double cost = split_cost(box, split, n_lower, n_higher);
+            if (cost < best.cost) {
+                best.split = split;
+                best.cost = cost;
+            }
+        }
+    }

@@ -1,0 +1,25 @@
+// mutant: who begins before the cell is not counted
+// task: find_best_split
+// caught by: best-plane
+// says: begins before the cell
+    for (u32 axis = 0; axis < 3; axis++) {
+        u32 begins[N_BINS] = {0}, ends[N_BINS] = {0};
+        for (u32 i = 0; i < n_ids; i++) {
+            const Range range = sphere_range(h_spheres[ids[i]], axis);
+            if (range.begin >= box.min[axis]) {
+                begins[planes_below(box, axis, range.begin)]++;
+            }
+            ends[planes_up_to(box, axis, range.end)]++;
+        }
+        u32 n_lower = 0, n_higher = n_ids;
+        for (int i = 1; i < N_BINS; i++) {
+            n_lower += begins[i - 1];
+            n_higher -= ends[i - 1];
+            const KdSplit split = {axis, candidate_plane(box, axis, i)};
+            const double cost = split_cost(box, split, n_lower, n_higher);
+            if (cost < best.cost) {
+                best.split = split;
+                best.cost = cost;
+            }
+        }
+    }

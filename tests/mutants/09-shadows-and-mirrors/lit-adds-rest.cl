@@ -1,0 +1,10 @@
+// mutant: light i and all behind it
+// task: lit_color
+// caught by: lit-lights
+// says: behind it in the array
+    for (int i = 0; i < scene->n_lights; i++) {
+        const Ray ray = shadow_ray(point, scene->lights[i]);
+        if (dot(normal, ray.direction) > 0.0f && !is_blocked(ray, scene, work)) {
+            color += shade(point, normal, material, scene->lights + i, scene->n_lights - i);
+        }
+    }

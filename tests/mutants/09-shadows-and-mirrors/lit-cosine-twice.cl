@@ -1,0 +1,11 @@
+// mutant: the cosine once more
+// task: lit_color
+// caught by: lit-lights
+// says: cosine already
+    for (int i = 0; i < scene->n_lights; i++) {
+        const Ray ray = shadow_ray(point, scene->lights[i]);
+        if (dot(normal, ray.direction) > 0.0f && !is_blocked(ray, scene, work)) {
+            color +=
+                dot(normal, ray.direction) * shade(point, normal, material, scene->lights + i, 1);
+        }
+    }

@@ -1,0 +1,12 @@
+// mutant: a light that is behind or blocked ends the loop
+// task: lit_color
+// caught by: lit-lights
+// says: ended the loop: the next one may arrive
+    for (int i = 0; i < scene->n_lights; i++) {
+        const Ray ray = shadow_ray(point, scene->lights[i]);
+        if (dot(normal, ray.direction) > 0.0f && !is_blocked(ray, scene, work)) {
+            color += shade(point, normal, material, scene->lights + i, 1);
+        } else {
+            break;
+        }
+    }

@@ -1,0 +1,10 @@
+// mutant: the first light that arrives is enough
+// task: lit_color
+// caught by: lit-lights
+// says: first light that arrives
+    for (int i = 0; i < scene->n_lights; i++) {
+        const Ray ray = shadow_ray(point, scene->lights[i]);
+        if (dot(normal, ray.direction) > 0.0f && !is_blocked(ray, scene, work)) {
+            return shade(point, normal, material, scene->lights + i, 1);
+        }
+    }

@@ -1,0 +1,15 @@
+// mutant: both children get the whole part
+// task: next_tile_child
+// caught by: child-both
+// says: have the whole part
+    const int is_below = eye <= node.split_pos;
+    const uint near_child = is_below ? node.first : node.first + 1;
+    const uint far_child = is_below ? node.first + 1 : node.first;
+    if (t_split.low > at.t_max) {
+        return (TodoEntry){near_child, at.t_min, at.t_max};
+    }
+    if (t_split.high < at.t_min) {
+        return (TodoEntry){far_child, at.t_min, at.t_max};
+    }
+    todo_push(todo, far_child, at.t_min, at.t_max);
+    return (TodoEntry){near_child, at.t_min, at.t_max};

@@ -1,0 +1,16 @@
+// mutant: a flattest direction of 0 is divided by
+// task: plane_interval
+// caught by: plane-both-ways
+// says: along the plane never
+    const int is_below = eye <= plane;
+    const float way = plane - eye;
+    const float fastest = is_below ? direction.high : direction.low;
+    const float slowest = is_below ? direction.low : direction.high;
+    Interval t = {INFINITY, INFINITY};
+    if (is_below ? fastest > 0.0f : fastest < 0.0f) {
+        t.low = way / fastest;
+    }
+    if (is_below ? slowest >= 0.0f : slowest <= 0.0f) {
+        t.high = way / slowest;
+    }
+    return t;
