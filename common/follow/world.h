@@ -43,8 +43,8 @@ typedef union WorldBuilder {
 // A tree that kernels go through.
 typedef struct WorldTree {
     WorldBuilder build;
-    // Its limits where the user wants these; 0: the user does not say. NULL: what the user wants, as
-    // in 2D, where it is always said.
+    // Its limits where the user wants these; 0: the user does not say. NULL: what the user wants,
+    // as in 2D, where it is always said.
     KdTreeLimits (*limits)(int max_depth, int leaf_size, u32 n_elements);
     // Copy to the device what the kernel needs besides; or NULL. Called after each building.
     void (*complete)(World *world);
@@ -59,8 +59,8 @@ typedef struct WorldKernel {
     const char *options;    // as cl_setup_build() takes them
     // The same where they depend on the world, in the place of `options`; or NULL.
     const char *(*options_of)(const World *world);
-    // A .cl file around it that writes down the steps of a pixel (steps.h); or NULL, and in one line
-    // why none can be followed.
+    // A .cl file around it that writes down the steps of a pixel (steps.h); or NULL, and in one
+    // line why none can be followed.
     const char *steps_path, *not_followed;
     // Set its arguments. d_work is its last one: NULL where nothing is counted.
     void (*set_arguments)(const World *world, cl_kernel kernel, cl_mem d_work);

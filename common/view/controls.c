@@ -61,7 +61,7 @@ Motion controls_motion(Viewer *viewer, f32 seconds)
 
 // ---- Keys that are pressed --------------------------------------------------------------------
 
-// Draw with a kernel and its tree. Returns NULL, or why not, for the note; then nothing has changed.
+// Draw with a kernel and its tree. Returns NULL, or why not, for the note: then nothing changes.
 static const char *kernel_use(Viewer *viewer, const WorldKernel *kernel)
 {
     World *world = &viewer->world;

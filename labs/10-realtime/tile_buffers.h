@@ -36,8 +36,8 @@ void tile_buffers_set(const TileBuffers *buffers, const Scene3D *scene, cl_kerne
 int tile_buffers_read(const TileBuffers *buffers, const Scene3D *scene, cl_command_queue queue,
                       Image *image);
 
-// A tree's spheres on the device in the order in which the leaves ask them: one in two leaves stands
-// there twice. Returns NULL after one message on stderr when memory runs out. Release with
+// A tree's spheres on the device in the order in which the leaves ask them: one in two leaves
+// stands there twice. Returns NULL after one message on stderr when memory runs out. Release with
 // clReleaseMemObject.
 cl_mem leaf_spheres_create(const Lab *lab, const Scene3D *scene, const KdTree3D *tree);
 

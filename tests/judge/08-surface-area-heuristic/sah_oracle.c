@@ -258,8 +258,7 @@ SahPlane sah_best(const SahNode *node, const SahRules *rules)
         return best;
     }
     for (u32 axis = 0; axis < 3; axis++) {
-        const int is_skipped = (rules->flat_skipped && is_flat) ||
-                               (rules->longest_only && axis != longest_axis(node->box)) ||
+        const int is_skipped = (rules->longest_only && axis != longest_axis(node->box)) ||
                                (rules->no_y && axis == 1) || (rules->no_z && axis == 2);
         const int first = 1 + rules->without_first - rules->from_border;
         const int end = SAH_BINS - rules->without_last + rules->to_border;
