@@ -265,8 +265,10 @@ static Cause explain_start(const void *pointer, Range range, const void *answers
         const Moved found = moved(in, ((const Vec3 *)answers)[i]);
         n_far += found.along > 2 * offset_of(in, &start_mistakes[0]) + found.rounding;
     }
-    return n_far == range.n ? (Cause){.says = "farther than needed: what is near is not seen"}
-                            : cause_of_distance(job, range, answers);
+    if (n_far == range.n) {
+        return (Cause){.says = "farther than needed: what is near is not seen"};
+    }
+    return cause_of_distance(job, range, answers);
 }
 
 const Function start_09 = {"starts",
