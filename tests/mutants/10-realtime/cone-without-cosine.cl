@@ -1,6 +1,6 @@
 // mutant: the cosine is left out
 // task: cone_misses_sphere
-// caught by: cone-clear
+// caught by: cone-hair
 // says: cosine is missing
     const float along = dot(centre, cone.axis);
     const float aside = length(centre - along * cone.axis);
