@@ -10,8 +10,8 @@ typedef struct Deviation {
     OracleVector origin, direction;
 } Deviation;
 
-// Three for the ray from the eye, and seven for each mirror up to the eighth; nine beside stand-ins,
-// where the point is moved by an error in all directions and not along the normal alone.
+// Three for the ray from the eye, and seven for each mirror up to the eighth; beside stand-ins,
+// which move the point by an error in all directions and not along the normal alone, nine.
 enum { MOST_DEVIATED_MIRRORS = 8, MAX_DEVIATIONS = 3 + 9 * MOST_DEVIATED_MIRRORS };
 typedef struct Deviations {
     Deviation each[MAX_DEVIATIONS];
