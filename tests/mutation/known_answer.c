@@ -58,12 +58,21 @@ int answer_check(const Session *session, const KnownAnswer *answer)
     return -1;
 }
 
+// Is it known that the check passes alone? The optional line "// alone: passes, ..." says why.
+static int passes_alone(const KnownAnswer *answer)
+{
+    return strstr(answer->text, "\n// alone: passes, ") != NULL;
+}
+
 // Whose turn it is when this answer comes: the check's it is meant for, or the task's of a right
-// one. NULL where there is no such check or task.
+// one. NULL where there is no such check or task, or where nothing is to be tried alone.
 static Turn *turn_of(const Session *session, const KnownAnswer *answer, Turns *turns)
 {
     const Task *task = manifest_task(&session->manifest, answer->task);
     const int check = answer->is_right ? -1 : answer_check(session, answer);
+    if (passes_alone(answer)) {
+        return NULL;
+    }
     if (answer->is_right) {
         return task != NULL ? &turns->tasks[task - session->manifest.tasks] : NULL;
     }

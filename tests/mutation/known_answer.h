@@ -33,8 +33,9 @@ typedef struct Turn {
     int n_past;
 } Turn;
 
-// Which answers are tried alone: each; or of the wrong ones that a check is meant for one, and of
-// the right ones to a task one, and the seed says which.
+// Which answers are tried alone, of those whose header does not say that the check passes there:
+// each; or of the wrong ones that a check is meant for one, and of the right ones to a task one, and
+// the seed says which.
 typedef struct Turns {
     uint64_t seed;
     int is_each_alone;

@@ -1,7 +1,7 @@
 // mutant: > for <
 // task: find_best_split
 // caught by: best-plane
-// says: highest cost
+// says: highest cost|expected
     for (u32 axis = 0; axis < 3; axis++) {
         u32 n_begin[N_BINS] = {0}, n_end[N_BINS] = {0};
         for (u32 i = 0; i < n_ids; i++) {

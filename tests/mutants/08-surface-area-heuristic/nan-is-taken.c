@@ -2,6 +2,7 @@
 // task: find_best_split
 // caught by: best-edges
 // says: each cost is NaN
+// alone: passes, as no cost of a stand-in is NaN
     for (u32 axis = 0; axis < 3; axis++) {
         u32 begins[N_BINS] = {0}, ends[N_BINS] = {0};
         for (u32 i = 0; i < n_ids; i++) {

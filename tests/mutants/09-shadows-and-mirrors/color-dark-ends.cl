@@ -2,6 +2,7 @@
 // task: ray_color
 // caught by: color-mirrors
 // says: no light reaches|expected
+// alone: passes, as no light of a stand-in is 0
     float weight = 1.0f;
     for (int bounce = 0;; bounce++) {
         const Hit hit =
