@@ -34,7 +34,7 @@ typedef struct Turn {
 } Turn;
 
 // Which answers are tried alone, of those whose header does not say that the check passes there:
-// each; or of the wrong ones that a check is meant for one, and of the right ones to a task one, and
+// each; or one of the wrong ones that a check is meant for and one of the right ones to a task, and
 // the seed says which.
 typedef struct Turns {
     uint64_t seed;
