@@ -10,7 +10,7 @@
 // Scene units and pixels: the cell from the side, and the curve below it.
 // Narrow, on a phone, its letters are larger.
 enum { NARROW_TEXT = 30 };
-enum { LEFT = 104, UNIT = 28, CELL_TOP = 84, CURVE_TOP = 372, CURVE_HEIGHT = 330, HEIGHT = 812 };
+enum { LEFT = 104, UNIT = 28, CELL_TOP = 84, CURVE_TOP = 372, CURVE_HEIGHT = 216, HEIGHT = 698 };
 static const double MOST_COST = 6;
 
 static const BBox3D CELL = {{0, 0, 0}, {32, 8, 8}};

@@ -4,7 +4,7 @@
 #include "record.h"
 
 // A row of lanes and its columns, in pixels.
-enum { N_LANES = 32, LEFT = 66, RIGHT = 1008, TOP = 92, LANE = 15, MAX_TURNS = 400 };
+enum { N_LANES = 32, LEFT = 66, RIGHT = 1008, TOP = 92, LANE = 11, MAX_TURNS = 400 };
 enum { BOTTOM = TOP + N_LANES * LANE, HEIGHT = BOTTOM + 146 };
 
 // What a lane does in one turn of the loop of trace(): a step at an inner node, or a leaf with so

@@ -7,7 +7,7 @@
 // ---- Work-groups --------------------------------------------------------------------------------
 
 // A picture that no whole number of groups fits, and how large a work-item is drawn. Pixels.
-enum { WIDTH = 37, HEIGHT = 21, ITEM = 18, LEFT = 80, TOP = 96 };
+enum { WIDTH = 37, HEIGHT = 21, ITEM = 13, LEFT = 200, TOP = 96 };
 
 static int groups_of(int n_pixels)
 {

@@ -14,8 +14,8 @@ void draw_stack(FILE *file, const Followed *followed)
 // ---- Slabs --------------------------------------------------------------------------------------
 
 // The plane of x and y from above, in scene units and pixels; the axis of t below it.
-static const double FIRST_X = -2.4, LAST_Y = 1.55, UNIT = 150;
-enum { PLAN_LEFT = 60, PLAN_TOP = 76, PLAN_WIDTH = 600, PLAN_HEIGHT = 435 };
+static const double FIRST_X = -2.4, LAST_Y = 1.55, UNIT = 110;
+enum { PLAN_LEFT = 60, PLAN_TOP = 76, PLAN_WIDTH = 440, PLAN_HEIGHT = 319 };
 enum { T_LEFT = 210, T_UNIT = 190, T_TOP = PLAN_TOP + PLAN_HEIGHT + 60, BAR = 30 };
 
 static double plan_x(double x)
