@@ -6,8 +6,8 @@
 #include <math.h>
 
 // From above, in scene units and pixels; and t below.
-enum { UNIT = 118, LEFT = 60, EYE_Y = 490, T_TOP = 570, T_LEFT = 60, T_UNIT = 158, ROW = 38 };
-enum { BAR = 30, HEIGHT = 764 };
+enum { UNIT = 88, LEFT = 60, EYE_Y = 390, T_TOP = 462, T_LEFT = 60, T_UNIT = 158, ROW = 38 };
+enum { BAR = 30, HEIGHT = 656 };
 // A row of a tile, of a picture that has no other pixels, and the plane that it meets.
 enum { N_RAYS = 8 };
 static const double FOV = 0.42, LOOK = 0.5, PLANE = 1.6;
