@@ -9,8 +9,9 @@ tools=${BUILD:-build}/tools
 # The seeds are fixed, as this is about the answers, and other seeds would be another test. What
 # catches them stands in every job; `make test-seeds` shows it with 20.
 seeds=${SEEDS:-2}
-# Each is compiled and run, some 900 in all: here about 280 of them, for time; `make test-seeds` tries all.
-every=${EVERY:-4}
+# Each is compiled and run, more than a thousand in all: here about 220 of them, for time; `make
+# test-seeds` tries all.
+every=${EVERY:-8}
 
 for folder in tests/mutants/"${LAB:-}"*/; do
     lab=$(basename "$folder")
