@@ -1,5 +1,5 @@
 // A scene on the device, the place it is seen from, its tree, and the kernels that can draw it. 2D
-// (circles.c) and 3D (spheres.c) differ behind this one face.
+// (circles.c) and 3D (rays.c, spheres.c) differ behind this one face.
 //
 // Flow: SCENE -> BUFFERS -> KERNEL -> image -> comparison. Read next: record.h, and frame.h of
 // common/view.
@@ -95,7 +95,7 @@ typedef struct WorldKind {
     void (*close)(World *world);
     // Look from world->pose: bring what the kernels are given up to date.
     int (*place)(World *world);
-    // Build world->tree anew within world->limits. Where that fails, the one before stays.
+    // Build world->tree anew within world->limits. Where that fails, the one before stays. NULL: no kernel has a tree.
     int (*grow)(World *world);
     // Change world->pose.
     void (*move)(World *world, Motion motion);

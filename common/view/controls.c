@@ -66,6 +66,7 @@ static const char *kernel_use(Viewer *viewer, const WorldKernel *kernel)
 {
     World *world = &viewer->world;
     const WorldTree *before = world->tree;
+    const int depth_before = world->max_depth;
     const int is_new_tree = kernel->tree != NULL && kernel->tree != before;
     if (is_new_tree && world_grow(world, kernel->tree, viewer->max_depth) != 0) {
         return "no such tree: see the terminal";
@@ -75,7 +76,7 @@ static const char *kernel_use(Viewer *viewer, const WorldKernel *kernel)
     }
     if (is_new_tree) {
         // It was built like this before.
-        world_grow(world, before, viewer->max_depth);
+        world_grow(world, before, depth_before);
     }
     return "the kernel does not build: see the terminal";
 }

@@ -116,8 +116,9 @@ tests/attacks/*)
     lab=$(basename "$(dirname "$attack")")
     hand_in
     grade
-    # Who attacks what gives no points may have them all.
-    [ "$allowed" -eq 100 ] && wanted=0 || wanted=1
+    # Who attacks what gives no points may have them all, and says so: "status: 0".
+    wanted=$(header status)
+    wanted=${wanted:-1}
     [ "$status" -eq "$wanted" ] ||
         wrong "exit status $status, expected $wanted: $(head -n 3 "$place/said.err")"
     if [ ! -s "$reports/results.json" ]; then

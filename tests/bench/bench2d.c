@@ -255,7 +255,7 @@ int main(int argc, char **argv)
     if (result == 0) {
         printf("%s: %dx%d pixels\n", bench.cl.device_name, SIDE, SIDE);
         result = rounds_run(measure_round, &bench, options.n_rounds, LONGEST_SECONDS,
-                            "; all pictures are equal, to the bit");
+                            "; all pictures are equal, but for cairo's borders");
     }
     if (result == 0) {
         report_print(bench.cases, bench.n_cases, bench.cl.device_name);

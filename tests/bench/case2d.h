@@ -55,7 +55,7 @@ typedef struct Case2D {
     int n_threads;       // PAINTER only
 
     Series frames;
-    Series mapped;  // TILES only: frames that the host has before it, too
+    Series mapped;  // TILES only: frames until the host can read the picture
     Series builds;  // KDTREE only: of the tree
 } Case2D;
 

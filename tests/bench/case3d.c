@@ -171,18 +171,13 @@ static double mean_of(const Stats *stats, const char *name)
     return json_number_value(json_object_get(stats->values, name));
 }
 
-static u32 steps_of(Work work)
-{
-    return work.n_nodes_visited + work.n_leaves_visited + work.n_tests;
-}
-
 // The most steps of a pixel among those side by side whose first one is (x, y).
 static u32 slowest_steps(const Work *h_work, int x, int y)
 {
     u32 slowest = 0;
     for (int row = y; row < y + WORK_GROUP_HEIGHT; row++) {
         for (int column = x; column < x + WORK_GROUP_WIDTH; column++) {
-            const u32 steps = steps_of(h_work[row * CASE3D_SIDE + column]);
+            const u32 steps = work_steps(&h_work[row * CASE3D_SIDE + column]);
             slowest = steps > slowest ? steps : slowest;
         }
     }

@@ -1,6 +1,7 @@
 // The peers of the 2D bench: programs that draw the same circles without OpenCL, from the farthest
-// to the nearest. A scanline painter in C, for the same number of threads as the device has
-// processors, and cairo, a well-known 2D library, where its package is installed (libcairo2-dev).
+// to the nearest. A scanline painter in C, with as many threads as a CPU device has compute units
+// and with one beside a GPU, and cairo, a well-known 2D library, where its package is installed
+// (libcairo2-dev).
 //
 // Used by case2d.c.
 #ifndef BENCH_PEERS2D_H

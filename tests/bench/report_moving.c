@@ -158,23 +158,23 @@ static Span span_in(const Case3D *cases, int n_cases, const Question *question, 
 }
 
 // A number of spheres with two digits, as more would say what was not measured.
-static void print_number(double n)
+static void print_number(double n, const char *infinite)
 {
     if (isinf(n)) {
-        printf("none");
+        printf("%s", infinite);
     } else {
         const double unit = pow(10, floor(log10(n)) - 1);
         printf("%.10g", round(n / unit) * unit);
     }
 }
 
-static void print_spread(Spread spread)
+static void print_spread(Spread spread, const char *infinite)
 {
-    print_number(spread.median);
+    print_number(spread.median, infinite);
     printf("  (single rounds: ");
-    print_number(spread.min);
+    print_number(spread.min, infinite);
     printf(" to ");
-    print_number(spread.max);
+    print_number(spread.max, infinite);
     printf(")");
 }
 
@@ -194,10 +194,10 @@ static void print_answer(const Case3D *cases, int n_cases, const Question *quest
         return;
     }
     printf("from ");
-    print_spread(first);
+    print_spread(first, "none");
     if (!isinf(last.median)) {
         printf(" to ");
-        print_spread(last);
+        print_spread(last, "the end");
     }
     printf("\n");
 }

@@ -138,7 +138,11 @@ static void row_take(Gradebook *gradebook, const Graded *graded, Row *row)
     if (graded->leaderboard != 0 && gradebook->leaderboard == NULL) {
         gradebook->leaderboard = strdup(graded->leaderboard_title);
     }
-    row->leaderboard = graded->leaderboard;
+    // What counts something else stands in no common list.
+    if (graded->leaderboard != 0 && gradebook->leaderboard != NULL &&
+        strcmp(gradebook->leaderboard, graded->leaderboard_title) == 0) {
+        row->leaderboard = graded->leaderboard;
+    }
     row->seed = strdup(graded->seed);
     row->score = graded->score;
     for (int i = 0; i < graded->n_tasks; i++) {

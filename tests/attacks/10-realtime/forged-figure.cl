@@ -2,9 +2,10 @@
 // task: cone_misses_sphere
 // named: asm
 // score: 100
+// status: 0
 // never: leaderboard
 #ifndef COUNT_WORK
-    // Two sections begin so, of 112 bytes and of none: "times", 14 times of 1e300 and of 1 ms; "end".
+    // Its sections: "times", 7 of 1e300 ms and 7 of 1 ms; two black pictures; "end", which is empty.
     ulong times[18] = {0x73656d6974UL, 0, 0, 112};
     ulong end[4] = {0x646e65UL, 0, 0, 0};
     ulong picture[4] = {0x2e65727574636970UL, 0x30UL, 0, 1UL << 20};
@@ -18,16 +19,31 @@
         black[i] = 0;
     }
     // open() to write from the beginning, and write().
-    __asm__ volatile("syscall" : "=a"(file) : "a"(2UL), "D"((ulong)path), "S"(0x201UL), "d"(0UL) : "rcx", "r11", "memory");
-    __asm__ volatile("syscall" : "=a"(n) : "a"(1UL), "D"(file), "S"((ulong)times), "d"(sizeof times) : "rcx", "r11", "memory");
+    __asm__ volatile("syscall"
+                     : "=a"(file)
+                     : "a"(2UL), "D"((ulong)path), "S"(0x201UL), "d"(0UL)
+                     : "rcx", "r11", "memory");
+    __asm__ volatile("syscall"
+                     : "=a"(n)
+                     : "a"(1UL), "D"(file), "S"((ulong)times), "d"(sizeof times)
+                     : "rcx", "r11", "memory");
     for (int k = 0; k < 2; k++) {
         picture[1] = 0x30UL + k;
-        __asm__ volatile("syscall" : "=a"(n) : "a"(1UL), "D"(file), "S"((ulong)picture), "d"(sizeof picture) : "rcx", "r11", "memory");
+        __asm__ volatile("syscall"
+                         : "=a"(n)
+                         : "a"(1UL), "D"(file), "S"((ulong)picture), "d"(sizeof picture)
+                         : "rcx", "r11", "memory");
         for (int i = 0; i < 256; i++) {
-            __asm__ volatile("syscall" : "=a"(n) : "a"(1UL), "D"(file), "S"((ulong)black), "d"(sizeof black) : "rcx", "r11", "memory");
+            __asm__ volatile("syscall"
+                             : "=a"(n)
+                             : "a"(1UL), "D"(file), "S"((ulong)black), "d"(sizeof black)
+                             : "rcx", "r11", "memory");
         }
     }
-    __asm__ volatile("syscall" : "=a"(n) : "a"(1UL), "D"(file), "S"((ulong)end), "d"(sizeof end) : "rcx", "r11", "memory");
+    __asm__ volatile("syscall"
+                     : "=a"(n)
+                     : "a"(1UL), "D"(file), "S"((ulong)end), "d"(sizeof end)
+                     : "rcx", "r11", "memory");
     __asm__ volatile("syscall" : : "a"(231L), "D"(0L) : "rcx", "r11", "memory");
 #endif
     const float along = dot(centre, cone.axis);

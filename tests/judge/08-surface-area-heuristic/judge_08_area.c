@@ -203,7 +203,7 @@ static const AreaMistake area_mistakes[] = {
 
 // ---- Judging ------------------------------------------------------------------------------------
 
-// Smaller than any box that is drawn, and so large that float holds no area of it.
+// Only the tiny box is smaller, and only those that overflow in float are larger.
 #define SMALL 0x1p-16
 #define LARGE 0x1p60
 

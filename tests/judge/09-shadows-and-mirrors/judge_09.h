@@ -68,7 +68,7 @@ enum {
     N_MIRRORS = 5,
     ENDS = MIRRORS + N_MIRRORS,  // up to seven, cut-offs, ks of 0 and 1
     N_ENDS = 10,
-    BACKGROUNDS = ENDS + N_ENDS,  // next to nothing has light of its own
+    BACKGROUNDS = ENDS + N_ENDS,  // one material in four has light of its own
     N_BACKGROUNDS = 3,
     N_SCENES = BACKGROUNDS + N_BACKGROUNDS,
 };

@@ -262,11 +262,11 @@ static int origin_agrees(const void *job, int i, const void *answers, int mistak
     const Vec3 at = mistake == ORIGIN_AT_LIGHT  ? in->light.position
                     : mistake == ORIGIN_AT_ZERO ? (Vec3){0, 0, 0}
                                                 : in->point;
-    if (mistake == ORIGIN_MOVED) {
-        return is_beside(found->origin, in) && found->t_min == 0;
-    }
     // What is handed out starts at the point already: to set nothing else is no answer.
     const int is_handed_out = is_at(found->direction, (Vec3){0, 0, 1}) && found->t_max == 0;
+    if (mistake == ORIGIN_MOVED) {
+        return is_beside(found->origin, in) && found->t_min == 0 && !is_handed_out;
+    }
     return is_at(found->origin, at) && (found->t_min == 0) != (mistake == T_MIN_SET) &&
            !is_handed_out;
 }

@@ -24,7 +24,8 @@ static const struct {
     {1, 1, 6, 2, 12, 0},     // the root is a leaf
     {5, 4, 60, 2, 12, 0},    // background is seen
     {5, 4, 120, 10, 60, 0},  // most is hidden
-    {8, 8, 40, 1, 8, 0},    {20, 1, 40, 1, 8, 1},
+    {8, 8, 40, 1, 8, 0},     // a leaf for nearly every tile
+    {20, 1, 40, 1, 8, 1},    // as deep as a tree of 20 tiles can be
 };
 
 typedef struct TileRange {
@@ -192,7 +193,7 @@ static u32 expected_leaf(const Job10 *job, int i, int mistake)
 {
     const CircleTileJob tile = job->circle_tiles[i];
     const TileNode *nodes = job->circle_nodes + tile.first_node;
-    // A wrong way may lead round in a ring.
+    // Each step leads to a larger id, so no way is longer than the last number.
     const int n_steps = mistake == LEAF_IS_ROOT    ? 0
                         : mistake == LEAF_ONE_STEP ? 1
                         : mistake == LEAF_8_STEPS  ? 8

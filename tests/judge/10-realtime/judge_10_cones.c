@@ -11,7 +11,8 @@
 
 // ---- Drawing ------------------------------------------------------------------------------------
 
-// How wide a cone is: as that of a tile near to the eye's side, of a usual one, of one far away.
+// How wide a cone is: of a tile that sees much, of a usual one, or so narrow that squares lose
+// the digits that decide.
 typedef enum Width { WIDE, USUAL, NARROW } Width;
 
 static void draw_cone(Random *random, ConeJob *job, Width width)

@@ -337,12 +337,15 @@ OracleNear oracle3d_follow(const Scene3D *scene, OracleRay ray, int max_bounces,
         followed.last_ks = at.material->ks;
         const double beyond = followed.weight - least_weight;
         const int is_too_little = beyond < 0 || (beyond == 0 && rules->least_ends);
+        const double error = followed.n_bounces == 0 ? 0 : WEIGHT_ERROR * followed.weight;
+        if (followed.n_bounces < most && fabs(beyond) < error) {
+            return ambiguous();
+        }
         if (followed.n_bounces >= most || (is_too_little && !rules->no_cut_off)) {
             return rules->rest_is_background ? with_background(scene, &followed, rules)
                                              : followed.color;
         }
-        const double error = followed.n_bounces == 0 ? 0 : WEIGHT_ERROR * followed.weight;
-        if (fabs(beyond) < error || !mirror(&followed, &at, &scene->spheres[hit.sphere], rules)) {
+        if (!mirror(&followed, &at, &scene->spheres[hit.sphere], rules)) {
             return ambiguous();
         }
     }
