@@ -96,7 +96,7 @@ Test(bench_report_moving, times_that_hardly_differ_make_no_crossing)
     }
     // From the root of 10 to nearly 10000; once more from where 9.99 becomes 10.01, which is short.
     expect_in_report("lab 07's kernel are quicker than the naive kernel: from 3.2  (single rounds: "
-                     "1 to 3.2) to 10000  (single rounds: 10000 to none)\n");
+                     "1 to 3.2) to 10000  (single rounds: 10000 to the end)\n");
 }
 
 Test(bench_report_moving, a_tree_may_never_pay)
