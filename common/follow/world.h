@@ -95,7 +95,8 @@ typedef struct WorldKind {
     void (*close)(World *world);
     // Look from world->pose: bring what the kernels are given up to date.
     int (*place)(World *world);
-    // Build world->tree anew within world->limits. Where that fails, the one before stays. NULL: no kernel has a tree.
+    // Build world->tree anew within world->limits. Where that fails, the one before stays. NULL: no
+    // kernel has a tree.
     int (*grow)(World *world);
     // Change world->pose.
     void (*move)(World *world, Motion motion);

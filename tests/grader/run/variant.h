@@ -20,7 +20,7 @@ typedef struct Variant {
     Sections further[MAX_FURTHER_JOBS];  // and to the jobs of further seeds
     SandboxRun *run;                     // while it runs
     int is_ours;                         // the solution: what it uses says what others may
-    int is_extra;      // no points depend on it: it is tried once, and may fail
+    int is_extra;                        // no points depend on it: it is tried once, and may fail
     int is_checked;    // built and run with the address sanitizer: see variant_find_line()
     int is_race;       // the lab's race runs in the place of its probe: see variant_race()
     const char *task;  // whose answer stands in the solution of the others; NULL: a submission
