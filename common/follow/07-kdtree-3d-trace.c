@@ -16,14 +16,7 @@ static const WorldKernel KERNELS[] = {
         .steps_path = STEPS_FOLDER "/07-kdtree-3d-trace.cl",
         .set_arguments = spheres_set_tree,
     },
-    {
-        .label = "naive",
-        .path = "solutions/05-spheres/render_spheres.cl",
-        .function = "render_spheres",
-        .options = KERNEL_OPTIONS,
-        .steps_path = STEPS_FOLDER "/05-spheres.cl",
-        .set_arguments = spheres_set_naive,
-    },
+    SPHERES_NAIVE_KERNEL,
 };
 
 const WorldLab WORLD_LAB = {

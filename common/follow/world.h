@@ -174,6 +174,17 @@ void rays_set_directions(const World *world, cl_kernel kernel, cl_mem d_work);  
 void spheres_set_naive(const World *world, cl_kernel kernel, cl_mem d_work);    // render_spheres
 void spheres_set_tree(const World *world, cl_kernel kernel, cl_mem d_work);     // render_kdtree
 
+// Lab 05's kernel, as later labs set it beside their own.
+#define SPHERES_NAIVE_KERNEL                                                                       \
+    {                                                                                              \
+        .label = "naive",                                                                          \
+        .path = "solutions/05-spheres/render_spheres.cl",                                          \
+        .function = "render_spheres",                                                              \
+        .options = KERNEL_OPTIONS,                                                                 \
+        .steps_path = STEPS_FOLDER "/05-spheres.cl",                                               \
+        .set_arguments = spheres_set_naive,                                                        \
+    }
+
 // Those that render_kdtree begins with, and all that trace its rays and more: 0 to 12.
 void spheres_set_traced(const World *world, cl_kernel kernel);
 
