@@ -11,16 +11,19 @@
 
 // ---- Drawing ------------------------------------------------------------------------------------
 
-// How wide a cone is: of a tile that sees much, of a usual one, or so narrow that squares lose
-// the digits that decide.
-typedef enum Width { WIDE, USUAL, NARROW } Width;
+// How wide a cone is: of a tile that sees much, of a usual one and the widest of those, or so narrow
+// that squares lose the digits that decide.
+typedef enum Width { WIDE, USUAL, WIDEST_USUAL, NARROW } Width;
 
 static void draw_cone(Random *random, ConeJob *job, Width width)
 {
     job->axis = random_direction(random);
     job->sine = random_number(random, 0.5, width == WIDE ? 0.96875f : 1);
     if (width != WIDE) {
-        job->sine = ldexpf(job->sine, width == NARROW ? -10 : (int)random_integer(random, -8, -2));
+        job->sine =
+            ldexpf(job->sine, width == NARROW         ? -10
+                              : width == WIDEST_USUAL ? -2
+                                                      : (int)random_integer(random, -8, -2));
     }
     job->cosine = sqrtf(1 - job->sine * job->sine);
 }
@@ -44,6 +47,7 @@ static void place_sphere(Random *random, ConeJob *job, float reach, float off)
 
 // How much smaller, or larger, the radius is than the distance by which the cone is missed.
 #define HAIR 0x1p-8
+#define WIDER_HAIR 0x1p-4
 
 static ConeJob draw_cone_job(Random *random, enum ConeRange range)
 {
@@ -52,13 +56,22 @@ static ConeJob draw_cone_job(Random *random, enum ConeRange range)
     const float reach = random_number(random, 1, 8);
     // Small spheres beside narrow cones: who subtracts squares loses the digits that decide.
     const int is_narrow = range == CONES_HAIR && one_in(random, 4);
-    const float off = reach * (is_narrow ? random_number(random, 0x1p-10f, 0x1p-9f)
-                                         : random_number(random, 0.03125, 0.5));
-    draw_cone(random, &job, is_narrow ? NARROW : is_edge && one_in(random, 2) ? WIDE : USUAL);
+    // Close to the border of a wide cone: who leaves out the cosine is wrong there by more than a
+    // wider hair, who measures across the axis is not.
+    const int is_close = range == CONES_HAIR && !is_narrow && one_in(random, 8);
+    const float off = reach * (is_narrow  ? random_number(random, 0x1p-10f, 0x1p-9f)
+                               : is_close ? 0.03125f
+                                          : random_number(random, 0.03125, 0.5));
+    draw_cone(random, &job,
+              is_narrow                      ? NARROW
+              : is_close                     ? WIDEST_USUAL
+              : is_edge && one_in(random, 2) ? WIDE
+                                             : USUAL);
     place_sphere(random, &job, reach, off);
     // By a hair, and now and then by far: who is wrong by a hair alone is right there.
+    const double hair = is_close ? WIDER_HAIR : HAIR;
     job.radius = range == CONES_HAIR && !one_in(random, 8)
-                     ? off * (float)(is_missed ? 1 - HAIR : 1 + HAIR)
+                     ? off * (float)(is_missed ? 1 - hair : 1 + hair)
                  : is_missed ? off * random_number(random, 0.125, 0.75)
                              : off * random_number(random, 1.25, 4);
     if (range == CONES_CLEAR && one_in(random, 4)) {  // the centre is in the cone
