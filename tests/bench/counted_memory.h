@@ -1,8 +1,8 @@
-// How much memory a piece of work has asked for at most. Counted, and not read from the system
-// (ru_maxrss, VmHWM): the counts are exact and the same on every machine, for small builds too,
-// where the system counts whole pages, and what an earlier build has given back but malloc() has
-// kept. They are what is asked for; of an array with room to grow a part may never be touched, and
-// then takes no page.
+// How much memory a piece of work has asked for at most, at one moment. Counted, and not read from
+// the system (ru_maxrss, VmHWM): the count is exact and the same on every machine, for small builds
+// too, where the system knows whole pages only, and of them also those that an earlier build has
+// given back and malloc() has kept. What is asked for is more than what is resident: a part of an
+// array that has made room to grow may never be touched, and then takes no page.
 //
 // A program that uses it is linked with MEMORY_COUNTING (bench.mk), by which malloc(), calloc(),
 // realloc() and free() of all its objects, though not those of libraries, lead here.

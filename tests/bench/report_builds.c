@@ -69,8 +69,8 @@ static void print_cases(const BuildCase *cases, int n_cases)
 {
     printf("\nBuilding a tree over N elements, circles in lab 02 and spheres else: milliseconds of "
            "processor time, on\none thread. For each element nanoseconds, how many nodes it is "
-           "handed on to, bytes of the finished tree,\nand the most bytes that are in use while "
-           "it is built; and the elements of a leaf\n");
+           "handed on to, bytes of the finished tree,\nand the most bytes that the builder has "
+           "asked for at once; and the elements of a leaf\n");
     printf("  %9s  %9s  %-20s  %7s  %9s  %8s  %7s  %7s\n", "N", "ms", "(single builds)", "ns",
            "handed on", "per leaf", "tree", "peak");
     for (int i = 0; i < n_cases; i++) {
