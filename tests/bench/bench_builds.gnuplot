@@ -69,7 +69,7 @@ do for [ending in 'png svg'] {
     set yrange [1:1e5]
     set ytics ('1' 1, '10' 10, '100' 100, '1000' 1e3, '10 000' 1e4, '100 000' 1e5)
     set ylabel 'elements a leaf'
-    set title "Why N is no gain: at a fixed depth the leaves grow\n"
+    set title "The price of N: at a fixed depth the leaves grow\n"
     plot for [i=1:5] csv using 2:(only(word(names, i), $9)) with linespoints linestyle i
     unset multiplot
     set output
