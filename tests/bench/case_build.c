@@ -43,11 +43,10 @@ int build_scene_create(int n_elements, BuildScene *scene)
     const float scale = sqrtf((float)SCENE2D_DEFAULT_CIRCLES / (float)n_elements);
     char name[32];
     snprintf(name, sizeof name, "random:n=%d", n_elements);
-    return scene2d_random(n_elements, SEED, 2 * scale, 20 * scale, SIDE, SIDE, &scene->circles) !=
-                       0 ||
-                   scene3d_open(name, 0, 0, &scene->spheres) != 0
-               ? -1
-               : 0;
+    if (scene2d_random(n_elements, SEED, 2 * scale, 20 * scale, SIDE, SIDE, &scene->circles) != 0) {
+        return -1;
+    }
+    return scene3d_open(name, 0, 0, &scene->spheres);
 }
 
 void build_scene_free(BuildScene *scene)
