@@ -105,7 +105,7 @@ $(OUT)/tests/test_plane_trees: $(call objects,tests/figures/plane_trees.c)
 $(OUT)/obj/tests/unit/test_bench_report.c.o: EXTRA = $(BENCH_INCLUDES) -I tests/bench
 $(OUT)/tests/test_bench_report: $(call objects,tests/bench/report.c tests/bench/series.c)
 $(addprefix $(OUT)/obj/tests/unit/,test_bench_report3d.c.o test_bench_report_moving.c.o): EXTRA = $(BENCH_INCLUDES) -I tests/bench
-$(OUT)/tests/test_bench_report3d: $(call objects,tests/bench/report3d.c tests/bench/roofline.c tests/bench/series.c)
+$(OUT)/tests/test_bench_report3d: $(call objects,$(addprefix tests/bench/,report3d.c report_secondary.c roofline.c series.c))
 $(OUT)/tests/test_bench_report_moving: $(call objects,tests/bench/report_moving.c tests/bench/series.c)
 
 # Lab 02's builder with a distribute() that returns more circles than it was given.
