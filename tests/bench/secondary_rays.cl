@@ -63,6 +63,7 @@ kernel void make_rays(global const Sphere *spheres, global const uint *material_
                       global const uint *sphere_ids, BBox3D bounds, int light,
                       global SecondaryRay *rays)
 {
+    (void)image;
     const int x = get_global_id(0);
     const int y = get_global_id(1);
     const TracedScene scene = {spheres, material_ids, materials,

@@ -1,5 +1,5 @@
-// The 3D bench's report: which of Embree's calls it calls the best, and the ratios to it; of frames,
-// and of shadow and mirrored rays.
+// The 3D bench's report: which of Embree's calls it calls the best, and the ratios to it; of
+// frames, and of shadow and mirrored rays.
 #include "report_secondary.h"
 
 #include "surroundings.h"
