@@ -7,17 +7,19 @@ $(OUT)/obj/tests/bench/%.o: EXTRA = $(BENCH_INCLUDES) \
     -DNAIVE_OPTIONS='"$(call include_path,01-naive-2d)"' \
     -DKDTREE_OPTIONS='"$(call include_path,03-kdtree-2d-render)"' \
     -DSPHERES_OPTIONS='"$(call include_path,05-spheres)"' \
-    -DTRACE_OPTIONS='"$(call include_path,07-kdtree-3d-trace)"'
+    -DTRACE_OPTIONS='"$(call include_path,07-kdtree-3d-trace)"' \
+    -DMIRRORS_OPTIONS='"$(call include_path,10-realtime)"'
 # Cairo, which the 2D bench compares with where its package is installed.
 CAIRO := $(if $(wildcard /usr/include/cairo/cairo.h),1)
 # For this machine and in vectors, as OpenCL compiles the kernels.
 $(OUT)/obj/tests/bench/painter.c.o: EXTRA = $(BENCH_INCLUDES) -O3 -march=native -fno-math-errno
 $(OUT)/obj/tests/bench/cairo_peer.c.o: EXTRA = $(BENCH_INCLUDES) $(if $(CAIRO),-DWITH_CAIRO $(shell pkg-config --cflags cairo))
 # The same; anew when a peer was installed since.
-$(OUT)/obj/tests/bench/embree_peer.c.o: EXTRA = $(BENCH_INCLUDES) -O3 -march=native \
+EMBREE_OBJECTS = $(OUT)/obj/tests/bench/embree_peer.c.o $(OUT)/obj/tests/bench/embree_rays.c.o
+$(EMBREE_OBJECTS): EXTRA = $(BENCH_INCLUDES) -O3 -march=native \
     -fno-math-errno -fno-trapping-math \
     $(if $(EMBREE),-DWITH_EMBREE=$(EMBREE))
-$(OUT)/obj/tests/bench/embree_peer.c.o $(OUT)/obj/tests/bench/cairo_peer.c.o: $(OUT)/peers
+$(EMBREE_OBJECTS) $(OUT)/obj/tests/bench/cairo_peer.c.o: $(OUT)/peers
 .PHONY: always
 $(OUT)/peers: always
 	@mkdir -p $(@D)

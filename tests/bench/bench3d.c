@@ -1,21 +1,23 @@
 // The 3D bench: the naive kernel of lab 05, the kd-tree kernel of lab 07 with the trees of labs 06
 // and 08, the tiles of lab 10 and Embree, in one run; standing scenes, and moving ones, whose trees
-// are built anew for each frame.
+// are built anew for each frame; and of one scene lab 09's shadow rays and mirrored ones.
 //
 //     build/tools/bench3d [--device D] [--rounds N] [--output FOLDER]       or: make bench
 //
 // All are drawn and all trees built in turn within each round (rounds.h). In the first round the
-// pictures of a scene are compared; where they differ there are no figures. Embree takes part where
-// its package is installed (embree_peer.h), with as many threads as the OpenCL device has compute
-// units where that is a CPU, and with all of the machine's beside a GPU.
-// Read next: case3d.h, pictures3d.h, report3d.c, report_moving.c.
+// pictures of a scene are compared, and what the rays hit; where they differ there are no figures.
+// Embree takes part where its package is installed (embree_peer.h), with as many threads as the
+// OpenCL device has compute units where that is a CPU, and with all of the machine's beside a GPU.
+// Read next: case3d.h, pictures3d.h, secondary_rays.h, report3d.c, report_moving.c.
 #include "bench_options.h"
 #include "embree_peer.h"
 #include "launch.h"
 #include "pictures3d.h"
 #include "report3d.h"
 #include "report_moving.h"
+#include "report_secondary.h"
 #include "rounds.h"
+#include "secondary_rays.h"
 #include "stats.h"
 
 #include <stdio.h>
@@ -34,6 +36,9 @@ static const char *const SCENE_NAMES[] = {
 };
 enum { N_CASES = sizeof SCENE_NAMES / sizeof *SCENE_NAMES };
 
+// The one whose shadow rays and mirrored rays are searched: the sphereflake.
+enum { SECONDARY_CASE = 0 };
+
 enum { N_FRAMES = 5 };  // a round, of all but long ones
 // A naive frame of more spheres than this is drawn once a round: each takes long enough.
 enum { MANY_SPHERES = 100 };
@@ -44,6 +49,7 @@ typedef struct Bench {
     Pictures3D pictures;
     int n_threads;  // of Embree; 0 when it does not take part
     Case3D cases[N_CASES];
+    SecondaryRays secondary;  // of SECONDARY_CASE
 } Bench;
 
 // Build a first tree that is not timed: it starts Embree's threads. Returns 0, or -1 after one
@@ -75,11 +81,15 @@ static int bench_prepare(Bench *bench, const char *device)
             return -1;
         }
     }
+    if (secondary_rays_prepare(&bench->secondary, &bench->cl, &bench->cases[SECONDARY_CASE]) != 0) {
+        return -1;
+    }
     return bench->n_threads > 0 ? start_embree(bench) : 0;
 }
 
 static void bench_free(Bench *bench)
 {
+    secondary_rays_free(&bench->secondary);
     for (int i = 0; i < N_CASES; i++) {
         case3d_free(&bench->cases[i]);
     }
@@ -177,7 +187,29 @@ static int measure_round(void *shared, int round)
             return -1;
         }
     }
-    return 0;
+    return secondary_rays_measure(&bench->secondary, &bench->cl, &bench->cases[SECONDARY_CASE],
+                                  bench->n_threads, round);
+}
+
+// ---- Telling --------------------------------------------------------------------------------
+
+static void print_tables(const Bench *bench)
+{
+    const ReportContext context = {bench->cl.device_name, device_is_cpu(&bench->cl),
+                                   bench->n_threads};
+    report3d_print(bench->cases, N_CASES, context);
+    report_secondary_print(&bench->secondary, SCENE_NAMES[SECONDARY_CASE], context);
+    report_moving_print(bench->cases, N_CASES);
+}
+
+// Returns 0, or -1 after one message.
+static int write_files(const Bench *bench, const char *folder)
+{
+    if (report3d_write_csv(bench->cases, N_CASES, folder) != 0 ||
+        report_moving_write_csv(bench->cases, N_CASES, folder) != 0) {
+        return -1;
+    }
+    return report_secondary_write_csv(&bench->secondary, SCENE_NAMES[SECONDARY_CASE], folder);
 }
 
 int main(int argc, char **argv)
@@ -185,7 +217,7 @@ int main(int argc, char **argv)
     BenchOptions options;
     switch (bench_options_read(argc, argv, "bench3d",
                                "measures the naive kernel of lab 05, the kd-tree kernel of lab "
-                               "07, the tiles of lab 10 and Embree",
+                               "07, the tiles of lab 10 and Embree, and lab 09's rays",
                                &options)) {
     case OPTIONS_BAD:
         return EXIT_FAILURE;
@@ -202,14 +234,8 @@ int main(int argc, char **argv)
                             "; the pictures of each scene are equal, but for rounding");
     }
     if (result == 0) {
-        const ReportContext context = {bench.cl.device_name, device_is_cpu(&bench.cl),
-                                       bench.n_threads};
-        report3d_print(bench.cases, N_CASES, context);
-        report_moving_print(bench.cases, N_CASES);
-        result = report3d_write_csv(bench.cases, N_CASES, options.folder);
-    }
-    if (result == 0) {
-        result = report_moving_write_csv(bench.cases, N_CASES, options.folder);
+        print_tables(&bench);
+        result = write_files(&bench, options.folder);
     }
     bench_free(&bench);
     return result == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

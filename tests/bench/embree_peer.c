@@ -5,16 +5,10 @@
 
 #ifdef WITH_EMBREE
 
-#include "camera_from_view.h"
 #include "complain.h"
+#include "embree_api.h"
 #include "square_rays.h"
 #include "stats.h"
-
-#if WITH_EMBREE == 4
-#include <embree4/rtcore.h>
-#else
-#include <embree3/rtcore.h>
-#endif
 
 #include <pthread.h>
 #include <stdatomic.h>
@@ -23,14 +17,6 @@
 
 // Rows that a thread takes at once: few, so that the threads end together.
 enum { ROWS_AT_ONCE = LARGEST_SIDE, MAX_THREADS = 256 };
-
-struct EmbreePeer {
-    const Scene3D *scene;
-    Camera camera;
-    int n_threads;
-    RTCDevice device;
-    RTCScene embree_scene;
-};
 
 const char *embree_peer_version(void)
 {
@@ -94,30 +80,21 @@ void embree_peer_free(EmbreePeer *peer)
     }
 }
 
-// ---- Search ---------------------------------------------------------------------------------
-
-// What a call is told of its rays, and where among its arguments.
-#if WITH_EMBREE == 4
-typedef struct RTCIntersectArguments Hints;
-#define ARGUMENTS(peer, hints, query) (peer)->embree_scene, query, hints
-#else
-typedef struct RTCIntersectContext Hints;
-#define ARGUMENTS(peer, hints, query) (peer)->embree_scene, hints, query
-#endif
-
-// They lie close together.
-static inline Hints coherent_rays(void)
+void embree_peer_run(const EmbreePeer *peer, void *work(void *shared), void *shared)
 {
-    Hints hints;
-#if WITH_EMBREE == 4
-    rtcInitIntersectArguments(&hints);
-    hints.flags = RTC_RAY_QUERY_FLAG_COHERENT;
-#else
-    rtcInitIntersectContext(&hints);
-    hints.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-#endif
-    return hints;
+    pthread_t threads[MAX_THREADS];
+    int n_started = 0;
+    while (n_started < peer->n_threads - 1 &&
+           pthread_create(&threads[n_started], NULL, work, shared) == 0) {
+        n_started++;
+    }
+    work(shared);
+    for (int i = 0; i < n_started; i++) {
+        pthread_join(threads[i], NULL);
+    }
 }
+
+// ---- Search ---------------------------------------------------------------------------------
 
 static inline struct RTCRayHit query_of(Vec3 eye, const Rays *rays, int i)
 {
@@ -136,7 +113,7 @@ static inline struct RTCRayHit query_of(Vec3 eye, const Rays *rays, int i)
 static inline void search_1(const EmbreePeer *peer, Rays *rays)
 {
     struct RTCRayHit query = query_of(peer->camera.eye, rays, 0);
-    Hints hints = coherent_rays();
+    NearestHints hints = nearest_hints(COHERENT);
     rtcIntersect1(ARGUMENTS(peer, &hints, &query));
     rays->t[0] = query.ray.tfar;
     rays->ids[0] = query.hit.primID;
@@ -164,7 +141,7 @@ static inline void search_1(const EmbreePeer *peer, Rays *rays)
             query.hit.primID[i] = NO_SPHERE;                                                       \
             query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;                                         \
         }                                                                                          \
-        Hints hints = coherent_rays();                                                             \
+        NearestHints hints = nearest_hints(COHERENT);                                              \
         rtcIntersect##N(valid, ARGUMENTS(peer, &hints, &query));                                   \
         for (int i = 0; i < N; i++) {                                                              \
             rays->t[i] = query.ray.tfar[i];                                                        \
@@ -182,7 +159,7 @@ static inline void search_stream(const EmbreePeer *peer, Rays *rays)
     for (int i = 0; i < MAX_SQUARE; i++) {
         queries[i] = query_of(peer->camera.eye, rays, i);
     }
-    Hints hints = coherent_rays();
+    NearestHints hints = nearest_hints(COHERENT);
     rtcIntersect1M(ARGUMENTS(peer, &hints, queries), MAX_SQUARE, sizeof *queries);
     for (int i = 0; i < MAX_SQUARE; i++) {
         rays->t[i] = queries[i].ray.tfar;
@@ -273,20 +250,10 @@ static void *draw_rows(void *shared)
     }
 }
 
-void embree_peer_draw(EmbreePeer *peer, EmbreeCall call, Image *image)
+void embree_peer_draw(const EmbreePeer *peer, EmbreeCall call, Image *image)
 {
     Frame frame = {.peer = peer, .call = call, .image = image};
-    pthread_t threads[MAX_THREADS];
-    int n_started = 0;
-    // This thread draws, too.
-    while (n_started < peer->n_threads - 1 &&
-           pthread_create(&threads[n_started], NULL, draw_rows, &frame) == 0) {
-        n_started++;
-    }
-    draw_rows(&frame);
-    for (int i = 0; i < n_started; i++) {
-        pthread_join(threads[i], NULL);
-    }
+    embree_peer_run(peer, draw_rows, &frame);
 }
 
 #else
@@ -315,7 +282,7 @@ void embree_peer_free(EmbreePeer *peer)
     (void)peer;
 }
 
-void embree_peer_draw(EmbreePeer *peer, EmbreeCall call, Image *image)
+void embree_peer_draw(const EmbreePeer *peer, EmbreeCall call, Image *image)
 {
     (void)peer, (void)call, (void)image;
 }

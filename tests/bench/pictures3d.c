@@ -19,12 +19,6 @@
 // Beside a picture of bytes: rounding may turn the least difference into a whole step.
 #define BYTE_TOLERANCE (1.5f / 255)
 
-// The share of pixels that may differ: where a ray grazes a sphere, or meets two at one distance,
-// the last place decides what is hit. The naive and the kd-tree kernel share every function but the
-// search, and the tiles and Embree compute nearly as they do: a pixel in 250 000 was the most that
-// was seen.
-#define MAX_AMBIGUOUS_SHARE 1e-4
-
 enum { N_PIXELS = CASE3D_SIDE * CASE3D_SIDE };
 
 int pictures3d_create(Pictures3D *pictures)

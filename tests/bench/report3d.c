@@ -52,14 +52,9 @@ static Spread spread(const Series *series)
     return spread_of(series->ms, series->n);
 }
 
-static double median(const Series *series)
-{
-    return spread(series).median;
-}
-
 static double mray_s(const Series *frames)
 {
-    return (double)CASE3D_SIDE * CASE3D_SIDE / 1e3 / median(frames);
+    return (double)CASE3D_SIDE * CASE3D_SIDE / 1e3 / series_median(frames);
 }
 
 static double drawn_share(const Case3D *bench_case, Renderer renderer)
@@ -72,20 +67,12 @@ static double drawn_share(const Case3D *bench_case, Renderer renderer)
 // The call of Embree with the smallest median, where it took part.
 static Renderer best_of_embree(const Case3D *bench_case)
 {
-    Renderer best = EMBREE;
-    for (int i = EMBREE; i < N_RENDERERS; i++) {
-        const Series *frames = &bench_case->frames[i];
-        if (frames->n > 0 && median(frames) < median(&bench_case->frames[best])) {
-            best = i;
-        }
-    }
-    return best;
+    return EMBREE + series_quickest(&bench_case->frames[EMBREE], N_EMBREE_CALLS);
 }
 
 // ---- For people -----------------------------------------------------------------------------
 
-// A ratio of two renderers' times, as the median of the single rounds' ratios.
-static void print_ratio(const Series *dividend, const Series *divisor)
+void report3d_print_ratio(const Series *dividend, const Series *divisor)
 {
     const Spread ratio = series_ratio(dividend, divisor);
     printf("  %6.2f  (single rounds: %.2f to %.2f)", ratio.median, ratio.min, ratio.max);
@@ -142,14 +129,16 @@ static void print_trees(const Case3D *cases, int n_cases, ReportContext context)
                bench_case->n_nodes, bench_case->figures.n_leaves, bench_case->n_sphere_ids,
                bench_case->figures.depth,
                (double)bench_case->n_sphere_ids / bench_case->figures.n_leaves,
-               median(&bench_case->builds[TILES]), median(&bench_case->builds[BY_COST]),
-               median(&bench_case->builds[KDTREE]));
+               series_median(&bench_case->builds[TILES]),
+               series_median(&bench_case->builds[BY_COST]),
+               series_median(&bench_case->builds[KDTREE]));
         if (has_embree) {
             const Series *embree = &bench_case->builds[EMBREE];
             const Series *parallel = &bench_case->parallel_builds;
             const struct Target *target = target_of(bench_case);
-            printf("  %8.2f  %5.2f  %8.2f  %5.2f", median(embree),
-                   series_ratio(&bench_case->builds[KDTREE], embree).median, median(parallel),
+            printf("  %8.2f  %5.2f  %8.2f  %5.2f", series_median(embree),
+                   series_ratio(&bench_case->builds[KDTREE], embree).median,
+                   series_median(parallel),
                    series_ratio(&bench_case->builds[KDTREE], parallel).median);
             if (target != NULL && target->build > 0) {
                 printf("  target: at most %g times the parallel one", target->build);
@@ -190,15 +179,15 @@ static void print_growth(const Case3D *cases, int n_cases, ReportContext context
             continue;
         }
         const Series *naive = &bench_case->frames[NAIVE], *kdtree = &bench_case->frames[KDTREE];
-        printf("  %9d  %12.2f  %9.2f  %9.3g  %9.2f", bench_case->scene.n_spheres, median(naive),
-               median(kdtree), series_ratio(naive, kdtree).median,
-               median(&bench_case->frames[TILES]));
+        printf("  %9d  %12.2f  %9.2f  %9.3g  %9.2f", bench_case->scene.n_spheres,
+               series_median(naive), series_median(kdtree), series_ratio(naive, kdtree).median,
+               series_median(&bench_case->frames[TILES]));
         if (context.n_threads > 0) {
-            printf("  %9.2f", median(&bench_case->frames[best_of_embree(bench_case)]));
+            printf("  %9.2f", series_median(&bench_case->frames[best_of_embree(bench_case)]));
         }
-        printf("  %10.3f", median(&bench_case->builds[KDTREE]));
+        printf("  %10.3f", series_median(&bench_case->builds[KDTREE]));
         if (context.n_threads > 0) {
-            printf("  %10.3f", median(&bench_case->builds[EMBREE]));
+            printf("  %10.3f", series_median(&bench_case->builds[EMBREE]));
         }
         if (drawn_share(bench_case, NAIVE) < 1) {
             printf("  naive: %.2g%% of the picture, scaled", 100 * drawn_share(bench_case, NAIVE));
@@ -220,7 +209,7 @@ static void print_rates(const Case3D *cases, int n_cases, ReportContext context)
             const Series *kdtree = &cases[i].frames[KDTREE], *embree = &cases[i].frames[EMBREE];
             printf("  %-16s  %8.2f  %8.2f  %6.1f", cases[i].scene_name, mray_s(kdtree),
                    mray_s(embree), target->rate);
-            print_ratio(embree, kdtree);
+            report3d_print_ratio(embree, kdtree);
             printf("\n");
         }
     }
@@ -238,7 +227,7 @@ static void print_tile_rates(const Case3D *cases, int n_cases, int against_embre
             const Renderer other = against_embree ? best_of_embree(&cases[i]) : KDTREE;
             const Series *tiles = &cases[i].frames[TILES], *frames = &cases[i].frames[other];
             printf("  %-16s  %8.2f  %8.2f", cases[i].scene_name, mray_s(tiles), mray_s(frames));
-            print_ratio(frames, tiles);
+            report3d_print_ratio(frames, tiles);
             printf("%s%s\n", against_embree ? "  " : "",
                    against_embree ? RENDERER3D_TITLES[other] : "");
         }
@@ -314,7 +303,7 @@ static void write_builds(FILE *file, const Case3D *bench_case, Renderer renderer
     const Spread ms = spread(&bench_case->builds[renderer < EMBREE ? renderer : EMBREE]);
     fprintf(file, ",%.4f,%.4f,%.4f,", ms.median, ms.min, ms.max);
     if (renderer >= EMBREE) {
-        fprintf(file, "%.4f", median(&bench_case->parallel_builds));
+        fprintf(file, "%.4f", series_median(&bench_case->parallel_builds));
     }
 }
 

@@ -216,12 +216,6 @@ static const struct Way {
 };
 enum { N_WAYS = sizeof WAYS / sizeof *WAYS };
 
-// A part's median in all rounds.
-static double median_of(const Series *series)
-{
-    return spread_of(series->ms, series->n).median;
-}
-
 static void print_way(const Case3D *cases, int n_cases, const struct Way *way)
 {
     const Quantity naive = MOVING(NAIVE), moving = MOVING(way->renderer);
@@ -236,9 +230,9 @@ static void print_way(const Case3D *cases, int n_cases, const struct Way *way)
         const Spread ratio = ratio_of(bench_case, naive, moving);
         printf("  %9d  %10.2f  %10.3f  %10.3f  %10.2f  %10.2f  %17.3g  (%.3g to %.3g)\n",
                bench_case->scene.n_spheres, spread_of_quantity(bench_case, naive).median,
-               median_of(&bench_case->builds[way->renderer]),
-               median_of(&bench_case->copies[way->renderer]),
-               median_of(&bench_case->frames[way->renderer]),
+               series_median(&bench_case->builds[way->renderer]),
+               series_median(&bench_case->copies[way->renderer]),
+               series_median(&bench_case->frames[way->renderer]),
                spread_of_quantity(bench_case, moving).median, ratio.median, ratio.min, ratio.max);
     }
 }
@@ -269,13 +263,14 @@ static void write_row(FILE *file, const Case3D *bench_case, const struct Way *wa
     const Spread ratio = ratio_of(bench_case, naive, moving);
     fprintf(file, "%s,%d,", way->name, bench_case->scene.n_spheres);
     if (has_tree(renderer)) {
-        fprintf(file, "%.4f,%.4f,", median_of(&bench_case->builds[renderer]),
-                median_of(&bench_case->copies[renderer]));
+        fprintf(file, "%.4f,%.4f,", series_median(&bench_case->builds[renderer]),
+                series_median(&bench_case->copies[renderer]));
     } else {
         fprintf(file, ",,");
     }
-    fprintf(file, "%.4f,%.4f,%.4f,%.4f,%.6g,%.6g,%.6g\n", median_of(&bench_case->frames[renderer]),
-            ms.median, ms.min, ms.max, ratio.median, ratio.min, ratio.max);
+    fprintf(file, "%.4f,%.4f,%.4f,%.4f,%.6g,%.6g,%.6g\n",
+            series_median(&bench_case->frames[renderer]), ms.median, ms.min, ms.max, ratio.median,
+            ratio.min, ratio.max);
 }
 
 int report_moving_write_csv(const Case3D *cases, int n_cases, const char *folder)

@@ -28,6 +28,23 @@ Spread spread_of(const double *numbers, int n)
     return (Spread){median, sorted[0], sorted[n - 1]};
 }
 
+double series_median(const Series *series)
+{
+    return spread_of(series->ms, series->n).median;
+}
+
+int series_quickest(const Series *series, int n)
+{
+    int quickest = 0;
+    for (int i = 1; i < n; i++) {
+        if (series[i].n > 0 && (series[quickest].n == 0 ||
+                                series_median(&series[i]) < series_median(&series[quickest]))) {
+            quickest = i;
+        }
+    }
+    return quickest;
+}
+
 Spread series_ratio(const Series *dividend, const Series *divisor)
 {
     double ratios[SERIES_MAX_ROUNDS] = {0};

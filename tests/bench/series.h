@@ -28,6 +28,13 @@ void series_end_round(Series *series);
 // Of n numbers, n > 0; they are left as they are.
 Spread spread_of(const double *numbers, int n);
 
+// The median of a series with times in it.
+double series_median(const Series *series);
+
+// The one of n series whose median is the smallest; those without times do not count, and 0 where
+// none has any.
+int series_quickest(const Series *series, int n);
+
 // The ratio of two series that were measured in the same rounds, and how far it varies from round
 // to round: the median and the spread of the ratios of the rounds' medians. There must be one.
 // The ratio of the medians of all rounds is another figure, and may lie outside of that spread.

@@ -7,6 +7,7 @@
 #define BENCH_SQUARE_RAYS_H
 
 #include "camera_from_view.h"
+#include "embree_peer.h"
 #include "image.h"
 #include "scene3d.h"
 
@@ -20,9 +21,6 @@ typedef struct Square {
 } Square;
 
 // ---- Rays -----------------------------------------------------------------------------------
-
-// No sphere is hit.
-#define NO_SPHERE 0xffffffffu
 
 // The rays of a square of pixels, row by row: an array for each number.
 typedef struct Rays {

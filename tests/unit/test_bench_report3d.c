@@ -1,5 +1,6 @@
-// The 3D bench's report: which of Embree's calls it calls the best, and the ratios to it.
-#include "report3d.h"
+// The 3D bench's report: which of Embree's calls it calls the best, and the ratios to it; of
+// frames, and of shadow and mirrored rays.
+#include "report_secondary.h"
 
 #include "surroundings.h"
 
@@ -84,6 +85,31 @@ static void expect_in(const char *report, const char *part)
     cr_expect_not_null(strstr(report, part), "%s\nis not in\n%s", part, report);
 }
 
+static int begins_with(const char *line, const char *beginning)
+{
+    return beginning != NULL && strncmp(line, beginning, strlen(beginning)) == 0;
+}
+
+// A CSV file has n_rows rows besides its head, all of the same length, and marks those as the best
+// that begin with one text or the other.
+static void expect_best_in_file(const char *name, int n_rows, const char *best,
+                                const char *other_best)
+{
+    char line[512];
+    FILE *file = fopen(name, "r");
+    cr_assert_not_null(file);
+    cr_assert_not_null(fgets(line, sizeof line, file));
+    const int n_commas = count_of(line, ",");
+    int n_found = 0;
+    for (; fgets(line, sizeof line, file) != NULL; n_found++) {
+        const int is_best = strstr(line, ",1\n") != NULL;
+        cr_expect_eq(count_of(line, ","), n_commas, "%s", line);
+        cr_expect_eq(is_best, begins_with(line, best) || begins_with(line, other_best), "%s", line);
+    }
+    fclose(file);
+    cr_expect_eq(n_found, n_rows);
+}
+
 Test(bench_report3d, the_best_of_embrees_calls_has_the_smallest_median)
 {
     const char *report = report_of(flake_make(), (ReportContext){"a device", 1, 2});
@@ -153,17 +179,84 @@ Test(bench_report3d, the_file_marks_the_best_call)
     capture_begin(1);
     cr_assert_eq(report3d_write_csv(flake_make(), 1, "."), 0);
     capture_end(1);
-    char line[512];
-    FILE *file = fopen("bench3d.csv", "r");
-    cr_assert_not_null(file);
-    cr_assert_not_null(fgets(line, sizeof line, file));
-    const int n_commas = count_of(line, ",");
-    int n_rows = 0;
-    for (; fgets(line, sizeof line, file) != NULL; n_rows++) {
-        const int is_best = strstr(line, ",1\n") != NULL;
-        cr_expect_eq(count_of(line, ","), n_commas, "%s", line);
-        cr_expect_eq(is_best, strncmp(line, "embree8,", strlen("embree8,")) == 0, "%s", line);
+    expect_best_in_file("bench3d.csv", 7, "embree8,", NULL);
+}
+
+// ---- Shadow and mirrored rays ---------------------------------------------------------------
+
+// A million shadow rays and half as many mirrored ones, without Embree's streams.
+static SecondaryRays *rays_make(void)
+{
+    static const double ms[N_RAY_KINDS][N_SEARCHERS] = {
+        [SHADOW_RAYS] = {100, 80, 60, 40, 50},
+        [MIRRORED_RAYS] = {50, 20, 25, 30, 40},
+    };
+    static SecondaryRays rays;
+    rays = (SecondaryRays){0};
+    for (int kind = 0; kind < N_RAY_KINDS; kind++) {
+        RayList *list = &rays.lists[kind];
+        list->n_rays = kind == SHADOW_RAYS ? 1000000 : 500000;
+        for (int i = 0; i < N_SEARCHERS; i++) {
+            if (ms[kind][i] > 0) {
+                frames_make(&list->times[i], ms[kind][i]);
+            }
+        }
     }
-    fclose(file);
-    cr_expect_eq(n_rows, 7);
+    rays.lists[SHADOW_RAYS].n_different[EMBREE_SEARCHES + EMBREE_8] = 3;
+    return &rays;
+}
+
+static const char *report_of_rays(const SecondaryRays *rays, ReportContext context)
+{
+    capture_begin(1);
+    report_secondary_print(rays, "sphereflake", context);
+    return capture_end(1);
+}
+
+Test(bench_report3d, each_kind_of_rays_has_its_own_best_call)
+{
+    const char *report = report_of_rays(rays_make(), (ReportContext){"a device", 1, 2});
+    expect_in(report, "  1000000 shadow rays\n  kd-tree (lab 09)      100.00  (10.00 to 2000.00, "
+                      "9 times)  10 Mray/s\n");
+    expect_in(report, "  rtcOccluded8           40.00  (4.00 to 800.00, 9 times)  25 Mray/s, 2 CPU "
+                      "threads: Embree's best; 3 other answers\n");
+    expect_in(report, "  rtcIntersect1          20.00  (2.00 to 400.00, 9 times)  25 Mray/s, 2 CPU "
+                      "threads: Embree's best; 0 other answers\n");
+    cr_expect_eq(count_of(report, "Embree's best"), 2, "%s", report);
+    expect_in(report,
+              "  shadow               10.00     25.00    0.40  (single rounds: 0.40 to 0.40)"
+              "  rtcOccluded8\n");
+    expect_in(report,
+              "  mirrored             10.00     25.00    0.40  (single rounds: 0.40 to 0.40)"
+              "  rtcIntersect1\n");
+    cr_expect_null(strstr(report, "1M"), "%s", report);
+}
+
+Test(bench_report3d, without_embree_there_are_the_rows_of_lab_09)
+{
+    SecondaryRays *rays = rays_make();
+    for (int kind = 0; kind < N_RAY_KINDS; kind++) {
+        for (int i = EMBREE_SEARCHES; i < N_SEARCHERS; i++) {
+            rays->lists[kind].times[i] = (Series){0};
+        }
+    }
+    const char *report = report_of_rays(rays, (ReportContext){"a device", 1, 0});
+    cr_expect_eq(count_of(report, "kd-tree (lab 09)"), 2, "%s", report);
+    cr_expect_null(strstr(report, "Embree"), "%s", report);
+}
+
+Test(bench_report3d, rays_of_a_gpu_are_not_compared_with_embree)
+{
+    const char *report = report_of_rays(rays_make(), (ReportContext){"a device", 0, 2});
+    cr_expect_null(strstr(report, "the best of Embree's calls"), "%s", report);
+    expect_in(report, "rtcOccluded8");
+}
+
+Test(bench_report3d, the_file_of_rays_marks_the_best_call_of_each_kind)
+{
+    capture_begin(1);
+    cr_assert_eq(report_secondary_write_csv(rays_make(), "sphereflake", "."), 0);
+    capture_end(1);
+    expect_best_in_file("bench3d-secondary.csv", 10, "shadow,sphereflake,embree8,",
+                        "mirrored,sphereflake,embree1,");
 }
