@@ -29,7 +29,8 @@ int session_write(const char *folder, const char *name, const char *text)
     return 0;
 }
 
-// One of the solution's files, with the answers to its tasks in their holes. NULL after one message.
+// One of the solution's files, with the answers to its tasks in their holes. NULL after one
+// message.
 static char *solution_text(const Session *session, const char *name, const HoleAnswer answers[],
                            int n)
 {
