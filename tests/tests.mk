@@ -6,7 +6,7 @@ AUTHORS_INCLUDES += -I tests/mutation -I tests/memcheck -I tests/class
 
 # ---- Known answers, and mechanical ones -----------------------------------------------------
 
-$(OUT)/libmutation.a: $(call objects,tests/mutation/mutations.c tests/mutation/known_answer.c)
+$(OUT)/libmutation.a: $(call objects,$(addprefix tests/mutation/,mutations.c known_answer.c groups.c groups_try.c))
 	$(archive)
 $(OUT)/tools/mutants $(OUT)/tools/mutate: $(OUT)/tools/%: $(OUT)/obj/tests/mutation/%.c.o $(OUT)/libmutation.a $(OUT)/libgrader.a $(OUT)/libcommon.a | $(OUT)/libimage_codec.so
 	$(call link,$(LIBRARIES))

@@ -29,34 +29,37 @@ int session_write(const char *folder, const char *name, const char *text)
     return 0;
 }
 
-// One of the solution's files, its hole filled when it is the task's. NULL after one message.
-static char *solution_text(const Session *session, const char *name, const Task *task,
-                           const char *answer)
+// One of the solution's files, with the answers to its tasks in their holes. NULL after one
+// message.
+static char *solution_text(const Session *session, const char *name, const HoleAnswer answers[],
+                           int n)
 {
     char path[PATH_MAX];
     path_make(path, "solutions/%s/%s", session->manifest.lab, name);
     char *text = text_file_read(path);
-    if (text == NULL || task == NULL || strcmp(task->file, name) != 0) {
-        return text;
+    for (int i = 0; text != NULL && i < n; i++) {
+        const Task *task = answers[i].task;
+        if (strcmp(task->file, name) == 0) {
+            char *filled = hole_fill(text, task->id, answers[i].text);
+            if (filled == NULL) {
+                fprintf(stderr, "grade: %s: no hole for task %s\n", path, task->id);
+            }
+            free(text);
+            text = filled;
+        }
     }
-    char *filled = hole_fill(text, task->id, answer);
-    if (filled == NULL) {
-        fprintf(stderr, "grade: %s: no hole for task %s\n", path, task->id);
-    }
-    free(text);
-    return filled;
+    return text;
 }
 
-int session_fill(const Session *session, const char *name, const char *task_id, const char *answer,
+int session_fill(const Session *session, const char *name, const HoleAnswer answers[], int n,
                  Variant *variant)
 {
     char folder[PATH_MAX];
-    const Task *task = task_id ? manifest_task(&session->manifest, task_id) : NULL;
     int result = variant_open(&session->workshop, name, variant, folder);
-    variant->task = task != NULL ? task->id : NULL;
+    variant->task = n == 1 ? answers[0].task->id : NULL;
     for (int i = 0; result == 0 && i < session->manifest.n_files; i++) {
         const char *file = session->manifest.files[i];
-        char *text = solution_text(session, file, task, answer);
+        char *text = solution_text(session, file, answers, n);
         result = text == NULL ? -1 : session_write(folder, file, text);
         free(text);
     }
@@ -125,7 +128,7 @@ int session_open(Session *session, const Settings *settings)
     if (!session->has_solution) {
         return allowance_read_packed(&session->allowance);
     }
-    const int result = session_fill(session, "solution", NULL, NULL, &session->solution);
+    const int result = session_fill(session, "solution", NULL, 0, &session->solution);
     session->solution.is_ours = 1;
     session->has_kept_answers =
         settings->kept_answers != NULL &&

@@ -47,11 +47,15 @@ int session_trust_solution(Session *session);
 // The device's name as a variant's probe saw it, "host" for labs that use none.
 void session_device_name(const Variant *variant, char *name, size_t n_bytes);
 
-// Make a variant of the solution with the content of one hole replaced.
-//   task     the task's id, or NULL for the solution as it is
-//   answer   what goes into its hole
-// Returns 0, or -1 after one message.
-int session_fill(const Session *session, const char *name, const char *task, const char *answer,
+// What goes into the hole of one of the lab's tasks.
+typedef struct HoleAnswer {
+    const Task *task;
+    const char *text;
+} HoleAnswer;
+
+// Make a variant of the solution with the content of n holes replaced, each another one; with none
+// replaced it is the solution as it is. Returns 0, or -1 after one message.
+int session_fill(const Session *session, const char *name, const HoleAnswer answers[], int n,
                  Variant *variant);
 
 // Make a variant of the kernels that were handed in and the host files that are handed out.

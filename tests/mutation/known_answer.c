@@ -1,7 +1,6 @@
 // Reading known answers (see known_answer.h).
 #include "known_answer.h"
 
-#include "alone.h"
 #include "blame.h"
 #include "complain.h"
 #include "text_file.h"
@@ -58,6 +57,57 @@ int answer_check(const Session *session, const KnownAnswer *answer)
     return -1;
 }
 
+int answer_read(KnownAnswer *answer, const Manifest *manifest, const char *path)
+{
+    char task[ANSWER_LINE_BYTES], why_right[ANSWER_LINE_BYTES];
+    *answer = (KnownAnswer){.path = path, .text = text_file_read(path)};
+    answer->is_right = strncmp(path, RIGHT_FOLDER, strlen(RIGHT_FOLDER)) == 0;
+    if (answer->text == NULL || read_header(answer, "task", task) != 0 ||
+        (answer->is_right ? read_header(answer, "right", why_right)
+                          : read_header(answer, "caught by", answer->check) |
+                                read_header(answer, "says", answer->says)) != 0 ||
+        read_mistakes(answer) != 0) {
+        return -1;
+    }
+    answer->task = manifest_task(manifest, task);
+    if (answer->task == NULL) {
+        complain("%s: no task called %s", path, task);
+        return -1;
+    }
+    return 0;
+}
+
+void answer_free(KnownAnswer *answer)
+{
+    free(answer->text);
+    free(answer->why);
+    *answer = (KnownAnswer){0};
+}
+
+int answer_is_named(const KnownAnswer *answer)
+{
+    return answer->mistakes != 0 && (answer->named >> answer->first_mistake & 1);
+}
+
+unsigned answer_misnamed(const KnownAnswer *answer)
+{
+    return answer->named & ~answer->mistakes;
+}
+
+// ---- Which are tried alone ----------------------------------------------------------------------
+
+// How many answers are meant for a check, or are right ones to a task, and how many of them have
+// had their turn.
+typedef struct Turn {
+    int n_meant;
+    int n_past;
+} Turn;
+
+typedef struct Turns {
+    Turn checks[RESULT_MAX_CHECKS];
+    Turn tasks[MANIFEST_MAX_TASKS];
+} Turns;
+
 // Is it known that the check passes alone? The optional line "// alone: passes, ..." says why. That
 // is not tried: who changes a stand-in looks at these lines.
 static int passes_alone(const KnownAnswer *answer)
@@ -66,90 +116,38 @@ static int passes_alone(const KnownAnswer *answer)
 }
 
 // Whose turn it is when this answer comes: the check's it is meant for, or the task's of a right
-// one. NULL where there is no such check or task, or where nothing is to be tried alone.
+// one. NULL where there is no such check, or where nothing is to be tried alone.
 static Turn *turn_of(const Session *session, const KnownAnswer *answer, Turns *turns)
 {
-    const Task *task = manifest_task(&session->manifest, answer->task);
     const int check = answer->is_right ? -1 : answer_check(session, answer);
     if (passes_alone(answer)) {
         return NULL;
     }
     if (answer->is_right) {
-        return task != NULL ? &turns->tasks[task - session->manifest.tasks] : NULL;
+        return &turns->tasks[answer->task - session->manifest.tasks];
     }
     return check >= 0 ? &turns->checks[check] : NULL;
 }
 
-// Shall it be tried alone? A check that needs no other task's answer is judged there by the same
-// inputs in the same way, so nothing would be learnt.
-static int is_to_be_alone(const Session *session, const KnownAnswer *answer, Turns *turns)
+void answers_choose_alone(const Session *session, KnownAnswer *const answers[], int n, int is_each)
 {
-    Turn *turn = turn_of(session, answer, turns);
-    if (turn == NULL) {
-        return 0;
-    }
-    const int is_its_turn = turn->n_past++ == (int)(turns->seed % (uint64_t)turn->n_meant);
-    return (is_its_turn || turns->is_each_alone) &&
-           (answer->is_right ||
-            check_needs_others(&session->judge.checks[answer_check(session, answer)]));
-}
-
-int is_right_answer(const char *path)
-{
-    return strncmp(path, RIGHT_FOLDER, strlen(RIGHT_FOLDER)) == 0;
-}
-
-int answer_read(KnownAnswer *answer, const char *path)
-{
-    char why_right[ANSWER_LINE_BYTES];
-    *answer = (KnownAnswer){.path = path, .text = text_file_read(path)};
-    answer->is_right = is_right_answer(path);
-    return answer->text == NULL || read_header(answer, "task", answer->task) != 0 ||
-                   (answer->is_right ? read_header(answer, "right", why_right)
-                                     : read_header(answer, "caught by", answer->check) |
-                                           read_header(answer, "says", answer->says)) != 0 ||
-                   read_mistakes(answer) != 0
-               ? -1
-               : 0;
-}
-
-void turns_count(Turns *turns, const Session *session, char *const *paths, int n)
-{
-    turns->seed = session->settings->seed;
+    Turns turns = {0};
     for (int i = 0; i < n; i++) {
-        KnownAnswer answer;
-        Turn *turn = answer_read(&answer, paths[i]) == 0 ? turn_of(session, &answer, turns) : NULL;
+        Turn *turn = turn_of(session, answers[i], &turns);
         if (turn != NULL) {
             turn->n_meant++;
         }
-        answer_free(&answer);
     }
-}
-
-int answer_open(KnownAnswer *answer, Session *session, const char *path, int slot, Turns *turns)
-{
-    char whole[24], alone[24];
-    if (answer_read(answer, path) != 0) {
-        return -1;
+    for (int i = 0; i < n; i++) {
+        const KnownAnswer *answer = answers[i];
+        Turn *turn = turn_of(session, answer, &turns);
+        const int is_its_turn = turn != NULL && turn->n_past++ == (int)(session->settings->seed %
+                                                                        (uint64_t)turn->n_meant);
+        // A check that needs no other task's answer is judged alone by the same inputs in the same
+        // way, so nothing would be learnt.
+        answers[i]->is_tried_alone =
+            turn != NULL && (is_its_turn || is_each) &&
+            (answer->is_right ||
+             check_needs_others(&session->judge.checks[answer_check(session, answer)]));
     }
-    if (manifest_task(&session->manifest, answer->task) == NULL) {
-        complain("%s: no task called %s", path, answer->task);
-        return -1;
-    }
-    const Task *task = manifest_task(&session->manifest, answer->task);
-    snprintf(whole, sizeof whole, "answer-%d", slot);
-    snprintf(alone, sizeof alone, "alone-%d", slot);
-    const int filled = session_fill(session, whole, answer->task, answer->text, &answer->variant);
-    answer->is_tried_alone = is_to_be_alone(session, answer, turns);
-    return !answer->is_tried_alone
-               ? filled
-               : filled | alone_fill(session, alone, task, answer->text, NULL, &answer->alone);
-}
-
-void answer_free(KnownAnswer *answer)
-{
-    variant_free(&answer->variant);
-    variant_free(&answer->alone);
-    free(answer->text);
-    *answer = (KnownAnswer){0};
 }

@@ -168,7 +168,8 @@ static int try_mutants(Session *session, Mutant *const mutants[], int n)
         snprintf(name, sizeof name, "mutant-%d", i);
         char *answer = mutation_apply(mutants[i]->hole, mutants[i]->mutation);
         variants[i] = &opened[i];
-        result |= session_fill(session, name, mutants[i]->task->id, answer, variants[i]);
+        result |=
+            session_fill(session, name, &(HoleAnswer){mutants[i]->task, answer}, 1, variants[i]);
         free(answer);
     }
     result = result != 0 ? result : session_run(session, variants, n);

@@ -9,8 +9,8 @@ tools=${BUILD:-build}/tools
 # The seeds are fixed, as this is about the answers, and other seeds would be another test. What
 # catches them stands in every job; `make test-seeds` shows it with 20.
 seeds=${SEEDS:-2}
-# Each is compiled and run, more than a thousand in all: here about 220 of them, for time; `make
-# test-seeds` tries all.
+# There are more than a thousand: here about 220 of them, for time, and answers to different tasks
+# together where that says as much of each; `make test-seeds` tries all, each by itself.
 every=${EVERY:-8}
 
 for folder in tests/mutants/"${LAB:-}"*/; do

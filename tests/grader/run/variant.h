@@ -23,7 +23,7 @@ typedef struct Variant {
     int is_extra;                        // no points depend on it: it is tried once, and may fail
     int is_checked;    // built and run with the address sanitizer: see variant_find_line()
     int is_race;       // the lab's race runs in the place of its probe: see variant_race()
-    const char *task;  // whose answer stands in the solution of the others; NULL: a submission
+    const char *task;  // whose answer stands in our solution; NULL: a submission, or several
     int is_changed;  // tried alone in files that differ from those handed out in more than answers
     const char *alone;  // whose answer is tried alone, with a job of its own; NULL: all of them
     int is_told;        // the report says already how and where it ended
