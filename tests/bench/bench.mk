@@ -18,6 +18,9 @@ $(OUT)/obj/tests/bench/embree_peer.c.o: EXTRA = $(BENCH_INCLUDES) -O3 -march=nat
     -fno-math-errno -fno-trapping-math \
     $(if $(EMBREE),-DWITH_EMBREE=$(EMBREE))
 $(OUT)/obj/tests/bench/embree_peer.c.o $(OUT)/obj/tests/bench/cairo_peer.c.o: $(OUT)/peers
+# The frame of 3D trees on several threads, and who says on how many.
+$(OUT)/obj/tests/bench/grow_on_threads.c.o $(OUT)/obj/tests/bench/bench3d.c.o: EXTRA = $(BENCH_INCLUDES) -fopenmp
+$(OUT)/tools/bench3d: LDFLAGS += -fopenmp
 .PHONY: always
 $(OUT)/peers: always
 	@mkdir -p $(@D)
