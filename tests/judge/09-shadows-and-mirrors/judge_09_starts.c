@@ -223,20 +223,21 @@ static int is_one_distance(const Job09 *job, int first, int end, const Vec3 *fou
     return i == end;
 }
 
-// By which distance the points of a range are moved is said where rounding is least.
-static double surest_distance(const Job09 *job, Range range, const Vec3 *found)
+// By which distance the points are moved is said where rounding is least: where the numbers are
+// small, so that this is also where no more than a least distance is needed.
+static double surest_distance(const Job09 *job, const Vec3 *found)
 {
-    Moved surest = moved(&job->starts[range.first], found[range.first]);
-    for (int j = range.first + 1; j < range.first + range.n; j++) {
+    Moved surest = moved(&job->starts[0], found[0]);
+    for (int j = 1; j < COUNT(job->starts); j++) {
         const Moved own = moved(&job->starts[j], found[j]);
         surest = own.rounding < surest.rounding ? own : surest;
     }
     return surest.along;
 }
 
-static Cause cause_of_distance(const Job09 *job, Range range, const Vec3 *found)
+static Cause cause_of_distance(const Job09 *job, const Vec3 *found)
 {
-    const double distance = surest_distance(job, range, found);
+    const double distance = surest_distance(job, found);
     if (is_one_distance(job, 0, COUNT(job->starts), found, distance, 0)) {
         return (Cause){.says = "the same distance everywhere: rounding grows with the numbers"};
     }
@@ -268,7 +269,7 @@ static Cause explain_start(const void *pointer, Range range, const void *answers
     if (n_far == range.n) {
         return (Cause){.says = "farther than needed: what is near is not seen"};
     }
-    return cause_of_distance(job, range, answers);
+    return cause_of_distance(job, answers);
 }
 
 const Function start_09 = {"starts",
