@@ -20,7 +20,6 @@ $(OUT)/obj/tests/bench/embree_peer.c.o: EXTRA = $(BENCH_INCLUDES) -O3 -march=nat
 $(OUT)/obj/tests/bench/embree_peer.c.o $(OUT)/obj/tests/bench/cairo_peer.c.o: $(OUT)/peers
 # The frame of 3D trees on several threads, and who says on how many.
 $(OUT)/obj/tests/bench/grow_on_threads.c.o $(OUT)/obj/tests/bench/bench3d.c.o: EXTRA = $(BENCH_INCLUDES) -fopenmp
-$(OUT)/tools/bench3d: LDFLAGS += -fopenmp
 .PHONY: always
 $(OUT)/peers: always
 	@mkdir -p $(@D)
@@ -33,7 +32,7 @@ $(OUT)/libbench.a: $(call objects,$(filter-out tests/bench/bench%d.c,$(wildcard 
 	$(archive)
 
 $(OUT)/tools/bench2d $(OUT)/tools/bench3d: $(OUT)/tools/%: $(OUT)/obj/tests/bench/%.c.o $(OUT)/libbench.a $(OUT)/libcommon.a
-	$(call link,$(LIBRARIES) $(if $(EMBREE),-lembree$(EMBREE)) $(if $(CAIRO),-lcairo) -pthread -lm)
+	$(call link,$(LIBRARIES) $(if $(EMBREE),-lembree$(EMBREE)) $(if $(CAIRO),-lcairo) -fopenmp -pthread -lm)
 
 .PHONY: bench
 bench:  ## install what is missing, measure naive against kd-tree in 2D and 3D, plot to build/bench
