@@ -87,8 +87,8 @@ static int add_nodes(Builder *builder, u32 n)
 
 // ---- Dividing nodes -------------------------------------------------------------------------
 
-// Ask for a node's spheres, all at once. They lie far apart in memory, and waiting for one after the
-// other is most of what building takes.
+// Ask for a node's spheres, all at once. They lie far apart in memory, and waiting for one after
+// the other is most of what building takes.
 static void fetch_spheres(const Sphere *h_spheres, const KdOpenNode *node)
 {
     for (u32 i = 0; node->n_ids <= MOST_FETCHED && i < node->n_ids; i++) {

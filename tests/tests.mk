@@ -108,9 +108,12 @@ $(OUT)/tests/test_plane_trees: $(call objects,tests/figures/plane_trees.c)
 # The figures that the bench prints.
 $(OUT)/obj/tests/unit/test_bench_report.c.o: EXTRA = $(BENCH_INCLUDES) -I tests/bench
 $(OUT)/tests/test_bench_report: $(call objects,tests/bench/report.c tests/bench/series.c)
-$(addprefix $(OUT)/obj/tests/unit/,test_bench_report3d.c.o test_bench_report_moving.c.o): EXTRA = $(BENCH_INCLUDES) -I tests/bench
+$(addprefix $(OUT)/obj/tests/unit/,test_bench_report3d.c.o test_bench_report_moving.c.o test_bench_builds.c.o): EXTRA = $(BENCH_INCLUDES) -I tests/bench
 $(OUT)/tests/test_bench_report3d: $(call objects,tests/bench/report3d.c tests/bench/roofline.c tests/bench/series.c)
 $(OUT)/tests/test_bench_report_moving: $(call objects,tests/bench/report_moving.c tests/bench/series.c)
+$(OUT)/tests/test_bench_builds: LDFLAGS += $(MEMORY_COUNTING)
+$(OUT)/tests/test_bench_builds: $(call objects,$(addprefix tests/bench/,report_builds.c case_build.c counted_memory.c \
+    growth.c handed_on.c series.c) $(BUILDERS) solutions/08-surface-area-heuristic/kdtree3d_sah.c)
 
 # Lab 02's builder with a distribute() that returns more circles than it was given.
 TOO_MANY = $(OUT)/wrong/returns-too-many.c
@@ -138,7 +141,7 @@ unit-tests: $(filter-out $(NATIVE_TEST),$(UNIT_TESTS))
 # What the suites run with the sanitizers: solutions, whose skeletons have the same code around the holes.
 watched: unit-tests $(filter $(OUT)/solutions/% $(OUT)/view/solutions/% $(OUT)/pixel/solutions/%,$(PROGRAMS) $(VIEWS) $(PIXELS))
 # The bench is built here, too: it must not break unnoticed.
-tests: all $(OUT)/tools/bench2d $(OUT)/tools/bench3d $(NATIVE_TEST) $(JUDGES) $(LAB_JUDGES) $(SUITE_TOOLS) $(OUT)/tests/no_images.so views pixels $(FIGURES) $(OUT)/tools/plane_costs  ## build all that the tests run
+tests: all $$(BENCH_PROGRAMS) $(NATIVE_TEST) $(JUDGES) $(LAB_JUDGES) $(SUITE_TOOLS) $(OUT)/tests/no_images.so views pixels $(FIGURES) $(OUT)/tools/plane_costs  ## build all that the tests run
 	@$(MAKE) --no-print-directory SANITIZE=1 watched
 check: tests  ## run the tests without installing anything
 	@BUILD="$(BUILD)" tests/run.sh

@@ -1,4 +1,4 @@
-# How fast: the bench of naive against kd-tree, in 2D and in 3D.
+# How fast: the bench of naive against kd-tree, in 2D and in 3D, and of building.
 
 # Embree, which the 3D bench compares with where its package is installed: version 4, or 3.
 EMBREE := $(firstword $(foreach v,4 3,$(if $(wildcard /usr/include/embree$(v)/rtcore.h),$(v))))
@@ -18,27 +18,35 @@ $(OUT)/obj/tests/bench/embree_peer.c.o: EXTRA = $(BENCH_INCLUDES) -O3 -march=nat
     -fno-math-errno -fno-trapping-math \
     $(if $(EMBREE),-DWITH_EMBREE=$(EMBREE))
 $(OUT)/obj/tests/bench/embree_peer.c.o $(OUT)/obj/tests/bench/cairo_peer.c.o: $(OUT)/peers
-# The frame of 3D trees on several threads, and who says on how many.
-$(OUT)/obj/tests/bench/grow_on_threads.c.o $(OUT)/obj/tests/bench/bench3d.c.o: EXTRA = $(BENCH_INCLUDES) -fopenmp
+# The frame of 3D trees on several threads: in bench3d alone, which says on how many.
+GROW_ON_THREADS = tests/bench/grow_on_threads.c
+$(OUT)/obj/$(GROW_ON_THREADS).o $(OUT)/obj/tests/bench/bench3d.c.o: EXTRA = $(BENCH_INCLUDES) -fopenmp
+$(OUT)/tools/bench3d: $(call objects,$(GROW_ON_THREADS))
+$(OUT)/tools/bench3d: LDFLAGS += -fopenmp
 .PHONY: always
 $(OUT)/peers: always
 	@mkdir -p $(@D)
 	@echo "$(EMBREE) $(CAIRO)" | cmp -s - $@ || echo "$(EMBREE) $(CAIRO)" >$@
 
-$(OUT)/libbench.a: $(call objects,$(filter-out tests/bench/bench%d.c,$(wildcard tests/bench/*.c)) \
+BENCHES = bench2d bench3d bench_builds
+BENCH_PROGRAMS = $(BENCHES:%=$(OUT)/tools/%)
+$(OUT)/libbench.a: $(call objects,$(filter-out $(BENCHES:%=tests/bench/%.c) $(GROW_ON_THREADS),$(wildcard tests/bench/*.c)) \
     $(BUILDERS) solutions/05-spheres/scene_buffers.c \
     $(addprefix solutions/08-surface-area-heuristic/,kdtree3d_sah.c tree_buffers.c tree_report.c) \
     $(addprefix solutions/10-realtime/,circle_tree.c circles.c tile_buffers.c))
 	$(archive)
 
-$(OUT)/tools/bench2d $(OUT)/tools/bench3d: $(OUT)/tools/%: $(OUT)/obj/tests/bench/%.c.o $(OUT)/libbench.a $(OUT)/libcommon.a
-	$(call link,$(LIBRARIES) $(if $(EMBREE),-lembree$(EMBREE)) $(if $(CAIRO),-lcairo) -fopenmp -pthread -lm)
+# Allocations of whoever counts them lead to counted_memory.c.
+MEMORY_COUNTING = -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
+$(OUT)/tools/bench_builds: LDFLAGS += $(MEMORY_COUNTING)
+$(BENCH_PROGRAMS): $(OUT)/tools/%: $(OUT)/obj/tests/bench/%.c.o $(OUT)/libbench.a $(OUT)/libcommon.a
+	$(call link,$(LIBRARIES) $(if $(EMBREE),-lembree$(EMBREE)) $(if $(CAIRO),-lcairo) -pthread -lm)
 
 .PHONY: bench
-bench:  ## install what is missing, measure naive against kd-tree in 2D and 3D, plot to build/bench
+bench:  ## install what is missing, measure naive against kd-tree in 2D and 3D, and how builds grow; plot to build/bench
 	@common/setup/install.sh bench
-	@$(MAKE) --no-print-directory $(OUT)/tools/bench2d $(OUT)/tools/bench3d
-	@for bench in bench2d bench3d; do \
+	@$(MAKE) --no-print-directory $(BENCH_PROGRAMS)
+	@for bench in $(BENCHES); do \
 	    $(OUT)/tools/$$bench --output $(OUT)/bench $(if $(DEVICE),--device "$$DEVICE") \
 	        $(if $(ROUNDS),--rounds "$$ROUNDS") && \
 	    for plot in tests/bench/$$bench*.gnuplot; do \

@@ -1,4 +1,4 @@
-// The command line of the benches: both take the same options.
+// The command line of the benches: all take the same options.
 //
 // Read next: rounds.h.
 #ifndef BENCH_BENCH_OPTIONS_H

@@ -11,8 +11,8 @@
 
 // ---- Drawing ------------------------------------------------------------------------------------
 
-// How wide a cone is: of a tile that sees much, of a usual one and the widest of those, or so narrow
-// that squares lose the digits that decide.
+// How wide a cone is: of a tile that sees much, of a usual one and the widest of those, or so
+// narrow that squares lose the digits that decide.
 typedef enum Width { WIDE, USUAL, WIDEST_USUAL, NARROW } Width;
 
 static void draw_cone(Random *random, ConeJob *job, Width width)

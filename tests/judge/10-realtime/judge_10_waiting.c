@@ -30,7 +30,7 @@ static TileWaitingJob draw_waiting(Random *random)
     } else if (kind == 2) {
         // Before all that waits, and now and then before the leaf, too.
         job.farthest = random_quarters(random, 1, one_in(random, 2) ? 3 : 30);
-    } else if (n > 0 && kind == 3) {                    // the least before where one begins
+    } else if (n > 0 && kind == 3) {  // the least before where one begins
         const StackEntry waits = job.todo.upper[random_integer(random, 0, (int)n - 1)];
         job.farthest = nextafterf(waits.t_min, 0);
     } else if (n > 0 && kind == 4) {  // the least behind that
