@@ -1,7 +1,9 @@
 // Growing a 3D kd-tree level by level (see tree3d_grow.h).
 //
-// Flow: scene -> BUFFERS -> kernel -> image -> comparison. As in lab 02, function by function; only
-// the cell goes along with the open node here, as the tree does not keep it.
+// Flow: scene -> BUFFERS -> kernel -> image -> comparison. The steps are those of lab 02, but two
+// things differ. The cell goes along with the open node, as the tree does not keep it. And a level
+// is done in two passes: its nodes are divided, each for itself, so that several threads may share
+// them; then they are closed one after the other, so that ids come out in the same order.
 #include "tree3d_grow.h"
 
 #include "array_reserve.h"
@@ -13,20 +15,21 @@
 // What a user can do about a tree that grows too large.
 #define ADVICE "; choose a smaller --max-depth or a larger --leaf-size"
 
-// An open node in its level.
-typedef struct OpenNode {
-    BBox3D box;
-    u32 first_id;  // where its spheres start in the ids of its level
-    u32 n_ids;
-    int n_failed;
-} OpenNode;
+// Threads take a level's nodes in about so many shares: few enough that taking them costs nothing,
+// and so many that all threads end together.
+#define N_SHARES 256
+
+// Spheres of larger nodes are not fetched: with a cache line of 64 bytes for each, more than these
+// would not stay in a core's cache until they are looked at.
+#define MOST_FETCHED 4096
 
 // One level of the tree while it is built: its open nodes in order, and their spheres.
 typedef struct Level {
-    OpenNode *open;  // [n_open]
-    u32 *ids;        // [n_ids], ascending in each open node
+    KdOpenNode *open;  // [n_open]
+    u32 *ids;          // the open nodes' lists, with gaps between them
+    u32 n_ids;         // in all lists together
     u32 n_open, open_capacity;
-    u32 n_ids, id_capacity;
+    u32 id_capacity;
 } Level;
 
 static void level_free(Level *level)
@@ -36,16 +39,25 @@ static void level_free(Level *level)
     *level = (Level){0};
 }
 
-// Room for n_open more open nodes and n_ids more ids. Returns 0, or -1 when memory runs out.
-static int level_reserve(Level *level, u32 n_open, u32 n_ids)
+// Empty a level, and make room for n_open nodes and n_ids ids. Returns 0, or -1 when memory runs
+// out.
+static int level_clear(Level *level, u32 n_open, u32 n_ids)
 {
-    OpenNode *open =
-        array_reserve(level->open, level->n_open, n_open, &level->open_capacity, sizeof *open);
+    level->n_open = level->n_ids = 0;
+    KdOpenNode *open = array_reserve(level->open, 0, n_open, &level->open_capacity, sizeof *open);
     level->open = open != NULL ? open : level->open;
-    u32 *ids = array_reserve(level->ids, level->n_ids, n_ids, &level->id_capacity, sizeof *ids);
+    u32 *ids = array_reserve(level->ids, 0, n_ids, &level->id_capacity, sizeof *ids);
     level->ids = ids != NULL ? ids : level->ids;
     return open != NULL && ids != NULL ? 0 : -1;
 }
+
+// What the steps have made of an open node.
+typedef struct Division {
+    int is_inner;
+    KdSplit split;
+    u32 *child_ids[2];  // in the next level, with room for all of the node's spheres each
+    u32 n_child_ids[2];
+} Division;
 
 // The tree while it grows, and the capacity of its arrays.
 typedef struct Builder {
@@ -54,6 +66,8 @@ typedef struct Builder {
     KdTree3D tree;
     u32 node_capacity;
     u32 id_capacity;
+    Division *divisions;  // of the nodes of a level
+    u32 division_capacity;
 } Builder;
 
 // Append n nodes, still open. Returns 0, or -1 when memory runs out.
@@ -71,47 +85,94 @@ static int add_nodes(Builder *builder, u32 n)
     return 0;
 }
 
-// Append an open child to the next level, with those of its parent's spheres that overlap its cell.
-// Returns NULL, or what went wrong.
-static const char *add_child(const Builder *builder, const u32 *ids, u32 n_ids, BBox3D box,
-                             Level *next)
+// ---- Dividing nodes -------------------------------------------------------------------------
+
+// Ask for a node's spheres, all at once. They lie far apart in memory, and waiting for one after
+// the other is most of what building takes.
+static void fetch_spheres(const Sphere *h_spheres, const KdOpenNode *node)
 {
-    const u32 n_child_ids = builder->steps->distribute_spheres(builder->h_spheres, ids, n_ids, box,
-                                                               next->ids + next->n_ids);
-    if (n_child_ids > n_ids) {
-        return "distribute_spheres() returned more spheres than the node has";
+    for (u32 i = 0; node->n_ids <= MOST_FETCHED && i < node->n_ids; i++) {
+        __builtin_prefetch(&h_spheres[node->ids[i]]);
     }
-    next->open[next->n_open++] = (OpenNode){box, next->n_ids, n_child_ids, 0};
-    next->n_ids += n_child_ids;
+}
+
+// The cell of a node's lower child, 0, or of its higher one, 1.
+static BBox3D child_box(BBox3D box, KdSplit split, int child)
+{
+    (child == 0 ? box.max : box.min)[split.axis] = split.pos;
+    return box;
+}
+
+// Let the steps divide a node. Nothing is written but the division and the children's lists: nodes
+// may be divided in any order, and several at once.
+static void divide_node(const Builder *builder, const KdOpenNode *node, Division *division)
+{
+    const KdSteps *steps = builder->steps;
+    fetch_spheres(builder->h_spheres, node);
+    division->is_inner = steps->choose_split(steps->rules, node, &division->split);
+    if (!division->is_inner || division->split.axis > 2) {
+        return;  // of a wrong axis close_as_inner() tells
+    }
+    for (int child = 0; child < 2; child++) {
+        division->n_child_ids[child] = steps->distribute_spheres(
+            builder->h_spheres, node->ids, node->n_ids,
+            child_box(node->box, division->split, child), division->child_ids[child]);
+    }
+}
+
+// Divide every node of a level. Returns NULL, or what went wrong.
+static const char *divide_level(Builder *builder, const Level *level, Level *next)
+{
+    Division *divisions = array_reserve(builder->divisions, 0, level->n_open,
+                                        &builder->division_capacity, sizeof *divisions);
+    builder->divisions = divisions != NULL ? divisions : builder->divisions;
+    // Each child may get all of its parent's spheres.
+    if (divisions == NULL || level_clear(next, 2 * level->n_open, 2 * level->n_ids) != 0) {
+        return "no memory" ADVICE;
+    }
+    u32 *place = next->ids;
+    for (u32 i = 0; i < level->n_open; i++) {
+        const u32 n_ids = level->open[i].n_ids;
+        divisions[i] = (Division){.child_ids = {place, place + n_ids}};
+        place += 2 * n_ids;
+    }
+#ifdef _OPENMP
+#pragma omp parallel for schedule(dynamic, 1 + level->n_open / N_SHARES)
+#endif
+    for (u32 i = 0; i < level->n_open; i++) {
+        divide_node(builder, &level->open[i], &divisions[i]);
+    }
     return NULL;
 }
 
+// ---- Closing nodes --------------------------------------------------------------------------
+
 // Turn node `id`, open on its level, into an inner node with two open children. Returns NULL, or
 // what went wrong.
-static const char *close_as_inner(Builder *builder, u32 id, const KdOpenNode *node, KdSplit split,
-                                  Level *next)
+static const char *close_as_inner(Builder *builder, u32 id, const KdOpenNode *node,
+                                  const Division *division, Level *next)
 {
+    const KdSplit split = division->split;
+    const u32 *n_ids = division->n_child_ids;
     if (split.axis > 2) {
         return "the axis of a split is not 0, 1 or 2";
     }
-    // Each child may get all of them.
-    if (level_reserve(next, 2, 2 * node->n_ids) != 0 || add_nodes(builder, 2) != 0) {
+    if (n_ids[0] > node->n_ids || n_ids[1] > node->n_ids) {
+        return "distribute_spheres() returned more spheres than the node has";
+    }
+    if (add_nodes(builder, 2) != 0) {
         return "no memory" ADVICE;
     }
     builder->tree.nodes[id] = (KdNode3){
         .split_pos = split.pos, .split_axis = split.axis, .first = builder->tree.n_nodes - 2};
-    BBox3D lower = node->box, higher = node->box;
-    lower.max[split.axis] = higher.min[split.axis] = split.pos;
-    const char *failure = add_child(builder, node->ids, node->n_ids, lower, next);
-    if (failure == NULL) {
-        failure = add_child(builder, node->ids, node->n_ids, higher, next);
+    const int n_failed = node->n_failed + split_failed(node->n_ids, n_ids[0], n_ids[1]);
+    for (int child = 0; child < 2; child++) {
+        next->open[next->n_open++] =
+            (KdOpenNode){child_box(node->box, split, child), division->child_ids[child],
+                         n_ids[child], node->level + 1, n_failed};
+        next->n_ids += n_ids[child];
     }
-    if (failure == NULL) {
-        OpenNode *children = next->open + next->n_open - 2;
-        children[0].n_failed = children[1].n_failed =
-            node->n_failed + split_failed(node->n_ids, children[0].n_ids, children[1].n_ids);
-    }
-    return failure;
+    return NULL;
 }
 
 // Turn node `id`, open on its level, into a leaf. Returns NULL, or what went wrong.
@@ -132,15 +193,14 @@ static const char *close_as_leaf(Builder *builder, u32 id, const u32 *ids, u32 n
 }
 
 // Turn node `id` into a leaf or an inner node. Returns NULL, or what went wrong.
-static const char *close_node(Builder *builder, u32 id, const KdOpenNode *node, Level *next)
+static const char *close_node(Builder *builder, u32 id, const KdOpenNode *node,
+                              const Division *division, Level *next)
 {
-    const KdSteps *steps = builder->steps;
-    KdSplit split = {0};
-    if (!steps->choose_split(steps->rules, node, &split)) {
+    if (!division->is_inner) {
         return close_as_leaf(builder, id, node->ids, node->n_ids);
     }
-    return steps->fits_todo(node->level)
-               ? close_as_inner(builder, id, node, split, next)
+    return builder->steps->fits_todo(node->level)
+               ? close_as_inner(builder, id, node, division, next)
                : "the tree would be too deep for the todo stack (TODO_SIZE)" ADVICE;
 }
 
@@ -153,18 +213,15 @@ static const char *too_large(const KdTree3D *tree, const Level *next)
                : NULL;
 }
 
-// Close every node of a level; their children make the next one. Returns NULL, or what went wrong.
-static const char *close_level(Builder *builder, int level_number, const Level *level, Level *next)
+// Close every node of a level, in order; their children make the next one. Returns NULL, or what
+// went wrong.
+static const char *close_level(Builder *builder, const Level *level, Level *next)
 {
     // The level's nodes are the last of the tree: ids come out in breadth-first order.
     const u32 first_id = builder->tree.n_nodes - level->n_open;
-    const char *failure = NULL;
-    next->n_open = next->n_ids = 0;
+    const char *failure = divide_level(builder, level, next);
     for (u32 i = 0; failure == NULL && i < level->n_open; i++) {
-        const OpenNode open = level->open[i];
-        const KdOpenNode node = {open.box, level->ids + open.first_id, open.n_ids, level_number,
-                                 open.n_failed};
-        failure = close_node(builder, first_id + i, &node, next);
+        failure = close_node(builder, first_id + i, &level->open[i], &builder->divisions[i], next);
         if (failure == NULL) {
             failure = too_large(&builder->tree, next);
         }
@@ -175,15 +232,15 @@ static const char *close_level(Builder *builder, int level_number, const Level *
 // The first level: the root, with every sphere. Returns NULL, or what went wrong.
 static const char *open_root(Builder *builder, u32 n_spheres, Level *level)
 {
-    if (level_reserve(level, 1, n_spheres) != 0 || add_nodes(builder, 1) != 0) {
+    if (level_clear(level, 1, n_spheres) != 0 || add_nodes(builder, 1) != 0) {
         return "no memory" ADVICE;
     }
     for (u32 i = 0; i < n_spheres; i++) {
         level->ids[i] = i;
     }
-    level->n_ids = n_spheres;
-    level->open[0] = (OpenNode){builder->tree.bounds, 0, n_spheres, 0};
+    level->open[0] = (KdOpenNode){builder->tree.bounds, level->ids, n_spheres, 1, 0};
     level->n_open = 1;
+    level->n_ids = n_spheres;
     return NULL;
 }
 
@@ -193,14 +250,15 @@ int tree3d_grow(const KdSteps *steps, const Sphere *h_spheres, u32 n_spheres, BB
     Builder builder = {.steps = steps, .h_spheres = h_spheres, .tree.bounds = bounds};
     Level level = {0}, next = {0};
     const char *failure = open_root(&builder, n_spheres, &level);
-    for (int number = 1; failure == NULL && level.n_open > 0; number++) {
-        failure = close_level(&builder, number, &level, &next);
+    while (failure == NULL && level.n_open > 0) {
+        failure = close_level(&builder, &level, &next);
         const Level closed = level;
         level = next;
         next = closed;
     }
     level_free(&level);
     level_free(&next);
+    free(builder.divisions);
     if (failure != NULL) {
         complain("%s: %s", steps->name, failure);
         tree3d_free(&builder.tree);

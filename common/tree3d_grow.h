@@ -31,7 +31,9 @@ typedef struct KdOpenNode {
 // Returns 1, or 0 when it stays a leaf.
 typedef int ChooseSplit(const void *rules, const KdOpenNode *node, KdSplit *split);
 
-// The steps of building, as a lab has them. Contracts: kdtree3d_build.h of lab 06.
+// The steps of building, as a lab has them. Contracts: kdtree3d_build.h of lab 06. Where the frame
+// is compiled with -fopenmp, choose_split and distribute_spheres are called by several threads at
+// once.
 typedef struct KdSteps {
     const char *name;  // of the builder, for messages
     ChooseSplit *choose_split;
@@ -42,7 +44,8 @@ typedef struct KdSteps {
     int (*fits_todo)(int level);
 } KdSteps;
 
-// Grow a tree over spheres.
+// Grow a tree over spheres: on one thread, as labs and grader do; where this is compiled with
+// -fopenmp, on as many as OpenMP is told (omp_set_num_threads()). The tree is the same to the bit.
 //   h_spheres[n_spheres]  centres and radii in scene units; not modified
 //   bounds                the root's cell
 //   tree                  out; release with tree3d_free()

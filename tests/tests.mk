@@ -97,6 +97,10 @@ $(OUT)/obj/tests/unit/test_flight.c.o $(OUT)/obj/tests/unit/test_poses.c.o: EXTR
 $(OUT)/tests/test_flight: $(call objects,common/follow/flight.c)
 $(OUT)/tests/test_poses: $(call objects,common/view/poses.c common/follow/world.c)
 
+# The frame of 3D trees with OpenMP.
+$(OUT)/obj/tests/unit/test_tree3d_threads.c.o: EXTRA = $(GRADER_INCLUDES) -I solutions/08-surface-area-heuristic -fopenmp
+$(OUT)/tests/test_tree3d_threads: LDFLAGS += -fopenmp
+
 # What a figure says of trees in the plane.
 $(OUT)/obj/tests/unit/test_plane_trees.c.o: EXTRA = $(GRADER_INCLUDES) -I tests/figures
 $(OUT)/tests/test_plane_trees: $(call objects,tests/figures/plane_trees.c)

@@ -20,6 +20,11 @@ $(EMBREE_OBJECTS): EXTRA = $(BENCH_INCLUDES) -O3 -march=native \
     -fno-math-errno -fno-trapping-math \
     $(if $(EMBREE),-DWITH_EMBREE=$(EMBREE))
 $(EMBREE_OBJECTS) $(OUT)/obj/tests/bench/cairo_peer.c.o: $(OUT)/peers
+# The frame of 3D trees on several threads: in bench3d alone, which says on how many.
+GROW_ON_THREADS = tests/bench/grow_on_threads.c
+$(OUT)/obj/$(GROW_ON_THREADS).o $(OUT)/obj/tests/bench/bench3d.c.o: EXTRA = $(BENCH_INCLUDES) -fopenmp
+$(OUT)/tools/bench3d: $(call objects,$(GROW_ON_THREADS))
+$(OUT)/tools/bench3d: LDFLAGS += -fopenmp
 .PHONY: always
 $(OUT)/peers: always
 	@mkdir -p $(@D)
@@ -27,7 +32,7 @@ $(OUT)/peers: always
 
 BENCHES = bench2d bench3d bench_builds
 BENCH_PROGRAMS = $(BENCHES:%=$(OUT)/tools/%)
-$(OUT)/libbench.a: $(call objects,$(filter-out $(BENCHES:%=tests/bench/%.c),$(wildcard tests/bench/*.c)) \
+$(OUT)/libbench.a: $(call objects,$(filter-out $(BENCHES:%=tests/bench/%.c) $(GROW_ON_THREADS),$(wildcard tests/bench/*.c)) \
     $(BUILDERS) solutions/05-spheres/scene_buffers.c \
     $(addprefix solutions/08-surface-area-heuristic/,kdtree3d_sah.c tree_buffers.c tree_report.c) \
     $(addprefix solutions/10-realtime/,circle_tree.c circles.c tile_buffers.c))

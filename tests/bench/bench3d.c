@@ -20,6 +20,7 @@
 #include "secondary_rays.h"
 #include "stats.h"
 
+#include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>
@@ -47,7 +48,7 @@ typedef struct Bench {
     ClSetup cl;
     cl_program programs[N_PROGRAMS];
     Pictures3D pictures;
-    int n_threads;  // of Embree; 0 when it does not take part
+    int n_threads;  // of Embree, and of trees built beside its; 0 when it does not take part
     Case3D cases[N_CASES];
     SecondaryRays secondary;  // of SECONDARY_CASE
 } Bench;
@@ -150,7 +151,7 @@ static int measure_embree(Bench *bench, Case3D *bench_case)
     if (peer == NULL) {
         return -1;
     }
-    add_round(&bench_case->parallel_builds, ms);
+    add_round(&bench_case->parallel_builds[EMBREE], ms);
     for (int call = 0; call < N_EMBREE_CALLS; call++) {
         Series *frames = &bench_case->frames[EMBREE + call];
         for (int i = 0; i < N_FRAMES && embree_peer_has(call); i++) {
@@ -162,6 +163,22 @@ static int measure_embree(Bench *bench, Case3D *bench_case)
     }
     embree_peer_free(peer);
     return 0;
+}
+
+// The trees of labs 06 and 08 on as many threads as Embree's. Returns 0, or -1 after one message.
+static int measure_parallel_builds(Bench *bench, Case3D *bench_case)
+{
+    int result = 0;
+    omp_set_num_threads(bench->n_threads);
+    for (int builder = KDTREE; result == 0 && builder <= BY_COST; builder++) {
+        TreeTimes ms;
+        result = case3d_time_tree(bench_case, &bench->cl, builder, &ms);
+        if (result == 0) {
+            add_round(&bench_case->parallel_builds[builder], ms.build);
+        }
+    }
+    omp_set_num_threads(1);
+    return result;
 }
 
 static int measure_round(void *shared, int round)
@@ -180,7 +197,8 @@ static int measure_round(void *shared, int round)
             add_round(&bench_case->builds[builder], ms.build);
             add_round(&bench_case->copies[builder], ms.copy);
         }
-        if (bench->n_threads > 0 && measure_embree(bench, bench_case) != 0) {
+        if (bench->n_threads > 0 && (measure_parallel_builds(bench, bench_case) != 0 ||
+                                     measure_embree(bench, bench_case) != 0)) {
             return -1;
         }
         if (round == 0 && pictures3d_check(&bench->pictures, bench_case) != 0) {
@@ -227,6 +245,7 @@ int main(int argc, char **argv)
         break;
     }
     static Bench bench;  // large, for the stack
+    omp_set_num_threads(1);
     int result = bench_prepare(&bench, options.device);
     if (result == 0) {
         printf("%s: %dx%d pixels\n", bench.cl.device_name, CASE3D_SIDE, CASE3D_SIDE);

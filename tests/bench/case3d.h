@@ -83,8 +83,8 @@ typedef struct Case3D {
     // Milliseconds a frame, and for a tree on one thread; NAIVE has no tree.
     Series frames[N_RENDERERS];
     Series builds[N_TREES];
-    Series copies[N_KERNELS];  // of the tree to the device: see TreeTimes
-    Series parallel_builds;    // Embree's with all its threads
+    Series copies[N_KERNELS];         // of the tree to the device: see TreeTimes
+    Series parallel_builds[N_TREES];  // with all of Embree's threads; TILES has none
 } Case3D;
 
 // Is it a scene of random spheres? Those differ in their number alone, and show how times grow.

@@ -28,7 +28,7 @@ void report3d_print(const Case3D *cases, int n_cases, ReportContext context);
 //     median_ms, min_ms, max_ms, mray_s    a frame; million rays a second at the median
 //     share                of the picture that was drawn
 //     build_median_ms, build_min_ms, build_max_ms    of the tree, on one thread
-//     build_parallel_ms    of Embree's with all threads, median
+//     build_parallel_ms    with all of Embree's threads, median; not of the tiles'
 //     n_nodes, n_leaves, n_sphere_ids, depth
 //     nodes_a_ray, leaves_a_ray, tests_a_ray
 //     different_pixels     of the kd-tree's picture from this renderer's

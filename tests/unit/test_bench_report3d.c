@@ -57,7 +57,9 @@ static Case3D *flake_make(void)
     for (int i = KDTREE; i < N_TREES; i++) {
         frames_make(&flake.builds[i], i);
     }
-    frames_make(&flake.parallel_builds, 1);
+    frames_make(&flake.parallel_builds[KDTREE], 2);
+    frames_make(&flake.parallel_builds[BY_COST], 5);
+    frames_make(&flake.parallel_builds[EMBREE], 1);
     flake.differences[EMBREE + EMBREE_4].n_different = 5;
     flake.differences[EMBREE + EMBREE_8].n_different = 7;
     flake.differences[TILES].n_different = 3;
@@ -132,6 +134,14 @@ Test(bench_report3d, tiles_are_compared_with_lab_07)
               "sphereflake         104.86     13.11    8.00  (single rounds: 8.00 to 8.00)\n");
 }
 
+Test(bench_report3d, trees_on_threads_are_compared_with_embrees)
+{
+    const char *report = report_of(flake_make(), (ReportContext){"a device", 1, 2});
+    expect_in(report, "  sphereflake: Embree's 1.00\n"
+                      "    lab 06 on 2 threads      2.00    2.00  (single rounds: 2.00 to 2.00)\n"
+                      "    lab 08 on 2 threads      5.00    5.00  (single rounds: 5.00 to 5.00)\n");
+}
+
 // 20 nodes, 5 leaves and 10 spheres of 16 bytes, and the spheres' ids; 13.1 million rays a second.
 Test(bench_report3d, what_a_ray_reads_and_computes)
 {
@@ -154,11 +164,13 @@ Test(bench_report3d, without_embree_there_are_its_rates_and_rows_no_more)
     for (int i = EMBREE; i < N_RENDERERS; i++) {
         flake->frames[i] = (Series){0};
     }
-    flake->builds[EMBREE] = flake->parallel_builds = (Series){0};
+    flake->builds[EMBREE] = (Series){0};
+    memset(flake->parallel_builds, 0, sizeof flake->parallel_builds);
     const char *report = report_of(flake, (ReportContext){"a device", 1, 0});
     cr_expect_null(strstr(report, "rtcIntersect"), "%s", report);
     expect_in(report, "tiles (lab 10) and kd-tree (lab 07)\n");
     expect_in(report, "Embree took no part");
+    cr_expect_null(strstr(report, "on 0 threads"), "%s", report);
 }
 
 Test(bench_report3d, the_most_different_picture_of_embrees_counts)
