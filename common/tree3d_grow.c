@@ -28,8 +28,7 @@ typedef struct Level {
     KdOpenNode *open;  // [n_open]
     u32 *ids;          // the open nodes' lists, with gaps between them
     u32 n_ids;         // in all lists together
-    u32 n_open, open_capacity;
-    u32 id_capacity;
+    u32 n_open;
 } Level;
 
 static void level_free(Level *level)
@@ -39,16 +38,14 @@ static void level_free(Level *level)
     *level = (Level){0};
 }
 
-// Empty a level, and make room for n_open nodes and n_ids ids. Returns 0, or -1 when memory runs
-// out.
+// Empty a level, with room for n_open nodes and n_ids ids. Returns 0, or -1 when memory runs out.
 static int level_clear(Level *level, u32 n_open, u32 n_ids)
 {
-    level->n_open = level->n_ids = 0;
-    KdOpenNode *open = array_reserve(level->open, 0, n_open, &level->open_capacity, sizeof *open);
-    level->open = open != NULL ? open : level->open;
-    u32 *ids = array_reserve(level->ids, 0, n_ids, &level->id_capacity, sizeof *ids);
-    level->ids = ids != NULL ? ids : level->ids;
-    return open != NULL && ids != NULL ? 0 : -1;
+    level_free(level);
+    // malloc() may answer NULL to a size of 0.
+    level->open = malloc((size_t)n_open * sizeof *level->open + 1);
+    level->ids = malloc((size_t)n_ids * sizeof *level->ids + 1);
+    return level->open != NULL && level->ids != NULL ? 0 : -1;
 }
 
 // What the steps have made of an open node.
@@ -67,7 +64,6 @@ typedef struct Builder {
     u32 node_capacity;
     u32 id_capacity;
     Division *divisions;  // of the nodes of a level
-    u32 division_capacity;
 } Builder;
 
 // Append n nodes, still open. Returns 0, or -1 when memory runs out.
@@ -123,9 +119,9 @@ static void divide_node(const Builder *builder, const KdOpenNode *node, Division
 // Divide every node of a level. Returns NULL, or what went wrong.
 static const char *divide_level(Builder *builder, const Level *level, Level *next)
 {
-    Division *divisions = array_reserve(builder->divisions, 0, level->n_open,
-                                        &builder->division_capacity, sizeof *divisions);
-    builder->divisions = divisions != NULL ? divisions : builder->divisions;
+    free(builder->divisions);
+    Division *divisions = malloc(level->n_open * sizeof *divisions);
+    builder->divisions = divisions;
     // Each child may get all of its parent's spheres.
     if (divisions == NULL || level_clear(next, 2 * level->n_open, 2 * level->n_ids) != 0) {
         return "no memory" ADVICE;
