@@ -7,6 +7,7 @@
 #include "kdtree3d_build.h"
 #include "report_builds.h"
 
+#include "csv_file.h"
 #include "surroundings.h"
 
 #include <math.h>
@@ -271,19 +272,8 @@ Test(bench_builds, the_file_has_a_row_a_case)
     capture_begin(1);
     cr_assert_eq(report_builds_write_csv(cases, N_CASES, "."), 0);
     capture_end(1);
-    char line[512], text[4096] = "";
-    FILE *file = fopen("bench_builds.csv", "r");
-    cr_assert_not_null(file);
-    int n_rows = -1;  // the head is none
-    for (; fgets(line, sizeof line, file) != NULL; n_rows++) {
-        int n_commas = 0;
-        for (const char *c = line; *c != '\0'; c++) {
-            n_commas += *c == ',';
-        }
-        cr_expect_eq(n_commas, 10, "%s", line);
-        strcat(text, line);
-    }
-    fclose(file);
+    char text[CSV_TEXT_BYTES];
+    const int n_rows = csv_file_read("bench_builds.csv", 11, text);
     cr_expect_eq(n_rows, N_CASES, "%s", text);
     cr_expect_not_null(strstr(text, "\nmiddle3d-fixed,4096,0.4096,0.2048,0.8192,0.4096,36864,36864,"
                                     "16.00,40.00,90.00\n"),

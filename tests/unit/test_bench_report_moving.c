@@ -1,6 +1,7 @@
 // The bench's report of moving scenes: where the curves cross, and what they are made of.
 #include "report_moving.h"
 
+#include "csv_file.h"
 #include "surroundings.h"
 
 TestSuite(bench_report_moving, .init = folder_enter, .fini = folder_leave);
@@ -124,19 +125,8 @@ Test(bench_report_moving, the_file_has_a_row_a_way_and_random_scene)
     capture_begin(1);
     cr_assert_eq(report_moving_write_csv(cases, n_cases, "."), 0);
     capture_end(1);
-    char line[512], text[4096] = "";
-    FILE *file = fopen("bench3d-moving.csv", "r");
-    cr_assert_not_null(file);
-    int n_rows = -1;  // the head is none
-    for (; fgets(line, sizeof line, file) != NULL; n_rows++) {
-        int n_commas = 0;
-        for (const char *c = line; *c != '\0'; c++) {
-            n_commas += *c == ',';
-        }
-        cr_expect_eq(n_commas, 10, "%s", line);
-        strcat(text, line);
-    }
-    fclose(file);
+    char text[CSV_TEXT_BYTES];
+    const int n_rows = csv_file_read("bench3d-moving.csv", 11, text);
     cr_expect_eq(n_rows, 4 * 4, "%s", text);
     cr_expect_not_null(strstr(text, "\nnaive,25,,,25.0000,25.0000,25.0000,50.0000,1,1,1\n"), "%s",
                        text);
