@@ -24,11 +24,12 @@ ok() {
     fi
 }
 
-# check NAME COMMAND...: passes when the command does; what it printed is shown where it fails.
+# check NAME COMMAND...: passes when the command does; what it printed is shown where it fails, below the
+# command, of which a list of all files is no news.
 check() {
     name=$1
     shift
-    if output=$("$@" 2>&1); then ok 0 "$name"; else ok 1 "$name" "\$ $*
+    if output=$("$@" 2>&1); then ok 0 "$name"; else ok 1 "$name" "$(printf '$ %s' "$*" | cut -c 1-300)
 $output"; fi
 }
 
