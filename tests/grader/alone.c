@@ -56,15 +56,22 @@ static char *holes_settle(const Session *session, const char *file, const Task *
     return strcmp(task->file, file) == 0 ? settle(text, task, answer) : text;
 }
 
-// One of the lab's files with this answer: the student's own, or where that has no such holes or
-// `own` is NULL, the one that is handed out. NULL after one message.
+// Are the student's own host files left out where a task is tried alone? They could do a kernel's
+// work for it.
+static int is_kept_out(const Task *task, const char *file)
+{
+    return manifest_is_host_file(file) && !manifest_is_host_file(task->file);
+}
+
+// One of the lab's files with this answer: the student's own, or where that has no such holes, may
+// not be there or `own` is NULL, the one that is handed out. NULL after one message.
 static char *file_text(const Session *session, const char *file, const Task *task,
                        const char *answer, const char *own, int *is_changed)
 {
     char path[PATH_MAX];
     char *text = skeleton_read(&session->manifest, file);
     text = text != NULL ? holes_settle(session, file, task, answer, text) : NULL;
-    if (own == NULL || text == NULL) {
+    if (own == NULL || text == NULL || is_kept_out(task, file)) {
         return text;
     }
     path_make(path, "%s/%s", own, file);

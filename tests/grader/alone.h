@@ -1,10 +1,11 @@
 // Trying the answer to one task alone, so that one mistake costs one task.
 //
 // The files are the student's own, so that a helper beside the marked lines counts, with the other
-// tasks' answers taken out; or those that are handed out, with this answer in its hole. Nothing of
-// our solution is where a student's code runs. What the answer needs of other tasks is done by
-// stand-ins, which do something else than is asked of students and which the judge can foresee
-// (tests/stand_ins/). All that comes out of such a run is whether a check passes.
+// tasks' answers taken out; or those that are handed out, with this answer in its hole. Beside a
+// kernel the host files are those that are handed out in either case, as the student's could draw
+// for it. Nothing of our solution is where a student's code runs. What the answer needs of other
+// tasks is done by stand-ins, which do something else than is asked of students and which the judge
+// can foresee (tests/stand_ins/). All that comes out of such a run is whether a check passes.
 #ifndef GRADER_ALONE_H
 #define GRADER_ALONE_H
 

@@ -170,18 +170,15 @@ static int grade(Grading *grading, const Settings *settings)
         grading_add_stage(grading, "Sandbox", CHECK_PASSED, sandbox);
     }
 
-    Variant *variants[3];
-    int n_variants = 0, n_kernels = 0;
+    Variant *variants[2];
+    int n_variants = 0;
     if (session->has_solution) {
         variants[n_variants++] = &session->solution;
     }
     if (staged == 0) {
         variants[n_variants++] = &grading->whole;
-        n_kernels = grading_fill_kernels(grading, &grading->whole);
     }
-    variants[n_variants] = &grading->kernels;
-    if (n_kernels < 0 || session_run(session, variants, n_variants + n_kernels) != 0 ||
-        session_trust_solution(session) != 0) {
+    if (session_run(session, variants, n_variants) != 0 || session_trust_solution(session) != 0) {
         return -1;
     }
     session->allowance.is_for_one = 1;

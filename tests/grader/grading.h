@@ -33,11 +33,6 @@ void grading_add_stage(Grading *grading, const char *title, CheckStatus status,
 // 0, or -1 after one message when the machinery failed.
 int grading_judge(Grading *grading);
 
-// In a lab of kernels and host files: make the variant of a whole's kernels, which runs beside it
-// (grading_judge() says what for). Returns how many there are to run, 1 or 0, or -1 after one
-// message.
-int grading_fill_kernels(Grading *grading, const Variant *whole);
-
 // Where what was handed in does not compile: run what stands between its markers, in the files as
 // they are handed out, in its place. Returns 0, or -1 after one message.
 int grading_retry(Grading *grading);

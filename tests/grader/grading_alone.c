@@ -24,14 +24,13 @@ int grading_retry(Grading *grading)
 {
     char folder[PATH_MAX];
     Variant answers;
-    Variant *const variants[] = {&answers, &grading->kernels};
+    Variant *const variants[] = {&answers};
     if (grading->whole.build_log == NULL) {
         return 0;
     }
     own_folder(grading, folder);
-    const int filled = answers_fill(&grading->session, "answers", folder, &answers);
-    const int n_kernels = filled == 0 ? grading_fill_kernels(grading, &answers) : -1;
-    if (n_kernels < 0 || session_run(&grading->session, variants, 1 + n_kernels) != 0) {
+    if (answers_fill(&grading->session, "answers", folder, &answers) != 0 ||
+        session_run(&grading->session, variants, 1) != 0) {
         variant_free(&answers);
         return -1;
     }

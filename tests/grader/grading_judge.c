@@ -106,36 +106,40 @@ static int is_of_kernel(const Grading *grading, const CheckResult *check)
     return !manifest_is_host_file(manifest_task(&grading->session.manifest, check->task)->file);
 }
 
-// Are they judged by a run of their own? Only where host files are handed in, too.
-static int needs_kernels(const Grading *grading)
+// Are there points for a kernel in a lab of which host files are handed in, too?
+static int kernels_have_points(const Grading *grading)
 {
-    const Manifest *manifest = &grading->session.manifest;
-    return manifest_has_host_files(manifest) && manifest_has_kernels(manifest);
-}
-
-int grading_fill_kernels(Grading *grading, const Variant *whole)
-{
-    char folder[PATH_MAX];
-    path_make(folder, "%s/variant-%s/lab", grading->session.workshop.folder, whole->name);
-    variant_free(&grading->kernels);
-    if (!needs_kernels(grading)) {
-        return 0;
+    for (int i = 0; i < grading->result.n_checks; i++) {
+        const CheckResult *check = &grading->result.checks[i];
+        if (check->status == CHECK_PASSED && is_of_kernel(grading, check)) {
+            return manifest_has_host_files(&grading->session.manifest);
+        }
     }
-    const Session *session = &grading->session;
-    return session_fill_kernels(session, "kernels", folder, &grading->kernels) == 0 ? 1 : -1;
+    return 0;
 }
 
 // What a kernel earns it has to earn beside the host files that are handed out, too: those that
-// were handed in could do its work themselves.
-static void confirm_kernels(Grading *grading)
+// were handed in could do its work themselves. Returns 0, or -1 after one message.
+static int confirm_kernels(Grading *grading)
 {
-    for (int i = 0; needs_kernels(grading) && i < grading->result.n_checks; i++) {
+    char folder[PATH_MAX];
+    Variant *const variants[] = {&grading->kernels};
+    path_make(folder, "%s/variant-%s/lab", grading->session.workshop.folder, grading->whole.name);
+    if (!kernels_have_points(grading)) {
+        return 0;
+    }
+    if (session_fill_kernels(&grading->session, "kernels", folder, &grading->kernels) != 0 ||
+        session_run(&grading->session, variants, 1) != 0) {
+        return -1;
+    }
+    for (int i = 0; i < grading->result.n_checks; i++) {
         CheckResult *check = &grading->result.checks[i];
         if (check->status == CHECK_PASSED && is_of_kernel(grading, check)) {
             check->points = 0;
             session_judge(&grading->session, 0, i, &grading->kernels, check);
         }
     }
+    return 0;
 }
 
 int grading_judge(Grading *grading)
@@ -143,8 +147,7 @@ int grading_judge(Grading *grading)
     add_marker_stage(grading);
     judge_whole(grading);
     refuse_unanswered(grading);
-    confirm_kernels(grading);
-    if (grading_try_alone(grading) != 0) {
+    if (confirm_kernels(grading) != 0 || grading_try_alone(grading) != 0) {
         return -1;
     }
     if (grading->has_no_time) {

@@ -47,7 +47,7 @@ Test(allowance, all_runs_of_one_submission_have_a_limit_together)
 {
     Allowance allowance = {.is_for_one = 1};
     allowance_note(&allowance, STEP_RUNNING, (SandboxTime){.processor = 1});
-    cr_assert_eq(allowance_total(&allowance), 100);
+    cr_assert_eq(allowance_total(&allowance), 80);
     int n_runs = 0;
     double used = 0;
     for (; allowance_left(&allowance) > 0; n_runs++) {
@@ -56,8 +56,8 @@ Test(allowance, all_runs_of_one_submission_have_a_limit_together)
         allowance.spent += time.processor + time.asleep;
         used += time.processor + time.asleep;
     }
-    cr_expect_eq(n_runs, 5);
-    cr_expect_eq(used, 100);
+    cr_expect_eq(n_runs, 4);
+    cr_expect_eq(used, 80);
     cr_expect_eq(allowance_of(&allowance, STEP_RUNNING, 1).processor, 1, "it can be killed");
 }
 
@@ -68,7 +68,7 @@ Test(allowance, who_used_up_its_wall_time_has_nothing_left)
     allowance_note(&allowance, STEP_RUNNING, (SandboxTime){.processor = 1});
     SandboxResult result = {.outcome = SANDBOX_EXITED, .used = {.processor = 1, .wall = 300}};
     allowance_charge(&allowance, &result);
-    cr_expect_eq(allowance_left(&allowance), 99);
+    cr_expect_eq(allowance_left(&allowance), 79);
     result.outcome = SANDBOX_OVERDUE;
     allowance_charge(&allowance, &result);
     cr_expect_leq(allowance_left(&allowance), 0);
@@ -76,7 +76,7 @@ Test(allowance, who_used_up_its_wall_time_has_nothing_left)
 
 Test(allowance, what_runs_side_by_side_shares_what_is_left)
 {
-    Allowance allowance = {.is_for_one = 1, .spent = 94};
+    Allowance allowance = {.is_for_one = 1, .spent = 74};
     allowance_note(&allowance, STEP_RUNNING, (SandboxTime){.processor = 1});
     cr_expect_eq(allowance_of(&allowance, STEP_RUNNING, 1).processor, 6);
     cr_expect_eq(allowance_of(&allowance, STEP_RUNNING, 2).processor, 3);
@@ -97,7 +97,7 @@ Test(allowance, no_wall_time_goes_beyond_the_deadline)
     allowance_note(&allowance, STEP_RUNNING, (SandboxTime){.processor = 1});
     cr_expect_leq(allowance_of(&allowance, STEP_RUNNING, 1).wall, 30);
     cr_expect_gt(allowance_of(&allowance, STEP_RUNNING, 1).wall, 20);
-    cr_expect_eq(allowance_left(&allowance), 100);
+    cr_expect_eq(allowance_left(&allowance), 80);
     allowance.deadline = seconds_now() - 1;
     cr_expect_eq(allowance_left(&allowance), 0);
     cr_expect_eq(allowance_of(&allowance, STEP_RUNNING, 1).wall, 1);
