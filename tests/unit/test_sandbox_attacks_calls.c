@@ -120,6 +120,8 @@ TEST_EACH(what_two_runs_could_signal_by_is_refused)
         {SYS_fcntl, 0, F_SETLEASE},
         {SYS_fcntl, 0, F_GETLEASE},
         {SYS_fcntl, 0, F_NOTIFY},
+        {SYS_bind, 0, 0},
+        {SYS_connect, 0, 0},
         {SYS_inotify_init1, 0, 0},
         {SYS_inotify_add_watch, 0, 0},
         {SYS_fanotify_init, 0, 0},
@@ -146,6 +148,17 @@ TEST_EACH(what_two_runs_could_signal_by_is_refused)
 }
 
 // Who stands back behind others, or hides what its children use, would pass for starved.
+// One socket of a pair could send to a name that another run has; to the other one it needs none.
+TEST_EACH(a_pair_of_sockets_sends_to_no_name)
+{
+    SandboxResult result = perl_run("use Socket; socketpair(my $a, my $b, AF_UNIX, SOCK_DGRAM, 0); "
+                                    "my $sent = send($a, 'x', 0); "
+                                    "send($a, 'x', 0, pack_sockaddr_un(\"\\0name\")); "
+                                    "exit($sent == 1 && $!{EACCES} ? 7 : 0)");
+    cr_expect_eq(result.exit_status, 7, "outcome %d: %s", result.outcome, result.output);
+    free(result.output);
+}
+
 TEST_EACH(nobody_chooses_to_wait_or_hides_the_time_of_its_children)
 {
     char program[160];

@@ -85,12 +85,16 @@ static int calls_add(scmp_filter_ctx filter, uint32_t action, const char *const 
 }
 
 // Internet sockets end the process. All others are refused: libraries ask for a local socket to
-// talk to a name service, or for netlink, and live without. Pairs of connected sockets are allowed.
+// talk to a name service, or for netlink, and live without. Pairs of connected sockets are allowed;
+// but one of a pair could still send to a name, of which all runs see the abstract ones in user.
 static int sockets_add(scmp_filter_ctx filter)
 {
     const unsigned n_families = 64;  // the kernel has fewer
-    int fault = seccomp_rule_add(filter, SCMP_ACT_ERRNO(EACCES), SCMP_SYS(socket), 1,
-                                 SCMP_A0(SCMP_CMP_GE, n_families));
+    int fault = seccomp_rule_add(filter, SCMP_ACT_ERRNO(EACCES), SCMP_SYS(sendto), 1,
+                                 SCMP_A4(SCMP_CMP_NE, 0));
+    fault = fault != 0 ? fault
+                       : seccomp_rule_add(filter, SCMP_ACT_ERRNO(EACCES), SCMP_SYS(socket), 1,
+                                          SCMP_A0(SCMP_CMP_GE, n_families));
     for (unsigned family = 0; fault == 0 && family < n_families; family++) {
         int is_fatal = family == AF_INET || family == AF_INET6 || family == AF_PACKET;
         fault = seccomp_rule_add(filter, is_fatal ? fatal_action() : SCMP_ACT_ERRNO(EACCES),
