@@ -30,7 +30,7 @@ static double handed_on(const BuildCase *build_case)
 static Growth growth_of(const BuildCase *cases, int n_cases, Builder builder, Quantity *quantity,
                         Law law)
 {
-    double elements[N_SCENES], quantities[N_SCENES];
+    double elements[N_SCENES] = {0}, quantities[N_SCENES] = {0};
     int n = 0;
     for (int i = 0; i < n_cases; i++) {
         if (cases[i].builder == builder) {
