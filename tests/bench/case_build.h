@@ -46,9 +46,8 @@ typedef struct BuildCase {
     Builder builder;
     int n_elements;
     Series builds;
-    TreeSize size;  // all zero until it is known
-    double
-        n_peak_bytes;  // the most that the builder has asked for at one moment, the tree included
+    TreeSize size;        // all zero until it is known
+    double n_peak_bytes;  // most that the builder has asked for at one moment, with the tree
 } BuildCase;
 
 // A scene in 2D and in 3D, of as many elements. Start with {0}.
@@ -63,8 +62,8 @@ int build_scene_create(int n_elements, BuildScene *scene);
 void build_scene_free(BuildScene *scene);
 
 // Build the case's tree over its scene, note the memory that it took and, the first time, the size
-// of the tree, and throw it away. Returns the
-// milliseconds of processor time, or -1 after one message.
+// of the tree, and throw it away. Returns the milliseconds of processor time, or -1 after one
+// message.
 double case_build_time(BuildCase *build_case, const BuildScene *scene);
 
 #endif
