@@ -141,6 +141,31 @@ static int find_device(const Session *session)
     return is_asked ? device_find(&session->workshop) : 0;
 }
 
+// Run our solution, where there is one, and beside it the submission, where there is one. What is
+// run after them (grading_judge.c) is compiled now: waiting for a sandbox of its own would take
+// longer. Returns 0, or -1 after one message.
+static int run_whole(Grading *grading, int is_staged)
+{
+    Session *session = &grading->session;
+    const Manifest *manifest = &session->manifest;
+    Variant *variants[3];
+    int n = 0;
+    if (session->has_solution) {
+        variants[n++] = &session->solution;
+    }
+    if (is_staged) {
+        variants[n++] = &grading->whole;
+    }
+    const int n_runs = n;
+    if (is_staged && manifest_has_kernels(manifest) && manifest_has_host_files(manifest)) {
+        variants[n++] = &grading->kernels;
+        if (session_open_kernels(session, "kernels", &grading->kernels) != 0) {
+            return -1;
+        }
+    }
+    return session_compile(session, variants, n) != 0 ? -1 : session_run(session, variants, n_runs);
+}
+
 // Stage, run, judge. Returns 0 when there is a result, or -1 after one message.
 static int grade(Grading *grading, const Settings *settings)
 {
@@ -170,15 +195,7 @@ static int grade(Grading *grading, const Settings *settings)
         grading_add_stage(grading, "Sandbox", CHECK_PASSED, sandbox);
     }
 
-    Variant *variants[2];
-    int n_variants = 0;
-    if (session->has_solution) {
-        variants[n_variants++] = &session->solution;
-    }
-    if (staged == 0) {
-        variants[n_variants++] = &grading->whole;
-    }
-    if (session_run(session, variants, n_variants) != 0 || session_trust_solution(session) != 0) {
+    if (run_whole(grading, staged == 0) != 0 || session_trust_solution(session) != 0) {
         return -1;
     }
     session->allowance.is_for_one = 1;

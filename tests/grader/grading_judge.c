@@ -106,29 +106,29 @@ static int is_of_kernel(const Grading *grading, const CheckResult *check)
     return !manifest_is_host_file(manifest_task(&grading->session.manifest, check->task)->file);
 }
 
-// Are there points for a kernel in a lab of which host files are handed in, too?
 static int kernels_have_points(const Grading *grading)
 {
     for (int i = 0; i < grading->result.n_checks; i++) {
         const CheckResult *check = &grading->result.checks[i];
         if (check->status == CHECK_PASSED && is_of_kernel(grading, check)) {
-            return manifest_has_host_files(&grading->session.manifest);
+            return 1;
         }
     }
     return 0;
 }
 
 // What a kernel earns it has to earn beside the host files that are handed out, too: those that
-// were handed in could do its work themselves. Returns 0, or -1 after one message.
+// were handed in could do its work themselves. Only a lab with both has such a variant. Returns 0,
+// or -1 after one message.
 static int confirm_kernels(Grading *grading)
 {
     char folder[PATH_MAX];
     Variant *const variants[] = {&grading->kernels};
     path_make(folder, "%s/variant-%s/lab", grading->session.workshop.folder, grading->whole.name);
-    if (!kernels_have_points(grading)) {
+    if (!grading->kernels.has_only_kernels || !kernels_have_points(grading)) {
         return 0;
     }
-    if (session_fill_kernels(&grading->session, "kernels", folder, &grading->kernels) != 0 ||
+    if (session_take_kernels(&grading->session, folder, &grading->kernels) != 0 ||
         session_run(&grading->session, variants, 1) != 0) {
         return -1;
     }

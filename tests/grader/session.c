@@ -66,19 +66,35 @@ int session_fill(const Session *session, const char *name, const HoleAnswer answ
     return result;
 }
 
-int session_fill_kernels(const Session *session, const char *name, const char *folder,
-                         Variant *variant)
+int session_open_kernels(const Session *session, const char *name, Variant *variant)
 {
     char path[PATH_MAX];
     int result = variant_open(&session->workshop, name, variant, path);
+    variant->has_only_kernels = 1;
     for (int i = 0; result == 0 && i < session->manifest.n_files; i++) {
         const char *file = session->manifest.files[i];
-        char own[PATH_MAX];
-        path_make(own, "%s/%s", folder, file);
-        char *text = manifest_is_host_file(file) ? skeleton_read(&session->manifest, file)
-                                                 : text_file_read(own);
-        result = text == NULL ? -1 : session_write(path, file, text);
-        free(text);
+        if (manifest_is_host_file(file)) {
+            char *text = skeleton_read(&session->manifest, file);
+            result = text == NULL ? -1 : session_write(path, file, text);
+            free(text);
+        }
+    }
+    return result;
+}
+
+int session_take_kernels(const Session *session, const char *folder, const Variant *variant)
+{
+    char path[PATH_MAX], own[PATH_MAX];
+    int result = 0;
+    path_make(path, "%s/variant-%s/lab", session->workshop.folder, variant->name);
+    for (int i = 0; result == 0 && i < session->manifest.n_files; i++) {
+        const char *file = session->manifest.files[i];
+        if (!manifest_is_host_file(file)) {
+            path_make(own, "%s/%s", folder, file);
+            char *text = text_file_read(own);
+            result = text == NULL ? -1 : session_write(path, file, text);
+            free(text);
+        }
     }
     return result;
 }
@@ -162,9 +178,21 @@ void session_close(Session *session)
     manifest_free(&session->manifest);
 }
 
+// Is the first of them the solution, of which the answers are there already?
+static int is_first_known(const Session *session, Variant *const variants[], int n)
+{
+    return session->has_kept_answers && n > 0 && variants[0] == &session->solution;
+}
+
+int session_compile(Session *session, Variant *const variants[], int n)
+{
+    const int known = is_first_known(session, variants, n);
+    return variants_compile(&session->workshop, variants + known, n - known, &session->allowance);
+}
+
 int session_run(Session *session, Variant *const variants[], int n)
 {
-    const int known = session->has_kept_answers && n > 0 && variants[0] == &session->solution;
+    const int known = is_first_known(session, variants, n);
     // Answers over which the judge ended took its time, which counts as theirs.
     session->allowance.spent += session->judge.lost_seconds;
     session->judge.lost_seconds = 0;

@@ -35,8 +35,11 @@ void session_close(Session *session);
 // settings'. n is MAX_FURTHER_JOBS at most. Returns 0, or -1 after one message.
 int session_add_seeds(Session *session, int n);
 
-// Run n variants side by side, the solution first where it is one of them. Returns 0, or -1 after
-// one message when the machinery failed.
+// Compile n variants side by side, the solution first where it is one of them. Returns 0, or -1
+// after one message when the machinery failed.
+int session_compile(Session *session, Variant *const variants[], int n);
+
+// Likewise run n variants, and compile those that are not yet.
 int session_run(Session *session, Variant *const variants[], int n);
 
 // After the solution has run: it must pass every check on this device, judged by the oracle, else
@@ -58,11 +61,14 @@ typedef struct HoleAnswer {
 int session_fill(const Session *session, const char *name, const HoleAnswer answers[], int n,
                  Variant *variant);
 
-// Make a variant of the kernels that were handed in and the host files that are handed out.
+// Make a variant of the host files that are handed out, which can be compiled; it has no kernels
+// yet. Returns 0, or -1 after one message.
+int session_open_kernels(const Session *session, const char *name, Variant *variant);
+
+// Put the kernels into it that were handed in.
 //   folder   what was handed in
 // Returns 0, or -1 after one message.
-int session_fill_kernels(const Session *session, const char *name, const char *folder,
-                         Variant *variant);
+int session_take_kernels(const Session *session, const char *folder, const Variant *variant);
 
 // Put a text into a variant's folder as file `name`. Returns 0, or -1 after one message.
 int session_write(const char *folder, const char *name, const char *text);

@@ -16,6 +16,9 @@
 #define PROBE_ANSWERS_PATH "out/answers"
 #define PROBE_JOB_VARIABLE "COURSE_JOB"
 
+// Set where nobody asks for what the tasks of host files are answered.
+#define PROBE_KERNELS_VARIABLE "COURSE_KERNELS"
+
 // The first section of the answers of a lab with kernels: what they run on.
 #define PROBE_DEVICE "device"
 

@@ -19,14 +19,16 @@ typedef struct Variant {
     Sections answers;  // whatever it answered
     Sections further[MAX_FURTHER_JOBS];  // and to the jobs of further seeds
     SandboxRun *run;                     // while it runs
+    int is_compiled;                     // as far as that goes: build_log is set, or it can run
     int is_ours;                         // the solution: what it uses says what others may
     int is_extra;                        // no points depend on it: it is tried once, and may fail
     int is_checked;    // built and run with the address sanitizer: see variant_find_line()
     int is_race;       // the lab's race runs in the place of its probe: see variant_race()
     const char *task;  // whose answer stands in our solution; NULL: a submission, or several
     int is_changed;  // tried alone in files that differ from those handed out in more than answers
-    const char *alone;  // whose answer is tried alone, with a job of its own; NULL: all of them
-    int is_told;        // the report says already how and where it ended
+    const char *alone;     // whose answer is tried alone, with a job of its own; NULL: all of them
+    int has_only_kernels;  // tasks of host files are not tried: these are as they are handed out
+    int is_told;           // the report says already how and where it ended
 } Variant;
 
 // Make the folder of a variant, with the lab's given files in it; put the lab's own files, the ones
@@ -36,10 +38,13 @@ int variant_open(const Workshop *workshop, const char *name, Variant *variant, c
 // Where the job of a variant that is tried alone is to be written before it runs.
 void variant_job_path(const Workshop *workshop, const Variant *variant, char path[PATH_MAX]);
 
-// Compile and run n variants side by side, each for as long as is allowed. What is ours must come
-// first: what it uses is noted, and from then on that is what limits the others. One that the
-// machine was too busy for is tried again. Returns 0, or -1 after one message when the machinery
-// failed.
+// Compile n variants side by side, each for as long as is allowed. What is ours must come first:
+// what it uses is noted, and from then on that is what limits the others. One that the machine was
+// too busy for is tried again. Returns 0, or -1 after one message when the machinery failed.
+int variants_compile(const Workshop *workshop, Variant *const variants[], int n,
+                     Allowance *allowance);
+
+// Likewise compile those that are not yet, and run all.
 int variants_run(const Workshop *workshop, Variant *const variants[], int n, Allowance *allowance);
 
 // After a crash of a lab with host files: compile and run it once more, with the address sanitizer,

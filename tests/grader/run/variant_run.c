@@ -34,6 +34,7 @@ static char *describe_compiler_end(const SandboxResult *result, SandboxTime allo
 // What a compiler's end says about the variant.
 static void take_build(Variant *variant, SandboxResult *result, SandboxTime allowed)
 {
+    variant->is_compiled = 1;
     if (result->outcome != SANDBOX_EXITED) {
         variant->build_log = describe_compiler_end(result, allowed);
     } else if (result->exit_status != 0) {
@@ -193,13 +194,18 @@ static int step_take(const Workshop *workshop, Variant *variant, Step step, Sand
     return failed ? -1 : 0;
 }
 
-// Run a step of those variants that compile, side by side.
+static int is_due(const Variant *variant, Step step)
+{
+    return step == STEP_COMPILING ? !variant->is_compiled : variant->build_log == NULL;
+}
+
+// Run a step of those variants that need and bear it, side by side.
 static int step_run(const Workshop *workshop, Variant *const variants[], int n, Step step,
                     Allowance *allowance)
 {
     int result = 0;
     for (int i = 0; i < n; i++) {
-        if (variants[i]->build_log == NULL) {
+        if (is_due(variants[i], step)) {
             const SandboxTime allowed = time_allowed(variants[i], step, allowance, n);
             result |= step_start(workshop, variants[i], step, allowed);
         }
@@ -216,11 +222,18 @@ static int step_run(const Workshop *workshop, Variant *const variants[], int n, 
     return result;
 }
 
+int variants_compile(const Workshop *workshop, Variant *const variants[], int n,
+                     Allowance *allowance)
+{
+    return workshop->needs_compiler ? step_run(workshop, variants, n, STEP_COMPILING, allowance)
+                                    : 0;
+}
+
 int variants_run(const Workshop *workshop, Variant *const variants[], int n, Allowance *allowance)
 {
-    const int compiled =
-        workshop->needs_compiler ? step_run(workshop, variants, n, STEP_COMPILING, allowance) : 0;
-    return compiled != 0 ? -1 : step_run(workshop, variants, n, STEP_RUNNING, allowance);
+    return variants_compile(workshop, variants, n, allowance) != 0
+               ? -1
+               : step_run(workshop, variants, n, STEP_RUNNING, allowance);
 }
 
 // ---- The line of a crash ------------------------------------------------------------------------

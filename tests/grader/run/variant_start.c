@@ -46,6 +46,8 @@ static SandboxRun *start(const Workshop *workshop, const Variant *variant, int b
                                        "POCL_MAX_PTHREAD_COUNT=1",
                                        "POCL_CPU_MAX_CU_COUNT=1",
                                        CRASH_LINE_OPTIONS,
+                                       variant->has_only_kernels ? PROBE_KERNELS_VARIABLE "=1"
+                                                                 : NULL,
                                        NULL};
     SandboxCommand command = {
         .kind = workshop->sandbox,

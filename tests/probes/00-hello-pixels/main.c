@@ -220,6 +220,22 @@ static int is_tried(const Probe *probe, const char *task)
     return !probe_asks(probe, PROBE_ALONE) || probe_alone(probe, task);
 }
 
+static void answer_host(const Probe *probe)
+{
+    cl_program program = probe_build(probe, "probes/" LAB_NAME "/probe.cl", "-I kernels -I probes");
+    const SceneJob *scene;
+    for (int k = 0; (scene = probe_scene(probe, k)) && is_tried(probe, "set_arguments"); k++) {
+        answer_arguments(probe, k, scene, program);
+    }
+    for (int k = 0; (scene = probe_scene(probe, k)) && is_tried(probe, "enqueue_pixels"); k++) {
+        answer_items(probe, k, scene, program);
+    }
+    for (int k = 0; (scene = probe_scene(probe, k)) && is_tried(probe, "read_back"); k++) {
+        answer_read_back(probe, k, scene);
+    }
+    CL_CHECK(clReleaseProgram(program));
+}
+
 int main(void)
 {
     Probe probe;
@@ -228,19 +244,9 @@ int main(void)
     if (is_tried(&probe, "gradient")) {
         answer_pictures(&probe);
     }
-    cl_program program =
-        probe_build(&probe, "probes/" LAB_NAME "/probe.cl", "-I kernels -I probes");
-    const SceneJob *scene;
-    for (int k = 0; (scene = probe_scene(&probe, k)) && is_tried(&probe, "set_arguments"); k++) {
-        answer_arguments(&probe, k, scene, program);
+    if (getenv(PROBE_KERNELS_VARIABLE) == NULL && !probe_alone(&probe, "gradient")) {
+        answer_host(&probe);
     }
-    for (int k = 0; (scene = probe_scene(&probe, k)) && is_tried(&probe, "enqueue_pixels"); k++) {
-        answer_items(&probe, k, scene, program);
-    }
-    for (int k = 0; (scene = probe_scene(&probe, k)) && is_tried(&probe, "read_back"); k++) {
-        answer_read_back(&probe, k, scene);
-    }
-    CL_CHECK(clReleaseProgram(program));
     probe_close(&probe);
     return EXIT_SUCCESS;
 }
