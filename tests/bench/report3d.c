@@ -6,6 +6,7 @@
 #include "embree_peer.h"
 #include "output_file.h"
 #include "path.h"
+#include "report_trees.h"
 #include "roofline.h"
 
 #include <stdio.h>
@@ -27,30 +28,18 @@ const char *const RENDERER3D_TITLES[N_RENDERERS] = {
 static const char *const RENDERER_NAMES[N_RENDERERS] = {
     "naive", "kdtree", "bycost", "tiles", "embree1", "embree4", "embree8", "embree16", "embree1M"};
 
-// What the course sets out to reach: of Embree's rays a second, and times its time for the tree;
-// 0 where nothing is set.
-static const struct Target {
-    const char *scene_name;
-    double rate;
-    double build;            // of lab 06 on one thread
-    double parallel_middle;  // of lab 06 on as many threads as Embree
-    double parallel_cost;    // the same of lab 08
-} TARGETS[] = {
-    {"sphereflake", 0.7, 0, 0, 0},
-    {"random:n=100000", 0.7, 3, 0, 0},
-    {"random:n=1000000", 0.6, 0, 1.5, 3},
-};
-enum { N_TARGETS = sizeof TARGETS / sizeof *TARGETS };
+// The scenes of thousands of spheres.
+static const char *const COMPARED[] = {"sphereflake", "random:n=100000", "random:n=1000000"};
+enum { N_COMPARED = sizeof COMPARED / sizeof *COMPARED };
 
-// Returns the scene's target, or NULL.
-static const struct Target *target_of(const Case3D *bench_case)
+int report3d_compares(const Case3D *bench_case)
 {
-    for (int i = 0; i < N_TARGETS; i++) {
-        if (strcmp(TARGETS[i].scene_name, bench_case->scene_name) == 0) {
-            return &TARGETS[i];
+    for (int i = 0; i < N_COMPARED; i++) {
+        if (strcmp(COMPARED[i], bench_case->scene_name) == 0) {
+            return 1;
         }
     }
-    return NULL;
+    return 0;
 }
 
 static Spread spread(const Series *series)
@@ -84,7 +73,7 @@ void report3d_print_ratio(const Series *dividend, const Series *divisor)
     printf("  %6.2f  (single rounds: %.2f to %.2f)", ratio.median, ratio.min, ratio.max);
 }
 
-// All renderers, for the scenes of thousands of spheres that a target is set for.
+// All renderers.
 static void print_comparison(const Case3D *bench_case, ReportContext context)
 {
     const Spread ratio = series_ratio(&bench_case->frames[NAIVE], &bench_case->frames[KDTREE]);
@@ -110,77 +99,6 @@ static void print_comparison(const Case3D *bench_case, ReportContext context)
     }
     printf("  naive / kd-tree: %.0f  (single rounds: %.0f to %.0f)\n", ratio.median, ratio.min,
            ratio.max);
-}
-
-static void print_trees(const Case3D *cases, int n_cases, ReportContext context)
-{
-    const int has_embree = context.n_threads > 0;
-    printf(
-        "\nTrees of lab 06, and milliseconds to build them, those of lab 08, and those of lab 10's "
-        "tiles, on one\nthread");
-    if (has_embree) {
-        printf("; parallel: Embree's on %d threads; ratios: of lab 06 to Embree",
-               context.n_threads);
-    }
-    printf("\n");
-    printf("  %-16s  %8s  %8s  %8s  %5s  %8s  %8s  %8s  %8s", "scene", "nodes", "leaves", "ids",
-           "depth", "ids/leaf", "tiles", "lab 08", "lab 06");
-    if (has_embree) {
-        printf("  %8s  %5s  %8s  %5s", "Embree", "ratio", "parallel", "ratio");
-    }
-    printf("\n");
-    for (int i = 0; i < n_cases; i++) {
-        const Case3D *bench_case = &cases[i];
-        printf("  %-16s  %8u  %8u  %8u  %5d  %8.2f  %8.2f  %8.2f  %8.2f", bench_case->scene_name,
-               bench_case->n_nodes, bench_case->figures.n_leaves, bench_case->n_sphere_ids,
-               bench_case->figures.depth,
-               (double)bench_case->n_sphere_ids / bench_case->figures.n_leaves,
-               series_median(&bench_case->builds[TILES]),
-               series_median(&bench_case->builds[BY_COST]),
-               series_median(&bench_case->builds[KDTREE]));
-        if (has_embree) {
-            const Series *embree = &bench_case->builds[EMBREE];
-            const Series *parallel = &bench_case->parallel_builds[EMBREE];
-            const struct Target *target = target_of(bench_case);
-            printf("  %8.2f  %5.2f  %8.2f  %5.2f", series_median(embree),
-                   series_ratio(&bench_case->builds[KDTREE], embree).median,
-                   series_median(parallel),
-                   series_ratio(&bench_case->builds[KDTREE], parallel).median);
-            if (target != NULL && target->build > 0) {
-                printf("  target: at most %g times the parallel one", target->build);
-            }
-        }
-        printf("\n");
-    }
-}
-
-static void print_parallel_tree(const char *name, int n_threads, const Series *builds,
-                                const Series *embree, double target)
-{
-    printf("    %s on %d threads  %8.2f", name, n_threads, series_median(builds));
-    report3d_print_ratio(builds, embree);
-    if (target > 0) {
-        printf("  target: at most %g", target);
-    }
-    printf("\n");
-}
-
-// Trees on all threads against Embree's, for the scenes that a target is set for.
-static void print_parallel_trees(const Case3D *cases, int n_cases, ReportContext context)
-{
-    printf("\nTrees built on %d threads: milliseconds, and times Embree's on as many\n",
-           context.n_threads);
-    for (int i = 0; i < n_cases; i++) {
-        const struct Target *target = target_of(&cases[i]);
-        if (target != NULL) {
-            const Series *builds = cases[i].parallel_builds;
-            printf("  %s: Embree's %.2f\n", cases[i].scene_name, series_median(&builds[EMBREE]));
-            print_parallel_tree("lab 06", context.n_threads, &builds[KDTREE], &builds[EMBREE],
-                                target->parallel_middle);
-            print_parallel_tree("lab 08", context.n_threads, &builds[BY_COST], &builds[EMBREE],
-                                target->parallel_cost);
-        }
-    }
 }
 
 static void print_work(const Case3D *cases, int n_cases)
@@ -231,20 +149,22 @@ static void print_growth(const Case3D *cases, int n_cases, ReportContext context
     }
 }
 
-// Millions of rays a second of lab 07 against Embree's, one ray at a time.
+// Of one ray at a time: lab 07's kernel with either tree against Embree.
 static void print_rates(const Case3D *cases, int n_cases, ReportContext context)
 {
+    static const Renderer ours[] = {KDTREE, BY_COST};
     printf(
-        "\nMillion rays a second: kd-tree (lab 07) and Embree %s, one ray at a time, %d threads\n",
+        "\nMillion rays a second, one ray at a time: lab 07's kernel with lab 06's tree and with "
+        "lab 08's, and\nEmbree %s, %d threads; target: as many\n",
         embree_peer_version(), context.n_threads);
-    printf("  %-16s  %8s  %8s  %6s  %6s\n", "scene", "kd-tree", "Embree", "target", "ratio");
+    printf("  %-16s  %-16s  %8s  %8s  %6s\n", "scene", "tree", "kernel", "Embree", "ratio");
     for (int i = 0; i < n_cases; i++) {
-        const struct Target *target = target_of(&cases[i]);
-        if (target != NULL) {
-            const Series *kdtree = &cases[i].frames[KDTREE], *embree = &cases[i].frames[EMBREE];
-            printf("  %-16s  %8.2f  %8.2f  %6.1f", cases[i].scene_name, mray_s(kdtree),
-                   mray_s(embree), target->rate);
-            report3d_print_ratio(embree, kdtree);
+        const Series *embree = &cases[i].frames[EMBREE];
+        for (int k = 0; k < 2 && report3d_compares(&cases[i]); k++) {
+            const Series *frames = &cases[i].frames[ours[k]];
+            printf("  %-16s  %-16s  %8.2f  %8.2f", cases[i].scene_name, RENDERER3D_TITLES[ours[k]],
+                   mray_s(frames), mray_s(embree));
+            report3d_print_ratio(embree, frames);
             printf("\n");
         }
     }
@@ -258,7 +178,7 @@ static void print_tile_rates(const Case3D *cases, int n_cases, int against_embre
     printf("  %-16s  %8s  %8s  %6s\n", "scene", "tiles", against_embree ? "Embree" : "kd-tree",
            "ratio");
     for (int i = 0; i < n_cases; i++) {
-        if (target_of(&cases[i]) != NULL) {
+        if (report3d_compares(&cases[i])) {
             const Renderer other = against_embree ? best_of_embree(&cases[i]) : KDTREE;
             const Series *tiles = &cases[i].frames[TILES], *frames = &cases[i].frames[other];
             printf("  %-16s  %8.2f  %8.2f", cases[i].scene_name, mray_s(tiles), mray_s(frames));
@@ -307,7 +227,7 @@ static void print_pictures(const Case3D *cases, int n_cases, ReportContext conte
 void report3d_print(const Case3D *cases, int n_cases, ReportContext context)
 {
     for (int i = 0; i < n_cases; i++) {
-        if (target_of(&cases[i]) != NULL) {
+        if (report3d_compares(&cases[i])) {
             print_comparison(&cases[i], context);
         }
     }
@@ -319,10 +239,7 @@ void report3d_print(const Case3D *cases, int n_cases, ReportContext context)
         print_tile_rates(cases, n_cases, 1);
     }
     print_tile_rates(cases, n_cases, 0);
-    print_trees(cases, n_cases, context);
-    if (context.n_threads > 0) {
-        print_parallel_trees(cases, n_cases, context);
-    }
+    report_trees_print(cases, n_cases, context);
     print_work(cases, n_cases);
     roofline_print(cases, n_cases);
     print_growth(cases, n_cases, context);

@@ -1,6 +1,6 @@
 // What the 3D bench tells: tables for people, a CSV file for the plot.
 //
-// Read next: report_moving.h, report_secondary.h.
+// Read next: report_trees.h, report_moving.h, report_secondary.h.
 #ifndef BENCH_REPORT3D_H
 #define BENCH_REPORT3D_H
 
@@ -15,6 +15,9 @@ typedef struct ReportContext {
     int device_is_cpu;
     int n_threads;  // of Embree; 0 when it took no part
 } ReportContext;
+
+// Is this one of the scenes that stand in every table?
+int report3d_compares(const Case3D *bench_case);
 
 // Print the ratio of two series' times: the median of the single rounds' ratios, and their spread.
 void report3d_print_ratio(const Series *dividend, const Series *divisor);

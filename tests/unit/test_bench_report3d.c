@@ -39,6 +39,7 @@ static Case3D *flake_make(void)
     static const double frame_ms[N_RENDERERS] = {
         [NAIVE] = 8000,
         [KDTREE] = 80,
+        [BY_COST] = 75,
         [TILES] = 10,
         [EMBREE] = 60,
         [EMBREE + EMBREE_4] = 40,
@@ -122,8 +123,11 @@ Test(bench_report3d, the_best_of_embrees_calls_has_the_smallest_median)
     expect_in(report,
               "sphereflake         104.86     52.43    2.00  (single rounds: 2.00 to 2.00)  "
               "rtcIntersect8\n");
-    // And lab 07's kernel with one ray at a time.
-    expect_in(report, "13.11     17.48     0.7    0.75  (single rounds: 0.75 to 0.75)\n");
+    // And lab 07's kernel with one ray at a time, with either tree.
+    expect_in(report, "sphereflake       kd-tree (lab 07)     13.11     17.48    0.75  (single "
+                      "rounds: 0.75 to 0.75)\n");
+    expect_in(report, "sphereflake       by cost (lab 08)     13.98     17.48    0.80  (single "
+                      "rounds: 0.80 to 0.80)\n");
 }
 
 Test(bench_report3d, tiles_are_compared_with_lab_07)
@@ -191,7 +195,7 @@ Test(bench_report3d, the_file_marks_the_best_call)
     capture_begin(1);
     cr_assert_eq(report3d_write_csv(flake_make(), 1, "."), 0);
     capture_end(1);
-    expect_best_in_file("bench3d.csv", 7, "embree8,", NULL);
+    expect_best_in_file("bench3d.csv", 8, "embree8,", NULL);
 }
 
 // ---- Shadow and mirrored rays ---------------------------------------------------------------
