@@ -52,7 +52,7 @@ static int n_rounds(const Case3D *bench_case)
 
 static Spread spread_of_quantity(const Case3D *bench_case, Quantity quantity)
 {
-    double ms[SERIES_MAX_ROUNDS];
+    double ms[SERIES_MAX_ROUNDS] = {0};
     for (int round = 0; round < n_rounds(bench_case); round++) {
         ms[round] = round_ms(bench_case, quantity, round);
     }
@@ -61,7 +61,7 @@ static Spread spread_of_quantity(const Case3D *bench_case, Quantity quantity)
 
 static Spread ratio_of(const Case3D *bench_case, Quantity dividend, Quantity divisor)
 {
-    double ratios[SERIES_MAX_ROUNDS];
+    double ratios[SERIES_MAX_ROUNDS] = {0};
     for (int round = 0; round < n_rounds(bench_case); round++) {
         ratios[round] =
             round_ms(bench_case, dividend, round) / round_ms(bench_case, divisor, round);
@@ -180,7 +180,7 @@ static void print_spread(Spread spread, const char *infinite)
 
 static void print_answer(const Case3D *cases, int n_cases, const Question *question)
 {
-    double from[SERIES_MAX_ROUNDS], to[SERIES_MAX_ROUNDS];
+    double from[SERIES_MAX_ROUNDS] = {0}, to[SERIES_MAX_ROUNDS] = {0};
     const int n = n_rounds(&cases[0]);
     for (int round = 0; round < n; round++) {
         const Span span = span_in(cases, n_cases, question, round);

@@ -117,6 +117,19 @@ static int kernels_have_points(const Grading *grading)
     return 0;
 }
 
+// Nobody knows whether the kernels would pass beside other host files.
+static void leave_kernels(Grading *grading)
+{
+    for (int i = 0; i < grading->result.n_checks; i++) {
+        CheckResult *check = &grading->result.checks[i];
+        if (check->status == CHECK_PASSED && is_of_kernel(grading, check)) {
+            check_fail(check, diagnosis_new("not tried beside the host files that are handed out: "
+                                            "there was no time left"));
+            check->status = CHECK_NOT_RUN;
+        }
+    }
+}
+
 // What a kernel earns it has to earn beside the host files that are handed out, too: those that
 // were handed in could do its work themselves. Only a lab with both has such a variant. Returns 0,
 // or -1 after one message.
@@ -126,6 +139,11 @@ static int confirm_kernels(Grading *grading)
     Variant *const variants[] = {&grading->kernels};
     path_make(folder, "%s/variant-%s/lab", grading->session.workshop.folder, grading->whole.name);
     if (!grading->kernels.has_only_kernels || !kernels_have_points(grading)) {
+        return 0;
+    }
+    if (allowance_left(&grading->session.allowance) <= 0) {
+        grading->has_no_time = 1;
+        leave_kernels(grading);
         return 0;
     }
     if (session_take_kernels(&grading->session, folder, &grading->kernels) != 0 ||

@@ -282,16 +282,18 @@ static int ended_elsewhere(const Variant *variant, const char *task)
 static Diagnosis describe_missing(const Variant *variant, const char *task)
 {
     const RunPlace *place = &variant->place;
+    const char *beside =
+        variant->has_only_kernels ? " beside the host files that are handed out" : "";
     if (variant->build_log != NULL) {
-        return diagnosis_new("not tried: it does not compile");
+        return diagnosis_new("not tried: it does not compile%s", beside);
     }
     if (variant->trouble == NULL) {
         return diagnosis_new("no answer: the program said nothing about it");
     }
     if (!variant->is_told) {
-        return diagnosis_new("no answer: %s%s%s%s%s%s", variant->trouble, place->where ? " (" : "",
-                             place->where ? place->where : "", place->with[0] ? ", " : "",
-                             place->with, place->where ? ")" : "");
+        return diagnosis_new("no answer%s: %s%s%s%s%s%s", beside, variant->trouble,
+                             place->where ? " (" : "", place->where ? place->where : "",
+                             place->with[0] ? ", " : "", place->with, place->where ? ")" : "");
     }
     return diagnosis_new("%s: the program had ended%s%s",
                          ended_elsewhere(variant, task) ? "not reached" : "no answer",

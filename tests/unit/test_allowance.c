@@ -98,6 +98,10 @@ Test(allowance, no_wall_time_goes_beyond_the_deadline)
     cr_expect_leq(allowance_of(&allowance, STEP_RUNNING, 1).wall, 30);
     cr_expect_gt(allowance_of(&allowance, STEP_RUNNING, 1).wall, 20);
     cr_expect_eq(allowance_left(&allowance), 80);
+    // Nothing new is begun that could not be done, but what runs may go on.
+    allowance.deadline = seconds_now() + 2.5;
+    cr_expect_eq(allowance_left(&allowance), 0);
+    cr_expect_eq(allowance_of(&allowance, STEP_RUNNING, 1).processor, 10);
     allowance.deadline = seconds_now() - 1;
     cr_expect_eq(allowance_left(&allowance), 0);
     cr_expect_eq(allowance_of(&allowance, STEP_RUNNING, 1).wall, 1);

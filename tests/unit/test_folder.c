@@ -165,11 +165,12 @@ Test(folder, too_deep_is_too_much_whatever_comes_and_goes)
 
 // ---- Of one owner, where everybody may write ----------------------------------------------------
 
-// open/ and open/inner/ are everybody's, open/closed/ is not; in each a file of nobody's and one of
-// ours.
+// open/, open/inner/ and open/closed/open/ are everybody's, open/closed/ is not; in each a file of
+// nobody's and one of ours.
 static void open_folders_make(void)
 {
-    static const char *const folders[] = {"open", "open/inner", "open/closed", "open/nobodys"};
+    static const char *const folders[] = {"open", "open/inner", "open/closed", "open/closed/open",
+                                          "open/nobodys"};
     char path[64];
     for (size_t i = 0; i < sizeof folders / sizeof *folders; i++) {
         cr_assert_eq(mkdir(folders[i], 0755), 0);
@@ -181,6 +182,7 @@ static void open_folders_make(void)
     }
     cr_assert_eq(chown("open/nobodys", NOBODY, NOBODY), 0);
     cr_assert_eq(chmod("open", 01777) | chmod("open/inner", 0777), 0);
+    cr_assert_eq(chmod("open/closed/open", 0777), 0);
     cr_assert_eq(symlink("/etc", "open/inner/link"), 0);
 }
 
@@ -217,4 +219,6 @@ Test(folder, what_one_owner_left_where_everybody_may_write_is_removed)
     cr_expect_eq(access("open/inner/link/passwd", F_OK), 0);
     // Nobody can have put something there since, who is not allowed to write there.
     cr_expect_eq(access("open/closed/of-nobody", F_OK), 0);
+    cr_expect_neq(access("open/closed/open/of-nobody", F_OK), 0);
+    cr_expect_eq(access("open/closed/open/ours", F_OK), 0);
 }

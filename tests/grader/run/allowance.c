@@ -24,6 +24,10 @@
 // A command that gets a thirtieth of a processor still ends by its processor time.
 #define WALL_FACTOR 30.0
 
+// Nothing is begun so shortly before the deadline: OpenCL alone takes a second or two to start, and
+// what it comes to then would tell of the machine.
+#define LAST_START_SECONDS 3.0
+
 enum { OUR_SECONDS = 600 };
 
 static double allowed(double used, double factor)
@@ -58,12 +62,18 @@ double allowance_total(const Allowance *allowance)
     return TOTAL_FACTOR * (step.processor + step.asleep);
 }
 
-double allowance_left(const Allowance *allowance)
+// What is left `seconds` from now, should nothing be used until then.
+static double left_in(const Allowance *allowance, double seconds)
 {
-    const int is_late = allowance->deadline > 0 && seconds_now() >= allowance->deadline;
+    const int is_late = allowance->deadline > 0 && seconds_now() + seconds >= allowance->deadline;
     return is_late                 ? 0
            : allowance->is_for_one ? allowance_total(allowance) - allowance->spent
                                    : INFINITY;
+}
+
+double allowance_left(const Allowance *allowance)
+{
+    return left_in(allowance, LAST_START_SECONDS);
 }
 
 static double at_most(double seconds, double most)
@@ -74,7 +84,7 @@ static double at_most(double seconds, double most)
 SandboxTime allowance_of(const Allowance *allowance, Step step, int n)
 {
     SandboxTime time = allowed_first(allowance, step);
-    const double left = allowance_left(allowance) / n;
+    const double left = left_in(allowance, 0) / n;
     time.processor = at_most(time.processor, left);
     time.asleep = at_most(time.asleep, left);
     if (allowance->deadline > 0) {

@@ -29,7 +29,7 @@ SandboxTime allowance_of(const Allowance *allowance, Step step, int n);
 
 // What all runs of one submission may use together: the time of a step, running and asleep, some
 // times over. Side by side with what is left of it; INFINITY where several submissions share the
-// allowance. Nothing is left behind the deadline.
+// allowance. Nothing is left shortly before the deadline, nor behind it.
 double allowance_total(const Allowance *allowance);
 double allowance_left(const Allowance *allowance);
 

@@ -152,21 +152,32 @@ int folder_remove(const char *path)
 // Do something with an entry of a folder.
 typedef void EntryVisit(int folder, const char *name, const struct stat *status, void *context);
 
-// Visit what belongs to `owner`; look into folders of others that are open to everybody.
-static void owned_visit(int parent, const char *name, int depth, uid_t owner, EntryVisit *visit,
-                        void *context)
+// What is looked for, and where.
+typedef struct Search {
+    uid_t owner;
+    mode_t enters;  // folders of others that give everybody one of these rights
+    EntryVisit *visit;
+    void *context;
+} Search;
+
+// Visit what the owner has in a folder and those below. In one that is not open to everybody there
+// is nothing, but there may be in a folder below.
+static void owned_visit(int parent, const char *name, int depth, int is_open, const Search *search)
 {
     DIR *folder = depth < FOLDER_MAX_DEPTH ? folder_open(parent, name) : NULL;
     const struct dirent *entry;
     while (folder != NULL && (entry = entry_next(folder)) != NULL) {
+        const int may_be_folder = entry->d_type == DT_DIR || entry->d_type == DT_UNKNOWN;
         struct stat status;
-        if (fstatat(dirfd(folder), entry->d_name, &status, AT_SYMLINK_NOFOLLOW) != 0) {
+        if ((!is_open && !may_be_folder) ||
+            fstatat(dirfd(folder), entry->d_name, &status, AT_SYMLINK_NOFOLLOW) != 0) {
             continue;
         }
-        if (status.st_uid == owner) {
-            visit(dirfd(folder), entry->d_name, &status, context);
-        } else if (S_ISDIR(status.st_mode) && (status.st_mode & S_IWOTH) != 0) {
-            owned_visit(dirfd(folder), entry->d_name, depth + 1, owner, visit, context);
+        if (is_open && status.st_uid == search->owner) {
+            search->visit(dirfd(folder), entry->d_name, &status, search->context);
+        } else if (S_ISDIR(status.st_mode) && (status.st_mode & search->enters) != 0) {
+            owned_visit(dirfd(folder), entry->d_name, depth + 1, (status.st_mode & S_IWOTH) != 0,
+                        search);
         }
     }
     if (folder != NULL) {
@@ -196,7 +207,8 @@ static void entry_measure(int folder, const char *name, const struct stat *statu
 void folder_measure_of(const char *path, uid_t owner, long long n_files_most, FolderSize *size)
 {
     Measuring measuring = {n_files_most, size};
-    owned_visit(AT_FDCWD, path, 0, owner, entry_measure, &measuring);
+    const Search search = {owner, S_IWOTH, entry_measure, &measuring};
+    owned_visit(AT_FDCWD, path, 0, 1, &search);
 }
 
 static void entry_remove(int folder, const char *name, const struct stat *status, void *context)
@@ -212,5 +224,6 @@ static void entry_remove(int folder, const char *name, const struct stat *status
 
 void folder_remove_of(const char *path, uid_t owner)
 {
-    owned_visit(AT_FDCWD, path, 0, owner, entry_remove, NULL);
+    const Search search = {owner, S_IWOTH | S_IXOTH, entry_remove, NULL};
+    owned_visit(AT_FDCWD, path, 0, 1, &search);
 }

@@ -25,7 +25,8 @@ void folder_measure(const char *path, long long n_files_most, FolderSize *size);
 // folders below that are open to everybody, too. What lies in the owner's folders counts as well.
 void folder_measure_of(const char *path, uid_t owner, long long n_files_most, FolderSize *size);
 
-// Remove that, which nobody may be changing any more.
+// Remove that, which nobody may be changing any more; and what lies in open folders that everybody
+// reaches through others that are not: measuring as often as is needed would take too long there.
 void folder_remove_of(const char *path, uid_t owner);
 
 // Remove a folder and all that is in it, to any depth. Returns 0, or -1 with errno set.

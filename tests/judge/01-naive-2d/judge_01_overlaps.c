@@ -80,7 +80,8 @@ static const struct {
     {is_outside_by_rounding,
      {.says = "a pixel outside by however little is outside: no root, which is rounded, and no "
               "epsilon"}},
-    {is_little_outside, {.says = "a pixel outside by however little is outside: no epsilon"}},
+    {is_little_outside,
+     {.says = "a pixel outside by however little is outside: no epsilon, and nothing rounded"}},
 };
 
 // The right answer for a sample point that is `offset` away from the pixel's.

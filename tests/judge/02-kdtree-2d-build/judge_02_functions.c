@@ -152,27 +152,64 @@ static Diagnosis describe_split(BBox2D box, const BBox2D found[2], const BBox2D 
                         (Cause){.says = why});
 }
 
-// Why a side is the wrong one.
-static const char *explain_side(BBox2D box, int side)
+// How much wider than high a box is.
+static double wider_by(BBox2D box)
 {
+    return ((double)box.maxX - box.minX) - ((double)box.maxY - box.minY);
+}
+
+// Is the side that was split by all answers that of the larger upper corner?
+static int sides_follow_corners(const Job02 *job, const BBox2D *found)
+{
+    int i = 0;
+    while (i < N_SPLITS &&
+           split_side(found + 2 * i) == (job->splits[i].maxX >= job->splits[i].maxY ? 'x' : 'y')) {
+        i++;
+    }
+    return i == N_SPLITS;
+}
+
+// Are only those boxes wrong of which both sides are equal?
+static int are_only_squares_wrong(const Job02 *job, const BBox2D *found)
+{
+    int i = 0;
+    while (i < N_SPLITS && (wider_by(job->splits[i]) == 0 ||
+                            split_side(found + 2 * i) == longer_side(job->splits[i]))) {
+        i++;
+    }
+    return i == N_SPLITS;
+}
+
+// Why the side that was split of box number i is the wrong one, or NULL.
+static const char *explain_side(const Job02 *job, const BBox2D *found, int i)
+{
+    const BBox2D box = job->splits[i];
+    const double apart = wider_by(box);
     const double width = (double)box.maxX - box.minX, height = (double)box.maxY - box.minY;
-    const double apart = width - height;
-    return side == '?'  ? "nothing was split, or both sides"
-           : apart == 0 ? "where both sides are equal, x is split"
-           : -apart < height / 1024 && apart < width / 1024
+    if (split_side(found + 2 * i) == '?') {
+        return "nothing was split, or both sides";
+    }
+    if (sides_follow_corners(job, found)) {
+        return "maxX and maxY were compared: the lengths of the sides count";
+    }
+    if (apart == 0) {
+        return are_only_squares_wrong(job, found) ? "where both sides are equal, x is split" : NULL;
+    }
+    return -apart < height / 1024 && apart < width / 1024
                ? "the sides are not equal, if nearly, and the longer one is split"
                : "the shorter side was split";
 }
 
 static Diagnosis split_longer_fault(const void *pointer, int i, const void *answers)
 {
-    const BBox2D box = ((const Job02 *)pointer)->splits[i];
+    const Job02 *job = pointer;
+    const BBox2D box = job->splits[i];
     const BBox2D *found = (const BBox2D *)answers + 2 * i;
     const int longer = longer_side(box), side = split_side(found);
     BBox2D expected[2];
     halve(box, longer, expected);
     return side == longer ? NOTHING_WRONG
-                          : describe_split(box, found, expected, explain_side(box, side));
+                          : describe_split(box, found, expected, explain_side(job, answers, i));
 }
 
 // The borders that a known mistake moves: left's upper one and right's lower one.

@@ -20,6 +20,18 @@ static int by_inner(BBox2D node, BBox2D left, double x, double y)
     return x > left.minX && x < left.maxX && y > left.minY && y < left.maxY;
 }
 
+static int by_inner_x(BBox2D node, BBox2D left, double x, double y)
+{
+    (void)node;
+    return x != left.minX && cell_holds(left, x, y);
+}
+
+static int by_inner_y(BBox2D node, BBox2D left, double x, double y)
+{
+    (void)node;
+    return y != left.minY && cell_holds(left, x, y);
+}
+
 static int by_border(BBox2D node, BBox2D left, double x, double y)
 {
     (void)node;
@@ -103,6 +115,9 @@ static int by_the_contrary(BBox2D node, BBox2D left, double x, double y)
     return !cell_holds(left, x, y);
 }
 
+#define STRICT                                                                                     \
+    {"strict where it should not be: cells are half-open, minX <= x < maxX",                       \
+     MISTAKE_STRICT_BOUNDARY}
 #define SHIFTED "shifted by half a pixel: the sample point is the integer coordinate"
 #define WHOLE_BORDER "a cell's border was made a whole number: it may lie between two pixels"
 #define OTHER_AXIS "your answers are those of a comparison with a border of the other axis"
@@ -112,9 +127,9 @@ static const struct {
     GoesLeft *goes_left;
     Cause cause;
 } child_mistakes[] = {
-    {by_inner,
-     {"strict where it should not be: cells are half-open, minX <= x < maxX",
-      MISTAKE_STRICT_BOUNDARY}},
+    {by_inner, STRICT},
+    {by_inner_x, STRICT},
+    {by_inner_y, STRICT},
     {by_border, {.says = "cells are half-open: a border belongs to the cell that starts there"}},
     {by_middle, {SHIFTED, MISTAKE_SHIFTED_HALF}},
     {by_corner, {SHIFTED, MISTAKE_SHIFTED_HALF}},

@@ -157,8 +157,9 @@ static void node_color(const JobScene *scene, u32 id, float *color)
 typedef struct Walk {
     Cause looks;
     u32 id_bits;      // of an id no more than these are kept; 0: all of it
-    float narrowest;  // the way ends in cells that are narrower than this,
-    float lowest;     // or lower
+    float narrowest;  // the way ends in cells that are narrower than this
+    float lowest;     // or lower,
+    float smallest;   // or narrower and lower than this
     int n_steps;      // after how many it ends; 0: in a leaf only
 } Walk;
 
@@ -170,7 +171,8 @@ static u32 end_of_walk(const KdTree2D *tree, int x, int y, const Walk *walk)
         const BBox2D cell = tree->nodes_BBox[id];
         const NodeRel node = tree->nodes_Relations[id];
         if ((walk->n_steps != 0 && step == walk->n_steps) ||
-            cell.maxX - cell.minX < walk->narrowest || cell.maxY - cell.minY < walk->lowest) {
+            cell.maxX - cell.minX < walk->narrowest || cell.maxY - cell.minY < walk->lowest ||
+            fmaxf(cell.maxX - cell.minX, cell.maxY - cell.minY) < walk->smallest) {
             break;
         }
         id = cell_holds(tree->nodes_BBox[node.lChild], x, y) ? node.lChild : node.rChild;
@@ -199,6 +201,7 @@ static Cause draw_mistaken(const void *pointer, int mistake, Image *guess, float
         {{.says = SMALL_CELLS}, .narrowest = 1},
         {{.says = SMALL_CELLS}, .lowest = 1},
         {{.says = SMALL_CELLS}, .narrowest = 1, .lowest = 1},
+        {{.says = SMALL_CELLS}, .smallest = 1},
     };
     const JobScene *scene = pointer;
     const KdTree2D *tree = &scene->tree;
@@ -255,8 +258,16 @@ int make_leaf_map(JobScene *scene, u32 first_id)
 
 // Each second inner node cuts a strip off the rest: on the left, at the top, on the right, at the
 // bottom, and so on; and each strip is halved, so that it is an inner node that is narrower than a
-// pixel. Each fourth strip of a side holds pixels all the same, and few borders are whole.
-enum { STAIRS_SIDE = 64, N_STRIPS = MOST_LEVELS - 2, STAIRS_NODES = 4 * N_STRIPS + 1 };
+// pixel. Each fourth strip of a side holds pixels all the same, and few borders are whole. From
+// the first strip crumbs are cut off, each of which is smaller than a pixel both ways, holds one, and
+// is halved.
+enum {
+    STAIRS_SIDE = 64,
+    N_STRIPS = MOST_LEVELS - 2,
+    N_CRUMBS = 8,
+    STAIRS_NODES = 1 + 4 * N_STRIPS + 4 * N_CRUMBS
+};
+#define CRUMB_HEIGHT 0.9f
 #define STRIP_WIDTH 0.25f
 
 // Cut a strip off: left and right start as the whole cell. Returns whether it is the right one.
@@ -283,6 +294,23 @@ static u32 open_node(KdTree2D *tree, u32 id)
     return lChild;
 }
 
+// Cut a node at a height. Returns the upper part.
+static u32 cut_at(KdTree2D *tree, u32 id, float y)
+{
+    const u32 upper = open_node(tree, id);
+    tree->nodes_BBox[upper].maxY = tree->nodes_BBox[upper + 1].minY = y;
+    return upper;
+}
+
+static void cut_crumbs(KdTree2D *tree, u32 strip)
+{
+    for (int i = 0; i < N_CRUMBS; i++) {
+        const u32 crumb = cut_at(tree, strip, (f32)(i + 1) * CRUMB_HEIGHT);
+        cut_at(tree, crumb, ((f32)i + 0.5f) * CRUMB_HEIGHT);
+        strip = crumb + 1;
+    }
+}
+
 // All lists are empty: one of them is enough.
 static int grow_stairs(KdTree2D *tree)
 {
@@ -296,11 +324,14 @@ static int grow_stairs(KdTree2D *tree)
     for (u32 number = 0; number < N_STRIPS; number++) {
         const u32 left = open_node(tree, rest);
         const u32 strip = left + (u32)cut_strip(number, &boxes[left], &boxes[left + 1]);
-        const u32 half = open_node(tree, strip);
-        if (number % 2 == 0) {
-            boxes[half].maxY = boxes[half + 1].minY = (boxes[strip].minY + boxes[strip].maxY) / 2;
-        } else {
+        const u32 half = number % 2 == 0
+                             ? cut_at(tree, strip, (boxes[strip].minY + boxes[strip].maxY) / 2)
+                             : open_node(tree, strip);
+        if (number % 2 != 0) {
             boxes[half].maxX = boxes[half + 1].minX = (boxes[strip].minX + boxes[strip].maxX) / 2;
+        }
+        if (number == 0) {
+            cut_crumbs(tree, half);
         }
         rest = strip == left ? left + 1 : left;
     }

@@ -32,10 +32,36 @@ static u32 axis_by_largest(BBox3D cell)
     return cell.max[2] > cell.max[first] ? 2 : first;
 }
 
+static double side_length(BBox3D cell, u32 axis)
+{
+    return (double)cell.max[axis] - cell.min[axis];
+}
+
+// The last one that is longer than x.
+static u32 axis_beside_x(BBox3D cell)
+{
+    return side_length(cell, 2) > side_length(cell, 0)   ? 2
+           : side_length(cell, 1) > side_length(cell, 0) ? 1
+                                                         : 0;
+}
+
+// Each compared with the one before it only.
+static u32 axis_beside_last(BBox3D cell)
+{
+    return side_length(cell, 2) > side_length(cell, 1)   ? 2
+           : side_length(cell, 1) > side_length(cell, 0) ? 1
+                                                         : 0;
+}
+
+#define NOT_THE_LONGEST                                                                            \
+    "each side was compared with one other only: the longest so far has to be remembered"
+
 static const struct {
     MistakenAxis *axis;
     const char *says;
 } axis_mistakes[] = {
+    {axis_beside_x, NOT_THE_LONGEST},
+    {axis_beside_last, NOT_THE_LONGEST},
     {axis_by_whole_numbers, "the sides were compared as whole numbers"},
     {axis_by_largest, "that is the axis of the largest coordinate, not of the longest side"},
 };

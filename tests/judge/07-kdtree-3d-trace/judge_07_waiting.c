@@ -60,8 +60,8 @@ static const Cause waiting_mistakes[] = {
     [WAITING_INVERTED] = {.says = "that is as if the search went on where it has found a hit, and "
                                   "ended where it has not: the comparison with t_max is inverted"},
     [WAITING_SWAPPED] = {.says = "1 and 0 are swapped: 0 is the end"},
-    [WAITING_AT_T_MAX] = {.says = "a hit exactly at t_max ends the search; a sphere that only the "
-                                  "next leaf lists may be just as far away"},
+    [WAITING_AT_T_MAX] = {.says = "a hit exactly at t_max must not end the search: a sphere that "
+                                  "only the next leaf lists may be just as far away"},
     [WAITING_AT_T_MIN] =
         {.says = "that is as if the hit were compared with the leaf's t_min: its t_max counts"},
     [WAITING_BEFORE_T_MIN] = {.says = "a hit before t_min ends the search, too: it is in this leaf "

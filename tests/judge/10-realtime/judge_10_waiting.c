@@ -84,8 +84,9 @@ static const Cause waiting_mistakes[] = {
     [WAITING_ANY_HIT] = {.says = "that is as if the search ended as soon as every ray has a hit: "
                                  "what begins before the farthest may hold a nearer one"},
     [WAITING_INVERTED] = {.says = "the comparison with the farthest hit is inverted"},
-    [WAITING_NOT_AT_SAME] = {.says = "a node that begins exactly at the farthest hit is left out; "
-                                     "a sphere with a lower index may be just as far away"},
+    [WAITING_NOT_AT_SAME] = {.says = "a node that begins exactly at the farthest hit must not be "
+                                     "left out: a sphere with a lower index may be just as far "
+                                     "away"},
     [WAITING_BY_T_MAX] = {.says = "a node can matter where it begins before the farthest hit, "
                                   "wherever it ends: its t_min counts"},
     [WAITING_SWAPPED] = {.says = "1 and 0 are swapped: 0 is the end"},

@@ -65,6 +65,14 @@ static int takes_pixel(const Circle *circle, const Circle *found, const OracleRu
     return rules->later_wins_ties ? circle->depth <= found->depth : circle->depth < found->depth;
 }
 
+// Is it hidden by circles that need not cover anything? Theirs is the limit, which it changes.
+static int is_hidden(const Circle *circle, const OracleRules *rules, double *limit)
+{
+    const int is_behind = (rules->all_limit || rules->last_limits) && !(circle->depth < *limit);
+    *limit = rules->last_limits ? circle->depth : fmin(*limit, circle->depth);
+    return is_behind;
+}
+
 static int covers(Circle circle, double x, double y, const OracleRules *rules)
 {
     const double radius = rules->diameter ? circle.radius / 2.0 : circle.radius;
@@ -98,9 +106,11 @@ void oracle2d_draw(const Circle *circles, int n_circles, const OracleRules *rule
             const double x = u + rules->sample_offset, y = v + rules->sample_offset;
             const size_t pixel = (size_t)v * image->width + u;
             const Circle *found = NULL;
+            double limit = INFINITY;
             int edge_near = 0;
             for (u32 i = (u32)rules->skip_first; !is_end(i, (u32)n_circles, found, rules); i++) {
-                if (covers(circles[i], x, y, rules) && takes_pixel(&circles[i], found, &limited)) {
+                if (!is_hidden(&circles[i], rules, &limit) && covers(circles[i], x, y, rules) &&
+                    takes_pixel(&circles[i], found, &limited)) {
                     found = &circles[i];
                 }
                 edge_near |= ambiguous != NULL && is_ambiguous(circles[i], x, y);
@@ -140,6 +150,7 @@ void oracle2d_draw_leaves(const Circle *circles, int n_circles, const KdTree2D *
             const u32 *list = rules->first_list ? tree->mapNode2Circles : list_at(tree, u, v);
             const u32 n = list != NULL ? list[0] : 0;
             const Circle *found = NULL;
+            double limit = INFINITY;
             for (u32 i = (u32)rules->skip_first; !is_end(i, n, found, rules); i++) {
                 const u32 id = id_of_entry(list, 1 + i, rules->id);
                 if (id >= (u32)n_circles) {
@@ -147,7 +158,8 @@ void oracle2d_draw_leaves(const Circle *circles, int n_circles, const KdTree2D *
                     continue;
                 }
                 const Circle *circle = &circles[id];
-                if (covers(*circle, u, v, rules) && takes_pixel(circle, found, rules)) {
+                if (!is_hidden(circle, rules, &limit) && covers(*circle, u, v, rules) &&
+                    takes_pixel(circle, found, rules)) {
                     found = circle;
                 }
             }

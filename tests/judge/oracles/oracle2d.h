@@ -38,6 +38,8 @@ typedef struct OracleRules {
     int clear_is_hidden;   // circles with alpha 0 are never taken
     int ends_at_0;         // none is asked behind one that is taken at depth 0 or less
     int first_is_nobody;   // a pixel of circle 0 is left background
+    int all_limit;         // circles that cover nothing lower minDepth, too
+    int last_limits;       // minDepth is the depth of the one before, whether that covers or not
     u32 most_asked;        // of the scene, or of a leaf's list, no more than this; 0: all
     OracleId id;           // through a tree only
     int first_list;        // the same: every leaf has the list at the start of mapNode2Circles

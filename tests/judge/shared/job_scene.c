@@ -189,6 +189,7 @@ static Cause draw_fewer(const JobScene *scene, int mistake, Image *guess, float 
 #define NONE_YET                                                                                   \
     "drawn as if a colour of zeros said that there is no circle yet: a circle may be black, or "   \
     "transparent"
+#define UNCOVERING "drawn as if minDepth changed at circles that do not cover the pixel, too"
 #define TOO_FAR "drawn as if far circles were never taken: minDepth starts too small"
 
 // The oracle's mistakes, as DrawMistaken has it.
@@ -239,6 +240,8 @@ static Cause draw_mistaken(const void *pointer, int mistake, Image *guess, float
         {{.says = "drawn as if transparent circles were none: the nearest circle takes the pixel, "
                   "alpha included"},
          {.clear_is_hidden = 1}},
+        {{.says = UNCOVERING}, {.all_limit = 1}},
+        {{.says = UNCOVERING}, {.last_limits = 1, .ignore_depth = 1}},
         {{.says = "drawn as if the last circles were missing"}, {.skip_last = 2}},
         {{.says = "drawn as if the last circles were missing"}, {.skip_last = 3}},
     };
@@ -251,6 +254,8 @@ static Cause draw_mistaken(const void *pointer, int mistake, Image *guess, float
          {.skip_first = 1}},
         {{"drawn as if the last circle of every leaf were missing", MISTAKE_MISSING_IN_CELL},
          {.skip_last = 1}},
+        {{.says = UNCOVERING}, {.all_limit = 1}},
+        {{.says = UNCOVERING}, {.last_limits = 1, .ignore_depth = 1}},
         {{.says = "drawn as if a position in the list were used as the circle's id"},
          {.id = ID_PLACE_FROM_0}},
         {{.says = "drawn as if a position in the list were used as the circle's id"},
