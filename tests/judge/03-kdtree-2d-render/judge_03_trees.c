@@ -258,8 +258,8 @@ int make_leaf_map(JobScene *scene, u32 first_id)
 
 // Each second inner node cuts a strip off the rest: on the left, at the top, on the right, at the
 // bottom, and so on; and each strip is halved, so that it is an inner node that is narrower than a
-// pixel. Each fourth strip of a side holds pixels all the same, and few borders are whole. From
-// the first strip crumbs are cut off, each of which is smaller than a pixel both ways, holds one, and
+// pixel. Each fourth strip of a side holds pixels all the same, and few borders are whole. From the
+// first strip crumbs are cut off, each of which is smaller than a pixel both ways, holds one, and
 // is halved.
 enum {
     STAIRS_SIDE = 64,
@@ -302,6 +302,7 @@ static u32 cut_at(KdTree2D *tree, u32 id, float y)
     return upper;
 }
 
+// Cut crumbs off the upper end of a strip, which is narrower than a pixel.
 static void cut_crumbs(KdTree2D *tree, u32 strip)
 {
     for (int i = 0; i < N_CRUMBS; i++) {
