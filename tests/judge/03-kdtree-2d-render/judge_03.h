@@ -1,6 +1,6 @@
 // What lab 03's judge asks of a submission: inputs of getContainingChild, and scenes with their
-// trees. Drawn in judge_03_job.c and judge_03_trees.c, judged in judge_03.c; answers are tried
-// alone in judge_03_alone.c.
+// trees. Drawn in judge_03_job.c, judge_03_trees.c and judge_03_families.c, judged in judge_03.c;
+// answers are tried alone in judge_03_alone.c.
 #ifndef JUDGE_JUDGE_03_H
 #define JUDGE_JUDGE_03_H
 

@@ -1,5 +1,5 @@
 // Trees of lab 03's job that lab 02 does not build: leaf maps, which show in which leaf each pixel
-// ends, and cells whose borders lie just beside a whole pixel. See judge_03.h.
+// ends, one of them of stairs. See judge_03.h.
 #include "judge_03.h"
 
 #include "complain.h"
@@ -294,20 +294,29 @@ static u32 open_node(KdTree2D *tree, u32 id)
     return lChild;
 }
 
-// Cut a node at a height. Returns the upper part.
-static u32 cut_at(KdTree2D *tree, u32 id, float y)
+// Cut a node across a side, 'x' or 'y'. Returns the part with the lower coordinates.
+static u32 cut_at(KdTree2D *tree, u32 id, char side, f32 at)
 {
-    const u32 upper = open_node(tree, id);
-    tree->nodes_BBox[upper].maxY = tree->nodes_BBox[upper + 1].minY = y;
-    return upper;
+    const u32 lower = open_node(tree, id);
+    BBox2D *boxes = tree->nodes_BBox;
+    *(side == 'x' ? &boxes[lower].maxX : &boxes[lower].maxY) = at;
+    *(side == 'x' ? &boxes[lower + 1].minX : &boxes[lower + 1].minY) = at;
+    return lower;
 }
 
-// Cut crumbs off the upper end of a strip, which is narrower than a pixel.
+static u32 halve(KdTree2D *tree, u32 id, char side)
+{
+    const BBox2D box = tree->nodes_BBox[id];
+    return cut_at(tree, id, side,
+                  side == 'x' ? (box.minX + box.maxX) / 2 : (box.minY + box.maxY) / 2);
+}
+
+// Cut crumbs off the beginning of a strip that is narrower than a pixel.
 static void cut_crumbs(KdTree2D *tree, u32 strip)
 {
     for (int i = 0; i < N_CRUMBS; i++) {
-        const u32 crumb = cut_at(tree, strip, (f32)(i + 1) * CRUMB_HEIGHT);
-        cut_at(tree, crumb, ((f32)i + 0.5f) * CRUMB_HEIGHT);
+        const u32 crumb = cut_at(tree, strip, 'y', (f32)(i + 1) * CRUMB_HEIGHT);
+        halve(tree, crumb, 'y');
         strip = crumb + 1;
     }
 }
@@ -325,12 +334,7 @@ static int grow_stairs(KdTree2D *tree)
     for (u32 number = 0; number < N_STRIPS; number++) {
         const u32 left = open_node(tree, rest);
         const u32 strip = left + (u32)cut_strip(number, &boxes[left], &boxes[left + 1]);
-        const u32 half = number % 2 == 0
-                             ? cut_at(tree, strip, (boxes[strip].minY + boxes[strip].maxY) / 2)
-                             : open_node(tree, strip);
-        if (number % 2 != 0) {
-            boxes[half].maxX = boxes[half + 1].minX = (boxes[strip].minX + boxes[strip].maxX) / 2;
-        }
+        const u32 half = halve(tree, strip, number % 2 == 0 ? 'y' : 'x');
         if (number == 0) {
             cut_crumbs(tree, half);
         }
@@ -347,68 +351,4 @@ int draw_stairs(JobScene *scene)
              STAIRS_SIDE, STAIRS_SIDE);
     scene->scene.width = scene->scene.height = STAIRS_SIDE;
     return grow_stairs(&scene->tree) == 0 ? make_leaf_map(scene, N_BEFORE) : -1;
-}
-
-// ---- Families -----------------------------------------------------------------------------------
-
-// A cell, both ways from min to max, the border between its children, a coordinate before, at and
-// behind which pixels are asked, and another one in the cell. Most borders lie beside that pixel by
-// a little: 2^-17 parts floats at 100.
-static const struct {
-    float min, max, border;
-    i32 at, other;
-} families[N_FAMILIES] = {
-    {90, 110, 100.25f, 100, 95},
-    {90, 110, 100.5f, 100, 95},
-    {90, 110, 100.75f, 101, 95},
-    {90, 110, 100 + 0x1p-10f, 100, 95},
-    {90, 110, 100 - 0x1p-10f, 100, 95},
-    {90, 110, 100 + 0x1p-17f, 100, 95},
-    {90, 110, 100 - 0x1p-17f, 100, 95},
-    {-8, 16, 4, 4, 3},
-    {-8.5f, 15.5f, 3.5f, 4, 0},
-    {-8, 16, 0, 0, 3},
-    {-8, 16, 0x1p-60f, 0, 3},
-    {-8, 16, -0x1p-60f, 0, 3},
-    {-8, 16, 1 + 0x1p-23f, 1, 3},
-    {-8, 16, 1 - 0x1p-24f, 1, 3},
-    // The cell's own borders beside a pixel.
-    {1 - 0x1p-24f, 17, 9, 1, 5},
-    {-8, 7 + 0x1p-21f, 0, 7, 3},
-    {70000, 70020, 70010, 70010, 70005},
-};
-
-// Number `step` of a family's pixels along the split axis.
-static i32 family_pixel(u32 family, u32 step)
-{
-    return step < 3    ? families[family].at + (i32)step - 1
-           : step == 3 ? (i32)floorf(families[family].min) - 2
-                       : (i32)ceilf(families[family].max) + 2;
-}
-
-int add_families(const KdTree2D *tree, KdTree2D *more, ChildJob jobs[N_FAMILY_JOBS])
-{
-    if (tree_create_03(FAR_IDS + 3 * 2 * N_FAMILIES, 1, more) != 0) {
-        return -1;
-    }
-    memcpy(more->nodes_Relations, tree->nodes_Relations, tree->n_nodes * sizeof(NodeRel));
-    memcpy(more->nodes_BBox, tree->nodes_BBox, tree->n_nodes * sizeof(BBox2D));
-    for (u32 i = 0; i < 2 * N_FAMILIES; i++) {
-        const u32 id = FAR_IDS + 3 * i;
-        const float min = families[i / 2].min, max = families[i / 2].max;
-        const float border = families[i / 2].border;
-        const i32 other = families[i / 2].other;
-        // In every second family the right child comes before the left one.
-        const u32 lChild = id + 1 + i / 2 % 2, rChild = id + 2 - i / 2 % 2;
-        BBox2D *boxes = more->nodes_BBox;
-        more->nodes_Relations[id] = (NodeRel){id, lChild, rChild, 0};
-        boxes[id] = boxes[lChild] = boxes[rChild] = (BBox2D){min, max, min, max};
-        *(i % 2 == 0 ? &boxes[lChild].maxX : &boxes[lChild].maxY) = border;
-        *(i % 2 == 0 ? &boxes[rChild].minX : &boxes[rChild].minY) = border;
-        for (u32 step = 0; step < N_FAMILY_PIXELS; step++) {
-            const i32 pixel = family_pixel(i / 2, step);
-            *jobs++ = i % 2 == 0 ? (ChildJob){pixel, other, id} : (ChildJob){other, pixel, id};
-        }
-    }
-    return 0;
 }
