@@ -9,8 +9,8 @@
 //     --max-depth N     levels of the tree (labs with trees)       --list-devices
 //     --leaf-size N     elements at which a node stays a leaf      --help
 //     --heat-map        save the work of each pixel, too           --textbook      (lab 05)
-//     --bounces N       mirrors a ray meets at most (lab 09)       --acne          (lab 09)
-//     --circles         a scene of circles (lab 10)
+//     --bounces N       mirrors a ray meets at most (labs 09, 10)  --acne          (lab 09)
+//     --circles         a scene of circles (lab 10)                --shadows       (lab 10)
 //     --path FILE, --record FILE, --movie FOLDER, --script FILE      (windows)
 //     --pixel X,Y, --json FILE, --svg FILE                           (common/follow)
 #ifndef COMMON_OPTIONS_H
@@ -21,16 +21,17 @@
 // Which options a lab uses besides those that all do. It takes the others too, so that one command
 // line serves every lab, and notes on stderr that they are not used.
 enum {
-    OPTIONS_SCENE = 1,      // --scene, of circles
-    OPTIONS_TREE = 2,       // --max-depth, --leaf-size
-    OPTIONS_DEVICE = 4,     // --device
-    OPTIONS_SCENE3D = 8,    // --scene, of spheres
-    OPTIONS_WORK = 16,      // --heat-map; --stats then counts the work, too
-    OPTIONS_TEXTBOOK = 32,  // --textbook
-    OPTIONS_MIRRORS = 64,   // --bounces, --acne
-    OPTIONS_VIEW = 128,     // --path, --record, --movie, --script: of windows (common/view)
-    OPTIONS_PIXEL = 256,    // --pixel, --json, --svg: of a followed pixel (common/follow)
-    OPTIONS_CIRCLES = 512,  // --circles, which makes --scene one of circles
+    OPTIONS_SCENE = 1,       // --scene, of circles
+    OPTIONS_TREE = 2,        // --max-depth, --leaf-size
+    OPTIONS_DEVICE = 4,      // --device
+    OPTIONS_SCENE3D = 8,     // --scene, of spheres
+    OPTIONS_WORK = 16,       // --heat-map; --stats then counts the work, too
+    OPTIONS_TEXTBOOK = 32,   // --textbook
+    OPTIONS_MIRRORS = 64,    // --bounces, --acne
+    OPTIONS_VIEW = 128,      // --path, --record, --movie, --script: of windows (common/view)
+    OPTIONS_PIXEL = 256,     // --pixel, --json, --svg: of a followed pixel (common/follow)
+    OPTIONS_CIRCLES = 512,   // --circles, which makes --scene one of circles
+    OPTIONS_SHADOWS = 1024,  // --shadows, and --bounces with it
 };
 
 // The picture's size in pixels in a lab without a scene.
@@ -60,6 +61,7 @@ typedef struct Options {
     int n_bounces;       // mirrors a ray meets at most; 0: none
     int acne;            // 1 when asked for
     int circles;         // 1 when asked for
+    int shadows;         // 1 when asked for
     const char *path, *record, *movie, *script;  // as given, or NULL
     int pixel_x, pixel_y;                        // -1 when not given
     const char *json, *svg;                      // as given, or NULL
