@@ -126,7 +126,7 @@ $(OUT)/obj/tests/unit/test_builder_guard.c.o: $(TOO_MANY)
 # What the suites use: a comparison of two pictures, a part of one, what rays hit and how many there are; for the attacks a
 # listener that must not be reached, a wrapper that sees survivors, and a table of what a seed shows; a
 # judge over answers that exhaust it; a kernel without Landlock, a device without images.
-SUITE_TOOLS = $(addprefix $(OUT)/tools/,compare count_hits count_rays crop greedy_judge learned listener left_behind older_kernel)
+SUITE_TOOLS = $(addprefix $(OUT)/tools/,compare compare_mirrors count_hits count_rays crop greedy_judge learned listener left_behind older_kernel)
 $(SUITE_TOOLS): $(OUT)/tools/%: $(OUT)/obj/tests/tools/%.c.o $(OUT)/libgrader.a $(OUT)/libjudge.a $(OUT)/libcommon.a | $(OUT)/libimage_codec.so
 	$(call link,$(LIBRARIES))
 $(OUT)/tests/no_images.so: tests/tools/no_images.c

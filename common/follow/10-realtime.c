@@ -1,4 +1,5 @@
-// What there is to see in lab 10: its tiles of rays, and the kernels of labs 07 and 05 beside them.
+// What there is to see in lab 10: its tiles of rays, without shadows and with them, and the kernels
+// of labs 07 and 05 beside them.
 //
 // Flow: SCENE -> BUFFERS -> KERNEL -> IMAGE -> comparison. Read next: world.h, and the lab's
 // tile_buffers.h.
@@ -28,7 +29,17 @@ static const char *tiles_options(const World *world)
     return tile_shape(world->lab->cl.device).options;
 }
 
-static void set_tiles(const World *world, cl_kernel kernel, cl_mem d_work)
+// As above, and without shadows where the user wants none.
+static const char *lit_options(const World *world)
+{
+    static char without[1024];
+    const char *options = tiles_options(world);
+    snprintf(without, sizeof without, "%s -DNO_SHADOWS", options);
+    return world->has_shadows ? options : without;
+}
+
+// All arguments but the last ones.
+static void set_scene(const World *world, cl_kernel kernel)
 {
     const Spheres *own = world->own;
     const TileBuffers buffers = {
@@ -39,8 +50,20 @@ static void set_tiles(const World *world, cl_kernel kernel, cl_mem d_work)
         .bounds = own->bounds,
         .d_pixels = own->d_pixels,
     };
-    tile_buffers_set(&buffers, &own->scene, kernel);  // arguments 0 to 13
+    tile_buffers_set(&buffers, &own->scene, kernel);
+}
+
+static void set_tiles(const World *world, cl_kernel kernel, cl_mem d_work)
+{
+    set_scene(world, kernel);  // arguments 0 to 13
     CL_CHECK(clSetKernelArg(kernel, 14, sizeof d_work, &d_work));
+}
+
+static void set_lit_tiles(const World *world, cl_kernel kernel, cl_mem d_work)
+{
+    set_scene(world, kernel);  // arguments 0 to 13
+    CL_CHECK(clSetKernelArg(kernel, 14, sizeof world->n_bounces, &world->n_bounces));
+    CL_CHECK(clSetKernelArg(kernel, 15, sizeof d_work, &d_work));
 }
 
 static void read_tiles(const World *world, Image *picture)
@@ -72,6 +95,19 @@ static const WorldKernel KERNELS[] = {
         .unit = "tile",
     },
     {
+        .label = "shadows, by tiles",
+        .path = LAB_FOLDER "/render_lit_tiles.cl",
+        .function = "render_lit_tiles",
+        .tree = &TILES_TREE,
+        .options_of = lit_options,
+        .not_followed = "rays go as tiles: none is followed (N)",
+        .set_arguments = set_lit_tiles,
+        .enqueue = enqueue_tiles,
+        .read = read_tiles,
+        .unit = "tile",
+        .has_bounces = 1,
+    },
+    {
         .label = "kd-tree",
         .path = "solutions/07-kdtree-3d-trace/render_kdtree.cl",
         .function = "render_kdtree",
@@ -87,6 +123,7 @@ const WorldLab WORLD_LAB = {
     .name = LAB_NAME,
     .what = "Shows spheres; a tile of rays goes through the kd-tree as one.",
     .kind = &SPHERES,
+    .set = OPTIONS_SHADOWS,
     .kernels = KERNELS,
     .n_kernels = sizeof KERNELS / sizeof KERNELS[0],
 };

@@ -18,7 +18,7 @@ enum { TOP_OF_WORK = 160, TOP_OF_TREE = 262, TOP_OF_LEGEND = 350, TOP_OF_STEPS =
 
 static int section_top(const Viewer *viewer, int top)
 {
-    return top + (viewer->kernels[0].has_bounces ? viewer->window.line_height : 0);
+    return top + (viewer_find_bouncing(viewer) >= 0 ? viewer->window.line_height : 0);
 }
 
 typedef struct Pen {
@@ -87,7 +87,7 @@ static void speed_write(Viewer *viewer)
     write_line(&pen, INK, "%8.1f frames a second", 1000 / viewer->frame_ms);
     write_line(&pen, INK, "%8.2f million %s a second", n_pixels / seconds / 1e6, kind->askers);
     write_line(&pen, INK, "%8.0f ms from key to frame", viewer->latency_ms);
-    if (viewer->kernels[0].has_bounces) {
+    if (viewer_find_bouncing(viewer) >= 0) {
         bounces_write(viewer, &pen);
     }
 }

@@ -309,7 +309,10 @@ int view_run(int argc, char **argv, const WorldLab *world_lab)
     require(world_open(world, &lab, world_lab));
     lab_describe(&lab, NULL, 0, world->width, world->height);
     require(frame_open(&viewer->frame, world));
-    require(frame_use(&viewer->frame, world, &viewer->kernels[0]));
+    // The lab's own kernel; with --shadows the one that has them.
+    const int bouncing = viewer_find_bouncing(viewer);
+    viewer->kernel = lab.options.shadows && bouncing >= 0 ? bouncing : 0;
+    require(frame_use(&viewer->frame, world, viewer_kernel(viewer)));
     if (lab.options.movie != NULL) {
         film_run(viewer, &lab);
     } else {

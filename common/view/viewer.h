@@ -64,6 +64,17 @@ static inline const WorldKernel *viewer_kernel(const Viewer *viewer)
     return &viewer->kernels[viewer->kernel];
 }
 
+// The first kernel whose rays go on from what they hit; -1: the lab has none.
+static inline int viewer_find_bouncing(const Viewer *viewer)
+{
+    for (int i = 0; i < viewer->n_kernels; i++) {
+        if (viewer->kernels[i].has_bounces) {
+            return i;
+        }
+    }
+    return -1;
+}
+
 // How many levels the tree that is wanted may have.
 static inline int viewer_depth(const Viewer *viewer)
 {

@@ -20,8 +20,8 @@
 #define TILE_HEIGHT 8
 #endif
 
-// A tile's rays, and the number of vectors that they fill. Ray number i, row by row, is lane i % LANES
-// of block i / LANES.
+// A tile's rays, and the number of vectors that they fill. Ray number i, row by row, is lane
+// i % LANES of block i / LANES.
 #define N_RAYS (TILE_WIDTH * TILE_HEIGHT)
 #define N_BLOCKS (N_RAYS / LANES)
 

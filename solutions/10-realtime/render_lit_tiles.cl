@@ -21,7 +21,30 @@ static void add_light(const TileSurfaces *at, Light light, const TracedScene *sc
     }
 }
 
-// Add what a block's surfaces show as mirrors: ray_color() of lab 09, ray by ray.
+// What a mirrored ray brings: ray_color() of lab 09 from its second round on.
+//   weight   what its light counts
+static float3 mirrored_color(Ray ray, float weight, int max_bounces, const TracedScene *scene,
+                             Work *work)
+{
+    float3 color = (float3)(0.0f);
+    for (int n_bounces = 1;; n_bounces++) {
+        const Hit hit =
+            trace(ray, scene->spheres, scene->nodes, scene->sphere_ids, scene->bounds, work);
+        if (hit.sphere == NO_SPHERE) {
+            return color + weight * scene->background;
+        }
+        const Surface at = surface_at(ray, hit, scene);
+        color += weight * lit_color(at.point, at.normal, at.material, scene, work);
+        weight *= at.material.ks;
+        if (n_bounces == max_bounces || weight < LEAST_WEIGHT) {
+            return color;
+        }
+        ray.origin = at.point;
+        ray.direction = mirrored_direction(ray.direction, at.normal);
+    }
+}
+
+// Add what a block's surfaces show as mirrors, ray by ray.
 static void add_mirrors(const Tile *tile, const TileSurfaces *at, int block, int max_bounces,
                         const TracedScene *scene, LaneColors *colors, Work *work)
 {
@@ -38,7 +61,7 @@ static void add_mirrors(const Tile *tile, const TileSurfaces *at, int block, int
             const Ray ray = {(float3)(at->x[i], at->y[i], at->z[i]),
                              mirrored_direction((float3)(x[lane], y[lane], z[lane]), normal), 0.0f,
                              INFINITY};
-            color = at->ks[i] * ray_color(ray, max_bounces - 1, scene, work);
+            color = mirrored_color(ray, at->ks[i], max_bounces, scene, work);
         }
         r[lane] = color.x, g[lane] = color.y, b[lane] = color.z;
     }
@@ -51,8 +74,6 @@ static void add_mirrors(const Tile *tile, const TileSurfaces *at, int block, int
 //   spheres ... leaf_spheres   as in render_tiles
 //   max_bounces                so often a ray is mirrored at most; 0: never
 //   d_work                     what each pixel's tile cost; NULL where nothing is counted
-// A ray that is mirrored begins to count anew how much its light still weighs (LEAST_WEIGHT): it
-// may be followed a mirror farther than in lab 09, for less than half a step of a byte.
 kernel void render_lit_tiles(global const Sphere *spheres, global const uint *material_ids,
                              global const Material *materials, global const Light *lights,
                              int n_lights, Vec3 background, Camera camera, int width, int height,

@@ -86,6 +86,7 @@ check "lab 09: picture and heat map are the lab's" matches_lab 09 131x97 --scene
 check "lab 09: with fewer mirrors" matches_lab 09 64x48 --scene inside --bounces 1
 check "lab 09: with acne" matches_lab 09 64x48 --scene one --acne
 check "lab 10: picture and heat map are the lab's" matches_lab 10 317x211 --scene sphereflake:size=2
+check "lab 10: and with shadows and mirrors" matches_lab 10 131x97 --scene sphereflake:size=2 --shadows --bounces 2
 check "a picture higher than the panel" matches_lab 03 120x700 --scene random:n=50
 
 # both_draw_alike LAB OPTION...: do the tree's kernel and the naive one, which N gets, show the same, from the
@@ -105,7 +106,7 @@ check "lab 07: tree and naive show the same, here and elsewhere" both_draw_alike
 # The same in lab 10, of three kernels, each through a tree of its own. Two bytes may differ by one step where rounding
 # decides, and three pixels by more, at silhouettes.
 three_draw_alike() {
-    works window 10 "$(printf '%s\n' 'frames 1' 'save @/fast.png' 'key N' 'frames 1' 'save @/tree.png' \
+    works window 10 "$(printf '%s\n' 'frames 1' 'save @/fast.png' 'key N' 'key N' 'frames 1' 'save @/tree.png' \
         'down W' 'down D' 'frames 5' 'up W' 'up D' 'drag 50 50 71 62' 'wheel 2 50 50' 'frames 2' 'save @/tree-2.png' \
         'key N' 'frames 1' 'save @/naive-2.png' 'key N' 'frames 1' 'save @/fast-2.png')" --size 157x119 "$@" &&
         shows fast 157x119 "$(picture tree 157x119)" 0.004 3 &&
@@ -127,9 +128,9 @@ check "lab 07: the naive kernel asks every sphere" works_like 07 1 05 --scene sp
 check "lab 08: the middle's tree is lab 06's" works_like 08 1 07 --scene stadium
 check "lab 08: the naive kernel has none" works_like 08 2 05 --scene sphereflake:size=1
 check "lab 08: and then its own comes again" works_like 08 3 08 --scene stadium
-check "lab 10: lab 07's kernel goes through lab 06's tree" works_like 10 1 07 --scene stadium
-check "lab 10: the naive kernel has none" works_like 10 2 05 --scene sphereflake:size=1
-check "lab 10: and then the tiles have theirs again" works_like 10 3 10 --scene stadium
+check "lab 10: lab 07's kernel goes through lab 06's tree" works_like 10 2 07 --scene stadium
+check "lab 10: the naive kernel has none" works_like 10 3 05 --scene sphereflake:size=1
+check "lab 10: and then the tiles have theirs again" works_like 10 4 10 --scene stadium
 check "lab 01 has one kernel; R builds it again" works window 01 \
     "$(printf '%s\n' 'frames 1' 'save @/before.png' 'key N' 'key R' 'frames 1' 'save @/after.png')" --size 64x48
 check "and it shows the same" shows after 64x48 "$(picture before 64x48)"
@@ -180,6 +181,15 @@ for key in L V B; do
 done
 check "lab 01: L says so, too" says_so L 01
 check "and lab 10's" says_so L 10 --scene one
+run 10 --scene sphereflake:size=2 --size 96x64 --output "$out/lab-10.png"
+run 10 --shadows --bounces 1 --scene sphereflake:size=2 --size 96x64 --output "$out/lab-one.png"
+check "lab 10: N goes on to shadows, where the keys work" works window 10 "$(printf '%s\n' 'key N' 'frames 1' \
+    'save @/one.png' 'key V' 'key L' 'frames 1' 'save @/plain.png')" --scene sphereflake:size=2 --size 96x64 --bounces 1
+check "there is one mirror" shows one 96x64 "$out/lab-one.png"
+check "and without shadows and mirrors the picture without them" shows plain 96x64 "$out/lab-10.png" 0.004
+check "lab 10: --shadows begins with them" works window 10 "$(printf '%s\n' 'frames 1' 'save @/one.png')" \
+    --scene sphereflake:size=2 --size 96x64 --bounces 1 --shadows
+check "so it does" shows one 96x64 "$out/lab-one.png"
 check "lab 09: V says so where there are no mirrors" says_so V 09 --scene one --bounces 0
 
 # ---- The tree's depth -----------------------------------------------------------------------------
@@ -209,9 +219,11 @@ check "its middle is what it stands for" depth_is 16 15 'click 277 286'
 check "a press beside it changes nothing" depth_is 10 16 'click 277 330'
 for lab in 08 10; do
     depth_lab=$lab like_lab=$lab
-    check "lab $lab: the slider" depth_is 4 5 'drag 280 286 143 286'
+    # Lab 10 has a line more above it, and another kernel before lab 07's.
+    case $lab in 10) y=303 more='key N' ;; *) y=286 more='frames 1' ;; esac
+    check "lab $lab: the slider" depth_is 4 5 "drag 280 $y 143 $y"
     like_lab=07
-    check "lab $lab: its depth goes with N" depth_is 4 5 'drag 280 286 143 286' 'frames 1' 'key N'
+    check "lab $lab: its depth goes with N" depth_is 4 5 "drag 280 $y 143 $y" 'frames 1' 'key N' "$more"
 done
 
 # ---- A pixel is followed --------------------------------------------------------------------------
@@ -246,7 +258,8 @@ for lab in 09 10; do
     works window $lab "$(printf '%s\n' 'click 0 0' 'frames 1' 'key N' 'frames 1')" --size 1x1 --scene sphereflake:size=3 &&
         ! grep -q pixel "$scratch/stdout"
     ok $? "lab $lab: of its own kernel no pixel is followed" "$(cat "$scratch/stdout")"
-    works window $lab "$(printf '%s\n' 'key N' 'click 0 0' 'frames 1' 'key N' 'frames 1')" --size 1x1 --scene sphereflake:size=3
+    case $lab in 10) more='key N' ;; *) more='frames 1' ;; esac
+    works window $lab "$(printf '%s\n' 'key N' "$more" 'click 0 0' 'frames 1' 'key N' 'frames 1')" --size 1x1 --scene sphereflake:size=3
     [ "$(grep '^hit:' "$scratch/stdout")" = "$end" ]
     ok $? "lab $lab: but of lab 07's there" "$(cat "$scratch/stdout"), expected $end"
 done
@@ -340,14 +353,14 @@ ok $? "a kernel that does not build is told as the lab's program tells it" "$(ca
 cp labs/01-naive-2d/implicit2DRenderer.cl "$course/labs/01-naive-2d/"
 check "the skeleton has a window" works in_course 'frames 1'
 
-# as_program NAME OPTION...: does a lab's window in that course show what the program there saves? Then `N` is pressed,
-# and the window saved as next.png.
+# as_program NAME OPTION...: does a lab's window in that course show what the program there saves? Then `N` is pressed
+# twice, and the window saved as next.png and next-but-one.png.
 as_program() (
     name=$1
     shift
     cd "$course" && "$build/labs/$name" "$@" --size 64x48 --output "$out/own.png" >"$scratch/stdout" 2>&1 &&
         works run_script "$build/view/labs/$name" "$(printf '%s\n' 'frames 1' 'save @/window.png' 'key N' 'frames 1' \
-            'save @/next.png')" "$@" --size 64x48 && shows window 64x48 "$out/own.png"
+            'save @/next.png' 'key N' 'frames 1' 'save @/next-but-one.png')" "$@" --size 64x48 && shows window 64x48 "$out/own.png"
 )
 cp -r labs/09-shadows-and-mirrors "$course/labs/"
 check "lab 09: the skeleton's picture" as_program 09-shadows-and-mirrors --scene one
@@ -362,6 +375,6 @@ cp -r labs/04-camera-rays "$course/labs/"
 check "lab 04: the skeleton's picture" as_program 04-camera-rays
 cp -r labs/10-realtime "$course/labs/"
 check "lab 10: the skeleton's picture" as_program 10-realtime --scene sphereflake:size=1
-check "behind N stands lab 07's" shows_another next 64x48 "$out/own.png"
+check "behind N stands lab 07's" shows_another next-but-one 64x48 "$out/own.png"
 
 finish
