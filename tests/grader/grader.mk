@@ -24,16 +24,23 @@ $(SANDBOX_INIT): tests/grader/sandbox/sandbox_init_tool.c Makefile
 $(SANDBOX_INIT).c.o: EXTRA = $(GRADER_INCLUDES) -DSANDBOX_INIT='"$(SANDBOX_INIT)"'
 $(SANDBOX_INIT).c.o: $(SANDBOX_INIT)
 
-# One probe a lab: an archive for labs with host files, which the grader links with the student's, and
-# a program for the others.
+# One probe a lab: an object for labs with host files, which the grader links with the student's, and a
+# program for the others. The object holds all that the probe calls but the student's functions, the C
+# library's and the driver's, with its own copies of functions of the labs before and of common/. None of
+# these has a name for the linker: a student's function of the same name is another one, and neither takes
+# the other's place. What keeps its name is main(), and what shall stand before the driver's functions:
+# defined once more, it is an error.
 PROBED := $(patsubst tests/probes/%/main.c,%,$(wildcard tests/probes/*/main.c))
 WITH_HOST_FILES := $(patsubst labs/%/lab.json,%,$(shell grep -l '"[a-zA-Z0-9_]*\.c"' labs/*/lab.json))
-PROBES := $(PROBED:%=$(OUT)/probes/%.a) $(addprefix $(OUT)/probes/,$(filter-out $(WITH_HOST_FILES),$(PROBED)))
+PROBES := $(PROBED:%=$(OUT)/probes/%.o) $(addprefix $(OUT)/probes/,$(filter-out $(WITH_HOST_FILES),$(PROBED)))
 $(OUT)/obj/tests/probes/%/main.c.o: EXTRA = -I tests/probes -I labs/$(lab_name) -DLAB_NAME='"$(lab_name)"' \
     -DLAB_FOLDER='"labs/$(lab_name)"' -DPROBE_KERNEL_OPTIONS='"$(call include_path,$(lab_name))"'
-$(OUT)/probes/%.a: $(OUT)/obj/tests/probes/%/main.c.o $(call objects,tests/probes/probe.c tests/probes/probe_trees.c tests/probes/sections.c)
-	$(archive)
-$(OUT)/probes/%: $(OUT)/probes/%.a $(OUT)/libcommon.a
+$(OUT)/probes/%.o: $(OUT)/obj/tests/probes/%/main.c.o $(call objects,tests/probes/probe.c tests/probes/probe_trees.c tests/probes/sections.c) \
+    $(OUT)/earlier/%.a $(OUT)/libcommon.a
+	@mkdir -p $(@D)
+	$(call say,link    $@)ld -r $(filter %.o,$^) --start-group $(filter %.a,$^) --end-group -o $@ && \
+	    objcopy --wildcard --keep-global-symbol=main --keep-global-symbol='cl[A-Z]*' $@
+$(OUT)/probes/%: $(OUT)/probes/%.o
 	$(call link,-lOpenCL -lm)
 
 # Of a lab with a leaderboard: a race between an earlier lab's kernel and the one that was handed in. It
@@ -58,7 +65,7 @@ setup_for = grade
 # The name of the lab that is asked for as LAB=3, LAB=03 or by its name; any other word as it is.
 graded_lab = $(or $(filter $(LAB) $(LAB)-% 0$(LAB)-%,$(LABS)),$(LAB))
 # The grader of one lab: what a bundle for another system builds.
-lab-grader: $(addprefix $(OUT)/tools/,grade judge unpack) $(OUT)/probes/find_device $(filter $(addprefix $(OUT)/probes/,$(graded_lab) $(graded_lab).a $(graded_lab)-race),$(PROBES) $(RACES))
+lab-grader: $(addprefix $(OUT)/tools/,grade judge unpack) $(OUT)/probes/find_device $(filter $(addprefix $(OUT)/probes/,$(graded_lab) $(graded_lab).o $(graded_lab)-race),$(PROBES) $(RACES))
 	$(if $(filter $(graded_lab),$(LABS)),@:,@echo 'make $@: found LAB="$(LAB)", expected the number or name of a lab: $(LABS)' >&2; exit 2)
 lab-grader: $(patsubst %,$(OUT)/earlier/%.a,$(filter $(graded_lab),$(LABS)))
 

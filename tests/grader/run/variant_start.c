@@ -90,6 +90,9 @@ static SandboxRun *start_compiler(const Workshop *workshop, const Variant *varia
         }
         globfree(&found);
     }
+    // The probe comes first: what is defined once more is the student's to mend.
+    path_make(words[n_words], "lib/%s.o", manifest->lab);
+    argv[n++] = words[n_words++];
     for (int i = 0; i < manifest->n_files; i++) {
         const char *name = manifest->files[i];
         if (manifest_is_host_file(name)) {
@@ -97,11 +100,8 @@ static SandboxRun *start_compiler(const Workshop *workshop, const Variant *varia
             argv[n++] = words[n_words++];
         }
     }
-    const char *const libraries[] = {"lib/%s.a", "lib/earlier/%s.a"};
-    for (int i = 0; i < 2; i++) {
-        path_make(words[n_words], libraries[i], manifest->lab);
-        argv[n++] = words[n_words++];
-    }
+    path_make(words[n_words], "lib/earlier/%s.a", manifest->lab);
+    argv[n++] = words[n_words++];
     if (variant->is_checked) {
         argv[n++] = "-fsanitize=address";
         argv[n++] = "-fno-omit-frame-pointer";
