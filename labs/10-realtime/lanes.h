@@ -20,9 +20,10 @@
 #define TILE_HEIGHT 8
 #endif
 
-// The number of vectors that a tile's rays fill. Pixel number i of a tile, row by row, is lane
+// A tile's rays, and the number of vectors that they fill. Ray number i, row by row, is lane
 // i % LANES of block i / LANES.
-#define N_BLOCKS (TILE_WIDTH * TILE_HEIGHT / LANES)
+#define N_RAYS (TILE_WIDTH * TILE_HEIGHT)
+#define N_BLOCKS (N_RAYS / LANES)
 
 // LANES_TYPE(float) is float16 where LANES is 16.
 #define JOIN_WORDS(a, b) a##b

@@ -12,9 +12,10 @@
 int main(int argc, char **argv)
 {
     // ---- Options ---------------------------------------------------------------------------
-    Lab lab = lab_begin(
-        argc, argv, LAB_NAME, "Traces spheres; a tile of rays goes through the kd-tree as one.",
-        OPTIONS_SCENE3D | OPTIONS_TREE | OPTIONS_DEVICE | OPTIONS_WORK | OPTIONS_CIRCLES);
+    Lab lab = lab_begin(argc, argv, LAB_NAME,
+                        "Traces spheres; a tile of rays goes through the kd-tree as one.",
+                        OPTIONS_SCENE3D | OPTIONS_TREE | OPTIONS_DEVICE | OPTIONS_WORK |
+                            OPTIONS_CIRCLES | OPTIONS_SHADOWS);
     if (lab.options.circles) {
         draw_circles(&lab);
         lab_end(&lab);
@@ -34,14 +35,26 @@ int main(int argc, char **argv)
     stats_integer(&lab.stats, "tile.width", tile.width);
     stats_integer(&lab.stats, "tile.height", tile.height);
     stats_integer(&lab.stats, "tile.lanes", tile.lanes);
+    if (lab.options.shadows) {
+        stats_integer(&lab.stats, "max_bounces", lab.options.n_bounces);
+    }
 
     // ---- Kernel ----------------------------------------------------------------------------
-    // One kernel draws. Where the work is counted, a second one does that, with the same arguments.
-    lab_build_kernels(&lab, LAB_FOLDER "/render_tiles.cl", "render_tiles", tile.options,
-                      scene.width, scene.height);
+    // One kernel draws, with --shadows another one. Where the work is counted, it is built again to
+    // count, with the same arguments.
+    const int is_lit = lab.options.shadows;
+    lab_build_kernels(
+        &lab, is_lit ? LAB_FOLDER "/render_lit_tiles.cl" : LAB_FOLDER "/render_tiles.cl",
+        is_lit ? "render_lit_tiles" : "render_tiles", tile.options, scene.width, scene.height);
     for (int i = 0; i < lab.n_kernels; i++) {
-        tile_buffers_set(&buffers, &scene, lab.kernels[i]);  // arguments 0 to 13
-        CL_CHECK(clSetKernelArg(lab.kernels[i], 14, sizeof lab.d_work[i], &lab.d_work[i]));
+        cl_kernel kernel = lab.kernels[i];
+        tile_buffers_set(&buffers, &scene, kernel);  // arguments 0 to 13
+        cl_uint next = 14;
+        if (is_lit) {
+            CL_CHECK(clSetKernelArg(kernel, next++, sizeof lab.options.n_bounces,
+                                    &lab.options.n_bounces));
+        }
+        CL_CHECK(clSetKernelArg(kernel, next, sizeof lab.d_work[i], &lab.d_work[i]));
     }
     lab_draw(&lab, enqueue_tiles, lab.kernels[LAB_DRAWS], scene.width, scene.height);
 

@@ -16,10 +16,6 @@ typedef struct Shading {
     Vec3 background;
 } Shading;
 
-typedef struct LaneColors {
-    Lanes r, g, b;
-} LaneColors;
-
 // What the lanes have hit, each its own: the centres, and the colours times kd. Lanes that hit
 // nothing have the first sphere's, which nobody looks at.
 typedef struct Surfaces {

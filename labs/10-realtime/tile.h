@@ -34,4 +34,9 @@ typedef struct TileHits {
     LaneUints sphere[N_BLOCKS];
 } TileHits;
 
+// The colours of a block's rays.
+typedef struct LaneColors {
+    Lanes r, g, b;
+} LaneColors;
+
 #endif

@@ -79,6 +79,15 @@ static Cone cone_around(const Tile *tile)
     return cone;
 }
 
+// What holds for all rays of a tile, whose directions are there.
+static void tile_bound(Tile *tile)
+{
+    tile->directions[0] = interval_of(tile->x);
+    tile->directions[1] = interval_of(tile->y);
+    tile->directions[2] = interval_of(tile->z);
+    tile->cone = cone_around(tile);
+}
+
 // The tile whose first pixel is (x, y).
 static void tile_create(int x, int y, int width, int height, Camera camera, Tile *tile)
 {
@@ -88,8 +97,5 @@ static void tile_create(int x, int y, int width, int height, Camera camera, Tile
         block_pixels(x, y, block, width, height, &xs, &ys);
         block_rays(tile, block, xs, ys, width, height, camera);
     }
-    tile->directions[0] = interval_of(tile->x);
-    tile->directions[1] = interval_of(tile->y);
-    tile->directions[2] = interval_of(tile->z);
-    tile->cone = cone_around(tile);
+    tile_bound(tile);
 }

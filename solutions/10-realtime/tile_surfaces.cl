@@ -26,8 +26,16 @@ static LaneInts block_is_hit(const TileSurfaces *at, int block)
     return JOIN(vload, LANES)(block, at->is_hit);
 }
 
+// Of a ray without a hit.
+static Surface no_surface(void)
+{
+    const Surface none = {
+        (float3)(0.0f), (float3)(0.0f), {{0.0f, 0.0f, 0.0f}, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f}};
+    return none;
+}
+
 // The surfaces at a tile's hits: surface_at() of lab 09, ray by ray, as each reads from another
-// place. A ray without a hit has a point and a normal of 0.
+// place.
 static void surfaces_find(const Tile *tile, const TileHits *hits, const TracedScene *scene,
                           TileSurfaces *at)
 {
@@ -43,12 +51,9 @@ static void surfaces_find(const Tile *tile, const TileHits *hits, const TracedSc
     for (int i = 0; i < N_RAYS; i++) {
         const Hit hit = {t[i], spheres[i]};
         const Ray ray = {tile->eye, (float3)(x[i], y[i], z[i]), 0.0f, INFINITY};
-        Surface surface = {(float3)(0.0f), (float3)(0.0f), {{0.0f, 0.0f, 0.0f}}};
-        at->is_hit[i] = 0;
-        if (hit.sphere != NO_SPHERE) {
-            at->is_hit[i] = -1;
-            surface = surface_at(ray, hit, scene);
-        }
+        const int is_hit = hit.sphere != NO_SPHERE;
+        const Surface surface = is_hit ? surface_at(ray, hit, scene) : no_surface();
+        at->is_hit[i] = is_hit ? -1 : 0;
         const Material material = surface.material;
         at->x[i] = surface.point.x, at->y[i] = surface.point.y, at->z[i] = surface.point.z;
         at->nx[i] = surface.normal.x, at->ny[i] = surface.normal.y, at->nz[i] = surface.normal.z;

@@ -4,8 +4,8 @@
 //
 // Of labs 09 and 10, whose pictures hold no channel above 1 and bytes at best. Prints how many
 // pixels are ambiguous, as rounding may decide there what a ray hits, and how many of the others
-// are farther off than rounding explains, with the first of them. Exit status: 0 when there are none,
-// else 1; 2 when something is missing.
+// are farther off than rounding explains, with the first of them. Exit status: 0 when there are
+// none, else 1; 2 when something is missing.
 #include "camera_from_view.h"
 #include "complain.h"
 #include "image.h"
