@@ -109,7 +109,8 @@ $(OUT)/tests/test_plane_trees: $(call objects,tests/figures/plane_trees.c)
 $(OUT)/obj/tests/unit/test_bench_report.c.o: EXTRA = $(BENCH_INCLUDES) -I tests/bench
 $(OUT)/tests/test_bench_report: $(call objects,tests/bench/report.c tests/bench/series.c)
 $(addprefix $(OUT)/obj/tests/unit/,test_bench_report3d.c.o test_bench_report_moving.c.o test_bench_builds.c.o): EXTRA = $(BENCH_INCLUDES) -I tests/bench
-$(OUT)/tests/test_bench_report3d: $(call objects,$(addprefix tests/bench/,report3d.c report_trees.c report_secondary.c roofline.c series.c))
+$(OUT)/tests/test_bench_report3d: $(call objects,$(addprefix tests/bench/,report3d.c report_trees.c report_secondary.c report_lit.c \
+    roofline.c series.c))
 $(OUT)/tests/test_bench_report_moving: $(call objects,tests/bench/report_moving.c tests/bench/series.c)
 $(OUT)/tests/test_bench_builds: LDFLAGS += $(MEMORY_COUNTING)
 $(OUT)/tests/test_bench_builds: $(call objects,$(addprefix tests/bench/,report_builds.c case_build.c counted_memory.c \

@@ -1,6 +1,7 @@
 // The 3D bench: the naive kernel of lab 05, the kd-tree kernel of lab 07 with the trees of labs 06
 // and 08, the tiles of lab 10 and Embree, in one run; standing scenes, and moving ones, whose trees
-// are built anew for each frame; and of one scene lab 09's shadow rays and mirrored ones.
+// are built anew for each frame; and of one scene lab 09's shadow rays and mirrored ones, and whole
+// frames with them by labs 09 and 10.
 //
 //     build/tools/bench3d [--device D] [--rounds N] [--output FOLDER]       or: make bench
 //
@@ -8,12 +9,14 @@
 // pictures of a scene are compared, and what the rays hit; where they differ there are no figures.
 // Embree takes part where its package is installed (embree_peer.h), with as many threads as the
 // OpenCL device has compute units where that is a CPU, and with all of the machine's beside a GPU.
-// Read next: case3d.h, pictures3d.h, secondary_rays.h, report3d.c, report_moving.c.
+// Read next: case3d.h, pictures3d.h, secondary_rays.h, lit_frames.h, report3d.c, report_moving.c.
 #include "bench_options.h"
 #include "embree_peer.h"
 #include "launch.h"
+#include "lit_frames.h"
 #include "pictures3d.h"
 #include "report3d.h"
+#include "report_lit.h"
 #include "report_moving.h"
 #include "report_secondary.h"
 #include "rounds.h"
@@ -37,7 +40,7 @@ static const char *const SCENE_NAMES[] = {
 };
 enum { N_CASES = sizeof SCENE_NAMES / sizeof *SCENE_NAMES };
 
-// The one whose shadow rays and mirrored rays are searched: the sphereflake.
+// The one whose shadow rays and mirrored rays are searched, and drawn: the sphereflake.
 enum { SECONDARY_CASE = 0 };
 
 enum { N_FRAMES = 5 };  // a round, of all but long ones
@@ -50,7 +53,8 @@ typedef struct Bench {
     Pictures3D pictures;
     int n_threads;  // of Embree, and of trees built beside its; 0 when it does not take part
     Case3D cases[N_CASES];
-    SecondaryRays secondary;  // of SECONDARY_CASE
+    SecondaryRays secondary;     // of SECONDARY_CASE
+    LitFrame lit[N_LIT_FRAMES];  // of the same
 } Bench;
 
 // Build a first tree that is not timed: it starts Embree's threads. Returns 0, or -1 after one
@@ -82,7 +86,9 @@ static int bench_prepare(Bench *bench, const char *device)
             return -1;
         }
     }
-    if (secondary_rays_prepare(&bench->secondary, &bench->cl, &bench->cases[SECONDARY_CASE]) != 0) {
+    const Case3D *secondary = &bench->cases[SECONDARY_CASE];
+    if (secondary_rays_prepare(&bench->secondary, &bench->cl, secondary) != 0 ||
+        lit_frames_prepare(bench->lit, &bench->cl, secondary) != 0) {
         return -1;
     }
     return bench->n_threads > 0 ? start_embree(bench) : 0;
@@ -90,6 +96,7 @@ static int bench_prepare(Bench *bench, const char *device)
 
 static void bench_free(Bench *bench)
 {
+    lit_frames_free(bench->lit);
     secondary_rays_free(&bench->secondary);
     for (int i = 0; i < N_CASES; i++) {
         case3d_free(&bench->cases[i]);
@@ -205,8 +212,12 @@ static int measure_round(void *shared, int round)
             return -1;
         }
     }
-    return secondary_rays_measure(&bench->secondary, &bench->cl, &bench->cases[SECONDARY_CASE],
-                                  bench->n_threads, round);
+    const Case3D *secondary = &bench->cases[SECONDARY_CASE];
+    if (secondary_rays_measure(&bench->secondary, &bench->cl, secondary, bench->n_threads, round) !=
+        0) {
+        return -1;
+    }
+    return lit_frames_measure(bench->lit, &bench->cl, secondary, round);
 }
 
 // ---- Telling --------------------------------------------------------------------------------
@@ -217,6 +228,7 @@ static void print_tables(const Bench *bench)
                                    bench->n_threads};
     report3d_print(bench->cases, N_CASES, context);
     report_secondary_print(&bench->secondary, SCENE_NAMES[SECONDARY_CASE], context);
+    report_lit_print(bench->lit, SCENE_NAMES[SECONDARY_CASE]);
     report_moving_print(bench->cases, N_CASES);
 }
 
@@ -224,7 +236,8 @@ static void print_tables(const Bench *bench)
 static int write_files(const Bench *bench, const char *folder)
 {
     if (report3d_write_csv(bench->cases, N_CASES, folder) != 0 ||
-        report_moving_write_csv(bench->cases, N_CASES, folder) != 0) {
+        report_moving_write_csv(bench->cases, N_CASES, folder) != 0 ||
+        report_lit_write_csv(bench->lit, SCENE_NAMES[SECONDARY_CASE], folder) != 0) {
         return -1;
     }
     return report_secondary_write_csv(&bench->secondary, SCENE_NAMES[SECONDARY_CASE], folder);
@@ -235,7 +248,7 @@ int main(int argc, char **argv)
     BenchOptions options;
     switch (bench_options_read(argc, argv, "bench3d",
                                "measures the naive kernel of lab 05, the kd-tree kernel of lab "
-                               "07, the tiles of lab 10 and Embree, and lab 09's rays",
+                               "07, the tiles of lab 10 and Embree, and shadows and mirrors",
                                &options)) {
     case OPTIONS_BAD:
         return EXIT_FAILURE;

@@ -8,6 +8,10 @@
 // Round a picture's colours as a picture of bytes has them.
 void round_to_bytes(Image *picture);
 
+// How far two such pictures may be apart in a pixel: rounding may turn the least difference into a
+// whole step.
+#define BYTE_TOLERANCE (1.5f / 255)
+
 // Compare the first n_rows rows of two pictures of the same size.
 //   name   what the message calls the picture
 // Returns 0, or -1 after one message on stderr with the first pixel that differs.

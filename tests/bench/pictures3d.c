@@ -16,9 +16,6 @@
 // turns a normal by 2.5e-4, which is a fraction of this.
 #define COLOUR_TOLERANCE (0.5f / 255)
 
-// Beside a picture of bytes: rounding may turn the least difference into a whole step.
-#define BYTE_TOLERANCE (1.5f / 255)
-
 enum { N_PIXELS = CASE3D_SIDE * CASE3D_SIDE };
 
 int pictures3d_create(Pictures3D *pictures)

@@ -14,14 +14,14 @@ const char *const RAY_KIND_NAMES[N_RAY_KINDS] = {
 };
 
 const char *const SEARCHER_TITLES[N_RAY_KINDS][N_SEARCHERS] = {
-    [SHADOW_RAYS] = {"kd-tree (lab 09)", "rtcOccluded1", "rtcOccluded4", "rtcOccluded8",
-                     "rtcOccluded16", "rtcOccluded1M"},
-    [MIRRORED_RAYS] = {"kd-tree (lab 09)", "rtcIntersect1", "rtcIntersect4", "rtcIntersect8",
+    [SHADOW_RAYS] = {"kd-tree (lab 09)", "tiles (lab 10)", "rtcOccluded1", "rtcOccluded4",
+                     "rtcOccluded8", "rtcOccluded16", "rtcOccluded1M"},
+    [MIRRORED_RAYS] = {"kd-tree (lab 09)", NULL, "rtcIntersect1", "rtcIntersect4", "rtcIntersect8",
                        "rtcIntersect16", "rtcIntersect1M"},
 };
 
 // In the CSV file.
-static const char *const SEARCHER_NAMES[N_SEARCHERS] = {"kdtree",  "embree1",  "embree4",
+static const char *const SEARCHER_NAMES[N_SEARCHERS] = {"kdtree",  "tiles",    "embree1", "embree4",
                                                         "embree8", "embree16", "embree1M"};
 
 static double mray_s(const RayList *list, Searcher searcher)
@@ -50,25 +50,37 @@ static void print_searchers(const RayList *list, RayKind kind, ReportContext con
         printf("  %-16s  %10.2f  (%.2f to %.2f, %d times)  %.4g Mray/s", SEARCHER_TITLES[kind][i],
                ms.median, ms.min, ms.max, times->n, mray_s(list, i));
         if (i >= EMBREE_SEARCHES) {
-            printf(", %d CPU threads%s; %d other answers", context.n_threads,
-                   i == (int)best_of_embree(list) ? ": Embree's best" : "", list->n_different[i]);
+            printf(", %d CPU threads%s", context.n_threads,
+                   i == (int)best_of_embree(list) ? ": Embree's best" : "");
+        }
+        if (i != LAB_09) {
+            printf("; %d other answers", list->n_different[i]);
         }
         printf("\n");
     }
+    if (list->times[LAB_10].n > 0) {
+        const Spread ratio = series_ratio(&list->times[LAB_09], &list->times[LAB_10]);
+        printf("  kd-tree / tiles: %.2f  (single rounds: %.2f to %.2f)\n", ratio.median, ratio.min,
+               ratio.max);
+    }
 }
 
-// Lab 09 against Embree's best.
+// Labs 09 and 10 against Embree's best.
 static void print_rates(const SecondaryRays *secondary)
 {
-    printf("\nMillion such rays a second: kd-tree (lab 09) and the best of Embree's calls\n");
-    printf("  %-16s  %8s  %8s  %6s\n", "rays", "kd-tree", "Embree", "ratio");
+    printf("\nMillion such rays a second: labs 09 and 10, and the best of Embree's calls\n");
+    printf("  %-8s  %-16s  %8s  %8s  %6s\n", "rays", "searcher", "labs", "Embree", "ratio");
     for (int kind = 0; kind < N_RAY_KINDS; kind++) {
         const RayList *list = &secondary->lists[kind];
         const Searcher best = best_of_embree(list);
-        printf("  %-16s  %8.2f  %8.2f", RAY_KIND_NAMES[kind], mray_s(list, LAB_09),
-               mray_s(list, best));
-        report3d_print_ratio(&list->times[best], &list->times[LAB_09]);
-        printf("  %s\n", SEARCHER_TITLES[kind][best]);
+        for (int i = LAB_09; i <= LAB_10; i++) {
+            if (list->times[i].n > 0) {
+                printf("  %-8s  %-16s  %8.2f  %8.2f", RAY_KIND_NAMES[kind],
+                       SEARCHER_TITLES[kind][i], mray_s(list, i), mray_s(list, best));
+                report3d_print_ratio(&list->times[best], &list->times[i]);
+                printf("  %s\n", SEARCHER_TITLES[kind][best]);
+            }
+        }
     }
 }
 

@@ -7,7 +7,8 @@
 #include "report3d.h"
 #include "secondary_rays.h"
 
-// What tables and messages call the rays ("shadow") and what searches them ("rtcOccluded8").
+// What tables and messages call the rays ("shadow") and what searches them ("rtcOccluded8"); NULL
+// where it does not search such rays.
 extern const char *const RAY_KIND_NAMES[N_RAY_KINDS];
 extern const char *const SEARCHER_TITLES[N_RAY_KINDS][N_SEARCHERS];
 
@@ -19,7 +20,7 @@ void report_secondary_print(const SecondaryRays *secondary, const char *scene_na
 // Write FOLDER/bench3d-secondary.csv, one row a kind of rays and a searcher; fields that mean
 // nothing are empty:
 //     rays, scene          shadow or mirrored, and as --scene takes it
-//     searcher             kdtree; embree1, 4, 8, 16 and 1M
+//     searcher             kdtree, tiles; embree1, 4, 8, 16 and 1M
 //     n_rays
 //     median_ms, min_ms, max_ms, mray_s    of all rays; million rays a second at the median
 //     different_answers    from those of the kd-tree

@@ -1,6 +1,6 @@
 // Lab 09's shadow rays and first mirrored ones (see secondary_rays.h).
 //
-// Read next: secondary_rays.cl, embree_rays.c.
+// Read next: secondary_rays.cl, shadow_tiles.c, embree_rays.c.
 #include "secondary_rays.h"
 
 #include "cl_memory.h"
@@ -63,9 +63,11 @@ static void append_rays(RayList *list, const ClSetup *cl, cl_kernel make_rays, i
     CL_CHECK(clEnqueueUnmapMemObject(cl->queue, d_made, (void *)h_made, 0, NULL, NULL));
 }
 
-// Make the rays of one kind. Returns 0, or -1 after one message.
+// Make the rays of one kind.
+//   light_starts   out, of shadow rays: see ShadowTiles
+// Returns 0, or -1 after one message.
 static int make_list(RayList *list, const ClSetup *cl, const Case3D *bench_case, cl_program program,
-                     RayKind kind)
+                     RayKind kind, int *light_starts)
 {
     const int n_lights = bench_case->scene.n_lights;
     const size_t most = (size_t)(kind == SHADOW_RAYS ? n_lights : 1) * N_PIXELS;
@@ -83,6 +85,7 @@ static int make_list(RayList *list, const ClSetup *cl, const Case3D *bench_case,
     }
     for (int light = 0; kind == SHADOW_RAYS && light < n_lights; light++) {
         append_rays(list, cl, make_rays, light, d_made);
+        light_starts[light + 1] = list->n_rays;
     }
     CL_CHECK(clReleaseMemObject(d_made));
     CL_CHECK(clReleaseKernel(make_rays));
@@ -116,15 +119,15 @@ static void search(const RayList *list, const ClSetup *cl, int n_rays)
 
 // All that the searches of one kind need. Returns 0, or -1 after one message.
 static int prepare_list(RayList *list, const ClSetup *cl, const Case3D *bench_case,
-                        cl_program program, RayKind kind)
+                        cl_program program, RayKind kind, int *light_starts)
 {
-    if (make_list(list, cl, bench_case, program, kind) != 0) {
+    if (make_list(list, cl, bench_case, program, kind, light_starts) != 0) {
         return -1;
     }
     const size_t n_bytes = (size_t)list->n_rays * sizeof *list->answers;
     list->answers = malloc(n_bytes);
-    list->embree_answers = malloc(n_bytes);
-    if (list->answers == NULL || list->embree_answers == NULL) {
+    list->other_answers = malloc(n_bytes);
+    if (list->answers == NULL || list->other_answers == NULL) {
         complain("bench3d: no memory for answers");
         return -1;
     }
@@ -139,6 +142,12 @@ static int prepare_list(RayList *list, const ClSetup *cl, const Case3D *bench_ca
 
 int secondary_rays_prepare(SecondaryRays *secondary, const ClSetup *cl, const Case3D *bench_case)
 {
+    const size_t n_starts = (size_t)bench_case->scene.n_lights + 1;
+    secondary->light_starts = calloc(n_starts, sizeof *secondary->light_starts);
+    if (secondary->light_starts == NULL) {
+        complain("bench3d: no memory for lights");
+        return -1;
+    }
     // MIRRORS_OPTIONS comes from the Makefile.
     cl_program program = cl_setup_build(cl, "tests/bench/secondary_rays.cl", MIRRORS_OPTIONS);
     if (program == NULL) {
@@ -146,9 +155,15 @@ int secondary_rays_prepare(SecondaryRays *secondary, const ClSetup *cl, const Ca
     }
     int result = 0;
     for (int kind = 0; kind < N_RAY_KINDS && result == 0; kind++) {
-        result = prepare_list(&secondary->lists[kind], cl, bench_case, program, kind);
+        result = prepare_list(&secondary->lists[kind], cl, bench_case, program, kind,
+                              secondary->light_starts);
     }
     CL_CHECK(clReleaseProgram(program));
+    if (result == 0) {
+        const RayList *list = &secondary->lists[SHADOW_RAYS];
+        result = shadow_tiles_prepare(&secondary->tiles, cl, bench_case, secondary->light_starts,
+                                      list->d_rays, list->d_answers);
+    }
     return result;
 }
 
@@ -163,8 +178,10 @@ void secondary_rays_free(SecondaryRays *secondary)
         }
         free(list->rays);
         free(list->answers);
-        free(list->embree_answers);
+        free(list->other_answers);
     }
+    shadow_tiles_free(&secondary->tiles);
+    free(secondary->light_starts);
 }
 
 // ---- Answers --------------------------------------------------------------------------------
@@ -177,31 +194,32 @@ static void spoil_answers(const RayList *list, const ClSetup *cl)
     CL_CHECK(clFinish(cl->queue));
 }
 
-// Keep the kernel's answers. Returns 0, or -1 after one message: there is not one for each ray.
-static int read_answers(const RayList *list, const ClSetup *cl, RayKind kind)
+// Keep a kernel's answers.
+//   answers   out: one for each ray
+// Returns 0, or -1 after one message: there is not one for each ray.
+static int read_answers(const RayList *list, const ClSetup *cl, RayKind kind, Searcher searcher,
+                        u32 *answers)
 {
     CL_CHECK(clEnqueueReadBuffer(cl->queue, list->d_answers, CL_TRUE, 0,
-                                 (size_t)list->n_rays * sizeof *list->answers, list->answers, 0,
-                                 NULL, NULL));
+                                 (size_t)list->n_rays * sizeof *answers, answers, 0, NULL, NULL));
     int n_missing = 0;
     for (int i = 0; i < list->n_rays; i++) {
-        n_missing += list->answers[i] == NEVER_ANSWERED;
+        n_missing += answers[i] == NEVER_ANSWERED;
     }
     if (list->n_rays > 0 && n_missing == 0) {
         return 0;
     }
     complain("bench3d: %s rays, %s: found %d of %d without an answer, expected none",
-             RAY_KIND_NAMES[kind], SEARCHER_TITLES[kind][LAB_09], n_missing, list->n_rays);
+             RAY_KIND_NAMES[kind], SEARCHER_TITLES[kind][searcher], n_missing, list->n_rays);
     return -1;
 }
 
-// Compare the answers of one of Embree's calls with the kernel's. Returns 0, or -1 after one
-// message.
+// Compare a searcher's answers, the other ones, with lab 09's. Returns 0, or -1 after one message.
 static int check_answers(RayList *list, RayKind kind, Searcher searcher)
 {
     int n_different = 0;
     for (int i = 0; i < list->n_rays; i++) {
-        n_different += list->embree_answers[i] != list->answers[i];
+        n_different += list->other_answers[i] != list->answers[i];
     }
     list->n_different[searcher] = n_different;
     const int most = (int)(MAX_AMBIGUOUS_SHARE * list->n_rays);
@@ -217,29 +235,42 @@ static int check_answers(RayList *list, RayKind kind, Searcher searcher)
 
 // ---- Measuring ------------------------------------------------------------------------------
 
-static int measure_kernel(RayList *list, const ClSetup *cl, RayKind kind, int round)
+static int measure_kernel(SecondaryRays *secondary, const ClSetup *cl, RayKind kind,
+                          Searcher searcher, int round)
 {
+    RayList *list = &secondary->lists[kind];
     if (round == 0) {
         spoil_answers(list, cl);
     }
     for (int i = 0; i < SEARCHES_A_ROUND; i++) {
         const double start = stats_clock_ms();
-        search(list, cl, list->n_rays);
-        series_add(&list->times[LAB_09], stats_clock_ms() - start);
+        if (searcher == LAB_10) {
+            shadow_tiles_search(&secondary->tiles, cl);
+        } else {
+            search(list, cl, list->n_rays);
+        }
+        series_add(&list->times[searcher], stats_clock_ms() - start);
     }
-    series_end_round(&list->times[LAB_09]);
-    return round == 0 ? read_answers(list, cl, kind) : 0;
+    series_end_round(&list->times[searcher]);
+    if (round > 0) {
+        return 0;
+    }
+    if (searcher == LAB_09) {
+        return read_answers(list, cl, kind, searcher, list->answers);
+    }
+    const int result = read_answers(list, cl, kind, searcher, list->other_answers);
+    return result == 0 ? check_answers(list, kind, searcher) : result;
 }
 
 static int measure_call(RayList *list, EmbreePeer *peer, RayKind kind, EmbreeCall call, int round)
 {
     const Searcher searcher = EMBREE_SEARCHES + call;
     for (int i = 0; round == 0 && i < list->n_rays; i++) {
-        list->embree_answers[i] = NEVER_ANSWERED;
+        list->other_answers[i] = NEVER_ANSWERED;
     }
     for (int i = 0; i < SEARCHES_A_ROUND; i++) {
         const double start = stats_clock_ms();
-        embree_peer_search(peer, call, kind, list->rays, list->n_rays, list->embree_answers);
+        embree_peer_search(peer, call, kind, list->rays, list->n_rays, list->other_answers);
         series_add(&list->times[searcher], stats_clock_ms() - start);
     }
     series_end_round(&list->times[searcher]);
@@ -259,7 +290,10 @@ int secondary_rays_measure(SecondaryRays *secondary, const ClSetup *cl, const Ca
     }
     int result = 0;
     for (int kind = 0; kind < N_RAY_KINDS && result == 0; kind++) {
-        result = measure_kernel(&secondary->lists[kind], cl, kind, round);
+        result = measure_kernel(secondary, cl, kind, LAB_09, round);
+        if (kind == SHADOW_RAYS && result == 0) {
+            result = measure_kernel(secondary, cl, kind, LAB_10, round);
+        }
         for (int call = 0; call < N_EMBREE_CALLS && peer != NULL && result == 0; call++) {
             if (embree_peer_has(call)) {
                 result = measure_call(&secondary->lists[kind], peer, kind, call, round);

@@ -1,9 +1,10 @@
 // What the 3D bench measures besides pictures: lab 09's shadow rays, and its first mirrored ones,
 // of one scene. They are made once, by lab 09's functions, and searched alone: by lab 09's
-// functions in a kernel, one ray a work-item, and by each of Embree's calls.
+// functions in a kernel, one ray a work-item, the shadow rays by lab 10's tiles, and all by each of
+// Embree's calls.
 //
-// Both sides' answers are compared before any figure is printed.
-// Read next: report_secondary.h.
+// All answers are compared before any figure is printed.
+// Read next: shadow_tiles.h, report_secondary.h.
 #ifndef BENCH_SECONDARY_RAYS_H
 #define BENCH_SECONDARY_RAYS_H
 
@@ -11,10 +12,12 @@
 #include "embree_peer.h"
 #include "secondary_ray.h"
 #include "series.h"
+#include "shadow_tiles.h"
 
 // What searches the rays.
 typedef enum Searcher {
     LAB_09,           // with the tree of lab 06
+    LAB_10,           // shadow rays alone, with its own tree
     EMBREE_SEARCHES,  // with its first call; its other calls follow
     N_SEARCHERS = EMBREE_SEARCHES + N_EMBREE_CALLS,
 } Searcher;
@@ -25,15 +28,17 @@ typedef struct RayList {
     int n_rays;
     cl_mem d_rays, d_answers;
     cl_kernel kernel;  // its arguments are set
-    u32 *answers;      // [n_rays], the kernel's of the first round
-    u32 *embree_answers;
+    u32 *answers;      // [n_rays], lab 09's of the first round
+    u32 *other_answers;
 
     Series times[N_SEARCHERS];     // milliseconds for all rays
-    int n_different[N_SEARCHERS];  // answers that are not the kernel's
+    int n_different[N_SEARCHERS];  // answers that are not lab 09's
 } RayList;
 
 typedef struct SecondaryRays {
     RayList lists[N_RAY_KINDS];  // RayKind: embree_peer.h
+    int *light_starts;           // [n_lights + 1]: see ShadowTiles
+    ShadowTiles tiles;
 } SecondaryRays;
 
 // Make the rays of a case that is prepared, and run a first work-group of each kernel. Returns 0,

@@ -1,0 +1,195 @@
+// Whole frames with shadows and mirrors (see lit_frames.h).
+//
+// Read next: report_lit.c.
+#include "lit_frames.h"
+
+#include "complain.h"
+#include "equal_pixels.h"
+#include "launch.h"
+#include "report_lit.h"
+#include "stats.h"
+
+enum { FRAMES_A_ROUND = 2 };
+
+static const int SIDES[N_LIT_SIDES] = {CASE3D_SIDE, CASE3D_SIDE / 2};
+
+// The share of pixels that may differ, for each number of mirrors. A sphere that mirrors rays
+// drives them apart, and so multiplies what rounding has done to each, until one hits another
+// sphere: of a million pixels none was seen to differ without a mirror, some 20 with one and 180
+// with two. The shares with mirrors are five times that.
+static const double AMBIGUOUS_SHARES[N_MIRROR_NUMBERS] = {MAX_AMBIGUOUS_SHARE, 1e-4, 1e-3};
+
+// What no kernel draws: violet without opacity. What lab 09's does not draw is another colour
+// (NEVER_DRAWN), so that two pictures that nobody has drawn differ.
+#define NEVER_DRAWN_PIXEL 0x00ff00ffu
+
+// ---- Preparing ------------------------------------------------------------------------------
+
+// The kernels, by LitRenderer.
+static const char *const PATHS[N_LIT_RENDERERS] = {
+    [LIT_RAYS] = "solutions/09-shadows-and-mirrors/render_mirrors.cl",
+    [LIT_TILES] = "solutions/10-realtime/render_lit_tiles.cl",
+};
+static const char *const KERNELS[N_LIT_RENDERERS] = {
+    [LIT_RAYS] = "render_mirrors",
+    [LIT_TILES] = "render_lit_tiles",
+};
+
+// Set all arguments of a kernel, as the lab's main.c does.
+static void set_arguments(const LitFrame *frame, LitRenderer renderer, const Case3D *bench_case)
+{
+    // The same scene and buffers for each size: a smaller picture leaves a part of them as it is.
+    Scene3D scene = bench_case->scene;
+    scene.width = scene.height = frame->side;
+    cl_kernel kernel = frame->kernels[renderer];
+    cl_uint next;
+    if (renderer == LIT_TILES) {
+        tile_buffers_set(&bench_case->tiles, &scene, kernel);
+        next = 14;
+    } else {
+        scene_buffers_set(&bench_case->buffers, &scene, kernel);
+        tree_buffers_set(&bench_case->trees[KDTREE], kernel);
+        next = N_SCENE_ARGUMENTS + 3;
+    }
+    CL_CHECK(clSetKernelArg(kernel, next, sizeof frame->n_mirrors, &frame->n_mirrors));
+    CL_CHECK(clSetKernelArg(kernel, next + 1, sizeof(cl_mem), NULL));  // nothing is counted
+}
+
+// Queue a frame, or a square part of it.
+static void enqueue(const LitFrame *frame, const ClSetup *cl, LitRenderer renderer, int side)
+{
+    if (renderer == LIT_TILES) {
+        enqueue_tiles(cl->queue, frame->kernels[renderer], side, side);
+    } else {
+        launch(cl, frame->kernels[renderer], 0, 0, side, side);
+    }
+}
+
+// The kernels of all frames that one renderer draws. Returns 0, or -1 after one message.
+static int prepare_renderer(LitFrame *frames, const ClSetup *cl, const Case3D *bench_case,
+                            LitRenderer renderer)
+{
+    // MIRRORS_OPTIONS comes from the Makefile.
+    const char *options = renderer == LIT_TILES ? tile_shape(cl->device).options : MIRRORS_OPTIONS;
+    cl_program program = cl_setup_build(cl, PATHS[renderer], options);
+    if (program == NULL) {
+        return -1;
+    }
+    for (int i = 0; i < N_LIT_FRAMES; i++) {
+        cl_int error;
+        frames[i].kernels[renderer] = clCreateKernel(program, KERNELS[renderer], &error);
+        CL_CHECK_CREATED(error, clCreateKernel);
+        set_arguments(&frames[i], renderer, bench_case);
+        // The driver may compile at the first launch.
+        enqueue(&frames[i], cl, renderer, GROUP_SIZE);
+    }
+    CL_CHECK(clFinish(cl->queue));
+    CL_CHECK(clReleaseProgram(program));
+    return 0;
+}
+
+int lit_frames_prepare(LitFrame frames[N_LIT_FRAMES], const ClSetup *cl, const Case3D *bench_case)
+{
+    for (int i = 0; i < N_LIT_FRAMES; i++) {
+        frames[i].side = SIDES[i / N_MIRROR_NUMBERS];
+        frames[i].n_mirrors = i % N_MIRROR_NUMBERS;
+    }
+    int result = 0;
+    for (int renderer = 0; renderer < N_LIT_RENDERERS && result == 0; renderer++) {
+        result = prepare_renderer(frames, cl, bench_case, renderer);
+    }
+    return result;
+}
+
+void lit_frames_free(LitFrame frames[N_LIT_FRAMES])
+{
+    for (int i = 0; i < N_LIT_FRAMES; i++) {
+        for (int renderer = 0; renderer < N_LIT_RENDERERS; renderer++) {
+            if (frames[i].kernels[renderer] != NULL) {
+                CL_CHECK(clReleaseKernel(frames[i].kernels[renderer]));
+            }
+        }
+    }
+}
+
+// ---- Pictures -------------------------------------------------------------------------------
+
+// Make each pixel what no kernel draws.
+static void spoil_pictures(const ClSetup *cl, const Case3D *bench_case)
+{
+    const cl_uint never = NEVER_DRAWN_PIXEL;
+    spoil_image(cl, bench_case->buffers.d_image, CASE3D_SIDE, CASE3D_SIDE);
+    CL_CHECK(clEnqueueFillBuffer(cl->queue, bench_case->tiles.d_pixels, &never, sizeof never, 0,
+                                 sizeof never * CASE3D_SIDE * CASE3D_SIDE, 0, NULL, NULL));
+    CL_CHECK(clFinish(cl->queue));
+}
+
+// Returns 0, or -1 after one message.
+static int check_difference(LitFrame *frame, const Case3D *bench_case, const Image *rays,
+                            const Image *tiles)
+{
+    const ImageDifference difference = image_compare(tiles, rays, BYTE_TOLERANCE);
+    const int n_pixels = frame->side * frame->side;
+    const int most = (int)(AMBIGUOUS_SHARES[frame->n_mirrors] * n_pixels);
+    frame->n_different = difference.n_different;
+    if (difference.n_different <= most) {
+        return 0;
+    }
+    complain("bench3d: %s with shadows, mirrors: %d: found %d of %d pixels different between the "
+             "pictures of %s and of %s, the first at (%d, %d), expected at most %d",
+             bench_case->scene_name, frame->n_mirrors, difference.n_different, n_pixels,
+             LIT_TITLES[LIT_RAYS], LIT_TITLES[LIT_TILES], difference.first_x, difference.first_y,
+             most);
+    return -1;
+}
+
+// Compare the pictures that both have drawn. Returns 0, or -1 after one message.
+static int check_pictures(LitFrame *frame, const ClSetup *cl, const Case3D *bench_case)
+{
+    Image rays = {0}, tiles = {0};
+    int result = image_create(frame->side, frame->side, &rays);
+    if (result == 0) {
+        result = image_create(frame->side, frame->side, &tiles);
+    }
+    if (result == 0) {
+        read_image(cl, bench_case->buffers.d_image, &rays);
+        round_to_bytes(&rays);
+        pixels_read(cl->queue, bench_case->tiles.d_pixels, &tiles);
+        result = check_difference(frame, bench_case, &rays, &tiles);
+    }
+    image_free(&rays);
+    image_free(&tiles);
+    return result;
+}
+
+// ---- Measuring ------------------------------------------------------------------------------
+
+// A frame's times of a round.
+static void measure_frame(LitFrame *frame, const ClSetup *cl, LitRenderer renderer)
+{
+    Series *times = &frame->times[renderer];
+    for (int i = 0; i < FRAMES_A_ROUND; i++) {
+        const double start = stats_clock_ms();
+        enqueue(frame, cl, renderer, frame->side);
+        CL_CHECK(clFinish(cl->queue));
+        series_add(times, stats_clock_ms() - start);
+    }
+    series_end_round(times);
+}
+
+int lit_frames_measure(LitFrame frames[N_LIT_FRAMES], const ClSetup *cl, const Case3D *bench_case,
+                       int round)
+{
+    for (int i = 0; i < N_LIT_FRAMES; i++) {
+        if (round == 0) {
+            spoil_pictures(cl, bench_case);
+        }
+        for (int renderer = 0; renderer < N_LIT_RENDERERS; renderer++) {
+            measure_frame(&frames[i], cl, renderer);
+        }
+        if (round == 0 && check_pictures(&frames[i], cl, bench_case) != 0) {
+            return -1;
+        }
+    }
+    return 0;
+}
