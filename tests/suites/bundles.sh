@@ -318,14 +318,13 @@ named=$(grep -cx -e 'name: Autograding Tests' -e '  run-autograding-tests:' \
 ok $? "GitHub: the workflow has the names that Classroom looks for"
 
 # github STATUS NAME POINTS: a push as the workflow grades it. A handout has no solution to try each
-# task with, so that one mistake may cost more. The grader is built for these points alone: the suite
-# `handout` builds the same sources with the course's own options.
+# task with, so that one mistake may cost more.
 # shellcheck disable=SC2317 # called by check
 github() {
     cp "$scratch/$2"/* "$repository/labs/$lab"
     : >"$scratch/summary"
     status=0
-    (cd "$repository" && MAKEFLAGS=OPTIMISATION=-O0 GITHUB_STEP_SUMMARY="$scratch/summary" .github/grade.sh) \
+    (cd "$repository" && GITHUB_STEP_SUMMARY="$scratch/summary" .github/grade.sh) \
         >"$scratch/said" 2>"$scratch/said.err" || status=$?
     cat "$scratch/said" "$scratch/said.err"
     [ "$status" -eq "$1" ] && [ ! -s "$scratch/said.err" ] &&

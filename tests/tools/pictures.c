@@ -1,11 +1,12 @@
-// pictures: `compare` and `crop` for suites that ask for one after another. To load the library for pictures
-// takes a third of a second of processor time; here that is done once.
+// pictures: `compare` and `crop` for suites that ask for one after another. To load the library for
+// pictures takes a third of a second of processor time; here that is done once.
 //
 //     pictures SAID COMPLAINED
 //
-// Each request on stdin is a line with a number of words, and then so many lines: a folder, the tool's
-// name and its arguments. The tool runs in that folder as a process of its own, with what it would
-// print in the files SAID and COMPLAINED; its exit status is a line on stdout. Ends with its stdin.
+// Each request on stdin is a line with a number of words, and then so many lines: a folder, the
+// tool's name and its arguments. The tool runs in that folder as a process of its own, with what it
+// would print in the files SAID and COMPLAINED; its exit status is a line on stdout. Ends with its
+// stdin.
 #include "complain.h"
 #include "number.h"
 
