@@ -7,7 +7,6 @@
 
 build=${BUILD:-build}
 case $build in /*) ;; *) build=$PWD/$build ;; esac
-compare=$build/tools/compare
 unset COURSE_DEVICE
 
 # The folder for what the programs write. In it lies a picture from before, to be left alone by every
@@ -15,6 +14,26 @@ unset COURSE_DEVICE
 out=$scratch/out
 scenes=$scratch/scenes
 mkdir "$out" "$scenes"
+
+# One program compares and cuts all pictures of a suite, as loading the library for that takes long; it ends
+# with the suite, which alone holds the other end of what it reads.
+mkfifo "$scratch/requests" "$scratch/statuses"
+"$build/tools/pictures" "$scratch/tool-said" "$scratch/tool-complained" \
+    <"$scratch/requests" >"$scratch/statuses" 2>/dev/null &
+exec 8>"$scratch/requests" 9<"$scratch/statuses"
+
+# picture_tool NAME ARGUMENT...: as if build/tools/NAME were run here.
+picture_tool() {
+    : >"$scratch/tool-said"
+    : >"$scratch/tool-complained"
+    printf '%s\n' $(($# + 1)) "$PWD" "$@" >&8
+    read -r tool_status <&9 || tool_status=2
+    cat "$scratch/tool-said"
+    cat "$scratch/tool-complained" >&2
+    return "$tool_status"
+}
+compare() { picture_tool compare "$@"; }
+crop() { picture_tool crop "$@"; }
 
 # run LAB OPTION...: a solution program by its number; what it says goes to $scratch/stdout and stderr.
 run() (
@@ -70,7 +89,7 @@ works() {
 
 # has_size FILE WxH: can the picture be read, and is it as large as that?
 has_size() {
-    found=$("$compare" "$1" "$1") || { echo "$found"; return 1; }
+    found=$(compare "$1" "$1") || { echo "$found"; return 1; }
     [ "$found" = "$2: equal" ] || { echo "$1: found $found, expected $2"; return 1; }
 }
 

@@ -4,9 +4,9 @@
 #     . tests/tap.sh
 #     . tests/systems.sh
 
+. tests/schemas.sh
 build=${BUILD:-build}
 case $build in /*) ;; *) build=$PWD/$build ;; esac
-schemas=$PWD/tests/systems
 lab=00-hello-pixels
 # The sandboxed code is another user's.
 chmod 711 "$scratch"
@@ -32,13 +32,3 @@ cat >"$scratch/shout" <<'EOF'
     __builtin_trap();
 EOF
 sed -i "/TASK set_arguments/r $scratch/shout" "$scratch/hostile/render.c"
-
-# ---- Schemas ------------------------------------------------------------------------------------
-
-# obeys SCHEMA FILE...: are these documents what the system's documentation asks for?
-obeys() {
-    schema=$schemas/$1.schema.json
-    shift
-    for file; do set -- "$@" -i "$file"; shift; done
-    /usr/bin/python3 -W ignore -m jsonschema "$@" "$schema"
-}

@@ -130,6 +130,13 @@ $(OUT)/obj/tests/unit/test_builder_guard.c.o: $(TOO_MANY)
 SUITE_TOOLS = $(addprefix $(OUT)/tools/,compare compare_mirrors count_hits count_rays crop greedy_judge learned listener left_behind older_kernel)
 $(SUITE_TOOLS): $(OUT)/tools/%: $(OUT)/obj/tests/tools/%.c.o $(OUT)/libgrader.a $(OUT)/libjudge.a $(OUT)/libcommon.a | $(OUT)/libimage_codec.so
 	$(call link,$(LIBRARIES))
+# Two of them in one program, which loads the library for pictures once (tests/tools/pictures.c).
+SERVED = compare crop
+$(OUT)/obj/served/%.o: tests/tools/%.c $(FLAG_FILES)
+	@mkdir -p $(@D)
+	$(call say,compile $< for pictures)$(CC) $(CFLAGS) -MMD -MP $(INCLUDES) -Dmain=$*_main -c $< -o $@
+$(OUT)/tools/pictures: $(call objects,tests/tools/pictures.c) $(SERVED:%=$(OUT)/obj/served/%.o) $(OUT)/libcommon.a | $(OUT)/libimage_codec.so
+	$(call link,$(LIBRARIES) -ldl)
 $(OUT)/tests/no_images.so: tests/tools/no_images.c
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(CFLAGS) -fPIC -shared $< -ldl -o $@
@@ -142,7 +149,7 @@ unit-tests: $(filter-out $(NATIVE_TEST),$(UNIT_TESTS))
 # What the suites run with the sanitizers: solutions, whose skeletons have the same code around the holes.
 watched: unit-tests $(filter $(OUT)/solutions/% $(OUT)/view/solutions/% $(OUT)/pixel/solutions/%,$(PROGRAMS) $(VIEWS) $(PIXELS))
 # The bench is built here, too: it must not break unnoticed.
-tests: all $$(BENCH_PROGRAMS) $(NATIVE_TEST) $(JUDGES) $(LAB_JUDGES) $(SUITE_TOOLS) $(OUT)/tests/no_images.so views pixels $(FIGURES) $(OUT)/tools/plane_costs  ## build all that the tests run
+tests: all $$(BENCH_PROGRAMS) $(NATIVE_TEST) $(JUDGES) $(LAB_JUDGES) $(SUITE_TOOLS) $(OUT)/tools/pictures $(OUT)/tests/no_images.so views pixels $(FIGURES) $(OUT)/tools/plane_costs  ## build all that the tests run
 	@$(MAKE) --no-print-directory SANITIZE=1 watched
 check: tests  ## run the tests without installing anything
 	@BUILD="$(BUILD)" tests/run.sh

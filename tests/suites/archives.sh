@@ -17,13 +17,13 @@ chmod 711 "$scratch"
 mkdir -m 711 "$scratch/work"
 export TMPDIR="$scratch/work"
 reports=$scratch/reports
-mkdir "$scratch/answers"
+mkdir -p "$scratch/answers/00" "$scratch/answers/02"
 
 # grade PATH: exits as the grader does. The solution's answers are kept: it need not run every time.
 grade() {
     rm -rf "$reports"
     "$build/tools/grade" --build "$build" --output "$reports" --lab $lab --seed 5 \
-        --answers "$scratch/answers" --submission "$1" >"$scratch/said" 2>&1 </dev/null
+        --answers "$scratch/answers/${lab%%-*}" --submission "$1" >"$scratch/said" 2>&1 </dev/null
 }
 
 # field NAME: a number of results.json's outermost level.
@@ -64,7 +64,7 @@ in_new_folder() {
     cd "$scratch/$n_folders" || exit 1
 }
 
-# the_answer FOLDER: both files of the lab, and some more, as a student works on them.
+# the_answer FOLDER: all files of the lab, and some more, as a student works on them.
 the_answer() {
     mkdir -p "$1"
     cp "$course/solutions/$lab"/* "$1"
@@ -80,6 +80,8 @@ graded() {
 
 # ---- Kinds of archives --------------------------------------------------------------------------
 
+# Of lab 02, which is graded without a kernel.
+lab=02-kdtree-2d-build
 in_new_folder
 the_answer $lab
 zip -q -r folder.zip $lab
@@ -98,6 +100,8 @@ graded "an archive that only the instructor may read is read" earns 100 "$PWD/fo
 
 # ---- Shapes -------------------------------------------------------------------------------------
 
+# Of lab 00, which has two files to find.
+lab=00-hello-pixels
 in_new_folder
 the_answer course-main/labs/$lab
 mkdir -p course-main/solutions
@@ -194,6 +198,7 @@ ln labs/gradient.cl labs/render.c
 tar -czf hard.tar.gz labs/gradient.cl labs/render.c
 graded "a hard link in an archive" refuses "$PWD/hard.tar.gz" "render.c: a symbolic link"
 
+lab=02-kdtree-2d-build
 in_new_folder
 the_answer x
 mkdir target
@@ -211,6 +216,7 @@ tar -czf odd.tar.gz "$long"
 graded "a name of 255 bytes and one of two lines" earns 100 "$PWD/odd.tar.gz"
 
 # Bombs, bounded: what unpacks to 100 MB, says that it would to 600, holds 131072 entries.
+lab=00-hello-pixels
 in_new_folder
 the_answer x
 rm x/render.c

@@ -30,9 +30,9 @@ says() {
 # picture that does.
 value() {
     for file in "$1" "$2"; do
-        "$build/tools/crop" "$file" "$3" "$4" 1 1 "$out/$(basename "$file" .exr)-one.exr" || return 1
+        crop "$file" "$3" "$4" 1 1 "$out/$(basename "$file" .exr)-one.exr" || return 1
     done
-    "$compare" "$out/$(basename "$1" .exr)-one.exr" "$out/$(basename "$2" .exr)-one.exr" |
+    compare "$out/$(basename "$1" .exr)-one.exr" "$out/$(basename "$2" .exr)-one.exr" |
         sed 's/.*found (\(.*\)), expected.*/\1/; s/,//g'
 }
 

@@ -43,7 +43,7 @@ else
 fi
 
 works run 00 --size 317x211 --output "$out/00.png" >/dev/null
-check "a PNG shows what the EXR holds" "$compare" "$out/00.png" "$out/00.exr" 0.002
+check "a PNG shows what the EXR holds" compare "$out/00.png" "$out/00.exr" 0.002
 
 # From another folder with the kernels in it: where the picture goes when nobody says.
 mkdir "$scratch/elsewhere"
@@ -111,7 +111,7 @@ check "lab 03 uses every option" notes "" 03 --device 0 --scene example --max-de
 # shellcheck disable=SC2317 # called by check
 equals_lab_01() {
     rm -f "$out/03.exr"
-    works run 03 --output "$out/03.exr" "$@" && "$compare" "$out/03.exr" "$out/01.exr"
+    works run 03 --output "$out/03.exr" "$@" && compare "$out/03.exr" "$out/01.exr"
 }
 
 works run 01 --scene none --size 317x211 --output "$out/none.exr"
@@ -120,7 +120,7 @@ for scene in random:n=500 example equal-depths borders touching huge tiny outsid
     [ $scene != example ] || size=10x10
     check "lab 01 draws $scene" draws 01 $size "$out/01.exr" --scene $scene --size $size
     case $scene in none | example) ;; *) check "$scene is not black" differs \
-        "$compare" "$out/01.exr" "$out/none.exr" ;; esac
+        compare "$out/01.exr" "$out/none.exr" ;; esac
     for limits in 1/1 4/1 12/12 16/1; do
         check "lab 03 draws the same, --max-depth/--leaf-size $limits" equals_lab_01 \
             --scene $scene --size $size --max-depth ${limits%/*} --leaf-size ${limits#*/}
@@ -193,7 +193,7 @@ for n_frames in 1 3; do
         figure "$name"
     done | sort -u | wc -l)"
 done
-check "--frames does not change the picture" "$compare" "$out/3.exr" "$out/1.exr"
+check "--frames does not change the picture" compare "$out/3.exr" "$out/1.exr"
 
 # ---- Scene files --------------------------------------------------------------------------------
 
@@ -207,19 +207,19 @@ for name in plain other order header; do
     check "a scene file, $name" draws 01 64x48 "$out/$name.exr" --size 64x48 --scene "$scenes/$name.csv"
 done
 run 01 --scene none --size 64x48 --output "$out/none.exr"
-check "line ends, quotes, comments and alpha change nothing" "$compare" "$out/other.exr" "$out/plain.exr"
-check "the order of columns changes nothing" "$compare" "$out/order.exr" "$out/plain.exr"
-check "a header alone is an empty scene" "$compare" "$out/header.exr" "$out/none.exr"
+check "line ends, quotes, comments and alpha change nothing" compare "$out/other.exr" "$out/plain.exr"
+check "the order of columns changes nothing" compare "$out/order.exr" "$out/plain.exr"
+check "a header alone is an empty scene" compare "$out/header.exr" "$out/none.exr"
 awk -v header=$header -v circle=$circle 'BEGIN { print header; while (n++ < 20000) print circle }' \
     >"$scenes/same.csv"
 check "20 000 circles that no split parts" draws 01 64x48 "$out/same-naive.exr" --size 64x48 \
     --scene "$scenes/same.csv"
 check "in a tree" draws 03 64x48 "$out/same.exr" --size 64x48 --scene "$scenes/same.csv"
-check "look the same" "$compare" "$out/same.exr" "$out/same-naive.exr"
+check "look the same" compare "$out/same.exr" "$out/same-naive.exr"
 check "their tree can be drawn" works run 02 --size 64x48 --output "$out/same.exr" \
     --scene "$scenes/same.csv" --stats "$out/figures.json"
 check "and lists each a few times" test "$(figure tree.n_map)" -lt 400000
-check "a circle is something" differs "$compare" "$out/plain.exr" "$out/none.exr"
+check "a circle is something" differs compare "$out/plain.exr" "$out/none.exr"
 
 # ---- What nobody wrote is black -----------------------------------------------------------------
 
@@ -232,7 +232,7 @@ cp labs/00-hello-pixels/gradient.cl "$scratch/unfinished/solutions/00-hello-pixe
 draws_black() {
     (cd "$scratch/unfinished" && export MALLOC_PERTURB_=90 &&
         "$build/$1" --size 317x211 --output "$out/black.exr") >"$scratch/stdout" 2>&1 &&
-        "$compare" "$out/black.exr" "$out/none.exr"
+        compare "$out/black.exr" "$out/none.exr"
 }
 works run 01 --scene none --size 317x211 --output "$out/none.exr"
 for program in solutions/00-hello-pixels labs/00-hello-pixels labs/01-naive-2d labs/03-kdtree-2d-render; do

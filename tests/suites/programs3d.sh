@@ -87,7 +87,7 @@ for manner in lattice rings tree jacks sample; do
     check "and no other word" test "$(wc -l <"$scratch/stderr")" -eq 1
     check "what it skipped changes nothing" draws 05 96x64 "$out/spheres.exr" \
         --scene "$scenes/spheres.nff"
-    check "to the bit" "$compare" "$out/05.exr" "$out/spheres.exr"
+    check "to the bit" compare "$out/05.exr" "$out/spheres.exr"
 done
 
 # ---- The tree shows what every sphere shows -----------------------------------------------------
@@ -96,7 +96,7 @@ done
 # shellcheck disable=SC2317 # called by check
 equals_lab_05() {
     rm -f "$out/07.exr"
-    works run 07 --output "$out/07.exr" "$@" && "$compare" "$out/07.exr" "$out/05.exr"
+    works run 07 --output "$out/07.exr" "$@" && compare "$out/07.exr" "$out/05.exr"
 }
 
 works run 05 --scene none --size 96x64 --output "$out/none.exr"
@@ -104,7 +104,7 @@ for scene in sphereflake:size=2 random:n=300 lattice:n=4 inside planes one-cell 
     large-small behind tests/scenes/caffeine.xyz; do
     check "lab 05 draws $scene" draws 05 96x64 "$out/05.exr" --scene $scene --size 96x64
     case $scene in none) ;; *) check "$scene shows something" differs \
-        "$compare" "$out/05.exr" "$out/none.exr" ;; esac
+        compare "$out/05.exr" "$out/none.exr" ;; esac
     for limits in 1/1 6/1 12/8; do
         check "lab 07 draws the same, --max-depth/--leaf-size $limits" equals_lab_05 \
             --scene $scene --size 96x64 --max-depth ${limits%/*} --leaf-size ${limits#*/}
@@ -218,10 +218,10 @@ LC_ALL=C awk 'BEGIN { for (i = 0; i < 20; i++) for (j = 0; j < 20; j++)
 check "lab 05 draws a scene from afar" draws 05 128x128 "$out/far.exr" --scene "$scenes/far.nff"
 check "by the textbook's quadratic as well" draws 05 128x128 "$out/textbook.exr" \
     --scene "$scenes/far.nff" --textbook
-check "which looks otherwise" differs "$compare" "$out/textbook.exr" "$out/far.exr"
+check "which looks otherwise" differs compare "$out/textbook.exr" "$out/far.exr"
 check "and is right where spheres are near" draws 05 96x64 "$out/near.exr" --scene one --size 96x64
 works run 05 --scene one --size 96x64 --textbook --output "$out/textbook.exr"
-check "up to rounding" "$compare" "$out/textbook.exr" "$out/near.exr" 0.001
+check "up to rounding" compare "$out/textbook.exr" "$out/near.exr" 0.001
 
 # At 100 000 float's steps are 1/128: a small sphere reaches out of its rounded box.
 cat >"$scenes/small-far.nff" <<'END'
@@ -326,32 +326,32 @@ for kernel in 01-naive-2d/implicit2DRenderer 03-kdtree-2d-render/implicit2DRende
     draws_uncounted() (
         cd "$scratch/shown" && works run "$lab" --scene random:n=50 --size 64x48 --heat-map \
             --stats "$out/figures.json" --output "$out/counted.exr" &&
-            grep -q nodes_visited "$out/figures.json" && "$compare" "$out/counted.exr" "$out/drawn.exr"
+            grep -q nodes_visited "$out/figures.json" && compare "$out/counted.exr" "$out/drawn.exr"
     )
     check "lab $lab: the picture is not the counting kernel's" draws_uncounted
 done
 for scene in stadium clusters one-cell inside planes none; do
     works run 07 --scene "$scene" --size 96x64 --output "$out/07.exr"
     works run 08 --scene "$scene" --size 96x64 --output "$out/08.exr"
-    check "lab 08 draws what lab 07 draws: $scene" "$compare" "$out/08.exr" "$out/07.exr"
+    check "lab 08 draws what lab 07 draws: $scene" compare "$out/08.exr" "$out/07.exr"
 done
 # In lab 10's picture a colour is a byte, half a step of which may be off; and sides are no multiples of a tile's.
 for scene in sphereflake:size=3 random:n=2000 inside planes behind one-cell none; do
     works run 07 --scene "$scene" --size 99x67 --output "$out/07.exr"
     works run 10 --scene "$scene" --size 99x67 --output "$out/10.exr"
-    check "lab 10 draws what lab 07 draws: $scene" "$compare" "$out/10.exr" "$out/07.exr" 0.0021 3
+    check "lab 10 draws what lab 07 draws: $scene" compare "$out/10.exr" "$out/07.exr" 0.0021 3
 done
 # Circles: centres and radii are on the grid of 1/16 px, so that colours differ by the byte's rounding only.
 for scene in random random:n=400,min=10,max=60 example equal-depths borders touching huge tiny outside none; do
     works run 03 --scene "$scene" --size 99x67 --output "$out/03.exr"
     works run 10 --circles --scene "$scene" --size 99x67 --output "$out/10.exr"
-    check "lab 10 draws what lab 03 draws: $scene" "$compare" "$out/10.exr" "$out/03.exr" 0.00197
+    check "lab 10 draws what lab 03 draws: $scene" compare "$out/10.exr" "$out/03.exr" 0.00197
 done
 works run 03 --size 99x67 --output "$out/03.exr"
 for limits in 1/1 3/2 64/100; do
     works run 10 --circles --size 99x67 --output "$out/10.exr" --max-depth ${limits%/*} \
         --leaf-size ${limits#*/}
-    check "lab 10 draws the same circles, --max-depth/--leaf-size $limits" "$compare" "$out/10.exr" \
+    check "lab 10 draws the same circles, --max-depth/--leaf-size $limits" compare "$out/10.exr" \
         "$out/03.exr" 0.00197
 done
 ! $is_sanitized || check "lab 10 draws circles, watched by the sanitizers" \
@@ -360,12 +360,12 @@ done
 # shellcheck disable=SC2317 # called by check
 differs_with_acne() {
     works run 09 --scene one --size 96x64 --bounces 0 --acne --output "$out/acne.exr" &&
-        differs "$compare" "$out/acne.exr" "$out/05.exr" 0.00002
+        differs compare "$out/acne.exr" "$out/05.exr" 0.00002
 }
 # Where no ray is mirrored and nothing is in the way, lab 09 draws what lab 05 does.
 check "lab 05 draws one" draws 05 96x64 "$out/05.exr" --scene one --size 96x64
 check "lab 09 draws it, too" draws 09 96x64 "$out/09.exr" --scene one --size 96x64 --bounces 0
-check "and the same, within rounding" "$compare" "$out/09.exr" "$out/05.exr" 0.00002
+check "and the same, within rounding" compare "$out/09.exr" "$out/05.exr" 0.00002
 check "with --acne it does not" differs_with_acne
 for bounces in 1 5 64; do
     check "lab 09 follows up to $bounces mirrors" draws 09 64x48 "$out/09.exr" --scene inside \

@@ -139,7 +139,7 @@ for number in 00 01 02 03; do
         # shellcheck disable=SC2086
         check "lab $number: standard output is ${into%|*}" \
             fails_without_output "${into%|*}" "${into#*|}" $number $options
-        check "lab $number: the picture is whole" works "$compare" "$out/new.png" "$out/new.png"
+        check "lab $number: the picture is whole" works compare "$out/new.png" "$out/new.png"
         rm -f "$out"/new.*
     done
     check "lab $number: help that nobody can read" fails_without_output /dev/full No $number --help

@@ -26,14 +26,14 @@ run_script() (
 
 # picture FILE WxH: the window's picture, without the panel: FILE.png becomes FILE-part.png.
 picture() {
-    "$build/tools/crop" "$out/$1.png" 0 0 "${2%x*}" "${2#*x}" "$out/$1-part.png" && echo "$out/$1-part.png"
+    crop "$out/$1.png" 0 0 "${2%x*}" "${2#*x}" "$out/$1-part.png" && echo "$out/$1-part.png"
 }
 
 # shows FILE WxH PICTURE [TOLERANCE [N]]: does the window's picture look like this file?
-shows() { part=$(picture "$1" "$2") && shift 2 && "$compare" "$part" "$@"; }
+shows() { part=$(picture "$1" "$2") && shift 2 && compare "$part" "$@"; }
 
 # shows_another FILE WxH PICTURE: does it not?
-shows_another() { part=$(picture "$1" "$2") && differs "$compare" "$part" "$3"; }
+shows_another() { part=$(picture "$1" "$2") && differs compare "$part" "$3"; }
 
 # ---- Without a display ----------------------------------------------------------------------------
 
@@ -68,7 +68,7 @@ matches_lab() {
     works window "$lab" "$(printf 'frames 1\nsave @/window.png\nkey M\nkey P\nframes 1\nsave @/heat.png\n')" \
         --output "$out/saved.png" --size "$size" "$@" &&
         shows window "$size" "$out/lab.png" && shows heat "$size" "$out/lab-work.png" &&
-        "$compare" "$out/saved.png" "$out/lab.png"
+        compare "$out/saved.png" "$out/lab.png"
 }
 
 check "lab 01: picture and heat map are the lab's" matches_lab 01 317x211 --scene random:n=50
@@ -158,7 +158,7 @@ check "L: no shadows is another picture" shows_another l 96x64 "$out/five.png"
 check "neither shadows nor mirrors: lab 07's picture" shows plain 96x64 "$out/lab-07.png" 0.004
 check "there are no fewer mirrors than none" shows fewer 96x64 "$(picture plain 96x64)"
 check "L: shadows again" shows shadows 96x64 "$out/none.png"
-check "they are another picture than lab 07's by far" differs "$compare" "$out/none.png" "$out/lab-07.png" 0.1
+check "they are another picture than lab 07's by far" differs compare "$out/none.png" "$out/lab-07.png" 0.1
 check "N: lab 07's kernel" shows tree 96x64 "$out/lab-07.png"
 check "for which the keys do nothing" shows tree-2 96x64 "$out/lab-07.png"
 check "N: lab 05's" shows naive 96x64 "$out/lab-07.png"
@@ -171,9 +171,9 @@ says_so() {
     works window "$lab" "$(printf '%s\n' 'frames 1' 'frames 1' 'save @/before.png' "key $key" 'frames 1' 'save @/after.png')" \
         --size 64x48 "$@" || return 1
     for shown in before after; do
-        "$build/tools/crop" "$out/$shown.png" 64 608 352 32 "$out/$shown-line.png" || return 1
+        crop "$out/$shown.png" 64 608 352 32 "$out/$shown-line.png" || return 1
     done
-    shows after 64x48 "$(picture before 64x48)" && differs "$compare" "$out/after-line.png" "$out/before-line.png"
+    shows after 64x48 "$(picture before 64x48)" && differs compare "$out/after-line.png" "$out/before-line.png"
 }
 check "lab 04: M says that it does nothing" says_so M 04
 for key in L V B; do
@@ -311,8 +311,8 @@ check "a film needs no display" works with DISPLAY= film 07-kdtree-3d-trace --sc
 [ "$(find "$out/film" -name 'frame-*.png' | wc -l)" -eq 100 ]
 ok $? "it goes once round the scene in 100 frames" "$(find "$out/film")"
 run 07 --scene sphereflake:size=1 --size 63x48 --output "$out/lab.png"
-check "its first frame is the scene's own view" "$compare" "$out/film/frame-00001.png" "$out/lab.png"
-check "the others are not" differs "$compare" "$out/film/frame-00026.png" "$out/lab.png"
+check "its first frame is the scene's own view" compare "$out/film/frame-00001.png" "$out/lab.png"
+check "the others are not" differs compare "$out/film/frame-00026.png" "$out/lab.png"
 if command -v ffprobe >/dev/null; then
     found=$(ffprobe -v error -count_frames -show_entries stream=nb_read_frames,width,height -of csv=p=0 "$out/film.mp4")
     [ "$found" = 64,48,100 ]
@@ -370,7 +370,7 @@ sed 's/^    float3 color = .*/    float3 color = (float3)(NAN);/' labs/09-shadow
     >"$course/labs/09-shadows-and-mirrors/mirrors.cl"
 cp "$out/own.png" "$out/skeleton.png"
 check "lab 09: no number for a colour" as_program 09-shadows-and-mirrors --scene one
-check "is black" "$compare" "$out/own.png" "$out/skeleton.png"
+check "is black" compare "$out/own.png" "$out/skeleton.png"
 cp -r labs/04-camera-rays "$course/labs/"
 check "lab 04: the skeleton's picture" as_program 04-camera-rays
 cp -r labs/10-realtime "$course/labs/"
