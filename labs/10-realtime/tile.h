@@ -1,5 +1,6 @@
-// A tile: the rays from the eye through a small rectangle of pixels, which stay close together, so
-// that what holds for all of them can be asked once. The device's own.
+// A tile: the rays from the eye through a small rectangle of pixels, or from a light to what these
+// hit. They stay close together, so that what holds for all of them can be asked once. The device's
+// own.
 //
 // Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: intervals.cl, cone.cl.
 #ifndef TILE_H

@@ -1,6 +1,7 @@
 // Lab 10: the rays of a tile, and what holds for all of them. Nothing to fill in here.
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Called by render_tiles.cl.
+// Flow: scene -> buffers -> KERNEL -> image -> comparison. Called by render_tiles.cl and
+// tile_light.cl.
 #include "tile.h"
 #include "vec3.h"
 
@@ -72,7 +73,8 @@ static Cone cone_around(const Tile *tile)
     if (-largest_lane(-least_along) > 0.0f && cone.sine < 1.0f) {
         cone.cosine = sqrt(1.0f - cone.sine * cone.sine) - CONE_ERROR;
     } else {
-        // A tile of half a view of more than 90 degrees: no sphere is outside of this one.
+        // A tile of half a view of more than 90 degrees, or the ways from a light to points all
+        // around it: no sphere is outside of this one.
         cone.sine = 0.0f;
         cone.cosine = -1.0f;
     }

@@ -21,30 +21,9 @@ static void add_light(const TileSurfaces *at, Light light, const TracedScene *sc
     }
 }
 
-// What a mirrored ray brings: ray_color() of lab 09 from its second round on.
-//   weight   what its light counts
-static float3 mirrored_color(Ray ray, float weight, int max_bounces, const TracedScene *scene,
-                             Work *work)
-{
-    float3 color = (float3)(0.0f);
-    for (int n_bounces = 1;; n_bounces++) {
-        const Hit hit =
-            trace(ray, scene->spheres, scene->nodes, scene->sphere_ids, scene->bounds, work);
-        if (hit.sphere == NO_SPHERE) {
-            return color + weight * scene->background;
-        }
-        const Surface at = surface_at(ray, hit, scene);
-        color += weight * lit_color(at.point, at.normal, at.material, scene, work);
-        weight *= at.material.ks;
-        if (n_bounces == max_bounces || weight < LEAST_WEIGHT) {
-            return color;
-        }
-        ray.origin = at.point;
-        ray.direction = mirrored_direction(ray.direction, at.normal);
-    }
-}
-
-// Add what a block's surfaces show as mirrors, ray by ray.
+// Add what a block's surfaces show as mirrors: ray_color() of lab 09, ray by ray. It begins to
+// count anew what a ray's light weighs, and may follow one a mirror farther than lab 09 does, for
+// light that counts less than LEAST_WEIGHT.
 static void add_mirrors(const Tile *tile, const TileSurfaces *at, int block, int max_bounces,
                         const TracedScene *scene, LaneColors *colors, Work *work)
 {
@@ -61,7 +40,7 @@ static void add_mirrors(const Tile *tile, const TileSurfaces *at, int block, int
             const Ray ray = {(float3)(at->x[i], at->y[i], at->z[i]),
                              mirrored_direction((float3)(x[lane], y[lane], z[lane]), normal), 0.0f,
                              INFINITY};
-            color = mirrored_color(ray, at->ks[i], max_bounces, scene, work);
+            color = at->ks[i] * ray_color(ray, max_bounces - 1, scene, work);
         }
         r[lane] = color.x, g[lane] = color.y, b[lane] = color.z;
     }

@@ -1,4 +1,4 @@
-// What the kernel of lab 10 takes: the scene, its tree with the spheres in the leaves' order, the
+// What the kernels of lab 10 take: the scene, its tree with the spheres in the leaves' order, the
 // picture as bytes; and the shape of a tile. Given; labs 05 and 08 have the same steps.
 #ifndef TILE_BUFFERS_H
 #define TILE_BUFFERS_H
@@ -28,7 +28,7 @@ int tile_buffers_create(Lab *lab, const Scene3D *scene, TileBuffers *buffers);
 // Release them; zeroed TileBuffers are fine.
 void tile_buffers_free(TileBuffers *buffers);
 
-// Set all of a kernel's arguments but the last, d_work: see render_tiles.cl.
+// Set a kernel's arguments 0 to 13, which render_tiles.cl and render_lit_tiles.cl have alike.
 void tile_buffers_set(const TileBuffers *buffers, const Scene3D *scene, cl_kernel kernel);
 
 // The picture as floats from 0 to 1. Returns 0, or -1 after one message on stderr. Release with

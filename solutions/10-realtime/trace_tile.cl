@@ -1,7 +1,8 @@
 // Lab 10: what the rays of a tile hit first: one search through the tree for all of them. Nothing
 // to fill in here; lay it beside trace.cl of lab 07.
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Called by render_tiles.cl.
+// Flow: scene -> buffers -> KERNEL -> image -> comparison. Called by render_tiles.cl and
+// tile_light.cl.
 #include "cone.cl"
 #include "intervals.cl"
 #include "ray.h"
@@ -68,7 +69,8 @@ static int clip_tile_to_box(BBox3D box, const float *eye, const Interval *direct
     for (uint axis = 0; axis < 3; axis++) {
         const Interval to_min = plane_interval(box.min[axis], eye[axis], directions[axis]);
         const Interval to_max = plane_interval(box.max[axis], eye[axis], directions[axis]);
-        if (eye[axis] < box.min[axis]) {
+        // An eye on a plane counts to its lower side, as in plane_interval().
+        if (eye[axis] <= box.min[axis]) {
             at->t_min = fmax(at->t_min, to_min.low);
             at->t_max = fmin(at->t_max, to_max.high);
         } else if (eye[axis] > box.max[axis]) {

@@ -8,7 +8,7 @@
 //   rays       those of the tile, n_rays; the lanes behind them hold the last one, closed
 //   at         out: where the rays begin, and nothing else
 static void turn_rays(float3 position, global const SecondaryRay *rays, int n_rays,
-                      TileSurfaces *at, LightTile *light)
+                      TileSurfaces *at, LightTile *ways)
 {
     float x[N_RAYS], y[N_RAYS], z[N_RAYS], distance[N_RAYS];
     for (int i = 0; i < N_RAYS; i++) {
@@ -17,16 +17,16 @@ static void turn_rays(float3 position, global const SecondaryRay *rays, int n_ra
         x[i] = -ray.direction.x, y[i] = -ray.direction.y, z[i] = -ray.direction.z;
         distance[i] = ray.t_max;
     }
-    light->rays.eye = position;
+    ways->rays.eye = position;
     for (int block = 0; block < N_BLOCKS; block++) {
-        light->rays.x[block] = block_of(x, block);
-        light->rays.y[block] = block_of(y, block);
-        light->rays.z[block] = block_of(z, block);
-        light->distance[block] = block_of(distance, block);
-        light->is_open[block] = block * LANES + lane_number() < n_rays;
+        ways->rays.x[block] = block_of(x, block);
+        ways->rays.y[block] = block_of(y, block);
+        ways->rays.z[block] = block_of(z, block);
+        ways->distance[block] = block_of(distance, block);
+        ways->is_open[block] = block * LANES + lane_number() < n_rays;
     }
-    close_up(light);
-    tile_bound(&light->rays);
+    redirect_closed_ways(ways);
+    ways_bound(ways);
 }
 
 // Does anything stand in the way of the rays to one light? One work-item a tile: N_RAYS of them,
@@ -48,12 +48,12 @@ kernel void search_shadow_tiles(global const KdNode3 *nodes, BBox3D bounds,
     const TracedScene scene = {.nodes = nodes, .bounds = bounds};
     Work work = {0, 0, 0, 0};
     TileSurfaces at;
-    LightTile light;
-    turn_rays(to_float3(position), rays + first, n_here, &at, &light);
-    light_tile_trace(&at, &scene, leaf_spheres, &light, &work);
+    LightTile ways;
+    turn_rays(to_float3(position), rays + first, n_here, &at, &ways);
+    light_tile_trace(&at, &scene, leaf_spheres, &ways, &work);
     int is_open[N_RAYS];
     for (int block = 0; block < N_BLOCKS; block++) {
-        JOIN(vstore, LANES)(light.is_open[block], block, is_open);
+        JOIN(vstore, LANES)(ways.is_open[block], block, is_open);
     }
     for (int i = 0; i < n_here; i++) {
         answers[first + i] = !is_open[i];

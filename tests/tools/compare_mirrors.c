@@ -1,14 +1,16 @@
 // compare_mirrors: is a picture with shadows and mirrors what the double-precision oracle draws?
 //
-//     compare_mirrors SCENE WxH N_BOUNCES PICTURE
+//     compare_mirrors SCENE WxH N_BOUNCES PICTURE [TOLERANCE]
 //
 // Of labs 09 and 10, whose pictures hold no channel above 1 and bytes at best. Prints how many
 // pixels are ambiguous, as rounding may decide there what a ray hits, and how many of the others
 // are farther off than rounding explains, with the first of them. Exit status: 0 when there are
-// none, else 1; 2 when something is missing.
+// none, else 1; 2 when something is missing. TOLERANCE is what a channel may be off besides: 0
+// without it.
 #include "camera_from_view.h"
 #include "complain.h"
 #include "image.h"
+#include "number.h"
 #include "oracle3d_mirrors.h"
 #include "scene3d.h"
 
@@ -37,13 +39,15 @@ static double distance(const float *found, const float *expected)
 }
 
 // Returns the number of pixels that are off.
-static int compare(const Image *found, const Image *expected, const float *tolerances)
+static int compare(const Image *found, const Image *expected, const float *tolerances,
+                   float tolerance)
 {
     int n_ambiguous = 0, n_off = 0, first = 0;
     for (int i = 0; i < found->width * found->height; i++) {
         const float *pixels[] = {found->pixels + (size_t)i * IMAGE_CHANNELS,
                                  expected->pixels + (size_t)i * IMAGE_CHANNELS};
-        const int is_off = !(distance(pixels[0], pixels[1]) <= tolerances[i] + BYTE_ERROR);
+        const int is_off =
+            !(distance(pixels[0], pixels[1]) <= tolerances[i] + tolerance + BYTE_ERROR);
         n_ambiguous += isinf(tolerances[i]);
         first = is_off && n_off == 0 ? i : first;
         n_off += is_off;
@@ -54,7 +58,7 @@ static int compare(const Image *found, const Image *expected, const float *toler
         const float *should = expected->pixels + (size_t)first * IMAGE_CHANNELS;
         printf("; the first is (%d, %d): found (%g, %g, %g), expected (%g, %g, %g) within %g",
                first % found->width, first / found->width, is[0], is[1], is[2], should[0],
-               should[1], should[2], tolerances[first] + BYTE_ERROR);
+               should[1], should[2], tolerances[first] + tolerance + BYTE_ERROR);
     }
     printf("\n");
     return n_off;
@@ -63,11 +67,13 @@ static int compare(const Image *found, const Image *expected, const float *toler
 int main(int argc, char **argv)
 {
     int width, height, n_bounces, status = 2;
+    float tolerance = 0;
     Scene3D scene = {0};
     Image found = {0}, expected = {0};
-    if (argc != 5 || sscanf(argv[2], "%dx%d", &width, &height) != 2 ||
-        sscanf(argv[3], "%d", &n_bounces) != 1) {
-        complain("usage: compare_mirrors SCENE WxH N_BOUNCES PICTURE");
+    if (argc < 5 || argc > 6 || sscanf(argv[2], "%dx%d", &width, &height) != 2 ||
+        sscanf(argv[3], "%d", &n_bounces) != 1 ||
+        (argc == 6 && number_read_float(argv[5], &tolerance) != 0)) {
+        complain("usage: compare_mirrors SCENE WxH N_BOUNCES PICTURE [TOLERANCE]");
         return 2;
     }
     float *tolerances = malloc((size_t)width * (size_t)height * sizeof *tolerances);
@@ -79,7 +85,7 @@ int main(int argc, char **argv)
             const Camera camera = camera_from_view(scene.view, width, height);
             const OracleMirrorRules right = {0};
             oracle3d_draw_mirrors(&scene, &camera, n_bounces, &right, &expected, tolerances);
-            status = compare(&found, &expected, tolerances) > 0;
+            status = compare(&found, &expected, tolerances, tolerance) > 0;
         } else {
             complain("compare_mirrors: %s: found %dx%d, expected %s", argv[4], found.width,
                      found.height, argv[2]);
