@@ -153,17 +153,8 @@ static void light_tile_trace(const TileSurfaces *at, const TracedScene *scene,
     Todo todo;
     todo.n = 0;
     for (;;) {
-        const KdNode3 node = scene->nodes[next.node];
-        if (node.split_axis != KD_LEAF) {
-            const uint axis = node.split_axis;
-            count_node(work);
-            const Interval t_split =
-                plane_interval(node.split_pos, eye[axis], rays->directions[axis]);
-            next = next_tile_child(node, eye[axis], t_split, next, &todo);
-            count_waiting(work, todo.n);
-            continue;
-        }
-        count_leaf(work);
+        const KdNode3 node =
+            descend_to_leaf(scene->nodes, eye, rays->directions, &next, &todo, work);
         search_light_leaf(at, node, leaf_spheres, ways, work);
         if (!next_tile_waiting(farthest_open(ways), &todo, &next)) {
             return;

@@ -85,6 +85,27 @@ static int clip_tile_to_box(BBox3D box, const float *eye, const Interval *direct
     return at->t_min <= at->t_max && at->t_min < INFINITY;
 }
 
+// Go down to the next leaf that some ray meets.
+//   eye, directions   of the tile's rays, on each axis
+//   at                in: a node, and the part of the rays inside it; out: the leaf, likewise
+//   todo              out: where both children were met, the far ones on top
+// Returns the leaf.
+static KdNode3 descend_to_leaf(global const KdNode3 *nodes, const float *eye,
+                               const Interval *directions, TodoEntry *at, Todo *todo, Work *work)
+{
+    KdNode3 node = nodes[at->node];
+    while (node.split_axis != KD_LEAF) {
+        const uint axis = node.split_axis;
+        count_node(work);
+        const Interval t_split = plane_interval(node.split_pos, eye[axis], directions[axis]);
+        *at = next_tile_child(node, eye[axis], t_split, *at, todo);
+        count_waiting(work, todo->n);
+        node = nodes[at->node];
+    }
+    count_leaf(work);
+    return node;
+}
+
 // What the rays of a tile hit first.
 //   nodes, sphere_ids, bounds   the scene's kd-tree (kdtree3d.h); node 0 is the root
 //   leaf_spheres                see search_tile_leaf()
@@ -105,17 +126,7 @@ static void trace_tile(const Tile *tile, global const KdNode3 *nodes, global con
     Todo todo;
     todo.n = 0;
     for (;;) {
-        const KdNode3 node = nodes[at.node];
-        if (node.split_axis != KD_LEAF) {
-            const uint axis = node.split_axis;
-            count_node(work);
-            const Interval t_split =
-                plane_interval(node.split_pos, eye[axis], tile->directions[axis]);
-            at = next_tile_child(node, eye[axis], t_split, at, &todo);
-            count_waiting(work, todo.n);
-            continue;
-        }
-        count_leaf(work);
+        const KdNode3 node = descend_to_leaf(nodes, eye, tile->directions, &at, &todo, work);
         search_tile_leaf(tile, node, sphere_ids, leaf_spheres, hits, work);
         if (!next_tile_waiting(farthest_hit(hits), &todo, &at)) {
             return;
