@@ -3,6 +3,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 static double distance_squared(Circle c, double x, double y)
@@ -65,17 +66,31 @@ static int takes_pixel(const Circle *circle, const Circle *found, const OracleRu
     return rules->later_wins_ties ? circle->depth <= found->depth : circle->depth < found->depth;
 }
 
+// Do circles that do not cover a pixel change what others may do there?
+static int limits_all(const OracleRules *rules)
+{
+    return rules->all_limit || rules->last_limits;
+}
+
 // Is it hidden by circles that need not cover anything? Theirs is the limit, which it changes.
 static int is_hidden(const Circle *circle, const OracleRules *rules, double *limit)
 {
-    const int is_behind = (rules->all_limit || rules->last_limits) && !(circle->depth < *limit);
+    if (!limits_all(rules)) {
+        return 0;
+    }
+    const int is_behind = !(circle->depth < *limit);
     *limit = rules->last_limits ? circle->depth : fmin(*limit, circle->depth);
     return is_behind;
 }
 
+static double radius_of(Circle circle, const OracleRules *rules)
+{
+    return rules->diameter ? circle.radius / 2.0 : circle.radius;
+}
+
 static int covers(Circle circle, double x, double y, const OracleRules *rules)
 {
-    const double radius = rules->diameter ? circle.radius / 2.0 : circle.radius;
+    const double radius = radius_of(circle, rules);
     const double sum = distance_squared(circle, x, y);
     return rules->strict_boundary ? sum < radius * radius : sum <= radius * radius;
 }
@@ -94,33 +109,75 @@ static void color_set(Image *image, int u, int v, const Circle *found)
     memcpy(image->pixels + ((size_t)v * image->width + u) * IMAGE_CHANNELS, color, sizeof color);
 }
 
+// The circles that reach a row, into `ids`; returns how many there are. Any other one is too far
+// above or below for all of its pixels: distance_squared() is rounded, but never below the square
+// of one of its two parts.
+static u32 circles_of_row(const Circle *circles, u32 n_circles, double y, const OracleRules *rules,
+                          u32 *ids)
+{
+    u32 n = 0;
+    for (u32 i = 0; i < n_circles; i++) {
+        const double radius = radius_of(circles[i], rules);
+        if ((y - circles[i].y) * (y - circles[i].y) <= radius * radius) {
+            ids[n++] = i;
+        }
+    }
+    return n;
+}
+
+// The circle that is drawn at a point, among those of `ids` or, where it is NULL, among all.
+static const Circle *find_circle(const Circle *circles, u32 n_circles, const u32 *ids, u32 n_ids,
+                                 double x, double y, const OracleRules *rules)
+{
+    const Circle *found = NULL;
+    double limit = INFINITY;
+    for (u32 k = 0; k < n_ids; k++) {
+        const u32 i = ids != NULL ? ids[k] : k;
+        if (is_end(i, n_circles, found, rules)) {
+            break;
+        }
+        if (i >= (u32)rules->skip_first && !is_hidden(&circles[i], rules, &limit) &&
+            covers(circles[i], x, y, rules) && takes_pixel(&circles[i], found, rules)) {
+            found = &circles[i];
+        }
+    }
+    return rules->first_is_nobody && found == circles ? NULL : found;
+}
+
+// May float arithmetic decide otherwise for one of the circles?
+static int is_near_edge(const Circle *circles, int n_circles, double x, double y)
+{
+    int is_near = 0;
+    for (int i = 0; i < n_circles && !is_near; i++) {
+        is_near = is_ambiguous(circles[i], x, y);
+    }
+    return is_near;
+}
+
 void oracle2d_draw(const Circle *circles, int n_circles, const OracleRules *rules, Image *image,
                    unsigned char *ambiguous)
 {
+    const u32 n = (u32)n_circles;
     OracleRules limited = *rules;
     if (rules->first_is_limit && n_circles > 0) {
         limited.too_far = circles[0].depth;
     }
+    // For the right picture every pixel asks every circle; for others, too, where memory lacks.
+    const int is_right = ambiguous != NULL;
+    u32 *ids = is_right || limits_all(rules) ? NULL : malloc(n * sizeof *ids + 1);
     for (int v = 0; v < image->height; v++) {
+        const double y = v + rules->sample_offset;
+        const u32 n_ids = ids != NULL ? circles_of_row(circles, n, y, rules, ids) : n;
         for (int u = 0; u < image->width; u++) {
-            const double x = u + rules->sample_offset, y = v + rules->sample_offset;
-            const size_t pixel = (size_t)v * image->width + u;
-            const Circle *found = NULL;
-            double limit = INFINITY;
-            int edge_near = 0;
-            for (u32 i = (u32)rules->skip_first; !is_end(i, (u32)n_circles, found, rules); i++) {
-                if (!is_hidden(&circles[i], rules, &limit) && covers(circles[i], x, y, rules) &&
-                    takes_pixel(&circles[i], found, &limited)) {
-                    found = &circles[i];
-                }
-                edge_near |= ambiguous != NULL && is_ambiguous(circles[i], x, y);
-            }
-            color_set(image, u, v, rules->first_is_nobody && found == circles ? NULL : found);
+            const double x = u + rules->sample_offset;
+            color_set(image, u, v, find_circle(circles, n, ids, n_ids, x, y, &limited));
             if (ambiguous != NULL) {
-                ambiguous[pixel] = (unsigned char)edge_near;
+                ambiguous[(size_t)v * (size_t)image->width + (size_t)u] =
+                    (unsigned char)is_near_edge(circles, n_circles, x, y);
             }
         }
     }
+    free(ids);
 }
 
 // The list of the leaf whose half-open cell holds the point: a count, then ids. NULL outside.
