@@ -1,6 +1,6 @@
 // Arrays that grow: the one way in which labs 02 and 06 make room while they build a tree.
 //
-// Flow: scene -> BUFFERS -> kernel -> image -> comparison. Read next: kdtree2d_build.c of lab 02.
+// Read next: kdtree2d_build.c of lab 02.
 #ifndef COMMON_ARRAY_RESERVE_H
 #define COMMON_ARRAY_RESERVE_H
 

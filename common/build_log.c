@@ -1,8 +1,7 @@
 // The compiler's log of an OpenCL program, made readable (see build_log.h).
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. One pass over the log, line by line;
-// what is understood as a diagnostic is followed by the source line it speaks of.
-// Read next: cl_build.c.
+// One pass over the log, line by line; what is understood as a diagnostic is followed by the source
+// line it speaks of. Read next: cl_build.c.
 #include "build_log.h"
 
 #include "utf8.h"

@@ -1,8 +1,7 @@
 // The compiler's log of an OpenCL program, made readable: file, line, column, the line, a caret.
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Drivers differ: PoCL writes
-// "error: file:line:column: text" and no more; others write like clang and draw the caret
-// themselves. Read next: cl_build.c, which uses it.
+// Drivers differ: PoCL writes "error: file:line:column: text" and no more; others write like clang
+// and draw the caret themselves. Read next: cl_build.c, which uses it.
 #ifndef COMMON_BUILD_LOG_H
 #define COMMON_BUILD_LOG_H
 

@@ -1,8 +1,7 @@
 // Programs from .cl files (cl_setup_build() of cl_setup.h).
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. The driver gets the text of a program
-// and not its file, so the text begins with a #line that says where it is from, and an -I that says
-// where its headers are. Read next: build_log.c.
+// The driver gets the text of a program and not its file, so the text begins with a #line that says
+// where it is from, and an -I that says where its headers are. Read next: build_log.c.
 #include "build_log.h"
 #include "cl_setup.h"
 #include "complain.h"

@@ -1,7 +1,6 @@
 // Checking OpenCL calls (see cl_check.h).
 //
-// Flow: scene -> BUFFERS -> KERNEL -> image -> comparison: every OpenCL call of a lab passes here.
-// Read next: cl_setup.c.
+// Every OpenCL call of a lab passes here. Read next: cl_setup.c.
 #include "cl_check.h"
 
 #include "complain.h"

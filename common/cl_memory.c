@@ -1,8 +1,7 @@
 // Device memory: clCreateImage and clCreateBuffer with the course's one format and its limits (see
 // cl_memory.h).
 //
-// Flow: scene -> BUFFERS -> kernel -> image -> comparison. Read next: lab.c, where the kernel
-// draws into it.
+// Read next: lab.c, where the kernel draws into it.
 #include "cl_memory.h"
 
 #include "complain.h"

@@ -1,6 +1,6 @@
 // Device memory as every lab needs it: the image it draws into, and read-only buffers.
 //
-// Flow: scene -> BUFFERS -> kernel -> image -> comparison. Read next: lab.h.
+// Read next: lab.h.
 #ifndef COMMON_CL_MEMORY_H
 #define COMMON_CL_MEMORY_H
 

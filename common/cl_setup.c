@@ -1,7 +1,6 @@
 // A device, its context and its queue (see cl_setup.h).
 //
-// Flow: scene -> BUFFERS -> KERNEL -> image -> comparison: opened before the first buffer is made.
-// Read next: cl_build.c, where programs are built.
+// Opened before the first buffer is made. Read next: cl_build.c, where programs are built.
 #include "cl_setup.h"
 
 #include "complain.h"

@@ -3,7 +3,7 @@
 //
 // Hidden here because it is not the lesson; clCreateImage (lab 00), clCreateBuffer (lab 01),
 // clSetKernelArg and clEnqueue... stay in the labs.
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: a lab's main.c.
+// Read next: a lab's main.c.
 #ifndef COMMON_CL_SETUP_H
 #define COMMON_CL_SETUP_H
 

@@ -1,6 +1,6 @@
 // Text of unknown origin made fit for messages and reports (see clean_text.h).
 //
-// Flow: scene -> buffers -> kernel -> image -> comparison. Read next: complain.c.
+// Read next: complain.c.
 #include "clean_text.h"
 
 #include "utf8.h"

@@ -2,8 +2,7 @@
 //
 // What comes out is valid UTF-8 in which nothing can move a terminal's cursor, turn the reading
 // direction or break a JSON string, and it is short enough to be read. It is NOT escaped for HTML:
-// html.h does that while writing. Flow: scene -> buffers -> kernel -> image -> comparison: at any
-// step something may have to be said. Read next: complain.h.
+// html.h does that while writing. Read next: complain.h.
 #ifndef COMMON_CLEAN_TEXT_H
 #define COMMON_CLEAN_TEXT_H
 

@@ -1,6 +1,6 @@
 // One message for the user (see complain.h).
 //
-// Flow: scene -> buffers -> kernel -> image -> comparison. Read next: clean_text.c.
+// Read next: clean_text.c.
 #include "complain.h"
 
 #include "clean_text.h"

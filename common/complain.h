@@ -1,8 +1,8 @@
 // One message for the user, on stderr.
 //
-// Flow: scene -> buffers -> kernel -> image -> comparison: at any step something may be wrong. A
-// message often holds a name that somebody else chose; whatever is in it, the message stays one
-// line and nothing in it moves the terminal's cursor. Read next: clean_text.h.
+// At any step something may be wrong. A message often holds a name that somebody else chose;
+// whatever is in it, the message stays one line and nothing in it moves the terminal's cursor. Read
+// next: clean_text.h.
 #ifndef COMMON_COMPLAIN_H
 #define COMMON_COMPLAIN_H
 

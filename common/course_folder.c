@@ -1,6 +1,6 @@
 // The folder in which programs are started (see course_folder.h).
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: options.c.
+// Read next: options.c.
 #include "course_folder.h"
 
 #include "complain.h"

@@ -1,7 +1,6 @@
 // The folder in which programs are started: the course's top folder.
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison: kernels, labs and the folder build are
-// found from there. Read next: options.c.
+// Kernels, labs and the folder build are found from there. Read next: options.c.
 #ifndef COMMON_COURSE_FOLDER_H
 #define COMMON_COURSE_FOLDER_H
 

@@ -1,6 +1,6 @@
 // The chemical elements up to einsteinium (see elements.h).
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: molecule.c.
+// Read next: molecule.c.
 //
 // Radii: nonmetals by A. Bondi, "van der Waals Volumes and Radii", J. Phys. Chem. 68 (1964) 441;
 // the rest of the main groups by M. Mantina et al., J. Phys. Chem. A 113 (2009) 5806; transition

@@ -1,6 +1,6 @@
 // The chemical elements, as pictures of molecules show them: how large an atom is, and its colour.
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: molecule.h.
+// Read next: molecule.h.
 #ifndef COMMON_ELEMENTS_H
 #define COMMON_ELEMENTS_H
 

@@ -1,7 +1,7 @@
 // Pictures in memory: made, released and compared, in plain C (see image.h).
 //
-// Flow: scene -> buffers -> kernel -> IMAGE -> COMPARISON. Comparing is our own code because those
-// of OpenImageIO let NaNs and smaller pictures pass. Read next: image_file.c, for files.
+// Comparing is our own code because those of OpenImageIO let NaNs and smaller pictures pass. Read
+// next: image_file.c, for files.
 #include "image.h"
 
 #include "complain.h"

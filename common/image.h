@@ -3,7 +3,7 @@
 // Files are in image_file.c, which calls OpenImageIO by way of image.cpp; the rest is in image.c
 // and needs no library. EXR keeps every float and is what gets compared; PNG is
 // for people.
-// Flow: scene -> buffers -> kernel -> IMAGE -> COMPARISON. Read next: image.c, image_file.c.
+// Read next: image.c, image_file.c.
 #ifndef COMMON_IMAGE_H
 #define COMMON_IMAGE_H
 

@@ -1,7 +1,7 @@
 // Pictures in files (see image.h). The bytes are made and read by image.cpp, whose library is
 // loaded with the first picture: see image_codec.h.
 //
-// Flow: scene -> buffers -> kernel -> IMAGE -> comparison. Read next: output_file.h.
+// Read next: output_file.h.
 #include "complain.h"
 #include "image_codec.h"
 #include "output_file.h"

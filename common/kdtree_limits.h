@@ -1,6 +1,6 @@
 // When a node of a kd-tree stays a leaf; 2D and 3D alike. "Elements" are circles or spheres.
 //
-// Flow: scene -> BUFFERS -> kernel -> image -> comparison. Read next: tree2d.h, tree3d.h.
+// Read next: tree2d.h, tree3d.h.
 #ifndef COMMON_KDTREE_LIMITS_H
 #define COMMON_KDTREE_LIMITS_H
 

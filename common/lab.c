@@ -1,7 +1,7 @@
 // What every lab's program does besides its lesson (see lab.h).
 //
-// Flow: SCENE -> BUFFERS -> KERNEL -> IMAGE -> comparison: around all of it. Functions stand in the
-// order in which a main.c calls them. Read next: options.c, cl_build.c, work_stats.c.
+// Around all of it. Functions stand in the order in which a main.c calls them. Read next:
+// options.c, cl_build.c, work_stats.c.
 #include "lab.h"
 
 #include "cl_memory.h"

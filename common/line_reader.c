@@ -1,7 +1,7 @@
 // Text files, line by line (see line_reader.h).
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Nothing in a file is trusted: how long
-// its lines are, what its bytes are, whether it ends. Read next: scene3d_nff.c.
+// Nothing in a file is trusted: how long its lines are, what its bytes are, whether it ends. Read
+// next: scene3d_nff.c.
 #include "line_reader.h"
 
 #include "complain.h"

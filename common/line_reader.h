@@ -1,7 +1,6 @@
 // Text files, line by line, and complaints that name the line: what all readers of scenes share.
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Used by scene2d_csv.c, scene3d_nff.c and
-// molecule.c. Read next: number.h.
+// Used by scene2d_csv.c, scene3d_nff.c and molecule.c. Read next: number.h.
 #ifndef COMMON_LINE_READER_H
 #define COMMON_LINE_READER_H
 

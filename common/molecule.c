@@ -1,6 +1,6 @@
 // Molecules as 3D scenes (see molecule.h).
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: molecule_xyz.c.
+// Read next: molecule_xyz.c.
 #include "molecule.h"
 
 #include "number.h"

@@ -2,7 +2,7 @@
 //
 // What the readers of the two formats share, molecule_pdb.c and molecule_xyz.c; labs do not need
 // it.
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: elements.h, molecule_xyz.c.
+// Read next: elements.h, molecule_xyz.c.
 #ifndef COMMON_MOLECULE_H
 #define COMMON_MOLECULE_H
 

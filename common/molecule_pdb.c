@@ -1,8 +1,8 @@
 // Molecules in files of the Protein Data Bank (scene3d_read_pdb() of scene3d.h).
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. A line is a record; its first six
-// columns say which. Everything stands in fixed columns, as on punched cards, often without a blank
-// between. Atoms are read, everything else is passed over. Read next: molecule.c.
+// A line is a record; its first six columns say which. Everything stands in fixed columns, as on
+// punched cards, often without a blank between. Atoms are read, everything else is passed over.
+// Read next: molecule.c.
 //
 // Source: wwPDB, "Protein Data Bank Contents Guide: Atomic Coordinate Entry Format", version 3.3,
 // 2012, sections ATOM, HETATM and MODEL.

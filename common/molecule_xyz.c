@@ -1,9 +1,8 @@
 // Molecules in XYZ files (scene3d_read_xyz() of scene3d.h).
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. How many atoms, a comment, then an atom
-// a line: its element, three coordinates in Angstrom, and what the program that wrote it thought
-// fit. Of a file with several frames, one after the other, the first is read. Read next:
-// molecule_pdb.c.
+// How many atoms, a comment, then an atom a line: its element, three coordinates in Angstrom, and
+// what the program that wrote it thought fit. Of a file with several frames, one after the other,
+// the first is read. Read next: molecule_pdb.c.
 #include "molecule.h"
 #include "number.h"
 

@@ -1,7 +1,6 @@
 // Numbers from text (see number.h).
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison: the first thing that touches what a user
-// typed. Read next: scene2d_csv.c.
+// The first thing that touches what a user typed. Read next: scene2d_csv.c.
 #include "number.h"
 
 #include <errno.h>

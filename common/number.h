@@ -2,7 +2,7 @@
 //
 // For everything a user types: CSV fields (scene2d_csv.c), scene arguments (scene_arguments.c),
 // options (options.c). The locale plays no part: the decimal sign is a point everywhere.
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: scene2d.h.
+// Read next: scene2d.h.
 #ifndef COMMON_NUMBER_H
 #define COMMON_NUMBER_H
 

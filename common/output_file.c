@@ -1,7 +1,7 @@
 // A file that appears whole or not at all (see output_file.h).
 //
-// Flow: scene -> buffers -> kernel -> IMAGE -> comparison. Renaming within a folder is atomic in
-// POSIX; that is the whole trick. Read next: stats.c, a short user of it.
+// Renaming within a folder is atomic in POSIX; that is the whole trick. Read next: stats.c, a short
+// user of it.
 //
 // A stream of stdio knows that a write failed and not why, and a library's own stream may not even
 // tell that. So every byte goes through descriptor_write(), which keeps the reason.

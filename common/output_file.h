@@ -2,7 +2,7 @@
 //
 // It is written under another name in the same folder and renamed when it is complete, so that a
 // reader never sees half a file and a failed run leaves the old one as it was.
-// Flow: scene -> buffers -> kernel -> IMAGE -> comparison. Read next: image.h, stats.h.
+// Read next: image.h, stats.h.
 #ifndef COMMON_OUTPUT_FILE_H
 #define COMMON_OUTPUT_FILE_H
 

@@ -1,6 +1,6 @@
 // Where a file is to be written (see output_place.h).
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Called by options.c.
+// Called by options.c.
 #include "output_place.h"
 
 #include <limits.h>

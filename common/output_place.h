@@ -1,7 +1,6 @@
 // Where a file is to be written: found out before the work and not after it.
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison: asked with the command line. Read next:
-// output_file.h, which writes it.
+// Asked with the command line. Read next: output_file.h, which writes it.
 #ifndef COMMON_OUTPUT_PLACE_H
 #define COMMON_OUTPUT_PLACE_H
 

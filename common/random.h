@@ -1,6 +1,6 @@
 // Random numbers that are the same on every machine: SplitMix64 (Steele, Lea, Flood 2014).
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: scene2d_random.c.
+// Read next: scene2d_random.c.
 #ifndef COMMON_RANDOM_H
 #define COMMON_RANDOM_H
 

@@ -1,7 +1,6 @@
 // 2D scenes: room for one (see scene2d.h).
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Generators stand on this file; it knows
-// none of them. Read next: scene2d_generate.c.
+// Generators stand on this file; it knows none of them. Read next: scene2d_generate.c.
 #include "scene2d.h"
 
 #include "scene_arguments.h"

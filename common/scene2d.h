@@ -1,6 +1,6 @@
 // 2D scenes: circles from a CSV file or from a generator.
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: a lab's main.c.
+// Read next: a lab's main.c.
 //
 // A scene is named by one word, the argument of --scene:
 //     FILE.csv                               columns by name: x,y,radius,depth,r,g,b[,a]

@@ -1,8 +1,8 @@
 // 2D scenes as CSV text (scene2d_read_csv() of scene2d.h).
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. A line is read, cut into fields by
-// libcsv (which knows about quotes), and every field becomes a number of the circle. The first
-// fault is reported with its line and ends the reading. Read next: line_reader.h.
+// A line is read, cut into fields by libcsv (which knows about quotes), and every field becomes a
+// number of the circle. The first fault is reported with its line and ends the reading. Read next:
+// line_reader.h.
 #include "line_reader.h"
 #include "number.h"
 #include "scene2d.h"

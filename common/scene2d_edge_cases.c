@@ -1,8 +1,7 @@
 // The lecture's example and the edge cases: small scenes, each made to catch one kind of mistake.
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. All coordinates are whole steps of 1/16
-// px (see scene2d.h why). What a scene is for stands above its function.
-// Read next: scene2d_random.c.
+// All coordinates are whole steps of 1/16 px (see scene2d.h why). What a scene is for stands above
+// its function. Read next: scene2d_random.c.
 #include "scene2d_edge_cases.h"
 
 #include "random.h"

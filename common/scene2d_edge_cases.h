@@ -1,6 +1,6 @@
 // The 2D edge cases, for scene2d_generate.c, which finds them by name; labs do not need it.
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: scene2d_edge_cases.c.
+// Read next: scene2d_edge_cases.c.
 #ifndef COMMON_SCENE2D_EDGE_CASES_H
 #define COMMON_SCENE2D_EDGE_CASES_H
 

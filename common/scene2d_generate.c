@@ -1,7 +1,6 @@
 // 2D scenes that are made, by name (scene2d_generate() of scene2d.h).
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: scene2d_random.c and
-// scene2d_edge_cases.c for the generators.
+// Read next: scene2d_random.c and scene2d_edge_cases.c for the generators.
 #include "number.h"
 #include "scene2d_edge_cases.h"
 #include "scene_arguments.h"

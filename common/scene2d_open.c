@@ -1,7 +1,6 @@
 // 2D scenes by name: the way from the word after --scene to circles (see scene2d.h).
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: scene2d_csv.c for files,
-// scene2d_generate.c for scenes that are made.
+// Read next: scene2d_csv.c for files, scene2d_generate.c for scenes that are made.
 #include "scene2d.h"
 
 #include "scene_arguments.h"

@@ -1,7 +1,6 @@
 // 3D scenes: room for one, and what completes it (see scene3d.h).
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Generators and readers stand on this
-// file; it knows none of them. Read next: scene3d_generate.c.
+// Generators and readers stand on this file; it knows none of them. Read next: scene3d_generate.c.
 #include "scene3d.h"
 
 #include "complain.h"

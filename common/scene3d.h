@@ -1,6 +1,6 @@
 // 3D scenes: spheres, what they look like, lights and the view, from a file or from a generator.
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: a 3D lab's main.c.
+// Read next: a 3D lab's main.c.
 //
 // A scene is named by one word, the argument of --scene:
 //     FILE.nff                               Haines' Neutral File Format (scene3d_nff.c)

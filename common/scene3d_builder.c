@@ -1,7 +1,7 @@
 // A 3D scene while a file is read (see scene3d_builder.h).
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. What a file says about its own size is
-// not believed: arrays grow with what was read. Read next: scene3d_nff.c.
+// What a file says about its own size is not believed: arrays grow with what was read. Read next:
+// scene3d_nff.c.
 #include "scene3d_builder.h"
 
 #include "number.h"

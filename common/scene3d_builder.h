@@ -1,7 +1,6 @@
 // A 3D scene while a file is read: it grows sphere by sphere, and every material is kept once.
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Used by scene3d_nff.c and molecule.c,
-// not by the labs. Read next: scene3d.h.
+// Used by scene3d_nff.c and molecule.c, not by the labs. Read next: scene3d.h.
 #ifndef COMMON_SCENE3D_BUILDER_H
 #define COMMON_SCENE3D_BUILDER_H
 

@@ -1,8 +1,8 @@
 // The 3D edge cases: small scenes, each made to catch one kind of mistake.
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. What a scene is for stands above its
-// function. Coordinates and radii are short binary fractions: exact in float, and so are the places
-// where spheres touch split planes. Read next: scene3d_lattice.c.
+// What a scene is for stands above its function. Coordinates and radii are short binary fractions:
+// exact in float, and so are the places where spheres touch split planes. Read next:
+// scene3d_lattice.c.
 #include "scene3d_edge_cases.h"
 
 #include "random.h"

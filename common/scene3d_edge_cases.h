@@ -1,6 +1,6 @@
 // The 3D edge cases, for scene3d_generate.c, which finds them by name; labs do not need it.
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: scene3d_edge_cases.c.
+// Read next: scene3d_edge_cases.c.
 #ifndef COMMON_SCENE3D_EDGE_CASES_H
 #define COMMON_SCENE3D_EDGE_CASES_H
 

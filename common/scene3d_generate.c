@@ -1,8 +1,7 @@
 // 3D scenes that are made, by name (scene3d_generate() of scene3d.h).
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: scene3d_sphereflake.c,
-// scene3d_random.c, scene3d_lattice.c, scene3d_uneven.c and scene3d_edge_cases.c for the
-// generators.
+// Read next: scene3d_sphereflake.c, scene3d_random.c, scene3d_lattice.c, scene3d_uneven.c and
+// scene3d_edge_cases.c for the generators.
 #include "number.h"
 #include "scene3d_edge_cases.h"
 #include "scene_arguments.h"

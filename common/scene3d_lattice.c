@@ -1,6 +1,6 @@
 // The lattice: equal spheres in rows, columns and layers, the kindest scene to a kd-tree.
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: scene3d_random.c.
+// Read next: scene3d_random.c.
 #include "scene3d.h"
 
 // Of the spacing: neighbours keep a fifth of it free between them, and one looks far in.

@@ -1,9 +1,9 @@
 // 3D scenes in Haines' Neutral File Format (scene3d_read_nff() of scene3d.h).
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. A line is a keyword and numbers; only
-// cones, polygons and patches, which are skipped, may begin and end anywhere. scene3d_nff_lines.c
-// knows which numbers each takes and what they may be; here they find their place in the scene. The
-// first fault is reported with its line and ends the reading. Read next: line_reader.h.
+// A line is a keyword and numbers; only cones, polygons and patches, which are skipped, may begin
+// and end anywhere. scene3d_nff_lines.c knows which numbers each takes and what they may be; here
+// they find their place in the scene. The first fault is reported with its line and ends the
+// reading. Read next: line_reader.h.
 //
 // Source: E. Haines, "A Proposal for Standard Graphics Environments", IEEE Computer Graphics &
 // Applications 7(11), 1987, and the file NFF.TXT of his Standard Procedural Databases.

@@ -1,6 +1,6 @@
 // The lines of a Neutral File Format file (see scene3d_nff_lines.h).
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: scene3d_nff.c.
+// Read next: scene3d_nff.c.
 #include "scene3d_nff_lines.h"
 
 #include "number.h"

@@ -1,7 +1,7 @@
 // The lines of a Neutral File Format file: keywords, and the numbers that belong to them.
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. One table in scene3d_nff_lines.c says
-// what every line looks like. Read next: scene3d_nff.c, which gives the lines their meaning.
+// One table in scene3d_nff_lines.c says what every line looks like. Read next: scene3d_nff.c, which
+// gives the lines their meaning.
 #ifndef COMMON_SCENE3D_NFF_LINES_H
 #define COMMON_SCENE3D_NFF_LINES_H
 

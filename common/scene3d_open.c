@@ -1,7 +1,6 @@
 // 3D scenes by name: the way from the word after --scene to spheres and a view (see scene3d.h).
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: scene3d_nff.c and molecule.c
-// for files, scene3d_generate.c for scenes that are made.
+// Read next: scene3d_nff.c and molecule.c for files, scene3d_generate.c for scenes that are made.
 #include "scene3d.h"
 
 #include "scene_arguments.h"

@@ -1,7 +1,7 @@
 // The random scene (scene3d_random() of scene3d.h).
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Everything is drawn as a whole number
-// and divided once, which rounds the same on every machine. Read next: random.h.
+// Everything is drawn as a whole number and divided once, which rounds the same on every machine.
+// Read next: random.h.
 #include "random.h"
 #include "scene3d.h"
 

@@ -5,7 +5,7 @@
 // decides how the original turns its children; here it is a half turn, see turned_towards().
 // Computed in double with the four operations and sqrt(), whose results differ between compilers by
 // 1e-16 at most; rounded_coordinate() keeps that out of the scene.
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: scene3d_lattice.c.
+// Read next: scene3d_lattice.c.
 #include "scene3d.h"
 
 #include <math.h>

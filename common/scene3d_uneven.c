@@ -1,8 +1,8 @@
 // Two scenes whose spheres do not stand where the room is: clusters, and a teapot in a stadium.
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. A kd-tree that cuts cells in the middle
-// spends its levels on the empty room (lab 08). Everything is drawn as a whole number and divided
-// once, which rounds the same on every machine. Read next: scene3d_random.c.
+// A kd-tree that cuts cells in the middle spends its levels on the empty room (lab 08). Everything
+// is drawn as a whole number and divided once, which rounds the same on every machine. Read next:
+// scene3d_random.c.
 #include "random.h"
 #include "scene3d.h"
 

@@ -1,7 +1,7 @@
 // Views: what a camera can be set up from (scene3d_fov() and its neighbours of scene3d.h).
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. A camera and its rays are computed in
-// float; what float cannot hold is found here, in double. Read next: camera.h.
+// A camera and its rays are computed in float; what float cannot hold is found here, in double.
+// Read next: camera.h.
 #include "scene3d.h"
 
 #include <float.h>

@@ -1,6 +1,6 @@
 // The arguments in a scene's name (see scene_arguments.h).
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: number.h.
+// Read next: number.h.
 #include "scene_arguments.h"
 
 #include "complain.h"

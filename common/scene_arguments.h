@@ -3,7 +3,7 @@
 //
 // scene2d_generate.c and scene3d_generate.c say in a table what a scene takes; the reading is done
 // here.
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: scene2d_generate.c.
+// Read next: scene2d_generate.c.
 #ifndef COMMON_SCENE_ARGUMENTS_H
 #define COMMON_SCENE_ARGUMENTS_H
 

@@ -1,6 +1,6 @@
 // Standard input, output and error (see standard_streams.h).
 //
-// Flow: scene -> buffers -> kernel -> image -> COMPARISON. Read next: stats.c.
+// Read next: stats.c.
 #include "standard_streams.h"
 
 #include "complain.h"

@@ -1,7 +1,7 @@
 // Standard input, output and error: what a program is started with, open or not.
 //
-// Flow: scene -> buffers -> kernel -> image -> COMPARISON: figures are printed for people and for
-// other programs, and neither must take a cut list for a whole one. Read next: stats.c.
+// Figures are printed for people and for other programs, and neither must take a cut list for a
+// whole one. Read next: stats.c.
 #ifndef COMMON_STANDARD_STREAMS_H
 #define COMMON_STANDARD_STREAMS_H
 

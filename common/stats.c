@@ -1,7 +1,7 @@
 // Figures of a run: collected, printed, written as JSON (see stats.h).
 //
-// Flow: scene -> buffers -> kernel -> image -> COMPARISON: what a run cost, for people and for the
-// bench. Jansson keeps the figures in the order they were added. Read next: output_file.h.
+// What a run cost, for people and for the bench. Jansson keeps the figures in the order they were
+// added. Read next: output_file.h.
 #include "stats.h"
 
 #include "clean_text.h"

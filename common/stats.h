@@ -1,7 +1,6 @@
 // Figures of a run: collected by main.c, printed as text, written as JSON (--stats FILE).
 //
-// Flow: scene -> buffers -> kernel -> image -> COMPARISON: what a run cost. Read next: lab.h and
-// work_stats.h, which fill it.
+// What a run cost. Read next: lab.h and work_stats.h, which fill it.
 #ifndef COMMON_STATS_H
 #define COMMON_STATS_H
 

@@ -1,7 +1,7 @@
 // Drawings for people (see svg.h).
-//
-// Flow: scene -> buffers -> kernel -> IMAGE -> comparison.
 #include "svg.h"
+
+#include "utf8.h"
 
 #include <stdarg.h>
 
@@ -94,7 +94,7 @@ double svg_text_width(const char *text)
 {
     double n_characters = 0;
     for (; *text != '\0'; text++) {
-        n_characters += ((unsigned char)*text & 0xc0) != 0x80;  // the first byte of each, UTF-8
+        n_characters += !utf8_goes_on(*text);
     }
     return LETTER * SVG_TEXT * n_characters;
 }

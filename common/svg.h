@@ -1,7 +1,7 @@
 // Drawings for people, as SVG: on a light ground, with text large enough for the last row, and
 // readable in black and white. Used by what explains a lab: a followed pixel, the notes' figures.
 //
-// Flow: scene -> buffers -> kernel -> IMAGE -> comparison. Read next: ray_svg.c of common/follow.
+// Read next: ray_svg.c of common/follow.
 #ifndef COMMON_SVG_H
 #define COMMON_SVG_H
 

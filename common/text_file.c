@@ -1,7 +1,6 @@
 // Reading text files: scenes, kernels, manifests, solutions (see text_file.h). All are small.
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison: a program's text on its way to the
-// driver. Read next: cl_build.c.
+// A program's text on its way to the driver. Read next: cl_build.c.
 #include "text_file.h"
 
 #include "complain.h"

@@ -1,7 +1,7 @@
 // Text files: opened to be read, or whole in memory.
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: cl_build.c, which reads
-// programs with it, and scene3d.c, which opens scenes. image_file.c opens pictures with it first.
+// Read next: cl_build.c, which reads programs with it, and scene3d.c, which opens scenes.
+// image_file.c opens pictures with it first.
 #ifndef COMMON_TEXT_FILE_H
 #define COMMON_TEXT_FILE_H
 

@@ -1,7 +1,7 @@
 // Releasing, checking and measuring the 2D kd-tree's arrays (see tree2d.h).
 //
-// Flow: scene -> BUFFERS -> kernel -> image -> comparison: between lab 02, whose kdtree2d_build.c
-// fills the arrays, and lab 03, which copies them to the device. Read next: tree2d_draw.c.
+// Between lab 02, whose kdtree2d_build.c fills the arrays, and lab 03, which copies them to the
+// device. Read next: tree2d_draw.c.
 #include "tree2d.h"
 
 #include "complain.h"

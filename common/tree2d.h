@@ -1,7 +1,7 @@
 // The 2D kd-tree on the host: the four packed arrays of kernels/kdtree2d.h, filled by lab 02,
 // copied to the device by lab 03, drawn by tree2d_draw.h.
 //
-// Flow: scene -> BUFFERS -> kernel -> image -> comparison. Read next: kdtree2d_build.h of lab 02.
+// Read next: kdtree2d_build.h of lab 02.
 #ifndef COMMON_TREE2D_H
 #define COMMON_TREE2D_H
 

@@ -1,7 +1,6 @@
 // Drawing a 2D kd-tree, for lab 02's program and for the grader's report (see tree2d_draw.h).
 //
-// Flow: scene -> buffers -> kernel -> IMAGE -> comparison. Takes nothing on trust: the grader draws
-// the trees of submissions. Read next: image.c.
+// Takes nothing on trust: the grader draws the trees of submissions. Read next: image.c.
 #include "tree2d_draw.h"
 
 #include "complain.h"

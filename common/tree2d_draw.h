@@ -1,7 +1,6 @@
 // Drawing a 2D kd-tree: its leaf cells over the circles, as pixels and as SVG.
 //
-// Flow: scene -> buffers -> kernel -> IMAGE -> comparison: the picture that lab 02 makes.
-// Read next: image.h, where it is saved.
+// The picture that lab 02 makes. Read next: image.h, where it is saved.
 #ifndef COMMON_TREE2D_DRAW_H
 #define COMMON_TREE2D_DRAW_H
 

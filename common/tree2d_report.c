@@ -1,6 +1,6 @@
 // A 2D kd-tree described for people (see tree2d_report.h).
 //
-// Flow: scene -> buffers -> kernel -> IMAGE -> comparison. Read next: tree2d_draw.c.
+// Read next: tree2d_draw.c.
 #include "tree2d_report.h"
 
 #include "complain.h"

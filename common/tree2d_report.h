@@ -1,7 +1,6 @@
 // A 2D kd-tree described for people: its figures, its nodes in words, its drawing in files.
 //
-// Flow: scene -> buffers -> kernel -> IMAGE -> comparison: what lab 02 shows of its tree.
-// Read next: tree2d_draw.h, stats.h.
+// What lab 02 shows of its tree. Read next: tree2d_draw.h, stats.h.
 #ifndef COMMON_TREE2D_REPORT_H
 #define COMMON_TREE2D_REPORT_H
 

@@ -1,7 +1,7 @@
 // Releasing, checking and measuring the 3D kd-tree's arrays (see tree3d.h).
 //
-// Flow: scene -> BUFFERS -> kernel -> image -> comparison: between lab 06, whose kdtree3d_build.c
-// fills the arrays, and lab 07, which copies them to the device. Read next: tree3d_draw.c.
+// Between lab 06, whose kdtree3d_build.c fills the arrays, and lab 07, which copies them to the
+// device. Read next: tree3d_draw.c.
 #include "tree3d.h"
 
 #include "complain.h"

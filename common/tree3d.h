@@ -1,7 +1,7 @@
 // The 3D kd-tree on the host: the arrays of kernels/kdtree3d.h, filled by lab 06, copied to the
 // device by lab 07.
 //
-// Flow: scene -> BUFFERS -> kernel -> image -> comparison. Read next: kdtree3d_build.h of lab 06.
+// Read next: kdtree3d_build.h of lab 06.
 #ifndef COMMON_TREE3D_H
 #define COMMON_TREE3D_H
 

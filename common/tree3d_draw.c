@@ -1,10 +1,9 @@
 // Drawing a cut through a 3D kd-tree, for lab 06's program and for the grader's report (see
 // tree3d_draw.h).
 //
-// Flow: scene -> buffers -> kernel -> IMAGE -> comparison. Three layers: the cells, shaded; the
-// circles where the cut meets spheres; the cells' borders. Cells come from a walk down the tree for
-// each pixel, circles from the spheres, so that a tree that lost one shows it: a circle on a cell
-// that counts none. Read next: image.c.
+// Three layers: the cells, shaded; the circles where the cut meets spheres; the cells' borders.
+// Cells come from a walk down the tree for each pixel, circles from the spheres, so that a tree
+// that lost one shows it: a circle on a cell that counts none. Read next: image.c.
 #include "tree3d_draw.h"
 
 #include "complain.h"

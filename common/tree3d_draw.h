@@ -1,7 +1,6 @@
 // Drawing a cut through a 3D kd-tree: the cells of its leaves, and the spheres cut open.
 //
-// Flow: scene -> buffers -> kernel -> IMAGE -> comparison: the picture that lab 06 makes.
-// Read next: image.h, where it is saved.
+// The picture that lab 06 makes. Read next: image.h, where it is saved.
 #ifndef COMMON_TREE3D_DRAW_H
 #define COMMON_TREE3D_DRAW_H
 

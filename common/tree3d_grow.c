@@ -1,9 +1,9 @@
 // Growing a 3D kd-tree level by level (see tree3d_grow.h).
 //
-// Flow: scene -> BUFFERS -> kernel -> image -> comparison. The steps are those of lab 02, but two
-// things differ. The cell goes along with the open node, as the tree does not keep it. And a level
-// is done in two passes: its nodes are divided, each for itself, so that several threads may share
-// them; then they are closed one after the other, so that ids come out in the same order.
+// The steps are those of lab 02, but two things differ. The cell goes along with the open node, as
+// the tree does not keep it. And a level is done in two passes: its nodes are divided, each for
+// itself, so that several threads may share them; then they are closed one after the other, so that
+// ids come out in the same order.
 #include "tree3d_grow.h"
 
 #include "array_reserve.h"
@@ -15,8 +15,8 @@
 // What a user can do about a tree that grows too large.
 #define ADVICE "; choose a smaller --max-depth or a larger --leaf-size"
 
-// Threads take a level's nodes in about so many shares: few enough that taking them costs nothing,
-// and so many that all threads end together.
+// How many shares threads take a level's nodes in: few enough that taking them costs nothing, and
+// enough that all threads end together.
 #define N_SHARES 256
 
 // Spheres of larger nodes are not fetched: with a cache line of 64 bytes for each, more than these

@@ -1,8 +1,7 @@
 // Growing a 3D kd-tree level by level, whatever rule splits its nodes: the frame of labs 06 and 08,
 // which bring the steps.
 //
-// Flow: scene -> BUFFERS -> kernel -> image -> comparison. Read next: kdtree3d_build.c of lab 06,
-// whose kdtree3d_build() hands its steps to tree3d_grow().
+// Read next: kdtree3d_build.c of lab 06, whose kdtree3d_build() hands its steps to tree3d_grow().
 #ifndef COMMON_TREE3D_GROW_H
 #define COMMON_TREE3D_GROW_H
 

@@ -1,6 +1,6 @@
 // A 3D kd-tree described for people (see tree3d_report.h).
 //
-// Flow: scene -> buffers -> kernel -> IMAGE -> comparison. Read next: tree3d_draw.c.
+// Read next: tree3d_draw.c.
 #include "tree3d_report.h"
 
 #include <stdio.h>

@@ -1,7 +1,6 @@
 // A 3D kd-tree described for people: its figures, and its nodes in words.
 //
-// Flow: scene -> buffers -> kernel -> IMAGE -> comparison: what lab 06 shows of its tree.
-// Read next: tree3d_draw.h, stats.h.
+// What lab 06 shows of its tree. Read next: tree3d_draw.h, stats.h.
 #ifndef COMMON_TREE3D_REPORT_H
 #define COMMON_TREE3D_REPORT_H
 

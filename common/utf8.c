@@ -1,6 +1,6 @@
 // Characters of UTF-8 (see utf8.h).
 //
-// Flow: scene -> buffers -> kernel -> image -> comparison. Read next: clean_text.c.
+// Read next: clean_text.c.
 #include "utf8.h"
 
 int utf8_goes_on(char byte)

@@ -1,7 +1,6 @@
 // Characters of UTF-8, one at a time.
 //
-// For what looks at text of unknown origin: clean_text.c, and the names of students. Flow: scene ->
-// buffers -> kernel -> image -> comparison: at any step something may have to be said.
+// For what looks at text of unknown origin: clean_text.c, and the names of students.
 #ifndef COMMON_UTF8_H
 #define COMMON_UTF8_H
 

@@ -1,7 +1,6 @@
 // Reading the work counters back (see work_stats.h); what they count stands in kernels/work.h.
 //
-// Flow: scene -> BUFFERS -> KERNEL -> image -> comparison: a buffer beside the picture, for the
-// figures. Read next: stats.c.
+// A buffer beside the picture, for the figures. Read next: stats.c.
 #include "work_stats.h"
 
 #include "complain.h"

@@ -1,7 +1,7 @@
 // The counters of kernels/work.h on the host: a buffer for them, their mean and maximum as figures,
 // and pictures of them.
 //
-// Flow: scene -> BUFFERS -> KERNEL -> image -> comparison. Read next: kernels/work.h.
+// Read next: kernels/work.h.
 #ifndef COMMON_WORK_STATS_H
 #define COMMON_WORK_STATS_H
 

@@ -1,6 +1,6 @@
 // What can be followed in lab 03: its own kernel, and the naive one of lab 01 beside it.
 //
-// Flow: SCENE -> BUFFERS -> KERNEL -> IMAGE -> comparison. Read next: world.h.
+// Read next: world.h.
 #include "kdtree2d_build.h"
 #include "world.h"
 

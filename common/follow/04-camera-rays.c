@@ -1,6 +1,6 @@
 // What there is to see in lab 04: the rays' directions as colours.
 //
-// Flow: SCENE -> BUFFERS -> KERNEL -> IMAGE -> comparison. Read next: world.h.
+// Read next: world.h.
 #include "world.h"
 
 static const WorldKernel KERNELS[] = {

@@ -1,6 +1,6 @@
 // What can be followed in lab 05: its own kernel.
 //
-// Flow: SCENE -> BUFFERS -> KERNEL -> IMAGE -> comparison. Read next: world.h.
+// Read next: world.h.
 #include "world.h"
 
 static const WorldKernel KERNELS[] = {

@@ -1,6 +1,6 @@
 // What can be followed in lab 07: its own kernel, and the naive one of lab 05 beside it.
 //
-// Flow: SCENE -> BUFFERS -> KERNEL -> IMAGE -> comparison. Read next: world.h.
+// Read next: world.h.
 #include "kdtree3d_build.h"
 #include "world.h"
 

@@ -1,7 +1,7 @@
 // What can be followed in lab 08: lab 07's kernel through its own tree, and through lab 06's; and
 // the naive kernel of lab 05 beside them.
 //
-// Flow: SCENE -> BUFFERS -> KERNEL -> IMAGE -> comparison. Read next: world.h.
+// Read next: world.h.
 #include "kdtree3d_build.h"
 #include "kdtree3d_sah.h"
 #include "world.h"

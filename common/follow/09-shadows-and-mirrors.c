@@ -1,6 +1,6 @@
 // What there is to see in lab 09: its own kernel, and those of labs 07 and 05 beside it.
 //
-// Flow: SCENE -> BUFFERS -> KERNEL -> IMAGE -> comparison. Read next: world.h.
+// Read next: world.h.
 #include "kdtree3d_build.h"
 #include "world.h"
 

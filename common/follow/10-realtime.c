@@ -1,8 +1,7 @@
 // What there is to see in lab 10: its tiles of rays, without shadows and with them, and the kernels
 // of labs 07 and 05 beside them.
 //
-// Flow: SCENE -> BUFFERS -> KERNEL -> IMAGE -> comparison. Read next: world.h, and the lab's
-// tile_buffers.h.
+// Read next: world.h, and the lab's tile_buffers.h.
 #include "kdtree3d_build.h"
 #include "kdtree3d_sah.h"
 #include "tile_buffers.h"

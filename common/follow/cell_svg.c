@@ -1,7 +1,7 @@
 // A pixel's cells as a picture (see followed_svg.h): the last levels of its way down, so that the
 // leaf is large enough to be seen, and the steps in words.
 //
-// Flow: scene -> buffers -> KERNEL -> image -> COMPARISON. Called by followed_svg.c.
+// Called by followed_svg.c.
 #include "followed_svg.h"
 
 #include "message.h"

@@ -4,7 +4,7 @@
 // circles that move, and the tree is built over the moved ones. All zooms are powers of two and all
 // shifts whole pixels of the picture: this moves no digit of a float, and both kernels still draw
 // the same.
-// Flow: SCENE -> BUFFERS -> kernel -> image -> comparison. Read next: frame.h.
+// Read next: frame.h.
 #include "cl_memory.h"
 #include "scene2d.h"
 #include "world.h"

@@ -1,6 +1,6 @@
 // The eye of worlds in 3D (see eye.h). The camera is lab 04's.
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Called by spheres.c and rays.c.
+// Called by spheres.c and rays.c.
 #include "eye.h"
 
 #include "camera_from_view.h"

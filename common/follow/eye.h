@@ -1,6 +1,6 @@
 // What worlds in 3D have in common: an eye that flies. Their pose is the scene's view.
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: flight.h, spheres.c.
+// Read next: flight.h, spheres.c.
 #ifndef FOLLOW_EYE_H
 #define FOLLOW_EYE_H
 

@@ -1,6 +1,6 @@
 // Flying (see flight.h). A view is three points in space: every motion turns or shifts them.
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Called by spheres.c.
+// Called by spheres.c.
 #include "flight.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
 // Flying: how a view moves when keys and the mouse ask for it. Plain arithmetic, no window.
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: world.h (Motion).
+// Read next: world.h (Motion).
 #ifndef FOLLOW_FLIGHT_H
 #define FOLLOW_FLIGHT_H
 

@@ -1,6 +1,6 @@
 // Following a pixel, and comparing (see followed.h).
 //
-// Flow: scene -> buffers -> KERNEL -> image -> COMPARISON. Read next: followed_text.c.
+// Read next: followed_text.c.
 #include "followed.h"
 
 #include "record.h"

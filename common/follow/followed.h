@@ -1,7 +1,7 @@
 // One pixel, followed: what its own kernel does for it, what the reference does, and where the two
 // part. In words, as JSON and as a picture.
 //
-// Flow: scene -> buffers -> KERNEL -> image -> COMPARISON. Read next: pixel.c, record.h.
+// Read next: pixel.c, record.h.
 #ifndef FOLLOW_FOLLOWED_H
 #define FOLLOW_FOLLOWED_H
 

@@ -5,7 +5,7 @@
 //              "origin", "direction", "steps"},
 //      "reference": the same, or null, "parting": a step's number or null, "rounding_decides"}
 //
-// Flow: scene -> buffers -> KERNEL -> image -> COMPARISON. Read next: followed_svg.c.
+// Read next: followed_svg.c.
 #include "followed.h"
 
 #include "complain.h"

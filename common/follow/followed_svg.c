@@ -1,6 +1,6 @@
 // A followed pixel as a picture (see followed.h): the file, and which of the two kinds of pictures.
 //
-// Flow: scene -> buffers -> KERNEL -> image -> COMPARISON. Read next: ray_svg.c, cell_svg.c.
+// Read next: ray_svg.c, cell_svg.c.
 #include "followed_svg.h"
 
 #include "output_file.h"

@@ -1,6 +1,6 @@
 // The pictures of a followed pixel: a ray's way along t, step by step; a pixel's cells.
 //
-// Flow: scene -> buffers -> KERNEL -> image -> COMPARISON. Read next: ray_svg.c.
+// Read next: ray_svg.c.
 #ifndef FOLLOW_FOLLOWED_SVG_H
 #define FOLLOW_FOLLOWED_SVG_H
 

@@ -1,6 +1,6 @@
 // A followed pixel in words (see followed.h).
 //
-// Flow: scene -> buffers -> KERNEL -> image -> COMPARISON. Read next: followed_json.c.
+// Read next: followed_json.c.
 #include "followed.h"
 
 #include "message.h"

@@ -1,6 +1,6 @@
 // A ray's steps as a picture (see followed_svg.h).
 //
-// Flow: scene -> buffers -> KERNEL -> image -> COMPARISON. Read next: cell_svg.c.
+// Read next: cell_svg.c.
 #include "followed_svg.h"
 
 #include "message.h"

@@ -1,7 +1,7 @@
 // The world of lab 04: rays alone, from a camera that flies (see world.h). Of a scene only the view
 // counts.
 //
-// Flow: SCENE -> BUFFERS -> kernel -> image -> comparison. Read next: eye.h.
+// Read next: eye.h.
 #include "camera_from_view.h"
 #include "cl_memory.h"
 #include "eye.h"

@@ -1,6 +1,6 @@
 // Following a pixel (see record.h).
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: steps/steps.h.
+// Read next: steps/steps.h.
 #include "record.h"
 
 #include "complain.h"

@@ -1,7 +1,7 @@
 // Following a pixel: its own kernel, run for it alone, writes down what it does (steps/steps.h).
 // Needs no window.
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: steps/recording.h.
+// Read next: steps/recording.h.
 #ifndef FOLLOW_RECORD_H
 #define FOLLOW_RECORD_H
 

@@ -2,7 +2,7 @@
 //
 // It knows the answers, so it lies with the tests (tests/follow) and is in no handout: there
 // no_reference.c says that there is none.
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: followed.h.
+// Read next: followed.h.
 #ifndef FOLLOW_REFERENCE_H
 #define FOLLOW_REFERENCE_H
 

@@ -1,7 +1,6 @@
 // The world from lab 05 on: spheres, seen from a camera that flies (see world.h).
 //
-// Flow: SCENE -> BUFFERS -> kernel -> image -> comparison. Camera and buffers are those of labs 04
-// and 05. Read next: eye.h.
+// Camera and buffers are those of labs 04 and 05. Read next: eye.h.
 #include "camera_from_view.h"
 #include "cl_memory.h"
 #include "eye.h"

@@ -1,6 +1,6 @@
 // Opening worlds, and memory for them (see world.h).
 //
-// Flow: SCENE -> BUFFERS -> KERNEL -> image -> comparison. Read next: circles.c, rays.c, spheres.c.
+// Read next: circles.c, rays.c, spheres.c.
 #include "world.h"
 
 #include "complain.h"

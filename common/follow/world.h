@@ -1,8 +1,7 @@
 // A scene on the device, the place it is seen from, its tree, and the kernels that can draw it. 2D
 // (circles.c) and 3D (rays.c, spheres.c) differ behind this one face.
 //
-// Flow: SCENE -> BUFFERS -> KERNEL -> image -> comparison. Read next: record.h, and frame.h of
-// common/view.
+// Read next: record.h, and frame.h of common/view.
 #ifndef FOLLOW_WORLD_H
 #define FOLLOW_WORLD_H
 

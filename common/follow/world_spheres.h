@@ -1,6 +1,6 @@
 // What the world of spheres keeps: spheres.c's, and lab 10's, whose kernel takes more of it.
 //
-// Flow: SCENE -> BUFFERS -> kernel -> image -> comparison. Read next: spheres.c.
+// Read next: spheres.c.
 #ifndef FOLLOW_WORLD_SPHERES_H
 #define FOLLOW_WORLD_SPHERES_H
 

@@ -1,6 +1,6 @@
 // A film (see film.h).
 //
-// Flow: scene -> buffers -> kernel -> IMAGE -> comparison. Called by view.c.
+// Called by view.c.
 #include "film.h"
 
 #include "complain.h"

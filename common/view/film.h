@@ -1,6 +1,6 @@
 // A film: a path through a scene as pictures, one file a frame. Needs no window.
 //
-// Flow: scene -> buffers -> kernel -> IMAGE -> comparison. Read next: film.c, movie.sh.
+// Read next: film.c, movie.sh.
 #ifndef VIEW_FILM_H
 #define VIEW_FILM_H
 

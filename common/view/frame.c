@@ -1,6 +1,6 @@
 // One frame (see frame.h). enqueue_pixels() and read_back() are those of lab 00 (render.h).
 //
-// Flow: scene -> buffers -> KERNEL -> IMAGE -> comparison. Read next: world.h.
+// Read next: world.h.
 #include "frame.h"
 
 #include "complain.h"

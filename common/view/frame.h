@@ -1,6 +1,6 @@
 // One frame: the world drawn by a lab's kernel, and what each pixel of it cost.
 //
-// Flow: scene -> buffers -> KERNEL -> IMAGE -> comparison. Read next: view.c, which shows it.
+// Read next: view.c, which shows it.
 #ifndef VIEW_FRAME_H
 #define VIEW_FRAME_H
 

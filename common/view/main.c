@@ -1,6 +1,6 @@
 // The window of a lab: what there is to show comes from common/follow/NN-name.c.
 //
-// Flow: SCENE -> BUFFERS -> KERNEL -> IMAGE -> comparison. Read next: view.c.
+// Read next: view.c.
 #include "view.h"
 
 int main(int argc, char **argv)

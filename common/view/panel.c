@@ -1,6 +1,6 @@
 // The panel beside the picture, and what lies over it (see viewer.h).
 //
-// Flow: scene -> buffers -> kernel -> IMAGE -> comparison: in figures. Read next: window.h.
+// In figures. Read next: window.h.
 #include "message.h"
 #include "viewer.h"
 

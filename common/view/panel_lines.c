@@ -1,14 +1,11 @@
 // A followed pixel in words (see panel_lines.h).
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Called by view.c.
+// Called by view.c.
 #include "panel_lines.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-// How a line of elements begins that were asked in vain.
-static const char MISSED[] = "  missed:";
 
 static void visit_write(const World *world, const Step *step, PanelLine *line)
 {
@@ -46,7 +43,7 @@ static int is_hit(const World *world, const Step *step)
 // Returns how many lines were added.
 static int miss_write(u32 id, PanelLine *line, PanelLine *before)
 {
-    if (before != NULL && strncmp(before->text, MISSED, sizeof MISSED - 1) == 0) {
+    if (before != NULL && before->lists_missed) {
         const size_t length = strlen(before->text);
         char number[16];
         snprintf(number, sizeof number, " %u", id);
@@ -55,7 +52,8 @@ static int miss_write(u32 id, PanelLine *line, PanelLine *before)
             return 0;
         }
     }
-    snprintf(line->text, sizeof line->text, "%s %u", MISSED, id);
+    snprintf(line->text, sizeof line->text, "  missed: %u", id);
+    line->lists_missed = 1;
     return 1;
 }
 
@@ -79,6 +77,7 @@ int panel_lines(const World *world, const Steps *steps, PanelLine *lines)
     for (u32 i = 0; i < steps_kept(steps->n_steps); i++) {
         const Step *step = &steps->steps[i];
         PanelLine *line = &lines[n_lines];
+        line->lists_missed = 0;
         if (step->kind == STEP_TEST) {
             n_lines += test_write(world, step, line, n_lines > 0 ? line - 1 : NULL);
             continue;

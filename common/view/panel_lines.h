@@ -1,6 +1,6 @@
 // The steps of a followed pixel in words, in lines as narrow as the panel.
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: record.h of common/follow.
+// Read next: record.h of common/follow.
 #ifndef VIEW_PANEL_LINES_H
 #define VIEW_PANEL_LINES_H
 
@@ -12,6 +12,7 @@
 enum { PANEL_LINE_LENGTH = 40, PANEL_MAX_LINES = MAX_STEPS + 1 };
 typedef struct PanelLine {
     char text[96];
+    int lists_missed;  // does it list elements that were asked in vain? The next such one joins it
 } PanelLine;
 int panel_lines(const World *world, const Steps *steps, PanelLine *lines);
 

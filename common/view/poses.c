@@ -1,6 +1,6 @@
 // Paths through a scene (see poses.h).
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: view.c, film.c.
+// Read next: view.c, film.c.
 #include "poses.h"
 
 #include "complain.h"

@@ -3,7 +3,7 @@
 //     # a path, 25 poses a second: from x y z, at x y z, up x y z
 //     2.1 1.3 1.7 0 0 0 0 0 1
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: poses.c.
+// Read next: poses.c.
 #ifndef VIEW_POSES_H
 #define VIEW_POSES_H
 

@@ -1,6 +1,6 @@
 // A script of keys and mouse events (see script.h).
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: controls.c, which takes them.
+// Read next: controls.c, which takes them.
 #include "script.h"
 
 #include "number.h"

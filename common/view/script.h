@@ -10,7 +10,7 @@
 //     save FILE        save the window as the last frame has shown it, .png or .exr
 //     # a comment
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: view.c.
+// Read next: view.c.
 #ifndef VIEW_SCRIPT_H
 #define VIEW_SCRIPT_H
 

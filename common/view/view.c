@@ -2,7 +2,7 @@
 //
 // Only what has changed is drawn anew. Where nothing moves, the work is counted, the followed pixel
 // is asked for its steps, and then the program sleeps until something happens.
-// Flow: SCENE -> BUFFERS -> KERNEL -> IMAGE -> comparison. Read next: controls.c, frame.c, panel.c.
+// Read next: controls.c, frame.c, panel.c.
 #include "view.h"
 
 #include "film.h"

@@ -1,7 +1,7 @@
 // What the window of a lab knows while it is open, and the parts that work on it: controls.c takes
 // keys and the mouse, panel.c draws what stands beside the picture, view.c goes round and round.
 //
-// Flow: scene -> buffers -> kernel -> IMAGE -> comparison. Read next: view.c.
+// Read next: view.c.
 #ifndef VIEW_VIEWER_H
 #define VIEW_VIEWER_H
 

@@ -1,7 +1,7 @@
 // A window to draw into (see window.h). It is drawn in memory, in a canvas, and copied to the
 // screen whole: no graphics card is needed, and what is saved is what was shown.
 //
-// Flow: scene -> buffers -> kernel -> IMAGE -> comparison. Read next: panel.c.
+// Read next: panel.c.
 #include "window.h"
 
 #include "complain.h"

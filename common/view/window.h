@@ -1,6 +1,6 @@
 // A window to draw into: pictures, boxes and text, by SDL. All that touches the screen is here.
 //
-// Flow: scene -> buffers -> kernel -> IMAGE -> comparison. Read next: panel.h.
+// Read next: panel.c.
 #ifndef VIEW_WINDOW_H
 #define VIEW_WINDOW_H
 

@@ -76,7 +76,7 @@ local function figure(image)
 end
 
 -- "10.4" before <!-- 07-sphereflake: sphere_tests.mean_per_pixel --> becomes what the run counted, with as many
--- decimals, in groups of three where the text has no-break spaces; a difference is told on stderr.
+-- decimals, in groups of three where the text has no-break spaces; a difference is reported on stderr.
 local no_break = "\u{a0}"
 local function counted(text, run, field)
     local json = read(runs .. "/" .. run .. ".json")
@@ -106,7 +106,7 @@ local function numbers(content)
 end
 
 -- A block of code behind <!-- 06-lattice: printed -->: each of its lines must be one that the run printed, in this order; a
--- difference is told on stderr.
+-- difference is reported on stderr.
 local function printed(content)
     for n = 2, #content do
         local run = (content[n - 1].tag == "RawBlock" and content[n - 1].text or ""):match("^<!%-%- ([%w-]+): printed %-%->%s*$")

@@ -1,7 +1,7 @@
 // The functions of OpenCL C that the recorded kernels call, for a device of one work-item: here
 // they are compiled with the kernels, where a driver would bring them.
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: page_device.c.
+// Read next: page_device.c.
 
 // Of page_device.c: the work-item at hand.
 uint page_global_id(uint dimension);

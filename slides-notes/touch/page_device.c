@@ -4,7 +4,7 @@
 //
 // It has the functions that common/follow and the labs' buffers call, and no others. Sizes and
 // names are the course's own and fit, so nothing is checked.
-// Flow: scene -> BUFFERS -> KERNEL -> image -> comparison. Read next: builtins.cl, record.c.
+// Read next: builtins.cl, record.c.
 #include "camera.h"
 #include "cl_setup.h"
 #include "kdtree2d.h"

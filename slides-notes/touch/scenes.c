@@ -1,7 +1,6 @@
 // Opening scenes in a page: those that are made. There are no files.
 //
-// Flow: SCENE -> buffers -> kernel -> image -> comparison. Read next: scene2d_open.c and
-// scene3d_open.c, in whose place this stands.
+// Read next: scene2d_open.c and scene3d_open.c, in whose place this stands.
 #include "scene2d.h"
 #include "scene3d.h"
 

@@ -65,7 +65,7 @@ int sphere_overlaps_box(Sphere sphere, BBox3D box)
     // END sphere_overlaps_box
 }
 
-// So many spheres ahead of its turn one is fetched from memory: while it comes, these are tested.
+// How many spheres ahead of its turn one is fetched from memory: while it comes, these are tested.
 enum { N_AHEAD = 16 };
 
 u32 distribute_spheres(const Sphere *h_spheres, const u32 *ids, u32 n_ids, BBox3D child,

@@ -9,6 +9,7 @@
 #include "series.h"
 
 #include <errno.h>
+#include <limits.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -41,7 +42,7 @@ static void print_help(const char *name, const char *what)
 // after one message.
 static int make_folder(const char *name, const char *folder)
 {
-    char path[4096];
+    char path[PATH_MAX];
     if (snprintf(path, sizeof path, "%s/", folder) >= (int)sizeof path) {
         complain("%s: --output: expected a shorter path", name);
         return -1;

@@ -15,8 +15,8 @@ typedef enum LitRenderer {
     N_LIT_RENDERERS,
 } LitRenderer;
 
-// How often a ray is mirrored at most: 0, 1 or 2 times. So many kinds of frames there are, of each
-// size.
+// How often a ray is mirrored at most, 0, 1 or 2 times; and how many kinds of frames there are, of
+// each size.
 enum { N_MIRROR_NUMBERS = 3, N_LIT_SIDES = 2, N_LIT_FRAMES = N_LIT_SIDES * N_MIRROR_NUMBERS };
 
 typedef struct LitFrame {

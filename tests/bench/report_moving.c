@@ -1,7 +1,7 @@
-// What the 3D bench tells of scenes that move (see report_moving.h).
+// What the 3D bench says of scenes that move (see report_moving.h).
 //
 // A round has a median of each time; sums, ratios and crossings are made of those, round by round,
-// and what is told is their median with the smallest and the largest.
+// and what is printed is their median with the smallest and the largest.
 // Read next: bench3d-moving.gnuplot.
 #include "report_moving.h"
 

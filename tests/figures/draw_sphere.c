@@ -89,7 +89,7 @@ static const struct HitCase {
     const char *name;
     double eye_x, eye_y;
 } HIT_CASES[PANELS] = {
-    {"0: it passes by", -1.4, 1.3},
+    {"0: it misses", -1.4, 1.3},
     {"1: it touches", -1.4, 1},
     {"2: it goes through", -1.4, 0.5},
     {"the eye is inside", -0.35, 0.5},
@@ -138,7 +138,7 @@ void draw_hits(FILE *file, const Followed *followed)
     (void)followed;
     svg_begin(
         file, TOP + PANEL_HEIGHT + 100, "No hit, one, two, and the eye inside",
-        "Four rays to the right and a sphere of radius 1. The first passes by: no hit. The second "
+        "Four rays to the right and a sphere of radius 1. The first misses it: no hit. The second "
         "touches it: both roots are one. The third goes through: of two roots the nearer is the "
         "hit. "
         "In the fourth the eye is inside: the nearer root is behind it, so the farther is the "

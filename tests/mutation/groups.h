@@ -10,7 +10,7 @@
 
 #include "known_answer.h"
 
-// So many groups run side by side.
+// How many groups run side by side.
 enum { PAIR = 2 };
 
 typedef struct Group {

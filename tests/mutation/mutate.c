@@ -11,11 +11,13 @@
 #include "holes.h"
 #include "message.h"
 #include "mutations.h"
+#include "number.h"
 #include "path.h"
 #include "session.h"
 #include "settings.h"
 #include "text_file.h"
 
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -255,17 +257,22 @@ static int read_options(int argc, char **argv, Options *options)
     int n = 1;
     *options = (Options){.stride = 1};
     for (; n < argc; n++) {
-        int *number = strcmp(argv[n], "--stride") == 0   ? &options->stride
-                      : strcmp(argv[n], "--offset") == 0 ? &options->offset
-                                                         : NULL;
+        const int is_stride = strcmp(argv[n], "--stride") == 0;
         if (strcmp(argv[n], "--list") == 0) {
             options->list = 1;
-        } else if (number == NULL) {
+            continue;
+        }
+        if (!is_stride && strcmp(argv[n], "--offset") != 0) {
             break;
-        } else if (n + 1 == argc || (*number = atoi(argv[++n])) < (number == &options->stride)) {
-            complain("mutate: %s: expected a whole number", argv[n]);
+        }
+        int64_t number;
+        if (n + 1 == argc || number_read_integer(argv[n + 1], is_stride, INT_MAX, &number) != 0) {
+            complain("mutate: %s: found \"%s\", expected a whole number from %d on", argv[n],
+                     n + 1 == argc ? "" : argv[n + 1], is_stride);
             return -1;
         }
+        *(is_stride ? &options->stride : &options->offset) = (int)number;
+        n++;
     }
     return n - 1;
 }

@@ -344,8 +344,8 @@ typedef struct NormalJob {
 LAYOUT_ASSERT(NormalJob, 40);
 
 // Lab 05: section "shades", one call of shade each, and alone "pixel_shades", those of whole
-// pictures. Answered by a Vec3. The lights are n_lights
-// from first_light on in section "lights"; what follows them must not shine.
+// pictures. Answered by a Vec3. The lights are n_lights from first_light on in section "lights";
+// what follows them must not shine.
 typedef struct ShadeJob {
     Vec3 point;
     Vec3 normal;

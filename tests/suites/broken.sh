@@ -76,7 +76,7 @@ copy_lab solutions $lab
 echo '    *(volatile u32 *)(size_t)(id & 0) = n_ids;' | answer $file pack_leaf
 broken "a null pointer costs its task" 80
 check "and the message is of a crash" stage Running failed "it crashed: signal 11"
-check "which is told once" test "$(grep -c 'it crashed' "$said")" = 1
+check "which is said once" test "$(grep -c 'it crashed' "$said")" = 1
 check "and names function and input" holds "where: in pack_leaf, input 1 of 66: leaf with "
 line=$(grep -n 'n_ids;$' "$scratch/submission/$file" | grep volatile | cut -d: -f1)
 check "and the line" holds "$file:$line, task pack_leaf: a null pointer"
@@ -92,7 +92,7 @@ copy_lab solutions $lab
 } | answer $file distribute
 broken "an index out of range costs its task" 80
 line=$(grep -n '// far$' "$scratch/submission/$file" | cut -d: -f1)
-check "and is told with its line" holds \
+check "and its line is named" holds \
     "$file:$line, task distribute: an index or a pointer beyond the end of its array"
 
 copy_lab solutions $lab

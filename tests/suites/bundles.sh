@@ -51,7 +51,7 @@ choose() {
 processors=$(env -u OMP_NUM_THREADS -u OMP_THREAD_LIMIT nproc)
 check "as many processes as processors" \
     choose "Processes: $processors (processors here: $processors)*default*$processors $processors "
-check "whatever OpenMP is told" choose "Processes: $processors (*" OMP_NUM_THREADS=1 OMP_THREAD_LIMIT=1
+check "whatever limits OpenMP has" choose "Processes: $processors (*" OMP_NUM_THREADS=1 OMP_THREAD_LIMIT=1
 check "or what is asked for" choose "Processes: 7 (JOBS)*: 30 s of processor time (TIME_LIMIT)*7 7 --time-limit 30" \
     JOBS=7 TIME_LIMIT=30
 for value in 0 07 -1 1.5 513 99999999999999999999 "2 --sandbox none"; do
@@ -155,11 +155,11 @@ if [ "$(id -u)" -eq 0 ]; then
     # shellcheck disable=SC2086 # a command and its words
     $as_user "$root/run_autograder" >"$scratch/said" 2>&1 </dev/null
     [ $? -eq 2 ] && grep -q "^No grade: .* cannot write $root/results: run this as root" "$scratch/said"
-    ok $? "Gradescope: an ordinary user cannot write, and is told" "$(cat "$scratch/said")"
+    ok $? "Gradescope: an ordinary user cannot write, and a message says so" "$(cat "$scratch/said")"
     chown 65534 "$root/results"
     # shellcheck disable=SC2086 # a command and its words
     check "Gradescope: an ordinary user without a sandbox has no result" no_result $as_user "$root/run_autograder"
-    check "and is told why" grep "Landlock needs a grader that runs as root" "$scratch/said"
+    check "and the message says why" grep "Landlock needs a grader that runs as root" "$scratch/said"
     chown 0 "$root" "$root/results"
 else
     skip "Gradescope: an ordinary user in a container" "needs root"
@@ -240,7 +240,7 @@ check "Autolab: a fault of the grader gives no points" \
 check "Autolab: nor does a killed one" no_points graded_by 'kill -9 $$' hand_in right fault
 mv "$course/build/prepared" "$scratch/prepared"
 check "Autolab: nor does an image without a grader" no_points hand_in right fault
-check "and it is told of" grep "^No grade: the grader is not built in this image" "$scratch/said"
+check "and the message says why" grep "^No grade: the grader is not built in this image" "$scratch/said"
 mv "$scratch/prepared" "$course/build/prepared"
 mv "$scratch/bin/sudo" "$scratch/bin/no-sudo"
 printf '#!/bin/sh\nexit 1\n' >"$scratch/bin/sudo"

@@ -86,7 +86,7 @@ check "Moodle's number" row "$first" '"Ada Lovelace","1234567",1,"graded",100,10
 check "GitHub Classroom's name" row "$first" '"bob","",1,"graded",0,100,'
 check "a name that ends like an attempt's has a row of its own" \
     row "$first" '"carol-2","",1,"graded",100,100,'
-check "and the instructor is told" said 'perhaps one person, each with a row: "carol", "carol-2"'
+check "and a message says so" said 'perhaps one person, each with a row: "carol", "carol-2"'
 check "also on the page" grep -q 'id="look-alikes"' "$first/class.html"
 check "a formula is none" row "$first" "\"'=1+1\","
 check "an option is a name" row "$first" "\"'-rf\","
@@ -146,7 +146,7 @@ check "who handed in nothing has no grade" row "$first" \
     '"Participant 8","Nobody, N.","n@example.org","No submission","-","50",,,,"no submission",'
 check "who could be two is neither" row "$first" ',,,,,,"bob",'
 check "and they have no grade" row "$first" '"Participant 9","Double","bob@example.org","Submitted","","50",,,,"not entered"'
-check "and the instructor is told" said '"lab-00-bob": fits 2 lines of the list, among them 5 and 6'
+check "and a message says so" said '"lab-00-bob": fits 2 lines of the list, among them 5 and 6'
 
 gradescope=$scratch/gradescope
 mkdir -p "$gradescope/submission_11" "$gradescope/submission_12" "$scratch/names"

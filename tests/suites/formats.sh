@@ -172,7 +172,7 @@ mkdir "$scratch/few-programs"
 ln -s "$(command -v dirname)" "$(command -v sh)" "$scratch/few-programs"
 ! PATH=$scratch/few-programs $write junit "$scratch/reports/right" $lab >"$scratch/said" 2>&1
 ok $? "without jq nothing is written"
-check "and it is told" grep -x 'formats: jq is not here: install the package jq' "$scratch/said"
+check "and a message says so" grep -x 'formats: jq is not here: install the package jq' "$scratch/said"
 
 left=$(ls -A "$TMPDIR")
 [ -z "$left" ]

@@ -42,7 +42,7 @@ finds() {
 }
 
 # Labs 02 and 06 have no kernels; the others need Oclgrind.
-check "a lab without kernels is told" memchecks 2 02 solutions/02-kdtree-2d-build
+check "a lab without kernels is refused" memchecks 2 02 solutions/02-kdtree-2d-build
 check "as what it is" grep -q "found no kernel to hand in" "$scratch/said"
 if [ ! -r /usr/lib/oclgrind/liboclgrind-rt-icd.so ]; then
     check "without Oclgrind memcheck says what is missing" memchecks 2 01 solutions/01-naive-2d
@@ -77,7 +77,7 @@ file=$scratch/submission/implicit2DRenderer_KD.cl
 cp "$scratch/filled" "$file"
 check "a kernel that does not end is cut off" \
     memchecks 1 03 "$scratch/submission" --time-limit 2
-check "how long that may take is told first" \
+check "how long that may take is said first" \
     sh -c "sed -n 2p '$scratch/said' | grep -qx '2 s of processor time each at most.'"
 check "and said to be endless" grep -q "used up the 2.0 s of processor time" "$scratch/said"
 check "a folder that is not there is a fault" memchecks 2 01 "$scratch/nowhere"

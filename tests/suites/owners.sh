@@ -58,12 +58,12 @@ lists numbers "$scratch/numbers.csv" "Group A_7_assignsubmission_file_" \
     "Joan Clarke_99_assignsubmission_file_" "Participant_12_assignsubmission_file_" \
     "mary.shaw@example.org" submission_41
 check "a team's number is nobody's" has "Participant 7" ""
-check "and the team is told of" said '"Group A_7_assignsubmission_file_": fits no line of the list'
+check "and a message names the team" said '"Group A_7_assignsubmission_file_": fits no line of the list'
 check "of two of one name the number decides" has "Participant 22" "Ada Lovelace"
 check "and the other has no grade" has "Participant 21" ""
 check "a name as Moodle puts it into file names" has "Participant 30" "Sean OBrien"
 check "one of another number is nobody's" has "Participant 31" ""
-check "and is told of" said 'line 6 of the list has another number than 99'
+check "and a message names it" said 'line 6 of the list has another number than 99'
 check "a number alone only as Participant N" has "Participant 12" "Participant"
 check "an address in other letters" has "Participant 40" "mary.shaw@example.org"
 check "a submission's number is nobody's" has "Participant 41" ""
@@ -91,14 +91,14 @@ done
 check "a group's name may end like an attempt's" has "Participant 3" "Team 1-2"
 check "those without a group are one" has "Participant 4" "Default group"
 check "a group that is called like a student is nobody's" has "Participant 5" -
-check "and is told of" said '"carol_9_assignsubmission_file_": is a group of the list and also fits its line 4'
+check "and a message names it" said '"carol_9_assignsubmission_file_": is a group of the list and also fits its line 4'
 check "a file and a text are one entry, an underscore is a blank" has "Participant 6" "Team 3"
 
 # A file and a text are one entry only where Moodle says so: here somebody else chose a name.
 lists forged "$scratch/teams.csv" "Team 3_2_assignsubmission_file_" \
     "Team 3_2_assignsubmission_onlinetext_" "Team 3"
 check "a name that is made like Moodle's takes nothing over" has "Participant 6" -
-check "and is told of" said 'line 7 of the list also fits "Team 3_2_assignsubmission_file_"'
+check "and a message names it" said 'line 7 of the list also fits "Team 3_2_assignsubmission_file_"'
 check "and so is why" said 'not only Moodle'"'"'s export, as "Team 3" is not'
 # A student's name in Moodle may hold Moodle's pattern.
 lists pattern "$scratch/teams.csv" "Team 3_2_assignsubmission_file_" \
@@ -163,11 +163,11 @@ for participant in "Participant 1" "Participant 2"; do
     check "a pair's points for $participant" has "$participant" "Ada Lovelace & Grace Hopper"
 done
 check "a name alone is not enough against an address" has "Participant 3" ""
-check "and is told of" \
+check "and a message names it" \
     said '"submission_3": "Joan Clarke": line 4 of the list has another e-mail address or number'
 check "the university's number is enough" has "Participant 4" "Somebody Else"
 check "who is in two teams has the points of neither" has "Participant 5" -
-check "and is told of" said 'line 6 of the list also fits "submission_6"'
+check "and a message names it" said 'line 6 of the list also fits "submission_6"'
 check "the other of the team has them" has "Participant 6" "Jean Jennings & Carol Shaw"
 check "a name that ends like an attempt's is not cut" has "Participant 8" ""
 
@@ -218,7 +218,7 @@ for participant in "Participant 4" "Participant 5" "Participant 7" "Participant 
     check "$participant, whose name two have handed in under: entered for neither" \
         has "$participant" -
 done
-check "an archive and a folder of one name are told of" \
+check "an archive and a folder of one name are named" \
     said '"dora.zip": line 5 of the list also fits "dora"'
 check "a repository and a folder, too" said '"lab-00-erin": line 6 of the list also fits "erin"'
 check "other letters' size, too" said '"gina": line 8 of the list also fits "GINA"'
@@ -235,7 +235,7 @@ check "$filler: nobody's, and told of" \
     said "\"$filler\": fits no line of the list, but looks like line 12"
 check "and lou may have handed in, if not this" has "Participant 11" -
 check "accents that are written apart make another name" has "Participant 8" "Hanna Müller"
-check "and are told of" said "\"$decomposed\": fits no line of the list, but looks like line 9"
+check "and a message names them" said "\"$decomposed\": fits no line of the list, but looks like line 9"
 check "every entry has its row" \
     test "$(grep -c '"students/[^"]*/report.html"' "$class.out/gradebook.csv")" -eq 46
 check "and its folder" test "$(find "$class.out/students" -mindepth 1 -maxdepth 1 | wc -l)" -eq 46

@@ -96,7 +96,7 @@ n_orders=$(for seed in 1 2 3 4 5; do order $seed && echo; done | sort -u | wc -l
 ok $? "seeds give several orders" "five gave $n_orders"
 check "a seed always gives the same" test "$(order 7)" = "$(order 7)"
 check "every test runs" test "$(sorted "$(order 7)")" = "$(sorted "$usual")"
-check "the seed is told" says "in the order of seed 7"
+check "the seed is said" says "in the order of seed 7"
 ORDER=random
 export ORDER
 check "what is no number is refused" runs 2

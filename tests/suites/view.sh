@@ -348,7 +348,7 @@ in_course() (cd "$course" && run_script "$build/view/labs/01-naive-2d" "$@" --si
 status=0
 in_course 'frames 1' || status=$?
 [ $status -eq 1 ] && grep -q 'labs/01-naive-2d/implicit2DRenderer.cl:[0-9]*:[0-9]*: error:.*float5' "$scratch/stderr"
-ok $? "a kernel that does not build is told as the lab's program tells it" "$(cat "$scratch/stderr")"
+ok $? "a kernel that does not build gives the message of the lab's program" "$(cat "$scratch/stderr")"
 
 cp labs/01-naive-2d/implicit2DRenderer.cl "$course/labs/01-naive-2d/"
 check "the skeleton has a window" works in_course 'frames 1'

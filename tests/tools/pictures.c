@@ -3,7 +3,7 @@
 //
 //     pictures SAID COMPLAINED
 //
-// Each request on stdin is a line with a number of words, and then so many lines: a folder, the
+// Each request on stdin is a line with a number of words, and then a line for each: a folder, the
 // tool's name and its arguments. The tool runs in that folder as a process of its own, with what it
 // would print in the files SAID and COMPLAINED; its exit status is a line on stdout. Ends with its
 // stdin.

@@ -1,6 +1,6 @@
 // Lab 01's kernel, writing down the steps of a pixel (steps.h).
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Started by record.c.
+// Started by record.c.
 #include "circles.h"
 #define work_save(work, x, y, width, d_work) steps_save(&work, x, y, color, NO_ID, d_work)
 

@@ -1,6 +1,6 @@
 // Lab 03's kernel, writing down the steps of a pixel (steps.h).
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Started by record.c.
+// Started by record.c.
 #include "circles.h"
 #define work_save(work, x, y, width, d_work) steps_save(&work, x, y, color, id, d_work)
 

@@ -1,6 +1,6 @@
 // Lab 05's kernel, writing down the steps of a ray (steps.h).
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Started by record.c.
+// Started by record.c.
 #include "spheres.h"
 #define work_save(work, x, y, width, d_work) steps_save(&work, ray, hit, d_work)
 

@@ -1,6 +1,6 @@
 // Lab 07's kernel, writing down the steps of a ray (steps.h).
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Started by record.c.
+// Started by record.c.
 #include "kdtree3d.h"
 #include "spheres.h"
 #include "todo.h"

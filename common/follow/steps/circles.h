@@ -1,6 +1,6 @@
 // What the steps of a pixel among circles are: shared by the kernels of labs 01 and 03.
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: 03-kdtree-2d-render.cl.
+// Read next: 03-kdtree-2d-render.cl.
 #ifndef FOLLOW_STEPS_CIRCLES_H
 #define FOLLOW_STEPS_CIRCLES_H
 

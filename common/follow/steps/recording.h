@@ -1,7 +1,7 @@
 // Included before a lab's kernel, in the place of kernels/work.h: a pixel's Work is then the list
 // of its steps. The files beside this one say what count_test() and the like write into it.
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: 07-kdtree-3d-trace.cl.
+// Read next: 07-kdtree-3d-trace.cl.
 #ifndef FOLLOW_RECORDING_H
 #define FOLLOW_RECORDING_H
 

@@ -1,6 +1,6 @@
 // What the steps of a ray among spheres are: shared by the kernels of labs 05 and 07.
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: 07-kdtree-3d-trace.cl.
+// Read next: 07-kdtree-3d-trace.cl.
 #ifndef FOLLOW_STEPS_SPHERES_H
 #define FOLLOW_STEPS_SPHERES_H
 

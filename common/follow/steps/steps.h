@@ -5,7 +5,7 @@
 // (kernels/work.h). A .cl file of this folder puts other functions of these names in front of a
 // lab's kernel, which write down what is at hand there. So what is said about a ray is what the
 // student's own code does, and no second search has to agree with it.
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: recording.h, record.h.
+// Read next: recording.h, record.h.
 #ifndef FOLLOW_STEPS_H
 #define FOLLOW_STEPS_H
 

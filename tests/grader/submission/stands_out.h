@@ -9,6 +9,8 @@
 
 #include "manifest.h"
 
+#include <stdio.h>
+
 // Look at a lab's files after staging.
 //   staged       the folder with the manifest's files as they were handed in
 //   submission   the folder that they came from: what else is in it gets named
@@ -18,7 +20,6 @@ char *stands_out(const Manifest *manifest, const char *staged, const char *submi
 
 // The part of it that looks at one text, and counts the notes it writes to `notes`.
 //   name   the file's, for the notes
-#include <stdio.h>
 int stands_out_in_text(const char *name, const char *text, FILE *notes);
 
 #endif

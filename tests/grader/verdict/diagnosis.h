@@ -2,7 +2,7 @@
 // mistake is.
 //
 // Made by the judges (tests/judge/), sent to the grader as it is (judge_process.h), and read by all
-// who decide by it: blame.h, memcheck_advice.h, the hints, the mutants. Nobody looks for anything
+// that decide by it: blame.h, advice.h, the hints, the mutants. Nobody looks for anything
 // in the sentence that a student reads: diagnosis_text() is where that is made.
 #ifndef GRADER_DIAGNOSIS_H
 #define GRADER_DIAGNOSIS_H

@@ -58,7 +58,7 @@ static int draw_scenes(Random *random, JobScene3D scenes[N_SCENES])
     }
     if (result == 0) {
         job_scene3d_scale(&scenes[SMALL], 0x1p-20f, "a millionth as large");
-        job_scene3d_scale(&scenes[LARGE], 0x1p40f, "a million million times as large");
+        job_scene3d_scale(&scenes[LARGE], 0x1p40f, "a trillion times as large");
     }
     for (int k = 0; result == 0 && k < N_SCENES; k++) {
         result = job_scene3d_expect(&scenes[k]);

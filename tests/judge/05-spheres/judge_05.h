@@ -32,7 +32,7 @@ enum {
 enum {
     RANDOM = 0,
     SMALL = 1,  // another random one, a millionth as large
-    LARGE = 2,  // a sphereflake, a million million times as large
+    LARGE = 2,  // a sphereflake, a trillion times as large
     MANY = 3,   // shells, and before them in the array N_BEHIND spheres that nobody sees
     TIES = 4,
     EDGES = 5,

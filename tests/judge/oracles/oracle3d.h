@@ -111,7 +111,7 @@ typedef enum OracleForm { ORACLE_PROJECTION, ORACLE_TEXTBOOK } OracleForm;
 typedef struct OracleChord {
     double middle;    // along the ray; behind the eye it is negative
     double error;     // how far the middle may be off
-    double half;      // half the chord's length; NAN when the line passes by
+    double half;      // half the chord's length; NAN when the line misses it
     int is_possible;  // a right solution may find that the line meets the sphere,
     int is_certain;   // and must find it
     double shortest;  // half a chord, as short and as long as it may be found; not set when none is

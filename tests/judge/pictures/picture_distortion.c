@@ -83,8 +83,8 @@ static int place_at(Place place, int x, int y, int side)
     return place.x * x + place.y * y + (place.from_end ? side - 1 : 0) + place.shift;
 }
 
-// Is a pixel background, and right? Who changes what is drawn and not what is behind it is
-// recognised by the rest.
+// Is a pixel background, and right? A renderer that changes what is drawn, and not what is behind
+// it, is recognised by its other pixels.
 static int is_right_background(const ExpectedPicture *expected, PixelPair pixel)
 {
     return is_same_color(pixel.wanted, expected->background, 0) &&
