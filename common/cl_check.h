@@ -4,7 +4,7 @@
 //     cl_mem d_circles = clCreateBuffer(context, flags, n_bytes, h_circles, &error);
 //     CL_CHECK_CREATED(error, clCreateBuffer);
 //
-// Around every OpenCL call of a lab. Read next: cl_setup.h.
+// It stands around every OpenCL call of a lab. Read next: cl_setup.h.
 #ifndef COMMON_CL_CHECK_H
 #define COMMON_CL_CHECK_H
 

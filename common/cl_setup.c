@@ -1,6 +1,6 @@
 // A device, its context and its queue (see cl_setup.h).
 //
-// Opened before the first buffer is made. Read next: cl_build.c, where programs are built.
+// They are opened before the first buffer is made. Read next: cl_build.c, where programs are built.
 #include "cl_setup.h"
 
 #include "complain.h"

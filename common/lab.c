@@ -1,7 +1,7 @@
 // What every lab's program does besides its lesson (see lab.h).
 //
-// Around all of it. Functions stand in the order in which a main.c calls them. Read next:
-// options.c, cl_build.c, work_stats.c.
+// Functions stand in the order in which a main.c calls them. Read next: options.c, cl_build.c,
+// work_stats.c.
 #include "lab.h"
 
 #include "cl_memory.h"

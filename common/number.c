@@ -1,6 +1,6 @@
 // Numbers from text (see number.h).
 //
-// The first thing that touches what a user typed. Read next: scene2d_csv.c.
+// It is the first to touch what a user typed. Read next: scene2d_csv.c.
 #include "number.h"
 
 #include <errno.h>

@@ -1,7 +1,7 @@
 // The command line (see options.h).
 //
-// What the user wants, before all else. One table holds every option; reading, refusing and --help
-// all follow it (option_table.h). Read next: lab.c, which calls it.
+// One table holds every option; reading, refusing and --help all follow it (option_table.h). Read
+// next: lab.c, which calls it.
 #include "options.h"
 
 #include "cl_setup.h"

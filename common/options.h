@@ -1,6 +1,6 @@
 // The command line: the same options in every lab, and in the same words.
 //
-// What the user wants, before all else. Read next: scene2d.h, scene3d.h.
+// They are read before all else. Read next: scene2d.h, scene3d.h.
 //
 //     --scene NAME      a file or a generator (scene2d.h, 3d)      --frames N      draw N times
 //     --size WxH        the picture's size                         --stats FILE    figures as JSON

@@ -1,6 +1,6 @@
 // Where a file is to be written: found out before the work and not after it.
 //
-// Asked with the command line. Read next: output_file.h, which writes it.
+// It is asked as soon as the command line is read. Read next: output_file.h, which writes it.
 #ifndef COMMON_OUTPUT_PLACE_H
 #define COMMON_OUTPUT_PLACE_H
 

@@ -86,9 +86,6 @@ $(UNIT_TESTS): $(OUT)/tests/%: $(OUT)/obj/tests/unit/%.c.o $(OUT)/libclass.a $(O
 $(OUT)/tests/test_memcheck: $(call objects,$(filter-out %/memcheck.c,$(MEMCHECK_SOURCES)))
 $(OUT)/tests/test_oclgrind_log: $(call objects,tests/memcheck/oclgrind_log.c)
 
-# It watches which sections a check looks for.
-$(OUT)/tests/test_judges_garbage: LDFLAGS += -Wl,--wrap=sections_find,--wrap=sections_find_any
-
 # Fuzz targets, each as a function of its name, for the test that runs their corpus through.
 $(OUT)/obj/tests/fuzz/%.c.o: EXTRA = $(GRADER_INCLUDES) -DLLVMFuzzerTestOneInput=$(basename $(notdir $<))
 $(OUT)/obj/tests/unit/test_corpus.c.o $(OUT)/obj/tests/unit/test_nff_round_trip.c.o: \
@@ -144,7 +141,7 @@ $(OUT)/tests/no_images.so: tests/tools/no_images.c
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(CFLAGS) -fPIC -shared $< -ldl -o $@
 
-# A unit test runs once: compiling it takes longer than any speed brings back. What it tests is built as ever.
+# A unit test's own code runs once: to optimise it takes longer than it saves. What it tests is optimised.
 $(OUT)/obj/tests/unit/%.c.o: OPTIMISATION = -O0 -g
 
 # Unit tests run under the sanitizers, but for this one: PoCL's compiler is not built for them.

@@ -1,7 +1,7 @@
 // One pixel of a lab, followed: `make pixel LAB=07 AT=200,120`. What there is to follow comes from
 // the lab's own file, NN-name.c.
 //
-// All of it for one pixel. Read next: followed.h.
+// Read next: followed.h.
 #include "complain.h"
 #include "followed.h"
 #include "standard_streams.h"

@@ -1,6 +1,6 @@
 // Keys and the mouse (see viewer.h). One table says what each key does, and is the help's as well.
 //
-// From where it is seen. Read next: view.c.
+// Read next: view.c.
 #include "number.h"
 #include "viewer.h"
 

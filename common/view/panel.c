@@ -1,6 +1,6 @@
 // The panel beside the picture, and what lies over it (see viewer.h).
 //
-// In figures. Read next: window.h.
+// Read next: window.h.
 #include "message.h"
 #include "viewer.h"
 

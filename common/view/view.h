@@ -1,7 +1,7 @@
 // The window of a lab: `make view LAB=07`. What a lab has to show stands in
 // common/follow/NN-name.c.
 //
-// All of it, frame by frame. Read next: view.c.
+// Read next: view.c.
 #ifndef VIEW_VIEW_H
 #define VIEW_VIEW_H
 

@@ -265,10 +265,12 @@ static int read_options(int argc, char **argv, Options *options)
         if (!is_stride && strcmp(argv[n], "--offset") != 0) {
             break;
         }
+        const int lowest = is_stride ? 1 : 0;
+        const char *text = n + 1 < argc ? argv[n + 1] : "";
         int64_t number;
-        if (n + 1 == argc || number_read_integer(argv[n + 1], is_stride, INT_MAX, &number) != 0) {
-            complain("mutate: %s: found \"%s\", expected a whole number from %d on", argv[n],
-                     n + 1 == argc ? "" : argv[n + 1], is_stride);
+        if (number_read_integer(text, lowest, INT_MAX, &number) != 0) {
+            complain("mutate: %s: found \"%s\", expected a whole number from %d on", argv[n], text,
+                     lowest);
             return -1;
         }
         *(is_stride ? &options->stride : &options->offset) = (int)number;

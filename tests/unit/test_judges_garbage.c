@@ -7,55 +7,6 @@
 
 TestSuite(judges_garbage);
 
-// ---- Who looks for what -------------------------------------------------------------------------
-
-// Which sections are looked for is marked here, while it is not NULL: the linker puts the two
-// functions below in the place of those of sections.h (--wrap, tests.mk).
-static int *looked_for;
-static const Section *marked_list;
-static int n_marked;
-
-static void mark(const char *name)
-{
-    for (int i = 0; looked_for != NULL && i < n_marked; i++) {
-        looked_for[i] |= strcmp(marked_list[i].name, name) == 0;
-    }
-}
-
-const void *__real_sections_find(const Sections *sections, const char *name, size_t n_bytes);
-const void *__real_sections_find_any(const Sections *sections, const char *name, size_t *n_bytes);
-const void *__wrap_sections_find(const Sections *sections, const char *name, size_t n_bytes);
-const void *__wrap_sections_find_any(const Sections *sections, const char *name, size_t *n_bytes);
-
-const void *__wrap_sections_find(const Sections *sections, const char *name, size_t n_bytes)
-{
-    mark(name);
-    return __real_sections_find(sections, name, n_bytes);
-}
-
-const void *__wrap_sections_find_any(const Sections *sections, const char *name, size_t *n_bytes)
-{
-    mark(name);
-    return __real_sections_find_any(sections, name, n_bytes);
-}
-
-// Which sections each check looks for in right answers. What is wrong in another one it cannot
-// notice, and need not be asked: judging is slow with sanitizers.
-typedef int Readers[RESULT_MAX_CHECKS][MAX_SECTIONS];
-
-static void find_readers(const Open *open, const Sections *answers, const Section list[], int n,
-                         Readers readers)
-{
-    marked_list = list;
-    n_marked = n;
-    for (int check = 0; check < open->judge->n_checks; check++) {
-        looked_for = readers[check];
-        cr_expect_eq(verdict_on(open, check, answers), VERDICT_PASSED, "%s",
-                     open->judge->checks[check].id);
-    }
-    looked_for = NULL;
-}
-
 // ---- Answers that are not whole -----------------------------------------------------------------
 
 typedef enum Damage { DROPPED, EMPTY, TRUNCATED, OVERSIZED, TWICE, N_DAMAGES } Damage;
@@ -106,8 +57,6 @@ LAB_TEST(judges_garbage, a_section_of_a_wrong_size_is_missing)
     Sections answers = right_answers(*lab, &open.file);
     Section list[MAX_SECTIONS];
     const int n = list_sections(&answers, list);
-    Readers readers = {0};
-    find_readers(&open, &answers, list, n, readers);
     for (int victim = 0; victim < n; victim++) {
         const int step = is_one_of_many(&list[victim]) ? N_DAMAGES : 1;
         for (int damage = turn(victim, step); damage < N_DAMAGES; damage += step) {
@@ -121,9 +70,6 @@ LAB_TEST(judges_garbage, a_section_of_a_wrong_size_is_missing)
             Sections bad = damaged(list, n, victim, damage);
             int n_hit = 0;
             for (int i = 0; i < open.judge->n_checks; i++) {
-                if (!readers[i][victim]) {
-                    continue;
-                }
                 const VerdictKind kind = verdict_on(&open, i, &bad);
                 // A picture of another size is wrong as well as not to be found.
                 const int is_resized = strncmp(list[victim].name, "picture.", 8) == 0 &&
@@ -231,18 +177,15 @@ static int is_free_section(int lab, const char *name)
                          strcmp(name, STRANGERS_PICTURE) == 0));
 }
 
-// Does every check pass, or every one that looks for section number `victim`? Asked first is check
-// number *first, the one that did not the last time: what is wrong in the same section is mostly
-// seen by the same check.
-enum { ANY_SECTION = -1 };
-static int passes_everything(const Open *open, const Sections *answers, int *first, Readers readers,
-                             int victim)
+// Does every check pass? Asked first is check number *first, the one that did not the last time:
+// what is wrong in the same section is mostly seen by the same check, and judging is slow with
+// sanitizers.
+static int passes_everything(const Open *open, const Sections *answers, int *first)
 {
     const int n = open->judge->n_checks;
     for (int i = 0; i < n; i++) {
         const int check = (*first + i) % n;
-        const int looks = victim == ANY_SECTION || readers[check][victim];
-        if (looks && verdict_on(open, check, answers) != VERDICT_PASSED) {
+        if (verdict_on(open, check, answers) != VERDICT_PASSED) {
             *first = check;
             return 0;
         }
@@ -256,8 +199,6 @@ LAB_TEST(judges_garbage, garbage_in_one_section_is_noticed)
     Sections answers = right_answers(*lab, &open.file);
     Section list[MAX_SECTIONS];
     const int n = list_sections(&answers, list);
-    Readers readers = {0};
-    find_readers(&open, &answers, list, n, readers);
     Random random = {6};
     int first = 0;
     for (int victim = 0; victim < n; victim++) {
@@ -272,8 +213,8 @@ LAB_TEST(judges_garbage, garbage_in_one_section_is_noticed)
             // Garbage may be what is right: the map of no circle is a zero.
             const int is_same = bad.n_bytes == answers.n_bytes &&
                                 memcmp(bad.bytes, answers.bytes, bad.n_bytes) == 0;
-            cr_expect(is_same || !passes_everything(&open, &bad, &first, readers, victim),
-                      "garbage %d in %s", kind, list[victim].name);
+            cr_expect(is_same || !passes_everything(&open, &bad, &first), "garbage %d in %s", kind,
+                      list[victim].name);
             sections_free(&bad);
         }
     }
@@ -382,12 +323,11 @@ LAB_TEST(judges_garbage, one_wrong_word_is_noticed)
             }
             const u32 was = words[at];
             words[at] = other_word(*lab, name, whole_sections[s].is_decision, words, at);
-            cr_expect_not(passes_everything(&open, &answers, &first, NULL, ANY_SECTION),
-                          "%s: word %zu", name, at);
+            cr_expect_not(passes_everything(&open, &answers, &first), "%s: word %zu", name, at);
             words[at] = was;
         }
     }
-    cr_expect(passes_everything(&open, &answers, &first, NULL, ANY_SECTION));
+    cr_expect(passes_everything(&open, &answers, &first));
     sections_free(&answers);
     job_close(&open);
 }

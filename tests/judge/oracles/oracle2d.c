@@ -162,9 +162,10 @@ void oracle2d_draw(const Circle *circles, int n_circles, const OracleRules *rule
     if (rules->first_is_limit && n_circles > 0) {
         limited.too_far = circles[0].depth;
     }
-    // For the right picture every pixel asks every circle; for others, too, where memory lacks.
-    const int is_right = ambiguous != NULL;
-    u32 *ids = is_right || limits_all(rules) ? NULL : malloc(n * sizeof *ids + 1);
+    // Every pixel asks every circle in the right picture, where all circles count, and where memory
+    // lacks; else those that reach its row.
+    const int asks_all = ambiguous != NULL || limits_all(rules);
+    u32 *ids = asks_all ? NULL : malloc(n * sizeof *ids + 1);
     for (int v = 0; v < image->height; v++) {
         const double y = v + rules->sample_offset;
         const u32 n_ids = ids != NULL ? circles_of_row(circles, n, y, rules, ids) : n;
