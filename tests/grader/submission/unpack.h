@@ -1,8 +1,10 @@
 // Unpacking what a student handed in: the lab's files out of a zip or tar archive, and no others.
 //
 // An archive is untrusted, and reading one takes a large library: this runs in the sandbox only, as
-// the program unpack (unpack_tool.c). It believes no number and no name in it. Read next: places.h,
-// which chooses among what was unpacked.
+// the program unpack (unpack_tool.c). It believes no number and no name in it. libarchive's own
+// bsdtar would not do: it has no limit for entries or sizes, writes every file and not only the
+// lab's, and says what is wrong in words that a student cannot use. Read next: places.h, which
+// chooses among what was unpacked.
 #ifndef GRADER_UNPACK_H
 #define GRADER_UNPACK_H
 

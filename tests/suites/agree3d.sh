@@ -1,0 +1,93 @@
+#!/bin/sh
+# Programs that must draw the same do: labs 08 and 10 what lab 07 and lab 03 draw; labs 09 and 10, with shadows
+# and mirrors, what the oracle draws in double.
+#
+#     sh tests/suites/agree3d.sh      from the top folder, after `make tests` and `make SANITIZE=1`
+set -u
+. tests/tap.sh
+. tests/programs.sh
+
+# ---- Other trees, and tiles --------------------------------------------------------------------
+
+for scene in stadium clusters one-cell inside planes none; do
+    works run 07 --scene "$scene" --size 96x64 --output "$out/07.exr"
+    works run 08 --scene "$scene" --size 96x64 --output "$out/08.exr"
+    check "lab 08 draws what lab 07 draws: $scene" compare "$out/08.exr" "$out/07.exr"
+done
+# In lab 10's picture a colour is a byte, half a step of which may be off; and sides are no multiples of a tile's.
+for scene in sphereflake:size=3 random:n=2000 inside planes behind one-cell none; do
+    works run 07 --scene "$scene" --size 99x67 --output "$out/07.exr"
+    works run 10 --scene "$scene" --size 99x67 --output "$out/10.exr"
+    check "lab 10 draws what lab 07 draws: $scene" compare "$out/10.exr" "$out/07.exr" 0.0021 3
+done
+# Circles: centres and radii are on the grid of 1/16 px, so that colours differ by the byte's rounding only.
+for scene in random random:n=400,min=10,max=60 example equal-depths borders touching huge tiny outside none; do
+    works run 03 --scene "$scene" --size 99x67 --output "$out/03.exr"
+    works run 10 --circles --scene "$scene" --size 99x67 --output "$out/10.exr"
+    check "lab 10 draws what lab 03 draws: $scene" compare "$out/10.exr" "$out/03.exr" 0.00197
+done
+works run 03 --size 99x67 --output "$out/03.exr"
+for limits in 1/1 3/2 64/100; do
+    works run 10 --circles --size 99x67 --output "$out/10.exr" --max-depth ${limits%/*} \
+        --leaf-size ${limits#*/}
+    check "lab 10 draws the same circles, --max-depth/--leaf-size $limits" compare "$out/10.exr" \
+        "$out/03.exr" 0.00197
+done
+! $is_sanitized || check "lab 10 draws circles, watched by the sanitizers" \
+    works with detect_leaks=0 run_sanitized 10 --circles --heat-map --output "$out/watched.exr" \
+    --size 65x33 --stats "$out/watched.json"
+
+# ---- Shadows and mirrors -----------------------------------------------------------------------
+
+# shellcheck disable=SC2317 # called by check
+differs_with_acne() {
+    works run 09 --scene one --size 96x64 --bounces 0 --acne --output "$out/acne.exr" &&
+        differs compare "$out/acne.exr" "$out/05.exr" 0.00002
+}
+# Where no ray is mirrored and nothing is in the way, lab 09 draws what lab 05 does.
+check "lab 05 draws one" draws 05 96x64 "$out/05.exr" --scene one --size 96x64
+check "lab 09 draws it, too" draws 09 96x64 "$out/09.exr" --scene one --size 96x64 --bounces 0
+check "and the same, within rounding" compare "$out/09.exr" "$out/05.exr" 0.00002
+check "with --acne it does not" differs_with_acne
+for bounces in 1 5 64; do
+    check "lab 09 follows up to $bounces mirrors" draws 09 64x48 "$out/09.exr" --scene inside \
+        --size 64x48 --bounces $bounces
+done
+# mirrors_as_oracle LAB SCENE N_BOUNCES TOLERANCE [OPTION...]: is the picture the oracle's, but where rounding decides?
+mirrors_as_oracle() {
+    lab=$1 scene=$2 bounces=$3 tolerance=$4
+    shift 4
+    works run "$lab" --scene "$scene" --size 99x67 --bounces "$bounces" --output "$out/lit.exr" "$@" &&
+        "$build/tools/compare_mirrors" "$scene" 99x67 "$bounces" "$out/lit.exr" "$tolerance"
+}
+# The sides of the picture are no multiples of a tile's. Lab 10 may follow a ray a mirror farther: light that counts less
+# than half a step of a byte, and what that shows in turn, less than a step together.
+for scene in sphereflake:size=2 inside planes random:n=60 coincident none; do
+    for bounces in 0 1 5; do
+        check "lab 09 draws what the oracle draws: $scene, $bounces mirrors" mirrors_as_oracle 09 $scene $bounces 0
+        check "lab 10, tile by tile, too: $scene, $bounces mirrors" mirrors_as_oracle 10 $scene $bounces 0.004 --shadows
+    done
+done
+
+# ---- Eyes and lights where float is coarse -----------------------------------------------------
+
+# An eye and a light on a side of the tree's box, which is a float's step wider than the spheres'; and a light so far
+# away that a float's steps there are wider than a cell of the tree.
+nff() {
+    printf 'v\nfrom %s\nat 0 0 0\nup 0 0 1\nangle 40\nhither 0\nresolution 96 96\nl %s\nf 0.8 0.6 0.4 1 0 0 0 0\ns -1.75 -1.5 -1.5 0.25\n' "$1" "$2"
+    LC_ALL=C awk 'BEGIN { srand(1); for (i = 0; i < 2000; i++)
+        printf "s %.6f %.6f %.6f 0.03\n", 2 * rand() - 1, 2 * rand() - 1, 2 * rand() - 1 }'
+}
+nff '-2.00000024 0.7 0.3' '-4 3 2' >"$scenes/eye-on-side.nff"
+nff '3 2 1.5' '-2.00000024 0.7 0.3' >"$scenes/light-on-side.nff"
+nff '3 2 1.5' '9333900 3111300 3215010' >"$scenes/far-light.nff"
+for scene in eye-on-side light-on-side far-light; do
+    works run 07 --scene "$scenes/$scene.nff" --size 192x192 --output "$out/07.png"
+    works run 10 --scene "$scenes/$scene.nff" --size 192x192 --output "$out/10.png"
+    check "lab 10 draws what lab 07 draws: $scene" compare "$out/10.png" "$out/07.png" 0.004 3
+    works run 09 --scene "$scenes/$scene.nff" --size 192x192 --bounces 0 --output "$out/09.png"
+    works run 10 --scene "$scenes/$scene.nff" --size 192x192 --bounces 0 --shadows --output "$out/lit.png"
+    check "and with shadows what lab 09 draws: $scene" compare "$out/lit.png" "$out/09.png" 0.004 3
+done
+
+finish
