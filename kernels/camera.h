@@ -5,7 +5,7 @@
 // `right` points along its rows, `up` along its columns, `forward` through its middle. The three
 // are unit vectors at right angles, and right x up = -forward: one looks along the negative third
 // axis.
-// Lecture: "Viewing". Flow: scene -> BUFFERS -> KERNEL -> image -> comparison. Read next: ray.h.
+// Lecture: "Viewing". Flow: scene -> BUFFERS -> KERNEL -> image. Read next: ray.h.
 #ifndef KERNELS_CAMERA_H
 #define KERNELS_CAMERA_H
 

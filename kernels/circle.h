@@ -1,8 +1,7 @@
 // One circle of a 2D scene: read from a file or generated on the host (common/scene2d.h), read by
 // every 2D kernel. Lecture: "Implicit 2D rendering".
 //
-// Flow: SCENE -> BUFFERS -> KERNEL -> image -> comparison. Read next: overlaps_N_Nearer.cl of lab
-// 01.
+// Flow: SCENE -> BUFFERS -> KERNEL -> image. Read next: overlaps_N_Nearer.cl of lab 01.
 #ifndef KERNELS_CIRCLE_H
 #define KERNELS_CIRCLE_H
 

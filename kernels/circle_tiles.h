@@ -1,8 +1,7 @@
 // What the kernel of Part A reads: a kd-tree over circles whose planes lie between tiles, and each
 // leaf's circles, nearest first. For host and device.
 //
-// Flow: scene -> BUFFERS -> KERNEL -> image -> comparison. Written by circle_tree.c. Read next:
-// circle_tile.cl.
+// Flow: scene -> BUFFERS -> KERNEL -> image. Written by circle_tree.c. Read next: circle_tile.cl.
 #ifndef CIRCLE_TILES_H
 #define CIRCLE_TILES_H
 

@@ -1,5 +1,5 @@
 // The packed 2D kd-tree: four arrays that the host builds (lab 02) and the kernel searches (lab
-// 03). Flow: scene -> BUFFERS -> KERNEL -> image -> comparison.
+// 03). Flow: scene -> BUFFERS -> KERNEL -> image.
 //
 //   nodes_Relations[n_nodes]   NodeRel   who is whose child, and where a leaf's list starts
 //   nodes_flag[n_nodes]        u8        LEAF or INNER

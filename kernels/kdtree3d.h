@@ -5,8 +5,8 @@
 //   sphere_ids[n_sphere_ids]  u32      the leaves' ids: one range a leaf, in the leaves' order
 //   bounds                    BBox3D   the scene's box, the only one that is kept
 //
-// Lecture: "kd-tree for ray tracing". Flow: scene -> BUFFERS -> KERNEL -> image -> comparison. Read
-// next: kdtree3d_build.h of lab 06, todo.h.
+// Lecture: "kd-tree for ray tracing". Flow: scene -> BUFFERS -> KERNEL -> image. Read next:
+// kdtree3d_build.h of lab 06, todo.h.
 #ifndef KERNELS_KDTREE3D_H
 #define KERNELS_KDTREE3D_H
 

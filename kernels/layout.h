@@ -4,7 +4,7 @@
 // compiler for the device. Both must see the same bytes. So a shared structure holds only the
 // types below (no float3, bool, size_t, pointers or bit-fields: their sizes differ between the
 // two sides), and a LAYOUT_ASSERT after it stops the build on the side that disagrees.
-// Flow: scene -> BUFFERS -> KERNEL -> image -> comparison. Read next: circle.h.
+// Flow: scene -> BUFFERS -> KERNEL -> image. Read next: circle.h.
 #ifndef KERNELS_LAYOUT_H
 #define KERNELS_LAYOUT_H
 

@@ -1,6 +1,6 @@
 // What a sphere looks like, and the lights that show it.
 //
-// Flow: SCENE -> BUFFERS -> KERNEL -> image -> comparison. Read next: shade.cl of lab 05.
+// Flow: SCENE -> BUFFERS -> KERNEL -> image. Read next: shade.cl of lab 05.
 #ifndef KERNELS_SHADING_H
 #define KERNELS_SHADING_H
 

@@ -3,8 +3,7 @@
 //
 // A sphere with a negative radius is seen from inside only: its near side is not there, as the file
 // format NFF has it. How large it is, is fabs(radius).
-// Flow: SCENE -> BUFFERS -> KERNEL -> image -> comparison. Read next: intersect_sphere.cl of lab
-// 05.
+// Flow: SCENE -> BUFFERS -> KERNEL -> image. Read next: intersect_sphere.cl of lab 05.
 #ifndef KERNELS_SPHERE_H
 #define KERNELS_SPHERE_H
 

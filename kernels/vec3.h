@@ -2,7 +2,7 @@
 // needs of vector arithmetic. The device has float3 for that; to_float3() leads there.
 //
 // Why not float3 in shared structures? It takes 16 bytes, and the host has no such type.
-// Flow: scene -> BUFFERS -> KERNEL -> image -> comparison. Read next: camera.h, sphere.h.
+// Flow: scene -> BUFFERS -> KERNEL -> image. Read next: camera.h, sphere.h.
 #ifndef KERNELS_VEC3_H
 #define KERNELS_VEC3_H
 

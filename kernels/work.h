@@ -4,7 +4,7 @@
 // `work` as their last parameter, and pass it on to those that they call. Whether anything is
 // counted is fixed when a kernel is built: without -DCOUNT_WORK the functions below are empty, and
 // a compiler leaves `work` out.
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: common/work_stats.h.
+// Flow: scene -> buffers -> KERNEL -> image. Read next: common/work_stats.h.
 #ifndef KERNELS_WORK_H
 #define KERNELS_WORK_H
 

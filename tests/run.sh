@@ -119,10 +119,10 @@ case ${ORDER:-0} in
 esac
 [ -z "${ORDER:-}" ] || echo "in the order of seed $ORDER"
 
-# Suites wait for compilers and sandboxes much of their time: two run side by side, the longest first,
-# beside the unit tests. Each one's exit status and seconds are kept for the report.
+# Suites wait for sandboxes and time limits much of their time: three run side by side, the longest
+# first, beside the unit tests. Each one's exit status and seconds are kept for the report.
 suites=
-for suite in mutants.sh attacks.sh grader.sh handout.sh programs3d.sh broken.sh bundles.sh class.sh $(cd tests/suites && echo *.sh); do
+for suite in attacks.sh mutants.sh grader.sh handout.sh bundles.sh programs3d.sh broken.sh class.sh notes.sh view.sh agree3d.sh $(cd tests/suites && echo *.sh); do
     [ -e "tests/suites/$suite" ] || continue
     suite=${suite%.sh}
     case " $suites " in *" $suite "*) continue ;; esac
@@ -131,7 +131,7 @@ done
 # shellcheck disable=SC2086 # words of a list
 suites=$(printf '%s\n' $suites | ordered)
 # shellcheck disable=SC2016 # they are another shell's variables
-printf '%s\n' "$suites" | setsid xargs -r -P 2 -I NAME sh -c '
+printf '%s\n' "$suites" | setsid xargs -r -P 3 -I NAME sh -c '
     started=$(date +%s) status=0
     timeout --kill-after=10 "$3" sh "tests/suites/$1.sh" >"$2/$1.tap" 2>"$2/$1.log" || status=$?
     echo "$status $(($(date +%s) - started))" >"$2/$1.status"' suite NAME "$results" $longest &

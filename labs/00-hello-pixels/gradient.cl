@@ -1,6 +1,6 @@
 // Lab 00: the smallest picture a kernel can draw, one work-item a pixel.
 //
-// Flow: [no scene] -> buffers -> KERNEL -> image -> comparison. Started by render.c.
+// Flow: [no scene] -> buffers -> KERNEL -> image. Started by render.c.
 
 // Write a colour that tells where the pixel is: red grows to the right, green grows downwards.
 //   width, height   the picture, pixels

@@ -1,8 +1,8 @@
 // Lab 00: draw a gradient and save it. Nothing to fill in here; read it from top to bottom once,
 // then go to render.c (host) and gradient.cl (device).
 //
-// Flow: [no scene] -> buffers -> kernel -> image -> comparison; the banners below name the steps,
-// the same in every lab.
+// Flow: [no scene] -> buffers -> kernel -> image; the banners below name the steps, the same in
+// every lab.
 #include "cl_memory.h"
 #include "image.h"
 #include "lab.h"

@@ -1,8 +1,8 @@
 // Lab 01: draw circles the naive way and save the picture. Nothing to fill in here; read it from
 // top to bottom once, then go to overlaps_N_Nearer.cl and implicit2DRenderer.cl.
 //
-// Flow: scene -> buffers -> kernel -> image -> comparison; the banners below name the steps.
-// enqueue_pixels() and read_back() are those of lab 00 (render.h).
+// Flow: scene -> buffers -> kernel -> image; the banners below name the steps. enqueue_pixels() and
+// read_back() are those of lab 00 (render.h).
 #include "cl_memory.h"
 #include "image.h"
 #include "lab.h"

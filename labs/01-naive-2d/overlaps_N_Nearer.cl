@@ -1,6 +1,6 @@
 // Lab 01: the question that every pixel asks every circle. Labs 01 and 03 build on it.
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Called by implicit2DRenderer.cl.
+// Flow: scene -> buffers -> KERNEL -> image. Called by implicit2DRenderer.cl.
 #include "circle.h"
 #include "work.h"
 

@@ -1,8 +1,8 @@
 // Lab 02: building the 2D kd-tree.
 //
-// Flow: scene -> BUFFERS (this file fills the tree's four) -> kernel -> image -> comparison. Called
-// by main.c here and in lab 03. Read the contracts in kdtree2d_build.h first, then kdtree2d_build()
-// at the end, which shows how the steps go together.
+// Flow: scene -> BUFFERS (this file fills the tree's four) -> kernel -> image. Called by main.c
+// here and in lab 03. Read the contracts in kdtree2d_build.h first, then kdtree2d_build() at the
+// end, which shows how the steps go together.
 #include "kdtree2d_build.h"
 
 #include "array_reserve.h"

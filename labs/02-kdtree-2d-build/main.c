@@ -1,8 +1,8 @@
 // Lab 02: build the kd-tree over the circles, print it and draw it. Nothing to fill in here; read
 // it from top to bottom once, then go to kdtree2d_build.c.
 //
-// Flow: scene -> BUFFERS (the tree's four arrays) -> kernel (lab 03) -> image -> comparison; the
-// banners below name the steps.
+// Flow: scene -> BUFFERS (the tree's four arrays) -> kernel (lab 03) -> image; the banners below
+// name the steps.
 #include "image.h"
 #include "kdtree2d_build.h"
 #include "lab.h"
@@ -38,9 +38,9 @@ int main(int argc, char **argv)
     Scene2D scene;
     require(scene2d_open(lab.options.scene, lab.options.width, lab.options.height, &scene));
     lab_describe(&lab, "n_circles", scene.n_circles, scene.width, scene.height);
+    print_worked_example();  // a scene of its own
 
     // ---- Buffers ---------------------------------------------------------------------------
-    print_worked_example();
     const u32 n_circles = (u32)scene.n_circles;
     const KdTreeLimits limits = {lab.options.max_depth, lab.options.leaf_size};
     stats_integer(&lab.stats, "max_depth", limits.maxDepth);

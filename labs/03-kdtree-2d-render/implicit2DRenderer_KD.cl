@@ -1,6 +1,6 @@
 // Lab 03: implicit 2D rendering with the kd-tree: a pixel asks only the circles of its own cell.
 //
-// Flow: scene -> buffers (the tree of lab 02) -> KERNEL -> image -> comparison. Started by main.c.
+// Flow: scene -> buffers (the tree of lab 02) -> KERNEL -> image. Started by main.c.
 #include "kdtree2d.h"
 #include "overlaps_N_Nearer.cl"
 #include "work.h"

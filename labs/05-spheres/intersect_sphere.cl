@@ -3,8 +3,7 @@
 // Both move the ray into the sphere's own frame, where its centre is the origin. There a point p is
 // on the sphere when p . p = r²; with p = o + t d this is a quadratic equation in t. On paper the
 // two functions below are the same; in float they are not.
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Called by nearest_hit.cl,
-// and by trace.cl of lab 07.
+// Flow: scene -> buffers -> KERNEL -> image. Called by nearest_hit.cl, and by trace.cl of lab 07.
 #include "ray.h"
 #include "sphere.h"
 #include "work.h"

@@ -1,6 +1,6 @@
 // Lab 05: the naive search: every ray asks every sphere.
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Called by render_spheres.cl.
+// Flow: scene -> buffers -> KERNEL -> image. Called by render_spheres.cl.
 #include "intersect_sphere.cl"
 #include "work.h"
 

@@ -1,6 +1,6 @@
 // Lab 05: ray tracing, the naive way: every ray asks every sphere. Nothing to fill in here.
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Started by main.c.
+// Flow: scene -> buffers -> KERNEL -> image. Started by main.c.
 #include "nearest_hit.cl"
 #include "primary_ray.cl"
 #include "shade.cl"

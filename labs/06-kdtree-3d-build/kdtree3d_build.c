@@ -1,9 +1,9 @@
 // Lab 06: building the 3D kd-tree.
 //
-// Flow: scene -> BUFFERS (this file fills the tree's) -> kernel -> image -> comparison. Called by
-// main.c here and in lab 07. Read the contracts in kdtree3d_build.h first, then kdtree3d_build() at
-// the end, which hands the steps to tree3d_grow(). is_leaf() is that of lab 02; what is otherwise
-// as there is given: the scene's box, the lists of the children, and the building level by level.
+// Flow: scene -> BUFFERS (this file fills the tree's) -> kernel -> image. Called by main.c here and
+// in lab 07. Read the contracts in kdtree3d_build.h first, then kdtree3d_build() at the end, which
+// hands the steps to tree3d_grow(). is_leaf() is that of lab 02; what is otherwise as there is
+// given: the scene's box, the lists of the children, and the building level by level.
 #include "kdtree3d_build.h"
 
 #include "kdtree2d_build.h"

@@ -1,8 +1,8 @@
 // Lab 06: build the kd-tree over the spheres, print its figures and draw a cut through it. Nothing
 // to fill in here; read it from top to bottom once, then go to kdtree3d_build.c.
 //
-// Flow: scene -> BUFFERS (the tree's arrays) -> kernel (lab 07) -> image -> comparison; the banners
-// below name the steps.
+// Flow: scene -> BUFFERS (the tree's arrays) -> kernel (lab 07) -> image; the banners below name
+// the steps.
 #include "image.h"
 #include "kdtree3d_build.h"
 #include "lab.h"

@@ -1,7 +1,7 @@
 // Lab 07: at an inner node: which child comes first on the ray, and which does the ray meet at all?
 // The plane is at right angles to an axis, so one coordinate of the ray is all that counts.
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Called by trace.cl.
+// Flow: scene -> buffers -> KERNEL -> image. Called by trace.cl.
 #include "kdtree3d.h"
 
 // Which child is the near one: the one on the eye's side of the plane. When the eye is on the

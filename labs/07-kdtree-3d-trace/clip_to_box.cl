@@ -1,6 +1,6 @@
 // Lab 07: the part of a ray that lies inside the scene's box.
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Called by trace.cl.
+// Flow: scene -> buffers -> KERNEL -> image. Called by trace.cl.
 #include "kdtree3d.h"
 #include "ray.h"
 

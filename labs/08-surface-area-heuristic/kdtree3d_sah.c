@@ -1,8 +1,8 @@
 // Lab 08: building the 3D kd-tree by the surface area heuristic.
 //
-// Flow: scene -> BUFFERS (this file fills the tree's) -> kernel -> image -> comparison. Called by
-// main.c. Read the contracts in kdtree3d_sah.h first, then choose_by_cost() and
-// kdtree3d_build_sah() at the end: only what they call for a node's split is new here.
+// Flow: scene -> BUFFERS (this file fills the tree's) -> kernel -> image. Called by main.c. Read
+// the contracts in kdtree3d_sah.h first, then choose_by_cost() and kdtree3d_build_sah() at the end:
+// only what they call for a node's split is new here.
 #include "kdtree3d_sah.h"
 
 #include "kdtree3d_build.h"

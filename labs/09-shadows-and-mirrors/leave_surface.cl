@@ -1,6 +1,6 @@
 // Lab 09: where a new ray starts, so that it does not hit the surface that it leaves.
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Called by mirrors.cl.
+// Flow: scene -> buffers -> KERNEL -> image. Called by mirrors.cl.
 
 // How far off a sphere the point of a hit may be, for each unit of the numbers that it was computed
 // from: t, the radius and the point's coordinates. With u = 2^-24, the rounding of one float

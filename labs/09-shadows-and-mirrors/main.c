@@ -1,8 +1,8 @@
 // Lab 09: trace spheres with shadows and mirrors and save the picture. Nothing to fill in here: see
 // what is new since lab 07's, then go to leave_surface.cl, shadows.cl and mirrors.cl.
 //
-// Flow: scene -> buffers -> kernel -> image -> comparison; the banners below name the steps.
-// enqueue_pixels() and read_back() are those of lab 00 (render.h).
+// Flow: scene -> buffers -> kernel -> image; the banners below name the steps. enqueue_pixels() and
+// read_back() are those of lab 00 (render.h).
 #include "image.h"
 #include "kdtree3d_build.h"
 #include "lab.h"

@@ -2,7 +2,7 @@
 // spheres. The device's own: a kernel's parameters put together, so that functions take one
 // argument in the place of nine.
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: shadows.cl.
+// Flow: scene -> buffers -> KERNEL -> image. Read next: shadows.cl.
 #ifndef TRACED_SCENE_H
 #define TRACED_SCENE_H
 

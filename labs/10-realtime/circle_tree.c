@@ -1,7 +1,6 @@
 // Building the kd-tree of Part A (see circle_tree.h).
 //
-// Flow: scene -> BUFFERS -> kernel -> image -> comparison. Called by circles.c. Read next:
-// circle_tile.cl.
+// Flow: scene -> BUFFERS -> kernel -> image. Called by circles.c. Read next: circle_tile.cl.
 #include "circle_tree.h"
 
 #include "array_reserve.h"

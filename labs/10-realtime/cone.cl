@@ -1,6 +1,6 @@
 // Lab 10: which spheres of a leaf can be left out for a whole tile?
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Called by trace_tile.cl.
+// Flow: scene -> buffers -> KERNEL -> image. Called by trace_tile.cl.
 #include "tile.h"
 
 // Do all rays of a tile miss a sphere for certain?

@@ -4,7 +4,7 @@
 // How many there are, and how many pixels one tile has, the host says when it builds the kernel
 // (tile_buffers.h): a CPU wants wide vectors and large tiles, a GPU small ones. Without that they
 // are a CPU's. The device's own.
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: tile.h.
+// Flow: scene -> buffers -> KERNEL -> image. Read next: tile.h.
 #ifndef LANES_H
 #define LANES_H
 

@@ -2,7 +2,7 @@
 //
 // Two of three kinds of rays share a point: those from the eye, and those from a light. They go as
 // tiles. Mirrored rays part, each goes by itself.
-// Flow: scene -> buffers (a tree of lab 08) -> KERNEL -> image -> comparison. Started by main.c.
+// Flow: scene -> buffers (a tree of lab 08) -> KERNEL -> image. Started by main.c.
 #include "tile_light.cl"
 #include "tile_pixels.cl"
 

@@ -2,7 +2,7 @@
 // hit. They stay close together, so that what holds for all of them can be asked once. The device's
 // own.
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Read next: intervals.cl, cone.cl.
+// Flow: scene -> buffers -> KERNEL -> image. Read next: intervals.cl, cone.cl.
 #ifndef TILE_H
 #define TILE_H
 

@@ -3,7 +3,7 @@
 // 09 goes the other way: its rays to one light all start at different points. Nothing to fill in
 // here; lay it beside trace_tile.cl, and shadows.cl of lab 09.
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Called by render_lit_tiles.cl.
+// Flow: scene -> buffers -> KERNEL -> image. Called by render_lit_tiles.cl.
 #include "tile_rays.cl"
 #include "tile_surfaces.cl"
 #include "trace_tile.cl"

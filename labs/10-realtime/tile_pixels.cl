@@ -1,7 +1,6 @@
 // Lab 10: a tile's pixels and what they cost, written down. Nothing to fill in here.
 //
-// Flow: scene -> buffers -> KERNEL -> IMAGE -> comparison. Called by render_tiles.cl and
-// render_lit_tiles.cl.
+// Flow: scene -> buffers -> KERNEL -> IMAGE. Called by render_tiles.cl and render_lit_tiles.cl.
 #include "tile.h"
 #include "work.h"
 

@@ -1,7 +1,6 @@
 // Lab 10: the rays of a tile, and what holds for all of them. Nothing to fill in here.
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Called by render_tiles.cl and
-// tile_light.cl.
+// Flow: scene -> buffers -> KERNEL -> image. Called by render_tiles.cl and tile_light.cl.
 #include "tile.h"
 #include "vec3.h"
 

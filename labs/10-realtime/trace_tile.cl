@@ -1,8 +1,7 @@
 // Lab 10: what the rays of a tile hit first: one search through the tree for all of them. Nothing
 // to fill in here; lay it beside trace.cl of lab 07.
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Called by render_tiles.cl and
-// tile_light.cl.
+// Flow: scene -> buffers -> KERNEL -> image. Called by render_tiles.cl and tile_light.cl.
 #include "cone.cl"
 #include "intervals.cl"
 #include "ray.h"

@@ -1,7 +1,7 @@
 // Lab 00: from a built kernel to pixels in the host's memory.
 //
-// Flow: [no scene] -> BUFFERS -> KERNEL -> IMAGE -> comparison. Called by main.c, which makes the
-// image and the kernel; the kernel itself is gradient.cl.
+// Flow: [no scene] -> BUFFERS -> KERNEL -> IMAGE. Called by main.c, which makes the image and the
+// kernel; the kernel itself is gradient.cl.
 #include "render.h"
 
 void set_arguments(cl_kernel kernel, int width, int height, cl_mem d_image)

@@ -1,6 +1,6 @@
 // Lab 01: implicit 2D rendering, the naive way: every pixel asks every circle.
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Started by main.c.
+// Flow: scene -> buffers -> KERNEL -> image. Started by main.c.
 #include "overlaps_N_Nearer.cl"
 #include "work.h"
 

@@ -1,8 +1,8 @@
 // Lab 03: draw circles with the kd-tree and save the picture. Nothing to fill in here; read it
 // beside lab 01's, see what is new (the tree's buffers), then go to implicit2DRenderer_KD.cl.
 //
-// Flow: scene -> buffers -> kernel -> image -> comparison; the banners below name the steps.
-// enqueue_pixels() and read_back() are those of lab 00 (render.h).
+// Flow: scene -> buffers -> kernel -> image; the banners below name the steps. enqueue_pixels() and
+// read_back() are those of lab 00 (render.h).
 #include "cl_memory.h"
 #include "image.h"
 #include "kdtree2d_build.h"

@@ -1,6 +1,6 @@
 // Lab 04: a picture of the rays themselves: directions as colours.
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Started by main.c.
+// Flow: scene -> buffers -> KERNEL -> image. Started by main.c.
 #include "primary_ray.cl"
 
 // Draw each pixel in the colour of its ray's direction, one work-item a pixel.

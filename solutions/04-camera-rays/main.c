@@ -1,8 +1,8 @@
 // Lab 04: make a ray for every pixel and draw its direction. Nothing to fill in here; read it from
 // top to bottom once, then go to camera_from_view.c and primary_ray.cl.
 //
-// Flow: scene (only its view) -> buffers -> kernel -> image -> comparison; the banners below name
-// the steps. enqueue_pixels() and read_back() are those of lab 00 (render.h).
+// Flow: scene (only its view) -> buffers -> kernel -> image; the banners below name the steps.
+// enqueue_pixels() and read_back() are those of lab 00 (render.h).
 #include "camera_from_view.h"
 #include "cl_memory.h"
 #include "image.h"

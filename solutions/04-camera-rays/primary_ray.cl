@@ -1,7 +1,7 @@
 // Lab 04: the ray from the eye through a pixel. Labs 05 and 07 start every picture with it.
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Called by
-// draw_directions.cl, and by the kernels of labs 05 and 07.
+// Flow: scene -> buffers -> KERNEL -> image. Called by draw_directions.cl, and by the kernels of
+// labs 05 and 07.
 #include "camera.h"
 #include "ray.h"
 

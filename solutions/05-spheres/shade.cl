@@ -1,6 +1,6 @@
 // Lab 05: the colour of a point on a sphere, in the light of the scene. Lab 07 shades with it, too.
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Called by render_spheres.cl.
+// Flow: scene -> buffers -> KERNEL -> image. Called by render_spheres.cl.
 #include "ray.h"
 #include "shading.h"
 #include "sphere.h"

@@ -2,8 +2,8 @@
 // beside lab 05's, see what is new (the tree), then go to clip_to_box.cl, choose_children.cl and
 // trace.cl.
 //
-// Flow: scene -> buffers -> kernel -> image -> comparison; the banners below name the steps.
-// enqueue_pixels() and read_back() are those of lab 00 (render.h).
+// Flow: scene -> buffers -> kernel -> image; the banners below name the steps. enqueue_pixels() and
+// read_back() are those of lab 00 (render.h).
 #include "cl_memory.h"
 #include "image.h"
 #include "kdtree3d_build.h"

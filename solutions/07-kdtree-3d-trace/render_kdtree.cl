@@ -1,7 +1,7 @@
 // Lab 07: ray tracing with the 3D kd-tree; the same picture as render_spheres of lab 05, sooner.
 // Nothing to fill in here.
 //
-// Flow: scene -> buffers (the tree of lab 06) -> KERNEL -> image -> comparison. Started by main.c.
+// Flow: scene -> buffers (the tree of lab 06) -> KERNEL -> image. Started by main.c.
 #include "primary_ray.cl"
 #include "shade.cl"
 #include "trace.cl"

@@ -1,7 +1,7 @@
 // Lab 07: the search through the kd-tree: a ray asks only the spheres of the leaves it meets, in
 // the order in which it meets them, and stops as soon as nothing that waits can be nearer.
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Called by render_kdtree.cl.
+// Flow: scene -> buffers -> KERNEL -> image. Called by render_kdtree.cl.
 #include "choose_children.cl"
 #include "clip_to_box.cl"
 #include "intersect_sphere.cl"

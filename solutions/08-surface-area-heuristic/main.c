@@ -1,8 +1,7 @@
 // Lab 08: trace spheres with two kd-trees, lab 06's and one that is built by cost, and compare what
 // a ray costs. Nothing to fill in here; read it beside lab 07's, then go to kdtree3d_sah.c.
 //
-// Flow: scene -> buffers -> kernel (lab 07's) -> image -> comparison; the banners below name the
-// steps.
+// Flow: scene -> buffers -> kernel (lab 07's) -> image; the banners below name the steps.
 #include "image.h"
 #include "kdtree3d_build.h"
 #include "kdtree3d_sah.h"

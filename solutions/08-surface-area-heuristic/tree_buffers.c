@@ -1,6 +1,6 @@
 // A kd-tree for lab 07's kernel (see tree_buffers.h).
 //
-// Flow: scene -> BUFFERS -> kernel -> image -> comparison. Read next: tree_report.c, main.c.
+// Flow: scene -> BUFFERS -> kernel -> image. Read next: tree_report.c, main.c.
 #include "tree_buffers.h"
 
 #include "cl_memory.h"

@@ -1,7 +1,7 @@
 // A tree as lab 08 looks at it (see tree_report.h).
 //
-// Flow: scene -> BUFFERS -> kernel -> image -> comparison: figures of the tree, before it is copied
-// to the device. Read next: main.c.
+// Flow: scene -> BUFFERS -> kernel -> image: figures of the tree, before it is copied to the
+// device. Read next: main.c.
 #include "tree_report.h"
 
 #include "complain.h"

@@ -2,7 +2,7 @@
 //
 // OpenCL C knows no recursion, and none is needed: a mirrored ray has one successor, so a loop
 // follows it, and one number says what its light still counts.
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Called by render_mirrors.cl.
+// Flow: scene -> buffers -> KERNEL -> image. Called by render_mirrors.cl.
 #include "leave_surface.cl"
 #include "shadows.cl"
 

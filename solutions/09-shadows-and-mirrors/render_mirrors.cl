@@ -1,6 +1,6 @@
 // Lab 09: ray tracing with shadows and mirrors. Nothing to fill in here.
 //
-// Flow: scene -> buffers (the tree of lab 06) -> KERNEL -> image -> comparison. Started by main.c.
+// Flow: scene -> buffers (the tree of lab 06) -> KERNEL -> image. Started by main.c.
 #include "mirrors.cl"
 #include "primary_ray.cl"
 

@@ -1,7 +1,7 @@
 // Lab 09: which lights reach a point? A shadow ray goes to each, and whatever it hits before the
 // light will do: no nearest hit is needed.
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Called by mirrors.cl.
+// Flow: scene -> buffers -> KERNEL -> image. Called by mirrors.cl.
 #include "shade.cl"
 #include "trace.cl"
 #include "traced_scene.h"

@@ -1,7 +1,7 @@
 // Lab 10, Part A: what one number of a pixel becomes for a tile of pixels: one descent for all of
 // them, and one test for a row.
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Called by render_circles.cl.
+// Flow: scene -> buffers -> KERNEL -> image. Called by render_circles.cl.
 #include "circle_tiles.h"
 #include "lanes.h"
 #include "work.h"

@@ -1,7 +1,7 @@
 // Lab 10, Part A: draw circles tile by tile and save the picture. Nothing to fill in here; read it
 // beside lab 03's main.c, see what is new, then go to circle_tile.cl.
 //
-// Flow: scene -> buffers -> kernel -> image -> comparison; the banners below name the steps.
+// Flow: scene -> buffers -> kernel -> image; the banners below name the steps.
 #include "circles.h"
 
 #include "circle_tree.h"

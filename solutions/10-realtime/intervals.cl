@@ -1,7 +1,7 @@
 // Lab 10: one traversal for a whole tile. What lab 07 knew of one ray as a number, t_split and the
 // part of the ray in a node, is an interval here: every ray's number lies in it.
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Called by trace_tile.cl.
+// Flow: scene -> buffers -> KERNEL -> image. Called by trace_tile.cl.
 #include "kdtree3d.h"
 #include "tile.h"
 #include "todo.h"

@@ -2,7 +2,7 @@
 // since lab 07's, then go to intervals.cl and cone.cl. Part A, circles, has the same steps in
 // circles.c.
 //
-// Flow: scene -> buffers -> kernel -> image -> comparison; the banners below name the steps.
+// Flow: scene -> buffers -> kernel -> image; the banners below name the steps.
 #include "circles.h"
 #include "image.h"
 #include "lab.h"

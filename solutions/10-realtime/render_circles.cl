@@ -1,7 +1,7 @@
 // Lab 10, Part A: the picture of lab 03, tile by tile. Nothing to fill in here; lay it beside
 // implicit2DRenderer_KD.cl of lab 03.
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Started by circles.c.
+// Flow: scene -> buffers -> KERNEL -> image. Started by circles.c.
 #include "circle_tile.cl"
 
 // A tile has as many rows as a row has pixels.

@@ -1,6 +1,6 @@
 // Lab 10: ray tracing tile by tile; the picture of lab 07, sooner. Nothing to fill in here.
 //
-// Flow: scene -> buffers (a tree of lab 08) -> KERNEL -> image -> comparison. Started by main.c.
+// Flow: scene -> buffers (a tree of lab 08) -> KERNEL -> image. Started by main.c.
 #include "shade_block.cl"
 #include "tile_pixels.cl"
 #include "tile_rays.cl"

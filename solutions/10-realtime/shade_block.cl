@@ -1,6 +1,6 @@
 // Lab 10: the colours of LANES rays: hit_color() of lab 05, lane by lane. Nothing to fill in here.
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Called by render_tiles.cl.
+// Flow: scene -> buffers -> KERNEL -> image. Called by render_tiles.cl.
 #include "ray.h"
 #include "shading.h"
 #include "sphere.h"

@@ -1,6 +1,6 @@
 // What the kernel of lab 10 takes (see tile_buffers.h).
 //
-// Flow: scene -> BUFFERS -> KERNEL -> IMAGE -> comparison. Read next: main.c, render_tiles.cl.
+// Flow: scene -> BUFFERS -> KERNEL -> IMAGE. Read next: main.c, render_tiles.cl.
 #include "tile_buffers.h"
 
 #include "camera_from_view.h"

@@ -1,6 +1,6 @@
 // Lab 10: what the rays of a tile have hit, as new rays need it. Nothing to fill in here.
 //
-// Flow: scene -> buffers -> KERNEL -> image -> comparison. Called by render_lit_tiles.cl.
+// Flow: scene -> buffers -> KERNEL -> image. Called by render_lit_tiles.cl.
 #include "mirrors.cl"
 #include "tile.h"
 

@@ -36,7 +36,8 @@ static int copy_matching(const Workshop *workshop, const char *pattern, const ch
     return result;
 }
 
-// The solutions of the labs before this one, as a handout has them.
+// Headers and kernels of the labs before this one, as a handout has them; their host files are
+// compiled already (copy_libraries()).
 static int copy_earlier_solutions(const Workshop *workshop)
 {
     glob_t found;
@@ -50,7 +51,7 @@ static int copy_earlier_solutions(const Workshop *workshop)
         if (strcmp(folder + strlen("solutions/"), workshop->manifest->lab) >= 0) {
             continue;
         }
-        path_make(pattern, "%s/*.[hc]*", folder);
+        path_make(pattern, "%s/*.{h,cl}", folder);
         result = copy_matching(workshop, pattern, folder);
     }
     globfree(&found);
@@ -113,7 +114,9 @@ int workshop_open(Workshop *workshop, const Manifest *manifest, const char *buil
     int result = make_folder(workshop->folder) | make_folder(path);
     path_make(path, "%s/tree/solutions", workshop->folder);
     result |= make_folder(path) | make_mount_points(workshop);
-    result |= copy_matching(workshop, "common/*.h", "common");
+    if (workshop->needs_compiler) {
+        result |= copy_matching(workshop, "common/*.h", "common");
+    }
     result |= copy_matching(workshop, "kernels/*.h", "kernels");
     result |= copy_matching(workshop, "tests/probes/*.h", "probes");
     return result | copy_probe_kernels(workshop) | copy_earlier_solutions(workshop) |
