@@ -37,18 +37,37 @@ static int hits_floor(const OracleRay *ray)
            fabs(ray->origin.y + t * ray->direction.y) <= FLOOR_SIDE;
 }
 
-static Counts count(const Scene3D *scene, const Image *image)
+// The spheres that a row's rays can hit: those that the rays' plane cuts, with half a radius to spare,
+// far more than rounding can decide. `kept` has room for all of the scene's. Returns how many.
+static u32 keep_near_row(const Scene3D *scene, const OracleRay *first, const OracleRay *last,
+                         Sphere *kept)
+{
+    const OracleVector normal = vector_unit(vector_cross(first->direction, last->direction));
+    u32 n_kept = 0;
+    for (int i = 0; i < scene->n_spheres; i++) {
+        const Sphere sphere = scene->spheres[i];
+        const OracleVector centre = {sphere.x, sphere.y, sphere.z};
+        if (fabs(vector_dot(vector_minus(centre, first->origin), normal)) <= 1.5 * sphere.radius) {
+            kept[n_kept++] = sphere;
+        }
+    }
+    return n_kept;
+}
+
+static Counts count(const Scene3D *scene, const Image *image, Sphere *kept)
 {
     const Camera camera = camera_from_view(scene->view, scene->width, scene->height);
+    const int width = scene->width, height = scene->height;
     const OracleRules3D right = {0};
     Counts counts = {0};
-    for (int y = 0; y < scene->height; y++) {
-        for (int x = 0; x < scene->width; x++) {
-            const OracleRay ray =
-                oracle3d_primary_ray(&camera, x, y, scene->width, scene->height, &right);
-            const OracleHit hit =
-                oracle3d_nearest(scene->spheres, (u32)scene->n_spheres, &ray, &right);
-            const size_t offset = ((size_t)y * (size_t)scene->width + (size_t)x) * IMAGE_CHANNELS;
+    for (int y = 0; y < height; y++) {
+        const OracleRay first = oracle3d_primary_ray(&camera, 0, y, width, height, &right);
+        const OracleRay last = oracle3d_primary_ray(&camera, width - 1, y, width, height, &right);
+        const u32 n_kept = keep_near_row(scene, &first, &last, kept);
+        for (int x = 0; x < width; x++) {
+            const OracleRay ray = oracle3d_primary_ray(&camera, x, y, width, height, &right);
+            const OracleHit hit = oracle3d_nearest(kept, n_kept, &ray, &right);
+            const size_t offset = ((size_t)y * (size_t)width + (size_t)x) * IMAGE_CHANNELS;
             const int shown = !is_background(image->pixels + offset, scene->background);
             const int is_hit = hit.sphere != ORACLE_NO_SPHERE;
             counts.in_picture += shown;
@@ -66,13 +85,17 @@ int main(int argc, char **argv)
     int width, height, status = 2;
     Scene3D scene = {0};
     Image image = {0};
+    Sphere *kept = NULL;
     if (argc != 4 || sscanf(argv[2], "%dx%d", &width, &height) != 2) {
         complain("usage: count_hits SCENE WxH PICTURE.exr");
         return 2;
     }
     if (scene3d_open(argv[1], width, height, &scene) == 0 && image_load(argv[3], &image) == 0) {
-        if (image.width == width && image.height == height) {
-            const Counts counts = count(&scene, &image);
+        kept = malloc(((size_t)scene.n_spheres + 1) * sizeof *kept);
+        if (kept == NULL) {
+            complain("count_hits: no memory for %d spheres", scene.n_spheres);
+        } else if (image.width == width && image.height == height) {
+            const Counts counts = count(&scene, &image, kept);
             printf("rays %d\nin the picture %d\nby the oracle %d\nambiguous %d\nwith the floor %d\n"
                    "disagree %d\n",
                    width * height, counts.in_picture, counts.by_oracle, counts.ambiguous,
@@ -83,6 +106,7 @@ int main(int argc, char **argv)
                      argv[2]);
         }
     }
+    free(kept);
     image_free(&image);
     scene3d_free(&scene);
     return status;
