@@ -37,8 +37,9 @@ static int hits_floor(const OracleRay *ray)
            fabs(ray->origin.y + t * ray->direction.y) <= FLOOR_SIDE;
 }
 
-// The spheres that a row's rays can hit: those that the rays' plane cuts, with half a radius to spare,
-// far more than rounding can decide. `kept` has room for all of the scene's. Returns how many.
+// The spheres that a row's rays can hit: those that the rays' plane cuts, with half a radius to
+// spare, far more than rounding can decide. `kept` has room for all of the scene's. Returns how
+// many.
 static u32 keep_near_row(const Scene3D *scene, const OracleRay *first, const OracleRay *last,
                          Sphere *kept)
 {
