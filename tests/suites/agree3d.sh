@@ -1,6 +1,6 @@
 #!/bin/sh
-# Programs that must draw the same do: labs 08 and 10 what lab 07 and lab 03 draw; labs 09 and 10, with shadows
-# and mirrors, what the oracle draws in double.
+# Programs that must draw the same do: labs 08 and 10 what lab 07 draws, and lab 10's circles what lab 03 draws; lab
+# 09 what lab 05 draws where nothing is mirrored or in the way; labs 09 and 10 what the oracle draws in double.
 #
 #     sh tests/suites/agree3d.sh      from the top folder, after `make tests` and `make SANITIZE=1`
 set -u

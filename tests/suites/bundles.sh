@@ -310,7 +310,8 @@ check "PrairieLearn: nor is a grader that cannot be built" \
 repository=$scratch/repository
 mkdir "$repository"
 # By what is built already: to build the judges for both kinds of processors takes minutes.
-check "GitHub: the handout" quietly make -s handout LAB=00 BUILD="${BUILD:-build}"
+# In the course's own build folder nothing is to be made otherwise than before.
+check "GitHub: the handout" quietly env -u MAKEFLAGS make -s handout LAB=00 BUILD="${BUILD:-build}"
 tar -xzf "${BUILD:-build}/handout/$lab.tar.gz" -C "$repository" --strip-components 1
 unzip -q "$bundles/github-00.zip" -d "$repository"
 named=$(grep -cx -e 'name: Autograding Tests' -e '  run-autograding-tests:' \

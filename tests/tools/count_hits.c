@@ -38,8 +38,9 @@ static int hits_floor(const OracleRay *ray)
 }
 
 // The spheres that a row's rays can hit: those that the rays' plane cuts, with half a radius to
-// spare, far more than rounding can decide. `kept` has room for all of the scene's. Returns how
-// many.
+// spare, which in the scenes asked for here is far more than rounding can decide. Of a row that is
+// one pixel wide, whose plane is unknown, all. Returns how many.
+//   kept   out, room for all of the scene's
 static u32 keep_near_row(const Scene3D *scene, const OracleRay *first, const OracleRay *last,
                          Sphere *kept)
 {
@@ -48,7 +49,9 @@ static u32 keep_near_row(const Scene3D *scene, const OracleRay *first, const Ora
     for (int i = 0; i < scene->n_spheres; i++) {
         const Sphere sphere = scene->spheres[i];
         const OracleVector centre = {sphere.x, sphere.y, sphere.z};
-        if (fabs(vector_dot(vector_minus(centre, first->origin), normal)) <= 1.5 * sphere.radius) {
+        const double distance = fabs(vector_dot(vector_minus(centre, first->origin), normal));
+        // A sphere that is seen from inside has a negative radius.
+        if (!(distance > 1.5 * fabs((double)sphere.radius))) {
             kept[n_kept++] = sphere;
         }
     }

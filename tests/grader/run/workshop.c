@@ -36,8 +36,8 @@ static int copy_matching(const Workshop *workshop, const char *pattern, const ch
     return result;
 }
 
-// Headers and kernels of the labs before this one, as a handout has them; their host files are
-// compiled already (copy_libraries()).
+// Headers and kernels of the labs before this one; their host files are compiled already
+// (copy_libraries()).
 static int copy_earlier_solutions(const Workshop *workshop)
 {
     glob_t found;

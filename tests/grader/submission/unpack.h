@@ -2,9 +2,9 @@
 //
 // An archive is untrusted, and reading one takes a large library: this runs in the sandbox only, as
 // the program unpack (unpack_tool.c). It believes no number and no name in it. libarchive's own
-// bsdtar would not do: it has no limit for entries or sizes, writes every file and not only the
-// lab's, and says what is wrong in words that a student cannot use. Read next: places.h, which
-// chooses among what was unpacked.
+// bsdtar would not do: it has no limit for entries or sizes, makes links that lead anywhere, and
+// what it says of a file that is no archive ("Missing type keyword in mtree specification") helps
+// no student. Read next: places.h, which chooses among what was unpacked.
 #ifndef GRADER_UNPACK_H
 #define GRADER_UNPACK_H
 
