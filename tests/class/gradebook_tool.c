@@ -7,11 +7,13 @@
 // makes gradebook.csv, gradebook.json and class.html in FOLDER of it, and says how the class did.
 // Exit status: 0; 1 when some are not graded; 2 after one message. Read next: roster.h,
 // gradebook.h; grade_class.sh, which calls both.
+#include "clean_text.h"
 #include "gradebook.h"
 #include "look_alikes.h"
 #include "number.h"
 #include "option_table.h"
 #include "path.h"
+#include "text_file.h"
 
 #include <getopt.h>
 #include <stdlib.h>
@@ -64,6 +66,40 @@ static void look_alikes_print(const Gradebook *gradebook)
     look_alikes_free(&look_alikes);
 }
 
+// Was nobody before this row left ungraded for the same reason?
+static int reason_is_new(const Gradebook *gradebook, int row)
+{
+    for (int i = 0; i < row; i++) {
+        if (gradebook->rows[i].status == ROW_NOT_GRADED &&
+            strcmp(gradebook->rows[i].reason, gradebook->rows[row].reason) == 0) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+// What the grader said, for the first row with each reason: where a whole class could not be graded
+// (no sandbox here, no space left), one cause stands behind all of them.
+static void faults_print(const Gradebook *gradebook, const char *folder)
+{
+    for (int i = 0; i < gradebook->n_rows; i++) {
+        const Row *row = &gradebook->rows[i];
+        if (row->status != ROW_NOT_GRADED || !row->has_log || !reason_is_new(gradebook, i)) {
+            continue;
+        }
+        char path[PATH_MAX];
+        path_make(path, "%s/logs/%s.txt", folder, row->entrant->slug);
+        char *log = text_file_read(path);
+        char *said = message_clean(log);
+        printf("The log of %s says:\n", row->entrant->name);
+        for (const char *line = strtok(said, "\n"); line != NULL; line = strtok(NULL, "\n")) {
+            printf("    %s\n", line);
+        }
+        free(said);
+        free(log);
+    }
+}
+
 // How the class did, for the terminal.
 static void summary_print(const Gradebook *gradebook, const char *folder)
 {
@@ -91,6 +127,7 @@ static void summary_print(const Gradebook *gradebook, const char *folder)
             printf("not graded: %s: %s\n", row->entrant->name, row->reason);
         }
     }
+    faults_print(gradebook, folder);
     look_alikes_print(gradebook);
     printf("Gradebook: %s/gradebook.csv, %s/gradebook.json\nThe class: %s/class.html\n", folder,
            folder, folder);

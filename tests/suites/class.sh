@@ -207,6 +207,7 @@ check "three times each" test "$(n_graded "$faults")" -eq 12
 check "and they stand apart on the page" grep -q 'id="not-graded"' "$faults/class.html"
 check "and in what it says" said "not graded: fails: the grader could not work"
 check "the reason is kept" grep -q "no sandbox" "$(echo "$faults"/logs/fails-*)"
+check "and shown, once for each reason" said "    no sandbox"
 rm -r "$class/fails" "$class/dies" "$class/hangs"
 check "without them all is well" exits 0 run "$faults"
 
