@@ -9,17 +9,25 @@
 
 // ---- Inputs -----------------------------------------------------------------------------------
 
+// How far a pixel on the boundary is from the centre along x and y: on the slope of the circle, at
+// its top or bottom, where it only touches the row, and at its side.
+static const struct {
+    float x, y, radius;
+} on_boundary[] = {{3, 4, 5}, {0, 5, 5}, {5, 0, 5}};
+
 // A circle near the row, in a third of all cases with a pixel exactly on its boundary, or outside
-// of it by one float: 3, 4 and 5 make a right angle.
+// of it by one float.
 static CircleRowJob draw_row(Random *random, enum RowRange range)
 {
     CircleRowJob job = {.color = (u32)random_bits(random)};
     const int is_exact = one_in(random, 3);
     const float unit = (float)random_integer(random, 1, 32) / 16;
-    const float x = is_exact ? (float)random_integer(random, 0, ROW_PIXELS - 1) + 3 * unit
+    const int64_t kind = random_integer(random, 0, COUNT(on_boundary) - 1);
+    const float to_x = on_boundary[kind].x * unit, to_y = on_boundary[kind].y * unit;
+    const float x = is_exact ? (float)random_integer(random, 0, ROW_PIXELS - 1) + to_x
                              : random_grid(random, -8, ROW_PIXELS + 8);
-    const float radius = is_exact ? 5 * unit : random_grid(random, 0, 16);
-    job.dy = is_exact ? (float)random_sign(random) * 4 * unit : random_grid(random, -12, 12);
+    const float radius = is_exact ? on_boundary[kind].radius * unit : random_grid(random, 0, 16);
+    job.dy = is_exact ? (float)random_sign(random) * to_y : random_grid(random, -12, 12);
     job.radius_squared = radius * radius;
     if (is_exact && one_in(random, 2)) {
         job.radius_squared = nextafterf(job.radius_squared, 0);
@@ -52,6 +60,7 @@ enum {
     ROW_INVERTED,
     ROW_PAINTED_OVER,
     ROW_STAYS_OPEN,
+    ROW_TOUCHED_STAYS_OPEN,
     ROW_CLOSED_OUTSIDE,
     ROW_CLOSED_WHOLE,
     ROW_ALL_OR_NONE,
@@ -86,6 +95,8 @@ static const Cause row_mistakes[] = {
                                   "what is open may be"},
     [ROW_STAYS_OPEN] = {.says = "a pixel that is painted stays open: the next circle would paint "
                                 "it again"},
+    [ROW_TOUCHED_STAYS_OPEN] = {.says = "where the circle only touches the row, as far away as its "
+                                        "radius, the pixel that it covers is closed, too"},
     [ROW_CLOSED_OUTSIDE] = {.says = "the wrong pixels stay open: what the circle covers is closed, "
                                     "what it does not cover stays as it was"},
     [ROW_CLOSED_WHOLE] = {.says = "the whole row is closed: pixels that the circle does not cover "
@@ -134,6 +145,7 @@ static CircleRowAnswer expected_row(const CircleRowJob *job, int mistake)
         n_covered += is_covered(job, i, mistake);
         n_open += job->open[i] != 0;
     }
+    const int is_touched = (double)job->dy * (double)job->dy == (double)job->radius_squared;
     const int is_left = mistake == ROW_PART_LEFT && n_open < ROW_PIXELS;
     for (int i = 0; i < ROW_PIXELS; i++) {
         const int covers = is_left                      ? 0
@@ -145,7 +157,9 @@ static CircleRowAnswer expected_row(const CircleRowJob *job, int mistake)
         const int is_painted =
             mistake == ROW_SELECT_SWAPPED ? !(covers && was_open) : covers && was_open;
         row.colors[i] = is_painted && mistake != ROW_NOTHING_PAINTED ? job->color : job->colors[i];
-        row.open[i] = mistake == ROW_STAYS_OPEN           ? job->open[i]
+        row.open[i] = mistake == ROW_STAYS_OPEN ? job->open[i]
+                      : mistake == ROW_TOUCHED_STAYS_OPEN
+                          ? (is_touched || !covers ? job->open[i] : 0)
                       : mistake == ROW_CLOSED_OUTSIDE     ? (covers ? job->open[i] : 0)
                       : mistake == ROW_CLOSED_WHOLE       ? (n_covered > 0 ? 0 : job->open[i])
                       : mistake == ROW_COVERED_ALL_CLOSED ? (covers ? 0 : -1)
