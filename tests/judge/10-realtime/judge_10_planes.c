@@ -40,20 +40,24 @@ static TilePlaneJob draw_plane(Random *random, enum PlaneRange10 range)
     return job;
 }
 
-// The last of each range, in every job: directions far below any epsilon, and an eye that is the
-// least beside the plane.
+// The last of each range, in every job: directions far below any epsilon, down to those just above
+// what a device may take for 0 (2^-126), and eyes that are the least beside the plane.
 static const struct {
     enum PlaneRange10 range;
     TilePlaneJob job;
 } plane_edges[] = {
     {TILES_ONE_WAY, {.plane = 1, .eye = 0, .low = 0x1p-30f, .high = 0x1p-29f}},
     {TILES_ONE_WAY, {.plane = -1, .eye = 0, .low = -0x1p-100f, .high = -0x1p-101f}},
+    {TILES_ONE_WAY, {.plane = 1, .eye = 0, .low = 0x1p-125f, .high = 0x1p-124f}},
+    {TILES_BOTH_WAYS, {.plane = 1, .eye = 0, .low = -0x1p-125f, .high = 0x1p-125f}},
     {TILES_BOTH_WAYS, {.plane = 1, .eye = 0, .low = -0x1p-30f, .high = 0x1p-30f}},
     {TILES_BOTH_WAYS, {.plane = -1, .eye = 0, .low = -0x1p-100f, .high = 0.125f}},
     {TILES_ON_PLANE, {.plane = 1, .eye = 0x1.000002p+0f, .low = -0.5f, .high = -0.25f}},
     {TILES_ON_PLANE, {.plane = 1, .eye = 0x1.000002p+0f, .low = 0.25f, .high = 0.5f}},
     {TILES_ON_PLANE, {.plane = 1, .eye = 0x1.fffffep-1f, .low = 0.25f, .high = 0.5f}},
     {TILES_ON_PLANE, {.plane = 1, .eye = 0x1.fffffep-1f, .low = -0.5f, .high = -0.25f}},
+    {TILES_ON_PLANE, {.plane = 0, .eye = 0x1p-100f, .low = -0.5f, .high = -0.25f}},
+    {TILES_ON_PLANE, {.plane = 0, .eye = -0x1p-100f, .low = 0.25f, .high = 0.5f}},
 };
 
 void planes_10_draw(Random *random, Job10 *job)
@@ -85,9 +89,12 @@ enum {
     PLANE_NEVER_IS_LARGE,
     PLANE_NEVER_FOR_ALL,
     PLANE_EPSILON,
+    PLANE_EPSILON_TINY,
+    PLANE_EPSILON_LEAST,
     PLANE_EPSILON_FIRST,
     PLANE_EPSILON_LAST,
     PLANE_EYE_NEAR,
+    PLANE_EYE_NEARER,
     PLANE_EYE_AT_0,
     PLANE_EYE_FROM_0,
     PLANE_BEHIND_SORTED,
@@ -104,6 +111,7 @@ enum {
 #define EYE_ON_IT "with the eye on the plane, rays that go up meet it, at 0, and others never"
 #define SMALL_IS_0                                                                                 \
     "no small number is 0: rays that go to the plane meet it, however slowly, without an epsilon"
+#define EYE_BESIDE "an eye beside the plane is not on it, however near it is: without an epsilon"
 #define ALONG "a ray along the plane never meets it: nothing is divided by a direction of 0"
 
 static const Cause plane_mistakes[] = {
@@ -131,13 +139,15 @@ static const Cause plane_mistakes[] = {
     [PLANE_NEVER_FOR_ALL] = {.says = "where some rays never meet it, the others do all the same: "
                                      "each end is asked by itself"},
     [PLANE_EPSILON] = {.says = SMALL_IS_0},
+    [PLANE_EPSILON_TINY] = {.says = SMALL_IS_0},
+    [PLANE_EPSILON_LEAST] = {.says = SMALL_IS_0},
     [PLANE_EPSILON_FIRST] = {.says = SMALL_IS_0},
     [PLANE_EPSILON_LAST] = {.says = SMALL_IS_0},
     [PLANE_ALONG_FIRST] = {.says = ALONG},
     [PLANE_ALONG_LAST] = {.says = ALONG},
     [PLANE_ALONG_BOTH] = {.says = ALONG},
-    [PLANE_EYE_NEAR] = {.says = "an eye beside the plane is not on it, however near it is: "
-                                "without an epsilon"},
+    [PLANE_EYE_NEAR] = {.says = EYE_BESIDE},
+    [PLANE_EYE_NEARER] = {.says = EYE_BESIDE},
     [PLANE_NEVER_IS_LARGE] = {.says = "what is never met is at INFINITY, not at a large number"},
 };
 
@@ -145,14 +155,21 @@ typedef struct Ends {
     double low, high;
 } Ends;
 
-// Below that a direction, or the way to the plane, was taken for 0 by an epsilon.
-#define LEAST_DIRECTION 0x1p-20
+// Below that a direction, or the way to the plane, was taken for 0 by an epsilon: each lies between
+// two sizes of the edges above.
+static double epsilon_of(int mistake)
+{
+    return mistake == PLANE_EPSILON_TINY || mistake == PLANE_EYE_NEARER ? 0x1p-60
+           : mistake == PLANE_EPSILON_LEAST                             ? 0x1p-110
+                                                                        : 0x1p-20;
+}
 
 // Does the eye count to the lower side?
 static int is_lower_side(const TilePlaneJob *job, int mistake)
 {
-    const int is_near = fabs((double)job->plane - (double)job->eye) < LEAST_DIRECTION;
-    return job->eye < job->plane || (mistake == PLANE_EYE_NEAR && is_near) ||
+    const int takes_near = mistake == PLANE_EYE_NEAR || mistake == PLANE_EYE_NEARER;
+    const int is_near = fabs((double)job->plane - (double)job->eye) < epsilon_of(mistake);
+    return job->eye < job->plane || (takes_near && is_near) ||
            (mistake != PLANE_EYE_IS_UPPER && job->eye == job->plane);
 }
 
@@ -168,11 +185,12 @@ static double distance_of(const TilePlaneJob *job, double direction, int is_firs
 {
     const double way = (double)job->plane - (mistake == PLANE_FROM_0 ? 0 : (double)job->eye);
     const int is_lower = is_lower_side(job, mistake);
-    const int has_epsilon = mistake == PLANE_EPSILON ||
+    const int has_epsilon = mistake == PLANE_EPSILON || mistake == PLANE_EPSILON_TINY ||
+                            mistake == PLANE_EPSILON_LEAST ||
                             is_of_end(mistake, is_first, PLANE_EPSILON_FIRST, PLANE_EPSILON_LAST);
     const int meets_along = mistake == PLANE_ALONG_BOTH ||
                             is_of_end(mistake, is_first, PLANE_ALONG_FIRST, PLANE_ALONG_LAST);
-    const int is_slow = has_epsilon && fabs(direction) < LEAST_DIRECTION;
+    const int is_slow = has_epsilon && fabs(direction) < epsilon_of(mistake);
     const int meets =
         (!is_slow && (is_lower ? direction > 0 : direction < 0)) || (meets_along && direction == 0);
     if (mistake == PLANE_EYE_NEVER && job->eye == job->plane) {
