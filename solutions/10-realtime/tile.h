@@ -15,7 +15,8 @@ typedef struct Interval {
     float high;
 } Interval;
 
-// All directions that are no farther from the axis than an angle below 90 degrees.
+// All directions that are no farther from the axis than an angle. It is below 90 degrees, or 180
+// where the rays are farther apart: cosine -1 and sine 0, and every direction is in the cone.
 typedef struct Cone {
     float3 axis;   // unit vector
     float cosine;  // of that angle
