@@ -44,7 +44,8 @@ TodoEntry next_tile_child(KdNode3 node, float eye, Interval t_split, TodoEntry a
 // Go on after a leaf that has been searched, unless the search is over.
 //   farthest   the farthest of all rays' hits so far; INFINITY as long as one has none
 //   todo       the nodes that wait
-//   at         in: the leaf; out: where the search goes on, which then waits no longer
+//   at         in: the leaf; out: where the search goes on, which then waits no longer, with its
+//              part; what of that lies behind the farthest hit may be cut off
 // Returns 1, or 0 when the search is over.
 int next_tile_waiting(float farthest, Todo *todo, TodoEntry *at)
 {

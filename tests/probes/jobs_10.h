@@ -43,9 +43,13 @@ typedef struct TileWaitingJob {
     f32 farthest;
     StackEntry at;
     StackState todo;
-    i32 unused;  // of another size than its answer
+    u32 n_behind;  // so many more wait on top of these: from WAITS_FROM to WAITS_TO
 } TileWaitingJob;
 LAYOUT_ASSERT(TileWaitingJob, 76);
+
+#define WAITS_NODE (UNTOUCHED - 2)
+#define WAITS_FROM 0x1p20f
+#define WAITS_TO 0x1p21f
 
 // Section "cones", one call of cone_misses_sphere each. Answered by an i32.
 typedef struct ConeJob {

@@ -77,7 +77,7 @@ static void answer_tile_waiting(Writer *writer, const Sections *job)
     const size_t n = n_bytes / sizeof *in;
     NextWaitingAnswer *out = calloc(n, sizeof *out);
     for (size_t i = 0; i < n; i++) {
-        u32 left = in[i].todo.n;
+        u32 left = in[i].todo.n;  // what waits on top of these is left out
         while (left > 0 && in[i].todo.upper[left - 1].t_min > in[i].farthest) {
             left--;
         }

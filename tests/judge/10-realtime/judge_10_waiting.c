@@ -12,7 +12,7 @@
 // ---- Inputs -----------------------------------------------------------------------------------
 
 // Parts that overlap, in no order; the farthest hit among them, exactly at the begin of one, or
-// nowhere.
+// nowhere. Now and then many more wait on top that begin behind it, up to a stack that is full.
 static TileWaitingJob draw_waiting(Random *random)
 {
     TileWaitingJob job = {.at = {(u32)random_integer(random, 3, 1000), 1, 2}};
@@ -36,6 +36,10 @@ static TileWaitingJob draw_waiting(Random *random)
     } else if (n > 0 && kind == 4) {  // the least behind that
         const StackEntry waits = job.todo.upper[random_integer(random, 0, (int)n - 1)];
         job.farthest = nextafterf(waits.t_min, INFINITY);
+    }
+    if (isfinite(job.farthest) && one_in(random, 4)) {
+        const u32 room = TODO_SIZE - n;
+        job.n_behind = one_in(random, 2) ? room : (u32)random_integer(random, 1, room);
     }
     return job;
 }
@@ -69,9 +73,13 @@ enum {
     WAITING_NO_HIT_ENDS,
     WAITING_TOO_EARLY,
     WAITING_BY_LEAF,
-    WAITING_PART_CUT,
+    WAITING_ENDS_AT_HIT,
     WAITING_TWO_TRIED,
     WAITING_THREE_TRIED,
+    WAITING_FOUR_TRIED,
+    WAITING_EIGHT_TRIED,
+    WAITING_TEN_TRIED,
+    WAITING_SIXTEEN_TRIED,
 };
 #define FEW_LEFT_OUT                                                                               \
     "the search ended after some nodes that are left out: however many they are, it goes on"
@@ -109,10 +117,14 @@ static const Cause waiting_mistakes[] = {
     [WAITING_TOO_EARLY] = {.says = "a node that begins before the farthest hit is visited, however "
                                    "little before: without an epsilon"},
     [WAITING_BY_LEAF] = {.says = "where the waiting node begins counts, not where the leaf did"},
-    [WAITING_PART_CUT] = {.says = "the node comes with its own part: that does not end at the "
-                                  "farthest hit"},
+    [WAITING_ENDS_AT_HIT] = {.says = "the part of the node ends at the farthest hit, also where it "
+                                     "ended before: a part never grows"},
     [WAITING_TWO_TRIED] = {.says = FEW_LEFT_OUT},
     [WAITING_THREE_TRIED] = {.says = FEW_LEFT_OUT},
+    [WAITING_FOUR_TRIED] = {.says = FEW_LEFT_OUT},
+    [WAITING_EIGHT_TRIED] = {.says = FEW_LEFT_OUT},
+    [WAITING_TEN_TRIED] = {.says = FEW_LEFT_OUT},
+    [WAITING_SIXTEEN_TRIED] = {.says = FEW_LEFT_OUT},
     [WAITING_TWO_ONLY] = {.says = "more than one node in a row may be left out"},
 };
 
@@ -133,10 +145,30 @@ static int matters(const TileWaitingJob *job, StackEntry entry, int mistake)
                                             : from <= job->farthest;
 }
 
+// Entry i of the stack, from the bottom.
+static StackEntry entry_at(const TileWaitingJob *job, u32 i)
+{
+    return i < job->todo.n ? job->todo.upper[i] : (StackEntry){WAITS_NODE, WAITS_FROM, WAITS_TO};
+}
+
+// After how many nodes a mistake ends the search; a stack never holds more than TODO_SIZE.
+static u32 most_tried(int mistake)
+{
+    return mistake == WAITING_TOP_ENDS        ? 1
+           : mistake == WAITING_TWO_TRIED     ? 2
+           : mistake == WAITING_THREE_TRIED   ? 3
+           : mistake == WAITING_FOUR_TRIED    ? 4
+           : mistake == WAITING_EIGHT_TRIED   ? 8
+           : mistake == WAITING_TEN_TRIED     ? 10
+           : mistake == WAITING_SIXTEEN_TRIED ? 16
+                                              : TODO_SIZE;
+}
+
 static NextWaitingAnswer expected_waiting(const TileWaitingJob *job, int mistake)
 {
     NextWaitingAnswer answer = {.at = job->at, .todo = job->todo};
     StackState *todo = &answer.todo;
+    todo->n += job->n_behind;
     const int is_oldest = mistake == WAITING_OLDEST;
     const u32 left = mistake == WAITING_ONE_LEFT ? 1 : 0;
     StackEntry next = job->at;
@@ -144,23 +176,20 @@ static NextWaitingAnswer expected_waiting(const TileWaitingJob *job, int mistake
         (mistake == WAITING_NO_HIT_ENDS && isinf(job->farthest))) {
         return answer;
     }
-    for (u32 n_taken = 0; todo->n > left && !answer.goes_on; n_taken++) {
-        next = is_oldest ? todo->upper[n_taken] : todo->upper[todo->n - 1];
+    for (u32 n_taken = 0; todo->n > left && n_taken < most_tried(mistake) && !answer.goes_on;
+         n_taken++) {
+        next = entry_at(job, is_oldest ? n_taken : todo->n - 1);
         todo->n--;
         answer.goes_on =
             matters(job, next, mistake) || (mistake == WAITING_TWO_ONLY && n_taken == 1);
-        if (mistake == WAITING_TOP_ENDS || (mistake == WAITING_TWO_TRIED && n_taken == 1) ||
-            (mistake == WAITING_THREE_TRIED && n_taken == 2)) {
-            break;
-        }
     }
     if (answer.goes_on) {
         const int keeps_part = mistake == WAITING_PART_KEPT;
         answer.at.node = next.node;
         answer.at.t_min = keeps_part || mistake == WAITING_T_MIN_KEPT ? job->at.t_min : next.t_min;
         answer.at.t_max = keeps_part || mistake == WAITING_T_MAX_KEPT ? job->at.t_max
-                          : mistake == WAITING_PART_CUT ? fminf(next.t_max, job->farthest)
-                                                        : next.t_max;
+                          : mistake == WAITING_ENDS_AT_HIT            ? job->farthest
+                                                                      : next.t_max;
         todo->n += mistake == WAITING_STAYS;
     }
     answer.goes_on ^= mistake == WAITING_SWAPPED;
@@ -173,26 +202,41 @@ static int end_agrees(const void *job, int i, const void *answers, int mistake)
     return (((const NextWaitingAnswer *)answers)[i].goes_on != 0) == expected.goes_on;
 }
 
+// Is a node handed on with its part? What of this lies behind the farthest hit cannot matter any
+// more, so a right answer may cut it off.
+static int is_handed_on(const TileWaitingJob *job, StackEntry found, StackEntry expected)
+{
+    return found.node == expected.node && found.t_min == expected.t_min &&
+           found.t_max >= fminf(expected.t_max, job->farthest) && found.t_max <= expected.t_max;
+}
+
 // Where the search is over, at and the stack do not matter.
 static int next_agrees(const void *job, int i, const void *answers, int mistake)
 {
+    const TileWaitingJob *input = &((const Job10 *)job)->waiting[i];
     const NextWaitingAnswer *found = &((const NextWaitingAnswer *)answers)[i];
-    const NextWaitingAnswer expected = expected_waiting(&((const Job10 *)job)->waiting[i], mistake);
+    const NextWaitingAnswer expected = expected_waiting(input, mistake);
     if (mistake != 0 && !expected.goes_on) {
         return !found->goes_on;
     }
     // What lies below is untouched in the order in which it came; of the oldest only how many.
     return !expected.goes_on ||
-           (found->goes_on && same_entry(found->at, expected.at) &&
+           (found->goes_on &&
+            (mistake == 0 ? is_handed_on(input, found->at, expected.at)
+                          : same_entry(found->at, expected.at)) &&
             (mistake == WAITING_OLDEST || same_stack(&found->todo, &expected.todo)));
 }
 
-// "from the top: [12, 14] [11, 12.5]".
-static Words stack_words(const StackState *todo)
+// "from the top [12, 14] [11, 12.5]", with "30 times [1048576, 2097152]" before them.
+static Words stack_words(const TileWaitingJob *job)
 {
-    Words all = words("%s", todo->n == 0 ? "nothing" : "from the top");
-    for (u32 i = todo->n; i > 0; i--) {
-        const StackEntry entry = todo->upper[i - 1];
+    Words all = words("%s", job->todo.n + job->n_behind == 0 ? "nothing" : "from the top");
+    if (job->n_behind > 0) {
+        all = words("%s %u times [%.9g, %.9g]", all.text, job->n_behind, (double)WAITS_FROM,
+                    (double)WAITS_TO);
+    }
+    for (u32 i = job->todo.n; i > 0; i--) {
+        const StackEntry entry = job->todo.upper[i - 1];
         all = words("%s [%g, %g]", all.text, entry.t_min, entry.t_max);
     }
     return all;
@@ -203,7 +247,7 @@ static char *describe_waiting(const void *pointer, int i, const void *answers)
     const TileWaitingJob *job = &((const Job10 *)pointer)->waiting[i];
     const NextWaitingAnswer expected = expected_waiting(job, 0);
     return message_new("the farthest hit is at %.9g; %s waiting: found %s, expected %s",
-                       job->farthest, stack_words(&job->todo).text,
+                       job->farthest, stack_words(job).text,
                        next_waiting_words((const NextWaitingAnswer *)answers + i).text,
                        next_waiting_words(&expected).text);
 }

@@ -29,8 +29,8 @@ int same_entry(StackEntry a, StackEntry b)
 
 int same_stack(const StackState *a, const StackState *b)
 {
-    int is_same = a->n == b->n && a->n_lower == b->n_lower && a->n <= a->n_lower + STACK_ENTRIES;
-    for (u32 i = 0; is_same && i + a->n_lower < a->n; i++) {
+    int is_same = a->n == b->n && a->n_lower == b->n_lower;
+    for (u32 i = 0; is_same && i < STACK_ENTRIES && i + a->n_lower < a->n; i++) {
         is_same = same_entry(a->upper[i], b->upper[i]);
     }
     return is_same;

@@ -15,7 +15,7 @@ StackState random_stack(Random *random, u32 n_lower, u32 n_upper);
 
 int same_entry(StackEntry a, StackEntry b);
 
-// Do the same nodes wait? What lies above the top does not matter.
+// Do the same nodes wait, as far as they are known? What lies above the top does not matter.
 int same_stack(const StackState *a, const StackState *b);
 
 // "node 12 with [1, 4], and node 13 with [4, 5] put on the stack".

@@ -68,6 +68,9 @@ kernel void probe_tile_waiting(global const TileWaitingJob *jobs, global NextWai
     TodoEntry at = {job.at.node, job.at.t_min, job.at.t_max};
     Todo todo;
     fill_stack(job.todo, &todo);
+    for (uint k = 0; k < job.n_behind; k++) {
+        todo_push(&todo, WAITS_NODE, WAITS_FROM, WAITS_TO);
+    }
     answers[i].goes_on = next_tile_waiting(job.farthest, &todo, &at);
     answers[i].at = (StackEntry){at.node, at.t_min, at.t_max};
     answers[i].todo = look_at_stack(job.todo.n_lower, &todo);
