@@ -17,15 +17,15 @@ static int is_inner(TileNode node, Work *work)
 }
 
 // The leaf that holds a tile.
-//   x, y    the tile's first pixel; the others are in the same leaf
-//   nodes   the tree (circle_tiles.h); node 0 is the root
-//   work    what the tile has cost so far
+//   x, y    the tile's first pixel, from 0 on; the others are in the same leaf
+//   nodes   the tree (circle_tiles.h), of any size; node 0 is the root
+//   work    what the tile has cost so far; each inner node on the way adds a step
 // Returns the leaf's id.
 uint tile_leaf(int x, int y, global const TileNode *nodes, Work *work)
 {
     uint id = 0;
     // TASK tile_leaf: from the root go to the child that holds the pixel (x, y) until id is a leaf.
-    // Pixel split_pos itself is on the upper side. Ask is_inner(): it counts the steps.
+    // Pixel split_pos itself is on the upper side. Ask is_inner() once a node: it counts the steps.
     //> (void)x, (void)y, (void)nodes, (void)work;
     while (is_inner(nodes[id], work)) {
         const int at = nodes[id].split_axis == 0 ? x : y;

@@ -85,7 +85,7 @@ LAYOUT_ASSERT(CircleRowAnswer, 128);
 
 // Sections "tile_leaves", one call of tile_leaf each, and "circle_tiles", one tile painted each. A
 // tile's tree begins at first_node of section "circle_nodes", its lists at first_circle of section
-// "leaf_circles". Answered by a u32 and by a CircleTileAnswer.
+// "leaf_circles". Answered by a TileLeafAnswer and a CircleTileAnswer.
 typedef struct CircleTileJob {
     u32 first_node;
     u32 first_circle;
@@ -93,6 +93,12 @@ typedef struct CircleTileJob {
     i32 y;
 } CircleTileJob;
 LAYOUT_ASSERT(CircleTileJob, 16);
+
+typedef struct TileLeafAnswer {
+    u32 leaf;
+    u32 n_steps;  // as they were counted
+} TileLeafAnswer;
+LAYOUT_ASSERT(TileLeafAnswer, 8);
 
 typedef struct CircleTileAnswer {
     u32 colors[CIRCLE_TILE_PIXELS];  // row by row

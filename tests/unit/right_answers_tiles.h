@@ -136,21 +136,21 @@ static void answer_circle_rows(Writer *writer, const Sections *job)
     free(out);
 }
 
-static u32 leaf_of_tile(const CircleTileJob *tile, const TileNode *nodes)
+static TileLeafAnswer leaf_of_tile(const CircleTileJob *tile, const TileNode *nodes)
 {
-    u32 id = 0;
-    while (nodes[id].split_axis != KD_LEAF) {
-        const int at = nodes[id].split_axis == 0 ? tile->x : tile->y;
-        id = nodes[id].first + (at >= nodes[id].split_pos);
+    TileLeafAnswer way = {0, 0};
+    for (; nodes[way.leaf].split_axis != KD_LEAF; way.n_steps++) {
+        const TileNode node = nodes[way.leaf];
+        way.leaf = node.first + ((node.split_axis == 0 ? tile->x : tile->y) >= node.split_pos);
     }
-    return id;
+    return way;
 }
 
 // Eight circles, then a look whether a pixel is open still, as the given loop does.
 static CircleTileAnswer painted_tile(const CircleTileJob *tile, const TileNode *nodes,
                                      const TileCircle *circles)
 {
-    const TileNode leaf = nodes[leaf_of_tile(tile, nodes)];
+    const TileNode leaf = nodes[leaf_of_tile(tile, nodes).leaf];
     i32 open[CIRCLE_TILE_PIXELS];
     memset(open, -1, sizeof open);
     CircleTileAnswer out = {.n_tests = 0};
@@ -177,7 +177,7 @@ static void answer_circle_tiles(Writer *writer, const Sections *job)
     const TileCircle *circles = sections_find_any(job, "leaf_circles", &n_other);
     const CircleTileJob *in = sections_find_any(job, "tile_leaves", &n_bytes);
     const size_t n = n_bytes / sizeof *in;
-    u32 *leaves = calloc(n, sizeof *leaves);
+    TileLeafAnswer *leaves = calloc(n, sizeof *leaves);
     CircleTileAnswer *tiles = calloc(n, sizeof *tiles);
     for (size_t i = 0; i < n; i++) {
         leaves[i] = leaf_of_tile(&in[i], nodes + in[i].first_node);

@@ -136,9 +136,11 @@ static Verdict judge_work(const void *pointer, int k, const Sections *answers)
 #define RANGE(i, n_inputs) {(i) * (n_inputs), n_inputs}
 
 static const JudgeCheck checks[] = {
-    {"leaf-tile", "The leaf of a tile", "tile_leaf", 5, .function = &tile_leaf_10,
+    {"leaf-tile", "The leaf of a tile", "tile_leaf", 4, .function = &tile_leaf_10,
      .range = {0, N_CIRCLE_TILES}},
-    {"circles-pixels", "Tiles of circles, pixel by pixel", "tile_leaf", 3, "paint_row",
+    {"leaf-steps", "One step a level, no more", "tile_leaf", 2, .function = &leaf_steps_10,
+     .range = {0, N_CIRCLE_TILES}},
+    {"circles-pixels", "Tiles of circles, pixel by pixel", "tile_leaf", 2, "paint_row",
      .function = &circle_pixels_10, .range = {0, N_CIRCLE_TILES}, .alone = leaves_alone_10},
 
     {"row-open", "A row that nothing is painted in yet", "paint_row", 4, .function = &circle_row_10,

@@ -1,8 +1,8 @@
 // What lab 10's judge asks of a submission: inputs of its functions, and scenes with their trees.
 // Intervals are drawn and judged in judge_10_planes.c, the search's two steps in
 // judge_10_children.c and judge_10_waiting.c, cones in judge_10_cones.c, scenes in
-// judge_10_scenes.c, the work of tiles in judge_10_work.c, rows of circles in judge_10_rows.c, and
-// tiles of circles in judge_10_circles.c.
+// judge_10_scenes.c, the work of tiles in judge_10_work.c, rows of circles in judge_10_rows.c,
+// tiles of circles in judge_10_circles.c, and their leaves in judge_10_leaves.c.
 #ifndef JUDGE_JUDGE_10_H
 #define JUDGE_JUDGE_10_H
 
@@ -34,7 +34,8 @@ enum RowRange { ROWS_OPEN, ROWS_PAINTED, N_ROW_RANGES };
 enum { N_ROW_INPUTS = 200, N_ROWS_10 = N_ROW_RANGES * N_ROW_INPUTS };
 
 extern const Function tile_plane_10, tile_child_10, tile_end_10, tile_next_10, cone_10;
-extern const Function circle_row_10, tile_leaf_10, circle_pixels_10, circle_work_10;
+extern const Function circle_row_10, tile_leaf_10, leaf_steps_10;
+extern const Function circle_pixels_10, circle_work_10;
 
 // ---- Scenes -----------------------------------------------------------------------------------
 
@@ -60,10 +61,13 @@ Work tile_10_most(const JobScene3D *scene, int x, int y, int *must_ask);
 // ---- Scenes of circles ------------------------------------------------------------------------
 
 enum {
-    N_CIRCLE_SCENES = 5,
+    N_CIRCLE_SCENES = 6,
     MOST_CIRCLES = 120,  // of one scene
-    N_CIRCLE_TILES = 1 + 5 * 4 + 5 * 4 + 8 * 8 + 20 * 1,
-    MOST_CIRCLE_NODES = 2 * N_CIRCLE_TILES,
+    N_CIRCLE_TILES = 1 + 5 * 4 + 5 * 4 + 8 * 8 + 20 * 1 + 5 * 4,
+    // Where nodes stand that 16 bits cannot number; of 8 or 16 bits of it nothing is left that is a
+    // node of a tree.
+    FAR_NODE = 0x10180,
+    MOST_CIRCLE_NODES = 2 * N_CIRCLE_TILES + FAR_NODE,
     MOST_LEAF_CIRCLES = N_CIRCLE_TILES * MOST_CIRCLES,
 };
 
@@ -97,6 +101,9 @@ void waiting_10_draw(Random *random, Job10 *job);
 void cones_10_draw(Random *random, Job10 *job);
 void rows_10_draw(Random *random, Job10 *job);
 int circles_10_draw(Random *random, Job10 *job);  // 0, or -1 after one message
+
+// The leaf of circle tile i.
+u32 leaf_10_of_tile(const Job10 *job, int i);
 
 // Alone, in the place of whole scenes, which need all tasks: every input of the step.
 int children_alone_10(const void *job, const JudgeCheck *check, const Sections *answers);

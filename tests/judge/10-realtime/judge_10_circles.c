@@ -1,5 +1,5 @@
-// Lab 10's tiles of circles: scenes and their trees, the leaf of each tile, its pixels, and how
-// many circles it asks. What a pixel shows comes from brute force over the whole scene.
+// Lab 10's tiles of circles: scenes and their trees, the pixels of each tile, and how many circles
+// it asks. What a pixel shows comes from brute force over the whole scene.
 #include "judge_10.h"
 
 #include "complain.h"
@@ -19,13 +19,15 @@ static const struct {
     int columns, rows;  // tiles
     int n_circles;
     float min_radius, max_radius;
-    int is_deep;  // each plane cuts off one tile
+    int is_deep;   // each plane cuts off one tile
+    u32 first_id;  // of all nodes but the root: what lies before it belongs to no tree
 } plans[N_CIRCLE_SCENES] = {
-    {1, 1, 6, 2, 12, 0},     // the root is a leaf
-    {5, 4, 60, 2, 12, 0},    // background is seen
-    {5, 4, 120, 10, 60, 0},  // most is hidden
-    {8, 8, 40, 1, 8, 0},     // a leaf for nearly every tile
-    {20, 1, 40, 1, 8, 1},    // as deep as a tree of 20 tiles can be
+    {1, 1, 6, 2, 12, 0, 1},          // the root is a leaf
+    {5, 4, 60, 2, 12, 0, 1},         // background is seen
+    {5, 4, 120, 10, 60, 0, 1},       // most is hidden
+    {8, 8, 40, 1, 8, 0, 1},          // a leaf for nearly every tile
+    {20, 1, 40, 1, 8, 1, 1},         // as deep as a tree of 20 tiles can be
+    {5, 4, 40, 2, 12, 0, FAR_NODE},  // ids as in a picture of a million tiles
 };
 
 typedef struct TileRange {
@@ -36,11 +38,17 @@ typedef struct TileRange {
 typedef struct Growing {
     const CircleScene10 *scene;
     TileNode *nodes;
-    TileRange ranges[MOST_CIRCLE_NODES];
-    u32 n_nodes;
+    TileRange ranges[2 * N_CIRCLE_TILES];  // see range_of()
+    u32 first_id;                          // of all nodes but the root
+    u32 n_nodes;                           // up to the last one
     TileCircle *circles;
     u32 n_circles;
 } Growing;
+
+static TileRange *range_of(Growing *tree, u32 id)
+{
+    return &tree->ranges[id == 0 ? 0 : id - tree->first_id + 1];
+}
 
 // Is circle `a` of a scene before circle `b`?
 static int is_nearer(const CircleScene10 *scene, int a, int b)
@@ -53,7 +61,7 @@ static int is_nearer(const CircleScene10 *scene, int a, int b)
 // the box's border. What is hidden is in the list, too.
 static void close_as_leaf(Growing *tree, u32 id)
 {
-    const TileRange tiles = tree->ranges[id];
+    const TileRange tiles = *range_of(tree, id);
     const float side = CIRCLE_TILE_SIDE;
     const BBox2D box = {(float)tiles.min[0] * side, (float)tiles.max[0] * side - 1,
                         (float)tiles.min[1] * side, (float)tiles.max[1] * side - 1};
@@ -81,26 +89,27 @@ static void close_as_leaf(Growing *tree, u32 id)
 // Planes stand at any border of tiles, and not only in the middle.
 static void close_as_inner(Growing *tree, Random *random, u32 id, u32 axis, int is_deep)
 {
-    const TileRange tiles = tree->ranges[id];
+    const TileRange tiles = *range_of(tree, id);
     const int first_border = tiles.min[axis] + 1, last_border = tiles.max[axis] - 1;
     const int split =
         is_deep ? first_border : (int)random_integer(random, first_border, last_border);
     const u32 first = tree->n_nodes;
     tree->n_nodes += 2;
-    tree->ranges[first] = tree->ranges[first + 1] = tiles;
-    tree->ranges[first].max[axis] = tree->ranges[first + 1].min[axis] = split;
+    *range_of(tree, first) = *range_of(tree, first + 1) = tiles;
+    range_of(tree, first)->max[axis] = range_of(tree, first + 1)->min[axis] = split;
     tree->nodes[id] = (TileNode){split * CIRCLE_TILE_SIDE, axis, first, 0};
 }
 
 static void grow(Growing *tree, Random *random, int columns, int rows, int is_deep)
 {
-    tree->ranges[0] = (TileRange){{0, 0}, {columns, rows}};
-    tree->n_nodes = 1;
-    for (u32 id = 0; id < tree->n_nodes; id++) {
-        const TileRange tiles = tree->ranges[id];
+    *range_of(tree, 0) = (TileRange){{0, 0}, {columns, rows}};
+    tree->n_nodes = tree->first_id;
+    for (u32 id = 0; id < tree->n_nodes; id = id == 0 ? tree->first_id : id + 1) {
+        const TileRange tiles = *range_of(tree, id);
         const int width = tiles.max[0] - tiles.min[0], height = tiles.max[1] - tiles.min[1];
+        const int is_below = id > tree->first_id + 1;  // the root's children
         // Some leaves hold many tiles.
-        if ((width == 1 && height == 1) || (id > 2 && !is_deep && one_in(random, 6))) {
+        if ((width == 1 && height == 1) || (is_below && !is_deep && one_in(random, 6))) {
             close_as_leaf(tree, id);
         } else {
             close_as_inner(tree, random, id,
@@ -134,11 +143,16 @@ int circles_10_draw(Random *random, Job10 *job)
 {
     u32 n_nodes = 0, n_circles = 0;
     int n_tiles = 0;
+    // Who comes to a node of no tree is at an end there.
+    for (int i = 0; i < MOST_CIRCLE_NODES; i++) {
+        job->circle_nodes[i] = (TileNode){.split_axis = KD_LEAF};
+    }
     for (int k = 0; k < N_CIRCLE_SCENES; k++) {
         if (draw_scene(random, k, &job->circle_scenes[k]) != 0) {
             return -1;
         }
         Growing tree = {.scene = &job->circle_scenes[k],
+                        .first_id = plans[k].first_id,
                         .nodes = job->circle_nodes + n_nodes,
                         .circles = job->leaf_circles + n_circles};
         grow(&tree, random, plans[k].columns, plans[k].rows, plans[k].is_deep);
@@ -152,104 +166,6 @@ int circles_10_draw(Random *random, Job10 *job)
         n_circles += tree.n_circles;
     }
     return 0;
-}
-
-// ---- The leaf -----------------------------------------------------------------------------------
-
-enum {
-    LEAF_PLANE_IS_LOWER = 1,
-    LEAF_AXES_SWAPPED,
-    LEAF_SIDES_SWAPPED,
-    LEAF_ONLY_X,
-    LEAF_ONLY_Y,
-    LEAF_ALWAYS_LOWER,
-    LEAF_ONE_STEP,
-    LEAF_IS_ROOT,
-    LEAF_OF_NEXT_TILE,
-    LEAF_8_STEPS,
-    LEAF_10_STEPS,
-    LEAF_16_STEPS,
-};
-#define STEPS_END "the search ended after some steps, leaf or not"
-static const Cause leaf_mistakes[] = {
-    [LEAF_PLANE_IS_LOWER] = {.says = "pixel split_pos is the first of the upper side, not the last "
-                                     "of the lower one"},
-    [LEAF_AXES_SWAPPED] = {.says = "the axes are swapped: split_axis 0 is x"},
-    [LEAF_SIDES_SWAPPED] = {.says = "the sides are swapped: first is the child with the lower "
-                                    "coordinates"},
-    [LEAF_ONLY_X] = {.says = "that is as if all planes were across x"},
-    [LEAF_ONLY_Y] = {.says = "that is as if all planes were across y"},
-    [LEAF_ALWAYS_LOWER] = {.says = "that is as if the lower child were taken every time"},
-    [LEAF_ONE_STEP] = {.says = "the search ended after one step, leaf or not"},
-    [LEAF_8_STEPS] = {.says = STEPS_END},
-    [LEAF_10_STEPS] = {.says = STEPS_END},
-    [LEAF_16_STEPS] = {.says = STEPS_END},
-    [LEAF_OF_NEXT_TILE] = {.says = "the first pixel behind the tile was asked: its own first one "
-                                   "counts"},
-    [LEAF_IS_ROOT] = {.says = "the search did not leave the root"},
-};
-
-static u32 expected_leaf(const Job10 *job, int i, int mistake)
-{
-    const CircleTileJob tile = job->circle_tiles[i];
-    const TileNode *nodes = job->circle_nodes + tile.first_node;
-    // Each step leads to a larger id, so no way is longer than the last number.
-    const int n_steps = mistake == LEAF_IS_ROOT    ? 0
-                        : mistake == LEAF_ONE_STEP ? 1
-                        : mistake == LEAF_8_STEPS  ? 8
-                        : mistake == LEAF_10_STEPS ? 10
-                        : mistake == LEAF_16_STEPS ? 16
-                                                   : MOST_CIRCLE_NODES;
-    u32 id = 0;
-    for (int step = 0; step < n_steps && nodes[id].split_axis != KD_LEAF; step++) {
-        const TileNode node = nodes[id];
-        const int is_x = mistake == LEAF_AXES_SWAPPED ? node.split_axis == 1
-                         : mistake == LEAF_ONLY_X     ? 1
-                         : mistake == LEAF_ONLY_Y     ? 0
-                                                      : node.split_axis == 0;
-        const int beyond = mistake == LEAF_OF_NEXT_TILE ? CIRCLE_TILE_SIDE : 0;
-        const int at = (is_x ? tile.x : tile.y) + beyond;
-        const int is_upper = mistake == LEAF_PLANE_IS_LOWER  ? at > node.split_pos
-                             : mistake == LEAF_SIDES_SWAPPED ? at < node.split_pos
-                             : mistake == LEAF_ALWAYS_LOWER  ? 0
-                                                             : at >= node.split_pos;
-        id = node.first + (u32)is_upper;
-    }
-    return id;
-}
-
-static int leaf_agrees(const void *job, int i, const void *answers, int mistake)
-{
-    return ((const u32 *)answers)[i] == expected_leaf(job, i, mistake);
-}
-
-static char *describe_leaf(const void *pointer, int i, const void *answers)
-{
-    const Job10 *job = pointer;
-    const CircleTileJob tile = job->circle_tiles[i];
-    const u32 root_axis = job->circle_nodes[tile.first_node].split_axis;
-    return message_new("the tile from pixel (%d, %d) on, in a tree %s: found node %u, expected "
-                       "the leaf %u",
-                       tile.x, tile.y,
-                       root_axis == KD_LEAF ? "whose root is a leaf"
-                       : root_axis == 0     ? "whose root is split across x"
-                                            : "whose root is split across y",
-                       ((const u32 *)answers)[i], expected_leaf(job, i, 0));
-}
-
-const Function tile_leaf_10 = {"tile_leaves",
-                               N_CIRCLE_TILES,
-                               sizeof(u32),
-                               .describe = describe_leaf,
-                               .agrees = leaf_agrees,
-                               .counted = "tiles",
-                               MISTAKES(leaf_mistakes)};
-
-int leaves_alone_10(const void *job, const JudgeCheck *check, const Sections *answers)
-{
-    (void)check;
-    return verdict_passes(
-        function_judge(&tile_leaf_10, job, (Range){0, N_CIRCLE_TILES, 1}, answers));
 }
 
 // ---- Pixels and work ----------------------------------------------------------------------------
@@ -294,7 +210,7 @@ const Function circle_pixels_10 = {"circle_tiles", N_CIRCLE_TILES, sizeof(Circle
 static u32 count_needed(const Job10 *job, int i)
 {
     const CircleTileJob tile = job->circle_tiles[i];
-    const TileNode leaf = job->circle_nodes[tile.first_node + expected_leaf(job, i, 0)];
+    const TileNode leaf = job->circle_nodes[tile.first_node + leaf_10_of_tile(job, i)];
     const TileCircle *circles = job->leaf_circles + tile.first_circle + leaf.first;
     u32 most = 0;
     for (int pixel = 0; pixel < CIRCLE_TILE_PIXELS; pixel++) {

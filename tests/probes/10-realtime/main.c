@@ -37,7 +37,8 @@ static void answer_circles(const Probe *probe, cl_program program)
     }
     const cl_mem d_tree[] = {section_create(probe, "circle_nodes"),
                              section_create(probe, "leaf_circles")};
-    probe_call(probe, program, "tile_leaves", sizeof(CircleTileJob), sizeof(cl_uint), d_tree, 1);
+    probe_call(probe, program, "tile_leaves", sizeof(CircleTileJob), sizeof(TileLeafAnswer), d_tree,
+               1);
     probe_call(probe, program, "circle_tiles", sizeof(CircleTileJob), sizeof(CircleTileAnswer),
                d_tree, 2);
     cl_memory_release(d_tree, sizeof d_tree / sizeof *d_tree);

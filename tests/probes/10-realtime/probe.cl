@@ -149,12 +149,13 @@ kernel void probe_circle_rows(global const CircleRowJob *jobs, global CircleRowA
 }
 
 kernel void probe_tile_leaves(global const CircleTileJob *jobs, global const TileNode *nodes,
-                              global uint *answers)
+                              global TileLeafAnswer *answers)
 {
     const size_t i = get_global_id(0);
     const CircleTileJob job = jobs[i];
     Work work = {0, 0, 0, 0};
-    answers[i] = tile_leaf(job.x, job.y, nodes + job.first_node, &work);
+    answers[i].leaf = tile_leaf(job.x, job.y, nodes + job.first_node, &work);
+    answers[i].n_steps = work.n_nodes_visited;
 }
 
 kernel void probe_circle_tiles(global const CircleTileJob *jobs, global const TileNode *nodes,

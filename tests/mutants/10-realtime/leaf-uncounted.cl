@@ -1,5 +1,7 @@
-// right: looks at split_axis itself
+// mutant: looks at split_axis itself: no step is counted
 // task: tile_leaf
+// caught by: leaf-steps
+// says: no step is counted
     (void)work;
     while (nodes[id].split_axis < 2) {
         const TileNode node = nodes[id];
