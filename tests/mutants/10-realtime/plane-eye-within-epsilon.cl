@@ -2,8 +2,8 @@
 // task: plane_interval
 // caught by: plane-eye
 // says: without an epsilon
-    const float way = fabs(plane - eye) < 1e-10f ? 0.0f : plane - eye;
-    if (way >= 0.0f) {
+    const float way = plane - eye;
+    if (way >= -1e-10f) {
         return (Interval){direction.high > 0.0f ? way / direction.high : INFINITY,
                           direction.low > 0.0f ? way / direction.low : INFINITY};
     }
