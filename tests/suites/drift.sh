@@ -1,5 +1,5 @@
 #!/bin/sh
-# No drift: labs/ is cut from solutions/, and every hole has points, a task text and a test.
+# No drift: labs/ is cut from solutions/, every hole has points, a task text and a test, and links lead somewhere.
 . tests/tap.sh
 
 tools=${BUILD:-build}/tools
@@ -117,12 +117,38 @@ for figure in slides-notes/figures/*; do
     *) check "$figure is what a solution draws" cmp "$drawn" "$figure" ;;
     esac
 done
-for readme in labs/*/README.md common/*/README.md slides-notes/*.md README.md; do
-    links=$(grep -o '](\([^)#:]*\.\(png\|svg\|md\|json\|txt\)\))' "$readme" | sed 's/^](//; s/)$//')
-    for link in $links; do
-        [ -f "$(dirname "$readme")/$link" ]
-        ok $? "$readme: $link is there"
+
+# ---- Links --------------------------------------------------------------------------------------
+
+# headings FILE: as they are named behind a "#", a line each: lower case, no punctuation, hyphens for blanks.
+headings() {
+    sed -n 's/^##* //p' "$1" | tr 'A-Z ' 'a-z-' | LC_ALL=C sed 's/[]!-,.:-@^`{-~\/[]//g'
+}
+
+# lost_links FILE: a line for each link that leads to no file or folder, or there to no heading.
+lost_links() {
+    grep -o '](\([^)]*\))' "$1" | sed 's/^](//; s/)$//' | while IFS= read -r link; do
+        case $link in *://*) continue ;; esac
+        target=$(dirname "$1")/${link%%#*}
+        [ -n "${link%%#*}" ] || target=$1
+        if [ ! -e "$target" ]; then
+            echo "$link leads nowhere"
+        elif [ "$link" != "${link#*#}" ] && ! headings "$target" | grep -q -x -e "${link#*#}"; then
+            echo "$link: no such heading"
+        fi
     done
+}
+
+printf '# A heading (of two)\n[a](#a-heading-of-two) [b](.) [c](https://c) [d](none.md) [e](text.md#no-heading)\n' \
+    >"$scratch/text.md"
+lost=$(lost_links "$scratch/text.md")
+[ "$(echo "$lost" | wc -l)" -eq 2 ] && [ "$(echo "$lost" | grep -c 'none.md leads\|no-heading: no')" -eq 2 ]
+ok $? "links that lead nowhere are found" "$lost"
+
+for text in README.md CONTRIBUTING.md slides-notes/*.md $(find labs common kernels tests -name README.md | sort); do
+    lost=$(lost_links "$text")
+    [ -z "$lost" ]
+    ok $? "$text: every link leads somewhere" "$lost"
 done
 
 finish
