@@ -1,5 +1,8 @@
-// Are two pictures equal to the bit? No tolerance: generated scenes are exact in float, so the tree
-// must not change a single pixel. Used by bench2d.c before any figure is printed.
+// Are two pictures equal? To the bit in 2D, as generated scenes are exact in float: the tree must
+// not change a single pixel. A library that draws circles its own way may differ in a few pixels
+// (similar_pixels()); pictures of bytes in a step of rounding.
+//
+// Used by bench2d.c, pictures3d.c and lit_frames.c before any figure is printed.
 #ifndef BENCH_EQUAL_PIXELS_H
 #define BENCH_EQUAL_PIXELS_H
 

@@ -27,8 +27,8 @@ $(SANDBOX_INIT).c.o: $(SANDBOX_INIT)
 # One probe a lab: an object for labs with host files, which the grader links with the student's, and a
 # program for the others. The object holds all that the probe calls but the student's functions, the C
 # library's and the driver's, with its own copies of functions of the labs before and of common/. None of
-# these has a name for the linker: a student's function of the same name is another one, and neither takes
-# the other's place. What keeps its name is main(), and what shall stand before the driver's functions:
+# these has a name for the linker: a student's function of the same name is another one, and neither
+# replaces the other. What keeps its name is main(), and what is to replace a function of the driver's:
 # defined once more, it is an error.
 PROBED := $(patsubst tests/probes/%/main.c,%,$(wildcard tests/probes/*/main.c))
 WITH_HOST_FILES := $(patsubst labs/%/lab.json,%,$(shell grep -l '"[a-zA-Z0-9_]*\.c"' labs/*/lab.json))

@@ -3,7 +3,7 @@
 #
 #     tests/scale/run.sh [N [BUILD]]      N is 1000 when not given
 #
-# Prints a table for tests/README.md. Fails when a submission takes more than 1.5 s on average, when
+# Prints a table for tests/scale/README.md. Fails when a submission takes more than 1.5 s on average, when
 # one is not graded, when the driver's memory grows, when anything is left behind, or when a second
 # run grades anything again.
 set -u

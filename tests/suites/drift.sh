@@ -1,5 +1,5 @@
 #!/bin/sh
-# No drift: labs/ is cut from solutions/, and every hole has points, a task text and a test.
+# No drift: labs/ is cut from solutions/, every hole has points, a task text and a test, and links lead somewhere.
 . tests/tap.sh
 
 tools=${BUILD:-build}/tools
@@ -117,11 +117,42 @@ for figure in slides-notes/figures/*; do
     *) check "$figure is what a solution draws" cmp "$drawn" "$figure" ;;
     esac
 done
-for readme in labs/*/README.md common/*/README.md slides-notes/*.md README.md; do
-    links=$(grep -o '](\([^)#:]*\.\(png\|svg\|md\|json\|txt\)\))' "$readme" | sed 's/^](//; s/)$//')
-    for link in $links; do
-        [ -f "$(dirname "$readme")/$link" ]
-        ok $? "$readme: $link is there"
+
+# ---- Links --------------------------------------------------------------------------------------
+
+# headings FILE: as they are named behind a "#", a line each: lower case, no punctuation, hyphens for blanks.
+headings() {
+    sed -n 's/^##* //p' "$1" | tr 'A-Z ' 'a-z-' | LC_ALL=C sed 's/[]!-,.:-@^`{-~\/[]//g'
+}
+
+# link_fault FILE LINK: why it leads nowhere: to no file or folder, or there to no heading; nothing where it does.
+link_fault() {
+    target=$(dirname "$1")/${2%%#*}
+    [ -n "${2%%#*}" ] || target=$1
+    if [ ! -e "$target" ]; then
+        echo "there is no $target"
+    elif [ "$2" != "${2#*#}" ] && ! headings "$target" | grep -q -x -e "${2#*#}"; then
+        echo "$target has no such heading"
+    fi
+}
+
+printf '# A heading (of two)\n' >"$scratch/text.md"
+for link in '#a-heading-of-two' 'text.md#a-heading-of-two' .; do
+    fault=$(link_fault "$scratch/text.md" "$link")
+    [ -z "$fault" ]
+    ok $? "a link to $link is found" "$fault"
+done
+for link in '#a-heading' none.md 'text.md#a-heading'; do
+    [ -n "$(link_fault "$scratch/text.md" "$link")" ]
+    ok $? "a link to $link is missed"
+done
+
+for text in README.md CONTRIBUTING.md slides-notes/*.md $(find labs common kernels tests -name README.md | sort); do
+    # shellcheck disable=SC2013 # words are wanted: no name in the course has a blank in it
+    for link in $(grep -o '](\([^)]*\))' "$text" | sed 's/^](//; s/)$//' | grep -v ://); do
+        fault=$(link_fault "$text" "$link")
+        [ -z "$fault" ]
+        ok $? "$text: $link leads somewhere" "$fault"
     done
 done
 
