@@ -140,8 +140,8 @@ static void divide_node(const Builder *builder, const KdOpenNode *node, Division
 // Divide every node of a level. Returns NULL, or what went wrong.
 static const char *divide_level(Builder *builder, const Level *level, Level *next)
 {
-    Division *divisions = room_for(builder->divisions, level->n_open, &builder->division_capacity,
-                                   sizeof *divisions);
+    Division *divisions =
+        room_for(builder->divisions, level->n_open, &builder->division_capacity, sizeof *divisions);
     if (divisions == NULL) {
         return "no memory" ADVICE;
     }
