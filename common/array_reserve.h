@@ -1,4 +1,4 @@
-// Arrays that grow: the one way in which labs 02 and 06 make room while they build a tree.
+// Arrays that grow: the one way in which the builders of labs 02, 06 and 08 make room.
 //
 // Read next: kdtree2d_build.c of lab 02.
 #ifndef COMMON_ARRAY_RESERVE_H

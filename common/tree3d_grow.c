@@ -29,6 +29,8 @@ typedef struct Level {
     u32 *ids;          // the open nodes' lists, with gaps between them
     u32 n_ids;         // in all lists together
     u32 n_open;
+    size_t open_capacity;
+    size_t id_capacity;
 } Level;
 
 static void level_free(Level *level)
@@ -38,14 +40,32 @@ static void level_free(Level *level)
     *level = (Level){0};
 }
 
-// Empty a level, with room for n_open nodes and n_ids ids. Returns 0, or -1 when memory runs out.
-static int level_clear(Level *level, u32 n_open, u32 n_ids)
+// Room for n elements in an array whose content is not needed any more. It grows only to what it
+// must hold, and never shrinks: each page of new memory is cleared by the system first, which took a
+// tenth of a build when every level had arrays of its own.
+//   array, capacity   as for array_reserve()
+// Returns the array, perhaps moved, or NULL when memory runs out: the old one is then still there.
+static void *room_for(void *array, size_t n, size_t *capacity, size_t n_bytes)
 {
-    level_free(level);
-    // malloc() may answer NULL to a size of 0.
-    level->open = malloc((size_t)n_open * sizeof *level->open + 1);
-    level->ids = malloc((size_t)n_ids * sizeof *level->ids + 1);
-    return level->open != NULL && level->ids != NULL ? 0 : -1;
+    if (array != NULL && n <= *capacity) {
+        return array;
+    }
+    void *moved = realloc(array, n * n_bytes + 1);  // it may answer NULL to a size of 0
+    if (moved != NULL) {
+        *capacity = n;
+    }
+    return moved;
+}
+
+// Empty a level, with room for n_open nodes and n_ids ids. Returns 0, or -1 when memory runs out.
+static int level_clear(Level *level, size_t n_open, size_t n_ids)
+{
+    KdOpenNode *open = room_for(level->open, n_open, &level->open_capacity, sizeof *open);
+    level->open = open != NULL ? open : level->open;
+    u32 *ids = room_for(level->ids, n_ids, &level->id_capacity, sizeof *ids);
+    level->ids = ids != NULL ? ids : level->ids;
+    level->n_open = level->n_ids = 0;
+    return open != NULL && ids != NULL ? 0 : -1;
 }
 
 // What the steps have made of an open node.
@@ -64,6 +84,7 @@ typedef struct Builder {
     u32 node_capacity;
     u32 id_capacity;
     Division *divisions;  // of the nodes of a level
+    size_t division_capacity;
 } Builder;
 
 // Append n nodes, still open. Returns 0, or -1 when memory runs out.
@@ -119,11 +140,14 @@ static void divide_node(const Builder *builder, const KdOpenNode *node, Division
 // Divide every node of a level. Returns NULL, or what went wrong.
 static const char *divide_level(Builder *builder, const Level *level, Level *next)
 {
-    free(builder->divisions);
-    Division *divisions = malloc(level->n_open * sizeof *divisions);
+    Division *divisions =
+        room_for(builder->divisions, level->n_open, &builder->division_capacity, sizeof *divisions);
+    if (divisions == NULL) {
+        return "no memory" ADVICE;
+    }
     builder->divisions = divisions;
     // Each child may get all of its parent's spheres.
-    if (divisions == NULL || level_clear(next, 2 * level->n_open, 2 * level->n_ids) != 0) {
+    if (level_clear(next, 2 * (size_t)level->n_open, 2 * (size_t)level->n_ids) != 0) {
         return "no memory" ADVICE;
     }
     u32 *place = next->ids;

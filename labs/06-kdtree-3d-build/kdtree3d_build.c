@@ -55,16 +55,12 @@ int sphere_overlaps_box(Sphere sphere, BBox3D box)
     // END sphere_overlaps_box
 }
 
-// How many spheres ahead of its turn one is fetched from memory: while it comes, these are tested.
-enum { N_AHEAD = 16 };
-
 u32 distribute_spheres(const Sphere *h_spheres, const u32 *ids, u32 n_ids, BBox3D child,
                        u32 *child_ids)
 {
     u32 n_child_ids = 0;
     for (u32 i = 0; i < n_ids; i++) {
-        // A node's spheres lie far apart: without this, the loop waits for nearly each of them.
-        __builtin_prefetch(&h_spheres[ids[i + N_AHEAD < n_ids ? i + N_AHEAD : i]]);
+        fetch_ahead(h_spheres, ids, n_ids, i);
         // Written in any case and kept only when it overlaps: an `if` here is guessed wrongly by
         // the processor half of the time, which costs more than the test.
         child_ids[n_child_ids] = ids[i];

@@ -31,26 +31,57 @@ f32 candidate_plane(BBox3D box, u32 axis, int i)
     return box.min[axis] + (box.max[axis] - box.min[axis]) * ((f32)i / N_BINS);
 }
 
-// In which bin of an axis does a coordinate lie: how many of the candidate planes are below it?
-// From 0 to N_BINS - 1. The division only guesses: float may round it over a plane.
-static int planes_below(BBox3D box, u32 axis, f32 coordinate)
+// The candidate planes of one axis, in a table: each sphere is compared with some of them.
+typedef struct Planes {
+    f32 pos[N_BINS + 1];  // of plane i; before the first one -INFINITY, behind the last INFINITY
+    f32 min;              // where the cell begins
+    f32 bins_per_unit;
+} Planes;
+
+static Planes axis_planes(BBox3D box, u32 axis)
 {
-    const f32 guess = (coordinate - box.min[axis]) / (box.max[axis] - box.min[axis]) * N_BINS;
-    int n = guess >= N_BINS - 1 ? N_BINS - 1 : guess > 0 ? (int)guess : 0;
-    while (n > 0 && candidate_plane(box, axis, n) >= coordinate) {
+    Planes planes = {.min = box.min[axis],
+                     .bins_per_unit = N_BINS / (box.max[axis] - box.min[axis])};
+    planes.pos[0] = -INFINITY;
+    for (int i = 1; i < N_BINS; i++) {
+        planes.pos[i] = candidate_plane(box, axis, i);
+    }
+    planes.pos[N_BINS] = INFINITY;
+    return planes;
+}
+
+// In which bin does a coordinate lie, by a multiplication? It only guesses: float may round it over
+// a plane. (Two plain choices: compilers make them without a jump. Many coordinates are outside of
+// the cell, and a jump there would be foreseen wrongly half of the time.)
+static int guess_bin(const Planes *planes, f32 coordinate)
+{
+    const f32 bin = (coordinate - planes->min) * planes->bins_per_unit;
+    const f32 lowered = bin < N_BINS - 1 ? bin : N_BINS - 1;
+    return (int)(lowered > 0 ? lowered : 0);
+}
+
+// In which bin does a coordinate lie: how many of the candidate planes are below it? From 0 to
+// N_BINS - 1. The guess is nearly always right: each loop asks one plane, and ends.
+static int planes_below(const Planes *planes, f32 coordinate)
+{
+    int n = guess_bin(planes, coordinate);
+    while (planes->pos[n] >= coordinate && n > 0) {
         n--;
     }
-    while (n < N_BINS - 1 && candidate_plane(box, axis, n + 1) < coordinate) {
+    while (planes->pos[n + 1] < coordinate && n < N_BINS - 1) {
         n++;
     }
     return n;
 }
 
 // The same, with the planes at the coordinate itself.
-static int planes_up_to(BBox3D box, u32 axis, f32 coordinate)
+static int planes_up_to(const Planes *planes, f32 coordinate)
 {
-    int n = planes_below(box, axis, coordinate);
-    while (n < N_BINS - 1 && candidate_plane(box, axis, n + 1) == coordinate) {
+    int n = guess_bin(planes, coordinate);
+    while (planes->pos[n] > coordinate && n > 0) {
+        n--;
+    }
+    while (planes->pos[n + 1] <= coordinate && n < N_BINS - 1) {
         n++;
     }
     return n;
@@ -74,7 +105,7 @@ BestSplit find_best_split(const Sphere *h_spheres, const u32 *ids, u32 n_ids, BB
     // TASK find_best_split: for each axis count into bins where the spheres' ranges begin and where
     // they end. Sums from bin to bin then give what either child has at each plane.
     (void)h_spheres, (void)ids, (void)n_ids, (void)box;
-    (void)sphere_range, (void)planes_below, (void)planes_up_to;
+    (void)sphere_range, (void)axis_planes, (void)planes_below, (void)planes_up_to;
     // END find_best_split
     return best;
 }

@@ -41,26 +41,57 @@ f32 candidate_plane(BBox3D box, u32 axis, int i)
     return box.min[axis] + (box.max[axis] - box.min[axis]) * ((f32)i / N_BINS);
 }
 
-// In which bin of an axis does a coordinate lie: how many of the candidate planes are below it?
-// From 0 to N_BINS - 1. The division only guesses: float may round it over a plane.
-static int planes_below(BBox3D box, u32 axis, f32 coordinate)
+// The candidate planes of one axis, in a table: each sphere is compared with some of them.
+typedef struct Planes {
+    f32 pos[N_BINS + 1];  // of plane i; before the first one -INFINITY, behind the last INFINITY
+    f32 min;              // where the cell begins
+    f32 bins_per_unit;
+} Planes;
+
+static Planes axis_planes(BBox3D box, u32 axis)
 {
-    const f32 guess = (coordinate - box.min[axis]) / (box.max[axis] - box.min[axis]) * N_BINS;
-    int n = guess >= N_BINS - 1 ? N_BINS - 1 : guess > 0 ? (int)guess : 0;
-    while (n > 0 && candidate_plane(box, axis, n) >= coordinate) {
+    Planes planes = {.min = box.min[axis],
+                     .bins_per_unit = N_BINS / (box.max[axis] - box.min[axis])};
+    planes.pos[0] = -INFINITY;
+    for (int i = 1; i < N_BINS; i++) {
+        planes.pos[i] = candidate_plane(box, axis, i);
+    }
+    planes.pos[N_BINS] = INFINITY;
+    return planes;
+}
+
+// In which bin does a coordinate lie, by a multiplication? It only guesses: float may round it over
+// a plane. (Two plain choices: compilers make them without a jump. Many coordinates are outside of
+// the cell, and a jump there would be foreseen wrongly half of the time.)
+static int guess_bin(const Planes *planes, f32 coordinate)
+{
+    const f32 bin = (coordinate - planes->min) * planes->bins_per_unit;
+    const f32 lowered = bin < N_BINS - 1 ? bin : N_BINS - 1;
+    return (int)(lowered > 0 ? lowered : 0);
+}
+
+// In which bin does a coordinate lie: how many of the candidate planes are below it? From 0 to
+// N_BINS - 1. The guess is nearly always right: each loop asks one plane, and ends.
+static int planes_below(const Planes *planes, f32 coordinate)
+{
+    int n = guess_bin(planes, coordinate);
+    while (planes->pos[n] >= coordinate && n > 0) {
         n--;
     }
-    while (n < N_BINS - 1 && candidate_plane(box, axis, n + 1) < coordinate) {
+    while (planes->pos[n + 1] < coordinate && n < N_BINS - 1) {
         n++;
     }
     return n;
 }
 
 // The same, with the planes at the coordinate itself.
-static int planes_up_to(BBox3D box, u32 axis, f32 coordinate)
+static int planes_up_to(const Planes *planes, f32 coordinate)
 {
-    int n = planes_below(box, axis, coordinate);
-    while (n < N_BINS - 1 && candidate_plane(box, axis, n + 1) == coordinate) {
+    int n = guess_bin(planes, coordinate);
+    while (planes->pos[n] > coordinate && n > 0) {
+        n--;
+    }
+    while (planes->pos[n + 1] <= coordinate && n < N_BINS - 1) {
         n++;
     }
     return n;
@@ -84,21 +115,26 @@ BestSplit find_best_split(const Sphere *h_spheres, const u32 *ids, u32 n_ids, BB
     // TASK find_best_split: for each axis count into bins where the spheres' ranges begin and where
     // they end. Sums from bin to bin then give what either child has at each plane.
     //> (void)h_spheres, (void)ids, (void)n_ids, (void)box;
-    //> (void)sphere_range, (void)planes_below, (void)planes_up_to;
-    for (u32 axis = 0; axis < 3; axis++) {
-        u32 n_begin[N_BINS] = {0}, n_end[N_BINS] = {0};
-        for (u32 i = 0; i < n_ids; i++) {
+    //> (void)sphere_range, (void)axis_planes, (void)planes_below, (void)planes_up_to;
+    // Each sphere is read once, for all three axes: reading is what takes the time.
+    const Planes planes[3] = {axis_planes(box, 0), axis_planes(box, 1), axis_planes(box, 2)};
+    u32 n_begin[3][N_BINS] = {0}, n_end[3][N_BINS] = {0};
+    for (u32 i = 0; i < n_ids; i++) {
+        fetch_ahead(h_spheres, ids, n_ids, i);
+        for (u32 axis = 0; axis < 3; axis++) {
             const Range range = sphere_range(h_spheres[ids[i]], axis);
-            n_begin[planes_below(box, axis, range.begin)]++;
-            n_end[planes_up_to(box, axis, range.end)]++;
+            n_begin[axis][planes_below(&planes[axis], range.begin)]++;
+            n_end[axis][planes_up_to(&planes[axis], range.end)]++;
         }
+    }
+    for (u32 axis = 0; axis < 3; axis++) {
         // From plane to plane: who begins in the bin before it, or at it, is in the lower child
         // from now on; who ends in that bin is no longer in the higher one.
         u32 n_lower = 0, n_higher = n_ids;
         for (int plane = 1; plane < N_BINS; plane++) {
-            n_lower += n_begin[plane - 1];
-            n_higher -= n_end[plane - 1];
-            const KdSplit split = {axis, candidate_plane(box, axis, plane)};
+            n_lower += n_begin[axis][plane - 1];
+            n_higher -= n_end[axis][plane - 1];
+            const KdSplit split = {axis, planes[axis].pos[plane]};
             const double cost = split_cost(box, split, n_lower, n_higher);
             if (cost < best.cost) {
                 best = (BestSplit){split, cost};

@@ -10,7 +10,8 @@ fill() {
 }
 echo '    (void)level, (void)n_spheres, (void)best_cost, (void)limits; return 1;' | fill is_leaf_by_cost
 fill find_best_split <<'C'
-    (void)h_spheres, (void)ids, (void)sphere_range, (void)planes_below, (void)planes_up_to;
+    (void)h_spheres, (void)ids, (void)sphere_range, (void)axis_planes, (void)planes_below,
+        (void)planes_up_to;
     best.split.pos = candidate_plane(box, 0, 1);
     best.cost = surface_area(box) == 0 ? INFINITY : split_cost(box, best.split, n_ids, n_ids);
 C

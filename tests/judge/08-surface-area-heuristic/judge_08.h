@@ -12,7 +12,7 @@
 // every seed.
 enum { N_BOXES = 200, N_FLAT = 60, N_AREAS = N_BOXES + N_FLAT };
 enum { N_PLANES = 300, N_COST_EDGES = 100, N_COSTS = N_PLANES + N_COST_EDGES };
-enum { N_CELLS = 120, N_TIES = 36, N_CELL_EDGES = 67, N_BESTS = N_CELLS + N_TIES + N_CELL_EDGES };
+enum { N_CELLS = 120, N_TIES = 36, N_CELL_EDGES = 70, N_BESTS = N_CELLS + N_TIES + N_CELL_EDGES };
 enum { N_BY_COST = 300, N_BY_LIMITS = 200, N_DECISIONS = N_BY_COST + N_BY_LIMITS };
 
 // The most spheres of a node among the inputs of find_best_split; the last one has more. Between

@@ -233,13 +233,16 @@ static const OddCell odd_cells[] = {
     {{0x1p15f, 0x1p15f, 0x1p14f}, 10, {1, 1, 1}, {1024, 2048, 512}, 256},
     {{64, 16, 16}, 4, {33, 8, 8}, {0}, 30},  // only the first bin is empty, only the last one
     {{64, 16, 16}, 4, {31, 8, 8}, {0}, 30},
+    // One sphere before the last plane and one behind it: the best one whatever stand-in weighs.
+    {{64, 16, 16}, 2, {31, 8, 8}, {61.5f, 0, 0}, 30},
     // The longest side's plane is cheaper than the next one's, by little: some 1e-4 and 1e-5.
     {{64, 64.125f, 64.25f}, 1, {32, 32, 32}, {0}, 1},
     {{64, 64.015625f, 64.03125f}, 1, {32, 32, 32}, {0}, 1},
 };
 
-// Each of them comes in three turns, so that what it has along x is along y and z, too. By lot it
-// is mirrored, and larger or smaller by a power of two, which moves no range across a plane.
+// Each of them comes in three turns, so that what it has along x is along y and z, too: first as it
+// is here, then mirrored, then mirrored by lot. By lot it is larger or smaller by a power of two,
+// which moves no range across a plane.
 static void draw_odd_cell(Random *random, Job08 *job, int i)
 {
     const int k = i - N_CELLS - N_TIES, turn = k / (int)COUNT(odd_cells);
@@ -248,7 +251,8 @@ static void draw_odd_cell(Random *random, Job08 *job, int i)
     BBox3D cell;
     float centre[3], step[3];
     for (int axis = 0; axis < 3; axis++) {
-        const int from = (axis + turn) % 3, is_mirrored = (int)random_integer(random, 0, 1);
+        const int from = (axis + turn) % 3;
+        const int is_mirrored = turn < 2 ? turn : (int)random_integer(random, 0, 1);
         const float at = is_mirrored ? odd->sides[from] - odd->at[from] : odd->at[from];
         cell.min[axis] = scale * (float)random_integer(random, -20, 20);
         cell.max[axis] = cell.min[axis] + scale * odd->sides[from];

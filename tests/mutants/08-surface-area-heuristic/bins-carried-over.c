@@ -4,10 +4,11 @@
 // says: axis before hold
     u32 n_begin[N_BINS] = {0}, n_end[N_BINS] = {0};
     for (u32 axis = 0; axis < 3; axis++) {
+        const Planes planes = axis_planes(box, axis);
         for (u32 i = 0; i < n_ids; i++) {
             const Range range = sphere_range(h_spheres[ids[i]], axis);
-            n_begin[planes_below(box, axis, range.begin)]++;
-            n_end[planes_up_to(box, axis, range.end)]++;
+            n_begin[planes_below(&planes, range.begin)]++;
+            n_end[planes_up_to(&planes, range.end)]++;
         }
         u32 n_lower = 0, n_higher = n_ids;
         for (int plane = 1; plane < N_BINS; plane++) {

@@ -3,11 +3,12 @@
 // caught by: best-plane
 // says: also where a leaf is cheaper
     for (u32 axis = 0; axis < 3; axis++) {
+        const Planes planes = axis_planes(box, axis);
         u32 begins[N_BINS] = {0}, ends[N_BINS] = {0};
         for (u32 i = 0; i < n_ids; i++) {
             const Range range = sphere_range(h_spheres[ids[i]], axis);
-            begins[planes_below(box, axis, range.begin)]++;
-            ends[planes_up_to(box, axis, range.end)]++;
+            begins[planes_below(&planes, range.begin)]++;
+            ends[planes_up_to(&planes, range.end)]++;
         }
         u32 n_lower = 0, n_higher = n_ids;
         for (int i = 1; i < N_BINS; i++) {

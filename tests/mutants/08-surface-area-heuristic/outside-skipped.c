@@ -3,13 +3,14 @@
 // caught by: best-plane
 // says: begins before the cell
     for (u32 axis = 0; axis < 3; axis++) {
+        const Planes planes = axis_planes(box, axis);
         u32 begins[N_BINS] = {0}, ends[N_BINS] = {0};
         for (u32 i = 0; i < n_ids; i++) {
             const Range range = sphere_range(h_spheres[ids[i]], axis);
             if (range.begin >= box.min[axis]) {
-                begins[planes_below(box, axis, range.begin)]++;
+                begins[planes_below(&planes, range.begin)]++;
             }
-            ends[planes_up_to(box, axis, range.end)]++;
+            ends[planes_up_to(&planes, range.end)]++;
         }
         u32 n_lower = 0, n_higher = n_ids;
         for (int i = 1; i < N_BINS; i++) {
