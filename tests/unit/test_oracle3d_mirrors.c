@@ -126,7 +126,7 @@ Test(oracle3d_mirrors, of_lights_along_the_surface_rounding_decides)
               sides.n_unsure);
 }
 
-// Inside of two balls that overlap, between mirrors as far apart as their radius: errors grow slowly.
+// Where two balls overlap, between mirrors as far apart as their radius, errors grow slowly.
 Test(oracle3d_mirrors, many_mirrors_can_be_followed)
 {
     Facing facing;
