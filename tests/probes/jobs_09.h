@@ -6,7 +6,7 @@
 #include "jobs.h"
 
 // Its scenes are those of lab 07, and "scene.K.bounces", an i32: how many mirrors a ray meets at
-// most. Answered by "picture.K".
+// most. Answered by "picture.K" and "work.K", as lab 07's are.
 
 // Section "starts", one call of leave_surface each. Answered by a Vec3.
 typedef struct StartJob {

@@ -21,6 +21,7 @@ static Sections right_answers(int lab, const Sections *job)
     static const int work_05[] = {1, 4, 7};  // SMALL, TIES and "behind"
     static const int work_07[] = {RANDOM + 2, RANDOM + 6, RANDOM + 7, RANDOM + N_RANDOM - 1,
                                   DEEP,       FLAKE};
+    static const int work_09[] = {0, 8, 16, 21};  // those of judge_09_sent.c
     int work_10[N_TILE_SCENES];
     for (int k = 0; k < N_TILE_SCENES; k++) {
         work_10[k] = k;
@@ -75,7 +76,8 @@ static Sections right_answers(int lab, const Sections *job)
         answer_rays(&writer, job);
         answer_blocks(&writer, job);
         answer_lits(&writer, job);
-        answer_pictures_3d(&writer, job, find_in_all, color_over_mirrors, NULL, 0);
+        answer_pictures_3d(&writer, job, find_in_leaf, color_over_mirrors, work_09,
+                           sizeof work_09 / sizeof *work_09);
         break;
     default:
         answer_tile_planes(&writer, job);

@@ -113,6 +113,13 @@ static void answer_lits(Writer *writer, const Sections *job)
     free(answers);
 }
 
+// As FindHit has it: of a pixel's rays only the first one counts, as there is an upper bound.
+static HitAnswer find_in_leaf(const SphereScene *scene, Ray ray, Work *work)
+{
+    work->n_leaves_visited++;
+    return find_in_all(scene, ray, work);
+}
+
 // As ColorOfHit of right_answers_3d.h has it, in a scene with "scene.K.bounces".
 static Vec3 color_over_mirrors(const SphereScene *scene, Ray ray, HitAnswer hit)
 {

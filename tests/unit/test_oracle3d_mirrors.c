@@ -42,7 +42,7 @@ static void face(Facing *facing)
 static OracleNear followed(const Facing *facing, int max_bounces, const OracleMirrorRules *rules)
 {
     const OracleRay ray = {.direction = {1, 0, 0}, .direction_error = 0x1p-24};
-    return oracle3d_follow(&facing->scene, ray, max_bounces, rules);
+    return oracle3d_follow(&facing->scene, ray, max_bounces, rules, NULL);
 }
 
 static void expect_color(OracleNear found, double r, double g, double b)
@@ -90,6 +90,57 @@ Test(oracle3d_mirrors, a_miss_brings_the_background_by_its_weight)
     expect_color(followed(&facing, 5, &RIGHT), 1, 0.75, 0.5);
 }
 
+// How many rays that is: each hit of this scene has its one light before it.
+static void expect_rays(const Facing *facing, int max_bounces, u32 n_traced, u32 n_hits)
+{
+    const OracleRay ray = {.direction = {1, 0, 0}, .direction_error = 0x1p-24};
+    OracleRayCount count;
+    oracle3d_follow(&facing->scene, ray, max_bounces, &RIGHT, &count);
+    cr_expect(count.n_traced == n_traced && count.n_hits == n_hits && count.n_to_lights == n_hits &&
+                  count.n_unsure == 0,
+              "found %u traced, %u hits, %u to lights, %u unsure, expected %u, %u, %u and 0",
+              count.n_traced, count.n_hits, count.n_to_lights, count.n_unsure, n_traced, n_hits,
+              n_hits);
+}
+
+Test(oracle3d_mirrors, rays_are_counted_up_to_the_end)
+{
+    Facing facing;
+    face(&facing);
+    expect_rays(&facing, 0, 1, 1);
+    expect_rays(&facing, 3, 4, 4);
+    facing.scene.n_spheres = 1;
+    expect_rays(&facing, 5, 2, 1);
+}
+
+Test(oracle3d_mirrors, of_lights_along_the_surface_rounding_decides)
+{
+    const Vec3 ways[] = {{0, 0, 1}, {1, 0, 0}, {1, 0, 0x1p-30f}, {1, 0, -0x1p-12f}};
+    Light lights[4];
+    for (int i = 0; i < 4; i++) {
+        lights[i] = (Light){ways[i], {1, 1, 1}};
+    }
+    const OracleSides sides =
+        oracle3d_sides(lights, 4, (OracleNear){{0}, 0}, (OracleNear){{0, 0, 1}, 0});
+    cr_expect(sides.n_before == 3 && sides.n_unsure == 2, "found %u, %u", sides.n_before,
+              sides.n_unsure);
+}
+
+// Where two balls overlap, between mirrors as far apart as their radius, errors grow slowly.
+Test(oracle3d_mirrors, many_mirrors_can_be_followed)
+{
+    Facing facing;
+    face(&facing);
+    facing.spheres[0] = (Sphere){4, 0, 0, 8};
+    facing.spheres[1] = (Sphere){-4, 0, 0, 8};
+    facing.materials[0].ks = facing.materials[1].ks = 1;
+    const OracleNear color = followed(&facing, 130, &RIGHT);
+    // A quarter from each mirror and from where it ends.
+    cr_expect_float_eq(color.value.y, 131 * 0.25, 1e-9, "found %g", color.value.y);
+    // Who ends after 128 lacks two of them.
+    cr_expect_lt(color.error, 0.25);
+}
+
 // ---- Rounding -----------------------------------------------------------------------------------
 
 static OracleVector jittered(Random *random, OracleVector v, double error)
@@ -108,10 +159,10 @@ static void expect_bounded(JobScene3D *scene, Random *random, int *n_ambiguous, 
     for (int pixel = 0; pixel < s->width * s->height; pixel++) {
         const OracleRay ray = oracle3d_primary_ray(&scene->camera, pixel % s->width,
                                                    pixel / s->width, s->width, s->height, &right);
-        const OracleNear color = oracle3d_follow(s, ray, 3, &RIGHT);
+        const OracleNear color = oracle3d_follow(s, ray, 3, &RIGHT, NULL);
         OracleRay beside = ray;
         beside.direction = jittered(random, ray.direction, ray.direction_error);
-        const OracleNear other = oracle3d_follow(s, beside, 3, &RIGHT);
+        const OracleNear other = oracle3d_follow(s, beside, 3, &RIGHT, NULL);
         if (isinf(color.error) || isinf(other.error)) {
             ++*n_ambiguous;
             continue;

@@ -71,7 +71,7 @@ static const JudgeCheck checks[] = {
     {"lit-shadow", "One light, and what may stand between", "lit_color", 7,
      "shadow_ray leaf_blocks", .function = &lit_09, .range = RANGE(0, N_LIT_INPUTS),
      .alone = lits_alone_09},
-    {"lit-behind", "No ray for a light behind the surface", "lit_color", 4,
+    {"lit-behind", "A ray for each light before the surface, and no other", "lit_color", 4,
      "shadow_ray leaf_blocks", .function = &lit_09, .range = RANGE(1, N_LIT_INPUTS),
      .alone = lits_alone_09},
     {"lit-lights", "Every light for itself", "lit_color", 7, "shadow_ray leaf_blocks",
@@ -79,12 +79,14 @@ static const JudgeCheck checks[] = {
 
     {"color-local", "Without mirrors", "ray_color", 5, "*", .scene = judge_picture,
      .range = {LOCAL, N_LOCAL}, .alone_scene = picture_alone_09},
-    {"color-mirrors", "One mirror or two", "ray_color", 6, "*", .scene = judge_picture,
+    {"color-mirrors", "One mirror or two", "ray_color", 5, "*", .scene = judge_picture,
      .range = {MIRRORS, N_MIRRORS}, .alone_scene = picture_alone_09},
-    {"color-end", "Many mirrors, and where the end is", "ray_color", 6, "*", .scene = judge_picture,
+    {"color-end", "Many mirrors, and where the end is", "ray_color", 5, "*", .scene = judge_picture,
      .range = {ENDS, N_ENDS}, .alone_scene = picture_alone_09},
-    {"color-background", "The background over mirrors", "ray_color", 5, "*", .scene = judge_picture,
+    {"color-background", "The background over mirrors", "ray_color", 4, "*", .scene = judge_picture,
      .range = {BACKGROUNDS, N_BACKGROUNDS}, .alone_scene = picture_alone_09},
+    {"color-rays", "No ray that adds nothing", "ray_color", 3, "*", .scene = judge_sent_09,
+     .range = {0, N_SENT_SCENES}, .alone_scene = sent_alone_09},
 };
 
 static const JobPart parts[] = {

@@ -1,7 +1,8 @@
 // What lab 09's judge asks of a submission: inputs of its functions, and scenes with their trees,
 // each with a number of mirrors that a ray meets at most. Starts of new rays are drawn and judged
 // in judge_09_starts.c, their directions in judge_09_rays.c, leaves in judge_09_leaves.c and
-// judge_09_leaf.c, lights in judge_09_lit.c, the scenes in judge_09_scenes.c, one answer alone in
+// judge_09_leaf.c, lights in judge_09_lit.c, the scenes in judge_09_scenes.c, their pictures in
+// judge_09_pictures.c, the rays that are sent in judge_09_sent.c, one answer alone in
 // judge_09_alone.c.
 #ifndef JUDGE_JUDGE_09_H
 #define JUDGE_JUDGE_09_H
@@ -33,8 +34,10 @@ enum {
     N_SHORT_BLOCK_IDS = N_BLOCKS * (BLOCK_MAX_SPHERES + 2),
     N_BLOCK_IDS = FIRST_LONG_ID + N_LONG_LEAF + 2,
     N_DRAWN_LIGHTS = 320,
-    N_GRAZING_LITS = 2,  // the last ones with one light before the surface, or none
-    N_LIT_LIGHTS = N_DRAWN_LIGHTS + N_GRAZING_LITS + 1,
+    N_DIM_LITS = 2,      // the last ones of the first range,
+    N_GRAZING_LITS = 4,  // and of the second one: each with a light that is placed
+    N_PLACED_LITS = N_DIM_LITS + N_GRAZING_LITS,
+    N_LIT_LIGHTS = N_DRAWN_LIGHTS + N_PLACED_LITS + 1,
     N_EDGE_LITS = 8,          // the last ones of several lights: none, and many,
     MOST_LIT_LIGHTS = 300,    // the last one of all
     MOST_ALONE_LIGHTS = 4,    // of one input of lit_color that is tried alone,
@@ -44,10 +47,20 @@ enum {
 // How much larger or smaller than usual an input is: a power of two from 2^-20 to 2^20.
 float random_power_09(Random *random);
 
-// Let light graze the surface of a job whose point and material are set: the number k says how
-// little. It is as bright as that needs to be seen.
-//   axis   along which it comes
-void lit_09_set_grazing(LitJob *job, Light *light, int k, int axis);
+// How dark a light is, or how little a surface scatters, where the other makes up for it: a power
+// of two, so that nothing is rounded.
+#define DIM 0x1p-20f
+
+// Which input of lit_color is number k of those with a light that is placed?
+int lit_09_placed(int k);
+
+// Place the light of that input, whose point and material are set: dark, on a surface that scatters
+// little, or grazing it, from before or behind, and as bright as that needs to be seen.
+void lit_09_place(LitJob *job, Light *light, int k);
+
+// Are of input i of lit_color the rays judged only? There lights are on both sides, and what comes
+// of several is judged elsewhere.
+int lit_09_counts_only(int i);
 
 extern const Function start_09, mirror_09, ray_origin_09, ray_direction_09, ray_end_09;
 extern const Function block_09, block_early_09;
@@ -66,11 +79,12 @@ enum {
     N_LOCAL = 5,
     MIRRORS = LOCAL + N_LOCAL,  // one or two
     N_MIRRORS = 5,
-    ENDS = MIRRORS + N_MIRRORS,  // up to seven, cut-offs, ks of 0 and 1
-    N_ENDS = 10,
+    ENDS = MIRRORS + N_MIRRORS,  // up to seven, and once many; cut-offs, ks of 0 and 1
+    N_ENDS = 11,
     BACKGROUNDS = ENDS + N_ENDS,  // one material in four has light of its own
     N_BACKGROUNDS = 3,
     N_SCENES = BACKGROUNDS + N_BACKGROUNDS,
+    N_SENT_SCENES = 4,  // whose rays are counted
 };
 
 typedef struct MirrorScene {
@@ -81,8 +95,22 @@ typedef struct MirrorScene {
 // Draw the scenes, with their trees and what is expected. Returns 0, or -1 after one message.
 int scenes_09_draw(Random *random, MirrorScene scenes[N_SCENES]);
 
+// Let the oracle draw what is expected. Returns 0, or -1 after one message.
+int picture_09_expect(MirrorScene *scene);
+
 // Write scene K. Returns 0, or -1.
 int scene_09_write(const MirrorScene *scene, int k, FILE *file);
+
+// ---- Rays that are sent -----------------------------------------------------------------------
+
+// Are the rays of scene k counted? Its tree is one leaf then.
+int sent_09_is_counted(int k);
+
+// Are no more rays sent than a right solution sends, in number i of these scenes?
+Verdict judge_sent_09(const void *job, int i, const Sections *answers);
+
+// And beside the stand-ins?
+int sent_alone_09(const void *job, int i, const Sections *answers);
 
 // ---- The job ----------------------------------------------------------------------------------
 

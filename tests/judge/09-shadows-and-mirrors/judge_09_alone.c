@@ -52,6 +52,7 @@ static Light draw_light(Random *random, Vec3 point, int axis, int sign)
 static void draw_input(Random *random, Job09 *job, int i)
 {
     const int axis = i % 3, side = random_sign(random), range = i / N_LIT_INPUTS;
+    const int is_mixed = range == 2 || lit_09_counts_only(i);
     LitJob *lit = &job->alone_lits[i];
     *lit =
         (LitJob){.normal = along(axis, (float)side),
@@ -67,7 +68,7 @@ static void draw_input(Random *random, Job09 *job, int i)
     const int n_drawn = i == N_LITS - 1 ? MANY_ALONE_LIGHTS : MOST_ALONE_LIGHTS;
     for (int k = 0; k <= n_drawn; k++) {
         const int is_behind =
-            (range == 1 && i % 4 != 0) || (range == 2 && random_integer(random, 0, 2) == 0);
+            is_mixed ? random_integer(random, 0, 2) == 0 : range == 1 && i % 4 != 0;
         job->alone_lights[first_light(i) + k] =
             draw_light(random, lit->point, axis, is_behind ? -side : side);
     }
@@ -78,9 +79,9 @@ void alone_09_draw(Random *random, Job09 *job)
     for (int i = 0; i < N_LITS; i++) {
         draw_input(random, job, i);
     }
-    for (int k = 0; k < N_GRAZING_LITS; k++) {
-        LitJob *lit = &job->alone_lits[2 * N_LIT_INPUTS - 1 - k];
-        lit_09_set_grazing(lit, &job->alone_lights[lit->first_light], k, k);
+    for (int k = 0; k < N_PLACED_LITS; k++) {
+        LitJob *lit = &job->alone_lits[lit_09_placed(k)];
+        lit_09_place(lit, &job->alone_lights[lit->first_light], k);
     }
 }
 
@@ -145,7 +146,8 @@ static int is_right_light(const Job09 *job, int i, const LitAnswer *found)
     }
     // The tree is one leaf around all: each ray that is sent asks it once. Who knows the lot and
     // sends none sees only as many lights as arrive.
-    return oracle3d_is_near(found->color, sum) && found->n_leaves == (u32)n_before;
+    return (lit_09_counts_only(i) || oracle3d_is_near(found->color, sum)) &&
+           found->n_leaves == (u32)n_before;
 }
 
 int lits_alone_09(const void *job, const JudgeCheck *check, const Sections *answers)

@@ -8,6 +8,7 @@ typedef struct SeenLight {
     OracleNear share;    // what it gives where it arrives; nothing from behind the surface
     double cosine;       // at which it comes
     double distance;     // scene units
+    double brightest;    // channel of it
     double by_position;  // its position's part along the normal, as if that were the way to it
     int is_before;       // the surface
     int is_free;         // nothing stands between
@@ -37,6 +38,7 @@ static SeenLight see(const Scene3D *scene, const LitJob *lit, const Light *light
     const OracleVector way = vector_minus(position, point.value);
     SeenLight seen = {.share = oracle3d_shade(point, normal, &lit->material, light, 1, &right),
                       .distance = vector_length(way),
+                      .brightest = fmax(fmax(light->color.x, light->color.y), light->color.z),
                       .by_position = vector_dot(normal.value, position)};
     seen.cosine = vector_dot(normal.value, way) / seen.distance;
     seen.is_before = seen.cosine > 0;
@@ -66,7 +68,10 @@ OracleNear lights_09_mistaken(const Job09 *job, const LitJob *lit, const LitMist
     see_all(job, lit, &lights);
     lights.n = mistake->most_lights > 0 ? least(mistake->most_lights, lights.n) : lights.n;
     for (int i = 0; i <= lights.n; i++) {
-        lights.each[i].is_free &= lights.each[i].cosine >= mistake->least_cosine;
+        SeenLight *light = &lights.each[i];
+        light->is_free &= light->cosine >= mistake->least_cosine &&
+                          light->brightest >= mistake->least_light &&
+                          lit->material.kd >= mistake->least_kd;
     }
     OracleNear sum = mistake->sum(&lights);
     // Each sum rounds, twice where it is one of sums.
@@ -314,9 +319,11 @@ static OracleNear cut_at_one(const SeenLights *lights)
 
 const LitMistake lit_mistakes_09[N_LIT_MISTAKES] = {
     {.cause = {0}},
-    {.cause = {.says =
-                   "a ray was sent to every light: on which side of the surface it is, is asked "
-                   "first"}},
+    [LIT_ASKS_ALL] = {.cause = {.says = "a ray was sent to every light: on which side of the "
+                                        "surface it is, is asked first"}},
+    [LIT_ASKS_TWICE] = {.cause = {.says =
+                                      "a light is asked more than once: one ray says whether it "
+                                      "arrives"}},
     {{.says = "light is added although something stands between"}, .sum = without_shadows},
     {{.says = "light is added where something stands between, and not where nothing does"},
      .sum = only_blocked},
@@ -346,6 +353,12 @@ const LitMistake lit_mistakes_09[N_LIT_MISTAKES] = {
     {GRAZING_LOST, .sum = all_arriving, .least_cosine = 0.05},
     {GRAZING_LOST, .sum = all_arriving, .least_cosine = 0x1p-9},
     {GRAZING_LOST, .sum = all_arriving, .least_cosine = 0x1p-15},
+    {{.says = "a dark light is left out: where much of it is scattered, it shows"},
+     .sum = all_arriving,
+     .least_light = 0x1p-10},
+    {{.says = "a surface that scatters little is not lit: where a light is bright, it shows"},
+     .sum = all_arriving,
+     .least_kd = 0x1p-10},
     {{.says = "before the surface or behind it is asked with the light's position: the way to it "
               "begins at the point"},
      .sum = side_by_position},

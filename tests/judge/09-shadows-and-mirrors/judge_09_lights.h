@@ -8,16 +8,20 @@
 typedef struct SeenLights SeenLights;
 typedef OracleNear MistakenSum(const SeenLights *lights);
 
-// A known mistake, and what is said about it; number 0 is none.
+// Mistakes of the rays alone; number 0 is none.
+enum { LIT_ASKS_ALL = 1, LIT_ASKS_TWICE };
+
+// A known mistake, and what is said about it.
 typedef struct LitMistake {
     Cause cause;
     MistakenSum *sum;     // NULL: colours are right
     int most_lights;      // that are asked; 0: all of them
     double least_cosine;  // at which light arrives
+    double least_light;   // darker lights are not asked,
+    double least_kd;      // nor any for surfaces that scatter less
 } LitMistake;
 
-// Number 0 is none.
-enum { N_LIT_MISTAKES = 35 };
+enum { N_LIT_MISTAKES = 38 };
 extern const LitMistake lit_mistakes_09[N_LIT_MISTAKES];
 
 // The colour that comes of a mistake with a sum: anything where float may decide otherwise whether

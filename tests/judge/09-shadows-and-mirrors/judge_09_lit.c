@@ -62,31 +62,53 @@ static Vec3 along(int axis, float x)
     return (Vec3){axis == 0 ? x : 0, axis == 1 ? x : 0, axis == 2 ? x : 0};
 }
 
-void lit_09_set_grazing(LitJob *job, Light *light, int k, int axis)
+int lit_09_placed(int k)
 {
-    const float cosine = k == 0 ? 0x1p-12f : 0x1p-17f;
+    return k < N_GRAZING_LITS ? 2 * N_LIT_INPUTS - 1 - k : N_LIT_INPUTS - 1 - (k - N_GRAZING_LITS);
+}
+
+int lit_09_counts_only(int i)
+{
+    return i / N_LIT_INPUTS == 1 && i % 4 == 1 && i < lit_09_placed(N_GRAZING_LITS - 1);
+}
+
+void lit_09_place(LitJob *job, Light *light, int k)
+{
+    // By how little they graze, twice from before and twice from behind.
+    static const float cosines[N_GRAZING_LITS] = {0x1p-12f, 0x1p-17f, -0x1p-12f, -0x1p-17f};
+    const int axis = k % 3;
     job->n_lights = 1;
-    job->material.kd = 1;
-    job->normal = vec3_minus(along((axis + 1) % 3, 1), along(axis, -cosine));
     light->position = vec3_minus(job->point, along(axis, -4));
-    light->color = vec3_scaled((Vec3){1, 0.5f, 0.25f}, 1 / cosine);
+    light->color = (Vec3){1, 0.5f, 0.25f};
+    if (k < N_GRAZING_LITS) {
+        job->material.kd = 1;
+        job->normal = vec3_minus(along((axis + 1) % 3, 1), along(axis, -cosines[k]));
+        light->color = vec3_scaled(light->color, 1 / fabsf(cosines[k]));
+    } else {
+        const int is_dark = k == N_GRAZING_LITS;
+        job->normal = along(axis, 1);
+        job->material.kd = is_dark ? 1 / DIM : DIM;
+        light->color = vec3_scaled(light->color, is_dark ? DIM : 1 / DIM);
+    }
 }
 
 // Beside the scene, where nothing stands between.
-static void set_grazing(Job09 *job, int k)
+static void place_light(Job09 *job, int k)
 {
-    LitJob *lit = &job->lits[2 * N_LIT_INPUTS - 1 - k];
+    LitJob *lit = &job->lits[lit_09_placed(k)];
     lit->first_light = N_DRAWN_LIGHTS + k;
     lit->point = (Vec3){0, 0, 6};
-    lit_09_set_grazing(lit, &job->lit_lights[lit->first_light], k, k);
+    lit_09_place(lit, &job->lit_lights[lit->first_light], k);
 }
 
 // One light before the surface; all of them behind it; several, on either side. Of the second kind
-// one in four has its light before it: who adds no light at all is not right there.
+// one in four has its light before it: who adds no light at all is not right there. One more in
+// four has several lights on either side, and only the rays are judged.
 static LitJob draw_lit(Random *random, int i, const JobScene3D *scene, const Light *lights)
 {
-    const int range = i / N_LIT_INPUTS, is_dark = range == 1 && i % 4 != 0;
-    const int is_lit = range == 0 || (range == 1 && !is_dark);
+    const int range = i / N_LIT_INPUTS;
+    const int is_lit = range == 0 || (range == 1 && i % 4 == 0);
+    const int is_dark = range == 1 && !is_lit && !lit_09_counts_only(i);
     LitJob job = {.bounds = scene->tree.bounds};
     job.material.color = random_vector(random, 0.25, 1);
     job.material.kd = random_number(random, 0.125, 0.875);
@@ -109,8 +131,8 @@ void lits_09_draw(Random *random, Job09 *job)
     for (int i = 0; i < N_EDGE_LITS; i++) {
         set_edge(job->lit_lights, &job->lits[N_LITS - N_EDGE_LITS + i], edge_lights[i]);
     }
-    for (int k = 0; k < N_GRAZING_LITS; k++) {
-        set_grazing(job, k);
+    for (int k = 0; k < N_PLACED_LITS; k++) {
+        place_light(job, k);
     }
 }
 
@@ -127,22 +149,29 @@ static OracleNear right_light(const Job09 *job, int i)
                         &in->material, NULL, &right);
 }
 
-// Are all lights behind the surface? Then no ray is needed.
-static int is_behind(const Job09 *job, int i)
+// How many of the lights may be before the surface: so many rays are needed. The tree is that of a
+// scene whose rays are counted, one leaf: the leaves visited are the rays sent.
+static u32 count_rays(const Job09 *job, int i)
 {
-    return i / N_LIT_INPUTS == 1 &&
-           count_before(&job->lits[i], job->lit_lights + job->lits[i].first_light) == 0;
+    const LitJob *in = &job->lits[i];
+    return oracle3d_sides(job->lit_lights + in->first_light, in->n_lights,
+                          oracle3d_exactly(in->point), oracle3d_exactly(in->normal))
+        .n_before;
 }
 
-// Where a ray from the point to any light visits a leaf: in the tree's bounds.
-static int is_in_bounds(const LitJob *in)
+// Are as many rays sent as by a mistake with them alone, or as is right? That is judged in the
+// second range.
+static int sends_as(const Job09 *job, int i, u32 n_rays, int number)
 {
-    const float at[3] = {in->point.x, in->point.y, in->point.z};
-    int is_inside = 1;
-    for (int axis = 0; axis < 3; axis++) {
-        is_inside &= at[axis] > in->bounds.min[axis] && at[axis] < in->bounds.max[axis];
+    const u32 n_needed = count_rays(job, i);
+    switch (number) {
+    case LIT_ASKS_ALL:
+        return n_rays == (u32)job->lits[i].n_lights;
+    case LIT_ASKS_TWICE:
+        return n_rays >= n_needed && (n_rays == 0 || n_needed > 0);
+    default:
+        return i / N_LIT_INPUTS != 1 || n_rays <= n_needed;
     }
-    return is_inside;
 }
 
 static int lit_agrees(const void *pointer, int i, const void *answers, int number)
@@ -152,21 +181,34 @@ static int lit_agrees(const void *pointer, int i, const void *answers, int numbe
     const LitJob *in = &((const Job09 *)pointer)->lits[i];
     const OracleNear expected =
         mistake->sum == NULL ? right_light(pointer, i) : lights_09_mistaken(pointer, in, mistake);
-    const int is_spared = !is_behind(pointer, i) || found->n_leaves == 0;
-    const int is_sent = !is_behind(pointer, i) || found->n_leaves > 0 || !is_in_bounds(in);
     // A mistake of the sum is known by its colours: rays may be sent or not.
-    return oracle3d_is_near(found->color, expected) &&
-           (mistake->sum != NULL || (number == 0 ? is_spared : is_sent));
+    return (lit_09_counts_only(i) || oracle3d_is_near(found->color, expected)) &&
+           (mistake->sum != NULL || sends_as(pointer, i, found->n_leaves, number));
+}
+
+// Of some input more rays are sent than it has lights: then one light is asked twice.
+static int is_any_asked_twice(const Job09 *job, Range range, const LitAnswer *found)
+{
+    int i = 0;
+    while (i < range.n &&
+           found[range_at(range, i)].n_leaves <= (u32)job->lits[range_at(range, i)].n_lights) {
+        i++;
+    }
+    return i < range.n;
 }
 
 // A mistake of the sum is known by a wrong colour: where only the work is wrong, it is no cause.
 static int lit_shows(const void *job, Range range, const void *answers, int mistake)
 {
+    if (mistake == LIT_ASKS_TWICE) {
+        return is_any_asked_twice(job, range, answers);
+    }
     int n_wrong = 0;
     for (int i = 0; i < range.n; i++) {
         const int input = range_at(range, i);
         const LitAnswer *found = (const LitAnswer *)answers + input;
-        n_wrong += !oracle3d_is_near(found->color, right_light(job, input));
+        n_wrong +=
+            !lit_09_counts_only(input) && !oracle3d_is_near(found->color, right_light(job, input));
     }
     return lit_mistakes_09[mistake].sum == NULL || n_wrong > 0;
 }
@@ -177,11 +219,15 @@ static char *describe_lit(const void *pointer, int i, const void *answers)
     const LitJob *in = &job->lits[i];
     const LitAnswer *found = (const LitAnswer *)answers + i;
     const OracleVector e = right_light(job, i).value;
-    if (is_behind(job, i) && found->n_leaves > 0) {
-        return message_new("point %s, normal %s, %d light%s, all behind the surface: found %u "
-                           "leaves visited, expected none: no ray is needed for them",
+    const u32 n_needed = count_rays(job, i);
+    if (!sends_as(job, i, found->n_leaves, 0)) {
+        return message_new("point %s, normal %s, %d light%s, %s before the surface: found %u ray%s "
+                           "sent to lights, expected %s: none is needed for a light behind",
                            words_vec3(in->point, 6).text, words_vec3(in->normal, 6).text,
-                           in->n_lights, plural((unsigned)in->n_lights), found->n_leaves);
+                           in->n_lights, plural((unsigned)in->n_lights),
+                           n_needed == 0 ? "none" : words("%u", n_needed).text, found->n_leaves,
+                           plural(found->n_leaves),
+                           n_needed == 0 ? "none" : words("at most %u", n_needed).text);
     }
     return message_new("point %s, normal %s, %d light%s, the first at %s: found %s, expected %s",
                        words_vec3(in->point, 6).text, words_vec3(in->normal, 6).text, in->n_lights,

@@ -23,7 +23,9 @@ static MirrorJob draw_mirror(Random *random, int range, int i)
         job.direction = vec3_scaled(job.normal, -1);
     } else if (range == 1) {
         const Vec3 along = axes[(i + 1) % 3], up = axes[i % 3];
-        const float cosine = i % 3 == 1 ? 0 : i % 2 == 0 ? 0x1p-10f : 0x1p-18f;
+        // The last one turns by hardly more than float's vectors may be off.
+        static const float cosines[4] = {0x1p-10f, 0x1p-18f, 0x1p-20f, 0x1p-20f};
+        const float cosine = i % 3 == 1 ? 0 : cosines[i % 4];
         job.normal = vec3_scaled(up, (float)random_sign(random));
         job.direction = vec3_normalized(vec3_minus(along, vec3_scaled(job.normal, cosine)));
     }
@@ -42,7 +44,8 @@ static ShadowRayJob draw_shadow_ray(Random *random, int i)
         job.light.position.x += 2;
     }
     if (i % 2 == 1) {
-        const float size = random_power_09(random);
+        // Farther than anybody would call far, and no square of it is beyond float's numbers.
+        const float size = ldexpf(1, (int)random_integer(random, -50, 50));
         job.point = vec3_scaled(job.point, size);
         job.light.position = vec3_scaled(job.light.position, size);
     }
@@ -320,6 +323,7 @@ const Function ray_direction_09 = {"shadow_rays",
 typedef enum EndMistake {
     END_RIGHT,
     END_NOWHERE,
+    END_FAR_NOWHERE,
     END_AT_ONE,
     END_SQUARED,
     END_FROM_ORIGIN,
@@ -331,6 +335,8 @@ static const Cause end_causes[] = {
     [END_RIGHT] = {0},
     [END_NOWHERE] = {.says =
                          "it has no end: what stands behind the light would cast a shadow, too"},
+    [END_FAR_NOWHERE] = {.says = "where the light is far away the ray has no end: it ends at the "
+                                 "light, however far"},
     [END_AT_ONE] = {.says = "it ends at t = 1: so it is where the direction is as long as the way"},
     [END_SQUARED] = {.says = "that is the square of the distance"},
     [END_FROM_ORIGIN] = {.says = "that is the light's distance from the origin of the scene, not "
@@ -339,6 +345,9 @@ static const Cause end_causes[] = {
     [END_HAIR] = {.says = "it ends beside the light: t_max is its distance, without an epsilon"},
     [END_AT_START] = {.says = "it ends where it starts"},
 };
+
+// A light that is farther away, scene units, may be taken for one that is nowhere.
+#define FAR 1000
 
 static int end_agrees(const void *job, int i, const void *answers, int mistake)
 {
@@ -350,6 +359,8 @@ static int end_agrees(const void *job, int i, const void *answers, int mistake)
     switch (mistake) {
     case END_NOWHERE:
         return t_max > 1e9 * way.length;
+    case END_FAR_NOWHERE:
+        return fabs(t_max - way.length) <= error || (way.length > FAR && t_max > 1e9 * way.length);
     case END_AT_ONE:
         return fabs(t_max - 1) <= way.error;  // or the length of a unit vector
     case END_FROM_ORIGIN:

@@ -1,12 +1,11 @@
 // The scenes of lab 09's job: random ones, rooms of mirrors, eyes and lights in strange places.
+// What is expected of them: judge_09_pictures.c, judge_09_sent.c.
 #include "judge_09.h"
 
-#include "complain.h"
 #include "job_sections.h"
 #include "message.h"
 #include "random3d.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 // ---- Kinds of scenes ----------------------------------------------------------------------------
@@ -30,6 +29,9 @@ typedef struct RandomPlan {
 // other, so that errors grow little from one to the next.
 #define WALL_RADIUS 5.0f
 #define ROOM 2.0f
+
+// How many mirrors the hall allows: more than anybody would take for enough.
+#define HALL_BOUNCES 130
 
 // A room with spheres in it.
 typedef struct RoomPlan {
@@ -116,7 +118,34 @@ static int draw_room(Random *random, const RoomPlan *plan, MirrorScene *scene)
     return 0;
 }
 
-// ---- All ----------------------------------------------------------------------------------------
+// Rays to and fro between two mirrors that send all light back: the far sides of two balls, seen
+// from where these overlap. They stay so near to the axis through both that z of every normal is 1
+// or -1 in float: elsewhere its rounding makes directions a little longer with each mirror, and
+// after some thirty of them no right solution keeps its way. The mirrors are as far apart as their
+// radius: what is near to the axis stays near to it, and the oracle's bounds grow slowly.
+static int draw_hall(Random *random, MirrorScene *scene)
+{
+    JobScene3D *base = &scene->base;
+    if (job_scene3d_random(base, random, 2, 1, 1, 3, 3) != 0) {
+        return -1;
+    }
+    snprintf(base->picture.title, sizeof base->picture.title, "between two mirrors, 3x3");
+    Scene3D *s = &base->scene;
+    scene->max_bounces = HALL_BOUNCES;
+    const Vec3 ahead = {0, 0, (float)random_sign(random)};
+    for (int i = 0; i < 2; i++) {
+        s->spheres[i] = (Sphere){0, 0, i == 0 ? 4 : -4, 8};
+        s->materials[s->material_ids[i]].ks = 1;
+    }
+    for (int i = 0; i < s->n_lights; i++) {
+        s->lights[i].position = random_point(random, 2);
+    }
+    s->view = (View){.from = {0, 0, 0}, .at = ahead, .up = {0, 1, 0}, .angle = 0x1p-8f};
+    base->limits = (KdTreeLimits){5, 1};
+    return 0;
+}
+
+// ---- Plans --------------------------------------------------------------------------------------
 
 static const RandomPlan local_plans[] = {
     {24, 0.25f, 0.5f, 0.125f, 0.75f, LIGHTS_OUTSIDE, EYE_OUTSIDE, {6, 3}, 0},
@@ -199,6 +228,21 @@ static void set_least_weight(MirrorScene *scene)
     }
 }
 
+// Surfaces that scatter a millionth of very bright light: the picture stays as it is.
+static void dim_surfaces(MirrorScene *scene)
+{
+    Scene3D *s = &scene->base.scene;
+    char *title = scene->base.picture.title;
+    const size_t length = strlen(title);
+    snprintf(title + length, sizeof scene->base.picture.title - length, ", kd below a millionth");
+    for (int i = 0; i < s->n_lights; i++) {
+        s->lights[i].color = vec3_scaled(s->lights[i].color, 1 / DIM);
+    }
+    for (int i = 0; i < s->n_materials; i++) {
+        s->materials[i].kd *= DIM;
+    }
+}
+
 static int draw_all(Random *random, MirrorScene scenes[N_SCENES])
 {
     int result = draw_each(random, local_plans, COUNT(local_plans), scenes + LOCAL);
@@ -208,6 +252,7 @@ static int draw_all(Random *random, MirrorScene scenes[N_SCENES])
     result |= draw_named(random, &scenes[ENDS - 1], "sphereflake:size=1", 2);
     result |= draw_each(random, end_plans, COUNT(end_plans), scenes + ENDS);
     result |= draw_rooms(random, end_rooms, COUNT(end_rooms), scenes + ENDS + COUNT(end_plans));
+    result |= draw_hall(random, &scenes[BACKGROUNDS - 3]);
     result |= draw_each(random, &least_plan, 1, &scenes[BACKGROUNDS - 2]);
     result |= draw_named(random, &scenes[BACKGROUNDS - 1], "inside", 3);
     result |= draw_each(random, background_plans, COUNT(background_plans), scenes + BACKGROUNDS);
@@ -217,106 +262,12 @@ static int draw_all(Random *random, MirrorScene scenes[N_SCENES])
         job_scene3d_scale(&scenes[MIRRORS + COUNT(mirror_plans) - 1].base, 0x1p-24f,
                           "made smaller than a millionth");
         set_least_weight(&scenes[BACKGROUNDS - 2]);
+        dim_surfaces(&scenes[MIRRORS + 1]);
     }
     return result;
 }
 
-// ---- What is expected ---------------------------------------------------------------------------
-
-// A mistake made by the oracle.
-typedef struct Mistake09 {
-    Cause looks;
-    OracleMirrorRules rules;
-} Mistake09;
-
-#define LESS_FOLLOWED                                                                              \
-    "drawn as if the end were above LEAST_WEIGHT: light that counts a little more is followed, "   \
-    "too"
-
-static const Mistake09 mistakes[] = {
-    {{.says = "drawn without shadows: light is added although something stands between"},
-     {.no_shadows = 1}},
-    {{.says = "drawn with light where something stands between, and not where nothing does"},
-     {.only_shadows = 1}},
-    {{.says = "drawn as if what stands behind a light cast a shadow: the ray ends at the light"},
-     {.endless_light = 1}},
-    {{.says = "lit by the first light only"}, {.first_light_only = 1}},
-    {{.says = "drawn as if one light that does not arrive took the others with it"},
-     {.one_dark_all_dark = 1}},
-    {{.says = "drawn with one mirror more than allowed"}, {.more_bounces = 1}},
-    {{.says = "drawn with one mirror less than allowed"}, {.more_bounces = -1}},
-    {{.says = "drawn with five mirrors at most: max_bounces may be more"}, {.most_bounces = 5}},
-    {{.says = "drawn as if a mirror that no light reaches were the end: it mirrors all the same"},
-     {.dark_ends = 1}},
-    {{.says = "drawn without the cut-off: light was followed that counts less than LEAST_WEIGHT"},
-     {.no_cut_off = 1}},
-    // Where weights are just the least both look the same: a larger end shows in scenes before.
-    {{.says = "drawn as if a weight of LEAST_WEIGHT itself were the end: it goes on"},
-     {.least_ends = 1}},
-    {{.says = LESS_FOLLOWED}, {.least_weight = 1.0 / 255}},
-    {{.says = LESS_FOLLOWED}, {.least_weight = 0.01}},
-    {{.says = LESS_FOLLOWED}, {.least_weight = 0.1}},
-    {{.says = "drawn as if mirrored rays hit nothing near: they start at the surface's point, and "
-              "t_min stays as it is"},
-     {.mirrors_see_nothing = 1}},
-    {{.says = "drawn as if the background counted in full, also over mirrors"},
-     {.background_unweighted = 1}},
-    {{.says = "drawn as if what is not followed any more were the background: the ray ends there"},
-     {.rest_is_background = 1}},
-    {{.says = "cut at 1: light may be brighter than that"}, {.cut_at_one = 1}},
-    {{.says = "drawn as if the background were black in mirrors"}, {.background_missing = 1}},
-    {{.says = "drawn without ks: all light over mirrors counts in full"}, {.weight = WEIGHT_ONE}},
-    {{.says = "drawn with ks of the last mirror only: over two of them the product counts"},
-     {.weight = WEIGHT_LAST_KS}},
-    {{.says = "drawn with ks of the first mirror for all of them: each has its own"},
-     {.weight = WEIGHT_FIRST_KS}},
-    {{.says = "drawn with ks squared: each mirror counts twice"}, {.weight = WEIGHT_KS_SQUARED}},
-    {{.says = "drawn with kd in the place of ks"}, {.weight = WEIGHT_KD}},
-    {{.says = "drawn as if a surface's own light counted its own ks: only what comes over it does"},
-     {.weight = WEIGHT_OWN_KS}},
-    {{.says = "drawn as if a surface's own light counted 1 - ks: it counts in full, as NFF has it"},
-     {.weight = WEIGHT_SHARED}},
-    {{.says = "drawn as if only what is hit first had light of its own"},
-     {.weight = WEIGHT_ONLY_FIRST}},
-    {{.says = "drawn with the light of surfaces in full, also over mirrors: ks is missing there"},
-     {.weight = WEIGHT_LOCAL_ONE}},
-};
-
-// As DrawMistaken of picture.h has it.
-static Cause draw_mistaken(const void *pointer, int mistake, Image *guess, float *tolerances)
-{
-    const MirrorScene *scene = pointer;
-    if (mistake >= COUNT(mistakes)) {
-        return (Cause){0};
-    }
-    oracle3d_draw_mirrors(&scene->base.scene, &scene->base.camera, scene->max_bounces,
-                          &mistakes[mistake].rules, guess, tolerances);
-    return mistakes[mistake].looks;
-}
-
-static int expect(MirrorScene *scene)
-{
-    const Scene3D *s = &scene->base.scene;
-    const OracleMirrorRules right = {0};
-    ExpectedPicture *expected = &scene->base.picture.expected;
-    const size_t n_pixels = (size_t)s->width * (size_t)s->height;
-    const Vec3 background = s->background;
-    expected->tolerances = calloc(n_pixels, sizeof *expected->tolerances);
-    if (expected->tolerances == NULL) {
-        complain("grade: no memory for a picture");
-        return -1;
-    }
-    if (image_create(s->width, s->height, &expected->reference) != 0) {
-        return -1;
-    }
-    oracle3d_draw_mirrors(s, &scene->base.camera, scene->max_bounces, &right, &expected->reference,
-                          expected->tolerances);
-    memcpy(expected->background, (float[]){background.x, background.y, background.z, 1},
-           sizeof expected->background);
-    expected->draw_mistaken = draw_mistaken;
-    expected->scene = scene;
-    return 0;
-}
+// ---- All, with their trees ----------------------------------------------------------------------
 
 static void add_bounces_to_title(MirrorScene *scene)
 {
@@ -324,6 +275,16 @@ static void add_bounces_to_title(MirrorScene *scene)
     const size_t length = strlen(title);
     snprintf(title + length, sizeof scene->base.picture.title - length, ", at most %d mirror%s",
              scene->max_bounces, plural((unsigned)scene->max_bounces));
+}
+
+// A tree of one leaf, and bounds that hold every eye, light and point: each ray that is sent,
+// whichever way, visits this leaf once, so that leaves count rays.
+static int grow_leaf(MirrorScene *scene)
+{
+    JobScene3D *base = &scene->base;
+    const int result = job_scene3d_grow_tree(base, (KdTreeLimits){1, base->scene.n_spheres});
+    base->tree.bounds = (BBox3D){{-100, -100, -100}, {100, 100, 100}};
+    return result;
 }
 
 int scenes_09_draw(Random *random, MirrorScene scenes[N_SCENES])
@@ -336,7 +297,9 @@ int scenes_09_draw(Random *random, MirrorScene scenes[N_SCENES])
         }
         add_bounces_to_title(scene);
         job_scene3d_aim(&scene->base);
-        result = job_scene3d_grow_tree(&scene->base, scene->base.limits) | expect(scene);
+        result = sent_09_is_counted(k) ? grow_leaf(scene)
+                                       : job_scene3d_grow_tree(&scene->base, scene->base.limits);
+        result |= picture_09_expect(scene);
     }
     return result;
 }

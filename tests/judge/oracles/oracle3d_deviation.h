@@ -10,9 +10,10 @@ typedef struct Deviation {
     OracleVector origin, direction;
 } Deviation;
 
-// Three for the ray from the eye, and seven for each mirror up to the eighth; beside stand-ins,
-// which move the point by an error in all directions and not along the normal alone, nine.
-enum { MOST_DEVIATED_MIRRORS = 8, MAX_DEVIATIONS = 3 + 9 * MOST_DEVIATED_MIRRORS };
+// Three for the ray from the eye, and seven for each mirror; beside stand-ins, which move the point
+// by an error in all directions and not along the normal alone, nine. So many mirrors that a limit
+// of 128 shows.
+enum { MOST_DEVIATED_MIRRORS = 136, MAX_DEVIATIONS = 3 + 9 * MOST_DEVIATED_MIRRORS };
 typedef struct Deviations {
     Deviation each[MAX_DEVIATIONS];
     int n;

@@ -6,7 +6,7 @@
 //    there makes of every error before: followed to first order, one by one (oracle3d_deviation.h),
 //    as the sum of their sizes, doubled for what is left out. The higher orders stay below the
 //    first while no error is more than a sixteenth of a radius or of a unit vector; beyond that,
-//    and beyond the eighth mirror, the ray is ambiguous.
+//    and beyond MOST_DEVIATED_MIRRORS, the ray is ambiguous.
 // 2. New errors at each mirror: the intersection moves the point by 16 u of the centre's distance,
 //    over the cosine at which the ray meets it, and by 4 u of its own numbers; new rays start one
 //    or two offsets off the surface (oracle3d_offset()). The direction d - 2 (d . n) n is off by
@@ -29,7 +29,6 @@
 
 #define SURFACE_ERROR 0x1p-18         // of lab 09, leave_surface.cl
 #define MIRROR_ERROR (16 * ROUNDING)  // see 2
-#define WEIGHT_ERROR (16 * ROUNDING)  // see 5: a product of up to 16 factors
 #define STAND_IN_OFFSET 0.125         // of the radius
 
 static const OracleRules3D right = {0};
@@ -50,74 +49,6 @@ OracleNear oracle3d_mirrored(OracleNear direction, OracleNear normal, OracleTurn
                : (OracleNear){vector_minus(d, vector_scaled(2 * along, n)), error};
 }
 
-// ---- Lights -------------------------------------------------------------------------------------
-
-OracleArrival oracle3d_arrival(const Scene3D *scene, OracleNear point, const Light *light,
-                               const Sphere *leaves, const OracleMirrorRules *rules)
-{
-    const OracleVector way = vector_minus(vector_of(light->position), point.value);
-    const double distance = vector_length(way);
-    const double error = point.error + 8 * ROUNDING * distance;
-    const double end = rules->endless_light ? INFINITY : distance;
-    const OracleRay ray = {.origin = point.value,
-                           .direction = vector_unit(way),
-                           .direction_error = direction_error(error, distance),
-                           .origin_error = point.error,
-                           .leaves = leaves};
-    OracleArrival arrival = LIGHT_ARRIVES;
-    for (int i = 0; i < scene->n_spheres; i++) {
-        const OracleRoot root = oracle3d_root(scene->spheres[i], &ray, ORACLE_PROJECTION, &right);
-        if (root.is_certain && root.t_high < end - error) {
-            return LIGHT_IS_BLOCKED;
-        }
-        if (root.is_possible && root.t_low < end + error) {
-            arrival = LIGHT_IS_UNSURE;
-        }
-    }
-    return arrival;
-}
-
-// Add what a light gives, as far as it is sure.
-static void add_light(OracleNear *color, OracleNear share, OracleArrival arrival)
-{
-    if (arrival == LIGHT_ARRIVES) {
-        color->value = vector_plus(color->value, share.value);
-        color->error += share.error;
-    } else if (arrival == LIGHT_IS_UNSURE) {
-        color->error += vector_length(share.value) + share.error;
-    }
-}
-
-static OracleArrival turned_round(OracleArrival arrival)
-{
-    return arrival == LIGHT_ARRIVES      ? LIGHT_IS_BLOCKED
-           : arrival == LIGHT_IS_BLOCKED ? LIGHT_ARRIVES
-                                         : LIGHT_IS_UNSURE;
-}
-
-OracleNear oracle3d_lit(const Scene3D *scene, OracleNear point, OracleNear normal,
-                        const Material *material, const Sphere *leaves,
-                        const OracleMirrorRules *rules)
-{
-    OracleNear color = {{0}, 0};
-    const int n_lights = rules->first_light_only && scene->n_lights > 1 ? 1 : scene->n_lights;
-    int is_any_dark = 0;
-    for (int i = 0; i < n_lights; i++) {
-        const Light *light = &scene->lights[i];
-        const OracleNear share = oracle3d_shade(point, normal, material, light, 1, &right);
-        // Behind the surface it gives nothing, whatever stands before it.
-        const int is_behind = vector_length(share.value) == 0;
-        const OracleArrival arrival = rules->no_shadows || is_behind
-                                          ? LIGHT_ARRIVES
-                                          : oracle3d_arrival(scene, point, light, leaves, rules);
-        is_any_dark |= arrival != LIGHT_ARRIVES;
-        add_light(&color, share, rules->only_shadows ? turned_round(arrival) : arrival);
-    }
-    // Each sum rounds.
-    color.error += ROUNDING * scene->n_lights * vector_length(color.value);
-    return rules->one_dark_all_dark && is_any_dark ? (OracleNear){{0}, color.error} : color;
-}
-
 // ---- Mirrors ------------------------------------------------------------------------------------
 
 // A point of a surface, as new rays need it.
@@ -136,7 +67,20 @@ typedef struct Followed {
     double last_ks;   // of the last mirror; 1 before the first
     double first_ks;  // of the first one
     int n_bounces;
+    OracleRayCount count;
 } Followed;
+
+// A ray from the eye that has gone nowhere yet. Of the deviations, which are many, none is set.
+static void begin(Followed *followed, OracleRay ray)
+{
+    followed->ray = ray;
+    followed->deviations.n = 0;
+    followed->color = (OracleNear){{0}, 0};
+    followed->weight = followed->last_ks = followed->first_ks = 1;
+    followed->n_bounces = 0;
+    followed->count = (OracleRayCount){0};
+    deviations_add_direction(&followed->deviations, ray.direction_error);
+}
 
 // How far the point of a hit is off: by the interval of t, or to first order, whichever is less.
 // The deviations are moved there.
@@ -231,10 +175,17 @@ static double next_weight(const Followed *ray, const Material *material, OracleW
                                          : so_far * ks;
 }
 
-static void add_weighted(OracleNear *color, double weight, OracleNear light)
+// How far a product of so many mirrors' ks may be off, as a share (see 5), and a sum by it.
+static double weight_error(int n_bounces)
 {
-    const double rounding =
-        WEIGHT_ERROR * (vector_length(light.value) * weight + vector_length(color->value));
+    return (16 + n_bounces) * ROUNDING;
+}
+
+// Add to the ray's colour.
+static void add_weighted(OracleNear *color, double weight, int n_bounces, OracleNear light)
+{
+    const double rounding = weight_error(n_bounces) *
+                            (vector_length(light.value) * weight + vector_length(color->value));
     color->value = vector_plus(color->value, vector_scaled(weight, light.value));
     color->error += weight * light.error + rounding;
 }
@@ -251,7 +202,7 @@ static OracleNear with_background(const Scene3D *scene, const Followed *ray,
     OracleNear color = ray->color;
     const int is_first = ray->n_bounces == 0;
     if (is_first || !rules->background_missing) {
-        add_weighted(&color, rules->background_unweighted ? 1 : ray->weight,
+        add_weighted(&color, rules->background_unweighted ? 1 : ray->weight, ray->n_bounces,
                      oracle3d_exactly(scene->background));
     }
     return color;
@@ -266,8 +217,14 @@ static OracleNear add_local(const Scene3D *scene, Followed *followed, Surface *a
     leave_surface(at, followed, t, rules->stand_ins);
     const OracleNear light =
         rules->stand_ins ? stand_in_light(at, rules->lot)
-                         : oracle3d_lit(scene, at->point, at->normal, at->material, sphere, rules);
-    add_weighted(&followed->color, weight, light);
+        : at->material->kd < rules->least_kd
+            ? (OracleNear){{0}, 0}
+            : oracle3d_lit(scene, at->point, at->normal, at->material, sphere, rules);
+    const OracleSides sides = oracle3d_sides(scene->lights, scene->n_lights, at->point, at->normal);
+    followed->count.n_hits++;
+    followed->count.n_to_lights += sides.n_before;
+    followed->count.n_unsure += sides.n_unsure;
+    add_weighted(&followed->color, weight, followed->n_bounces, light);
     return light;
 }
 
@@ -305,50 +262,63 @@ static int mirror(Followed *followed, const Surface *at, const Sphere *sphere,
     return error < 1.0 / 16 && followed->n_bounces < MOST_DEVIATED_MIRRORS;
 }
 
-OracleNear oracle3d_follow(const Scene3D *scene, OracleRay ray, int max_bounces,
-                           const OracleMirrorRules *rules)
+static OracleNear follow(const Scene3D *scene, Followed *followed, int max_bounces,
+                         const OracleMirrorRules *rules)
 {
-    Followed followed = {.ray = ray, .weight = 1, .last_ks = 1};
     const int is_limited = rules->most_bounces > 0 && max_bounces > rules->most_bounces;
     const int most = is_limited ? rules->most_bounces : max_bounces + rules->more_bounces;
     const double least_weight =
         rules->least_weight > 0 ? rules->least_weight : (double)ORACLE_LEAST_WEIGHT;
-    deviations_add_direction(&followed.deviations, ray.direction_error);
     for (;;) {
+        followed->count.n_traced++;
         const OracleHit hit =
-            oracle3d_nearest(scene->spheres, (u32)scene->n_spheres, &followed.ray, &right);
+            oracle3d_nearest(scene->spheres, (u32)scene->n_spheres, &followed->ray, &right);
         if (hit.is_ambiguous) {
             return ambiguous();
         }
         if (hit.sphere == ORACLE_NO_SPHERE ||
-            (rules->mirrors_see_nothing && followed.n_bounces > 0)) {
-            return with_background(scene, &followed, rules);
+            (rules->mirrors_see_nothing && followed->n_bounces > 0)) {
+            return with_background(scene, followed, rules);
         }
-        Surface at = surface_at(scene, &followed, &hit);
+        Surface at = surface_at(scene, followed, &hit);
         if (isinf(at.normal.error) || isinf(at.point.error)) {
             return ambiguous();
         }
-        const OracleNear light = add_local(scene, &followed, &at, hit.t, rules);
+        const OracleNear light = add_local(scene, followed, &at, hit.t, rules);
         if (rules->dark_ends && vector_length(light.value) == 0) {
-            return followed.color;
+            return followed->color;
         }
-        followed.first_ks = followed.n_bounces == 0 ? (double)at.material->ks : followed.first_ks;
-        followed.weight = next_weight(&followed, at.material, rules->weight);
-        followed.last_ks = at.material->ks;
-        const double beyond = followed.weight - least_weight;
+        followed->first_ks =
+            followed->n_bounces == 0 ? (double)at.material->ks : followed->first_ks;
+        followed->weight = next_weight(followed, at.material, rules->weight);
+        followed->last_ks = at.material->ks;
+        const double beyond = followed->weight - least_weight;
         const int is_too_little = beyond < 0 || (beyond == 0 && rules->least_ends);
-        const double error = followed.n_bounces == 0 ? 0 : WEIGHT_ERROR * followed.weight;
-        if (followed.n_bounces < most && fabs(beyond) < error) {
+        const double error =
+            followed->n_bounces == 0 ? 0 : weight_error(followed->n_bounces) * followed->weight;
+        if (followed->n_bounces < most && fabs(beyond) < error) {
             return ambiguous();
         }
-        if (followed.n_bounces >= most || (is_too_little && !rules->no_cut_off)) {
-            return rules->rest_is_background ? with_background(scene, &followed, rules)
-                                             : followed.color;
+        if (followed->n_bounces >= most || (is_too_little && !rules->no_cut_off)) {
+            return rules->rest_is_background ? with_background(scene, followed, rules)
+                                             : followed->color;
         }
-        if (!mirror(&followed, &at, &scene->spheres[hit.sphere], rules)) {
+        if (!mirror(followed, &at, &scene->spheres[hit.sphere], rules)) {
             return ambiguous();
         }
     }
+}
+
+OracleNear oracle3d_follow(const Scene3D *scene, OracleRay ray, int max_bounces,
+                           const OracleMirrorRules *rules, OracleRayCount *count)
+{
+    Followed followed;
+    begin(&followed, ray);
+    const OracleNear color = follow(scene, &followed, max_bounces, rules);
+    if (count != NULL) {
+        *count = followed.count;
+    }
+    return color;
 }
 
 void oracle3d_draw_mirrors(const Scene3D *scene, const Camera *camera, int max_bounces,
@@ -359,7 +329,7 @@ void oracle3d_draw_mirrors(const Scene3D *scene, const Camera *camera, int max_b
             const size_t pixel = (size_t)y * (size_t)image->width + (size_t)x;
             const OracleRay ray =
                 oracle3d_primary_ray(camera, x, y, image->width, image->height, &right);
-            OracleNear color = oracle3d_follow(scene, ray, max_bounces, rules);
+            OracleNear color = oracle3d_follow(scene, ray, max_bounces, rules, NULL);
             if (rules->cut_at_one) {
                 color.value = (OracleVector){fmin(color.value.x, 1), fmin(color.value.y, 1),
                                              fmin(color.value.z, 1)};

@@ -40,6 +40,7 @@ typedef struct OracleMirrorRules {
     int one_dark_all_dark;      // all lights arrive or none
     int more_bounces;           // 1: one mirror more than allowed; -1: one less
     int most_bounces;           // no more, whatever is allowed; 0: no such limit
+    double least_kd;            // surfaces that scatter less have no light of their own
     int dark_ends;              // the ray ends where no light arrives
     int no_cut_off;             // weights below the least are followed
     double least_weight;        // in the place of the least; 0: the right one
@@ -63,6 +64,15 @@ double oracle3d_offset(OracleVector point, double t, double radius);
 // A direction, mirrored at a surface with this normal.
 OracleNear oracle3d_mirrored(OracleNear direction, OracleNear normal, OracleTurn turn);
 
+// ---- Lights (oracle3d_lights.c) -----------------------------------------------------------------
+
+// How many lights a right solution may find before a surface, and of how many rounding decides.
+typedef struct OracleSides {
+    u32 n_before, n_unsure;
+} OracleSides;
+
+OracleSides oracle3d_sides(const Light *lights, int n_lights, OracleNear point, OracleNear normal);
+
 // Does a light before the surface arrive at a point?
 typedef enum OracleArrival { LIGHT_ARRIVES, LIGHT_IS_BLOCKED, LIGHT_IS_UNSURE } OracleArrival;
 
@@ -76,9 +86,20 @@ OracleNear oracle3d_lit(const Scene3D *scene, OracleNear point, OracleNear norma
                         const Material *material, const Sphere *leaves,
                         const OracleMirrorRules *rules);
 
+// ---- Whole rays ---------------------------------------------------------------------------------
+
+// How many rays a right solution sends for one from the eye.
+typedef struct OracleRayCount {
+    u32 n_traced;     // from the eye and from mirrors
+    u32 n_hits;       // of those; the last one may hit nothing
+    u32 n_to_lights;  // one for each light that may be before the surface of a hit
+    u32 n_unsure;     // of how many lights among these rounding decides
+} OracleRayCount;
+
 // The colour of a ray from the eye; its error is INFINITY where it is ambiguous.
+//   count   out, of no use where the ray is ambiguous; NULL for none
 OracleNear oracle3d_follow(const Scene3D *scene, OracleRay ray, int max_bounces,
-                           const OracleMirrorRules *rules);
+                           const OracleMirrorRules *rules, OracleRayCount *count);
 
 // Draw a scene as oracle3d_draw() does.
 void oracle3d_draw_mirrors(const Scene3D *scene, const Camera *camera, int max_bounces,

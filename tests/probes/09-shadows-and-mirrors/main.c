@@ -1,10 +1,9 @@
 // Probe of lab 09: each of the student's functions on the job's inputs, then whole scenes with
-// their trees: the picture. How much work that is, nobody judges.
+// their trees: the picture, and how much work it is.
 #include "jobs_09.h"
 #include "probe.h"
 
 #include "cl_memory.h"
-#include "work.h"
 
 #include <stdlib.h>
 
@@ -68,12 +67,7 @@ static void answer_picture(const Probe *probe, int k, const SceneJob3D *job, cl_
     CL_CHECK(clSetKernelArg(kernel, argument++, sizeof d_tree[1], &d_tree[1]));
     CL_CHECK(clSetKernelArg(kernel, argument++, sizeof job->bounds, &job->bounds));
     CL_CHECK(clSetKernelArg(kernel, argument++, sizeof *n_bounces, n_bounces));
-    // The kernel counts because functions are asked for their counts: it needs a place for them.
-    cl_mem d_work = probe_buffer(probe, (size_t)PROBE_IMAGE_SIDE(job->width) *
-                                            (size_t)PROBE_IMAGE_SIDE(job->height) * sizeof(Work));
-    CL_CHECK(clSetKernelArg(kernel, argument, sizeof d_work, &d_work));
-    probe_draw(probe, k, kernel, buffers.d_image, job->width, job->height);
-    CL_CHECK(clReleaseMemObject(d_work));
+    probe_draw_counting(probe, k, kernel, buffers.d_image, job->width, job->height, argument);
     probe_scene3d_release(&buffers);
     cl_memory_release(d_tree, 2);
 }

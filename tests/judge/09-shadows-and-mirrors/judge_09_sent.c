@@ -1,0 +1,170 @@
+// Lab 09: how many rays are sent for a pixel. A ray whose light is not added shows in no picture.
+//
+// In these scenes the tree is one leaf: every ray visits it once, so that the leaves visited are
+// the rays sent, and no rounding has a part in it. What the oracle calls ambiguous is left out.
+#include "judge_09.h"
+
+#include "job_work.h"
+#include "message.h"
+#include "words.h"
+
+// First one in which rays end at surfaces and beyond them, after no mirror, one and two: there
+// mistakes can be told apart.
+static const int sent_scenes[N_SENT_SCENES] = {
+    BACKGROUNDS,  // random spheres, two mirrors
+    LOCAL,        // whose tree is also lit_color's
+    ENDS - 2,     // a room
+    ENDS + 6,     // one where weights fall below LEAST_WEIGHT
+};
+
+int sent_09_is_counted(int k)
+{
+    int i = 0;
+    while (i < N_SENT_SCENES && sent_scenes[i] != k) {
+        i++;
+    }
+    return i < N_SENT_SCENES;
+}
+
+// ---- One pixel ----------------------------------------------------------------------------------
+
+typedef struct Sent {
+    OracleRayCount expected;
+    u32 found;
+    int is_judged;  // does rounding decide nothing on the way?
+} Sent;
+
+static u32 most_of(const Sent *sent)
+{
+    return sent->expected.n_traced + sent->expected.n_to_lights;
+}
+
+static Sent sent_at(const MirrorScene *scene, int pixel, const Work *found,
+                    const OracleMirrorRules *rules)
+{
+    static const OracleRules3D right = {0};
+    const Scene3D *s = &scene->base.scene;
+    const OracleRay ray = oracle3d_primary_ray(&scene->base.camera, pixel % s->width,
+                                               pixel / s->width, s->width, s->height, &right);
+    Sent sent = {.found = found[pixel].n_leaves_visited};
+    const OracleNear color = oracle3d_follow(s, ray, scene->max_bounces, rules, &sent.expected);
+    sent.is_judged = !isinf(color.error);
+    if (rules->stand_ins) {
+        // lit_color's sends none, and counts a leaf instead.
+        sent.expected.n_to_lights = sent.expected.n_hits;
+    }
+    return sent;
+}
+
+// At least the pixel's own ray is traced: whoever counts none draws nothing, or counts elsewhere.
+static int is_right(const Sent *sent)
+{
+    return !sent->is_judged || (sent->found >= 1 && sent->found <= most_of(sent));
+}
+
+// ---- Known mistakes -----------------------------------------------------------------------------
+
+// What a mistake makes of a pixel's rays.
+typedef u32 MistakenCount(const OracleRayCount *expected);
+
+// Where the last ray hits something, the end is not that nothing is hit.
+static u32 traced_beyond_end(const OracleRayCount *expected)
+{
+    return expected->n_traced + expected->n_to_lights +
+           (expected->n_hits == expected->n_traced ? 1 : 0);
+}
+
+static u32 lit_twice(const OracleRayCount *expected)
+{
+    return expected->n_traced + 2 * expected->n_to_lights;
+}
+
+static const struct {
+    Cause cause;
+    MistakenCount *count;
+} mistakes[] = {
+    {{.says = "one ray more is traced where the end is reached, and what it hits adds nothing: "
+              "whether it goes on is asked first"},
+     traced_beyond_end},
+    {{.says = "for every hit all lights are asked twice: lit_color is needed once"}, lit_twice},
+};
+
+// The mistake that explains every pixel of the scene, if one does.
+static Cause explain(const MirrorScene *scene, const Work *found)
+{
+    static const OracleMirrorRules right = {0};
+    int fits[COUNT(mistakes)] = {1, 1};
+    for (int pixel = 0; pixel < scene->base.scene.width * scene->base.scene.height; pixel++) {
+        const Sent sent = sent_at(scene, pixel, found, &right);
+        for (int m = 0; m < COUNT(mistakes) && sent.is_judged; m++) {
+            fits[m] &=
+                sent.expected.n_unsure > 0 || sent.found == mistakes[m].count(&sent.expected);
+        }
+    }
+    int m = 0;
+    while (m < COUNT(mistakes) && !fits[m]) {
+        m++;
+    }
+    return m < COUNT(mistakes) ? mistakes[m].cause : (Cause){0};
+}
+
+// ---- Judging ------------------------------------------------------------------------------------
+
+static Diagnosis judge_scene(const MirrorScene *scene, const Work *found)
+{
+    static const OracleMirrorRules right = {0};
+    const int width = scene->base.scene.width, n_pixels = width * scene->base.scene.height;
+    int n_wrong = 0, first_pixel = 0;
+    Sent first = {0};
+    for (int pixel = n_pixels - 1; pixel >= 0; pixel--) {
+        const Sent sent = sent_at(scene, pixel, found, &right);
+        if (!is_right(&sent)) {
+            n_wrong++;
+            first = sent, first_pixel = pixel;
+        }
+    }
+    if (n_wrong == 0) {
+        return NOTHING_WRONG;
+    }
+    const char *title = scene->base.picture.title;
+    const int x = first_pixel % width, y = first_pixel / width;
+    if (first.found == 0) {
+        return diagnosis_new("%s: pixel (%d, %d): found no ray that is traced, expected its own "
+                             "one at least (%d of %d pixels are wrong)",
+                             title, x, y, n_wrong, n_pixels);
+    }
+    char *wrong = message_new(
+        "%s: pixel (%d, %d): found %u rays sent, expected at most %u: %u that %s traced and %u to "
+        "lights (%d of %d pixels send more than they need)",
+        title, x, y, first.found, most_of(&first), first.expected.n_traced,
+        first.expected.n_traced == 1 ? "is" : "are", first.expected.n_to_lights, n_wrong, n_pixels);
+    return diagnosis_of(wrong, explain(scene, found));
+}
+
+Verdict judge_sent_09(const void *pointer, int i, const Sections *answers)
+{
+    const int k = sent_scenes[i];
+    const MirrorScene *scene = &((const Job09 *)pointer)->scenes[k];
+    const Work *found = job_work_find(&scene->base.picture, k, answers);
+    return found == NULL ? verdict_missing : verdict_of(judge_scene(scene, found));
+}
+
+int sent_alone_09(const void *pointer, int i, const Sections *answers)
+{
+    const Job09 *job = pointer;
+    const int k = sent_scenes[i];
+    const MirrorScene *scene = &job->scenes[k];
+    const OracleMirrorRules rules = {
+        .stand_ins = 1, .turn = TURN_ALONG_NORMAL, .lot = job->job.lot};
+    const Work *found = job_work_find(&scene->base.picture, k, answers);
+    const int n_pixels = scene->base.scene.width * scene->base.scene.height;
+    int pixel = 0;
+    while (found != NULL && pixel < n_pixels) {
+        const Sent sent = sent_at(scene, pixel, found, &rules);
+        if (!is_right(&sent)) {
+            break;
+        }
+        pixel++;
+    }
+    return pixel == n_pixels;
+}

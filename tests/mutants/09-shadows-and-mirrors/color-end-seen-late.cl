@@ -1,0 +1,20 @@
+// mutant: what is hit is asked for its light before the end is seen
+// task: ray_color
+// caught by: color-rays
+// says: more than they need
+    float weight = 1.0f;
+    for (int n_bounces = 0;; n_bounces++) {
+        const Hit hit =
+            trace(ray, scene->spheres, scene->nodes, scene->sphere_ids, scene->bounds, work);
+        if (n_bounces > 0 && (n_bounces > max_bounces || weight < LEAST_WEIGHT)) {
+            return color;
+        }
+        if (hit.sphere == NO_SPHERE) {
+            return color + weight * scene->background;
+        }
+        const Surface at = surface_at(ray, hit, scene);
+        color += weight * lit_color(at.point, at.normal, at.material, scene, work);
+        weight *= at.material.ks;
+        ray.origin = at.point;
+        ray.direction = mirrored_direction(ray.direction, at.normal);
+    }

@@ -1,0 +1,22 @@
+// mutant: lit_color is asked twice, once to see whether it gives anything
+// task: ray_color
+// caught by: color-rays
+// says: more than they need
+    float weight = 1.0f;
+    for (int n_bounces = 0;; n_bounces++) {
+        const Hit hit =
+            trace(ray, scene->spheres, scene->nodes, scene->sphere_ids, scene->bounds, work);
+        if (hit.sphere == NO_SPHERE) {
+            return color + weight * scene->background;
+        }
+        const Surface at = surface_at(ray, hit, scene);
+        if (length(lit_color(at.point, at.normal, at.material, scene, work)) > 0.0f) {
+            color += weight * lit_color(at.point, at.normal, at.material, scene, work);
+        }
+        weight *= at.material.ks;
+        if (n_bounces == max_bounces || weight < LEAST_WEIGHT) {
+            return color;
+        }
+        ray.origin = at.point;
+        ray.direction = mirrored_direction(ray.direction, at.normal);
+    }
