@@ -244,10 +244,5 @@ static char *describe_area(const void *pointer, int i, const void *answers)
                        ((const double *)answers)[i], sah_size(box, SAH_AREA));
 }
 
-const Function area_08 = {"areas",
-                          N_AREAS,
-                          sizeof(double),
-                          .agrees = area_agrees,
-                          .describe = describe_area,
-                          .counted = "boxes",
-                          MISTAKES(area_mistakes)};
+const Function area_08 = {"areas", N_AREAS, sizeof(double),
+                          COMPARED(area_agrees, describe_area, area_mistakes), .counted = "boxes"};

@@ -169,11 +169,9 @@ static char *describe_best(const void *pointer, int i, const void *answers)
 const Function best_08 = {"bests",
                           N_BESTS,
                           sizeof(BestAnswer),
-                          .agrees = best_agrees,
+                          COMPARED(best_agrees, describe_best, best_mistakes),
                           .shows = best_shows,
-                          .describe = describe_best,
-                          .counted = "cells",
-                          MISTAKES(best_mistakes)};
+                          .counted = "cells"};
 
 // Nobody has to call split_cost: the best plane by true costs is right, too. Where the cell has no
 // area, the one says that there is none, and the other need not.

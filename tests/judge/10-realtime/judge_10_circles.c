@@ -237,13 +237,9 @@ static char *describe_leaf(const void *pointer, int i, const void *answers)
                        ((const u32 *)answers)[i], expected_leaf(job, i, 0));
 }
 
-const Function tile_leaf_10 = {"tile_leaves",
-                               N_CIRCLE_TILES,
-                               sizeof(u32),
-                               .describe = describe_leaf,
-                               .agrees = leaf_agrees,
-                               .counted = "tiles",
-                               MISTAKES(leaf_mistakes)};
+const Function tile_leaf_10 = {"tile_leaves", N_CIRCLE_TILES, sizeof(u32),
+                               COMPARED(leaf_agrees, describe_leaf, leaf_mistakes),
+                               .counted = "tiles"};
 
 int leaves_alone_10(const void *job, const JudgeCheck *check, const Sections *answers)
 {

@@ -187,9 +187,9 @@ static char *describe_row(const void *pointer, int i, const void *answers)
                        job->colors[at], job->color);
 }
 
-const Function circle_row_10 = {
-    "circle_rows",        N_ROWS_10,         sizeof(CircleRowAnswer), .describe = describe_row,
-    .agrees = row_agrees, .counted = "rows", MISTAKES(row_mistakes)};
+const Function circle_row_10 = {"circle_rows", N_ROWS_10, sizeof(CircleRowAnswer),
+                                COMPARED(row_agrees, describe_row, row_mistakes),
+                                .counted = "rows"};
 
 int rows_alone_10(const void *job, const JudgeCheck *check, const Sections *answers)
 {
