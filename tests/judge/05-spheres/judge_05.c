@@ -73,23 +73,7 @@ static int draw(void *pointer, Random *random)
     inputs_05_set_edges(job);
     const int result = draw_scenes(random, job->scenes);
     squares_05_draw(random, job->squares);
-    for (int k = 0; k < N_SCENES; k++) {
-        job_list_picture(&job->job, &job->scenes[k].picture);
-    }
     return result;
-}
-
-static void release(void *pointer)
-{
-    Job05 *job = pointer;
-    for (int k = 0; k < N_SCENES; k++) {
-        job_scene3d_free(&job->scenes[k]);
-    }
-}
-
-static int write_scene(const void *job, int k, FILE *file)
-{
-    return job_scene3d_write(&((const Job05 *)job)->scenes[k], k, file);
 }
 
 // ---- Scenes -------------------------------------------------------------------------------------
@@ -299,10 +283,8 @@ const Judge judge_05 = {
     .n_checks = COUNT(checks),
     .job_bytes = sizeof(Job05),
     .draw = draw,
-    .release = release,
     .parts = parts,
     .n_parts = COUNT(parts),
-    .write_scene = write_scene,
-    .n_scenes = N_SCENES,
+    .scenes = SCENES(job_scene3d_kind, Job05, scenes),
     .write_alone = write_alone_05,
 };

@@ -149,8 +149,7 @@ const Judge judge_06 = {
     .release = job_06_release,
     .parts = parts,
     .n_parts = COUNT(parts),
-    .write_scene = job_06_write_scene,
-    .n_scenes = N_SCENES,
+    .scenes = SCENES(tree3d_scene_kind, Job06, scenes),
     .write_alone = write_alone_06,
     .add_pictures = add_pictures,
 };

@@ -31,7 +31,6 @@ typedef struct Job06 {
 // See judge.h.
 int job_06_draw(void *job, Random *random);
 void job_06_release(void *job);
-int job_06_write_scene(const void *job, int k, FILE *file);
 
 // The functions; of choose_split and pack_leaf_range one for each property that is judged.
 extern const Function split_axis_06, split_middle_06, overlap_06, pack_node_06, pack_ids_06,

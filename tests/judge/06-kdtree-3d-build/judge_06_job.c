@@ -360,19 +360,6 @@ static int draw_scenes(Random *random, Job06 *job)
 
 // ---- The job ------------------------------------------------------------------------------------
 
-// A scene without the expected tree.
-int job_06_write_scene(const void *pointer, int k, FILE *file)
-{
-    const TreeScene3D *scene = &((const Job06 *)pointer)->scenes[k];
-    const TreeJob3D job = {(u32)scene->scene.n_spheres, scene->limits.maxDepth,
-                           scene->limits.targetElementsPerNode};
-    const Sphere beyond = {.radius = BEYOND_RADIUS};
-    return job_section_write(file, k, NULL, &job, sizeof job) |
-           job_title_write(file, k, scene->title) |
-           job_array_write(file, k, "spheres", scene->scene.spheres, (size_t)scene->scene.n_spheres,
-                           &beyond, sizeof beyond);
-}
-
 int job_06_draw(void *pointer, Random *random)
 {
     Job06 *job = pointer;
@@ -386,9 +373,5 @@ int job_06_draw(void *pointer, Random *random)
 void job_06_release(void *pointer)
 {
     Job06 *job = pointer;
-    for (int k = 0; k < N_SCENES; k++) {
-        tree3d_free(&job->scenes[k].tree);
-        scene3d_free(&job->scenes[k].scene);
-    }
     growth_free(&job->too_deep);
 }

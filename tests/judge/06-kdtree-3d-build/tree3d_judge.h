@@ -10,6 +10,7 @@
 #include "diagnosis.h"
 #include "oracle_tree.h"
 #include "scene3d.h"
+#include "scene_kind.h"
 #include "sections.h"
 #include "tree3d.h"
 
@@ -21,6 +22,9 @@ typedef struct TreeScene3D {
     int is_exact;         // no right solution can have another tree: see tree3d_judge_is_exact()
     int is_tied;          // right solutions may have trees of other depths: costs are equal
 } TreeScene3D;
+
+// Such scenes as an array of a job (tree3d_scene.c); they have no JobPicture.
+extern const SceneKind tree3d_scene_kind;
 
 // ---- One call of a function, and the same in a tree ---------------------------------------------
 

@@ -18,23 +18,7 @@ static int draw(void *pointer, Random *random)
 {
     Job07 *job = pointer;
     inputs_07_draw(random, &job->inputs);
-    for (int k = 0; k < N_SCENES; k++) {
-        job_list_picture(&job->job, &job->scenes[k].picture);
-    }
     return scenes_07_draw(random, job->scenes);
-}
-
-static void release(void *pointer)
-{
-    Job07 *job = pointer;
-    for (int k = 0; k < N_SCENES; k++) {
-        job_scene3d_free(&job->scenes[k]);
-    }
-}
-
-static int write_scene(const void *job, int k, FILE *file)
-{
-    return job_scene3d_write(&((const Job07 *)job)->scenes[k], k, file);
 }
 
 OracleRay ray_07_of(const JobScene3D *scene, int pixel)
@@ -290,9 +274,7 @@ const Judge judge_07 = {
     .n_checks = COUNT(checks),
     .job_bytes = sizeof(Job07),
     .draw = draw,
-    .release = release,
     .parts = parts,
     .n_parts = COUNT(parts),
-    .write_scene = write_scene,
-    .n_scenes = N_SCENES,
+    .scenes = SCENES(job_scene3d_kind, Job07, scenes),
 };

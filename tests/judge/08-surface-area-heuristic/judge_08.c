@@ -101,10 +101,8 @@ const Judge judge_08 = {
     .n_checks = COUNT(checks),
     .job_bytes = sizeof(Job08),
     .draw = job_08_draw,
-    .release = job_08_release,
     .parts = parts,
     .n_parts = COUNT(parts),
-    .write_scene = job_08_write_scene,
-    .n_scenes = N_TREES,
+    .scenes = SCENES(tree3d_scene_kind, Job08, scenes),
     .add_pictures = add_pictures,
 };

@@ -36,8 +36,6 @@ typedef struct Job08 {
 // See judge.h.
 int job_08_draw(void *job, Random *random);
 int scenes_08_draw(Random *random, Job08 *job);  // and the expected trees; 0, or -1 after a message
-void job_08_release(void *job);
-int job_08_write_scene(const void *job, int k, FILE *file);
 
 // The functions.
 extern const Function area_08, cost_08, best_08, decision_08;

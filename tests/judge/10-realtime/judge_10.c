@@ -20,22 +20,11 @@ static int draw(void *pointer, Random *random)
     children_10_draw(random, job);
     waiting_10_draw(random, job);
     cones_10_draw(random, job);
-    for (int k = 0; k < N_SCENES; k++) {
-        job_list_picture(&job->job, &job->scenes[k].picture);
-    }
     if (scenes_10_draw(random, job->scenes) != 0) {
         return -1;
     }
     rows_10_draw(random, job);
     return circles_10_draw(random, job);
-}
-
-static void release(void *pointer)
-{
-    Job10 *job = pointer;
-    for (int k = 0; k < N_SCENES; k++) {
-        job_scene3d_free(&job->scenes[k]);
-    }
 }
 
 static int write_scene(const void *job, int k, FILE *file)
@@ -197,9 +186,8 @@ const Judge judge_10 = {
     .n_checks = COUNT(checks),
     .job_bytes = sizeof(Job10),
     .draw = draw,
-    .release = release,
     .parts = parts,
     .n_parts = COUNT(parts),
+    .scenes = SCENES(job_scene3d_kind, Job10, scenes),
     .write_scene = write_scene,
-    .n_scenes = N_SCENES,
 };

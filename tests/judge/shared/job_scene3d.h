@@ -10,6 +10,7 @@
 #include "oracle3d.h"
 #include "random.h"
 #include "scene3d.h"
+#include "scene_kind.h"
 #include "tree3d.h"
 
 typedef struct JobScene3D {
@@ -48,6 +49,9 @@ int job_scene3d_grow_tree(JobScene3D *scene, KdTreeLimits limits);
 int job_scene3d_write(const JobScene3D *scene, int k, FILE *file);
 
 void job_scene3d_free(JobScene3D *scene);
+
+// The two above, as judges have it.
+extern const SceneKind job_scene3d_kind;
 
 // ---- Hits ---------------------------------------------------------------------------------------
 
