@@ -161,10 +161,8 @@ static u32 count_different(const Scene3D *scene)
 
 static u32 count_ahead(const JobScene3D *scene, int pixel)
 {
-    static const OracleRules3D right = {0};
     const Scene3D *s = &scene->scene;
-    const OracleRay ray = oracle3d_primary_ray(&scene->camera, pixel % s->width, pixel / s->width,
-                                               s->width, s->height, &right);
+    const OracleRay ray = job_scene3d_ray(scene, pixel);
     u32 n = 0;
     for (int i = 0; i < s->n_spheres; i++) {
         const OracleVector centre = {s->spheres[i].x, s->spheres[i].y, s->spheres[i].z};

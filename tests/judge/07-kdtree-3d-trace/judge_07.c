@@ -10,7 +10,6 @@
 #include "job_work.h"
 #include "judge_07_work.h"
 #include "message.h"
-#include "words.h"
 
 // ---- Drawing the job ----------------------------------------------------------------------------
 
@@ -19,14 +18,6 @@ static int draw(void *pointer, Random *random)
     Job07 *job = pointer;
     inputs_07_draw(random, &job->inputs);
     return scenes_07_draw(random, job->scenes);
-}
-
-OracleRay ray_07_of(const JobScene3D *scene, int pixel)
-{
-    static const OracleRules3D right = {0};
-    const Scene3D *s = &scene->scene;
-    return oracle3d_primary_ray(&scene->camera, pixel % s->width, pixel / s->width, s->width,
-                                s->height, &right);
 }
 
 // ---- Hits ---------------------------------------------------------------------------------------
@@ -88,21 +79,6 @@ static Verdict judge_edges(const void *job, const Sections *answers)
 
 // ---- Work -------------------------------------------------------------------------------------
 
-static int is_at_most(Work work, Work most)
-{
-    return work.n_tests <= most.n_tests && work.n_nodes_visited <= most.n_nodes_visited &&
-           work.n_leaves_visited <= most.n_leaves_visited && work.stack_depth <= most.stack_depth;
-}
-
-// "3 nodes and 1 leaf visited, 17 spheres asked and 2 waiting at once".
-static Words work_words(Work work)
-{
-    return words("%u node%s and %u %s visited, %u sphere%s asked and %u waiting at once",
-                 work.n_nodes_visited, plural(work.n_nodes_visited), work.n_leaves_visited,
-                 work.n_leaves_visited == 1 ? "leaf" : "leaves", work.n_tests, plural(work.n_tests),
-                 work.stack_depth);
-}
-
 // Rays of a scene that do more, or less, than they may.
 typedef struct OffRays {
     int n;
@@ -141,12 +117,12 @@ static Diagnosis judge_scene_work(const JobScene3D *scene, const Work *found)
     const int n_pixels = scene->scene.width * scene->scene.height;
     OffRays more = {0}, less = {0};
     for (int pixel = 0; pixel < n_pixels; pixel++) {
-        const OracleRay ray = ray_07_of(scene, pixel);
+        const OracleRay ray = job_scene3d_ray(scene, pixel);
         const WorkBounds bounds = search3d_bounds(scene, &ray);
-        if (!is_at_most(found[pixel], bounds.most)) {
+        if (!work_is_at_most(found[pixel], bounds.most)) {
             count_off(&more, pixel, found[pixel], bounds.most);
         }
-        if (!is_at_most(bounds.least, found[pixel])) {
+        if (!work_is_at_most(bounds.least, found[pixel])) {
             count_off(&less, pixel, found[pixel], bounds.least);
         }
     }

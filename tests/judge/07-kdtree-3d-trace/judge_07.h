@@ -116,9 +116,6 @@ int strangers_07_draw(Random *random, JobScene3D *scene);
 // Of what the oracle expects there let only those rays count that no right search lets meet one.
 void strangers_07_expect(JobScene3D *scene);
 
-// The ray of a scene's pixel.
-OracleRay ray_07_of(const JobScene3D *scene, int pixel);
-
 // ---- The job ----------------------------------------------------------------------------------
 
 typedef struct Job07 {

@@ -9,7 +9,6 @@
 
 #include "job_work.h"
 #include "message.h"
-#include "words.h"
 
 // ---- Drawing the job ----------------------------------------------------------------------------
 
@@ -41,21 +40,6 @@ static Verdict judge_hits(const void *job, int k, const Sections *answers)
     return found == NULL ? verdict_missing : verdict_of(hits_judge(scene, found));
 }
 
-static int is_at_most(Work work, Work most)
-{
-    return work.n_tests <= most.n_tests && work.n_nodes_visited <= most.n_nodes_visited &&
-           work.n_leaves_visited <= most.n_leaves_visited && work.stack_depth <= most.stack_depth;
-}
-
-// "3 nodes and 1 leaf visited, 17 spheres asked and 2 waiting at once".
-static Words work_words(Work work)
-{
-    return words("%u node%s and %u %s visited, %u sphere%s asked and %u waiting at once",
-                 work.n_nodes_visited, plural(work.n_nodes_visited), work.n_leaves_visited,
-                 work.n_leaves_visited == 1 ? "leaf" : "leaves", work.n_tests, plural(work.n_tests),
-                 work.stack_depth);
-}
-
 // Which of the numbers is too large, of all tiles: a sentence where it is one of them alone.
 static Cause cause_of_work(int more_nodes, int more_tests)
 {
@@ -80,7 +64,7 @@ static Diagnosis judge_tiles(const JobScene3D *scene, const Work *found)
             const Work work = found[y * width + x], most = tile_10_most(scene, x, y, &must_tile);
             n_asked += work.n_tests > 0;
             must_ask |= must_tile;
-            if (is_at_most(work, most)) {
+            if (work_is_at_most(work, most)) {
                 continue;
             }
             more_nodes |= work.n_nodes_visited > most.n_nodes_visited ||

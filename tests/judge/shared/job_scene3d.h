@@ -41,6 +41,9 @@ void job_scene3d_aim(JobScene3D *scene);
 // Let the oracle trace what is expected: hits and picture. Returns 0, or -1 after one message.
 int job_scene3d_expect(JobScene3D *scene);
 
+// The ray of a pixel.
+OracleRay job_scene3d_ray(const JobScene3D *scene, int pixel);
+
 // Build the scene's tree with the solution of lab 06 (job_scene3d_tree.c: for the labs behind that
 // one). Returns 0, or -1 after one message.
 int job_scene3d_grow_tree(JobScene3D *scene, KdTreeLimits limits);
