@@ -147,11 +147,26 @@ Verdict job_judge(const Job *job, int number, const Sections *answers)
                                    : judge_scenes(job, check, answers);
 }
 
+// Are the answers to every input of the functions right?
+static int functions_pass(const Function *const functions[2], const Job *job,
+                          const Sections *answers)
+{
+    int passes = 1;
+    for (int i = 0; passes && i < 2 && functions[i] != NULL; i++) {
+        const Range all = {.n = functions[i]->n};
+        passes = verdict_passes(function_judge(functions[i], job, all, answers));
+    }
+    return passes;
+}
+
 int job_passes_alone(const Job *job, int number, const Sections *answers)
 {
     const JudgeCheck *check = &job->judge->checks[number];
     if (check->alone != NULL) {
         return check->alone(job, check, answers);
+    }
+    if (check->alone_functions[0] != NULL) {
+        return functions_pass(check->alone_functions, job, answers);
     }
     if (check->replay != NULL) {
         return replay_is_right(check->replay, &job->growth, job, answers);

@@ -228,9 +228,9 @@ static const JudgeCheck checks[] = {
     {"waiting-next", "What comes next where it is not", "next_waiting", 4,
      .function = &waiting_next_07, .range = {0, N_WAITING_INPUTS}},
     {"trace-edges", "No pinholes in the edge cases", "next_waiting", 3, "*", .all = judge_edges,
-     .alone = waiting_alone_07},
+     .alone_functions = {&waiting_end_07, &waiting_next_07}},
     {"trace-work", "No more work than the ray needs", "next_waiting", 3, "*", .scene = judge_work,
-     .range = {0, COUNT(work_scenes)}, .alone = waiting_alone_07},
+     .range = {0, COUNT(work_scenes)}, .alone_functions = {&waiting_end_07, &waiting_next_07}},
 };
 
 static const JobPart parts[] = {

@@ -67,7 +67,6 @@ extern const Function child_07, waiting_end_07, waiting_next_07;
 int one_child_alone_07(const void *job, const JudgeCheck *check, const Sections *answers);
 int both_children_alone_07(const void *job, const JudgeCheck *check, const Sections *answers);
 int children_alone_07(const void *job, const JudgeCheck *check, const Sections *answers);
-int waiting_alone_07(const void *job, const JudgeCheck *check, const Sections *answers);
 
 // How far t may be off that a right solution computes for a plane, in units of (|plane| + |origin|)
 // / |direction|: one rounding for the difference, five for the division (2.5 ulp, OpenCL 1.2, 7.4)

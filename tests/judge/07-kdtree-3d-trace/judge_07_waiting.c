@@ -168,11 +168,3 @@ const Function waiting_end_07 = {"next_waiting", N_WAITING_INPUTS, sizeof(NextWa
                                  COMPARED(end_agrees, describe_waiting, waiting_mistakes)};
 const Function waiting_next_07 = {"next_waiting", N_WAITING_INPUTS, sizeof(NextWaitingAnswer),
                                   COMPARED(next_agrees, describe_waiting, waiting_mistakes)};
-
-int waiting_alone_07(const void *job, const JudgeCheck *check, const Sections *answers)
-{
-    const Range all = {0, N_WAITING_INPUTS, 1};
-    (void)check;
-    return verdict_passes(function_judge(&waiting_end_07, job, all, answers)) &&
-           verdict_passes(function_judge(&waiting_next_07, job, all, answers));
-}

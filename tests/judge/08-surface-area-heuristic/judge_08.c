@@ -49,7 +49,7 @@ static const JudgeCheck checks[] = {
      .range = {N_BY_COST, N_BY_LIMITS}},
     {"tree-leaves", "Whole trees: leaves where they are cheaper", "is_leaf_by_cost", 6, "*",
      .tree = judge_tree, .tree3d = tree_judge_leaves_08, .range = {0, N_TREES},
-     .alone = decisions_alone_08},
+     .alone_functions = {&decision_08}},
 };
 
 static const JobPart parts[] = {

@@ -225,10 +225,3 @@ const Function decision_08 = {"decisions",
                               COMPARED(decision_agrees, describe_decision, leaf_mistakes),
                               .shows = decision_shows,
                               .counted = "nodes"};
-
-// In the place of whole trees: all inputs.
-int decisions_alone_08(const void *job, const JudgeCheck *check, const Sections *answers)
-{
-    (void)check;
-    return verdict_passes(function_judge(&decision_08, job, (Range){0, N_DECISIONS, 1}, answers));
-}

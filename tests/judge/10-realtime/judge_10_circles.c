@@ -241,13 +241,6 @@ const Function tile_leaf_10 = {"tile_leaves", N_CIRCLE_TILES, sizeof(u32),
                                COMPARED(leaf_agrees, describe_leaf, leaf_mistakes),
                                .counted = "tiles"};
 
-int leaves_alone_10(const void *job, const JudgeCheck *check, const Sections *answers)
-{
-    (void)check;
-    return verdict_passes(
-        function_judge(&tile_leaf_10, job, (Range){0, N_CIRCLE_TILES, 1}, answers));
-}
-
 // ---- Pixels and work ----------------------------------------------------------------------------
 
 // The colour of a pixel: of the nearest circle of the whole scene that covers it.
