@@ -185,6 +185,33 @@ cl_kernel probe_kernel(cl_program program, const char *name)
     return kernel;
 }
 
+cl_program probe_open_program(Probe *probe, const char *path, const char *options)
+{
+    probe_open(probe);
+    probe_open_device(probe);
+    return probe_build(probe, path, options);
+}
+
+void probe_close_program(Probe *probe, cl_program program)
+{
+    CL_CHECK(clReleaseProgram(program));
+    probe_close(probe);
+}
+
+cl_mem probe_section_create(const Probe *probe, const char *name)
+{
+    size_t n_bytes;
+    const void *bytes = probe_job(probe, name, &n_bytes);
+    return cl_buffer_create(&probe->cl, bytes, n_bytes);
+}
+
+cl_mem probe_part_create(const Probe *probe, int k, const char *part)
+{
+    char name[SECTION_NAME_BYTES];
+    section_name(name, "scene", k, part);
+    return probe_section_create(probe, name);
+}
+
 cl_mem probe_buffer(const Probe *probe, size_t n_bytes)
 {
     cl_int error;
@@ -336,18 +363,14 @@ Scene3DBuffers probe_scene3d_buffers(const Probe *probe, int k, const SceneJob3D
                                                         "lights"};
     Scene3DBuffers buffers = {.d_image = probe_image(probe, scene->width, scene->height)};
     for (int i = 0; i < N_SCENE3D_ARRAYS; i++) {
-        size_t n_bytes;
-        const void *array = probe_scene_part(probe, k, names[i], &n_bytes);
-        buffers.d_arrays[i] = cl_buffer_create(&probe->cl, array, n_bytes);
+        buffers.d_arrays[i] = probe_part_create(probe, k, names[i]);
     }
     return buffers;
 }
 
 void probe_scene3d_release(Scene3DBuffers *buffers)
 {
-    for (int i = 0; i < N_SCENE3D_ARRAYS; i++) {
-        CL_CHECK(clReleaseMemObject(buffers->d_arrays[i]));
-    }
+    cl_memory_release(buffers->d_arrays, N_SCENE3D_ARRAYS);
     CL_CHECK(clReleaseMemObject(buffers->d_image));
 }
 
