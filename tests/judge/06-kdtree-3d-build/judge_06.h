@@ -22,7 +22,7 @@ typedef struct Job06 {
     Job job;  // with the trees of all scenes but TOO_DEEP
     BBox3D splits[N_SPLITS];
     SphereBoxJob overlaps[N_OVERLAPS];
-    PackJob3D packs[N_PACKS];
+    PackJob packs[N_PACKS];
     u32 highest_level;  // TODO_LEVELS
     TreeScene3D scenes[N_SCENES];
     Growth too_deep;  // the tree that must be refused, as it would be

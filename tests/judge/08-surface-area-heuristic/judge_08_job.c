@@ -5,16 +5,10 @@
 // is exact in float. Behind those that are drawn stand the edges, which no seed may miss.
 #include "judge_08.h"
 
-#include "random.h"
+#include "random3d.h"
 
 #include <float.h>
 #include <math.h>
-
-// A number on a grid of 1/8, from lowest to highest.
-static float random_eighth(Random *random, int lowest, int highest)
-{
-    return (float)random_integer(random, 8 * (int64_t)lowest, 8 * (int64_t)highest) / 8;
-}
 
 // A cell whose candidate planes are on the grid.
 static BBox3D draw_cell(Random *random)

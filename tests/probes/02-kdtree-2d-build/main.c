@@ -51,7 +51,8 @@ static void call_pack_leaf(const Probe *probe, const void *input, void *pointer)
         flags[id] = INNER;
     }
     probe_leave_untouched(answer->map, PACK_MAP_ROOM);
-    KdTree2D tree = {answer->relations, flags, answer->boxes, answer->map, PACK_NODES, job->n_map};
+    KdTree2D tree = {answer->relations, flags,      answer->boxes,
+                     answer->map,       PACK_NODES, job->n_before};
     pack_leaf(&tree, job->id, job->ids, job->n_ids);
     for (int id = 0; id < PACK_NODES; id++) {
         answer->flags[id] = flags[id];

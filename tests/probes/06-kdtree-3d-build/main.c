@@ -40,7 +40,7 @@ static void call_sphere_overlaps_box(const Probe *probe, const void *input, void
 
 static void call_pack_leaf_range(const Probe *probe, const void *input, void *pointer)
 {
-    const PackJob3D *job = input;
+    const PackJob *job = input;
     PackAnswer3D *answer = pointer;
     (void)probe;
     for (u32 id = 0; id < PACK_NODES; id++) {
@@ -50,7 +50,7 @@ static void call_pack_leaf_range(const Probe *probe, const void *input, void *po
     KdTree3D tree = {.nodes = answer->nodes,
                      .sphere_ids = answer->sphere_ids,
                      .n_nodes = PACK_NODES,
-                     .n_sphere_ids = job->n_sphere_ids};
+                     .n_sphere_ids = job->n_before};
     pack_leaf_range(&tree, job->id, job->ids, job->n_ids);
     answer->n_sphere_ids = tree.n_sphere_ids;
     answer->n_nodes = tree.n_nodes;
@@ -115,7 +115,7 @@ int main(void)
     static const ProbeFunction functions[] = {
         {"splits", sizeof(BBox3D), sizeof(KdSplit), .call = call_choose_split},
         {"overlaps", sizeof(SphereBoxJob), sizeof(i32), .call = call_sphere_overlaps_box},
-        {"pack", sizeof(PackJob3D), sizeof(PackAnswer3D), .call = call_pack_leaf_range},
+        {"pack", sizeof(PackJob), sizeof(PackAnswer3D), .call = call_pack_leaf_range},
         {"todo", .answer = answer_fits_todo},
         {"replay.split", sizeof(BBox3D), sizeof(KdSplit), .call = call_choose_split},
         {"replay.overlap", sizeof(SphereBoxJob), sizeof(i32), .call = call_sphere_overlaps_box},
