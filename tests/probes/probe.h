@@ -136,6 +136,11 @@ void probe_answer_buffer(const Probe *probe, const char *name, int k, cl_mem d_a
 void probe_call(const Probe *probe, cl_program program, const char *name, size_t job_bytes,
                 size_t answer_bytes, const cl_mem *d_buffers, cl_uint n_buffers);
 
+// The same where the buffers are sections of the job.
+//   buffers[n_buffers]   their names
+void probe_call_with(const Probe *probe, cl_program program, const char *name, size_t job_bytes,
+                     size_t answer_bytes, const char *const *buffers, cl_uint n_buffers);
+
 // The image for a picture of this size with its margin, every pixel UNWRITTEN.
 cl_mem probe_image(const Probe *probe, int width, int height);
 

@@ -1,4 +1,5 @@
-// Calling a student's functions on the host (ProbeFunction of probe.h).
+// Calling a student's functions on the host (ProbeFunction of probe.h), and replays of the calls
+// that pack leaves.
 #include "probe.h"
 
 #include <stdlib.h>
@@ -27,6 +28,22 @@ void probe_call_host(const Probe *probe, const ProbeFunction *functions, size_t 
             functions[i].answer(probe, functions[i].section);
         } else {
             call_each(probe, &functions[i]);
+        }
+    }
+}
+
+void probe_replay_leaves(const Probe *probe, const char *name, PackTree *pack_tree)
+{
+    size_t n_bytes;
+    const ReplayTree *trees = probe_job(probe, "replay.trees", &n_bytes);
+    const size_t n_trees = n_bytes / sizeof *trees;
+    const ReplayList *leaves = probe_job(probe, name, &n_bytes);
+    const size_t n = n_bytes / sizeof *leaves;
+    size_t i = 0;
+    for (uint32_t k = 0; k < n_trees; k++) {
+        pack_tree(probe, k, trees[k], leaves + i, n - i);
+        while (i < n && leaves[i].scene == k) {
+            i++;
         }
     }
 }

@@ -213,9 +213,6 @@ static Verdict judge_work(const void *job, int k, const Sections *answers)
 
 // ---- The judge ----------------------------------------------------------------------------------
 
-// Range number i of a function's inputs.
-#define RANGE(i, n_inputs) {(i) * (n_inputs), n_inputs}
-
 static const JudgeCheck checks[] = {
     {"root-nearer", "Where the ray enters, or no hit", "nearest_root", 5,
      .function = &nearest_root_05, .range = RANGE(0, N_ROOTS)},

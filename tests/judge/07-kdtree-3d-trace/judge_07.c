@@ -182,9 +182,6 @@ static Verdict judge_work(const void *job, int i, const Sections *answers)
 
 // ---- The judge ----------------------------------------------------------------------------------
 
-// Range number i of a function's inputs.
-#define RANGE(i, n_inputs) {(i) * (n_inputs), n_inputs}
-
 static const JudgeCheck checks[] = {
     {"clip-through", "Rays that go through the box, or past it", "clip_to_box", 7,
      .function = &clip_07, .range = RANGE(CLIP_FROM_OUTSIDE, N_CLIP_INPUTS)},

@@ -29,9 +29,6 @@ static int write_scene(const void *job, int k, FILE *file)
 
 // ---- The judge ----------------------------------------------------------------------------------
 
-// Range number i of a function's inputs.
-#define RANGE(i, n_inputs) {(i) * (n_inputs), n_inputs}
-
 static const JudgeCheck checks[] = {
     {"leave-side", "Along the normal, and far enough", "leave_surface", 7, .function = &start_09,
      .range = RANGE(0, N_START_INPUTS)},

@@ -105,9 +105,6 @@ static Verdict judge_work(const void *pointer, int k, const Sections *answers)
 // What the search for spheres is made of.
 #define SPHERE_TASKS "plane_interval next_tile_child next_tile_waiting cone_misses_sphere"
 
-// Range number i of a function's inputs.
-#define RANGE(i, n_inputs) {(i) * (n_inputs), n_inputs}
-
 static const JudgeCheck checks[] = {
     {"leaf-tile", "The leaf of a tile", "tile_leaf", 5, .function = &tile_leaf_10,
      .range = {0, N_CIRCLE_TILES}},

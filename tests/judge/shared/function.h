@@ -14,6 +14,9 @@ typedef struct Range {
     int first, n, step;
 } Range;
 
+// Number i of ranges that follow one another, each of n inputs.
+#define RANGE(i, n) {(i) * (n), n}
+
 // Number i of a range.
 int range_at(Range range, int i);
 

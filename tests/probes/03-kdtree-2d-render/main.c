@@ -17,17 +17,6 @@ static void arrays_create(const Probe *probe, int k, cl_mem d_arrays[N_ARRAYS])
     }
 }
 
-static void answer_children(const Probe *probe, cl_program program)
-{
-    if (!probe_asks(probe, "children")) {
-        return;
-    }
-    const cl_mem d_tree[] = {probe_section_create(probe, "children.relations"),
-                             probe_section_create(probe, "children.boxes")};
-    probe_call(probe, program, "children", sizeof(ChildJob), sizeof(cl_uint), d_tree, 2);
-    cl_memory_release(d_tree, 2);
-}
-
 static void answer_picture(const Probe *probe, int k, const SceneJob *scene, cl_kernel kernel)
 {
     cl_mem d_arrays[N_ARRAYS];
@@ -46,10 +35,11 @@ static void answer_picture(const Probe *probe, int k, const SceneJob *scene, cl_
 
 int main(void)
 {
+    static const char *const child_tree[] = {"children.relations", "children.boxes"};
     Probe probe;
     cl_program program = probe_open_program(&probe, PROBE_PROGRAM, PROBE_COUNTING);
     cl_kernel kernel = probe_kernel(program, "implicit2DRenderer_KD");
-    answer_children(&probe, program);
+    probe_call_with(&probe, program, "children", sizeof(ChildJob), sizeof(cl_uint), child_tree, 2);
     const SceneJob *scene;
     for (int k = 0; (scene = probe_scene(&probe, k)) != NULL; k++) {
         answer_picture(&probe, k, scene, kernel);

@@ -6,25 +6,15 @@
 
 #include <stdlib.h>
 
-// What asks for lights: nothing where the job has none.
-static void answer_shades(const Probe *probe, cl_program program)
-{
-    if (!probe_asks(probe, "lights")) {
-        return;
-    }
-    cl_mem d_lights = probe_section_create(probe, "lights");
-    probe_call(probe, program, "shades", sizeof(ShadeJob), sizeof(Vec3), &d_lights, 1);
-    probe_call(probe, program, "pixel_shades", sizeof(ShadeJob), sizeof(Vec3), &d_lights, 1);
-    CL_CHECK(clReleaseMemObject(d_lights));
-}
-
 static void answer_functions(const Probe *probe, cl_program program)
 {
+    static const char *const lights = "lights";
     probe_call(probe, program, "roots", sizeof(RootJob), sizeof(cl_float), NULL, 0);
     probe_call(probe, program, "textbook", sizeof(SphereRayJob), sizeof(cl_float), NULL, 0);
     probe_call(probe, program, "projection", sizeof(SphereRayJob), sizeof(cl_float), NULL, 0);
     probe_call(probe, program, "normals", sizeof(NormalJob), sizeof(Vec3), NULL, 0);
-    answer_shades(probe, program);
+    probe_call_with(probe, program, "shades", sizeof(ShadeJob), sizeof(Vec3), &lights, 1);
+    probe_call_with(probe, program, "pixel_shades", sizeof(ShadeJob), sizeof(Vec3), &lights, 1);
 }
 
 static void answer_hits(const Probe *probe, int k, const SceneJob3D *scene,

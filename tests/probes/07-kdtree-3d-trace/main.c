@@ -6,23 +6,14 @@
 
 #include <stdlib.h>
 
-static void answer_leaves(const Probe *probe, cl_program program)
-{
-    if (!probe_asks(probe, "leaves")) {
-        return;
-    }
-    const cl_mem d_leaves[] = {probe_section_create(probe, "leaf_ids"),
-                               probe_section_create(probe, "leaf_spheres")};
-    probe_call(probe, program, "leaves", sizeof(SearchJob), sizeof(SearchAnswer), d_leaves, 2);
-    cl_memory_release(d_leaves, 2);
-}
-
 static void answer_functions(const Probe *probe, cl_program program)
 {
+    static const char *const leaf_arrays[] = {"leaf_ids", "leaf_spheres"};
     probe_call(probe, program, "clips", sizeof(ClipJob), sizeof(ClipAnswer), NULL, 0);
     probe_call(probe, program, "sides", sizeof(SideJob), sizeof(cl_uint), NULL, 0);
     probe_call(probe, program, "planes", sizeof(PlaneJob), sizeof(PlaneAnswer), NULL, 0);
-    answer_leaves(probe, program);
+    probe_call_with(probe, program, "leaves", sizeof(SearchJob), sizeof(SearchAnswer), leaf_arrays,
+                    2);
     probe_call(probe, program, "next_child", sizeof(NextChildJob), sizeof(NextChildAnswer), NULL,
                0);
     probe_call(probe, program, "next_waiting", sizeof(NextWaitingJob), sizeof(NextWaitingAnswer),

@@ -8,17 +8,6 @@
 
 #include <stdlib.h>
 
-static void answer_blocks(const Probe *probe, cl_program program)
-{
-    if (!probe_asks(probe, "blocks")) {
-        return;
-    }
-    const cl_mem d_leaves[] = {probe_section_create(probe, "block_ids"),
-                               probe_section_create(probe, "block_spheres")};
-    probe_call(probe, program, "blocks", sizeof(BlockJob), sizeof(BlockAnswer), d_leaves, 2);
-    cl_memory_release(d_leaves, 2);
-}
-
 static void answer_lits(const Probe *probe, cl_program program)
 {
     if (!probe_asks(probe, "lits")) {
@@ -34,11 +23,13 @@ static void answer_lits(const Probe *probe, cl_program program)
 
 static void answer_functions(const Probe *probe, cl_program program)
 {
+    static const char *const leaf_arrays[] = {"block_ids", "block_spheres"};
     probe_call(probe, program, "starts", sizeof(StartJob), sizeof(Vec3), NULL, 0);
     probe_call(probe, program, "mirrors", sizeof(MirrorJob), sizeof(Vec3), NULL, 0);
     probe_call(probe, program, "shadow_rays", sizeof(ShadowRayJob), sizeof(ShadowRayAnswer), NULL,
                0);
-    answer_blocks(probe, program);
+    probe_call_with(probe, program, "blocks", sizeof(BlockJob), sizeof(BlockAnswer), leaf_arrays,
+                    2);
     answer_lits(probe, program);
 }
 

@@ -11,6 +11,7 @@
 
 static void answer_functions(const Probe *probe, cl_program program)
 {
+    static const char *const circle_tree[] = {"circle_nodes", "leaf_circles"};
     probe_call(probe, program, "tile_planes", sizeof(TilePlaneJob), sizeof(TilePlaneAnswer), NULL,
                0);
     probe_call(probe, program, "tile_children", sizeof(TileChildJob), sizeof(NextChildAnswer), NULL,
@@ -20,20 +21,11 @@ static void answer_functions(const Probe *probe, cl_program program)
     probe_call(probe, program, "cones", sizeof(ConeJob), sizeof(cl_int), NULL, 0);
     probe_call(probe, program, "circle_rows", sizeof(CircleRowJob), sizeof(CircleRowAnswer), NULL,
                0);
-}
-
-// What goes through the trees of Part A.
-static void answer_circles(const Probe *probe, cl_program program)
-{
-    if (!probe_asks(probe, "tile_leaves")) {
-        return;
-    }
-    const cl_mem d_tree[] = {probe_section_create(probe, "circle_nodes"),
-                             probe_section_create(probe, "leaf_circles")};
-    probe_call(probe, program, "tile_leaves", sizeof(CircleTileJob), sizeof(cl_uint), d_tree, 1);
-    probe_call(probe, program, "circle_tiles", sizeof(CircleTileJob), sizeof(CircleTileAnswer),
-               d_tree, 2);
-    cl_memory_release(d_tree, sizeof d_tree / sizeof *d_tree);
+    // What goes through the trees of Part A.
+    probe_call_with(probe, program, "tile_leaves", sizeof(CircleTileJob), sizeof(cl_uint),
+                    circle_tree, 1);
+    probe_call_with(probe, program, "circle_tiles", sizeof(CircleTileJob), sizeof(CircleTileAnswer),
+                    circle_tree, 2);
 }
 
 // One work-item a tile, each in a group of its own: see tile_buffers.c.
@@ -84,7 +76,6 @@ int main(void)
     Probe probe;
     cl_program program = probe_open_program(&probe, PROBE_PROGRAM, PROBE_COUNTING);
     answer_functions(&probe, program);
-    answer_circles(&probe, program);
     cl_kernel kernel = probe_kernel(program, "probe_tiles");
     const SceneJob3D *job;
     for (int k = 0; (job = probe_scene3d(&probe, k)) != NULL; k++) {
