@@ -45,9 +45,6 @@ extern const Function area_08, cost_08, best_08, decision_08;
 int costs_alone_08(const void *job, const JudgeCheck *check, const Sections *answers);
 int bests_alone_08(const void *job, const JudgeCheck *check, const Sections *answers);
 
-// The input of find_best_split number i as a node.
-SahNode best_node_08(const Job08 *job, int i);
-
 // ---- Whole trees (judge_08_trees.c) -------------------------------------------------------------
 
 // Grow scene->tree by the contract, from the oracle's costs. Returns 0, or -1 after one message.
