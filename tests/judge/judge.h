@@ -47,8 +47,8 @@ typedef struct JudgeCheck {
     Diagnosis (*tree3d)(const struct TreeScene3D *scene, const struct KdTree3D *own);  // lab 06
 
     // The same by what the answer to its task does alone (grader/alone.h): all of it, scene by
-    // scene, by every input of some functions, or in a replay. Where none is set, it is judged as in
-    // the whole.
+    // scene, by every input of some functions, or in a replay. Where none is set, it is judged as
+    // in the whole.
     int (*alone)(const void *job, const struct JudgeCheck *check, const Sections *answers);
     int (*alone_scene)(const void *job, int k, const Sections *answers);
     Range alone_range;                   // of scenes; that of the whole where none is set

@@ -109,8 +109,8 @@ typedef struct DistributeJob {
 } DistributeJob;
 LAYOUT_ASSERT(DistributeJob, 2420);
 
-// Lab 02: pack_leaf is called on a tree of PACK_NODES nodes whose map already holds n_before entries;
-// lab 06: pack_leaf_range, on one that already holds as many ids.
+// Lab 02: pack_leaf is called on a tree of PACK_NODES nodes whose map already holds n_before
+// entries; lab 06: pack_leaf_range, on one that already holds as many ids.
 enum { PACK_NODES = 8, PACK_MAX_IDS = 300, PACK_MAP_ROOM = PACK_MAX_IDS + 40 };
 typedef struct PackJob {
     u32 id;

@@ -7,8 +7,8 @@
 #include "jobs.h"
 #include "random.h"
 
-// A leaf of n_least ids or more; or edge number `edge`, from 0 on, which is nearly the same in every
-// job.
+// A leaf of n_least ids or more; or edge number `edge`, from 0 on, which is nearly the same in
+// every job.
 enum { N_PACK_EDGES = 6 };
 PackJob pack_draw(Random *random, int edge, u32 n_least);
 

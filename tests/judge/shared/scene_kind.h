@@ -1,5 +1,5 @@
-// What a judge does with each of its job's scenes, whatever is in them: job_scene.h, job_scene3d.h and
-// the labs have such kinds.
+// What a judge does with each of its job's scenes, whatever is in them: job_scene.h, job_scene3d.h
+// and the labs have such kinds.
 #ifndef JUDGE_SCENE_KIND_H
 #define JUDGE_SCENE_KIND_H
 
