@@ -35,7 +35,7 @@ WITH_HOST_FILES := $(patsubst labs/%/lab.json,%,$(shell grep -l '"[a-zA-Z0-9_]*\
 PROBES := $(PROBED:%=$(OUT)/probes/%.o) $(addprefix $(OUT)/probes/,$(filter-out $(WITH_HOST_FILES),$(PROBED)))
 $(OUT)/obj/tests/probes/%/main.c.o: EXTRA = -I tests/probes -I labs/$(lab_name) -DLAB_NAME='"$(lab_name)"' \
     -DLAB_FOLDER='"labs/$(lab_name)"' -DPROBE_KERNEL_OPTIONS='"$(call include_path,$(lab_name))"'
-$(OUT)/probes/%.o: $(OUT)/obj/tests/probes/%/main.c.o $(call objects,tests/probes/probe.c tests/probes/probe_trees.c tests/probes/sections.c) \
+$(OUT)/probes/%.o: $(OUT)/obj/tests/probes/%/main.c.o $(call objects,$(addprefix tests/probes/,probe.c probe_host.c probe_trees.c sections.c)) \
     $(OUT)/earlier/%.a $(OUT)/libcommon.a
 	@mkdir -p $(@D)
 	$(call say,link    $@)ld -r $(filter %.o,$^) --start-group $(filter %.a,$^) --end-group -o $@ && \

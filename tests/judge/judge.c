@@ -24,9 +24,28 @@ const Judge *judge_of(const char *lab)
 
 // ---- Drawing and writing ------------------------------------------------------------------------
 
-void job_list_picture(Job *job, JobPicture *picture)
+// Scene number k, to be changed by who may change the job.
+static void *scene_of(const void *pointer, int k)
 {
-    job->pictures[job->n_pictures++] = picture;
+    const Job *job = pointer;
+    const JobScenes *scenes = &job->judge->scenes;
+    return (char *)job + scenes->offset + (size_t)k * scenes->n_bytes;
+}
+
+const void *job_scene(const void *job, int k)
+{
+    return scene_of(job, k);
+}
+
+static JobPicture *picture_of(const void *pointer, int k)
+{
+    const Job *job = pointer;
+    return (JobPicture *)((char *)scene_of(job, k) + job->judge->scenes.kind->picture);
+}
+
+const JobPicture *job_picture(const void *job, int k)
+{
+    return picture_of(job, k);
 }
 
 // Is the task among those that the text names? NULL names none.
@@ -71,8 +90,9 @@ Job *job_new(const Judge *judge, uint64_t seed, FILE *file)
     if (result == 0) {
         result = write_parts(job, NULL, file);
     }
-    for (int k = 0; result == 0 && k < judge->n_scenes; k++) {
-        result = judge->write_scene(job, k, file);
+    for (int k = 0; result == 0 && k < judge->scenes.n; k++) {
+        result = judge->write_scene != NULL ? judge->write_scene(job, k, file)
+                                            : judge->scenes.kind->write(job_scene(job, k), k, file);
     }
     if (result != 0) {
         job_free(job);
@@ -83,6 +103,9 @@ Job *job_new(const Judge *judge, uint64_t seed, FILE *file)
 
 void job_free(Job *job)
 {
+    for (int k = 0; k < job->judge->scenes.n; k++) {
+        job->judge->scenes.kind->release(scene_of(job, k));
+    }
     if (job->judge->release != NULL) {
         job->judge->release(job);
     }
@@ -124,11 +147,26 @@ Verdict job_judge(const Job *job, int number, const Sections *answers)
                                    : judge_scenes(job, check, answers);
 }
 
+// Are the answers to every input of the functions right?
+static int functions_pass(const Function *const functions[2], const Job *job,
+                          const Sections *answers)
+{
+    int passes = 1;
+    for (int i = 0; passes && i < 2 && functions[i] != NULL; i++) {
+        const Range all = {.n = functions[i]->n};
+        passes = verdict_passes(function_judge(functions[i], job, all, answers));
+    }
+    return passes;
+}
+
 int job_passes_alone(const Job *job, int number, const Sections *answers)
 {
     const JudgeCheck *check = &job->judge->checks[number];
     if (check->alone != NULL) {
         return check->alone(job, check, answers);
+    }
+    if (check->alone_functions[0] != NULL) {
+        return functions_pass(check->alone_functions, job, answers);
     }
     if (check->replay != NULL) {
         return replay_is_right(check->replay, &job->growth, job, answers);
@@ -146,22 +184,20 @@ int job_passes_alone(const Job *job, int number, const Sections *answers)
 
 // ---- Pictures -----------------------------------------------------------------------------------
 
-Verdict judge_picture(const void *pointer, int k, const Sections *answers)
+Verdict judge_picture(const void *job, int k, const Sections *answers)
 {
-    const Job *job = pointer;
-    return job_picture_judge(job->pictures[k], k, answers);
+    return job_picture_judge(job_picture(job, k), k, answers);
 }
 
-Verdict judge_padding(const void *pointer, int k, const Sections *answers)
+Verdict judge_padding(const void *job, int k, const Sections *answers)
 {
-    const Job *job = pointer;
-    return job_picture_judge_padding(job->pictures[k], k, answers);
+    return job_picture_judge_padding(job_picture(job, k), k, answers);
 }
 
 void job_adopt(Job *job, const Sections *answers)
 {
-    for (int k = 0; job->judge->adopts && k < job->n_pictures; k++) {
-        job_picture_adopt(job->pictures[k], k, answers);
+    for (int k = 0; job->judge->adopts && k < job->judge->scenes.n; k++) {
+        job_picture_adopt(picture_of(job, k), k, answers);
     }
 }
 
@@ -170,6 +206,7 @@ void job_add_pictures(const Job *job, const Sections *answers, Result *result)
     if (job->judge->add_pictures != NULL) {
         job->judge->add_pictures(job, answers, result);
     } else {
-        job_pictures_report(job->pictures, job->n_pictures, answers, result);
+        const JobScenes *scenes = &job->judge->scenes;
+        job_pictures_report(job_picture(job, 0), scenes->n_bytes, scenes->n, answers, result);
     }
 }

@@ -14,6 +14,7 @@
 #include "random.h"
 #include "replay.h"
 #include "result.h"
+#include "scene_kind.h"
 #include "sections.h"
 
 #include <stddef.h>
@@ -46,10 +47,12 @@ typedef struct JudgeCheck {
     Diagnosis (*tree3d)(const struct TreeScene3D *scene, const struct KdTree3D *own);  // lab 06
 
     // The same by what the answer to its task does alone (grader/alone.h): all of it, scene by
-    // scene, or in a replay. Where none is set, it is judged as in the whole.
+    // scene, by every input of some functions, or in a replay. Where none is set, it is judged as
+    // in the whole.
     int (*alone)(const void *job, const struct JudgeCheck *check, const Sections *answers);
     int (*alone_scene)(const void *job, int k, const Sections *answers);
-    Range alone_range;  // of scenes; that of the whole where none is set
+    Range alone_range;                   // of scenes; that of the whole where none is set
+    const Function *alone_functions[2];  // in the place of whole scenes, which need other tasks
     const Replay *replay;
 } JudgeCheck;
 
@@ -62,6 +65,15 @@ typedef struct JobPart {
 #define PART(section, tasks, type, member)                                                         \
     {section, tasks, offsetof(type, member), sizeof((type *)0)->member}
 
+// The scenes of a job: an array in the lab's own.
+typedef struct JobScenes {
+    const SceneKind *kind;
+    int n;
+    size_t offset, n_bytes;  // of the first in the job, and of each
+} JobScenes;
+#define SCENES(kind, type, member)                                                                 \
+    {&(kind), COUNT(((type *)0)->member), offsetof(type, member), sizeof *((type *)0)->member}
+
 typedef struct Judge {
     const char *lab;  // "01-naive-2d"
     const JudgeCheck *checks;
@@ -71,21 +83,22 @@ typedef struct Judge {
     // Draw all of the job, which is zeros, and what is expected. Returns 0, or -1 after one
     // message.
     int (*draw)(void *job, Random *random);
-    // Release what the job owns; it may be drawn in part only.
+    // Release what the job owns besides its scenes; it may be drawn in part only. NULL for nothing.
     void (*release)(void *job);
 
     // The job's file: first the parts, then the scenes. Those that write return 0, or -1.
     const JobPart *parts;
     int n_parts;
+    JobScenes scenes;
+    // In the place of their kind's, where that does not know all of it.
     int (*write_scene)(const void *job, int k, FILE *file);
-    int n_scenes;
     // What one task is tried on alone, besides its parts and replays; NULL for nothing.
     int (*write_alone)(const void *job, const char *task, FILE *file);
 
     // Are pictures compared with those of the solution, once they are there? Else the oracle's stay
     // the reference: a right solution may be as far from them as ours is, on the other side.
     int adopts;
-    // Add pictures for the report; NULL for those that the job lists.
+    // Add pictures for the report; NULL for those of the scenes.
     void (*add_pictures)(const void *job, const Sections *answers, Result *result);
 } Judge;
 
@@ -99,17 +112,15 @@ const Judge *judge_of(const char *lab);
 // ---- A job --------------------------------------------------------------------------------------
 
 // What each lab's own job begins with.
-enum { MOST_PICTURES = 48 };
 typedef struct Job {
     const Judge *judge;
-    JobPicture *pictures[MOST_PICTURES];  // number K is answered by "picture.K"
-    int n_pictures;
     Growth growth;  // labs 02 and 06: the right trees of the scenes, for replays
     uint32_t lot;   // of the stand-ins: lot.h
 } Job;
 
-// Let the next picture be part of the job. It must stay where it is.
-void job_list_picture(Job *job, JobPicture *picture);
+// Scene number k, and its picture, which is answered by "picture.K".
+const void *job_scene(const void *job, int k);
+const JobPicture *job_picture(const void *job, int k);
 
 // Draw a job from the seed and write it as sections. Returns the job, with all that is expected, or
 // NULL after one message on stderr.

@@ -109,11 +109,12 @@ typedef struct DistributeJob {
 } DistributeJob;
 LAYOUT_ASSERT(DistributeJob, 2420);
 
-// Lab 02: pack_leaf is called on a tree of PACK_NODES nodes whose map already holds n_map entries.
+// Lab 02: pack_leaf is called on a tree of PACK_NODES nodes whose map already holds n_before
+// entries; lab 06: pack_leaf_range, on one that already holds as many ids.
 enum { PACK_NODES = 8, PACK_MAX_IDS = 300, PACK_MAP_ROOM = PACK_MAX_IDS + 40 };
 typedef struct PackJob {
     u32 id;
-    u32 n_map;
+    u32 n_before;
     u32 n_ids;
     u32 ids[PACK_MAX_IDS];
 } PackJob;
@@ -234,16 +235,7 @@ typedef struct SphereBoxJob {
 } SphereBoxJob;
 LAYOUT_ASSERT(SphereBoxJob, 40);
 
-// pack_leaf_range is called on a tree of PACK_NODES nodes that already holds n_sphere_ids ids.
-typedef struct PackJob3D {
-    u32 id;
-    u32 n_sphere_ids;
-    u32 n_ids;
-    u32 ids[PACK_MAX_IDS];
-} PackJob3D;
-LAYOUT_ASSERT(PackJob3D, 1212);
-
-// What the tree looks like afterwards; nodes start as PACK_NODE, ids as UNTOUCHED.
+// What the tree of a PackJob looks like afterwards; nodes start as PACK_NODE, ids as UNTOUCHED.
 #define PACK_SPLIT_POS 3.5f
 #define PACK_SPLIT_AXIS 1u
 #define PACK_NODE ((KdNode3){PACK_SPLIT_POS, PACK_SPLIT_AXIS, UNTOUCHED, UNTOUCHED})

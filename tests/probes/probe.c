@@ -13,6 +13,9 @@
 // A job is made by the grader: larger ones are a mistake of its own.
 #define MAX_JOB_BYTES ((size_t)256 << 20)
 
+// Of a function on the device.
+enum { MOST_BUFFERS = 4 };
+
 static void fault(const char *what)
 {
     fprintf(stderr, "probe: %s\n", what);
@@ -147,22 +150,6 @@ void probe_leave_untouched(uint32_t *array, size_t n)
     }
 }
 
-void probe_replay_leaves(const Probe *probe, const char *name, PackTree *pack_tree)
-{
-    size_t n_bytes;
-    const ReplayTree *trees = probe_job(probe, "replay.trees", &n_bytes);
-    const size_t n_trees = n_bytes / sizeof *trees;
-    const ReplayList *leaves = probe_job(probe, name, &n_bytes);
-    const size_t n = n_bytes / sizeof *leaves;
-    size_t i = 0;
-    for (uint32_t k = 0; k < n_trees; k++) {
-        pack_tree(probe, k, trees[k], leaves + i, n - i);
-        while (i < n && leaves[i].scene == k) {
-            i++;
-        }
-    }
-}
-
 cl_program probe_build(const Probe *probe, const char *path, const char *options)
 {
     probe_note(probe, PROBE_NOTE_BUILD, PROBE_NO_INPUT);
@@ -183,6 +170,33 @@ cl_kernel probe_kernel(cl_program program, const char *name)
     }
     CL_CHECK_CREATED(error, clCreateKernel);
     return kernel;
+}
+
+cl_program probe_open_program(Probe *probe, const char *path, const char *options)
+{
+    probe_open(probe);
+    probe_open_device(probe);
+    return probe_build(probe, path, options);
+}
+
+void probe_close_program(Probe *probe, cl_program program)
+{
+    CL_CHECK(clReleaseProgram(program));
+    probe_close(probe);
+}
+
+cl_mem probe_section_create(const Probe *probe, const char *name)
+{
+    size_t n_bytes;
+    const void *bytes = probe_job(probe, name, &n_bytes);
+    return cl_buffer_create(&probe->cl, bytes, n_bytes);
+}
+
+cl_mem probe_part_create(const Probe *probe, int k, const char *part)
+{
+    char name[SECTION_NAME_BYTES];
+    section_name(name, "scene", k, part);
+    return probe_section_create(probe, name);
 }
 
 cl_mem probe_buffer(const Probe *probe, size_t n_bytes)
@@ -234,6 +248,17 @@ void probe_call(const Probe *probe, cl_program program, const char *name, size_t
     probe_answer_buffer(probe, name, -1, d_answers, n * answer_bytes);
     CL_CHECK(clReleaseMemObject(d_jobs));
     CL_CHECK(clReleaseKernel(kernel));
+}
+
+void probe_call_with(const Probe *probe, cl_program program, const char *name, size_t job_bytes,
+                     size_t answer_bytes, const char *const *buffers, cl_uint n_buffers)
+{
+    cl_mem d_buffers[MOST_BUFFERS] = {NULL};
+    for (cl_uint i = 0; probe_asks(probe, name) && i < n_buffers; i++) {
+        d_buffers[i] = probe_section_create(probe, buffers[i]);
+    }
+    probe_call(probe, program, name, job_bytes, answer_bytes, d_buffers, n_buffers);
+    cl_memory_release(d_buffers, n_buffers);
 }
 
 cl_mem probe_image(const Probe *probe, int width, int height)
@@ -336,18 +361,14 @@ Scene3DBuffers probe_scene3d_buffers(const Probe *probe, int k, const SceneJob3D
                                                         "lights"};
     Scene3DBuffers buffers = {.d_image = probe_image(probe, scene->width, scene->height)};
     for (int i = 0; i < N_SCENE3D_ARRAYS; i++) {
-        size_t n_bytes;
-        const void *array = probe_scene_part(probe, k, names[i], &n_bytes);
-        buffers.d_arrays[i] = cl_buffer_create(&probe->cl, array, n_bytes);
+        buffers.d_arrays[i] = probe_part_create(probe, k, names[i]);
     }
     return buffers;
 }
 
 void probe_scene3d_release(Scene3DBuffers *buffers)
 {
-    for (int i = 0; i < N_SCENE3D_ARRAYS; i++) {
-        CL_CHECK(clReleaseMemObject(buffers->d_arrays[i]));
-    }
+    cl_memory_release(buffers->d_arrays, N_SCENE3D_ARRAYS);
     CL_CHECK(clReleaseMemObject(buffers->d_image));
 }
 

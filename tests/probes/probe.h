@@ -47,6 +47,12 @@ void probe_open_device(Probe *probe);
 // Write the section PROBE_END and release everything.
 void probe_close(Probe *probe);
 
+// Open all of it for a lab with kernels, and build the program in the lab's probe.cl; close it.
+#define PROBE_PROGRAM "probes/" LAB_NAME "/probe.cl"
+#define PROBE_COUNTING PROBE_KERNEL_OPTIONS " -I " LAB_FOLDER " -I probes -DCOUNT_WORK"
+cl_program probe_open_program(Probe *probe, const char *path, const char *options);
+void probe_close_program(Probe *probe, cl_program program);
+
 // Does the job ask for this?
 int probe_asks(const Probe *probe, const char *name);
 
@@ -74,6 +80,19 @@ void probe_answer(const Probe *probe, const char *name, int k, const char *part,
 // Write an array as section "name" and free it.
 void probe_answer_array(const Probe *probe, const char *name, void *array, size_t n_bytes);
 
+// A function of the student's on the host, and the section of the job with its inputs.
+typedef struct ProbeFunction {
+    const char *section;
+    // Call it with one input; the answers, all zeros before, become a section of the same name.
+    size_t input_bytes, answer_bytes;
+    void (*call)(const Probe *probe, const void *input, void *answer);
+    // Where that is not enough, in its place: answer the section as a whole.
+    void (*answer)(const Probe *probe, const char *section);
+} ProbeFunction;
+
+// Call the functions that the job asks for, one by one (probe_host.c).
+void probe_call_host(const Probe *probe, const ProbeFunction *functions, size_t n);
+
 // Make n entries UNTOUCHED.
 void probe_leave_untouched(uint32_t *array, size_t n);
 
@@ -98,6 +117,10 @@ cl_program probe_build(const Probe *probe, const char *path, const char *options
 // student's kernels: before any other is run, as the grader believes that status only there.
 cl_kernel probe_kernel(cl_program program, const char *name);
 
+// A section of the job, or a part of scene k, on the device, where kernels only read it.
+cl_mem probe_section_create(const Probe *probe, const char *name);
+cl_mem probe_part_create(const Probe *probe, int k, const char *part);
+
 // Room for answers on the device, every bit set. Release with probe_answer_buffer().
 cl_mem probe_buffer(const Probe *probe, size_t n_bytes);
 
@@ -112,6 +135,11 @@ void probe_answer_buffer(const Probe *probe, const char *name, int k, cl_mem d_a
 //   d_buffers[n_buffers]      or NULL, 0
 void probe_call(const Probe *probe, cl_program program, const char *name, size_t job_bytes,
                 size_t answer_bytes, const cl_mem *d_buffers, cl_uint n_buffers);
+
+// The same where the buffers are sections of the job.
+//   buffers[n_buffers]   their names
+void probe_call_with(const Probe *probe, cl_program program, const char *name, size_t job_bytes,
+                     size_t answer_bytes, const char *const *buffers, cl_uint n_buffers);
 
 // The image for a picture of this size with its margin, every pixel UNWRITTEN.
 cl_mem probe_image(const Probe *probe, int width, int height);

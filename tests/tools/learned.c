@@ -100,11 +100,12 @@ static int learn_scene(const ExpectedPicture *expected, int is_3d, Row *row)
 
 static void learn_job(const Job *job, int is_3d)
 {
+    enum { MOST_PICTURES = 48 };
     Row rows[MOST_PICTURES] = {{0}};
     int n_rows = 0, n_runs = 0;
     printf("__constant const ushort learned_runs[][2] = {\n");
-    for (int k = 0; k < job->n_pictures; k++) {
-        const ExpectedPicture *expected = &job->pictures[k]->expected;
+    for (int k = 0; k < job->judge->scenes.n && n_rows < MOST_PICTURES; k++) {
+        const ExpectedPicture *expected = &job_picture(job, k)->expected;
         const int width = expected->reference.width, height = expected->reference.height;
         if (width * height <= MOST_PIXELS) {
             Row *row = &rows[n_rows++];

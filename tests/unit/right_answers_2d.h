@@ -222,7 +222,7 @@ static void answer_lists(Writer *writer, const Sections *job)
             packed[i].map[j] = UNTOUCHED;
         }
         KdTree2D tree = {packed[i].relations, flags,      packed[i].boxes,
-                         packed[i].map,       PACK_NODES, leaves[i].n_map};
+                         packed[i].map,       PACK_NODES, leaves[i].n_before};
         pack_leaf(&tree, leaves[i].id, leaves[i].ids, leaves[i].n_ids);
         packed[i].n_map = tree.n_map;
         packed[i].n_nodes = tree.n_nodes;

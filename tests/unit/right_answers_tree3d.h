@@ -37,7 +37,7 @@ static void answer_planes_and_overlaps(Writer *writer, const Sections *job)
 static void answer_leaves_3d(Writer *writer, const Sections *job)
 {
     size_t n_bytes;
-    const PackJob3D *leaves = sections_find_any(job, "pack", &n_bytes);
+    const PackJob *leaves = sections_find_any(job, "pack", &n_bytes);
     const size_t n = n_bytes / sizeof *leaves;
     PackAnswer3D *packed = calloc(n, sizeof *packed);
     for (size_t i = 0; i < n; i++) {
@@ -50,7 +50,7 @@ static void answer_leaves_3d(Writer *writer, const Sections *job)
         KdTree3D tree = {.nodes = packed[i].nodes,
                          .sphere_ids = packed[i].sphere_ids,
                          .n_nodes = PACK_NODES,
-                         .n_sphere_ids = leaves[i].n_sphere_ids};
+                         .n_sphere_ids = leaves[i].n_before};
         pack_leaf_range(&tree, leaves[i].id, leaves[i].ids, leaves[i].n_ids);
         packed[i].n_sphere_ids = tree.n_sphere_ids;
         packed[i].n_nodes = tree.n_nodes;

@@ -91,7 +91,8 @@ static int search_node(Search *search, u32 id, double t_min, double t_max, u32 n
 // Search the scene for what a pixel's ray hits, from the eye to the end of the scene's box.
 static Search search_scene(const JobScene3D *scene, int pixel, int ends_early)
 {
-    Search search = {scene, ray_07_of(scene, pixel), ends_early, INFINITY, ORACLE_NO_SPHERE, {0}};
+    Search search = {scene, job_scene3d_ray(scene, pixel), ends_early, INFINITY, ORACLE_NO_SPHERE,
+                     {0}};
     double t_min = 0, t_max = INFINITY;
     for (u32 axis = 0; axis < 3; axis++) {
         const double origin = along(search.ray.origin, axis);
@@ -163,7 +164,7 @@ Test(judge_07, a_right_search_does_the_least_work_and_the_most_or_almost)
     int n_rays = 0, n_equal = 0, n_least = 0;
     for (int k = 0; k < N_SCENES; k++) {
         for (int pixel = 0; pixel < n_pixels(&scenes[k]); pixel++) {
-            const OracleRay ray = ray_07_of(&scenes[k], pixel);
+            const OracleRay ray = job_scene3d_ray(&scenes[k], pixel);
             const Work work = search_scene(&scenes[k], pixel, 1).work;
             const WorkBounds bounds = search3d_bounds(&scenes[k], &ray);
             const Work most = bounds.most;
@@ -188,7 +189,7 @@ Test(judge_07, a_search_that_never_ends_early_does_more_than_the_most)
     JobScene3D *scenes = scenes_open(7);
     int n_more = 0;
     for (int pixel = 0; pixel < n_pixels(&scenes[FLAKE]); pixel++) {
-        const OracleRay ray = ray_07_of(&scenes[FLAKE], pixel);
+        const OracleRay ray = job_scene3d_ray(&scenes[FLAKE], pixel);
         n_more += is_more(search_scene(&scenes[FLAKE], pixel, 0).work,
                           search3d_bounds(&scenes[FLAKE], &ray).most);
     }
@@ -214,7 +215,7 @@ static int count_before_leaf(const JobScene3D *scene)
     const Sphere sphere = scene->scene.spheres[0];
     int n_before = 0;
     for (int pixel = 0; pixel < n_pixels(scene); pixel++) {
-        const OracleRay ray = ray_07_of(scene, pixel);
+        const OracleRay ray = job_scene3d_ray(scene, pixel);
         const Vec3 origin = {(float)ray.origin.x, (float)ray.origin.y, (float)ray.origin.z};
         const Vec3 direction = {(float)ray.direction.x, (float)ray.direction.y,
                                 (float)ray.direction.z};

@@ -154,11 +154,9 @@ static OracleVector jittered(Random *random, OracleVector v, double error)
 // bound. This is what ambiguous pixels are for.
 static void expect_bounded(JobScene3D *scene, Random *random, int *n_ambiguous, int *n_far)
 {
-    static const OracleRules3D right = {0};
     const Scene3D *s = &scene->scene;
     for (int pixel = 0; pixel < s->width * s->height; pixel++) {
-        const OracleRay ray = oracle3d_primary_ray(&scene->camera, pixel % s->width,
-                                                   pixel / s->width, s->width, s->height, &right);
+        const OracleRay ray = job_scene3d_ray(scene, pixel);
         const OracleNear color = oracle3d_follow(s, ray, 3, &RIGHT, NULL);
         OracleRay beside = ray;
         beside.direction = jittered(random, ray.direction, ray.direction_error);

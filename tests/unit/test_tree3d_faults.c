@@ -197,9 +197,9 @@ Test(tree3d_faults, each_fault_is_found_by_its_judges_alone)
         const int against = judges_against(&scene, &tree);
         cr_expect_eq(against, corruptions[i].against, "%s: found by %s", corruptions[i].what,
                      names_of(against));
-        for (size_t j = 0; j < sizeof judges / sizeof *judges; j++) {
-            if (judges[j].bit == corruptions[i].judge) {
-                expect_says(judges[j].judge(&scene, &tree), corruptions[i].says);
+        for (size_t j = 0; j < sizeof tree_judges / sizeof *tree_judges; j++) {
+            if (tree_judges[j].bit == corruptions[i].judge) {
+                expect_says(tree_judges[j].judge(&scene, &tree), corruptions[i].says);
             }
         }
         tree3d_free(&tree);

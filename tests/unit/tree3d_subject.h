@@ -17,7 +17,7 @@ static const struct {
     int bit;
     const char *name;
     Diagnosis (*judge)(const TreeScene3D *, const KdTree3D *);
-} judges[] = {
+} tree_judges[] = {
     {BOUNDS, "bounds", tree3d_judge_bounds},    {SPLITS, "splits", tree3d_judge_splits},
     {OVERLAP, "overlap", tree3d_judge_overlap}, {LISTS, "lists", tree3d_judge_lists},
     {PACKING, "packing", tree3d_judge_packing}, {DEPTH, "depth", tree3d_judge_depth},
@@ -27,10 +27,10 @@ static const struct {
 static inline int judges_against(const TreeScene3D *scene, const KdTree3D *tree)
 {
     int against = 0;
-    for (size_t i = 0; i < sizeof judges / sizeof *judges; i++) {
-        char *message = told(judges[i].judge(scene, tree));
+    for (size_t i = 0; i < sizeof tree_judges / sizeof *tree_judges; i++) {
+        char *message = told(tree_judges[i].judge(scene, tree));
         if (message != NULL) {
-            against |= judges[i].bit;
+            against |= tree_judges[i].bit;
             cr_expect(strchr(message, '\n') == NULL && strstr(message, scene->title) == message,
                       "%s", message);
             free(message);
@@ -44,9 +44,9 @@ static const char *names_of(int against)
 {
     static char names[64];
     names[0] = '\0';
-    for (size_t i = 0; i < sizeof judges / sizeof *judges; i++) {
-        if (against & judges[i].bit) {
-            strcat(strcat(names, judges[i].name), " ");
+    for (size_t i = 0; i < sizeof tree_judges / sizeof *tree_judges; i++) {
+        if (against & tree_judges[i].bit) {
+            strcat(strcat(names, tree_judges[i].name), " ");
         }
     }
     return names;

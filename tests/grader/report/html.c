@@ -8,29 +8,19 @@
 #include "clean_text.h"
 #include "html_style.h"
 
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
 static void escaped_write(FILE *page, const char *text)
 {
+    static const char *const entities[UCHAR_MAX + 1] = {
+        ['&'] = "&amp;", ['<'] = "&lt;", ['>'] = "&gt;", ['"'] = "&quot;", ['\''] = "&#39;"};
     for (; *text != '\0'; text++) {
-        switch (*text) {
-        case '&':
-            fputs("&amp;", page);
-            break;
-        case '<':
-            fputs("&lt;", page);
-            break;
-        case '>':
-            fputs("&gt;", page);
-            break;
-        case '"':
-            fputs("&quot;", page);
-            break;
-        case '\'':
-            fputs("&#39;", page);
-            break;
-        default:
+        const char *entity = entities[(unsigned char)*text];
+        if (entity != NULL) {
+            fputs(entity, page);
+        } else {
             fputc(*text, page);
         }
     }
@@ -39,13 +29,6 @@ static void escaped_write(FILE *page, const char *text)
 void html_line(FILE *page, const char *line)
 {
     char *clean = line_clean(line);
-    escaped_write(page, clean);
-    free(clean);
-}
-
-void html_text(FILE *page, const char *message)
-{
-    char *clean = message_clean(message);
     escaped_write(page, clean);
     free(clean);
 }

@@ -18,9 +18,6 @@ void html_album_begin(FILE *page, const char *title);
 // XML.
 void html_line(FILE *page, const char *line);
 
-// A message of any text, cleaned and escaped, without markup around it; fit for XML as well.
-void html_text(FILE *page, const char *message);
-
 // A message of any text, as a paragraph, or as a log that keeps its columns when it has several
 // lines. Nothing when it is empty.
 void html_message(FILE *page, const char *message);

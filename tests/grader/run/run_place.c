@@ -48,7 +48,7 @@ static void describe_distribute(const void *input, char *words, size_t n_bytes)
 static void describe_pack(const void *input, char *words, size_t n_bytes)
 {
     const PackJob *in = input;
-    snprintf(words, n_bytes, "leaf with %u circles, map of %u entries", in->n_ids, in->n_map);
+    snprintf(words, n_bytes, "leaf with %u circles, map of %u entries", in->n_ids, in->n_before);
 }
 
 static void describe_view(const void *input, char *words, size_t n_bytes)
@@ -79,8 +79,8 @@ static void describe_sphere_and_box(const void *input, char *words, size_t n_byt
 
 static void describe_pack3(const void *input, char *words, size_t n_bytes)
 {
-    const PackJob3D *in = input;
-    snprintf(words, n_bytes, "leaf with %u spheres, %u ids before it", in->n_ids, in->n_sphere_ids);
+    const PackJob *in = input;
+    snprintf(words, n_bytes, "leaf with %u spheres, %u ids before it", in->n_ids, in->n_before);
 }
 
 // ---- The steps ----------------------------------------------------------------------------------
@@ -139,7 +139,7 @@ static const ProbeStep steps[] = {
     {"06", "splits", "in choose_split", "choose_split", ON_INPUTS, sizeof(BBox3D), describe_box3},
     {"06", "overlaps", "in sphere_overlaps_box", "sphere_overlaps_box", ON_INPUTS,
      sizeof(SphereBoxJob), describe_sphere_and_box},
-    {"06", "pack", "in pack_leaf_range", "pack_leaf_range", ON_INPUTS, sizeof(PackJob3D),
+    {"06", "pack", "in pack_leaf_range", "pack_leaf_range", ON_INPUTS, sizeof(PackJob),
      describe_pack3},
     {"06", "todo", "in fits_todo", "fits_todo", ON_LEVEL, 0, NULL},
     {"06", "tree", "while kdtree3d_build built a whole tree", NULL, ON_SCENE, 0, NULL},

@@ -44,7 +44,8 @@ enum {
 // What can be allowed for a file; everything else is for folders.
 #define FS_FOR_FILES (FS_EXECUTE | FS_WRITE_FILE | FS_READ_FILE | FS_TRUNCATE | FS_IOCTL_DEV)
 
-int landlock_version(void)
+// The version of Landlock that the kernel has; 0 when there is none or it is switched off.
+static int landlock_version(void)
 {
     long version = syscall(SYS_landlock_create_ruleset, NULL, 0, CREATE_RULESET_VERSION);
     return version > 0 ? (int)version : 0;

@@ -9,9 +9,6 @@ typedef enum LandlockAccess {
     LANDLOCK_DEVICE,  // read, write and control a device that is there
 } LandlockAccess;
 
-// The version of Landlock that the kernel has; 0 when there is none or it is switched off.
-int landlock_version(void);
-
 // A new set of rules, closed on exec, that allows nothing yet: no file, and where the kernel knows
 // of them no TCP port, no signal and no abstract socket of those outside. -1 with errno set when it
 // cannot be made; ENOSYS where Landlock is older than LANDLOCK_OLDEST.

@@ -139,7 +139,6 @@ static int draw(void *pointer, Random *random)
     int sizes[N_SIZES][2], result = 0;
     draw_sizes(random, sizes);
     for (int k = 0; result == 0 && k < N_SIZES; k++) {
-        job_list_picture(&job->job, &job->gradients[k]);
         result = expect_gradient(sizes[k][0], sizes[k][1], &job->gradients[k]);
         job->keys[k] = (u32)random_integer(random, 0, UINT32_MAX);
         result |= draw_pattern(job->keys[k], sizes[k][0], sizes[k][1], &job->patterns[k]);
@@ -151,7 +150,6 @@ static void release(void *pointer)
 {
     Job00 *job = pointer;
     for (int k = 0; k < N_SIZES; k++) {
-        expected_picture_free(&job->gradients[k].expected);
         expected_picture_free(&job->patterns[k]);
     }
 }
@@ -206,8 +204,8 @@ const Judge judge_00 = {
     .job_bytes = sizeof(Job00),
     .draw = draw,
     .release = release,
+    .scenes = SCENES(picture_kind, Job00, gradients),
     .write_scene = write_scene,
-    .n_scenes = N_SIZES,
     .write_alone = write_alone,
     .adopts = 1,
 };

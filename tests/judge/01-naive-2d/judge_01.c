@@ -34,24 +34,8 @@ static int draw_scenes(Random *random, JobScene scenes[N_SCENES])
 static int draw(void *pointer, Random *random)
 {
     Job01 *job = pointer;
-    for (int k = 0; k < N_SCENES; k++) {
-        job_list_picture(&job->job, &job->scenes[k].picture);
-    }
     draw_overlaps_01(random, job->overlaps);
     return draw_scenes(random, job->scenes);
-}
-
-static void release(void *pointer)
-{
-    Job01 *job = pointer;
-    for (int k = 0; k < N_SCENES; k++) {
-        job_scene_free(&job->scenes[k]);
-    }
-}
-
-static int write_scene(const void *pointer, int k, FILE *file)
-{
-    return job_scene_write(&((const Job01 *)pointer)->scenes[k], k, file);
 }
 
 // ---- Alone --------------------------------------------------------------------------------------
@@ -160,11 +144,9 @@ const Judge judge_01 = {
     .n_checks = COUNT(checks),
     .job_bytes = sizeof(Job01),
     .draw = draw,
-    .release = release,
     .parts = parts,
     .n_parts = COUNT(parts),
-    .write_scene = write_scene,
-    .n_scenes = N_SCENES,
+    .scenes = SCENES(job_scene_kind, Job01, scenes),
     .write_alone = write_alone,
     .adopts = 1,
 };

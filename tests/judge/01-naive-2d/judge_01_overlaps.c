@@ -271,10 +271,5 @@ static char *describe_overlap(const void *pointer, int i, const void *answers)
         expected_overlap(in, 0));
 }
 
-const Function overlaps_01 = {.section = "overlaps",
-                              .n = N_OVERLAPS,
-                              .answer_bytes = sizeof(i32),
-                              .describe = describe_overlap,
-                              .agrees = overlap_agrees,
-                              .counted = "inputs",
-                              .explain = explain_overlaps};
+const Function overlaps_01 = {"overlaps", N_OVERLAPS, sizeof(i32),
+                              EXPLAINED(overlap_agrees, describe_overlap, explain_overlaps)};

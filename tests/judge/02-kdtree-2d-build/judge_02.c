@@ -153,11 +153,10 @@ const Judge judge_02 = {
     .n_checks = COUNT(checks),
     .job_bytes = sizeof(Job02),
     .draw = job_02_draw,
-    .release = job_02_release,
     .parts = parts,
     .n_parts = COUNT(parts),
+    .scenes = SCENES(job_scene_kind, Job02, scenes),
     .write_scene = job_02_write_scene,
-    .n_scenes = N_SCENES,
     .write_alone = write_alone_02,
     .add_pictures = add_pictures,
 };

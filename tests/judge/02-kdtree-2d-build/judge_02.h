@@ -30,7 +30,6 @@ typedef struct Job02 {
 
 // See judge.h.
 int job_02_draw(void *job, Random *random);
-void job_02_release(void *job);
 int job_02_write_scene(const void *job, int k, FILE *file);
 
 // Draw the inputs of the functions; the scenes are drawn already.

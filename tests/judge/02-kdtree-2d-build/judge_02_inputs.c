@@ -7,6 +7,7 @@
 
 #include "oracle2d.h"
 #include "oracle2d_tree.h"
+#include "packed_list.h"
 
 static BBox2D draw_box(Random *random)
 {
@@ -316,32 +317,6 @@ static DistributeJob draw_distribute(Random *random, int i, const Scene2D *scene
     return job;
 }
 
-// Empty leaves and the first one of a tree; then long lists, before the leaf and in it. Their ids
-// are too large for 16 bits.
-static const struct {
-    u32 n_map, n_ids;
-} leaves[] = {{5, 0}, {9, 0}, {0, 2}, {0, 0}, {PACK_MAX_IDS, 3}, {7, PACK_MAX_IDS}};
-
-static PackJob draw_pack(Random *random, int i)
-{
-    enum { MOST_IDS = 24 };
-    const int edge = edge_of(i, N_PACKS, COUNT(leaves));
-    PackJob job = {.id = (u32)random_integer(random, 1, PACK_NODES - 1)};
-    job.n_map = (u32)random_integer(random, 1, 20);
-    job.n_ids = (u32)random_integer(random, 1, MOST_IDS);
-    u32 id = (u32)random_integer(random, 0, 5);
-    if (edge >= 0) {
-        job.n_map = leaves[edge].n_map;
-        job.n_ids = leaves[edge].n_ids;
-        id += 90000;
-    }
-    for (u32 j = 0; j < job.n_ids; j++) {
-        job.ids[j] = id;
-        id += (u32)random_integer(random, 1, 90);
-    }
-    return job;
-}
-
 void draw_inputs_02(Random *random, Job02 *job)
 {
     for (int i = 0; i < N_LEAVES; i++) {
@@ -360,6 +335,6 @@ void draw_inputs_02(Random *random, Job02 *job)
         job->distributes[i] = draw_distribute(random, i, &job->scenes[DISTRIBUTE_SCENE].scene);
     }
     for (int i = 0; i < N_PACKS; i++) {
-        job->packs[i] = draw_pack(random, i);
+        job->packs[i] = pack_draw(random, edge_of(i, N_PACKS, N_PACK_EDGES), 1);
     }
 }

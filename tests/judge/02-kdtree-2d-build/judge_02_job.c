@@ -79,14 +79,6 @@ int job_02_draw(void *pointer, Random *random)
     return result;
 }
 
-void job_02_release(void *pointer)
-{
-    Job02 *job = pointer;
-    for (int k = 0; k < N_SCENES; k++) {
-        job_scene_free(&job->scenes[k]);
-    }
-}
-
 int job_02_write_scene(const void *pointer, int k, FILE *file)
 {
     JobScene scene = ((const Job02 *)pointer)->scenes[k];

@@ -250,8 +250,8 @@ const Function distribute_02 = {"distribute", N_DISTRIBUTES, DISTRIBUTE_ROOM * s
 // "leaf with 5 circles, map of 1 entry"
 static Words pack_words(const PackJob *in)
 {
-    return words("leaf with %u circle%s, map of %u %s", in->n_ids, plural(in->n_ids), in->n_map,
-                 in->n_map == 1 ? "entry" : "entries");
+    return words("leaf with %u circle%s, map of %u %s", in->n_ids, plural(in->n_ids), in->n_before,
+                 in->n_before == 1 ? "entry" : "entries");
 }
 
 static Diagnosis pack_offset_fault(const void *job, int i, const void *answers)
@@ -259,15 +259,15 @@ static Diagnosis pack_offset_fault(const void *job, int i, const void *answers)
     const PackJob *in = &((const Job02 *)job)->packs[i];
     const PackAnswer *out = (const PackAnswer *)answers + i;
     const u32 offset = out->relations[in->id].circleMapOffset;
-    const char *says = offset == in->n_map + 1 ? "it points behind the count, at the first id"
-                       : offset == in->n_map + 1 + in->n_ids
+    const char *says = offset == in->n_before + 1 ? "it points behind the count, at the first id"
+                       : offset == in->n_before + 1 + in->n_ids
                            ? "that is the end of the list: n_map had moved before"
                            : NULL;
-    return offset == in->n_map
+    return offset == in->n_before
                ? NOTHING_WRONG
                : diagnosis_of(message_new("%s: circleMapOffset is %u, expected %u, the place of "
                                           "the count",
-                                          pack_words(in).text, offset, in->n_map),
+                                          pack_words(in).text, offset, in->n_before),
                               (Cause){.says = says});
 }
 
@@ -281,25 +281,25 @@ static Diagnosis pack_count_fault(const void *job, int i, const void *answers)
 {
     const PackJob *in = &((const Job02 *)job)->packs[i];
     const PackAnswer *out = (const PackAnswer *)answers + i;
-    const u32 count = out->map[in->n_map];
+    const u32 count = out->map[in->n_before];
     if (count == UNTOUCHED) {
         return diagnosis_of(
             message_new("%s: mapNode2Circles[%u] was not written, expected the count",
-                        pack_words(in).text, in->n_map),
+                        pack_words(in).text, in->n_before),
             (Cause){.says = in->n_ids == 0 ? "an empty leaf has a list, too: a count of 0" : NULL});
     }
     return count == in->n_ids
                ? NOTHING_WRONG
                : diagnosis_of(message_new("%s: the count at %u is %u, expected %u",
-                                          pack_words(in).text, in->n_map, count, in->n_ids),
+                                          pack_words(in).text, in->n_before, count, in->n_ids),
                               count_cause(count, in->n_ids));
 }
 
 // The leaf's ids, and what else is in the map.
 static Diagnosis map_fault(const PackJob *in, const PackAnswer *out)
 {
-    const u32 *list = out->map + in->n_map + 1;
-    const u32 end = in->n_map + 1 + in->n_ids;
+    const u32 *list = out->map + in->n_before + 1;
+    const u32 end = in->n_before + 1 + in->n_ids;
     for (u32 j = 0; j < in->n_ids; j++) {
         if (list[j] == UNTOUCHED) {
             return diagnosis_new("%s: id number %u was not written, expected %u",
@@ -312,8 +312,8 @@ static Diagnosis map_fault(const PackJob *in, const PackAnswer *out)
         }
     }
     if (out->n_map != end) {
-        const char *says = out->n_map == in->n_map + in->n_ids ? "the count is an entry, too"
-                           : out->n_map == in->n_map
+        const char *says = out->n_map == in->n_before + in->n_ids ? "the count is an entry, too"
+                           : out->n_map == in->n_before
                                ? "n_map has to move in the tree that was handed over, and not in a "
                                  "copy"
                                : NULL;
@@ -322,11 +322,11 @@ static Diagnosis map_fault(const PackJob *in, const PackAnswer *out)
                             (Cause){.says = says});
     }
     for (u32 j = 0; j < PACK_MAP_ROOM; j++) {
-        const int is_list = j >= in->n_map && j < end;
+        const int is_list = j >= in->n_before && j < end;
         if (!is_list && out->map[j] != UNTOUCHED) {
             return diagnosis_of(
                 message_new("%s: mapNode2Circles[%u] was written, but the list goes from %u to %u",
-                            pack_words(in).text, j, in->n_map, end - 1),
+                            pack_words(in).text, j, in->n_before, end - 1),
                 (Cause){.says = j == end ? "that is one entry more than count and ids: there may "
                                            "be no room for it"
                                          : NULL});

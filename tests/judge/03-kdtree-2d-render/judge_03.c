@@ -382,8 +382,8 @@ const Judge judge_03 = {
     .release = job_03_release,
     .parts = parts,
     .n_parts = COUNT(parts),
+    .scenes = SCENES(job_scene_kind, Job03, scenes),
     .write_scene = job_03_write_scene,
-    .n_scenes = N_SCENES,
     .write_alone = write_alone_03,
     .adopts = 1,
 };

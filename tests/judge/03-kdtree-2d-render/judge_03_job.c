@@ -179,18 +179,12 @@ static int draw_children(Random *random, Job03 *job)
 int job_03_draw(void *pointer, Random *random)
 {
     Job03 *job = pointer;
-    for (int k = 0; k < N_SCENES; k++) {
-        job_list_picture(&job->job, &job->scenes[k].picture);
-    }
     return draw_scenes(random, job->scenes) == 0 ? draw_children(random, job) : -1;
 }
 
 void job_03_release(void *pointer)
 {
     Job03 *job = pointer;
-    for (int k = 0; k < N_SCENES; k++) {
-        job_scene_free(&job->scenes[k]);
-    }
     tree2d_free(&job->child_tree);
 }
 

@@ -44,10 +44,9 @@ const Judge judge_04 = {
     .n_checks = COUNT(checks),
     .job_bytes = sizeof(Job04),
     .draw = job_04_draw,
-    .release = job_04_release,
     .parts = parts,
     .n_parts = COUNT(parts),
+    .scenes = SCENES(picture_kind, Job04, directions),
     .write_scene = job_04_write_scene,
-    .n_scenes = N_PICTURES,
     .write_alone = write_alone_04,
 };

@@ -40,7 +40,6 @@ typedef struct Job04 {
 
 // See judge.h.
 int job_04_draw(void *job, Random *random);
-void job_04_release(void *job);
 int job_04_write_scene(const void *job, int k, FILE *file);
 
 // The picture of the directions of a scene, which must stay where it is. Returns 0, or -1 after one

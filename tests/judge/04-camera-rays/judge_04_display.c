@@ -217,17 +217,9 @@ static char *describe_point(const void *pointer, int i, const void *answers)
                        words_xyz(e.x, e.y, e.z, 6).text);
 }
 
-const Function display_sides_04 = {"pixels",
-                                   N_ALL_PIXELS,
-                                   sizeof(PixelAnswer),
-                                   .describe = describe_point,
-                                   .agrees = side_agrees,
-                                   .counted = "points",
-                                   MISTAKES(display_mistakes)};
-const Function display_04 = {"pixels",
-                             N_ALL_PIXELS,
-                             sizeof(PixelAnswer),
-                             .describe = describe_point,
-                             .agrees = display_agrees,
-                             .counted = "points",
-                             MISTAKES(display_mistakes)};
+const Function display_sides_04 = {"pixels", N_ALL_PIXELS, sizeof(PixelAnswer),
+                                   COMPARED(side_agrees, describe_point, display_mistakes),
+                                   .counted = "points"};
+const Function display_04 = {"pixels", N_ALL_PIXELS, sizeof(PixelAnswer),
+                             COMPARED(display_agrees, describe_point, display_mistakes),
+                             .counted = "points"};

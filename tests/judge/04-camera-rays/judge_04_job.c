@@ -117,7 +117,6 @@ static int draw_pictures(Random *random, Job04 *job)
                      names[k - ALONG]);
         }
         job->scenes[k] = scene;
-        job_list_picture(&job->job, picture);
         result = expect_directions_04(&job->scenes[k], &picture->expected);
     }
     return result;
@@ -138,14 +137,6 @@ int job_04_draw(void *pointer, Random *random)
         }
     }
     return draw_pictures(random, job);
-}
-
-void job_04_release(void *pointer)
-{
-    Job04 *job = pointer;
-    for (int k = 0; k < N_PICTURES; k++) {
-        expected_picture_free(&job->directions[k].expected);
-    }
 }
 
 int job_04_write_scene(const void *pointer, int k, FILE *file)

@@ -73,23 +73,7 @@ static int draw(void *pointer, Random *random)
     inputs_05_set_edges(job);
     const int result = draw_scenes(random, job->scenes);
     squares_05_draw(random, job->squares);
-    for (int k = 0; k < N_SCENES; k++) {
-        job_list_picture(&job->job, &job->scenes[k].picture);
-    }
     return result;
-}
-
-static void release(void *pointer)
-{
-    Job05 *job = pointer;
-    for (int k = 0; k < N_SCENES; k++) {
-        job_scene3d_free(&job->scenes[k]);
-    }
-}
-
-static int write_scene(const void *job, int k, FILE *file)
-{
-    return job_scene3d_write(&((const Job05 *)job)->scenes[k], k, file);
 }
 
 // ---- Scenes -------------------------------------------------------------------------------------
@@ -177,10 +161,8 @@ static u32 count_different(const Scene3D *scene)
 
 static u32 count_ahead(const JobScene3D *scene, int pixel)
 {
-    static const OracleRules3D right = {0};
     const Scene3D *s = &scene->scene;
-    const OracleRay ray = oracle3d_primary_ray(&scene->camera, pixel % s->width, pixel / s->width,
-                                               s->width, s->height, &right);
+    const OracleRay ray = job_scene3d_ray(scene, pixel);
     u32 n = 0;
     for (int i = 0; i < s->n_spheres; i++) {
         const OracleVector centre = {s->spheres[i].x, s->spheres[i].y, s->spheres[i].z};
@@ -230,9 +212,6 @@ static Verdict judge_work(const void *job, int k, const Sections *answers)
 }
 
 // ---- The judge ----------------------------------------------------------------------------------
-
-// Range number i of a function's inputs.
-#define RANGE(i, n_inputs) {(i) * (n_inputs), n_inputs}
 
 static const JudgeCheck checks[] = {
     {"root-nearer", "Where the ray enters, or no hit", "nearest_root", 5,
@@ -299,10 +278,8 @@ const Judge judge_05 = {
     .n_checks = COUNT(checks),
     .job_bytes = sizeof(Job05),
     .draw = draw,
-    .release = release,
     .parts = parts,
     .n_parts = COUNT(parts),
-    .write_scene = write_scene,
-    .n_scenes = N_SCENES,
+    .scenes = SCENES(job_scene3d_kind, Job05, scenes),
     .write_alone = write_alone_05,
 };

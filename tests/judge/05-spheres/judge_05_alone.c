@@ -139,8 +139,7 @@ static int shade_job(const JobScene3D *scene, int pixel, ShadeJob *job)
 {
     const Scene3D *s = &scene->scene;
     const OracleHit *hit = &scene->hits[pixel];
-    const OracleRay ray = oracle3d_primary_ray(&scene->camera, pixel % s->width, pixel / s->width,
-                                               s->width, s->height, &right);
+    const OracleRay ray = job_scene3d_ray(scene, pixel);
     const OracleNear direction = {ray.direction, ray.direction_error};
     const OracleNear point = {{ray.origin.x + hit->t * ray.direction.x,
                                ray.origin.y + hit->t * ray.direction.y,

@@ -131,7 +131,7 @@ static void set_edge_spheres(SphereRayJob *jobs, const EdgeSphere *edges)
 
 // ---- surface_normal -----------------------------------------------------------------------------
 
-enum { N_GRAZED_NORMALS = 4, N_AXIS_NORMALS = 3 };
+enum { N_GRAZED_NORMALS = 4 };
 
 // Rays that graze the surface, to the bit: the cosine is nearly the least of which a right solution
 // is sure to find the sign (oracle3d_normal()).
@@ -147,46 +147,29 @@ static NormalJob grazed_normal(int range, int i)
     return job;
 }
 
-// Around the origin and along an axis the dot product is one product, and exact however small. The
-// last ray of these is a tangent.
-static NormalJob axis_normal(int range, int i)
+static NormalJob edge_normal(int range, int i)
 {
-    static const NormalJob along[N_AXIS_NORMALS] = {
+    static const NormalJob others[N_EDGE_NORMALS - N_GRAZED_NORMALS] = {
+        // Around the origin and along an axis the dot product is one product, and exact however
+        // small. The last ray of these is a tangent.
         {{0, 0, 0, 2}, {2, 0, 0}, {-0x1p-40f, 1, 0}},
         {{0, 0, 0, -2}, {0, -2, 0}, {0, 0x1p-40f, -1}},
         {{0, 0, 0, 2}, {0, 0, 2}, {1, 0, 0}},
-    };
-    NormalJob job = along[i];
-    if (range == 1) {
-        job.direction = vec3_scaled(job.direction, -1);
-    }
-    return job;
-}
-
-// Spheres so small that their vectors are short, or so large that they are long; and of which, away
-// from the origin, float rounds the point: it is not as far from the centre as the radius says.
-static NormalJob small_normal(int range, int i)
-{
-    static const NormalJob small[] = {
+        // Spheres so small that their vectors are short, or so large that they are long; and of
+        // which, away from the origin, float rounds the point: it is not as far from the centre as
+        // the radius says.
         {{0, 0, 0, 0x1p-40f}, {0, 0x1p-40f, 0}, {0.6f, -0.8f, 0}},
         {{0, 0, 0, 0x1p40f}, {0, 0, 0x1p40f}, {0.6f, 0, -0.8f}},
         {{0.5f, 0, 0, 0x1p-12f}, {0.5f + 0x1p-12f, 0, 0}, {-1, 0, 0}},
         {{96, 0, 0, 0x1.8p-17f}, {96 + 0x1p-17f, 0x1p-17f, 0}, {-0.8f, 0, 0.6f}},
         {{0, 96, -96, 0x1.8p-16f}, {0, 96 + 0x1p-16f, -96 - 0x1p-17f}, {0.6f, 0, 0.8f}},
     };
-    NormalJob job = small[i];
-    if (range == 1) {
-        job.direction = vec3_scaled(job.direction, -1);
+    if (i < N_GRAZED_NORMALS) {
+        return grazed_normal(range, i);
     }
+    NormalJob job = others[i - N_GRAZED_NORMALS];
+    job.direction = range == 1 ? vec3_scaled(job.direction, -1) : job.direction;
     return job;
-}
-
-static NormalJob edge_normal(int range, int i)
-{
-    const int j = i - N_GRAZED_NORMALS;
-    return j < 0                ? grazed_normal(range, i)
-           : j < N_AXIS_NORMALS ? axis_normal(range, j)
-                                : small_normal(range, j - N_AXIS_NORMALS);
 }
 
 // ---- shade --------------------------------------------------------------------------------------

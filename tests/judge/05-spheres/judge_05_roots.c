@@ -106,14 +106,9 @@ static char *describe_root(const void *pointer, int i, const void *answers)
                        job.disc, job.radius, job.t_min, ((const float *)answers)[i], expected);
 }
 
-const Function nearest_root_05 = {"roots",
-                                  3 * N_ROOTS,
-                                  sizeof(float),
-                                  .describe = describe_root,
-                                  .agrees = root_agrees,
-                                  .shows = root_shows,
-                                  .counted = "inputs",
-                                  MISTAKES(root_mistakes_05)};
+const Function nearest_root_05 = {"roots", 3 * N_ROOTS, sizeof(float),
+                                  COMPARED(root_agrees, describe_root, root_mistakes_05),
+                                  .shows = root_shows};
 
 // ---- intersect_textbook, intersect_sphere -------------------------------------------------------
 
@@ -294,19 +289,9 @@ static char *describe_projection(const void *job, int i, const void *answers)
                            ((const float *)answers)[i]);
 }
 
-const Function textbook_05 = {"textbook",
-                              2 * N_SPHERES,
-                              sizeof(float),
-                              .describe = describe_textbook,
-                              .agrees = textbook_agrees,
-                              .shows = textbook_shows,
-                              .counted = "inputs",
-                              MISTAKES(root_mistakes_05)};
-const Function projection_05 = {"projection",
-                                3 * N_SPHERES,
-                                sizeof(float),
-                                .describe = describe_projection,
-                                .agrees = projection_agrees,
-                                .shows = projection_shows,
-                                .counted = "inputs",
-                                MISTAKES(root_mistakes_05)};
+const Function textbook_05 = {"textbook", 2 * N_SPHERES, sizeof(float),
+                              COMPARED(textbook_agrees, describe_textbook, root_mistakes_05),
+                              .shows = textbook_shows};
+const Function projection_05 = {"projection", 3 * N_SPHERES, sizeof(float),
+                                COMPARED(projection_agrees, describe_projection, root_mistakes_05),
+                                .shows = projection_shows};

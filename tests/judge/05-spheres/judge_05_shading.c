@@ -90,13 +90,8 @@ static char *describe_normal(const void *pointer, int i, const void *answers)
                        words_xyz(e.x, e.y, e.z, 5).text);
 }
 
-const Function normal_05 = {"normals",
-                            2 * N_NORMALS,
-                            sizeof(Vec3),
-                            .describe = describe_normal,
-                            .agrees = normal_agrees,
-                            .counted = "inputs",
-                            MISTAKES(normal_mistakes)};
+const Function normal_05 = {"normals", 2 * N_NORMALS, sizeof(Vec3),
+                            COMPARED(normal_agrees, describe_normal, normal_mistakes)};
 
 // ---- shade --------------------------------------------------------------------------------------
 
@@ -182,10 +177,5 @@ static char *describe_shade(const void *pointer, int i, const void *answers)
         words_vec3(((const Vec3 *)answers)[i], 5).text, words_xyz(e.x, e.y, e.z, 5).text);
 }
 
-const Function shade_05 = {"shades",
-                           3 * N_SHADES,
-                           sizeof(Vec3),
-                           .describe = describe_shade,
-                           .agrees = shade_agrees,
-                           .counted = "inputs",
-                           MISTAKES(shade_mistakes)};
+const Function shade_05 = {"shades", 3 * N_SHADES, sizeof(Vec3),
+                           COMPARED(shade_agrees, describe_shade, shade_mistakes)};

@@ -1,14 +1,8 @@
 // Judge of lab 06: each function on chosen inputs, and whole trees by their invariants. Read next:
 // judge_06.h.
 #include "judge_06.h"
-#include "tree3d_draw.h"
 
 // ---- Judging whole trees ----------------------------------------------------------------------
-
-static int is_refused(int k, const Sections *answers)
-{
-    return job_part_find(answers, "tree", k, "refused", 0) != NULL;
-}
 
 // Is the root neither a leaf nor has children? Who walks down such a tree
 // meets no leaf and comes no level deeper: nothing is wrong there, but nothing is right.
@@ -46,56 +40,19 @@ static Diagnosis judge_depth(const TreeScene3D *scene, const KdTree3D *own)
     return wrong.found != NULL ? wrong : tree3d_judge_depth(scene, own);
 }
 
-static Verdict judge_tree(const void *pointer, int k, const JudgeCheck *check,
-                          const Sections *answers)
+static Verdict judge_tree(const void *job, int k, const JudgeCheck *check, const Sections *answers)
 {
-    const TreeScene3D *scene = &((const Job06 *)pointer)->scenes[k];
-    KdTree3D own = {0};
-    if (is_refused(k, answers)) {
-        const int is_of_depth = check->tree3d == judge_depth;
-        if (is_of_depth ? k == TOO_DEEP : k == JUST_FITS) {
-            return verdict_passed;  // as it must be, or for fits_todo() to answer for
-        }
-        return verdict_of(
-            diagnosis_new("%s, maxDepth %d: kdtree3d_build gave up, expected a tree of "
-                          "%u nodes: does splitting ever end, and does fits_todo() "
-                          "allow it?",
-                          scene->title, scene->limits.maxDepth, scene->tree.n_nodes));
+    const TreeScene3D *scene = job_scene(job, k);
+    if (!tree3d_is_refused(k, answers)) {
+        return tree3d_judge_built(scene, k, check, answers);
     }
-    if (tree3d_judge_answer(k, answers, &own)) {
-        return verdict_of(check->tree3d(scene, &own));
+    if (check->tree3d == judge_depth ? k == TOO_DEEP : k == JUST_FITS) {
+        return verdict_passed;  // as it must be, or for fits_todo() to answer for
     }
-    if (own.n_nodes > TREE3D_ANSWER_NODES || own.n_sphere_ids > TREE3D_ANSWER_IDS) {
-        return verdict_of(
-            diagnosis_new("%s, maxDepth %d: the tree has %u nodes and %u ids, expected "
-                          "%u and %u",
-                          scene->title, scene->limits.maxDepth, own.n_nodes, own.n_sphere_ids,
-                          scene->tree.n_nodes, scene->tree.n_sphere_ids));
-    }
-    return verdict_missing;
-}
-
-// ---- The report -------------------------------------------------------------------------------
-
-// Cuts through the first tree and through one that small spheres make deep.
-static void add_pictures(const void *pointer, const Sections *answers, Result *result)
-{
-    static const int drawn[] = {0, 2};
-    const Job06 *job = pointer;
-    for (int i = 0; i < 2 && result->n_pictures < RESULT_MAX_PICTURES; i++) {
-        const TreeScene3D *scene = &job->scenes[drawn[i]];
-        PictureResult *picture = &result->pictures[result->n_pictures++];
-        KdTree3D own;
-        snprintf(picture->title, sizeof picture->title, "cut through the tree over %s",
-                 scene->title);
-        tree3d_draw(&scene->scene, &scene->tree, &picture->reference);
-        // Only what is packed as it should be can be followed. Lists do not matter to a drawing.
-        if (!is_refused(drawn[i], answers) && tree3d_judge_answer(drawn[i], answers, &own)) {
-            if (verdict_passes(verdict_of(tree3d_judge_packing(scene, &own)))) {
-                tree3d_draw(&scene->scene, &own, &picture->own);
-            }
-        }
-    }
+    return verdict_of(diagnosis_new("%s, maxDepth %d: kdtree3d_build gave up, expected a tree of "
+                                    "%u nodes: does splitting ever end, and does fits_todo() "
+                                    "allow it?",
+                                    scene->title, scene->limits.maxDepth, scene->tree.n_nodes));
 }
 
 // ---- The judge ----------------------------------------------------------------------------------
@@ -149,8 +106,7 @@ const Judge judge_06 = {
     .release = job_06_release,
     .parts = parts,
     .n_parts = COUNT(parts),
-    .write_scene = job_06_write_scene,
-    .n_scenes = N_SCENES,
+    .scenes = SCENES(tree3d_scene_kind, Job06, scenes),
     .write_alone = write_alone_06,
-    .add_pictures = add_pictures,
+    .add_pictures = tree3d_add_pictures,
 };

@@ -22,7 +22,7 @@ typedef struct Job06 {
     Job job;  // with the trees of all scenes but TOO_DEEP
     BBox3D splits[N_SPLITS];
     SphereBoxJob overlaps[N_OVERLAPS];
-    PackJob3D packs[N_PACKS];
+    PackJob packs[N_PACKS];
     u32 highest_level;  // TODO_LEVELS
     TreeScene3D scenes[N_SCENES];
     Growth too_deep;  // the tree that must be refused, as it would be
@@ -31,7 +31,6 @@ typedef struct Job06 {
 // See judge.h.
 int job_06_draw(void *job, Random *random);
 void job_06_release(void *job);
-int job_06_write_scene(const void *job, int k, FILE *file);
 
 // The functions; of choose_split and pack_leaf_range one for each property that is judged.
 extern const Function split_axis_06, split_middle_06, overlap_06, pack_node_06, pack_ids_06,

@@ -9,14 +9,9 @@
 #include "judge_06.h"
 
 #include "overlap_cause.h"
-#include "random.h"
+#include "packed_list.h"
+#include "random3d.h"
 #include "scene_vary.h"
-
-// A number on a grid of 1/8, from lowest to highest.
-static float random_eighth(Random *random, int lowest, int highest)
-{
-    return (float)random_integer(random, 8 * (int64_t)lowest, 8 * (int64_t)highest) / 8;
-}
 
 static Sphere sphere_at(const float centre[3], float radius)
 {
@@ -217,32 +212,6 @@ static SphereBoxJob draw_corner(Random *random, int i)
     return (SphereBoxJob){sphere_at(centre, radius), box};
 }
 
-// Empty leaves and the first one of a tree; then long lists, before the leaf and in it. Their ids
-// are too large for 16 bits.
-static const struct {
-    u32 n_sphere_ids, n_ids;
-} leaves[] = {{5, 0}, {9, 0}, {0, 2}, {0, 0}, {PACK_MAX_IDS, 3}, {7, PACK_MAX_IDS}};
-
-static PackJob3D draw_pack(Random *random, int i)
-{
-    enum { MOST_IDS = 24 };
-    const int edge = edge_of(i, N_PACKS, COUNT(leaves));
-    PackJob3D job = {.id = (u32)random_integer(random, 1, PACK_NODES - 1)};
-    job.n_sphere_ids = (u32)random_integer(random, 1, 20);
-    job.n_ids = (u32)random_integer(random, 0, MOST_IDS);
-    u32 id = (u32)random_integer(random, 0, 5);
-    if (edge >= 0) {
-        job.n_sphere_ids = leaves[edge].n_sphere_ids;
-        job.n_ids = leaves[edge].n_ids;
-        id += 90000;
-    }
-    for (u32 j = 0; j < job.n_ids; j++) {
-        job.ids[j] = id;
-        id += (u32)random_integer(random, 1, 90);
-    }
-    return job;
-}
-
 static void draw_inputs(Random *random, Job06 *job)
 {
     for (int i = 0; i < N_SPLITS; i++) {
@@ -255,7 +224,7 @@ static void draw_inputs(Random *random, Job06 *job)
                                             : draw_corner(random, j - N_TOUCHING);
     }
     for (int i = 0; i < N_PACKS; i++) {
-        job->packs[i] = draw_pack(random, i);
+        job->packs[i] = pack_draw(random, edge_of(i, N_PACKS, N_PACK_EDGES), 0);
     }
     job->highest_level = TODO_LEVELS;
 }
@@ -360,19 +329,6 @@ static int draw_scenes(Random *random, Job06 *job)
 
 // ---- The job ------------------------------------------------------------------------------------
 
-// A scene without the expected tree.
-int job_06_write_scene(const void *pointer, int k, FILE *file)
-{
-    const TreeScene3D *scene = &((const Job06 *)pointer)->scenes[k];
-    const TreeJob3D job = {(u32)scene->scene.n_spheres, scene->limits.maxDepth,
-                           scene->limits.targetElementsPerNode};
-    const Sphere beyond = {.radius = BEYOND_RADIUS};
-    return job_section_write(file, k, NULL, &job, sizeof job) |
-           job_title_write(file, k, scene->title) |
-           job_array_write(file, k, "spheres", scene->scene.spheres, (size_t)scene->scene.n_spheres,
-                           &beyond, sizeof beyond);
-}
-
 int job_06_draw(void *pointer, Random *random)
 {
     Job06 *job = pointer;
@@ -386,9 +342,5 @@ int job_06_draw(void *pointer, Random *random)
 void job_06_release(void *pointer)
 {
     Job06 *job = pointer;
-    for (int k = 0; k < N_SCENES; k++) {
-        tree3d_free(&job->scenes[k].tree);
-        scene3d_free(&job->scenes[k].scene);
-    }
     growth_free(&job->too_deep);
 }

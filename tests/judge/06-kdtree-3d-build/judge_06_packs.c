@@ -16,24 +16,24 @@ Diagnosis explained_06(Diagnosis wrong, const char *says)
 }
 
 // What a node's field holds after a mistake.
-typedef u32 MistakenField(const PackJob3D *in);
+typedef u32 MistakenField(const PackJob *in);
 
-static u32 end_of_range(const PackJob3D *in)
+static u32 end_of_range(const PackJob *in)
 {
-    return in->n_sphere_ids + in->n_ids;
+    return in->n_before + in->n_ids;
 }
 
-static u32 first_in_bytes(const PackJob3D *in)
+static u32 first_in_bytes(const PackJob *in)
 {
-    return in->n_sphere_ids * (u32)sizeof(u32);
+    return in->n_before * (u32)sizeof(u32);
 }
 
-static u32 first_unless_empty(const PackJob3D *in)
+static u32 first_unless_empty(const PackJob *in)
 {
-    return in->n_ids > 0 ? in->n_sphere_ids : 0;
+    return in->n_ids > 0 ? in->n_before : 0;
 }
 
-static u32 counted_up(const PackJob3D *in)
+static u32 counted_up(const PackJob *in)
 {
     return UNTOUCHED + in->n_ids;
 }
@@ -87,22 +87,22 @@ static int goes_on(const Job06 *job, const PackAnswer3D *out)
 static Diagnosis pack_node_fault(const void *pointer, int i, const void *answers)
 {
     const Job06 *job = pointer;
-    const PackJob3D *in = &job->packs[i];
+    const PackJob *in = &job->packs[i];
     const PackAnswer3D *out = answers;
     const KdNode3 node = out[i].nodes[in->id];
     if (node.split_axis != KD_LEAF) {
         return diagnosis_new("node %u: split_axis is %u, expected KD_LEAF (%d)", in->id,
                              node.split_axis, KD_LEAF);
     }
-    if (node.first != in->n_sphere_ids) {
+    if (node.first != in->n_before) {
         const char *looks = goes_on(job, out)
                                 ? "the end was kept from the tree before: it is tree->n_sphere_ids"
                                 : fields_look(job, out, 1, first_mistakes, COUNT(first_mistakes));
         return diagnosis_of(
             message_new("leaf with %u sphere%s, %u id%s before it: first is %u, expected %u, where "
                         "its first id goes",
-                        in->n_ids, plural(in->n_ids), in->n_sphere_ids, plural(in->n_sphere_ids),
-                        node.first, in->n_sphere_ids),
+                        in->n_ids, plural(in->n_ids), in->n_before, plural(in->n_before),
+                        node.first, in->n_before),
             (Cause){.says = looks});
     }
     if (node.n_spheres == in->n_ids) {
@@ -117,7 +117,7 @@ static Diagnosis pack_node_fault(const void *pointer, int i, const void *answers
 }
 
 // What the ids in a leaf's range look like.
-static Cause range_cause(const PackJob3D *in, const u32 *found)
+static Cause range_cause(const PackJob *in, const u32 *found)
 {
     u32 i = 1;
     while (i < in->n_ids && found[i] == in->ids[i - 1]) {
@@ -131,16 +131,16 @@ static Cause range_cause(const PackJob3D *in, const u32 *found)
 }
 
 // Do the ids stand at the array's beginning?
-static int are_in_front(const PackJob3D *in, const PackAnswer3D *out)
+static int are_in_front(const PackJob *in, const PackAnswer3D *out)
 {
-    return in->n_sphere_ids > 0 && in->n_ids > 0 && out->sphere_ids[0] == in->ids[0] &&
+    return in->n_before > 0 && in->n_ids > 0 && out->sphere_ids[0] == in->ids[0] &&
            out->sphere_ids[in->n_ids - 1] == in->ids[in->n_ids - 1];
 }
 
 // What is in the array: the leaf's range, and the rest of it.
-static Diagnosis ids_fault(const PackJob3D *in, const PackAnswer3D *out)
+static Diagnosis ids_fault(const PackJob *in, const PackAnswer3D *out)
 {
-    const u32 first = in->n_sphere_ids, end = first + in->n_ids;
+    const u32 first = in->n_before, end = first + in->n_ids;
     for (u32 at = 0; at < PACK_MAP_ROOM; at++) {
         const int is_range = at >= first && at < end;
         const u32 found = out->sphere_ids[at];
@@ -189,13 +189,13 @@ static Diagnosis node_fault(u32 leaf, const PackAnswer3D *out, u32 id)
 // What the longest leaf looks like, the last one: a few ids say little.
 static const char *longest_look(const Job06 *job, const PackAnswer3D *out)
 {
-    const PackJob3D *in = &job->packs[N_PACKS - 1];
-    return range_cause(in, out[N_PACKS - 1].sphere_ids + in->n_sphere_ids).says;
+    const PackJob *in = &job->packs[N_PACKS - 1];
+    return range_cause(in, out[N_PACKS - 1].sphere_ids + in->n_before).says;
 }
 
 static Diagnosis pack_ids_fault(const void *job, int i, const void *answers)
 {
-    const PackJob3D *in = &((const Job06 *)job)->packs[i];
+    const PackJob *in = &((const Job06 *)job)->packs[i];
     const PackAnswer3D *out = (const PackAnswer3D *)answers + i;
     Diagnosis wrong = ids_fault(in, out);
     if (wrong.found != NULL && wrong.cause == NULL) {

@@ -7,10 +7,9 @@
 #ifndef JUDGE_TREE3D_JUDGE_H
 #define JUDGE_TREE3D_JUDGE_H
 
-#include "diagnosis.h"
+#include "judge.h"
 #include "oracle_tree.h"
 #include "scene3d.h"
-#include "sections.h"
 #include "tree3d.h"
 
 typedef struct TreeScene3D {
@@ -21,6 +20,19 @@ typedef struct TreeScene3D {
     int is_exact;         // no right solution can have another tree: see tree3d_judge_is_exact()
     int is_tied;          // right solutions may have trees of other depths: costs are equal
 } TreeScene3D;
+
+// Such scenes as an array of a job (tree3d_scene.c); they have no JobPicture.
+extern const SceneKind tree3d_scene_kind;
+
+// Did the builder give up over scene K?
+int tree3d_is_refused(int k, const Sections *answers);
+
+// Where it did not: judge its tree by what the check asks.
+Verdict tree3d_judge_built(const TreeScene3D *scene, int k, const JudgeCheck *check,
+                           const Sections *answers);
+
+// Add cuts through the first tree and one that is deep. As judge.h has it.
+void tree3d_add_pictures(const void *job, const Sections *answers, Result *result);
 
 // ---- One call of a function, and the same in a tree ---------------------------------------------
 

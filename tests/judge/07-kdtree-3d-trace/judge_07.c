@@ -10,7 +10,6 @@
 #include "job_work.h"
 #include "judge_07_work.h"
 #include "message.h"
-#include "words.h"
 
 // ---- Drawing the job ----------------------------------------------------------------------------
 
@@ -18,31 +17,7 @@ static int draw(void *pointer, Random *random)
 {
     Job07 *job = pointer;
     inputs_07_draw(random, &job->inputs);
-    for (int k = 0; k < N_SCENES; k++) {
-        job_list_picture(&job->job, &job->scenes[k].picture);
-    }
     return scenes_07_draw(random, job->scenes);
-}
-
-static void release(void *pointer)
-{
-    Job07 *job = pointer;
-    for (int k = 0; k < N_SCENES; k++) {
-        job_scene3d_free(&job->scenes[k]);
-    }
-}
-
-static int write_scene(const void *job, int k, FILE *file)
-{
-    return job_scene3d_write(&((const Job07 *)job)->scenes[k], k, file);
-}
-
-OracleRay ray_07_of(const JobScene3D *scene, int pixel)
-{
-    static const OracleRules3D right = {0};
-    const Scene3D *s = &scene->scene;
-    return oracle3d_primary_ray(&scene->camera, pixel % s->width, pixel / s->width, s->width,
-                                s->height, &right);
 }
 
 // ---- Hits ---------------------------------------------------------------------------------------
@@ -104,21 +79,6 @@ static Verdict judge_edges(const void *job, const Sections *answers)
 
 // ---- Work -------------------------------------------------------------------------------------
 
-static int is_at_most(Work work, Work most)
-{
-    return work.n_tests <= most.n_tests && work.n_nodes_visited <= most.n_nodes_visited &&
-           work.n_leaves_visited <= most.n_leaves_visited && work.stack_depth <= most.stack_depth;
-}
-
-// "3 nodes and 1 leaf visited, 17 spheres asked and 2 waiting at once".
-static Words work_words(Work work)
-{
-    return words("%u node%s and %u %s visited, %u sphere%s asked and %u waiting at once",
-                 work.n_nodes_visited, plural(work.n_nodes_visited), work.n_leaves_visited,
-                 work.n_leaves_visited == 1 ? "leaf" : "leaves", work.n_tests, plural(work.n_tests),
-                 work.stack_depth);
-}
-
 // Rays of a scene that do more, or less, than they may.
 typedef struct OffRays {
     int n;
@@ -157,12 +117,12 @@ static Diagnosis judge_scene_work(const JobScene3D *scene, const Work *found)
     const int n_pixels = scene->scene.width * scene->scene.height;
     OffRays more = {0}, less = {0};
     for (int pixel = 0; pixel < n_pixels; pixel++) {
-        const OracleRay ray = ray_07_of(scene, pixel);
+        const OracleRay ray = job_scene3d_ray(scene, pixel);
         const WorkBounds bounds = search3d_bounds(scene, &ray);
-        if (!is_at_most(found[pixel], bounds.most)) {
+        if (!work_is_at_most(found[pixel], bounds.most)) {
             count_off(&more, pixel, found[pixel], bounds.most);
         }
-        if (!is_at_most(bounds.least, found[pixel])) {
+        if (!work_is_at_most(bounds.least, found[pixel])) {
             count_off(&less, pixel, found[pixel], bounds.least);
         }
     }
@@ -222,9 +182,6 @@ static Verdict judge_work(const void *job, int i, const Sections *answers)
 
 // ---- The judge ----------------------------------------------------------------------------------
 
-// Range number i of a function's inputs.
-#define RANGE(i, n_inputs) {(i) * (n_inputs), n_inputs}
-
 static const JudgeCheck checks[] = {
     {"clip-through", "Rays that go through the box, or past it", "clip_to_box", 7,
      .function = &clip_07, .range = RANGE(CLIP_FROM_OUTSIDE, N_CLIP_INPUTS)},
@@ -268,9 +225,9 @@ static const JudgeCheck checks[] = {
     {"waiting-next", "What comes next where it is not", "next_waiting", 4,
      .function = &waiting_next_07, .range = {0, N_WAITING_INPUTS}},
     {"trace-edges", "No pinholes in the edge cases", "next_waiting", 3, "*", .all = judge_edges,
-     .alone = waiting_alone_07},
+     .alone_functions = {&waiting_end_07, &waiting_next_07}},
     {"trace-work", "No more work than the ray needs", "next_waiting", 3, "*", .scene = judge_work,
-     .range = {0, COUNT(work_scenes)}, .alone = waiting_alone_07},
+     .range = {0, COUNT(work_scenes)}, .alone_functions = {&waiting_end_07, &waiting_next_07}},
 };
 
 static const JobPart parts[] = {
@@ -290,9 +247,7 @@ const Judge judge_07 = {
     .n_checks = COUNT(checks),
     .job_bytes = sizeof(Job07),
     .draw = draw,
-    .release = release,
     .parts = parts,
     .n_parts = COUNT(parts),
-    .write_scene = write_scene,
-    .n_scenes = N_SCENES,
+    .scenes = SCENES(job_scene3d_kind, Job07, scenes),
 };

@@ -67,7 +67,6 @@ extern const Function child_07, waiting_end_07, waiting_next_07;
 int one_child_alone_07(const void *job, const JudgeCheck *check, const Sections *answers);
 int both_children_alone_07(const void *job, const JudgeCheck *check, const Sections *answers);
 int children_alone_07(const void *job, const JudgeCheck *check, const Sections *answers);
-int waiting_alone_07(const void *job, const JudgeCheck *check, const Sections *answers);
 
 // How far t may be off that a right solution computes for a plane, in units of (|plane| + |origin|)
 // / |direction|: one rounding for the difference, five for the division (2.5 ulp, OpenCL 1.2, 7.4)
@@ -115,9 +114,6 @@ int strangers_07_draw(Random *random, JobScene3D *scene);
 
 // Of what the oracle expects there let only those rays count that no right search lets meet one.
 void strangers_07_expect(JobScene3D *scene);
-
-// The ray of a scene's pixel.
-OracleRay ray_07_of(const JobScene3D *scene, int pixel);
 
 // ---- The job ----------------------------------------------------------------------------------
 

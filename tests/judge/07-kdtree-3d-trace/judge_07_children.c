@@ -223,13 +223,8 @@ static char *describe_child(const void *pointer, int i, const void *answers)
                        next_child_words(&job->todo, &expected).text);
 }
 
-const Function child_07 = {"next_child",
-                           2 * N_CHILD_INPUTS,
-                           sizeof(NextChildAnswer),
-                           .describe = describe_child,
-                           .agrees = child_agrees,
-                           .counted = "inputs",
-                           MISTAKES(child_mistakes)};
+const Function child_07 = {"next_child", 2 * N_CHILD_INPUTS, sizeof(NextChildAnswer),
+                           COMPARED(child_agrees, describe_child, child_mistakes)};
 
 // ---- Alone --------------------------------------------------------------------------------------
 

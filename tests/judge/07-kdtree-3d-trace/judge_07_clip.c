@@ -231,10 +231,5 @@ static char *describe_clip(const void *pointer, int i, const void *answers)
             .text);
 }
 
-const Function clip_07 = {"clips",
-                          N_CLIP_RANGES *N_CLIP_INPUTS,
-                          sizeof(ClipAnswer),
-                          .describe = describe_clip,
-                          .agrees = clip_agrees,
-                          .counted = "inputs",
-                          MISTAKES(clip_mistakes)};
+const Function clip_07 = {"clips", N_CLIP_RANGES *N_CLIP_INPUTS, sizeof(ClipAnswer),
+                          COMPARED(clip_agrees, describe_clip, clip_mistakes)};

@@ -326,17 +326,7 @@ static char *describe_leaf(const void *pointer, int i, const void *answers)
                        hit_words(expected.sphere, expected.t).text);
 }
 
-const Function leaf_nearest_07 = {"leaves",
-                                  N_LEAVES,
-                                  sizeof(SearchAnswer),
-                                  .describe = describe_leaf,
-                                  .agrees = t_agrees,
-                                  .counted = "inputs",
-                                  .explain = explain};
-const Function leaf_ids_07 = {"leaves",
-                              N_LEAVES,
-                              sizeof(SearchAnswer),
-                              .describe = describe_leaf,
-                              .agrees = sphere_agrees,
-                              .counted = "inputs",
-                              .explain = explain};
+const Function leaf_nearest_07 = {"leaves", N_LEAVES, sizeof(SearchAnswer),
+                                  EXPLAINED(t_agrees, describe_leaf, explain)};
+const Function leaf_ids_07 = {"leaves", N_LEAVES, sizeof(SearchAnswer),
+                              EXPLAINED(sphere_agrees, describe_leaf, explain)};

@@ -72,10 +72,5 @@ static Cause explain_once(const void *job, Range range, const void *answers)
                                   : NULL};
 }
 
-const Function leaf_once_07 = {"leaves",
-                               N_LEAVES,
-                               sizeof(SearchAnswer),
-                               .describe = describe_once,
-                               .agrees = once_agrees,
-                               .counted = "inputs",
-                               .explain = explain_once};
+const Function leaf_once_07 = {"leaves", N_LEAVES, sizeof(SearchAnswer),
+                               EXPLAINED(once_agrees, describe_once, explain_once)};

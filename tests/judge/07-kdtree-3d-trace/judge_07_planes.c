@@ -232,10 +232,5 @@ static char *describe_plane(const void *pointer, int i, const void *answers)
                        children_words(expected, (right.t_split.low + right.t_split.high) / 2).text);
 }
 
-const Function plane_07 = {"planes",
-                           3 * N_PLANE_INPUTS,
-                           sizeof(PlaneAnswer),
-                           .describe = describe_plane,
-                           .agrees = plane_agrees,
-                           .counted = "inputs",
-                           MISTAKES(plane_mistakes)};
+const Function plane_07 = {"planes", 3 * N_PLANE_INPUTS, sizeof(PlaneAnswer),
+                           COMPARED(plane_agrees, describe_plane, plane_mistakes)};

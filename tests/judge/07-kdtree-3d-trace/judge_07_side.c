@@ -96,10 +96,5 @@ static char *describe_side(const void *pointer, int i, const void *answers)
                        expected_side(job, 0));
 }
 
-const Function side_07 = {"sides",
-                          2 * N_SIDE_INPUTS,
-                          sizeof(u32),
-                          .describe = describe_side,
-                          .agrees = side_agrees,
-                          .counted = "inputs",
-                          MISTAKES(side_mistakes)};
+const Function side_07 = {"sides", 2 * N_SIDE_INPUTS, sizeof(u32),
+                          COMPARED(side_agrees, describe_side, side_mistakes)};

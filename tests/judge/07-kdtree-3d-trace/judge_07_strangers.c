@@ -59,7 +59,7 @@ void strangers_07_expect(JobScene3D *scene)
 {
     const Scene3D *s = &scene->scene;
     for (int pixel = 0; pixel < s->width * s->height; pixel++) {
-        const OracleRay ray = ray_07_of(scene, pixel);
+        const OracleRay ray = job_scene3d_ray(scene, pixel);
         if (search3d_may_ask(scene, &ray, (u32)s->n_spheres)) {
             scene->hits[pixel].is_ambiguous = 1;
             scene->picture.expected.tolerances[pixel] = INFINITY;

@@ -164,25 +164,7 @@ static char *describe_waiting(const void *pointer, int i, const void *answers)
                        next_waiting_words(&expected).text);
 }
 
-const Function waiting_end_07 = {"next_waiting",
-                                 N_WAITING_INPUTS,
-                                 sizeof(NextWaitingAnswer),
-                                 .describe = describe_waiting,
-                                 .agrees = end_agrees,
-                                 .counted = "inputs",
-                                 MISTAKES(waiting_mistakes)};
-const Function waiting_next_07 = {"next_waiting",
-                                  N_WAITING_INPUTS,
-                                  sizeof(NextWaitingAnswer),
-                                  .describe = describe_waiting,
-                                  .agrees = next_agrees,
-                                  .counted = "inputs",
-                                  MISTAKES(waiting_mistakes)};
-
-int waiting_alone_07(const void *job, const JudgeCheck *check, const Sections *answers)
-{
-    const Range all = {0, N_WAITING_INPUTS, 1};
-    (void)check;
-    return verdict_passes(function_judge(&waiting_end_07, job, all, answers)) &&
-           verdict_passes(function_judge(&waiting_next_07, job, all, answers));
-}
+const Function waiting_end_07 = {"next_waiting", N_WAITING_INPUTS, sizeof(NextWaitingAnswer),
+                                 COMPARED(end_agrees, describe_waiting, waiting_mistakes)};
+const Function waiting_next_07 = {"next_waiting", N_WAITING_INPUTS, sizeof(NextWaitingAnswer),
+                                  COMPARED(next_agrees, describe_waiting, waiting_mistakes)};

@@ -1,52 +1,18 @@
 // Judge of lab 08: each function on chosen inputs, and whole trees by what a ray costs in them.
 // Read next: judge_08.h.
 #include "judge_08.h"
-#include "tree3d_draw.h"
 
 // ---- Judging whole trees ------------------------------------------------------------------------
 
-static Verdict judge_tree(const void *pointer, int k, const JudgeCheck *check,
-                          const Sections *answers)
+static Verdict judge_tree(const void *job, int k, const JudgeCheck *check, const Sections *answers)
 {
-    const TreeScene3D *scene = &((const Job08 *)pointer)->scenes[k];
-    KdTree3D own = {0};
-    if (job_part_find(answers, "tree", k, "refused", 0) != NULL) {
+    const TreeScene3D *scene = job_scene(job, k);
+    if (tree3d_is_refused(k, answers)) {
         return verdict_of(diagnosis_new("%s, maxDepth %d: kdtree3d_build_sah gave up, expected a "
                                         "tree of %u nodes",
                                         scene->title, scene->limits.maxDepth, scene->tree.n_nodes));
     }
-    if (tree3d_judge_answer(k, answers, &own)) {
-        return verdict_of(check->tree3d(scene, &own));
-    }
-    if (own.n_nodes > TREE3D_ANSWER_NODES || own.n_sphere_ids > TREE3D_ANSWER_IDS) {
-        return verdict_of(diagnosis_new("%s, maxDepth %d: the tree has %u nodes and %u ids, "
-                                        "expected %u and %u",
-                                        scene->title, scene->limits.maxDepth, own.n_nodes,
-                                        own.n_sphere_ids, scene->tree.n_nodes,
-                                        scene->tree.n_sphere_ids));
-    }
-    return verdict_missing;
-}
-
-// ---- The report ---------------------------------------------------------------------------------
-
-// Cuts through two of the trees.
-static void add_pictures(const void *pointer, const Sections *answers, Result *result)
-{
-    static const int drawn[] = {0, 2};
-    const Job08 *job = pointer;
-    for (int i = 0; i < 2 && result->n_pictures < RESULT_MAX_PICTURES; i++) {
-        const TreeScene3D *scene = &job->scenes[drawn[i]];
-        PictureResult *picture = &result->pictures[result->n_pictures++];
-        KdTree3D own;
-        snprintf(picture->title, sizeof picture->title, "cut through the tree over %s",
-                 scene->title);
-        tree3d_draw(&scene->scene, &scene->tree, &picture->reference);
-        if (tree3d_judge_answer(drawn[i], answers, &own) &&
-            verdict_passes(verdict_of(tree3d_judge_packing(scene, &own)))) {
-            tree3d_draw(&scene->scene, &own, &picture->own);
-        }
-    }
+    return tree3d_judge_built(scene, k, check, answers);
 }
 
 // ---- The judge ----------------------------------------------------------------------------------
@@ -83,7 +49,7 @@ static const JudgeCheck checks[] = {
      .range = {N_BY_COST, N_BY_LIMITS}},
     {"tree-leaves", "Whole trees: leaves where they are cheaper", "is_leaf_by_cost", 6, "*",
      .tree = judge_tree, .tree3d = tree_judge_leaves_08, .range = {0, N_TREES},
-     .alone = decisions_alone_08},
+     .alone_functions = {&decision_08}},
 };
 
 static const JobPart parts[] = {
@@ -101,10 +67,8 @@ const Judge judge_08 = {
     .n_checks = COUNT(checks),
     .job_bytes = sizeof(Job08),
     .draw = job_08_draw,
-    .release = job_08_release,
     .parts = parts,
     .n_parts = COUNT(parts),
-    .write_scene = job_08_write_scene,
-    .n_scenes = N_TREES,
-    .add_pictures = add_pictures,
+    .scenes = SCENES(tree3d_scene_kind, Job08, scenes),
+    .add_pictures = tree3d_add_pictures,
 };

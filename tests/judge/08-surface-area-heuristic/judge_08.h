@@ -36,8 +36,6 @@ typedef struct Job08 {
 // See judge.h.
 int job_08_draw(void *job, Random *random);
 int scenes_08_draw(Random *random, Job08 *job);  // and the expected trees; 0, or -1 after a message
-void job_08_release(void *job);
-int job_08_write_scene(const void *job, int k, FILE *file);
 
 // The functions.
 extern const Function area_08, cost_08, best_08, decision_08;
@@ -46,10 +44,6 @@ extern const Function area_08, cost_08, best_08, decision_08;
 // tasks' places? (tests/stand_ins)
 int costs_alone_08(const void *job, const JudgeCheck *check, const Sections *answers);
 int bests_alone_08(const void *job, const JudgeCheck *check, const Sections *answers);
-int decisions_alone_08(const void *job, const JudgeCheck *check, const Sections *answers);
-
-// The input of find_best_split number i as a node.
-SahNode best_node_08(const Job08 *job, int i);
 
 // ---- Whole trees (judge_08_trees.c) -------------------------------------------------------------
 

@@ -81,7 +81,8 @@ static const BestMistake best_mistakes[] = {
      .is_lost_many = 1},
 };
 
-SahNode best_node_08(const Job08 *job, int i)
+// The input number i as a node.
+static SahNode node_of(const Job08 *job, int i)
 {
     const BestJob in = job->bests[i];
     return (SahNode){in.box, job->best_spheres, job->best_ids + in.first_id, NULL, in.n_ids};
@@ -97,7 +98,7 @@ static int is_tie(int i)
 // Is this an answer that follows from the rules?
 static int follows(const Job08 *job, int i, BestAnswer found, const SahRules *rules)
 {
-    const SahNode node = best_node_08(job, i);
+    const SahNode node = node_of(job, i);
     const SahPlane best = sah_best(&node, rules);
     if (best.cost == INFINITY) {
         return rules->nan_is_taken ? isnan(found.cost) : found.cost == INFINITY;
@@ -150,7 +151,7 @@ static Words words_cost(const SahNode *node, BestAnswer found)
 static char *describe_best(const void *pointer, int i, const void *answers)
 {
     static const SahRules right = {0};
-    const SahNode node = best_node_08(pointer, i);
+    const SahNode node = node_of(pointer, i);
     const BestAnswer found = ((const BestAnswer *)answers)[i];
     const SahPlane best = sah_best(&node, &right);
     if (best.cost == INFINITY) {
@@ -169,11 +170,9 @@ static char *describe_best(const void *pointer, int i, const void *answers)
 const Function best_08 = {"bests",
                           N_BESTS,
                           sizeof(BestAnswer),
-                          .agrees = best_agrees,
+                          COMPARED(best_agrees, describe_best, best_mistakes),
                           .shows = best_shows,
-                          .describe = describe_best,
-                          .counted = "cells",
-                          MISTAKES(best_mistakes)};
+                          .counted = "cells"};
 
 // Nobody has to call split_cost: the best plane by true costs is right, too. Where the cell has no
 // area, the one says that there is none, and the other need not.

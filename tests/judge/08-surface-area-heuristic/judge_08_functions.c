@@ -98,13 +98,8 @@ static char *describe_cost(const void *pointer, int i, const void *answers)
                        ((const double *)answers)[i], sah_cost(split, &right));
 }
 
-const Function cost_08 = {"costs",
-                          N_COSTS,
-                          sizeof(double),
-                          .agrees = cost_agrees,
-                          .describe = describe_cost,
-                          .counted = "splits",
-                          MISTAKES(cost_mistakes)};
+const Function cost_08 = {"costs", N_COSTS, sizeof(double),
+                          COMPARED(cost_agrees, describe_cost, cost_mistakes), .counted = "splits"};
 
 // Nobody has to call surface_area: costs by the true areas are right, too.
 int costs_alone_08(const void *pointer, const JudgeCheck *check, const Sections *answers)
@@ -227,15 +222,6 @@ static char *describe_decision(const void *pointer, int i, const void *answers)
 const Function decision_08 = {"decisions",
                               N_DECISIONS,
                               sizeof(i32),
-                              .agrees = decision_agrees,
+                              COMPARED(decision_agrees, describe_decision, leaf_mistakes),
                               .shows = decision_shows,
-                              .describe = describe_decision,
-                              .counted = "nodes",
-                              MISTAKES(leaf_mistakes)};
-
-// In the place of whole trees: all inputs.
-int decisions_alone_08(const void *job, const JudgeCheck *check, const Sections *answers)
-{
-    (void)check;
-    return verdict_passes(function_judge(&decision_08, job, (Range){0, N_DECISIONS, 1}, answers));
-}
+                              .counted = "nodes"};

@@ -5,16 +5,10 @@
 // is exact in float. Behind those that are drawn stand the edges, which no seed may miss.
 #include "judge_08.h"
 
-#include "random.h"
+#include "random3d.h"
 
 #include <float.h>
 #include <math.h>
-
-// A number on a grid of 1/8, from lowest to highest.
-static float random_eighth(Random *random, int lowest, int highest)
-{
-    return (float)random_integer(random, 8 * (int64_t)lowest, 8 * (int64_t)highest) / 8;
-}
 
 // A cell whose candidate planes are on the grid.
 static BBox3D draw_cell(Random *random)
@@ -352,19 +346,6 @@ static LeafCostJob draw_decision(Random *random, int i)
 
 // ---- The job ------------------------------------------------------------------------------------
 
-// A scene without the expected tree.
-int job_08_write_scene(const void *pointer, int k, FILE *file)
-{
-    const TreeScene3D *scene = &((const Job08 *)pointer)->scenes[k];
-    const TreeJob3D job = {(u32)scene->scene.n_spheres, scene->limits.maxDepth,
-                           scene->limits.targetElementsPerNode};
-    const Sphere beyond = {.radius = BEYOND_RADIUS};
-    return job_section_write(file, k, NULL, &job, sizeof job) |
-           job_title_write(file, k, scene->title) |
-           job_array_write(file, k, "spheres", scene->scene.spheres, (size_t)scene->scene.n_spheres,
-                           &beyond, sizeof beyond);
-}
-
 int job_08_draw(void *pointer, Random *random)
 {
     Job08 *job = pointer;
@@ -381,13 +362,4 @@ int job_08_draw(void *pointer, Random *random)
         job->decisions[i] = draw_decision(random, i);
     }
     return scenes_08_draw(random, job);
-}
-
-void job_08_release(void *pointer)
-{
-    Job08 *job = pointer;
-    for (int k = 0; k < N_TREES; k++) {
-        tree3d_free(&job->scenes[k].tree);
-        scene3d_free(&job->scenes[k].scene);
-    }
 }

@@ -101,7 +101,8 @@ double sah_cost(CostJob split, const SahRules *rules)
 
 // ---- Planes -------------------------------------------------------------------------------------
 
-f32 sah_plane(BBox3D box, u32 axis, int i)
+// Candidate plane number i, rounded as float does.
+static f32 plane_at(BBox3D box, u32 axis, int i)
 {
     const f32 side = box.max[axis] - box.min[axis];
     return box.min[axis] + side * ((f32)i / SAH_BINS);
@@ -110,7 +111,7 @@ f32 sah_plane(BBox3D box, u32 axis, int i)
 int sah_plane_number(BBox3D box, u32 axis, f32 pos)
 {
     int i = SAH_BINS - 1;
-    while (i > 0 && sah_plane(box, axis, i) != pos) {
+    while (i > 0 && plane_at(box, axis, i) != pos) {
         i--;
     }
     return i;
@@ -161,7 +162,7 @@ static void count_sphere(Counts *counts, const SahNode *node, Sphere sphere, u32
     }
     if (rules->ends_late) {
         is_higher =
-            i == 1 || sides_of(sphere, axis, sah_plane(node->box, axis, i - 1), rules).is_higher;
+            i == 1 || sides_of(sphere, axis, plane_at(node->box, axis, i - 1), rules).is_higher;
     }
     counts->n_lower += (u32)is_lower;
     counts->n_higher += (u32)(rules->higher_keeps     ? 1
@@ -174,7 +175,7 @@ static Counts count_spheres(const SahNode *node, u32 axis, int i, const SahRules
     Counts counts = {0};
     for (u32 j = 0; j < node->n_ids; j++) {
         const Sphere sphere = node->spheres[rules->all_spheres_id ? j : node->ids[j]];
-        const Sides sides = sides_of(sphere, axis, sah_plane(node->box, axis, i), rules);
+        const Sides sides = sides_of(sphere, axis, plane_at(node->box, axis, i), rules);
         count_sphere(&counts, node, sphere, axis, i, &sides, rules);
     }
     return counts;
@@ -193,7 +194,7 @@ static void carry_over(Counts *counts, const SahNode *node, u32 axis, int i, con
 
 SahPlane sah_weigh(const SahNode *node, u32 axis, int i, const SahRules *rules)
 {
-    const f32 pos = sah_plane(node->box, axis, i);
+    const f32 pos = plane_at(node->box, axis, i);
     CostJob split = {node->box, axis, pos, 0, 0}, least = split, most = split;
     Counts counts = {0};
     for (u32 j = 0; j < node->n_ids; j++) {

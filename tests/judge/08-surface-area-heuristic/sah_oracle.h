@@ -87,9 +87,6 @@ typedef struct SahRules {
 double sah_size(BBox3D box, SahMeasure measure);
 double sah_cost(CostJob split, const SahRules *rules);
 
-// Candidate plane number i, rounded as float does.
-f32 sah_plane(BBox3D box, u32 axis, int i);
-
 // A node: the spheres that overlap its cell.
 typedef struct SahNode {
     BBox3D box;

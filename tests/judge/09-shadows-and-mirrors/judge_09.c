@@ -15,22 +15,11 @@ static int draw(void *pointer, Random *random)
     rays_09_draw(random, job);
     blocks_09_draw(random, job);
     alone_09_draw(random, job);
-    for (int k = 0; k < N_SCENES; k++) {
-        job_list_picture(&job->job, &job->scenes[k].base.picture);
-    }
     if (scenes_09_draw(random, job->scenes) != 0) {
         return -1;
     }
     lits_09_draw(random, job);
     return 0;
-}
-
-static void release(void *pointer)
-{
-    Job09 *job = pointer;
-    for (int k = 0; k < N_SCENES; k++) {
-        job_scene3d_free(&job->scenes[k].base);
-    }
 }
 
 static int write_scene(const void *job, int k, FILE *file)
@@ -39,9 +28,6 @@ static int write_scene(const void *job, int k, FILE *file)
 }
 
 // ---- The judge ----------------------------------------------------------------------------------
-
-// Range number i of a function's inputs.
-#define RANGE(i, n_inputs) {(i) * (n_inputs), n_inputs}
 
 static const JudgeCheck checks[] = {
     {"leave-side", "Along the normal, and far enough", "leave_surface", 7, .function = &start_09,
@@ -106,10 +92,9 @@ const Judge judge_09 = {
     .n_checks = COUNT(checks),
     .job_bytes = sizeof(Job09),
     .draw = draw,
-    .release = release,
     .parts = parts,
     .n_parts = COUNT(parts),
+    .scenes = SCENES(job_scene3d_kind, Job09, scenes),
     .write_scene = write_scene,
-    .n_scenes = N_SCENES,
     .write_alone = write_alone_09,
 };

@@ -164,13 +164,8 @@ static char *describe_block(const void *pointer, int i, const void *answers)
         ((const BlockAnswer *)answers)[i].is_blocked, leaf_blocks(pointer, i, &mistakes[0]) == YES);
 }
 
-const Function block_09 = {"blocks",
-                           N_BLOCKS,
-                           sizeof(BlockAnswer),
-                           .describe = describe_block,
-                           .agrees = block_agrees,
-                           .counted = "inputs",
-                           MISTAKES(mistakes)};
+const Function block_09 = {"blocks", N_BLOCKS, sizeof(BlockAnswer),
+                           COMPARED(block_agrees, describe_block, mistakes)};
 
 // ---- How many are asked -------------------------------------------------------------------------
 
@@ -230,10 +225,5 @@ static char *describe_early(const void *pointer, int i, const void *answers)
                        first < n ? first + 1 : n);
 }
 
-const Function block_early_09 = {"blocks",
-                                 N_BLOCKS,
-                                 sizeof(BlockAnswer),
-                                 .describe = describe_early,
-                                 .agrees = early_agrees,
-                                 .counted = "inputs",
-                                 MISTAKES(early_causes)};
+const Function block_early_09 = {"blocks", N_BLOCKS, sizeof(BlockAnswer),
+                                 COMPARED(early_agrees, describe_early, early_causes)};

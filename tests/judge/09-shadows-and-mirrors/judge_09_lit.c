@@ -236,11 +236,5 @@ static char *describe_lit(const void *pointer, int i, const void *answers)
                        words_vec3(found->color, 5).text, words_xyz(e.x, e.y, e.z, 5).text);
 }
 
-const Function lit_09 = {"lits",
-                         N_LITS,
-                         sizeof(LitAnswer),
-                         .describe = describe_lit,
-                         .agrees = lit_agrees,
-                         .shows = lit_shows,
-                         .counted = "inputs",
-                         MISTAKES(lit_mistakes_09)};
+const Function lit_09 = {"lits", N_LITS, sizeof(LitAnswer),
+                         COMPARED(lit_agrees, describe_lit, lit_mistakes_09), .shows = lit_shows};

@@ -183,13 +183,8 @@ static char *describe_mirror(const void *pointer, int i, const void *answers)
                        words_xyz(e.x, e.y, e.z, 6).text);
 }
 
-const Function mirror_09 = {"mirrors",
-                            2 * N_MIRROR_INPUTS,
-                            sizeof(Vec3),
-                            .describe = describe_mirror,
-                            .agrees = mirror_agrees,
-                            .counted = "inputs",
-                            MISTAKES(mirror_mistakes)};
+const Function mirror_09 = {"mirrors", 2 * N_MIRROR_INPUTS, sizeof(Vec3),
+                            COMPARED(mirror_agrees, describe_mirror, mirror_mistakes)};
 
 // ---- shadow_ray ---------------------------------------------------------------------------------
 
@@ -274,9 +269,8 @@ static int origin_agrees(const void *job, int i, const void *answers, int mistak
            !is_handed_out;
 }
 
-const Function ray_origin_09 = {
-    "shadow_rays",           N_SHADOW_RAY_INPUTS, sizeof(ShadowRayAnswer), .describe = describe_ray,
-    .agrees = origin_agrees, .counted = "inputs", MISTAKES(origin_causes)};
+const Function ray_origin_09 = {"shadow_rays", N_SHADOW_RAY_INPUTS, sizeof(ShadowRayAnswer),
+                                COMPARED(origin_agrees, describe_ray, origin_causes)};
 
 typedef enum DirectionMistake {
     DIRECTION_RIGHT,
@@ -312,13 +306,8 @@ static int direction_agrees(const void *job, int i, const void *answers, int mis
     return oracle3d_is_near(answer_at(answers, i)->direction, expected);
 }
 
-const Function ray_direction_09 = {"shadow_rays",
-                                   N_SHADOW_RAY_INPUTS,
-                                   sizeof(ShadowRayAnswer),
-                                   .describe = describe_ray,
-                                   .agrees = direction_agrees,
-                                   .counted = "inputs",
-                                   MISTAKES(direction_causes)};
+const Function ray_direction_09 = {"shadow_rays", N_SHADOW_RAY_INPUTS, sizeof(ShadowRayAnswer),
+                                   COMPARED(direction_agrees, describe_ray, direction_causes)};
 
 typedef enum EndMistake {
     END_RIGHT,
@@ -378,6 +367,5 @@ static int end_agrees(const void *job, int i, const void *answers, int mistake)
     }
 }
 
-const Function ray_end_09 = {
-    "shadow_rays",        N_SHADOW_RAY_INPUTS, sizeof(ShadowRayAnswer), .describe = describe_ray,
-    .agrees = end_agrees, .counted = "inputs", MISTAKES(end_causes)};
+const Function ray_end_09 = {"shadow_rays", N_SHADOW_RAY_INPUTS, sizeof(ShadowRayAnswer),
+                             COMPARED(end_agrees, describe_ray, end_causes)};

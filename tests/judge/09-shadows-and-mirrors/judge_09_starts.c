@@ -272,10 +272,5 @@ static Cause explain_start(const void *pointer, Range range, const void *answers
     return cause_of_distance(job, answers);
 }
 
-const Function start_09 = {"starts",
-                           2 * N_START_INPUTS,
-                           sizeof(Vec3),
-                           .describe = describe_start,
-                           .agrees = start_agrees,
-                           .counted = "inputs",
-                           .explain = explain_start};
+const Function start_09 = {"starts", 2 * N_START_INPUTS, sizeof(Vec3),
+                           EXPLAINED(start_agrees, describe_start, explain_start)};

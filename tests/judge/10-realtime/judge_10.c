@@ -9,7 +9,6 @@
 
 #include "job_work.h"
 #include "message.h"
-#include "words.h"
 
 // ---- Drawing the job ----------------------------------------------------------------------------
 
@@ -20,22 +19,11 @@ static int draw(void *pointer, Random *random)
     children_10_draw(random, job);
     waiting_10_draw(random, job);
     cones_10_draw(random, job);
-    for (int k = 0; k < N_SCENES; k++) {
-        job_list_picture(&job->job, &job->scenes[k].picture);
-    }
     if (scenes_10_draw(random, job->scenes) != 0) {
         return -1;
     }
     rows_10_draw(random, job);
     return circles_10_draw(random, job);
-}
-
-static void release(void *pointer)
-{
-    Job10 *job = pointer;
-    for (int k = 0; k < N_SCENES; k++) {
-        job_scene3d_free(&job->scenes[k]);
-    }
 }
 
 static int write_scene(const void *job, int k, FILE *file)
@@ -50,21 +38,6 @@ static Verdict judge_hits(const void *job, int k, const Sections *answers)
     const JobScene3D *scene = &((const Job10 *)job)->scenes[k];
     const HitAnswer *found = hits_find(scene, k, answers);
     return found == NULL ? verdict_missing : verdict_of(hits_judge(scene, found));
-}
-
-static int is_at_most(Work work, Work most)
-{
-    return work.n_tests <= most.n_tests && work.n_nodes_visited <= most.n_nodes_visited &&
-           work.n_leaves_visited <= most.n_leaves_visited && work.stack_depth <= most.stack_depth;
-}
-
-// "3 nodes and 1 leaf visited, 17 spheres asked and 2 waiting at once".
-static Words work_words(Work work)
-{
-    return words("%u node%s and %u %s visited, %u sphere%s asked and %u waiting at once",
-                 work.n_nodes_visited, plural(work.n_nodes_visited), work.n_leaves_visited,
-                 work.n_leaves_visited == 1 ? "leaf" : "leaves", work.n_tests, plural(work.n_tests),
-                 work.stack_depth);
 }
 
 // Which of the numbers is too large, of all tiles: a sentence where it is one of them alone.
@@ -91,7 +64,7 @@ static Diagnosis judge_tiles(const JobScene3D *scene, const Work *found)
             const Work work = found[y * width + x], most = tile_10_most(scene, x, y, &must_tile);
             n_asked += work.n_tests > 0;
             must_ask |= must_tile;
-            if (is_at_most(work, most)) {
+            if (work_is_at_most(work, most)) {
                 continue;
             }
             more_nodes |= work.n_nodes_visited > most.n_nodes_visited ||
@@ -132,23 +105,22 @@ static Verdict judge_work(const void *pointer, int k, const Sections *answers)
 // What the search for spheres is made of.
 #define SPHERE_TASKS "plane_interval next_tile_child next_tile_waiting cone_misses_sphere"
 
-// Range number i of a function's inputs.
-#define RANGE(i, n_inputs) {(i) * (n_inputs), n_inputs}
-
 static const JudgeCheck checks[] = {
     {"leaf-tile", "The leaf of a tile", "tile_leaf", 4, .function = &tile_leaf_10,
      .range = {0, N_CIRCLE_TILES}},
     {"leaf-steps", "One step a level, no more", "tile_leaf", 2, .function = &leaf_steps_10,
      .range = {0, N_CIRCLE_TILES}},
     {"circles-pixels", "Tiles of circles, pixel by pixel", "tile_leaf", 2, "paint_row",
-     .function = &circle_pixels_10, .range = {0, N_CIRCLE_TILES}, .alone = leaves_alone_10},
+     .function = &circle_pixels_10, .range = {0, N_CIRCLE_TILES},
+     .alone_functions = {&tile_leaf_10}},
 
     {"row-open", "A row that nothing is painted in yet", "paint_row", 4, .function = &circle_row_10,
      .range = RANGE(ROWS_OPEN, N_ROW_INPUTS)},
     {"row-painted", "A row that is painted in part", "paint_row", 5, .function = &circle_row_10,
      .range = RANGE(ROWS_PAINTED, N_ROW_INPUTS)},
     {"circles-work", "No circle is asked behind a tile that is done", "paint_row", 3, "tile_leaf",
-     .function = &circle_work_10, .range = {0, N_CIRCLE_TILES}, .alone = rows_alone_10},
+     .function = &circle_work_10, .range = {0, N_CIRCLE_TILES},
+     .alone_functions = {&circle_row_10}},
 
     {"plane-one-way", "All rays go the same way", "plane_interval", 9, .function = &tile_plane_10,
      .range = RANGE(TILES_ONE_WAY, N_TILE_PLANE_INPUTS)},
@@ -162,16 +134,16 @@ static const JudgeCheck checks[] = {
     {"child-both", "Where both are met: one waits", "next_tile_child", 6,
      .function = &tile_child_10, .range = RANGE(1, N_TILE_CHILD_INPUTS)},
     {"tile-hits", "No pinholes, in no scene", "next_tile_child", 5, SPHERE_TASKS,
-     .scene = judge_hits, .range = {0, N_SCENES}, .alone = children_alone_10},
+     .scene = judge_hits, .range = {0, N_SCENES}, .alone_functions = {&tile_child_10}},
     {"tile-picture", "Whole pictures", "next_tile_child", 4, SPHERE_TASKS, .scene = judge_picture,
-     .range = {0, N_SCENES}, .alone = children_alone_10},
+     .range = {0, N_SCENES}, .alone_functions = {&tile_child_10}},
 
     {"waiting-end", "When the search is over", "next_tile_waiting", 5, .function = &tile_end_10,
      .range = {0, N_TILE_WAITING_INPUTS}},
     {"waiting-next", "What comes next where it is not", "next_tile_waiting", 6,
      .function = &tile_next_10, .range = {0, N_TILE_WAITING_INPUTS}},
     {"tile-work", "No more work than a tile needs", "next_tile_waiting", 6, SPHERE_TASKS,
-     .scene = judge_work, .range = {0, N_SCENES}, .alone = waiting_alone_10},
+     .scene = judge_work, .range = {0, N_SCENES}, .alone_functions = {&tile_end_10, &tile_next_10}},
 
     {"cone-clear", "Hit or missed by far", "cone_misses_sphere", 8, .function = &cone_10,
      .range = RANGE(CONES_CLEAR, N_CONE_INPUTS)},
@@ -199,9 +171,8 @@ const Judge judge_10 = {
     .n_checks = COUNT(checks),
     .job_bytes = sizeof(Job10),
     .draw = draw,
-    .release = release,
     .parts = parts,
     .n_parts = COUNT(parts),
+    .scenes = SCENES(job_scene3d_kind, Job10, scenes),
     .write_scene = write_scene,
-    .n_scenes = N_SCENES,
 };

@@ -105,10 +105,4 @@ int circles_10_draw(Random *random, Job10 *job);  // 0, or -1 after one message
 // The leaf of circle tile i.
 u32 leaf_10_of_tile(const Job10 *job, int i);
 
-// Alone, in the place of whole scenes, which need all tasks: every input of the step.
-int children_alone_10(const void *job, const JudgeCheck *check, const Sections *answers);
-int waiting_alone_10(const void *job, const JudgeCheck *check, const Sections *answers);
-int rows_alone_10(const void *job, const JudgeCheck *check, const Sections *answers);
-int leaves_alone_10(const void *job, const JudgeCheck *check, const Sections *answers);
-
 #endif

@@ -298,14 +298,5 @@ static char *describe_child(const void *pointer, int i, const void *answers)
                        next_child_words(&job->todo, &expected).text);
 }
 
-const Function tile_child_10 = {"tile_children",         N_TILE_CHILDREN,
-                                sizeof(NextChildAnswer), .describe = describe_child,
-                                .agrees = child_agrees,  .counted = "inputs",
-                                MISTAKES(child_mistakes)};
-
-int children_alone_10(const void *job, const JudgeCheck *check, const Sections *answers)
-{
-    (void)check;
-    return verdict_passes(
-        function_judge(&tile_child_10, job, (Range){0, N_TILE_CHILDREN, 1}, answers));
-}
+const Function tile_child_10 = {"tile_children", N_TILE_CHILDREN, sizeof(NextChildAnswer),
+                                COMPARED(child_agrees, describe_child, child_mistakes)};

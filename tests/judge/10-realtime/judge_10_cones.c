@@ -335,11 +335,5 @@ static char *describe_cone(const void *pointer, int i, const void *answers)
         job->radius, view.along, view.aside, view.border, ((const i32 *)answers)[i], gap > 0);
 }
 
-const Function cone_10 = {"cones",
-                          N_CONES,
-                          sizeof(i32),
-                          .describe = describe_cone,
-                          .agrees = cone_agrees,
-                          .shows = cone_shows,
-                          .counted = "inputs",
-                          MISTAKES(cone_mistakes)};
+const Function cone_10 = {"cones", N_CONES, sizeof(i32),
+                          COMPARED(cone_agrees, describe_cone, cone_mistakes), .shows = cone_shows};

@@ -117,16 +117,9 @@ static char *describe_leaf(const void *job, int i, const void *answers)
                        ((const TileLeafAnswer *)answers)[i].leaf, leaf_10_of_tile(job, i));
 }
 
-const Function tile_leaf_10 = {
-    "tile_leaves",         N_CIRCLE_TILES,     sizeof(TileLeafAnswer), .describe = describe_leaf,
-    .agrees = leaf_agrees, .counted = "tiles", MISTAKES(leaf_mistakes)};
-
-int leaves_alone_10(const void *job, const JudgeCheck *check, const Sections *answers)
-{
-    (void)check;
-    return verdict_passes(
-        function_judge(&tile_leaf_10, job, (Range){0, N_CIRCLE_TILES, 1}, answers));
-}
+const Function tile_leaf_10 = {"tile_leaves", N_CIRCLE_TILES, sizeof(TileLeafAnswer),
+                               COMPARED(leaf_agrees, describe_leaf, leaf_mistakes),
+                               .counted = "tiles"};
 
 // ---- Steps --------------------------------------------------------------------------------------
 
@@ -155,6 +148,6 @@ static char *describe_steps(const void *job, int i, const void *answers)
                        plural(found), expected_steps(job, i, 0));
 }
 
-const Function leaf_steps_10 = {
-    "tile_leaves",         N_CIRCLE_TILES,     sizeof(TileLeafAnswer),  .describe = describe_steps,
-    .agrees = steps_agree, .counted = "tiles", MISTAKES(steps_mistakes)};
+const Function leaf_steps_10 = {"tile_leaves", N_CIRCLE_TILES, sizeof(TileLeafAnswer),
+                                COMPARED(steps_agree, describe_steps, steps_mistakes),
+                                .counted = "tiles"};

@@ -278,7 +278,5 @@ static char *describe_plane(const void *pointer, int i, const void *answers)
                        expected.low, expected.high);
 }
 
-const Function tile_plane_10 = {"tile_planes",           N_TILE_PLANES,
-                                sizeof(TilePlaneAnswer), .describe = describe_plane,
-                                .agrees = plane_agrees,  .counted = "inputs",
-                                MISTAKES(plane_mistakes)};
+const Function tile_plane_10 = {"tile_planes", N_TILE_PLANES, sizeof(TilePlaneAnswer),
+                                COMPARED(plane_agrees, describe_plane, plane_mistakes)};

@@ -201,12 +201,6 @@ static char *describe_row(const void *pointer, int i, const void *answers)
                        job->colors[at], job->color);
 }
 
-const Function circle_row_10 = {
-    "circle_rows",        N_ROWS_10,         sizeof(CircleRowAnswer), .describe = describe_row,
-    .agrees = row_agrees, .counted = "rows", MISTAKES(row_mistakes)};
-
-int rows_alone_10(const void *job, const JudgeCheck *check, const Sections *answers)
-{
-    (void)check;
-    return verdict_passes(function_judge(&circle_row_10, job, (Range){0, N_ROWS_10, 1}, answers));
-}
+const Function circle_row_10 = {"circle_rows", N_ROWS_10, sizeof(CircleRowAnswer),
+                                COMPARED(row_agrees, describe_row, row_mistakes),
+                                .counted = "rows"};

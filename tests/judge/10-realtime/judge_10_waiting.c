@@ -252,25 +252,7 @@ static char *describe_waiting(const void *pointer, int i, const void *answers)
                        next_waiting_words(&expected).text);
 }
 
-const Function tile_end_10 = {"tile_waiting",
-                              N_TILE_WAITING_INPUTS,
-                              sizeof(NextWaitingAnswer),
-                              .describe = describe_waiting,
-                              .agrees = end_agrees,
-                              .counted = "inputs",
-                              MISTAKES(waiting_mistakes)};
-const Function tile_next_10 = {"tile_waiting",
-                               N_TILE_WAITING_INPUTS,
-                               sizeof(NextWaitingAnswer),
-                               .describe = describe_waiting,
-                               .agrees = next_agrees,
-                               .counted = "inputs",
-                               MISTAKES(waiting_mistakes)};
-
-int waiting_alone_10(const void *job, const JudgeCheck *check, const Sections *answers)
-{
-    const Range all = {0, N_TILE_WAITING_INPUTS, 1};
-    (void)check;
-    return verdict_passes(function_judge(&tile_end_10, job, all, answers)) &&
-           verdict_passes(function_judge(&tile_next_10, job, all, answers));
-}
+const Function tile_end_10 = {"tile_waiting", N_TILE_WAITING_INPUTS, sizeof(NextWaitingAnswer),
+                              COMPARED(end_agrees, describe_waiting, waiting_mistakes)};
+const Function tile_next_10 = {"tile_waiting", N_TILE_WAITING_INPUTS, sizeof(NextWaitingAnswer),
+                               COMPARED(next_agrees, describe_waiting, waiting_mistakes)};

@@ -83,7 +83,7 @@ static void report_one(const JobPicture *job_picture, int k, const Sections *ans
     }
 }
 
-void job_pictures_report(JobPicture *const pictures[], int n, const Sections *answers,
+void job_pictures_report(const JobPicture *first, size_t step, int n, const Sections *answers,
                          Result *result)
 {
     // Enough to see what is wrong; a page of all of them would only be slower.
@@ -91,11 +91,11 @@ void job_pictures_report(JobPicture *const pictures[], int n, const Sections *an
     for (int want_wrong = 1; want_wrong >= 0; want_wrong--) {
         int n_added = 0;
         for (int k = 0; k < n && n_added < (want_wrong ? MAX_WRONG : MAX_RIGHT); k++) {
-            const ProbeImage own = job_picture_answer(pictures[k], k, answers);
-            const int is_wrong =
-                own.pixels == NULL || !picture_is_right(own, &pictures[k]->expected);
+            const JobPicture *picture = (const void *)((const char *)first + (size_t)k * step);
+            const ProbeImage own = job_picture_answer(picture, k, answers);
+            const int is_wrong = own.pixels == NULL || !picture_is_right(own, &picture->expected);
             if (is_wrong == want_wrong) {
-                report_one(pictures[k], k, answers, result);
+                report_one(picture, k, answers, result);
                 n_added++;
             }
         }

@@ -27,7 +27,8 @@ Verdict job_picture_judge_padding(const JobPicture *picture, int k, const Sectio
 void job_picture_adopt(JobPicture *picture, int k, const Sections *answers);
 
 // Add some of n pictures to the report, the wrong ones first.
-void job_pictures_report(JobPicture *const pictures[], int n, const Sections *answers,
+//   first, step   each lies `step` bytes behind the one before
+void job_pictures_report(const JobPicture *first, size_t step, int n, const Sections *answers,
                          Result *result);
 
 #endif

@@ -78,8 +78,8 @@ static Diagnosis judge_counting(const Function *function, const void *job, Range
         return NOTHING_WRONG;
     }
     char *wrong = function->describe(job, first, answers);
-    char *found =
-        message_new("%s (%d of %d %s are wrong)", wrong, n_wrong, range.n, function->counted);
+    const char *counted = function->counted != NULL ? function->counted : "inputs";
+    char *found = message_new("%s (%d of %d %s are wrong)", wrong, n_wrong, range.n, counted);
     free(wrong);
     return diagnosis_of(found, explain(function, job, range, answers));
 }

@@ -14,6 +14,9 @@ typedef struct Range {
     int first, n, step;
 } Range;
 
+// Number i of ranges that follow one another, each of n inputs.
+#define RANGE(i, n) {(i) * (n), n}
+
 // Number i of a range.
 int range_at(Range range, int i);
 
@@ -35,7 +38,7 @@ typedef struct Function {
     // that explains every answer of the range.
     int (*agrees)(const void *job, int i, const void *answers, int mistake);
     char *(*describe)(const void *job, int i, const void *answers);
-    const char *counted;   // "inputs", "points"
+    const char *counted;   // "points"; NULL for "inputs"
     const void *mistakes;  // structures that begin with a Cause
     size_t mistake_bytes;  // of one
     int n_mistakes;        // with number 0
@@ -47,6 +50,9 @@ typedef struct Function {
 } Function;
 #define MISTAKES(table)                                                                            \
     .mistakes = (table), .mistake_bytes = sizeof *(table), .n_mistakes = COUNT(table)
+// The answers are compared with what comes of each mistake of a table, or explained as a whole.
+#define COMPARED(how, words, table) .agrees = (how), .describe = (words), MISTAKES(table)
+#define EXPLAINED(how, words, cause) .agrees = (how), .describe = (words), .explain = (cause)
 
 // The function's answers, or NULL when they are missing.
 const void *function_answers(const Function *function, const Sections *answers);

@@ -354,3 +354,15 @@ void job_scene_free(JobScene *scene)
     tree2d_free(&scene->tree);
     scene2d_free(&scene->scene);
 }
+
+static int write(const void *scene, int k, FILE *file)
+{
+    return job_scene_write(scene, k, file);
+}
+
+static void release(void *scene)
+{
+    job_scene_free(scene);
+}
+
+const SceneKind job_scene_kind = {write, release, offsetof(JobScene, picture)};

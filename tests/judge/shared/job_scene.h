@@ -5,6 +5,7 @@
 #include "job_picture.h"
 #include "random.h"
 #include "scene2d.h"
+#include "scene_kind.h"
 #include "tree2d.h"
 
 typedef struct JobScene {
@@ -54,6 +55,9 @@ int job_scene_write(const JobScene *scene, int k, FILE *file);
 int job_scene_write_circles(const JobScene *scene, int k, FILE *file);
 
 void job_scene_free(JobScene *scene);
+
+// The two above, as judges have it.
+extern const SceneKind job_scene_kind;
 
 // Let wrong pictures of a scene be recognised. The scene must stay where it is. job_scene_expect()
 // does it.

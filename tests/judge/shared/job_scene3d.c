@@ -164,3 +164,15 @@ int job_scene3d_write(const JobScene3D *scene, int k, FILE *file)
     }
     return result;
 }
+
+static int write(const void *scene, int k, FILE *file)
+{
+    return job_scene3d_write(scene, k, file);
+}
+
+static void release(void *scene)
+{
+    job_scene3d_free(scene);
+}
+
+const SceneKind job_scene3d_kind = {write, release, offsetof(JobScene3D, picture)};

@@ -10,6 +10,7 @@
 #include "oracle3d.h"
 #include "random.h"
 #include "scene3d.h"
+#include "scene_kind.h"
 #include "tree3d.h"
 
 typedef struct JobScene3D {
@@ -40,6 +41,9 @@ void job_scene3d_aim(JobScene3D *scene);
 // Let the oracle trace what is expected: hits and picture. Returns 0, or -1 after one message.
 int job_scene3d_expect(JobScene3D *scene);
 
+// The ray of a pixel.
+OracleRay job_scene3d_ray(const JobScene3D *scene, int pixel);
+
 // Build the scene's tree with the solution of lab 06 (job_scene3d_tree.c: for the labs behind that
 // one). Returns 0, or -1 after one message.
 int job_scene3d_grow_tree(JobScene3D *scene, KdTreeLimits limits);
@@ -48,6 +52,9 @@ int job_scene3d_grow_tree(JobScene3D *scene, KdTreeLimits limits);
 int job_scene3d_write(const JobScene3D *scene, int k, FILE *file);
 
 void job_scene3d_free(JobScene3D *scene);
+
+// The two above, as judges have it.
+extern const SceneKind job_scene3d_kind;
 
 // ---- Hits ---------------------------------------------------------------------------------------
 

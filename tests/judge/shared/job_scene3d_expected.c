@@ -139,6 +139,14 @@ int hit_is_right(const OracleHit *expected, HitAnswer found)
     return found.sphere == expected->sphere && fabs(found.t - expected->t) <= expected->t_tolerance;
 }
 
+OracleRay job_scene3d_ray(const JobScene3D *scene, int pixel)
+{
+    static const OracleRules3D right = {0};
+    const Scene3D *s = &scene->scene;
+    return oracle3d_primary_ray(&scene->camera, pixel % s->width, pixel / s->width, s->width,
+                                s->height, &right);
+}
+
 // "nothing (t = inf)" or "sphere 3 at t = 4.5".
 static Words hit_words(u32 sphere, double t)
 {

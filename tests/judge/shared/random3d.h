@@ -19,7 +19,13 @@ static inline float random_number(Random *random, double lowest, double highest)
     return (float)random_integer(random, llrint(lowest * 1024), llrint(highest * 1024)) / 1024;
 }
 
-// A vector whose parts are such numbers.
+// A number on a grid of 1/8, from lowest to highest.
+static inline float random_eighth(Random *random, int lowest, int highest)
+{
+    return (float)random_integer(random, 8 * (int64_t)lowest, 8 * (int64_t)highest) / 8;
+}
+
+// A vector whose parts are numbers in steps of 1/1024.
 static inline Vec3 random_vector(Random *random, double lowest, double highest)
 {
     const float x = random_number(random, lowest, highest);

@@ -1,15 +1,11 @@
 // Probe of lab 01: overlaps_N_Nearer on the job's inputs, then the student's kernel on its scenes.
 #include "probe.h"
 
-#include "cl_memory.h"
-
 #include <stdlib.h>
 
 static void answer_picture(const Probe *probe, int k, const SceneJob *scene, cl_kernel kernel)
 {
-    size_t n_bytes;
-    const Circle *circles = probe_scene_part(probe, k, "circles", &n_bytes);
-    cl_mem d_circles = cl_buffer_create(&probe->cl, circles, n_bytes);
+    cl_mem d_circles = probe_part_create(probe, k, "circles");
     cl_mem d_image = probe_image(probe, scene->width, scene->height);
     CL_CHECK(clSetKernelArg(kernel, 0, sizeof d_circles, &d_circles));
     CL_CHECK(clSetKernelArg(kernel, 1, sizeof scene->n_circles, &scene->n_circles));
@@ -29,10 +25,8 @@ static void answer_picture(const Probe *probe, int k, const SceneJob *scene, cl_
 int main(void)
 {
     Probe probe;
-    probe_open(&probe);
-    probe_open_device(&probe);
-    cl_program program = probe_build(&probe, "probes/" LAB_NAME "/probe.cl",
-                                     "-I " LAB_FOLDER " -I kernels -I probes");
+    cl_program program =
+        probe_open_program(&probe, PROBE_PROGRAM, "-I " LAB_FOLDER " -I kernels -I probes");
     cl_kernel kernel = probe_kernel(program, "implicit2DRenderer");
     probe_call(&probe, program, "overlaps", sizeof(OverlapJob), sizeof(cl_int), NULL, 0);
     const SceneJob *scene;
@@ -40,7 +34,6 @@ int main(void)
         answer_picture(&probe, k, scene, kernel);
     }
     CL_CHECK(clReleaseKernel(kernel));
-    CL_CHECK(clReleaseProgram(program));
-    probe_close(&probe);
+    probe_close_program(&probe, program);
     return EXIT_SUCCESS;
 }

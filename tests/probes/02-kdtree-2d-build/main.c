@@ -7,88 +7,58 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void answer_is_leaf(const Probe *probe, const char *name)
+static void call_is_leaf(const Probe *probe, const void *input, void *answer)
 {
-    size_t n_bytes;
-    const LeafJob *jobs = probe_job(probe, name, &n_bytes);
-    const size_t n = n_bytes / sizeof *jobs;
-    i32 *answers = calloc(n, sizeof *answers);
-    for (size_t i = 0; i < n; i++) {
-        probe_note(probe, name, (uint32_t)i);
-        const KdTreeLimits limits = {jobs[i].maxDepth, jobs[i].targetElementsPerNode};
-        answers[i] = is_leaf(jobs[i].level, jobs[i].n_circles, jobs[i].n_failed, limits);
-    }
-    probe_answer_array(probe, name, answers, n * sizeof *answers);
+    const LeafJob *job = input;
+    const KdTreeLimits limits = {job->maxDepth, job->targetElementsPerNode};
+    (void)probe;
+    *(i32 *)answer = is_leaf(job->level, job->n_circles, job->n_failed, limits);
 }
 
-static void answer_split_box(const Probe *probe, const char *name)
+static void call_split_box(const Probe *probe, const void *input, void *answer)
 {
-    size_t n_bytes;
-    const BBox2D *boxes = probe_job(probe, name, &n_bytes);
-    const size_t n = n_bytes / sizeof *boxes;
-    BBox2D *answers = calloc(2 * n, sizeof *answers);
-    for (size_t i = 0; i < n; i++) {
-        probe_note(probe, name, (uint32_t)i);
-        split_box(boxes[i], &answers[2 * i], &answers[2 * i + 1]);
-    }
-    probe_answer_array(probe, name, answers, 2 * n * sizeof *answers);
+    BBox2D *halves = answer;
+    (void)probe;
+    split_box(*(const BBox2D *)input, &halves[0], &halves[1]);
 }
 
-static void answer_circle_overlaps_box(const Probe *probe, const char *name)
+static void call_circle_overlaps_box(const Probe *probe, const void *input, void *answer)
 {
-    size_t n_bytes;
-    const BoxOverlapJob *jobs = probe_job(probe, name, &n_bytes);
-    const size_t n = n_bytes / sizeof *jobs;
-    i32 *answers = calloc(n, sizeof *answers);
-    for (size_t i = 0; i < n; i++) {
-        probe_note(probe, name, (uint32_t)i);
-        answers[i] = circle_overlaps_box(jobs[i].circle, jobs[i].box);
-    }
-    probe_answer_array(probe, name, answers, n * sizeof *answers);
+    const BoxOverlapJob *job = input;
+    (void)probe;
+    *(i32 *)answer = circle_overlaps_box(job->circle, job->box);
 }
 
-static void answer_distribute(const Probe *probe, const char *name)
-{
-    size_t n_bytes, n_circle_bytes;
-    const DistributeJob *jobs = probe_job(probe, name, &n_bytes);
-    const Circle *circles = probe_scene_part(probe, DISTRIBUTE_SCENE, "circles", &n_circle_bytes);
-    const size_t n = n_bytes / sizeof *jobs;
-    u32 *answers = calloc(n * DISTRIBUTE_ROOM, sizeof *answers);
-    for (size_t i = 0; i < n; i++) {
-        u32 *answer = answers + i * DISTRIBUTE_ROOM;
-        probe_leave_untouched(answer, DISTRIBUTE_ROOM);
-        probe_note(probe, name, (uint32_t)i);
-        answer[0] = distribute(circles, jobs[i].ids, jobs[i].n_ids, jobs[i].child, answer + 1);
-    }
-    probe_answer_array(probe, name, answers, n * DISTRIBUTE_ROOM * sizeof *answers);
-}
-
-static void answer_pack_leaf(const Probe *probe, const char *name)
+static void call_distribute(const Probe *probe, const void *input, void *pointer)
 {
     size_t n_bytes;
-    const PackJob *jobs = probe_job(probe, name, &n_bytes);
-    const size_t n = n_bytes / sizeof *jobs;
-    PackAnswer *answers = calloc(n, sizeof *answers);
-    for (size_t i = 0; i < n; i++) {
-        PackAnswer *answer = &answers[i];
-        u8 flags[PACK_NODES];
-        for (u32 id = 0; id < PACK_NODES; id++) {
-            answer->relations[id].id = id;
-            answer->boxes[id] = PACK_CELL(id);
-            flags[id] = INNER;
-        }
-        probe_leave_untouched(answer->map, PACK_MAP_ROOM);
-        KdTree2D tree = {answer->relations, flags,      answer->boxes,
-                         answer->map,       PACK_NODES, jobs[i].n_map};
-        probe_note(probe, name, (uint32_t)i);
-        pack_leaf(&tree, jobs[i].id, jobs[i].ids, jobs[i].n_ids);
-        for (int id = 0; id < PACK_NODES; id++) {
-            answer->flags[id] = flags[id];
-        }
-        answer->n_map = tree.n_map;
-        answer->n_nodes = tree.n_nodes;
+    const DistributeJob *job = input;
+    const Circle *circles = probe_scene_part(probe, DISTRIBUTE_SCENE, "circles", &n_bytes);
+    u32 *answer = pointer;
+    probe_leave_untouched(answer, DISTRIBUTE_ROOM);
+    answer[0] = distribute(circles, job->ids, job->n_ids, job->child, answer + 1);
+}
+
+static void call_pack_leaf(const Probe *probe, const void *input, void *pointer)
+{
+    const PackJob *job = input;
+    PackAnswer *answer = pointer;
+    u8 flags[PACK_NODES];
+    (void)probe;
+    for (u32 id = 0; id < PACK_NODES; id++) {
+        answer->relations[id].id = id;
+        answer->boxes[id] = PACK_CELL(id);
+        flags[id] = INNER;
     }
-    probe_answer_array(probe, name, answers, n * sizeof *answers);
+    probe_leave_untouched(answer->map, PACK_MAP_ROOM);
+    KdTree2D tree = {answer->relations, flags,      answer->boxes,
+                     answer->map,       PACK_NODES, job->n_before};
+    pack_leaf(&tree, job->id, job->ids, job->n_ids);
+    for (int id = 0; id < PACK_NODES; id++) {
+        answer->flags[id] = flags[id];
+    }
+    answer->n_map = tree.n_map;
+    answer->n_nodes = tree.n_nodes;
 }
 
 // ---- Replays ------------------------------------------------------------------------------------
@@ -208,36 +178,24 @@ static void answer_tree(const Probe *probe, int k, const SceneJob *scene)
     tree2d_free(&tree);
 }
 
-// Call the functions that the job asks for, one by one.
-static void answer_asked(const Probe *probe)
-{
-    static const struct {
-        const char *name;  // of a section
-        void (*answer)(const Probe *probe, const char *name);
-    } functions[] = {
-        {"leaves", answer_is_leaf},
-        {"splits", answer_split_box},
-        {"overlaps", answer_circle_overlaps_box},
-        {"distribute", answer_distribute},
-        {"pack", answer_pack_leaf},
-        {"replay.leaf", answer_is_leaf},
-        {"replay.split", answer_split_box},
-        {"replay.overlap", answer_circle_overlaps_box},
-        {"replay.lists", replay_distribute},
-        {"replay.leaves", replay_pack_leaf},
-    };
-    for (size_t i = 0; i < sizeof functions / sizeof *functions; i++) {
-        if (probe_asks(probe, functions[i].name)) {
-            functions[i].answer(probe, functions[i].name);
-        }
-    }
-}
-
 int main(void)
 {
+    static const ProbeFunction functions[] = {
+        {"leaves", sizeof(LeafJob), sizeof(i32), .call = call_is_leaf},
+        {"splits", sizeof(BBox2D), 2 * sizeof(BBox2D), .call = call_split_box},
+        {"overlaps", sizeof(BoxOverlapJob), sizeof(i32), .call = call_circle_overlaps_box},
+        {"distribute", sizeof(DistributeJob), DISTRIBUTE_ROOM * sizeof(u32),
+         .call = call_distribute},
+        {"pack", sizeof(PackJob), sizeof(PackAnswer), .call = call_pack_leaf},
+        {"replay.leaf", sizeof(LeafJob), sizeof(i32), .call = call_is_leaf},
+        {"replay.split", sizeof(BBox2D), 2 * sizeof(BBox2D), .call = call_split_box},
+        {"replay.overlap", sizeof(BoxOverlapJob), sizeof(i32), .call = call_circle_overlaps_box},
+        {"replay.lists", .answer = replay_distribute},
+        {"replay.leaves", .answer = replay_pack_leaf},
+    };
     Probe probe;
     probe_open(&probe);
-    answer_asked(&probe);
+    probe_call_host(&probe, functions, sizeof functions / sizeof *functions);
     const SceneJob *scene;
     for (int k = 0; (scene = probe_scene(&probe, k)) != NULL; k++) {
         answer_tree(&probe, k, scene);

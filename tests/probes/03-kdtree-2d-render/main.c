@@ -10,39 +10,11 @@
 enum { N_ARRAYS = 5 };
 static const char *const array_names[N_ARRAYS] = {"circles", "relations", "flags", "boxes", "map"};
 
-static cl_mem section_create(const Probe *probe, const char *name)
-{
-    size_t n_bytes;
-    const void *bytes = probe_job(probe, name, &n_bytes);
-    return cl_buffer_create(&probe->cl, bytes, n_bytes);
-}
-
 static void arrays_create(const Probe *probe, int k, cl_mem d_arrays[N_ARRAYS])
 {
     for (int i = 0; i < N_ARRAYS; i++) {
-        size_t n_bytes;
-        const void *bytes = probe_scene_part(probe, k, array_names[i], &n_bytes);
-        d_arrays[i] = cl_buffer_create(&probe->cl, bytes, n_bytes);
+        d_arrays[i] = probe_part_create(probe, k, array_names[i]);
     }
-}
-
-static void arrays_release(cl_mem d_arrays[N_ARRAYS])
-{
-    for (int i = 0; i < N_ARRAYS; i++) {
-        CL_CHECK(clReleaseMemObject(d_arrays[i]));
-    }
-}
-
-static void answer_children(const Probe *probe, cl_program program)
-{
-    if (!probe_asks(probe, "children")) {
-        return;
-    }
-    const cl_mem d_tree[] = {section_create(probe, "children.relations"),
-                             section_create(probe, "children.boxes")};
-    probe_call(probe, program, "children", sizeof(ChildJob), sizeof(cl_uint), d_tree, 2);
-    CL_CHECK(clReleaseMemObject(d_tree[0]));
-    CL_CHECK(clReleaseMemObject(d_tree[1]));
 }
 
 static void answer_picture(const Probe *probe, int k, const SceneJob *scene, cl_kernel kernel)
@@ -57,26 +29,22 @@ static void answer_picture(const Probe *probe, int k, const SceneJob *scene, cl_
     CL_CHECK(clSetKernelArg(kernel, 6, sizeof scene->height, &scene->height));
     CL_CHECK(clSetKernelArg(kernel, 7, sizeof d_image, &d_image));
     probe_draw_counting(probe, k, kernel, d_image, scene->width, scene->height, 8);
-    arrays_release(d_arrays);
+    cl_memory_release(d_arrays, N_ARRAYS);
     CL_CHECK(clReleaseMemObject(d_image));
 }
 
 int main(void)
 {
+    static const char *const child_tree[] = {"children.relations", "children.boxes"};
     Probe probe;
-    probe_open(&probe);
-    probe_open_device(&probe);
-    cl_program program =
-        probe_build(&probe, "probes/" LAB_NAME "/probe.cl",
-                    PROBE_KERNEL_OPTIONS " -I " LAB_FOLDER " -I probes -DCOUNT_WORK");
+    cl_program program = probe_open_program(&probe, PROBE_PROGRAM, PROBE_COUNTING);
     cl_kernel kernel = probe_kernel(program, "implicit2DRenderer_KD");
-    answer_children(&probe, program);
+    probe_call_with(&probe, program, "children", sizeof(ChildJob), sizeof(cl_uint), child_tree, 2);
     const SceneJob *scene;
     for (int k = 0; (scene = probe_scene(&probe, k)) != NULL; k++) {
         answer_picture(&probe, k, scene, kernel);
     }
     CL_CHECK(clReleaseKernel(kernel));
-    CL_CHECK(clReleaseProgram(program));
-    probe_close(&probe);
+    probe_close_program(&probe, program);
     return EXIT_SUCCESS;
 }

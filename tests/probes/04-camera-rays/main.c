@@ -37,8 +37,7 @@ static void answer_picture(const Probe *probe, int k, const SceneJob3D *scene, c
 static cl_program kernels_build(Probe *probe)
 {
     probe_open_device(probe);
-    return probe_build(probe, "probes/" LAB_NAME "/probe.cl",
-                       PROBE_KERNEL_OPTIONS " -I " LAB_FOLDER " -I probes");
+    return probe_build(probe, PROBE_PROGRAM, PROBE_KERNEL_OPTIONS " -I " LAB_FOLDER " -I probes");
 }
 
 static void answer_kernels(const Probe *probe, cl_program program)

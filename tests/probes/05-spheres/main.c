@@ -2,32 +2,19 @@
 // each ray hits, the picture, and the work of each pixel ("work.K").
 #include "probe.h"
 
-#include "cl_memory.h"
 #include "work.h"
 
 #include <stdlib.h>
 
-// What asks for lights: nothing where the job has none.
-static void answer_shades(const Probe *probe, cl_program program)
-{
-    size_t n_bytes;
-    if (!probe_asks(probe, "lights")) {
-        return;
-    }
-    const void *lights = probe_job(probe, "lights", &n_bytes);
-    cl_mem d_lights = cl_buffer_create(&probe->cl, lights, n_bytes);
-    probe_call(probe, program, "shades", sizeof(ShadeJob), sizeof(Vec3), &d_lights, 1);
-    probe_call(probe, program, "pixel_shades", sizeof(ShadeJob), sizeof(Vec3), &d_lights, 1);
-    CL_CHECK(clReleaseMemObject(d_lights));
-}
-
 static void answer_functions(const Probe *probe, cl_program program)
 {
+    static const char *const lights = "lights";
     probe_call(probe, program, "roots", sizeof(RootJob), sizeof(cl_float), NULL, 0);
     probe_call(probe, program, "textbook", sizeof(SphereRayJob), sizeof(cl_float), NULL, 0);
     probe_call(probe, program, "projection", sizeof(SphereRayJob), sizeof(cl_float), NULL, 0);
     probe_call(probe, program, "normals", sizeof(NormalJob), sizeof(Vec3), NULL, 0);
-    answer_shades(probe, program);
+    probe_call_with(probe, program, "shades", sizeof(ShadeJob), sizeof(Vec3), &lights, 1);
+    probe_call_with(probe, program, "pixel_shades", sizeof(ShadeJob), sizeof(Vec3), &lights, 1);
 }
 
 static void answer_hits(const Probe *probe, int k, const SceneJob3D *scene,
@@ -73,9 +60,7 @@ static void answer_scenes(const Probe *probe, cl_program program, cl_kernel kern
 static void answer_squares(const Probe *probe, int k, const SceneJob3D *scene, cl_kernel kernel)
 {
     const size_t n_pixels = (size_t)scene->width * (size_t)scene->height;
-    size_t n_bytes;
-    const void *squares = probe_scene_part(probe, k, "spheres", &n_bytes);
-    cl_mem d_squares = cl_buffer_create(&probe->cl, squares, n_bytes);
+    cl_mem d_squares = probe_part_create(probe, k, "spheres");
     cl_mem d_hits = probe_buffer(probe, n_pixels * sizeof(HitAnswer));
     cl_mem d_work = probe_buffer(probe, n_pixels * sizeof(Work));
     CL_CHECK(clSetKernelArg(kernel, 0, sizeof d_squares, &d_squares));
@@ -104,11 +89,7 @@ static void answer_all_squares(const Probe *probe, cl_program program)
 int main(void)
 {
     Probe probe;
-    probe_open(&probe);
-    probe_open_device(&probe);
-    cl_program program =
-        probe_build(&probe, "probes/" LAB_NAME "/probe.cl",
-                    PROBE_KERNEL_OPTIONS " -I " LAB_FOLDER " -I probes -DCOUNT_WORK");
+    cl_program program = probe_open_program(&probe, PROBE_PROGRAM, PROBE_COUNTING);
     cl_kernel kernel = probe_kernel(program, "render_spheres");
     answer_functions(&probe, program);
     if (probe_alone(&probe, "nearest_hit")) {
@@ -117,7 +98,6 @@ int main(void)
         answer_scenes(&probe, program, kernel);
     }
     CL_CHECK(clReleaseKernel(kernel));
-    CL_CHECK(clReleaseProgram(program));
-    probe_close(&probe);
+    probe_close_program(&probe, program);
     return EXIT_SUCCESS;
 }

@@ -24,57 +24,45 @@ __attribute__((noinline)) static KdSplit choose_on_paint(const BBox3D *cell)
     return split;
 }
 
-static void answer_choose_split(const Probe *probe, const char *name)
+static void call_choose_split(const Probe *probe, const void *input, void *answer)
 {
-    size_t n_bytes;
-    const BBox3D *boxes = probe_job(probe, name, &n_bytes);
-    const size_t n = n_bytes / sizeof *boxes;
-    KdSplit *answers = calloc(n, sizeof *answers);
-    for (size_t i = 0; i < n; i++) {
-        probe_note(probe, name, (uint32_t)i);
-        stack_paint();
-        answers[i] = choose_on_paint(&boxes[i]);
-    }
-    probe_answer_array(probe, name, answers, n * sizeof *answers);
+    (void)probe;
+    stack_paint();
+    *(KdSplit *)answer = choose_on_paint(input);
 }
 
-static void answer_sphere_overlaps_box(const Probe *probe, const char *name)
+static void call_sphere_overlaps_box(const Probe *probe, const void *input, void *answer)
 {
-    size_t n_bytes;
-    const SphereBoxJob *jobs = probe_job(probe, name, &n_bytes);
-    const size_t n = n_bytes / sizeof *jobs;
-    i32 *answers = calloc(n, sizeof *answers);
-    for (size_t i = 0; i < n; i++) {
-        probe_note(probe, name, (uint32_t)i);
-        answers[i] = sphere_overlaps_box(jobs[i].sphere, jobs[i].box);
-    }
-    probe_answer_array(probe, name, answers, n * sizeof *answers);
+    const SphereBoxJob *job = input;
+    (void)probe;
+    *(i32 *)answer = sphere_overlaps_box(job->sphere, job->box);
 }
 
-static void answer_pack_leaf_range(const Probe *probe, const char *name)
+static void call_pack_leaf_range(const Probe *probe, const void *input, void *pointer)
 {
-    size_t n_bytes;
-    const PackJob3D *jobs = probe_job(probe, name, &n_bytes);
-    const size_t n = n_bytes / sizeof *jobs;
-    PackAnswer3D *answers = calloc(n, sizeof *answers);
-    for (size_t i = 0; i < n; i++) {
-        PackAnswer3D *answer = &answers[i];
-        for (u32 id = 0; id < PACK_NODES; id++) {
-            answer->nodes[id] = PACK_NODE;
-        }
-        probe_leave_untouched(answer->sphere_ids, PACK_MAP_ROOM);
-        KdTree3D tree = {.nodes = answer->nodes,
-                         .sphere_ids = answer->sphere_ids,
-                         .n_nodes = PACK_NODES,
-                         .n_sphere_ids = jobs[i].n_sphere_ids};
-        probe_note(probe, name, (uint32_t)i);
-        pack_leaf_range(&tree, jobs[i].id, jobs[i].ids, jobs[i].n_ids);
-        answer->n_sphere_ids = tree.n_sphere_ids;
-        answer->n_nodes = tree.n_nodes;
+    const PackJob *job = input;
+    PackAnswer3D *answer = pointer;
+    (void)probe;
+    for (u32 id = 0; id < PACK_NODES; id++) {
+        answer->nodes[id] = PACK_NODE;
     }
-    probe_answer_array(probe, name, answers, n * sizeof *answers);
+    probe_leave_untouched(answer->sphere_ids, PACK_MAP_ROOM);
+    KdTree3D tree = {.nodes = answer->nodes,
+                     .sphere_ids = answer->sphere_ids,
+                     .n_nodes = PACK_NODES,
+                     .n_sphere_ids = job->n_before};
+    pack_leaf_range(&tree, job->id, job->ids, job->n_ids);
+    answer->n_sphere_ids = tree.n_sphere_ids;
+    answer->n_nodes = tree.n_nodes;
 }
 
+static void call_fits_todo(const Probe *probe, const void *input, void *answer)
+{
+    (void)probe;
+    *(i32 *)answer = fits_todo(*(const i32 *)input);
+}
+
+// Every level up to the highest that the job names.
 static void answer_fits_todo(const Probe *probe, const char *name)
 {
     size_t n_bytes;
@@ -122,43 +110,21 @@ static void replay_pack_leaf(const Probe *probe, const char *name)
     probe_replay_leaves(probe, name, pack_tree);
 }
 
-static void replay_fits_todo(const Probe *probe, const char *name)
-{
-    size_t n_bytes;
-    const i32 *levels = probe_job(probe, name, &n_bytes);
-    const size_t n = n_bytes / sizeof *levels;
-    i32 *answers = calloc(n, sizeof *answers);
-    for (size_t i = 0; i < n; i++) {
-        probe_note(probe, name, (uint32_t)i);
-        answers[i] = fits_todo(levels[i]);
-    }
-    probe_answer_array(probe, name, answers, n * sizeof *answers);
-}
-
-// Call the functions that the job asks for, one by one.
-static void answer_asked(const Probe *probe)
-{
-    static const struct {
-        const char *name;  // of a section
-        void (*answer)(const Probe *probe, const char *name);
-    } functions[] = {
-        {"splits", answer_choose_split},       {"overlaps", answer_sphere_overlaps_box},
-        {"pack", answer_pack_leaf_range},      {"todo", answer_fits_todo},
-        {"replay.split", answer_choose_split}, {"replay.overlap", answer_sphere_overlaps_box},
-        {"replay.leaves", replay_pack_leaf},   {"replay.todo", replay_fits_todo},
-    };
-    for (size_t i = 0; i < sizeof functions / sizeof *functions; i++) {
-        if (probe_asks(probe, functions[i].name)) {
-            functions[i].answer(probe, functions[i].name);
-        }
-    }
-}
-
 int main(void)
 {
+    static const ProbeFunction functions[] = {
+        {"splits", sizeof(BBox3D), sizeof(KdSplit), .call = call_choose_split},
+        {"overlaps", sizeof(SphereBoxJob), sizeof(i32), .call = call_sphere_overlaps_box},
+        {"pack", sizeof(PackJob), sizeof(PackAnswer3D), .call = call_pack_leaf_range},
+        {"todo", .answer = answer_fits_todo},
+        {"replay.split", sizeof(BBox3D), sizeof(KdSplit), .call = call_choose_split},
+        {"replay.overlap", sizeof(SphereBoxJob), sizeof(i32), .call = call_sphere_overlaps_box},
+        {"replay.leaves", .answer = replay_pack_leaf},
+        {"replay.todo", sizeof(i32), sizeof(i32), .call = call_fits_todo},
+    };
     Probe probe;
     probe_open(&probe);
-    answer_asked(&probe);
+    probe_call_host(&probe, functions, sizeof functions / sizeof *functions);
     probe_answer_trees(&probe, kdtree3d_build);
     probe_close(&probe);
     return EXIT_SUCCESS;

@@ -6,28 +6,14 @@
 
 #include <stdlib.h>
 
-static void answer_leaves(const Probe *probe, cl_program program)
-{
-    size_t n_bytes;
-    if (!probe_asks(probe, "leaves")) {
-        return;
-    }
-    const void *ids = probe_job(probe, "leaf_ids", &n_bytes);
-    cl_mem d_ids = cl_buffer_create(&probe->cl, ids, n_bytes);
-    const void *spheres = probe_job(probe, "leaf_spheres", &n_bytes);
-    cl_mem d_spheres = cl_buffer_create(&probe->cl, spheres, n_bytes);
-    const cl_mem d_leaves[] = {d_ids, d_spheres};
-    probe_call(probe, program, "leaves", sizeof(SearchJob), sizeof(SearchAnswer), d_leaves, 2);
-    CL_CHECK(clReleaseMemObject(d_ids));
-    CL_CHECK(clReleaseMemObject(d_spheres));
-}
-
 static void answer_functions(const Probe *probe, cl_program program)
 {
+    static const char *const leaf_arrays[] = {"leaf_ids", "leaf_spheres"};
     probe_call(probe, program, "clips", sizeof(ClipJob), sizeof(ClipAnswer), NULL, 0);
     probe_call(probe, program, "sides", sizeof(SideJob), sizeof(cl_uint), NULL, 0);
     probe_call(probe, program, "planes", sizeof(PlaneJob), sizeof(PlaneAnswer), NULL, 0);
-    answer_leaves(probe, program);
+    probe_call_with(probe, program, "leaves", sizeof(SearchJob), sizeof(SearchAnswer), leaf_arrays,
+                    2);
     probe_call(probe, program, "next_child", sizeof(NextChildJob), sizeof(NextChildAnswer), NULL,
                0);
     probe_call(probe, program, "next_waiting", sizeof(NextWaitingJob), sizeof(NextWaitingAnswer),
@@ -41,13 +27,6 @@ typedef struct TracedScene {
     cl_mem d_nodes;
     cl_mem d_sphere_ids;
 } TracedScene;
-
-static cl_mem part_create(const Probe *probe, int k, const char *part)
-{
-    size_t n_bytes;
-    const void *array = probe_scene_part(probe, k, part, &n_bytes);
-    return cl_buffer_create(&probe->cl, array, n_bytes);
-}
 
 static void answer_hits(const Probe *probe, int k, const TracedScene *scene, cl_kernel kernel)
 {
@@ -82,18 +61,15 @@ static void answer_picture(const Probe *probe, int k, const TracedScene *scene, 
 int main(void)
 {
     Probe probe;
-    probe_open(&probe);
-    probe_open_device(&probe);
-    cl_program program =
-        probe_build(&probe, "probes/" LAB_NAME "/probe.cl",
-                    PROBE_KERNEL_OPTIONS " -I " LAB_FOLDER " -I probes -DCOUNT_WORK");
+    cl_program program = probe_open_program(&probe, PROBE_PROGRAM, PROBE_COUNTING);
     cl_kernel hits_kernel = probe_kernel(program, "probe_hits");
     cl_kernel kernel = probe_kernel(program, "render_kdtree");
     answer_functions(&probe, program);
     const SceneJob3D *job;
     for (int k = 0; (job = probe_scene3d(&probe, k)) != NULL; k++) {
         TracedScene scene = {job, probe_scene3d_buffers(&probe, k, job),
-                             part_create(&probe, k, "nodes"), part_create(&probe, k, "sphere_ids")};
+                             probe_part_create(&probe, k, "nodes"),
+                             probe_part_create(&probe, k, "sphere_ids")};
         answer_hits(&probe, k, &scene, hits_kernel);
         answer_picture(&probe, k, &scene, kernel);
         probe_scene3d_release(&scene.buffers);
@@ -102,7 +78,6 @@ int main(void)
     }
     CL_CHECK(clReleaseKernel(hits_kernel));
     CL_CHECK(clReleaseKernel(kernel));
-    CL_CHECK(clReleaseProgram(program));
-    probe_close(&probe);
+    probe_close_program(&probe, program);
     return EXIT_SUCCESS;
 }

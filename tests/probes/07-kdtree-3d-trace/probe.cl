@@ -3,6 +3,7 @@
 #include "render_kdtree.cl"
 
 #include "jobs.h"
+#include "probe_stack.h"
 
 static Ray ray_of(Vec3 origin, Vec3 direction, float t_min, float t_max)
 {
@@ -58,39 +59,6 @@ kernel void probe_leaves(global const SearchJob *jobs, global const uint *sphere
     answers[i].t = hit.t;
     answers[i].sphere = hit.sphere;
     answers[i].n_tests = work.n_tests;
-}
-
-// What the lower entries of a stack look like.
-constant TodoEntry lowest = {UNTOUCHED - 1, 1.0f, 2.0f};
-
-static void fill_stack(StackState state, Todo *todo)
-{
-    todo->n = state.n;
-    for (uint i = 0; i < TODO_SIZE; i++) {
-        todo->entries[i] = lowest;
-    }
-    for (uint i = 0; i < STACK_ENTRIES; i++) {
-        const StackEntry entry = state.upper[i];
-        todo->entries[state.n_lower + i] = (TodoEntry){entry.node, entry.t_min, entry.t_max};
-    }
-}
-
-// What became of a stack with n_lower entries like `lowest`.
-static StackState look_at_stack(uint n_lower, const Todo *todo)
-{
-    StackState state;
-    state.n = todo->n;
-    state.n_lower = 0;
-    for (uint i = 0; i < n_lower; i++) {
-        const TodoEntry entry = todo->entries[i];
-        state.n_lower +=
-            entry.node == lowest.node && entry.t_min == lowest.t_min && entry.t_max == lowest.t_max;
-    }
-    for (uint i = 0; i < STACK_ENTRIES; i++) {
-        const TodoEntry entry = todo->entries[n_lower + i];
-        state.upper[i] = (StackEntry){entry.node, entry.t_min, entry.t_max};
-    }
-    return state;
 }
 
 kernel void probe_next_child(global const NextChildJob *jobs, global NextChildAnswer *answers)

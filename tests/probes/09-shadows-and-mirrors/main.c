@@ -7,58 +7,36 @@
 
 #include <stdlib.h>
 
-// A section of the job, or a part of a scene, on the device.
-static cl_mem section_create(const Probe *probe, const char *name)
-{
-    size_t n_bytes;
-    const void *array = probe_job(probe, name, &n_bytes);
-    return cl_buffer_create(&probe->cl, array, n_bytes);
-}
-
-static cl_mem part_create(const Probe *probe, int k, const char *part)
-{
-    size_t n_bytes;
-    const void *array = probe_scene_part(probe, k, part, &n_bytes);
-    return cl_buffer_create(&probe->cl, array, n_bytes);
-}
-
-static void answer_blocks(const Probe *probe, cl_program program)
-{
-    if (!probe_asks(probe, "blocks")) {
-        return;
-    }
-    const cl_mem d_leaves[] = {section_create(probe, "block_ids"),
-                               section_create(probe, "block_spheres")};
-    probe_call(probe, program, "blocks", sizeof(BlockJob), sizeof(BlockAnswer), d_leaves, 2);
-    cl_memory_release(d_leaves, 2);
-}
-
 static void answer_lits(const Probe *probe, cl_program program)
 {
     if (!probe_asks(probe, "lits")) {
         return;
     }
-    const cl_mem d_scene[] = {
-        part_create(probe, LIT_SCENE, "spheres"), part_create(probe, LIT_SCENE, "nodes"),
-        part_create(probe, LIT_SCENE, "sphere_ids"), section_create(probe, "lit_lights")};
+    const cl_mem d_scene[] = {probe_part_create(probe, LIT_SCENE, "spheres"),
+                              probe_part_create(probe, LIT_SCENE, "nodes"),
+                              probe_part_create(probe, LIT_SCENE, "sphere_ids"),
+                              probe_section_create(probe, "lit_lights")};
     probe_call(probe, program, "lits", sizeof(LitJob), sizeof(LitAnswer), d_scene, 4);
     cl_memory_release(d_scene, 4);
 }
 
 static void answer_functions(const Probe *probe, cl_program program)
 {
+    static const char *const leaf_arrays[] = {"block_ids", "block_spheres"};
     probe_call(probe, program, "starts", sizeof(StartJob), sizeof(Vec3), NULL, 0);
     probe_call(probe, program, "mirrors", sizeof(MirrorJob), sizeof(Vec3), NULL, 0);
     probe_call(probe, program, "shadow_rays", sizeof(ShadowRayJob), sizeof(ShadowRayAnswer), NULL,
                0);
-    answer_blocks(probe, program);
+    probe_call_with(probe, program, "blocks", sizeof(BlockJob), sizeof(BlockAnswer), leaf_arrays,
+                    2);
     answer_lits(probe, program);
 }
 
 static void answer_picture(const Probe *probe, int k, const SceneJob3D *job, cl_kernel kernel)
 {
     Scene3DBuffers buffers = probe_scene3d_buffers(probe, k, job);
-    const cl_mem d_tree[] = {part_create(probe, k, "nodes"), part_create(probe, k, "sphere_ids")};
+    const cl_mem d_tree[] = {probe_part_create(probe, k, "nodes"),
+                             probe_part_create(probe, k, "sphere_ids")};
     size_t n_bytes;
     const cl_int *n_bounces = probe_scene_part(probe, k, "bounces", &n_bytes);
     cl_uint argument = N_SCENE3D_ARGUMENTS;
@@ -75,11 +53,7 @@ static void answer_picture(const Probe *probe, int k, const SceneJob3D *job, cl_
 int main(void)
 {
     Probe probe;
-    probe_open(&probe);
-    probe_open_device(&probe);
-    cl_program program =
-        probe_build(&probe, "probes/" LAB_NAME "/probe.cl",
-                    PROBE_KERNEL_OPTIONS " -I " LAB_FOLDER " -I probes -DCOUNT_WORK");
+    cl_program program = probe_open_program(&probe, PROBE_PROGRAM, PROBE_COUNTING);
     cl_kernel kernel = probe_kernel(program, "render_mirrors");
     answer_functions(&probe, program);
     const SceneJob3D *job;
@@ -87,7 +61,6 @@ int main(void)
         answer_picture(&probe, k, job, kernel);
     }
     CL_CHECK(clReleaseKernel(kernel));
-    CL_CHECK(clReleaseProgram(program));
-    probe_close(&probe);
+    probe_close_program(&probe, program);
     return EXIT_SUCCESS;
 }

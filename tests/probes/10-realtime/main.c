@@ -11,6 +11,7 @@
 
 static void answer_functions(const Probe *probe, cl_program program)
 {
+    static const char *const circle_tree[] = {"circle_nodes", "leaf_circles"};
     probe_call(probe, program, "tile_planes", sizeof(TilePlaneJob), sizeof(TilePlaneAnswer), NULL,
                0);
     probe_call(probe, program, "tile_children", sizeof(TileChildJob), sizeof(NextChildAnswer), NULL,
@@ -20,35 +21,11 @@ static void answer_functions(const Probe *probe, cl_program program)
     probe_call(probe, program, "cones", sizeof(ConeJob), sizeof(cl_int), NULL, 0);
     probe_call(probe, program, "circle_rows", sizeof(CircleRowJob), sizeof(CircleRowAnswer), NULL,
                0);
-}
-
-static cl_mem section_create(const Probe *probe, const char *name)
-{
-    size_t n_bytes;
-    const void *bytes = probe_job(probe, name, &n_bytes);
-    return cl_buffer_create(&probe->cl, bytes, n_bytes);
-}
-
-// What goes through the trees of Part A.
-static void answer_circles(const Probe *probe, cl_program program)
-{
-    if (!probe_asks(probe, "tile_leaves")) {
-        return;
-    }
-    const cl_mem d_tree[] = {section_create(probe, "circle_nodes"),
-                             section_create(probe, "leaf_circles")};
-    probe_call(probe, program, "tile_leaves", sizeof(CircleTileJob), sizeof(TileLeafAnswer), d_tree,
-               1);
-    probe_call(probe, program, "circle_tiles", sizeof(CircleTileJob), sizeof(CircleTileAnswer),
-               d_tree, 2);
-    cl_memory_release(d_tree, sizeof d_tree / sizeof *d_tree);
-}
-
-static cl_mem part_create(const Probe *probe, int k, const char *part)
-{
-    size_t n_bytes;
-    const void *array = probe_scene_part(probe, k, part, &n_bytes);
-    return cl_buffer_create(&probe->cl, array, n_bytes);
+    // What goes through the trees of Part A.
+    probe_call_with(probe, program, "tile_leaves", sizeof(CircleTileJob), sizeof(TileLeafAnswer),
+                    circle_tree, 1);
+    probe_call_with(probe, program, "circle_tiles", sizeof(CircleTileJob), sizeof(CircleTileAnswer),
+                    circle_tree, 2);
 }
 
 // One work-item a tile, each in a group of its own: see tile_buffers.c.
@@ -69,8 +46,9 @@ static void set_next(cl_kernel kernel, cl_uint *argument, cl_mem d_buffer)
 static void answer_scene(const Probe *probe, int k, const SceneJob3D *job, cl_kernel kernel)
 {
     Scene3DBuffers buffers = probe_scene3d_buffers(probe, k, job);
-    const cl_mem d_tree[] = {part_create(probe, k, "nodes"), part_create(probe, k, "sphere_ids"),
-                             part_create(probe, k, "leaf_spheres")};
+    const cl_mem d_tree[] = {probe_part_create(probe, k, "nodes"),
+                             probe_part_create(probe, k, "sphere_ids"),
+                             probe_part_create(probe, k, "leaf_spheres")};
     const size_t n_pixels = (size_t)job->width * (size_t)job->height;
     const size_t n_items =
         (size_t)PROBE_IMAGE_SIDE(job->width) * (size_t)PROBE_IMAGE_SIDE(job->height);
@@ -96,20 +74,14 @@ static void answer_scene(const Probe *probe, int k, const SceneJob3D *job, cl_ke
 int main(void)
 {
     Probe probe;
-    probe_open(&probe);
-    probe_open_device(&probe);
-    cl_program program =
-        probe_build(&probe, "probes/" LAB_NAME "/probe.cl",
-                    PROBE_KERNEL_OPTIONS " -I " LAB_FOLDER " -I probes -DCOUNT_WORK");
+    cl_program program = probe_open_program(&probe, PROBE_PROGRAM, PROBE_COUNTING);
     answer_functions(&probe, program);
-    answer_circles(&probe, program);
     cl_kernel kernel = probe_kernel(program, "probe_tiles");
     const SceneJob3D *job;
     for (int k = 0; (job = probe_scene3d(&probe, k)) != NULL; k++) {
         answer_scene(&probe, k, job, kernel);
     }
     CL_CHECK(clReleaseKernel(kernel));
-    CL_CHECK(clReleaseProgram(program));
-    probe_close(&probe);
+    probe_close_program(&probe, program);
     return EXIT_SUCCESS;
 }

@@ -4,6 +4,7 @@
 #include "render_tiles.cl"
 
 #include "jobs_10.h"
+#include "probe_stack.h"
 
 kernel void probe_tile_planes(global const TilePlaneJob *jobs, global TilePlaneAnswer *answers)
 {
@@ -13,39 +14,6 @@ kernel void probe_tile_planes(global const TilePlaneJob *jobs, global TilePlaneA
     const Interval found = plane_interval(job.plane, job.eye, direction);
     answers[i].low = found.low;
     answers[i].high = found.high;
-}
-
-// What the lower entries of a stack look like.
-constant TodoEntry lowest = {UNTOUCHED - 1, 1.0f, 2.0f};
-
-static void fill_stack(StackState state, Todo *todo)
-{
-    todo->n = state.n;
-    for (uint i = 0; i < TODO_SIZE; i++) {
-        todo->entries[i] = lowest;
-    }
-    for (uint i = 0; i < STACK_ENTRIES; i++) {
-        const StackEntry entry = state.upper[i];
-        todo->entries[state.n_lower + i] = (TodoEntry){entry.node, entry.t_min, entry.t_max};
-    }
-}
-
-// What became of a stack with n_lower entries like `lowest`.
-static StackState look_at_stack(uint n_lower, const Todo *todo)
-{
-    StackState state;
-    state.n = todo->n;
-    state.n_lower = 0;
-    for (uint i = 0; i < n_lower; i++) {
-        const TodoEntry entry = todo->entries[i];
-        state.n_lower +=
-            entry.node == lowest.node && entry.t_min == lowest.t_min && entry.t_max == lowest.t_max;
-    }
-    for (uint i = 0; i < STACK_ENTRIES; i++) {
-        const TodoEntry entry = todo->entries[n_lower + i];
-        state.upper[i] = (StackEntry){entry.node, entry.t_min, entry.t_max};
-    }
-    return state;
 }
 
 kernel void probe_tile_children(global const TileChildJob *jobs, global NextChildAnswer *answers)
