@@ -33,7 +33,7 @@ set style line 3 linecolor rgb '#3d8b40' linewidth 2.5 pointtype 9 pointsize 1.2
 set style line 4 linecolor rgb '#8e44ad' linewidth 2.5 pointtype 13 pointsize 1.2
 set style line 5 linecolor rgb '#000000' linewidth 1.5 dashtype 2
 do for [frames in '15 60'] {
-    set label '1/' . frames . ' s' at first 0.8, first 1e3 / frames offset 0, 0.5
+    set label '1/' . frames . ' s' at first 1.4e6, first 1e3 / frames right offset 0, 0.5
 }
 
 do for [ending in 'png svg'] {
