@@ -56,10 +56,12 @@ static Sent sent_at(const MirrorScene *scene, int pixel, const Work *found,
     return sent;
 }
 
-// At least the pixel's own ray is traced: whoever counts none draws nothing, or counts elsewhere.
+// Too many rays are work for nothing. Fewer than have to be traced do not follow the mirrors, or
+// are counted elsewhere; rays to lights may be fewer, as nothing comes of one where kd is 0.
 static int is_right(const Sent *sent)
 {
-    return !sent->is_judged || (sent->found >= 1 && sent->found <= most_of(sent));
+    return !sent->is_judged ||
+           (sent->found >= sent->expected.n_traced && sent->found <= most_of(sent));
 }
 
 // ---- Known mistakes -----------------------------------------------------------------------------
@@ -128,10 +130,12 @@ static Diagnosis judge_scene(const MirrorScene *scene, const Work *found)
     }
     const char *title = scene->base.picture.title;
     const int x = first_pixel % width, y = first_pixel / width;
-    if (first.found == 0) {
-        return diagnosis_new("%s: pixel (%d, %d): found no ray that is traced, expected its own "
-                             "one at least (%d of %d pixels are wrong)",
-                             title, x, y, n_wrong, n_pixels);
+    if (first.found < first.expected.n_traced) {
+        return diagnosis_new(
+            "%s: pixel (%d, %d): found %u ray%s sent, expected at least %u, as many "
+            "as have to be traced (%d of %d pixels are wrong)",
+            title, x, y, first.found, plural(first.found), first.expected.n_traced, n_wrong,
+            n_pixels);
     }
     char *wrong = message_new(
         "%s: pixel (%d, %d): found %u rays sent, expected at most %u: %u that %s traced and %u to "
