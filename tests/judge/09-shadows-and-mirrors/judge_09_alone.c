@@ -6,7 +6,7 @@
 // farthest and a lot says what blocks it; ray_color on the scenes of the whole job, where mirrors
 // send every ray almost along the normal and surfaces shine by themselves. How exactly only who
 // calls the stand-ins is told.
-#include "judge_09.h"
+#include "judge_09_lights.h"
 
 #include "job_sections.h"
 #include "random3d.h"
@@ -25,27 +25,22 @@ static int first_light(int i)
     return i * (MOST_ALONE_LIGHTS + 1);
 }
 
-static Vec3 along(int axis, float x)
-{
-    return (Vec3){axis == 0 ? x : 0, axis == 1 ? x : 0, axis == 2 ? x : 0};
-}
-
 // A whole number of sixteenths.
 static float sixteenths(Random *random, int lowest, int highest)
 {
     return (float)random_integer(random, lowest, highest) / 16;
 }
 
-// A light that is farthest along an axis: nowhere else half as far.
-static Light draw_light(Random *random, Vec3 point, int axis, int sign)
+// Light number i, farthest along an axis: nowhere else half as far.
+static Light draw_light(Random *random, Vec3 point, int axis, int sign, int i)
 {
     const float distance = (float)sign * sixteenths(random, 16, 96);
-    Vec3 position = along(axis, distance);
+    Vec3 position = along_09(axis, distance);
     const float aside = sixteenths(random, -7, 7), up = sixteenths(random, -7, 7);
-    const Vec3 a = along((axis + 1) % 3, aside), b = along((axis + 2) % 3, up);
+    const Vec3 a = along_09((axis + 1) % 3, aside), b = along_09((axis + 2) % 3, up);
     position = (Vec3){point.x + position.x + a.x + b.x, point.y + position.y + a.y + b.y,
                       point.z + position.z + a.z + b.z};
-    return (Light){position, random_vector(random, 0.125, 1)};
+    return (Light){position, light_09_color(random, i)};
 }
 
 // In the second range all lights are behind the surface, but for one input in four.
@@ -55,7 +50,7 @@ static void draw_input(Random *random, Job09 *job, int i)
     const int is_mixed = range == 2 || lit_09_counts_only(i);
     LitJob *lit = &job->alone_lits[i];
     *lit =
-        (LitJob){.normal = along(axis, (float)side),
+        (LitJob){.normal = along_09(axis, (float)side),
                  .first_light = first_light(i),
                  .n_lights = range == 0        ? 1
                              : i == N_LITS - 1 ? MANY_ALONE_LIGHTS
@@ -70,7 +65,7 @@ static void draw_input(Random *random, Job09 *job, int i)
         const int is_behind =
             is_mixed ? random_integer(random, 0, 2) == 0 : range == 1 && i % 4 != 0;
         job->alone_lights[first_light(i) + k] =
-            draw_light(random, lit->point, axis, is_behind ? -side : side);
+            draw_light(random, lit->point, axis, is_behind ? -side : side, i + k);
     }
 }
 

@@ -28,4 +28,11 @@ extern const LitMistake lit_mistakes_09[N_LIT_MISTAKES];
 // a light arrives.
 OracleNear lights_09_mistaken(const Job09 *job, const LitJob *lit, const LitMistake *mistake);
 
+// A vector of length |x| along axis 0, 1 or 2.
+Vec3 along_09(int axis, float x);
+
+// A colour for light number i. One in five is all red, green or blue, so that no colour by itself
+// says whether a light gives anything.
+Vec3 light_09_color(Random *random, int i);
+
 #endif

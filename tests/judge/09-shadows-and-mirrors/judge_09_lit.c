@@ -9,13 +9,23 @@
 
 // ---- Drawing ------------------------------------------------------------------------------------
 
+Vec3 along_09(int axis, float x)
+{
+    return (Vec3){axis == 0 ? x : 0, axis == 1 ? x : 0, axis == 2 ? x : 0};
+}
+
+Vec3 light_09_color(Random *random, int i)
+{
+    return i % 5 == 0 ? along_09(i / 5 % 3, 1) : random_vector(random, 0.125, 1);
+}
+
 // Lights all over the scene: before and behind its spheres, and some in them.
 static void draw_lights(Random *random, Light lights[N_LIT_LIGHTS])
 {
     for (int i = 0; i < N_LIT_LIGHTS; i++) {
         const double reach = i % 3 == 0 ? 4 : 1.5;
         lights[i].position = random_point(random, reach);
-        lights[i].color = random_vector(random, 0.125, 1);
+        lights[i].color = light_09_color(random, i);
     }
 }
 
@@ -57,11 +67,6 @@ static void set_edge(const Light *lights, LitJob *job, i32 n_lights)
     }
 }
 
-static Vec3 along(int axis, float x)
-{
-    return (Vec3){axis == 0 ? x : 0, axis == 1 ? x : 0, axis == 2 ? x : 0};
-}
-
 int lit_09_placed(int k)
 {
     return k < N_GRAZING_LITS ? 2 * N_LIT_INPUTS - 1 - k : N_LIT_INPUTS - 1 - (k - N_GRAZING_LITS);
@@ -78,15 +83,15 @@ void lit_09_place(LitJob *job, Light *light, int k)
     static const float cosines[N_GRAZING_LITS] = {0x1p-12f, 0x1p-17f, -0x1p-12f, -0x1p-17f};
     const int axis = k % 3;
     job->n_lights = 1;
-    light->position = vec3_minus(job->point, along(axis, -4));
+    light->position = vec3_minus(job->point, along_09(axis, -4));
     light->color = (Vec3){1, 0.5f, 0.25f};
     if (k < N_GRAZING_LITS) {
         job->material.kd = 1;
-        job->normal = vec3_minus(along((axis + 1) % 3, 1), along(axis, -cosines[k]));
+        job->normal = vec3_minus(along_09((axis + 1) % 3, 1), along_09(axis, -cosines[k]));
         light->color = vec3_scaled(light->color, 1 / fabsf(cosines[k]));
     } else {
         const int is_dark = k == N_GRAZING_LITS;
-        job->normal = along(axis, 1);
+        job->normal = along_09(axis, 1);
         job->material.kd = is_dark ? 1 / DIM : DIM;
         light->color = vec3_scaled(light->color, is_dark ? DIM : 1 / DIM);
     }

@@ -14,13 +14,15 @@ float random_power_09(Random *random)
     return ldexpf(1, (int)random_integer(random, -20, 20));
 }
 
-// In the second range rays go along axes, straight at the mirror, or graze it.
+// In the second range rays go along axes, straight at the mirror or nearly so, or graze it.
 static MirrorJob draw_mirror(Random *random, int range, int i)
 {
     MirrorJob job = {random_direction(random), random_direction(random)};
     const Vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     if (range == 1 && i % 3 == 0) {
-        job.direction = vec3_scaled(job.normal, -1);
+        // Head-on; two of three by a part of a degree to some degrees beside it.
+        const float beside = i % 9 == 0 ? 0 : ldexpf(1, -(int)random_integer(random, 4, 12));
+        job.direction = vec3_normalized(vec3_minus(vec3_scaled(job.direction, beside), job.normal));
     } else if (range == 1) {
         const Vec3 along = axes[(i + 1) % 3], up = axes[i % 3];
         // The last one turns by hardly more than float's vectors may be off.

@@ -4,6 +4,8 @@
 
 #include "implicit2DRenderer.cl"
 
+#include "no_macros.h"
+
 #include "jobs.h"
 
 kernel void probe_overlaps(global const OverlapJob *jobs, global int *answers)

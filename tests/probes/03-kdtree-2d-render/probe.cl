@@ -4,6 +4,8 @@
 
 #include "implicit2DRenderer_KD.cl"
 
+#include "no_macros.h"
+
 #include "jobs.h"
 
 kernel void probe_children(global const ChildJob *jobs, global const NodeRel *nodes_Relations,

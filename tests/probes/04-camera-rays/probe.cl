@@ -3,6 +3,9 @@
 #include "image_size.h"
 
 #include "draw_directions.cl"
+
+#include "no_macros.h"
+
 #include "jobs.h"
 
 kernel void probe_pixels(global const PixelJob *jobs, global PixelAnswer *answers)

@@ -2,6 +2,8 @@
 // with the job's inputs.
 #include "render_spheres.cl"
 
+#include "no_macros.h"
+
 #include "jobs.h"
 
 static Vec3 to_vec3(float3 v)

@@ -2,6 +2,8 @@
 // with the job's inputs.
 #include "render_kdtree.cl"
 
+#include "no_macros.h"
+
 #include "jobs.h"
 #include "probe_stack.h"
 

@@ -2,6 +2,8 @@
 // with the job's inputs.
 #include "render_mirrors.cl"
 
+#include "no_macros.h"
+
 #include "jobs_09.h"
 
 static Vec3 to_vec3(float3 v)

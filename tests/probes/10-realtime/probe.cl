@@ -3,6 +3,8 @@
 #include "render_circles.cl"
 #include "render_tiles.cl"
 
+#include "no_macros.h"
+
 #include "jobs_10.h"
 #include "probe_stack.h"
 
