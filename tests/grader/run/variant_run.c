@@ -87,6 +87,14 @@ static void take_further_answers(const Workshop *workshop, Variant *variant)
     }
 }
 
+// Has the program damaged memory? A signal says so, or the probe, which no longer finds its job.
+static int has_crashed(const SandboxResult *result)
+{
+    return (result->outcome == SANDBOX_CRASHED && result->signal != SIGXFSZ &&
+            result->signal != SIGKILL) ||
+           (result->outcome == SANDBOX_EXITED && result->exit_status == PROBE_EXIT_FAULT);
+}
+
 // What a probe's end and answers say about the variant.
 static void take_answers(const Workshop *workshop, Variant *variant, SandboxResult *result,
                          SandboxTime allowed)
@@ -109,8 +117,7 @@ static void take_answers(const Workshop *workshop, Variant *variant, SandboxResu
         variant->trouble = message_new("it ended by itself, with exit status 0, before it had "
                                        "answered everything: a call of exit()?");
     }
-    variant->has_crashed = result->outcome == SANDBOX_CRASHED && result->signal != SIGXFSZ &&
-                           result->signal != SIGKILL;
+    variant->has_crashed = has_crashed(result);
     if (variant->trouble != NULL) {
         take_place(workshop, variant);
     }
