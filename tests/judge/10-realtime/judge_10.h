@@ -61,9 +61,9 @@ Work tile_10_most(const JobScene3D *scene, int x, int y, int *must_ask);
 // ---- Scenes of circles ------------------------------------------------------------------------
 
 enum {
-    N_CIRCLE_SCENES = 6,
+    N_CIRCLE_SCENES = 8,
     MOST_CIRCLES = 120,  // of one scene
-    N_CIRCLE_TILES = 1 + 5 * 4 + 5 * 4 + 8 * 8 + 20 * 1 + 5 * 4,
+    N_CIRCLE_TILES = 1 + 5 * 4 + 5 * 4 + 8 * 8 + 20 * 1 + 5 * 4 + 61 * 1 + 1 * 20,
     // Where nodes stand that 16 bits cannot number; of 8 or 16 bits of it nothing is left that is a
     // node of a tree.
     FAR_NODE = 0x10180,

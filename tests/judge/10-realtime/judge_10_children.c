@@ -42,16 +42,20 @@ static void draw_split(Random *random, TileChildJob *job, int meets_both)
 }
 
 // The last of each range, in every job: the interval is the least beyond the part or before it, or
-// just not.
-static const TileChildJob child_edges[2][4] = {
+// just not. The last two have a point for a part.
+static const TileChildJob child_edges[2][6] = {
     {{.split_low = 0x1.000002p+2f, .split_high = 8, .at = {1, 2, 4}},
      {.split_low = 0x1.000002p+2f, .split_high = INFINITY, .at = {1, 0, 4}},
      {.split_low = 1, .split_high = 0x1.fffffep+0f, .at = {1, 2, 4}},
-     {.split_low = 0, .split_high = 0x1.fffffep+0f, .at = {1, 2, 4}}},
+     {.split_low = 0, .split_high = 0x1.fffffep+0f, .at = {1, 2, 4}},
+     {.split_low = 0x1.000002p+2f, .split_high = 8, .at = {1, 4, 4}},
+     {.split_low = 1, .split_high = 0x1.fffffep+1f, .at = {1, 4, 4}}},
     {{.split_low = 0x1.fffffep+1f, .split_high = 8, .at = {1, 2, 4}},
      {.split_low = 4, .split_high = 8, .at = {1, 2, 4}},
      {.split_low = 1, .split_high = 0x1.000002p+1f, .at = {1, 2, 4}},
-     {.split_low = 1, .split_high = 2, .at = {1, 2, 4}}},
+     {.split_low = 1, .split_high = 2, .at = {1, 2, 4}},
+     {.split_low = 4, .split_high = 4, .at = {1, 4, 4}},
+     {.split_low = 2, .split_high = 8, .at = {1, 4, 4}}},
 };
 
 static void set_child_edge(const TileChildJob *edge, TileChildJob *job)
@@ -69,7 +73,8 @@ static TileChildJob draw_child(Random *random, int meets_both)
     TileChildJob job = {.eye = random_quarters(random, -16, 16)};
     job.at.node = (u32)random_integer(random, 0, 2);
     job.at.t_min = one_in(random, 4) ? 0 : random_quarters(random, 1, 16);
-    job.at.t_max = job.at.t_min + random_quarters(random, 1, 16);
+    // A part may be a point: its equal ends meet what is exactly there.
+    job.at.t_max = job.at.t_min + (one_in(random, 8) ? 0 : random_quarters(random, 1, 16));
     job.node.split_pos = one_in(random, 4) ? job.eye : random_quarters(random, -16, 16);
     job.node.split_axis = (u32)random_integer(random, 0, 2);
     job.node.first = (u32)random_integer(random, 3, 1000);
@@ -126,7 +131,12 @@ enum {
     CHILD_FAR_CUT_TOO,
     CHILD_BOTH_WHOLE,
     CHILD_AT_0_IS_FAR,
+    CHILD_POINT_IS_NEAR,
+    CHILD_POINT_IS_FAR,
 };
+#define POINT_MEETS_BOTH                                                                           \
+    "a part whose ends are equal counts, too: where t_split reaches over it both children are met"
+
 #define FAR_BEGINS_LATE                                                                            \
     "the far child's part begins at the greatest t_split: rays that meet the plane earlier lose "  \
     "some of it"
@@ -190,6 +200,8 @@ static const Cause child_mistakes[] = {
                                   "greatest t_split, the far one's begins at the least"},
     [CHILD_AT_0_IS_FAR] = {.says = "a plane that is met at 0 is met: where the part begins at 0, "
                                    "so are both children"},
+    [CHILD_POINT_IS_NEAR] = {.says = POINT_MEETS_BOTH},
+    [CHILD_POINT_IS_FAR] = {.says = POINT_MEETS_BOTH},
     [CHILD_IS_SIDE] =
         {.says = "0 and 1 are sides: the children's ids are node.first and node.first + 1"},
 };
@@ -233,6 +245,9 @@ static int children_met(const TileChildJob *job, int mistake)
     if (mistake != CHILD_NEAR_NEVER_SKIPPED &&
         (before < t_min - hair || (far_at_end && before == t_min))) {
         return mistake == CHILD_FAR_IS_NEAR ? NEAR_ONLY : FAR_ONLY;
+    }
+    if (t_min == t_max && (mistake == CHILD_POINT_IS_NEAR || mistake == CHILD_POINT_IS_FAR)) {
+        return mistake == CHILD_POINT_IS_NEAR ? NEAR_ONLY : FAR_ONLY;
     }
     return BOTH_CHILDREN;
 }

@@ -15,19 +15,26 @@
 
 // ---- Scenes -------------------------------------------------------------------------------------
 
+// The first of the far tiles. 10, 12 or 16 bits of their pixels are less than any of their planes.
+enum { FAR_TILE = 70000 / CIRCLE_TILE_SIDE };
+
 static const struct {
     int columns, rows;  // tiles
     int n_circles;
     float min_radius, max_radius;
-    int is_deep;   // each plane cuts off one tile
-    u32 first_id;  // of all nodes but the root: what lies before it belongs to no tree
+    int is_deep;     // each plane cuts off one tile
+    u32 first_id;    // of all nodes but the root: what lies before it belongs to no tree
+    int first_tile;  // on both axes
 } plans[N_CIRCLE_SCENES] = {
-    {1, 1, 6, 2, 12, 0, 1},          // the root is a leaf
-    {5, 4, 60, 2, 12, 0, 1},         // background is seen
-    {5, 4, 120, 10, 60, 0, 1},       // most is hidden
-    {8, 8, 40, 1, 8, 0, 1},          // a leaf for nearly every tile
-    {20, 1, 40, 1, 8, 1, 1},         // as deep as a tree of 20 tiles can be
-    {5, 4, 40, 2, 12, 0, FAR_NODE},  // ids as in a picture of a million tiles
+    {1, 1, 6, 2, 12, 0, 1, 0},          // the root is a leaf
+    {5, 4, 60, 2, 12, 0, 1, 0},         // background is seen
+    {5, 4, 120, 10, 60, 0, 1, 0},       // most is hidden
+    {8, 8, 40, 1, 8, 0, 1, 0},          // a leaf for nearly every tile
+    {20, 1, 40, 1, 8, 1, 1, 0},         // as deep as a tree of 20 tiles can be
+    {5, 4, 40, 2, 12, 0, FAR_NODE, 0},  // ids as in a picture of a million tiles
+    // Nothing but planes: 60 levels of them, and all beyond the pixels that 16 bits can number.
+    {61, 1, 0, 0, 0, 1, 1, FAR_TILE},
+    {1, 20, 0, 0, 0, 1, 1, FAR_TILE},
 };
 
 typedef struct TileRange {
@@ -100,9 +107,9 @@ static void close_as_inner(Growing *tree, Random *random, u32 id, u32 axis, int 
     tree->nodes[id] = (TileNode){split * CIRCLE_TILE_SIDE, axis, first, 0};
 }
 
-static void grow(Growing *tree, Random *random, int columns, int rows, int is_deep)
+static void grow(Growing *tree, Random *random, TileRange all, int is_deep)
 {
-    *range_of(tree, 0) = (TileRange){{0, 0}, {columns, rows}};
+    *range_of(tree, 0) = all;
     tree->n_nodes = tree->first_id;
     for (u32 id = 0; id < tree->n_nodes; id = id == 0 ? tree->first_id : id + 1) {
         const TileRange tiles = *range_of(tree, id);
@@ -123,6 +130,10 @@ static void grow(Growing *tree, Random *random, int columns, int rows, int is_de
 static int draw_scene(Random *random, int k, CircleScene10 *scene)
 {
     Scene2D drawn;
+    scene->n_circles = 0;
+    if (plans[k].n_circles == 0) {
+        return 0;
+    }
     if (scene2d_random(plans[k].n_circles, random_bits(random), plans[k].min_radius,
                        plans[k].max_radius, plans[k].columns * CIRCLE_TILE_SIDE,
                        plans[k].rows * CIRCLE_TILE_SIDE, &drawn) != 0) {
@@ -155,12 +166,14 @@ int circles_10_draw(Random *random, Job10 *job)
                         .first_id = plans[k].first_id,
                         .nodes = job->circle_nodes + n_nodes,
                         .circles = job->leaf_circles + n_circles};
-        grow(&tree, random, plans[k].columns, plans[k].rows, plans[k].is_deep);
+        const int from = plans[k].first_tile;
+        const TileRange all = {{from, from}, {from + plans[k].columns, from + plans[k].rows}};
+        grow(&tree, random, all, plans[k].is_deep);
         for (int i = 0; i < plans[k].columns * plans[k].rows; i++) {
             job->scene_of_tile[n_tiles] = k;
-            job->circle_tiles[n_tiles++] =
-                (CircleTileJob){n_nodes, n_circles, i % plans[k].columns * CIRCLE_TILE_SIDE,
-                                i / plans[k].columns * CIRCLE_TILE_SIDE};
+            job->circle_tiles[n_tiles++] = (CircleTileJob){
+                n_nodes, n_circles, (from + i % plans[k].columns) * CIRCLE_TILE_SIDE,
+                (from + i / plans[k].columns) * CIRCLE_TILE_SIDE};
         }
         n_nodes += tree.n_nodes;
         n_circles += tree.n_circles;

@@ -23,6 +23,10 @@ enum {
     LEAF_NEAR_IDS,
     LEAF_8_BITS,
     LEAF_16_BITS,
+    LEAF_24_STEPS,
+    LEAF_32_STEPS,
+    LEAF_40_STEPS,
+    LEAF_PIXEL_CUT,
 };
 #define STEPS_END "the search ended after some steps, leaf or not"
 #define ID_CUT "the id was cut to 8 or 16 bits: a tree may have more nodes than these can number"
@@ -39,6 +43,10 @@ static const Cause leaf_mistakes[] = {
     [LEAF_8_STEPS] = {.says = STEPS_END},
     [LEAF_10_STEPS] = {.says = STEPS_END},
     [LEAF_16_STEPS] = {.says = STEPS_END},
+    [LEAF_24_STEPS] = {.says = STEPS_END},
+    [LEAF_32_STEPS] = {.says = STEPS_END},
+    [LEAF_40_STEPS] = {.says = STEPS_END},
+    [LEAF_PIXEL_CUT] = {.says = "the pixel was cut to 16 bits or fewer: a picture may be larger"},
     [LEAF_OF_NEXT_TILE] = {.says = "the first pixel behind the tile was asked: its own first one "
                                    "counts"},
     [LEAF_IS_ROOT] = {.says = "the search did not leave the root"},
@@ -62,6 +70,9 @@ static int most_steps(int mistake)
            : mistake == LEAF_8_STEPS  ? 8
            : mistake == LEAF_10_STEPS ? 10
            : mistake == LEAF_16_STEPS ? 16
+           : mistake == LEAF_24_STEPS ? 24
+           : mistake == LEAF_32_STEPS ? 32
+           : mistake == LEAF_40_STEPS ? 40
                                       : MOST_CIRCLE_NODES;
 }
 
@@ -79,7 +90,8 @@ static TileLeafAnswer expected_leaf(const Job10 *job, int i, int mistake)
                          : mistake == LEAF_ONLY_Y     ? 0
                                                       : node.split_axis == 0;
         const int beyond = mistake == LEAF_OF_NEXT_TILE ? CIRCLE_TILE_SIDE : 0;
-        const int at = (is_x ? tile.x : tile.y) + beyond;
+        const int whole = (is_x ? tile.x : tile.y) + beyond;
+        const int at = mistake == LEAF_PIXEL_CUT ? whole & 0xffff : whole;
         const int is_upper = mistake == LEAF_PLANE_IS_LOWER  ? at > node.split_pos
                              : mistake == LEAF_SIDES_SWAPPED ? at < node.split_pos
                              : mistake == LEAF_ALWAYS_LOWER  ? 0

@@ -41,13 +41,23 @@ static TilePlaneJob draw_plane(Random *random, enum PlaneRange10 range)
 }
 
 // The last of each range, in every job: directions far below any epsilon, down to those just above
-// what a device may take for 0 (2^-126), and eyes that are the least beside the plane.
+// what a device may take for 0 (2^-126); eyes that are the least beside the plane; and rays that
+// are all parallel on this axis, slow and quick ones.
 static const struct {
     enum PlaneRange10 range;
     TilePlaneJob job;
 } plane_edges[] = {
     {TILES_ONE_WAY, {.plane = 1, .eye = 0, .low = 0x1p-30f, .high = 0x1p-29f}},
     {TILES_ONE_WAY, {.plane = -1, .eye = 0, .low = -0x1p-100f, .high = -0x1p-101f}},
+    {TILES_ONE_WAY, {.plane = 1, .eye = 0, .low = 0.03125f, .high = 0.03125f}},
+    {TILES_ONE_WAY, {.plane = -1, .eye = 1, .low = -0.0625f, .high = -0.0625f}},
+    {TILES_ONE_WAY, {.plane = 1, .eye = 0, .low = -0.03125f, .high = -0.03125f}},
+    {TILES_ONE_WAY, {.plane = 1, .eye = 0, .low = 0x1p-30f, .high = 0x1p-30f}},
+    {TILES_ONE_WAY, {.plane = 1, .eye = 0, .low = 0.5f, .high = 0.5f}},
+    {TILES_ONE_WAY, {.plane = -1, .eye = 1, .low = -0.5f, .high = -0.5f}},
+    {TILES_BOTH_WAYS, {.plane = 1, .eye = 0, .low = 0, .high = 0}},
+    {TILES_BOTH_WAYS, {.plane = -1, .eye = 0, .low = 0, .high = 0}},
+    {TILES_ON_PLANE, {.plane = 1, .eye = 1, .low = 0.03125f, .high = 0.03125f}},
     {TILES_ONE_WAY, {.plane = 1, .eye = 0, .low = 0x1p-125f, .high = 0x1p-124f}},
     {TILES_BOTH_WAYS, {.plane = 1, .eye = 0, .low = -0x1p-125f, .high = 0x1p-125f}},
     {TILES_BOTH_WAYS, {.plane = 1, .eye = 0, .low = -0x1p-30f, .high = 0x1p-30f}},
@@ -103,7 +113,13 @@ enum {
     PLANE_ALONG_FIRST,
     PLANE_ALONG_LAST,
     PLANE_ALONG_BOTH,
+    PLANE_PARALLEL_ANY,
+    PLANE_PARALLEL_SLOW,
 };
+#define PARALLEL                                                                                   \
+    "where all rays go the same way, low and high equal, they meet the plane at one distance, or " \
+    "never: however slow they are"
+
 #define BEHIND_MET "rays that go away from the plane never meet it: their distance is INFINITY"
 #define BEHIND_AT_0                                                                                \
     "rays that go away from the plane count as if they met it at the eye: they never do, their "   \
@@ -146,10 +162,15 @@ static const Cause plane_mistakes[] = {
     [PLANE_ALONG_FIRST] = {.says = ALONG},
     [PLANE_ALONG_LAST] = {.says = ALONG},
     [PLANE_ALONG_BOTH] = {.says = ALONG},
+    [PLANE_PARALLEL_ANY] = {.says = PARALLEL},
+    [PLANE_PARALLEL_SLOW] = {.says = PARALLEL},
     [PLANE_EYE_NEAR] = {.says = EYE_BESIDE},
     [PLANE_EYE_NEARER] = {.says = EYE_BESIDE},
     [PLANE_NEVER_IS_LARGE] = {.says = "what is never met is at INFINITY, not at a large number"},
 };
+
+// Between the slow and the quick parallel rays of the edges.
+#define SLOW 0.09375
 
 typedef struct Ends {
     double low, high;
@@ -234,6 +255,11 @@ static Ends expected_ends(const TilePlaneJob *job, int mistake)
         return (Ends){INFINITY, INFINITY};
     }
     if (mistake == PLANE_BOTH_WAYS_ALWAYS && both_ways) {
+        return (Ends){0, INFINITY};
+    }
+    if (job->low == job->high &&
+        (mistake == PLANE_PARALLEL_ANY ||
+         (mistake == PLANE_PARALLEL_SLOW && fabs((double)job->low) < SLOW))) {
         return (Ends){0, INFINITY};
     }
     if (mistake == PLANE_ONE_END) {

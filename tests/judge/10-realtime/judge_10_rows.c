@@ -1,5 +1,6 @@
-// Lab 10's paint_row: its inputs, and what must come out. Distances are on the grid of 1/16 px, so
-// that every comparison is exact: an answer is right or wrong to the bit.
+// Lab 10's paint_row: its inputs, and what must come out. Distances are on the grid of 1/16 px,
+// large ones on that of 1/2 px, so that every comparison is exact: an answer is right or wrong to
+// the bit.
 #include "judge_10.h"
 
 #include "message.h"
@@ -16,19 +17,44 @@ static const struct {
     float x, y, radius;
 } on_boundary[] = {{3, 4, 5}, {0, 5, 5}, {5, 0, 5}};
 
-// A circle near the row, in a third of all cases with a pixel exactly on its boundary, or outside
-// of it by one float.
+// How far the centre of a large circle may be from the row, and from its pixels. In half pixels
+// all distances and radii are below 2^12, and the squares, and the sum of two, below 2^24: exact in
+// float.
+enum { FAR_PIXELS = 1000, FAR_UNITS = 200 };
+
+// Half a pixel, as often as that.
+static float random_halves(Random *random, int min, int max)
+{
+    return (float)random_integer(random, 2 * min, 2 * max) / 2;
+}
+
+// The radius, in half pixels, with which a circle's boundary is next to a pixel of the row.
+static float radius_near(float dx, float dy)
+{
+    return roundf(2 * hypotf(dx, dy)) / 2;
+}
+
+// A circle near the row, or a large one far from it; in a third of all cases with a pixel exactly
+// on its boundary, or outside of it by one float.
 static CircleRowJob draw_row(Random *random, enum RowRange range)
 {
     CircleRowJob job = {.color = (u32)random_bits(random)};
     const int is_exact = one_in(random, 3);
-    const float unit = (float)random_integer(random, 1, 32) / 16;
+    const int is_far = one_in(random, 3);
+    const float unit = is_far ? (float)random_integer(random, 1, FAR_UNITS)
+                              : (float)random_integer(random, 1, 32) / 16;
     const int64_t kind = random_integer(random, 0, COUNT(on_boundary) - 1);
     const float to_x = on_boundary[kind].x * unit, to_y = on_boundary[kind].y * unit;
-    const float x = is_exact ? (float)random_integer(random, 0, ROW_PIXELS - 1) + to_x
+    const float pixel = (float)random_integer(random, 0, ROW_PIXELS - 1);
+    const float x = is_exact ? pixel + to_x
+                    : is_far ? random_halves(random, -FAR_PIXELS, FAR_PIXELS)
                              : random_grid(random, -8, ROW_PIXELS + 8);
-    const float radius = is_exact ? on_boundary[kind].radius * unit : random_grid(random, 0, 16);
-    job.dy = is_exact ? (float)random_sign(random) * to_y : random_grid(random, -12, 12);
+    job.dy = is_exact ? (float)random_sign(random) * to_y
+             : is_far ? random_halves(random, -FAR_PIXELS, FAR_PIXELS)
+                      : random_grid(random, -12, 12);
+    const float radius = is_exact ? on_boundary[kind].radius * unit
+                         : is_far ? radius_near(pixel - x, job.dy)
+                                  : random_grid(random, 0, 16);
     job.radius_squared = radius * radius;
     if (is_exact && one_in(random, 2)) {
         job.radius_squared = nextafterf(job.radius_squared, 0);
@@ -44,10 +70,28 @@ static CircleRowJob draw_row(Random *random, enum RowRange range)
     return job;
 }
 
+// A circle of radius 0 exactly on an open pixel: it covers that one.
+static void make_point(Random *random, CircleRowJob *job)
+{
+    const int64_t pixel = random_integer(random, 0, ROW_PIXELS - 1);
+    for (int i = 0; i < ROW_PIXELS; i++) {
+        const float dx = (float)(i - pixel);
+        job->dx_squared[i] = dx * dx;
+    }
+    job->dy = job->radius_squared = 0;
+    job->open[pixel] = -1;
+    job->colors[pixel] = 0;
+    job->color |= 1;  // not black: that it was painted is seen
+}
+
+// The last one of each range is a point, in every job.
 void rows_10_draw(Random *random, Job10 *job)
 {
     for (int i = 0; i < COUNT(job->rows); i++) {
         job->rows[i] = draw_row(random, (enum RowRange)(i / N_ROW_INPUTS));
+        if (i % N_ROW_INPUTS == N_ROW_INPUTS - 1) {
+            make_point(random, &job->rows[i]);
+        }
     }
 }
 
@@ -76,6 +120,7 @@ enum {
     ROW_WITHOUT_FIRST,
     ROW_WITHOUT_LAST,
     ROW_ROOTS,
+    ROW_POINT_LEFT,
 };
 #define OPENS_AGAIN "what was closed already is open again: a pixel never opens"
 #define DY_NOT_SQUARED                                                                             \
@@ -116,6 +161,8 @@ static const Cause row_mistakes[] = {
     [ROW_WITHOUT_LAST] = {.says = "the row's last pixel is left out"},
     [ROW_ROOTS] = {.says = "compare the squares, and without an epsilon: roots round a pixel "
                            "beside the circle onto its boundary"},
+    [ROW_POINT_LEFT] = {.says = "a circle of radius 0 is left out: it covers the pixel that it is "
+                                "exactly on"},
 };
 
 // How far apart two squares may be, as a part of them, whose roots are the same to a device: each
@@ -133,7 +180,8 @@ static int is_covered(const CircleRowJob *job, int i, int mistake)
     const double limit = mistake == ROW_RADIUS_SQUARED_AGAIN ? r * r : r;
     const int covers = mistake == ROW_STRICT ? distance < limit : distance <= limit;
     if ((mistake == ROW_WITHOUT_FIRST && i == 0) ||
-        (mistake == ROW_WITHOUT_LAST && i == ROW_PIXELS - 1)) {
+        (mistake == ROW_WITHOUT_LAST && i == ROW_PIXELS - 1) ||
+        (mistake == ROW_POINT_LEFT && r == 0)) {
         return 0;
     }
     if (mistake == ROW_ROOTS) {

@@ -21,6 +21,10 @@ static TileWaitingJob draw_waiting(Random *random)
     const int is_empty = random_integer(random, 0, 5) == 0;
     const u32 n = is_empty ? 0 : (u32)random_integer(random, 1, STACK_ENTRIES);
     job.todo = random_stack(random, 0, n);
+    for (u32 i = 0; i < n; i++) {  // a part may be a point
+        StackEntry *waits = &job.todo.upper[i];
+        waits->t_max = one_in(random, 4) ? waits->t_min : waits->t_max;
+    }
     job.farthest = random_quarters(random, 30, 90);
     const int kind = (int)random_integer(random, 0, 6);
     if (n > 0 && kind == 0) {
@@ -80,6 +84,7 @@ enum {
     WAITING_EIGHT_TRIED,
     WAITING_TEN_TRIED,
     WAITING_SIXTEEN_TRIED,
+    WAITING_POINT_LEFT,
 };
 #define FEW_LEFT_OUT                                                                               \
     "the search ended after some nodes that are left out: however many they are, it goes on"
@@ -125,6 +130,8 @@ static const Cause waiting_mistakes[] = {
     [WAITING_EIGHT_TRIED] = {.says = FEW_LEFT_OUT},
     [WAITING_TEN_TRIED] = {.says = FEW_LEFT_OUT},
     [WAITING_SIXTEEN_TRIED] = {.says = FEW_LEFT_OUT},
+    [WAITING_POINT_LEFT] = {.says = "a node whose part is a point, t_min and t_max equal, is "
+                                    "visited, too: a hit may be exactly there"},
     [WAITING_TWO_ONLY] = {.says = "more than one node in a row may be left out"},
 };
 
@@ -136,6 +143,9 @@ static int matters(const TileWaitingJob *job, StackEntry entry, int mistake)
     const float from = mistake == WAITING_BY_T_MAX  ? entry.t_max
                        : mistake == WAITING_BY_LEAF ? job->at.t_min
                                                     : entry.t_min;
+    if (mistake == WAITING_POINT_LEFT && entry.t_min == entry.t_max) {
+        return 0;
+    }
     return mistake == WAITING_TAKES_TOP     ? 1
            : mistake == WAITING_INVERTED    ? from > job->farthest
            : mistake == WAITING_NOT_AT_SAME ? from < job->farthest
