@@ -41,8 +41,8 @@ static void level_free(Level *level)
 }
 
 // Room for n elements in an array whose content is not needed any more. It grows only to what it
-// must hold, and never shrinks: each page of new memory is cleared by the system first, which took a
-// tenth of a build when every level had arrays of its own.
+// must hold, and never shrinks: each page of new memory is cleared by the system first, which took
+// a tenth of a build when every level had arrays of its own.
 //   array, capacity   as for array_reserve()
 // Returns the array, perhaps moved, or NULL when memory runs out: the old one is then still there.
 static void *room_for(void *array, size_t n, size_t *capacity, size_t n_bytes)

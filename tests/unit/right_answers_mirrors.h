@@ -113,15 +113,9 @@ static void answer_lits(Writer *writer, const Sections *job)
     free(answers);
 }
 
-// As FindHit has it: of a pixel's rays only the first one counts, as there is an upper bound.
-static HitAnswer find_in_leaf(const SphereScene *scene, Ray ray, Work *work)
-{
-    work->n_leaves_visited++;
-    return find_in_all(scene, ray, work);
-}
-
-// As ColorOfHit of right_answers_3d.h has it, in a scene with "scene.K.bounces".
-static Vec3 color_over_mirrors(const SphereScene *scene, Ray ray, HitAnswer hit)
+// The colour of a ray and of what it sees in mirrors, in a scene with "scene.K.bounces".
+//   n_traced   out: how many rays are traced behind the first one
+static Vec3 follow(const SphereScene *scene, Ray ray, HitAnswer hit, u32 *n_traced)
 {
     Vec3 color = {0};
     float weight = 1;
@@ -141,8 +135,27 @@ static Vec3 color_over_mirrors(const SphereScene *scene, Ray ray, HitAnswer hit)
         }
         ray = (Ray){start, mirrored(ray.direction, normal)};
         hit = find_in_all(scene, ray, &work);
+        ++*n_traced;
     }
     return vec3_plus(color, vec3_scaled(scene->job->background, weight));
+}
+
+// As ColorOfHit of right_answers_3d.h has it.
+static Vec3 color_over_mirrors(const SphereScene *scene, Ray ray, HitAnswer hit)
+{
+    u32 n_traced = 0;
+    return follow(scene, ray, hit, &n_traced);
+}
+
+// As FindHit has it. Each ray that is traced visits a leaf; rays to lights may be fewer than there
+// are lights, and are none here.
+static HitAnswer find_in_leaf(const SphereScene *scene, Ray ray, Work *work)
+{
+    const HitAnswer hit = find_in_all(scene, ray, work);
+    u32 n_traced = 1;
+    follow(scene, ray, hit, &n_traced);
+    work->n_leaves_visited += n_traced;
+    return hit;
 }
 
 #endif
