@@ -42,12 +42,10 @@ static u32 most_of(const Sent *sent)
 static Sent sent_at(const MirrorScene *scene, int pixel, const Work *found,
                     const OracleMirrorRules *rules)
 {
-    static const OracleRules3D right = {0};
-    const Scene3D *s = &scene->base.scene;
-    const OracleRay ray = oracle3d_primary_ray(&scene->base.camera, pixel % s->width,
-                                               pixel / s->width, s->width, s->height, &right);
+    const OracleRay ray = job_scene3d_ray(&scene->base, pixel);
     Sent sent = {.found = found[pixel].n_leaves_visited};
-    const OracleNear color = oracle3d_follow(s, ray, scene->max_bounces, rules, &sent.expected);
+    const OracleNear color =
+        oracle3d_follow(&scene->base.scene, ray, scene->max_bounces, rules, &sent.expected);
     sent.is_judged = !isinf(color.error);
     if (rules->stand_ins) {
         // lit_color's sends none, and counts a leaf instead.
