@@ -30,7 +30,7 @@ $(OUT)/peers: always
 	@mkdir -p $(@D)
 	@echo "$(EMBREE) $(CAIRO)" | cmp -s - $@ || echo "$(EMBREE) $(CAIRO)" >$@
 
-BENCHES = bench2d bench3d bench_builds
+BENCHES = bench2d bench3d bench_tricks bench_builds
 BENCH_PROGRAMS = $(BENCHES:%=$(OUT)/tools/%)
 $(OUT)/libbench.a: $(call objects,$(filter-out $(BENCHES:%=tests/bench/%.c) $(GROW_ON_THREADS),$(wildcard tests/bench/*.c)) \
     $(BUILDERS) solutions/05-spheres/scene_buffers.c \
@@ -45,12 +45,12 @@ $(BENCH_PROGRAMS): $(OUT)/tools/%: $(OUT)/obj/tests/bench/%.c.o $(OUT)/libbench.
 	$(call link,$(LIBRARIES) $(if $(EMBREE),-lembree$(EMBREE)) $(if $(CAIRO),-lcairo) -pthread -lm)
 
 .PHONY: bench
-bench:  ## install what is missing, measure naive against kd-tree in 2D and 3D, and how builds grow; plot to build/bench
+bench:  ## install what is missing, measure naive against kd-tree in 2D and 3D, lab 10's tricks, and how builds grow; plot to build/bench
 	@common/setup/install.sh bench
 	@$(MAKE) --no-print-directory $(BENCH_PROGRAMS)
 	@for bench in $(BENCHES); do \
 	    $(OUT)/tools/$$bench --output $(OUT)/bench $(if $(DEVICE),--device "$$DEVICE") \
 	        $(if $(ROUNDS),--rounds "$$ROUNDS") && \
-	    for plot in tests/bench/$$bench*.gnuplot; do \
+	    for plot in $$(ls tests/bench/$$bench*.gnuplot 2>/dev/null); do \
 	        gnuplot -e "folder='$(OUT)/bench'" $$plot && \
 	        echo "The plot: $(OUT)/bench/$$(basename $$plot .gnuplot).png and .svg" || exit 1; done || exit 1; done

@@ -1,0 +1,167 @@
+// The bench of tricks: what each trick of lab 10 brings. Its kernels are drawn with all of them and
+// without one at a time, in one run.
+//
+//     build/tools/bench_tricks [--device D] [--rounds N] [--output FOLDER]       or: make bench
+//
+// In the first round each picture is compared with that of the kernel with all tricks; where they
+// differ there are no figures.
+// Read next: trick.c, report_tricks.c.
+#include "bench_options.h"
+#include "cl_memory.h"
+#include "complain.h"
+#include "equal_pixels.h"
+#include "launch.h"
+#include "report_tricks.h"
+#include "rounds.h"
+#include "stats.h"
+#include "trick_case.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+// No further round begins that would end later.
+#define LONGEST_SECONDS 100
+
+enum { N_FRAMES = 8 };  // a round
+
+typedef struct Bench {
+    ClSetup cl;
+    cl_program programs[N_PARTS][MAX_TRICKS];
+    TrickCase cases[N_PARTS][N_TRICK_SCENES];
+    Image picture, usual_picture;
+} Bench;
+
+// Everything up to the first frame. Returns 0, or -1 after one message.
+static int bench_prepare(Bench *bench, const BenchOptions *options)
+{
+    if (cl_setup_open(options->device, &bench->cl) != 0 ||
+        image_create(TRICK_SIDE, TRICK_SIDE, &bench->picture) != 0 ||
+        image_create(TRICK_SIDE, TRICK_SIDE, &bench->usual_picture) != 0) {
+        return -1;
+    }
+    for (int part = 0; part < N_PARTS; part++) {
+        for (int i = 0; i < PART_TRICKS[part].n_tricks; i++) {
+            bench->programs[part][i] =
+                trick_build(&bench->cl, part, &PART_TRICKS[part].tricks[i], options->folder);
+            if (bench->programs[part][i] == NULL) {
+                return -1;
+            }
+        }
+        for (int i = 0; i < N_TRICK_SCENES; i++) {
+            if (trick_case_prepare(&bench->cases[part][i], &bench->cl, part, i,
+                                   bench->programs[part]) != 0) {
+                return -1;
+            }
+        }
+    }
+    return 0;
+}
+
+static void bench_free(Bench *bench)
+{
+    for (int part = 0; part < N_PARTS; part++) {
+        for (int i = 0; i < N_TRICK_SCENES; i++) {
+            trick_case_free(&bench->cases[part][i]);
+        }
+        for (int i = 0; i < MAX_TRICKS; i++) {
+            if (bench->programs[part][i] != NULL) {
+                CL_CHECK(clReleaseProgram(bench->programs[part][i]));
+            }
+        }
+    }
+    image_free(&bench->picture);
+    image_free(&bench->usual_picture);
+    cl_setup_close(&bench->cl);
+}
+
+// Compare what a kernel has just drawn with the picture of the one with all tricks: the first of a
+// case. Circles are equal to the bit. Returns 0, or -1 after one message.
+static int check_picture(Bench *bench, const TrickCase *trick_case, int trick)
+{
+    Image *picture = trick == 0 ? &bench->usual_picture : &bench->picture;
+    trick_case_read(trick_case, &bench->cl, trick, picture);
+    if (trick == 0) {
+        return 0;
+    }
+    char name[128];
+    snprintf(name, sizeof name, "bench_tricks: %s, %s",
+             PART_TRICKS[trick_case->part].tricks[trick].name, trick_case->scene_name);
+    if (trick_case->part == CIRCLES) {
+        round_to_bytes(picture);  // that of an image has floats
+        return equal_pixels(picture, &bench->usual_picture, TRICK_SIDE, name);
+    }
+    const ImageDifference difference =
+        image_compare(&bench->usual_picture, picture, BYTE_TOLERANCE);
+    const int n_pixels = TRICK_SIDE * TRICK_SIDE;
+    const int most = (int)(MAX_AMBIGUOUS_SHARE * n_pixels);
+    if (difference.n_different <= most) {
+        return 0;
+    }
+    complain("%s: found %d of %d pixels different from those of the kernel with all tricks, the "
+             "first at (%d, %d), expected at most %d",
+             name, difference.n_different, n_pixels, difference.first_x, difference.first_y, most);
+    return -1;
+}
+
+// All of a scene's kernels in turn. Returns 0, or -1 after one message.
+static int measure(Bench *bench, TrickCase *trick_case, int round)
+{
+    for (int trick = 0; trick < PART_TRICKS[trick_case->part].n_tricks; trick++) {
+        Series *frames = &trick_case->frames[trick];
+        if (round == 0) {
+            trick_case_spoil(trick_case, &bench->cl, trick);
+        }
+        for (int i = 0; i < N_FRAMES; i++) {
+            series_add(frames, trick_case_draw(trick_case, &bench->cl, trick));
+        }
+        series_end_round(frames);
+        if (round == 0 && check_picture(bench, trick_case, trick) != 0) {
+            return -1;
+        }
+    }
+    return 0;
+}
+
+static int measure_round(void *shared, int round)
+{
+    Bench *bench = shared;
+    for (int part = 0; part < N_PARTS; part++) {
+        for (int i = 0; i < N_TRICK_SCENES; i++) {
+            if (measure(bench, &bench->cases[part][i], round) != 0) {
+                return -1;
+            }
+        }
+    }
+    return 0;
+}
+
+int main(int argc, char **argv)
+{
+    BenchOptions options;
+    switch (bench_options_read(argc, argv, "bench_tricks",
+                               "measures lab 10's kernels with all their tricks, and without one "
+                               "at a time",
+                               &options)) {
+    case OPTIONS_BAD:
+        return EXIT_FAILURE;
+    case OPTIONS_DONE:
+        return EXIT_SUCCESS;
+    case OPTIONS_RUN:
+        break;
+    }
+    static Bench bench;  // large, for the stack
+    int result = bench_prepare(&bench, &options);
+    if (result == 0) {
+        printf("%s: %dx%d pixels\n", bench.cl.device_name, TRICK_SIDE, TRICK_SIDE);
+        result = rounds_run(measure_round, &bench, options.n_rounds, LONGEST_SECONDS,
+                            "; without any trick the picture is the same");
+    }
+    for (int part = 0; result == 0 && part < N_PARTS; part++) {
+        report_tricks_print(bench.cases[part], part);
+    }
+    if (result == 0) {
+        result = report_tricks_write_csv(bench.cases, options.folder);
+    }
+    bench_free(&bench);
+    return result == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
