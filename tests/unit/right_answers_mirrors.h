@@ -79,16 +79,20 @@ static void answer_blocks(Writer *writer, const Sections *job)
 
 // ---- Light --------------------------------------------------------------------------------------
 
+//   n_sent   in and out: how many rays are sent
 static Vec3 lit_color(const SphereScene *scene, Vec3 point, Vec3 normal, Material material,
-                      const Light *lights, int n_lights)
+                      const Light *lights, int n_lights, u32 *n_sent)
 {
     Vec3 color = {0};
     for (int i = 0; i < n_lights; i++) {
         const ShadowRayAnswer to_light = shadow_ray(point, lights[i]);
         Work work = {0};
         const Ray ray = {point, to_light.direction};
-        if (vec3_dot(normal, ray.direction) > 0 &&
-            find_in_all(scene, ray, &work).t >= to_light.t_max) {
+        if (vec3_dot(normal, ray.direction) <= 0) {
+            continue;
+        }
+        ++*n_sent;
+        if (find_in_all(scene, ray, &work).t >= to_light.t_max) {
             color = vec3_plus(color, shade(point, normal, material, &lights[i], 1));
         }
     }
@@ -107,15 +111,15 @@ static void answer_lits(Writer *writer, const Sections *job)
     for (size_t i = 0; i < n; i++) {
         const LitJob *in = &lits[i];
         answers[i].color = lit_color(&scene, in->point, in->normal, in->material,
-                                     lights + in->first_light, in->n_lights);
+                                     lights + in->first_light, in->n_lights, &answers[i].n_leaves);
     }
     answer(writer, "lits", answers, n * sizeof *answers);
     free(answers);
 }
 
 // The colour of a ray and of what it sees in mirrors, in a scene with "scene.K.bounces".
-//   n_traced   out: how many rays are traced behind the first one
-static Vec3 follow(const SphereScene *scene, Ray ray, HitAnswer hit, u32 *n_traced)
+//   n_sent   in and out: how many rays are sent, but for the first one
+static Vec3 follow(const SphereScene *scene, Ray ray, HitAnswer hit, u32 *n_sent)
 {
     Vec3 color = {0};
     float weight = 1;
@@ -127,7 +131,7 @@ static Vec3 follow(const SphereScene *scene, Ray ray, HitAnswer hit, u32 *n_trac
         const Vec3 normal = surface_normal(sphere, point, ray.direction);
         const Vec3 start = leave_surface(point, normal, hit.t, sphere.radius);
         const Vec3 own =
-            lit_color(scene, start, normal, material, scene->lights, scene->job->n_lights);
+            lit_color(scene, start, normal, material, scene->lights, scene->job->n_lights, n_sent);
         color = vec3_plus(color, vec3_scaled(own, weight));
         weight *= material.ks;
         if (n_bounces == *scene->max_bounces || weight < 0.5f / 255) {
@@ -135,7 +139,7 @@ static Vec3 follow(const SphereScene *scene, Ray ray, HitAnswer hit, u32 *n_trac
         }
         ray = (Ray){start, mirrored(ray.direction, normal)};
         hit = find_in_all(scene, ray, &work);
-        ++*n_traced;
+        ++*n_sent;
     }
     return vec3_plus(color, vec3_scaled(scene->job->background, weight));
 }
@@ -143,18 +147,17 @@ static Vec3 follow(const SphereScene *scene, Ray ray, HitAnswer hit, u32 *n_trac
 // As ColorOfHit of right_answers_3d.h has it.
 static Vec3 color_over_mirrors(const SphereScene *scene, Ray ray, HitAnswer hit)
 {
-    u32 n_traced = 0;
-    return follow(scene, ray, hit, &n_traced);
+    u32 n_sent = 0;
+    return follow(scene, ray, hit, &n_sent);
 }
 
-// As FindHit has it. Each ray that is traced visits a leaf; rays to lights may be fewer than there
-// are lights, and are none here.
+// As FindHit has it. Each ray that is sent visits a leaf.
 static HitAnswer find_in_leaf(const SphereScene *scene, Ray ray, Work *work)
 {
     const HitAnswer hit = find_in_all(scene, ray, work);
-    u32 n_traced = 1;
-    follow(scene, ray, hit, &n_traced);
-    work->n_leaves_visited += n_traced;
+    u32 n_sent = 1;
+    follow(scene, ray, hit, &n_sent);
+    work->n_leaves_visited += n_sent;
     return hit;
 }
 

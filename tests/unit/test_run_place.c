@@ -93,7 +93,8 @@ Test(run_place, knows_every_lab)
         {"06", "splits", "overlaps", "pack", "todo", NULL},
         {"07", "clips", "sides", "planes", "leaves", NULL},
         {"09", "starts", "mirrors", "shadow_rays", "blocks", "lits", NULL},
-        {"10", "tile_planes", "tile_children", "tile_waiting", "cones", NULL},
+        {"10", "tile_planes", "tile_children", "tile_waiting", "cones", "circle_rows",
+         "tile_leaves", NULL},
     };
     for (size_t l = 0; l < sizeof noted / sizeof *noted; l++) {
         Manifest manifest;

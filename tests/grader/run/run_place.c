@@ -173,6 +173,10 @@ static const ProbeStep steps[] = {
      sizeof(TileWaitingJob), NULL},
     {"10", "cones", "in cone_misses_sphere", "cone_misses_sphere", ON_INPUTS, sizeof(ConeJob),
      NULL},
+    {"10", "circle_rows", "in paint_row", "paint_row", ON_INPUTS, sizeof(CircleRowJob), NULL},
+    {"10", "tile_leaves", "in tile_leaf", "tile_leaf", ON_INPUTS, sizeof(CircleTileJob), NULL},
+    {"10", "circle_tiles", "in tile_leaf or paint_row", NULL, ON_INPUTS, sizeof(CircleTileJob),
+     NULL},
     {"10", "picture", "in trace_tile", NULL, ON_SCENE, 0, NULL},
 };
 

@@ -33,6 +33,8 @@ typedef struct BlockMistake {
     int one_more;        // the one behind the leaf is asked, too
     int skips_first;     // of the leaf
     int skips_last;
+    int hit_decides;          // the first sphere that is hit at all
+    int at_one, at_root;      // 1 or the root of t_max is taken for the end of the ray
     int at_end;               // a hit at t_max itself counts
     int misses_long;          // the longest leaf blocks nothing
     int not_from_inside;      // nor do spheres in which the ray starts
@@ -44,9 +46,11 @@ typedef struct BlockMistake {
 #define NEAR_START {.says = "hits very near to the start of the ray count, too, without an epsilon"}
 #define NEAR_END {.says = "hits very near to the end of the ray count, too, without an epsilon"}
 
+enum { ANY_DISTANCE = 1 };
 static const BlockMistake mistakes[] = {
     {.cause = {0}},
-    {{.says = "a hit behind the ray's end blocks nothing: t_max"}, .any_distance = 1},
+    [ANY_DISTANCE] = {{.says = "a hit behind the ray's end blocks nothing: t_max"},
+                      .any_distance = 1},
     {{.says =
           "hits behind the ray's end block, those before it do not: the comparison is inverted"},
      .behind_end = 1},
@@ -67,6 +71,12 @@ static const BlockMistake mistakes[] = {
               "how many they are nor 16 bits where they stand"},
      .misses_long = 1},
     {{.says = "the leaf's last sphere was not asked"}, .skips_last = 1},
+    {{.says = "the first sphere that is hit decides, wherever: behind the ray's end it blocks "
+              "nothing, and the next one may"},
+     .hit_decides = 1},
+    {{.says = "the ray ends at t_max, not at 1: its direction is a unit vector"}, .at_one = 1},
+    {{.says = "a distance is compared with a square: t and t_max are both distances"},
+     .at_root = 1},
     {{.says = "a sphere around the start of the ray is in its way, too: from inside it is hit"},
      .not_from_inside = 1},
     {{.says = "a sphere with a negative radius is in the way, too, where the ray leaves it"},
@@ -118,8 +128,10 @@ static Blocks sphere_blocks(const Job09 *job, const BlockJob *in, u32 at,
         return root.is_certain && root.t_low > in->t_max ? YES : NO;
     }
     const double start = mistake->start * in->t_max + mistake->start_by;
-    const double end =
-        mistake->any_distance ? INFINITY : in->t_max * (1 - mistake->end) - mistake->end_by;
+    const double end = mistake->any_distance ? INFINITY
+                       : mistake->at_one     ? 1
+                       : mistake->at_root    ? sqrt(in->t_max)
+                                             : in->t_max * (1 - mistake->end) - mistake->end_by;
     if (root.is_possible && is_exact(in)) {
         return root.t < end || (mistake->at_end && root.t == end) ? YES : NO;
     }
@@ -140,6 +152,11 @@ static Blocks leaf_blocks(const Job09 *job, int i, const BlockMistake *mistake)
     Blocks any = NO, all = end > skipped ? YES : NO;
     for (u32 k = skipped; k < end; k++) {
         const Blocks own = sphere_blocks(job, in, start + k, mistake);
+        const Blocks is_hit =
+            mistake->hit_decides ? sphere_blocks(job, in, start + k, &mistakes[ANY_DISTANCE]) : NO;
+        if (is_hit != NO) {
+            return is_hit == YES ? own : EITHER;
+        }
         any = own == YES || any == YES ? YES : own == EITHER ? EITHER : any;
         all = own == NO || all == NO ? NO : own == EITHER ? EITHER : all;
     }
@@ -191,6 +208,8 @@ static Blockers blockers_of(const Job09 *job, int i)
     return blockers;
 }
 
+enum { EARLY_ASKS_ALL = 1, EARLY_UNCOUNTED, EARLY_ONE_LATE, EARLY_WRONG };
+
 // In either order: each up to the one that is found first.
 static int early_agrees(const void *pointer, int i, const void *answers, int mistake)
 {
@@ -198,8 +217,18 @@ static int early_agrees(const void *pointer, int i, const void *answers, int mis
     const u32 n = job->blocks[i].node.n_spheres;
     const u32 found = ((const BlockAnswer *)answers)[i].n_tests;
     const Blockers blockers = blockers_of(job, i);
-    if (mistake == 1) {
+    if (mistake == EARLY_ASKS_ALL) {
         return found == n;
+    }
+    if (mistake == EARLY_UNCOUNTED) {
+        return found == 0;
+    }
+    if (mistake == EARLY_ONE_LATE) {
+        return blockers.is_unsure || found == (blockers.first + 2 < n ? blockers.first + 2 : n);
+    }
+    const int is_blocked = ((const BlockAnswer *)answers)[i].is_blocked != 0;
+    if (mistake == EARLY_WRONG && is_blocked != (blockers.first < n)) {
+        return 1;
     }
     if (blockers.is_unsure || blockers.first == n) {
         return blockers.is_unsure || found == n;
@@ -209,7 +238,14 @@ static int early_agrees(const void *pointer, int i, const void *answers, int mis
 
 static const Cause early_causes[] = {
     {0},
-    {.says = "each sphere of the leaf was asked, though one in the way is enough"},
+    [EARLY_ASKS_ALL] = {.says = "each sphere of the leaf was asked, though one in the way is "
+                                "enough"},
+    [EARLY_UNCOUNTED] = {.says = "no call is counted: intersect_sphere counts, or `work` was not "
+                                 "passed on to it"},
+    [EARLY_ONE_LATE] = {.says = "one sphere more was asked after the one in the way: the search "
+                                "ends at once"},
+    [EARLY_WRONG] = {.says = "the answer is wrong there, too: blocks-before and blocks-edges say "
+                             "more"},
 };
 
 static char *describe_early(const void *pointer, int i, const void *answers)

@@ -74,6 +74,10 @@ OracleNear lights_09_mistaken(const Job09 *job, const LitJob *lit, const LitMist
                           lit->material.kd >= mistake->least_kd;
     }
     OracleNear sum = mistake->sum(&lights);
+    const Vec3 c = mistake->color_again ? lit->material.color : (Vec3){1, 1, 1};
+    const double kd = mistake->kd_again ? (double)lit->material.kd : 1;
+    sum.value =
+        (OracleVector){kd * sum.value.x * c.x, kd * sum.value.y * c.y, kd * sum.value.z * c.z};
     // Each sum rounds, twice where it is one of sums.
     sum.error += 4 * ROUNDING * lights.n * vector_length(sum.value);
     return lights.is_unsure ? (OracleNear){{0}, INFINITY} : sum;
@@ -324,6 +328,8 @@ const LitMistake lit_mistakes_09[N_LIT_MISTAKES] = {
     [LIT_ASKS_TWICE] = {.cause = {.says =
                                       "a light is asked more than once: one ray says whether it "
                                       "arrives"}},
+    [LIT_UNCOUNTED] = {.cause = {.says = "no ray is counted: is_blocked is not asked, or `work` "
+                                         "was not passed on to it"}},
     {{.says = "light is added although something stands between"}, .sum = without_shadows},
     {{.says = "light is added where something stands between, and not where nothing does"},
      .sum = only_blocked},
@@ -367,6 +373,10 @@ const LitMistake lit_mistakes_09[N_LIT_MISTAKES] = {
     {{.says = "light does not fall with the distance here: shade knows all that counts"},
      .sum = falling},
     {{.says = "shade has the cosine already: it counts once"}, .sum = cosine_twice},
+    {{.says = "shade has kd already: it counts once"}, .sum = all_arriving, .kd_again = 1},
+    {{.says = "shade has the material's colour already: it counts once"},
+     .sum = all_arriving,
+     .color_again = 1},
     {{.says = "every light was added once for each light"}, .sum = each_adds_all},
     {{.says = "with each light that arrives those behind it in the array were added again"},
      .sum = each_adds_rest},

@@ -9,7 +9,7 @@ typedef struct SeenLights SeenLights;
 typedef OracleNear MistakenSum(const SeenLights *lights);
 
 // Mistakes of the rays alone; number 0 is none.
-enum { LIT_ASKS_ALL = 1, LIT_ASKS_TWICE };
+enum { LIT_ASKS_ALL = 1, LIT_ASKS_TWICE, LIT_UNCOUNTED };
 
 // A known mistake, and what is said about it.
 typedef struct LitMistake {
@@ -19,9 +19,11 @@ typedef struct LitMistake {
     double least_cosine;  // at which light arrives
     double least_light;   // darker lights are not asked,
     double least_kd;      // nor any for surfaces that scatter less
+    int kd_again;         // kd counts twice,
+    int color_again;      // or the material's colour
 } LitMistake;
 
-enum { N_LIT_MISTAKES = 38 };
+enum { N_LIT_MISTAKES = 41 };
 extern const LitMistake lit_mistakes_09[N_LIT_MISTAKES];
 
 // The colour that comes of a mistake with a sum: anything where float may decide otherwise whether

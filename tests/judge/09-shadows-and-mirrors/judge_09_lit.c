@@ -156,26 +156,35 @@ static OracleNear right_light(const Job09 *job, int i)
 
 // How many of the lights may be before the surface: so many rays are needed. The tree is that of a
 // scene whose rays are counted, one leaf: the leaves visited are the rays sent.
-static u32 count_rays(const Job09 *job, int i)
+static OracleSides count_rays(const Job09 *job, int i)
 {
     const LitJob *in = &job->lits[i];
     return oracle3d_sides(job->lit_lights + in->first_light, in->n_lights,
-                          oracle3d_exactly(in->point), oracle3d_exactly(in->normal))
-        .n_before;
+                          oracle3d_exactly(in->point), oracle3d_exactly(in->normal));
+}
+
+// Is any ray sent where one is certainly needed? Where none is, lights that arrive are found in
+// another way, or `work` was not passed on.
+static int is_any_sent(const Job09 *job, int i, u32 n_rays)
+{
+    const OracleSides sides = count_rays(job, i);
+    return n_rays > 0 || sides.n_before == sides.n_unsure;
 }
 
 // Are as many rays sent as by a mistake with them alone, or as is right? That is judged in the
 // second range.
 static int sends_as(const Job09 *job, int i, u32 n_rays, int number)
 {
-    const u32 n_needed = count_rays(job, i);
+    const u32 n_needed = count_rays(job, i).n_before;
     switch (number) {
     case LIT_ASKS_ALL:
         return n_rays == (u32)job->lits[i].n_lights;
     case LIT_ASKS_TWICE:
         return n_rays >= n_needed && (n_rays == 0 || n_needed > 0);
+    case LIT_UNCOUNTED:
+        return n_rays == 0;
     default:
-        return i / N_LIT_INPUTS != 1 || n_rays <= n_needed;
+        return i / N_LIT_INPUTS != 1 || (n_rays <= n_needed && is_any_sent(job, i, n_rays));
     }
 }
 
@@ -224,15 +233,18 @@ static char *describe_lit(const void *pointer, int i, const void *answers)
     const LitJob *in = &job->lits[i];
     const LitAnswer *found = (const LitAnswer *)answers + i;
     const OracleVector e = right_light(job, i).value;
-    const u32 n_needed = count_rays(job, i);
+    const u32 n_needed = count_rays(job, i).n_before;
     if (!sends_as(job, i, found->n_leaves, 0)) {
         return message_new("point %s, normal %s, %d light%s, %s before the surface: found %u ray%s "
-                           "sent to lights, expected %s: none is needed for a light behind",
+                           "sent to lights, expected %s: one for each light before the surface, "
+                           "and none for a light behind",
                            words_vec3(in->point, 6).text, words_vec3(in->normal, 6).text,
                            in->n_lights, plural((unsigned)in->n_lights),
                            n_needed == 0 ? "none" : words("%u", n_needed).text, found->n_leaves,
                            plural(found->n_leaves),
-                           n_needed == 0 ? "none" : words("at most %u", n_needed).text);
+                           n_needed == 0          ? "none"
+                           : found->n_leaves == 0 ? words("%u", n_needed).text
+                                                  : words("at most %u", n_needed).text);
     }
     return message_new("point %s, normal %s, %d light%s, the first at %s: found %s, expected %s",
                        words_vec3(in->point, 6).text, words_vec3(in->normal, 6).text, in->n_lights,

@@ -38,6 +38,15 @@ static const Mistake09 mistakes[] = {
      {.one_dark_all_dark = 1}},
     {{.says = "drawn with one mirror more than allowed"}, {.more_bounces = 1}},
     {{.says = "drawn with one mirror less than allowed"}, {.more_bounces = -1}},
+    {{.says = "drawn with the background behind one mirror more than allowed: the end is asked "
+              "before the next ray is traced"},
+     {.more_bounces = 1, .last_is_dark = 1}},
+    {{.says = "drawn as if what is hit after max_bounces mirrors had no light of its own: it adds "
+              "that, and no more"},
+     {.last_is_dark = 1}},
+    {{.says = "drawn as if the light of each hit took the place of what came before it: it is "
+              "added"},
+     {.replaces = 1}},
     AT_MOST("five", 5),
     AT_MOST("seven", 7),
     AT_MOST("eight", 8),

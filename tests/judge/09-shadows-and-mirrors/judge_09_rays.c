@@ -109,6 +109,16 @@ static OracleVector part_added(OracleVector d, OracleVector n)
     return vector_plus(d, vector_scaled(2 * vector_dot(d, n), n));
 }
 
+static OracleVector along_itself(OracleVector d, OracleVector n)
+{
+    return vector_minus(d, vector_scaled(2 * vector_dot(d, n), d));
+}
+
+static OracleVector part_alone(OracleVector d, OracleVector n)
+{
+    return vector_scaled(-2 * vector_dot(d, n), n);
+}
+
 static OracleVector normal_mirrored(OracleVector d, OracleVector n)
 {
     return vector_minus(n, vector_scaled(2 * vector_dot(d, n), d));
@@ -147,6 +157,10 @@ static const MirrorMistake mirror_mistakes[] = {
      .turn = part_added},
     {{.says = "the normal was mirrored at the direction: they stand in each other's place"},
      .turn = normal_mirrored},
+    {{.says = "the part that turns round lies along the normal, not along the direction"},
+     .turn = along_itself},
+    {{.says = "the direction itself is missing: only what is added to it is there"},
+     .turn = part_alone},
     {{.says = "coordinates were multiplied one by one: the part along the normal is a dot product"},
      .turn = by_coordinate},
     {{.says = "z is missing in the dot product"}, .turn = dot_without_z},
@@ -280,6 +294,7 @@ typedef enum DirectionMistake {
     DIRECTION_NOT_UNIT,
     DIRECTION_TO_ORIGIN,
     DIRECTION_BY_LARGEST,
+    DIRECTION_BY_SQUARE,
 } DirectionMistake;
 static const Cause direction_causes[] = {
     [DIRECTION_RIGHT] = {0},
@@ -287,6 +302,8 @@ static const Cause direction_causes[] = {
     [DIRECTION_NOT_UNIT] = {.says = "the direction is not a unit vector: t is a distance then"},
     [DIRECTION_BY_LARGEST] = {.says = "it is divided by its largest coordinate: by its length it "
                                       "becomes a unit vector"},
+    [DIRECTION_BY_SQUARE] = {.says = "the way is divided by its square: by its length it becomes a "
+                                     "unit vector"},
     [DIRECTION_TO_ORIGIN] = {.says = "that is the light's position, not the way to it"},
 };
 
@@ -299,6 +316,7 @@ static int direction_agrees(const void *job, int i, const void *answers, int mis
     const OracleVector v = mistake == DIRECTION_TO_ORIGIN ? from_zero : way.way;
     const double scale = mistake == DIRECTION_NOT_UNIT    ? 1
                          : mistake == DIRECTION_REVERSED  ? -1 / way.length
+                         : mistake == DIRECTION_BY_SQUARE ? 1 / (way.length * way.length)
                          : mistake == DIRECTION_TO_ORIGIN ? 1 / sqrt(vector_dot(v, v))
                          : mistake == DIRECTION_BY_LARGEST
                              ? 1 / fmax(fmax(fabs(v.x), fabs(v.y)), fabs(v.z))
@@ -319,6 +337,7 @@ typedef enum EndMistake {
     END_SQUARED,
     END_FROM_ORIGIN,
     END_AT_LARGEST,
+    END_AT_SUM,
     END_HAIR,
     END_AT_START
 } EndMistake;
@@ -333,6 +352,7 @@ static const Cause end_causes[] = {
     [END_FROM_ORIGIN] = {.says = "that is the light's distance from the origin of the scene, not "
                                  "from the point"},
     [END_AT_LARGEST] = {.says = "that is the largest coordinate of the way, not its length"},
+    [END_AT_SUM] = {.says = "that is the sum of the way's coordinates, not its length"},
     [END_HAIR] = {.says = "it ends beside the light: t_max is its distance, without an epsilon"},
     [END_AT_START] = {.says = "it ends where it starts"},
 };
@@ -358,6 +378,8 @@ static int end_agrees(const void *job, int i, const void *answers, int mistake)
         return fabs(t_max - from_origin) <= way.error * from_origin;
     case END_AT_LARGEST:
         return fabs(t_max - largest) <= error;
+    case END_AT_SUM:
+        return fabs(t_max - (fabs(way.way.x) + fabs(way.way.y) + fabs(way.way.z))) <= 2 * error;
     case END_SQUARED:
         return fabs(t_max - way.length * way.length) <= 2 * error * way.length;
     case END_HAIR:

@@ -54,12 +54,17 @@ static Sent sent_at(const MirrorScene *scene, int pixel, const Work *found,
     return sent;
 }
 
-// Too many rays are work for nothing. Fewer than have to be traced do not follow the mirrors, or
-// are counted elsewhere; rays to lights may be fewer, as nothing comes of one where kd is 0.
+// Rays to lights may be fewer, as nothing comes of one where kd is 0; but none are too few where
+// something does.
+static u32 least_of(const Sent *sent)
+{
+    return sent->expected.n_traced + (sent->expected.n_needed > 0 ? 1 : 0);
+}
+
+// Too many rays are work for nothing. Fewer do not follow the mirrors, or are counted elsewhere.
 static int is_right(const Sent *sent)
 {
-    return !sent->is_judged ||
-           (sent->found >= sent->expected.n_traced && sent->found <= most_of(sent));
+    return !sent->is_judged || (sent->found >= least_of(sent) && sent->found <= most_of(sent));
 }
 
 // ---- Known mistakes -----------------------------------------------------------------------------
@@ -79,10 +84,33 @@ static u32 lit_twice(const OracleRayCount *expected)
     return expected->n_traced + 2 * expected->n_to_lights;
 }
 
+static u32 only_traced(const OracleRayCount *expected)
+{
+    return expected->n_traced;
+}
+
+static u32 only_to_lights(const OracleRayCount *expected)
+{
+    return expected->n_to_lights;
+}
+
+static u32 none(const OracleRayCount *expected)
+{
+    (void)expected;
+    return 0;
+}
+
 static const struct {
     Cause cause;
     MistakenCount *count;
 } mistakes[] = {
+    {{.says = "no ray to a light is counted: lit_color is not asked, or `work` was not passed on "
+              "to it"},
+     only_traced},
+    {{.says = "no ray that is traced is counted: `work` was not passed on to trace"},
+     only_to_lights},
+    {{.says = "no ray is counted: `work` was not passed on, neither to trace nor to lit_color"},
+     none},
     {{.says = "one ray more is traced where the end is reached, and what it hits adds nothing: "
               "whether it goes on is asked first"},
      traced_beyond_end},
@@ -93,7 +121,7 @@ static const struct {
 static Cause explain(const MirrorScene *scene, const Work *found)
 {
     static const OracleMirrorRules right = {0};
-    int fits[COUNT(mistakes)] = {1, 1};
+    int fits[COUNT(mistakes)] = {1, 1, 1, 1, 1};
     for (int pixel = 0; pixel < scene->base.scene.width * scene->base.scene.height; pixel++) {
         const Sent sent = sent_at(scene, pixel, found, &right);
         for (int m = 0; m < COUNT(mistakes) && sent.is_judged; m++) {
@@ -128,12 +156,14 @@ static Diagnosis judge_scene(const MirrorScene *scene, const Work *found)
     }
     const char *title = scene->base.picture.title;
     const int x = first_pixel % width, y = first_pixel / width;
-    if (first.found < first.expected.n_traced) {
-        return diagnosis_new(
-            "%s: pixel (%d, %d): found %u ray%s sent, expected at least %u, as many "
-            "as have to be traced (%d of %d pixels are wrong)",
-            title, x, y, first.found, plural(first.found), first.expected.n_traced, n_wrong,
-            n_pixels);
+    if (first.found < least_of(&first)) {
+        char *few = message_new(
+            "%s: pixel (%d, %d): found %u ray%s sent, expected at least %u: %u that %s traced%s "
+            "(%d of %d pixels are wrong)",
+            title, x, y, first.found, plural(first.found), least_of(&first),
+            first.expected.n_traced, first.expected.n_traced == 1 ? "is" : "are",
+            first.expected.n_needed > 0 ? " and one to a light" : "", n_wrong, n_pixels);
+        return diagnosis_of(few, explain(scene, found));
     }
     char *wrong = message_new(
         "%s: pixel (%d, %d): found %u rays sent, expected at most %u: %u that %s traced and %u to "

@@ -64,6 +64,21 @@ static double size_of_largest(Vec3 p)
     return fabs(largest_with_sign(p));
 }
 
+static double size_of_sum(Vec3 p)
+{
+    return fabs((double)p.x + (double)p.y + (double)p.z);
+}
+
+static double smallest(Vec3 p)
+{
+    return fmin(fmin(fabs(p.x), fabs(p.y)), fabs(p.z));
+}
+
+static double with_sign_of_z(Vec3 p)
+{
+    return fmax(fmax(fabs(p.x), fabs(p.y)), p.z);
+}
+
 static double without_x(Vec3 p)
 {
     return fmax(fabs(p.y), fabs(p.z));
@@ -109,6 +124,12 @@ static const StartMistake start_mistakes[] = {
     {{.says = "of the point's coordinates the largest counts, not their sum"},
      ALL_THREE,
      .size = sum_of_sizes},
+    {{.says = "of the point's coordinates the largest counts, not the size of their sum"},
+     ALL_THREE,
+     .size = size_of_sum},
+    {{.says = "of the point's coordinates the largest counts, not the smallest"},
+     ALL_THREE,
+     .size = smallest},
     {{.says = "of the point's coordinates the largest counts, not their mean"},
      ALL_THREE,
      .size = mean_size},
@@ -117,6 +138,12 @@ static const StartMistake start_mistakes[] = {
     {{.says = "of the point's coordinates z is not looked at"}, ALL_THREE, .size = without_z},
     {SIZE_FIRST, ALL_THREE, .size = largest_with_sign},
     {SIZE_FIRST, ALL_THREE, .size = size_of_largest},
+    {SIZE_FIRST, ALL_THREE, .size = with_sign_of_z},
+    {{.says = "SURFACE_ERROR counts for each of the three numbers: parentheses are missing"},
+     .share = 1,
+     .t = 1,
+     .radius = 0x1p18,
+     .point = 0x1p18},
     {{.says = "each coordinate moves by its own size: the largest one's counts for all three"},
      ALL_THREE,
      .by_coordinate = 1},

@@ -133,6 +133,10 @@ enum {
     CHILD_AT_0_IS_FAR,
     CHILD_POINT_IS_NEAR,
     CHILD_POINT_IS_FAR,
+    CHILD_BOTH_WAIT,
+    CHILD_PARTS_SWAPPED,
+    CHILD_ENDS_CROSSED,
+    CHILD_BOTH_WIDENED,
 };
 #define POINT_MEETS_BOTH                                                                           \
     "a part whose ends are equal counts, too: where t_split reaches over it both children are met"
@@ -202,6 +206,13 @@ static const Cause child_mistakes[] = {
                                    "so are both children"},
     [CHILD_POINT_IS_NEAR] = {.says = POINT_MEETS_BOTH},
     [CHILD_POINT_IS_FAR] = {.says = POINT_MEETS_BOTH},
+    [CHILD_BOTH_WAIT] = {.says = "the near child is visited next, and must not wait as well"},
+    [CHILD_PARTS_SWAPPED] = {.says = "the two parts are swapped: the near child has the one up to "
+                                     "the greatest t_split, the far child the one from the least"},
+    [CHILD_ENDS_CROSSED] = {.says = "t_min and t_max stand in each other's place in the two "
+                                    "comparisons"},
+    [CHILD_BOTH_WIDENED] = {.says = "the least and the greatest are swapped: a part never grows on "
+                                    "the way down"},
     [CHILD_IS_SIDE] =
         {.says = "0 and 1 are sides: the children's ids are node.first and node.first + 1"},
 };
@@ -230,6 +241,8 @@ static int children_met(const TileChildJob *job, int mistake)
     const float beyond = others || mistake == CHILD_NEAR_FOR_ANY ? job->split_high : job->split_low;
     const float before = others || mistake == CHILD_FAR_FOR_ANY ? job->split_low : job->split_high;
     const float hair = mistake == CHILD_EPSILON ? LEAST_STEP : 0;
+    const float end = mistake == CHILD_ENDS_CROSSED ? t_min : t_max;
+    const float begin = mistake == CHILD_ENDS_CROSSED ? t_max : t_min;
     const int near_at_end = ends || mistake == CHILD_NEAR_AT_T_MAX;
     const int far_at_end = ends || mistake == CHILD_FAR_AT_T_MIN;
     if (mistake == CHILD_NEVER_IS_NEAR && isinf(job->split_high)) {
@@ -239,11 +252,11 @@ static int children_met(const TileChildJob *job, int mistake)
         return FAR_ONLY;
     }
     if (mistake != CHILD_FAR_ALWAYS_WAITS &&
-        (beyond > t_max + hair || (near_at_end && beyond == t_max))) {
+        (beyond > end + hair || (near_at_end && beyond == end))) {
         return NEAR_ONLY;
     }
     if (mistake != CHILD_NEAR_NEVER_SKIPPED &&
-        (before < t_min - hair || (far_at_end && before == t_min))) {
+        (before < begin - hair || (far_at_end && before == begin))) {
         return mistake == CHILD_FAR_IS_NEAR ? NEAR_ONLY : FAR_ONLY;
     }
     if (t_min == t_max && (mistake == CHILD_POINT_IS_NEAR || mistake == CHILD_POINT_IS_FAR)) {
@@ -277,14 +290,24 @@ static NextChildAnswer expected_child(const TileChildJob *job, int mistake)
     StackEntry near_child = {first + side, t_min,
                              both_whole || mistake == CHILD_NEAR_KEEPS_T_MAX ? t_max
                              : mistake == CHILD_NEAR_WIDENED                 ? end
+                             : mistake == CHILD_BOTH_WIDENED                 ? fmaxf(t_max, end)
                                                                              : fminf(t_max, end)};
     StackEntry far_child = {far,
                             both_whole || mistake == CHILD_FAR_KEEPS_T_MIN ? t_min
                             : mistake == CHILD_FAR_WIDENED                 ? begin
+                            : mistake == CHILD_BOTH_WIDENED                ? fminf(t_min, begin)
                                                                            : fmaxf(t_min, begin),
                             mistake == CHILD_FAR_ENDS      ? end
                             : mistake == CHILD_FAR_CUT_TOO ? near_child.t_max
                                                            : t_max};
+    if (mistake == CHILD_PARTS_SWAPPED) {
+        near_child = (StackEntry){first + side, far_child.t_min, far_child.t_max};
+        far_child = (StackEntry){far, t_min, fminf(t_max, end)};
+    }
+    if (mistake == CHILD_BOTH_WAIT) {
+        push(&answer.todo, far_child.node, far_child.t_min, far_child.t_max);
+        far_child = near_child;
+    }
     const int is_swapped = mistake == CHILD_NEAR_WAITS;
     answer.next = is_swapped ? far_child : near_child;
     if (mistake != CHILD_FAR_DROPPED) {

@@ -150,6 +150,12 @@ enum {
     CONE_WITHOUT_COSINE,
     CONE_COSINE_SIZE,
     CONE_BEHIND_PLANE,
+    CONE_BY_DISTANCE,
+    CONE_RADIUS_ADDED,
+    CONE_HALF_RADIUS,
+    CONE_ALONG_SIZE,
+    CONE_BOTH_SQUARED,
+    CONE_FROM_AXIS_END,
     CONE_BY_SQUARES,  // the last one: those with a number follow
 };
 
@@ -196,6 +202,17 @@ static const ConeMistake cone_mistakes[] = {
     [CONE_BEHIND_PLANE] =
         SAYS("where the cosine is -1 rays go to all sides: what is behind the eye "
              "is not missed, either"),
+    [CONE_BY_DISTANCE] = SAYS("the sine goes with the part along the axis, not with the distance "
+                              "from the eye"),
+    [CONE_RADIUS_ADDED] = SAYS("the radius is on the wrong side: a sphere is missed where it is "
+                               "farther from the border than its radius"),
+    [CONE_HALF_RADIUS] = SAYS("that is as if the sphere were half as large: compare with the "
+                              "radius"),
+    [CONE_ALONG_SIZE] = SAYS("the part along the axis may be negative, and stays so: behind the "
+                             "eye is outside of the cone"),
+    [CONE_BOTH_SQUARED] = SAYS("squares and distances are mixed: take the length"),
+    [CONE_FROM_AXIS_END] = SAYS("what is beside the axis is centre - along * axis: the axis is a "
+                                "unit vector"),
     [CONE_BY_SQUARES] = SAYS("the digits are lost: subtract the vectors first, and then take the "
                              "length"),
     {EPSILON, .added = 1e-2},
@@ -275,6 +292,19 @@ static double gap_of(const ConeJob *job, const ConeView *view, int mistake)
         return view->cube * cosine - view->along * sine - view->size;
     case CONE_WITHOUT_COSINE:
         return view->aside - view->along * sine - view->size;
+    case CONE_BY_DISTANCE:
+        return view->aside * cosine - hypot(view->along, view->aside) * sine - view->size;
+    case CONE_RADIUS_ADDED:
+        return view->border + view->size;
+    case CONE_HALF_RADIUS:
+        return view->border - view->size / 2;
+    case CONE_ALONG_SIZE:
+        return hypot(view->aside, view->along - fabs(view->along)) * cosine -
+               fabs(view->along) * sine - view->size;
+    case CONE_BOTH_SQUARED:
+        return view->aside * view->aside * cosine - view->along * sine - view->size * view->size;
+    case CONE_FROM_AXIS_END:
+        return hypot(view->along - 1, view->aside) * cosine - view->along * sine - view->size;
     case CONE_COSINE_SIZE:
         return view->aside * fabs(cosine) - view->along * sine - view->size;
     default:

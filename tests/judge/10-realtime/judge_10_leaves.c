@@ -27,6 +27,9 @@ enum {
     LEAF_32_STEPS,
     LEAF_40_STEPS,
     LEAF_PIXEL_CUT,
+    LEAF_TILE_NUMBER,
+    LEAF_PARENT,
+    LEAF_FIRST,
 };
 #define STEPS_END "the search ended after some steps, leaf or not"
 #define ID_CUT "the id was cut to 8 or 16 bits: a tree may have more nodes than these can number"
@@ -47,6 +50,11 @@ static const Cause leaf_mistakes[] = {
     [LEAF_32_STEPS] = {.says = STEPS_END},
     [LEAF_40_STEPS] = {.says = STEPS_END},
     [LEAF_PIXEL_CUT] = {.says = "the pixel was cut to 16 bits or fewer: a picture may be larger"},
+    [LEAF_TILE_NUMBER] = {.says = "the tile's number was compared with split_pos: both x and "
+                                  "split_pos are pixels"},
+    [LEAF_PARENT] = {.says = "the search ended one node above the leaf"},
+    [LEAF_FIRST] = {.says = "that is the leaf's `first`, where its circles begin: its own id is "
+                            "asked for"},
     [LEAF_OF_NEXT_TILE] = {.says = "the first pixel behind the tile was asked: its own first one "
                                    "counts"},
     [LEAF_IS_ROOT] = {.says = "the search did not leave the root"},
@@ -91,14 +99,21 @@ static TileLeafAnswer expected_leaf(const Job10 *job, int i, int mistake)
                                                       : node.split_axis == 0;
         const int beyond = mistake == LEAF_OF_NEXT_TILE ? CIRCLE_TILE_SIDE : 0;
         const int whole = (is_x ? tile.x : tile.y) + beyond;
-        const int at = mistake == LEAF_PIXEL_CUT ? whole & 0xffff : whole;
+        const int at = mistake == LEAF_PIXEL_CUT     ? whole & 0xffff
+                       : mistake == LEAF_TILE_NUMBER ? whole / CIRCLE_TILE_SIDE
+                                                     : whole;
         const int is_upper = mistake == LEAF_PLANE_IS_LOWER  ? at > node.split_pos
                              : mistake == LEAF_SIDES_SWAPPED ? at < node.split_pos
                              : mistake == LEAF_ALWAYS_LOWER  ? 0
                                                              : at >= node.split_pos;
-        way.leaf = (node.first + (u32)is_upper) & id_mask(mistake);
+        const u32 next = (node.first + (u32)is_upper) & id_mask(mistake);
+        if (mistake == LEAF_PARENT && nodes[next].split_axis == KD_LEAF) {
+            return way;
+        }
+        way.leaf = next;
         way.n_steps++;
     }
+    way.leaf = mistake == LEAF_FIRST ? nodes[way.leaf].first : way.leaf;
     return way;
 }
 
@@ -135,22 +150,29 @@ const Function tile_leaf_10 = {"tile_leaves", N_CIRCLE_TILES, sizeof(TileLeafAns
 
 // ---- Steps --------------------------------------------------------------------------------------
 
-enum { STEPS_HIDDEN = 1, STEPS_TWICE };
+enum { STEPS_HIDDEN = 1, STEPS_TWICE, STEPS_AND_LEAF, STEPS_ELSEWHERE };
 static const Cause steps_mistakes[] = {
     [STEPS_HIDDEN] = {.says = "no step is counted: is_inner() says whether a node has children, "
-                              "and counts"},
+                              "and counts; or `work` was not passed on"},
     [STEPS_TWICE] = {.says = "each step is counted twice: ask is_inner() once for each node"},
+    [STEPS_AND_LEAF] = {.says = "the leaf is counted, too: a step is one from a node to its child"},
+    [STEPS_ELSEWHERE] = {.says = "the way leads to another node there: leaf-tile says more"},
 };
 
 static u32 expected_steps(const Job10 *job, int i, int mistake)
 {
     const u32 n_steps = expected_leaf(job, i, 0).n_steps;
-    return mistake == STEPS_HIDDEN ? 0 : mistake == STEPS_TWICE ? 2 * n_steps : n_steps;
+    return mistake == STEPS_HIDDEN     ? 0
+           : mistake == STEPS_TWICE    ? 2 * n_steps
+           : mistake == STEPS_AND_LEAF ? n_steps + 1
+                                       : n_steps;
 }
 
 static int steps_agree(const void *job, int i, const void *answers, int mistake)
 {
-    return ((const TileLeafAnswer *)answers)[i].n_steps == expected_steps(job, i, mistake);
+    const TileLeafAnswer *found = (const TileLeafAnswer *)answers + i;
+    return (mistake == STEPS_ELSEWHERE && found->leaf != leaf_10_of_tile(job, i)) ||
+           found->n_steps == expected_steps(job, i, mistake);
 }
 
 static char *describe_steps(const void *job, int i, const void *answers)

@@ -115,6 +115,10 @@ enum {
     PLANE_ALONG_BOTH,
     PLANE_PARALLEL_ANY,
     PLANE_PARALLEL_SLOW,
+    PLANE_UPSIDE_DOWN,
+    PLANE_MULTIPLIED,
+    PLANE_SIZES,
+    PLANE_MINUS_INFINITY,
 };
 #define PARALLEL                                                                                   \
     "where all rays go the same way, low and high equal, they meet the plane at one distance, or " \
@@ -166,6 +170,11 @@ static const Cause plane_mistakes[] = {
     [PLANE_PARALLEL_SLOW] = {.says = PARALLEL},
     [PLANE_EYE_NEAR] = {.says = EYE_BESIDE},
     [PLANE_EYE_NEARER] = {.says = EYE_BESIDE},
+    [PLANE_UPSIDE_DOWN] = {.says = "the quotient is upside down: the way is divided by the "
+                                   "direction"},
+    [PLANE_MULTIPLIED] = {.says = "the way is divided by the direction, not multiplied"},
+    [PLANE_SIZES] = {.says = BEHIND_MET},
+    [PLANE_MINUS_INFINITY] = {.says = "what is never met is at INFINITY, not at -INFINITY"},
     [PLANE_NEVER_IS_LARGE] = {.says = "what is never met is at INFINITY, not at a large number"},
 };
 
@@ -221,12 +230,19 @@ static double distance_of(const TilePlaneJob *job, double direction, int is_firs
         mistake == PLANE_BEHIND_CUT_AT_0) {
         return way / direction;
     }
+    if (mistake == PLANE_SIZES) {
+        return fabs(way) / fabs(direction);
+    }
     if (!meets) {
-        return mistake == PLANE_BEHIND_AT_0 || (mistake == PLANE_NEVER_FROM_0 && is_first)
+        return mistake == PLANE_MINUS_INFINITY ? -INFINITY
+               : mistake == PLANE_BEHIND_AT_0 || (mistake == PLANE_NEVER_FROM_0 && is_first)
                    ? 0
                    : INFINITY;
     }
-    return (mistake == PLANE_BACKWARDS ? -way : way) / direction;
+    return mistake == PLANE_UPSIDE_DOWN  ? direction / way
+           : mistake == PLANE_MULTIPLIED ? way * direction
+           : mistake == PLANE_BACKWARDS  ? -way / direction
+                                         : way / direction;
 }
 
 static Ends expected_ends(const TilePlaneJob *job, int mistake)
@@ -240,7 +256,7 @@ static Ends expected_ends(const TilePlaneJob *job, int mistake)
     if (job->eye == job->plane && (mistake == PLANE_EYE_AT_0 || mistake == PLANE_EYE_FROM_0)) {
         return (Ends){0, mistake == PLANE_EYE_AT_0 ? 0 : INFINITY};
     }
-    if (mistake == PLANE_BEHIND_SORTED) {
+    if (mistake == PLANE_BEHIND_SORTED || mistake == PLANE_SIZES) {
         return (Ends){fmin(of_low, of_high), fmax(of_low, of_high)};
     }
     if (mistake == PLANE_BEHIND_CUT_AT_0) {

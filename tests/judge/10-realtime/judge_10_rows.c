@@ -121,6 +121,10 @@ enum {
     ROW_WITHOUT_LAST,
     ROW_ROOTS,
     ROW_POINT_LEFT,
+    ROW_ERASES,
+    ROW_OPEN_IS_NO_MASK,
+    ROW_DX_SQUARED_AGAIN,
+    ROW_SUBTRACTED,
 };
 #define OPENS_AGAIN "what was closed already is open again: a pixel never opens"
 #define DY_NOT_SQUARED                                                                             \
@@ -133,8 +137,9 @@ static const Cause row_mistakes[] = {
     [ROW_DY_NOT_SQUARED] = {.says = DY_NOT_SQUARED},
     [ROW_DY_SIZE] = {.says = DY_NOT_SQUARED},
     [ROW_WHOLE_DY] = {.says = "dy was cut to a whole number"},
-    [ROW_RADIUS_SQUARED_AGAIN] = {.says = "the radius is squared twice: radius_squared is its "
-                                          "square already"},
+    [ROW_RADIUS_SQUARED_AGAIN] = {.says = "that is as if the radius were squared twice: "
+                                          "radius_squared is its square already, and compared "
+                                          "with a square, not with a distance"},
     [ROW_INVERTED] = {.says = "what the circle does not cover is painted, and what it covers is "
                               "not"},
     [ROW_PAINTED_OVER] = {.says = "a pixel that a nearer circle covers was painted again: only "
@@ -161,6 +166,11 @@ static const Cause row_mistakes[] = {
     [ROW_WITHOUT_LAST] = {.says = "the row's last pixel is left out"},
     [ROW_ROOTS] = {.says = "compare the squares, and without an epsilon: roots round a pixel "
                            "beside the circle onto its boundary"},
+    [ROW_ERASES] = {.says = "what the circle does not cover lost its colour: it stays as it was"},
+    [ROW_OPEN_IS_NO_MASK] = {.says = "an `open` is neither -1 nor 0: for lanes these are true and "
+                                     "false"},
+    [ROW_DX_SQUARED_AGAIN] = {.says = "dx is squared twice: dx_squared is its square already"},
+    [ROW_SUBTRACTED] = {.says = "the square of dy is taken off: the squares add up"},
     [ROW_POINT_LEFT] = {.says = "a circle of radius 0 is left out: it covers the pixel that it is "
                                 "exactly on"},
 };
@@ -176,7 +186,11 @@ static int is_covered(const CircleRowJob *job, int i, int mistake)
                            : mistake == ROW_DY_NOT_SQUARED ? dy
                            : mistake == ROW_DY_SIZE        ? fabs(dy)
                                                            : dy * dy;
-    const double r = job->radius_squared, distance = (double)job->dx_squared[i] + dy_part;
+    const double dx_part = mistake == ROW_DX_SQUARED_AGAIN
+                               ? (double)job->dx_squared[i] * (double)job->dx_squared[i]
+                               : (double)job->dx_squared[i];
+    const double distance = mistake == ROW_SUBTRACTED ? dx_part - dy_part : dx_part + dy_part;
+    const double r = job->radius_squared;
     const double limit = mistake == ROW_RADIUS_SQUARED_AGAIN ? r * r : r;
     const int covers = mistake == ROW_STRICT ? distance < limit : distance <= limit;
     if ((mistake == ROW_WITHOUT_FIRST && i == 0) ||
@@ -209,7 +223,9 @@ static CircleRowAnswer expected_row(const CircleRowJob *job, int mistake)
                                                             : job->open[i] != 0;
         const int is_painted =
             mistake == ROW_SELECT_SWAPPED ? !(covers && was_open) : covers && was_open;
-        row.colors[i] = is_painted && mistake != ROW_NOTHING_PAINTED ? job->color : job->colors[i];
+        row.colors[i] = is_painted && mistake != ROW_NOTHING_PAINTED ? job->color
+                        : mistake == ROW_ERASES                      ? 0
+                                                                     : job->colors[i];
         row.open[i] = mistake == ROW_STAYS_OPEN ? job->open[i]
                       : mistake == ROW_TOUCHED_STAYS_OPEN
                           ? (is_touched || !covers ? job->open[i] : 0)
@@ -249,12 +265,27 @@ static int agrees_with_roots(const CircleRowJob *job, const CircleRowAnswer *fou
     return i == ROW_PIXELS;
 }
 
+// Colours are right, and so is what is open, but for numbers that are no mask.
+static int agrees_without_mask(const CircleRowJob *job, const CircleRowAnswer *found)
+{
+    const CircleRowAnswer right = expected_row(job, 0);
+    int i = 0;
+    while (i < ROW_PIXELS && found->colors[i] == right.colors[i] &&
+           (found->open[i] == right.open[i] || (found->open[i] != 0 && found->open[i] != -1))) {
+        i++;
+    }
+    return i == ROW_PIXELS;
+}
+
 static int row_agrees(const void *job, int i, const void *answers, int mistake)
 {
     const CircleRowJob *row = &((const Job10 *)job)->rows[i];
     const CircleRowAnswer *found = (const CircleRowAnswer *)answers + i;
     if (mistake == ROW_ROOTS) {
         return agrees_with_roots(row, found);
+    }
+    if (mistake == ROW_OPEN_IS_NO_MASK) {
+        return agrees_without_mask(row, found);
     }
     const CircleRowAnswer expected = expected_row(row, mistake);
     return first_difference(found, &expected) == ROW_PIXELS;

@@ -85,6 +85,8 @@ enum {
     WAITING_TEN_TRIED,
     WAITING_SIXTEEN_TRIED,
     WAITING_POINT_LEFT,
+    WAITING_AT_KEPT,
+    WAITING_NONE_GOES_ON,
 };
 #define FEW_LEFT_OUT                                                                               \
     "the search ended after some nodes that are left out: however many they are, it goes on"
@@ -132,6 +134,9 @@ static const Cause waiting_mistakes[] = {
     [WAITING_SIXTEEN_TRIED] = {.says = FEW_LEFT_OUT},
     [WAITING_POINT_LEFT] = {.says = "a node whose part is a point, t_min and t_max equal, is "
                                     "visited, too: a hit may be exactly there"},
+    [WAITING_AT_KEPT] = {.says = "*at is still the leaf: the node from the stack is not handed on"},
+    [WAITING_NONE_GOES_ON] = {.says = "where nothing waits the search is over, whether each ray "
+                                      "has a hit or not"},
     [WAITING_TWO_ONLY] = {.says = "more than one node in a row may be left out"},
 };
 
@@ -202,6 +207,10 @@ static NextWaitingAnswer expected_waiting(const TileWaitingJob *job, int mistake
                                                                       : next.t_max;
         todo->n += mistake == WAITING_STAYS;
     }
+    if (mistake == WAITING_AT_KEPT) {
+        answer.at = job->at;
+    }
+    answer.goes_on |= mistake == WAITING_NONE_GOES_ON && isinf(job->farthest);
     answer.goes_on ^= mistake == WAITING_SWAPPED;
     return answer;
 }

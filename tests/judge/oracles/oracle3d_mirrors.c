@@ -224,6 +224,8 @@ static OracleNear add_local(const Scene3D *scene, Followed *followed, Surface *a
     followed->count.n_hits++;
     followed->count.n_to_lights += sides.n_before;
     followed->count.n_unsure += sides.n_unsure;
+    followed->count.n_needed += at->material->kd > 0 ? sides.n_before - sides.n_unsure : 0;
+    followed->color = rules->replaces ? (OracleNear){{0}, 0} : followed->color;
     add_weighted(&followed->color, weight, followed->n_bounces, light);
     return light;
 }
@@ -279,6 +281,9 @@ static OracleNear follow(const Scene3D *scene, Followed *followed, int max_bounc
         if (hit.sphere == ORACLE_NO_SPHERE ||
             (rules->mirrors_see_nothing && followed->n_bounces > 0)) {
             return with_background(scene, followed, rules);
+        }
+        if (rules->last_is_dark && followed->n_bounces >= most) {
+            return followed->color;
         }
         Surface at = surface_at(scene, followed, &hit);
         if (isinf(at.normal.error) || isinf(at.point.error)) {

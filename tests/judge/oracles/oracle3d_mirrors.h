@@ -39,6 +39,8 @@ typedef struct OracleMirrorRules {
     int first_light_only;       // of the lights
     int one_dark_all_dark;      // all lights arrive or none
     int more_bounces;           // 1: one mirror more than allowed; -1: one less
+    int last_is_dark;           // what is hit behind the last mirror adds nothing
+    int replaces;               // the light of a hit takes the place of what came before it
     int most_bounces;           // no more, whatever is allowed; 0: no such limit
     double least_kd;            // surfaces that scatter less have no light of their own
     int dark_ends;              // the ray ends where no light arrives
@@ -94,6 +96,7 @@ typedef struct OracleRayCount {
     u32 n_hits;       // of those; the last one may hit nothing
     u32 n_to_lights;  // one for each light that may be before the surface of a hit
     u32 n_unsure;     // of how many lights among these rounding decides
+    u32 n_needed;  // of the others, those of surfaces that scatter light: something comes of them
 } OracleRayCount;
 
 // The colour of a ray from the eye; its error is INFINITY where it is ambiguous.

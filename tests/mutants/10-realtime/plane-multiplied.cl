@@ -1,0 +1,11 @@
+// mutant: multiplied by the direction
+// task: plane_interval
+// caught by: plane-one-way
+// says: not multiplied
+    const float way = plane - eye;
+    if (eye <= plane) {
+        return (Interval){direction.high > 0.0f ? way * direction.high : INFINITY,
+                          direction.low > 0.0f ? way * direction.low : INFINITY};
+    }
+    return (Interval){direction.low < 0.0f ? way * direction.low : INFINITY,
+                      direction.high < 0.0f ? way * direction.high : INFINITY};
