@@ -13,8 +13,10 @@ int cl_image_check_size(const ClSetup *cl, int width, int height)
     size_t max_width, max_height;
     cl_setup_image_limit(cl, &max_width, &max_height);
     if ((size_t)width > max_width || (size_t)height > max_height) {
-        complain("--size: found %dx%d, expected at most %zux%zu on this device (%s)", width, height,
-                 max_width, max_height, cl->device_name);
+        // The scene's file may say it, too.
+        complain("the picture's size: found %dx%d, expected at most %zux%zu on this device (%s): "
+                 "choose a smaller --size",
+                 width, height, max_width, max_height, cl->device_name);
         return -1;
     }
     return 0;

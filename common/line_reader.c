@@ -29,6 +29,19 @@ static void mark_remove(char *text, int length)
     }
 }
 
+// A NUL byte ends the reading. Of text in UTF-16, which begins with one of two marks, every other
+// byte is one: some shells write it wherever output goes to a file.
+static void nul_fault(LineReader *reader, int length)
+{
+    const int is_marked = reader->line == 1 && length >= 2;
+    if (is_marked &&
+        (memcmp(reader->text, "\xFF\xFE", 2) == 0 || memcmp(reader->text, "\xFE\xFF", 2) == 0)) {
+        line_fault(reader, "", "text in UTF-16", "ASCII or UTF-8: save it as such");
+    } else {
+        line_fault(reader, "", "a NUL byte", "text");
+    }
+}
+
 int line_read(LineReader *reader)
 {
     int length = 0;
@@ -36,7 +49,7 @@ int line_read(LineReader *reader)
     reader->line++;
     while ((c = getc_unlocked(reader->file)) != EOF && c != '\n') {
         if (c == '\0') {
-            line_fault(reader, "", "a NUL byte", "text");
+            nul_fault(reader, length);
             return 0;
         }
         if (length == LINE_MAX_LENGTH) {

@@ -9,6 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 int scene_report_memory(void)
 {
@@ -131,5 +132,5 @@ int scene_name_ends_in(const char *name, const char *ending)
 {
     size_t length = strlen(name);
     size_t ending_length = strlen(ending);
-    return length > ending_length && strcmp(name + length - ending_length, ending) == 0;
+    return length > ending_length && strcasecmp(name + length - ending_length, ending) == 0;
 }

@@ -36,6 +36,7 @@ int scene_arguments_read(const char *scene_name, const SceneArgument *takes, con
 int scene_arguments_check_radii(const char *scene_name, float min_radius, float max_radius);
 
 // Does a name end like this, with something before it? "circles.csv" in ".csv", not ".csv" itself.
+// Capitals count as small letters: other systems call it "CIRCLES.CSV".
 int scene_name_ends_in(const char *name, const char *ending);
 
 // Say that there is no scene of this name; `list` and the edge cases are. Returns -1.

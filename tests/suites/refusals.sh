@@ -150,7 +150,7 @@ done
 for number in 00 01 03; do
     set -- run "$number" --scene example --output "$new"
     [ "$number" != 00 ] || set -- run 00 --output "$new"
-    check "lab $number: a size beyond the device" refuses "--size: found 20000x16, expected at most" \
+    check "lab $number: a size beyond the device" refuses "picture's size: found 20000x16, expected" \
         "$@" --size 20000x16
     check "lab $number: a size beyond all memory" refuses "1000000x1000000" \
         "$@" --size 1000000x1000000

@@ -29,6 +29,8 @@ nff '0 0 0' '0 0 0' '0 0 1' 45 's 0 0 0 1' >"$scenes/direction.nff"
 nff '0 -5 0' '0 0 0' '0 0 0' 45 's 0 0 0 1' >"$scenes/up.nff"
 nff '0 -5 0' '0 0 0' '0 3 0' 45 's 0 0 0 1' >"$scenes/parallel.nff"
 nff '0 -5 0' '0 0 0' '0 0 1' 45 's 0 0 0 -1' >"$scenes/inside.nff"
+nff '0 -5 0' '0 0 0' '0 0 1' 45 's 0 0 0 1' | sed 's/^resolution.*/resolution 20000 16/' \
+    >"$scenes/large.nff"
 echo 's 0 0 0 1' >"$scenes/blind.nff"
 nff '0 -5 0' '0 0 0' '0 0 1' 1.4e-45 's 0 0 0 1' >"$scenes/thin.nff"
 nff '2 -5 1' '0 0 0' '0 0 1' 1e-6 's 0 0 0 1' >"$scenes/thin2.nff"
@@ -68,6 +70,7 @@ refuses_each <<'END'
 06|degrees, expected at least|--scene $scenes/thin2.nff
 06|name.pdb:2: found the end of the file in the name of a record|--scene $scenes/name.pdb
 06|number.pdb:1: found the end of the file in column 52, expected x, y and z|--scene $scenes/number.pdb
+05|the picture's size: found 20000x16, expected at most|--scene $scenes/large.nff
 07|blind.nff:|--scene $scenes/blind.nff
 04|empty.nff:|--scene $scenes/empty.nff
 05|empty.xyz:|--scene $scenes/empty.xyz

@@ -122,6 +122,9 @@ static const struct {
      "9: c: found \"zero\", expected a finite number, as 6 more belong to it"},
     {TEXT(VIEW "c 0 0 0 1 0 0 1 1 1\n"), "8: found \"1\", expected b, v, l, f, s, c, p, pp or #"},
     {TEXT(VIEW "s 1 2\0 3 4\n"), "8: found a NUL byte, expected text"},
+    {TEXT("\xFF\xFEv\0\n\0"), "1: found text in UTF-16, expected ASCII or UTF-8: save it as such"},
+    {TEXT("\xFE\xFF\0v\0\n"), "1: found text in UTF-16, expected ASCII or UTF-8: save it as such"},
+    {TEXT("v\0\n\0"), "1: found a NUL byte, expected text"},
     {TEXT("\x89PNG\r\n\x1a\n"), "1: found \"?PNG\", expected b, v, l, f, s, c, p, pp or #"},
 };
 

@@ -314,6 +314,7 @@ static const struct {
     {"Example", "found no such scene"},
     {"randomly", "found no such scene"},
     {"missing.csv", "missing.csv: "},
+    {"MISSING.CSV", "MISSING.CSV: cannot be read: "},
     {"folder.csv", "folder.csv: cannot be read: found a folder"},
     {"random:", "n=N, seed=S, min=R or max=R"},
     {"random:n", "found \"n\""},

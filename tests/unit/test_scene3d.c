@@ -160,6 +160,8 @@ static const struct {
     {"randomly", "found no such scene"},
     {"scene.csv", "found no such scene"},
     {"missing.nff", "missing.nff: cannot be read: "},
+    {"MISSING.NFF", "MISSING.NFF: cannot be read: "},
+    {"missing.Pdb", "missing.Pdb: cannot be read: "},
     {"missing.pdb", "missing.pdb: cannot be read: "},
     {"missing.xyz", "missing.xyz: cannot be read: "},
     {"empty.nff", "empty.nff"},
