@@ -12,7 +12,7 @@ static const char *const PART_NAMES[N_PARTS] = {"circles", "spheres"};
 
 static void print_row(const TrickCase *cases, Part part, int trick)
 {
-    printf("  %-51s", PART_TRICKS[part].tricks[trick].title);
+    printf("  %-52s", PART_TRICKS[part].tricks[trick].title);
     for (int i = 0; i < N_TRICK_SCENES; i++) {
         const Series *frames = cases[i].frames;
         char spread[32];
@@ -32,7 +32,7 @@ static void print_row(const TrickCase *cases, Part part, int trick)
 void report_tricks_print(const TrickCase *cases, Part part)
 {
     printf("\nLab 10's %s: milliseconds a frame with all tricks (smallest to largest), and how "
-           "many times as long it\ntakes without one (single rounds)\n  %-51s",
+           "many times as long it\ntakes without one (single rounds)\n  %-52s",
            PART_NAMES[part], "");
     for (int i = 0; i < N_TRICK_SCENES; i++) {
         printf("  %-24s", cases[i].scene_name);

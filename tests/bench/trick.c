@@ -54,9 +54,6 @@ static const Trick CIRCLE_TRICKS[] = {
      .changes = {{CIRCLES_FILE, "i % CIRCLES_A_LOOK == 0 && !is_open(tile)",
                   "i > leaf.n_circles && !is_open(tile)"}}},
     {.name = "hidden-circles", .title = "hidden circles are in the lists", .has_hidden_circles = 1},
-    {.name = "all-rows",
-     .title = "a circle is asked for rows that it does not meet",
-     .changes = {{CIRCLES_FILE, "if (dy * dy <= circle.radius_squared) {", "{"}}},
     {.name = "image",
      .title = "an image of floats in the place of bytes",
      .changes = {{CIRCLES_FILE, "// Write down what a tile cost", SAVE_FLOATS},
@@ -65,13 +62,24 @@ static const Trick CIRCLE_TRICKS[] = {
                  {CIRCLES_FILE, "    save_tile(&tile, width, height, pixels);",
                   "    save_floats(&tile, image);"}},
      .has_image = 1},
+    {.name = "row-branch",
+     .title = "one more: rows that a circle does not meet left out",
+     .changes = {{CIRCLES_FILE, "        paint_row(dx_squared, dy,",
+                  "        if (dy * dy > circle.radius_squared) {\n"
+                  "            continue;\n"
+                  "        }\n"
+                  "        paint_row(dx_squared, dy,"}}},
 };
 
 static const Trick SPHERE_TRICKS[] = {
     {.name = "spheres", .title = "with all tricks"},
     {.name = "small-tiles", .title = "tiles of 4 x 4 rays", .width = 4, .height = 4},
     {.name = "large-tiles", .title = "tiles of 16 x 16 rays", .width = 16, .height = 16},
-    {.name = "half-lanes", .title = "8 rays in a vector", .lanes = 8},
+    {.name = "8-rays",
+     .title = "8 rays in a vector, tiles of 8 x 8",
+     .width = 8,
+     .height = 8,
+     .lanes = 8},
     {.name = "no-cone",
      .title = "all spheres of a leaf are asked, no cone",
      .changes = {{"cone.cl", "return aside * cone.cosine - along * cone.sine > fabs(radius);",
