@@ -84,7 +84,9 @@ static void speed_write(Viewer *viewer)
     pen.y += GAP;
     const double n_pixels = (double)world->width * world->height;
     const double seconds = viewer->frame.draw_ms / 1000;
-    write_line(&pen, INK, "%8.1f frames a second", 1000 / viewer->frame_ms);
+    // Nothing is known of the first one while it is drawn.
+    write_line(&pen, INK, "%8.1f frames a second",
+               viewer->frame_ms > 0 ? 1000 / viewer->frame_ms : 0);
     write_line(&pen, INK, "%8.2f million %s a second", n_pixels / seconds / 1e6, kind->askers);
     write_line(&pen, INK, "%8.0f ms from key to frame", viewer->latency_ms);
     if (viewer_find_bouncing(viewer) >= 0) {

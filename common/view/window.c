@@ -29,8 +29,10 @@ static const char *open_parts(Window *window, const char *title, int width, int 
     }
     window->line_height = TTF_FontLineSkip(window->font);
     TTF_SizeUTF8(window->font, "m", &window->char_width, NULL);
+    // Without alpha, which nothing here writes: SDL would blend the canvas with what is on the
+    // screen.
     window->canvas =
-        SDL_CreateRGBSurfaceWithFormat(0, width, height, BITS_PER_PIXEL, SDL_PIXELFORMAT_ARGB8888);
+        SDL_CreateRGBSurfaceWithFormat(0, width, height, BITS_PER_PIXEL, SDL_PIXELFORMAT_RGB888);
     window->shown = SDL_CreateWindow(title, SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width,
                                      height, SDL_WINDOW_RESIZABLE);
     return window->canvas == NULL || window->shown == NULL ? SDL_GetError() : NULL;
