@@ -38,7 +38,9 @@ $(PIXELS): $(OUT)/pixel/%: $(call objects,$(PIXEL_SOURCES) $(REFERENCE)) $$(call
 
 # The student's own; with SOLUTION=1 the solution.
 own_program = $(OUT)/$(1)/$(if $(SOLUTION),solutions,labs)/$(graded_lab)
-is_one_of = test -n "$(filter $(graded_lab),$(1))" || { echo 'make $@: found LAB="$(LAB)", expected a lab that $(2): $(1)$(if $(wildcard solutions/07*/lab.json),; with SOLUTION=1, where it is not yours)' >&2; exit 2; }
+is_one_of = test -n "$(filter $(graded_lab),$(1))" || { echo 'make $@: found LAB="$(LAB)", expected a lab that $(2): $(1)$(if $(wildcard solutions/07*/lab.json),; with SOLUTION=1, where it is not yours)' >&2; exit 2; }; \
+    test -n "$(wildcard $(if $(SOLUTION),solutions,labs)/$(graded_lab)/lab.json)" || { \
+    echo 'make $@: $(if $(SOLUTION),there is no solution of $(graded_lab) here: leave SOLUTION=1 out,$(graded_lab) is here as a solution only: add SOLUTION=1)' >&2; exit 2; }
 pixel_files = $(OUT)/pixel/$(graded_lab)
 .PHONY: pixels pixel
 pixels: $(PIXELS)

@@ -138,8 +138,8 @@ void draw_light(FILE *file, const Followed *followed)
     svg_text(file, x_of(eye), y_of(eye) + 34, SVG_MIDDLE, "", "eye");
     svg_circle(file, x_of(point), y_of(point), 7, "fill=\"" SVG_BLACK "\"");
     svg_text(file, 24, HEIGHT - 72, SVG_LEFT, SVG_HALO, "New rays start");
-    svg_text(file, 24, HEIGHT - 44, SVG_LEFT, SVG_HALO, "64 u (t + r + |p|) = %.6f",
+    svg_text(file, 24, HEIGHT - 44, SVG_LEFT, SVG_HALO, "2⁻¹⁸ (t + r + largest coordinate)");
+    svg_text(file, 24, HEIGHT - 16, SVG_LEFT, SVG_HALO, "= %.6f above the surface",
              oracle3d_offset(point, hit.t, BALLS[MIRROR].radius));
-    svg_text(file, 24, HEIGHT - 16, SVG_LEFT, SVG_HALO, "above the surface");
     svg_end(file);
 }

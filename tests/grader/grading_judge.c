@@ -99,6 +99,27 @@ static void refuse_unanswered(Grading *grading)
     }
 }
 
+// Name the cause where a task's answer stands below the placeholder's `return`.
+static void explain_returns(Grading *grading)
+{
+    static const Cause cause = {.says = "the answer still begins with the `return` that was handed "
+                                        "out, and nothing below it runs: take that line out"};
+    const Manifest *manifest = &grading->session.manifest;
+    for (int i = 0; i < grading->result.n_checks; i++) {
+        CheckResult *check = &grading->result.checks[i];
+        if (check->status != CHECK_FAILED || check->diagnosis.found == NULL) {
+            continue;
+        }
+        const Task *task = manifest_task(manifest, check->task);
+        char *answer = grading_answer(grading, task);
+        if (answer != NULL && answer_returns_as_handed_out(manifest, task, answer)) {
+            check_fail(check, diagnosis_of(message_new("%s", check->diagnosis.found), cause));
+            check->is_explained = 1;
+        }
+        free(answer);
+    }
+}
+
 // ---- Kernels ------------------------------------------------------------------------------------
 
 static int is_of_kernel(const Grading *grading, const CheckResult *check)
@@ -169,6 +190,7 @@ int grading_judge(Grading *grading)
     if (confirm_kernels(grading) != 0 || grading_try_alone(grading) != 0) {
         return -1;
     }
+    explain_returns(grading);
     if (grading->has_no_time) {
         grading_add_stage(grading, "Trying answers alone", CHECK_FAILED,
                           "what is left was not tried by itself: all runs together had used up the "

@@ -38,6 +38,14 @@ echo '    return ((volatile global int *)0)[x] + circle.r + y + minDepth > 0;' |
 broken "a kernel that crashes costs its task" 60
 check "and the message names the function" holds "where: in overlaps_N_Nearer, with one of "
 
+copy_lab solutions $lab
+{
+    echo '    return 0;'
+    "$build/tools/holes" read solutions/$lab/overlaps_N_Nearer.cl overlaps_N_Nearer
+} | answer overlaps_N_Nearer.cl overlaps_N_Nearer
+broken "an answer below the placeholder's return costs its task" 60
+check "and the message says that it never runs" grep -q 'the answer still begins with the .return. that was handed out' "$reports/results.json"
+
 lab=03-kdtree-2d-render
 copy_lab solutions $lab
 echo '    return no_such_name;' | answer implicit2DRenderer_KD.cl getContainingChild
