@@ -98,8 +98,8 @@ static void save_tile_work(Work work, int x, int y, int width, int height, globa
     }
 }
 
-// Draw the circles, one work-item a tile; the same picture as implicit2DRenderer_KD, sooner, but for
-// colours that are rounded to bytes here.
+// Draw the circles, one work-item a tile; the same picture as implicit2DRenderer_KD, sooner, but
+// for colours that are rounded to bytes here.
 //   nodes           the tree (circle_tiles.h)
 //   leaf_circles    the leaves' circles, nearest first in each
 //   width, height   the picture, pixels; work-items outside it write nothing
