@@ -16,6 +16,8 @@ typedef struct BestMistake {
 
 #define EPSILON {.says = "a plane that is cheaper by however little is the better one: no epsilon"}
 
+#define BY_CENTRE {.says = "a sphere counts by its range, not by its centre"}
+
 static const BestMistake best_mistakes[] = {
     {.cause = {0}},
     {{.says = "of equal costs the first plane counts: x before y before z, and the lower one first",
@@ -26,7 +28,9 @@ static const BestMistake best_mistakes[] = {
     {{.says = "planes across y are not searched"}, .rules = {.no_y = 1}},
     {{.says = "only planes across x are searched"}, .rules = {.no_y = 1, .no_z = 1}},
     {{.says = "that is the plane with the highest cost"}, .rules = {.highest_cost = 1}},
-    {{.says = "a sphere counts by its range, not by its centre"}, .rules = {.by_centre = 1}},
+    {BY_CENTRE, .rules = {.by_centre = 1}},
+    {BY_CENTRE, .rules = {.by_centre = 1, .end_below = 1}},
+    {BY_CENTRE, .rules = {.by_centre = 1, .begin_above = 1}},
     {{.says = "a range that begins at the plane counts in the lower child, too",
       .mistake = MISTAKE_STRICT_BOUNDARY},
      .rules = {.begin_above = 1}},
@@ -58,6 +62,21 @@ static const BestMistake best_mistakes[] = {
      .rules = {.begin_in_cell = 1}},
     {{.says = "a sphere that ends in the bin before a plane is not in its higher child any more"},
      .rules = {.ends_late = 1}},
+    {{.says = "the ends are off by one bin: who ends in the bin behind a plane is in its higher "
+              "child still"},
+     .rules = {.ends_early = 1}},
+    {{.says = "the begins are off by one bin: who begins in the bin before a plane is in its lower "
+              "child"},
+     .rules = {.begins_late = 1}},
+    {{.says = "the begins are off by one bin: who begins in the bin behind a plane is not yet in "
+              "its lower child"},
+     .rules = {.begins_early = 1}},
+    {{.says = "all bins are off by one: at a plane only those before it are counted, up to bin "
+              "plane - 1"},
+     .rules = {.begins_early = 1, .ends_early = 1}},
+    {{.says = "all bins are off by one: at a plane the bin just before it, plane - 1, is counted, "
+              "too"},
+     .rules = {.begins_late = 1, .ends_late = 1}},
     {{.says = "the higher child keeps all spheres: those that end before the plane leave it"},
      .rules = {.higher_keeps = 1}},
     {{.says = "the bins of an axis begin with what those of the axis before hold, not with 0"},
@@ -139,13 +158,18 @@ static Words words_plane(u32 axis, f32 pos)
                     : words("axis %u, which is none", axis);
 }
 
-// What a plane of the student's costs, where it is a candidate.
+// What a plane of the student's costs, where it is a candidate and the cost is wrong.
 static Words words_cost(const SahNode *node, BestAnswer found)
 {
     static const SahRules right = {0};
     const int number = found.axis < 3 ? sah_plane_number(node->box, found.axis, found.pos) : 0;
-    return number == 0 ? words("is no candidate plane")
-                       : words("costs %.6g", sah_weigh(node, found.axis, number, &right).cost);
+    if (number == 0) {
+        return words(", but that is no candidate plane;");
+    }
+    const double cost = sah_weigh(node, found.axis, number, &right).cost;
+    return fabs(found.cost - cost) <= SAH_COST_TOLERANCE * cost
+               ? words(",")
+               : words(", but that plane costs %.6g;", cost);
 }
 
 static char *describe_best(const void *pointer, int i, const void *answers)
@@ -159,8 +183,8 @@ static char *describe_best(const void *pointer, int i, const void *answers)
                            "expected INFINITY",
                            words_box3d(node.box).text, node.n_ids, plural(node.n_ids), found.cost);
     }
-    return message_new("cell %s with %u sphere%s: found %s with cost %.6g, which %s; expected %s "
-                       "with cost %.6g",
+    return message_new("cell %s with %u sphere%s: found %s with cost %.6g%s expected %s with cost "
+                       "%.6g",
                        words_box3d(node.box).text, node.n_ids, plural(node.n_ids),
                        words_plane(found.axis, found.pos).text, found.cost,
                        words_cost(&node, found).text, words_plane(best.axis, best.pos).text,

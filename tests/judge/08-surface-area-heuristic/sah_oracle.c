@@ -164,6 +164,22 @@ static void count_sphere(Counts *counts, const SahNode *node, Sphere sphere, u32
         is_higher =
             i == 1 || sides_of(sphere, axis, plane_at(node->box, axis, i - 1), rules).is_higher;
     }
+    if (rules->begins_late || rules->begins_early || rules->ends_early) {
+        const Sides first = sides_of(sphere, axis, plane_at(node->box, axis, 1), rules);
+        const Sides before = sides_of(sphere, axis, plane_at(node->box, axis, i - 1), rules);
+        const Sides behind = sides_of(sphere, axis, plane_at(node->box, axis, i + 1), rules);
+        const int is_last = i == SAH_BINS - 1;
+        if (rules->begins_late) {
+            is_lower = i > 1 && before.is_lower;
+        }
+        // Bin 0 is never read then.
+        if (rules->ends_early) {
+            is_higher = (!is_last && behind.is_higher) || !first.is_higher;
+        }
+        if (rules->begins_early) {
+            is_lower = (is_last || behind.is_lower) && !first.is_lower;
+        }
+    }
     counts->n_lower += (u32)is_lower;
     counts->n_higher += (u32)(rules->higher_keeps     ? 1
                               : rules->rest_is_higher ? !is_lower

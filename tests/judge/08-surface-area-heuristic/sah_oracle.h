@@ -78,6 +78,9 @@ typedef struct SahRules {
     int below_leaf;     // so are those that cost as much as a leaf, or more
     int begin_in_cell;  // who begins before the cell is not in the lower child
     int ends_late;      // who ends before a plane is in its higher child, and not in the next one's
+    int begins_early;   // who begins in the bin behind a plane is in its lower child already
+    int begins_late;    // who begins in the bin before a plane is not in its lower child yet
+    int ends_early;     // who ends in the bin behind a plane is not in its higher child any more
     int higher_keeps;   // the higher child has all
     int carried_over;   // the bins of an axis begin with what those of the axis before hold
     int rest_is_higher;  // who is not in the lower child is in the higher one, and nobody else

@@ -14,6 +14,9 @@ typedef struct Mistake09 {
     OracleMirrorRules rules;
 } Mistake09;
 
+#define BACKGROUND_ALONE                                                                           \
+    "drawn as if the background took the place of the light that came before it: it is added, by " \
+    "its weight"
 #define LESS_FOLLOWED                                                                              \
     "drawn as if the end were above LEAST_WEIGHT: light that counts a little more is followed, "   \
     "too"
@@ -76,6 +79,8 @@ static const Mistake09 mistakes[] = {
      {.mirrors_see_nothing = 1}},
     {{.says = "drawn as if the background counted in full, also over mirrors"},
      {.background_unweighted = 1}},
+    {{.says = BACKGROUND_ALONE}, {.background_replaces = 1}},
+    {{.says = BACKGROUND_ALONE}, {.background_replaces = 1, .background_unweighted = 1}},
     {{.says = "drawn as if what is not followed any more were the background: the ray ends there"},
      {.rest_is_background = 1}},
     {{.says = "cut at 1: light may be brighter than that"}, {.cut_at_one = 1}},

@@ -1,8 +1,9 @@
 // What lab 10's judge asks of a submission: inputs of its functions, and scenes with their trees.
 // Intervals are drawn and judged in judge_10_planes.c, the search's two steps in
-// judge_10_children.c and judge_10_waiting.c, cones in judge_10_cones.c, scenes in
-// judge_10_scenes.c, the work of tiles in judge_10_work.c, rows of circles in judge_10_rows.c,
-// tiles of circles in judge_10_circles.c, and their leaves in judge_10_leaves.c.
+// judge_10_children.c and judge_10_waiting.c, cones in judge_10_cones.c (drawn in
+// judge_10_cone_inputs.c), scenes in judge_10_scenes.c, the work of tiles in judge_10_work.c, rows
+// of circles in judge_10_rows.c, tiles of circles in judge_10_circles.c, and their leaves in
+// judge_10_leaves.c.
 #ifndef JUDGE_JUDGE_10_H
 #define JUDGE_JUDGE_10_H
 
@@ -99,6 +100,8 @@ void planes_10_draw(Random *random, Job10 *job);
 void children_10_draw(Random *random, Job10 *job);
 void waiting_10_draw(Random *random, Job10 *job);
 void cones_10_draw(Random *random, Job10 *job);
+// How far off rounding may be: of the sphere's distance from the cone's border, and of its size.
+double cone_rounding_10(Vec3 centre, double size);
 void rows_10_draw(Random *random, Job10 *job);
 int circles_10_draw(Random *random, Job10 *job);  // 0, or -1 after one message
 

@@ -137,7 +137,14 @@ enum {
     CHILD_PARTS_SWAPPED,
     CHILD_ENDS_CROSSED,
     CHILD_BOTH_WIDENED,
+    CHILD_BOTH_ALWAYS,
+    CHILD_BOTH_ALWAYS_WHOLE,
+    CHILD_BOTH_ALWAYS_UNCUT,
 };
+#define ONE_IS_ENOUGH                                                                              \
+    "that is as if both children were always visited: where t_split is beyond the whole part, or " \
+    "before it, one of them is enough"
+
 #define POINT_MEETS_BOTH                                                                           \
     "a part whose ends are equal counts, too: where t_split reaches over it both children are met"
 
@@ -213,6 +220,9 @@ static const Cause child_mistakes[] = {
                                     "comparisons"},
     [CHILD_BOTH_WIDENED] = {.says = "the least and the greatest are swapped: a part never grows on "
                                     "the way down"},
+    [CHILD_BOTH_ALWAYS] = {.says = ONE_IS_ENOUGH},
+    [CHILD_BOTH_ALWAYS_WHOLE] = {.says = ONE_IS_ENOUGH},
+    [CHILD_BOTH_ALWAYS_UNCUT] = {.says = ONE_IS_ENOUGH},
     [CHILD_IS_SIDE] =
         {.says = "0 and 1 are sides: the children's ids are node.first and node.first + 1"},
 };
@@ -245,6 +255,9 @@ static int children_met(const TileChildJob *job, int mistake)
     const float begin = mistake == CHILD_ENDS_CROSSED ? t_max : t_min;
     const int near_at_end = ends || mistake == CHILD_NEAR_AT_T_MAX;
     const int far_at_end = ends || mistake == CHILD_FAR_AT_T_MIN;
+    if (mistake >= CHILD_BOTH_ALWAYS) {
+        return BOTH_CHILDREN;
+    }
     if (mistake == CHILD_NEVER_IS_NEAR && isinf(job->split_high)) {
         return NEAR_ONLY;
     }
@@ -286,15 +299,16 @@ static NextChildAnswer expected_child(const TileChildJob *job, int mistake)
         }
         return answer;
     }
-    const int both_whole = mistake == CHILD_BOTH_WHOLE;
+    const int both_whole = mistake == CHILD_BOTH_WHOLE || mistake == CHILD_BOTH_ALWAYS_WHOLE;
+    const int both_uncut = mistake == CHILD_BOTH_ALWAYS_UNCUT;
     StackEntry near_child = {first + side, t_min,
                              both_whole || mistake == CHILD_NEAR_KEEPS_T_MAX ? t_max
-                             : mistake == CHILD_NEAR_WIDENED                 ? end
+                             : both_uncut || mistake == CHILD_NEAR_WIDENED   ? end
                              : mistake == CHILD_BOTH_WIDENED                 ? fmaxf(t_max, end)
                                                                              : fminf(t_max, end)};
     StackEntry far_child = {far,
                             both_whole || mistake == CHILD_FAR_KEEPS_T_MIN ? t_min
-                            : mistake == CHILD_FAR_WIDENED                 ? begin
+                            : both_uncut || mistake == CHILD_FAR_WIDENED   ? begin
                             : mistake == CHILD_BOTH_WIDENED                ? fminf(t_min, begin)
                                                                            : fmaxf(t_min, begin),
                             mistake == CHILD_FAR_ENDS      ? end

@@ -98,9 +98,19 @@ enum {
     PLANE_ONE_END,
     PLANE_NEVER_IS_LARGE,
     PLANE_NEVER_FOR_ALL,
+    PLANE_BARE,
+    PLANE_BARE_LOW_FIRST,
+    PLANE_BEHIND_GUARDED,
+    PLANE_SORTED_GUARDED,
+    PLANE_BARE_GUARDED,
+    PLANE_BARE_LOW_GUARDED,
     PLANE_EPSILON,
     PLANE_EPSILON_TINY,
     PLANE_EPSILON_LEAST,
+    PLANE_EPSILON_100TH,
+    PLANE_EPSILON_1000TH,
+    PLANE_EPSILON_E4,
+    PLANE_EPSILON_E5,
     PLANE_EPSILON_FIRST,
     PLANE_EPSILON_LAST,
     PLANE_EYE_NEAR,
@@ -131,6 +141,13 @@ enum {
 #define EYE_ON_IT "with the eye on the plane, rays that go up meet it, at 0, and others never"
 #define SMALL_IS_0                                                                                 \
     "no small number is 0: rays that go to the plane meet it, however slowly, without an epsilon"
+#define BARE                                                                                       \
+    "each end is the quotient as it is: ask first on which side of the plane the eye is, and "     \
+    "then "                                                                                        \
+    "of each end whether its rays go to the plane; if not, it is INFINITY"
+#define GUARDED                                                                                    \
+    "a small direction is not what never meets the plane: ask whether the rays of this end go to " \
+    "it, by the direction's sign and without an epsilon"
 #define EYE_BESIDE "an eye beside the plane is not on it, however near it is: without an epsilon"
 #define ALONG "a ray along the plane never meets it: nothing is divided by a direction of 0"
 
@@ -158,6 +175,16 @@ static const Cause plane_mistakes[] = {
     [PLANE_ONE_END] = {.says = "both ends are the least distance"},
     [PLANE_NEVER_FOR_ALL] = {.says = "where some rays never meet it, the others do all the same: "
                                      "each end is asked by itself"},
+    [PLANE_BARE] = {.says = BARE},
+    [PLANE_BARE_LOW_FIRST] = {.says = BARE},
+    [PLANE_BEHIND_GUARDED] = {.says = GUARDED},
+    [PLANE_SORTED_GUARDED] = {.says = GUARDED},
+    [PLANE_BARE_GUARDED] = {.says = GUARDED},
+    [PLANE_BARE_LOW_GUARDED] = {.says = GUARDED},
+    [PLANE_EPSILON_100TH] = {.says = SMALL_IS_0},
+    [PLANE_EPSILON_1000TH] = {.says = SMALL_IS_0},
+    [PLANE_EPSILON_E4] = {.says = SMALL_IS_0},
+    [PLANE_EPSILON_E5] = {.says = SMALL_IS_0},
     [PLANE_EPSILON] = {.says = SMALL_IS_0},
     [PLANE_EPSILON_TINY] = {.says = SMALL_IS_0},
     [PLANE_EPSILON_LEAST] = {.says = SMALL_IS_0},
@@ -185,12 +212,16 @@ typedef struct Ends {
     double low, high;
 } Ends;
 
-// Below that a direction, or the way to the plane, was taken for 0 by an epsilon: each lies between
-// two sizes of the edges above.
+// Below that a direction, or the way to the plane, was taken for 0 by an epsilon: what many write,
+// or what lies between two sizes of the edges above.
 static double epsilon_of(int mistake)
 {
     return mistake == PLANE_EPSILON_TINY || mistake == PLANE_EYE_NEARER ? 0x1p-60
            : mistake == PLANE_EPSILON_LEAST                             ? 0x1p-110
+           : mistake == PLANE_EPSILON_100TH                             ? 1e-2
+           : mistake == PLANE_EPSILON_1000TH                            ? 1e-3
+           : mistake == PLANE_EPSILON_E4                                ? 1e-4
+           : mistake == PLANE_EPSILON_E5                                ? 1e-5
                                                                         : 0x1p-20;
 }
 
@@ -215,8 +246,7 @@ static double distance_of(const TilePlaneJob *job, double direction, int is_firs
 {
     const double way = (double)job->plane - (mistake == PLANE_FROM_0 ? 0 : (double)job->eye);
     const int is_lower = is_lower_side(job, mistake);
-    const int has_epsilon = mistake == PLANE_EPSILON || mistake == PLANE_EPSILON_TINY ||
-                            mistake == PLANE_EPSILON_LEAST ||
+    const int has_epsilon = (mistake >= PLANE_EPSILON && mistake <= PLANE_EPSILON_E5) ||
                             is_of_end(mistake, is_first, PLANE_EPSILON_FIRST, PLANE_EPSILON_LAST);
     const int meets_along = mistake == PLANE_ALONG_BOTH ||
                             is_of_end(mistake, is_first, PLANE_ALONG_FIRST, PLANE_ALONG_LAST);
@@ -226,7 +256,12 @@ static double distance_of(const TilePlaneJob *job, double direction, int is_firs
     if (mistake == PLANE_EYE_NEVER && job->eye == job->plane) {
         return INFINITY;
     }
-    if (mistake == PLANE_BEHIND_MET || mistake == PLANE_BEHIND_SORTED ||
+    if (mistake >= PLANE_BEHIND_GUARDED && mistake <= PLANE_BARE_LOW_GUARDED &&
+        fabs(direction) < epsilon_of(mistake)) {
+        return INFINITY;
+    }
+    if ((mistake >= PLANE_BARE && mistake <= PLANE_BARE_LOW_GUARDED) ||
+        mistake == PLANE_BEHIND_MET || mistake == PLANE_BEHIND_SORTED ||
         mistake == PLANE_BEHIND_CUT_AT_0) {
         return way / direction;
     }
@@ -250,13 +285,17 @@ static Ends expected_ends(const TilePlaneJob *job, int mistake)
     const int is_lower = is_lower_side(job, mistake);
     const double of_low = distance_of(job, job->low, !is_lower, mistake);
     const double of_high = distance_of(job, job->high, is_lower, mistake);
-    const int high_first = mistake == PLANE_ENDS_OF_ONE_SIDE || is_lower;
+    const int never_low =
+        mistake == PLANE_ENDS_OF_ONE_SIDE || mistake == PLANE_BARE || mistake == PLANE_BARE_GUARDED;
+    const int always_low = mistake == PLANE_BARE_LOW_FIRST || mistake == PLANE_BARE_LOW_GUARDED;
+    const int high_first = never_low || (is_lower && !always_low);
     Ends ends = {high_first ? of_high : of_low, high_first ? of_low : of_high};
     const int both_ways = job->low < 0 && job->high > 0;
     if (job->eye == job->plane && (mistake == PLANE_EYE_AT_0 || mistake == PLANE_EYE_FROM_0)) {
         return (Ends){0, mistake == PLANE_EYE_AT_0 ? 0 : INFINITY};
     }
-    if (mistake == PLANE_BEHIND_SORTED || mistake == PLANE_SIZES) {
+    if (mistake == PLANE_BEHIND_SORTED || mistake == PLANE_SORTED_GUARDED ||
+        mistake == PLANE_SIZES) {
         return (Ends){fmin(of_low, of_high), fmax(of_low, of_high)};
     }
     if (mistake == PLANE_BEHIND_CUT_AT_0) {

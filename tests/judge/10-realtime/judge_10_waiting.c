@@ -87,12 +87,23 @@ enum {
     WAITING_POINT_LEFT,
     WAITING_AT_KEPT,
     WAITING_NONE_GOES_ON,
+    WAITING_TOP_ENDS_AT_SAME,
+    WAITING_OF_LAB_07,
+    WAITING_OF_LAB_07_AT_SAME,
+    WAITING_LEAF_ENDS_AT_SAME,
 };
+#define TOP_ENDS                                                                                   \
+    "the node on top begins behind every hit, but the one below it need not: parts of many rays "  \
+    "overlap"
+#define LAB_07                                                                                     \
+    "that is lab 07's rule: a farthest hit inside of the leaf is no end here, as parts of many "   \
+    "rays overlap"
+
 #define FEW_LEFT_OUT                                                                               \
     "the search ended after some nodes that are left out: however many they are, it goes on"
 static const Cause waiting_mistakes[] = {
-    [WAITING_TOP_ENDS] = {.says = "the node on top begins behind every hit, but the one below it "
-                                  "need not: parts of many rays overlap"},
+    [WAITING_TOP_ENDS] = {.says = TOP_ENDS},
+    [WAITING_TOP_ENDS_AT_SAME] = {.says = TOP_ENDS},
     [WAITING_TAKES_TOP] =
         {.says = "the search goes on into nodes that begin behind the farthest hit: they are left "
                  "out, each of them"},
@@ -115,8 +126,10 @@ static const Cause waiting_mistakes[] = {
                             "that is as if the node that waits longest came from the stack first"},
     [WAITING_STAYS] = {.says = "the node is not taken off the stack: it waits still"},
     [WAITING_ONE_LEFT] = {.says = "the search ended while one node was still waiting"},
-    [WAITING_LEAF_ENDS] = {.says = "that is lab 07's rule: a farthest hit inside of the leaf is no "
-                                   "end here, as parts of many rays overlap"},
+    [WAITING_LEAF_ENDS] = {.says = LAB_07},
+    [WAITING_LEAF_ENDS_AT_SAME] = {.says = LAB_07},
+    [WAITING_OF_LAB_07] = {.says = LAB_07},
+    [WAITING_OF_LAB_07_AT_SAME] = {.says = LAB_07},
     [WAITING_EPSILON] = {.says = "a node that begins behind the farthest hit is left out, however "
                                  "little behind: without an epsilon"},
     [WAITING_NO_HIT_ENDS] = {.says = "that is as if the search ended while a ray has no hit yet: "
@@ -151,13 +164,16 @@ static int matters(const TileWaitingJob *job, StackEntry entry, int mistake)
     if (mistake == WAITING_POINT_LEFT && entry.t_min == entry.t_max) {
         return 0;
     }
-    return mistake == WAITING_TAKES_TOP     ? 1
-           : mistake == WAITING_INVERTED    ? from > job->farthest
-           : mistake == WAITING_NOT_AT_SAME ? from < job->farthest
-           : mistake == WAITING_ANY_HIT     ? isinf(job->farthest)
-           : mistake == WAITING_EPSILON     ? from <= job->farthest + LEAST_STEP
-           : mistake == WAITING_TOO_EARLY   ? from <= job->farthest - LEAST_STEP
-                                            : from <= job->farthest;
+    const int takes_top = mistake == WAITING_TAKES_TOP || mistake == WAITING_OF_LAB_07 ||
+                          mistake == WAITING_OF_LAB_07_AT_SAME;
+    const int not_at_same = mistake == WAITING_NOT_AT_SAME || mistake == WAITING_TOP_ENDS_AT_SAME;
+    return takes_top                      ? 1
+           : mistake == WAITING_INVERTED  ? from > job->farthest
+           : not_at_same                  ? from < job->farthest
+           : mistake == WAITING_ANY_HIT   ? isinf(job->farthest)
+           : mistake == WAITING_EPSILON   ? from <= job->farthest + LEAST_STEP
+           : mistake == WAITING_TOO_EARLY ? from <= job->farthest - LEAST_STEP
+                                          : from <= job->farthest;
 }
 
 // Entry i of the stack, from the bottom.
@@ -169,14 +185,14 @@ static StackEntry entry_at(const TileWaitingJob *job, u32 i)
 // After how many nodes a mistake ends the search; a stack never holds more than TODO_SIZE.
 static u32 most_tried(int mistake)
 {
-    return mistake == WAITING_TOP_ENDS        ? 1
-           : mistake == WAITING_TWO_TRIED     ? 2
-           : mistake == WAITING_THREE_TRIED   ? 3
-           : mistake == WAITING_FOUR_TRIED    ? 4
-           : mistake == WAITING_EIGHT_TRIED   ? 8
-           : mistake == WAITING_TEN_TRIED     ? 10
-           : mistake == WAITING_SIXTEEN_TRIED ? 16
-                                              : TODO_SIZE;
+    return mistake == WAITING_TOP_ENDS || mistake == WAITING_TOP_ENDS_AT_SAME ? 1
+           : mistake == WAITING_TWO_TRIED                                     ? 2
+           : mistake == WAITING_THREE_TRIED                                   ? 3
+           : mistake == WAITING_FOUR_TRIED                                    ? 4
+           : mistake == WAITING_EIGHT_TRIED                                   ? 8
+           : mistake == WAITING_TEN_TRIED                                     ? 10
+           : mistake == WAITING_SIXTEEN_TRIED                                 ? 16
+                                                                              : TODO_SIZE;
 }
 
 static NextWaitingAnswer expected_waiting(const TileWaitingJob *job, int mistake)
@@ -184,10 +200,17 @@ static NextWaitingAnswer expected_waiting(const TileWaitingJob *job, int mistake
     NextWaitingAnswer answer = {.at = job->at, .todo = job->todo};
     StackState *todo = &answer.todo;
     todo->n += job->n_behind;
+    for (u32 i = job->todo.n; i < STACK_ENTRIES; i++) {
+        todo->upper[i] = entry_at(job, i);
+    }
     const int is_oldest = mistake == WAITING_OLDEST;
     const u32 left = mistake == WAITING_ONE_LEFT ? 1 : 0;
     StackEntry next = job->at;
-    if ((mistake == WAITING_LEAF_ENDS && job->farthest < job->at.t_max) ||
+    const int leaf_ends = mistake == WAITING_LEAF_ENDS || mistake == WAITING_OF_LAB_07;
+    const int ends_at_same =
+        mistake == WAITING_LEAF_ENDS_AT_SAME || mistake == WAITING_OF_LAB_07_AT_SAME;
+    if ((leaf_ends && job->farthest < job->at.t_max) ||
+        (ends_at_same && job->farthest <= job->at.t_max) ||
         (mistake == WAITING_NO_HIT_ENDS && isinf(job->farthest))) {
         return answer;
     }

@@ -199,7 +199,7 @@ static OracleNear ambiguous(void)
 static OracleNear with_background(const Scene3D *scene, const Followed *ray,
                                   const OracleMirrorRules *rules)
 {
-    OracleNear color = ray->color;
+    OracleNear color = rules->background_replaces ? (OracleNear){{0}, 0} : ray->color;
     const int is_first = ray->n_bounces == 0;
     if (is_first || !rules->background_missing) {
         add_weighted(&color, rules->background_unweighted ? 1 : ray->weight, ray->n_bounces,

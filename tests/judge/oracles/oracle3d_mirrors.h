@@ -49,6 +49,7 @@ typedef struct OracleMirrorRules {
     int least_ends;             // and the least weight itself is not
     int mirrors_see_nothing;    // what is near to a mirror is not hit: t_min is too large
     int background_unweighted;  // counts in full over mirrors
+    int background_replaces;    // takes the place of what came before it
     int background_missing;     // is not seen in mirrors
     int rest_is_background;     // what is not followed any more is the background
     int cut_at_one;             // no channel of the sum is above 1

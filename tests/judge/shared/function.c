@@ -46,14 +46,15 @@ static int is_constant(const Function *function, Range range, const char *answer
     return i == range.n;
 }
 
-// The known mistake that explains all answers, if one does. Nothing is concluded from answers that
-// are all the same.
+// The known mistake that explains all answers, if one does. From answers that are all the same
+// nothing is concluded, but where the table knows such a mistake.
 static Cause explain(const Function *function, const void *job, Range range, const void *answers)
 {
     if (function->explain != NULL) {
         return function->explain(job, range, answers);
     }
-    const int n = is_constant(function, range, answers) ? 0 : function->n_mistakes;
+    const int is_told = function->knows_constant || !is_constant(function, range, answers);
+    const int n = is_told ? function->n_mistakes : 0;
     for (int m = 1; m < n; m++) {
         if (explains(function, job, range, answers, m)) {
             return *(const Cause *)((const char *)function->mistakes +

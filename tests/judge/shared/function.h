@@ -45,6 +45,9 @@ typedef struct Function {
     // Does the range as a whole look like a mistake, too, that explains every answer? NULL where
     // that is enough.
     int (*shows)(const void *job, Range range, const void *answers, int mistake);
+    // Of answers that are all the same nothing is concluded, but where some mistake of the table
+    // makes them so.
+    int knows_constant;
     // In the place of these mistakes: what wrong answers look like.
     Cause (*explain)(const void *job, Range range, const void *answers);
 } Function;

@@ -1,7 +1,7 @@
 // mutant: the bin behind the plane is taken for the one before it
 // task: find_best_split
 // caught by: best-plane
-// says: found
+// says: begins are off by one
     for (u32 axis = 0; axis < 3; axis++) {
         const Planes planes = axis_planes(box, axis);
         u32 n_begin[N_BINS] = {0}, n_end[N_BINS] = {0};

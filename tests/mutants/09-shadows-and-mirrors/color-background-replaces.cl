@@ -1,7 +1,7 @@
 // mutant: the background takes the place of the sum
 // task: ray_color
 // caught by: color-mirrors
-// says: expected
+// says: took the place
     float weight = 1.0f;
     for (int n_bounces = 0;; n_bounces++) {
         const Hit hit =

@@ -1,7 +1,7 @@
 // mutant: small directions count as along the plane
 // task: plane_interval
 // caught by: plane-both-ways
-// says: found
+// says: without an epsilon
     const float way = plane - eye;
     if (eye <= plane) {
         return (Interval){direction.high > 0.01f ? way / direction.high : INFINITY,
