@@ -17,6 +17,9 @@ typedef struct Mistake09 {
 #define BACKGROUND_ALONE                                                                           \
     "drawn as if the background took the place of the light that came before it: it is added, by " \
     "its weight"
+#define NOTHING_NEAR                                                                               \
+    "drawn as if mirrored rays hit nothing near: they start at the surface's point, and t_min "    \
+    "stays as it is"
 #define LESS_FOLLOWED                                                                              \
     "drawn as if the end were above LEAST_WEIGHT: light that counts a little more is followed, "   \
     "too"
@@ -74,9 +77,11 @@ static const Mistake09 mistakes[] = {
     {{.says = LESS_FOLLOWED}, {.least_weight = 1.0 / 255}},
     {{.says = LESS_FOLLOWED}, {.least_weight = 0.01}},
     {{.says = LESS_FOLLOWED}, {.least_weight = 0.1}},
-    {{.says = "drawn as if mirrored rays hit nothing near: they start at the surface's point, and "
-              "t_min stays as it is"},
-     {.mirrors_see_nothing = 1}},
+    {{.says = NOTHING_NEAR}, {.mirrors_see_nothing = 1}},
+    {{.says = NOTHING_NEAR}, {.mirror_t_min = 0.25}},
+    {{.says = NOTHING_NEAR}, {.mirror_t_min = 0.1}},
+    {{.says = NOTHING_NEAR}, {.mirror_t_min = 0.01}},
+    {{.says = NOTHING_NEAR}, {.mirror_t_min = 0.001}},
     {{.says = "drawn as if the background counted in full, also over mirrors"},
      {.background_unweighted = 1}},
     {{.says = BACKGROUND_ALONE}, {.background_replaces = 1}},

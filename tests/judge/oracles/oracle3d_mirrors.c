@@ -257,6 +257,7 @@ static int mirror(Followed *followed, const Surface *at, const Sphere *sphere,
     const double error = 2 * deviations_of_direction(deviations);
     followed->ray = (OracleRay){.origin = at->point.value,
                                 .direction = vector_unit(direction.value),
+                                .t_min = rules->mirror_t_min,
                                 .direction_error = error,
                                 .origin_error = at->point.error,
                                 .leaves = at->sphere};

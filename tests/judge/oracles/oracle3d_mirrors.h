@@ -48,6 +48,7 @@ typedef struct OracleMirrorRules {
     double least_weight;        // in the place of the least; 0: the right one
     int least_ends;             // and the least weight itself is not
     int mirrors_see_nothing;    // what is near to a mirror is not hit: t_min is too large
+    double mirror_t_min;        // of mirrored rays, in the place of 0
     int background_unweighted;  // counts in full over mirrors
     int background_replaces;    // takes the place of what came before it
     int background_missing;     // is not seen in mirrors

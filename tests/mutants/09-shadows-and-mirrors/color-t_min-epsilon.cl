@@ -1,7 +1,7 @@
 // mutant: hits near a mirror do not count
 // task: ray_color
 // caught by: color-mirrors
-// says: expected
+// says: nothing near
     float weight = 1.0f;
     for (int n_bounces = 0;; n_bounces++) {
         const Hit hit =
