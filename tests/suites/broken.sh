@@ -24,6 +24,12 @@ broken "a host file that does not compile costs its task" 80
 check "and the message names file and line" holds "$(place render.c 'not C at all')"
 check "and the stage is Compiling" stage Compiling failed render.c
 
+copy_lab solutions $lab
+echo '    fputs("LLVM ERROR: as a driver says it", stderr), abort();' | answer render.c set_arguments
+sed -i '1i #include <stdio.h>\n#include <stdlib.h>' "$scratch/submission/render.c"
+broken "an abort of the driver's compiler costs the task" 80
+check "and is called what it is" grep -q "the driver's compiler gave up on a kernel" "$reports/results.json"
+
 lab=01-naive-2d
 copy_lab solutions $lab
 echo '    return no_such_name;' | answer overlaps_N_Nearer.cl overlaps_N_Nearer

@@ -51,6 +51,19 @@ static char *describe_limit(SandboxLimit limit)
     return NULL;
 }
 
+// What may have led to a signal. A driver's compiler that cannot go on aborts the program, after a
+// line that says so: PoCL 6 with LLVM 18 on some kernels that are right.
+static const char *suspect(const SandboxResult *result)
+{
+    if (result->signal == SIGABRT && strstr(result->output, "LLVM ERROR: ") != NULL) {
+        return "; the driver's compiler gave up on a kernel (LLVM ERROR), which may be right: say "
+               "the same another way, or use another driver";
+    }
+    return result->signal == SIGSEGV || result->signal == SIGABRT
+               ? "; an index or a pointer out of range?"
+               : "";
+}
+
 char *run_end_describe(const SandboxResult *result, SandboxTime allowed)
 {
     switch (result->outcome) {
@@ -72,10 +85,7 @@ char *run_end_describe(const SandboxResult *result, SandboxTime allowed)
             return message_new("it was stopped: it wrote a file of more than %d MB", FILE_MB);
         }
         return message_new("it crashed: signal %d (%s)%s", result->signal,
-                           strsignal(result->signal),
-                           result->signal == SIGSEGV || result->signal == SIGABRT
-                               ? "; an index or a pointer out of range?"
-                               : "");
+                           strsignal(result->signal), suspect(result));
     case SANDBOX_FORBIDDEN:
         return message_new("it was stopped: it asked the system for something no answer needs, "
                            "such as a network connection");
