@@ -238,18 +238,10 @@ static int measure_round(void *shared, int round)
 
 int main(int argc, char **argv)
 {
-    BenchOptions options;
-    switch (bench_options_read(
-        argc, argv, "bench2d",
-        "measures the naive kernel of lab 01, the kd-tree kernel of lab 03 and the tiles of lab 10",
-        &options)) {
-    case OPTIONS_BAD:
-        return EXIT_FAILURE;
-    case OPTIONS_DONE:
-        return EXIT_SUCCESS;
-    case OPTIONS_RUN:
-        break;
-    }
+    const BenchOptions options =
+        bench_options_read(argc, argv, "bench2d",
+                           "measures the naive kernel of lab 01, the kd-tree kernel of lab 03 and "
+                           "the tiles of lab 10");
     static Bench bench;  // large, for the stack
     int result = bench_prepare(&bench, options.device);
     if (result == 0) {

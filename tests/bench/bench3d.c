@@ -245,18 +245,10 @@ static int write_files(const Bench *bench, const char *folder)
 
 int main(int argc, char **argv)
 {
-    BenchOptions options;
-    switch (bench_options_read(argc, argv, "bench3d",
-                               "measures the naive kernel of lab 05, the kd-tree kernel of lab "
-                               "07, the tiles of lab 10 and Embree, and shadows and mirrors",
-                               &options)) {
-    case OPTIONS_BAD:
-        return EXIT_FAILURE;
-    case OPTIONS_DONE:
-        return EXIT_SUCCESS;
-    case OPTIONS_RUN:
-        break;
-    }
+    const BenchOptions options =
+        bench_options_read(argc, argv, "bench3d",
+                           "measures the naive kernel of lab 05, the kd-tree kernel of lab "
+                           "07, the tiles of lab 10 and Embree, and shadows and mirrors");
     static Bench bench;  // large, for the stack
     omp_set_num_threads(1);
     int result = bench_prepare(&bench, options.device);

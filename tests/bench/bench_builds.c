@@ -83,18 +83,10 @@ static int measure_round(void *shared, int round)
 
 int main(int argc, char **argv)
 {
-    BenchOptions options;
-    switch (bench_options_read(argc, argv, "bench_builds",
-                               "measures how long labs 02, 06 and 08 build, and the memory it "
-                               "takes; on the host, whatever the device",
-                               &options)) {
-    case OPTIONS_BAD:
-        return EXIT_FAILURE;
-    case OPTIONS_DONE:
-        return EXIT_SUCCESS;
-    case OPTIONS_RUN:
-        break;
-    }
+    const BenchOptions options =
+        bench_options_read(argc, argv, "bench_builds",
+                           "measures how long labs 02, 06 and 08 build, and the memory it "
+                           "takes; on the host, whatever the device");
     static Bench bench;  // large, for the stack
     int result = bench_prepare(&bench);
     if (result == 0) {

@@ -11,6 +11,7 @@
 #include <errno.h>
 #include <limits.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -62,17 +63,17 @@ static int make_folder(const char *name, const char *folder)
     return 0;
 }
 
-OptionsResult bench_options_read(int argc, char **argv, const char *name, const char *what,
-                                 BenchOptions *options)
+BenchOptions bench_options_read(int argc, char **argv, const char *name, const char *what)
 {
     const OptionTable table = {.program = name, .rows = ROWS, .n_rows = N_ROWS};
-    *options = (BenchOptions){.folder = "build/bench", .n_rounds = 5};
-    const OptionsResult result = option_table_read(&table, argc, argv, options, NULL);
+    BenchOptions options = {.folder = "build/bench", .n_rounds = 5};
+    const OptionsResult result = option_table_read(&table, argc, argv, &options, NULL);
     if (result == OPTIONS_DONE) {
         print_help(name, what);
+        exit(EXIT_SUCCESS);
     }
-    if (result != OPTIONS_RUN) {
-        return result;
+    if (result == OPTIONS_BAD || make_folder(name, options.folder) != 0) {
+        exit(EXIT_FAILURE);
     }
-    return make_folder(name, options->folder) == 0 ? OPTIONS_RUN : OPTIONS_BAD;
+    return options;
 }

@@ -7,13 +7,10 @@
 // differ there are no figures.
 // Read next: trick.c, report_tricks.c.
 #include "bench_options.h"
-#include "cl_memory.h"
 #include "complain.h"
 #include "equal_pixels.h"
-#include "launch.h"
 #include "report_tricks.h"
 #include "rounds.h"
-#include "stats.h"
 #include "trick_case.h"
 
 #include <stdio.h>
@@ -137,18 +134,10 @@ static int measure_round(void *shared, int round)
 
 int main(int argc, char **argv)
 {
-    BenchOptions options;
-    switch (bench_options_read(argc, argv, "bench_tricks",
-                               "measures lab 10's kernels with all their tricks, and without one "
-                               "at a time",
-                               &options)) {
-    case OPTIONS_BAD:
-        return EXIT_FAILURE;
-    case OPTIONS_DONE:
-        return EXIT_SUCCESS;
-    case OPTIONS_RUN:
-        break;
-    }
+    const BenchOptions options =
+        bench_options_read(argc, argv, "bench_tricks",
+                           "measures lab 10's kernels with all their tricks, and without one "
+                           "at a time");
     static Bench bench;  // large, for the stack
     int result = bench_prepare(&bench, &options);
     if (result == 0) {

@@ -23,12 +23,6 @@
 // The picture's side, pixels.
 #define CASE3D_SIDE 1024
 
-// The share of pixels, or of answers to rays, that may differ: where a ray grazes a sphere, or
-// meets two at one distance, the last place decides what is hit. The naive and the kd-tree kernel
-// share every function but the search, and the tiles and Embree compute nearly as they do: a pixel
-// in 250 000 was the most that was seen, and of a million rays that begin on a surface none.
-#define MAX_AMBIGUOUS_SHARE 1e-4
-
 typedef enum Renderer {
     NAIVE,    // lab 05
     KDTREE,   // lab 07 with the tree of lab 06

@@ -5,6 +5,7 @@
 
 #include "cl_memory.h"
 #include "complain.h"
+#include "equal_pixels.h"
 #include "launch.h"
 #include "report_secondary.h"
 #include "stats.h"

@@ -18,10 +18,6 @@
 // Scenes of each part.
 enum { N_TRICK_SCENES = 3 };
 
-// The share of pixels that may differ where the tree or the order of the spheres is another one: as
-// between lab 10's kernel and lab 07's (case3d.h).
-#define MAX_AMBIGUOUS_SHARE 1e-4
-
 typedef struct TrickCase {
     Part part;
     const char *scene_name;  // as --scene takes it

@@ -310,6 +310,14 @@ refuses_lab() {
 check "make grade says which lab is here" refuses_lab grade LAB=01
 check "make memcheck, too" refuses_lab memcheck LAB=01
 check "and make of a program" refuses_lab build/labs/01-naive-2d
+# A window is on the lab as a task, and on those before it as solutions.
+refuses_to() {
+    want=$1 && shift
+    ! alone "$clean" make -s "$@" >"$scratch/said" 2>&1 || { echo "it works"; return 1; }
+    grep "$want" "$scratch/said" || { cat "$scratch/said"; return 1; }
+}
+check "make view says that the solution is not here" refuses_to "no solution of 07-kdtree-3d-trace here" view LAB=07 SOLUTION=1
+check "and that an earlier lab is one" refuses_to "05-spheres is here as a solution only: add SOLUTION=1" view LAB=05
 # Each target that `make help` lists, as it is.
 targets() {
     alone "$clean" make help | sed -n 's/^  make \([a-z-]*\) .*/\1/p' >"$scratch/targets"

@@ -71,6 +71,21 @@ matches_lab() {
         compare "$out/saved.png" "$out/lab.png"
 }
 
+# screen_shows OPTION...: is the lab's picture on the screen, where lab 07's window stands, whose size window.png has?
+# Another program looks, again and again for a minute, as the window has to come up first.
+screen_shows() {
+    "$build/view/solutions/07-kdtree-3d-trace" "$@" >/dev/null 2>&1 </dev/null &
+    window=$! shown=no
+    for _ in $(seq 60); do
+        sleep 1
+        # shellcheck disable=SC2046 # two numbers
+        display_save "$out/screen.png" &&
+            crop "$out/screen.png" $(display_middle "$out/window.png") 317 211 "$out/screen-part.png" &&
+            said=$(compare "$out/screen-part.png" "$out/lab.png") && shown=yes && break
+    done
+    kill $window && echo "$said"
+    [ $shown = yes ]
+}
 check "lab 01: picture and heat map are the lab's" matches_lab 01 317x211 --scene random:n=50
 check "lab 03: picture and heat map are the lab's" matches_lab 03 317x211 --scene random:n=500
 check "lab 04: the picture is the lab's" works window 04 "$(printf '%s\n' 'frames 1' 'save @/window.png' 'key M' 'frames 1' \
@@ -81,6 +96,11 @@ check "nothing is counted, so there is no heat map" shows heat 131x97 "$out/lab.
 check "turned, it is another one" shows_another turned 131x97 "$out/lab.png"
 check "lab 05: picture and heat map are the lab's" matches_lab 05 131x97 --scene sphereflake:size=1
 check "lab 07: picture and heat map are the lab's" matches_lab 07 317x211 --scene sphereflake:size=2
+if command -v ffmpeg >/dev/null; then
+    check "and the screen has that picture" screen_shows --size 317x211 --scene sphereflake:size=2
+else
+    skip "the screen itself" "there is no ffmpeg"
+fi
 check "lab 08: picture and heat map are the lab's" matches_lab 08 131x97 --scene clusters
 check "lab 09: picture and heat map are the lab's" matches_lab 09 131x97 --scene sphereflake:size=2
 check "lab 09: with fewer mirrors" matches_lab 09 64x48 --scene inside --bounces 1
@@ -88,35 +108,6 @@ check "lab 09: with acne" matches_lab 09 64x48 --scene one --acne
 check "lab 10: picture and heat map are the lab's" matches_lab 10 317x211 --scene sphereflake:size=2
 check "lab 10: and with shadows and mirrors" matches_lab 10 131x97 --scene sphereflake:size=2 --shadows --bounces 2
 check "a picture higher than the panel" matches_lab 03 120x700 --scene random:n=50
-
-# The files above hold what the window means to show. What is on the screen another program says.
-# screen_shows FILE: wait until the middle of the screen, where the window of FILE.png stands, has the picture of the
-# lab. It has to come up first, so it is asked again for a minute.
-png_number() { od -An -t u1 -j "$2" -N 4 "$1" | { read -r a b c d && echo $(((a * 256 + b) * 65536 + c * 256 + d)); }; }
-screen_shows() {
-    file=$out/$1.png
-    left=$(((1600 - $(png_number "$file" 16)) / 2)) top=$(((1200 - $(png_number "$file" 20)) / 2))
-    shift
-    "$build/view/solutions/07-kdtree-3d-trace" "$@" >/dev/null 2>&1 </dev/null &
-    window=$!
-    for second in $(seq 60); do
-        ffmpeg -loglevel error -f x11grab -video_size 1600x1200 -i "$DISPLAY" -frames:v 1 -y "$out/screen.png" </dev/null &&
-            crop "$out/screen.png" $left $top 317 211 "$out/screen-part.png" &&
-            said=$(compare "$out/screen-part.png" "$out/lab.png") && break
-        kill -0 $window || break
-        sleep 1
-    done
-    kill $window
-    wait $window
-    echo "after $second s: $said"
-    compare "$out/screen-part.png" "$out/lab.png"
-}
-if command -v ffmpeg >/dev/null; then
-    check "lab 07: window and picture once more" matches_lab 07 317x211 --scene sphereflake:size=2
-    check "and the screen has that picture" screen_shows window --size 317x211 --scene sphereflake:size=2
-else
-    skip "the screen itself" "there is no ffmpeg"
-fi
 
 # both_draw_alike LAB OPTION...: do the tree's kernel and the naive one, which N gets, show the same, from the
 # scene's own view and from another?

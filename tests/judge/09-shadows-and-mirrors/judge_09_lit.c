@@ -154,20 +154,20 @@ static OracleNear right_light(const Job09 *job, int i)
                         &in->material, NULL, &right);
 }
 
-// How many of the lights may be before the surface: so many rays are needed. The tree is that of a
-// scene whose rays are counted, one leaf: the leaves visited are the rays sent.
-static OracleSides count_rays(const Job09 *job, int i)
+// How many of the lights may be before the surface: one ray for each is enough. The tree is that
+// of a scene whose rays are counted, one leaf: the leaves visited are the rays sent.
+static OracleSides light_sides(const Job09 *job, int i)
 {
     const LitJob *in = &job->lits[i];
     return oracle3d_sides(job->lit_lights + in->first_light, in->n_lights,
                           oracle3d_exactly(in->point), oracle3d_exactly(in->normal));
 }
 
-// Is any ray sent where one is certainly needed? Where none is, lights that arrive are found in
-// another way, or `work` was not passed on.
+// Is any ray sent where one is certainly needed, as no light here is black? Where none is, lights
+// that arrive are found in another way, or `work` was not passed on.
 static int is_any_sent(const Job09 *job, int i, u32 n_rays)
 {
-    const OracleSides sides = count_rays(job, i);
+    const OracleSides sides = light_sides(job, i);
     return n_rays > 0 || sides.n_before == sides.n_unsure;
 }
 
@@ -175,7 +175,7 @@ static int is_any_sent(const Job09 *job, int i, u32 n_rays)
 // second range.
 static int sends_as(const Job09 *job, int i, u32 n_rays, int number)
 {
-    const u32 n_needed = count_rays(job, i).n_before;
+    const u32 n_needed = light_sides(job, i).n_before;
     switch (number) {
     case LIT_ASKS_ALL:
         return n_rays == (u32)job->lits[i].n_lights;
@@ -233,7 +233,7 @@ static char *describe_lit(const void *pointer, int i, const void *answers)
     const LitJob *in = &job->lits[i];
     const LitAnswer *found = (const LitAnswer *)answers + i;
     const OracleVector e = right_light(job, i).value;
-    const u32 n_needed = count_rays(job, i).n_before;
+    const u32 n_needed = light_sides(job, i).n_before;
     if (!sends_as(job, i, found->n_leaves, 0)) {
         return message_new("point %s, normal %s, %d light%s, %s before the surface: found %u ray%s "
                            "sent to lights, expected %s: one for each light before the surface, "

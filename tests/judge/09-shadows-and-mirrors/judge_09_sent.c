@@ -55,7 +55,7 @@ static Sent sent_at(const MirrorScene *scene, int pixel, const Work *found,
 }
 
 // Rays to lights may be fewer, as nothing comes of one where kd is 0; but none are too few where
-// something does.
+// something does: no light and no surface of the scenes is black.
 static u32 least_of(const Sent *sent)
 {
     return sent->expected.n_traced + (sent->expected.n_needed > 0 ? 1 : 0);
