@@ -30,6 +30,18 @@ sed -i '1i #include <stdio.h>\n#include <stdlib.h>' "$scratch/submission/render.
 broken "an abort of the driver's compiler costs the task" 80
 check "and is called what it is" grep -q "the driver's compiler gave up on a kernel" "$reports/results.json"
 
+copy_lab solutions $lab
+{
+    echo '    if (getenv("POCL_WORK_GROUP_METHOD") == NULL) {'
+    echo '        fputs("LLVM ERROR: as a driver says it", stderr), abort();'
+    echo '    }'
+    "$build/tools/holes" read solutions/$lab/render.c set_arguments
+} | answer render.c set_arguments
+sed -i '1i #include <stdio.h>\n#include <stdlib.h>' "$scratch/submission/render.c"
+# shellcheck disable=SC2046,SC2086
+check "but costs nothing where the driver's other way to compile has no such fault" grades 0 100 $(kept $lab) $submission
+check "and the report says which" grep -q "graded with POCL_WORK_GROUP_METHOD=cbs" "$reports/results.json"
+
 lab=01-naive-2d
 copy_lab solutions $lab
 echo '    return no_such_name;' | answer overlaps_N_Nearer.cl overlaps_N_Nearer

@@ -5,6 +5,7 @@
 #include "message.h"
 
 #include <signal.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -51,11 +52,17 @@ static char *describe_limit(SandboxLimit limit)
     return NULL;
 }
 
-// What may have led to a signal. A driver's compiler that cannot go on aborts the program, after a
-// line that says so: PoCL 6 with LLVM 18 on some kernels that are right.
+int run_end_has_compiler_fault(const SandboxResult *result)
+{
+    const int has_ended = result->outcome == SANDBOX_EXITED ||
+                          (result->outcome == SANDBOX_CRASHED && result->signal == SIGABRT);
+    return has_ended && strstr(result->output, "LLVM ERROR: ") != NULL;
+}
+
+// What may have led to a signal.
 static const char *suspect(const SandboxResult *result)
 {
-    if (result->signal == SIGABRT && strstr(result->output, "LLVM ERROR: ") != NULL) {
+    if (run_end_has_compiler_fault(result)) {
         return "; the driver's compiler gave up on a kernel (LLVM ERROR), which may be right: say "
                "the same another way, or use another driver";
     }
@@ -105,23 +112,31 @@ char *run_end_describe(const SandboxResult *result, SandboxTime allowed)
                        error ? " (" : "", error ? error : "", error ? ")" : "");
 }
 
-char *run_habits_describe(const SandboxResult *result)
+char *run_habits_describe(const SandboxResult *result, int is_second)
 {
-    char *printed = message_new("%s", "");
+    char *habits = NULL;
+    size_t length = 0;
+    FILE *text = open_memstream(&habits, &length);
+    if (text == NULL) {
+        return message_new("%s", "");
+    }
+    if (is_second && !run_end_has_compiler_fault(result)) {
+        fprintf(text, "the driver's compiler gave up on a kernel (LLVM ERROR), a fault of its own: "
+                      "graded with " SECOND_COMPILER ", which works at home, too\n");
+    }
     if (result->n_printed > SANDBOX_MAX_OUTPUT) {
         const double megabytes = (double)result->n_printed / 1e6;
-        free(printed);
-        printed = message_new("it printed %.1f %s; only the first %d KB are kept",
-                              megabytes < 1000 ? megabytes : megabytes / 1000,
-                              megabytes < 1000 ? "MB" : "GB", SANDBOX_MAX_OUTPUT / 1024);
+        fprintf(text, "it printed %.1f %s; only the first %d KB are kept\n",
+                megabytes < 1000 ? megabytes : megabytes / 1000, megabytes < 1000 ? "MB" : "GB",
+                SANDBOX_MAX_OUTPUT / 1024);
     }
-    if (result->n_left == 0) {
-        return printed;
+    if (result->n_left > 0) {
+        fprintf(text, "it left %d process%s running; %s ended\n", result->n_left,
+                result->n_left == 1 ? "" : "es", result->n_left == 1 ? "it was" : "they were");
     }
-    char *both =
-        message_new("%s%sit left %d process%s running; %s ended", printed, printed[0] ? "\n" : "",
-                    result->n_left, result->n_left == 1 ? "" : "es",
-                    result->n_left == 1 ? "it was" : "they were");
-    free(printed);
-    return both;
+    fclose(text);
+    if (length > 0) {
+        habits[length - 1] = '\0';
+    }
+    return habits;
 }

@@ -17,12 +17,20 @@ enum {
     N_FILES = 10000,
 };
 
+// A second way of PoCL's to compile a kernel. Its first one gives up on some that are right: PoCL 6
+// with LLVM 18 checks there what only LLVM's own tests should check, and aborts the program.
+#define SECOND_COMPILER "POCL_WORK_GROUP_METHOD=cbs"
+
+// Did the driver's compiler give up on a kernel? By what the run printed: it can be feigned.
+int run_end_has_compiler_fault(const SandboxResult *result);
+
 // Why a run did not come to its end by itself with status 0, or NULL when it did. Of what it
 // printed only the name of an OpenCL error is passed on. Owned by the caller.
 //   allowed   what it might use
 char *run_end_describe(const SandboxResult *result, SandboxTime allowed);
 
 // What else there is to say about a run, which costs nothing: "" for most. Owned by the caller.
-char *run_habits_describe(const SandboxResult *result);
+//   is_second   its kernels were compiled by SECOND_COMPILER
+char *run_habits_describe(const SandboxResult *result, int is_second);
 
 #endif

@@ -23,6 +23,7 @@ typedef struct Variant {
     int is_ours;                         // the solution: what it uses says what others may
     int is_extra;                        // no points depend on it: it is tried once, and may fail
     int is_checked;    // built and run with the address sanitizer: see variant_find_line()
+    int is_second;     // its kernels are compiled by SECOND_COMPILER, after the first gave up
     int is_race;       // the lab's race runs in the place of its probe: see variant_race()
     const char *task;  // whose answer stands in our solution; NULL: a submission, or several
     int is_changed;  // tried alone in files that differ from those handed out in more than answers

@@ -110,7 +110,7 @@ static void take_answers(const Workshop *workshop, Variant *variant, SandboxResu
         return;
     }
     variant->trouble = run_end_describe(result, allowed);
-    variant->habits = run_habits_describe(result);
+    variant->habits = run_habits_describe(result, variant->is_second);
     size_t n_bytes;
     if (variant->trouble == NULL &&
         sections_find_any(&variant->answers, PROBE_END, &n_bytes) == NULL) {
@@ -147,16 +147,31 @@ static int step_clear(const Workshop *workshop, const Variant *variant, Step ste
                : step_folder_make(workshop, variant->name, step);
 }
 
-// Wait for a variant's step, which is started again where the machine had no time for it and the
-// deadline leaves some. Returns 0, or -1 after one message when the machinery failed.
+// Is a step started again, once? Where the machine had no time for it, and where the driver's
+// compiler gave up on a kernel.
+static int is_tried_again(const Variant *variant, Step step, const SandboxResult *result)
+{
+    return result->outcome == SANDBOX_STARVED
+               ? !variant->is_extra
+               : step == STEP_RUNNING && run_end_has_compiler_fault(result);
+}
+
+// Wait for a variant's step, which may be started again as long as the deadline leaves time.
+// Returns 0, or -1 after one message when the machinery failed.
 static int step_take(const Workshop *workshop, Variant *variant, Step step, SandboxTime allowed,
                      Allowance *allowance)
 {
     enum { TRIES = 2 };
     SandboxResult result = {.outcome = SANDBOX_FAULT};
-    const int n_tries = variant->is_extra ? 1 : TRIES;
-    for (int i = 0; i < n_tries && (i == 0 || allowance_left(allowance) > 0); i++) {
+    for (int i = 0; i < TRIES; i++) {
         if (i > 0) {
+            if (!variant->is_ours && result.outcome != SANDBOX_STARVED) {
+                allowance_charge(allowance, &result);
+            }
+            if (allowance_left(allowance) <= 0) {
+                break;
+            }
+            variant->is_second = run_end_has_compiler_fault(&result);
             free(result.output);
             allowed = time_allowed(variant, step, allowance, 1);
             if (step_clear(workshop, variant, step) != 0 ||
@@ -166,7 +181,7 @@ static int step_take(const Workshop *workshop, Variant *variant, Step step, Sand
         }
         result = sandbox_wait(variant->run);
         variant->run = NULL;
-        if (result.outcome != SANDBOX_STARVED) {
+        if (!is_tried_again(variant, step, &result)) {
             break;
         }
     }

@@ -41,14 +41,16 @@ static SandboxRun *start(const Workshop *workshop, const Variant *variant, int b
     snprintf(device, sizeof device, CL_DEVICE_VARIABLE "=%s", workshop->device);
     // PoCL takes groups of 4096, GPUs often no more than 256: what is graded here shall run there.
     // One thread: an endless loop then keeps one processor busy, not all of them.
-    const char *const environment[] = {device,
-                                       "POCL_MAX_WORK_GROUP_SIZE=256",
-                                       "POCL_MAX_PTHREAD_COUNT=1",
-                                       "POCL_CPU_MAX_CU_COUNT=1",
-                                       CRASH_LINE_OPTIONS,
-                                       variant->has_only_kernels ? PROBE_KERNELS_VARIABLE "=1"
-                                                                 : NULL,
-                                       NULL};
+    const char *environment[8] = {device, "POCL_MAX_WORK_GROUP_SIZE=256",
+                                  "POCL_MAX_PTHREAD_COUNT=1", "POCL_CPU_MAX_CU_COUNT=1",
+                                  CRASH_LINE_OPTIONS};
+    int n = 5;
+    if (variant->has_only_kernels) {
+        environment[n++] = PROBE_KERNELS_VARIABLE "=1";
+    }
+    if (variant->is_second) {
+        environment[n++] = SECOND_COMPILER;
+    }
     SandboxCommand command = {
         .kind = workshop->sandbox,
         .argv = argv,
