@@ -39,6 +39,10 @@ static const Mistake09 mistakes[] = {
      {.only_shadows = 1}},
     {{.says = "drawn as if what stands behind a light cast a shadow: the ray ends at the light"},
      {.endless_light = 1}},
+    // Where they are nearly black, one light of several may be all that shows of them.
+    {{.says =
+          "drawn as if surfaces that scatter little were black: where light is bright, they show"},
+     {.least_kd = 0x1p-10}},
     {{.says = "lit by the first light only"}, {.first_light_only = 1}},
     {{.says = "drawn as if one light that does not arrive took the others with it"},
      {.one_dark_all_dark = 1}},
@@ -53,6 +57,12 @@ static const Mistake09 mistakes[] = {
     {{.says = "drawn as if the light of each hit took the place of what came before it: it is "
               "added"},
      {.replaces = 1}},
+    {{.says = "drawn as if the ray went on where it was: a mirror sends it elsewhere, and that is "
+              "where it hits next"},
+     {.turn = TURN_NONE}},
+    {{.says = "drawn as if mirrored rays went along the normal"}, {.turn = TURN_ALONG_NORMAL}},
+    {{.says = "drawn as if mirrored rays started at the eye: they start where the mirror is"},
+     {.from_the_eye = 1}},
     AT_MOST("five", 5),
     AT_MOST("seven", 7),
     AT_MOST("eight", 8),
@@ -66,9 +76,6 @@ static const Mistake09 mistakes[] = {
     AT_MOST("128", 128),
     {{.says = "drawn as if a mirror that no light reaches were the end: it mirrors all the same"},
      {.dark_ends = 1}},
-    {{.says =
-          "drawn as if surfaces that scatter little were black: where light is bright, they show"},
-     {.least_kd = 0x1p-10}},
     {{.says = "drawn without the cut-off: light was followed that counts less than LEAST_WEIGHT"},
      {.no_cut_off = 1}},
     // Where weights are just the least both look the same: a larger end shows in scenes before.

@@ -242,12 +242,18 @@ static int mirror(Followed *followed, const Surface *at, const Sphere *sphere,
                   const OracleMirrorRules *rules)
 {
     Deviations *deviations = &followed->deviations;
+    followed->n_bounces++;
+    if (rules->turn == TURN_NONE) {
+        return 1;  // the same ray hits the same place
+    }
     const OracleVector d = followed->ray.direction, n = at->normal.value;
     const int bulges = vector_dot(n, vector_minus(at->point.value, centre_of(*sphere))) > 0;
     const double curvature = (bulges ? 1 : -1) / fabs((double)sphere->radius);
     OracleNear direction = oracle3d_mirrored((OracleNear){d, 0}, at->normal, rules->turn);
     if (rules->turn == TURN_ALONG_NORMAL) {
-        direction.value = vector_plus(direction.value, stand_in_lean(rules->lot));
+        if (rules->stand_ins) {
+            direction.value = vector_plus(direction.value, stand_in_lean(rules->lot));
+        }
         deviations_leave_along_normal(deviations, curvature);
         deviations_make_unit(deviations, direction.value);
     } else {
@@ -255,13 +261,13 @@ static int mirror(Followed *followed, const Surface *at, const Sphere *sphere,
     }
     deviations_add_direction(deviations, 4 * UNIT_ERROR + MIRROR_ERROR);
     const double error = 2 * deviations_of_direction(deviations);
-    followed->ray = (OracleRay){.origin = at->point.value,
+    const OracleVector eye = followed->ray.origin;
+    followed->ray = (OracleRay){.origin = rules->from_the_eye ? eye : at->point.value,
                                 .direction = vector_unit(direction.value),
                                 .t_min = rules->mirror_t_min,
                                 .direction_error = error,
                                 .origin_error = at->point.error,
-                                .leaves = at->sphere};
-    followed->n_bounces++;
+                                .leaves = rules->from_the_eye ? NULL : at->sphere};
     return error < 1.0 / 16 && followed->n_bounces < MOST_DEVIATED_MIRRORS;
 }
 

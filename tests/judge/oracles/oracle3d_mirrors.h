@@ -12,7 +12,8 @@
 // What a mirror makes of a ray.
 typedef enum OracleTurn {
     TURN_RIGHT,
-    TURN_ALONG_NORMAL,  // the stand-in's: see tests/stand_ins/09-shadows-and-mirrors
+    TURN_ALONG_NORMAL,  // nearly the stand-in's: see tests/stand_ins/09-shadows-and-mirrors
+    TURN_NONE,          // it goes on into the surface, and so hits it again
 } OracleTurn;
 
 // What the light of a hit counts.
@@ -33,6 +34,7 @@ typedef enum OracleWeight {
 typedef struct OracleMirrorRules {
     OracleTurn turn;
     OracleWeight weight;
+    int from_the_eye;           // mirrored rays start there
     int no_shadows;             // every light arrives
     int only_shadows;           // those arrive that something is before
     int endless_light;          // what stands behind a light casts a shadow, too

@@ -1,7 +1,7 @@
 // mutant: mirrors send rays along the normal
 // task: ray_color
 // caught by: color-mirrors
-// says: expected
+// says: along the normal
     float weight = 1.0f;
     for (int n_bounces = 0;; n_bounces++) {
         const Hit hit =

@@ -1,7 +1,7 @@
 // mutant: the ray goes on from the surface
 // task: ray_color
 // caught by: color-mirrors
-// says: expected
+// says: went on where it was
     float weight = 1.0f;
     for (int n_bounces = 0;; n_bounces++) {
         const Hit hit =

@@ -1,7 +1,7 @@
 // mutant: the mirrored ray starts at the eye
 // task: ray_color
 // caught by: color-mirrors
-// says: expected
+// says: started at the eye
     float weight = 1.0f;
     for (int n_bounces = 0;; n_bounces++) {
         const Hit hit =
