@@ -120,9 +120,9 @@ char *run_habits_describe(const SandboxResult *result, int is_second)
     if (text == NULL) {
         return message_new("%s", "");
     }
-    if (is_second && !run_end_has_compiler_fault(result)) {
-        fprintf(text, "the driver's compiler gave up on a kernel (LLVM ERROR), a fault of its own: "
-                      "graded with " SECOND_COMPILER ", which works at home, too\n");
+    if (is_second) {
+        fprintf(text, "the driver's compiler gave up on a kernel (LLVM ERROR), a fault of its own; "
+                      "graded by a second try with " SECOND_COMPILER ": set it at home, too\n");
     }
     if (result->n_printed > SANDBOX_MAX_OUTPUT) {
         const double megabytes = (double)result->n_printed / 1e6;

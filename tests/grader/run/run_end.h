@@ -30,7 +30,7 @@ int run_end_has_compiler_fault(const SandboxResult *result);
 char *run_end_describe(const SandboxResult *result, SandboxTime allowed);
 
 // What else there is to say about a run, which costs nothing: "" for most. Owned by the caller.
-//   is_second   its kernels were compiled by SECOND_COMPILER
+//   is_second   it came to its end with SECOND_COMPILER, after one that did not
 char *run_habits_describe(const SandboxResult *result, int is_second);
 
 #endif

@@ -110,13 +110,13 @@ static void take_answers(const Workshop *workshop, Variant *variant, SandboxResu
         return;
     }
     variant->trouble = run_end_describe(result, allowed);
-    variant->habits = run_habits_describe(result, variant->is_second);
     size_t n_bytes;
     if (variant->trouble == NULL &&
         sections_find_any(&variant->answers, PROBE_END, &n_bytes) == NULL) {
         variant->trouble = message_new("it ended by itself, with exit status 0, before it had "
                                        "answered everything: a call of exit()?");
     }
+    variant->habits = run_habits_describe(result, variant->is_second && variant->trouble == NULL);
     variant->has_crashed = has_crashed(result);
     if (variant->trouble != NULL) {
         take_place(workshop, variant);
@@ -147,42 +147,43 @@ static int step_clear(const Workshop *workshop, const Variant *variant, Step ste
                : step_folder_make(workshop, variant->name, step);
 }
 
-// Is a step started again, once? Where the machine had no time for it, and where the driver's
-// compiler gave up on a kernel.
-static int is_tried_again(const Variant *variant, Step step, const SandboxResult *result)
+// Start a step once more, with what is left of the time. Returns 0, or -1 after one message.
+static int step_restart(const Workshop *workshop, Variant *variant, Step step, Allowance *allowance,
+                        SandboxTime *allowed)
 {
-    return result->outcome == SANDBOX_STARVED
-               ? !variant->is_extra
-               : step == STEP_RUNNING && run_end_has_compiler_fault(result);
+    *allowed = time_allowed(variant, step, allowance, 1);
+    return step_clear(workshop, variant, step) != 0 ? -1
+                                                    : step_start(workshop, variant, step, *allowed);
 }
 
-// Wait for a variant's step, which may be started again as long as the deadline leaves time.
-// Returns 0, or -1 after one message when the machinery failed.
+// Wait for a variant's step. It is started again, as long as the deadline leaves time, once where
+// the machine had no time for it and once where the driver's compiler gave up on a kernel. Returns
+// 0, or -1 after one message when the machinery failed.
 static int step_take(const Workshop *workshop, Variant *variant, Step step, SandboxTime allowed,
                      Allowance *allowance)
 {
-    enum { TRIES = 2 };
-    SandboxResult result = {.outcome = SANDBOX_FAULT};
-    for (int i = 0; i < TRIES; i++) {
-        if (i > 0) {
-            if (!variant->is_ours && result.outcome != SANDBOX_STARVED) {
-                allowance_charge(allowance, &result);
-            }
-            if (allowance_left(allowance) <= 0) {
-                break;
-            }
-            variant->is_second = run_end_has_compiler_fault(&result);
-            free(result.output);
-            allowed = time_allowed(variant, step, allowance, 1);
-            if (step_clear(workshop, variant, step) != 0 ||
-                step_start(workshop, variant, step, allowed) != 0) {
-                return -1;
-            }
-        }
+    SandboxResult result;
+    int was_starved = variant->is_extra;
+    for (;;) {
         result = sandbox_wait(variant->run);
         variant->run = NULL;
-        if (!is_tried_again(variant, step, &result)) {
+        const int is_starved = result.outcome == SANDBOX_STARVED && !was_starved;
+        const int has_fault =
+            step == STEP_RUNNING && !variant->is_second && run_end_has_compiler_fault(&result);
+        if (!is_starved && !has_fault) {
             break;
+        }
+        if (has_fault && !variant->is_ours) {
+            allowance_charge(allowance, &result);
+        }
+        if (allowance_left(allowance) <= 0) {
+            break;
+        }
+        was_starved |= is_starved;
+        variant->is_second |= has_fault;
+        free(result.output);
+        if (step_restart(workshop, variant, step, allowance, &allowed) != 0) {
+            return -1;
         }
     }
     int failed = result.outcome == SANDBOX_FAULT || result.outcome == SANDBOX_STARVED;
