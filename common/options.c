@@ -88,9 +88,9 @@ static const char *default_scene(int set)
     return set & OPTIONS_SCENE3D ? "sphereflake" : "random";
 }
 
-static void print_scenes(const char *list, const char *edge_case(int index))
+static void print_scenes(const char *title, const char *list, const char *edge_case(int index))
 {
-    printf("\nScenes: %s", list);
+    printf("\n%s: %s", title, list);
     for (int i = 0; edge_case(i) != NULL; i++) {
         printf(", %s", edge_case(i));
     }
@@ -133,11 +133,14 @@ static void print_help(const char *lab_name, const char *what, int set)
         printf("\n");
     }
     printf("Options of other labs are taken, too, and not used.\n");
-    if (set & (OPTIONS_SCENE | OPTIONS_CIRCLES)) {
-        print_scenes(SCENE2D_NAMES, scene2d_edge_case);
+    if (set & OPTIONS_SCENE) {
+        print_scenes("Scenes", SCENE2D_NAMES, scene2d_edge_case);
     }
     if (set & OPTIONS_SCENE3D) {
-        print_scenes(SCENE3D_NAMES, scene3d_edge_case);
+        print_scenes("Scenes", SCENE3D_NAMES, scene3d_edge_case);
+    }
+    if (set & OPTIONS_CIRCLES) {
+        print_scenes("Scenes with --circles", SCENE2D_NAMES, scene2d_edge_case);
     }
 }
 

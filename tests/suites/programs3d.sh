@@ -21,6 +21,8 @@ for lab in $labs; do
     check "$lab has a help" works run "$number" --help
     check "the help of $lab names its scenes" grep -q '^Scenes: FILE.nff, .*sphereflake.*coincident' \
         "$scratch/stdout"
+    [ "$number" != 10 ] || check "and apart from them its scenes of circles" \
+        grep -q '^Scenes with --circles: FILE.csv, ' "$scratch/stdout"
     ! $is_sanitized || check "$lab draws, watched by the sanitizers" \
         works with detect_leaks=0 run_sanitized "$number" --heat-map \
         --output "$out/watched.exr" --size 65x33 --stats "$out/watched.json" --scene random:n=40
