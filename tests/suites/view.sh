@@ -75,7 +75,7 @@ matches_lab() {
 # Another program looks, again and again for a minute, as the window has to come up first.
 screen_shows() {
     "$build/view/solutions/07-kdtree-3d-trace" "$@" >/dev/null 2>&1 </dev/null &
-    window=$! shown=no
+    window=$! shown=no said=
     for _ in $(seq 60); do
         sleep 1
         # shellcheck disable=SC2046 # two numbers

@@ -21,7 +21,8 @@ enum {
 // with LLVM 18 checks there what only LLVM's own tests should check, and aborts the program.
 #define SECOND_COMPILER "POCL_WORK_GROUP_METHOD=cbs"
 
-// Did the driver's compiler give up on a kernel? By what the run printed: it can be feigned.
+// Did the driver's compiler give up on a kernel? By what the run printed, the first
+// SANDBOX_MAX_OUTPUT bytes of it: that can be feigned, and be lost behind much else.
 int run_end_has_compiler_fault(const SandboxResult *result);
 
 // Why a run did not come to its end by itself with status 0, or NULL when it did. Of what it

@@ -21,7 +21,7 @@ typedef struct Variant {
     SandboxRun *run;                     // while it runs
     int is_compiled;                     // as far as that goes: build_log is set, or it can run
     int is_ours;                         // the solution: what it uses says what others may
-    int is_extra;                        // no points depend on it: it is tried once, and may fail
+    int is_extra;                        // no points depend on it: a busy machine may fail it
     int is_checked;    // built and run with the address sanitizer: see variant_find_line()
     int is_second;     // its kernels are compiled by SECOND_COMPILER, after the first gave up
     int is_race;       // the lab's race runs in the place of its probe: see variant_race()

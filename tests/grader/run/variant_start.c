@@ -44,7 +44,10 @@ static SandboxRun *start(const Workshop *workshop, const Variant *variant, int b
     const char *environment[8] = {device, "POCL_MAX_WORK_GROUP_SIZE=256",
                                   "POCL_MAX_PTHREAD_COUNT=1", "POCL_CPU_MAX_CU_COUNT=1",
                                   CRASH_LINE_OPTIONS};
-    int n = 5;
+    int n = 0;
+    while (environment[n] != NULL) {
+        n++;
+    }
     if (variant->has_only_kernels) {
         environment[n++] = PROBE_KERNELS_VARIABLE "=1";
     }

@@ -261,8 +261,8 @@ static int mirror(Followed *followed, const Surface *at, const Sphere *sphere,
     }
     deviations_add_direction(deviations, 4 * UNIT_ERROR + MIRROR_ERROR);
     const double error = 2 * deviations_of_direction(deviations);
-    const OracleVector eye = followed->ray.origin;
-    followed->ray = (OracleRay){.origin = rules->from_the_eye ? eye : at->point.value,
+    const OracleVector origin = rules->from_the_eye ? followed->ray.origin : at->point.value;
+    followed->ray = (OracleRay){.origin = origin,
                                 .direction = vector_unit(direction.value),
                                 .t_min = rules->mirror_t_min,
                                 .direction_error = error,

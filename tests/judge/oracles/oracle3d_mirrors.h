@@ -13,7 +13,7 @@
 typedef enum OracleTurn {
     TURN_RIGHT,
     TURN_ALONG_NORMAL,  // nearly the stand-in's: see tests/stand_ins/09-shadows-and-mirrors
-    TURN_NONE,          // it goes on into the surface, and so hits it again
+    TURN_NONE,          // the ray stays as it is, and so hits the same place again
 } OracleTurn;
 
 // What the light of a hit counts.
