@@ -2,7 +2,25 @@
 # Everything that is made goes under build/. A new folder in solutions/ needs no edit here. How the
 # grader is built stands in tests/grader/grader.mk, what only authors need in tests/tests.mk.
 
+# Text from outside is data for make, too. What a user sets, on the command line or in the environment, may
+# hold a student's file name, such as x$(shell id).zip, and make would run what is in it. So each such
+# variable is taken as it is written, before anything reads it. Recipes get it from the environment, as
+# "$$NAME"; a makefile only asks whether it is set, $(if $(NAME),...), or picks a name of ours with it,
+# $(filter $(NAME),...). The suite static looks for a variable that is missing here.
+FROM_OUTSIDE := LAB SUBMISSION SEED DEVICE TIME_LIMIT FORMAT AT OPTIONS SOLUTION SUBMISSIONS OUTPUT ENGINE ONLY JOBS \
+    AGAIN MOODLE AGAINST ROUNDS N ORDER TARGET SECONDS V SANITIZE BUILD
+# Whoever sets these names commands: they are the only ones that become text of a recipe.
+FROM_OUTSIDE += CLANG LDFLAGS FUZZ_OPTIONS
+is_from_outside = $(or $(findstring command,$(origin $(1))),$(and $(filter $(1),$(FROM_OUTSIDE)),$(findstring environment,$(origin $(1)))))
+$(foreach name,$(.VARIABLES),$(if $(call is_from_outside,$(name)),$(eval \
+    $(if $(filter-out environment,$(origin $(name))),override) export $(name) := $$(value $(name)))))
+
 BUILD ?= build
+# A path in rules and recipes.
+SIGNS := $$ ` " ' \ ; & | < > ( ) [ ] * ? ~ ! : % = \#
+ifneq ($(word 2,$(BUILD))$(strip $(foreach sign,$(SIGNS),$(findstring $(sign),$(BUILD)))),)
+$(error BUILD: found "$(BUILD)", expected the path of a folder without blanks and signs of the shell)
+endif
 CC = gcc
 CXX = g++
 OPTIMISATION = -O2 -g
@@ -71,7 +89,7 @@ $(PROGRAMS): $(OUT)/%: $$(call objects,$$(wildcard $$*/*.c)) $(OUT)/earlier/$$(n
 $(OUT)/earlier/%.a: $$(call objects,$$(call earlier_sources,$$*))
 	$(archive)
 $(OUT)/labs/% $(OUT)/solutions/%:
-	@echo "make: found no lab for $@, expected $(filter $(@D)/%,$(PROGRAMS))" >&2; exit 2
+	@printf 'make: found no lab for %s, expected %s\n' '$(subst ','\'',$@)' '$(filter $(@D)/%,$(PROGRAMS))' >&2; exit 2
 
 # ---- Common ---------------------------------------------------------------------------------
 

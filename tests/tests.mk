@@ -21,7 +21,7 @@ $(OUT)/tools/gradebook: $(call objects,tests/class/gradebook_tool.c) $(OUT)/libc
 grader: $(addprefix $(OUT)/tools/,holes gradebook mutants mutate)
 .PHONY: grade-class
 grade-class: grader  ## grade a class: LAB=03 SUBMISSIONS=folder [OUTPUT=folder] [ENGINE=slurm] [SEED=n] [ONLY=failed|latest] [JOBS=n] [TIME_LIMIT=seconds] [AGAIN=1] [MOODLE=file.csv] [AGAINST=gradebook.json]
-	@tests/class/grade_class.sh --build $(OUT) --lab "$(LAB)" --submissions "$$SUBMISSIONS" \
+	@tests/class/grade_class.sh --build $(OUT) --lab "$$LAB" --submissions "$$SUBMISSIONS" \
 	    $(if $(OUTPUT),--output "$$OUTPUT") $(if $(ENGINE),--engine "$$ENGINE") \
 	    $(if $(SEED),--seed "$$SEED") $(if $(ONLY),--only "$$ONLY") $(if $(JOBS),--jobs "$$JOBS") \
 	    $(if $(AGAIN),--again "$$AGAIN") $(if $(MOODLE),--moodle "$$MOODLE") \
@@ -32,7 +32,7 @@ grade-class: grader  ## grade a class: LAB=03 SUBMISSIONS=folder [OUTPUT=folder]
 
 # The grader is run through this, which writes its result in more forms.
 grade:  ## grade LAB=03 and write the result for other systems, too: FORMAT=junit,tap
-through_formats = $(if $(FORMAT),tests/systems/formats/write.sh "$$FORMAT" \
+through_formats = $(if $(and $(FORMAT),$(graded_lab)),tests/systems/formats/write.sh "$$FORMAT" \
     "$(OUT)/grade/$(firstword $(subst -, ,$(graded_lab)))" "$(graded_lab)")
 
 # Bundles, in build/systems.
@@ -42,7 +42,7 @@ autolab:  ## the assessment of LAB=03 for Autolab
 prairielearn:  ## the question of LAB=03 for PrairieLearn, and its grader's image
 github:  ## the workflow of LAB=03 for GitHub Classroom
 gradescope autolab prairielearn github:
-	@test -n "$(LAB)" || { echo "make $@: say which lab: make $@ LAB=03" >&2; exit 2; }
+	@$(say_which_lab)
 	@tests/systems/bundle.sh $@ "$$LAB" $(BUILD)/systems
 
 # ---- Skeletons, handouts, pictures ----------------------------------------------------------
@@ -59,7 +59,7 @@ skeletons: $(OUT)/tools/holes  ## for authors: cut labs/ anew from solutions/; t
 	@tests/tools/cut_labs.sh $(OUT)/tools/holes labs
 
 handout:  ## install what is missing, pack what students get: LAB=03
-	@test -n "$(LAB)" || { echo "make handout: say which lab: make handout LAB=03" >&2; exit 2; }
+	@$(say_which_lab)
 	@common/setup/install.sh handout
 	@$(MAKE) --no-print-directory pack
 pack: $(OUT)/tools/holes grader $(JUDGES)
@@ -166,14 +166,14 @@ test-scale:  ## install what is missing, grade a class of N=1000, try mechanical
 	@common/setup/install.sh scale
 	@$(MAKE) --no-print-directory grader
 	@BUILD="$(BUILD)" tests/run.sh slurm
-	@tests/scale/run.sh $(or $(N),1000) $(OUT)
+	@tests/scale/run.sh "$${N:-1000}" $(OUT)
 	@$(MAKE) --no-print-directory test-seeds
 	@$(MAKE) --no-print-directory test-mutants
 	@$(MAKE) --no-print-directory test-attacks
 test-seeds: grader  ## try the known answers of every lab, or of LAB=03, with 20 seeds (long)
-	@BUILD="$(BUILD)" SEEDS=20 EVERY=1 LAB="$(LAB)" sh tests/suites/mutants.sh
+	@BUILD="$(BUILD)" SEEDS=20 EVERY=1 sh tests/suites/mutants.sh
 test-mutants: grader  ## try mechanical mutants of every lab, or of LAB=03 (long)
-	@tests/mutate.sh $(OUT) $(LAB)
+	@tests/mutate.sh $(OUT) $${LAB:+"$$LAB"}
 test-attacks: tests  ## try every attack in every sandbox, as root (long)
 	@BUILD="$(BUILD)" SANDBOXES="bubblewrap landlock user user-unfiltered" \
 	    sh tests/suites/attacks.sh tests/attacks/*/*

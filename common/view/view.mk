@@ -17,7 +17,7 @@ view_ready = $(call is_one_of,$(SEEN),has a window); common/setup/install.sh vie
 views: $(VIEWS)
 view:  ## install what is missing, fly through LAB=03 in a window [SOLUTION=1] [OPTIONS="--size 800x600 ..."]
 	+@$(view_ready)
-	@$(call own_program,view) $(OPTIONS)
+	@$(call with_options,$(call own_program,view))
 movie:  ## once round the scene, as pictures and, with ffmpeg, as a film: LAB=03 [SOLUTION=1] [OPTIONS=...]
 	+@$(view_ready)
-	@common/view/movie.sh $(call own_program,view) $(OUT)/movie/$(graded_lab) $(OPTIONS)
+	@$(call with_options,common/view/movie.sh $(call own_program,view) $(OUT)/movie/$(graded_lab))

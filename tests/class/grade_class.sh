@@ -70,6 +70,11 @@ esac
 [ -z "$jobs" ] || whole --jobs "$jobs"
 [ "${jobs:-1}" -ge 1 ] || die "--jobs: found \"$jobs\", expected 1 or more"
 [ -z "$seed" ] || whole --seed "$seed"
+# No path shall look like an option.
+case $submissions in -*) submissions=./$submissions ;; esac
+case $CLASS_FOLDER in -*) CLASS_FOLDER=./$CLASS_FOLDER ;; esac
+case $moodle in -*) moodle=./$moodle ;; esac
+case $against in -*) against=./$against ;; esac
 for file in "$moodle" "$against"; do
     [ -z "$file" ] || [ -r "$file" ] || die "$file: cannot be read"
 done

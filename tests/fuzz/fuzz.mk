@@ -1,7 +1,6 @@
 # What libFuzzer feeds, compiled by clang together with the target: a list for each tests/fuzz/fuzz_*.c.
 
 CLANG ?= $(firstword $(foreach c,clang clang-19 clang-15 clang-14,$(shell command -v $(c))))
-SECONDS ?= 60
 FUZZED_graded = tests/class/graded.c $(addprefix tests/grader/verdict/,diagnosis.c result.c) $(addprefix common/,message.c image.c) $(MESSAGES)
 FUZZED_manifest = tests/grader/lab/manifest.c common/message.c $(MESSAGES)
 FUZZED_scene3d = $(wildcard common/scene3d*.c common/molecule*.c) $(MESSAGES) \
@@ -14,7 +13,7 @@ FUZZED_unpack = $(addprefix tests/grader/submission/,unpack.c unpack_entry.c fil
 FUZZ_TARGETS := $(patsubst tests/fuzz/fuzz_%.c,fuzz-%,$(wildcard tests/fuzz/fuzz_*.c))
 
 .PHONY: fuzz $(FUZZ_TARGETS)
-fuzz: $(if $(TARGET),fuzz-$(TARGET),$(FUZZ_TARGETS))  ## for authors: fuzz what reads files, [TARGET=unpack] for SECONDS=60 each (needs libclang-rt-dev)
+fuzz: $(if $(TARGET),$(filter fuzz-$(TARGET),$(FUZZ_TARGETS)),$(FUZZ_TARGETS))  ## for authors: fuzz what reads files, [TARGET=unpack] for SECONDS=60 each (needs libclang-rt-dev)
 
 $(FUZZ_TARGETS): fuzz-%:
 	@mkdir -p $(BUILD)/fuzz/$*/new
@@ -22,5 +21,5 @@ $(FUZZ_TARGETS): fuzz-%:
 	    -fno-sanitize-recover=undefined $(INCLUDES) $(GRADER_INCLUDES) tests/fuzz/fuzz_$*.c \
 	    $(FUZZED_$*) -larchive -ljansson -lm -o $(BUILD)/fuzz/$*/fuzz
 	$(BUILD)/fuzz/$*/fuzz $(addprefix -dict=,$(wildcard tests/fuzz/$*.dict)) -max_len=4096 \
-	    -max_total_time=$(SECONDS) -artifact_prefix=$(BUILD)/fuzz/$*/ $(FUZZ_OPTIONS) \
+	    -max_total_time="$${SECONDS:-60}" -artifact_prefix=$(BUILD)/fuzz/$*/ $(FUZZ_OPTIONS) \
 	    $(BUILD)/fuzz/$*/new tests/fuzz/corpus/$*

@@ -62,20 +62,21 @@ grader: $(addprefix $(OUT)/tools/,grade judge unpack) $(OUT)/probes/find_device 
 # Which packages `make setup` installs (common/setup/packages.txt): what a handout needs. The course needs more.
 setup_for = grade
 
-# The name of the lab that is asked for as LAB=3, LAB=03 or by its name; any other word as it is.
-graded_lab = $(or $(filter $(LAB) $(LAB)-% 0$(LAB)-%,$(LABS)),$(LAB))
+# The name of the lab that is asked for as LAB=3, LAB=03 or by its name; empty where there is none.
+graded_lab = $(if $(or $(findstring %,$(LAB)),$(word 2,$(LAB))),,$(filter $(LAB) $(LAB)-% 0$(LAB)-%,$(LABS)))
+say_which_lab = test -n "$$LAB" || { echo "make $@: say which lab: make $@ LAB=$(EXAMPLE_LAB)" >&2; exit 2; }
 # The grader of one lab: what a bundle for another system builds.
 lab-grader: $(addprefix $(OUT)/tools/,grade judge unpack) $(OUT)/probes/find_device $(filter $(addprefix $(OUT)/probes/,$(graded_lab) $(graded_lab).o $(graded_lab)-race),$(PROBES) $(RACES))
-	$(if $(filter $(graded_lab),$(LABS)),@:,@echo 'make $@: found LAB="$(LAB)", expected the number or name of a lab: $(LABS)' >&2; exit 2)
-lab-grader: $(patsubst %,$(OUT)/earlier/%.a,$(filter $(graded_lab),$(LABS)))
+	@test -n "$(graded_lab)" || { printf 'make $@: found LAB="%s", expected the number or name of a lab: $(LABS)\n' "$$LAB" >&2; exit 2; }
+lab-grader: $(patsubst %,$(OUT)/earlier/%.a,$(graded_lab))
 
 # Status 1 is a verdict, such as points that are missing, and no error of make.
 verdict_is_no_fault = || test $$? -eq 1
 
 # Where make can also write for other systems, through_formats is the command that does (tests/tests.mk).
 grade: grader  ## grade LAB=03 [SUBMISSION=folder or archive] [SEED=n] [DEVICE=d] [TIME_LIMIT=seconds]
-	@test -n "$(LAB)" || { echo "make grade: say which lab: make grade LAB=$(EXAMPLE_LAB)" >&2; exit 2; }
-	$(if $(FORMAT),$(if $(through_formats),,@echo "make grade: a handout has no FORMAT: build/grade/ holds what it writes" >&2; exit 2))
+	@$(say_which_lab)
+	$(if $(and $(FORMAT),$(graded_lab)),$(if $(through_formats),,@echo "make grade: a handout has no FORMAT: build/grade/ holds what it writes" >&2; exit 2))
 	@$(through_formats) $(OUT)/tools/grade --build $(OUT) --lab "$$LAB" $(if $(SUBMISSION),--submission "$$SUBMISSION") \
 	    $(if $(SEED),--seed "$$SEED") $(if $(DEVICE),--device "$$DEVICE") \
 	    $(if $(TIME_LIMIT),--time-limit "$$TIME_LIMIT") $(verdict_is_no_fault)

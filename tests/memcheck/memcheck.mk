@@ -7,7 +7,7 @@ $(OUT)/tools/memcheck: $(call objects,$(MEMCHECK_SOURCES)) $(OUT)/libgrader.a $(
 grader: $(OUT)/tools/memcheck
 .PHONY: memcheck
 memcheck: grader  ## look for indices out of range, unset values and races: LAB=03 [SUBMISSION=folder]
-	@test -n "$(LAB)" || { echo "make memcheck: say which lab: make memcheck LAB=$(EXAMPLE_LAB)" >&2; exit 2; }
+	@$(say_which_lab)
 	@$(OUT)/tools/memcheck --build $(OUT) --lab "$$LAB" \
 	    $(if $(SUBMISSION),--submission "$$SUBMISSION") $(if $(SEED),--seed "$$SEED") \
 	    $(if $(TIME_LIMIT),--time-limit "$$TIME_LIMIT") $(verdict_is_no_fault)

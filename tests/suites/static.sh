@@ -51,6 +51,29 @@ done
 # shellcheck disable=SC2046
 check "shellcheck" shellcheck -e SC2319 $(git ls-files -- '*.sh' .ci/run '*/run_autograder' 2>/dev/null || find . -name '*.sh')
 
+# What a user sets is text to make, too (Makefile). What makefiles mention and do not set is from outside.
+makefiles=$(git ls-files -- Makefile '*.mk' 2>/dev/null | grep . || find Makefile common tests slides-notes -name Makefile -o -name '*.mk')
+# shellcheck disable=SC2016 # make's
+outside=$(make -s --eval='outside:;@echo $(FROM_OUTSIDE)' outside)
+# shellcheck disable=SC2086 # a list of names without spaces
+unset_names=$(cat $makefiles | awk -v outside="$outside" '
+    BEGIN { n = split(outside " MAKE MAKEFLAGS MAKELEVEL MAKECMDGOALS MAKEFILE_LIST", known); for (i = 1; i <= n; i++) is_set[known[i]] = 1 }
+    /^ *#/ { next }
+    match($0, /(^|: )[A-Z][A-Z0-9_]* *[:+]?= /) { name = substr($0, RSTART, RLENGTH); gsub(/[^A-Z0-9_]/, "", name); is_set[name] = 1 }
+    { for (rest = $0; match(rest, /\$[({][A-Z][A-Z0-9_]*[)},:]/); rest = substr(rest, RSTART + RLENGTH))
+        mentioned[substr(rest, RSTART + 2, RLENGTH - 3)] = 1 }
+    END { for (name in mentioned) if (!(name in is_set)) print name }')
+[ -z "$unset_names" ]
+ok $? "every variable that comes from outside is in the Makefile's FROM_OUTSIDE" "$unset_names"
+# Its text gets into no recipe: a makefile asks whether it is set, or picks a name of ours with it.
+mention="[$][({]($(echo "$outside" | sed 's/ /|/g'))[)}]"
+# shellcheck disable=SC2086
+texts=$(grep -nE "$mention" $makefiles | grep -vE '^[^:]*:[0-9]*:(graded_lab = |ifeq |#)|BUILD: found' |
+    sed -E 's/[$][(](if|and|filter [a-z-]*) *[$][(][A-Z_]+[)]//g; s/[$][(](BUILD|CLANG|LDFLAGS|FUZZ_OPTIONS)[)]//g' |
+    grep -E "$mention")
+[ -z "$texts" ]
+ok $? "no recipe holds the text of one: recipes take it from the environment, as \$\$NAME" "$texts"
+
 # House rules.
 # shellcheck disable=SC2016 # awk's $0
 lines=$(echo "$written" | xargs awk 'length($0) > 100 { print FILENAME ":" FNR ": " length($0) " characters" }')
