@@ -15,6 +15,9 @@ is_from_outside = $(or $(findstring command,$(origin $(1))),$(and $(filter $(1),
 $(foreach name,$(.VARIABLES),$(if $(call is_from_outside,$(name)),$(eval \
     $(if $(filter-out environment,$(origin $(name))),override) export $(name) := $$(value $(name)))))
 
+# In a Turkish locale [a-z] of grep and sed has no i: our tools speak no language. $(shell) does not see this.
+export LC_ALL := C.UTF-8
+
 BUILD ?= build
 # A path in rules and recipes.
 SIGNS := $$ ` " ' \ ; & | < > ( ) [ ] * ? ~ ! : % = \#
@@ -53,7 +56,7 @@ MAKEFLAGS += -j$(shell nproc)
 endif
 # `make V=1` shows whole commands.
 say = $(if $(V),,@echo "  $(1)" && )
-objects = $(patsubst %,$(OUT)/obj/%.o,$(1))
+objects = $(patsubst %,$(OUT)/obj/%.o,$(sort $(1)))
 # Two recipes: an archive of all objects that its target depends on; a program of all objects and archives.
 archive = @mkdir -p $(@D) && rm -f $@ && ar rcs $@ $(filter %.o,$^)
 define link  # LIBRARIES

@@ -31,7 +31,7 @@ $(SANDBOX_INIT).c.o: $(SANDBOX_INIT)
 # replaces the other. What keeps its name is main(), and what is to replace a function of the driver's:
 # defined once more, it is an error.
 PROBED := $(patsubst tests/probes/%/main.c,%,$(wildcard tests/probes/*/main.c))
-WITH_HOST_FILES := $(patsubst labs/%/lab.json,%,$(shell grep -l '"[a-zA-Z0-9_]*\.c"' labs/*/lab.json))
+WITH_HOST_FILES := $(patsubst labs/%/lab.json,%,$(shell LC_ALL=C grep -l '"[a-zA-Z0-9_]*\.c"' labs/*/lab.json))
 PROBES := $(PROBED:%=$(OUT)/probes/%.o) $(addprefix $(OUT)/probes/,$(filter-out $(WITH_HOST_FILES),$(PROBED)))
 $(OUT)/obj/tests/probes/%/main.c.o: EXTRA = -I tests/probes -I labs/$(lab_name) -DLAB_NAME='"$(lab_name)"' \
     -DLAB_FOLDER='"labs/$(lab_name)"' -DPROBE_KERNEL_OPTIONS='"$(call include_path,$(lab_name))"'
