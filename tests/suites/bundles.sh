@@ -34,6 +34,8 @@ more=$(unzip -l "$bundles/gradescope-00.zip" | grep -e 'solutions/0[1357]' -e /m
 [ -z "$more" ]
 ok $? "the bundle of lab 00 holds no solution that it does not need, and no test" "$more"
 
+check "a repository on GitHub keeps its scripts' ends of lines" unzip -l "$bundles/github-00.zip" .gitattributes
+
 # ---- How many processes, and how long -----------------------------------------------------------
 
 # A container's limits, as its files tell them. choose WANTED [NAME=VALUE]...: what is said then.

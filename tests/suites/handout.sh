@@ -61,6 +61,7 @@ only_its_files() {
         -e '^tests/judge/judge-[^/.]*$' -e '^tests/judge/judge.mk$' -e '^tests/memcheck/[a-z_]*\.\([ch]\|mk\)$' \
         -e '^tests/scenes/' -e '^tests/solution-seconds$')
     [ -z "$strays" ] || { echo "not expected: $strays"; return 1; }
+    grep -q '^.gitattributes$' "$scratch/files" || { echo "git may change its ends of lines"; return 1; }
     sed 's/^[0-9]* //' "$scratch/first/$2.txt" | LC_ALL=C sort | diff - "$scratch/files" ||
         { echo "the list beside the archive is another"; return 1; }
     for lab in $labs; do

@@ -84,6 +84,12 @@ words=$(echo "$written" | xargs grep -n -w -E 'TODO|FIXME|XXX|HACK' || true)
 [ -z "$words" ]
 ok $? "no notes to self left in the code" "$words"
 
+if git ls-files >/dev/null 2>&1; then
+    changed=$(git ls-files -- '*.sh' '*.mk' Makefile .ci/run '*.[ch]' '*.cl' | git check-attr --stdin eol | grep -v ': lf$')
+    [ -z "$changed" ]
+    ok $? "a clone on Windows (core.autocrlf) keeps the ends of lines" "$changed"
+fi
+
 strays=$(find common kernels labs solutions slides-notes tests -name '*.o' -o -name '*.orig' -o -name '*~' -o -name 'a.out')
 [ -z "$strays" ]
 ok $? "nothing built beside a source" "$strays"

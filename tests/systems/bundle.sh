@@ -155,6 +155,7 @@ github)
     mkdir -p "$stage/.github/workflows" "$stage/.github/formats"
     cp "$templates/classroom.yml" "$stage/.github/workflows/classroom.yml"
     cp "$templates/grade.sh" tests/systems/limits.sh "$stage/.github"
+    cp .gitattributes "$stage"
     cp tests/systems/formats/*.jq tests/systems/formats/write.sh "$stage/.github/formats"
     fill .github/workflows/classroom.yml .github/grade.sh
     pack_zip "$stage" "$bundle"
