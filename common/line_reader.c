@@ -42,7 +42,38 @@ static void nul_fault(LineReader *reader, int length)
     }
 }
 
-int line_read(LineReader *reader)
+// How much of `word` has been met behind one more character. It has its first letter only once.
+static const char *word_go_on(const char *word, const char *next, int c)
+{
+    return c == *next ? next + 1 : word + (c == *word);
+}
+
+// Pass over the rest of a line that does not fit. Returns what ended it, or 0 after a complaint.
+static int rest_skip(LineReader *reader, const char *word)
+{
+    const char *next = word;
+    int c;
+    // It may begin within what fits.
+    for (size_t i = LINE_MAX_LENGTH + 1 - strlen(word); i < LINE_MAX_LENGTH; i++) {
+        next = word_go_on(word, next, reader->text[i]);
+    }
+    while ((c = getc_unlocked(reader->file)) != EOF && c != '\n' && *next != '\0') {
+        if (c == '\0') {
+            nul_fault(reader, LINE_MAX_LENGTH);
+            return 0;
+        }
+        next = word_go_on(word, next, c);
+    }
+    if (*next == '\0') {
+        char found[LINE_QUOTE_SIZE];
+        line_fault(reader, "", line_quote(word, found),
+                   "it within the first " NUMBER_TEXT(LINE_MAX_LENGTH) " characters");
+        return 0;
+    }
+    return c;
+}
+
+int line_read_start(LineReader *reader, const char *word)
 {
     int length = 0;
     int c;
@@ -52,10 +83,17 @@ int line_read(LineReader *reader)
             nul_fault(reader, length);
             return 0;
         }
-        if (length == LINE_MAX_LENGTH) {
+        if (length == LINE_MAX_LENGTH && word == NULL) {
             line_fault(reader, "", "more than " NUMBER_TEXT(LINE_MAX_LENGTH) " characters",
                        "a shorter line");
             return 0;
+        }
+        if (length == LINE_MAX_LENGTH) {
+            ungetc(c, reader->file);
+            if ((c = rest_skip(reader, word)) == 0) {
+                return 0;
+            }
+            break;
         }
         reader->text[length++] = (char)c;
     }
@@ -75,6 +113,11 @@ int line_read(LineReader *reader)
         mark_remove(reader->text, length);
     }
     return 1;
+}
+
+int line_read(LineReader *reader)
+{
+    return line_read_start(reader, NULL);
 }
 
 void line_warn(const LineReader *reader, const char *warning)

@@ -29,6 +29,10 @@ void line_reader_begin(LineReader *reader, FILE *file, const char *name);
 // NUL byte, a file that cannot be read.
 int line_read(LineReader *reader);
 
+// The same for a line of which little is read, such as a comment: what does not fit is passed over.
+//   word   must not begin behind what fits: there it is a fault. NULL: all must fit
+int line_read_start(LineReader *reader, const char *word);
+
 // Complain about the current line: "name:line: {where}found {found}, expected {expected}". Only the
 // first fault is printed, so that a bad file gives one message.
 void line_fault(LineReader *reader, const char *where, const char *found, const char *expected);

@@ -4,7 +4,7 @@
 //
 // A scene is named by one word, the argument of --scene:
 //     FILE.nff                               Haines' Neutral File Format (scene3d_nff.c)
-//     FILE.pdb, FILE.xyz                     molecules (molecule.h)
+//     FILE.pdb (or .ent), FILE.xyz           molecules (molecule.h)
 //     sphereflake[:size=N]                   Haines' "balls": 1, 10, 91, 820, 7381, ... spheres for
 //                                            N = 0, 1, 2, 3, 4, ...; N is 4 when not given
 //     random[:n=N,seed=S,min=R,max=R]        N spheres (1000) with centres in the cube [-1, 1]^3;

@@ -8,10 +8,15 @@ program=$1
 folder=$2
 shift 2
 
-mkdir -p "$folder"
-# Frames of a longer film would be its end.
-rm -f "$folder"/frame-*.png "$folder.mp4"
-"$program" --movie "$folder" "$@"
+# The film before stays, until there is a new one: an option may be wrong.
+mkdir -p "$folder.new"
+rm -f "$folder.new"/frame-*.png
+if ! "$program" --movie "$folder.new" "$@"; then
+    rm -r "$folder.new"
+    exit 1
+fi
+rm -rf "$folder" "$folder.mp4"
+mv "$folder.new" "$folder"
 
 if command -v ffmpeg >/dev/null; then
     # 25 poses a second (viewer.h). The usual players want sides of even length, and colours in 4:2:0.

@@ -12,9 +12,10 @@ engine_run() {
     [ ! -t 2 ] || bar=--bar
     # Killed at the wrong moment, parallel leaves its temporary files: here they are cleared.
     mkdir -p "$CLASS_WORK-parallel" || return
-    # It ends with the driver, and each of its jobs with it.
+    # It ends with the driver, and each of its jobs with it. Its users' habits, in PARALLEL or in a profile,
+    # are not for this (--plain).
     # shellcheck disable=SC2086 # an option or none
-    setpriv --pdeathsig KILL parallel --will-cite $bar --jobs "${2:-$(nproc)}" --colsep ' ' \
+    setpriv --pdeathsig KILL parallel --plain --will-cite $bar --jobs "${2:-$(nproc)}" --colsep ' ' \
         --joblog "+$CLASS_FOLDER/joblog" --tmpdir "$CLASS_WORK-parallel" \
         'exec setpriv --pdeathsig KILL tests/class/grade_one.sh {1} {2} {3}' :::: "$1"
 }

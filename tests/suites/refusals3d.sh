@@ -48,6 +48,7 @@ nff '0 -5 0' '0 0 0' '0 0 1' 45 's 1 1 1 0.1' 's 0.3 0.3 0.3 1e-9' 's 0.3 0.3 0.
 printf '3\nwater\nO 0 0 0\nH 1 0 0\n' >"$scenes/cut.xyz"
 printf '1\nnone\nO 0 nan 0\n' >"$scenes/nan.xyz"
 printf 'many\nnone\nO 0 0 0\n' >"$scenes/count.xyz"
+echo data_1ABC >"$scenes/model.cif"
 printf 'ATOM      1  CA  ALA A   1      11.104   6.134\n' >"$scenes/cut.pdb"
 printf 'REMARK nothing\nEND\n' >"$scenes/none.pdb"
 check "a sphere seen from inside is drawn" works run 07 --scene "$scenes/inside.nff" --output "$new"
@@ -78,6 +79,7 @@ refuses_each <<'END'
 07|cut.xyz:|--scene $scenes/cut.xyz
 04|nan.xyz:3: |--scene $scenes/nan.xyz
 05|count.xyz:1: |--scene $scenes/count.xyz
+05|model.cif: found a molecule as mmCIF, expected PDB or XYZ|--scene $scenes/model.cif
 06|cut.pdb:1: |--scene $scenes/cut.pdb
 07|none.pdb:|--scene $scenes/none.pdb
 04|found no such scene|--scene example

@@ -340,6 +340,9 @@ if command -v ffprobe >/dev/null; then
 else
     skip "a film" "there is no ffmpeg"
 fi
+film 07-kdtree-3d-trace --scene nowhere.nff
+[ "$(find "$out/film" -name 'frame-*.png' | wc -l)" -eq 100 ] && [ ! -e "$out/film.new" ]
+ok $? "a film that cannot be made leaves the one before" "$(find "$out/film")"
 check "a film of the recorded flight" works film 07-kdtree-3d-trace --path "$out/flight.path"
 [ "$(find "$out/film" -name 'frame-*.png' | wc -l)" -eq 10 ]
 ok $? "has a frame a pose, and none of the film before" "$(find "$out/film")"

@@ -1,4 +1,5 @@
 // common/molecule_xyz: XYZ files, whatever the text may hold.
+#include "line_reader.h"
 #include "molecule_samples.h"
 
 TestSuite(molecule_xyz, .init = folder_enter, .fini = folder_leave);
@@ -20,6 +21,47 @@ Test(molecule_xyz, xyz_is_read)
         expect_atom(&scene, 0, 0, 0, 0.5f, "O");
         expect_atom(&scene, 1, 1, -2.5f, 3, "H");
         scene3d_free(&scene);
+    }
+}
+
+// Extended XYZ: the comment says which columns there are. The last atom is always the same.
+Test(molecule_xyz, properties_are_obeyed)
+{
+    static const char *const TEXTS[] = {
+        "1\nProperties=species:S:1:pos:R:3\nH 1 -2.5 3\n",
+        "1\nProperties=species:S:1:mass:R:1:pos:R:3\nH 1.008 1 -2.5 3\n",
+        "1\nLattice=\"1 0 0\" Properties=pos:R:3:forces:R:3:species:S:1 pbc=\"T\"\n1 -2.5 3 7 8 9 "
+        "H\n",
+        "1\nProperties=\"id:I:1:Z:I:1:pos:R:3:tags:I:1\" energy=-1\r\n17 1 1 -2.5 3 0\r\n",
+        "1\nProperties=Z:I:1:species:S:1:Z:I:1:pos:R:3\n6 H 7 1 -2.5 3\n",
+    };
+    for (size_t i = 0; i < sizeof TEXTS / sizeof TEXTS[0]; i++) {
+        Scene3D scene = read_good(scene3d_read_xyz, TEXTS[i], "");
+        cr_assert_eq(scene.n_spheres, 1, "case %zu", i);
+        expect_atom(&scene, 0, 1, -2.5f, 3, "H");
+        scene3d_free(&scene);
+    }
+}
+
+// A comment may be longer than what is read of it, but for its properties.
+Test(molecule_xyz, a_long_comment)
+{
+    static const char *const ENDS[] = {"", " PPropertiesProperties",
+                                       " PProperties=species:S:1:pos:R:3",
+                                       " and behind that Properties=species:S:1:pos:R:3"};
+    for (size_t i = 0; i < sizeof ENDS / sizeof ENDS[0]; i++) {
+        char *text;
+        cr_assert_geq(asprintf(&text, "1\n%*s%s\nH 1 -2.5 3\n", LINE_MAX_LENGTH - 3, "x", ENDS[i]),
+                      0);
+        if (i < 2) {
+            Scene3D scene = read_good(scene3d_read_xyz, text, "");
+            expect_atom(&scene, 0, 1, -2.5f, 3, "H");
+            scene3d_free(&scene);
+        } else {
+            expect_fault(scene3d_read_xyz, text, strlen(text),
+                         "2: found \"Properties=\", expected it within the first 4096 characters");
+        }
+        free(text);
     }
 }
 
@@ -55,6 +97,20 @@ Test(molecule_xyz, xyz_faults)
         {TEXT("2\n\n"), "3: found the end of the file after 0 atoms, expected 2"},
         {TEXT("2\n\nC 0 0 0\n"), "4: found the end of the file after 1 atom, expected 2"},
         {TEXT("1\n\nC 0 0\n"), "3: found 3 words, expected an element and its x, y and z"},
+        {TEXT("1\nProperties=species:S:1:pos:R:2\nC 0 0\n"),
+         "2: Properties=: found \"species:S:1:pos:R:2\", expected species:S:1 and pos:R:3 among "
+         "its columns, at most 64 in all"},
+        {TEXT("1\nProperties=pos:R:3\n0 0 0\n"),
+         "2: Properties=: found \"pos:R:3\", expected species:S:1 and pos:R:3 among its columns, "
+         "at most 64 in all"},
+        {TEXT("1\nProperties=species:S:1:pos:R:3:a:R:61\n"),
+         "2: Properties=: found \"species:S:1:pos:R:3:a:R:61\", expected species:S:1 and pos:R:3 "
+         "among its columns, at most 64 in all"},
+        {TEXT("1\nProperties=species:S:1:pos:R\nC 0 0 0\n"),
+         "2: Properties=: found \"species:S:1:pos:R\", expected species:S:1 and pos:R:3 among its "
+         "columns, at most 64 in all"},
+        {TEXT("1\nProperties=species:S:1:mass:R:1:pos:R:3\nC 0 0 0\n"),
+         "3: found 4 words, expected an element and its x, y and z"},
         {TEXT("1\n\n\nC 0 0 0\n"), "3: found 0 words, expected an element and its x, y and z"},
         {TEXT("1\n\nC 0 0 0\nC 1 1 1\n"),
          "4: found \"C\", expected no more atoms than line 1 says, 1"},
