@@ -184,8 +184,10 @@ static BoxOverlapJob draw_inside(Random *random, int i)
     return job;
 }
 
-// So small that every epsilon is larger, and its square still one of double's normal numbers.
+// So small that every epsilon is larger, and its square still one of double's normal numbers. Beside it
+// the cell is as small: else the way over the cell's middle, right as it is, would round in double.
 #define TINY 0x1p-70f
+#define TINY_CELL {-8 * TINY, 0, -8 * TINY, 0}
 // Two floats whose difference no float holds: 2^23 + 2^-4.
 #define FAR 0x1p23f
 #define BIT 0x1p-4f
@@ -200,7 +202,7 @@ static const BoxOverlapJob beside[] = {
     {{.x = 4, .y = 0}, {0, 8, 0, 8}},
     {{.x = 4, .y = 8}, {0, 8, 0, 8}},
     {{.x = 0, .y = 0}, {0, 8, 0, 8}},
-    {{.x = -TINY, .y = 4}, {0, 8, 0, 8}},
+    {{.x = TINY, .y = -4 * TINY}, TINY_CELL},
     {{.x = 8, .y = 4}, {0, 8, 0, 8}},
     {{.x = 8, .y = 8}, {0, 8, 0, 8}},
     {{.x = 8.0625f, .y = 4}, {0, 8, 0, 8}},
@@ -214,10 +216,10 @@ static const BoxOverlapJob beside[] = {
     {{.x = FAR, .y = 0, .radius = FAR}, {-1, -BIT, -1, 1}},
     {{.x = -FAR, .y = 0, .radius = FAR}, {0, 1, -1, 1}},
     {{.x = 1 - FAR, .y = 0, .radius = FAR}, {1 + 3 * BIT, 2, -1, 1}},
-    {{.x = 5 * TINY, .y = -0.5f, .radius = 5 * TINY}, {-1, 0, -1, 0}},
-    {{.x = 6 * TINY, .y = -0.5f, .radius = 5 * TINY}, {-1, 0, -1, 0}},
-    {{.x = -0.5f, .y = 6 * TINY, .radius = 5 * TINY}, {-1, 0, -1, 0}},
-    {{.x = 3 * TINY, .y = 4 * TINY, .radius = 5 * TINY}, {-1, 0, -1, 0}},
+    {{.x = 5 * TINY, .y = -4 * TINY, .radius = 5 * TINY}, TINY_CELL},
+    {{.x = 6 * TINY, .y = -4 * TINY, .radius = 5 * TINY}, TINY_CELL},
+    {{.x = -4 * TINY, .y = 6 * TINY, .radius = 5 * TINY}, TINY_CELL},
+    {{.x = 3 * TINY, .y = 4 * TINY, .radius = 5 * TINY}, TINY_CELL},
 };
 
 // A circle that touches a side from outside, or a corner by a Pythagorean triple; or misses it by a
@@ -261,7 +263,7 @@ static const BoxOverlapJob beyond[] = {
     {{.x = 0, .y = 0, .radius = 1}, {-1, -0x1p-26f, -2, -1}},
     {{.x = 0, .y = 0, .radius = 1}, {1, 2, 0x1p-25f, 1}},
     {{.x = 0, .y = 0, .radius = 0x1p20f}, {0x1p20f, 0x1p21f, 0x1p-6f, 1}},
-    {{.x = 4 * TINY, .y = 7 * TINY, .radius = 8 * TINY}, {-1, 0, -1, 0}},
+    {{.x = 4 * TINY, .y = 7 * TINY, .radius = 8 * TINY}, TINY_CELL},
 };
 
 // A circle beyond a corner, nearer than its radius on each axis: the square overlaps, the circle
