@@ -44,6 +44,7 @@ static NextChildJob draw_child(Random *random, int meets_both)
     job.node.first = (u32)random_integer(random, 3, 1000);
     job.todo =
         random_stack(random, (u32)n_lower, (u32)random_integer(random, 0, STACK_ENTRIES - 1));
+    stack_begin_at(&job.todo, job.t_max);
     return job;
 }
 

@@ -25,6 +25,7 @@ static NextWaitingJob draw_waiting(Random *random)
     const int is_empty = random_integer(random, 0, 3) == 0;
     job.todo =
         random_stack(random, 0, is_empty ? 0 : (u32)random_integer(random, 1, STACK_ENTRIES));
+    stack_begin_at(&job.todo, t_max);
     return job;
 }
 

@@ -22,6 +22,16 @@ StackState random_stack(Random *random, u32 n_lower, u32 n_upper)
     return todo;
 }
 
+void stack_begin_at(StackState *todo, float t)
+{
+    for (u32 i = todo->n - todo->n_lower; i > 0; i--) {
+        StackEntry *entry = &todo->upper[i - 1];
+        entry->t_max += t - entry->t_min;
+        entry->t_min = t;
+        t = entry->t_max;
+    }
+}
+
 int same_entry(StackEntry a, StackEntry b)
 {
     return a.node == b.node && a.t_min == b.t_min && a.t_max == b.t_max;
