@@ -37,7 +37,7 @@ endif
 say = $(if $(V),,@echo "  $(1)" && )
 objects = $(patsubst %,$(OUT)/obj/%.o,$(1))
 # Two recipes: an archive of all objects that its target depends on; a program of all objects and archives.
-archive = @mkdir -p $(@D) && rm -f $@ && ar rcs $@ $(filter %.o,$^)
+archive = @mkdir -p $(@D) && rm -f $@ && $(AR) rcs $@ $(filter %.o,$^)
 define link  # LIBRARIES
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(SANITIZERS) $(LDFLAGS) $(filter %.o,$^) -Wl,--start-group $(filter %.a,$^) -Wl,--end-group $(1) -o $@

@@ -120,6 +120,15 @@ no_judge() {
     [ ! -s "$scratch/leaks" ] || { head -n 5 "$scratch/leaks"; return 1; }
 }
 
+# hardened FOLDER: are its programs of the kind that takes work to take apart, and need nothing from a machine?
+hardened() {
+    for judge in "$1"/tests/judge/judge-*; do
+        readelf -W --file-header --program-headers --sections "$judge" >"$scratch/elf" || return 1
+        grep -q 'Type: *DYN' "$scratch/elf" || { echo "$judge is not position independent"; return 1; }
+        ! grep -e INTERP -e ' \.symtab' -e ' \.debug' -e ' \.note\.gnu\.build-id' "$scratch/elf" || { echo "in $judge"; return 1; }
+    done
+}
+
 # no_compiled_solution LAB: has its judge no function of the lab's solution, nor of a later one? Looked for in
 # the same program with its names.
 no_compiled_solution() {
@@ -206,6 +215,7 @@ for lab in $labs; do
     check "$lab: no line of a solution" no_solution "$scratch/$lab" "$lab"
     check "$lab: nothing of the judge's text" no_judge "$scratch/$lab"
     check "$lab: nor the solution, compiled, in its program" no_compiled_solution "$lab"
+    check "$lab: its programs are position independent, static, without names" hardened "$scratch/$lab"
     check "$lab: one job on both kinds of processors" same_jobs "$scratch/$lab" "$lab"
     check "$lab: earlier solutions, where there are any, as a reader wants them" finished "$scratch/$lab"
     check "$lab: no link leads nowhere" links "$scratch/$lab"
