@@ -19,6 +19,8 @@
 //     pictures - 0   sections "title", "reference", "own", "svg_reference", "svg_own", of each
 //                    picture those that it has, in this order
 //
+// In a handout it tells no values and shows no pictures but for seeds of home (home_seeds.h).
+//
 // Exit status: 0 at the end of the requests, 2 after one message on stderr. Started by
 // grader/verdict/judge_process.c. Read next: judge.h.
 #include "complain.h"
@@ -34,6 +36,7 @@ enum { EXIT_FAULT = 2 };
 
 typedef struct Desk {
     Job *job;
+    int tells_all;  // or only whether a check passes, and why not
     char *job_bytes;
     size_t n_job_bytes;
     Sections held;
@@ -100,8 +103,14 @@ static int reply_verdict(Desk *desk, const char *argument, FILE *reply)
     const Diagnosis *diagnosis = &verdict.diagnosis;
     const SentKinds kinds = {diagnosis->mistake, diagnosis->evidence};
     const size_t n_bytes = verdict.kind == VERDICT_FAILED ? sizeof kinds : 0;
+    char instead[128];
+    snprintf(instead, sizeof instead,
+             "not right (a handout tells values and pictures only for seeds below %" PRIu64 ")",
+             judges_tell_below);
+    const char *const found =
+        desk->tells_all || diagnosis->found == NULL ? diagnosis->found : instead;
     const int result = section_write(reply, names[verdict.kind], &kinds, n_bytes) |
-                       write_text(reply, "found", diagnosis->found) |
+                       write_text(reply, "found", found) |
                        write_text(reply, "cause", diagnosis->cause);
     diagnosis_free(&verdict.diagnosis);
     return result;
@@ -147,7 +156,9 @@ static int reply_pictures(Desk *desk, const char *argument, FILE *reply)
     (void)argument;
     static Result result;
     int failed = 0;
-    job_add_pictures(desk->job, &desk->held, &result);
+    if (desk->tells_all) {
+        job_add_pictures(desk->job, &desk->held, &result);
+    }
     for (int i = 0; !failed && i < result.n_pictures; i++) {
         const PictureResult *picture = &result.pictures[i];
         failed = write_text(reply, "title", picture->title) |
@@ -239,6 +250,7 @@ int main(int argc, char **argv)
         complain("judge: %s: this lab has no judge", argv[1]);
         return EXIT_FAULT;
     }
+    desk.tells_all = seed < judges_tell_below;
     limit_memory(MOST_BYTES);
     FILE *job = open_memstream(&desk.job_bytes, &desk.n_job_bytes);
     desk.job = job != NULL ? job_new(judge, seed, job) : NULL;
