@@ -19,7 +19,8 @@
 //     pictures - 0   sections "title", "reference", "own", "svg_reference", "svg_own", of each
 //                    picture those that it has, in this order
 //
-// In a handout it tells no values and shows no pictures but for seeds of home (home_seeds.h).
+// In a handout it says nothing but "passed" or "failed" of other seeds than those of home
+// (home_seeds.h).
 //
 // Exit status: 0 at the end of the requests, 2 after one message on stderr. Started by
 // grader/verdict/judge_process.c. Read next: judge.h.
@@ -36,7 +37,7 @@ enum { EXIT_FAULT = 2 };
 
 typedef struct Desk {
     Job *job;
-    int tells_all;  // or only whether a check passes, and why not
+    int tells_all;  // or only whether a check passes
     char *job_bytes;
     size_t n_job_bytes;
     Sections held;
@@ -100,17 +101,18 @@ static int reply_verdict(Desk *desk, const char *argument, FILE *reply)
         return -1;
     }
     Verdict verdict = job_judge(desk->job, check, &desk->held);
+    if (verdict.kind == VERDICT_FAILED && !desk->tells_all) {
+        diagnosis_free(&verdict.diagnosis);
+        verdict.diagnosis =
+            diagnosis_new("not right; a handout says what is wrong only for seeds below %" PRIu64
+                          ", as its own are",
+                          judges_tell_below);
+    }
     const Diagnosis *diagnosis = &verdict.diagnosis;
     const SentKinds kinds = {diagnosis->mistake, diagnosis->evidence};
     const size_t n_bytes = verdict.kind == VERDICT_FAILED ? sizeof kinds : 0;
-    char instead[128];
-    snprintf(instead, sizeof instead,
-             "not right (a handout tells values and pictures only for seeds below %" PRIu64 ")",
-             judges_tell_below);
-    const char *const found =
-        desk->tells_all || diagnosis->found == NULL ? diagnosis->found : instead;
     const int result = section_write(reply, names[verdict.kind], &kinds, n_bytes) |
-                       write_text(reply, "found", found) |
+                       write_text(reply, "found", diagnosis->found) |
                        write_text(reply, "cause", diagnosis->cause);
     diagnosis_free(&verdict.diagnosis);
     return result;
