@@ -117,6 +117,18 @@ Test(name_likeness, sees_one_person_in_two_names)
     }
 }
 
+// Of each that Unicode has: ICU may know more of them tomorrow, and none may be too long.
+Test(name_likeness, takes_every_character)
+{
+    for (UChar32 code = 1; code < 0x110000; code++) {
+        char name[8] = "", key[ENTRY_NAME_BYTES];
+        int n = 0;
+        U8_APPEND_UNSAFE(name, n, code);
+        name_likeness(name, key);
+        cr_expect_lt(strlen(key), 100, "U+%04X", (unsigned)code);
+    }
+}
+
 Test(look_alikes, are_listed_unless_the_host_tells_them_apart)
 {
     static const struct {
