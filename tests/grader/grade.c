@@ -126,7 +126,8 @@ static void run_race(Grading *grading)
 {
     Session *session = &grading->session;
     if (session->manifest.leaderboard != NULL && has_full_marks(grading) &&
-        grading->build_log == NULL && grading->whole.trouble == NULL && allowance_left(&session->allowance) > 0) {
+        grading->build_log == NULL && grading->whole.trouble == NULL &&
+        allowance_left(&session->allowance) > 0) {
         grading->result.leaderboard = session_race(session, &grading->whole);
     }
 }

@@ -121,8 +121,8 @@ static int read_sandbox(const char *option, const char *text, SandboxKind *kind)
     return -1;
 }
 
-// A seed that nobody can foresee, yet short enough to be typed again. In a handout it is one of home,
-// so that its report tells everything; in the course never.
+// A seed that nobody can foresee, yet short enough to be typed again. In a handout it is one of
+// home, so that its report tells everything; in the course never.
 static uint64_t draw_seed(const char *lab)
 {
     uint64_t seed;
