@@ -22,7 +22,7 @@ CXXFLAGS = -std=c++17 $(OPTIMISATION) $(WARNINGS) $(SANITIZERS)
 # address sanitizer's dlopen() does not look.
 LIBRARIES = -Wl,--as-needed,--disable-new-dtags,-rpath,'$$ORIGIN/..' $(shell pkg-config --libs jansson) -lcsv -lseccomp -lOpenCL -lm
 
-FLAG_FILES := Makefile $(wildcard tests/grader/grader.mk)
+FLAG_FILES := Makefile $(wildcard tests/grader/grader.mk tests/judge/judge.mk)
 
 .DELETE_ON_ERROR:
 .SECONDARY:
@@ -75,7 +75,7 @@ $(OUT)/labs/% $(OUT)/solutions/%:
 
 # ---- Common ---------------------------------------------------------------------------------
 
-# When a flag changes, here or in the grader's file, everything is compiled anew.
+# When a flag changes, here or in the grader's or the judge's file, everything is compiled anew.
 $(OUT)/obj/%.c.o: %.c $(FLAG_FILES)
 	@mkdir -p $(@D)
 	$(call say,compile $<)$(CC) $(CFLAGS) -MMD -MP $(INCLUDES) $(EXTRA) -c $< -o $@

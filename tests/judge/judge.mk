@@ -25,9 +25,9 @@ $(OUT)/tools/judge: $(call objects,$(JUDGE_NEEDS)) $(OUT)/libjudge.a
 # The same for handouts, which go to machines of both kinds, each with the judge of its lab alone.
 JUDGE_NUMBERS = $(patsubst tests/judge/%/,%,$(sort $(dir $(wildcard tests/judge/[0-9]*/judge_*.c))))
 LAB_JUDGES = $(foreach lab,$(JUDGE_NUMBERS),$(OUT)/tools/judge-$(firstword $(subst -, ,$(lab))))
-$(OUT)/obj/only/%.o: tests/judge/one_judge.c
+$(OUT)/obj/only/%.o: tests/judge/one_judge.c $(FLAG_FILES)
 	@mkdir -p $(@D)
-	$(call say,compile $< for lab $*)$(CC) $(CFLAGS) $(INCLUDES) $(AUTHORS_INCLUDES) $(GRADER_INCLUDES) -DONLY=judge_$* -c $< -o $@
+	$(call say,compile $< for lab $*)$(CC) $(CFLAGS) -MMD -MP $(INCLUDES) $(AUTHORS_INCLUDES) $(GRADER_INCLUDES) -DONLY=judge_$* -c $< -o $@
 $(LAB_JUDGES): $(OUT)/tools/judge-%: $(OUT)/obj/only/%.o $(call objects,$(JUDGE_NEEDS)) $(OUT)/libjudge.a
 	$(call link,-static-pie -lm)
 # What a handout holds is judges/x86_64/tools/judge-NN or judges/aarch64/tools/judge-NN. It should take work
