@@ -43,7 +43,7 @@ CXXFLAGS = -std=c++17 $(OPTIMISATION) $(WARNINGS) $(SANITIZERS)
 # address sanitizer's dlopen() does not look.
 LIBRARIES = -Wl,--as-needed,--disable-new-dtags,-rpath,'$$ORIGIN/..' $(shell pkg-config --libs jansson) -lcsv -lseccomp -lOpenCL -lm
 
-FLAG_FILES := Makefile $(wildcard tests/grader/grader.mk)
+FLAG_FILES := Makefile $(wildcard tests/grader/grader.mk tests/judge/judge.mk)
 
 .DELETE_ON_ERROR:
 .SECONDARY:
@@ -58,7 +58,7 @@ endif
 say = $(if $(V),,@echo "  $(1)" && )
 objects = $(patsubst %,$(OUT)/obj/%.o,$(sort $(1)))
 # Two recipes: an archive of all objects that its target depends on; a program of all objects and archives.
-archive = @mkdir -p $(@D) && rm -f $@ && ar rcs $@ $(filter %.o,$^)
+archive = @mkdir -p $(@D) && rm -f $@ && $(AR) rcs $@ $(filter %.o,$^)
 define link  # LIBRARIES
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) $(SANITIZERS) $(LDFLAGS) $(filter %.o,$^) -Wl,--start-group $(filter %.a,$^) -Wl,--end-group $(1) -o $@
@@ -96,7 +96,7 @@ $(OUT)/labs/% $(OUT)/solutions/%:
 
 # ---- Common ---------------------------------------------------------------------------------
 
-# When a flag changes, here or in the grader's file, everything is compiled anew.
+# When a flag changes, here or in the grader's or the judge's file, everything is compiled anew.
 $(OUT)/obj/%.c.o: %.c $(FLAG_FILES)
 	@mkdir -p $(@D)
 	$(call say,compile $<)$(CC) $(CFLAGS) -MMD -MP $(INCLUDES) $(EXTRA) -c $< -o $@

@@ -13,10 +13,11 @@ $(OUT)/tools/mutants $(OUT)/tools/mutate: $(OUT)/tools/%: $(OUT)/obj/tests/mutat
 
 # ---- A class ---------------------------------------------------------------------------------
 
+CLASS_LIBRARIES = -lnettle -licui18n -licuuc
 $(OUT)/libclass.a: $(call objects,$(filter-out %_tool.c,$(wildcard tests/class/*.c)))
 	$(archive)
 $(OUT)/tools/gradebook: $(call objects,tests/class/gradebook_tool.c) $(OUT)/libclass.a $(OUT)/libgrader.a $(OUT)/libcommon.a
-	$(call link,$(LIBRARIES) -lnettle)
+	$(call link,$(LIBRARIES) $(CLASS_LIBRARIES))
 
 grader: $(addprefix $(OUT)/tools/,holes gradebook mutants mutate)
 .PHONY: grade-class
@@ -82,7 +83,7 @@ format:  ## put every source into the one format
 
 UNIT_TESTS := $(patsubst tests/unit/%.c,$(OUT)/tests/%,$(wildcard tests/unit/test_*.c))
 $(UNIT_TESTS): $(OUT)/tests/%: $(OUT)/obj/tests/unit/%.c.o $(OUT)/libclass.a $(OUT)/libmutation.a $(OUT)/libgrader.a $(OUT)/libjudge.a $(OUT)/libcommon.a | $(OUT)/libimage_codec.so
-	$(call link,$(LIBRARIES) -larchive -lnettle -lcriterion)
+	$(call link,$(LIBRARIES) -larchive $(CLASS_LIBRARIES) -lcriterion)
 $(OUT)/tests/test_memcheck: $(call objects,$(filter-out %/memcheck.c,$(MEMCHECK_SOURCES)))
 $(OUT)/tests/test_oclgrind_log: $(call objects,tests/memcheck/oclgrind_log.c)
 

@@ -7,9 +7,13 @@
 // gradebook_csv.c.
 #include "csv_cell.h"
 
+#include "blank_character.h"
+#include "utf8.h"
+
 #include <csv.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unicode/uchar.h>
 
 // The length of the first of `words` that text begins with, or 0.
 static size_t word_length(const char *text, const char *const *words)
@@ -35,29 +39,25 @@ static int is_formula_sign(const char *text)
     return word_length(text, signs) > 0;
 }
 
-// What may part cells or lines.
-static int is_separator(char byte)
+// What may part cells or lines: of blanks those that are no mere space.
+static int is_separator(const char *text)
 {
-    return byte != '\0' && strchr(",;\t|\r\n", byte) != NULL;
+    uint32_t code = 0;
+    utf8_read(text, &code);
+    return (code != 0 && code < 0x80 && strchr(",;|", (char)code) != NULL) ||
+           (u_isUWhiteSpace((UChar32)code) && u_charType((UChar32)code) != U_SPACE_SEPARATOR);
 }
 
 // What a reader may pass over at the beginning of a cell: quotes, as only the first one of a cell
-// counts, and blanks of any width. Returns its length, or 0.
+// counts, characters of which there is nothing to see, and accents, which have no letter there.
+// Returns its length, or 0.
 static size_t passed_over_length(const char *text)
 {
-    static const char *const blanks[] = {
-        " ",
-        "\"",
-        "\xC2\xA0",      // U+00A0, no break
-        "\xE3\x80\x80",  // U+3000, ideographic
-        "\xE2\x80\xAF",  // U+202F, narrow
-        "\xEF\xBB\xBF",  // U+FEFF, a byte order mark
-        NULL,
-    };
-    // U+2000 to U+200B, of all widths down to none.
-    const int is_space =
-        strncmp(text, "\xE2\x80", 2) == 0 && (unsigned char)text[2] - 0x80u <= 0x0B;
-    return is_space ? 3 : word_length(text, blanks);
+    uint32_t code = 0;
+    const int length = utf8_read(text, &code);
+    const int is_passed_over = code == '"' || character_is_blank(code) ||
+                               (U_GET_GC_MASK((UChar32)code) & U_GC_M_MASK) != 0;
+    return length > 0 && is_passed_over ? (size_t)length : 0;
 }
 
 void csv_cell_write(FILE *file, const char *text)
@@ -74,7 +74,7 @@ void csv_cell_write(FILE *file, const char *text)
             defused[n++] = '\'';
         }
         const size_t passed_over = passed_over_length(text);
-        is_beginning = is_separator(*text) || (is_beginning && passed_over > 0);
+        is_beginning = is_separator(text) || (is_beginning && passed_over > 0);
         const size_t length = passed_over > 0 ? passed_over : 1;
         memcpy(defused + n, text, length);
         n += length;

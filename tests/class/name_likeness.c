@@ -1,79 +1,114 @@
 // What a name looks like (see name_likeness.h).
 //
-// The letters here are those that European names are written in, and the ones that are mistaken for
-// them; of the Unicode consortium's table of confusables it is a small part, but the part that
-// keyboards have. Used by look_alikes.c and owners.c.
+// What is mistaken for what is the Unicode consortium's knowledge, and ICU has it: confusables
+// (uspoof.h), capitals, compatible and invisible characters (NFKC case folding), names. Used by
+// look_alikes.c and owners.c. Read next: blank_character.h.
 #include "name_likeness.h"
 
-#include "clean_text.h"
+#include "blank_character.h"
+#include "complain.h"
 #include "utf8.h"
 
 #include <ctype.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <unicode/uchar.h>
+#include <unicode/unorm2.h>
+#include <unicode/uscript.h>
+#include <unicode/uspoof.h>
+#include <unicode/utf8.h>
 
-// The letters U+00C0 to U+017F without their accents.
-enum { LATIN_BEGIN = 0xC0, LATIN_END = 0x180 };
-static const char latin[] = "aaaaaaaceeeeiiiidnoooooxouuuuypsaaaaaaaceeeeiiiidnooooo/ouuuuypy"
-                            "aaaaaaccccccccddddeeeeeeeeeegggggggghhhhiiiiiiiiiiiijjkkklllllll"
-                            "lllnnnnnnnnnoooooooorrrrrrssssssssttttttuuuuuuuuuuuuwwyyyzzzzzzs";
+// No character looks like more than some twenty others, an Arabic ligature of a whole sentence.
+enum { LOOKS_MAX = 64, KEY_MAX = 4 * LOOKS_MAX };
 
-// Greek and Cyrillic letters that are drawn like Latin ones, a capital and a small one each.
-static const struct {
-    uint16_t capital, small;
-    char letter;
-} drawn_alike[] = {
-    {0x391, 0x3B1, 'a'}, {0x392, 0x3B2, 'b'},  {0x395, 0x3B5, 'e'}, {0x396, 0x3B6, 'z'},
-    {0x397, 0x4BB, 'h'}, {0x399, 0x3B9, 'i'},  {0x39A, 0x3BA, 'k'}, {0x39C, 0x43C, 'm'},
-    {0x39D, 0x3B7, 'n'}, {0x39F, 0x3BF, 'o'},  {0x3A1, 0x3C1, 'p'}, {0x3A4, 0x3C4, 't'},
-    {0x3A5, 0x443, 'y'}, {0x3A7, 0x3C7, 'x'},  {0x474, 0x3BD, 'v'}, {0x54D, 0x3C5, 'u'},
-    {0x410, 0x430, 'a'}, {0x412, 0x432, 'b'},  {0x415, 0x435, 'e'}, {0x401, 0x451, 'e'},
-    {0x41A, 0x43A, 'k'}, {0x41C, 0x1D0D, 'm'}, {0x41D, 0x43D, 'h'}, {0x41E, 0x43E, 'o'},
-    {0x420, 0x440, 'p'}, {0x421, 0x441, 'c'},  {0x422, 0x442, 't'}, {0x423, 0x4AF, 'y'},
-    {0x425, 0x445, 'x'}, {0x405, 0x455, 's'},  {0x406, 0x456, 'i'}, {0x407, 0x457, 'i'},
-    {0x408, 0x458, 'j'}, {0x4C0, 0x4CF, 'l'},  {0x500, 0x501, 'd'}, {0x51A, 0x51B, 'q'},
-    {0x51C, 0x51D, 'w'}, {0x490, 0x261, 'g'},
-};
-
-// The character at *text, which moves behind it. What is not UTF-8 is taken byte by byte.
-static uint32_t character_take(const char **text)
+// Write what a character looks like, in small letters. Capitals are compared as such before they
+// are folded, as they look like others than their small letters; what they are folded to is
+// compared once more. Returns how many UTF-16 units.
+static int looks_find(UChar32 code, UChar looks[LOOKS_MAX])
 {
-    uint32_t code = (unsigned char)**text;
-    const int length = utf8_read(*text, &code);
-    *text += length > 0 ? length : 1;
-    return code;
+    static USpoofChecker *confusables;  // opened at the first name, and needed to the end
+    UErrorCode status = U_ZERO_ERROR;
+    const UNormalizer2 *folding = unorm2_getNFKCCasefoldInstance(&status);
+    confusables = confusables != NULL ? confusables : uspoof_open(&status);
+    UChar folded[LOOKS_MAX];
+    int n = 0;
+    U16_APPEND_UNSAFE(folded, n, code);
+    n = uspoof_getSkeleton(confusables, 0, folded, n, looks, LOOKS_MAX, &status);
+    n = unorm2_normalize(folding, looks, n, folded, LOOKS_MAX, &status);
+    n = uspoof_getSkeleton(confusables, 0, folded, n, looks, LOOKS_MAX, &status);
+    if (U_FAILURE(status)) {
+        complain("gradebook: no table of letters that look alike: %s", u_errorName(status));
+        exit(EXIT_FAILURE);
+    }
+    return n;
 }
 
-// The ASCII character that another one looks like; 0 for none.
-static char ascii_of(uint32_t code)
+// The Latin letter that a character is a kind of, by its name: "LATIN LETTER SMALL CAPITAL A",
+// "LATIN SMALL LETTER A REVERSED-SCHWA", "NEGATIVE CIRCLED LATIN CAPITAL LETTER A". 0 for none.
+static char latin_letter(UChar32 code)
 {
-    if (code >= LATIN_BEGIN && code < LATIN_END) {
-        return latin[code - LATIN_BEGIN];
-    }
-    if (code >= 0xFF01 && code <= 0xFF5E) {
-        return (char)(code - 0xFF01 + '!');  // full width
-    }
-    if (code >= 0x1D400 && code < 0x1D400 + 13 * 52) {
-        return (char)('a' + (code - 0x1D400) % 26);  // bold, italic, script ... of mathematics
-    }
-    for (size_t i = 0; i < sizeof drawn_alike / sizeof *drawn_alike; i++) {
-        if (code == drawn_alike[i].capital || code == drawn_alike[i].small) {
-            return drawn_alike[i].letter;
+    char name[128] = "";
+    UErrorCode status = U_ZERO_ERROR;
+    u_charName(code, U_UNICODE_CHAR_NAME, name, sizeof name, &status);
+    char *word = strstr(name, "LATIN ");
+    for (word = word != NULL ? strtok(word, " ") : NULL; word != NULL; word = strtok(NULL, " ")) {
+        if (strlen(word) == 1) {
+            return (char)tolower((unsigned char)word[0]);
         }
     }
     return 0;
 }
 
-// Is there nothing to see of it, or no more than a blank or a stroke? Accents of their own, too:
-// some systems write "ü" as "u" and two dots.
-static int is_unseen(uint32_t code)
+// Is it a part of a name? Not what cannot be seen, nor punctuation, nor accents that any letter may
+// have: some systems write "ü" as "u" and two dots.
+static int is_counted(UChar32 code)
 {
-    return character_is_unseen(code) || (code >= 0x80 && code < LATIN_BEGIN) ||
-           (code >= 0x300 && code < 0x370) || code == 0x115F || code == 0x1160 || code == 0x1680 ||
-           (code >= 0x17B4 && code <= 0x17B5) || (code >= 0x180B && code <= 0x180F) ||
-           (code >= 0x2000 && code < 0x2070) || code == 0x2212 || code == 0x2800 ||
-           code == 0x3000 || code == 0x3164 || (code >= 0xFE00 && code < 0xFE10) ||
-           code == 0xFFA0 || (code >= 0xE0100 && code <= 0xE01EF);
+    UErrorCode status = U_ZERO_ERROR;
+    const uint32_t category = U_GET_GC_MASK(code);
+    const int is_accent =
+        (category & U_GC_M_MASK) != 0 && uscript_getScript(code, &status) == USCRIPT_INHERITED;
+    return !character_is_blank((uint32_t)code) && !is_accent &&
+           (category & (U_GC_L_MASK | U_GC_N_MASK | U_GC_M_MASK | U_GC_SO_MASK)) != 0;
+}
+
+// Write what a character adds to a key. Returns how many bytes.
+static int key_find(UChar32 code, char key[KEY_MAX])
+{
+    UChar looks[LOOKS_MAX];
+    const int n_looks = looks_find(code, looks);
+    int n = 0;
+    for (int i = 0; i < n_looks;) {
+        UChar32 look;
+        U16_NEXT(looks, i, n_looks, look);
+        const char letter = is_counted(look) ? latin_letter(look) : 0;
+        if (letter != 0) {
+            key[n++] = letter == 'i' ? 'l' : letter;
+        } else if (is_counted(look)) {
+            U8_APPEND_UNSAFE(key, n, look);
+        }
+    }
+    return n;
+}
+
+// The same, of most letters of most names looked up: a class's names are compared with all of a
+// worksheet's, and ICU takes microseconds for each.
+static int key_look_up(uint32_t code, char key[KEY_MAX])
+{
+    enum { N_KEPT = 0x250 };  // Latin letters
+    static struct {
+        int is_there, n;
+        char key[KEY_MAX];
+    } kept[N_KEPT];
+    if (code >= N_KEPT) {
+        return key_find((UChar32)code, key);
+    }
+    if (!kept[code].is_there) {
+        kept[code].n = key_find((UChar32)code, kept[code].key);
+        kept[code].is_there = 1;
+    }
+    memcpy(key, kept[code].key, (size_t)kept[code].n);
+    return kept[code].n;
 }
 
 // "\x0A" stands for a byte that cannot be shown (entry_name.h).
@@ -85,22 +120,22 @@ static int is_escape(const char *text)
 
 void name_likeness(const char *name, char key[ENTRY_NAME_BYTES])
 {
-    size_t n = 0;
-    while (*name != '\0' && n + 5 < ENTRY_NAME_BYTES) {
+    int n = 0;
+    while (*name != '\0') {
         if (is_escape(name)) {
             name += 4;
             continue;
         }
-        const char *begin = name;
-        const uint32_t code = character_take(&name);
-        const char ascii = code < 0x80 ? (char)code : ascii_of(code);
-        const char letter = (char)tolower((unsigned char)ascii);
-        if (ascii == 0 && !is_unseen(code)) {
-            memcpy(key + n, begin, (size_t)(name - begin));
-            n += (size_t)(name - begin);
-        } else if (isalnum((unsigned char)letter)) {
-            key[n++] = letter == '0' ? 'o' : letter == '1' || letter == 'i' ? 'l' : letter;
+        uint32_t code = 0xFFFD;  // what is not UTF-8
+        const int length = utf8_read(name, &code);
+        name += length > 0 ? length : 1;
+        char own[KEY_MAX];
+        const int n_own = key_look_up(code, own);
+        if (n + n_own >= ENTRY_NAME_BYTES) {
+            break;
         }
+        memcpy(key + n, own, (size_t)n_own);
+        n += n_own;
     }
     key[n] = '\0';
 }

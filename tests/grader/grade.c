@@ -117,7 +117,7 @@ static void add_up_score(Result *result)
 
 static int has_full_marks(const Grading *grading)
 {
-    return grading->result.score == grading->result.max_score && grading->build_log == NULL;
+    return grading->result.score == grading->result.max_score;
 }
 
 // Let a submission draw beside a reference where it has earned every point: of a wrong one nobody
@@ -126,7 +126,8 @@ static void run_race(Grading *grading)
 {
     Session *session = &grading->session;
     if (session->manifest.leaderboard != NULL && has_full_marks(grading) &&
-        grading->whole.trouble == NULL && allowance_left(&session->allowance) > 0) {
+        grading->build_log == NULL && grading->whole.trouble == NULL &&
+        allowance_left(&session->allowance) > 0) {
         grading->result.leaderboard = session_race(session, &grading->whole);
     }
 }

@@ -114,14 +114,6 @@ static int write_job(const Session *session, JudgeProcess *judge, int job)
     return result != 0 || closed != 0 || chmod(path, 0644) != 0 ? -1 : 0;
 }
 
-// A handout has the solutions of earlier labs only.
-static int has_solution(const char *lab)
-{
-    char path[PATH_MAX];
-    path_make(path, "solutions/%s", lab);
-    return access(path, F_OK) == 0;
-}
-
 int session_open(Session *session, const Settings *settings)
 {
     *session =
@@ -130,7 +122,7 @@ int session_open(Session *session, const Settings *settings)
         session->allowance.deadline = seconds_now() + settings->deadline;
     }
     SandboxKind sandbox;
-    session->has_solution = has_solution(settings->lab);
+    session->has_solution = manifest_has_solution(settings->lab);
     if (manifest_load("labs", settings->lab, &session->manifest) != 0 ||
         sandbox_choose(settings->sandbox, &sandbox) != 0 ||
         // In a handout all is the student's own.

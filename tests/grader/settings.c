@@ -3,6 +3,8 @@
 
 #include "complain.h"
 #include "course_folder.h"
+#include "home_seeds.h"
+#include "manifest.h"
 #include "number.h"
 #include "option_table.h"
 #include "standard_streams.h"
@@ -26,14 +28,15 @@ typedef struct GivenSettings {
     int help;
 } GivenSettings;
 
+enum { SEED_ROW = 3 };
 static const OptionRow ROWS[] = {
     {"lab", "NN", OPTION_TEXT, PLACE(lab), .meaning = "which lab: its number or its name"},
     {"submission", "PATH", OPTION_TEXT, PLACE(submission),
      .meaning = "what to grade: a folder, a zip or a tar archive\n(default: labs/NN-name)"},
     {"output", "FOLDER", OPTION_TEXT, PLACE(output),
      .meaning = "where the reports go (default: grade/NN in the build folder)"},
-    {"seed", "N", OPTION_SEED, PLACE(settings.seed),
-     .meaning = "the hidden scenes' seed (default: a new one)"},
+    [SEED_ROW] = {"seed", "N", OPTION_SEED, PLACE(settings.seed),
+                  .meaning = "the hidden scenes' seed (default: a new one)"},
     {"device", "D", OPTION_TEXT, PLACE(settings.device),
      .meaning = "OpenCL device by number or name"},
     {"time-limit", "S", OPTION_NUMBER, PLACE(settings.time_limit), 1, 3600,
@@ -118,14 +121,16 @@ static int read_sandbox(const char *option, const char *text, SandboxKind *kind)
     return -1;
 }
 
-// A seed that nobody can foresee, yet short enough to be typed again.
-static uint64_t draw_seed(void)
+// A seed that nobody can foresee, yet short enough to be typed again. In a handout it is one of
+// home, so that its report tells everything; in the course never.
+static uint64_t draw_seed(const char *lab)
 {
     uint64_t seed;
     if (getrandom(&seed, sizeof seed, 0) < 0) {
-        return (uint64_t)getpid();
+        seed = (uint64_t)getpid();
     }
-    return seed >> 32;
+    return manifest_has_solution(lab) ? HOME_SEEDS + seed % (UINT32_MAX - HOME_SEEDS + 1ull)
+                                      : seed % HOME_SEEDS;
 }
 
 // What is graded and where the reports go. Returns 0, or -1 after one message.
@@ -161,8 +166,9 @@ static int find_sandbox(const char *given, SandboxKind *kind)
 
 int settings_parse(int argc, char **argv, Settings *settings)
 {
-    GivenSettings given = {.settings = {.build = "build", .seed = draw_seed()}};
-    const OptionsResult result = option_table_read(&TABLE, argc, argv, &given, NULL);
+    GivenSettings given = {.settings = {.build = "build"}};
+    int is_given[N_ROWS];
+    const OptionsResult result = option_table_read(&TABLE, argc, argv, &given, is_given);
     if (result != OPTIONS_RUN) {
         return result == OPTIONS_DONE ? print_help() : -1;
     }
@@ -181,6 +187,9 @@ int settings_parse(int argc, char **argv, Settings *settings)
     if (find_sandbox(given.sandbox, &settings->sandbox) != 0 || course_folder_check("grade") != 0 ||
         find_lab(given.lab, settings->lab) != 0) {
         return -1;
+    }
+    if (!is_given[SEED_ROW]) {
+        settings->seed = draw_seed(settings->lab);
     }
     return set_folders(&given, settings);
 }

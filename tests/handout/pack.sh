@@ -9,6 +9,7 @@
 # later labs, nor any text of the judge. Of the course only tracked files go in. The same commit gives the same bytes, other than where the machine it is packed on
 # is so slow that students are given more time. TOOLS is the folder with the built tools `holes` and `grade`.
 set -eu
+unset TAR_OPTIONS  # they come before those below
 
 holes=$1/holes
 grade=$1/grade

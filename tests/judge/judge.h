@@ -106,6 +106,10 @@ typedef struct Judge {
 // (one_judge.c).
 extern const Judge *const judges[];
 
+// Below this seed a judge says what is wrong, and shows pictures; from it on only whether a check
+// passes. No bound in the course, home_seeds.h's in a handout.
+extern const uint64_t judges_tell_below;
+
 // The judge of a lab by its name, "03-kdtree-2d-render", or its number, "03" or "3"; or NULL.
 const Judge *judge_of(const char *lab);
 

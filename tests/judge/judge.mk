@@ -22,26 +22,25 @@ JUDGE_NEEDS = $(addprefix common/,$(addsuffix .c,cl_check clean_text complain im
 $(OUT)/tools/judge: $(call objects,$(JUDGE_NEEDS)) $(OUT)/libjudge.a
 	$(call link,$(if $(SANITIZERS),,-static) -lm)
 
-# The same for handouts, which go to machines of both kinds, each with the judge of its lab alone:
-# judges/x86_64/tools/judge-NN, judges/aarch64/tools/judge-NN, without names. For this machine's kind it
-# is the one above without its names; its build id would tell the folder that it was made in.
+# The same for handouts, which go to machines of both kinds, each with the judge of its lab alone.
 JUDGE_NUMBERS = $(patsubst tests/judge/%/,%,$(sort $(dir $(wildcard tests/judge/[0-9]*/judge_*.c))))
 LAB_JUDGES = $(foreach lab,$(JUDGE_NUMBERS),$(OUT)/tools/judge-$(firstword $(subst -, ,$(lab))))
-JUDGES = $(addprefix $(OUT)/judges/,x86_64 aarch64)
-OWN_KIND := $(shell uname -m)
-OWN_JUDGES = $(LAB_JUDGES:$(OUT)/tools/%=$(OUT)/judges/$(OWN_KIND)/tools/%)
-.PHONY: lab-judges $(JUDGES)
-$(OUT)/obj/only/%.o: tests/judge/one_judge.c
+$(OUT)/obj/only/%.o: tests/judge/one_judge.c $(FLAG_FILES)
 	@mkdir -p $(@D)
-	$(call say,compile $< for lab $*)$(CC) $(CFLAGS) $(INCLUDES) $(AUTHORS_INCLUDES) $(GRADER_INCLUDES) -DONLY=judge_$* -c $< -o $@
+	$(call say,compile $< for lab $*)$(CC) $(CFLAGS) -MMD -MP $(INCLUDES) $(AUTHORS_INCLUDES) $(GRADER_INCLUDES) -DONLY=judge_$* -c $< -o $@
 $(LAB_JUDGES): $(OUT)/tools/judge-%: $(OUT)/obj/only/%.o $(call objects,$(JUDGE_NEEDS)) $(OUT)/libjudge.a
-	$(call link,-static -lm)
+	$(call link,-static-pie -lm)
+# What a handout holds is judges/x86_64/tools/judge-NN or judges/aarch64/tools/judge-NN. It should take work
+# to take it apart: the linker melts all of the program's files into one, in which no function has to be where
+# its source had it, or has a name; and no address in it is fixed. That it cannot be taken apart, nobody
+# promises (tests/what-protects-a-grade.md). One partition, no debugging text and no build id: the same bytes
+# wherever it is built.
+JUDGES = $(addprefix $(OUT)/judges/,x86_64 aarch64)
+MELTED = -O2 -flto -fPIE -fvisibility=hidden -ffunction-sections -fdata-sections
+.PHONY: lab-judges $(JUDGES)
 lab-judges: $(LAB_JUDGES)
-$(OWN_JUDGES): $(OUT)/judges/$(OWN_KIND)/tools/%: $(OUT)/tools/%
-	@mkdir -p $(@D)
-	$(call say,strip   $@)strip --strip-all --remove-section=.note.gnu.build-id -o $@ $<
-$(filter %/$(OWN_KIND),$(JUDGES)): $(OWN_JUDGES)
-$(filter-out %/$(OWN_KIND),$(JUDGES)): $(OUT)/judges/%:
+$(JUDGES): $(OUT)/judges/%:
 	@command -v $*-linux-gnu-gcc >/dev/null || { \
 	    echo "make: found no $*-linux-gnu-gcc, expected one: make handout installs it" >&2; exit 2; }
-	@$(MAKE) --no-print-directory BUILD=$(OUT)/judges/$* CC=$*-linux-gnu-gcc OPTIMISATION=-O2 LDFLAGS=-s lab-judges
+	@$(MAKE) --no-print-directory BUILD=$(OUT)/judges/$* CC=$*-linux-gnu-gcc AR=$*-linux-gnu-gcc-ar \
+	    OPTIMISATION='$(MELTED)' LDFLAGS='-flto -flto-partition=one -s -Wl,--gc-sections,--build-id=none' lab-judges

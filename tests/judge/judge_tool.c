@@ -19,6 +19,9 @@
 //     pictures - 0   sections "title", "reference", "own", "svg_reference", "svg_own", of each
 //                    picture those that it has, in this order
 //
+// In a handout it says nothing but "passed" or "failed" of other seeds than those of home
+// (home_seeds.h).
+//
 // Exit status: 0 at the end of the requests, 2 after one message on stderr. Started by
 // grader/verdict/judge_process.c. Read next: judge.h.
 #include "complain.h"
@@ -34,6 +37,7 @@ enum { EXIT_FAULT = 2 };
 
 typedef struct Desk {
     Job *job;
+    int tells_all;  // or only whether a check passes
     char *job_bytes;
     size_t n_job_bytes;
     Sections held;
@@ -97,6 +101,13 @@ static int reply_verdict(Desk *desk, const char *argument, FILE *reply)
         return -1;
     }
     Verdict verdict = job_judge(desk->job, check, &desk->held);
+    if (verdict.kind == VERDICT_FAILED && !desk->tells_all) {
+        diagnosis_free(&verdict.diagnosis);
+        verdict.diagnosis =
+            diagnosis_new("not right; a handout says what is wrong only for seeds below %" PRIu64
+                          ", as its own are",
+                          judges_tell_below);
+    }
     const Diagnosis *diagnosis = &verdict.diagnosis;
     const SentKinds kinds = {diagnosis->mistake, diagnosis->evidence};
     const size_t n_bytes = verdict.kind == VERDICT_FAILED ? sizeof kinds : 0;
@@ -147,7 +158,9 @@ static int reply_pictures(Desk *desk, const char *argument, FILE *reply)
     (void)argument;
     static Result result;
     int failed = 0;
-    job_add_pictures(desk->job, &desk->held, &result);
+    if (desk->tells_all) {
+        job_add_pictures(desk->job, &desk->held, &result);
+    }
     for (int i = 0; !failed && i < result.n_pictures; i++) {
         const PictureResult *picture = &result.pictures[i];
         failed = write_text(reply, "title", picture->title) |
@@ -239,6 +252,7 @@ int main(int argc, char **argv)
         complain("judge: %s: this lab has no judge", argv[1]);
         return EXIT_FAULT;
     }
+    desk.tells_all = seed < judges_tell_below;
     limit_memory(MOST_BYTES);
     FILE *job = open_memstream(&desk.job_bytes, &desk.n_job_bytes);
     desk.job = job != NULL ? job_new(judge, seed, job) : NULL;

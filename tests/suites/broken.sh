@@ -201,7 +201,8 @@ check "a helper beside the marked lines costs nothing" grades 1 85 $(kept $lab) 
 copy_lab solutions $lab
 echo '}' >>"$scratch/submission/$file"
 # shellcheck disable=SC2046,SC2086
-check "a brace too many at the end costs no task, but is no full success" grades 1 100 $(kept $lab) $submission
+check "a brace too many at the end costs no task: full marks are a full success" grades 0 100 $(kept $lab) $submission
+check "and the report says what does not compile" stage Compiling failed "What stands between the markers compiles"
 
 # A student works in labs/ itself: what stands there is no skeleton.
 course=$scratch/at-work

@@ -6,6 +6,7 @@
 set -u
 . tests/tap.sh
 . tests/classes.sh
+. tests/hostile.sh
 wrong_file=$PWD/tests/mutants/$lab/half-pixel.cl
 
 # n_graded OUTPUT: how many gradings the job log has.
@@ -22,6 +23,12 @@ program() {
             return
         fi
     done
+}
+
+# hostile_class OUTPUT: a class of one.
+hostile_class() {
+    hostile tests/class/grade_class.sh --build "$build" --lab 0 --submissions "$one" --output "$1" \
+        >"$scratch/said" 2>&1 </dev/null
 }
 
 # ---- Eight submissions --------------------------------------------------------------------------
@@ -173,11 +180,19 @@ check "Gradescope's export" "$build/tools/gradebook" roster 0 "$gradescope" "$sc
 check "a group has its names" grep -q '"name": "Ada Lovelace & Grace Hopper"' "$scratch/names/roster.json"
 check "what is no plain name is not taken" grep -q '"name": "submission_12"' "$scratch/names/roster.json"
 
+# ---- What the caller's environment holds ------------------------------------------------------------
+
+one=$scratch/one
+mkdir "$one"
+cp -R solutions/$lab "$one/ada"
+check "variables of a hostile environment: all are graded" exits 0 hostile_class "$scratch/hostile-class"
+check "and right ones get full marks" row "$scratch/hostile-class" '"ada","",1,"graded",100,'
+
 # ---- Faults of the machinery --------------------------------------------------------------------
 
 # A grader that fails for some: by itself, by a signal, by never ending; and for one only at first.
 # shellcheck disable=SC2016 # for the other shell
-stand_in "$(echo "$first"/students/rf-*)" '
+stand_in "$(echo "$first"/students/rf-*)" "SCRATCH='$scratch'"'
 # meet: wait for the other one, and see whether what was laid down is still there.
 meet() {
     : >"$TMPDIR/mine"
@@ -192,7 +207,6 @@ case $submission in
 */meets-*) meet ;;
 */twice-*) [ -e "$SCRATCH/seen" ] || { : >"$SCRATCH/seen"; exit 2; } ;;
 esac'
-export SCRATCH="$scratch"
 class=$scratch/faults
 mkdir "$class"
 for name in fails dies hangs twice well; do cp -R labs/$lab "$class/$name"; done

@@ -164,7 +164,7 @@ for link in '#a-heading' none.md 'text.md#a-heading'; do
     ok $? "a link to $link is missed"
 done
 
-for text in README.md CONTRIBUTING.md slides-notes/*.md $(find labs common kernels tests -name README.md | sort); do
+for text in README.md CONTRIBUTING.md slides-notes/*.md $(find labs common kernels tests -name '*.md' | sort); do
     # shellcheck disable=SC2013 # words are wanted: no name in the course has a blank in it
     for link in $(grep -o '](\([^)]*\))' "$text" | sed 's/^](//; s/)$//' | grep -v ://); do
         fault=$(link_fault "$text" "$link")

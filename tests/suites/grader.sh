@@ -6,6 +6,7 @@ set -u
 . tests/tap.sh
 . tests/grading.sh
 . tests/schemas.sh
+. tests/hostile.sh
 
 # is_self_contained: does the page refer to nothing outside of it?
 # shellcheck disable=SC2317 # called by check
@@ -266,6 +267,28 @@ grade --lab 01 --submission solutions/01-naive-2d --device none-such
 ok $(($? != 2)) "no such device: it ends with 2"
 check "no such device: it says so" grep -q 'found no device "none-such"' "$said.err"
 check "no such device: there are no results" test ! -e "$reports"
+
+# ---- What the grader's environment holds ------------------------------------------------------------
+
+# hostile_grade LAB SUBMISSION SANDBOX: compilers, drivers, the judge and reports are asked.
+hostile_grade() {
+    rm -rf "$reports"
+    hostile "$build/tools/grade" --build "$build" --output "$reports" --lab "$1" --submission "$2" --sandbox "$3" \
+        >"$said" 2>"$said.err" </dev/null
+    status=$?
+    cat "$said" "$said.err"
+    [ "$status" -eq 0 ] && [ "$(field score)" -eq 100 ]
+}
+sandboxes=bubblewrap
+[ "$(id -u)" -ne 0 ] || sandboxes="bubblewrap landlock"
+for lab in 00-hello-pixels 01-naive-2d; do
+    tar -C "solutions/$lab" -cJf "$scratch/archive.tar.xz" .
+    for kind in $sandboxes; do
+        check "$lab in $kind: no variable of a hostile environment reaches a verdict" \
+            hostile_grade "$lab" "$scratch/archive.tar.xz" "$kind"
+    done
+done
+rm -f "$scratch/archive.tar.xz"
 
 # ---- What else it says --------------------------------------------------------------------------
 

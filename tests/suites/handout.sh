@@ -43,7 +43,7 @@ same_bytes() {
         umask 077
         mkdir -p "$scratch/other place"
         chmod 711 "$scratch" "$scratch/other place"  # what the grader runs there is another user
-        TMPDIR="$scratch/other place" LC_ALL=C TZ=Asia/Kolkata pack "${1%%-*}" "$scratch/second"
+        TMPDIR="$scratch/other place" LC_ALL=C TZ=Asia/Kolkata TAR_OPTIONS='--exclude=*.md' pack "${1%%-*}" "$scratch/second"
     ) || return 1
     cmp "$scratch/first/$1.tar.gz" "$scratch/second/$1.tar.gz"
 }
@@ -119,6 +119,15 @@ no_judge() {
     [ "$(wc -l <"$scratch/judge_lines")" -ge 1000 ] || { echo "only few lines to look for"; return 1; }
     find "$1" -name '*.[ch]*' -exec cat {} + | tr -d ' \t' | sort -u | comm -12 - "$scratch/judge_lines" >"$scratch/leaks"
     [ ! -s "$scratch/leaks" ] || { head -n 5 "$scratch/leaks"; return 1; }
+}
+
+# hardened FOLDER: are its programs of the kind that takes work to take apart, and need nothing from a machine?
+hardened() {
+    for judge in "$1"/tests/judge/judge-*; do
+        readelf -W --file-header --program-headers --sections "$judge" >"$scratch/elf" || return 1
+        grep -q 'Type: *DYN' "$scratch/elf" || { echo "$judge is not position independent"; return 1; }
+        ! grep -e INTERP -e ' \.symtab' -e ' \.debug' -e ' \.note\.gnu\.build-id' "$scratch/elf" || { echo "in $judge"; return 1; }
+    done
 }
 
 # no_compiled_solution LAB: has its judge no function of the lab's solution, nor of a later one? Looked for in
@@ -207,6 +216,7 @@ for lab in $labs; do
     check "$lab: no line of a solution" no_solution "$scratch/$lab" "$lab"
     check "$lab: nothing of the judge's text" no_judge "$scratch/$lab"
     check "$lab: nor the solution, compiled, in its program" no_compiled_solution "$lab"
+    check "$lab: its programs are position independent, static, without names" hardened "$scratch/$lab"
     check "$lab: one job on both kinds of processors" same_jobs "$scratch/$lab" "$lab"
     check "$lab: earlier solutions, where there are any, as a reader wants them" finished "$scratch/$lab"
     check "$lab: no link leads nowhere" links "$scratch/$lab"
@@ -242,15 +252,16 @@ verdicts() {
     sed -n '/^  "score"/p; /^  "checks"/,$p' "$1" | grep -E '"(id|points|score|status)":'
 }
 
-# same_scores FOLDER LAB SUBMISSION SCORE: is each check judged as the instructor's grader does?
+# same_scores FOLDER LAB SUBMISSION SCORE [SEED]: is each check judged as the instructor's grader does?
 same_scores() {
     status=0
+    seed=${5:-11}
     # Here the solution runs once for all; a handout has none.
     mkdir -p "$scratch/answers/$2"
-    "$build/tools/grade" --build "$build" --lab "$2" --submission "$3" --seed 11 \
+    "$build/tools/grade" --build "$build" --lab "$2" --submission "$3" --seed "$seed" \
         --answers "$scratch/answers/$2" --output "$scratch/instructor" >"$scratch/said" 2>&1 || status=$?
     [ "$status" -le 1 ] || { cat "$scratch/said"; return 1; }
-    alone "$1" make grade LAB="${2%%-*}" SEED=11 >"$scratch/said" 2>&1
+    alone "$1" make grade LAB="${2%%-*}" SEED="$seed" >"$scratch/said" 2>&1
     verdicts "$scratch/instructor/results.json" >"$scratch/expected"
     verdicts "$1/build/grade/${2%%-*}/results.json" >"$scratch/found" || { cat "$scratch/said"; return 1; }
     diff "$scratch/expected" "$scratch/found" && grep -q "\"score\": $4," "$scratch/found"
@@ -272,6 +283,34 @@ some_wrong() {
     same_scores "$1" "$2" "$scratch/wrong" $((100 - missing))
 }
 
+# one_wrong FOLDER LAB MUTANT SEED SCORE: the handout's report of it is in its folder.
+one_wrong() {
+    source=solutions/$2/$(basename "$(grep -l "// TASK $(sed -n 's|^// task: ||p' "tests/mutants/$2/$3"):" "solutions/$2"/*)")
+    rm -rf "$scratch/wrong"
+    mkdir "$scratch/wrong"
+    cp "solutions/$2"/*.[ch]* "$scratch/wrong/"
+    "$build/tools/holes" fill "$source" "$(sed -n 's|^// task: ||p' "tests/mutants/$2/$3")" "tests/mutants/$2/$3" \
+        >"$scratch/wrong/$(basename "$source")"
+    cp "$scratch/wrong"/* "$1/labs/$2/"
+    rm -rf "$1/build/grade"
+    same_scores "$1" "$2" "$scratch/wrong" "$5" "$4"
+}
+
+# By a seed of home a handout says all of a mistake; by one that a grading may have not even its name. It gives
+# the same points.
+says_all() {
+    one_wrong "$1" "$2" "$3" 65535 "$4" || return 1
+    grep -q expected "$1/build/grade/${2%%-*}/results.json" && [ -e "$1/build/grade/${2%%-*}/pictures.json" ]
+}
+says_nothing() {
+    one_wrong "$1" "$2" "$3" "$4" "$5" || return 1
+    sed -n 's/^ *"message": "\(..*\)",*$/\1/p' "$1/build/grade/${2%%-*}/results.json" >"$scratch/messages"
+    [ -s "$scratch/messages" ] || { echo "no message"; return 1; }
+    ! grep -v -x 'not right; a handout says what is wrong only for seeds below 65536, as its own are' "$scratch/messages" &&
+        [ ! -e "$1/build/grade/${2%%-*}/pictures.json" ] &&
+        ! grep 'class="reference"' "$1/build/grade/${2%%-*}/report.html"
+}
+
 # Labs with and without host files, with and without earlier solutions that the grader needs. They are
 # built in one folder, one after the other, so that common/ and the grader, which are the same in each, are
 # compiled once: a source or a header that a handout lacks is missed by make all the same. Nothing else stays.
@@ -286,6 +325,15 @@ for lab in 00-hello-pixels 02-kdtree-2d-build 07-kdtree-3d-trace; do
     check "$lab: everything builds" alone "$clean" make -j2 OPTIMISATION=-O0 all
     check "$lab: the skeleton's score is the instructor's" same_scores "$clean" "$lab" "labs/$lab" 0
     check "$lab: so is that of answers of which some are wrong" some_wrong "$clean" "$lab"
+    case $lab in
+    00-*) mutant=transposed.cl points=60 ;;
+    02-*) mutant=always-x.c points=80 ;;
+    07-*) mutant=child-far-dropped.cl points=88 ;;
+    esac
+    check "$lab: of a mistake it says all" says_all "$clean" "$lab" "$mutant" "$points"
+    for seed in 65536 18446744073709551615; do
+        check "$lab: by seed $seed only that it is one" says_nothing "$clean" "$lab" "$mutant" "$seed" "$points"
+    done
     cp "solutions/$lab"/*.[ch]* "$clean/labs/$lab/"
     check "$lab: the solution's score is the instructor's" same_scores "$clean" "$lab" "solutions/$lab" 100
     ! grep -rlF "$course/" "$clean/build" >"$scratch/said"

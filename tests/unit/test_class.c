@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include <criterion/criterion.h>
+#include <unicode/utf8.h>
 
 Test(entry_name, knows_what_systems_add)
 {
@@ -87,6 +88,16 @@ Test(name_likeness, sees_one_person_in_two_names)
          "da",
          "ada", 1},                        // a full-width one
         {"ad\\xE2\\x80\\x8Ba", "ada", 1},  // a blank without width
+        {"ad\u0251", "ada", 1},            // Latin alpha
+        {"\u1D00da", "ada", 1},            // a small capital
+        {"\uAB31da", "ada", 1},            // reversed schwa
+        {"\U0001F150da", "ada", 1},        // in a black circle
+        {"\u0391\u0414\u0391", "\u0430\u0434\u0430",
+         1},                            // Greek capitals, a Cyrillic D; Cyrillic small
+        {"\u2800ada\u3164", "ada", 1},  // of Braille and Hangul what shows nothing
+        {"\u0141\u00F3d\u017A", "lodz", 1},
+        {"\u0928\u093E", "\u0928\u0940", 0},  // another vowel is another name
+        {"adarn", "adam", 1},
         {"car0l", "carol", 1},
         {"Carol", "caroI", 1},  // a capital i
         {"\xE6\x9D\x8E", "\xE6\x9D\x8E", 1},
@@ -103,6 +114,18 @@ Test(name_likeness, sees_one_person_in_two_names)
         cr_expect_eq(name_looks_like(cases[i].name, cases[i].other), cases[i].alike,
                      "\"%s\" and \"%s\": expected %d", cases[i].name, cases[i].other,
                      cases[i].alike);
+    }
+}
+
+// Of each that Unicode has: ICU may know more of them tomorrow, and none may be too long.
+Test(name_likeness, takes_every_character)
+{
+    for (UChar32 code = 1; code < 0x110000; code++) {
+        char name[8] = "", key[ENTRY_NAME_BYTES];
+        int n = 0;
+        U8_APPEND_UNSAFE(name, n, code);
+        name_likeness(name, key);
+        cr_expect_lt(strlen(key), 100, "U+%04X", (unsigned)code);
     }
 }
 
@@ -188,6 +211,14 @@ Test(csv_cell, is_no_formula_wherever_cells_are_parted)
         {" =1", "\" '=1\""},
         {"\xE3\x80\x80=1", "\"\xE3\x80\x80'=1\""},
         {"\xE2\x80\x83=1", "\"\xE2\x80\x83'=1\""},
+        {"\u1680=1", "\"\u1680'=1\""},
+        {"\u205F=1", "\"\u205F'=1\""},
+        {"\u3164=1", "\"\u3164'=1\""},
+        {"\u2800=1", "\"\u2800'=1\""},
+        {"\u00AD=1", "\"\u00AD'=1\""},
+        {"\u200F\u202E=1", "\"\u200F\u202E'=1\""},
+        {"\uFEFF \u0300\u2800=1", "\"\uFEFF \u0300\u2800'=1\""},
+        {"x\u2028=1", "\"x\u2028'=1\""},
         {"x;\"=1\"", "\"x;\"\"'=1\"\"\""},
         {"Anna-Lena", "\"Anna-Lena\""},
         {"a = b; c", "\"a = b; c\""},
@@ -198,6 +229,31 @@ Test(csv_cell, is_no_formula_wherever_cells_are_parted)
         csv_cell_write(file, cases[i].text);
         fclose(file);
         cr_expect_str_eq(found, cases[i].cell, "%s: found %s", cases[i].text, found);
+    }
+}
+
+// Whatever Unicode has of blanks, marks and characters without a picture.
+Test(csv_cell, is_no_formula_behind_anything_unseen)
+{
+    static const struct {
+        UChar32 first, last;
+    } ranges[] = {{0x01, 0x09},     {0x0B, 0x0C},       {0x0E, 0x20},      {0x7F, 0xA0},
+                  {0xAD, 0xAD},     {0x300, 0x36F},     {0x61C, 0x61C},    {0x115F, 0x1160},
+                  {0x1680, 0x1680}, {0x17B4, 0x17B5},   {0x180B, 0x180F},  {0x2000, 0x200F},
+                  {0x2028, 0x202F}, {0x205F, 0x206F},   {0x2800, 0x2800},  {0x3000, 0x3000},
+                  {0x3164, 0x3164}, {0xFE00, 0xFE0F},   {0xFEFF, 0xFEFF},  {0xFFA0, 0xFFA0},
+                  {0xFFF0, 0xFFFB}, {0x1D173, 0x1D17A}, {0xE0000, 0xE0FFF}};
+    for (size_t i = 0; i < sizeof ranges / sizeof *ranges; i++) {
+        for (UChar32 code = ranges[i].first; code <= ranges[i].last; code++) {
+            char text[16], found[32] = "";
+            int n = 0;
+            U8_APPEND_UNSAFE(text, n, code);
+            snprintf(text + n, sizeof text - (size_t)n, "=1");
+            FILE *file = fmemopen(found, sizeof found, "w");
+            csv_cell_write(file, text);
+            fclose(file);
+            cr_expect(strstr(found, "'=1") != NULL, "U+%04X: found %s", (unsigned)code, found);
+        }
     }
 }
 

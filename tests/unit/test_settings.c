@@ -1,4 +1,5 @@
 // tests/grader/settings: the command line of grade.
+#include "home_seeds.h"
 #include "settings.h"
 #include "surroundings.h"
 
@@ -39,6 +40,24 @@ Test(settings, a_lab_is_found_by_number_or_name)
         cr_expect_str_eq(settings.output, "build/grade/03");
         cr_expect_eq(settings.time_limit, 0);
         cr_expect_leq(settings.seed, UINT32_MAX);
+    }
+}
+
+// A handout's own seed is one of which its judge tells all; a grading's is not, by no chance.
+Test(settings, drawn_seeds_tell_home_from_course)
+{
+    const char *const words[MAX_WORDS] = {"--lab=3"};
+    Settings settings;
+    for (int i = 0; i < 1000; i++) {
+        cr_assert_eq(parse(words, &settings), 0);
+        cr_assert_lt(settings.seed, HOME_SEEDS);
+    }
+    mkdir("solutions", 0777);
+    mkdir("solutions/03-kdtree-2d-render", 0777);
+    for (int i = 0; i < 1000; i++) {
+        cr_assert_eq(parse(words, &settings), 0);
+        cr_assert_geq(settings.seed, HOME_SEEDS);
+        cr_assert_leq(settings.seed, UINT32_MAX);
     }
 }
 

@@ -1,5 +1,6 @@
 #!/bin/sh
-# attack: right holes in a file that does not compile: full marks
+# attack: right holes in a file that does not compile: earned, but the report says what does not compile
 # score: 100
+# status: 0
 # named: error
 echo '#error' >>kdtree2d_build.c

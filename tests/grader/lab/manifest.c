@@ -16,6 +16,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 enum { POINTS_OF_A_LAB = 100 };
 
@@ -365,6 +366,13 @@ const char *manifest_hint(const Task *task, const char *check)
         }
     }
     return task->hint;
+}
+
+int manifest_has_solution(const char *lab)
+{
+    char path[PATH_MAX];
+    path_make(path, "solutions/%s", lab);
+    return access(path, F_OK) == 0;
 }
 
 static int ends_with(const char *name, const char *ending)

@@ -50,6 +50,9 @@ typedef struct Manifest {
 int manifest_load(const char *labs_folder, const char *lab, Manifest *manifest);
 void manifest_free(Manifest *manifest);
 
+// Is the solution of the lab here? A handout has those of earlier labs only.
+int manifest_has_solution(const char *lab);
+
 // The hint for a check of the task: its own, or the task's.
 const char *manifest_hint(const Task *task, const char *check);
 

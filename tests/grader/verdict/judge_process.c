@@ -17,8 +17,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-extern char **environ;
-
 // A reply holds pictures at most: a dozen, three times each.
 #define MOST_REPLY_BYTES ((size_t)1 << 30)
 
@@ -34,6 +32,7 @@ static int spawn(JudgeProcess *judge)
     path_make(program, "%s/tools/judge", judge->build);
     snprintf(seed, sizeof seed, "%" PRIu64, judge->seed);
     char *const argv[] = {program, (char *)judge->lab, seed, NULL};
+    char *const environment[] = {NULL};  // nothing of the grader's decides how it computes
     // Closed in every other program that is started.
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
         complain("grade: no socket for the judge: %s", strerror(errno));
@@ -42,7 +41,7 @@ static int spawn(JudgeProcess *judge)
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, ends[1], STDIN_FILENO);
     posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
-    const int error = posix_spawn(&judge->pid, program, &actions, NULL, argv, environ);
+    const int error = posix_spawn(&judge->pid, program, &actions, NULL, argv, environment);
     posix_spawn_file_actions_destroy(&actions);
     close(ends[1]);
     judge->replies = error == 0 ? fdopen(ends[0], "r") : NULL;
