@@ -71,7 +71,8 @@ wait $driver
 ok $? "a grader and GNU parallel killed: the run ends well" "$(cat "$scratch/said")"
 check "and tried again" said "again for"
 check "each has one row" test "$(wc -l <"$first/gradebook.csv")" -eq 9
-check "the seed of the first run still holds" test "$(cat "$first/seed")" = 5
+check "the seed of the first run still holds" test "$(cat "$first/secret")" = SEED=5
+check "and it is said that it can be known" said "all seeds of this class follow from SEED=5"
 check "what was graded before was kept ($n_kept)" \
     test "$(n_graded "$first")" -lt 16
 
