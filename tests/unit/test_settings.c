@@ -38,8 +38,19 @@ Test(settings, a_lab_is_found_by_number_or_name)
         cr_expect_str_eq(settings.submission, "labs/03-kdtree-2d-render");
         cr_expect_str_eq(settings.output, "build/grade/03");
         cr_expect_eq(settings.time_limit, 0);
-        cr_expect_leq(settings.seed, UINT32_MAX);
     }
+}
+
+Test(settings, without_a_seed_one_of_64_bits_is_drawn)
+{
+    Settings settings;
+    uint64_t bits = 0, last = 0;
+    for (int i = 0; i < 8; i++) {
+        cr_assert_eq(parse((const char *[MAX_WORDS]){"--lab=3"}, &settings), 0);
+        cr_expect_neq(settings.seed, last);
+        bits |= last = settings.seed;
+    }
+    cr_expect_gt(bits, UINT32_MAX, "found none of more than 32 bits among eight");
 }
 
 Test(settings, everything_given)
