@@ -14,9 +14,9 @@ engine_run() {
     mkdir -p "$CLASS_WORK-parallel" || return
     # It ends with the driver, and each of its jobs with it.
     # shellcheck disable=SC2086 # an option or none
-    setpriv --pdeathsig KILL parallel --will-cite $bar --jobs "${2:-$(nproc)}" --colsep ' ' \
+    setpriv --pdeathsig KILL parallel --will-cite $bar --jobs "${2:-$(nproc)}" \
         --joblog "+$CLASS_FOLDER/joblog" --tmpdir "$CLASS_WORK-parallel" \
-        'exec setpriv --pdeathsig KILL tests/class/grade_one.sh {1} {2} {3}' :::: "$1"
+        'exec setpriv --pdeathsig KILL tests/class/grade_one.sh {}' :::: "$1"
 }
 
 # engine_end: nothing of a dead run is alive, as the lock is ours.

@@ -182,9 +182,9 @@ is_wanted() {
     esac
 }
 
-while read -r slug key own_seed; do
+while read -r slug key _; do
     if is_wanted "$slug" "$key"; then
-        echo "$slug $key $own_seed"
+        echo "$slug"
         : >"$CLASS_FOLDER/pending/$slug"
     fi
 done <"$CLASS_FOLDER/keys" >"$CLASS_FOLDER/todo"
@@ -201,8 +201,8 @@ export CLASS_LAB CLASS_FOLDER CLASS_BUILD CLASS_DEVICE CLASS_TIME_LIMIT CLASS_WO
 
 # remaining: of those to do, the ones that have not come to an end.
 remaining() {
-    while read -r slug key own_seed; do
-        [ ! -e "$CLASS_FOLDER/pending/$slug" ] || echo "$slug $key $own_seed"
+    while read -r slug; do
+        [ ! -e "$CLASS_FOLDER/pending/$slug" ] || echo "$slug"
     done <"$CLASS_FOLDER/todo" >"$CLASS_FOLDER/todo.new"
     mv "$CLASS_FOLDER/todo.new" "$CLASS_FOLDER/todo"
 }

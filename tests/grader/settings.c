@@ -23,6 +23,7 @@
 typedef struct GivenSettings {
     Settings settings;
     const char *lab, *submission, *output, *sandbox;
+    int reads_seed;
     int help;
 } GivenSettings;
 
@@ -34,6 +35,8 @@ static const OptionRow ROWS[] = {
      .meaning = "where the reports go (default: grade/NN in the build folder)"},
     {"seed", "N", OPTION_SEED, PLACE(settings.seed),
      .meaning = "the hidden scenes' seed (default: a new one)"},
+    {"read-seed", NULL, OPTION_FLAG, PLACE(reads_seed),
+     .meaning = "read it from stdin: others can see command lines"},
     {"device", "D", OPTION_TEXT, PLACE(settings.device),
      .meaning = "OpenCL device by number or name"},
     {"time-limit", "S", OPTION_NUMBER, PLACE(settings.time_limit), 1, 3600,
@@ -128,6 +131,20 @@ static int draw_seed(uint64_t *seed)
     return 0;
 }
 
+// The first line of standard input. Returns 0, or -1 after one message.
+static int read_seed(uint64_t *seed)
+{
+    char line[32] = "";
+    if (fgets(line, sizeof line, stdin) != NULL) {
+        line[strcspn(line, "\n")] = '\0';
+    }
+    if (number_read_unsigned(line, 0, UINT64_MAX, seed) != 0) {
+        complain("grade: --read-seed: found \"%s\", expected a whole number", line);
+        return -1;
+    }
+    return 0;
+}
+
 // What is graded and where the reports go. Returns 0, or -1 after one message.
 static int set_folders(const GivenSettings *given, Settings *settings)
 {
@@ -168,6 +185,9 @@ int settings_parse(int argc, char **argv, Settings *settings)
     const OptionsResult result = option_table_read(&TABLE, argc, argv, &given, NULL);
     if (result != OPTIONS_RUN) {
         return result == OPTIONS_DONE ? print_help() : -1;
+    }
+    if (given.reads_seed && read_seed(&given.settings.seed) != 0) {
+        return -1;
     }
     *settings = given.settings;
     if (given.lab == NULL) {

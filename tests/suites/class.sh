@@ -215,9 +215,10 @@ check "without them all is well" exits 0 run "$faults"
 # Two at work whose slugs end alike: each in a folder of its own.
 two=$scratch/two
 mkdir -p "$two/students" "$two/logs" "$two/faults" "$two/pending"
+for slug in meets-a-1 meets-b-1; do echo "$slug key 1"; done >"$two/keys"
 for slug in meets-a-1 meets-b-1; do
     CLASS_FOLDER=$two CLASS_BUILD=$build CLASS_LAB=$lab CLASS_WORK=$TMPDIR/two CLASS_DEVICE='' \
-        CLASS_TIME_LIMIT='' CLASS_TELLS='' tests/class/grade_one.sh $slug key 1 &
+        CLASS_TIME_LIMIT='' CLASS_TELLS='' tests/class/grade_one.sh $slug &
 done
 wait
 for slug in meets-a-1 meets-b-1; do

@@ -34,6 +34,8 @@ check "a secret is drawn, of 256 bits" grep -Eqx '[0-9a-f]{64}' "$drawn/secret"
 check "for its owner alone" test "$(stat -c %a "$drawn/secret")" = 600
 check "it is nowhere else in the folder" test "$(found_in "$drawn")" = ./secret
 check "nor in a command line or the environment" test -s "$scratch/seen" -a -z "$(found_in "$scratch" | grep seen)"
+check "where no seed is, either" sh -c '! cut -d " " -f 3 "$1/keys" | grep -aqF -f - "$1/joblog" "$2"' \
+    - "$drawn" "$scratch/seen"
 check "the seeds have 64 bits" sh -c 'awk "length(\$3) < 12 { exit 1 }" "$1/keys"' - "$drawn"
 check "the same class once more" exits 0 run "$scratch/drawn-again"
 seeds "$drawn" >"$scratch/seeds-before"
