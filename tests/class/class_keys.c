@@ -98,7 +98,7 @@ static int round_take(Contents *contents, const Content *old)
     return contents_add(contents, old);
 }
 
-// Of a record that is gone or damaged the rest is new, which costs a grading and gives nothing away.
+// What is gone of a record, or damaged, is new: that costs a grading and gives nothing away.
 // Returns 0, or -1 after one message.
 static int rounds_read(const char *path, Contents *contents)
 {

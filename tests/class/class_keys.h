@@ -1,9 +1,9 @@
 // Which hidden scenes each entry gets, and how it is seen later whether it has to be graded again.
 //
 // What is new or changed in a run makes up a round. A round's seeds are its own: reports that were
-// handed back show much of a job, and no content that was handed in later meets that job. So a round
-// is named by what is in it, a hash over the new entries' names and contents. No counter can be
-// lost: new content makes a new name, and with it new seeds, whatever has become of FOLDER/rounds.
+// handed back show much of a job, and no content that was handed in later meets that job. So a
+// round is named by what is in it, a hash over the new entries' names and contents. No counter can
+// be lost: new content makes a new name, and with it new seeds, even if FOLDER/rounds is gone.
 //
 // Called once a run by gradebook_tool.c. Read next: class_secret.h.
 #ifndef CLASS_CLASS_KEYS_H

@@ -1,7 +1,7 @@
 // What a class's seeds are made of, and only the class's folder knows: FOLDER/secret, mode 0600.
 //
-// It is 256 bits from the kernel, drawn once. A seed is 64 bits of an HMAC-SHA256 with it as the key.
-// So reports, which show seeds, tell nothing of the seeds of other rounds, however many are
+// It is 256 bits from the kernel, drawn once. A seed is 64 bits of an HMAC-SHA256 with it as the
+// key. So reports, which show seeds, tell nothing of the seeds of other rounds, however many are
 // gathered. Read next: class_keys.h, who has which seed.
 #ifndef CLASS_CLASS_SECRET_H
 #define CLASS_CLASS_SECRET_H
@@ -21,8 +21,8 @@ typedef struct ClassSecret {
 // Returns 0, or -1 after one message on stderr.
 int class_secret_open(const char *folder, const uint64_t *number, ClassSecret *secret);
 
-// The seed of an entry in a round: one of sixteen, so that the solution need not run for each entry.
-// Which one it is, nobody can foresee either.
+// The seed of an entry in a round: one of sixteen, so that the solution need not run for each
+// entry. Which one it is, nobody can foresee either.
 uint64_t class_secret_seed(const ClassSecret *secret, const char *round, const char *slug);
 
 #endif

@@ -1,12 +1,14 @@
 // From a seed to what is drawn from it, and no way back.
 //
-// A run sees what a job asks. SplitMix64 (common/random.h), by which that is drawn, can be reversed:
-// who has one of its numbers whole has all the others. So no generator starts with the seed itself,
-// and what is drawn for one purpose tells neither the seed nor what is drawn for another.
+// A run sees what a job asks. SplitMix64 (common/random.h), by which that is drawn, can be
+// reversed: who has one of its numbers whole has all the others. So no generator starts with the
+// seed itself, and what is drawn for one purpose tells neither the seed nor what is drawn for
+// another.
 //
-// The step is SipHash-2-4 (Aumasson, Bernstein 2012) of the purpose, with the seed as the key. It is
-// written out, as the judge is linked statically for two kinds of processors, and Debian has no
-// library for the other kind. Used by lot.h, and by the judge for its jobs.
+// The step is SipHash-2-4 (Aumasson, Bernstein 2012) of the purpose, with the seed as the key. It
+// is written out because the judge is linked statically for two kinds of processors, and the
+// packages for the other kind have a C library and no nettle. Used by lot.h, and by the judge for
+// its jobs.
 #ifndef PROBES_ONE_WAY_H
 #define PROBES_ONE_WAY_H
 

@@ -23,6 +23,10 @@ seeds() { for of; do cut -d ' ' -f 3 "$of/keys"; done; }
 # found_in FOLDER: the files that hold the secret, or half of it.
 found_in() { (cd "$1" && grep -rlF -e "$(cut -c 1-32 "$drawn/secret")" \
     -e "$(cut -c 33-64 "$drawn/secret")" .); }
+# are_long OUTPUT: are they of more digits than 32 bits have?
+are_long() { seeds "$1" | awk 'length < 12 { exit 1 }'; }
+# no_seed_in FILE...: do these show none of the seeds?
+no_seed_in() { ! seeds "$drawn" | grep -aqF -f - "$@"; }
 # is_new ENTRY OUTPUT: has it a seed that was not there before?
 is_new() { ! grep "^$1-" "$2/keys" | cut -d ' ' -f 3 | grep -qxF -f "$scratch/seeds-before"; }
 
@@ -34,9 +38,8 @@ check "a secret is drawn, of 256 bits" grep -Eqx '[0-9a-f]{64}' "$drawn/secret"
 check "for its owner alone" test "$(stat -c %a "$drawn/secret")" = 600
 check "it is nowhere else in the folder" test "$(found_in "$drawn")" = ./secret
 check "nor in a command line or the environment" test -s "$scratch/seen" -a -z "$(found_in "$scratch" | grep seen)"
-check "where no seed is, either" sh -c '! cut -d " " -f 3 "$1/keys" | grep -aqF -f - "$1/joblog" "$2"' \
-    - "$drawn" "$scratch/seen"
-check "the seeds have 64 bits" sh -c 'awk "length(\$3) < 12 { exit 1 }" "$1/keys"' - "$drawn"
+check "where no seed is, either" no_seed_in "$drawn/joblog" "$scratch/seen"
+check "the seeds have 64 bits" are_long "$drawn"
 check "the same class once more" exits 0 run "$scratch/drawn-again"
 seeds "$drawn" >"$scratch/seeds-before"
 for name in ada bob carol; do check "with other seeds: $name" is_new $name "$scratch/drawn-again"; done
