@@ -16,20 +16,20 @@
 
 typedef enum Purpose { PURPOSE_INPUTS = 1, PURPOSE_LOT = 2 } Purpose;
 
-static inline uint64_t siphash_rotate(uint64_t word, int n)
+static inline uint64_t sip_rotate(uint64_t word, int n)
 {
     return word << n | word >> (64 - n);
 }
 
-static inline void siphash_rounds(uint64_t v[4], int n)
+static inline void sip_rounds(uint64_t v[4], int n)
 {
     for (int i = 0; i < n; i++) {
         v[0] += v[1], v[2] += v[3];
-        v[1] = siphash_rotate(v[1], 13) ^ v[0], v[3] = siphash_rotate(v[3], 16) ^ v[2];
-        v[0] = siphash_rotate(v[0], 32);
+        v[1] = sip_rotate(v[1], 13) ^ v[0], v[3] = sip_rotate(v[3], 16) ^ v[2];
+        v[0] = sip_rotate(v[0], 32);
         v[2] += v[1], v[0] += v[3];
-        v[1] = siphash_rotate(v[1], 17) ^ v[2], v[3] = siphash_rotate(v[3], 21) ^ v[0];
-        v[2] = siphash_rotate(v[2], 32);
+        v[1] = sip_rotate(v[1], 17) ^ v[2], v[3] = sip_rotate(v[3], 21) ^ v[0];
+        v[2] = sip_rotate(v[2], 32);
     }
 }
 
@@ -41,11 +41,11 @@ static inline uint64_t siphash(uint64_t key, uint64_t rest_of_key, uint64_t mess
                      key ^ 0x6c7967656e657261u, rest_of_key ^ 0x7465646279746573u};
     for (int i = 0; i < 2; i++) {
         v[3] ^= words[i];
-        siphash_rounds(v, 2);
+        sip_rounds(v, 2);
         v[0] ^= words[i];
     }
     v[2] ^= 0xff;
-    siphash_rounds(v, 4);
+    sip_rounds(v, 4);
     return v[0] ^ v[1] ^ v[2] ^ v[3];
 }
 
