@@ -115,6 +115,9 @@ check "and is graded alone" test "$(n_graded "$first")" -eq $((before + 1))
 check "with the new score" row "$first" '"bob","",1,"graded",100,100,'
 check "on scenes that no report of the first run has shown" \
     test "$(cat "$first"/students/bob-*/results.json | grep -c -F -f "$scratch/seeds")" -eq 0
+# shellcheck disable=SC2016 # for the inner shell
+check "the seed in a report is the one that was drawn for it" sh -c 'grep -q "\"seed\": \"$(sed -n "s/^bob-.* //p" "$1/keys")\"" \
+    "$1"/students/bob-*/results.json' - "$first"
 check "old and new scores are compared" grep -q '0 &rarr; 100' "$first/class.html"
 echo '{' >"$(echo "$first"/students/ada-lovelace-*)/results.json"
 check "a damaged result does not keep the others from theirs" exits 1 run "$first"
