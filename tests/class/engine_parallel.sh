@@ -15,9 +15,9 @@ engine_run() {
     # It ends with the driver, and each of its jobs with it. Its users' habits, in PARALLEL or in a profile,
     # are not for this (--plain).
     # shellcheck disable=SC2086 # an option or none
-    setpriv --pdeathsig KILL parallel --plain --will-cite $bar --jobs "${2:-$(nproc)}" --colsep ' ' \
+    setpriv --pdeathsig KILL parallel --plain --will-cite $bar --jobs "${2:-$(nproc)}" \
         --joblog "+$CLASS_FOLDER/joblog" --tmpdir "$CLASS_WORK-parallel" \
-        'exec setpriv --pdeathsig KILL tests/class/grade_one.sh {1} {2} {3}' :::: "$1"
+        'exec setpriv --pdeathsig KILL tests/class/grade_one.sh {}' :::: "$1"
 }
 
 # engine_end: nothing of a dead run is alive, as the lock is ours.

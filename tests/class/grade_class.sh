@@ -6,7 +6,7 @@
 #     --output FOLDER        where everything goes (build/class/03)
 #     --engine parallel      or slurm: how the submissions are spread
 #     --jobs N               how many at a time (parallel: as many as there are processors)
-#     --seed N               the class's seed (drawn once, and kept in the output folder)
+#     --seed N               a number in the place of the class's secret: for tests
 #     --only failed|latest   only those below full marks; of a student's entries by Moodle the last
 #     --again 1              grade all, also where nothing has changed
 #     --moodle FILE.csv      Moodle's participants or grading worksheet
@@ -152,13 +152,6 @@ latest=
 "$CLASS_BUILD/tools/gradebook" roster $latest "${lab_number:-0}" "$submissions" "$CLASS_FOLDER" \
     >"$CLASS_FOLDER/slugs" || exit 2
 
-# The class's seed: given, or drawn once, so that a run goes on with the same hidden scenes.
-if [ -z "$seed" ] && [ -s "$CLASS_FOLDER/seed" ]; then
-    read -r seed <"$CLASS_FOLDER/seed"
-fi
-seed=${seed:-$(od -An -N4 -tu4 /dev/urandom | tr -d ' ')}
-echo "$seed" >"$CLASS_FOLDER/seed.new" && mv "$CLASS_FOLDER/seed.new" "$CLASS_FOLDER/seed"
-
 # Everything that decides on a score besides the submission.
 grader=$({
     echo "$CLASS_LAB $CLASS_DEVICE $CLASS_TIME_LIMIT"
@@ -178,37 +171,16 @@ content() {
     ) 2>&1 | sha256sum | cut -c 1-64
 }
 
-# What is new in a run is graded in a round of its own: reports show much of a job, and who knows those
-# of earlier rounds shall not meet it again. Sets `own_round`.
-last_round=0
-[ ! -s "$CLASS_FOLDER/round" ] || read -r last_round <"$CLASS_FOLDER/round"
-find_round() {
-    known=
-    [ ! -s "$CLASS_FOLDER/rounds/$1" ] || read -r known own_round <"$CLASS_FOLDER/rounds/$1"
-    if [ "$known" != "$2" ]; then
-        own_round=$((last_round + 1))
-        echo "$2 $own_round" >"$CLASS_FOLDER/rounds/$1.new" &&
-            mv "$CLASS_FOLDER/rounds/$1.new" "$CLASS_FOLDER/rounds/$1"
-    fi
-}
+# Left by a version whose seeds had 32 bits. As after any other change of the grader all is graded again.
+[ ! -e "$CLASS_FOLDER/seed" ] || (cd "$CLASS_FOLDER" && rm -rf rounds round seed)
 
-# A line "SLUG KEY SEED" for each. A round has sixteen sets of hidden scenes, so that the solution
-# need not run for every student; which one it is nobody can foresee.
-mkdir -p "$CLASS_FOLDER/rounds"
-newest_round=$last_round
+# A line "SLUG KEY SEED" for each (class_keys.h). The secret behind the seeds is only in the folder.
 while read -r slug; do
-    hash=$(content "$slug")
-    find_round "$slug" "$hash"
-    [ "$own_round" -le "$newest_round" ] || newest_round=$own_round
-    draw=$(printf '%s %s' "$seed" "$slug" | sha256sum | cut -c 1)
-    own_seed=$((0x$(printf '%s %s %s' "$seed" "$draw" "$own_round" | sha256sum | cut -c 1-8)))
-    key=$(echo "$grader $own_seed $hash" | sha256sum | cut -c 1-64)
-    echo "$slug $key $own_seed"
-done <"$CLASS_FOLDER/slugs" >"$CLASS_FOLDER/keys.new"
-mv "$CLASS_FOLDER/keys.new" "$CLASS_FOLDER/keys"
-echo "$newest_round" >"$CLASS_FOLDER/round.new"
-mv "$CLASS_FOLDER/round.new" "$CLASS_FOLDER/round"
-rm "$CLASS_FOLDER/slugs"
+    echo "$slug $(content "$slug")"
+done <"$CLASS_FOLDER/slugs" >"$CLASS_FOLDER/contents"
+"$CLASS_BUILD/tools/gradebook" keys ${seed:+--seed "$seed"} "$grader" "$CLASS_FOLDER" \
+    <"$CLASS_FOLDER/contents" || exit 2
+rm "$CLASS_FOLDER/slugs" "$CLASS_FOLDER/contents"
 
 # has_full_marks SLUG
 has_full_marks() {
@@ -228,9 +200,9 @@ is_wanted() {
     esac
 }
 
-while read -r slug key own_seed; do
+while read -r slug key _; do
     if is_wanted "$slug" "$key"; then
-        echo "$slug $key $own_seed"
+        echo "$slug"
         : >"$CLASS_FOLDER/pending/$slug"
     fi
 done <"$CLASS_FOLDER/keys" >"$CLASS_FOLDER/todo"
@@ -247,8 +219,8 @@ export CLASS_LAB CLASS_FOLDER CLASS_BUILD CLASS_DEVICE CLASS_TIME_LIMIT CLASS_WO
 
 # remaining: of those to do, the ones that have not come to an end.
 remaining() {
-    while read -r slug key own_seed; do
-        [ ! -e "$CLASS_FOLDER/pending/$slug" ] || echo "$slug $key $own_seed"
+    while read -r slug; do
+        [ ! -e "$CLASS_FOLDER/pending/$slug" ] || echo "$slug"
     done <"$CLASS_FOLDER/todo" >"$CLASS_FOLDER/todo.new"
     mv "$CLASS_FOLDER/todo.new" "$CLASS_FOLDER/todo"
 }

@@ -1,14 +1,15 @@
 #!/bin/sh
 # Grade one submission of a class into a folder of its own, which appears whole or not at all.
 #
-#     tests/class/grade_one.sh SLUG KEY SEED
+#     tests/class/grade_one.sh SLUG
 #
 # grade_class.sh sets CLASS_FOLDER, CLASS_BUILD, CLASS_LAB, CLASS_WORK and more, and runs this
-# through GNU parallel or Slurm, from the course's top folder. Exit status 0 when there is a result,
+# through GNU parallel or Slurm, from the course's top folder. Its key and its seed are in
+# CLASS_FOLDER/keys: other users of the machine, and runs in the sandbox "user", see command lines. Exit status 0 when there is a result,
 # 1 when the machinery failed: then CLASS_FOLDER/faults/SLUG says how. Read first: grade_class.sh.
 set -u
 
-slug=$1 key=$2 seed=$3
+slug=$1
 students=$CLASS_FOLDER/students
 new=$students/$slug.new
 # What the grader makes while it works; of a grading that was killed, everything is in here. Only the
@@ -36,16 +37,24 @@ if ! { mkdir "$new" && mkdir -m 711 "$work"; } 2>"$log"; then
     fail "no folder to work in"
 fi
 
+key='' seed=''
+while read -r of its_key its_seed; do
+    [ "$of" != "$slug" ] || key=$its_key seed=$its_seed
+done <"$CLASS_FOLDER/keys"
+[ -n "$key" ] || fail "it has no key"
+
 # The grader must end with this script and this script with the driver, however they end. It does
 # not inherit the driver's lock.
 status=0
 # shellcheck disable=SC2016 # for the inner shell
 TMPDIR=$work setpriv --pdeathsig KILL timeout --foreground --kill-after=5 "$CLASS_SECONDS" \
     sh -c 'exec setpriv --pdeathsig KILL "$@" 9<&-' grade \
-    "$CLASS_BUILD/tools/grade" --build "$CLASS_BUILD" --lab "$CLASS_LAB" --seed "$seed" \
+    "$CLASS_BUILD/tools/grade" --build "$CLASS_BUILD" --lab "$CLASS_LAB" --read-seed \
     --submission "$CLASS_FOLDER/submissions/$slug" --output "$new" ${CLASS_DEVICE:+--device "$CLASS_DEVICE"} \
     --answers "$CLASS_FOLDER/answers" ${CLASS_TIME_LIMIT:+--time-limit "$CLASS_TIME_LIMIT"} \
-    >"$log" 2>&1 </dev/null || status=$?
+    >"$log" 2>&1 <<END || status=$?
+$seed
+END
 
 case $status in
 0 | 1) ;;

@@ -1,12 +1,14 @@
 // gradebook: from a folder of submissions to a roster, and from graded submissions to a gradebook.
 //
 //     gradebook roster [--latest] LAB-NUMBER SUBMISSIONS FOLDER
+//     gradebook keys [--seed N] GRADER FOLDER <contents
 //     gradebook write [--moodle WORKSHEET.csv] [--against OLD.json] FOLDER
 //
-// `roster` writes FOLDER/roster.json and a link FOLDER/submissions/SLUG to each entry; `write`
-// makes gradebook.csv, gradebook.json and class.html in FOLDER of it, and says how the class did.
-// Exit status: 0; 1 when some are not graded; 2 after one message. Read next: roster.h,
-// gradebook.h; grade_class.sh, which calls both.
+// `roster` writes FOLDER/roster.json and a link FOLDER/submissions/SLUG to each entry; `keys` gives
+// each its seed (class_keys.h); `write` makes gradebook.csv, gradebook.json and class.html in
+// FOLDER of it, and says how the class did. Exit status: 0; 1 when some are not graded; 2 after one
+// message. Read next: roster.h, class_keys.h, gradebook.h; grade_class.sh, which calls all three.
+#include "class_keys.h"
 #include "clean_text.h"
 #include "gradebook.h"
 #include "look_alikes.h"
@@ -24,6 +26,7 @@ enum { EXIT_ALL_GRADED = 0, EXIT_SOME_NOT_GRADED = 1, EXIT_FAULT = 2 };
 static int usage(void)
 {
     fputs("usage: gradebook roster [--latest] LAB-NUMBER SUBMISSIONS FOLDER\n"
+          "       gradebook keys [--seed N] GRADER FOLDER <contents\n"
           "       gradebook write [--moodle WORKSHEET.csv] [--against OLD.json] FOLDER\n",
           stderr);
     return EXIT_FAULT;
@@ -153,6 +156,7 @@ static int gradebook_write(const char *folder, const char *worksheet, const char
 
 typedef struct GradebookOptions {
     int only_latest;
+    uint64_t seed;
     const char *worksheet, *against;
     int help;
 } GradebookOptions;
@@ -161,15 +165,18 @@ typedef struct GradebookOptions {
 
 int main(int argc, char **argv)
 {
-    static const OptionRow rows[] = {
+    enum { SEED = 1, N_ROWS = 5 };
+    static const OptionRow rows[N_ROWS] = {
         {.name = "latest", .kind = OPTION_FLAG, .place = PLACE(only_latest)},
+        [SEED] = {.name = "seed", .argument = "N", .kind = OPTION_SEED, .place = PLACE(seed)},
         {.name = "moodle", .argument = "WORKSHEET", .place = PLACE(worksheet)},
         {.name = "against", .argument = "OLD", .place = PLACE(against)},
         {.name = "help", .kind = OPTION_ANSWER, .place = PLACE(help)},
     };
-    const OptionTable table = {"gradebook", rows, sizeof rows / sizeof rows[0], .takes_words = 1};
+    const OptionTable table = {"gradebook", rows, N_ROWS, .takes_words = 1};
     GradebookOptions options = {0};
-    const OptionsResult result = option_table_read(&table, argc, argv, &options, NULL);
+    int is_given[N_ROWS];
+    const OptionsResult result = option_table_read(&table, argc, argv, &options, is_given);
     if (result != OPTIONS_RUN) {
         return result == OPTIONS_DONE ? usage() : EXIT_FAULT;
     }
@@ -178,6 +185,10 @@ int main(int argc, char **argv)
     if (argc == 4 && strcmp(argv[0], "roster") == 0 &&
         number_read_unsigned(argv[1], 0, 99, &lab) == 0) {
         return roster_make((int)lab, argv[2], argv[3], options.only_latest);
+    }
+    if (argc == 3 && strcmp(argv[0], "keys") == 0) {
+        const uint64_t *seed = is_given[SEED] ? &options.seed : NULL;
+        return class_keys_make(argv[2], seed, argv[1], stdin) == 0 ? EXIT_ALL_GRADED : EXIT_FAULT;
     }
     if (argc == 2 && strcmp(argv[0], "write") == 0) {
         return gradebook_write(argv[1], options.worksheet, options.against);

@@ -25,6 +25,7 @@
 typedef struct GivenSettings {
     Settings settings;
     const char *lab, *submission, *output, *sandbox;
+    int reads_seed;
     int help;
 } GivenSettings;
 
@@ -37,6 +38,8 @@ static const OptionRow ROWS[] = {
      .meaning = "where the reports go (default: grade/NN in the build folder)"},
     [SEED_ROW] = {"seed", "N", OPTION_SEED, PLACE(settings.seed),
                   .meaning = "the hidden scenes' seed (default: a new one)"},
+    {"read-seed", NULL, OPTION_FLAG, PLACE(reads_seed),
+     .meaning = "read it from stdin: others can see command lines"},
     {"device", "D", OPTION_TEXT, PLACE(settings.device),
      .meaning = "OpenCL device by number or name"},
     {"time-limit", "S", OPTION_NUMBER, PLACE(settings.time_limit), 1, 3600,
@@ -121,16 +124,34 @@ static int read_sandbox(const char *option, const char *text, SandboxKind *kind)
     return -1;
 }
 
-// A seed that nobody can foresee, yet short enough to be typed again. In a handout it is one of
-// home, so that its report tells everything; in the course never.
-static uint64_t draw_seed(const char *lab)
+// A seed that nobody can foresee. In a handout it is one of home, so that its report tells everything; in
+// the course never. Returns 0, or -1 after one message.
+static int draw_seed(const char *lab, uint64_t *seed)
 {
-    uint64_t seed;
-    if (getrandom(&seed, sizeof seed, 0) < 0) {
-        seed = (uint64_t)getpid();
+    if (getrandom(seed, sizeof *seed, 0) != sizeof *seed) {
+        complain("grade: the kernel gives no random bytes for a seed");
+        return -1;
     }
-    return manifest_has_solution(lab) ? HOME_SEEDS + seed % (UINT32_MAX - HOME_SEEDS + 1ull)
-                                      : seed % HOME_SEEDS;
+    if (!manifest_has_solution(lab)) {
+        *seed %= HOME_SEEDS;
+    } else if (*seed < HOME_SEEDS) {
+        *seed += HOME_SEEDS;
+    }
+    return 0;
+}
+
+// The first line of standard input. Returns 0, or -1 after one message.
+static int read_seed(uint64_t *seed)
+{
+    char line[32] = "";
+    if (fgets(line, sizeof line, stdin) != NULL) {
+        line[strcspn(line, "\n")] = '\0';
+    }
+    if (number_read_unsigned(line, 0, UINT64_MAX, seed) != 0) {
+        complain("grade: --read-seed: found \"%s\", expected a whole number", line);
+        return -1;
+    }
+    return 0;
 }
 
 // What is graded and where the reports go. Returns 0, or -1 after one message.
@@ -172,6 +193,9 @@ int settings_parse(int argc, char **argv, Settings *settings)
     if (result != OPTIONS_RUN) {
         return result == OPTIONS_DONE ? print_help() : -1;
     }
+    if (given.reads_seed && read_seed(&given.settings.seed) != 0) {
+        return -1;
+    }
     *settings = given.settings;
     if (given.lab == NULL) {
         complain("grade: --lab is missing (try --help)");
@@ -188,8 +212,9 @@ int settings_parse(int argc, char **argv, Settings *settings)
         find_lab(given.lab, settings->lab) != 0) {
         return -1;
     }
-    if (!is_given[SEED_ROW]) {
-        settings->seed = draw_seed(settings->lab);
+    if (!is_given[SEED_ROW] && !given.reads_seed &&
+        draw_seed(settings->lab, &settings->seed) != 0) {
+        return -1;
     }
     return set_folders(&given, settings);
 }

@@ -5,6 +5,7 @@
 #include "complain.h"
 #include "lot.h"
 #include "number.h"
+#include "one_way.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -78,7 +79,7 @@ static int write_parts(const Job *job, const char *task, FILE *file)
 
 Job *job_new(const Judge *judge, uint64_t seed, FILE *file)
 {
-    Random random = {seed};
+    Random random = {one_way(seed, PURPOSE_INPUTS)};
     Job *job = calloc(1, judge->job_bytes);
     if (job == NULL) {
         complain("grade: no memory for a job");

@@ -1,10 +1,10 @@
 // judge: a function of lab, seed and answers to verdicts and pictures.
 //
-//     judge LAB SEED <requests >replies
+//     judge LAB <requests >replies
 //
-// It draws the lab's job from the seed and then answers requests, each a line "WORD ARGUMENT N"
-// with N bytes behind it; each reply is a line "N" with N bytes behind it, which are sections
-// (probes/sections.h):
+// Its first line is a seed, which no command line shows. It draws the lab's job from that and then
+// answers requests, each a line "WORD ARGUMENT N" with N bytes behind it; each reply is a line "N"
+// with N bytes behind it, which are sections (probes/sections.h):
 //
 //     checks - 0     a section "check" for each, its texts parted by zeros: id, title, task, and
 //                    points as a number, and whose answers it needs
@@ -239,12 +239,23 @@ static int serve_all(Desk *desk)
     return EXIT_SUCCESS;
 }
 
+// The first line. Returns 0, or -1.
+static int read_seed(uint64_t *seed)
+{
+    char line[32] = "";
+    if (fgets(line, sizeof line, stdin) == NULL) {
+        return -1;
+    }
+    line[strcspn(line, "\n")] = '\0';
+    return number_read_unsigned(line, 0, UINT64_MAX, seed);
+}
+
 int main(int argc, char **argv)
 {
     Desk desk = {0};
     uint64_t seed;
-    if (argc != 3 || number_read_unsigned(argv[2], 0, UINT64_MAX, &seed) != 0) {
-        complain("judge: expected the number or name of a lab, and a seed");
+    if (argc != 2 || read_seed(&seed) != 0) {
+        complain("judge: expected the number or name of a lab, and a seed as the first line");
         return EXIT_FAULT;
     }
     const Judge *judge = judge_of(argv[1]);

@@ -21,7 +21,7 @@ taking_turns=
 walls='
     include-neighbour include-shadow incbin link-to-solution kernel-includes
     text-of-other-tasks words-when-alone
-    read-grader read-neighbour read-own-process read-other-runs read-reference read-shadow read-solution shell
+    read-grader read-neighbour read-own-process read-other-runs read-reference read-seed read-shadow read-solution shell
     disk-filler files-in-memory files-without-number folders-without-bottom fork-bomb memory-hogs
     survivor shared-memory poisoned-cache answers-a-link signals ptrace network preload
     talk-by-counters talk-by-futex talk-by-locks talk-by-page-cache talk-by-pipes kernel-locks process-1 process-1-limits

@@ -78,7 +78,8 @@ wait $driver
 ok $? "a grader and GNU parallel killed: the run ends well" "$(cat "$scratch/said")"
 check "and tried again" said "again for"
 check "each has one row" test "$(wc -l <"$first/gradebook.csv")" -eq 9
-check "the seed of the first run still holds" test "$(cat "$first/seed")" = 5
+check "the seed of the first run still holds" test "$(cat "$first/secret")" = SEED=5
+check "and it is said that it can be known" said "all seeds of this class follow from SEED=5"
 check "what was graded before was kept ($n_kept)" \
     test "$(n_graded "$first")" -lt 16
 
@@ -124,6 +125,9 @@ check "and is graded alone" test "$(n_graded "$first")" -eq $((before + 1))
 check "with the new score" row "$first" '"bob","",1,"graded",100,100,'
 check "on scenes that no report of the first run has shown" \
     test "$(cat "$first"/students/bob-*/results.json | grep -c -F -f "$scratch/seeds")" -eq 0
+# shellcheck disable=SC2016 # for the inner shell
+check "the seed in a report is the one that was drawn for it" sh -c 'grep -q "\"seed\": \"$(sed -n "s/^bob-.* //p" "$1/keys")\"" \
+    "$1"/students/bob-*/results.json' - "$first"
 check "old and new scores are compared" grep -q '0 &rarr; 100' "$first/class.html"
 echo '{' >"$(echo "$first"/students/ada-lovelace-*)/results.json"
 check "a damaged result does not keep the others from theirs" exits 1 run "$first"
@@ -231,9 +235,10 @@ check "without them all is well" exits 0 run "$faults"
 # Two at work whose slugs end alike: each in a folder of its own.
 two=$scratch/two
 mkdir -p "$two/students" "$two/logs" "$two/faults" "$two/pending"
+for slug in meets-a-1 meets-b-1; do echo "$slug key 1"; done >"$two/keys"
 for slug in meets-a-1 meets-b-1; do
     CLASS_FOLDER=$two CLASS_BUILD=$build CLASS_LAB=$lab CLASS_WORK=$TMPDIR/two CLASS_DEVICE='' \
-        CLASS_TIME_LIMIT='' CLASS_TELLS='' tests/class/grade_one.sh $slug key 1 &
+        CLASS_TIME_LIMIT='' CLASS_TELLS='' tests/class/grade_one.sh $slug &
 done
 wait
 for slug in meets-a-1 meets-b-1; do

@@ -1,6 +1,6 @@
 // greedy_judge: what a judge would be over answers that were made to exhaust it.
 //
-//     greedy_judge LAB SEED <requests >replies
+//     greedy_judge LAB <requests >replies
 //
 // Used by unit/test_judge_process.c in the place of build/tools/judge, whose requests it takes
 // (judge/judge_tool.c) and by whose functions it is limited, to a second of processor time a
@@ -39,6 +39,7 @@ int main(void)
     char word[16], argument[64];
     size_t n_bytes;
     limit_memory((size_t)256 << 20);
+    scanf("%*s");  // the seed
     while (scanf("%15s %63s %zu", word, argument, &n_bytes) == 3) {
         limit_time(1);
         for (size_t i = 0; i <= n_bytes; i++) {

@@ -3,7 +3,9 @@
 // The right answers are worked out in plain C; that they pass shows that what other tests do to
 // them afterwards is what fails. Read next: right_answers.h.
 #include "judged_jobs.h"
+#include "lot.h"
 #include "manifest.h"
+#include "one_way.h"
 
 #include <glob.h>
 
@@ -84,6 +86,42 @@ LAB_TEST(judges, a_seed_says_all_about_a_job)
     job_close(&first);
     job_close(&same);
     job_close(&other);
+}
+
+// The attack: a run knows how jobs are drawn, and tries states of the generator until one gives the
+// inputs that it sees. (Here few need trying; of a number that is drawn whole, the state can be
+// computed.) If that state were the seed, it would say what the stand-ins hold.
+static int draws_the_same(const Judge *judge, uint64_t state, const Job *seen)
+{
+    Random random = {state};
+    Job *job = calloc(1, judge->job_bytes);
+    cr_assert_not_null(job);
+    job->judge = judge;
+    cr_assert_eq(judge->draw(job, &random), 0);
+    int is_same = 1;
+    for (int i = 0; i < judge->n_parts; i++) {
+        const JobPart *part = &judge->parts[i];
+        is_same &= memcmp((const char *)job + part->offset, (const char *)seen + part->offset,
+                          part->n_bytes) == 0;
+    }
+    job_free(job);
+    return is_same;
+}
+
+LAB_TEST(judges, inputs_do_not_tell_the_lot)
+{
+    const uint64_t seed = 7;
+    Open open = job_open(*lab, seed);
+    for (uint64_t state = seed - 2; open.judge->n_parts > 0 && state <= seed + 2; state++) {
+        cr_expect_not(
+            draws_the_same(open.judge, state, open.job) && stand_in_lot(state) == open.job->lot,
+            "%s: the state %d gives its inputs, and its lot", open.judge->lab, (int)state);
+    }
+    const uint64_t state = one_way(seed, PURPOSE_INPUTS);
+    cr_expect(open.judge->n_parts == 0 || draws_the_same(open.judge, state, open.job),
+              "the test would not see it");
+    cr_expect_neq(stand_in_lot(state), open.job->lot);
+    job_close(&open);
 }
 
 LAB_TEST(judges, a_job_that_cannot_be_written_is_none)

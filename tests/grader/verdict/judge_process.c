@@ -26,12 +26,11 @@
 // after one message.
 static int spawn(JudgeProcess *judge)
 {
-    char program[PATH_MAX], seed[32];
+    char program[PATH_MAX];
     int ends[2];
     posix_spawn_file_actions_t actions;
     path_make(program, "%s/tools/judge", judge->build);
-    snprintf(seed, sizeof seed, "%" PRIu64, judge->seed);
-    char *const argv[] = {program, (char *)judge->lab, seed, NULL};
+    char *const argv[] = {program, (char *)judge->lab, NULL};
     char *const environment[] = {NULL};  // nothing of the grader's decides how it computes
     // Closed in every other program that is started.
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
@@ -88,6 +87,19 @@ static int send_all(int socket, const void *bytes, size_t n_bytes)
         }
         n_sent += n > 0 ? (size_t)n : 0;
     }
+    return 0;
+}
+
+// Start it, and tell it the seed: not in its command line, which every process of the machine may
+// read. Returns 0, or -1 after one message.
+static int start(JudgeProcess *judge)
+{
+    char seed[24];
+    if (spawn(judge) != 0) {
+        return -1;
+    }
+    const int n = snprintf(seed, sizeof seed, "%" PRIu64 "\n", judge->seed);
+    send_all(fileno(judge->replies), seed, (size_t)n);  // else there is no reply to what follows
     return 0;
 }
 
@@ -148,7 +160,7 @@ static int ask_about(JudgeProcess *judge, Answers answers, const char *word, con
     }
     judge->unjudged = answers.number;
     judge->lost_seconds += end(judge);
-    if (spawn(judge) == 0 && judge->adopted.number != 0) {
+    if (start(judge) == 0 && judge->adopted.number != 0) {
         adopt(judge);
     }
     return -1;
@@ -190,7 +202,7 @@ static int read_checks(JudgeProcess *judge)
 int judge_start(JudgeProcess *judge, const char *build, const char *lab, uint64_t seed)
 {
     *judge = (JudgeProcess){.build = build, .lab = lab, .seed = seed};
-    if (spawn(judge) != 0) {
+    if (start(judge) != 0) {
         return -1;
     }
     return read_checks(judge);

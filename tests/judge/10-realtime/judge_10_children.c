@@ -227,9 +227,13 @@ static const Cause child_mistakes[] = {
         {.says = "0 and 1 are sides: the children's ids are node.first and node.first + 1"},
 };
 
+// A mistake may put two where there is room for one: the second is only counted.
 static void push(StackState *todo, u32 node, float t_min, float t_max)
 {
-    todo->upper[todo->n++ - todo->n_lower] = (StackEntry){node, t_min, t_max};
+    const u32 at = todo->n++ - todo->n_lower;
+    if (at < STACK_ENTRIES) {
+        todo->upper[at] = (StackEntry){node, t_min, t_max};
+    }
 }
 
 // 0 for the lower child.
