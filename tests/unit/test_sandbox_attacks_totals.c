@@ -17,7 +17,7 @@ TEST_EACH(memory_of_many_processes_is_summed_up)
                              "sleep 20"),
                     SANDBOX_LIMIT_MEMORY);
     // What a process and its children share is counted once.
-    expect_exit(perl_run("my $x = chr(1) x 1e8; for (1..7) { if (!fork) { sleep 1; exit } } "
+    expect_exit(perl_run("my $x = chr(1) x 5e7; for (1..7) { if (!fork) { sleep 1; exit } } "
                          "sleep 1; exit 3"),
                 3);
 }
@@ -42,15 +42,19 @@ TEST_EACH(removed_files_count_as_long_as_they_are_open)
         SANDBOX_LIMIT_BYTES);
 }
 
+// One whose name ends like that of shared memory is a file all the same.
 TEST_EACH(removed_files_count_as_long_as_a_page_is_mapped)
 {
     const char *source =
         "#include <fcntl.h>\n#include <sys/mman.h>\n#include <unistd.h>\nstatic char x[8000000];"
-        "int main(void) { x[0] = 1; for (int i = 0; i < 20; i++) { int f = open(\"own\", O_RDWR | "
-        "O_CREAT, 0600); unlink(\"own\"); write(f, x, sizeof x); "
+        "int main(int n, char **v) { x[0] = 1; for (int i = 0; i < 20; i++) { int f = open(v[1], "
+        "O_RDWR | "
+        "O_CREAT, 0600); unlink(v[1]); write(f, x, sizeof x); "
         "mmap((void *)(65536L << i), 4096, PROT_READ, MAP_SHARED, f, 0); close(f); } sleep(20); }";
     file_write("held.c", source, strlen(source));
-    expect_exceeded(shell_run("gcc -w held.c -o held && exec ./held"), SANDBOX_LIMIT_BYTES);
+    expect_exceeded(shell_run("gcc -w held.c -o held && exec ./held own"), SANDBOX_LIMIT_BYTES);
+    expect_exceeded(shell_run("mkdir -p 'a /dev' && exec ./held 'a /dev/zero'"),
+                    SANDBOX_LIMIT_BYTES);
 }
 
 // Memory that processes share is there until the last page of it is unmapped.

@@ -4,7 +4,7 @@
 // Linux lists every process's children in /proc, so a look costs as much as the run is large,
 // however many processes the machine has. Elsewhere (gVisor) a run with a user of its own is found
 // by that, which takes a look at every process. Whatever ends meanwhile is left out. Read next:
-// sandbox_supervisor.c, which looks ten times a second.
+// sandbox_supervisor.c, which looks ten times a second, less often where a look is expensive.
 #include "sandbox_census.h"
 
 #include "bwrap_arguments.h"

@@ -12,7 +12,7 @@
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
 
-// What one line of maps may be long; a longer one counts as several.
+// How long a line of maps may be and count as one mapping; a longer one counts as several.
 enum { LINE_BYTES = 256 };
 
 static size_t slot_find(const Held *held, dev_t device, ino_t number)
@@ -75,7 +75,8 @@ static int ends_with(const char *line, size_t length, const char *end)
 }
 
 // Add the file of one line of maps: START-END RIGHTS OFFSET MAJOR:MINOR NUMBER  NAME
-// Memory that processes share looks like a removed file of a name that nobody inside can have.
+// Memory that processes share looks like a removed file; nobody inside can remove the one of that
+// name, but may have one whose name only ends so.
 static void mapping_add(pid_t thread, const char *line, size_t length, long long largest,
                         Held *held)
 {
@@ -94,7 +95,8 @@ static void mapping_add(pid_t thread, const char *line, size_t length, long long
     if (held->seen[slot_find(held, device, number)].number != 0) {
         return;
     }
-    const int is_shared = ends_with(line, length, " /dev/zero (deleted)\n");
+    const char *name = strchr(line, '/');
+    const int is_shared = name != NULL && strcmp(name, "/dev/zero (deleted)\n") == 0;
     snprintf(path, sizeof path, "/proc/%d/map_files/%lx-%lx", thread, start, end);
     if (stat(path, &status) == 0) {
         file_add(&status, held, is_shared ? &held->n_shared_bytes : &held->n_bytes);
