@@ -78,11 +78,11 @@ typedef struct SandboxCommand {
     int n_files;          // in writable mounts and $TMPDIR
 } SandboxCommand;
 
-// What all processes of any command may hold together, beyond its own limits. A look at a run reads a
-// line for each mapping of memory and asks after each open file, so these bound what a look costs; and
-// what the kernel keeps for them, which nobody counts. Seen in the solutions of all labs, compilers,
-// the address sanitizer and Oclgrind: 375 mappings and 39 open files at most. NVIDIA's driver has 260
-// and 40, five hundred processes of a small program have 12 000 and 1500.
+// What all processes of any command may hold together, beyond its own limits. A look at a run reads
+// a line for each mapping of memory and asks after each open file: these bound what a look costs,
+// and what the kernel keeps for them, which nobody counts. The most that was seen of solutions,
+// compilers, the address sanitizer and Oclgrind is 375 mappings and 39 open files. NVIDIA's driver
+// has 260 and 40; five hundred processes of a small program have 12 000 and 1500.
 enum {
     SANDBOX_MAX_MAPPINGS = 16384,
     SANDBOX_MAX_OPEN_FILES = 4096,
