@@ -34,7 +34,7 @@ static const char *const calls[] = {
     "umount", "mkstemp", "tmpfile",
     // memory of others, code of others
     "mmap", "mprotect", "shm_open", "shmget", "shmat", "msgget", "semget", "mq_open",
-    "memfd_create", "vmsplice", "dlopen", "dlsym", "setenv", "putenv", "clearenv",
+    "memfd_create", "dlopen", "dlsym", "setenv", "putenv", "clearenv",
     // the network
     "socket", "socketpair", "connect", "getaddrinfo", "gethostbyname", "sendto",
     // the preprocessor's questions about files
