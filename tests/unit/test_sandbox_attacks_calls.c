@@ -105,8 +105,8 @@ TEST_EACH(what_libraries_can_do_without_is_refused)
 }
 
 // Locks, leases and watches on files that two runs see, what else each could ask about them, and
-// what keeps pages or requests in the kernel that are nobody's memory: refused as calls that are not
-// there or not allowed, not for what their arguments were.
+// what keeps pages or requests in the kernel that are nobody's memory: refused as calls that are
+// not there or not allowed, not for what their arguments were.
 TEST_EACH(what_two_runs_could_signal_by_or_the_kernel_would_keep_is_refused)
 {
     enum { CACHESTAT = 451, STATMOUNT = 457, LISTMOUNT = 458 };  // newer than some headers
