@@ -26,6 +26,7 @@ walls='
     survivor shared-memory poisoned-cache answers-a-link signals ptrace network preload
     talk-by-counters talk-by-futex talk-by-locks talk-by-page-cache talk-by-pipes kernel-locks process-1 process-1-limits
     held-behind-the-first-thread held-by-a-memory-file held-by-a-page
+    mappings-without-number memory-behind-mappings open-files-without-number bytes-in-sockets pages-in-pipes
 '
 
 # Whoever the grader runs as may enter: what is unreadable shall be so because of the sandbox, but for

@@ -62,6 +62,34 @@ Test(sandbox_clock, what_it_did_not_run_while_nobody_kept_it_waiting_it_slept)
     cr_expect_float_eq(clock.used.asleep, 0.085, 0.005, "%g", clock.used.asleep);
 }
 
+// A look that took 0.1 s is followed by a pause of 0.7: the command slept all the while.
+Test(sandbox_clock, time_in_which_nobody_looked_counts_as_slept)
+{
+    SandboxClock clock;
+    clock_start(&clock);
+    clock.looking = 0.1;
+    clock.last_look -= 0.8;
+    clock_look(&clock, &(Census){.processor_seconds = 0.2});
+    cr_expect_float_eq(clock.used.asleep, 0.6, 0.1, "%g", clock.used.asleep);
+}
+
+// Who comes later than he meant to was kept waiting himself.
+Test(sandbox_clock, time_in_which_a_busy_machine_kept_us_waiting_does_not)
+{
+    SandboxClock clock;
+    clock_start(&clock);
+    clock.last_look -= 20;
+    clock_look(&clock, &(Census){0});
+    cr_expect_leq(clock.used.asleep, 0.2 + 1e-9, "%g", clock.used.asleep);
+}
+
+Test(sandbox_clock, the_dearer_a_look_the_longer_the_pause_up_to_a_second)
+{
+    cr_expect_float_eq(clock_pause(&(SandboxClock){.looking = 0.001}), 0.1, 1e-9);
+    cr_expect_float_eq(clock_pause(&(SandboxClock){.looking = 0.05}), 0.35, 1e-9);
+    cr_expect_float_eq(clock_pause(&(SandboxClock){.looking = 3}), 1, 1e-9);
+}
+
 // A hundred threads of its own wait for each other.
 Test(sandbox_clock, who_keeps_itself_waiting_was_not_starved)
 {

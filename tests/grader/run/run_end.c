@@ -40,6 +40,13 @@ static char *describe_limit(SandboxLimit limit)
     case SANDBOX_LIMIT_MEMORY:
         return message_new("it was stopped: it used more than %d GB of memory in all",
                            TOTAL_MEMORY_MB / 1024);
+    case SANDBOX_LIMIT_MAPPINGS:
+        return message_new("it was stopped: its processes had more than %d mappings of memory in "
+                           "all; mmap() in a loop, or a process that has many and forks?",
+                           SANDBOX_MAX_MAPPINGS);
+    case SANDBOX_LIMIT_OPEN_FILES:
+        return message_new("it was stopped: its processes had more than %d files open in all",
+                           SANDBOX_MAX_OPEN_FILES);
     case SANDBOX_LIMIT_BYTES:
         return message_new("it was stopped: it wrote more than %d MB in all", TOTAL_FILE_MB);
     case SANDBOX_LIMIT_FILES:

@@ -4,14 +4,15 @@
 // Linux lists every process's children in /proc, so a look costs as much as the run is large,
 // however many processes the machine has. Elsewhere (gVisor) a run with a user of its own is found
 // by that, which takes a look at every process. Whatever ends meanwhile is left out. Read next:
-// sandbox_supervisor.c, which looks ten times a second.
+// sandbox_supervisor.c, which looks ten times a second, less often where a look is expensive.
 #include "sandbox_census.h"
 
 #include "bwrap_arguments.h"
 #include "folder.h"
 #include "path.h"
+#include "sandbox_held.h"
 #include "sandbox_leftovers.h"
-#include "sandbox_removed_files.h"
+#include "sandbox_memory.h"
 #include "sandbox_stat.h"
 
 #include <dirent.h>
@@ -25,6 +26,11 @@
 
 // More processes than this need not be looked at: the limit is far below.
 enum { MAX_PROCESSES = 4096 };
+
+// What processes share is told apart from what each has by a walk through all of their pages. That
+// is done where they seem to use up to twice the memory that is allowed, as one does that starts
+// another, and takes some 0.2 s then; who seems to use more uses too much.
+enum { MOST_SHARED = 2 };
 
 typedef struct ProcessList {
     pid_t ids[MAX_PROCESSES];
@@ -48,9 +54,8 @@ static int children_add(pid_t process, pid_t thread, ProcessList *list)
     return list->n - n_before;
 }
 
-// Add how long a thread has waited for a processor in all, where the kernel tells. That it stood
-// back behind others is its own choice.
-static void waiting_add(pid_t process, pid_t thread, const ThreadStat *stat, Census *census)
+// Add how long a thread has waited for a processor in all, where the kernel tells.
+static void waiting_add(pid_t process, pid_t thread, Census *census)
 {
     char path[64];
     unsigned long long ran, waited;
@@ -61,7 +66,7 @@ static void waiting_add(pid_t process, pid_t thread, const ThreadStat *stat, Cen
     }
     if (fscanf(file, "%llu %llu", &ran, &waited) == 2) {
         census->tells_waiting = 1;
-        census->waited_seconds += stat_stands_back(process, stat) ? 0 : 1e-9 * (double)waited;
+        census->waited_seconds += 1e-9 * (double)waited;
     }
     fclose(file);
 }
@@ -74,11 +79,13 @@ static int is_awake(const ThreadStat *stat, int n_children)
 }
 
 // Add the children of all threads of a process, how many threads are awake, and how long they have
-// waited. Returns how many threads there are.
+// waited, but for those that stood back behind others by their own choice. Returns how many threads
+// there are.
 static int threads_follow(pid_t process, ProcessList *list, Census *census)
 {
     char path[64];
     int n_threads = 0;
+    const int stands_back = stat_session_stands_back(process);
     snprintf(path, sizeof path, "/proc/%d/task", process);
     DIR *folder = opendir(path);
     const struct dirent *entry;
@@ -91,91 +98,15 @@ static int threads_follow(pid_t process, ProcessList *list, Census *census)
             snprintf(stat_path, sizeof stat_path, "/proc/%d/task/%d/stat", process, thread);
             const ThreadStat stat = stat_read(stat_path);
             census->n_awake += is_awake(&stat, n_children);
-            waiting_add(process, thread, &stat, census);
+            if (!stands_back && !stat_stands_back(&stat)) {
+                waiting_add(process, thread, census);
+            }
         }
     }
     if (folder != NULL) {
         closedir(folder);
     }
     return n_threads;
-}
-
-// The sum of some figures, "Name:   123 kB", in a file of a process; -1 when there are none, as for
-// one that has ended.
-static long long figures_sum(pid_t process, const char *file_name, const char *const *names)
-{
-    char path[64], line[256];
-    snprintf(path, sizeof path, "/proc/%d/%s", process, file_name);
-    FILE *file = fopen(path, "re");
-    if (file == NULL) {
-        return -1;
-    }
-    long long sum = -1;
-    while (fgets(line, sizeof line, file) != NULL) {
-        for (const char *const *name = names; *name != NULL; name++) {
-            size_t length = strlen(*name);
-            if (strncmp(line, *name, length) == 0) {
-                sum = (sum < 0 ? 0 : sum) + atoll(line + length);
-            }
-        }
-    }
-    fclose(file);
-    return sum;
-}
-
-// Memory of its own and shared memory, in the memory of the machine or swapped out, and the tables
-// that say where its pages are. What processes share after a fork is in the figure of each: quick
-// to read, and never too small. Before Linux 4.5, and in gVisor, there is one figure for the first
-// two and for the files it has mapped. -1 when the thread has ended.
-static long long memory_in_status(pid_t thread)
-{
-    long long kb =
-        figures_sum(thread, "status", (const char *const[]){"RssAnon:", "RssShmem:", NULL});
-    if (kb < 0) {
-        kb = figures_sum(thread, "status", (const char *const[]){"VmRSS:", NULL});
-    }
-    const long long beside_kb =
-        figures_sum(thread, "status", (const char *const[]){"VmSwap:", "VmPTE:", NULL});
-    return kb >= 0 && beside_kb > 0 ? kb + beside_kb : kb;
-}
-
-// A thread of the process by which /proc tells of it, and its memory: of its first thread only what
-// is no memory and no file is told when that has ended and others go on. Returns 0 when all have.
-static pid_t thread_find(pid_t process, long long *memory_kb)
-{
-    char path[64];
-    enum { N_TRIES = 10 };  // each thread may start the next one and end
-    *memory_kb = memory_in_status(process);
-    pid_t found = *memory_kb >= 0 ? process : 0;
-    int n_threads = 2;
-    snprintf(path, sizeof path, "/proc/%d/task", process);
-    for (int i = 0; i < N_TRIES && found == 0 && n_threads > 1; i++) {
-        DIR *folder = opendir(path);
-        const struct dirent *entry;
-        n_threads = 0;
-        while (folder != NULL && found == 0 && (entry = readdir(folder)) != NULL) {
-            const pid_t thread = atoi(entry->d_name);
-            n_threads += thread > 0;
-            *memory_kb = thread > 0 ? memory_in_status(thread) : -1;
-            found = *memory_kb >= 0 ? thread : 0;
-        }
-        if (folder != NULL) {
-            closedir(folder);
-        }
-    }
-    return found;
-}
-
-// Its share of what it uses: exact, but the kernel has to walk through all of its pages.
-static long long memory_share(pid_t process)
-{
-    long long memory_kb;
-    const pid_t thread = thread_find(process, &memory_kb);
-    const long long share_kb =
-        figures_sum(thread, "smaps_rollup", (const char *const[]){"Pss:", "SwapPss:", NULL});
-    const long long tables_kb =
-        figures_sum(thread, "status", (const char *const[]){"VmPTE:", NULL});
-    return share_kb >= 0 && tables_kb >= 0 ? share_kb + tables_kb : memory_kb;
 }
 
 // How many files there are in one of bubblewrap's folders in memory, seen through a process inside;
@@ -217,8 +148,10 @@ static void user_add(uid_t user, ProcessList *list)
     const struct dirent *entry;
     while (folder != NULL && list->n < MAX_PROCESSES && (entry = readdir(folder)) != NULL) {
         const pid_t process = atoi(entry->d_name);
+        long long owner;
         if (process > 0 &&
-            figures_sum(process, "status", (const char *const[]){"Uid:", NULL}) == user) {
+            stat_figures_read(process, "status", (const char *const[]){"Uid:"}, &owner, 1) == 0 &&
+            owner == user) {
             list->ids[list->n++] = process;
         }
     }
@@ -227,45 +160,88 @@ static void user_add(uid_t user, ProcessList *list)
     }
 }
 
+// Enough seen: a limit on what is counted has been passed, and the run will be ended.
+static int is_too_much(const Census *census, const SandboxCommand *command)
+{
+    return (command->n_processes > 0 && census->n_tasks >= command->n_processes) ||
+           census->n_mappings > SANDBOX_MAX_MAPPINGS || census->n_open > SANDBOX_MAX_OPEN_FILES;
+}
+
+// What one look gathers besides the census.
+typedef struct Look {
+    ProcessList list;
+    Held held;
+    ProcessMemory memory;  // of all together
+} Look;
+
+// Look at one process that counts.
+static void process_look(const Walls *walls, pid_t process, Look *look, Census *census)
+{
+    ProcessMemory memory;
+    const pid_t thread = memory_look(process, &memory);
+    if (thread == 0) {
+        return;
+    }
+    census->n_processes++;
+    look->memory.own_kb += memory.own_kb;
+    look->memory.shared_kb += memory.shared_kb;
+    held_add(thread, (long long)walls->command.file_mb << 20, &look->held);
+    census->n_open = look->held.n_open;
+    census->n_mappings = look->held.n_mappings;
+    if (walls->bwrap != NULL) {
+        memory_folders_look(thread, census);
+    }
+}
+
+// What processes share after a fork once, and not for each.
+static void shares_look(Look *look, pid_t outermost)
+{
+    look->memory = (ProcessMemory){0};
+    for (int i = 0; i < look->list.n; i++) {
+        ProcessMemory memory;
+        if (look->list.ids[i] != outermost && memory_share(look->list.ids[i], &memory) == 0) {
+            look->memory.own_kb += memory.own_kb;
+            look->memory.shared_kb += memory.shared_kb;
+        }
+    }
+}
+
+// All memory. Of what is shared without a file there is at least what those who share it hold,
+// though none of them may have the pages any more.
+static long long memory_total(const Look *look)
+{
+    const long long held_kb = look->held.n_shared_bytes / 1024;
+    const long long shared_kb = look->memory.shared_kb;
+    return look->memory.own_kb + (shared_kb > held_kb ? shared_kb : held_kb);
+}
+
 void census_processes(const Walls *walls, pid_t outermost, Census *census)
 {
-    static ProcessList list;
-    static RemovedFiles removed;
-    list.n = 0;
-    memset(&removed, 0, sizeof removed);
+    static Look look;
+    memset(&look, 0, sizeof look);
     if (sandbox_has_own_user(walls->command.kind) && !sees_family()) {
-        user_add(walls->user, &list);
+        user_add(walls->user, &look.list);
     } else {
-        children_add(getpid(), getpid(), &list);
+        children_add(getpid(), getpid(), &look.list);
     }
-    for (int i = 0; i < list.n; i++) {
+    for (int i = 0; i < look.list.n && !is_too_much(census, &walls->command); i++) {
+        const pid_t process = look.list.ids[i];
         char path[64];
-        snprintf(path, sizeof path, "/proc/%d/stat", list.ids[i]);
+        snprintf(path, sizeof path, "/proc/%d/stat", process);
         census->processor_seconds += stat_read(path).seconds;
-        int n_threads = threads_follow(list.ids[i], &list, census);
-        if (list.ids[i] == outermost) {
-            continue;
-        }
-        long long memory_kb;
-        const pid_t thread = thread_find(list.ids[i], &memory_kb);
-        census->n_tasks += n_threads;
-        if (thread > 0) {
-            census->n_processes++;
-            census->memory_kb += memory_kb;
-            removed_files_add(thread, (long long)walls->command.file_mb << 20, &removed);
-            if (walls->bwrap != NULL) {
-                memory_folders_look(thread, census);
-            }
+        const int n_threads = threads_follow(process, &look.list, census);
+        if (process != outermost) {
+            census->n_tasks += n_threads;
+            process_look(walls, process, &look, census);
         }
     }
-    census->n_bytes += removed.n_bytes;
+    census->n_bytes += look.held.n_bytes;
+    census->memory_kb = memory_total(&look);
     const long long limit_kb = 1024LL * walls->command.total_memory_mb;
-    if (limit_kb > 0 && census->memory_kb > limit_kb) {
-        census->memory_kb = 0;
-        for (int i = 0; i < list.n; i++) {
-            const long long share_kb = list.ids[i] != outermost ? memory_share(list.ids[i]) : 0;
-            census->memory_kb += share_kb > 0 ? share_kb : 0;
-        }
+    if (limit_kb > 0 && census->memory_kb > limit_kb &&
+        census->memory_kb <= MOST_SHARED * limit_kb) {
+        shares_look(&look, outermost);
+        census->memory_kb = memory_total(&look);
     }
 }
 
@@ -309,6 +285,12 @@ SandboxLimit census_limit(const Census *census, const SandboxCommand *command)
     }
     if (command->total_memory_mb > 0 && census->memory_kb / 1024 > command->total_memory_mb) {
         return SANDBOX_LIMIT_MEMORY;
+    }
+    if (census->n_mappings > SANDBOX_MAX_MAPPINGS) {
+        return SANDBOX_LIMIT_MAPPINGS;
+    }
+    if (census->n_open > SANDBOX_MAX_OPEN_FILES) {
+        return SANDBOX_LIMIT_OPEN_FILES;
     }
     if (command->n_files > 0 && census->n_files > command->n_files) {
         return SANDBOX_LIMIT_FILES;

@@ -7,9 +7,11 @@
 #include <sys/types.h>
 
 typedef struct Census {
-    int n_processes;        // that are alive
-    int n_tasks;            // processes and threads, also those that only wait to be reaped
-    long long memory_kb;    // in use
+    int n_processes;      // that are alive
+    int n_tasks;          // processes and threads, also those that only wait to be reaped
+    long long memory_kb;  // in use
+    int n_mappings;       // of memory, and open files: read until they are too many
+    int n_open;
     long long n_bytes;      // on disks: in the folders it writes, and of removed files still open
     long long n_files;      // in the folders it writes, and in those in memory
     int n_awake;            // threads that run, or wait for a processor or a disk

@@ -6,9 +6,16 @@
 #include <time.h>
 #include <unistd.h>
 
-// However late a look is, no more time asleep is counted for it: who looks late was not awake to
-// see what the command did.
-#define MOST_ASLEEP_SECONDS 0.2
+// A run is looked at again after so long; or, so that looking costs an eighth of a processor, after
+// seven times the processor time that the last look took. But not later than after a second, as it
+// may do a lot meanwhile.
+#define PAUSE_SECONDS 0.1
+#define PAUSE_FACTOR 7.0
+#define MOST_PAUSE_SECONDS 1.0
+
+// How late a look may be and still tell of all the time before it: while a busy machine kept us
+// waiting, it may have kept the command waiting as well.
+#define LATE_SECONDS 0.1
 
 // Starved is who waited for a processor in so much of the time in which it neither ran nor slept.
 // Not all: what a thread waited since the last look before it ended is not seen.
@@ -19,6 +26,18 @@ double seconds_now(void)
     struct timespec now;
     clock_gettime(CLOCK_MONOTONIC, &now);
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+double seconds_own(void)
+{
+    struct timespec own;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &own);
+    return (double)own.tv_sec + 1e-9 * (double)own.tv_nsec;
+}
+
+double clock_pause(const SandboxClock *clock)
+{
+    return fmin(fmax(PAUSE_SECONDS, PAUSE_FACTOR * clock->looking), MOST_PAUSE_SECONDS);
 }
 
 double clock_ended_children(void)
@@ -43,8 +62,10 @@ void clock_look(SandboxClock *clock, const Census *census)
     // A process that ends is counted now here, now there: the sum may seem to shrink for a moment.
     const double ran = processor > clock->used.processor ? processor - clock->used.processor : 0;
     // Short naps and short work in turn: what it did not run it slept, as nobody kept it waiting.
+    // That holds for all the time in which we chose not to look, or were still looking.
     if (census->n_awake == 0 && ran < between) {
-        clock->used.asleep += fmin(between - ran, MOST_ASLEEP_SECONDS);
+        const double unseen = clock_pause(clock) + clock->looking;
+        clock->used.asleep += fmin(between - ran, unseen + LATE_SECONDS);
     }
     const double waited = census->waited_seconds;
     clock->tells_waiting |= census->tells_waiting;

@@ -11,19 +11,25 @@
 
 typedef struct SandboxClock {
     double start, last_look;  // on the monotonic clock, seconds
+    double looking;           // processor time of our own that the last look took
     SandboxTime used;
     int tells_waiting;   // the kernel does; else the two below say nothing
     double waited;       // seconds that its threads waited for a processor, all together
     double last_waited;  // by those that were alive at the last look
 } SandboxClock;
 
-// The monotonic clock, in seconds.
+// The monotonic clock, in seconds; and the processor time of the calling process.
 double seconds_now(void);
+double seconds_own(void);
 
 void clock_start(SandboxClock *clock);
 
 // Take in what the census has just seen.
 void clock_look(SandboxClock *clock, const Census *census);
+
+// How long to wait after the last look: the longer that took, the longer, as a run can make looking
+// at it dear.
+double clock_pause(const SandboxClock *clock);
 
 // Is the machine to blame that it used up its wall time? It is where the command was kept waiting
 // for a processor, not where it slept, or hid what it ran. Where the kernel does not tell, it is.

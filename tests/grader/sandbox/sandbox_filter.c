@@ -85,13 +85,12 @@ static int calls_add(scmp_filter_ctx filter, uint32_t action, const char *const 
 }
 
 // Internet sockets end the process. All others are refused: libraries ask for a local socket to
-// talk to a name service, or for netlink, and live without. Pairs of connected sockets are allowed;
-// but one of a pair could still send to a name, of which all runs see the abstract ones in user.
+// talk to a name service, or for netlink, and live without. Pairs of connected sockets are, too, as
+// each could keep megabytes in the kernel that no look finds.
 static int sockets_add(scmp_filter_ctx filter)
 {
     const unsigned n_families = 64;  // the kernel has fewer
-    int fault = seccomp_rule_add(filter, SCMP_ACT_ERRNO(EACCES), SCMP_SYS(sendto), 1,
-                                 SCMP_A4(SCMP_CMP_NE, 0));
+    int fault = seccomp_rule_add(filter, SCMP_ACT_ERRNO(EACCES), SCMP_SYS(socketpair), 0);
     fault = fault != 0 ? fault
                        : seccomp_rule_add(filter, SCMP_ACT_ERRNO(EACCES), SCMP_SYS(socket), 1,
                                           SCMP_A0(SCMP_CMP_GE, n_families));

@@ -82,7 +82,15 @@ static const char *const refused_calls[] = {
     "memfd_secret",
     "sendmsg",
     "sendmmsg",
-    // Names by which sockets of other runs are found, or seen to be there. A pair has none.
+    // What puts pages into pipes, where they are nobody's memory any more: of a byte the kernel
+    // keeps the page around it, and of a large page all 2 MB.
+    "vmsplice",
+    "splice",
+    "tee",
+    "sendfile",
+    // Requests to disks that the kernel keeps, of which the machine has one small number for all.
+    "io_setup",
+    // Names by which sockets of other runs are found, or seen to be there.
     "bind",
     "connect",
     // Memory and messages that would outlive the run.

@@ -7,6 +7,9 @@
 
 #define OPEN_FILES_LIMIT 256
 
+// Signals that wait to be handled, and timers: the kernel keeps some 100 and 400 bytes for each.
+#define PENDING_SIGNALS_LIMIT 1024
+
 // The lower of a limit and what is allowed already.
 static rlim_t limit_lower(__rlimit_resource_t resource, rlim_t value)
 {
@@ -51,7 +54,9 @@ int limits_set(const SandboxCommand *command)
     // The supervisor looks at the time of all processes together; this is for what it cannot see.
     if (limit_set(RLIMIT_CPU, (rlim_t)command->time.processor + 1) != 0 ||
         limit_set(RLIMIT_FSIZE, (rlim_t)command->file_mb * megabyte) != 0 ||
-        limit_set(RLIMIT_NOFILE, OPEN_FILES_LIMIT) != 0 || limit_set(RLIMIT_CORE, 0) != 0) {
+        limit_set(RLIMIT_NOFILE, OPEN_FILES_LIMIT) != 0 ||
+        limit_set(RLIMIT_SIGPENDING, PENDING_SIGNALS_LIMIT) != 0 ||
+        limit_set(RLIMIT_CORE, 0) != 0) {
         return -1;
     }
     return 0;

@@ -1,7 +1,8 @@
-// Reading /proc/P/stat (see sandbox_stat.h).
+// Reading what /proc has of a process (see sandbox_stat.h).
 #include "sandbox_stat.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -33,24 +34,50 @@ ThreadStat stat_read(const char *path)
     return stat;
 }
 
-// The priority of a process's session; 0 where the kernel knows none.
-static int session_nice(pid_t process)
+int stat_stands_back(const ThreadStat *stat)
+{
+    static ThreadStat own;  // of the calling process, which never changes it
+    if (own.state == 0) {
+        own = stat_read("/proc/self/stat");
+    }
+    return stat->nice > own.nice || stat->policy != own.policy;
+}
+
+int stat_session_stands_back(pid_t process)
 {
     char path[64];
     int nice = 0;
     snprintf(path, sizeof path, "/proc/%d/autogroup", (int)process);
-    FILE *file = fopen(path, "re");
+    FILE *file = fopen(path, "re");  // none where the kernel knows no such groups
     if (file != NULL) {
         if (fscanf(file, "%*s nice %d", &nice) != 1) {
             nice = 0;
         }
         fclose(file);
     }
-    return nice;
+    return nice > 0;
 }
 
-int stat_stands_back(pid_t process, const ThreadStat *stat)
+int stat_figures_read(pid_t process, const char *file_name, const char *const names[],
+                      long long figures[], int n)
 {
-    const ThreadStat own = stat_read("/proc/self/stat");
-    return stat->nice > own.nice || stat->policy != own.policy || session_nice(process) > 0;
+    char path[64], line[256];
+    for (int i = 0; i < n; i++) {
+        figures[i] = -1;
+    }
+    snprintf(path, sizeof path, "/proc/%d/%s", (int)process, file_name);
+    FILE *file = fopen(path, "re");
+    if (file == NULL) {
+        return -1;
+    }
+    while (fgets(line, sizeof line, file) != NULL) {
+        for (int i = 0; i < n; i++) {
+            const size_t length = strlen(names[i]);
+            if (strncmp(line, names[i], length) == 0) {
+                figures[i] = atoll(line + length);
+            }
+        }
+    }
+    fclose(file);
+    return 0;
 }

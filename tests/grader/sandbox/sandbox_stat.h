@@ -14,8 +14,14 @@ typedef struct ThreadStat {
 // Read /proc/P/stat or /proc/P/task/T/stat.
 ThreadStat stat_read(const char *path);
 
-// Does a thread let others go first that the calling process would not? By its own priority, by its
-// policy, or by the priority of its session, which Linux schedules as a group ("autogroup").
-int stat_stands_back(pid_t process, const ThreadStat *stat);
+// Does a thread let others go first that the calling process would not, by its own priority or its
+// policy? Does a process by that of its session, which Linux schedules as a group ("autogroup")?
+int stat_stands_back(const ThreadStat *stat);
+int stat_session_stands_back(pid_t process);
+
+// Read the figures of some names, "Name:   123 kB", in a file that /proc has of a process. Those
+// that it does not name become -1. Returns 0, or -1 when there is no such process any more.
+int stat_figures_read(pid_t process, const char *file_name, const char *const names[],
+                      long long figures[], int n);
 
 #endif

@@ -37,9 +37,6 @@
 // ahead of the second by a tenth and more.
 #define CPU_LIMIT_SHARE 0.5
 
-// How often the census is taken.
-#define CENSUS_SECONDS 0.1
-
 typedef enum WatchEnd {
     WATCH_COMMAND_ENDED,
     WATCH_PROCESSOR,  // its processor time is used up
@@ -176,10 +173,12 @@ static pid_t outermost(const Watch *watch)
 // Has a limit on all processes together been passed?
 static int census_take(Watch *watch)
 {
+    const double begin = seconds_own();
     Census census = {0};
     census_processes(watch->walls, outermost(watch), &census);
     clock_look(&watch->clock, &census);
     census_folders(watch->walls, &census);
+    watch->clock.looking = seconds_own() - begin;
     watch->report->limit = census_limit(&census, &watch->walls->command);
     return watch->report->limit != SANDBOX_LIMIT_NONE;
 }
@@ -225,7 +224,7 @@ static int signals_read(Watch *watch)
 // Watch until the command ends or has to be ended.
 static WatchEnd command_watch(Watch *watch)
 {
-    double census_time = seconds_now() + CENSUS_SECONDS;
+    double census_time = seconds_now() + clock_pause(&watch->clock);
     for (;;) {
         double now = seconds_now();
         if (now >= census_time) {
@@ -236,7 +235,7 @@ static WatchEnd command_watch(Watch *watch)
             if (time_end != WATCH_COMMAND_ENDED) {
                 return time_end;
             }
-            census_time = seconds_now() + CENSUS_SECONDS;
+            census_time = seconds_now() + clock_pause(&watch->clock);
         }
         struct pollfd events[] = {{.fd = watch->output, .events = POLLIN},
                                   {.fd = watch->status, .events = POLLIN},
