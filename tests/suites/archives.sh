@@ -32,13 +32,18 @@ field() { sed -n "s/^  \"$1\": \([0-9]*\),\{0,1\}\$/\1/p" "$reports/results.json
 # What the first stage, staging, said to the student.
 said() { sed -n 's/^      "message": "\(.*\)"$/\1/p' "$reports/results.json" | head -n 1; }
 
-# earns SCORE PATH: is this the score, with nothing to say about what was handed in?
+# earns SCORE PATH [WORDS]: is this the score, with these words about what was handed in, or none?
 # shellcheck disable=SC2317 # called by check
 earns() {
     status=0
     grade "$2" || status=$?
     cat "$scratch/said"
-    [ "$status" -lt 2 ] && [ "$(field score)" -eq "$1" ] && [ -z "$(said)" ]
+    [ "$status" -lt 2 ] && [ "$(field score)" -eq "$1" ] || return 1
+    case $(said) in
+    '') [ -z "${3:-}" ] ;;
+    *"${3:-nothing}"*) ;;
+    *) echo "found: $(said)"; return 1 ;;
+    esac
 }
 
 # refuses PATH WORDS: no points, and a line for the student with the words, at most one a file?
@@ -110,11 +115,16 @@ mkdir -p course-main/.git course-main/build
 cp "$course/labs/$lab/render.c" course-main/.git
 cp "$course/labs/$lab/render.c" course-main/build
 zip -q -r course-main.zip course-main
-graded "GitHub's archive: labs/NN-name in a folder" earns 100 "$PWD/course-main.zip"
-graded "the same unpacked" earns 100 "$PWD/course-main"
+another='render.c: taken from \"course-main/labs/00-hello-pixels\"; a different one, which does not count, is in \"course-main/solutions/00-hello-pixels\"'
+graded "GitHub's archive: labs/NN-name in a folder" earns 100 "$PWD/course-main.zip" "$another"
+mkdir unpacked
+mv course-main unpacked
+graded "the same unpacked" earns 100 "$PWD/unpacked" "$another"
+mv unpacked/course-main .
 cp -r "$course/labs/$lab" skeleton
 zip -q -r both.zip course-main skeleton
-graded "fewer folders above win" earns 0 "$PWD/both.zip"
+graded "fewer folders above win" earns 0 "$PWD/both.zip" \
+    'taken from \"skeleton\"; a different one, which does not count, is in \"course-main/labs/00-hello-pixels\"'
 
 in_new_folder
 moodle='Jane Doe_123456_assignsubmission_file_'
@@ -141,11 +151,16 @@ in_new_folder
 the_answer one
 the_answer two
 tar -czf equal.tar.gz one two
-graded "the same files twice" earns 100 "$PWD/equal.tar.gz"
+graded "the same files twice" earns 100 "$PWD/equal.tar.gz" \
+    'gradient.cl: taken from \"one\"; the same is in \"two\"\nrender.c: taken'
 echo '// later' >>two/render.c
 tar -czf different.tar.gz one two
 graded "two versions of a file" refuses "$PWD/different.tar.gz" \
     'render.c: found in \"one\" and, with another content, in \"two\": hand in only one'
+tar -cf twice.tar -C "$course/labs" $lab
+tar -rf twice.tar -C "$course/solutions" $lab/render.c $lab/gradient.cl
+graded "two entries of one path: the last one counts" earns 100 "$PWD/twice.tar" \
+    "render.c: 2 times in the archive as \\\"$lab/render.c\\\", with different contents: the last one counts"
 
 # ---- What is no archive -------------------------------------------------------------------------
 
@@ -241,6 +256,38 @@ tar -cf answer.tar -C "$course/solutions" $lab
 cat entries.tar answer.tar | gzip -1 >many.tar.gz
 rm entries.tar
 graded "an archive of 131072 entries" earns 100 "$PWD/many.tar.gz"
+
+# ---- Little room ----------------------------------------------------------------------------------
+
+# graded_in_room MB PATH: with so much room in TMPDIR, in a mount namespace of its own.
+graded_in_room() {
+    unshare -m sh -c 'mount -t tmpfs -o size="$1"m,mode=711 room "$TMPDIR" && shift && exec "$@"' room "$1" \
+        "$build/tools/grade" --build "$build" --output "$reports" --lab $lab --seed 5 \
+        --answers "$scratch/answers/00" --submission "$2"
+}
+
+lab=00-hello-pixels
+in_new_folder
+the_answer x
+zip -q -r small.zip x
+head -c 41943040 /dev/urandom >x/video
+zip -q -0 -r large.zip x
+if [ "$(id -u)" -eq 0 ] && unshare -m mount -t tmpfs none "$TMPDIR" 2>/dev/null; then
+    cd "$course" || exit 1
+    for size in small large; do
+        status=0
+        graded_in_room 40 "$scratch/$n_folders/$size.zip" >"$scratch/said" 2>&1 || status=$?
+        case $size in small) ;; *) status=$((status - 1)) ;; esac
+        ok $status "with 40 MB of room: a $size archive" "$(cat "$scratch/said")"
+    done
+    check "what does not fit is the archive's fault" grep -q \
+        'large.zip: its 40.0 MB do not fit into the room that this machine has' "$reports/results.json"
+    status=0
+    graded_in_room 5 "$scratch/$n_folders/small.zip" >"$scratch/said" 2>&1 || status=$?
+    ok $((status != 2)) "with 5 MB of room nobody can be graded" "$(cat "$scratch/said")"
+else
+    skip "little room" "it needs root, and mounts"
+fi
 
 # ---- The grader's own faults --------------------------------------------------------------------
 
