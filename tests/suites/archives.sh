@@ -257,38 +257,6 @@ cat entries.tar answer.tar | gzip -1 >many.tar.gz
 rm entries.tar
 graded "an archive of 131072 entries" earns 100 "$PWD/many.tar.gz"
 
-# ---- Little room ----------------------------------------------------------------------------------
-
-# graded_in_room MB PATH: with so much room in TMPDIR, in a mount namespace of its own.
-graded_in_room() {
-    unshare -m sh -c 'mount -t tmpfs -o size="$1"m,mode=711 room "$TMPDIR" && shift && exec "$@"' room "$1" \
-        "$build/tools/grade" --build "$build" --output "$reports" --lab $lab --seed 5 \
-        --answers "$scratch/answers/00" --submission "$2"
-}
-
-lab=00-hello-pixels
-in_new_folder
-the_answer x
-zip -q -r small.zip x
-head -c 41943040 /dev/urandom >x/video
-zip -q -0 -r large.zip x
-if [ "$(id -u)" -eq 0 ] && unshare -m mount -t tmpfs none "$TMPDIR" 2>/dev/null; then
-    cd "$course" || exit 1
-    for size in small large; do
-        status=0
-        graded_in_room 40 "$scratch/$n_folders/$size.zip" >"$scratch/said" 2>&1 || status=$?
-        case $size in small) ;; *) status=$((status - 1)) ;; esac
-        ok $status "with 40 MB of room: a $size archive" "$(cat "$scratch/said")"
-    done
-    check "what does not fit is the archive's fault" grep -q \
-        'large.zip: its 40.0 MB do not fit into the room that this machine has' "$reports/results.json"
-    status=0
-    graded_in_room 5 "$scratch/$n_folders/small.zip" >"$scratch/said" 2>&1 || status=$?
-    ok $((status != 2)) "with 5 MB of room nobody can be graded" "$(cat "$scratch/said")"
-else
-    skip "little room" "it needs root, and mounts"
-fi
-
 # ---- The grader's own faults --------------------------------------------------------------------
 
 cd "$course" || exit 1
