@@ -270,6 +270,19 @@ status=0
     --submission "$scratch/1/plain.tar" >"$scratch/said" 2>&1 || status=$?
 ok $((status != 2)) "without its tool the grader says that it cannot work" "$(cat "$scratch/said")"
 check "and names the tool" grep -q 'tools/unpack: No such file' "$scratch/said"
+# What reads an archive is not believed: where it works over another one, the archive is at fault.
+cat >"$scratch/build/tools/unpack" <<'SH'
+#!/bin/sh
+[ "$1" = /dev/null ] && exit 1
+exit 2
+SH
+chmod 755 "$scratch/build/tools/unpack"
+status=0
+"$build/tools/grade" --build "$scratch/build" --output "$reports" --lab $lab \
+    --submission "$scratch/1/plain.tar" >"$scratch/said" 2>&1 || status=$?
+ok $((status != 1)) "an archive over which the tool says that it cannot work is refused" \
+    "$(cat "$scratch/said")"
+check "and the report says so" grep -q 'plain.tar: the archive is damaged, unpacking it fails' "$reports/results.json"
 check "nothing stays behind in TMPDIR" test -z "$(ls -A "$TMPDIR")"
 
 finish

@@ -103,10 +103,10 @@ __attribute__((constructor)) static void fill(void)
     sleep(3);
 }
 C
-for lab in 00-hello-pixels 02-kdtree-2d-build; do
+for host_file in 00-hello-pixels/render.c 02-kdtree-2d-build/kdtree2d_build.c; do
+    lab=${host_file%/*}
     cp -R solutions/$lab "$scratch/$lab"
-    host_file=$(ls "$scratch/$lab"/*.c | grep -v main.c)
-    cat "$scratch/fill.c" >>"$host_file"
+    cat "$scratch/fill.c" >>"$scratch/$host_file"
     grade 160 $lab "$scratch/$lab"
     ends_with 1 "a run of $lab that fills 160 MB"
     check "and its report says that it did not run to its end" names '"title": "Running",'

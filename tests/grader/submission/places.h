@@ -35,8 +35,8 @@ int place_rank(const char *lab, const char *folder);
 //   files[n_files]      the names
 //   places[n_files]     out; release with places_free()
 // Returns 0, or -1 with errno set when the top could not be read, or the machine failed. What else
-// keeps a folder below it from being read (its rights, that it is gone) is its owner's doing, and it
-// is passed over.
+// keeps a folder below it from being read (its rights, that it is gone) is its owner's doing, and
+// it is passed over.
 int places_find(int top, const char *lab, char *const *files, int n_files, Places *places);
 void places_free(Places *places, int n_files);
 

@@ -1,5 +1,5 @@
-// Trying whether there is room (see room.h): written, as what a disk says of itself is not what this
-// user may fill.
+// Trying whether there is room (see room.h): by writing, as what a disk says of itself is not what
+// this user may fill.
 #include "room.h"
 
 #include "bytes_write.h"

@@ -105,8 +105,8 @@ static int copy_tool(const char *build, const char *to)
     return 0;
 }
 
-// The archive could not be copied. Where there is room for what every submission may need, it is the
-// archive that is too large. Returns 1 with a message, or -1.
+// The archive could not be copied. Where there is room for what every submission may need, it is
+// the archive that is too large. Returns 1 with a message, or -1.
 static int copy_failed(const char *path, const char *to, const char *in, off_t n_bytes, int fault,
                        char **message)
 {

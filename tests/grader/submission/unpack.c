@@ -1,8 +1,8 @@
 // The lab's files out of an archive (see unpack.h).
 //
-// libarchive reads the formats; here is decided what of that is read, and how much. Whatever else an
-// archive uses up is its own fault, too: memory here, time and the rest where the program is started
-// (submission.c). Read next: copies.h, unpack_write.c.
+// libarchive reads the formats; here is decided what of that is read, and how much. Whatever else
+// an archive uses up is its own fault, too: memory here, time and the rest where the program is
+// started (submission.c). Read next: copies.h, unpack_write.c.
 #include "unpack.h"
 
 #include "copies.h"
@@ -268,7 +268,7 @@ static int entry_read(Unpacking *unpacking, struct archive_entry *entry)
         return 0;
     }
     contents_note(unpacking, path);
-    Path parts;
+    Path parts = {0};
     Copies *file = path_read(path, &parts) == 0 ? file_find(unpacking, parts.name) : NULL;
     return file != NULL ? entry_keep(unpacking, entry, &parts, file) : 0;
 }

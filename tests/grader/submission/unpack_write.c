@@ -1,7 +1,7 @@
 // A copy becomes a file (see unpack_write.h).
 //
-// Every step of a path is opened by itself and through no link, so that no copy can lead another one
-// out of the folder.
+// Every step of a path is opened by itself and through no link, so that no copy can lead another
+// one out of the folder.
 #include "unpack_write.h"
 
 #include "bytes_write.h"
