@@ -105,9 +105,9 @@ __attribute__((constructor)) static void fill(void)
 C
 for host_file in 00-hello-pixels/render.c 02-kdtree-2d-build/kdtree2d_build.c; do
     lab=${host_file%/*}
-    cp -R solutions/$lab "$scratch/$lab"
+    cp -R "solutions/$lab" "$scratch/$lab"
     cat "$scratch/fill.c" >>"$scratch/$host_file"
-    grade 160 $lab "$scratch/$lab"
+    grade 160 "$lab" "$scratch/$lab"
     ends_with 1 "a run of $lab that fills 160 MB"
     check "and its report says that it did not run to its end" names '"title": "Running",'
     check "nothing stays behind in TMPDIR" test -z "$(ls -A "$TMPDIR")"

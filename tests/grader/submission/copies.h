@@ -35,8 +35,8 @@ typedef struct Copies {
 } Copies;
 
 // Find room for a copy in that folder: what is kept of an earlier entry with the same path, or a
-// new one, without content. *copy is NULL where better ones leave none. Returns 0, or -1 when memory
-// runs out.
+// new one, without content. *copy is NULL where better ones leave none. Returns 0, or -1 when
+// memory runs out.
 int copies_find(Copies *copies, const char *folder, int rank, Copy **copy);
 
 // Put content into a copy, in place of what an earlier entry had. Returns 0, or -1 when memory runs

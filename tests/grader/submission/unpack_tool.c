@@ -3,10 +3,10 @@
 //     unpack ARCHIVE FOLDER LAB NAME...
 //
 // Writes the entries with these names into the empty FOLDER (unpack.h says how). Exit status: 0,
-// with lines on stdout where something is to be said; 1 when the archive is at fault, which one
-// line on stdout tells; 2 when it could not work itself, with a line on stderr. That is so before it
-// looks at the archive, and where the folder fails. Read next: submission.c, which starts it, and
-// does not believe the 2.
+// with lines on stdout where there is something to say; 1 when the archive is at fault, which one
+// line on stdout tells; 2 when it could not work itself, before it looked at the archive or by a
+// fault of the folder, with a line on stderr. Read next: submission.c, which starts it, and does
+// not believe the 2.
 #include "complain.h"
 #include "file_kind.h"
 #include "room.h"
