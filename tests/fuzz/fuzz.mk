@@ -8,7 +8,7 @@ FUZZED_scene3d = $(wildcard common/scene3d*.c common/molecule*.c) $(MESSAGES) \
 FUZZED_sections = tests/probes/sections.c
 FUZZED_source = $(addprefix tests/grader/,lab/holes.c submission/source_words.c submission/stands_out.c \
     submission/extra_files.c) $(addprefix common/,message.c text_file.c) $(MESSAGES)
-FUZZED_unpack = $(addprefix tests/grader/submission/,unpack.c unpack_entry.c file_kind.c bytes_write.c \
+FUZZED_unpack = $(addprefix tests/grader/submission/,unpack.c unpack_write.c copies.c file_kind.c bytes_write.c \
     places.c stage.c) common/message.c $(MESSAGES)
 FUZZ_TARGETS := $(patsubst tests/fuzz/fuzz_%.c,fuzz-%,$(wildcard tests/fuzz/fuzz_*.c))
 

@@ -164,7 +164,10 @@ static int run_whole(Grading *grading, int is_staged)
             return -1;
         }
     }
-    return session_compile(session, variants, n) != 0 ? -1 : session_run(session, variants, n_runs);
+    if (session_compile(session, variants, n) != 0 || session_run(session, variants, n_runs) != 0) {
+        return -1;
+    }
+    return n_runs > 1 ? session_run_apart(session, variants, n_runs) : 0;
 }
 
 // Stage, run, judge. Returns 0 when there is a result, or -1 after one message.

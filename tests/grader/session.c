@@ -191,6 +191,22 @@ int session_run(Session *session, Variant *const variants[], int n)
     return variants_run(&session->workshop, variants + known, n - known, &session->allowance);
 }
 
+int session_run_apart(Session *session, Variant *const variants[], int n)
+{
+    const Variant *solution = &session->solution;
+    int result = 0;
+    if (solution->build_log == NULL && solution->trouble == NULL) {
+        return 0;
+    }
+    for (int i = 0; result == 0 && i < n; i++) {
+        if (variants[i]->build_log != NULL || variants[i]->trouble != NULL) {
+            result = variant_reset(&session->workshop, variants[i]);
+            result = result == 0 ? session_run(session, &variants[i], 1) : -1;
+        }
+    }
+    return result;
+}
+
 static JudgeProcess *judge_of_job(Session *session, int k)
 {
     return k == 0 ? &session->judge : &session->further[k - 1];

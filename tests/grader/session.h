@@ -42,6 +42,11 @@ int session_compile(Session *session, Variant *const variants[], int n);
 // Likewise run n variants, and compile those that are not yet.
 int session_run(Session *session, Variant *const variants[], int n);
 
+// After they have run side by side: if the solution did not come to its end, run all that did not
+// once more, one after the other. One may have taken what the others needed, such as the room on a
+// disk: whoever did so fails again. Returns 0, or -1 after one message.
+int session_run_apart(Session *session, Variant *const variants[], int n);
+
 // After the solution has run: it must pass every check on this device, judged by the oracle, else
 // nothing that is said about a submission can be trusted. From then on pictures are compared with
 // the solution's. Returns 0, or -1 after one message; 0 where there is no solution.

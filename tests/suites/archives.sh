@@ -32,13 +32,18 @@ field() { sed -n "s/^  \"$1\": \([0-9]*\),\{0,1\}\$/\1/p" "$reports/results.json
 # What the first stage, staging, said to the student.
 said() { sed -n 's/^      "message": "\(.*\)"$/\1/p' "$reports/results.json" | head -n 1; }
 
-# earns SCORE PATH: is this the score, with nothing to say about what was handed in?
+# earns SCORE PATH [WORDS]: is this the score, with these words about what was handed in, or none?
 # shellcheck disable=SC2317 # called by check
 earns() {
     status=0
     grade "$2" || status=$?
     cat "$scratch/said"
-    [ "$status" -lt 2 ] && [ "$(field score)" -eq "$1" ] && [ -z "$(said)" ]
+    [ "$status" -lt 2 ] && [ "$(field score)" -eq "$1" ] || return 1
+    case $(said) in
+    '') [ -z "${3:-}" ] ;;
+    *"${3:-nothing}"*) ;;
+    *) echo "found: $(said)"; return 1 ;;
+    esac
 }
 
 # refuses PATH WORDS: no points, and a line for the student with the words, at most one a file?
@@ -110,11 +115,16 @@ mkdir -p course-main/.git course-main/build
 cp "$course/labs/$lab/render.c" course-main/.git
 cp "$course/labs/$lab/render.c" course-main/build
 zip -q -r course-main.zip course-main
-graded "GitHub's archive: labs/NN-name in a folder" earns 100 "$PWD/course-main.zip"
-graded "the same unpacked" earns 100 "$PWD/course-main"
+another='render.c: taken from \"course-main/labs/00-hello-pixels\"; a different one, which does not count, is in \"course-main/solutions/00-hello-pixels\"'
+graded "GitHub's archive: labs/NN-name in a folder" earns 100 "$PWD/course-main.zip" "$another"
+mkdir unpacked
+mv course-main unpacked
+graded "the same unpacked" earns 100 "$PWD/unpacked" "$another"
+mv unpacked/course-main .
 cp -r "$course/labs/$lab" skeleton
 zip -q -r both.zip course-main skeleton
-graded "fewer folders above win" earns 0 "$PWD/both.zip"
+graded "fewer folders above win" earns 0 "$PWD/both.zip" \
+    'taken from \"skeleton\"; a different one, which does not count, is in \"course-main/labs/00-hello-pixels\"'
 
 in_new_folder
 moodle='Jane Doe_123456_assignsubmission_file_'
@@ -141,11 +151,16 @@ in_new_folder
 the_answer one
 the_answer two
 tar -czf equal.tar.gz one two
-graded "the same files twice" earns 100 "$PWD/equal.tar.gz"
+graded "the same files twice" earns 100 "$PWD/equal.tar.gz" \
+    'gradient.cl: taken from \"one\"; the same is in \"two\"\nrender.c: taken'
 echo '// later' >>two/render.c
 tar -czf different.tar.gz one two
 graded "two versions of a file" refuses "$PWD/different.tar.gz" \
     'render.c: found in \"one\" and, with another content, in \"two\": hand in only one'
+tar -cf twice.tar -C "$course/labs" $lab
+tar -rf twice.tar -C "$course/solutions" $lab/render.c $lab/gradient.cl
+graded "two entries of one path: the last one counts" earns 100 "$PWD/twice.tar" \
+    "render.c: 2 times in the archive as \\\"$lab/render.c\\\", with different contents: the last one counts"
 
 # ---- What is no archive -------------------------------------------------------------------------
 
@@ -255,6 +270,19 @@ status=0
     --submission "$scratch/1/plain.tar" >"$scratch/said" 2>&1 || status=$?
 ok $((status != 2)) "without its tool the grader says that it cannot work" "$(cat "$scratch/said")"
 check "and names the tool" grep -q 'tools/unpack: No such file' "$scratch/said"
+# What reads an archive is not believed: where it works over another one, the archive is at fault.
+cat >"$scratch/build/tools/unpack" <<'SH'
+#!/bin/sh
+[ "$1" = /dev/null ] && exit 1
+exit 2
+SH
+chmod 755 "$scratch/build/tools/unpack"
+status=0
+"$build/tools/grade" --build "$scratch/build" --output "$reports" --lab $lab \
+    --submission "$scratch/1/plain.tar" >"$scratch/said" 2>&1 || status=$?
+ok $((status != 1)) "an archive over which the tool says that it cannot work is refused" \
+    "$(cat "$scratch/said")"
+check "and the report says so" grep -q 'plain.tar: the archive is damaged, unpacking it fails' "$reports/results.json"
 check "nothing stays behind in TMPDIR" test -z "$(ls -A "$TMPDIR")"
 
 finish

@@ -71,13 +71,16 @@ static inline void pack_one(const char *path, unsigned kind, const char *content
 
 // ---- Unpacking ----------------------------------------------------------------------------------
 
-static char *const names[] = {"a.cl", "b.c"};
+static const Manifest manifest = {.lab = "03-x", .files = {"a.cl", "b.c"}, .n_files = 2};
 static char message[UNPACK_MESSAGE_BYTES];
 
+// Into an empty folder.
 static inline int reader_unpack(struct archive *reader)
 {
+    nftw("out", entry_remove, 16, FTW_DEPTH | FTW_PHYS);
+    cr_assert_eq(mkdir("out", 0755), 0);
     const int folder = open("out", O_RDONLY | O_DIRECTORY);
-    const int status = unpack(reader, folder, names, 2, message);
+    const int status = unpack(reader, &manifest, folder, message);
     close(folder);
     archive_read_free(reader);
     return status;

@@ -61,6 +61,18 @@ Test(judge_process, a_job_is_the_same_each_time_and_a_tasks_is_smaller, .init = 
     free(first), free(second), free(alone);
 }
 
+// As where answers have left it no memory.
+Test(judge_process, a_job_comes_from_a_new_one_where_it_has_ended, .init = start, .fini = stop)
+{
+    size_t n_first, n_second;
+    char *first = job_of(NULL, &n_first);
+    cr_assert_eq(kill(judge.pid, SIGKILL), 0);
+    char *second = job_of(NULL, &n_second);
+    cr_expect_eq(n_first, n_second);
+    cr_expect_eq(memcmp(first, second, n_first), 0);
+    free(first), free(second);
+}
+
 Test(judge_process, what_is_missing_is_not_wrong, .init = start, .fini = stop)
 {
     const Verdict verdict = judge_verdict(&judge, (Answers){1, &empty}, 0);

@@ -118,6 +118,16 @@ Test(stage, refuses_a_device)
     expect_refused("a.cl", "not a regular file");
 }
 
+// Nobody knows what opening one does: a watchdog would start.
+Test(stage, opens_no_device)
+{
+    enum { MISCELLANEOUS = 10, NONE_OF_THEM = 99 };  // opening it fails as no other file does
+    if (mknod("from/a.cl", S_IFCHR | 0666, makedev(MISCELLANEOUS, NONE_OF_THEM)) != 0) {
+        SKIP_TEST("only root makes devices");
+    }
+    expect_refused("a.cl", "not a regular file");
+}
+
 Test(stage, refuses_a_file_nobody_may_read)
 {
     if (geteuid() == 0) {

@@ -99,6 +99,48 @@ Test(stage_places, takes_equal_files_from_equally_good_places)
     char *message;
     cr_assert_eq(lab_stage(1, &message), 0);
     expect_content("to/a.cl", "kernel");
+    cr_expect_str_eq(message, "a.cl: taken from \"one\"; the same is in \"two\"");
+    free(message);
+}
+
+typedef struct Others {
+    const char *paths[4];  // what the submission holds, each its own path but for those with "=",
+                           // which hold "same"
+    const char *says;
+} Others;
+
+Test(stage_places, says_which_was_taken_and_where_another_one_is)
+{
+    static const Others all[] = {
+        {{"a.cl"}, NULL},
+        {{"a.cl", "labs/03-x/a.cl", "one/a.cl"},
+         "a.cl: taken from the top folder; a different one, which does not count, is in "
+         "\"labs/03-x\""},
+        {{"=a.cl", "=labs/03-x/a.cl"},
+         "a.cl: taken from the top folder; the same is in \"labs/03-x\""},
+        {{"=two/a.cl", "=one/a.cl", "x/y/a.cl", "x/z/a.cl"},
+         "a.cl: taken from \"one\"; the same is in \"two\"; a different one, which does not "
+         "count, is in \"x/y\""},
+        {{"a.cl", "build/a.cl", ".git/a.cl", "__MACOSX/a.cl"}, NULL},
+    };
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+        for (int k = 0; k < 4 && all[i].paths[k] != NULL; k++) {
+            const int is_same = all[i].paths[k][0] == '=';
+            path_write(all[i].paths[k] + is_same);
+            if (is_same) {
+                char path[64];
+                snprintf(path, sizeof path, "from/%s", all[i].paths[k] + 1);
+                file_write(path, "same", 4);
+            }
+        }
+        char *message;
+        cr_expect_eq(lab_stage(1, &message), 0);
+        cr_expect(all[i].says == NULL ? message == NULL
+                                      : message != NULL && strcmp(message, all[i].says) == 0,
+                  "%zu: %s", i, message);
+        free(message);
+        nftw("from", entry_remove, 16, FTW_DEPTH | FTW_PHYS);
+    }
 }
 
 Test(stage_places, names_two_places_with_different_content)
@@ -126,6 +168,9 @@ Test(stage_places, refuses_too_many_equally_good_places)
     path_write("a.cl");
     char *message;
     cr_expect_eq(lab_stage(1, &message), 0, "a better place does not end that: %s", message);
+    cr_expect_str_eq(message, "a.cl: taken from the top folder; a different one, which does not "
+                              "count, is in \"copy-0\"");
+    free(message);
 }
 
 Test(stage_places, shows_names_that_are_fit_for_a_terminal)

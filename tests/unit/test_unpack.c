@@ -47,6 +47,60 @@ Test(unpack, lets_the_last_of_equal_paths_count)
     pack_end(writer);
     cr_assert_eq(packed_unpack(n_packed), 0);
     expect_content("out/a.cl", "newer");
+    cr_expect_str_eq(message, "a.cl: 2 times in the archive as \"a.cl\", with different contents: "
+                              "the last one counts");
+}
+
+Test(unpack, tells_of_equal_entries_only_of_a_file_that_counts)
+{
+    struct archive *writer = pack_begin("ustar", NULL, NULL);
+    for (int i = 0; i < 3; i++) {
+        pack_entry(writer, "one/a.cl", AE_IFREG, "kernel");
+        pack_entry(writer, "one/two/b.c", AE_IFREG, i == 1 ? "int b;" : "int a;");
+    }
+    pack_entry(writer, "b.c", AE_IFREG, "int c;");
+    pack_end(writer);
+    cr_assert_eq(packed_unpack(n_packed), 0);
+    cr_expect_str_eq(message, "a.cl: 3 times in the archive as \"one/a.cl\", always the same: the "
+                              "last one counts");
+}
+
+// ---- Which copies are written -------------------------------------------------------------------
+
+// In any order: only the best place of each file, and the best of the others, are written.
+Test(unpack, writes_the_best_places_and_one_other)
+{
+    static const char *const paths[] = {"x/y/z/a.cl",      "x/labs/03-x/a.cl", "one/a.cl",
+                                        "build/a.cl",      "two/a.cl",         "x/y/a.cl",
+                                        "labs/03-x/a.cl",  ".git/a.cl",        "x/b/a.cl",
+                                        "__MACOSX/x/a.cl", "x/build/a.cl",     "three/a.cl"};
+    enum { N_PATHS = sizeof paths / sizeof *paths };
+    for (int first = 0; first < N_PATHS; first++) {
+        struct archive *writer = pack_begin("ustar", NULL, NULL);
+        for (int i = 0; i < N_PATHS; i++) {
+            const char *path = paths[(first + i) % N_PATHS];
+            pack_entry(writer, path, AE_IFREG, path);
+        }
+        pack_end(writer);
+        cr_assert_eq(packed_unpack(n_packed), 0, "%s", message);
+        expect_content("out/labs/03-x/a.cl", "labs/03-x/a.cl");
+        expect_content("out/one/a.cl", "one/a.cl");
+        cr_expect_eq(everything_count(), 5, "from %d on: %d", first, n_found - 2);
+    }
+}
+
+Test(unpack, writes_all_places_that_are_equally_good_but_no_endless_number)
+{
+    struct archive *writer = pack_begin("ustar", NULL, NULL);
+    for (int i = 99; i >= 0; i--) {
+        char path[32];
+        snprintf(path, sizeof path, "%02d/a.cl", i);
+        pack_entry(writer, path, AE_IFREG, path);
+    }
+    pack_end(writer);
+    cr_assert_eq(packed_unpack(n_packed), 0, "%s", message);
+    cr_expect_eq(everything_count(), 2 * (PLACES_MAX_EQUAL + 1), "one more than is taken");
+    expect_content("out/00/a.cl", "00/a.cl");
 }
 
 // ---- What an archive may say --------------------------------------------------------------------
@@ -128,7 +182,6 @@ Test(unpack, makes_no_device_and_no_fifo)
         struct stat status;
         cr_assert_eq(lstat("out/a.cl", &status), 0);
         cr_expect(S_ISDIR(status.st_mode));
-        cr_assert_eq(rmdir("out/a.cl"), 0);
     }
 }
 

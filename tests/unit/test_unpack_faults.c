@@ -1,6 +1,7 @@
 // grader/unpack: archives that are refused, damaged, endless or none at all, and a full disk.
 #include "file_kind.h"
 #include "packed_archives.h"
+#include "stage.h"
 
 #include <signal.h>
 #include <sys/resource.h>
@@ -84,7 +85,7 @@ Test(unpack_faults, survives_what_is_cut_off)
             const int status = packed_unpack(n_bytes);
             cr_assert(status == 0 || status == 1 || status == UNPACK_NO_ARCHIVE,
                       "kind %zu, %zu bytes: %d", i, n_bytes, status);
-            cr_assert_eq(message[0] != '\0', status == 1);
+            cr_assert_eq(message[0] != '\0', status == 1, "%s", message);
             // Only plain tar may end between two entries, or in the zeros at its end.
             cr_assert(status != 0 || n_bytes > n_whole / 2 || (i == 1 && n_bytes % 512 == 0));
         }
@@ -121,7 +122,60 @@ Test(unpack_faults, ends_with_too_many_entries)
 Test(unpack_faults, ends_with_too_many_wanted_files)
 {
     expect_refused(endless_unpack("a.cl"), "a.cl and the like more than 1000 times");
-    cr_expect_eq(everything_count(), 1);
+    cr_expect_eq(everything_count(), 0);
+}
+
+// ---- Too much of it -----------------------------------------------------------------------------
+
+Test(unpack_faults, ends_with_more_than_may_be_written)
+{
+    static char text[STAGE_MAX_FILE_BYTES];
+    memset(text, ' ', sizeof text - 1);
+    for (int n = 16; n <= 17; n++) {
+        struct archive *writer = pack_begin("zip", NULL, NULL);
+        for (int i = 0; i < n; i++) {
+            char path[32];
+            snprintf(path, sizeof path, "%d/a.cl", i);
+            pack_entry(writer, path, AE_IFREG, text);
+        }
+        pack_end(writer);
+        const int status = packed_unpack(n_packed);
+        if (n == 16) {
+            cr_expect_eq(status, 0, "%s", message);
+        } else {
+            expect_refused(status,
+                           "holds at least 4.2 MB of the lab's files in places that are equally "
+                           "good, expected at most 4 MB: hand in each file once");
+            cr_expect_eq(everything_count(), 0);
+        }
+    }
+}
+
+Test(unpack_faults, ends_with_layer_upon_layer)
+{
+    static char inner[sizeof packed];
+    pack_one("a.cl", AE_IFREG, "kernel");
+    for (int n_layers = 1; n_layers <= 4; n_layers++) {
+        const size_t n_inner = n_packed;
+        memcpy(inner, packed, n_inner);
+        struct archive *writer = archive_write_new();
+        cr_assert_eq(archive_write_set_format_raw(writer), ARCHIVE_OK);
+        cr_assert_eq(archive_write_add_filter_xz(writer), ARCHIVE_OK);
+        cr_assert_eq(archive_write_open_memory(writer, packed, sizeof packed, &n_packed),
+                     ARCHIVE_OK);
+        struct archive_entry *entry = archive_entry_new();
+        archive_entry_set_filetype(entry, AE_IFREG);
+        cr_assert_eq(archive_write_header(writer, entry), ARCHIVE_OK);
+        cr_assert_eq(archive_write_data(writer, inner, n_inner), (la_ssize_t)n_inner);
+        archive_entry_free(entry);
+        pack_end(writer);
+        const int status = packed_unpack(n_packed);
+        if (n_layers <= UNPACK_MAX_LAYERS) {
+            cr_expect_eq(status, 0, "%s", message);
+        } else {
+            expect_refused(status, "times over, expected at most 2");
+        }
+    }
 }
 
 // ---- The disk -----------------------------------------------------------------------------------

@@ -27,7 +27,11 @@ int step_folder_remove(const Workshop *workshop, const char *variant, Step step)
     char path[PATH_MAX];
     step_folder(workshop, variant, step, path);
     limited_folder_unmount(path);
-    return folder_remove(path) != 0 && errno != ENOENT ? -1 : 0;
+    if (folder_remove(path) != 0 && errno != ENOENT) {
+        fprintf(stderr, "grade: %s: cannot be removed: %s\n", path, strerror(errno));
+        return -1;
+    }
+    return 0;
 }
 
 int step_folder_make(const Workshop *workshop, const char *variant, Step step)
@@ -39,6 +43,13 @@ int step_folder_make(const Workshop *workshop, const char *variant, Step step)
     }
     limited_folder_mount(path, TOTAL_FILE_MB, N_FILES);
     return 0;
+}
+
+int step_clear(const Workshop *workshop, const char *variant, Step step)
+{
+    return step_folder_remove(workshop, variant, step) != 0
+               ? -1
+               : step_folder_make(workshop, variant, step);
 }
 
 // Is the file handed in by students? Then a variant brings its own.
@@ -83,8 +94,10 @@ int variant_open(const Workshop *workshop, const char *name, Variant *variant, c
     // user that is gone, and nobody could overwrite them.
     path_make(path, "%s/variant-%s", workshop->folder, name);
     if (step_folder_remove(workshop, name, STEP_COMPILING) != 0 ||
-        step_folder_remove(workshop, name, STEP_RUNNING) != 0 ||
-        (folder_remove(path) != 0 && errno != ENOENT)) {
+        step_folder_remove(workshop, name, STEP_RUNNING) != 0) {
+        return -1;
+    }
+    if (folder_remove(path) != 0 && errno != ENOENT) {
         fprintf(stderr, "grade: %s: cannot be removed: %s\n", path, strerror(errno));
         return -1;
     }
@@ -99,6 +112,16 @@ int variant_open(const Workshop *workshop, const char *name, Variant *variant, c
         }
     }
     return copy_given_files(workshop->manifest, path);
+}
+
+int variant_reset(const Workshop *workshop, Variant *variant)
+{
+    Variant fresh = {.number = variant->number, .is_ours = variant->is_ours};
+    memcpy(fresh.name, variant->name, sizeof fresh.name);
+    variant_free(variant);
+    *variant = fresh;
+    return step_clear(workshop, variant->name, STEP_COMPILING) |
+           step_clear(workshop, variant->name, STEP_RUNNING);
 }
 
 void variant_free(Variant *variant)

@@ -36,6 +36,10 @@ typedef struct Variant {
 // a student hands in, there next. `path` receives the folder. Returns 0, or -1 after one message.
 int variant_open(const Workshop *workshop, const char *name, Variant *variant, char path[PATH_MAX]);
 
+// Forget what came of a variant of which nothing is judged yet, so that it can be compiled and run
+// anew. Returns 0, or -1 after one message.
+int variant_reset(const Workshop *workshop, Variant *variant);
+
 // Where the job of a variant that is tried alone is to be written before it runs.
 void variant_job_path(const Workshop *workshop, const Variant *variant, char path[PATH_MAX]);
 

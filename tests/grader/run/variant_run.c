@@ -138,22 +138,26 @@ static int step_start(const Workshop *workshop, Variant *variant, Step step, San
     return variant->run != NULL ? 0 : -1;
 }
 
-// Make anew what a step writes to: behind Landlock the old files belong to a user that is gone.
-// Returns 0, or -1 after one message.
-static int step_clear(const Workshop *workshop, const Variant *variant, Step step)
-{
-    return step_folder_remove(workshop, variant->name, step) != 0
-               ? -1
-               : step_folder_make(workshop, variant->name, step);
-}
-
 // Start a step once more, with what is left of the time. Returns 0, or -1 after one message.
 static int step_restart(const Workshop *workshop, Variant *variant, Step step, Allowance *allowance,
                         SandboxTime *allowed)
 {
     *allowed = time_allowed(variant, step, allowance, 1);
-    return step_clear(workshop, variant, step) != 0 ? -1
-                                                    : step_start(workshop, variant, step, *allowed);
+    return step_clear(workshop, variant->name, step) != 0
+               ? -1
+               : step_start(workshop, variant, step, *allowed);
+}
+
+// Remove what a run wrote, as soon as it is read, and a program that nobody starts again: the next
+// run, or our own files, may need the room, which may be memory.
+static void step_files_remove(const Workshop *workshop, const Variant *variant)
+{
+    if (!variant->is_checked) {
+        step_folder_remove(workshop, variant->name, STEP_RUNNING);
+    }
+    if (variant->alone != NULL) {
+        step_folder_remove(workshop, variant->name, STEP_COMPILING);
+    }
 }
 
 // Wait for a variant's step. It is started again, as long as the deadline leaves time, once where
@@ -204,9 +208,7 @@ static int step_take(const Workshop *workshop, Variant *variant, Step step, Sand
         take_build(variant, &result, allowed);
     } else {
         take_answers(workshop, variant, &result, allowed);
-        if (!variant->is_checked) {
-            step_folder_remove(workshop, variant->name, step);  // in memory, perhaps
-        }
+        step_files_remove(workshop, variant);
     }
     if (!failed && variant->is_ours) {
         allowance_note(allowance, step, result.used);
@@ -267,14 +269,15 @@ char *variant_find_line(const Workshop *workshop, const Variant *variant, Allowa
     Variant checked = {.is_extra = 1, .is_checked = 1};
     Variant *const variants[] = {&checked};
     memcpy(checked.name, variant->name, sizeof checked.name);
-    if (!workshop->needs_compiler || step_clear(workshop, variant, STEP_COMPILING) != 0 ||
-        step_clear(workshop, variant, STEP_RUNNING) != 0 ||
+    if (!workshop->needs_compiler || step_clear(workshop, variant->name, STEP_COMPILING) != 0 ||
+        step_clear(workshop, variant->name, STEP_RUNNING) != 0 ||
         variants_run(workshop, variants, 1, allowance) != 0) {
         return NULL;
     }
     path_make(out, "%s/variant-%s/out", workshop->folder, variant->name);
     path_make(lab, "%s/variant-%s/lab", workshop->folder, variant->name);
     char *line = checked.trouble != NULL ? crash_line_find(out, lab, workshop->manifest) : NULL;
+    step_folder_remove(workshop, variant->name, STEP_RUNNING);
     variant_free(&checked);
     return line;
 }
@@ -287,7 +290,7 @@ double variant_race(const Workshop *workshop, const Variant *variant, Allowance 
     Variant race = {.is_extra = 1, .is_race = 1};
     Variant *const variants[] = {&race};
     memcpy(race.name, variant->name, sizeof race.name);
-    if (step_clear(workshop, variant, STEP_RUNNING) == 0 &&
+    if (step_clear(workshop, variant->name, STEP_RUNNING) == 0 &&
         step_run(workshop, variants, 1, STEP_RUNNING, allowance) == 0 && race.build_log == NULL &&
         race.trouble == NULL) {
         figure = race_judge(&race.answers);

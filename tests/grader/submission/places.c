@@ -7,6 +7,7 @@
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -56,32 +57,87 @@ static int is_labs_folder(const char *path, const char *lab)
     return strncmp(end, labs, strlen(labs)) == 0 && strcmp(end + strlen(labs), lab) == 0;
 }
 
-// How good a place is, 0 the best. A labs folder comes just behind the folder it lies in.
-static int rank_of(const Search *search, const Folder *folder)
+int place_rank(const char *lab, const char *folder)
 {
-    return is_labs_folder(folder->path, search->lab) ? 2 * (folder->depth - 2) + 1
-                                                     : 2 * folder->depth;
+    int depth = 0;
+    for (const char *part = folder; *part != '\0'; depth++) {
+        char name[NAME_MAX + 1];
+        const size_t length = strcspn(part, "/");
+        if (depth == PLACES_MAX_DEPTH || length > NAME_MAX) {
+            return -1;
+        }
+        memcpy(name, part, length);
+        name[length] = '\0';
+        if (is_passed_over(name)) {
+            return -1;
+        }
+        part += length + (part[length] == '/');
+    }
+    // A labs folder comes just behind the folder it lies in.
+    return is_labs_folder(folder, lab) ? 2 * (depth - 2) + 1 : 2 * depth;
+}
+
+// Note a place that is less good, where it is the best of these yet. Takes `folder` over.
+static void other_note(Places *places, char *folder, int rank)
+{
+    if (places->other == NULL || rank < places->other_rank ||
+        (rank == places->other_rank && strcmp(folder, places->other) < 0)) {
+        char *worse = places->other;
+        places->other = folder;
+        places->other_rank = rank;
+        folder = worse;
+    }
+    free(folder);
+}
+
+// What was the best until now is less good than what was found.
+static void places_demote(Places *places)
+{
+    for (int i = 0; i < places->n_folders; i++) {
+        other_note(places, places->folders[i], places->rank);
+    }
+    places->n_folders = 0;
+    places->are_more = 0;
+}
+
+// Add one to those that are equally good. Takes `folder` over. What a folder lists first is chance:
+// of too many the first ones in the order of their bytes stay.
+static void equal_add(Places *places, char *folder)
+{
+    int i = places->n_folders;
+    if (i == PLACES_MAX_EQUAL) {
+        places->are_more = 1;
+        char **last = &places->folders[--i];
+        if (strcmp(folder, *last) > 0) {
+            free(folder);
+            return;
+        }
+        free(*last);
+        places->n_folders--;
+    }
+    for (; i > 0 && strcmp(folder, places->folders[i - 1]) < 0; i--) {
+        places->folders[i] = places->folders[i - 1];
+    }
+    places->folders[i] = folder;
+    places->n_folders++;
 }
 
 // Note that the folder has a file of that name. Returns 0, or -1 when memory runs out.
 static int place_add(Places *places, const char *folder, int rank)
 {
-    if (places->n_folders > 0 && rank > places->rank) {
-        return 0;
-    }
-    if (rank < places->rank) {
-        places_free(places, 1);
-    }
-    places->rank = rank;
-    if (places->n_folders == PLACES_MAX_EQUAL) {
-        places->are_more = 1;
-        return 0;
-    }
     char *copy = strdup(folder);
     if (copy == NULL) {
         return -1;
     }
-    places->folders[places->n_folders++] = copy;
+    if (places->n_folders > 0 && rank > places->rank) {
+        other_note(places, copy, rank);
+        return 0;
+    }
+    if (rank < places->rank) {
+        places_demote(places);
+    }
+    places->rank = rank;
+    equal_add(places, copy);
     return 0;
 }
 
@@ -116,7 +172,8 @@ static int entry_look_at(Search *search, const Folder *folder, int parent,
 {
     for (int i = 0; i < search->n_files; i++) {
         if (strcmp(entry->d_name, search->files[i]) == 0) {
-            return place_add(&search->places[i], folder->path, rank_of(search, folder));
+            return place_add(&search->places[i], folder->path,
+                             place_rank(search->lab, folder->path));
         }
     }
     if (folder->depth == PLACES_MAX_DEPTH || is_passed_over(entry->d_name) ||
@@ -130,7 +187,7 @@ static int folder_look_into(Search *search, const Folder *folder)
 {
     const int descriptor = place_open(search->top, folder->path);
     if (descriptor < 0) {
-        return folder->depth > 0 && errno == EACCES ? 0 : -1;
+        return folder->depth > 0 && !place_fault_is_ours(errno) ? 0 : -1;
     }
     DIR *entries = fdopendir(descriptor);
     if (entries == NULL) {
@@ -151,12 +208,7 @@ static int folder_look_into(Search *search, const Folder *folder)
     const int fault = errno;
     closedir(entries);
     errno = fault;
-    return fault == 0 ? 0 : -1;
-}
-
-static int folders_compare(const void *a, const void *b)
-{
-    return strcmp(*(char *const *)a, *(char *const *)b);
+    return outcome == 0 && (fault == 0 || !place_fault_is_ours(fault)) ? 0 : -1;
 }
 
 int places_find(int top, const char *lab, char *const *files, int n_files, Places *places)
@@ -180,10 +232,6 @@ int places_find(int top, const char *lab, char *const *files, int n_files, Place
         free(search->folders[i].path);
     }
     free(search);
-    // What a folder's listing begins with is chance; messages shall not depend on it.
-    for (int i = 0; i < n_files; i++) {
-        qsort(places[i].folders, (size_t)places[i].n_folders, sizeof(char *), folders_compare);
-    }
     if (outcome != 0) {
         places_free(places, n_files);
     }
@@ -197,15 +245,21 @@ void places_free(Places *places, int n_files)
         for (int k = 0; k < places[i].n_folders; k++) {
             free(places[i].folders[k]);
         }
+        free(places[i].other);
         places[i] = (Places){0};
     }
+}
+
+int place_fault_is_ours(int fault)
+{
+    return fault == EMFILE || fault == ENFILE || fault == ENOMEM || fault == EIO || fault == ESTALE;
 }
 
 int place_open(int top, const char *folder)
 {
     const int flags = O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
     int descriptor = openat(top, ".", flags);
-    char name[256];
+    char name[NAME_MAX + 1];
     while (descriptor >= 0 && *folder != '\0') {
         const size_t length = strcspn(folder, "/");
         if (length >= sizeof name) {

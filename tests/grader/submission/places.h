@@ -20,7 +20,12 @@ typedef struct Places {
     int n_folders;                    // 0: the file is nowhere
     int are_more;                     // than PLACES_MAX_EQUAL
     int rank;                         // the lower, the better
+    char *other;                      // the best of the places that are less good, or NULL; owned
+    int other_rank;
 } Places;
+
+// How good a folder is for a file of a lab: 0 is the best. -1: nothing is taken from there.
+int place_rank(const char *lab, const char *folder);
 
 // Search an open folder for files by name. Whatever has the name counts, also a link or a folder:
 // to say so is the caller's. Links are never followed, and what no student writes by hand is passed
@@ -29,10 +34,14 @@ typedef struct Places {
 //   lab                 "03-kdtree-2d-render"
 //   files[n_files]      the names
 //   places[n_files]     out; release with places_free()
-// Returns 0, or -1 with errno set when a folder could not be read. One below the top that nobody
-// may read is passed over.
+// Returns 0, or -1 with errno set when the top could not be read, or the machine failed. What else
+// keeps a folder below it from being read (its rights, that it is gone) is its owner's doing, and
+// it is passed over.
 int places_find(int top, const char *lab, char *const *files, int n_files, Places *places);
 void places_free(Places *places, int n_files);
+
+// Did an operation fail by the machine's doing, and by none of whoever filled the folder?
+int place_fault_is_ours(int fault);
 
 // Open a folder below `top`, none on its way through a link. Returns a descriptor, or -1 with errno
 // set.

@@ -20,7 +20,7 @@
 typedef struct Staging {
     const char *submission, *destination;  // as the instructor named them, for messages
     int from, to;                          // the two folders, open
-    FILE *complaints;                      // to the student, one line each
+    FILE *said;                            // to the student, one line each
     unsigned char *bytes;                  // [STAGE_MAX_FILE_BYTES + 1] the file under way
     unsigned char *others;                 // the same for one that may be equal to it
 } Staging;
@@ -34,7 +34,7 @@ static int machinery_fault(const char *folder, const char *file, int fault)
 // A fault of the submission: one line to the student.
 static int complain(const Staging *staging, const char *file, const char *complaint)
 {
-    fprintf(staging->complaints, "%s: %s\n", file, complaint);
+    fprintf(staging->said, "%s: %s\n", file, complaint);
     return 1;
 }
 
@@ -43,32 +43,53 @@ static int complain_open_failed(const Staging *staging, const char *file, int fa
     switch (fault) {
     case ELOOP:
         return complain(staging, file, "a symbolic link: hand in the file itself");
-    case ENXIO:  // a socket
+    case ENXIO:
         return complain(staging, file, "not a regular file");
     case EACCES:
         return complain(staging, file, "cannot be opened: its permissions forbid reading");
     default:
+        break;
+    }
+    if (place_fault_is_ours(fault)) {
         return machinery_fault(staging->submission, file, fault);
     }
+    fprintf(staging->said, "%s: cannot be opened: %s\n", file, strerror(fault));
+    return 1;
 }
 
 static int complain_too_large(const Staging *staging, const char *file)
 {
-    fprintf(staging->complaints, "%s: larger than the allowed %d KB\n", file,
+    fprintf(staging->said, "%s: larger than the allowed %d KB\n", file,
             STAGE_MAX_FILE_BYTES / 1024);
     return 1;
 }
 
-// Open a file where it was found. Returns a descriptor, or -1 with errno set.
+// Open a regular file in an open folder. Returns a descriptor, or -1 with errno set: ENXIO where it
+// is something else.
+static int regular_open(int parent, const char *file)
+{
+    struct stat status;
+    if (fstatat(parent, file, &status, AT_SYMLINK_NOFOLLOW) != 0) {
+        return -1;
+    }
+    // Opening alone may do something to a device: a tape winds, a watchdog wakes.
+    if (!S_ISREG(status.st_mode)) {
+        errno = S_ISLNK(status.st_mode) ? ELOOP : ENXIO;
+        return -1;
+    }
+    // O_NONBLOCK: opening a FIFO that has taken its place meanwhile would wait for a writer that
+    // never comes.
+    return openat(parent, file, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+}
+
+// Open a file where it was found. Returns as regular_open() does.
 static int file_open(const Staging *staging, const char *folder, const char *file)
 {
     const int parent = place_open(staging->from, folder);
     if (parent < 0) {
         return -1;
     }
-    // O_NONBLOCK: opening a FIFO would otherwise wait for a writer that never comes.
-    const int descriptor =
-        openat(parent, file, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+    const int descriptor = regular_open(parent, file);
     const int fault = errno;
     close(parent);
     errno = fault;
@@ -167,7 +188,7 @@ static int complain_two_places(const Staging *staging, const char *file, const c
                                const char *second)
 {
     char shown[2][MESSAGE_SHOWN_BYTES];
-    fprintf(staging->complaints,
+    fprintf(staging->said,
             "%s: found in \"%s\" and, with another content, in \"%s\": hand in only one\n", file,
             message_show(first, shown[0], sizeof shown[0]),
             message_show(second, shown[1], sizeof shown[1]));
@@ -178,7 +199,7 @@ static int complain_two_places(const Staging *staging, const char *file, const c
 static int places_agree(const Staging *staging, const char *file, const Places *places)
 {
     if (places->are_more) {
-        fprintf(staging->complaints, "%s: found in more than %d folders: hand in only one\n", file,
+        fprintf(staging->said, "%s: found in more than %d folders: hand in only one\n", file,
                 PLACES_MAX_EQUAL);
         return 1;
     }
@@ -193,6 +214,41 @@ static int places_agree(const Staging *staging, const char *file, const Places *
         }
     }
     return 0;
+}
+
+// ---- What was taken -------------------------------------------------------------------------
+
+// The folder in quotes, fit for a message.
+static void folder_say(const Staging *staging, const char *folder)
+{
+    char shown[MESSAGE_SHOWN_BYTES];
+    fprintf(staging->said, folder[0] != '\0' ? "\"%s\"" : "the top folder",
+            message_show(folder, shown, sizeof shown));
+}
+
+// Say which of several was taken, and where the others are, but for the less good ones of which
+// only the best is known. staging->bytes holds what was taken.
+static void choice_say(const Staging *staging, const char *file, size_t n_bytes,
+                       const Places *places)
+{
+    if (places->n_folders == 1 && places->other == NULL) {
+        return;
+    }
+    fprintf(staging->said, "%s: taken from ", file);
+    folder_say(staging, places->folders[0]);
+    for (int i = 1; i < places->n_folders; i++) {
+        fputs("; the same is in ", staging->said);
+        folder_say(staging, places->folders[i]);
+    }
+    if (places->other != NULL) {
+        const int is_same =
+            text_read(staging, places->other, file, staging->others) == (ssize_t)n_bytes &&
+            memcmp(staging->bytes, staging->others, n_bytes) == 0;
+        fputs(is_same ? "; the same is in " : "; a different one, which does not count, is in ",
+              staging->said);
+        folder_say(staging, places->other);
+    }
+    fputc('\n', staging->said);
 }
 
 // ---- Staging --------------------------------------------------------------------------------
@@ -215,7 +271,11 @@ static int file_stage(const Staging *staging, const char *file, const Places *pl
     size_t n_bytes = 0;
     int outcome = file_read(staging, file, descriptor, &n_bytes);
     close(descriptor);
-    return outcome == 0 ? file_write(staging, file, n_bytes) : outcome;
+    if (outcome == 0) {
+        choice_say(staging, file, n_bytes, places);
+        outcome = file_write(staging, file, n_bytes);
+    }
+    return outcome;
 }
 
 static int files_stage(const Manifest *manifest, const Staging *staging)
@@ -254,21 +314,21 @@ int stage_submission(const Manifest *manifest, const char *submission, const cha
                      char **message)
 {
     Staging staging = {.submission = submission, .destination = destination, .from = -1, .to = -1};
-    char *complaints = NULL;
-    size_t n_complaints = 0;
+    char *said = NULL;
+    size_t n_bytes = 0;
     int outcome = -1;
 
     *message = NULL;
     staging.bytes = malloc(STAGE_MAX_FILE_BYTES + 1);
     staging.others = malloc(STAGE_MAX_FILE_BYTES + 1);
-    staging.complaints = open_memstream(&complaints, &n_complaints);
-    if (staging.bytes == NULL || staging.others == NULL || staging.complaints == NULL) {
+    staging.said = open_memstream(&said, &n_bytes);
+    if (staging.bytes == NULL || staging.others == NULL || staging.said == NULL) {
         machinery_fault(submission, "", ENOMEM);
     } else if (folders_open(&staging) == 0) {
         outcome = files_stage(manifest, &staging);
     }
 
-    if (staging.complaints != NULL && fclose(staging.complaints) != 0 && outcome == 1) {
+    if (staging.said != NULL && fclose(staging.said) != 0 && outcome >= 0) {
         outcome = machinery_fault(submission, "", ENOMEM);
     }
     if (staging.from >= 0) {
@@ -279,11 +339,11 @@ int stage_submission(const Manifest *manifest, const char *submission, const cha
     }
     free(staging.bytes);
     free(staging.others);
-    if (outcome == 1) {
-        complaints[n_complaints - 1] = '\0';  // no newline after the last line
-        *message = complaints;
+    if (outcome >= 0 && n_bytes > 0) {
+        said[n_bytes - 1] = '\0';  // no newline after the last line
+        *message = said;
     } else {
-        free(complaints);
+        free(said);
     }
     return outcome;
 }

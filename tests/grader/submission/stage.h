@@ -11,8 +11,9 @@
 // folder `destination`, which exists. Links, devices, folders in a file's place, files that are too
 // large, hold NUL bytes, are not there or are in two equally good places with different content are
 // refused: nothing else of the submission is opened or followed.
-//   message   out: NULL, or what is wrong, for the student, "overlaps_N_Nearer.cl: not in the
-//             submission ...", a line for each file; owned by the caller
+//   message   out: NULL, or what there is to say to the student, "overlaps_N_Nearer.cl: not in the
+//             submission ...", at most a line for each file: what is wrong, or where there are
+//             several, which one was taken. Owned by the caller
 // Returns 0; 1 with a message when the submission is at fault; -1 after one message on stderr when
 // the machinery is (no disk space, `submission` is not a folder).
 int stage_submission(const Manifest *manifest, const char *submission, const char *destination,

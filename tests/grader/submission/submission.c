@@ -7,10 +7,13 @@
 
 #include "bytes_write.h"
 #include "complain.h"
+#include "folder.h"
 #include "message.h"
 #include "path.h"
+#include "room.h"
 #include "sandbox.h"
 #include "stage.h"
+#include "unpack.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -21,18 +24,20 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-// What unpacking may use. The xz format's own limit on memory is 64 MB; a MB is more than any file
-// that is written.
+// What unpacking may use. The xz format's own limit on memory is 64 MB.
 enum {
     UNPACK_SECONDS = 20,
     UNPACK_WALL_SECONDS = 600,
     UNPACK_MEMORY_MB = 512,
-    UNPACK_FILE_MB = 1,
+    UNPACK_FILE_MB = UNPACK_MAX_WRITTEN_MEGABYTES + 1,
     UNPACK_PROCESSES = 512
 };
 
 // What unpack ends with when the archive is at fault; see unpack_tool.c.
 enum { EXIT_ARCHIVE = 1 };
+
+// Where it ended as if the machine were at fault: who is, has to be found out.
+enum { UNPACK_FAILED = 2 };
 
 static int machinery_fault(const char *path, int fault)
 {
@@ -100,9 +105,33 @@ static int copy_tool(const char *build, const char *to)
     return 0;
 }
 
-// Copy the archive, an open file. Returns 0, 1 with a message, or -1.
-static int copy_archive(const char *path, int from, const char *to, char **message)
+// The archive could not be copied. Where there is room for what every submission may need, it is
+// the archive that is too large. Returns 1 with a message, or -1.
+static int copy_failed(const char *path, const char *to, const char *in, off_t n_bytes, int fault,
+                       char **message)
 {
+    char complaint[160];
+    const int folder = open(in, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    unlink(to);
+    const int has_room = (fault == ENOSPC || fault == EDQUOT) && folder >= 0 &&
+                         room_try(folder, UNPACK_MAX_WRITTEN_MEGABYTES) == 0;
+    if (folder >= 0) {
+        close(folder);
+    }
+    if (!has_room) {
+        return machinery_fault(to, fault);
+    }
+    snprintf(complaint, sizeof complaint,
+             "its %.1f MB do not fit into the room that this machine has for archives: hand in the "
+             "lab's files only",
+             (double)n_bytes / (1 << 20));
+    return submission_refuse(path, complaint, message);
+}
+
+// Copy the archive, an open file, into the folder `in`. Returns 0, 1 with a message, or -1.
+static int copy_archive(const char *path, int from, const char *in, char **message)
+{
+    char to[PATH_MAX];
     struct stat status;
     if (fstat(from, &status) != 0) {
         return machinery_fault(path, errno);
@@ -121,39 +150,56 @@ static int copy_archive(const char *path, int from, const char *to, char **messa
                  SUBMISSION_MAX_MEGABYTES);
         return submission_refuse(path, complaint, message);
     }
-    return copy_open_file(from, to, status.st_size, 0644) == 0 ? 0 : machinery_fault(to, errno);
+    path_make(to, "%s/archive", in);
+    return copy_open_file(from, to, status.st_size, 0644) == 0
+               ? 0
+               : copy_failed(path, to, in, status.st_size, errno, message);
 }
 
 // ---- Unpacking ------------------------------------------------------------------------------
 
-// Make room/unpack with the folders `in`, which the sandbox reads, and `out`, which it writes: both
-// closed to all but the run that is given them.
-static int folders_make(const char *room)
+// The folders of the workshop that unpacking takes: `in`, which the sandbox reads, and `out`, which
+// it writes, both closed to all but the run that is given them.
+typedef struct Desk {
+    const Workshop *workshop;
+    char folder[PATH_MAX], in[PATH_MAX], out[PATH_MAX];
+} Desk;
+
+// Returns 0, or -1 after one message.
+static int folder_make(const char *path, mode_t mode)
 {
-    static const char *const folders[] = {"unpack", "unpack/in", "unpack/out"};
-    static const mode_t modes[] = {0755, 0700, 0700};
-    char path[PATH_MAX];
-    for (size_t i = 0; i < sizeof folders / sizeof *folders; i++) {
-        path_make(path, "%s/%s", room, folders[i]);
-        if (mkdir(path, modes[i]) != 0 || chmod(path, modes[i]) != 0) {
-            return machinery_fault(path, errno);
-        }
-    }
-    return 0;
+    return mkdir(path, mode) == 0 && chmod(path, mode) == 0 ? 0 : machinery_fault(path, errno);
 }
 
-static SandboxRun *start_unpack(const Workshop *workshop, const char *in, const char *out)
+static int desk_make(const Workshop *workshop, Desk *desk)
 {
-    const Manifest *manifest = workshop->manifest;
-    const char *argv[4 + MANIFEST_MAX_FILES] = {"in/unpack", "in/archive", "out"};
+    desk->workshop = workshop;
+    path_make(desk->folder, "%s/unpack", workshop->folder);
+    path_make(desk->in, "%s/unpack/in", workshop->folder);
+    path_make(desk->out, "%s/unpack/out", workshop->folder);
+    return folder_make(desk->folder, 0755) | folder_make(desk->in, 0700);
+}
+
+// Start the program over an archive, with an empty folder to write to. NULL after one message.
+static SandboxRun *start_unpack(const Desk *desk, const char *archive)
+{
+    const Manifest *manifest = desk->workshop->manifest;
+    const char *argv[5 + MANIFEST_MAX_FILES] = {"in/unpack", archive, "out", manifest->lab};
+    if (folder_remove(desk->out) != 0 && errno != ENOENT) {
+        machinery_fault(desk->out, errno);
+        return NULL;
+    }
+    if (folder_make(desk->out, 0700) != 0) {
+        return NULL;
+    }
     for (int i = 0; i < manifest->n_files; i++) {
-        argv[3 + i] = manifest->files[i];
+        argv[4 + i] = manifest->files[i];
     }
     const SandboxCommand command = {
-        .kind = workshop->sandbox,
+        .kind = desk->workshop->sandbox,
         .argv = argv,
         .folder = "/work",
-        .mounts = {{in, "/work/in", 0}, {out, "/work/out", 1}},
+        .mounts = {{desk->in, "/work/in", 0}, {desk->out, "/work/out", 1}},
         .n_mounts = 2,
         .time = {UNPACK_SECONDS, UNPACK_SECONDS, UNPACK_WALL_SECONDS},
         .memory_mb = UNPACK_MEMORY_MB,
@@ -163,11 +209,18 @@ static SandboxRun *start_unpack(const Workshop *workshop, const char *in, const 
     return sandbox_start(&command);
 }
 
-// What its end means. Returns 0, 1 with a message for the student, or -1.
+// What its end means. Returns 0 with a message or NULL, 1 with one for the student, UNPACK_FAILED,
+// or -1.
 static int take_unpack(const char *path, const SandboxResult *result, char **message)
 {
     char complaint[80];
     char line[512];
+    if (result->outcome == SANDBOX_EXITED && result->exit_status == 0) {
+        size_t n_bytes = strnlen(result->output, UNPACK_MESSAGE_BYTES);
+        n_bytes -= n_bytes > 0 && result->output[n_bytes - 1] == '\n';
+        *message = n_bytes > 0 ? message_new("%.*s", (int)n_bytes, result->output) : NULL;
+        return 0;
+    }
     result->output[strcspn(result->output, "\n")] = '\0';
     message_show(result->output, line, sizeof line);
     if (result->outcome == SANDBOX_FAULT) {
@@ -190,40 +243,69 @@ static int take_unpack(const char *path, const SandboxResult *result, char **mes
         return submission_refuse(
             path, "the archive is damaged, reading it crashes: pack the files anew", message);
     }
-    if (result->exit_status == EXIT_ARCHIVE) {
-        return submission_refuse(path, line, message);
-    }
-    if (result->exit_status != 0) {
-        complain("grade: tools/unpack cannot work here: %s", line);
+    return result->exit_status == EXIT_ARCHIVE ? submission_refuse(path, line, message)
+                                               : UNPACK_FAILED;
+}
+
+// Can the program work here at all, over what is no archive? It says that it found none, then. An
+// archive has no part in it, so what fails here is the machine's fault. Returns 0, or -1 after one
+// message.
+static int machine_try(const Desk *desk)
+{
+    char line[512];
+    SandboxRun *run = start_unpack(desk, "/dev/null");
+    if (run == NULL) {
         return -1;
     }
-    return 0;
+    const SandboxResult result = sandbox_wait(run);
+    const int works = result.outcome == SANDBOX_EXITED && result.exit_status == EXIT_ARCHIVE;
+    if (!works) {
+        result.output[strcspn(result.output, "\n")] = '\0';
+        complain("grade: tools/unpack cannot work here: %s",
+                 message_show(result.output, line, sizeof line));
+    }
+    free(result.output);
+    return works ? 0 : -1;
+}
+
+// Unpack what is on the desk. Who read the archive is not believed that the machine failed: it is
+// asked again, once the machine has shown that it can. Returns 0, 1 with a message, or -1.
+static int desk_unpack(const Desk *desk, const char *path, char **message)
+{
+    for (int i = 0; i < 2; i++) {
+        SandboxRun *run = start_unpack(desk, "in/archive");
+        if (run == NULL) {
+            return -1;
+        }
+        const SandboxResult result = sandbox_wait(run);
+        const int outcome = take_unpack(path, &result, message);
+        free(result.output);
+        if (outcome != UNPACK_FAILED) {
+            return outcome;
+        }
+        if (machine_try(desk) != 0) {
+            return -1;
+        }
+    }
+    return submission_refuse(
+        path, "the archive is damaged, unpacking it fails: pack the files anew", message);
 }
 
 // Unpack an open file into the workshop's folder unpack/out. Returns 0, 1 with a message, or -1.
 static int archive_unpack(const Workshop *workshop, const char *path, int archive, char **message)
 {
-    const char *room = workshop->folder;
-    char in[PATH_MAX], out[PATH_MAX], copy[PATH_MAX], tool[PATH_MAX];
-    path_make(in, "%s/unpack/in", room);
-    path_make(out, "%s/unpack/out", room);
-    path_make(copy, "%s/unpack/in/archive", room);
-    path_make(tool, "%s/unpack/in/unpack", room);
-    int outcome = folders_make(room);
-    if (outcome == 0) {
-        outcome = copy_archive(path, archive, copy, message);
-    }
-    if (outcome != 0 || (outcome = copy_tool(workshop->build, tool)) != 0) {
-        return outcome;
-    }
-    SandboxRun *run = start_unpack(workshop, in, out);
-    if (run == NULL) {
+    Desk desk;
+    char tool[PATH_MAX];
+    if (desk_make(workshop, &desk) != 0) {
         return -1;
     }
-    const SandboxResult result = sandbox_wait(run);
-    outcome = take_unpack(path, &result, message);
-    free(result.output);
-    return outcome;
+    // The tool first: there is room for it, whatever the archive then takes.
+    path_make(tool, "%s/unpack", desk.in);
+    if (copy_tool(workshop->build, tool) != 0) {
+        return -1;
+    }
+    const int outcome = copy_archive(path, archive, desk.in, message);
+    return outcome == 0 ? desk_unpack(&desk, path, message) : outcome;
 }
 
 // ---- Folder or file -------------------------------------------------------------------------
@@ -307,12 +389,29 @@ static int source_open(const Workshop *workshop, const char *path, char source[P
     return outcome;
 }
 
+// What was said while unpacking, and then while staging. Takes both over; either may be NULL.
+static char *messages_join(char *first, char *second)
+{
+    if (first == NULL || second == NULL) {
+        return first != NULL ? first : second;
+    }
+    char *both = message_new("%s\n%s", first, second);
+    free(first);
+    free(second);
+    return both;
+}
+
 int submission_stage(const Workshop *workshop, const char *path, const char *destination,
                      char **message)
 {
     char source[PATH_MAX];
     *message = NULL;
     const int opened = source_open(workshop, path, source, message);
-    return opened != 0 ? opened
-                       : stage_submission(workshop->manifest, source, destination, message);
+    if (opened != 0) {
+        return opened;
+    }
+    char *unpacked = *message;
+    const int staged = stage_submission(workshop->manifest, source, destination, message);
+    *message = messages_join(unpacked, *message);
+    return staged;
 }

@@ -16,7 +16,8 @@ enum { SUBMISSION_MAX_MEGABYTES = 64 };
 //   workshop     open; "unpack" is made in its folder, so only one archive for a workshop
 //   path         what was handed in; links on the way are the instructor's and followed
 //   destination  an existing folder
-//   message      out: NULL, or what is wrong, for the student; owned by the caller
+//   message      out: NULL, or what there is to say to the student: what is wrong, or which of
+//                several files was taken; owned by the caller
 // Returns 0; 1 with a message when the submission is at fault, also for a file that is no archive,
 // a damaged, an encrypted or an excessive one; -1 after one message on stderr when the machinery
 // is.

@@ -1,16 +1,19 @@
 // The lab's files out of an archive (see unpack.h).
 //
-// libarchive reads the formats; here is decided what of that is written, and how much. Read next:
-// unpack_entry.c.
+// libarchive reads the formats; here is decided what of that is read, and how much. Whatever else
+// an archive uses up is its own fault, too: memory here, time and the rest where the program is
+// started (submission.c). Read next: copies.h, unpack_write.c.
 #include "unpack.h"
 
-#include "places.h"
+#include "copies.h"
+#include "message.h"
 #include "stage.h"
-#include "unpack_entry.h"
+#include "unpack_write.h"
 
 #include <archive.h>
 #include <archive_entry.h>
 #include <errno.h>
+#include <limits.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -18,15 +21,14 @@
 
 typedef struct Unpacking {
     struct archive *archive;
-    int folder;
-    char *const *names;
-    int n_names;
+    const Manifest *manifest;
     int n_entries, n_files;
     int64_t n_bytes;       // of all entries, unpacked
     int is_office;         // a document of an office program, which is a zip archive, too
     char inner[64];        // the name of an archive in it, or ""
     char *message;         // [UNPACK_MESSAGE_BYTES]
     unsigned char *bytes;  // [STAGE_MAX_FILE_BYTES + 1] the file under way
+    Copies files[MANIFEST_MAX_FILES];
 } Unpacking;
 
 struct archive *unpack_reader_new(void)
@@ -60,17 +62,35 @@ static int complain_encrypted(const Unpacking *unpacking)
     return complain(unpacking, "the archive is encrypted: hand it in without a password");
 }
 
+static int complain_memory(const Unpacking *unpacking)
+{
+    return complain(unpacking, "reading the archive takes too much memory: pack the files anew");
+}
+
 // libarchive could not go on.
 static int complain_damaged(const Unpacking *unpacking)
 {
-    const char *reason = archive_error_string(unpacking->archive);
     if (archive_errno(unpacking->archive) == ENOMEM) {
-        reason = "reading it takes too much memory";
+        return complain_memory(unpacking);
     }
+    const char *reason = archive_error_string(unpacking->archive);
     snprintf(unpacking->message, UNPACK_MESSAGE_BYTES,
              "the archive is damaged or cut off (%.120s): pack the files anew",
              reason != NULL ? reason : "for no known reason");
     return 1;
+}
+
+// Each layer may ask for its own tens of megabytes. Returns 0, or 1 where there are too many.
+static int layers_count(const Unpacking *unpacking)
+{
+    const int n_layers = archive_filter_count(unpacking->archive) - 1;  // the file itself is one
+    if (n_layers > UNPACK_MAX_LAYERS) {
+        snprintf(
+            unpacking->message, UNPACK_MESSAGE_BYTES,
+            "the archive is compressed %d times over, expected at most %d: pack the files anew",
+            n_layers, UNPACK_MAX_LAYERS);
+    }
+    return n_layers > UNPACK_MAX_LAYERS;
 }
 
 // Count an entry. Returns 0, or 1 when they are too many or too large.
@@ -96,62 +116,109 @@ static int entry_count(Unpacking *unpacking, struct archive_entry *entry)
 
 // ---- Paths ----------------------------------------------------------------------------------
 
-// Cut a path at its slashes, in place, into at most PLACES_MAX_DEPTH + 1 parts. Returns how many it
-// has, without empty ones and ".", or 0 for a path that is to be passed over.
-static int path_split(char *path, char **parts)
+typedef struct Path {
+    char folder[PLACES_MAX_DEPTH * (NAME_MAX + 1)];  // "" is the top
+    char name[NAME_MAX + 1];
+} Path;
+
+// Take a path apart, without what says nothing in it: "/", "." and what is empty. Returns 0, or -1
+// for one that is to be passed over.
+static int path_read(const char *text, Path *path)
 {
-    int n_parts = 0;
-    for (char *part = path; part != NULL;) {
-        char *slash = strchr(part, '/');
-        if (slash != NULL) {
-            *slash = '\0';
+    int n_folders = 0;
+    char *end = path->folder;
+    *end = path->name[0] = '\0';
+    while (*text != '\0') {
+        const char *part = text;
+        const size_t length = strcspn(part, "/");
+        text += length + (text[length] == '/');
+        if (length == 0 || (length == 1 && part[0] == '.')) {
+            continue;
         }
-        if (strcmp(part, "..") == 0 || n_parts > PLACES_MAX_DEPTH) {
-            return 0;
+        if (length > NAME_MAX || (length == 2 && part[0] == '.' && part[1] == '.')) {
+            return -1;
         }
-        if (part[0] != '\0' && strcmp(part, ".") != 0) {
-            parts[n_parts++] = part;
+        if (path->name[0] != '\0') {
+            if (n_folders++ == PLACES_MAX_DEPTH) {
+                return -1;
+            }
+            end += sprintf(end, "%s%s", n_folders > 1 ? "/" : "", path->name);
         }
-        part = slash != NULL ? slash + 1 : NULL;
+        memcpy(path->name, part, length);
+        path->name[length] = '\0';
     }
-    return n_parts;
+    return path->name[0] != '\0' ? 0 : -1;
 }
 
-static int is_wanted(const Unpacking *unpacking, const char *name)
+static Copies *file_find(Unpacking *unpacking, const char *name)
 {
-    for (int i = 0; i < unpacking->n_names; i++) {
-        if (strcmp(name, unpacking->names[i]) == 0) {
-            return 1;
+    for (int i = 0; i < unpacking->manifest->n_files; i++) {
+        if (strcmp(name, unpacking->files[i].name) == 0) {
+            return &unpacking->files[i];
         }
+    }
+    return NULL;
+}
+
+// ---- Entries --------------------------------------------------------------------------------
+
+// Read an entry's content. Returns 0, or 1 with a message.
+static int content_read(Unpacking *unpacking, struct archive_entry *entry, size_t *n_bytes)
+{
+    if (archive_entry_is_encrypted(entry)) {
+        return complain_encrypted(unpacking);
+    }
+    *n_bytes = 0;
+    while (*n_bytes <= STAGE_MAX_FILE_BYTES) {
+        const la_ssize_t n = archive_read_data(unpacking->archive, unpacking->bytes + *n_bytes,
+                                               STAGE_MAX_FILE_BYTES + 1 - *n_bytes);
+        if (n < 0) {  // ARCHIVE_RETRY, too: it may be said without end
+            return complain_damaged(unpacking);
+        }
+        if (n == 0) {
+            break;
+        }
+        *n_bytes += (size_t)n;
     }
     return 0;
 }
 
-// Write the entry where its path says. Returns as unpack() does.
-static int entry_place(Unpacking *unpacking, struct archive_entry *entry, char *path)
+static CopyKind kind_of(struct archive_entry *entry)
 {
-    char *parts[PLACES_MAX_DEPTH + 1];
-    const int n_parts = path_split(path, parts);
-    if (n_parts == 0 || !is_wanted(unpacking, parts[n_parts - 1])) {
+    return archive_entry_hardlink(entry) != NULL || archive_entry_filetype(entry) == AE_IFLNK
+               ? COPY_OF_LINK
+           : archive_entry_filetype(entry) == AE_IFREG ? COPY_OF_FILE
+                                                       : COPY_OF_OTHER;
+}
+
+// Keep the entry of a wanted file, where it is one that counts until now. Returns 0, or 1 with a
+// message.
+static int entry_keep(Unpacking *unpacking, struct archive_entry *entry, const Path *path,
+                      Copies *file)
+{
+    const int rank = place_rank(unpacking->manifest->lab, path->folder);
+    const CopyKind kind = kind_of(entry);
+    size_t n_bytes = 0;
+    Copy *copy;
+    if (rank < 0) {
         return 0;
     }
     if (++unpacking->n_files > UNPACK_MAX_FILES) {
         snprintf(unpacking->message, UNPACK_MESSAGE_BYTES,
                  "the archive holds %s and the like more than %d times: hand in each file once",
-                 parts[n_parts - 1], UNPACK_MAX_FILES);
+                 path->name, UNPACK_MAX_FILES);
         return 1;
     }
-    switch (unpack_entry(unpacking->archive, entry, unpacking->folder, parts, n_parts,
-                         unpacking->bytes)) {
-    case 0:
-        return 0;
-    case ENTRY_DAMAGED:
-        return complain_damaged(unpacking);
-    case ENTRY_ENCRYPTED:
-        return complain_encrypted(unpacking);
-    default:
-        return -1;
+    if (copies_find(file, path->folder, rank, &copy) != 0) {
+        return complain_memory(unpacking);
     }
+    if (copy == NULL) {
+        return 0;
+    }
+    if (kind == COPY_OF_FILE && content_read(unpacking, entry, &n_bytes) != 0) {
+        return 1;
+    }
+    return copy_fill(copy, kind, unpacking->bytes, n_bytes) == 0 ? 0 : complain_memory(unpacking);
 }
 
 // ---- The archive ----------------------------------------------------------------------------
@@ -188,7 +255,8 @@ static int complain_nothing(const Unpacking *unpacking)
     return 1;
 }
 
-static int entry_unpack(Unpacking *unpacking, struct archive_entry *entry)
+// Returns 0, or 1 with a message.
+static int entry_read(Unpacking *unpacking, struct archive_entry *entry)
 {
     if (entry_count(unpacking, entry) != 0) {
         return 1;
@@ -200,21 +268,16 @@ static int entry_unpack(Unpacking *unpacking, struct archive_entry *entry)
         return 0;
     }
     contents_note(unpacking, path);
-    char *copy = strdup(path);
-    if (copy == NULL) {
-        return -1;
-    }
-    const int outcome = entry_place(unpacking, entry, copy);
-    const int fault = errno;
-    free(copy);
-    errno = fault;
-    return outcome;
+    Path parts = {0};
+    Copies *file = path_read(path, &parts) == 0 ? file_find(unpacking, parts.name) : NULL;
+    return file != NULL ? entry_keep(unpacking, entry, &parts, file) : 0;
 }
 
-static int entries_unpack(Unpacking *unpacking)
+// Read all entries. Returns as unpack() does.
+static int entries_read(Unpacking *unpacking)
 {
     struct archive_entry *entry;
-    int outcome = 0;
+    int outcome = layers_count(unpacking);
     while (outcome == 0) {
         const int status = archive_read_next_header(unpacking->archive, &entry);
         if (status == ARCHIVE_EOF) {
@@ -228,7 +291,7 @@ static int entries_unpack(Unpacking *unpacking)
                        ? complain_encrypted(unpacking)
                        : complain_damaged(unpacking);
         }
-        outcome = entry_unpack(unpacking, entry);
+        outcome = entry_read(unpacking, entry);
     }
     if (outcome == 0 && unpacking->n_files == 0 &&
         (unpacking->is_office || unpacking->inner[0] != '\0')) {
@@ -237,21 +300,93 @@ static int entries_unpack(Unpacking *unpacking)
     return outcome;
 }
 
-int unpack(struct archive *archive, int folder, char *const *names, int n_names, char *message)
+// ---- Writing --------------------------------------------------------------------------------
+
+// Returns 0, or 1 with a message where too much is left to be written.
+static int kept_count(const Unpacking *unpacking)
+{
+    size_t n_bytes = 0;
+    for (int i = 0; i < unpacking->manifest->n_files; i++) {
+        for (int k = 0; k < unpacking->files[i].n_kept; k++) {
+            n_bytes += unpacking->files[i].kept[k].n_bytes;
+        }
+    }
+    if (n_bytes <= (size_t)UNPACK_MAX_WRITTEN_MEGABYTES << 20) {
+        return 0;
+    }
+    snprintf(unpacking->message, UNPACK_MESSAGE_BYTES,
+             "the archive holds at least %.1f MB of the lab's files in places that are equally "
+             "good, expected "
+             "at most %d MB: hand in each file once",
+             (double)n_bytes / (1 << 20), UNPACK_MAX_WRITTEN_MEGABYTES);
+    return 1;
+}
+
+// Write what is kept, what is taken before what is only named: it may lie in its way. Returns 0, or
+// -1 with errno set.
+static int kept_write(const Unpacking *unpacking, int folder)
+{
+    for (int k = 0; k < COPIES_MAX; k++) {
+        for (int i = 0; i < unpacking->manifest->n_files; i++) {
+            const Copies *file = &unpacking->files[i];
+            if (k < file->n_kept && copy_write(&file->kept[k], file->name, folder) != 0) {
+                return -1;
+            }
+        }
+    }
+    return 0;
+}
+
+// Say of which files several entries have one path: for a folder they are one file.
+static void repeated_say(const Unpacking *unpacking)
+{
+    size_t n_bytes = 0;
+    for (int i = 0; i < unpacking->manifest->n_files; i++) {
+        const Copies *file = &unpacking->files[i];
+        for (int k = 0; k < copies_count_best(file); k++) {
+            const Copy *copy = &file->kept[k];
+            char shown[MESSAGE_SHOWN_BYTES];
+            if (copy->n_entries > 1 && n_bytes < UNPACK_MESSAGE_BYTES) {
+                n_bytes += (size_t)snprintf(
+                    unpacking->message + n_bytes, UNPACK_MESSAGE_BYTES - n_bytes,
+                    "%s%s: %d times in the archive as \"%s%s%s\", %s: the last one counts",
+                    n_bytes > 0 ? "\n" : "", file->name, copy->n_entries,
+                    message_show(copy->folder, shown, sizeof shown),
+                    copy->folder[0] != '\0' ? "/" : "", file->name,
+                    copy->has_changed ? "with different contents" : "always the same");
+            }
+        }
+    }
+}
+
+static void unpacking_free(Unpacking *unpacking)
+{
+    for (int i = 0; i < unpacking->manifest->n_files; i++) {
+        copies_free(&unpacking->files[i]);
+    }
+    free(unpacking->bytes);
+}
+
+int unpack(struct archive *archive, const Manifest *manifest, int folder, char *message)
 {
     Unpacking unpacking = {.archive = archive,
-                           .folder = folder,
-                           .names = names,
-                           .n_names = n_names,
+                           .manifest = manifest,
                            .message = message,
                            .bytes = malloc(STAGE_MAX_FILE_BYTES + 1)};
-    message[0] = '\0';
-    if (unpacking.bytes == NULL) {
-        return -1;
+    for (int i = 0; i < manifest->n_files; i++) {
+        unpacking.files[i].name = manifest->files[i];
     }
-    const int outcome = entries_unpack(&unpacking);
+    message[0] = '\0';
+    int outcome = unpacking.bytes != NULL ? entries_read(&unpacking) : complain_memory(&unpacking);
+    if (outcome == 0) {
+        outcome = kept_count(&unpacking);
+    }
+    if (outcome == 0) {
+        repeated_say(&unpacking);
+        outcome = kept_write(&unpacking, folder);
+    }
     const int fault = errno;
-    free(unpacking.bytes);
+    unpacking_free(&unpacking);
     errno = fault;
     return outcome;
 }

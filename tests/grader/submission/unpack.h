@@ -8,37 +8,42 @@
 #ifndef GRADER_UNPACK_H
 #define GRADER_UNPACK_H
 
-#include <stddef.h>
+#include "manifest.h"
 
 struct archive;  // libarchive's
 
 // What an archive may hold; more ends in a message.
 enum {
     UNPACK_MAX_ENTRIES = 200000,
-    UNPACK_MAX_FILES = 1000,     // entries with one of the wanted names
-    UNPACK_MAX_MEGABYTES = 512,  // all entries unpacked
+    UNPACK_MAX_FILES = 1000,           // entries with one of the wanted names
+    UNPACK_MAX_MEGABYTES = 512,        // all entries unpacked
+    UNPACK_MAX_LAYERS = 2,             // of compression; a server may add one
+    UNPACK_MAX_WRITTEN_MEGABYTES = 4,  // what is written: the largest files of a lab, twice
 };
 
 // The longest message, its NUL included.
-enum { UNPACK_MESSAGE_BYTES = 256 };
+enum { UNPACK_MESSAGE_BYTES = 2048 };
 
 // A reader for the kinds of archives that are taken, recognised by their content: zip; tar, also
 // compressed by gzip, bzip2 or xz. NULL when memory runs out; release with archive_read_free().
 struct archive *unpack_reader_new(void);
 
-// Write every entry called one of the names into an open folder, below the folders that it has in
-// the archive. Absolute paths lose their first slash; those with "..", names that are too long, or
-// more than PLACES_MAX_DEPTH folders are passed over. A file of more than STAGE_MAX_FILE_BYTES is
-// cut one byte behind that. In place of a link comes a link to nowhere, in place of anything else
-// that is no file a folder, so that staging says what was there.
-//   archive          opened
-//   folder           an empty folder, open
-//   names[n_names]   the wanted files' names
-//   message          out, on 1: what is wrong, for the student, [UNPACK_MESSAGE_BYTES]; it may
-//                    quote the archive, so it is to be cleaned for display
-// Returns 0; 1 when the archive is at fault; UNPACK_NO_ARCHIVE, without a message, when the file is
-// none that is read here; -1 with errno set when the folder is at fault (a full disk).
+// Write those entries into an open folder, below the folders that they have in the archive, that
+// staging has to see: of each of the manifest's files the copies in its best places and one that is
+// less good (copies.h). Of several entries with one path the last one counts, as when tar appends a
+// newer file. Absolute paths lose their first slash; those with "..", with a name that is too long,
+// or with more than PLACES_MAX_DEPTH folders are passed over. A file of more than
+// STAGE_MAX_FILE_BYTES is cut one byte behind that. Nothing is written until all is read.
+//   archive    opened
+//   manifest   its lab and files
+//   folder     an empty folder, open
+//   message    out: what is wrong, on 1; on 0 which entries count where several have one path, a
+//              line each, or "". For the student, [UNPACK_MESSAGE_BYTES]; it may quote the archive,
+//              so it is to be cleaned for display
+// Returns 0; 1 when the archive is at fault, and be it that memory runs out while it is read;
+// UNPACK_NO_ARCHIVE, without a message, when the file is none that is read here; -1 with errno set
+// when the folder is at fault (a full disk).
 enum { UNPACK_NO_ARCHIVE = 2 };
-int unpack(struct archive *archive, int folder, char *const *names, int n_names, char *message);
+int unpack(struct archive *archive, const Manifest *manifest, int folder, char *message);
 
 #endif

@@ -1,12 +1,15 @@
 // unpack: the lab's files out of an archive; the one program that reads archives, in the sandbox.
 //
-//     unpack ARCHIVE FOLDER NAME...
+//     unpack ARCHIVE FOLDER LAB NAME...
 //
-// Writes the entries with these names into FOLDER (unpack.h says how). Exit status: 0; 1 when the
-// archive is at fault, which one line on stdout tells; 2 when it could not work itself, with a line
-// on stderr. Read next: submission.c, which starts it.
+// Writes the entries with these names into the empty FOLDER (unpack.h says how). Exit status: 0,
+// with lines on stdout where there is something to say; 1 when the archive is at fault, which one
+// line on stdout tells; 2 when it could not work itself, before it looked at the archive or by a
+// fault of the folder, with a line on stderr. Read next: submission.c, which starts it, and does
+// not believe the 2.
 #include "complain.h"
 #include "file_kind.h"
+#include "room.h"
 #include "unpack.h"
 
 #include <archive.h>
@@ -26,56 +29,62 @@ static int fault(const char *name)
 }
 
 // No archive: say what it is, and what should have been handed in.
-static int tell_kind(int descriptor, int n_names, char **names)
+static int tell_kind(int descriptor, const Manifest *manifest)
 {
     unsigned char bytes[512];
     const ssize_t n = pread(descriptor, bytes, sizeof bytes, 0);
     printf("found %s, expected ", file_kind(bytes, n > 0 ? (size_t)n : 0));
-    for (int i = 0; i < n_names; i++) {
-        printf("%s%s", i == 0 ? "" : i < n_names - 1 ? ", " : " and ", names[i]);
+    for (int i = 0; i < manifest->n_files; i++) {
+        const char *joint = i == 0 ? "" : i < manifest->n_files - 1 ? ", " : " and ";
+        printf("%s%s", joint, manifest->files[i]);
     }
     printf(" in a folder, or in a zip or tar archive (.zip, .tar, .tar.gz, .tar.bz2, .tar.xz)\n");
     return EXIT_ARCHIVE;
 }
 
-static int archive_unpack(struct archive *archive, int from, int to, int n_names, char **names)
+static int archive_unpack(struct archive *archive, const Manifest *manifest, int from, int to)
 {
-    char message[UNPACK_MESSAGE_BYTES];
+    char message[UNPACK_MESSAGE_BYTES] = "";
     int outcome = UNPACK_NO_ARCHIVE;
     if (archive_read_open_fd(archive, from, BLOCK_BYTES) == ARCHIVE_OK) {
-        outcome = unpack(archive, to, names, n_names, message);
+        outcome = unpack(archive, manifest, to, message);
     }
-    switch (outcome) {
-    case 0:
-        return EXIT_UNPACKED;
-    case 1:
-        puts(message);
-        return EXIT_ARCHIVE;
-    case UNPACK_NO_ARCHIVE:
-        return tell_kind(from, n_names, names);
-    default:
+    if (outcome == UNPACK_NO_ARCHIVE) {
+        return tell_kind(from, manifest);
+    }
+    if (outcome < 0) {
         return fault("cannot write what was unpacked");
     }
+    if (message[0] != '\0') {
+        puts(message);
+    }
+    return outcome == 0 ? EXIT_UNPACKED : EXIT_ARCHIVE;
 }
 
 int main(int argc, char **argv)
 {
-    if (argc < 4) {
-        fprintf(stderr, "usage: unpack ARCHIVE FOLDER NAME...\n");
+    Manifest manifest = {.n_files = argc - 4};
+    if (argc < 5 || manifest.n_files > MANIFEST_MAX_FILES) {
+        fprintf(stderr, "usage: unpack ARCHIVE FOLDER LAB NAME...\n");
         return EXIT_FAULT;
     }
+    snprintf(manifest.lab, sizeof manifest.lab, "%s", argv[3]);
+    memcpy(manifest.files, argv + 4, (size_t)manifest.n_files * sizeof *argv);
     setlocale(LC_CTYPE, "");  // names in an archive may be UTF-8
     const int from = open(argv[1], O_RDONLY | O_CLOEXEC);
     const int to = open(argv[2], O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (from < 0 || to < 0) {
         return fault(from < 0 ? argv[1] : argv[2]);
     }
+    if (room_try(to, UNPACK_MAX_WRITTEN_MEGABYTES) != 0) {
+        return fault("no room for what is to be unpacked");
+    }
     struct archive *archive = unpack_reader_new();
     if (archive == NULL) {
         errno = ENOMEM;
         return fault(argv[1]);
     }
-    const int status = archive_unpack(archive, from, to, argc - 3, argv + 3);
+    const int status = archive_unpack(archive, &manifest, from, to);
     archive_read_free(archive);
     return fflush(stdout) == 0 ? status : EXIT_FAULT;
 }

@@ -146,6 +146,17 @@ static int adopt(JudgeProcess *judge)
     return result;
 }
 
+// Start the judge anew. Returns 0, or -1 after one message.
+static int restart(JudgeProcess *judge)
+{
+    judge->lost_seconds += end(judge);
+    const int result = start(judge);
+    if (result == 0 && judge->adopted.number != 0) {
+        adopt(judge);
+    }
+    return result;
+}
+
 // Ask about a submission's answers. Where the judge ends over them it is started anew, and they are
 // not judged again. Returns 0, or -1 without a message.
 static int ask_about(JudgeProcess *judge, Answers answers, const char *word, const char *argument,
@@ -159,10 +170,7 @@ static int ask_about(JudgeProcess *judge, Answers answers, const char *word, con
         return 0;
     }
     judge->unjudged = answers.number;
-    judge->lost_seconds += end(judge);
-    if (start(judge) == 0 && judge->adopted.number != 0) {
-        adopt(judge);
-    }
+    restart(judge);
     return -1;
 }
 
@@ -211,7 +219,12 @@ int judge_start(JudgeProcess *judge, const char *build, const char *lab, uint64_
 int judge_job(JudgeProcess *judge, const char *task, FILE *file)
 {
     Sections job;
-    int result = ask(judge, "job", task != NULL ? task : "-", NULL, &job);
+    const char *argument = task != NULL ? task : "-";
+    int result = ask(judge, "job", argument, NULL, &job);
+    // Answers that it holds may have left it without memory for more: that is no fault of ours.
+    if (result != 0 && restart(judge) == 0) {
+        result = ask(judge, "job", argument, NULL, &job);
+    }
     if (result != 0) {
         complain("grade: the judge gave no job");
     } else if (fwrite(job.bytes, 1, job.n_bytes, file) != job.n_bytes) {

@@ -1,0 +1,94 @@
+// Which copies of a wanted file are kept (see copies.h).
+#include "copies.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+// Negative where the first is the better one, or equally good and comes first.
+static int copy_compare(const Copy *copy, const char *folder, int rank)
+{
+    return copy->rank != rank ? copy->rank - rank : strcmp(copy->folder, folder);
+}
+
+int copies_count_best(const Copies *copies)
+{
+    int n = 0;
+    while (n < copies->n_kept && copies->kept[n].rank == copies->kept[0].rank) {
+        n++;
+    }
+    return n;
+}
+
+static void copy_remove(Copies *copies, int i)
+{
+    free(copies->kept[i].folder);
+    free(copies->kept[i].bytes);
+    copies->n_kept--;
+    memmove(&copies->kept[i], &copies->kept[i + 1],
+            (size_t)(copies->n_kept - i) * sizeof *copies->kept);
+}
+
+// Remove what does not count any more. Returns its number; -1 where nothing had to go.
+static int copies_trim(Copies *copies)
+{
+    const int n_best = copies_count_best(copies);
+    int removed = -1;
+    while (copies->n_kept > n_best + 1) {
+        removed = copies->n_kept - 1;
+        copy_remove(copies, removed);
+    }
+    if (n_best > COPIES_MAX_EQUAL) {
+        removed = n_best - 1;
+        copy_remove(copies, removed);
+    }
+    return removed;
+}
+
+int copies_find(Copies *copies, const char *folder, int rank, Copy **copy)
+{
+    int i = 0, order = 1;
+    while (i < copies->n_kept && (order = copy_compare(&copies->kept[i], folder, rank)) < 0) {
+        i++;
+    }
+    *copy = &copies->kept[i];
+    if (i < copies->n_kept && order == 0) {
+        return 0;
+    }
+    char *own_folder = strdup(folder);
+    if (own_folder == NULL) {
+        return -1;
+    }
+    memmove(*copy + 1, *copy, (size_t)(copies->n_kept - i) * sizeof **copy);
+    **copy = (Copy){.folder = own_folder, .rank = rank};
+    copies->n_kept++;
+    if (copies_trim(copies) == i) {
+        *copy = NULL;
+    }
+    return 0;
+}
+
+int copy_fill(Copy *copy, CopyKind kind, const unsigned char *bytes, size_t n_bytes)
+{
+    unsigned char *own = malloc(n_bytes + 1);  // also of an empty file
+    if (own == NULL) {
+        return -1;
+    }
+    memcpy(own, bytes, n_bytes);
+    if (copy->n_entries > 0 && (copy->kind != kind || copy->n_bytes != n_bytes ||
+                                memcmp(copy->bytes, bytes, n_bytes) != 0)) {
+        copy->has_changed = 1;
+    }
+    free(copy->bytes);
+    copy->kind = kind;
+    copy->bytes = own;
+    copy->n_bytes = n_bytes;
+    copy->n_entries++;
+    return 0;
+}
+
+void copies_free(Copies *copies)
+{
+    while (copies->n_kept > 0) {
+        copy_remove(copies, copies->n_kept - 1);
+    }
+}
