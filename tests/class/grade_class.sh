@@ -106,6 +106,11 @@ case ${lab:-} in
 esac
 
 CLASS_FOLDER=${CLASS_FOLDER:-$CLASS_BUILD/class/${CLASS_LAB%%-*}}
+case $(realpath -m "$CLASS_FOLDER")/ in
+"$(realpath -m "$submissions")"/*)
+    die "$CLASS_FOLDER: found OUTPUT in SUBMISSIONS, where it would be a student's, expected it elsewhere"
+    ;;
+esac
 # Whoever else has an account here has no business with others' marks.
 [ -d "$CLASS_FOLDER" ] || { mkdir -p "$CLASS_FOLDER" && chmod o-rwx "$CLASS_FOLDER"; }
 mkdir -p "$CLASS_FOLDER/students" "$CLASS_FOLDER/logs" || die "$CLASS_FOLDER: cannot be made"
@@ -117,6 +122,13 @@ CLASS_FOLDER=$(cd "$CLASS_FOLDER" && pwd -P)
 : >>"$CLASS_FOLDER/lock"
 exec 9<"$CLASS_FOLDER/lock"
 flock --wait 20 9 || die "$CLASS_FOLDER: another run is at work there"
+
+# One lab, as another one's gradebook would take the place of this one's.
+of_lab=$(cat "$CLASS_FOLDER/lab" 2>/dev/null ||
+    sed -n 's/^"lab": "\(.*\)",$/\1/p' "$CLASS_FOLDER/gradebook.json" 2>/dev/null)
+[ "${of_lab:-$CLASS_LAB}" = "$CLASS_LAB" ] ||
+    die "$CLASS_FOLDER: found a class of $of_lab, expected a folder of its own for $CLASS_LAB (OUTPUT=)"
+echo "$CLASS_LAB" >"$CLASS_FOLDER/lab"
 
 # A short name: sockets and sandboxes have little room for paths.
 CLASS_WORK=${TMPDIR:-/tmp}/class-$(printf %s "$CLASS_FOLDER" | sha256sum | cut -c 1-10)
@@ -155,8 +167,8 @@ latest=
 # Everything that decides on a score besides the submission.
 grader=$({
     echo "$CLASS_LAB $CLASS_DEVICE $CLASS_TIME_LIMIT"
-    find labs solutions common kernels tests/probes -type f -print0 | sort -z | xargs -0 sha256sum
-    cd "$CLASS_BUILD" && find . -maxdepth 2 -type f \( -path ./tools/grade -o -path ./tools/unpack \
+    find labs solutions common kernels tests/probes tests/stand_ins -type f -print0 | sort -z | xargs -0 sha256sum
+    cd "$CLASS_BUILD" && find . -maxdepth 2 -type f \( -path ./tools/grade -o -path ./tools/unpack -o -path ./tools/judge \
         -o -path './probes/*' -o -path './earlier/*' -o -path ./libcommon.a \) -print0 |
         sort -z | xargs -0 sha256sum
 } | sha256sum | cut -c 1-64)
@@ -181,6 +193,12 @@ done <"$CLASS_FOLDER/slugs" >"$CLASS_FOLDER/contents"
 "$CLASS_BUILD/tools/gradebook" keys ${seed:+--seed "$seed"} "$grader" "$CLASS_FOLDER" \
     <"$CLASS_FOLDER/contents" || exit 2
 rm "$CLASS_FOLDER/slugs" "$CLASS_FOLDER/contents"
+
+# What the gradebook will be written with is read now, and not after hours.
+set --
+[ -z "$moodle" ] || set -- "$@" --moodle "$moodle"
+[ -z "$against" ] || set -- "$@" --against "$against"
+"$CLASS_BUILD/tools/gradebook" check "$@" "$CLASS_LAB" "$CLASS_FOLDER" || exit 2
 
 # has_full_marks SLUG
 has_full_marks() {
@@ -235,7 +253,4 @@ while [ -s "$CLASS_FOLDER/todo" ] && [ $round -le 3 ]; do
     round=$((round + 1))
 done
 
-set --
-[ -z "$moodle" ] || set -- "$@" --moodle "$moodle"
-[ -z "$against" ] || set -- "$@" --against "$against"
 "$CLASS_BUILD/tools/gradebook" write "$@" "$CLASS_FOLDER"

@@ -218,13 +218,50 @@ static int rows_read(Gradebook *gradebook)
     return result;
 }
 
-// The scores of an older gradebook, by the names of the files.
-static int old_scores_read(Gradebook *gradebook, const char *against)
+// An older gradebook, of the same lab; NULL after one message.
+static json_t *old_gradebook_read(const char *against, const char *lab)
 {
     json_error_t error;
     json_t *old = json_load_file(against, JSON_REJECT_DUPLICATES, &error);
     if (old == NULL) {
-        return fault(against, error.text);
+        fault(against, error.text);
+        return NULL;
+    }
+    const char *old_lab = json_string_value(json_object_get(old, "lab"));
+    char reason[256] = "";
+    if (!json_is_array(json_object_get(old, "students"))) {
+        snprintf(reason, sizeof reason, "no list \"students\": not a gradebook.json");
+    } else if (lab != NULL && old_lab != NULL && strcmp(lab, old_lab) != 0) {
+        snprintf(reason, sizeof reason, "found a gradebook of %.100s, expected one of %.100s",
+                 old_lab, lab);
+    }
+    if (reason[0] != '\0') {
+        fault(against, reason);
+        json_decref(old);
+        return NULL;
+    }
+    return old;
+}
+
+int gradebook_check_old(const char *against, const char *lab)
+{
+    json_t *old = old_gradebook_read(against, lab);
+    const int result = old != NULL ? 0 : -1;
+    json_decref(old);
+    return result;
+}
+
+// The scores of an older gradebook, by the names of the files.
+static int old_scores_read(Gradebook *gradebook, const char *against)
+{
+    json_t *old = old_gradebook_read(against, gradebook->lab);
+    if (old == NULL) {
+        return -1;
+    }
+    const json_int_t old_most = json_integer_value(json_object_get(old, "max_score"));
+    if (gradebook->lab != NULL && old_most != 0 && old_most != gradebook->max_score) {
+        json_decref(old);
+        return fault(against, "its scores are parts of another maximum");
     }
     json_t *scores = json_object();
     json_t *student;
@@ -237,7 +274,6 @@ static int old_scores_read(Gradebook *gradebook, const char *against)
             json_object_set(scores, id, score);
         }
     }
-    const int is_gradebook = json_is_array(json_object_get(old, "students"));
     for (int r = 0; r < gradebook->n_rows; r++) {
         Row *row = &gradebook->rows[r];
         json_t *score = json_object_get(scores, row->entrant->slug);
@@ -247,7 +283,7 @@ static int old_scores_read(Gradebook *gradebook, const char *against)
     json_decref(scores);
     json_decref(old);
     gradebook->has_old_scores = 1;
-    return is_gradebook ? 0 : fault(against, "no list \"students\": not a gradebook.json");
+    return 0;
 }
 
 int gradebook_load(const char *folder, const char *against, Gradebook *gradebook)

@@ -59,9 +59,11 @@ typedef struct Gradebook {
 
 // Gather the class: folder/roster.json, folder/keys (a line "SLUG KEY SEED" each, what is to be
 // graded), and for each entrant folder/students/SLUG or the reason in folder/faults/SLUG.
-//   against   an older gradebook.json to compare with, or NULL
+//   against   an older gradebook.json of the same lab to compare with, or NULL
 // Returns 0, or -1 after one message on stderr. Release with gradebook_free().
 int gradebook_load(const char *folder, const char *against, Gradebook *gradebook);
+// Is this an older gradebook of that lab, to compare with? Returns 0, or -1 after one message.
+int gradebook_check_old(const char *against, const char *lab);
 void gradebook_free(Gradebook *gradebook);
 
 // "graded", "outdated" or "not graded".

@@ -2,10 +2,11 @@
 //
 //     gradebook roster [--latest] LAB-NUMBER SUBMISSIONS FOLDER
 //     gradebook keys [--seed N] GRADER FOLDER <contents
+//     gradebook check [--moodle WORKSHEET.csv] [--against OLD.json] LAB FOLDER
 //     gradebook write [--moodle WORKSHEET.csv] [--against OLD.json] FOLDER
 //
 // `roster` writes FOLDER/roster.json and a link FOLDER/submissions/SLUG to each entry; `keys` gives
-// each its seed (class_keys.h); `write` makes gradebook.csv, gradebook.json and class.html in
+// each its seed (class_keys.h); `check` reads what `write` will need, before all gradings; `write` makes gradebook.csv, gradebook.json and class.html in
 // FOLDER of it, and says how the class did. Exit status: 0; 1 when some are not graded; 2 after one
 // message. Read next: roster.h, class_keys.h, gradebook.h; grade_class.sh, which calls all three.
 #include "class_keys.h"
@@ -16,6 +17,7 @@
 #include "option_table.h"
 #include "path.h"
 #include "text_file.h"
+#include "worksheet.h"
 
 #include <getopt.h>
 #include <stdlib.h>
@@ -27,6 +29,7 @@ static int usage(void)
 {
     fputs("usage: gradebook roster [--latest] LAB-NUMBER SUBMISSIONS FOLDER\n"
           "       gradebook keys [--seed N] GRADER FOLDER <contents\n"
+          "       gradebook check [--moodle WORKSHEET.csv] [--against OLD.json] LAB FOLDER\n"
           "       gradebook write [--moodle WORKSHEET.csv] [--against OLD.json] FOLDER\n",
           stderr);
     return EXIT_FAULT;
@@ -136,6 +139,21 @@ static void summary_print(const Gradebook *gradebook, const char *folder)
            folder, folder);
 }
 
+static int gradebook_check(const char *lab, const char *folder, const char *worksheet,
+                           const char *against)
+{
+    Gradebook gradebook = {0};
+    Worksheet sheet;
+    int result = against != NULL ? gradebook_check_old(against, lab) : 0;
+    if (result == 0 && worksheet != NULL &&
+        (result = gradebook_load(folder, NULL, &gradebook)) == 0 &&
+        (result = worksheet_load(worksheet, &gradebook, &sheet)) == 0) {
+        worksheet_free(&sheet);
+    }
+    gradebook_free(&gradebook);
+    return result == 0 ? EXIT_ALL_GRADED : EXIT_FAULT;
+}
+
 static int gradebook_write(const char *folder, const char *worksheet, const char *against)
 {
     char csv[PATH_MAX], json[PATH_MAX], page[PATH_MAX];
@@ -189,6 +207,9 @@ int main(int argc, char **argv)
     if (argc == 3 && strcmp(argv[0], "keys") == 0) {
         const uint64_t *seed = is_given[SEED] ? &options.seed : NULL;
         return class_keys_make(argv[2], seed, argv[1], stdin) == 0 ? EXIT_ALL_GRADED : EXIT_FAULT;
+    }
+    if (argc == 3 && strcmp(argv[0], "check") == 0) {
+        return gradebook_check(argv[1], argv[2], options.worksheet, options.against);
     }
     if (argc == 2 && strcmp(argv[0], "write") == 0) {
         return gradebook_write(argv[1], options.worksheet, options.against);

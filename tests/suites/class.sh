@@ -137,6 +137,20 @@ check "they are the damaged one and three below full marks" \
     test "$(n_graded "$first")" -eq $((before + 5))
 check "only the latest" exits 0 run "$first" --only latest
 check "drops nothing that may be somebody else's" test "$(wc -l <"$first/gradebook.csv")" -eq 9
+check "a folder for the results among the submissions" exits 2 run "$class/out"
+check "is refused" said "found OUTPUT in SUBMISSIONS"
+check "and not made" test ! -e "$class/out"
+echo 02-kdtree-2d-build >"$first/lab"
+check "the folder of another lab's class" exits 2 run "$first"
+check "is refused, too" said "found a class of 02-kdtree-2d-build, expected a folder of its own for $lab"
+echo $lab >"$first/lab"
+before=$(n_graded "$first")
+printf 'Identifier,Grade\n1\n' >"$scratch/no-list.csv"
+sed "s/^\"lab\": .*/\"lab\": \"02-kdtree-2d-build\",/" "$first/gradebook.json" >"$scratch/other-lab.json"
+check "a list that is none" exits 2 run "$first" --again 1 --moodle "$scratch/no-list.csv"
+check "another lab's gradebook to compare with" exits 2 run "$first" --again 1 --against "$scratch/other-lab.json"
+check "is named" said "found a gradebook of 02-kdtree-2d-build, expected one of $lab"
+check "both before anything is graded" test "$(n_graded "$first")" -eq "$before"
 check "another lab is a fault" exits 2 tests/class/grade_class.sh --lab 42 --submissions "$class"
 
 # ---- Moodle and Gradescope ----------------------------------------------------------------------
@@ -231,6 +245,26 @@ check "the reason is kept" grep -q "no sandbox" "$(echo "$faults"/logs/fails-*)"
 check "and shown, once for each reason" said "    no sandbox"
 rm -r "$class/fails" "$class/dies" "$class/hangs"
 check "without them all is well" exits 0 run "$faults"
+
+# Whatever decides on points has a part in the keys: each program, and each folder beside them.
+course=$scratch/course
+mkdir -p "$course/tests"
+cp -R labs solutions common kernels "$course"
+cp -R tests/probes tests/stand_ins tests/class "$course/tests"
+regraded() {
+    before=$(n_graded "$faults")
+    (cd "$course" && run "$faults") || { cat "$scratch/said"; return 1; }
+    [ "$(n_graded "$faults")" -eq $((before + $1)) ]
+}
+check "the same course elsewhere: nothing is graded" regraded 0
+for program in judge unpack grade; do
+    echo '# changed' >>"$fake/tools/$program"
+    check "another $program: all are graded again" regraded 2
+done
+for folder in labs solutions common kernels tests/probes tests/stand_ins; do
+    : >"$course/$folder/changed"
+    check "a change in $folder: all are graded again" regraded 2
+done
 
 # Two at work whose slugs end alike: each in a folder of its own.
 two=$scratch/two
