@@ -1,8 +1,8 @@
 // Molecules in XYZ files (scene3d_read_xyz() of scene3d.h).
 //
 // How many atoms, a comment, then an atom a line: its element, three coordinates in Angstrom, and
-// what the program that wrote it thought fit. In extended XYZ the comment says which columns an atom
-// has: "Properties=species:S:1:mass:R:1:pos:R:3", each with a name, a type and a number of words.
+// what the program that wrote it thought fit. In extended XYZ the comment says which columns there
+// are, each with a name, a type and a number of words: "Properties=species:S:1:mass:R:1:pos:R:3".
 // Of a file with several frames, one after the other, the first is read. Read next: molecule_pdb.c.
 #include "molecule.h"
 #include "number.h"

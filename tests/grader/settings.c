@@ -124,8 +124,8 @@ static int read_sandbox(const char *option, const char *text, SandboxKind *kind)
     return -1;
 }
 
-// A seed that nobody can foresee. In a handout it is one of home, so that its report tells everything; in
-// the course never. Returns 0, or -1 after one message.
+// A seed that nobody can foresee. In a handout it is one of home, so that its report tells
+// everything; in the course never. Returns 0, or -1 after one message.
 static int draw_seed(const char *lab, uint64_t *seed)
 {
     if (getrandom(seed, sizeof *seed, 0) != sizeof *seed) {

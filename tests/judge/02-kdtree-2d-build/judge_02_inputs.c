@@ -184,8 +184,8 @@ static BoxOverlapJob draw_inside(Random *random, int i)
     return job;
 }
 
-// So small that every epsilon is larger, and its square still one of double's normal numbers. Beside it
-// the cell is as small: else the way over the cell's middle, right as it is, would round in double.
+// So small that every epsilon is larger, and its square still one of double's normal numbers. The
+// cell beside it is as small: else the way over the cell's middle, right as it is, would round.
 #define TINY 0x1p-70f
 #define TINY_CELL {-8 * TINY, 0, -8 * TINY, 0}
 // Two floats whose difference no float holds: 2^23 + 2^-4.

@@ -30,9 +30,6 @@ static float draw_t_split(Random *random, float t_min, float t_max, int is_insid
 
 static NextChildJob draw_child(Random *random, int meets_both)
 {
-    // Up to where one place is left.
-    const int n_lower =
-        one_in(random, 2) ? 0 : (int)random_integer(random, 1, TODO_SIZE - STACK_ENTRIES);
     NextChildJob job = {.origin = random_quarters(random, -16, 16)};
     job.t_min = one_in(random, 4) ? 0 : random_quarters(random, 1, 16);
     job.t_max = job.t_min + random_quarters(random, 1, 16);
@@ -42,8 +39,7 @@ static NextChildJob draw_child(Random *random, int meets_both)
     job.node.split_pos = job.origin + t_split / job.inverse;
     job.node.split_axis = (u32)random_integer(random, 0, 2);
     job.node.first = (u32)random_integer(random, 3, 1000);
-    job.todo =
-        random_stack(random, (u32)n_lower, (u32)random_integer(random, 0, STACK_ENTRIES - 1));
+    job.todo = random_stack_with_room(random);
     stack_begin_at(&job.todo, job.t_max);
     return job;
 }

@@ -67,9 +67,6 @@ static void set_child_edge(const TileChildJob *edge, TileChildJob *job)
 
 static TileChildJob draw_child(Random *random, int meets_both)
 {
-    // Up to where one place is left.
-    const int n_lower =
-        one_in(random, 2) ? 0 : (int)random_integer(random, 1, TODO_SIZE - STACK_ENTRIES);
     TileChildJob job = {.eye = random_quarters(random, -16, 16)};
     job.at.node = (u32)random_integer(random, 0, 2);
     job.at.t_min = one_in(random, 4) ? 0 : random_quarters(random, 1, 16);
@@ -78,8 +75,7 @@ static TileChildJob draw_child(Random *random, int meets_both)
     job.node.split_pos = one_in(random, 4) ? job.eye : random_quarters(random, -16, 16);
     job.node.split_axis = (u32)random_integer(random, 0, 2);
     job.node.first = (u32)random_integer(random, 3, 1000);
-    job.todo =
-        random_stack(random, (u32)n_lower, (u32)random_integer(random, 0, STACK_ENTRIES - 1));
+    job.todo = random_stack_with_room(random);
     draw_split(random, &job, meets_both);
     return job;
 }

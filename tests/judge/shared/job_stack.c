@@ -1,6 +1,9 @@
 // Todo stacks of inputs and answers (see job_stack.h).
 #include "job_stack.h"
 
+#include "kdtree3d.h"
+#include "random3d.h"
+
 float random_quarters(Random *random, int lowest, int highest)
 {
     return (float)random_integer(random, lowest, highest) / 4;
@@ -20,6 +23,16 @@ StackState random_stack(Random *random, u32 n_lower, u32 n_upper)
         }
     }
     return todo;
+}
+
+StackState random_stack_with_room(Random *random)
+{
+    if (one_in(random, 8)) {
+        return random_stack(random, TODO_SIZE - STACK_ENTRIES, STACK_ENTRIES - 1);
+    }
+    const int64_t n_lower =
+        one_in(random, 2) ? 0 : random_integer(random, 1, TODO_SIZE - STACK_ENTRIES);
+    return random_stack(random, (u32)n_lower, (u32)random_integer(random, 0, STACK_ENTRIES - 1));
 }
 
 void stack_begin_at(StackState *todo, float t)

@@ -13,8 +13,12 @@ float random_quarters(Random *random, int lowest, int highest);
 // A stack with n_upper nodes on n_lower others; their parts lie beyond every node's at hand.
 StackState random_stack(Random *random, u32 n_lower, u32 n_upper);
 
-// As a search of single rays leaves it: the top part begins at t, where the part at hand ends, and each
-// other one where the part above it ends.
+// The same as a step meets it before it puts one more on it: empty below or of any height, and one
+// in eight with a single place left.
+StackState random_stack_with_room(Random *random);
+
+// As a search of single rays leaves it: the top part begins at t, where the part at hand ends, and
+// each other one where the part above it ends.
 void stack_begin_at(StackState *todo, float t);
 
 int same_entry(StackEntry a, StackEntry b);

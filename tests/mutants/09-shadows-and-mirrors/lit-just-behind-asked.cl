@@ -1,7 +1,7 @@
 // mutant: a ray also to lights that are only just behind the surface
 // task: lit_color
 // caught by: lit-behind
-// says: none before the surface
+// says: none for a light behind
     for (int i = 0; i < scene->n_lights; i++) {
         const Ray ray = shadow_ray(point, scene->lights[i]);
         if (dot(normal, ray.direction) > -1e-3f && !is_blocked(ray, scene, work)) {
