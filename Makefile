@@ -50,6 +50,8 @@ FLAG_FILES := Makefile $(wildcard tests/grader/grader.mk tests/judge/judge.mk)
 # Prerequisites are expanded twice: $$* is the target's %, which the first time does not know.
 .SECONDEXPANSION:
 .DEFAULT_GOAL := all
+# Of make's own rules none is used; one would make 01.d, a list of headers, of 01.d.o.
+MAKEFLAGS += --no-builtin-rules
 # As many at a time as there are processors, where the command line does not say how many.
 ifeq ($(MAKELEVEL)$(filter -j%,$(MAKEFLAGS)),0)
 MAKEFLAGS += -j$(shell nproc)

@@ -95,7 +95,7 @@ done
 # In a Turkish locale, [a-z] of grep has no i. make builds the same, command by command.
 if localedef -i tr_TR -f UTF-8 "$scratch/tr_TR.UTF-8" 2>"$scratch/said"; then
     # One at a time, whatever make this runs in says: the order is what it would be.
-    commands() { env -u MAKEFLAGS -u MAKELEVEL "$@" make --jobs=1 --dry-run --always-make all pixels 2>&1; }
+    commands() { env -u MAKEFLAGS -u MAKELEVEL "$@" make --jobs=1 --dry-run BUILD="$scratch/none" all pixels 2>&1; }
     commands LC_ALL=C >"$scratch/commands"
     commands LOCPATH="$scratch" LC_ALL=tr_TR.UTF-8 >"$scratch/commands-turkish"
     [ "$(echo i | LOCPATH="$scratch" LC_ALL=tr_TR.UTF-8 grep -c '[a-z]')" -eq 0 ]
