@@ -79,21 +79,27 @@ static int is_number(const char *text)
 static int secret_read(const char *path, ClassSecret *secret)
 {
     char line[sizeof secret->text + 1] = "";  // with its end
-    FILE *file = fopen(path, "re");
+    struct stat status;
+    // Neither another file of the owner's by a link, nor what never ends.
+    const int descriptor = open(path, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    FILE *file = descriptor >= 0 ? fdopen(descriptor, "r") : NULL;
     if (file == NULL) {
         return errno == ENOENT ? 0 : fault(path, strerror(errno));
     }
-    // A copy of the folder may have opened it.
-    const int is_closed = fchmod(fileno(file), 0600) == 0;
-    const int is_whole = fgets(line, sizeof line, file) != NULL && strchr(line, '\n') != NULL;
-    fclose(file);
+    const int is_whole = fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) &&
+                         fgets(line, sizeof line, file) != NULL && strchr(line, '\n') != NULL &&
+                         fgetc(file) == EOF;
     line[strcspn(line, "\n")] = '\0';
-    if (!is_closed) {
-        return fault(path, "cannot be closed to others: it is not yours");
-    }
-    if (!is_whole || !(is_drawn(line) || is_number(line))) {
+    const int is_secret = is_whole && (is_drawn(line) || is_number(line));
+    // A copy of the folder may have opened it.
+    const int is_closed = is_secret && fchmod(descriptor, 0600) == 0;
+    fclose(file);
+    if (!is_secret) {
         return fault(path, "no secret of a class; without this file a new one is drawn, and all is "
                            "graded again");
+    }
+    if (!is_closed) {
+        return fault(path, "cannot be closed to others: it is not yours");
     }
     snprintf(secret->text, sizeof secret->text, "%s", line);
     return 1;

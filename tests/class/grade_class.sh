@@ -34,7 +34,7 @@ fi
 export LC_ALL=C
 
 die() {
-    echo "grade-class: $*" >&2
+    printf 'grade-class: %s\n' "$*" >&2
     exit 2
 }
 
@@ -106,10 +106,13 @@ case ${lab:-} in
 esac
 
 CLASS_FOLDER=${CLASS_FOLDER:-$CLASS_BUILD/class/${CLASS_LAB%%-*}}
-case $(realpath -m "$CLASS_FOLDER")/ in
-"$(realpath -m "$submissions")"/*)
-    die "$CLASS_FOLDER: found OUTPUT in SUBMISSIONS, where it would be a student's, expected it elsewhere"
-    ;;
+# What a run leaves would be a student's, or what a student has handed in would be cleared away.
+output=$(realpath -m "$CLASS_FOLDER") input=$(realpath -m "$submissions")
+case $output/ in
+"$input"/*) die "$CLASS_FOLDER: found OUTPUT in SUBMISSIONS, expected it elsewhere" ;;
+esac
+case $input/ in
+"$output"/*) die "$submissions: found SUBMISSIONS in OUTPUT ($CLASS_FOLDER), expected it elsewhere" ;;
 esac
 # Whoever else has an account here has no business with others' marks.
 [ -d "$CLASS_FOLDER" ] || { mkdir -p "$CLASS_FOLDER" && chmod o-rwx "$CLASS_FOLDER"; }
@@ -142,7 +145,7 @@ clear() {
         rm "$CLASS_FOLDER/engine"
     fi
     rm -rf "$CLASS_WORK"-* \
-        "$CLASS_FOLDER"/students/*.new "$CLASS_FOLDER"/todo* "$CLASS_FOLDER/pending" \
+        "$CLASS_FOLDER"/students/*.new "$CLASS_FOLDER"/todo "$CLASS_FOLDER"/todo.* "$CLASS_FOLDER/pending" \
         "$CLASS_FOLDER/answers"
 }
 
@@ -190,8 +193,9 @@ content() {
 while read -r slug; do
     echo "$slug $(content "$slug")"
 done <"$CLASS_FOLDER/slugs" >"$CLASS_FOLDER/contents"
-"$CLASS_BUILD/tools/gradebook" keys ${seed:+--seed "$seed"} "$grader" "$CLASS_FOLDER" \
-    <"$CLASS_FOLDER/contents" || exit 2
+# Nor does anybody else read the seeds, should the folder be open.
+(umask 077 && "$CLASS_BUILD/tools/gradebook" keys ${seed:+--seed "$seed"} "$grader" "$CLASS_FOLDER" \
+    <"$CLASS_FOLDER/contents") || exit 2
 rm "$CLASS_FOLDER/slugs" "$CLASS_FOLDER/contents"
 
 # What the gradebook will be written with is read now, and not after hours.

@@ -59,12 +59,13 @@ static int is_same_key(const char *cell, const char *key)
     return key[0] != '\0' && strcasecmp(cell, key) == 0;
 }
 
-// Is this the e-mail address, or the part of it before the @?
-static int is_mail(const char *cell, const char *name)
+// Is this the e-mail address, or the part of it before the @? That tells people apart only where all
+// have addresses of one domain: who may give any address may have chosen another one's name there.
+static int is_mail(const char *cell, const char *name, int has_one_domain)
 {
     const size_t length = strlen(name);
-    return is_same_key(cell, name) || (length > 0 && strncasecmp(cell, name, length) == 0 &&
-                                       cell[length] == '@' && strchr(name, '@') == NULL);
+    return is_same_key(cell, name) || (has_one_domain && length > 0 && cell[length] == '@' &&
+                                       strncasecmp(cell, name, length) == 0);
 }
 
 // The words of "Participant 12" before its number.
@@ -85,6 +86,21 @@ static const char *cell_of(const Worksheet *worksheet, const Participant *partic
 {
     const int column = worksheet_column(worksheet, titles);
     return column >= 0 ? participant->cells[column] : "";
+}
+
+// Are all addresses of the list of one domain?
+static int one_domain(const Worksheet *worksheet)
+{
+    const char *first = NULL;
+    for (int i = 1; i < worksheet->n_participants; i++) {
+        const char *domain =
+            strchr(cell_of(worksheet, &worksheet->participants[i], mail_titles), '@');
+        if (domain != NULL && first != NULL && strcasecmp(domain, first) != 0) {
+            return 0;
+        }
+        first = domain != NULL ? domain : first;
+    }
+    return 1;
 }
 
 // Is the participant called so in full?
@@ -109,7 +125,8 @@ static int is_called(const Worksheet *worksheet, const Participant *participant,
     }
     for (int i = 0; i < worksheet->n_columns; i++) {
         const char *cell = participant->cells[i];
-        if ((worksheet_has_title(worksheet, i, mail_titles) && is_mail(cell, name)) ||
+        if ((worksheet_has_title(worksheet, i, mail_titles) &&
+             is_mail(cell, name, worksheet->has_one_domain)) ||
             (worksheet_has_title(worksheet, i, sid_titles) && is_same_key(cell, name)) ||
             (worksheet_has_title(worksheet, i, user_titles) && is_same_key(cell, name))) {
             return 1;
@@ -365,6 +382,7 @@ static void person_enter(Search *search, int row, const Entrant *entrant)
 int owners_find(Worksheet *worksheet, const Gradebook *gradebook)
 {
     Search search = {.worksheet = worksheet, .gradebook = gradebook};
+    worksheet->has_one_domain = one_domain(worksheet);
     for (int i = 0; i < gradebook->n_rows; i++) {
         const Entrant *entrant = gradebook->rows[i].entrant;
         for (int m = 0; m < entrant->n_members; m++) {

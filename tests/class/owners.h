@@ -5,7 +5,8 @@
 //   - A Gradescope entry belongs to each of its submitters: whose e-mail address or university
 //     number it is, else whose name, unless the list gives that person another address or number.
 //   - Another entry belongs to the team of its name, where the list has a column of groups, or to
-//     whom its name fits: a full name, user name, number or e-mail address, whole or up to the @.
+//     whom its name fits: a full name, user name, number or e-mail address; or the part before the
+//     @, if all addresses of the list are of one domain.
 //   - Attempts are one student's only where Moodle's export says so (roster.h): "carol-2" is nobody
 //     but a participant of that name.
 //   - Moodle's number of an entry parts two of one name, and stands for a person alone only as

@@ -268,7 +268,7 @@ static int roster_fill(const Folder *folder, int only_latest, const char *links,
     return result;
 }
 
-// An empty folder for the links, whatever was there.
+// A folder without links of an earlier run. What is no link is none of ours.
 static int links_clear(const char *links)
 {
     if (mkdir(links, 0755) != 0 && errno != EEXIST) {
@@ -280,7 +280,10 @@ static int links_clear(const char *links)
     }
     struct dirent *entry;
     while ((entry = readdir(entries)) != NULL) {
-        unlinkat(dirfd(entries), entry->d_name, 0);
+        char target[1];
+        if (readlinkat(dirfd(entries), entry->d_name, target, sizeof target) >= 0) {
+            unlinkat(dirfd(entries), entry->d_name, 0);
+        }
     }
     closedir(entries);
     return 0;

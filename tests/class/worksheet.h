@@ -28,6 +28,7 @@ typedef struct Worksheet {
     int n_participants;
     int n_columns;
     int grade_column, maximum_column;  // -1 where there is none
+    int has_one_domain;                // all e-mail addresses are of one
     Entered *entered;                  // [n_rows] of the gradebook
     int n_rows;
 } Worksheet;

@@ -104,8 +104,8 @@ static int reply_verdict(Desk *desk, const char *argument, FILE *reply)
     if (verdict.kind == VERDICT_FAILED && !desk->tells_all) {
         diagnosis_free(&verdict.diagnosis);
         verdict.diagnosis =
-            diagnosis_new("not right; a handout says what is wrong only for seeds below %" PRIu64
-                          ", as its own are",
+            diagnosis_new("not right; a handout says why only for seeds below %" PRIu64
+                          ": grade without SEED, or with a smaller one",
                           judges_tell_below);
     }
     const Diagnosis *diagnosis = &verdict.diagnosis;

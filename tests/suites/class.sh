@@ -140,6 +140,11 @@ check "drops nothing that may be somebody else's" test "$(wc -l <"$first/gradebo
 check "a folder for the results among the submissions" exits 2 run "$class/out"
 check "is refused" said "found OUTPUT in SUBMISSIONS"
 check "and not made" test ! -e "$class/out"
+mkdir -p "$scratch/nested/submissions"
+(cd solutions/$lab && zip -q "$scratch/nested/submissions/ada.zip" *.c*)
+check "submissions in the folder for the results" exits 2 tests/class/grade_class.sh --build "$build" --lab 0 \
+    --submissions "$scratch/nested/submissions" --output "$scratch/nested"
+check "are refused, and still there" test -s "$scratch/nested/submissions/ada.zip"
 echo 02-kdtree-2d-build >"$first/lab"
 check "the folder of another lab's class" exits 2 run "$first"
 check "is refused, too" said "found a class of 02-kdtree-2d-build, expected a folder of its own for $lab"
@@ -161,7 +166,7 @@ Identifier,"Full name","Email address",Status,Grade,"Maximum Grade"
 "Participant 7",Carol,carol@example.org,Submitted,-,50
 "Participant 8","Nobody, N.",n@example.org,"No submission",-,50
 "Participant 9",Double,bob@example.org,Submitted,,50
-"Participant 10",Double,bob@example.net,Submitted,,50
+"Participant 10",Double,bob@example.org,Submitted,,50
 END
 check "with Moodle's worksheet" exits 0 run "$first" --moodle "$scratch/moodle.csv"
 check "by name and number, with the sheet's maximum and sign" row "$first" \

@@ -306,7 +306,7 @@ says_nothing() {
     one_wrong "$1" "$2" "$3" "$4" "$5" || return 1
     sed -n 's/^ *"message": "\(..*\)",*$/\1/p' "$1/build/grade/${2%%-*}/results.json" >"$scratch/messages"
     [ -s "$scratch/messages" ] || { echo "no message"; return 1; }
-    ! grep -v -x 'not right; a handout says what is wrong only for seeds below 65536, as its own are' "$scratch/messages" &&
+    ! grep -v -x 'not right; a handout says why only for seeds below 65536: grade without SEED, or with a smaller one' "$scratch/messages" &&
         [ ! -e "$1/build/grade/${2%%-*}/pictures.json" ] &&
         ! grep 'class="reference"' "$1/build/grade/${2%%-*}/report.html"
 }

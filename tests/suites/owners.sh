@@ -71,6 +71,16 @@ check "and stands below the list, with the reason" \
     grep -q '^,,,,,"submission_41",.*,"fits no line of the list"$' \
     "$class.out/gradebook.csv"
 
+# Whoever may give any address may have chosen another's name before the @.
+cat >"$scratch/addresses.csv" <<'END'
+Identifier,"Full name","Email address",Status,Grade
+"Participant 1","Ada Lovelace",ada@uni.example.org,Submitted,
+"Participant 2","Mallory",countess@example.com,Submitted,
+END
+lists addresses "$scratch/addresses.csv" countess
+check "a name before the @ of any address is nobody's" has "Participant 2" "-"
+check "and a message says whose it looks like" said '"countess": fits no line of the list, but looks like line 3'
+
 # Teams, as Moodle gives them: a column of groups, and folders that begin with a group's name.
 cat >"$scratch/teams.csv" <<'END'
 Identifier,"Full name",Username,Group,Grade
