@@ -25,7 +25,7 @@ walls='
     disk-filler files-in-memory files-without-number folders-without-bottom fork-bomb memory-hogs
     survivor shared-memory poisoned-cache answers-a-link signals ptrace network preload
     talk-by-counters talk-by-futex talk-by-locks talk-by-page-cache talk-by-pipes kernel-locks process-1 process-1-limits
-    held-behind-the-first-thread held-by-a-memory-file held-by-a-page
+    walls-of-its-own held-behind-the-first-thread held-by-a-memory-file held-by-a-page
     mappings-without-number memory-behind-mappings open-files-without-number bytes-in-sockets pages-in-pipes
 '
 

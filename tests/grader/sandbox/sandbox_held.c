@@ -122,8 +122,20 @@ static void mapped_files_add(pid_t thread, long long largest, Held *held)
     free(line);
 }
 
+// A program that runs on while its file is removed need not have it open or mapped.
+static void program_add(pid_t thread, Held *held)
+{
+    char path[64];
+    struct stat status;
+    snprintf(path, sizeof path, "/proc/%d/exe", thread);
+    if (stat(path, &status) == 0) {
+        file_add(&status, held, &held->n_bytes);
+    }
+}
+
 void held_add(pid_t thread, long long largest, Held *held)
 {
     open_files_add(thread, held);
+    program_add(thread, held);
     mapped_files_add(thread, largest, held);
 }

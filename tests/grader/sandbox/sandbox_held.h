@@ -1,6 +1,6 @@
 // What processes hold: open files and mappings of memory, how many there are; and what no look into
-// folders finds, files that were removed and still take up a disk or memory, as they are open or
-// mapped.
+// folders finds, files that were removed and still take up a disk or memory, as they are open,
+// mapped or running.
 #ifndef GRADER_SANDBOX_HELD_H
 #define GRADER_SANDBOX_HELD_H
 
