@@ -59,8 +59,8 @@ static int is_same_key(const char *cell, const char *key)
     return key[0] != '\0' && strcasecmp(cell, key) == 0;
 }
 
-// Is this the e-mail address, or the part of it before the @? That tells people apart only where all
-// have addresses of one domain: who may give any address may have chosen another one's name there.
+// Is this the e-mail address, or the part of it before the @? That tells people apart only where
+// all have addresses of one domain: who may give any address may have chosen another one's name.
 static int is_mail(const char *cell, const char *name, int has_one_domain)
 {
     const size_t length = strlen(name);

@@ -141,7 +141,7 @@ check "a folder for the results among the submissions" exits 2 run "$class/out"
 check "is refused" said "found OUTPUT in SUBMISSIONS"
 check "and not made" test ! -e "$class/out"
 mkdir -p "$scratch/nested/submissions"
-(cd solutions/$lab && zip -q "$scratch/nested/submissions/ada.zip" *.c*)
+(cd solutions/$lab && zip -q "$scratch/nested/submissions/ada.zip" ./*.c*)
 check "submissions in the folder for the results" exits 2 tests/class/grade_class.sh --build "$build" --lab 0 \
     --submissions "$scratch/nested/submissions" --output "$scratch/nested"
 check "are refused, and still there" test -s "$scratch/nested/submissions/ada.zip"
