@@ -4,8 +4,9 @@
 #     tests/class/grade_one.sh SLUG
 #
 # grade_class.sh sets CLASS_FOLDER, CLASS_BUILD, CLASS_LAB, CLASS_WORK and more, and runs this
-# through GNU parallel or Slurm, from the course's top folder. Its key and its seed are in
-# CLASS_FOLDER/keys: other users of the machine, and runs in the sandbox "user", see command lines. Exit status 0 when there is a result,
+# through GNU parallel or Slurm, from the course's top folder. The key and the seed are in
+# CLASS_FOLDER/keys: other users of the machine, and runs in the sandbox "user", see command lines.
+# Exit status 0 when there is a result,
 # 1 when the machinery failed: then CLASS_FOLDER/faults/SLUG says how. Read first: grade_class.sh.
 set -u
 

@@ -1,6 +1,6 @@
 #!/bin/sh
 # A name is a name: whatever is in it, make and our scripts hand it on as it is, and run nothing of it.
-# shellcheck disable=SC2016,SC2089,SC2090,SC2317 # signs that nothing expands; a check that `arrived` calls
+# shellcheck disable=SC2016,SC2089,SC2090,SC2317 # signs that nothing expands; checks called by `arrived`
 . tests/tap.sh
 . tests/grading.sh
 top=$PWD
@@ -130,7 +130,7 @@ dry_run() (
     find . -maxdepth 1 -name 'names-trap*' | grep .
 )
 for way in line environment; do
-        for lab in 03 '$(shell touch names-trap-LAB)'; do
+    for lab in 03 '$(shell touch names-trap-LAB)'; do
         found=$(dry_run $way "$lab")
         [ -z "$found" ] && grep -q 'tools/grade' "$said"
         ok $? "make expands no variable from outside ($way, LAB=$lab)" "$found"
