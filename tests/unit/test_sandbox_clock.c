@@ -2,7 +2,6 @@
 #include "sandbox_clock.h"
 #include "surroundings.h"
 
-#include <unistd.h>
 
 // A run that used up its 300 s of wall time, of which it ran for 3 and slept for 7.
 static SandboxClock run_waiting(int tells_waiting, double waited)
@@ -39,17 +38,37 @@ Test(sandbox_clock, where_the_kernel_does_not_tell_it_is_the_machine)
     cr_expect(clock_is_starved(&clock));
 }
 
+// Look at it once more, after so many seconds in which it ran a little.
+static void look_after(SandboxClock *clock, double seconds, double ran, const Census *seen)
+{
+    static Census census;
+    census = *seen;
+    census.n_awake = 1;
+    census.tells_waiting = 1;
+    census.processor_seconds = clock->used.processor + ran;
+    clock->last_look -= seconds;
+    clock_look(clock, &census);
+}
+
+// The thread that is left waited before the other's end, too.
 Test(sandbox_clock, waiting_is_added_from_look_to_look_and_a_threads_end_takes_nothing_back)
 {
-    SandboxClock clock;
+    static SandboxClock clock;
     clock_start(&clock);
-    const double waited[] = {2, 5, 1, 4};  // of the threads alive then: one of them ends
-    for (size_t i = 0; i < sizeof waited / sizeof *waited; i++) {
-        clock_look(&clock,
-                   &(Census){.n_awake = 1, .tells_waiting = 1, .waited_seconds = waited[i]});
-    }
-    cr_expect_float_eq(clock.waited, 8, 1e-9, "%g", clock.waited);
+    look_after(&clock, 10, 0.5, &(Census){.n_waits = 2, .waits = {{11, 6}, {12, 1}}});
+    look_after(&clock, 10, 0.5, &(Census){.n_waits = 1, .waits = {{12, 5}}});
+    look_after(&clock, 10, 0.5, &(Census){.n_waits = 2, .waits = {{13, 2}, {12, 5}}});
+    cr_expect_float_eq(clock.waited, 5.5 + 3.5 + 1.5, 1e-9, "%g", clock.waited);
     cr_expect_eq(clock.used.asleep, 0);
+}
+
+// Of a thread that is new, or whose number is an older one's: no more than the time since then.
+Test(sandbox_clock, nobody_waits_longer_than_time_has_passed)
+{
+    static SandboxClock clock;
+    clock_start(&clock);
+    look_after(&clock, 10, 0, &(Census){.n_waits = 1, .waits = {{11, 500}}});
+    cr_expect_float_eq(clock.waited, 10, 0.5, "%g", clock.waited);
 }
 
 // Work of 15 ms and naps of 85 in turn: the naps count.
@@ -90,12 +109,19 @@ Test(sandbox_clock, the_dearer_a_look_the_longer_the_pause_up_to_a_second)
     cr_expect_float_eq(clock_pause(&(SandboxClock){.looking = 3}), 1, 1e-9);
 }
 
-// A hundred threads of its own wait for each other.
+// Two hundred threads of its own wake at once for 0.03 ms each, and then wait for each other: 0.6 s
+// in all, and none for longer than all of them ran.
 Test(sandbox_clock, who_keeps_itself_waiting_was_not_starved)
 {
-    SandboxClock clock;
+    enum { N_THREADS = 200 };
+    static SandboxClock clock;
+    static Census census = {.n_waits = N_THREADS};
     clock_start(&clock);
-    const int n_threads = 100 + (int)sysconf(_SC_NPROCESSORS_ONLN);
-    clock_look(&clock, &(Census){.n_awake = n_threads, .tells_waiting = 1, .waited_seconds = 500});
+    for (int n_looks = 1; n_looks <= 10; n_looks++) {
+        for (int i = 0; i < N_THREADS; i++) {
+            census.waits[i] = (ThreadWait){100 + i, n_looks * 0.003 * (i + 1) / N_THREADS};
+        }
+        look_after(&clock, 0.1, 0.006, &census);
+    }
     cr_expect_float_eq(clock.waited, 0, 1e-9, "%g", clock.waited);
 }

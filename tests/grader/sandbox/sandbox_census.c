@@ -24,16 +24,13 @@
 #include <sys/statvfs.h>
 #include <unistd.h>
 
-// More processes than this need not be looked at: the limit is far below.
-enum { MAX_PROCESSES = 4096 };
-
 // What processes share is told apart from what each has by a walk through all of their pages. That
 // is done where they seem to use up to twice the memory that is allowed, as one does that starts
 // another, and takes some 0.2 s then; who seems to use more uses too much.
 enum { MOST_SHARED = 2 };
 
 typedef struct ProcessList {
-    pid_t ids[MAX_PROCESSES];
+    pid_t ids[CENSUS_MAX_TASKS];
     int n;
 } ProcessList;
 
@@ -45,7 +42,7 @@ static int children_add(pid_t process, pid_t thread, ProcessList *list)
     const int n_before = list->n;
     snprintf(path, sizeof path, "/proc/%d/task/%d/children", process, thread);
     FILE *file = fopen(path, "re");
-    while (file != NULL && list->n < MAX_PROCESSES && fscanf(file, "%ld", &child) == 1) {
+    while (file != NULL && list->n < CENSUS_MAX_TASKS && fscanf(file, "%ld", &child) == 1) {
         list->ids[list->n++] = (pid_t)child;
     }
     if (file != NULL) {
@@ -54,7 +51,7 @@ static int children_add(pid_t process, pid_t thread, ProcessList *list)
     return list->n - n_before;
 }
 
-// Add how long a thread has waited for a processor in all, where the kernel tells.
+// Add how long a thread has waited for a processor, where the kernel tells.
 static void waiting_add(pid_t process, pid_t thread, Census *census)
 {
     char path[64];
@@ -64,9 +61,9 @@ static void waiting_add(pid_t process, pid_t thread, Census *census)
     if (file == NULL) {
         return;
     }
-    if (fscanf(file, "%llu %llu", &ran, &waited) == 2) {
+    if (fscanf(file, "%llu %llu", &ran, &waited) == 2 && census->n_waits < CENSUS_MAX_TASKS) {
         census->tells_waiting = 1;
-        census->waited_seconds += 1e-9 * (double)waited;
+        census->waits[census->n_waits++] = (ThreadWait){thread, 1e-9 * (double)waited};
     }
     fclose(file);
 }
@@ -146,7 +143,7 @@ static void user_add(uid_t user, ProcessList *list)
 {
     DIR *folder = opendir("/proc");
     const struct dirent *entry;
-    while (folder != NULL && list->n < MAX_PROCESSES && (entry = readdir(folder)) != NULL) {
+    while (folder != NULL && list->n < CENSUS_MAX_TASKS && (entry = readdir(folder)) != NULL) {
         const pid_t process = atoi(entry->d_name);
         long long owner;
         if (process > 0 &&
@@ -227,7 +224,7 @@ static int inherited_add(ProcessList *list)
     for (int i = 0; i < N_INHERITORS - 1 && i < n_before; i++) {
         children_add(list->ids[i], list->ids[i], &again);
     }
-    for (int i = 0; i < again.n && list->n < MAX_PROCESSES; i++) {
+    for (int i = 0; i < again.n && list->n < CENSUS_MAX_TASKS; i++) {
         int known = 0;
         while (known < list->n && list->ids[known] != again.ids[i]) {
             known++;

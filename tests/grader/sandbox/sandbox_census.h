@@ -6,17 +6,26 @@
 
 #include <sys/types.h>
 
+// More processes and threads than this need not be looked at: the limit is far below.
+enum { CENSUS_MAX_TASKS = 4096 };
+
+typedef struct ThreadWait {
+    pid_t thread;
+    double seconds;  // that it has waited for a processor, since it began
+} ThreadWait;
+
 typedef struct Census {
     int n_processes;      // that are alive
     int n_tasks;          // processes and threads, also those that only wait to be reaped
     long long memory_kb;  // in use
     int n_mappings;       // of memory, and open files: read until they are too many
     int n_open;
-    long long n_bytes;      // on disks: in the folders it writes, and of removed files still open
-    long long n_files;      // in the folders it writes, and in those in memory
-    int n_awake;            // threads that run, or wait for a processor or a disk
-    int tells_waiting;      // the kernel says how long threads wait for a processor
-    double waited_seconds;  // for a processor, by the threads that are alive
+    long long n_bytes;  // on disks: in the folders it writes, and of removed files still open
+    long long n_files;  // in the folders it writes, and in those in memory
+    int n_awake;        // threads that run, or wait for a processor or a disk
+    int tells_waiting;  // the kernel says how long threads wait for a processor
+    ThreadWait waits[CENSUS_MAX_TASKS];  // of the threads that are alive
+    int n_waits;
     double processor_seconds;  // used by those alive, and by children that they waited for
 } Census;
 

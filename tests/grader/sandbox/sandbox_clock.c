@@ -2,6 +2,7 @@
 #include "sandbox_clock.h"
 
 #include <math.h>
+#include <string.h>
 #include <sys/resource.h>
 #include <time.h>
 #include <unistd.h>
@@ -17,8 +18,8 @@
 // waiting, it may have kept the command waiting as well.
 #define LATE_SECONDS 0.1
 
-// Starved is who waited for a processor in so much of the time in which it neither ran nor slept.
-// Not all: what a thread waited since the last look before it ended is not seen.
+// Starved is whom others kept waiting for a processor in so much of the time in which it neither ran
+// nor slept. Not all: what a thread waited since the last look before it ended is not seen.
 #define STARVED_SHARE 0.3
 
 double seconds_now(void)
@@ -54,6 +55,23 @@ void clock_start(SandboxClock *clock)
     clock->last_look = clock->start;
 }
 
+// The longest that any one thread has waited for a processor since the last look. Not all together:
+// a hundred that wait for each other for a moment would make a long time of it.
+static double longest_wait(const SandboxClock *clock, const Census *census)
+{
+    double longest = 0;
+    for (int i = 0; i < census->n_waits; i++) {
+        const ThreadWait *wait = &census->waits[i];
+        int k = 0;
+        while (k < clock->n_waits && clock->waits[k].thread != wait->thread) {
+            k++;
+        }
+        const double before = k < clock->n_waits ? clock->waits[k].seconds : 0;
+        longest = fmax(longest, wait->seconds - before);
+    }
+    return longest;
+}
+
 void clock_look(SandboxClock *clock, const Census *census)
 {
     const double now = seconds_now();
@@ -67,13 +85,11 @@ void clock_look(SandboxClock *clock, const Census *census)
         const double unseen = clock_pause(clock) + clock->looking;
         clock->used.asleep += fmin(between - ran, unseen + LATE_SECONDS);
     }
-    const double waited = census->waited_seconds;
     clock->tells_waiting |= census->tells_waiting;
-    // More threads than processors wait for each other. (One more: a look is no instant.)
-    if (waited > clock->last_waited && census->n_awake <= sysconf(_SC_NPROCESSORS_ONLN) + 1) {
-        clock->waited += waited - clock->last_waited;
-    }
-    clock->last_waited = waited;
+    // Who waits for the run's own threads waits while at least one of them runs.
+    clock->waited += fmax(0, fmin(longest_wait(clock, census), between) - ran);
+    clock->n_waits = census->n_waits;
+    memcpy(clock->waits, census->waits, (size_t)census->n_waits * sizeof *census->waits);
     clock->used.processor += ran;
     clock->used.wall = now - clock->start;
     clock->last_look = now;

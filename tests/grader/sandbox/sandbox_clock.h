@@ -13,9 +13,10 @@ typedef struct SandboxClock {
     double start, last_look;  // on the monotonic clock, seconds
     double looking;           // processor time of our own that the last look took
     SandboxTime used;
-    int tells_waiting;   // the kernel does; else the two below say nothing
-    double waited;       // seconds that its threads waited for a processor, all together
-    double last_waited;  // by those that were alive at the last look
+    int tells_waiting;                   // the kernel does; else the two below say nothing
+    double waited;                       // seconds that others kept it waiting for a processor
+    ThreadWait waits[CENSUS_MAX_TASKS];  // as they were at the last look
+    int n_waits;
 } SandboxClock;
 
 // The monotonic clock, in seconds; and the processor time of the calling process.

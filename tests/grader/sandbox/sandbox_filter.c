@@ -205,6 +205,20 @@ static int questions_add(scmp_filter_ctx filter)
     return fault;
 }
 
+// Filters of the run's own, and a table of futexes for the process: memory of the kernel's that no
+// look finds. Whose call is handed to a listener passes for who waits for a disk.
+static int process_options_add(scmp_filter_ctx filter)
+{
+    const unsigned futex_table = 78;  // PR_FUTEX_HASH, which Linux 6.16 brought
+    const unsigned options[] = {PR_SET_SECCOMP, futex_table};
+    int fault = 0;
+    for (size_t i = 0; fault == 0 && i < N_ITEMS(options); i++) {
+        fault = seccomp_rule_add(filter, SCMP_ACT_ERRNO(EINVAL), SCMP_SYS(prctl), 1,
+                                 SCMP_A0(SCMP_CMP_MASKED_EQ, NUMBER_MASK, options[i]));
+    }
+    return fault;
+}
+
 static int disk_waits_add(scmp_filter_ctx filter)
 {
     int fault = calls_add(filter, SCMP_ACT_ERRNO(0), needless_calls, N_ITEMS(needless_calls));
@@ -232,8 +246,9 @@ typedef int RulesAdd(scmp_filter_ctx filter);
 
 // Those that look at a call's arguments, and calls without a name.
 static RulesAdd *const special_rules[] = {
-    sockets_add,       clone_add,        ended_children_add, own_tables_add, unknown_calls_add,
-    file_commands_add, shared_waits_add, clocks_add,         questions_add,  disk_waits_add};
+    sockets_add,       clone_add,           ended_children_add, own_tables_add,
+    unknown_calls_add, file_commands_add,   shared_waits_add,   clocks_add,
+    questions_add,     process_options_add, disk_waits_add};
 
 // Returns 0, or a negative errno.
 static int rules_add(scmp_filter_ctx filter)

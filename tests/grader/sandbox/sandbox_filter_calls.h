@@ -93,6 +93,9 @@ static const char *const refused_calls[] = {
     "landlock_create_ruleset",
     "landlock_add_rule",
     "landlock_restrict_self",
+    "seccomp",
+    // Waits in the kernel as who waits for a disk does, and costs no processor time.
+    "membarrier",
     // Requests to disks that the kernel keeps, of which the machine has one small number for all.
     "io_setup",
     // Names by which sockets of other runs are found, or seen to be there.
