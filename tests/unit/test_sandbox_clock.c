@@ -2,7 +2,6 @@
 #include "sandbox_clock.h"
 #include "surroundings.h"
 
-
 // A run that used up its 300 s of wall time, of which it ran for 3 and slept for 7.
 static SandboxClock run_waiting(int tells_waiting, double waited)
 {

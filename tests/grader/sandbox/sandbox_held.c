@@ -100,8 +100,10 @@ static void mapping_add(pid_t thread, const char *line, size_t length, long long
     snprintf(path, sizeof path, "/proc/%d/map_files/%lx-%lx", thread, start, end);
     if (stat(path, &status) == 0) {
         file_add(&status, held, is_shared ? &held->n_shared_bytes : &held->n_bytes);
-    } else if (!is_shared && is_new(held, device, number)) {
-        held->n_bytes += largest;
+    } else if (is_new(held, device, number)) {
+        // Not told, or the process has ended meanwhile: the most that it can be.
+        *(is_shared ? &held->n_shared_bytes : &held->n_bytes) +=
+            is_shared ? (long long)(end - start) : largest;
     }
 }
 
