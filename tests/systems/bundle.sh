@@ -20,7 +20,7 @@ for manifest in solutions/"$wanted"/lab.json solutions/"$wanted"-*/lab.json solu
     [ ! -f "$manifest" ] || lab=$(basename "$(dirname "$manifest")")
 done
 if [ ! -d "$templates" ] || [ -z "$lab" ]; then
-    echo "bundle: found \"$system\" and \"$wanted\", expected a system and a lab's number or name" >&2
+    printf 'bundle: found "%s" and "%s", expected a system and a lab\n' "$system" "$wanted" >&2
     echo "$usage" >&2
     exit 2
 fi
@@ -40,8 +40,8 @@ tracked() {
 copy_course() {
     solutions=$(for one in solutions/*/; do
         name=$(basename "$one")
-        case $name in 02-* | 04-* | 06-*) echo "$name" ;; *)
-            if expr "$name" \<= "$lab" >/dev/null; then echo "$name"; fi ;;
+        case $name in 02-* | 04-* | 06-*) printf '%s\n' "$name" ;; *)
+            if expr "$name" \<= "$lab" >/dev/null; then printf '%s\n' "$name"; fi ;;
         esac
     done)
     mkdir -p "$1"
@@ -161,4 +161,4 @@ github)
     pack_zip "$stage" "$bundle"
     ;;
 esac
-echo "$bundle"
+printf '%s\n' "$bundle"

@@ -12,7 +12,7 @@ whole() {
     *[!0-9]* | 0* | ??????*) ;;
     *) [ "$2" -gt "$3" ] || return 0 ;;
     esac
-    echo "$1: found \"$2\", expected a whole number from 1 to $3" >&2
+    printf '%s\n' "$1: found \"$2\", expected a whole number from 1 to $3" >&2
     return 2
 }
 

@@ -18,8 +18,8 @@
 // waiting, it may have kept the command waiting as well.
 #define LATE_SECONDS 0.1
 
-// Starved is whom others kept waiting for a processor in so much of the time in which it neither ran
-// nor slept. Not all: what a thread waited since the last look before it ended is not seen.
+// Starved is whom others kept waiting for a processor in so much of the time in which it neither
+// ran nor slept. Not all: what a thread waited since the last look before it ended is not seen.
 #define STARVED_SHARE 0.3
 
 double seconds_now(void)

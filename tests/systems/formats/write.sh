@@ -24,8 +24,8 @@ while [ -n "$names" ]; do
     case $name in
     junit | tap | gradescope | autolab | prairielearn | github) wanted="$wanted $name" ;;
     *)
-        echo "formats: found \"$name\", expected some of junit, tap, gradescope, autolab," \
-            "prairielearn, github" >&2
+        printf 'formats: found "%s", expected some of %s\n' "$name" \
+            "junit, tap, gradescope, autolab, prairielearn, github" >&2
         exit 2
         ;;
     esac
@@ -40,8 +40,8 @@ file_of() {
     case $1 in
     junit) echo junit.xml ;;
     tap) echo results.tap ;;
-    gradescope | prairielearn) echo "$1.json" ;;
-    autolab | github) echo "$1.txt" ;;
+    gradescope | prairielearn) printf '%s\n' "$1.json" ;;
+    autolab | github) printf '%s\n' "$1.txt" ;;
     esac
 }
 
@@ -54,7 +54,7 @@ write_file() {
         { [ -s "$new" ] || [ "$status" -gt 1 ]; }; then
         if [ -s "$new" ]; then mv -f "$new" "$file"; else rm -f "$new" "$file"; fi && return
     fi
-    echo "formats: $file: cannot be written" >&2
+    printf '%s\n' "formats: $file: cannot be written" >&2
     rm -f "$new" "$file"
     return 2
 }
@@ -63,7 +63,7 @@ status=0
 [ $# -eq 0 ] || "$@" || status=$?
 result=$folder/results.json pictures=$folder/pictures.json
 if [ "$status" -le 1 ] && [ ! -s "$result" ]; then
-    echo "formats: $result: there is no result" >&2
+    printf '%s\n' "formats: $result: there is no result" >&2
     status=2
 fi
 if [ "$status" -gt 1 ]; then
