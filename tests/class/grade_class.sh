@@ -38,6 +38,12 @@ die() {
     exit 2
 }
 
+# put NAME TEXT: a line that is a file of the class's folder: whole, or as it was before.
+put() {
+    { printf '%s\n' "$2" >"$CLASS_FOLDER/$1.new" && sync "$CLASS_FOLDER/$1.new" &&
+        mv "$CLASS_FOLDER/$1.new" "$CLASS_FOLDER/$1"; } || die "$CLASS_FOLDER/$1: cannot be written"
+}
+
 # ---- What is asked for --------------------------------------------------------------------------
 
 CLASS_LAB='' CLASS_FOLDER='' CLASS_BUILD=build CLASS_DEVICE='' CLASS_TIME_LIMIT=
@@ -127,11 +133,11 @@ exec 9<"$CLASS_FOLDER/lock"
 flock --wait 20 9 || die "$CLASS_FOLDER: another run is at work there"
 
 # One lab, as another one's gradebook would take the place of this one's.
-of_lab=$(cat "$CLASS_FOLDER/lab" 2>/dev/null ||
+of_lab=$(grep . "$CLASS_FOLDER/lab" 2>/dev/null ||
     sed -n 's/^"lab": "\(.*\)",$/\1/p' "$CLASS_FOLDER/gradebook.json" 2>/dev/null)
 [ "${of_lab:-$CLASS_LAB}" = "$CLASS_LAB" ] ||
     die "$CLASS_FOLDER: found a class of $of_lab, expected a folder of its own for $CLASS_LAB (OUTPUT=)"
-echo "$CLASS_LAB" >"$CLASS_FOLDER/lab"
+put lab "$CLASS_LAB"
 
 # A short name: sockets and sandboxes have little room for paths.
 CLASS_WORK=${TMPDIR:-/tmp}/class-$(printf %s "$CLASS_FOLDER" | sha256sum | cut -c 1-10)
@@ -139,9 +145,15 @@ CLASS_WORK=${TMPDIR:-/tmp}/class-$(printf %s "$CLASS_FOLDER" | sha256sum | cut -
 # clear: what this run, or a dead one, leaves outside of the results.
 clear() {
     if [ -e "$CLASS_FOLDER/engine" ]; then
+        last=
         read -r last <"$CLASS_FOLDER/engine"
-        # shellcheck source=tests/class/engine_slurm.sh
-        (. "tests/class/engine_$last.sh" && engine_end) || return
+        case $last in
+        parallel | slurm)
+            # shellcheck source=tests/class/engine_slurm.sh
+            (. "tests/class/engine_$last.sh" && engine_end) || return
+            ;;
+        *) echo "grade-class: $CLASS_FOLDER/engine: damaged; passed over" >&2 ;;
+        esac
         rm "$CLASS_FOLDER/engine"
     fi
     rm -rf "$CLASS_WORK"-* \
@@ -153,9 +165,9 @@ clear || die "what a killed run left cannot be ended"
 # shellcheck source=tests/class/engine_parallel.sh
 . "tests/class/engine_$engine.sh"
 engine_check
-echo "$engine" >"$CLASS_FOLDER/engine"
+put engine "$engine"
 rm -rf "$CLASS_FOLDER/faults"
-mkdir "$CLASS_FOLDER/faults" "$CLASS_FOLDER/answers" "$CLASS_FOLDER/pending"
+mkdir "$CLASS_FOLDER/faults" "$CLASS_FOLDER/answers" "$CLASS_FOLDER/pending" || exit 2
 trap 'clear' EXIT
 trap 'exit 2' INT TERM HUP PIPE
 
@@ -191,7 +203,7 @@ content() {
 
 # A line "SLUG KEY SEED" for each (class_keys.h). The secret behind the seeds is only in the folder.
 while read -r slug; do
-    echo "$slug $(content "$slug")"
+    echo "$slug $(content "$slug")" || die "$CLASS_FOLDER/contents: cannot be written"
 done <"$CLASS_FOLDER/slugs" >"$CLASS_FOLDER/contents"
 # Nor does anybody else read the seeds, should the folder be open.
 (umask 077 && "$CLASS_BUILD/tools/gradebook" keys ${seed:+--seed "$seed"} "$grader" "$CLASS_FOLDER" \
@@ -211,21 +223,23 @@ has_full_marks() {
         "$CLASS_FOLDER/students/$1/results.json" 2>/dev/null
 }
 
+# has_results SLUG: are they whole? A full disk, or a crash of the machine, may have cut them short.
+has_results() { [ "$(tail -n 1 "$CLASS_FOLDER/students/$1/results.json" 2>/dev/null)" = "}" ]; }
+
 # is_wanted SLUG KEY: is there something to do at the start?
 is_wanted() {
     old=
     [ ! -e "$CLASS_FOLDER/students/$1/key" ] || read -r old <"$CLASS_FOLDER/students/$1/key"
     case $again$only in
     *failed) ! has_full_marks "$1" ;;
-    '' | latest) [ "$old" != "$2" ] ;;
+    '' | latest) [ "$old" != "$2" ] || ! has_results "$1" ;;
     *) true ;;
     esac
 }
 
 while read -r slug key _; do
     if is_wanted "$slug" "$key"; then
-        echo "$slug"
-        : >"$CLASS_FOLDER/pending/$slug"
+        { echo "$slug" && : >"$CLASS_FOLDER/pending/$slug"; } || die "$CLASS_FOLDER/todo: cannot be written"
     fi
 done <"$CLASS_FOLDER/keys" >"$CLASS_FOLDER/todo"
 

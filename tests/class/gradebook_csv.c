@@ -8,7 +8,10 @@
 #include "complain.h"
 #include "csv_cell.h"
 #include "output_file.h"
+#include "sheet_number.h"
 #include "worksheet.h"
+
+#include <string.h>
 
 static void cell_write(FILE *file, const char *text)
 {
@@ -110,6 +113,41 @@ static void participant_write(FILE *file, const Worksheet *worksheet,
     }
 }
 
+// Does another grade than ours stand there already?
+static int has_other_grade(const Worksheet *worksheet, const Participant *participant,
+                           int max_score)
+{
+    char grade[32], decimal;
+    double ours, theirs;
+    const char *cell = participant->cells[worksheet->grade_column];
+    if (participant->row == NULL || participant->row->status == ROW_NOT_GRADED || *cell == '\0' ||
+        strcmp(cell, "-") == 0) {
+        return 0;
+    }
+    worksheet_grade(worksheet, participant, max_score, grade);
+    return strcmp(cell, grade) != 0 &&
+           (sheet_number_read(cell, &theirs, &decimal) != 0 ||
+            sheet_number_read(grade, &ours, &decimal) != 0 || ours != theirs);
+}
+
+// What becomes of the column of grades, where it is not simply filled.
+static void grades_tell(const Worksheet *worksheet, int max_score)
+{
+    if (worksheet->grade_column < 0) {
+        complain("gradebook: %s: found no column \"Grade\" or \"Bewertung\" to fill: points are in "
+                 "the columns behind only",
+                 worksheet->path);
+        return;
+    }
+    for (int i = 1; i < worksheet->n_participants; i++) {
+        const Participant *participant = &worksheet->participants[i];
+        if (has_other_grade(worksheet, participant, max_score)) {
+            complain("gradebook: %s: line %d has the grade \"%s\" already: gradebook.csv has ours",
+                     worksheet->path, i + 1, participant->cells[worksheet->grade_column]);
+        }
+    }
+}
+
 // Rows that are not entered, or not for everybody: for the file, and for whoever runs this.
 static void left_over_write(FILE *file, const Worksheet *worksheet, const Gradebook *gradebook)
 {
@@ -144,6 +182,7 @@ static int worksheet_write(FILE *file, const Gradebook *gradebook, const char *p
     for (int i = 1; i < worksheet.n_participants; i++) {
         participant_write(file, &worksheet, &worksheet.participants[i], gradebook);
     }
+    grades_tell(&worksheet, gradebook->max_score);
     left_over_write(file, &worksheet, gradebook);
     worksheet_free(&worksheet);
     return 0;

@@ -3,10 +3,11 @@
 
 #include "complain.h"
 #include "owners.h"
+#include "sheet_number.h"
+#include "sheet_text.h"
 
 #include <csv.h>
 #include <errno.h>
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -88,24 +89,21 @@ static void line_end(int character, void *pointer)
     reader->n_cells = 0;
 }
 
-// A spreadsheet may have parted it by semicolons; Moodle itself writes and takes commas.
-static char delimiter_of(const char *text, size_t length)
-{
-    const char *end = memchr(text, '\n', length);
-    const size_t n_head = end != NULL ? (size_t)(end - text) : length;
-    return memchr(text, ',', n_head) == NULL && memchr(text, ';', n_head) != NULL ? ';' : ',';
-}
-
-static int text_parse(const char *text, size_t length, Worksheet *worksheet)
+static int text_parse(const char *bytes, size_t n_bytes, Worksheet *worksheet)
 {
     struct csv_parser parser;
     Reader reader = {.worksheet = worksheet};
-    if (length >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0) {
-        text += 3, length -= 3;  // a byte order mark
+    SheetText sheet;
+    const char *instead = sheet_text_find(bytes, n_bytes, &sheet);
+    if (instead != NULL) {
+        complain("gradebook: %s: found %s; expected Moodle's list of participants", worksheet->path,
+                 instead);
+        return -1;
     }
     csv_init(&parser, CSV_STRICT | CSV_STRICT_FINI | CSV_APPEND_NULL);
-    csv_set_delim(&parser, (unsigned char)delimiter_of(text, length));
-    if (csv_parse(&parser, text, length, cell_read, line_end, &reader) != length ||
+    csv_set_delim(&parser, (unsigned char)sheet.delimiter);
+    if (csv_parse(&parser, sheet.text, sheet.length, cell_read, line_end, &reader) !=
+            sheet.length ||
         csv_fini(&parser, cell_read, line_end, &reader) != 0) {
         reader.fault = csv_strerror(csv_error(&parser));
     }
@@ -134,11 +132,44 @@ static int file_parse(Worksheet *worksheet)
     int result = ferror(file) ? fault(worksheet->path, strerror(errno)) : 0;
     if (result == 0 && length == WORKSHEET_MAX_BYTES) {
         result = fault(worksheet->path, "too large for a list of participants");
+    } else {
+        text[length] = '\0';
     }
     result = result == 0 ? text_parse(text, length, worksheet) : result;
     fclose(file);
     free(text);
     return result;
+}
+
+// The maximum that a line has, and its decimal sign; the lab's, where it has none. Returns 0, or -1
+// when there is something else.
+static int maximum_read(const Worksheet *worksheet, const Participant *participant, int max_score,
+                        double *most, char *decimal)
+{
+    const int column = worksheet->maximum_column;
+    const char *cell = column >= 0 ? participant->cells[column] : "";
+    *most = max_score;
+    *decimal = '.';
+    return *cell == '\0' ? 0 : sheet_number_read(cell, most, decimal);
+}
+
+// A grade is a part of the maximum: that has to be a number. Returns 0, or -1 after one message.
+static int maxima_check(const Worksheet *worksheet)
+{
+    for (int i = 1; i < worksheet->n_participants; i++) {
+        double most;
+        char decimal;
+        if (maximum_read(worksheet, &worksheet->participants[i], 1, &most, &decimal) != 0 ||
+            most <= 0 || most > 1e6) {
+            complain("gradebook: %s: line %d, \"%s\": found \"%s\", expected a number such as 100 "
+                     "or 1000.00",
+                     worksheet->path, i + 1,
+                     worksheet->participants[0].cells[worksheet->maximum_column],
+                     worksheet->participants[i].cells[worksheet->maximum_column]);
+            return -1;
+        }
+    }
+    return 0;
 }
 
 int worksheet_load(const char *path, const Gradebook *gradebook, Worksheet *worksheet)
@@ -155,6 +186,10 @@ int worksheet_load(const char *path, const Gradebook *gradebook, Worksheet *work
     }
     worksheet->grade_column = worksheet_column(worksheet, grade_titles);
     worksheet->maximum_column = worksheet_column(worksheet, maximum_titles);
+    if (maxima_check(worksheet) != 0) {
+        worksheet_free(worksheet);
+        return -1;
+    }
     if (owners_find(worksheet, gradebook) != 0) {
         worksheet_free(worksheet);
         return fault(path, "out of memory");
@@ -180,18 +215,12 @@ void worksheet_free(Worksheet *worksheet)
 void worksheet_grade(const Worksheet *worksheet, const Participant *participant, int max_score,
                      char grade[32])
 {
-    const int column = worksheet->maximum_column;
-    char maximum[32];
-    snprintf(maximum, sizeof maximum, "%s", column >= 0 ? participant->cells[column] : "");
-    char *comma = strchr(maximum, ',');
-    if (comma != NULL) {
-        *comma = '.';
-    }
-    double most = strtod(maximum, NULL);
-    most = isfinite(most) && most > 0 && most < 1e6 ? most : max_score;
+    double most;
+    char decimal;
+    maximum_read(worksheet, participant, max_score, &most, &decimal);
     snprintf(grade, 32, "%.2f", participant->row->score * most / max_score);
     char *point = strchr(grade, '.');
-    if (comma != NULL && point != NULL) {
-        *point = ',';
+    if (point != NULL) {
+        *point = decimal;
     }
 }

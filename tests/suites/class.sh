@@ -129,7 +129,7 @@ check "on scenes that no report of the first run has shown" \
 check "the seed in a report is the one that was drawn for it" sh -c 'grep -q "\"seed\": \"$(sed -n "s/^bob-.* //p" "$1/keys")\"" \
     "$1"/students/bob-*/results.json' - "$first"
 check "old and new scores are compared" grep -q '0 &rarr; 100' "$first/class.html"
-echo '{' >"$(echo "$first"/students/ada-lovelace-*)/results.json"
+printf '{ "score":\n}\n' >"$(echo "$first"/students/ada-lovelace-*)/results.json"
 check "a damaged result does not keep the others from theirs" exits 1 run "$first"
 check "and is no zero" row "$first" '"Ada Lovelace","1234567",1,"not graded",,'
 check "only the failed" exits 0 run "$first" --only failed
@@ -179,7 +179,25 @@ check "who handed in nothing has no grade" row "$first" \
     '"Participant 8","Nobody, N.","n@example.org","No submission","-","50",,,,"no submission",'
 check "who could be two is neither" row "$first" ',,,,,,"bob",'
 check "and they have no grade" row "$first" '"Participant 9","Double","bob@example.org","Submitted","","50",,,,"not entered"'
+check "no grade was there before" test -z "$(grep 'already' "$scratch/said")"
 check "and a message says so" said '"lab-00-bob": fits 2 lines of the list, among them 5 and 6'
+
+# sheet TITLES LINE: Moodle's worksheet with this line for Ada.
+sheet() { printf '%s\n' "$1" "$2" >"$scratch/moodle.csv"; }
+head='Identifier;Full name;Grade;Maximum Grade'
+sheet "$head" 'Participant 1234567;Ada Lovelace;40.00;1,000.00'
+check "a maximum of a thousand, and a grade that is there" exits 0 run "$first" --moodle "$scratch/moodle.csv"
+check "is a thousand" row "$first" '"Participant 1234567","Ada Lovelace","1000.00","1,000.00"'
+check "and the grade before is told" said 'line 2 has the grade "40.00" already'
+sheet "$head" 'Participant 1234567;Ada Lovelace;;100 points'
+check "a maximum that is no number" exits 2 run "$first" --moodle "$scratch/moodle.csv"
+check "is named with its line" said 'line 2, "Maximum Grade": found "100 points", expected a number'
+sheet 'Identifier;Full name;Note' 'Participant 1234567;Ada Lovelace;'
+check "titles in another language" exits 0 run "$first" --moodle "$scratch/moodle.csv"
+check "those looked for are named" said 'found no column "Grade" or "Bewertung" to fill'
+printf '<!DOCTYPE html><title>Login</title>' >"$scratch/moodle.csv"
+check "a login page" exits 2 run "$first" --moodle "$scratch/moodle.csv"
+check "is named" said "found a web page, perhaps a login"
 
 gradescope=$scratch/gradescope
 mkdir -p "$gradescope/submission_11" "$gradescope/submission_12" "$scratch/names"
@@ -270,6 +288,40 @@ for folder in labs solutions common kernels tests/probes tests/stand_ins; do
     : >"$course/$folder/changed"
     check "a change in $folder: all are graded again" regraded 2
 done
+
+# Files that a full disk, or a crash of the machine, has emptied.
+for file in engine lab gradebook.json; do
+    : >"$faults/$file"
+    check "$file is empty: nothing is graded again" regraded 0
+done
+: >"$faults/rounds"
+check "rounds is empty: all is in a new round" regraded 2
+for file in key results.json; do
+    for path in "$faults"/students/well-*/"$file"; do : >"$path"; done
+    check "$file is empty: its entry is graded again" regraded 1
+done
+
+# A class folder without room: as in a sandbox, in a file system of its own.
+# full MB: a run in a folder with so much room but for 4 KB, and then in the same with all of it.
+full() {
+    # shellcheck disable=SC2016 # for the inner shell
+    unshare -rm sh -c 'mkdir "$1/full" && mount -t tmpfs -o size="$2"m room "$1/full" || exit
+        head -c "$(($2 * 1048576 - 8192))" /dev/zero >"$1/full/other"
+        shift 2
+        first=0 then=0
+        "$@" >"${0}.1" 2>&1 </dev/null || first=$?
+        rm "$scratch/full/other"
+        "$@" >"$0" 2>&1 </dev/null || then=$?
+        echo "$first $then"' "$scratch/said" "$scratch" "$1" \
+        tests/class/grade_class.sh --build "$build" --lab 0 --submissions "$class" --output "$scratch/full"
+}
+export scratch
+if unshare -rm mount -t tmpfs room "$scratch/w" 2>/dev/null; then
+    check "without room: no gradebook; with room it goes on" test "$(full 1)" = "2 0"
+    check "and says what is full, and where" grep -q 'full/.*No space left' "$scratch/said.1"
+else
+    skip "a class folder without room" "it needs user namespaces"
+fi
 
 # Two at work whose slugs end alike: each in a folder of its own.
 two=$scratch/two
