@@ -74,9 +74,19 @@ static int devices_find(DeviceList *list)
     if (list->n_devices > 0) {
         return 0;
     }
-    if (n_platforms == 0) {
+    const char *vendors = getenv("OCL_ICD_VENDORS"), *pocl_devices = getenv("POCL_DEVICES");
+    if (n_platforms == 0 && vendors != NULL) {
+        complain("OpenCL: found no platform in OCL_ICD_VENDORS=%s; unset it to take the system's "
+                 "drivers (apt install pocl-opencl-icd for one that runs on every CPU), and check "
+                 "with clinfo",
+                 vendors);
+    } else if (n_platforms == 0) {
         complain("OpenCL: found no platform; install a driver (apt install pocl-opencl-icd "
                  "runs on every CPU) and check with clinfo");
+    } else if (pocl_devices != NULL) {
+        complain("OpenCL: found a platform but no device; does POCL_DEVICES=%s name one that PoCL "
+                 "does not have here? Unset it, and check with clinfo",
+                 pocl_devices);
     } else {
         complain("OpenCL: found a platform but no device; PoCL needs a cache folder that it "
                  "can write (POCL_CACHE_DIR, or ~/.cache/pocl); check with clinfo");

@@ -24,8 +24,8 @@ static int is_web_page(SheetText sheet)
     while (sheet.length > 0 && strchr(" \t\r\n", *sheet.text) != NULL) {
         skip(&sheet, 1);
     }
-    return sheet.length >= 5 && (strncasecmp(sheet.text, "<!doc", 5) == 0 ||
-                                 strncasecmp(sheet.text, "<html", 5) == 0);
+    return sheet.length >= 5 &&
+           (strncasecmp(sheet.text, "<!doc", 5) == 0 || strncasecmp(sheet.text, "<html", 5) == 0);
 }
 
 static int is_utf8(const SheetText *sheet)

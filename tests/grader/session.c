@@ -2,6 +2,7 @@
 #include "session.h"
 
 #include "holes.h"
+#include "host_limits.h"
 #include "kept_answers.h"
 #include "path.h"
 #include "sandbox.h"
@@ -123,7 +124,7 @@ int session_open(Session *session, const Settings *settings)
     }
     SandboxKind sandbox;
     session->has_solution = manifest_has_solution(settings->lab);
-    if (manifest_load("labs", settings->lab, &session->manifest) != 0 ||
+    if (host_limits_raise() != 0 || manifest_load("labs", settings->lab, &session->manifest) != 0 ||
         sandbox_choose(settings->sandbox, &sandbox) != 0 ||
         // In a handout all is the student's own.
         (sandbox_is_open(sandbox) && session->has_solution && secrets_check(settings) != 0) ||

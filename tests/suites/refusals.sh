@@ -159,7 +159,7 @@ for number in 00 01 03; do
     check "lab $number: no device as in COURSE_DEVICE" \
         refuses 'found no device "none-such"' with COURSE_DEVICE=none-such "$@"
     check "lab $number: no OpenCL platform" \
-        refuses "OpenCL: found no platform; install" with OCL_ICD_VENDORS=/nonexistent "$@"
+        refuses "OpenCL: found no platform in OCL_ICD_VENDORS=/nonexistent; unset it" with OCL_ICD_VENDORS=/nonexistent "$@"
     check "lab $number: a device without images" refuses \
         "has no images; choose another with --device" \
         with LD_PRELOAD="$build/tests/no_images.so" "$@"
@@ -169,9 +169,33 @@ check "no devices to list" refuses "OpenCL: found no platform" \
 if run 00 --list-devices && grep -q '^0  Portable Computing Language' "$scratch/stdout"; then
     check "a cache that PoCL cannot write" refuses "PoCL needs a cache folder" \
         with POCL_CACHE_DIR="$out/old.json/cache" run 00 --output "$new"
+    check "a kind of device that PoCL does not have" refuses "does POCL_DEVICES=none-such name one" \
+        with POCL_DEVICES=none-such run 00 --output "$new"
 else
     skip "a cache that PoCL cannot write" "the first device is not PoCL's"
 fi
+
+# ---- The grader's machine -----------------------------------------------------------------------
+
+# grades STATUS WORDS VARIABLE...: a right submission, with what the grader says.
+chmod 711 "$scratch"
+mkdir -m 711 "$scratch/vendors" "$scratch/temporary"
+grades() {
+    wanted=$1 words=$2 status=0
+    shift 2
+    env TMPDIR="$scratch/temporary" "$@" "$build/tools/grade" --lab 00 --submission solutions/00-hello-pixels \
+        --output "$scratch/report" >"$scratch/stdout" 2>"$scratch/stderr" || status=$?
+    { [ $status -eq "$wanted" ] && { [ -z "$words" ] || grep -qF -- "$words" "$scratch/stderr"; } &&
+        [ -z "$(ls -A "$scratch/temporary")" ]; } ||
+        { echo "status $status"; cat "$scratch/stderr"; return 1; }
+}
+check "a list of drivers that the sandbox sees goes on inside" \
+    grades 2 "found no platform in OCL_ICD_VENDORS=/usr/share/doc;" OCL_ICD_VENDORS=/usr/share/doc
+check "of one that it does not see, the system's are taken" \
+    grades 0 "" OCL_ICD_VENDORS="$scratch/vendors"
+# shellcheck disable=SC2016 # for the inner shell
+check "a shell that lets nobody write large files" grades 2 "at most 1024000 bytes in a file allowed here (ulimit -f)" \
+    sh -c 'ulimit -f 2000 && exec "$@"' -
 
 # ---- Bad kernels --------------------------------------------------------------------------------
 

@@ -1,6 +1,8 @@
 // grader/sandbox: which kind of walls works here, and what is said where none does.
 #include "sandbox_commands.h"
 
+#include <string.h>
+
 TEST_EACH(choosing_is_silent_where_it_works)
 {
     SandboxKind kind = SANDBOX_ANY;
@@ -91,7 +93,9 @@ Test(sandbox, none_is_never_chosen_by_itself)
     setenv("TMPDIR", "/nowhere", 1);
     capture_begin(2);
     int status = sandbox_choose(SANDBOX_ANY, &kind);
-    capture_end(2);
+    const char *said = capture_end(2);
     cr_expect_eq(status, -1);
     cr_expect_neq(kind, SANDBOX_NONE);
+    // But whoever cannot become root is told that it is enough for their own code.
+    cr_expect_eq(strstr(said, "COURSE_SANDBOX=none") != NULL, geteuid() != 0, "%s", said);
 }

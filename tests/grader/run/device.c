@@ -5,6 +5,7 @@
 #include "cl_setup.h"
 #include "path.h"
 #include "run_end.h"
+#include "sandbox_system.h"
 #include "workshop_files.h"
 
 #include <stdio.h>
@@ -51,6 +52,13 @@ int device_find(const Workshop *workshop)
         // What the program says is one line; where it said nothing, how it ended.
         const char *why = result.output[0] != '\0' || end == NULL ? result.output : end;
         fprintf(stderr, "grade: nothing can be judged here: %.*s\n", (int)strcspn(why, "\n"), why);
+        const char *vendors = getenv(VENDORS_VARIABLE);
+        if (vendors != NULL && visible_vendors() == NULL) {
+            fprintf(stderr,
+                    "  " VENDORS_VARIABLE "=%s is not seen in the sandbox: put a link to the "
+                    "driver's .icd file into /etc/OpenCL/vendors\n",
+                    vendors);
+        }
     }
     free(end);
     free(result.output);

@@ -4,6 +4,8 @@
 
 #include <glob.h>
 #include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
 
 // Programs and libraries besides /usr: links into it on today's Debian, folders on older systems.
 static const char *const system_folders[] = {"/bin",   "/sbin",  "/lib",
@@ -20,6 +22,10 @@ static const char *const system_settings[] = {
 // Graphics cards, where there are any: their drivers talk to these device files.
 static const char *const system_devices[] = {"/dev/nvidia*", "/dev/dri", "/dev/kfd"};
 
+// Where the loader of OpenCL's drivers shall look instead of /etc/OpenCL/vendors. It goes on inside
+// where that is a place which is seen there.
+#define VENDORS_VARIABLE "OCL_ICD_VENDORS"
+
 #define SYSTEM_COUNT(list) (sizeof(list) / sizeof *(list))
 
 // Is one of system_devices there?
@@ -32,6 +38,17 @@ static inline int has_graphics_card(void)
         globfree(&found);
     }
     return n_found > 0;
+}
+
+// The value of VENDORS_VARIABLE where its place is seen inside, else NULL.
+static inline const char *visible_vendors(void)
+{
+    const char *given = getenv(VENDORS_VARIABLE);
+    char *place = given != NULL ? realpath(given, NULL) : NULL;
+    const int is_seen = place != NULL &&
+                        (strncmp(place, "/usr/", 5) == 0 || strncmp(place, "/etc/OpenCL", 11) == 0);
+    free(place);
+    return is_seen ? given : NULL;
 }
 
 #endif

@@ -16,6 +16,7 @@
 #include "sandbox_init.h"
 #include "sandbox_leftovers.h"
 #include "sandbox_limits.h"
+#include "sandbox_system.h"
 #include "sandbox_user.h"
 #include "sandbox_view.h"
 
@@ -158,7 +159,8 @@ static char **environment_make(const SandboxCommand *command, const char *view)
     while (command->environment != NULL && command->environment[n_given] != NULL) {
         n_given++;
     }
-    char **environment = calloc(N_OWN + n_given + 1, sizeof *environment);
+    const char *vendors = visible_vendors();
+    char **environment = calloc(N_OWN + n_given + 2, sizeof *environment);
     if (environment == NULL || asprintf(&environment[0], "PATH=/usr/bin:/bin") < 0 ||
         asprintf(&environment[1], "HOME=%s/tmp", view) < 0 ||
         asprintf(&environment[2], "TMPDIR=%s/tmp", view) < 0 ||
@@ -168,6 +170,10 @@ static char **environment_make(const SandboxCommand *command, const char *view)
     }
     for (size_t i = 0; i < n_given; i++) {
         environment[N_OWN + i] = (char *)command->environment[i];
+    }
+    if (vendors != NULL &&
+        asprintf(&environment[N_OWN + n_given], VENDORS_VARIABLE "=%s", vendors) < 0) {
+        return NULL;
     }
     return environment;
 }
