@@ -67,18 +67,27 @@ static void add_marker_stage(Grading *grading)
 
 // ---- Answers that are not there -------------------------------------------------------------
 
-// What it found is no news.
-static void note_unanswered(CheckResult *check)
+// What a check found is no news then.
+static void note_unanswered(Grading *grading, const Task *task)
 {
-    if (check->status == CHECK_PASSED) {
-        check_fail(check,
-                   diagnosis_new("not answered yet: it stands as it was handed out, and "
-                                 "what is right here was given, or is another answer's work"));
-    } else {
-        check_tell(check, diagnosis_new("not answered yet: it stands as it was handed out"));
+    for (int i = 0; i < grading->result.n_checks; i++) {
+        CheckResult *check = &grading->result.checks[i];
+        if (strcmp(check->task, task->id) != 0) {
+            continue;
+        }
+        if (grading_is_replaced(grading, task->file)) {
+            check_fail(check,
+                       diagnosis_new("not tried: %s could not be used, see Staging", task->file));
+        } else if (check->status == CHECK_PASSED) {
+            check_fail(check,
+                       diagnosis_new("not answered yet: it stands as it was handed out, and "
+                                     "what is right here was given, or is another answer's work"));
+        } else {
+            check_tell(check, diagnosis_new("not answered yet: it stands as it was handed out"));
+        }
+        check->is_unanswered = 1;
+        check->is_explained = grading_is_replaced(grading, task->file);
     }
-    check->is_unanswered = 1;
-    check->is_explained = 0;
 }
 
 // A task that stands as it was handed out earns nothing, whatever another task's answer does for
@@ -90,10 +99,8 @@ static void refuse_unanswered(Grading *grading)
         const Task *task = &manifest->tasks[t];
         char *answer = grading_answer(grading, task);
         grading->is_untouched[t] = answer != NULL && answer_is_untouched(manifest, task, answer);
-        for (int i = 0; i < grading->result.n_checks && grading->is_untouched[t]; i++) {
-            if (strcmp(grading->result.checks[i].task, task->id) == 0) {
-                note_unanswered(&grading->result.checks[i]);
-            }
+        if (grading->is_untouched[t]) {
+            note_unanswered(grading, task);
         }
         free(answer);
     }

@@ -88,6 +88,12 @@ Test(stage, names_every_fault_at_once)
     free(message);
 }
 
+Test(stage, leaves_nothing_of_that_name_where_a_file_is_refused)
+{
+    file_write("to/a.cl", "skeleton", 8);
+    expect_refused("a.cl", "not in the submission");
+}
+
 Test(stage, refuses_links)
 {
     file_write("secret", "secret", 6);

@@ -147,11 +147,6 @@ static int file_read(const Staging *staging, const char *file, int descriptor, s
 // Write staging->bytes as a new file. Returns 0 or -1.
 static int file_write(const Staging *staging, const char *file, size_t n_bytes)
 {
-    // The destination may hold the skeleton under this name, perhaps as a link to the instructor's
-    // original: replaced, never written through.
-    if (unlinkat(staging->to, file, 0) != 0 && errno != ENOENT) {
-        return machinery_fault(staging->destination, file, errno);
-    }
     int descriptor = openat(staging->to, file, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
     if (descriptor < 0) {
         return machinery_fault(staging->destination, file, errno);
@@ -256,6 +251,11 @@ static void choice_say(const Staging *staging, const char *file, size_t n_bytes,
 // Returns 0, 1 (the submission is at fault) or -1.
 static int file_stage(const Staging *staging, const char *file, const Places *places)
 {
+    // The destination may hold the skeleton under this name, perhaps as a link to the instructor's
+    // original: replaced, never written through, and gone where the student's cannot be used.
+    if (unlinkat(staging->to, file, 0) != 0 && errno != ENOENT) {
+        return machinery_fault(staging->destination, file, errno);
+    }
     if (places->n_folders == 0) {
         return complain(staging, file,
                         "not in the submission, nor in a folder of it: hand in a file with exactly "

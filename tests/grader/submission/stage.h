@@ -10,7 +10,8 @@
 // Copy the manifest's files from folder `submission`, each from its best place there (places.h), to
 // folder `destination`, which exists. Links, devices, folders in a file's place, files that are too
 // large, hold NUL bytes, are not there or are in two equally good places with different content are
-// refused: nothing else of the submission is opened or followed.
+// refused, and then nothing of that name is in `destination`. Nothing else of the submission is
+// opened or followed.
 //   message   out: NULL, or what there is to say to the student, "overlaps_N_Nearer.cl: not in the
 //             submission ...", at most a line for each file: what is wrong, or where there are
 //             several, which one was taken. Owned by the caller

@@ -1,0 +1,79 @@
+#!/bin/sh
+# A verdict on what is there: one file that cannot be used costs its own tasks, and its name or its
+# place is told.
+#
+#     sh tests/suites/staging.sh      from the top folder, after `make tests`
+set -u
+. tests/tap.sh
+. tests/grading.sh
+
+# points_beside LAB FILE: of the lab's tasks, those of this file aside.
+points_beside() {
+    "$build/tools/grade" --lab "$1" --list-checks |
+        awk -F '\t' -v own=" $("$holes" list "solutions/$1/$2" | tr '\n' ' ')" \
+            '!index(own, " " $2 " ") { sum += $3 } END { print sum + 0 }'
+}
+
+# ---- One file that cannot be used ---------------------------------------------------------------
+
+file=implicit2DRenderer.cl
+# shellcheck disable=SC2317 # called by make_unusable
+as_text() { cat "solutions/$lab/$file"; }
+
+# make_unusable KIND: put something else into the place of $file.
+make_unusable() {
+    copy_lab solutions "$lab"
+    place=$scratch/submission/$file
+    rm "$place"
+    case $1 in
+    link) ln -s "$PWD/solutions/$lab/$file" "$place" ;;
+    folder) mkdir "$place" ;;
+    utf-16) as_text | iconv -f UTF-8 -t UTF-16 >"$place" ;;
+    nul) { as_text && printf '\0'; } >"$place" ;;
+    large) { as_text && head -c 300000 /dev/zero | tr '\0' ' '; } >"$place" ;;
+    empty) : >"$place" ;;
+    esac
+}
+
+lab=01-naive-2d
+while IFS='|' read -r kind reason; do
+    make_unusable "$kind"
+    # shellcheck disable=SC2046,SC2086 # options
+    check "$kind: the other file counts" grades 1 40 $(kept $lab) $submission
+    check "$kind: the report says why" stage Staging failed "$file: $reason"
+    check "$kind: and what was done about it" holds \
+        "$file: replaced by the file as it was handed out, so that your other files count"
+    check "$kind: its tasks were not tried" test \
+        "$(count_lines "\"message\": \"not tried: $file could not be used")" -eq 5
+done <<'END'
+missing|not in the submission
+link|a symbolic link
+folder|not a regular file
+utf-16|
+nul|holds NUL bytes
+large|larger than the allowed 256 KB
+END
+make_unusable empty
+# shellcheck disable=SC2046,SC2086 # options
+check "empty: the other file counts" grades 1 40 $(kept $lab) $submission
+
+# A file of every lab that has several.
+for lab in $labs; do
+    files=$(cd "solutions/$lab" && grep -l '// TASK ' -- *.c *.cl 2>/dev/null)
+    [ "$(echo "$files" | wc -l)" -gt 1 ] || continue
+    file=$(echo "$files" | head -n 1)
+    make_unusable missing
+    points=$(points_beside "$lab" "$file")
+    # shellcheck disable=SC2046,SC2086 # options
+    check "$lab without $file gets the other $points" grades 1 "$points" $(kept "$lab") $submission
+done
+
+file=implicit2DRenderer.cl
+lab=01-naive-2d
+mkdir "$scratch/nothing"
+# shellcheck disable=SC2046 # options
+check "nothing usable gets nothing" grades 1 0 $(kept $lab) --submission "$scratch/nothing"
+check "and the report says so" stage Staging failed "$file: not in the submission"
+check "and nothing was compiled" test "$(count_lines '"title": "Compiling"')" -eq 0
+
+finish
