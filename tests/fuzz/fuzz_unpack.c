@@ -55,7 +55,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t n_bytes)
     MUST_HOLD(status == 0 || status == 1 || status == UNPACK_NO_ARCHIVE);
     MUST_HOLD(status != 1 || message[0] != '\0');
     MUST_HOLD(status != UNPACK_NO_ARCHIVE || message[0] == '\0');
-    MUST_HOLD(file_kind(bytes, n_bytes)[0] == 'a');
+    MUST_HOLD(file_kind(bytes, n_bytes).name[0] == 'a');
     check_staging(&input);
     input_file_remove(&input);
     return 0;

@@ -30,9 +30,9 @@ typedef struct Grading {
 void grading_add_stage(Grading *grading, const char *title, CheckStatus status,
                        const char *message);
 
-// Copy what was handed in to folder `folder`, with the file as it is handed out in the place of each
-// that cannot be used. Returns 1; 0 where no file can be used, so that there is nothing to judge;
-// -1 after one message.
+// Copy what was handed in to folder `folder`, with the file as it is handed out in the place of
+// each that cannot be used. Returns 1; 0 where no file can be used, so that there is nothing to
+// judge; -1 after one message.
 int grading_stage(Grading *grading, const char *submission, const char *folder);
 
 // Was this file of the lab replaced then?

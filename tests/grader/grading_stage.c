@@ -85,7 +85,9 @@ int grading_stage(Grading *grading, const char *submission, const char *folder)
     const int n_taken = files_find(grading, folder);
     char *message = n_taken > 0 ? describe_files(grading, said != NULL ? said : "") : NULL;
     grading_add_stage(grading, "Staging", staged == 0 ? CHECK_PASSED : CHECK_FAILED,
-                      message != NULL ? message : said != NULL ? said : "");
+                      message != NULL ? message
+                      : said != NULL  ? said
+                                      : "");
     free(message);
     free(said);
     if (n_taken > 0 && files_replace(grading, folder) != 0) {

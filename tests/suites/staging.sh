@@ -49,8 +49,8 @@ done <<'END'
 missing|not in the submission
 link|a symbolic link
 folder|not a regular file
-utf-16|
-nul|holds NUL bytes
+utf-16|found a text in UTF-16, expected a source text
+nul|found a file of unknown kind
 large|larger than the allowed 256 KB
 END
 make_unusable empty
@@ -69,7 +69,32 @@ for lab in $labs; do
 done
 
 file=implicit2DRenderer.cl
+# ---- Names and places ---------------------------------------------------------------------------
+
 lab=01-naive-2d
+while IFS='|' read -r found score says; do
+    copy_lab solutions $lab
+    mkdir -p "$(dirname "$scratch/submission/$found")"
+    mv "$scratch/submission/$file" "$scratch/submission/$found"
+    status=$((score != 100))
+    # shellcheck disable=SC2046,SC2086 # options
+    check "$found: $score points" grades $status "$score" $(kept $lab) $submission
+    check "$found: the report says why" grep -qF -- "$file: $says" "$said"
+    # As an archive, it is the same.
+    rm -f "$scratch/names.zip"
+    (cd "$scratch/submission" && zip -q -r "$scratch/names.zip" .)
+    # shellcheck disable=SC2046 # options
+    check "$found in an archive: $score points" \
+        grades $status "$score" $(kept $lab) --submission "$scratch/names.zip"
+    check "$found in an archive: the report says why" grep -qF -- "$file: $says" "$said"
+done <<'END'
+implicit2DRenderer-1.cl|100|taken from "implicit2DRenderer-1.cl"
+x/20261103102233_77_implicit2DRenderer.cl|100|taken from "x/20261103102233_77_implicit2DRenderer.cl"
+Implicit2DRenderer.cl|40|not in the submission: found "Implicit2DRenderer.cl", expected the name implicit2DRenderer.cl: rename it
+implicit2DRenderer.cl.txt|40|not in the submission: found "implicit2DRenderer.cl.txt", expected
+.abgabe/implicit2DRenderer.cl|40|not in the submission: found it in ".abgabe", which is passed over
+END
+
 mkdir "$scratch/nothing"
 # shellcheck disable=SC2046 # options
 check "nothing usable gets nothing" grades 1 0 $(kept $lab) --submission "$scratch/nothing"

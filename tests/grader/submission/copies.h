@@ -14,8 +14,8 @@
 typedef enum CopyKind { COPY_OF_FILE, COPY_OF_LINK, COPY_OF_OTHER } CopyKind;
 
 typedef struct Copy {
-    char *folder;  // relative to the top, "" is the top itself; owned
-    int rank;      // of the folder
+    Place place;  // owned
+    int rank;
     CopyKind kind;
     unsigned char *bytes;  // of a file; owned
     size_t n_bytes;
@@ -30,14 +30,14 @@ enum {
 
 typedef struct Copies {
     const char *name;           // the file's
-    Copy kept[COPIES_MAX + 1];  // the best first, equally good ones in the order of their folders
+    Copy kept[COPIES_MAX + 1];  // the best first, equally good ones in the order of their places
     int n_kept;
 } Copies;
 
-// Find room for a copy in that folder: what is kept of an earlier entry with the same path, or a
+// Find room for a copy in that place: what is kept of an earlier entry with the same path, or a
 // new one, without content. *copy is NULL where better ones leave none. Returns 0, or -1 when
 // memory runs out.
-int copies_find(Copies *copies, const char *folder, int rank, Copy **copy);
+int copies_find(Copies *copies, const Place *place, int rank, Copy **copy);
 
 // Put content into a copy, in place of what an earlier entry had. Returns 0, or -1 when memory runs
 // out.

@@ -4,6 +4,7 @@
 // effect, and this line says so. Read next: stage.c.
 #include "extra_files.h"
 
+#include "file_names.h"
 #include "path.h"
 
 #include <ctype.h>
@@ -56,7 +57,7 @@ static int is_expected(const Manifest *manifest, int folder, int given_folder, c
         return 1;
     }
     for (int i = 0; i < manifest->n_files; i++) {
-        if (strcmp(manifest->files[i], name) == 0) {
+        if (name_match(name, manifest->files[i]) <= NAME_CHANGED) {
             return 1;
         }
     }

@@ -6,7 +6,9 @@
 #include "stage.h"
 
 #include "bytes_write.h"
+#include "file_kind.h"
 #include "message.h"
+#include "path.h"
 #include "places.h"
 
 #include <errno.h>
@@ -64,6 +66,13 @@ static int complain_too_large(const Staging *staging, const char *file)
     return 1;
 }
 
+static int complain_kind(const Staging *staging, const char *file, const char *found)
+{
+    fprintf(staging->said, "%s: found %s, expected a source text: save it as plain text (UTF-8)\n",
+            file, found);
+    return 1;
+}
+
 // Open a regular file in an open folder. Returns a descriptor, or -1 with errno set: ENXIO where it
 // is something else.
 static int regular_open(int parent, const char *file)
@@ -83,13 +92,13 @@ static int regular_open(int parent, const char *file)
 }
 
 // Open a file where it was found. Returns as regular_open() does.
-static int file_open(const Staging *staging, const char *folder, const char *file)
+static int file_open(const Staging *staging, const Place *place)
 {
-    const int parent = place_open(staging->from, folder);
+    const int parent = place_open(staging->from, place->folder);
     if (parent < 0) {
         return -1;
     }
-    const int descriptor = regular_open(parent, file);
+    const int descriptor = regular_open(parent, place->name);
     const int fault = errno;
     close(parent);
     errno = fault;
@@ -136,9 +145,9 @@ static int file_read(const Staging *staging, const char *file, int descriptor, s
     if (n_read > STAGE_MAX_FILE_BYTES) {  // it grew meanwhile
         return complain_too_large(staging, file);
     }
-    if (memchr(staging->bytes, '\0', (size_t)n_read) != NULL) {
-        return complain(staging, file,
-                        "holds NUL bytes, so it is no source text: save it as plain text (UTF-8)");
+    const FileKind kind = file_kind(staging->bytes, (size_t)n_read);
+    if (!kind.is_text) {
+        return complain_kind(staging, file, kind.name);
     }
     *n_bytes = (size_t)n_read;
     return 0;
@@ -164,11 +173,10 @@ static int file_write(const Staging *staging, const char *file, size_t n_bytes)
 // ---- Which of several -----------------------------------------------------------------------
 
 // How many bytes of text the file at that place holds, or -1 when it is none that could be staged.
-static ssize_t text_read(const Staging *staging, const char *folder, const char *file,
-                         unsigned char *bytes)
+static ssize_t text_read(const Staging *staging, const Place *place, unsigned char *bytes)
 {
     struct stat status;
-    const int descriptor = file_open(staging, folder, file);
+    const int descriptor = file_open(staging, place);
     if (descriptor < 0) {
         return -1;
     }
@@ -179,14 +187,28 @@ static ssize_t text_read(const Staging *staging, const char *folder, const char 
     return n_read;
 }
 
-static int complain_two_places(const Staging *staging, const char *file, const char *first,
-                               const char *second)
+// The place in quotes, fit for a message: the folder, and the name where it is another one.
+static void place_say(const Staging *staging, const char *file, const Place *place)
 {
-    char shown[2][MESSAGE_SHOWN_BYTES];
-    fprintf(staging->said,
-            "%s: found in \"%s\" and, with another content, in \"%s\": hand in only one\n", file,
-            message_show(first, shown[0], sizeof shown[0]),
-            message_show(second, shown[1], sizeof shown[1]));
+    char path[PATH_MAX], shown[MESSAGE_SHOWN_BYTES];
+    const int is_exact = strcmp(place->name, file) == 0;
+    if (is_exact && place->folder[0] == '\0') {
+        fputs("the top folder", staging->said);
+        return;
+    }
+    path_make(path, "%s%s%s", place->folder, is_exact || place->folder[0] == '\0' ? "" : "/",
+              is_exact ? "" : place->name);
+    fprintf(staging->said, "\"%s\"", message_show(path, shown, sizeof shown));
+}
+
+static int complain_two_places(const Staging *staging, const char *file, const Place *first,
+                               const Place *second)
+{
+    fprintf(staging->said, "%s: found in ", file);
+    place_say(staging, file, first);
+    fputs(" and, with another content, in ", staging->said);
+    place_say(staging, file, second);
+    fputs(": hand in only one\n", staging->said);
     return 1;
 }
 
@@ -194,16 +216,15 @@ static int complain_two_places(const Staging *staging, const char *file, const c
 static int places_agree(const Staging *staging, const char *file, const Places *places)
 {
     if (places->are_more) {
-        fprintf(staging->said, "%s: found in more than %d folders: hand in only one\n", file,
+        fprintf(staging->said, "%s: found in more than %d places: hand in only one\n", file,
                 PLACES_MAX_EQUAL);
         return 1;
     }
-    const char *first = places->folders[0];
-    const ssize_t n_bytes =
-        places->n_folders > 1 ? text_read(staging, first, file, staging->bytes) : 0;
-    for (int i = 1; i < places->n_folders; i++) {
-        const char *second = places->folders[i];
-        if (n_bytes < 0 || text_read(staging, second, file, staging->others) != n_bytes ||
+    const Place *first = &places->equal[0];
+    const ssize_t n_bytes = places->n_equal > 1 ? text_read(staging, first, staging->bytes) : 0;
+    for (int i = 1; i < places->n_equal; i++) {
+        const Place *second = &places->equal[i];
+        if (n_bytes < 0 || text_read(staging, second, staging->others) != n_bytes ||
             memcmp(staging->bytes, staging->others, (size_t)n_bytes) != 0) {
             return complain_two_places(staging, file, first, second);
         }
@@ -211,37 +232,51 @@ static int places_agree(const Staging *staging, const char *file, const Places *
     return 0;
 }
 
-// ---- What was taken -------------------------------------------------------------------------
-
-// The folder in quotes, fit for a message.
-static void folder_say(const Staging *staging, const char *folder)
+// Nothing can be taken. Say what is nearest to it.
+static int complain_missing(const Staging *staging, const char *file, const Places *places)
 {
-    char shown[MESSAGE_SHOWN_BYTES];
-    fprintf(staging->said, folder[0] != '\0' ? "\"%s\"" : "the top folder",
-            message_show(folder, shown, sizeof shown));
+    if (places->n_equal == 0) {
+        return complain(staging, file,
+                        "not in the submission, nor in a folder of it: hand in a file with exactly "
+                        "this name");
+    }
+    const Place *place = &places->equal[0];
+    fprintf(staging->said, "%s: not in the submission: found ", file);
+    if (places->rank >= RANK_PASSED_OVER) {
+        fputs("it in ", staging->said);
+        place_say(staging, file, place);
+        fputs(", which is passed over: hand it in outside of that folder\n", staging->said);
+    } else {
+        place_say(staging, file, place);
+        fprintf(staging->said, ", expected the name %s: rename it and hand it in again\n", file);
+    }
+    return 1;
 }
 
-// Say which of several was taken, and where the others are, but for the less good ones of which
-// only the best is known. staging->bytes holds what was taken.
+// ---- What was taken -------------------------------------------------------------------------
+
+// Say which of several was taken, or under what name, and where the others are, but for the less
+// good ones of which only the best is known. staging->bytes holds what was taken.
 static void choice_say(const Staging *staging, const char *file, size_t n_bytes,
                        const Places *places)
 {
-    if (places->n_folders == 1 && places->other == NULL) {
+    const int has_other = places->other.name != NULL && places->other_rank < RANK_TOLD;
+    if (places->n_equal == 1 && !has_other && places->rank < RANK_CHANGED) {
         return;
     }
     fprintf(staging->said, "%s: taken from ", file);
-    folder_say(staging, places->folders[0]);
-    for (int i = 1; i < places->n_folders; i++) {
+    place_say(staging, file, &places->equal[0]);
+    for (int i = 1; i < places->n_equal; i++) {
         fputs("; the same is in ", staging->said);
-        folder_say(staging, places->folders[i]);
+        place_say(staging, file, &places->equal[i]);
     }
-    if (places->other != NULL) {
+    if (has_other) {
         const int is_same =
-            text_read(staging, places->other, file, staging->others) == (ssize_t)n_bytes &&
+            text_read(staging, &places->other, staging->others) == (ssize_t)n_bytes &&
             memcmp(staging->bytes, staging->others, n_bytes) == 0;
         fputs(is_same ? "; the same is in " : "; a different one, which does not count, is in ",
               staging->said);
-        folder_say(staging, places->other);
+        place_say(staging, file, &places->other);
     }
     fputc('\n', staging->said);
 }
@@ -256,15 +291,13 @@ static int file_stage(const Staging *staging, const char *file, const Places *pl
     if (unlinkat(staging->to, file, 0) != 0 && errno != ENOENT) {
         return machinery_fault(staging->destination, file, errno);
     }
-    if (places->n_folders == 0) {
-        return complain(staging, file,
-                        "not in the submission, nor in a folder of it: hand in a file with exactly "
-                        "this name");
+    if (places->n_equal == 0 || places->rank >= RANK_TOLD) {
+        return complain_missing(staging, file, places);
     }
     if (places_agree(staging, file, places) != 0) {
         return 1;
     }
-    const int descriptor = file_open(staging, places->folders[0], file);
+    const int descriptor = file_open(staging, &places->equal[0]);
     if (descriptor < 0) {
         return complain_open_failed(staging, file, errno);
     }

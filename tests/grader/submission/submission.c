@@ -7,6 +7,7 @@
 
 #include "bytes_write.h"
 #include "complain.h"
+#include "file_names.h"
 #include "folder.h"
 #include "message.h"
 #include "path.h"
@@ -313,7 +314,7 @@ static int archive_unpack(const Workshop *workshop, const char *path, int archiv
 static int is_of_lab(const Manifest *manifest, const char *name)
 {
     for (int i = 0; i < manifest->n_files; i++) {
-        if (strcmp(manifest->files[i], name) == 0) {
+        if (name_match(name, manifest->files[i]) != NAME_OTHER) {
             return 1;
         }
     }

@@ -33,7 +33,8 @@ static int tell_kind(int descriptor, const Manifest *manifest)
 {
     unsigned char bytes[512];
     const ssize_t n = pread(descriptor, bytes, sizeof bytes, 0);
-    printf("found %s, expected ", file_kind(bytes, n > 0 ? (size_t)n : 0));
+    const FileKind kind = file_kind(bytes, n > 0 ? (size_t)n : 0);
+    printf("found %s%s, expected ", kind.name, kind.fault);
     for (int i = 0; i < manifest->n_files; i++) {
         const char *joint = i == 0 ? "" : i < manifest->n_files - 1 ? ", " : " and ";
         printf("%s%s", joint, manifest->files[i]);

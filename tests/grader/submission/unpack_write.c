@@ -64,9 +64,10 @@ static int folders_enter(int folder, const char *path)
     return inner;
 }
 
-int copy_write(const Copy *copy, const char *name, int folder)
+int copy_write(const Copy *copy, int folder)
 {
-    const int parent = folders_enter(folder, copy->folder);
+    const char *name = copy->place.name;
+    const int parent = folders_enter(folder, copy->place.folder);
     if (parent < 0) {
         return outcome_of(errno);
     }
