@@ -35,7 +35,8 @@ static void check_staging(const InputFile *input)
     char *said;
     char staged[96];
     snprintf(staged, sizeof staged, "%s/lab", input->folder);
-    const int status = stage_submission(&manifest, input->out, staged, &said);
+    const int status =
+        stage_submission(&manifest, &(StageSource){.folder = input->out}, 1, staged, &said);
     MUST_HOLD(status == 0 || status == 1);
     MUST_HOLD(status == 0 || said != NULL);
     for (const char *c = said; c != NULL && *c != '\0'; c++) {

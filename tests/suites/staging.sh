@@ -95,6 +95,46 @@ implicit2DRenderer.cl.txt|40|not in the submission: found "implicit2DRenderer.cl
 .abgabe/implicit2DRenderer.cl|40|not in the submission: found it in ".abgabe", which is passed over
 END
 
+# ---- Archives beside other files ----------------------------------------------------------------
+
+# packed TREE DAY ARCHIVE: the lab's files of labs or solutions, changed on that day of a month.
+packed() {
+    copy_lab "$1" $lab
+    touch -d "2026-11-$2 12:00" "$scratch/submission"/*
+    (cd "$scratch/submission" && zip -q "$scratch/class/$3" ./*.cl)
+}
+
+# in_class SCORE WORDS...: what is in the folder "class" gets this, and the report says all of these.
+# shellcheck disable=SC2317 # called by check
+in_class() {
+    wanted=$1
+    shift
+    # shellcheck disable=SC2046 # options
+    grades $((wanted != 100)) "$wanted" $(kept $lab) --submission "$scratch/class" || return 1
+    for words; do
+        grep -qF -- "$words" "$said" || { echo "not said: $words"; return 1; }
+    done
+}
+
+mkdir "$scratch/class"
+echo '%PDF-1.4' >"$scratch/class/Bericht.pdf"
+packed solutions 02 lab01.zip
+check "an archive beside another file is opened" in_class 100 "$file: taken from lab01.zip"
+check "and that file is named" grep -qF 'handed in besides, and not looked at: "Bericht.pdf"' "$said"
+packed labs 01 lab01_alt.zip
+check "of two archives the newest file counts" in_class 100 \
+    "$file: taken from lab01.zip; an older one, which does not count, is in lab01_alt.zip"
+printf 'Rar!\032\007\001' >"$scratch/class/lab01.rar"
+check "one that cannot be read costs nothing" in_class 100 "lab01.rar: found a RAR archive" \
+    "$file: taken from lab01.zip"
+cp "labs/$lab/$file" "$scratch/class"
+check "a plain file comes before the archives" in_class 40 \
+    "$file: taken from the folder; another one, which does not count, is in lab01.zip" \
+    "overlaps_N_Nearer.cl: taken from lab01.zip"
+cp "solutions/$lab"/*.cl "$scratch/class"
+check "where all files are plain, no archive is opened" in_class 100 \
+    "lab01.zip: not opened: each of the lab's files lies beside it, and counts"
+
 mkdir "$scratch/nothing"
 # shellcheck disable=SC2046 # options
 check "nothing usable gets nothing" grades 1 0 $(kept $lab) --submission "$scratch/nothing"

@@ -17,7 +17,7 @@ Test(stage, copies_the_named_files_and_no_other)
     file_write("from/main.c", "evil", 4);
     Manifest manifest = {.files = {"a.cl", "b.c"}, .n_files = 2};
     char *message;
-    cr_assert_eq(stage_submission(&manifest, "from", "to", &message), 0);
+    cr_assert_eq(folder_stage(&manifest, "from", "to", &message), 0);
     cr_expect_null(message);
     expect_content("to/a.cl", "kernel");
     expect_content("to/b.c", "int b;");
@@ -68,7 +68,7 @@ Test(stage, follows_the_instructors_link_to_the_submission)
     cr_assert_eq(symlink("from", "link"), 0);
     Manifest manifest = {.files = {"a.cl"}, .n_files = 1};
     char *message;
-    cr_expect_eq(stage_submission(&manifest, "link", "to", &message), 0);
+    cr_expect_eq(folder_stage(&manifest, "link", "to", &message), 0);
     expect_content("to/a.cl", "kernel");
 }
 
@@ -82,7 +82,7 @@ Test(stage, names_every_fault_at_once)
     file_write("from/b.cl", "", 1);  // a NUL byte
     Manifest manifest = {.files = {"a.cl", "b.cl"}, .n_files = 2};
     char *message;
-    cr_assert_eq(stage_submission(&manifest, "from", "to", &message), 1);
+    cr_assert_eq(folder_stage(&manifest, "from", "to", &message), 1);
     cr_expect_not_null(strstr(message, "a.cl: not in the submission"), "%s", message);
     cr_expect_not_null(
         strstr(message, "\nb.cl: found a file of unknown kind, expected a source text"), "%s",
@@ -209,14 +209,14 @@ Test(stage, tells_the_instructor_of_an_absent_folder)
     Manifest manifest = {.files = {"a.cl"}, .n_files = 1};
     char *message;
     capture_begin(2);
-    int status = stage_submission(&manifest, "absent", "to", &message);
+    int status = folder_stage(&manifest, "absent", "to", &message);
     expect_one_message(capture_end(2), "absent: No such file");
     cr_expect_eq(status, -1);
     cr_expect_null(message);
 
     file_write("file", "", 0);
     capture_begin(2);
-    status = stage_submission(&manifest, "file", "to", &message);
+    status = folder_stage(&manifest, "file", "to", &message);
     expect_one_message(capture_end(2), "file: Not a directory");
     cr_expect_eq(status, -1);
 }

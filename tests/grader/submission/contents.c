@@ -3,15 +3,16 @@
 
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 
-static int is_archive_name(const char *path)
+int is_archive_name(const char *path)
 {
-    static const char *const endings[] = {".zip", ".tar", ".gz", ".tgz",
-                                          ".bz2", ".xz",  ".7z", ".rar"};
+    static const char *const endings[] = {".zip", ".tar", ".gz",  ".tgz", ".bz2",
+                                          ".tbz", ".xz",  ".txz", ".7z",  ".rar"};
     const size_t n_path = strlen(path);
     for (size_t i = 0; i < sizeof endings / sizeof *endings; i++) {
         const size_t n_ending = strlen(endings[i]);
-        if (n_path > n_ending && strcmp(path + n_path - n_ending, endings[i]) == 0) {
+        if (n_path > n_ending && strcasecmp(path + n_path - n_ending, endings[i]) == 0) {
             return 1;
         }
     }

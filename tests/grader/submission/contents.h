@@ -1,5 +1,4 @@
-// What an archive holds, for messages where one of the wanted files is not in it. Used by unpack.c
-// alone.
+// What an archive holds, for messages where one of the wanted files is not in it.
 #ifndef GRADER_CONTENTS_H
 #define GRADER_CONTENTS_H
 
@@ -15,6 +14,9 @@ typedef struct Contents {
     int is_office;   // a document of an office program, which is a zip archive, too
     char inner[64];  // the name of an archive in it, or ""
 } Contents;
+
+// Does a file's name end as those of archives do?
+int is_archive_name(const char *path);
 
 // Note a file's path. It may be any text.
 void contents_note(Contents *contents, const char *path);

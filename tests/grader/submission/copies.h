@@ -1,7 +1,7 @@
 // The copies of one wanted file that an archive holds: what is kept of them while it is read.
 //
 // Nothing is written until the archive is at its end, as only then it is known which copies count:
-// all from the best places (stage.c compares them), and of the less good ones the best, for stage.c
+// all from the best places (stage_file.c compares them), and of the less good ones the best, for it
 // to name. So what an archive may fill is as small as what it may hand in. Used by unpack.c alone;
 // read next: places.h, whose ranks decide here, too.
 #ifndef GRADER_COPIES_H
@@ -10,6 +10,7 @@
 #include "places.h"
 
 #include <stddef.h>
+#include <time.h>
 
 typedef enum CopyKind { COPY_OF_FILE, COPY_OF_LINK, COPY_OF_OTHER } CopyKind;
 
@@ -19,12 +20,13 @@ typedef struct Copy {
     CopyKind kind;
     unsigned char *bytes;  // of a file; owned
     size_t n_bytes;
+    time_t changed;   // when, by the archive
     int n_entries;    // with this path; the last one counts
     int has_changed;  // they are not all the same
 } Copy;
 
 enum {
-    COPIES_MAX_EQUAL = PLACES_MAX_EQUAL + 1,  // one more than stage.c takes, so that it says so
+    COPIES_MAX_EQUAL = PLACES_MAX_EQUAL + 1,  // one more than stage_file.c takes, so that it says so
     COPIES_MAX = COPIES_MAX_EQUAL + 1,
 };
 

@@ -4,6 +4,7 @@
 // effect, and this line says so. Read next: stage.c.
 #include "extra_files.h"
 
+#include "contents.h"
 #include "file_names.h"
 #include "path.h"
 
@@ -60,6 +61,10 @@ static int is_expected(const Manifest *manifest, int folder, int given_folder, c
         if (name_match(name, manifest->files[i]) <= NAME_CHANGED) {
             return 1;
         }
+    }
+    // Of archives staging tells.
+    if (name[0] != '.' && is_archive_name(name)) {
+        return 1;
     }
     return faccessat(given_folder, name, F_OK, 0) == 0 &&
            (strcmp(name, "lab.json") != 0 || is_same_file(folder, given_folder, name));

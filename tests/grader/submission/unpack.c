@@ -2,7 +2,7 @@
 //
 // libarchive reads the formats; here is decided what of that is read, and how much. Whatever else
 // an archive uses up is its own fault, too: memory here, time and the rest where the program is
-// started (submission.c). Read next: copies.h, unpack_write.c.
+// started (unpack_run.c). Read next: copies.h, unpack_write.c.
 #include "unpack.h"
 
 #include "contents.h"
@@ -208,6 +208,7 @@ static int entry_keep(Unpacking *unpacking, struct archive_entry *entry, const P
     if (kind == COPY_OF_FILE && !is_told_only && content_read(unpacking, entry, &n_bytes) != 0) {
         return 1;
     }
+    copy->changed = archive_entry_mtime(entry);
     return copy_fill(copy, kind, unpacking->bytes, n_bytes) == 0 ? 0 : complain_memory(unpacking);
 }
 
