@@ -69,6 +69,17 @@ for lab in $labs; do
 done
 
 file=implicit2DRenderer.cl
+# ---- One damaged marker ------------------------------------------------------------------------
+
+lab=01-naive-2d
+copy_lab solutions $lab
+sed -i '/END own_pixel/d; $a no C at all' "$scratch/submission/$file"
+# shellcheck disable=SC2046,SC2086 # options
+check "a file that does not compile, with a marker that is gone, costs that task" \
+    grades 1 80 $(kept $lab) $submission
+check "which was not tried" test "$(count_lines "not tried: $file does not compile, and without its markers")" -eq 2
+check "and nothing is said of what was handed out" test "$(count_lines 'not written')" -eq 0
+
 # ---- Names and places ---------------------------------------------------------------------------
 
 lab=01-naive-2d
