@@ -77,8 +77,19 @@ sed -i '/END own_pixel/d; $a no C at all' "$scratch/submission/$file"
 # shellcheck disable=SC2046,SC2086 # options
 check "a file that does not compile, with a marker that is gone, costs that task" \
     grades 1 80 $(kept $lab) $submission
-check "which was not tried" test "$(count_lines "not tried: $file does not compile, and without its markers")" -eq 2
+check "which was not tried" \
+    test "$(count_lines "not tried: $file does not compile, and without its markers")" -eq 2
 check "and nothing is said of what was handed out" test "$(count_lines 'not written')" -eq 0
+
+# ---- Characters that nobody sees ----------------------------------------------------------------
+
+copy_lab solutions $lab
+printf '\nint no\342\200\213body;\n' >>"$scratch/submission/$file"
+line=$(wc -l <"$scratch/submission/$file")
+# shellcheck disable=SC2046,SC2086 # options
+check "a zero-width space outside of the markers costs nothing" \
+    grades 0 100 $(kept $lab) $submission
+check "and is named with its line" holds "$file:$line: a zero-width space, U+200B"
 
 # ---- Names and places ---------------------------------------------------------------------------
 
@@ -101,7 +112,7 @@ while IFS='|' read -r found score says; do
 done <<'END'
 implicit2DRenderer-1.cl|100|taken from "implicit2DRenderer-1.cl"
 x/20261103102233_77_implicit2DRenderer.cl|100|taken from "x/20261103102233_77_implicit2DRenderer.cl"
-Implicit2DRenderer.cl|40|not in the submission: found "Implicit2DRenderer.cl", expected the name implicit2DRenderer.cl: rename it
+Implicit2DRenderer.cl|40|not in the submission: found "Implicit2DRenderer.cl", expected the name
 implicit2DRenderer.cl.txt|40|not in the submission: found "implicit2DRenderer.cl.txt", expected
 .abgabe/implicit2DRenderer.cl|40|not in the submission: found it in ".abgabe", which is passed over
 END
@@ -115,7 +126,7 @@ packed() {
     (cd "$scratch/submission" && zip -q "$scratch/class/$3" ./*.cl)
 }
 
-# in_class SCORE WORDS...: what is in the folder "class" gets this, and the report says all of these.
+# in_class SCORE WORDS...: the folder "class" gets this, and the report says all of these.
 # shellcheck disable=SC2317 # called by check
 in_class() {
     wanted=$1
@@ -131,7 +142,8 @@ mkdir "$scratch/class"
 echo '%PDF-1.4' >"$scratch/class/Bericht.pdf"
 packed solutions 02 lab01.zip
 check "an archive beside another file is opened" in_class 100 "$file: taken from lab01.zip"
-check "and that file is named" grep -qF 'handed in besides, and not looked at: "Bericht.pdf"' "$said"
+check "and that file is named" \
+    grep -qF 'handed in besides, and not looked at: "Bericht.pdf"' "$said"
 packed labs 01 lab01_alt.zip
 check "of two archives the newest file counts" in_class 100 \
     "$file: taken from lab01.zip; an older one, which does not count, is in lab01_alt.zip"

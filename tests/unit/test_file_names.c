@@ -59,7 +59,8 @@ Test(file_names, leaves_other_names_alone)
     static const char *const names[] = {
         "",           ".cl",          "gradients.cl", "mygradient.cl",
         "gradient.o", "gradient.h",   "gradient.png", "gradien.cl",
-        "render.c",   "gradient1.cl", "cl", "._gradient.cl",           NULL};
+        "render.c",   "gradient1.cl", "cl",           "._gradient.cl",
+        NULL};
     expect_all(names, "gradient.cl", NAME_OTHER);
     cr_expect_eq(name_match("Makefile-1", "Makefile"), NAME_OTHER);
 }

@@ -66,7 +66,8 @@ Test(unpack, tells_of_equal_entries_only_of_a_file_that_counts)
                               "last one counts");
 }
 
-// Names that a system changed come out as they are, for staging to choose; what is only told, empty.
+// Names that a system changed come out as they are, for staging to choose. What is only told is
+// empty.
 Test(unpack, writes_other_names_of_a_wanted_file)
 {
     struct archive *writer = pack_begin("zip", NULL, NULL);

@@ -26,7 +26,8 @@ typedef struct Copy {
 } Copy;
 
 enum {
-    COPIES_MAX_EQUAL = PLACES_MAX_EQUAL + 1,  // one more than stage_file.c takes, so that it says so
+    COPIES_MAX_EQUAL =
+        PLACES_MAX_EQUAL + 1,  // one more than stage_file.c takes, so that it says so
     COPIES_MAX = COPIES_MAX_EQUAL + 1,
 };
 

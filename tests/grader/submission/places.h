@@ -2,8 +2,8 @@
 //
 // Each file is taken from its best place: the top; else labs/NN-name; else the folder with the
 // fewest folders above it, as students pack a folder and Moodle, Gradescope and GitHub add one.
-// Inside such a folder labs/NN-name again comes just behind the folder itself. A file with the exact
-// name comes before any that a system renamed. Read next: stage.c.
+// Inside such a folder labs/NN-name again comes just behind the folder itself. A file with the
+// exact name comes before any that a system renamed. Read next: file_names.h, stage_file.c.
 #ifndef GRADER_PLACES_H
 #define GRADER_PLACES_H
 

@@ -22,10 +22,10 @@ typedef struct StageSource {
 // large, are no text, are not there or are in two equally good places with different content are
 // refused, and then nothing of that name is in `destination`. Nothing else of the submission is
 // opened or followed.
-//   sources[n_sources]   at most STAGE_MAX_SOURCES, one without an archive first
+//   sources   [n_sources], at most STAGE_MAX_SOURCES, one without an archive first
 //   message   out: NULL, or what there is to say to the student, "overlaps_N_Nearer.cl: not in the
-//             submission ...": what is wrong, or where there are several, which one was taken. Owned
-//             by the caller
+//             submission ...": what is wrong, or where there are several, which one was taken.
+//             Owned by the caller
 // Returns 0; 1 with a message when the submission is at fault; -1 after one message on stderr when
 // the machinery is (no disk space, a source is not a folder).
 int stage_submission(const Manifest *manifest, const StageSource sources[], int n_sources,

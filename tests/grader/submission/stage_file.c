@@ -8,6 +8,7 @@
 #include "bytes_write.h"
 #include "file_kind.h"
 #include "message.h"
+#include "odd_signs.h"
 #include "path.h"
 #include "place_read.h"
 
@@ -230,6 +231,8 @@ int file_stage(const Staging *staging, const char *file, const Places *places)
     close(descriptor);
     if (outcome == 0) {
         choice_say(staging, file, n_bytes, places);
+        staging->bytes[n_bytes] = '\0';  // there is room for one more
+        odd_signs_note(file, (const char *)staging->bytes, staging->said);
         outcome = file_write(staging, file, n_bytes);
     }
     return outcome;

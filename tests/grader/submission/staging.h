@@ -1,5 +1,5 @@
-// Staging under way: what stage.c, which chooses among sources, and stage_file.c, which takes a file
-// from one, share. No others use it.
+// Staging under way: shared by stage.c, which chooses among sources, and stage_file.c, which takes
+// a file from one. No others use it.
 #ifndef GRADER_STAGING_H
 #define GRADER_STAGING_H
 
@@ -28,8 +28,8 @@ typedef struct Staging {
 // One message on stderr. Returns -1.
 int machinery_fault(const char *folder, const char *file, int fault);
 
-// Take a file from its best place in the folder under way. Returns 0, 1 (the submission is at fault)
-// or -1.
+// Take a file from its best place in the folder under way. Returns 0, 1 (the submission is at
+// fault) or -1.
 int file_stage(const Staging *staging, const char *file, const Places *places);
 
 #endif

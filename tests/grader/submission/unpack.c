@@ -309,8 +309,8 @@ static int kept_write(const Unpacking *unpacking, int folder)
     return 0;
 }
 
-// Say of which files several entries have one path: for a folder they are one file. Returns how long
-// that is.
+// Say of which files several entries have one path: for a folder they are one file. Returns how
+// long that is.
 static size_t repeated_say(const Unpacking *unpacking)
 {
     size_t n_bytes = 0;
