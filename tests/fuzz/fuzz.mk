@@ -7,9 +7,10 @@ FUZZED_scene3d = $(wildcard common/scene3d*.c common/molecule*.c) $(MESSAGES) \
     $(addprefix common/,elements.c line_reader.c number.c scene_arguments.c text_file.c)
 FUZZED_sections = tests/probes/sections.c
 FUZZED_source = $(addprefix tests/grader/,lab/holes.c submission/source_words.c submission/stands_out.c \
-    submission/extra_files.c) $(addprefix common/,message.c text_file.c) $(MESSAGES)
-FUZZED_unpack = $(addprefix tests/grader/submission/,unpack.c unpack_write.c copies.c file_kind.c bytes_write.c \
-    places.c stage.c) common/message.c $(MESSAGES)
+    submission/extra_files.c submission/contents.c submission/file_names.c) $(addprefix common/,message.c path.c text_file.c) $(MESSAGES)
+FUZZED_unpack = $(addprefix tests/grader/submission/,unpack.c unpack_write.c contents.c copies.c file_kind.c file_names.c \
+    bytes_write.c odd_signs.c places.c place_read.c source_words.c stage.c stage_file.c) \
+    $(addprefix common/,message.c path.c utf8.c) $(MESSAGES)
 FUZZ_TARGETS := $(patsubst tests/fuzz/fuzz_%.c,fuzz-%,$(wildcard tests/fuzz/fuzz_*.c))
 
 .PHONY: fuzz $(FUZZ_TARGETS)

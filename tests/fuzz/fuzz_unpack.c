@@ -35,7 +35,8 @@ static void check_staging(const InputFile *input)
     char *said;
     char staged[96];
     snprintf(staged, sizeof staged, "%s/lab", input->folder);
-    const int status = stage_submission(&manifest, input->out, staged, &said);
+    const int status =
+        stage_submission(&manifest, &(StageSource){.folder = input->out}, 1, staged, &said);
     MUST_HOLD(status == 0 || status == 1);
     MUST_HOLD(status == 0 || said != NULL);
     for (const char *c = said; c != NULL && *c != '\0'; c++) {
@@ -55,7 +56,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t n_bytes)
     MUST_HOLD(status == 0 || status == 1 || status == UNPACK_NO_ARCHIVE);
     MUST_HOLD(status != 1 || message[0] != '\0');
     MUST_HOLD(status != UNPACK_NO_ARCHIVE || message[0] == '\0');
-    MUST_HOLD(file_kind(bytes, n_bytes)[0] == 'a');
+    MUST_HOLD(file_kind(bytes, n_bytes).name[0] == 'a');
     check_staging(&input);
     input_file_remove(&input);
     return 0;

@@ -12,9 +12,7 @@
 #include "grading.h"
 #include "message.h"
 #include "settings.h"
-#include "stands_out.h"
 #include "stats.h"
-#include "submission.h"
 
 #include <stdlib.h>
 #include <unistd.h>
@@ -175,37 +173,22 @@ static int grade(Grading *grading, const Settings *settings)
 {
     Session *session = &grading->session;
     char folder[PATH_MAX];
-    char *staging = NULL;
     if (session_open(session, settings) != 0 || find_device(session) != 0 ||
         variant_open(&session->workshop, "whole", &grading->whole, folder) != 0) {
         return -1;
     }
     start_result(grading, settings);
-    const int staged = submission_stage(&session->workshop, settings->submission, folder, &staging);
-    if (staged < 0) {
+    const int is_staged = grading_stage(grading, settings->submission, folder);
+    if (is_staged < 0) {
         return -1;
     }
-    grading_add_stage(grading, "Staging", staged == 0 ? CHECK_PASSED : CHECK_FAILED,
-                      staging ? staging : "");
-    free(staging);
-
-    char *notes = stands_out(&session->manifest, folder, settings->submission);
-    if (notes != NULL) {
-        grading_add_stage(grading, "What stands out", CHECK_PASSED, notes);
-        free(notes);
-    }
-    const char *sandbox = sandbox_kind_note(session->workshop.sandbox);
-    if (sandbox != NULL) {
-        grading_add_stage(grading, "Sandbox", CHECK_PASSED, sandbox);
-    }
-
-    if (run_whole(grading, staged == 0) != 0 || session_trust_solution(session) != 0) {
+    if (run_whole(grading, is_staged) != 0 || session_trust_solution(session) != 0) {
         return -1;
     }
     session->allowance.is_for_one = 1;
     session_device_name(session->has_solution ? &session->solution : &grading->whole,
                         grading->result.device, sizeof grading->result.device);
-    if (staged != 0) {
+    if (!is_staged) {
         return 0;
     }
     if (grading_retry(grading) != 0) {

@@ -19,7 +19,8 @@ typedef struct Grading {
     Variant kernels;  // its kernels with host files as they are handed out
     Variant alone[MANIFEST_MAX_TASKS];           // one answer of it (alone.h)
     AloneVerdicts verdicts[MANIFEST_MAX_TASKS];  // of it
-    int is_untouched[MANIFEST_MAX_TASKS];        // its task stands as it was handed out
+    int is_replaced[MANIFEST_MAX_FILES];         // this file could not be used
+    int is_untouched[MANIFEST_MAX_TASKS];  // its task stands as it was handed out, or was not tried
     int has_no_time;  // answers are left that were not tried alone: all tries took too long
     int has_line;     // the report says at which line of a host file it crashed
     Result result;
@@ -28,6 +29,14 @@ typedef struct Grading {
 // Add a stage to the result.
 void grading_add_stage(Grading *grading, const char *title, CheckStatus status,
                        const char *message);
+
+// Copy what was handed in to folder `folder`, with the file as it is handed out in the place of
+// each that cannot be used. Returns 1; 0 where no file can be used, so that there is nothing to
+// judge; -1 after one message.
+int grading_stage(Grading *grading, const char *submission, const char *folder);
+
+// Was this file of the lab replaced then?
+int grading_is_replaced(const Grading *grading, const char *file);
 
 // Judge the submission that has run: as a whole, and each answer that failed there alone. Returns
 // 0, or -1 after one message when the machinery failed.

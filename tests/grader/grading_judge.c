@@ -67,10 +67,27 @@ static void add_marker_stage(Grading *grading)
 
 // ---- Answers that are not there -------------------------------------------------------------
 
-// What it found is no news.
-static void note_unanswered(CheckResult *check)
+// Why the answer to a task could not be tried, or NULL. Owned by the caller.
+static char *describe_untried(const Grading *grading, const Task *task, const char *answer)
 {
-    if (check->status == CHECK_PASSED) {
+    if (grading_is_replaced(grading, task->file)) {
+        return message_new("not tried: %s could not be used, see Staging", task->file);
+    }
+    // What ran then was put together from what stands between the markers.
+    if (grading->build_log != NULL && answer == NULL) {
+        return message_new("not tried: %s does not compile, and without its markers the answer "
+                           "cannot be taken out of it, see Compiling and Markers",
+                           task->file);
+    }
+    return NULL;
+}
+
+// Let a check fail as its task was not tried, or not answered: what it found is no news then.
+static void note_unanswered(CheckResult *check, const char *untried)
+{
+    if (untried != NULL) {
+        check_fail(check, diagnosis_new("%s", untried));
+    } else if (check->status == CHECK_PASSED) {
         check_fail(check,
                    diagnosis_new("not answered yet: it stands as it was handed out, and "
                                  "what is right here was given, or is another answer's work"));
@@ -78,7 +95,7 @@ static void note_unanswered(CheckResult *check)
         check_tell(check, diagnosis_new("not answered yet: it stands as it was handed out"));
     }
     check->is_unanswered = 1;
-    check->is_explained = 0;
+    check->is_explained = untried != NULL;
 }
 
 // A task that stands as it was handed out earns nothing, whatever another task's answer does for
@@ -89,12 +106,15 @@ static void refuse_unanswered(Grading *grading)
     for (int t = 0; t < manifest->n_tasks; t++) {
         const Task *task = &manifest->tasks[t];
         char *answer = grading_answer(grading, task);
-        grading->is_untouched[t] = answer != NULL && answer_is_untouched(manifest, task, answer);
+        char *untried = describe_untried(grading, task, answer);
+        grading->is_untouched[t] =
+            untried != NULL || (answer != NULL && answer_is_untouched(manifest, task, answer));
         for (int i = 0; i < grading->result.n_checks && grading->is_untouched[t]; i++) {
             if (strcmp(grading->result.checks[i].task, task->id) == 0) {
-                note_unanswered(&grading->result.checks[i]);
+                note_unanswered(&grading->result.checks[i], untried);
             }
         }
+        free(untried);
         free(answer);
     }
 }

@@ -155,7 +155,7 @@ graded "the same files twice" earns 100 "$PWD/equal.tar.gz" \
     'gradient.cl: taken from \"one\"; the same is in \"two\"\nrender.c: taken'
 echo '// later' >>two/render.c
 tar -czf different.tar.gz one two
-graded "two versions of a file" refuses "$PWD/different.tar.gz" \
+graded "two versions of a file" earns 40 "$PWD/different.tar.gz" \
     'render.c: found in \"one\" and, with another content, in \"two\": hand in only one'
 tar -cf twice.tar -C "$course/labs" $lab
 tar -rf twice.tar -C "$course/solutions" $lab/render.c $lab/gradient.cl
@@ -206,12 +206,12 @@ the_answer labs
 rm labs/render.c
 ln -s "$course/solutions/$lab/render.c" labs/render.c
 zip -q -r -y link.zip labs
-graded "a link in an archive" refuses "$PWD/link.zip" "render.c: a symbolic link"
+graded "a link in an archive" earns 40 "$PWD/link.zip" "render.c: a symbolic link"
 rm labs/render.c
 ln labs/gradient.cl labs/render.c
 # In this order, whatever a folder lists first: the second name of a file is the link.
 tar -czf hard.tar.gz labs/gradient.cl labs/render.c
-graded "a hard link in an archive" refuses "$PWD/hard.tar.gz" "render.c: a symbolic link"
+graded "a hard link in an archive" earns 40 "$PWD/hard.tar.gz" "render.c: a symbolic link"
 
 lab=02-kdtree-2d-build
 in_new_folder
@@ -239,7 +239,7 @@ head -c 104857600 /dev/zero >x/render.c
 (cd x && zip -q ../zeros.zip render.c gradient.cl)
 rm x/render.c
 check "a bomb is small" test "$(wc -c <zeros.zip)" -lt 200000
-graded "a zip of zeros" refuses "$PWD/zeros.zip" "render.c: larger than the allowed 256 KB"
+graded "a zip of zeros" earns 40 "$PWD/zeros.zip" "render.c: larger than the allowed 256 KB"
 truncate -s 600M x/video
 tar -czSf sparse.tar.gz x
 graded "an archive of 600 MB" refuses "$PWD/sparse.tar.gz" "more than 512 MB, unpacked"

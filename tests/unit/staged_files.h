@@ -12,11 +12,18 @@ static inline void two_folders_enter(void)
     cr_assert_eq(mkdir("to", 0755), 0);
 }
 
+// Stage one folder.
+static inline int folder_stage(const Manifest *manifest, const char *from, const char *to,
+                               char **message)
+{
+    return stage_submission(manifest, &(StageSource){.folder = from}, 1, to, message);
+}
+
 // Stage a submission of this one file.
 static inline int stage(const char *file, char **message)
 {
     Manifest manifest = {.files = {(char *)file}, .n_files = 1};
-    return stage_submission(&manifest, "from", "to", message);
+    return folder_stage(&manifest, "from", "to", message);
 }
 
 static inline void expect_refused(const char *file, const char *reason)

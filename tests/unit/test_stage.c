@@ -17,7 +17,7 @@ Test(stage, copies_the_named_files_and_no_other)
     file_write("from/main.c", "evil", 4);
     Manifest manifest = {.files = {"a.cl", "b.c"}, .n_files = 2};
     char *message;
-    cr_assert_eq(stage_submission(&manifest, "from", "to", &message), 0);
+    cr_assert_eq(folder_stage(&manifest, "from", "to", &message), 0);
     cr_expect_null(message);
     expect_content("to/a.cl", "kernel");
     expect_content("to/b.c", "int b;");
@@ -68,7 +68,7 @@ Test(stage, follows_the_instructors_link_to_the_submission)
     cr_assert_eq(symlink("from", "link"), 0);
     Manifest manifest = {.files = {"a.cl"}, .n_files = 1};
     char *message;
-    cr_expect_eq(stage_submission(&manifest, "link", "to", &message), 0);
+    cr_expect_eq(folder_stage(&manifest, "link", "to", &message), 0);
     expect_content("to/a.cl", "kernel");
 }
 
@@ -82,10 +82,18 @@ Test(stage, names_every_fault_at_once)
     file_write("from/b.cl", "", 1);  // a NUL byte
     Manifest manifest = {.files = {"a.cl", "b.cl"}, .n_files = 2};
     char *message;
-    cr_assert_eq(stage_submission(&manifest, "from", "to", &message), 1);
+    cr_assert_eq(folder_stage(&manifest, "from", "to", &message), 1);
     cr_expect_not_null(strstr(message, "a.cl: not in the submission"), "%s", message);
-    cr_expect_not_null(strstr(message, "\nb.cl: holds NUL bytes"), "%s", message);
+    cr_expect_not_null(
+        strstr(message, "\nb.cl: found a file of unknown kind, expected a source text"), "%s",
+        message);
     free(message);
+}
+
+Test(stage, leaves_nothing_of_that_name_where_a_file_is_refused)
+{
+    file_write("to/a.cl", "skeleton", 8);
+    expect_refused("a.cl", "not in the submission");
 }
 
 Test(stage, refuses_links)
@@ -159,12 +167,39 @@ Test(stage, refuses_an_enormous_file_of_holes)
     expect_refused("a.cl", "larger than");
 }
 
-Test(stage, refuses_a_nul_byte)
+Test(stage, refuses_what_is_no_text_and_names_it)
 {
-    file_write("from/a.cl", "in\0side", 7);
-    expect_refused("a.cl", "NUL bytes");
-    file_write("from/b.cl", "at the end", 11);
-    expect_refused("b.cl", "NUL bytes");
+    static const struct {
+        const char *name, *bytes;
+        size_t n_bytes;
+        const char *found;
+    } files[] = {
+        {"a.cl", "in\0side", 7, "found a file of unknown kind, expected a source text"},
+        {"b.cl", "at the end", 11, "found a file of unknown kind, expected a source text"},
+        {"c.cl", "\xFF\xFEi\0n\0t\0", 8, "found a text in UTF-16, expected a source text"},
+        {"d.cl", "\xFE\xFF\0i\0n\0t", 8, "found a text in UTF-16, "},
+        {"e.cl", "i\0n\0t\0", 6, "found a text in UTF-16, "},
+        {"f.cl", "\0i\0n\0t", 6, "found a text in UTF-16, "},
+        {"g.cl", "PK\x05\x06", 4, "found an empty zip archive, "},
+        {"h.cl", "PK\x03\x04", 4, "found a zip archive, "},
+        {"i.cl", "PK\x03\x04..........................[Content_Types].xml", 49,
+         "found an office program's document, "},
+        {"j.cl", "%PDF-1.4", 8, "found a PDF document, "},
+        {"k.cl", "Rar!\x1A\x07", 6, "found a RAR archive, "},
+        {"l.cl", "7z\xBC\xAF\x27\x1C", 6, "found a 7-Zip archive, "},
+    };
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
+        char path[16];
+        snprintf(path, sizeof path, "from/%s", files[i].name);
+        file_write(path, files[i].bytes, files[i].n_bytes);
+        expect_refused(files[i].name, files[i].found);
+    }
+    // A NUL byte far behind.
+    static char text[2000];
+    memset(text, ' ', sizeof text);
+    text[1999] = '\0';
+    file_write("from/z.cl", text, sizeof text);
+    expect_refused("z.cl", "found a file of unknown kind");
 }
 
 // ---- Faults of the machinery --------------------------------------------------------------------
@@ -174,14 +209,14 @@ Test(stage, tells_the_instructor_of_an_absent_folder)
     Manifest manifest = {.files = {"a.cl"}, .n_files = 1};
     char *message;
     capture_begin(2);
-    int status = stage_submission(&manifest, "absent", "to", &message);
+    int status = folder_stage(&manifest, "absent", "to", &message);
     expect_one_message(capture_end(2), "absent: No such file");
     cr_expect_eq(status, -1);
     cr_expect_null(message);
 
     file_write("file", "", 0);
     capture_begin(2);
-    status = stage_submission(&manifest, "file", "to", &message);
+    status = folder_stage(&manifest, "file", "to", &message);
     expect_one_message(capture_end(2), "file: Not a directory");
     cr_expect_eq(status, -1);
 }

@@ -20,7 +20,7 @@ static void path_write(const char *path)
 static int lab_stage(int n_files, char **message)
 {
     Manifest manifest = {.lab = "03-x", .files = {"a.cl", "b.c"}, .n_files = n_files};
-    return stage_submission(&manifest, "from", "to", message);
+    return folder_stage(&manifest, "from", "to", message);
 }
 
 typedef struct Layout {
@@ -43,7 +43,7 @@ static const Layout layouts[] = {
     // Only the whole names count.
     {{"mylabs/03-x/a.cl", "one/a.cl"}, "one/a.cl"},
     {{"labs/03-x2/a.cl", "one/a.cl"}, "one/a.cl"},
-    {{"one/A.cl", "one/a.cl.txt", "one/xa.cl"}, NULL},
+    {{"one/xa.cl", "one/a.h"}, NULL},
     // What is passed over.
     {{"__MACOSX/a.cl", "one/two/a.cl"}, "one/two/a.cl"},
     {{".git/a.cl", "build/a.cl", "one/.hidden/a.cl", "one/build/obj/a.cl"}, NULL},
@@ -65,7 +65,7 @@ Test(stage_places, takes_a_file_from_its_best_place)
         if (layout->taken != NULL) {
             expect_content("to/a.cl", layout->taken);
         } else {
-            cr_expect_not_null(strstr(message, "a.cl: not in the submission, nor in a folder"));
+            cr_expect_not_null(strstr(message, "a.cl: not in the submission"), "%s", message);
         }
         free(message);
         nftw("from", entry_remove, 16, FTW_DEPTH | FTW_PHYS);
@@ -102,6 +102,70 @@ Test(stage_places, takes_equal_files_from_equally_good_places)
     cr_expect_str_eq(message, "a.cl: taken from \"one\"; the same is in \"two\"");
     free(message);
 }
+
+// ---- Names --------------------------------------------------------------------------------------
+
+typedef struct Renamed {
+    const char *paths[4];
+    const char *says;
+    const char *taken;  // NULL: none
+} Renamed;
+
+static const Renamed renamed[] = {
+    {{"a-1.cl"}, "a.cl: taken from \"a-1.cl\"", "a-1.cl"},
+    {{"one/20261103102233_77_a.cl"},
+     "a.cl: taken from \"one/20261103102233_77_a.cl\"",
+     "one/20261103102233_77_a.cl"},
+    // The exact name comes first, wherever it is.
+    {{"a (1).cl", "one/two/a.cl"},
+     "a.cl: taken from \"one/two\"; a different one, which does not count, is in \"a (1).cl\"",
+     "one/two/a.cl"},
+    {{"a (1).cl", "a-2.cl"},
+     "a.cl: found in \"a (1).cl\" and, with another content, in \"a-2.cl\": hand in only one",
+     NULL},
+    {{"one/a.cl.txt", "one/A.cl"},
+     "a.cl: not in the submission: found \"one/A.cl\", expected the name a.cl: rename it and hand "
+     "it in again",
+     NULL},
+    {{"a.cl.txt", "one/a.cl"}, NULL, "one/a.cl"},
+    {{"a.cl.txt/main.c"},
+     "a.cl: not in the submission, nor in a folder of it: hand in a file with exactly this name",
+     NULL},
+    // What is passed over is told where there is nothing better.
+    {{"build/a.cl"},
+     "a.cl: not in the submission: found it in \"build\", which is passed over: hand it in outside "
+     "of that folder",
+     NULL},
+    {{"one/.abgabe/x/a.cl", "Release/a.cl.txt"},
+     "a.cl: not in the submission: found it in \"one/.abgabe/x\", which is passed over: hand it in "
+     "outside of that folder",
+     NULL},
+    {{"build/a.cl", "SURNAME_a.cl"},
+     "a.cl: not in the submission: found \"SURNAME_a.cl\", expected the name a.cl: rename it and "
+     "hand it in again",
+     NULL},
+    {{"build/a.cl", "a.cl"}, NULL, "a.cl"},
+};
+
+Test(stage_places, takes_what_a_system_renamed_and_tells_what_a_student_did)
+{
+    for (size_t i = 0; i < sizeof renamed / sizeof *renamed; i++) {
+        for (int k = 0; k < 4 && renamed[i].paths[k] != NULL; k++) {
+            path_write(renamed[i].paths[k]);
+        }
+        char *message;
+        cr_expect_eq(lab_stage(1, &message), renamed[i].taken == NULL, "%zu", i);
+        cr_expect_str_eq(message != NULL ? message : "",
+                         renamed[i].says != NULL ? renamed[i].says : "");
+        if (renamed[i].taken != NULL) {
+            expect_content("to/a.cl", renamed[i].taken);
+        }
+        free(message);
+        nftw("from", entry_remove, 16, FTW_DEPTH | FTW_PHYS);
+    }
+}
+
+// ---- Several ------------------------------------------------------------------------------------
 
 typedef struct Others {
     const char *paths[4];  // what the submission holds, each its own path but for those with "=",
@@ -164,7 +228,7 @@ Test(stage_places, refuses_too_many_equally_good_places)
         snprintf(folder, sizeof folder, "copy-%d", i);
         equal_write(folder, "kernel");
     }
-    expect_refused("a.cl", "found in more than 16 folders");
+    expect_refused("a.cl", "found in more than 16 places");
     path_write("a.cl");
     char *message;
     cr_expect_eq(lab_stage(1, &message), 0, "a better place does not end that: %s", message);

@@ -44,6 +44,7 @@ Test(unpack, lets_the_last_of_equal_paths_count)
     struct archive *writer = pack_begin("ustar", NULL, NULL);
     pack_entry(writer, "a.cl", AE_IFREG, "older");
     pack_entry(writer, "./a.cl", AE_IFREG, "newer");
+    pack_entry(writer, "b.c", AE_IFREG, "int b;");
     pack_end(writer);
     cr_assert_eq(packed_unpack(n_packed), 0);
     expect_content("out/a.cl", "newer");
@@ -63,6 +64,38 @@ Test(unpack, tells_of_equal_entries_only_of_a_file_that_counts)
     cr_assert_eq(packed_unpack(n_packed), 0);
     cr_expect_str_eq(message, "a.cl: 3 times in the archive as \"one/a.cl\", always the same: the "
                               "last one counts");
+}
+
+// Names that a system changed come out as they are, for staging to choose. What is only told is
+// empty.
+Test(unpack, writes_other_names_of_a_wanted_file)
+{
+    struct archive *writer = pack_begin("zip", NULL, NULL);
+    pack_entry(writer, "lab/a-1.cl", AE_IFREG, "kernel");
+    pack_entry(writer, "lab/b.c.txt", AE_IFREG, "int b;");
+    pack_entry(writer, "lab/b.h", AE_IFREG, "int b;");
+    pack_end(writer);
+    cr_assert_eq(packed_unpack(n_packed), 0, "%s", message);
+    expect_content("out/lab/a-1.cl", "kernel");
+    struct stat status;
+    cr_assert_eq(stat("out/lab/b.c.txt", &status), 0);
+    cr_expect_eq(status.st_size, 0);
+    cr_expect_eq(everything_count(), 3);
+    cr_expect_str_eq(message, "the archive holds \"lab/a-1.cl\", \"lab/b.c.txt\", \"lab/b.h\"");
+}
+
+Test(unpack, lists_what_is_there_where_a_file_is_not)
+{
+    struct archive *writer = pack_begin("zip", NULL, NULL);
+    for (int i = 0; i < 9; i++) {
+        char path[] = "x/0\n.txt";
+        path[2] = (char)('0' + i);
+        pack_entry(writer, path, AE_IFREG, "text");
+    }
+    pack_end(writer);
+    cr_assert_eq(packed_unpack(n_packed), 0, "%s", message);
+    cr_expect_str_eq(message, "the archive holds \"x/0?.txt\", \"x/1?.txt\", \"x/2?.txt\", "
+                              "\"x/3?.txt\", \"x/4?.txt\", \"x/5?.txt\" and 3 more");
 }
 
 // ---- Which copies are written -------------------------------------------------------------------

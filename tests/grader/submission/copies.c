@@ -5,9 +5,9 @@
 #include <string.h>
 
 // Negative where the first is the better one, or equally good and comes first.
-static int copy_compare(const Copy *copy, const char *folder, int rank)
+static int copy_compare(const Copy *copy, const Place *place, int rank)
 {
-    return copy->rank != rank ? copy->rank - rank : strcmp(copy->folder, folder);
+    return copy->rank != rank ? copy->rank - rank : place_compare(&copy->place, place);
 }
 
 int copies_count_best(const Copies *copies)
@@ -21,7 +21,7 @@ int copies_count_best(const Copies *copies)
 
 static void copy_remove(Copies *copies, int i)
 {
-    free(copies->kept[i].folder);
+    place_free(&copies->kept[i].place);
     free(copies->kept[i].bytes);
     copies->n_kept--;
     memmove(&copies->kept[i], &copies->kept[i + 1],
@@ -44,22 +44,22 @@ static int copies_trim(Copies *copies)
     return removed;
 }
 
-int copies_find(Copies *copies, const char *folder, int rank, Copy **copy)
+int copies_find(Copies *copies, const Place *place, int rank, Copy **copy)
 {
     int i = 0, order = 1;
-    while (i < copies->n_kept && (order = copy_compare(&copies->kept[i], folder, rank)) < 0) {
+    while (i < copies->n_kept && (order = copy_compare(&copies->kept[i], place, rank)) < 0) {
         i++;
     }
     *copy = &copies->kept[i];
     if (i < copies->n_kept && order == 0) {
         return 0;
     }
-    char *own_folder = strdup(folder);
-    if (own_folder == NULL) {
+    Place own = place_copy(place);
+    if (own.name == NULL) {
         return -1;
     }
     memmove(*copy + 1, *copy, (size_t)(copies->n_kept - i) * sizeof **copy);
-    **copy = (Copy){.folder = own_folder, .rank = rank};
+    **copy = (Copy){.place = own, .rank = rank};
     copies->n_kept++;
     if (copies_trim(copies) == i) {
         *copy = NULL;

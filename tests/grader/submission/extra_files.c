@@ -4,6 +4,8 @@
 // effect, and this line says so. Read next: stage.c.
 #include "extra_files.h"
 
+#include "contents.h"
+#include "file_names.h"
 #include "path.h"
 
 #include <ctype.h>
@@ -56,9 +58,13 @@ static int is_expected(const Manifest *manifest, int folder, int given_folder, c
         return 1;
     }
     for (int i = 0; i < manifest->n_files; i++) {
-        if (strcmp(manifest->files[i], name) == 0) {
+        if (name_match(name, manifest->files[i]) <= NAME_CHANGED) {
             return 1;
         }
+    }
+    // Of archives staging tells.
+    if (name[0] != '.' && is_archive_name(name)) {
+        return 1;
     }
     return faccessat(given_folder, name, F_OK, 0) == 0 &&
            (strcmp(name, "lab.json") != 0 || is_same_file(folder, given_folder, name));

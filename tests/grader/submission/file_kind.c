@@ -3,36 +3,74 @@
 
 #include <string.h>
 
-const char *file_kind(const unsigned char *bytes, size_t n_bytes)
+static int begins(const unsigned char *bytes, size_t n_bytes, const char *start)
 {
+    const size_t n_start = strlen(start);
+    return n_bytes >= n_start && memcmp(bytes, start, n_start) == 0;
+}
+
+// Windows' "Unicode": by its mark, or as every other byte of such a source is NUL.
+static int is_utf16(const unsigned char *bytes, size_t n_bytes)
+{
+    if (begins(bytes, n_bytes, "\xFF\xFE") || begins(bytes, n_bytes, "\xFE\xFF")) {
+        return 1;
+    }
+    return n_bytes >= 4 && (bytes[0] == 0) != (bytes[1] == 0) &&
+           (bytes[0] == 0) == (bytes[2] == 0) && (bytes[1] == 0) == (bytes[3] == 0);
+}
+
+// Word and its like write zip archives, whose first file tells.
+static int is_office(const unsigned char *bytes, size_t n_bytes)
+{
+    static const char content_types[] = "[Content_Types].xml",
+                      type[] = "mimetypeapplication/vnd.oasis";
+    enum { NAME_AT = 30 };
+    return begins(bytes, n_bytes, "PK\x03\x04") && n_bytes > NAME_AT &&
+           (begins(bytes + NAME_AT, n_bytes - NAME_AT, content_types) ||
+            begins(bytes + NAME_AT, n_bytes - NAME_AT, type));
+}
+
+FileKind file_kind(const unsigned char *bytes, size_t n_bytes)
+{
+    static const char damaged[] = " that is damaged or cut off";
+    static const char no_tar[] = " that is cut off or no tar archive";
     static const struct {
-        const char *start, *kind;
+        const char *start;
+        FileKind kind;
     } kinds[] = {
-        {"PK\x03\x04", "a zip archive that is damaged or cut off"},
-        {"Rar!", "a RAR archive"},
-        {"7z\xBC\xAF", "a 7-Zip archive"},
-        {"\x1F\x8B", "a compressed file (gzip) that is cut off or no tar archive"},
-        {"BZh", "a compressed file (bzip2) that is cut off or no tar archive"},
+        {"PK\x03\x04", {"a zip archive", damaged, 0}},
+        {"PK\x05\x06", {"an empty zip archive", "", 0}},
+        {"Rar!", {"a RAR archive", "", 0}},
+        {"7z\xBC\xAF", {"a 7-Zip archive", "", 0}},
+        {"\x1F\x8B", {"a compressed file (gzip)", no_tar, 0}},
+        {"BZh", {"a compressed file (bzip2)", no_tar, 0}},
         {"\xFD"
          "7zXZ",
-         "a compressed file (xz) that is cut off or no tar archive"},
-        {"\x28\xB5\x2F\xFD", "a compressed file (zstd)"},
-        {"%PDF", "a PDF document"},
-        {"\xD0\xCF\x11\xE0", "an office program's document"},
+         {"a compressed file (xz)", no_tar, 0}},
+        {"\x28\xB5\x2F\xFD", {"a compressed file (zstd)", "", 0}},
+        {"%PDF", {"a PDF document", "", 0}},
+        {"{\\rtf", {"an office program's document", "", 0}},
+        {"\xD0\xCF\x11\xE0", {"an office program's document", "", 0}},
         {"\x7F"
          "ELF",
-         "a compiled program"},
-        {"\x89PNG", "a picture"},
-        {"\xFF\xD8\xFF", "a picture"},
+         {"a compiled program", "", 0}},
+        {"\x89PNG", {"a picture", "", 0}},
+        {"\xFF\xD8\xFF", {"a picture", "", 0}},
     };
+    if (n_bytes == 0) {
+        return (FileKind){"an empty file", "", 1};
+    }
+    if (is_utf16(bytes, n_bytes)) {
+        return (FileKind){"a text in UTF-16", "", 0};
+    }
+    if (is_office(bytes, n_bytes)) {
+        return (FileKind){"an office program's document", "", 0};
+    }
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
-        const size_t n_start = strlen(kinds[i].start);
-        if (n_bytes >= n_start && memcmp(bytes, kinds[i].start, n_start) == 0) {
+        if (begins(bytes, n_bytes, kinds[i].start)) {
             return kinds[i].kind;
         }
     }
-    if (n_bytes == 0) {
-        return "an empty file";
-    }
-    return memchr(bytes, '\0', n_bytes) == NULL ? "a single text file" : "a file of unknown kind";
+    return memchr(bytes, '\0', n_bytes) == NULL ? (FileKind){"a single text file", "", 1}
+                                                : (FileKind){"a file of unknown kind", "", 0};
 }

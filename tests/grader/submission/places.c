@@ -4,6 +4,8 @@
 // depth, folders, entries, and what is kept of them.
 #include "places.h"
 
+#include "file_names.h"
+
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -16,6 +18,7 @@
 typedef struct Folder {
     char *path;  // relative to the top
     int depth;   // how many folders its path has
+    int is_passed_over;
 } Folder;
 
 typedef struct Search {
@@ -24,7 +27,8 @@ typedef struct Search {
     char *const *files;
     int n_files;
     Places *places;
-    // All folders found, which is also the queue of those to look into: level by level.
+    // All folders found, which is also the queue of those to look into: level by level, and in a
+    // second round those that are passed over.
     Folder folders[PLACES_MAX_FOLDERS];
     int n_folders;
     int n_entries;
@@ -57,9 +61,10 @@ static int is_labs_folder(const char *path, const char *lab)
     return strncmp(end, labs, strlen(labs)) == 0 && strcmp(end + strlen(labs), lab) == 0;
 }
 
-int place_rank(const char *lab, const char *folder)
+// How good a folder is for a file of a lab: 0 is the best. -1: too deep.
+static int folder_rank(const char *lab, const char *folder)
 {
-    int depth = 0;
+    int depth = 0, passed_over = 0;
     for (const char *part = folder; *part != '\0'; depth++) {
         char name[NAME_MAX + 1];
         const size_t length = strcspn(part, "/");
@@ -69,75 +74,118 @@ int place_rank(const char *lab, const char *folder)
         memcpy(name, part, length);
         name[length] = '\0';
         if (is_passed_over(name)) {
-            return -1;
+            passed_over = RANK_PASSED_OVER;
         }
         part += length + (part[length] == '/');
     }
     // A labs folder comes just behind the folder it lies in.
-    return is_labs_folder(folder, lab) ? 2 * (depth - 2) + 1 : 2 * depth;
+    return passed_over + (is_labs_folder(folder, lab) ? 2 * (depth - 2) + 1 : 2 * depth);
 }
 
-// Note a place that is less good, where it is the best of these yet. Takes `folder` over.
-static void other_note(Places *places, char *folder, int rank)
+int place_of(const char *lab, char *const *files, int n_files, const Place *place, int *rank)
 {
-    if (places->other == NULL || rank < places->other_rank ||
-        (rank == places->other_rank && strcmp(folder, places->other) < 0)) {
-        char *worse = places->other;
-        places->other = folder;
-        places->other_rank = rank;
-        folder = worse;
+    static const int name_ranks[] = {
+        [NAME_EXACT] = 0, [NAME_CHANGED] = RANK_CHANGED, [NAME_NEAR] = RANK_NEAR};
+    NameMatch best = NAME_OTHER;
+    int file = -1;
+    for (int i = 0; i < n_files; i++) {
+        const NameMatch match = name_match(place->name, files[i]);
+        if (match < best) {
+            best = match;
+            file = i;
+        }
     }
-    free(folder);
+    *rank = file >= 0 ? folder_rank(lab, place->folder) : -1;
+    if (*rank < 0 || (*rank >= RANK_PASSED_OVER && best == NAME_NEAR)) {
+        return -1;
+    }
+    *rank += name_ranks[best];
+    return file;
+}
+
+int place_compare(const Place *a, const Place *b)
+{
+    const int order = strcmp(a->folder, b->folder);
+    return order != 0 ? order : strcmp(a->name, b->name);
+}
+
+Place place_copy(const Place *place)
+{
+    Place copy = {strdup(place->folder), strdup(place->name)};
+    if (copy.folder == NULL || copy.name == NULL) {
+        place_free(&copy);
+    }
+    return copy;
+}
+
+void place_free(Place *place)
+{
+    free(place->folder);
+    free(place->name);
+    *place = (Place){0};
+}
+
+// Note a place that is less good, where it is the best of these yet. Takes `place` over.
+static void other_note(Places *places, Place place, int rank)
+{
+    if (places->other.name == NULL || rank < places->other_rank ||
+        (rank == places->other_rank && place_compare(&place, &places->other) < 0)) {
+        const Place worse = places->other;
+        places->other = place;
+        places->other_rank = rank;
+        place = worse;
+    }
+    place_free(&place);
 }
 
 // What was the best until now is less good than what was found.
 static void places_demote(Places *places)
 {
-    for (int i = 0; i < places->n_folders; i++) {
-        other_note(places, places->folders[i], places->rank);
+    for (int i = 0; i < places->n_equal; i++) {
+        other_note(places, places->equal[i], places->rank);
     }
-    places->n_folders = 0;
+    places->n_equal = 0;
     places->are_more = 0;
 }
 
-// Add one to those that are equally good. Takes `folder` over. What a folder lists first is chance:
+// Add one to those that are equally good. Takes `place` over. What a folder lists first is chance:
 // of too many the first ones in the order of their bytes stay.
-static void equal_add(Places *places, char *folder)
+static void equal_add(Places *places, Place place)
 {
-    int i = places->n_folders;
+    int i = places->n_equal;
     if (i == PLACES_MAX_EQUAL) {
         places->are_more = 1;
-        char **last = &places->folders[--i];
-        if (strcmp(folder, *last) > 0) {
-            free(folder);
+        Place *last = &places->equal[--i];
+        if (place_compare(&place, last) > 0) {
+            place_free(&place);
             return;
         }
-        free(*last);
-        places->n_folders--;
+        place_free(last);
+        places->n_equal--;
     }
-    for (; i > 0 && strcmp(folder, places->folders[i - 1]) < 0; i--) {
-        places->folders[i] = places->folders[i - 1];
+    for (; i > 0 && place_compare(&place, &places->equal[i - 1]) < 0; i--) {
+        places->equal[i] = places->equal[i - 1];
     }
-    places->folders[i] = folder;
-    places->n_folders++;
+    places->equal[i] = place;
+    places->n_equal++;
 }
 
-// Note that the folder has a file of that name. Returns 0, or -1 when memory runs out.
-static int place_add(Places *places, const char *folder, int rank)
+// Note a place of the file. Returns 0, or -1 when memory runs out.
+static int place_add(Places *places, const Place *place, int rank)
 {
-    char *copy = strdup(folder);
-    if (copy == NULL) {
+    Place own = place_copy(place);
+    if (own.name == NULL) {
         return -1;
     }
-    if (places->n_folders > 0 && rank > places->rank) {
-        other_note(places, copy, rank);
+    if (places->n_equal > 0 && rank > places->rank) {
+        other_note(places, own, rank);
         return 0;
     }
     if (rank < places->rank) {
         places_demote(places);
     }
     places->rank = rank;
-    equal_add(places, copy);
+    equal_add(places, own);
     return 0;
 }
 
@@ -152,7 +200,8 @@ static int folder_add(Search *search, const Folder *parent, const char *name)
         return -1;
     }
     stpcpy(stpcpy(stpcpy(path, parent->path), n_parent > 0 ? "/" : ""), name);
-    search->folders[search->n_folders++] = (Folder){path, parent->depth + 1};
+    search->folders[search->n_folders++] =
+        (Folder){path, parent->depth + 1, parent->is_passed_over || is_passed_over(name)};
     return 0;
 }
 
@@ -170,14 +219,15 @@ static int is_folder(int parent, const struct dirent *entry)
 static int entry_look_at(Search *search, const Folder *folder, int parent,
                          const struct dirent *entry)
 {
-    for (int i = 0; i < search->n_files; i++) {
-        if (strcmp(entry->d_name, search->files[i]) == 0) {
-            return place_add(&search->places[i], folder->path,
-                             place_rank(search->lab, folder->path));
-        }
+    const Place place = {folder->path, (char *)entry->d_name};
+    int rank;
+    const int i = place_of(search->lab, search->files, search->n_files, &place, &rank);
+    const int is_exact = i >= 0 && strcmp(entry->d_name, search->files[i]) == 0;
+    if (is_exact || (i >= 0 && !is_folder(parent, entry))) {
+        return place_add(&search->places[i], &place, rank);
     }
-    if (folder->depth == PLACES_MAX_DEPTH || is_passed_over(entry->d_name) ||
-        !is_folder(parent, entry)) {
+    if (folder->depth == PLACES_MAX_DEPTH || strcmp(entry->d_name, ".") == 0 ||
+        strcmp(entry->d_name, "..") == 0 || !is_folder(parent, entry)) {
         return 0;
     }
     return folder_add(search, folder, entry->d_name);
@@ -211,6 +261,28 @@ static int folder_look_into(Search *search, const Folder *folder)
     return outcome == 0 && (fault == 0 || !place_fault_is_ours(fault)) ? 0 : -1;
 }
 
+// Look into the folders that are, or are not, passed over. Returns 0, or -1 with errno set.
+static int folders_look_into(Search *search, int are_passed_over)
+{
+    for (int i = 0; i < search->n_folders; i++) {
+        const Folder folder = search->folders[i];
+        if (folder.is_passed_over == are_passed_over && folder_look_into(search, &folder) != 0) {
+            return -1;
+        }
+    }
+    return 0;
+}
+
+static int is_one_missing(const Search *search)
+{
+    for (int i = 0; i < search->n_files; i++) {
+        if (search->places[i].n_equal == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
 int places_find(int top, const char *lab, char *const *files, int n_files, Places *places)
 {
     memset(places, 0, (size_t)n_files * sizeof *places);
@@ -223,9 +295,12 @@ int places_find(int top, const char *lab, char *const *files, int n_files, Place
     search->files = files;
     search->n_files = n_files;
     search->places = places;
-    int outcome = folder_add(search, &(Folder){"", -1}, "");
-    for (int i = 0; outcome == 0 && i < search->n_folders; i++) {
-        outcome = folder_look_into(search, &search->folders[i]);
+    int outcome = folder_add(search, &(Folder){.path = "", .depth = -1}, "");
+    if (outcome == 0) {
+        outcome = folders_look_into(search, 0);
+    }
+    if (outcome == 0 && is_one_missing(search)) {
+        outcome = folders_look_into(search, 1);
     }
     const int fault = errno;
     for (int i = 0; i < search->n_folders; i++) {
@@ -242,10 +317,10 @@ int places_find(int top, const char *lab, char *const *files, int n_files, Place
 void places_free(Places *places, int n_files)
 {
     for (int i = 0; i < n_files; i++) {
-        for (int k = 0; k < places[i].n_folders; k++) {
-            free(places[i].folders[k]);
+        for (int k = 0; k < places[i].n_equal; k++) {
+            place_free(&places[i].equal[k]);
         }
-        free(places[i].other);
+        place_free(&places[i].other);
         places[i] = (Places){0};
     }
 }

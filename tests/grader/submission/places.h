@@ -2,7 +2,8 @@
 //
 // Each file is taken from its best place: the top; else labs/NN-name; else the folder with the
 // fewest folders above it, as students pack a folder and Moodle, Gradescope and GitHub add one.
-// Inside such a folder labs/NN-name again comes just behind the folder itself. Read next: stage.c.
+// Inside such a folder labs/NN-name again comes just behind the folder itself. A file with the
+// exact name comes before any that a system renamed. Read next: file_names.h, stage_file.c.
 #ifndef GRADER_PLACES_H
 #define GRADER_PLACES_H
 
@@ -14,22 +15,46 @@ enum {
     PLACES_MAX_EQUAL = 16,        // equally good places kept for one file
 };
 
-// Where one file is. Paths are relative to the submission's top, "" is the top itself.
+// How good a place is, the lower the better: first the name counts, then the folder. From RANK_TOLD
+// on nothing is taken from there, but where there is nothing better, it is told.
+enum {
+    RANK_CHANGED = 100,  // a system changed the name (file_names.h)
+    RANK_TOLD = 200,
+    RANK_NEAR = RANK_TOLD,   // the student did
+    RANK_PASSED_OVER = 300,  // in a folder that holds what no student writes by hand
+};
+
+// One place. Both owned; "" is the top.
+typedef struct Place {
+    char *folder;  // relative to the submission's top
+    char *name;    // the file's, there
+} Place;
+
+// Where one file is.
 typedef struct Places {
-    char *folders[PLACES_MAX_EQUAL];  // equally good, in the order of their bytes; owned
-    int n_folders;                    // 0: the file is nowhere
-    int are_more;                     // than PLACES_MAX_EQUAL
-    int rank;                         // the lower, the better
-    char *other;                      // the best of the places that are less good, or NULL; owned
+    Place equal[PLACES_MAX_EQUAL];  // equally good, in the order of their bytes
+    int n_equal;                    // 0: the file is nowhere
+    int are_more;                   // than PLACES_MAX_EQUAL
+    int rank;
+    Place other;  // the best of the places that are less good, or NULLs
     int other_rank;
 } Places;
 
-// How good a folder is for a file of a lab: 0 is the best. -1: nothing is taken from there.
-int place_rank(const char *lab, const char *folder);
+// Which of a lab's files may a file of this name in this folder be, and how good is the place?
+// Returns its number with *rank; or -1.
+int place_of(const char *lab, char *const *files, int n_files, const Place *place, int *rank);
 
-// Search an open folder for files by name. Whatever has the name counts, also a link or a folder:
-// to say so is the caller's. Links are never followed, and what no student writes by hand is passed
-// over: hidden folders, __MACOSX, build and the like.
+// A copy, to be released with place_free(). Its name is NULL when memory runs out.
+Place place_copy(const Place *place);
+void place_free(Place *place);
+
+// Negative where the first place comes before the second in the order of their bytes.
+int place_compare(const Place *a, const Place *b);
+
+// Search an open folder for files by name. Whatever has the exact name counts, also a link or a
+// folder: to say so is the caller's. Links are never followed. Nothing is taken from folders with
+// what no student writes by hand: hidden ones, __MACOSX, build and the like. Where a file is
+// nowhere else, it is looked for there, so that the caller can say so.
 //   top                 the open folder
 //   lab                 "03-kdtree-2d-render"
 //   files[n_files]      the names

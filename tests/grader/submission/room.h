@@ -1,7 +1,7 @@
 // Is there room for so many bytes in a folder?
 //
 // Who fills a disk? Where there is room for what every submission may need, it is the one that
-// needs more; where there is none, the machine. Used by submission.c and unpack_tool.c.
+// needs more; where there is none, the machine. Used by unpack_run.c and unpack_tool.c.
 #ifndef GRADER_ROOM_H
 #define GRADER_ROOM_H
 

@@ -1,19 +1,17 @@
 // Staging whatever was handed in (see submission.h).
 //
-// The archive and the program that reads it are copied to where the sandbox's user may read them.
-// What comes back is a folder like any other, as little to be trusted, and one line for the
-// student.
+// A folder is staged as it is. Where a file is not in it, the archives beside the others are
+// unpacked, each to a folder of its own. Read next: unpack_run.h, stage.h.
 #include "submission.h"
 
-#include "bytes_write.h"
 #include "complain.h"
-#include "folder.h"
+#include "contents.h"
+#include "file_names.h"
 #include "message.h"
 #include "path.h"
-#include "room.h"
-#include "sandbox.h"
+#include "places.h"
 #include "stage.h"
-#include "unpack.h"
+#include "unpack_run.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -24,288 +22,60 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-// What unpacking may use. The xz format's own limit on memory is 64 MB.
-enum {
-    UNPACK_SECONDS = 20,
-    UNPACK_WALL_SECONDS = 600,
-    UNPACK_MEMORY_MB = 512,
-    UNPACK_FILE_MB = UNPACK_MAX_WRITTEN_MEGABYTES + 1,
-    UNPACK_PROCESSES = 512
-};
-
-// What unpack ends with when the archive is at fault; see unpack_tool.c.
-enum { EXIT_ARCHIVE = 1 };
-
-// Where it ended as if the machine were at fault: who is, has to be found out.
-enum { UNPACK_FAILED = 2 };
-
 static int machinery_fault(const char *path, int fault)
 {
     complain("%s: %s", path, strerror(fault));
     return -1;
 }
 
-// A fault of what was handed in, named by the last part of its path: one line to the student.
-static int submission_refuse(const char *path, const char *complaint, char **message)
-{
-    char shown[MESSAGE_SHOWN_BYTES];
-    const char *slash = strrchr(path, '/');
-    *message = message_new(
-        "%s: %s", message_show(slash != NULL ? slash + 1 : path, shown, sizeof shown), complaint);
-    return 1;
-}
-
-// ---- Copies for the sandbox -----------------------------------------------------------------
-
-// Copy at most n_bytes of an open file to a new one. Returns 0, or -1 with errno set.
-static int copy_open_file(int from, const char *to, off_t n_bytes, mode_t mode)
-{
-    char block[1 << 16];
-    const int out = open(to, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-    if (out < 0) {
-        return -1;
-    }
-    int outcome = fchmod(out, mode);  // whatever the umask
-    while (outcome == 0 && n_bytes > 0) {
-        const size_t n_wanted = n_bytes < (off_t)sizeof block ? (size_t)n_bytes : sizeof block;
-        const ssize_t n = read(from, block, n_wanted);
-        if (n == 0) {
-            break;
-        }
-        if (n > 0) {
-            outcome = bytes_write(out, block, (size_t)n);
-            n_bytes -= n;
-        } else if (errno != EINTR) {
-            outcome = -1;
-        }
-    }
-    const int fault = errno;
-    if (close(out) != 0) {
-        return -1;
-    }
-    errno = fault;
-    return outcome;
-}
-
-static int copy_tool(const char *build, const char *to)
-{
-    char path[PATH_MAX];
-    struct stat status;
-    path_make(path, "%s/tools/unpack", build);
-    const int from = open(path, O_RDONLY | O_CLOEXEC);
-    if (from < 0 || fstat(from, &status) != 0 ||
-        copy_open_file(from, to, status.st_size, 0755) != 0) {
-        const int outcome = machinery_fault(path, errno);
-        if (from >= 0) {
-            close(from);
-        }
-        return outcome;
-    }
-    close(from);
-    return 0;
-}
-
-// The archive could not be copied. Where there is room for what every submission may need, it is
-// the archive that is too large. Returns 1 with a message, or -1.
-static int copy_failed(const char *path, const char *to, const char *in, off_t n_bytes, int fault,
-                       char **message)
-{
-    char complaint[160];
-    const int folder = open(in, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    unlink(to);
-    const int has_room = (fault == ENOSPC || fault == EDQUOT) && folder >= 0 &&
-                         room_try(folder, UNPACK_MAX_WRITTEN_MEGABYTES) == 0;
-    if (folder >= 0) {
-        close(folder);
-    }
-    if (!has_room) {
-        return machinery_fault(to, fault);
-    }
-    snprintf(complaint, sizeof complaint,
-             "its %.1f MB do not fit into the room that this machine has for archives: hand in the "
-             "lab's files only",
-             (double)n_bytes / (1 << 20));
-    return submission_refuse(path, complaint, message);
-}
-
-// Copy the archive, an open file, into the folder `in`. Returns 0, 1 with a message, or -1.
-static int copy_archive(const char *path, int from, const char *in, char **message)
-{
-    char to[PATH_MAX];
-    struct stat status;
-    if (fstat(from, &status) != 0) {
-        return machinery_fault(path, errno);
-    }
-    if (!S_ISREG(status.st_mode)) {
-        return submission_refuse(
-            path,
-            "neither a folder nor an archive: hand in a folder, or a zip or tar "
-            "archive of it",
-            message);
-    }
-    if (status.st_size > (off_t)SUBMISSION_MAX_MEGABYTES << 20) {
-        char complaint[80];
-        snprintf(complaint, sizeof complaint,
-                 "larger than the allowed %d MB: hand in the lab's files only",
-                 SUBMISSION_MAX_MEGABYTES);
-        return submission_refuse(path, complaint, message);
-    }
-    path_make(to, "%s/archive", in);
-    return copy_open_file(from, to, status.st_size, 0644) == 0
-               ? 0
-               : copy_failed(path, to, in, status.st_size, errno, message);
-}
-
-// ---- Unpacking ------------------------------------------------------------------------------
-
-// The folders of the workshop that unpacking takes: `in`, which the sandbox reads, and `out`, which
-// it writes, both closed to all but the run that is given them.
-typedef struct Desk {
+// What is staged from.
+typedef struct Sources {
     const Workshop *workshop;
-    char folder[PATH_MAX], in[PATH_MAX], out[PATH_MAX];
-} Desk;
+    char folders[STAGE_MAX_SOURCES][PATH_MAX];
+    char *archives[STAGE_MAX_SOURCES];  // their names, owned
+    StageSource all[STAGE_MAX_SOURCES];
+    int n;
+    int n_unpacked;  // also those that could not be
+    char *said;      // while unpacking, or NULL; owned
+} Sources;
 
-// Returns 0, or -1 after one message.
-static int folder_make(const char *path, mode_t mode)
+// What was said before, and what is said now. Takes both over; either may be NULL.
+static char *messages_join(char *first, char *second)
 {
-    return mkdir(path, mode) == 0 && chmod(path, mode) == 0 ? 0 : machinery_fault(path, errno);
+    if (first == NULL || second == NULL) {
+        return first != NULL ? first : second;
+    }
+    char *both = message_new("%s\n%s", first, second);
+    free(first);
+    free(second);
+    return both;
 }
 
-static int desk_make(const Workshop *workshop, Desk *desk)
+static void source_add(Sources *sources, const char *archive)
 {
-    desk->workshop = workshop;
-    path_make(desk->folder, "%s/unpack", workshop->folder);
-    path_make(desk->in, "%s/unpack/in", workshop->folder);
-    path_make(desk->out, "%s/unpack/out", workshop->folder);
-    return folder_make(desk->folder, 0755) | folder_make(desk->in, 0700);
+    sources->archives[sources->n] = archive != NULL ? message_new("%s", archive) : NULL;
+    sources->all[sources->n] =
+        (StageSource){sources->folders[sources->n], sources->archives[sources->n]};
+    sources->n++;
 }
 
-// Start the program over an archive, with an empty folder to write to. NULL after one message.
-static SandboxRun *start_unpack(const Desk *desk, const char *archive)
+// Unpack an open archive, and add its folder. Returns 0, 1 when the archive is at fault, or -1.
+static int archive_add(Sources *sources, const char *path, int file, const char *archive)
 {
-    const Manifest *manifest = desk->workshop->manifest;
-    const char *argv[5 + MANIFEST_MAX_FILES] = {"in/unpack", archive, "out", manifest->lab};
-    if (folder_remove(desk->out) != 0 && errno != ENOENT) {
-        machinery_fault(desk->out, errno);
-        return NULL;
+    char *said = NULL;
+    const int outcome = archive_unpack(sources->workshop, sources->n_unpacked++, path, file,
+                                       sources->folders[sources->n], &said);
+    if (outcome == 0 && said != NULL && archive != NULL) {
+        char shown[MESSAGE_SHOWN_BYTES];
+        char *longer = message_new("%s: %s", message_show(archive, shown, sizeof shown), said);
+        free(said);
+        said = longer;
     }
-    if (folder_make(desk->out, 0700) != 0) {
-        return NULL;
+    sources->said = messages_join(sources->said, said);
+    if (outcome == 0) {
+        source_add(sources, archive);
     }
-    for (int i = 0; i < manifest->n_files; i++) {
-        argv[4 + i] = manifest->files[i];
-    }
-    const SandboxCommand command = {
-        .kind = desk->workshop->sandbox,
-        .argv = argv,
-        .folder = "/work",
-        .mounts = {{desk->in, "/work/in", 0}, {desk->out, "/work/out", 1}},
-        .n_mounts = 2,
-        .time = {UNPACK_SECONDS, UNPACK_SECONDS, UNPACK_WALL_SECONDS},
-        .memory_mb = UNPACK_MEMORY_MB,
-        .file_mb = UNPACK_FILE_MB,
-        .n_processes = UNPACK_PROCESSES,
-    };
-    return sandbox_start(&command);
-}
-
-// What its end means. Returns 0 with a message or NULL, 1 with one for the student, UNPACK_FAILED,
-// or -1.
-static int take_unpack(const char *path, const SandboxResult *result, char **message)
-{
-    char complaint[80];
-    char line[512];
-    if (result->outcome == SANDBOX_EXITED && result->exit_status == 0) {
-        size_t n_bytes = strnlen(result->output, UNPACK_MESSAGE_BYTES);
-        n_bytes -= n_bytes > 0 && result->output[n_bytes - 1] == '\n';
-        *message = n_bytes > 0 ? message_new("%.*s", (int)n_bytes, result->output) : NULL;
-        return 0;
-    }
-    result->output[strcspn(result->output, "\n")] = '\0';
-    message_show(result->output, line, sizeof line);
-    if (result->outcome == SANDBOX_FAULT) {
-        complain("grade: the sandbox failed: %s", line);
-        return -1;
-    }
-    if (result->outcome == SANDBOX_TIMED_OUT || result->outcome == SANDBOX_ASLEEP ||
-        result->outcome == SANDBOX_OVERDUE) {
-        snprintf(complaint, sizeof complaint,
-                 "not unpacked after %d s of %s: hand in the lab's files only", UNPACK_SECONDS,
-                 result->outcome == SANDBOX_TIMED_OUT ? "processor time" : "waiting");
-        return submission_refuse(path, complaint, message);
-    }
-    if (result->outcome == SANDBOX_STARVED) {
-        complain("grade: this machine is too busy: tools/unpack was not done in %.0f s",
-                 result->used.wall);
-        return -1;
-    }
-    if (result->outcome != SANDBOX_EXITED) {
-        return submission_refuse(
-            path, "the archive is damaged, reading it crashes: pack the files anew", message);
-    }
-    return result->exit_status == EXIT_ARCHIVE ? submission_refuse(path, line, message)
-                                               : UNPACK_FAILED;
-}
-
-// Can the program work here at all, over what is no archive? It says that it found none, then. An
-// archive has no part in it, so what fails here is the machine's fault. Returns 0, or -1 after one
-// message.
-static int machine_try(const Desk *desk)
-{
-    char line[512];
-    SandboxRun *run = start_unpack(desk, "/dev/null");
-    if (run == NULL) {
-        return -1;
-    }
-    const SandboxResult result = sandbox_wait(run);
-    const int works = result.outcome == SANDBOX_EXITED && result.exit_status == EXIT_ARCHIVE;
-    if (!works) {
-        result.output[strcspn(result.output, "\n")] = '\0';
-        complain("grade: tools/unpack cannot work here: %s",
-                 message_show(result.output, line, sizeof line));
-    }
-    free(result.output);
-    return works ? 0 : -1;
-}
-
-// Unpack what is on the desk. Who read the archive is not believed that the machine failed: it is
-// asked again, once the machine has shown that it can. Returns 0, 1 with a message, or -1.
-static int desk_unpack(const Desk *desk, const char *path, char **message)
-{
-    for (int i = 0; i < 2; i++) {
-        SandboxRun *run = start_unpack(desk, "in/archive");
-        if (run == NULL) {
-            return -1;
-        }
-        const SandboxResult result = sandbox_wait(run);
-        const int outcome = take_unpack(path, &result, message);
-        free(result.output);
-        if (outcome != UNPACK_FAILED) {
-            return outcome;
-        }
-        if (machine_try(desk) != 0) {
-            return -1;
-        }
-    }
-    return submission_refuse(
-        path, "the archive is damaged, unpacking it fails: pack the files anew", message);
-}
-
-// Unpack an open file into the workshop's folder unpack/out. Returns 0, 1 with a message, or -1.
-static int archive_unpack(const Workshop *workshop, const char *path, int archive, char **message)
-{
-    Desk desk;
-    char tool[PATH_MAX];
-    if (desk_make(workshop, &desk) != 0) {
-        return -1;
-    }
-    // The tool first: there is room for it, whatever the archive then takes.
-    path_make(tool, "%s/unpack", desk.in);
-    if (copy_tool(workshop->build, tool) != 0) {
-        return -1;
-    }
-    const int outcome = copy_archive(path, archive, desk.in, message);
-    return outcome == 0 ? desk_unpack(&desk, path, message) : outcome;
+    return outcome;
 }
 
 // ---- Folder or file -------------------------------------------------------------------------
@@ -313,7 +83,7 @@ static int archive_unpack(const Workshop *workshop, const char *path, int archiv
 static int is_of_lab(const Manifest *manifest, const char *name)
 {
     for (int i = 0; i < manifest->n_files; i++) {
-        if (strcmp(manifest->files[i], name) == 0) {
+        if (name_match(name, manifest->files[i]) != NAME_OTHER) {
             return 1;
         }
     }
@@ -359,59 +129,148 @@ static int only_file_open(const Manifest *manifest, const char *folder, char pat
     return file;
 }
 
-// The folder to stage from. Returns 0, 1 with a message, or -1.
-static int source_open(const Workshop *workshop, const char *path, char source[PATH_MAX],
-                       char **message)
+// ---- Archives in a folder -------------------------------------------------------------------
+
+// Is each of the lab's files in the folder itself? Returns 1 or 0, or -1 after one message.
+static int folder_is_complete(const Manifest *manifest, const char *path)
 {
-    char inner[PATH_MAX];
-    struct stat status;
-    // O_NONBLOCK: a FIFO would otherwise wait for a writer that never comes.
-    int file = open(path, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
-    if (file < 0 || fstat(file, &status) != 0) {
-        const int outcome = machinery_fault(path, errno);
-        if (file >= 0) {
-            close(file);
+    Places places[MANIFEST_MAX_FILES];
+    const int folder = open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (folder < 0 ||
+        places_find(folder, manifest->lab, manifest->files, manifest->n_files, places) != 0) {
+        const int fault = errno;
+        if (folder >= 0) {
+            close(folder);
         }
-        return outcome;
+        return machinery_fault(path, fault);
     }
-    if (S_ISDIR(status.st_mode)) {
-        close(file);
-        file = only_file_open(workshop->manifest, path, inner);
-        path_make(source, "%s", path);
-        path = inner;
+    close(folder);
+    int complete = 1;
+    for (int i = 0; i < manifest->n_files; i++) {
+        complete &= places[i].n_equal > 0 && places[i].rank < RANK_TOLD;
     }
-    if (file < 0) {
+    places_free(places, manifest->n_files);
+    return complete;
+}
+
+static int is_archive(const struct dirent *entry)
+{
+    return entry->d_name[0] != '.' && is_archive_name(entry->d_name);
+}
+
+static int name_order(const struct dirent **a, const struct dirent **b)
+{
+    return strcmp((*a)->d_name, (*b)->d_name);
+}
+
+// Unpack an archive that lies in a folder. One that is at fault is told, and the others count.
+// Returns 0, or -1 after one message.
+static int inner_archive_add(Sources *sources, const char *path, const char *name)
+{
+    struct stat status;
+    char inner[PATH_MAX];
+    path_make(inner, "%s/%s", path, name);
+    if (lstat(inner, &status) != 0 || !S_ISREG(status.st_mode)) {
         return 0;
     }
-    path_make(source, "%s/unpack/out", workshop->folder);
-    const int outcome = archive_unpack(workshop, path, file, message);
+    const int file = open(inner, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (file < 0) {
+        return place_fault_is_ours(errno) ? machinery_fault(inner, errno) : 0;
+    }
+    const int outcome = archive_add(sources, inner, file, name);
     close(file);
+    return outcome < 0 ? -1 : 0;
+}
+
+// Say of an archive that it was not unpacked.
+static void unopened_say(Sources *sources, const char *name, const char *reason)
+{
+    char shown[MESSAGE_SHOWN_BYTES];
+    char *said = message_new("%s: not opened: %s", message_show(name, shown, sizeof shown), reason);
+    sources->said = messages_join(sources->said, said);
+}
+
+// Unpack the archives at a folder's top, in the order of their names, where a file is missing.
+// Returns 0, or -1 after one message.
+static int archives_add(Sources *sources, const char *path, int is_complete)
+{
+    struct dirent **entries;
+    const int n = scandir(path, &entries, is_archive, name_order);
+    int outcome = n >= 0 ? 0 : machinery_fault(path, errno);
+    for (int i = 0; i < n; i++) {
+        const char *name = entries[i]->d_name;
+        if (outcome == 0 && i < SUBMISSION_MAX_ARCHIVES && is_complete) {
+            unopened_say(sources, name, "each of the lab's files lies beside it, and counts");
+        } else if (outcome == 0 && i < SUBMISSION_MAX_ARCHIVES) {
+            outcome = inner_archive_add(sources, path, name);
+        } else if (outcome == 0 && i == SUBMISSION_MAX_ARCHIVES) {
+            unopened_say(sources, name, "there are too many archives, hand in only one");
+        }
+        free(entries[i]);
+    }
+    if (n >= 0) {
+        free(entries);
+    }
     return outcome;
 }
 
-// What was said while unpacking, and then while staging. Takes both over; either may be NULL.
-static char *messages_join(char *first, char *second)
+// ---- All ------------------------------------------------------------------------------------
+
+// Returns 0, 1 with a message, or -1.
+static int folder_add(Sources *sources, const char *path)
 {
-    if (first == NULL || second == NULL) {
-        return first != NULL ? first : second;
+    const Manifest *manifest = sources->workshop->manifest;
+    char inner[PATH_MAX];
+    const int file = only_file_open(manifest, path, inner);
+    if (file >= 0) {
+        const int outcome = archive_add(sources, inner, file, NULL);
+        close(file);
+        return outcome;
     }
-    char *both = message_new("%s\n%s", first, second);
-    free(first);
-    free(second);
-    return both;
+    path_make(sources->folders[0], "%s", path);
+    source_add(sources, NULL);
+    const int complete = folder_is_complete(manifest, path);
+    return complete >= 0 ? archives_add(sources, path, complete) : -1;
+}
+
+// Find or make the folders to stage from. Returns 0, 1 with a message, or -1.
+static int sources_add(Sources *sources, const char *path)
+{
+    struct stat status;
+    // O_NONBLOCK: a FIFO would otherwise wait for a writer that never comes.
+    const int file = open(path, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+    int outcome;
+    if (file < 0 || fstat(file, &status) != 0) {
+        outcome = machinery_fault(path, errno);
+    } else if (S_ISDIR(status.st_mode)) {
+        outcome = folder_add(sources, path);
+    } else {
+        outcome = archive_add(sources, path, file, NULL);
+    }
+    if (file >= 0) {
+        close(file);
+    }
+    return outcome;
 }
 
 int submission_stage(const Workshop *workshop, const char *path, const char *destination,
                      char **message)
 {
-    char source[PATH_MAX];
+    Sources *sources = calloc(1, sizeof *sources);
     *message = NULL;
-    const int opened = source_open(workshop, path, source, message);
-    if (opened != 0) {
-        return opened;
+    if (sources == NULL) {
+        return machinery_fault(path, ENOMEM);
     }
-    char *unpacked = *message;
-    const int staged = stage_submission(workshop->manifest, source, destination, message);
-    *message = messages_join(unpacked, *message);
-    return staged;
+    sources->workshop = workshop;
+    int outcome = sources_add(sources, path);
+    if (outcome == 0) {
+        outcome =
+            stage_submission(workshop->manifest, sources->all, sources->n, destination, message);
+    }
+    *message = messages_join(sources->said, *message);
+    for (int i = 0; i < sources->n; i++) {
+        free(sources->archives[i]);
+    }
+    free(sources);
+    return outcome;
 }

@@ -6,14 +6,15 @@
 
 #include "workshop.h"
 
-// The largest archive that is looked into.
-enum { SUBMISSION_MAX_MEGABYTES = 64 };
+// The largest archive that is looked into, and how many.
+enum { SUBMISSION_MAX_MEGABYTES = 64, SUBMISSION_MAX_ARCHIVES = 8 };
 
 // Copy the manifest's files from what was handed in to folder `destination`, as stage_submission()
 // does: from `path` itself where it is a folder; else from a new folder, into which they are
 // unpacked. A folder with nothing but one file, which is none of the manifest's, stands for that
-// file: Moodle puts one around each upload.
-//   workshop     open; "unpack" is made in its folder, so only one archive for a workshop
+// file: Moodle puts one around each upload. Where a folder lacks one of the files, the archives at
+// its top are unpacked, too.
+//   workshop     open; folders are made in it, so only one submission for a workshop
 //   path         what was handed in; links on the way are the instructor's and followed
 //   destination  an existing folder
 //   message      out: NULL, or what there is to say to the student: what is wrong, or which of

@@ -2,9 +2,10 @@
 //
 // libarchive reads the formats; here is decided what of that is read, and how much. Whatever else
 // an archive uses up is its own fault, too: memory here, time and the rest where the program is
-// started (submission.c). Read next: copies.h, unpack_write.c.
+// started (unpack_run.c). Read next: copies.h, unpack_write.c.
 #include "unpack.h"
 
+#include "contents.h"
 #include "copies.h"
 #include "message.h"
 #include "stage.h"
@@ -22,10 +23,10 @@
 typedef struct Unpacking {
     struct archive *archive;
     const Manifest *manifest;
-    int n_entries, n_files;
-    int64_t n_bytes;       // of all entries, unpacked
-    int is_office;         // a document of an office program, which is a zip archive, too
-    char inner[64];        // the name of an archive in it, or ""
+    int n_entries;
+    int n_files, n_told;  // entries of wanted files, and those whose name or folder is only told
+    int64_t n_bytes;      // of all entries, unpacked
+    Contents contents;
     char *message;         // [UNPACK_MESSAGE_BYTES]
     unsigned char *bytes;  // [STAGE_MAX_FILE_BYTES + 1] the file under way
     Copies files[MANIFEST_MAX_FILES];
@@ -150,16 +151,6 @@ static int path_read(const char *text, Path *path)
     return path->name[0] != '\0' ? 0 : -1;
 }
 
-static Copies *file_find(Unpacking *unpacking, const char *name)
-{
-    for (int i = 0; i < unpacking->manifest->n_files; i++) {
-        if (strcmp(name, unpacking->files[i].name) == 0) {
-            return &unpacking->files[i];
-        }
-    }
-    return NULL;
-}
-
 // ---- Entries --------------------------------------------------------------------------------
 
 // Read an entry's content. Returns 0, or 1 with a message.
@@ -193,67 +184,35 @@ static CopyKind kind_of(struct archive_entry *entry)
 
 // Keep the entry of a wanted file, where it is one that counts until now. Returns 0, or 1 with a
 // message.
-static int entry_keep(Unpacking *unpacking, struct archive_entry *entry, const Path *path,
-                      Copies *file)
+static int entry_keep(Unpacking *unpacking, struct archive_entry *entry, const Place *place,
+                      int rank, Copies *file)
 {
-    const int rank = place_rank(unpacking->manifest->lab, path->folder);
-    const CopyKind kind = kind_of(entry);
+    const int is_told_only = rank >= RANK_TOLD;
+    const CopyKind kind = is_told_only ? COPY_OF_FILE : kind_of(entry);
     size_t n_bytes = 0;
     Copy *copy;
-    if (rank < 0) {
-        return 0;
-    }
-    if (++unpacking->n_files > UNPACK_MAX_FILES) {
+    unpacking->n_files += !is_told_only;
+    unpacking->n_told += is_told_only;
+    if (unpacking->n_files > UNPACK_MAX_FILES) {
         snprintf(unpacking->message, UNPACK_MESSAGE_BYTES,
                  "the archive holds %s and the like more than %d times: hand in each file once",
-                 path->name, UNPACK_MAX_FILES);
+                 file->name, UNPACK_MAX_FILES);
         return 1;
     }
-    if (copies_find(file, path->folder, rank, &copy) != 0) {
+    if (copies_find(file, place, rank, &copy) != 0) {
         return complain_memory(unpacking);
     }
     if (copy == NULL) {
         return 0;
     }
-    if (kind == COPY_OF_FILE && content_read(unpacking, entry, &n_bytes) != 0) {
+    if (kind == COPY_OF_FILE && !is_told_only && content_read(unpacking, entry, &n_bytes) != 0) {
         return 1;
     }
+    copy->changed = archive_entry_mtime(entry);
     return copy_fill(copy, kind, unpacking->bytes, n_bytes) == 0 ? 0 : complain_memory(unpacking);
 }
 
 // ---- The archive ----------------------------------------------------------------------------
-
-// Note what may explain that none of the wanted files is there.
-static void contents_note(Unpacking *unpacking, const char *path)
-{
-    static const char *const endings[] = {".zip", ".tar", ".gz", ".tgz",
-                                          ".bz2", ".xz",  ".7z", ".rar"};
-    const size_t n_path = strlen(path);
-    if (strcmp(path, "[Content_Types].xml") == 0 || strcmp(path, "META-INF/manifest.xml") == 0) {
-        unpacking->is_office = 1;
-    }
-    for (size_t i = 0; i < sizeof endings / sizeof *endings; i++) {
-        const size_t n_ending = strlen(endings[i]);
-        if (n_path > n_ending && strcmp(path + n_path - n_ending, endings[i]) == 0) {
-            const char *slash = strrchr(path, '/');
-            snprintf(unpacking->inner, sizeof unpacking->inner, "%s",
-                     slash != NULL ? slash + 1 : path);
-        }
-    }
-}
-
-static int complain_nothing(const Unpacking *unpacking)
-{
-    if (unpacking->is_office) {
-        return complain(unpacking, "found an office program's document: hand in the source files "
-                                   "themselves, in a folder or a zip or tar archive");
-    }
-    snprintf(
-        unpacking->message, UNPACK_MESSAGE_BYTES,
-        "the archive holds another one, %s, and none of the lab's files: hand in the inner one",
-        unpacking->inner);
-    return 1;
-}
 
 // Returns 0, or 1 with a message.
 static int entry_read(Unpacking *unpacking, struct archive_entry *entry)
@@ -267,10 +226,22 @@ static int entry_read(Unpacking *unpacking, struct archive_entry *entry)
     if (path == NULL) {
         return 0;
     }
-    contents_note(unpacking, path);
+    const int is_folder = archive_entry_filetype(entry) == AE_IFDIR;
+    if (!is_folder) {
+        contents_note(&unpacking->contents, path);
+    }
     Path parts = {0};
-    Copies *file = path_read(path, &parts) == 0 ? file_find(unpacking, parts.name) : NULL;
-    return file != NULL ? entry_keep(unpacking, entry, &parts, file) : 0;
+    if (path_read(path, &parts) != 0) {
+        return 0;
+    }
+    const Manifest *manifest = unpacking->manifest;
+    const Place place = {parts.folder, parts.name};
+    int rank;
+    const int i = place_of(manifest->lab, manifest->files, manifest->n_files, &place, &rank);
+    if (i < 0 || (is_folder && strcmp(parts.name, manifest->files[i]) != 0)) {
+        return 0;
+    }
+    return entry_keep(unpacking, entry, &place, rank, &unpacking->files[i]);
 }
 
 // Read all entries. Returns as unpack() does.
@@ -293,9 +264,10 @@ static int entries_read(Unpacking *unpacking)
         }
         outcome = entry_read(unpacking, entry);
     }
-    if (outcome == 0 && unpacking->n_files == 0 &&
-        (unpacking->is_office || unpacking->inner[0] != '\0')) {
-        return complain_nothing(unpacking);
+    const int is_told = outcome == 0 && unpacking->n_files == 0 && unpacking->n_told == 0;
+    if (is_told &&
+        contents_explain(&unpacking->contents, unpacking->message, UNPACK_MESSAGE_BYTES)) {
+        return 1;
     }
     return outcome;
 }
@@ -329,7 +301,7 @@ static int kept_write(const Unpacking *unpacking, int folder)
     for (int k = 0; k < COPIES_MAX; k++) {
         for (int i = 0; i < unpacking->manifest->n_files; i++) {
             const Copies *file = &unpacking->files[i];
-            if (k < file->n_kept && copy_write(&file->kept[k], file->name, folder) != 0) {
+            if (k < file->n_kept && copy_write(&file->kept[k], folder) != 0) {
                 return -1;
             }
         }
@@ -337,8 +309,9 @@ static int kept_write(const Unpacking *unpacking, int folder)
     return 0;
 }
 
-// Say of which files several entries have one path: for a folder they are one file.
-static void repeated_say(const Unpacking *unpacking)
+// Say of which files several entries have one path: for a folder they are one file. Returns how
+// long that is.
+static size_t repeated_say(const Unpacking *unpacking)
 {
     size_t n_bytes = 0;
     for (int i = 0; i < unpacking->manifest->n_files; i++) {
@@ -346,16 +319,40 @@ static void repeated_say(const Unpacking *unpacking)
         for (int k = 0; k < copies_count_best(file); k++) {
             const Copy *copy = &file->kept[k];
             char shown[MESSAGE_SHOWN_BYTES];
-            if (copy->n_entries > 1 && n_bytes < UNPACK_MESSAGE_BYTES) {
+            if (copy->n_entries > 1 && copy->rank < RANK_TOLD && n_bytes < UNPACK_MESSAGE_BYTES) {
                 n_bytes += (size_t)snprintf(
                     unpacking->message + n_bytes, UNPACK_MESSAGE_BYTES - n_bytes,
                     "%s%s: %d times in the archive as \"%s%s%s\", %s: the last one counts",
                     n_bytes > 0 ? "\n" : "", file->name, copy->n_entries,
-                    message_show(copy->folder, shown, sizeof shown),
-                    copy->folder[0] != '\0' ? "/" : "", file->name,
+                    message_show(copy->place.folder, shown, sizeof shown),
+                    copy->place.folder[0] != '\0' ? "/" : "", copy->place.name,
                     copy->has_changed ? "with different contents" : "always the same");
             }
         }
+    }
+    return n_bytes;
+}
+
+static int is_one_missing(const Unpacking *unpacking)
+{
+    for (int i = 0; i < unpacking->manifest->n_files; i++) {
+        const Copies *file = &unpacking->files[i];
+        if (file->n_kept == 0 || file->kept[0].rank >= RANK_TOLD) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+// Say what staging cannot see.
+static void entries_say(const Unpacking *unpacking)
+{
+    char list[UNPACK_MESSAGE_BYTES / 2];
+    const size_t n_bytes = repeated_say(unpacking);
+    if (is_one_missing(unpacking) && n_bytes < UNPACK_MESSAGE_BYTES) {
+        contents_list(&unpacking->contents, list, sizeof list);
+        snprintf(unpacking->message + n_bytes, UNPACK_MESSAGE_BYTES - n_bytes, "%s%s",
+                 n_bytes > 0 ? "\n" : "", list);
     }
 }
 
@@ -382,7 +379,7 @@ int unpack(struct archive *archive, const Manifest *manifest, int folder, char *
         outcome = kept_count(&unpacking);
     }
     if (outcome == 0) {
-        repeated_say(&unpacking);
+        entries_say(&unpacking);
         outcome = kept_write(&unpacking, folder);
     }
     const int fault = errno;

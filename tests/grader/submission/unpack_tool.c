@@ -5,7 +5,7 @@
 // Writes the entries with these names into the empty FOLDER (unpack.h says how). Exit status: 0,
 // with lines on stdout where there is something to say; 1 when the archive is at fault, which one
 // line on stdout tells; 2 when it could not work itself, before it looked at the archive or by a
-// fault of the folder, with a line on stderr. Read next: submission.c, which starts it, and does
+// fault of the folder, with a line on stderr. Read next: unpack_run.c, which starts it, and does
 // not believe the 2.
 #include "complain.h"
 #include "file_kind.h"
@@ -33,7 +33,8 @@ static int tell_kind(int descriptor, const Manifest *manifest)
 {
     unsigned char bytes[512];
     const ssize_t n = pread(descriptor, bytes, sizeof bytes, 0);
-    printf("found %s, expected ", file_kind(bytes, n > 0 ? (size_t)n : 0));
+    const FileKind kind = file_kind(bytes, n > 0 ? (size_t)n : 0);
+    printf("found %s%s, expected ", kind.name, kind.fault);
     for (int i = 0; i < manifest->n_files; i++) {
         const char *joint = i == 0 ? "" : i < manifest->n_files - 1 ? ", " : " and ";
         printf("%s%s", joint, manifest->files[i]);

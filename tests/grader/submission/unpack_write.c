@@ -28,6 +28,9 @@ static int file_write(const Copy *copy, int parent, const char *name)
         return outcome_of(errno);
     }
     int fault = bytes_write(descriptor, copy->bytes, copy->n_bytes) != 0 ? errno : 0;
+    // Of several archives the newest file counts. A time that no file system takes says nothing.
+    const struct timespec times[2] = {{.tv_nsec = UTIME_OMIT}, {.tv_sec = copy->changed}};
+    (void)!futimens(descriptor, times);
     if (close(descriptor) != 0 && fault == 0) {
         fault = errno;
     }
@@ -64,9 +67,10 @@ static int folders_enter(int folder, const char *path)
     return inner;
 }
 
-int copy_write(const Copy *copy, const char *name, int folder)
+int copy_write(const Copy *copy, int folder)
 {
-    const int parent = folders_enter(folder, copy->folder);
+    const char *name = copy->place.name;
+    const int parent = folders_enter(folder, copy->place.folder);
     if (parent < 0) {
         return outcome_of(errno);
     }

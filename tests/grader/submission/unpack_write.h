@@ -9,6 +9,6 @@
 // written (a name that this file system does not take, another copy in its way) is passed over.
 //   folder   open
 // Returns 0, or -1 with errno set when the folder is at fault.
-int copy_write(const Copy *copy, const char *name, int folder);
+int copy_write(const Copy *copy, int folder);
 
 #endif
