@@ -185,6 +185,7 @@ static int grade(Grading *grading, const Settings *settings)
     if (staged < 0) {
         return -1;
     }
+    grading->result.has_nothing = staged == STAGE_NOTHING;
     grading_add_stage(grading, "Staging", staged == 0 ? CHECK_PASSED : CHECK_FAILED,
                       staging ? staging : "");
     free(staging);

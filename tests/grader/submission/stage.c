@@ -287,12 +287,14 @@ static int files_stage(const Manifest *manifest, const Staging *staging)
     }
     // All files are looked at, so that a student hears of every fault at once.
     int outcome = 0;
+    int n_there = 0;
     for (int i = 0; outcome >= 0 && i < manifest->n_files; i++) {
+        n_there += places[i].n_folders > 0;
         const int file_outcome = file_stage(staging, manifest->files[i], &places[i]);
         outcome = file_outcome != 0 ? file_outcome : outcome;
     }
     places_free(places, manifest->n_files);
-    return outcome;
+    return outcome == 1 && n_there == 0 ? STAGE_NOTHING : outcome;
 }
 
 // Open both folders. Links on the way are the instructor's and followed.

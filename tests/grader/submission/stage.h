@@ -14,8 +14,10 @@
 //   message   out: NULL, or what there is to say to the student, "overlaps_N_Nearer.cl: not in the
 //             submission ...", at most a line for each file: what is wrong, or where there are
 //             several, which one was taken. Owned by the caller
-// Returns 0; 1 with a message when the submission is at fault; -1 after one message on stderr when
-// the machinery is (no disk space, `submission` is not a folder).
+// Returns 0; 1 with a message when the submission is at fault, STAGE_NOTHING when not even one of
+// the files is in it; -1 after one message on stderr when the machinery is at fault (no disk space,
+// `submission` is not a folder).
+enum { STAGE_NOTHING = 2 };
 int stage_submission(const Manifest *manifest, const char *submission, const char *destination,
                      char **message);
 

@@ -408,7 +408,7 @@ int submission_stage(const Workshop *workshop, const char *path, const char *des
     *message = NULL;
     const int opened = source_open(workshop, path, source, message);
     if (opened != 0) {
-        return opened;
+        return opened > 0 ? STAGE_NOTHING : opened;
     }
     char *unpacked = *message;
     const int staged = stage_submission(workshop->manifest, source, destination, message);

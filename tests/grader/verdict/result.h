@@ -59,6 +59,7 @@ typedef struct Result {
     uint64_t seed;
     char device[256];
     const char *sandbox;   // it ran in: a name of sandbox.h's
+    int has_nothing;       // nothing of the lab was handed in: then the score is no verdict
     int score, max_score;  // sums over the checks
     StageResult stages[RESULT_MAX_STAGES];
     int n_stages;
