@@ -10,6 +10,7 @@ typedef struct Member {
     char *name;   // "Ada Lovelace"
     char *email;  // "ada@example.org"
     char *sid;    // the student's number, as the university gives it
+    char *login;  // the login, or the course system's number of the student
 } Member;
 
 typedef struct GradescopeEntry {
