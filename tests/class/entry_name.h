@@ -1,5 +1,5 @@
-// Who handed an entry in, by the entry's name: what course systems, GitHub Classroom and an archiver
-// add to a name is taken off.
+// Who handed an entry in, by the entry's name: what course systems, GitHub Classroom and an
+// archiver add to a name is taken off.
 //
 // Read next: export.h, which reads a folder of entries.
 #ifndef CLASS_ENTRY_NAME_H

@@ -228,7 +228,7 @@ static void clones_name(Export *export)
     }
 }
 
-// ---- One folder too high or too low --------------------------------------------------------------
+// ---- One folder too high or too low ------------------------------------------------------------
 
 static void entries_free(Export *export)
 {
@@ -302,7 +302,7 @@ static void passed_over_tell(const Export *export)
     }
 }
 
-// ---- Reading -------------------------------------------------------------------------------------
+// ---- Reading -----------------------------------------------------------------------------------
 
 static int found_compare(const void *left, const void *right)
 {

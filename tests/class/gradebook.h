@@ -72,8 +72,8 @@ void gradebook_free(Gradebook *gradebook);
 // "graded", "outdated", "nothing of this lab" or "not graded".
 const char *row_status_name(RowStatus status);
 
-// Of a student's attempts, which a host's export put below each other, the one that counts: the last
-// with something of this lab, or the last of all.
+// Of a student's attempts, which a host's export put below each other, the one that counts: the
+// last with something of this lab, or the last of all.
 const Row *row_that_counts(const Gradebook *gradebook, const Row *row);
 
 // Was it graded? Only then its score counts in means and counts of passed checks.

@@ -8,8 +8,9 @@
 // `roster` writes FOLDER/roster.json and a link FOLDER/submissions/SLUG to each entry; `keys` gives
 // each its seed (class_keys.h); `check` reads what `write` will need, before all gradings; `write`
 // makes gradebook.csv, gradebook.json and class.html in FOLDER of it, and says how the class did.
-// Exit status: 0; 1 when somebody's work could be lost, as the last line says (tally.h); 2 after one
-// message. Read next: roster.h, class_keys.h, gradebook.h; grade_class.sh, which calls all four.
+// Exit status: 0; 1 when somebody's work could be lost, as the last line says (tally.h); 2 after
+// one message. Read next: roster.h, class_keys.h, gradebook.h; grade_class.sh, which calls all
+// four.
 #include "class_keys.h"
 #include "clean_text.h"
 #include "gradebook.h"

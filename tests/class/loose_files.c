@@ -1,5 +1,5 @@
-// Collecting single files (see loose_files.h). Hard links where the file system has them, as nothing
-// is written to either; else copies.
+// Collecting single files (see loose_files.h). Hard links where the file system has them, as
+// nothing is written to either; else copies.
 #include "loose_files.h"
 
 #include "bytes_write.h"
@@ -78,8 +78,8 @@ static void number_remove(char *name)
     }
 }
 
-// The student's own name of a file. A number at its end is the student's, too, where the same student
-// has handed in another file that is called so without it.
+// The student's own name of a file. A number at its end is the student's, too, where the same
+// student has handed in another file that is called so without it.
 static void own_name(const Export *export, int begin, int end, int i, char name[NAME_MAX + 1])
 {
     const Found *found = &export->found[i];

@@ -17,11 +17,13 @@ static const char *const group_titles[] = {"Group", "Gruppe", NULL};
 static const char *const first_titles[] = {"First name", "First Name", "Vorname", NULL};
 static const char *const last_titles[] = {"Surname", "Last name", "Last Name", "Nachname", NULL};
 static const char *const name_titles[] = {"Full name", "Vollständiger Name", "Student", NULL};
-static const char *const mail_titles[] = {"Email address", "E-Mail-Adresse", "E-Mail", "Email", NULL};
+static const char *const mail_titles[] = {"Email address", "E-Mail-Adresse", "E-Mail", "Email",
+                                          NULL};
 static const char *const sid_titles[] = {"ID number",  "ID-Nummer",    "Matrikelnummer",
                                          "Student ID", "OrgDefinedId", NULL};
-static const char *const user_titles[] = {"Username",     "Anmeldename",     "Benutzername", "Nutzername", "Login",
-                                          "SIS Login ID", "GitHub username", "GitHub",       NULL};
+static const char *const user_titles[] = {
+    "Username", "Anmeldename",  "Benutzername",    "Nutzername", "Nutzernamen",
+    "Login",    "SIS Login ID", "GitHub username", "GitHub",     NULL};
 // Whose "ID" is the number that Canvas writes into names of files.
 static const char *const canvas_titles[] = {"SIS Login ID", "SIS User ID", NULL};
 
@@ -46,8 +48,8 @@ static void name_compose(const char *name, char composed[ENTRY_NAME_BYTES])
     UChar units[ENTRY_NAME_BYTES], composed_units[ENTRY_NAME_BYTES];
     int n;
     u_strFromUTF8(units, ENTRY_NAME_BYTES, &n, name, -1, &status);
-    n = unorm2_normalize(unorm2_getNFCInstance(&status), units, n, composed_units,
-                         ENTRY_NAME_BYTES, &status);
+    n = unorm2_normalize(unorm2_getNFCInstance(&status), units, n, composed_units, ENTRY_NAME_BYTES,
+                         &status);
     u_strToUTF8(composed, ENTRY_NAME_BYTES, NULL, composed_units, n, &status);
     if (U_FAILURE(status) || status == U_STRING_NOT_TERMINATED_WARNING) {
         snprintf(composed, ENTRY_NAME_BYTES, "%s", name);  // too long, or no text
@@ -81,7 +83,8 @@ static void name_strip(const char *name, char stripped[ENTRY_NAME_BYTES])
     name_compose(name, composed);
     size_t n = 0;
     for (const char *at = composed; *at != '\0';) {
-        const char *digits = strncmp(at, "\\x", 2) == 0 || strncmp(at, "#U", 2) == 0 ? at + 2 : NULL;
+        const char *digits =
+            strncmp(at, "\\x", 2) == 0 || strncmp(at, "#U", 2) == 0 ? at + 2 : NULL;
         const int n_wanted = *at == '#' ? 4 : 2;
         if (digits != NULL && (int)strspn(digits, "0123456789ABCDEFabcdef") >= n_wanted) {
             at = digits + n_wanted;
@@ -94,7 +97,8 @@ static void name_strip(const char *name, char stripped[ENTRY_NAME_BYTES])
     stripped[n] = '\0';
 }
 
-// Is a name what Canvas makes of "Lovelace, Ada": small letters and digits, and nothing between them?
+// Is a name what Canvas makes of "Lovelace, Ada": small letters and digits, and nothing between
+// them?
 static int is_squeezed(const char *cell, const char *name)
 {
     for (; *cell != '\0'; cell++) {
@@ -269,8 +273,7 @@ int fits_key(const Worksheet *worksheet, const Participant *participant, const M
            is_login(worksheet, participant, member->login);
 }
 
-int fits_other_key(const Worksheet *worksheet, const Participant *participant,
-                   const Member *member)
+int fits_other_key(const Worksheet *worksheet, const Participant *participant, const Member *member)
 {
     return (member->email[0] != '\0' && cell_of(worksheet, participant, mail_titles)[0] != '\0') ||
            (member->sid[0] != '\0' && cell_of(worksheet, participant, sid_titles)[0] != '\0');

@@ -12,7 +12,8 @@ int fits_group(const Worksheet *worksheet, const Participant *participant, const
 // an accent; or as Canvas has it, "lovelaceada".
 int fits_full_name(const Worksheet *worksheet, const Participant *participant, const char *name);
 
-// Does the name stand for the participant in any way: in full, as user name, number or e-mail address?
+// Does the name stand for the participant in any way: in full, as user name, number or e-mail
+// address?
 int fits_name(const Worksheet *worksheet, const Participant *participant, const char *name);
 
 // Does the entry's number fit the participant's? Only Moodle's own "Participant 12" can differ: a
@@ -29,16 +30,16 @@ int fits_as_numbered(const Worksheet *worksheet, const Participant *participant,
 // mangled (CP437, CP850)?
 int fits_mangled_name(const Worksheet *worksheet, const Participant *participant, const char *name);
 
-// Is it the name behind that of a team, "Team A-Ada Lovelace"? Returns the length of the team's name,
-// or 0.
+// Is it the name behind that of a team, "Team A-Ada Lovelace"? Returns the length of the team's
+// name, or 0.
 size_t fits_behind_team(const Worksheet *worksheet, const Participant *participant,
                         const char *name);
 
 // Has the submitter this e-mail address, this number of the university or this login?
 int fits_key(const Worksheet *worksheet, const Participant *participant, const Member *member);
 
-// Of a participant without any of the submitter's keys: is one given on both sides, and differs? The
-// login is no such key, as a list may hold one of another system.
+// Of a participant without any of the submitter's keys: is one given on both sides, and differs?
+// The login is no such key, as a list may hold one of another system.
 int fits_other_key(const Worksheet *worksheet, const Participant *participant,
                    const Member *member);
 

@@ -26,12 +26,12 @@ typedef struct Roster {
     int n_passed_over;
 } Roster;
 
-// Read the folder of submissions (export.h): each folder and each archive in it is an entry, and so are
-// all single files of one attempt, where a course system has named them.
+// Read the folder of submissions (export.h): each folder and each archive in it is an entry, and so
+// are all single files of one attempt, where a course system has named them.
 //   lab_number   GitHub Classroom's names begin with it
-//   only_latest  of the entries that a course system's export gives to one student keep the last: by
-//                its time, else files after text typed into a form, and these by name. A name that only
-//                ends like an attempt's, "ada-2", may be anybody's, and stays.
+//   only_latest  of the entries that a course system's export gives to one student keep the last:
+//                by its time, else files after text typed into a form, and these by name. A name
+//                that only ends like an attempt's, "ada-2", may be anybody's, and stays.
 //   folder       receives, made anew, a folder "submissions" with a symbolic link SLUG -> entry for
 //                each, and a folder "collected" with single files
 // Returns 0, or -1 after one message on stderr. Release with roster_free().

@@ -1,5 +1,5 @@
-// What a course system writes before the name of a file, or makes the name of a folder: who handed it
-// in, when, and under which number. Used by entry_name.c alone.
+// What a course system writes before the name of a file, or makes the name of a folder: who handed
+// it in, when, and under which number. Used by entry_name.c alone.
 //
 // A student chooses the file's own name, which comes last: so each pattern is looked for from the
 // front, and what looks like a second one further back belongs to the file's name.
@@ -44,8 +44,8 @@ typedef struct SystemName {
 //   Lovelace_Ada_ada_1234                                                        ILIAS, a folder
 SystemName system_name_read(const char *entry);
 
-// ILIAS puts the time before each file's name, "20261103102233_17_file.cl". Returns how long that is,
-// or 0.
+// ILIAS puts the time before each file's name, "20261103102233_17_file.cl". Returns how long that
+// is, or 0.
 size_t ilias_time_length(const char *file);
 
 #endif

@@ -19,7 +19,7 @@ typedef struct Participant {
 
 // What became of a row of the gradebook.
 typedef struct Entered {
-    int n_participants;  // beside whom it stands: of a team all, of an attempt that does not count none
+    int n_participants;  // beside whom it is: all of a team; none if a later attempt counts
     char *why_not;       // who it could not be entered for, and why; NULL: nobody
 } Entered;
 

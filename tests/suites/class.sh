@@ -236,6 +236,7 @@ for name in "Ada Lovelace" "Grace Hopper" "Joan Clarke"; do
         "$without/gradebook.csv"
 done
 check "a text beside files is another attempt" grep -q '^"Participant 4","Mary Shaw","100.00",' "$without/gradebook.csv"
+# shellcheck disable=SC2016 # for the inner shell
 check "they stand first on the page" sh -c 'tr "\n" " " <"$1" | grep -q "</header> <h2 class=\"section\" id=\"nothing\">"' \
     - "$without/class.html"
 check "with what was found instead" grep -q "RAR archive" "$without/class.html"

@@ -19,9 +19,9 @@ enum { SUBMISSION_MAX_MEGABYTES = 64 };
 //   destination  an existing folder
 //   message      out: NULL, or what there is to say to the student: what is wrong, or which of
 //                several files was taken; owned by the caller
-// Returns 0; 1 with a message when the submission is at fault; STAGE_NOTHING with one when nothing of
-// the lab was handed in: none of its files, or an archive that cannot be read (no archive, damaged,
-// encrypted, excessive); -1 after one message on stderr when the machinery is at fault.
+// Returns 0; 1 with a message when the submission is at fault; STAGE_NOTHING with one when nothing
+// of the lab was handed in: none of its files, or an archive that cannot be read (no archive,
+// damaged, encrypted, excessive); -1 after one message on stderr when the machinery is at fault.
 int submission_stage(const Workshop *workshop, const char *path, const char *destination,
                      char **message);
 
