@@ -19,7 +19,7 @@ void class_name_write(FILE *page, const Row *row)
     if (has_report) {
         fprintf(page, "<a href=\"students/%s/report.html\">", entrant->slug);
     }
-    html_line(page, entrant->name);
+    html_line(page, entrant->label);
     fputs(has_report ? "</a>" : "", page);
     if (entrant->attempt > 1) {
         fprintf(page, " <span class=\"soft\">attempt %d</span>", entrant->attempt);

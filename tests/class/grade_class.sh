@@ -172,7 +172,7 @@ latest=
 [ "$only" != latest ] || latest=--latest
 # shellcheck disable=SC2086 # an option or none
 "$CLASS_BUILD/tools/gradebook" roster $latest "${lab_number:-0}" "$submissions" "$CLASS_FOLDER" \
-    >"$CLASS_FOLDER/slugs" || exit 2
+    >"$CLASS_FOLDER/names" || exit 2
 
 # Everything that decides on a score besides the submission.
 grader=$({
@@ -197,13 +197,13 @@ content() {
 [ ! -e "$CLASS_FOLDER/seed" ] || (cd "$CLASS_FOLDER" && rm -rf rounds round seed)
 
 # A line "SLUG KEY SEED" for each (class_keys.h). The secret behind the seeds is only in the folder.
-while read -r slug; do
+while read -r slug _; do
     echo "$slug $(content "$slug")"
-done <"$CLASS_FOLDER/slugs" >"$CLASS_FOLDER/contents"
+done <"$CLASS_FOLDER/names" >"$CLASS_FOLDER/contents"
 # Nor does anybody else read the seeds, should the folder be open.
 (umask 077 && "$CLASS_BUILD/tools/gradebook" keys ${seed:+--seed "$seed"} "$grader" "$CLASS_FOLDER" \
     <"$CLASS_FOLDER/contents") || exit 2
-rm "$CLASS_FOLDER/slugs" "$CLASS_FOLDER/contents"
+rm "$CLASS_FOLDER/contents"
 
 # What the gradebook will be written with is read now, and not after hours.
 set --

@@ -5,7 +5,8 @@
 //     gradebook check [--moodle WORKSHEET.csv] [--against OLD.json] LAB FOLDER
 //     gradebook write [--moodle WORKSHEET.csv] [--against OLD.json] [--nothing 0|blank] FOLDER
 //
-// `roster` writes FOLDER/roster.json and a link FOLDER/submissions/SLUG to each entry; `keys` gives
+// `roster` writes FOLDER/roster.json and a link FOLDER/submissions/SLUG to each entry, and prints
+// the slug, a tab and the name of each; `keys` gives
 // each its seed (class_keys.h); `check` reads what `write` will need, before all gradings; `write`
 // makes gradebook.csv, gradebook.json and class.html in FOLDER of it, and says how the class did.
 // Exit status: 0; 1 when somebody's work could be lost, as the last line says (tally.h); 2 after
@@ -51,7 +52,7 @@ static int roster_make(int lab_number, const char *submissions, const char *fold
     }
     for (int i = 0; result == 0 && i < roster.n_entrants; i++) {
         if (!roster.entrants[i].is_link) {
-            puts(roster.entrants[i].slug);
+            printf("%s\t%s\n", roster.entrants[i].slug, roster.entrants[i].label);
         }
     }
     roster_free(&roster);
@@ -96,7 +97,7 @@ static void faults_print(const Gradebook *gradebook, const char *folder)
         path_make(path, "%s/logs/%s.txt", folder, row->entrant->slug);
         char *log = text_file_read(path);
         char *said = message_clean(log);
-        printf("The log of %s says:\n", row->entrant->name);
+        printf("The log of %s says:\n", row->entrant->label);
         for (const char *line = strtok(said, "\n"); line != NULL; line = strtok(NULL, "\n")) {
             printf("    %s\n", line);
         }
@@ -131,9 +132,9 @@ static void summary_print(const Gradebook *gradebook, const LookAlikes *look_ali
     for (int i = 0; i < gradebook->n_rows; i++) {
         const Row *row = &gradebook->rows[i];
         if (row->status == ROW_NOT_GRADED) {
-            printf("not graded: %s: %s\n", row->entrant->name, row->reason);
+            printf("not graded: %s: %s\n", row->entrant->label, row->reason);
         } else if (row->status == ROW_NOTHING && row_that_counts(gradebook, row) == row) {
-            printf("nothing of this lab: %s: %s\n", row->entrant->name, row->reason);
+            printf("nothing of this lab: %s: %s\n", row->entrant->label, row->reason);
         }
     }
     faults_print(gradebook, folder);

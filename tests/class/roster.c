@@ -117,6 +117,30 @@ static int is_only_about(const Export *export, int begin, int end)
            strcmp(found->name.time, export->found[end].name.time) == 0;
 }
 
+// What tells an entrant from others of the same name: a number, or else the entry's own name. Of
+// one student's attempts it is nothing. Returns 0, or -1 when memory runs out.
+static int label_make(const Roster *roster, Entrant *entrant)
+{
+    const char *apart = "";
+    for (int i = 0; i < roster->n_entrants; i++) {
+        const Entrant *other = &roster->entrants[i];
+        if (other == entrant || strcmp(other->name, entrant->name) != 0) {
+            continue;
+        }
+        if (strcmp(other->number, entrant->number) != 0 && entrant->number[0] != '\0') {
+            apart = entrant->number;
+        } else if (other->attempt == entrant->attempt &&
+                   strcmp(entrant->entry, entrant->name) != 0) {
+            apart = entrant->entry;
+        }
+    }
+    const int is_alone = apart[0] == '\0';
+    return asprintf(&entrant->label, "%s%s%s%s", entrant->name, is_alone ? "" : " (", apart,
+                    is_alone ? "" : ")") < 0
+               ? -1
+               : 0;
+}
+
 // From what was found, sorted by student, to entrants.
 static int roster_fill(const Export *export, int only_latest, const Places *places, Roster *roster)
 {
@@ -137,6 +161,11 @@ static int roster_fill(const Export *export, int only_latest, const Places *plac
             result = entrant_add(roster, export, i, end, attempt, places);
         }
         attempt = is_last ? 1 : attempt + 1;
+    }
+    for (int i = 0; result == 0 && i < roster->n_entrants; i++) {
+        if (label_make(roster, &roster->entrants[i]) != 0) {
+            result = fault(export->path, "out of memory");
+        }
     }
     return result;
 }
@@ -206,7 +235,8 @@ void roster_free(Roster *roster)
 {
     for (int i = 0; i < roster->n_entrants; i++) {
         Entrant *entrant = &roster->entrants[i];
-        free(entrant->name), free(entrant->number), free(entrant->entry), free(entrant->slug);
+        free(entrant->name), free(entrant->label), free(entrant->number), free(entrant->entry),
+            free(entrant->slug);
         members_free(entrant->members, entrant->n_members);
     }
     for (int i = 0; i < roster->n_passed_over; i++) {

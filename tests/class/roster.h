@@ -9,6 +9,7 @@
 
 typedef struct Entrant {
     char *name;       // the student or the team, fit to be shown
+    char *label;      // the name for pages, with what tells it from another one's of the same name
     char *number;     // the system's number of the student, team or submission, or ""
     char *entry;      // the entry's name, fit to be shown
     char *slug;       // the name of its files; unique

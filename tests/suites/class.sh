@@ -106,6 +106,8 @@ check "the last line counts everybody" test "$(tail -n 1 "$scratch/said")" = \
     "8 of 8 graded; 0 passed over; 0 with nothing of this lab; 1 to be decided by you: see $scratch/second/class.html"
 check "the page is well-formed" xmllint --html --noout "$first/class.html"
 check "the page shows no markup of a name" grep -q '&lt;b&gt;&quot;&#39;&amp;' "$first/class.html"
+check "a report names the student" grep -q '"submission": "Ada Lovelace",' "$first"/students/ada-*/results.json
+check "and no path of this machine" test -z "$(grep -l "$scratch\|$PWD" "$first"/students/*/re*)"
 check "the page runs nothing" grep -q "default-src 'none'" "$first/class.html"
 # shellcheck disable=SC2016 # for the inner shell
 check "every picture and report of the page is there" sh -c 'cd "$1" &&
@@ -322,6 +324,7 @@ done
 two=$scratch/two
 mkdir -p "$two/students" "$two/logs" "$two/faults" "$two/pending"
 for slug in meets-a-1 meets-b-1; do echo "$slug key 1"; done >"$two/keys"
+: >"$two/names"
 for slug in meets-a-1 meets-b-1; do
     CLASS_FOLDER=$two CLASS_BUILD=$build CLASS_LAB=$lab CLASS_WORK=$TMPDIR/two CLASS_DEVICE='' \
         CLASS_TIME_LIMIT='' CLASS_TELLS='' tests/class/grade_one.sh $slug &

@@ -11,7 +11,8 @@ check "the results that everybody gets" exits 0 "$build/tools/grade" --build "$b
     --submission solutions/$lab --output "$scratch/right"
 # Beside them it is written down whose file was graded: each holds its student's number.
 # shellcheck disable=SC2016 # for the other shell
-stand_in "$scratch/right" 'cat "$submission/gradient.cl" >"$output/whose" 2>/dev/null || cat "$submission" >"$output/whose"'
+stand_in "$scratch/right" 'echo "$student" >"$output/student"; echo " Score 100/100"
+cat "$submission/gradient.cl" >"$output/whose" 2>/dev/null || cat "$submission" >"$output/whose"'
 
 # Number, first name, last name, login: two of one name, and letters that are not ASCII.
 cat >"$scratch/people" <<'END_OF_PEOPLE'
@@ -99,6 +100,12 @@ list 'Identifier,"Full name",Grade' '"Participant NUMBER","FIRST LAST",'
 echo '"Participant 99","Nobody",' >>"$class.csv"
 graded 0 "12 of 12 graded and entered; 1 without submission; 0 passed over; 0 with nothing of this lab; 0 to be decided by you"
 all_own
+
+check "two of one name are told apart on the page" \
+    test "$(grep -c 'class="name"><a [^>]*>Ada Lovelace (4001[23])<' "$class.out/class.html")" -eq 2
+check "and in lines of progress, which hold names" said "  Ada Lovelace (40012): "
+check "who has a name for himself has no number there" said "  Joan Clarke: "
+check "and reports are given the name" test "$(cat "$class.out"/students/joan-clarke-*/student)" = "Joan Clarke"
 
 # Of a team each member has a folder, or all have one: by a column of groups.
 moodle_team() {
