@@ -322,25 +322,6 @@ static int names_compare(const void *left, const void *right)
     return strcmp(*(char *const *)left, *(char *const *)right);
 }
 
-// "Ada Lovelace & Grace Hopper", and "..." for those that there is no room for: half a name may be
-// no text. Nothing when no name is known.
-static void names_join(const GradescopeEntry *entry, char text[ENTRY_NAME_BYTES])
-{
-    size_t length = 0;
-    for (int i = 0; i < entry->n_members; i++) {
-        const char *name = entry->members[i].name;
-        const char *joint = length > 0 ? " & " : "";
-        if (length + strlen(joint) + strlen(name) + sizeof " & ..." > ENTRY_NAME_BYTES) {
-            snprintf(text + length, ENTRY_NAME_BYTES - length, "%s...", joint);
-            return;
-        }
-        if (name[0] != '\0') {
-            length +=
-                (size_t)snprintf(text + length, ENTRY_NAME_BYTES - length, "%s%s", joint, name);
-        }
-    }
-}
-
 // Gradescope's folders have numbers; who handed in is in a file beside them.
 static int submitters_read(Export *export)
 {
@@ -351,7 +332,7 @@ static int submitters_read(Export *export)
         Found *found = &export->found[i];
         found->submitters = gradescope_names_find(&export->names, found->file);
         if (found->submitters != NULL) {
-            names_join(found->submitters, found->name.name);
+            gradescope_names_join(found->submitters, found->name.name);
         }
     }
     return 0;

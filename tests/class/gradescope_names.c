@@ -230,3 +230,20 @@ const GradescopeEntry *gradescope_names_find(const GradescopeNames *names, const
     }
     return NULL;
 }
+
+void gradescope_names_join(const GradescopeEntry *entry, char text[ENTRY_NAME_BYTES])
+{
+    size_t length = 0;
+    for (int i = 0; i < entry->n_members; i++) {
+        const char *name = entry->members[i].name;
+        const char *joint = length > 0 ? " & " : "";
+        if (length + strlen(joint) + strlen(name) + sizeof " & ..." > ENTRY_NAME_BYTES) {
+            snprintf(text + length, ENTRY_NAME_BYTES - length, "%s...", joint);
+            return;
+        }
+        if (name[0] != '\0') {
+            length +=
+                (size_t)snprintf(text + length, ENTRY_NAME_BYTES - length, "%s%s", joint, name);
+        }
+    }
+}
