@@ -38,7 +38,7 @@ row() { text=$2 awk 'index($0, ENVIRON["text"]) == 1 { n++ } END { exit n != 1 }
     { cat "$1/gradebook.csv"; return 1; }; }
 
 # stand_in RESULTS [FAULTS]: from here on classes are graded by a grader that gives everybody the results
-# in this folder, behind lines of shell that have $submission and $output.
+# in this folder, behind lines of shell that have $student, $submission and $output.
 stand_in() {
     fake=$scratch/fake
     mkdir -p "$fake/tools"
@@ -46,6 +46,8 @@ stand_in() {
     ln -s "$build/probes" "$build/earlier" "$build/libcommon.a" "$fake"
     cat >"$fake/tools/grade" <<END
 #!/bin/sh
+while [ "\$1" != --student ]; do shift; done
+student=\$2
 while [ "\$1" != --submission ]; do shift; done
 submission=\$2 output=\$4
 ${2:-}

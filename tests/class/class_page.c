@@ -7,6 +7,7 @@
 
 #include "html.h"
 #include "output_file.h"
+#include "tally.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -18,7 +19,7 @@ void class_name_write(FILE *page, const Row *row)
     if (has_report) {
         fprintf(page, "<a href=\"students/%s/report.html\">", entrant->slug);
     }
-    html_line(page, entrant->name);
+    html_line(page, entrant->label);
     fputs(has_report ? "</a>" : "", page);
     if (entrant->attempt > 1) {
         fprintf(page, " <span class=\"soft\">attempt %d</span>", entrant->attempt);
@@ -45,7 +46,7 @@ static void facts_write(FILE *page, const Gradebook *gradebook)
     double sum = 0;
     for (int i = 0; scores != NULL && i < gradebook->n_rows; i++) {
         const Row *row = &gradebook->rows[i];
-        if (row->status != ROW_NOT_GRADED) {
+        if (row_is_graded(row)) {
             scores[n++] = row->score;
             sum += row->score;
             n_full += row->score == gradebook->max_score;
@@ -55,9 +56,9 @@ static void facts_write(FILE *page, const Gradebook *gradebook)
     fputs("<dl class=\"facts\">\n", page);
     snprintf(value, sizeof value, "%d", gradebook->n_rows);
     fact_write(page, "Submissions", value);
-    if (n < gradebook->n_rows) {
+    if (n + gradebook->n_nothing < gradebook->n_rows) {
         fprintf(page, "<div><dt>Not graded</dt><dd class=\"short\">%d</dd></div>\n",
-                gradebook->n_rows - n);
+                gradebook->n_rows - n - gradebook->n_nothing);
     }
     if (n > 0) {
         qsort(scores, (size_t)n, sizeof *scores, scores_compare);
@@ -72,13 +73,16 @@ static void facts_write(FILE *page, const Gradebook *gradebook)
     free(scores);
 }
 
-static void head_write(FILE *page, const Gradebook *gradebook, int has_leaderboard)
+static void head_write(FILE *page, const Gradebook *gradebook, const Tally *tally,
+                       int has_leaderboard)
 {
     fputs("<header>\n<p class=\"lab\">", page);
     html_line(page, gradebook->lab != NULL ? gradebook->lab : "");
     fputs("</p>\n<h1>", page);
     html_line(page, gradebook->title != NULL ? gradebook->title : "");
-    fputs(": the class</h1>\n", page);
+    fputs(": the class</h1>\n<p>", page);
+    tally_write(page, tally);
+    fputs(".</p>\n", page);
     facts_write(page, gradebook);
     class_histogram_write(page, gradebook);
     fprintf(page,
@@ -88,10 +92,83 @@ static void head_write(FILE *page, const Gradebook *gradebook, int has_leaderboa
             has_leaderboard ? "<a href=\"#leaderboard\">Leaderboard</a> " : "");
 }
 
+// A row of a list before the table: whose it is, and why it is listed.
+static void listed_write(FILE *page, const Row *row, const char *why)
+{
+    fputs("<tr><td class=\"name\">", page);
+    class_name_write(page, row);
+    fputs("</td><td class=\"first\">", page);
+    html_line(page, why);
+    if (row->has_log) {
+        fprintf(page, " <a href=\"logs/%s.txt\">what the grader said</a>", row->entrant->slug);
+    }
+    fputs("</td></tr>\n", page);
+}
+
+// What no check has judged, so that a score would say nothing.
+static void nothing_write(FILE *page, const Gradebook *gradebook)
+{
+    int n = 0;
+    for (int i = 0; i < gradebook->n_rows; i++) {
+        const Row *row = &gradebook->rows[i];
+        if (row->status != ROW_NOTHING || row_that_counts(gradebook, row) != row) {
+            continue;
+        }
+        if (n++ == 0) {
+            fprintf(page,
+                    "<h2 class=\"section\" id=\"nothing\">Nothing of this lab</h2>\n"
+                    "<p class=\"soft\">These entries hold no file of the lab, or none that can be "
+                    "read. The gradebooks have %s for them (NOTHING=0 or NOTHING=blank).</p>\n"
+                    "<div class=\"card\"><table><tbody>\n",
+                    gradebook->nothing_is_zero ? "a zero" : "a blank");
+        }
+        listed_write(page, row, row->reason);
+    }
+    fputs(n > 0 ? "</tbody></table></div>\n" : "", page);
+}
+
+// Entries that were entered for nobody, or not for all of a team.
+static void undecided_write(FILE *page, const Gradebook *gradebook, const Worksheet *worksheet)
+{
+    int n = 0;
+    for (int i = 0; i < gradebook->n_rows; i++) {
+        const Row *row = &gradebook->rows[i];
+        if (!tally_is_undecided(gradebook, worksheet, row)) {
+            continue;
+        }
+        if (n++ == 0) {
+            fputs("<h2 class=\"section\" id=\"undecided\">Whose is it?</h2>\n"
+                  "<p class=\"soft\">The list does not say for certain who handed these in. They "
+                  "are entered for nobody: to decide that is yours.</p>\n"
+                  "<div class=\"card\"><table><tbody>\n",
+                  page);
+        }
+        listed_write(page, row, worksheet->entered[i].why_not);
+    }
+    fputs(n > 0 ? "</tbody></table></div>\n" : "", page);
+}
+
+static void passed_over_write(FILE *page, const Roster *roster)
+{
+    if (roster->n_passed_over == 0) {
+        return;
+    }
+    fputs(
+        "<h2 class=\"section\" id=\"passed-over\">Passed over</h2>\n"
+        "<p class=\"soft\">Files of which no name says whose they are. If one is a student's, put "
+        "it into a folder with the student's name.</p>\n<div class=\"card\"><p class=\"names\">",
+        page);
+    for (int i = 0; i < roster->n_passed_over; i++) {
+        fputs(i > 0 ? " &middot; " : "", page);
+        html_line(page, roster->passed_over[i]);
+    }
+    fputs("</p></div>\n", page);
+}
+
 // Apart from all others: nobody has judged these, and nobody may read a zero.
 static void not_graded_write(FILE *page, const Gradebook *gradebook)
 {
-    if (gradebook->n_graded == gradebook->n_rows) {
+    if (gradebook->n_graded + gradebook->n_nothing == gradebook->n_rows) {
         return;
     }
     fputs("<h2 class=\"section\" id=\"not-graded\">Not graded</h2>\n"
@@ -101,15 +178,7 @@ static void not_graded_write(FILE *page, const Gradebook *gradebook)
     for (int i = 0; i < gradebook->n_rows; i++) {
         const Row *row = &gradebook->rows[i];
         if (row->status == ROW_NOT_GRADED) {
-            fputs("<tr><td class=\"name\">", page);
-            class_name_write(page, row);
-            fputs("</td><td class=\"first\">", page);
-            html_line(page, row->reason);
-            if (row->has_log) {
-                fprintf(page, " <a href=\"logs/%s.txt\">what the grader said</a>",
-                        row->entrant->slug);
-            }
-            fputs("</td></tr>\n", page);
+            listed_write(page, row, row->reason);
         }
     }
     fputs("</tbody></table></div>\n", page);
@@ -189,7 +258,7 @@ static void table_write(FILE *page, const Gradebook *gradebook)
     table_head_write(page, gradebook);
     fputs("<tbody>\n", page);
     for (int i = 0; i < gradebook->n_rows; i++) {
-        if (gradebook->rows[i].status != ROW_NOT_GRADED) {
+        if (row_is_graded(&gradebook->rows[i])) {
             row_write(page, gradebook, &gradebook->rows[i]);
         }
     }
@@ -199,12 +268,17 @@ static void table_write(FILE *page, const Gradebook *gradebook)
 // ---- The page --------------------------------------------------------------------------------
 
 static void page_write(FILE *page, const Gradebook *gradebook, const Failures *failures,
-                       const LookAlikes *look_alikes, const Leaderboard *leaderboard)
+                       const LookAlikes *look_alikes, const Leaderboard *leaderboard,
+                       const Worksheet *worksheet)
 {
+    const Tally tally = tally_count(gradebook, worksheet, look_alikes->n_groups);
     char title[256];
     snprintf(title, sizeof title, "%s: the class", gradebook->lab != NULL ? gradebook->lab : "");
     html_album_begin(page, title);
-    head_write(page, gradebook, leaderboard->n_places > 0);
+    head_write(page, gradebook, &tally, leaderboard->n_places > 0);
+    nothing_write(page, gradebook);
+    undecided_write(page, gradebook, worksheet);
+    passed_over_write(page, &gradebook->roster);
     not_graded_write(page, gradebook);
     class_look_alikes_write(page, look_alikes);
     class_changes_write(page, gradebook);
@@ -216,7 +290,7 @@ static void page_write(FILE *page, const Gradebook *gradebook, const Failures *f
     html_page_end(page);
 }
 
-int gradebook_page(const Gradebook *gradebook, const char *path)
+int gradebook_page(const Gradebook *gradebook, const char *path, const Worksheet *worksheet)
 {
     Failures failures = {0};
     LookAlikes look_alikes = {0};
@@ -226,7 +300,7 @@ int gradebook_page(const Gradebook *gradebook, const char *path)
     if (failures_find(gradebook, &failures) == 0 &&
         look_alikes_find(gradebook, &look_alikes) == 0 &&
         leaderboard_find(gradebook, &leaderboard) == 0 && output_file_open(&output, path) == 0) {
-        page_write(output.file, gradebook, &failures, &look_alikes, &leaderboard);
+        page_write(output.file, gradebook, &failures, &look_alikes, &leaderboard, worksheet);
         result = output_file_commit(&output);
     }
     failures_free(&failures);

@@ -36,7 +36,7 @@ void class_histogram_write(FILE *page, const Gradebook *gradebook)
         return;
     }
     for (int i = 0; i < gradebook->n_rows; i++) {
-        if (gradebook->rows[i].status != ROW_NOT_GRADED) {
+        if (row_is_graded(&gradebook->rows[i])) {
             const int count = ++counts[bar_of(gradebook, gradebook->rows[i].score)];
             most = count > most ? count : most;
         }
@@ -92,7 +92,7 @@ void class_look_alikes_write(FILE *page, const LookAlikes *look_alikes)
                 html_line(page, row->entrant->entry);
                 fputs("</code>", page);
             }
-            if (row->status != ROW_NOT_GRADED) {
+            if (row_is_graded(row)) {
                 fprintf(page, " <b class=\"number\">%d</b>", row->score);
             }
         }
@@ -108,7 +108,7 @@ void class_changes_write(FILE *page, const Gradebook *gradebook)
     int n_compared = 0, n_up = 0, n_down = 0;
     for (int i = 0; i < gradebook->n_rows; i++) {
         const Row *row = &gradebook->rows[i];
-        const int compared = row->has_old_score && row->status != ROW_NOT_GRADED;
+        const int compared = row->has_old_score && row_is_graded(row);
         n_compared += compared;
         n_up += compared && row->score > row->old_score;
         n_down += compared && row->score < row->old_score;
@@ -126,7 +126,7 @@ void class_changes_write(FILE *page, const Gradebook *gradebook)
     fputs("<div class=\"card\">\n", page);
     for (int i = 0; i < gradebook->n_rows; i++) {
         const Row *row = &gradebook->rows[i];
-        if (row->has_old_score && row->status != ROW_NOT_GRADED && row->score != row->old_score) {
+        if (row->has_old_score && row_is_graded(row) && row->score != row->old_score) {
             fputs("<div class=\"count\"><div>", page);
             class_name_write(page, row);
             fprintf(page, "</div><span class=\"number\">%d &rarr; %d</span><b class=\"number %s\">",

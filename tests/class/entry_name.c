@@ -72,7 +72,7 @@ static int read_moodle(const char *entry, EntryName *name)
 {
     static const char pattern[] = "_assignsubmission_";
     const char *plugin = strstr(entry, pattern);
-    name->is_moodles = plugin != NULL;
+    name->system = plugin != NULL ? SYSTEM_MOODLE : SYSTEM_NONE;
     if (plugin == NULL || strstr(plugin + 1, pattern) != NULL) {
         return 0;
     }
@@ -87,6 +87,8 @@ static int read_moodle(const char *entry, EntryName *name)
     if (length > 0) {
         snprintf(name->number, sizeof name->number, "%.*s", has_number ? n_digits : 0, digits);
         name->is_text = strncmp(plugin, "_assignsubmission_onlinetext", 28) == 0;
+        const char *file = strchr(plugin + strlen(pattern), '_');
+        name->file = file != NULL && file[1] != '\0' ? (int)(file + 1 - entry) : 0;
     }
     return length;
 }
@@ -118,6 +120,13 @@ static int read_github(const char *entry, int lab_number)
     return (int)(end + 1 - entry);
 }
 
+// Stud.IP: "[NUMBER]_NAME", the number being the file's. Returns its length, or 0.
+static int read_studip(const char *entry)
+{
+    const int n_digits = entry[0] == '[' ? (int)strspn(entry + 1, "0123456789") : 0;
+    return n_digits > 0 && strncmp(entry + 1 + n_digits, "]_", 2) == 0 ? n_digits + 3 : 0;
+}
+
 EntryName entry_name_read(const char *entry, int lab_number)
 {
     EntryName name = {0};
@@ -126,11 +135,35 @@ EntryName entry_name_read(const char *entry, int lab_number)
     if (end == 0) {
         end = entry_name_archive_stem(entry);
         end = end > 0 ? end : (int)strlen(entry);
-        begin = read_github(entry, lab_number);
+        begin = read_github(entry, lab_number) + read_studip(entry);
         begin = begin < end ? begin : 0;
         read_gradescope(entry, end, &name);
     }
     entry_name_show(entry + begin, (size_t)(end - begin), name.name);
+    return name;
+}
+
+static void part_show(NamePart part, char *text)
+{
+    entry_name_show(part.text != NULL ? part.text : "", part.length, text);
+}
+
+EntryName entry_name_read_export(const char *entry, int is_folder)
+{
+    EntryName name = {0};
+    const SystemName found = system_name_read(entry);
+    if (found.system == SYSTEM_NONE || (found.file.length == 0) != is_folder ||
+        found.number.length >= sizeof name.number) {
+        return name;
+    }
+    part_show(found.name, name.name);
+    part_show(found.login, name.login);
+    snprintf(name.number, sizeof name.number, "%.*s", (int)found.number.length,
+             found.number.length > 0 ? found.number.text : "");
+    snprintf(name.time, sizeof name.time, "%s", found.time);
+    name.system = found.system;
+    name.file = is_folder ? 0 : (int)(found.file.text - entry);
+    name.is_text = found.is_note;
     return name;
 }
 

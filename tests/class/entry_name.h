@@ -1,11 +1,11 @@
-// Who handed an entry in, by the entry's name: what Moodle, Gradescope, GitHub Classroom and an
+// Who handed an entry in, by the entry's name: what course systems, GitHub Classroom and an
 // archiver add to a name is taken off.
 //
-// Read next: roster.h.
+// Read next: export.h, which reads a folder of entries.
 #ifndef CLASS_ENTRY_NAME_H
 #define CLASS_ENTRY_NAME_H
 
-#include <stddef.h>
+#include "system_names.h"
 
 enum { ENTRY_NAME_BYTES = 1100, ENTRY_NUMBER_BYTES = 24 };
 
@@ -14,8 +14,11 @@ typedef struct EntryName {
     // are not seen and backslashes are written as \xHH, so that two names never look the same.
     char name[ENTRY_NAME_BYTES];
     char number[ENTRY_NUMBER_BYTES];  // the system's number of the student or team: "1234567"
-    int is_text;                      // Moodle's online text, beside which there may be files
-    int is_moodles;                   // made as Moodle makes them
+    char login[ENTRY_NAME_BYTES];     // what else a list may know the student by, or ""
+    char time[24];                    // of the attempt, as in system_names.h, or ""
+    ExportSystem system;              // that made the name
+    int file;                         // where the student's own name of a file begins, or 0
+    int is_text;                      // typed into a form or written by the system: no file
 } EntryName;
 
 // Read an entry's name, at most 255 bytes of any kind.
@@ -24,7 +27,13 @@ typedef struct EntryName {
 //                                                   a team its name, with a number of its own
 //   "submission_123456"                             Gradescope's; its names are in another file
 //   "lab-03-ada", "lab03-ada"                       GitHub Classroom's, of lab 3
+//   "[17]_ada.zip"                                  Stud.IP's, which numbers files
 EntryName entry_name_read(const char *entry, int lab_number);
+
+// Read it as one of the systems in system_names.h names its files, or its folders. Where it is not
+// such a name, the system is SYSTEM_NONE. Anybody may choose such a name: whether the system did is
+// seen by the other entries (export.c).
+EntryName entry_name_read_export(const char *entry, int is_folder);
 
 // Bytes of any kind, at most 255, as text that EntryName can hold: see there.
 void entry_name_show(const char *bytes, size_t n_bytes, char text[ENTRY_NAME_BYTES]);

@@ -11,11 +11,13 @@
 #     --again 1              grade all, also where nothing has changed
 #     --moodle FILE.csv      Moodle's participants or grading worksheet
 #     --against FILE.json    an older gradebook.json, to compare scores with
+#     --nothing 0|blank      what gradebooks have for who handed in nothing of this lab (blank)
 #     --device D, --time-limit S, --build FOLDER    as for build/tools/grade
 #
 # Killed at any point, the same command goes on where it stopped. A submission is graded when its
-# key has changed: a hash of its bytes, the grader, the lab and the seed. Exit status: 0; 1 when
-# some could not be graded; 2 when there is no gradebook. Read next: grade_one.sh, one submission;
+# key has changed: a hash of its bytes, the grader, the lab and the seed. The last line counts all. Exit
+# status: 0; 1 when somebody's work could be lost: not graded, not entered for somebody, or passed
+# over; 2 when there is no gradebook. Read next: grade_one.sh, one submission;
 # engine_parallel.sh; gradebook_tool.c, which reads the names and writes the gradebook.
 set -u
 
@@ -47,7 +49,7 @@ put() {
 # ---- What is asked for --------------------------------------------------------------------------
 
 CLASS_LAB='' CLASS_FOLDER='' CLASS_BUILD=build CLASS_DEVICE='' CLASS_TIME_LIMIT=
-submissions='' engine=parallel jobs='' seed='' only='' again='' moodle='' against=''
+submissions='' engine=parallel jobs='' seed='' only='' again='' moodle='' against='' nothing=''
 while [ $# -gt 0 ]; do
     [ $# -gt 1 ] || die "$1: expected a value"
     case $1 in
@@ -62,6 +64,7 @@ while [ $# -gt 0 ]; do
     --again) again=$2 ;;
     --moodle) moodle=$2 ;;
     --against) against=$2 ;;
+    --nothing) nothing=$2 ;;
     --device) CLASS_DEVICE=$2 ;;
     --time-limit) CLASS_TIME_LIMIT=$2 ;;
     *) die "$1: no such option" ;;
@@ -85,6 +88,10 @@ esac
 case $only in
 '' | failed | latest) ;;
 *) die "--only: found \"$only\", expected failed or latest" ;;
+esac
+case $nothing in
+'' | 0 | blank) ;;
+*) die "--nothing: found \"$nothing\", expected 0 or blank" ;;
 esac
 [ -z "$jobs" ] || whole --jobs "$jobs"
 [ "${jobs:-1}" -ge 1 ] || die "--jobs: found \"$jobs\", expected 1 or more"
@@ -177,7 +184,7 @@ latest=
 [ "$only" != latest ] || latest=--latest
 # shellcheck disable=SC2086 # an option or none
 "$CLASS_BUILD/tools/gradebook" roster $latest "${lab_number:-0}" "$submissions" "$CLASS_FOLDER" \
-    >"$CLASS_FOLDER/slugs" || exit 2
+    >"$CLASS_FOLDER/names" || exit 2
 
 # Everything that decides on a score besides the submission.
 grader=$({
@@ -202,13 +209,13 @@ content() {
 [ ! -e "$CLASS_FOLDER/seed" ] || (cd "$CLASS_FOLDER" && rm -rf rounds round seed)
 
 # A line "SLUG KEY SEED" for each (class_keys.h). The secret behind the seeds is only in the folder.
-while read -r slug; do
+while read -r slug _; do
     echo "$slug $(content "$slug")" || die "$CLASS_FOLDER/contents: cannot be written"
-done <"$CLASS_FOLDER/slugs" >"$CLASS_FOLDER/contents"
+done <"$CLASS_FOLDER/names" >"$CLASS_FOLDER/contents"
 # Nor does anybody else read the seeds, should the folder be open.
 (umask 077 && "$CLASS_BUILD/tools/gradebook" keys ${seed:+--seed "$seed"} "$grader" "$CLASS_FOLDER" \
     <"$CLASS_FOLDER/contents") || exit 2
-rm "$CLASS_FOLDER/slugs" "$CLASS_FOLDER/contents"
+rm "$CLASS_FOLDER/contents"
 
 # What the gradebook will be written with is read now, and not after hours.
 set --
@@ -271,4 +278,4 @@ while [ -s "$CLASS_FOLDER/todo" ] && [ $round -le 3 ]; do
     round=$((round + 1))
 done
 
-"$CLASS_BUILD/tools/gradebook" write "$@" "$CLASS_FOLDER"
+"$CLASS_BUILD/tools/gradebook" write "$@" --nothing "${nothing:-blank}" "$CLASS_FOLDER"

@@ -43,6 +43,8 @@ while read -r of its_key its_seed; do
     [ "$of" != "$slug" ] || key=$its_key seed=$its_seed
 done <"$CLASS_FOLDER/keys"
 [ -n "$key" ] || fail "it has no key"
+# A slug is of small letters, digits and dashes.
+name=$(sed -n "s/^$slug	//p" "$CLASS_FOLDER/names")
 
 # The grader must end with this script and this script with the driver, however they end. It does
 # not inherit the driver's lock.
@@ -51,6 +53,7 @@ status=0
 TMPDIR=$work setpriv --pdeathsig KILL timeout --foreground --kill-after=5 "$CLASS_SECONDS" \
     sh -c 'exec setpriv --pdeathsig KILL "$@" 9<&-' grade \
     "$CLASS_BUILD/tools/grade" --build "$CLASS_BUILD" --lab "$CLASS_LAB" --read-seed \
+    --student "$name" \
     --submission "$CLASS_FOLDER/submissions/$slug" --output "$new" ${CLASS_DEVICE:+--device "$CLASS_DEVICE"} \
     --answers "$CLASS_FOLDER/answers" ${CLASS_TIME_LIMIT:+--time-limit "$CLASS_TIME_LIMIT"} \
     >"$log" 2>&1 <<END || status=$?
@@ -69,5 +72,5 @@ echo "$key" >"$new/key"
 rm -rf "${students:?}/$slug"
 mv "$new" "$students/$slug" || fail "its folder cannot be put in place"
 rm -f "$CLASS_FOLDER/faults/$slug" "$CLASS_FOLDER/pending/$slug"
-[ -z "$CLASS_TELLS" ] || sed -n "s|^ Score|  $slug:|p" "$log"
+[ -z "$CLASS_TELLS" ] || printf '  %s:%s\n' "$name" "$(sed -n 's/^ Score//p' "$log")"
 rm -f "$log"

@@ -25,7 +25,43 @@ static int fault(const char *path, const char *what)
 
 const char *row_status_name(RowStatus status)
 {
-    return status == ROW_GRADED ? "graded" : status == ROW_OUTDATED ? "outdated" : "not graded";
+    static const char *const names[] = {[ROW_GRADED] = "graded",
+                                        [ROW_OUTDATED] = "outdated",
+                                        [ROW_NOTHING] = "nothing of this lab",
+                                        [ROW_NOT_GRADED] = "not graded"};
+    return names[status];
+}
+
+static int is_next_attempt(const Row *row, const Row *next)
+{
+    return row->entrant->attempt + 1 == next->entrant->attempt &&
+           strcmp(row->entrant->name, next->entrant->name) == 0 &&
+           strcmp(row->entrant->number, next->entrant->number) == 0;
+}
+
+const Row *row_that_counts(const Gradebook *gradebook, const Row *row)
+{
+    const Row *end = gradebook->rows + gradebook->n_rows;
+    while (row > gradebook->rows && is_next_attempt(row - 1, row)) {
+        row--;
+    }
+    const Row *counts = row;
+    for (; row + 1 < end && is_next_attempt(row, row + 1); row++) {
+        if (row[1].status != ROW_NOTHING || counts->status == ROW_NOTHING) {
+            counts = row + 1;
+        }
+    }
+    return counts;
+}
+
+int row_is_graded(const Row *row)
+{
+    return row->status == ROW_GRADED || row->status == ROW_OUTDATED;
+}
+
+int row_is_entered(const Gradebook *gradebook, const Row *row)
+{
+    return row_is_graded(row) || (row->status == ROW_NOTHING && gradebook->nothing_is_zero);
 }
 
 // ---- One row ---------------------------------------------------------------------------------
@@ -135,6 +171,13 @@ static void row_take(Gradebook *gradebook, const Graded *graded, Row *row)
         row->reason = strdup("graded with other checks than the rest: run again with AGAIN=1");
         return;
     }
+    row->seed = strdup(graded->seed);
+    if (graded->has_nothing) {
+        row->status = ROW_NOTHING;
+        row->reason = first_line(graded->stage_message);
+        gradebook->n_nothing++;
+        return;
+    }
     if (graded->leaderboard != 0 && gradebook->leaderboard == NULL) {
         gradebook->leaderboard = strdup(graded->leaderboard_title);
     }
@@ -143,7 +186,6 @@ static void row_take(Gradebook *gradebook, const Graded *graded, Row *row)
         strcmp(gradebook->leaderboard, graded->leaderboard_title) == 0) {
         row->leaderboard = graded->leaderboard;
     }
-    row->seed = strdup(graded->seed);
     row->score = graded->score;
     for (int i = 0; i < graded->n_tasks; i++) {
         row->points[i] = graded->tasks[i].points;

@@ -15,13 +15,14 @@
 typedef enum RowStatus {
     ROW_GRADED,
     ROW_OUTDATED,    // graded, but the submission, the grader or the seed has changed since
+    ROW_NOTHING,     // nothing of this lab was handed in: a zero or a blank, as the instructor says
     ROW_NOT_GRADED,  // a fault of the machinery: never a zero
 } RowStatus;
 
 typedef struct Row {
     const Entrant *entrant;
     RowStatus status;
-    char *reason;  // why it is not graded, or NULL
+    char *reason;  // why it is not graded, or what was handed in instead; or NULL
     int has_log;   // logs/SLUG.txt tells more
     char *seed;    // of the hidden scenes; NULL when not graded
     int score;
@@ -52,8 +53,10 @@ typedef struct Gradebook {
     int n_checks;
     Row *rows;
     int n_rows;
-    int n_graded;        // rows with a score
-    int has_old_scores;  // there is something to compare with
+    int n_graded;         // rows with a score
+    int n_nothing;        // rows with nothing of this lab
+    int nothing_is_zero;  // such a row is entered as 0; else its score stays blank
+    int has_old_scores;   // there is something to compare with
     Roster roster;
 } Gradebook;
 
@@ -66,13 +69,24 @@ int gradebook_load(const char *folder, const char *against, Gradebook *gradebook
 int gradebook_check_old(const char *against, const char *lab);
 void gradebook_free(Gradebook *gradebook);
 
-// "graded", "outdated" or "not graded".
+// "graded", "outdated", "nothing of this lab" or "not graded".
 const char *row_status_name(RowStatus status);
 
+// Of a student's attempts, which a host's export put below each other, the one that counts: the
+// last with something of this lab, or the last of all.
+const Row *row_that_counts(const Gradebook *gradebook, const Row *row);
+
+// Was it graded? Only then its score counts in means and counts of passed checks.
+int row_is_graded(const Row *row);
+
+// Does a row's score go into gradebooks?
+int row_is_entered(const Gradebook *gradebook, const Row *row);
+
 // The three files. Each appears whole or not at all; return 0, or -1 after one message.
-//   worksheet   Moodle's list of participants, whose columns come first then; or NULL
-int gradebook_csv(const Gradebook *gradebook, const char *path, const char *worksheet);
+//   worksheet   the list of participants, whose columns come first in the CSV then; or NULL
+struct Worksheet;
+int gradebook_csv(const Gradebook *gradebook, const char *path, const struct Worksheet *worksheet);
 int gradebook_json(const Gradebook *gradebook, const char *path);
-int gradebook_page(const Gradebook *gradebook, const char *path);
+int gradebook_page(const Gradebook *gradebook, const char *path, const struct Worksheet *worksheet);
 
 #endif

@@ -70,21 +70,27 @@ static void row_write(FILE *file, const Gradebook *gradebook, const Row *row, co
     cell_write(file, row->entrant->number);
     fprintf(file, ",%d", row->entrant->attempt);
     cell_write(file, row_status_name(row->status));
-    if (row->status == ROW_NOT_GRADED) {
-        empty_write(file, gradebook->n_tasks + 2);
-        cell_write(file, row->reason);
-        empty_write(file, 1);
-        row_end(file, last);
-        return;
+    if (row_is_entered(gradebook, row)) {
+        fprintf(file, ",%d,%d", row->score, gradebook->max_score);
+    } else {
+        empty_write(file, 2);
     }
-    char report[128];
-    snprintf(report, sizeof report, "students/%s/report.html", row->entrant->slug);
-    fprintf(file, ",%d,%d", row->score, gradebook->max_score);
     for (int i = 0; i < gradebook->n_tasks; i++) {
-        fprintf(file, ",%d", row->points[i]);
+        if (row_is_graded(row)) {
+            fprintf(file, ",%d", row->points[i]);
+        } else {
+            empty_write(file, 1);
+        }
     }
-    cell_write(file, row->fault != NULL ? row->fault : "");
-    cell_write(file, report);
+    const char *fault = row->reason != NULL ? row->reason : row->fault;
+    cell_write(file, fault != NULL ? fault : "");
+    if (row->status == ROW_NOT_GRADED) {
+        empty_write(file, 1);
+    } else {
+        char report[128];
+        snprintf(report, sizeof report, "students/%s/report.html", row->entrant->slug);
+        cell_write(file, report);
+    }
     row_end(file, last);
 }
 
@@ -97,16 +103,18 @@ static void participant_write(FILE *file, const Worksheet *worksheet,
     for (int i = 0; i < worksheet->n_columns; i++) {
         char grade[32];
         const char *cell = participant->cells[i];
-        if (i == worksheet->grade_column && row != NULL && row->status != ROW_NOT_GRADED) {
+        if (i == worksheet->grade_column && row != NULL && row_is_entered(gradebook, row)) {
             worksheet_grade(worksheet, participant, gradebook->max_score, grade);
             cell = grade;
         }
         csv_cell_copy(file, cell);
         fputc(',', file);
     }
-    // Whoever handed in what may be another's has not handed in nothing.
+    // Where an entry may be the participant's, nobody can say that there is none.
     if (row == NULL) {
-        const char *why = participant->is_fitted ? "not entered" : "no submission";
+        const char *why = participant->is_nobody   ? ""
+                          : participant->is_fitted ? "not entered"
+                                                   : "no submission";
         no_row_write(file, gradebook, why, "");
     } else {
         row_write(file, gradebook, row, "");
@@ -168,37 +176,28 @@ static void left_over_write(FILE *file, const Worksheet *worksheet, const Gradeb
 }
 
 // The list with its grades filled in; then what could not be entered, and earlier attempts.
-static int worksheet_write(FILE *file, const Gradebook *gradebook, const char *path)
+static void worksheet_write(FILE *file, const Gradebook *gradebook, const Worksheet *worksheet)
 {
-    Worksheet worksheet;
-    if (worksheet_load(path, gradebook, &worksheet) != 0) {
-        return -1;
-    }
-    for (int i = 0; i < worksheet.n_columns; i++) {
-        csv_cell_copy(file, worksheet.participants[0].cells[i]);
+    for (int i = 0; i < worksheet->n_columns; i++) {
+        csv_cell_copy(file, worksheet->participants[0].cells[i]);
         fputc(',', file);
     }
     titles_write(file, gradebook, "not entered");
-    for (int i = 1; i < worksheet.n_participants; i++) {
-        participant_write(file, &worksheet, &worksheet.participants[i], gradebook);
+    for (int i = 1; i < worksheet->n_participants; i++) {
+        participant_write(file, worksheet, &worksheet->participants[i], gradebook);
     }
-    grades_tell(&worksheet, gradebook->max_score);
-    left_over_write(file, &worksheet, gradebook);
-    worksheet_free(&worksheet);
-    return 0;
+    grades_tell(worksheet, gradebook->max_score);
+    left_over_write(file, worksheet, gradebook);
 }
 
-int gradebook_csv(const Gradebook *gradebook, const char *path, const char *worksheet)
+int gradebook_csv(const Gradebook *gradebook, const char *path, const Worksheet *worksheet)
 {
     OutputFile output;
     if (output_file_open(&output, path) != 0) {
         return -1;
     }
     if (worksheet != NULL) {
-        if (worksheet_write(output.file, gradebook, worksheet) != 0) {
-            output_file_discard(&output);
-            return -1;
-        }
+        worksheet_write(output.file, gradebook, worksheet);
         return output_file_commit(&output);
     }
     titles_write(output.file, gradebook, NULL);

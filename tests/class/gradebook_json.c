@@ -1,6 +1,6 @@
 // gradebook.json: the class for programs (see gradebook.h).
 //
-// Written row by row. Scores are whole numbers; a row that is not graded has none. Read next:
+// Written row by row. Scores are whole numbers; a row that is not entered has none. Read next:
 // gradebook_csv.c.
 #include "gradebook.h"
 
@@ -35,16 +35,22 @@ static json_t *row_json(const Gradebook *gradebook, const Row *row)
     json_t *json = json_pack("{s:s, s:s, s:s, s:i, s:s, s:s}", "id", entrant->slug, "name",
                              entrant->name, "number", entrant->number, "attempt", entrant->attempt,
                              "entry", entrant->entry, "status", row_status_name(row->status));
-    if (row->status == ROW_NOT_GRADED) {
+    if (row->reason != NULL) {
         json_object_set_new(json, "reason", json_string(row->reason));
+    }
+    if (row->status == ROW_NOT_GRADED) {
         return json;
     }
     char report[128];
     snprintf(report, sizeof report, "students/%s/report.html", entrant->slug);
-    json_object_set_new(json, "score", json_integer(row->score));
-    json_object_set_new(json, "max_score", json_integer(gradebook->max_score));
-    json_object_set_new(json, "points", points_json(gradebook, row));
-    json_object_set_new(json, "not_passed", checks_json(gradebook, row));
+    if (row_is_entered(gradebook, row)) {
+        json_object_set_new(json, "score", json_integer(row->score));
+        json_object_set_new(json, "max_score", json_integer(gradebook->max_score));
+    }
+    if (row_is_graded(row)) {
+        json_object_set_new(json, "points", points_json(gradebook, row));
+        json_object_set_new(json, "not_passed", checks_json(gradebook, row));
+    }
     if (row->fault != NULL) {
         json_object_set_new(json, "first_fault",
                             json_pack("{s:s, s:s, s:s}", "title", row->fault, "check",

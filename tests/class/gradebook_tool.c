@@ -3,13 +3,15 @@
 //     gradebook roster [--latest] LAB-NUMBER SUBMISSIONS FOLDER
 //     gradebook keys [--seed N] GRADER FOLDER <contents
 //     gradebook check [--moodle WORKSHEET.csv] [--against OLD.json] LAB FOLDER
-//     gradebook write [--moodle WORKSHEET.csv] [--against OLD.json] FOLDER
+//     gradebook write [--moodle WORKSHEET.csv] [--against OLD.json] [--nothing 0|blank] FOLDER
 //
-// `roster` writes FOLDER/roster.json and a link FOLDER/submissions/SLUG to each entry; `keys` gives
+// `roster` writes FOLDER/roster.json and a link FOLDER/submissions/SLUG to each entry, and prints
+// the slug, a tab and the name of each; `keys` gives
 // each its seed (class_keys.h); `check` reads what `write` will need, before all gradings; `write`
 // makes gradebook.csv, gradebook.json and class.html in FOLDER of it, and says how the class did.
-// Exit status: 0; 1 when some are not graded; 2 after one message. Read next: roster.h,
-// class_keys.h, gradebook.h; grade_class.sh, which calls all four.
+// Exit status: 0; 1 when somebody's work could be lost, as the last line says (tally.h); 2 after
+// one message. Read next: roster.h, class_keys.h, gradebook.h; grade_class.sh, which calls all
+// four.
 #include "class_keys.h"
 #include "clean_text.h"
 #include "gradebook.h"
@@ -17,6 +19,7 @@
 #include "number.h"
 #include "option_table.h"
 #include "path.h"
+#include "tally.h"
 #include "text_file.h"
 #include "worksheet.h"
 
@@ -24,31 +27,32 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { EXIT_ALL_GRADED = 0, EXIT_SOME_NOT_GRADED = 1, EXIT_FAULT = 2 };
+enum { EXIT_ALL_GRADED = 0, EXIT_SOME_LOST = 1, EXIT_FAULT = 2 };
 
 static int usage(void)
 {
-    fputs("usage: gradebook roster [--latest] LAB-NUMBER SUBMISSIONS FOLDER\n"
-          "       gradebook keys [--seed N] GRADER FOLDER <contents\n"
-          "       gradebook check [--moodle WORKSHEET.csv] [--against OLD.json] LAB FOLDER\n"
-          "       gradebook write [--moodle WORKSHEET.csv] [--against OLD.json] FOLDER\n",
-          stderr);
+    fputs(
+        "usage: gradebook roster [--latest] LAB-NUMBER SUBMISSIONS FOLDER\n"
+        "       gradebook keys [--seed N] GRADER FOLDER <contents\n"
+        "       gradebook check [--moodle WORKSHEET.csv] [--against OLD.json] LAB FOLDER\n"
+        "       gradebook write [--moodle WORKSHEET.csv] [--against OLD.json] [--nothing 0|blank] "
+        "FOLDER\n",
+        stderr);
     return EXIT_FAULT;
 }
 
 static int roster_make(int lab_number, const char *submissions, const char *folder, int only_latest)
 {
-    char links[PATH_MAX], path[PATH_MAX];
-    path_make(links, "%s/submissions", folder);
+    char path[PATH_MAX];
     path_make(path, "%s/roster.json", folder);
     Roster roster;
-    int result = roster_read(submissions, lab_number, only_latest, links, &roster);
+    int result = roster_read(submissions, lab_number, only_latest, folder, &roster);
     if (result == 0) {
         result = roster_save(&roster, path);
     }
     for (int i = 0; result == 0 && i < roster.n_entrants; i++) {
         if (!roster.entrants[i].is_link) {
-            puts(roster.entrants[i].slug);
+            printf("%s\t%s\n", roster.entrants[i].slug, roster.entrants[i].label);
         }
     }
     roster_free(&roster);
@@ -56,21 +60,16 @@ static int roster_make(int lab_number, const char *submissions, const char *fold
 }
 
 // What an instructor has to look at: names that look like one person's.
-static void look_alikes_print(const Gradebook *gradebook)
+static void look_alikes_print(const LookAlikes *look_alikes)
 {
-    LookAlikes look_alikes;
-    if (look_alikes_find(gradebook, &look_alikes) != 0) {
-        return;
-    }
-    for (int i = 0; i < look_alikes.n_groups; i++) {
-        const LookAlike *group = &look_alikes.groups[i];
+    for (int i = 0; i < look_alikes->n_groups; i++) {
+        const LookAlike *group = &look_alikes->groups[i];
         for (int r = 0; r < group->n_rows; r++) {
             printf("%s\"%s\"", r == 0 ? "perhaps one person, each with a row: " : ", ",
                    group->rows[r]->entrant->entry);
         }
         printf("\n");
     }
-    look_alikes_free(&look_alikes);
 }
 
 // Was nobody before this row left ungraded for the same reason?
@@ -98,7 +97,7 @@ static void faults_print(const Gradebook *gradebook, const char *folder)
         path_make(path, "%s/logs/%s.txt", folder, row->entrant->slug);
         char *log = text_file_read(path);
         char *said = message_clean(log);
-        printf("The log of %s says:\n", row->entrant->name);
+        printf("The log of %s says:\n", row->entrant->label);
         for (const char *line = strtok(said, "\n"); line != NULL; line = strtok(NULL, "\n")) {
             printf("    %s\n", line);
         }
@@ -107,16 +106,18 @@ static void faults_print(const Gradebook *gradebook, const char *folder)
     }
 }
 
-// How the class did, for the terminal.
-static void summary_print(const Gradebook *gradebook, const char *folder)
+// How the class did, for the terminal. The last line counts everybody.
+static void summary_print(const Gradebook *gradebook, const LookAlikes *look_alikes,
+                          const Tally *tally)
 {
+    const char *folder = gradebook->folder;
     double sum = 0;
     int n_full = 0;
     int n_outdated = 0;
     for (int i = 0; i < gradebook->n_rows; i++) {
         const Row *row = &gradebook->rows[i];
         sum += row->score;
-        n_full += row->status != ROW_NOT_GRADED && row->score == gradebook->max_score;
+        n_full += row_is_graded(row) && row->score == gradebook->max_score;
         n_outdated += row->status == ROW_OUTDATED;
     }
     printf("%d submissions, %d graded", gradebook->n_rows, gradebook->n_graded);
@@ -131,13 +132,16 @@ static void summary_print(const Gradebook *gradebook, const char *folder)
     for (int i = 0; i < gradebook->n_rows; i++) {
         const Row *row = &gradebook->rows[i];
         if (row->status == ROW_NOT_GRADED) {
-            printf("not graded: %s: %s\n", row->entrant->name, row->reason);
+            printf("not graded: %s: %s\n", row->entrant->label, row->reason);
+        } else if (row->status == ROW_NOTHING && row_that_counts(gradebook, row) == row) {
+            printf("nothing of this lab: %s: %s\n", row->entrant->label, row->reason);
         }
     }
     faults_print(gradebook, folder);
-    look_alikes_print(gradebook);
-    printf("Gradebook: %s/gradebook.csv, %s/gradebook.json\nThe class: %s/class.html\n", folder,
-           folder, folder);
+    look_alikes_print(look_alikes);
+    printf("Gradebook: %s/gradebook.csv, %s/gradebook.json\n", folder, folder);
+    tally_write(stdout, tally);
+    printf(": see %s/class.html\n", folder);
 }
 
 static int gradebook_check(const char *lab, const char *folder, const char *worksheet,
@@ -155,20 +159,44 @@ static int gradebook_check(const char *lab, const char *folder, const char *work
     return result == 0 ? EXIT_ALL_GRADED : EXIT_FAULT;
 }
 
-static int gradebook_write(const char *folder, const char *worksheet, const char *against)
+// Write the three files; then say how the class did. Returns 0, or -1 after one message.
+static int files_write(const Gradebook *gradebook, const Worksheet *worksheet, Tally *tally)
 {
+    const char *folder = gradebook->folder;
     char csv[PATH_MAX], json[PATH_MAX], page[PATH_MAX];
     path_make(csv, "%s/gradebook.csv", folder);
     path_make(json, "%s/gradebook.json", folder);
     path_make(page, "%s/class.html", folder);
+    LookAlikes look_alikes;
+    if (look_alikes_find(gradebook, &look_alikes) != 0) {
+        return -1;
+    }
+    *tally = tally_count(gradebook, worksheet, look_alikes.n_groups);
+    const int failed = gradebook_csv(gradebook, csv, worksheet) != 0 ||
+                       gradebook_json(gradebook, json) != 0 ||
+                       gradebook_page(gradebook, page, worksheet) != 0;
+    if (!failed) {
+        summary_print(gradebook, &look_alikes, tally);
+    }
+    look_alikes_free(&look_alikes);
+    return failed ? -1 : 0;
+}
+
+static int gradebook_write(const char *folder, const char *list, const char *against,
+                           int nothing_is_zero)
+{
     Gradebook gradebook;
+    Worksheet worksheet = {0};
+    Tally tally;
     int status = EXIT_FAULT;
     if (gradebook_load(folder, against, &gradebook) == 0 &&
-        gradebook_csv(&gradebook, csv, worksheet) == 0 && gradebook_json(&gradebook, json) == 0 &&
-        gradebook_page(&gradebook, page) == 0) {
-        summary_print(&gradebook, folder);
-        status = gradebook.n_graded == gradebook.n_rows ? EXIT_ALL_GRADED : EXIT_SOME_NOT_GRADED;
+        (list == NULL || worksheet_load(list, &gradebook, &worksheet) == 0)) {
+        gradebook.nothing_is_zero = nothing_is_zero;
+        if (files_write(&gradebook, list != NULL ? &worksheet : NULL, &tally) == 0) {
+            status = tally_has_lost(&tally) ? EXIT_SOME_LOST : EXIT_ALL_GRADED;
+        }
     }
+    worksheet_free(&worksheet);
     gradebook_free(&gradebook);
     return status;
 }
@@ -176,7 +204,7 @@ static int gradebook_write(const char *folder, const char *worksheet, const char
 typedef struct GradebookOptions {
     int only_latest;
     uint64_t seed;
-    const char *worksheet, *against;
+    const char *worksheet, *against, *nothing;
     int help;
 } GradebookOptions;
 
@@ -184,12 +212,13 @@ typedef struct GradebookOptions {
 
 int main(int argc, char **argv)
 {
-    enum { SEED = 1, N_ROWS = 5 };
+    enum { SEED = 1, N_ROWS = 6 };
     static const OptionRow rows[N_ROWS] = {
         {.name = "latest", .kind = OPTION_FLAG, .place = PLACE(only_latest)},
         [SEED] = {.name = "seed", .argument = "N", .kind = OPTION_SEED, .place = PLACE(seed)},
         {.name = "moodle", .argument = "WORKSHEET", .place = PLACE(worksheet)},
         {.name = "against", .argument = "OLD", .place = PLACE(against)},
+        {.name = "nothing", .argument = "0|blank", .place = PLACE(nothing)},
         {.name = "help", .kind = OPTION_ANSWER, .place = PLACE(help)},
     };
     const OptionTable table = {"gradebook", rows, N_ROWS, .takes_words = 1};
@@ -213,7 +242,8 @@ int main(int argc, char **argv)
         return gradebook_check(argv[1], argv[2], options.worksheet, options.against);
     }
     if (argc == 2 && strcmp(argv[0], "write") == 0) {
-        return gradebook_write(argv[1], options.worksheet, options.against);
+        const int is_zero = options.nothing != NULL && strcmp(options.nothing, "0") == 0;
+        return gradebook_write(argv[1], options.worksheet, options.against, is_zero);
     }
     return usage();
 }

@@ -182,12 +182,16 @@ static int fields_read(const char *path, Graded *graded)
     json_t *stages, *tasks, *checks, *leaderboard = NULL;
     json_error_t error;
     if (json_unpack_ex(graded->json, &error, JSON_STRICT,
-                       "{s:s, s:s, s:i, s:i, s:s, s:s, s:s, s:s, s:F, s:o, s:o, s:o, s?o}", "lab",
-                       &graded->lab, "title", &graded->title, "score", &graded->score, "max_score",
-                       &graded->max_score, "seed", &graded->seed, "device", &device, "sandbox",
-                       &sandbox, "submission", &submission, "seconds", &seconds, "stages", &stages,
-                       "tasks", &tasks, "checks", &checks, "leaderboard", &leaderboard) != 0) {
+                       "{s:s, s:s, s:i, s:i, s:s, s:s, s:s, s:s, s:F, s:o, s:o, s:o, s?b, s?o}",
+                       "lab", &graded->lab, "title", &graded->title, "score", &graded->score,
+                       "max_score", &graded->max_score, "seed", &graded->seed, "device", &device,
+                       "sandbox", &sandbox, "submission", &submission, "seconds", &seconds,
+                       "stages", &stages, "tasks", &tasks, "checks", &checks, "nothing_of_lab",
+                       &graded->has_nothing, "leaderboard", &leaderboard) != 0) {
         return fault(path, "%s", error.text);
+    }
+    if (graded->has_nothing && graded->score != 0) {
+        return fault(path, "nothing_of_lab: found it beside %d points", graded->score);
     }
     if (!json_is_array(stages) || !json_is_array(tasks) || !json_is_array(checks)) {
         return fault(path, "expected lists of stages, tasks and checks");

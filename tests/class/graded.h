@@ -20,6 +20,7 @@ typedef struct Graded {
     struct json_t *json;  // owns the strings; NULL: not graded
     const char *lab, *title;
     const char *seed;  // decimal digits
+    int has_nothing;   // nothing of the lab was handed in: the stage's message says what was
     int score, max_score;
     GradedTask tasks[MANIFEST_MAX_TASKS];
     int n_tasks;

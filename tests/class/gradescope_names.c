@@ -33,16 +33,20 @@ static int fault(const char *path, const char *what)
 
 // ---- Members -----------------------------------------------------------------------------------
 
-static int member_make(const char *name, const char *email, const char *sid, Member *member)
+static int member_make(Member from, Member *member)
 {
-    *member = (Member){strdup(name), strdup(email), strdup(sid)};
-    return member->name != NULL && member->email != NULL && member->sid != NULL ? 0 : -1;
+    *member = (Member){strdup(from.name), strdup(from.email), strdup(from.sid), strdup(from.login)};
+    return member->name != NULL && member->email != NULL && member->sid != NULL &&
+                   member->login != NULL
+               ? 0
+               : -1;
 }
 
 void members_free(Member *members, int n_members)
 {
     for (int i = 0; i < n_members; i++) {
         free(members[i].name), free(members[i].email), free(members[i].sid);
+        free(members[i].login);
     }
     free(members);
 }
@@ -52,7 +56,7 @@ int members_copy(const Member *members, int n_members, Member **copy)
     *copy = calloc((size_t)n_members + 1, sizeof **copy);
     int failed = *copy == NULL;
     for (int i = 0; i < n_members && !failed; i++) {
-        failed = member_make(members[i].name, members[i].email, members[i].sid, &(*copy)[i]) != 0;
+        failed = member_make(members[i], &(*copy)[i]) != 0;
     }
     return failed ? -1 : 0;
 }
@@ -88,7 +92,8 @@ static int member_begin(GradescopeEntry *entry)
         return -1;
     }
     entry->members = members;
-    return member_make("", "", "", &members[entry->n_members++]);
+    char none[] = "";
+    return member_make((Member){none, none, none, none}, &members[entry->n_members++]);
 }
 
 // A value's text: in quotes it counts without them; with an escape, or as anything that is no plain
@@ -224,4 +229,21 @@ const GradescopeEntry *gradescope_names_find(const GradescopeNames *names, const
         }
     }
     return NULL;
+}
+
+void gradescope_names_join(const GradescopeEntry *entry, char text[ENTRY_NAME_BYTES])
+{
+    size_t length = 0;
+    for (int i = 0; i < entry->n_members; i++) {
+        const char *name = entry->members[i].name;
+        const char *joint = length > 0 ? " & " : "";
+        if (length + strlen(joint) + strlen(name) + sizeof " & ..." > ENTRY_NAME_BYTES) {
+            snprintf(text + length, ENTRY_NAME_BYTES - length, "%s...", joint);
+            return;
+        }
+        if (name[0] != '\0') {
+            length +=
+                (size_t)snprintf(text + length, ENTRY_NAME_BYTES - length, "%s%s", joint, name);
+        }
+    }
 }

@@ -3,6 +3,8 @@
 #ifndef CLASS_GRADESCOPE_NAMES_H
 #define CLASS_GRADESCOPE_NAMES_H
 
+#include "entry_name.h"
+
 #define GRADESCOPE_NAMES_FILE "submission_metadata.yml"
 
 // One of those who handed in together, each text fit to be shown; what is not known is "".
@@ -10,6 +12,7 @@ typedef struct Member {
     char *name;   // "Ada Lovelace"
     char *email;  // "ada@example.org"
     char *sid;    // the student's number, as the university gives it
+    char *login;  // the login, or the course system's number of the student
 } Member;
 
 typedef struct GradescopeEntry {
@@ -31,6 +34,10 @@ void gradescope_names_free(GradescopeNames *names);
 
 // Who handed an entry in, or NULL.
 const GradescopeEntry *gradescope_names_find(const GradescopeNames *names, const char *entry);
+
+// "Ada Lovelace & Grace Hopper", and "..." for those that there is no room for: half a name may be
+// no text. Nothing when no name is known.
+void gradescope_names_join(const GradescopeEntry *entry, char text[ENTRY_NAME_BYTES]);
 
 // A copy, for another owner. Returns 0, or -1 when memory runs out; release with members_free().
 int members_copy(const Member *members, int n_members, Member **copy);

@@ -5,35 +5,38 @@
 #ifndef CLASS_ROSTER_H
 #define CLASS_ROSTER_H
 
-#include "entry_name.h"
 #include "gradescope_names.h"
 
 typedef struct Entrant {
-    char *name;    // the student or the team, fit to be shown
-    char *number;  // Moodle's number of the student or team, Gradescope's of the submission, or ""
-    char *entry;   // the entry's name, fit to be shown
-    char *slug;    // the name of its files; unique
-    int attempt;   // 1, 2 ... of entries that Moodle's export gives to one student
-    int is_exact;  // name and number are the host's own: others like them are somebody else's
-    int is_link;   // neither a folder nor a file: cannot be graded
-    Member *members;  // Gradescope's: who handed it in; elsewhere none
+    char *name;       // the student or the team, fit to be shown
+    char *label;      // the name for pages, with what tells it from another one's of the same name
+    char *number;     // the system's number of the student, team or submission, or ""
+    char *entry;      // the entry's name, fit to be shown
+    char *slug;       // the name of its files; unique
+    int attempt;      // 1, 2 ... of entries that a system's export gives to one student
+    int is_exact;     // name and number are the host's own: others like them are somebody else's
+    int is_link;      // neither a folder nor a file: cannot be graded
+    Member *members;  // who handed it in, where the export says more than a name; else none
     int n_members;
 } Entrant;
 
 typedef struct Roster {
     Entrant *entrants;  // by name, then by number, then by attempt
     int n_entrants;
+    char **passed_over;  // names of files of which nobody can say whose they are, fit to be shown
+    int n_passed_over;
 } Roster;
 
-// Read the folder of submissions: each folder and each archive in it is an entry, other files are
-// passed over, with one line on stderr.
+// Read the folder of submissions (export.h): each folder and each archive in it is an entry, and so
+// are all single files of one attempt, where a course system has named them.
 //   lab_number   GitHub Classroom's names begin with it
-//   only_latest  of the entries that Moodle's export gives to one student keep the last: files
-//                after text typed into a form, and these by name. A name that only ends like an
-//                attempt's, "ada-2", may be anybody's, and stays.
-//   links        folder that receives a symbolic link SLUG -> entry for each; made anew
+//   only_latest  of the entries that a course system's export gives to one student keep the last:
+//                by its time, else files after text typed into a form, and these by name. A name
+//                that only ends like an attempt's, "ada-2", may be anybody's, and stays.
+//   folder       receives, made anew, a folder "submissions" with a symbolic link SLUG -> entry for
+//                each, and a folder "collected" with single files
 // Returns 0, or -1 after one message on stderr. Release with roster_free().
-int roster_read(const char *submissions, int lab_number, int only_latest, const char *links,
+int roster_read(const char *submissions, int lab_number, int only_latest, const char *folder,
                 Roster *roster);
 
 // Write and read it as JSON. Return 0, or -1 after one message on stderr.

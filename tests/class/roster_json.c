@@ -12,8 +12,9 @@ static json_t *members_json(const Entrant *entrant)
     json_t *list = json_array();
     for (int i = 0; i < entrant->n_members; i++) {
         const Member *member = &entrant->members[i];
-        json_array_append_new(list, json_pack("{s:s, s:s, s:s}", "name", member->name, "email",
-                                              member->email, "sid", member->sid));
+        json_array_append_new(list,
+                              json_pack("{s:s, s:s, s:s, s:s}", "name", member->name, "email",
+                                        member->email, "sid", member->sid, "login", member->login));
     }
     return list;
 }
@@ -26,8 +27,9 @@ static int members_read(json_t *list, Entrant *entrant, json_error_t *error)
     int failed = members == NULL || !json_is_array(list);
     for (int i = 0; i < n && !failed; i++) {
         failed = json_unpack_ex(json_array_get(list, (size_t)i), error, JSON_STRICT,
-                                "{s:s, s:s, s:s}", "name", &members[i].name, "email",
-                                &members[i].email, "sid", &members[i].sid) != 0;
+                                "{s:s, s:s, s:s, s:s}", "name", &members[i].name, "email",
+                                &members[i].email, "sid", &members[i].sid, "login",
+                                &members[i].login) != 0;
     }
     failed = failed || members_copy(members, n, &entrant->members) != 0;
     entrant->n_members = entrant->members != NULL ? n : 0;
@@ -38,51 +40,79 @@ static int members_read(json_t *list, Entrant *entrant, json_error_t *error)
 int roster_save(const Roster *roster, const char *path)
 {
     json_t *list = json_array();
-    int failed = list == NULL;
+    json_t *passed_over = json_array();
+    int failed = list == NULL || passed_over == NULL;
+    for (int i = 0; !failed && i < roster->n_passed_over; i++) {
+        failed = json_array_append_new(passed_over, json_string(roster->passed_over[i])) != 0;
+    }
     for (int i = 0; !failed && i < roster->n_entrants; i++) {
         const Entrant *entrant = &roster->entrants[i];
-        json_t *entry = json_pack(
-            "{s:s, s:s, s:s, s:s, s:i, s:b, s:b, s:o}", "id", entrant->slug, "name", entrant->name,
-            "number", entrant->number, "entry", entrant->entry, "attempt", entrant->attempt,
-            "exact", entrant->is_exact, "link", entrant->is_link, "members", members_json(entrant));
+        json_t *entry =
+            json_pack("{s:s, s:s, s:s, s:s, s:s, s:i, s:b, s:b, s:o}", "id", entrant->slug, "name",
+                      entrant->name, "label", entrant->label, "number", entrant->number, "entry",
+                      entrant->entry, "attempt", entrant->attempt, "exact", entrant->is_exact,
+                      "link", entrant->is_link, "members", members_json(entrant));
         failed = json_array_append_new(list, entry) != 0;
     }
+    json_t *whole = json_pack("{s:o, s:o}", "entries", list, "passed_over", passed_over);
     OutputFile output;
-    if (failed || output_file_open(&output, path) != 0) {
-        if (failed) {
+    if (failed || whole == NULL || output_file_open(&output, path) != 0) {
+        if (failed || whole == NULL) {
             complain("gradebook: %s: cannot write", path);
         }
-        json_decref(list);
+        json_decref(whole);
         return -1;
     }
-    json_dumpf(list, output.file, JSON_INDENT(1));
-    json_decref(list);
+    json_dumpf(whole, output.file, JSON_INDENT(1));
+    json_decref(whole);
     return output_file_commit(&output);
+}
+
+// Returns 0, or -1 where the list is not of the form that roster_save() gives it.
+static int passed_over_read(json_t *list, Roster *roster)
+{
+    roster->passed_over = calloc(json_array_size(list) + 1, sizeof *roster->passed_over);
+    int failed = roster->passed_over == NULL || !json_is_array(list);
+    for (size_t i = 0; !failed && i < json_array_size(list); i++) {
+        const char *name = json_string_value(json_array_get(list, i));
+        roster->passed_over[i] = name != NULL ? strdup(name) : NULL;
+        failed = roster->passed_over[i] == NULL;
+        roster->n_passed_over += !failed;
+    }
+    return failed ? -1 : 0;
+}
+
+static int entrant_read(json_t *json, Entrant *entrant, json_error_t *error)
+{
+    const char *slug, *name, *label, *number, *entry;
+    json_t *members;
+    if (json_unpack_ex(json, error, JSON_STRICT, "{s:s, s:s, s:s, s:s, s:s, s:i, s:b, s:b, s:o}",
+                       "id", &slug, "name", &name, "label", &label, "number", &number, "entry",
+                       &entry, "attempt", &entrant->attempt, "exact", &entrant->is_exact, "link",
+                       &entrant->is_link, "members", &members) != 0) {
+        return -1;
+    }
+    entrant->slug = strdup(slug), entrant->name = strdup(name), entrant->label = strdup(label);
+    entrant->number = strdup(number), entrant->entry = strdup(entry);
+    return entrant->slug == NULL || entrant->name == NULL || entrant->label == NULL ||
+                   entrant->number == NULL || entrant->entry == NULL
+               ? -1
+               : members_read(members, entrant, error);
 }
 
 int roster_load(const char *path, Roster *roster)
 {
     json_error_t error;
-    json_t *list = json_load_file(path, JSON_REJECT_DUPLICATES, &error);
+    json_t *whole = json_load_file(path, JSON_REJECT_DUPLICATES, &error);
+    json_t *list = json_object_get(whole, "entries");
     *roster = (Roster){.entrants = calloc(json_array_size(list) + 1, sizeof(Entrant))};
-    int failed = roster->entrants == NULL || !json_is_array(list);
+    int failed = roster->entrants == NULL || !json_is_array(list) ||
+                 passed_over_read(json_object_get(whole, "passed_over"), roster) != 0;
     for (size_t i = 0; !failed && i < json_array_size(list); i++) {
-        const char *slug, *name, *number, *entry;
-        json_t *members;
         Entrant *entrant = &roster->entrants[roster->n_entrants++];
-        failed = json_unpack_ex(json_array_get(list, i), &error, JSON_STRICT,
-                                "{s:s, s:s, s:s, s:s, s:i, s:b, s:b, s:o}", "id", &slug, "name",
-                                &name, "number", &number, "entry", &entry, "attempt",
-                                &entrant->attempt, "exact", &entrant->is_exact, "link",
-                                &entrant->is_link, "members", &members) != 0;
-        if (!failed) {
-            entrant->slug = strdup(slug), entrant->name = strdup(name);
-            entrant->number = strdup(number), entrant->entry = strdup(entry);
-            failed = entrant->slug == NULL || entrant->name == NULL || entrant->number == NULL ||
-                     entrant->entry == NULL || members_read(members, entrant, &error) != 0;
-        }
+        failed = entrant_read(json_array_get(list, i), entrant, &error) != 0;
     }
-    json_decref(list);
+    json_decref(whole);
     if (failed) {
         complain("gradebook: %s: line %d: %s", path, error.line, error.text);
         roster_free(roster);

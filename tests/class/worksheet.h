@@ -11,14 +11,15 @@ enum { WORKSHEET_MAX_COLUMNS = 64, WORKSHEET_MAX_BYTES = 16 * 1024 * 1024 };
 
 typedef struct Participant {
     char *cells[WORKSHEET_MAX_COLUMNS];
-    const Row *row;    // the student's last entry, or NULL: handed in nothing, or none that counts
+    const Row *row;    // the student's entry that counts, or NULL: none, or not for certain
+    int is_nobody;     // the line is about no person
     int is_contested;  // entries of two names fit: then none counts
-    int is_fitted;     // some entry fits or looks so, whether it counts or not
+    int is_fitted;     // an entry is, or may be, the student's, whether it counts or not
 } Participant;
 
 // What became of a row of the gradebook.
 typedef struct Entered {
-    int n_participants;  // beside whom it stands: of a team all, of an earlier attempt none
+    int n_participants;  // beside whom it is: all of a team; none if a later attempt counts
     char *why_not;       // who it could not be entered for, and why; NULL: nobody
 } Entered;
 

@@ -15,11 +15,22 @@
 #include "stats.h"
 
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 enum { EXIT_FULL_MARKS = 0, EXIT_BELOW = 1, EXIT_FAULT = 2 };
 
 // ---- The result -----------------------------------------------------------------------------
+
+// What reports call the submission. Students get them, so no path of this machine is in them.
+static const char *shown_submission(const Settings *settings)
+{
+    const char *slash = strrchr(settings->submission, '/');
+    const int is_from_root = settings->submission[0] == '/';
+    return settings->student != NULL       ? settings->student
+           : is_from_root && slash[1] != 0 ? slash + 1
+                                           : settings->submission;
+}
 
 static void start_result(Grading *grading, const Settings *settings)
 {
@@ -28,7 +39,7 @@ static void start_result(Grading *grading, const Settings *settings)
     result->title = grading->session.manifest.title;
     result->seed = settings->seed;
     result->sandbox = sandbox_kind_name(grading->session.workshop.sandbox);
-    result->submission = settings->submission;
+    result->submission = shown_submission(settings);
     result->n_checks = grading->session.judge.n_checks;
     for (int i = 0; i < result->n_checks; i++) {
         const Check *check = &grading->session.judge.checks[i];

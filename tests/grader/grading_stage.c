@@ -82,6 +82,7 @@ int grading_stage(Grading *grading, const char *submission, const char *folder)
     if (staged < 0) {
         return -1;
     }
+    grading->result.has_nothing = staged == STAGE_NOTHING;
     const int n_taken = files_find(grading, folder);
     char *message = n_taken > 0 ? describe_files(grading, said != NULL ? said : "") : NULL;
     grading_add_stage(grading, "Staging", staged == 0 ? CHECK_PASSED : CHECK_FAILED,

@@ -29,11 +29,14 @@ typedef struct GivenSettings {
     int help;
 } GivenSettings;
 
-enum { SEED_ROW = 3 };
+enum { SEED_ROW = 4 };
 static const OptionRow ROWS[] = {
     {"lab", "NN", OPTION_TEXT, PLACE(lab), .meaning = "which lab: its number or its name"},
     {"submission", "PATH", OPTION_TEXT, PLACE(submission),
      .meaning = "what to grade: a folder, a zip or a tar archive\n(default: labs/NN-name)"},
+    {"student", "NAME", OPTION_TEXT, PLACE(settings.student),
+     .meaning = "whose it is, for the reports (default: the submission's path,\n"
+                "of one from the root its last part)"},
     {"output", "FOLDER", OPTION_TEXT, PLACE(output),
      .meaning = "where the reports go (default: grade/NN in the build folder)"},
     [SEED_ROW] = {"seed", "N", OPTION_SEED, PLACE(settings.seed),

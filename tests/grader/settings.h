@@ -11,6 +11,7 @@ typedef struct Settings {
     char lab[64];               // "03-kdtree-2d-render"
     char submission[PATH_MAX];  // a folder or an archive
     char output[PATH_MAX];      // a folder for the reports
+    const char *student;        // whose it is, for the reports; NULL: they name the submission
     const char *build;          // where the probes are
     const char *device;         // "" for the first
     const char *kept_answers;   // see kept_answers.h; NULL: the solution is run

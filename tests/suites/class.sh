@@ -47,7 +47,6 @@ cp -R solutions/$lab "$class/carol-2"
 long=$(printf '%0255d' 0)
 cp -R solutions/$lab "$class/$long"
 "$build/tools/holes" fill solutions/$lab/gradient.cl gradient "$wrong_file" >"$class/$long/gradient.cl"
-echo "no submission" >"$class/notes.txt"
 
 # ---- Killed and resumed -------------------------------------------------------------------------
 
@@ -103,9 +102,12 @@ check "a formula is none" row "$first" "\"'=1+1\","
 check "an option is a name" row "$first" "\"'-rf\","
 check "a hostile name" row "$first" '"..\x0A.\xFF<b>""'"'&\$(true)\","
 check "the longest name" row "$first" "\"$long\","
-check "a file that is no submission is passed over" said "passed over 1 files"
+check "the last line counts everybody" test "$(tail -n 1 "$scratch/said")" = \
+    "8 of 8 graded; 0 passed over; 0 with nothing of this lab; 1 to be decided by you: see $scratch/second/class.html"
 check "the page is well-formed" xmllint --html --noout "$first/class.html"
 check "the page shows no markup of a name" grep -q '&lt;b&gt;&quot;&#39;&amp;' "$first/class.html"
+check "a report names the student" grep -q '"submission": "Ada Lovelace",' "$first"/students/ada-*/results.json
+check "and no path of this machine" test -z "$(grep -l "$scratch\|$PWD" "$first"/students/*/re*)"
 check "the page runs nothing" grep -q "default-src 'none'" "$first/class.html"
 # shellcheck disable=SC2016 # for the inner shell
 check "every picture and report of the page is there" sh -c 'cd "$1" &&
@@ -149,6 +151,12 @@ echo 02-kdtree-2d-build >"$first/lab"
 check "the folder of another lab's class" exits 2 run "$first"
 check "is refused, too" said "found a class of 02-kdtree-2d-build, expected a folder of its own for $lab"
 echo $lab >"$first/lab"
+echo "no submission" >"$class/notes.txt"
+check "a file that no name gives to anybody: it could be lost" exits 1 run "$first"
+check "is passed over" said 'passed over 1 files, as no name says whose they are, such as "notes.txt"'
+check "and counted" said "8 of 8 graded; 1 passed over;"
+check "and on the page" grep -q 'id="passed-over".*' "$first/class.html"
+rm "$class/notes.txt"
 before=$(n_graded "$first")
 printf 'Identifier,Grade\n1\n' >"$scratch/no-list.csv"
 sed "s/^\"lab\": .*/\"lab\": \"02-kdtree-2d-build\",/" "$first/gradebook.json" >"$scratch/other-lab.json"
@@ -168,15 +176,15 @@ Identifier,"Full name","Email address",Status,Grade,"Maximum Grade"
 "Participant 9",Double,bob@example.org,Submitted,,50
 "Participant 10",Double,bob@example.org,Submitted,,50
 END
-check "with Moodle's worksheet" exits 0 run "$first" --moodle "$scratch/moodle.csv"
+check "with Moodle's worksheet, and some that fit nobody" exits 1 run "$first" --moodle "$scratch/moodle.csv"
 check "by name and number, with the sheet's maximum and sign" row "$first" \
     '"Participant 1234567","Ada Lovelace","ada@example.org","Submitted","50,00","50,00","Ada Lovelace",'
 check "by the mail address, whatever carol-2 handed in" row "$first" \
     '"Participant 7","Carol","carol@example.org","Submitted","0.00","50","carol","",1,"graded",0,'
 check "who handed that in has to be found out" \
     said '"carol-2": fits no line of the list, but looks like line 3'
-check "who handed in nothing has no grade" row "$first" \
-    '"Participant 8","Nobody, N.","n@example.org","No submission","-","50",,,,"no submission",'
+check "who may have handed in nothing has no grade" row "$first" \
+    '"Participant 8","Nobody, N.","n@example.org","No submission","-","50",,,,"not entered",'
 check "who could be two is neither" row "$first" ',,,,,,"bob",'
 check "and they have no grade" row "$first" '"Participant 9","Double","bob@example.org","Submitted","","50",,,,"not entered"'
 check "no grade was there before" test -z "$(grep 'already' "$scratch/said")"
@@ -220,6 +228,47 @@ END
 check "Gradescope's export" "$build/tools/gradebook" roster 0 "$gradescope" "$scratch/names"
 check "a group has its names" grep -q '"name": "Ada Lovelace & Grace Hopper"' "$scratch/names/roster.json"
 check "what is no plain name is not taken" grep -q '"name": "submission_12"' "$scratch/names/roster.json"
+
+# ---- Nothing of this lab ------------------------------------------------------------------------
+
+all=$class
+class=$scratch/nothing
+mkdir -p "$class/Grace Hopper_2_assignsubmission_onlinetext_" "$class/Joan Clarke_3_assignsubmission_file_" \
+    "$class/Mary Shaw_4_assignsubmission_onlinetext_" "$class/Mary Shaw_4_assignsubmission_file_"
+printf 'Rar!\032\007' >"$class/Ada Lovelace_1_assignsubmission_file_lab.rar"
+echo "<p>my answer</p>" >"$class/Grace Hopper_2_assignsubmission_onlinetext_/onlinetext.html"
+cp solutions/01-naive-2d/overlaps_N_Nearer.cl "$class/Joan Clarke_3_assignsubmission_file_/"
+echo "see the file" >"$class/Mary Shaw_4_assignsubmission_onlinetext_/onlinetext.html"
+cp solutions/$lab/*.c* "$class/Mary Shaw_4_assignsubmission_file_"
+cat >"$scratch/nothing.csv" <<'END'
+Identifier,"Full name",Grade
+"Participant 1","Ada Lovelace",
+"Participant 2","Grace Hopper",
+"Participant 3","Joan Clarke",
+"Participant 4","Mary Shaw",
+"Participant 5","Jean Jennings",
+END
+without=$scratch/nothing.out
+check "an archive that is none, a text, another lab's file" exits 0 run "$without" --moodle "$scratch/nothing.csv"
+check "are counted" said "1 of 5 graded and entered; 1 without submission; 0 passed over; 3 with nothing of this lab; 1 earlier attempts; 0 to be decided by you"
+for name in "Ada Lovelace" "Grace Hopper" "Joan Clarke"; do
+    check "$name: no zero, but a blank" grep -q "^\"Participant .\",\"$name\",\"\",\"$name\",\".\",1,\"nothing of this lab\",,," \
+        "$without/gradebook.csv"
+done
+check "a text beside files is another attempt" grep -q '^"Participant 4","Mary Shaw","100.00",' "$without/gradebook.csv"
+# shellcheck disable=SC2016 # for the inner shell
+check "they stand first on the page" sh -c 'tr "\n" " " <"$1" | grep -q "</header> <h2 class=\"section\" id=\"nothing\">"' \
+    - "$without/class.html"
+check "with what was found instead" grep -q "RAR archive" "$without/class.html"
+check "the page is well-formed" xmllint --html --noout "$without/class.html"
+check "each result has a field for it" test "$(grep -l '"nothing_of_lab": true' "$without"/students/*/results.json | wc -l)" -eq 4
+before=$(n_graded "$without")
+check "NOTHING=0" exits 0 run "$without" --moodle "$scratch/nothing.csv" --nothing 0
+check "is a zero in the list" grep -q '^"Participant 1","Ada Lovelace","0.00","Ada Lovelace","1",1,"nothing of this lab",0,100,' \
+    "$without/gradebook.csv"
+check "and grades nothing again" test "$(n_graded "$without")" -eq "$before"
+check "anything else is refused" exits 2 run "$without" --nothing maybe
+class=$all
 
 # ---- What the caller's environment holds ------------------------------------------------------------
 
@@ -327,6 +376,7 @@ fi
 two=$scratch/two
 mkdir -p "$two/students" "$two/logs" "$two/faults" "$two/pending"
 for slug in meets-a-1 meets-b-1; do echo "$slug key 1"; done >"$two/keys"
+: >"$two/names"
 for slug in meets-a-1 meets-b-1; do
     CLASS_FOLDER=$two CLASS_BUILD=$build CLASS_LAB=$lab CLASS_WORK=$TMPDIR/two CLASS_DEVICE='' \
         CLASS_TIME_LIMIT='' CLASS_TELLS='' tests/class/grade_one.sh $slug &

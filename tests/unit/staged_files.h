@@ -29,7 +29,7 @@ static inline int stage(const char *file, char **message)
 static inline void expect_refused(const char *file, const char *reason)
 {
     char *message = NULL;
-    cr_expect_eq(stage(file, &message), 1);
+    cr_expect_gt(stage(file, &message), 0);
     cr_assert_not_null(message);
     cr_expect_eq(strncmp(message, file, strlen(file)), 0, "file not named: %s", message);
     cr_expect_not_null(strstr(message, reason), "no \"%s\" in \"%s\"", reason, message);

@@ -96,6 +96,20 @@ Test(stage, leaves_nothing_of_that_name_where_a_file_is_refused)
     expect_refused("a.cl", "not in the submission");
 }
 
+Test(stage, says_where_there_is_nothing_of_the_lab)
+{
+    file_write("from/other.cl", "text", 4);
+    Manifest manifest = {.files = {"a.cl", "b.cl"}, .n_files = 2};
+    char *message;
+    cr_assert_eq(stage_submission(&manifest, &(StageSource){"from", NULL}, 1, "to", &message),
+                 STAGE_NOTHING);
+    cr_expect_not_null(strstr(message, "b.cl: not in the submission"), "%s", message);
+    free(message);
+    file_write("from/a.cl", "text", 4);
+    cr_assert_eq(stage_submission(&manifest, &(StageSource){"from", NULL}, 1, "to", &message), 1);
+    free(message);
+}
+
 Test(stage, refuses_links)
 {
     file_write("secret", "secret", 6);

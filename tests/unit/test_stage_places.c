@@ -61,7 +61,8 @@ Test(stage_places, takes_a_file_from_its_best_place)
         }
         char *message;
         const int status = lab_stage(1, &message);
-        cr_expect_eq(status, layout->taken == NULL, "layout %zu: %s", i, message);
+        cr_expect_eq(status, layout->taken == NULL ? STAGE_NOTHING : 0, "layout %zu: %s", i,
+                     message);
         if (layout->taken != NULL) {
             expect_content("to/a.cl", layout->taken);
         } else {

@@ -81,10 +81,14 @@ static json_t *result_json(const Manifest *manifest, const Result *result)
                      checks_json(manifest, result));
 }
 
-// Where there is a figure, the field comes last; where there is none, there is no field.
-static json_t *result_json_with_leaderboard(const Manifest *manifest, const Result *result)
+// Two fields come last, and only where there is something to say: a figure, or that nothing of the
+// lab was handed in.
+static json_t *result_json_with_options(const Manifest *manifest, const Result *result)
 {
     json_t *json = result_json(manifest, result);
+    if (json != NULL && result->has_nothing) {
+        json_object_set_new(json, "nothing_of_lab", json_true());
+    }
     if (json == NULL || result->leaderboard == 0) {
         return json;
     }
@@ -99,5 +103,5 @@ static json_t *result_json_with_leaderboard(const Manifest *manifest, const Resu
 
 int report_json(const char *path, const Manifest *manifest, const Result *result)
 {
-    return json_save(path, result_json_with_leaderboard(manifest, result), JSON_INDENT(2));
+    return json_save(path, result_json_with_options(manifest, result), JSON_INDENT(2));
 }

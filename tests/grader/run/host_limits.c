@@ -16,9 +16,9 @@ typedef struct HostLimit {
 
 // The compiler and PoCL write libraries of some megabytes, a run up to FILE_MB.
 static const HostLimit limits[] = {
-    {RLIMIT_FSIZE, FILE_MB * MEGABYTE, "bytes in a file", "ulimit -f"},
-    {RLIMIT_AS, MEMORY_MB * MEGABYTE, "bytes of addresses", "ulimit -v"},
-    {RLIMIT_DATA, MEMORY_MB * MEGABYTE, "bytes of memory", "ulimit -d"},
+    {RLIMIT_FSIZE, FILE_MB *MEGABYTE, "bytes in a file", "ulimit -f"},
+    {RLIMIT_AS, MEMORY_MB *MEGABYTE, "bytes of addresses", "ulimit -v"},
+    {RLIMIT_DATA, MEMORY_MB *MEGABYTE, "bytes of memory", "ulimit -d"},
     {RLIMIT_NOFILE, 256, "open files", "ulimit -n"},
 };
 

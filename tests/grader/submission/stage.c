@@ -130,15 +130,27 @@ static int file_stage_from_best(Staging *staging, const char *name, int file)
     return file_stage(staging, name, &staging->searched[chosen].places[file]);
 }
 
+// Is there a file of that name, or of one so like it that there is something to tell?
+static int is_somewhere(const Staging *staging, int file)
+{
+    int i = 0;
+    while (i < staging->n_sources && staging->searched[i].places[file].n_equal == 0) {
+        i++;
+    }
+    return i < staging->n_sources;
+}
+
 static int files_stage(const Manifest *manifest, Staging *staging)
 {
     // All files are looked at, so that a student hears of every fault at once.
     int outcome = 0;
+    int n_there = 0;
     for (int i = 0; outcome >= 0 && i < manifest->n_files; i++) {
         const int file_outcome = file_stage_from_best(staging, manifest->files[i], i);
         outcome = file_outcome != 0 ? file_outcome : outcome;
+        n_there += is_somewhere(staging, i);
     }
-    return outcome;
+    return outcome == 1 && n_there == 0 ? STAGE_NOTHING : outcome;
 }
 
 // Open a folder. Links on the way are the instructor's and followed. Returns a descriptor, or -1

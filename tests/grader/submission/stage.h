@@ -26,8 +26,10 @@ typedef struct StageSource {
 //   message   out: NULL, or what there is to say to the student, "overlaps_N_Nearer.cl: not in the
 //             submission ...": what is wrong, or where there are several, which one was taken.
 //             Owned by the caller
-// Returns 0; 1 with a message when the submission is at fault; -1 after one message on stderr when
-// the machinery is (no disk space, a source is not a folder).
+// Returns 0; 1 with a message when the submission is at fault, STAGE_NOTHING when not even one of
+// the files is in it; -1 after one message on stderr when the machinery is at fault (no disk space,
+// a source is not a folder).
+enum { STAGE_NOTHING = 2 };
 int stage_submission(const Manifest *manifest, const StageSource sources[], int n_sources,
                      const char *destination, char **message);
 

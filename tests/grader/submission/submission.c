@@ -263,7 +263,9 @@ int submission_stage(const Workshop *workshop, const char *path, const char *des
     }
     sources->workshop = workshop;
     int outcome = sources_add(sources, path);
-    if (outcome == 0) {
+    if (outcome > 0) {
+        outcome = STAGE_NOTHING;
+    } else if (outcome == 0) {
         outcome =
             stage_submission(workshop->manifest, sources->all, sources->n, destination, message);
     }

@@ -4,6 +4,7 @@
 #ifndef GRADER_SUBMISSION_H
 #define GRADER_SUBMISSION_H
 
+#include "stage.h"
 #include "workshop.h"
 
 // The largest archive that is looked into, and how many.
@@ -19,9 +20,9 @@ enum { SUBMISSION_MAX_MEGABYTES = 64, SUBMISSION_MAX_ARCHIVES = 8 };
 //   destination  an existing folder
 //   message      out: NULL, or what there is to say to the student: what is wrong, or which of
 //                several files was taken; owned by the caller
-// Returns 0; 1 with a message when the submission is at fault, also for a file that is no archive,
-// a damaged, an encrypted or an excessive one; -1 after one message on stderr when the machinery
-// is.
+// Returns 0; 1 with a message when the submission is at fault; STAGE_NOTHING with one when nothing
+// of the lab was handed in: none of its files, or an archive that cannot be read (no archive,
+// damaged, encrypted, excessive); -1 after one message on stderr when the machinery is at fault.
 int submission_stage(const Workshop *workshop, const char *path, const char *destination,
                      char **message);
 

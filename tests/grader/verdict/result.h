@@ -55,10 +55,11 @@ enum { RESULT_MAX_CHECKS = 32, RESULT_MAX_PICTURES = 12, RESULT_MAX_STAGES = 8 }
 typedef struct Result {
     const char *lab;         // "01-naive-2d"
     const char *title;       // of the lab
-    const char *submission;  // as given
+    const char *submission;  // whose it is, or its path as given
     uint64_t seed;
     char device[256];
     const char *sandbox;   // it ran in: a name of sandbox.h's
+    int has_nothing;       // nothing of the lab was handed in: then the score is no verdict
     int score, max_score;  // sums over the checks
     StageResult stages[RESULT_MAX_STAGES];
     int n_stages;

@@ -1,0 +1,402 @@
+// Reading a folder of submissions (see export.h).
+//
+// Whether a course system made a name, or a student chose one that looks so, is seen by the other
+// entries: the system that made more than half of them made the folder. Read next: system_names.h.
+#include "export.h"
+
+#include "complain.h"
+#include "path.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+// How far below the folder that was given the entries may be: ILIAS has EXERCISE/Abgaben.
+enum { MOST_LEVELS = 3 };
+
+static int fault(const char *path, const char *what)
+{
+    complain("gradebook: %s: %s", path, what);
+    return -1;
+}
+
+// Room for one more in an array that doubles. Returns the array, or NULL when memory runs out.
+static void *grown(void *array, int n, size_t size)
+{
+    return (n & (n - 1)) != 0 ? array : realloc(array, (n > 0 ? 2 * (size_t)n : 1) * size);
+}
+
+static int is_one_of(const char *file, const char *const *names)
+{
+    while (*names != NULL && strcmp(file, *names) != 0) {
+        names++;
+    }
+    return *names != NULL;
+}
+
+// What unpackers and version control leave in a folder, and no student.
+static int is_nobody(const char *file)
+{
+    static const char *const names[] = {".", "..", "__MACOSX", ".git", ".github", NULL};
+    return is_one_of(file, names);
+}
+
+// Files that course systems and desktops add to an export.
+static int is_systems(const char *file)
+{
+    static const char *const names[] = {
+        GRADESCOPE_NAMES_FILE, "archive_filelist.csv", "index.html", ".DS_Store",
+        "Thumbs.db",           "desktop.ini",          NULL};
+    return is_one_of(file, names) || strncmp(file, "._", 2) == 0;
+}
+
+// ---- One entry ---------------------------------------------------------------------------------
+
+// Does a folder hold files that ILIAS has named?
+static int holds_ilias_files(int parent, const char *file)
+{
+    const int descriptor = openat(parent, file, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+    DIR *entries = descriptor >= 0 ? fdopendir(descriptor) : NULL;
+    int holds = 0;
+    struct dirent *entry;
+    while (entries != NULL && !holds && (entry = readdir(entries)) != NULL) {
+        holds = ilias_time_length(entry->d_name) > 0;
+    }
+    if (entries != NULL) {
+        closedir(entries);
+    }
+    return holds;
+}
+
+// Read what a file or folder is, under the name that a system may have made: it is decided later
+// whether one did.
+static int found_read(int parent, const char *file, int lab_number, Found *found)
+{
+    struct stat status;
+    if (fstatat(parent, file, &status, AT_SYMLINK_NOFOLLOW) != 0) {
+        return -1;
+    }
+    const int is_folder = S_ISDIR(status.st_mode);
+    const int is_file = S_ISREG(status.st_mode);
+    *found = (Found){.file = strdup(file), .is_link = !is_folder && !is_file};
+    if (found->file == NULL) {
+        return -1;
+    }
+    found->name = entry_name_read_export(file, is_folder);
+    if (found->name.system == SYSTEM_ILIAS && !holds_ilias_files(parent, file)) {
+        found->name.system = SYSTEM_NONE;
+    }
+    if (found->name.system == SYSTEM_NONE) {
+        found->name = entry_name_read(file, lab_number);
+    }
+    found->is_loose =
+        (is_file && entry_name_archive_stem(file) == 0) || found->name.system == SYSTEM_ILIAS;
+    return 0;
+}
+
+static int entries_read(Export *export, int lab_number)
+{
+    DIR *entries = opendir(export->path);
+    if (entries == NULL) {
+        return fault(export->path, strerror(errno));
+    }
+    int failed = 0;
+    struct dirent *entry;
+    errno = 0;
+    while (!failed && (entry = readdir(entries)) != NULL) {
+        Found *found = grown(export->found, export->n_found, sizeof *found);
+        if (found == NULL) {
+            failed = 1;
+            break;
+        }
+        export->found = found;
+        found += export->n_found;
+        if (!is_nobody(entry->d_name)) {
+            failed = found_read(dirfd(entries), entry->d_name, lab_number, found) != 0;
+            const int is_kept = !failed && !(found->is_loose && is_systems(found->file));
+            export->n_found += is_kept;
+            if (!failed && !is_kept) {
+                free(found->file);
+            }
+        }
+        errno = failed ? errno : 0;
+    }
+    const int result = failed || errno != 0 ? fault(export->path, strerror(errno)) : 0;
+    closedir(entries);
+    return result;
+}
+
+// ---- The folder --------------------------------------------------------------------------------
+
+// The system that made more than half of the names, or SYSTEM_NONE.
+static ExportSystem most_frequent(const Export *export)
+{
+    int counts[N_SYSTEMS] = {0};
+    for (int i = 0; i < export->n_found; i++) {
+        counts[export->found[i].name.system]++;
+    }
+    for (ExportSystem system = SYSTEM_NONE + 1; system < N_SYSTEMS; system++) {
+        if (2 * counts[system] > export->n_found) {
+            return system;
+        }
+    }
+    return SYSTEM_NONE;
+}
+
+// Is a single file a student's, by the name that the export's system made? Else nobody knows whose
+// it is.
+static int has_owner(const Export *export, const Found *found)
+{
+    return !found->is_loose || (export_is_exact(export, found) &&
+                                (found->name.file > 0 || found->name.system == SYSTEM_ILIAS));
+}
+
+static int pass_over(Export *export, const char *file)
+{
+    char shown[ENTRY_NAME_BYTES];
+    char **names = grown(export->passed_over, export->n_passed_over, sizeof *names);
+    if (names == NULL) {
+        return -1;
+    }
+    export->passed_over = names;
+    entry_name_show(file, strlen(file), shown);
+    names[export->n_passed_over] = strdup(shown);
+    const int failed = names[export->n_passed_over] == NULL;
+    export->n_passed_over += !failed;
+    return failed ? -1 : 0;
+}
+
+// Read names anew that only look like another system's, and put aside the files without an owner.
+static int names_settle(Export *export, int lab_number)
+{
+    int n = 0, failed = 0;
+    export->system = most_frequent(export);
+    for (int i = 0; i < export->n_found; i++) {
+        Found found = export->found[i];
+        const ExportSystem system = found.name.system;
+        if (system != export->system && system != SYSTEM_NONE && system != SYSTEM_MOODLE) {
+            found.name = entry_name_read(found.file, lab_number);
+            found.is_loose = found.is_loose && system != SYSTEM_ILIAS;
+        }
+        if (has_owner(export, &found)) {
+            export->found[n++] = found;
+        } else {
+            failed |= pass_over(export, found.file);
+            free(found.file);
+        }
+    }
+    export->n_found = n;
+    return failed ? fault(export->path, "out of memory") : 0;
+}
+
+// The prefix that all clones of an assignment have, "lab03-" of "lab03-ada" and "lab03-bob": of
+// folders that are repositories, two at least. Returns its length, or 0.
+static size_t clones_prefix(const Export *export)
+{
+    size_t length = 0;
+    for (int i = 0; i < export->n_found; i++) {
+        char repository[PATH_MAX];
+        struct stat status;
+        const char *file = export->found[i].file, *first = export->found[0].file;
+        path_make(repository, "%s/%s/.git", export->path, file);
+        if (lstat(repository, &status) != 0) {
+            return 0;
+        }
+        size_t n = i == 0 ? strlen(file) : 0;
+        while (i > 0 && n < length && file[n] == first[n]) {
+            n++;
+        }
+        length = n;
+    }
+    while (export->n_found > 1 && length > 0 && export->found[0].file[length - 1] != '-') {
+        length--;
+    }
+    return export->n_found > 1 ? length : 0;
+}
+
+static void clones_name(Export *export)
+{
+    const size_t length = clones_prefix(export);
+    for (int i = 0; length > 0 && i < export->n_found; i++) {
+        const char *name = export->found[i].file + length;
+        entry_name_show(name, strlen(name), export->found[i].name.name);
+    }
+}
+
+// ---- One folder too high or too low ------------------------------------------------------------
+
+static void entries_free(Export *export)
+{
+    for (int i = 0; i < export->n_found; i++) {
+        free(export->found[i].file);
+    }
+    for (int i = 0; i < export->n_passed_over; i++) {
+        free(export->passed_over[i]);
+    }
+    free(export->found);
+    free(export->passed_over);
+    export->found = NULL, export->passed_over = NULL;
+    export->n_found = export->n_passed_over = 0;
+}
+
+// The only entry that is no single file, or NULL where there are others or none.
+static const Found *only_folder(const Export *export)
+{
+    const Found *only = NULL;
+    int n = 0;
+    for (int i = 0; i < export->n_found; i++) {
+        if (!export->found[i].is_loose) {
+            only = &export->found[i];
+            n++;
+        }
+    }
+    return n == 1 && !only->is_link && entry_name_archive_stem(only->file) == 0 ? only : NULL;
+}
+
+// Is the only entry a folder that holds an export, or leads to one? By names alone: "Abgaben" is
+// ILIAS's, and elsewhere a system has to have made most of the names in it.
+static int is_too_high(const Export *export, int lab_number, char inner[PATH_MAX])
+{
+    const Found *folder = only_folder(export);
+    if (folder == NULL || most_frequent(export) != SYSTEM_NONE) {
+        return 0;
+    }
+    Export below = {0};
+    path_make(below.path, "%s/%s", export->path, folder->file);
+    path_make(inner, "%s", below.path);
+    int is_export = 0;
+    if (entries_read(&below, lab_number) == 0) {
+        is_export = most_frequent(&below) != SYSTEM_NONE;
+        for (int i = 0; i < below.n_found && !is_export; i++) {
+            is_export = strcmp(below.found[i].file, "Abgaben") == 0 ||
+                        strcmp(below.found[i].file, "Submissions") == 0;
+        }
+    }
+    entries_free(&below);
+    return is_export;
+}
+
+// One of a lab's files, where folders of students were expected?
+static int is_source(const char *name)
+{
+    const char *ending = strrchr(name, '.');
+    return ending != NULL && (strcmp(ending, ".cl") == 0 || strcmp(ending, ".c") == 0);
+}
+
+static void passed_over_tell(const Export *export)
+{
+    int is_low = 0;
+    for (int i = 0; i < export->n_passed_over; i++) {
+        is_low = is_low || is_source(export->passed_over[i]);
+    }
+    if (export->n_passed_over > 0) {
+        complain(
+            "gradebook: %s: passed over %d files, as no name says whose they are, such as \"%s\"%s",
+            export->path, export->n_passed_over, export->passed_over[0],
+            is_low ? ": is this the folder of one student? Then give the one above it" : "");
+    }
+}
+
+// ---- Reading -----------------------------------------------------------------------------------
+
+static int found_compare(const void *left, const void *right)
+{
+    const Found *a = left;
+    const Found *b = right;
+    int order = strcmp(a->name.name, b->name.name);
+    order = order != 0 ? order : strcmp(a->name.number, b->name.number);
+    order = order != 0 ? order : strcmp(a->name.time, b->name.time);
+    // What was typed into a form comes before the files, and single files before archives.
+    order = order != 0 ? order : b->name.is_text - a->name.is_text;
+    order = order != 0 ? order : b->is_loose - a->is_loose;
+    return order != 0 ? order : strcmp(a->file, b->file);
+}
+
+static int names_compare(const void *left, const void *right)
+{
+    return strcmp(*(char *const *)left, *(char *const *)right);
+}
+
+// Gradescope's folders have numbers; who handed in is in a file beside them.
+static int submitters_read(Export *export)
+{
+    if (gradescope_names_load(export->path, &export->names) != 0) {
+        return -1;
+    }
+    for (int i = 0; i < export->n_found; i++) {
+        Found *found = &export->found[i];
+        found->submitters = gradescope_names_find(&export->names, found->file);
+        if (found->submitters != NULL) {
+            gradescope_names_join(found->submitters, found->name.name);
+        }
+    }
+    return 0;
+}
+
+int export_read(const char *submissions, int lab_number, Export *export)
+{
+    char inner[PATH_MAX];
+    *export = (Export){0};
+    path_make(export->path, "%s", submissions);
+    int result = entries_read(export, lab_number);
+    for (int i = 0; result == 0 && i < MOST_LEVELS && is_too_high(export, lab_number, inner); i++) {
+        entries_free(export);
+        memcpy(export->path, inner, sizeof inner);
+        complain("gradebook: %s: this folder is graded, one or more below the one that was given",
+                 export->path);
+        result = entries_read(export, lab_number);
+    }
+    if (result == 0) {
+        result = names_settle(export, lab_number);
+    }
+    if (result == 0) {
+        if (export->n_passed_over > 1) {
+            qsort(export->passed_over, (size_t)export->n_passed_over, sizeof *export->passed_over,
+                  names_compare);
+        }
+        passed_over_tell(export);
+        clones_name(export);
+        result = submitters_read(export);
+    }
+    if (result == 0 && export->n_found > 1) {
+        qsort(export->found, (size_t)export->n_found, sizeof *export->found, found_compare);
+    }
+    return result;
+}
+
+void export_free(Export *export)
+{
+    entries_free(export);
+    gradescope_names_free(&export->names);
+}
+
+int export_is_exact(const Export *export, const Found *found)
+{
+    return found->submitters != NULL ||
+           (export->system != SYSTEM_NONE && found->name.system == export->system);
+}
+
+int export_is_same_student(const Export *export, const Found *a, const Found *b)
+{
+    return export->system != SYSTEM_NONE && a->name.system == export->system &&
+           b->name.system == export->system && strcmp(a->name.name, b->name.name) == 0 &&
+           strcmp(a->name.number, b->name.number) == 0;
+}
+
+int export_attempt_end(const Export *export, int i)
+{
+    const Found *first = &export->found[i];
+    int end = i + 1;
+    while (first->is_loose && end < export->n_found && export->found[end].is_loose &&
+           first->name.is_text == export->found[end].name.is_text &&
+           export_is_same_student(export, first, &export->found[end]) &&
+           strcmp(first->name.time, export->found[end].name.time) == 0) {
+        end++;
+    }
+    return end;
+}

@@ -1,0 +1,49 @@
+// A folder as a course system exports it: what in it is one attempt of one student.
+//
+// Only names are read here; what is inside an entry is the grader's, in its sandbox. Read next:
+// roster.h, which makes rows of it.
+#ifndef CLASS_EXPORT_H
+#define CLASS_EXPORT_H
+
+#include "entry_name.h"
+#include "gradescope_names.h"
+
+#include <limits.h>
+
+// A folder, an archive or a single file in the export.
+typedef struct Found {
+    char *file;  // its name, as it is
+    EntryName name;
+    int is_link;   // neither a folder nor a file: cannot be graded
+    int is_loose;  // a single file, or a folder of files that a system has named: to be collected
+    const GradescopeEntry *submitters;  // or NULL
+} Found;
+
+typedef struct Export {
+    char path[PATH_MAX];  // where the entries are: the folder that was given, or one below it
+    Found *found;         // by student, attempt and file
+    int n_found;
+    char **passed_over;  // files of which no name says whose they are, fit to be shown
+    int n_passed_over;
+    ExportSystem system;  // the one that made most of the names, or SYSTEM_NONE
+    GradescopeNames names;
+} Export;
+
+// Read a folder of submissions. Where it holds nothing but a folder that is such an export, that is
+// read instead, with one line on stderr, as for other files that are passed over.
+//   lab_number   GitHub Classroom's names begin with it
+// Returns 0, or -1 after one message on stderr. Release with export_free().
+int export_read(const char *submissions, int lab_number, Export *export);
+void export_free(Export *export);
+
+// Did a course system make the names of this one, so that nobody else could choose them?
+int export_is_exact(const Export *export, const Found *found);
+
+// Are two entries one student's, by names that a course system made? Any other name is chosen by
+// whoever hands in, and "ada-2" may be anybody's.
+int export_is_same_student(const Export *export, const Found *a, const Found *b);
+
+// The end of the attempt that begins with entry i: one entry, or all of a student's single files.
+int export_attempt_end(const Export *export, int i);
+
+#endif

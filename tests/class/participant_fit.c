@@ -1,0 +1,316 @@
+// Comparing names, numbers and keys (see participant_fit.h).
+#include "participant_fit.h"
+
+#include "complain.h"
+#include "name_likeness.h"
+
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <unicode/unorm2.h>
+#include <unicode/ustring.h>
+
+// Titles as course systems write them in English and in German, and what instructors add.
+static const char *const number_titles[] = {"Identifier", "ID", NULL};
+static const char *const group_titles[] = {"Group", "Gruppe", NULL};
+static const char *const first_titles[] = {"First name", "First Name", "Vorname", NULL};
+static const char *const last_titles[] = {"Surname", "Last name", "Last Name", "Nachname", NULL};
+static const char *const name_titles[] = {"Full name", "Vollständiger Name", "Student", NULL};
+static const char *const mail_titles[] = {"Email address", "E-Mail-Adresse", "E-Mail", "Email",
+                                          NULL};
+static const char *const sid_titles[] = {"ID number",  "ID-Nummer",    "Matrikelnummer",
+                                         "Student ID", "OrgDefinedId", NULL};
+static const char *const user_titles[] = {
+    "Username", "Anmeldename",  "Benutzername",    "Nutzername", "Nutzernamen",
+    "Login",    "SIS Login ID", "GitHub username", "GitHub",     NULL};
+// Whose "ID" is the number that Canvas writes into names of files.
+static const char *const canvas_titles[] = {"SIS Login ID", "SIS User ID", NULL};
+
+// ---- Names -------------------------------------------------------------------------------------
+
+// The next byte of a name as Moodle puts it into the name of a file: without what file names must
+// not hold, and with blanks for underscores.
+static unsigned char name_byte(const char **at)
+{
+    while (**at != '\0' && (iscntrl((unsigned char)**at) || strchr("&<>\"`|':\\/", **at) != NULL)) {
+        (*at)++;
+    }
+    const char byte = **at == '_' ? ' ' : **at;
+    *at += byte != '\0';
+    return (unsigned char)byte;
+}
+
+// A name as a whole is composed (NFC): a Mac writes an accent apart from its letter.
+static void name_compose(const char *name, char composed[ENTRY_NAME_BYTES])
+{
+    UErrorCode status = U_ZERO_ERROR;
+    UChar units[ENTRY_NAME_BYTES], composed_units[ENTRY_NAME_BYTES];
+    int n;
+    u_strFromUTF8(units, ENTRY_NAME_BYTES, &n, name, -1, &status);
+    n = unorm2_normalize(unorm2_getNFCInstance(&status), units, n, composed_units, ENTRY_NAME_BYTES,
+                         &status);
+    u_strToUTF8(composed, ENTRY_NAME_BYTES, NULL, composed_units, n, &status);
+    if (U_FAILURE(status) || status == U_STRING_NOT_TERMINATED_WARNING) {
+        snprintf(composed, ENTRY_NAME_BYTES, "%s", name);  // too long, or no text
+    }
+}
+
+// Are these the same name, one of them perhaps from the name of a file? Blanks at the end are none.
+static int is_same_name(const char *first, const char *second)
+{
+    char composed[2][ENTRY_NAME_BYTES];
+    name_compose(first, composed[0]), name_compose(second, composed[1]);
+    const char *a = composed[0], *b = composed[1];
+    unsigned char left, right;
+    do {
+        left = name_byte(&a), right = name_byte(&b);
+    } while (left == right && left != '\0');
+    while (left == ' ') {
+        left = name_byte(&a);
+    }
+    while (right == ' ') {
+        right = name_byte(&b);
+    }
+    return left == right && left == '\0';
+}
+
+// A name without what a zip program may have mangled: only its ASCII, and none of the escapes that
+// stand for other bytes ("\\x94" of ours, "#U00f6" of unzip, "?").
+static void name_strip(const char *name, char stripped[ENTRY_NAME_BYTES])
+{
+    char composed[ENTRY_NAME_BYTES];
+    name_compose(name, composed);
+    size_t n = 0;
+    for (const char *at = composed; *at != '\0';) {
+        const char *digits =
+            strncmp(at, "\\x", 2) == 0 || strncmp(at, "#U", 2) == 0 ? at + 2 : NULL;
+        const int n_wanted = *at == '#' ? 4 : 2;
+        if (digits != NULL && (int)strspn(digits, "0123456789ABCDEFabcdef") >= n_wanted) {
+            at = digits + n_wanted;
+        } else if ((unsigned char)*at >= 0x80 || *at == '?') {
+            at++;
+        } else {
+            stripped[n++] = *at++;
+        }
+    }
+    stripped[n] = '\0';
+}
+
+// Is a name what Canvas makes of "Lovelace, Ada": small letters and digits, and nothing between
+// them?
+static int is_squeezed(const char *cell, const char *name)
+{
+    for (; *cell != '\0'; cell++) {
+        const unsigned char letter = (unsigned char)*cell;
+        if (letter < 0x80 && !isalnum(letter)) {
+            continue;
+        }
+        if ((unsigned char)*name++ != tolower(letter)) {
+            return 0;
+        }
+    }
+    return *name == '\0';
+}
+
+// Case does not tell user names and e-mail addresses apart.
+static int is_same_key(const char *cell, const char *key)
+{
+    return key[0] != '\0' && strcasecmp(cell, key) == 0;
+}
+
+// Is this the e-mail address, or the part of it before the @? That tells people apart only where
+// all have addresses of one domain: who may give any address may have chosen another one's name.
+static int is_mail(const char *cell, const char *name, int has_one_domain)
+{
+    const size_t length = strlen(name);
+    return is_same_key(cell, name) || (has_one_domain && length > 0 && cell[length] == '@' &&
+                                       strncasecmp(cell, name, length) == 0);
+}
+
+// The words of "Participant 12" before its number.
+static size_t words_length(const char *cell)
+{
+    size_t length = strlen(cell);
+    while (length > 0 && isdigit((unsigned char)cell[length - 1])) {
+        length--;
+    }
+    return length;
+}
+
+// ---- What fits a participant -------------------------------------------------------------------
+
+// The participant's cell in the first column of such a title, "" where there is none.
+static const char *cell_of(const Worksheet *worksheet, const Participant *participant,
+                           const char *const *titles)
+{
+    const int column = worksheet_column(worksheet, titles);
+    return column >= 0 ? participant->cells[column] : "";
+}
+
+// The forms of a full name that a list may give: as one, or from two columns. Each may be "".
+typedef struct FullNames {
+    char text[3][512];
+} FullNames;
+
+static FullNames full_names(const Worksheet *worksheet, const Participant *participant)
+{
+    const char *first = cell_of(worksheet, participant, first_titles);
+    const char *last = cell_of(worksheet, participant, last_titles);
+    FullNames names = {0};
+    snprintf(names.text[0], sizeof names.text[0], "%s",
+             cell_of(worksheet, participant, name_titles));
+    if (first[0] != '\0' && last[0] != '\0') {
+        snprintf(names.text[1], sizeof names.text[1], "%s %s", first, last);
+        snprintf(names.text[2], sizeof names.text[2], "%s %s", last, first);
+    }
+    return names;
+}
+
+int fits_group(const Worksheet *worksheet, const Participant *participant, const char *name)
+{
+    const char *group = cell_of(worksheet, participant, group_titles);
+    return group[0] != '\0' && is_same_name(group, name);
+}
+
+int fits_full_name(const Worksheet *worksheet, const Participant *participant, const char *name)
+{
+    const FullNames names = full_names(worksheet, participant);
+    int fits = 0;
+    for (int i = 0; i < 3 && name[0] != '\0'; i++) {
+        const char *text = names.text[i];
+        fits = fits || (text[0] != '\0' && (is_same_name(text, name) || is_squeezed(text, name)));
+    }
+    return fits;
+}
+
+int fits_name(const Worksheet *worksheet, const Participant *participant, const char *name)
+{
+    if (fits_full_name(worksheet, participant, name)) {
+        return 1;
+    }
+    for (int i = 0; i < worksheet->n_columns; i++) {
+        const char *cell = participant->cells[i];
+        if ((worksheet_has_title(worksheet, i, mail_titles) &&
+             is_mail(cell, name, worksheet->has_one_domain)) ||
+            (worksheet_has_title(worksheet, i, sid_titles) && is_same_key(cell, name)) ||
+            (worksheet_has_title(worksheet, i, user_titles) && is_same_key(cell, name))) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+NumberFit fits_number(const Worksheet *worksheet, const Participant *participant,
+                      const char *number)
+{
+    const char *cell = cell_of(worksheet, participant, number_titles);
+    const size_t n_words = words_length(cell);
+    if (number[0] == '\0' || cell[n_words] == '\0') {
+        return NUMBER_UNKNOWN;
+    }
+    if (strcmp(cell + n_words, number) == 0) {
+        return NUMBER_SAME;
+    }
+    return n_words > 0 ? NUMBER_OTHER : NUMBER_UNKNOWN;
+}
+
+int fits_as_numbered(const Worksheet *worksheet, const Participant *participant,
+                     const Entrant *entrant)
+{
+    const char *cell = cell_of(worksheet, participant, number_titles);
+    char words[128];
+    const size_t n_words = words_length(cell);
+    snprintf(words, sizeof words, "%.*s", (int)n_words, cell);
+    return n_words > 0 && n_words < sizeof words && cell[n_words] != '\0' &&
+           (is_same_name(cell, entrant->name) ||
+            (is_same_name(words, entrant->name) && strcmp(cell + n_words, entrant->number) == 0));
+}
+
+int fits_mangled_name(const Worksheet *worksheet, const Participant *participant, const char *name)
+{
+    const FullNames names = full_names(worksheet, participant);
+    char found[ENTRY_NAME_BYTES], wanted[ENTRY_NAME_BYTES];
+    name_strip(name, found);
+    for (int i = 0; i < 3; i++) {
+        name_strip(names.text[i], wanted);
+        if (wanted[0] != '\0' && is_same_name(wanted, found)) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+size_t fits_behind_team(const Worksheet *worksheet, const Participant *participant,
+                        const char *name)
+{
+    for (const char *dash = strchr(name, '-'); dash != NULL; dash = strchr(dash + 1, '-')) {
+        if (dash > name && (fits_full_name(worksheet, participant, dash + 1) ||
+                            fits_mangled_name(worksheet, participant, dash + 1))) {
+            return (size_t)(dash - name);
+        }
+    }
+    return 0;
+}
+
+// Canvas' number, where the list is Canvas'; else the login, or Brightspace's number.
+static int is_login(const Worksheet *worksheet, const Participant *participant, const char *login)
+{
+    static const char *const id_titles[] = {"ID", NULL};
+    static const char *const brightspace_titles[] = {"OrgDefinedId", NULL};
+    if (worksheet_column(worksheet, canvas_titles) >= 0) {
+        return is_same_key(cell_of(worksheet, participant, id_titles), login);
+    }
+    const char *number = cell_of(worksheet, participant, brightspace_titles);
+    return is_same_key(cell_of(worksheet, participant, user_titles), login) ||
+           is_same_key(number + (number[0] == '#'), login);
+}
+
+int fits_key(const Worksheet *worksheet, const Participant *participant, const Member *member)
+{
+    return is_same_key(cell_of(worksheet, participant, mail_titles), member->email) ||
+           is_same_key(cell_of(worksheet, participant, sid_titles), member->sid) ||
+           is_login(worksheet, participant, member->login);
+}
+
+int fits_other_key(const Worksheet *worksheet, const Participant *participant, const Member *member)
+{
+    return (member->email[0] != '\0' && cell_of(worksheet, participant, mail_titles)[0] != '\0') ||
+           (member->sid[0] != '\0' && cell_of(worksheet, participant, sid_titles)[0] != '\0');
+}
+
+int looks_like_participant(const Worksheet *worksheet, const Participant *participant,
+                           const char *name)
+{
+    static const char *const *const titles[] = {name_titles, user_titles, mail_titles};
+    for (size_t t = 0; t < sizeof titles / sizeof *titles; t++) {
+        const char *cell = cell_of(worksheet, participant, titles[t]);
+        char local[ENTRY_NAME_BYTES];
+        snprintf(local, sizeof local, "%.*s", (int)strcspn(cell, "@"), cell);
+        if (name_looks_like(name, local)) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+int has_one_domain(const Worksheet *worksheet)
+{
+    const char *first = NULL;
+    for (int i = 1; i < worksheet->n_participants; i++) {
+        const char *domain =
+            strchr(cell_of(worksheet, &worksheet->participants[i], mail_titles), '@');
+        if (domain != NULL && first != NULL && strcasecmp(domain, first) != 0) {
+            return 0;
+        }
+        first = domain != NULL ? domain : first;
+    }
+    return 1;
+}
+
+int is_no_person(const Worksheet *worksheet, const Participant *participant)
+{
+    static const char *const id_titles[] = {"ID", NULL};
+    return worksheet_column(worksheet, canvas_titles) >= 0 &&
+           cell_of(worksheet, participant, id_titles)[0] == '\0';
+}

@@ -1,0 +1,145 @@
+// The patterns of system_names.h, as regular expressions. Read next: entry_name.c.
+#include "system_names.h"
+
+#include <regex.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_GROUPS = 8 };
+
+const char *system_title(ExportSystem system)
+{
+    static const char *const titles[N_SYSTEMS] = {"a plain name", "Moodle",      "Canvas",
+                                                  "Blackboard",   "Brightspace", "ILIAS"};
+    return titles[system];
+}
+
+// Does a text match? The parts of the groups, the whole being the first.
+static int matches(const char *pattern, const char *text, NamePart parts[MOST_GROUPS])
+{
+    regex_t compiled;
+    regmatch_t found[MOST_GROUPS];
+    if (regcomp(&compiled, pattern, REG_EXTENDED) != 0) {
+        abort();  // the patterns are ours
+    }
+    const int is_match = regexec(&compiled, text, MOST_GROUPS, found, 0) == 0;
+    for (int i = 0; is_match && i < MOST_GROUPS; i++) {
+        parts[i] = found[i].rm_so < 0 ? (NamePart){text, 0}
+                                      : (NamePart){text + found[i].rm_so,
+                                                   (size_t)(found[i].rm_eo - found[i].rm_so)};
+    }
+    regfree(&compiled);
+    return is_match;
+}
+
+static SystemName read_canvas(const char *entry)
+{
+    NamePart parts[MOST_GROUPS];
+    SystemName name = {0};
+    if (!matches("^([^_]+)(_LATE)?_([0-9]+)_([0-9]+)_(.+)$", entry, parts) &&
+        !matches("^([^_]+)(_LATE)?_([0-9]+)_()((text|link)\\.html)$", entry, parts)) {
+        return name;
+    }
+    name.system = SYSTEM_CANVAS;
+    name.name = parts[1], name.number = parts[3], name.login = parts[3], name.file = parts[5];
+    return name;
+}
+
+static SystemName read_blackboard(const char *entry)
+{
+    static const char word[] = "_attempt_";
+    NamePart parts[MOST_GROUPS];
+    SystemName name = {0};
+    for (const char *at = strstr(entry, word); at != NULL; at = strstr(at + 1, word)) {
+        if (at == entry ||
+            !matches("^([0-9]{4}(-[0-9]{2}){5})(_(.+)|\\.txt)$", at + strlen(word), parts)) {
+            continue;
+        }
+        const char *login = at;
+        while (login > entry && login[-1] != '_') {
+            login--;
+        }
+        if (login == at) {
+            break;
+        }
+        name.system = SYSTEM_BLACKBOARD;
+        name.name = (NamePart){login, (size_t)(at - login)};
+        name.is_note = parts[4].length == 0;
+        name.file = name.is_note ? (NamePart){parts[3].text + 1, parts[3].length - 1} : parts[4];
+        snprintf(name.time, sizeof name.time, "%.*s", (int)parts[1].length, parts[1].text);
+        break;
+    }
+    return name;
+}
+
+// "Nov 3, 2026 1022 AM" as a time that can be sorted; months by their first three letters.
+static void time_read(NamePart part, char time[24])
+{
+    static const char months[] = "JanFebMarAprMayJunJulAugSepOctNovDec";
+    char text[64], month[16], half[3] = "";
+    int day, year, clock;
+    snprintf(text, sizeof text, "%.*s", (int)part.length, part.text);
+    if (sscanf(text, "%15[A-Za-z] %d, %d %d %2s", month, &day, &year, &clock, half) < 4 &&
+        sscanf(text, "%d %15[A-Za-z], %d %d %2s", &day, month, &year, &clock, half) < 4) {
+        return;
+    }
+    month[3] = '\0';
+    const char *at = strstr(months, month);
+    const int hour = clock / 100 % 12 + (half[0] == 'P' ? 12 : 0);
+    const int n_month = at != NULL ? (int)(at - months) / 3 + 1 : 0;
+    snprintf(time, 24, "%04u-%02u-%02u-%02u-%02u", (unsigned)year % 10000, (unsigned)n_month % 100,
+             (unsigned)day % 100, (unsigned)(half[0] != '\0' ? hour : clock / 100) % 100,
+             (unsigned)clock % 100);
+}
+
+static SystemName read_brightspace(const char *entry)
+{
+    NamePart head[MOST_GROUPS], parts[MOST_GROUPS];
+    SystemName name = {0};
+    if (!matches("^([0-9]+)-[0-9]+ - (.)", entry, head)) {
+        return name;
+    }
+    const char *begin = head[2].text;
+    for (const char *at = strstr(begin, " - "); at != NULL; at = strstr(at + 1, " - ")) {
+        if (at == begin || !matches("^(([A-Z][a-z]+ [0-9]{1,2}|[0-9]{1,2} [A-Z][a-z]+), [0-9]{4} "
+                                    "[0-9]{3,4}( [AP]M)?)( - (.+))?$",
+                                    at + 3, parts)) {
+            continue;
+        }
+        name.system = SYSTEM_BRIGHTSPACE;
+        name.name = (NamePart){begin, (size_t)(at - begin)};
+        name.number = head[1], name.login = head[1], name.file = parts[5];
+        time_read(parts[1], name.time);
+        break;
+    }
+    return name;
+}
+
+static SystemName read_ilias(const char *entry)
+{
+    NamePart parts[MOST_GROUPS];
+    SystemName name = {0};
+    if (matches("^(.+)_([^_]+)_([0-9]+)$", entry, parts)) {
+        name.system = SYSTEM_ILIAS;
+        name.name = parts[1], name.login = parts[2], name.number = parts[3];
+    }
+    return name;
+}
+
+SystemName system_name_read(const char *entry)
+{
+    static SystemName (*const readers[])(const char *entry) = {read_blackboard, read_brightspace,
+                                                               read_canvas, read_ilias};
+    SystemName name = {0};
+    for (size_t i = 0; i < sizeof readers / sizeof *readers && name.system == SYSTEM_NONE; i++) {
+        name = readers[i](entry);
+    }
+    return name;
+}
+
+size_t ilias_time_length(const char *file)
+{
+    NamePart parts[MOST_GROUPS];
+    return matches("^([0-9]{14}_[0-9]+_).", file, parts) ? parts[1].length : 0;
+}

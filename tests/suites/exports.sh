@@ -1,0 +1,231 @@
+#!/bin/sh
+# A class as each course system exports it: the names of files and folders that the systems document, with
+# their own lists of participants. Nobody is lost, and nobody has another's grade.
+#
+#     sh tests/suites/exports.sh      from the top folder, after `make tests`
+set -u
+. tests/tap.sh
+. tests/classes.sh
+
+check "the results that everybody gets" exits 0 "$build/tools/grade" --build "$build" --lab 0 \
+    --submission solutions/$lab --output "$scratch/right"
+# Beside them it is written down whose file was graded: each holds its student's number.
+# shellcheck disable=SC2016 # for the other shell
+stand_in "$scratch/right" 'echo "$student" >"$output/student"; echo " Score 100/100"
+cat "$submission/gradient.cl" >"$output/whose" 2>/dev/null || cat "$submission" >"$output/whose"'
+
+# Number, first name, last name, login: two of one name, and letters that are not ASCII.
+cat >"$scratch/people" <<'END_OF_PEOPLE'
+40012,Ada,Lovelace,ada
+40013,Ada,Lovelace,alove
+40014,Jörg,Müller,jm
+40015,Anna-Lena,Weiß,alw
+40016,Sean,O'Brien,sob
+40017,Grace,Hopper,gh
+40018,Joan,Clarke,jc
+40019,Mary,Shaw,ms
+40020,Jean,Jennings,jj
+40021,Kathleen,Booth,kb
+40022,Radia,Perlman,rp
+40023,Barbara,Liskov,bl
+END_OF_PEOPLE
+
+# export_of SYSTEM FUNCTION: a class of which FUNCTION makes what each has handed in, from number, first
+# and last name, login.
+export_of() {
+    class=$scratch/$1
+    mkdir -p "$class"
+    while IFS=, read -r number first last login; do
+        "$2" "$number" "$first" "$last" "$login"
+    done <"$scratch/people"
+}
+
+# list HEAD LINE: a list of the class, with NUMBER, FIRST, LAST and LOGIN of each in the line.
+list() {
+    echo "$1" >"$class.csv"
+    awk -F , -v line="$2" '{ text = line
+        gsub("NUMBER", $1, text); gsub("FIRST", $2, text); gsub("LAST", $3, text); gsub("LOGIN", $4, text)
+        print text }' "$scratch/people" >>"$class.csv"
+}
+
+# graded STATUS LINE [SUBMISSIONS]: grade it by the list; the last line begins so.
+graded() {
+    all=$class
+    class=${3:-$class}
+    check "${all##*/}: graded" exits "$1" run "$all.out" --moodle "$all.csv"
+    class=$all
+    check "${all##*/}: $2" said "$2"
+}
+
+# own NUMBER: does the line of the list that has this number lead to the student's own file?
+own() {
+    line=$(grep -w -- "$1" "$class.out/gradebook.csv" | grep -v '^,')
+    slug=$(echo "$line" | sed -n 's|.*"students/\([^/]*\)/report.html".*|\1|p')
+    [ "$(cat "$class.out/students/$slug/whose")" = "$1" ] || { echo "$line"; return 1; }
+}
+
+# all_own: everybody's.
+all_own() {
+    while IFS=, read -r number _; do
+        check "${class##*/}: $number has the own grade" own "$number"
+    done <"$scratch/people"
+}
+
+# ---- Moodle -------------------------------------------------------------------------------------
+
+moodle() {
+    name="$2 $3"
+    # As an archiver of a Mac, of Windows, and Moodle itself write these names.
+    case $1 in
+    40014) name=$(printf 'Jo\314\210rg Mu\314\210ller') ;;
+    40015) name=$(printf 'Anna-Lena Wei\341') ;;
+    40016) name="Sean OBrien" ;;
+    esac
+    mkdir "$class/${name}_$1_assignsubmission_file_"
+    echo "$1" >"$class/${name}_$1_assignsubmission_file_/gradient.cl"
+}
+export_of moodle moodle
+list 'Identifier,"Full name",Grade' '"Participant NUMBER","FIRST LAST",'
+mkdir "$class/Grace Hopper_40017_assignsubmission_onlinetext_" "$class/mailed"
+echo "by mail" >"$class/mailed/gradient.cl"
+echo "my text" >"$class/Grace Hopper_40017_assignsubmission_onlinetext_/onlinetext.html"
+graded 1 "12 of 14 graded and entered; 0 without submission; 0 passed over; 0 with nothing of this lab; 1 earlier attempts; 1 to be decided by you"
+all_own
+
+moodle_flat() {
+    for file in gradient.cl render.c; do echo "$1" >"$class/$2 $3_$1_assignsubmission_file_$file"; done
+}
+export_of moodle-flat moodle_flat
+list 'Identifier,"Full name",Grade' '"Participant NUMBER","FIRST LAST",'
+echo '"Participant 99","Nobody",' >>"$class.csv"
+graded 0 "12 of 12 graded and entered; 1 without submission; 0 passed over; 0 with nothing of this lab; 0 to be decided by you"
+all_own
+
+check "two of one name are told apart on the page" \
+    test "$(grep -c 'class="name"><a [^>]*>Ada Lovelace (4001[23])<' "$class.out/class.html")" -eq 2
+check "and in lines of progress, which hold names" said "  Ada Lovelace (40012): "
+check "who has a name for himself has no number there" said "  Joan Clarke: "
+check "and reports are given the name" test "$(cat "$class.out"/students/joan-clarke-*/student)" = "Joan Clarke"
+
+# Of a team each member has a folder, or all have one: by a column of groups.
+moodle_team() {
+    mkdir "$class/Team A-$2 $3_$1_assignsubmission_file_"
+    echo "$1" >"$class/Team A-$2 $3_$1_assignsubmission_file_/gradient.cl"
+}
+export_of moodle-team moodle_team
+list 'Identifier,"Full name",Grade' '"Participant NUMBER","FIRST LAST",'
+graded 0 "12 of 12 graded and entered"
+all_own
+
+# ---- Canvas -------------------------------------------------------------------------------------
+
+canvas() {
+    name=$(printf %s "$3$2" | tr -d "'-" | sed 'y/ABCDEFGHIJKLMNOPQRSTUVWXYZ/abcdefghijklmnopqrstuvwxyz/')
+    late='' again=''
+    case $1 in *8) late=_LATE ;; *9) again=-2 ;; esac
+    echo "$1" >"$class/$name${late}_$1_8800${1#400}_gradient$again.cl"
+    echo "$1" >"$class/$name${late}_$1_8801${1#400}_render.c"
+}
+export_of canvas canvas
+list 'Student,ID,"SIS User ID","SIS Login ID",Section,"Lab 0 (4711)"
+"    Points Possible",,,,,100.00' '"LAST, FIRST",NUMBER,uNUMBER,LOGIN,A,'
+echo "7" >"$class/mailed.c"
+graded 1 "12 of 12 graded and entered; 0 without submission; 1 passed over; 0 with nothing of this lab; 0 to be decided by you"
+all_own
+check "canvas: a file that is nobody's is named" said '"mailed.c"'
+
+# ---- Blackboard ---------------------------------------------------------------------------------
+
+blackboard() {
+    for day in 03 04; do
+        # All have one attempt, and one has two, of which the first has less.
+        [ $day = 03 ] || [ "$1" = 40020 ] || continue
+        stem="$class/Lab 0_$4_attempt_2026-11-$day-10-22-33"
+        echo "Name: $2 $3 ($4)" >"$stem.txt"
+        case $day$1 in
+        0340020) echo "older" >"${stem}_gradient.cl" ;;
+        *) echo "$1" >"${stem}_gradient.cl" ;;
+        esac
+    done
+}
+export_of blackboard blackboard
+# A student's own name of a file may look like the system's.
+echo "of ada" >"$class/Lab 0_ada_attempt_2026-11-03-10-22-33_Lab 0_gh_attempt_2026-11-30-10-22-33_gradient.cl"
+list '"Last Name","First Name",Username,"Student ID"' '"LAST","FIRST",LOGIN,NUMBER'
+graded 0 "12 of 13 graded and entered; 0 without submission; 0 passed over; 0 with nothing of this lab; 1 earlier attempts; 0 to be decided by you"
+all_own
+
+# ---- ILIAS --------------------------------------------------------------------------------------
+
+ilias() {
+    folder="$class/Übung 3/Abgaben/$3_$2_$4_$1"
+    mkdir -p "$folder"
+    echo "older" >"$folder/20261103102233_1${1}_gradient.cl"
+    echo "$1" >"$folder/20261104102233_2${1}_gradient.cl"
+}
+export_of ilias ilias
+list '"Nachname";"Vorname";"Benutzername";"Matrikelnummer"' '"LAST";"FIRST";"LOGIN";"NUMBER"'
+: >"$class/Übung 3/Übersicht.xlsx"
+graded 0 "12 of 12 graded and entered; 0 without submission; 0 passed over; 0 with nothing of this lab; 0 to be decided by you"
+check "ilias: and which folder that is" said "Übung 3/Abgaben: this folder is graded"
+all_own
+rm -r "$class.out"
+graded 0 "12 of 12 graded and entered" "$class/Übung 3/Abgaben"
+all_own
+
+# ---- Stud.IP, Gradescope, GitHub, Brightspace ---------------------------------------------------
+
+studip() { echo "$1" >"$class/[1]_$4.zip"; }
+export_of studip studip
+echo '"Name";"Autor"' >"$class/archive_filelist.csv"
+list 'Vorname;Nachname;Nutzernamen;Matrikelnummer' 'FIRST;LAST;LOGIN;NUMBER'
+graded 0 "12 of 12 graded and entered; 0 without submission; 0 passed over"
+all_own
+
+gradescope() {
+    mkdir "$class/submission_9$1"
+    echo "$1" >"$class/submission_9$1/gradient.cl"
+    printf "submission_9%s:\n  :submitters:\n  - :name: %s %s\n    :sid: '%s'\n    :email: %s@example.org\n" \
+        "$1" "$2" "$3" "$1" "$4" >>"$class/submission_metadata.yml"
+}
+export_of gradescope gradescope
+list 'First Name,Last Name,Student ID,Email' 'FIRST,LAST,NUMBER,LOGIN@example.org'
+graded 0 "12 of 12 graded and entered; 0 without submission; 0 passed over"
+all_own
+
+github() {
+    mkdir -p "$class/raytracing-lab03-$4/.git"
+    echo "$1" >"$class/raytracing-lab03-$4/gradient.cl"
+}
+export_of github github
+list '"Full name","GitHub username","ID number"' '"FIRST LAST",LOGIN,NUMBER'
+graded 0 "12 of 12 graded and entered; 0 without submission; 0 passed over"
+all_own
+
+brightspace() {
+    for time in "Nov 3, 2026 1022 PM" "Nov 4, 2026 922 AM"; do
+        case $time$1 in "Nov 4"*[13579]) continue ;; esac
+        folder="$class/$1-88003 - $2 $3 - $time"
+        mkdir "$folder"
+        case $time$1 in
+        "Nov 3"*[02468]) echo "older" >"$folder/gradient.cl" ;;
+        *) echo "$1" >"$folder/gradient.cl" ;;
+        esac
+    done
+}
+export_of brightspace brightspace
+: >"$class/index.html"
+list 'OrgDefinedId,Username,"Last Name","First Name",Email,"Lab 0 Points Grade"' \
+    '#NUMBER,LOGIN,"LAST","FIRST",LOGIN@example.org,'
+graded 0 "12 of 18 graded and entered; 0 without submission; 0 passed over; 0 with nothing of this lab; 6 earlier attempts; 0 to be decided by you"
+all_own
+
+# ---- One folder too low -------------------------------------------------------------------------
+
+class=$scratch/low
+mkdir "$class"
+cp solutions/$lab/*.c* "$class"
+check "one student's folder is none of a class" exits 2 run "$class.out"
+check "and a message says what it looks like" said "is this the folder of one student? Then give the one above it"
+
+finish

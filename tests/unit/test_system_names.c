@@ -1,0 +1,88 @@
+// Unit tests of the names that course systems give to what students hand in.
+#include "entry_name.h"
+#include "system_names.h"
+
+#include <criterion/criterion.h>
+#include <string.h>
+
+typedef struct Case {
+    const char *entry;
+    ExportSystem system;
+    const char *name, *number, *login, *time, *file;
+} Case;
+
+static void expect_part(NamePart part, const char *wanted, const char *entry)
+{
+    cr_expect(part.length == strlen(wanted) &&
+                  (part.length == 0 || memcmp(part.text, wanted, part.length) == 0),
+              "%s: found %.*s, expected %s", entry, (int)part.length, part.text, wanted);
+}
+
+Test(system_names, are_taken_apart)
+{
+    static const Case cases[] = {
+        {"lovelaceada_40012_880036_file.cl", SYSTEM_CANVAS, "lovelaceada", "40012", "40012", "",
+         "file.cl"},
+        {"lovelaceada_LATE_40012_880036_a_b-1.cl", SYSTEM_CANVAS, "lovelaceada", "40012", "40012",
+         "", "a_b-1.cl"},
+        {"lovelaceada_40012_text.html", SYSTEM_CANVAS, "lovelaceada", "40012", "40012", "",
+         "text.html"},
+        {"Lab 0_ab12_attempt_2026-11-03-10-22-33_file.cl", SYSTEM_BLACKBOARD, "ab12", "", "",
+         "2026-11-03-10-22-33", "file.cl"},
+        {"Lab_0_ab12_attempt_2026-11-03-10-22-33.txt", SYSTEM_BLACKBOARD, "ab12", "", "",
+         "2026-11-03-10-22-33", "txt"},
+        {"40012-88 - Ada Lovelace - Nov 3, 2026 1022 PM", SYSTEM_BRIGHTSPACE, "Ada Lovelace",
+         "40012", "40012", "2026-11-03-22-22", ""},
+        {"40012-88 - A - B - 3 November, 2026 922 - a - b.cl", SYSTEM_BRIGHTSPACE, "A - B", "40012",
+         "40012", "2026-11-03-09-22", "a - b.cl"},
+        {"Lovelace_Ada_ada_1234", SYSTEM_ILIAS, "Lovelace_Ada", "1234", "ada", "", ""},
+        {"ada", SYSTEM_NONE, "", "", "", "", ""},
+        {"ada_2", SYSTEM_NONE, "", "", "", "", ""},
+        {"Lab 0_attempt_2026-11-03-10-22-33_file.cl", SYSTEM_BLACKBOARD, "Lab 0", "", "",
+         "2026-11-03-10-22-33", "file.cl"},
+        {"_attempt_2026-11-03-10-22-33_file.cl", SYSTEM_NONE, "", "", "", "", ""},
+        {"40012-88 - Ada - file.cl", SYSTEM_NONE, "", "", "", "", ""},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const SystemName name = system_name_read(cases[i].entry);
+        cr_expect_eq(name.system, cases[i].system, "%s: found %s", cases[i].entry,
+                     system_title(name.system));
+        expect_part(name.name, cases[i].name, cases[i].entry);
+        expect_part(name.number, cases[i].number, cases[i].entry);
+        expect_part(name.login, cases[i].login, cases[i].entry);
+        expect_part(name.file, cases[i].file, cases[i].entry);
+        cr_expect_str_eq(name.time, cases[i].time, "%s: found %s", cases[i].entry, name.time);
+    }
+}
+
+// What students call their files cannot give them to somebody else.
+Test(system_names, a_files_own_name_is_nobody_elses)
+{
+    static const struct {
+        const char *entry, *name;
+    } cases[] = {
+        {"adal_1_2_x_40013_880_file.cl", "adal"},
+        {"L_ab_attempt_2026-11-03-10-22-33_L_cd_attempt_2026-11-04-10-22-33_f.cl", "ab"},
+        {"4-8 - Ada - Nov 3, 2026 1022 PM - Bob - Nov 4, 2026 1022 PM - f.cl", "Ada"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        expect_part(system_name_read(cases[i].entry).name, cases[i].name, cases[i].entry);
+    }
+}
+
+Test(system_names, ilias_writes_the_time_before_a_file)
+{
+    cr_expect_eq(ilias_time_length("20261103102233_17_file.cl"), 18);
+    cr_expect_eq(ilias_time_length("20261103102233_17_"), 0);
+    cr_expect_eq(ilias_time_length("2026110310223_17_file.cl"), 0);
+}
+
+// A folder has no file's name behind the student's, and a file has one.
+Test(system_names, of_folders_and_of_files_differ)
+{
+    cr_expect_eq(entry_name_read_export("40012-88 - Ada - Nov 3, 2026 1022 PM", 1).system,
+                 SYSTEM_BRIGHTSPACE);
+    cr_expect_eq(entry_name_read_export("40012-88 - Ada - Nov 3, 2026 1022 PM", 0).system,
+                 SYSTEM_NONE);
+    cr_expect_eq(entry_name_read_export("adal_1_2_x.cl", 1).system, SYSTEM_NONE);
+}
