@@ -56,8 +56,10 @@ static char *describe_end(Grading *grading)
 {
     const Variant *whole = &grading->whole;
     const RunPlace *place = &whole->place;
-    char *line = whole->has_crashed ? session_find_line(&grading->session, whole) : NULL;
+    const char *task = NULL;
+    char *line = whole->has_crashed ? session_find_line(&grading->session, whole, &task) : NULL;
     grading->has_line = line != NULL;
+    grading->end_task = line != NULL ? task : place->task;
     char *message =
         message_new("%s\n%s%s%s%s%s%s%s%s%s", whole->trouble, place->where ? "where: " : "",
                     place->where ? place->where : "", place->with[0] ? ", " : "", place->with,

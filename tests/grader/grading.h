@@ -20,8 +20,9 @@ typedef struct Grading {
     Variant alone[MANIFEST_MAX_TASKS];           // one answer of it (alone.h)
     AloneVerdicts verdicts[MANIFEST_MAX_TASKS];  // of it
     int is_untouched[MANIFEST_MAX_TASKS];        // its task stands as it was handed out
-    int has_no_time;  // answers are left that were not tried alone: all tries took too long
-    int has_line;     // the report says at which line of a host file it crashed
+    int has_no_time;       // answers are left that were not tried alone: all tries took too long
+    int has_line;          // the report says at which line of a host file it crashed
+    const char *end_task;  // in whose lines it ended, or else in whose function; NULL: not known
     Result result;
 } Grading;
 
