@@ -11,6 +11,7 @@
 #include "device.h"
 #include "grading.h"
 #include "message.h"
+#include "path.h"
 #include "settings.h"
 #include "stands_out.h"
 #include "stats.h"
@@ -99,7 +100,12 @@ static void add_advice(Grading *grading)
     char *advice = NULL;
     if (whole->has_crashed && !grading->has_line) {
         advice = advice_after_crash(manifest, whole->place.task, has_oclgrind);
-    } else if (whole->trouble == NULL && has_oclgrind) {
+    } else if (whole->trouble == NULL) {
+        char folder[PATH_MAX];
+        path_make(folder, "%s/variant-%s/lab", grading->session.workshop.folder, whole->name);
+        advice = advice_on_local(manifest, folder, has_oclgrind);
+    }
+    if (advice == NULL && whole->trouble == NULL && has_oclgrind) {
         advice = advice_on_pixels(manifest, grading->is_untouched, &grading->result);
     }
     if (advice != NULL) {
