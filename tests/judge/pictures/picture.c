@@ -156,8 +156,9 @@ int picture_is_right(ProbeImage own, const ExpectedPicture *expected)
 
 Diagnosis picture_judge_padding(ProbeImage own, int width, int height)
 {
-    static const Cause no_guard = {
-        .says = "a guard for the work-items that fill up the last work-groups is missing or wrong"};
+    static const Cause no_guard = {.says = "a guard for the work-items that fill up the last "
+                                           "work-groups is missing or wrong, or a "
+                                           "barrier comes behind it, which these never reach"};
     for (int y = 0; y < own.image_height; y++) {
         for (int x = 0; x < own.image_width; x++) {
             const float *pixel = probe_image_pixel(own, x, y);
