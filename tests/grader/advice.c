@@ -4,9 +4,13 @@
 #include "advice.h"
 
 #include "message.h"
+#include "path.h"
+#include "source_words.h"
+#include "text_file.h"
 
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 static int is_failed(const CheckResult *check)
 {
@@ -79,6 +83,40 @@ char *advice_after_crash(const Manifest *manifest, const char *task, int has_ocl
     }
     return has_oclgrind && manifest_has_kernels(manifest) ? offer_memcheck(manifest, "A crash")
                                                           : NULL;
+}
+
+// The line of the first word `local` in a kernel's source, or 0.
+static int local_line(const char *source)
+{
+    SourceReader reader = source_reader(source);
+    SourceWord word;
+    do {
+        word = source_next(&reader);
+    } while (word.kind != SOURCE_END &&
+             !(word.kind == SOURCE_NAME && source_is_one_of(&word, "local __local")));
+    return word.kind == SOURCE_END ? 0 : word.line;
+}
+
+char *advice_on_local(const Manifest *manifest, const char *folder, int has_oclgrind)
+{
+    for (int i = 0; i < manifest->n_files; i++) {
+        const char *name = manifest->files[i];
+        char path[PATH_MAX];
+        path_make(path, "%s/%s", folder, name);
+        const int is_kernel = !manifest_is_host_file(name) && access(path, R_OK) == 0;
+        char *source = is_kernel ? text_file_read(path) : NULL;
+        const int line = source != NULL ? local_line(source) : 0;
+        free(source);
+        if (line > 0) {
+            char *what = message_new("%s:%d: all work-items of a group share a `local` variable, "
+                                     "also where this device let them take turns",
+                                     name, line);
+            char *advice = has_oclgrind ? offer_memcheck(manifest, what) : message_new("%s.", what);
+            free(what);
+            return advice;
+        }
+    }
+    return NULL;
 }
 
 char *advice_on_pixels(const Manifest *manifest, const int *is_untouched, const Result *result)

@@ -11,6 +11,7 @@
 #include "device.h"
 #include "grading.h"
 #include "message.h"
+#include "path.h"
 #include "settings.h"
 #include "stats.h"
 
@@ -65,8 +66,10 @@ static char *describe_end(Grading *grading)
 {
     const Variant *whole = &grading->whole;
     const RunPlace *place = &whole->place;
-    char *line = whole->has_crashed ? session_find_line(&grading->session, whole) : NULL;
+    const char *task = NULL;
+    char *line = whole->has_crashed ? session_find_line(&grading->session, whole, &task) : NULL;
     grading->has_line = line != NULL;
+    grading->end_task = line != NULL ? task : place->task;
     char *message =
         message_new("%s\n%s%s%s%s%s%s%s%s%s", whole->trouble, place->where ? "where: " : "",
                     place->where ? place->where : "", place->with[0] ? ", " : "", place->with,
@@ -106,7 +109,12 @@ static void add_advice(Grading *grading)
     char *advice = NULL;
     if (whole->has_crashed && !grading->has_line) {
         advice = advice_after_crash(manifest, whole->place.task, has_oclgrind);
-    } else if (whole->trouble == NULL && has_oclgrind) {
+    } else if (whole->trouble == NULL) {
+        char folder[PATH_MAX];
+        path_make(folder, "%s/variant-%s/lab", grading->session.workshop.folder, whole->name);
+        advice = advice_on_local(manifest, folder, has_oclgrind);
+    }
+    if (advice == NULL && whole->trouble == NULL && has_oclgrind) {
         advice = advice_on_pixels(manifest, grading->is_untouched, &grading->result);
     }
     if (advice != NULL) {

@@ -21,8 +21,9 @@ typedef struct Grading {
     AloneVerdicts verdicts[MANIFEST_MAX_TASKS];  // of it
     int is_replaced[MANIFEST_MAX_FILES];         // this file could not be used
     int is_untouched[MANIFEST_MAX_TASKS];  // its task stands as it was handed out, or was not tried
-    int has_no_time;  // answers are left that were not tried alone: all tries took too long
-    int has_line;     // the report says at which line of a host file it crashed
+    int has_no_time;       // answers are left that were not tried alone: all tries took too long
+    int has_line;          // the report says at which line of a host file it crashed
+    const char *end_task;  // in whose lines it ended, or else in whose function; NULL: not known
     Result result;
 } Grading;
 

@@ -151,6 +151,14 @@ static int is_wrong(const Grading *grading, int t)
     return grading->is_untouched[t];
 }
 
+// Did the whole end by this task's answer? Then the others count by what they do alone, also where
+// it is only among them that this one fails: the memory it spoils may be theirs.
+static int has_ended_whole(const Grading *grading, int t)
+{
+    const char *task = grading->end_task;
+    return !is_finished(grading) && task != NULL && strcmp(task, task_of(grading, t)->id) == 0;
+}
+
 // May a check that did not pass in the whole count as passed by what its answer does alone?
 static int may_count(const Grading *grading, int i, const int is_task_wrong[])
 {
@@ -245,7 +253,7 @@ int grading_try_alone(Grading *grading)
         return -1;
     }
     for (int t = 0; t < grading->session.manifest.n_tasks; t++) {
-        is_task_wrong[t] = is_wrong(grading, t);
+        is_task_wrong[t] = is_wrong(grading, t) || has_ended_whole(grading, t);
     }
     for (int t = 0; t < grading->session.manifest.n_tasks; t++) {
         void_borrowed(grading, t);

@@ -270,9 +270,9 @@ void session_device_name(const Variant *variant, char *name, size_t n_bytes)
              device ? device : "host");
 }
 
-char *session_find_line(Session *session, const Variant *variant)
+char *session_find_line(Session *session, const Variant *variant, const char **task)
 {
-    return variant_find_line(&session->workshop, variant, &session->allowance);
+    return variant_find_line(&session->workshop, variant, &session->allowance, task);
 }
 
 double session_race(Session *session, const Variant *variant)

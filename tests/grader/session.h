@@ -78,8 +78,8 @@ int session_take_kernels(const Session *session, const char *folder, const Varia
 // Put a text into a variant's folder as file `name`. Returns 0, or -1 after one message.
 int session_write(const char *folder, const char *name, const char *text);
 
-// The line at which a variant crashed: see variant_find_line().
-char *session_find_line(Session *session, const Variant *variant);
+// The line at which a variant crashed, and its task: see variant_find_line().
+char *session_find_line(Session *session, const Variant *variant, const char **task);
 
 // The figure of a variant's race: see variant_race().
 double session_race(Session *session, const Variant *variant);

@@ -70,9 +70,9 @@ static void detail_read(Finding *finding, const char *text)
 {
     const char *entity = strstr(text, "Global(");
     if (entity != NULL && finding->work_item[0] == '\0') {
-        int x, y, z;
-        if (sscanf(entity, "Global(%9d,%9d,%9d)", &x, &y, &z) == 3) {
-            snprintf(finding->work_item, sizeof finding->work_item, "(%d, %d, %d)", x, y, z);
+        int x, y;
+        if (sscanf(entity, "Global(%9d,%9d", &x, &y) == 2) {
+            snprintf(finding->work_item, sizeof finding->work_item, "(%d, %d)", x, y);
         }
     }
     if (finding->file[0] == '\0') {

@@ -15,7 +15,7 @@ typedef struct Finding {
     int line;                             // from 1 on
     char other_file[FINDING_FILE_BYTES];  // of a race: what the other work-item was at; or ""
     int other_line;
-    char work_item[48];  // the first it occurred in, "(3, 0, 0)", or ""
+    char work_item[48];  // the first it occurred in, "(3, 0)", or ""
 } Finding;
 
 // Read a log, which may hold anything; it is changed. What is not yet among findings[n] is added.

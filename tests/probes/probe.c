@@ -2,6 +2,7 @@
 #include "probe.h"
 
 #include "cl_memory.h"
+#include "image_size.h"
 #include "work.h"
 
 #include <fcntl.h>
@@ -277,9 +278,11 @@ cl_mem probe_image(const Probe *probe, int width, int height)
 
 void probe_launch(const Probe *probe, cl_kernel kernel, int width, int height)
 {
-    const size_t group[2] = {16, 16};
-    const size_t items[2] = {(size_t)PROBE_IMAGE_SIDE(width), (size_t)PROBE_IMAGE_SIDE(height)};
-    CL_CHECK(clEnqueueNDRangeKernel(probe->cl.queue, kernel, 2, NULL, items, group, 0, NULL, NULL));
+    const size_t group[3] = {16, 16, 1};
+    const size_t items[3] = {(size_t)PROBE_IMAGE_SIDE(width), (size_t)PROBE_IMAGE_SIDE(height), 1};
+    const size_t offset[3] = {0, 0, PROBE_SIZE_OFFSET(width, height)};
+    CL_CHECK(
+        clEnqueueNDRangeKernel(probe->cl.queue, kernel, 3, offset, items, group, 0, NULL, NULL));
 }
 
 void probe_draw_rows(const Probe *probe, int k, cl_kernel kernel, cl_mem d_image, int width,

@@ -109,6 +109,17 @@ check "and the line" holds "$file:$line, task pack_leaf: a null pointer"
 check "and shows it" grep -qF '*(volatile u32 *)(size_t)(id & 0) = n_ids;' "$said"
 check "and the later checks say where it ended" holds "no answer: the program had ended in pack_leaf"
 
+# An answer that crashes only where a whole tree is built, of which no other check sees anything.
+copy_lab solutions $lab
+{
+    echo '    static FILE *usual;'
+    echo '    usual = usual ? usual : stderr;'
+    echo '    if (stderr != usual) *(volatile int *)0 = 1;  // the probe has taken it'
+    "$holes" read solutions/$lab/$file distribute
+} | answer $file distribute
+broken "a crash in a whole tree costs the task in whose lines it is" 95
+check "and the line is named" holds "task distribute: a null pointer"
+
 copy_lab solutions $lab
 # 100 KB of a program's own words first: they do not hide the line.
 {

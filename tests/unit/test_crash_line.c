@@ -106,10 +106,12 @@ static void text_save(const char *path, const char *text)
     fclose(file);
 }
 
-static void expect_found(const char *expected)
+static void expect_found(const char *expected, const char *expected_task)
 {
-    char *found = crash_line_find("out", "lab", &manifest);
+    const char *task = "nobody's";
+    char *found = crash_line_find("out", "lab", &manifest, &task);
     cr_expect_str_eq(found ? found : "", expected, "found %s", found ? found : "nothing");
+    cr_expect_str_eq(task ? task : "", expected_task, "found task %s", task ? task : "(none)");
     free(found);
 }
 
@@ -118,15 +120,16 @@ Test(crash_line, is_shown_from_the_file_handed_in, .init = folder_enter, .fini =
     cr_assert_eq(mkdir("out", 0700) | mkdir("lab", 0700), 0);
     text_save("lab/kdtree2d_build.c",
               "\n// TASK split_box: halve it\n    // so\n    *left = box;\n// END split_box\nlast");
-    expect_found("");
+    expect_found("", "");
     text_save("secret", HEAD IN_LIBC IN_LAB);
     cr_assert_eq(symlink("../secret", "out/crash.1") | mkfifo("out/crash.2", 0600), 0);
-    expect_found("");
+    expect_found("", "");
     text_save("out/crash.3", HEAD IN_LIBC IN_LAB IN_PROBE);
     expect_found("kdtree2d_build.c:4, task split_box: an index or a pointer beyond the end of its "
-                 "array\n        *left = box;\n");
+                 "array\n        *left = box;\n",
+                 "split_box");
     text_save("out/crash.3", "    #0 0x5 in f labs/02-kdtree-2d-build/kdtree2d_build.c:6\n");
-    expect_found("kdtree2d_build.c:6: it crashed here\n    last\n");
+    expect_found("kdtree2d_build.c:6: it crashed here\n    last\n", "");
     text_save("out/crash.3", "    #0 0x5 in f labs/02-kdtree-2d-build/kdtree2d_build.c:7\n");
-    expect_found("");
+    expect_found("", "");
 }

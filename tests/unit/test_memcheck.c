@@ -196,3 +196,29 @@ Test(advice, memcheck_is_offered_where_only_another_task_is_named)
     free(said);
     result_free(&result);
 }
+
+// ---- Shared variables ---------------------------------------------------------------------------
+
+// What is said of a kernel with this text.
+static const char *advice_on(const char *source, int has_oclgrind)
+{
+    static char said[512];
+    const Manifest manifest = {.lab = "01-naive-2d", .files = {"host.c", "a.cl"}, .n_files = 2};
+    file_write("host.c", "int local;", strlen("int local;"));
+    file_write("a.cl", source, strlen(source));
+    char *advice = advice_on_local(&manifest, ".", has_oclgrind);
+    snprintf(said, sizeof said, "%s", advice ? advice : "");
+    free(advice);
+    return said;
+}
+
+Test(advice, of_a_local_variable_says_that_a_group_shares_it, .init = folder_enter,
+     .fini = folder_leave)
+{
+    cr_expect_str_eq(advice_on("\n    local float4 color;", 0),
+                     "a.cl:2: all work-items of a group share a `local` variable, also where this "
+                     "device let them take turns.");
+    cr_expect(strstr(advice_on("__local int n;", 1), "a.cl:1: all work-items of a group share"));
+    cr_expect(strstr(advice_on("__local int n;", 1), "take turns: `make memcheck LAB=01` looks"));
+    cr_expect_str_eq(advice_on("// local\nint x = get_local_id(0);", 1), "");
+}

@@ -52,7 +52,7 @@ Test(oclgrind_log, each_kind_has_its_words)
                   kinds[i][0], findings[0].says);
         cr_expect_str_eq(findings[0].file, "leaf.cl");
         cr_expect_eq(findings[0].line, 17);
-        cr_expect_str_eq(findings[0].work_item, "(5, 1, 0)");
+        cr_expect_str_eq(findings[0].work_item, "(5, 1)");
         cr_expect_str_eq(findings[0].other_file, "");
         free(text);
     }
@@ -94,7 +94,7 @@ Test(oclgrind_log, a_race_has_two_places)
     cr_assert_eq(read_log(text, findings, 0), 1);
     cr_expect_eq(findings[0].line, 5);
     cr_expect_eq(findings[0].other_line, 9);
-    cr_expect_str_eq(findings[0].work_item, "(1, 0, 0)");
+    cr_expect_str_eq(findings[0].work_item, "(1, 0)");
 }
 
 Test(oclgrind_log, what_is_no_message_is_passed_over)

@@ -200,6 +200,7 @@ Test(picture, what_is_written_outside_is_found)
                      places[i][1]);
             *value = channel % 2 ? NAN : 0;
             expect_message(picture_judge_padding(c->probe, 96, 64), part);
+            expect_message(picture_judge_padding(c->probe, 96, 64), "or a barrier comes behind it");
             *value = UNWRITTEN;
         }
     }

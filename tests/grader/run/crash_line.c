@@ -139,9 +139,10 @@ static const char *task_of_line(const Manifest *manifest, const char *file, cons
     return NULL;
 }
 
-char *crash_line_find(const char *out, const char *lab, const Manifest *manifest)
+char *crash_line_find(const char *out, const char *lab, const Manifest *manifest, const char **task)
 {
     const char *file, *says;
+    *task = NULL;
     char *report = report_find(out);
     const int line = report != NULL ? crash_line_read(report, manifest, &file, &says) : 0;
     free(report);
@@ -158,9 +159,9 @@ char *crash_line_find(const char *out, const char *lab, const Manifest *manifest
     }
     char *message = NULL;
     if (source != NULL && source[0] != '\0') {
-        const char *task = task_of_line(manifest, file, text, line);
-        message = message_new("%s:%d%s%s: %s\n    %.*s\n", file, line, task ? ", task " : "",
-                              task ? task : "", says, (int)strcspn(source, "\n"), source);
+        *task = task_of_line(manifest, file, text, line);
+        message = message_new("%s:%d%s%s: %s\n    %.*s\n", file, line, *task ? ", task " : "",
+                              *task ? *task : "", says, (int)strcspn(source, "\n"), source);
     }
     free(text);
     return message;

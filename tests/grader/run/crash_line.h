@@ -17,7 +17,9 @@
 
 // Look for a report in the folder `out`. Returns "render.c:12, task set_arguments: ..." and below
 // it the line in the folder `lab`, each with its newline; free() it. NULL where nothing is found.
-char *crash_line_find(const char *out, const char *lab, const Manifest *manifest);
+//   task   out; the task of the manifest between whose markers the line is, or NULL
+char *crash_line_find(const char *out, const char *lab, const Manifest *manifest,
+                      const char **task);
 
 // The same of a report's text: returns the line's number, and sets *file to the manifest's file and
 // *says to our words for the fault. Returns 0 where no frame of its first stack is in one of the

@@ -263,12 +263,14 @@ int variants_run(const Workshop *workshop, Variant *const variants[], int n, All
 
 // ---- The line of a crash ------------------------------------------------------------------------
 
-char *variant_find_line(const Workshop *workshop, const Variant *variant, Allowance *allowance)
+char *variant_find_line(const Workshop *workshop, const Variant *variant, Allowance *allowance,
+                        const char **task)
 {
     char out[PATH_MAX], lab[PATH_MAX];
     Variant checked = {.is_extra = 1, .is_checked = 1};
     Variant *const variants[] = {&checked};
     memcpy(checked.name, variant->name, sizeof checked.name);
+    *task = NULL;
     if (!workshop->needs_compiler || step_clear(workshop, variant->name, STEP_COMPILING) != 0 ||
         step_clear(workshop, variant->name, STEP_RUNNING) != 0 ||
         variants_run(workshop, variants, 1, allowance) != 0) {
@@ -276,7 +278,8 @@ char *variant_find_line(const Workshop *workshop, const Variant *variant, Allowa
     }
     path_make(out, "%s/variant-%s/out", workshop->folder, variant->name);
     path_make(lab, "%s/variant-%s/lab", workshop->folder, variant->name);
-    char *line = checked.trouble != NULL ? crash_line_find(out, lab, workshop->manifest) : NULL;
+    char *line =
+        checked.trouble != NULL ? crash_line_find(out, lab, workshop->manifest, task) : NULL;
     step_folder_remove(workshop, variant->name, STEP_RUNNING);
     variant_free(&checked);
     return line;

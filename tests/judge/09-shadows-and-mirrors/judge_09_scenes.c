@@ -204,6 +204,20 @@ static int draw_rooms(Random *random, const RoomPlan *plans, int n, MirrorScene 
     return result;
 }
 
+// Let the first light shine from the eye on all that is seen: where light is missing, it shows.
+static void light_what_is_seen(Scene3D *s)
+{
+    s->lights[0].position = s->view.from;
+}
+
+// Let sphere i be seen, whatever else there is: a small one before all others.
+static void show_sphere(Scene3D *s, int i)
+{
+    const Vec3 ahead = vec3_scaled(vec3_minus(s->view.at, s->view.from), 0.4f), eye = s->view.from;
+    s->spheres[i] =
+        (Sphere){eye.x + ahead.x, eye.y + ahead.y, eye.z + ahead.z, (float)vec3_length(ahead) / 8};
+}
+
 // Surfaces that scatter nothing, but for every fourth material, before a bright background.
 static void empty_light(MirrorScene *scene)
 {
@@ -211,6 +225,13 @@ static void empty_light(MirrorScene *scene)
     s->background = (Vec3){0.75f, 0.5f, 0.25f};
     for (int i = 0; i < s->n_materials; i++) {
         s->materials[i].kd = i % 4 == 0 ? s->materials[i].kd : 0;
+    }
+    for (int i = 0; i < s->n_spheres; i++) {
+        if (s->material_ids[i] % 4 == 0) {
+            show_sphere(s, i);
+            light_what_is_seen(s);
+            break;
+        }
     }
 }
 
@@ -263,6 +284,8 @@ static int draw_all(Random *random, MirrorScene scenes[N_SCENES])
                           "made smaller than a millionth");
         set_least_weight(&scenes[BACKGROUNDS - 2]);
         dim_surfaces(&scenes[MIRRORS + 1]);
+        light_what_is_seen(&scenes[MIRRORS + 1].base.scene);
+        light_what_is_seen(&scenes[LOCAL].base.scene);
     }
     return result;
 }

@@ -1,6 +1,7 @@
 // Comparing pictures pixel by pixel.
 #include "picture.h"
 
+#include "image_size.h"
 #include "job_sections.h"
 #include "jobs.h"
 #include "message.h"
@@ -155,11 +156,20 @@ int picture_is_right(ProbeImage own, const ExpectedPicture *expected)
 
 Diagnosis picture_judge_padding(ProbeImage own, int width, int height)
 {
-    static const Cause no_guard = {
-        .says = "a guard for the work-items that fill up the last work-groups is missing or wrong"};
+    static const Cause no_guard = {.says = "a guard for the work-items that fill up the last "
+                                           "work-groups is missing or wrong, or a "
+                                           "barrier comes behind it, which these never reach"};
     for (int y = 0; y < own.image_height; y++) {
         for (int x = 0; x < own.image_width; x++) {
-            if ((x >= width || y >= height) && !is_unwritten(probe_image_pixel(own, x, y))) {
+            const float *pixel = probe_image_pixel(own, x, y);
+            if ((x >= width || y >= height) && pixel[IMAGE_CHANNELS - 1] == DRAWN_AGAIN) {
+                return diagnosis_of(message_new("work-item (%d, %d), outside of a %dx%d picture: "
+                                                "found that it drew pixel (%g, %g) once more, "
+                                                "expected nothing",
+                                                x, y, width, height, pixel[0], pixel[1]),
+                                    no_guard);
+            }
+            if ((x >= width || y >= height) && !is_unwritten(pixel)) {
                 return diagnosis_of(message_new("the kernel wrote outside the picture: pixel (%d, "
                                                 "%d) of a %dx%d picture",
                                                 x, y, width, height),

@@ -3,72 +3,19 @@
 // Nothing that is tried needs another task. The kernel comes first, launched by the probe itself,
 // before any function of the student's: "picture.K". set_arguments() is called for a kernel of the
 // probe that tells what arrived, "arguments.K"; enqueue_pixels() launches one that counts its
-// work-items, "items.K"; read_back() copies an image that the probe has filled, "readback.K".
+// work-items, "items.K"; read_back() copies an image that the probe fills, "readback.K",
+// from a queue that is held up (held_queue.h).
+#include "held_queue.h"
 #include "pattern.h"
 #include "probe.h"
 #include "render.h"
 
 #include "cl_memory.h"
 
-#include <dlfcn.h>
 #include <math.h>
-#include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
-
-// Hold the queue up until `release` is set, which a thread of its own does a little later: a read
-// that does not wait then comes back before the picture does.
-static void *release_later(void *release)
-{
-    const struct timespec delay = {0, 50 * 1000 * 1000};
-    nanosleep(&delay, NULL);
-    CL_CHECK(clSetUserEventStatus(release, CL_COMPLETE));
-    return NULL;
-}
-
-// Let all that is queued from now on wait for a moment.
-static void hold_up(cl_command_queue queue)
-{
-    cl_int error;
-    pthread_t thread;
-    cl_context context;
-    CL_CHECK(clGetCommandQueueInfo(queue, CL_QUEUE_CONTEXT, sizeof context, &context, NULL));
-    cl_event release = clCreateUserEvent(context, &error);
-    CL_CHECK_CREATED(error, clCreateUserEvent);
-    CL_CHECK(clEnqueueBarrierWithWaitList(queue, 1, &release, NULL));
-    if (pthread_create(&thread, NULL, release_later, release) != 0) {
-        exit(PROBE_EXIT_FAULT);
-    }
-}
-
-typedef cl_int ReadImage(cl_command_queue queue, cl_mem image, cl_bool is_blocking,
-                         const size_t *origin, const size_t *region, size_t row_pitch,
-                         size_t slice_pitch, void *pixels, cl_uint n_waits_for,
-                         const cl_event *waits_for, cl_event *done);
-
-// Was the queue held up already for the picture that is read back?
-static int is_held_up;
-
-// Stands before the driver's, for read_back(): a picture's first read that does not wait is held
-// up. Otherwise a small picture may have arrived, by luck, before anybody looks.
-cl_int clEnqueueReadImage(cl_command_queue queue, cl_mem image, cl_bool is_blocking,
-                          const size_t *origin, const size_t *region, size_t row_pitch,
-                          size_t slice_pitch, void *pixels, cl_uint n_waits_for,
-                          const cl_event *waits_for, cl_event *done)
-{
-    // POSIX has dlsym() return functions as void *; C11 has no cast for that.
-    void *symbol = dlsym(RTLD_NEXT, "clEnqueueReadImage");
-    ReadImage *driver;
-    memcpy(&driver, &symbol, sizeof driver);
-    if (!is_blocking && !is_held_up) {
-        is_held_up = 1;
-        hold_up(queue);
-    }
-    return driver(queue, image, is_blocking, origin, region, row_pitch, slice_pitch, pixels,
-                  n_waits_for, waits_for, done);
-}
 
 // An image as large as the picture, without a margin, as the lab's own.
 static cl_mem exact_image(const Probe *probe, const SceneJob *scene)
@@ -191,17 +138,14 @@ static void answer_read_back(const Probe *probe, int k, const SceneJob *scene)
         h_pixels[i] = i < n_floats ? NAN : UNWRITTEN;
     }
     cl_mem d_image = exact_image(probe, scene);
-    // The first picture's queue is held up in any case: there are more ways to read than this one.
-    is_held_up = k == 0;
-    if (is_held_up) {
-        hold_up(probe->cl.queue);
-    }
+    queue_hold(probe->cl.queue);
     CL_CHECK(clEnqueueWriteImage(probe->cl.queue, d_image, CL_FALSE, corner, region, 0, 0,
                                  h_pattern, 0, NULL, NULL));
     probe_note(probe, "readback", (uint32_t)k);
     read_back(probe->cl.queue, d_image, scene->width, scene->height, h_pixels);
     // As it is when read_back() returns: what arrives later is too late.
     memcpy(answers, h_pixels, n_written * sizeof *answers);
+    queue_release();
     CL_CHECK(clFinish(probe->cl.queue));
     answers[n_floats + READ_BACK_LATE] =
         memcmp(answers, h_pixels, n_written * sizeof *answers) != 0;
