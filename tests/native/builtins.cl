@@ -121,7 +121,7 @@ int OVERLOADABLE islessequal(float x, float y)
         }                                                                                          \
         return all;                                                                                \
     }
-#define OF_FLOATS(n)                                                                               \
+#define OF_VECTORS(n)                                                                              \
     EACH(float##n, n, fabs, (float##n x), fabs(x[i]))                                              \
     EACH(float##n, n, sqrt, (float##n x), sqrt(x[i]))                                              \
     EACH(float##n, n, floor, (float##n x), floor(x[i]))                                            \
@@ -147,7 +147,19 @@ int OVERLOADABLE islessequal(float x, float y)
     EACH(float##n, n, select, (float##n x, float##n y, int##n z), z[i] < 0 ? y[i] : x[i])          \
     EACH(int##n, n, select, (int##n x, int##n y, int##n z), z[i] < 0 ? y[i] : x[i])                \
     EACH(uint##n, n, select, (uint##n x, uint##n y, int##n z), z[i] < 0 ? y[i] : x[i])             \
+    EACH(uint##n, n, convert_uint##n, (float##n x), (uint)x[i])                                    \
+    EACH(uint##n, n, convert_uint##n, (int##n x), (uint)x[i])                                      \
+    EACH(int##n, n, convert_int##n, (uint##n x), (int)x[i])                                        \
+    EACH(int##n, n, max, (int##n x, int##n y), max(x[i], y[i]))                                    \
+    EACH(int##n, n, min, (int##n x, int##n y), min(x[i], y[i]))                                    \
+    EACH(uint##n, n, max, (uint##n x, uint##n y), max(x[i], y[i]))                                 \
+    EACH(uint##n, n, min, (uint##n x, uint##n y), min(x[i], y[i]))                                 \
+    EACH(int##n, n, max, (int##n x, int y), max(x[i], y))                                          \
+    EACH(int##n, n, min, (int##n x, int y), min(x[i], y))                                          \
+    EACH(uint##n, n, max, (uint##n x, uint y), max(x[i], y))                                       \
+    EACH(uint##n, n, min, (uint##n x, uint y), min(x[i], y))                                       \
     EACH(int##n, n, isnan, (float##n x), -(x[i] != x[i]))                                          \
+    EACH(int##n, n, islessequal, (float##n x, float##n y), -(x[i] <= y[i]))                        \
     int OVERLOADABLE any(int##n x)                                                                 \
     {                                                                                              \
         int is_set = 0;                                                                            \
@@ -164,10 +176,11 @@ int OVERLOADABLE islessequal(float x, float y)
         }                                                                                          \
         return is_set;                                                                             \
     }
-OF_FLOATS(2)
-OF_FLOATS(3)
-OF_FLOATS(4)
-OF_FLOATS(16)
+OF_VECTORS(2)
+OF_VECTORS(3)
+OF_VECTORS(4)
+OF_VECTORS(8)
+OF_VECTORS(16)
 
 float OVERLOADABLE convert_float(int x)
 {
@@ -226,6 +239,39 @@ uint OVERLOADABLE atomic_xchg(volatile global uint *number, uint value)
     *number = value;
     return before;
 }
+
+// Vectors from and to numbers that lie one after the other.
+#define LOAD(type, n, space)                                                                       \
+    type##n OVERLOADABLE vload##n(size_t place, space const type *numbers)                         \
+    {                                                                                              \
+        type##n all;                                                                               \
+        for (int i = 0; i < n; i++) {                                                              \
+            all[i] = numbers[place * n + i];                                                       \
+        }                                                                                          \
+        return all;                                                                                \
+    }
+#define STORE(type, n, space)                                                                      \
+    void OVERLOADABLE vstore##n(type##n all, size_t place, space type *numbers)                    \
+    {                                                                                              \
+        for (int i = 0; i < n; i++) {                                                              \
+            numbers[place * n + i] = all[i];                                                       \
+        }                                                                                          \
+    }
+#define LOAD_AND_STORE(type, n)                                                                    \
+    LOAD(type, n, global)                                                                          \
+    LOAD(type, n, private)                                                                         \
+    LOAD(type, n, constant)                                                                        \
+    STORE(type, n, global)                                                                         \
+    STORE(type, n, private)
+#define LOADS_AND_STORES(type)                                                                     \
+    LOAD_AND_STORE(type, 2)                                                                        \
+    LOAD_AND_STORE(type, 3)                                                                        \
+    LOAD_AND_STORE(type, 4)                                                                        \
+    LOAD_AND_STORE(type, 8)                                                                        \
+    LOAD_AND_STORE(type, 16)
+LOADS_AND_STORES(float)
+LOADS_AND_STORES(int)
+LOADS_AND_STORES(uint)
 
 // A pixel beside the image is dropped, as drivers do.
 void OVERLOADABLE write_imagef(NativeImage image, int2 place, float4 color)

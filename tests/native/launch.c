@@ -119,6 +119,25 @@ cl_int clReleaseKernel(cl_kernel kernel)
     return CL_SUCCESS;
 }
 
+// What a kernel gets to see of the memory object at this address; a buffer may be none at all.
+// Returns whether it is one of the kind.
+static int mem_find(const void *at, int is_image, const void **seen)
+{
+    cl_mem mem = NULL;
+    if (at != NULL) {
+        memcpy(&mem, at, sizeof mem);
+    }
+    if (mem == NULL) {
+        *seen = NULL;
+        return !is_image;
+    }
+    if (!mem_is_known(mem) || is_image != (mem->image.pixels != NULL)) {
+        return 0;
+    }
+    *seen = is_image ? (const void *)&mem->image : mem->bytes;
+    return 1;
+}
+
 cl_int clSetKernelArg(cl_kernel kernel, cl_uint number, size_t n_bytes, const void *value)
 {
     if (number >= kernel->parameters[0]) {
@@ -133,12 +152,10 @@ cl_int clSetKernelArg(cl_kernel kernel, cl_uint number, size_t n_bytes, const vo
     if (kind == PARAMETER_VALUE) {
         memcpy(kernel->values[number], value, n_bytes);
     } else {
-        cl_mem mem;
-        memcpy(&mem, value, sizeof mem);
-        if (!mem_is_known(mem) || (kind == PARAMETER_IMAGE) != (mem->image.pixels != NULL)) {
+        const void *seen = NULL;
+        if (!mem_find(value, kind == PARAMETER_IMAGE, &seen)) {
             return CL_INVALID_MEM_OBJECT;
         }
-        const void *seen = kind == PARAMETER_IMAGE ? (void *)&mem->image : mem->bytes;
         memcpy(kernel->values[number], &seen, sizeof seen);
     }
     kernel->is_set[number] = 1;
@@ -194,13 +211,13 @@ static void run_group(cl_kernel kernel, void *const *arguments)
 static size_t row_part(size_t n)
 {
     size_t part = n < LARGEST_GROUP ? n : LARGEST_GROUP;
-    while (n % part != 0) {
+    while (part > 0 && n % part != 0) {
         part--;
     }
-    return part;
+    return part > 0 ? part : 1;
 }
 
-// Note the sizes of a launch. Returns CL_SUCCESS, or the error that OpenCL has for them.
+// Note the sizes of a launch; one of no work-items is none, as in OpenCL 2.1 and PoCL. Returns CL_SUCCESS, or the error that OpenCL has for them.
 //   n_groups[3]   out
 static cl_int take_sizes(cl_uint n_dimensions, const size_t *at, const size_t *global,
                          const size_t *local, size_t n_groups[N_DIMENSIONS])
@@ -212,9 +229,6 @@ static cl_int take_sizes(cl_uint n_dimensions, const size_t *at, const size_t *g
     for (cl_uint i = 0; i < N_DIMENSIONS; i++) {
         const int is_there = i < n_dimensions;
         const size_t size = is_there ? global[i] : 1;
-        if (size == 0) {
-            return CL_INVALID_GLOBAL_WORK_SIZE;
-        }
         const size_t part = !is_there ? 1 : local != NULL ? local[i] : i == 0 ? row_part(size) : 1;
         if (part == 0 || size % part != 0) {
             return CL_INVALID_WORK_GROUP_SIZE;

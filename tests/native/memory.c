@@ -164,10 +164,9 @@ cl_int clEnqueueReadImage(cl_command_queue queue, cl_mem image, cl_bool is_block
     cl_float4 *first;
     const cl_int error = part_find(image, origin, region, &first, &copy.n_row_bytes);
     copy.from = first;
+    // One that is shorter than a row is taken as it is, as PoCL does.
     copy.to_pitch = row_pitch != 0 ? row_pitch : copy.n_row_bytes;
-    return error != CL_SUCCESS                ? error
-           : copy.to_pitch < copy.n_row_bytes ? CL_INVALID_VALUE
-                                              : queue_copy(copy, is_blocking, done);
+    return error != CL_SUCCESS ? error : queue_copy(copy, is_blocking, done);
 }
 
 cl_int clEnqueueWriteImage(cl_command_queue queue, cl_mem image, cl_bool is_blocking,
