@@ -179,4 +179,4 @@ test-attacks: tests  ## try every attack in every sandbox, as root (long)
 	@BUILD="$(BUILD)" SANDBOXES="bubblewrap landlock user user-unfiltered" \
 	    sh tests/suites/attacks.sh tests/attacks/*/*
 
-include tests/fuzz/fuzz.mk tests/bench/bench.mk
+include tests/fuzz/fuzz.mk tests/bench/bench.mk tests/native/native.mk

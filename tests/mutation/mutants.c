@@ -2,18 +2,18 @@
 // check meant for it must catch in both, with the right message, and right ones written another
 // way, which must pass every check.
 //
-//     mutants [--seeds N] [--only WORD] [--every N] --lab 01 [--seed N]
+//     mutants [--together] [--seeds N] [--only WORD] [--every N] --lab 01 [--seed N]
 //
 // --seeds says for how many seeds, from --seed on, each must be so; one is the default. Jobs of
 // further seeds are run beside the first, by programs that are compiled once. --only tries those
 // whose path holds the word, --every of the wrong ones each N-th in the order of their names, and
 // as many others as it takes that each check and each kind of mistake has one.
 //
-// Each answer stands by itself in the solution. With --every N, N above 1, answers to different
-// tasks stand there together where that says as much of each (groups.h); and where one of them is
-// not judged as it should be, each is tried by itself after all, and only that counts.
+// Each answer stands by itself in the solution. With --together answers to different tasks stand
+// there together where that says as much of each (groups.h); and where one of them is not judged as
+// it should be, each is tried by itself after all, and only that counts.
 //
-// To be tried alone is to be compiled and run once more. Each answer is; with --every N one of the
+// To be tried alone is to be compiled and run once more. Each answer is; with --together one of the
 // wrong ones that a check is meant for, and one right one of each task, and the seed says which.
 //
 // Prints TAP, a line for each file in tests/mutants/NN-name/ and tests/right/NN-name/. Their format
@@ -40,6 +40,7 @@ typedef struct Trial {
     int n_further;     // seeds besides the first
     const char *only;  // "" for all
     uint64_t every;    // 1 tries all wrong answers, 2 every second, ...
+    int is_together;
 } Trial;
 
 // How well the reports name kinds of mistakes (diagnosis.h).
@@ -177,7 +178,7 @@ static int read_and_try(Session *session, const Trial *trial, char *const paths[
     Group *groups = chosen != NULL ? allocate((size_t)n, sizeof *groups) : NULL;
     if (groups != NULL) {
         n = choose(session, trial, answers, n, chosen);
-        status = try_chosen(session, chosen, n, trial->every == 1, groups);
+        status = try_chosen(session, chosen, n, !trial->is_together, groups);
     }
     free(groups);
     free(chosen);
@@ -218,7 +219,11 @@ static int read_trial(int *argc, char ***argv, Trial *trial)
     uint64_t n_seeds = 1;
     *trial = (Trial){.only = "", .every = 1};
     while (*argc > 2) {
-        if (strcmp((*argv)[1], "--only") == 0) {
+        int n_taken = 2;
+        if (strcmp((*argv)[1], "--together") == 0) {
+            trial->is_together = 1;
+            n_taken = 1;
+        } else if (strcmp((*argv)[1], "--only") == 0) {
             trial->only = (*argv)[2];
         } else if (strcmp((*argv)[1], "--every") == 0) {
             if (number_read_unsigned((*argv)[2], 1, MOST_LEFT_OUT, &trial->every) != 0) {
@@ -233,9 +238,9 @@ static int read_trial(int *argc, char ***argv, Trial *trial)
                      (*argv)[2], 1 + MAX_FURTHER_JOBS);
             return -1;
         }
-        (*argv)[2] = (*argv)[0];  // its name, in messages
-        *argc -= 2;
-        *argv += 2;
+        (*argv)[n_taken] = (*argv)[0];  // its name, in messages
+        *argc -= n_taken;
+        *argv += n_taken;
     }
     trial->n_further = (int)n_seeds - 1;
     return 0;

@@ -1,7 +1,7 @@
 // mutant: both wait, and the near one is taken off again
 // task: next_child
 // caught by: child-both
-// says: one place is left
+// says: one place is left|crash.*next_child
     float t_split = 0.0f;
     const uint side = near_side(node, origin, inverse), near = node.first + side,
                far = node.first + 1 - side;

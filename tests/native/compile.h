@@ -1,0 +1,29 @@
+// Kernels compiled to native code by clang, as a library that dlopen() takes. Each is kept under a
+// name made of all that it comes from, so what did not change is not compiled again.
+//
+// clang first preprocesses the text. Of that, functions named "kernel void" get an entry that takes
+// its arguments' addresses, as the host does not know their types:
+//
+//     void entry_render(void **arguments) { render(*(int *)arguments[0], ...); }
+//     constant uint parameters_render[] = {number of parameters, size and kind of each};
+//
+// Read next: kernels.h, which stands before each text.
+#ifndef NATIVE_COMPILE_H
+#define NATIVE_COMPILE_H
+
+#include <stdio.h>
+
+#define KERNEL_ENTRY "entry_"
+#define KERNEL_PARAMETERS "parameters_"
+
+// Compile a program's text, or find it compiled.
+//   options   as clBuildProgram() has them
+//   log       out: what the compiler said; owned by the caller
+// Returns the library's path, owned by the caller, or NULL.
+char *compile_kernels(const char *source, const char *options, char **log);
+
+// Write the entries of the kernels in a preprocessed text. Returns how many there are, or -1 where
+// one cannot be read.
+int entries_write(const char *text, FILE *out);
+
+#endif

@@ -1,0 +1,32 @@
+# Known answers judged natively (README.md): a build folder for `mutants --build`, in which probes are linked
+# with a little OpenCL of our own. Judge and earlier labs are those of the build folder above.
+
+NATIVE := $(OUT)/native
+NATIVE_OPENCL := $(abspath $(NATIVE)/libOpenCL.so)
+NATIVE_SOURCES := $(wildcard tests/native/*.c) $(addprefix common/,path.c text_file.c message.c complain.c clean_text.c utf8.c)
+
+# A library's code may lie anywhere.
+$(NATIVE)/obj/%.c.o: %.c $(FLAG_FILES)
+	@mkdir -p $(@D)
+	$(call say,compile $< for kernels)$(CC) $(CFLAGS) -fPIC -MMD -MP $(INCLUDES) \
+	    -DNATIVE_CACHE='"$(abspath $(NATIVE))/kernels"' -DNATIVE_HEADER='"$(abspath tests/native/kernels.h)"' -c $< -o $@
+$(NATIVE)/obj/builtins.o: tests/native/builtins.cl tests/native/kernels.h $(FLAG_FILES)
+	@mkdir -p $(@D)
+	$(call say,compile $<)clang -x cl -cl-std=CL1.2 -Xclang -finclude-default-header -Xclang -fdeclare-opencl-builtins \
+	    $(WARNINGS) -O2 -fPIC -ffp-contract=off -c $< -o $@
+$(NATIVE_OPENCL): $(NATIVE_SOURCES:%=$(NATIVE)/obj/%.o) $(NATIVE)/obj/builtins.o
+	@mkdir -p $(@D)/kernels
+	$(call say,link    $@)$(CC) -shared $^ -lnettle -ldl -lpthread -lm -o $@
+
+# What the grader links a probe with (tests/grader/run/variant_start.c): libcommon.a is a text here that names
+# two libraries to the linker.
+$(NATIVE)/libcommon.a: $(OUT)/libcommon.a $(NATIVE_OPENCL)
+	@printf 'INPUT("%s" "%s")\n' $(abspath $^) >$@
+$(NATIVE)/tools $(NATIVE)/earlier:
+	@mkdir -p $(NATIVE) && ln -sfn ../$(@F) $@
+$(NATIVE)/probes/%.o: $(OUT)/probes/%.o
+	@mkdir -p $(@D) && cp $< $@
+$(filter-out %.o,$(PROBES:$(OUT)/%=$(NATIVE)/%)): $(NATIVE)/probes/%: $(OUT)/probes/%.o $(NATIVE_OPENCL)
+	$(call link,$(NATIVE_OPENCL) -lm)
+.PHONY: native
+native: grader $(PROBES:$(OUT)/%=$(NATIVE)/%) $(NATIVE)/libcommon.a $(NATIVE)/tools $(NATIVE)/earlier
