@@ -15,8 +15,8 @@
 // Returns what to try, free() it; NULL where nothing helps.
 char *advice_after_crash(const Manifest *manifest, const char *task, int has_oclgrind);
 
-// Where a kernel has `local` variables, which no answer needs: a device that lets the work-items of a
-// group take turns hides that they share them.
+// Where a kernel has `local` variables, which no answer needs: a device that lets the work-items of
+// a group take turns hides that they share them.
 //   folder   the files that were handed in
 // Returns what to try, free() it; NULL where no kernel has one.
 char *advice_on_local(const Manifest *manifest, const char *folder, int has_oclgrind);

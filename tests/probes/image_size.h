@@ -27,7 +27,7 @@
 
 void probe_write_imagef(write_only image2d_t image, int2 place, float4 color)
 {
-    // Not get_global_offset(), which is always 0 in PoCL 3.1. In a launch of one dimension this is 0.
+    // 0 in a launch of one dimension. Not get_global_offset(), which is always 0 in PoCL 3.1.
     const uint offset = get_global_id(2);
     const int2 size = (int2)(offset & 0xffff, offset >> 16);
     const int2 own = (int2)(get_global_id(0), get_global_id(1));

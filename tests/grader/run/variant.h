@@ -54,9 +54,9 @@ int variants_run(const Workshop *workshop, Variant *const variants[], int n, All
 
 // After a crash of a lab with host files: compile and run it once more, with the address sanitizer,
 // and say at which line of the student's and by what it came about, "render.c:12: ..." and the line
-// itself. Owned by the caller; NULL where that finds nothing. `task` receives the task whose line it
-// is, or NULL. What a student's program prints can decide the number of the line and which of our
-// words are said of it. The answers stay.
+// itself. Owned by the caller; NULL where that finds nothing. `task` receives the task whose line
+// it is, or NULL. What a student's program prints can decide the number of the line and which of
+// our words are said of it. The answers stay.
 char *variant_find_line(const Workshop *workshop, const Variant *variant, Allowance *allowance,
                         const char **task);
 
