@@ -122,7 +122,7 @@ esac
 # Suites wait for sandboxes and time limits much of their time: three run side by side, the longest
 # first, beside the unit tests. Each one's exit status and seconds are kept for the report.
 suites=
-for suite in attacks.sh mutants.sh grader.sh handout.sh bundles.sh programs3d.sh broken.sh class.sh notes.sh view.sh agree3d.sh $(cd tests/suites && echo *.sh); do
+for suite in attacks.sh native.sh mutants.sh grader.sh handout.sh bundles.sh programs3d.sh broken.sh class.sh notes.sh view.sh agree3d.sh $(cd tests/suites && echo *.sh); do
     [ -e "tests/suites/$suite" ] || continue
     suite=${suite%.sh}
     case " $suites " in *" $suite "*) continue ;; esac

@@ -150,18 +150,20 @@ $(OUT)/obj/tests/unit/%.c.o: OPTIMISATION = -O0 -g
 # Unit tests run under the sanitizers, but for this one: PoCL's compiler is not built for them.
 NATIVE_TEST = $(OUT)/tests/test_cl_setup
 
-.PHONY: unit-tests watched tests check test test-scale test-seeds test-mutants test-attacks
+.PHONY: unit-tests watched tests check test test-all test-scale test-seeds test-mutants test-attacks
 unit-tests: $(filter-out $(NATIVE_TEST),$(UNIT_TESTS))
 # What the suites run with the sanitizers: solutions, whose skeletons have the same code around the holes.
 watched: unit-tests $(filter $(OUT)/solutions/% $(OUT)/view/solutions/% $(OUT)/pixel/solutions/%,$(PROGRAMS) $(VIEWS) $(PIXELS))
 # The bench is built here, too: it must not break unnoticed.
-tests: all $$(BENCH_PROGRAMS) $(NATIVE_TEST) $(JUDGES) $(LAB_JUDGES) $(SUITE_TOOLS) $(OUT)/tools/pictures $(OUT)/tests/no_images.so views pixels $(FIGURES) $(OUT)/tools/plane_costs  ## build all that the tests run
+tests: all $$(BENCH_PROGRAMS) $(NATIVE_TEST) $(JUDGES) $(LAB_JUDGES) $(SUITE_TOOLS) $(OUT)/tools/pictures $(OUT)/tests/no_images.so views pixels native $(FIGURES) $(OUT)/tools/plane_costs  ## build all that the tests run
 	@$(MAKE) --no-print-directory SANITIZE=1 watched
 check: tests  ## run the tests without installing anything
 	@BUILD="$(BUILD)" tests/run.sh
 test:  ## install what is missing and run every test
 	@common/setup/install.sh test
 	@$(MAKE) --no-print-directory check
+test-all:  ## the same, with more of the known answers end to end
+	@EVERY=8 $(MAKE) --no-print-directory test
 test-scale:  ## install what is missing, grade a class of N=1000, try mechanical mutants of every lab (long)
 	@common/setup/install.sh test
 	@common/setup/install.sh scale

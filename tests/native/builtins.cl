@@ -3,7 +3,7 @@
 // calls it is built.
 #include "kernels.h"
 
-// ---- Where a work-item is: the numbers are those of launch.c -------------------------------------
+// ---- Where a work-item is: the numbers are those of launch.c ------------------------------------
 
 size_t native_item(uint what, uint dimension);
 #define ITEM(function, what)                                                                       \
@@ -195,7 +195,7 @@ int OVERLOADABLE convert_int_rtz(float x)
     return (int)x;
 }
 
-// ---- Of points and directions --------------------------------------------------------------------
+// ---- Of points and directions -------------------------------------------------------------------
 
 #define OF_POINTS(n)                                                                               \
     float OVERLOADABLE dot(float##n x, float##n y)                                                 \

@@ -181,7 +181,7 @@ static int compile(const char *text, const Command *options, const char *stem, c
     for (int i = 0; i < options->n; i++) {
         add(&preprocess, options->words[i]);
     }
-    // Their words name what they stand for; as functions kernels have the host's calling convention.
+    // As functions, kernels have the host's calling convention.
     const Command translate =
         command_of((const char *[]){FRONT_END, "-cl-std=CL1.2", CODE,
                                     "-Dkernel=", "-D__kernel=", "-c", whole, "-o", object, NULL});

@@ -217,7 +217,8 @@ static size_t row_part(size_t n)
     return part > 0 ? part : 1;
 }
 
-// Note the sizes of a launch; one of no work-items is none, as in OpenCL 2.1 and PoCL. Returns CL_SUCCESS, or the error that OpenCL has for them.
+// Note the sizes of a launch; one of no work-items is none, as in OpenCL 2.1 and PoCL. Returns
+// CL_SUCCESS, or the error that OpenCL has for them.
 //   n_groups[3]   out
 static cl_int take_sizes(cl_uint n_dimensions, const size_t *at, const size_t *global,
                          const size_t *local, size_t n_groups[N_DIMENSIONS])

@@ -2,14 +2,17 @@
 # with a little OpenCL of our own. Judge and earlier labs are those of the build folder above.
 
 NATIVE := $(OUT)/native
-NATIVE_OPENCL := $(abspath $(NATIVE)/libOpenCL.so)
+NATIVE_OPENCL := $(NATIVE)/libOpenCL.so
 NATIVE_SOURCES := $(wildcard tests/native/*.c) $(addprefix common/,path.c text_file.c message.c complain.c clean_text.c utf8.c)
+
+# A path from the root, for what is run in another folder; the course's own may hold blanks.
+from_root = $(if $(filter /%,$(1)),$(1),$(CURDIR)/$(1))
 
 # A library's code may lie anywhere.
 $(NATIVE)/obj/%.c.o: %.c $(FLAG_FILES)
 	@mkdir -p $(@D)
 	$(call say,compile $< for kernels)$(CC) $(CFLAGS) -fPIC -MMD -MP $(INCLUDES) \
-	    -DNATIVE_CACHE='"$(abspath $(NATIVE))/kernels"' -DNATIVE_HEADER='"$(abspath tests/native/kernels.h)"' -c $< -o $@
+	    -DNATIVE_CACHE='"$(call from_root,$(NATIVE)/kernels)"' -DNATIVE_HEADER='"$(call from_root,tests/native/kernels.h)"' -c $< -o $@
 $(NATIVE)/obj/builtins.o: tests/native/builtins.cl tests/native/kernels.h $(FLAG_FILES)
 	@mkdir -p $(@D)
 	$(call say,compile $<)clang -x cl -cl-std=CL1.2 -Xclang -finclude-default-header -Xclang -fdeclare-opencl-builtins \
@@ -21,12 +24,12 @@ $(NATIVE_OPENCL): $(NATIVE_SOURCES:%=$(NATIVE)/obj/%.o) $(NATIVE)/obj/builtins.o
 # What the grader links a probe with (tests/grader/run/variant_start.c): libcommon.a is a text here that names
 # two libraries to the linker.
 $(NATIVE)/libcommon.a: $(OUT)/libcommon.a $(NATIVE_OPENCL)
-	@printf 'INPUT("%s" "%s")\n' $(abspath $^) >$@
+	@printf 'INPUT("%s" "%s")\n' '$(call from_root,$<)' '$(call from_root,$(word 2,$^))' >$@
 $(NATIVE)/tools $(NATIVE)/earlier:
 	@mkdir -p $(NATIVE) && ln -sfn ../$(@F) $@
 $(NATIVE)/probes/%.o: $(OUT)/probes/%.o
 	@mkdir -p $(@D) && cp $< $@
 $(filter-out %.o,$(PROBES:$(OUT)/%=$(NATIVE)/%)): $(NATIVE)/probes/%: $(OUT)/probes/%.o $(NATIVE_OPENCL)
-	$(call link,$(NATIVE_OPENCL) -lm)
+	$(call link,'$(call from_root,$(NATIVE_OPENCL))' -lm)
 .PHONY: native
 native: grader $(PROBES:$(OUT)/%=$(NATIVE)/%) $(NATIVE)/libcommon.a $(NATIVE)/tools $(NATIVE)/earlier

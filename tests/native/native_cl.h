@@ -1,7 +1,7 @@
 // A little OpenCL for the processor that this program runs on: what its files share.
 //
 // It has one device, one context and one queue, in which commands run when they are enqueued, on
-// the thread that enqueues them. Kernels are compiled by clang to native code (compile.h), and kept.
+// the thread that enqueues them. clang compiles kernels to native code, which is kept (compile.h).
 // There is what probes and students' host files call, and every error that a known answer is about.
 //
 // Read next: launch.c, where kernels run.

@@ -35,7 +35,7 @@ static pthread_cond_t has_changed = PTHREAD_COND_INITIALIZER;
 
 // ---- Who is asked -------------------------------------------------------------------------------
 
-// Answer a question about an object. Returns CL_SUCCESS, or CL_INVALID_VALUE where there is no room.
+// Answer a question about an object. Returns CL_SUCCESS, or CL_INVALID_VALUE without room.
 static cl_int answer(const void *value, size_t n_bytes, size_t n_room, void *to, size_t *n_answered)
 {
     if (to != NULL) {

@@ -57,7 +57,7 @@ makefiles=$(git ls-files -- Makefile '*.mk' 2>/dev/null | grep . || find Makefil
 outside=$(make -s --eval='outside:;@echo $(FROM_OUTSIDE)' outside)
 # shellcheck disable=SC2086 # a list of names without spaces
 unset_names=$(cat $makefiles | awk -v outside="$outside" '
-    BEGIN { n = split(outside " AR MAKE MAKEFLAGS MAKELEVEL MAKECMDGOALS MAKEFILE_LIST", known); for (i = 1; i <= n; i++) is_set[known[i]] = 1 }
+    BEGIN { n = split(outside " AR CURDIR MAKE MAKEFLAGS MAKELEVEL MAKECMDGOALS MAKEFILE_LIST", known); for (i = 1; i <= n; i++) is_set[known[i]] = 1 }
     /^ *#/ { next }
     match($0, /(^|: )[A-Z][A-Z0-9_]* *[:+]?= /) { name = substr($0, RSTART, RLENGTH); gsub(/[^A-Z0-9_]/, "", name); is_set[name] = 1 }
     { for (rest = $0; match(rest, /\$[({][A-Z][A-Z0-9_]*[)},:]/); rest = substr(rest, RSTART + RLENGTH))

@@ -54,9 +54,9 @@ Test(sandbox_clock, waiting_is_added_from_look_to_look_and_a_threads_end_takes_n
 {
     static SandboxClock clock;
     clock_start(&clock);
-    look_after(&clock, 10, 0.5, &(Census){.n_waits = 2, .waits = {{11, 6}, {12, 1}}});
-    look_after(&clock, 10, 0.5, &(Census){.n_waits = 1, .waits = {{12, 5}}});
-    look_after(&clock, 10, 0.5, &(Census){.n_waits = 2, .waits = {{13, 2}, {12, 5}}});
+    look_after(&clock, 10, 0.5, &(Census){.n_waits = 2, .waits = {{10, 11, 6, 0}, {10, 12, 1, 0}}});
+    look_after(&clock, 10, 0.5, &(Census){.n_waits = 1, .waits = {{10, 12, 5, 0}}});
+    look_after(&clock, 10, 0.5, &(Census){.n_waits = 2, .waits = {{10, 13, 2, 0}, {10, 12, 5, 0}}});
     cr_expect_float_eq(clock.waited, 5.5 + 3.5 + 1.5, 1e-9, "%g", clock.waited);
     cr_expect_eq(clock.used.asleep, 0);
 }
@@ -66,7 +66,7 @@ Test(sandbox_clock, nobody_waits_longer_than_time_has_passed)
 {
     static SandboxClock clock;
     clock_start(&clock);
-    look_after(&clock, 10, 0, &(Census){.n_waits = 1, .waits = {{11, 500}}});
+    look_after(&clock, 10, 0, &(Census){.n_waits = 1, .waits = {{10, 11, 500, 0}}});
     cr_expect_float_eq(clock.waited, 10, 0.5, "%g", clock.waited);
 }
 
@@ -118,9 +118,29 @@ Test(sandbox_clock, who_keeps_itself_waiting_was_not_starved)
     clock_start(&clock);
     for (int n_looks = 1; n_looks <= 10; n_looks++) {
         for (int i = 0; i < N_THREADS; i++) {
-            census.waits[i] = (ThreadWait){100 + i, n_looks * 0.003 * (i + 1) / N_THREADS};
+            census.waits[i] = (ThreadWait){1, 100 + i, n_looks * 0.003 * (i + 1) / N_THREADS, 0};
         }
         look_after(&clock, 0.1, 0.006, &census);
     }
     cr_expect_float_eq(clock.waited, 0, 1e-9, "%g", clock.waited);
+}
+
+// A thread that has waited long executes a program: it has its process's number from then on.
+Test(sandbox_clock, who_executes_a_program_has_not_waited_anew)
+{
+    static SandboxClock clock;
+    clock_start(&clock);
+    look_after(&clock, 10, 0, &(Census){.n_waits = 2, .waits = {{10, 10, 0, 0}, {10, 11, 6, 0}}});
+    look_after(&clock, 10, 0, &(Census){.n_waits = 1, .waits = {{10, 10, 6.5, 0}}});
+    cr_expect_float_eq(clock.waited, 6.5, 1e-9, "%g", clock.waited);
+}
+
+// Nor who let others go first meanwhile, and does not any more.
+Test(sandbox_clock, who_stood_back_has_not_been_kept_waiting)
+{
+    static SandboxClock clock;
+    clock_start(&clock);
+    look_after(&clock, 10, 0, &(Census){.n_waits = 1, .waits = {{10, 10, 8, 1}}});
+    look_after(&clock, 10, 0, &(Census){.n_waits = 1, .waits = {{10, 10, 9, 0}}});
+    cr_expect_float_eq(clock.waited, 1, 1e-9, "%g", clock.waited);
 }

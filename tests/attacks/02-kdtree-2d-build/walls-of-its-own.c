@@ -1,7 +1,7 @@
-// attack: asks for what keeps memory of the kernel's, or a removed file, where nobody looks: a wall of Landlock's, filters, a table of futexes
+// attack: asks for what keeps memory of the kernel's, or a removed file, where nobody looks: a wall of Landlock's, filters, a table of futexes; and for waits that look like a disk's
 // task: pack_leaf
 // named: ended early with exit status 7
-// gap in user-unfiltered: LEAKED: (a wall|a filter|a table)
+// gap in user-unfiltered: LEAKED: (a wall|a filter|a table|a page)
 #undef __USE_EXTERN_INLINES  // no functions of headers inside of a function
 #include <linux/filter.h>
 #include <linux/seccomp.h>
@@ -24,6 +24,11 @@
     const int futex_table = 78, set_slots = 1;
     if (prctl(futex_table, set_slots, 1024, 0, 0) == 0) {
         printf("LEAK" "ED: a table of futexes\n");
+    }
+    // A page moves, or waits in the kernel to be moved.
+    const int to_be_moved = 1 << 1;
+    if (syscall(SYS_mbind, (unsigned long)stdout & ~4095ul, 4096ul, 0, 0, 0ul, to_be_moved) == 0) {
+        printf("LEAK" "ED: a page that is moved\n");
     }
     fflush(stdout);
     _exit(7);

@@ -52,7 +52,7 @@ static int children_add(pid_t process, pid_t thread, ProcessList *list)
 }
 
 // Add how long a thread has waited for a processor, where the kernel tells.
-static void waiting_add(pid_t process, pid_t thread, Census *census)
+static void waiting_add(pid_t process, pid_t thread, int is_own_choice, Census *census)
 {
     char path[64];
     unsigned long long ran, waited;
@@ -63,7 +63,8 @@ static void waiting_add(pid_t process, pid_t thread, Census *census)
     }
     if (fscanf(file, "%llu %llu", &ran, &waited) == 2 && census->n_waits < CENSUS_MAX_TASKS) {
         census->tells_waiting = 1;
-        census->waits[census->n_waits++] = (ThreadWait){thread, 1e-9 * (double)waited};
+        census->waits[census->n_waits++] =
+            (ThreadWait){process, thread, 1e-9 * (double)waited, is_own_choice};
     }
     fclose(file);
 }
@@ -76,8 +77,7 @@ static int is_awake(const ThreadStat *stat, int n_children)
 }
 
 // Add the children of all threads of a process, how many threads are awake, and how long they have
-// waited, but for those that stood back behind others by their own choice. Returns how many threads
-// there are.
+// waited. Returns how many threads there are.
 static int threads_follow(pid_t process, ProcessList *list, Census *census)
 {
     char path[64];
@@ -95,9 +95,7 @@ static int threads_follow(pid_t process, ProcessList *list, Census *census)
             snprintf(stat_path, sizeof stat_path, "/proc/%d/task/%d/stat", process, thread);
             const ThreadStat stat = stat_read(stat_path);
             census->n_awake += is_awake(&stat, n_children);
-            if (!stands_back && !stat_stands_back(&stat)) {
-                waiting_add(process, thread, census);
-            }
+            waiting_add(process, thread, stands_back || stat_stands_back(&stat), census);
         }
     }
     if (folder != NULL) {

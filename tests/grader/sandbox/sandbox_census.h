@@ -10,8 +10,9 @@
 enum { CENSUS_MAX_TASKS = 4096 };
 
 typedef struct ThreadWait {
-    pid_t thread;
-    double seconds;  // that it has waited for a processor, since it began
+    pid_t process, thread;
+    double seconds;     // that it has waited for a processor, since it began
+    int is_own_choice;  // it lets others go first
 } ThreadWait;
 
 typedef struct Census {

@@ -55,19 +55,32 @@ void clock_start(SandboxClock *clock)
     clock->last_look = clock->start;
 }
 
-// The longest that any one thread has waited for a processor since the last look. Not all together:
-// a hundred that wait for each other for a moment would make a long time of it.
+// How long a thread had waited at the last look. One that executes a program becomes the first of
+// its process, by number, and keeps its time: of the first one, the longest of all counts.
+static double last_wait(const SandboxClock *clock, const ThreadWait *wait)
+{
+    double longest = 0;
+    for (int i = 0; i < clock->n_waits; i++) {
+        const ThreadWait *last = &clock->waits[i];
+        if (last->thread == wait->thread ||
+            (wait->thread == wait->process && last->process == wait->process)) {
+            longest = fmax(longest, last->seconds);
+        }
+    }
+    return longest;
+}
+
+// The longest that any one thread has waited for a processor since the last look, and not by its own
+// choice. Not all together: a hundred that wait for each other for a moment would make a long time
+// of it.
 static double longest_wait(const SandboxClock *clock, const Census *census)
 {
     double longest = 0;
     for (int i = 0; i < census->n_waits; i++) {
         const ThreadWait *wait = &census->waits[i];
-        int k = 0;
-        while (k < clock->n_waits && clock->waits[k].thread != wait->thread) {
-            k++;
+        if (!wait->is_own_choice) {
+            longest = fmax(longest, wait->seconds - last_wait(clock, wait));
         }
-        const double before = k < clock->n_waits ? clock->waits[k].seconds : 0;
-        longest = fmax(longest, wait->seconds - before);
     }
     return longest;
 }

@@ -21,6 +21,7 @@
 #include <linux/close_range.h>
 #include <linux/filter.h>
 #include <linux/futex.h>
+#include <linux/mempolicy.h>
 #include <linux/seccomp.h>
 #include <sched.h>
 #include <seccomp.h>
@@ -219,6 +220,18 @@ static int process_options_add(scmp_filter_ctx filter)
     return fault;
 }
 
+// Moving pages waits in the kernel as for a disk, again and again for little processor time.
+static int page_moves_add(scmp_filter_ctx filter)
+{
+    const unsigned flags[] = {MPOL_MF_MOVE, MPOL_MF_MOVE_ALL};
+    int fault = 0;
+    for (size_t i = 0; fault == 0 && i < N_ITEMS(flags); i++) {
+        fault = seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(mbind), 1,
+                                 SCMP_A5(SCMP_CMP_MASKED_EQ, flags[i], flags[i]));
+    }
+    return fault;
+}
+
 static int disk_waits_add(scmp_filter_ctx filter)
 {
     int fault = calls_add(filter, SCMP_ACT_ERRNO(0), needless_calls, N_ITEMS(needless_calls));
@@ -248,7 +261,7 @@ typedef int RulesAdd(scmp_filter_ctx filter);
 static RulesAdd *const special_rules[] = {
     sockets_add,       clone_add,           ended_children_add, own_tables_add,
     unknown_calls_add, file_commands_add,   shared_waits_add,   clocks_add,
-    questions_add,     process_options_add, disk_waits_add};
+    questions_add,     process_options_add, disk_waits_add,     page_moves_add};
 
 // Returns 0, or a negative errno.
 static int rules_add(scmp_filter_ctx filter)

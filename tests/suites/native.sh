@@ -1,0 +1,36 @@
+#!/bin/sh
+# Every known answer, compiled to native code and run without a device and a sandbox (tests/native): each
+# wrong one is caught by the check meant for it, with the right message; each right one earns all points.
+# In every lab or in LAB, with each of SEEDS seeds. What PoCL and the sandboxes do is the suite mutants'.
+. tests/tap.sh
+
+build=${BUILD:-build}
+export build scratch
+export seeds="${SEEDS:-1}"
+
+# Processor time of a run, all its seeds together. Right answers take a twentieth; some wrong ones never end.
+export seconds="$((2 * seeds))"
+
+# As many labs at a time as there are processors, the longest first.
+# shellcheck disable=SC2016 # they are another shell's variables
+wc -l tests/mutants/"${LAB:-}"*/*.c* | sort -rn | sed -n 's|.*tests/mutants/\([^/]*\)/.*|\1|p' | uniq | awk '!seen[$0]++' |
+    xargs -P "$(nproc)" -I NAME sh -c '
+        "$build/tools/mutants" --together --seeds "$seeds" --lab "$1" --seed 1 --build "$build/native" \
+            --sandbox none --time-limit "$seconds" >"$scratch/$1.out" 2>"$scratch/$1.errors"
+        echo $? >"$scratch/$1.status"' native NAME
+
+for folder in tests/mutants/"${LAB:-}"*/; do
+    lab=$(basename "$folder")
+    # Its lines are TAP already; number them on.
+    while IFS= read -r line; do
+        case $line in
+        "ok "*) ok 0 "${line#ok * - }" ;;
+        "not ok "*) ok 1 "${line#not ok * - }" ;;
+        "  # "*) echo "$line" ;;
+        esac
+    done <"$scratch/$lab.out"
+    [ "$(cat "$scratch/$lab.status")" -le 1 ]
+    ok $? "$lab: the known answers ran" "$(cat "$scratch/$lab.errors")"
+done
+
+finish
