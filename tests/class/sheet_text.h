@@ -10,8 +10,8 @@ typedef struct SheetText {
     char delimiter;  // a comma, a semicolon or a tab
 } SheetText;
 
-// Find the table in a file's bytes, behind which is a NUL. Returns NULL, or what it is instead, with what to do, for a
-// message: a workbook, a web page such as a login, text that is no UTF-8.
+// Find the table in a file's bytes, behind which is a NUL. Returns NULL, or what it is instead,
+// with what to do, for a message: a workbook, a web page such as a login, text that is no UTF-8.
 const char *sheet_text_find(const char *bytes, size_t length, SheetText *sheet);
 
 #endif
