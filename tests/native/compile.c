@@ -26,14 +26,8 @@ enum { MAX_WORDS = 96 };
 #define FRONT_END                                                                                  \
     CLANG, "-w", "-x", "cl", "-Xclang", "-fdeclare-opencl-builtins", "-fno-color-diagnostics"
 
-// PoCL may fuse a multiplication and an addition into one, which rounds once; here none is fused,
-// or with NATIVE_FUSES all that can be: between the two lies what any device does.
-#ifdef NATIVE_FUSES
-#define CONTRACTION "-ffp-contract=fast", "-mfma"
-#else
-#define CONTRACTION "-ffp-contract=off"
-#endif
-#define CODE "-O1", "-fPIC", CONTRACTION
+// PoCL may fuse a multiplication and an addition into one, which rounds once; here none is fused.
+#define CODE "-O1", "-fPIC", "-ffp-contract=off"
 
 typedef struct Command {
     const char *words[MAX_WORDS];
