@@ -54,7 +54,7 @@ typedef struct BestSplit {
 // and the lower plane before the higher. A cell without area has no cost: INFINITY.
 BestSplit find_best_split(const Sphere *h_spheres, const u32 *ids, u32 n_ids, BBox3D box);
 
-// Does a node stay a leaf? Where the limits say so: on level maxDepth, or with
+// Does a node stay a leaf? Where the limits say so: on level maxDepth or below it, or with
 // targetElementsPerNode spheres or fewer; and where the best split costs no less than a leaf, which
 // asks every sphere: KD_COST_TEST each.
 //   level       of the node; the root's is 1

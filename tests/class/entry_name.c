@@ -148,10 +148,10 @@ static void part_show(NamePart part, char *text)
     entry_name_show(part.text != NULL ? part.text : "", part.length, text);
 }
 
-EntryName entry_name_read_export(const char *entry, int is_folder)
+EntryName entry_name_read_export(const char *entry, int is_folder, ExportSystem system)
 {
     EntryName name = {0};
-    const SystemName found = system_name_read(entry);
+    const SystemName found = system_name_read(entry, system);
     if (found.system == SYSTEM_NONE || (found.file.length == 0) != is_folder ||
         found.number.length >= sizeof name.number) {
         return name;

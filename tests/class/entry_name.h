@@ -33,7 +33,7 @@ EntryName entry_name_read(const char *entry, int lab_number);
 // Read it as one of the systems in system_names.h names its files, or its folders. Where it is not
 // such a name, the system is SYSTEM_NONE. Anybody may choose such a name: whether the system did is
 // seen by the other entries (export.c).
-EntryName entry_name_read_export(const char *entry, int is_folder);
+EntryName entry_name_read_export(const char *entry, int is_folder, ExportSystem system);
 
 // Bytes of any kind, at most 255, as text that EntryName can hold: see there.
 void entry_name_show(const char *bytes, size_t n_bytes, char text[ENTRY_NAME_BYTES]);

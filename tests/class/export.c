@@ -1,7 +1,9 @@
 // Reading a folder of submissions (see export.h).
 //
 // Whether a course system made a name, or a student chose one that looks so, is seen by the other
-// entries: the system that made more than half of them made the folder. Read next: system_names.h.
+// entries: a system whose pattern fits more than half of them, and the most, made the folder. Each
+// entry counts for every system whose pattern it fits: the system's own stands before whatever a
+// student wrote. Read next: system_names.h.
 #include "export.h"
 
 #include "complain.h"
@@ -62,6 +64,9 @@ static int holds_ilias_files(int parent, const char *file)
 {
     const int descriptor = openat(parent, file, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
     DIR *entries = descriptor >= 0 ? fdopendir(descriptor) : NULL;
+    if (descriptor >= 0 && entries == NULL) {
+        close(descriptor);
+    }
     int holds = 0;
     struct dirent *entry;
     while (entries != NULL && !holds && (entry = readdir(entries)) != NULL) {
@@ -73,7 +78,21 @@ static int holds_ilias_files(int parent, const char *file)
     return holds;
 }
 
-// Read what a file or folder is, under the name that a system may have made: it is decided later
+// Which systems may have made a name: a bit for each.
+static unsigned systems_find(int parent, const Found *found)
+{
+    unsigned systems = found->name.system == SYSTEM_MOODLE ? 1U << SYSTEM_MOODLE : 0;
+    for (ExportSystem system = SYSTEM_MOODLE + 1; system < N_SYSTEMS; system++) {
+        const EntryName name = entry_name_read_export(found->file, found->is_folder, system);
+        if (name.system == system &&
+            (system != SYSTEM_ILIAS || holds_ilias_files(parent, found->file))) {
+            systems |= 1U << system;
+        }
+    }
+    return systems;
+}
+
+// Read what a file or folder is, under a name as if no system had made it: it is decided later
 // whether one did.
 static int found_read(int parent, const char *file, int lab_number, Found *found)
 {
@@ -81,21 +100,16 @@ static int found_read(int parent, const char *file, int lab_number, Found *found
     if (fstatat(parent, file, &status, AT_SYMLINK_NOFOLLOW) != 0) {
         return -1;
     }
-    const int is_folder = S_ISDIR(status.st_mode);
     const int is_file = S_ISREG(status.st_mode);
-    *found = (Found){.file = strdup(file), .is_link = !is_folder && !is_file};
+    *found = (Found){.file = strdup(file),
+                     .name = entry_name_read(file, lab_number),
+                     .is_folder = S_ISDIR(status.st_mode)};
     if (found->file == NULL) {
         return -1;
     }
-    found->name = entry_name_read_export(file, is_folder);
-    if (found->name.system == SYSTEM_ILIAS && !holds_ilias_files(parent, file)) {
-        found->name.system = SYSTEM_NONE;
-    }
-    if (found->name.system == SYSTEM_NONE) {
-        found->name = entry_name_read(file, lab_number);
-    }
-    found->is_loose =
-        (is_file && entry_name_archive_stem(file) == 0) || found->name.system == SYSTEM_ILIAS;
+    found->is_link = !found->is_folder && !is_file;
+    found->systems = systems_find(parent, found);
+    found->is_loose = is_file && entry_name_archive_stem(file) == 0;
     return 0;
 }
 
@@ -133,19 +147,91 @@ static int entries_read(Export *export, int lab_number)
 
 // ---- The folder --------------------------------------------------------------------------------
 
-// The system that made more than half of the names, or SYSTEM_NONE.
+static int made_by(const Found *found, ExportSystem system)
+{
+    return (found->systems >> system & 1) != 0;
+}
+
+// The system whose pattern fits the most names, and more than half of them, or SYSTEM_NONE.
 static ExportSystem most_frequent(const Export *export)
 {
-    int counts[N_SYSTEMS] = {0};
-    for (int i = 0; i < export->n_found; i++) {
-        counts[export->found[i].name.system]++;
-    }
+    ExportSystem best = SYSTEM_NONE;
+    int n_most = export->n_found / 2;
     for (ExportSystem system = SYSTEM_NONE + 1; system < N_SYSTEMS; system++) {
-        if (2 * counts[system] > export->n_found) {
-            return system;
+        int n = 0;
+        for (int i = 0; i < export->n_found; i++) {
+            n += made_by(&export->found[i], system);
+        }
+        if (n > n_most) {
+            n_most = n;
+            best = system;
         }
     }
-    return SYSTEM_NONE;
+    return best;
+}
+
+// How long what stands before the login is, in a name of Blackboard's: "Lab 0_".
+static size_t title_length(const Found *found)
+{
+    return (size_t)(system_name_read(found->file, SYSTEM_BLACKBOARD).name.text - found->file);
+}
+
+// The title of the assignment, which stands before each login: the most frequent one, of equally
+// frequent ones the shortest. Returns an entry with it, or NULL where Blackboard made none.
+static const Found *title_find(const Export *export)
+{
+    const Found *best = NULL;
+    int n_most = 0;
+    for (int i = 0; i < export->n_found; i++) {
+        const Found *found = &export->found[i];
+        if (!made_by(found, SYSTEM_BLACKBOARD)) {
+            continue;
+        }
+        const size_t length = title_length(found);
+        int n = 0;
+        for (int k = 0; k < export->n_found; k++) {
+            const Found *other = &export->found[k];
+            n += made_by(other, SYSTEM_BLACKBOARD) && title_length(other) == length &&
+                 strncmp(other->file, found->file, length) == 0;
+        }
+        if (n > n_most || (n == n_most && length < title_length(best))) {
+            n_most = n;
+            best = found;
+        }
+    }
+    return best;
+}
+
+// Read a name of Blackboard's behind this title: a login may have underscores. What has another
+// title is nobody's.
+static void login_read(Found *found, const char *title, size_t n_title)
+{
+    const SystemName read = system_name_read(found->file, SYSTEM_BLACKBOARD);
+    const char *end = read.name.text + read.name.length;
+    if (strncmp(found->file, title, n_title) == 0 && end > found->file + n_title) {
+        entry_name_show(found->file + n_title, (size_t)(end - found->file) - n_title,
+                        found->name.name);
+    } else {
+        found->name.system = SYSTEM_NONE;
+    }
+}
+
+// Read each name that may be the export's system's as that.
+static void names_read(Export *export)
+{
+    const ExportSystem system = export->system;
+    const Found *titled = system == SYSTEM_BLACKBOARD ? title_find(export) : NULL;
+    for (int i = 0; i < export->n_found; i++) {
+        Found *found = &export->found[i];
+        if (system == SYSTEM_NONE || system == SYSTEM_MOODLE || !made_by(found, system)) {
+            continue;
+        }
+        found->name = entry_name_read_export(found->file, found->is_folder, system);
+        found->is_loose = found->is_loose || system == SYSTEM_ILIAS;
+        if (titled != NULL) {
+            login_read(found, titled->file, title_length(titled));
+        }
+    }
 }
 
 // Is a single file a student's, by the name that the export's system made? Else nobody knows whose
@@ -171,18 +257,14 @@ static int pass_over(Export *export, const char *file)
     return failed ? -1 : 0;
 }
 
-// Read names anew that only look like another system's, and put aside the files without an owner.
-static int names_settle(Export *export, int lab_number)
+// Decide which system made the names, read them so, and put aside the files without an owner.
+static int names_settle(Export *export)
 {
     int n = 0, failed = 0;
     export->system = most_frequent(export);
+    names_read(export);
     for (int i = 0; i < export->n_found; i++) {
-        Found found = export->found[i];
-        const ExportSystem system = found.name.system;
-        if (system != export->system && system != SYSTEM_NONE && system != SYSTEM_MOODLE) {
-            found.name = entry_name_read(found.file, lab_number);
-            found.is_loose = found.is_loose && system != SYSTEM_ILIAS;
-        }
+        const Found found = export->found[i];
         if (has_owner(export, &found)) {
             export->found[n++] = found;
         } else {
@@ -194,8 +276,9 @@ static int names_settle(Export *export, int lab_number)
     return failed ? fault(export->path, "out of memory") : 0;
 }
 
-// The prefix that all clones of an assignment have, "lab03-" of "lab03-ada" and "lab03-bob": of
-// folders that are repositories, two at least. Returns its length, or 0.
+// The prefix that all clones of an assignment have, "rays-" of "rays-ada", "rays-bob" and "rays-cy":
+// of folders that are repositories. Two may have part of a name in common. Returns its length, or
+// 0.
 static size_t clones_prefix(const Export *export)
 {
     size_t length = 0;
@@ -213,15 +296,19 @@ static size_t clones_prefix(const Export *export)
         }
         length = n;
     }
-    while (export->n_found > 1 && length > 0 && export->found[0].file[length - 1] != '-') {
+    while (length > 0 && export->found[0].file[length - 1] != '-') {
         length--;
     }
-    return export->n_found > 1 ? length : 0;
+    return length;
 }
 
 static void clones_name(Export *export)
 {
-    const size_t length = clones_prefix(export);
+    enum { FEWEST = 3 };
+    const Found *first = export->found;
+    // "lab03-ada" was read already.
+    const int is_plain = export->n_found >= FEWEST && strcmp(first->name.name, first->file) == 0;
+    const size_t length = is_plain ? clones_prefix(export) : 0;
     for (int i = 0; length > 0 && i < export->n_found; i++) {
         const char *name = export->found[i].file + length;
         entry_name_show(name, strlen(name), export->found[i].name.name);
@@ -244,22 +331,36 @@ static void entries_free(Export *export)
     export->n_found = export->n_passed_over = 0;
 }
 
-// The only entry that is no single file, or NULL where there are others or none.
+// One of a lab's files, where folders of students were expected?
+static int is_source(const char *name)
+{
+    const char *ending = strrchr(name, '.');
+    return ending != NULL && (strcmp(ending, ".cl") == 0 || strcmp(ending, ".c") == 0);
+}
+
+// The only entry beside files that no student hands in, or NULL where there are others or none.
 static const Found *only_folder(const Export *export)
 {
     const Found *only = NULL;
     int n = 0;
     for (int i = 0; i < export->n_found; i++) {
-        if (!export->found[i].is_loose) {
-            only = &export->found[i];
+        const Found *found = &export->found[i];
+        if (!found->is_loose || is_source(found->file)) {
+            only = found;
             n++;
         }
     }
-    return n == 1 && !only->is_link && entry_name_archive_stem(only->file) == 0 ? only : NULL;
+    return n == 1 && only->is_folder ? only : NULL;
 }
 
-// Is the only entry a folder that holds an export, or leads to one? By names alone: "Abgaben" is
-// ILIAS's, and elsewhere a system has to have made most of the names in it.
+static int is_for_submissions(const char *folder)
+{
+    static const char *const names[] = {"Abgaben", "Submissions", NULL};
+    return is_one_of(folder, names);
+}
+
+// Is the only entry a folder that leads to an export? ILIAS' "Abgaben" does. Of any other folder,
+// which may be a student's, it is only said that it looks so.
 static int is_too_high(const Export *export, int lab_number, char inner[PATH_MAX])
 {
     const Found *folder = only_folder(export);
@@ -269,23 +370,21 @@ static int is_too_high(const Export *export, int lab_number, char inner[PATH_MAX
     Export below = {0};
     path_make(below.path, "%s/%s", export->path, folder->file);
     path_make(inner, "%s", below.path);
-    int is_export = 0;
+    int leads = 0;
     if (entries_read(&below, lab_number) == 0) {
-        is_export = most_frequent(&below) != SYSTEM_NONE;
-        for (int i = 0; i < below.n_found && !is_export; i++) {
-            is_export = strcmp(below.found[i].file, "Abgaben") == 0 ||
-                        strcmp(below.found[i].file, "Submissions") == 0;
+        const ExportSystem system = most_frequent(&below);
+        leads = system != SYSTEM_NONE && is_for_submissions(folder->file);
+        for (int i = 0; i < below.n_found && !leads; i++) {
+            leads = below.found[i].is_folder && is_for_submissions(below.found[i].file);
+        }
+        if (system != SYSTEM_NONE && !leads) {
+            complain("gradebook: %s: the only entry, whose files look as if %s had named them; if "
+                     "it is the export, give this folder",
+                     below.path, system_title(system));
         }
     }
     entries_free(&below);
-    return is_export;
-}
-
-// One of a lab's files, where folders of students were expected?
-static int is_source(const char *name)
-{
-    const char *ending = strrchr(name, '.');
-    return ending != NULL && (strcmp(ending, ".cl") == 0 || strcmp(ending, ".c") == 0);
+    return leads;
 }
 
 static void passed_over_tell(const Export *export)
@@ -352,7 +451,7 @@ int export_read(const char *submissions, int lab_number, Export *export)
         result = entries_read(export, lab_number);
     }
     if (result == 0) {
-        result = names_settle(export, lab_number);
+        result = names_settle(export);
     }
     if (result == 0) {
         if (export->n_passed_over > 1) {

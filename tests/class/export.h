@@ -14,6 +14,8 @@
 typedef struct Found {
     char *file;  // its name, as it is
     EntryName name;
+    unsigned systems;  // a bit for each ExportSystem that may have made the name
+    int is_folder;
     int is_link;   // neither a folder nor a file: cannot be graded
     int is_loose;  // a single file, or a folder of files that a system has named: to be collected
     const GradescopeEntry *submitters;  // or NULL

@@ -123,23 +123,23 @@ static void participant_write(FILE *file, const Worksheet *worksheet,
 
 // Does another grade than ours stand there already?
 static int has_other_grade(const Worksheet *worksheet, const Participant *participant,
-                           int max_score)
+                           const Gradebook *gradebook)
 {
     char grade[32], decimal;
     double ours, theirs;
     const char *cell = participant->cells[worksheet->grade_column];
-    if (participant->row == NULL || participant->row->status == ROW_NOT_GRADED || *cell == '\0' ||
+    if (participant->row == NULL || !row_is_entered(gradebook, participant->row) || *cell == '\0' ||
         strcmp(cell, "-") == 0) {
         return 0;
     }
-    worksheet_grade(worksheet, participant, max_score, grade);
+    worksheet_grade(worksheet, participant, gradebook->max_score, grade);
     return strcmp(cell, grade) != 0 &&
            (sheet_number_read(cell, &theirs, &decimal) != 0 ||
             sheet_number_read(grade, &ours, &decimal) != 0 || ours != theirs);
 }
 
 // What becomes of the column of grades, where it is not simply filled.
-static void grades_tell(const Worksheet *worksheet, int max_score)
+static void grades_tell(const Worksheet *worksheet, const Gradebook *gradebook)
 {
     if (worksheet->grade_column < 0) {
         complain("gradebook: %s: found no column \"Grade\" or \"Bewertung\" to fill: points are in "
@@ -149,7 +149,7 @@ static void grades_tell(const Worksheet *worksheet, int max_score)
     }
     for (int i = 1; i < worksheet->n_participants; i++) {
         const Participant *participant = &worksheet->participants[i];
-        if (has_other_grade(worksheet, participant, max_score)) {
+        if (has_other_grade(worksheet, participant, gradebook)) {
             complain("gradebook: %s: line %d has the grade \"%s\" already: gradebook.csv has ours",
                      worksheet->path, i + 1, participant->cells[worksheet->grade_column]);
         }
@@ -186,7 +186,7 @@ static void worksheet_write(FILE *file, const Gradebook *gradebook, const Worksh
     for (int i = 1; i < worksheet->n_participants; i++) {
         participant_write(file, worksheet, &worksheet->participants[i], gradebook);
     }
-    grades_tell(worksheet, gradebook->max_score);
+    grades_tell(worksheet, gradebook);
     left_over_write(file, worksheet, gradebook);
 }
 

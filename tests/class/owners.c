@@ -108,11 +108,12 @@ static void member_enter(Search *search, int row, const Member *member)
     Worksheet *worksheet = search->worksheet;
     const char *name = member->name[0] != '\0' ? member->name : member->email;
     Lines by_key = {0}, by_name = {0};
-    int other = 0;
+    int other = 0, is_named = 0;
     for (int i = 1; i < worksheet->n_participants; i++) {
         const Participant *participant = &worksheet->participants[i];
         if (fits_key(worksheet, participant, member)) {
             lines_add(&by_key, i + 1);
+            is_named |= fits_full_name(worksheet, participant, member->name);
         } else if (fits_full_name(worksheet, participant, member->name)) {
             if (fits_other_key(worksheet, participant, member)) {
                 other = i + 1;
@@ -125,6 +126,16 @@ static void member_enter(Search *search, int row, const Member *member)
         worksheet->participants[other - 1].is_fitted = 1;
         say_why(search, row, "\"%s\": line %d of the list has another e-mail address or number",
                 name, other);
+        return;
+    }
+    // An address or a number of the university is somebody's for certain, a login is not.
+    const int is_login_only = member->email[0] == '\0' && member->sid[0] == '\0';
+    if (is_login_only && by_key.n == 1 && !is_named && by_name.n > 0) {
+        worksheet->participants[by_key.line[0] - 1].is_fitted = 1;
+        worksheet->participants[by_name.line[0] - 1].is_fitted = 1;
+        say_why(search, row,
+                "\"%s\" is called as line %d of the list, and has the number of line %d", name,
+                by_name.line[0], by_key.line[0]);
         return;
     }
     enter_one(search, row, name, by_key.n > 0 ? &by_key : &by_name);

@@ -253,24 +253,47 @@ size_t fits_behind_team(const Worksheet *worksheet, const Participant *participa
     return 0;
 }
 
-// Canvas' number, where the list is Canvas'; else the login, or Brightspace's number.
-static int is_login(const Worksheet *worksheet, const Participant *participant, const char *login)
+// Is this "Lovelace_Ada_ada", as ILIAS has names and login in one? Either may have underscores.
+static int is_name_with_login(const Worksheet *worksheet, const Participant *participant,
+                              const Member *member)
+{
+    const FullNames names = full_names(worksheet, participant);
+    const char *user = cell_of(worksheet, participant, user_titles);
+    char found[2 * ENTRY_NAME_BYTES], wanted[2 * ENTRY_NAME_BYTES];
+    snprintf(found, sizeof found, "%s %s", member->name, member->login);
+    for (int i = 0; i < 3 && user[0] != '\0'; i++) {
+        snprintf(wanted, sizeof wanted, "%s %s", names.text[i], user);
+        if (names.text[i][0] != '\0' && is_same_name(wanted, found)) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+// Canvas' number, where the list is Canvas'. Any other login or number may be one of another kind:
+// so the name has to fit, too.
+static int is_login(const Worksheet *worksheet, const Participant *participant,
+                    const Member *member)
 {
     static const char *const id_titles[] = {"ID", NULL};
     static const char *const brightspace_titles[] = {"OrgDefinedId", NULL};
+    if (member->login[0] == '\0') {
+        return 0;
+    }
     if (worksheet_column(worksheet, canvas_titles) >= 0) {
-        return is_same_key(cell_of(worksheet, participant, id_titles), login);
+        return is_same_key(cell_of(worksheet, participant, id_titles), member->login);
     }
     const char *number = cell_of(worksheet, participant, brightspace_titles);
-    return is_same_key(cell_of(worksheet, participant, user_titles), login) ||
-           is_same_key(number + (number[0] == '#'), login);
+    return (fits_full_name(worksheet, participant, member->name) &&
+            is_same_key(number + (number[0] == '#'), member->login)) ||
+           is_name_with_login(worksheet, participant, member);
 }
 
 int fits_key(const Worksheet *worksheet, const Participant *participant, const Member *member)
 {
     return is_same_key(cell_of(worksheet, participant, mail_titles), member->email) ||
            is_same_key(cell_of(worksheet, participant, sid_titles), member->sid) ||
-           is_login(worksheet, participant, member->login);
+           is_login(worksheet, participant, member);
 }
 
 int fits_other_key(const Worksheet *worksheet, const Participant *participant, const Member *member)

@@ -41,6 +41,11 @@ static SystemName read_canvas(const char *entry)
         !matches("^([^_]+)(_LATE)?_([0-9]+)_()((text|link)\\.html)$", entry, parts)) {
         return name;
     }
+    // A third number: one of the three may be part of a name that somebody chose.
+    NamePart more[MOST_GROUPS];
+    if (matches("^[0-9]+_", parts[5].text, more)) {
+        return name;
+    }
     name.system = SYSTEM_CANVAS;
     name.name = parts[1], name.number = parts[3], name.login = parts[3], name.file = parts[5];
     return name;
@@ -86,8 +91,11 @@ static void time_read(NamePart part, char time[24])
     }
     month[3] = '\0';
     const char *at = strstr(months, month);
+    if (at == NULL || (at - months) % 3 != 0) {
+        return;  // another language's
+    }
     const int hour = clock / 100 % 12 + (half[0] == 'P' ? 12 : 0);
-    const int n_month = at != NULL ? (int)(at - months) / 3 + 1 : 0;
+    const int n_month = (int)(at - months) / 3 + 1;
     snprintf(time, 24, "%04u-%02u-%02u-%02u-%02u", (unsigned)year % 10000, (unsigned)n_month % 100,
              (unsigned)day % 100, (unsigned)(half[0] != '\0' ? hour : clock / 100) % 100,
              (unsigned)clock % 100);
@@ -127,15 +135,14 @@ static SystemName read_ilias(const char *entry)
     return name;
 }
 
-SystemName system_name_read(const char *entry)
+SystemName system_name_read(const char *entry, ExportSystem system)
 {
-    static SystemName (*const readers[])(const char *entry) = {read_blackboard, read_brightspace,
-                                                               read_canvas, read_ilias};
-    SystemName name = {0};
-    for (size_t i = 0; i < sizeof readers / sizeof *readers && name.system == SYSTEM_NONE; i++) {
-        name = readers[i](entry);
-    }
-    return name;
+    typedef SystemName Reader(const char *entry);
+    static Reader *const readers[N_SYSTEMS] = {[SYSTEM_CANVAS] = read_canvas,
+                                               [SYSTEM_BLACKBOARD] = read_blackboard,
+                                               [SYSTEM_BRIGHTSPACE] = read_brightspace,
+                                               [SYSTEM_ILIAS] = read_ilias};
+    return readers[system] != NULL ? readers[system](entry) : (SystemName){0};
 }
 
 size_t ilias_time_length(const char *file)

@@ -2,7 +2,9 @@
 // it in, when, and under which number. Used by entry_name.c alone.
 //
 // A student chooses the file's own name, which comes last: so each pattern is looked for from the
-// front, and what looks like a second one further back belongs to the file's name.
+// front, and what looks like a second one further back belongs to the file's name. It may look like
+// another system's pattern: so which system made an export is seen by all entries together
+// (export.c), and each entry is read as that system's.
 #ifndef CLASS_SYSTEM_NAMES_H
 #define CLASS_SYSTEM_NAMES_H
 
@@ -37,12 +39,13 @@ typedef struct SystemName {
     int is_note;          // written by the system about the attempt, not handed in as a file
 } SystemName;
 
+// Read a name as that system's. One that is not has SYSTEM_NONE.
 //   lovelaceada_40012_880036_file.cl, lovelaceada_LATE_40012_880036_file-1.cl    Canvas
 //   lovelaceada_40012_text.html                                                  Canvas, typed text
 //   Lab 0_ab12_attempt_2026-11-03-10-22-33_file.cl, ...-33.txt                   Blackboard
 //   40012-880036 - Ada Lovelace - Nov 3, 2026 1022 AM[ - file.cl]                Brightspace (D2L)
 //   Lovelace_Ada_ada_1234                                                        ILIAS, a folder
-SystemName system_name_read(const char *entry);
+SystemName system_name_read(const char *entry, ExportSystem system);
 
 // ILIAS puts the time before each file's name, "20261103102233_17_file.cl". Returns how long that
 // is, or 0.

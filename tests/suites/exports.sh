@@ -220,6 +220,61 @@ list 'OrgDefinedId,Username,"Last Name","First Name",Email,"Lab 0 Points Grade"'
 graded 0 "12 of 18 graded and entered; 0 without submission; 0 passed over; 0 with nothing of this lab; 6 earlier attempts; 0 to be decided by you"
 all_own
 
+# ---- Names that students choose -----------------------------------------------------------------
+
+# nobody NUMBER: has the line of the list that has this number no grade?
+nobody() { ! grep -w -- "$1" "$class.out/gradebook.csv" | grep -v '^,' | grep -q /report.html || { cat "$class.out/gradebook.csv"; return 1; }; }
+
+# Eve's files, more than all others', look like those of another system, and of another student.
+class=$scratch/looks-like-blackboard
+mkdir "$class"
+for number in 40013 40014 40015; do echo $number >"$class/student${number}_${number}_8800${number}_gradient.cl"; done
+for file in gradient.cl render.c a.c b.c; do
+    echo 40099 >"$class/evileve_40099_8810${#file}_x_ada_attempt_2026-11-03-10-22-33_$file"
+done
+list 'Student,ID,"SIS User ID","SIS Login ID",Section,"Lab 0 (4711)"' '"LAST, FIRST",NUMBER,uNUMBER,LOGIN,A,'
+run "$class.out" --moodle "$class.csv"
+for number in 40013 40014 40015; do check "files like another system's: $number has the own grade" own $number; done
+check "and who handed in nothing has no grade" nobody 40012
+
+# Of two logins, one ends as the other does.
+class=$scratch/logins
+mkdir "$class"
+for login in ada eve_ada gh; do echo $login >"$class/Lab 0_${login}_attempt_2026-11-03-10-22-33_gradient.cl"; done
+list '"Last Name","First Name",Username,"Student ID"' '"LAST","FIRST",LOGIN,NUMBER'
+run "$class.out" --moodle "$class.csv"
+check "the login eve_ada is not ada" test "$(cat "$class.out"/students/ada-*/whose)" = ada
+check "and fits nobody" said '"Lab 0_eve_ada_attempt_2026-11-03-10-22-33_gradient.cl": fits no line of the list'
+
+class=$scratch/last-of-a-login
+for name in Evil_Eve_eve_ada_2 Hopper_Grace_gh_3 Clarke_Joan_jc_4; do
+    mkdir -p "$class/$name" && echo "$name" >"$class/$name/20261104102233_2_gradient.cl"
+done
+list '"Nachname";"Vorname";"Benutzername";"Matrikelnummer"' '"LAST";"FIRST";"LOGIN";"NUMBER"'
+run "$class.out" --moodle "$class.csv"
+check "ILIAS: the end of a login is nobody's" nobody 40012
+check "and the others have theirs" said "2 of 3 graded and entered"
+
+# A number of one, and the name of another.
+class=$scratch/number-and-name
+mkdir "$class"
+echo 1 >"$class/hoppergrace_40018_880018_gradient.cl"
+echo 2 >"$class/shawmary_40019_880019_gradient.cl"
+list 'Student,ID,"SIS User ID","SIS Login ID",Section,"Lab 0 (4711)"' '"LAST, FIRST",NUMBER,uNUMBER,LOGIN,A,'
+run "$class.out" --moodle "$class.csv"
+check "a number that contradicts the name is entered for neither" said "is called as line 7 of the list, and has the number of line 8"
+check "not for one" nobody 40017
+check "nor for the other" nobody 40018
+
+# A student's folder is no export, however its files are called.
+class=$scratch/alone
+mkdir -p "$class/ada"
+for id in 37 38; do echo $id >"$class/ada/bobbuilder_40013_8800${id}_gradient.cl"; done
+list 'Student,ID,"SIS User ID","SIS Login ID",Section,"Lab 0 (4711)"' '"LAST, FIRST",NUMBER,uNUMBER,LOGIN,A,'
+run "$class.out" --moodle "$class.csv"
+check "the only folder is one student's" nobody 40013
+check "and what it looks like is said" said "look as if Canvas had named them; if it is the export, give this folder"
+
 # ---- One folder too low -------------------------------------------------------------------------
 
 class=$scratch/low

@@ -318,14 +318,15 @@ static size_t repeated_say(const Unpacking *unpacking)
         const Copies *file = &unpacking->files[i];
         for (int k = 0; k < copies_count_best(file); k++) {
             const Copy *copy = &file->kept[k];
-            char shown[MESSAGE_SHOWN_BYTES];
+            char shown[2][MESSAGE_SHOWN_BYTES];
             if (copy->n_entries > 1 && copy->rank < RANK_TOLD && n_bytes < UNPACK_MESSAGE_BYTES) {
                 n_bytes += (size_t)snprintf(
                     unpacking->message + n_bytes, UNPACK_MESSAGE_BYTES - n_bytes,
                     "%s%s: %d times in the archive as \"%s%s%s\", %s: the last one counts",
                     n_bytes > 0 ? "\n" : "", file->name, copy->n_entries,
-                    message_show(copy->place.folder, shown, sizeof shown),
-                    copy->place.folder[0] != '\0' ? "/" : "", copy->place.name,
+                    message_show(copy->place.folder, shown[0], sizeof shown[0]),
+                    copy->place.folder[0] != '\0' ? "/" : "",
+                    message_show(copy->place.name, shown[1], sizeof shown[1]),
                     copy->has_changed ? "with different contents" : "always the same");
             }
         }
