@@ -194,14 +194,14 @@ check "and a message says so" said '"lab-00-bob": fits 2 lines of the list, amon
 sheet() { printf '%s\n' "$1" "$2" >"$scratch/moodle.csv"; }
 head='Identifier;Full name;Grade;Maximum Grade'
 sheet "$head" 'Participant 1234567;Ada Lovelace;40.00;1,000.00'
-check "a maximum of a thousand, and a grade that is there" exits 0 run "$first" --moodle "$scratch/moodle.csv"
+check "a maximum of a thousand, and a grade that is there; others are in no list" exits 1 run "$first" --moodle "$scratch/moodle.csv"
 check "is a thousand" row "$first" '"Participant 1234567","Ada Lovelace","1000.00","1,000.00"'
 check "and the grade before is told" said 'line 2 has the grade "40.00" already'
 sheet "$head" 'Participant 1234567;Ada Lovelace;;100 points'
 check "a maximum that is no number" exits 2 run "$first" --moodle "$scratch/moodle.csv"
 check "is named with its line" said 'line 2, "Maximum Grade": found "100 points", expected a number'
 sheet 'Identifier;Full name;Note' 'Participant 1234567;Ada Lovelace;'
-check "titles in another language" exits 0 run "$first" --moodle "$scratch/moodle.csv"
+check "titles in another language" exits 1 run "$first" --moodle "$scratch/moodle.csv"
 check "those looked for are named" said 'found no column "Grade" or "Bewertung" to fill'
 printf '<!DOCTYPE html><title>Login</title>' >"$scratch/moodle.csv"
 check "a login page" exits 2 run "$first" --moodle "$scratch/moodle.csv"

@@ -71,8 +71,8 @@ static double last_wait(const SandboxClock *clock, const ThreadWait *wait)
 }
 
 // The longest that any one thread has waited for a processor since the last look, and not by its
-// own choice. Not all together: a hundred that wait for each other for a moment would make a long time
-// of it.
+// own choice. Not all together: a hundred that wait for each other for a moment would make a long
+// time of it.
 static double longest_wait(const SandboxClock *clock, const Census *census)
 {
     double longest = 0;
