@@ -276,8 +276,8 @@ static int names_settle(Export *export)
     return failed ? fault(export->path, "out of memory") : 0;
 }
 
-// The prefix that all clones of an assignment have, "rays-" of "rays-ada", "rays-bob", "rays-cy": of
-// folders that are repositories. Two may have part of a name in common. Returns its length, or
+// The prefix that all clones of an assignment have, "rays-" of "rays-ada", "rays-bob", "rays-cy":
+// of folders that are repositories. Two may have part of a name in common. Returns its length, or
 // 0.
 static size_t clones_prefix(const Export *export)
 {
