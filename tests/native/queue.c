@@ -262,8 +262,28 @@ cl_int clWaitForEvents(cl_uint n_events, const cl_event *events)
     return CL_SUCCESS;
 }
 
+cl_int clGetEventInfo(cl_event event, cl_event_info question, size_t n_room, void *to,
+                      size_t *n_answered)
+{
+    if (question != CL_EVENT_COMMAND_EXECUTION_STATUS) {
+        return CL_INVALID_VALUE;
+    }
+    pthread_mutex_lock(&lock);
+    const cl_int status = event->status;
+    pthread_mutex_unlock(&lock);
+    return answer(&status, sizeof status, n_room, to, n_answered);
+}
+
+// Nobody has it any more: a copy that is still to come has nobody to tell.
 cl_int clReleaseEvent(cl_event event)
 {
+    pthread_mutex_lock(&lock);
+    for (size_t i = 0; i < the_queue.n_kept; i++) {
+        if (the_queue.kept[i].done == event) {
+            the_queue.kept[i].done = NULL;
+        }
+    }
+    pthread_mutex_unlock(&lock);
     free(event);
     return CL_SUCCESS;
 }
