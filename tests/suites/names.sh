@@ -93,16 +93,21 @@ cp -R "$scratch/class" "$scratch/$hostile"
 moodle=$scratch/moodle$hostile.csv
 printf 'Identifier,Full name,Grade,Maximum Grade\nParticipant 1,Ada,,100\n' >"$moodle"
 
-class() { makes 0 grade-class BUILD="$build" LAB=00 SEED=5 "$@"; }
-check "a class of such names" class SUBMISSIONS="$scratch/$hostile" OUTPUT="$scratch/out$hostile" MOODLE="$moodle"
+# class STATUS VARIABLE=VALUE...: of make, which says 2 where the list has nobody of this name.
+class() {
+    status=$1
+    shift
+    makes "$status" grade-class BUILD="$build" LAB=00 SEED=5 "$@"
+}
+check "a class of such names" class 2 SUBMISSIONS="$scratch/$hostile" OUTPUT="$scratch/out$hostile" MOODLE="$moodle"
 check "everybody is graded" grep -q ',100,100,' "$scratch/out$hostile/gradebook.csv"
 cp "$scratch/out$hostile/gradebook.json" "$scratch/older$hostile"
-check "and compared" class SUBMISSIONS="$scratch/$hostile" OUTPUT="$scratch/out$hostile" AGAINST="$scratch/older$hostile"
+check "and compared" class 0 SUBMISSIONS="$scratch/$hostile" OUTPUT="$scratch/out$hostile" AGAINST="$scratch/older$hostile"
 # In the top folder such names begin with a minus, as options do.
 cp -R "$scratch/class" "$top/$hostile"
 cp "$moodle" "$top/$hostile.csv"
 trap 'rm -rf "$scratch" "$trap_file" "./$hostile" "./$hostile.csv" "./$hostile.out" "./$hostile.tar"' EXIT
-check "and where they are looked for from here" class SUBMISSIONS="$hostile" OUTPUT="$hostile.out" MOODLE="$hostile.csv"
+check "and where they are looked for from here" class 2 SUBMISSIONS="$hostile" OUTPUT="$hostile.out" MOODLE="$hostile.csv"
 check "all is graded, too" grep -q ',100,100,' "./$hostile.out/gradebook.csv"
 (cd solutions/00-hello-pixels && tar -cf "$top/$hostile.tar" .)
 check "an archive whose name begins so" grades 0 100 --lab 00 --submission "$hostile.tar" --seed 5
