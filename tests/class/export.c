@@ -1,12 +1,10 @@
 // Reading a folder of submissions (see export.h).
 //
-// Whether a course system made a name, or a student chose one that looks so, is seen by the other
-// entries: a system whose pattern fits more than half of them, and the most, made the folder. Each
-// entry counts for every system whose pattern it fits: the system's own stands before whatever a
-// student wrote. Read next: system_names.h.
+// Read next: export_system.h, which system made the names.
 #include "export.h"
 
 #include "complain.h"
+#include "export_system.h"
 #include "path.h"
 
 #include <dirent.h>
@@ -147,93 +145,6 @@ static int entries_read(Export *export, int lab_number)
 
 // ---- The folder --------------------------------------------------------------------------------
 
-static int made_by(const Found *found, ExportSystem system)
-{
-    return (found->systems >> system & 1) != 0;
-}
-
-// The system whose pattern fits the most names, and more than half of them, or SYSTEM_NONE.
-static ExportSystem most_frequent(const Export *export)
-{
-    ExportSystem best = SYSTEM_NONE;
-    int n_most = export->n_found / 2;
-    for (ExportSystem system = SYSTEM_NONE + 1; system < N_SYSTEMS; system++) {
-        int n = 0;
-        for (int i = 0; i < export->n_found; i++) {
-            n += made_by(&export->found[i], system);
-        }
-        if (n > n_most) {
-            n_most = n;
-            best = system;
-        }
-    }
-    return best;
-}
-
-// How long what stands before the login is, in a name of Blackboard's: "Lab 0_".
-static size_t title_length(const Found *found)
-{
-    return (size_t)(system_name_read(found->file, SYSTEM_BLACKBOARD).name.text - found->file);
-}
-
-// The title of the assignment, which stands before each login: the most frequent one, of equally
-// frequent ones the shortest. Returns an entry with it, or NULL where Blackboard made none.
-static const Found *title_find(const Export *export)
-{
-    const Found *best = NULL;
-    int n_most = 0;
-    for (int i = 0; i < export->n_found; i++) {
-        const Found *found = &export->found[i];
-        if (!made_by(found, SYSTEM_BLACKBOARD)) {
-            continue;
-        }
-        const size_t length = title_length(found);
-        int n = 0;
-        for (int k = 0; k < export->n_found; k++) {
-            const Found *other = &export->found[k];
-            n += made_by(other, SYSTEM_BLACKBOARD) && title_length(other) == length &&
-                 strncmp(other->file, found->file, length) == 0;
-        }
-        if (n > n_most || (n == n_most && length < title_length(best))) {
-            n_most = n;
-            best = found;
-        }
-    }
-    return best;
-}
-
-// Read a name of Blackboard's behind this title: a login may have underscores. What has another
-// title is nobody's.
-static void login_read(Found *found, const char *title, size_t n_title)
-{
-    const SystemName read = system_name_read(found->file, SYSTEM_BLACKBOARD);
-    const char *end = read.name.text + read.name.length;
-    if (strncmp(found->file, title, n_title) == 0 && end > found->file + n_title) {
-        entry_name_show(found->file + n_title, (size_t)(end - found->file) - n_title,
-                        found->name.name);
-    } else {
-        found->name.system = SYSTEM_NONE;
-    }
-}
-
-// Read each name that may be the export's system's as that.
-static void names_read(Export *export)
-{
-    const ExportSystem system = export->system;
-    const Found *titled = system == SYSTEM_BLACKBOARD ? title_find(export) : NULL;
-    for (int i = 0; i < export->n_found; i++) {
-        Found *found = &export->found[i];
-        if (system == SYSTEM_NONE || system == SYSTEM_MOODLE || !made_by(found, system)) {
-            continue;
-        }
-        found->name = entry_name_read_export(found->file, found->is_folder, system);
-        found->is_loose = found->is_loose || system == SYSTEM_ILIAS;
-        if (titled != NULL) {
-            login_read(found, titled->file, title_length(titled));
-        }
-    }
-}
-
 // Is a single file a student's, by the name that the export's system made? Else nobody knows whose
 // it is.
 static int has_owner(const Export *export, const Found *found)
@@ -261,8 +172,8 @@ static int pass_over(Export *export, const char *file)
 static int names_settle(Export *export)
 {
     int n = 0, failed = 0;
-    export->system = most_frequent(export);
-    names_read(export);
+    export->system = export_system_find(export);
+    export_names_read(export);
     for (int i = 0; i < export->n_found; i++) {
         const Found found = export->found[i];
         if (has_owner(export, &found)) {
@@ -364,7 +275,7 @@ static int is_for_submissions(const char *folder)
 static int is_too_high(const Export *export, int lab_number, char inner[PATH_MAX])
 {
     const Found *folder = only_folder(export);
-    if (folder == NULL || most_frequent(export) != SYSTEM_NONE) {
+    if (folder == NULL || export_system_find(export) != SYSTEM_NONE) {
         return 0;
     }
     Export below = {0};
@@ -372,7 +283,7 @@ static int is_too_high(const Export *export, int lab_number, char inner[PATH_MAX
     path_make(inner, "%s", below.path);
     int leads = 0;
     if (entries_read(&below, lab_number) == 0) {
-        const ExportSystem system = most_frequent(&below);
+        const ExportSystem system = export_system_find(&below);
         leads = system != SYSTEM_NONE && is_for_submissions(folder->file);
         for (int i = 0; i < below.n_found && !leads; i++) {
             leads = below.found[i].is_folder && is_for_submissions(below.found[i].file);

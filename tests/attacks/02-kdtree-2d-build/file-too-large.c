@@ -1,6 +1,6 @@
 // attack: one file of up to 1 GB
 // task: pack_leaf
-// named: (file|disk).*(large|limit|more than)|signal 25
+// named: (file|disk).*(large|limit)|wrote a file of more than|signal 25
 #include <string.h>
     (void)tree, (void)id, (void)ids, (void)n_ids;
     static char block[1 << 20];

@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <string.h>
+#include <sys/random.h>
 #include <sys/resource.h>
 #include <time.h>
 #include <unistd.h>
@@ -39,6 +40,13 @@ double seconds_own(void)
 double clock_pause(const SandboxClock *clock)
 {
     return fmin(fmax(PAUSE_SECONDS, PAUSE_FACTOR * clock->looking), MOST_PAUSE_SECONDS);
+}
+
+double clock_next_look(const SandboxClock *clock)
+{
+    unsigned short drawn = 0;
+    (void)!getrandom(&drawn, sizeof drawn, GRND_NONBLOCK);
+    return seconds_now() + clock_pause(clock) * (0.5 + 0.5 * drawn / 65535);
 }
 
 double clock_ended_children(void)

@@ -28,9 +28,13 @@ void clock_start(SandboxClock *clock);
 // Take in what the census has just seen.
 void clock_look(SandboxClock *clock, const Census *census);
 
-// How long to wait after the last look: the longer that took, the longer, as a run can make looking
-// at it dear.
+// How long to wait at most after the last look: the longer that took, the longer, as a run can make
+// looking at it dear.
 double clock_pause(const SandboxClock *clock);
+
+// When to look again, on the monotonic clock: after half of that at least, at a time that the run
+// cannot foresee. Else it could be awake at each look, and sleep until the next.
+double clock_next_look(const SandboxClock *clock);
 
 // Is the machine to blame that it used up its wall time? It is where the command was kept waiting
 // for a processor, not where it slept, or hid what it ran. Where the kernel does not tell, it is.

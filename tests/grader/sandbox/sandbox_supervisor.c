@@ -22,7 +22,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/prctl.h>
-#include <sys/random.h>
 #include <sys/signalfd.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -222,18 +221,10 @@ static int signals_read(Watch *watch)
     return is_stopped;
 }
 
-// When to look again: nobody shall be able to foresee it, and sleep until then.
-static double next_look(const SandboxClock *clock)
-{
-    unsigned short drawn = 0;
-    (void)!getrandom(&drawn, sizeof drawn, GRND_NONBLOCK);
-    return seconds_now() + clock_pause(clock) * (0.5 + 0.5 * drawn / 65535);
-}
-
 // Watch until the command ends or has to be ended.
 static WatchEnd command_watch(Watch *watch)
 {
-    double census_time = next_look(&watch->clock);
+    double census_time = clock_next_look(&watch->clock);
     for (;;) {
         double now = seconds_now();
         if (now >= census_time) {
@@ -244,7 +235,7 @@ static WatchEnd command_watch(Watch *watch)
             if (time_end != WATCH_COMMAND_ENDED) {
                 return time_end;
             }
-            census_time = next_look(&watch->clock);
+            census_time = clock_next_look(&watch->clock);
         }
         struct pollfd events[] = {{.fd = watch->output, .events = POLLIN},
                                   {.fd = watch->status, .events = POLLIN},
