@@ -50,6 +50,19 @@ pass_on() {
     done <"$1"
 }
 
+# `make test` sets HEART: each suite tries its heart, so that all together take minutes. `make test-all` and
+# `tests/run.sh NAME` try all.
+
+# heart "WORDS" ALL...: prints WORDS in `make test`, else ALL.
+heart() {
+    if [ -n "${HEART:-}" ]; then echo "$1"; else shift && echo "$*"; fi
+}
+
+# heart_ends: in `make test` the suite ends here.
+heart_ends() {
+    [ -z "${HEART:-}" ] || { finish; exit; }
+}
+
 # await COMMAND...: until the command does. What has not come after ten minutes never will.
 await() {
     tries=12000

@@ -150,20 +150,25 @@ $(OUT)/obj/tests/unit/%.c.o: OPTIMISATION = -O0 -g
 # Unit tests run under the sanitizers, but for this one: PoCL's compiler is not built for them.
 NATIVE_TEST = $(OUT)/tests/test_cl_setup
 
-.PHONY: unit-tests watched tests check test test-all test-scale test-seeds test-mutants test-attacks
+.PHONY: unit-tests watched heart tests check test test-all test-scale test-seeds test-mutants test-attacks
 unit-tests: $(filter-out $(NATIVE_TEST),$(UNIT_TESTS))
 # What the suites run with the sanitizers: solutions, whose skeletons have the same code around the holes.
 watched: unit-tests $(filter $(OUT)/solutions/% $(OUT)/view/solutions/% $(OUT)/pixel/solutions/%,$(PROGRAMS) $(VIEWS) $(PIXELS))
+# All that `make test` runs, which tries each suite's heart (tests/tap.sh).
+heart: all $(NATIVE_TEST) $(SUITE_TOOLS) $(OUT)/tools/pictures $(OUT)/tests/no_images.so views pixels native $(FIGURES) $(OUT)/tools/plane_costs
+	@$(MAKE) --no-print-directory SANITIZE=1 unit-tests
 # The bench is built here, too: it must not break unnoticed.
-tests: all $$(BENCH_PROGRAMS) $(NATIVE_TEST) $(JUDGES) $(LAB_JUDGES) $(SUITE_TOOLS) $(OUT)/tools/pictures $(OUT)/tests/no_images.so views pixels native $(FIGURES) $(OUT)/tools/plane_costs  ## build all that the tests run
+tests: heart $$(BENCH_PROGRAMS) $(JUDGES) $(LAB_JUDGES)  ## build all that the tests run
 	@$(MAKE) --no-print-directory SANITIZE=1 watched
-check: tests  ## run the tests without installing anything
+check: tests  ## run all tests without installing anything
 	@BUILD="$(BUILD)" tests/run.sh
-test:  ## install what is missing and run every test
+test:  ## install what is missing and run the tests' heart: minutes
+	@common/setup/install.sh test
+	@$(MAKE) --no-print-directory heart
+	@HEART=1 BUILD="$(BUILD)" tests/run.sh
+test-all:  ## install what is missing and run every test, end to end
 	@common/setup/install.sh test
 	@$(MAKE) --no-print-directory check
-test-all:  ## the same, with more of the known answers end to end
-	@EVERY=8 $(MAKE) --no-print-directory test
 test-scale:  ## install what is missing, grade a class of N=1000, try mechanical mutants of every lab (long)
 	@common/setup/install.sh test
 	@common/setup/install.sh scale
@@ -173,8 +178,9 @@ test-scale:  ## install what is missing, grade a class of N=1000, try mechanical
 	@$(MAKE) --no-print-directory test-seeds
 	@$(MAKE) --no-print-directory test-mutants
 	@$(MAKE) --no-print-directory test-attacks
-test-seeds: grader  ## try the known answers of every lab, or of LAB=03, with 20 seeds (long)
-	@BUILD="$(BUILD)" SEEDS=20 EVERY=1 sh tests/suites/mutants.sh
+test-seeds: native  ## try the known answers of every lab, or of LAB=03, with 20 seeds: natively, and a sample with PoCL (long)
+	@BUILD="$(BUILD)" SEEDS=20 sh tests/suites/native.sh
+	@BUILD="$(BUILD)" SEEDS=20 sh tests/suites/mutants.sh
 test-mutants: grader  ## try mechanical mutants of every lab, or of LAB=03 (long)
 	@tests/mutate.sh $(OUT) $${LAB:+"$$LAB"}
 test-attacks: tests  ## try every attack in every sandbox, as root (long)

@@ -82,10 +82,14 @@ grade() {
     set -- --build "$build" --lab "$lab" --submission "$submission" --output "$reports" \
         ${limit:+--time-limit "$limit"} ${deadline:+--deadline "$deadline"} \
         --seed "${seed:-1}" --answers "$answers/$lab" --sandbox "$sandbox"
-    status=0
-    # So far off that no busy machine gets there.
-    TMPDIR=$work timeout 900 "$build/tools/left_behind" "$build/tools/grade" "$@" \
-        >"$place/said" 2>"$place/said.err" </dev/null || status=$?
+    # A machine that others keep busy is to blame by chance; an attack that feigns it is so each time.
+    for _ in 1 2 3 4 5; do
+        status=0
+        # So far off that no busy machine gets there.
+        TMPDIR=$work timeout 900 "$build/tools/left_behind" "$build/tools/grade" "$@" \
+            >"$place/said" 2>"$place/said.err" </dev/null || status=$?
+        grep -q 'this machine is too busy' "$place/said.err" || break
+    done
 }
 
 # ---- What holds for attacks and controls alike ---------------------------------------------------

@@ -103,6 +103,8 @@ graded "the content counts, not the name" earns 100 "$PWD/named.zip"
 chmod 600 folder.zip
 graded "an archive that only the instructor may read is read" earns 100 "$PWD/folder.zip"
 
+heart_ends
+
 # ---- Shapes -------------------------------------------------------------------------------------
 
 # Of lab 00, which has two files to find.

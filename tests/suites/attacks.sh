@@ -29,6 +29,9 @@ walls='
     mappings-without-number memory-behind-mappings open-files-without-number bytes-in-sockets pages-in-pipes
 '
 
+# What `make test` tries in each sandbox: files, the network, processes without number, one that stays.
+heart='read-reference.c network.c fork-bomb.c survivor.c'
+
 # Whoever the grader runs as may enter: what is unreadable shall be so because of the sandbox, but for
 # where the sandbox goes by the rights of files.
 chmod 711 "$scratch"
@@ -94,6 +97,11 @@ chosen() {
         printf '%s\n' "$@"
         return
     fi
+    [ -z "${HEART:-}" ] || {
+        # shellcheck disable=SC2086 # words
+        printf 'tests/attacks/02-kdtree-2d-build/%s\n' $heart
+        return
+    }
     turn=landlock
     for attack in tests/attacks/*/*; do
         # Half a minute of all processors: for `make test-attacks`.
@@ -122,7 +130,7 @@ list_work() {
         echo "$sandbox $attack"
         [ $((number % 6)) -ne 0 ] || echo "$sandbox 02-kdtree-2d-build beside-$number"
     done
-    for lab in 00-hello-pixels 03-kdtree-2d-render; do
+    for lab in $(heart 03-kdtree-2d-render 00-hello-pixels 03-kdtree-2d-render); do
         echo "$sandbox $lab afterwards"
     done
 }

@@ -64,6 +64,8 @@ copy_lab solutions $lab
 broken "an answer below the placeholder's return costs its task" 60
 check "and the message says that it never runs" grep -q 'the answer still begins with the .return. that was handed out' "$reports/results.json"
 
+heart_ends
+
 lab=03-kdtree-2d-render
 copy_lab solutions $lab
 echo '    return no_such_name;' | answer implicit2DRenderer_KD.cl getContainingChild

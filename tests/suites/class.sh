@@ -229,6 +229,8 @@ check "Gradescope's export" "$build/tools/gradebook" roster 0 "$gradescope" "$sc
 check "a group has its names" grep -q '"name": "Ada Lovelace & Grace Hopper"' "$scratch/names/roster.json"
 check "what is no plain name is not taken" grep -q '"name": "submission_12"' "$scratch/names/roster.json"
 
+heart_ends
+
 # ---- Nothing of this lab ------------------------------------------------------------------------
 
 all=$class

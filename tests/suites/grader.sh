@@ -25,9 +25,11 @@ in_every_format() {
         [ ! -s "$said.err" ] && mkdir -p "$scratch/formats" && cp -R "$reports" "$scratch/formats/$1"
 }
 
+some="00-hello-pixels 02-kdtree-2d-build 07-kdtree-3d-trace"
+
 # ---- Solutions and skeletons --------------------------------------------------------------------
 
-for lab in $labs; do
+for lab in $(heart "$some" "$labs"); do
     # shellcheck disable=SC2046 # options
     check "$lab: the solution gets full marks" grades 0 100 $(kept "$lab") --submission "solutions/$lab"
     check "$lab: every stage and check of it passes" test \
@@ -64,13 +66,13 @@ touched_placeholders() {
     ! diff -rq "labs/$1" "$scratch/touched" >/dev/null &&
         grades 1 0 $(kept "$1") --submission "$scratch/touched"
 }
-for lab in $labs; do
+for lab in $(heart 02-kdtree-2d-build "$labs"); do
     check "$lab: a touched placeholder earns nothing" touched_placeholders "$lab"
 done
 
 # ---- One task at a time -------------------------------------------------------------------------
 
-for lab in $labs; do
+for lab in $(heart 02-kdtree-2d-build "$labs"); do
     for source in "solutions/$lab"/*.c "solutions/$lab"/*.cl; do
         [ -f "$source" ] || continue
         for task in $("$holes" list "$source"); do
@@ -185,6 +187,8 @@ ok $(($? != 2)) "no bubblewrap: it ends with 2"
 check "no bubblewrap: it says what to install" grep -q '^sandbox: bwrap not found: install' "$said.err"
 check "no bubblewrap: it says no more" test "$(wc -l <"$said.err")$(wc -c <"$said")" = 10
 check "no bubblewrap: there are no results" test ! -e "$reports"
+
+heart_ends
 
 # The other sandbox, where it can be had, and none at all: the same marks, and the reports say which.
 kinds=none

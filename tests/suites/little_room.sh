@@ -49,6 +49,8 @@ if [ "$status" -eq 2 ]; then
 fi
 ends_with 0 "a right submission in 160 MB"
 
+heart_ends
+
 # ---- Archives ------------------------------------------------------------------------------------
 
 mkdir "$scratch/small" "$scratch/large" "$scratch/copies"

@@ -80,6 +80,8 @@ for target in pack gradescope autolab prairielearn github grade-class; do
     both_ways "make $target" 2 LAB "$hostile" $target BUILD="$build" SUBMISSIONS="$scratch"
 done
 
+heart_ends
+
 # ---- Real gradings --------------------------------------------------------------------------------
 
 # A folder of this name is graded, and one whose whole path begins with a minus.

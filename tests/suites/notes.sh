@@ -14,6 +14,8 @@ fi
 make --no-print-directory BUILD="$build" notes-html >"$scratch/log" 2>&1
 ok $? "make notes-html" "$(cat "$scratch/log")"
 
+heart_ends
+
 # ---- In a browser --------------------------------------------------------------------------------
 
 # All pages at the width of a screen and of a phone, in one run of the browser.

@@ -5,7 +5,7 @@
 
 course=$PWD
 mkdir -p "$scratch/tests/suites" "$scratch/tests/unit" "$scratch/build/tests" "$scratch/build/sanitized/tests"
-cp tests/run.sh tests/tap.sh "$scratch/tests"
+cp tests/run.sh tests/run_one.sh tests/tap.sh "$scratch/tests"
 cd "$scratch" || exit 1
 
 # unit PROGRAM: a unit test, a script on stdin, and its source; its TAP is asked for as --tap=FILE.
@@ -25,8 +25,8 @@ runs() {
     [ "$status" -eq "$wanted" ]
 }
 
-# says LINE: is this a line of what it said, seconds aside?
-says() { sed 's/ *[0-9]* s$//' said | grep -qxF -- "$1" || { cat said; return 1; }; }
+# says LINE: is this a line of what it said, its place and seconds aside?
+says() { sed 's/^ *[0-9]* of [0-9]*  //; s/ *[0-9]* s$//' said | grep -qxF -- "$1" || { cat said; return 1; }; }
 
 # ---- What it counts -----------------------------------------------------------------------------
 
@@ -45,10 +45,10 @@ rm tests/unit/test_gone.c
 printf '. tests/tap.sh\nok 0 good\nok 0 better\nskip other why\nfinish\n' >tests/suites/good.sh
 check "all pass" runs 0
 check "the last line counts them" test "$(tail -n 1 said)" = "10 passed, 0 failed"
-! says "test_gone                 1 passed, 0 failed" >/dev/null
+! says "test_gone                       1 passed, 0 failed" >/dev/null
 ok $? "a program whose source is gone is not run"
-check "a suite's line" says "good                      2 passed, 0 failed, 1 skipped"
-check "a unit test's line" says "test_cl_setup             2 passed, 0 failed"
+check "a suite's line" says "good                            2 passed, 0 failed, 1 skipped"
+check "a unit test's line" says "test_cl_setup                   2 passed, 0 failed"
 
 printf '. tests/tap.sh\nok 0 good\nok 1 bad "the reason"\nfinish\n' >tests/suites/bad.sh
 check "one fails" runs 1 bad good
@@ -86,8 +86,8 @@ printf '. tests/tap.sh\nok 0 good\nfinish\n' | tee tests/suites/one.sh >tests/su
 
 # order SEED: the names in the order that they ran in.
 order() {
-    ORDER=$1 runs 0 >/dev/null
-    sed -n 's/ *[0-9]* passed, 0 failed.* s$//p' said | tr '\n' ' '
+    JOBS=1 ORDER=$1 runs 0 >/dev/null
+    sed -n 's/^ *[0-9]* of [0-9]*  //; s/ *[0-9]* passed, 0 failed.* s$//p' said | tr '\n' ' '
 }
 usual=$(order '')
 sorted() { printf '%s\n' "$1" | tr ' ' '\n' | LC_ALL=C sort; }
@@ -95,6 +95,10 @@ n_orders=$(for seed in 1 2 3 4 5; do order $seed && echo; done | sort -u | wc -l
 [ "$n_orders" -gt 1 ]
 ok $? "seeds give several orders" "five gave $n_orders"
 check "a seed always gives the same" test "$(order 7)" = "$(order 7)"
+echo 5 >build/tests/one.seconds
+echo 9 >build/tests/two.seconds
+echo 0 >build/tests/good.seconds
+check "without a seed those that took longest are first" sh -c "printf '%s' '$(order '')' | grep -q 'two one.* good'"
 check "every test runs" test "$(sorted "$(order 7)")" = "$(sorted "$usual")"
 check "the seed is said" says "in the order of seed 7"
 ORDER=random

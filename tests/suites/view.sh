@@ -155,6 +155,8 @@ check "lab 01 has one kernel; R builds it again" works window 01 \
     "$(printf '%s\n' 'frames 1' 'save @/before.png' 'key N' 'key R' 'frames 1' 'save @/after.png')" --size 64x48
 check "and it shows the same" shows after 64x48 "$(picture before 64x48)"
 
+heart_ends
+
 # ---- Shadows and mirrors --------------------------------------------------------------------------
 
 mirrors='--scene sphereflake:size=2 --size 96x64'

@@ -143,17 +143,6 @@ TEST_EACH(who_was_kept_waiting_for_a_processor_was_starved)
     }
 }
 
-TEST_EACH(who_keeps_itself_waiting_was_not_starved)
-{
-    // Far more loops than processors, which wait for each other.
-    stay_there();
-    SandboxCommand command = shell_command(
-        "for i in $(seq 8); do sh -c 'while :; do :; done' & done; while :; do :; done");
-    command.time = (SandboxTime){.processor = 600, .asleep = 600, .wall = 3};
-    command.n_processes = 512;
-    expect_end(&command, SANDBOX_OVERDUE);
-}
-
 TEST_EACH(who_waits_for_its_brother_is_stopped)
 {
     // In vfork()'s state, but what it waits for is its own brother: the filter knows the call.

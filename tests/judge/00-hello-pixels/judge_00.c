@@ -89,7 +89,7 @@ static int expect_gradient(int width, int height, JobPicture *gradient)
         return -1;
     }
     expected->tolerance = GRADIENT_ERROR;
-    expected->draw_mistaken = draw_mistaken;
+    expected_picture_recognise(expected, draw_mistaken, NULL);
     gradient_draw(&expected->reference, &right);
     return 0;
 }
@@ -115,7 +115,7 @@ static int draw_pattern(u32 key, int width, int height, ExpectedPicture *pattern
     if (image_create(width, height, &pattern->reference) != 0) {
         return -1;
     }
-    pattern->draw_mistaken = pattern_mistaken;
+    expected_picture_recognise(pattern, pattern_mistaken, NULL);
     for (int i = 0; i < width * height * IMAGE_CHANNELS; i++) {
         pattern->reference.pixels[i] = pattern_value(key, (u32)i);
     }

@@ -250,7 +250,7 @@ int make_leaf_map(JobScene *scene, u32 first_id)
             node_color(scene, leaf, reference->pixels + (size_t)i * IMAGE_CHANNELS);
         }
     }
-    expected->draw_mistaken = draw_mistaken;
+    expected_picture_recognise(expected, draw_mistaken, scene);
     return 0;
 }
 

@@ -122,8 +122,7 @@ int expect_directions_04(const SceneJob3D *scene, ExpectedPicture *expected)
     expected->background[3] = 1;
     // Half of the direction's, and the rounding of product and sum.
     expected->tolerance = (float)(ray_of(scene, 0, 0).direction_error / 2 + 2 * 0x1p-24);
-    expected->draw_mistaken = draw_mistaken;
-    expected->scene = scene;
+    expected_picture_recognise(expected, draw_mistaken, scene);
     draw(scene, direction_color, &expected->reference);
     return 0;
 }

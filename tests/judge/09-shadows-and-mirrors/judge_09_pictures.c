@@ -147,7 +147,6 @@ int picture_09_expect(MirrorScene *scene)
                           expected->tolerances);
     memcpy(expected->background, (float[]){background.x, background.y, background.z, 1},
            sizeof expected->background);
-    expected->draw_mistaken = draw_mistaken;
-    expected->scene = scene;
+    expected_picture_recognise(expected, draw_mistaken, scene);
     return 0;
 }

@@ -14,6 +14,7 @@
 
 void expected_picture_free(ExpectedPicture *expected)
 {
+    expected_picture_recognise(expected, NULL, NULL);
     image_free(&expected->reference);
     free(expected->tolerances);
     *expected = (ExpectedPicture){0};

@@ -15,6 +15,10 @@
 // Returns what such a picture looks like ("drawn as if ..."); nothing behind the last mistake.
 typedef Cause DrawMistaken(const void *scene, int mistake, Image *guess, float *tolerances);
 
+// The pictures of a scene's known mistakes. Each is drawn when a wrong picture is first compared
+// with it, and kept: a judge sees many wrong pictures of one scene.
+typedef struct MistakenPictures MistakenPictures;
+
 // What a picture should be.
 typedef struct ExpectedPicture {
     Image reference;    // owned
@@ -22,9 +26,12 @@ typedef struct ExpectedPicture {
                         // pixel may have any colour; owned. NULL: `tolerance` everywhere
     float tolerance;    // 0 for bit-equal pictures
     float background[IMAGE_CHANNELS];  // the colour where nothing is drawn
-    DrawMistaken *draw_mistaken;       // the mistakes known for such scenes; NULL when none are
-    const void *scene;                 // what it draws
+    MistakenPictures *mistaken;        // owned; NULL when no mistakes are known
 } ExpectedPicture;
+
+// Let known mistakes be recognised in pictures of the scene, which must stay as it is. None are if
+// `draw` is NULL, or without memory.
+void expected_picture_recognise(ExpectedPicture *expected, DrawMistaken *draw, const void *scene);
 
 void expected_picture_free(ExpectedPicture *expected);
 

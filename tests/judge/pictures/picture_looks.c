@@ -10,13 +10,61 @@
 
 // ---- Mistakes made by the oracle --------------------------------------------------------------
 
-static Tally compare(ProbeImage own, const ExpectedPicture *expected, const Image *guess,
-                     const float *guess_tolerances)
+typedef struct MistakenPicture {
+    Cause looks;  // nothing: behind the last mistake
+    Image picture;
+    float *tolerances;
+} MistakenPicture;
+
+struct MistakenPictures {
+    DrawMistaken *draw;
+    const void *scene;
+    MistakenPicture *pictures;  // [n], of the first mistakes
+    int n;
+};
+
+void expected_picture_recognise(ExpectedPicture *expected, DrawMistaken *draw, const void *scene)
+{
+    MistakenPictures *old = expected->mistaken;
+    for (int i = 0; old != NULL && i < old->n; i++) {
+        image_free(&old->pictures[i].picture);
+        free(old->pictures[i].tolerances);
+    }
+    free(old != NULL ? old->pictures : NULL);
+    free(old);
+    expected->mistaken = draw != NULL ? calloc(1, sizeof *expected->mistaken) : NULL;
+    if (expected->mistaken != NULL) {
+        *expected->mistaken = (MistakenPictures){.draw = draw, .scene = scene};
+    }
+}
+
+// Draw mistake number known->n of a scene and keep it. Returns 0, or -1 without memory.
+static int draw_next(MistakenPictures *known, const Image *reference)
+{
+    const size_t n_pixels = (size_t)reference->width * (size_t)reference->height;
+    MistakenPicture *pictures =
+        realloc(known->pictures, ((size_t)known->n + 1) * sizeof *known->pictures);
+    if (pictures == NULL) {
+        return -1;
+    }
+    known->pictures = pictures;
+    MistakenPicture *next = &pictures[known->n];
+    *next = (MistakenPicture){.tolerances = calloc(n_pixels, sizeof *next->tolerances)};
+    if (next->tolerances == NULL ||
+        image_create(reference->width, reference->height, &next->picture) != 0) {
+        free(next->tolerances);
+        return -1;
+    }
+    next->looks = known->draw(known->scene, known->n++, &next->picture, next->tolerances);
+    return 0;
+}
+
+static Tally compare(ProbeImage own, const ExpectedPicture *expected, const MistakenPicture *guess)
 {
     Tally tally = {0};
     for (int i = 0; i < expected_n_pixels(expected); i++) {
-        tally_add(&tally, pixel_pair(own, expected, i), guess->pixels + (size_t)i * IMAGE_CHANNELS,
-                  guess_tolerances[i]);
+        tally_add(&tally, pixel_pair(own, expected, i),
+                  guess->picture.pixels + (size_t)i * IMAGE_CHANNELS, guess->tolerances[i]);
     }
     return tally;
 }
@@ -25,28 +73,20 @@ static Tally compare(ProbeImage own, const ExpectedPicture *expected, const Imag
 // it is none, the first that it resembles. Two may resemble it where a picture is sparse.
 Cause picture_mistaken(ProbeImage own, const ExpectedPicture *expected)
 {
-    const Image *reference = &expected->reference;
-    const size_t n_pixels = (size_t)expected_n_pixels(expected);
-    float *tolerances = calloc(n_pixels, sizeof *tolerances);
-    Image guess = {0};
+    MistakenPictures *known = expected->mistaken;
     Cause looks = {0};
-    if (tolerances != NULL && expected->draw_mistaken != NULL &&
-        image_create(reference->width, reference->height, &guess) == 0) {
-        int is_exact = 0;
-        for (int mistake = 0; !is_exact; mistake++) {
-            memset(tolerances, 0, n_pixels * sizeof *tolerances);
-            const Cause next =
-                expected->draw_mistaken(expected->scene, mistake, &guess, tolerances);
-            if (next.says == NULL) {
-                break;
-            }
-            const Tally tally = compare(own, expected, &guess, tolerances);
-            is_exact = tally_recognises(&tally) && tally.n_agree == tally.n_compared;
-            looks = is_exact || (looks.says == NULL && tally_recognises(&tally)) ? next : looks;
+    int is_exact = 0;
+    for (int i = 0; known != NULL && !is_exact; i++) {
+        if ((i == known->n && draw_next(known, &expected->reference) != 0) ||
+            known->pictures[i].looks.says == NULL) {
+            break;
+        }
+        const Tally tally = compare(own, expected, &known->pictures[i]);
+        is_exact = tally_recognises(&tally) && tally.n_agree == tally.n_compared;
+        if (is_exact || (looks.says == NULL && tally_recognises(&tally))) {
+            looks = known->pictures[i].looks;
         }
     }
-    image_free(&guess);
-    free(tolerances);
     return looks;
 }
 

@@ -285,8 +285,7 @@ static Cause draw_mistaken(const void *pointer, int mistake, Image *guess, float
 
 void job_scene_recognise(const JobScene *scene, ExpectedPicture *expected)
 {
-    expected->draw_mistaken = draw_mistaken;
-    expected->scene = scene;
+    expected_picture_recognise(expected, draw_mistaken, scene);
 }
 
 int job_scene_expect(JobScene *scene)

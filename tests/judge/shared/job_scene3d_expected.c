@@ -121,8 +121,7 @@ int job_scene3d_expect(JobScene3D *scene)
                   scene->hits);
     memcpy(expected->background, (float[]){background.x, background.y, background.z, 1},
            sizeof expected->background);
-    expected->draw_mistaken = draw_mistaken;
-    expected->scene = scene;
+    expected_picture_recognise(expected, draw_mistaken, scene);
     return 0;
 }
 
