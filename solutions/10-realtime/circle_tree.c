@@ -62,9 +62,9 @@ static u32 *sorted_ids(const Scene2D *scene)
     return ids;
 }
 
-// How much larger or smaller a circle may be to the kernel, which compares in float. With u = 2^-24,
-// the rounding of one operation, dx and dy are off by u, so their squares by 3 u, the sum by 4 u, and
-// the square of the radius by u: 5 u together, which is less than 3 u of the radius.
+// The kernel compares in float: how much larger or smaller a circle may be there. With u = 2^-24,
+// the rounding of one operation, dx and dy are off by u, so their squares by 3 u, the sum by 4 u,
+// and the square of the radius by u. These 5 u of squares are less than 3 u of the radius.
 #define RADIUS_ERROR 0x1p-22f
 
 static Circle circle_grown(Circle circle, float share)
@@ -81,8 +81,8 @@ static int circle_covers_box(Circle circle, BBox2D box)
     return dx * dx + dy * dy <= radius * radius;
 }
 
-// Pick from a node's circles those that may be seen in some tiles, however the kernel rounds, in the
-// same order.
+// Pick from a node's circles those that may be seen in some tiles, however the kernel rounds, in
+// the same order.
 //   seen_ids   out: room for n_ids
 // Returns how many there are.
 static u32 pick_seen(const Circle *h_circles, const u32 *ids, u32 n_ids, TileRange tiles,

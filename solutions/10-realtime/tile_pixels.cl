@@ -4,8 +4,8 @@
 #include "tile.h"
 #include "work.h"
 
-// Colours as bytes, each the nearest, as in a PNG; red lowest, opaque. Four bytes a pixel where an image of
-// floats has sixteen, and on a CPU no call for each pixel.
+// Colours as bytes, each the nearest, as in a PNG; red lowest, opaque. Four bytes a pixel where an
+// image of floats has sixteen, and on a CPU no call for each pixel.
 static LaneUints pack_colors(LaneColors colors)
 {
     const LaneUints r = JOIN(convert_uint, LANES)(rint(clamp(colors.r, 0.0f, 1.0f) * 255.0f));

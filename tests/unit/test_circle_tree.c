@@ -1,5 +1,5 @@
-// 10-realtime/circle_tree: what the lists of the leaves leave out is seen in no pixel, whichever way
-// a device rounds; and colours are those of a PNG.
+// 10-realtime/circle_tree: what the lists of the leaves leave out is seen in no pixel, whichever
+// way a device rounds; and colours are those of a PNG.
 #include "circle_tree.h"
 #include "random.h"
 #include "surroundings.h"
