@@ -59,7 +59,8 @@ static int is_decided(const CircleRowJob *job)
 }
 
 // A circle near the row, or a large one far from it; in a third of all cases with a pixel exactly
-// on its boundary, or outside of it by one float, and in another third off the grid.
+// on its boundary, or outside of it by one float, and in another third off the grid, with a pixel
+// just inside or outside.
 static CircleRowJob draw_any_row(Random *random, enum RowRange range)
 {
     CircleRowJob job = {.color = (u32)random_bits(random)};
@@ -77,12 +78,13 @@ static CircleRowJob draw_any_row(Random *random, enum RowRange range)
     job.dy = is_exact ? (float)random_sign(random) * to_y
              : is_far ? random_halves(random, -FAR_PIXELS, FAR_PIXELS)
                       : random_grid(random, -12, 12);
-    const float radius = is_exact ? on_boundary[kind].radius * unit
-                         : is_far ? radius_near(pixel - x, job.dy)
-                                  : random_grid(random, 0, 16);
+    float radius = is_exact ? on_boundary[kind].radius * unit
+                   : is_far ? radius_near(pixel - x, job.dy)
+                            : random_grid(random, 0, 16);
     if (is_off_grid) {
         x += random_off_grid(random);
         job.dy += random_off_grid(random);
+        radius = hypotf(pixel - x, job.dy) * (1 + (float)random_sign(random) * 0x1p-18f);
     }
     job.radius_squared = radius * radius;
     if (is_exact && one_in(random, 2)) {
