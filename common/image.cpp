@@ -20,7 +20,8 @@
 namespace
 {
 
-// Three bytes a pixel. Colours are premultiplied by alpha, so over black they are what they are.
+// Three bytes a pixel, each the nearest; of two that are equally near the even one, as devices and
+// windows round. Colours are premultiplied by alpha, so over black they are what they are.
 std::vector<unsigned char> bytes_over_black(const Image *image)
 {
     size_t n_pixels = (size_t)image->width * (size_t)image->height;

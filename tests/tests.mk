@@ -119,6 +119,10 @@ $(OUT)/tests/test_bench_builds: LDFLAGS += $(MEMORY_COUNTING)
 $(OUT)/tests/test_bench_builds: $(call objects,$(addprefix tests/bench/,report_builds.c case_build.c counted_memory.c \
     growth.c handed_on.c series.c) $(BUILDERS) solutions/08-surface-area-heuristic/kdtree3d_sah.c)
 
+# The tree of lab 10's circles.
+$(OUT)/obj/tests/unit/test_circle_tree.c.o: EXTRA = $(GRADER_INCLUDES) -I solutions/10-realtime
+$(OUT)/tests/test_circle_tree: $(call objects,solutions/10-realtime/circle_tree.c $(BUILDERS))
+
 # Lab 02's builder with a distribute() that returns more circles than it was given.
 TOO_MANY = $(OUT)/wrong/returns-too-many.c
 $(TOO_MANY): solutions/02-kdtree-2d-build/kdtree2d_build.c tests/mutants/02-kdtree-2d-build/returns-too-many.c $(OUT)/tools/holes

@@ -22,8 +22,8 @@ static void add_light(const TileSurfaces *at, Light light, const TracedScene *sc
 }
 
 // Add what a block's surfaces show as mirrors: ray_color() of lab 09, ray by ray. It begins to
-// count anew what a ray's light weighs, and may follow one a mirror farther than lab 09 does, for
-// light that counts less than LEAST_WEIGHT.
+// count anew what a ray's light weighs, so it may follow a ray where lab 09 ends. That adds no more
+// than what lab 09 leaves out there: see LEAST_WEIGHT.
 static void add_mirrors(const Tile *tile, const TileSurfaces *at, int block, int max_bounces,
                         const TracedScene *scene, LaneColors *colors, Work *work)
 {

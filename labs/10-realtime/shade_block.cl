@@ -72,7 +72,7 @@ static LaneColors shade_block(const Tile *tile, int block, const TileHits *hits,
     for (int i = 0; i < shading->n_lights; i++) {
         const Light light = shading->lights[i];
         const Lanes x = light.position.x - px, y = light.position.y - py, z = light.position.z - pz;
-        const Lanes share = fmax(0.0f, (nx * x + ny * y + nz * z) / sqrt(x * x + y * y + z * z));
+        const Lanes share = fmax(0.0f, (nx * x + ny * y + nz * z) / lane_lengths(x, y, z));
         lit.r += share * light.color.x;
         lit.g += share * light.color.y;
         lit.b += share * light.color.z;

@@ -4,13 +4,13 @@
 #include "tile.h"
 #include "work.h"
 
-// Colours as bytes, red lowest, opaque: what a window shows. Four bytes a pixel where an image of
-// floats has sixteen, and on a CPU no call for each pixel.
+// Colours as bytes, each the nearest, as in a PNG; red lowest, opaque. Four bytes a pixel where an
+// image of floats has sixteen, and on a CPU no call for each pixel.
 static LaneUints pack_colors(LaneColors colors)
 {
-    const LaneUints r = JOIN(convert_uint, LANES)(clamp(colors.r, 0.0f, 1.0f) * 255.0f + 0.5f);
-    const LaneUints g = JOIN(convert_uint, LANES)(clamp(colors.g, 0.0f, 1.0f) * 255.0f + 0.5f);
-    const LaneUints b = JOIN(convert_uint, LANES)(clamp(colors.b, 0.0f, 1.0f) * 255.0f + 0.5f);
+    const LaneUints r = JOIN(convert_uint, LANES)(rint(clamp(colors.r, 0.0f, 1.0f) * 255.0f));
+    const LaneUints g = JOIN(convert_uint, LANES)(rint(clamp(colors.g, 0.0f, 1.0f) * 255.0f));
+    const LaneUints b = JOIN(convert_uint, LANES)(rint(clamp(colors.b, 0.0f, 1.0f) * 255.0f));
     return r | g << 8 | b << 16 | 0xff000000u;
 }
 

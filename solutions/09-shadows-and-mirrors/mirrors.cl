@@ -37,7 +37,10 @@ static Surface surface_at(Ray ray, Hit hit, const TracedScene *scene)
     return surface;
 }
 
-// Light that counts less than this is not followed: half of one of the 255 steps of a PNG.
+// Light that counts less than this is not followed: half of one of the 255 steps of a PNG. That is
+// what the next hit would add at most where no hit is brighter than 1, and so would each one after
+// it: together no more than half a step for each mirror that is left, nor than half a step /
+// (1 - ks).
 #define LEAST_WEIGHT (0.5f / 255.0f)
 
 // The colour of a ray and of what it sees in mirrors.

@@ -62,15 +62,27 @@ static u32 *sorted_ids(const Scene2D *scene)
     return ids;
 }
 
+// The kernel compares in float: how much larger or smaller a circle may be there. With u = 2^-24,
+// the rounding of one operation, dx and dy are off by u, so their squares by 3 u, the sum by 4 u,
+// and the square of the radius by u. These 5 u of squares are less than 3 u of the radius.
+#define RADIUS_ERROR 0x1p-22f
+
+static Circle circle_grown(Circle circle, float share)
+{
+    circle.radius *= 1 + share;
+    return circle;
+}
+
 // Does a circle cover a box whole? Its farthest corner says.
 static int circle_covers_box(Circle circle, BBox2D box)
 {
-    const double dx = fmax(circle.x - box.minX, box.maxX - circle.x);
-    const double dy = fmax(circle.y - box.minY, box.maxY - circle.y);
-    return dx * dx + dy * dy <= (double)circle.radius * circle.radius;
+    const double x = circle.x, y = circle.y, radius = circle.radius;
+    const double dx = fmax(x - box.minX, box.maxX - x), dy = fmax(y - box.minY, box.maxY - y);
+    return dx * dx + dy * dy <= radius * radius;
 }
 
-// Pick from a node's circles those that may be seen in some tiles, in the same order.
+// Pick from a node's circles those that may be seen in some tiles, however the kernel rounds, in
+// the same order.
 //   seen_ids   out: room for n_ids
 // Returns how many there are.
 static u32 pick_seen(const Circle *h_circles, const u32 *ids, u32 n_ids, TileRange tiles,
@@ -83,9 +95,9 @@ static u32 pick_seen(const Circle *h_circles, const u32 *ids, u32 n_ids, TileRan
     u32 n_seen = 0;
     for (u32 i = 0; i < n_ids; i++) {
         const Circle circle = h_circles[ids[i]];
-        if (circle_overlaps_box(circle, box)) {
+        if (circle_overlaps_box(circle_grown(circle, RADIUS_ERROR), box)) {
             seen_ids[n_seen++] = ids[i];
-            if (circle_covers_box(circle, box)) {
+            if (circle_covers_box(circle_grown(circle, -RADIUS_ERROR), box)) {
                 break;  // All that follow are behind it.
             }
         }
@@ -93,13 +105,13 @@ static u32 pick_seen(const Circle *h_circles, const u32 *ids, u32 n_ids, TileRan
     return n_seen;
 }
 
-// RGBA, a byte each.
+// RGBA, a byte each: the nearest, as in a PNG.
 static u32 pack_color(Circle circle)
 {
     const float channels[] = {circle.r, circle.g, circle.b, circle.a};
     u32 color = 0;
     for (int i = 0; i < 4; i++) {
-        color |= (u32)(fminf(fmaxf(channels[i], 0), 1) * 255 + 0.5f) << (8 * i);
+        color |= (u32)lrintf(fminf(fmaxf(channels[i], 0), 1) * 255) << (8 * i);
     }
     return color;
 }

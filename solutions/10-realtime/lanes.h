@@ -42,6 +42,19 @@ static inline LaneInts lane_number(void)
     return JOIN(vload, LANES)(0, lane_numbers);
 }
 
+// The lengths of vectors, one a lane. As length(), finite where the numbers' squares are not: large
+// ones are scaled by a power of two, which rounds nothing.
+static inline Lanes lane_lengths(Lanes x, Lanes y, Lanes z)
+{
+    const LaneInts is_large = fmax(fmax(fabs(x), fabs(y)), fabs(z)) > 0x1p62f;
+    const Lanes scale = select((Lanes)1.0f, (Lanes)0x1p-66f, is_large);
+    const Lanes back = select((Lanes)1.0f, (Lanes)0x1p66f, is_large);
+    x *= scale;
+    y *= scale;
+    z *= scale;
+    return back * sqrt(x * x + y * y + z * z);
+}
+
 // The largest of all lanes: the upper half onto the lower one, until one is left. The halves are
 // read from memory, which compilers see through: Oclgrind takes .lo and .hi for never set.
 static inline float largest_lane(Lanes lanes)

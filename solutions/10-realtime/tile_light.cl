@@ -73,7 +73,7 @@ static void light_tile_create(const TileSurfaces *at, float3 position, LightTile
         const Lanes x = block_of(at->x, block) - position.x;
         const Lanes y = block_of(at->y, block) - position.y;
         const Lanes z = block_of(at->z, block) - position.z;
-        const Lanes distance = sqrt(x * x + y * y + z * z);
+        const Lanes distance = lane_lengths(x, y, z);
         rays->x[block] = x / distance;
         rays->y[block] = y / distance;
         rays->z[block] = z / distance;

@@ -24,6 +24,7 @@ float sqrtf(float x);
 float fabsf(float x);
 float floorf(float x);
 float ceilf(float x);
+float rintf(float x);
 float powf(float x, float y);
 float atan2f(float y, float x);
 float sinf(float x);
@@ -55,6 +56,7 @@ OF_ONE(float, sqrt, sqrtf(x))
 OF_ONE(float, fabs, fabsf(x))
 OF_ONE(float, floor, floorf(x))
 OF_ONE(float, ceil, ceilf(x))
+OF_ONE(float, rint, rintf(x))
 OF_ONE(float, sin, sinf(x))
 OF_ONE(float, cos, cosf(x))
 OF_ONE(float, tan, tanf(x))
@@ -125,6 +127,7 @@ int OVERLOADABLE islessequal(float x, float y)
     EACH(float##n, n, fabs, (float##n x), fabs(x[i]))                                              \
     EACH(float##n, n, sqrt, (float##n x), sqrt(x[i]))                                              \
     EACH(float##n, n, floor, (float##n x), floor(x[i]))                                            \
+    EACH(float##n, n, rint, (float##n x), rint(x[i]))                                              \
     EACH(float##n, n, fmax, (float##n x, float##n y), fmax(x[i], y[i]))                            \
     EACH(float##n, n, fmin, (float##n x, float##n y), fmin(x[i], y[i]))                            \
     EACH(float##n, n, fmax, (float##n x, float y), fmax(x[i], y))                                  \

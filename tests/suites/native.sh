@@ -9,7 +9,7 @@ export build scratch
 export seeds="${SEEDS:-1}"
 
 # Processor time of a run, all its seeds together. Right answers take a twentieth; some wrong ones never end.
-export seconds="$((2 * seeds))"
+export seconds="$((4 * seeds))"
 
 # As many labs at a time as there are processors, the longest first.
 # shellcheck disable=SC2016 # they are another shell's variables

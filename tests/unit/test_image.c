@@ -93,8 +93,9 @@ Test(image, png_is_clamped_and_opaque)
     static const struct {
         float value;
         float expected;
-    } VALUES[] = {{-1, 0}, {0, 0},        {0.5f, 128.0f / 255}, {1, 1},
-                  {7, 1},  {INFINITY, 1}, {-INFINITY, 0},       {NAN, 0}};
+    } VALUES[] = {{-1, 0}, {0, 0}, {0.3f, 76.0f / 255}, {0.5f, 128.0f / 255},
+                  {1, 1},  {7, 1}, {INFINITY, 1},       {-INFINITY, 0},
+                  {NAN, 0}};
     const int n = (int)(sizeof VALUES / sizeof VALUES[0]);
     Image image = image_new(n, 1);
     for (int i = 0; i < n; i++) {

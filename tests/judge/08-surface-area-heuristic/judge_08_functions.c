@@ -64,8 +64,8 @@ static const CostMistake cost_mistakes[] = {
      .rules = {.lower_tests = 1}},
     {{.says = "the higher child is missing"}, .rules = {.lower_only = 1}},
     {{.says = "the lower child is missing"}, .rules = {.higher_only = 1}},
-    {{.says = "only splits of very many spheres are wrong: 32 bits hold neither their count with a "
-              "sign nor that of both children together"},
+    {{.says = "only splits of very many spheres are wrong: 32 bits with a sign do not hold their "
+              "count"},
      .most_counted = INT32_MAX},
     {{.says = "only splits of many spheres are wrong: 16 bits do not hold their count"},
      .most_counted = UINT16_MAX},

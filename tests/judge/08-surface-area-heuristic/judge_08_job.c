@@ -71,8 +71,8 @@ static BBox3D smaller_cell(BBox3D cell)
 
 static CostJob draw_cost(Random *random, int i)
 {
-    if (i == N_COSTS - 1) {  // more spheres than 32 bits hold the sum of
-        return (CostJob){{{0, 0, 0}, {64, 32, 32}}, 0, 16, 3000000000, 3000000000};
+    if (i == N_COSTS - 1) {  // more than an int holds, but the sum is a u32 still
+        return (CostJob){{{0, 0, 0}, {64, 32, 32}}, 0, 16, 3000000000, 1000000000};
     }
     if (i == N_COSTS - 2) {  // none at all: the step to a child is paid all the same
         return (CostJob){{{0, 0, 0}, {64, 32, 32}}, 0, 16, 0, 0};

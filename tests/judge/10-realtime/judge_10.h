@@ -62,9 +62,9 @@ Work tile_10_most(const JobScene3D *scene, int x, int y, int *must_ask);
 // ---- Scenes of circles ------------------------------------------------------------------------
 
 enum {
-    N_CIRCLE_SCENES = 8,
+    N_CIRCLE_SCENES = 9,
     MOST_CIRCLES = 120,  // of one scene
-    N_CIRCLE_TILES = 1 + 5 * 4 + 5 * 4 + 8 * 8 + 20 * 1 + 5 * 4 + 61 * 1 + 1 * 20,
+    N_CIRCLE_TILES = 1 + 5 * 4 + 5 * 4 + 8 * 8 + 20 * 1 + 5 * 4 + 61 * 1 + 1 * 20 + 5 * 4,
     // Where nodes stand that 16 bits cannot number; of 8 or 16 bits of it nothing is left that is a
     // node of a tree.
     FAR_NODE = 0x10180,
@@ -102,6 +102,8 @@ void waiting_10_draw(Random *random, Job10 *job);
 void cones_10_draw(Random *random, Job10 *job);
 // How far off rounding may be: of the sphere's distance from the cone's border, and of its size.
 double cone_rounding_10(Vec3 centre, double size);
+// What takes a number off the grid of 1/16: less than a step of it.
+float random_off_grid(Random *random);
 void rows_10_draw(Random *random, Job10 *job);
 int circles_10_draw(Random *random, Job10 *job);  // 0, or -1 after one message
 

@@ -1,6 +1,6 @@
 // Lab 10's paint_row: its inputs, and what must come out. Distances are on the grid of 1/16 px,
-// large ones on that of 1/2 px, so that every comparison is exact: an answer is right or wrong to
-// the bit.
+// large ones on that of 1/2 px, so that every comparison is exact; or off the grid, and then no
+// pixel is so near to the boundary that rounding decides. An answer is right or wrong to the bit.
 #include "judge_10.h"
 
 #include "message.h"
@@ -34,27 +34,58 @@ static float radius_near(float dx, float dy)
     return roundf(2 * hypotf(dx, dy)) / 2;
 }
 
+float random_off_grid(Random *random)
+{
+    return (float)random_integer(random, 1, 0xffff) / 0x100000;
+}
+
+static int is_float(double value)
+{
+    return (double)(float)value == value;
+}
+
+// Does float decide as double does for each pixel, whichever way it rounds? There are three
+// operations, and at most 2^-24 of the sum comes from each.
+static int is_decided(const CircleRowJob *job)
+{
+    const double dy_squared = (double)job->dy * (double)job->dy;
+    int n_decided = 0;
+    for (int i = 0; i < ROW_PIXELS; i++) {
+        const double sum = (double)job->dx_squared[i] + dy_squared;
+        n_decided += (is_float(dy_squared) && is_float(sum)) ||
+                     fabs(sum - (double)job->radius_squared) > 3 * 0x1p-24 * sum;
+    }
+    return n_decided == ROW_PIXELS;
+}
+
 // A circle near the row, or a large one far from it; in a third of all cases with a pixel exactly
-// on its boundary, or outside of it by one float.
-static CircleRowJob draw_row(Random *random, enum RowRange range)
+// on its boundary, or outside of it by one float, and in another third off the grid, with a pixel
+// just inside or outside.
+static CircleRowJob draw_any_row(Random *random, enum RowRange range)
 {
     CircleRowJob job = {.color = (u32)random_bits(random)};
     const int is_exact = one_in(random, 3);
+    const int is_off_grid = !is_exact && one_in(random, 2);
     const int is_far = one_in(random, 3);
     const float unit = is_far ? (float)random_integer(random, 1, FAR_UNITS)
                               : (float)random_integer(random, 1, 32) / 16;
     const int64_t kind = random_integer(random, 0, COUNT(on_boundary) - 1);
     const float to_x = on_boundary[kind].x * unit, to_y = on_boundary[kind].y * unit;
     const float pixel = (float)random_integer(random, 0, ROW_PIXELS - 1);
-    const float x = is_exact ? pixel + to_x
-                    : is_far ? random_halves(random, -FAR_PIXELS, FAR_PIXELS)
-                             : random_grid(random, -8, ROW_PIXELS + 8);
+    float x = is_exact ? pixel + to_x
+              : is_far ? random_halves(random, -FAR_PIXELS, FAR_PIXELS)
+                       : random_grid(random, -8, ROW_PIXELS + 8);
     job.dy = is_exact ? (float)random_sign(random) * to_y
              : is_far ? random_halves(random, -FAR_PIXELS, FAR_PIXELS)
                       : random_grid(random, -12, 12);
-    const float radius = is_exact ? on_boundary[kind].radius * unit
-                         : is_far ? radius_near(pixel - x, job.dy)
-                                  : random_grid(random, 0, 16);
+    float radius = is_exact ? on_boundary[kind].radius * unit
+                   : is_far ? radius_near(pixel - x, job.dy)
+                            : random_grid(random, 0, 16);
+    if (is_off_grid) {
+        x += random_off_grid(random);
+        job.dy += random_off_grid(random);
+        radius = hypotf(pixel - x, job.dy) * (1 + (float)random_sign(random) * 0x1p-18f);
+    }
     job.radius_squared = radius * radius;
     if (is_exact && one_in(random, 2)) {
         job.radius_squared = nextafterf(job.radius_squared, 0);
@@ -67,6 +98,15 @@ static CircleRowJob draw_row(Random *random, enum RowRange range)
         job.open[i] = range == ROWS_PAINTED && one_in(random, 2) ? 0 : -1;
         job.colors[i] = job.open[i] || one_in(random, 8) ? 0 : (u32)random_bits(random);
     }
+    return job;
+}
+
+static CircleRowJob draw_row(Random *random, enum RowRange range)
+{
+    CircleRowJob job;
+    do {
+        job = draw_any_row(random, range);
+    } while (!is_decided(&job));
     return job;
 }
 

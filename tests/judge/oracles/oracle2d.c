@@ -22,11 +22,10 @@ static int is_float(double value)
     return (double)(float)value == value;
 }
 
-// May float arithmetic, in any order and with or without contraction, decide otherwise? Not when
-// each step comes out exact, as on the 1/16 px grid; else when the two sides differ by less than
-// the rounding of five float operations (each at most 2^-24 of the sum), and when float cannot hold
-// a square: it is infinite then, or so small that it may be taken for 0.
-static int is_ambiguous(Circle c, double x, double y)
+// Not where each step comes out exact, as on the 1/16 px grid; else where the two sides differ by
+// less than the rounding of five float operations (each at most 2^-24 of the sum), and where float
+// cannot hold a square: it is infinite then, or so small that it may be taken for 0.
+int oracle2d_is_ambiguous(Circle c, double x, double y)
 {
     const double dx = x - c.x, dy = y - c.y, radius_squared = (double)c.radius * c.radius;
     const double sum = dx * dx + dy * dy;
@@ -149,7 +148,7 @@ static int is_near_edge(const Circle *circles, int n_circles, double x, double y
 {
     int is_near = 0;
     for (int i = 0; i < n_circles && !is_near; i++) {
-        is_near = is_ambiguous(circles[i], x, y);
+        is_near = oracle2d_is_ambiguous(circles[i], x, y);
     }
     return is_near;
 }

