@@ -73,10 +73,16 @@ wrong_points() {
 }
 
 printf 'a-far\ta\t30\na-near\ta\t10\nb-all\tb\t60\n' >"$scratch/checks"
-printf '### Task a\n\n`a.cl`, 41 points\n\n### Task b\n\n| `a-far` | a | 30 |\n| `a-near` | a | 11 |\n' >"$scratch/page.md"
+cat >"$scratch/page.md" <<'END'
+### Task a
+`a.cl`, 41 points
+### Task b
+| `a-far` | a | 30 |
+| `a-near` | a | 11 |
+END
 cat >"$scratch/expected" <<END
-$scratch/page.md:3: found 41 points for a, lab.json: 40
-$scratch/page.md:8: found 11 points for a-near, lab.json: 10
+$scratch/page.md:2: found 41 points for a, lab.json: 40
+$scratch/page.md:5: found 11 points for a-near, lab.json: 10
 $scratch/page.md: found no line "60 points" for b
 END
 wrong_points "$scratch/checks" "$scratch/page.md" >"$scratch/found"
