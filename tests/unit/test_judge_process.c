@@ -76,7 +76,7 @@ Test(judge_process, points_are_the_manifests, .init = start, .fini = stop)
 Test(judge_process, a_check_without_points_is_refused, .init = start_silently, .fini = stop)
 {
     manifest.tasks[1].n_checks--;
-    expect_refused("grade: 01-naive-2d/lab.json: own_pixel: found no points for the check "
+    expect_refused("solutions/01-naive-2d/lab.json: own_pixel: found no points for the check "
                    "\"own_pixel-padding\"\n");
     manifest.tasks[1].n_checks++;
 }
@@ -88,9 +88,9 @@ Test(judge_process, points_for_no_check_of_the_task_are_refused, .init = start_s
     char *id = *own;
     *own = *others;
     *others = id;
-    expect_refused("grade: 01-naive-2d/lab.json: overlaps_N_Nearer: found points for "
-                   "\"own_pixel-picture\", which is no check of this task; "
-                   "tests/judge/01-naive-2d has its checks\n");
+    expect_refused("solutions/01-naive-2d/lab.json: overlaps_N_Nearer: found points for "
+                   "\"own_pixel-picture\", which is no check of this task; its checks are in "
+                   "tests/judge/01-naive-2d\n");
 }
 
 // The job's bytes. Owned by the caller.

@@ -227,9 +227,10 @@ static int take_points(JudgeProcess *judge)
         for (int i = 0; i < task->n_checks; i++) {
             Check *check = find_check(judge, task->id, task->checks[i].id);
             if (check == NULL) {
-                complain("grade: %s/lab.json: %s: found points for \"%s\", which is no check of "
-                         "this task; tests/judge/%s has its checks",
-                         manifest->lab, task->id, task->checks[i].id, manifest->lab);
+                complain("%s/%s/lab.json: %s: found points for \"%s\", which is no check of this "
+                         "task; its checks are in tests/judge/%s",
+                         manifest_folder(manifest->lab), manifest->lab, task->id,
+                         task->checks[i].id, manifest->lab);
                 return -1;
             }
             check->points = task->checks[i].points;
@@ -238,8 +239,8 @@ static int take_points(JudgeProcess *judge)
     for (int i = 0; i < judge->n_checks; i++) {
         const Check *check = &judge->checks[i];
         if (check->points == 0) {
-            complain("grade: %s/lab.json: %s: found no points for the check \"%s\"", manifest->lab,
-                     check->task, check->id);
+            complain("%s/%s/lab.json: %s: found no points for the check \"%s\"",
+                     manifest_folder(manifest->lab), manifest->lab, check->task, check->id);
             return -1;
         }
     }
