@@ -29,11 +29,13 @@ static void check_manifest(const Manifest *manifest)
         MUST_HOLD(manifest_task(manifest, task->id) == task);
         MUST_HOLD(is_listed(manifest, task->file));
         MUST_HOLD(task->title[0] != '\0' && task->hint[0] != '\0');
-        MUST_HOLD(task->points > 0);
-        for (int j = 0; j < task->n_hints; j++) {
-            MUST_HOLD(manifest_hint(task, task->hints[j].check) == task->hints[j].hint);
+        MUST_HOLD(task->n_checks >= 1 && task->n_checks <= MANIFEST_MAX_CHECKS);
+        for (int j = 0; j < task->n_checks; j++) {
+            const TaskCheck *check = &task->checks[j];
+            MUST_HOLD(manifest_hint(task, check->id) == (check->hint ? check->hint : task->hint));
+            MUST_HOLD(check->points > 0);
+            points += check->points;
         }
-        points += task->points;
     }
     MUST_HOLD(points == 100);
     MUST_HOLD(manifest->leaderboard == NULL ||

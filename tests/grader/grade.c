@@ -240,12 +240,17 @@ static void grading_free(Grading *grading)
 static int list_checks(const Settings *settings)
 {
     static JudgeProcess judge;
-    const int started = judge_start(&judge, settings->build, settings->lab, settings->seed);
-    for (int i = 0; i < judge.n_checks; i++) {
+    Manifest manifest;
+    if (manifest_load(manifest_folder(settings->lab), settings->lab, &manifest) != 0) {
+        return EXIT_FAULT;
+    }
+    const int started = judge_start(&judge, settings->build, &manifest, settings->seed);
+    for (int i = 0; started == 0 && i < judge.n_checks; i++) {
         const Check *check = &judge.checks[i];
         printf("%s\t%s\t%d\n", check->id, check->task, check->points);
     }
     judge_stop(&judge);
+    manifest_free(&manifest);
     return started == 0 ? EXIT_FULL_MARKS : EXIT_FAULT;
 }
 

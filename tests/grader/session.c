@@ -124,13 +124,14 @@ int session_open(Session *session, const Settings *settings)
     }
     SandboxKind sandbox;
     session->has_solution = manifest_has_solution(settings->lab);
-    if (host_limits_raise() != 0 || manifest_load("labs", settings->lab, &session->manifest) != 0 ||
+    if (host_limits_raise() != 0 ||
+        manifest_load(manifest_folder(settings->lab), settings->lab, &session->manifest) != 0 ||
         sandbox_choose(settings->sandbox, &sandbox) != 0 ||
         // In a handout all is the student's own.
         (sandbox_is_open(sandbox) && session->has_solution && secrets_check(settings) != 0) ||
         workshop_open(&session->workshop, &session->manifest, settings->build, settings->device,
                       sandbox) != 0 ||
-        judge_start(&session->judge, settings->build, settings->lab, settings->seed) != 0 ||
+        judge_start(&session->judge, settings->build, &session->manifest, settings->seed) != 0 ||
         write_job(session, &session->judge, 0) != 0) {
         return -1;
     }
@@ -150,7 +151,7 @@ int session_add_seeds(Session *session, int n)
 {
     const Settings *settings = session->settings;
     for (int k = 0; k < n; k++) {
-        if (judge_start(&session->further[k], settings->build, settings->lab,
+        if (judge_start(&session->further[k], settings->build, &session->manifest,
                         settings->seed + 1 + (uint64_t)k) != 0 ||
             write_job(session, &session->further[k], 1 + k) != 0) {
             return -1;

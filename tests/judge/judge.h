@@ -3,8 +3,8 @@
 //
 // The grader runs the same job for the solution and for the submission, and for each task with a
 // failed check a job with the answer to that task alone, and asks the judge about each
-// (judge_tool.c). One folder a lab: what a check costs and who decides it stands in the table
-// `checks` of its judge_NN.c.
+// (judge_tool.c). One folder a lab: the table `checks` of its judge_NN.c says who decides each
+// check. Its points are in the lab's lab.json.
 #ifndef JUDGE_JUDGE_H
 #define JUDGE_JUDGE_H
 
@@ -31,7 +31,6 @@ typedef struct JudgeCheck {
     const char *id;     // "overlaps-boundary"
     const char *title;  // "Pixels exactly on the boundary"
     const char *task;   // whose answer it judges
-    int points;
     const char *needs;  // whose answers have a part in it besides: see verdict.h
 
     // One of these decides: a function of the student's over a range of inputs; each scene of a

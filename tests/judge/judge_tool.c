@@ -6,8 +6,8 @@
 // answers requests, each a line "WORD ARGUMENT N" with N bytes behind it; each reply is a line "N"
 // with N bytes behind it, which are sections (probes/sections.h):
 //
-//     checks - 0     a section "check" for each, its texts parted by zeros: id, title, task, and
-//                    points as a number, and whose answers it needs
+//     checks - 0     a section "check" for each, its texts parted by zeros: id, title, task,
+//                    whose answers it needs, and 1 where it is of scenes
 //     job - 0        what a probe shall try of a submission
 //     job TASK 0     what it shall try of one task's answer alone
 //     answers - N    hold these N bytes: what a probe answered. An empty reply, as for adopt
@@ -62,9 +62,9 @@ static int reply_checks(Desk *desk, const char *argument, FILE *reply)
     for (int i = 0; result == 0 && i < desk->job->judge->n_checks; i++) {
         const JudgeCheck *check = &desk->job->judge->checks[i];
         char text[512];
-        const int n = snprintf(text, sizeof text, "%s%c%s%c%s%c%d%c%s%c%d", check->id, 0,
-                               check->title, 0, check->task, 0, check->points, 0,
-                               check->needs ? check->needs : "", 0, check->scene != NULL);
+        const int n =
+            snprintf(text, sizeof text, "%s%c%s%c%s%c%s%c%d", check->id, 0, check->title, 0,
+                     check->task, 0, check->needs ? check->needs : "", 0, check->scene != NULL);
         result = n < (int)sizeof text ? section_write(reply, "check", text, (size_t)n + 1) : -1;
     }
     return result;

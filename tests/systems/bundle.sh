@@ -90,8 +90,10 @@ pack_zip() {
 
 # Each task of the lab: "ID POINTS".
 tasks() {
-    awk -F '"' '/^      "id": / { id = $4 }
-        /^      "points": / { gsub(/[^0-9]/, "", $3); print id, $3 }' "solutions/$lab/lab.json"
+    awk -F '"' '/^      "id": / { id = $4; points = 0 }
+        inside && /}/ { print id, points; inside = 0 }
+        inside { gsub(/[^0-9]/, "", $3); points += $3 }
+        /^      "points": / { inside = 1 }' "solutions/$lab/lab.json"
 }
 
 # The problems of an Autolab assessment are the lab's tasks, with their points.

@@ -14,12 +14,10 @@ static const Manifest manifest = {
     .tasks = {{.id = "overlaps_N_Nearer",
                .file = "overlaps_N_Nearer.cl",
                .title = "Does a circle cover the pixel?",
-               .points = 40,
                .hint = "Compare the squares."},
               {.id = "implicit2DRenderer",
                .file = "implicit2DRenderer.cl",
                .title = "The nearest of all",
-               .points = 60,
                .hint = "Remember the depth."}},
     .leaderboard = (char *)"times as fast as lab 00's <kernel>",
 };

@@ -3,6 +3,7 @@
 #include "right_answers_sections.h"
 
 #include <criterion/criterion.h>
+#include <criterion/redirect.h>
 #include <limits.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -13,16 +14,24 @@
 TestSuite(judge_process);
 
 static JudgeProcess judge;
+static Manifest manifest;
+
+static int start_judge(void)
+{
+    const char *build = getenv("BUILD");
+    return judge_start(&judge, build != NULL ? build : "build", &manifest, 7);
+}
 
 static void start(void)
 {
-    const char *build = getenv("BUILD");
-    cr_assert_eq(judge_start(&judge, build != NULL ? build : "build", "01-naive-2d", 7), 0);
+    cr_assert_eq(manifest_load("solutions", "01-naive-2d", &manifest), 0);
+    cr_assert_eq(start_judge(), 0);
 }
 
 static void stop(void)
 {
     judge_stop(&judge);
+    manifest_free(&manifest);
 }
 
 // Answers without a section.
@@ -37,6 +46,51 @@ Test(judge_process, the_checks_are_the_labs, .init = start, .fini = stop)
     cr_expect_eq(points, 100);
     cr_expect_str_eq(judge.checks[0].id, "overlaps-inside");
     cr_expect_str_eq(judge.checks[0].task, "overlaps_N_Nearer");
+}
+
+// Started anew with the manifest as a test has changed it.
+static void expect_refused(const char *message)
+{
+    char said[512] = "";
+    judge_stop(&judge);
+    cr_expect_neq(start_judge(), 0);
+    fflush(stderr);
+    said[fread(said, 1, sizeof said - 1, cr_get_redirected_stderr())] = '\0';
+    cr_expect_str_eq(said, message);
+}
+
+static void start_silently(void)
+{
+    cr_redirect_stderr();
+    start();
+}
+
+Test(judge_process, points_are_the_manifests, .init = start, .fini = stop)
+{
+    judge_stop(&judge);
+    manifest.tasks[0].checks[0].points = 17;
+    cr_assert_eq(start_judge(), 0);
+    cr_expect_eq(judge.checks[0].points, 17);
+}
+
+Test(judge_process, a_check_without_points_is_refused, .init = start_silently, .fini = stop)
+{
+    manifest.tasks[1].n_checks--;
+    expect_refused("solutions/01-naive-2d/lab.json: own_pixel: found no points for the check "
+                   "\"own_pixel-padding\"\n");
+    manifest.tasks[1].n_checks++;
+}
+
+Test(judge_process, points_for_no_check_of_the_task_are_refused, .init = start_silently,
+     .fini = stop)
+{
+    char **own = &manifest.tasks[0].checks[0].id, **others = &manifest.tasks[1].checks[0].id;
+    char *id = *own;
+    *own = *others;
+    *others = id;
+    expect_refused("solutions/01-naive-2d/lab.json: overlaps_N_Nearer: found points for "
+                   "\"own_pixel-picture\", which is no check of this task; its checks are in "
+                   "tests/judge/01-naive-2d\n");
 }
 
 // The job's bytes. Owned by the caller.
@@ -149,8 +203,8 @@ Test(judge_process, answers_over_which_it_ends_are_wrong, .init = start, .fini =
 
 Test(judge_process, a_lab_without_a_judge_is_refused)
 {
-    cr_expect_neq(judge_start(&judge, getenv("BUILD") ? getenv("BUILD") : "build", "44-none", 7),
-                  0);
+    manifest = (Manifest){.lab = "44-none"};
+    cr_expect_neq(start_judge(), 0);
     judge_stop(&judge);
 }
 
@@ -185,7 +239,8 @@ static void greedy_start(void)
     snprintf(greedy, sizeof greedy, "%s/tools/greedy_judge", program);
     cr_assert_eq(mkdir(tools, 0755), 0);
     cr_assert_eq(symlink(greedy, link), 0);
-    cr_assert_eq(judge_start(&judge, greedy_build, "01-naive-2d", 7), 0);
+    manifest = (Manifest){.lab = "01-naive-2d"};  // of no checks, as it has none
+    cr_assert_eq(judge_start(&judge, greedy_build, &manifest, 7), 0);
 }
 
 static void greedy_stop(void)

@@ -11,9 +11,11 @@
 #include <unistd.h>
 
 #define TASK_A                                                                                     \
-    "{\"id\": \"a\", \"file\": \"a.cl\", \"title\": \"A?\", \"points\": 40, \"hint\": \"h\"}"
+    "{\"id\": \"a\", \"file\": \"a.cl\", \"title\": \"A?\", \"points\": {\"a-far\": 30, "          \
+    "\"a-near\": 10}, \"hint\": \"h\"}"
 #define TASK_B                                                                                     \
-    "{\"id\": \"b\", \"file\": \"b.cl\", \"title\": \"B?\", \"points\": 60, \"hint\": \"h\"}"
+    "{\"id\": \"b\", \"file\": \"b.cl\", \"title\": \"B?\", \"points\": {\"b\": 60}, \"hint\": "   \
+    "\"h\"}"
 #define FILES "\"files\": [\"a.cl\", \"b.cl\"]"
 #define MANIFEST(files, tasks) "{\"title\": \"T\", " files ", \"tasks\": [" tasks "]}"
 
@@ -72,15 +74,21 @@ Test(manifest, reads_every_field)
     cr_expect_str_eq(task->file, "b.cl");
     cr_expect_str_eq(task->title, "B?");
     cr_expect_str_eq(task->hint, "h");
-    cr_expect_eq(task->points, 60);
+    cr_assert_eq(task->n_checks, 1);
+    cr_expect_str_eq(task->checks[0].id, "b");
+    cr_expect_eq(task->checks[0].points, 60);
+    task = &manifest.tasks[0];
+    cr_assert_eq(task->n_checks, 2);
+    cr_expect_str_eq(task->checks[1].id, "a-near");
+    cr_expect_eq(task->checks[1].points, 10);
     cr_expect_null(manifest_task(&manifest, "c"));
     manifest_free(&manifest);
     cr_expect_eq(manifest.n_tasks, 0);
 }
 
 #define HINTS(hints)                                                                               \
-    "{\"id\": \"a\", \"file\": \"a.cl\", \"title\": \"A?\", \"points\": 100, \"hint\": \"h\", "    \
-    "\"hints\": " hints "}"
+    "{\"id\": \"a\", \"file\": \"a.cl\", \"title\": \"A?\", "                                      \
+    "\"points\": {\"a-far\": 60, \"a-near\": 40}, \"hint\": \"h\", \"hints\": " hints "}"
 
 Test(manifest, a_check_may_have_a_hint_of_its_own)
 {
@@ -122,6 +130,9 @@ typedef struct BadManifest {
     const char *message;  // part of the one line
 } BadManifest;
 
+#define POINTS(points)                                                                             \
+    "{\"id\": \"a\", \"file\": \"a.cl\", \"title\": \"C\", \"points\": " points "}"
+
 static const BadManifest bad_manifests[] = {
     {NULL, "lab.json: cannot read: No such file"},
     {"", "lab.json:1: "},
@@ -149,15 +160,25 @@ static const BadManifest bad_manifests[] = {
     {MANIFEST(FILES, TASK_B ", "
                             "{\"id\": \"a: b\"}"),
      "tasks[1]: found the id \"a: b\", expected"},
-    {MANIFEST(FILES, "{\"id\": \"a\", \"file\": \"c.cl\", \"title\": \"C\", \"points\": 100, "
-                     "\"hint\": \"h\"}"),
+    {MANIFEST(FILES, "{\"id\": \"a\", \"file\": \"c.cl\", \"title\": \"C\", "
+                     "\"points\": {\"c\": 100}, \"hint\": \"h\"}"),
      "tasks[0]: found the file \"c.cl\", expected one of \"files\""},
-    {MANIFEST(FILES, "{\"id\": \"a\", \"file\": \"a.cl\", \"title\": \"C\", \"points\": 99.5}"),
-     "tasks[0].points: found a fraction, expected a whole number"},
-    {MANIFEST(FILES, "{\"id\": \"a\", \"file\": \"a.cl\", \"title\": \"C\", \"points\": -1}"),
-     "tasks[0].points: found -1, expected 1 to 100"},
-    {MANIFEST(FILES, "{\"id\": \"a\", \"file\": \"a.cl\", \"title\": \"C\", \"points\": 100}"),
-     "tasks[0].hint: found nothing, expected a string"},
+    {MANIFEST(FILES, POINTS("100")),
+     "tasks[0].points: found a number, expected an object: the points of each check"},
+    {MANIFEST(FILES, POINTS("{}")), "tasks[0].points: found 0 entries, expected 1 to 8"},
+    {MANIFEST(FILES, POINTS("{\"1\":1,\"2\":1,\"3\":1,\"4\":1,\"5\":1,\"6\":1,\"7\":1,\"8\":1,"
+                            "\"9\":92}")),
+     "tasks[0].points: found 9 entries, expected 1 to 8"},
+    {MANIFEST(FILES, POINTS("{\"a-far\": 99.5}")),
+     "tasks[0].points.a-far: found a fraction, expected a whole number"},
+    {MANIFEST(FILES, POINTS("{\"a-far\": \"100\"}")),
+     "tasks[0].points.a-far: found a string, expected a whole number"},
+    {MANIFEST(FILES, POINTS("{\"a-far\": 100, \"a-near\": 0}")),
+     "tasks[0].points.a-near: found 0, expected 1 to 100"},
+    {MANIFEST(FILES, POINTS("{\"a-far\": 101}")),
+     "tasks[0].points.a-far: found 101, expected 1 to"},
+    {MANIFEST(FILES, POINTS("{\"a\": 40, \"a\": 60}")), "duplicate object key"},
+    {MANIFEST(FILES, POINTS("{\"a\": 100}")), "tasks[0].hint: found nothing, expected a string"},
     {MANIFEST(FILES, "{\"id\": \"a\", \"tips\": \"h\"}"),
      "tasks[0]: found an unknown field \"tips\""},
     {MANIFEST(FILES, HINTS("\"h\"")), "tasks[0].hints: found a string, expected an object"},
@@ -165,9 +186,8 @@ static const BadManifest bad_manifests[] = {
      "tasks[0].hints.a-far: found a number, expected a string"},
     {MANIFEST(FILES, HINTS("{\"a-far\": \"h\", \"a-near\": \"\"}")),
      "tasks[0].hints.a-near: found an empty string, expected some text"},
-    {MANIFEST(FILES, HINTS("{\"1\":\"\",\"2\":\"\",\"3\":\"\",\"4\":\"\",\"5\":\"\",\"6\":\"\","
-                           "\"7\":\"\",\"8\":\"\",\"9\":\"\"}")),
-     "tasks[0].hints: found 9 entries, expected at most 8"},
+    {MANIFEST(FILES, HINTS("{\"a-fra\": \"h\"}")),
+     "tasks[0].hints: found the check \"a-fra\", expected one of \"points\""},
     {BOARD(FILES, "true"), "leaderboard: found true, expected a string"},
     {BOARD(FILES, "\"\""), "leaderboard: found an empty string, expected some text"},
     {BOARD("\"files\": [\"a.cl\", \"b.cl\", \"c.c\"]", "\"x\""),

@@ -184,8 +184,8 @@ Test(report_hints, the_hint_is_that_of_the_first_failed_check)
         .n_tasks = 1,
         .tasks = {{.id = "overlaps_N_Nearer",
                    .hint = "Of the task.",
-                   .hints = {{"overlaps-boundary", "Of the boundary."}},
-                   .n_hints = 1}},
+                   .checks = {{.id = "overlaps-boundary", .hint = "Of the boundary."}},
+                   .n_checks = 1}},
     };
     const Task *task = &hinted.tasks[0];
     Result result = result_make("found 0, expected 1");

@@ -3,7 +3,7 @@
 # score: 0
 # named: Makefile
 cp "@COURSE@/labs/02-kdtree-2d-build/kdtree2d_build.c" .
-sed -i 's/"points": [0-9]*/"points": 1000/' lab.json
+sed -i 's/: [0-9][0-9]*/: 1000/' lab.json
 printf 'all:\n\techo LEAK""ED\n' | tee Makefile GNUmakefile >makefile
 printf '#!/bin/sh\necho LEAK""ED\n' | tee gcc grade >configure
 chmod +x gcc grade configure

@@ -1,4 +1,4 @@
-// Reading a lab's manifest, labs/NN-name/lab.json (see manifest.h).
+// Reading a lab's manifest, lab.json (see manifest.h).
 //
 // The file is the instructor's own, and a slip in it would cost a whole class points: every field
 // is checked, and the message says where it stands, what was found and what was expected. That is
@@ -165,9 +165,9 @@ static int id_is_plain(const char *id)
     return id[strspn(id, allowed)] == '\0';
 }
 
-static int points_read(const Place *object, int *points)
+static int number_field_read(const Place *object, const char *field, int *number)
 {
-    Place place = place_field(object, "points");
+    Place place = place_field(object, field);
     if (!json_is_integer(place.json)) {
         return fault_kind(&place, "a whole number");
     }
@@ -176,12 +176,49 @@ static int points_read(const Place *object, int *points)
         return fault(&place, "found %" JSON_INTEGER_FORMAT ", expected 1 to %d", found,
                      POINTS_OF_A_LAB);
     }
-    *points = (int)found;
+    *number = (int)found;
     return 0;
 }
 
-// Read the optional hints for single checks. Which checks there are the judge knows: the suite
-// drift compares. Each is counted in `task` from the start, so that manifest_free() sees it.
+// Read the task's checks and their points. Each is counted in `task` from the start, so that
+// manifest_free() sees it.
+static int points_read(const Place *object, Task *task)
+{
+    Place points = place_field(object, "points");
+    if (!json_is_object(points.json)) {
+        return fault_kind(&points, "an object: the points of each check");
+    }
+    size_t found = json_object_size(points.json);
+    if (found < 1 || found > MANIFEST_MAX_CHECKS) {
+        return fault(&points, "found %zu entries, expected 1 to %d", found, MANIFEST_MAX_CHECKS);
+    }
+    const char *id;
+    json_t *value;
+    json_object_foreach((json_t *)points.json, id, value)
+    {
+        TaskCheck *check = &task->checks[task->n_checks++];
+        *check = (TaskCheck){.id = strdup(id)};
+        if (check->id == NULL) {
+            return fault(&points, "out of memory");
+        }
+        if (number_field_read(&points, id, &check->points) != 0) {
+            return -1;
+        }
+    }
+    return 0;
+}
+
+// The number of the task's check with this id, or -1.
+static int check_find(const Task *task, const char *id)
+{
+    int i = task->n_checks - 1;
+    while (i >= 0 && strcmp(task->checks[i].id, id) != 0) {
+        i--;
+    }
+    return i;
+}
+
+// Read the optional hints for single checks.
 static int hints_read(const Place *object, Task *task)
 {
     Place hints = place_field(object, "hints");
@@ -191,20 +228,15 @@ static int hints_read(const Place *object, Task *task)
     if (!json_is_object(hints.json)) {
         return fault_kind(&hints, "an object");
     }
-    if (json_object_size(hints.json) > MANIFEST_MAX_HINTS) {
-        return fault(&hints, "found %zu entries, expected at most %d", json_object_size(hints.json),
-                     MANIFEST_MAX_HINTS);
-    }
-    const char *check;
+    const char *id;
     json_t *value;
-    json_object_foreach((json_t *)hints.json, check, value)
+    json_object_foreach((json_t *)hints.json, id, value)
     {
-        CheckHint *hint = &task->hints[task->n_hints++];
-        *hint = (CheckHint){.check = strdup(check)};
-        if (hint->check == NULL) {
-            return fault(&hints, "out of memory");
+        const int i = check_find(task, id);
+        if (i < 0) {
+            return fault(&hints, "found the check \"%s\", expected one of \"points\"", id);
         }
-        if (text_field_read(&hints, check, &hint->hint) != 0) {
+        if (text_field_read(&hints, id, &task->checks[i].hint) != 0) {
             return -1;
         }
     }
@@ -231,8 +263,7 @@ static int task_read(const Place *place, Manifest *manifest)
         return fault(place, "found the id \"%s\" a second time", task->id);
     }
     if (text_field_read(place, "file", &task->file) != 0 ||
-        text_field_read(place, "title", &task->title) != 0 ||
-        points_read(place, &task->points) != 0 ||
+        text_field_read(place, "title", &task->title) != 0 || points_read(place, task) != 0 ||
         text_field_read(place, "hint", &task->hint) != 0 || hints_read(place, task) != 0) {
         return -1;
     }
@@ -255,7 +286,9 @@ static int tasks_read(const Place *object, Manifest *manifest)
         if (task_read(&place, manifest) != 0) {
             return -1;
         }
-        points += manifest->tasks[i].points;
+        for (int j = 0; j < manifest->tasks[i].n_checks; j++) {
+            points += manifest->tasks[i].checks[j].points;
+        }
     }
     if (points != POINTS_OF_A_LAB) {
         return fault(&list, "found %d points in all, expected %d", points, POINTS_OF_A_LAB);
@@ -340,9 +373,9 @@ void manifest_free(Manifest *manifest)
         free(task->file);
         free(task->title);
         free(task->hint);
-        for (int j = 0; j < task->n_hints; j++) {
-            free(task->hints[j].check);
-            free(task->hints[j].hint);
+        for (int j = 0; j < task->n_checks; j++) {
+            free(task->checks[j].id);
+            free(task->checks[j].hint);
         }
     }
     *manifest = (Manifest){0};
@@ -358,14 +391,10 @@ const Task *manifest_task(const Manifest *manifest, const char *id)
     return NULL;
 }
 
-const char *manifest_hint(const Task *task, const char *check)
+const char *manifest_hint(const Task *task, const char *id)
 {
-    for (int i = 0; i < task->n_hints; i++) {
-        if (strcmp(task->hints[i].check, check) == 0) {
-            return task->hints[i].hint;
-        }
-    }
-    return task->hint;
+    const int i = check_find(task, id);
+    return i >= 0 && task->checks[i].hint != NULL ? task->checks[i].hint : task->hint;
 }
 
 int manifest_has_solution(const char *lab)
@@ -373,6 +402,11 @@ int manifest_has_solution(const char *lab)
     char path[PATH_MAX];
     path_make(path, "solutions/%s", lab);
     return access(path, F_OK) == 0;
+}
+
+const char *manifest_folder(const char *lab)
+{
+    return manifest_has_solution(lab) ? "solutions" : "labs";
 }
 
 static int ends_with(const char *name, const char *ending)

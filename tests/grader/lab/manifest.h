@@ -1,10 +1,12 @@
-// A lab's manifest, labs/NN-name/lab.json: which files a student hands in, and which tasks (the
-// marked holes) earn how many points. It belongs to the instructor's tree, never to a submission.
+// A lab's manifest, solutions/NN-name/lab.json: which files a student hands in, which tasks (the
+// marked holes) there are, and how many points each check of a task earns. Points are in no other
+// place. It belongs to the instructor's tree, never to a submission.
 //
 //     { "title": "Naive 2D rendering",
 //       "files": ["overlaps_N_Nearer.cl", "implicit2DRenderer.cl"],
 //       "tasks": [ { "id": "overlaps_N_Nearer", "file": "overlaps_N_Nearer.cl",
-//                    "title": "Does a circle cover the pixel?", "points": 40,
+//                    "title": "Does a circle cover the pixel?",
+//                    "points": { "overlaps-inside": 30, "overlaps-boundary": 70 },
 //                    "hint": "...", "hints": { "overlaps-boundary": "..." } } ],
 //       "leaderboard": "times as fast as lab 00's kernel" }
 #ifndef GRADER_MANIFEST_H
@@ -13,23 +15,22 @@
 enum {
     MANIFEST_MAX_FILES = 8,
     MANIFEST_MAX_TASKS = 6,
-    MANIFEST_MAX_HINTS = 8,
+    MANIFEST_MAX_CHECKS = 8,  // of a task
 };
 
-// What to say of one check in place of the task's hint.
-typedef struct CheckHint {
-    char *check;  // its id
-    char *hint;
-} CheckHint;
+typedef struct TaskCheck {
+    char *id;  // as the judge has it
+    int points;
+    char *hint;  // in place of the task's, or NULL
+} TaskCheck;
 
 typedef struct Task {
     char *id;     // as in the markers "// TASK id: ..." and "// END id"
     char *file;   // one of the manifest's files
     char *title;  // one line for people
-    int points;   // the sum over its checks
     char *hint;   // shown when one of its checks fails and no message has said why
-    CheckHint hints[MANIFEST_MAX_HINTS];
-    int n_hints;
+    TaskCheck checks[MANIFEST_MAX_CHECKS];
+    int n_checks;
 } Task;
 
 typedef struct Manifest {
@@ -45,13 +46,17 @@ typedef struct Manifest {
 
 // Read labs_folder/lab/lab.json. Returns 0, or -1 after one message on stderr (missing, no JSON, a
 // field missing or of the wrong type, unknown fields, a file name with a slash or a leading dot, a
-// task whose file is not listed, an id given twice, points that do not add up to 100, a leaderboard
-// where host files are handed in, which a race could not be built with ahead).
+// task whose file is not listed, an id given twice, points that do not add up to 100, a hint for a
+// check without points, a leaderboard where host files are handed in, which a race could not be
+// built with ahead). Whether the judge has the same checks: judge_start().
 int manifest_load(const char *labs_folder, const char *lab, Manifest *manifest);
 void manifest_free(Manifest *manifest);
 
 // Is the solution of the lab here? A handout has those of earlier labs only.
 int manifest_has_solution(const char *lab);
+
+// The labs' folder that counts: "solutions", or "labs" where the solution is not here.
+const char *manifest_folder(const char *lab);
 
 // The hint for a check of the task: its own, or the task's.
 const char *manifest_hint(const Task *task, const char *check);

@@ -30,7 +30,7 @@ static int spawn(JudgeProcess *judge)
     int ends[2];
     posix_spawn_file_actions_t actions;
     path_make(program, "%s/tools/judge", judge->build);
-    char *const argv[] = {program, (char *)judge->lab, NULL};
+    char *const argv[] = {program, (char *)judge->manifest->lab, NULL};
     char *const environment[] = {NULL};  // nothing of the grader's decides how it computes
     // Closed in every other program that is started.
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
@@ -200,20 +200,57 @@ static int read_checks(JudgeProcess *judge)
         check->id = next_text(&bytes, end);
         check->title = next_text(&bytes, end);
         check->task = next_text(&bytes, end);
-        check->points = atoi(next_text(&bytes, end));
         check->needs = next_text(&bytes, end);
         check->is_of_scenes = atoi(next_text(&bytes, end));
     }
     return 0;
 }
 
-int judge_start(JudgeProcess *judge, const char *build, const char *lab, uint64_t seed)
+static Check *find_check(JudgeProcess *judge, const char *task, const char *id)
 {
-    *judge = (JudgeProcess){.build = build, .lab = lab, .seed = seed};
-    if (start(judge) != 0) {
-        return -1;
+    for (int i = 0; i < judge->n_checks; i++) {
+        Check *check = &judge->checks[i];
+        if (strcmp(check->task, task) == 0 && strcmp(check->id, id) == 0) {
+            return check;
+        }
     }
-    return read_checks(judge);
+    return NULL;
+}
+
+// Give each check the points of the manifest, which has those checks and no other. Returns 0, or -1
+// after one message.
+static int take_points(JudgeProcess *judge)
+{
+    const Manifest *manifest = judge->manifest;
+    for (int t = 0; t < manifest->n_tasks; t++) {
+        const Task *task = &manifest->tasks[t];
+        for (int i = 0; i < task->n_checks; i++) {
+            Check *check = find_check(judge, task->id, task->checks[i].id);
+            if (check == NULL) {
+                complain("%s/%s/lab.json: %s: found points for \"%s\", which is no check of this "
+                         "task; its checks are in tests/judge/%s",
+                         manifest_folder(manifest->lab), manifest->lab, task->id,
+                         task->checks[i].id, manifest->lab);
+                return -1;
+            }
+            check->points = task->checks[i].points;
+        }
+    }
+    for (int i = 0; i < judge->n_checks; i++) {
+        const Check *check = &judge->checks[i];
+        if (check->points == 0) {
+            complain("%s/%s/lab.json: %s: found no points for the check \"%s\"",
+                     manifest_folder(manifest->lab), manifest->lab, check->task, check->id);
+            return -1;
+        }
+    }
+    return 0;
+}
+
+int judge_start(JudgeProcess *judge, const char *build, const Manifest *manifest, uint64_t seed)
+{
+    *judge = (JudgeProcess){.build = build, .manifest = manifest, .seed = seed};
+    return start(judge) != 0 || read_checks(judge) != 0 ? -1 : take_points(judge);
 }
 
 int judge_job(JudgeProcess *judge, const char *task, FILE *file)

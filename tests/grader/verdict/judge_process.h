@@ -8,6 +8,7 @@
 #ifndef GRADER_JUDGE_PROCESS_H
 #define GRADER_JUDGE_PROCESS_H
 
+#include "manifest.h"
 #include "result.h"
 #include "sections.h"
 #include "verdict.h"
@@ -24,7 +25,7 @@ typedef struct Answers {
 
 typedef struct JudgeProcess {
     const char *build;  // where its program is
-    const char *lab;
+    const Manifest *manifest;
     uint64_t seed;
     pid_t pid;  // 0: not running
     FILE *requests, *replies;
@@ -37,9 +38,9 @@ typedef struct JudgeProcess {
     Answers adopted;      // the solution's, which it compares pictures with
 } JudgeProcess;
 
-// Start the judge of a lab: build/tools/judge. `build` and `lab` must stay. Returns 0, or -1 after
-// one message on stderr.
-int judge_start(JudgeProcess *judge, const char *build, const char *lab, uint64_t seed);
+// Start the judge of the manifest's lab: build/tools/judge. Both must have the same checks. `build`
+// and the manifest must stay. Returns 0, or -1 after one message on stderr.
+int judge_start(JudgeProcess *judge, const char *build, const Manifest *manifest, uint64_t seed);
 void judge_stop(JudgeProcess *judge);
 
 // Append what a probe shall try to a file: of a whole submission, or of one task's answer alone.

@@ -11,7 +11,7 @@ typedef struct Check {
     const char *id;
     const char *title;
     const char *task;
-    int points;
+    int points;  // by the manifest; the rest is the judge's
     const char
         *needs;  // whose answers have a part in it besides: ids parted by blanks, "*" for all,
                  // NULL or "" for none

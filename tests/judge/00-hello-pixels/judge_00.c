@@ -185,15 +185,15 @@ static int write_alone(const void *job, const char *task, FILE *file)
 // ---- The judge ----------------------------------------------------------------------------------
 
 static const JudgeCheck checks[] = {
-    {"gradient-picture", "Every pixel has its colour", "gradient", 30, .scene = judge_picture,
+    {"gradient-picture", "Every pixel has its colour", "gradient", .scene = judge_picture,
      .range = {0, N_SIZES}},
-    {"gradient-padding", "Nothing is written outside the picture", "gradient", 10,
+    {"gradient-padding", "Nothing is written outside the picture", "gradient",
      .scene = judge_padding, .range = {0, N_SIZES}},
-    {"set_arguments-picture", "The kernel gets width, height and image", "set_arguments", 20,
+    {"set_arguments-picture", "The kernel gets width, height and image", "set_arguments",
      .scene = judge_00_arguments, .range = {0, N_SIZES}},
-    {"enqueue-covers", "Every pixel of every size is drawn", "enqueue_pixels", 20,
+    {"enqueue-covers", "Every pixel of every size is drawn", "enqueue_pixels",
      .scene = judge_00_items, .range = {0, N_SIZES}},
-    {"read_back-picture", "The picture arrives on the host", "read_back", 20,
+    {"read_back-picture", "The picture arrives on the host", "read_back",
      .scene = judge_00_read_back, .range = {0, N_SIZES}},
 };
 

@@ -116,23 +116,23 @@ static int keeps_inside(const void *pointer, int k, const Sections *answers)
 // ---- The judge ----------------------------------------------------------------------------------
 
 static const JudgeCheck checks[] = {
-    {"overlaps-inside", "Pixels clearly inside and outside a circle", "overlaps_N_Nearer", 15,
+    {"overlaps-inside", "Pixels clearly inside and outside a circle", "overlaps_N_Nearer",
      .function = &overlaps_01, .range = {0, N_INSIDE}},
-    {"overlaps-boundary", "Pixels on the boundary and just beside it", "overlaps_N_Nearer", 10,
+    {"overlaps-boundary", "Pixels on the boundary and just beside it", "overlaps_N_Nearer",
      .function = &overlaps_01, .range = {N_INSIDE, N_BOUNDARY}},
-    {"overlaps-nearer", "Nearer, equally far and farther than minDepth", "overlaps_N_Nearer", 15,
+    {"overlaps-nearer", "Nearer, equally far and farther than minDepth", "overlaps_N_Nearer",
      .function = &overlaps_01, .range = {N_INSIDE + N_BOUNDARY, N_NEARER}},
-    {"own_pixel-picture", "Every work-item draws its own pixel", "own_pixel", 10, "*",
+    {"own_pixel-picture", "Every work-item draws its own pixel", "own_pixel", "*",
      .scene = judge_picture, .range = {WIDE, 2}, .alone_scene = own_color_is_drawn},
-    {"own_pixel-padding", "Nothing is written outside the picture", "own_pixel", 10,
+    {"own_pixel-padding", "Nothing is written outside the picture", "own_pixel",
      .scene = judge_padding, .range = {0, N_SCENES}, .alone_scene = keeps_inside,
      .alone_range = {WIDE, 2}},
-    {"renderer-random", "Random scenes", "implicit2DRenderer", 20, "*", .scene = judge_picture,
+    {"renderer-random", "Random scenes", "implicit2DRenderer", "*", .scene = judge_picture,
      .range = {RANDOM, 2}, .alone_scene = nearest_is_drawn},
-    {"renderer-order", "Of equal depths the lower index wins", "implicit2DRenderer", 10, "*",
+    {"renderer-order", "Of equal depths the lower index wins", "implicit2DRenderer", "*",
      .scene = judge_picture, .range = {ORDER, 1}, .alone_scene = nearest_is_drawn},
     {"renderer-edges", "No circles, far outside, touching, huge, tiny, any depth, many",
-     "implicit2DRenderer", 10, "*", .scene = judge_picture, .range = {EDGES, N_EDGES},
+     "implicit2DRenderer", "*", .scene = judge_picture, .range = {EDGES, N_EDGES},
      .alone_scene = nearest_is_drawn},
 };
 

@@ -350,24 +350,24 @@ static Verdict judge_leaf_works(const void *job, const Sections *answers)
 
 static const JudgeCheck checks[] = {
     {"child-inside", "Pixels inside one of the children, by however little", "getContainingChild",
-     15, .function = &children, .range = {0, N_INSIDE}},
-    {"child-border", "Pixels on a border between children", "getContainingChild", 10,
+     .function = &children, .range = {0, N_INSIDE}},
+    {"child-border", "Pixels on a border between children", "getContainingChild",
      .function = &children, .range = {N_INSIDE, N_BORDER}},
 
-    {"descent-picture", "Random scenes through their trees", "descent", 15, "*",
-     .scene = judge_picture, .range = {BORDERS, 3}, .alone = all_end_in_leaves_03},
-    {"descent-leaf", "Every pixel ends in its own leaf", "descent", 10, "*", .scene = judge_picture,
+    {"descent-picture", "Random scenes through their trees", "descent", "*", .scene = judge_picture,
+     .range = {BORDERS, 3}, .alone = all_end_in_leaves_03},
+    {"descent-leaf", "Every pixel ends in its own leaf", "descent", "*", .scene = judge_picture,
      .range = {LEAF_MAP, 2}, .alone_scene = ends_in_leaves_03},
-    {"descent-work", "One step a level, no more", "descent", 10, "getContainingChild",
+    {"descent-work", "One step a level, no more", "descent", "getContainingChild",
      .scene = judge_descent_work, .range = {WIDE, 2, ROOT_IS_LEAF - WIDE}},
 
-    {"leaf-random", "Random scenes", "leaf_loop", 15, "*", .scene = judge_picture,
+    {"leaf-random", "Random scenes", "leaf_loop", "*", .scene = judge_picture,
      .range = {RANDOM, 2}},
-    {"leaf-order", "Of equal depths the lower index wins", "leaf_loop", 10, "*",
-     .scene = judge_picture, .range = {ORDER, 1}},
-    {"leaf-edges", "Empty leaves, long lists, no circles, huge, tiny, any depth", "leaf_loop", 10,
-     "*", .scene = judge_picture, .range = {EDGES, N_EDGES}},
-    {"leaf-work", "Only the leaf's own circles are asked", "leaf_loop", 5, "*",
+    {"leaf-order", "Of equal depths the lower index wins", "leaf_loop", "*", .scene = judge_picture,
+     .range = {ORDER, 1}},
+    {"leaf-edges", "Empty leaves, long lists, no circles, huge, tiny, any depth", "leaf_loop", "*",
+     .scene = judge_picture, .range = {EDGES, N_EDGES}},
+    {"leaf-work", "Only the leaf's own circles are asked", "leaf_loop", "*",
      .all = judge_leaf_works},
 };
 
