@@ -26,7 +26,8 @@ typedef struct ExpectedPicture {
                         // pixel may have any colour; owned. NULL: `tolerance` everywhere
     float tolerance;    // 0 for bit-equal pictures
     float background[IMAGE_CHANNELS];  // the colour where nothing is drawn
-    MistakenPictures *mistaken;        // owned; NULL when no mistakes are known
+    const void *scene;                 // what it shows, where mistakes are known
+    MistakenPictures *mistaken;        // of it; owned; NULL when none are known
 } ExpectedPicture;
 
 // Let known mistakes be recognised in pictures of the scene, which must stay as it is. None are if

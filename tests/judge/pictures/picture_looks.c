@@ -18,7 +18,6 @@ typedef struct MistakenPicture {
 
 struct MistakenPictures {
     DrawMistaken *draw;
-    const void *scene;
     MistakenPicture *pictures;  // [n], of the first mistakes
     int n;
 };
@@ -33,14 +32,17 @@ void expected_picture_recognise(ExpectedPicture *expected, DrawMistaken *draw, c
     free(old != NULL ? old->pictures : NULL);
     free(old);
     expected->mistaken = draw != NULL ? calloc(1, sizeof *expected->mistaken) : NULL;
+    expected->scene = scene;
     if (expected->mistaken != NULL) {
-        *expected->mistaken = (MistakenPictures){.draw = draw, .scene = scene};
+        *expected->mistaken = (MistakenPictures){.draw = draw};
     }
 }
 
-// Draw mistake number known->n of a scene and keep it. Returns 0, or -1 without memory.
-static int draw_next(MistakenPictures *known, const Image *reference)
+// Draw the next mistake and keep it. Returns 0, or -1 without memory.
+static int draw_next(const ExpectedPicture *expected)
 {
+    MistakenPictures *known = expected->mistaken;
+    const Image *reference = &expected->reference;
     const size_t n_pixels = (size_t)reference->width * (size_t)reference->height;
     MistakenPicture *pictures =
         realloc(known->pictures, ((size_t)known->n + 1) * sizeof *known->pictures);
@@ -55,7 +57,7 @@ static int draw_next(MistakenPictures *known, const Image *reference)
         free(next->tolerances);
         return -1;
     }
-    next->looks = known->draw(known->scene, known->n++, &next->picture, next->tolerances);
+    next->looks = known->draw(expected->scene, known->n++, &next->picture, next->tolerances);
     return 0;
 }
 
@@ -77,8 +79,7 @@ Cause picture_mistaken(ProbeImage own, const ExpectedPicture *expected)
     Cause looks = {0};
     int is_exact = 0;
     for (int i = 0; known != NULL && !is_exact; i++) {
-        if ((i == known->n && draw_next(known, &expected->reference) != 0) ||
-            known->pictures[i].looks.says == NULL) {
+        if ((i == known->n && draw_next(expected) != 0) || known->pictures[i].looks.says == NULL) {
             break;
         }
         const Tally tally = compare(own, expected, &known->pictures[i]);
