@@ -173,9 +173,7 @@ static int set_folders(const GivenSettings *given, Settings *settings)
     return 0;
 }
 
-// Where a submission's code runs: as the command line says, or else the environment. Returns 0, or
-// -1 after one message.
-static int find_sandbox(const char *given, SandboxKind *kind)
+int settings_find_sandbox(const char *given, SandboxKind *kind)
 {
     const char *variable = getenv(SANDBOX_VARIABLE);
     if (given != NULL) {
@@ -211,8 +209,8 @@ int settings_parse(int argc, char **argv, Settings *settings)
     if (settings->device == NULL) {
         settings->device = "";
     }
-    if (find_sandbox(given.sandbox, &settings->sandbox) != 0 || course_folder_check("grade") != 0 ||
-        find_lab(given.lab, settings->lab) != 0) {
+    if (settings_find_sandbox(given.sandbox, &settings->sandbox) != 0 ||
+        course_folder_check("grade") != 0 || find_lab(given.lab, settings->lab) != 0) {
         return -1;
     }
     if (!is_given[SEED_ROW] && !given.reads_seed &&

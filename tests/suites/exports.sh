@@ -220,6 +220,57 @@ list 'OrgDefinedId,Username,"Last Name","First Name",Email,"Lab 0 Points Grade"'
 graded 0 "12 of 18 graded and entered; 0 without submission; 0 passed over; 0 with nothing of this lab; 6 earlier attempts; 0 to be decided by you"
 all_own
 
+# ---- An export that is an archive ---------------------------------------------------------------
+
+# same_as NAME: is the gradebook that of this class, with everybody's own file?
+same_as() { cmp "$class.out/gradebook.csv" "$scratch/$1.out/gradebook.csv"; }
+
+# What a student hands in may hold links, archives, an editor's files and more folders than are searched.
+class=$scratch/moodle
+student="$class/Joan Clarke_40018_assignsubmission_file_"
+mkdir -p "$student/a/b/c/d/e/f/g/h/i/j/.git"
+ln -s /etc/passwd "$student/link"
+echo deep >"$student/a/b/c/d/e/f/g/h/i/j/.git/x"
+graded 1 "12 of 14 graded and entered"
+(cd "$class" && zip -q -r -y ../moodle-export.zip .)
+(cd "$scratch" && tar -czf packed.tar.gz --transform 's|^moodle|packed|' moodle && cp packed.tar.gz renamed.tgz)
+for archive in moodle-export.zip packed.tar.gz; do
+    class=$scratch/${archive%%.*}
+    cp "$scratch/moodle.csv" "$class.csv"
+    graded 1 "12 of 14 graded and entered" "$scratch/$archive"
+    check "$archive: nobody is lost, and nobody swapped" same_as moodle
+    check "$archive: links lead nowhere" \
+        test "$(readlink "$class.out/export/Joan Clarke_40018_assignsubmission_file_/link")" = nowhere
+    check "$archive: nothing is left of unpacking" test -z "$(ls "$scratch/w")"
+done
+for student in "$class.out/students"/*; do : >"$student/kept"; done
+graded 1 "12 of 14 graded and entered" "$scratch/packed.tar.gz"
+check "the same archive again: nobody is graded anew" \
+    test "$(find "$class.out/students" -name kept | wc -l)" -eq 14
+class=$scratch/renamed
+cp "$scratch/moodle.csv" "$class.csv"
+graded 1 "0 of 1 graded and entered" "$scratch/renamed.tgz"
+check "a folder of another name than the archive's is a submission" said "packed"
+
+# refused ARCHIVE WORDS: not graded, for this reason?
+refused() {
+    exits 2 tests/class/grade_class.sh --build "$build" --lab 0 --submissions "$scratch/$1" --output "$scratch/refused" \
+        >"$scratch/said" 2>&1 </dev/null && said "gradebook: $1: $2"
+}
+head -c 500 "$scratch/packed.tar.gz" >"$scratch/cut.tar.gz"
+printf 'Rar!\032\007\001' >"$scratch/class.rar"
+(cd "$scratch" && tar -cf twice.tar moodle.csv && tar -rf twice.tar moodle.csv && tar -Pcf out.tar ../../etc/hostname &&
+    zip -q -P secret secret.zip moodle.csv)
+while IFS='|' read -r archive words; do
+    check "$archive is refused as what it is" refused "$archive" "$words"
+done <<'END'
+cut.tar.gz|the archive is damaged or cut off
+class.rar|found a RAR archive, expected the submissions in a folder, or in a zip or tar archive
+twice.tar|"moodle.csv" is in the archive twice: unpack it yourself, and give the folder
+secret.zip|the archive is encrypted: unpack it yourself, and give the folder
+out.tar|"../../etc/hostname" is no path below a folder, or a long one: unpack it yourself
+END
+
 # ---- Names that students choose -----------------------------------------------------------------
 
 # nobody NUMBER: has the line of the list that has this number no grade?
