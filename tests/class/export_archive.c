@@ -3,7 +3,7 @@
 
 #include "clean_text.h"
 #include "complain.h"
-#include "entry_name.h"
+#include "contents.h"
 #include "path.h"
 #include "settings.h"
 #include "unpack_run.h"
@@ -40,7 +40,7 @@ static void wrapper_enter(const char *archive, char unpacked[PATH_MAX])
     struct stat status;
     const char *slash = strrchr(archive, '/');
     const char *name = slash != NULL ? slash + 1 : archive;
-    snprintf(stem, sizeof stem, "%.*s", entry_name_archive_stem(name), name);
+    snprintf(stem, sizeof stem, "%.*s", archive_stem_length(name), name);
     path_make(inner, "%s/%s", unpacked, stem);
     if (stem[0] != '\0' && lstat(inner, &status) == 0 && S_ISDIR(status.st_mode) &&
         holds_only(unpacked, stem)) {

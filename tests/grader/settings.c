@@ -33,7 +33,8 @@ enum { SEED_ROW = 4 };
 static const OptionRow ROWS[] = {
     {"lab", "NN", OPTION_TEXT, PLACE(lab), .meaning = "which lab: its number or its name"},
     {"submission", "PATH", OPTION_TEXT, PLACE(submission),
-     .meaning = "what to grade: a folder, a zip or a tar archive\n(default: labs/NN-name)"},
+     .meaning = "what to grade: a folder, a zip or a tar archive, or one\nof the lab's files "
+                "(default: labs/NN-name)"},
     {"student", "NAME", OPTION_TEXT, PLACE(settings.student),
      .meaning = "whose it is, for the reports (default: the submission's path,\n"
                 "of one from the root its last part)"},

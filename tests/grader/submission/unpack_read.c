@@ -55,9 +55,9 @@ static int layers_count(const UnpackReading *reading)
     const int n_layers = archive_filter_count(reading->archive) - 1;  // the file itself is one
     return n_layers <= UNPACK_MAX_LAYERS
                ? 0
-               : unpack_complain(
-                     reading, "the archive is compressed %d times over, expected at most %d: %s",
-                     n_layers, UNPACK_MAX_LAYERS, reading->rules->if_damaged);
+               : unpack_complain(reading,
+                                 "the archive is compressed %d times over, expected at most %d: %s",
+                                 n_layers, UNPACK_MAX_LAYERS, reading->rules->if_damaged);
 }
 
 // Count an entry. Returns 0, or 1 when they are too many or too large.
