@@ -42,7 +42,8 @@ row() { text=$2 awk 'index($0, ENVIRON["text"]) == 1 { n++ } END { exit n != 1 }
 stand_in() {
     fake=$scratch/fake
     mkdir -p "$fake/tools"
-    ln -s "$build/tools/gradebook" "$build/tools/unpack" "$fake/tools"
+    ln -s "$build/tools/gradebook" "$fake/tools"
+    cp "$build/tools/unpack" "$fake/tools"
     ln -s "$build/probes" "$build/earlier" "$build/libcommon.a" "$fake"
     cat >"$fake/tools/grade" <<END
 #!/bin/sh
