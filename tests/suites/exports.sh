@@ -320,7 +320,7 @@ printf 'Rar!\032\007\001' >"$scratch/class.rar"
 while IFS='|' read -r archive words; do
     check "$archive is refused as what it is" refused "$archive" "$words"
 done <<'END'
-cut.tar.gz|the archive is damaged or cut off
+cut.tar.gz|found a compressed file (gzip) that is cut off or no tar archive
 class.rar|found a RAR archive, expected the submissions in a folder, or in a zip or tar archive
 twice.tar|"moodle.csv" is in the archive twice: unpack it yourself, and give the folder
 secret.zip|the archive is encrypted: unpack it yourself, and give the folder
