@@ -43,6 +43,7 @@ stand_in() {
     fake=$scratch/fake
     mkdir -p "$fake/tools"
     ln -s "$build/tools/gradebook" "$fake/tools"
+    cp "$build/tools/unpack" "$fake/tools"
     ln -s "$build/probes" "$build/earlier" "$build/libcommon.a" "$fake"
     cat >"$fake/tools/grade" <<END
 #!/bin/sh

@@ -5,6 +5,7 @@
 #include "entry_name.h"
 
 #include "clean_text.h"
+#include "contents.h"
 #include "utf8.h"
 
 #include <ctype.h>
@@ -49,21 +50,6 @@ void entry_name_show(const char *bytes, size_t n_bytes, char text[ENTRY_NAME_BYT
 }
 
 // ---- The systems' patterns -------------------------------------------------------------------
-
-int entry_name_archive_stem(const char *entry)
-{
-    static const char *const endings[] = {".zip",     ".tar",  ".tar.gz", ".tgz", ".tar.bz2",
-                                          ".tbz2",    ".txz",  ".tar.xz", ".7z",  ".rar",
-                                          ".tar.zst", ".tzst", NULL};
-    const size_t length = strlen(entry);
-    for (int i = 0; endings[i] != NULL; i++) {
-        const size_t ending = strlen(endings[i]);
-        if (length > ending && strcasecmp(entry + length - ending, endings[i]) == 0) {
-            return (int)(length - ending);
-        }
-    }
-    return 0;
-}
 
 // Moodle: "NAME_NUMBER_assignsubmission_KIND_...", and without a number for those who are in no
 // team. Where the pattern stands twice, a student has put it into a name or a file's: then nobody
@@ -133,7 +119,7 @@ EntryName entry_name_read(const char *entry, int lab_number)
     int begin = 0;
     int end = read_moodle(entry, &name);
     if (end == 0) {
-        end = entry_name_archive_stem(entry);
+        end = archive_stem_length(entry);
         end = end > 0 ? end : (int)strlen(entry);
         begin = read_github(entry, lab_number) + read_studip(entry);
         begin = begin < end ? begin : 0;

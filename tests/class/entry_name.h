@@ -38,9 +38,6 @@ EntryName entry_name_read_export(const char *entry, int is_folder, ExportSystem 
 // Bytes of any kind, at most 255, as text that EntryName can hold: see there.
 void entry_name_show(const char *bytes, size_t n_bytes, char text[ENTRY_NAME_BYTES]);
 
-// Does a file's name end as an archive's does? Returns the length without that ending, or 0.
-int entry_name_archive_stem(const char *entry);
-
 // A name for files: small letters, digits and dashes of `name`, and sixteen digits of the SHA-256
 // of `entry`. It is the name of an entry's results from one run to the next.
 enum { ENTRY_SLUG_BYTES = 64 };

@@ -4,6 +4,7 @@
 #include "export.h"
 
 #include "complain.h"
+#include "contents.h"
 #include "export_system.h"
 #include "path.h"
 
@@ -107,7 +108,7 @@ static int found_read(int parent, const char *file, int lab_number, Found *found
     }
     found->is_link = !found->is_folder && !is_file;
     found->systems = systems_find(parent, found);
-    found->is_loose = is_file && entry_name_archive_stem(file) == 0;
+    found->is_loose = is_file && archive_stem_length(file) == 0;
     return 0;
 }
 
@@ -175,7 +176,10 @@ static int names_settle(Export *export)
     export->system = export_system_find(export);
     export_names_read(export);
     for (int i = 0; i < export->n_found; i++) {
-        const Found found = export->found[i];
+        Found found = export->found[i];
+        // An archive is one of the files of an upload.
+        found.is_loose |= !found.is_folder && !found.is_link && found.name.file > 0 &&
+                          export_is_exact(export, &found);
         if (has_owner(export, &found)) {
             export->found[n++] = found;
         } else {
@@ -270,6 +274,31 @@ static int is_for_submissions(const char *folder)
     return is_one_of(folder, names);
 }
 
+// What is in a folder of an export.
+typedef struct Below {
+    ExportSystem system;  // that made most of the names
+    int has_students;     // two at least
+    int has_submissions;  // a folder "Abgaben"
+} Below;
+
+static Below look_below(const Export *export, const Found *folder, int lab_number)
+{
+    Export inner = {0};
+    Below below = {SYSTEM_NONE, 0, 0};
+    path_make(inner.path, "%s/%s", export->path, folder->file);
+    if (entries_read(&inner, lab_number) == 0) {
+        below.system = inner.system = export_system_find(&inner);
+        export_names_read(&inner);
+        for (int i = 0; i < inner.n_found; i++) {
+            const Found *found = &inner.found[i];
+            below.has_submissions |= found->is_folder && is_for_submissions(found->file);
+            below.has_students |= i > 0 && !export_is_same_student(&inner, &inner.found[0], found);
+        }
+    }
+    entries_free(&inner);
+    return below;
+}
+
 // Is the only entry a folder that leads to an export? ILIAS' "Abgaben" does. Of any other folder,
 // which may be a student's, it is only said that it looks so.
 static int is_too_high(const Export *export, int lab_number, char inner[PATH_MAX])
@@ -278,24 +307,74 @@ static int is_too_high(const Export *export, int lab_number, char inner[PATH_MAX
     if (folder == NULL || export_system_find(export) != SYSTEM_NONE) {
         return 0;
     }
-    Export below = {0};
-    path_make(below.path, "%s/%s", export->path, folder->file);
-    path_make(inner, "%s", below.path);
-    int leads = 0;
-    if (entries_read(&below, lab_number) == 0) {
-        const ExportSystem system = export_system_find(&below);
-        leads = system != SYSTEM_NONE && is_for_submissions(folder->file);
-        for (int i = 0; i < below.n_found && !leads; i++) {
-            leads = below.found[i].is_folder && is_for_submissions(below.found[i].file);
+    const Below below = look_below(export, folder, lab_number);
+    path_make(inner, "%s/%s", export->path, folder->file);
+    if (below.has_submissions ||
+        (below.system != SYSTEM_NONE && is_for_submissions(folder->file))) {
+        return 1;
+    }
+    if (below.system != SYSTEM_NONE) {
+        complain("gradebook: %s: the only entry, whose files look as if %s had named them; if it "
+                 "is the export, give this folder",
+                 inner, system_title(below.system));
+    }
+    return 0;
+}
+
+// Is this number the only one in a name, as in "Lab 03: kd-trees"?
+static int is_numbered(const char *name, int number)
+{
+    const char *digits = name + strcspn(name, "0123456789");
+    char *end;
+    const long first = strtol(digits, &end, 10);
+    return end > digits && first == number && end[strcspn(end, "0123456789")] == '\0';
+}
+
+// The folders of several exercises side by side, as a whole course is exported: most of the folders
+// hold exports, each of several students, which no student can bring about. Finds those of which
+// the number is the lab's. Returns how many folders hold exports, 0 where this is one exercise.
+static int exercises_find(const Export *export, int lab_number, const Found **of_lab, int *n_of_lab)
+{
+    int n_folders = 0, n_exercises = 0;
+    *n_of_lab = 0;
+    for (int i = 0; i < export->n_found; i++) {
+        const Found *found = &export->found[i];
+        n_folders += !found->is_loose;
+        if (!found->is_folder) {
+            continue;
         }
-        if (system != SYSTEM_NONE && !leads) {
-            complain("gradebook: %s: the only entry, whose files look as if %s had named them; if "
-                     "it is the export, give this folder",
-                     below.path, system_title(system));
+        const Below below = look_below(export, found, lab_number);
+        n_exercises += below.has_submissions || (below.system != SYSTEM_NONE && below.has_students);
+        if (is_numbered(found->file, lab_number)) {
+            *of_lab = found;
+            ++*n_of_lab;
         }
     }
-    entries_free(&below);
-    return leads;
+    return n_exercises >= 2 && 2 * n_exercises > n_folders ? n_exercises : 0;
+}
+
+// Where several exercises are side by side: go on with the lab's, or say what to do. Returns 1 with
+// the folder to go on with, 0 where this is one exercise, or -1 after one message.
+static int is_course(const Export *export, int lab_number, char inner[PATH_MAX])
+{
+    const Found *of_lab;
+    int n_of_lab;
+    if (export_system_find(export) != SYSTEM_NONE ||
+        exercises_find(export, lab_number, &of_lab, &n_of_lab) == 0) {
+        return 0;
+    }
+    if (n_of_lab == 1) {
+        path_make(inner, "%s/%s", export->path, of_lab->file);
+        return 1;
+    }
+    char shown[ENTRY_NAME_BYTES];
+    const Found *first = &export->found[0];
+    entry_name_show(first->file, strlen(first->file), shown);
+    complain("gradebook: %s: found several exercises side by side, and %s has the number %d; give "
+             "the folder of one of them, as SUBMISSIONS=\"%s/%s\"",
+             export->path, n_of_lab == 0 ? "none" : "more than one", lab_number, export->path,
+             shown);
+    return -1;
 }
 
 static void passed_over_tell(const Export *export)
@@ -321,7 +400,7 @@ static int found_compare(const void *left, const void *right)
     int order = strcmp(a->name.name, b->name.name);
     order = order != 0 ? order : strcmp(a->name.number, b->name.number);
     order = order != 0 ? order : strcmp(a->name.time, b->name.time);
-    // What was typed into a form comes before the files, and single files before archives.
+    // What was typed into a form comes before the files, and single files before folders.
     order = order != 0 ? order : b->name.is_text - a->name.is_text;
     order = order != 0 ? order : b->is_loose - a->is_loose;
     return order != 0 ? order : strcmp(a->file, b->file);
@@ -354,7 +433,14 @@ int export_read(const char *submissions, int lab_number, Export *export)
     *export = (Export){0};
     path_make(export->path, "%s", submissions);
     int result = entries_read(export, lab_number);
-    for (int i = 0; result == 0 && i < MOST_LEVELS && is_too_high(export, lab_number, inner); i++) {
+    for (int i = 0; result == 0 && i < MOST_LEVELS; i++) {
+        const int course = is_course(export, lab_number, inner);
+        if (course < 0) {
+            return -1;
+        }
+        if (course == 0 && !is_too_high(export, lab_number, inner)) {
+            break;
+        }
         entries_free(export);
         memcpy(export->path, inner, sizeof inner);
         complain("gradebook: %s: this folder is graded, one or more below the one that was given",

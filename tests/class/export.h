@@ -17,7 +17,8 @@ typedef struct Found {
     unsigned systems;  // a bit for each ExportSystem that may have made the name
     int is_folder;
     int is_link;   // neither a folder nor a file: cannot be graded
-    int is_loose;  // a single file, or a folder of files that a system has named: to be collected
+    int is_loose;  // a single file, or what a system has named as one of the files of an upload, be
+                   // it an archive, or as a folder of such files: to be collected
     const GradescopeEntry *submitters;  // or NULL
 } Found;
 
@@ -32,8 +33,9 @@ typedef struct Export {
 } Export;
 
 // Read a folder of submissions. Where it holds nothing but a folder that is such an export, that is
-// read instead, with one line on stderr, as for other files that are passed over.
-//   lab_number   GitHub Classroom's names begin with it
+// read instead, with one line on stderr, as for other files that are passed over. Of several
+// exercises side by side the one with the lab's number is read; without one, that is an error.
+//   lab_number   GitHub Classroom's names begin with it, an exercise's folder may have it
 // Returns 0, or -1 after one message on stderr. Release with export_free().
 int export_read(const char *submissions, int lab_number, Export *export);
 void export_free(Export *export);

@@ -3,6 +3,7 @@
 #
 #     tests/class/grade_class.sh --lab 03 --submissions FOLDER [OPTION VALUE]...
 #
+#     --submissions FOLDER   or a zip or tar archive of it, which is unpacked in the sandbox
 #     --output FOLDER        where everything goes (build/class/03)
 #     --engine parallel      or slurm: how the submissions are spread
 #     --jobs N               how many at a time (parallel: as many as there are processors)
@@ -80,7 +81,7 @@ whole() {
 }
 
 [ -n "$CLASS_LAB" ] || die "say which lab: LAB=03"
-[ -n "$submissions" ] || die "say where the submissions are: SUBMISSIONS=folder"
+[ -n "$submissions" ] || die "say where the submissions are: SUBMISSIONS=folder or archive"
 case $engine in
 parallel | slurm) ;;
 *) die "--engine: found \"$engine\", expected parallel or slurm" ;;
@@ -179,6 +180,16 @@ trap 'clear' EXIT
 trap 'exit 2' INT TERM HUP PIPE
 
 # ---- What there is to do ------------------------------------------------------------------------
+
+# An export that is an archive. The copy belongs to whoever grades: no student's code gets at it.
+rm -rf "$CLASS_FOLDER/export"
+if [ -f "$submissions" ]; then
+    { mkdir -m 711 "$CLASS_WORK-export" &&
+        unpacked=$("$CLASS_BUILD/tools/gradebook" unpack "$CLASS_BUILD" "$submissions" "$CLASS_WORK-export") &&
+        cp -RP --preserve=timestamps "$unpacked" "$CLASS_FOLDER/export" &&
+        rm -rf "$CLASS_WORK-export"; } || exit 2
+    submissions=$CLASS_FOLDER/export
+fi
 
 latest=
 [ "$only" != latest ] || latest=--latest

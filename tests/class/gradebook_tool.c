@@ -1,19 +1,22 @@
 // gradebook: from a folder of submissions to a roster, and from graded submissions to a gradebook.
 //
+//     gradebook unpack BUILD ARCHIVE FOLDER
 //     gradebook roster [--latest] LAB-NUMBER SUBMISSIONS FOLDER
 //     gradebook keys [--seed N] GRADER FOLDER <contents
 //     gradebook check [--moodle WORKSHEET.csv] [--against OLD.json] LAB FOLDER
 //     gradebook write [--moodle WORKSHEET.csv] [--against OLD.json] [--nothing 0|blank] FOLDER
 //
-// `roster` writes FOLDER/roster.json and a link FOLDER/submissions/SLUG to each entry, and prints
-// the slug, a tab and the name of each; `keys` gives
-// each its seed (class_keys.h); `check` reads what `write` will need, before all gradings; `write`
-// makes gradebook.csv, gradebook.json and class.html in FOLDER of it, and says how the class did.
-// Exit status: 0; 1 when somebody's work could be lost, as the last line says (tally.h); 2 after
-// one message. Read next: roster.h, class_keys.h, gradebook.h; grade_class.sh, which calls all
-// four.
+// `unpack` unpacks an export into the empty FOLDER, in the sandbox, and prints the folder below it
+// that holds the submissions; `roster` writes FOLDER/roster.json and a link
+// FOLDER/submissions/SLUG to each entry, and prints the slug, a tab and the name of each; `keys`
+// gives each its seed (class_keys.h); `check` reads what `write` will need, before all gradings;
+// `write` makes gradebook.csv, gradebook.json and class.html in FOLDER of it, and says how the
+// class did. Exit status: 0; 1 when somebody's work could be lost, as the last line says (tally.h);
+// 2 after one message. Read next: export_archive.h, roster.h, class_keys.h, gradebook.h;
+// grade_class.sh, which calls all five.
 #include "class_keys.h"
 #include "clean_text.h"
+#include "export_archive.h"
 #include "gradebook.h"
 #include "look_alikes.h"
 #include "number.h"
@@ -32,13 +35,24 @@ enum { EXIT_ALL_GRADED = 0, EXIT_SOME_LOST = 1, EXIT_FAULT = 2 };
 static int usage(void)
 {
     fputs(
-        "usage: gradebook roster [--latest] LAB-NUMBER SUBMISSIONS FOLDER\n"
+        "usage: gradebook unpack BUILD ARCHIVE FOLDER\n"
+        "       gradebook roster [--latest] LAB-NUMBER SUBMISSIONS FOLDER\n"
         "       gradebook keys [--seed N] GRADER FOLDER <contents\n"
         "       gradebook check [--moodle WORKSHEET.csv] [--against OLD.json] LAB FOLDER\n"
         "       gradebook write [--moodle WORKSHEET.csv] [--against OLD.json] [--nothing 0|blank] "
         "FOLDER\n",
         stderr);
     return EXIT_FAULT;
+}
+
+static int archive_unpack_and_print(const char *build, const char *archive, const char *folder)
+{
+    char unpacked[PATH_MAX];
+    if (export_archive_unpack(build, archive, folder, unpacked) != 0) {
+        return EXIT_FAULT;
+    }
+    puts(unpacked);
+    return EXIT_ALL_GRADED;
 }
 
 static int roster_make(int lab_number, const char *submissions, const char *folder, int only_latest)
@@ -230,6 +244,9 @@ int main(int argc, char **argv)
     }
     argv += optind, argc -= optind;
     uint64_t lab;
+    if (argc == 4 && strcmp(argv[0], "unpack") == 0) {
+        return archive_unpack_and_print(argv[1], argv[2], argv[3]);
+    }
     if (argc == 4 && strcmp(argv[0], "roster") == 0 &&
         number_read_unsigned(argv[1], 0, 99, &lab) == 0) {
         return roster_make((int)lab, argv[2], argv[3], options.only_latest);

@@ -78,8 +78,8 @@ static void number_remove(char *name)
     }
 }
 
-// The student's own name of a file. A number at its end is the student's, too, where the same
-// student has handed in another file that is called so without it.
+// The student's own name of a file. A number at its end stays where the same student has handed in
+// another file that is called so without it, or with another number: staging says which counts.
 static void own_name(const Export *export, int begin, int end, int i, char name[NAME_MAX + 1])
 {
     const Found *found = &export->found[i];
@@ -91,7 +91,12 @@ static void own_name(const Export *export, int begin, int end, int i, char name[
     snprintf(shorter, sizeof shorter, "%s", name);
     number_remove(shorter);
     for (int k = begin; k < end; k++) {
-        if (k != i && strcmp(export->found[k].file + export->found[k].name.file, shorter) == 0) {
+        char other[NAME_MAX + 1];
+        snprintf(other, sizeof other, "%s", export->found[k].file + export->found[k].name.file);
+        int is_taken = strcmp(other, shorter) == 0;
+        number_remove(other);
+        is_taken = is_taken || strcmp(other, shorter) == 0;
+        if (k != i && is_taken) {
             return;
         }
     }

@@ -113,8 +113,8 @@ static void member_enter(Search *search, int row, const Member *member)
         const Participant *participant = &worksheet->participants[i];
         if (fits_key(worksheet, participant, member)) {
             lines_add(&by_key, i + 1);
-            is_named |= fits_full_name(worksheet, participant, member->name);
-        } else if (fits_full_name(worksheet, participant, member->name)) {
+            is_named |= fits_member_name(worksheet, participant, member->name);
+        } else if (fits_member_name(worksheet, participant, member->name)) {
             if (fits_other_key(worksheet, participant, member)) {
                 other = i + 1;
             } else {
@@ -187,11 +187,14 @@ static void person_enter(Search *search, int row, const Entrant *entrant)
 {
     Worksheet *worksheet = search->worksheet;
     Lines named = {0}, same = {0};
-    int other = 0;
+    int other = 0, squeezed = 0;
     for (int i = 1; i < worksheet->n_participants; i++) {
         const Participant *participant = &worksheet->participants[i];
         const NumberFit fit = fits_number(worksheet, participant, entrant->number);
         if (!is_entrants(worksheet, participant, entrant, fit)) {
+            if (fits_squeezed_name(worksheet, participant, entrant->name)) {
+                squeezed = i + 1;
+            }
             continue;
         }
         if (fit == NUMBER_OTHER) {
@@ -207,6 +210,14 @@ static void person_enter(Search *search, int row, const Entrant *entrant)
         worksheet->participants[other - 1].is_fitted = 1;
         say_why(search, row, "\"%s\": line %d of the list has another number than %s",
                 entrant->name, other, entrant->number);
+        return;
+    }
+    if (squeezed > 0) {
+        search->n_strangers++;
+        worksheet->participants[squeezed - 1].is_fitted = 1;
+        say_why(search, row,
+                "\"%s\" may be somebody's login, or the name in line %d of the list written as one",
+                entrant->name, squeezed);
         return;
     }
     const int like = named.n == 0 ? look_alike_find(worksheet, entrant->name) : 0;

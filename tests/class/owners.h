@@ -2,11 +2,14 @@
 //
 // Points must never reach anybody else. So what fits two, or fits one but for a part that differs,
 // is entered for nobody, and listed for the instructor.
-//   - A Gradescope entry belongs to each of its submitters: whose e-mail address or university
-//     number it is, else whose name, unless the list gives that person another address or number.
+//   - Where the export says more of a submitter than a name, the entry belongs to each of them:
+//     Gradescope gives e-mail addresses and university numbers; Canvas, Brightspace and ILIAS their
+//     own numbers or logins. Whose key it is, else whose name, unless the list gives that person
+//     another key of the kind. A number or login of one and the name of another are nobody's.
 //   - Another entry belongs to the team of its name, where the list has a column of groups, or to
 //     whom its name fits: a full name, user name, number or e-mail address; or the part before the
-//     @, if all addresses of the list are of one domain.
+//     @, if all addresses of the list are of one domain. A name written as one, "lovelaceada", may
+//     be somebody's login (Blackboard has no names): it is nobody's.
 //   - Attempts are one student's only where Moodle's export says so (roster.h): "carol-2" is nobody
 //     but a participant of that name.
 //   - Moodle's number of an entry parts two of one name, and stands for a person alone only as

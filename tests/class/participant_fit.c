@@ -179,9 +179,25 @@ int fits_full_name(const Worksheet *worksheet, const Participant *participant, c
     int fits = 0;
     for (int i = 0; i < 3 && name[0] != '\0'; i++) {
         const char *text = names.text[i];
-        fits = fits || (text[0] != '\0' && (is_same_name(text, name) || is_squeezed(text, name)));
+        fits = fits || (text[0] != '\0' && is_same_name(text, name));
     }
     return fits;
+}
+
+int fits_squeezed_name(const Worksheet *worksheet, const Participant *participant, const char *name)
+{
+    const FullNames names = full_names(worksheet, participant);
+    int fits = 0;
+    for (int i = 0; i < 3 && name[0] != '\0'; i++) {
+        fits = fits || (names.text[i][0] != '\0' && is_squeezed(names.text[i], name));
+    }
+    return fits;
+}
+
+int fits_member_name(const Worksheet *worksheet, const Participant *participant, const char *name)
+{
+    return fits_full_name(worksheet, participant, name) ||
+           fits_squeezed_name(worksheet, participant, name);
 }
 
 int fits_name(const Worksheet *worksheet, const Participant *participant, const char *name)
@@ -284,7 +300,7 @@ static int is_login(const Worksheet *worksheet, const Participant *participant,
         return is_same_key(cell_of(worksheet, participant, id_titles), member->login);
     }
     const char *number = cell_of(worksheet, participant, brightspace_titles);
-    return (fits_full_name(worksheet, participant, member->name) &&
+    return (fits_member_name(worksheet, participant, member->name) &&
             is_same_key(number + (number[0] == '#'), member->login)) ||
            is_name_with_login(worksheet, participant, member);
 }

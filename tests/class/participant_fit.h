@@ -9,8 +9,16 @@
 int fits_group(const Worksheet *worksheet, const Participant *participant, const char *name);
 
 // Is the participant called so in full? As names of files have it, and whichever way Unicode writes
-// an accent; or as Canvas has it, "lovelaceada".
+// an accent.
 int fits_full_name(const Worksheet *worksheet, const Participant *participant, const char *name);
+
+// Would Canvas call the participant so, "lovelaceada"? From any other system it may be somebody's
+// login.
+int fits_squeezed_name(const Worksheet *worksheet, const Participant *participant,
+                       const char *name);
+
+// Either of the two, for a submitter that a system has named.
+int fits_member_name(const Worksheet *worksheet, const Participant *participant, const char *name);
 
 // Does the name stand for the participant in any way: in full, as user name, number or e-mail
 // address?

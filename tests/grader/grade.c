@@ -57,6 +57,9 @@ static void start_result(Grading *grading, const Settings *settings)
 void grading_add_stage(Grading *grading, const char *title, CheckStatus status, const char *message)
 {
     Result *result = &grading->result;
+    if (result->n_stages == RESULT_MAX_STAGES) {
+        abort();  // each title is added once, and result.h has room for all
+    }
     StageResult *stage = &result->stages[result->n_stages++];
     *stage = (StageResult){title, status, message_new("%s", message)};
 }

@@ -74,7 +74,7 @@ lab-grader: $(patsubst %,$(OUT)/earlier/%.a,$(graded_lab))
 verdict_is_no_fault = || test $$? -eq 1
 
 # Where make can also write for other systems, through_formats is the command that does (tests/tests.mk).
-grade: grader  ## grade LAB=03 [SUBMISSION=folder or archive] [SEED=n] [DEVICE=d] [TIME_LIMIT=seconds]
+grade: grader  ## grade LAB=03 [SUBMISSION=folder, archive or file] [SEED=n] [DEVICE=d] [TIME_LIMIT=seconds]
 	@$(say_which_lab)
 	$(if $(and $(FORMAT),$(graded_lab)),$(if $(through_formats),,@echo "make grade: a handout has no FORMAT: build/grade/ holds what it writes" >&2; exit 2))
 	@$(through_formats) $(OUT)/tools/grade --build $(OUT) --lab "$$LAB" $(if $(SUBMISSION),--submission "$$SUBMISSION") \

@@ -78,6 +78,20 @@ int session_take_kernels(const Session *session, const char *folder, const Varia
 // Put a text into a variant's folder as file `name`. Returns 0, or -1 after one message.
 int session_write(const char *folder, const char *name, const char *text);
 
+// What was staged of a submission.
+typedef struct StagedFiles {
+    int is_complete;                      // each file could be used
+    int has_nothing;                      // of the lab
+    int is_replaced[MANIFEST_MAX_FILES];  // this file could not be used
+    int n_taken;                          // the others; 0: nothing was replaced
+    char *said;  // to the student, or ""; it may quote the submission. Owned by the caller
+} StagedFiles;
+
+// Copy what was handed in to folder `folder`, with the file as it is handed out in the place of
+// each that cannot be used, unless no file can. Returns 0, or -1 after one message.
+int session_stage(const Session *session, const char *submission, const char *folder,
+                  StagedFiles *staged);
+
 // The line at which a variant crashed, and its task: see variant_find_line().
 char *session_find_line(Session *session, const Variant *variant, const char **task);
 

@@ -33,7 +33,8 @@ enum { SEED_ROW = 4 };
 static const OptionRow ROWS[] = {
     {"lab", "NN", OPTION_TEXT, PLACE(lab), .meaning = "which lab: its number or its name"},
     {"submission", "PATH", OPTION_TEXT, PLACE(submission),
-     .meaning = "what to grade: a folder, a zip or a tar archive\n(default: labs/NN-name)"},
+     .meaning = "what to grade: a folder, a zip or a tar archive, or one\nof the lab's files "
+                "(default: labs/NN-name)"},
     {"student", "NAME", OPTION_TEXT, PLACE(settings.student),
      .meaning = "whose it is, for the reports (default: the submission's path,\n"
                 "of one from the root its last part)"},
@@ -173,9 +174,7 @@ static int set_folders(const GivenSettings *given, Settings *settings)
     return 0;
 }
 
-// Where a submission's code runs: as the command line says, or else the environment. Returns 0, or
-// -1 after one message.
-static int find_sandbox(const char *given, SandboxKind *kind)
+int settings_find_sandbox(const char *given, SandboxKind *kind)
 {
     const char *variable = getenv(SANDBOX_VARIABLE);
     if (given != NULL) {
@@ -211,8 +210,8 @@ int settings_parse(int argc, char **argv, Settings *settings)
     if (settings->device == NULL) {
         settings->device = "";
     }
-    if (find_sandbox(given.sandbox, &settings->sandbox) != 0 || course_folder_check("grade") != 0 ||
-        find_lab(given.lab, settings->lab) != 0) {
+    if (settings_find_sandbox(given.sandbox, &settings->sandbox) != 0 ||
+        course_folder_check("grade") != 0 || find_lab(given.lab, settings->lab) != 0) {
         return -1;
     }
     if (!is_given[SEED_ROW] && !given.reads_seed &&

@@ -26,4 +26,8 @@ typedef struct Settings {
 // Read the command line. Returns 0, 1 when --help was answered, or -1 after one message on stderr.
 int settings_parse(int argc, char **argv, Settings *settings);
 
+// Where code that must not be trusted runs: as a command line says, NULL where it does not, or else
+// the environment. Returns 0, or -1 after one message on stderr.
+int settings_find_sandbox(const char *given, SandboxKind *kind);
+
 #endif

@@ -13,7 +13,6 @@
 #include "memcheck_passes.h"
 #include "path.h"
 #include "settings.h"
-#include "submission.h"
 #include "untouched.h"
 
 #include <errno.h>
@@ -142,27 +141,35 @@ static void untouched_print(const Memcheck *memcheck)
     printf("%s", n_untouched ? "\n" : "");
 }
 
+// Say what was taken, where there is something to say: to whom it helps, if nothing was.
+static void staged_print(const StagedFiles *staged)
+{
+    char *clean = message_clean(staged->said);
+    if (clean[0] != '\0') {
+        fprintf(staged->n_taken > 0 ? stdout : stderr, "%s\n", clean);
+    }
+    free(clean);
+}
+
 // ---- All --------------------------------------------------------------------------------------
 
 // Returns an exit status.
 static int memcheck_run(Memcheck *memcheck, const Settings *settings)
 {
     Session *session = &memcheck->session;
-    char *staging = NULL;
     if (session_open(session, settings) != 0 || shrink_job(session) != 0 ||
         variant_open(&session->workshop, "whole", &memcheck->whole, memcheck->folder) != 0) {
         return EXIT_FAULT;
     }
-    const int staged =
-        submission_stage(&session->workshop, settings->submission, memcheck->folder, &staging);
-    if (staged != 0) {
-        char *clean = message_clean(staging ? staging : "memcheck: nothing to look at");
-        fprintf(stderr, "%s\n", clean);
-        free(clean);
-        free(staging);
+    StagedFiles staged;
+    if (session_stage(session, settings->submission, memcheck->folder, &staged) != 0) {
         return EXIT_FAULT;
     }
-    free(staging);
+    staged_print(&staged);
+    free(staged.said);
+    if (staged.n_taken == 0) {
+        return EXIT_FAULT;
+    }
     // Host files are compiled on the way.
     Variant *variants[] = {&memcheck->whole};
     if (session->workshop.needs_compiler && session_run(session, variants, 1) != 0) {

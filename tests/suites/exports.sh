@@ -107,6 +107,16 @@ check "and in lines of progress, which hold names" said "  Ada Lovelace (40012):
 check "who has a name for himself has no number there" said "  Joan Clarke: "
 check "and reports are given the name" test "$(cat "$class.out"/students/joan-clarke-*/student)" = "Joan Clarke"
 
+# An archive beside loose files is no second attempt.
+for file in a.zip b.zip; do
+    echo zip >"$class/Ada Lovelace_40012_assignsubmission_file_$file"
+done
+rm -r "$class.out"
+graded 0 "12 of 12 graded and entered; 1 without submission; 0 passed over; 0 with nothing of this lab; 0 to be decided by you"
+all_own
+check "the archives of an upload lie beside its files" \
+    test "$(find "$class.out/collected"/ada-lovelace-*/ -name '*.zip' | wc -l)" -eq 2
+
 # Of a team each member has a folder, or all have one: by a column of groups.
 moodle_team() {
     mkdir "$class/Team A-$2 $3_$1_assignsubmission_file_"
@@ -133,6 +143,16 @@ echo "7" >"$class/mailed.c"
 graded 1 "12 of 12 graded and entered; 0 without submission; 1 passed over; 0 with nothing of this lab; 0 to be decided by you"
 all_own
 check "canvas: a file that is nobody's is named" said '"mailed.c"'
+
+# Two uploads of one name lie side by side: which one counts is staging's to say (suite staging).
+class=$scratch/canvas-twice
+mkdir "$class"
+for number in 2 10; do echo $number >"$class/lovelaceada_40012_8800${number}_gradient-$number.cl"; done
+echo 1 >"$class/hoppergrace_40017_880017_gradient-1.cl"
+list 'Student,ID,"SIS User ID","SIS Login ID",Section,"Lab 0 (4711)"' '"LAST, FIRST",NUMBER,uNUMBER,LOGIN,A,'
+graded 0 "2 of 2 graded and entered"
+check "two uploads are both kept" \
+    test "$(cd "$class.out/collected" && echo ./*/*)" = "$(cd "$class.out/collected" && echo ./hop*/gradient.cl ./love*/gradient-10.cl ./love*/gradient-2.cl)"
 
 # ---- Blackboard ---------------------------------------------------------------------------------
 
@@ -220,6 +240,93 @@ list 'OrgDefinedId,Username,"Last Name","First Name",Email,"Lab 0 Points Grade"'
 graded 0 "12 of 18 graded and entered; 0 without submission; 0 passed over; 0 with nothing of this lab; 6 earlier attempts; 0 to be decided by you"
 all_own
 
+# ---- A whole course: several exercises side by side -----------------------------------------------
+
+# exercise NUMBER: an exercise, as ILIAS or Moodle exports one.
+exercise() {
+    n=$1
+    case $kind in
+    ilias)
+        for name in Lovelace_Ada_ada_40012 Hopper_Grace_gh_40017; do
+            mkdir -p "$class/Übung $n/Abgaben/$name"
+            echo "${name##*_}" >"$class/Übung $n/Abgaben/$name/20261104102233_2_gradient.cl"
+        done ;;
+    moodle)
+        for name in "Ada Lovelace_40012" "Grace Hopper_40017"; do
+            mkdir -p "$class/Lab $n/${name}_assignsubmission_file_"
+            echo "${name##*_}" >"$class/Lab $n/${name}_assignsubmission_file_/gradient.cl"
+        done ;;
+    esac
+}
+for kind in ilias moodle; do
+    class=$scratch/course-$kind
+    for number in 1 2 3; do exercise $number; done
+    check "$kind: of several exercises none is taken where none has the lab's number" exits 2 run "$class.out"
+    check "$kind: they are named, and what to do" said "found several exercises side by side, and none has the number 0; give the folder of one of them, as SUBMISSIONS=\"$class/"
+    exercise 0
+    check "$kind: the one with the lab's number is entered" exits 0 run "$class.out"
+    check "$kind: that is said" said " 0: this folder is graded"
+    check "$kind: and only its submissions are graded" said "2 of 2 graded"
+done
+
+# Whoever hands in folders like these is no course.
+class=$scratch/no-course
+mkdir -p "$class/ada/Abgaben" "$class/bob" "$class/cy"
+for student in ada bob cy; do echo x >"$class/$student/gradient.cl"; done
+check "one student's folders are no exercises" exits 0 run "$class.out"
+check "all three are graded" said "3 of 3 graded"
+
+# ---- An export that is an archive ---------------------------------------------------------------
+
+# same_as NAME: is the gradebook that of this class, with everybody's own file?
+same_as() { cmp "$class.out/gradebook.csv" "$scratch/$1.out/gradebook.csv"; }
+
+# What a student hands in may hold links, archives, an editor's files and more folders than are searched.
+class=$scratch/moodle
+student="$class/Joan Clarke_40018_assignsubmission_file_"
+mkdir -p "$student/a/b/c/d/e/f/g/h/i/j/.git"
+ln -s /etc/passwd "$student/link"
+echo deep >"$student/a/b/c/d/e/f/g/h/i/j/.git/x"
+graded 1 "12 of 14 graded and entered"
+(cd "$class" && zip -q -r -y ../moodle-export.zip .)
+(cd "$scratch" && tar -czf packed.tar.gz --transform 's|^moodle|packed|' moodle && cp packed.tar.gz renamed.tgz)
+for archive in moodle-export.zip packed.tar.gz; do
+    class=$scratch/${archive%%.*}
+    cp "$scratch/moodle.csv" "$class.csv"
+    graded 1 "12 of 14 graded and entered" "$scratch/$archive"
+    check "$archive: nobody is lost, and nobody swapped" same_as moodle
+    check "$archive: links lead nowhere" \
+        test "$(readlink "$class.out/export/Joan Clarke_40018_assignsubmission_file_/link")" = nowhere
+    check "$archive: nothing is left of unpacking" test -z "$(ls "$scratch/w")"
+done
+for student in "$class.out/students"/*; do : >"$student/kept"; done
+graded 1 "12 of 14 graded and entered" "$scratch/packed.tar.gz"
+check "the same archive again: nobody is graded anew" \
+    test "$(find "$class.out/students" -name kept | wc -l)" -eq 14
+class=$scratch/renamed
+cp "$scratch/moodle.csv" "$class.csv"
+graded 1 "0 of 1 graded and entered" "$scratch/renamed.tgz"
+check "a folder of another name than the archive's is a submission" said "packed"
+
+# refused ARCHIVE WORDS: not graded, for this reason?
+refused() {
+    exits 2 tests/class/grade_class.sh --build "$build" --lab 0 --submissions "$scratch/$1" --output "$scratch/refused" \
+        >"$scratch/said" 2>&1 </dev/null && said "gradebook: $1: $2"
+}
+head -c -40 "$scratch/packed.tar.gz" >"$scratch/cut.tar.gz"
+printf 'Rar!\032\007\001' >"$scratch/class.rar"
+(cd "$scratch" && tar -cf twice.tar moodle.csv && tar -rf twice.tar moodle.csv && tar -Pcf out.tar ../../etc/hostname &&
+    zip -q -P secret secret.zip moodle.csv)
+while IFS='|' read -r archive words; do
+    check "$archive is refused as what it is" refused "$archive" "$words"
+done <<'END'
+cut.tar.gz|found a compressed file (gzip) that is cut off or no tar archive
+class.rar|found a RAR archive, expected the submissions in a folder, or in a zip or tar archive
+twice.tar|"moodle.csv" is in the archive twice: unpack it yourself, and give the folder
+secret.zip|the archive is encrypted: unpack it yourself, and give the folder
+out.tar|"../../etc/hostname" is no path below a folder, or a long one: unpack it yourself
+END
+
 # ---- Names that students choose -----------------------------------------------------------------
 
 # nobody NUMBER: has the line of the list that has this number no grade?
@@ -245,6 +352,20 @@ list '"Last Name","First Name",Username,"Student ID"' '"LAST","FIRST",LOGIN,NUMB
 run "$class.out" --moodle "$class.csv"
 check "the login eve_ada is not ada" test "$(cat "$class.out"/students/ada-*/whose)" = ada
 check "and fits nobody" said '"Lab 0_eve_ada_attempt_2026-11-03-10-22-33_gradient.cl": fits no line of the list'
+
+# A login that is another one's name, written as one: whether the list has logins or not.
+class=$scratch/login-like-a-name
+mkdir "$class"
+for login in lovelaceada gh; do echo $login >"$class/Lab 0_${login}_attempt_2026-11-03-10-22-33_gradient.cl"; done
+for head in '"Last Name","First Name","Student ID",Section' '"Last Name","First Name","Student ID",Username'; do
+    list "$head" '"LAST","FIRST",NUMBER,LOGIN'
+    echo 'Evil,Eve,40099,lovelaceada' >>"$class.csv"
+    run "$class.out" --moodle "$class.csv"
+    check "a login that is a name written as one is doubtful" \
+        said "\"lovelaceada\" may be somebody's login, or the name in line 3 of the list written as one"
+    for number in 40012 40013 40099; do check "and is not $number's" nobody $number; done
+    check "of whom it is not said that nothing was handed in" said " 0 without submission"
+done
 
 class=$scratch/last-of-a-login
 for name in Evil_Eve_eve_ada_2 Hopper_Grace_gh_3 Clarke_Joan_jc_4; do

@@ -66,6 +66,18 @@ check "and what is not answered yet is named" \
     grep -qx "Not answered yet, as it was handed out: overlaps_N_Nearer, own_pixel, implicit2DRenderer" \
     "$scratch/said"
 
+# One file that cannot be used is replaced, as in a grading.
+rm -rf "$scratch/submission"
+cp -r solutions/01-naive-2d "$scratch/submission"
+iconv -f UTF-8 -t UTF-16 solutions/01-naive-2d/overlaps_N_Nearer.cl >"$scratch/submission/overlaps_N_Nearer.cl"
+check "a file in UTF-16 does not keep the other from being looked at" memchecks 0 01 "$scratch/submission"
+check "it is named" grep -q "^overlaps_N_Nearer.cl: found a text in UTF-16" "$scratch/said"
+check "and what was done about it" \
+    grep -q "^overlaps_N_Nearer.cl: replaced by the file as it was handed out" "$scratch/said"
+mkdir "$scratch/empty"
+check "where there is nothing to look at, that is said" memchecks 2 01 "$scratch/empty"
+check "for each file" grep -q "^overlaps_N_Nearer.cl: not in the submission" "$scratch/said"
+
 heart_ends
 
 # A kernel that does not end is cut off, and a folder that is not there is a fault.

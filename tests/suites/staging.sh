@@ -119,6 +119,15 @@ implicit2DRenderer.cl.txt|40|not in the submission: found "implicit2DRenderer.cl
 .abgabe/implicit2DRenderer.cl|40|not in the submission: found it in ".abgabe", which is passed over
 END
 
+# Of several uploads of one name the last one counts, and that is said.
+copy_lab solutions $lab
+mv "$scratch/submission/$file" "$scratch/submission/implicit2DRenderer-10.cl"
+cp "labs/$lab/$file" "$scratch/submission/implicit2DRenderer-9.cl"
+# shellcheck disable=SC2046,SC2086 # options
+check "of two uploads the later one counts" grades 0 100 $(kept $lab) $submission
+check "and the report says which" grep -qF \
+    'taken from "implicit2DRenderer-10.cl"; an earlier upload, which' "$said"
+
 # ---- Archives beside other files ----------------------------------------------------------------
 
 # packed TREE DAY ARCHIVE: the lab's files of labs or solutions, changed on that day of a month.
@@ -159,6 +168,40 @@ check "a plain file comes before the archives" in_class 40 \
 cp "solutions/$lab"/*.cl "$scratch/class"
 check "where all files are plain, no archive is opened" in_class 100 \
     "lab01.zip: not opened: each of the lab's files lies beside it, and counts"
+
+# A plain file that cannot be used does not stand in the way of an archive.
+iconv -f UTF-8 -t UTF-16 "solutions/$lab/$file" >"$scratch/class/$file"
+check "a plain file that cannot be used is replaced by an archive's" in_class 100 \
+    "$file: found a text in UTF-16" "$file: taken from lab01.zip instead"
+check "and nothing is said to be taken before it is refused" \
+    test "$(grep -c "$file: taken from the folder" "$said")" -eq 0
+
+# ---- One file by itself -------------------------------------------------------------------------
+
+for single in "$file" implicit2DRenderer-1.cl; do
+    cp "solutions/$lab/$file" "$scratch/$single"
+    # shellcheck disable=SC2046 # options
+    check "$single by itself is that file of the lab" grades 1 60 $(kept $lab) --submission "$scratch/$single"
+    check "$single: and the other one is missing" stage Staging failed "overlaps_N_Nearer.cl: not in the submission"
+done
+cp "solutions/$lab/$file" "$scratch/Implicit2DRenderer.cl"
+# shellcheck disable=SC2046 # options
+check "by a name that a student changed it is not taken" \
+    grades 1 0 $(kept $lab) --submission "$scratch/Implicit2DRenderer.cl"
+check "which is said" grep -qF 'found "Implicit2DRenderer.cl", expected the name implicit2DRenderer.cl' "$said"
+cp "solutions/$lab/$file" "$scratch/answer.cl"
+# shellcheck disable=SC2046 # options
+check "another file by itself is not taken" grades 1 0 $(kept $lab) --submission "$scratch/answer.cl"
+check "and it is said what was expected" stage Staging failed \
+    "answer.cl: found a single text file, expected overlaps_N_Nearer.cl and implicit2DRenderer.cl in a folder, or in"
+
+# A class's links have names of their own.
+printf 'Rar!\032\007\001' >"$scratch/lab01.rar"
+ln -s "$scratch/lab01.rar" "$scratch/ada-cacd3bfac5f0e135"
+# shellcheck disable=SC2046 # options
+check "an archive is named as the student has named it" \
+    grades 1 0 $(kept $lab) --submission "$scratch/ada-cacd3bfac5f0e135"
+check "and not as the class calls it" stage Staging failed '"lab01.rar: found a RAR archive'
 
 mkdir "$scratch/nothing"
 # shellcheck disable=SC2046 # options

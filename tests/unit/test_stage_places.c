@@ -122,7 +122,15 @@ static const Renamed renamed[] = {
      "a.cl: taken from \"one/two\"; a different one, which does not count, is in \"a (1).cl\"",
      "one/two/a.cl"},
     {{"a (1).cl", "a-2.cl"},
-     "a.cl: found in \"a (1).cl\" and, with another content, in \"a-2.cl\": hand in only one",
+     "a.cl: found in \"a-2.cl\" and, with another content, in \"a (1).cl\": hand in only one",
+     NULL},
+    // Of one system's uploads the last one counts.
+    {{"a-2.cl", "a-10.cl"},
+     "a.cl: taken from \"a-10.cl\"; an earlier upload, which does not count, is in \"a-2.cl\"",
+     "a-10.cl"},
+    {{"one/a-2.cl", "two/a-1.cl"},
+     "a.cl: found in \"one/a-2.cl\" and, with another content, in \"two/a-1.cl\": hand in only "
+     "one",
      NULL},
     {{"one/a.cl.txt", "one/A.cl"},
      "a.cl: not in the submission: found \"one/A.cl\", expected the name a.cl: rename it and hand "

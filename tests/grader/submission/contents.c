@@ -5,15 +5,16 @@
 #include <string.h>
 #include <strings.h>
 
-int is_archive_name(const char *path)
+int archive_stem_length(const char *path)
 {
-    static const char *const endings[] = {".zip", ".tar", ".gz",  ".tgz", ".bz2",
-                                          ".tbz", ".xz",  ".txz", ".7z",  ".rar"};
+    static const char *const endings[] = {
+        ".tar.gz", ".tar.bz2", ".tar.xz", ".tar.zst", ".zip", ".tar",  ".gz", ".tgz", ".bz2",
+        ".tbz",    ".tbz2",    ".xz",     ".txz",     ".zst", ".tzst", ".7z", ".rar"};
     const size_t n_path = strlen(path);
     for (size_t i = 0; i < sizeof endings / sizeof *endings; i++) {
         const size_t n_ending = strlen(endings[i]);
         if (n_path > n_ending && strcasecmp(path + n_path - n_ending, endings[i]) == 0) {
-            return 1;
+            return (int)(n_path - n_ending);
         }
     }
     return 0;
@@ -24,7 +25,7 @@ void contents_note(Contents *contents, const char *path)
     if (strcmp(path, "[Content_Types].xml") == 0 || strcmp(path, "META-INF/manifest.xml") == 0) {
         contents->is_office = 1;
     }
-    if (is_archive_name(path)) {
+    if (archive_stem_length(path) > 0) {
         const char *slash = strrchr(path, '/');
         snprintf(contents->inner, sizeof contents->inner, "%s", slash != NULL ? slash + 1 : path);
     }

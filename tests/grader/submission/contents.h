@@ -15,8 +15,8 @@ typedef struct Contents {
     char inner[64];  // the name of an archive in it, or ""
 } Contents;
 
-// Does a file's name end as those of archives do?
-int is_archive_name(const char *path);
+// Does a file's name end as those of archives do? Returns the length without that ending, or 0.
+int archive_stem_length(const char *path);
 
 // Note a file's path. It may be any text.
 void contents_note(Contents *contents, const char *path);

@@ -63,7 +63,7 @@ static int is_expected(const Manifest *manifest, int folder, int given_folder, c
         }
     }
     // Of archives staging tells.
-    if (name[0] != '.' && is_archive_name(name)) {
+    if (name[0] != '.' && archive_stem_length(name) > 0) {
         return 1;
     }
     return faccessat(given_folder, name, F_OK, 0) == 0 &&

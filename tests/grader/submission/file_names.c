@@ -3,6 +3,7 @@
 
 #include <ctype.h>
 #include <stddef.h>
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
@@ -83,6 +84,16 @@ static int is_system_suffix(Part suffix)
         text_drop(&suffix, " ");
     }
     return part_length(suffix) == 0;
+}
+
+int name_upload_number(const char *name)
+{
+    const char *ending = strrchr(name, '.');
+    Part stem = {name, ending != NULL ? ending : name + strlen(name)};
+    const int has_bracket = text_drop(&stem, ")");
+    const int n_digits = digits_drop(&stem);
+    const char *digits = stem.end;
+    return n_digits > 0 && text_drop(&stem, has_bracket ? "(" : "-") ? atoi(digits) : 0;
 }
 
 // ---- Names that a student changed ---------------------------------------------------------------

@@ -12,6 +12,10 @@ typedef enum NameMatch {
     NAME_OTHER,
 } NameMatch;
 
+// The number at the end of a name that a system changed: 2 of "gradient-2.cl" and of
+// "gradient (2).cl", else 0. A later upload has a higher one.
+int name_upload_number(const char *name);
+
 // How does the name of a file match the wanted one?
 NameMatch name_match(const char *name, const char *wanted);
 

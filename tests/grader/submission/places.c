@@ -105,7 +105,8 @@ int place_of(const char *lab, char *const *files, int n_files, const Place *plac
 
 int place_compare(const Place *a, const Place *b)
 {
-    const int order = strcmp(a->folder, b->folder);
+    int order = strcmp(a->folder, b->folder);
+    order = order != 0 ? order : name_upload_number(b->name) - name_upload_number(a->name);
     return order != 0 ? order : strcmp(a->name, b->name);
 }
 
@@ -149,7 +150,7 @@ static void places_demote(Places *places)
 }
 
 // Add one to those that are equally good. Takes `place` over. What a folder lists first is chance:
-// of too many the first ones in the order of their bytes stay.
+// of too many the first ones stay.
 static void equal_add(Places *places, Place place)
 {
     int i = places->n_equal;

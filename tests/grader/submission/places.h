@@ -32,7 +32,7 @@ typedef struct Place {
 
 // Where one file is.
 typedef struct Places {
-    Place equal[PLACES_MAX_EQUAL];  // equally good, in the order of their bytes
+    Place equal[PLACES_MAX_EQUAL];  // equally good, in the order of place_compare()
     int n_equal;                    // 0: the file is nowhere
     int are_more;                   // than PLACES_MAX_EQUAL
     int rank;
@@ -48,7 +48,8 @@ int place_of(const char *lab, char *const *files, int n_files, const Place *plac
 Place place_copy(const Place *place);
 void place_free(Place *place);
 
-// Negative where the first place comes before the second in the order of their bytes.
+// Negative where the first place comes before the second: by folder, in one folder the later upload
+// (file_names.h), then by name.
 int place_compare(const Place *a, const Place *b);
 
 // Search an open folder for files by name. Whatever has the exact name counts, also a link or a

@@ -16,7 +16,8 @@
 static int has_file(const Staging *staging, int source, int file)
 {
     const Places *places = &staging->searched[source].places[file];
-    return places->n_equal > 0 && places->rank < RANK_TOLD;
+    return places->n_equal > 0 && places->rank < RANK_TOLD &&
+           (staging->unusable >> source & 1) == 0;
 }
 
 // Read a file from its best place in a source. Returns as place_text_read() does.
@@ -74,60 +75,100 @@ static Likeness source_compare(const Staging *staging, int file, int other, ssiz
     return changed < newest ? OLDER : AS_NEW;
 }
 
-// Say from which source a file comes, and what others hold. Of two archives that are equally new
-// nobody knows which is meant: then both must hold the same. Returns 0 or 1.
-static int source_say(const Staging *staging, int chosen, int file, const char *name)
+// Compare a file with those of the other sources: likeness[i] is set for each that has one. Returns
+// how many have.
+static int sources_compare(const Staging *staging, int chosen, int file, Likeness likeness[])
+{
+    time_t newest;
+    const ssize_t n_bytes = source_read(staging, chosen, file, staging->bytes, &newest);
+    int n_others = 0;
+    for (int i = 0; i < staging->n_sources; i++) {
+        if (i != chosen && has_file(staging, i, file)) {
+            n_others++;
+            likeness[i] = source_compare(staging, file, i, n_bytes, newest);
+        }
+    }
+    return n_others;
+}
+
+// Of two archives that are equally new nobody knows which is meant: then both must hold the same.
+// Returns 0 or 1.
+static int sources_agree(const Staging *staging, int chosen, int file, const char *name)
+{
+    char shown[2][MESSAGE_SHOWN_BYTES];
+    Likeness likeness[STAGE_MAX_SOURCES];
+    if (staging->sources[chosen].archive == NULL) {
+        return 0;
+    }
+    sources_compare(staging, chosen, file, likeness);
+    for (int i = 0; i < staging->n_sources; i++) {
+        if (i != chosen && has_file(staging, i, file) && likeness[i] == AS_NEW) {
+            fprintf(
+                staging->said,
+                "%s: found in %s and, with another content and as new, in %s: hand in only one\n",
+                name, source_name(staging, chosen, shown[0], sizeof shown[0]),
+                source_name(staging, i, shown[1], sizeof shown[1]));
+            return 1;
+        }
+    }
+    return 0;
+}
+
+// Say from which source a file was taken, and what others hold.
+static void source_say(const Staging *staging, int chosen, int file, const char *name)
 {
     static const char *const words[] = {[SAME] = "the same",
                                         [OLDER] = "an older one, which does not count,",
                                         [AS_NEW] = "another one, which does not count,"};
-    char shown[2][MESSAGE_SHOWN_BYTES];
-    const int is_archive = staging->sources[chosen].archive != NULL;
-    const char *from = source_name(staging, chosen, shown[0], sizeof shown[0]);
-    time_t newest;
-    const ssize_t n_bytes = source_read(staging, chosen, file, staging->bytes, &newest);
+    char shown[MESSAGE_SHOWN_BYTES];
     Likeness likeness[STAGE_MAX_SOURCES];
-    int n_others = 0;
-    for (int i = 0; i < staging->n_sources; i++) {
-        if (i == chosen || !has_file(staging, i, file)) {
-            continue;
-        }
-        n_others++;
-        likeness[i] = source_compare(staging, file, i, n_bytes, newest);
-        if (is_archive && likeness[i] == AS_NEW) {
-            fprintf(
-                staging->said,
-                "%s: found in %s and, with another content and as new, in %s: hand in only one\n",
-                name, from, source_name(staging, i, shown[1], sizeof shown[1]));
-            return 1;
-        }
-    }
+    const int is_archive = staging->sources[chosen].archive != NULL;
+    const int n_others = sources_compare(staging, chosen, file, likeness);
     if (!is_archive && n_others == 0) {
-        return 0;
+        return;
     }
-    fprintf(staging->said, "%s: taken from %s", name, from);
+    fprintf(staging->said, "%s: taken from %s%s", name,
+            source_name(staging, chosen, shown, sizeof shown),
+            staging->unusable != 0 ? " instead" : "");
     for (int i = 0; i < staging->n_sources; i++) {
         if (i != chosen && has_file(staging, i, file)) {
             const Likeness beside = is_archive || likeness[i] == SAME ? likeness[i] : AS_NEW;
             fprintf(staging->said, "; %s is in %s", words[beside],
-                    source_name(staging, i, shown[1], sizeof shown[1]));
+                    source_name(staging, i, shown, sizeof shown));
         }
     }
     fputc('\n', staging->said);
-    return 0;
 }
 
-// Returns as file_stage() does.
-static int file_stage_from_best(Staging *staging, const char *name, int file)
+// Take a file from a source. Returns as file_stage() does.
+static int file_stage_from(Staging *staging, const char *name, int file, int chosen)
 {
-    const int chosen = source_choose(staging, file);
     staging->submission = staging->sources[chosen].folder;
     staging->from = staging->searched[chosen].folder;
-    if (staging->n_sources > 1 && has_file(staging, chosen, file) &&
-        source_say(staging, chosen, file, name) != 0) {
-        return 1;
-    }
     return file_stage(staging, name, &staging->searched[chosen].places[file]);
+}
+
+// Take a file from the best source; where it cannot be used, from the next one. Returns as
+// file_stage() does.
+static int file_stage_from_best(Staging *staging, const char *name, int file)
+{
+    staging->unusable = 0;
+    int chosen = source_choose(staging, file);
+    if (!has_file(staging, chosen, file)) {
+        return file_stage_from(staging, name, file, chosen);  // to say so
+    }
+    while (has_file(staging, chosen, file) && sources_agree(staging, chosen, file, name) == 0) {
+        const int outcome = file_stage_from(staging, name, file, chosen);
+        if (outcome != 1) {
+            if (outcome == 0) {
+                source_say(staging, chosen, file, name);
+            }
+            return outcome;
+        }
+        staging->unusable |= 1U << chosen;
+        chosen = source_choose(staging, file);
+    }
+    return 1;
 }
 
 // Is there a file of that name, or of one so like it that there is something to tell?

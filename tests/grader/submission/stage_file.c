@@ -7,6 +7,7 @@
 
 #include "bytes_write.h"
 #include "file_kind.h"
+#include "file_names.h"
 #include "message.h"
 #include "odd_signs.h"
 #include "path.h"
@@ -136,7 +137,22 @@ static int complain_two_places(const Staging *staging, const char *file, const P
     return 1;
 }
 
-// Several places are equally good: then all must hold the same. Returns 0 or 1.
+// Is the second an earlier upload of the first? Canvas and browsers do not count together.
+static int is_earlier(const Place *first, const Place *second)
+{
+    return strcmp(first->folder, second->folder) == 0 &&
+           (strchr(first->name, '(') == NULL) == (strchr(second->name, '(') == NULL) &&
+           name_upload_number(second->name) < name_upload_number(first->name);
+}
+
+static int is_same(const Staging *staging, const Place *place, ssize_t n_bytes)
+{
+    return place_text_read(staging->from, place, staging->others, NULL) == n_bytes &&
+           n_bytes >= 0 && memcmp(staging->bytes, staging->others, (size_t)n_bytes) == 0;
+}
+
+// Several places are equally good: then all must hold the same, but for earlier uploads. Returns 0
+// or 1.
 static int places_agree(const Staging *staging, const char *file, const Places *places)
 {
     if (places->are_more) {
@@ -149,9 +165,7 @@ static int places_agree(const Staging *staging, const char *file, const Places *
         places->n_equal > 1 ? place_text_read(staging->from, first, staging->bytes, NULL) : 0;
     for (int i = 1; i < places->n_equal; i++) {
         const Place *second = &places->equal[i];
-        if (n_bytes < 0 ||
-            place_text_read(staging->from, second, staging->others, NULL) != n_bytes ||
-            memcmp(staging->bytes, staging->others, (size_t)n_bytes) != 0) {
+        if (!is_earlier(first, second) && !is_same(staging, second, n_bytes)) {
             return complain_two_places(staging, file, first, second);
         }
     }
@@ -193,14 +207,16 @@ static void choice_say(const Staging *staging, const char *file, size_t n_bytes,
     fprintf(staging->said, "%s: taken from ", file);
     place_say(staging, file, &places->equal[0]);
     for (int i = 1; i < places->n_equal; i++) {
-        fputs("; the same is in ", staging->said);
+        fputs(is_same(staging, &places->equal[i], (ssize_t)n_bytes)
+                  ? "; the same is in "
+                  : "; an earlier upload, which does not count, is in ",
+              staging->said);
         place_say(staging, file, &places->equal[i]);
     }
     if (has_other) {
-        const int is_same = place_text_read(staging->from, &places->other, staging->others, NULL) ==
-                                (ssize_t)n_bytes &&
-                            memcmp(staging->bytes, staging->others, n_bytes) == 0;
-        fputs(is_same ? "; the same is in " : "; a different one, which does not count, is in ",
+        fputs(is_same(staging, &places->other, (ssize_t)n_bytes)
+                  ? "; the same is in "
+                  : "; a different one, which does not count, is in ",
               staging->said);
         place_say(staging, file, &places->other);
     }

@@ -18,6 +18,7 @@ typedef struct Staging {
     const StageSource *sources;
     Source *searched;  // [n_sources]
     int n_sources;
+    unsigned unusable;  // of the file under way: a bit for each source whose file was refused
     const char *submission, *destination;  // as the instructor named them, for messages
     int from, to;                          // the two folders under way, open
     FILE *said;                            // to the student, one line each

@@ -1,7 +1,8 @@
 // Staging whatever was handed in (see submission.h).
 //
-// A folder is staged as it is. Where a file is not in it, the archives beside the others are
-// unpacked, each to a folder of its own. Read next: unpack_run.h, stage.h.
+// A folder is staged as it is. Where a file is not in it, or cannot be used, the archives at its
+// top are unpacked, each to a folder of its own, and it is staged again. Read next: unpack_run.h,
+// stage.h.
 #include "submission.h"
 
 #include "complain.h"
@@ -12,6 +13,7 @@
 #include "places.h"
 #include "stage.h"
 #include "unpack_run.h"
+#include "workshop_files.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -131,31 +133,9 @@ static int only_file_open(const Manifest *manifest, const char *folder, char pat
 
 // ---- Archives in a folder -------------------------------------------------------------------
 
-// Is each of the lab's files in the folder itself? Returns 1 or 0, or -1 after one message.
-static int folder_is_complete(const Manifest *manifest, const char *path)
-{
-    Places places[MANIFEST_MAX_FILES];
-    const int folder = open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (folder < 0 ||
-        places_find(folder, manifest->lab, manifest->files, manifest->n_files, places) != 0) {
-        const int fault = errno;
-        if (folder >= 0) {
-            close(folder);
-        }
-        return machinery_fault(path, fault);
-    }
-    close(folder);
-    int complete = 1;
-    for (int i = 0; i < manifest->n_files; i++) {
-        complete &= places[i].n_equal > 0 && places[i].rank < RANK_TOLD;
-    }
-    places_free(places, manifest->n_files);
-    return complete;
-}
-
 static int is_archive(const struct dirent *entry)
 {
-    return entry->d_name[0] != '.' && is_archive_name(entry->d_name);
+    return entry->d_name[0] != '.' && archive_stem_length(entry->d_name) > 0;
 }
 
 static int name_order(const struct dirent **a, const struct dirent **b)
@@ -190,16 +170,16 @@ static void unopened_say(Sources *sources, const char *name, const char *reason)
     sources->said = messages_join(sources->said, said);
 }
 
-// Unpack the archives at a folder's top, in the order of their names, where a file is missing.
+// Unpack the archives at a folder's top, in the order of their names, or say that none was needed.
 // Returns 0, or -1 after one message.
-static int archives_add(Sources *sources, const char *path, int is_complete)
+static int archives_add(Sources *sources, const char *path, int are_needed)
 {
     struct dirent **entries;
     const int n = scandir(path, &entries, is_archive, name_order);
     int outcome = n >= 0 ? 0 : machinery_fault(path, errno);
     for (int i = 0; i < n; i++) {
         const char *name = entries[i]->d_name;
-        if (outcome == 0 && i < SUBMISSION_MAX_ARCHIVES && is_complete) {
+        if (outcome == 0 && i < SUBMISSION_MAX_ARCHIVES && !are_needed) {
             unopened_say(sources, name, "each of the lab's files lies beside it, and counts");
         } else if (outcome == 0 && i < SUBMISSION_MAX_ARCHIVES) {
             outcome = inner_archive_add(sources, path, name);
@@ -216,58 +196,92 @@ static int archives_add(Sources *sources, const char *path, int is_complete)
 
 // ---- All ------------------------------------------------------------------------------------
 
-// Returns 0, 1 with a message, or -1.
-static int folder_add(Sources *sources, const char *path)
+// Stage from all there is until now. Returns as submission_stage() does.
+static int sources_stage(const Sources *sources, const char *destination, char **message)
+{
+    free(*message);
+    return stage_submission(sources->workshop->manifest, sources->all, sources->n, destination,
+                            message);
+}
+
+// Returns as submission_stage() does.
+static int folder_stage(Sources *sources, const char *path, const char *destination, char **message)
+{
+    path_make(sources->folders[0], "%s", path);
+    source_add(sources, NULL);
+    const int outcome = sources_stage(sources, destination, message);
+    if (outcome < 0 || archives_add(sources, path, outcome > 0) != 0) {
+        return -1;
+    }
+    return sources->n > 1 ? sources_stage(sources, destination, message) : outcome;
+}
+
+// Returns as submission_stage() does.
+static int archive_stage(Sources *sources, const char *path, int file, const char *destination,
+                         char **message)
+{
+    const int outcome = archive_add(sources, path, file, NULL);
+    return outcome == 0  ? sources_stage(sources, destination, message)
+           : outcome > 0 ? STAGE_NOTHING
+                         : -1;
+}
+
+// One of the lab's files by itself, as if a folder held it. Returns as submission_stage() does.
+static int single_file_stage(Sources *sources, const char *path, const char *destination,
+                             char **message)
+{
+    char folder[PATH_MAX], copy[PATH_MAX];
+    path_make(folder, "%s/single", sources->workshop->folder);
+    path_make(copy, "%s/%s", folder, strrchr(path, '/') + 1);
+    return make_folder(folder) == 0 && copy_file(path, copy) == 0
+               ? folder_stage(sources, folder, destination, message)
+               : -1;
+}
+
+// Stage what was handed in, which is open. Returns as submission_stage() does.
+static int handed_in_stage(Sources *sources, const char *path, int file, const char *destination,
+                           char **message)
 {
     const Manifest *manifest = sources->workshop->manifest;
     char inner[PATH_MAX];
-    const int file = only_file_open(manifest, path, inner);
-    if (file >= 0) {
-        const int outcome = archive_add(sources, inner, file, NULL);
-        close(file);
-        return outcome;
-    }
-    path_make(sources->folders[0], "%s", path);
-    source_add(sources, NULL);
-    const int complete = folder_is_complete(manifest, path);
-    return complete >= 0 ? archives_add(sources, path, complete) : -1;
-}
-
-// Find or make the folders to stage from. Returns 0, 1 with a message, or -1.
-static int sources_add(Sources *sources, const char *path)
-{
     struct stat status;
-    // O_NONBLOCK: a FIFO would otherwise wait for a writer that never comes.
-    const int file = open(path, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
-    int outcome;
-    if (file < 0 || fstat(file, &status) != 0) {
-        outcome = machinery_fault(path, errno);
-    } else if (S_ISDIR(status.st_mode)) {
-        outcome = folder_add(sources, path);
-    } else {
-        outcome = archive_add(sources, path, file, NULL);
+    if (fstat(file, &status) != 0) {
+        return machinery_fault(path, errno);
     }
-    if (file >= 0) {
-        close(file);
+    // A class's links have other names than what they lead to.
+    if (!S_ISDIR(status.st_mode) && realpath(path, inner) == NULL) {
+        return machinery_fault(path, errno);
     }
+    if (S_ISREG(status.st_mode) && is_of_lab(manifest, strrchr(inner, '/') + 1)) {
+        return single_file_stage(sources, inner, destination, message);
+    }
+    if (!S_ISDIR(status.st_mode)) {
+        return archive_stage(sources, inner, file, destination, message);
+    }
+    const int only_file = only_file_open(manifest, path, inner);
+    if (only_file < 0) {
+        return folder_stage(sources, path, destination, message);
+    }
+    const int outcome = archive_stage(sources, inner, only_file, destination, message);
+    close(only_file);
     return outcome;
 }
 
 int submission_stage(const Workshop *workshop, const char *path, const char *destination,
                      char **message)
 {
-    Sources *sources = calloc(1, sizeof *sources);
     *message = NULL;
+    Sources *sources = calloc(1, sizeof *sources);
     if (sources == NULL) {
         return machinery_fault(path, ENOMEM);
     }
     sources->workshop = workshop;
-    int outcome = sources_add(sources, path);
-    if (outcome > 0) {
-        outcome = STAGE_NOTHING;
-    } else if (outcome == 0) {
-        outcome =
-            stage_submission(workshop->manifest, sources->all, sources->n, destination, message);
+    // O_NONBLOCK: a FIFO would otherwise wait for a writer that never comes.
+    const int file = open(path, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+    const int outcome = file >= 0 ? handed_in_stage(sources, path, file, destination, message)
+                                  : machinery_fault(path, errno);
+    if (file >= 0) {
+        close(file);
     }
     *message = messages_join(sources->said, *message);
     for (int i = 0; i < sources->n; i++) {

@@ -1,4 +1,4 @@
-// Staging what was handed in: a folder, or an archive that becomes one.
+// Staging what was handed in: a folder, or an archive that becomes one, or one of the lab's files.
 //
 // Archives are read only in the sandbox. Read next: unpack.h, stage.h.
 #ifndef GRADER_SUBMISSION_H
@@ -13,8 +13,9 @@ enum { SUBMISSION_MAX_MEGABYTES = 64, SUBMISSION_MAX_ARCHIVES = 8 };
 // Copy the manifest's files from what was handed in to folder `destination`, as stage_submission()
 // does: from `path` itself where it is a folder; else from a new folder, into which they are
 // unpacked. A folder with nothing but one file, which is none of the manifest's, stands for that
-// file: Moodle puts one around each upload. Where a folder lacks one of the files, the archives at
-// its top are unpacked, too.
+// file: Moodle puts one around each upload. Where a folder lacks one of the files, or it cannot be
+// used, the archives at its top are unpacked, too. A file that is called like one of the manifest's
+// is staged as if a folder held it.
 //   workshop     open; folders are made in it, so only one submission for a workshop
 //   path         what was handed in; links on the way are the instructor's and followed
 //   destination  an existing folder

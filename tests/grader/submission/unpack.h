@@ -1,4 +1,5 @@
-// Unpacking what a student handed in: the lab's files out of a zip or tar archive, and no others.
+// Unpacking what a student handed in: the lab's files out of a zip or tar archive, and no others;
+// and what a course system exports of a class: all of it.
 //
 // An archive is untrusted, and reading one takes a large library: this runs in the sandbox only, as
 // the program unpack (unpack_tool.c). It believes no number and no name in it. libarchive's own
@@ -45,5 +46,13 @@ struct archive *unpack_reader_new(void);
 // when the folder is at fault (a full disk).
 enum { UNPACK_NO_ARCHIVE = 2 };
 int unpack(struct archive *archive, const Manifest *manifest, int folder, char *message);
+
+// Write all entries of a class's export into an open folder, as they are. A link becomes one that
+// leads nowhere. What cannot be written as it is (a path that leads elsewhere, two files of one
+// path, a name that is no text) is a fault of the archive: nobody's work may be left out.
+//   folder     an empty folder, open
+//   message    out: what is wrong, on 1, or ""; [UNPACK_MESSAGE_BYTES]; to be cleaned for display
+// Returns as unpack() does.
+int unpack_export(struct archive *archive, int folder, char *message);
 
 #endif

@@ -14,6 +14,7 @@
 #include "sandbox.h"
 #include "submission.h"
 #include "unpack.h"
+#include "unpack_rules.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -23,14 +24,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-// What unpacking may use. The xz format's own limit on memory is 64 MB.
-enum {
-    UNPACK_SECONDS = 20,
-    UNPACK_WALL_SECONDS = 600,
-    UNPACK_MEMORY_MB = 512,
-    UNPACK_FILE_MB = UNPACK_MAX_WRITTEN_MEGABYTES + 1,
-    UNPACK_PROCESSES = 512
-};
+// What unpacking may use, whatever is unpacked. The xz format's own limit on memory is 64 MB.
+enum { UNPACK_WALL_SECONDS = 600, UNPACK_MEMORY_MB = 512, UNPACK_PROCESSES = 512 };
 
 // What unpack ends with when the archive is at fault; see unpack_tool.c.
 enum { EXIT_ARCHIVE = 1 };
@@ -52,6 +47,11 @@ static int submission_refuse(const char *path, const char *complaint, char **mes
     *message = message_new(
         "%s: %s", message_show(slash != NULL ? slash + 1 : path, shown, sizeof shown), complaint);
     return 1;
+}
+
+static const UnpackRules *rules_of(const Workshop *workshop)
+{
+    return workshop->manifest != NULL ? &unpack_rules_student : &unpack_rules_export;
 }
 
 // ---- Copies for the sandbox -----------------------------------------------------------------
@@ -106,8 +106,8 @@ static int copy_tool(const char *build, const char *to)
 
 // The archive could not be copied. Where there is room for what every submission may need, it is
 // the archive that is too large. Returns 1 with a message, or -1.
-static int copy_failed(const char *path, const char *to, const char *in, off_t n_bytes, int fault,
-                       char **message)
+static int copy_failed(const UnpackRules *rules, const char *path, const char *to, const char *in,
+                       off_t n_bytes, int fault, char **message)
 {
     char complaint[160];
     const int folder = open(in, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -121,14 +121,14 @@ static int copy_failed(const char *path, const char *to, const char *in, off_t n
         return machinery_fault(to, fault);
     }
     snprintf(complaint, sizeof complaint,
-             "its %.1f MB do not fit into the room that this machine has for archives: hand in the "
-             "lab's files only",
-             (double)n_bytes / (1 << 20));
+             "its %.1f MB do not fit into the room that this machine has for archives: %s",
+             (double)n_bytes / (1 << 20), rules->if_large);
     return submission_refuse(path, complaint, message);
 }
 
 // Copy the archive, an open file, into the folder `in`. Returns 0, 1 with a message, or -1.
-static int copy_archive(const char *path, int from, const char *in, char **message)
+static int copy_archive(const UnpackRules *rules, const char *path, int from, const char *in,
+                        char **message)
 {
     char to[PATH_MAX];
     struct stat status;
@@ -142,17 +142,16 @@ static int copy_archive(const char *path, int from, const char *in, char **messa
             "archive of it",
             message);
     }
-    if (status.st_size > (off_t)SUBMISSION_MAX_MEGABYTES << 20) {
+    if (status.st_size > (off_t)rules->most_packed_megabytes << 20) {
         char complaint[80];
-        snprintf(complaint, sizeof complaint,
-                 "larger than the allowed %d MB: hand in the lab's files only",
-                 SUBMISSION_MAX_MEGABYTES);
+        snprintf(complaint, sizeof complaint, "larger than the allowed %d MB: %s",
+                 rules->most_packed_megabytes, rules->if_large);
         return submission_refuse(path, complaint, message);
     }
     path_make(to, "%s/archive", in);
     return copy_open_file(from, to, status.st_size, 0644) == 0
                ? 0
-               : copy_failed(path, to, in, status.st_size, errno, message);
+               : copy_failed(rules, path, to, in, status.st_size, errno, message);
 }
 
 // ---- Unpacking ------------------------------------------------------------------------------
@@ -183,7 +182,8 @@ static int desk_make(const Workshop *workshop, int number, Desk *desk)
 static SandboxRun *start_unpack(const Desk *desk, const char *archive)
 {
     const Manifest *manifest = desk->workshop->manifest;
-    const char *argv[5 + MANIFEST_MAX_FILES] = {"in/unpack", archive, "out", manifest->lab};
+    const UnpackRules *rules = rules_of(desk->workshop);
+    const char *argv[5 + MANIFEST_MAX_FILES] = {"in/unpack", archive, "out"};
     if (folder_remove(desk->out) != 0 && errno != ENOENT) {
         machinery_fault(desk->out, errno);
         return NULL;
@@ -191,7 +191,8 @@ static SandboxRun *start_unpack(const Desk *desk, const char *archive)
     if (folder_make(desk->out, 0700) != 0) {
         return NULL;
     }
-    for (int i = 0; i < manifest->n_files; i++) {
+    for (int i = 0; manifest != NULL && i < manifest->n_files; i++) {
+        argv[3] = manifest->lab;
         argv[4 + i] = manifest->files[i];
     }
     const SandboxCommand command = {
@@ -200,9 +201,9 @@ static SandboxRun *start_unpack(const Desk *desk, const char *archive)
         .folder = "/work",
         .mounts = {{desk->in, "/work/in", 0}, {desk->out, "/work/out", 1}},
         .n_mounts = 2,
-        .time = {UNPACK_SECONDS, UNPACK_SECONDS, UNPACK_WALL_SECONDS},
+        .time = {rules->seconds, rules->seconds, UNPACK_WALL_SECONDS + rules->seconds},
         .memory_mb = UNPACK_MEMORY_MB,
-        .file_mb = UNPACK_FILE_MB,
+        .file_mb = rules->most_file_megabytes,
         .n_processes = UNPACK_PROCESSES,
     };
     return sandbox_start(&command);
@@ -210,9 +211,11 @@ static SandboxRun *start_unpack(const Desk *desk, const char *archive)
 
 // What its end means. Returns 0 with a message or NULL, 1 with one for the student, UNPACK_FAILED,
 // or -1.
-static int take_unpack(const char *path, const SandboxResult *result, char **message)
+static int take_unpack(const Desk *desk, const char *path, const SandboxResult *result,
+                       char **message)
 {
-    char complaint[80];
+    const UnpackRules *rules = rules_of(desk->workshop);
+    char complaint[128];
     char line[512];
     if (result->outcome == SANDBOX_EXITED && result->exit_status == 0) {
         size_t n_bytes = strnlen(result->output, UNPACK_MESSAGE_BYTES);
@@ -228,9 +231,9 @@ static int take_unpack(const char *path, const SandboxResult *result, char **mes
     }
     if (result->outcome == SANDBOX_TIMED_OUT || result->outcome == SANDBOX_ASLEEP ||
         result->outcome == SANDBOX_OVERDUE) {
-        snprintf(complaint, sizeof complaint,
-                 "not unpacked after %d s of %s: hand in the lab's files only", UNPACK_SECONDS,
-                 result->outcome == SANDBOX_TIMED_OUT ? "processor time" : "waiting");
+        snprintf(complaint, sizeof complaint, "not unpacked after %d s of %s: %s", rules->seconds,
+                 result->outcome == SANDBOX_TIMED_OUT ? "processor time" : "waiting",
+                 rules->if_large);
         return submission_refuse(path, complaint, message);
     }
     if (result->outcome == SANDBOX_STARVED) {
@@ -239,8 +242,9 @@ static int take_unpack(const char *path, const SandboxResult *result, char **mes
         return -1;
     }
     if (result->outcome != SANDBOX_EXITED) {
-        return submission_refuse(
-            path, "the archive is damaged, reading it crashes: pack the files anew", message);
+        snprintf(complaint, sizeof complaint, "the archive is damaged, reading it crashes: %s",
+                 rules->if_damaged);
+        return submission_refuse(path, complaint, message);
     }
     return result->exit_status == EXIT_ARCHIVE ? submission_refuse(path, line, message)
                                                : UNPACK_FAILED;
@@ -277,7 +281,7 @@ static int desk_unpack(const Desk *desk, const char *path, char **message)
             return -1;
         }
         const SandboxResult result = sandbox_wait(run);
-        const int outcome = take_unpack(path, &result, message);
+        const int outcome = take_unpack(desk, path, &result, message);
         free(result.output);
         if (outcome != UNPACK_FAILED) {
             return outcome;
@@ -286,8 +290,10 @@ static int desk_unpack(const Desk *desk, const char *path, char **message)
             return -1;
         }
     }
-    return submission_refuse(
-        path, "the archive is damaged, unpacking it fails: pack the files anew", message);
+    char complaint[128];
+    snprintf(complaint, sizeof complaint, "the archive is damaged, unpacking it fails: %s",
+             rules_of(desk->workshop)->if_damaged);
+    return submission_refuse(path, complaint, message);
 }
 
 int archive_unpack(const Workshop *workshop, int number, const char *path, int archive,
@@ -304,7 +310,7 @@ int archive_unpack(const Workshop *workshop, int number, const char *path, int a
     if (copy_tool(workshop->build, tool) != 0) {
         return -1;
     }
-    int outcome = copy_archive(path, archive, desk.in, message);
+    int outcome = copy_archive(rules_of(workshop), path, archive, desk.in, message);
     outcome = outcome == 0 ? desk_unpack(&desk, path, message) : outcome;
     // Another archive may need its room.
     if (folder_remove(desk.in) != 0) {

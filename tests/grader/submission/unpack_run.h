@@ -6,7 +6,9 @@
 
 #include <limits.h>
 
-// Unpack an open file into a new folder of the workshop.
+// Unpack an open file into a new folder of the workshop: the files of its manifest; or all, where
+// it has none, for a class's export.
+//   workshop  what counts is its folder, build, sandbox and manifest
 //   number    of the archive: each has a folder of its own
 //   path      the archive's, whose last part names it in messages
 //   folder    out: where its files are

@@ -1,6 +1,8 @@
-// unpack: the lab's files out of an archive; the one program that reads archives, in the sandbox.
+// unpack: the one program that reads archives, in the sandbox: the lab's files out of a student's,
+// or all that is in a class's export.
 //
 //     unpack ARCHIVE FOLDER LAB NAME...
+//     unpack ARCHIVE FOLDER
 //
 // Writes the entries with these names into the empty FOLDER (unpack.h says how). Exit status: 0,
 // with lines on stdout where there is something to say; 1 when the archive is at fault, which one
@@ -35,6 +37,9 @@ static int tell_kind(int descriptor, const Manifest *manifest)
     const ssize_t n = pread(descriptor, bytes, sizeof bytes, 0);
     const FileKind kind = file_kind(bytes, n > 0 ? (size_t)n : 0);
     printf("found %s%s, expected ", kind.name, kind.fault);
+    if (manifest->n_files == 0) {
+        printf("the submissions");
+    }
     for (int i = 0; i < manifest->n_files; i++) {
         const char *joint = i == 0 ? "" : i < manifest->n_files - 1 ? ", " : " and ";
         printf("%s%s", joint, manifest->files[i]);
@@ -48,7 +53,8 @@ static int archive_unpack(struct archive *archive, const Manifest *manifest, int
     char message[UNPACK_MESSAGE_BYTES] = "";
     int outcome = UNPACK_NO_ARCHIVE;
     if (archive_read_open_fd(archive, from, BLOCK_BYTES) == ARCHIVE_OK) {
-        outcome = unpack(archive, manifest, to, message);
+        outcome = manifest->n_files > 0 ? unpack(archive, manifest, to, message)
+                                        : unpack_export(archive, to, message);
     }
     if (outcome == UNPACK_NO_ARCHIVE) {
         return tell_kind(from, manifest);
@@ -64,13 +70,15 @@ static int archive_unpack(struct archive *archive, const Manifest *manifest, int
 
 int main(int argc, char **argv)
 {
-    Manifest manifest = {.n_files = argc - 4};
-    if (argc < 5 || manifest.n_files > MANIFEST_MAX_FILES) {
-        fprintf(stderr, "usage: unpack ARCHIVE FOLDER LAB NAME...\n");
+    Manifest manifest = {.n_files = argc > 4 ? argc - 4 : 0};
+    if (argc < 3 || argc == 4 || manifest.n_files > MANIFEST_MAX_FILES) {
+        fprintf(stderr, "usage: unpack ARCHIVE FOLDER [LAB NAME...]\n");
         return EXIT_FAULT;
     }
-    snprintf(manifest.lab, sizeof manifest.lab, "%s", argv[3]);
-    memcpy(manifest.files, argv + 4, (size_t)manifest.n_files * sizeof *argv);
+    if (manifest.n_files > 0) {
+        snprintf(manifest.lab, sizeof manifest.lab, "%s", argv[3]);
+        memcpy(manifest.files, argv + 4, (size_t)manifest.n_files * sizeof *argv);
+    }
     setlocale(LC_CTYPE, "");  // names in an archive may be UTF-8
     const int from = open(argv[1], O_RDONLY | O_CLOEXEC);
     const int to = open(argv[2], O_RDONLY | O_DIRECTORY | O_CLOEXEC);

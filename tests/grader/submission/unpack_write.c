@@ -19,6 +19,12 @@ static int outcome_of(int fault)
     return fault == ENOSPC || fault == EDQUOT || fault == EIO || fault == EROFS ? -1 : 0;
 }
 
+void unpack_time_set(int descriptor, time_t changed)
+{
+    const struct timespec times[2] = {{.tv_nsec = UTIME_OMIT}, {.tv_sec = changed}};
+    (void)!futimens(descriptor, times);
+}
+
 // Returns as copy_write() does.
 static int file_write(const Copy *copy, int parent, const char *name)
 {
@@ -28,9 +34,7 @@ static int file_write(const Copy *copy, int parent, const char *name)
         return outcome_of(errno);
     }
     int fault = bytes_write(descriptor, copy->bytes, copy->n_bytes) != 0 ? errno : 0;
-    // Of several archives the newest file counts. A time that no file system takes says nothing.
-    const struct timespec times[2] = {{.tv_nsec = UTIME_OMIT}, {.tv_sec = copy->changed}};
-    (void)!futimens(descriptor, times);
+    unpack_time_set(descriptor, copy->changed);  // of several archives the newest file counts
     if (close(descriptor) != 0 && fault == 0) {
         fault = errno;
     }
@@ -52,8 +56,7 @@ static int folder_enter(int parent, const char *name)
     return inner;
 }
 
-// Make the folders of a path, and open the last. Returns a descriptor, or -1 with errno set.
-static int folders_enter(int folder, const char *path)
+int unpack_folder_open(int folder, const char *path)
 {
     int inner = openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     while (inner >= 0 && *path != '\0') {
@@ -70,7 +73,7 @@ static int folders_enter(int folder, const char *path)
 int copy_write(const Copy *copy, int folder)
 {
     const char *name = copy->place.name;
-    const int parent = folders_enter(folder, copy->place.folder);
+    const int parent = unpack_folder_open(folder, copy->place.folder);
     if (parent < 0) {
         return outcome_of(errno);
     }

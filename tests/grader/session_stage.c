@@ -1,0 +1,63 @@
+// Staging a submission so that what is there of it can be run (see session.h).
+//
+// One file that cannot be used costs its own tasks and no others: it is replaced by the file as it
+// is handed out. Read next: submission.h.
+#include "message.h"
+#include "path.h"
+#include "session.h"
+#include "skeleton.h"
+#include "submission.h"
+
+#include <stdlib.h>
+#include <unistd.h>
+
+// Find the files that staging left out.
+static void files_find(const Manifest *manifest, const char *folder, StagedFiles *staged)
+{
+    for (int i = 0; i < manifest->n_files; i++) {
+        char path[PATH_MAX];
+        path_make(path, "%s/%s", folder, manifest->files[i]);
+        staged->is_replaced[i] = access(path, F_OK) != 0;
+        staged->n_taken += !staged->is_replaced[i];
+    }
+}
+
+// Put what is handed out into the place of each file that was left out, and say so. Returns 0, or
+// -1 after one message.
+static int files_replace(const Manifest *manifest, const char *folder, StagedFiles *staged)
+{
+    int result = 0;
+    for (int i = 0; result == 0 && i < manifest->n_files; i++) {
+        if (!staged->is_replaced[i]) {
+            continue;
+        }
+        char *text = skeleton_read(manifest, manifest->files[i]);
+        result = text == NULL ? -1 : session_write(folder, manifest->files[i], text);
+        free(text);
+        char *longer = message_new("%s\n%s: replaced by the file as it was handed out, so that "
+                                   "your other files count",
+                                   staged->said, manifest->files[i]);
+        free(staged->said);
+        staged->said = longer;
+    }
+    return result;
+}
+
+int session_stage(const Session *session, const char *submission, const char *folder,
+                  StagedFiles *staged)
+{
+    const Manifest *manifest = &session->manifest;
+    *staged = (StagedFiles){0};
+    const int outcome = submission_stage(&session->workshop, submission, folder, &staged->said);
+    staged->is_complete = outcome == 0;
+    staged->has_nothing = outcome == STAGE_NOTHING;
+    if (staged->said == NULL) {
+        staged->said = message_new("%s", "");
+    }
+    files_find(manifest, folder, staged);
+    if (outcome < 0 || (staged->n_taken > 0 && files_replace(manifest, folder, staged) != 0)) {
+        free(staged->said);
+        return -1;
+    }
+    return 0;
+}
