@@ -66,7 +66,9 @@ void draw_failed(FILE *file, const Followed *followed)
     for (int i = 0; i < N_PANELS; i++) {
         panel_draw(file, i, LEFT + i * (SIDE + GAP));
     }
-    svg_text(file, LEFT, HEIGHT - 24, SVG_LEFT, "",
-             "Failed: both lists together are at least 9/5 as long as the node's own, here 18");
+    svg_text(
+        file, LEFT, HEIGHT - 24, SVG_LEFT, "",
+        "Failed: together at least 9/5 of the node's own list, here 18. Below 4 failed splits: "
+        "a leaf.");
     svg_end(file);
 }
