@@ -6,7 +6,7 @@
 //     FILE.csv                               columns by name: x,y,radius,depth,r,g,b[,a]
 //     random[:n=N,seed=S,min=R,max=R]        N circles, radii of min to max pixels (2 to 20);
 //                                            arguments in any order
-//     example                                the lecture's circles A to E on 10x10 pixels
+//     example                                the lecture's A to E (numbers are ours), 10x10 pixels
 //     equal-depths, borders, touching, huge, tiny, outside, none      edge cases
 // Generated centres, radii and pixels lie on a grid of 1/16 px: every comparison is then exact in
 // float, whatever the order of the arithmetic, and two right pictures are equal to the bit.
@@ -28,7 +28,7 @@ typedef struct Scene2D {
 // The picture's size where neither --size nor the scene says one.
 #define SCENE2D_DEFAULT_SIZE 1024
 
-// What `random` makes where its arguments do not say: the lecture's 8192 circles.
+// What `random` makes by default: as many circles as the lecture draws, whose radii are unknown.
 #define SCENE2D_DEFAULT_CIRCLES 8192
 
 // The most circles of a scene: 320 MB.

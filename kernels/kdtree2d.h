@@ -7,7 +7,7 @@
 //   mapNode2Circles[n_map]     u32       for each leaf a count and as many circle ids, ascending
 //
 // Node ids count in breadth-first order from 0, the root, without gaps: a node's id is its position
-// in the arrays. Lecture: "kd-tree: memory layout". Read next: kdtree2d_build.h of lab 02.
+// in the arrays. Source: slide "Implementation: Daten". Read next: kdtree2d_build.h of lab 02.
 #ifndef KERNELS_KDTREE2D_H
 #define KERNELS_KDTREE2D_H
 
@@ -18,13 +18,13 @@ enum {
     INNER = 1,  // nodes_flag of a node with two children
 };
 
-// What a node is, nodes_flag says, as in the lecture. A leaf's lChild and rChild mean nothing (the
-// builder leaves 0 there), nor does an inner node's circleMapOffset, which is 0.
+// nodes_flag tells leaf from inner node, as in the lecture. A leaf's lChild and rChild mean
+// nothing (the builder leaves 0 there), nor does an inner node's circleMapOffset, which is 0.
 typedef struct NodeRel {
     /*  0 */ u32 id;               // the node's own position in the arrays
     /*  4 */ u32 lChild;           // the child with the lower coordinates
     /*  8 */ u32 rChild;           // the child with the higher coordinates
-    /* 12 */ u32 circleMapOffset;  // leaf: where its count stands in mapNode2Circles
+    /* 12 */ u32 circleMapOffset;  // leaf: the position of its count in mapNode2Circles
 } NodeRel;
 LAYOUT_ASSERT(NodeRel, 16);
 

@@ -28,8 +28,8 @@ int main(int argc, char **argv)
     const cl_image_desc desc = {.image_type = CL_MEM_OBJECT_IMAGE2D,
                                 .image_width = (size_t)width,
                                 .image_height = (size_t)height};
-    // New memory holds whatever was there, so the image begins as a copy of the host's, which is
-    // black: so is a pixel that no work-item writes.
+    // New memory has unknown contents, so the image begins as a copy of the host's, which is black.
+    // A pixel that no work-item writes stays black.
     cl_int error;
     cl_mem d_image = clCreateImage(lab.cl.context, CL_MEM_WRITE_ONLY | CL_MEM_COPY_HOST_PTR,
                                    &format, &desc, image.pixels, &error);

@@ -10,8 +10,8 @@
 // Hand the kernel `gradient` its arguments, in the order of its parameter list in gradient.cl.
 void set_arguments(cl_kernel kernel, int width, int height, cl_mem d_image);
 
-// Launch the kernel with one work-item a pixel, in groups of GROUP_SIZE x GROUP_SIZE. Returns when
-// it is queued; it need not have run.
+// Launch the kernel with one work-item per pixel, in groups of GROUP_SIZE x GROUP_SIZE. Returns as
+// soon as the launch is in the queue; the kernel may not have run yet.
 void enqueue_pixels(cl_command_queue queue, cl_kernel kernel, int width, int height);
 
 // Wait for the kernel and copy the picture to the host.

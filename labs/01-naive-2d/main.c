@@ -22,7 +22,7 @@ int main(int argc, char **argv)
     lab_describe(&lab, "n_circles", scene.n_circles, scene.width, scene.height);
 
     // ---- Buffers ---------------------------------------------------------------------------
-    // OpenCL knows no empty buffer: a scene without circles hands the kernel NULL.
+    // OpenCL has no empty buffers: for a scene without circles the kernel gets NULL.
     cl_mem d_circles = NULL;
     if (scene.n_circles > 0) {
         cl_int error;
@@ -35,7 +35,7 @@ int main(int argc, char **argv)
     require(cl_image_create(&lab.cl, scene.width, scene.height, &d_image));
 
     // ---- Kernel ----------------------------------------------------------------------------
-    // One kernel draws. Where the work is counted, a second one does that, with the same arguments.
+    // One kernel draws. With --stats a second one counts the work, with the same arguments.
     lab_build_kernels(&lab, LAB_FOLDER "/implicit2DRenderer.cl", "implicit2DRenderer",
                       KERNEL_OPTIONS, scene.width, scene.height);
     for (int i = 0; i < lab.n_kernels; i++) {

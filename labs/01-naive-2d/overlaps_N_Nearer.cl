@@ -1,18 +1,18 @@
-// Lab 01: the question that every pixel asks every circle. Labs 01 and 03 build on it.
+// Lab 01: the test of one circle for one pixel. Labs 01 and 03 build on it.
 //
 // Flow: scene -> buffers -> KERNEL -> image. Called by implicit2DRenderer.cl.
 #include "circle.h"
 #include "work.h"
 
-// Does the circle cover the pixel (x, y), and is it nearer than what the pixel has seen so far?
-//   minDepth   the depth of the nearest circle found yet
+// Does the circle cover the pixel (x, y), and is it nearer than all circles found so far?
+//   minDepth   the depth of the nearest circle found so far
 //   work       what this pixel has cost so far; the call is counted
-// Returns 1 or 0. Source: lecture, "Implicit 2D rendering".
+// Returns 1 or 0. The slides call this function and do not show it: it is our reconstruction.
 int overlaps_N_Nearer(int x, int y, Circle circle, float minDepth, Work *work)
 {
     count_test(work);
     // TASK overlaps_N_Nearer: the boundary belongs to the circle (distance² <= radius²), and
-    // nearer is strict (depth < minDepth): of two equal depths the one asked first keeps the pixel.
+    // nearer is strict (depth < minDepth): at equal depths the circle tested first keeps the pixel.
     (void)x, (void)y, (void)circle, (void)minDepth;
     return 0;
     // END overlaps_N_Nearer

@@ -30,7 +30,7 @@ BBox2D scene_bounds(const Circle *h_circles, u32 n_circles)
 
 int is_leaf(int level, u32 n_circles, int n_failed, KdTreeLimits limits)
 {
-    // TASK is_leaf: stop on level maxDepth, at targetElementsPerNode circles or fewer, and after
+    // TASK is_leaf: stop on level maxDepth, at targetElementsPerNode circles or fewer, or after
     // MAX_FAILED_SPLITS failed splits.
     (void)level, (void)n_circles, (void)n_failed, (void)limits;
     return 1;
@@ -41,16 +41,16 @@ void split_box(BBox2D box, BBox2D *left, BBox2D *right)
 {
     *left = box;
     *right = box;
-    // TASK split_box: both start as the whole cell; move the one border of each that the split
-    // moves.
+    // TASK split_box: both start as the whole cell; in each of them move the one border that the
+    // split moves.
     // (your code)
     // END split_box
 }
 
 int circle_overlaps_box(Circle circle, BBox2D box)
 {
-    // TASK circle_overlaps_box: find the cell's point nearest to the centre, then ask whether the
-    // circle covers it. In double every step is exact for the scenes of this course.
+    // TASK circle_overlaps_box: find the cell's point nearest to the centre, then test whether
+    // the circle covers it. In double every step is exact for the scenes of this course.
     (void)circle, (void)box;
     return 0;
     // END circle_overlaps_box
@@ -58,7 +58,7 @@ int circle_overlaps_box(Circle circle, BBox2D box)
 
 u32 distribute(const Circle *h_circles, const u32 *ids, u32 n_ids, BBox2D child, u32 *child_ids)
 {
-    // TASK distribute: ask circle_overlaps_box() for each of the node's circles. A circle that
+    // TASK distribute: call circle_overlaps_box() for each of the node's circles. A circle that
     // overlaps both children goes to both: this function is called once for each.
     (void)h_circles, (void)ids, (void)n_ids, (void)child, (void)child_ids;
     return 0;
@@ -67,7 +67,7 @@ u32 distribute(const Circle *h_circles, const u32 *ids, u32 n_ids, BBox2D child,
 
 void pack_leaf(KdTree2D *tree, u32 id, const u32 *ids, u32 n_ids)
 {
-    // TASK pack_leaf: circleMapOffset is the place of the count, as in {..., 2, 90, 90000, ...}.
+    // TASK pack_leaf: circleMapOffset is the position of the count, the 2 in {..., 2, 90, 90000}.
     (void)tree, (void)id, (void)ids, (void)n_ids;
     // END pack_leaf
 }

@@ -1,5 +1,5 @@
 // Building the 2D kd-tree: from circles to the four packed arrays. Tasks of lab 02; lab 03 searches
-// what comes out. Source of all of it: lecture, "kd-tree: principle, construction, memory layout".
+// the result. Source: slides "Prinzip KD-Tree I, II", "Implementation: Daten" and "Datenlayout".
 #ifndef KDTREE2D_BUILD_H
 #define KDTREE2D_BUILD_H
 
@@ -13,7 +13,7 @@
 // limits of tree2d.h.
 int kdtree2d_build(const Circle *h_circles, u32 n_circles, KdTreeLimits limits, KdTree2D *tree);
 
-// The root's cell: the smallest box with whole-numbered corners whose half-open inside,
+// The root's cell: the smallest box with integer corners whose half-open inside,
 // minX <= x < maxX, holds every circle whole. All zeros when there is no circle.
 BBox2D scene_bounds(const Circle *h_circles, u32 n_circles);
 
@@ -24,12 +24,12 @@ BBox2D scene_bounds(const Circle *h_circles, u32 n_circles);
 // Returns 1 for a leaf, 0 for a node to be split.
 int is_leaf(int level, u32 n_circles, int n_failed, KdTreeLimits limits);
 
-// Halve a cell across its longer side; across x where both are equal.
-//   left, right   out: the half with the lower coordinates and the one with the higher
+// Halve a cell across its longer side; across x if both sides are equal.
+//   left, right   out: the half with the lower coordinates, and the one with the higher
 void split_box(BBox2D box, BBox2D *left, BBox2D *right);
 
-// Does a circle overlap a cell? Both with their boundaries, and exactly: near a corner the square
-// around the circle may overlap the cell, and the circle still not. Returns 1 or 0.
+// Does a circle overlap a cell? Both include their boundaries, and the test is exact: near a corner
+// the circle's bounding square may overlap the cell although the circle does not. Returns 1 or 0.
 int circle_overlaps_box(Circle circle, BBox2D box);
 
 // Pick from a node's circles those that overlap one child's cell.

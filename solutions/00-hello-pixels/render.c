@@ -6,7 +6,7 @@
 
 void set_arguments(cl_kernel kernel, int width, int height, cl_mem d_image)
 {
-    // TASK set_arguments: three calls of clSetKernelArg, one for each parameter of the kernel.
+    // TASK set_arguments: call clSetKernelArg once for each of the three parameters of the kernel.
     //> (void)kernel, (void)width, (void)height, (void)d_image;
     CL_CHECK(clSetKernelArg(kernel, 0, sizeof width, &width));
     CL_CHECK(clSetKernelArg(kernel, 1, sizeof height, &height));

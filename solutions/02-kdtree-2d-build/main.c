@@ -12,7 +12,7 @@
 
 #include <stdio.h>
 
-// The lecture's worked example: which cells hold pixel (7, 7)?
+// The lecture's example, with numbers of ours: which cells contain pixel (7, 7)?
 static void print_worked_example(void)
 {
     const KdTreeLimits limits = {.maxDepth = 4, .targetElementsPerNode = 1};

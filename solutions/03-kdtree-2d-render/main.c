@@ -32,8 +32,8 @@ int main(int argc, char **argv)
     stats_number(&lab.stats, "tree.build_ms", stats_clock_ms() - start);
     stats_integer(&lab.stats, "tree.n_nodes", tree.n_nodes);
     stats_integer(&lab.stats, "tree.n_map", tree.n_map);
-    require(tree2d_check(&tree, (u32)scene.n_circles));  // the kernel follows every id unasked
-    // cl_buffer_create() is lab 01's clCreateBuffer and its check; of nothing it makes one byte.
+    require(tree2d_check(&tree, (u32)scene.n_circles));  // the kernel follows every id unchecked
+    // cl_buffer_create() is lab 01's clCreateBuffer and its check; an empty array becomes one byte.
     cl_mem d_circles = cl_buffer_create(&lab.cl, scene.circles, scene.n_circles * sizeof(Circle));
     cl_mem d_nodes_Relations =
         cl_buffer_create(&lab.cl, tree.nodes_Relations, tree.n_nodes * sizeof(NodeRel));
@@ -45,7 +45,7 @@ int main(int argc, char **argv)
     require(cl_image_create(&lab.cl, scene.width, scene.height, &d_image));
 
     // ---- Kernel ----------------------------------------------------------------------------
-    // One kernel draws. Where the work is counted, a second one does that, with the same arguments.
+    // One kernel draws. With --stats a second one counts the work, with the same arguments.
     lab_build_kernels(&lab, LAB_FOLDER "/implicit2DRenderer_KD.cl", "implicit2DRenderer_KD",
                       KERNEL_OPTIONS, scene.width, scene.height);
     for (int i = 0; i < lab.n_kernels; i++) {

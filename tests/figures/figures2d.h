@@ -42,6 +42,8 @@ void draw_descent(FILE *file, const Followed *followed);  // 03-descent.svg
 void draw_search(FILE *file, const Followed *followed);   // 03-search.svg
 void draw_sample(FILE *file, const Followed *followed);   // 01-sample-point.svg
 void draw_groups(FILE *file, const Followed *followed);   // 00-work-groups.svg
+void draw_host(FILE *file, const Followed *followed);     // 00-host-device.svg
+void draw_failed(FILE *file, const Followed *followed);   // 02-failed-split.svg
 void draw_weights(FILE *file, const Followed *followed);  // 08-weights.svg
 
 // 03-search.svg at another step, which a reader can take forward and back. Narrow, it has the tree
