@@ -211,7 +211,7 @@ for folder in solutions/*/; do
     n_lines=$(for source in "$folder"*.[ch]*; do
         for hole in $("$tools/holes" list "$source"); do "$tools/holes" read "$source" "$hole"; done
     done | grep -v -c -e '^ *//' -e '^ *$')
-    grep -F "labs/$lab/" README.md | grep -q "| $hours, $n_lines lines |"
+    grep -F "labs/$lab/" README.md | grep -q "| $hours | $n_lines |\$"
     ok $? "README.md: $lab takes $hours, $n_lines lines"
 done
 
