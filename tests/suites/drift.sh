@@ -207,7 +207,7 @@ done
 # A lab's row in README.md: the hours that its page names, and the lines of its answers without comments.
 for folder in solutions/*/; do
     lab=$(basename "$folder")
-    hours=$(grep -o -h -m 1 'about [a-z]* hours' "$folder/README.md" | sed 's/^about //')
+    hours=$(cat "$folder"*.md | grep -o 'about [a-z]* hours' | sed 's/^about //; q')
     n_lines=$(for source in "$folder"*.[ch]*; do
         for hole in $("$tools/holes" list "$source"); do "$tools/holes" read "$source" "$hole"; done
     done | grep -v -c -e '^ *//' -e '^ *$')
