@@ -1,11 +1,11 @@
 // The camera: where the eye is, how it is turned, and how wide it sees. Set up on the host (lab
 // 04), read by every kernel that makes rays.
 //
-// Space is right-handed. The display stands at distance 1 before the eye; seen from the eye,
+// Space is right-handed. The display is at distance 1 in front of the eye; seen from the eye,
 // `right` points along its rows, `up` along its columns, `forward` through its middle. The three
 // are unit vectors at right angles, and right x up = -forward: one looks along the negative third
 // axis.
-// Lecture: "Viewing". Flow: scene -> BUFFERS -> KERNEL -> image. Read next: ray.h.
+// Lecture: slide "Viewing". Flow: scene -> BUFFERS -> KERNEL -> image. Read next: ray.h.
 #ifndef KERNELS_CAMERA_H
 #define KERNELS_CAMERA_H
 

@@ -5,7 +5,7 @@
 //   sphere_ids[n_sphere_ids]  u32      the leaves' ids: one range a leaf, in the leaves' order
 //   bounds                    BBox3D   the scene's box, the only one that is kept
 //
-// Lecture: "kd-tree for ray tracing". Flow: scene -> BUFFERS -> KERNEL -> image. Read next:
+// Lecture: slide "Node im 3D-KD Tree". Flow: scene -> BUFFERS -> KERNEL -> image. Read next:
 // kdtree3d_build.h of lab 06, todo.h.
 #ifndef KERNELS_KDTREE3D_H
 #define KERNELS_KDTREE3D_H
@@ -16,9 +16,8 @@ enum {
     KD_LEAF = 3,  // split_axis of a node without children; 0, 1 and 2 stand for x, y and z
 };
 
-// How many nodes can wait at once while a ray is traced (todo.h). The kernel never asks whether
-// there is room: the builder refuses a tree in which more could wait. Which tree that is, is task
-// fits_todo of lab 06.
+// How many nodes can wait at once while a ray is traced (todo.h). The kernel never tests whether
+// there is room: the builder refuses a tree in which more could wait (task fits_todo of lab 06).
 #define TODO_SIZE 40
 
 typedef struct KdNode3 {

@@ -5,7 +5,7 @@
 // A hit counts when t > t_min. For a ray from the eye t_min is 0, and t_max is INFINITY: it has no
 // end; a shadow ray of lab 09 ends at its light. Lab 07 starts with the two and narrows them to the
 // part of the ray inside a node, in variables of its own.
-// Lecture: "Rays". Flow: scene -> buffers -> KERNEL -> image. Read next: sphere.h.
+// Lecture: slide "Viewing". Flow: scene -> buffers -> KERNEL -> image. Read next: sphere.h.
 #ifndef KERNELS_RAY_H
 #define KERNELS_RAY_H
 

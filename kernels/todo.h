@@ -3,7 +3,8 @@
 //
 // Why a stack of our own? OpenCL C knows no recursion. Its size is fixed; that it never overflows
 // is the builder's promise (TODO_SIZE in kdtree3d.h).
-// Lecture: "todo stack". Flow: scene -> buffers -> KERNEL -> image. Read next: trace.cl of lab 07.
+// Lecture: slide "KD-Tree Raytracing". Flow: scene -> buffers -> KERNEL -> image. Read next:
+// trace.cl of lab 07.
 #ifndef KERNELS_TODO_H
 #define KERNELS_TODO_H
 

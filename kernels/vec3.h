@@ -1,5 +1,5 @@
-// Three numbers: a point, a direction or a colour, as host and device share them, and what the host
-// needs of vector arithmetic. The device has float3 for that; to_float3() leads there.
+// Three numbers: a point, a direction or a colour, as host and device share them, and the vector
+// arithmetic that the host needs. The device has float3 for that; to_float3() converts to it.
 //
 // Why not float3 in shared structures? It takes 16 bytes, and the host has no such type.
 // Flow: scene -> BUFFERS -> KERNEL -> image. Read next: camera.h, sphere.h.

@@ -12,7 +12,7 @@
 int main(int argc, char **argv)
 {
     // ---- Options ---------------------------------------------------------------------------
-    Lab lab = lab_begin(argc, argv, LAB_NAME, "Traces spheres; every ray asks every sphere.",
+    Lab lab = lab_begin(argc, argv, LAB_NAME, "Traces spheres; every ray tests every sphere.",
                         OPTIONS_SCENE3D | OPTIONS_DEVICE | OPTIONS_WORK | OPTIONS_TEXTBOOK);
 
     // ---- Scene, device ---------------------------------------------------------------------
@@ -26,7 +26,7 @@ int main(int argc, char **argv)
     require(scene_buffers_create(&lab.cl, &scene, &buffers));
 
     // ---- Kernel ----------------------------------------------------------------------------
-    // One kernel draws. Where the work is counted, a second one does that, with the same arguments.
+    // One kernel draws. If the work is counted, a second one does that, with the same arguments.
     lab_build_kernels(&lab, LAB_FOLDER "/render_spheres.cl", "render_spheres",
                       lab.options.textbook ? KERNEL_OPTIONS " -DTEXTBOOK" : KERNEL_OPTIONS,
                       scene.width, scene.height);

@@ -1,7 +1,7 @@
 // A 3D scene on the device (see scene_buffers.h).
 //
 // Flow: scene -> BUFFERS -> kernel -> image. Called by main.c here and in lab 07. Read next:
-// render_spheres.cl, whose parameters these are.
+// render_spheres.cl, which takes these parameters.
 #include "scene_buffers.h"
 
 #include "camera_from_view.h"

@@ -1,4 +1,4 @@
-// Lab 05: the colour of a point on a sphere, in the light of the scene. Lab 07 shades with it, too.
+// Lab 05: the colour of a point on a sphere, in the light of the scene. Lab 07 uses it, too.
 //
 // Flow: scene -> buffers -> KERNEL -> image. Called by render_spheres.cl.
 #include "ray.h"
@@ -11,19 +11,19 @@
 //   direction   the ray's
 float3 surface_normal(Sphere sphere, float3 point, float3 direction)
 {
-    // TASK surface_normal: from the centre to the point, made a unit vector; turned round where it
-    // points away from where the ray came from, as it does when the eye is inside the sphere.
+    // TASK surface_normal: the unit vector from the centre to the point. If it points away from
+    // where the ray came from, as it does if the eye is inside the sphere, turn it round.
     (void)sphere, (void)point, (void)direction;
     return (float3)(0.0f);
     // END surface_normal
 }
 
 // Lambert's law: a surface scatters a light in proportion to the cosine of the angle between its
-// normal and the way to the light, and nothing when the light is behind it. No shadows yet.
+// normal and the way to the light, and nothing if the light is behind it. No shadows yet.
 //   point, normal      scene units; unit vector
 //   lights[n_lights]   the scene's; their brightness does not fall with distance
-// Returns red, green and blue, 0 where no light falls, above 1 where much does. Source: Lambert,
-// Photometria, 1760; the lecture's last slide only says that a hit is shaded.
+// Returns red, green and blue: 0 without light, above 1 in much light. Source: Lambert,
+// Photometria, 1760; the lecture's slide "KD-Tree Raytracing" only says that a hit is shaded.
 float3 shade(float3 point, float3 normal, Material material, global const Light *lights,
              int n_lights)
 {
@@ -35,10 +35,10 @@ float3 shade(float3 point, float3 normal, Material material, global const Light 
 }
 
 // The colour of a ray: of the surface it hits, or the background.
-//   hit                  what the ray hits, if anything
+//   hit                  the nearest hit, if there is one
 //   spheres, materials   the scene's; material_ids[i] says which material sphere i is made of
 //   lights[n_lights]     the scene's
-//   background           the colour where nothing is hit
+//   background           the colour if nothing is hit
 float3 hit_color(Ray ray, Hit hit, global const Sphere *spheres, global const uint *material_ids,
                  global const Material *materials, global const Light *lights, int n_lights,
                  Vec3 background)

@@ -7,7 +7,8 @@
 void camera_axes(View view, Vec3 *right, Vec3 *up, Vec3 *forward)
 {
     // TASK camera_axes: forward goes from the eye to the point looked at. right is at right angles
-    // to forward and view.up, up to right and forward. Mind the order: vec3_cross is right-handed.
+    // to forward and view.up; up is at right angles to right and forward. vec3_cross is
+    // right-handed, so the order of its factors matters.
     //> (void)view;
     //> *right = (Vec3){1, 0, 0};
     //> *up = (Vec3){0, 1, 0};

@@ -10,13 +10,13 @@ kernel void draw_directions(Camera camera, int width, int height, write_only ima
 {
     const int x = get_global_id(0);
     const int y = get_global_id(1);
-    // Work-items that fill up the last work-groups stand outside the picture.
+    // Work-items that fill up the last work-groups are outside the picture.
     if (x >= width || y >= height) {
         return;
     }
     float3 color = (float3)(0.0f);
-    // TASK direction_color: a direction's components go from -1 to 1, a colour's from 0 to 1: map
-    // the one evenly to the other. x is red, y is green, z is blue.
+    // TASK direction_color: map the components of the direction, from -1 to 1, evenly to those of a
+    // colour, from 0 to 1. x is red, y is green, z is blue.
     //> (void)camera;
     const Ray ray = primary_ray(x, y, width, height, camera);
     color = 0.5f * ray.direction + 0.5f;

@@ -5,15 +5,15 @@
 #include "camera.h"
 #include "ray.h"
 
-// Where pixel (x, y) stands on the display, as seen from the eye: x along the camera's right, y
-// along its up, z along its forward. The display is at distance 1, so z is 1.
+// The middle of pixel (x, y) on the display, seen from the eye: x along the camera's right, y along
+// its up, z along its forward. The display is at distance 1, so z is 1.
 //   width, height   the picture, pixels; pixels are squares; row 0 is the top row
 //   fov             the display's width (its distance is 1)
 float3 pixel_on_display(int x, int y, int width, int height, float fov)
 {
     // TASK pixel_on_display: the point in the middle of the pixel. x grows from -fov / 2 at the
-    // left border of the display to fov / 2 at its right border; y grows upwards, and a pixel is as
-    // high as it is wide.
+    // left border of the display to fov / 2 at its right border; y grows upwards. Pixels are
+    // squares.
     //> (void)x, (void)y, (void)width, (void)height, (void)fov;
     //> return (float3)(0.0f, 0.0f, 1.0f);
     const float pixel_size = fov / width;
@@ -26,12 +26,12 @@ float3 pixel_on_display(int x, int y, int width, int height, float fov)
 // The ray from the eye through the middle of pixel (x, y), in the scene's coordinates. It starts at
 // the eye and has no end; its direction is a unit vector.
 //   camera   see camera.h
-// Source: lecture, "Rays", "View transform".
+// Source: lecture, slide "Viewing".
 Ray primary_ray(int x, int y, int width, int height, Camera camera)
 {
     Ray ray;
-    // TASK primary_ray: the view transform: turn pixel_on_display() from the camera's axes to the
-    // scene's. Then fill in all four parts of the ray.
+    // TASK primary_ray: apply the view transform: turn the point that pixel_on_display() returns
+    // from the camera's axes to the scene's. Fill in all four parts of the ray.
     //> (void)x, (void)y, (void)width, (void)height, (void)camera;
     //> ray.origin = (float3)(0.0f);
     //> ray.direction = (float3)(0.0f);

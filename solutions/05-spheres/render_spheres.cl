@@ -1,4 +1,4 @@
-// Lab 05: ray tracing, the naive way: every ray asks every sphere. Nothing to fill in here.
+// Lab 05: ray tracing, the naive way: every ray tests every sphere. Nothing to fill in here.
 //
 // Flow: scene -> buffers -> KERNEL -> image. Started by main.c.
 #include "nearest_hit.cl"
@@ -12,7 +12,7 @@
 //   camera                                where it is seen from
 //   width, height                         the picture, pixels; work-items outside it write nothing
 //   image                                 RGBA float, at least width x height; row 0 is the top row
-//   d_work                                what each pixel cost; NULL where nothing is counted
+//   d_work                                what each pixel cost; NULL if nothing is counted
 kernel void render_spheres(global const Sphere *spheres, global const uint *material_ids,
                            global const Material *materials, global const Light *lights,
                            int n_lights, Vec3 background, Camera camera, int width, int height,
@@ -20,7 +20,7 @@ kernel void render_spheres(global const Sphere *spheres, global const uint *mate
 {
     const int x = get_global_id(0);
     const int y = get_global_id(1);
-    // Work-items that fill up the last work-groups stand outside the picture.
+    // Work-items that fill up the last work-groups are outside the picture.
     if (x >= width || y >= height) {
         return;
     }

@@ -1,5 +1,5 @@
-// A 3D scene on the device: what every kernel that draws spheres takes as its first arguments.
-// Given; lab 05 and every later one that draws use it.
+// A 3D scene on the device: the first arguments of every kernel that draws spheres. Given; lab 05
+// and all later labs that draw use it.
 #ifndef SCENE_BUFFERS_H
 #define SCENE_BUFFERS_H
 

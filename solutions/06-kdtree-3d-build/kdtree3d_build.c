@@ -2,8 +2,8 @@
 //
 // Flow: scene -> BUFFERS (this file fills the tree's) -> kernel -> image. Called by main.c here and
 // in lab 07. Read the contracts in kdtree3d_build.h first, then kdtree3d_build() at the end, which
-// hands the steps to tree3d_grow(). is_leaf() is that of lab 02; what is otherwise as there is
-// given: the scene's box, the lists of the children, and the building level by level.
+// passes the steps to tree3d_grow(). Given, because lab 02 has taught it: is_leaf(), the scene's
+// box, the lists of the children, and the building level by level.
 #include "kdtree3d_build.h"
 
 #include "kdtree2d_build.h"
@@ -30,7 +30,8 @@ BBox3D spheres_bounds(const Sphere *h_spheres, u32 n_spheres)
 KdSplit choose_split(BBox3D box)
 {
     KdSplit split = {0, 0};
-    // TASK choose_split: find the longest side; where two are equal, the axis that comes first.
+    // TASK choose_split: split the longest side in its middle. If sides are equal, take the axis
+    // that comes first.
     //> (void)box;
     for (u32 axis = 1; axis < 3; axis++) {
         if (box.max[axis] - box.min[axis] > box.max[split.axis] - box.min[split.axis]) {
@@ -42,9 +43,9 @@ KdSplit choose_split(BBox3D box)
     return split;
 }
 
-// How far a coordinate lies outside of [min, max], towards either side; 0 inside. In double next to
-// nothing is lost to rounding. (Two plain choices: compilers make them without a jump, and this is
-// where the building spends its time.)
+// How far a coordinate is outside of [min, max], on either side; 0 inside. In double next to
+// nothing is lost to rounding. (Two plain choices: compilers make them without a jump, and the
+// building spends most of its time here.)
 static double outside(double coordinate, double min, double max)
 {
     const double raised = coordinate < min ? min : coordinate;
@@ -54,8 +55,8 @@ static double outside(double coordinate, double min, double max)
 
 int sphere_overlaps_box(Sphere sphere, BBox3D box)
 {
-    // TASK sphere_overlaps_box: outside() on each axis makes the distance from the centre to the
-    // cell's nearest point; ask whether the sphere reaches that far.
+    // TASK sphere_overlaps_box: outside() on each axis gives the distance from the centre to the
+    // cell's nearest point. Does the sphere reach that far?
     //> (void)sphere, (void)box, (void)outside;
     //> return 0;
     const double dx = outside(sphere.x, box.min[0], box.max[0]);
@@ -71,8 +72,8 @@ u32 distribute_spheres(const Sphere *h_spheres, const u32 *ids, u32 n_ids, BBox3
     u32 n_child_ids = 0;
     for (u32 i = 0; i < n_ids; i++) {
         fetch_ahead(h_spheres, ids, n_ids, i);
-        // Written in any case and kept only when it overlaps: an `if` here is guessed wrongly by
-        // the processor half of the time, which costs more than the test.
+        // Always written, kept only if it overlaps: the processor would guess an `if` wrongly half
+        // of the time, which costs more than the test.
         child_ids[n_child_ids] = ids[i];
         n_child_ids += (u32)sphere_overlaps_box(h_spheres[ids[i]], child);
     }
@@ -82,7 +83,7 @@ u32 distribute_spheres(const Sphere *h_spheres, const u32 *ids, u32 n_ids, BBox3
 void pack_leaf_range(KdTree3D *tree, u32 id, const u32 *ids, u32 n_ids)
 {
     // TASK pack_leaf_range: a leaf is marked by its split_axis; its range starts where the array
-    // ends now. There is no count in the array, as in lab 02: it stands in the node.
+    // ends now. Unlike in lab 02 the count is in the node and not in the array.
     //> (void)tree, (void)id, (void)ids, (void)n_ids;
     KdNode3 *node = &tree->nodes[id];
     node->split_axis = KD_LEAF;
@@ -96,15 +97,15 @@ void pack_leaf_range(KdTree3D *tree, u32 id, const u32 *ids, u32 n_ids)
 
 int fits_todo(int level)
 {
-    // TASK fits_todo: splitting a node makes its children one level deeper. How many nodes can wait
-    // at most while a search is at one of them?
+    // TASK fits_todo: the children of a node are one level deeper. How many nodes can wait at most
+    // while a search is at one of them?
     //> (void)level;
     //> return 0;
     return level <= TODO_SIZE;
     // END fits_todo
 }
 
-// A node's turn comes: it stays a leaf, or is split (ChooseSplit of tree3d_grow.h).
+// Decide whether a node stays a leaf or is split (ChooseSplit of tree3d_grow.h).
 static int choose_middle(const void *limits, const KdOpenNode *node, KdSplit *split)
 {
     if (is_leaf(node->level, node->n_ids, node->n_failed, *(const KdTreeLimits *)limits)) {

@@ -1,6 +1,6 @@
-// Building the 3D kd-tree: from spheres to nodes without boxes. Lab 06 gives what is as in lab 02,
-// the rest are its tasks; lab 07 searches what comes out. Source of all of it: lecture, "kd-tree
-// for ray tracing: construction".
+// Building the 3D kd-tree: from spheres to nodes without boxes. What lab 02 has taught is given;
+// the rest are the tasks of lab 06. Lab 07 searches the tree.
+// Source of all of it: lecture, slides "Prinzip KD-Tree II" and "Node im 3D-KD Tree".
 #ifndef KDTREE3D_BUILD_H
 #define KDTREE3D_BUILD_H
 
@@ -14,15 +14,16 @@
 int kdtree3d_build(const Sphere *h_spheres, u32 n_spheres, KdTreeLimits limits, KdTree3D *tree);
 
 // The root's cell: the smallest box that holds every sphere whole, up to float's rounding. All
-// zeros when there is none. A negative radius counts as its absolute value.
+// zeros if there is none. A negative radius counts as its absolute value.
 BBox3D spheres_bounds(const Sphere *h_spheres, u32 n_spheres);
 
-// Where to split a cell: in the middle of its longest side; of equal sides x comes before y, and y
-// before z.
+// Where to split a cell: in the middle of its longest side. If sides are equal, x comes before y,
+// and y before z.
 KdSplit choose_split(BBox3D box);
 
-// Does a sphere overlap a cell? Both with their boundaries and their insides, and exactly: near a
-// corner the cube around the sphere may overlap the cell, and the sphere still not. Returns 1 or 0.
+// Does a sphere overlap a cell? Both include their boundaries and their insides. The answer is
+// exact: near a corner the cube around the sphere may overlap the cell, and the sphere not.
+// Returns 1 or 0.
 int sphere_overlaps_box(Sphere sphere, BBox3D box);
 
 // Pick from a node's spheres those that overlap one child's cell.
@@ -39,8 +40,8 @@ u32 distribute_spheres(const Sphere *h_spheres, const u32 *ids, u32 n_ids, BBox3
 void pack_leaf_range(KdTree3D *tree, u32 id, const u32 *ids, u32 n_ids);
 
 // May a node on this level (the root's is 1) be split, so that no search overflows the todo stack?
-// That is where a search (lab 07) keeps the nodes it has still to visit: each inner node on the way
-// down may leave one child waiting there, and there are TODO_SIZE places. Returns 1 or 0.
+// There a search (lab 07) keeps the nodes that it still has to visit: each inner node on the way
+// down may leave one child waiting, and there are TODO_SIZE places. Returns 1 or 0.
 int fits_todo(int level);
 
 #endif

@@ -1,5 +1,5 @@
-// Lab 07: trace spheres with the kd-tree and save the picture. Nothing to fill in here; read it
-// beside lab 05's, see what is new (the tree), then go to clip_to_box.cl, choose_children.cl and
+// Lab 07: trace spheres with the kd-tree and save the picture. Nothing to fill in here; compare it
+// with lab 05's to see what is new (the tree), then go to clip_to_box.cl, choose_children.cl and
 // trace.cl.
 //
 // Flow: scene -> buffers -> kernel -> image; the banners below name the steps. enqueue_pixels() and
@@ -16,7 +16,7 @@ int main(int argc, char **argv)
 {
     // ---- Options ---------------------------------------------------------------------------
     Lab lab = lab_begin(argc, argv, LAB_NAME,
-                        "Traces spheres; a ray asks the spheres of the kd-tree cells it meets.",
+                        "Traces spheres; a ray tests the spheres of the kd-tree cells it meets.",
                         OPTIONS_SCENE3D | OPTIONS_TREE | OPTIONS_DEVICE | OPTIONS_WORK);
 
     // ---- Scene, device ---------------------------------------------------------------------
@@ -40,7 +40,7 @@ int main(int argc, char **argv)
     stats_number(&lab.stats, "tree.build_ms", stats_clock_ms() - start);
     stats_integer(&lab.stats, "tree.n_nodes", tree.n_nodes);
     stats_integer(&lab.stats, "tree.n_sphere_ids", tree.n_sphere_ids);
-    // The kernel follows every id without asking.
+    // The kernel follows every id without a check.
     require(tree3d_check(&tree, n_spheres));
     const BBox3D bounds = box_widened(tree.bounds);
     cl_mem d_nodes = cl_buffer_create(&lab.cl, tree.nodes, tree.n_nodes * sizeof(KdNode3));
@@ -48,7 +48,7 @@ int main(int argc, char **argv)
         cl_buffer_create(&lab.cl, tree.sphere_ids, tree.n_sphere_ids * sizeof(u32));
 
     // ---- Kernel ----------------------------------------------------------------------------
-    // One kernel draws. Where the work is counted, a second one does that, with the same arguments.
+    // One kernel draws. If the work is counted, a second one does that, with the same arguments.
     lab_build_kernels(&lab, LAB_FOLDER "/render_kdtree.cl", "render_kdtree", KERNEL_OPTIONS,
                       scene.width, scene.height);
     for (int i = 0; i < lab.n_kernels; i++) {

@@ -1,4 +1,4 @@
-// Lab 07: ray tracing with the 3D kd-tree; the same picture as render_spheres of lab 05, sooner.
+// Lab 07: ray tracing with the 3D kd-tree; the same picture as render_spheres of lab 05, faster.
 // Nothing to fill in here.
 //
 // Flow: scene -> buffers (the tree of lab 06) -> KERNEL -> image. Started by main.c.
@@ -9,7 +9,7 @@
 // Draw the spheres, one work-item a pixel.
 //   spheres ... image            as in render_spheres of lab 05
 //   nodes, sphere_ids, bounds    the packed tree over the spheres (kdtree3d.h)
-//   d_work                       what each pixel cost; NULL where nothing is counted
+//   d_work                       what each pixel cost; NULL if nothing is counted
 kernel void render_kdtree(global const Sphere *spheres, global const uint *material_ids,
                           global const Material *materials, global const Light *lights,
                           int n_lights, Vec3 background, Camera camera, int width, int height,
@@ -18,7 +18,7 @@ kernel void render_kdtree(global const Sphere *spheres, global const uint *mater
 {
     const int x = get_global_id(0);
     const int y = get_global_id(1);
-    // Work-items that fill up the last work-groups stand outside the picture.
+    // Work-items that fill up the last work-groups are outside the picture.
     if (x >= width || y >= height) {
         return;
     }

@@ -1,5 +1,5 @@
-// Lab 07: the search through the kd-tree: a ray asks only the spheres of the leaves it meets, in
-// the order in which it meets them, and stops as soon as nothing that waits can be nearer.
+// Lab 07: the search through the kd-tree: a ray tests only the spheres of the leaves it meets, in
+// the order in which it meets them. It stops as soon as no waiting node can hold a nearer hit.
 //
 // Flow: scene -> buffers -> KERNEL -> image. Called by render_kdtree.cl.
 #include "choose_children.cl"
@@ -8,14 +8,14 @@
 #include "todo.h"
 #include "work.h"
 
-// Ask the spheres of a leaf.
+// Test the spheres of a leaf.
 //   node         the leaf
 //   sphere_ids   of the whole tree; the leaf's are node.n_spheres from node.first on
-//   hit          in: the nearest hit so far; out: the same, or a nearer one; of two at the same
-//                distance the sphere with the lower index
+//   hit          in: the nearest hit so far; out: the same, or a nearer one; at equal distances the
+//                sphere with the lower index
 //   work         what this pixel has cost so far: for intersect_sphere()
-// A hit beyond the leaf is kept, too: next_waiting() decides when it counts. Source: lecture, "Leaf
-// search".
+// A hit beyond the leaf is kept, too: next_waiting() decides when it counts.
+// Source: lecture, slides "Durchsuche Leaf" and "Berechne SP mit sichtbarem Teilstrahl".
 void search_leaf(KdNode3 node, global const uint *sphere_ids, global const Sphere *spheres, Ray ray,
                  Hit *hit, Work *work)
 {
@@ -38,19 +38,19 @@ void search_leaf(KdNode3 node, global const uint *sphere_ids, global const Spher
 //   node              the inner node
 //   origin, inverse   the ray's origin and 1 / direction, along node.split_axis
 //   t_min, t_max      the part of the ray inside the node
-//   todo              out: where both children are met, the far one is on top
+//   todo              out: if both children are met, the far one is on top
 // Returns the child to visit next, with the part of the ray inside it.
-// Source: lecture, "Near and far child" and "todo stack".
+// Source: lecture, slides "Bestimme zu durchsuchende Childs" and "Begrenze Strahl für Child".
 static TodoEntry next_child(KdNode3 node, float origin, float inverse, float t_min, float t_max,
                             Todo *todo)
 {
-    // TASK next_child: near_side() and children_on_ray() say which children the ray meets. Where it
-    // meets one, go there with the whole part. Where it meets both, each gets its own part, up to
-    // the plane or from there on: go to the near one, and let the far one wait.
+    // TASK next_child: near_side() and children_on_ray() tell which children the ray meets. If it
+    // meets one, go there with the whole part. If it meets both, each gets its own part, up to the
+    // plane or from there on: go to the near child, and let the far one wait.
     //> (void)origin, (void)inverse, (void)todo;
     //> return (TodoEntry){node.first, t_min, t_max};
-    // Written as node.first + side this was measured to be slower on a CPU: it has to wait for
-    // `side`, where it guesses the outcome of a choice and reads the next node ahead.
+    // node.first + side was measured to be slower on a CPU: the CPU would have to wait for `side`.
+    // It guesses the outcome of a choice and reads the next node ahead.
     const uint side = near_side(node, origin, inverse);
     const uint near_child = side ? node.first + 1 : node.first;
     const uint far_child = side ? node.first : node.first + 1;
@@ -71,15 +71,15 @@ static TodoEntry next_child(KdNode3 node, float origin, float inverse, float t_m
 //   hit    the nearest hit so far, in this leaf or an earlier one
 //   todo   the nodes that wait, the nearest on top
 //   at     in: the leaf; out: where the search goes on, which then waits no longer
-// Returns 1, or 0 when the search is over. Source: lecture, "todo stack" and "Traversal".
+// Returns 1, or 0 if the search is over. Source: lecture, slide "KD-Tree Raytracing".
 static int next_waiting(Hit hit, Todo *todo, TodoEntry *at)
 {
-    // TASK next_waiting: a hit before the end of the leaf's part of the ray ends the search, and so
-    // does an empty stack. Else the node on top comes next, with its own part of the ray.
+    // TASK next_waiting: a hit before the end of the leaf's part of the ray ends the search. An
+    // empty stack ends it, too. Otherwise the node on top comes next, with its own part of the ray.
     //> (void)hit, (void)todo, (void)at;
     //> return 0;
-    // A hit beyond t_max may still be hidden by a sphere that only a later leaf knows; and one at
-    // t_max be just as far away as one of a sphere with a lower index.
+    // A hit beyond t_max may be hidden by a sphere that only a later leaf lists. At t_max a later
+    // leaf may list a sphere with a lower index that is hit at the same distance.
     if (hit.t < at->t_max || todo->n == 0) {
         return 0;
     }
@@ -93,18 +93,18 @@ static int next_waiting(Hit hit, Todo *todo, TodoEntry *at)
 //   nodes, sphere_ids, bounds    its kd-tree (kdtree3d.h); node 0 is the root
 //   work                         what this pixel has cost so far
 // Returns what nearest_hit() of lab 05 finds: the distance and the sphere.
-// Source: lecture, "Traversal". Static, so that a compiler may put it into the kernel, its only
-// caller.
+// Source: lecture, slide "KD-Tree Raytracing". Static, so that a compiler may put it into the
+// kernel, its only caller.
 static Hit trace(Ray ray, global const Sphere *spheres, global const KdNode3 *nodes,
                  global const uint *sphere_ids, BBox3D bounds, Work *work)
 {
     Hit hit = {INFINITY, NO_SPHERE};
-    // The node at hand, and the part of the ray inside it: at first the root, and the scene's box.
+    // The current node, and the part of the ray inside it: at first the root, and the scene's box.
     TodoEntry at = {0, ray.t_min, ray.t_max};
     if (!clip_to_box(bounds, ray, &at.t_min, &at.t_max)) {
         return hit;
     }
-    // What every inner node asks of the ray, one entry an axis: a division here saves one a node.
+    // What every inner node needs of the ray, by axis: a division here saves one per node.
     const float origins[3] = {ray.origin.x, ray.origin.y, ray.origin.z};
     const float inverses[3] = {1.0f / ray.direction.x, 1.0f / ray.direction.y,
                                1.0f / ray.direction.z};

@@ -77,8 +77,7 @@ char *advice_after_crash(const Manifest *manifest, const char *task, int has_ocl
         // Oclgrind looks at kernels only.
         return message_new("A crash in a host file: `make SANITIZE=1 build/sanitized/labs/%s`, and "
                            "run that program: the topmost line that names a file of yours is the "
-                           "place. The table \"Common mistakes\" in the lab's README says what "
-                           "leads there.",
+                           "place. The last table of the lab's README says what leads there.",
                            manifest->lab);
     }
     return has_oclgrind && manifest_has_kernels(manifest) ? offer_memcheck(manifest, "A crash")
