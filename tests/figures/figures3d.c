@@ -25,6 +25,7 @@ int main(int argc, char **argv)
         {"08-cost.svg", draw_cost},
         {"09-rays.svg", draw_light},
         {"10-tile.svg", draw_tile},
+        {"10-light.svg", draw_ways},
         {NULL, NULL},
     };
     figures_draw(argv[1], worked, OF_WORKED);

@@ -62,8 +62,8 @@ for folder in solutions/*/; do
             ok $? "$lab: $hole has points in lab.json" "found \"$points\""
             [ "$(json_field "$manifest" "$hole" file)" = "$(basename "$source")" ]
             ok $? "$lab: $hole is in the file that lab.json names"
-            grep -q "^### Task $hole\b" "$folder/README.md"
-            ok $? "$lab: $hole has a task text in README.md" "no line \"### Task $hole\""
+            cat "$folder"*.md | grep -q "^### Task $hole\b"
+            ok $? "$lab: $hole has a task text in its pages" "no line \"### Task $hole\""
             tested=$(echo "$checks" | awk -F '\t' -v task="$hole" '$2 == task { sum += $3 } END { print sum + 0 }')
             [ "$tested" = "$points" ]
             ok $? "$lab: $hole has checks worth its points" "lab.json: $points, checks: $tested"
@@ -79,11 +79,11 @@ for folder in solutions/*/; do
         ok $? "$lab: the checks' task $task is in lab.json"
     done
     for id in $(echo "$checks" | cut -f 1); do
-        grep -q "$id" "$folder/README.md"
-        ok $? "$lab: README.md tells of check $id"
+        cat "$folder"*.md | grep -q "\`$id\`"
+        ok $? "$lab: its pages name the check $id"
     done
     # Of the solution only the code, of what is handed out the words of comments, too.
-    cat labs/"$lab"/*.[ch]* labs/"$lab"/README.md | names >"$scratch/given-names"
+    cat labs/"$lab"/*.[ch]* labs/"$lab"/*.md | names >"$scratch/given-names"
     sed 's|//.*||' "$folder"*.[ch]* | names | comm -23 - "$scratch/given-names" >"$scratch/own-names"
     json_hints "$manifest" >"$scratch/hints"
     n_first=$(grep -c "$(printf '\tfirst\t')" "$scratch/hints")
