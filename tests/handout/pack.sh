@@ -60,12 +60,16 @@ done
 # What an author's `//>` lines hold is no part of a solution (tests/grader/lab/holes.h).
 find "$root" -type f -path '*/solutions/*.[ch]*' -exec sed -i '/^ *\/\/>/d' {} +
 
-# The lecture's notes stay here, so their READMEs do not lead there, and have no marks of numbers (slides-notes/make).
-find "$root" -name README.md -exec sed -i -e '/^\*\*In the lecture\*\*/,+1d' \
+# How grading works, and the times that labs' texts link.
+git ls-files -- tests/GRADING.md tests/bench/RESULTS.md | copy
+
+# The lecture's notes stay here: links to them keep only their words, and numbers have no marks (slides-notes/make).
+find "$root" -name '*.md' -exec sed -i -e '/^\*\*In the lecture\*\*/,+1d' -e '/^| in the lecture |/d' \
+    -e 's/\[\([^]]*\)\]([./]*slides-notes\/[a-z0-9-]*\.md[^)]*)/\1/g' \
     -e 's/<!-- [0-9][0-9]-[a-z0-9-]*: [A-Za-z0-9_.]* -->//g' {} +
 
 # The figures that their READMEs show, and scenes.
-grep -oh '](\.\./\.\./slides-notes/figures/[^)]*)' "$root"/*/*/README.md | sed 's|](\.\./\.\./||; s|)$||' | sort -u | copy
+grep -oh '](\.\./\.\./slides-notes/figures/[^)]*)' "$root"/*/*/*.md | sed 's|](\.\./\.\./||; s|)$||' | sort -u | copy
 git ls-files -- tests/scenes | copy
 
 # The grader; of the probes and stand-ins this lab's; and the lab's files as they are handed out, whatever

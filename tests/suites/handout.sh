@@ -59,7 +59,7 @@ only_its_files() {
     strays=$(grep '^tests/' "$scratch/files" | grep -v -e '^tests/grader/' -e "^tests/probes/$2/" \
         -e '^tests/probes/[^/]*\.[ch]$' -e "^tests/stand_ins/$2/" -e "^tests/skeletons/$2/" \
         -e '^tests/judge/judge-[^/.]*$' -e '^tests/judge/judge.mk$' -e '^tests/memcheck/[a-z_]*\.\([ch]\|mk\)$' \
-        -e '^tests/scenes/' -e '^tests/solution-seconds$')
+        -e '^tests/scenes/' -e '^tests/solution-seconds$' -e '^tests/GRADING.md$' -e '^tests/bench/RESULTS.md$')
     [ -z "$strays" ] || { echo "not expected: $strays"; return 1; }
     grep -q '^.gitattributes$' "$scratch/files" || { echo "git may change its ends of lines"; return 1; }
     sed 's/^[0-9]* //' "$scratch/first/$2.txt" | LC_ALL=C sort | diff - "$scratch/files" ||
