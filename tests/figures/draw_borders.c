@@ -100,8 +100,8 @@ void draw_borders(FILE *file, const Followed *followed)
 {
     (void)followed;
     const double right = LEFT + PANEL + GAP, bottom = TOP + ROWS * CIRCLE_TILE_SIDE * SCALE + 30;
-    const char *marked_look = "fill=\"" SVG_SAND "\" fill-opacity=\"0.7\" stroke=\"" SVG_ORANGE
-                              "\" stroke-width=\"5\"";
+    const char *marked_look =
+        "fill=\"" SVG_SAND "\" fill-opacity=\"0.7\" stroke=\"" SVG_ORANGE "\" stroke-width=\"5\"";
     Scene2D scene;
     CircleTree tree;
     require(scene2d_random(N_CIRCLES, SEED, 3, 12, COLUMNS * CIRCLE_TILE_SIDE,

@@ -1,5 +1,5 @@
-// 10-light.svg: a light is an eye, too. What a tile's rays hit lies close together, so that the ways
-// from a light to these points are a tile of rays once more.
+// 10-light.svg: a light is an eye, too. What a tile's rays hit lies close together, so the ways from a
+// light to these points are a tile of rays once more.
 #include "figures3d.h"
 
 #include "complain.h"
@@ -70,8 +70,7 @@ static void cone_draw(FILE *file, OracleVector from, const OracleVector *points,
 static int way_from_light(FILE *file, OracleVector point)
 {
     const OracleVector back = vector_minus(LIGHT, point);
-    const OracleRay ray = {
-        .origin = point, .direction = vector_unit(back), .leaves = &BALLS[LIT]};
+    const OracleRay ray = {.origin = point, .direction = vector_unit(back), .leaves = &BALLS[LIT]};
     const OracleHit hit = oracle3d_nearest(BALLS, N_BALLS, &ray, &RIGHT);
     if (hit.t < vector_length(back)) {
         const OracleVector stop = on_way(point, ray.direction, hit.t);
