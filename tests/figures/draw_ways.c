@@ -1,5 +1,5 @@
-// 10-light.svg: a light is an eye, too. What a tile's rays hit lies close together, so the ways from a
-// light to these points are a tile of rays once more.
+// 10-light.svg: a light is an eye, too. What a tile's rays hit lies close together, so the ways
+// from a light to these points are a tile of rays once more.
 #include "figures3d.h"
 
 #include "complain.h"
