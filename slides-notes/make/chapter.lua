@@ -95,7 +95,7 @@ end
 
 local function numbers(content)
     for n = 2, #content do
-        local run, field = (content[n].tag == "RawInline" and content[n].text or ""):match("^<!%-%- ([%w-]+): ([%w_.]+) %-%->$")
+        local run, field = (content[n].tag == "RawInline" and content[n].text or ""):match("^<!%-%- (%d%d%-[%w-]+): ([%w_.]+) %-%->$")
         if run and content[n - 1].tag == "Str" then
             -- Marks before the number, as of emphasis or a bracket, stay.
             local before, number = content[n - 1].text:match("^(.-)([%d.\u{a0}]+)$")

@@ -6,8 +6,8 @@ NOTES := $(BUILD)/notes
 NOTES_MAKE := slides-notes/make
 CHAPTERS := $(patsubst slides-notes/notes-%.md,%,$(wildcard slides-notes/notes-*.md))
 # Markdown files that become pages as they are, at the same places; what links to others keeps only its words.
-NOTES_PAGES := README.md slides-notes/slides-and-course.md slides-notes/questions.md tests/GRADING.md tests/bench/RESULTS.md \
-    common/setup/TROUBLESHOOTING.md $(wildcard labs/*/*.md)
+NOTES_PAGES := README.md slides-notes/README.md slides-notes/slides-and-course.md slides-notes/questions.md tests/GRADING.md tests/bench/RESULTS.md \
+    tests/INSTRUCTORS.md tests/what-protects-a-grade.md common/SCENES.md common/DATA-FLOW.md common/setup/TROUBLESHOOTING.md $(wildcard labs/*/*.md)
 NOTES_LINKED := $(NOTES_PAGES) $(wildcard slides-notes/notes-*.md)
 NOTES_TOOLS := $(wildcard $(NOTES_MAKE)/*.lua $(NOTES_MAKE)/*.css slides-notes/touch/*.css $(NOTES_MAKE)/*.js) $(NOTES_MAKE)/page.html $(NOTES_MAKE)/build.sh
 

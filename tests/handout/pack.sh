@@ -66,7 +66,7 @@ git ls-files -- tests/GRADING.md tests/bench/RESULTS.md | copy
 # The lecture's notes stay here: links to them keep only their words, and numbers have no marks (slides-notes/make).
 find "$root" -name '*.md' -exec sed -i -e '/^\*\*In the lecture\*\*/,+1d' -e '/^| in the lecture |/d' \
     -e 's/\[\([^]]*\)\]([./]*slides-notes\/[a-z0-9-]*\.md[^)]*)/\1/g' \
-    -e 's/<!-- [0-9][0-9]-[a-z0-9-]*: [A-Za-z0-9_.]* -->//g' {} +
+    -e 's/<!-- [^>]* -->//g' {} +
 
 # The figures that their READMEs show, and scenes.
 grep -oh '](\.\./\.\./slides-notes/figures/[^)]*)' "$root"/*/*/*.md | sed 's|](\.\./\.\./||; s|)$||' | sort -u | copy
@@ -102,7 +102,7 @@ echo "$seconds" | awk '{ for (most = 4; most < $1; most *= 4); print most }' >"$
 
 # A section of the course's own README. section HEADING
 section() {
-    awk -v heading="## $1" '/^## / { inside = $0 == heading } inside' README.md
+    awk -v heading="## $1" '/^## / { inside = $0 == heading } inside' README.md | sed 's/<!-- [^>]* -->//g'
 }
 
 title=$(sed -n 's/^  "title": "\(.*\)",$/\1/p' "labs/$lab/lab.json")
@@ -110,9 +110,7 @@ title=$(sed -n 's/^  "title": "\(.*\)",$/\1/p' "labs/$lab/lab.json")
     # The first lab has no solutions of others.
     [ -d "$root/solutions" ] && none= || none='/labs before/d'
     sed -e "$none" -e "s/@LAB@/$lab/g" -e "s/@NUMBER@/$number/g" -e "s|@TITLE@|$title|g" tests/handout/README.in
-    # Its first paragraph is about `make bench`, which is for authors.
-    section "How fast" | awk 'BEGIN { RS = ""; ORS = "\n\n" } NR != 2'
-    section "Troubleshooting"
+    section "How fast"
     section "Licence"
 } >"$root/README.md"
 

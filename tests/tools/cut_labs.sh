@@ -3,7 +3,7 @@
 #
 #     tests/tools/cut_labs.sh HOLES-TOOL FOLDER
 #
-# Sources lose what stands in their holes, texts the comments that say of which run a number is (slides-notes/make);
+# Sources lose what stands in their holes, texts the comments that say where a number is from (slides-notes/make);
 # every other file is copied as it is. What is no longer in solutions/ disappears.
 set -eu
 
@@ -21,7 +21,7 @@ while IFS= read -r file; do
     mkdir -p "$(dirname "$copy")"
     case $file in
     *.c | *.h | *.cl) "$holes" cut "$file" >"$copy" ;;
-    *.md) sed '/^<!-- [0-9][0-9]-[a-z0-9-]*: printed -->$/d; s/<!-- [0-9][0-9]-[a-z0-9-]*: [A-Za-z0-9_.]* -->//g' "$file" >"$copy" ;;
+    *.md) sed '/^<!-- [0-9][0-9]-[a-z0-9-]*: printed -->$/d; s/<!-- [^>]* -->//g' "$file" >"$copy" ;;
     *) cp "$file" "$copy" ;;
     esac
 done <"$folder.new/.list"
