@@ -176,8 +176,8 @@ done
 # ---- Sizes of texts -----------------------------------------------------------------------------
 
 # Texts that are still to be rewritten: their sizes, and times in them, are not looked at.
-to_come='labs/00 labs/01 labs/02 labs/03 labs/04 labs/05 labs/06 labs/07 labs/08 labs/09 labs/10
-    slides-notes/notes-2d slides-notes/notes-realtime'
+to_come='labs/00 labs/01 labs/02 labs/03 labs/04 labs/05 labs/06 labs/07
+    slides-notes/notes-2d'
 is_to_come() {
     for begin in $to_come; do
         case $1 in "$begin"*) return 0 ;; esac
