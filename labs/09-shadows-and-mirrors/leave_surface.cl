@@ -21,7 +21,7 @@
 //   point    on the sphere within rounding, scene units; the ray that found it went t to there
 //   normal   unit vector, to the side where the new rays go
 //   radius   of the sphere; may be negative
-// Not farther off than needed: what stands closer to the surface than that is not seen from here.
+// Not farther off than needed: a sphere closer to the surface than that is invisible from there.
 float3 leave_surface(float3 point, float3 normal, float t, float radius)
 {
 #ifdef ACNE  // --acne draws without, to see what fails

@@ -1,12 +1,12 @@
-// Lab 09: which lights reach a point? A shadow ray goes to each, and whatever it hits before the
-// light will do: no nearest hit is needed.
+// Lab 09: which lights reach a point? A shadow ray goes to each light. Any hit before the light
+// blocks it, so the search need not find the nearest hit.
 //
 // Flow: scene -> buffers -> KERNEL -> image. Called by mirrors.cl.
 #include "shade.cl"
 #include "trace.cl"
 #include "traced_scene.h"
 
-// The ray from a point to a light. It ends there: what stands behind the light casts no shadow.
+// The ray from a point to a light. It ends there: a ball behind the light casts no shadow.
 //   point   off the surface already (leave_surface())
 // Returns a ray whose direction is a unit vector, t_min 0 and t_max the light's distance.
 Ray shadow_ray(float3 point, Light light)
@@ -18,7 +18,7 @@ Ray shadow_ray(float3 point, Light light)
     return ray;
 }
 
-// Does a sphere of this leaf stand in the ray's way, before its end?
+// Does a sphere of this leaf block the ray before its end?
 //   node         the leaf
 //   sphere_ids   of the whole tree; the leaf's are node.n_spheres from node.first on
 //   work         what this pixel has cost so far: for intersect_sphere()
@@ -33,8 +33,8 @@ int leaf_blocks(KdNode3 node, global const uint *sphere_ids, global const Sphere
     return 0;
 }
 
-// Does anything stand in the ray's way? trace() of lab 07 with another end: not at a hit that
-// nothing nearer can precede, but at any. Nothing to fill in here.
+// Is the ray blocked? trace() of lab 07 with another end: it stops at any hit, not only at one that
+// is certainly the nearest. Nothing to fill in here.
 //   work   what this pixel has cost so far
 static int is_blocked(Ray ray, const TracedScene *scene, Work *work)
 {

@@ -1,12 +1,11 @@
-// Lab 10, Part A: what one number of a pixel becomes for a tile of pixels: one descent for all of
-// them, and one test for a row.
+// Lab 10, Part A: lab 03 for a tile of pixels: one descent for all of them, and one test for a row.
 //
 // Flow: scene -> buffers -> KERNEL -> image. Called by render_circles.cl.
 #include "circle_tiles.h"
 #include "lanes.h"
 #include "work.h"
 
-// Has a node children? Where it has, a step is counted: one of them is visited next.
+// Does a node have children? If it does, this counts a step, because one of them is visited next.
 static int is_inner(TileNode node, Work *work)
 {
     if (node.split_axis == KD_LEAF) {
@@ -31,7 +30,7 @@ uint tile_leaf(int x, int y, global const TileNode *nodes, Work *work)
     return id;
 }
 
-// Paint a circle into one row of a tile, behind all that is there already.
+// Paint a circle into one row of a tile, behind the circles that are there already.
 //   dx_squared       for each pixel: its distance from the centre along x, squared
 //   dy               the row's distance from the centre along y
 //   radius_squared   the circle's; the boundary belongs to it

@@ -1,14 +1,14 @@
-// Lab 10: one traversal for a whole tile. What lab 07 knew of one ray as a number, t_split and the
-// part of the ray in a node, is an interval here: every ray's number lies in it.
+// Lab 10: one traversal for a whole tile. In lab 07 t_split and the part of the ray in a node are
+// numbers. Here they are intervals, which contain the number of every ray.
 //
 // Flow: scene -> buffers -> KERNEL -> image. Called by trace_tile.cl.
 #include "kdtree3d.h"
 #include "tile.h"
 #include "todo.h"
 
-// Where do the rays of a tile meet a plane? A ray meets it only where it goes from the eye's side
-// to the other one; an eye on the plane counts to the lower side. What does not meet it, does so at
-// INFINITY.
+// Where do the rays of a tile meet a plane? A ray meets it only if it goes from the eye's side to
+// the other side. An eye on the plane counts as below it. A ray that does not meet the plane has
+// the distance INFINITY.
 //   plane       its coordinate, on one axis
 //   eye         the eye's, on the same axis
 //   direction   of the rays, on the same axis: at least one has the lowest, one the highest
@@ -22,13 +22,13 @@ Interval plane_interval(float plane, float eye, Interval direction)
     // END plane_interval
 }
 
-// Go on from an inner node: with which child, and does the other one have to wait?
+// Go on from an inner node: to which child? Must the other one wait?
 //   node      the inner node
 //   eye       its coordinate on node.split_axis
 //   t_split   plane_interval() of the node's plane
 //   at        the node, and the part of the tile's rays inside it: from the least t_min to the
 //             greatest t_max of all rays
-//   todo      out: where both children are met, the far one is on top
+//   todo      out: if both children are met, the far one is on top
 // Returns the child to visit next, with the part of the rays inside it.
 TodoEntry next_tile_child(KdNode3 node, float eye, Interval t_split, TodoEntry at, Todo *todo)
 {

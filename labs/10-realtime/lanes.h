@@ -1,5 +1,5 @@
-// Lanes: several rays in the place of one, each number of theirs side by side in a vector, so that
-// one instruction computes it for all.
+// Lanes: several rays instead of one. Their numbers are side by side in a vector, and one
+// instruction computes all of them.
 //
 // How many there are, and how many pixels one tile has, the host says when it builds the kernel
 // (tile_buffers.h): a CPU wants wide vectors and large tiles, a GPU small ones. Without that they

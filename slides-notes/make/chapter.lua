@@ -277,7 +277,7 @@ end
 local function lab_of(number)
     local lab = number:match("^%d+")
     for page in pairs(pages) do
-        if page:match("^labs/" .. lab .. "%-") then return pandoc.Link("Lab " .. lab, "../" .. page) end
+        if page:match("^labs/" .. lab .. "%-[^/]*/README%.md$") then return pandoc.Link("Lab " .. lab, "../" .. page) end
     end
 end
 

@@ -42,21 +42,21 @@ f32 candidate_plane(BBox3D box, u32 axis, int i);
 // A split and its cost.
 typedef struct BestSplit {
     KdSplit split;
-    double cost;  // INFINITY where no plane can be weighed: then `split` means nothing
+    double cost;  // INFINITY if no plane has a cost: then `split` means nothing
 } BestSplit;
 
 // Find the candidate plane with the lowest cost, of all three axes.
 //   ids[n_ids]   the spheres that overlap the cell
 //   box          the cell
-// On an axis a sphere reaches from c - |r| to c + |r|, as float rounds them. It counts in the lower
-// child where this range begins at the plane or below, and in the higher one where it ends at the
-// plane or above; so in both where it touches the plane. Of equal costs x comes before y before z,
-// and the lower plane before the higher. A cell without area has no cost: INFINITY.
+// On an axis a sphere reaches from c - |r| to c + |r|, as float rounds them. It is in the lower
+// child if this range begins at the plane or below, and in the higher child if it ends at the plane
+// or above; so it is in both if it touches the plane. If costs are equal, x comes before y before
+// z, and the lower plane before the higher. A cell without area has no cost: INFINITY.
 BestSplit find_best_split(const Sphere *h_spheres, const u32 *ids, u32 n_ids, BBox3D box);
 
-// Does a node stay a leaf? Where the limits say so: on level maxDepth or below it, or with
-// targetElementsPerNode spheres or fewer; and where the best split costs no less than a leaf, which
-// asks every sphere: KD_COST_TEST each.
+// Does a node stay a leaf? Yes, on level maxDepth or deeper, with targetElementsPerNode spheres or
+// fewer, or if the best split costs no less than a leaf, which tests every sphere: KD_COST_TEST
+// each.
 //   level       of the node; the root's is 1
 //   best_cost   of its best split
 // Returns 1 or 0.

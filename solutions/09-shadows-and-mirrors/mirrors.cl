@@ -1,7 +1,7 @@
 // Lab 09: the colour of a ray that mirrors send on.
 //
-// OpenCL C knows no recursion, and none is needed: a mirrored ray has one successor, so a loop
-// follows it, and one number says what its light still counts.
+// OpenCL C has no recursion, and none is needed: each ray has one mirrored ray, so a loop follows
+// it. One number, the weight, is the factor for the next light.
 // Flow: scene -> buffers -> KERNEL -> image. Called by render_mirrors.cl.
 #include "leave_surface.cl"
 #include "shadows.cl"

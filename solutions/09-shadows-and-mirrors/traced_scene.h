@@ -1,6 +1,6 @@
-// All that a ray may ask: the spheres, what they look like, the lights, and the tree over the
-// spheres. The device's own: a kernel's parameters put together, so that functions take one
-// argument in the place of nine.
+// What a ray needs of the scene: the spheres, their materials, the lights, and the tree over the
+// spheres. Device only. It holds a kernel's parameters, so that functions take one argument instead
+// of nine.
 //
 // Flow: scene -> buffers -> KERNEL -> image. Read next: shadows.cl.
 #ifndef TRACED_SCENE_H

@@ -7,8 +7,8 @@
 //   cone     around the tile's rays, a little wider than they are: rounding needs no care here
 //   centre   the sphere's, seen from the eye
 //   radius   may be negative
-// Returns 1, or 0 where a ray may hit it. Where the sphere's centre is behind the eye and no ray
-// hits it, either is right.
+// Returns 1, or 0 if a ray may hit it. If the centre is behind the eye and no ray hits the sphere,
+// either is right.
 int cone_misses_sphere(Cone cone, float3 centre, float radius)
 {
     // TASK cone_misses_sphere: in the plane through the axis and the centre the cone's border is a

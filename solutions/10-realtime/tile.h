@@ -1,6 +1,5 @@
-// A tile: the rays from the eye through a small rectangle of pixels, or from a light to what these
-// hit. They stay close together, so that what holds for all of them can be asked once. The device's
-// own.
+// A tile: the rays from the eye through a small rectangle of pixels, or from a light to the points
+// that these hit. They stay close together, so one test can decide for all of them. Device only.
 //
 // Flow: scene -> buffers -> KERNEL -> image. Read next: intervals.cl, cone.cl.
 #ifndef TILE_H

@@ -45,6 +45,7 @@ void draw_groups(FILE *file, const Followed *followed);   // 00-work-groups.svg
 void draw_host(FILE *file, const Followed *followed);     // 00-host-device.svg
 void draw_failed(FILE *file, const Followed *followed);   // 02-failed-split.svg
 void draw_weights(FILE *file, const Followed *followed);  // 08-weights.svg
+void draw_borders(FILE *file, const Followed *followed);  // 10-borders.svg
 
 // 03-search.svg at another step, which a reader can take forward and back. Narrow, it has the tree
 // below the plane.

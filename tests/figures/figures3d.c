@@ -15,17 +15,12 @@ int main(int argc, char **argv)
     char *worked[] = {argv[0], "--scene", "tests/scenes/worked.nff", "--leaf-size", "1", "--pixel",
                       "1,1",   NULL};
     static const Figure OF_WORKED[] = {
-        {"04-camera.svg", draw_camera},
-        {"05-half-chord.svg", draw_half_chord},
-        {"05-hits.svg", draw_hits},
-        {"06-planes.svg", draw_planes},
-        {"07-search.svg", draw_search3d},
-        {"07-slabs.svg", draw_slabs},
-        {"07-stack.svg", draw_stack},
-        {"08-cost.svg", draw_cost},
-        {"09-rays.svg", draw_light},
-        {"10-tile.svg", draw_tile},
-        {NULL, NULL},
+        {"04-camera.svg", draw_camera},   {"05-half-chord.svg", draw_half_chord},
+        {"05-hits.svg", draw_hits},       {"06-planes.svg", draw_planes},
+        {"07-search.svg", draw_search3d}, {"07-slabs.svg", draw_slabs},
+        {"07-stack.svg", draw_stack},     {"08-cost.svg", draw_cost},
+        {"09-rays.svg", draw_light},      {"10-tile.svg", draw_tile},
+        {"10-light.svg", draw_ways},      {NULL, NULL},
     };
     figures_draw(argv[1], worked, OF_WORKED);
     char *inside[] = {argv[0], "--scene", "inside", "--pixel", "256,256", NULL};

@@ -33,6 +33,7 @@ void draw_camera(FILE *file, const Followed *followed);  // 04-camera.svg
 void draw_cost(FILE *file, const Followed *followed);    // 08-cost.svg
 void draw_light(FILE *file, const Followed *followed);   // 09-rays.svg
 void draw_tile(FILE *file, const Followed *followed);    // 10-tile.svg
+void draw_ways(FILE *file, const Followed *followed);    // 10-light.svg
 
 // 08-cost.svg with candidate plane `number` marked; it in words, a line or a few; and the number of
 // the plane that is nearest to x in the drawing.

@@ -1,4 +1,4 @@
-// What a pixel is expected to do in the trees of plane_trees.h, for the numbers in lab 08's text.
+// What a pixel is expected to do in the trees of plane_trees.h, for the numbers in the 3D notes.
 //
 //     plane_costs FILE.json
 #include "plane_trees.h"

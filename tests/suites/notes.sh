@@ -203,7 +203,7 @@ check "made twice, the pages are the same bytes" cmp "$scratch/first" "$scratch/
 ok $? "numbers in the texts are what the programs count" "$(cat "$scratch/counts")"
 # In the labs' texts the marks of numbers are cut off with the solutions: there these are looked at.
 marked_numbers() {
-    grep -l '<!-- [0-9][0-9]-[a-z0-9-]*: ' solutions/*/README.md | while IFS= read -r text; do
+    grep -l '<!-- [0-9][0-9]-[a-z0-9-]*: ' solutions/*/*.md | while IFS= read -r text; do
         slides-notes/make/build.sh "$notes/solutions" student page "$text" "$scratch/text.html" "" 2>&1 || echo "$text: no page"
     done
 }

@@ -1,4 +1,4 @@
-// The trees that lab 08's text compares in two dimensions: what they are expected to cost, counted
+// The trees that the 3D notes compare in two dimensions: what they are expected to cost, counted
 // another way.
 #include "plane_trees.h"
 
@@ -108,7 +108,7 @@ Test(plane_trees, the_perimeter_is_the_weight_of_a_line)
     scene2d_free(&scene);
 }
 
-// What lab 08's text says of its scenes: the area is the best everywhere; the perimeter may be
+// What the notes say of their scenes: the area is the best everywhere; the perimeter may be
 // worse than the middle.
 Test(plane_trees, the_area_is_the_weight_of_a_point)
 {
