@@ -24,6 +24,8 @@ broken "a host file that does not compile costs its task" 80
 check "and the message names file and line" holds "$(place render.c 'not C at all')"
 check "and the stage is Compiling" stage Compiling failed render.c
 
+heart_ends
+
 copy_lab solutions $lab
 echo '    fputs("LLVM ERROR: as a driver says it", stderr), abort();' | answer render.c set_arguments
 sed -i '1i #include <stdio.h>\n#include <stdlib.h>' "$scratch/submission/render.c"
@@ -63,8 +65,6 @@ copy_lab solutions $lab
 } | answer overlaps_N_Nearer.cl overlaps_N_Nearer
 broken "an answer below the placeholder's return costs its task" 60
 check "and the message says that it never runs" grep -q 'the answer still begins with the .return. that was handed out' "$reports/results.json"
-
-heart_ends
 
 lab=03-kdtree-2d-render
 copy_lab solutions $lab

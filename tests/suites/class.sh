@@ -114,6 +114,8 @@ check "every picture and report of the page is there" sh -c 'cd "$1" &&
     grep -o "\(href\|src\)=\"students/[^\"]*" class.html | cut -d "\"" -f 2 | xargs ls -d' - "$first"
 check "nothing of the kill is left" test -z "$(ls -A "$TMPDIR")$(find "$first/students" -name '*.new')"
 
+heart_ends
+
 # ---- What changed, and nothing else -------------------------------------------------------------
 
 before=$(n_graded "$first")
@@ -228,8 +230,6 @@ END
 check "Gradescope's export" "$build/tools/gradebook" roster 0 "$gradescope" "$scratch/names"
 check "a group has its names" grep -q '"name": "Ada Lovelace & Grace Hopper"' "$scratch/names/roster.json"
 check "what is no plain name is not taken" grep -q '"name": "submission_12"' "$scratch/names/roster.json"
-
-heart_ends
 
 # ---- Nothing of this lab ------------------------------------------------------------------------
 

@@ -25,7 +25,7 @@ in_every_format() {
         [ ! -s "$said.err" ] && mkdir -p "$scratch/formats" && cp -R "$reports" "$scratch/formats/$1"
 }
 
-some="00-hello-pixels 02-kdtree-2d-build 07-kdtree-3d-trace"
+some="02-kdtree-2d-build 07-kdtree-3d-trace"
 
 # ---- Solutions and skeletons --------------------------------------------------------------------
 

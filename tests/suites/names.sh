@@ -75,12 +75,12 @@ holds_on() { grep -qzF "found LAB=\"$text\", expected" "$said" || { cat "$said";
 for target in pixel view movie lab-grader; do
     both_ways "make $target" 2 LAB "$hostile" $target BUILD="$build" AT=1,1
 done
+heart_ends
+
 holds_on() { grep -qzF "found \"$text\"" "$said" || grep -qzF "and \"$text\"" "$said" || { cat "$said"; return 1; }; }
 for target in pack gradescope autolab prairielearn github grade-class; do
     both_ways "make $target" 2 LAB "$hostile" $target BUILD="$build" SUBMISSIONS="$scratch"
 done
-
-heart_ends
 
 # ---- Real gradings --------------------------------------------------------------------------------
 
