@@ -114,12 +114,13 @@ static void stay_there(void)
     cr_assert_eq(sched_setaffinity(0, sizeof one, &one), 0);
 }
 
-// Loops of nobody's run.
+// Loops of nobody's run, each a session of its own: the kernel may share processors out by those.
 static void others_start(pid_t others[], int n)
 {
     for (int i = 0; i < n; i++) {
         others[i] = fork();
         if (others[i] == 0) {
+            setsid();
             prctl(PR_SET_PDEATHSIG, SIGKILL);
             for (;;) {
             }

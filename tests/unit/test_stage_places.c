@@ -26,30 +26,31 @@ static int lab_stage(int n_files, char **message)
 typedef struct Layout {
     const char *paths[4];  // what the submission holds
     const char *taken;     // which of them is staged as a.cl; NULL: none
+    int status;
 } Layout;
 
 static const Layout layouts[] = {
-    {{"a.cl", "labs/03-x/a.cl", "one/a.cl"}, "a.cl"},
-    {{"labs/03-x/a.cl", "one/a.cl"}, "labs/03-x/a.cl"},
-    {{"labs/02-w/a.cl", "labs/03-x/a.cl"}, "labs/03-x/a.cl"},
-    {{"labs/02-w/a.cl", "one/a.cl"}, "one/a.cl"},
-    {{"My Lab (2)/a.cl"}, "My Lab (2)/a.cl"},
-    {{"one/two/a.cl", "two/a.cl"}, "two/a.cl"},
+    {{"a.cl", "labs/03-x/a.cl", "one/a.cl"}, "a.cl", 0},
+    {{"labs/03-x/a.cl", "one/a.cl"}, "labs/03-x/a.cl", 0},
+    {{"labs/02-w/a.cl", "labs/03-x/a.cl"}, "labs/03-x/a.cl", 0},
+    {{"labs/02-w/a.cl", "one/a.cl"}, "one/a.cl", 0},
+    {{"My Lab (2)/a.cl"}, "My Lab (2)/a.cl", 0},
+    {{"one/two/a.cl", "two/a.cl"}, "two/a.cl", 0},
     // As GitHub packs a whole repository.
-    {{"repo-main/labs/03-x/a.cl", "repo-main/solutions/03-x/a.cl"}, "repo-main/labs/03-x/a.cl"},
-    {{"repo-main/labs/03-x/a.cl", "repo-main/a.cl"}, "repo-main/a.cl"},
-    {{"repo-main/labs/03-x/a.cl", "one/two/a.cl"}, "repo-main/labs/03-x/a.cl"},
-    {{"repo-main/labs/03-x/a.cl", "one/a.cl"}, "one/a.cl"},
+    {{"repo-main/labs/03-x/a.cl", "repo-main/solutions/03-x/a.cl"}, "repo-main/labs/03-x/a.cl", 0},
+    {{"repo-main/labs/03-x/a.cl", "repo-main/a.cl"}, "repo-main/a.cl", 0},
+    {{"repo-main/labs/03-x/a.cl", "one/two/a.cl"}, "repo-main/labs/03-x/a.cl", 0},
+    {{"repo-main/labs/03-x/a.cl", "one/a.cl"}, "one/a.cl", 0},
     // Only the whole names count.
-    {{"mylabs/03-x/a.cl", "one/a.cl"}, "one/a.cl"},
-    {{"labs/03-x2/a.cl", "one/a.cl"}, "one/a.cl"},
-    {{"one/xa.cl", "one/a.h"}, NULL},
+    {{"mylabs/03-x/a.cl", "one/a.cl"}, "one/a.cl", 0},
+    {{"labs/03-x2/a.cl", "one/a.cl"}, "one/a.cl", 0},
+    {{"one/xa.cl", "one/a.h"}, NULL, STAGE_NOTHING},
     // What is passed over.
-    {{"__MACOSX/a.cl", "one/two/a.cl"}, "one/two/a.cl"},
-    {{".git/a.cl", "build/a.cl", "one/.hidden/a.cl", "one/build/obj/a.cl"}, NULL},
+    {{"__MACOSX/a.cl", "one/two/a.cl"}, "one/two/a.cl", 0},
+    {{".git/a.cl", "build/a.cl", "one/.hidden/a.cl", "one/build/obj/a.cl"}, NULL, 1},
     // The deepest place, and one beyond it.
-    {{"1/2/3/4/5/6/7/8/a.cl"}, "1/2/3/4/5/6/7/8/a.cl"},
-    {{"1/2/3/4/5/6/7/8/9/a.cl"}, NULL},
+    {{"1/2/3/4/5/6/7/8/a.cl"}, "1/2/3/4/5/6/7/8/a.cl", 0},
+    {{"1/2/3/4/5/6/7/8/9/a.cl"}, NULL, STAGE_NOTHING},
 };
 
 Test(stage_places, takes_a_file_from_its_best_place)
@@ -61,8 +62,7 @@ Test(stage_places, takes_a_file_from_its_best_place)
         }
         char *message;
         const int status = lab_stage(1, &message);
-        cr_expect_eq(status, layout->taken == NULL ? STAGE_NOTHING : 0, "layout %zu: %s", i,
-                     message);
+        cr_expect_eq(status, layout->status, "layout %zu: %d, %s", i, status, message);
         if (layout->taken != NULL) {
             expect_content("to/a.cl", layout->taken);
         } else {
@@ -110,50 +110,61 @@ typedef struct Renamed {
     const char *paths[4];
     const char *says;
     const char *taken;  // NULL: none
+    int status;
 } Renamed;
 
 static const Renamed renamed[] = {
-    {{"a-1.cl"}, "a.cl: taken from \"a-1.cl\"", "a-1.cl"},
-    {{"one/20261103102233_77_a.cl"},
+    {{"a-1.cl"}, "a.cl: taken from \"a-1.cl\"", "a-1.cl", 0},
+    {{"one/20261103102233_77_a.cl", 0},
      "a.cl: taken from \"one/20261103102233_77_a.cl\"",
-     "one/20261103102233_77_a.cl"},
+     "one/20261103102233_77_a.cl",
+     0},
     // The exact name comes first, wherever it is.
-    {{"a (1).cl", "one/two/a.cl"},
+    {{"a (1).cl", "one/two/a.cl", 0},
      "a.cl: taken from \"one/two\"; a different one, which does not count, is in \"a (1).cl\"",
-     "one/two/a.cl"},
-    {{"a (1).cl", "a-2.cl"},
+     "one/two/a.cl",
+     0},
+    {{"a (1).cl", "a-2.cl", 0},
      "a.cl: found in \"a-2.cl\" and, with another content, in \"a (1).cl\": hand in only one",
-     NULL},
+     NULL,
+     1},
     // Of one system's uploads the last one counts.
-    {{"a-2.cl", "a-10.cl"},
+    {{"a-2.cl", "a-10.cl", 0},
      "a.cl: taken from \"a-10.cl\"; an earlier upload, which does not count, is in \"a-2.cl\"",
-     "a-10.cl"},
-    {{"one/a-2.cl", "two/a-1.cl"},
+     "a-10.cl",
+     0},
+    {{"one/a-2.cl", "two/a-1.cl", 0},
      "a.cl: found in \"one/a-2.cl\" and, with another content, in \"two/a-1.cl\": hand in only "
      "one",
-     NULL},
-    {{"one/a.cl.txt", "one/A.cl"},
+     NULL,
+     1},
+    {{"one/a.cl.txt", "one/A.cl", 0},
      "a.cl: not in the submission: found \"one/A.cl\", expected the name a.cl: rename it and hand "
      "it in again",
-     NULL},
-    {{"a.cl.txt", "one/a.cl"}, NULL, "one/a.cl"},
-    {{"a.cl.txt/main.c"},
+     NULL,
+     1},
+    {{"a.cl.txt", "one/a.cl"}, NULL, "one/a.cl", 0},
+    {{"a.cl.txt/main.c", 0},
      "a.cl: not in the submission, nor in a folder of it: hand in a file with exactly this name",
-     NULL},
+     NULL,
+     STAGE_NOTHING},
     // What is passed over is told where there is nothing better.
-    {{"build/a.cl"},
+    {{"build/a.cl", 0},
      "a.cl: not in the submission: found it in \"build\", which is passed over: hand it in outside "
      "of that folder",
-     NULL},
-    {{"one/.abgabe/x/a.cl", "Release/a.cl.txt"},
+     NULL,
+     1},
+    {{"one/.abgabe/x/a.cl", "Release/a.cl.txt", 0},
      "a.cl: not in the submission: found it in \"one/.abgabe/x\", which is passed over: hand it in "
      "outside of that folder",
-     NULL},
-    {{"build/a.cl", "SURNAME_a.cl"},
+     NULL,
+     1},
+    {{"build/a.cl", "SURNAME_a.cl", 0},
      "a.cl: not in the submission: found \"SURNAME_a.cl\", expected the name a.cl: rename it and "
      "hand it in again",
-     NULL},
-    {{"build/a.cl", "a.cl"}, NULL, "a.cl"},
+     NULL,
+     1},
+    {{"build/a.cl", "a.cl"}, NULL, "a.cl", 0},
 };
 
 Test(stage_places, takes_what_a_system_renamed_and_tells_what_a_student_did)
@@ -163,7 +174,7 @@ Test(stage_places, takes_what_a_system_renamed_and_tells_what_a_student_did)
             path_write(renamed[i].paths[k]);
         }
         char *message;
-        cr_expect_eq(lab_stage(1, &message), renamed[i].taken == NULL, "%zu", i);
+        cr_expect_eq(lab_stage(1, &message), renamed[i].status, "%zu", i);
         cr_expect_str_eq(message != NULL ? message : "",
                          renamed[i].says != NULL ? renamed[i].says : "");
         if (renamed[i].taken != NULL) {
