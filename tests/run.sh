@@ -30,11 +30,12 @@ case ${ORDER:-0} in
 *[!0-9]*) echo "ORDER: found \"$ORDER\", expected a whole number" >&2 && exit 2 ;;
 esac
 
-# wanted NAME...: every test, a line each, or those of these names. By their sources: a build folder may
-# hold programs of tests that are gone.
+# Every test, a line each. By their sources: a build folder may hold programs of tests that are gone.
+all=$(printf '%s\n' tests/suites/*.sh tests/unit/test_*.c | sed 's|.*/||; s|\.[a-z]*$||' | grep -v '\*')
+
+# wanted NAME...: all, or those of these names.
 wanted() {
-    printf '%s\n' tests/suites/*.sh tests/unit/test_*.c | sed 's|.*/||; s|\.[a-z]*$||' | grep -v '\*' |
-        if [ $# -eq 0 ]; then cat; else grep -xF -- "$(printf '%s\n' "$@")"; fi
+    if [ $# -eq 0 ]; then printf '%s\n' "$all"; else printf '%s\n' "$@" | sort -u; fi
 }
 
 # ordered: the lines of stdin by the seconds that they took last; what has not run here yet is first.
@@ -48,8 +49,10 @@ ordered() {
     fi | sed 's/^[^ ]* //'
 }
 
+for name; do
+    printf '%s\n' "$all" | grep -qxF -- "$name" || { echo "no test is called: $name" >&2 && exit 1; }
+done
 names=$(wanted "$@" | ordered)
-[ -n "$names" ] || { echo "no test is called: $*" >&2 && exit 1; }
 [ -z "${ORDER:-}" ] || echo "in the order of seed $ORDER"
 
 # ---- What is started ends with this script ------------------------------------------------------
@@ -88,13 +91,18 @@ trap 'end 143' TERM
 n_tests=$(printf '%s\n' "$names" | wc -l)
 printf '%s\n' "$names" | setsid xargs -P "${JOBS:-$(nproc)}" -I NAME tests/run_one.sh NAME "$n_tests" &
 session=$!
-wait $session
+status=0
+wait $session || status=$?
 session=
 
-cat "$results"/*.counts | awk -v where="$results" '
+# A test that did not come to its end has left no count, and no verdict is given without it.
+for name in $names; do
+    [ -s "$results/$name.counts" ] || { echo "not run to its end: $name" && status=1; }
+done
+cat "$results"/*.counts | awk -v where="$results" -v status="$status" '
     { passed += $1; failed += $2; skipped += $3 }
     END {
         if (skipped > 0) printf "(%d skipped: what is missing for them is in %s/*.tap)\n", skipped, where
         printf "%d passed, %d failed\n", passed, failed
-        exit failed > 0
+        exit failed > 0 || status != 0
     }'

@@ -30,7 +30,7 @@ count() {
         END { print passed + 0, failed + 0, skipped + 0 }' "$tap"
 }
 
-# A suite that died without a failed test is one itself.
+# A suite that died without a failed test is one itself, as is one that ended before its plan, "1..N".
 read -r passed failed skipped <<END
 $(count)
 END
@@ -41,6 +41,9 @@ if [ "$status" -ne 0 ] && [ "$failed" -eq 0 ]; then
 elif [ "$((passed + failed + skipped))" -eq 0 ]; then
     failed=1
     echo "not ok - the suite ran no test" >>"$tap"
+elif [ -e "tests/suites/$1.sh" ] && ! grep -qx "1\.\.$((passed + failed + skipped))" "$tap"; then
+    failed=$((failed + 1))
+    echo "not ok - the suite ended before its plan" >>"$tap"
 fi
 echo "$passed $failed $skipped" >"$tests/$1.counts"
 

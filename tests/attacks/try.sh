@@ -82,13 +82,15 @@ grade() {
     set -- --build "$build" --lab "$lab" --submission "$submission" --output "$reports" \
         ${limit:+--time-limit "$limit"} ${deadline:+--deadline "$deadline"} \
         --seed "${seed:-1}" --answers "$answers/$lab" --sandbox "$sandbox"
-    # A machine that others keep busy is to blame by chance; an attack that feigns it is so each time.
-    for _ in 1 2 3 4 5; do
+    # A machine that others keep busy is to blame by chance; an attack that feigns it is so each time. What an
+    # earlier try said is kept, as it may hold a secret.
+    for try in 1 2 3 4 5; do
         status=0
         # So far off that no busy machine gets there.
         TMPDIR=$work timeout 900 "$build/tools/left_behind" "$build/tools/grade" "$@" \
             >"$place/said" 2>"$place/said.err" </dev/null || status=$?
         grep -q 'this machine is too busy' "$place/said.err" || break
+        cat "$place/said" "$place/said.err" >"$place/said.$try"
     done
 }
 
@@ -105,7 +107,7 @@ look_for_leftovers() {
 look_for_secrets() {
     gap=
     [ ! -f "$attack" ] || gap=$(header "gap in $sandbox")
-    grep -rhnE 'LEAKED|exit status 77|'"$(cat "$1/canary")" "$place/said" "$place/said.err" \
+    grep -rhnE 'LEAKED|exit status 77|'"$(cat "$1/canary")" "$place"/said* \
         "$reports" >"$place/leaks" 2>/dev/null
     if [ -n "$gap" ]; then
         grep -Eq -- "$gap" "$place/leaks" || wrong "the gap is closed: /$gap/ no longer comes out"

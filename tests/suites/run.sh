@@ -61,12 +61,19 @@ check "and says so" says "    not ok - the suite ended with exit status 3"
 : >tests/suites/bad.sh
 check "a suite without a test" runs 1 bad
 check "and it says so" says "    not ok - the suite ran no test"
+printf '. tests/tap.sh\nok 0 good\nexit 0\nok 1 bad\nfinish\n' >tests/suites/bad.sh
+check "a suite that ends before its plan" runs 1 bad
+check "and says so" says "    not ok - the suite ended before its plan"
+# shellcheck disable=SC2016 # for the script that is written
+printf 'kill -9 $PPID $(sed "s/.*) . \\([0-9]*\\) .*/\\1/" "/proc/$PPID/stat")\n' >tests/suites/bad.sh
+check "what runs a suite is killed" runs 1 bad good
+check "and it says what has no verdict" says "not run to its end: bad"
 unit build/sanitized/tests/test_a <<'END'
 kill -9 $$
 END
 check "a unit test dies before it writes anything" runs 1 test_a
 check "and it says so" says "    not ok - the suite ended with exit status 137"
-check "no test of this name" runs 1 none-such
+check "no test of this name, beside one that is there" runs 1 good none-such
 check "and it says so" says "no test is called: none-such"
 rm tests/suites/bad.sh tests/unit/test_a.c
 

@@ -24,6 +24,7 @@ if [ ! -d "$templates" ] || [ -z "$lab" ]; then
     echo "$usage" >&2
     exit 2
 fi
+command -v jq >/dev/null || { echo "bundle: jq is not here: install the package jq" >&2 && exit 2; }
 number=${lab%%-*}
 date=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || stat -c %Y CHANGELOG.md)}
 stage=$(mktemp -d "${TMPDIR:-/tmp}/bundle-XXXXXX")
@@ -89,12 +90,7 @@ pack_zip() {
 }
 
 # Each task of the lab: "ID POINTS".
-tasks() {
-    awk -F '"' '/^      "id": / { id = $4; points = 0 }
-        inside && /}/ { print id, points; inside = 0 }
-        inside { gsub(/[^0-9]/, "", $3); points += $3 }
-        /^      "points": / { inside = 1 }' "solutions/$lab/lab.json"
-}
+tasks() { jq -r '.tasks[] | "\(.id) \([.points[]] | add)"' "solutions/$lab/lab.json"; }
 
 # The problems of an Autolab assessment are the lab's tasks, with their points.
 write_problems() {
