@@ -146,7 +146,8 @@ prairielearn)
     mv "$stage/Dockerfile" "$stage/image"
     mv "$stage/info.json" "$stage/question.html" "$stage/questions/$lab"
     mv "$stage/grade.sh" "$stage/$tests"
-    cp -r common/setup "$stage/image/setup"
+    mkdir -p "$stage/image/setup"
+    cp common/setup/install.sh common/setup/packages.txt "$stage/image/setup"
     pack_zip "$stage" "$bundle"
     ;;
 github)
