@@ -7,7 +7,7 @@
 // Draw the spheres, one work-item a pixel.
 //   spheres ... image            as in render_spheres of lab 05
 //   nodes, sphere_ids, bounds    the packed tree over the spheres (kdtree3d.h)
-//   max_bounces                  so often a ray is mirrored at most; 0: never
+//   max_bounces                  a ray is mirrored at most this many times; 0: never
 //   d_work                       what each pixel cost; NULL where nothing is counted
 kernel void render_mirrors(global const Sphere *spheres, global const uint *material_ids,
                            global const Material *materials, global const Light *lights,

@@ -98,7 +98,7 @@ static float farthest_open(const LightTile *ways)
     return largest_lane(farthest);
 }
 
-// Close the ways of a block that a sphere stands in. They are asked from the point, as in lab 09:
+// Close the ways of a block that a sphere blocks. They are tested from the point, as in lab 09:
 // rounding is smallest there, beside the sphere that the point is on.
 static void close_blocked_ways(const TileSurfaces *at, int block, Sphere sphere, LightTile *ways)
 {
