@@ -46,8 +46,8 @@ static Surface surface_at(Ray ray, Hit hit, const TracedScene *scene)
 //   ray           from the eye
 //   max_bounces   it is mirrored at most this many times; 0: never
 //   work          what this pixel has cost so far
-// The sum begins with what is hit first. Light that comes over a mirror counts ks of its material,
-// over two of them the product, and so on; the background, too.
+// The sum begins with what is hit first. Light that comes over a mirror counts times the ks of its
+// material, over two mirrors times the product, and so on; the background, too.
 float3 ray_color(Ray ray, int max_bounces, const TracedScene *scene, Work *work)
 {
     float3 color = (float3)(0.0f);

@@ -118,7 +118,7 @@ static void close_blocked_ways(const TileSurfaces *at, int block, Sphere sphere,
     ways->is_open[block] &= ~((t > 0.0f) & (t < ways->distance[block]));
 }
 
-// Ask the spheres of a leaf, but for those that no way meets.
+// Test the spheres of a leaf, except for those that no way meets.
 static void search_light_leaf(const TileSurfaces *at, KdNode3 node,
                               global const Sphere *leaf_spheres, LightTile *ways, Work *work)
 {
@@ -135,7 +135,7 @@ static void search_light_leaf(const TileSurfaces *at, KdNode3 node,
     }
 }
 
-// Close every way that a sphere stands in: trace_tile() with another end. What begins behind the
+// Close every way that a sphere blocks: trace_tile() with another end. What begins behind the
 // farthest open point is left out; where no way is open, that is all.
 //   work   what the tile has cost so far
 static void light_tile_trace(const TileSurfaces *at, const TracedScene *scene,
