@@ -114,7 +114,7 @@ $(OUT)/libimage_codec.so: $(call objects,common/image.cpp)
 # ---- For people -----------------------------------------------------------------------------
 
 .PHONY: setup help clean
-setup:  ## install what building, grading and make view need, where it is missing
+setup:  ## install what building, grading and make view need, as root or through sudo
 	@for what in $(setup_for) view; do common/setup/install.sh $$what || exit 1; done
 
 # One pixel; windows; the grader; and, where they are, its judge, memcheck, all that is for authors,
@@ -126,13 +126,13 @@ include common/follow/follow.mk common/view/view.mk tests/grader/grader.mk
 ifneq ($(and $(filter clean,$(MAKECMDGOALS)),$(filter-out clean,$(MAKECMDGOALS))),)
 $(error make clean stands alone: run it first, then make $(filter-out clean,$(MAKECMDGOALS)))
 endif
-clean:  ## remove everything that was made
+clean:  ## remove everything that was made: build/, with the grades of classes there
 	rm -rf "$(BUILD)"
 
 # In examples: a lab that is there.
 EXAMPLE_LAB := $(if $(wildcard labs/03-*),03,$(firstword $(subst -, ,$(notdir $(wildcard labs/[0-9]*)))))
 help:  ## print this list
-	@printf '  %-17s %s\n' "make build/labs/$(notdir $(firstword $(wildcard labs/$(EXAMPLE_LAB)-*)))" "one lab's program; V=1 shows whole commands, SANITIZE=1 looks for faults in memory"
+	@printf '  %-17s %s\n' "make build/labs/$(notdir $(firstword $(wildcard labs/$(EXAMPLE_LAB)-*)))" "one lab's program; V=1 shows whole commands; SANITIZE=1 build/sanitized/labs/... looks for faults in memory"
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { sub("LAB=03", "LAB=$(EXAMPLE_LAB)"); printf "  make %-12s %s\n", $$1, $$2 }' $(filter %Makefile %.mk,$(MAKEFILE_LIST))
 
 -include $(shell find $(OUT)/obj -name '*.d' 2>/dev/null)

@@ -49,7 +49,7 @@ static const OptionRow ROWS[] = {
      .meaning = "intersect by the textbook's quadratic"},
     {"bounces", "N", OPTION_NUMBER, PLACE(n_bounces), 0, OPTIONS_MOST_BOUNCES,
      OPTIONS_MIRRORS | OPTIONS_SHADOWS,
-     "mirrors a ray meets at most (" NUMBER_TEXT(OPTIONS_DEFAULT_BOUNCES) ")"},
+     "a ray is mirrored at most N times (" NUMBER_TEXT(OPTIONS_DEFAULT_BOUNCES) ")"},
     {"acne", NULL, OPTION_FLAG, PLACE(acne), .set = OPTIONS_MIRRORS,
      .meaning = "let new rays start on the surface, not off it"},
     {"circles", NULL, OPTION_FLAG, PLACE(circles), .set = OPTIONS_CIRCLES,

@@ -8,7 +8,7 @@
 //     --max-depth N     levels of the tree (labs with trees)       --list-devices
 //     --leaf-size N     elements at which a node stays a leaf      --help
 //     --heat-map        save the work of each pixel, too           --textbook      (lab 05)
-//     --bounces N       mirrors a ray meets at most (labs 09, 10)  --acne          (lab 09)
+//     --bounces N       mirrored at most N times (labs 09, 10)     --acne          (lab 09)
 //     --circles         a scene of circles (lab 10)                --shadows       (lab 10)
 //     --path FILE, --record FILE, --movie FOLDER, --script FILE      (windows)
 //     --pixel X,Y, --json FILE, --svg FILE                           (common/follow)
@@ -57,7 +57,7 @@ typedef struct Options {
     int leaf_size;       // targetElementsPerNode; in 3D 0 when not given
     int heat_map;        // 1 when asked for
     int textbook;        // 1 when asked for
-    int n_bounces;       // mirrors a ray meets at most; 0: none
+    int n_bounces;       // a ray is mirrored at most this often
     int acne;            // 1 when asked for
     int circles;         // 1 when asked for
     int shadows;         // 1 when asked for

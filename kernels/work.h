@@ -1,4 +1,4 @@
-// Counting work: how many circles or spheres a pixel asks, how many nodes it visits.
+// Counting work: how many circles or spheres a pixel tests, how many nodes it visits.
 //
 // Milliseconds differ from machine to machine; counts do not. Functions that count take a pixel's
 // `work` as their last parameter, and pass it on to those that they call. Whether anything is
@@ -13,7 +13,7 @@
 // What one pixel cost. The buffer holds width * height of them, row by row.
 typedef struct Work {
     /*  0 */ u32 n_tests;           // calls of overlaps_N_Nearer or intersect_sphere
-    /*  4 */ u32 n_nodes_visited;   // inner nodes at which a child was chosen
+    /*  4 */ u32 n_nodes_visited;   // inner nodes at which a child was chosen: steps; no leaves
     /*  8 */ u32 n_leaves_visited;  // 3D: leaves that were searched
     /* 12 */ u32 stack_depth;       // 3D: most nodes that waited on the todo stack at once
 } Work;
@@ -27,7 +27,7 @@ LAYOUT_ASSERT(Work, 16);
 #define IS_COUNTING 0
 #endif
 
-// A circle or a sphere is asked.
+// A circle or a sphere is tested.
 static inline void count_test(Work *work)
 {
     if (IS_COUNTING) {

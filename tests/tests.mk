@@ -32,16 +32,15 @@ grade-class: grader  ## grade a class: LAB=03 SUBMISSIONS=folder or archive [OUT
 # ---- Other systems (tests/systems/README.md) ------------------------------------------------
 
 # The grader is run through this, which writes its result in more forms.
-grade:  ## grade LAB=03 and write the result for other systems, too: FORMAT=junit,tap
 through_formats = $(if $(and $(FORMAT),$(graded_lab)),tests/systems/formats/write.sh "$$FORMAT" \
     "$(OUT)/grade/$(firstword $(subst -, ,$(graded_lab)))" "$(graded_lab)")
 
 # Bundles, in build/systems.
 .PHONY: gradescope autolab prairielearn github
-gradescope:  ## the autograder of LAB=03 for Gradescope
+gradescope:  ## the autograder of LAB=03 for Gradescope (a result in other formats: make grade LAB=03 FORMAT=junit,tap)
 autolab:  ## the assessment of LAB=03 for Autolab
 prairielearn:  ## the question of LAB=03 for PrairieLearn, and its grader's image
-github:  ## the workflow of LAB=03 for GitHub Classroom
+github:  ## a workflow that grades LAB=03 in a repository on GitHub
 gradescope autolab prairielearn github:
 	@$(say_which_lab)
 	@tests/systems/bundle.sh $@ "$$LAB" $(BUILD)/systems

@@ -11,10 +11,11 @@
 //    radius, and its root 6 u r. That b is off by 4 u (t + r), and |d|² by 6 u, shifts the point
 //    along the ray, off the sphere by no more than 10 u (t + r).
 // 2. origin + t d rounds two times: 2 u (t + |point|).
-// 3. The next ray asks the same sphere. From a height h above it the ray certainly misses when
+// 3. The next ray tests the same sphere. From a height h above it the ray certainly misses when
 //    2 r h is more than what intersect_sphere() may be off then, 54 u r²: h must be 27 u r.
 //
-// Together 24 u t + 60 u r + 2 u |point|: no factor is above 64 u.
+// Together 24 u t + 60 u r + 2 u |point|, and |point| is less than twice the largest coordinate: no
+// factor is above 64 u, which is 2^-18.
 #define SURFACE_ERROR 0x1p-18f
 
 // The place where rays start that leave a sphere: off it, on the normal's side.

@@ -36,23 +36,23 @@ static Surface surface_at(Ray ray, Hit hit, const TracedScene *scene)
     return surface;
 }
 
-// Light that counts less than this is not followed: half of one of the 255 steps of a PNG. That is
-// what the next hit would add at most where no hit is brighter than 1, and so would each one after
-// it: together no more than half a step for each mirror that is left, nor than half a step /
+// A ray with a smaller weight is not followed: half of one of the 255 steps of a PNG. If no hit is
+// brighter than 1, the next hit would add at most that much, and so would each later one. Together
+// they would add at most half a step for each mirror that is left, and at most half a step /
 // (1 - ks).
 #define LEAST_WEIGHT (0.5f / 255.0f)
 
 // The colour of a ray and of what it sees in mirrors.
 //   ray           from the eye
-//   max_bounces   it is mirrored so often at most; 0: never
+//   max_bounces   it is mirrored at most this many times; 0: never
 //   work          what this pixel has cost so far
-// The sum begins with what is hit first. Light that comes over a mirror counts ks of its material,
-// over two of them the product, and so on; the background, too.
+// The sum begins with what is hit first. Light that comes over a mirror counts times the ks of its
+// material, over two mirrors times the product, and so on; the background, too.
 float3 ray_color(Ray ray, int max_bounces, const TracedScene *scene, Work *work)
 {
     float3 color = (float3)(0.0f);
-    // TASK ray_color: follow the ray from hit to hit, add the light of each by its weight. The end
-    // is where nothing is hit, after max_bounces mirrors, or when the weight is below LEAST_WEIGHT.
+    // TASK ray_color: follow the ray from hit to hit, and add the light of each times its weight.
+    // The end: nothing is hit, it was mirrored max_bounces times, or it weighs under LEAST_WEIGHT.
     (void)ray, (void)max_bounces, (void)scene, (void)work;
     // END ray_color
     return color;

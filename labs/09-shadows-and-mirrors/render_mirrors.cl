@@ -7,8 +7,8 @@
 // Draw the spheres, one work-item a pixel.
 //   spheres ... image            as in render_spheres of lab 05
 //   nodes, sphere_ids, bounds    the packed tree over the spheres (kdtree3d.h)
-//   max_bounces                  so often a ray is mirrored at most; 0: never
-//   d_work                       what each pixel cost; NULL where nothing is counted
+//   max_bounces                  a ray is mirrored at most this many times; 0: never
+//   d_work                       what each pixel cost; NULL if nothing is counted
 kernel void render_mirrors(global const Sphere *spheres, global const uint *material_ids,
                            global const Material *materials, global const Light *lights,
                            int n_lights, Vec3 background, Camera camera, int width, int height,
@@ -18,7 +18,7 @@ kernel void render_mirrors(global const Sphere *spheres, global const uint *mate
 {
     const int x = get_global_id(0);
     const int y = get_global_id(1);
-    // Work-items that fill up the last work-groups stand outside the picture.
+    // Spare work-items are outside the picture.
     if (x >= width || y >= height) {
         return;
     }

@@ -88,7 +88,7 @@ static int circle_covers_box(Circle circle, BBox2D box)
 static u32 pick_seen(const Circle *h_circles, const u32 *ids, u32 n_ids, TileRange tiles,
                      u32 *seen_ids)
 {
-    // Pixels are points: the last ones are at the border of what they are asked for.
+    // Pixels are points: the box ends at the last ones.
     const float side = CIRCLE_TILE_SIDE;
     const BBox2D box = {tiles.min[0] * side, tiles.max[0] * side - 1, tiles.min[1] * side,
                         tiles.max[1] * side - 1};

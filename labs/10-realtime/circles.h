@@ -5,8 +5,8 @@
 #include "lab.h"
 #include "tile_buffers.h"
 
-// What --leaf-size is where it is not given. A circle is asked for a whole row at once, so that one
-// that is asked in vain costs little: leaves are smaller only where the device has few lanes.
+// What --leaf-size is where it is not given. A circle is tested for a whole row at once, so a test
+// in vain costs little: leaves are smaller only where the device has few lanes.
 #define CIRCLE_LEAF_SIZE 8
 
 // Draw the 2D scene of the command line and save the picture, with the figures and the work.

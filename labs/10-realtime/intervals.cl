@@ -32,10 +32,10 @@ Interval plane_interval(float plane, float eye, Interval direction)
 // Returns the child to visit next, with the part of the rays inside it.
 TodoEntry next_tile_child(KdNode3 node, float eye, Interval t_split, TodoEntry at, Todo *todo)
 {
-    // TASK next_tile_child: the near child is on the eye's side of the plane. Where every ray's
-    // part ends before the plane, go there; where every one begins beyond it, to the far child.
-    // Else to both, each with the part that is left for it: up to the greatest t_split, from the
-    // least.
+    // TASK next_tile_child: the near child is on the eye's side of the plane. If every ray's part
+    // ends before the plane, visit the near child only; if every part begins beyond it, the far
+    // child only. Else visit both. The near child's part ends at t_split.high, the far child's
+    // begins at t_split.low.
     (void)eye, (void)t_split, (void)todo;
     return (TodoEntry){node.first, at.t_min, at.t_max};
     // END next_tile_child
@@ -44,14 +44,14 @@ TodoEntry next_tile_child(KdNode3 node, float eye, Interval t_split, TodoEntry a
 // Go on after a leaf that has been searched, unless the search is over.
 //   farthest   the farthest of all rays' hits so far; INFINITY as long as one has none
 //   todo       the nodes that wait
-//   at         in: the leaf; out: where the search goes on, which then waits no longer, with its
-//              part; what of that lies behind the farthest hit may be cut off
+//   at         in: the leaf; out: the node to visit next, taken from the stack, with its part,
+//              which may end at the farthest hit
 // Returns 1, or 0 when the search is over.
 int next_tile_waiting(float farthest, Todo *todo, TodoEntry *at)
 {
-    // TASK next_tile_waiting: take nodes from the stack until one is left in which some ray may
-    // find a nearer hit. A node that begins behind the farthest hit is left out: the one below it
-    // need not be, as parts of many rays overlap.
+    // TASK next_tile_waiting: take nodes from the stack until one is found in which some ray may
+    // find a nearer hit. A node that begins behind the farthest hit is left out. The one below it
+    // may still matter, because parts of many rays overlap.
     (void)farthest, (void)todo, (void)at;
     return 0;
     // END next_tile_waiting

@@ -7,7 +7,7 @@
 // A tile has as many rows as a row has pixels.
 #define N_ROWS LANES
 
-// After how many circles a tile is asked whether it is done: the answer costs as much as a circle,
+// After how many circles a tile is tested whether it is done: the test costs as much as a circle,
 // and may save all that follow.
 #define CIRCLES_A_LOOK 8
 
@@ -28,8 +28,8 @@ static int is_open(const CircleTile *tile)
 }
 
 // Paint a circle into the rows of a tile. The columns' part of the distance is the same for each of
-// them. Rows that the circle does not meet are asked, too: that was measured to take no longer than
-// the branch that leaves them out.
+// them. Rows that the circle does not meet are tested, too: that was measured to take no longer
+// than the branch that leaves them out.
 static void paint_circle(TileCircle circle, CircleTile *tile)
 {
     const Lanes dx = JOIN(convert_float, LANES)(tile->x + lane_number()) - circle.x;

@@ -6,7 +6,7 @@
 #include "sphere.h"
 #include "tile.h"
 
-// What shading asks of a scene: see render_spheres of lab 05.
+// What shading needs of a scene: see render_spheres of lab 05.
 typedef struct Shading {
     global const Sphere *spheres;
     global const uint *material_ids;

@@ -98,7 +98,7 @@ static float farthest_open(const LightTile *ways)
     return largest_lane(farthest);
 }
 
-// Close the ways of a block that a sphere stands in. They are asked from the point, as in lab 09:
+// Close the ways of a block that a sphere blocks. They are tested from the point, as in lab 09:
 // rounding is smallest there, beside the sphere that the point is on.
 static void close_blocked_ways(const TileSurfaces *at, int block, Sphere sphere, LightTile *ways)
 {
@@ -118,7 +118,7 @@ static void close_blocked_ways(const TileSurfaces *at, int block, Sphere sphere,
     ways->is_open[block] &= ~((t > 0.0f) & (t < ways->distance[block]));
 }
 
-// Ask the spheres of a leaf, but for those that no way meets.
+// Test the spheres of a leaf, except for those that no way meets.
 static void search_light_leaf(const TileSurfaces *at, KdNode3 node,
                               global const Sphere *leaf_spheres, LightTile *ways, Work *work)
 {
@@ -135,7 +135,7 @@ static void search_light_leaf(const TileSurfaces *at, KdNode3 node,
     }
 }
 
-// Close every way that a sphere stands in: trace_tile() with another end. What begins behind the
+// Close every way that a sphere blocks: trace_tile() with another end. What begins behind the
 // farthest open point is left out; where no way is open, that is all.
 //   work   what the tile has cost so far
 static void light_tile_trace(const TileSurfaces *at, const TracedScene *scene,

@@ -8,7 +8,7 @@
 #include "sphere.h"
 #include "work.h"
 
-// Ask a sphere for LANES rays at once: intersect_sphere() of lab 05 and the leaf's rule of lab 07,
+// Test a sphere for LANES rays at once: intersect_sphere() of lab 05 and the leaf's rule of lab 07,
 // without a branch. Not even where all lanes miss: that was measured to take longer than the root
 // that it saves.
 //   centre       seen from the eye
@@ -32,8 +32,8 @@ static void intersect_block(const Tile *tile, int block, float3 centre, float ra
     hits->sphere[block] = select(hits->sphere[block], (LaneUints)id, wins);
 }
 
-// Ask the spheres of a leaf, but for those that the whole tile misses.
-//   leaf_spheres   one for each entry of sphere_ids: what a leaf asks lies side by side in memory
+// Test the spheres of a leaf, except for those that the whole tile misses.
+//   leaf_spheres   one for each entry of sphere_ids: what a leaf tests is side by side in memory
 //   work           what the tile has cost so far
 static void search_tile_leaf(const Tile *tile, KdNode3 node, global const uint *sphere_ids,
                              global const Sphere *leaf_spheres, TileHits *hits, Work *work)

@@ -8,6 +8,9 @@ CHAPTERS := $(patsubst slides-notes/notes-%.md,%,$(wildcard slides-notes/notes-*
 # Markdown files that become pages as they are, at the same places; what links to others keeps only its words.
 NOTES_PAGES := README.md slides-notes/README.md slides-notes/slides-and-course.md slides-notes/questions.md tests/GRADING.md tests/bench/RESULTS.md \
     tests/INSTRUCTORS.md tests/what-protects-a-grade.md common/SCENES.md common/DATA-FLOW.md common/setup/TROUBLESHOOTING.md $(wildcard labs/*/*.md)
+# Those that hold answers: of the instructor's edition only.
+NOTES_PAGES_student :=
+NOTES_PAGES_instructor := slides-notes/TEACHING.md
 NOTES_LINKED := $(NOTES_PAGES) $(wildcard slides-notes/notes-*.md)
 NOTES_TOOLS := $(wildcard $(NOTES_MAKE)/*.lua $(NOTES_MAKE)/*.css slides-notes/touch/*.css $(NOTES_MAKE)/*.js) $(NOTES_MAKE)/page.html $(NOTES_MAKE)/build.sh
 
@@ -27,10 +30,10 @@ NOTES_RUNS += $(NOTES)/runs/08-plane.json
 
 # A page: of edition $(1) and form $(2), from the source that comes first.
 define page
-$(call say,page    $@)$(NOTES_MAKE)/build.sh $(NOTES)/$(1) $(1) $(2) $< $@ "$(NOTES_LINKED)" $(TOUCH)
+$(call say,page    $@)$(NOTES_MAKE)/build.sh $(NOTES)/$(1) $(1) $(2) $< $@ "$(NOTES_LINKED) $(NOTES_PAGES_$(1))" $(TOUCH)
 endef
 define notes_edition  # the rules of the edition $(1)
-NOTES_HTML += $(NOTES)/$(1)/index.html $(addprefix $(NOTES)/$(1)/,$(NOTES_PAGES:.md=.html)) \
+NOTES_HTML += $(NOTES)/$(1)/index.html $(patsubst %.md,$(NOTES)/$(1)/%.html,$(NOTES_PAGES) $(NOTES_PAGES_$(1))) \
     $(foreach chapter,$(CHAPTERS),$(NOTES)/$(1)/slides-notes/notes-$(chapter).html $(NOTES)/$(1)/slides-notes/slides-$(chapter).html)
 NOTES_PDF += $(foreach chapter,$(CHAPTERS),$(NOTES)/$(1)/slides-notes/notes-$(chapter).pdf $(NOTES)/$(1)/slides-notes/slides-$(chapter).pdf)
 $(NOTES)/$(1)/slides-notes/notes-%.html: slides-notes/notes-%.md slides-notes/questions.md $(NOTES_TOOLS) $(NOTES_RUNS) $(TOUCH)

@@ -25,7 +25,7 @@ double surface_area(BBox3D box)
 double split_cost(BBox3D box, KdSplit split, u32 n_lower, u32 n_higher)
 {
     // TASK split_cost: a ray that meets the cell meets a child with probability area over area, and
-    // then asks that child's spheres.
+    // then tests that child's spheres.
     //> (void)box, (void)split, (void)n_lower, (void)n_higher;
     //> return 0;
     BBox3D lower = box, higher = box;
@@ -71,7 +71,7 @@ static int guess_bin(const Planes *planes, f32 coordinate)
 }
 
 // In which bin does a coordinate lie: how many of the candidate planes are below it? From 0 to
-// N_BINS - 1. The guess is nearly always right: each loop asks one plane, and ends.
+// N_BINS - 1. The guess is nearly always right: each loop tests one plane, and ends.
 static int planes_below(const Planes *planes, f32 coordinate)
 {
     int n = guess_bin(planes, coordinate);

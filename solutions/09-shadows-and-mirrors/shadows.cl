@@ -87,8 +87,8 @@ float3 lit_color(float3 point, float3 normal, Material material, const TracedSce
                  Work *work)
 {
     float3 color = (float3)(0.0f);
-    // TASK lit_color: ask each light that is before the surface whether anything stands between. If
-    // not, add what shade() of lab 05 makes of this one light.
+    // TASK lit_color: for each light in front of the surface: is anything between? If not, add what
+    // shade() of lab 05 makes of this one light.
     //> (void)point, (void)normal, (void)material, (void)scene, (void)work;
     for (int i = 0; i < scene->n_lights; i++) {
         const Ray ray = shadow_ray(point, scene->lights[i]);

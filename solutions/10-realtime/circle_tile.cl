@@ -24,7 +24,7 @@ uint tile_leaf(int x, int y, global const TileNode *nodes, Work *work)
 {
     uint id = 0;
     // TASK tile_leaf: from the root go to the child that holds the pixel (x, y) until id is a leaf.
-    // Pixel split_pos itself is on the upper side. Ask is_inner() once a node: it counts the steps.
+    // Pixel split_pos itself is on the upper side. Call is_inner() once a node: it counts steps.
     //> (void)x, (void)y, (void)nodes, (void)work;
     while (is_inner(nodes[id], work)) {
         const int at = nodes[id].split_axis == 0 ? x : y;
@@ -36,7 +36,7 @@ uint tile_leaf(int x, int y, global const TileNode *nodes, Work *work)
 
 // Paint a circle into one row of a tile, behind the circles that are there already.
 //   dx_squared       for each pixel: its distance from the centre along x, squared
-//   dy               the row's distance from the centre along y
+//   dy               the row's distance from the centre along y, not squared
 //   radius_squared   the circle's; the boundary belongs to it
 //   color            the circle's
 //   open             in and out: -1 where no circle has covered the pixel yet, else 0
@@ -44,8 +44,8 @@ uint tile_leaf(int x, int y, global const TileNode *nodes, Work *work)
 void paint_row(Lanes dx_squared, float dy, float radius_squared, uint color, LaneInts *open,
                LaneUints *colors)
 {
-    // TASK paint_row: overlaps_N_Nearer for LANES pixels at once. There is no `if` for lanes:
-    // compare, keep what is still open, and select().
+    // TASK paint_row: overlaps_N_Nearer for LANES pixels at once. There is no `if` for lanes: which
+    // lanes does the circle cover, and which of them are open? select() their colour, close them.
     //> (void)dx_squared, (void)dy, (void)radius_squared, (void)color, (void)open, (void)colors;
     const LaneInts covers = *open & (dx_squared + dy * dy <= radius_squared);
     *colors = select(*colors, (LaneUints)color, covers);

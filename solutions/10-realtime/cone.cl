@@ -5,7 +5,7 @@
 
 // Do all rays of a tile miss a sphere for certain?
 //   cone     around the tile's rays, a little wider than they are: rounding needs no care here
-//   centre   the sphere's, seen from the eye
+//   centre   the sphere's centre minus the eye
 //   radius   may be negative
 // Returns 1, or 0 if a ray may hit it. If the centre is behind the eye and no ray hits the sphere,
 // either is right.

@@ -51,7 +51,7 @@ static void add_mirrors(const Tile *tile, const TileSurfaces *at, int block, int
 
 // Draw the spheres with shadows and as mirrors, one work-item a tile.
 //   spheres ... leaf_spheres   as in render_tiles
-//   max_bounces                so often a ray is mirrored at most; 0: never
+//   max_bounces                a ray is mirrored at most this many times; 0: never
 //   d_work                     what each pixel's tile cost; NULL where nothing is counted
 kernel void render_lit_tiles(global const Sphere *spheres, global const uint *material_ids,
                              global const Material *materials, global const Light *lights,

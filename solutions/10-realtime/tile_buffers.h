@@ -36,9 +36,9 @@ void tile_buffers_set(const TileBuffers *buffers, const Scene3D *scene, cl_kerne
 int tile_buffers_read(const TileBuffers *buffers, const Scene3D *scene, cl_command_queue queue,
                       Image *image);
 
-// A tree's spheres on the device in the order in which the leaves ask them: one in two leaves
-// stands there twice. Returns NULL after one message on stderr when memory runs out. Release with
-// clReleaseMemObject.
+// A tree's spheres on the device in the order in which the leaves test them: a sphere that is in
+// two leaves is stored twice. Returns NULL after one message on stderr when memory runs out.
+// Release with clReleaseMemObject.
 cl_mem leaf_spheres_create(const Lab *lab, const Scene3D *scene, const KdTree3D *tree);
 
 // A picture as bytes on the device, [height * width], RGBA, red lowest; all 0. Release with
@@ -60,7 +60,7 @@ typedef struct TileShape {
     const char *options;  // for the kernel's build
 } TileShape;
 
-// The shape for a kind of device: measured, see the lab's README.
+// The shape for a kind of device, as measured (slides-notes/notes-realtime.md, sections 2 and 5).
 TileShape tile_shape(cl_device_id device);
 
 // Launch a kernel with one work-item a tile of this shape over width x height pixels.

@@ -4,8 +4,8 @@
 #include "mirrors.cl"
 #include "tile.h"
 
-// Surface of lab 09 for each ray of a tile, its numbers side by side: so that a ray can be asked by
-// itself, and a block of them as lanes.
+// Surface of lab 09 for each ray of a tile, its numbers side by side: so that a ray can be tested
+// by itself, and a block of them as lanes.
 typedef struct TileSurfaces {
     int is_hit[N_RAYS];                     // -1 where there is one, else 0
     float x[N_RAYS], y[N_RAYS], z[N_RAYS];  // points, off the surface already: new rays start here

@@ -164,7 +164,7 @@ void draw_cost_plane(FILE *file, int number, FigureShape shape)
     svg_line(file, x_of(0), cost_y(leaf), x_of(32), cost_y(leaf),
              "stroke=\"" SVG_BLUE "\" stroke-width=\"3\" stroke-dasharray=\"10 6\"");
     svg_text(file, x_of(10), cost_y(leaf) - 10, SVG_LEFT, SVG_HALO,
-             "a leaf: %g, all %d spheres asked", leaf, N_SPHERES);
+             "a leaf: %g, all %d spheres tested", leaf, N_SPHERES);
     curve_draw(file);
     mark(file, cheapest, 0, "fill=\"" SVG_ORANGE "\" stroke=\"" SVG_BLACK "\"", "the cheapest",
          shape);

@@ -20,7 +20,7 @@ static void panel_draw(FILE *file, const Followed *followed, u32 i)
               step->id);
     if (is_leaf) {
         const u32 *list = tree->mapNode2Circles + tree->nodes_Relations[step->id].circleMapOffset;
-        svg_text(file, left, y, SVG_LEFT, "", "asks %u circles:", list[0]);
+        svg_text(file, left, y, SVG_LEFT, "", "tests %u circles:", list[0]);
         for (u32 k = 1; k <= list[0]; k++) {
             const Step *test = followed_step(&followed->own, i + k);
             svg_text(file, left, y + 28 * k, SVG_LEFT, "", "%c: %s", circle_letter(test->id),
@@ -47,7 +47,7 @@ void draw_descent(FILE *file, const Followed *followed)
         file, HEIGHT, "The descent to leaf 13, step by step",
         "Four panels. The search for pixel 7, 7 goes from node 0, the whole square, to node 2, its "
         "right half, to node 6, the lower half of that, to leaf 13, a quarter. In each inner node "
-        "the left child's cell is asked. In the leaf C covers the pixel and E does not.");
+        "the left child's cell is tested. In the leaf C covers the pixel and E does not.");
     svg_title(file, 16, 40, SVG_LEFT, "", "Pixel %d, %d: each step halves what is left",
               followed->x, followed->y);
     for (u32 i = 0; i < MOST_PANELS && followed_step(&followed->own, i)->kind <= STEP_LEAF; i++) {

@@ -68,7 +68,6 @@ void draw_failed(FILE *file, const Followed *followed)
     }
     svg_text(
         file, LEFT, HEIGHT - 24, SVG_LEFT, "",
-        "Failed: together at least 9/5 of the node's own list, here 18. Below 4 failed splits: "
-        "a leaf.");
+        "Failed: together 18 or more, 9/5 of its list. A node under 4 failed splits is a leaf.");
     svg_end(file);
 }

@@ -110,7 +110,7 @@ static void legend_draw(FILE *file, double y)
         const char *look, *name;
     } KEYS[] = {
         {66, "fill=\"#56b4e9\"", "a step at a node"},
-        {300, "fill=\"" SVG_BLACK "\"", "asks a sphere"},
+        {300, "fill=\"" SVG_BLACK "\"", "tests a sphere"},
         {510, "fill=\"#ffffff\" stroke=\"#767676\"", "waits for others"},
         {746, "fill=\"#e0e0e0\"", "its ray is done"},
     };

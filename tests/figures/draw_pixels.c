@@ -78,7 +78,7 @@ void draw_sample(FILE *file, const Followed *followed)
               "down. A "
               "circle about the point 4, 3 with radius 2 covers 13 of them: the four on its "
               "boundary, too.");
-    svg_title(file, 24, 40, SVG_LEFT, "", "A pixel is asked at its whole-numbered coordinate");
+    svg_title(file, 24, 40, SVG_LEFT, "", "A pixel is tested at its whole-numbered coordinate");
     for (int y = 0; y < SAMPLE_ROWS; y++) {
         svg_text(file, SAMPLE_LEFT - 18, SAMPLE_TOP + y * PIXEL + 7, SVG_RIGHT, "", "%d", y);
         svg_line(file, SAMPLE_LEFT, SAMPLE_TOP + y * PIXEL,

@@ -134,7 +134,7 @@ static void way_tell(const Followed *followed, char line[STEP_LINE_BYTES])
         length += snprintf(line + length, STEP_LINE_BYTES - (size_t)length, " %u,", step->id);
         step = followed_step(&followed->own, i);
     }
-    snprintf(line + length, STEP_LINE_BYTES - (size_t)length, " leaf %u; asked: %u of %d circles",
+    snprintf(line + length, STEP_LINE_BYTES - (size_t)length, " leaf %u; tested: %u of %d circles",
              step->id, followed->own.n_tests, followed->world->n_elements);
 }
 

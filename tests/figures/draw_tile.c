@@ -124,16 +124,16 @@ void draw_tile(FILE *file, const Followed *followed)
         "different distances, from the least to the greatest: an interval. The near child "
         "is searched up to the greatest, the far one from the least on, so their parts "
         "overlap. Of two spheres one stands beside the cone and is left out for all rays; "
-        "the other is met by the cone and asked.");
+        "the other is met by the cone and tested.");
     svg_title(file, 24, 40, SVG_LEFT, "",
               "What one ray knew as a number is an interval for a tile");
     cone_draw(file, &row);
     plane_draw(file, &row);
     sphere_draw(file, &row, MISSED, "fill=\"#ffffff\" stroke=\"" SVG_BLACK "\" stroke-width=\"2\"",
-                "beside the cone:", "asked for no ray");
+                "beside the cone:", "tested for no ray");
     sphere_draw(file, &row, MET,
                 "fill=\"" SVG_SAND "\" stroke=\"" SVG_BLACK "\" stroke-width=\"2\"",
-                "met by the cone:", "asked for all");
+                "met by the cone:", "tested for all");
     svg_circle(file, x_of(0), y_of(0), 9,
                "fill=\"#ffffff\" stroke=\"" SVG_BLACK "\" stroke-width=\"3\"");
     svg_text(file, x_of(0) - 12, y_of(0) + 34, SVG_LEFT, "", "eye");

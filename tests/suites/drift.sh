@@ -231,6 +231,7 @@ example_comes_early() {
 }
 
 check "README.md has at most 130 lines, 1500 words" is_short README.md 130 1500
+check "TEACHING.md has at most 150 lines, 2500 words" is_short slides-notes/TEACHING.md 150 2500
 for text in labs/*/*.md; do
     check "$text has at most 150 lines, 1700 words" is_short "$text" 150 1700
     check "$text: the worked example is in the first 60 lines" example_comes_early "$text"

@@ -159,8 +159,9 @@ for edition in student instructor; do
 done
 [ "$n_answers" -eq 48 ] && [ "$(wc -l <"$scratch/found-instructor")" -eq "$n_answers" ]
 ok $? "the instructor's edition holds every answer of the key" "$(sort "$scratch/answers" | comm -23 - "$scratch/found-instructor")"
-[ ! -s "$scratch/found-student" ] && ! grep -r -l -e 'class="answer"' -e 'class="speaker"' "$notes/student" >>"$scratch/found-student"
-ok $? "the student edition holds none" "$(cat "$scratch/found-student")"
+[ ! -s "$scratch/found-student" ] && ! grep -r -l -e 'class="answer"' -e 'class="speaker"' "$notes/student" >>"$scratch/found-student" &&
+    [ -f "$notes/instructor/slides-notes/TEACHING.html" ] && [ ! -e "$notes/student/slides-notes/TEACHING.html" ]
+ok $? "the student edition holds none, nor the page for lecturers" "$(cat "$scratch/found-student")"
 
 # ---- Contrast, time, sameness --------------------------------------------------------------------
 
