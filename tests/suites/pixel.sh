@@ -128,7 +128,7 @@ is_legible() {
     # Entities are one letter each, and so are the bytes of one character.
     sed 's/&[a-z]*;/x/g' "$1" | LC_ALL=C sed 's/[\x80-\xbf]//g' | LC_ALL=C awk '
         function of(name,  text) { text = $0; if (!sub(".* " name "=\"", "", text)) return ""; sub("\".*", "", text); return text }
-        /^<svg/ { width = of("width") + 0; height = of("height") + 0; size = of("font-size") + 0 }
+        /^<svg xmlns/ { width = of("width") + 0; height = of("height") + 0; size = of("font-size") + 0 }
         /^<text/ {
             n++
             own = of("font-size") == "" ? size : of("font-size") + 0
