@@ -122,9 +122,8 @@ static void only_entry(DIR *folder, char *name, size_t n_bytes)
     }
 }
 
-// Where a folder holds nothing but one regular file that is none of the lab's, or an archive that is
-// called like one: that file, open, and
-// its path for messages. Else -1.
+// Where a folder holds nothing but one regular file that is none of the lab's, or an archive that
+// is called like one: that file, open, and its path for messages. Else -1.
 static int only_file_open(const Manifest *manifest, const char *folder, char path[PATH_MAX])
 {
     char name[NAME_MAX + 1];
