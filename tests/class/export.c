@@ -361,7 +361,7 @@ static int is_exercise(const char *folder, int lab_number)
 }
 
 // The folders of several exercises side by side, as a whole course is exported: most of the folders
-// hold exports, each of several students. No student can bring that about, as in a class the others
+// hold exports, each of several students. No student can do that alone, as the others of a class
 // would have to hand in such folders, too. Finds those of which the number is the lab's. Returns
 // how many folders hold exports, 0 where this is one exercise.
 static int exercises_find(const Export *export, int lab_number, const Found **of_lab, int *n_of_lab)
