@@ -17,8 +17,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-// How far below the folder that was given the entries may be: ILIAS has EXERCISE/Abgaben.
-enum { MOST_LEVELS = 3 };
+enum {
+    // How far below the folder that was given the entries may be: ILIAS has EXERCISE/Abgaben.
+    MOST_LEVELS = 3,
+    // Of a folder that may be one student's no more entries are read, and to see whether ILIAS has
+    // named files: else one student makes the whole class wait.
+    MOST_LOOKED_AT = 1000,
+    MOST_LOOKED_AT_FOR_ILIAS = 20,
+};
 
 static int fault(const char *path, const char *what)
 {
@@ -66,9 +72,10 @@ static int holds_ilias_files(int parent, const char *file)
     if (descriptor >= 0 && entries == NULL) {
         close(descriptor);
     }
-    int holds = 0;
+    int holds = 0, n = 0;
     struct dirent *entry;
-    while (entries != NULL && !holds && (entry = readdir(entries)) != NULL) {
+    while (entries != NULL && !holds && n++ < MOST_LOOKED_AT_FOR_ILIAS &&
+           (entry = readdir(entries)) != NULL) {
         holds = ilias_time_length(entry->d_name) > 0;
     }
     if (entries != NULL) {
@@ -112,7 +119,8 @@ static int found_read(int parent, const char *file, int lab_number, Found *found
     return 0;
 }
 
-static int entries_read(Export *export, int lab_number)
+// Read the entries of a folder, or the first ones.
+static int entries_read(Export *export, int lab_number, int n_most)
 {
     DIR *entries = opendir(export->path);
     if (entries == NULL) {
@@ -121,7 +129,7 @@ static int entries_read(Export *export, int lab_number)
     int failed = 0;
     struct dirent *entry;
     errno = 0;
-    while (!failed && (entry = readdir(entries)) != NULL) {
+    while (!failed && n_most-- > 0 && (entry = readdir(entries)) != NULL) {
         Found *found = grown(export->found, export->n_found, sizeof *found);
         if (found == NULL) {
             failed = 1;
@@ -278,25 +286,36 @@ static int is_for_submissions(const char *folder)
 typedef struct Below {
     ExportSystem system;  // that made most of the names
     int has_students;     // two at least
-    int has_submissions;  // a folder "Abgaben"
+    int has_submissions;  // a folder "Abgaben", and this is its path
+    char submissions[PATH_MAX];
 } Below;
 
-static Below look_below(const Export *export, const Found *folder, int lab_number)
+// Look at the first entries of a folder.
+static Below look_below(const char *folder, int lab_number)
 {
     Export inner = {0};
-    Below below = {SYSTEM_NONE, 0, 0};
-    path_make(inner.path, "%s/%s", export->path, folder->file);
-    if (entries_read(&inner, lab_number) == 0) {
+    Below below = {.system = SYSTEM_NONE};
+    path_make(inner.path, "%s", folder);
+    if (entries_read(&inner, lab_number, MOST_LOOKED_AT) == 0) {
         below.system = inner.system = export_system_find(&inner);
         export_names_read(&inner);
         for (int i = 0; i < inner.n_found; i++) {
             const Found *found = &inner.found[i];
-            below.has_submissions |= found->is_folder && is_for_submissions(found->file);
+            if (found->is_folder && is_for_submissions(found->file)) {
+                below.has_submissions = 1;
+                path_make(below.submissions, "%s/%s", folder, found->file);
+            }
             below.has_students |= i > 0 && !export_is_same_student(&inner, &inner.found[0], found);
         }
     }
     entries_free(&inner);
     return below;
+}
+
+// What comes before the advice to give a folder: nobody can give what is unpacked for a while.
+static const char *unpack_first(const Export *export)
+{
+    return export->is_unpacked ? "unpack the archive yourself and " : "";
 }
 
 // Is the only entry a folder that leads to an export? ILIAS' "Abgaben" does. Of any other folder,
@@ -307,16 +326,16 @@ static int is_too_high(const Export *export, int lab_number, char inner[PATH_MAX
     if (folder == NULL || export_system_find(export) != SYSTEM_NONE) {
         return 0;
     }
-    const Below below = look_below(export, folder, lab_number);
     path_make(inner, "%s/%s", export->path, folder->file);
+    const Below below = look_below(inner, lab_number);
     if (below.has_submissions ||
         (below.system != SYSTEM_NONE && is_for_submissions(folder->file))) {
         return 1;
     }
     if (below.system != SYSTEM_NONE) {
         complain("gradebook: %s: the only entry, whose files look as if %s had named them; if it "
-                 "is the export, give this folder",
-                 inner, system_title(below.system));
+                 "is the export, %sgive this folder",
+                 inner, system_title(below.system), unpack_first(export));
     }
     return 0;
 }
@@ -330,21 +349,34 @@ static int is_numbered(const char *name, int number)
     return end > digits && first == number && end[strcspn(end, "0123456789")] == '\0';
 }
 
+// Does a folder hold the work of several students, by names that a system made, itself or in a
+// folder "Abgaben"?
+static int is_exercise(const char *folder, int lab_number)
+{
+    Below below = look_below(folder, lab_number);
+    if (below.has_submissions && (below.system == SYSTEM_NONE || !below.has_students)) {
+        below = look_below(below.submissions, lab_number);
+    }
+    return below.system != SYSTEM_NONE && below.has_students;
+}
+
 // The folders of several exercises side by side, as a whole course is exported: most of the folders
-// hold exports, each of several students, which no student can bring about. Finds those of which
-// the number is the lab's. Returns how many folders hold exports, 0 where this is one exercise.
+// hold exports, each of several students. No student can do that alone, as the others of a class
+// would have to hand in such folders, too. Finds those of which the number is the lab's. Returns
+// how many folders hold exports, 0 where this is one exercise.
 static int exercises_find(const Export *export, int lab_number, const Found **of_lab, int *n_of_lab)
 {
     int n_folders = 0, n_exercises = 0;
     *n_of_lab = 0;
     for (int i = 0; i < export->n_found; i++) {
+        char folder[PATH_MAX];
         const Found *found = &export->found[i];
         n_folders += !found->is_loose;
-        if (!found->is_folder) {
+        path_make(folder, "%s/%s", export->path, found->file);
+        if (!found->is_folder || !is_exercise(folder, lab_number)) {
             continue;
         }
-        const Below below = look_below(export, found, lab_number);
-        n_exercises += below.has_submissions || (below.system != SYSTEM_NONE && below.has_students);
+        n_exercises++;
         if (is_numbered(found->file, lab_number)) {
             *of_lab = found;
             ++*n_of_lab;
@@ -353,13 +385,22 @@ static int exercises_find(const Export *export, int lab_number, const Found **of
     return n_exercises >= 2 && 2 * n_exercises > n_folders ? n_exercises : 0;
 }
 
+// Has Gradescope written beside the folders whose they are?
+static int is_of_gradescope(const Export *export)
+{
+    char names[PATH_MAX];
+    struct stat status;
+    path_make(names, "%s/" GRADESCOPE_NAMES_FILE, export->path);
+    return lstat(names, &status) == 0;
+}
+
 // Where several exercises are side by side: go on with the lab's, or say what to do. Returns 1 with
 // the folder to go on with, 0 where this is one exercise, or -1 after one message.
 static int is_course(const Export *export, int lab_number, char inner[PATH_MAX])
 {
     const Found *of_lab;
     int n_of_lab;
-    if (export_system_find(export) != SYSTEM_NONE ||
+    if (export_system_find(export) != SYSTEM_NONE || is_of_gradescope(export) ||
         exercises_find(export, lab_number, &of_lab, &n_of_lab) == 0) {
         return 0;
     }
@@ -370,10 +411,11 @@ static int is_course(const Export *export, int lab_number, char inner[PATH_MAX])
     char shown[ENTRY_NAME_BYTES];
     const Found *first = &export->found[0];
     entry_name_show(first->file, strlen(first->file), shown);
-    complain("gradebook: %s: found several exercises side by side, and %s has the number %d; give "
-             "the folder of one of them, as SUBMISSIONS=\"%s/%s\"",
-             export->path, n_of_lab == 0 ? "none" : "more than one", lab_number, export->path,
-             shown);
+    complain(
+        "gradebook: %s: found several exercises side by side, and %s has the number %d; %sgive "
+        "the folder of one of them, as SUBMISSIONS=\"%s/%s\"",
+        export->path, n_of_lab == 0 ? "none" : "more than one", lab_number, unpack_first(export),
+        export->is_unpacked ? "FOLDER" : export->path, shown);
     return -1;
 }
 
@@ -427,12 +469,12 @@ static int submitters_read(Export *export)
     return 0;
 }
 
-int export_read(const char *submissions, int lab_number, Export *export)
+int export_read(const char *submissions, int is_unpacked, int lab_number, Export *export)
 {
     char inner[PATH_MAX];
-    *export = (Export){0};
+    *export = (Export){.is_unpacked = is_unpacked};
     path_make(export->path, "%s", submissions);
-    int result = entries_read(export, lab_number);
+    int result = entries_read(export, lab_number, INT_MAX);
     for (int i = 0; result == 0 && i < MOST_LEVELS; i++) {
         const int course = is_course(export, lab_number, inner);
         if (course < 0) {
@@ -445,7 +487,7 @@ int export_read(const char *submissions, int lab_number, Export *export)
         memcpy(export->path, inner, sizeof inner);
         complain("gradebook: %s: this folder is graded, one or more below the one that was given",
                  export->path);
-        result = entries_read(export, lab_number);
+        result = entries_read(export, lab_number, INT_MAX);
     }
     if (result == 0) {
         result = names_settle(export);

@@ -15,6 +15,7 @@ typedef struct Found {
     char *file;  // its name, as it is
     EntryName name;
     unsigned systems;  // a bit for each ExportSystem that may have made the name
+    size_t n_title;    // Blackboard's: how many bytes the title before the login has
     int is_folder;
     int is_link;   // neither a folder nor a file: cannot be graded
     int is_loose;  // a single file, or what a system has named as one of the files of an upload, be
@@ -24,6 +25,7 @@ typedef struct Found {
 
 typedef struct Export {
     char path[PATH_MAX];  // where the entries are: the folder that was given, or one below it
+    int is_unpacked;      // an archive was given: the path is no advice
     Found *found;         // by student, attempt and file
     int n_found;
     char **passed_over;  // files of which no name says whose they are, fit to be shown
@@ -35,9 +37,10 @@ typedef struct Export {
 // Read a folder of submissions. Where it holds nothing but a folder that is such an export, that is
 // read instead, with one line on stderr, as for other files that are passed over. Of several
 // exercises side by side the one with the lab's number is read; without one, that is an error.
+//   is_unpacked  the folder was unpacked from the archive that was given
 //   lab_number   GitHub Classroom's names begin with it, an exercise's folder may have it
 // Returns 0, or -1 after one message on stderr. Release with export_free().
-int export_read(const char *submissions, int lab_number, Export *export);
+int export_read(const char *submissions, int is_unpacked, int lab_number, Export *export);
 void export_free(Export *export);
 
 // Did a course system make the names of this one, so that nobody else could choose them?

@@ -4,6 +4,7 @@
 #include "clean_text.h"
 #include "complain.h"
 #include "contents.h"
+#include "entry_name.h"
 #include "path.h"
 #include "settings.h"
 #include "unpack_run.h"
@@ -17,35 +18,91 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-// Is there nothing else in a folder, but for what a Mac adds?
-static int holds_only(const char *folder, const char *name)
+// What a Mac adds, and what every folder has.
+static int is_extra(const char *name)
 {
+    static const char *const names[] = {".", "..", ".DS_Store", "__MACOSX"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        if (strcmp(name, names[i]) == 0) {
+            return 1;
+        }
+    }
+    return strncmp(name, "._", 2) == 0;
+}
+
+static int is_folder(const char *path)
+{
+    struct stat status;
+    return lstat(path, &status) == 0 && S_ISDIR(status.st_mode);
+}
+
+// The folder that is the only entry of a folder: its name, or "" where there is none.
+static void only_folder(const char *folder, char name[NAME_MAX + 1])
+{
+    char path[PATH_MAX];
     DIR *entries = opendir(folder);
-    int n_others = entries == NULL;
+    int n = 0;
     struct dirent *entry;
-    while (n_others == 0 && (entry = readdir(entries)) != NULL) {
-        n_others = entry->d_name[0] != '.' && strcmp(entry->d_name, "__MACOSX") != 0 &&
-                   strcmp(entry->d_name, name) != 0;
+    name[0] = '\0';
+    while (entries != NULL && n < 2 && (entry = readdir(entries)) != NULL) {
+        if (!is_extra(entry->d_name)) {
+            n++;
+            snprintf(name, NAME_MAX + 1, "%s", entry->d_name);
+        }
     }
     if (entries != NULL) {
         closedir(entries);
     }
-    return n_others == 0;
+    path_make(path, "%s/%s", folder, name);
+    if (n != 1 || !is_folder(path)) {
+        name[0] = '\0';
+    }
 }
 
-// Whoever packs a folder has that folder in the archive.
+// Are there two folders or archives at least in a folder, one for each student?
+static int holds_several(const char *folder)
+{
+    char path[PATH_MAX];
+    DIR *entries = opendir(folder);
+    int n = 0;
+    struct dirent *entry;
+    while (entries != NULL && n < 2 && (entry = readdir(entries)) != NULL) {
+        path_make(path, "%s/%s", folder, entry->d_name);
+        // A student's own may hold ".git" and ".vscode".
+        n += entry->d_name[0] != '.' && !is_extra(entry->d_name) &&
+             (archive_stem_length(entry->d_name) > 0 || is_folder(path));
+    }
+    if (entries != NULL) {
+        closedir(entries);
+    }
+    return n == 2;
+}
+
+// Is it one student's by its name, which a system made?
+static int is_of_student(const char *folder)
+{
+    return entry_name_read(folder, 0).system != SYSTEM_NONE ||
+           entry_name_read_export(folder, 1, SYSTEM_BRIGHTSPACE).system != SYSTEM_NONE;
+}
+
+// Whoever packs a folder has that folder in the archive, which may get another name later:
+// "class (1).zip".
 static void wrapper_enter(const char *archive, char unpacked[PATH_MAX])
 {
-    char stem[NAME_MAX + 1], inner[PATH_MAX];
-    struct stat status;
+    char name[NAME_MAX + 1], inner[PATH_MAX];
     const char *slash = strrchr(archive, '/');
-    const char *name = slash != NULL ? slash + 1 : archive;
-    snprintf(stem, sizeof stem, "%.*s", archive_stem_length(name), name);
-    path_make(inner, "%s/%s", unpacked, stem);
-    if (stem[0] != '\0' && lstat(inner, &status) == 0 && S_ISDIR(status.st_mode) &&
-        holds_only(unpacked, stem)) {
-        memcpy(unpacked, inner, sizeof inner);
+    const char *file = slash != NULL ? slash + 1 : archive;
+    const size_t n_stem = (size_t)archive_stem_length(file);
+    only_folder(unpacked, name);
+    path_make(inner, "%s/%s", unpacked, name);
+    const int is_same = n_stem == strlen(name) && strncmp(file, name, n_stem) == 0;
+    if (name[0] == '\0' || (!is_same && (is_of_student(name) || !holds_several(inner)))) {
+        return;
     }
+    if (!is_same) {
+        complain("gradebook: %s: its only folder is graded: %s", file, name);
+    }
+    memcpy(unpacked, inner, sizeof inner);
 }
 
 int export_archive_unpack(const char *build, const char *archive, const char *folder,

@@ -9,7 +9,7 @@
 //   build     with tools/unpack
 //   folder    an empty one that others may pass; removed by the caller
 //   unpacked  out: the folder below it with what the archive holds; where that is nothing but a
-//             folder of the archive's own name, that one
+//             folder of the archive's own name, or one with several folders or archives, that one
 // Returns 0, or -1 after one message on stderr.
 int export_archive_unpack(const char *build, const char *archive, const char *folder,
                           char unpacked[PATH_MAX]);

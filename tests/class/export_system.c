@@ -1,6 +1,7 @@
 // Deciding by all names together (see export_system.h). Read next: system_names.h, the patterns.
 #include "export_system.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 static int made_by(const Found *found, ExportSystem system)
@@ -31,25 +32,35 @@ static size_t title_length(const Found *found)
     return (size_t)(system_name_read(found->file, SYSTEM_BLACKBOARD).name.text - found->file);
 }
 
+// By title, the shortest first; behind all that are not Blackboard's.
+static int title_compare(const void *left, const void *right)
+{
+    const Found *a = left;
+    const Found *b = right;
+    const int order = made_by(b, SYSTEM_BLACKBOARD) - made_by(a, SYSTEM_BLACKBOARD);
+    return order != 0                 ? order
+           : a->n_title != b->n_title ? (a->n_title > b->n_title) - (a->n_title < b->n_title)
+                                      : strncmp(a->file, b->file, a->n_title);
+}
+
 // The title of the assignment, which stands before each login: the most frequent one, of equally
-// frequent ones the shortest. Returns an entry with it, or NULL where Blackboard made none.
-static const Found *title_find(const Export *export)
+// frequent ones the shortest. Sorts the entries by their titles. Returns an entry with it, or NULL
+// where Blackboard made none.
+static const Found *title_find(Export *export)
 {
     const Found *best = NULL;
-    int n_most = 0;
+    int n_most = 0, n = 0;
+    for (int i = 0; i < export->n_found; i++) {
+        Found *found = &export->found[i];
+        found->n_title = made_by(found, SYSTEM_BLACKBOARD) ? title_length(found) : 0;
+    }
+    if (export->n_found > 1) {
+        qsort(export->found, (size_t)export->n_found, sizeof *export->found, title_compare);
+    }
     for (int i = 0; i < export->n_found; i++) {
         const Found *found = &export->found[i];
-        if (!made_by(found, SYSTEM_BLACKBOARD)) {
-            continue;
-        }
-        const size_t length = title_length(found);
-        int n = 0;
-        for (int k = 0; k < export->n_found; k++) {
-            const Found *other = &export->found[k];
-            n += made_by(other, SYSTEM_BLACKBOARD) && title_length(other) == length &&
-                 strncmp(other->file, found->file, length) == 0;
-        }
-        if (n > n_most || (n == n_most && length < title_length(best))) {
+        n = i > 0 && title_compare(found - 1, found) == 0 ? n + 1 : 1;
+        if (made_by(found, SYSTEM_BLACKBOARD) && n > n_most) {
             n_most = n;
             best = found;
         }
@@ -83,7 +94,7 @@ void export_names_read(Export *export)
         found->name = entry_name_read_export(found->file, found->is_folder, system);
         found->is_loose = found->is_loose || system == SYSTEM_ILIAS;
         if (titled != NULL) {
-            login_read(found, titled->file, title_length(titled));
+            login_read(found, titled->file, titled->n_title);
         }
     }
 }

@@ -182,11 +182,11 @@ trap 'exit 2' INT TERM HUP PIPE
 # ---- What there is to do ------------------------------------------------------------------------
 
 # An export that is an archive. The copy belongs to whoever grades: no student's code gets at it.
-rm -rf "$CLASS_FOLDER/export"
 if [ -f "$submissions" ]; then
     { mkdir -m 711 "$CLASS_WORK-export" &&
         unpacked=$("$CLASS_BUILD/tools/gradebook" unpack "$CLASS_BUILD" "$submissions" "$CLASS_WORK-export") &&
-        cp -RP --preserve=timestamps "$unpacked" "$CLASS_FOLDER/export" &&
+        rm -rf "$CLASS_FOLDER/export" &&
+        (umask 077 && cp -RPT --preserve=timestamps "$unpacked" "$CLASS_FOLDER/export") &&
         rm -rf "$CLASS_WORK-export"; } || exit 2
     submissions=$CLASS_FOLDER/export
 fi

@@ -209,7 +209,11 @@ int roster_read(const char *submissions, int lab_number, int only_latest, const 
     *roster = (Roster){0};
     path_make(links, "%s/submissions", folder);
     places.links = links;
-    int result = export_read(submissions, lab_number, &export);
+    // Submissions are nowhere in the class's own folder, but for what was unpacked there.
+    const size_t n_folder = strlen(folder);
+    const int is_unpacked =
+        strncmp(submissions, folder, n_folder) == 0 && submissions[n_folder] == '/';
+    int result = export_read(submissions, is_unpacked, lab_number, &export);
     if (result == 0 && export.n_found == 0) {
         result = fault(submissions, "no submission: expected a folder or an archive for each "
                                     "student, or files that a course system has named");

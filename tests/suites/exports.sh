@@ -264,17 +264,49 @@ for kind in ilias moodle; do
     check "$kind: of several exercises none is taken where none has the lab's number" exits 2 run "$class.out"
     check "$kind: they are named, and what to do" said "found several exercises side by side, and none has the number 0; give the folder of one of them, as SUBMISSIONS=\"$class/"
     exercise 0
+    mkdir "$class/Sheet 0"
     check "$kind: the one with the lab's number is entered" exits 0 run "$class.out"
     check "$kind: that is said" said " 0: this folder is graded"
     check "$kind: and only its submissions are graded" said "2 of 2 graded"
 done
 
+class=$scratch/course-moodle
+rm -r "$class"/*0
+(cd "$class" && zip -q -r ../course.zip .)
+class=$scratch/course.zip
+check "a course as an archive: none is taken either" exits 2 run "$scratch/course.out"
+check "and the advice is none that is refused later" \
+    said '; unpack the archive yourself and give the folder of one of them, as SUBMISSIONS="FOLDER/Lab '
+
 # Whoever hands in folders like these is no course.
 class=$scratch/no-course
-mkdir -p "$class/ada/Abgaben" "$class/bob" "$class/cy"
+mkdir -p "$class/ada/Abgaben/lab" "$class/bob/Submissions/lab" "$class/cy"
 for student in ada bob cy; do echo x >"$class/$student/gradient.cl"; done
-check "one student's folders are no exercises" exits 0 run "$class.out"
+check "two students' folders are no exercises" exits 0 run "$class.out"
 check "all three are graded" said "3 of 3 graded"
+class=$scratch/no-course-of-gradescope
+for number in 1 2 3; do
+    mkdir -p "$class/submission_$number"
+    echo x >"$class/submission_$number/gradient.cl"
+    [ $number = 3 ] || mkdir "$class/submission_$number/"Ada_1_assignsubmission_file_ "$class/submission_$number/"Bob_2_assignsubmission_file_
+    printf "submission_%s:\n  :submitters:\n  - :name: Student %s\n" $number $number >>"$class/submission_metadata.yml"
+done
+check "nor beside Gradescope's list of who handed in" exits 0 run "$class.out"
+check "of whom all three are graded" said "3 of 3 graded"
+
+# ---- One student's many files ---------------------------------------------------------------------
+
+# read_soon SUBMISSIONS: is the folder read in a minute, where it once took many?
+# shellcheck disable=SC2317 # called by check
+read_soon() {
+    rm -rf "$scratch/soon" && mkdir "$scratch/soon"
+    exits 0 timeout 60 "$build/tools/gradebook" roster 0 "$1" "$scratch/soon" >"$scratch/said" 2>&1
+}
+class=$scratch/many
+mkdir -p "$class/ada" "$class/bob"
+(cd "$class/bob" && seq -f 'Lab_a_attempt_2026-11-03-10-22-33_f%.0f' 4000 | xargs touch)
+check "one student's many files do not make the class wait" read_soon "$class"
+check "nor do those of an export" read_soon "$class/bob"
 
 # ---- An export that is an archive ---------------------------------------------------------------
 
@@ -290,7 +322,7 @@ echo deep >"$student/a/b/c/d/e/f/g/h/i/j/.git/x"
 graded 1 "12 of 14 graded and entered"
 (cd "$class" && zip -q -r -y ../moodle-export.zip .)
 (cd "$scratch" && tar -czf packed.tar.gz --transform 's|^moodle|packed|' moodle && cp packed.tar.gz renamed.tgz)
-for archive in moodle-export.zip packed.tar.gz; do
+for archive in moodle-export.zip packed.tar.gz renamed.tgz; do
     class=$scratch/${archive%%.*}
     cp "$scratch/moodle.csv" "$class.csv"
     graded 1 "12 of 14 graded and entered" "$scratch/$archive"
@@ -304,9 +336,32 @@ graded 1 "12 of 14 graded and entered" "$scratch/packed.tar.gz"
 check "the same archive again: nobody is graded anew" \
     test "$(find "$class.out/students" -name kept | wc -l)" -eq 14
 class=$scratch/renamed
-cp "$scratch/moodle.csv" "$class.csv"
-graded 1 "0 of 1 graded and entered" "$scratch/renamed.tgz"
-check "a folder of another name than the archive's is a submission" said "packed"
+graded 1 "12 of 14 graded and entered" "$scratch/renamed.tgz"
+check "of an archive of another name it is said that its folder is graded" \
+    said "gradebook: renamed.tgz: its only folder is graded: packed"
+check "no others may read what is unpacked" test -z "$(find "$class.out/export" ! -type l -perm /077)"
+
+# A student's own folder may hold several.
+while IFS='|' read -r archive top folders graded; do
+    class=$scratch/$archive
+    mkdir "$class"
+    (cd "$class" && for folder in $folders; do mkdir -p "$top/$folder" && echo x >"$top/$folder/gradient.cl"; done &&
+        tar -cf "$class.tar" .)
+    class=$class.tar
+    check "$archive: graded" exits 0 run "$scratch/$archive.out"
+    check "$archive: $graded of $graded" said "$graded of $graded graded;"
+done <<'END'
+classes (1)|class|ada bob|2
+one folder|ada|src|1
+a repository|ada|.git src|1
+one of Moodle|Ada Lovelace_40012_assignsubmission_file_|labs build|1
+one of Brightspace|40012-88003 - Ada Lovelace - Nov 3, 2026 1022 PM|labs build|1
+END
+class=$scratch/hidden.tar
+mkdir -p "$scratch/hidden/ada" "$scratch/hidden/bob" "$scratch/.eve"
+(cd "$scratch" && tar -cf hidden.tar hidden .eve)
+check "a name that begins with a dot: graded" exits 0 run "$scratch/hidden.out"
+check "and is not passed over" test -n "$(find "$scratch/hidden.out/students" -name 'eve-*')"
 
 # refused ARCHIVE WORDS: not graded, for this reason?
 refused() {
@@ -314,18 +369,51 @@ refused() {
         >"$scratch/said" 2>&1 </dev/null && said "gradebook: $1: $2"
 }
 head -c -40 "$scratch/packed.tar.gz" >"$scratch/cut.tar.gz"
+(cd "$scratch" && for student in ada bob cy; do echo x >$student.zip; done &&
+    tar -c ada.zip bob.zip cy.zip | head -c 2048 >cut.tar)
 printf 'Rar!\032\007\001' >"$scratch/class.rar"
 (cd "$scratch" && tar -cf twice.tar moodle.csv && tar -rf twice.tar moodle.csv && tar -Pcf out.tar ../../etc/hostname &&
     zip -q -P secret secret.zip moodle.csv)
 while IFS='|' read -r archive words; do
     check "$archive is refused as what it is" refused "$archive" "$words"
 done <<'END'
+cut.tar|the archive is damaged or cut off (a tar archive without its end mark): unpack it yourself
 cut.tar.gz|found a compressed file (gzip) that is cut off or no tar archive
 class.rar|found a RAR archive, expected the submissions in a folder, or in a zip or tar archive
 twice.tar|"moodle.csv" is in the archive twice: unpack it yourself, and give the folder
 secret.zip|the archive is encrypted: unpack it yourself, and give the folder
 out.tar|"../../etc/hostname" is no path below a folder, or a long one: unpack it yourself
 END
+
+class=$scratch/cut.tar.gz
+check "after a good archive, one that is refused" exits 2 run "$scratch/packed.out"
+check "leaves what was unpacked" test -e "$scratch/packed.out/export"
+mkdir "$scratch/bin"
+# shellcheck disable=SC2016 # for the other shell
+printf '#!/bin/sh\ncase $* in */export) exit 1 ;; esac\nPATH=%s exec rm "$@"\n' "$PATH" >"$scratch/bin/rm"
+chmod +x "$scratch/bin/rm"
+class=$scratch/packed.tar.gz
+# shellcheck disable=SC2317 # called by check
+without_rm() (
+    PATH=$scratch/bin:$PATH
+    exits 2 run "$scratch/packed.out"
+)
+check "an older one that cannot be removed ends it" without_rm
+
+# full_disk: unpack an archive where the program finds no room for its files.
+# shellcheck disable=SC2317 # called by check
+full_disk() {
+    mkdir -p "$scratch/full/tools" "$scratch/full/to"
+    # shellcheck disable=SC2016 # for the other shell
+    printf '#!/bin/sh\n[ "$1" != /dev/null ] || exit 1\necho "unpack: no space left" >&2\nexit 2\n' \
+        >"$scratch/full/tools/unpack"
+    chmod +x "$scratch/full/tools/unpack"
+    chmod 711 "$scratch/full" "$scratch/full/to"
+    exits 2 "$build/tools/gradebook" unpack "$scratch/full" "$scratch/packed.tar.gz" "$scratch/full/to" \
+        >"$scratch/said" 2>&1
+}
+check "a full disk ends it" full_disk
+check "and is not taken for a damaged archive" said ": unpack: no space left"
 
 # ---- Names that students choose -----------------------------------------------------------------
 

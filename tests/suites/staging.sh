@@ -195,6 +195,27 @@ check "another file by itself is not taken" grades 1 0 $(kept $lab) --submission
 check "and it is said what was expected" stage Staging failed \
     "answer.cl: found a single text file, expected overlaps_N_Nearer.cl and implicit2DRenderer.cl in a folder, or in"
 
+# An archive may be called like a file of the lab.
+copy_lab solutions $lab
+mkdir "$scratch/moodle"
+(cd "$scratch/submission" && zip -q -r "$scratch/moodle/implicit2DRenderer.zip" .)
+mv "$scratch/moodle/implicit2DRenderer.zip" "$scratch/moodle/implicit2DRenderer"
+for handed_in in "$scratch/moodle/implicit2DRenderer" "$scratch/moodle"; do
+    # shellcheck disable=SC2046 # options
+    check "an archive without an ending is unpacked: ${handed_in##*/}" \
+        grades 0 100 $(kept $lab) --submission "$handed_in"
+done
+
+# large_one: grade a file of 1 GB, and write none of more than 64 MB.
+# shellcheck disable=SC2046,SC2317 # options; called by check
+large_one() {
+    truncate -s 1G "$scratch/$file" &&
+        (ulimit -f 131072 && grades 1 0 $(kept $lab) --submission "$scratch/$file")
+}
+check "a large file by itself is refused" large_one
+check "and was not copied" stage Staging failed "$file: larger than the allowed 256 KB"
+rm "$scratch/$file"
+
 # A class's links have names of their own.
 printf 'Rar!\032\007\001' >"$scratch/lab01.rar"
 ln -s "$scratch/lab01.rar" "$scratch/ada-cacd3bfac5f0e135"

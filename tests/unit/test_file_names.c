@@ -54,6 +54,16 @@ Test(file_names, tells_what_a_student_changed)
     expect_all(others, "overlaps_N_Nearer.cl", NAME_NEAR);
 }
 
+Test(file_names, counts_uploads)
+{
+    cr_expect_eq(name_upload_number("gradient-2.cl"), 2);
+    cr_expect_eq(name_upload_number("gradient (999).cl"), 999);
+    cr_expect_eq(name_upload_number("gradient.cl"), 0);
+    // No system counts that far, and the difference of two must fit.
+    cr_expect_eq(name_upload_number("gradient-1000.cl"), 0);
+    cr_expect_eq(name_upload_number("gradient-99999999999999999999.cl"), 0);
+}
+
 Test(file_names, leaves_other_names_alone)
 {
     static const char *const names[] = {

@@ -6,7 +6,7 @@ TestSuite(unpack_export, .init = out_folder_enter, .fini = folder_leave);
 // Into an empty folder.
 static int export_unpack(void)
 {
-    struct archive *reader = unpack_reader_new();
+    struct archive *reader = unpack_export_reader_new();
     const int folder = open("out", O_RDONLY | O_DIRECTORY);
     cr_assert_eq(archive_read_open_memory(reader, packed, n_packed), ARCHIVE_OK);
     const int status = unpack_export(reader, folder, message);
@@ -78,6 +78,46 @@ Test(unpack_export, refuses_what_it_cannot_write)
                      message);
         unlink("out/a");
     }
+}
+
+// Two tars of a student each, behind each other in `packed`; the second begins at the byte that is
+// returned.
+static size_t two_tars_pack(void)
+{
+    unsigned char first[1 << 14];
+    struct archive *writer = pack_begin("ustar", NULL, NULL);
+    pack_entry(writer, "ada", AE_IFREG, "1");
+    pack_end(writer);
+    const size_t n_first = n_packed;
+    cr_assert_leq(n_first, sizeof first);
+    memcpy(first, packed, n_first);
+    writer = pack_begin("ustar", NULL, NULL);
+    pack_entry(writer, "bob", AE_IFREG, "2");
+    pack_entry(writer, "cy", AE_IFREG, "3");
+    pack_end(writer);
+    cr_assert_leq(n_first + n_packed, sizeof packed);
+    memmove(packed + n_first, packed, n_packed);
+    memcpy(packed, first, n_first);
+    n_packed += n_first;
+    return n_first;
+}
+
+Test(unpack_export, reads_tars_behind_each_other)
+{
+    two_tars_pack();
+    cr_assert_eq(export_unpack(), 0, "%s", message);
+    expect_content("out/ada", "1");
+    expect_content("out/bob", "2");
+    expect_content("out/cy", "3");
+}
+
+// Cut behind an entry, a tar looks like a shorter one.
+Test(unpack_export, refuses_a_tar_without_its_end)
+{
+    n_packed = two_tars_pack() + 1024;
+    cr_expect_eq(export_unpack(), 1);
+    cr_expect_not_null(strstr(message, "damaged or cut off (a tar archive without its end mark)"),
+                       "%s", message);
 }
 
 Test(unpack_export, does_not_write_through_a_link)

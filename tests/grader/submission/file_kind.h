@@ -7,7 +7,8 @@
 
 typedef struct FileKind {
     const char *name;   // "a RAR archive", "a single text file"
-    const char *fault;  // what is wrong with it where it is no archive that is read, or ""
+    const char *fault;  // what is wrong with it where it is no archive that is read; "" if no
+                        // such file is read
     int is_text;
 } FileKind;
 

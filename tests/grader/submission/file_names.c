@@ -68,16 +68,18 @@ static int is_system_prefix(Part prefix)
            is_of_canvas(prefix);
 }
 
+// How far uploads are counted.
+enum { UPLOAD_DIGITS = 3 };
+
 // "-1" is Canvas', for a second upload; " (1)" and "(1)" are browsers', for a second download.
 static int is_system_suffix(Part suffix)
 {
-    enum { MOST_DIGITS = 3 };
     if (part_length(suffix) == 0) {
         return 1;
     }
     const int has_bracket = text_drop(&suffix, ")");
     const int n_digits = digits_drop(&suffix);
-    if (n_digits < 1 || n_digits > MOST_DIGITS || !text_drop(&suffix, has_bracket ? "(" : "-")) {
+    if (n_digits < 1 || n_digits > UPLOAD_DIGITS || !text_drop(&suffix, has_bracket ? "(" : "-")) {
         return 0;
     }
     if (has_bracket) {
@@ -93,7 +95,9 @@ int name_upload_number(const char *name)
     const int has_bracket = text_drop(&stem, ")");
     const int n_digits = digits_drop(&stem);
     const char *digits = stem.end;
-    return n_digits > 0 && text_drop(&stem, has_bracket ? "(" : "-") ? atoi(digits) : 0;
+    const int is_counted =
+        n_digits > 0 && n_digits <= UPLOAD_DIGITS && text_drop(&stem, has_bracket ? "(" : "-");
+    return is_counted ? atoi(digits) : 0;
 }
 
 // ---- Names that a student changed ---------------------------------------------------------------

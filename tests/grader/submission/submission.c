@@ -5,11 +5,14 @@
 // stage.h.
 #include "submission.h"
 
+#include "bytes_write.h"
 #include "complain.h"
 #include "contents.h"
+#include "file_kind.h"
 #include "file_names.h"
 #include "message.h"
 #include "path.h"
+#include "place_read.h"
 #include "places.h"
 #include "stage.h"
 #include "unpack_run.h"
@@ -92,6 +95,16 @@ static int is_of_lab(const Manifest *manifest, const char *name)
     return 0;
 }
 
+// Is an open file an archive that is read here, whatever it is called?
+static int is_packed(int file)
+{
+    enum { TAR_SIGN = 257 };
+    unsigned char bytes[512];
+    const ssize_t n = pread(file, bytes, sizeof bytes, 0);
+    return n > 0 && (file_kind(bytes, (size_t)n).fault[0] != '\0' ||
+                     (n == sizeof bytes && memcmp(bytes + TAR_SIGN, "ustar", 5) == 0));
+}
+
 // The only entry of a folder: its name, or "" where there are others or none.
 static void only_entry(DIR *folder, char *name, size_t n_bytes)
 {
@@ -109,8 +122,8 @@ static void only_entry(DIR *folder, char *name, size_t n_bytes)
     }
 }
 
-// Where a folder holds nothing but one regular file that is none of the lab's: that file, open, and
-// its path for messages. Else -1.
+// Where a folder holds nothing but one regular file that is none of the lab's, or an archive that
+// is called like one: that file, open, and its path for messages. Else -1.
 static int only_file_open(const Manifest *manifest, const char *folder, char path[PATH_MAX])
 {
     char name[NAME_MAX + 1];
@@ -121,13 +134,16 @@ static int only_file_open(const Manifest *manifest, const char *folder, char pat
     only_entry(entries, name, sizeof name);
     int file = -1;
     struct stat status;
-    if (name[0] != '\0' && !is_of_lab(manifest, name) &&
-        fstatat(dirfd(entries), name, &status, AT_SYMLINK_NOFOLLOW) == 0 &&
+    if (name[0] != '\0' && fstatat(dirfd(entries), name, &status, AT_SYMLINK_NOFOLLOW) == 0 &&
         S_ISREG(status.st_mode)) {
         file = openat(dirfd(entries), name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
         path_make(path, "%s/%s", folder, name);
     }
     closedir(entries);
+    if (file >= 0 && is_of_lab(manifest, name) && !is_packed(file)) {
+        close(file);
+        return -1;
+    }
     return file;
 }
 
@@ -226,14 +242,29 @@ static int archive_stage(Sources *sources, const char *path, int file, const cha
                          : -1;
 }
 
+// Copy an open file as far as staging has to see it. Returns 0, or -1 after one message.
+static int single_file_copy(int from, const char *to)
+{
+    unsigned char *bytes = malloc(STAGE_MAX_FILE_BYTES + 1);
+    const ssize_t n = bytes != NULL ? place_bytes_read(from, bytes) : -1;
+    const int out = n >= 0 ? open(to, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644) : -1;
+    const int failed = out < 0 || bytes_write(out, bytes, (size_t)n) != 0;
+    int fault = failed ? errno : 0;
+    if (out >= 0 && close(out) != 0 && fault == 0) {
+        fault = errno;
+    }
+    free(bytes);
+    return fault == 0 ? 0 : machinery_fault(to, fault);
+}
+
 // One of the lab's files by itself, as if a folder held it. Returns as submission_stage() does.
-static int single_file_stage(Sources *sources, const char *path, const char *destination,
+static int single_file_stage(Sources *sources, const char *path, int file, const char *destination,
                              char **message)
 {
     char folder[PATH_MAX], copy[PATH_MAX];
     path_make(folder, "%s/single", sources->workshop->folder);
     path_make(copy, "%s/%s", folder, strrchr(path, '/') + 1);
-    return make_folder(folder) == 0 && copy_file(path, copy) == 0
+    return make_folder(folder) == 0 && single_file_copy(file, copy) == 0
                ? folder_stage(sources, folder, destination, message)
                : -1;
 }
@@ -252,8 +283,9 @@ static int handed_in_stage(Sources *sources, const char *path, int file, const c
     if (!S_ISDIR(status.st_mode) && realpath(path, inner) == NULL) {
         return machinery_fault(path, errno);
     }
-    if (S_ISREG(status.st_mode) && is_of_lab(manifest, strrchr(inner, '/') + 1)) {
-        return single_file_stage(sources, inner, destination, message);
+    if (S_ISREG(status.st_mode) && is_of_lab(manifest, strrchr(inner, '/') + 1) &&
+        !is_packed(file)) {
+        return single_file_stage(sources, inner, file, destination, message);
     }
     if (!S_ISDIR(status.st_mode)) {
         return archive_stage(sources, inner, file, destination, message);

@@ -15,7 +15,7 @@ enum { SUBMISSION_MAX_MEGABYTES = 64, SUBMISSION_MAX_ARCHIVES = 8 };
 // unpacked. A folder with nothing but one file, which is none of the manifest's, stands for that
 // file: Moodle puts one around each upload. Where a folder lacks one of the files, or it cannot be
 // used, the archives at its top are unpacked, too. A file that is called like one of the manifest's
-// is staged as if a folder held it.
+// and is no archive is staged as if a folder held it.
 //   workshop     open; folders are made in it, so only one submission for a workshop
 //   path         what was handed in; links on the way are the instructor's and followed
 //   destination  an existing folder

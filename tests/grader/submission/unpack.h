@@ -50,9 +50,11 @@ int unpack(struct archive *archive, const Manifest *manifest, int folder, char *
 // Write all entries of a class's export into an open folder, as they are. A link becomes one that
 // leads nowhere. What cannot be written as it is (a path that leads elsewhere, two files of one
 // path, a name that is no text) is a fault of the archive: nobody's work may be left out.
+//   archive    opened, of a reader for exports: it reads several tars behind each other as one
 //   folder     an empty folder, open
 //   message    out: what is wrong, on 1, or ""; [UNPACK_MESSAGE_BYTES]; to be cleaned for display
 // Returns as unpack() does.
+struct archive *unpack_export_reader_new(void);
 int unpack_export(struct archive *archive, int folder, char *message);
 
 #endif

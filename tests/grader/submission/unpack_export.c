@@ -127,6 +127,26 @@ static int entry_unpack(const UnpackReading *reading, struct archive_entry *entr
     return outcome;
 }
 
+struct archive *unpack_export_reader_new(void)
+{
+    struct archive *archive = unpack_reader_new();
+    // Behind a tar's end mark there may be another tar.
+    if (archive != NULL &&
+        archive_read_set_option(archive, "tar", "read_concatenated_archives", "1") != ARCHIVE_OK) {
+        archive_read_free(archive);
+        return NULL;
+    }
+    return archive;
+}
+
+// Does a tar end without its mark? It was cut off between two entries, then. Behind the last entry
+// nothing was read but the mark.
+static int is_cut_off(struct archive *archive)
+{
+    return (archive_format(archive) & ARCHIVE_FORMAT_BASE_MASK) == ARCHIVE_FORMAT_TAR &&
+           archive_filter_bytes(archive, 0) == archive_read_header_position(archive);
+}
+
 int unpack_export(struct archive *archive, int folder, char *message)
 {
     UnpackReading reading = {archive, &unpack_rules_export, message, 0, 0};
@@ -138,6 +158,10 @@ int unpack_export(struct archive *archive, int folder, char *message)
         if (outcome == 0) {
             outcome = unpack_next(&reading, &entry);
         }
+    }
+    if (outcome == 0 && is_cut_off(archive)) {
+        archive_set_error(archive, EINVAL, "a tar archive without its end mark");
+        outcome = unpack_complain_damaged(&reading);
     }
     return outcome;
 }

@@ -246,8 +246,15 @@ static int take_unpack(const Desk *desk, const char *path, const SandboxResult *
                  rules->if_damaged);
         return submission_refuse(path, complaint, message);
     }
-    return result->exit_status == EXIT_ARCHIVE ? submission_refuse(path, line, message)
-                                               : UNPACK_FAILED;
+    if (result->exit_status == EXIT_ARCHIVE) {
+        return submission_refuse(path, line, message);
+    }
+    // Of a class's export it is the disk that is full, or the like: nobody gains by that.
+    if (desk->workshop->manifest == NULL) {
+        complain("%s: %s", desk->out, line);
+        return -1;
+    }
+    return UNPACK_FAILED;
 }
 
 // Can the program work here at all, over what is no archive? It says that it found none, then. An

@@ -88,7 +88,8 @@ int main(int argc, char **argv)
     if (room_try(to, UNPACK_MAX_WRITTEN_MEGABYTES) != 0) {
         return fault("no room for what is to be unpacked");
     }
-    struct archive *archive = unpack_reader_new();
+    struct archive *archive =
+        manifest.n_files > 0 ? unpack_reader_new() : unpack_export_reader_new();
     if (archive == NULL) {
         errno = ENOMEM;
         return fault(argv[1]);
