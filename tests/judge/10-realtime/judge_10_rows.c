@@ -161,6 +161,7 @@ enum {
     ROW_WITHOUT_LAST,
     ROW_ROOTS,
     ROW_POINT_LEFT,
+    ROW_EPSILON,
     ROW_ERASES,
     ROW_OPEN_IS_NO_MASK,
     ROW_DX_SQUARED_AGAIN,
@@ -213,11 +214,16 @@ static const Cause row_mistakes[] = {
     [ROW_SUBTRACTED] = {.says = "the square of dy is taken off: the squares add up"},
     [ROW_POINT_LEFT] = {.says = "a circle of radius 0 is left out: it covers the pixel that it is "
                                 "exactly on"},
+    [ROW_EPSILON] = {.says =
+                         "only pixels a little outside of the circle are wrong: compare without "
+                         "an epsilon"},
 };
 
 // How far apart two squares may be, as a part of them, whose roots are the same to a device: each
 // root may be off by 3 units in its last place (OpenCL), and by as much again in the other one.
 #define ROOTS_HAIR (12 * (double)FLT_EPSILON)
+// As much as somebody may add to the square of a radius.
+#define LARGEST_EPSILON 0.01
 
 static int is_covered(const CircleRowJob *job, int i, int mistake)
 {
@@ -240,6 +246,9 @@ static int is_covered(const CircleRowJob *job, int i, int mistake)
     }
     if (mistake == ROW_ROOTS) {
         return distance <= r * (1 + ROOTS_HAIR);
+    }
+    if (mistake == ROW_EPSILON) {
+        return distance <= r + LARGEST_EPSILON;
     }
     return mistake == ROW_INVERTED ? !covers : covers;
 }
@@ -294,12 +303,13 @@ static int first_difference(const CircleRowAnswer *found, const CircleRowAnswer 
     return i;
 }
 
-// A device's roots may part two squares that are a hair from each other, or not: either agrees.
-static int agrees_with_roots(const CircleRowJob *job, const CircleRowAnswer *found)
+// A device's roots may part two squares that are a hair from each other, or not, and an epsilon may
+// be smaller than the largest: either agrees.
+static int agrees_in_part(const CircleRowJob *job, const CircleRowAnswer *found, int mistake)
 {
-    const CircleRowAnswer with_roots = expected_row(job, ROW_ROOTS), right = expected_row(job, 0);
+    const CircleRowAnswer mistaken = expected_row(job, mistake), right = expected_row(job, 0);
     int i = 0;
-    while (i < ROW_PIXELS && (same_pixel(found, &with_roots, i) || same_pixel(found, &right, i))) {
+    while (i < ROW_PIXELS && (same_pixel(found, &mistaken, i) || same_pixel(found, &right, i))) {
         i++;
     }
     return i == ROW_PIXELS;
@@ -321,8 +331,8 @@ static int row_agrees(const void *job, int i, const void *answers, int mistake)
 {
     const CircleRowJob *row = &((const Job10 *)job)->rows[i];
     const CircleRowAnswer *found = (const CircleRowAnswer *)answers + i;
-    if (mistake == ROW_ROOTS) {
-        return agrees_with_roots(row, found);
+    if (mistake == ROW_ROOTS || mistake == ROW_EPSILON) {
+        return agrees_in_part(row, found, mistake);
     }
     if (mistake == ROW_OPEN_IS_NO_MASK) {
         return agrees_without_mask(row, found);
