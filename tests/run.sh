@@ -3,7 +3,7 @@
 #
 #     [ORDER=SEED] [JOBS=N] tests/run.sh [NAME...]      all, or the unit tests and suites of these names
 #
-# Unit tests are Criterion programs, nearly all built with the sanitizers (build/sanitized/tests/test_*);
+# Unit tests are Criterion programs, in `make test-all` built with the sanitizers (build/sanitized/tests/test_*);
 # suites are scripts (tests/suites/*.sh). N of them run side by side, as many as there are processors. Those
 # that took longest the last time begin first; with ORDER, a number, they begin in the order that is drawn
 # from it: no test may need what another one leaves.

@@ -150,18 +150,20 @@ $(OUT)/tests/no_images.so: tests/tools/no_images.c
 # A unit test's own code runs once: to optimise it takes longer than it saves. What it tests is optimised.
 $(OUT)/obj/tests/unit/%.c.o: OPTIMISATION = -O0 -g
 
-# Unit tests run under the sanitizers, but for this one: PoCL's compiler is not built for them.
+# In `make test-all` unit tests run under the sanitizers, but for this one: PoCL's compiler is not built for
+# them. A second build and slower starts are half of `make test`'s time: there they run without.
 NATIVE_TEST = $(OUT)/tests/test_cl_setup
 
-.PHONY: unit-tests watched heart tests check test test-all test-scale test-seeds test-mutants test-attacks
+.PHONY: unit-tests watched suites heart tests check test test-all test-scale test-seeds test-mutants test-attacks
 unit-tests: $(filter-out $(NATIVE_TEST),$(UNIT_TESTS))
 # What the suites run with the sanitizers: solutions, whose skeletons have the same code around the holes.
 watched: unit-tests $(filter $(OUT)/solutions/% $(OUT)/view/solutions/% $(OUT)/pixel/solutions/%,$(PROGRAMS) $(VIEWS) $(PIXELS))
 # All that `make test` runs, which tries each suite's heart (tests/tap.sh).
-heart: all $(NATIVE_TEST) $(SUITE_TOOLS) $(OUT)/tools/pictures $(OUT)/tests/no_images.so views pixels native $(FIGURES) $(OUT)/tools/plane_costs
-	@$(MAKE) --no-print-directory SANITIZE=1 unit-tests
+suites: all $(NATIVE_TEST) $(SUITE_TOOLS) $(OUT)/tools/pictures $(OUT)/tests/no_images.so native \
+    $(filter $(OUT)/view/solutions/% $(OUT)/pixel/solutions/%,$(VIEWS) $(PIXELS))
+heart: suites unit-tests
 # The bench is built here, too: it must not break unnoticed.
-tests: heart $$(BENCH_PROGRAMS) $(JUDGES) $(LAB_JUDGES)  ## build all that the tests run
+tests: suites views pixels $(FIGURES) $(OUT)/tools/plane_costs $$(BENCH_PROGRAMS) $(JUDGES) $(LAB_JUDGES)  ## build all that the tests run
 	@$(MAKE) --no-print-directory SANITIZE=1 watched
 check: tests  ## run all tests without installing anything
 	@BUILD="$(BUILD)" tests/run.sh

@@ -1,73 +1,35 @@
-// Compiling kernels to native code (see compile.h): two runs of clang, and the linker.
+// Compiling kernels to native code (see compile.h): the preprocessor, clang and the linker.
 #include "compile.h"
 
+#include "command.h"
 #include "message.h"
 #include "path.h"
 #include "text_file.h"
 
 #include <dirent.h>
-#include <errno.h>
-#include <fcntl.h>
 #include <limits.h>
 #include <nettle/sha2.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 // NATIVE_CACHE and NATIVE_HEADER are from the makefile: where libraries are kept, and kernels.h.
 
-enum { MAX_WORDS = 96 };
-
 #define CLANG "/usr/bin/clang"
 
-// Of both runs. What a known answer does not use is no warning's business here.
-#define FRONT_END                                                                                  \
-    CLANG, "-w", "-x", "cl", "-Xclang", "-fdeclare-opencl-builtins", "-fno-color-diagnostics"
+// gcc's own preprocessor: clang takes longer to begin than this to end.
+#define PREPROCESS                                                                                 \
+    "/usr/bin/cpp", "-undef", "-nostdinc", "-w", "-D__OPENCL_VERSION__=120",                       \
+        "-D__OPENCL_C_VERSION__=120"
 
-// PoCL may fuse a multiplication and an addition into one, which rounds once; here none is fused.
-#define CODE "-O1", "-fPIC", "-ffp-contract=off"
-
-typedef struct Command {
-    const char *words[MAX_WORDS];
-    int n;
-} Command;
-
-static void add(Command *command, const char *word)
-{
-    if (command->n < MAX_WORDS - 1) {
-        command->words[command->n++] = word;
-    }
-}
-
-static Command command_of(const char *const words[])
-{
-    Command command = {0};
-    for (int i = 0; words[i] != NULL; i++) {
-        add(&command, words[i]);
-    }
-    return command;
-}
-
-// Run a command; what it says goes to the end of the file `log`. Returns its exit status, or -1.
-static int run(const Command *command, const char *log)
-{
-    int status = 0;
-    const pid_t child = fork();
-    if (child == 0) {
-        const int file = open(log, O_WRONLY | O_CREAT | O_APPEND, 0644);
-        if (file >= 0) {
-            dup2(file, STDOUT_FILENO);
-            dup2(file, STDERR_FILENO);
-            execv(command->words[0], (char *const *)command->words);
-        }
-        _exit(127);
-    }
-    while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR)
-        ;
-    return child > 0 && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
+// What a known answer does not use is no warning's business here. PoCL may fuse a multiplication and
+// an addition into one, which rounds once; here none is fused. As functions, kernels have the host's
+// calling convention.
+#define TRANSLATE                                                                                  \
+    CLANG, "-w", "-x", "cl", "-cl-std=CL1.2", "-Xclang", "-fdeclare-opencl-builtins", "-Xclang",   \
+        "-finclude-default-header", "-fno-color-diagnostics", "-O1", "-fPIC", "-ffp-contract=off", \
+        "-Dkernel=", "-D__kernel="
 
 // ---- The name of what is kept -------------------------------------------------------------------
 
@@ -111,7 +73,7 @@ static void key_add_compiler(struct sha256_ctx *key)
 // What is kept of a text and options: NATIVE_CACHE/KEY, without an ending.
 static void path_of(const char *text, const Command *options, char path[PATH_MAX])
 {
-    static const char *const code[] = {FRONT_END, CODE, NULL};
+    static const char *const code[] = {PREPROCESS, TRANSLATE, NULL};
     struct sha256_ctx key;
     uint8_t digest[SHA256_DIGEST_SIZE];
     char name[2 * SHA256_DIGEST_SIZE + 1];
@@ -162,6 +124,11 @@ static int append_entries(const char *path)
     return n < 0 ? -1 : 0;
 }
 
+static int is_of_language(const char *option)
+{
+    return strncmp(option, "-cl-", 4) == 0;
+}
+
 // The steps, on files whose names differ in their ending. Returns 0, or -1 where one failed.
 static int compile(const char *text, const Command *options, const char *stem, const char *library)
 {
@@ -170,20 +137,18 @@ static int compile(const char *text, const Command *options, const char *stem, c
     path_make(whole, "%s.i.cl", stem);
     path_make(object, "%s.o", stem);
     path_make(log, "%s.log", stem);
-    Command preprocess = command_of((const char *[]){
-        FRONT_END, "-E", "-Xclang", "-finclude-default-header", source, "-o", whole, NULL});
+    Command preprocess = command_of((const char *[]){PREPROCESS, source, "-o", whole, NULL});
+    Command translate = command_of((const char *[]){TRANSLATE, "-c", whole, "-o", object, NULL});
     for (int i = 0; i < options->n; i++) {
-        add(&preprocess, options->words[i]);
+        command_add(is_of_language(options->words[i]) ? &translate : &preprocess,
+                    options->words[i]);
     }
-    // As functions, kernels have the host's calling convention.
-    const Command translate =
-        command_of((const char *[]){FRONT_END, "-cl-std=CL1.2", CODE,
-                                    "-Dkernel=", "-D__kernel=", "-c", whole, "-o", object, NULL});
     const Command link = command_of(
         (const char *[]){"/usr/bin/ld", "-shared", "-Bsymbolic", object, "-o", library, NULL});
-    const int result = write_text(source, text) == 0 && run(&preprocess, log) == 0 &&
-                               append_entries(whole) == 0 && run(&translate, log) == 0 &&
-                               run(&link, log) == 0
+    const int result = write_text(source, text) == 0 && command_run(&preprocess, log) == 0 &&
+                               append_entries(whole) == 0 &&
+                               command_run_clang(&translate, log) == 0 &&
+                               command_run(&link, log) == 0
                            ? 0
                            : -1;
     remove(source);
@@ -199,7 +164,7 @@ char *compile_kernels(const char *source, const char *options, char **log)
     char *copy = strdup(options);
     char *text = message_new("#include \"" NATIVE_HEADER "\"\n%s", source);
     for (char *word = strtok_r(copy, " ", &rest); word != NULL; word = strtok_r(NULL, " ", &rest)) {
-        add(&words, word);
+        command_add(&words, word);
     }
     path_of(text, &words, kept);
     int result = access(kept, R_OK);

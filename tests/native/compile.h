@@ -1,8 +1,8 @@
 // Kernels compiled to native code by clang, as a library that dlopen() takes. Each is kept under a
 // name made of all that it comes from, so what did not change is not compiled again.
 //
-// clang first preprocesses the text. Of that, functions named "kernel void" get an entry that takes
-// its arguments' addresses, as the host does not know their types:
+// In the preprocessed text, functions named "kernel void" get an entry that takes their arguments'
+// addresses, as the host does not know their types:
 //
 //     void entry_render(void **arguments) { render(*(int *)arguments[0], ...); }
 //     constant uint parameters_render[] = {number of parameters, size and kind of each};

@@ -82,14 +82,6 @@ check "and it is said that it can be known" said "all seeds of this class follow
 check "what was graded before was kept ($n_kept)" \
     test "$(n_graded "$first")" -lt 16
 
-# Some have options of GNU parallel's in PARALLEL.
-export PARALLEL=8
-check "an uninterrupted run" exits 0 run "$scratch/second" --seed 5 --jobs 3
-unset PARALLEL
-for file in gradebook.csv gradebook.json class.html; do
-    check "$file is the same to the byte" cmp "$first/$file" "$scratch/second/$file"
-done
-
 # ---- What the files say -------------------------------------------------------------------------
 
 check "Moodle's number" row "$first" '"Ada Lovelace","1234567",1,"graded",100,100,'
@@ -103,7 +95,7 @@ check "an option is a name" row "$first" "\"'-rf\","
 check "a hostile name" row "$first" '"..\x0A.\xFF<b>""'"'&\$(true)\","
 check "the longest name" row "$first" "\"$long\","
 check "the last line counts everybody" test "$(tail -n 1 "$scratch/said")" = \
-    "8 of 8 graded; 0 passed over; 0 with nothing of this lab; 1 to be decided by you: see $scratch/second/class.html"
+    "8 of 8 graded; 0 passed over; 0 with nothing of this lab; 1 to be decided by you: see $first/class.html"
 check "the page is well-formed" xmllint --html --noout "$first/class.html"
 check "the page shows no markup of a name" grep -q '&lt;b&gt;&quot;&#39;&amp;' "$first/class.html"
 check "a report names the student" grep -q '"submission": "Ada Lovelace",' "$first"/students/ada-*/results.json
@@ -115,6 +107,16 @@ check "every picture and report of the page is there" sh -c 'cd "$1" &&
 check "nothing of the kill is left" test -z "$(ls -A "$TMPDIR")$(find "$first/students" -name '*.new')"
 
 heart_ends
+
+# ---- Uninterrupted ------------------------------------------------------------------------------
+
+# Some have options of GNU parallel's in PARALLEL.
+export PARALLEL=8
+check "an uninterrupted run" exits 0 run "$scratch/second" --seed 5 --jobs 3
+unset PARALLEL
+for file in gradebook.csv gradebook.json class.html; do
+    check "$file is the same to the byte" cmp "$first/$file" "$scratch/second/$file"
+done
 
 # ---- What changed, and nothing else -------------------------------------------------------------
 

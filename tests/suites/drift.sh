@@ -141,26 +141,6 @@ for folder in solutions/*/; do
     done <"$scratch/hints"
 done
 
-# The pictures of the READMEs and notes are what the solutions draw. (make figures mends them.) Colours
-# may differ in their last bit from device to device, hence one of 255 levels; in 3D a ray in a thousand
-# may graze a sphere here and miss it there, and the heat map shows each step that a ray takes more. What
-# the textbook's quadratic makes of small spheres, and a point of its own surface, is rounding and nothing
-# else: they only have to be there. Small mirrors multiply rounding, so one ray in fifty may end elsewhere.
-# A window, drawn where there is a display for it, shows how fast it was.
-BUILD=${BUILD:-build}
-check "the figures can be drawn" tests/figures.sh "$scratch/figures" "$BUILD"
-for figure in slides-notes/figures/*; do
-    drawn=$scratch/figures/$(basename "$figure")
-    case $figure in
-    */07-view.png) ! command -v Xvfb >/dev/null || check "$figure is drawn" test -s "$drawn" ;;
-    */05-textbook.png | */09-acne.png) check "$figure is drawn" test -s "$drawn" ;;
-    */09-*.png) check "$figure is what a solution draws" "$tools/compare" "$drawn" "$figure" 0.004 5000 ;;
-    */0[4-8]*.png | */10-*.png) check "$figure is what a solution draws" "$tools/compare" "$drawn" "$figure" 0.004 300 ;;
-    *.png) check "$figure is what a solution draws" "$tools/compare" "$drawn" "$figure" 0.004 ;;
-    *) check "$figure is what a solution draws" cmp "$drawn" "$figure" ;;
-    esac
-done
-
 # ---- Probes -------------------------------------------------------------------------------------
 
 # Each name that a probe's kernels use is no macro of a student's (no_macros.h), but for macros of ours and for
@@ -284,6 +264,30 @@ for text in README.md solutions/*/*.md slides-notes/notes-*.md $(find common -na
     found=$(ratios_off "$text")
     [ -z "$found" ]
     ok $? "$text: its ratios are those of $times" "$found"
+done
+
+heart_ends
+
+# ---- Figures ------------------------------------------------------------------------------------
+
+# The pictures of the READMEs and notes are what the solutions draw. (make figures mends them.) Colours
+# may differ in their last bit from device to device, hence one of 255 levels; in 3D a ray in a thousand
+# may graze a sphere here and miss it there, and the heat map shows each step that a ray takes more. What
+# the textbook's quadratic makes of small spheres, and a point of its own surface, is rounding and nothing
+# else: they only have to be there. Small mirrors multiply rounding, so one ray in fifty may end elsewhere.
+# A window, drawn where there is a display for it, shows how fast it was.
+BUILD=${BUILD:-build}
+check "the figures can be drawn" tests/figures.sh "$scratch/figures" "$BUILD"
+for figure in slides-notes/figures/*; do
+    drawn=$scratch/figures/$(basename "$figure")
+    case $figure in
+    */07-view.png) ! command -v Xvfb >/dev/null || check "$figure is drawn" test -s "$drawn" ;;
+    */05-textbook.png | */09-acne.png) check "$figure is drawn" test -s "$drawn" ;;
+    */09-*.png) check "$figure is what a solution draws" "$tools/compare" "$drawn" "$figure" 0.004 5000 ;;
+    */0[4-8]*.png | */10-*.png) check "$figure is what a solution draws" "$tools/compare" "$drawn" "$figure" 0.004 300 ;;
+    *.png) check "$figure is what a solution draws" "$tools/compare" "$drawn" "$figure" 0.004 ;;
+    *) check "$figure is what a solution draws" cmp "$drawn" "$figure" ;;
+    esac
 done
 
 finish

@@ -144,6 +144,8 @@ graded 1 "12 of 12 graded and entered; 0 without submission; 1 passed over; 0 wi
 all_own
 check "canvas: a file that is nobody's is named" said '"mailed.c"'
 
+heart_ends
+
 # Two uploads of one name lie side by side: which one counts is staging's to say (suite staging).
 class=$scratch/canvas-twice
 mkdir "$class"

@@ -11,8 +11,11 @@ if ! command -v pandoc >/dev/null || [ -z "$browser" ]; then
     exit
 fi
 
-make --no-print-directory BUILD="$build" notes-html >"$scratch/log" 2>&1
-ok $? "make notes-html" "$(cat "$scratch/log")"
+# The heart: a page of each form.
+pages=$(heart "$notes/student/slides-notes/slides-2d.html $notes/instructor/slides-notes/notes-2d.html $notes/student/README.html" notes-html)
+# shellcheck disable=SC2086 # words
+make --no-print-directory BUILD="$build" $pages >"$scratch/log" 2>&1
+ok $? "the pages are made" "$(cat "$scratch/log")"
 
 heart_ends
 

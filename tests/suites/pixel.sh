@@ -104,6 +104,8 @@ check "takes the steps of notes-3d" says '^   0  node 0: x = 0, t 1.5 to 3.333' 
     '^   4    sphere 0: missed$' '^   5  node 4: ' '^   6  leaf 9: ' '^   7    sphere 2: t 2$' '^   8  hit: sphere 2, t 2$' \
     'which asks all 8 spheres: hit: sphere 2, t 2$' '^they do the same in all 9 steps$'
 
+heart_ends
+
 # ---- As JSON, and as a picture --------------------------------------------------------------------
 
 # same_steps: are the steps of $out/steps.json those that were told: kinds, numbers, t, who waits, the counts?

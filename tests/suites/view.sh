@@ -96,6 +96,9 @@ check "nothing is counted, so there is no heat map" shows heat 131x97 "$out/lab.
 check "turned, it is another one" shows_another turned 131x97 "$out/lab.png"
 check "lab 05: picture and heat map are the lab's" matches_lab 05 131x97 --scene sphereflake:size=1
 check "lab 07: picture and heat map are the lab's" matches_lab 07 317x211 --scene sphereflake:size=2
+
+heart_ends
+
 if command -v ffmpeg >/dev/null; then
     check "and the screen has that picture" screen_shows --size 317x211 --scene sphereflake:size=2
 else
@@ -154,8 +157,6 @@ check "lab 10: and then the tiles have theirs again" works_like 10 4 10 --scene 
 check "lab 01 has one kernel; R builds it again" works window 01 \
     "$(printf '%s\n' 'frames 1' 'save @/before.png' 'key N' 'key R' 'frames 1' 'save @/after.png')" --size 64x48
 check "and it shows the same" shows after 64x48 "$(picture before 64x48)"
-
-heart_ends
 
 # ---- Shadows and mirrors --------------------------------------------------------------------------
 

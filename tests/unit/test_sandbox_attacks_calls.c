@@ -205,7 +205,12 @@ TEST_EACH(calls_of_other_abis_end_it)
         "return id < 0; }\n";
     file_write("abi.c", source, strlen(source));
     cr_assert_eq(exit_status_outside("gcc -o abi abi.c && chmod 755 abi"), 0);
-    expect_forbidden(shell_run("exec ./abi"), "a 32-bit call");
+    // Some machines take no 32-bit calls at all: a confidential guest is one.
+    if (exit_status_outside("./abi") == 0) {
+        expect_forbidden(shell_run("exec ./abi"), "a 32-bit call");
+    } else {
+        expect_crash(shell_run("exec ./abi"), SIGSEGV);
+    }
     expect_forbidden(perl_run("syscall(0x40000000 + 39)"), "an x32 call");
 }
 #endif
