@@ -166,6 +166,10 @@ ok $? "the instructor's edition holds every answer of the key" "$(sort "$scratch
     [ -f "$notes/instructor/slides-notes/TEACHING.html" ] && [ ! -e "$notes/student/slides-notes/TEACHING.html" ]
 ok $? "the student edition holds none, nor the page for lecturers" "$(cat "$scratch/found-student")"
 
+# The labs' own programs are skeletons, which draw next to nothing.
+! grep -n '^>.*make \(view\|pixel\|movie\) ' slides-notes/notes-*.md | grep -v 'SOLUTION=1' >"$scratch/skeletons"
+ok $? "speaker notes show the solutions" "$(cat "$scratch/skeletons")"
+
 # ---- Contrast, time, sameness --------------------------------------------------------------------
 
 # The lowest contrast of a text and its ground in style.css, in the light and the dark scheme (WCAG 2.1).
