@@ -100,18 +100,12 @@ echo "$seconds" | awk '{ for (most = 4; most < $1; most *= 4); print most }' >"$
 
 # ---- Its README -------------------------------------------------------------------------------
 
-# A section of the course's own README. section HEADING
-section() {
-    awk -v heading="## $1" '/^## / { inside = $0 == heading } inside' README.md | sed 's/<!-- [^>]* -->//g'
-}
-
 title=$(sed -n 's/^  "title": "\(.*\)",$/\1/p' "labs/$lab/lab.json")
 {
     # The first lab has no solutions of others.
     [ -d "$root/solutions" ] && none= || none='/labs before/d'
     sed -e "$none" -e "s/@LAB@/$lab/g" -e "s/@NUMBER@/$number/g" -e "s|@TITLE@|$title|g" tests/handout/README.in
-    section "How fast"
-    section "Licence"
+    awk '/^## / { inside = $0 == "## Licence" } inside' README.md
 } >"$root/README.md"
 
 # ---- The archive ------------------------------------------------------------------------------
