@@ -181,7 +181,7 @@ end
 
 -- [Question 03.1](questions.md#...), alone in its paragraph.
 local function hall_question(number)
-    local box = blocks("**Question for the hall**")
+    local box = blocks("**Question " .. number .. "**")
     box:extend(asked(number))
     if edition == "instructor" then box:insert(div("answer", answer(number))) end
     return div("hall", box)
@@ -310,7 +310,7 @@ local function slides_of(document)
             local speaker = blocks("**" .. question_minutes .. " min.** Read it aloud, let them vote by hand, " ..
                 "ask one of each side why.")
             speaker:extend(answer(argument))
-            add("asks", inlines("Question for the hall"), asked(argument), lab_of(argument), speaker)
+            add("asks", inlines("Question " .. argument), asked(argument), lab_of(argument), speaker)
         end
     end
     assert(not opened, source .. ": a <details> does not end")

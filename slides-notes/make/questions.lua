@@ -3,15 +3,15 @@
 
 local questions = {}
 
--- The items of the numbered lists in text, the last of a number wins; each on one line.
-local function items(text)
+-- The items of the lists in text, each on one line, by what pattern takes as their numbers.
+local function items(text, pattern)
     local found, n = {}, nil
     for line in text:gmatch("[^\n]*") do
-        local number, rest = line:match("^(%d+)%. (.*)$")
+        local number, rest = line:match(pattern)
         if number then
-            n = tonumber(number)
+            n = number
             found[n] = rest
-        elseif n and line:match("^   ") then
+        elseif n and line:match("^  ") then
             found[n] = found[n] .. " " .. line:match("^%s*(.*)$")
         elseif line ~= "" then
             n = nil
@@ -43,10 +43,8 @@ end
 function questions.read(text)
     local hall, exercises = {}, {}
     local asked = between(text, "## Questions for the hall", "\n## Exercises")
-    for lab, block in (asked .. "\n### "):gmatch("Lab (%d%d):[^\n]*(.-)%f[#]###%f[^#]") do
-        for number, item in pairs(items(block)) do
-            hall[lab .. "." .. number] = question(item)
-        end
+    for number, item in pairs(items(asked, "^%- %*%*(%d%d%.%d)%*%* (.*)$")) do
+        hall[number] = question(item)
     end
     local key = between(text, "## Answers")
     for lab, letters in key:gmatch("\n| (%d%d) (|[^\n]*)") do
@@ -61,9 +59,10 @@ function questions.read(text)
         local number, why = reason:match("^(%d%d%.%d)(.-)%s*$")
         if number then hall[number].why = why end
     end
-    local keys = items(between(key, "**Exercises.**", "\n---"))
-    for number, item in pairs(items(between(text, "\n## Exercises", "\n---"))) do
-        exercises[number] = {text = item, key = keys[number]}
+    local exercise = "^(%d+)%. (.*)$"
+    local keys = items(between(key, "**Exercises.**", "\n---"), exercise)
+    for number, item in pairs(items(between(text, "\n## Exercises", "\n---"), exercise)) do
+        exercises[tonumber(number)] = {text = item, key = keys[number]}
     end
     return hall, exercises
 end

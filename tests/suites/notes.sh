@@ -166,6 +166,16 @@ ok $? "the instructor's edition holds every answer of the key" "$(sort "$scratch
     [ -f "$notes/instructor/slides-notes/TEACHING.html" ] && [ ! -e "$notes/student/slides-notes/TEACHING.html" ]
 ok $? "the student edition holds none, nor the page for lecturers" "$(cat "$scratch/found-student")"
 
+# A lecturer says "03.1": the number is on the slide, in the list of questions and in the key.
+sed -n 's/^- \*\*\([0-9][0-9]\.[0-9]\)\*\* .*/\1/p' slides-notes/questions.md | sort -u >"$scratch/numbers"
+for edition in student instructor; do
+    cat "$notes/$edition"/slides-notes/slides-*.html | grep -o '<h2[^>]*>Question [^<]*' | sed 's/.* //' | sort >"$scratch/on-slides"
+    grep -o '<strong>[0-9][0-9]\.[0-9]</strong>' "$notes/$edition/slides-notes/questions.html" | tr -dc '0-9.\n' | sort >"$scratch/listed"
+    if [ "$edition" = student ]; then cp "$scratch/numbers" "$scratch/expected"; else sort "$scratch/numbers" "$scratch/numbers" >"$scratch/expected"; fi
+    check "every question has its number on a slide ($edition)" diff "$scratch/numbers" "$scratch/on-slides"
+    check "and in the list of questions ($edition)" diff "$scratch/expected" "$scratch/listed"
+done
+
 # The labs' own programs are skeletons, which draw next to nothing.
 ! grep -n '^>.*make \(view\|pixel\|movie\) ' slides-notes/notes-*.md | grep -v 'SOLUTION=1' >"$scratch/skeletons"
 ok $? "speaker notes show the solutions" "$(cat "$scratch/skeletons")"
