@@ -53,7 +53,7 @@ $(OUT)/tools/holes: $(call objects,tests/tools/holes.c tests/grader/lab/holes.c 
 	$(call link)
 
 include tests/figures/figures.mk
-.PHONY: skeletons handout pack demo figures format
+.PHONY: skeletons handout pack release release-pack demo figures format
 skeletons: $(OUT)/tools/holes  ## for authors: cut labs/ anew from solutions/; the old one goes to build/labs-replaced
 	@if [ -d labs ]; then rm -rf $(BUILD)/labs-replaced && cp -r labs $(BUILD)/labs-replaced; fi
 	@tests/tools/cut_labs.sh $(OUT)/tools/holes labs
@@ -64,6 +64,14 @@ handout:  ## install what is missing, pack what students get: LAB=03
 	@$(MAKE) --no-print-directory pack
 pack: $(OUT)/tools/holes grader $(JUDGES)
 	@tests/handout/pack.sh $(OUT)/tools "$$LAB" $(OUT)/handout
+
+release:  ## install what is missing, make slides, notes and all handouts for lecturers, in build/release
+	@for what in demo notes handout; do common/setup/install.sh $$what || exit 1; done
+	@$(MAKE) --no-print-directory release-pack
+release-pack: notes-html notes-pdf $(OUT)/tools/holes grader $(JUDGES)
+	@rm -rf $(OUT)/release-handouts
+	@for lab in $(LABS); do tests/handout/pack.sh $(OUT)/tools $$lab $(OUT)/release-handouts >/dev/null || exit 1; done
+	@printf '%s\n' $(NOTES_HTML) $(NOTES_PDF) | tests/handout/release.sh $(NOTES) $(OUT)/release-handouts $(BUILD)/release
 
 demo:  ## install what is missing, render every solution, grade a small class
 	@common/setup/install.sh demo

@@ -4,7 +4,7 @@
 # A page is the course's own: it is opened without Chromium's sandbox, which root cannot have.
 set -eu
 
-browser=$(slides-notes/make/browser.sh)
+browser=$(slides-notes/make/browser.sh) || { echo "print: found no Chromium, expected it to be installed" >&2 && exit 1; }
 profile=$(mktemp -d "${TMPDIR:-/tmp}/print-XXXXXX")
 trap 'rm -rf "$profile"' EXIT
 trap 'exit 1' HUP INT TERM

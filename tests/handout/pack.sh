@@ -31,7 +31,7 @@ for path in labs/*/; do
 done
 [ -n "$lab" ] || fail "LAB: found \"$2\", expected the number or name of a lab"
 number=${lab%%-*}
-time=$(git log -1 --format=%ct 2>/dev/null) || fail "here is no git checkout: only tracked files go into a handout"
+git log -1 >/dev/null 2>&1 || fail "here is no git checkout: only tracked files go into a handout"
 
 stage=$(mktemp -d "${TMPDIR:-/tmp}/handout-XXXXXX")
 trap 'rm -rf "$stage"' EXIT
@@ -110,12 +110,5 @@ title=$(sed -n 's/^  "title": "\(.*\)",$/\1/p' "labs/$lab/lab.json")
 
 # ---- The archive ------------------------------------------------------------------------------
 
-mkdir -p "$folder"
-archive=$folder/$lab.tar.gz
-tar --create --format=ustar --sort=name --mtime="@$time" --owner=0 --group=0 --numeric-owner \
-    --mode=u=rwX,go=rX --directory="$stage" "$lab" >"$stage/archive.tar"
-gzip -n9 <"$stage/archive.tar" >"$archive.new"
-mv "$archive.new" "$archive"
-# What is in it, for those who hand it out: bytes and path, a line each.
-(cd "$root" && find . -type f -printf '%s %P\n' | LC_ALL=C sort -k 2) >"$folder/$lab.txt"
-echo "$archive"
+tests/handout/archive.sh "$stage" "$lab" "$folder"
+echo "$folder/$lab.tar.gz"

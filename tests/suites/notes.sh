@@ -180,6 +180,39 @@ done
 ! grep -n '^>.*make \(view\|pixel\|movie\) ' slides-notes/notes-*.md | grep -v 'SOLUTION=1' >"$scratch/skeletons"
 ok $? "speaker notes show the solutions" "$(cat "$scratch/skeletons")"
 
+# ---- A release -----------------------------------------------------------------------------------
+
+if git log -1 >/dev/null 2>&1; then
+    # Of the pages that are here, and of a handout that is none. release [PAGE]: with one page more.
+    mkdir "$scratch/handouts"
+    echo packed | tee "$scratch/handouts/03-lab.tar.gz" >"$scratch/handouts/03-lab.txt"
+    release() {
+        { find "$notes/student" "$notes/instructor" -name '*.html' && printf '%s\n' "$@"; } |
+            tests/handout/release.sh "$notes" "$scratch/handouts" "$scratch/release"
+    }
+    check "a release is packed" release
+    packed=$(find "$scratch/release" -mindepth 1 -maxdepth 1)
+    is_whole() {
+        (cd "$packed" && sha256sum --quiet -c SHA256SUMS && [ "$(wc -l <SHA256SUMS)" -eq 4 ]) || return 1
+        for edition in student instructor; do
+            tar --extract --directory="$scratch" --file="$packed/slides-notes-$edition.tar.gz" || return 1
+            (cd "$notes/$edition" && find . -name '*.html' | sort) >"$scratch/expected"
+            (cd "$scratch/slides-notes-$edition" && find . -type f | sort) | diff "$scratch/expected" - || return 1
+        done
+        grep -q '^[0-9]* slides-notes/slides-2d.html$' "$packed/CONTENTS.txt" && grep -q '^03-lab.tar.gz ' "$packed/CONTENTS.txt"
+    }
+    check "its sums are right, and each edition has all of its pages" is_whole
+    ! grep -r -l -e 'class="answer"' -e 'class="speaker"' -e "Instructor's edition" "$scratch/slides-notes-student" >"$scratch/answers"
+    ok $? "the students' archive has no answer" "$(cat "$scratch/answers")"
+    nothing_half_written() {
+        ! release "$notes/student/no-such-page.html" || { echo "packed without a page"; return 1; }
+        [ "$(ls -A "$scratch/release")" = "$(basename "$packed")" ] && (cd "$packed" && sha256sum --quiet -c SHA256SUMS)
+    }
+    check "where a page is missing, the release before stays as it was" nothing_half_written
+else
+    skip "a release" "here is no git checkout, whose version it has"
+fi
+
 # ---- Contrast, time, sameness --------------------------------------------------------------------
 
 # The lowest contrast of a text and its ground in style.css, in the light and the dark scheme (WCAG 2.1).
