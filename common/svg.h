@@ -8,7 +8,7 @@
 #include <stdio.h>
 
 // Pixels. All drawings are as wide, so that text of one size is read as one size.
-enum { SVG_WIDTH = 1024, SVG_TEXT = 18, SVG_TITLE = 22 };
+enum { SVG_WIDTH = 1024, SVG_TEXT = 20, SVG_TITLE = 22 };
 
 // Ink, in colours that differ in brightness as well: the palette of Okabe and Ito, and greys.
 #define SVG_BLACK "#000000"

@@ -2,8 +2,8 @@
 #include "figures2d.h"
 
 // Rows and columns of the tables. Pixels.
-enum { LEFT = 206, TOP = 112, ROW = 36, COLUMN = 53, LIST_COLUMN = 38, LIST_TOP = 510 };
-enum { HEIGHT = LIST_TOP + 2 * ROW + 56 };
+enum { LEFT = 206, TOP = 100, ROW = 34, COLUMN = 53, LIST_COLUMN = 38, LIST_TOP = 472 };
+enum { HEIGHT = LIST_TOP + 2 * ROW + 50 };
 
 // The rows of the upper table.
 enum { FLAG, ID, LEFT_CHILD, RIGHT_CHILD, OFFSET, MIN_X, MAX_X, MIN_Y, MAX_Y, N_ROWS };
@@ -121,7 +121,7 @@ void draw_arrays(FILE *file, const Followed *followed)
     }
     list_draw(file, tree, marked);
     arrows_draw(file, tree, marked);
-    svg_text(file, LEFT, LIST_TOP + 2 * ROW + 36, SVG_LEFT, "",
+    svg_text(file, 24, LIST_TOP + 2 * ROW + 34, SVG_LEFT, "",
              "Grey entries: left, a count; above, what means nothing in this node.");
     svg_end(file);
 }

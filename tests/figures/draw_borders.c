@@ -121,7 +121,7 @@ void draw_borders(FILE *file, const Followed *followed)
     scene_draw(file, &scene, right);
     box_draw(file, right, marked_box(), marked_look);
     at_borders_draw(file, &tree, 0, (BBox2D){0, (float)scene.width, 0, (float)scene.height}, right);
-    svg_text(file, right, bottom, SVG_LEFT, "", "One leaf here: one descent for 256 pixels.");
+    svg_text(file, right, bottom, SVG_LEFT, "", "One leaf: one descent for 256 pixels.");
     svg_text(file, LEFT, 68, SVG_LEFT, "fill=\"" SVG_GREY "\"", "dotted: tiles of 16 x 16 pixels");
     svg_end(file);
     circle_tree_free(&tree);

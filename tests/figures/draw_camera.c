@@ -4,7 +4,7 @@
 #include "oracle3d.h"
 
 // The display's size in pixels, and the pixel whose ray is drawn.
-enum { COLUMNS = 8, ROWS = 6, PIXEL_X = 1, PIXEL_Y = 1, HEIGHT = 600 };
+enum { COLUMNS = 8, ROWS = 6, PIXEL_X = 1, PIXEL_Y = 1, HEIGHT = 590 };
 static const double FOV = 1;
 
 static const OracleRules3D RIGHT = {0};
@@ -84,7 +84,7 @@ void draw_camera(FILE *file, const Followed *followed)
     svg_arrow(file, draw_x(eye), draw_y(eye), draw_x(end), draw_y(end), "stroke-width=\"3\"");
     axis_draw(file, (OracleVector){0, 0, 0.6}, "forward", 0, 28);
     axis_draw(file, (OracleVector){0.6, 0, 0}, "right", 40, 8);
-    axis_draw(file, (OracleVector){0, 0.6, 0}, "up", -22, 6);
+    axis_draw(file, (OracleVector){0, 0.6, 0}, "up", -26, 6);
     svg_circle(file, draw_x(eye), draw_y(eye), 10,
                "fill=\"#ffffff\" stroke=\"" SVG_BLACK "\" stroke-width=\"4\"");
     svg_text(file, draw_x(eye) - 22, draw_y(eye) + 8, SVG_RIGHT, "", "eye e");

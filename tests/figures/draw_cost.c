@@ -10,7 +10,7 @@
 // Scene units and pixels: the cell from the side, and the curve below it.
 // Narrow, on a phone, its letters are larger.
 enum { NARROW_TEXT = 30 };
-enum { LEFT = 104, UNIT = 28, CELL_TOP = 84, CURVE_TOP = 372, CURVE_HEIGHT = 216, HEIGHT = 698 };
+enum { LEFT = 104, UNIT = 28, CELL_TOP = 72, CURVE_TOP = 340, CURVE_HEIGHT = 180, HEIGHT = 590 };
 static const double MOST_COST = 6;
 
 static const BBox3D CELL = {{0, 0, 0}, {32, 8, 8}};
@@ -108,7 +108,7 @@ static void mark(FILE *file, int number, int row, const char *look, const char *
                  FigureShape shape)
 {
     const Candidate plane = candidate(number);
-    const double y = cost_y(2.4 - row);
+    const double y = cost_y(2.3 - 1.2 * row);
     svg_circle(file, x_of(plane.pos), cost_y(plane.cost), 10, look);
     svg_circle(file, x_of(11), y - 7, 10, look);
     if (shape == SHAPE_NARROW) {
@@ -163,7 +163,7 @@ void draw_cost_plane(FILE *file, int number, FigureShape shape)
     const double leaf = KD_COST_TEST * N_SPHERES;
     svg_line(file, x_of(0), cost_y(leaf), x_of(32), cost_y(leaf),
              "stroke=\"" SVG_BLUE "\" stroke-width=\"3\" stroke-dasharray=\"10 6\"");
-    svg_text(file, x_of(10), cost_y(leaf) - 10, SVG_LEFT, SVG_HALO,
+    svg_text(file, x_of(10), cost_y(leaf) - 8, SVG_LEFT, SVG_HALO,
              "a leaf: %g, all %d spheres tested", leaf, N_SPHERES);
     curve_draw(file);
     mark(file, cheapest, 0, "fill=\"" SVG_ORANGE "\" stroke=\"" SVG_BLACK "\"", "the cheapest",

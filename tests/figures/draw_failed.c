@@ -66,8 +66,7 @@ void draw_failed(FILE *file, const Followed *followed)
     for (int i = 0; i < N_PANELS; i++) {
         panel_draw(file, i, LEFT + i * (SIDE + GAP));
     }
-    svg_text(
-        file, LEFT, HEIGHT - 24, SVG_LEFT, "",
-        "Failed: together 18 or more, 9/5 of its list. A node under 4 failed splits is a leaf.");
+    svg_text(file, LEFT, HEIGHT - 24, SVG_LEFT, "",
+             "Failed: 18 or more together, 9/5 of its list. Under 4 failed splits: a leaf.");
     svg_end(file);
 }

@@ -148,12 +148,11 @@ void draw_lanes(FILE *file, const Followed *followed)
     svg_text(file, LEFT - 12, BOTTOM - 2, SVG_RIGHT, "", "%d", N_LANES - 1);
     columns_draw(file, columns);
     legend_draw(file, BOTTOM + 38);
-    svg_text(
-        file, 24, BOTTOM + 86, SVG_LEFT, "",
-        "The sphereflake, pixels %d to %d of row %d, lab 07's kernel; of each turn of its loop",
-        followed->x, followed->x + N_LANES - 1, followed->y);
+    svg_text(file, 24, BOTTOM + 86, SVG_LEFT, "",
+             "The sphereflake, pixels %d to %d of row %d, lab 07's kernel;", followed->x,
+             followed->x + N_LANES - 1, followed->y);
     svg_text(file, 24, BOTTOM + 114, SVG_LEFT, "",
-             "first those at nodes, then those in leaves, sphere by sphere.");
+             "in each turn of its loop first the nodes, then the leaves, sphere by sphere.");
     free(columns);
     svg_end(file);
 }

@@ -7,7 +7,7 @@
 #include <math.h>
 
 // Scene units and pixels. All stands in the plane z = 0.
-enum { UNIT = 132, LEFT = 40, TOP = 72, HEIGHT = 676 };
+enum { UNIT = 115, LEFT = 100, TOP = 64, HEIGHT = 590 };
 static const double FIRST_X = -3.2, LAST_Y = 3.95;
 
 enum { MIRROR, SEEN, BLOCKER, N_BALLS };
@@ -75,7 +75,7 @@ static void light_draw(FILE *file, int which, OracleVector point, OracleVector n
         svg_line(file, x - dx, y - dy, x + dx, y + dy, "stroke=\"" SVG_BLACK "\"");
     }
     svg_circle(file, x, y, 12, "fill=\"" SVG_SAND "\" stroke=\"" SVG_BLACK "\" stroke-width=\"2\"");
-    svg_text(file, x + (which == 2 ? 24 : 0), y + (which == 2 ? 46 : -26),
+    svg_text(file, x + (which == 2 ? 120 : 0), y + (which == 2 ? 46 : -26),
              which == 2 ? SVG_RIGHT : SVG_MIDDLE, SVG_HALO, "light %d %s", which + 1, end);
 }
 
@@ -118,7 +118,7 @@ void draw_light(FILE *file, const Followed *followed)
     ball_draw(file, MIRROR, "fill=\"" SVG_SKY "\" stroke=\"" SVG_BLUE "\" stroke-width=\"3\"",
               "a mirror", 10);
     ball_draw(file, SEEN, "fill=\"" SVG_PALE "\" stroke=\"" SVG_BLACK "\" stroke-width=\"2\"",
-              "is seen in it", 8);
+              "seen in it", 8);
     ball_draw(file, BLOCKER, "fill=\"#9a9a9a\" stroke=\"" SVG_BLACK "\" stroke-width=\"2\"", "", 0);
     for (int i = 0; i < N_LIGHTS; i++) {
         light_draw(file, i, point, normal.value);

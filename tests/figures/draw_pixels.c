@@ -59,7 +59,7 @@ void draw_groups(FILE *file, const Followed *followed)
 // A circle that passes through sample points, and what it covers.
 static const char COVERED[] = "(x − cx)² + (y − cy)² ≤ r²";
 static const Circle CIRCLE = {.x = 4, .y = 3, .radius = 2};
-enum { SAMPLE_COLUMNS = 8, SAMPLE_ROWS = 6, PIXEL = 84, SAMPLE_LEFT = 60, SAMPLE_TOP = 110 };
+enum { SAMPLE_COLUMNS = 8, SAMPLE_ROWS = 6, PIXEL = 82, SAMPLE_LEFT = 60, SAMPLE_TOP = 110 };
 
 static void sample_draw(FILE *file, int x, int y)
 {

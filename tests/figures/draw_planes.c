@@ -7,7 +7,7 @@
 
 // The plane of x and y from above, and the tree beside it. Pixels.
 enum { PLAN_LEFT = 40, PLAN_TOP = 104, UNIT = 176, EYE_ROOM = 40 };
-enum { TREE_LEFT = 470, TREE_RIGHT = 1012, FIRST_LEVEL = 118, LEVEL = 92, HEIGHT = 530 };
+enum { TREE_LEFT = 440, TREE_RIGHT = 992, FIRST_LEVEL = 118, LEVEL = 92, HEIGHT = 530 };
 
 // The worked example's tree is full: node ids of level n begin with 2^(n-1) - 1.
 static int level_of(u32 id)

@@ -14,9 +14,9 @@ void draw_stack(FILE *file, const Followed *followed)
 // ---- Slabs --------------------------------------------------------------------------------------
 
 // The plane of x and y from above, in scene units and pixels; the axis of t below it.
-static const double FIRST_X = -2.4, LAST_Y = 1.55, UNIT = 110;
-enum { PLAN_LEFT = 60, PLAN_TOP = 76, PLAN_WIDTH = 440, PLAN_HEIGHT = 319 };
-enum { T_LEFT = 210, T_UNIT = 190, T_TOP = PLAN_TOP + PLAN_HEIGHT + 60, BAR = 30 };
+static const double FIRST_X = -2.4, LAST_Y = 1.55, UNIT = 96;
+enum { PLAN_LEFT = 60, PLAN_TOP = 72, PLAN_WIDTH = 384, PLAN_HEIGHT = 278 };
+enum { T_LEFT = 210, T_UNIT = 190, T_TOP = PLAN_TOP + PLAN_HEIGHT + 60, BAR = 30, ROW = 40 };
 
 static double plan_x(double x)
 {
@@ -92,7 +92,7 @@ static void plan_ray_draw(FILE *file, const Followed *followed, const double x_m
 static void interval_draw(FILE *file, int row, const char *name, double from, double to,
                           const char *look)
 {
-    const double y = T_TOP + row * (BAR + 14);
+    const double y = T_TOP + row * ROW;
     svg_text(file, T_LEFT - 20, y + 22, SVG_RIGHT, "", "%s", name);
     svg_box(file, T_LEFT + from * T_UNIT, y, (to - from) * T_UNIT, BAR, look);
     svg_text(file, T_LEFT + from * T_UNIT + 8, y + 22, SVG_LEFT, "", "%.4g", from);
@@ -105,8 +105,7 @@ void draw_slabs(FILE *file, const Followed *followed)
     slab_met(followed, 0, x_met);
     slab_met(followed, 1, y_met);
     const Step *first = followed_step(&followed->own, 0);
-    svg_begin(file, T_TOP + 4 * (BAR + 14) + 16,
-              "Entry and exit: the box is where all slabs overlap",
+    svg_begin(file, T_TOP + 4 * ROW + 16, "Entry and exit: the box is where all slabs overlap",
               "From above: the box is where an upright and a level band cross. The ray from the "
               "eye meets "
               "the planes of y at t 0.333 and 3.333, those of x at 1.5 and 3.75. Below, along t: "
@@ -127,22 +126,21 @@ void draw_slabs(FILE *file, const Followed *followed)
     // What the kernel began with.
     interval_draw(file, 2, "in the box", first->t_min, first->t_max,
                   "fill=\"#ffffff\" stroke=\"" SVG_BLACK "\" stroke-width=\"4\"");
-    svg_arrow(file, T_LEFT, T_TOP + 3 * (BAR + 14) + 10, 1000, T_TOP + 3 * (BAR + 14) + 10,
-              "stroke-width=\"2\"");
-    svg_text(file, T_LEFT - 20, T_TOP + 3 * (BAR + 14) + 16, SVG_RIGHT, "", "t = 0");
+    svg_arrow(file, T_LEFT, T_TOP + 3 * ROW + 10, 1000, T_TOP + 3 * ROW + 10, "stroke-width=\"2\"");
+    svg_text(file, T_LEFT - 20, T_TOP + 3 * ROW + 16, SVG_RIGHT, "", "t = 0");
     svg_end(file);
 }
 
 // ---- The cases at a node ------------------------------------------------------------------------
 
-enum { CASES = 4, PANEL = 226, PANEL_GAP = 28, CASES_TOP = 120, PANEL_HEIGHT = 300 };
+enum { CASES = 4, PANEL = 226, PANEL_GAP = 28, CASES_TOP = 120, PANEL_HEIGHT = 280 };
 
 typedef struct Case {
     const char *name, *rule, *next;
 } Case;
 
 static const Case CASE_WORDS[CASES] = {
-    {"the plane is behind", "t_split ≤ 0", "go to near"},
+    {"behind the eye", "t_split ≤ 0", "go to near"},
     {"before the part", "0 < t_split < t_min", "go to far"},
     {"in the part", "t_min ≤ t_split ≤ t_max", "near; far waits"},
     {"beyond the part", "t_split > t_max", "go to near"},

@@ -6,8 +6,8 @@
 #include <math.h>
 
 // From above, in scene units and pixels; and t below.
-enum { UNIT = 88, LEFT = 60, EYE_Y = 390, T_TOP = 462, T_LEFT = 60, T_UNIT = 158, ROW = 38 };
-enum { BAR = 30, HEIGHT = 656 };
+enum { UNIT = 76, LEFT = 60, EYE_Y = 340, T_TOP = 408, T_LEFT = 60, T_UNIT = 158, ROW = 37 };
+enum { BAR = 30, HEIGHT = 590 };
 // A row of a tile, of a picture that has no other pixels, and the plane that it meets.
 enum { N_RAYS = 8 };
 static const double FOV = 0.42, LOOK = 0.5, PLANE = 1.6;
@@ -152,7 +152,7 @@ void draw_tile(FILE *file, const Followed *followed)
     part_draw(file, 3, "far child, waits", row.t_low, T_MAX,
               "fill=\"none\" stroke=\"" SVG_BLACK "\" stroke-dasharray=\"6 4\" stroke-width=\"2\"");
     svg_text(file, T_LEFT, T_TOP + 4 * ROW + 28, SVG_LEFT, "fill=\"" SVG_GREY "\"",
-             "Between %.3g and %.3g both children are searched: some rays are on either side.",
+             "Between %.3g and %.3g both children are searched: rays are on either side.",
              row.t_low, row.t_high);
     svg_end(file);
 }

@@ -27,12 +27,24 @@ function pictures(job, page) {
     }
 }
 
+// A drawing's words as large as the slide shows them: of 1280 x 720 at least 20 high.
+function drawings(job, stage, title) {
+    for (const image of stage.querySelectorAll('img[src^="data:image/svg"]')) {
+        const sizes = [...atob(image.src.split(",")[1]).matchAll(/font-size="([\d.]+)"/g)].map(found => Number(found[1]));
+        const scale = Math.min(image.width / image.naturalWidth, image.height / image.naturalHeight);
+        const size = Math.min(...sizes) * scale;
+        said.push(`drawing ${size.toFixed(1)} ${job.page}, ${title}: ${image.alt}`);
+        if (size < 19.9) tell(job, `${title}: words of ${size.toFixed(1)} in the drawing`);
+    }
+}
+
 // On a slide of 1280 x 720 nothing is cut off, and no letter is smaller than 24. A figure counts
 // as a picture, also where a newer pandoc puts its SVG into the page.
 function slides(job, page) {
     const window = page.defaultView;
     page.querySelectorAll(".stage").forEach((stage, n) => {
         const title = `slide ${n + 1}, ${stage.querySelector("h2").textContent}`;
+        drawings(job, stage, title);
         const foot = stage.querySelector("footer").getBoundingClientRect().top;
         for (const element of stage.querySelectorAll(".columns *")) {
             if (element.ownerSVGElement) continue;

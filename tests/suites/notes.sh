@@ -50,6 +50,7 @@ none "a picture is missing" "no picture is missing"
 none "no text in its place" "every picture has a text in its place"
 none "is cut off" "nothing is cut off on a slide"
 none "letters of" "no letter on a slide is smaller than 24 of 720"
+none "words of" "no word in a drawing on a slide is smaller than 20 of 720"
 none "wider than the screen" "no page is wider than the screen, at 1280 and at 390"
 
 # ---- Figures that can be touched -----------------------------------------------------------------

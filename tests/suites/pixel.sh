@@ -123,7 +123,7 @@ same_steps() {
     [ "$1 $2 $3 $4" = "$counts" ] || { echo "told $told, found $counts"; return 1; }
 }
 
-# is_legible FILE: is it well-formed, is no text of less than 18 px, and every text inside? A letter is taken for
+# is_legible FILE: is it well-formed, is no text of less than 20 px, and every text inside? A letter is taken for
 # 0.62 of its size wide.
 is_legible() {
     xmllint --noout --nonet "$1" || return 1
@@ -137,7 +137,7 @@ is_legible() {
             words = $0; sub(/^<text[^>]*>/, "", words); sub(/<.*/, "", words)
             wide = 0.62 * own * length(words)
             left = of("x") - (of("text-anchor") == "end" ? wide : of("text-anchor") == "middle" ? wide / 2 : 0)
-            if (left < 0 || left + wide > width || of("y") - own < 0 || of("y") + own / 4 > height || own < 18)
+            if (left < 0 || left + wide > width || of("y") - own < 0 || of("y") + own / 4 > height || own < 20)
                 { print "not inside: " $0; bad = 1 }
         }
         END { if (n == 0 || width != 1024) print "no text, or not as wide as all: " n " " width; exit bad || n == 0 || width != 1024 }'
