@@ -27,7 +27,7 @@ static void *memory_for(size_t n_bytes)
 {
     void *bytes = malloc(n_bytes);
     if (bytes == NULL) {
-        fprintf(stderr, "report: no memory for a text of %zu bytes\n", n_bytes);
+        fprintf(stderr, "no memory for a text of %zu bytes\n", n_bytes);
         abort();
     }
     return bytes;
@@ -78,6 +78,15 @@ void text_show(const char *text, int one_line, char *clean)
         }
     }
     *end = '\0';
+}
+
+void ascii_show(char *text)
+{
+    for (char *c = text; *c != '\0'; c++) {
+        if (*c < ' ' || *c > '~') {
+            *c = '?';
+        }
+    }
 }
 
 static char *showable(const char *text, int one_line)

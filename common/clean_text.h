@@ -29,6 +29,9 @@ char *line_clean(const char *line);
 enum { CLEAN_TEXT_GROWTH = 3 };
 void text_show(const char *text, int one_line, char *clean);
 
+// What is shorter, for quotations: in place, each byte that is no printable ASCII becomes '?'.
+void ascii_show(char *text);
+
 // Is it a character that is not seen: a control, a mark of no width, one that turns the reading
 // direction?
 int character_is_unseen(uint32_t character);

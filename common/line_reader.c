@@ -4,6 +4,7 @@
 // next: scene3d_nff.c.
 #include "line_reader.h"
 
+#include "clean_text.h"
 #include "complain.h"
 #include "number.h"
 
@@ -147,11 +148,7 @@ void line_fault(LineReader *reader, const char *where, const char *found, const 
 const char *line_quote(const char *text, char *quoted)
 {
     snprintf(quoted, LINE_QUOTE_SIZE, "\"%.40s%s\"", text, strlen(text) > 40 ? "..." : "");
-    for (char *c = quoted; *c != '\0'; c++) {
-        if ((unsigned char)*c < ' ' || (unsigned char)*c >= 0x7f) {
-            *c = '?';
-        }
-    }
+    ascii_show(quoted);
     return quoted;
 }
 

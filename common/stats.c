@@ -39,11 +39,7 @@ static json_t *json_any_string(const char *value)
     if (ascii == NULL) {
         return NULL;
     }
-    for (char *byte = ascii; *byte != '\0'; byte++) {
-        if ((unsigned char)*byte >= 0x80) {
-            *byte = '?';
-        }
-    }
+    ascii_show(ascii);
     string = json_string(ascii);
     free(ascii);
     return string;

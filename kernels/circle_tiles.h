@@ -2,8 +2,8 @@
 // leaf's circles, nearest first. For host and device.
 //
 // Flow: scene -> BUFFERS -> KERNEL -> image. Written by circle_tree.c. Read next: circle_tile.cl.
-#ifndef CIRCLE_TILES_H
-#define CIRCLE_TILES_H
+#ifndef KERNELS_CIRCLE_TILES_H
+#define KERNELS_CIRCLE_TILES_H
 
 #include "kdtree3d.h"
 #include "layout.h"

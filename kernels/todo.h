@@ -1,5 +1,5 @@
 // The todo stack of a ray: nodes that are still to be visited, the nearest on top, each with the
-// part of the ray inside it. The device's own.
+// part of the ray inside it. The device's own; of the host, only the grader knows an entry.
 //
 // Why a stack of our own? OpenCL C knows no recursion. Its size is fixed; that it never overflows
 // is the builder's promise (TODO_SIZE in kdtree3d.h).
@@ -9,15 +9,17 @@
 #define KERNELS_TODO_H
 
 #include "kdtree3d.h"
-
-#ifdef __OPENCL_C_VERSION__
+#include "layout.h"
 
 // A node to visit, and the part of the ray inside it.
 typedef struct TodoEntry {
-    uint node;  // id
-    float t_min;
-    float t_max;
+    /* 0 */ u32 node;  // id
+    /* 4 */ f32 t_min;
+    /* 8 */ f32 t_max;
 } TodoEntry;
+LAYOUT_ASSERT(TodoEntry, 12);
+
+#ifdef __OPENCL_C_VERSION__
 
 typedef struct Todo {
     TodoEntry entries[TODO_SIZE];

@@ -54,16 +54,6 @@ static void start_result(Grading *grading, const Settings *settings)
     }
 }
 
-void grading_add_stage(Grading *grading, const char *title, CheckStatus status, const char *message)
-{
-    Result *result = &grading->result;
-    if (result->n_stages == RESULT_MAX_STAGES) {
-        abort();  // each title is added once, and result.h has room for all
-    }
-    StageResult *stage = &result->stages[result->n_stages++];
-    *stage = (StageResult){title, status, message_new("%s", message)};
-}
-
 // How the whole submission ended before its end, and where. Owned by the caller.
 static char *describe_end(Grading *grading)
 {
@@ -73,11 +63,13 @@ static char *describe_end(Grading *grading)
     char *line = whole->has_crashed ? session_find_line(&grading->session, whole, &task) : NULL;
     grading->has_line = line != NULL;
     grading->end_task = line != NULL ? task : place->task;
-    char *message =
-        message_new("%s\n%s%s%s%s%s%s%s%s%s", whole->trouble, place->where ? "where: " : "",
-                    place->where ? place->where : "", place->with[0] ? ", " : "", place->with,
-                    place->where ? "\n" : "", line ? line : "", whole->habits,
-                    whole->habits[0] ? "\n" : "", whole->run_output);
+    char *where = place->where == NULL
+                      ? message_new("%s", "")
+                      : message_new("where: %s%s%s\n", place->where,
+                                    place->with[0] != '\0' ? ", " : "", place->with);
+    char *message = message_new("%s\n%s%s%s%s%s", whole->trouble, where, line ? line : "",
+                                whole->habits, whole->habits[0] ? "\n" : "", whole->run_output);
+    free(where);
     free(line);
     return message;
 }
@@ -87,19 +79,20 @@ static void add_run_stages(Grading *grading)
 {
     Variant *whole = &grading->whole;
     if (whole->build_log != NULL) {
-        grading_add_stage(grading, "Compiling", CHECK_FAILED, whole->build_log);
-        grading_add_stage(grading, "Running", CHECK_NOT_RUN, "");
+        result_add_stage(&grading->result, "Compiling", CHECK_FAILED, whole->build_log);
+        result_add_stage(&grading->result, "Running", CHECK_NOT_RUN, "");
         return;
     }
-    grading_add_stage(grading, "Compiling", grading->build_log ? CHECK_FAILED : CHECK_PASSED,
-                      grading->build_log ? grading->build_log : "");
+    result_add_stage(&grading->result, "Compiling",
+                     grading->build_log ? CHECK_FAILED : CHECK_PASSED,
+                     grading->build_log ? grading->build_log : "");
     if (whole->trouble != NULL) {
         char *message = describe_end(grading);
-        grading_add_stage(grading, "Running", CHECK_FAILED, message);
+        result_add_stage(&grading->result, "Running", CHECK_FAILED, message);
         free(message);
         whole->is_told = 1;
     } else {
-        grading_add_stage(grading, "Running", CHECK_PASSED, whole->habits);
+        result_add_stage(&grading->result, "Running", CHECK_PASSED, whole->habits);
     }
 }
 
@@ -121,7 +114,7 @@ static void add_advice(Grading *grading)
         advice = advice_on_pixels(manifest, grading->is_untouched, &grading->result);
     }
     if (advice != NULL) {
-        grading_add_stage(grading, "What to try next", CHECK_PASSED, advice);
+        result_add_stage(&grading->result, "What to try next", CHECK_PASSED, advice);
     }
     free(advice);
 }

@@ -27,10 +27,6 @@ typedef struct Grading {
     Result result;
 } Grading;
 
-// Add a stage to the result.
-void grading_add_stage(Grading *grading, const char *title, CheckStatus status,
-                       const char *message);
-
 // Copy what was handed in to folder `folder`, with the file as it is handed out in the place of
 // each that cannot be used. Returns 1; 0 where no file can be used, so that there is nothing to
 // judge; -1 after one message.

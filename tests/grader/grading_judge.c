@@ -60,7 +60,7 @@ static void add_marker_stage(Grading *grading)
 {
     char *faults = describe_markers(grading);
     if (faults[0] != '\0') {
-        grading_add_stage(grading, "Markers", CHECK_FAILED, faults);
+        result_add_stage(&grading->result, "Markers", CHECK_FAILED, faults);
     }
     free(faults);
 }
@@ -212,9 +212,9 @@ int grading_judge(Grading *grading)
     }
     explain_returns(grading);
     if (grading->has_no_time) {
-        grading_add_stage(grading, "Trying answers alone", CHECK_FAILED,
-                          "what is left was not tried by itself: all runs together had used up the "
-                          "time that a submission has; do answers wait, or never end?");
+        result_add_stage(&grading->result, "Trying answers alone", CHECK_FAILED,
+                         "what is left was not tried by itself: all runs together had used up the "
+                         "time that a submission has; do answers wait, or never end?");
     }
     blame_others(grading->session.judge.checks, &grading->result);
     return 0;

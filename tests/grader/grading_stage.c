@@ -12,12 +12,12 @@ static void add_notes(Grading *grading, const char *submission, const char *fold
 {
     char *notes = stands_out(&grading->session.manifest, folder, submission);
     if (notes != NULL) {
-        grading_add_stage(grading, "What stands out", CHECK_PASSED, notes);
+        result_add_stage(&grading->result, "What stands out", CHECK_PASSED, notes);
         free(notes);
     }
     const char *sandbox = sandbox_kind_note(grading->session.workshop.sandbox);
     if (sandbox != NULL) {
-        grading_add_stage(grading, "Sandbox", CHECK_PASSED, sandbox);
+        result_add_stage(&grading->result, "Sandbox", CHECK_PASSED, sandbox);
     }
 }
 
@@ -29,8 +29,8 @@ int grading_stage(Grading *grading, const char *submission, const char *folder)
     }
     grading->result.has_nothing = staged.has_nothing;
     memcpy(grading->is_replaced, staged.is_replaced, sizeof grading->is_replaced);
-    grading_add_stage(grading, "Staging", staged.is_complete ? CHECK_PASSED : CHECK_FAILED,
-                      staged.said);
+    result_add_stage(&grading->result, "Staging", staged.is_complete ? CHECK_PASSED : CHECK_FAILED,
+                     staged.said);
     free(staged.said);
     add_notes(grading, submission, folder);
     return staged.n_taken > 0;

@@ -139,7 +139,7 @@ int session_open(Session *session, const Settings *settings)
         return allowance_read_packed(&session->allowance);
     }
     const int result = session_fill(session, "solution", NULL, 0, &session->solution);
-    session->solution.is_ours = 1;
+    session->solution.purpose = VARIANT_SOLUTION;
     session->has_kept_answers =
         settings->kept_answers != NULL &&
         kept_answers_load(settings->kept_answers, settings->seed, &session->solution.answers,

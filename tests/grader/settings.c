@@ -53,7 +53,7 @@ static const OptionRow ROWS[] = {
      .meaning = "be done S seconds from now: what a submission has not done\n"
                 "by then, and had the machine for, it has not done"},
     {"sandbox", "KIND", OPTION_TEXT, PLACE(sandbox),
-     .meaning = "bubblewrap; as root landlock, user or user-unfiltered; none;\n"
+     .meaning = "bubblewrap; as root landlock or user; none;\n"
                 "or any, the first of these but none: the default,\n"
                 "$" SANDBOX_VARIABLE " sets another"},
     {"build", "FOLDER", OPTION_TEXT, PLACE(settings.build),
@@ -122,9 +122,8 @@ static int read_sandbox(const char *option, const char *text, SandboxKind *kind)
     if (sandbox_kind_find(text, kind) == 0) {
         return 0;
     }
-    complain("grade: %s: found \"%s\", expected bubblewrap, landlock, user, user-unfiltered, none "
-             "or any",
-             option, text);
+    complain("grade: %s: found \"%s\", expected bubblewrap, landlock, user, none or any", option,
+             text);
     return -1;
 }
 

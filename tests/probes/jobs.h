@@ -12,6 +12,7 @@
 #include "layout.h"
 #include "shading.h"
 #include "sphere.h"
+#include "todo.h"
 
 // A section with the id of the task whose answer is tried alone, in a job that asks for no more
 // than that needs.
@@ -372,7 +373,7 @@ LAYOUT_ASSERT(ClipAnswer, 12);
 typedef struct SideJob {
     KdNode3 node;
     f32 origin;
-    f32 direction;
+    f32 inverse;  // 1 / direction
 } SideJob;
 LAYOUT_ASSERT(SideJob, 24);
 
@@ -417,16 +418,10 @@ LAYOUT_ASSERT(SearchAnswer, 12);
 // an answer n_lower is how many of these are as they were; entries above the top are UNTOUCHED.
 enum { STACK_ENTRIES = 4 };
 
-typedef struct StackEntry {
-    u32 node;
-    f32 t_min;
-    f32 t_max;
-} StackEntry;
-
 typedef struct StackState {
     u32 n_lower;
     u32 n;  // entries in all
-    StackEntry upper[STACK_ENTRIES];
+    TodoEntry upper[STACK_ENTRIES];
 } StackState;
 LAYOUT_ASSERT(StackState, 56);
 
@@ -442,7 +437,7 @@ typedef struct NextChildJob {
 LAYOUT_ASSERT(NextChildJob, 88);
 
 typedef struct NextChildAnswer {
-    StackEntry next;
+    TodoEntry next;
     StackState todo;
 } NextChildAnswer;
 LAYOUT_ASSERT(NextChildAnswer, 68);
@@ -451,14 +446,14 @@ LAYOUT_ASSERT(NextChildAnswer, 68);
 typedef struct NextWaitingJob {
     f32 t;  // the nearest hit so far
     u32 sphere;
-    StackEntry at;
+    TodoEntry at;
     StackState todo;
 } NextWaitingJob;
 LAYOUT_ASSERT(NextWaitingJob, 76);
 
 typedef struct NextWaitingAnswer {
     i32 goes_on;
-    StackEntry at;
+    TodoEntry at;
     StackState todo;
 } NextWaitingAnswer;
 LAYOUT_ASSERT(NextWaitingAnswer, 72);

@@ -33,7 +33,7 @@ typedef struct TileChildJob {
     f32 eye;
     f32 split_low;
     f32 split_high;
-    StackEntry at;
+    TodoEntry at;
     StackState todo;
 } TileChildJob;
 LAYOUT_ASSERT(TileChildJob, 96);
@@ -41,7 +41,7 @@ LAYOUT_ASSERT(TileChildJob, 96);
 // Section "tile_waiting", one call of next_tile_waiting each. Answered by a NextWaitingAnswer.
 typedef struct TileWaitingJob {
     f32 farthest;
-    StackEntry at;
+    TodoEntry at;
     StackState todo;
     u32 n_behind;  // so many more wait on top of these: from WAITS_FROM to WAITS_TO
 } TileWaitingJob;

@@ -68,7 +68,6 @@
 #undef SideJob
 #undef Sphere
 #undef SphereRayJob
-#undef StackEntry
 #undef StackState
 #undef StartJob
 #undef Tile

@@ -13,8 +13,7 @@ static void fill_stack(StackState state, Todo *todo)
         todo->entries[i] = lowest;
     }
     for (uint i = 0; i < STACK_ENTRIES; i++) {
-        const StackEntry entry = state.upper[i];
-        todo->entries[state.n_lower + i] = (TodoEntry){entry.node, entry.t_min, entry.t_max};
+        todo->entries[state.n_lower + i] = state.upper[i];
     }
 }
 
@@ -30,8 +29,7 @@ static StackState look_at_stack(uint n_lower, const Todo *todo)
             entry.node == lowest.node && entry.t_min == lowest.t_min && entry.t_max == lowest.t_max;
     }
     for (uint i = 0; i < STACK_ENTRIES; i++) {
-        const TodoEntry entry = todo->entries[n_lower + i];
-        state.upper[i] = (StackEntry){entry.node, entry.t_min, entry.t_max};
+        state.upper[i] = todo->entries[n_lower + i];
     }
     return state;
 }

@@ -39,7 +39,7 @@ static void answer_tile_planes(Writer *writer, const Sections *job)
 static NextChildAnswer child_of_tile(const TileChildJob *in)
 {
     const u32 side = in->eye > in->node.split_pos;
-    StackEntry near_child = in->at, far_child = in->at;
+    TodoEntry near_child = in->at, far_child = in->at;
     near_child.node = in->node.first + side;
     far_child.node = in->node.first + 1 - side;
     NextChildAnswer out = {near_child, in->todo};

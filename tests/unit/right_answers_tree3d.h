@@ -118,9 +118,9 @@ static ClipAnswer clip(BBox3D box, Ray ray, float t_min, float t_max)
     return (ClipAnswer){t_min <= t_max, t_min, t_max};
 }
 
-static u32 near_side(KdNode3 node, float origin, float direction)
+static u32 near_side(KdNode3 node, float origin, float inverse)
 {
-    return origin == node.split_pos ? direction > 0 : origin > node.split_pos;
+    return origin == node.split_pos ? inverse > 0 : origin > node.split_pos;
 }
 
 static PlaneAnswer children_on_ray(KdNode3 node, float origin, float inverse, float t_min,
@@ -163,7 +163,7 @@ static void answer_clips_and_sides(Writer *writer, const Sections *job)
     n = n_bytes / sizeof *eyes;
     u32 *sides = calloc(n, sizeof *sides);
     for (size_t i = 0; i < n; i++) {
-        sides[i] = near_side(eyes[i].node, eyes[i].origin, eyes[i].direction);
+        sides[i] = near_side(eyes[i].node, eyes[i].origin, eyes[i].inverse);
     }
     answer(writer, "sides", sides, n * sizeof *sides);
     free(sides);
@@ -209,7 +209,7 @@ static NextChildAnswer next_child(const NextChildJob *in)
     if (plane.children == PLANE_BOTH) {
         answer.next.t_max = plane.t_split;
         answer.todo.upper[answer.todo.n++ - answer.todo.n_lower] =
-            (StackEntry){in->node.first + !side, plane.t_split, in->t_max};
+            (TodoEntry){in->node.first + !side, plane.t_split, in->t_max};
     }
     return answer;
 }

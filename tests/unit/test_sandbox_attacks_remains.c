@@ -3,8 +3,6 @@
 #include "sandbox_commands.h"
 #include "sandbox_user.h"
 
-#include <sys/shm.h>
-
 // ---- Survivors ----------------------------------------------------------------------------------
 
 // For a script: wait until the other process has written something.
@@ -102,26 +100,6 @@ static void what_it_leaves_where_everybody_may_write_is_removed(void)
     cr_expect_eq(access("own/open/stranger", F_OK), 0, "somebody else's file was removed");
     cr_assert_eq(unlink("own/open/stranger"), 0);
     cr_expect_eq(rmdir("own/open"), 0, "something is left in it");
-}
-
-// Where no filter refuses it.
-TEST_AS_ROOT(user, system_v_memory_does_not_outlive_its_run)
-static void system_v_memory_does_not_outlive_its_run(void)
-{
-    char program[256], list[128];
-    const int key = 0x556e6974 ^ (int)getpid();
-    snprintf(program, sizeof program,
-             "exit(defined(shmget(%d, 4096, 01600)) && defined(msgget(%d, 01600)) && "
-             "defined(semget(%d, 1, 01600)) ? 3 : 4)",
-             key, key, key);
-    SandboxCommand command = perl_command(program);
-    command.kind = SANDBOX_USER_UNFILTERED;
-    expect_exit(command_run(&command), 3);
-    snprintf(list, sizeof list, "grep -q '^ *%d ' /proc/sysvipc/*", key);
-    cr_expect_neq(exit_status_outside(list), 0, "it is still there");
-    const int own = shmget(key, 4096, IPC_CREAT | IPC_EXCL | 0600);
-    cr_expect_eq(exit_status_outside(list), 0, "the test sees no memory");
-    shmctl(own, IPC_RMID, NULL);
 }
 
 TEST_AS_ROOT(user, what_it_writes_where_everybody_may_write_counts)

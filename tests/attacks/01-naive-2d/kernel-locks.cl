@@ -1,7 +1,6 @@
 // attack: a kernel locks a header that every run may read, by system calls of its own
 // task: overlaps_N_Nearer
 // named: asm
-// gap in user-unfiltered: LEAKED
     (void)x, (void)y, (void)circle, (void)minDepth;
     char path[] = "/usr/include/stdio.h";
     char found[] = {'L', 'E', 'A', 'K', 'E', 'D', '\n'};

@@ -1,7 +1,6 @@
 // attack: keeps 64 MB in pairs of sockets, where they are nobody's memory
 // task: pack_leaf
 // named: ended early with exit status 7
-// gap in user-unfiltered: LEAKED: sockets hold
 #undef __USE_EXTERN_INLINES  // no functions of headers inside of a function
 #include <fcntl.h>
 #include <sys/socket.h>

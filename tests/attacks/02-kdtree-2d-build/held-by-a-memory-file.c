@@ -1,7 +1,6 @@
 // attack: keeps eight times 48 MB in files in memory, and more in descriptors that are on their way
 // task: pack_leaf
 // named: socketpair\(\)
-// gap in user-unfiltered: LEAKED: holds
 #undef __USE_EXTERN_INLINES  // no functions of headers inside of a function
 #include <fcntl.h>
 #include <string.h>

@@ -1,7 +1,6 @@
 // attack: says what it knows to a listener on loopback, by TCP, UDP and a Unix socket
 // task: pack_leaf
 // named: socket\(\)
-// gap in user-unfiltered: LEAKED by (TCP|UDP|a Unix socket)
     (void)tree, (void)id, (void)ids, (void)n_ids;
     extern void tell(void);
     tell();

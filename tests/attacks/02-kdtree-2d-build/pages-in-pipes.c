@@ -1,7 +1,6 @@
 // attack: puts a byte of each of 32 pages into pipes, which then keep the pages: 2 MB each where large
 // task: pack_leaf
 // named: ended early with exit status 7
-// gap in user-unfiltered: LEAKED: pipes hold
 #undef __USE_EXTERN_INLINES  // no functions of headers inside of a function
 #include <fcntl.h>
 #include <string.h>

@@ -2,7 +2,6 @@
 // task: pack_leaf
 // named: etc/shadow.*no answer needs it
 // gap in user: LEAKED /etc/passwd
-// gap in user-unfiltered: LEAKED /etc/passwd
     (void)tree, (void)id, (void)ids, (void)n_ids;
     static const char *const paths[] = {
         "/etc/shadow",

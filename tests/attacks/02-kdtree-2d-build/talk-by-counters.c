@@ -2,7 +2,6 @@
 // task: pack_leaf
 // named: /proc/loadavg
 // gap in user: LEAKED /proc
-// gap in user-unfiltered: LEAKED /proc
     (void)tree, (void)id, (void)ids, (void)n_ids;
     static const char *const paths[] = {
         "/proc/loadavg", "/proc/stat", "/proc/uptime", "/proc/vmstat", "/proc/locks", "/proc/diskstats",

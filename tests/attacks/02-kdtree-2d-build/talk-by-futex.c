@@ -1,7 +1,6 @@
 // attack: waits at an address in a header that every run may read, and is woken by another process
 // task: pack_leaf
 // named: fork\(\)
-// gap in user-unfiltered: LEAKED: woke
 #include <fcntl.h>
 #include <linux/futex.h>
 #include <signal.h>

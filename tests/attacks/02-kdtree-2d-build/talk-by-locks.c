@@ -1,7 +1,6 @@
 // attack: puts locks and watches on a header that every run may read, for another run to feel
 // task: pack_leaf
 // named: open\(\)
-// gap in user-unfiltered: LEAKED: (locks|watches)
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/inotify.h>

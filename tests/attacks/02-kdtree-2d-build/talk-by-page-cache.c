@@ -1,7 +1,6 @@
 // attack: asks what of a header is in memory, which another run brings there, and how full the disk is
 // task: pack_leaf
 // named: sys/mman.h
-// gap in user-unfiltered: LEAKED: asked
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/syscall.h>

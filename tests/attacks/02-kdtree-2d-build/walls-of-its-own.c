@@ -1,7 +1,6 @@
 // attack: asks for what keeps memory of the kernel's, or a removed file, where nobody looks: a wall of Landlock's, filters, a table of futexes; and for waits that look like a disk's
 // task: pack_leaf
 // named: ended early with exit status 7
-// gap in user-unfiltered: LEAKED: (a wall|a filter|a table|a page)
 #undef __USE_EXTERN_INLINES  // no functions of headers inside of a function
 #include <linux/filter.h>
 #include <linux/seccomp.h>

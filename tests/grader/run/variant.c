@@ -116,7 +116,7 @@ int variant_open(const Workshop *workshop, const char *name, Variant *variant, c
 
 int variant_reset(const Workshop *workshop, Variant *variant)
 {
-    Variant fresh = {.number = variant->number, .is_ours = variant->is_ours};
+    Variant fresh = {.number = variant->number, .purpose = variant->purpose};
     memcpy(fresh.name, variant->name, sizeof fresh.name);
     variant_free(variant);
     *variant = fresh;

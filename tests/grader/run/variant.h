@@ -7,7 +7,17 @@
 #include "sections.h"
 #include "workshop.h"
 
+// What a variant is run for.
+typedef enum VariantPurpose {
+    VARIANT_JUDGED,    // a submission, or a part of one
+    VARIANT_SOLUTION,  // ours: what it uses says what others may
+    // No points depend on the rest: a busy machine may fail them.
+    VARIANT_CRASH,  // built and run with the address sanitizer: see variant_find_line()
+    VARIANT_RACE,   // the lab's race runs in the place of its probe: see variant_race()
+} VariantPurpose;
+
 typedef struct Variant {
+    VariantPurpose purpose;
     char name[80];
     char *build_log;   // set when it does not compile; with the student's file and line; owned
     char *trouble;     // set when it compiled and did not run to its end: what happened; owned
@@ -20,11 +30,7 @@ typedef struct Variant {
     Sections further[MAX_FURTHER_JOBS];  // and to the jobs of further seeds
     SandboxRun *run;                     // while it runs
     int is_compiled;                     // as far as that goes: build_log is set, or it can run
-    int is_ours;                         // the solution: what it uses says what others may
-    int is_extra;                        // no points depend on it: a busy machine may fail it
-    int is_checked;    // built and run with the address sanitizer: see variant_find_line()
     int is_second;     // its kernels are compiled by SECOND_COMPILER, after the first gave up
-    int is_race;       // the lab's race runs in the place of its probe: see variant_race()
     const char *task;  // whose answer stands in our solution; NULL: a submission, or several
     int is_changed;  // tried alone in files that differ from those handed out in more than answers
     const char *alone;     // whose answer is tried alone, with a job of its own; NULL: all of them

@@ -129,7 +129,8 @@ static void take_answers(const Workshop *workshop, Variant *variant, SandboxResu
 static SandboxTime time_allowed(const Variant *variant, Step step, const Allowance *allowance,
                                 int n)
 {
-    return variant->is_ours ? allowance_ours() : allowance_of(allowance, step, n);
+    return variant->purpose == VARIANT_SOLUTION ? allowance_ours()
+                                                : allowance_of(allowance, step, n);
 }
 
 static int step_start(const Workshop *workshop, Variant *variant, Step step, SandboxTime allowed)
@@ -152,7 +153,7 @@ static int step_restart(const Workshop *workshop, Variant *variant, Step step, A
 // run, or our own files, may need the room, which may be memory.
 static void step_files_remove(const Workshop *workshop, const Variant *variant)
 {
-    if (!variant->is_checked) {
+    if (variant->purpose != VARIANT_CRASH) {
         step_folder_remove(workshop, variant->name, STEP_RUNNING);
     }
     if (variant->alone != NULL) {
@@ -167,7 +168,8 @@ static int step_take(const Workshop *workshop, Variant *variant, Step step, Sand
                      Allowance *allowance)
 {
     SandboxResult result;
-    int was_starved = variant->is_extra;
+    const int is_extra = variant->purpose >= VARIANT_CRASH;
+    int was_starved = is_extra;
     for (;;) {
         result = sandbox_wait(variant->run);
         variant->run = NULL;
@@ -177,7 +179,7 @@ static int step_take(const Workshop *workshop, Variant *variant, Step step, Sand
         if (!is_starved && !has_fault) {
             break;
         }
-        if (has_fault && !variant->is_ours) {
+        if (has_fault && variant->purpose != VARIANT_SOLUTION) {
             allowance_charge(allowance, &result);
         }
         if (allowance_left(allowance) <= 0) {
@@ -191,7 +193,7 @@ static int step_take(const Workshop *workshop, Variant *variant, Step step, Sand
         }
     }
     int failed = result.outcome == SANDBOX_FAULT || result.outcome == SANDBOX_STARVED;
-    if (failed && variant->is_extra) {
+    if (failed && is_extra) {
         free(result.output);
         return -1;
     }
@@ -210,9 +212,9 @@ static int step_take(const Workshop *workshop, Variant *variant, Step step, Sand
         take_answers(workshop, variant, &result, allowed);
         step_files_remove(workshop, variant);
     }
-    if (!failed && variant->is_ours) {
+    if (!failed && variant->purpose == VARIANT_SOLUTION) {
         allowance_note(allowance, step, result.used);
-    } else if (!variant->is_ours) {
+    } else if (variant->purpose != VARIANT_SOLUTION) {
         allowance_charge(allowance, &result);
     }
     free(result.output);
@@ -267,7 +269,7 @@ char *variant_find_line(const Workshop *workshop, const Variant *variant, Allowa
                         const char **task)
 {
     char out[PATH_MAX], lab[PATH_MAX];
-    Variant checked = {.is_extra = 1, .is_checked = 1};
+    Variant checked = {.purpose = VARIANT_CRASH};
     Variant *const variants[] = {&checked};
     memcpy(checked.name, variant->name, sizeof checked.name);
     *task = NULL;
@@ -290,7 +292,7 @@ char *variant_find_line(const Workshop *workshop, const Variant *variant, Allowa
 double variant_race(const Workshop *workshop, const Variant *variant, Allowance *allowance)
 {
     double figure = 0;
-    Variant race = {.is_extra = 1, .is_race = 1};
+    Variant race = {.purpose = VARIANT_RACE};
     Variant *const variants[] = {&race};
     memcpy(race.name, variant->name, sizeof race.name);
     if (step_clear(workshop, variant->name, STEP_RUNNING) == 0 &&

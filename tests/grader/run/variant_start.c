@@ -62,7 +62,7 @@ static SandboxRun *start(const Workshop *workshop, const Variant *variant, int b
         .time = time,
         // The address sanitizer reserves terabytes that it never uses; what is in use is still
         // counted.
-        .memory_mb = variant->is_checked && !building ? 0 : MEMORY_MB,
+        .memory_mb = variant->purpose == VARIANT_CRASH && !building ? 0 : MEMORY_MB,
         .file_mb = FILE_MB,
         .n_processes = N_PROCESSES,
         .total_memory_mb = TOTAL_MEMORY_MB,
@@ -107,7 +107,7 @@ static SandboxRun *start_compiler(const Workshop *workshop, const Variant *varia
     }
     path_make(words[n_words], "lib/earlier/%s.a", manifest->lab);
     argv[n++] = words[n_words++];
-    if (variant->is_checked) {
+    if (variant->purpose == VARIANT_CRASH) {
         argv[n++] = "-fsanitize=address";
         argv[n++] = "-fno-omit-frame-pointer";
         argv[n++] = "-fno-optimize-sibling-calls";
@@ -127,14 +127,15 @@ static SandboxRun *start_probe(const Workshop *workshop, const Variant *variant,
         "done\n"
         "exec \"$1\"\n";
     char path[PATH_MAX], n_further[16], share[16];
-    path_make(path, variant->is_race ? "lib/%s-race" : "lib/%s", workshop->manifest->lab);
+    const int is_race = variant->purpose == VARIANT_RACE;
+    path_make(path, is_race ? "lib/%s-race" : "lib/%s", workshop->manifest->lab);
     snprintf(n_further, sizeof n_further, "%d", workshop->n_further_jobs);
     snprintf(share, sizeof share, "%.0f", time.processor / (1 + workshop->n_further_jobs));
-    const int is_built_here = workshop->needs_compiler && !variant->is_race;
+    const int is_built_here = workshop->needs_compiler && !is_race;
     const char *const probe = is_built_here ? "build/probe" : path;
     const char *const once[] = {probe, NULL};
     const char *const often[] = {"/bin/sh", "-c", all_jobs, "probe", probe, n_further, share, NULL};
-    const int is_once = workshop->n_further_jobs == 0 || variant->alone != NULL || variant->is_race;
+    const int is_once = workshop->n_further_jobs == 0 || variant->alone != NULL || is_race;
     return start(workshop, variant, 0, is_once ? once : often, time);
 }
 

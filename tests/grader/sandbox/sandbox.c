@@ -19,7 +19,6 @@ static const char *const kind_names[] = {
     [SANDBOX_BUBBLEWRAP] = "bubblewrap",
     [SANDBOX_LANDLOCK] = "landlock",
     [SANDBOX_USER] = "user",
-    [SANDBOX_USER_UNFILTERED] = "user-unfiltered",
     [SANDBOX_NONE] = "none",
     [SANDBOX_ANY] = "any",
 };
@@ -42,7 +41,7 @@ int sandbox_kind_find(const char *name, SandboxKind *kind)
 
 int sandbox_is_open(SandboxKind kind)
 {
-    return kind == SANDBOX_USER || kind == SANDBOX_USER_UNFILTERED;
+    return kind == SANDBOX_USER;
 }
 
 int sandbox_has_own_user(SandboxKind kind)
@@ -50,22 +49,13 @@ int sandbox_has_own_user(SandboxKind kind)
     return kind == SANDBOX_LANDLOCK || sandbox_is_open(kind);
 }
 
-// Where the gaps are listed.
-#define SEE_GAPS "see the course's tests/README.md, \"The three sandboxes\"."
-
 const char *sandbox_kind_note(SandboxKind kind)
 {
-    switch (kind) {
-    case SANDBOX_USER:
-        return "A user of its own for each run, as neither bubblewrap nor Landlock was used: it "
-               "hid "
-               "no file that every user of this machine may read; " SEE_GAPS;
-    case SANDBOX_USER_UNFILTERED:
-        return "A user of its own for each run, without a filter of system calls: it hid no file "
-               "that every user of this machine may read, and no network; " SEE_GAPS;
-    default:
-        return NULL;
-    }
+    return sandbox_is_open(kind)
+               ? "A user of its own for each run, as neither bubblewrap nor Landlock was used: it "
+                 "hid no file that every user of this machine may read; see the course's "
+                 "tests/README.md, \"The three sandboxes\"."
+               : NULL;
 }
 
 struct SandboxRun {

@@ -22,13 +22,12 @@
 typedef enum SandboxKind {
     SANDBOX_BUBBLEWRAP,
     SANDBOX_LANDLOCK,
-    SANDBOX_USER,             // a user of its own and the filter of system calls, no more
-    SANDBOX_USER_UNFILTERED,  // where the kernel has no such filters, the same without one
-    SANDBOX_NONE,             // limits, but no walls: only when the instructor says so
-    SANDBOX_ANY,              // for sandbox_choose(): the first that works here
+    SANDBOX_USER,  // a user of its own and the filter of system calls, no more
+    SANDBOX_NONE,  // limits, but no walls: only when the instructor says so
+    SANDBOX_ANY,   // for sandbox_choose(): the first that works here
 } SandboxKind;
 
-// "bubblewrap", "landlock", "user", "user-unfiltered", "none" or "any".
+// "bubblewrap", "landlock", "user", "none" or "any".
 const char *sandbox_kind_name(SandboxKind kind);
 
 // Does the command become a user that only this run has?

@@ -22,12 +22,7 @@ static const char advice[] =
     "      --security-opt seccomp=unconfined --security-opt systempaths=unconfined\n";
 
 // What SANDBOX_ANY tries, the strongest first.
-static const SandboxKind choices[] = {
-    SANDBOX_BUBBLEWRAP,
-    SANDBOX_LANDLOCK,
-    SANDBOX_USER,
-    SANDBOX_USER_UNFILTERED,
-};
+static const SandboxKind choices[] = {SANDBOX_BUBBLEWRAP, SANDBOX_LANDLOCK, SANDBOX_USER};
 
 enum { N_CHOICES = sizeof choices / sizeof *choices };
 
@@ -39,8 +34,6 @@ static const char *kind_in_words(SandboxKind kind)
         return "Landlock";
     case SANDBOX_USER:
         return "a user of its own for each run";
-    case SANDBOX_USER_UNFILTERED:
-        return "a user of its own for each run, without a filter of system calls,";
     default:
         return sandbox_kind_name(kind);
     }
@@ -110,7 +103,7 @@ int sandbox_choose(SandboxKind wanted, SandboxKind *kind)
     char *whys[N_CHOICES] = {NULL};
     int n_whys = 0, is_found = 0;
     const SandboxKind *tried = wanted == SANDBOX_ANY ? choices : &wanted;
-    // To whom is not root the others all say the same.
+    // Without root, all others fail for the same reason: one of them is enough.
     const int n_tried = wanted != SANDBOX_ANY ? 1 : geteuid() != 0 ? 2 : N_CHOICES;
     while (!is_found && n_whys < n_tried) {
         *kind = tried[n_whys];

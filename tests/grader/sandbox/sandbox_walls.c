@@ -246,8 +246,7 @@ static int own_user_walls_enter(const Walls *walls, const char **step)
         return -1;
     }
     *step = "cannot use the filter of system calls";
-    return walls->command.kind == SANDBOX_USER_UNFILTERED ? 0
-                                                          : filter_enter(WALLS_FILTER_DESCRIPTOR);
+    return filter_enter(WALLS_FILTER_DESCRIPTOR);
 }
 
 // Put what bubblewrap's process 1 needs in its place: its program, and where to tell of the start.

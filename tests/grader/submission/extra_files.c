@@ -4,11 +4,11 @@
 // effect, and this line says so. Read next: stage.c.
 #include "extra_files.h"
 
+#include "clean_text.h"
 #include "contents.h"
 #include "file_names.h"
 #include "path.h"
 
-#include <ctype.h>
 #include <dirent.h>
 #include <fcntl.h>
 #include <stdlib.h>
@@ -90,14 +90,13 @@ static int names_gather(const Manifest *manifest, DIR *entries, int given_folder
     return n_names;
 }
 
-// A name in quotes, cut short; it may hold anything but a slash, so no newline of it makes a line.
+// A name in quotes, cut short. It may hold anything except for a slash: also a newline, which must
+// not begin a line here.
 static void name_write(FILE *notes, const char *name)
 {
-    fputc('"', notes);
-    for (int i = 0; i < MAX_NAME_BYTES && name[i] != '\0'; i++) {
-        fputc(iscntrl((unsigned char)name[i]) ? '?' : name[i], notes);
-    }
-    fputc('"', notes);
+    char *clean = line_clean(name);
+    fprintf(notes, "\"%.*s\"", MAX_NAME_BYTES, clean);
+    free(clean);
 }
 
 int extra_files_note(const Manifest *manifest, const char *submission, FILE *notes)

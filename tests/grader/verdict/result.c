@@ -3,6 +3,8 @@
 // Read next: report.h.
 #include "result.h"
 
+#include "message.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -22,6 +24,15 @@ void result_free(Result *result)
         free(picture->svg_own);
     }
     *result = (Result){0};
+}
+
+void result_add_stage(Result *result, const char *title, CheckStatus status, const char *message)
+{
+    if (result->n_stages == RESULT_MAX_STAGES) {
+        abort();  // each title is added once, and there is room for all
+    }
+    StageResult *stage = &result->stages[result->n_stages++];
+    *stage = (StageResult){title, status, message_new("%s", message)};
 }
 
 void check_tell(CheckResult *check, Diagnosis diagnosis)

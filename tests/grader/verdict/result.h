@@ -73,6 +73,9 @@ typedef struct Result {
 
 void result_free(Result *result);
 
+// Add a stage. The title is kept, the message copied.
+void result_add_stage(Result *result, const char *title, CheckStatus status, const char *message);
+
 // Say this of a check, in the place of what was said before. Takes the diagnosis over.
 void check_tell(CheckResult *check, Diagnosis diagnosis);
 

@@ -238,7 +238,8 @@ static int overlap_agrees(const void *pointer, int i, const void *answers, int m
 // Does a mistake fit all wrong answers?
 static int fits_all(const Job01 *job, Range range, const i32 *answers, Fits *fits)
 {
-    for (int i = range.first; i < range.first + range.n; i++) {
+    for (int k = 0; k < range.n; k++) {
+        const int i = range_at(range, k);
         if (!overlap_agrees(job, i, answers, 0) && !fits(job->overlaps[i], answers[i])) {
             return 0;
         }

@@ -9,11 +9,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Why the builder gave up. Of what a task's function did the checks of the others say no more than
-// that there is no tree.
+// Why the builder gave up. If a task's function is to blame, one of its checks tells the reason.
+// The other tasks' checks only say that there is no tree.
 typedef struct Refusal {
     const char *task;   // whose function did it; NULL when that is not known
-    const char *check;  // which says it
+    const char *check;  // which tells it
     const char *says;
 } Refusal;
 

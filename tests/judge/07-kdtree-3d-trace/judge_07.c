@@ -144,7 +144,7 @@ static Diagnosis judge_scene_work(const JobScene3D *scene, const Work *found)
 static const int work_scenes[] = {RANDOM + 2, RANDOM + 6, RANDOM + 7, RANDOM + N_RANDOM - 1,
                                   DEEP,       FLAKE,      STRANGERS};
 
-// Whatever is counted: the ray of which pixel has seen a sphere of a leaf that it need not visit?
+// No ray may find the stranger: only leaves list it that the ray need not visit.
 static Verdict judge_strangers(const JobScene3D *scene, const Sections *answers)
 {
     const HitAnswer *found = hits_find(scene, STRANGERS, answers);

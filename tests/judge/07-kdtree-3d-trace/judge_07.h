@@ -9,6 +9,7 @@
 #include "job_scene3d.h"
 #include "jobs.h"
 #include "judge.h"
+#include "oracle3d_rounding.h"
 
 // ---- Functions --------------------------------------------------------------------------------
 
@@ -67,12 +68,6 @@ extern const Function child_07, waiting_end_07, waiting_next_07;
 int one_child_alone_07(const void *job, const JudgeCheck *check, const Sections *answers);
 int both_children_alone_07(const void *job, const JudgeCheck *check, const Sections *answers);
 int children_alone_07(const void *job, const JudgeCheck *check, const Sections *answers);
-
-// How far t may be off that a right solution computes for a plane, in units of (|plane| + |origin|)
-// / |direction|: one rounding for the difference, five for the division (2.5 ulp, OpenCL 1.2, 7.4)
-// or the inverse, one for the product, and the same once more where both terms are multiplied
-// before they are subtracted.
-#define PLANE_ERROR (16 * 0x1p-24)
 
 // An answer that is wrong only so near to a border was compared with an epsilon; in units of t or
 // of a scene. Epsilons are smaller.

@@ -53,7 +53,7 @@ void inputs_07_draw_children(Random *random, Inputs07 *inputs)
 
 // ---- Judging ----------------------------------------------------------------------------------
 
-static void push(StackState *todo, StackEntry entry)
+static void push(StackState *todo, TodoEntry entry)
 {
     todo->upper[todo->n++ - todo->n_lower] = entry;
 }
@@ -138,8 +138,8 @@ static NextChildAnswer expected_child(const NextChildJob *job, Met met, int mist
                      : mistake == CHILD_BY_DIRECTION  ? job->inverse < 0
                      : mistake == CHILD_LOWER_IS_NEAR ? 0
                                                       : met.side;
-    StackEntry near = {first + side, job->t_min, job->t_max};
-    StackEntry far = {first + !side, job->t_min, job->t_max};
+    TodoEntry near = {first + side, job->t_min, job->t_max};
+    TodoEntry far = {first + !side, job->t_min, job->t_max};
     far.node = mistake == CHILD_XOR ? near.node ^ 1 : far.node;
     near.t_max = mistake == CHILD_ONLY_NEAR_CUT && met.children == PLANE_ONLY_NEAR
                      ? fminf(near.t_max, met.t_split)

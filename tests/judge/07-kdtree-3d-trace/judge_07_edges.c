@@ -60,16 +60,15 @@ static void set_clips(Inputs07 *inputs)
 
 // ---- near_side ----------------------------------------------------------------------------------
 
-// With the eye on the plane any direction counts that is not 0.
+// With the eye on the plane any inverse counts that is not 0.
 static void set_sides(Inputs07 *inputs)
 {
-    static const float directions[] = {SMALL,     -SMALL,    SMALLER,      -SMALLER,
-                                       SMALLEST,  -SMALLEST, 1 / SMALLEST, -1 / SMALLEST,
-                                       1 / SMALL, -1 / SMALL};
-    for (int i = 0; i < COUNT(directions); i++) {
+    static const float inverses[] = {SMALL,     -SMALL,       SMALLER,       -SMALLER,  SMALLEST,
+                                     -SMALLEST, 1 / SMALLEST, -1 / SMALLEST, 1 / SMALL, -1 / SMALL};
+    for (int i = 0; i < COUNT(inverses); i++) {
         const u32 axis = (u32)i % 3, first = 7;
         inputs->sides[2 * N_SIDE_INPUTS - 1 - i] =
-            (SideJob){{0.5f, axis, first, 0}, 0.5f, directions[i]};
+            (SideJob){{0.5f, axis, first, 0}, 0.5f, inverses[i]};
     }
 }
 
@@ -226,7 +225,7 @@ static void set_children(Inputs07 *inputs)
                         .todo = {.n_lower = TODO_SIZE - STACK_ENTRIES, .n = TODO_SIZE - 1}};
     for (u32 i = 0; i < STACK_ENTRIES; i++) {
         const int waits = i + 1 < STACK_ENTRIES;
-        job.todo.upper[i] = waits ? (StackEntry){10 + i, 8, 9} : (StackEntry){UNTOUCHED, 0, 0};
+        job.todo.upper[i] = waits ? (TodoEntry){10 + i, 8, 9} : (TodoEntry){UNTOUCHED, 0, 0};
     }
     inputs->children[2 * N_CHILD_INPUTS - 1] = job;
 }

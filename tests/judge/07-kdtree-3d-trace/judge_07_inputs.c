@@ -175,17 +175,17 @@ static SideJob draw_side(Random *random, int is_on_plane)
 {
     const float split_pos = random_number(random, -4, 4);
     SideJob job = {draw_node(random, split_pos), split_pos, 0};
-    // The direction, or 1 / direction; infinite where the ray is along the plane.
+    // 1 / direction: infinite if the ray is along the plane. 0 shall do no harm either.
     switch (random_integer(random, 0, 5)) {
     case 0:
-        job.direction = draw_sign(random);
-        job.direction *= one_in(random, 2) ? 0 : INFINITY;
+        job.inverse = draw_sign(random);
+        job.inverse *= one_in(random, 2) ? 0 : INFINITY;
         break;
     case 1:
-        job.direction = draw_signed(random, 2, 100);
+        job.inverse = draw_signed(random, 2, 100);
         break;
     default:
-        job.direction = draw_signed(random, 0.03125, 1);
+        job.inverse = draw_signed(random, 0.03125, 1);
     }
     if (!is_on_plane) {
         const float sign = draw_sign(random);

@@ -186,7 +186,7 @@ static LeafHit expected_hit(const Inputs07 *inputs, int i, const LeafMistake *mi
     for (u32 at = 0; at <= job->node.n_spheres; at++) {
         const Sphere sphere = inputs->leaf_spheres[ids[at]];
         const int is_guard = at == job->node.n_spheres;
-        // Who takes the first or the last takes it of those that are nearer than the hit so far.
+        // These two mistakes are about the spheres that are nearer than the hit so far.
         if ((rules.first_wins || rules.last_wins) && !is_guard &&
             oracle3d_root(sphere, &ray, ORACLE_PROJECTION, &right).t >= job->t) {
             continue;
@@ -198,7 +198,8 @@ static LeafHit expected_hit(const Inputs07 *inputs, int i, const LeafMistake *mi
     const OracleHit hit = oracle3d_nearest(spheres, n_spheres, &ray, &rules);
     LeafHit result = {job->sphere, job->t, 0, hit.is_ambiguous};
     const double gap = hit.sphere == ORACLE_NO_SPHERE ? INFINITY : hit.t - (double)job->t;
-    // Where the hit so far is as far as the leaf's, rounding decides, but where nothing is rounded.
+    // If the hit so far is as far away as the leaf's, rounding decides. Along an axis nothing is
+    // rounded.
     const int is_tie = gap == 0 && is_along_axis(job->direction);
     result.is_ambiguous |= fabs(gap) <= hit.t_tolerance && !is_tie;
     const int is_position = mistake != NULL && mistake->is_position;
@@ -229,7 +230,8 @@ static int agrees(const LeafHit *expected, SearchAnswer found)
 static Cause explain_by_distance(const Inputs07 *inputs, Range range, const SearchAnswer *found)
 {
     int n_close = 0, n_far = 0, n_hairs = 0, n_misses = 0, n_long = 0, n_wrong = 0;
-    for (int i = range.first; i < range.first + range.n; i++) {
+    for (int k = 0; k < range.n; k++) {
+        const int i = range_at(range, k);
         const LeafHit right_one = expected_hit(inputs, i, NULL);
         if (agrees(&right_one, found[i])) {
             continue;
@@ -268,8 +270,9 @@ static Cause explain(const void *job, Range range, const void *answers)
         return by_distance;
     }
     for (int m = 0; m < COUNT(mistakes); m++) {
-        int i = range.first, n_changed = 0;
-        for (; i < range.first + range.n; i++) {
+        int k = 0, n_changed = 0;
+        for (; k < range.n; k++) {
+            const int i = range_at(range, k);
             const LeafHit hit = expected_hit(inputs, i, &mistakes[m]);
             if (!expected_hit(inputs, i, NULL).is_ambiguous && !agrees(&hit, found[i])) {
                 break;
@@ -277,7 +280,7 @@ static Cause explain(const void *job, Range range, const void *answers)
             n_changed +=
                 found[i].t != inputs->leaves[i].t || found[i].sphere != inputs->leaves[i].sphere;
         }
-        if (i == range.first + range.n && n_changed > 0) {
+        if (k == range.n && n_changed > 0) {
             return mistakes[m].cause;
         }
     }

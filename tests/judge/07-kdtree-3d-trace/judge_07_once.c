@@ -32,7 +32,8 @@ static int lists(const Inputs07 *inputs, KdNode3 leaf, u32 sphere)
 static Cause explain_count(const Inputs07 *inputs, Range range, const SearchAnswer *found)
 {
     int n_counted = 0, n_less = 0, is_to_count = 1;
-    for (int i = range.first; i < range.first + range.n; i++) {
+    for (int k = 0; k < range.n; k++) {
+        const int i = range_at(range, k);
         n_counted += found[i].n_tests > 0;
         const KdNode3 leaf = inputs->leaves[i].node;
         n_less += found[i].n_tests < leaf.n_spheres;
@@ -55,15 +56,16 @@ static Cause explain_once(const void *job, Range range, const void *answers)
 {
     const Inputs07 *inputs = &((const Job07 *)job)->inputs;
     const Cause by_count = explain_count(inputs, range, answers);
-    int i = range.first;
-    for (; by_count.says == NULL && i < range.first + range.n; i++) {
+    int k = 0;
+    for (; by_count.says == NULL && k < range.n; k++) {
+        const int i = range_at(range, k);
         const SearchJob *leaf = &inputs->leaves[i];
         const u32 n_skipped = leaf->node.n_spheres - ((const SearchAnswer *)answers)[i].n_tests;
         if (n_skipped > (lists(inputs, leaf->node, leaf->sphere) ? 1 : 0)) {
             break;
         }
     }
-    const int is_all = i == range.first + range.n;
+    const int is_all = k == range.n;
     if (by_count.says != NULL) {
         return by_count;
     }

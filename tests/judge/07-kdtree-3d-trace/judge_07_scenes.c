@@ -192,47 +192,44 @@ static int draw_tip(Random *random, JobScene3D *scene)
     return job_scene3d_grow_tree(scene, (KdTreeLimits){2, 1});
 }
 
+static int draw_named(Random *random, JobScene3D *scene, const char *name, int width, int height,
+                      KdTreeLimits limits)
+{
+    return job_scene3d_named(scene, random, name, width, height) != 0
+               ? -1
+               : job_scene3d_grow_tree(scene, limits);
+}
+
+// Add the limits to its title, and what it shows.
+static int finish(JobScene3D *scene)
+{
+    JobPicture *picture = &scene->picture;
+    const size_t n_bytes = strlen(picture->title);
+    snprintf(picture->title + n_bytes, sizeof picture->title - n_bytes,
+             ", maxDepth %d, leaf size %d", scene->limits.maxDepth,
+             scene->limits.targetElementsPerNode);
+    return job_scene3d_expect(scene);
+}
+
 int scenes_07_draw(Random *random, JobScene3D scenes[N_SCENES])
 {
     int result = 0;
-    for (int i = 0; result == 0 && i < N_RANDOM; i++) {
-        result = draw_random(random, &plans[i], &scenes[RANDOM + i]);
+    for (int i = 0; i < N_RANDOM; i++) {
+        result |= draw_random(random, &plans[i], &scenes[RANDOM + i]);
     }
-    for (int i = 0; result == 0 && i < N_NAMED; i++) {
-        JobScene3D *scene = &scenes[EDGES + i];
-        result = job_scene3d_named(scene, random, edges[i].name, edges[i].width, edges[i].height);
-        if (result == 0) {
-            result = job_scene3d_grow_tree(scene, edges[i].limits);
-        }
+    for (int i = 0; i < N_NAMED; i++) {
+        result |= draw_named(random, &scenes[EDGES + i], edges[i].name, edges[i].width,
+                             edges[i].height, edges[i].limits);
     }
-    if (result == 0) {
-        result = draw_deep(random, &scenes[DEEP]);
-    }
-    if (result == 0) {
-        result = draw_touching(random, &scenes[TOUCHING]);
-    }
-    if (result == 0) {
-        result = draw_tie(random, &scenes[TIE]);
-    }
-    if (result == 0) {
-        result = draw_tip(random, &scenes[TIP]);
-    }
-    if (result == 0) {
-        result = job_scene3d_named(&scenes[FLAKE], random, "sphereflake:size=3", 96, 72);
-    }
-    if (result == 0) {
-        result = job_scene3d_grow_tree(&scenes[FLAKE], tree3d_limits(0, 0, 820));
-    }
-    if (result == 0) {
-        result = strangers_07_draw(random, &scenes[STRANGERS]);
-    }
+    result |= draw_deep(random, &scenes[DEEP]);
+    result |= draw_touching(random, &scenes[TOUCHING]);
+    result |= draw_tie(random, &scenes[TIE]);
+    result |= draw_tip(random, &scenes[TIP]);
+    result |=
+        draw_named(random, &scenes[FLAKE], "sphereflake:size=3", 96, 72, tree3d_limits(0, 0, 820));
+    result |= strangers_07_draw(random, &scenes[STRANGERS]);
     for (int k = 0; result == 0 && k < N_SCENES; k++) {
-        JobPicture *picture = &scenes[k].picture;
-        const size_t n_bytes = strlen(picture->title);
-        snprintf(picture->title + n_bytes, sizeof picture->title - n_bytes,
-                 ", maxDepth %d, leaf size %d", scenes[k].limits.maxDepth,
-                 scenes[k].limits.targetElementsPerNode);
-        result = job_scene3d_expect(&scenes[k]);
+        result = finish(&scenes[k]);
     }
     if (result == 0) {
         strangers_07_expect(&scenes[STRANGERS]);

@@ -44,7 +44,7 @@ static const Cause side_mistakes[] = {
 // Is the ray along the plane? Then the eye is on either side when it is on the plane.
 static int is_along(const SideJob *job)
 {
-    return job->direction == 0 || isinf(job->direction);
+    return job->inverse == 0 || isinf(job->inverse);
 }
 
 // May the answer be any where this is the mistake? It may treat -0 or an infinite number in its own
@@ -54,7 +54,7 @@ static int is_free_side(const SideJob *job, int mistake)
     const float distance = fabsf(job->origin - job->node.split_pos);
     const int is_by_direction =
         mistake == SIDE_BY_DIRECTION || mistake == SIDE_INTO || mistake == SIDE_AWAY;
-    const int is_small = fabsf(job->direction) < (float)HAIR || fabsf(job->direction) > 1000;
+    const int is_small = fabsf(job->inverse) < (float)HAIR || fabsf(job->inverse) > 1000;
     return (is_along(job) && (distance == 0 || is_by_direction || mistake == SIDE_ALONG)) ||
            (mistake == SIDE_HAIR_ON_PLANE && distance > 0 && distance < (float)HAIR) ||
            (mistake == SIDE_SMALL_IS_ALONG && distance == 0 && is_small);
@@ -65,16 +65,16 @@ static u32 expected_side(const SideJob *job, int mistake)
     const int is_whole = mistake == SIDE_WHOLE;
     const f32 plane = is_whole ? truncf(job->node.split_pos) : job->node.split_pos;
     const f32 origin = is_whole ? truncf(job->origin) : job->origin;
-    u32 side = origin < plane ? 0 : origin > plane ? 1 : job->direction > 0;
+    u32 side = origin < plane ? 0 : origin > plane ? 1 : job->inverse > 0;
     if (origin == plane) {
         side = mistake == SIDE_ON_PLANE_LOWER     ? 0
                : mistake == SIDE_ON_PLANE_UPPER   ? 1
                : mistake == SIDE_ON_PLANE_SWAPPED ? !side
                                                   : side;
     }
-    side = mistake == SIDE_BY_DIRECTION              ? job->direction < 0
-           : mistake == SIDE_INTO                    ? job->direction > 0
-           : mistake == SIDE_AWAY && origin != plane ? (origin > plane) == (job->direction > 0)
+    side = mistake == SIDE_BY_DIRECTION              ? job->inverse < 0
+           : mistake == SIDE_INTO                    ? job->inverse > 0
+           : mistake == SIDE_AWAY && origin != plane ? (origin > plane) == (job->inverse > 0)
                                                      : side;
     side = mistake == SIDE_SWAPPED ? !side : side;
     return mistake == SIDE_IS_ID ? job->node.first + side : side;
@@ -91,8 +91,8 @@ static int side_agrees(const void *pointer, int i, const void *answers, int mist
 static char *describe_side(const void *pointer, int i, const void *answers)
 {
     const SideJob *job = &((const Job07 *)pointer)->inputs.sides[i];
-    return message_new("plane at %.9g, eye at %.9g, direction %g: found %u, expected %u",
-                       job->node.split_pos, job->origin, job->direction, ((const u32 *)answers)[i],
+    return message_new("plane at %.9g, eye at %.9g, 1 / direction %g: found %u, expected %u",
+                       job->node.split_pos, job->origin, job->inverse, ((const u32 *)answers)[i],
                        expected_side(job, 0));
 }
 

@@ -83,10 +83,10 @@ static const Cause waiting_mistakes[] = {
                                    "is todo->entries[todo->n - 1]"},
 };
 
-static StackEntry pop(StackState *todo, int mistake)
+static TodoEntry pop(StackState *todo, int mistake)
 {
     const u32 last = todo->n - 1;
-    const StackEntry next = todo->upper[mistake == WAITING_OLDEST ? 0 : last];
+    const TodoEntry next = todo->upper[mistake == WAITING_OLDEST ? 0 : last];
     for (u32 i = 0; mistake == WAITING_OLDEST && i < last; i++) {
         todo->upper[i] = todo->upper[i + 1];
     }
@@ -127,7 +127,7 @@ static int end_agrees(const void *job, int i, const void *answers, int mistake)
     return is_hair || (((const NextWaitingAnswer *)answers)[i].goes_on != 0) == expected.goes_on;
 }
 
-static int is_waiting(const StackState *todo, StackEntry entry)
+static int is_waiting(const StackState *todo, TodoEntry entry)
 {
     u32 i = 0;
     while (i < todo->n && !same_entry(todo->upper[i], entry)) {

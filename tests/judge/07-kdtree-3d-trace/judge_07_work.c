@@ -2,7 +2,7 @@
 //
 // search3d_bounds() is why the counted work can be judged ray by ray. It knows where each number of
 // a right solution may lie: a direction's part anywhere within the ray's error (oracle3d.c, 1), and
-// t_split within PLANE_ERROR (judge_07.h) of what follows from it. Whatever may be visited
+// t_split within PLANE_ERROR (oracle3d_rounding.h) of what follows from it. Whatever may be visited
 // counts for the most; the search ends only where every right one must: in a leaf that no right one
 // skips, with a hit that is certain and certainly not beyond t_max. For the least counts what no
 // right one skips, up to the first leaf where one of them may end. A ray along a plane may go to

@@ -280,15 +280,16 @@ static Cause explain_start(const void *pointer, Range range, const void *answers
     const Job09 *job = pointer;
     int n_far = 0;
     for (int m = 1; m < COUNT(start_mistakes); m++) {
-        int i = range.first;
-        while (i < range.first + range.n && start_agrees(job, i, answers, m)) {
-            i++;
+        int k = 0;
+        while (k < range.n && start_agrees(job, range_at(range, k), answers, m)) {
+            k++;
         }
-        if (i == range.first + range.n) {
+        if (k == range.n) {
             return start_mistakes[m].cause;
         }
     }
-    for (int i = range.first; i < range.first + range.n; i++) {
+    for (int k = 0; k < range.n; k++) {
+        const int i = range_at(range, k);
         const StartJob *in = &job->starts[i];
         const Moved found = moved(in, ((const Vec3 *)answers)[i]);
         n_far += found.along > 2 * offset_of(in, &start_mistakes[0]) + found.rounding;

@@ -228,7 +228,7 @@ static void push(StackState *todo, u32 node, float t_min, float t_max)
 {
     const u32 at = todo->n++ - todo->n_lower;
     if (at < STACK_ENTRIES) {
-        todo->upper[at] = (StackEntry){node, t_min, t_max};
+        todo->upper[at] = (TodoEntry){node, t_min, t_max};
     }
 }
 
@@ -290,7 +290,7 @@ static NextChildAnswer expected_child(const TileChildJob *job, int mistake)
     const u32 far = mistake == CHILD_SIBLING_BY_BIT ? (first + side) ^ 1 : first + !side;
     NextChildAnswer answer = {.todo = job->todo};
     if (met != BOTH_CHILDREN) {
-        answer.next = (StackEntry){met == NEAR_ONLY ? first + side : far, t_min, t_max};
+        answer.next = (TodoEntry){met == NEAR_ONLY ? first + side : far, t_min, t_max};
         if (met == FAR_ONLY && mistake == CHILD_FAR_ALONE_WIDENED) {
             answer.next.t_min = job->split_low;
         }
@@ -301,22 +301,22 @@ static NextChildAnswer expected_child(const TileChildJob *job, int mistake)
     }
     const int both_whole = mistake == CHILD_BOTH_WHOLE || mistake == CHILD_BOTH_ALWAYS_WHOLE;
     const int both_uncut = mistake == CHILD_BOTH_ALWAYS_UNCUT;
-    StackEntry near_child = {first + side, t_min,
-                             both_whole || mistake == CHILD_NEAR_KEEPS_T_MAX ? t_max
-                             : both_uncut || mistake == CHILD_NEAR_WIDENED   ? end
-                             : mistake == CHILD_BOTH_WIDENED                 ? fmaxf(t_max, end)
-                                                                             : fminf(t_max, end)};
-    StackEntry far_child = {far,
-                            both_whole || mistake == CHILD_FAR_KEEPS_T_MIN ? t_min
-                            : both_uncut || mistake == CHILD_FAR_WIDENED   ? begin
-                            : mistake == CHILD_BOTH_WIDENED                ? fminf(t_min, begin)
-                                                                           : fmaxf(t_min, begin),
-                            mistake == CHILD_FAR_ENDS      ? end
-                            : mistake == CHILD_FAR_CUT_TOO ? near_child.t_max
-                                                           : t_max};
+    TodoEntry near_child = {first + side, t_min,
+                            both_whole || mistake == CHILD_NEAR_KEEPS_T_MAX ? t_max
+                            : both_uncut || mistake == CHILD_NEAR_WIDENED   ? end
+                            : mistake == CHILD_BOTH_WIDENED                 ? fmaxf(t_max, end)
+                                                                            : fminf(t_max, end)};
+    TodoEntry far_child = {far,
+                           both_whole || mistake == CHILD_FAR_KEEPS_T_MIN ? t_min
+                           : both_uncut || mistake == CHILD_FAR_WIDENED   ? begin
+                           : mistake == CHILD_BOTH_WIDENED                ? fminf(t_min, begin)
+                                                                          : fmaxf(t_min, begin),
+                           mistake == CHILD_FAR_ENDS      ? end
+                           : mistake == CHILD_FAR_CUT_TOO ? near_child.t_max
+                                                          : t_max};
     if (mistake == CHILD_PARTS_SWAPPED) {
-        near_child = (StackEntry){first + side, far_child.t_min, far_child.t_max};
-        far_child = (StackEntry){far, t_min, fminf(t_max, end)};
+        near_child = (TodoEntry){first + side, far_child.t_min, far_child.t_max};
+        far_child = (TodoEntry){far, t_min, fminf(t_max, end)};
     }
     if (mistake == CHILD_BOTH_WAIT) {
         push(&answer.todo, far_child.node, far_child.t_min, far_child.t_max);
@@ -325,7 +325,7 @@ static NextChildAnswer expected_child(const TileChildJob *job, int mistake)
     const int is_swapped = mistake == CHILD_NEAR_WAITS;
     answer.next = is_swapped ? far_child : near_child;
     if (mistake != CHILD_FAR_DROPPED) {
-        const StackEntry waits = is_swapped ? near_child : far_child;
+        const TodoEntry waits = is_swapped ? near_child : far_child;
         push(&answer.todo, waits.node, waits.t_min, waits.t_max);
     }
     return answer;

@@ -324,7 +324,7 @@ static Ends expected_ends(const TilePlaneJob *job, int mistake)
 }
 
 // One rounding for the difference, five for the division (2.5 ulp, OpenCL 1.2, 7.4), or an inverse
-// and a product in its place: PLANE_ERROR of lab 07.
+// and a product in its place: PLANE_ERROR of oracle3d_rounding.h.
 static int is_near(float found, double expected, const TilePlaneJob *job, int mistake)
 {
     if (mistake == PLANE_NEVER_IS_LARGE && isinf(expected)) {

@@ -22,7 +22,7 @@ static TileWaitingJob draw_waiting(Random *random)
     const u32 n = is_empty ? 0 : (u32)random_integer(random, 1, STACK_ENTRIES);
     job.todo = random_stack(random, 0, n);
     for (u32 i = 0; i < n; i++) {  // a part may be a point
-        StackEntry *waits = &job.todo.upper[i];
+        TodoEntry *waits = &job.todo.upper[i];
         waits->t_max = one_in(random, 4) ? waits->t_min : waits->t_max;
     }
     job.farthest = random_quarters(random, 30, 90);
@@ -35,10 +35,10 @@ static TileWaitingJob draw_waiting(Random *random)
         // Before all that waits, and now and then before the leaf, too.
         job.farthest = random_quarters(random, 1, one_in(random, 2) ? 3 : 30);
     } else if (n > 0 && kind == 3) {  // the least before where one begins
-        const StackEntry waits = job.todo.upper[random_integer(random, 0, (int)n - 1)];
+        const TodoEntry waits = job.todo.upper[random_integer(random, 0, (int)n - 1)];
         job.farthest = nextafterf(waits.t_min, 0);
     } else if (n > 0 && kind == 4) {  // the least behind that
-        const StackEntry waits = job.todo.upper[random_integer(random, 0, (int)n - 1)];
+        const TodoEntry waits = job.todo.upper[random_integer(random, 0, (int)n - 1)];
         job.farthest = nextafterf(waits.t_min, INFINITY);
     }
     if (isfinite(job.farthest) && one_in(random, 4)) {
@@ -156,7 +156,7 @@ static const Cause waiting_mistakes[] = {
 // More than the least before a begin, less than a quarter.
 #define LEAST_STEP 0x1p-10f
 
-static int matters(const TileWaitingJob *job, StackEntry entry, int mistake)
+static int matters(const TileWaitingJob *job, TodoEntry entry, int mistake)
 {
     const float from = mistake == WAITING_BY_T_MAX  ? entry.t_max
                        : mistake == WAITING_BY_LEAF ? job->at.t_min
@@ -177,9 +177,9 @@ static int matters(const TileWaitingJob *job, StackEntry entry, int mistake)
 }
 
 // Entry i of the stack, from the bottom.
-static StackEntry entry_at(const TileWaitingJob *job, u32 i)
+static TodoEntry entry_at(const TileWaitingJob *job, u32 i)
 {
-    return i < job->todo.n ? job->todo.upper[i] : (StackEntry){WAITS_NODE, WAITS_FROM, WAITS_TO};
+    return i < job->todo.n ? job->todo.upper[i] : (TodoEntry){WAITS_NODE, WAITS_FROM, WAITS_TO};
 }
 
 // After how many nodes a mistake ends the search; a stack never holds more than TODO_SIZE.
@@ -205,7 +205,7 @@ static NextWaitingAnswer expected_waiting(const TileWaitingJob *job, int mistake
     }
     const int is_oldest = mistake == WAITING_OLDEST;
     const u32 left = mistake == WAITING_ONE_LEFT ? 1 : 0;
-    StackEntry next = job->at;
+    TodoEntry next = job->at;
     const int leaf_ends = mistake == WAITING_LEAF_ENDS || mistake == WAITING_OF_LAB_07;
     const int ends_at_same =
         mistake == WAITING_LEAF_ENDS_AT_SAME || mistake == WAITING_OF_LAB_07_AT_SAME;
@@ -246,7 +246,7 @@ static int end_agrees(const void *job, int i, const void *answers, int mistake)
 
 // Is a node handed on with its part? What of this lies behind the farthest hit cannot matter any
 // more, so a right answer may cut it off.
-static int is_handed_on(const TileWaitingJob *job, StackEntry found, StackEntry expected)
+static int is_handed_on(const TileWaitingJob *job, TodoEntry found, TodoEntry expected)
 {
     return found.node == expected.node && found.t_min == expected.t_min &&
            found.t_max >= fminf(expected.t_max, job->farthest) && found.t_max <= expected.t_max;
@@ -278,7 +278,7 @@ static Words stack_words(const TileWaitingJob *job)
                     (double)WAITS_TO);
     }
     for (u32 i = job->todo.n; i > 0; i--) {
-        const StackEntry entry = job->todo.upper[i - 1];
+        const TodoEntry entry = job->todo.upper[i - 1];
         all = words("%s [%g, %g]", all.text, entry.t_min, entry.t_max);
     }
     return all;

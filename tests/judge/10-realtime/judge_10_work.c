@@ -6,13 +6,9 @@
 // farthest of all rays' hits, of those that are certain, in leaves that no right search leaves out.
 #include "judge_10.h"
 
-#include "oracle3d.h"
+#include "oracle3d_rounding.h"
 
 #include <math.h>
-
-// As lab 07's judge has it: the difference, the division, and again where both parts are
-// multiplied.
-#define PLANE_ERROR (16 * 0x1p-24)
 
 // How much wider than its rays a tile's cone may be: CONE_ERROR of lab 10's tile_rays.cl, for sine
 // and cosine, and once more for what rounds there.

@@ -12,8 +12,7 @@
 
 #include <string.h>
 
-#define POW_ERROR (32 * ROUNDING)  // of pow(), a share: 16 ulp (OpenCL 1.2, 7.4)
-#define SUM_ERROR (8 * ROUNDING)   // of a light's share: five products and a sum, of 1 u each
+#define SUM_ERROR (8 * ROUNDING)  // of a light's share: five products and a sum, of 1 u each
 
 // ---- Normals ----------------------------------------------------------------------------------
 

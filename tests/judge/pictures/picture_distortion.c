@@ -1,4 +1,5 @@
 // Trying out distortions of the reference (see picture_looks.h).
+#include "oracle3d_rounding.h"
 #include "picture_looks.h"
 
 #include <math.h>
@@ -167,9 +168,8 @@ static const struct {
      srgb_decoded},
 };
 
-// A device's pow() may be off by 16 units in the last place (OpenCL 1.2, 7.4), of values up to 8
-// where several bright lights meet; twice that is allowed.
-#define POW_ERROR (32 * 8 * 0x1p-23)
+// Of values up to 8, where several bright lights meet; twice that is allowed.
+#define CURVE_ERROR (2 * 8 * POW_ERROR)
 
 // Bend a channel; how far a right value within `tolerance` may come to lie from it is added to
 // `error`.
@@ -177,7 +177,7 @@ static float channel_bend(Curve *curve, float value, float tolerance, float *err
 {
     const double bent = curve(fmax(value, 0)), low = curve(fmax(value - tolerance, 0)),
                  high = curve(fmax(value + tolerance, 0));
-    *error = fmaxf(*error, (float)(fmax(high - bent, bent - low) + POW_ERROR));
+    *error = fmaxf(*error, (float)(fmax(high - bent, bent - low) + CURVE_ERROR));
     return (float)bent;
 }
 

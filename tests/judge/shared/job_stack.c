@@ -13,9 +13,9 @@ StackState random_stack(Random *random, u32 n_lower, u32 n_upper)
 {
     StackState todo = {.n_lower = n_lower, .n = n_lower + n_upper};
     for (u32 i = 0; i < STACK_ENTRIES; i++) {
-        StackEntry *entry = &todo.upper[i];
+        TodoEntry *entry = &todo.upper[i];
         const float t_min = random_quarters(random, 40, 80);
-        *entry = (StackEntry){UNTOUCHED, 0, 0};
+        *entry = (TodoEntry){UNTOUCHED, 0, 0};
         if (i < n_upper) {
             entry->node = (u32)random_integer(random, 2000, 3000);
             entry->t_min = t_min;
@@ -38,14 +38,14 @@ StackState random_stack_with_room(Random *random)
 void stack_begin_at(StackState *todo, float t)
 {
     for (u32 i = todo->n - todo->n_lower; i > 0; i--) {
-        StackEntry *entry = &todo->upper[i - 1];
+        TodoEntry *entry = &todo->upper[i - 1];
         entry->t_max += t - entry->t_min;
         entry->t_min = t;
         t = entry->t_max;
     }
 }
 
-int same_entry(StackEntry a, StackEntry b)
+int same_entry(TodoEntry a, TodoEntry b)
 {
     return a.node == b.node && a.t_min == b.t_min && a.t_max == b.t_max;
 }
@@ -70,7 +70,7 @@ static Words put_words(const StackState *before, const StackState *todo)
         return words("nothing put on the stack");
     }
     if (todo->n == before->n + 1 && n_upper <= STACK_ENTRIES) {
-        const StackEntry top = todo->upper[n_upper - 1];
+        const TodoEntry top = todo->upper[n_upper - 1];
         return words("node %u with [%.9g, %.9g] put on the stack", top.node, top.t_min, top.t_max);
     }
     return words("%u nodes put on the stack", todo->n - before->n);

@@ -21,7 +21,7 @@ StackState random_stack_with_room(Random *random);
 // each other one where the part above it ends.
 void stack_begin_at(StackState *todo, float t);
 
-int same_entry(StackEntry a, StackEntry b);
+int same_entry(TodoEntry a, TodoEntry b);
 
 // Do the same nodes wait, as far as they are known? What lies above the top does not matter.
 int same_stack(const StackState *a, const StackState *b);

@@ -32,7 +32,7 @@ kernel void probe_clips(global const ClipJob *jobs, global ClipAnswer *answers)
 kernel void probe_sides(global const SideJob *jobs, global uint *answers)
 {
     const size_t i = get_global_id(0);
-    answers[i] = near_side(jobs[i].node, jobs[i].origin, jobs[i].direction);
+    answers[i] = near_side(jobs[i].node, jobs[i].origin, jobs[i].inverse);
 }
 
 kernel void probe_planes(global const PlaneJob *jobs, global PlaneAnswer *answers)
@@ -69,9 +69,7 @@ kernel void probe_next_child(global const NextChildJob *jobs, global NextChildAn
     const NextChildJob job = jobs[i];
     Todo todo;
     fill_stack(job.todo, &todo);
-    const TodoEntry next =
-        next_child(job.node, job.origin, job.inverse, job.t_min, job.t_max, &todo);
-    answers[i].next = (StackEntry){next.node, next.t_min, next.t_max};
+    answers[i].next = next_child(job.node, job.origin, job.inverse, job.t_min, job.t_max, &todo);
     answers[i].todo = look_at_stack(job.todo.n_lower, &todo);
 }
 
@@ -80,11 +78,11 @@ kernel void probe_next_waiting(global const NextWaitingJob *jobs, global NextWai
     const size_t i = get_global_id(0);
     const NextWaitingJob job = jobs[i];
     const Hit hit = {job.t, job.sphere};
-    TodoEntry at = {job.at.node, job.at.t_min, job.at.t_max};
+    TodoEntry at = job.at;
     Todo todo;
     fill_stack(job.todo, &todo);
     answers[i].goes_on = next_waiting(hit, &todo, &at);
-    answers[i].at = (StackEntry){at.node, at.t_min, at.t_max};
+    answers[i].at = at;
     answers[i].todo = look_at_stack(job.todo.n_lower, &todo);
 }
 

@@ -23,11 +23,9 @@ kernel void probe_tile_children(global const TileChildJob *jobs, global NextChil
     const size_t i = get_global_id(0);
     const TileChildJob job = jobs[i];
     const Interval t_split = {job.split_low, job.split_high};
-    const TodoEntry at = {job.at.node, job.at.t_min, job.at.t_max};
     Todo todo;
     fill_stack(job.todo, &todo);
-    const TodoEntry next = next_tile_child(job.node, job.eye, t_split, at, &todo);
-    answers[i].next = (StackEntry){next.node, next.t_min, next.t_max};
+    answers[i].next = next_tile_child(job.node, job.eye, t_split, job.at, &todo);
     answers[i].todo = look_at_stack(job.todo.n_lower, &todo);
 }
 
@@ -35,14 +33,14 @@ kernel void probe_tile_waiting(global const TileWaitingJob *jobs, global NextWai
 {
     const size_t i = get_global_id(0);
     const TileWaitingJob job = jobs[i];
-    TodoEntry at = {job.at.node, job.at.t_min, job.at.t_max};
+    TodoEntry at = job.at;
     Todo todo;
     fill_stack(job.todo, &todo);
     for (uint k = 0; k < job.n_behind; k++) {
         todo_push(&todo, WAITS_NODE, WAITS_FROM, WAITS_TO);
     }
     answers[i].goes_on = next_tile_waiting(job.farthest, &todo, &at);
-    answers[i].at = (StackEntry){at.node, at.t_min, at.t_max};
+    answers[i].at = at;
     answers[i].todo = look_at_stack(job.todo.n_lower, &todo);
 }
 
