@@ -195,9 +195,9 @@ ONLY(longest, in->node.n_spheres == N_LONG_LEAF,
      "they are nor 16 bits where they stand")
 ONLY(hair, found.sphere != hit.sphere && found.t != (float)hit.t && fabs(found.t - hit.t) < HAIR,
      "of two hits a hair apart the nearer one is the nearer: compare without an epsilon")
-ONLY(close, hit.t < HAIR,
+ONLY(near_eye, hit.t < HAIR,
      "only hits very close to the eye are wrong: they count, too, without an epsilon")
-ONLY(far, hit.t > 1e6 && hit.t < INFINITY,
+ONLY(far_away, hit.t > 1e6 && hit.t < INFINITY,
      "only hits that are very far away are wrong: they count, too; the distance of what misses is "
      "INFINITY")
 
@@ -254,12 +254,11 @@ ANSWERS(from_start, looped(inputs, i, (Loop){.from_start = 1}), FIRST_IDS)
 ANSWERS(from_start_low, looped(inputs, i, (Loop){.from_start = 1, .lower_wins = 1}), FIRST_IDS)
 
 static const Known *const known[] = {
-    &miss_taken,   &longest,         &hair,           &close,      &far,
-    &unchanged,    &position,        &sphere_kept,    &t_kept,     &hit_forgotten,
-    &last_missing, &first_missing,   &one_more,       &later_wins, &hit_stays,
-    &first_wins,   &last_wins,       &farthest_wins,  &farther,    &farther_low,
-    &farther_hit,  &farther_hit_low, &farther_or_any, &asked,      &asked_low,
-    &asked_kept,   &asked_kept_low,  &kept_low,       &from_start, &from_start_low};
+    &miss_taken, &longest,     &hair,           &near_eye,        &far_away,       &unchanged,
+    &position,   &sphere_kept, &t_kept,         &hit_forgotten,   &last_missing,   &first_missing,
+    &one_more,   &later_wins,  &hit_stays,      &first_wins,      &last_wins,      &farthest_wins,
+    &farther,    &farther_low, &farther_hit,    &farther_hit_low, &farther_or_any, &asked,
+    &asked_low,  &asked_kept,  &asked_kept_low, &kept_low,        &from_start,     &from_start_low};
 
 // ---- Answers ------------------------------------------------------------------------------------
 

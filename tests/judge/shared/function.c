@@ -69,9 +69,6 @@ static int is_constant(const Function *function, Range range, const char *answer
 // nothing is concluded, but where the table knows such a mistake.
 static Cause explain(const Function *function, const void *job, Range range, const void *answers)
 {
-    if (function->explain != NULL) {
-        return function->explain(job, range, answers);
-    }
     const int is_told = function->knows_constant || !is_constant(function, range, answers);
     for (int k = 0; is_told && k < function->n_known; k++) {
         if (is_known(function, function->known[k], job, range, answers)) {

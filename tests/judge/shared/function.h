@@ -54,13 +54,10 @@ typedef struct Function {
     // Of answers that are all the same nothing is concluded, but where some mistake of the table
     // makes them so.
     int knows_constant;
-    // In the place of these mistakes: what wrong answers look like.
-    Cause (*explain)(const void *job, Range range, const void *answers);
 } Function;
 #define MISTAKES(table)                                                                            \
     .mistakes = (table), .mistake_bytes = sizeof *(table), .n_mistakes = COUNT(table)
 #define COMPARED(how, words, table) .agrees = (how), .describe = (words), MISTAKES(table)
-#define EXPLAINED(how, words, cause) .agrees = (how), .describe = (words), .explain = (cause)
 #define KNOWING(right, words, list)                                                                \
     .is_right = (right), .describe = (words), .known = (list), .n_known = COUNT(list)
 

@@ -4,6 +4,7 @@
 //
 //   ANSWERS(far_side, !near_side(in), "that is the far side: near and far are swapped")
 //       what an answer with the mistake is for the input `in`: every answer of a range must be it;
+//       EACH(name, expression, ...) is the same where it takes more to tell whether `found` is it;
 //   ONLY(no_radius, !found && in.radius == 0, "a circle of radius 0 covers its centre")
 //       could the wrong answer `found` be of the mistake? Every wrong one of a range must.
 //
@@ -32,7 +33,8 @@ typedef struct Known {
         (void)in;                                                                                  \
         return expression;                                                                         \
     }
-#define ANSWERS(name, expression, ...) KNOWN(name, IS_FOUND(expression), 0, __VA_ARGS__)
+#define ANSWERS(name, expression, ...) EACH(name, IS_FOUND(expression), __VA_ARGS__)
+#define EACH(name, expression, ...) KNOWN(name, expression, 0, __VA_ARGS__)
 #define ONLY(name, expression, ...) KNOWN(name, expression, 1, __VA_ARGS__)
 #define KNOWN(name, expression, form, ...)                                                         \
     static int name##_fits(const void *job, int i, const void *answers)                            \
