@@ -9,7 +9,7 @@
 #include "job_scene3d.h"
 #include "jobs.h"
 #include "judge.h"
-#include "oracle3d_rounding.h"
+#include "span.h"
 
 // ---- Functions --------------------------------------------------------------------------------
 
@@ -72,16 +72,6 @@ int children_alone_07(const void *job, const JudgeCheck *check, const Sections *
 // An answer that is wrong only so near to a border was compared with an epsilon; in units of t or
 // of a scene. Epsilons are smaller.
 #define HAIR 0.01
-
-// Where a number of a right solution may lie.
-typedef struct Span {
-    double low, high;
-} Span;
-
-static inline int is_within(double t, Span span)
-{
-    return t >= span.low && t <= span.high;
-}
 
 // ---- Scenes -----------------------------------------------------------------------------------
 

@@ -77,29 +77,15 @@ typedef struct Clip {
     Span t_min, t_max;
 } Clip;
 
-static double along(Vec3 v, int axis)
+static Span clip_plane(const ClipJob *job, u32 axis, double plane)
 {
-    return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-}
-
-static Span clip_plane(const ClipJob *job, int axis, double plane)
-{
-    const double origin = along(job->origin, axis), direction = along(job->direction, axis);
+    const double origin = vector_component(vector_of(job->origin), axis),
+                 direction = vector_component(vector_of(job->direction), axis);
     const double t = (plane - origin) / direction;
     const int is_exact = fabs(direction) == 1;
     const double error =
         is_exact ? 0 : PLANE_ERROR * (fabs(plane) + fabs(origin)) / fabs(direction);
     return (Span){t - error, t + error};
-}
-
-static Span later(Span a, Span b)
-{
-    return (Span){fmax(a.low, b.low), fmax(a.high, b.high)};
-}
-
-static Span earlier(Span a, Span b)
-{
-    return (Span){fmin(a.low, b.low), fmin(a.high, b.high)};
 }
 
 // Is the ray taken for one along the planes of an axis?
@@ -120,10 +106,10 @@ static Clip expected_clip(const ClipJob *job, int mistake)
     const double beside = mistake == CLIP_HAIR_MET ? HAIR : 0;
     Span entry = {-INFINITY, -INFINITY}, exit = {INFINITY, INFINITY};
     int n_axes = 0, is_outside = 0, is_decided = 0;
-    for (int axis = 0; axis < 3; axis++) {
+    for (u32 axis = 0; axis < 3; axis++) {
         const double min = job->box.min[axis], max = job->box.max[axis];
-        if (is_along(along(job->direction, axis), mistake)) {
-            const double origin = along(job->origin, axis);
+        if (is_along(vector_component(vector_of(job->direction), axis), mistake)) {
+            const double origin = vector_component(vector_of(job->origin), axis);
             const int is_border = origin == min || origin == max;
             is_outside |= mistake == CLIP_ALONG_MISSED || origin < min - beside ||
                           origin > max + beside || (mistake == CLIP_BORDER_OUTSIDE && is_border);
@@ -134,17 +120,18 @@ static Clip expected_clip(const ClipJob *job, int mistake)
             continue;
         }
         const Span low = clip_plane(job, axis, min), high = clip_plane(job, axis, max);
-        const Span in = mistake == CLIP_LOW_IS_ENTRY ? low : earlier(low, high);
-        const Span out = mistake == CLIP_LOW_IS_ENTRY ? high : later(low, high);
+        const Span in = mistake == CLIP_LOW_IS_ENTRY ? low : span_min(low, high);
+        const Span out = mistake == CLIP_LOW_IS_ENTRY ? high : span_max(low, high);
         is_outside |= mistake == CLIP_ENTRY_BEHIND && in.high < 0;
         if (n_axes++ == 0) {
             entry = in;
             exit = out;
         }
-        entry = mistake == CLIP_FIRST_ENTRY ? earlier(entry, in) : later(entry, in);
-        exit = mistake == CLIP_LAST_EXIT ? later(exit, out) : earlier(exit, out);
+        entry = mistake == CLIP_FIRST_ENTRY ? span_min(entry, in) : span_max(entry, in);
+        exit = mistake == CLIP_LAST_EXIT ? span_max(exit, out) : span_min(exit, out);
     }
-    Clip clip = {.t_min = later(entry, (Span){from, from}), .t_max = earlier(exit, (Span){to, to})};
+    Clip clip = {.t_min = span_max(entry, (Span){from, from}),
+                 .t_max = span_min(exit, (Span){to, to})};
     const int point_counts = mistake != CLIP_POINT_MISSED;
     clip.may_meet = point_counts ? clip.t_min.low <= clip.t_max.high + beside
                                  : clip.t_min.low < clip.t_max.high;
@@ -173,9 +160,9 @@ static Clip expected_clip(const ClipJob *job, int mistake)
 // Is the ray in the plane of a side?
 static int is_in_side(const ClipJob *job)
 {
-    for (int axis = 0; axis < 3; axis++) {
-        const float origin = (float)along(job->origin, axis);
-        if (along(job->direction, axis) == 0 &&
+    for (u32 axis = 0; axis < 3; axis++) {
+        const float origin = (float)vector_component(vector_of(job->origin), axis);
+        if (vector_component(vector_of(job->direction), axis) == 0 &&
             (origin == job->box.min[axis] || origin == job->box.max[axis])) {
             return 1;
         }

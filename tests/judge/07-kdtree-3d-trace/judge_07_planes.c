@@ -6,91 +6,7 @@
 
 #include <math.h>
 
-enum {
-    PLANE_T_UNSET = 1,
-    PLANE_T_OTHER,
-    PLANE_SWAPPED,
-    PLANE_BEHIND_CROSSED,
-    PLANE_BEHIND_MET,
-    PLANE_AT_EYE_MET,
-    PLANE_BEYOND_BOTH,
-    PLANE_CROSSED_BOTH,
-    PLANE_CROSSED_NEAR,
-    PLANE_INSIDE_NEAR,
-    PLANE_INSIDE_FAR,
-    PLANE_AT_T_MIN,
-    PLANE_AT_T_MAX,
-    PLANE_ALONG_BOTH,
-    PLANE_ALONG_FAR,
-    // The answer is right, or other in one place: along the plane, or near a border, of an epsilon
-    // whose size is not known.
-    PLANE_INFINITE_BOTH,
-    PLANE_ALONG_MET,
-    PLANE_SMALL_IS_ALONG,
-    PLANE_HAIR_AHEAD,
-    PLANE_HAIR_BEHIND,
-    PLANE_HAIR_T_MIN,
-    PLANE_HAIR_T_MAX,
-    PLANE_HAIR_WIDER,
-    // Of t_split itself.
-    PLANE_BACKWARDS,
-    PLANE_DIVIDED,
-    PLANE_FROM_ZERO,
-    PLANE_CLAMPED,
-};
-static const Cause plane_mistakes[] = {
-    [PLANE_T_UNSET] =
-        {.says =
-             "the choices are right, but *t_split is not set: what stood there before is found"},
-    [PLANE_T_OTHER] =
-        {.says = "the choices are right, but t_split is not: is it by the README's formula?"},
-    [PLANE_SWAPPED] = {.says = "ONLY_NEAR and ONLY_FAR are swapped"},
-    [PLANE_BEHIND_CROSSED] = {.says = "that is as if a plane behind the eye had been crossed "
-                                      "before the node: t_split <= 0 is ONLY_NEAR"},
-    [PLANE_BEHIND_MET] = {.says = "a plane behind the eye is not met: t_split <= 0 is ONLY_NEAR"},
-    [PLANE_AT_EYE_MET] =
-        {.says = "with the eye on the plane t_split is 0: that is ONLY_NEAR, as behind the eye"},
-    [PLANE_BEYOND_BOTH] =
-        {.says = "that is as if t_max did not count: beyond it only the near child is met"},
-    [PLANE_CROSSED_BOTH] = {.says = "a plane crossed before t_min leaves only the far child"},
-    [PLANE_CROSSED_NEAR] =
-        {.says = "a plane crossed before t_min leaves the far child, not the near one"},
-    [PLANE_INSIDE_NEAR] =
-        {"that is as if the far child were never met: a plane between t_min and t_max is BOTH",
-         MISTAKE_FAR_CHILD},
-    [PLANE_INSIDE_FAR] =
-        {.says =
-             "that is as if only the far child were met: a plane between t_min and t_max is BOTH"},
-    [PLANE_AT_T_MIN] = {.says = "a plane exactly at t_min is met: equal to t_min is BOTH"},
-    [PLANE_AT_T_MAX] = {.says = "a plane exactly at t_max is met: equal to t_max is BOTH"},
-    [PLANE_ALONG_BOTH] = {.says = "a ray along the plane never meets it, and comparisons with NaN "
-                                  "are never true: that is ONLY_NEAR"},
-    [PLANE_ALONG_FAR] = {.says = "a ray along the plane never meets it, and comparisons with NaN "
-                                 "are never true: that is ONLY_NEAR"},
-    [PLANE_INFINITE_BOTH] = {.says = "BOTH with an infinite t_split: a ray along the plane never "
-                                     "meets it, that is ONLY_NEAR"},
-    [PLANE_ALONG_MET] = {.says = "only rays along the plane are wrong: they never meet it, that is "
-                                 "ONLY_NEAR, whether t_split is infinite or not a number"},
-    [PLANE_SMALL_IS_ALONG] = {.says =
-                                  "that is as if a small direction were 0: a ray is along the "
-                                  "plane only where 1 / direction is infinite, without an epsilon"},
-    [PLANE_HAIR_AHEAD] =
-        {.says =
-             "a plane a hair ahead of the eye is ahead of it: compare with 0 without an epsilon"},
-    [PLANE_HAIR_BEHIND] =
-        {.says = "a plane a hair behind the eye is behind it: compare with 0 without an epsilon"},
-    [PLANE_HAIR_T_MIN] =
-        {.says = "only planes a hair before or behind t_min are wrong: compare without an epsilon"},
-    [PLANE_HAIR_T_MAX] =
-        {.says = "only planes a hair before or behind t_max are wrong: compare without an epsilon"},
-    [PLANE_HAIR_WIDER] = {.says = "planes a hair outside of the part are taken for met: compare "
-                                  "with t_min and t_max without an epsilon"},
-    [PLANE_BACKWARDS] = {.says = "t_split has the wrong sign"},
-    [PLANE_DIVIDED] = {.says = "t_split is divided by the inverse: it is 1 / direction already"},
-    [PLANE_FROM_ZERO] = {.says = "t_split is computed without the origin"},
-    [PLANE_CLAMPED] = {.says = "t_split was moved into [t_min, t_max] before it was compared: then "
-                               "every plane ahead is met"},
-};
+// ---- Right --------------------------------------------------------------------------------------
 
 // What may come out: a bit for each of ONLY_NEAR, ONLY_FAR and BOTH, and where t_split lies.
 typedef struct Children {
@@ -102,110 +18,202 @@ enum { NEAR_BIT = 1 << PLANE_ONLY_NEAR, FAR_BIT = 1 << PLANE_ONLY_FAR, BOTH_BIT 
 
 // Is t_split the same for every right solution? So it is with the eye on the plane, and where float
 // rounds neither the difference nor, the inverse being a power of two, a product.
-static int is_exact_plane(const PlaneJob *job)
+static int is_exact_plane(const PlaneJob *in)
 {
     int exponent;
-    const double difference = (double)job->node.split_pos - (double)job->origin;
-    const int is_power = fabsf(frexpf(job->inverse, &exponent)) == 0.5f;
+    const double difference = (double)in->node.split_pos - (double)in->origin;
+    const int is_power = fabsf(frexpf(in->inverse, &exponent)) == 0.5f;
     return difference == 0 || (is_power && difference == (double)(float)difference);
 }
 
-// Where rounding decides more than one is right.
-static Children expected_children(const PlaneJob *job, int mistake)
+static double t_from(const PlaneJob *in, double origin)
 {
-    const double plane = job->node.split_pos, inverse = job->inverse, t_min = job->t_min,
-                 t_max = job->t_max, origin = mistake == PLANE_FROM_ZERO ? 0 : (double)job->origin;
-    double t = mistake == PLANE_DIVIDED ? (plane - origin) / inverse : (plane - origin) * inverse;
-    t = mistake == PLANE_BACKWARDS ? -t : t;
-    if (isinf(inverse)) {
-        const u32 only = mistake == PLANE_ALONG_BOTH  ? BOTH_BIT
-                         : mistake == PLANE_ALONG_FAR ? FAR_BIT
-                                                      : NEAR_BIT;
-        // NaN is where the mistakes show; an infinite t_split compares as it should, but where one
-        // behind the eye counts: minus infinity is less than t_min.
-        const int is_crossed = mistake == PLANE_BEHIND_CROSSED && t < 0;
-        return (Children){isnan(t) ? only : is_crossed ? FAR_BIT : NEAR_BIT, {-INFINITY, INFINITY}};
-    }
-    const double error =
-        is_exact_plane(job) ? 0 : PLANE_ERROR * (fabs(plane) + fabs(origin)) * fabs(inverse);
-    const Span split = {t - error, t + error};
-    if (split.high <= 0 && mistake == PLANE_BEHIND_MET) {
-        return (Children){BOTH_BIT, split};
-    }
-    if (t == 0 && mistake == PLANE_AT_EYE_MET) {
-        return (Children){t < t_min ? FAR_BIT : BOTH_BIT, split};
-    }
-    if (split.low == split.high &&
-        ((mistake == PLANE_AT_T_MIN && t == t_min) || (mistake == PLANE_AT_T_MAX && t == t_max))) {
-        return (Children){t == t_min ? FAR_BIT : NEAR_BIT, split};
-    }
-    if (mistake == PLANE_CLAMPED && split.low > 0) {
-        return (Children){
-            BOTH_BIT, {fmin(fmax(split.low, t_min), t_max), fmin(fmax(split.high, t_min), t_max)}};
-    }
-    const int behind_counts = mistake == PLANE_BEHIND_CROSSED;
-    u32 may_be = 0;
-    if ((split.low <= 0 && !behind_counts) || split.high > t_max) {
-        may_be |= mistake == PLANE_BEYOND_BOTH && split.low > 0 ? BOTH_BIT : NEAR_BIT;
-    }
-    if ((split.high > 0 || behind_counts) && split.low < t_min) {
-        may_be |= mistake == PLANE_CROSSED_BOTH   ? BOTH_BIT
-                  : mistake == PLANE_CROSSED_NEAR ? NEAR_BIT
-                                                  : FAR_BIT;
-    }
-    if ((split.high > 0 || behind_counts) && split.high >= t_min && split.low <= t_max) {
-        may_be |= mistake == PLANE_INSIDE_NEAR  ? NEAR_BIT
-                  : mistake == PLANE_INSIDE_FAR ? FAR_BIT
-                                                : BOTH_BIT;
-    }
-    if (mistake == PLANE_SWAPPED) {
-        may_be = (may_be & BOTH_BIT) | (may_be & NEAR_BIT ? FAR_BIT : 0) |
-                 (may_be & FAR_BIT ? NEAR_BIT : 0);
-    }
-    return (Children){may_be, split};
+    return ((double)in->node.split_pos - origin) * (double)in->inverse;
 }
 
-// May a choice come of a mistake that shows in one place only?
-static int is_local_mistake(const PlaneJob *job, u32 children, int mistake)
+static double t_of(const PlaneJob *in)
 {
-    const double t = ((double)job->node.split_pos - (double)job->origin) * (double)job->inverse;
-    const int is_near = children == PLANE_ONLY_NEAR, is_far = children == PLANE_ONLY_FAR;
-    switch (mistake) {
-    case PLANE_INFINITE_BOTH:
-        return isinf(job->inverse) && (children == PLANE_BOTH || isnan(t));
-    case PLANE_ALONG_MET:
-        return isinf(job->inverse);
-    case PLANE_SMALL_IS_ALONG:
-        return fabsf(job->inverse) * HAIR > 1 && is_near;
-    case PLANE_HAIR_AHEAD:
-        return t > 0 && t < HAIR && is_near;
-    case PLANE_HAIR_BEHIND:
-        return t <= 0 && t > -HAIR && !is_near;
-    case PLANE_HAIR_T_MIN:
-        return fabs(t - job->t_min) < HAIR && !is_near;
-    case PLANE_HAIR_T_MAX:
-        return fabs(t - job->t_max) < HAIR && !is_far;
-    case PLANE_HAIR_WIDER:
-        return (fabs(t - job->t_min) < HAIR || fabs(t - job->t_max) < HAIR) &&
-               children == PLANE_BOTH;
-    default:
-        return 0;
-    }
+    return t_from(in, in->origin);
 }
 
-static int plane_agrees(const void *job, int i, const void *answers, int mistake)
+// Where a right solution's t_split may be, or one that computes it in another way.
+static Span span_about(const PlaneJob *in, double t)
 {
-    const PlaneJob *plane = &((const Job07 *)job)->inputs.planes[i];
-    const PlaneAnswer found = ((const PlaneAnswer *)answers)[i];
-    const Children right = expected_children(plane, mistake);
-    if (found.children >= PLANE_UNKNOWN || !(right.may_be >> found.children & 1)) {
-        return found.children < PLANE_UNKNOWN && is_local_mistake(plane, found.children, mistake);
-    }
-    // Of a mistake only the choice is looked at, but where t_split itself is the mistake.
-    const int is_of_t = mistake == 0 || mistake == PLANE_T_UNSET || mistake >= PLANE_BACKWARDS;
-    return !is_of_t || found.children != PLANE_BOTH || is_within(found.t_split, right.t_split) ||
-           (mistake == PLANE_T_UNSET && found.t_split == UNWRITTEN);
+    const double size = fabs((double)in->node.split_pos) + fabs((double)in->origin);
+    const double error = is_exact_plane(in) ? 0 : PLANE_ERROR * size * fabs((double)in->inverse);
+    return (Span){t - error, t + error};
 }
+
+// What is chosen where the plane is before the part, inside of it and beyond it.
+static u32 by_part(const PlaneJob *in, Span split, u32 before, u32 inside, u32 beyond)
+{
+    return (split.low < in->t_min ? before : 0) |
+           (split.high >= in->t_min && split.low <= in->t_max ? inside : 0) |
+           (split.high > in->t_max ? beyond : 0);
+}
+
+// The same where a plane behind the eye counts by itself. A ray along the plane never meets it.
+static Children chosen(const PlaneJob *in, Span split, u32 behind, u32 before, u32 inside,
+                       u32 beyond)
+{
+    if (isinf(in->inverse)) {
+        return (Children){NEAR_BIT, {-INFINITY, INFINITY}};
+    }
+    return (Children){(split.low <= 0 ? behind : 0) |
+                          (split.high > 0 ? by_part(in, split, before, inside, beyond) : 0),
+                      split};
+}
+
+static Children children_at(const PlaneJob *in, Span split)
+{
+    return chosen(in, split, NEAR_BIT, FAR_BIT, BOTH_BIT, NEAR_BIT);
+}
+
+static Children children(const PlaneJob *in)
+{
+    return children_at(in, span_about(in, t_of(in)));
+}
+
+static int is_choice(PlaneAnswer found, Children expected)
+{
+    return found.children < PLANE_UNKNOWN && (expected.may_be >> found.children & 1);
+}
+
+static int is_same(PlaneAnswer found, Children expected)
+{
+    return is_choice(found, expected) &&
+           (found.children != PLANE_BOTH || is_within(found.t_split, expected.t_split));
+}
+
+// Of a mistake only the choice is looked at, but where t_split itself is the mistake.
+#define GIVEN                                                                                      \
+    const PlaneJob *in = &((const Job07 *)job)->inputs.planes[i];                                  \
+    const PlaneAnswer found = ((const PlaneAnswer *)answers)[i]
+#define IS_FOUND(expected) is_choice(found, expected)
+
+RIGHT(is_right, is_same(found, children(in)))
+
+// ---- Mistakes -----------------------------------------------------------------------------------
+
+// The choice is this one where `is_there`, and right elsewhere.
+static Children children_but(const PlaneJob *in, int is_there, u32 choice)
+{
+    Children result = children(in);
+    result.may_be = is_there ? choice : result.may_be;
+    return result;
+}
+
+static Children chosen_by(const PlaneJob *in, u32 behind, u32 before, u32 inside, u32 beyond)
+{
+    return chosen(in, span_about(in, t_of(in)), behind, before, inside, beyond);
+}
+
+// A plane behind the eye is compared as any other.
+static Children without_eye(const PlaneJob *in)
+{
+    return isinf(in->inverse)
+               ? children_but(in, t_of(in) < 0, FAR_BIT)
+               : children_but(in, 1,
+                              by_part(in, span_about(in, t_of(in)), FAR_BIT, BOTH_BIT, NEAR_BIT));
+}
+
+EACH(unset,
+     is_same(found, children(in)) ||
+         (IS_FOUND(children(in)) && found.children == PLANE_BOTH && found.t_split == UNWRITTEN),
+     "the choices are right, but *t_split is not set: what stood there before is found")
+ANSWERS(swapped, chosen_by(in, FAR_BIT, NEAR_BIT, BOTH_BIT, FAR_BIT),
+        "ONLY_NEAR and ONLY_FAR are swapped")
+ANSWERS(behind_crossed, without_eye(in),
+        "that is as if a plane behind the eye had been crossed before the node: t_split <= 0 is "
+        "ONLY_NEAR")
+ANSWERS(behind_met, chosen_by(in, BOTH_BIT, FAR_BIT, BOTH_BIT, NEAR_BIT),
+        "a plane behind the eye is not met: t_split <= 0 is ONLY_NEAR")
+ANSWERS(at_eye_met, children_but(in, t_of(in) == 0, in->t_min > 0 ? FAR_BIT : BOTH_BIT),
+        "with the eye on the plane t_split is 0: that is ONLY_NEAR, as behind the eye")
+ANSWERS(beyond_both, chosen_by(in, NEAR_BIT, FAR_BIT, BOTH_BIT, BOTH_BIT),
+        "that is as if t_max did not count: beyond it only the near child is met")
+ANSWERS(crossed_both, chosen_by(in, NEAR_BIT, BOTH_BIT, BOTH_BIT, NEAR_BIT),
+        "a plane crossed before t_min leaves only the far child")
+ANSWERS(crossed_near, chosen_by(in, NEAR_BIT, NEAR_BIT, BOTH_BIT, NEAR_BIT),
+        "a plane crossed before t_min leaves the far child, not the near one")
+ANSWERS(inside_near, chosen_by(in, NEAR_BIT, FAR_BIT, NEAR_BIT, NEAR_BIT),
+        "that is as if the far child were never met: a plane between t_min and t_max is BOTH",
+        MISTAKE_FAR_CHILD)
+ANSWERS(inside_far, chosen_by(in, NEAR_BIT, FAR_BIT, FAR_BIT, NEAR_BIT),
+        "that is as if only the far child were met: a plane between t_min and t_max is BOTH")
+ANSWERS(at_t_min, children_but(in, is_exact_plane(in) && t_of(in) == in->t_min, FAR_BIT),
+        "a plane exactly at t_min is met: equal to t_min is BOTH")
+ANSWERS(at_t_max, children_but(in, is_exact_plane(in) && t_of(in) == in->t_max, NEAR_BIT),
+        "a plane exactly at t_max is met: equal to t_max is BOTH")
+
+// NaN is where these show: an infinite t_split compares as it should.
+#define NEVER_MET                                                                                  \
+    "a ray along the plane never meets it, and comparisons with NaN are never true: that is "      \
+    "ONLY_NEAR"
+ANSWERS(along_both, children_but(in, isnan(t_of(in)), BOTH_BIT), NEVER_MET)
+ANSWERS(along_far, children_but(in, isnan(t_of(in)), FAR_BIT), NEVER_MET)
+
+// In one place only: along the plane, or near a border, of an epsilon whose size is not known.
+ONLY(infinite_both, isinf(in->inverse) && (found.children == PLANE_BOTH || isnan(t_of(in))),
+     "BOTH with an infinite t_split: a ray along the plane never meets it, that is ONLY_NEAR")
+ONLY(along_met, isinf(in->inverse),
+     "only rays along the plane are wrong: they never meet it, that is ONLY_NEAR, whether t_split "
+     "is infinite or not a number")
+ONLY(small_is_along, fabsf(in->inverse) * HAIR > 1 && found.children == PLANE_ONLY_NEAR,
+     "that is as if a small direction were 0: a ray is along the plane only where 1 / direction is "
+     "infinite, without an epsilon")
+ONLY(hair_ahead, t_of(in) > 0 && t_of(in) < HAIR && found.children == PLANE_ONLY_NEAR,
+     "a plane a hair ahead of the eye is ahead of it: compare with 0 without an epsilon")
+ONLY(hair_behind, t_of(in) <= 0 && t_of(in) > -HAIR && found.children != PLANE_ONLY_NEAR,
+     "a plane a hair behind the eye is behind it: compare with 0 without an epsilon")
+ONLY(hair_t_min, fabs(t_of(in) - in->t_min) < HAIR && found.children != PLANE_ONLY_NEAR,
+     "only planes a hair before or behind t_min are wrong: compare without an epsilon")
+ONLY(hair_t_max, fabs(t_of(in) - in->t_max) < HAIR && found.children != PLANE_ONLY_FAR,
+     "only planes a hair before or behind t_max are wrong: compare without an epsilon")
+ONLY(hair_wider,
+     (fabs(t_of(in) - in->t_min) < HAIR || fabs(t_of(in) - in->t_max) < HAIR) &&
+         found.children == PLANE_BOTH,
+     "planes a hair outside of the part are taken for met: compare with t_min and t_max without an "
+     "epsilon")
+
+// Of t_split itself.
+static Span clamped(const PlaneJob *in, Span split)
+{
+    return (Span){fmin(fmax(split.low, in->t_min), in->t_max),
+                  fmin(fmax(split.high, in->t_min), in->t_max)};
+}
+
+static Children clamped_first(const PlaneJob *in)
+{
+    const Children right = children(in);
+    return !isinf(in->inverse) && right.t_split.low > 0
+               ? (Children){BOTH_BIT, clamped(in, right.t_split)}
+               : right;
+}
+
+static int is_met_at(const PlaneJob *in, PlaneAnswer found, double t)
+{
+    return is_same(found, children_at(in, span_about(in, t)));
+}
+
+EACH(backwards, is_met_at(in, found, -t_of(in)), "t_split has the wrong sign")
+EACH(divided, is_met_at(in, found, t_of(in) / pow(in->inverse, 2)),
+     "t_split is divided by the inverse: it is 1 / direction already")
+EACH(from_zero, is_met_at(in, found, t_from(in, 0)), "t_split is computed without the origin")
+EACH(moved, is_same(found, clamped_first(in)),
+     "t_split was moved into [t_min, t_max] before it was compared: then every plane ahead is met")
+
+ANSWERS(t_other, children(in),
+        "the choices are right, but t_split is not: is it by the README's formula?")
+
+static const Known *const known[] = {
+    &unset,       &t_other,      &swapped,      &behind_crossed, &behind_met, &at_eye_met,
+    &beyond_both, &crossed_both, &crossed_near, &inside_near,    &inside_far, &at_t_min,
+    &at_t_max,    &along_both,   &along_far,    &infinite_both,  &along_met,  &small_is_along,
+    &hair_ahead,  &hair_behind,  &hair_t_min,   &hair_t_max,     &hair_wider, &backwards,
+    &divided,     &from_zero,    &moved};
+
+// ---- Answers ------------------------------------------------------------------------------------
 
 // "BOTH with t_split 1.5"; for the others t_split is not used.
 static Words children_words(u32 children, double t_split)
@@ -217,20 +225,19 @@ static Words children_words(u32 children, double t_split)
                                   : words("%s", name);
 }
 
-static char *describe_plane(const void *pointer, int i, const void *answers)
+static char *describe(const void *job, int i, const void *answers)
 {
-    const PlaneJob *job = &((const Job07 *)pointer)->inputs.planes[i];
-    const PlaneAnswer own = ((const PlaneAnswer *)answers)[i];
-    const Children right = expected_children(job, 0);
+    GIVEN;
+    const Children right = children(in);
     const u32 expected = right.may_be & BOTH_BIT  ? PLANE_BOTH
                          : right.may_be & FAR_BIT ? PLANE_ONLY_FAR
                                                   : PLANE_ONLY_NEAR;
     return message_new("plane at %.9g, eye at %.9g, 1 / direction %.9g, part [%.9g, %.9g]: found "
                        "%s, expected %s",
-                       job->node.split_pos, job->origin, job->inverse, job->t_min, job->t_max,
-                       children_words(own.children, own.t_split).text,
+                       in->node.split_pos, in->origin, in->inverse, in->t_min, in->t_max,
+                       children_words(found.children, found.t_split).text,
                        children_words(expected, (right.t_split.low + right.t_split.high) / 2).text);
 }
 
 const Function plane_07 = {"planes", 3 * N_PLANE_INPUTS, sizeof(PlaneAnswer),
-                           COMPARED(plane_agrees, describe_plane, plane_mistakes)};
+                           KNOWING(is_right, describe, known)};

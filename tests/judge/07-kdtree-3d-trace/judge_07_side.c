@@ -4,97 +4,107 @@
 
 #include <math.h>
 
-enum {
-    SIDE_SWAPPED = 1,
-    SIDE_BY_DIRECTION,
-    SIDE_INTO,
-    SIDE_ON_PLANE_LOWER,
-    SIDE_ON_PLANE_UPPER,
-    SIDE_ON_PLANE_SWAPPED,
-    SIDE_IS_ID,
-    SIDE_AWAY,
-    SIDE_WHOLE,
-    // The answer is right, or other near a border: of an epsilon, whose size is not known.
-    SIDE_ALONG,
-    SIDE_HAIR_ON_PLANE,
-    SIDE_SMALL_IS_ALONG,
-};
-static const Cause side_mistakes[] = {
-    [SIDE_SWAPPED] = {.says = "that is the far side: near and far are swapped"},
-    [SIDE_BY_DIRECTION] = {.says = "that is as if the direction decided, wherever the eye is"},
-    [SIDE_INTO] = {.says = "that is as if the ray's way decided, wherever the eye is"},
-    [SIDE_ON_PLANE_LOWER] =
-        {.says = "an eye on the plane was sent to the lower child, wherever the ray goes"},
-    [SIDE_ON_PLANE_UPPER] =
-        {.says = "an eye on the plane was sent to the upper child, wherever the ray goes"},
-    [SIDE_ON_PLANE_SWAPPED] = {.says = "with the eye on the plane the near child is the one the "
-                                       "ray goes into, not the one it comes from"},
-    [SIDE_IS_ID] = {.says = "that is the id of a child; 0 and 1 are the sides"},
-    [SIDE_AWAY] = {.says = "that is as if it counted whether the ray goes away from the plane: the "
-                           "eye's side is its side, whichever way it looks"},
-    [SIDE_WHOLE] = {.says = "eye and plane were compared as whole numbers"},
-    [SIDE_ALONG] = {.says = "only rays along the plane are wrong: of them, too, the near child is "
-                            "the one on the eye's side"},
-    [SIDE_HAIR_ON_PLANE] =
-        {.says = "an eye a hair beside the plane is not on it: compare without an epsilon"},
-    [SIDE_SMALL_IS_ALONG] =
-        {.says = "only the sign of the direction counts, however small or large it is"},
-};
+// On the plane and along it the eye is on either side. A mistake may treat -0 or an infinite number
+// in its own way there.
+enum { LOWER, UPPER, EITHER };
 
-// Is the ray along the plane? Then the eye is on either side when it is on the plane.
-static int is_along(const SideJob *job)
+#define GIVEN                                                                                      \
+    const SideJob *in = &((const Job07 *)job)->inputs.sides[i];                                    \
+    const u32 found = ((const u32 *)answers)[i]
+#define IS_FOUND(expected) (found == (expected) || (expected) == EITHER)
+
+// ---- Right --------------------------------------------------------------------------------------
+
+static int is_along(const SideJob *in)
 {
-    return job->inverse == 0 || isinf(job->inverse);
+    return in->direction == 0 || isinf(in->direction);
 }
 
-// May the answer be any where this is the mistake? It may treat -0 or an infinite number in its own
-// way.
-static int is_free_side(const SideJob *job, int mistake)
+static u32 side_of(const SideJob *in, float eye, float plane)
 {
-    const float distance = fabsf(job->origin - job->node.split_pos);
-    const int is_by_direction =
-        mistake == SIDE_BY_DIRECTION || mistake == SIDE_INTO || mistake == SIDE_AWAY;
-    const int is_small = fabsf(job->inverse) < (float)HAIR || fabsf(job->inverse) > 1000;
-    return (is_along(job) && (distance == 0 || is_by_direction || mistake == SIDE_ALONG)) ||
-           (mistake == SIDE_HAIR_ON_PLANE && distance > 0 && distance < (float)HAIR) ||
-           (mistake == SIDE_SMALL_IS_ALONG && distance == 0 && is_small);
+    return eye < plane ? LOWER : eye > plane ? UPPER : is_along(in) ? EITHER : in->direction > 0;
 }
 
-static u32 expected_side(const SideJob *job, int mistake)
+static u32 near_side(const SideJob *in)
 {
-    const int is_whole = mistake == SIDE_WHOLE;
-    const f32 plane = is_whole ? truncf(job->node.split_pos) : job->node.split_pos;
-    const f32 origin = is_whole ? truncf(job->origin) : job->origin;
-    u32 side = origin < plane ? 0 : origin > plane ? 1 : job->inverse > 0;
-    if (origin == plane) {
-        side = mistake == SIDE_ON_PLANE_LOWER     ? 0
-               : mistake == SIDE_ON_PLANE_UPPER   ? 1
-               : mistake == SIDE_ON_PLANE_SWAPPED ? !side
-                                                  : side;
-    }
-    side = mistake == SIDE_BY_DIRECTION              ? job->inverse < 0
-           : mistake == SIDE_INTO                    ? job->inverse > 0
-           : mistake == SIDE_AWAY && origin != plane ? (origin > plane) == (job->inverse > 0)
-                                                     : side;
-    side = mistake == SIDE_SWAPPED ? !side : side;
-    return mistake == SIDE_IS_ID ? job->node.first + side : side;
+    return side_of(in, in->origin, in->node.split_pos);
 }
 
-static int side_agrees(const void *pointer, int i, const void *answers, int mistake)
+RIGHT(is_right, found <= UPPER && IS_FOUND(near_side(in)))
+
+// ---- Mistakes -----------------------------------------------------------------------------------
+
+static u32 other_side(u32 side)
 {
-    const SideJob *job = &((const Job07 *)pointer)->inputs.sides[i];
-    const u32 found = ((const u32 *)answers)[i];
-    return found == expected_side(job, mistake) ||
-           (is_free_side(job, mistake) && (mistake != 0 || found <= 1));
+    return side == EITHER ? EITHER : !side;
 }
 
-static char *describe_side(const void *pointer, int i, const void *answers)
+// Right, but where the eye is on the plane.
+static u32 on_plane(const SideJob *in, u32 side)
 {
-    const SideJob *job = &((const Job07 *)pointer)->inputs.sides[i];
-    return message_new("plane at %.9g, eye at %.9g, 1 / direction %g: found %u, expected %u",
-                       job->node.split_pos, job->origin, job->inverse, ((const u32 *)answers)[i],
-                       expected_side(job, 0));
+    return in->origin == in->node.split_pos && !is_along(in) ? side : near_side(in);
+}
+
+static u32 by_direction(const SideJob *in, int is_upper)
+{
+    return is_along(in) ? EITHER : is_upper;
+}
+
+static u32 away_from_plane(const SideJob *in)
+{
+    return in->origin == in->node.split_pos
+               ? near_side(in)
+               : by_direction(in, (in->origin > in->node.split_pos) == (in->direction > 0));
+}
+
+ANSWERS(far_side, other_side(near_side(in)), "that is the far side: near and far are swapped")
+ANSWERS(coming_from, by_direction(in, in->direction < 0),
+        "that is as if the direction decided, wherever the eye is")
+ANSWERS(going_to, by_direction(in, in->direction > 0),
+        "that is as if the ray's way decided, wherever the eye is")
+ANSWERS(plane_is_lower, on_plane(in, LOWER),
+        "an eye on the plane was sent to the lower child, wherever the ray goes")
+ANSWERS(plane_is_upper, on_plane(in, UPPER),
+        "an eye on the plane was sent to the upper child, wherever the ray goes")
+ANSWERS(plane_is_other, on_plane(in, other_side(near_side(in))),
+        "with the eye on the plane the near child is the one the ray goes into, not the one it "
+        "comes from")
+ANSWERS(child_id, near_side(in) == EITHER ? EITHER : in->node.first + near_side(in),
+        "that is the id of a child; 0 and 1 are the sides")
+ANSWERS(away, away_from_plane(in),
+        "that is as if it counted whether the ray goes away from the plane: the eye's side is its "
+        "side, whichever way it looks")
+ANSWERS(whole, side_of(in, truncf(in->origin), truncf(in->node.split_pos)),
+        "eye and plane were compared as whole numbers")
+
+// An epsilon, whose size is not known.
+static float from_plane(const SideJob *in)
+{
+    return fabsf(in->origin - in->node.split_pos);
+}
+
+ONLY(along, is_along(in),
+     "only rays along the plane are wrong: of them, too, the near child is the one on the eye's "
+     "side")
+ONLY(hair, from_plane(in) > 0 && from_plane(in) < (float)HAIR,
+     "an eye a hair beside the plane is not on it: compare without an epsilon")
+ONLY(small,
+     from_plane(in) == 0 && (fabsf(in->direction) < (float)HAIR || fabsf(in->direction) > 1000),
+     "only the sign of the direction counts, however small or large it is")
+
+static const Known *const known[] = {&far_side,       &coming_from,    &going_to, &plane_is_lower,
+                                     &plane_is_upper, &plane_is_other, &child_id, &away,
+                                     &whole,          &along,          &hair,     &small};
+
+// ---- Answers ------------------------------------------------------------------------------------
+
+static char *describe(const void *job, int i, const void *answers)
+{
+    GIVEN;
+    return message_new("plane at %.9g, eye at %.9g, direction %g: found %u, expected %u",
+                       in->node.split_pos, in->origin, in->direction, found,
+                       near_side(in) == EITHER ? LOWER : near_side(in));
 }
 
 const Function side_07 = {"sides", 2 * N_SIDE_INPUTS, sizeof(u32),
-                          COMPARED(side_agrees, describe_side, side_mistakes)};
+                          KNOWING(is_right, describe, known)};

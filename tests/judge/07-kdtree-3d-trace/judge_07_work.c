@@ -13,26 +13,12 @@
 
 #include <math.h>
 
-static double along(OracleVector v, u32 axis)
-{
-    return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-}
-
-static Span span_min(Span a, Span b)
-{
-    return (Span){fmin(a.low, b.low), fmin(a.high, b.high)};
-}
-
-static Span span_max(Span a, Span b)
-{
-    return (Span){fmax(a.low, b.low), fmax(a.high, b.high)};
-}
-
 // Where a right solution may find that the ray meets a plane. A ray that may be along the plane
 // sets *is_along: it may meet it anywhere from there on, or behind the eye as well, or nowhere.
 static Span plane_span(const OracleRay *ray, u32 axis, double plane, int *is_along)
 {
-    const double origin = along(ray->origin, axis), direction = along(ray->direction, axis);
+    const double origin = vector_component(ray->origin, axis),
+                 direction = vector_component(ray->direction, axis);
     const double distance = plane - origin, error = ray->direction_error;
     const double rounding = PLANE_ERROR * (fabs(plane) + fabs(origin));
     *is_along = fabs(direction) <= error;
@@ -56,7 +42,7 @@ typedef struct Part {
 static void clip_span(BBox3D box, const OracleRay *ray, Part *part)
 {
     for (u32 axis = 0; axis < 3; axis++) {
-        const double origin = along(ray->origin, axis);
+        const double origin = vector_component(ray->origin, axis);
         int is_along;
         const Span low = plane_span(ray, axis, box.min[axis], &is_along);
         const Span high = plane_span(ray, axis, box.max[axis], &is_along);
@@ -118,8 +104,8 @@ static int visit(Visits *visits, u32 id, Part part, int is_certain, u32 n_waitin
     if (node.split_axis == KD_LEAF) {
         return visit_leaf(visits, node, part, is_certain);
     }
-    const double origin = along(visits->ray->origin, node.split_axis);
-    const double direction = along(visits->ray->direction, node.split_axis);
+    const double origin = vector_component(visits->ray->origin, node.split_axis);
+    const double direction = vector_component(visits->ray->direction, node.split_axis);
     int is_along;
     const Span split = plane_span(visits->ray, node.split_axis, node.split_pos, &is_along);
     Work *least = &visits->work.least, *most = &visits->work.most;

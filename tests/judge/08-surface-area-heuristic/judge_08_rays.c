@@ -18,11 +18,6 @@ typedef struct Search {
     SearchWork *work;
 } Search;
 
-static double along(OracleVector v, u32 axis)
-{
-    return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-}
-
 static void ask_leaf(Search *search, KdNode3 leaf)
 {
     static const OracleRules3D right = {0};
@@ -46,8 +41,8 @@ static void visit(Search *search, u32 id, double t_min, double t_max)
         return;
     }
     search->work->n_nodes++;
-    const double origin = along(search->ray.origin, node.split_axis);
-    const double direction = along(search->ray.direction, node.split_axis);
+    const double origin = vector_component(search->ray.origin, node.split_axis);
+    const double direction = vector_component(search->ray.direction, node.split_axis);
     const double t_split = (node.split_pos - origin) / direction;
     const u32 side = origin == node.split_pos ? direction > 0 : origin > node.split_pos;
     // A ray along the plane stays on its side: t_split is infinite or no number.
@@ -64,7 +59,8 @@ static void visit(Search *search, u32 id, double t_min, double t_max)
 static int clip(BBox3D box, const OracleRay *ray, double *t_min, double *t_max)
 {
     for (u32 axis = 0; axis < 3; axis++) {
-        const double origin = along(ray->origin, axis), direction = along(ray->direction, axis);
+        const double origin = vector_component(ray->origin, axis),
+                     direction = vector_component(ray->direction, axis);
         const double a = (box.min[axis] - origin) / direction;
         const double b = (box.max[axis] - origin) / direction;
         if (direction != 0) {

@@ -34,132 +34,22 @@ void starts_09_draw(Random *random, Job09 *job)
     }
 }
 
-// ---- Judging ------------------------------------------------------------------------------------
+// ---- Right --------------------------------------------------------------------------------------
 
 static double largest_of(Vec3 v)
 {
     return fmax(fmax(fabs(v.x), fabs(v.y)), fabs(v.z));
 }
 
-// What is taken for the largest of a point's coordinates.
-typedef double PointSize(Vec3 p);
-
-static double sum_of_sizes(Vec3 p)
+static double offset_by(double t, double radius, double point)
 {
-    return fabs(p.x) + fabs(p.y) + fabs(p.z);
+    return 0x1p-18 * (t + radius + point);
 }
 
-static double mean_size(Vec3 p)
+static double offset_of(const StartJob *in)
 {
-    return sum_of_sizes(p) / 3;
+    return offset_by(in->t, fabs(in->radius), largest_of(in->point));
 }
-
-static double largest_with_sign(Vec3 p)
-{
-    return fmax(fmax(p.x, p.y), p.z);
-}
-
-static double size_of_largest(Vec3 p)
-{
-    return fabs(largest_with_sign(p));
-}
-
-static double size_of_sum(Vec3 p)
-{
-    return fabs((double)p.x + (double)p.y + (double)p.z);
-}
-
-static double smallest(Vec3 p)
-{
-    return fmin(fmin(fabs(p.x), fabs(p.y)), fabs(p.z));
-}
-
-static double with_sign_of_z(Vec3 p)
-{
-    return fmax(fmax(fabs(p.x), fabs(p.y)), p.z);
-}
-
-static double without_x(Vec3 p)
-{
-    return fmax(fabs(p.y), fabs(p.z));
-}
-
-static double without_y(Vec3 p)
-{
-    return fmax(fabs(p.x), fabs(p.z));
-}
-
-static double without_z(Vec3 p)
-{
-    return fmax(fabs(p.x), fabs(p.y));
-}
-
-// A known mistake: what of the sum is there, and how often it is taken.
-typedef struct StartMistake {
-    Cause cause;
-    double share;  // of the offset; 0 where it has another size
-    double t, radius, point;
-    PointSize *size;       // NULL: the right one
-    int is_largest;        // of the three, not their sum
-    int radius_is_signed;  // a negative one is taken off
-    int sum_is_unsigned;   // and the size is that of its sum with t
-    int by_coordinate;     // each coordinate moves by its own size
-} StartMistake;
-
-#define ALL_THREE .share = 1, .t = 1, .radius = 1, .point = 1
-#define SIZE_FIRST {.says = "coordinates may be negative: of their sizes the largest counts"}
-
-static const StartMistake start_mistakes[] = {
-    {{0}, ALL_THREE},
-    {.cause = {.says = "the point was not moved: new rays would hit the surface that they leave"}},
-    {{.says = "it was moved to the other side: against the normal"},
-     .share = -1,
-     .t = 1,
-     .radius = 1,
-     .point = 1},
-    {{.says = "it was moved half as far as needed"}, .share = 0.5, .t = 1, .radius = 1, .point = 1},
-    {{.says = "the sum of the three numbers counts, not the largest of them"},
-     ALL_THREE,
-     .is_largest = 1},
-    {{.says = "of the point's coordinates the largest counts, not their sum"},
-     ALL_THREE,
-     .size = sum_of_sizes},
-    {{.says = "of the point's coordinates the largest counts, not the size of their sum"},
-     ALL_THREE,
-     .size = size_of_sum},
-    {{.says = "of the point's coordinates the largest counts, not the smallest"},
-     ALL_THREE,
-     .size = smallest},
-    {{.says = "of the point's coordinates the largest counts, not their mean"},
-     ALL_THREE,
-     .size = mean_size},
-    {{.says = "of the point's coordinates x is not looked at"}, ALL_THREE, .size = without_x},
-    {{.says = "of the point's coordinates y is not looked at"}, ALL_THREE, .size = without_y},
-    {{.says = "of the point's coordinates z is not looked at"}, ALL_THREE, .size = without_z},
-    {SIZE_FIRST, ALL_THREE, .size = largest_with_sign},
-    {SIZE_FIRST, ALL_THREE, .size = size_of_largest},
-    {SIZE_FIRST, ALL_THREE, .size = with_sign_of_z},
-    {{.says = "SURFACE_ERROR counts for each of the three numbers: parentheses are missing"},
-     .share = 1,
-     .t = 1,
-     .radius = 0x1p18,
-     .point = 0x1p18},
-    {{.says = "each coordinate moves by its own size: the largest one's counts for all three"},
-     ALL_THREE,
-     .by_coordinate = 1},
-    {{.says = "the radius may be negative: its size is added"}, ALL_THREE, .radius_is_signed = 1},
-    {{.says = "the radius may be negative: it is its own size that counts, not that of its sum "
-              "with t"},
-     ALL_THREE,
-     .radius_is_signed = 1,
-     .sum_is_unsigned = 1},
-    {{.says = "t is missing in the sum"}, .share = 1, .radius = 1, .point = 1},
-    {{.says = "the radius is missing in the sum"}, .share = 1, .t = 1, .point = 1},
-    {{.says = "the point's coordinate is missing in the sum"}, .share = 1, .t = 1, .radius = 1},
-    {{.says = "only t counts in the sum"}, .share = 1, .t = 1},
-    {{.says = "only the radius counts in the sum"}, .share = 1, .radius = 1},
-    {{.says = "only the point's coordinate counts in the sum"}, .share = 1, .point = 1},
-};
 
 // How far the point was moved along the normal, and how far beside it.
 typedef struct Moved {
@@ -177,78 +67,117 @@ static Moved moved(const StartJob *in, Vec3 found)
                    4 * 0x1p-24 * (largest_of(in->point) + sqrt(square))};
 }
 
-// The sum that a mistake makes of the three numbers, times SURFACE_ERROR.
-//   largest   of the point's coordinates, or what is taken for it
-static double offset_by(const StartJob *in, const StartMistake *mistake, double largest)
+static int is_moved(const StartJob *in, Vec3 found, double least, double most)
 {
-    const double t = mistake->t * in->t, point = mistake->point * largest;
-    const double radius =
-        mistake->radius * (mistake->radius_is_signed ? in->radius : fabs(in->radius));
-    const double both = mistake->sum_is_unsigned ? fabs(t + radius) : t + radius;
-    return mistake->share * 0x1p-18 *
-           (mistake->is_largest ? fmax(t, fmax(radius, point)) : both + point);
+    const Moved own = moved(in, found);
+    return own.beside <= own.rounding + 0x1p-8 * fabs(own.along) &&
+           own.along >= least - own.rounding && own.along <= most + own.rounding;
 }
 
-static double offset_of(const StartJob *in, const StartMistake *mistake)
+// What is expected of a mistake is its offset.
+#define GIVEN                                                                                      \
+    const StartJob *in = &((const Job09 *)job)->starts[i];                                         \
+    const Vec3 found = ((const Vec3 *)answers)[i]
+#define IS_FOUND(offset) is_moved(in, found, offset, offset)
+
+// Twice as far is far enough, and still right; a mistake is known by its number.
+RIGHT(is_right, is_moved(in, found, offset_of(in), 2 * offset_of(in)))
+
+// ---- Mistakes -----------------------------------------------------------------------------------
+
+ANSWERS(unmoved, 0.0, "the point was not moved: new rays would hit the surface that they leave")
+ANSWERS(other_side, -offset_of(in), "it was moved to the other side: against the normal")
+ANSWERS(half, offset_of(in) / 2, "it was moved half as far as needed")
+
+// The sum.
+static double size_of(float radius)
 {
-    return offset_by(in, mistake,
-                     mistake->size != NULL ? mistake->size(in->point) : largest_of(in->point));
+    return fabs((double)radius);
 }
+
+ANSWERS(largest, offset_by(0, 0, fmax(in->t, fmax(size_of(in->radius), largest_of(in->point)))),
+        "the sum of the three numbers counts, not the largest of them")
+ANSWERS(one_share, offset_by(in->t, 0, 0) + size_of(in->radius) + largest_of(in->point),
+        "SURFACE_ERROR counts for each of the three numbers: parentheses are missing")
+ANSWERS(signed_radius, offset_by(in->t, in->radius, largest_of(in->point)),
+        "the radius may be negative: its size is added")
+ANSWERS(unsigned_sum, offset_by(0, fabs((double)in->t + in->radius), largest_of(in->point)),
+        "the radius may be negative: it is its own size that counts, not that of its sum with t")
+ANSWERS(without_t, offset_by(0, size_of(in->radius), largest_of(in->point)),
+        "t is missing in the sum")
+ANSWERS(without_radius, offset_by(in->t, 0, largest_of(in->point)),
+        "the radius is missing in the sum")
+ANSWERS(without_point, offset_by(in->t, size_of(in->radius), 0),
+        "the point's coordinate is missing in the sum")
+ANSWERS(only_t, offset_by(in->t, 0, 0), "only t counts in the sum")
+ANSWERS(only_radius, offset_by(0, size_of(in->radius), 0), "only the radius counts in the sum")
+ANSWERS(only_point, offset_by(0, 0, largest_of(in->point)),
+        "only the point's coordinate counts in the sum")
+
+// The point's coordinates.
+static double with_point(const StartJob *in, double point)
+{
+    return offset_by(in->t, size_of(in->radius), point);
+}
+
+static double larger(float a, float b)
+{
+    return fmax(fabs(a), fabs(b));
+}
+
+static double smallest_of(Vec3 p)
+{
+    return fmin(fmin(fabs(p.x), fabs(p.y)), fabs(p.z));
+}
+
+static double sum_of_sizes(Vec3 p)
+{
+    return fabs(p.x) + fabs(p.y) + fabs(p.z);
+}
+
+static double largest_with_sign(Vec3 p)
+{
+    return fmax(fmax(p.x, p.y), p.z);
+}
+
+ANSWERS(by_sum, with_point(in, sum_of_sizes(in->point)),
+        "of the point's coordinates the largest counts, not their sum")
+ANSWERS(by_size_of_sum,
+        with_point(in, fabs((double)in->point.x + (double)in->point.y + (double)in->point.z)),
+        "of the point's coordinates the largest counts, not the size of their sum")
+ANSWERS(by_smallest, with_point(in, smallest_of(in->point)),
+        "of the point's coordinates the largest counts, not the smallest")
+ANSWERS(by_mean, with_point(in, sum_of_sizes(in->point) / 3),
+        "of the point's coordinates the largest counts, not their mean")
+ANSWERS(without_x, with_point(in, larger(in->point.y, in->point.z)),
+        "of the point's coordinates x is not looked at")
+ANSWERS(without_y, with_point(in, larger(in->point.x, in->point.z)),
+        "of the point's coordinates y is not looked at")
+ANSWERS(without_z, with_point(in, larger(in->point.x, in->point.y)),
+        "of the point's coordinates z is not looked at")
+
+#define SIZE_FIRST "coordinates may be negative: of their sizes the largest counts"
+ANSWERS(with_sign, with_point(in, largest_with_sign(in->point)), SIZE_FIRST)
+ANSWERS(size_late, with_point(in, fabs(largest_with_sign(in->point))), SIZE_FIRST)
+ANSWERS(sign_of_z, with_point(in, fmax(larger(in->point.x, in->point.y), in->point.z)), SIZE_FIRST)
 
 // Where the point comes to when each coordinate moves by its own size.
-static int is_moved_by_coordinate(const StartJob *in, const StartMistake *mistake, Vec3 found)
+static int is_moved_by_coordinate(const StartJob *in, Vec3 found)
 {
     const Vec3 p = in->point, n = in->normal;
     const OracleVector way = vector_minus(vector_of(found), vector_of(p));
-    const OracleVector expected = {offset_by(in, mistake, fabs(p.x)) * (double)n.x,
-                                   offset_by(in, mistake, fabs(p.y)) * (double)n.y,
-                                   offset_by(in, mistake, fabs(p.z)) * (double)n.z};
+    const OracleVector expected = {with_point(in, fabs(p.x)) * (double)n.x,
+                                   with_point(in, fabs(p.y)) * (double)n.y,
+                                   with_point(in, fabs(p.z)) * (double)n.z};
     return vector_length(vector_minus(way, expected)) <= moved(in, found).rounding;
 }
 
-static int start_agrees(const void *pointer, int i, const void *answers, int number)
-{
-    const StartJob *in = &((const Job09 *)pointer)->starts[i];
-    const StartMistake *mistake = &start_mistakes[number];
-    const Moved found = moved(in, ((const Vec3 *)answers)[i]);
-    const double offset = offset_of(in, mistake);
-    // Twice as far is far enough, and still right; a mistake is known by its number.
-    const double most = number == 0 ? 2 * offset : offset;
-    if (mistake->by_coordinate) {
-        return is_moved_by_coordinate(in, mistake, ((const Vec3 *)answers)[i]);
-    }
-    return found.beside <= found.rounding + 0x1p-8 * fabs(found.along) &&
-           found.along >= offset - found.rounding && found.along <= most + found.rounding;
-}
+EACH(by_coordinate, is_moved_by_coordinate(in, found),
+     "each coordinate moves by its own size: the largest one's counts for all three")
 
-static char *describe_start(const void *pointer, int i, const void *answers)
-{
-    const StartJob *in = &((const Job09 *)pointer)->starts[i];
-    const Moved found = moved(in, ((const Vec3 *)answers)[i]);
-    const double offset = offset_of(in, &start_mistakes[0]);
-    return message_new("point %s, normal %s, t %g, radius %g: found it moved by %g along the "
-                       "normal and %g beside it, expected %g to %g and 0",
-                       words_vec3(in->point, 6).text, words_vec3(in->normal, 6).text, in->t,
-                       in->radius, found.along, found.beside, offset, 2 * offset);
-}
-
-// Is every point of [first, end) moved by the same distance, or where one is given, by no less than
-// that, and farther where that is needed?
-static int is_one_distance(const Job09 *job, int first, int end, const Vec3 *found, double distance,
-                           int is_least)
-{
-    int i = first;
-    while (i < end) {
-        const Moved own = moved(&job->starts[i], found[i]);
-        const double needed = offset_of(&job->starts[i], &start_mistakes[0]);
-        const double expected = is_least ? fmax(distance, needed) : distance;
-        if (fabs(own.along - expected) > own.rounding + 0x1p-8 * fabs(expected)) {
-            break;
-        }
-        i++;
-    }
-    return i == end;
-}
+// Too far everywhere, or one distance.
+EACH(too_far, moved(in, found).along > 2 * offset_of(in) + moved(in, found).rounding,
+     "farther than needed: what is near is not seen")
 
 // By which distance the points are moved is said where rounding is least: where the numbers are
 // small, so that this is also where no more than a least distance is needed.
@@ -262,43 +191,35 @@ static double surest_distance(const Job09 *job, const Vec3 *found)
     return surest.along;
 }
 
-static Cause cause_of_distance(const Job09 *job, const Vec3 *found)
+static int is_moved_along(const StartJob *in, Vec3 found, double distance)
 {
-    const double distance = surest_distance(job, found);
-    if (is_one_distance(job, 0, COUNT(job->starts), found, distance, 0)) {
-        return (Cause){.says = "the same distance everywhere: rounding grows with the numbers"};
-    }
-    if (is_one_distance(job, 0, COUNT(job->starts), found, distance, 1)) {
-        return (Cause){.says = "never less than a fixed distance: that is too much where the "
-                               "numbers are small"};
-    }
-    return (Cause){0};
+    const Moved own = moved(in, found);
+    return fabs(own.along - distance) <= own.rounding + 0x1p-8 * fabs(distance);
 }
 
-static Cause explain_start(const void *pointer, Range range, const void *answers)
+EACH(same_distance, is_moved_along(in, found, surest_distance(job, answers)),
+     "the same distance everywhere: rounding grows with the numbers")
+EACH(least_distance, is_moved_along(in, found, fmax(surest_distance(job, answers), offset_of(in))),
+     "never less than a fixed distance: that is too much where the numbers are small")
+
+static const Known *const known[] = {
+    &unmoved,     &other_side,     &half,          &largest,       &by_sum,        &by_size_of_sum,
+    &by_smallest, &by_mean,        &without_x,     &without_y,     &without_z,     &with_sign,
+    &size_late,   &sign_of_z,      &one_share,     &by_coordinate, &signed_radius, &unsigned_sum,
+    &without_t,   &without_radius, &without_point, &only_t,        &only_radius,   &only_point,
+    &too_far,     &same_distance,  &least_distance};
+
+// ---- Answers ------------------------------------------------------------------------------------
+
+static char *describe(const void *job, int i, const void *answers)
 {
-    const Job09 *job = pointer;
-    int n_far = 0;
-    for (int m = 1; m < COUNT(start_mistakes); m++) {
-        int k = 0;
-        while (k < range.n && start_agrees(job, range_at(range, k), answers, m)) {
-            k++;
-        }
-        if (k == range.n) {
-            return start_mistakes[m].cause;
-        }
-    }
-    for (int k = 0; k < range.n; k++) {
-        const int i = range_at(range, k);
-        const StartJob *in = &job->starts[i];
-        const Moved found = moved(in, ((const Vec3 *)answers)[i]);
-        n_far += found.along > 2 * offset_of(in, &start_mistakes[0]) + found.rounding;
-    }
-    if (n_far == range.n) {
-        return (Cause){.says = "farther than needed: what is near is not seen"};
-    }
-    return cause_of_distance(job, answers);
+    GIVEN;
+    const Moved own = moved(in, found);
+    return message_new("point %s, normal %s, t %g, radius %g: found it moved by %g along the "
+                       "normal and %g beside it, expected %g to %g and 0",
+                       words_vec3(in->point, 6).text, words_vec3(in->normal, 6).text, in->t,
+                       in->radius, own.along, own.beside, offset_of(in), 2 * offset_of(in));
 }
 
 const Function start_09 = {"starts", 2 * N_START_INPUTS, sizeof(Vec3),
-                           EXPLAINED(start_agrees, describe_start, explain_start)};
+                           KNOWING(is_right, describe, known), .knows_constant = 1};

@@ -55,219 +55,247 @@ void waiting_10_draw(Random *random, Job10 *job)
     }
 }
 
-// ---- Judging ----------------------------------------------------------------------------------
+#define GIVEN                                                                                      \
+    const TileWaitingJob *in = &((const Job10 *)job)->waiting[i];                                  \
+    const NextWaitingAnswer *found = (const NextWaitingAnswer *)answers + i
+#define IS_FOUND(expected) same_waiting(found, expected)
 
-enum {
-    WAITING_TOP_ENDS = 1,
-    WAITING_TAKES_TOP,
-    WAITING_ANY_HIT,
-    WAITING_INVERTED,
-    WAITING_NOT_AT_SAME,
-    WAITING_BY_T_MAX,
-    WAITING_SWAPPED,
-    WAITING_PART_KEPT,
-    WAITING_T_MAX_KEPT,
-    WAITING_T_MIN_KEPT,
-    WAITING_OLDEST,
-    WAITING_STAYS,
-    WAITING_ONE_LEFT,
-    WAITING_TWO_ONLY,
-    WAITING_LEAF_ENDS,
-    WAITING_EPSILON,
-    WAITING_NO_HIT_ENDS,
-    WAITING_TOO_EARLY,
-    WAITING_BY_LEAF,
-    WAITING_ENDS_AT_HIT,
-    WAITING_TWO_TRIED,
-    WAITING_THREE_TRIED,
-    WAITING_FOUR_TRIED,
-    WAITING_EIGHT_TRIED,
-    WAITING_TEN_TRIED,
-    WAITING_SIXTEEN_TRIED,
-    WAITING_POINT_LEFT,
-    WAITING_AT_KEPT,
-    WAITING_NONE_GOES_ON,
-    WAITING_TOP_ENDS_AT_SAME,
-    WAITING_OF_LAB_07,
-    WAITING_OF_LAB_07_AT_SAME,
-    WAITING_LEAF_ENDS_AT_SAME,
-};
+// ---- Right ------------------------------------------------------------------------------------
+
+static u32 n_waiting(const TileWaitingJob *in)
+{
+    return in->todo.n + in->n_behind;
+}
+
+// Entry i of the stack, from the bottom.
+static StackEntry entry_at(const TileWaitingJob *in, u32 i)
+{
+    return i < in->todo.n ? in->todo.upper[i] : (StackEntry){WAITS_NODE, WAITS_FROM, WAITS_TO};
+}
+
+// The search goes on with the node that is n-th from the top.
+static NextWaitingAnswer taken(const TileWaitingJob *in, u32 n)
+{
+    const u32 n_left = n_waiting(in) - n;
+    NextWaitingAnswer answer = {.goes_on = 1, .at = entry_at(in, n_left), .todo = in->todo};
+    answer.todo.n = n_left;
+    for (u32 i = in->todo.n; i < STACK_ENTRIES; i++) {
+        answer.todo.upper[i] = entry_at(in, i);
+    }
+    return answer;
+}
+
+static NextWaitingAnswer ended(const TileWaitingJob *in)
+{
+    return (NextWaitingAnswer){.at = in->at};
+}
+
+// The search goes on with the first node from the top that matters, of the first `most`.
+typedef int Matters(StackEntry waits, float limit);
+static NextWaitingAnswer search(const TileWaitingJob *in, Matters *matters, float limit, u32 most)
+{
+    for (u32 n = 1; n <= n_waiting(in) && n <= most; n++) {
+        if (matters(entry_at(in, n_waiting(in) - n), limit)) {
+            return taken(in, n);
+        }
+    }
+    return ended(in);
+}
+
+static int begins_before(StackEntry waits, float limit)
+{
+    return waits.t_min <= limit;
+}
+
+static NextWaitingAnswer begun_by(const TileWaitingJob *in, float limit)
+{
+    return search(in, begins_before, limit, TODO_SIZE);
+}
+
+static NextWaitingAnswer waiting(const TileWaitingJob *in)
+{
+    return begun_by(in, in->farthest);
+}
+
+RIGHT(is_right_end, (found->goes_on != 0) == waiting(in).goes_on)
+
+// What of a part lies behind the farthest hit cannot matter any more, so a right answer may cut it
+// off.
+static int is_handed_on(const TileWaitingJob *in, StackEntry found, StackEntry expected)
+{
+    return found.node == expected.node && found.t_min == expected.t_min &&
+           found.t_max >= fminf(expected.t_max, in->farthest) && found.t_max <= expected.t_max;
+}
+
+static int is_next(const TileWaitingJob *in, const NextWaitingAnswer *found)
+{
+    const NextWaitingAnswer expected = waiting(in);
+    return !expected.goes_on || (found->goes_on && is_handed_on(in, found->at, expected.at) &&
+                                 same_stack(&found->todo, &expected.todo));
+}
+
+RIGHT(is_right_next, is_next(in, found))
+
+// ---- Mistakes ---------------------------------------------------------------------------------
+
+// By what is compared with what. More than the least before a begin is less than a quarter.
+#define LEAST_STEP 0x1p-10f
+
+static int begins_behind(StackEntry waits, float limit)
+{
+    return waits.t_min > limit;
+}
+
+static int ends_before(StackEntry waits, float limit)
+{
+    return waits.t_max <= limit;
+}
+
+static int is_longer(StackEntry waits, float limit)
+{
+    return waits.t_min <= limit && waits.t_min != waits.t_max;
+}
+
+static float all_or_none(int is_all)
+{
+    return is_all ? INFINITY : -INFINITY;
+}
+
+ANSWERS(takes_top, begun_by(in, INFINITY),
+        "the search goes on into nodes that begin behind the farthest hit: they are left out, each "
+        "of them")
+ANSWERS(any_hit, begun_by(in, all_or_none(isinf(in->farthest))),
+        "that is as if the search ended as soon as every ray has a hit: what begins before the "
+        "farthest may hold a nearer one")
+ANSWERS(inverted, search(in, begins_behind, in->farthest, TODO_SIZE),
+        "the comparison with the farthest hit is inverted")
+ANSWERS(not_at_same, begun_by(in, nextafterf(in->farthest, 0)),
+        "a node that begins exactly at the farthest hit must not be left out: a sphere with a "
+        "lower index may be just as far away")
+ANSWERS(by_t_max, search(in, ends_before, in->farthest, TODO_SIZE),
+        "a node can matter where it begins before the farthest hit, wherever it ends: its t_min "
+        "counts")
+ANSWERS(epsilon, begun_by(in, in->farthest + LEAST_STEP),
+        "a node that begins behind the farthest hit is left out, however little behind: without an "
+        "epsilon")
+ANSWERS(too_early, begun_by(in, in->farthest - LEAST_STEP),
+        "a node that begins before the farthest hit is visited, however little before: without an "
+        "epsilon")
+ANSWERS(by_leaf, begun_by(in, all_or_none(in->at.t_min <= in->farthest)),
+        "where the waiting node begins counts, not where the leaf did")
+ANSWERS(point_left, search(in, is_longer, in->farthest, TODO_SIZE),
+        "a node whose part is a point, t_min and t_max equal, is visited, too: a hit may be "
+        "exactly there")
+
+// By how many are left out.
 #define TOP_ENDS                                                                                   \
     "the node on top begins behind every hit, but the one below it need not: parts of many rays "  \
     "overlap"
+#define FEW_LEFT_OUT                                                                               \
+    "the search ended after some nodes that are left out: however many they are, it goes on"
+
+static NextWaitingAnswer tried(const TileWaitingJob *in, u32 most)
+{
+    return search(in, begins_before, in->farthest, most);
+}
+
+static NextWaitingAnswer second_taken(const TileWaitingJob *in)
+{
+    return n_waiting(in) > 1 && !tried(in, 1).goes_on ? taken(in, 2) : waiting(in);
+}
+
+ANSWERS(top_ends, tried(in, 1), TOP_ENDS)
+ANSWERS(top_ends_at_same, search(in, begins_before, nextafterf(in->farthest, 0), 1), TOP_ENDS)
+ANSWERS(two_only, second_taken(in), "more than one node in a row may be left out")
+ANSWERS(tried_2, tried(in, 2), FEW_LEFT_OUT)
+ANSWERS(tried_3, tried(in, 3), FEW_LEFT_OUT)
+ANSWERS(tried_4, tried(in, 4), FEW_LEFT_OUT)
+ANSWERS(tried_8, tried(in, 8), FEW_LEFT_OUT)
+ANSWERS(tried_10, tried(in, 10), FEW_LEFT_OUT)
+ANSWERS(tried_16, tried(in, 16), FEW_LEFT_OUT)
+
+// By where the search ends.
 #define LAB_07                                                                                     \
     "that is lab 07's rule: a farthest hit inside of the leaf is no end here, as parts of many "   \
     "rays overlap"
 
-#define FEW_LEFT_OUT                                                                               \
-    "the search ended after some nodes that are left out: however many they are, it goes on"
-static const Cause waiting_mistakes[] = {
-    [WAITING_TOP_ENDS] = {.says = TOP_ENDS},
-    [WAITING_TOP_ENDS_AT_SAME] = {.says = TOP_ENDS},
-    [WAITING_TAKES_TOP] =
-        {.says = "the search goes on into nodes that begin behind the farthest hit: they are left "
-                 "out, each of them"},
-    [WAITING_ANY_HIT] = {.says = "that is as if the search ended as soon as every ray has a hit: "
-                                 "what begins before the farthest may hold a nearer one"},
-    [WAITING_INVERTED] = {.says = "the comparison with the farthest hit is inverted"},
-    [WAITING_NOT_AT_SAME] = {.says = "a node that begins exactly at the farthest hit must not be "
-                                     "left out: a sphere with a lower index may be just as far "
-                                     "away"},
-    [WAITING_BY_T_MAX] = {.says = "a node can matter where it begins before the farthest hit, "
-                                  "wherever it ends: its t_min counts"},
-    [WAITING_SWAPPED] = {.says = "1 and 0 are swapped: 0 is the end"},
-    [WAITING_PART_KEPT] =
-        {.says = "that is as if t_min and t_max were not taken from the stack with the node"},
-    [WAITING_T_MAX_KEPT] = {.says =
-                                "that is as if t_max were not taken from the stack with the node"},
-    [WAITING_T_MIN_KEPT] = {.says =
-                                "that is as if t_min were not taken from the stack with the node"},
-    [WAITING_OLDEST] = {.says =
-                            "that is as if the node that waits longest came from the stack first"},
-    [WAITING_STAYS] = {.says = "the node is not taken off the stack: it waits still"},
-    [WAITING_ONE_LEFT] = {.says = "the search ended while one node was still waiting"},
-    [WAITING_LEAF_ENDS] = {.says = LAB_07},
-    [WAITING_LEAF_ENDS_AT_SAME] = {.says = LAB_07},
-    [WAITING_OF_LAB_07] = {.says = LAB_07},
-    [WAITING_OF_LAB_07_AT_SAME] = {.says = LAB_07},
-    [WAITING_EPSILON] = {.says = "a node that begins behind the farthest hit is left out, however "
-                                 "little behind: without an epsilon"},
-    [WAITING_NO_HIT_ENDS] = {.says = "that is as if the search ended while a ray has no hit yet: "
-                                     "INFINITY is farther than all that waits"},
-    [WAITING_TOO_EARLY] = {.says = "a node that begins before the farthest hit is visited, however "
-                                   "little before: without an epsilon"},
-    [WAITING_BY_LEAF] = {.says = "where the waiting node begins counts, not where the leaf did"},
-    [WAITING_ENDS_AT_HIT] = {.says = "the part of the node ends at the farthest hit, also where it "
-                                     "ended before: a part never grows"},
-    [WAITING_TWO_TRIED] = {.says = FEW_LEFT_OUT},
-    [WAITING_THREE_TRIED] = {.says = FEW_LEFT_OUT},
-    [WAITING_FOUR_TRIED] = {.says = FEW_LEFT_OUT},
-    [WAITING_EIGHT_TRIED] = {.says = FEW_LEFT_OUT},
-    [WAITING_TEN_TRIED] = {.says = FEW_LEFT_OUT},
-    [WAITING_SIXTEEN_TRIED] = {.says = FEW_LEFT_OUT},
-    [WAITING_POINT_LEFT] = {.says = "a node whose part is a point, t_min and t_max equal, is "
-                                    "visited, too: a hit may be exactly there"},
-    [WAITING_AT_KEPT] = {.says = "*at is still the leaf: the node from the stack is not handed on"},
-    [WAITING_NONE_GOES_ON] = {.says = "where nothing waits the search is over, whether each ray "
-                                      "has a hit or not"},
-    [WAITING_TWO_ONLY] = {.says = "more than one node in a row may be left out"},
-};
-
-// More than the least before a begin, less than a quarter.
-#define LEAST_STEP 0x1p-10f
-
-static int matters(const TileWaitingJob *job, TodoEntry entry, int mistake)
+static NextWaitingAnswer with_end(NextWaitingAnswer answer, int goes_on)
 {
-    const float from = mistake == WAITING_BY_T_MAX  ? entry.t_max
-                       : mistake == WAITING_BY_LEAF ? job->at.t_min
-                                                    : entry.t_min;
-    if (mistake == WAITING_POINT_LEFT && entry.t_min == entry.t_max) {
-        return 0;
-    }
-    const int takes_top = mistake == WAITING_TAKES_TOP || mistake == WAITING_OF_LAB_07 ||
-                          mistake == WAITING_OF_LAB_07_AT_SAME;
-    const int not_at_same = mistake == WAITING_NOT_AT_SAME || mistake == WAITING_TOP_ENDS_AT_SAME;
-    return takes_top                      ? 1
-           : mistake == WAITING_INVERTED  ? from > job->farthest
-           : not_at_same                  ? from < job->farthest
-           : mistake == WAITING_ANY_HIT   ? isinf(job->farthest)
-           : mistake == WAITING_EPSILON   ? from <= job->farthest + LEAST_STEP
-           : mistake == WAITING_TOO_EARLY ? from <= job->farthest - LEAST_STEP
-                                          : from <= job->farthest;
-}
-
-// Entry i of the stack, from the bottom.
-static TodoEntry entry_at(const TileWaitingJob *job, u32 i)
-{
-    return i < job->todo.n ? job->todo.upper[i] : (TodoEntry){WAITS_NODE, WAITS_FROM, WAITS_TO};
-}
-
-// After how many nodes a mistake ends the search; a stack never holds more than TODO_SIZE.
-static u32 most_tried(int mistake)
-{
-    return mistake == WAITING_TOP_ENDS || mistake == WAITING_TOP_ENDS_AT_SAME ? 1
-           : mistake == WAITING_TWO_TRIED                                     ? 2
-           : mistake == WAITING_THREE_TRIED                                   ? 3
-           : mistake == WAITING_FOUR_TRIED                                    ? 4
-           : mistake == WAITING_EIGHT_TRIED                                   ? 8
-           : mistake == WAITING_TEN_TRIED                                     ? 10
-           : mistake == WAITING_SIXTEEN_TRIED                                 ? 16
-                                                                              : TODO_SIZE;
-}
-
-static NextWaitingAnswer expected_waiting(const TileWaitingJob *job, int mistake)
-{
-    NextWaitingAnswer answer = {.at = job->at, .todo = job->todo};
-    StackState *todo = &answer.todo;
-    todo->n += job->n_behind;
-    for (u32 i = job->todo.n; i < STACK_ENTRIES; i++) {
-        todo->upper[i] = entry_at(job, i);
-    }
-    const int is_oldest = mistake == WAITING_OLDEST;
-    const u32 left = mistake == WAITING_ONE_LEFT ? 1 : 0;
-    TodoEntry next = job->at;
-    const int leaf_ends = mistake == WAITING_LEAF_ENDS || mistake == WAITING_OF_LAB_07;
-    const int ends_at_same =
-        mistake == WAITING_LEAF_ENDS_AT_SAME || mistake == WAITING_OF_LAB_07_AT_SAME;
-    if ((leaf_ends && job->farthest < job->at.t_max) ||
-        (ends_at_same && job->farthest <= job->at.t_max) ||
-        (mistake == WAITING_NO_HIT_ENDS && isinf(job->farthest))) {
-        return answer;
-    }
-    for (u32 n_taken = 0; todo->n > left && n_taken < most_tried(mistake) && !answer.goes_on;
-         n_taken++) {
-        next = entry_at(job, is_oldest ? n_taken : todo->n - 1);
-        todo->n--;
-        answer.goes_on =
-            matters(job, next, mistake) || (mistake == WAITING_TWO_ONLY && n_taken == 1);
-    }
-    if (answer.goes_on) {
-        const int keeps_part = mistake == WAITING_PART_KEPT;
-        answer.at.node = next.node;
-        answer.at.t_min = keeps_part || mistake == WAITING_T_MIN_KEPT ? job->at.t_min : next.t_min;
-        answer.at.t_max = keeps_part || mistake == WAITING_T_MAX_KEPT ? job->at.t_max
-                          : mistake == WAITING_ENDS_AT_HIT            ? job->farthest
-                                                                      : next.t_max;
-        todo->n += mistake == WAITING_STAYS;
-    }
-    if (mistake == WAITING_AT_KEPT) {
-        answer.at = job->at;
-    }
-    answer.goes_on |= mistake == WAITING_NONE_GOES_ON && isinf(job->farthest);
-    answer.goes_on ^= mistake == WAITING_SWAPPED;
+    answer.goes_on = goes_on;
     return answer;
 }
 
-static int end_agrees(const void *job, int i, const void *answers, int mistake)
+static NextWaitingAnswer ended_if(const TileWaitingJob *in, int is_end, NextWaitingAnswer answer)
 {
-    const NextWaitingAnswer expected = expected_waiting(&((const Job10 *)job)->waiting[i], mistake);
-    return (((const NextWaitingAnswer *)answers)[i].goes_on != 0) == expected.goes_on;
+    return is_end ? ended(in) : answer;
 }
 
-// Is a node handed on with its part? What of this lies behind the farthest hit cannot matter any
-// more, so a right answer may cut it off.
-static int is_handed_on(const TileWaitingJob *job, TodoEntry found, TodoEntry expected)
+ANSWERS(swapped, with_end(waiting(in), !waiting(in).goes_on), "1 and 0 are swapped: 0 is the end")
+ANSWERS(one_left, ended_if(in, waiting(in).todo.n == 0, waiting(in)),
+        "the search ended while one node was still waiting")
+ANSWERS(leaf_ends, ended_if(in, in->farthest < in->at.t_max, waiting(in)), LAB_07)
+ANSWERS(leaf_ends_at_same, ended_if(in, in->farthest <= in->at.t_max, waiting(in)), LAB_07)
+ANSWERS(lab_07, ended_if(in, in->farthest < in->at.t_max, begun_by(in, INFINITY)), LAB_07)
+ANSWERS(lab_07_at_same, ended_if(in, in->farthest <= in->at.t_max, begun_by(in, INFINITY)), LAB_07)
+ANSWERS(no_hit_ends, ended_if(in, isinf(in->farthest), waiting(in)),
+        "that is as if the search ended while a ray has no hit yet: INFINITY is farther than all "
+        "that waits")
+ANSWERS(none_goes_on, with_end(waiting(in), waiting(in).goes_on || isinf(in->farthest)),
+        "where nothing waits the search is over, whether each ray has a hit or not")
+
+// By what is handed on.
+static NextWaitingAnswer with_part(NextWaitingAnswer answer, float t_min, float t_max)
 {
-    return found.node == expected.node && found.t_min == expected.t_min &&
-           found.t_max >= fminf(expected.t_max, job->farthest) && found.t_max <= expected.t_max;
+    answer.at.t_min = t_min;
+    answer.at.t_max = t_max;
+    return answer;
 }
 
-// Where the search is over, at and the stack do not matter.
-static int next_agrees(const void *job, int i, const void *answers, int mistake)
+static NextWaitingAnswer with_leaf(const TileWaitingJob *in)
 {
-    const TileWaitingJob *input = &((const Job10 *)job)->waiting[i];
-    const NextWaitingAnswer *found = &((const NextWaitingAnswer *)answers)[i];
-    const NextWaitingAnswer expected = expected_waiting(input, mistake);
-    if (mistake != 0 && !expected.goes_on) {
-        return !found->goes_on;
+    NextWaitingAnswer answer = waiting(in);
+    answer.at = in->at;
+    return answer;
+}
+
+static NextWaitingAnswer with_one_more(NextWaitingAnswer answer)
+{
+    answer.todo.n++;
+    return answer;
+}
+
+static int is_oldest(const TileWaitingJob *in, StackEntry found)
+{
+    u32 i = 0;
+    while (i < n_waiting(in) && !begins_before(entry_at(in, i), in->farthest)) {
+        i++;
     }
-    // What lies below is untouched in the order in which it came; of the oldest only how many.
-    return !expected.goes_on ||
-           (found->goes_on &&
-            (mistake == 0 ? is_handed_on(input, found->at, expected.at)
-                          : same_entry(found->at, expected.at)) &&
-            (mistake == WAITING_OLDEST || same_stack(&found->todo, &expected.todo)));
+    return i < n_waiting(in) && same_entry(found, entry_at(in, i));
 }
+
+ANSWERS(part_kept, with_part(waiting(in), in->at.t_min, in->at.t_max),
+        "that is as if t_min and t_max were not taken from the stack with the node")
+ANSWERS(t_max_kept, with_part(waiting(in), waiting(in).at.t_min, in->at.t_max),
+        "that is as if t_max were not taken from the stack with the node")
+ANSWERS(t_min_kept, with_part(waiting(in), in->at.t_min, waiting(in).at.t_max),
+        "that is as if t_min were not taken from the stack with the node")
+ANSWERS(ends_at_hit, with_part(waiting(in), waiting(in).at.t_min, in->farthest),
+        "the part of the node ends at the farthest hit, also where it ended before: a part never "
+        "grows")
+ANSWERS(at_kept, with_leaf(in), "*at is still the leaf: the node from the stack is not handed on")
+ANSWERS(stays, with_one_more(waiting(in)), "the node is not taken off the stack: it waits still")
+ONLY(oldest, found->goes_on &&is_oldest(in, found->at),
+     "that is as if the node that waits longest came from the stack first")
+
+static const Known *const known[] = {
+    &top_ends, &takes_top,      &any_hit,          &inverted,   &not_at_same,  &by_t_max,
+    &swapped,  &part_kept,      &t_max_kept,       &t_min_kept, &oldest,       &stays,
+    &one_left, &two_only,       &leaf_ends,        &epsilon,    &no_hit_ends,  &too_early,
+    &by_leaf,  &ends_at_hit,    &tried_2,          &tried_3,    &tried_4,      &tried_8,
+    &tried_10, &tried_16,       &point_left,       &at_kept,    &none_goes_on, &top_ends_at_same,
+    &lab_07,   &lab_07_at_same, &leaf_ends_at_same};
+
+// ---- Answers ----------------------------------------------------------------------------------
 
 // "from the top [12, 14] [11, 12.5]", with "30 times [1048576, 2097152]" before them.
 static Words stack_words(const TileWaitingJob *job)
@@ -284,17 +312,16 @@ static Words stack_words(const TileWaitingJob *job)
     return all;
 }
 
-static char *describe_waiting(const void *pointer, int i, const void *answers)
+static char *describe(const void *job, int i, const void *answers)
 {
-    const TileWaitingJob *job = &((const Job10 *)pointer)->waiting[i];
-    const NextWaitingAnswer expected = expected_waiting(job, 0);
+    GIVEN;
+    const NextWaitingAnswer expected = waiting(in);
     return message_new("the farthest hit is at %.9g; %s waiting: found %s, expected %s",
-                       job->farthest, stack_words(job).text,
-                       next_waiting_words((const NextWaitingAnswer *)answers + i).text,
+                       in->farthest, stack_words(in).text, next_waiting_words(found).text,
                        next_waiting_words(&expected).text);
 }
 
 const Function tile_end_10 = {"tile_waiting", N_TILE_WAITING_INPUTS, sizeof(NextWaitingAnswer),
-                              COMPARED(end_agrees, describe_waiting, waiting_mistakes)};
+                              KNOWING(is_right_end, describe, known)};
 const Function tile_next_10 = {"tile_waiting", N_TILE_WAITING_INPUTS, sizeof(NextWaitingAnswer),
-                               COMPARED(next_agrees, describe_waiting, waiting_mistakes)};
+                               KNOWING(is_right_next, describe, known)};

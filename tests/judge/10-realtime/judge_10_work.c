@@ -6,7 +6,8 @@
 // farthest of all rays' hits, of those that are certain, in leaves that no right search leaves out.
 #include "judge_10.h"
 
-#include "oracle3d_rounding.h"
+#include "oracle3d.h"
+#include "span.h"
 
 #include <math.h>
 
@@ -27,11 +28,6 @@ typedef struct OracleTile {
     double t_possible[TILE_RAYS];  // and none a nearer one
     Work most;
 } OracleTile;
-
-static double part_of(OracleVector v, int axis)
-{
-    return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-}
 
 static void set_cone(OracleTile *tile)
 {
@@ -68,30 +64,15 @@ static OracleTile tile_at(const JobScene3D *scene, int x, int y)
                                     &right);
         tile.error = fmax(tile.error, ray->direction_error);
         tile.t_certain[i] = tile.t_possible[i] = INFINITY;
-        for (int axis = 0; axis < 3; axis++) {
-            const double d = part_of(ray->direction, axis);
+        for (u32 axis = 0; axis < 3; axis++) {
+            const double d = vector_component(ray->direction, axis);
             tile.low[axis] = fmin(tile.low[axis], d);
             tile.high[axis] = fmax(tile.high[axis], d);
-            tile.eye[axis] = part_of(ray->origin, axis);
+            tile.eye[axis] = vector_component(ray->origin, axis);
         }
     }
     set_cone(&tile);
     return tile;
-}
-
-// Where a number of a right solution may lie.
-typedef struct Span {
-    double low, high;
-} Span;
-
-static Span span_min(Span a, Span b)
-{
-    return (Span){fmin(a.low, b.low), fmin(a.high, b.high)};
-}
-
-static Span span_max(Span a, Span b)
-{
-    return (Span){fmax(a.low, b.low), fmax(a.high, b.high)};
 }
 
 // From where to where the rays meet a plane, or are in a node.

@@ -15,6 +15,12 @@ static inline OracleVector vector_of(Vec3 v)
     return (OracleVector){v.x, v.y, v.z};
 }
 
+// Axis 0 is x, 1 is y, 2 is z.
+static inline double vector_component(OracleVector v, u32 axis)
+{
+    return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
 static inline OracleVector vector_plus(OracleVector a, OracleVector b)
 {
     return (OracleVector){a.x + b.x, a.y + b.y, a.z + b.z};

@@ -21,6 +21,25 @@ const void *function_answers(const Function *function, const Sections *answers)
     return sections_find(answers, function->section, (size_t)function->n * function->answer_bytes);
 }
 
+static int is_right(const Function *function, const void *job, int i, const void *answers)
+{
+    return function->is_right != NULL ? function->is_right(job, i, answers)
+                                      : function->agrees(job, i, answers, 0);
+}
+
+// Does a known mistake explain every answer of the range?
+static int is_known(const Function *function, const Known *known, const void *job, Range range,
+                    const void *answers)
+{
+    int i = 0;
+    while (i < range.n &&
+           (known->fits(job, range_at(range, i), answers) ||
+            (known->is_only && is_right(function, job, range_at(range, i), answers)))) {
+        i++;
+    }
+    return i == range.n;
+}
+
 // Does a mistake explain every answer of the range?
 static int explains(const Function *function, const void *job, Range range, const void *answers,
                     int mistake)
@@ -50,10 +69,12 @@ static int is_constant(const Function *function, Range range, const char *answer
 // nothing is concluded, but where the table knows such a mistake.
 static Cause explain(const Function *function, const void *job, Range range, const void *answers)
 {
-    if (function->explain != NULL) {
-        return function->explain(job, range, answers);
-    }
     const int is_told = function->knows_constant || !is_constant(function, range, answers);
+    for (int k = 0; is_told && k < function->n_known; k++) {
+        if (is_known(function, function->known[k], job, range, answers)) {
+            return function->known[k]->cause;
+        }
+    }
     const int n = is_told ? function->n_mistakes : 0;
     for (int m = 1; m < n; m++) {
         if (explains(function, job, range, answers, m)) {
@@ -70,7 +91,7 @@ static Diagnosis judge_counting(const Function *function, const void *job, Range
 {
     int n_wrong = 0, first = 0;
     for (int i = range.n - 1; i >= 0; i--) {
-        if (!function->agrees(job, range_at(range, i), answers, 0)) {
+        if (!is_right(function, job, range_at(range, i), answers)) {
             n_wrong++;
             first = range_at(range, i);
         }
@@ -92,7 +113,7 @@ Verdict function_judge(const Function *function, const void *job, Range range,
     if (found == NULL) {
         return verdict_missing;
     }
-    if (function->agrees != NULL) {
+    if (function->fault == NULL) {
         return verdict_of(judge_counting(function, job, range, found));
     }
     Verdict verdict = verdict_passed;

@@ -2,6 +2,7 @@
 #ifndef JUDGE_FUNCTION_H
 #define JUDGE_FUNCTION_H
 
+#include "known.h"
 #include "sections.h"
 #include "verdicts.h"
 
@@ -32,13 +33,18 @@ typedef struct Function {
     // What is wrong with answer number i, or NOTHING_WRONG. Owned by the caller.
     Diagnosis (*fault)(const void *job, int i, const void *answers);
 
-    // In its place, where known mistakes are tried: does answer number i agree with what comes of a
-    // mistake, or of none, which is number 0? Then a wrong answer is described, "...: found 1,
-    // expected 2", owned by the caller; how many are wrong is counted; and the cause is the mistake
-    // that explains every answer of the range.
-    int (*agrees)(const void *job, int i, const void *answers, int mistake);
+    // In its place: is it right? Then a wrong answer is described, "...: found 1, expected 2",
+    // owned by the caller; how many are wrong is counted; and the cause is the known mistake that
+    // explains every answer of the range.
+    int (*is_right)(const void *job, int i, const void *answers);
     char *(*describe)(const void *job, int i, const void *answers);
-    const char *counted;   // "points"; NULL for "inputs"
+    const char *counted;  // "points"; NULL for "inputs"
+    const Known *const *known;
+    int n_known;
+
+    // In the place of is_right and known: does answer number i agree with what comes of a mistake,
+    // or of none, which is number 0?
+    int (*agrees)(const void *job, int i, const void *answers, int mistake);
     const void *mistakes;  // structures that begin with a Cause
     size_t mistake_bytes;  // of one
     int n_mistakes;        // with number 0
@@ -48,14 +54,12 @@ typedef struct Function {
     // Of answers that are all the same nothing is concluded, but where some mistake of the table
     // makes them so.
     int knows_constant;
-    // In the place of these mistakes: what wrong answers look like.
-    Cause (*explain)(const void *job, Range range, const void *answers);
 } Function;
 #define MISTAKES(table)                                                                            \
     .mistakes = (table), .mistake_bytes = sizeof *(table), .n_mistakes = COUNT(table)
-// The answers are compared with what comes of each mistake of a table, or explained as a whole.
 #define COMPARED(how, words, table) .agrees = (how), .describe = (words), MISTAKES(table)
-#define EXPLAINED(how, words, cause) .agrees = (how), .describe = (words), .explain = (cause)
+#define KNOWING(right, words, list)                                                                \
+    .is_right = (right), .describe = (words), .known = (list), .n_known = COUNT(list)
 
 // The function's answers, or NULL when they are missing.
 const void *function_answers(const Function *function, const Sections *answers);

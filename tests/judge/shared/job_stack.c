@@ -59,6 +59,13 @@ int same_stack(const StackState *a, const StackState *b)
     return is_same;
 }
 
+int same_waiting(const NextWaitingAnswer *found, NextWaitingAnswer expected)
+{
+    return expected.goes_on ? found->goes_on && same_entry(found->at, expected.at) &&
+                                  same_stack(&found->todo, &expected.todo)
+                            : !found->goes_on;
+}
+
 // "and node 13 with [4, 5] put on the stack".
 static Words put_words(const StackState *before, const StackState *todo)
 {

@@ -26,6 +26,9 @@ int same_entry(TodoEntry a, TodoEntry b);
 // Do the same nodes wait, as far as they are known? What lies above the top does not matter.
 int same_stack(const StackState *a, const StackState *b);
 
+// Does the search end in both, or go on with the same? Where it is over, at and todo do not matter.
+int same_waiting(const NextWaitingAnswer *found, NextWaitingAnswer expected);
+
 // "node 12 with [1, 4], and node 13 with [4, 5] put on the stack".
 //   before   the stack that was handed in
 Words next_child_words(const StackState *before, const NextChildAnswer *answer);

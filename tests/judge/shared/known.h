@@ -1,0 +1,48 @@
+// How a judge knows a mistake: for each function of the student's, a list of known ones.
+//
+// A known mistake is one expression, with what is said of it, and its kind where it has one:
+//
+//   ANSWERS(far_side, !near_side(in), "that is the far side: near and far are swapped")
+//       what an answer with the mistake is for the input `in`: every answer of a range must be it;
+//       EACH(name, expression, ...) is the same where it takes more to tell whether `found` is it;
+//   ONLY(no_radius, !found && in.radius == 0, "a circle of radius 0 covers its centre")
+//       could the wrong answer `found` be of the mistake? Every wrong one of a range must.
+//
+// The first of the list that explains a range is named (function.c): what is special is before what
+// is general. NULL for a sentence: then nothing is said. What is right is told without mistakes:
+//
+//   RIGHT(is_right, found == near_side(in))
+//
+// For each function, a file defines two macros: GIVEN declares `in` and `found`, number i of the
+// `job` and of the `answers`; IS_FOUND(expected) says whether `found` is that.
+#ifndef JUDGE_KNOWN_H
+#define JUDGE_KNOWN_H
+
+#include "diagnosis.h"
+
+typedef struct Known {
+    Cause cause;
+    int (*fits)(const void *job, int i, const void *answers);
+    int is_only;  // asked of wrong answers only
+} Known;
+
+#define RIGHT(name, expression)                                                                    \
+    static int name(const void *job, int i, const void *answers)                                   \
+    {                                                                                              \
+        GIVEN;                                                                                     \
+        (void)in;                                                                                  \
+        return expression;                                                                         \
+    }
+#define ANSWERS(name, expression, ...) EACH(name, IS_FOUND(expression), __VA_ARGS__)
+#define EACH(name, expression, ...) KNOWN(name, expression, 0, __VA_ARGS__)
+#define ONLY(name, expression, ...) KNOWN(name, expression, 1, __VA_ARGS__)
+#define KNOWN(name, expression, form, ...)                                                         \
+    static int name##_fits(const void *job, int i, const void *answers)                            \
+    {                                                                                              \
+        GIVEN;                                                                                     \
+        (void)in, (void)found;                                                                     \
+        return expression;                                                                         \
+    }                                                                                              \
+    static const Known name = {{.says = __VA_ARGS__}, name##_fits, form};
+
+#endif
