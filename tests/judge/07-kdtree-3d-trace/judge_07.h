@@ -9,6 +9,7 @@
 #include "job_scene3d.h"
 #include "jobs.h"
 #include "judge.h"
+#include "oracle3d_rounding.h"
 #include "span.h"
 
 // ---- Functions --------------------------------------------------------------------------------

@@ -17,12 +17,12 @@ enum { LOWER, UPPER, EITHER };
 
 static int is_along(const SideJob *in)
 {
-    return in->direction == 0 || isinf(in->direction);
+    return in->inverse == 0 || isinf(in->inverse);
 }
 
 static u32 side_of(const SideJob *in, float eye, float plane)
 {
-    return eye < plane ? LOWER : eye > plane ? UPPER : is_along(in) ? EITHER : in->direction > 0;
+    return eye < plane ? LOWER : eye > plane ? UPPER : is_along(in) ? EITHER : in->inverse > 0;
 }
 
 static u32 near_side(const SideJob *in)
@@ -54,13 +54,13 @@ static u32 away_from_plane(const SideJob *in)
 {
     return in->origin == in->node.split_pos
                ? near_side(in)
-               : by_direction(in, (in->origin > in->node.split_pos) == (in->direction > 0));
+               : by_direction(in, (in->origin > in->node.split_pos) == (in->inverse > 0));
 }
 
 ANSWERS(far_side, other_side(near_side(in)), "that is the far side: near and far are swapped")
-ANSWERS(coming_from, by_direction(in, in->direction < 0),
+ANSWERS(coming_from, by_direction(in, in->inverse < 0),
         "that is as if the direction decided, wherever the eye is")
-ANSWERS(going_to, by_direction(in, in->direction > 0),
+ANSWERS(going_to, by_direction(in, in->inverse > 0),
         "that is as if the ray's way decided, wherever the eye is")
 ANSWERS(plane_is_lower, on_plane(in, LOWER),
         "an eye on the plane was sent to the lower child, wherever the ray goes")
@@ -89,7 +89,7 @@ ONLY(along, is_along(in),
 ONLY(hair, from_plane(in) > 0 && from_plane(in) < (float)HAIR,
      "an eye a hair beside the plane is not on it: compare without an epsilon")
 ONLY(small,
-     from_plane(in) == 0 && (fabsf(in->direction) < (float)HAIR || fabsf(in->direction) > 1000),
+     from_plane(in) == 0 && (fabsf(in->inverse) < (float)HAIR || fabsf(in->inverse) > 1000),
      "only the sign of the direction counts, however small or large it is")
 
 static const Known *const known[] = {&far_side,       &coming_from,    &going_to, &plane_is_lower,
@@ -101,8 +101,8 @@ static const Known *const known[] = {&far_side,       &coming_from,    &going_to
 static char *describe(const void *job, int i, const void *answers)
 {
     GIVEN;
-    return message_new("plane at %.9g, eye at %.9g, direction %g: found %u, expected %u",
-                       in->node.split_pos, in->origin, in->direction, found,
+    return message_new("plane at %.9g, eye at %.9g, 1 / direction %g: found %u, expected %u",
+                       in->node.split_pos, in->origin, in->inverse, found,
                        near_side(in) == EITHER ? LOWER : near_side(in));
 }
 

@@ -68,9 +68,9 @@ static u32 n_waiting(const TileWaitingJob *in)
 }
 
 // Entry i of the stack, from the bottom.
-static StackEntry entry_at(const TileWaitingJob *in, u32 i)
+static TodoEntry entry_at(const TileWaitingJob *in, u32 i)
 {
-    return i < in->todo.n ? in->todo.upper[i] : (StackEntry){WAITS_NODE, WAITS_FROM, WAITS_TO};
+    return i < in->todo.n ? in->todo.upper[i] : (TodoEntry){WAITS_NODE, WAITS_FROM, WAITS_TO};
 }
 
 // The search goes on with the node that is n-th from the top.
@@ -91,7 +91,7 @@ static NextWaitingAnswer ended(const TileWaitingJob *in)
 }
 
 // The search goes on with the first node from the top that matters, of the first `most`.
-typedef int Matters(StackEntry waits, float limit);
+typedef int Matters(TodoEntry waits, float limit);
 static NextWaitingAnswer search(const TileWaitingJob *in, Matters *matters, float limit, u32 most)
 {
     for (u32 n = 1; n <= n_waiting(in) && n <= most; n++) {
@@ -102,7 +102,7 @@ static NextWaitingAnswer search(const TileWaitingJob *in, Matters *matters, floa
     return ended(in);
 }
 
-static int begins_before(StackEntry waits, float limit)
+static int begins_before(TodoEntry waits, float limit)
 {
     return waits.t_min <= limit;
 }
@@ -121,7 +121,7 @@ RIGHT(is_right_end, (found->goes_on != 0) == waiting(in).goes_on)
 
 // What of a part lies behind the farthest hit cannot matter any more, so a right answer may cut it
 // off.
-static int is_handed_on(const TileWaitingJob *in, StackEntry found, StackEntry expected)
+static int is_handed_on(const TileWaitingJob *in, TodoEntry found, TodoEntry expected)
 {
     return found.node == expected.node && found.t_min == expected.t_min &&
            found.t_max >= fminf(expected.t_max, in->farthest) && found.t_max <= expected.t_max;
@@ -141,17 +141,17 @@ RIGHT(is_right_next, is_next(in, found))
 // By what is compared with what. More than the least before a begin is less than a quarter.
 #define LEAST_STEP 0x1p-10f
 
-static int begins_behind(StackEntry waits, float limit)
+static int begins_behind(TodoEntry waits, float limit)
 {
     return waits.t_min > limit;
 }
 
-static int ends_before(StackEntry waits, float limit)
+static int ends_before(TodoEntry waits, float limit)
 {
     return waits.t_max <= limit;
 }
 
-static int is_longer(StackEntry waits, float limit)
+static int is_longer(TodoEntry waits, float limit)
 {
     return waits.t_min <= limit && waits.t_min != waits.t_max;
 }
@@ -264,7 +264,7 @@ static NextWaitingAnswer with_one_more(NextWaitingAnswer answer)
     return answer;
 }
 
-static int is_oldest(const TileWaitingJob *in, StackEntry found)
+static int is_oldest(const TileWaitingJob *in, TodoEntry found)
 {
     u32 i = 0;
     while (i < n_waiting(in) && !begins_before(entry_at(in, i), in->farthest)) {
