@@ -1,4 +1,4 @@
-// What is the same in all judges: drawing and writing a job, and asking whatever a check's row
+// What is the same in all judges: rolling and writing a job, and asking whatever a check's row
 // names.
 #include "judge.h"
 
@@ -23,7 +23,7 @@ const Judge *judge_of(const char *lab)
     return NULL;
 }
 
-// ---- Drawing and writing ------------------------------------------------------------------------
+// ---- Rolling and writing ------------------------------------------------------------------------
 
 // Scene number k, to be changed by who may change the job.
 static void *scene_of(const void *pointer, int k)
@@ -87,7 +87,7 @@ Job *job_new(const Judge *judge, uint64_t seed, FILE *file)
     }
     job->judge = judge;
     job->lot = stand_in_lot(seed);
-    int result = judge->draw(job, &random);
+    int result = judge->roll(job, &random);
     if (result == 0) {
         result = write_parts(job, NULL, file);
     }

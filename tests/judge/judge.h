@@ -79,10 +79,10 @@ typedef struct Judge {
     int n_checks;
     size_t job_bytes;  // of the lab's own job
 
-    // Draw all of the job, which is zeros, and what is expected. Returns 0, or -1 after one
-    // message.
-    int (*draw)(void *job, Random *random);
-    // Release what the job owns besides its scenes; it may be drawn in part only. NULL for nothing.
+    // Roll all of the job, which is zeros: choose it at random by the seed, and find out what is
+    // expected. Returns 0, or -1 after one message.
+    int (*roll)(void *job, Random *random);
+    // Release what the job owns besides its scenes; it may be rolled in part. NULL for nothing.
     void (*release)(void *job);
 
     // The job's file: first the parts, then the scenes. Those that write return 0, or -1.
@@ -125,7 +125,7 @@ typedef struct Job {
 const void *job_scene(const void *job, int k);
 const JobPicture *job_picture(const void *job, int k);
 
-// Draw a job from the seed and write it as sections. Returns the job, with all that is expected, or
+// Roll a job from the seed and write it as sections. Returns the job, with all that is expected, or
 // NULL after one message on stderr.
 Job *job_new(const Judge *judge, uint64_t seed, FILE *file);
 void job_free(Job *job);

@@ -2,7 +2,7 @@
 //
 //     judge LAB <requests >replies
 //
-// Its first line is a seed, which no command line shows. It draws the lab's job from that and then
+// Its first line is a seed, which no command line shows. It rolls the lab's job from that and then
 // answers requests, each a line "WORD ARGUMENT N" with N bytes behind it; each reply is a line "N"
 // with N bytes behind it, which are sections (probes/sections.h):
 //

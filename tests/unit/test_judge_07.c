@@ -14,7 +14,7 @@ static JobScene3D *scenes_open(uint64_t seed)
     Random random = {seed};
     JobScene3D *scenes = calloc(N_SCENES, sizeof *scenes);
     cr_assert_not_null(scenes);
-    cr_assert_eq(scenes_07_draw(&random, scenes), 0);
+    cr_assert_eq(roll_scenes_07(&random, scenes), 0);
     return scenes;
 }
 
@@ -258,7 +258,7 @@ Test(judge_07, who_goes_on_behind_the_hit_meets_strangers_with_every_seed)
     for (uint64_t seed = 1; seed <= 20; seed++) {
         Random random = {seed};
         JobScene3D scene;
-        cr_assert_eq(strangers_07_draw(&random, &scene), 0);
+        cr_assert_eq(roll_strangers_07(&random, &scene), 0);
         cr_assert_eq(job_scene3d_expect(&scene), 0);
         strangers_07_expect(&scene);
         cr_expect_eq(count_strangers(&scene, 1), 0, "seed %d", (int)seed);

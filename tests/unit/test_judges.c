@@ -75,16 +75,16 @@ LAB_TEST(judges, a_seed_says_all_about_a_job)
     job_close(&other);
 }
 
-// The attack: a run knows how jobs are drawn, and tries states of the generator until one gives the
-// inputs that it sees. (Here few need trying; of a number that is drawn whole, the state can be
+// The attack: a run knows how jobs are rolled, and tries states of the generator until one gives the
+// inputs that it sees. (Here few need trying; of a number that is rolled whole, the state can be
 // computed.) If that state were the seed, it would say what the stand-ins hold.
-static int draws_the_same(const Judge *judge, uint64_t state, const Job *seen)
+static int rolls_the_same(const Judge *judge, uint64_t state, const Job *seen)
 {
     Random random = {state};
     Job *job = calloc(1, judge->job_bytes);
     cr_assert_not_null(job);
     job->judge = judge;
-    cr_assert_eq(judge->draw(job, &random), 0);
+    cr_assert_eq(judge->roll(job, &random), 0);
     int is_same = 1;
     for (int i = 0; i < judge->n_parts; i++) {
         const JobPart *part = &judge->parts[i];
@@ -101,11 +101,11 @@ LAB_TEST(judges, inputs_do_not_tell_the_lot)
     Open open = job_open(*lab, seed);
     for (uint64_t state = seed - 2; open.judge->n_parts > 0 && state <= seed + 2; state++) {
         cr_expect_not(
-            draws_the_same(open.judge, state, open.job) && stand_in_lot(state) == open.job->lot,
+            rolls_the_same(open.judge, state, open.job) && stand_in_lot(state) == open.job->lot,
             "%s: the state %d gives its inputs, and its lot", open.judge->lab, (int)state);
     }
     const uint64_t state = one_way(seed, PURPOSE_INPUTS);
-    cr_expect(open.judge->n_parts == 0 || draws_the_same(open.judge, state, open.job),
+    cr_expect(open.judge->n_parts == 0 || rolls_the_same(open.judge, state, open.job),
               "the test would not see it");
     cr_expect_neq(stand_in_lot(state), open.job->lot);
     job_close(&open);
@@ -177,7 +177,7 @@ static void expect_jobs_alone(const Open *open)
     fclose(full);
 }
 
-// Of one job, as drawing it takes longer than this.
+// Of one job, as rolling it takes longer than this.
 LAB_TEST(judges, without_answers_nothing_passes_and_every_task_has_a_job_alone)
 {
     Open open = job_open(*lab, 1);

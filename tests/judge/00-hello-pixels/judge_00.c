@@ -122,7 +122,7 @@ static int draw_pattern(u32 key, int width, int height, ExpectedPicture *pattern
     return 0;
 }
 
-static void draw_sizes(Random *random, int sizes[N_SIZES][2])
+static void roll_sizes(Random *random, int sizes[N_SIZES][2])
 {
     static const int fixed[][2] = {{64, 48}, {317, 211}, {48, 272}, {1, 1}, {17, 16}, {1, 33}};
     const int n_fixed = sizeof fixed / sizeof *fixed;
@@ -133,11 +133,11 @@ static void draw_sizes(Random *random, int sizes[N_SIZES][2])
     }
 }
 
-static int draw(void *pointer, Random *random)
+static int roll(void *pointer, Random *random)
 {
     Job00 *job = pointer;
     int sizes[N_SIZES][2], result = 0;
-    draw_sizes(random, sizes);
+    roll_sizes(random, sizes);
     for (int k = 0; result == 0 && k < N_SIZES; k++) {
         result = expect_gradient(sizes[k][0], sizes[k][1], &job->gradients[k]);
         job->keys[k] = (u32)random_integer(random, 0, UINT32_MAX);
@@ -202,7 +202,7 @@ const Judge judge_00 = {
     .checks = checks,
     .n_checks = COUNT(checks),
     .job_bytes = sizeof(Job00),
-    .draw = draw,
+    .roll = roll,
     .release = release,
     .scenes = SCENES(picture_kind, Job00, gradients),
     .write_scene = write_scene,

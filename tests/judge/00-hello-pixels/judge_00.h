@@ -1,5 +1,5 @@
 // What lab 00's judge asks of a submission: pictures of several sizes, each with a pattern for
-// read_back. Drawn in judge_00.c, the host's functions judged in judge_00_host.c and
+// read_back. Rolled in judge_00.c, the host's functions judged in judge_00_host.c and
 // judge_00_launch.c.
 #ifndef JUDGE_JUDGE_00_H
 #define JUDGE_JUDGE_00_H

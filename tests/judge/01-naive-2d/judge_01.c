@@ -10,7 +10,7 @@
 static const char *const edge_names[PILE - NAMED] = {"outside", "borders", "touching", "huge",
                                                      "tiny"};
 
-static int draw_scenes(Random *random, JobScene scenes[N_SCENES])
+static int roll_scenes(Random *random, JobScene scenes[N_SCENES])
 {
     int result = job_scene_random(&scenes[WIDE], random, 120, 24, 317, 211);
     result |= job_scene_random(&scenes[HIGH], random, 30, 12, 48, 272);
@@ -31,11 +31,11 @@ static int draw_scenes(Random *random, JobScene scenes[N_SCENES])
     return result;
 }
 
-static int draw(void *pointer, Random *random)
+static int roll(void *pointer, Random *random)
 {
     Job01 *job = pointer;
-    draw_overlaps_01(random, job->overlaps);
-    return draw_scenes(random, job->scenes);
+    roll_overlaps_01(random, job->overlaps);
+    return roll_scenes(random, job->scenes);
 }
 
 // ---- Alone --------------------------------------------------------------------------------------
@@ -143,7 +143,7 @@ const Judge judge_01 = {
     .checks = checks,
     .n_checks = COUNT(checks),
     .job_bytes = sizeof(Job01),
-    .draw = draw,
+    .roll = roll,
     .parts = parts,
     .n_parts = COUNT(parts),
     .scenes = SCENES(job_scene_kind, Job01, scenes),

@@ -38,8 +38,8 @@ typedef struct Job01 {
 // How far the pixel is outside the circle, in squares: 0 on the boundary, less inside.
 double outside_by_01(OverlapJob in);
 
-// Draw the inputs: the ranges one after the other.
-void draw_overlaps_01(Random *random, OverlapJob jobs[N_OVERLAPS]);
+// Roll the inputs: the ranges one after the other.
+void roll_overlaps_01(Random *random, OverlapJob jobs[N_OVERLAPS]);
 
 extern const Function overlaps_01;
 

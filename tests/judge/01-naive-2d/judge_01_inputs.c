@@ -1,4 +1,4 @@
-// Lab 01: drawing the inputs of overlaps_N_Nearer. See judge_01.h.
+// Lab 01: rolling the inputs of overlaps_N_Nearer. See judge_01.h.
 #include "judge_01.h"
 
 #include <float.h>
@@ -12,7 +12,7 @@ double outside_by_01(OverlapJob in)
 
 // A pixel within two radii of a random circle that is nearer than minDepth, and not near its
 // boundary: that is for others.
-static OverlapJob draw_inside(Random *random)
+static OverlapJob roll_inside(Random *random)
 {
     OverlapJob job = {.minDepth = 0.75f};
     do {
@@ -29,7 +29,7 @@ static OverlapJob draw_inside(Random *random)
 }
 
 // A pixel exactly on the boundary (a Pythagorean triple from the centre), or one step beside it.
-static OverlapJob draw_boundary(Random *random)
+static OverlapJob roll_boundary(Random *random)
 {
     static const int triples[][3] = {{3, 4, 5}, {5, 12, 13},  {8, 15, 17}, {7, 24, 25},
                                      {0, 6, 6}, {20, 21, 29}, {0, 1, 1},   {9, 40, 41}};
@@ -103,7 +103,7 @@ static const float depth_pairs[][2] = {
 };
 
 // The centre of a circle, with a depth below, at or above minDepth; negative ones and infinity too.
-static OverlapJob draw_nearer(Random *random)
+static OverlapJob roll_nearer(Random *random)
 {
     OverlapJob job = {0};
     job.x = (int)random_integer(random, 0, 200);
@@ -119,12 +119,12 @@ static OverlapJob draw_nearer(Random *random)
     return job;
 }
 
-void draw_overlaps_01(Random *random, OverlapJob jobs[N_OVERLAPS])
+void roll_overlaps_01(Random *random, OverlapJob jobs[N_OVERLAPS])
 {
     for (int i = 0; i < N_OVERLAPS; i++) {
-        jobs[i] = i < N_INSIDE                ? draw_inside(random)
-                  : i < N_INSIDE + N_BOUNDARY ? draw_boundary(random)
-                                              : draw_nearer(random);
+        jobs[i] = i < N_INSIDE                ? roll_inside(random)
+                  : i < N_INSIDE + N_BOUNDARY ? roll_boundary(random)
+                                              : roll_nearer(random);
     }
     for (int i = 0; i < N_BESIDE_BOUNDARY; i++) {
         jobs[N_INSIDE + i] = boundary_edge(i);

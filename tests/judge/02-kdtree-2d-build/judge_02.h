@@ -1,5 +1,5 @@
 // What lab 02's judge asks of a submission: inputs of its functions and scenes for its trees.
-// Drawn in judge_02_job.c and judge_02_inputs.c; functions are judged in judge_02_functions.c,
+// Rolled in judge_02_job.c and judge_02_inputs.c; functions are judged in judge_02_functions.c,
 // judge_02_overlap.c and judge_02_lists.c, whole trees in tree_judge.c; one answer alone in
 // judge_02_alone.c.
 #ifndef JUDGE_JUDGE_02_H
@@ -15,7 +15,7 @@ enum { N_LEAVES = 660, N_SPLITS = 414, N_DISTRIBUTES = 65, N_PACKS = 66 };
 enum { N_INSIDE = 1012, N_BOUNDARY = 523, N_CORNER = 509 };
 enum { N_OVERLAPS = N_INSIDE + N_BOUNDARY + N_CORNER };
 
-// The scenes: those of draw_scenes(), DISTRIBUTE_SCENE, and one whose lists 16 bits cannot count.
+// The scenes: those of roll_scenes(), DISTRIBUTE_SCENE, and one whose lists 16 bits cannot count.
 enum { PILE = DISTRIBUTE_SCENE + 1, N_SCENES };
 
 typedef struct Job02 {
@@ -29,11 +29,11 @@ typedef struct Job02 {
 } Job02;
 
 // See judge.h.
-int job_02_draw(void *job, Random *random);
+int roll_job_02(void *job, Random *random);
 int job_02_write_scene(const void *job, int k, FILE *file);
 
-// Draw the inputs of the functions; the scenes are drawn already.
-void draw_inputs_02(Random *random, Job02 *job);
+// Roll the inputs of the functions; the scenes are rolled already.
+void roll_inputs_02(Random *random, Job02 *job);
 
 // The functions; of split_box and pack_leaf one for each property that is judged.
 extern const Function is_leaf_02, split_longer_02, split_middle_02, overlap_02, distribute_02,

@@ -1,4 +1,4 @@
-// Drawing the inputs of lab 02's functions from the seed: see judge_02.h. What is drawn is on a
+// Rolling the inputs of lab 02's functions from the seed: see judge_02.h. What is rolled is on a
 // grid of 1/16 pixel, so that no right answer depends on rounding.
 //
 // Behind it stand the edges, which no seed may miss: inputs that show a rare mistake. They come
@@ -9,7 +9,7 @@
 #include "oracle2d_tree.h"
 #include "packed_list.h"
 
-static BBox2D draw_box(Random *random)
+static BBox2D roll_box(Random *random)
 {
     BBox2D box = {0};
     box.minX = random_grid(random, -100, 100);
@@ -73,7 +73,7 @@ static const LeafJob leaf_edges[3][N_LEAF_EDGES] = {
 };
 
 // Of three inputs one is about the depth, one about the count and one about failed splits.
-static LeafJob draw_leaf(Random *random, int i)
+static LeafJob roll_leaf(Random *random, int i)
 {
     const int last = edge_of(i / 3, N_LEAVES / 3, N_LEAF_EDGES);
     if (last >= 0) {
@@ -124,20 +124,20 @@ static const BBox2D nearly_square[] = {
     {0, 0x1p-20f + 0x1p-30f, 0, 0x1p-20f},
 };
 
-static BBox2D draw_split(Random *random, int i)
+static BBox2D roll_split(Random *random, int i)
 {
     const int edge = edge_of(i, N_SPLITS, COUNT(nearly_square));
     if (edge >= 0) {
         return nearly_square[edge];
     }
-    BBox2D box = draw_box(random);
+    BBox2D box = roll_box(random);
     if (i % 4 == 0) {
         box.maxY = box.minY + (box.maxX - box.minX);
     }
     return box;
 }
 
-// How near to touching a drawn circle of overlap-inside may be: that is for the other checks.
+// How near to touching a rolled circle of overlap-inside may be: that is for the other checks.
 #define CLEARLY 0.25
 
 // Does a circle touch the box, or nearly?
@@ -169,13 +169,13 @@ static const BoxOverlapJob across[] = {
 };
 
 // Circles of any place beside, in and around the box, its size or smaller.
-static BoxOverlapJob draw_inside(Random *random, int i)
+static BoxOverlapJob roll_inside(Random *random, int i)
 {
     const int edge = edge_of(i, N_INSIDE, COUNT(across));
     if (edge >= 0) {
         return across[edge];
     }
-    BoxOverlapJob job = {.box = draw_box(random)};
+    BoxOverlapJob job = {.box = roll_box(random)};
     do {
         job.circle.x = random_grid(random, -150, 250);
         job.circle.y = random_grid(random, -150, 250);
@@ -224,14 +224,14 @@ static const BoxOverlapJob beside[] = {
 
 // A circle that touches a side from outside, or a corner by a Pythagorean triple; or misses it by a
 // sixteenth of a pixel.
-static BoxOverlapJob draw_boundary(Random *random, int i)
+static BoxOverlapJob roll_boundary(Random *random, int i)
 {
     const int edge = edge_of(i, N_BOUNDARY, COUNT(beside));
     if (edge >= 0) {
         return beside[edge];
     }
     static const int triples[][3] = {{3, 4, 5}, {5, 12, 13}, {8, 15, 17}, {7, 24, 25}};
-    BoxOverlapJob job = {.box = draw_box(random)};
+    BoxOverlapJob job = {.box = roll_box(random)};
     const BBox2D box = job.box;
     const int high_x = (int)random_integer(random, 0, 1),
               high_y = (int)random_integer(random, 0, 1);
@@ -268,13 +268,13 @@ static const BoxOverlapJob beyond[] = {
 
 // A circle beyond a corner, nearer than its radius on each axis: the square overlaps, the circle
 // may not.
-static BoxOverlapJob draw_corner(Random *random, int i)
+static BoxOverlapJob roll_corner(Random *random, int i)
 {
     const int edge = edge_of(i, N_CORNER, COUNT(beyond));
     if (edge >= 0) {
         return beyond[edge];
     }
-    BoxOverlapJob job = {.box = draw_box(random)};
+    BoxOverlapJob job = {.box = roll_box(random)};
     const BBox2D box = job.box;
     job.circle.radius = random_grid(random, 4, 60);
     const float dx = job.circle.radius * (float)random_integer(random, 8, 15) / 16;
@@ -299,7 +299,7 @@ static DistributeJob list_of_many(int edge, const Scene2D *scene)
 }
 
 // Some of the scene's circles, ascending with gaps, and a cell.
-static DistributeJob draw_distribute(Random *random, int i, const Scene2D *scene)
+static DistributeJob roll_distribute(Random *random, int i, const Scene2D *scene)
 {
     enum { N_EDGES = 5, MOST_IDS = 48 };
     const int edge = edge_of(i, N_DISTRIBUTES, N_EDGES);
@@ -319,24 +319,24 @@ static DistributeJob draw_distribute(Random *random, int i, const Scene2D *scene
     return job;
 }
 
-void draw_inputs_02(Random *random, Job02 *job)
+void roll_inputs_02(Random *random, Job02 *job)
 {
     for (int i = 0; i < N_LEAVES; i++) {
-        job->leaves[i] = draw_leaf(random, i);
+        job->leaves[i] = roll_leaf(random, i);
     }
     for (int i = 0; i < N_SPLITS; i++) {
-        job->splits[i] = draw_split(random, i);
+        job->splits[i] = roll_split(random, i);
     }
     for (int i = 0; i < N_OVERLAPS; i++) {
         const int j = i - N_INSIDE;
-        job->overlaps[i] = j < 0            ? draw_inside(random, i)
-                           : j < N_BOUNDARY ? draw_boundary(random, j)
-                                            : draw_corner(random, j - N_BOUNDARY);
+        job->overlaps[i] = j < 0            ? roll_inside(random, i)
+                           : j < N_BOUNDARY ? roll_boundary(random, j)
+                                            : roll_corner(random, j - N_BOUNDARY);
     }
     for (int i = 0; i < N_DISTRIBUTES; i++) {
-        job->distributes[i] = draw_distribute(random, i, &job->scenes[DISTRIBUTE_SCENE].scene);
+        job->distributes[i] = roll_distribute(random, i, &job->scenes[DISTRIBUTE_SCENE].scene);
     }
     for (int i = 0; i < N_PACKS; i++) {
-        job->packs[i] = pack_draw(random, edge_of(i, N_PACKS, N_PACK_EDGES), 1);
+        job->packs[i] = pack_roll(random, edge_of(i, N_PACKS, N_PACK_EDGES), 1);
     }
 }

@@ -1,4 +1,4 @@
-// Drawing lab 02's scenes, and with them the job, from the seed: see judge_02.h.
+// Rolling lab 02's scenes, and with them the job, from the seed: see judge_02.h.
 #include "judge_02.h"
 
 #include "oracle2d_tree.h"
@@ -30,7 +30,7 @@ static int count_empty_leaves(const Scene2D *scene, KdTreeLimits limits)
 
 // A scene whose tree has two empty leaves, each with a list of its own. It has fewer in some of its
 // sizes.
-static int draw_with_gaps(Random *random, JobScene *scene, KdTreeLimits limits)
+static int roll_with_gaps(Random *random, JobScene *scene, KdTreeLimits limits)
 {
     int n_empty = 0;
     do {
@@ -43,7 +43,7 @@ static int draw_with_gaps(Random *random, JobScene *scene, KdTreeLimits limits)
     return n_empty < 0 ? -1 : 0;
 }
 
-static int draw_scenes(Random *random, JobScene scenes[N_SCENES], Growth *growth)
+static int roll_scenes(Random *random, JobScene scenes[N_SCENES], Growth *growth)
 {
     static const KdTreeLimits limits[N_SCENES] = {{7, 4}, {4, 1}, {16, 6}, {6, 2},
                                                   {9, 1}, {4, 1}, {1, 3},  {2, 3}};
@@ -51,7 +51,7 @@ static int draw_scenes(Random *random, JobScene scenes[N_SCENES], Growth *growth
     result |= job_scene_named(&scenes[1], random, "example", 10, 10);
     result |= job_scene_random(&scenes[2], random, 300, 10, 120, 240);
     result |= job_scene_named(&scenes[3], random, "touching", 64, 48);
-    result |= draw_with_gaps(random, &scenes[4], limits[4]);
+    result |= roll_with_gaps(random, &scenes[4], limits[4]);
     result |= job_scene_named(&scenes[5], random, "none", 64, 48);
     result |= job_scene_random(&scenes[DISTRIBUTE_SCENE], random, DISTRIBUTE_MAX_IDS, 10, 200, 150);
     result |= job_scene_pile(&scenes[PILE], random);
@@ -69,12 +69,12 @@ static int draw_scenes(Random *random, JobScene scenes[N_SCENES], Growth *growth
     return result;
 }
 
-int job_02_draw(void *pointer, Random *random)
+int roll_job_02(void *pointer, Random *random)
 {
     Job02 *job = pointer;
-    const int result = draw_scenes(random, job->scenes, &job->job.growth);
+    const int result = roll_scenes(random, job->scenes, &job->job.growth);
     if (result == 0) {
-        draw_inputs_02(random, job);
+        roll_inputs_02(random, job);
     }
     return result;
 }

@@ -1,5 +1,5 @@
 // What lab 03's judge asks of a submission: inputs of getContainingChild, and scenes with their
-// trees. Drawn in judge_03_job.c, judge_03_trees.c and judge_03_families.c, judged in judge_03.c;
+// trees. Rolled in judge_03_job.c, judge_03_trees.c and judge_03_families.c, judged in judge_03.c;
 // answers are tried alone in judge_03_alone.c.
 #ifndef JUDGE_JUDGE_03_H
 #define JUDGE_JUDGE_03_H
@@ -47,7 +47,7 @@ typedef struct Job03 {
 } Job03;
 
 // See judge.h.
-int job_03_draw(void *job, Random *random);
+int roll_job_03(void *job, Random *random);
 void job_03_release(void *job);
 int job_03_write_scene(const void *job, int k, FILE *file);
 
@@ -65,7 +65,7 @@ int tree_create_03(u32 n_nodes, u32 n_map, KdTree2D *tree);
 // message.
 int make_leaf_map(JobScene *scene, u32 first_id);
 
-// Draw the scene STAIRS. Returns 0, or -1 after one message.
+// Roll the scene STAIRS. Returns 0, or -1 after one message.
 int draw_stairs(JobScene *scene);
 
 // The nodes of a tree, without lists, and behind FAR_IDS families whose borders are beside a whole

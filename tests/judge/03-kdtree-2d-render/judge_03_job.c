@@ -1,4 +1,4 @@
-// Drawing lab 03's job from the seed: see judge_03.h.
+// Rolling lab 03's job from the seed: see judge_03.h.
 #include "judge_03.h"
 
 #include "complain.h"
@@ -23,7 +23,7 @@ static void shift_circles(Scene2D *scene, float shift)
 }
 
 // A random scene whose bounds are [0, 256] in x and y, so that halves are whole pixels.
-static int draw_borders(Random *random, JobScene *scene)
+static int roll_borders(Random *random, JobScene *scene)
 {
     if (job_scene_random(scene, random, 200, 9, 200, 200) != 0) {
         return -1;
@@ -41,7 +41,7 @@ static int draw_borders(Random *random, JobScene *scene)
 }
 
 // A random scene in the middle of a larger picture.
-static int draw_within(Random *random, JobScene *scene)
+static int roll_within(Random *random, JobScene *scene)
 {
     const int result = job_scene_random(scene, random, 40, 8, 60, 40);
     snprintf(scene->picture.title, sizeof scene->picture.title,
@@ -64,7 +64,7 @@ static i32 coordinate(Random *random, float lowest, float highest)
 }
 
 // A pixel of a random inner node; on the border between its children when asked for.
-static ChildJob draw_child(Random *random, const KdTree2D *tree, int on_border)
+static ChildJob roll_child(Random *random, const KdTree2D *tree, int on_border)
 {
     for (;;) {
         const u32 id = (u32)random_integer(random, 0, tree->n_nodes - 1);
@@ -91,7 +91,7 @@ static ChildJob draw_child(Random *random, const KdTree2D *tree, int on_border)
     }
 }
 
-static int draw_leaf_map(Random *random, JobScene *scene)
+static int roll_leaf_map(Random *random, JobScene *scene)
 {
     int result = job_scene_random(scene, random, 60, 8, 96, 64);
     snprintf(scene->picture.title, sizeof scene->picture.title,
@@ -117,7 +117,7 @@ static int has_empty_leaf(const JobScene *scene)
 }
 
 // An edge case with its tree. Not in all of its sizes has the one with empty leaves any.
-static int draw_edge(Random *random, int k, JobScene *scene)
+static int roll_edge(Random *random, int k, JobScene *scene)
 {
     int result;
     do {
@@ -138,12 +138,12 @@ static KdTreeLimits limits_of(int k)
     return k == LONG_LIST ? two_leaves : usual;
 }
 
-static int draw_scenes(Random *random, JobScene scenes[N_SCENES])
+static int roll_scenes(Random *random, JobScene scenes[N_SCENES])
 {
-    int result = draw_borders(random, &scenes[BORDERS]);
+    int result = roll_borders(random, &scenes[BORDERS]);
     result |= job_scene_random(&scenes[WIDE], random, 200, 20, 317, 211);
-    result |= draw_within(random, &scenes[WITHIN]);
-    result |= draw_leaf_map(random, &scenes[LEAF_MAP]);
+    result |= roll_within(random, &scenes[WITHIN]);
+    result |= roll_leaf_map(random, &scenes[LEAF_MAP]);
     result |= draw_stairs(&scenes[STAIRS]);
     result |= job_scene_random(&scenes[RANDOM], random, 150, 12, 96, 128);
     result |= job_scene_random(&scenes[RANDOM + 1], random, 9, 30, 100, 60);
@@ -151,7 +151,7 @@ static int draw_scenes(Random *random, JobScene scenes[N_SCENES])
     job_scene_spread_depths(&scenes[RANDOM + 1]);
     result |= job_scene_named(&scenes[ORDER], random, "equal-depths", 96, 64);
     for (int k = EDGES; k < DEPTHS; k++) {
-        result |= draw_edge(random, k, &scenes[k]);
+        result |= roll_edge(random, k, &scenes[k]);
     }
     result |= job_scene_depths(&scenes[DEPTHS], random);
     result |= job_scene_pile(&scenes[LONG_LIST], random);
@@ -167,19 +167,19 @@ static int draw_scenes(Random *random, JobScene scenes[N_SCENES])
 }
 
 // The nodes and inputs of getContainingChild.
-static int draw_children(Random *random, Job03 *job)
+static int roll_children(Random *random, Job03 *job)
 {
     const KdTree2D *tree = &job->scenes[BORDERS].tree;
     for (int i = N_FAMILY_JOBS; i < N_CHILDREN; i++) {
-        job->children[i] = draw_child(random, tree, i >= N_INSIDE);
+        job->children[i] = roll_child(random, tree, i >= N_INSIDE);
     }
     return add_families(tree, &job->child_tree, job->children);
 }
 
-int job_03_draw(void *pointer, Random *random)
+int roll_job_03(void *pointer, Random *random)
 {
     Job03 *job = pointer;
-    return draw_scenes(random, job->scenes) == 0 ? draw_children(random, job) : -1;
+    return roll_scenes(random, job->scenes) == 0 ? roll_children(random, job) : -1;
 }
 
 void job_03_release(void *pointer)

@@ -1,4 +1,4 @@
-// What lab 04's judge asks of a submission: views, pixels and pictures of directions. Drawn in
+// What lab 04's judge asks of a submission: views, pixels and pictures of directions. Rolled in
 // judge_04_job.c, judged in judge_04_axes.c, judge_04_display.c and judge_04_rays.c, alone in
 // judge_04_alone.c.
 #ifndef JUDGE_JUDGE_04_H
@@ -39,7 +39,7 @@ typedef struct Job04 {
 #define DISPLAY_ERROR_04 (32 * 0x1p-24)
 
 // See judge.h.
-int job_04_draw(void *job, Random *random);
+int roll_job_04(void *job, Random *random);
 int job_04_write_scene(const void *job, int k, FILE *file);
 
 // The picture of the directions of a scene, which must stay where it is. Returns 0, or -1 after one

@@ -11,7 +11,7 @@
 // How far a right solution's axes may be off where view.up is at right angles to the view: a
 // difference, two cross products and two normalisations in float, each of few roundings of 2^-24.
 // The cross product with `up` loses as many digits more as the sine of the angle between the two is
-// small; draw_view() has a lowest one of 1/4, for which the bound of all its views stands.
+// small; roll_view() has a lowest one of 1/4, for which the bound of all its views stands.
 #define AXES_ERROR (16 * 0x1p-24)
 #define LOWEST_SINE 0.25
 
@@ -170,7 +170,7 @@ static int is_mistaken(Vec3 found, OracleVector axis, double error)
     return is_near_04(found, axis, error * fmax(1, vector_length(axis)));
 }
 
-// The mistake that explains the axes of every view that was drawn, or NULL.
+// The mistake that explains the axes of every view that was rolled, or NULL.
 static const char *recognised(const Job04 *job, const Axes *answers)
 {
     for (int m = 0; m < COUNT(axes_mistakes); m++) {

@@ -1,4 +1,4 @@
-// Drawing lab 04's job from the seed: see judge_04.h.
+// Rolling lab 04's job from the seed: see judge_04.h.
 #include "judge_04.h"
 
 #include "oracle3d.h"
@@ -7,7 +7,7 @@
 
 // Any view whose direction is a quarter of a unit or longer; its up is of any length, mostly not at
 // right angles to it.
-static ViewJob draw_view(Random *random)
+static ViewJob roll_view(Random *random)
 {
     ViewJob view;
     Vec3 way, aside;
@@ -64,10 +64,10 @@ static Camera camera_of(ViewJob job, float fov)
     return (Camera){job.from, to_vec3(axes[0]), to_vec3(axes[1]), to_vec3(axes[2]), fov};
 }
 
-static PixelJob draw_pixel(Random *random, int range)
+static PixelJob roll_pixel(Random *random, int range)
 {
     const float fov = random_number(random, 0.25, 2.5);
-    PixelJob job = {.camera = camera_of(draw_view(random), fov)};
+    PixelJob job = {.camera = camera_of(roll_view(random), fov)};
     job.width = (i32)random_integer(random, 2, 300);
     job.height = (i32)random_integer(random, 2, 300);
     if (range == SQUARE) {
@@ -86,7 +86,7 @@ static PixelJob draw_pixel(Random *random, int range)
 static ViewJob mixed_view(Random *random)
 {
     for (;;) {
-        const ViewJob view = draw_view(random);
+        const ViewJob view = roll_view(random);
         const Vec3 way = vec3_minus(view.at, view.from);
         if ((way.x > 0) != (way.y > 0) || (way.y > 0) != (way.z > 0)) {
             return view;
@@ -94,7 +94,7 @@ static ViewJob mixed_view(Random *random)
     }
 }
 
-static int draw_pictures(Random *random, Job04 *job)
+static int roll_pictures(Random *random, Job04 *job)
 {
     static const int sizes[N_PICTURES][2] = {{96, 64}, {49, 67}, {48, 48}, {48, 48}, {48, 48}};
     static const Vec3 ways[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
@@ -122,21 +122,21 @@ static int draw_pictures(Random *random, Job04 *job)
     return result;
 }
 
-int job_04_draw(void *pointer, Random *random)
+int roll_job_04(void *pointer, Random *random)
 {
     Job04 *job = pointer;
     for (int i = 0; i < N_VIEWS; i++) {
         job->views[i] = i >= FIRST_STEEP    ? steep_view(i - FIRST_STEEP)
                         : i >= FIRST_LENGTH ? view_of_length(i - FIRST_LENGTH)
-                                            : draw_view(random);
+                                            : roll_view(random);
     }
     for (int i = 0; i < N_ALL_PIXELS; i++) {
-        job->pixels[i] = draw_pixel(random, i / N_PIXELS);
+        job->pixels[i] = roll_pixel(random, i / N_PIXELS);
         if (i >= FIRST_FAR_EYE) {
             job->pixels[i].camera.eye = (Vec3){4000, -3000, 2500};
         }
     }
-    return draw_pictures(random, job);
+    return roll_pictures(random, job);
 }
 
 int job_04_write_scene(const void *pointer, int k, FILE *file)

@@ -9,7 +9,7 @@
 
 static const char *const edge_names[N_EDGES] = {"inside", "large-small", "behind", "one", "none"};
 
-// ---- Drawing the job ----------------------------------------------------------------------------
+// ---- Rolling the job ----------------------------------------------------------------------------
 
 // How much larger the outer one of two shells is: as little as float is sure to tell.
 #define SHELL 0x1p-19f
@@ -28,7 +28,7 @@ static Sphere many_sphere(const Scene3D *s, int i)
     return (Sphere){first.x, first.y, first.z, 0.375f + (is_outer ? SHELL : 0)};
 }
 
-static int draw_many(Random *random, JobScene3D *scene)
+static int roll_many(Random *random, JobScene3D *scene)
 {
     enum { N_SHELLS = 24 };
     if (job_scene3d_random(scene, random, N_BEHIND + N_SHELLS, 0.25f, 0.5f, 11, 7) != 0) {
@@ -46,12 +46,12 @@ static int draw_many(Random *random, JobScene3D *scene)
     return 0;
 }
 
-static int draw_scenes(Random *random, JobScene3D scenes[N_SCENES])
+static int roll_scenes(Random *random, JobScene3D scenes[N_SCENES])
 {
     int result = job_scene3d_random(&scenes[RANDOM], random, 100, 0.0625f, 0.25f, 96, 64);
     result |= job_scene3d_random(&scenes[SMALL], random, 60, 0.125f, 0.375f, 49, 67);
     result |= job_scene3d_named(&scenes[LARGE], random, "sphereflake:size=2", 64, 64);
-    result |= draw_many(random, &scenes[MANY]);
+    result |= roll_many(random, &scenes[MANY]);
     result |= job_scene3d_named(&scenes[TIES], random, "coincident", 64, 48);
     for (int i = 0; i < N_EDGES; i++) {
         result |= job_scene3d_named(&scenes[EDGES + i], random, edge_names[i], 48, 36);
@@ -66,13 +66,13 @@ static int draw_scenes(Random *random, JobScene3D scenes[N_SCENES])
     return result;
 }
 
-static int draw(void *pointer, Random *random)
+static int roll(void *pointer, Random *random)
 {
     Job05 *job = pointer;
-    inputs_05_draw(job, random);
+    roll_inputs_05(job, random);
     inputs_05_set_edges(job);
-    const int result = draw_scenes(random, job->scenes);
-    squares_05_draw(random, job->squares);
+    const int result = roll_scenes(random, job->scenes);
+    roll_squares_05(random, job->squares);
     return result;
 }
 
@@ -275,7 +275,7 @@ const Judge judge_05 = {
     .checks = checks,
     .n_checks = COUNT(checks),
     .job_bytes = sizeof(Job05),
-    .draw = draw,
+    .roll = roll,
     .parts = parts,
     .n_parts = COUNT(parts),
     .scenes = SCENES(job_scene3d_kind, Job05, scenes),

@@ -1,5 +1,5 @@
 // What lab 05's judge asks of a submission: inputs of its functions and whole scenes, and what an
-// answer is tried on alone. Inputs are drawn in judge_05_inputs.c, those of every job stand in
+// answer is tried on alone. Inputs are rolled in judge_05_inputs.c, those of every job stand in
 // judge_05_edges.c; functions are judged in judge_05_roots.c and judge_05_shading.c, one answer
 // alone in judge_05_alone.c, nearest_hit in judge_05_squares.c.
 #ifndef JUDGE_JUDGE_05_H
@@ -67,8 +67,8 @@ typedef struct Job05 {
     SquareScene squares[N_SCENES];
 } Job05;
 
-// Draw what the functions get; put the inputs of every job into their places.
-void inputs_05_draw(Job05 *job, Random *random);
+// Roll what the functions get; put the inputs of every job into their places.
+void roll_inputs_05(Job05 *job, Random *random);
 void inputs_05_set_edges(Job05 *job);
 
 // Does the ray, along z, touch the sphere and all of that in numbers that float holds? Then every
@@ -80,7 +80,7 @@ extern const Function nearest_root_05, textbook_05, projection_05, normal_05, sh
 
 // ---- Alone --------------------------------------------------------------------------------------
 
-void squares_05_draw(Random *random, SquareScene scenes[N_SCENES]);
+void roll_squares_05(Random *random, SquareScene scenes[N_SCENES]);
 
 // Write the sections "scene.K" and "scene.K.spheres". Returns 0, or -1.
 int squares_05_write(const SquareScene scenes[N_SCENES], FILE *file);

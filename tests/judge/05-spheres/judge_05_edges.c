@@ -1,8 +1,8 @@
 // The inputs of lab 05's functions that stand in every job: see judge_05.h.
 //
-// Each is there for a mistake that drawn inputs show by chance or not at all: limits and epsilons
+// Each is there for a mistake that rolled inputs show by chance or not at all: limits and epsilons
 // where none belong, and cases that have to meet. They end their ranges, so that a message names
-// a drawn input where one is wrong, too.
+// a rolled input where one is wrong, too.
 #include "judge_05.h"
 
 #include <string.h>

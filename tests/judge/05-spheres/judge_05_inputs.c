@@ -1,4 +1,4 @@
-// Drawing the inputs of lab 05's functions: see judge_05.h.
+// Rolling the inputs of lab 05's functions: see judge_05.h.
 #include "judge_05.h"
 
 #include "random3d.h"
@@ -30,7 +30,7 @@ static Vec3 across(Random *random, Vec3 v)
 }
 
 // A chord's half is a number in steps of 1/16, and so are the roots: they are exact.
-static RootJob draw_root(Random *random, int range)
+static RootJob roll_root(Random *random, int range)
 {
     const float half_chord = (float)random_integer(random, 1, 160) / 16;
     const float gap = (float)random_integer(random, 1, 160) / 16;
@@ -69,7 +69,7 @@ typedef struct Distances {
     double smallest, largest;  // radius over distance
 } Distances;
 
-static SphereRayJob draw_sphere(Random *random, int range)
+static SphereRayJob roll_sphere(Random *random, int range)
 {
     static const Distances outside = {2, 8, 0.2, 0.8}, inside = {0.5, 4, 1.25, 3},
                            small = {200, 400, 0.00005, 0.0002};
@@ -96,7 +96,7 @@ static SphereRayJob draw_sphere(Random *random, int range)
     return job;
 }
 
-static NormalJob draw_normal(Random *random, int range)
+static NormalJob roll_normal(Random *random, int range)
 {
     NormalJob job = {0};
     const Vec3 centre = random_vector(random, -3, 3);
@@ -115,7 +115,7 @@ static NormalJob draw_normal(Random *random, int range)
     return job;
 }
 
-static ShadeJob draw_shade(Random *random, int range, const Light lights[N_LIGHTS])
+static ShadeJob roll_shade(Random *random, int range, const Light lights[N_LIGHTS])
 {
     ShadeJob job = {.point = random_point(random, 2), .n_lights = 1};
     job.normal = direction(random);
@@ -140,7 +140,7 @@ static ShadeJob draw_shade(Random *random, int range, const Light lights[N_LIGHT
     return job;
 }
 
-void inputs_05_draw(Job05 *job, Random *random)
+void roll_inputs_05(Job05 *job, Random *random)
 {
     for (int i = 0; i < N_LIGHTS; i++) {
         // Outside the cube where points are.
@@ -149,18 +149,18 @@ void inputs_05_draw(Job05 *job, Random *random)
         job->lights[i] = (Light){position, random_vector(random, 0.125, 1)};
     }
     for (int i = 0; i < COUNT(job->roots); i++) {
-        job->roots[i] = draw_root(random, i / N_ROOTS);
+        job->roots[i] = roll_root(random, i / N_ROOTS);
     }
     for (int i = 0; i < COUNT(job->textbook); i++) {
-        job->textbook[i] = draw_sphere(random, i / N_SPHERES);
+        job->textbook[i] = roll_sphere(random, i / N_SPHERES);
     }
     for (int i = 0; i < COUNT(job->projection); i++) {
-        job->projection[i] = draw_sphere(random, i / N_SPHERES);
+        job->projection[i] = roll_sphere(random, i / N_SPHERES);
     }
     for (int i = 0; i < COUNT(job->normals); i++) {
-        job->normals[i] = draw_normal(random, i / N_NORMALS);
+        job->normals[i] = roll_normal(random, i / N_NORMALS);
     }
     for (int i = 0; i < COUNT(job->shades); i++) {
-        job->shades[i] = draw_shade(random, i / N_SHADES, job->lights);
+        job->shades[i] = roll_shade(random, i / N_SHADES, job->lights);
     }
 }

@@ -49,7 +49,7 @@ static const SquarePlan plans[N_SCENES] = {
     [EDGES + 4] = {30, 30, 900, 0.0625f, 24, 24, 0},  // large: everything is hit many times
 };
 
-static void draw_squares(Random *random, const SquarePlan *plan, SquareScene *scene)
+static void roll_squares(Random *random, const SquarePlan *plan, SquareScene *scene)
 {
     scene->n = plan->n;
     scene->n_behind = plan == &plans[MANY] ? N_BEHIND : 0;
@@ -68,10 +68,10 @@ static void draw_squares(Random *random, const SquarePlan *plan, SquareScene *sc
     scene->squares[plan->n] = (Sphere){0, 0, 0.03125f, 1000};
 }
 
-void squares_05_draw(Random *random, SquareScene scenes[N_SCENES])
+void roll_squares_05(Random *random, SquareScene scenes[N_SCENES])
 {
     for (int k = 0; k < N_SCENES; k++) {
-        draw_squares(random, &plans[k], &scenes[k]);
+        roll_squares(random, &plans[k], &scenes[k]);
     }
 }
 

@@ -1,5 +1,5 @@
 // What lab 06's judge asks of a submission: inputs of its functions and scenes for its trees.
-// Drawn in judge_06_job.c; functions are judged in judge_06_functions.c and judge_06_packs.c, whole
+// Rolled in judge_06_job.c; functions are judged in judge_06_functions.c and judge_06_packs.c,
 // trees in tree3d_judge.c; one answer alone in judge_06_alone.c.
 #ifndef JUDGE_JUDGE_06_H
 #define JUDGE_JUDGE_06_H
@@ -29,7 +29,7 @@ typedef struct Job06 {
 } Job06;
 
 // See judge.h.
-int job_06_draw(void *job, Random *random);
+int roll_job_06(void *job, Random *random);
 void job_06_release(void *job);
 
 // The functions; of choose_split and pack_leaf_range one for each property that is judged.

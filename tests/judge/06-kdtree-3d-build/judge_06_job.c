@@ -1,9 +1,9 @@
-// Drawing lab 06's job from the seed: see judge_06.h.
+// Rolling lab 06's job from the seed: see judge_06.h.
 //
 // The functions' inputs are on coarse grids, so that no right answer depends on rounding: squared
 // distances are whole numbers of grid squares below 2^24, which float holds exactly.
 //
-// Behind those that are drawn stand the edges, which no seed may miss: inputs that show a rare
+// Behind those that are rolled stand the edges, which no seed may miss: inputs that show a rare
 // mistake. They come last, so that any other mistake is shown without them. Double holds all that
 // they lead to exactly.
 #include "judge_06.h"
@@ -19,7 +19,7 @@ static Sphere sphere_at(const float centre[3], float radius)
 }
 
 // A sphere with its centre in the box from lowest to highest.
-static Sphere draw_sphere(Random *random, const int lowest[3], const int highest[3], int max_radius)
+static Sphere roll_sphere(Random *random, const int lowest[3], const int highest[3], int max_radius)
 {
     float centre[3];
     for (int axis = 0; axis < 3; axis++) {
@@ -28,7 +28,7 @@ static Sphere draw_sphere(Random *random, const int lowest[3], const int highest
     return sphere_at(centre, random_eighth(random, 1, max_radius));
 }
 
-static BBox3D draw_cell(Random *random)
+static BBox3D roll_cell(Random *random)
 {
     BBox3D cell;
     for (int axis = 0; axis < 3; axis++) {
@@ -59,13 +59,13 @@ static const BBox3D nearly_cubes[] = {
 };
 
 // Every third cell has two longest sides or three, or a side of length 0.
-static BBox3D draw_split(Random *random, int i)
+static BBox3D roll_split(Random *random, int i)
 {
     const int edge = edge_of(i, N_SPLITS, COUNT(nearly_cubes));
     if (edge >= 0) {
         return nearly_cubes[edge];
     }
-    BBox3D cell = draw_cell(random);
+    BBox3D cell = roll_cell(random);
     const int kind = i % 15;
     const float length = random_eighth(random, 40, 60);
     for (int axis = 0; axis < 3; axis++) {
@@ -103,13 +103,13 @@ static int touches(SphereBoxJob in)
 
 // Spheres of any place beside, in and around the cell, its size or smaller, none of which only
 // touches it; some with a negative radius.
-static SphereBoxJob draw_inside(Random *random, int i)
+static SphereBoxJob roll_inside(Random *random, int i)
 {
     const int edge = edge_of(i, N_INSIDE, COUNT(odd_inside));
     if (edge >= 0) {
         return odd_inside[edge];
     }
-    const BBox3D box = draw_cell(random);
+    const BBox3D box = roll_cell(random);
     // In every fourth the centre is in the cell, or level with it on two axes.
     const int n_level = i % 4 == 0 ? (int)random_integer(random, 2, 3) : 0;
     const int first = (int)random_integer(random, 0, 2);
@@ -145,7 +145,7 @@ static const SphereBoxJob beside[] = {
 
 // A sphere that touches a side, an edge or a corner of the cell from outside, or misses it by an
 // eighth.
-static SphereBoxJob draw_touching(Random *random, int i)
+static SphereBoxJob roll_touching(Random *random, int i)
 {
     const int edge = edge_of(i, N_TOUCHING, COUNT(beside));
     if (edge >= 0) {
@@ -157,7 +157,7 @@ static SphereBoxJob draw_touching(Random *random, int i)
         {{3, 4, 0, 5}, {5, 12, 0, 13}, {8, 15, 0, 17}},
         {{2, 3, 6, 7}, {1, 4, 8, 9}, {3, 4, 12, 13}},
     };
-    const BBox3D box = draw_cell(random);
+    const BBox3D box = roll_cell(random);
     const int kind = (int)random_integer(random, 0, 2);
     const int *distances = quadruples[kind][random_integer(random, 0, 2)];
     const int first = (int)random_integer(random, 0, 2);
@@ -192,13 +192,13 @@ static const SphereBoxJob beyond[] = {
 
 // A sphere beyond a corner or an edge, nearer than its radius on each axis: its bounding cube
 // overlaps the cell, the sphere itself may not.
-static SphereBoxJob draw_corner(Random *random, int i)
+static SphereBoxJob roll_corner(Random *random, int i)
 {
     const int edge = edge_of(i, N_CORNER, COUNT(beyond));
     if (edge >= 0) {
         return beyond[edge];
     }
-    const BBox3D box = draw_cell(random);
+    const BBox3D box = roll_cell(random);
     const int first = (int)random_integer(random, 0, 2);
     const float radius = (float)random_integer(random, 4, 40);
     float centre[3];
@@ -212,19 +212,19 @@ static SphereBoxJob draw_corner(Random *random, int i)
     return (SphereBoxJob){sphere_at(centre, radius), box};
 }
 
-static void draw_inputs(Random *random, Job06 *job)
+static void roll_inputs(Random *random, Job06 *job)
 {
     for (int i = 0; i < N_SPLITS; i++) {
-        job->splits[i] = draw_split(random, i);
+        job->splits[i] = roll_split(random, i);
     }
     for (int i = 0; i < N_OVERLAPS; i++) {
         const int j = i - N_INSIDE;
-        job->overlaps[i] = j < 0            ? draw_inside(random, i)
-                           : j < N_TOUCHING ? draw_touching(random, j)
-                                            : draw_corner(random, j - N_TOUCHING);
+        job->overlaps[i] = j < 0            ? roll_inside(random, i)
+                           : j < N_TOUCHING ? roll_touching(random, j)
+                                            : roll_corner(random, j - N_TOUCHING);
     }
     for (int i = 0; i < N_PACKS; i++) {
-        job->packs[i] = pack_draw(random, edge_of(i, N_PACKS, N_PACK_EDGES), 0);
+        job->packs[i] = pack_roll(random, edge_of(i, N_PACKS, N_PACK_EDGES), 0);
     }
     job->highest_level = TODO_LEVELS;
 }
@@ -234,7 +234,7 @@ static void draw_inputs(Random *random, Job06 *job)
 // The size of the report's drawings.
 enum { WIDTH = 320, HEIGHT = 240 };
 
-static int draw_named(TreeScene3D *scene, Random *random, const char *name, KdTreeLimits limits)
+static int roll_named(TreeScene3D *scene, Random *random, const char *name, KdTreeLimits limits)
 {
     *scene = (TreeScene3D){.limits = limits};
     snprintf(scene->title, sizeof scene->title, "a scene like \"%s\"", name);
@@ -246,7 +246,7 @@ static int draw_named(TreeScene3D *scene, Random *random, const char *name, KdTr
 }
 
 // Random spheres as they come: 24 bits of every coordinate are in use, so much is rounded.
-static int draw_random(TreeScene3D *scene, Random *random, int n_spheres, KdTreeLimits limits)
+static int roll_random(TreeScene3D *scene, Random *random, int n_spheres, KdTreeLimits limits)
 {
     *scene = (TreeScene3D){.limits = limits};
     snprintf(scene->title, sizeof scene->title, "random scene, %d spheres", n_spheres);
@@ -263,16 +263,16 @@ static int draw_random(TreeScene3D *scene, Random *random, int n_spheres, KdTree
 
 // The same on a grid of 1/8 in a box of other sides: nothing is rounded. Every fifth radius is
 // negative.
-static int draw_on_grid(TreeScene3D *scene, Random *random, int n_spheres, const int corner[3],
+static int roll_on_grid(TreeScene3D *scene, Random *random, int n_spheres, const int corner[3],
                         KdTreeLimits limits)
 {
     const int opposite[3] = {-corner[0], -corner[1], -corner[2]};
-    if (draw_random(scene, random, n_spheres, limits) != 0) {
+    if (roll_random(scene, random, n_spheres, limits) != 0) {
         return -1;
     }
     snprintf(scene->title, sizeof scene->title, "random scene on a grid, %d spheres", n_spheres);
     for (int i = 0; i < n_spheres; i++) {
-        scene->scene.spheres[i] = draw_sphere(random, opposite, corner, 2);
+        scene->scene.spheres[i] = roll_sphere(random, opposite, corner, 2);
         scene->scene.spheres[i].radius *= i % 5 == 0 ? -1 : 1;
     }
     return 0;
@@ -285,9 +285,9 @@ _Static_assert(TODO_SIZE + 2 < 3 * TINY, "nodes would double level by level");
 
 // Two tiny spheres at one place and a far one. No plane ever comes between the two, so the tree
 // gets as deep as the limit says; but only ever one of two children is not empty: it stays small.
-static int draw_deep(TreeScene3D *scene, Random *random, int maxDepth)
+static int roll_deep(TreeScene3D *scene, Random *random, int maxDepth)
 {
-    if (draw_random(scene, random, 3, (KdTreeLimits){maxDepth, 1}) != 0) {
+    if (roll_random(scene, random, 3, (KdTreeLimits){maxDepth, 1}) != 0) {
         return -1;
     }
     snprintf(scene->title, sizeof scene->title, "two tiny spheres at one place and a far one");
@@ -300,22 +300,22 @@ static int draw_deep(TreeScene3D *scene, Random *random, int maxDepth)
     return 0;
 }
 
-static int draw_scenes(Random *random, Job06 *job)
+static int roll_scenes(Random *random, Job06 *job)
 {
     static const int wide[3] = {16, 12, 8}, tall[3] = {4, 4, 12};
     TreeScene3D *scenes = job->scenes;
-    int result = draw_on_grid(&scenes[0], random, 150, wide, (KdTreeLimits){9, 4});
-    result |= draw_on_grid(&scenes[1], random, 60, tall, (KdTreeLimits){7, 2});
-    result |= draw_random(&scenes[2], random, 250, (KdTreeLimits){12, 4});
-    result |= draw_named(&scenes[3], random, "planes", (KdTreeLimits){10, 3});
-    result |= draw_named(&scenes[4], random, "inside", (KdTreeLimits){7, 3});
-    result |= draw_named(&scenes[5], random, "coincident", (KdTreeLimits){6, 8});
-    result |= draw_named(&scenes[6], random, "large-small", (KdTreeLimits){10, 6});
-    result |= draw_named(&scenes[7], random, "one", (KdTreeLimits){4, 1});
-    result |= draw_named(&scenes[8], random, "none", (KdTreeLimits){4, 1});
-    result |= draw_random(&scenes[9], random, 300, (KdTreeLimits){1, 3});
-    result |= draw_deep(&scenes[JUST_FITS], random, TODO_SIZE + 1);
-    result |= draw_deep(&scenes[TOO_DEEP], random, TODO_SIZE + 2);
+    int result = roll_on_grid(&scenes[0], random, 150, wide, (KdTreeLimits){9, 4});
+    result |= roll_on_grid(&scenes[1], random, 60, tall, (KdTreeLimits){7, 2});
+    result |= roll_random(&scenes[2], random, 250, (KdTreeLimits){12, 4});
+    result |= roll_named(&scenes[3], random, "planes", (KdTreeLimits){10, 3});
+    result |= roll_named(&scenes[4], random, "inside", (KdTreeLimits){7, 3});
+    result |= roll_named(&scenes[5], random, "coincident", (KdTreeLimits){6, 8});
+    result |= roll_named(&scenes[6], random, "large-small", (KdTreeLimits){10, 6});
+    result |= roll_named(&scenes[7], random, "one", (KdTreeLimits){4, 1});
+    result |= roll_named(&scenes[8], random, "none", (KdTreeLimits){4, 1});
+    result |= roll_random(&scenes[9], random, 300, (KdTreeLimits){1, 3});
+    result |= roll_deep(&scenes[JUST_FITS], random, TODO_SIZE + 1);
+    result |= roll_deep(&scenes[TOO_DEEP], random, TODO_SIZE + 2);
     for (int k = 0; result == 0 && k <= JUST_FITS; k++) {
         result = tree3d_expect(&scenes[k], (u32)k, &job->job.growth);
     }
@@ -329,12 +329,12 @@ static int draw_scenes(Random *random, Job06 *job)
 
 // ---- The job ------------------------------------------------------------------------------------
 
-int job_06_draw(void *pointer, Random *random)
+int roll_job_06(void *pointer, Random *random)
 {
     Job06 *job = pointer;
-    const int result = draw_scenes(random, job);
+    const int result = roll_scenes(random, job);
     if (result == 0) {
-        draw_inputs(random, job);
+        roll_inputs(random, job);
     }
     return result;
 }

@@ -1,5 +1,5 @@
 // Judge of lab 07: each function on chosen inputs, what rays hit in whole scenes, the pictures, and
-// the counted work. The functions' inputs are drawn and judged in the files that judge_07.h names.
+// the counted work. The functions' inputs are rolled and judged in the files that judge_07.h names.
 //
 // Hits are those of brute force, whatever the tree: only rays that the oracle calls ambiguous may
 // differ. Work is judged ray by ray by the least and the most that a right search may do
@@ -11,13 +11,13 @@
 #include "judge_07_work.h"
 #include "message.h"
 
-// ---- Drawing the job ----------------------------------------------------------------------------
+// ---- Rolling the job ----------------------------------------------------------------------------
 
-static int draw(void *pointer, Random *random)
+static int roll(void *pointer, Random *random)
 {
     Job07 *job = pointer;
-    inputs_07_draw(random, &job->inputs);
-    return scenes_07_draw(random, job->scenes);
+    roll_inputs_07(random, &job->inputs);
+    return roll_scenes_07(random, job->scenes);
 }
 
 // ---- Hits ---------------------------------------------------------------------------------------
@@ -246,7 +246,7 @@ const Judge judge_07 = {
     .checks = checks,
     .n_checks = COUNT(checks),
     .job_bytes = sizeof(Job07),
-    .draw = draw,
+    .roll = roll,
     .parts = parts,
     .n_parts = COUNT(parts),
     .scenes = SCENES(job_scene3d_kind, Job07, scenes),

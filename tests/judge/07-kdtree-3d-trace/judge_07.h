@@ -1,8 +1,8 @@
 // What lab 07's judge asks of a submission: inputs of its functions, and scenes with their trees.
-// Inputs are drawn in judge_07_inputs.c; those that stand in every job are in judge_07_edges.c.
+// Inputs are rolled in judge_07_inputs.c; those that stand in every job are in judge_07_edges.c.
 // They are judged in judge_07_clip.c, judge_07_side.c, judge_07_planes.c, judge_07_leaf.c and
-// judge_07_once.c; those of the search's two steps are drawn and judged in judge_07_children.c and
-// judge_07_waiting.c. Scenes are drawn in judge_07_scenes.c and judged in judge_07.c.
+// judge_07_once.c; those of the search's two steps are rolled and judged in judge_07_children.c and
+// judge_07_waiting.c. Scenes are rolled in judge_07_scenes.c and judged in judge_07.c.
 #ifndef JUDGE_JUDGE_07_H
 #define JUDGE_JUDGE_07_H
 
@@ -50,13 +50,13 @@ typedef struct Inputs07 {
     NextWaitingJob waiting[N_WAITING_INPUTS];
 } Inputs07;
 
-void inputs_07_draw(Random *random, Inputs07 *inputs);
+void roll_inputs_07(Random *random, Inputs07 *inputs);
 
 // Parts of it.
-void inputs_07_draw_children(Random *random, Inputs07 *inputs);
-void inputs_07_draw_waiting(Random *random, Inputs07 *inputs);
+void roll_child_inputs_07(Random *random, Inputs07 *inputs);
+void roll_waiting_inputs_07(Random *random, Inputs07 *inputs);
 
-// Put the inputs that stand in every job into the places of drawn ones, at the end of each range.
+// Put the inputs that stand in every job into the places of rolled ones, at the end of each range.
 void inputs_07_set_edges(Inputs07 *inputs);
 
 // The functions; of search_leaf and next_waiting one for each property that is judged. The message
@@ -84,7 +84,7 @@ enum {
     N_NAMED = 9,             // scenes of scene3d.h
     DEEP = EDGES + N_NAMED,  // a tree that needs the whole todo stack
     TOUCHING,                // hits on the side of the scene's box
-    TIE,                     // one ray, two spheres: see draw_tie()
+    TIE,                     // one ray, two spheres: see roll_tie()
     TIP,                     // hits that rounding puts before the leaf they are in
     N_EDGES = TIP + 1 - EDGES,
     FLAKE = EDGES + N_EDGES,
@@ -92,11 +92,11 @@ enum {
     N_SCENES,
 };
 
-// Draw the scenes, with their trees and what is expected. Returns 0, or -1 after one message.
-int scenes_07_draw(Random *random, JobScene3D scenes[N_SCENES]);
+// Roll the scenes, with their trees and what is expected. Returns 0, or -1 after one message.
+int roll_scenes_07(Random *random, JobScene3D scenes[N_SCENES]);
 
 // The scene with strangers. Returns 0, or -1 after one message.
-int strangers_07_draw(Random *random, JobScene3D *scene);
+int roll_strangers_07(Random *random, JobScene3D *scene);
 
 // Of what the oracle expects there let only those rays count that no right search lets meet one.
 void strangers_07_expect(JobScene3D *scene);

@@ -11,7 +11,7 @@
 // ---- Inputs -----------------------------------------------------------------------------------
 
 // Where the plane is met: inside the part; or before it, beyond it, behind the eye.
-static float draw_t_split(Random *random, float t_min, float t_max, int is_inside)
+static float roll_t_split(Random *random, float t_min, float t_max, int is_inside)
 {
     if (is_inside) {
         return t_min > 0 && one_in(random, 8) ? t_min
@@ -28,14 +28,14 @@ static float draw_t_split(Random *random, float t_min, float t_max, int is_insid
     }
 }
 
-static NextChildJob draw_child(Random *random, int meets_both)
+static NextChildJob roll_child(Random *random, int meets_both)
 {
     NextChildJob job = {.origin = random_quarters(random, -16, 16)};
     job.t_min = one_in(random, 4) ? 0 : random_quarters(random, 1, 16);
     job.t_max = job.t_min + random_quarters(random, 1, 16);
     job.inverse = (float)(1 << random_integer(random, 0, 2));
     job.inverse *= one_in(random, 2) ? -1 : 1;
-    const float t_split = draw_t_split(random, job.t_min, job.t_max, meets_both);
+    const float t_split = roll_t_split(random, job.t_min, job.t_max, meets_both);
     job.node.split_pos = job.origin + t_split / job.inverse;
     job.node.split_axis = (u32)random_integer(random, 0, 2);
     job.node.first = (u32)random_integer(random, 3, 1000);
@@ -44,10 +44,10 @@ static NextChildJob draw_child(Random *random, int meets_both)
     return job;
 }
 
-void inputs_07_draw_children(Random *random, Inputs07 *inputs)
+void roll_child_inputs_07(Random *random, Inputs07 *inputs)
 {
     for (int i = 0; i < COUNT(inputs->children); i++) {
-        inputs->children[i] = draw_child(random, i >= N_CHILD_INPUTS);
+        inputs->children[i] = roll_child(random, i >= N_CHILD_INPUTS);
     }
 }
 

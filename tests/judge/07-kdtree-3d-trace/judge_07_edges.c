@@ -1,6 +1,6 @@
 // The inputs of lab 07's functions that stand in every job, whatever the seed: what lies a hair
 // beside a border, is as good as along a plane, or is as near or as far as a hit may be. They are
-// the last ones of each range, behind those that are drawn (judge_07_inputs.c).
+// the last ones of each range, behind those that are rolled (judge_07_inputs.c).
 //
 // No right solution rounds in them, or not by as much as counts: planes at 0, and else numbers of
 // few bits. So who adds a small number to a comparison is wrong here, however small it is.
@@ -157,7 +157,7 @@ static const struct {
 enum {
     N_LEAF_EDGES = COUNT(leaf_edges),
     OTHER_LEAFS_SPHERE = N_SHORT_LEAF_IDS - 1,
-    // Where no drawn leaf's spheres are.
+    // Where no rolled leaf's spheres are.
     FIRST_EDGE_SPHERE = OTHER_LEAFS_SPHERE - 2 * N_LEAF_EDGES,
 };
 

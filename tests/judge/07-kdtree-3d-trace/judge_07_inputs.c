@@ -1,4 +1,4 @@
-// Drawing the inputs of lab 07's functions. In every range some inputs are plain, so that an answer
+// Rolling the inputs of lab 07's functions. In every range some inputs are plain, so that an answer
 // that is always the same is wrong in all of them.
 #include "judge_07.h"
 
@@ -24,7 +24,7 @@ static float *axis_of(Vec3 *v, int axis)
 // ---- clip_to_box ------------------------------------------------------------------------------
 
 // Coordinates in sixteenths.
-static BBox3D draw_box(Random *random)
+static BBox3D roll_box(Random *random)
 {
     BBox3D box;
     for (int axis = 0; axis < 3; axis++) {
@@ -35,7 +35,7 @@ static BBox3D draw_box(Random *random)
 }
 
 // A point in the box made `scale` times as large.
-static Vec3 draw_point(Random *random, const BBox3D *box, double scale)
+static Vec3 roll_point(Random *random, const BBox3D *box, double scale)
 {
     Vec3 p;
     for (int axis = 0; axis < 3; axis++) {
@@ -58,13 +58,13 @@ static int holds(const BBox3D *box, Vec3 p)
 }
 
 // A ray from outside towards the box, or past it.
-static ClipJob draw_towards(Random *random)
+static ClipJob roll_towards(Random *random)
 {
-    ClipJob job = {.box = draw_box(random), .t_max = INFINITY};
+    ClipJob job = {.box = roll_box(random), .t_max = INFINITY};
     Vec3 way;
     do {
         job.origin = random_point(random, 10);
-        way = vec3_minus(draw_point(random, &job.box, 1.5), job.origin);
+        way = vec3_minus(roll_point(random, &job.box, 1.5), job.origin);
     } while (holds(&job.box, job.origin) || vec3_dot(way, way) < 0.25f || way.x == 0 ||
              way.y == 0 || way.z == 0);
     job.direction = vec3_normalized(way);
@@ -72,9 +72,9 @@ static ClipJob draw_towards(Random *random)
 }
 
 // Exactly along an axis, with whole numbers of sixteenths all over: what remains may be one point.
-static ClipJob draw_point_left(Random *random)
+static ClipJob roll_point_left(Random *random)
 {
-    ClipJob job = {.box = draw_box(random), .t_max = INFINITY};
+    ClipJob job = {.box = roll_box(random), .t_max = INFINITY};
     const int axis = (int)random_integer(random, 0, 2);
     const int is_up = one_in(random, 2);
     for (int other = 0; other < 3; other++) {
@@ -101,16 +101,16 @@ static ClipJob draw_point_left(Random *random)
     return job;
 }
 
-static ClipJob draw_clip(Random *random, enum ClipRange range)
+static ClipJob roll_clip(Random *random, enum ClipRange range)
 {
-    ClipJob job = draw_towards(random);
+    ClipJob job = roll_towards(random);
     if (range == CLIP_FROM_OUTSIDE || one_in(random, 4)) {
         return job;
     }
     if (range == CLIP_PART) {
         // From inside, and parts that begin or end there.
         if (!one_in(random, 4)) {
-            job.origin = draw_point(random, &job.box, 0.9375);
+            job.origin = roll_point(random, &job.box, 0.9375);
             job.direction = unit_vector(random);
         }
         if (!one_in(random, 3)) {
@@ -119,7 +119,7 @@ static ClipJob draw_clip(Random *random, enum ClipRange range)
         }
     } else if (range == CLIP_BESIDE) {
         const float distance =
-            (float)vec3_length(vec3_minus(draw_point(random, &job.box, 0), job.origin));
+            (float)vec3_length(vec3_minus(roll_point(random, &job.box, 0), job.origin));
         switch (random_integer(random, 0, 2)) {
         case 0:  // behind the eye
             job.direction = vec3_scaled(job.direction, -1);
@@ -131,10 +131,10 @@ static ClipJob draw_clip(Random *random, enum ClipRange range)
             job.t_min = distance * 4;
         }
     } else if (one_in(random, 3)) {
-        return draw_point_left(random);
+        return roll_point_left(random);
     } else {
         // Along the planes of one axis or two: aimed at the box it is hit, else mostly not.
-        job.origin = one_in(random, 2) ? job.origin : draw_point(random, &job.box, 1.5);
+        job.origin = one_in(random, 2) ? job.origin : roll_point(random, &job.box, 1.5);
         const int first = (int)random_integer(random, 0, 2);
         for (int i = 0; i < (one_in(random, 2) ? 1 : 2); i++) {
             const int axis = (first + i) % 3;
@@ -152,43 +152,43 @@ static ClipJob draw_clip(Random *random, enum ClipRange range)
 
 // ---- near_side, children_on_ray ---------------------------------------------------------------
 
-static KdNode3 draw_node(Random *random, float split_pos)
+static KdNode3 roll_node(Random *random, float split_pos)
 {
     const u32 split_axis = (u32)random_integer(random, 0, 2);
     const u32 first = (u32)random_integer(random, 1, 100);
     return (KdNode3){split_pos, split_axis, first, 0};
 }
 
-static float draw_sign(Random *random)
+static float roll_sign(Random *random)
 {
     return one_in(random, 2) ? 1.0f : -1.0f;
 }
 
-// A number of this size with any sign. C leaves open which side of a product is drawn first.
-static float draw_signed(Random *random, double lowest, double highest)
+// A number of this size with any sign. C leaves open which side of a product is rolled first.
+static float roll_signed(Random *random, double lowest, double highest)
 {
-    const float sign = draw_sign(random);
+    const float sign = roll_sign(random);
     return sign * random_number(random, lowest, highest);
 }
 
-static SideJob draw_side(Random *random, int is_on_plane)
+static SideJob roll_side(Random *random, int is_on_plane)
 {
     const float split_pos = random_number(random, -4, 4);
-    SideJob job = {draw_node(random, split_pos), split_pos, 0};
+    SideJob job = {roll_node(random, split_pos), split_pos, 0};
     // 1 / direction: infinite if the ray is along the plane. 0 shall do no harm either.
     switch (random_integer(random, 0, 5)) {
     case 0:
-        job.inverse = draw_sign(random);
+        job.inverse = roll_sign(random);
         job.inverse *= one_in(random, 2) ? 0 : INFINITY;
         break;
     case 1:
-        job.inverse = draw_signed(random, 2, 100);
+        job.inverse = roll_signed(random, 2, 100);
         break;
     default:
-        job.inverse = draw_signed(random, 0.03125, 1);
+        job.inverse = roll_signed(random, 0.03125, 1);
     }
     if (!is_on_plane) {
-        const float sign = draw_sign(random);
+        const float sign = roll_sign(random);
         // Beside the plane, and as near to it as float can be.
         job.origin = one_in(random, 4) ? nextafterf(split_pos, sign * INFINITY)
                                        : split_pos + sign * random_number(random, 0.0625, 4);
@@ -196,10 +196,10 @@ static SideJob draw_side(Random *random, int is_on_plane)
     return job;
 }
 
-static PlaneJob draw_plane(Random *random, enum PlaneRange range)
+static PlaneJob roll_plane(Random *random, enum PlaneRange range)
 {
     PlaneJob job = {.origin = random_number(random, -4, 4)};
-    float direction = draw_signed(random, 0.0625, 1);
+    float direction = roll_signed(random, 0.0625, 1);
     job.t_min = one_in(random, 4) ? 0 : random_number(random, 0.5, 4);
     job.t_max = job.t_min + random_number(random, 0.5, 4);
     // Before the part, in it, beyond it.
@@ -211,7 +211,7 @@ static PlaneJob draw_plane(Random *random, enum PlaneRange range)
     if (range == PLANES_AHEAD && one_in(random, 6)) {
         // Exactly at an end of the part. Nothing is rounded: all is on the grid, 1 / 4 of it, or
         // a power of two.
-        direction = draw_sign(random) * 0.25f;
+        direction = roll_sign(random) * 0.25f;
         t = job.t_min > 0 && one_in(random, 2) ? job.t_min : job.t_max;
     }
     job.inverse = 1 / direction;
@@ -220,9 +220,9 @@ static PlaneJob draw_plane(Random *random, enum PlaneRange range)
         // The eye on the plane is in the node, or the node is ahead of it.
         job.t_min = one_in(random, 2) ? 0 : job.t_min;
     }
-    job.node = draw_node(random, job.origin + t * direction);
+    job.node = roll_node(random, job.origin + t * direction);
     if (range == PLANES_ALONG && !one_in(random, 4)) {
-        job.inverse = draw_sign(random) * INFINITY;
+        job.inverse = roll_sign(random) * INFINITY;
         job.node.split_pos = one_in(random, 2) ? job.origin : random_number(random, -4, 4);
     }
     return job;
@@ -234,7 +234,7 @@ static PlaneJob draw_plane(Random *random, enum PlaneRange range)
 // be asked in each leaf, and others up to the end of the array.
 enum { N_PLACES = 48, N_COPIES = 24, FIRST_GUARD = N_PLACES + N_COPIES };
 
-static void draw_leaf_spheres(Random *random, Sphere *spheres)
+static void roll_leaf_spheres(Random *random, Sphere *spheres)
 {
     for (int i = 0; i < N_SHORT_LEAF_IDS; i++) {
         const Vec3 centre = random_point(random, 1);
@@ -248,7 +248,7 @@ static void draw_leaf_spheres(Random *random, Sphere *spheres)
 
 // Write a leaf's ids, ascending, and a guard before and behind them. Returns how many there are, at
 // most n_wanted.
-static u32 draw_leaf_ids(Random *random, int n_wanted, int has_copies, u32 guard, u32 *ids)
+static u32 roll_leaf_ids(Random *random, int n_wanted, int has_copies, u32 guard, u32 *ids)
 {
     const int n_all = has_copies ? N_PLACES + N_COPIES : N_PLACES;
     u32 n_ids = 0;
@@ -265,7 +265,7 @@ static u32 draw_leaf_ids(Random *random, int n_wanted, int has_copies, u32 guard
 // Aim at a sphere's middle along an axis, and let the hit so far be just as far away. So far off
 // that a root which is a little wrong rounds to the right distance: what is equal in double is
 // equal in float.
-static void draw_tie(Random *random, Sphere sphere, SearchJob *job)
+static void roll_tie(Random *random, Sphere sphere, SearchJob *job)
 {
     const int axis = (int)random_integer(random, 0, 2);
     const float distance = 1024, way = one_in(random, 2) ? 1 : -1;
@@ -277,7 +277,7 @@ static void draw_tie(Random *random, Sphere sphere, SearchJob *job)
     job->sphere = (u32)random_integer(random, 0, N_PLACES + N_COPIES - 1);
 }
 
-static SearchJob draw_leaf(Random *random, Inputs07 *inputs, int i)
+static SearchJob roll_leaf(Random *random, Inputs07 *inputs, int i)
 {
     const u32 guard = FIRST_GUARD + (u32)i;
     const u32 first = (u32)i * (LEAF_MAX_SPHERES + 2);
@@ -285,7 +285,7 @@ static SearchJob draw_leaf(Random *random, Inputs07 *inputs, int i)
     // The first leaf is full. Its range begins near 0: who takes n_spheres for the end asks some.
     const int n_wanted =
         i == 0 ? LEAF_MAX_SPHERES : (int)random_integer(random, 0, LEAF_MAX_SPHERES);
-    const u32 n_ids = draw_leaf_ids(random, n_wanted, i >= N_LEAF_INPUTS, guard, ids);
+    const u32 n_ids = roll_leaf_ids(random, n_wanted, i >= N_LEAF_INPUTS, guard, ids);
     SearchJob job = {.node = {.split_axis = KD_LEAF, .first = first + 1, .n_spheres = n_ids},
                      .t = INFINITY,
                      .sphere = ORACLE_NO_SPHERE};
@@ -302,7 +302,7 @@ static SearchJob draw_leaf(Random *random, Inputs07 *inputs, int i)
         job.sphere = (u32)random_integer(random, FIRST_GUARD + N_LEAVES, N_SHORT_LEAF_IDS - 1);
     }
     if (i >= N_LEAF_INPUTS && i % 4 == 0) {
-        draw_tie(random, sphere, &job);
+        roll_tie(random, sphere, &job);
     }
     // Around the eye: nearer than all.
     inputs->leaf_spheres[guard] = (Sphere){job.origin.x, job.origin.y, job.origin.z, GUARD_RADIUS};
@@ -311,22 +311,22 @@ static SearchJob draw_leaf(Random *random, Inputs07 *inputs, int i)
 
 // ---- All --------------------------------------------------------------------------------------
 
-void inputs_07_draw(Random *random, Inputs07 *inputs)
+void roll_inputs_07(Random *random, Inputs07 *inputs)
 {
     for (int i = 0; i < COUNT(inputs->clips); i++) {
-        inputs->clips[i] = draw_clip(random, (enum ClipRange)(i / N_CLIP_INPUTS));
+        inputs->clips[i] = roll_clip(random, (enum ClipRange)(i / N_CLIP_INPUTS));
     }
     for (int i = 0; i < COUNT(inputs->sides); i++) {
-        inputs->sides[i] = draw_side(random, i >= N_SIDE_INPUTS && !one_in(random, 4));
+        inputs->sides[i] = roll_side(random, i >= N_SIDE_INPUTS && !one_in(random, 4));
     }
     for (int i = 0; i < COUNT(inputs->planes); i++) {
-        inputs->planes[i] = draw_plane(random, (enum PlaneRange)(i / N_PLANE_INPUTS));
+        inputs->planes[i] = roll_plane(random, (enum PlaneRange)(i / N_PLANE_INPUTS));
     }
-    draw_leaf_spheres(random, inputs->leaf_spheres);
+    roll_leaf_spheres(random, inputs->leaf_spheres);
     for (int i = 0; i < N_LEAVES; i++) {
-        inputs->leaves[i] = draw_leaf(random, inputs, i);
+        inputs->leaves[i] = roll_leaf(random, inputs, i);
     }
-    inputs_07_draw_children(random, inputs);
-    inputs_07_draw_waiting(random, inputs);
+    roll_child_inputs_07(random, inputs);
+    roll_waiting_inputs_07(random, inputs);
     inputs_07_set_edges(inputs);
 }

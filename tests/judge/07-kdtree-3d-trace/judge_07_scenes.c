@@ -63,7 +63,7 @@ static void move_eye(Random *random, JobScene3D *scene, EyePlace place)
     job_scene3d_aim(scene);
 }
 
-static int draw_random(Random *random, const RandomPlan *plan, JobScene3D *scene)
+static int roll_random(Random *random, const RandomPlan *plan, JobScene3D *scene)
 {
     if (job_scene3d_random(scene, random, plan->n_spheres, plan->min_radius, plan->max_radius,
                            plan->width, plan->height) != 0) {
@@ -91,7 +91,7 @@ static const struct {
 // A tree as deep as one may be, and rays that leave a child waiting at nearly every node: the eye
 // is in the lowest corner, among spheres at one place that only the limits keep from being halved
 // for ever, and looks at spheres around the opposite corner, which come from the stack last.
-static int draw_deep(Random *random, JobScene3D *scene)
+static int roll_deep(Random *random, JobScene3D *scene)
 {
     enum { N_AT_ONE_PLACE = 10, N_SPHERES = 16 };
     const float side = 4;
@@ -125,7 +125,7 @@ static int draw_deep(Random *random, JobScene3D *scene)
 // From inside a large sphere one looks exactly at where it touches the scene's box, through so
 // narrow an angle that the sphere is the box's side for float: its hits lie before or behind t_max,
 // as rounding has it. Who throws away a hit for lying outside the node has pinholes.
-static int draw_touching(Random *random, JobScene3D *scene)
+static int roll_touching(Random *random, JobScene3D *scene)
 {
     const float radius = 100;
     if (job_scene3d_random(scene, random, 2, 0.25f, 0.5f, 48, 36) != 0) {
@@ -148,7 +148,7 @@ static int draw_touching(Random *random, JobScene3D *scene)
 // One ray, which hits spheres 0 and 1 at a distance that is the same in float, and is just t_max of
 // the near leaf: the plane lies there. Sphere 1 touches the plane and is in both leaves, sphere 0
 // is a hair smaller and in the far one only. Sphere 2 makes the root's cell symmetrical.
-static int draw_tie(Random *random, JobScene3D *scene)
+static int roll_tie(Random *random, JobScene3D *scene)
 {
     if (job_scene3d_random(scene, random, 3, 0.25f, 0.5f, 1, 1) != 0) {
         return -1;
@@ -171,7 +171,7 @@ static int draw_tie(Random *random, JobScene3D *scene)
 // From far away, and through so narrow an angle that it is flat, one looks at the tip of a sphere
 // just behind a plane, which only the far leaf lists. Its hits lie behind t_split or before it, as
 // rounding has it. Who throws away a hit for lying before the node's part has pinholes.
-static int draw_tip(Random *random, JobScene3D *scene)
+static int roll_tip(Random *random, JobScene3D *scene)
 {
     const float radius = 64, gap = 0x1p-17f, end = 2 * radius + gap;
     if (job_scene3d_random(scene, random, 2, 0.25f, 0.5f, 24, 16) != 0) {
@@ -192,7 +192,7 @@ static int draw_tip(Random *random, JobScene3D *scene)
     return job_scene3d_grow_tree(scene, (KdTreeLimits){2, 1});
 }
 
-static int draw_named(Random *random, JobScene3D *scene, const char *name, int width, int height,
+static int roll_named(Random *random, JobScene3D *scene, const char *name, int width, int height,
                       KdTreeLimits limits)
 {
     return job_scene3d_named(scene, random, name, width, height) != 0
@@ -211,23 +211,23 @@ static int finish(JobScene3D *scene)
     return job_scene3d_expect(scene);
 }
 
-int scenes_07_draw(Random *random, JobScene3D scenes[N_SCENES])
+int roll_scenes_07(Random *random, JobScene3D scenes[N_SCENES])
 {
     int result = 0;
     for (int i = 0; i < N_RANDOM; i++) {
-        result |= draw_random(random, &plans[i], &scenes[RANDOM + i]);
+        result |= roll_random(random, &plans[i], &scenes[RANDOM + i]);
     }
     for (int i = 0; i < N_NAMED; i++) {
-        result |= draw_named(random, &scenes[EDGES + i], edges[i].name, edges[i].width,
+        result |= roll_named(random, &scenes[EDGES + i], edges[i].name, edges[i].width,
                              edges[i].height, edges[i].limits);
     }
-    result |= draw_deep(random, &scenes[DEEP]);
-    result |= draw_touching(random, &scenes[TOUCHING]);
-    result |= draw_tie(random, &scenes[TIE]);
-    result |= draw_tip(random, &scenes[TIP]);
+    result |= roll_deep(random, &scenes[DEEP]);
+    result |= roll_touching(random, &scenes[TOUCHING]);
+    result |= roll_tie(random, &scenes[TIE]);
+    result |= roll_tip(random, &scenes[TIP]);
     result |=
-        draw_named(random, &scenes[FLAKE], "sphereflake:size=3", 96, 72, tree3d_limits(0, 0, 820));
-    result |= strangers_07_draw(random, &scenes[STRANGERS]);
+        roll_named(random, &scenes[FLAKE], "sphereflake:size=3", 96, 72, tree3d_limits(0, 0, 820));
+    result |= roll_strangers_07(random, &scenes[STRANGERS]);
     for (int k = 0; result == 0 && k < N_SCENES; k++) {
         result = finish(&scenes[k]);
     }

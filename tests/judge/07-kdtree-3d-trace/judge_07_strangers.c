@@ -44,7 +44,7 @@ static int list_stranger(Random *random, KdTree3D *tree, u32 stranger, int every
     return 0;
 }
 
-int strangers_07_draw(Random *random, JobScene3D *scene)
+int roll_strangers_07(Random *random, JobScene3D *scene)
 {
     enum { N_SPHERES = 200, EVERY = 5 };
     if (job_scene3d_random(scene, random, N_SPHERES, 0.0625f, 0.1875f, 64, 48) != 0 ||

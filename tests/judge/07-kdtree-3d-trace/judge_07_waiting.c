@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-static NextWaitingJob draw_waiting(Random *random)
+static NextWaitingJob roll_waiting(Random *random)
 {
     NextWaitingJob job = {.t = INFINITY, .sphere = UNTOUCHED};
     job.at.node = (u32)random_integer(random, 3, 1000);
@@ -29,10 +29,10 @@ static NextWaitingJob draw_waiting(Random *random)
     return job;
 }
 
-void inputs_07_draw_waiting(Random *random, Inputs07 *inputs)
+void roll_waiting_inputs_07(Random *random, Inputs07 *inputs)
 {
     for (int i = 0; i < COUNT(inputs->waiting); i++) {
-        inputs->waiting[i] = draw_waiting(random);
+        inputs->waiting[i] = roll_waiting(random);
     }
 }
 

@@ -1,5 +1,5 @@
 // What lab 08's judge asks of a submission: inputs of its functions and scenes for its trees.
-// Drawn in judge_08_job.c; functions are judged in judge_08_area.c, judge_08_functions.c and
+// Rolled in judge_08_job.c; functions are judged in judge_08_area.c, judge_08_functions.c and
 // judge_08_best.c, whole trees in judge_08_trees.c.
 #ifndef JUDGE_JUDGE_08_H
 #define JUDGE_JUDGE_08_H
@@ -34,8 +34,8 @@ typedef struct Job08 {
 } Job08;
 
 // See judge.h.
-int job_08_draw(void *job, Random *random);
-int scenes_08_draw(Random *random, Job08 *job);  // and the expected trees; 0, or -1 after a message
+int roll_job_08(void *job, Random *random);
+int roll_scenes_08(Random *random, Job08 *job);  // and the expected trees; 0, or -1 after a message
 
 // The functions.
 extern const Function area_08, cost_08, best_08, decision_08;

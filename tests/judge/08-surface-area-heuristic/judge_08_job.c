@@ -1,8 +1,8 @@
-// Drawing lab 08's job from the seed: see judge_08.h.
+// Rolling lab 08's job from the seed: see judge_08.h.
 //
 // The functions' inputs are on coarse grids: sides are multiples of 4, so that planes are multiples
 // of 1/8, and so are the spheres' ranges. Whether a range begins before a plane, at it or behind it
-// is exact in float. Behind those that are drawn stand the edges, which no seed may miss.
+// is exact in float. Behind those that are rolled stand the edges, which no seed may miss.
 #include "judge_08.h"
 
 #include "random3d.h"
@@ -11,7 +11,7 @@
 #include <math.h>
 
 // A cell whose candidate planes are on the grid.
-static BBox3D draw_cell(Random *random)
+static BBox3D roll_cell(Random *random)
 {
     BBox3D cell;
     for (int axis = 0; axis < 3; axis++) {
@@ -39,7 +39,7 @@ static const BBox3D odd_boxes[] = {
     {{-0x1.8p127f, 1, 2}, {0x1.8p127f, 2, 4}},
 };
 
-static BBox3D draw_box(Random *random, int i)
+static BBox3D roll_box(Random *random, int i)
 {
     const int edge = edge_of(i, N_AREAS, COUNT(odd_boxes));
     if (edge >= 0) {
@@ -69,7 +69,7 @@ static BBox3D smaller_cell(BBox3D cell)
     return cell;
 }
 
-static CostJob draw_cost(Random *random, int i)
+static CostJob roll_cost(Random *random, int i)
 {
     if (i == N_COSTS - 1) {  // more than an int holds, but the sum is a u32 still
         return (CostJob){{{0, 0, 0}, {64, 32, 32}}, 0, 16, 3000000000, 1000000000};
@@ -77,7 +77,7 @@ static CostJob draw_cost(Random *random, int i)
     if (i == N_COSTS - 2) {  // none at all: the step to a child is paid all the same
         return (CostJob){{{0, 0, 0}, {64, 32, 32}}, 0, 16, 0, 0};
     }
-    CostJob job = {.box = draw_cell(random)};
+    CostJob job = {.box = roll_cell(random)};
     if (i < N_PLANES && i % 3 == 0) {  // areas that are no whole numbers
         job.box = smaller_cell(job.box);
     }
@@ -139,9 +139,9 @@ static void begin_node(Job08 *job, int i, BBox3D cell)
 
 // Spheres of any size within the cell or over its border. In every third cell they stand together
 // in a corner; in the second half some radii are negative.
-static void draw_node(Random *random, Job08 *job, int i)
+static void roll_node(Random *random, Job08 *job, int i)
 {
-    const BBox3D cell = draw_cell(random);
+    const BBox3D cell = roll_cell(random);
     begin_node(job, i, cell);
     const int n = (int)random_integer(random, 2, MOST_IDS);
     const int share = i % 3 == 0 ? 4 : 1;
@@ -173,7 +173,7 @@ static void add_mirrored(Job08 *job, int i, const float middle[3], const float o
 // A few spheres around the middle of a cell, all of which reach over it: the best there is to do is
 // to cut off what is empty. That costs the same on both sides, and on all axes where the cell is
 // longest: on all three, on y and z, on z alone, on x and y.
-static void draw_tie(Random *random, Job08 *job, int i)
+static void roll_tie(Random *random, Job08 *job, int i)
 {
     static const float shares[4][3] = {
         {1, 1, 1}, {0.125f, 1, 1}, {0.25f, 0.25f, 1}, {1, 1, 0.125f}};
@@ -237,7 +237,7 @@ static const OddCell odd_cells[] = {
 // Each of them comes in three turns, so that what it has along x is along y and z, too: first as it
 // is here, then mirrored, then mirrored by lot. By lot it is larger or smaller by a power of two,
 // which moves no range across a plane.
-static void draw_odd_cell(Random *random, Job08 *job, int i)
+static void roll_odd_cell(Random *random, Job08 *job, int i)
 {
     const int k = i - N_CELLS - N_TIES, turn = k / (int)COUNT(odd_cells);
     const OddCell *odd = &odd_cells[k % (int)COUNT(odd_cells)];
@@ -263,7 +263,7 @@ static void draw_odd_cell(Random *random, Job08 *job, int i)
 }
 
 // In one bin more spheres than 8 or 16 bits count; what these hold of them is too few.
-static void draw_many(Job08 *job)
+static void roll_many(Job08 *job)
 {
     const BBox3D cell = {{-32, -32, -32}, {32, 32, 32}};
     const float centre[3] = {-31, -31, -31};
@@ -273,16 +273,16 @@ static void draw_many(Job08 *job)
     }
 }
 
-static void draw_best(Random *random, Job08 *job, int i)
+static void roll_best(Random *random, Job08 *job, int i)
 {
     if (i == MANY_NODE) {
-        draw_many(job);
+        roll_many(job);
     } else if (i < N_CELLS) {
-        draw_node(random, job, i);
+        roll_node(random, job, i);
     } else if (i < N_CELLS + N_TIES) {
-        draw_tie(random, job, i);
+        roll_tie(random, job, i);
     } else {
-        draw_odd_cell(random, job, i);
+        roll_odd_cell(random, job, i);
     }
 }
 
@@ -310,7 +310,7 @@ static const LeafCostJob odd_nodes[] = {
     {3, 7, 1, 20, 8},
 };
 
-static LeafCostJob draw_decision(Random *random, int i)
+static LeafCostJob roll_decision(Random *random, int i)
 {
     const int edge = edge_of(i, N_DECISIONS, COUNT(odd_nodes));
     if (edge >= 0) {
@@ -346,20 +346,20 @@ static LeafCostJob draw_decision(Random *random, int i)
 
 // ---- The job ------------------------------------------------------------------------------------
 
-int job_08_draw(void *pointer, Random *random)
+int roll_job_08(void *pointer, Random *random)
 {
     Job08 *job = pointer;
     for (int i = 0; i < N_AREAS; i++) {
-        job->areas[i] = draw_box(random, i);
+        job->areas[i] = roll_box(random, i);
     }
     for (int i = 0; i < N_COSTS; i++) {
-        job->costs[i] = draw_cost(random, i);
+        job->costs[i] = roll_cost(random, i);
     }
     for (int i = 0; i < N_BESTS; i++) {
-        draw_best(random, job, i);
+        roll_best(random, job, i);
     }
     for (int i = 0; i < N_DECISIONS; i++) {
-        job->decisions[i] = draw_decision(random, i);
+        job->decisions[i] = roll_decision(random, i);
     }
-    return scenes_08_draw(random, job);
+    return roll_scenes_08(random, job);
 }

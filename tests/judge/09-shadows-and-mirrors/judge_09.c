@@ -1,24 +1,24 @@
 // Judge of lab 09: each function on chosen inputs, and whole pictures. The functions' inputs are
-// drawn and judged in the files that judge_09.h names.
+// rolled and judged in the files that judge_09.h names.
 //
 // Pictures are those of an oracle that follows each ray in double precision, with a bound for every
 // pixel that grows from mirror to mirror; what rounding may decide on the way is left out. Read
 // next: judge_09.h.
 #include "judge_09.h"
 
-// ---- Drawing the job ----------------------------------------------------------------------------
+// ---- Rolling the job ----------------------------------------------------------------------------
 
-static int draw(void *pointer, Random *random)
+static int roll(void *pointer, Random *random)
 {
     Job09 *job = pointer;
-    starts_09_draw(random, job);
-    rays_09_draw(random, job);
-    blocks_09_draw(random, job);
-    alone_09_draw(random, job);
-    if (scenes_09_draw(random, job->scenes) != 0) {
+    roll_starts_09(random, job);
+    roll_rays_09(random, job);
+    roll_blocks_09(random, job);
+    roll_alone_09(random, job);
+    if (roll_scenes_09(random, job->scenes) != 0) {
         return -1;
     }
-    lits_09_draw(random, job);
+    roll_lits_09(random, job);
     return 0;
 }
 
@@ -90,7 +90,7 @@ const Judge judge_09 = {
     .checks = checks,
     .n_checks = COUNT(checks),
     .job_bytes = sizeof(Job09),
-    .draw = draw,
+    .roll = roll,
     .parts = parts,
     .n_parts = COUNT(parts),
     .scenes = SCENES(job_scene3d_kind, Job09, scenes),

@@ -1,5 +1,5 @@
 // What lab 09's judge asks of a submission: inputs of its functions, and scenes with their trees,
-// each with a number of mirrors that a ray meets at most. Starts of new rays are drawn and judged
+// each with a number of mirrors that a ray meets at most. Starts of new rays are rolled and judged
 // in judge_09_starts.c, their directions in judge_09_rays.c, leaves in judge_09_leaves.c and
 // judge_09_leaf.c, lights in judge_09_lit.c, the scenes in judge_09_scenes.c, their pictures in
 // judge_09_pictures.c, the rays that are sent in judge_09_sent.c, one answer alone in
@@ -92,8 +92,8 @@ typedef struct MirrorScene {
     i32 max_bounces;
 } MirrorScene;
 
-// Draw the scenes, with their trees and what is expected. Returns 0, or -1 after one message.
-int scenes_09_draw(Random *random, MirrorScene scenes[N_SCENES]);
+// Roll the scenes, with their trees and what is expected. Returns 0, or -1 after one message.
+int roll_scenes_09(Random *random, MirrorScene scenes[N_SCENES]);
 
 // Let the oracle draw what is expected. Returns 0, or -1 after one message.
 int picture_09_expect(MirrorScene *scene);
@@ -131,14 +131,14 @@ typedef struct Job09 {
     MirrorScene scenes[N_SCENES];
 } Job09;
 
-void starts_09_draw(Random *random, Job09 *job);
-void rays_09_draw(Random *random, Job09 *job);
-void blocks_09_draw(Random *random, Job09 *job);
-void lits_09_draw(Random *random, Job09 *job);  // the scenes are drawn already
+void roll_starts_09(Random *random, Job09 *job);
+void roll_rays_09(Random *random, Job09 *job);
+void roll_blocks_09(Random *random, Job09 *job);
+void roll_lits_09(Random *random, Job09 *job);  // the scenes are rolled already
 
 // ---- Alone ------------------------------------------------------------------------------------
 
-void alone_09_draw(Random *random, Job09 *job);
+void roll_alone_09(Random *random, Job09 *job);
 
 // See judge.h.
 int write_alone_09(const void *job, const char *task, FILE *file);

@@ -32,7 +32,7 @@ static float sixteenths(Random *random, int lowest, int highest)
 }
 
 // Light number i, farthest along an axis: nowhere else half as far.
-static Light draw_light(Random *random, Vec3 point, int axis, int sign, int i)
+static Light roll_light(Random *random, Vec3 point, int axis, int sign, int i)
 {
     const float distance = (float)sign * sixteenths(random, 16, 96);
     Vec3 position = along_09(axis, distance);
@@ -44,7 +44,7 @@ static Light draw_light(Random *random, Vec3 point, int axis, int sign, int i)
 }
 
 // In the second range all lights are behind the surface, but for one input in four.
-static void draw_input(Random *random, Job09 *job, int i)
+static void roll_input(Random *random, Job09 *job, int i)
 {
     const int axis = i % 3, side = random_sign(random), range = i / N_LIT_INPUTS;
     const int is_mixed = range == 2 || lit_09_counts_only(i);
@@ -65,14 +65,14 @@ static void draw_input(Random *random, Job09 *job, int i)
         const int is_behind =
             is_mixed ? random_integer(random, 0, 2) == 0 : range == 1 && i % 4 != 0;
         job->alone_lights[first_light(i) + k] =
-            draw_light(random, lit->point, axis, is_behind ? -side : side, i + k);
+            roll_light(random, lit->point, axis, is_behind ? -side : side, i + k);
     }
 }
 
-void alone_09_draw(Random *random, Job09 *job)
+void roll_alone_09(Random *random, Job09 *job)
 {
     for (int i = 0; i < N_LITS; i++) {
-        draw_input(random, job, i);
+        roll_input(random, job, i);
     }
     for (int k = 0; k < N_PLACED_LITS; k++) {
         LitJob *lit = &job->alone_lits[lit_09_placed(k)];

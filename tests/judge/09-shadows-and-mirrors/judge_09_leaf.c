@@ -1,5 +1,5 @@
 // Lab 09: is anything of a leaf in the way of a ray? Judged, with how many were asked. The leaves
-// are drawn in judge_09_leaves.c.
+// are rolled in judge_09_leaves.c.
 #include "judge_09.h"
 
 #include "message.h"

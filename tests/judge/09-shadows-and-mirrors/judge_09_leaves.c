@@ -1,4 +1,4 @@
-// Lab 09: leaves and rays, drawn for leaf_blocks. See judge_09.h; judge_09_leaf.c judges.
+// Lab 09: leaves and rays, rolled for leaf_blocks. See judge_09.h; judge_09_leaf.c judges.
 #include "judge_09.h"
 
 #include "random3d.h"
@@ -32,7 +32,7 @@ static Sphere sphere_at(const Frame *frame, float along, float aside, float radi
                     o.z + along * d.z + aside * a.z, radius};
 }
 
-static Sphere draw_sphere(Random *random, const Frame *frame, Place place)
+static Sphere roll_sphere(Random *random, const Frame *frame, Place place)
 {
     const float end = frame->t_max;
     const float radius = end * random_number(random, 0.0625, 0.1875);
@@ -61,7 +61,7 @@ static Sphere draw_sphere(Random *random, const Frame *frame, Place place)
 }
 
 // On the ray, met a hair behind its start, before its end or behind its end.
-static Sphere draw_edge(Random *random, const Frame *frame)
+static Sphere roll_edge(Random *random, const Frame *frame)
 {
     const float hair = frame->t_max * (random_integer(random, 0, 1) ? HAIR : LEAST_HAIR);
     const float radius = frame->t_max * random_number(random, 0.125, 0.25);
@@ -70,7 +70,7 @@ static Sphere draw_edge(Random *random, const Frame *frame)
     return sphere_at(frame, t + radius, 0, radius);
 }
 
-static Frame draw_frame(Random *random, int range)
+static Frame roll_frame(Random *random, int range)
 {
     Frame frame = {.direction = random_direction(random)};
     frame.t_max = random_number(random, 2, 8);
@@ -87,10 +87,10 @@ static Frame draw_frame(Random *random, int range)
 
 // A leaf of up to BLOCK_MAX_SPHERES spheres, of which none, one or two are in the way, and one
 // before and behind it that must not be asked. Its ids stand in no order.
-static void draw_block(Random *random, int i, Job09 *job)
+static void roll_block(Random *random, int i, Job09 *job)
 {
     const int range = i / N_BLOCK_INPUTS;
-    const Frame frame = draw_frame(random, range);
+    const Frame frame = roll_frame(random, range);
     const u32 n = i % 16 == 0 ? 0 : (u32)random_integer(random, 1, BLOCK_MAX_SPHERES);
     const u32 before = (u32)i * (BLOCK_MAX_SPHERES + 2);
     const u32 end = before + 1 + n, room = BLOCK_MAX_SPHERES + 2;
@@ -106,15 +106,15 @@ static void draw_block(Random *random, int i, Job09 *job)
                                          : (Place)random_integer(random, 0, N_FREE_PLACES - 1);
         job->block_ids[at] = id;
         job->block_spheres[id] = range == 1 && is_blocker && !is_guard
-                                     ? draw_edge(random, &frame)
-                                     : draw_sphere(random, &frame, place);
+                                     ? roll_edge(random, &frame)
+                                     : roll_sphere(random, &frame, place);
     }
 }
 
 // A leaf behind the others in the list of ids; only its last sphere is in the way.
-static void draw_long_leaf(Random *random, Job09 *job)
+static void roll_long_leaf(Random *random, Job09 *job)
 {
-    const Frame frame = draw_frame(random, 0);
+    const Frame frame = roll_frame(random, 0);
     const u32 before = FIRST_LONG_ID, end = before + N_LONG_LEAF + 1;
     for (u32 at = N_SHORT_BLOCK_IDS; at < before; at++) {
         job->block_ids[at] = N_SHORT_BLOCK_IDS;
@@ -127,7 +127,7 @@ static void draw_long_leaf(Random *random, Job09 *job)
                                 ? BEFORE_END
                                 : (Place)random_integer(random, 0, N_FREE_PLACES - 1);
         job->block_ids[at] = id;
-        job->block_spheres[id] = draw_sphere(random, &frame, place);
+        job->block_spheres[id] = roll_sphere(random, &frame, place);
     }
 }
 
@@ -150,12 +150,12 @@ static void set_end(Job09 *job, int k)
         {0, KD_LEAF, before + 1, 1}, {0, 0, 0}, direction, is_before ? nextafterf(t, INFINITY) : t};
 }
 
-void blocks_09_draw(Random *random, Job09 *job)
+void roll_blocks_09(Random *random, Job09 *job)
 {
     for (int i = 0; i < N_BLOCKS; i++) {
-        draw_block(random, i, job);
+        roll_block(random, i, job);
     }
-    draw_long_leaf(random, job);
+    roll_long_leaf(random, job);
     for (int k = 0; k < N_BLOCK_ENDS; k++) {
         set_end(job, k);
     }

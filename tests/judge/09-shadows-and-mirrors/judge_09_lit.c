@@ -1,4 +1,4 @@
-// Lab 09: which lights arrive at a point: drawn and judged.
+// Lab 09: which lights arrive at a point: rolled and judged.
 #include "judge_09_lights.h"
 
 #include "message.h"
@@ -7,7 +7,7 @@
 
 #include <math.h>
 
-// ---- Drawing ------------------------------------------------------------------------------------
+// ---- Rolling ------------------------------------------------------------------------------------
 
 Vec3 along_09(int axis, float x)
 {
@@ -20,7 +20,7 @@ Vec3 light_09_color(Random *random, int i)
 }
 
 // Lights all over the scene: before and behind its spheres, and some in them.
-static void draw_lights(Random *random, Light lights[N_LIT_LIGHTS])
+static void roll_lights(Random *random, Light lights[N_LIT_LIGHTS])
 {
     for (int i = 0; i < N_LIT_LIGHTS; i++) {
         const double reach = i % 3 == 0 ? 4 : 1.5;
@@ -30,7 +30,7 @@ static void draw_lights(Random *random, Light lights[N_LIT_LIGHTS])
 }
 
 // A point beside a sphere of the scene, far enough that it is no part of it.
-static void draw_point(Random *random, const Scene3D *scene, LitJob *job)
+static void roll_point(Random *random, const Scene3D *scene, LitJob *job)
 {
     const Sphere sphere = scene->spheres[random_integer(random, 0, scene->n_spheres - 1)];
     const float distance = 1.0625f * fabsf(sphere.radius);
@@ -109,7 +109,7 @@ static void place_light(Job09 *job, int k)
 // One light before the surface; all of them behind it; several, on either side. Of the second kind
 // one in four has its light before it: who adds no light at all is not right there. One more in
 // four has several lights on either side, and only the rays are judged.
-static LitJob draw_lit(Random *random, int i, const JobScene3D *scene, const Light *lights)
+static LitJob roll_lit(Random *random, int i, const JobScene3D *scene, const Light *lights)
 {
     const int range = i / N_LIT_INPUTS;
     const int is_lit = range == 0 || (range == 1 && i % 4 == 0);
@@ -119,7 +119,7 @@ static LitJob draw_lit(Random *random, int i, const JobScene3D *scene, const Lig
     job.material.kd = random_number(random, 0.125, 0.875);
     job.material.ks = random_number(random, 0, 1);
     do {
-        draw_point(random, &scene->scene, &job);
+        roll_point(random, &scene->scene, &job);
         job.n_lights = is_lit ? 1 : (i32)random_integer(random, is_dark ? 1 : 2, 5);
         job.first_light = (i32)random_integer(random, 0, N_DRAWN_LIGHTS - 6);
     } while ((is_lit && count_before(&job, lights + job.first_light) != 1) ||
@@ -127,11 +127,11 @@ static LitJob draw_lit(Random *random, int i, const JobScene3D *scene, const Lig
     return job;
 }
 
-void lits_09_draw(Random *random, Job09 *job)
+void roll_lits_09(Random *random, Job09 *job)
 {
-    draw_lights(random, job->lit_lights);
+    roll_lights(random, job->lit_lights);
     for (int i = 0; i < COUNT(job->lits); i++) {
-        job->lits[i] = draw_lit(random, i, &job->scenes[LIT_SCENE].base, job->lit_lights);
+        job->lits[i] = roll_lit(random, i, &job->scenes[LIT_SCENE].base, job->lit_lights);
     }
     for (int i = 0; i < N_EDGE_LITS; i++) {
         set_edge(job->lit_lights, &job->lits[N_LITS - N_EDGE_LITS + i], edge_lights[i]);

@@ -1,4 +1,4 @@
-// Lab 09: where mirrors send rays, and rays to lights: drawn and judged.
+// Lab 09: where mirrors send rays, and rays to lights: rolled and judged.
 #include "judge_09.h"
 
 #include "message.h"
@@ -7,7 +7,7 @@
 
 #include <math.h>
 
-// ---- Drawing ------------------------------------------------------------------------------------
+// ---- Rolling ------------------------------------------------------------------------------------
 
 float random_power_09(Random *random)
 {
@@ -15,7 +15,7 @@ float random_power_09(Random *random)
 }
 
 // In the second range rays go along axes, straight at the mirror or nearly so, or graze it.
-static MirrorJob draw_mirror(Random *random, int range, int i)
+static MirrorJob roll_mirror(Random *random, int range, int i)
 {
     MirrorJob job = {random_direction(random), random_direction(random)};
     const Vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -38,7 +38,7 @@ static MirrorJob draw_mirror(Random *random, int range, int i)
     return job;
 }
 
-static ShadowRayJob draw_shadow_ray(Random *random, int i)
+static ShadowRayJob roll_shadow_ray(Random *random, int i)
 {
     ShadowRayJob job = {random_point(random, 4), {random_point(random, 4), {1, 1, 1}}};
     const Vec3 way = vec3_minus(job.light.position, job.point);
@@ -54,13 +54,13 @@ static ShadowRayJob draw_shadow_ray(Random *random, int i)
     return job;
 }
 
-void rays_09_draw(Random *random, Job09 *job)
+void roll_rays_09(Random *random, Job09 *job)
 {
     for (int i = 0; i < COUNT(job->mirrors); i++) {
-        job->mirrors[i] = draw_mirror(random, i / N_MIRROR_INPUTS, i);
+        job->mirrors[i] = roll_mirror(random, i / N_MIRROR_INPUTS, i);
     }
     for (int i = 0; i < COUNT(job->shadow_rays); i++) {
-        job->shadow_rays[i] = draw_shadow_ray(random, i);
+        job->shadow_rays[i] = roll_shadow_ray(random, i);
     }
 }
 

@@ -61,7 +61,7 @@ static void place_eye(Eye eye, Scene3D *s)
     }
 }
 
-static int draw_random(Random *random, const RandomPlan *plan, MirrorScene *scene)
+static int roll_random(Random *random, const RandomPlan *plan, MirrorScene *scene)
 {
     JobScene3D *base = &scene->base;
     if (job_scene3d_random(base, random, plan->n_spheres, plan->min_radius, plan->max_radius, 48,
@@ -90,7 +90,7 @@ static void place_walls(Scene3D *s)
 }
 
 // One mirror in the middle, small spheres around it.
-static int draw_room(Random *random, const RoomPlan *plan, MirrorScene *scene)
+static int roll_room(Random *random, const RoomPlan *plan, MirrorScene *scene)
 {
     enum { N_WALLS = 6, N_SMALL = 8, N_SPHERES = N_WALLS + 1 + N_SMALL };
     JobScene3D *base = &scene->base;
@@ -123,7 +123,7 @@ static int draw_room(Random *random, const RoomPlan *plan, MirrorScene *scene)
 // or -1 in float: elsewhere its rounding makes directions a little longer with each mirror, and
 // after some thirty of them no right solution keeps its way. The mirrors are as far apart as their
 // radius: what is near to the axis stays near to it, and the oracle's bounds grow slowly.
-static int draw_hall(Random *random, MirrorScene *scene)
+static int roll_hall(Random *random, MirrorScene *scene)
 {
     JobScene3D *base = &scene->base;
     if (job_scene3d_random(base, random, 2, 1, 1, 3, 3) != 0) {
@@ -176,17 +176,17 @@ static const RandomPlan background_plans[] = {
     {16, 0.25f, 0.5f, 0.25f, 0.75f, LIGHTS_OUTSIDE, EYE_OUTSIDE, {5, 2}, 3},
 };
 
-static int draw_each(Random *random, const RandomPlan *plans, int n, MirrorScene *scenes)
+static int roll_each(Random *random, const RandomPlan *plans, int n, MirrorScene *scenes)
 {
     int result = 0;
     for (int i = 0; result == 0 && i < n; i++) {
-        result = draw_random(random, &plans[i], &scenes[i]);
+        result = roll_random(random, &plans[i], &scenes[i]);
         scenes[i].base.limits = plans[i].limits;
     }
     return result;
 }
 
-static int draw_named(Random *random, MirrorScene *scene, const char *name, i32 max_bounces)
+static int roll_named(Random *random, MirrorScene *scene, const char *name, i32 max_bounces)
 {
     scene->max_bounces = max_bounces;
     const int result = job_scene3d_named(&scene->base, random, name, 48, 32);
@@ -194,11 +194,11 @@ static int draw_named(Random *random, MirrorScene *scene, const char *name, i32 
     return result;
 }
 
-static int draw_rooms(Random *random, const RoomPlan *plans, int n, MirrorScene *scenes)
+static int roll_rooms(Random *random, const RoomPlan *plans, int n, MirrorScene *scenes)
 {
     int result = 0;
     for (int i = 0; result == 0 && i < n; i++) {
-        result = draw_room(random, &plans[i], &scenes[i]);
+        result = roll_room(random, &plans[i], &scenes[i]);
         scenes[i].base.limits = (KdTreeLimits){7, 3};
     }
     return result;
@@ -264,20 +264,20 @@ static void dim_surfaces(MirrorScene *scene)
     }
 }
 
-static int draw_all(Random *random, MirrorScene scenes[N_SCENES])
+static int roll_all(Random *random, MirrorScene scenes[N_SCENES])
 {
-    int result = draw_each(random, local_plans, COUNT(local_plans), scenes + LOCAL);
-    result |= draw_named(random, &scenes[MIRRORS - 1], "coincident", 0);
-    result |= draw_each(random, mirror_plans, COUNT(mirror_plans), scenes + MIRRORS);
-    result |= draw_rooms(random, &mirror_room, 1, &scenes[ENDS - 2]);
-    result |= draw_named(random, &scenes[ENDS - 1], "sphereflake:size=1", 2);
-    result |= draw_each(random, end_plans, COUNT(end_plans), scenes + ENDS);
-    result |= draw_rooms(random, end_rooms, COUNT(end_rooms), scenes + ENDS + COUNT(end_plans));
-    result |= draw_hall(random, &scenes[BACKGROUNDS - 3]);
-    result |= draw_each(random, &least_plan, 1, &scenes[BACKGROUNDS - 2]);
-    result |= draw_named(random, &scenes[BACKGROUNDS - 1], "inside", 3);
-    result |= draw_each(random, background_plans, COUNT(background_plans), scenes + BACKGROUNDS);
-    result |= draw_named(random, &scenes[N_SCENES - 1], "none", 2);
+    int result = roll_each(random, local_plans, COUNT(local_plans), scenes + LOCAL);
+    result |= roll_named(random, &scenes[MIRRORS - 1], "coincident", 0);
+    result |= roll_each(random, mirror_plans, COUNT(mirror_plans), scenes + MIRRORS);
+    result |= roll_rooms(random, &mirror_room, 1, &scenes[ENDS - 2]);
+    result |= roll_named(random, &scenes[ENDS - 1], "sphereflake:size=1", 2);
+    result |= roll_each(random, end_plans, COUNT(end_plans), scenes + ENDS);
+    result |= roll_rooms(random, end_rooms, COUNT(end_rooms), scenes + ENDS + COUNT(end_plans));
+    result |= roll_hall(random, &scenes[BACKGROUNDS - 3]);
+    result |= roll_each(random, &least_plan, 1, &scenes[BACKGROUNDS - 2]);
+    result |= roll_named(random, &scenes[BACKGROUNDS - 1], "inside", 3);
+    result |= roll_each(random, background_plans, COUNT(background_plans), scenes + BACKGROUNDS);
+    result |= roll_named(random, &scenes[N_SCENES - 1], "none", 2);
     if (result == 0) {
         // A distance that is small elsewhere is larger than all that is here.
         job_scene3d_scale(&scenes[MIRRORS + COUNT(mirror_plans) - 1].base, 0x1p-24f,
@@ -310,9 +310,9 @@ static int grow_leaf(MirrorScene *scene)
     return result;
 }
 
-int scenes_09_draw(Random *random, MirrorScene scenes[N_SCENES])
+int roll_scenes_09(Random *random, MirrorScene scenes[N_SCENES])
 {
-    int result = draw_all(random, scenes);
+    int result = roll_all(random, scenes);
     for (int k = 0; result == 0 && k < N_SCENES; k++) {
         MirrorScene *scene = &scenes[k];
         if (k >= BACKGROUNDS) {

@@ -1,4 +1,4 @@
-// Lab 09: where new rays start, off the surface that they leave: drawn and judged.
+// Lab 09: where new rays start, off the surface that they leave: rolled and judged.
 #include "judge_09.h"
 
 #include "message.h"
@@ -7,11 +7,11 @@
 
 #include <math.h>
 
-// ---- Drawing ------------------------------------------------------------------------------------
+// ---- Rolling ------------------------------------------------------------------------------------
 
 // In the second range one of the three numbers is much larger than the others, in turn, and all are
 // as large as may be.
-static StartJob draw_start(Random *random, int range, int i)
+static StartJob roll_start(Random *random, int range, int i)
 {
     StartJob job = {.point = random_point(random, 4), .normal = random_direction(random)};
     job.t = random_number(random, 0.25, 8);
@@ -27,10 +27,10 @@ static StartJob draw_start(Random *random, int range, int i)
     return job;
 }
 
-void starts_09_draw(Random *random, Job09 *job)
+void roll_starts_09(Random *random, Job09 *job)
 {
     for (int i = 0; i < COUNT(job->starts); i++) {
-        job->starts[i] = draw_start(random, i / N_START_INPUTS, i);
+        job->starts[i] = roll_start(random, i / N_START_INPUTS, i);
     }
 }
 

@@ -1,5 +1,5 @@
 // Judge of lab 10: each function on chosen inputs, what rays hit in whole scenes, the pictures, and
-// the counted work of tiles. The functions' inputs are drawn and judged in the files that
+// the counted work of tiles. The functions' inputs are rolled and judged in the files that
 // judge_10.h names.
 //
 // Hits are those of brute force, ray by ray, whatever a tile does: only rays that the oracle calls
@@ -10,20 +10,20 @@
 #include "job_work.h"
 #include "message.h"
 
-// ---- Drawing the job ----------------------------------------------------------------------------
+// ---- Rolling the job ----------------------------------------------------------------------------
 
-static int draw(void *pointer, Random *random)
+static int roll(void *pointer, Random *random)
 {
     Job10 *job = pointer;
-    planes_10_draw(random, job);
-    children_10_draw(random, job);
-    waiting_10_draw(random, job);
-    cones_10_draw(random, job);
-    if (scenes_10_draw(random, job->scenes) != 0) {
+    roll_planes_10(random, job);
+    roll_children_10(random, job);
+    roll_waiting_10(random, job);
+    roll_cones_10(random, job);
+    if (roll_scenes_10(random, job->scenes) != 0) {
         return -1;
     }
-    rows_10_draw(random, job);
-    return circles_10_draw(random, job);
+    roll_rows_10(random, job);
+    return roll_circles_10(random, job);
 }
 
 static int write_scene(const void *job, int k, FILE *file)
@@ -170,7 +170,7 @@ const Judge judge_10 = {
     .checks = checks,
     .n_checks = COUNT(checks),
     .job_bytes = sizeof(Job10),
-    .draw = draw,
+    .roll = roll,
     .parts = parts,
     .n_parts = COUNT(parts),
     .scenes = SCENES(job_scene3d_kind, Job10, scenes),

@@ -1,6 +1,6 @@
 // What lab 10's judge asks of a submission: inputs of its functions, and scenes with their trees.
-// Intervals are drawn and judged in judge_10_planes.c, the search's two steps in
-// judge_10_children.c and judge_10_waiting.c, cones in judge_10_cones.c (drawn in
+// Intervals are rolled and judged in judge_10_planes.c, the search's two steps in
+// judge_10_children.c and judge_10_waiting.c, cones in judge_10_cones.c (rolled in
 // judge_10_cone_inputs.c), scenes in judge_10_scenes.c, the work of tiles in judge_10_work.c, rows
 // of circles in judge_10_rows.c, tiles of circles in judge_10_circles.c, and their leaves in
 // judge_10_leaves.c.
@@ -49,8 +49,8 @@ enum {
     N_SCENES = EDGES + N_EDGES,
 };
 
-// Draw the scenes, with their trees and what is expected. Returns 0, or -1 after one message.
-int scenes_10_draw(Random *random, JobScene3D scenes[N_SCENES]);
+// Roll the scenes, with their trees and what is expected. Returns 0, or -1 after one message.
+int roll_scenes_10(Random *random, JobScene3D scenes[N_SCENES]);
 
 // Write scene K. Returns 0, or -1.
 int scene_10_write(const JobScene3D *scene, int k, FILE *file);
@@ -96,16 +96,16 @@ typedef struct Job10 {
     int scene_of_tile[N_CIRCLE_TILES];
 } Job10;
 
-void planes_10_draw(Random *random, Job10 *job);
-void children_10_draw(Random *random, Job10 *job);
-void waiting_10_draw(Random *random, Job10 *job);
-void cones_10_draw(Random *random, Job10 *job);
+void roll_planes_10(Random *random, Job10 *job);
+void roll_children_10(Random *random, Job10 *job);
+void roll_waiting_10(Random *random, Job10 *job);
+void roll_cones_10(Random *random, Job10 *job);
 // How far off rounding may be: of the sphere's distance from the cone's border, and of its size.
 double cone_rounding_10(Vec3 centre, double size);
 // What takes a number off the grid of 1/16: less than a step of it.
 float random_off_grid(Random *random);
-void rows_10_draw(Random *random, Job10 *job);
-int circles_10_draw(Random *random, Job10 *job);  // 0, or -1 after one message
+void roll_rows_10(Random *random, Job10 *job);
+int roll_circles_10(Random *random, Job10 *job);  // 0, or -1 after one message
 
 // The leaf of circle tile i.
 u32 leaf_10_of_tile(const Job10 *job, int i);

@@ -13,7 +13,7 @@
 
 // The interval in which the rays meet the plane: beyond their part or before it, or over one of its
 // ends, both or none.
-static void draw_split(Random *random, TileChildJob *job, int meets_both)
+static void roll_split(Random *random, TileChildJob *job, int meets_both)
 {
     const float t_min = job->at.t_min, t_max = job->at.t_max;
     const int n_inside = (int)(4 * (t_max - t_min));
@@ -65,7 +65,7 @@ static void set_child_edge(const TileChildJob *edge, TileChildJob *job)
     job->at = edge->at;
 }
 
-static TileChildJob draw_child(Random *random, int meets_both)
+static TileChildJob roll_child(Random *random, int meets_both)
 {
     TileChildJob job = {.eye = random_quarters(random, -16, 16)};
     job.at.node = (u32)random_integer(random, 0, 2);
@@ -76,14 +76,14 @@ static TileChildJob draw_child(Random *random, int meets_both)
     job.node.split_axis = (u32)random_integer(random, 0, 2);
     job.node.first = (u32)random_integer(random, 3, 1000);
     job.todo = random_stack_with_room(random);
-    draw_split(random, &job, meets_both);
+    roll_split(random, &job, meets_both);
     return job;
 }
 
-void children_10_draw(Random *random, Job10 *job)
+void roll_children_10(Random *random, Job10 *job)
 {
     for (int i = 0; i < COUNT(job->children); i++) {
-        job->children[i] = draw_child(random, i >= N_TILE_CHILD_INPUTS);
+        job->children[i] = roll_child(random, i >= N_TILE_CHILD_INPUTS);
     }
     for (int range = 0; range < 2; range++) {
         for (int i = 0; i < COUNT(child_edges[range]); i++) {
@@ -240,7 +240,7 @@ static u32 side_of(const TileChildJob *job, int mistake)
     return mistake == CHILD_LOWER_IS_NEAR ? 0 : mistake == CHILD_SWAPPED ? !side : side;
 }
 
-// More than the hairs of the edges, less than what is drawn.
+// More than the hairs of the edges, less than what is rolled.
 #define LEAST_STEP 0x1p-10f
 
 enum { NEAR_ONLY, FAR_ONLY, BOTH_CHILDREN };

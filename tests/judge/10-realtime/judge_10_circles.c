@@ -129,7 +129,7 @@ static void grow(Growing *tree, Random *random, TileRange all, int is_deep)
 
 // A random scene in which depths are equal now and then, and colours are all different; the first
 // circle is black and transparent.
-static int draw_scene(Random *random, int k, CircleScene10 *scene)
+static int roll_scene(Random *random, int k, CircleScene10 *scene)
 {
     Scene2D drawn;
     scene->n_circles = 0;
@@ -158,7 +158,7 @@ static int draw_scene(Random *random, int k, CircleScene10 *scene)
     return 0;
 }
 
-int circles_10_draw(Random *random, Job10 *job)
+int roll_circles_10(Random *random, Job10 *job)
 {
     u32 n_nodes = 0, n_circles = 0;
     int n_tiles = 0;
@@ -167,7 +167,7 @@ int circles_10_draw(Random *random, Job10 *job)
         job->circle_nodes[i] = (TileNode){.split_axis = KD_LEAF};
     }
     for (int k = 0; k < N_CIRCLE_SCENES; k++) {
-        if (draw_scene(random, k, &job->circle_scenes[k]) != 0) {
+        if (roll_scene(random, k, &job->circle_scenes[k]) != 0) {
             return -1;
         }
         Growing tree = {.scene = &job->circle_scenes[k],

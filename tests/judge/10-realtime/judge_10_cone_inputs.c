@@ -1,4 +1,4 @@
-// Lab 10: cones and spheres, drawn: hit or missed by far, by a hair, and in strange places.
+// Lab 10: cones and spheres, rolled: hit or missed by far, by a hair, and in strange places.
 #include "judge_10.h"
 
 #include "random3d.h"
@@ -9,7 +9,7 @@
 // narrow that squares lose the digits that decide.
 typedef enum Width { WIDE, USUAL, WIDEST_USUAL, NARROW } Width;
 
-static void draw_cone(Random *random, ConeJob *job, Width width)
+static void roll_cone(Random *random, ConeJob *job, Width width)
 {
     job->axis = random_direction(random);
     job->sine = random_number(random, 0.5, width == WIDE ? 0.96875f : 1);
@@ -53,7 +53,7 @@ static void place_at_least_hair(Random *random, ConeJob *job, float reach, int i
     job->radius = (float)(is_missed ? off - hair : off + hair);
 }
 
-static ConeJob draw_cone_job(Random *random, enum ConeRange range)
+static ConeJob roll_cone_job(Random *random, enum ConeRange range)
 {
     ConeJob job = {.radius = 1};
     const int is_edge = range == CONES_EDGES, is_missed = one_in(random, 2);
@@ -66,7 +66,7 @@ static ConeJob draw_cone_job(Random *random, enum ConeRange range)
     const float off = reach * (is_narrow  ? random_number(random, 0x1p-10f, 0x1p-9f)
                                : is_close ? 0.03125f
                                           : random_number(random, 0.03125, 0.5));
-    draw_cone(random, &job,
+    roll_cone(random, &job,
               is_narrow                      ? NARROW
               : is_close                     ? WIDEST_USUAL
               : is_edge && one_in(random, 2) ? WIDE
@@ -79,7 +79,7 @@ static ConeJob draw_cone_job(Random *random, enum ConeRange range)
                  : is_missed ? off * random_number(random, 0.125, 0.75)
                              : off * random_number(random, 1.25, 4);
     if (range == CONES_HAIR && one_in(random, 4)) {
-        draw_cone(random, &job, USUAL);
+        roll_cone(random, &job, USUAL);
         place_at_least_hair(random, &job, reach, is_missed);
     }
     if (range == CONES_CLEAR && one_in(random, 4)) {  // the centre is in the cone
@@ -111,11 +111,11 @@ static ConeJob draw_cone_job(Random *random, enum ConeRange range)
 enum { TELLS_SWAPPED, TELLS_ADDED, TELLS_NO_RADIUS, TELLS_AXIS, TELLS_FROM_EYE, TELLS_ALWAYS };
 #define N_TELLING 12
 
-static ConeJob draw_telling_cone(Random *random, int kind)
+static ConeJob roll_telling_cone(Random *random, int kind)
 {
     ConeJob job;
     const float reach = random_number(random, 1, 8);
-    draw_cone(random, &job, WIDEST_USUAL);
+    roll_cone(random, &job, WIDEST_USUAL);
     if (kind == TELLS_SWAPPED) {  // beside a cone so wide that its sine is the greater of the two
         job.sine = random_number(random, 0.75, 0.875);
         job.cosine = sqrtf(1 - job.sine * job.sine);
@@ -139,13 +139,13 @@ static ConeJob draw_telling_cone(Random *random, int kind)
     return job;
 }
 
-void cones_10_draw(Random *random, Job10 *job)
+void roll_cones_10(Random *random, Job10 *job)
 {
     for (int i = 0; i < COUNT(job->cones); i++) {
         const enum ConeRange range = (enum ConeRange)(i / N_CONE_INPUTS);
         const int telling = edge_of(i % N_CONE_INPUTS, N_CONE_INPUTS, N_TELLING);
         job->cones[i] = telling >= 0 && range != CONES_EDGES
-                            ? draw_telling_cone(random, telling % (N_TELLING / 2))
-                            : draw_cone_job(random, range);
+                            ? roll_telling_cone(random, telling % (N_TELLING / 2))
+                            : roll_cone_job(random, range);
     }
 }

@@ -1,4 +1,4 @@
-// Lab 10: does a tile's cone miss a sphere? Judged; judge_10_cone_inputs.c draws them.
+// Lab 10: does a tile's cone miss a sphere? Judged; judge_10_cone_inputs.c rolls them.
 #include "judge_10.h"
 
 #include "message.h"

@@ -1,4 +1,4 @@
-// Lab 10: from where to where do the rays of a tile meet a plane? Drawn and judged.
+// Lab 10: from where to where do the rays of a tile meet a plane? Rolled and judged.
 //
 // A right answer is as wide as rounding makes it: each end is one ray's distance, by one difference
 // and one division.
@@ -9,9 +9,9 @@
 
 #include <math.h>
 
-// ---- Drawing ------------------------------------------------------------------------------------
+// ---- Rolling ------------------------------------------------------------------------------------
 
-static TilePlaneJob draw_plane(Random *random, enum PlaneRange10 range)
+static TilePlaneJob roll_plane(Random *random, enum PlaneRange10 range)
 {
     TilePlaneJob job = {.eye = random_number(random, -4, 4)};
     // Small and large scenes; the directions of a tile lie close together.
@@ -70,11 +70,11 @@ static const struct {
     {TILES_ON_PLANE, {.plane = 0, .eye = -0x1p-100f, .low = 0.25f, .high = 0.5f}},
 };
 
-void planes_10_draw(Random *random, Job10 *job)
+void roll_planes_10(Random *random, Job10 *job)
 {
     int n_set[N_PLANE_RANGES_10] = {0};
     for (int i = 0; i < COUNT(job->planes); i++) {
-        job->planes[i] = draw_plane(random, (enum PlaneRange10)(i / N_TILE_PLANE_INPUTS));
+        job->planes[i] = roll_plane(random, (enum PlaneRange10)(i / N_TILE_PLANE_INPUTS));
     }
     for (int i = 0; i < COUNT(plane_edges); i++) {
         const enum PlaneRange10 range = plane_edges[i].range;

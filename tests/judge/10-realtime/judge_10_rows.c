@@ -61,7 +61,7 @@ static int is_decided(const CircleRowJob *job)
 // A circle near the row, or a large one far from it; in a third of all cases with a pixel exactly
 // on its boundary, or outside of it by one float, and in another third off the grid, with a pixel
 // just inside or outside.
-static CircleRowJob draw_any_row(Random *random, enum RowRange range)
+static CircleRowJob roll_any_row(Random *random, enum RowRange range)
 {
     CircleRowJob job = {.color = (u32)random_bits(random)};
     const int is_exact = one_in(random, 3);
@@ -101,11 +101,11 @@ static CircleRowJob draw_any_row(Random *random, enum RowRange range)
     return job;
 }
 
-static CircleRowJob draw_row(Random *random, enum RowRange range)
+static CircleRowJob roll_row(Random *random, enum RowRange range)
 {
     CircleRowJob job;
     do {
-        job = draw_any_row(random, range);
+        job = roll_any_row(random, range);
     } while (!is_decided(&job));
     return job;
 }
@@ -125,10 +125,10 @@ static void make_point(Random *random, CircleRowJob *job)
 }
 
 // The last one of each range is a point, in every job.
-void rows_10_draw(Random *random, Job10 *job)
+void roll_rows_10(Random *random, Job10 *job)
 {
     for (int i = 0; i < COUNT(job->rows); i++) {
-        job->rows[i] = draw_row(random, (enum RowRange)(i / N_ROW_INPUTS));
+        job->rows[i] = roll_row(random, (enum RowRange)(i / N_ROW_INPUTS));
         if (i % N_ROW_INPUTS == N_ROW_INPUTS - 1) {
             make_point(random, &job->rows[i]);
         }

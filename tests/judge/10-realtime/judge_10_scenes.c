@@ -15,7 +15,7 @@ typedef struct RandomPlan {
     int width, height;
     KdTreeLimits limits;
     int every_negative;
-    float angle;  // 0: as it is drawn, from outside
+    float angle;  // 0: as it is rolled, from outside
 } RandomPlan;
 
 static const RandomPlan plans[N_RANDOM] = {
@@ -30,7 +30,7 @@ static const RandomPlan plans[N_RANDOM] = {
     {1500, 0.015625f, 0.0625f, 96, 64, {17, 6}, 0, 0},
 };
 
-static int draw_random(Random *random, const RandomPlan *plan, JobScene3D *scene)
+static int roll_random(Random *random, const RandomPlan *plan, JobScene3D *scene)
 {
     if (job_scene3d_random(scene, random, plan->n_spheres, plan->min_radius, plan->max_radius,
                            plan->width, plan->height) != 0) {
@@ -69,11 +69,11 @@ static const struct {
     {"sphereflake:size=3", 96, 72, {14, 6}},
 };
 
-int scenes_10_draw(Random *random, JobScene3D scenes[N_SCENES])
+int roll_scenes_10(Random *random, JobScene3D scenes[N_SCENES])
 {
     int result = 0;
     for (int i = 0; result == 0 && i < N_RANDOM; i++) {
-        result = draw_random(random, &plans[i], &scenes[RANDOM + i]);
+        result = roll_random(random, &plans[i], &scenes[RANDOM + i]);
     }
     for (int i = 0; result == 0 && i < N_EDGES; i++) {
         JobScene3D *scene = &scenes[EDGES + i];

@@ -13,7 +13,7 @@
 
 // Parts that overlap, in no order; the farthest hit among them, exactly at the begin of one, or
 // nowhere. Now and then many more wait on top that begin behind it, up to a stack that is full.
-static TileWaitingJob draw_waiting(Random *random)
+static TileWaitingJob roll_waiting(Random *random)
 {
     TileWaitingJob job = {.at = {(u32)random_integer(random, 3, 1000), 1, 2}};
     // The leaf's part may reach far beyond what waits.
@@ -48,10 +48,10 @@ static TileWaitingJob draw_waiting(Random *random)
     return job;
 }
 
-void waiting_10_draw(Random *random, Job10 *job)
+void roll_waiting_10(Random *random, Job10 *job)
 {
     for (int i = 0; i < COUNT(job->waiting); i++) {
-        job->waiting[i] = draw_waiting(random);
+        job->waiting[i] = roll_waiting(random);
     }
 }
 

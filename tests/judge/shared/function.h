@@ -22,7 +22,7 @@ typedef struct Range {
 int range_at(Range range, int i);
 
 // Of n inputs the last n_edges are the same in every job. Which of these is number i, from 0 on?
-// Returns -1 for an input that is drawn.
+// Returns -1 for an input that is rolled.
 int edge_of(int i, int n, int n_edges);
 
 typedef struct Function {

@@ -31,7 +31,7 @@ void job_scene_spread_depths(JobScene *scene);
 void job_scene_cover_second(JobScene *scene);
 
 // Depths of every size: the largest float, two that are one float apart, both zeros; and circles
-// that are black or transparent before others. Where they are is drawn. Returns 0, or -1 after one
+// that are black or transparent before others. Where they are is rolled. Returns 0, or -1 after one
 // message.
 int job_scene_depths(JobScene *scene, Random *random);
 

@@ -59,7 +59,7 @@ void job_scene3d_aim(JobScene3D *scene)
 }
 
 // Somewhere around the cube, its middle somewhere in the picture, any side up.
-static void draw_view(Random *random, View *view)
+static void roll_view(Random *random, View *view)
 {
     do {
         // Never near the middle, in any of the eight octants.
@@ -85,7 +85,7 @@ int job_scene3d_random(JobScene3D *scene, Random *random, int n_spheres, float m
         return -1;
     }
     s->width = width, s->height = height;
-    draw_view(random, &s->view);
+    roll_view(random, &s->view);
     // What is the same everywhere would hide who forgets it.
     for (int i = 0; i < s->n_materials; i++) {
         s->materials[i].kd = random_number(random, 0.25, 1);

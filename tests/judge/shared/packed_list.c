@@ -3,7 +3,7 @@
 
 #include <stddef.h>
 
-PackJob pack_draw(Random *random, int edge, u32 n_least)
+PackJob pack_roll(Random *random, int edge, u32 n_least)
 {
     // Empty leaves and the first one of a tree; then long lists, before the leaf and in it. Their
     // ids are too large for 16 bits.

@@ -10,7 +10,7 @@
 // A leaf of n_least ids or more; or edge number `edge`, from 0 on, which is nearly the same in
 // every job.
 enum { N_PACK_EDGES = 6 };
-PackJob pack_draw(Random *random, int edge, u32 n_least);
+PackJob pack_roll(Random *random, int edge, u32 n_least);
 
 // Is a number what 8 or 16 bits hold of the right one?
 Cause number_cause(u32 found, u32 expected);

@@ -1,4 +1,4 @@
-// Drawing scenes with a name anew for each seed (see scene_vary.h).
+// Rolling scenes with a name anew for each seed (see scene_vary.h).
 #include "scene_vary.h"
 
 #include "random3d.h"
@@ -65,7 +65,7 @@ static void shuffle_circles(Scene2D *scene, Random *random)
     for (int i = n - 2; i > 1; i--) {
         swap_floats(&circles[i].depth, &circles[random_integer(random, 1, i)].depth);
     }
-    // Which depth goes where is drawn: there goes the first circle of it that is left.
+    // Which depth goes where is rolled: there goes the first circle of it that is left.
     for (int i = 0; i < n; i++) {
         int from = 0;
         while (is_dealt[from] || given[from].depth != circles[i].depth) {

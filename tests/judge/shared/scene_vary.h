@@ -1,4 +1,4 @@
-// Scenes that have a name, drawn anew for each seed: reports that were handed back show much of a
+// Scenes that have a name, rolled anew for each seed: reports that were handed back show much of a
 // job, and no table of what they show may earn anything with another one. What a scene is there
 // for stays: what touches, overlaps, is equal or lies at a border does so afterwards.
 #ifndef JUDGE_SCENE_VARY_H
