@@ -1,5 +1,5 @@
-// A command of the compiler, and the two ways to run it: as a program, or by a clang that has started
-// already (clang_server.c), which takes a third of the time.
+// A command of the compiler, and the two ways to run it: as a program, or by a clang that has
+// started already (clang_server.c), which takes half of the time.
 #ifndef NATIVE_COMMAND_H
 #define NATIVE_COMMAND_H
 

@@ -23,9 +23,9 @@
     "/usr/bin/cpp", "-undef", "-nostdinc", "-w", "-D__OPENCL_VERSION__=120",                       \
         "-D__OPENCL_C_VERSION__=120"
 
-// What a known answer does not use is no warning's business here. PoCL may fuse a multiplication and
-// an addition into one, which rounds once; here none is fused. As functions, kernels have the host's
-// calling convention.
+// What a known answer does not use is no warning's business here. PoCL may fuse a multiplication
+// and an addition into one, which rounds once; here none is fused. As functions, kernels have the
+// host's calling convention.
 #define TRANSLATE                                                                                  \
     CLANG, "-w", "-x", "cl", "-cl-std=CL1.2", "-Xclang", "-fdeclare-opencl-builtins", "-Xclang",   \
         "-finclude-default-header", "-fno-color-diagnostics", "-O1", "-fPIC", "-ffp-contract=off", \

@@ -7,6 +7,7 @@
 #include "judge_10.h"
 
 #include "oracle3d.h"
+#include "oracle3d_rounding.h"
 #include "span.h"
 
 #include <math.h>
