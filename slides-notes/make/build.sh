@@ -35,6 +35,8 @@ slides)
 notes) cat $make/style.css $make/page.css slides-notes/touch/touch.css >"$work/style" && : >"$work/script" ;;
 *) cat $make/style.css $make/page.css >"$work/style" && : >"$work/script" ;;
 esac
+language=en
+case $output in *.de.html) language=de ;; esac
 {
     echo "<a href=\"${up}index.html\">Course</a>"
     case $form in
@@ -42,7 +44,8 @@ esac
         chapter=$(basename "$source" .md)
         chapter=${chapter#notes-}
         echo "<a href=\"notes-$chapter.html\">Notes</a> <a href=\"slides-$chapter.html\">Slides</a>"
-        ! $make/browser.sh >/dev/null || echo "<a href=\"$form-$chapter.pdf\">PDF</a>"
+        ! grep -q "^#:.* $source" slides-notes/german.po || echo "<a href=\"slides-$chapter.de.html\" lang=\"de\">Folien</a>"
+        ! $make/browser.sh >/dev/null || echo "<a href=\"$(basename "$output" .html).pdf\">PDF</a>"
         ;;
     esac
     [ "$edition" = student ] || echo "Instructor's edition"
@@ -59,7 +62,7 @@ mkdir -p "$(dirname "$output")"
 pandoc --from=gfm --to=html5 $embed --mathml --wrap=preserve --no-highlight \
     --resource-path="$(dirname "$source")" --template=$make/page.html \
     --lua-filter=$make/chapter.lua \
-    --metadata=pagetitle:"$title" --metadata=source:"$source" --metadata=form:"$form" \
+    --metadata=pagetitle:"$title" --metadata=source:"$source" --metadata=form:"$form" --metadata=language:$language \
     --metadata=edition:"$edition" --metadata=pages:"$pages" --metadata=runs:"$(dirname "$site")/runs" --metadata=up:"$up" \
     --variable=form:"$form" --variable=edition:"$edition" \
     --variable=style:"$(cat "$work/style")" --variable=script:"$(cat "$work/script")" \

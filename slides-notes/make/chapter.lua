@@ -2,6 +2,7 @@
 -- what stands in the files, and build.sh for what calls this. Metadata that it reads:
 --   source    the file, from the course's top folder
 --   form      "notes", "slides" or "page"
+--   language  "en", or "de" for slides
 --   edition   "student" or "instructor"
 --   pages     all Markdown files of the site, one a blank
 --   up        the way from the page to the site's top folder: "../../"
@@ -10,10 +11,12 @@
 package.path = PANDOC_SCRIPT_FILE:gsub("[^/]*$", "") .. "?.lua;" .. package.path
 local formula = require "formula"
 local questions = require "questions"
+local german = require "german"
 local listing = require "listing"
 
 local List = pandoc.List
-local source, folder, form, edition, up, runs
+local say = german.say
+local source, folder, form, language, edition, up, runs
 local pages = {}
 local hall, exercises
 
@@ -49,22 +52,28 @@ end
 -- ---- Links, pictures, numbers ---------------------------------------------------------------------
 
 -- A link to a Markdown file leads to its page; the word "slides" in it, to a chapter's slides, which on a forge
--- stand in its notes. What is not on the site loses its link and keeps its words.
+-- stand in its notes; the word "Folien", to those in German. What is not on the site loses its link and keeps its words.
 local function link(element)
     local target, anchor = element.target:match("^([^#]*)(#?.*)$")
     if element.target:match("^%a+:") or target == "" then return nil end
     if target:match("/$") then target = target .. "README.md" end
     local wanted = resolve(target)
     if not pages[wanted] then return element.content end
-    if pandoc.utils.stringify(element.content):lower():match("^slides") then
-        wanted = wanted:gsub("/notes%-", "/slides-")
-    end
-    element.target = up .. wanted:gsub("%.md$", ".html") .. anchor
+    local words = pandoc.utils.stringify(element.content):lower()
+    local suffix = words:match("^folien") and ".de.html" or ".html"
+    if words:match("^slides") or words:match("^folien") then wanted = wanted:gsub("/notes%-", "/slides-") end
+    element.target = up .. wanted:gsub("%.md$", suffix) .. anchor
     return element
 end
 
 -- A paragraph that is a picture becomes a figure. By its name slides-notes/touch finds those that can be touched.
+-- In German slides its labels are German.
 local function figure(image)
+    if language == "de" and image.src:match("%.svg$") then
+        local drawing = "de/" .. image.src
+        pandoc.mediabag.insert(drawing, "image/svg+xml", german.drawing(read(folder .. image.src), image.src))
+        image.src = drawing
+    end
     local caption = pandoc.utils.stringify(image.caption)
     local name = image.src:match("([^/]*)%.%w+$")
     local shown = List{pandoc.RawInline("html", '<figure data-name="' .. name .. '">'), pandoc.Image(image.caption, image.src)}
@@ -163,7 +172,8 @@ end
 
 -- A question for the hall: its words and options.
 local function asked(number)
-    local question = assert(hall[number], source .. ": questions.md has no question " .. number)
+    local item = assert(hall[number], source .. ": questions.md has no question " .. number).item
+    local question = questions.question(say(item, "question " .. number))
     local rows = {}
     for _, option in ipairs(question.options) do
         local row = List{pandoc.RawInline("html", "<b>(" .. option.letter .. ")</b> ")}
@@ -176,7 +186,8 @@ end
 -- Its key, in words.
 local function answer(number)
     local question = hall[number]
-    return blocks("Answer: **(" .. question.letter .. ")**. " .. (question.why or ""))
+    return blocks(say("Answer:", "speaker notes") .. " **(" .. question.letter .. ")**. " ..
+        say(question.why or "", "question " .. number .. ", answer"))
 end
 
 -- [Question 03.1](questions.md#...), alone in its paragraph.
@@ -259,7 +270,7 @@ end
 
 -- The blocks between <details> and </details>: content, the link to the lab, the speaker notes.
 local function slide_parts(found, minutes)
-    local content, lab, speaker = List(), nil, blocks("**" .. minutes .. " min.**")
+    local content, lab, speaker = List(), nil, blocks("**" .. minutes .. " " .. say("min.", "speaker notes") .. "**")
     for _, block in ipairs(found) do
         local kind, argument = placed(block)
         if block.tag == "BlockQuote" then
@@ -303,14 +314,14 @@ local function slides_of(document)
         elseif block.tag == "Header" and block.level == 1 then
             -- "Lecture notes, first half: two dimensions. They follow ..."
             local half = pandoc.utils.stringify(document[n + 1]):match(", ([^.]*)")
-            add("first", block.content, List{pandoc.Para{pandoc.Str(half)}}, nil, List())
+            add("first", block.content, List{pandoc.Para{pandoc.Str(say(half, "title"))}}, nil, List())
         elseif block.tag == "Header" and block.level == 2 then
             section = block.identifier
         elseif kind == "Question" then
-            local speaker = blocks("**" .. question_minutes .. " min.** Read it aloud, let them vote by hand, " ..
-                "ask one of each side why.")
+            local speaker = blocks("**" .. question_minutes .. " " .. say("min.", "speaker notes") .. "** " ..
+                say("Read it aloud, let them vote by hand, ask one of each side why.", "speaker notes"))
             speaker:extend(answer(argument))
-            add("asks", inlines("Question " .. argument), asked(argument), lab_of(argument), speaker)
+            add("asks", inlines(say("Question", "title") .. " " .. argument), asked(argument), lab_of(argument), speaker)
         end
     end
     assert(not opened, source .. ": a <details> does not end")
@@ -348,10 +359,17 @@ local function meta(document, name) return pandoc.utils.stringify(document.meta[
 function Pandoc(document)
     source, form, edition = meta(document, "source"), meta(document, "form"), meta(document, "edition")
     folder, up, runs = source:match("^(.*/)") or "", meta(document, "up"), meta(document, "runs")
+    language = meta(document, "language")
     for page in meta(document, "pages"):gmatch("%S+") do pages[page] = true end
     hall, exercises = questions.read(read("slides-notes/questions.md"))
 
     local content = document.blocks
+    if language == "de" then
+        german.read(read("slides-notes/german.po"))
+        content = blocks(german.chapter(read(source)))
+        local before, title = meta(document, "pagetitle"):match("^slides(.-: )(.*)$")
+        document.meta.pagetitle = "Folien" .. before .. say(title, "title")
+    end
     if form == "slides" then content = slides_of(content) else content = without_slides(content) end
     if source:match("questions%.md$") and edition == "student" then content = without_answers(content) end
     document.blocks = pandoc.walk_block(pandoc.Div(content), {Inlines = numbers, Blocks = printed}).content
@@ -362,5 +380,6 @@ function Pandoc(document)
         Inlines = unbroken,
         Table = function(block) return div("scrolls", {block}) end,
     }).content
+    german.report(source, os.getenv("GERMAN_TEMPLATE"))
     return document
 end

@@ -5,6 +5,8 @@ include slides-notes/touch/touch.mk
 NOTES := $(BUILD)/notes
 NOTES_MAKE := slides-notes/make
 CHAPTERS := $(patsubst slides-notes/notes-%.md,%,$(wildcard slides-notes/notes-*.md))
+# Those whose slides are made in German, too.
+GERMAN := 2d 3d
 # Markdown files that become pages as they are, at the same places; what links to others keeps only its words.
 NOTES_PAGES := README.md slides-notes/README.md slides-notes/slides-and-course.md slides-notes/questions.md tests/GRADING.md tests/bench/RESULTS.md \
     tests/INSTRUCTORS.md tests/what-protects-a-grade.md common/SCENES.md common/DATA-FLOW.md common/setup/TROUBLESHOOTING.md $(wildcard labs/*/*.md)
@@ -34,11 +36,15 @@ $(call say,page    $@)$(NOTES_MAKE)/build.sh $(NOTES)/$(1) $(1) $(2) $< $@ "$(NO
 endef
 define notes_edition  # the rules of the edition $(1)
 NOTES_HTML += $(NOTES)/$(1)/index.html $(patsubst %.md,$(NOTES)/$(1)/%.html,$(NOTES_PAGES) $(NOTES_PAGES_$(1))) \
-    $(foreach chapter,$(CHAPTERS),$(NOTES)/$(1)/slides-notes/notes-$(chapter).html $(NOTES)/$(1)/slides-notes/slides-$(chapter).html)
-NOTES_PDF += $(foreach chapter,$(CHAPTERS),$(NOTES)/$(1)/slides-notes/notes-$(chapter).pdf $(NOTES)/$(1)/slides-notes/slides-$(chapter).pdf)
+    $(foreach chapter,$(CHAPTERS),$(NOTES)/$(1)/slides-notes/notes-$(chapter).html $(NOTES)/$(1)/slides-notes/slides-$(chapter).html) \
+    $(foreach chapter,$(GERMAN),$(NOTES)/$(1)/slides-notes/slides-$(chapter).de.html)
+NOTES_PDF += $(foreach chapter,$(CHAPTERS) $(GERMAN:=.de),$(NOTES)/$(1)/slides-notes/slides-$(chapter).pdf) \
+    $(foreach chapter,$(CHAPTERS),$(NOTES)/$(1)/slides-notes/notes-$(chapter).pdf)
 $(NOTES)/$(1)/slides-notes/notes-%.html: slides-notes/notes-%.md slides-notes/questions.md $(NOTES_TOOLS) $(NOTES_RUNS) $(TOUCH)
 	$$(call page,$(1),notes)
 $(NOTES)/$(1)/slides-notes/slides-%.html: slides-notes/notes-%.md slides-notes/questions.md $(NOTES_TOOLS) $(NOTES_RUNS)
+	$$(call page,$(1),slides)
+$(NOTES)/$(1)/slides-notes/slides-%.de.html: slides-notes/notes-%.md slides-notes/questions.md slides-notes/german.po $(NOTES_TOOLS) $(NOTES_RUNS)
 	$$(call page,$(1),slides)
 $(NOTES)/$(1)/index.html: slides-notes/index.md $(NOTES_TOOLS)
 	$$(call page,$(1),page)
@@ -52,7 +58,7 @@ $(NOTES_HTML): $(wildcard labs/*/*.[ch]* solutions/*/*.[ch]* slides-notes/figure
 $(NOTES)/%.pdf: $(NOTES)/%.html
 	$(call say,print   $@)$(NOTES_MAKE)/print.sh $< $@
 
-.PHONY: notes notes-html notes-pdf
+.PHONY: notes notes-html notes-pdf german
 notes:  ## install what is missing, make notes, slides and the course's site, for students and for instructors
 	@common/setup/install.sh demo  # what the solutions need, whose counts stand in the texts
 	@common/setup/install.sh notes
@@ -66,3 +72,5 @@ notes:  ## install what is missing, make notes, slides and the course's site, fo
 	@echo "for instructors, with the key and speaker notes: $(NOTES)/instructor/index.html"
 notes-html: $(NOTES_HTML)
 notes-pdf: $(NOTES_PDF)
+german: $(NOTES_RUNS)  ## take changed paragraphs of the slides into slides-notes/german.po, to be translated
+	@$(NOTES_MAKE)/german.sh $(NOTES) $(GERMAN)

@@ -29,22 +29,22 @@ local function between(text, first, last)
 end
 
 -- "Where? (a) here (b) there" as the question and its options, in order.
-local function question(item)
+function questions.question(item)
     local text, rest = item:match("^(.-)%s*(%(a%) .*)$")
     local options = {}
     for option in (rest:gsub("%(([a-d])%) ", "\0%1")):gmatch("[^%z]+") do
         options[#options + 1] = {letter = option:sub(1, 1), text = option:sub(2):match("^(.-)%s*$")}
     end
-    return {text = text, options = options}
+    return {item = item, text = text, options = options}
 end
 
--- Read questions.md, given as text. Returns hall["03.1"] = {text, options[] = {letter, text}, letter, why} and
+-- Read questions.md, given as text. Returns hall["03.1"] = {item, text, options[] = {letter, text}, letter, why} and
 -- exercises[7] = {text, key}.
 function questions.read(text)
     local hall, exercises = {}, {}
     local asked = between(text, "## Questions for the hall", "\n## Exercises")
     for number, item in pairs(items(asked, "^%- %*%*(%d%d%.%d)%*%* (.*)$")) do
-        hall[number] = question(item)
+        hall[number] = questions.question(item)
     end
     local key = between(text, "## Answers")
     for lab, letters in key:gmatch("\n| (%d%d) (|[^\n]*)") do

@@ -142,6 +142,62 @@ find "$notes" -name '*.html' | while IFS= read -r page; do broken_links "$page";
 [ ! -s "$scratch/broken" ]
 ok $? "no link is broken" "$(cat "$scratch/broken")"
 
+# ---- German slides -------------------------------------------------------------------------------
+
+# What the slides of a page share in both languages, a line each, by slide: links, figures, code, marks and numbers; so also
+# the minutes of the speaker notes. Not blocks of pseudocode, pictures, gaps in formulas, and what stands for a character.
+facts() {
+    sed 's/\(src="data:\|lspace="\|rspace="\|width="\)[^"]*"//g; s/&#[0-9]*;//g; s/<pre[^>]*><code>/<pre>/g' "$1" | tr '\n' ' ' | sed 's/<div[^>]* class="slide/\n&/g' | awk '
+    NR > 1 {
+        while (match($0, /href="[^"]*"|data-name="[^"]*"|<code[^>]*>[^<]*|<!--[^>]*-->|[0-9]+([.][0-9]+)?/)) {
+            print "slide " NR - 1 ": " substr($0, RSTART, RLENGTH)
+            $0 = substr($0, RSTART + RLENGTH)
+        }
+    }' | LC_ALL=C sort
+}
+german=$notes/instructor/slides-notes
+for chapter in 2d 3d; do
+    facts "$german/slides-$chapter.html" >"$scratch/english"
+    facts "$german/slides-$chapter.de.html" >"$scratch/german"
+    [ "$(wc -l <"$scratch/english")" -gt 100 ] && grep -q '<html lang="de">' "$german/slides-$chapter.de.html" &&
+        diff "$scratch/english" "$scratch/german" >"$scratch/differ"
+    ok $? "slides-$chapter: minutes, links, figures, code and numbers of each slide are the same in German" "$(cat "$scratch/differ")"
+done
+
+# In a copy of the course: a paragraph that is changed, and an entry that is a draft, stay English.
+in_copy() {
+    (cd "$scratch/course" && "$@" 2>&1)
+}
+# What building the copy's slides says of their German.
+slides_of_copy() {
+    for chapter in 2d 3d; do
+        in_copy slides-notes/make/build.sh site instructor slides slides-notes/notes-$chapter.md site/slides-$chapter.de.html ""
+    done
+}
+mkdir -p "$scratch/course/site"
+for part in ./*; do ln -s "$PWD/$part" "$scratch/course/$part"; done
+ln -s "$(realpath "$notes")/runs" "$scratch/course/runs"
+rm "$scratch/course/slides-notes"
+cp -R slides-notes "$scratch/course"
+slides_of_copy >"$scratch/before"
+n_english=$(grep -c 'not in German yet' "$scratch/before")
+awk '/^<details>/ { on_slide = 1 } on_slide && !done && sub(/^- /, "- Changed: ") { done = 1 } { print }' slides-notes/notes-2d.md \
+    >"$scratch/course/slides-notes/notes-2d.md"
+awk '/^#: / && ++n == 2 { print "#, fuzzy" } { print }' slides-notes/german.po >"$scratch/course/slides-notes/german.po"
+draft=$(sed -n '/^#, fuzzy/,/^$/s/^msgid "\(.*\)"$/\1/p' "$scratch/course/slides-notes/german.po")
+slides_of_copy >"$scratch/after"
+[ "$(grep -c 'not in German yet' "$scratch/after")" -eq $((n_english + 2)) ] &&
+    grep -q '<li>Changed: ' "$scratch/course/site/slides-2d.de.html" && grep -q -F ">$draft</h2>" "$scratch/course/site/slides-2d.de.html"
+ok $? "a changed paragraph and a draft are in English (now $n_english paragraphs)" "$(cat "$scratch/after")"
+if command -v msgmerge >/dev/null; then
+    check "make german runs" in_copy slides-notes/make/german.sh . 2d 3d
+    sed -n '/^#, fuzzy/,/^$/p' "$scratch/course/slides-notes/german.po" >"$scratch/drafts"
+    grep -q 'Changed: ' "$scratch/drafts"
+    ok $? "it takes the paragraph in as a draft" "$(cat "$scratch/drafts")"
+else
+    skip "make german" "there is no gettext (make notes installs it)"
+fi
+
 # ---- Editions ------------------------------------------------------------------------------------
 
 # The words of pages, without marks and blanks, on one line.
