@@ -197,7 +197,17 @@ static int is_moved_along(const StartJob *in, Vec3 found, double distance)
     return fabs(own.along - distance) <= own.rounding + 0x1p-8 * fabs(distance);
 }
 
-EACH(same_distance, is_moved_along(in, found, surest_distance(job, answers)),
+// In both ranges: where the numbers are small, a least distance is the same everywhere, too.
+static int all_are_moved_along(const Job09 *job, const Vec3 *found, double distance)
+{
+    int j = 0;
+    while (j < COUNT(job->starts) && is_moved_along(&job->starts[j], found[j], distance)) {
+        j++;
+    }
+    return j == COUNT(job->starts);
+}
+
+EACH(same_distance, all_are_moved_along(job, answers, surest_distance(job, answers)),
      "the same distance everywhere: rounding grows with the numbers")
 EACH(least_distance, is_moved_along(in, found, fmax(surest_distance(job, answers), offset_of(in))),
      "never less than a fixed distance: that is too much where the numbers are small")
