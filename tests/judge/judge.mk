@@ -27,7 +27,7 @@ JUDGE_NUMBERS = $(patsubst tests/judge/%/,%,$(sort $(dir $(wildcard tests/judge/
 LAB_JUDGES = $(foreach lab,$(JUDGE_NUMBERS),$(OUT)/tools/judge-$(firstword $(subst -, ,$(lab))))
 $(OUT)/obj/only/%.o: tests/judge/one_judge.c $(FLAG_FILES)
 	@mkdir -p $(@D)
-	$(call say,compile $< for lab $*)$(CC) $(CFLAGS) -MMD -MP $(INCLUDES) $(AUTHORS_INCLUDES) $(GRADER_INCLUDES) -DONLY=judge_$* -c $< -o $@
+	$(call say,compile $< for lab $*)$(CC) $(CFLAGS) -MMD -MP $(INCLUDES) $(AUTHORS_INCLUDES) $(GRADER_INCLUDES) -DTHE_JUDGE=judge_$* -c $< -o $@
 $(LAB_JUDGES): $(OUT)/tools/judge-%: $(OUT)/obj/only/%.o $(call objects,$(JUDGE_NEEDS)) $(OUT)/libjudge.a
 	$(call link,-static-pie -lm)
 # What a handout holds is judges/x86_64/tools/judge-NN or judges/aarch64/tools/judge-NN. It should take work
