@@ -1,6 +1,6 @@
 // mutant: the cut-off is a tenth
 // task: ray_color
-// caught by: color-mirrors
+// caught by: color-end
 // says: end were above|expected
     float weight = 1.0f;
     for (int n_bounces = 0;; n_bounces++) {
