@@ -88,8 +88,7 @@ ONLY(along, is_along(in),
      "side")
 ONLY(hair, from_plane(in) > 0 && from_plane(in) < (float)HAIR,
      "an eye a hair beside the plane is not on it: compare without an epsilon")
-ONLY(small,
-     from_plane(in) == 0 && (fabsf(in->inverse) < (float)HAIR || fabsf(in->inverse) > 1000),
+ONLY(small, from_plane(in) == 0 && (fabsf(in->inverse) < (float)HAIR || fabsf(in->inverse) > 1000),
      "only the sign of the direction counts, however small or large it is")
 
 static const Known *const known[] = {&far_side,       &coming_from,    &going_to, &plane_is_lower,
