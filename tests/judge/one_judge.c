@@ -1,5 +1,5 @@
 // The table of one judge, THE_JUDGE, for a handout of its lab: whoever takes it apart finds neither
-// this lab's solution, which its judge may not use, nor those of later labs, which other judges use.
+// this lab's solution, which its judge may not use, nor later labs', which other judges use.
 #include "home_seeds.h"
 #include "judge.h"
 

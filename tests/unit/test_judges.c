@@ -76,8 +76,8 @@ LAB_TEST(judges, a_seed_says_all_about_a_job)
 }
 
 // The attack: a run knows how jobs are rolled, and tries states of the generator until one gives
-// the inputs that it sees. (Here few need trying; of a number that is rolled whole, the state can be
-// computed.) If that state were the seed, it would say what the stand-ins hold.
+// the inputs that it sees. (Here few need trying; of a number that is rolled whole, the state can
+// be computed.) If that state were the seed, it would say what the stand-ins hold.
 static int rolls_the_same(const Judge *judge, uint64_t state, const Job *seen)
 {
     Random random = {state};
