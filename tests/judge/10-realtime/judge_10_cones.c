@@ -91,7 +91,7 @@ ANSWERS(without_radius, view.border,
         "that is as if the sphere were its centre: compare with the radius")
 ANSWERS(across_axis, view.border / (double)in->cosine - view.size,
         "the distance from the border is measured at right angles to the border, not to the axis")
-ANSWERS(radius_squared, view.border - view.size * view.size, "a distance is compared with a square")
+ANSWERS(by_square, view.border - view.size * view.size, "a distance is compared with a square")
 ANSWERS(diameter, view.border - 2 * view.size,
         "spheres that the cone misses by less than twice the radius are asked all the same")
 ANSWERS(eye_distance, gap_by(in, from_eye(view), view.along),
@@ -159,12 +159,12 @@ ONLY(by_squares, fabs(gap_of(view)) <= error_by_squares(view),
      "the digits are lost: subtract the vectors first, and then take the length")
 
 static const Known *const known[] = {
-    &never,       &always,         &inverted,     &radius_signed,  &sine_for_cosine, &other_side,
-    &axis_only,   &without_radius, &across_axis,  &radius_squared, &diameter,        &eye_distance,
-    &squared,     &behind_missed,  &by_tangent,   &unit_centre,    &only_behind,     &unit_along,
-    &cube,        &without_cosine, &cosine_size,  &behind_plane,   &by_distance,     &radius_added,
-    &half_radius, &along_size,     &both_squared, &from_axis_end,  &added_2,         &added_3,
-    &added_4,     &added_5,        &added_6,      &share_1,        &share_2,         &share_3,
+    &never,       &always,         &inverted,     &radius_signed, &sine_for_cosine, &other_side,
+    &axis_only,   &without_radius, &across_axis,  &by_square,     &diameter,        &eye_distance,
+    &squared,     &behind_missed,  &by_tangent,   &unit_centre,   &only_behind,     &unit_along,
+    &cube,        &without_cosine, &cosine_size,  &behind_plane,  &by_distance,     &radius_added,
+    &half_radius, &along_size,     &both_squared, &from_axis_end, &added_2,         &added_3,
+    &added_4,     &added_5,        &added_6,      &share_1,       &share_2,         &share_3,
     &share_4,     &share_5,        &by_squares};
 
 // ---- Answers ------------------------------------------------------------------------------------
