@@ -146,8 +146,7 @@ static int compile(const char *text, const Command *options, const char *stem, c
     const Command link = command_of(
         (const char *[]){"/usr/bin/ld", "-shared", "-Bsymbolic", object, "-o", library, NULL});
     const int result = write_text(source, text) == 0 && command_run(&preprocess, log) == 0 &&
-                               append_entries(whole) == 0 &&
-                               command_run_clang(&translate, log) == 0 &&
+                               append_entries(whole) == 0 && command_run(&translate, log) == 0 &&
                                command_run(&link, log) == 0
                            ? 0
                            : -1;

@@ -3,7 +3,7 @@
 
 NATIVE := $(OUT)/native
 NATIVE_OPENCL := $(NATIVE)/libOpenCL.so
-NATIVE_SOURCES := $(filter-out %/clang_server.c,$(wildcard tests/native/*.c)) $(addprefix common/,path.c text_file.c message.c complain.c clean_text.c utf8.c)
+NATIVE_SOURCES := $(wildcard tests/native/*.c) $(addprefix common/,path.c text_file.c message.c complain.c clean_text.c utf8.c)
 
 # A path from the root, for what is run in another folder; the course's own may hold blanks.
 from_root = $(if $(filter /%,$(1)),$(1),$(CURDIR)/$(1))
@@ -20,8 +20,6 @@ $(NATIVE)/obj/builtins.o: tests/native/builtins.cl tests/native/kernels.h $(FLAG
 $(NATIVE_OPENCL): $(NATIVE_SOURCES:%=$(NATIVE)/obj/%.o) $(NATIVE)/obj/builtins.o
 	@mkdir -p $(@D)/kernels
 	$(call say,link    $@)$(CC) -shared $^ -lnettle -ldl -lpthread -lm -o $@
-$(NATIVE)/clang_server.so: $(NATIVE)/obj/tests/native/clang_server.c.o
-	$(call say,link    $@)$(CC) -shared $^ -ldl -o $@
 
 # What the grader links a probe with (tests/grader/run/variant_start.c): libcommon.a is a text here that names
 # two libraries to the linker.
@@ -34,4 +32,4 @@ $(NATIVE)/probes/%.o: $(OUT)/probes/%.o
 $(filter-out %.o,$(PROBES:$(OUT)/%=$(NATIVE)/%)): $(NATIVE)/probes/%: $(OUT)/probes/%.o $(NATIVE_OPENCL)
 	$(call link,'$(call from_root,$(NATIVE_OPENCL))' -lm)
 .PHONY: native
-native: grader $(PROBES:$(OUT)/%=$(NATIVE)/%) $(NATIVE)/libcommon.a $(NATIVE)/tools $(NATIVE)/earlier $(NATIVE)/clang_server.so
+native: grader $(PROBES:$(OUT)/%=$(NATIVE)/%) $(NATIVE)/libcommon.a $(NATIVE)/tools $(NATIVE)/earlier
