@@ -159,7 +159,7 @@ $(OUT)/tests/no_images.so: tests/tools/no_images.c
 $(OUT)/obj/tests/unit/%.c.o: OPTIMISATION = -O0 -g
 
 # In `make test-all` unit tests run under the sanitizers, but for this one: PoCL's compiler is not built for
-# them. A second build and slower starts are half of `make test`'s time: there they run without.
+# them. In `make test` they run without: this second build takes longer than the first.
 NATIVE_TEST = $(OUT)/tests/test_cl_setup
 
 .PHONY: unit-tests watched suites heart tests check test test-all test-scale test-seeds test-mutants test-attacks

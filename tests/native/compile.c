@@ -1,17 +1,19 @@
 // Compiling kernels to native code (see compile.h): the preprocessor, clang and the linker.
 #include "compile.h"
 
-#include "command.h"
 #include "message.h"
 #include "path.h"
 #include "text_file.h"
 
 #include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
 #include <limits.h>
 #include <nettle/sha2.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 // NATIVE_CACHE and NATIVE_HEADER are from the makefile: where libraries are kept, and kernels.h.
@@ -30,6 +32,48 @@
     CLANG, "-w", "-x", "cl", "-cl-std=CL1.2", "-Xclang", "-fdeclare-opencl-builtins", "-Xclang",   \
         "-finclude-default-header", "-fno-color-diagnostics", "-O1", "-fPIC", "-ffp-contract=off", \
         "-Dkernel=", "-D__kernel="
+
+enum { MAX_WORDS = 96 };
+
+typedef struct Command {
+    const char *words[MAX_WORDS];  // the program's path first, NULL at the end
+    int n;
+} Command;
+
+static void command_add(Command *command, const char *word)
+{
+    if (command->n < MAX_WORDS - 1) {
+        command->words[command->n++] = word;
+    }
+}
+
+static Command command_of(const char *const words[])
+{
+    Command command = {0};
+    for (int i = 0; words[i] != NULL; i++) {
+        command_add(&command, words[i]);
+    }
+    return command;
+}
+
+// Run it. What it says goes to the end of the file `log`. Returns its exit status, or -1.
+static int command_run(const Command *command, const char *log)
+{
+    int status = 0;
+    const pid_t child = fork();
+    if (child == 0) {
+        const int file = open(log, O_WRONLY | O_CREAT | O_APPEND, 0644);
+        if (file >= 0) {
+            dup2(file, STDOUT_FILENO);
+            dup2(file, STDERR_FILENO);
+            execv(command->words[0], (char *const *)command->words);
+        }
+        _exit(127);
+    }
+    while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR)
+        ;
+    return child > 0 && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
 
 // ---- The name of what is kept -------------------------------------------------------------------
 

@@ -230,7 +230,7 @@ static NextWaitingAnswer ended_if(const TileWaitingJob *in, int is_end, NextWait
     return is_end ? ended(in) : answer;
 }
 
-// With what it goes on there is anybody's guess.
+// Which node such an answer hands on is not defined.
 EACH(swapped, (found->goes_on != 0) != waiting(in).goes_on, "1 and 0 are swapped: 0 is the end")
 ANSWERS(one_left, ended_if(in, waiting(in).todo.n == 0, waiting(in)),
         "the search ended while one node was still waiting")
