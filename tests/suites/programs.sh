@@ -43,6 +43,7 @@ else
 fi
 
 works run 00 --size 317x211 --output "$out/00.png" >/dev/null
+works run 00 --size 317x211 --output "$out/00.exr" >/dev/null
 check "a PNG shows what the EXR holds" compare "$out/00.png" "$out/00.exr" 0.002
 
 # From another folder with the kernels in it: where the picture goes when nobody says.
