@@ -124,13 +124,15 @@ printf '. tests/tap.sh\n[ ! -e build/broken ]\nok $? whole\nfinish\n' >tests/sui
 
 # again N: does `make test` pass without running N of its tests?
 again() {
-    HEART=1 BUILD=build tests/run.sh >build/again 2>&1 </dev/null && : || { cat build/again; return 1; }
-    [ "$(grep -c 'not run again$' build/again)" -eq "$1" ] || { cat build/again; return 1; }
+    status=0
+    HEART=1 BUILD=build tests/run.sh >build/again 2>&1 </dev/null || status=$?
+    cat build/again
+    [ $status -eq 0 ] && [ "$(grep -c 'not run again$' build/again)" -eq "$1" ]
 }
 n_all=$(find tests/suites tests/unit -type f | wc -l)
 check "the first time all tests run" again 0
 check "with nothing changed none runs again" again "$n_all"
-check "the sum is the same" test "$(tail -n 1 build/again)" = "$((n_all + 3)) passed, 0 failed"
+check "the sum is the same" test "$(tail -n 1 build/again)" = "$((n_all + 2)) passed, 0 failed"
 echo '# more' >>tests/suites/one.sh
 check "with a file changed all run" again 0
 echo '# more' >>build/tests/test_b
