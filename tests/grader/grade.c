@@ -62,8 +62,8 @@ static char *describe_end(Grading *grading)
     const char *task = NULL;
     char *line = whole->has_crashed ? session_find_line(&grading->session, whole, &task) : NULL;
     grading->has_line = line != NULL;
-    grading->end_task = line != NULL ? task : place->task;
-    char *where = place->where == NULL
+    grading->end_task = line != NULL ? task : place->task[0] != '\0' ? place->task : NULL;
+    char *where = place->where[0] == '\0'
                       ? message_new("%s", "")
                       : message_new("where: %s%s%s\n", place->where,
                                     place->with[0] != '\0' ? ", " : "", place->with);

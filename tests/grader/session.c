@@ -190,7 +190,14 @@ int session_run(Session *session, Variant *const variants[], int n)
     // Answers over which the judge ended took its time, which counts as theirs.
     session->allowance.spent += session->judge.lost_seconds;
     session->judge.lost_seconds = 0;
-    return variants_run(&session->workshop, variants + known, n - known, &session->allowance);
+    const int result =
+        variants_run(&session->workshop, variants + known, n - known, &session->allowance);
+    for (int i = known; i < n; i++) {
+        if (variants[i]->trouble != NULL && variants[i]->place.where[0] == '\0') {
+            variants[i]->place = judge_place(&session->judge, &variants[i]->note);
+        }
+    }
+    return result;
 }
 
 int session_run_apart(Session *session, Variant *const variants[], int n)
@@ -284,7 +291,7 @@ double session_race(Session *session, const Variant *variant)
 // Did a submission end in the function of another task? Then nothing is known about this one.
 static int ended_elsewhere(const Variant *variant, const char *task)
 {
-    return variant->task == NULL && variant->place.task != NULL &&
+    return variant->task == NULL && variant->place.task[0] != '\0' &&
            strcmp(variant->place.task, task) != 0;
 }
 
@@ -302,12 +309,12 @@ static Diagnosis describe_missing(const Variant *variant, const char *task)
     }
     if (!variant->is_told) {
         return diagnosis_new("no answer%s: %s%s%s%s%s%s", beside, variant->trouble,
-                             place->where ? " (" : "", place->where ? place->where : "",
-                             place->with[0] ? ", " : "", place->with, place->where ? ")" : "");
+                             place->where[0] ? " (" : "", place->where, place->with[0] ? ", " : "",
+                             place->with, place->where[0] ? ")" : "");
     }
     return diagnosis_new("%s: the program had ended%s%s",
                          ended_elsewhere(variant, task) ? "not reached" : "no answer",
-                         place->where ? " " : " before", place->where ? place->where : "");
+                         place->where[0] ? " " : " before", place->where);
 }
 
 // Note what a verdict says about the task of a check.

@@ -73,6 +73,21 @@ typedef struct JobScenes {
 #define SCENES(kind, type, member)                                                                 \
     {&(kind), COUNT(((type *)0)->member), offsetof(type, member), sizeof *((type *)0)->member}
 
+// A step of the lab's probe, as it notes it before it calls functions of the student's
+// (probes/note.h): for the words that say where a run ended.
+typedef struct ProbeStep {
+    const char *name;    // of the section with its inputs, or of the answers to scenes
+    const char *where;   // "in split_box", "while kdtree2d_build built a whole tree"
+    const char *task;    // whose answer is all that runs there; NULL where several do
+    size_t input_bytes;  // of one input; 0 for scenes
+    // The words of one input, or of a step's number where it has no inputs. NULL on the device,
+    // where all inputs are tried together, and for scenes, which have titles.
+    void (*describe)(const void *input, char *words, size_t n_bytes);
+} ProbeStep;
+#define ON_HOST(section, task, type, words) {section, "in " task, task, sizeof(type), words}
+#define ON_DEVICE(section, task, type) {section, "in " task, task, sizeof(type), NULL}
+#define ON_SCENES(answers, words, task) {answers, words, task, 0, NULL}
+
 typedef struct Judge {
     const char *lab;  // "01-naive-2d"
     const JudgeCheck *checks;
@@ -89,6 +104,8 @@ typedef struct Judge {
     const JobPart *parts;
     int n_parts;
     JobScenes scenes;
+    const ProbeStep *steps;
+    int n_steps;
     // In the place of their kind's, where that does not know all of it.
     int (*write_scene)(const void *job, int k, FILE *file);
     // What one task is tried on alone, besides its parts and replays; NULL for nothing.
@@ -138,6 +155,14 @@ Verdict job_judge(const Job *job, int check, const Sections *answers);
 
 // Does check number `check` pass by what the answer to its task does alone?
 int job_passes_alone(const Job *job, int check, const Sections *answers);
+
+// Where the probe was when it noted a step of this name and a number: of an input, or of a scene.
+typedef struct JobPlace {
+    const ProbeStep *step;  // NULL where the lab has none of this name
+    char with[160];         // "input 17 of 400: box x [0, 4] y [0, 2]", "random scene, 9 circles"
+} JobPlace;
+// `written` is the job as job_new() has written it.
+JobPlace job_place(const Job *job, const Sections *written, const char *name, uint32_t number);
 
 // From now on compare pictures with these, which the solution drew on this device and which have
 // just passed every check against the oracle. Never called where there is no solution.

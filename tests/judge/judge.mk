@@ -15,6 +15,11 @@ $(OUT)/obj/tests/judge/oracles/%.o: OPTIMISATION = -O3 -g -fno-math-errno
 $(OUT)/libjudge.a: $(call objects,$(JUDGE_SOURCES) $(BUILDERS))
 	$(archive)
 
+# The table of judges, anew when a lab comes or goes.
+JUDGE_NUMBERS := $(sort $(patsubst judge_%.c,%,$(notdir $(wildcard tests/judge/[0-9]*/judge_[0-9][0-9].c))))
+$(OUT)/obj/tests/judge/judges.c.o: EXTRA = $(GRADER_INCLUDES) -D'JUDGES=$(patsubst %,JUDGE(%),$(JUDGE_NUMBERS))'
+$(OUT)/obj/tests/judge/judges.c.o: tests/judge
+
 # What the judge needs besides: no file is read by it, no device opened.
 JUDGE_NEEDS = $(addprefix common/,$(addsuffix .c,cl_check clean_text complain image message number scene2d \
     scene2d_edge_cases scene2d_generate scene2d_random scene3d scene3d_edge_cases scene3d_generate \
@@ -26,8 +31,7 @@ $(OUT)/tools/judge: $(call objects,$(JUDGE_NEEDS)) $(OUT)/libjudge.a
 	$(call link,$(if $(SANITIZERS),,-static) -lm)
 
 # The same for handouts, which go to machines of both kinds, each with the judge of its lab alone.
-JUDGE_NUMBERS = $(patsubst tests/judge/%/,%,$(sort $(dir $(wildcard tests/judge/[0-9]*/judge_*.c))))
-LAB_JUDGES = $(foreach lab,$(JUDGE_NUMBERS),$(OUT)/tools/judge-$(firstword $(subst -, ,$(lab))))
+LAB_JUDGES = $(JUDGE_NUMBERS:%=$(OUT)/tools/judge-%)
 $(OUT)/obj/only/%.o: tests/judge/one_judge.c $(FLAG_FILES)
 	@mkdir -p $(@D)
 	$(call say,compile $< for lab $*)$(CC) $(CFLAGS) -MMD -MP $(INCLUDES) $(AUTHORS_INCLUDES) $(GRADER_INCLUDES) -DTHE_JUDGE=judge_$* -c $< -o $@

@@ -10,6 +10,8 @@
 //                    whose answers it needs, and 1 where it is of scenes
 //     job - 0        what a probe shall try of a submission
 //     job TASK 0     what it shall try of one task's answer alone
+//     place NAME:I 0 where its probe was when it noted this step and number: sections "where",
+//                    "task" and "with", each where it is known
 //     answers - N    hold these N bytes: what a probe answered. An empty reply, as for adopt
 //     verdict I 0    check number I by the answers held: a section "passed", "missing" or "failed",
 //                    the last with a SentKinds; and of a failed one "found" and, where it is known,
@@ -82,6 +84,22 @@ static int reply_job(Desk *desk, const char *argument, FILE *reply)
 static int write_text(FILE *reply, const char *name, const char *text)
 {
     return text != NULL ? section_write(reply, name, text, strlen(text)) : 0;
+}
+
+static int reply_place(Desk *desk, const char *argument, FILE *reply)
+{
+    char name[SECTION_NAME_BYTES];
+    uint32_t number;
+    if (sscanf(argument, "%23[^:]:%" SCNu32, name, &number) != 2) {
+        return -1;
+    }
+    const Sections written = {.bytes = (unsigned char *)desk->job_bytes,
+                              .n_bytes = desk->n_job_bytes};
+    const JobPlace place = job_place(desk->job, &written, name, number);
+    return place.step == NULL ? 0
+                              : write_text(reply, "where", place.step->where) |
+                                    write_text(reply, "task", place.step->task) |
+                                    write_text(reply, "with", place.with);
 }
 
 // The number of a check, or -1.
@@ -179,8 +197,9 @@ static const struct {
     const char *word;
     Reply *reply;
 } requests[] = {
-    {"checks", reply_checks}, {"job", reply_job},     {"verdict", reply_verdict},
-    {"alone", reply_alone},   {"adopt", reply_adopt}, {"pictures", reply_pictures},
+    {"checks", reply_checks},     {"job", reply_job},     {"place", reply_place},
+    {"verdict", reply_verdict},   {"alone", reply_alone}, {"adopt", reply_adopt},
+    {"pictures", reply_pictures},
 };
 
 // Reply to one request. Returns 0, or -1.

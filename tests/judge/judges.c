@@ -1,9 +1,11 @@
-// The table of judges.
+// The table of judges: those of all folders beside this file.
 #include "judge.h"
 
-extern const Judge judge_00, judge_01, judge_02, judge_03, judge_04, judge_05, judge_06, judge_07,
-    judge_08, judge_09, judge_10;
+// JUDGES is from the makefile: JUDGE(00) JUDGE(01) ...
+#define JUDGE(number) extern const Judge judge_##number;
+JUDGES
+#undef JUDGE
 
-const Judge *const judges[] = {&judge_00, &judge_01, &judge_02, &judge_03, &judge_04, &judge_05,
-                               &judge_06, &judge_07, &judge_08, &judge_09, &judge_10, NULL};
+#define JUDGE(number) &judge_##number,
+const Judge *const judges[] = {JUDGES NULL};
 const uint64_t judges_tell_below = UINT64_MAX;

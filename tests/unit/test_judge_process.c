@@ -48,6 +48,22 @@ Test(judge_process, the_checks_are_the_labs, .init = start, .fini = stop)
     cr_expect_str_eq(judge.checks[0].task, "overlaps_N_Nearer");
 }
 
+// A note stands where a student's code can write: nothing in it becomes a request of its own.
+Test(judge_process, says_where_a_run_was, .init = start, .fini = stop)
+{
+    ProbeNote note = {.name = "overlaps", .input = PROBE_NO_INPUT};
+    const RunPlace place = judge_place(&judge, &note);
+    cr_expect_str_eq(place.where, "in overlaps_N_Nearer");
+    cr_expect_str_eq(place.task, "overlaps_N_Nearer");
+    cr_expect_eq(strncmp(place.with, "with one of ", 12), 0, "%s", place.with);
+    static const char *const others[] = {"splits", "", "overlaps:1", "a 0\nadopt - 0"};
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
+        snprintf(note.name, sizeof note.name, "%s", others[i]);
+        cr_expect_str_eq(judge_place(&judge, &note).where, "", "\"%s\"", others[i]);
+    }
+    cr_expect_eq(judge_verdict(&judge, (Answers){1, &empty}, 0).kind, VERDICT_MISSING);
+}
+
 // Started anew with the manifest as a test has changed it.
 static void expect_refused(const char *message)
 {

@@ -18,44 +18,36 @@ static ProbeNote note_of(const char *name, uint32_t input)
     return note;
 }
 
-// The job of a lab's judge.
-static Sections job_of(const char *lab)
+// What the judge of a lab makes of a note's name and number.
+static JobPlace place_of(const char *lab, const char *name, uint32_t number)
 {
     Sections job = {0};
-    const Judge *judge = judge_of(lab);
     FILE *file = open_memstream((char **)&job.bytes, &job.n_bytes);
-    Job *made = job_new(judge, 3, file);
+    Job *made = job_new(judge_of(lab), 3, file);
     fclose(file);
     cr_assert_not_null(made);
-    job_free(made);
-    return job;
-}
-
-static RunPlace place_of(const char *lab, const char *name, uint32_t input)
-{
-    Sections job = job_of(lab);
-    const ProbeNote note = note_of(name, input);
-    const RunPlace place = run_place_find(judge_of(lab)->lab, &job, &note);
+    const JobPlace place = job_place(made, &job, name, number);
     sections_free(&job);
+    job_free(made);
     return place;
 }
 
 Test(run_place, names_the_function_its_task_and_the_input)
 {
-    RunPlace place = place_of("02", "splits", 16);
-    cr_assert_str_eq(place.where, "in split_box");
-    cr_expect_str_eq(place.task, "split_box");
+    JobPlace place = place_of("02", "splits", 16);
+    cr_assert_str_eq(place.step->where, "in split_box");
+    cr_expect_str_eq(place.step->task, "split_box");
     cr_expect_eq(strncmp(place.with, "input 17 of 414: box x [", 24), 0, "%s", place.with);
     place = place_of("06", "todo", 9);
-    cr_assert_str_eq(place.where, "in fits_todo");
+    cr_assert_str_eq(place.step->where, "in fits_todo");
     cr_expect_str_eq(place.with, "level 9");
 }
 
 Test(run_place, names_the_scene)
 {
-    RunPlace place = place_of("02", "tree", 3);
-    cr_assert_str_eq(place.where, "while kdtree2d_build built a whole tree");
-    cr_expect_null(place.task);
+    JobPlace place = place_of("02", "tree", 3);
+    cr_assert_str_eq(place.step->where, "while kdtree2d_build built a whole tree");
+    cr_expect_null(place.step->task);
     cr_expect_eq(strncmp(place.with, "a scene like \"touching\", ", 25), 0, "%s", place.with);
     place = place_of("06", "tree", 3);
     cr_expect_str_eq(place.with, "a scene like \"planes\"");
@@ -69,15 +61,19 @@ Test(run_place, names_the_scene)
 
 Test(run_place, knows_how_many_inputs_a_kernel_has)
 {
-    const RunPlace place = place_of("03", "children", PROBE_NO_INPUT);
-    cr_assert_str_eq(place.where, "in getContainingChild");
+    const JobPlace place = place_of("03", "children", PROBE_NO_INPUT);
+    cr_assert_str_eq(place.step->where, "in getContainingChild");
     cr_expect_eq(strncmp(place.with, "with one of ", 12), 0, "%s", place.with);
 }
 
 Test(run_place, knows_what_comes_before)
 {
-    cr_expect_str_eq(place_of("01", "", 0).where, "before any of your functions was called");
-    cr_expect_str_eq(place_of("01", "build", 0).where, "while your kernels were compiled");
+    ProbeNote note = note_of("", 0);
+    cr_expect_str_eq(run_place_before(&note).where, "before any of your functions was called");
+    note = note_of("build", 0);
+    cr_expect_str_eq(run_place_before(&note).where, "while your kernels were compiled");
+    note = note_of("splits", 0);
+    cr_expect_str_eq(run_place_before(&note).where, "");
 }
 
 // What each lab's probe notes before it calls the function of one task.
@@ -100,10 +96,10 @@ Test(run_place, knows_every_lab)
         Manifest manifest;
         cr_assert_eq(manifest_load("solutions", judge_of(noted[l][0])->lab, &manifest), 0);
         for (int i = 1; noted[l][i] != NULL; i++) {
-            const RunPlace place = place_of(noted[l][0], noted[l][i], 1);
-            cr_assert_not_null(place.where, "%s: %s", manifest.lab, noted[l][i]);
-            cr_assert_not_null(place.task, "%s: %s", manifest.lab, noted[l][i]);
-            cr_expect_not_null(manifest_task(&manifest, place.task), "%s", place.task);
+            const JobPlace place = place_of(noted[l][0], noted[l][i], 1);
+            cr_assert_not_null(place.step->where, "%s: %s", manifest.lab, noted[l][i]);
+            cr_assert_not_null(place.step->task, "%s: %s", manifest.lab, noted[l][i]);
+            cr_expect_not_null(manifest_task(&manifest, place.step->task), "%s", place.step->task);
             cr_expect_neq(place.with[0], '\0', "%s: %s", manifest.lab, noted[l][i]);
         }
         manifest_free(&manifest);
@@ -113,17 +109,20 @@ Test(run_place, knows_every_lab)
 // The note stands where a student's code can write.
 Test(run_place, takes_no_word_from_a_note)
 {
-    cr_expect_null(place_of("02", "the solution is", 0).where);
-    cr_expect_null(place_of("02", "split", 0).where);
-    cr_expect_null(place_of("02", "children", 0).where, "a step of another lab");
-    Sections job = job_of("02");
-    ProbeNote note;
-    memset(&note, 'x', sizeof note);
-    cr_expect_null(run_place_find("02-kdtree-2d-build", &job, &note).where, "no end");
-    note = note_of("splits", 0);
+    cr_expect_null(place_of("02", "the solution is", 0).step);
+    cr_expect_null(place_of("02", "split", 0).step);
+    cr_expect_null(place_of("02", "children", 0).step, "a step of another lab");
+    ProbeNote note = note_of("splits", 0);
+    cr_expect(run_note_is_name(&note));
     strcpy(note.name + 8, "hidden");
-    cr_expect_null(run_place_find("02-kdtree-2d-build", &job, &note).where, "words behind the end");
-    sections_free(&job);
+    cr_expect_not(run_note_is_name(&note), "words behind the end");
+    memset(&note, 'x', sizeof note);
+    cr_expect_not(run_note_is_name(&note), "no end");
+    static const char *const others[] = {"", "a b", "splits:3", "splits 0\n", "%s"};
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
+        note = note_of(others[i], 0);
+        cr_expect_not(run_note_is_name(&note), "\"%s\"", others[i]);
+    }
 }
 
 Test(run_place, takes_no_number_that_the_job_has_not)
@@ -158,7 +157,6 @@ Test(run_place, a_note_is_a_regular_file_of_its_size, .init = folder_enter, .fin
     static const char *const others[] = {"short", "long", "link", "fifo", "folder", "none"};
     for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
         const ProbeNote note = run_note_load(others[i]);
-        const Sections job = {0};
-        cr_expect_null(run_place_find("02-kdtree-2d-build", &job, &note).where, "%s", others[i]);
+        cr_expect_not(run_note_is_name(&note), "%s", others[i]);
     }
 }

@@ -21,7 +21,8 @@ typedef struct Variant {
     char name[80];
     char *build_log;   // set when it does not compile; with the student's file and line; owned
     char *trouble;     // set when it compiled and did not run to its end: what happened; owned
-    RunPlace place;    // and where; all NULL when nobody knows
+    ProbeNote note;    // and where, as its probe noted it,
+    RunPlace place;    // and in words; all "" when nobody knows
     int has_crashed;   // by a signal, or so that its probe no longer found its job
     char *habits;      // what else there is to say about its run, "" for most; owned
     char *run_output;  // what it wrote to stdout and stderr; owned

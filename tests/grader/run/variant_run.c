@@ -60,21 +60,15 @@ static int has_only_built(const Workshop *workshop, const Variant *variant)
            sections_next(&variant->answers, &place, &name, &n_bytes) == NULL;
 }
 
-// Where the probe says it was.
+// Where the probe says it was: nothing of it is shown of an answer alone.
 static void take_place(const Workshop *workshop, Variant *variant)
 {
     char path[PATH_MAX];
-    Sections job;
     path_make(path, "%s/variant-%s/out/note", workshop->folder, variant->name);
-    const ProbeNote note = run_note_load(path);
-    if (variant->alone) {
-        return;  // nothing of it is shown
+    if (variant->alone == NULL) {
+        variant->note = run_note_load(path);
+        variant->place = run_place_before(&variant->note);
     }
-    workshop_job_path(workshop, 0, path);
-    if (sections_load(path, (size_t)256 << 20, &job) == 0) {
-        variant->place = run_place_find(workshop->manifest->lab, &job, &note);
-    }
-    sections_free(&job);
 }
 
 static void take_further_answers(const Workshop *workshop, Variant *variant)

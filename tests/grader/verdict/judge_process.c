@@ -280,6 +280,28 @@ static char *read_text(const Sections *reply, const char *name)
     return text != NULL ? message_new("%.*s", (int)n_bytes, text) : NULL;
 }
 
+static void copy_text(const Sections *reply, const char *name, char *text, size_t n_text)
+{
+    size_t n_bytes;
+    const char *found = sections_find_any(reply, name, &n_bytes);
+    snprintf(text, n_text, "%.*s", found != NULL ? (int)n_bytes : 0, found != NULL ? found : "");
+}
+
+RunPlace judge_place(JudgeProcess *judge, const ProbeNote *note)
+{
+    RunPlace place = {0};
+    Sections reply = {0};
+    char argument[SECTION_NAME_BYTES + 16];
+    snprintf(argument, sizeof argument, "%s:%" PRIu32, note->name, note->input);
+    if (run_note_is_name(note) && ask(judge, "place", argument, NULL, &reply) == 0) {
+        copy_text(&reply, "where", place.where, sizeof place.where);
+        copy_text(&reply, "task", place.task, sizeof place.task);
+        copy_text(&reply, "with", place.with, sizeof place.with);
+    }
+    sections_free(&reply);
+    return place;
+}
+
 static Verdict read_verdict(const Sections *reply)
 {
     const SentKinds *kinds = sections_find(reply, "failed", sizeof *kinds);

@@ -10,6 +10,7 @@
 
 #include "manifest.h"
 #include "result.h"
+#include "run_place.h"
 #include "sections.h"
 #include "verdict.h"
 
@@ -46,6 +47,9 @@ void judge_stop(JudgeProcess *judge);
 // Append what a probe shall try to a file: of a whole submission, or of one task's answer alone.
 // Returns 0, or -1 after one message.
 int judge_job(JudgeProcess *judge, const char *task, FILE *file);
+
+// What the note of a probe means that is about a step of the lab's own: "" where it means nothing.
+RunPlace judge_place(JudgeProcess *judge, const ProbeNote *note);
 
 // Judge check number `check`. The diagnosis is owned by the caller.
 Verdict judge_verdict(JudgeProcess *judge, Answers answers, int check);

@@ -197,6 +197,13 @@ static const JudgeCheck checks[] = {
      .scene = judge_00_read_back, .range = {0, N_SIZES}},
 };
 
+static const ProbeStep steps[] = {
+    ON_SCENES("picture", "in the kernel gradient", "gradient"),
+    ON_SCENES("arguments", "in set_arguments", "set_arguments"),
+    ON_SCENES("items", "in enqueue_pixels", "enqueue_pixels"),
+    ON_SCENES("readback", "in read_back", "read_back"),
+};
+
 const Judge judge_00 = {
     .lab = "00-hello-pixels",
     .checks = checks,
@@ -205,6 +212,8 @@ const Judge judge_00 = {
     .roll = roll,
     .release = release,
     .scenes = SCENES(picture_kind, Job00, gradients),
+    .steps = steps,
+    .n_steps = COUNT(steps),
     .write_scene = write_scene,
     .write_alone = write_alone,
     .adopts = 1,

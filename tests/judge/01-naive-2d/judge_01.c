@@ -138,6 +138,11 @@ static const JudgeCheck checks[] = {
 
 static const JobPart parts[] = {PART("overlaps", "overlaps_N_Nearer", Job01, overlaps)};
 
+static const ProbeStep steps[] = {
+    ON_DEVICE("overlaps", "overlaps_N_Nearer", OverlapJob),
+    ON_SCENES("picture", "in implicit2DRenderer", NULL),
+};
+
 const Judge judge_01 = {
     .lab = "01-naive-2d",
     .checks = checks,
@@ -147,6 +152,8 @@ const Judge judge_01 = {
     .parts = parts,
     .n_parts = COUNT(parts),
     .scenes = SCENES(job_scene_kind, Job01, scenes),
+    .steps = steps,
+    .n_steps = COUNT(steps),
     .write_alone = write_alone,
     .adopts = 1,
 };

@@ -146,6 +146,51 @@ static const JobPart parts[] = {
     PART("pack", "pack_leaf", Job02, packs),
 };
 
+static void describe_leaf(const void *input, char *words, size_t n_bytes)
+{
+    const LeafJob *in = input;
+    snprintf(words, n_bytes,
+             "level %d, %u circles, %d failed splits, maxDepth %d, targetElementsPerNode %d",
+             in->level, in->n_circles, in->n_failed, in->maxDepth, in->targetElementsPerNode);
+}
+
+static void describe_box(const void *input, char *words, size_t n_bytes)
+{
+    const BBox2D *box = input;
+    snprintf(words, n_bytes, "box x [%g, %g] y [%g, %g]", (double)box->minX, (double)box->maxX,
+             (double)box->minY, (double)box->maxY);
+}
+
+static void describe_circle_and_box(const void *input, char *words, size_t n_bytes)
+{
+    const BoxOverlapJob *in = input;
+    char box[80];
+    describe_box(&in->box, box, sizeof box);
+    snprintf(words, n_bytes, "circle at (%g, %g) radius %g, %s", (double)in->circle.x,
+             (double)in->circle.y, (double)in->circle.radius, box);
+}
+
+static void describe_distribute(const void *input, char *words, size_t n_bytes)
+{
+    const DistributeJob *in = input;
+    snprintf(words, n_bytes, "node with %u circles", in->n_ids);
+}
+
+static void describe_pack(const void *input, char *words, size_t n_bytes)
+{
+    const PackJob *in = input;
+    snprintf(words, n_bytes, "leaf with %u circles, map of %u entries", in->n_ids, in->n_before);
+}
+
+static const ProbeStep steps[] = {
+    ON_HOST("leaves", "is_leaf", LeafJob, describe_leaf),
+    ON_HOST("splits", "split_box", BBox2D, describe_box),
+    ON_HOST("overlaps", "circle_overlaps_box", BoxOverlapJob, describe_circle_and_box),
+    ON_HOST("distribute", "distribute", DistributeJob, describe_distribute),
+    ON_HOST("pack", "pack_leaf", PackJob, describe_pack),
+    ON_SCENES("tree", "while kdtree2d_build built a whole tree", NULL),
+};
+
 const Judge judge_02 = {
     .lab = "02-kdtree-2d-build",
     .checks = checks,
@@ -155,6 +200,8 @@ const Judge judge_02 = {
     .parts = parts,
     .n_parts = COUNT(parts),
     .scenes = SCENES(job_scene_kind, Job02, scenes),
+    .steps = steps,
+    .n_steps = COUNT(steps),
     .write_scene = job_02_write_scene,
     .write_alone = write_alone_02,
     .add_pictures = add_pictures,

@@ -373,6 +373,11 @@ static const JudgeCheck checks[] = {
 
 static const JobPart parts[] = {PART("children", "getContainingChild", Job03, children)};
 
+static const ProbeStep steps[] = {
+    ON_DEVICE("children", "getContainingChild", ChildJob),
+    ON_SCENES("picture", "in implicit2DRenderer_KD", NULL),
+};
+
 const Judge judge_03 = {
     .lab = "03-kdtree-2d-render",
     .checks = checks,
@@ -383,6 +388,8 @@ const Judge judge_03 = {
     .parts = parts,
     .n_parts = COUNT(parts),
     .scenes = SCENES(job_scene_kind, Job03, scenes),
+    .steps = steps,
+    .n_steps = COUNT(steps),
     .write_scene = job_03_write_scene,
     .write_alone = write_alone_03,
     .adopts = 1,

@@ -37,6 +37,21 @@ static const JobPart parts[] = {
     PART("pixels", "pixel_on_display primary_ray", Job04, pixels),
 };
 
+static void describe_view(const void *input, char *words, size_t n_bytes)
+{
+    const ViewJob *in = input;
+    snprintf(words, n_bytes, "from (%g, %g, %g) at (%g, %g, %g) up (%g, %g, %g)",
+             (double)in->from.x, (double)in->from.y, (double)in->from.z, (double)in->at.x,
+             (double)in->at.y, (double)in->at.z, (double)in->up.x, (double)in->up.y,
+             (double)in->up.z);
+}
+
+static const ProbeStep steps[] = {
+    ON_HOST("views", "camera_axes", ViewJob, describe_view),
+    {"pixels", "in pixel_on_display or primary_ray", NULL, sizeof(PixelJob), NULL},
+    ON_SCENES("picture", "in draw_directions", NULL),
+};
+
 const Judge judge_04 = {
     .lab = "04-camera-rays",
     .checks = checks,
@@ -46,6 +61,8 @@ const Judge judge_04 = {
     .parts = parts,
     .n_parts = COUNT(parts),
     .scenes = SCENES(picture_kind, Job04, directions),
+    .steps = steps,
+    .n_steps = COUNT(steps),
     .write_scene = job_04_write_scene,
     .write_alone = write_alone_04,
 };

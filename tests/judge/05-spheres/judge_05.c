@@ -270,6 +270,16 @@ static const JobPart parts[] = {
     PART("lights", NULL, Job05, lights),  // alone with those of the scenes
 };
 
+static const ProbeStep steps[] = {
+    ON_DEVICE("roots", "nearest_root", RootJob),
+    ON_DEVICE("textbook", "intersect_textbook", SphereRayJob),
+    ON_DEVICE("projection", "intersect_sphere", SphereRayJob),
+    ON_DEVICE("normals", "surface_normal", NormalJob),
+    ON_DEVICE("shades", "shade", ShadeJob),
+    ON_SCENES("hits", "in nearest_hit", "nearest_hit"),
+    ON_SCENES("picture", "in render_spheres", NULL),
+};
+
 const Judge judge_05 = {
     .lab = "05-spheres",
     .checks = checks,
@@ -279,5 +289,7 @@ const Judge judge_05 = {
     .parts = parts,
     .n_parts = COUNT(parts),
     .scenes = SCENES(job_scene3d_kind, Job05, scenes),
+    .steps = steps,
+    .n_steps = COUNT(steps),
     .write_alone = write_alone_05,
 };

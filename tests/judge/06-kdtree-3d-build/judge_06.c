@@ -95,6 +95,38 @@ static const JobPart parts[] = {
     PART("todo", NULL, Job06, highest_level),
 };
 
+static void describe_sphere_and_box(const void *input, char *words, size_t n_bytes)
+{
+    const SphereBoxJob *in = input;
+    char box[100];
+    tree3d_describe_box(&in->box, box, sizeof box);
+    snprintf(words, n_bytes, "sphere at (%g, %g, %g) radius %g, %s", (double)in->sphere.x,
+             (double)in->sphere.y, (double)in->sphere.z, (double)in->sphere.radius, box);
+}
+
+static void describe_pack(const void *input, char *words, size_t n_bytes)
+{
+    const PackJob *in = input;
+    snprintf(words, n_bytes, "leaf with %u spheres, %u ids before it", in->n_ids, in->n_before);
+}
+
+// fits_todo is called with numbers.
+static void describe_level(const void *number, char *words, size_t n_bytes)
+{
+    const u32 level = *(const u32 *)number;
+    if (level >= 1 && level <= TODO_LEVELS) {
+        snprintf(words, n_bytes, "level %u", level);
+    }
+}
+
+static const ProbeStep steps[] = {
+    ON_HOST("splits", "choose_split", BBox3D, tree3d_describe_box),
+    ON_HOST("overlaps", "sphere_overlaps_box", SphereBoxJob, describe_sphere_and_box),
+    ON_HOST("pack", "pack_leaf_range", PackJob, describe_pack),
+    {"todo", "in fits_todo", "fits_todo", 0, describe_level},
+    ON_SCENES("tree", "while kdtree3d_build built a whole tree", NULL),
+};
+
 const Judge judge_06 = {
     .lab = "06-kdtree-3d-build",
     .checks = checks,
@@ -105,6 +137,8 @@ const Judge judge_06 = {
     .parts = parts,
     .n_parts = COUNT(parts),
     .scenes = SCENES(tree3d_scene_kind, Job06, scenes),
+    .steps = steps,
+    .n_steps = COUNT(steps),
     .write_alone = write_alone_06,
     .add_pictures = tree3d_add_pictures,
 };

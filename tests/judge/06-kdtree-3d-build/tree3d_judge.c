@@ -52,6 +52,14 @@ static Count count_spheres(const TreeScene3D *scene, BBox3D cell)
     return count;
 }
 
+void tree3d_describe_box(const void *input, char *words, size_t n_bytes)
+{
+    const BBox3D *box = input;
+    snprintf(words, n_bytes, "box x [%g, %g] y [%g, %g] z [%g, %g]", (double)box->min[0],
+             (double)box->max[0], (double)box->min[1], (double)box->max[1], (double)box->min[2],
+             (double)box->max[2]);
+}
+
 // ---- The properties ---------------------------------------------------------------------------
 
 Diagnosis tree3d_judge_bounds(const TreeScene3D *scene, const KdTree3D *own)

@@ -34,6 +34,9 @@ Verdict tree3d_judge_built(const TreeScene3D *scene, int k, const JudgeCheck *ch
 // Add cuts through the first tree and one that is deep. As judge.h has it.
 void tree3d_add_pictures(const void *job, const Sections *answers, Result *result);
 
+// The words of a BBox3D: "box x [0, 4] y [0, 2] z [0, 1]".
+void tree3d_describe_box(const void *input, char *words, size_t n_bytes);
+
 // ---- One call of a function, and the same in a tree ---------------------------------------------
 
 // May a sphere be in a cell's list, must it, or must it not?

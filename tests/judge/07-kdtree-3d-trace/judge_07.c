@@ -241,6 +241,17 @@ static const JobPart parts[] = {
     PART("next_waiting", "next_waiting", Job07, inputs.waiting),
 };
 
+static const ProbeStep steps[] = {
+    ON_DEVICE("clips", "clip_to_box", ClipJob),
+    ON_DEVICE("sides", "near_side", SideJob),
+    ON_DEVICE("planes", "children_on_ray", PlaneJob),
+    ON_DEVICE("leaves", "search_leaf", SearchJob),
+    ON_DEVICE("next_child", "next_child", NextChildJob),
+    ON_DEVICE("next_waiting", "next_waiting", NextWaitingJob),
+    ON_SCENES("hits", "in trace", NULL),
+    ON_SCENES("picture", "in render_kdtree", NULL),
+};
+
 const Judge judge_07 = {
     .lab = "07-kdtree-3d-trace",
     .checks = checks,
@@ -250,4 +261,6 @@ const Judge judge_07 = {
     .parts = parts,
     .n_parts = COUNT(parts),
     .scenes = SCENES(job_scene3d_kind, Job07, scenes),
+    .steps = steps,
+    .n_steps = COUNT(steps),
 };

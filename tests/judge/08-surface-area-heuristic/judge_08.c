@@ -59,6 +59,14 @@ static const JobPart parts[] = {
     PART("decisions", "is_leaf_by_cost", Job08, decisions),
 };
 
+static const ProbeStep steps[] = {
+    ON_HOST("areas", "surface_area", BBox3D, tree3d_describe_box),
+    ON_DEVICE("costs", "split_cost", CostJob),
+    ON_DEVICE("bests", "find_best_split", BestJob),
+    ON_DEVICE("decisions", "is_leaf_by_cost", LeafCostJob),
+    ON_SCENES("tree", "while kdtree3d_build_sah built a whole tree", NULL),
+};
+
 const Judge judge_08 = {
     .lab = "08-surface-area-heuristic",
     .checks = checks,
@@ -68,5 +76,7 @@ const Judge judge_08 = {
     .parts = parts,
     .n_parts = COUNT(parts),
     .scenes = SCENES(tree3d_scene_kind, Job08, scenes),
+    .steps = steps,
+    .n_steps = COUNT(steps),
     .add_pictures = tree3d_add_pictures,
 };

@@ -85,6 +85,15 @@ static const JobPart parts[] = {
     PART("lit_lights", NULL, Job09, lit_lights),
 };
 
+static const ProbeStep steps[] = {
+    ON_DEVICE("starts", "leave_surface", StartJob),
+    ON_DEVICE("mirrors", "mirrored_direction", MirrorJob),
+    ON_DEVICE("shadow_rays", "shadow_ray", ShadowRayJob),
+    ON_DEVICE("blocks", "leaf_blocks", BlockJob),
+    ON_DEVICE("lits", "lit_color", LitJob),
+    ON_SCENES("picture", "in render_mirrors", NULL),
+};
+
 const Judge judge_09 = {
     .lab = "09-shadows-and-mirrors",
     .checks = checks,
@@ -94,6 +103,8 @@ const Judge judge_09 = {
     .parts = parts,
     .n_parts = COUNT(parts),
     .scenes = SCENES(job_scene3d_kind, Job09, scenes),
+    .steps = steps,
+    .n_steps = COUNT(steps),
     .write_scene = write_scene,
     .write_alone = write_alone_09,
 };

@@ -165,6 +165,17 @@ static const JobPart parts[] = {
     PART("circle_tiles", NULL, Job10, circle_tiles),
 };
 
+static const ProbeStep steps[] = {
+    ON_DEVICE("tile_planes", "plane_interval", TilePlaneJob),
+    ON_DEVICE("tile_children", "next_tile_child", TileChildJob),
+    ON_DEVICE("tile_waiting", "next_tile_waiting", TileWaitingJob),
+    ON_DEVICE("cones", "cone_misses_sphere", ConeJob),
+    ON_DEVICE("circle_rows", "paint_row", CircleRowJob),
+    ON_DEVICE("tile_leaves", "tile_leaf", CircleTileJob),
+    {"circle_tiles", "in tile_leaf or paint_row", NULL, sizeof(CircleTileJob), NULL},
+    ON_SCENES("picture", "in trace_tile", NULL),
+};
+
 const Judge judge_10 = {
     .lab = "10-realtime",
     .checks = checks,
@@ -174,5 +185,7 @@ const Judge judge_10 = {
     .parts = parts,
     .n_parts = COUNT(parts),
     .scenes = SCENES(job_scene3d_kind, Job10, scenes),
+    .steps = steps,
+    .n_steps = COUNT(steps),
     .write_scene = write_scene,
 };
