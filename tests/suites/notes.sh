@@ -115,6 +115,8 @@ n_slides=$(grep -o '<div[^>]* class="slide' "$slides.html" | wc -l)
 n_printed=$(grep -a -c '/Type /Page$' "$scratch/slides.pdf")
 [ "$n_slides" -gt 1 ] && [ "$n_printed" -eq "$n_slides" ]
 ok $? "each is a page" "slides: $n_slides, pages: $n_printed"
+! grep -a -q '(file:' "$scratch/slides.pdf" && grep -a -q '(\.\./labs/01-naive-2d/README\.html)' "$scratch/slides.pdf"
+ok $? "their links lead from its folder, wherever that is" "$(grep -a -o '(file:[^)]*)' "$scratch/slides.pdf" | sort -u)"
 
 # ---- Links ---------------------------------------------------------------------------------------
 
