@@ -57,7 +57,7 @@ $(foreach edition,student instructor,$(eval $(call notes_edition,$(edition))))
 # Listings are cut from here, figures shown.
 $(NOTES_HTML): $(wildcard labs/*/*.[ch]* solutions/*/*.[ch]* slides-notes/figures/*)
 
-$(NOTES)/%.pdf: $(NOTES)/%.html
+$(NOTES)/%.pdf: $(NOTES)/%.html $(NOTES_MAKE)/print.sh
 	$(call say,print   $@)$(NOTES_MAKE)/print.sh $< $@
 
 .PHONY: notes notes-html notes-pdf german
