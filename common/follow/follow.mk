@@ -38,8 +38,9 @@ $(PIXELS): $(OUT)/pixel/%: $(call objects,$(PIXEL_SOURCES) $(REFERENCE)) $$(call
 
 # The student's own; with SOLUTION=1 the solution.
 own_program = $(OUT)/$(1)/$(if $(SOLUTION),solutions,labs)/$(graded_lab)
+only_solved = $(filter-out $(patsubst labs/%/lab.json,%,$(wildcard labs/*/lab.json)),$(1))
 is_one_of = test -n "$(filter $(graded_lab),$(1))" || { printf 'make $@: found LAB="%s", expected a lab that $(2): %s\n' \
-    "$$LAB" '$(1)$(if $(wildcard solutions/07*/lab.json),; with SOLUTION=1, where it is not yours)' >&2; exit 2; }; \
+    "$$LAB" '$(or $(1),there is none here)$(if $(only_solved),; add SOLUTION=1 for those that are here as a solution only)' >&2; exit 2; }; \
     test -n "$(wildcard $(if $(SOLUTION),solutions,labs)/$(graded_lab)/lab.json)" || { \
     echo 'make $@: $(if $(SOLUTION),there is no solution of $(graded_lab) here: leave SOLUTION=1 out,$(graded_lab) is here as a solution only: add SOLUTION=1)' >&2; exit 2; }
 # PROGRAM with the words of OPTIONS behind it: quotes and backslashes as in a shell, and nothing else.

@@ -57,10 +57,10 @@ $(foreach edition,student instructor,$(eval $(call notes_edition,$(edition))))
 # Listings are cut from here, figures shown.
 $(NOTES_HTML): $(wildcard labs/*/*.[ch]* solutions/*/*.[ch]* slides-notes/figures/*)
 
-$(NOTES)/%.pdf: $(NOTES)/%.html
+$(NOTES)/%.pdf: $(NOTES)/%.html $(NOTES_MAKE)/print.sh
 	$(call say,print   $@)$(NOTES_MAKE)/print.sh $< $@
 
-.PHONY: notes notes-html notes-pdf german
+.PHONY: notes notes-html notes-pdf notes-runs german
 notes:  ## install what is missing, make notes, slides and the course's site, for students and for instructors
 	@common/setup/install.sh demo  # what the solutions need, whose counts stand in the texts
 	@common/setup/install.sh notes
@@ -74,5 +74,6 @@ notes:  ## install what is missing, make notes, slides and the course's site, fo
 	@echo "for instructors, with the key and speaker notes: $(NOTES)/instructor/index.html"
 notes-html: $(NOTES_HTML)
 notes-pdf: $(NOTES_PDF)
+notes-runs: $(NOTES_RUNS)
 german: $(NOTES_RUNS)  ## take changed paragraphs of the slides into slides-notes/german.po, to be translated
 	@$(NOTES_MAKE)/german.sh $(NOTES) $(GERMAN)

@@ -2,7 +2,7 @@
 # to WebAssembly. What a page takes of it is $(TOUCH); it is empty where no compiler is there for it.
 
 # Asked for only where pages are made.
-TOUCH_CLANG := $(if $(filter notes-% $(BUILD)/notes/%,$(MAKECMDGOALS)),$(shell slides-notes/touch/compiler.sh))
+TOUCH_CLANG := $(if $(filter notes-% release-pack $(BUILD)/notes/%,$(MAKECMDGOALS)),$(shell slides-notes/touch/compiler.sh))
 TOUCH := $(if $(TOUCH_CLANG),$(BUILD)/notes/touch.html)
 TOUCH_OUT := $(BUILD)/notes/touch
 

@@ -103,6 +103,11 @@ if slides-notes/touch/compiler.sh >/dev/null; then
     ok $? "08-cost has 31 planes, and the still figure's cheapest" "$(sort -n "$scratch/costs" | head -n 2)"
     ! grep '^fault ' "$scratch/touched" >"$scratch/faults"
     ok $? "they can be stepped back, run, and be read without JavaScript" "$(cat "$scratch/faults")"
+    release_is_live() {
+        make -n -p BUILD="$build" release-pack >"$scratch/rules" 2>/dev/null
+        grep -a -q '^TOUCH := .' "$scratch/rules"
+    }
+    check "and in a release, too" release_is_live
 else
     skip "figures that can be touched" "there is no compiler for them (common/setup/packages.txt names the packages)"
 fi
@@ -115,6 +120,8 @@ n_slides=$(grep -o '<div[^>]* class="slide' "$slides.html" | wc -l)
 n_printed=$(grep -a -c '/Type /Page$' "$scratch/slides.pdf")
 [ "$n_slides" -gt 1 ] && [ "$n_printed" -eq "$n_slides" ]
 ok $? "each is a page" "slides: $n_slides, pages: $n_printed"
+! grep -a -q '(file:' "$scratch/slides.pdf" && grep -a -q '(\.\./labs/01-naive-2d/README\.html)' "$scratch/slides.pdf"
+ok $? "their links lead from its folder, wherever that is" "$(grep -a -o '(file:[^)]*)' "$scratch/slides.pdf" | sort -u)"
 
 # ---- Links ---------------------------------------------------------------------------------------
 
@@ -315,6 +322,8 @@ marked_numbers() {
         slides-notes/make/build.sh "$notes/solutions" student page "$text" "$scratch/text.html" "" 2>&1 || echo "$text: no page"
     done
 }
+make --no-print-directory BUILD="$build" notes-runs >"$scratch/log" 2>&1
+ok $? "each count of a text is made" "$(cat "$scratch/log")"
 marked_numbers >"$scratch/counts"
 [ ! -s "$scratch/counts" ]
 ok $? "numbers in the labs' texts, too" "$(cat "$scratch/counts")"
