@@ -6,7 +6,6 @@
 #include "cl_setup.h"
 #include "complain.h"
 #include "option_table.h"
-#include "series.h"
 
 #include <errno.h>
 #include <limits.h>
@@ -21,10 +20,10 @@
 static const OptionRow ROWS[] = {
     {"device", "D", OPTION_TEXT, PLACE(device),
      .meaning = "number or part of a name ($" CL_DEVICE_VARIABLE ", or the first)"},
-    {"rounds", "N", OPTION_NUMBER, PLACE(n_rounds), 1, SERIES_MAX_ROUNDS,
+    {"rounds", "N", OPTION_NUMBER, PLACE(n_rounds), 1, 100,
      .meaning = "how often everything is measured (5)"},
     {"output", "FOLDER", OPTION_TEXT, PLACE(folder),
-     .meaning = "where the table, a CSV file, goes; made where it is missing\n(build/bench)"},
+     .meaning = "where the CSV file goes; made where it is missing\n(build/bench)"},
     {"help", NULL, OPTION_ANSWER, PLACE(help), .meaning = "show this and end"},
 };
 #define N_ROWS ((int)(sizeof ROWS / sizeof ROWS[0]))
@@ -66,7 +65,7 @@ static int make_folder(const char *name, const char *folder)
 BenchOptions bench_options_read(int argc, char **argv, const char *name, const char *what)
 {
     const OptionTable table = {.program = name, .rows = ROWS, .n_rows = N_ROWS};
-    BenchOptions options = {.folder = "build/bench", .n_rounds = 5};
+    BenchOptions options = {.bench = name, .folder = "build/bench", .n_rounds = 5};
     const OptionsResult result = option_table_read(&table, argc, argv, &options, NULL);
     if (result == OPTIONS_DONE) {
         print_help(name, what);

@@ -7,9 +7,10 @@
 #include "option_table.h"
 
 typedef struct BenchOptions {
+    const char *bench;   // its name, "bench2d"
     const char *device;  // or NULL
     const char *folder;  // where the CSV file goes
-    int n_rounds;        // 1 to SERIES_MAX_ROUNDS
+    int n_rounds;        // 1 to 100
     int help;            // answered by bench_options_read()
 } BenchOptions;
 

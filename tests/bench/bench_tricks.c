@@ -5,11 +5,10 @@
 //
 // In the first round each picture is compared with that of the kernel with all tricks; where they
 // differ there are no figures.
-// Read next: trick.c, report_tricks.c.
+// Read next: trick.c, tables.sql.
 #include "bench_options.h"
 #include "complain.h"
 #include "equal_pixels.h"
-#include "report_tricks.h"
 #include "rounds.h"
 #include "trick_case.h"
 
@@ -101,30 +100,31 @@ static int check_picture(Bench *bench, const TrickCase *trick_case, int trick)
 }
 
 // All of a scene's kernels in turn. Returns 0, or -1 after one message.
-static int measure(Bench *bench, TrickCase *trick_case, int round)
+static int measure(Bench *bench, const TrickCase *trick_case, Measurements *measurements)
 {
+    const int is_first = measurements->round == 0;
     for (int trick = 0; trick < PART_TRICKS[trick_case->part].n_tricks; trick++) {
-        Series *frames = &trick_case->frames[trick];
-        if (round == 0) {
+        if (is_first) {
             trick_case_spoil(trick_case, &bench->cl, trick);
         }
         for (int i = 0; i < N_FRAMES; i++) {
-            series_add(frames, trick_case_draw(trick_case, &bench->cl, trick));
+            measurements_add(measurements, trick_case->scene_name,
+                             PART_TRICKS[trick_case->part].tricks[trick].title, "frame",
+                             trick_case_draw(trick_case, &bench->cl, trick));
         }
-        series_end_round(frames);
-        if (round == 0 && check_picture(bench, trick_case, trick) != 0) {
+        if (is_first && check_picture(bench, trick_case, trick) != 0) {
             return -1;
         }
     }
     return 0;
 }
 
-static int measure_round(void *shared, int round)
+static int measure_round(void *shared, Measurements *measurements)
 {
     Bench *bench = shared;
     for (int part = 0; part < N_PARTS; part++) {
         for (int i = 0; i < N_TRICK_SCENES; i++) {
-            if (measure(bench, &bench->cases[part][i], round) != 0) {
+            if (measure(bench, &bench->cases[part][i], measurements) != 0) {
                 return -1;
             }
         }
@@ -142,14 +142,8 @@ int main(int argc, char **argv)
     int result = bench_prepare(&bench, &options);
     if (result == 0) {
         printf("%s: %dx%d pixels\n", bench.cl.device_name, TRICK_SIDE, TRICK_SIDE);
-        result = rounds_run(measure_round, &bench, options.n_rounds, LONGEST_SECONDS,
+        result = rounds_run(measure_round, &bench, &options, LONGEST_SECONDS,
                             "; without any trick the picture is the same");
-    }
-    for (int part = 0; result == 0 && part < N_PARTS; part++) {
-        report_tricks_print(bench.cases[part], part);
-    }
-    if (result == 0) {
-        result = report_tricks_write_csv(bench.cases, options.folder);
     }
     bench_free(&bench);
     return result == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

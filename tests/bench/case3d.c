@@ -12,6 +12,18 @@
 
 #include <jansson.h>
 
+const char *const RENDERER_NAMES[N_RENDERERS] = {
+    [NAIVE] = "naive",
+    [KDTREE] = "kd-tree",
+    [BY_COST] = "kd-tree by cost",
+    [TILES] = "tiles",
+    [EMBREE + EMBREE_1] = "rtcIntersect1",
+    [EMBREE + EMBREE_4] = "rtcIntersect4",
+    [EMBREE + EMBREE_8] = "rtcIntersect8",
+    [EMBREE + EMBREE_16] = "rtcIntersect16",
+    [EMBREE + EMBREE_STREAM] = "rtcIntersect1M",
+};
+
 // Sphere tests of a naive frame on a CPU, for each of its threads: one to three seconds' work.
 #define TESTS_A_THREAD 1e9
 
@@ -138,11 +150,6 @@ static int prepare_tree(Case3D *bench_case, const ClSetup *cl, Renderer renderer
 {
     KdTree3D tree = build_tree(&bench_case->scene, renderer);
     int result = tree.n_nodes > 0 ? tree3d_check(&tree, (u32)bench_case->scene.n_spheres) : -1;
-    if (result == 0 && renderer == KDTREE) {
-        bench_case->n_nodes = tree.n_nodes;
-        bench_case->n_sphere_ids = tree.n_sphere_ids;
-        result = tree3d_figures(&tree, &bench_case->figures);
-    }
     if (result == 0) {
         bench_case->trees[renderer] = copy_tree(&tree, cl);
         set_tree(&bench_case->trees[renderer], bench_case->kernels[renderer]);

@@ -1,6 +1,6 @@
 // A scene of the bench of tricks (see trick_case.h).
 //
-// Read next: report_tricks.c.
+// Read next: bench_tricks.c.
 #include "trick_case.h"
 
 #include "circle_tree.h"
