@@ -12,11 +12,11 @@
 #include "bench_options.h"
 #include "case2d.h"
 #include "cl_memory.h"
-#include "equal_pixels.h"
 #include "image.h"
 #include "launch.h"
 #include "peers2d.h"
 #include "rounds.h"
+#include "same_pictures.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -131,34 +131,30 @@ static void bench_free(Bench *bench)
 
 // ---- Equal pixels ---------------------------------------------------------------------------
 
-// Compare a picture of bytes with the naive one, rounded: those cases are the last ones of a scene.
-// Returns 0, or -1 after one message.
-static int check_bytes(Bench *bench, const Case2D *bench_case)
-{
-    char name[32];
-    snprintf(name, sizeof name, "bench2d: %s", CASE2D_NAMES[bench_case->kind]);
-    round_to_bytes(&bench->naive_picture);
-    case2d_read_bytes(bench_case, &bench->cl, &bench->picture);
-    return (bench_case->kind == CAIRO ? similar_pixels : equal_pixels)(
-        &bench->picture, &bench->naive_picture, bench->n_naive_rows, name);
-}
-
-// Compare what a kd-tree case has just drawn with the naive picture of its scene; a naive
-// case's picture becomes that. Returns 0, or -1 after one message.
+// Compare what a case has just drawn with the naive picture of its scene, or with as much of it as
+// was drawn; a naive case's picture becomes that. Pictures of bytes are compared with the naive one
+// rounded to bytes: their cases are the last ones of a scene. Returns 0, or -1 after one message.
 static int check_picture(Bench *bench, const Case2D *bench_case)
 {
-    Image *picture = bench_case->kind == NAIVE ? &bench->naive_picture : &bench->picture;
-    if (bench_case->kind >= TILES) {
-        return check_bytes(bench, bench_case);
-    }
-    read_image(&bench->cl, bench->d_image, picture);
     if (bench_case->kind == NAIVE) {
+        read_image(&bench->cl, bench->d_image, &bench->naive_picture);
         bench->n_naive_rows = bench_case->n_rows;
         return 0;
     }
-    char name[128];
-    snprintf(name, sizeof name, "bench2d: kd-tree, %s", bench_case->scene_name);
-    return equal_pixels(picture, &bench->naive_picture, bench->n_naive_rows, name);
+    if (bench_case->kind == KDTREE) {
+        read_image(&bench->cl, bench->d_image, &bench->picture);
+    } else {
+        case2d_read_bytes(bench_case, &bench->cl, &bench->picture);
+        round_to_bytes(&bench->naive_picture);
+    }
+    Image drawn = bench->picture, naive = bench->naive_picture;
+    drawn.height = naive.height = bench->n_naive_rows;
+    const double share = bench_case->kind == CAIRO ? SIMILAR_SHARE : 0;
+    char names[128];
+    snprintf(names, sizeof names, "bench2d: %s, %s beside naive", bench_case->scene_name,
+             CASE2D_NAMES[bench_case->kind]);
+    return pictures_compare(&drawn, &naive, 0, (int)(share * SIDE * drawn.height), names) >= 0 ? 0
+                                                                                               : -1;
 }
 
 // ---- Rounds ---------------------------------------------------------------------------------

@@ -8,12 +8,10 @@
 #include "option_table.h"
 
 #include <errno.h>
-#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #define PLACE(member) offsetof(BenchOptions, member)
 
@@ -38,30 +36,6 @@ static void print_help(const char *name, const char *what)
     printf("Run it in the top folder of the course, where the kernels are found.\n");
 }
 
-// Make a folder and those above it, and see whether files can be made there. Returns 0, or -1
-// after one message.
-static int make_folder(const char *name, const char *folder)
-{
-    char path[PATH_MAX];
-    if (snprintf(path, sizeof path, "%s/", folder) >= (int)sizeof path) {
-        complain("%s: --output: expected a shorter path", name);
-        return -1;
-    }
-    for (char *slash = strchr(path + 1, '/'); slash != NULL; slash = strchr(slash + 1, '/')) {
-        *slash = '\0';
-        if (mkdir(path, 0777) != 0 && errno != EEXIST) {
-            complain("%s: --output: cannot make the folder %s: %s", name, path, strerror(errno));
-            return -1;
-        }
-        *slash = '/';
-    }
-    if (access(path, W_OK | X_OK) != 0) {
-        complain("%s: --output: %s cannot be written: %s", name, folder, strerror(errno));
-        return -1;
-    }
-    return 0;
-}
-
 BenchOptions bench_options_read(int argc, char **argv, const char *name, const char *what)
 {
     const OptionTable table = {.program = name, .rows = ROWS, .n_rows = N_ROWS};
@@ -71,7 +45,12 @@ BenchOptions bench_options_read(int argc, char **argv, const char *name, const c
         print_help(name, what);
         exit(EXIT_SUCCESS);
     }
-    if (result == OPTIONS_BAD || make_folder(name, options.folder) != 0) {
+    if (result == OPTIONS_BAD) {
+        exit(EXIT_FAILURE);
+    }
+    if (mkdir(options.folder, 0777) != 0 && errno != EEXIST) {
+        complain("%s: --output: cannot make the folder %s: %s", name, options.folder,
+                 strerror(errno));
         exit(EXIT_FAILURE);
     }
     return options;

@@ -7,9 +7,8 @@
 // differ there are no figures.
 // Read next: trick.c, tables.sql.
 #include "bench_options.h"
-#include "complain.h"
-#include "equal_pixels.h"
 #include "rounds.h"
+#include "same_pictures.h"
 #include "trick_case.h"
 
 #include <stdio.h>
@@ -79,24 +78,17 @@ static int check_picture(Bench *bench, const TrickCase *trick_case, int trick)
     if (trick == 0) {
         return 0;
     }
-    char name[128];
-    snprintf(name, sizeof name, "bench_tricks: %s, %s",
-             PART_TRICKS[trick_case->part].tricks[trick].name, trick_case->scene_name);
-    if (trick_case->part == CIRCLES) {
+    const int is_exact = trick_case->part == CIRCLES;
+    if (is_exact) {
         round_to_bytes(picture);  // that of an image has floats
-        return equal_pixels(picture, &bench->usual_picture, TRICK_SIDE, name);
     }
-    const ImageDifference difference =
-        image_compare(&bench->usual_picture, picture, BYTE_TOLERANCE);
-    const int n_pixels = TRICK_SIDE * TRICK_SIDE;
-    const int most = (int)(MAX_AMBIGUOUS_SHARE * n_pixels);
-    if (difference.n_different <= most) {
-        return 0;
-    }
-    complain("%s: found %d of %d pixels different from those of the kernel with all tricks, the "
-             "first at (%d, %d), expected at most %d",
-             name, difference.n_different, n_pixels, difference.first_x, difference.first_y, most);
-    return -1;
+    char names[128];
+    snprintf(names, sizeof names, "bench_tricks: %s, %s", trick_case->scene_name,
+             PART_TRICKS[trick_case->part].tricks[trick].name);
+    const int most = is_exact ? 0 : (int)(MAX_AMBIGUOUS_SHARE * TRICK_SIDE * TRICK_SIDE);
+    const int n_different = pictures_compare(picture, &bench->usual_picture,
+                                             is_exact ? 0 : BYTE_TOLERANCE, most, names);
+    return n_different >= 0 ? 0 : -1;
 }
 
 // All of a scene's kernels in turn. Returns 0, or -1 after one message.

@@ -181,13 +181,10 @@ int case2d_prepare(Case2D *bench_case, const ClSetup *cl, const cl_program *prog
                    cl_mem d_image)
 {
     const Scene2D *scene = bench_case->scene;
-    cl_int error;
     if (is_peer(bench_case)) {
         return prepare_peer(bench_case, cl) == 0 ? draw_peer(bench_case) : -1;
     }
-    bench_case->kernel =
-        clCreateKernel(programs[bench_case->kind], KERNELS[bench_case->kind].name, &error);
-    CL_CHECK_CREATED(error, clCreateKernel);
+    bench_case->kernel = kernel_create(programs[bench_case->kind], KERNELS[bench_case->kind].name);
     if (bench_case->kind == NAIVE || bench_case->kind == KDTREE) {
         bench_case->d_circles =
             cl_buffer_create(cl, scene->circles, (size_t)scene->n_circles * sizeof *scene->circles);

@@ -231,9 +231,7 @@ static int count_work(Case3D *bench_case, const ClSetup *cl, cl_kernel counting)
 
 static cl_kernel create_kernel(const Case3D *bench_case, const cl_program *programs, int program)
 {
-    cl_int error;
-    cl_kernel kernel = clCreateKernel(programs[program], PROGRAMS[program].kernel, &error);
-    CL_CHECK_CREATED(error, clCreateKernel);
+    cl_kernel kernel = kernel_create(programs[program], PROGRAMS[program].kernel);
     if (program != TILES) {
         scene_buffers_set(&bench_case->buffers, &bench_case->scene, kernel);
     }

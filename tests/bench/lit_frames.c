@@ -3,9 +3,8 @@
 // Read next: bench3d.c.
 #include "lit_frames.h"
 
-#include "complain.h"
-#include "equal_pixels.h"
 #include "launch.h"
+#include "same_pictures.h"
 #include "stats.h"
 
 #include <stdio.h>
@@ -80,9 +79,7 @@ static int prepare_renderer(LitFrame *frames, const ClSetup *cl, const Case3D *b
         return -1;
     }
     for (int i = 0; i < N_LIT_FRAMES; i++) {
-        cl_int error;
-        frames[i].kernels[renderer] = clCreateKernel(program, KERNELS[renderer], &error);
-        CL_CHECK_CREATED(error, clCreateKernel);
+        frames[i].kernels[renderer] = kernel_create(program, KERNELS[renderer]);
         set_arguments(&frames[i], renderer, bench_case);
         // The driver may compile at the first launch.
         enqueue(&frames[i], cl, renderer, GROUP_SIZE);
@@ -130,25 +127,6 @@ static void spoil_pictures(const ClSetup *cl, const Case3D *bench_case)
     CL_CHECK(clFinish(cl->queue));
 }
 
-// Returns 0, or -1 after one message.
-static int check_difference(const LitFrame *frame, const Image *rays, const Image *tiles,
-                            Measurements *measurements)
-{
-    const ImageDifference difference = image_compare(tiles, rays, BYTE_TOLERANCE);
-    const int n_pixels = frame->side * frame->side;
-    const int most = (int)(AMBIGUOUS_SHARES[frame->n_mirrors] * n_pixels);
-    measurements_add(measurements, frame->name, NAMES[LIT_TILES], "different",
-                     difference.n_different);
-    if (difference.n_different <= most) {
-        return 0;
-    }
-    complain("bench3d: %s, with shadows: found %d of %d pixels different between the pictures of "
-             "%s and of %s, the first at (%d, %d), expected at most %d",
-             frame->name, difference.n_different, n_pixels, NAMES[LIT_RAYS], NAMES[LIT_TILES],
-             difference.first_x, difference.first_y, most);
-    return -1;
-}
-
 // Compare the pictures that both have drawn. Returns 0, or -1 after one message.
 static int check_pictures(const LitFrame *frame, const ClSetup *cl, const Case3D *bench_case,
                           Measurements *measurements)
@@ -162,7 +140,13 @@ static int check_pictures(const LitFrame *frame, const ClSetup *cl, const Case3D
         read_image(cl, bench_case->buffers.d_image, &rays);
         round_to_bytes(&rays);
         pixels_read(cl->queue, bench_case->tiles.d_pixels, &tiles);
-        result = check_difference(frame, &rays, &tiles, measurements);
+        const double share = AMBIGUOUS_SHARES[frame->n_mirrors];
+        char names[128];
+        snprintf(names, sizeof names, "bench3d: %s, tiles beside kd-tree", frame->name);
+        const int n_different = pictures_compare(&tiles, &rays, BYTE_TOLERANCE,
+                                                 (int)(share * frame->side * frame->side), names);
+        measurements_add(measurements, frame->name, NAMES[LIT_TILES], "different", n_different);
+        result = n_different >= 0 ? 0 : -1;
     }
     image_free(&rays);
     image_free(&tiles);

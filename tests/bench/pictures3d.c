@@ -4,8 +4,8 @@
 #include "pictures3d.h"
 
 #include "complain.h"
-#include "equal_pixels.h"
 #include "launch.h"
+#include "same_pictures.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -74,20 +74,19 @@ static int check_drawn(const Case3D *bench_case, Renderer renderer, int n_drawn,
 static int check_different(const Pictures3D *pictures, const Case3D *bench_case, Renderer other,
                            float tolerance, int n_compared, Measurements *measurements)
 {
-    const ImageDifference difference =
-        image_compare(&pictures->images[KDTREE], &pictures->images[other], tolerance);
-    measurements_add(measurements, bench_case->scene_name, RENDERER_NAMES[other], "different",
-                     difference.n_different);
+    char names[128];
+    snprintf(names, sizeof names, "bench3d: %s, %s beside kd-tree", bench_case->scene_name,
+             RENDERER_NAMES[other]);
     // Even of a small share one pixel may be ambiguous.
     const int most = 1 + (int)(MAX_AMBIGUOUS_SHARE * n_compared);
-    if (difference.n_different <= most) {
-        return 0;
+    const int n_different = pictures_compare(&pictures->images[other], &pictures->images[KDTREE],
+                                             tolerance, most, names);
+    if (n_different < 0) {
+        return -1;
     }
-    complain("bench3d: %s: found %d of %d pixels different between the pictures of the kd-tree "
-             "and of %s, the first at (%d, %d), expected at most %d",
-             bench_case->scene_name, difference.n_different, n_compared, RENDERER_NAMES[other],
-             difference.first_x, difference.first_y, most);
-    return -1;
+    measurements_add(measurements, bench_case->scene_name, RENDERER_NAMES[other], "different",
+                     n_different);
+    return 0;
 }
 
 int pictures3d_check(Pictures3D *pictures, const Case3D *bench_case, Measurements *measurements)

@@ -5,8 +5,8 @@
 
 #include "cl_memory.h"
 #include "complain.h"
-#include "equal_pixels.h"
 #include "launch.h"
+#include "same_pictures.h"
 #include "stats.h"
 
 #include <stdlib.h>
@@ -37,14 +37,6 @@ static const char *const SEARCHER_NAMES[N_RAY_KINDS][N_SEARCHERS] = {
 };
 
 // ---- Making ---------------------------------------------------------------------------------
-
-static cl_kernel create_kernel(cl_program program, const char *name)
-{
-    cl_int error;
-    cl_kernel kernel = clCreateKernel(program, name, &error);
-    CL_CHECK_CREATED(error, clCreateKernel);
-    return kernel;
-}
 
 static cl_mem create_buffer(const ClSetup *cl, size_t n_bytes)
 {
@@ -88,7 +80,7 @@ static int make_list(RayList *list, const ClSetup *cl, const Case3D *bench_case,
         complain("bench3d: no memory for rays");
         return -1;
     }
-    cl_kernel make_rays = create_kernel(program, "make_rays");
+    cl_kernel make_rays = kernel_create(program, "make_rays");
     scene_buffers_set(&bench_case->buffers, &bench_case->scene, make_rays);
     tree_buffers_set(&bench_case->trees[KDTREE], make_rays);
     cl_mem d_made = create_buffer(cl, N_PIXELS * sizeof(SecondaryRay));
@@ -145,7 +137,7 @@ static int prepare_list(RayList *list, const ClSetup *cl, const Case3D *bench_ca
     }
     list->d_rays = cl_buffer_create(cl, list->rays, (size_t)list->n_rays * sizeof *list->rays);
     list->d_answers = create_buffer(cl, n_bytes);
-    list->kernel = create_kernel(program, KERNELS[kind]);
+    list->kernel = kernel_create(program, KERNELS[kind]);
     set_arguments(list, bench_case);
     // The driver may compile at the first launch.
     search(list, cl, GROUP_ITEMS);

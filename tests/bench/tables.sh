@@ -21,7 +21,7 @@ fi
     echo '.mode tabs'
     echo '.headers on'
     echo ".once '$folder/medians.tsv'"
-    echo 'SELECT scene, elements, what, quantity, median, smallest, largest FROM medians;'
+    echo 'SELECT scene, elements, what, quantity, median, smallest, largest FROM medians ORDER BY elements;'
 } | sqlite3 -bail
 command -v gnuplot >/dev/null || { echo "no plots: gnuplot is not installed" && exit 0; }
 for bench in bench2d bench3d bench_builds; do

@@ -38,7 +38,7 @@ INSERT INTO measured
 SELECT scene, what, 'moving frame', round, sum(value) FROM rounds
 WHERE scene LIKE 'random:n=%' AND what IN ('naive', 'kd-tree', 'kd-tree by cost', 'tiles')
     AND quantity IN ('frame', 'build', 'copy')
-GROUP BY scene, what, round;
+GROUP BY scene, what, round ORDER BY length(scene), scene;
 INSERT INTO rounds SELECT * FROM measured WHERE quantity = 'moving frame';
 
 -- ---- Times ---------------------------------------------------------------------------------------
@@ -80,7 +80,7 @@ JOIN rounds AS tricks USING (scene) WHERE tricks.what = 'with all tricks' AND wi
 INSERT INTO measured
 SELECT scene, dividend || ' / ' || divisor, 'ratio: ' || quantity, round, above.value / below.value
 FROM asked JOIN rounds AS above USING (quantity) JOIN rounds AS below USING (quantity, scene, round)
-WHERE above.what = dividend AND below.what = divisor;
+WHERE above.what = dividend AND below.what = divisor ORDER BY length(scene), scene;
 
 .print How many times as long the first takes: median of the rounds (smallest to largest)
 SELECT substr(quantity, 8) AS quantity, scene, what, printf('%.3g (%.3g to %.3g)', median, smallest, largest) AS ratio
