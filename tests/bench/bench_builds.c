@@ -23,21 +23,10 @@ enum { FEW_ELEMENTS = 1 << 14, N_QUICK_BUILDS = 5 };
 
 typedef struct Bench {
     BuildScene scenes[N_SCENES];  // from the smallest on
-    BuildCase cases[N_BUILDERS * N_SCENES];
-    int n_cases;
+    BuildCase cases[N_BUILDERS][N_SCENES];
 } Bench;
 
-// Which scene a case builds over: they are listed as the scenes are.
-static const BuildScene *scene_of(const Bench *bench, const BuildCase *build_case)
-{
-    int scene = 0;
-    for (int n = SMALLEST_SCENE; n < build_case->n_elements; n *= SCENE_FACTOR) {
-        scene++;
-    }
-    return &bench->scenes[scene];
-}
-
-// The scenes and the list of cases, builder by builder. Returns 0, or -1 after one message.
+// The scenes, and each builder over each. Returns 0, or -1 after one message.
 static int bench_prepare(Bench *bench)
 {
     int n = SMALLEST_SCENE;
@@ -45,10 +34,8 @@ static int bench_prepare(Bench *bench)
         if (build_scene_create(n, &bench->scenes[i]) != 0) {
             return -1;
         }
-    }
-    for (int builder = 0; builder < N_BUILDERS; builder++) {
-        for (n = SMALLEST_SCENE; n <= BUILDERS[builder].largest; n *= SCENE_FACTOR) {
-            bench->cases[bench->n_cases++] = (BuildCase){.builder = builder, .n_elements = n};
+        for (int builder = 0; builder < N_BUILDERS; builder++) {
+            bench->cases[builder][i] = (BuildCase){.builder = builder, .n_elements = n};
         }
     }
     return 0;
@@ -74,30 +61,34 @@ static void add_counts(const BuildCase *build_case, const char *scene, Measureme
 }
 
 // A case's part of a round. Returns 0, or -1 after one message.
-static int measure(const Bench *bench, BuildCase *build_case, Measurements *measurements)
+static int measure(BuildCase *build_case, const BuildScene *scene, Measurements *measurements)
 {
-    char scene[32];
-    snprintf(scene, sizeof scene, "%d elements", build_case->n_elements);
+    char name[32];
+    snprintf(name, sizeof name, "%d elements", build_case->n_elements);
     const int n_builds = build_case->n_elements <= FEW_ELEMENTS ? N_QUICK_BUILDS : 1;
     for (int i = 0; i < n_builds; i++) {
-        const double ms = case_build_time(build_case, scene_of(bench, build_case));
+        const double ms = case_build_time(build_case, scene);
         if (ms < 0) {
             return -1;
         }
-        measurements_add(measurements, scene, BUILDERS[build_case->builder].name, "build", ms);
+        measurements_add(measurements, name, BUILDERS[build_case->builder].name, "build", ms);
     }
     if (measurements->round == 0) {
-        add_counts(build_case, scene, measurements);
+        add_counts(build_case, name, measurements);
     }
     return 0;
 }
 
+// Each builder's scenes, up to its largest.
 static int measure_round(void *shared, Measurements *measurements)
 {
     Bench *bench = shared;
-    for (int i = 0; i < bench->n_cases; i++) {
-        if (measure(bench, &bench->cases[i], measurements) != 0) {
-            return -1;
+    for (int builder = 0; builder < N_BUILDERS; builder++) {
+        BuildCase *cases = bench->cases[builder];
+        for (int i = 0; i < N_SCENES && cases[i].n_elements <= BUILDERS[builder].largest; i++) {
+            if (measure(&cases[i], &bench->scenes[i], measurements) != 0) {
+                return -1;
+            }
         }
     }
     return 0;
