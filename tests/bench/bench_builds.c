@@ -5,8 +5,9 @@
 //     build/tools/bench_builds [--rounds N] [--output FOLDER]       or: make bench
 //
 // The lecture's slide says that building is linear. So it is at a fixed depth, where the leaves
-// grow instead; where depth grows with the scene it is N log N. Both laws are
-// fitted (tables.sql). All trees are built in turn within each round (rounds.h), by one thread of the host.
+// grow instead; where depth grows with the scene it is N log N. Both laws are fitted
+// (tables.sql). All trees are built in turn within each round (rounds.h), by one thread of the
+// host.
 // Read next: case_build.h, tables.sql.
 #include "bench_options.h"
 #include "case_build.h"

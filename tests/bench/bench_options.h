@@ -16,7 +16,8 @@ typedef struct BenchOptions {
 
 // Read the command line of the bench `name` ("bench2d").
 //   what   for --help: "measures this and that"
-// The output's folder is made here. Ends the program after the help, or with EXIT_FAILURE after one message.
+// The output's folder is made here. Ends the program after the help, or with EXIT_FAILURE after one
+// message.
 BenchOptions bench_options_read(int argc, char **argv, const char *name, const char *what);
 
 #endif

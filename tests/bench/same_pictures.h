@@ -1,6 +1,6 @@
-// Are two pictures the same? Asked before a time of their renderers is written. In 2D to the bit, as
-// generated scenes are exact in float: the tree must not change a single pixel. Elsewhere a few
-// pixels may differ, each for the reason below.
+// Are two pictures the same? Asked before a time of their renderers is written. In 2D to the bit,
+// as generated scenes are exact in float: the tree must not change a single pixel. Elsewhere a few
+// pixels may differ, for the reasons below.
 //
 // Used by bench2d.c, bench_tricks.c, pictures3d.c and lit_frames.c.
 #ifndef BENCH_SAME_PICTURES_H

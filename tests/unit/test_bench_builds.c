@@ -131,8 +131,8 @@ Test(bench_builds, builders_grow_by_their_laws)
             cr_expect(a_doubling > -1 && a_doubling < 0.1, "%s: %g", name, a_doubling);
             cr_expect_gt(leaves_grow, 20, "%s: %g", name, leaves_grow);
         } else {
-            // N log N. Where all leaves are alike each doubling adds a level, and a little more than
-            // one node an element, as some lie on both sides of a split.
+            // N log N. Where all leaves are alike each doubling adds a level, and a little more
+            // than one node an element, as some lie on both sides of a split.
             cr_expect(a_doubling > 1 && a_doubling < 3, "%s: %g", name, a_doubling);
             cr_expect_lt(leaves_grow, 1.1, "%s: %g", name, leaves_grow);
         }
