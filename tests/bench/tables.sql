@@ -185,7 +185,7 @@ FROM edges GROUP BY what ORDER BY line;
 -- and y = N / value, (a x + b y - 1)^2 is smallest where a xx + b xy = x and a xy + b yy = y, all of them sums.
 CREATE TABLE laws AS
 WITH points AS (
-    SELECT what, quantity, elements AS n, median AS value, elements * log2(elements) / median AS x, elements / median AS y
+    SELECT what, quantity, elements AS n, elements * log2(elements) / median AS x, elements / median AS y
     FROM medians WHERE scene LIKE '% elements' AND quantity IN ('build', 'handed on')),
 sums AS (
     SELECT what, quantity, sum(x) AS x, sum(y) AS y, sum(x * x) AS xx, sum(x * y) AS xy, sum(y * y) AS yy
