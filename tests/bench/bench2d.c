@@ -6,7 +6,7 @@
 // Cases are drawn in turn within each round, so that what else the machine does falls on all of
 // them: trust the ratios more than the milliseconds. In the first round every other picture is
 // compared with the naive one of the same scene, bit by bit, those of the tile kernel and the
-// painter with their colours as bytes; where one differs there are no figures. Cairo's may differ
+// painter with their colours as bytes; where one differs there is no file. Cairo's may differ
 // at borders.
 // Read next: case2d.h, tables.sql.
 #include "bench_options.h"

@@ -6,7 +6,7 @@
 //     build/tools/bench3d [--device D] [--rounds N] [--output FOLDER]       or: make bench
 //
 // All are drawn and all trees built in turn within each round (rounds.h). In the first round the
-// pictures of a scene are compared, and what the rays hit; where they differ there are no figures.
+// pictures of a scene are compared, and what the rays hit; where they differ there is no file.
 // Embree takes part if its package is installed (embree_peer.h) and the OpenCL device is a CPU,
 // with as many threads as that has compute units.
 // Read next: case3d.h, pictures3d.h, secondary_rays.h, lit_frames.h, tables.sql.

@@ -4,7 +4,7 @@
 //     build/tools/bench_tricks [--device D] [--rounds N] [--output FOLDER]       or: make bench
 //
 // In the first round each picture is compared with that of the kernel with all tricks; where they
-// differ there are no figures.
+// differ there is no file.
 // Read next: trick.c, tables.sql.
 #include "bench_options.h"
 #include "rounds.h"

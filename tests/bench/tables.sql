@@ -58,6 +58,7 @@ CREATE TABLE asked (quantity, dividend, divisor);
 INSERT INTO asked VALUES
     ('frame', 'naive', 'kd-tree'),
     ('frame', 'kd-tree', 'tiles'),
+    ('frame', 'kd-tree by cost', 'tiles'),
     ('frame', 'painter', 'tiles'),
     ('frame', 'cairo', 'tiles'),
     ('frame', 'rtcIntersect1', 'kd-tree'),
