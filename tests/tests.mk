@@ -152,6 +152,8 @@ $(OUT)/tests/no_images.so: tests/tools/no_images.c
 
 # A unit test's own code runs once: to optimise it takes longer than it saves. What it tests is optimised.
 $(OUT)/obj/tests/unit/%.c.o: OPTIMISATION = -O0 -g
+# But for those that draw whole pictures by the right answers.
+$(addprefix $(OUT)/obj/tests/unit/test_,judges.c.o judges_garbage.c.o judge_process.c.o replays.c.o comparison.c.o): OPTIMISATION = -O2 -g
 
 # In `make test-all` unit tests run under the sanitizers, but for this one: PoCL's compiler is not built for
 # them. In `make test` they run without: this second build takes longer than the first.

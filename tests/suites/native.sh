@@ -8,8 +8,8 @@ build=${BUILD:-build}
 export build scratch
 export seeds="${SEEDS:-1}"
 
-# Processor time of a run, all its seeds together. Right answers take a fortieth; some wrong ones never end.
-export seconds="$((4 * seeds))"
+# Processor time of a run, all its seeds together. Right answers take a twentieth; some wrong ones never end.
+export seconds="$((2 * seeds))"
 
 # As many labs at a time as there are processors, the longest first.
 # shellcheck disable=SC2016 # they are another shell's variables

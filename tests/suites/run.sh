@@ -116,6 +116,36 @@ check "what is no number is refused" runs 2
 check "with a message" says 'ORDER: found "random", expected a whole number'
 unset ORDER
 
+# ---- What has passed before ---------------------------------------------------------------------
+
+# The programs of `make test` have no sanitizers.
+cp build/sanitized/tests/test_* build/tests
+printf '. tests/tap.sh\n[ ! -e build/broken ]\nok $? whole\nfinish\n' >tests/suites/whole.sh
+
+# again N: does `make test` pass without running N of its tests?
+again() {
+    status=0
+    HEART=1 BUILD=build tests/run.sh >build/again 2>&1 </dev/null || status=$?
+    cat build/again
+    [ $status -eq 0 ] && [ "$(grep -c 'not run again$' build/again)" -eq "$1" ]
+}
+n_all=$(find tests/suites tests/unit -type f | wc -l)
+check "the first time all tests run" again 0
+check "with nothing changed none runs again" again "$n_all"
+check "the sum is the same" test "$(tail -n 1 build/again)" = "$((n_all + 2)) passed, 0 failed"
+echo '# more' >>tests/suites/one.sh
+check "with a file changed all run" again 0
+echo '# more' >>build/tests/test_b
+check "and with a program changed" again 0
+: >build/broken
+echo '# more' >>tests/suites/one.sh
+! again 0 >/dev/null
+ok $? "one fails"
+rm build/broken
+check "what failed runs again, and no other" again $((n_all - 1))
+check "what is asked for by its name runs" env HEART=1 BUILD=build sh -c 'tests/run.sh one | grep -q "  *[0-9]* s$"'
+rm tests/suites/whole.sh
+
 # ---- Told to end --------------------------------------------------------------------------------
 
 # A suite and a unit test that wait, each beside a process in a group of its own, as timeout makes one.
