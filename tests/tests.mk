@@ -113,18 +113,13 @@ $(OUT)/tests/test_tree3d_threads: LDFLAGS += -fopenmp
 $(OUT)/obj/tests/unit/test_plane_trees.c.o: EXTRA = $(GRADER_INCLUDES) -I tests/figures
 $(OUT)/tests/test_plane_trees: $(call objects,tests/figures/plane_trees.c)
 
-# The figures that the bench prints.
-$(OUT)/obj/tests/unit/test_bench_report.c.o: EXTRA = $(BENCH_INCLUDES) -I tests/bench
-$(OUT)/tests/test_bench_report: $(call objects,tests/bench/report.c tests/bench/series.c)
-$(addprefix $(OUT)/obj/tests/unit/,test_bench_report3d.c.o test_bench_report_moving.c.o test_bench_builds.c.o test_bench_tricks.c.o): EXTRA = $(BENCH_INCLUDES) -I tests/bench
-$(OUT)/tests/test_bench_report3d: $(call objects,$(addprefix tests/bench/,report3d.c report_trees.c report_secondary.c report_lit.c \
-    roofline.c series.c))
-$(OUT)/tests/test_bench_report_moving: $(call objects,tests/bench/report_moving.c tests/bench/series.c)
-$(OUT)/tests/test_bench_tricks: $(call objects,$(addprefix tests/bench/,trick.c report_tricks.c hidden_circles.c series.c) \
+# What the bench counts and changes.
+$(OUT)/obj/tests/unit/test_bench_builds.c.o $(OUT)/obj/tests/unit/test_bench_tricks.c.o: EXTRA = $(BENCH_INCLUDES) -I tests/bench
+$(OUT)/tests/test_bench_tricks: $(call objects,tests/bench/trick.c tests/bench/hidden_circles.c \
     solutions/10-realtime/circle_tree.c $(BUILDERS))
 $(OUT)/tests/test_bench_builds: LDFLAGS += $(MEMORY_COUNTING)
-$(OUT)/tests/test_bench_builds: $(call objects,$(addprefix tests/bench/,report_builds.c case_build.c counted_memory.c \
-    growth.c handed_on.c series.c) $(BUILDERS) solutions/08-surface-area-heuristic/kdtree3d_sah.c)
+$(OUT)/tests/test_bench_builds: $(call objects,$(addprefix tests/bench/,case_build.c counted_memory.c handed_on.c) $(BUILDERS) \
+    solutions/08-surface-area-heuristic/kdtree3d_sah.c)
 
 # The tree of lab 10's circles.
 $(OUT)/obj/tests/unit/test_circle_tree.c.o: EXTRA = $(GRADER_INCLUDES) -I solutions/10-realtime

@@ -50,7 +50,5 @@ bench:  ## install what is missing, measure naive against kd-tree in 2D and 3D, 
 	@$(MAKE) --no-print-directory $(BENCH_PROGRAMS)
 	@for bench in $(BENCHES); do \
 	    $(OUT)/tools/$$bench --output $(OUT)/bench $(if $(DEVICE),--device "$$DEVICE") \
-	        $(if $(ROUNDS),--rounds "$$ROUNDS") && \
-	    for plot in $$(ls tests/bench/$$bench*.gnuplot 2>/dev/null); do \
-	        gnuplot -e "folder='$(OUT)/bench'" $$plot && \
-	        echo "The plot: $(OUT)/bench/$$(basename $$plot .gnuplot).png and .svg" || exit 1; done || exit 1; done
+	        $(if $(ROUNDS),--rounds "$$ROUNDS") || exit 1; done
+	@tests/bench/tables.sh $(OUT)/bench

@@ -6,19 +6,15 @@
 //     build/tools/bench3d [--device D] [--rounds N] [--output FOLDER]       or: make bench
 //
 // All are drawn and all trees built in turn within each round (rounds.h). In the first round the
-// pictures of a scene are compared, and what the rays hit; where they differ there are no figures.
-// Embree takes part where its package is installed (embree_peer.h), with as many threads as the
-// OpenCL device has compute units where that is a CPU, and with all of the machine's beside a GPU.
-// Read next: case3d.h, pictures3d.h, secondary_rays.h, lit_frames.h, report3d.c, report_moving.c.
+// pictures of a scene are compared, and what the rays hit; where they differ there is no file.
+// Embree takes part if its package is installed (embree_peer.h) and the OpenCL device is a CPU,
+// with as many threads as that has compute units.
+// Read next: case3d.h, pictures3d.h, secondary_rays.h, lit_frames.h, tables.sql.
 #include "bench_options.h"
 #include "embree_peer.h"
 #include "launch.h"
 #include "lit_frames.h"
 #include "pictures3d.h"
-#include "report3d.h"
-#include "report_lit.h"
-#include "report_moving.h"
-#include "report_secondary.h"
 #include "rounds.h"
 #include "secondary_rays.h"
 #include "stats.h"
@@ -26,7 +22,6 @@
 #include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <unistd.h>
 
 // No further round begins that would end later.
 #define LONGEST_SECONDS 400
@@ -75,10 +70,9 @@ static int bench_prepare(Bench *bench, const char *device)
         pictures3d_create(&bench->pictures) != 0) {
         return -1;
     }
-    if (embree_peer_version() != NULL) {
+    if (embree_peer_version() != NULL && device_is_cpu(&bench->cl)) {
         bench->pictures.has_embree = 1;
-        bench->n_threads = device_is_cpu(&bench->cl) ? device_units(&bench->cl)
-                                                     : (int)sysconf(_SC_NPROCESSORS_ONLN);
+        bench->n_threads = device_units(&bench->cl);
     }
     for (int i = 0; i < N_CASES; i++) {
         bench->cases[i].scene_name = SCENE_NAMES[i];
@@ -108,12 +102,6 @@ static void bench_free(Bench *bench)
 
 // ---- Measuring ------------------------------------------------------------------------------
 
-static void add_round(Series *series, double ms)
-{
-    series_add(series, ms);
-    series_end_round(series);
-}
-
 // Keep the picture that a kernel has drawn.
 static void read_picture(Bench *bench, const Case3D *bench_case, Renderer renderer)
 {
@@ -127,17 +115,19 @@ static void read_picture(Bench *bench, const Case3D *bench_case, Renderer render
 
 // A kernel's frames of a round; the first round's picture is kept. The tiles need no spoilt one:
 // theirs is new, and nobody else draws there.
-static void measure_kernel(Bench *bench, Case3D *bench_case, Renderer renderer, int round)
+static void measure_kernel(Bench *bench, const Case3D *bench_case, Renderer renderer,
+                           Measurements *measurements)
 {
     const int is_long = renderer == NAIVE && bench_case->scene.n_spheres > MANY_SPHERES;
-    if (round == 0 && renderer != TILES) {
+    const int is_first = measurements->round == 0;
+    if (is_first && renderer != TILES) {
         spoil_image(&bench->cl, bench_case->buffers.d_image, CASE3D_SIDE, CASE3D_SIDE);
     }
     for (int i = 0; i < (is_long ? 1 : N_FRAMES); i++) {
-        series_add(&bench_case->frames[renderer], case3d_draw(bench_case, &bench->cl, renderer));
+        measurements_add(measurements, bench_case->scene_name, RENDERER_NAMES[renderer], "frame",
+                         case3d_draw(bench_case, &bench->cl, renderer));
     }
-    series_end_round(&bench_case->frames[renderer]);
-    if (round == 0) {
+    if (is_first) {
         read_picture(bench, bench_case, renderer);
     }
 }
@@ -145,35 +135,36 @@ static void measure_kernel(Bench *bench, Case3D *bench_case, Renderer renderer, 
 // Embree's part of a round. Its tree is built twice: on one thread, as the course's is, and on all.
 // The first is released before the second begins: of all that there are at once, Embree takes the
 // largest number of threads for each. Returns 0, or -1 after one message.
-static int measure_embree(Bench *bench, Case3D *bench_case)
+static int measure_embree(Bench *bench, const Case3D *bench_case, Measurements *measurements)
 {
+    const char *scene = bench_case->scene_name;
     double ms;
     EmbreePeer *peer = embree_peer_new(&bench_case->scene, 1, &ms);
     if (peer == NULL) {
         return -1;
     }
     embree_peer_free(peer);
-    add_round(&bench_case->builds[EMBREE], ms);
+    measurements_add(measurements, scene, "Embree", "build", ms);
     peer = embree_peer_new(&bench_case->scene, bench->n_threads, &ms);
     if (peer == NULL) {
         return -1;
     }
-    add_round(&bench_case->parallel_builds[EMBREE], ms);
+    measurements_add(measurements, scene, "Embree", "build on all threads", ms);
     for (int call = 0; call < N_EMBREE_CALLS; call++) {
-        Series *frames = &bench_case->frames[EMBREE + call];
         for (int i = 0; i < N_FRAMES && embree_peer_has(call); i++) {
             const double start = stats_clock_ms();
             embree_peer_draw(peer, call, &bench->pictures.images[EMBREE + call]);
-            series_add(frames, stats_clock_ms() - start);
+            measurements_add(measurements, scene, RENDERER_NAMES[EMBREE + call], "frame",
+                             stats_clock_ms() - start);
         }
-        series_end_round(frames);
     }
     embree_peer_free(peer);
     return 0;
 }
 
 // The trees of labs 06 and 08 on as many threads as Embree's. Returns 0, or -1 after one message.
-static int measure_parallel_builds(Bench *bench, Case3D *bench_case)
+static int measure_parallel_builds(const Bench *bench, const Case3D *bench_case,
+                                   Measurements *measurements)
 {
     int result = 0;
     omp_set_num_threads(bench->n_threads);
@@ -181,66 +172,74 @@ static int measure_parallel_builds(Bench *bench, Case3D *bench_case)
         TreeTimes ms;
         result = case3d_time_tree(bench_case, &bench->cl, builder, &ms);
         if (result == 0) {
-            add_round(&bench_case->parallel_builds[builder], ms.build);
+            measurements_add(measurements, bench_case->scene_name, RENDERER_NAMES[builder],
+                             "build on all threads", ms.build);
         }
     }
     omp_set_num_threads(1);
     return result;
 }
 
-static int measure_round(void *shared, int round)
+// What is known of a scene without measuring: how much it is, and the work of its rays.
+static void add_counts(const Case3D *bench_case, Measurements *measurements)
+{
+    const struct {
+        const char *quantity;
+        double value;
+    } counts[] = {
+        {"elements", bench_case->scene.n_spheres},
+        {"rays", CASE3D_SIDE * CASE3D_SIDE},
+        {"inner nodes", bench_case->work.n_nodes},
+        {"leaves", bench_case->work.n_leaves},
+        {"spheres asked", bench_case->work.n_tests},
+        {"steps of the slowest", bench_case->work.n_slowest_steps},
+    };
+    for (size_t i = 0; i < sizeof counts / sizeof *counts; i++) {
+        measurements_add(measurements, bench_case->scene_name, "", counts[i].quantity,
+                         counts[i].value);
+    }
+}
+
+// A scene's part of a round. Returns 0, or -1 after one message.
+static int measure(Bench *bench, const Case3D *bench_case, Measurements *measurements)
+{
+    if (measurements->round == 0) {
+        add_counts(bench_case, measurements);
+    }
+    for (int kernel = 0; kernel < N_KERNELS; kernel++) {
+        measure_kernel(bench, bench_case, kernel, measurements);
+    }
+    for (int builder = KDTREE; builder <= TILES; builder++) {
+        const char *name = RENDERER_NAMES[builder];
+        TreeTimes ms;
+        if (case3d_time_tree(bench_case, &bench->cl, builder, &ms) != 0) {
+            return -1;
+        }
+        measurements_add(measurements, bench_case->scene_name, name, "build", ms.build);
+        measurements_add(measurements, bench_case->scene_name, name, "copy", ms.copy);
+    }
+    if (bench->n_threads > 0 && (measure_parallel_builds(bench, bench_case, measurements) != 0 ||
+                                 measure_embree(bench, bench_case, measurements) != 0)) {
+        return -1;
+    }
+    return measurements->round == 0 ? pictures3d_check(&bench->pictures, bench_case, measurements)
+                                    : 0;
+}
+
+static int measure_round(void *shared, Measurements *measurements)
 {
     Bench *bench = shared;
     for (int i = 0; i < N_CASES; i++) {
-        Case3D *bench_case = &bench->cases[i];
-        for (int kernel = 0; kernel < N_KERNELS; kernel++) {
-            measure_kernel(bench, bench_case, kernel, round);
-        }
-        for (int builder = KDTREE; builder <= TILES; builder++) {
-            TreeTimes ms;
-            if (case3d_time_tree(bench_case, &bench->cl, builder, &ms) != 0) {
-                return -1;
-            }
-            add_round(&bench_case->builds[builder], ms.build);
-            add_round(&bench_case->copies[builder], ms.copy);
-        }
-        if (bench->n_threads > 0 && (measure_parallel_builds(bench, bench_case) != 0 ||
-                                     measure_embree(bench, bench_case) != 0)) {
-            return -1;
-        }
-        if (round == 0 && pictures3d_check(&bench->pictures, bench_case) != 0) {
+        if (measure(bench, &bench->cases[i], measurements) != 0) {
             return -1;
         }
     }
     const Case3D *secondary = &bench->cases[SECONDARY_CASE];
-    if (secondary_rays_measure(&bench->secondary, &bench->cl, secondary, bench->n_threads, round) !=
-        0) {
+    if (secondary_rays_measure(&bench->secondary, &bench->cl, secondary, bench->n_threads,
+                               measurements) != 0) {
         return -1;
     }
-    return lit_frames_measure(bench->lit, &bench->cl, secondary, round);
-}
-
-// ---- Telling --------------------------------------------------------------------------------
-
-static void print_tables(const Bench *bench)
-{
-    const ReportContext context = {bench->cl.device_name, device_is_cpu(&bench->cl),
-                                   bench->n_threads};
-    report3d_print(bench->cases, N_CASES, context);
-    report_secondary_print(&bench->secondary, SCENE_NAMES[SECONDARY_CASE], context);
-    report_lit_print(bench->lit, SCENE_NAMES[SECONDARY_CASE]);
-    report_moving_print(bench->cases, N_CASES);
-}
-
-// Returns 0, or -1 after one message.
-static int write_files(const Bench *bench, const char *folder)
-{
-    if (report3d_write_csv(bench->cases, N_CASES, folder) != 0 ||
-        report_moving_write_csv(bench->cases, N_CASES, folder) != 0 ||
-        report_lit_write_csv(bench->lit, SCENE_NAMES[SECONDARY_CASE], folder) != 0) {
-        return -1;
-    }
-    return report_secondary_write_csv(&bench->secondary, SCENE_NAMES[SECONDARY_CASE], folder);
+    return lit_frames_measure(bench->lit, &bench->cl, secondary, measurements);
 }
 
 int main(int argc, char **argv)
@@ -253,13 +252,10 @@ int main(int argc, char **argv)
     omp_set_num_threads(1);
     int result = bench_prepare(&bench, options.device);
     if (result == 0) {
-        printf("%s: %dx%d pixels\n", bench.cl.device_name, CASE3D_SIDE, CASE3D_SIDE);
-        result = rounds_run(measure_round, &bench, options.n_rounds, LONGEST_SECONDS,
+        printf("%s: %dx%d pixels; Embree's threads: %d\n", bench.cl.device_name, CASE3D_SIDE,
+               CASE3D_SIDE, bench.n_threads);
+        result = rounds_run(measure_round, &bench, &options, LONGEST_SECONDS,
                             "; the pictures of each scene are equal, but for rounding");
-    }
-    if (result == 0) {
-        print_tables(&bench);
-        result = write_files(&bench, options.folder);
     }
     bench_free(&bench);
     return result == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

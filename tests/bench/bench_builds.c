@@ -5,12 +5,12 @@
 //     build/tools/bench_builds [--rounds N] [--output FOLDER]       or: make bench
 //
 // The lecture's slide says that building is linear. So it is at a fixed depth, where the leaves
-// grow instead; where depth grows with the scene it is N log N. A fit shows which of the two it is
-// (growth.h). All trees are built in turn within each round (rounds.h), by one thread of the host.
-// Read next: case_build.h, report_builds.c.
+// grow instead; where depth grows with the scene it is N log N. Both laws are fitted
+// (tables.sql). All trees are built in turn within each round (rounds.h), by one thread of the
+// host.
+// Read next: case_build.h, tables.sql.
 #include "bench_options.h"
 #include "case_build.h"
-#include "report_builds.h"
 #include "rounds.h"
 
 #include <stdio.h>
@@ -24,21 +24,10 @@ enum { FEW_ELEMENTS = 1 << 14, N_QUICK_BUILDS = 5 };
 
 typedef struct Bench {
     BuildScene scenes[N_SCENES];  // from the smallest on
-    BuildCase cases[N_BUILDERS * N_SCENES];
-    int n_cases;
+    BuildCase cases[N_BUILDERS][N_SCENES];
 } Bench;
 
-// Which scene a case builds over: they are listed as the scenes are.
-static const BuildScene *scene_of(const Bench *bench, const BuildCase *build_case)
-{
-    int scene = 0;
-    for (int n = SMALLEST_SCENE; n < build_case->n_elements; n *= SCENE_FACTOR) {
-        scene++;
-    }
-    return &bench->scenes[scene];
-}
-
-// The scenes and the list of cases, builder by builder. Returns 0, or -1 after one message.
+// The scenes, and each builder over each. Returns 0, or -1 after one message.
 static int bench_prepare(Bench *bench)
 {
     int n = SMALLEST_SCENE;
@@ -46,10 +35,8 @@ static int bench_prepare(Bench *bench)
         if (build_scene_create(n, &bench->scenes[i]) != 0) {
             return -1;
         }
-    }
-    for (int builder = 0; builder < N_BUILDERS; builder++) {
-        for (n = SMALLEST_SCENE; n <= BUILDERS[builder].largest; n *= SCENE_FACTOR) {
-            bench->cases[bench->n_cases++] = (BuildCase){.builder = builder, .n_elements = n};
+        for (int builder = 0; builder < N_BUILDERS; builder++) {
+            bench->cases[builder][i] = (BuildCase){.builder = builder, .n_elements = n};
         }
     }
     return 0;
@@ -62,21 +49,48 @@ static void bench_free(Bench *bench)
     }
 }
 
-static int measure_round(void *shared, int round)
+// What was counted of a case that is built.
+static void add_counts(const BuildCase *build_case, const char *scene, Measurements *measurements)
 {
-    (void)round;
+    const char *name = BUILDERS[build_case->builder].name;
+    const TreeSize size = build_case->size;
+    measurements_add(measurements, scene, name, "elements", build_case->n_elements);
+    measurements_add(measurements, scene, name, "handed on", size.n_handed_on);
+    measurements_add(measurements, scene, name, "per leaf", size.n_listed / size.n_leaves);
+    measurements_add(measurements, scene, name, "tree bytes", size.n_bytes);
+    measurements_add(measurements, scene, name, "peak bytes", build_case->n_peak_bytes);
+}
+
+// A case's part of a round. Returns 0, or -1 after one message.
+static int measure(BuildCase *build_case, const BuildScene *scene, Measurements *measurements)
+{
+    char name[32];
+    snprintf(name, sizeof name, "%d elements", build_case->n_elements);
+    const int n_builds = build_case->n_elements <= FEW_ELEMENTS ? N_QUICK_BUILDS : 1;
+    for (int i = 0; i < n_builds; i++) {
+        const double ms = case_build_time(build_case, scene);
+        if (ms < 0) {
+            return -1;
+        }
+        measurements_add(measurements, name, BUILDERS[build_case->builder].name, "build", ms);
+    }
+    if (measurements->round == 0) {
+        add_counts(build_case, name, measurements);
+    }
+    return 0;
+}
+
+// Each builder's scenes, up to its largest.
+static int measure_round(void *shared, Measurements *measurements)
+{
     Bench *bench = shared;
-    for (int i = 0; i < bench->n_cases; i++) {
-        BuildCase *build_case = &bench->cases[i];
-        const int n_builds = build_case->n_elements <= FEW_ELEMENTS ? N_QUICK_BUILDS : 1;
-        for (int j = 0; j < n_builds; j++) {
-            const double ms = case_build_time(build_case, scene_of(bench, build_case));
-            if (ms < 0) {
+    for (int builder = 0; builder < N_BUILDERS; builder++) {
+        BuildCase *cases = bench->cases[builder];
+        for (int i = 0; i < N_SCENES && cases[i].n_elements <= BUILDERS[builder].largest; i++) {
+            if (measure(&cases[i], &bench->scenes[i], measurements) != 0) {
                 return -1;
             }
-            series_add(&build_case->builds, ms);
         }
-        series_end_round(&build_case->builds);
     }
     return 0;
 }
@@ -90,12 +104,8 @@ int main(int argc, char **argv)
     static Bench bench;  // large, for the stack
     int result = bench_prepare(&bench);
     if (result == 0) {
-        result = rounds_run(measure_round, &bench, options.n_rounds, LONGEST_SECONDS,
+        result = rounds_run(measure_round, &bench, &options, LONGEST_SECONDS,
                             "; all trees hold together");
-    }
-    if (result == 0) {
-        report_builds_print(bench.cases, bench.n_cases);
-        result = report_builds_write_csv(bench.cases, bench.n_cases, options.folder);
     }
     bench_free(&bench);
     return result == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -6,25 +6,22 @@
 #include "cl_setup.h"
 #include "complain.h"
 #include "option_table.h"
-#include "series.h"
 
 #include <errno.h>
-#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #define PLACE(member) offsetof(BenchOptions, member)
 
 static const OptionRow ROWS[] = {
     {"device", "D", OPTION_TEXT, PLACE(device),
      .meaning = "number or part of a name ($" CL_DEVICE_VARIABLE ", or the first)"},
-    {"rounds", "N", OPTION_NUMBER, PLACE(n_rounds), 1, SERIES_MAX_ROUNDS,
+    {"rounds", "N", OPTION_NUMBER, PLACE(n_rounds), 1, 100,
      .meaning = "how often everything is measured (5)"},
     {"output", "FOLDER", OPTION_TEXT, PLACE(folder),
-     .meaning = "where the table, a CSV file, goes; made where it is missing\n(build/bench)"},
+     .meaning = "where the CSV file goes; made where it is missing\n(build/bench)"},
     {"help", NULL, OPTION_ANSWER, PLACE(help), .meaning = "show this and end"},
 };
 #define N_ROWS ((int)(sizeof ROWS / sizeof ROWS[0]))
@@ -39,40 +36,21 @@ static void print_help(const char *name, const char *what)
     printf("Run it in the top folder of the course, where the kernels are found.\n");
 }
 
-// Make a folder and those above it, and see whether files can be made there. Returns 0, or -1
-// after one message.
-static int make_folder(const char *name, const char *folder)
-{
-    char path[PATH_MAX];
-    if (snprintf(path, sizeof path, "%s/", folder) >= (int)sizeof path) {
-        complain("%s: --output: expected a shorter path", name);
-        return -1;
-    }
-    for (char *slash = strchr(path + 1, '/'); slash != NULL; slash = strchr(slash + 1, '/')) {
-        *slash = '\0';
-        if (mkdir(path, 0777) != 0 && errno != EEXIST) {
-            complain("%s: --output: cannot make the folder %s: %s", name, path, strerror(errno));
-            return -1;
-        }
-        *slash = '/';
-    }
-    if (access(path, W_OK | X_OK) != 0) {
-        complain("%s: --output: %s cannot be written: %s", name, folder, strerror(errno));
-        return -1;
-    }
-    return 0;
-}
-
 BenchOptions bench_options_read(int argc, char **argv, const char *name, const char *what)
 {
     const OptionTable table = {.program = name, .rows = ROWS, .n_rows = N_ROWS};
-    BenchOptions options = {.folder = "build/bench", .n_rounds = 5};
+    BenchOptions options = {.bench = name, .folder = "build/bench", .n_rounds = 5};
     const OptionsResult result = option_table_read(&table, argc, argv, &options, NULL);
     if (result == OPTIONS_DONE) {
         print_help(name, what);
         exit(EXIT_SUCCESS);
     }
-    if (result == OPTIONS_BAD || make_folder(name, options.folder) != 0) {
+    if (result == OPTIONS_BAD) {
+        exit(EXIT_FAILURE);
+    }
+    if (mkdir(options.folder, 0777) != 0 && errno != EEXIST) {
+        complain("%s: --output: cannot make the folder %s: %s", name, options.folder,
+                 strerror(errno));
         exit(EXIT_FAILURE);
     }
     return options;

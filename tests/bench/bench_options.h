@@ -7,16 +7,17 @@
 #include "option_table.h"
 
 typedef struct BenchOptions {
+    const char *bench;   // its name, "bench2d"
     const char *device;  // or NULL
     const char *folder;  // where the CSV file goes
-    int n_rounds;        // 1 to SERIES_MAX_ROUNDS
+    int n_rounds;        // 1 to 100
     int help;            // answered by bench_options_read()
 } BenchOptions;
 
 // Read the command line of the bench `name` ("bench2d").
 //   what   for --help: "measures this and that"
-// The output's folder is made here, and those above it: a place that cannot be written is found out
-// before the work. Ends the program after the help, or with EXIT_FAILURE after one message.
+// The output's folder is made here. Ends the program after the help, or with EXIT_FAILURE after one
+// message.
 BenchOptions bench_options_read(int argc, char **argv, const char *name, const char *what);
 
 #endif

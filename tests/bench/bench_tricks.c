@@ -4,13 +4,11 @@
 //     build/tools/bench_tricks [--device D] [--rounds N] [--output FOLDER]       or: make bench
 //
 // In the first round each picture is compared with that of the kernel with all tricks; where they
-// differ there are no figures.
-// Read next: trick.c, report_tricks.c.
+// differ there is no file.
+// Read next: trick.c, tables.sql.
 #include "bench_options.h"
-#include "complain.h"
-#include "equal_pixels.h"
-#include "report_tricks.h"
 #include "rounds.h"
+#include "same_pictures.h"
 #include "trick_case.h"
 
 #include <stdio.h>
@@ -80,51 +78,45 @@ static int check_picture(Bench *bench, const TrickCase *trick_case, int trick)
     if (trick == 0) {
         return 0;
     }
-    char name[128];
-    snprintf(name, sizeof name, "bench_tricks: %s, %s",
-             PART_TRICKS[trick_case->part].tricks[trick].name, trick_case->scene_name);
-    if (trick_case->part == CIRCLES) {
+    const int is_exact = trick_case->part == CIRCLES;
+    if (is_exact) {
         round_to_bytes(picture);  // that of an image has floats
-        return equal_pixels(picture, &bench->usual_picture, TRICK_SIDE, name);
     }
-    const ImageDifference difference =
-        image_compare(&bench->usual_picture, picture, BYTE_TOLERANCE);
-    const int n_pixels = TRICK_SIDE * TRICK_SIDE;
-    const int most = (int)(MAX_AMBIGUOUS_SHARE * n_pixels);
-    if (difference.n_different <= most) {
-        return 0;
-    }
-    complain("%s: found %d of %d pixels different from those of the kernel with all tricks, the "
-             "first at (%d, %d), expected at most %d",
-             name, difference.n_different, n_pixels, difference.first_x, difference.first_y, most);
-    return -1;
+    char names[128];
+    snprintf(names, sizeof names, "bench_tricks: %s, %s", trick_case->scene_name,
+             PART_TRICKS[trick_case->part].tricks[trick].name);
+    const int most = is_exact ? 0 : (int)(MAX_AMBIGUOUS_SHARE * TRICK_SIDE * TRICK_SIDE);
+    const int n_different = pictures_compare(picture, &bench->usual_picture,
+                                             is_exact ? 0 : BYTE_TOLERANCE, most, names);
+    return n_different >= 0 ? 0 : -1;
 }
 
 // All of a scene's kernels in turn. Returns 0, or -1 after one message.
-static int measure(Bench *bench, TrickCase *trick_case, int round)
+static int measure(Bench *bench, const TrickCase *trick_case, Measurements *measurements)
 {
+    const int is_first = measurements->round == 0;
     for (int trick = 0; trick < PART_TRICKS[trick_case->part].n_tricks; trick++) {
-        Series *frames = &trick_case->frames[trick];
-        if (round == 0) {
+        if (is_first) {
             trick_case_spoil(trick_case, &bench->cl, trick);
         }
         for (int i = 0; i < N_FRAMES; i++) {
-            series_add(frames, trick_case_draw(trick_case, &bench->cl, trick));
+            measurements_add(measurements, trick_case->scene_name,
+                             PART_TRICKS[trick_case->part].tricks[trick].title, "frame",
+                             trick_case_draw(trick_case, &bench->cl, trick));
         }
-        series_end_round(frames);
-        if (round == 0 && check_picture(bench, trick_case, trick) != 0) {
+        if (is_first && check_picture(bench, trick_case, trick) != 0) {
             return -1;
         }
     }
     return 0;
 }
 
-static int measure_round(void *shared, int round)
+static int measure_round(void *shared, Measurements *measurements)
 {
     Bench *bench = shared;
     for (int part = 0; part < N_PARTS; part++) {
         for (int i = 0; i < N_TRICK_SCENES; i++) {
-            if (measure(bench, &bench->cases[part][i], round) != 0) {
+            if (measure(bench, &bench->cases[part][i], measurements) != 0) {
                 return -1;
             }
         }
@@ -142,14 +134,8 @@ int main(int argc, char **argv)
     int result = bench_prepare(&bench, &options);
     if (result == 0) {
         printf("%s: %dx%d pixels\n", bench.cl.device_name, TRICK_SIDE, TRICK_SIDE);
-        result = rounds_run(measure_round, &bench, options.n_rounds, LONGEST_SECONDS,
+        result = rounds_run(measure_round, &bench, &options, LONGEST_SECONDS,
                             "; without any trick the picture is the same");
-    }
-    for (int part = 0; result == 0 && part < N_PARTS; part++) {
-        report_tricks_print(bench.cases[part], part);
-    }
-    if (result == 0) {
-        result = report_tricks_write_csv(bench.cases, options.folder);
     }
     bench_free(&bench);
     return result == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

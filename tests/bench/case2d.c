@@ -11,8 +11,7 @@
 
 #include <stdlib.h>
 
-const char *const CASE2D_NAMES[N_CASE2D_KINDS] = {"fill",  "naive",   "kdtree",
-                                                  "tiles", "painter", "cairo"};
+const char *const CASE2D_NAMES[N_CASE2D_KINDS] = {"naive", "kd-tree", "tiles", "painter", "cairo"};
 
 // NAIVE_OPTIONS and KDTREE_OPTIONS come from the Makefile, as KERNEL_OPTIONS does in the labs.
 static const struct KernelRow {
@@ -20,7 +19,6 @@ static const struct KernelRow {
     const char *options;
     const char *name;
 } KERNELS[N_CASE2D_KINDS] = {
-    [FILL] = {"tests/bench/fill.cl", "", "fill"},
     [NAIVE] = {"solutions/01-naive-2d/implicit2DRenderer.cl", NAIVE_OPTIONS, "implicit2DRenderer"},
     [KDTREE] = {"solutions/03-kdtree-2d-render/implicit2DRenderer_KD.cl", KDTREE_OPTIONS,
                 "implicit2DRenderer_KD"},
@@ -53,32 +51,20 @@ void programs_free(cl_program programs[N_CASE2D_KINDS])
     }
 }
 
-// A tree in which every inner node has two children has one leaf more than inner nodes, and every
-// leaf has a count before its ids.
-static u32 tree_references(const KdTree2D *tree)
-{
-    const u32 n_leaves = (tree->n_nodes + 1) / 2;
-    return tree->n_map - n_leaves;
-}
+static const KdTreeLimits USUAL_LIMITS = {OPTIONS_DEFAULT_MAX_DEPTH, OPTIONS_DEFAULT_LEAF_SIZE};
 
 // Build the tree and copy it to the device. Returns 0, or -1 after one message.
 static int prepare_tree(Case2D *bench_case, const ClSetup *cl)
 {
+    const u32 n_circles = (u32)bench_case->scene->n_circles;
     KdTree2D tree = {0};
-    if (kdtree2d_build(bench_case->scene->circles, (u32)bench_case->scene->n_circles,
-                       bench_case->limits, &tree) != 0) {
+    if (kdtree2d_build(bench_case->scene->circles, n_circles, USUAL_LIMITS, &tree) != 0) {
         return -1;
     }
-    bench_case->depth = -1;
-    if (tree2d_check(&tree, (u32)bench_case->scene->n_circles) == 0) {
-        bench_case->depth = tree2d_depth(&tree);
-    }
-    if (bench_case->depth < 0) {
+    if (tree2d_check(&tree, n_circles) != 0) {
         tree2d_free(&tree);
         return -1;
     }
-    bench_case->n_nodes = tree.n_nodes;
-    bench_case->n_references = tree_references(&tree);
     bench_case->d_nodes_Relations =
         cl_buffer_create(cl, tree.nodes_Relations, tree.n_nodes * sizeof *tree.nodes_Relations);
     bench_case->d_nodes_flag =
@@ -177,9 +163,7 @@ static void set_arguments(const Case2D *bench_case, cl_mem d_image)
     CL_CHECK(clSetKernelArg(kernel, next++, sizeof scene->width, &scene->width));
     CL_CHECK(clSetKernelArg(kernel, next++, sizeof scene->height, &scene->height));
     CL_CHECK(clSetKernelArg(kernel, next++, sizeof d_image, &d_image));
-    if (bench_case->kind != FILL) {
-        CL_CHECK(clSetKernelArg(kernel, next, sizeof(cl_mem), NULL));  // nothing is counted
-    }
+    CL_CHECK(clSetKernelArg(kernel, next, sizeof(cl_mem), NULL));  // nothing is counted
 }
 
 // Draw a part of the picture, from its top left corner on, and wait for it.
@@ -197,13 +181,10 @@ int case2d_prepare(Case2D *bench_case, const ClSetup *cl, const cl_program *prog
                    cl_mem d_image)
 {
     const Scene2D *scene = bench_case->scene;
-    cl_int error;
     if (is_peer(bench_case)) {
         return prepare_peer(bench_case, cl) == 0 ? draw_peer(bench_case) : -1;
     }
-    bench_case->kernel =
-        clCreateKernel(programs[bench_case->kind], KERNELS[bench_case->kind].name, &error);
-    CL_CHECK_CREATED(error, clCreateKernel);
+    bench_case->kernel = kernel_create(programs[bench_case->kind], KERNELS[bench_case->kind].name);
     if (bench_case->kind == NAIVE || bench_case->kind == KDTREE) {
         bench_case->d_circles =
             cl_buffer_create(cl, scene->circles, (size_t)scene->n_circles * sizeof *scene->circles);
@@ -244,33 +225,4 @@ double case2d_draw(const Case2D *bench_case, const ClSetup *cl)
         draw(bench_case, cl, bench_case->scene->width, bench_case->n_rows);
     }
     return (stats_clock_ms() - start) * bench_case->scene->height / bench_case->n_rows;
-}
-
-double case2d_draw_mapped(const Case2D *bench_case, const ClSetup *cl)
-{
-    const Scene2D *scene = bench_case->scene;
-    const size_t n_bytes = (size_t)scene->width * (size_t)scene->height * sizeof(cl_uint);
-    cl_int error;
-    const double start = stats_clock_ms();
-    enqueue_circle_tiles(cl->queue, bench_case->kernel, scene->width, scene->height);
-    void *pixels = clEnqueueMapBuffer(cl->queue, bench_case->d_pixels, CL_TRUE, CL_MAP_READ, 0,
-                                      n_bytes, 0, NULL, NULL, &error);
-    CL_CHECK_CREATED(error, clEnqueueMapBuffer);
-    const double ms = stats_clock_ms() - start;
-    CL_CHECK(clEnqueueUnmapMemObject(cl->queue, bench_case->d_pixels, pixels, 0, NULL, NULL));
-    CL_CHECK(clFinish(cl->queue));
-    return ms;
-}
-
-double case2d_time_build(const Case2D *bench_case)
-{
-    KdTree2D tree = {0};
-    const double start = stats_clock_ms();
-    if (kdtree2d_build(bench_case->scene->circles, (u32)bench_case->scene->n_circles,
-                       bench_case->limits, &tree) != 0) {
-        return -1;
-    }
-    const double ms = stats_clock_ms() - start;
-    tree2d_free(&tree);
-    return ms;
 }

@@ -10,7 +10,17 @@
 #include "stats.h"
 #include "work_stats.h"
 
-#include <jansson.h>
+const char *const RENDERER_NAMES[N_RENDERERS] = {
+    [NAIVE] = "naive",
+    [KDTREE] = "kd-tree",
+    [BY_COST] = "kd-tree by cost",
+    [TILES] = "tiles",
+    [EMBREE + EMBREE_1] = "rtcIntersect1",
+    [EMBREE + EMBREE_4] = "rtcIntersect4",
+    [EMBREE + EMBREE_8] = "rtcIntersect8",
+    [EMBREE + EMBREE_16] = "rtcIntersect16",
+    [EMBREE + EMBREE_STREAM] = "rtcIntersect1M",
+};
 
 // Sphere tests of a naive frame on a CPU, for each of its threads: one to three seconds' work.
 #define TESTS_A_THREAD 1e9
@@ -138,11 +148,6 @@ static int prepare_tree(Case3D *bench_case, const ClSetup *cl, Renderer renderer
 {
     KdTree3D tree = build_tree(&bench_case->scene, renderer);
     int result = tree.n_nodes > 0 ? tree3d_check(&tree, (u32)bench_case->scene.n_spheres) : -1;
-    if (result == 0 && renderer == KDTREE) {
-        bench_case->n_nodes = tree.n_nodes;
-        bench_case->n_sphere_ids = tree.n_sphere_ids;
-        result = tree3d_figures(&tree, &bench_case->figures);
-    }
     if (result == 0) {
         bench_case->trees[renderer] = copy_tree(&tree, cl);
         set_tree(&bench_case->trees[renderer], bench_case->kernels[renderer]);
@@ -166,67 +171,50 @@ static int prepare_tiles(Case3D *bench_case, const ClSetup *cl)
     return result;
 }
 
-static double mean_of(const Stats *stats, const char *name)
-{
-    return json_number_value(json_object_get(stats->values, name));
-}
-
-// The most steps of a pixel among those side by side whose first one is (x, y).
-static u32 slowest_steps(const Work *h_work, int x, int y)
+// Add the work of the rays side by side whose first pixel is (x, y) to a sum.
+static void add_group(const Work *h_work, int x, int y, WorkOfRay *sum)
 {
     u32 slowest = 0;
     for (int row = y; row < y + WORK_GROUP_HEIGHT; row++) {
         for (int column = x; column < x + WORK_GROUP_WIDTH; column++) {
-            const u32 steps = work_steps(&h_work[row * CASE3D_SIDE + column]);
-            slowest = steps > slowest ? steps : slowest;
+            const Work *work = &h_work[row * CASE3D_SIDE + column];
+            sum->n_nodes += work->n_nodes_visited;
+            sum->n_leaves += work->n_leaves_visited;
+            sum->n_tests += work->n_tests;
+            slowest = work_steps(work) > slowest ? work_steps(work) : slowest;
         }
     }
-    return slowest;
+    sum->n_slowest_steps += (double)slowest * WORK_GROUP_WIDTH * WORK_GROUP_HEIGHT;
 }
 
-// What the slowest ray of those side by side takes, on average over the picture.
-static double mean_of_slowest(const ClSetup *cl, cl_mem d_work)
+// Draw a frame with lab 06's tree that counts, which is not timed.
+static void count_work(Case3D *bench_case, const ClSetup *cl, cl_kernel counting)
 {
+    const double n_pixels = CASE3D_SIDE * CASE3D_SIDE;
+    tree_buffers_set(&bench_case->trees[KDTREE], counting);
+    cl_mem d_work = work_buffer_create(cl, CASE3D_SIDE, CASE3D_SIDE);
+    CL_CHECK(clSetKernelArg(counting, N_SCENE_ARGUMENTS + 3, sizeof d_work, &d_work));
+    launch(cl, counting, 0, 0, CASE3D_SIDE, CASE3D_SIDE);
     cl_int error;
     const Work *h_work =
         clEnqueueMapBuffer(cl->queue, d_work, CL_TRUE, CL_MAP_READ, 0,
                            sizeof *h_work * CASE3D_SIDE * CASE3D_SIDE, 0, NULL, NULL, &error);
     CL_CHECK_CREATED(error, clEnqueueMapBuffer);
-    double sum = 0;
+    WorkOfRay sum = {0};
     for (int y = 0; y < CASE3D_SIDE; y += WORK_GROUP_HEIGHT) {
         for (int x = 0; x < CASE3D_SIDE; x += WORK_GROUP_WIDTH) {
-            sum += slowest_steps(h_work, x, y);
+            add_group(h_work, x, y, &sum);
         }
     }
+    bench_case->work = (WorkOfRay){sum.n_nodes / n_pixels, sum.n_leaves / n_pixels,
+                                   sum.n_tests / n_pixels, sum.n_slowest_steps / n_pixels};
     CL_CHECK(clEnqueueUnmapMemObject(cl->queue, d_work, (void *)h_work, 0, NULL, NULL));
-    return sum * (WORK_GROUP_WIDTH * WORK_GROUP_HEIGHT) / (CASE3D_SIDE * CASE3D_SIDE);
-}
-
-// Draw a frame with lab 06's tree that counts, which is not timed. Returns 0, or -1 after one
-// message.
-static int count_work(Case3D *bench_case, const ClSetup *cl, cl_kernel counting)
-{
-    Stats stats = {0};
-    tree_buffers_set(&bench_case->trees[KDTREE], counting);
-    cl_mem d_work = work_buffer_create(cl, CASE3D_SIDE, CASE3D_SIDE);
-    CL_CHECK(clSetKernelArg(counting, N_SCENE_ARGUMENTS + 3, sizeof d_work, &d_work));
-    launch(cl, counting, 0, 0, CASE3D_SIDE, CASE3D_SIDE);
-    const int result =
-        work_report(cl, d_work, CASE3D_SIDE, CASE3D_SIDE, WORK_SPHERES, NULL, &stats);
-    bench_case->work = (WorkOfRay){.n_nodes = mean_of(&stats, "nodes_visited.mean_per_pixel"),
-                                   .n_leaves = mean_of(&stats, "leaves_visited.mean_per_pixel"),
-                                   .n_tests = mean_of(&stats, "sphere_tests.mean_per_pixel"),
-                                   .n_slowest_steps = mean_of_slowest(cl, d_work)};
-    stats_free(&stats);
     CL_CHECK(clReleaseMemObject(d_work));
-    return result;
 }
 
 static cl_kernel create_kernel(const Case3D *bench_case, const cl_program *programs, int program)
 {
-    cl_int error;
-    cl_kernel kernel = clCreateKernel(programs[program], PROGRAMS[program].kernel, &error);
-    CL_CHECK_CREATED(error, clCreateKernel);
+    cl_kernel kernel = kernel_create(programs[program], PROGRAMS[program].kernel);
     if (program != TILES) {
         scene_buffers_set(&bench_case->buffers, &bench_case->scene, kernel);
     }
@@ -264,9 +252,7 @@ int case3d_prepare(Case3D *bench_case, const ClSetup *cl, const cl_program *prog
     cl_kernel counting = create_kernel(bench_case, programs, COUNTING);
     int result = prepare_tree(bench_case, cl, KDTREE);
     if (result == 0) {
-        result = count_work(bench_case, cl, counting);
-    }
-    if (result == 0) {
+        count_work(bench_case, cl, counting);
         result = prepare_tree(bench_case, cl, BY_COST);
     }
     if (result == 0) {

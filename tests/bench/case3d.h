@@ -1,6 +1,6 @@
 // What the 3D bench measures: one scene, drawn by the naive kernel of lab 05, by the kd-tree kernel
-// of lab 07 with either tree, by the tiles of lab 10 and by Embree, each with its times; and lab
-// 06's tree in figures.
+// of lab 07 with either tree, by the tiles of lab 10 and by Embree; and what a
+// ray costs in lab 06's tree.
 //
 // The kernels, the trees' builders and the camera are those of the solutions: the bench has no
 // renderer of its own.
@@ -13,12 +13,8 @@
 #include "image.h"
 #include "scene3d.h"
 #include "scene_buffers.h"
-#include "series.h"
 #include "tile_buffers.h"
-#include "tree3d.h"
 #include "tree_buffers.h"
-
-#include <string.h>
 
 // The picture's side, pixels.
 #define CASE3D_SIDE 1024
@@ -32,8 +28,8 @@ typedef enum Renderer {
     N_RENDERERS = EMBREE + N_EMBREE_CALLS,
 } Renderer;
 
-// What has a tree: the renderers up to Embree, whose calls share one.
-enum { N_TREES = EMBREE + 1 };
+// As the CSV file and messages call them: "kd-tree", "rtcIntersect8".
+extern const char *const RENDERER_NAMES[N_RENDERERS];
 
 // The renderers that are OpenCL kernels; of as many programs, and of one more: lab 07's built with
 // -DCOUNT_WORK.
@@ -67,25 +63,8 @@ typedef struct Case3D {
     TileBuffers tiles;             // what TILES takes
     cl_kernel kernels[N_KERNELS];  // with their arguments set
     Share share;
-
-    u32 n_nodes, n_sphere_ids;  // of lab 06's tree
-    TreeFigures3D figures;
-    WorkOfRay work;
-
-    ImageDifference differences[N_RENDERERS];  // of the kd-tree's picture from each other one
-
-    // Milliseconds a frame, and for a tree on one thread; NAIVE has no tree.
-    Series frames[N_RENDERERS];
-    Series builds[N_TREES];
-    Series copies[N_KERNELS];         // of the tree to the device: see TreeTimes
-    Series parallel_builds[N_TREES];  // with all of Embree's threads; TILES has none
+    WorkOfRay work;  // in lab 06's tree
 } Case3D;
-
-// Is it a scene of random spheres? Those differ in their number alone, and show how times grow.
-static inline int case3d_is_random(const Case3D *bench_case)
-{
-    return strncmp(bench_case->scene_name, "random", strlen("random")) == 0;
-}
 
 // Compile the programs. Returns 0, or -1 after one message. Release with programs3d_free().
 int programs3d_build(const ClSetup *cl, cl_program programs[N_PROGRAMS]);

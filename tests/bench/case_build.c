@@ -1,6 +1,6 @@
 // A case of the bench of builds (see case_build.h).
 //
-// Read next: counted_memory.h, growth.c.
+// Read next: counted_memory.h, tables.sql.
 #include "case_build.h"
 
 #include "counted_memory.h"
@@ -16,11 +16,11 @@
 #include <time.h>
 
 const BuilderRow BUILDERS[N_BUILDERS] = {
-    [MIDDLE_2D] = {"middle2d", "lab 02, 3 levels more than log2 N", 1 << 18, N_LOG_N},
-    [MIDDLE_2D_FIXED] = {"middle2d-fixed", "lab 02, 8 levels", LARGEST_SCENE, LINEAR},
-    [MIDDLE_3D] = {"middle3d", "lab 06, 6 levels more than log2 N", LARGEST_SCENE, N_LOG_N},
-    [MIDDLE_3D_FIXED] = {"middle3d-fixed", "lab 06, 7 levels", LARGEST_SCENE, LINEAR},
-    [BY_COST_3D] = {"bycost3d", "lab 08, by cost", 1 << 18, N_LOG_N},
+    [MIDDLE_2D] = {"lab 02, 3 levels more than log2 N", 1 << 18},
+    [MIDDLE_2D_FIXED] = {"lab 02, 8 levels", LARGEST_SCENE},
+    [MIDDLE_3D] = {"lab 06, 6 levels more than log2 N", LARGEST_SCENE},
+    [MIDDLE_3D_FIXED] = {"lab 06, 7 levels", LARGEST_SCENE},
+    [BY_COST_3D] = {"lab 08, by cost", 1 << 18},
 };
 
 // Of lab 02, where depth grows: as many levels beyond log2 N as its 16 are for the lecture's scene.

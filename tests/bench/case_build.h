@@ -4,14 +4,12 @@
 // so that together they cover the same part of the picture, or fill the same part of the cube.
 // Numbers are powers of four. From one to the next the tree gets two levels more, and in 2D its
 // cells halve once in each direction: what is left to differ is the number.
-// Read next: handed_on.h, growth.h, report_builds.h.
+// Read next: handed_on.h, tables.sql.
 #ifndef BENCH_CASE_BUILD_H
 #define BENCH_CASE_BUILD_H
 
-#include "growth.h"
 #include "scene2d.h"
 #include "scene3d.h"
-#include "series.h"
 
 // What is built, and how deep.
 typedef enum Builder {
@@ -24,10 +22,8 @@ typedef enum Builder {
 } Builder;
 
 typedef struct BuilderRow {
-    const char *name;   // in the CSV file
-    const char *title;  // in tables
-    int largest;        // number of elements; more would take too long for the bench
-    Law law;            // by which its times should grow
+    const char *name;  // in the CSV file
+    int largest;       // number of elements; more would take too long for the bench
 } BuilderRow;
 
 extern const BuilderRow BUILDERS[N_BUILDERS];
@@ -45,7 +41,6 @@ typedef struct TreeSize {
 typedef struct BuildCase {
     Builder builder;
     int n_elements;
-    Series builds;
     TreeSize size;        // all zero until it is known
     double n_peak_bytes;  // most that the builder has asked for at one moment, with the tree
 } BuildCase;

@@ -1,6 +1,6 @@
 // Starting a kernel (see launch.h).
 //
-// Used by variant.c and case3d.c.
+// Read next: case2d.c.
 #include "launch.h"
 
 int device_is_cpu(const ClSetup *cl)
@@ -16,6 +16,14 @@ int device_units(const ClSetup *cl)
     CL_CHECK(
         clGetDeviceInfo(cl->device, CL_DEVICE_MAX_COMPUTE_UNITS, sizeof n_units, &n_units, NULL));
     return (int)n_units;
+}
+
+cl_kernel kernel_create(cl_program program, const char *name)
+{
+    cl_int error;
+    cl_kernel kernel = clCreateKernel(program, name, &error);
+    CL_CHECK_CREATED(error, clCreateKernel);
+    return kernel;
 }
 
 // The next multiple of GROUP_SIZE.

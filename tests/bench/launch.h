@@ -1,7 +1,7 @@
-// Starting a kernel over a part of the picture and reading it back, and what the bench asks of a
-// device.
+// Creating a kernel, starting it over a part of the picture and reading it back, and what the bench
+// asks of a device.
 //
-// Used by case2d.c and case3d.c.
+// Used by all that draws with kernels.
 #ifndef BENCH_LAUNCH_H
 #define BENCH_LAUNCH_H
 
@@ -16,6 +16,9 @@ int device_is_cpu(const ClSetup *cl);
 
 // How many compute units the device has; on a CPU that is threads.
 int device_units(const ClSetup *cl);
+
+// Create a kernel of a program. Release it with clReleaseKernel().
+cl_kernel kernel_create(cl_program program, const char *name);
 
 // Queue a kernel over the pixels from (x, y) to (x + width - 1, y + height - 1), in work-groups of
 // GROUP_SIZE x GROUP_SIZE; width and height are rounded up to whole ones.

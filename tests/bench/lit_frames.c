@@ -1,13 +1,13 @@
 // Whole frames with shadows and mirrors (see lit_frames.h).
 //
-// Read next: report_lit.c.
+// Read next: bench3d.c.
 #include "lit_frames.h"
 
-#include "complain.h"
-#include "equal_pixels.h"
 #include "launch.h"
-#include "report_lit.h"
+#include "same_pictures.h"
 #include "stats.h"
+
+#include <stdio.h>
 
 enum { FRAMES_A_ROUND = 2 };
 
@@ -24,6 +24,9 @@ static const double AMBIGUOUS_SHARES[N_MIRROR_NUMBERS] = {MAX_AMBIGUOUS_SHARE, 1
 #define NEVER_DRAWN_PIXEL 0x00ff00ffu
 
 // ---- Preparing ------------------------------------------------------------------------------
+
+// As the CSV file and messages call them.
+static const char *const NAMES[N_LIT_RENDERERS] = {[LIT_RAYS] = "kd-tree", [LIT_TILES] = "tiles"};
 
 // The kernels, by LitRenderer.
 static const char *const PATHS[N_LIT_RENDERERS] = {
@@ -76,9 +79,7 @@ static int prepare_renderer(LitFrame *frames, const ClSetup *cl, const Case3D *b
         return -1;
     }
     for (int i = 0; i < N_LIT_FRAMES; i++) {
-        cl_int error;
-        frames[i].kernels[renderer] = clCreateKernel(program, KERNELS[renderer], &error);
-        CL_CHECK_CREATED(error, clCreateKernel);
+        frames[i].kernels[renderer] = kernel_create(program, KERNELS[renderer]);
         set_arguments(&frames[i], renderer, bench_case);
         // The driver may compile at the first launch.
         enqueue(&frames[i], cl, renderer, GROUP_SIZE);
@@ -93,6 +94,8 @@ int lit_frames_prepare(LitFrame frames[N_LIT_FRAMES], const ClSetup *cl, const C
     for (int i = 0; i < N_LIT_FRAMES; i++) {
         frames[i].side = SIDES[i / N_MIRROR_NUMBERS];
         frames[i].n_mirrors = i % N_MIRROR_NUMBERS;
+        snprintf(frames[i].name, sizeof frames[i].name, "%s, %dx%d, mirrors: %d",
+                 bench_case->scene_name, frames[i].side, frames[i].side, frames[i].n_mirrors);
     }
     int result = 0;
     for (int renderer = 0; renderer < N_LIT_RENDERERS && result == 0; renderer++) {
@@ -124,27 +127,9 @@ static void spoil_pictures(const ClSetup *cl, const Case3D *bench_case)
     CL_CHECK(clFinish(cl->queue));
 }
 
-// Returns 0, or -1 after one message.
-static int check_difference(LitFrame *frame, const Case3D *bench_case, const Image *rays,
-                            const Image *tiles)
-{
-    const ImageDifference difference = image_compare(tiles, rays, BYTE_TOLERANCE);
-    const int n_pixels = frame->side * frame->side;
-    const int most = (int)(AMBIGUOUS_SHARES[frame->n_mirrors] * n_pixels);
-    frame->n_different = difference.n_different;
-    if (difference.n_different <= most) {
-        return 0;
-    }
-    complain("bench3d: %s with shadows, mirrors: %d: found %d of %d pixels different between the "
-             "pictures of %s and of %s, the first at (%d, %d), expected at most %d",
-             bench_case->scene_name, frame->n_mirrors, difference.n_different, n_pixels,
-             LIT_TITLES[LIT_RAYS], LIT_TITLES[LIT_TILES], difference.first_x, difference.first_y,
-             most);
-    return -1;
-}
-
 // Compare the pictures that both have drawn. Returns 0, or -1 after one message.
-static int check_pictures(LitFrame *frame, const ClSetup *cl, const Case3D *bench_case)
+static int check_pictures(const LitFrame *frame, const ClSetup *cl, const Case3D *bench_case,
+                          Measurements *measurements)
 {
     Image rays = {0}, tiles = {0};
     int result = image_create(frame->side, frame->side, &rays);
@@ -155,7 +140,13 @@ static int check_pictures(LitFrame *frame, const ClSetup *cl, const Case3D *benc
         read_image(cl, bench_case->buffers.d_image, &rays);
         round_to_bytes(&rays);
         pixels_read(cl->queue, bench_case->tiles.d_pixels, &tiles);
-        result = check_difference(frame, bench_case, &rays, &tiles);
+        const double share = AMBIGUOUS_SHARES[frame->n_mirrors];
+        char names[128];
+        snprintf(names, sizeof names, "bench3d: %s, tiles beside kd-tree", frame->name);
+        const int n_different = pictures_compare(&tiles, &rays, BYTE_TOLERANCE,
+                                                 (int)(share * frame->side * frame->side), names);
+        measurements_add(measurements, frame->name, NAMES[LIT_TILES], "different", n_different);
+        result = n_different >= 0 ? 0 : -1;
     }
     image_free(&rays);
     image_free(&tiles);
@@ -165,29 +156,30 @@ static int check_pictures(LitFrame *frame, const ClSetup *cl, const Case3D *benc
 // ---- Measuring ------------------------------------------------------------------------------
 
 // A frame's times of a round.
-static void measure_frame(LitFrame *frame, const ClSetup *cl, LitRenderer renderer)
+static void measure_frame(const LitFrame *frame, const ClSetup *cl, LitRenderer renderer,
+                          Measurements *measurements)
 {
-    Series *times = &frame->times[renderer];
     for (int i = 0; i < FRAMES_A_ROUND; i++) {
         const double start = stats_clock_ms();
         enqueue(frame, cl, renderer, frame->side);
         CL_CHECK(clFinish(cl->queue));
-        series_add(times, stats_clock_ms() - start);
+        measurements_add(measurements, frame->name, NAMES[renderer], "frame",
+                         stats_clock_ms() - start);
     }
-    series_end_round(times);
 }
 
 int lit_frames_measure(LitFrame frames[N_LIT_FRAMES], const ClSetup *cl, const Case3D *bench_case,
-                       int round)
+                       Measurements *measurements)
 {
+    const int is_first = measurements->round == 0;
     for (int i = 0; i < N_LIT_FRAMES; i++) {
-        if (round == 0) {
+        if (is_first) {
             spoil_pictures(cl, bench_case);
         }
         for (int renderer = 0; renderer < N_LIT_RENDERERS; renderer++) {
-            measure_frame(&frames[i], cl, renderer);
+            measure_frame(&frames[i], cl, renderer, measurements);
         }
-        if (round == 0 && check_pictures(&frames[i], cl, bench_case) != 0) {
+        if (is_first && check_pictures(&frames[i], cl, bench_case, measurements) != 0) {
             return -1;
         }
     }

@@ -3,11 +3,12 @@
 //
 // The kernels are those of the solutions, each with its own tree. Their pictures are compared
 // before any figure is printed.
-// Read next: report_lit.h.
+// Read next: measurements.h.
 #ifndef BENCH_LIT_FRAMES_H
 #define BENCH_LIT_FRAMES_H
 
 #include "case3d.h"
+#include "measurements.h"
 
 typedef enum LitRenderer {
     LIT_RAYS,   // lab 09's kernel with the tree of lab 06
@@ -23,8 +24,7 @@ typedef struct LitFrame {
     int side;  // of the picture, pixels
     int n_mirrors;
     cl_kernel kernels[N_LIT_RENDERERS];  // with their arguments set
-    Series times[N_LIT_RENDERERS];       // milliseconds a frame
-    int n_different;                     // pixels of the two pictures
+    char name[64];                       // "sphereflake, 1024x1024, 2 mirrors"
 } LitFrame;
 
 // Make frames of a case that is prepared ready to be drawn, and run a first work-group of each
@@ -33,10 +33,8 @@ int lit_frames_prepare(LitFrame frames[N_LIT_FRAMES], const ClSetup *cl, const C
 void lit_frames_free(LitFrame frames[N_LIT_FRAMES]);
 
 // A round: draw each several times in both ways, one way after the other. The case's pictures are
-// drawn over.
-//   round   in the first one, 0, the pictures are compared
-// Returns 0, or -1 after one message: more pixels differ than rounding explains.
+// drawn over. Returns 0, or -1 after one message: more pixels differ than rounding explains.
 int lit_frames_measure(LitFrame frames[N_LIT_FRAMES], const ClSetup *cl, const Case3D *bench_case,
-                       int round);
+                       Measurements *measurements);
 
 #endif

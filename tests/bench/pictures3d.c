@@ -1,12 +1,11 @@
 // The pictures of the 3D bench (see pictures3d.h).
 //
-// Read next: report3d.c.
+// Read next: bench3d.c.
 #include "pictures3d.h"
 
 #include "complain.h"
-#include "equal_pixels.h"
 #include "launch.h"
-#include "report3d.h"
+#include "same_pictures.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -67,30 +66,30 @@ static int check_drawn(const Case3D *bench_case, Renderer renderer, int n_drawn,
         return 0;
     }
     complain("bench3d: %s, %s: found %d pixels drawn, expected %d", bench_case->scene_name,
-             RENDERER3D_TITLES[renderer], n_drawn, n_expected);
+             RENDERER_NAMES[renderer], n_drawn, n_expected);
     return -1;
 }
 
 // Compare the kd-tree's picture with another renderer's. Returns 0, or -1 after one message.
-static int check_different(const Pictures3D *pictures, Case3D *bench_case, Renderer other,
-                           float tolerance, int n_compared)
+static int check_different(const Pictures3D *pictures, const Case3D *bench_case, Renderer other,
+                           float tolerance, int n_compared, Measurements *measurements)
 {
-    const ImageDifference difference =
-        image_compare(&pictures->images[KDTREE], &pictures->images[other], tolerance);
-    bench_case->differences[other] = difference;
+    char names[128];
+    snprintf(names, sizeof names, "bench3d: %s, %s beside kd-tree", bench_case->scene_name,
+             RENDERER_NAMES[other]);
     // Even of a small share one pixel may be ambiguous.
     const int most = 1 + (int)(MAX_AMBIGUOUS_SHARE * n_compared);
-    if (difference.n_different <= most) {
-        return 0;
+    const int n_different = pictures_compare(&pictures->images[other], &pictures->images[KDTREE],
+                                             tolerance, most, names);
+    if (n_different < 0) {
+        return -1;
     }
-    complain("bench3d: %s: found %d of %d pixels different between the pictures of the kd-tree "
-             "and of %s, the first at (%d, %d), expected at most %d",
-             bench_case->scene_name, difference.n_different, n_compared, RENDERER3D_TITLES[other],
-             difference.first_x, difference.first_y, most);
-    return -1;
+    measurements_add(measurements, bench_case->scene_name, RENDERER_NAMES[other], "different",
+                     n_different);
+    return 0;
 }
 
-int pictures3d_check(Pictures3D *pictures, Case3D *bench_case)
+int pictures3d_check(Pictures3D *pictures, const Case3D *bench_case, Measurements *measurements)
 {
     Image *naive = &pictures->images[NAIVE], *kdtree = &pictures->images[KDTREE];
     const int n_naive = case3d_share_pixels(bench_case);
@@ -100,17 +99,20 @@ int pictures3d_check(Pictures3D *pictures, Case3D *bench_case)
         return -1;
     }
     complete(naive, kdtree);
-    if (check_different(pictures, bench_case, NAIVE, COLOUR_TOLERANCE, n_naive) != 0 ||
-        check_different(pictures, bench_case, BY_COST, COLOUR_TOLERANCE, N_PIXELS) != 0) {
+    if (check_different(pictures, bench_case, NAIVE, COLOUR_TOLERANCE, n_naive, measurements) !=
+            0 ||
+        check_different(pictures, bench_case, BY_COST, COLOUR_TOLERANCE, N_PIXELS, measurements) !=
+            0) {
         return -1;
     }
     for (int call = 0; call < N_EMBREE_CALLS && pictures->has_embree; call++) {
         if (embree_peer_has(call) &&
-            check_different(pictures, bench_case, EMBREE + call, COLOUR_TOLERANCE, N_PIXELS) != 0) {
+            check_different(pictures, bench_case, EMBREE + call, COLOUR_TOLERANCE, N_PIXELS,
+                            measurements) != 0) {
             return -1;
         }
     }
     // The last: nothing else is compared with the kd-tree's picture.
     round_to_bytes(kdtree);
-    return check_different(pictures, bench_case, TILES, BYTE_TOLERANCE, N_PIXELS);
+    return check_different(pictures, bench_case, TILES, BYTE_TOLERANCE, N_PIXELS, measurements);
 }

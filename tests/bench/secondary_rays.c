@@ -5,9 +5,8 @@
 
 #include "cl_memory.h"
 #include "complain.h"
-#include "equal_pixels.h"
 #include "launch.h"
-#include "report_secondary.h"
+#include "same_pictures.h"
 #include "stats.h"
 
 #include <stdlib.h>
@@ -25,15 +24,19 @@ static const char *const KERNELS[N_RAY_KINDS] = {
     [MIRRORED_RAYS] = "search_mirrored",
 };
 
-// ---- Making ---------------------------------------------------------------------------------
+// As the CSV file and messages call the rays of the sphereflake, and what searches them.
+static const char *const RAY_NAMES[N_RAY_KINDS] = {
+    [SHADOW_RAYS] = "shadow rays",
+    [MIRRORED_RAYS] = "mirrored rays",
+};
+static const char *const SEARCHER_NAMES[N_RAY_KINDS][N_SEARCHERS] = {
+    [SHADOW_RAYS] = {"kd-tree", "tiles", "rtcOccluded1", "rtcOccluded4", "rtcOccluded8",
+                     "rtcOccluded16", "rtcOccluded1M"},
+    [MIRRORED_RAYS] = {"kd-tree", NULL, "rtcIntersect1", "rtcIntersect4", "rtcIntersect8",
+                       "rtcIntersect16", "rtcIntersect1M"},
+};
 
-static cl_kernel create_kernel(cl_program program, const char *name)
-{
-    cl_int error;
-    cl_kernel kernel = clCreateKernel(program, name, &error);
-    CL_CHECK_CREATED(error, clCreateKernel);
-    return kernel;
-}
+// ---- Making ---------------------------------------------------------------------------------
 
 static cl_mem create_buffer(const ClSetup *cl, size_t n_bytes)
 {
@@ -77,7 +80,7 @@ static int make_list(RayList *list, const ClSetup *cl, const Case3D *bench_case,
         complain("bench3d: no memory for rays");
         return -1;
     }
-    cl_kernel make_rays = create_kernel(program, "make_rays");
+    cl_kernel make_rays = kernel_create(program, "make_rays");
     scene_buffers_set(&bench_case->buffers, &bench_case->scene, make_rays);
     tree_buffers_set(&bench_case->trees[KDTREE], make_rays);
     cl_mem d_made = create_buffer(cl, N_PIXELS * sizeof(SecondaryRay));
@@ -134,7 +137,7 @@ static int prepare_list(RayList *list, const ClSetup *cl, const Case3D *bench_ca
     }
     list->d_rays = cl_buffer_create(cl, list->rays, (size_t)list->n_rays * sizeof *list->rays);
     list->d_answers = create_buffer(cl, n_bytes);
-    list->kernel = create_kernel(program, KERNELS[kind]);
+    list->kernel = kernel_create(program, KERNELS[kind]);
     set_arguments(list, bench_case);
     // The driver may compile at the first launch.
     search(list, cl, GROUP_ITEMS);
@@ -210,37 +213,46 @@ static int read_answers(const RayList *list, const ClSetup *cl, RayKind kind, Se
     if (list->n_rays > 0 && n_missing == 0) {
         return 0;
     }
-    complain("bench3d: %s rays, %s: found %d of %d without an answer, expected none",
-             RAY_KIND_NAMES[kind], SEARCHER_TITLES[kind][searcher], n_missing, list->n_rays);
+    complain("bench3d: %s, %s: found %d of %d without an answer, expected none", RAY_NAMES[kind],
+             SEARCHER_NAMES[kind][searcher], n_missing, list->n_rays);
     return -1;
 }
 
 // Compare a searcher's answers, the other ones, with lab 09's. Returns 0, or -1 after one message.
-static int check_answers(RayList *list, RayKind kind, Searcher searcher)
+static int check_answers(const RayList *list, RayKind kind, Searcher searcher,
+                         Measurements *measurements)
 {
     int n_different = 0;
     for (int i = 0; i < list->n_rays; i++) {
         n_different += list->other_answers[i] != list->answers[i];
     }
-    list->n_different[searcher] = n_different;
+    measurements_add(measurements, RAY_NAMES[kind], SEARCHER_NAMES[kind][searcher], "different",
+                     n_different);
     const int most = (int)(MAX_AMBIGUOUS_SHARE * list->n_rays);
     if (n_different <= most) {
         return 0;
     }
-    complain("bench3d: %s rays: found %d of %d answers different between %s and %s, expected at "
+    complain("bench3d: %s: found %d of %d answers different between %s and %s, expected at "
              "most %d",
-             RAY_KIND_NAMES[kind], n_different, list->n_rays, SEARCHER_TITLES[kind][LAB_09],
-             SEARCHER_TITLES[kind][searcher], most);
+             RAY_NAMES[kind], n_different, list->n_rays, SEARCHER_NAMES[kind][LAB_09],
+             SEARCHER_NAMES[kind][searcher], most);
     return -1;
 }
 
 // ---- Measuring ------------------------------------------------------------------------------
 
+// Add a time for all rays, from `start` until now.
+static void add_search(Measurements *measurements, RayKind kind, Searcher searcher, double start)
+{
+    measurements_add(measurements, RAY_NAMES[kind], SEARCHER_NAMES[kind][searcher], "search",
+                     stats_clock_ms() - start);
+}
+
 static int measure_kernel(SecondaryRays *secondary, const ClSetup *cl, RayKind kind,
-                          Searcher searcher, int round)
+                          Searcher searcher, Measurements *measurements)
 {
     RayList *list = &secondary->lists[kind];
-    if (round == 0) {
+    if (measurements->round == 0) {
         spoil_answers(list, cl);
     }
     for (int i = 0; i < SEARCHES_A_ROUND; i++) {
@@ -250,36 +262,37 @@ static int measure_kernel(SecondaryRays *secondary, const ClSetup *cl, RayKind k
         } else {
             search(list, cl, list->n_rays);
         }
-        series_add(&list->times[searcher], stats_clock_ms() - start);
+        add_search(measurements, kind, searcher, start);
     }
-    series_end_round(&list->times[searcher]);
-    if (round > 0) {
+    if (measurements->round > 0) {
         return 0;
     }
     if (searcher == LAB_09) {
+        measurements_add(measurements, RAY_NAMES[kind], "", "rays", list->n_rays);
         return read_answers(list, cl, kind, searcher, list->answers);
     }
     const int result = read_answers(list, cl, kind, searcher, list->other_answers);
-    return result == 0 ? check_answers(list, kind, searcher) : result;
+    return result == 0 ? check_answers(list, kind, searcher, measurements) : result;
 }
 
-static int measure_call(RayList *list, EmbreePeer *peer, RayKind kind, EmbreeCall call, int round)
+static int measure_call(RayList *list, EmbreePeer *peer, RayKind kind, EmbreeCall call,
+                        Measurements *measurements)
 {
     const Searcher searcher = EMBREE_SEARCHES + call;
-    for (int i = 0; round == 0 && i < list->n_rays; i++) {
+    const int is_first = measurements->round == 0;
+    for (int i = 0; is_first && i < list->n_rays; i++) {
         list->other_answers[i] = NEVER_ANSWERED;
     }
     for (int i = 0; i < SEARCHES_A_ROUND; i++) {
         const double start = stats_clock_ms();
         embree_peer_search(peer, call, kind, list->rays, list->n_rays, list->other_answers);
-        series_add(&list->times[searcher], stats_clock_ms() - start);
+        add_search(measurements, kind, searcher, start);
     }
-    series_end_round(&list->times[searcher]);
-    return round == 0 ? check_answers(list, kind, searcher) : 0;
+    return is_first ? check_answers(list, kind, searcher, measurements) : 0;
 }
 
 int secondary_rays_measure(SecondaryRays *secondary, const ClSetup *cl, const Case3D *bench_case,
-                           int n_threads, int round)
+                           int n_threads, Measurements *measurements)
 {
     double build_ms;
     EmbreePeer *peer = NULL;
@@ -291,13 +304,13 @@ int secondary_rays_measure(SecondaryRays *secondary, const ClSetup *cl, const Ca
     }
     int result = 0;
     for (int kind = 0; kind < N_RAY_KINDS && result == 0; kind++) {
-        result = measure_kernel(secondary, cl, kind, LAB_09, round);
+        result = measure_kernel(secondary, cl, kind, LAB_09, measurements);
         if (kind == SHADOW_RAYS && result == 0) {
-            result = measure_kernel(secondary, cl, kind, LAB_10, round);
+            result = measure_kernel(secondary, cl, kind, LAB_10, measurements);
         }
         for (int call = 0; call < N_EMBREE_CALLS && peer != NULL && result == 0; call++) {
             if (embree_peer_has(call)) {
-                result = measure_call(&secondary->lists[kind], peer, kind, call, round);
+                result = measure_call(&secondary->lists[kind], peer, kind, call, measurements);
             }
         }
     }

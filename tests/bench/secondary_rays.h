@@ -4,14 +4,14 @@
 // Embree's calls.
 //
 // All answers are compared before any figure is printed.
-// Read next: shadow_tiles.h, report_secondary.h.
+// Read next: shadow_tiles.h.
 #ifndef BENCH_SECONDARY_RAYS_H
 #define BENCH_SECONDARY_RAYS_H
 
 #include "case3d.h"
 #include "embree_peer.h"
+#include "measurements.h"
 #include "secondary_ray.h"
-#include "series.h"
 #include "shadow_tiles.h"
 
 // What searches the rays.
@@ -30,9 +30,6 @@ typedef struct RayList {
     cl_kernel kernel;  // its arguments are set
     u32 *answers;      // [n_rays], lab 09's of the first round
     u32 *other_answers;
-
-    Series times[N_SEARCHERS];     // milliseconds for all rays
-    int n_different[N_SEARCHERS];  // answers that are not lab 09's
 } RayList;
 
 typedef struct SecondaryRays {
@@ -48,9 +45,8 @@ void secondary_rays_free(SecondaryRays *secondary);
 
 // A round: search all rays several times in each way, one way after the other.
 //   n_threads   of Embree; 0 when it takes no part
-//   round       in the first one, 0, the answers are compared
 // Returns 0, or -1 after one message: answers are missing, or more differ than rounding explains.
 int secondary_rays_measure(SecondaryRays *secondary, const ClSetup *cl, const Case3D *bench_case,
-                           int n_threads, int round);
+                           int n_threads, Measurements *measurements);
 
 #endif

@@ -3,6 +3,8 @@
 // Read next: shadow_tiles.cl.
 #include "shadow_tiles.h"
 
+#include "launch.h"
+
 #include <stdio.h>
 
 // The arguments that each light has its own of.
@@ -21,9 +23,7 @@ static int build_kernel(ShadowTiles *tiles, const ClSetup *cl)
     if (program == NULL) {
         return -1;
     }
-    cl_int error;
-    tiles->kernel = clCreateKernel(program, "search_shadow_tiles", &error);
-    CL_CHECK_CREATED(error, clCreateKernel);
+    tiles->kernel = kernel_create(program, "search_shadow_tiles");
     CL_CHECK(clReleaseProgram(program));
     return 0;
 }

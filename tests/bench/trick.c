@@ -62,13 +62,6 @@ static const Trick CIRCLE_TRICKS[] = {
                  {CIRCLES_FILE, "    save_tile(&tile, width, height, pixels);",
                   "    save_floats(&tile, image);"}},
      .has_image = 1},
-    {.name = "row-branch",
-     .title = "one more: rows that a circle does not meet left out",
-     .changes = {{CIRCLES_FILE, "        paint_row(dx_squared, dy,",
-                  "        if (dy * dy > circle.radius_squared) {\n"
-                  "            continue;\n"
-                  "        }\n"
-                  "        paint_row(dx_squared, dy,"}}},
 };
 
 static const Trick SPHERE_TRICKS[] = {

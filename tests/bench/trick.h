@@ -19,8 +19,8 @@ typedef struct TextChange {
 enum { MAX_CHANGES = 3 };
 
 typedef struct Trick {
-    const char *name;                 // of the folder with its texts, and in the CSV file
-    const char *title;                // what is done without it
+    const char *name;                 // of the folder with its texts
+    const char *title;                // what is done without it, in the CSV file
     TextChange changes[MAX_CHANGES];  // those with a file
     int width, height, lanes;  // of a tile where these are the trick; 0: as the device has them
     int has_small_leaves;      // the tree's hold as few spheres as lab 08's

@@ -1,6 +1,6 @@
 // A scene of the bench of tricks (see trick_case.h).
 //
-// Read next: report_tricks.c.
+// Read next: bench_tricks.c.
 #include "trick_case.h"
 
 #include "circle_tree.h"
@@ -49,14 +49,6 @@ cl_program trick_build(const ClSetup *cl, Part part, const Trick *trick, const c
 }
 
 // ---- Preparing ------------------------------------------------------------------------------
-
-static cl_kernel create_kernel(cl_program program, const char *name)
-{
-    cl_int error;
-    cl_kernel kernel = clCreateKernel(program, name, &error);
-    CL_CHECK_CREATED(error, clCreateKernel);
-    return kernel;
-}
 
 // Copy a tree of circles to the device.
 static void copy_tree(const CircleTree *tree, const ClSetup *cl, cl_mem *d_nodes,
@@ -155,7 +147,7 @@ int trick_case_prepare(TrickCase *trick_case, const ClSetup *cl, Part part, int 
     }
     for (int i = 0; i < PART_TRICKS[part].n_tricks; i++) {
         const Trick *trick = &PART_TRICKS[part].tricks[i];
-        trick_case->kernels[i] = create_kernel(programs[i], PART_TRICKS[part].kernel);
+        trick_case->kernels[i] = kernel_create(programs[i], PART_TRICKS[part].kernel);
         trick_case->shapes[i] = shape_of(cl, part, trick);
         (part == CIRCLES ? set_circles : set_spheres)(trick_case, trick, trick_case->kernels[i]);
         trick_case_draw(trick_case, cl, i);

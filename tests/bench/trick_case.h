@@ -8,7 +8,6 @@
 #include "image.h"
 #include "scene2d.h"
 #include "scene3d.h"
-#include "series.h"
 #include "tile_buffers.h"
 #include "trick.h"
 
@@ -28,7 +27,6 @@ typedef struct TrickCase {
     TileBuffers tiles, small_leaves;
     cl_kernel kernels[MAX_TRICKS];  // with their arguments set
     TileShape shapes[MAX_TRICKS];
-    Series frames[MAX_TRICKS];  // milliseconds
 } TrickCase;
 
 // Compile a part's program without one of its tricks.

@@ -1,11 +1,9 @@
-// The bench of tricks: every one is found in lab 10's text, what is left out and what stays, lists
-// with hidden circles, and the tables.
+// The bench of tricks: every one is found in lab 10's text, what is left out and what stays, and
+// lists with hidden circles.
 #include "hidden_circles.h"
-#include "report_tricks.h"
 #include "text_file.h"
 #include "trick.h"
 
-#include "csv_file.h"
 #include "surroundings.h"
 
 static char top_folder[4096];
@@ -115,66 +113,4 @@ Test(bench_tricks, hidden_circles_are_in_every_leaf_that_they_overlap)
         cr_expect_eq(hidden.leaf_circles[i].color, nearest_first[i]);
     }
     circle_tree_free(&hidden);
-}
-
-// ---- Tables -------------------------------------------------------------------------------------
-
-static TrickCase cases[N_PARTS][N_TRICK_SCENES];
-
-// Three rounds: with all tricks a frame takes 2 ms, without number i of them 2 + i ms, and twice as
-// long in the last round.
-static void cases_make(void)
-{
-    for (int part = 0; part < N_PARTS; part++) {
-        for (int scene = 0; scene < N_TRICK_SCENES; scene++) {
-            TrickCase *trick_case = &cases[part][scene];
-            trick_case->part = part;
-            trick_case->scene_name = scene == 0 ? "random:min=1,max=4" : "sphereflake";
-            for (int round = 0; round < 3; round++) {
-                for (int i = 0; i < PART_TRICKS[part].n_tricks; i++) {
-                    series_add(&trick_case->frames[i], (2 + i) * (i > 0 && round == 2 ? 2 : 1));
-                    series_end_round(&trick_case->frames[i]);
-                }
-            }
-        }
-    }
-}
-
-Test(bench_tricks, a_row_says_how_many_times_as_long_it_takes)
-{
-    cases_make();
-    capture_begin(1);
-    report_tricks_print(cases[SPHERES], SPHERES);
-    const char *report = capture_end(1);
-    cr_expect_not_null(strstr(report, "with all tricks"), "%s", report);
-    cr_expect_not_null(strstr(report, "  2.00 (2.00 to 2.00)"), "%s", report);
-    const char *row = strstr(report, PART_TRICKS[SPHERES].tricks[1].title);
-    cr_assert_not_null(row, "%s", report);
-    cr_expect_not_null(strstr(row, "  1.50 (1.50 to 3.00)"), "%s", row);
-}
-
-Test(bench_tricks, the_file_has_a_row_for_each_trick_and_scene)
-{
-    cases_make();
-    cr_assert_eq(chdir(surroundings_folder), 0);
-    capture_begin(1);
-    cr_assert_eq(report_tricks_write_csv(cases, "."), 0);
-    capture_end(1);
-    static char text[CSV_TEXT_BYTES];
-    // The name of random circles has a comma, between quotes.
-    char line[256];
-    int n_rows = -1;
-    FILE *file = fopen("bench_tricks.csv", "r");
-    cr_assert_not_null(file);
-    for (; fgets(line, sizeof line, file) != NULL; n_rows++) {
-        strncat(text, line, sizeof text - strlen(text) - 1);
-    }
-    fclose(file);
-    cr_expect_eq(n_rows,
-                 N_TRICK_SCENES * (PART_TRICKS[CIRCLES].n_tricks + PART_TRICKS[SPHERES].n_tricks));
-    cr_expect_not_null(strstr(text, "part,without,scene,median_ms,min_ms,max_ms,ratio,"), "%s",
-                       text);
-    cr_expect_not_null(
-        strstr(text, "circles,one-row,\"random:min=1,max=4\",3.0000,3.0000,6.0000,1.5,1.5,3\n"),
-        "%s", text);
 }

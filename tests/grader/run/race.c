@@ -10,7 +10,7 @@
 
 // How many pixels of the two pictures may differ: where a ray grazes a sphere, or meets two at one
 // distance, the last place decides what is hit. One pixel in 250 000 is the most that was seen of
-// these kernels (tests/bench/pictures3d.c).
+// these kernels (tests/bench/same_pictures.h).
 enum { N_PIXELS = RACE_SIDE * RACE_SIDE, MAX_AMBIGUOUS = N_PIXELS / 10000 };
 
 // A colour that rounding has put on the other side of a whole step is equal.

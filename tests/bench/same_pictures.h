@@ -1,10 +1,10 @@
-// Are two pictures equal? To the bit in 2D, as generated scenes are exact in float: the tree must
-// not change a single pixel. A library that draws circles its own way may differ in a few pixels
-// (similar_pixels()); pictures of bytes in a step of rounding.
+// Are two pictures the same? Asked before a time of their renderers is written. In 2D to the bit,
+// as generated scenes are exact in float: the tree must not change a single pixel. Elsewhere a few
+// pixels may differ, for the reasons below.
 //
-// Used by bench2d.c, pictures3d.c and lit_frames.c before any figure is printed.
-#ifndef BENCH_EQUAL_PIXELS_H
-#define BENCH_EQUAL_PIXELS_H
+// Used by bench2d.c, bench_tricks.c, pictures3d.c and lit_frames.c.
+#ifndef BENCH_SAME_PICTURES_H
+#define BENCH_SAME_PICTURES_H
 
 #include "image.h"
 
@@ -14,11 +14,6 @@ void round_to_bytes(Image *picture);
 // How far two such pictures may be apart in a pixel: rounding may turn the least difference into a
 // whole step.
 #define BYTE_TOLERANCE (1.5f / 255)
-
-// Compare the first n_rows rows of two pictures of the same size.
-//   name   what the message calls the picture
-// Returns 0, or -1 after one message on stderr with the first pixel that differs.
-int equal_pixels(const Image *picture, const Image *reference, int n_rows, const char *name);
 
 // The share of pixels, or of answers to rays, that may differ in 3D: where a ray grazes a sphere,
 // or meets two at one distance, the last place decides what is hit. The naive and the kd-tree
@@ -31,7 +26,12 @@ int equal_pixels(const Image *picture, const Image *reference, int n_rows, const
 // 300 of the lecture's scene.
 #define SIMILAR_SHARE 0.01
 
-// The same where only pixels at borders may differ.
-int similar_pixels(const Image *picture, const Image *reference, int n_rows, const char *name);
+// Compare two pictures of the same size.
+//   tolerance   how far the colours of equal pixels may be apart
+//   most        how many pixels may differ
+//   names       what the message calls them: "bench3d: sphereflake, tiles beside kd-tree"
+// Returns how many pixels differ, or -1 after one message with the first of them: more than `most`.
+int pictures_compare(const Image *picture, const Image *reference, float tolerance, int most,
+                     const char *names);
 
 #endif
