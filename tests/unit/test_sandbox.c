@@ -21,6 +21,18 @@ Test(bubblewrap, the_hosts_secrets_and_homes_are_not_there)
     free(result.output);
 }
 
+// In every one of these folders somebody has files, here or elsewhere.
+TEST_BOTH(the_hosts_folders_cannot_be_read)
+{
+    SandboxResult result =
+        shell_run("for folder in /root /home /var /run /boot /mnt /srv /opt /tmp; do\n"
+                  "    ls $folder >x 2>x-error && [ -s x ] && echo $folder; done\n"
+                  "for file in /etc/shadow /etc/passwd /etc/hostname /etc/hosts;\n"
+                  "    do head -c 1 $file >x 2>x-error && [ -s x ] && echo $file; done; true");
+    cr_expect_str_eq(result.output, "", "read: %s", result.output);
+    free(result.output);
+}
+
 TEST_BOTH(other_processes_are_not_visible)
 {
     pid_t sleeper = fork();
