@@ -43,7 +43,7 @@ rm "$folder/10-realtime-work.exr" "$folder/10-realtime.png"
 . tests/display.sh
 if display_open; then
     trap display_close EXIT
-    printf '%s\n' 'frames 2' 'key M' 'click 262 250' 'frames 2' 'key +' 'frames 1' 'key -' 'frames 1' \
+    printf '%s\n' 'frames 2' 'key M' 'click 262 250' 'frames 2' 'key +' 'frames 1' 'key -' 'frames 30' \
         "save $folder/07-view.png" >"$folder/07-view.script"
     "$build/view/solutions/07-kdtree-3d-trace" --size 640x640 --script "$folder/07-view.script" >/dev/null
     rm "$folder/07-view.script"
