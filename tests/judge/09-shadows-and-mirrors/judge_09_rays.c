@@ -73,126 +73,66 @@ static OracleVector difference(Vec3 a, Vec3 b)
 
 // ---- mirrored_direction -------------------------------------------------------------------------
 
-// What an answer with a mistake returns.
-typedef OracleVector MistakenTurn(OracleVector direction, OracleVector normal);
-
-static OracleVector turned_round(OracleVector d, OracleVector n)
+static OracleNear mirrored(const MirrorJob *in)
 {
-    return vector_minus(vector_scaled(2 * vector_dot(d, n), n), d);
-}
-
-static OracleVector straight_on(OracleVector d, OracleVector n)
-{
-    (void)n;
-    return d;
-}
-
-static OracleVector back(OracleVector d, OracleVector n)
-{
-    (void)n;
-    return vector_scaled(-1, d);
-}
-
-static OracleVector along_surface(OracleVector d, OracleVector n)
-{
-    return vector_minus(d, vector_scaled(vector_dot(d, n), n));
-}
-
-static OracleVector along_normal(OracleVector d, OracleVector n)
-{
-    (void)d;
-    return n;
-}
-
-static OracleVector part_added(OracleVector d, OracleVector n)
-{
-    return vector_plus(d, vector_scaled(2 * vector_dot(d, n), n));
-}
-
-static OracleVector along_itself(OracleVector d, OracleVector n)
-{
-    return vector_minus(d, vector_scaled(2 * vector_dot(d, n), d));
-}
-
-static OracleVector part_alone(OracleVector d, OracleVector n)
-{
-    return vector_scaled(-2 * vector_dot(d, n), n);
-}
-
-static OracleVector normal_mirrored(OracleVector d, OracleVector n)
-{
-    return vector_minus(n, vector_scaled(2 * vector_dot(d, n), d));
-}
-
-static OracleVector by_coordinate(OracleVector d, OracleVector n)
-{
-    return (OracleVector){d.x - 2 * d.x * n.x * n.x, d.y - 2 * d.y * n.y * n.y,
-                          d.z - 2 * d.z * n.z * n.z};
-}
-
-static OracleVector dot_without_z(OracleVector d, OracleVector n)
-{
-    return vector_minus(d, vector_scaled(2 * (d.x * n.x + d.y * n.y), n));
-}
-
-typedef struct MirrorMistake {
-    Cause cause;
-    MistakenTurn *turn;   // NULL: the right one
-    double least_cosine;  // flatter rays go straight on, or may be mirrored
-} MirrorMistake;
-
-// A ray that grazes a mirror by no more than that is taken for one along it by an epsilon.
-#define GRAZING 0.0625
-
-static const MirrorMistake mirror_mistakes[] = {
-    {.cause = {0}},
-    {{.says = "that is the mirrored direction turned round: the sign"}, .turn = turned_round},
-    {{.says = "the ray goes straight on"}, .turn = straight_on},
-    {{.says = "the ray goes back to where it came from"}, .turn = back},
-    {{.says = "its part along the normal is gone, not turned round: it counts twice"},
-     .turn = along_surface},
-    {{.says = "that is the normal: only a ray that meets the mirror head-on goes along it"},
-     .turn = along_normal},
-    {{.says = "its part along the normal grew, and should turn round: the sign"},
-     .turn = part_added},
-    {{.says = "the normal was mirrored at the direction: they stand in each other's place"},
-     .turn = normal_mirrored},
-    {{.says = "the part that turns round lies along the normal, not along the direction"},
-     .turn = along_itself},
-    {{.says = "the direction itself is missing: only what is added to it is there"},
-     .turn = part_alone},
-    {{.says = "coordinates were multiplied one by one: the part along the normal is a dot product"},
-     .turn = by_coordinate},
-    {{.says = "z is missing in the dot product"}, .turn = dot_without_z},
-    {{.says = "a ray that grazes the mirror is mirrored, too, without an epsilon"},
-     .least_cosine = GRAZING},
-};
-
-static OracleNear expected_direction(const void *pointer, int i, MistakenTurn *turn)
-{
-    const MirrorJob *in = &((const Job09 *)pointer)->mirrors[i];
     // Unit vectors in float are as long as 1 within the rounding of three components.
     OracleNear direction = oracle3d_exactly(in->direction), normal = oracle3d_exactly(in->normal);
     direction.error = normal.error = 2 * 0x1p-24;
-    OracleNear expected = oracle3d_mirrored(direction, normal, TURN_RIGHT);
-    expected.value = turn != NULL ? turn(direction.value, normal.value) : expected.value;
-    return expected;
+    return oracle3d_mirrored(direction, normal, TURN_RIGHT);
 }
 
-static int mirror_agrees(const void *pointer, int i, const void *answers, int number)
+#define GIVEN                                                                                      \
+    const MirrorJob *in = &((const Job09 *)job)->mirrors[i];                                       \
+    const Vec3 found = ((const Vec3 *)answers)[i]
+#define IS_FOUND(vector) oracle3d_is_near(found, (OracleNear){vector, mirrored(in).error})
+
+RIGHT(is_mirrored, oracle3d_is_near(found, mirrored(in)))
+
+// The direction, the normal, and what turns round: the part of the one along the other, twice.
+#define D vector_of(in->direction)
+#define N vector_of(in->normal)
+#define TURNS (2 * vector_dot(D, N))
+
+static OracleVector product(OracleVector a, OracleVector b)
 {
-    const MirrorJob *in = &((const Job09 *)pointer)->mirrors[i];
-    const MirrorMistake *mistake = &mirror_mistakes[number];
-    const Vec3 found = ((const Vec3 *)answers)[i];
-    const int is_flat = fabs(vec3_dot(in->direction, in->normal)) < mistake->least_cosine;
-    return oracle3d_is_near(found, expected_direction(pointer, i, mistake->turn)) ||
-           (is_flat && oracle3d_is_near(found, expected_direction(pointer, i, straight_on)));
+    return (OracleVector){a.x * b.x, a.y * b.y, a.z * b.z};
 }
+
+ANSWERS(turned_round, vector_minus(vector_scaled(TURNS, N), D),
+        "that is the mirrored direction turned round: the sign")
+ANSWERS(straight_on, D, "the ray goes straight on")
+ANSWERS(back, vector_scaled(-1, D), "the ray goes back to where it came from")
+ANSWERS(along_surface, vector_minus(D, vector_scaled(TURNS / 2, N)),
+        "its part along the normal is gone, not turned round: it counts twice")
+ANSWERS(along_normal, N,
+        "that is the normal: only a ray that meets the mirror head-on goes along it")
+ANSWERS(part_added, vector_plus(D, vector_scaled(TURNS, N)),
+        "its part along the normal grew, and should turn round: the sign")
+ANSWERS(normal_mirrored, vector_minus(N, vector_scaled(TURNS, D)),
+        "the normal was mirrored at the direction: they stand in each other's place")
+ANSWERS(along_itself, vector_minus(D, vector_scaled(TURNS, D)),
+        "the part that turns round lies along the normal, not along the direction")
+ANSWERS(part_alone, vector_scaled(-TURNS, N),
+        "the direction itself is missing: only what is added to it is there")
+ANSWERS(by_coordinate, vector_minus(D, vector_scaled(2, product(D, product(N, N)))),
+        "coordinates were multiplied one by one: the part along the normal is a dot product")
+ANSWERS(dot_without_z, vector_minus(D, vector_scaled(TURNS - 2 * D.z * N.z, N)),
+        "z is missing in the dot product")
+
+// A ray that grazes a mirror by no more than that is taken for one along it by an epsilon.
+#define GRAZING 0.0625
+ONLY(flat_goes_on, fabs(vector_dot(D, N)) < GRAZING && IS_FOUND(D),
+     "a ray that grazes the mirror is mirrored, too, without an epsilon")
+
+static const Known *const turns[] = {
+    &turned_round,    &straight_on,  &back,       &along_surface, &along_normal,  &part_added,
+    &normal_mirrored, &along_itself, &part_alone, &by_coordinate, &dot_without_z, &flat_goes_on,
+};
 
 static char *describe_mirror(const void *pointer, int i, const void *answers)
 {
     const MirrorJob *in = &((const Job09 *)pointer)->mirrors[i];
-    const OracleVector e = expected_direction(pointer, i, NULL).value;
+    const OracleVector e = mirrored(in).value;
     return message_new("direction %s, normal %s: found %s, expected %s",
                        words_vec3(in->direction, 6).text, words_vec3(in->normal, 6).text,
                        words_vec3(((const Vec3 *)answers)[i], 6).text,
@@ -200,61 +140,35 @@ static char *describe_mirror(const void *pointer, int i, const void *answers)
 }
 
 const Function mirror_09 = {"mirrors", 2 * N_MIRROR_INPUTS, sizeof(Vec3),
-                            COMPARED(mirror_agrees, describe_mirror, mirror_mistakes)};
+                            KNOWING(is_mirrored, describe_mirror, turns)};
+#undef GIVEN
+#undef IS_FOUND
 
 // ---- shadow_ray ---------------------------------------------------------------------------------
 
-// The way to the light, and how far a right solution's direction and length may be off: one
+// The way to the light.
+static OracleVector way_of(const ShadowRayJob *in)
+{
+    return difference(in->light.position, in->point);
+}
+
+// How far a right solution's direction and length may be off, as a share of the length: one
 // rounding of the difference of exact numbers, and a normalisation or a length of few u.
-typedef struct Way {
-    OracleVector way;
-    double length;
-    double error;  // as a share of the length
-} Way;
-
-static Way way_of(const void *job, int i)
-{
-    const ShadowRayJob *in = &((const Job09 *)job)->shadow_rays[i];
-    const OracleVector way = difference(in->light.position, in->point);
-    const double length = sqrt(vector_dot(way, way));
-    return (Way){way, length, 12 * 0x1p-24};
-}
-
-static const ShadowRayAnswer *answer_at(const void *answers, int i)
-{
-    return (const ShadowRayAnswer *)answers + i;
-}
+#define WAY_ERROR (12 * 0x1p-24)
 
 static char *describe_ray(const void *job, int i, const void *answers)
 {
     const ShadowRayJob *in = &((const Job09 *)job)->shadow_rays[i];
-    const ShadowRayAnswer *found = answer_at(answers, i);
-    const Way way = way_of(job, i);
+    const ShadowRayAnswer *found = (const ShadowRayAnswer *)answers + i;
+    const OracleVector way = way_of(in);
+    const double length = vector_length(way);
     return message_new(
         "point %s, light at %s: found a ray from %s along %s, t from %g to %g; expected one from "
         "the point along %s, t from 0 to %g",
         words_vec3(in->point, 6).text, words_vec3(in->light.position, 6).text,
         words_vec3(found->origin, 6).text, words_vec3(found->direction, 6).text, found->t_min,
-        found->t_max,
-        words_xyz(way.way.x / way.length, way.way.y / way.length, way.way.z / way.length, 6).text,
-        way.length);
+        found->t_max, words_xyz(way.x / length, way.y / length, way.z / length, 6).text, length);
 }
-
-typedef enum OriginMistake {
-    ORIGIN_RIGHT,
-    ORIGIN_AT_LIGHT,
-    ORIGIN_AT_ZERO,
-    ORIGIN_MOVED,
-    T_MIN_SET
-} OriginMistake;
-static const Cause origin_causes[] = {
-    [ORIGIN_RIGHT] = {0},
-    [ORIGIN_AT_LIGHT] = {.says = "it starts at the light, not at the point"},
-    [ORIGIN_AT_ZERO] = {.says = "it starts at the origin of the scene"},
-    [ORIGIN_MOVED] = {.says = "it starts beside the point, which is off the surface already"},
-    [T_MIN_SET] = {.says = "t_min is 0: the point is off the surface already, and a blocker may be "
-                           "as close as one likes"},
-};
 
 static int is_at(Vec3 a, Vec3 b)
 {
@@ -269,127 +183,96 @@ static int is_beside(Vec3 origin, const ShadowRayJob *in)
     return vector_length(off) <= fmax(0.01, 0x1p-8 * size);
 }
 
-static int origin_agrees(const void *job, int i, const void *answers, int mistake)
+#define GIVEN                                                                                      \
+    const ShadowRayJob *in = &((const Job09 *)job)->shadow_rays[i];                                \
+    const ShadowRayAnswer *found = (const ShadowRayAnswer *)answers + i
+// Where it starts, and with t_min 0.
+#define IS_FOUND(point) (is_at(found->origin, point) && found->t_min == 0 && !is_handed_out(found))
+
+// What is handed out starts at the point already: to set nothing else is no answer.
+static int is_handed_out(const ShadowRayAnswer *found)
 {
-    const ShadowRayJob *in = &((const Job09 *)job)->shadow_rays[i];
-    const ShadowRayAnswer *found = answer_at(answers, i);
-    const Vec3 at = mistake == ORIGIN_AT_LIGHT  ? in->light.position
-                    : mistake == ORIGIN_AT_ZERO ? (Vec3){0, 0, 0}
-                                                : in->point;
-    // What is handed out starts at the point already: to set nothing else is no answer.
-    const int is_handed_out = is_at(found->direction, (Vec3){0, 0, 1}) && found->t_max == 0;
-    if (mistake == ORIGIN_MOVED) {
-        return is_beside(found->origin, in) && found->t_min == 0 && !is_handed_out;
-    }
-    return is_at(found->origin, at) && (found->t_min == 0) != (mistake == T_MIN_SET) &&
-           !is_handed_out;
+    return is_at(found->direction, (Vec3){0, 0, 1}) && found->t_max == 0;
 }
 
+RIGHT(starts_at_point, IS_FOUND(in->point))
+ANSWERS(at_light, in->light.position, "it starts at the light, not at the point")
+ANSWERS(at_zero, ((Vec3){0, 0, 0}), "it starts at the origin of the scene")
+EACH(moved, is_beside(found->origin, in) && found->t_min == 0 && !is_handed_out(found),
+     "it starts beside the point, which is off the surface already")
+EACH(later, is_at(found->origin, in->point) && found->t_min != 0 && !is_handed_out(found),
+     "t_min is 0: the point is off the surface already, and a blocker may be as close as one likes")
+
+static const Known *const starts[] = {&at_light, &at_zero, &moved, &later};
 const Function ray_origin_09 = {"shadow_rays", N_SHADOW_RAY_INPUTS, sizeof(ShadowRayAnswer),
-                                COMPARED(origin_agrees, describe_ray, origin_causes)};
+                                KNOWING(starts_at_point, describe_ray, starts)};
+#undef IS_FOUND
 
-typedef enum DirectionMistake {
-    DIRECTION_RIGHT,
-    DIRECTION_REVERSED,
-    DIRECTION_NOT_UNIT,
-    DIRECTION_TO_ORIGIN,
-    DIRECTION_BY_LARGEST,
-    DIRECTION_BY_SQUARE,
-} DirectionMistake;
-static const Cause direction_causes[] = {
-    [DIRECTION_RIGHT] = {0},
-    [DIRECTION_REVERSED] = {.says = "it goes away from the light: light minus point"},
-    [DIRECTION_NOT_UNIT] = {.says = "the direction is not a unit vector: t is a distance then"},
-    [DIRECTION_BY_LARGEST] = {.says = "it is divided by its largest coordinate: by its length it "
-                                      "becomes a unit vector"},
-    [DIRECTION_BY_SQUARE] = {.says = "the way is divided by its square: by its length it becomes a "
-                                     "unit vector"},
-    [DIRECTION_TO_ORIGIN] = {.says = "that is the light's position, not the way to it"},
-};
-
-static int direction_agrees(const void *job, int i, const void *answers, int mistake)
+// Is the direction a vector times a number?
+static int is_scaled(const ShadowRayAnswer *found, double scale, OracleVector vector)
 {
-    const ShadowRayJob *in = &((const Job09 *)job)->shadow_rays[i];
-    const Way way = way_of(job, i);
-    const Vec3 l = in->light.position;
-    const OracleVector from_zero = {l.x, l.y, l.z};
-    const OracleVector v = mistake == DIRECTION_TO_ORIGIN ? from_zero : way.way;
-    const double scale = mistake == DIRECTION_NOT_UNIT    ? 1
-                         : mistake == DIRECTION_REVERSED  ? -1 / way.length
-                         : mistake == DIRECTION_BY_SQUARE ? 1 / (way.length * way.length)
-                         : mistake == DIRECTION_TO_ORIGIN ? 1 / sqrt(vector_dot(v, v))
-                         : mistake == DIRECTION_BY_LARGEST
-                             ? 1 / fmax(fmax(fabs(v.x), fabs(v.y)), fabs(v.z))
-                             : 1 / way.length;
-    const OracleNear expected = {{scale * v.x, scale * v.y, scale * v.z},
-                                 way.error * fabs(scale) * sqrt(vector_dot(v, v))};
-    return oracle3d_is_near(answer_at(answers, i)->direction, expected);
+    const OracleVector scaled = vector_scaled(scale, vector);
+    return oracle3d_is_near(found->direction,
+                            (OracleNear){scaled, WAY_ERROR * vector_length(scaled)});
+}
+#define IS_FOUND(scale) is_scaled(found, scale, way_of(in))
+
+static double largest_of(OracleVector v)
+{
+    return fmax(fmax(fabs(v.x), fabs(v.y)), fabs(v.z));
 }
 
+RIGHT(goes_to_light, IS_FOUND(1 / vector_length(way_of(in))))
+ANSWERS(reversed, -1 / vector_length(way_of(in)), "it goes away from the light: light minus point")
+ANSWERS(not_unit, 1, "the direction is not a unit vector: t is a distance then")
+EACH(to_position,
+     is_scaled(found, 1 / vector_length(vector_of(in->light.position)),
+               vector_of(in->light.position)),
+     "that is the light's position, not the way to it")
+ANSWERS(by_largest, 1 / largest_of(way_of(in)),
+        "it is divided by its largest coordinate: by its length it becomes a unit vector")
+ANSWERS(by_square_of_way, 1 / vector_dot(way_of(in), way_of(in)),
+        "the way is divided by its square: by its length it becomes a unit vector")
+
+static const Known *const directions[] = {&reversed, &not_unit, &to_position, &by_largest,
+                                          &by_square_of_way};
 const Function ray_direction_09 = {"shadow_rays", N_SHADOW_RAY_INPUTS, sizeof(ShadowRayAnswer),
-                                   COMPARED(direction_agrees, describe_ray, direction_causes)};
+                                   KNOWING(goes_to_light, describe_ray, directions)};
+#undef IS_FOUND
 
-typedef enum EndMistake {
-    END_RIGHT,
-    END_NOWHERE,
-    END_FAR_NOWHERE,
-    END_AT_ONE,
-    END_SQUARED,
-    END_FROM_ORIGIN,
-    END_AT_LARGEST,
-    END_AT_SUM,
-    END_HAIR,
-    END_AT_START
-} EndMistake;
-static const Cause end_causes[] = {
-    [END_RIGHT] = {0},
-    [END_NOWHERE] = {.says =
-                         "it has no end: what stands behind the light would cast a shadow, too"},
-    [END_FAR_NOWHERE] = {.says = "where the light is far away the ray has no end: it ends at the "
-                                 "light, however far"},
-    [END_AT_ONE] = {.says = "it ends at t = 1: so it is where the direction is as long as the way"},
-    [END_SQUARED] = {.says = "that is the square of the distance"},
-    [END_FROM_ORIGIN] = {.says = "that is the light's distance from the origin of the scene, not "
-                                 "from the point"},
-    [END_AT_LARGEST] = {.says = "that is the largest coordinate of the way, not its length"},
-    [END_AT_SUM] = {.says = "that is the sum of the way's coordinates, not its length"},
-    [END_HAIR] = {.says = "it ends beside the light: t_max is its distance, without an epsilon"},
-    [END_AT_START] = {.says = "it ends where it starts"},
-};
+// The end of the ray, beside a length that is computed as the way's is.
+#define IS_FOUND(length) (fabs((double)found->t_max - (length)) <= WAY_ERROR * (length))
+#define WAY vector_length(way_of(in))
 
-// A light that is farther away, scene units, may be taken for one that is nowhere.
+static double sum_of(OracleVector v)
+{
+    return fabs(v.x) + fabs(v.y) + fabs(v.z);
+}
+
+// Farther than that, in lengths of the way, is nowhere; and a light that is farther away, in scene
+// units, may be taken for one that is nowhere.
+#define NOWHERE 1e9
 #define FAR 1000
 
-static int end_agrees(const void *job, int i, const void *answers, int mistake)
-{
-    const Way way = way_of(job, i);
-    const double t_max = answer_at(answers, i)->t_max, error = way.error * way.length;
-    const double from_origin =
-        vector_length(vector_of(((const Job09 *)job)->shadow_rays[i].light.position));
-    const double largest = fmax(fmax(fabs(way.way.x), fabs(way.way.y)), fabs(way.way.z));
-    switch (mistake) {
-    case END_NOWHERE:
-        return t_max > 1e9 * way.length;
-    case END_FAR_NOWHERE:
-        return fabs(t_max - way.length) <= error || (way.length > FAR && t_max > 1e9 * way.length);
-    case END_AT_ONE:
-        return fabs(t_max - 1) <= way.error;  // or the length of a unit vector
-    case END_FROM_ORIGIN:
-        return fabs(t_max - from_origin) <= way.error * from_origin;
-    case END_AT_LARGEST:
-        return fabs(t_max - largest) <= error;
-    case END_AT_SUM:
-        return fabs(t_max - (fabs(way.way.x) + fabs(way.way.y) + fabs(way.way.z))) <= 2 * error;
-    case END_SQUARED:
-        return fabs(t_max - way.length * way.length) <= 2 * error * way.length;
-    case END_HAIR:
-        return fabs(t_max - way.length) <= 0.02 * fmax(1, way.length);
-    case END_AT_START:
-        return t_max == 0;
-    default:
-        return fabs(t_max - way.length) <= error;
-    }
-}
+RIGHT(ends_at_light, IS_FOUND(WAY))
+EACH(nowhere, found->t_max > NOWHERE * WAY,
+     "it has no end: what stands behind the light would cast a shadow, too")
+ONLY(far_nowhere, WAY > FAR && found->t_max > NOWHERE * WAY,
+     "where the light is far away the ray has no end: it ends at the light, however far")
+ANSWERS(at_one, 1.0, "it ends at t = 1: so it is where the direction is as long as the way")
+EACH(squared, fabs(found->t_max - WAY * WAY) <= 2 * WAY_ERROR * WAY * WAY,
+     "that is the square of the distance")
+ANSWERS(from_zero, vector_length(vector_of(in->light.position)),
+        "that is the light's distance from the origin of the scene, not from the point")
+EACH(at_largest, fabs(found->t_max - largest_of(way_of(in))) <= WAY_ERROR * WAY,
+     "that is the largest coordinate of the way, not its length")
+EACH(at_sum, fabs(found->t_max - sum_of(way_of(in))) <= 2 * WAY_ERROR * WAY,
+     "that is the sum of the way's coordinates, not its length")
+EACH(little_off, fabs(found->t_max - WAY) <= 0.02 * fmax(1, WAY),
+     "it ends beside the light: t_max is its distance, without an epsilon")
+EACH(at_start, found->t_max == 0, "it ends where it starts")
 
+static const Known *const ends[] = {&nowhere,    &far_nowhere, &at_one,     &squared, &from_zero,
+                                    &at_largest, &at_sum,      &little_off, &at_start};
 const Function ray_end_09 = {"shadow_rays", N_SHADOW_RAY_INPUTS, sizeof(ShadowRayAnswer),
-                             COMPARED(end_agrees, describe_ray, end_causes)};
+                             KNOWING(ends_at_light, describe_ray, ends)};
