@@ -1,6 +1,6 @@
 // What a probe is about to call, in a file that outlives a crash: one note, overwritten each time.
 //
-// The lab's judge makes words of it with a table of its own (`steps` of judge_NN.c): the note stands
+// The lab's judge makes words of it with a table of its own, `steps` of judge_NN.c: the note stands
 // where the student's code can write, too, and is no more than a claim.
 #ifndef PROBES_NOTE_H
 #define PROBES_NOTE_H
