@@ -57,7 +57,7 @@ static void spheres_draw(Random *random, float min_radius, float max_radius, Sce
         sphere->x = random_centre(random);
         sphere->y = random_centre(random);
         sphere->z = random_centre(random);
-        // In double, which is exact: gcc 14's vectors turn an int64_t into a float by way of 32 bits.
+        // In double, which is exact: gcc 14's vectors make a float of an int64_t's low 32 bits.
         const double steps = (double)random_integer(random, min_steps, max_steps);
         sphere->radius = (float)(steps / RADIUS_STEPS);
 
