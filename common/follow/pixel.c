@@ -10,8 +10,9 @@
 #include <sys/time.h>
 #include <unistd.h>
 
-// A student's kernel may never end. None that does takes so long for one pixel: processor time, as
-// other programs may have the machine, and ten times as long where a device of its own computes.
+// A student's kernel may never end. One pixel takes no kernel that long. Processor time counts, as
+// other programs may keep the machine busy; by the clock, as a GPU computes without a processor,
+// it may take ten times as long.
 enum { LONGEST_SECONDS = 120, LONGEST_WAIT = 10 * LONGEST_SECONDS };
 
 static void give_up(int signal_number)

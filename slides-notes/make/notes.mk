@@ -31,6 +31,7 @@ $(NOTES)/runs/08-plane.json: $(OUT)/tools/plane_costs
 NOTES_RUNS += $(NOTES)/runs/08-plane.json
 # Those whose numbers stand in the texts $(1).
 runs_of = $(patsubst %,$(NOTES)/runs/%.json,$(shell grep -oh '<!-- [0-9][0-9]-[^ ]*: ' $(1) | sort -u | sed 's/<!-- //; s/: //'))
+chapter_runs = $(call runs_of,slides-notes/notes-$(1).md slides-notes/questions.md)
 
 # A page: of edition $(1) and form $(2), from the source that comes first.
 define page
@@ -42,11 +43,11 @@ NOTES_HTML += $(NOTES)/$(1)/index.html $(patsubst %.md,$(NOTES)/$(1)/%.html,$(NO
     $(foreach chapter,$(GERMAN),$(NOTES)/$(1)/slides-notes/slides-$(chapter).de.html)
 NOTES_PDF += $(foreach chapter,$(CHAPTERS) $(GERMAN:=.de),$(NOTES)/$(1)/slides-notes/slides-$(chapter).pdf) \
     $(foreach chapter,$(CHAPTERS),$(NOTES)/$(1)/slides-notes/notes-$(chapter).pdf)
-$(NOTES)/$(1)/slides-notes/notes-%.html: slides-notes/notes-%.md slides-notes/questions.md $(NOTES_TOOLS) $$$$(call runs_of,slides-notes/notes-$$$$*.md slides-notes/questions.md) $(TOUCH)
+$(NOTES)/$(1)/slides-notes/notes-%.html: slides-notes/notes-%.md slides-notes/questions.md $(NOTES_TOOLS) $$$$(call chapter_runs,$$$$*) $(TOUCH)
 	$$(call page,$(1),notes)
-$(NOTES)/$(1)/slides-notes/slides-%.html: slides-notes/notes-%.md slides-notes/questions.md $(NOTES_TOOLS) $$$$(call runs_of,slides-notes/notes-$$$$*.md slides-notes/questions.md)
+$(NOTES)/$(1)/slides-notes/slides-%.html: slides-notes/notes-%.md slides-notes/questions.md $(NOTES_TOOLS) $$$$(call chapter_runs,$$$$*)
 	$$(call page,$(1),slides)
-$(NOTES)/$(1)/slides-notes/slides-%.de.html: slides-notes/notes-%.md slides-notes/questions.md slides-notes/german.po $(NOTES_TOOLS) $$$$(call runs_of,slides-notes/notes-$$$$*.md slides-notes/questions.md)
+$(NOTES)/$(1)/slides-notes/slides-%.de.html: slides-notes/notes-%.md slides-notes/questions.md slides-notes/german.po $(NOTES_TOOLS) $$$$(call chapter_runs,$$$$*)
 	$$(call page,$(1),slides)
 $(NOTES)/$(1)/index.html: slides-notes/index.md $(NOTES_TOOLS)
 	$$(call page,$(1),page)

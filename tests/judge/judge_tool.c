@@ -88,7 +88,7 @@ static int write_text(FILE *reply, const char *name, const char *text)
 
 static int reply_place(Desk *desk, const char *argument, FILE *reply)
 {
-    char name[SECTION_NAME_BYTES];
+    char name[SECTION_NAME_BYTES];  // of 23 characters at most, as below
     uint32_t number;
     if (sscanf(argument, "%23[^:]:%" SCNu32, name, &number) != 2) {
         return -1;

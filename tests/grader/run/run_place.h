@@ -1,7 +1,7 @@
 // Where a run was when it ended: which of the student's functions, with which input or scene.
 //
-// The probe notes that in a file (probes/note.h), which the student's code can write as well. What
-// the note of a lab's own steps means says its judge (judge_place()).
+// The probe notes that in a file (probes/note.h), which the student's code can write as well. The
+// lab's judge says what a note about a step of its lab means (judge_place()).
 // Used by variant_run.c and session.c.
 #ifndef GRADER_RUN_PLACE_H
 #define GRADER_RUN_PLACE_H
@@ -17,7 +17,7 @@ typedef struct RunPlace {
 // The note in a file, or one that means nothing: neither a link is followed nor a FIFO waited for.
 ProbeNote run_note_load(const char *path);
 
-// What a note means in every lab, "" where it is about a step of the lab's own.
+// What a note from before the first step means, the same in every lab; "" for a later one.
 RunPlace run_place_before(const ProbeNote *note);
 
 // Is it the name of a step, with nothing behind its end?

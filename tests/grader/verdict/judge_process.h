@@ -48,7 +48,7 @@ void judge_stop(JudgeProcess *judge);
 // Returns 0, or -1 after one message.
 int judge_job(JudgeProcess *judge, const char *task, FILE *file);
 
-// What the note of a probe means that is about a step of the lab's own: "" where it means nothing.
+// What a probe's note about a step of the lab means; all "" where it means nothing.
 RunPlace judge_place(JudgeProcess *judge, const ProbeNote *note);
 
 // Judge check number `check`. The diagnosis is owned by the caller.

@@ -143,6 +143,9 @@ const Function mirror_09 = {"mirrors", 2 * N_MIRROR_INPUTS, sizeof(Vec3),
                             KNOWING(is_mirrored, describe_mirror, turns)};
 #undef GIVEN
 #undef IS_FOUND
+#undef D
+#undef N
+#undef TURNS
 
 // ---- shadow_ray ---------------------------------------------------------------------------------
 
