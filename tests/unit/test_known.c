@@ -22,9 +22,10 @@ typedef struct Numbers {
 RIGHT(is_right, IS_FOUND(2 * in))
 ANSWERS(squared, in *in, "it is squared")
 ANSWERS(doubled_twice, 4 * in, "it is doubled twice")
+ANSWERS(cubed, in *in *in, "it is cubed")
 ONLY(negative, in < 0, "only negative ones are wrong", MISTAKE_STRICT_BOUNDARY)
 ONLY(odd, in % 2 != 0, "only odd ones are wrong")
-static const Known *const known[] = {&squared, &doubled_twice, &negative, &odd};
+static const Known *const known[] = {&squared, &doubled_twice, &cubed, &negative, &odd};
 
 static char *describe(const void *job, int i, const void *answers)
 {
@@ -76,10 +77,28 @@ Test(known, or_the_wrong_ones_have_it_in_common)
     expect_said(all, (const int[]){0, 5, 7, 7}, "2: found 5 (3 of 4 inputs are wrong)");
 }
 
-Test(known, the_first_of_the_list_is_named_by_the_range_alone)
+Test(known, the_range_alone_decides_where_one_mistake_explains_it)
 {
     expect_said((Range){2, 2, 1}, (const int[]){9, 9, 9, 1},
                 "3: found 9 (2 of 2 inputs are wrong); it is squared");
+}
+
+Test(known, of_two_that_explain_it_the_one_that_explains_all_ranges_is_named)
+{
+    expect_said((Range){0, 2, 1}, (const int[]){0, 8, 12, -4},
+                "2: found 8 (1 of 2 inputs are wrong); it is doubled twice");
+    expect_said((Range){0, 2, 1}, (const int[]){0, 8, 27, -1},
+                "2: found 8 (1 of 2 inputs are wrong); it is cubed");
+    expect_said((Range){0, 2, 1}, (const int[]){0, 8, 6, -2},
+                "2: found 8 (1 of 2 inputs are wrong)");
+}
+
+Test(known, what_an_answer_is_says_more_than_where_it_is_wrong)
+{
+    expect_said((Range){2, 2, 1}, (const int[]){0, 4, 6, -4},
+                "-1: found -4 (1 of 2 inputs are wrong); only negative ones are wrong");
+    expect_said((Range){2, 2, 1}, (const int[]){0, 4, 12, -4},
+                "3: found 12 (2 of 2 inputs are wrong); it is doubled twice");
 }
 
 Test(known, of_answers_that_are_all_the_same_nothing_is_concluded)

@@ -118,7 +118,7 @@ ONLY(rounded_root,
      outside_by_01(in) > 0 && outside_by_01(in) <= ROOTS_ERROR * squared(in.circle.radius) && found,
      "a pixel outside by however little is outside: no root, which is rounded, and no epsilon")
 
-// On the boundary that is an epsilon, too.
+// On the boundary that may as well be an epsilon: it comes last.
 #define WHOLE_NUMBERS                                                                              \
     "your answers are those of whole-numbered distances: a centre lies between pixels"
 
@@ -129,11 +129,11 @@ static OverlapJob around_whole_centre(OverlapJob in)
     return in;
 }
 
-ANSWERS(whole_centre, overlaps(around_whole_centre(in)), WHOLE_NUMBERS)
-ANSWERS(whole_differences,
-        is_within(in, squared(trunc(to_x(in))) + squared(trunc(to_y(in))),
-                  squared(in.circle.radius)),
-        WHOLE_NUMBERS)
+ONLY(whole_centre, IS_FOUND(overlaps(around_whole_centre(in))), WHOLE_NUMBERS)
+ONLY(whole_differences,
+     IS_FOUND(is_within(in, squared(trunc(to_x(in))) + squared(trunc(to_y(in))),
+                        squared(in.circle.radius))),
+     WHOLE_NUMBERS)
 
 static const Known *const known[] = {
     &from_middle, &from_corner,  &square,         &diamond,      &by_radius,         &by_half,

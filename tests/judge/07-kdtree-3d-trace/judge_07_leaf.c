@@ -193,13 +193,17 @@ ONLY(miss_taken, hit.sphere == ORACLE_NO_SPHERE && found.t == INFINITY,
 ONLY(longest, in->node.n_spheres == N_LONG_LEAF,
      "only the longest leaf is wrong: all of its spheres count, and neither 8 bits hold how many "
      "they are nor 16 bits where they stand")
-ONLY(hair, found.sphere != hit.sphere && found.t != (float)hit.t && fabs(found.t - hit.t) < HAIR,
-     "of two hits a hair apart the nearer one is the nearer: compare without an epsilon")
 ONLY(near_eye, hit.t < HAIR,
      "only hits very close to the eye are wrong: they count, too, without an epsilon")
 ONLY(far_away, hit.t > 1e6 && hit.t < INFINITY,
      "only hits that are very far away are wrong: they count, too; the distance of what misses is "
      "INFINITY")
+
+// Within a hair, what goes by ties looks the same.
+EACH(hair,
+     IS_FOUND(hit) ||
+         (found.sphere != hit.sphere && found.t != (float)hit.t && fabs(found.t - hit.t) < HAIR),
+     "of two hits a hair apart the nearer one is the nearer: compare without an epsilon")
 
 // That no hit changes has many reasons.
 ANSWERS(unchanged, ((LeafHit){in->sphere, in->t, 0, 0}), NULL)

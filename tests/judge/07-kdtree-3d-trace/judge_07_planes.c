@@ -86,10 +86,15 @@ static int is_same(PlaneAnswer found, Children expected)
 }
 
 // Of a mistake only the choice is looked at, but where t_split itself is the mistake.
+static int is_written(PlaneAnswer found)
+{
+    return found.children != PLANE_BOTH || found.t_split != UNWRITTEN;
+}
+
 #define GIVEN                                                                                      \
     const PlaneJob *in = &((const Job07 *)job)->inputs.planes[i];                                  \
     const PlaneAnswer found = ((const PlaneAnswer *)answers)[i]
-#define IS_FOUND(expected) is_choice(found, expected)
+#define IS_FOUND(expected) (is_choice(found, expected) && is_written(found))
 
 RIGHT(is_right, is_same(found, children(in)))
 
@@ -117,9 +122,7 @@ static Children without_eye(const PlaneJob *in)
                               by_part(in, span_about(in, t_of(in)), FAR_BIT, BOTH_BIT, NEAR_BIT));
 }
 
-EACH(unset,
-     is_same(found, children(in)) ||
-         (IS_FOUND(children(in)) && found.children == PLANE_BOTH && found.t_split == UNWRITTEN),
+EACH(unset, is_same(found, children(in)) || (is_choice(found, children(in)) && !is_written(found)),
      "the choices are right, but *t_split is not set: what stood there before is found")
 ANSWERS(swapped, chosen_by(in, FAR_BIT, NEAR_BIT, BOTH_BIT, FAR_BIT),
         "ONLY_NEAR and ONLY_FAR are swapped")

@@ -176,7 +176,7 @@ EACH(by_coordinate, is_moved_by_coordinate(in, found),
      "each coordinate moves by its own size: the largest one's counts for all three")
 
 // Too far everywhere, or one distance.
-EACH(too_far, moved(in, found).along > 2 * offset_of(in) + moved(in, found).rounding,
+ONLY(too_far, moved(in, found).along > 2 * offset_of(in) + moved(in, found).rounding,
      "farther than needed: what is near is not seen")
 
 // By which distance the points are moved is said where rounding is least: where the numbers are
@@ -207,17 +207,18 @@ static int all_are_moved_along(const Job09 *job, const Vec3 *found, double dista
     return j == COUNT(job->starts);
 }
 
-EACH(same_distance, all_are_moved_along(job, answers, surest_distance(job, answers)),
+ONLY(same_distance, all_are_moved_along(job, answers, surest_distance(job, answers)),
      "the same distance everywhere: rounding grows with the numbers")
-EACH(least_distance, is_moved_along(in, found, fmax(surest_distance(job, answers), offset_of(in))),
+ONLY(least_distance, is_moved_along(in, found, fmax(surest_distance(job, answers), offset_of(in))),
      "never less than a fixed distance: that is too much where the numbers are small")
 
-static const Known *const known[] = {
-    &unmoved,     &other_side,     &half,          &largest,       &by_sum,        &by_size_of_sum,
-    &by_smallest, &by_mean,        &without_x,     &without_y,     &without_z,     &with_sign,
-    &size_late,   &sign_of_z,      &one_share,     &by_coordinate, &signed_radius, &unsigned_sum,
-    &without_t,   &without_radius, &without_point, &only_t,        &only_radius,   &only_point,
-    &too_far,     &same_distance,  &least_distance};
+static const Known *const known[] = {&unmoved,       &other_side,     &half,        &largest,
+                                     &by_sum,        &by_size_of_sum, &by_smallest, &by_mean,
+                                     &without_x,     &without_y,      &without_z,   &with_sign,
+                                     &size_late,     &sign_of_z,      &one_share,   &by_coordinate,
+                                     &signed_radius, &unsigned_sum,   &without_t,   &without_radius,
+                                     &without_point, &only_t,         &only_radius, &only_point,
+                                     &same_distance, &least_distance, &too_far};
 
 // ---- Answers ------------------------------------------------------------------------------------
 

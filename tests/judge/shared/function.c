@@ -27,6 +27,11 @@ static int is_right(const Function *function, const void *job, int i, const void
                                       : function->agrees(job, i, answers, 0);
 }
 
+static int is_same_text(const char *a, const char *b)
+{
+    return a == b || (a != NULL && b != NULL && strcmp(a, b) == 0);
+}
+
 // Does a known mistake explain every answer of the range?
 static int is_known(const Function *function, const Known *known, const void *job, Range range,
                     const void *answers)
@@ -65,15 +70,51 @@ static int is_constant(const Function *function, Range range, const char *answer
     return i == range.n;
 }
 
+// Does a mistake that says what an answer is (ANSWERS, EACH) explain every answer of a range?
+// *cause becomes the one that does. Returns how many do, with different sentences: 0, 1 or 2.
+static int count_answers(const Function *function, const void *job, Range range,
+                         const void *answers, Cause *cause)
+{
+    int n = 0;
+    for (int k = 0; n < 2 && k < function->n_known; k++) {
+        const Known *known = function->known[k];
+        if (!known->is_only && is_known(function, known, job, range, answers) &&
+            (n == 0 || !is_same_text(cause->says, known->cause.says))) {
+            *cause = known->cause;
+            n++;
+        }
+    }
+    return n;
+}
+
+// The known mistake that explains every answer of the range: one that says what an answer is; of
+// several, the one that explains the answers of all ranges. If there is none, the first that says
+// where answers are wrong (ONLY).
+static Cause name_known(const Function *function, const void *job, Range range, const void *answers)
+{
+    const Range all = {.n = function->n};
+    Cause cause = {0};
+    const int n = count_answers(function, job, range, answers, &cause);
+    if (n > 0) {
+        return n == 1 || count_answers(function, job, all, answers, &cause) == 1 ? cause
+                                                                                 : (Cause){0};
+    }
+    for (int k = 0; k < function->n_known; k++) {
+        const Known *known = function->known[k];
+        if (known->is_only && is_known(function, known, job, range, answers)) {
+            return known->cause;
+        }
+    }
+    return cause;
+}
+
 // The known mistake that explains all answers, if one does. From answers that are all the same
 // nothing is concluded, but where the table knows such a mistake.
 static Cause explain(const Function *function, const void *job, Range range, const void *answers)
 {
     const int is_told = function->knows_constant || !is_constant(function, range, answers);
-    for (int k = 0; is_told && k < function->n_known; k++) {
-        if (is_known(function, function->known[k], job, range, answers)) {
-            return function->known[k]->cause;
-        }
+    if (is_told && function->n_known > 0) {
+        return name_known(function, job, range, answers);
     }
     const int n = is_told ? function->n_mistakes : 0;
     for (int m = 1; m < n; m++) {

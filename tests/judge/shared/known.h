@@ -8,8 +8,10 @@
 //   ONLY(no_radius, !found && in.radius == 0, "a circle of radius 0 covers its centre")
 //       could the wrong answer `found` be of the mistake? Every wrong one of a range must.
 //
-// The first of the list that explains a range is named (function.c): what is special is before what
-// is general. NULL for a sentence: then nothing is said. What is right is told without mistakes:
+// ANSWERS and EACH are asked first. If two with different sentences explain the range, the one that
+// explains the answers of all ranges is named; if none or both do, nothing is said. Of ONLY the
+// first of the list is named: the special one is before the general one. NULL for a sentence: then
+// nothing is said. What is right is told without mistakes:
 //
 //   RIGHT(is_right, found == near_side(in))
 //
