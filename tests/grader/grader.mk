@@ -43,6 +43,11 @@ $(OUT)/probes/%.o: $(OUT)/obj/tests/probes/%/main.c.o $(call objects,$(addprefix
 $(OUT)/probes/%: $(OUT)/probes/%.o
 	$(call link,-lOpenCL -lm)
 
+# What a student's kernel has made a macro is none in a probe.
+$(OUT)/no_macros.h: tests/probes/no_macros.sh tests/probes/probe_stack.h $(wildcard tests/probes/*/probe.cl) $(wildcard kernels/*.h labs/*/*.h tests/probes/*.h)
+	@mkdir -p $(@D)
+	$(call say,make    $@)sh $< >$@
+
 # Of a lab with a leaderboard: a race between an earlier lab's kernel and the one that was handed in. It
 # holds what the lab gives its students, whose answers are kernels.
 RACES := $(patsubst tests/probes/%/race.c,$(OUT)/probes/%-race,$(wildcard tests/probes/*/race.c))
@@ -57,7 +62,7 @@ $(OUT)/probes/find_device: $(call objects,tests/probes/find_device.c) $(OUT)/lib
 	$(call link,-lOpenCL -lm)
 
 .PHONY: grader lab-grader grade
-grader: $(addprefix $(OUT)/tools/,grade judge unpack) $(OUT)/probes/find_device $(PROBES) $(RACES) $(LABS:%=$(OUT)/earlier/%.a)  ## build the grader and its probes
+grader: $(addprefix $(OUT)/tools/,grade judge unpack) $(OUT)/probes/find_device $(OUT)/no_macros.h $(PROBES) $(RACES) $(LABS:%=$(OUT)/earlier/%.a)  ## build the grader and its probes
 
 # Which packages `make setup` installs (common/setup/packages.txt): what a handout needs. The course needs more.
 setup_for = grade
@@ -66,7 +71,7 @@ setup_for = grade
 graded_lab = $(if $(or $(findstring %,$(LAB)),$(word 2,$(LAB))),,$(filter $(LAB) $(LAB)-% 0$(LAB)-%,$(LABS)))
 say_which_lab = test -n "$$LAB" || { echo "make $@: say which lab: make $@ LAB=$(EXAMPLE_LAB)" >&2; exit 2; }
 # The grader of one lab: what a bundle for another system builds.
-lab-grader: $(addprefix $(OUT)/tools/,grade judge unpack) $(OUT)/probes/find_device $(filter $(addprefix $(OUT)/probes/,$(graded_lab) $(graded_lab).o $(graded_lab)-race),$(PROBES) $(RACES))
+lab-grader: $(addprefix $(OUT)/tools/,grade judge unpack) $(OUT)/probes/find_device $(OUT)/no_macros.h $(filter $(addprefix $(OUT)/probes/,$(graded_lab) $(graded_lab).o $(graded_lab)-race),$(PROBES) $(RACES))
 	@test -n "$(graded_lab)" || { printf 'make $@: found LAB="%s", expected the number or name of a lab: $(LABS)\n' "$$LAB" >&2; exit 2; }
 lab-grader: $(patsubst %,$(OUT)/earlier/%.a,$(graded_lab))
 

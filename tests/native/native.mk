@@ -25,11 +25,11 @@ $(NATIVE_OPENCL): $(NATIVE_SOURCES:%=$(NATIVE)/obj/%.o) $(NATIVE)/obj/builtins.o
 # two libraries to the linker.
 $(NATIVE)/libcommon.a: $(OUT)/libcommon.a $(NATIVE_OPENCL)
 	@printf 'INPUT("%s" "%s")\n' '$(call from_root,$<)' '$(call from_root,$(word 2,$^))' >$@
-$(NATIVE)/tools $(NATIVE)/earlier:
+$(NATIVE)/tools $(NATIVE)/earlier $(NATIVE)/no_macros.h:
 	@mkdir -p $(NATIVE) && ln -sfn ../$(@F) $@
 $(NATIVE)/probes/%.o: $(OUT)/probes/%.o
 	@mkdir -p $(@D) && cp $< $@
 $(filter-out %.o,$(PROBES:$(OUT)/%=$(NATIVE)/%)): $(NATIVE)/probes/%: $(OUT)/probes/%.o $(NATIVE_OPENCL)
 	$(call link,'$(call from_root,$(NATIVE_OPENCL))' -lm)
 .PHONY: native
-native: grader $(PROBES:$(OUT)/%=$(NATIVE)/%) $(NATIVE)/libcommon.a $(NATIVE)/tools $(NATIVE)/earlier
+native: grader $(PROBES:$(OUT)/%=$(NATIVE)/%) $(NATIVE)/libcommon.a $(NATIVE)/tools $(NATIVE)/earlier $(NATIVE)/no_macros.h

@@ -141,23 +141,6 @@ for folder in solutions/*/; do
     done <"$scratch/hints"
 done
 
-# ---- Probes -------------------------------------------------------------------------------------
-
-# Each name that a probe's kernels use is no macro of a student's (no_macros.h), but for macros of ours and for
-# words of OpenCL.
-opencl='atomic_inc atomic_xchg constant float3 float4 get_global_id get_local_size global image2d_t INFINITY int2
-    kernel size_t uint vload vstore write_imagef write_only'
-sed 's,//.*,,; s/"[^"]*"//g; /^ *#/d; s/\b[0-9][0-9A-Za-z_.]*//g' tests/probes/*/probe.cl tests/probes/probe_stack.h |
-    grep -o '[A-Za-z_][A-Za-z0-9_]*' | LC_ALL=C sort -u >"$scratch/used"
-{
-    sed -n 's/^#undef //p' tests/probes/no_macros.h
-    cat kernels/* solutions/*/*.[ch]* tests/probes/*.h | sed -n 's/^ *# *define \([A-Za-z0-9_]*\).*/\1/p'
-    echo "$opencl" | tr -s ' ' '\n'
-} | LC_ALL=C sort -u >"$scratch/no-macros"
-missing=$(LC_ALL=C comm -23 "$scratch/used" "$scratch/no-macros")
-[ -s "$scratch/used" ] && [ -z "$missing" ]
-ok $? "no_macros.h has every name of the probes" "$missing"
-
 # ---- Links --------------------------------------------------------------------------------------
 
 # headings FILE: as they are named behind a "#", a line each: lower case, no punctuation, hyphens for blanks.

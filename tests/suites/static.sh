@@ -33,7 +33,7 @@ done
 clang=$(command -v clang || command -v clang-15 || command -v clang-19)
 # A file that others include is checked by itself, so its static functions have no caller.
 # A kernel's own folder comes first, so that the same name in another lab does no harm.
-includes="-I kernels -I tests/probes"
+includes="-I kernels -I tests/probes -I ${BUILD:-build}"
 for folder in solutions/*/; do
     includes="$includes -I $folder"
 done

@@ -66,6 +66,8 @@ static int copy_libraries(const Workshop *workshop)
     int result = copy_matching(workshop, pattern, "lib");
     path_make(pattern, "%s/earlier/%s.a", workshop->build, lab);
     result |= copy_matching(workshop, pattern, "lib/earlier");
+    path_make(pattern, "%s/no_macros.h", workshop->build);
+    result |= copy_matching(workshop, pattern, "probes");
     path_make(pattern, "%s/libcommon.a", workshop->build);
     return result | copy_matching(workshop, pattern, "lib");
 }

@@ -135,7 +135,7 @@ kernel void probe_circle_tiles(global const CircleTileJob *jobs, global const Ti
     Work work = {0, 0, 0, 0};
     const CircleTile tile =
         draw_tile(job.x, job.y, nodes + job.first_node, leaf_circles + job.first_circle, &work);
-    for (int row = 0; row < N_ROWS; row++) {
+    for (int row = 0; row < LANES; row++) {
         JOIN(vstore, LANES)(tile.colors[row], row, answers[i].colors);
     }
     answers[i].n_tests = work.n_tests;
