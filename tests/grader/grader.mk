@@ -4,7 +4,8 @@
 GRADER_ROOMS := tests/grader $(patsubst %/,%,$(wildcard tests/grader/*/))
 GRADER_MAINS := tests/grader/grade.c tests/grader/submission/unpack_tool.c tests/grader/sandbox/sandbox_init_tool.c
 GRADER_SOURCES := $(filter-out $(GRADER_MAINS),$(foreach room,$(GRADER_ROOMS),$(wildcard $(room)/*.c)))
-GRADER_INCLUDES = $(addprefix -I ,$(GRADER_ROOMS) tests/probes) $(AUTHORS_INCLUDES)
+PROBE_FOLDERS := tests/probes $(sort $(dir $(wildcard tests/probes/*/jobs_*.h)))
+GRADER_INCLUDES = $(addprefix -I ,$(GRADER_ROOMS) $(PROBE_FOLDERS)) $(AUTHORS_INCLUDES)
 $(OUT)/obj/tests/%.o: EXTRA = $(GRADER_INCLUDES)
 
 $(OUT)/libgrader.a: $(call objects,$(GRADER_SOURCES) tests/probes/sections.c)
@@ -33,7 +34,7 @@ $(SANDBOX_INIT).c.o: $(SANDBOX_INIT)
 PROBED := $(patsubst tests/probes/%/main.c,%,$(wildcard tests/probes/*/main.c))
 WITH_HOST_FILES := $(patsubst labs/%/lab.json,%,$(shell LC_ALL=C grep -l '"[a-zA-Z0-9_]*\.c"' labs/*/lab.json))
 PROBES := $(PROBED:%=$(OUT)/probes/%.o) $(addprefix $(OUT)/probes/,$(filter-out $(WITH_HOST_FILES),$(PROBED)))
-$(OUT)/obj/tests/probes/%/main.c.o: EXTRA = -I tests/probes -I labs/$(lab_name) -DLAB_NAME='"$(lab_name)"' \
+$(OUT)/obj/tests/probes/%/main.c.o: EXTRA = $(PROBE_FOLDERS:%=-I %) -I labs/$(lab_name) -DLAB_NAME='"$(lab_name)"' \
     -DLAB_FOLDER='"labs/$(lab_name)"' -DPROBE_KERNEL_OPTIONS='"$(call include_path,$(lab_name))"'
 $(OUT)/probes/%.o: $(OUT)/obj/tests/probes/%/main.c.o $(call objects,$(addprefix tests/probes/,probe.c probe_host.c probe_trees.c sections.c)) \
     $(OUT)/earlier/%.a $(OUT)/libcommon.a
@@ -51,7 +52,7 @@ $(OUT)/no_macros.h: tests/probes/no_macros.sh tests/probes/probe_stack.h $(wildc
 # Of a lab with a leaderboard: a race between an earlier lab's kernel and the one that was handed in. It
 # holds what the lab gives its students, whose answers are kernels.
 RACES := $(patsubst tests/probes/%/race.c,$(OUT)/probes/%-race,$(wildcard tests/probes/*/race.c))
-$(OUT)/obj/tests/probes/%/race.c.o: EXTRA = -I tests/probes -I labs/$(lab_name) $(call include_path,$(lab_name)) \
+$(OUT)/obj/tests/probes/%/race.c.o: EXTRA = $(PROBE_FOLDERS:%=-I %) -I labs/$(lab_name) $(call include_path,$(lab_name)) \
     -DLAB_FOLDER='"labs/$(lab_name)"' -DPROBE_KERNEL_OPTIONS='"$(call include_path,$(lab_name))"'
 $(RACES): $(OUT)/probes/%-race: $(OUT)/obj/tests/probes/%/race.c.o $(call objects,tests/probes/probe.c tests/probes/sections.c) \
     $$(call objects,$$(filter-out labs/$$*/main.c,$$(wildcard labs/$$*/*.c))) $(OUT)/earlier/%.a $(OUT)/libcommon.a

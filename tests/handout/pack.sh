@@ -74,7 +74,8 @@ git ls-files -- tests/scenes | copy
 
 # The grader; of the probes and stand-ins this lab's; and the lab's files as they are handed out, whatever
 # becomes of them in labs/.
-git ls-files -- tests/grader ":(glob)tests/probes/*.[ch]" tests/probes/no_macros.sh "tests/probes/$lab" "tests/stand_ins/$lab" | copy
+git ls-files -- tests/grader ":(glob)tests/probes/*.[ch]" tests/probes/no_macros.sh "tests/probes/*/jobs_*.h" \
+    "tests/probes/$lab" "tests/stand_ins/$lab" | sort -u | copy
 # Where there are kernels to look into, memcheck; its known faults stay here.
 if [ -n "$(find "labs/$lab" -name '*.cl')" ]; then
     git ls-files -- ":(glob)tests/memcheck/*.[ch]" tests/memcheck/memcheck.mk | copy

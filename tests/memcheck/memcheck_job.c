@@ -1,6 +1,11 @@
 // Making a job small (see memcheck_job.h).
 #include "memcheck_job.h"
 
+#include "jobs_01.h"
+#include "jobs_03.h"
+#include "jobs_04.h"
+#include "jobs_05.h"
+#include "jobs_07.h"
 #include "jobs_09.h"
 #include "jobs_10.h"
 

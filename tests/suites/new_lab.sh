@@ -25,11 +25,11 @@ export BUILD=build
 for folder in solutions tests/judge tests/probes tests/mutants tests/right tests/stand_ins; do
     cp -R $folder/01-naive-2d $folder/11-made-up
 done
-for file in tests/judge/11-made-up/judge_01*; do
-    mv "$file" "$(echo "$file" | sed 's/judge_01/judge_11/')"
+for file in tests/*/11-made-up/*_01*; do
+    mv "$file" "$(echo "$file" | sed 's/_01/_11/')"
 done
 find solutions/11-made-up tests/*/11-made-up -type f -exec sed -i \
-    's/_01\b/_11/g; s/_01_/_11_/g; s/Job01/Job11/g; s/01-naive-2d/11-made-up/g; s/lab 01/lab 11/g' {} +
+    's/_01\b/_11/g; s/_01_/_11_/g; s/OverlapJob/NewJob/g; s/Job01/Job11/g; s/01-naive-2d/11-made-up/g; s/lab 01/lab 11/g' {} +
 
 # scores POINTS [SUBMISSION=FOLDER]: does make grade say so?
 scores() {

@@ -34,7 +34,7 @@ clang=$(command -v clang || command -v clang-15 || command -v clang-19)
 # A file that others include is checked by itself, so its static functions have no caller.
 # A kernel's own folder comes first, so that the same name in another lab does no harm.
 includes="-I kernels -I tests/probes -I ${BUILD:-build}"
-for folder in solutions/*/; do
+for folder in solutions/*/ tests/probes/*/; do
     includes="$includes -I $folder"
 done
 for kernel in $(echo "$sources" | grep '\.cl$' | grep -v -e '^tests/stand_ins/' -e '^tests/mutants/' -e '^tests/right/' -e '^tests/memcheck/.*\.cl' -e '^tests/attacks/'); do

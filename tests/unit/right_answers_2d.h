@@ -7,6 +7,10 @@
 
 #include "image.h"
 #include "job_scene.h"
+#include "jobs_00.h"
+#include "jobs_01.h"
+#include "jobs_02.h"
+#include "jobs_03.h"
 #include "kdtree2d_build.h"
 #include "pattern.h"
 #include "right_answers_sections.h"

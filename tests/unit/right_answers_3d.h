@@ -6,6 +6,8 @@
 
 #include "camera_from_view.h"
 #include "image.h"
+#include "jobs_04.h"
+#include "jobs_05.h"
 #include "jobs_10.h"
 #include "right_answers_sections.h"
 #include "vec3.h"

@@ -5,6 +5,8 @@
 #ifndef UNIT_RIGHT_ANSWERS_REPLAYS_H
 #define UNIT_RIGHT_ANSWERS_REPLAYS_H
 
+#include "jobs_02.h"
+#include "jobs_06.h"
 #include "kdtree2d_build.h"
 #include "kdtree3d_build.h"
 #include "right_answers_sections.h"

@@ -6,6 +6,7 @@
 #ifndef UNIT_RIGHT_ANSWERS_TILES_H
 #define UNIT_RIGHT_ANSWERS_TILES_H
 
+#include "jobs_07.h"
 #include "jobs_10.h"
 #include "right_answers_sections.h"
 

@@ -6,6 +6,8 @@
 #ifndef UNIT_RIGHT_ANSWERS_TREE3D_H
 #define UNIT_RIGHT_ANSWERS_TREE3D_H
 
+#include "jobs_06.h"
+#include "jobs_07.h"
 #include "kdtree3d_build.h"
 #include "right_answers_3d.h"
 #include "surroundings.h"

@@ -1,5 +1,8 @@
 // judge/judge_NN: no check passes by answers that are of a wrong size or garbage, nor by right ones
 // of which one word is wrong.
+#include "jobs_02.h"
+#include "jobs_06.h"
+#include "jobs_07.h"
 #include "judged_jobs.h"
 #include "random.h"
 

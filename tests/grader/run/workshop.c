@@ -120,7 +120,7 @@ int workshop_open(Workshop *workshop, const Manifest *manifest, const char *buil
         result |= copy_matching(workshop, "common/*.h", "common");
     }
     result |= copy_matching(workshop, "kernels/*.h", "kernels");
-    result |= copy_matching(workshop, "tests/probes/*.h", "probes");
+    result |= copy_matching(workshop, "tests/probes/{*.h,*/jobs_*.h}", "probes");
     return result | copy_probe_kernels(workshop) | copy_earlier_solutions(workshop) |
                    copy_libraries(workshop)
                ? -1

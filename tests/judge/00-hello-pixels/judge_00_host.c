@@ -3,7 +3,7 @@
 #include "judge_00.h"
 
 #include "cl_check.h"
-#include "jobs.h"
+#include "jobs_00.h"
 #include "message.h"
 #include "words.h"
 

@@ -2,7 +2,7 @@
 // judge_00.h.
 #include "judge_00.h"
 
-#include "jobs.h"
+#include "jobs_00.h"
 #include "message.h"
 
 // The launch of a known mistake: how many work-items in each direction for picture k.

@@ -4,7 +4,7 @@
 #define JUDGE_JUDGE_01_H
 
 #include "job_scene.h"
-#include "jobs.h"
+#include "jobs_01.h"
 #include "judge.h"
 
 // The scenes, in the order of the job; each check looks at a range of them.

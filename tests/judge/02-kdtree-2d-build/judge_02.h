@@ -6,7 +6,7 @@
 #define JUDGE_JUDGE_02_H
 
 #include "job_scene.h"
-#include "jobs.h"
+#include "jobs_02.h"
 #include "judge.h"
 
 // Inputs of is_leaf are by turns about the level, the number of circles and failed splits; those of

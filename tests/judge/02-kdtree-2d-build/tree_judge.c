@@ -2,7 +2,7 @@
 #include "tree_judge.h"
 
 #include "job_sections.h"
-#include "jobs.h"
+#include "jobs_02.h"
 #include "message.h"
 #include "oracle2d.h"
 #include "oracle2d_tree.h"

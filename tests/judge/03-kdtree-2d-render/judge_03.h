@@ -5,7 +5,7 @@
 #define JUDGE_JUDGE_03_H
 
 #include "job_scene.h"
-#include "jobs.h"
+#include "jobs_03.h"
 #include "judge.h"
 
 // The scenes.

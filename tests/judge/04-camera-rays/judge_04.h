@@ -4,7 +4,7 @@
 #ifndef JUDGE_JUDGE_04_H
 #define JUDGE_JUDGE_04_H
 
-#include "jobs.h"
+#include "jobs_04.h"
 #include "judge.h"
 #include "oracle3d.h"
 

@@ -6,7 +6,7 @@
 #define JUDGE_JUDGE_05_H
 
 #include "job_scene3d.h"
-#include "jobs.h"
+#include "jobs_05.h"
 #include "judge.h"
 
 // How many inputs each range has; the ranges of one function follow one another.

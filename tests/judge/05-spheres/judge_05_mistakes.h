@@ -4,7 +4,7 @@
 #define JUDGE_JUDGE_05_MISTAKES_H
 
 #include "diagnosis.h"
-#include "jobs.h"
+#include "jobs_05.h"
 #include "oracle3d.h"
 
 // What an answer to nearest_root with a mistake returns.

@@ -4,7 +4,7 @@
 #ifndef JUDGE_JUDGE_06_H
 #define JUDGE_JUDGE_06_H
 
-#include "jobs.h"
+#include "jobs_06.h"
 #include "judge.h"
 #include "tree3d_judge.h"
 

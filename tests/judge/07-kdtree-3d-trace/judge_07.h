@@ -7,7 +7,7 @@
 #define JUDGE_JUDGE_07_H
 
 #include "job_scene3d.h"
-#include "jobs.h"
+#include "jobs_07.h"
 #include "judge.h"
 #include "oracle3d_rounding.h"
 #include "span.h"

@@ -3,7 +3,7 @@
 #ifndef JUDGE_JOB_STACK_H
 #define JUDGE_JOB_STACK_H
 
-#include "jobs.h"
+#include "jobs_07.h"
 #include "random.h"
 #include "words.h"
 

@@ -11,6 +11,7 @@
 #include "render.h"
 
 #include "cl_memory.h"
+#include "jobs_00.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,6 +1,6 @@
 // Probe of lab 00: a kernel that takes what set_arguments() hands over, and one that
 // enqueue_pixels() launches in place of the student's, to count its work-items.
-#include "jobs.h"
+#include "jobs_00.h"
 
 // Tell which of the three arguments of gradient() arrived.
 kernel void take_arguments(int width, int height, write_only image2d_t image)

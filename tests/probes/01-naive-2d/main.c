@@ -1,4 +1,5 @@
 // Probe of lab 01: overlaps_N_Nearer on the job's inputs, then the student's kernel on its scenes.
+#include "jobs_01.h"
 #include "probe.h"
 
 #include <stdlib.h>

@@ -6,7 +6,7 @@
 
 #include "no_macros.h"
 
-#include "jobs.h"
+#include "jobs_01.h"
 
 kernel void probe_overlaps(global const OverlapJob *jobs, global int *answers)
 {

@@ -1,5 +1,6 @@
 // Probe of lab 02: each of the student's functions on the job's inputs, then whole trees; or, where
 // one answer is tried alone, its function in a replay of the builder's calls (jobs.h).
+#include "jobs_02.h"
 #include "kdtree2d_build.h"
 #include "probe.h"
 

@@ -6,7 +6,7 @@
 
 #include "no_macros.h"
 
-#include "jobs.h"
+#include "jobs_03.h"
 
 kernel void probe_children(global const ChildJob *jobs, global const NodeRel *nodes_Relations,
                            global const BBox2D *nodes_BBox, global uint *answers)

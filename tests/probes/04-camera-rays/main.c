@@ -1,6 +1,7 @@
 // Probe of lab 04: camera_axes on the host, pixel_on_display and primary_ray on the device, each on
 // the job's inputs; then the student's kernel with given cameras.
 #include "camera_from_view.h"
+#include "jobs_04.h"
 #include "probe.h"
 
 #include <stdlib.h>

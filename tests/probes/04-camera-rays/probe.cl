@@ -6,7 +6,7 @@
 
 #include "no_macros.h"
 
-#include "jobs.h"
+#include "jobs_04.h"
 
 kernel void probe_pixels(global const PixelJob *jobs, global PixelAnswer *answers)
 {

@@ -2,6 +2,7 @@
 // each ray hits, the picture, and the work of each pixel ("work.K").
 #include "probe.h"
 
+#include "jobs_05.h"
 #include "work.h"
 
 #include <stdlib.h>

@@ -4,7 +4,7 @@
 
 #include "no_macros.h"
 
-#include "jobs.h"
+#include "jobs_05.h"
 
 static Vec3 to_vec3(float3 v)
 {

@@ -1,5 +1,6 @@
 // Probe of lab 06: each of the student's functions on the job's inputs, then whole trees; or, where
 // one answer is tried alone, its function in a replay of the builder's calls (jobs.h).
+#include "jobs_06.h"
 #include "kdtree3d_build.h"
 #include "probe.h"
 

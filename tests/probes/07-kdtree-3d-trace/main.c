@@ -3,6 +3,7 @@
 #include "probe.h"
 
 #include "cl_memory.h"
+#include "jobs_07.h"
 
 #include <stdlib.h>
 

@@ -4,7 +4,7 @@
 
 #include "no_macros.h"
 
-#include "jobs.h"
+#include "jobs_07.h"
 #include "probe_stack.h"
 
 static Ray ray_of(Vec3 origin, Vec3 direction, float t_min, float t_max)

@@ -4,7 +4,7 @@
 #define PROBES_JOBS_10_H
 
 #include "circle_tiles.h"
-#include "jobs.h"
+#include "jobs_07.h"
 
 // Its scenes are those of lab 07, and "scene.K.leaf_spheres", a Sphere for each of the tree's ids.
 // Answered by "picture.K", "hits.K" and "work.K": what each pixel's tile cost.

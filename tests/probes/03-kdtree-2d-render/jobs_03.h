@@ -1,0 +1,16 @@
+// The sections of lab 03's job, and of the answers, besides those in jobs.h.
+#ifndef PROBES_JOBS_03_H
+#define PROBES_JOBS_03_H
+
+#include "jobs.h"
+
+// One call of getContainingChild on the nodes in sections "children.relations" and
+// "children.boxes". Answered by a u32.
+typedef struct ChildJob {
+    i32 x;
+    i32 y;
+    u32 id;
+} ChildJob;
+LAYOUT_ASSERT(ChildJob, 12);
+
+#endif
