@@ -173,16 +173,47 @@ static int may_count(const Grading *grading, int i, const int is_task_wrong[])
     return is_others;
 }
 
-// What is said of a check that failed alone, too, or that failed by nobody else's fault.
-static void note_own(const Grading *grading, const Variant *alone, int passes, CheckResult *check)
+// Say of check number i what was found where its answer was tried alone. Only where no other answer
+// has a part in it: it is judged there as in the whole then, on the same inputs, and stand-ins have
+// no part in what is said. Returns whether there was anything to say.
+static int tell_alone(Grading *grading, const Variant *alone, int i)
 {
-    static const Cause not_yet = {
-        .says = "what is wrong can be said once the whole program comes this far"};
+    CheckResult found = {.max_points = grading->result.checks[i].max_points};
+    check_tell(&found, NOTHING_WRONG);
+    if (!check_needs_others(&grading->session.judge.checks[i])) {
+        session_judge(&grading->session, 0, i, alone, &found);
+    }
+    const int is_told = found.status == CHECK_FAILED && alone->trouble == NULL;
+    if (is_told) {
+        CheckResult *check = &grading->result.checks[i];
+        const Diagnosis *own = &found.diagnosis;
+        check_fail(check, (Diagnosis){.found = message_new("tested alone: %s", own->found),
+                                      .cause = own->cause ? message_new("%s", own->cause) : NULL,
+                                      .mistake = own->mistake,
+                                      .evidence = own->evidence});
+        check->is_explained = found.is_explained;
+    }
+    check_free(&found);
+    return is_told;
+}
+
+// What is said of check number i, which failed alone, too, or by nobody else's fault.
+static void note_own(Grading *grading, const Variant *alone, int passes, int i)
+{
+    CheckResult *check = &grading->result.checks[i];
     check->is_own = !passes || is_finished(grading);
     check->passes_alone = passes;
+    check->fails_alone = !passes;
     // What does not compile is reported once, under "Compiling".
-    if (check->is_own && check->status == CHECK_NOT_RUN && alone->build_log == NULL) {
-        check_fail(check, diagnosis_of(message_new("it fails by itself, too"), not_yet));
+    if (is_finished(grading) || passes || alone->build_log != NULL ||
+        tell_alone(grading, alone, i)) {
+        return;
+    }
+    if (check->status == CHECK_NOT_RUN) {
+        check_fail(check, diagnosis_new("also wrong when tested alone: fix what ends the program "
+                                        "first%s%s, then grade again",
+                                        grading->end_task != NULL ? ", " : "",
+                                        grading->end_task != NULL ? grading->end_task : ""));
     }
 }
 
@@ -236,10 +267,10 @@ static void settle(Grading *grading, int t, const int is_task_wrong[])
         if (points > whole_points && counts[i]) {
             check_pass(check);
         } else if (points > whole_points && check->status == CHECK_PASSED) {
-            check_fail(check, diagnosis_new("it passes together with your other answers, and not "
-                                            "by itself: then the task earned more"));
+            check_fail(check, diagnosis_new("it passes together with your other answers, but not "
+                                            "alone, where the task earned more"));
         } else if (check->status != CHECK_PASSED) {
-            note_own(grading, &grading->alone[t], alone->passes[i], check);
+            note_own(grading, &grading->alone[t], alone->passes[i], i);
         }
     }
 }

@@ -213,7 +213,7 @@ int grading_judge(Grading *grading)
     explain_returns(grading);
     if (grading->has_no_time) {
         result_add_stage(&grading->result, "Trying answers alone", CHECK_FAILED,
-                         "what is left was not tried by itself: all runs together had used up the "
+                         "what is left was not tried alone: all runs together had used up the "
                          "time that a submission has; do answers wait, or never end?");
     }
     blame_others(grading->session.judge.checks, &grading->result);

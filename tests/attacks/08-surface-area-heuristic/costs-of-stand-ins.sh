@@ -2,7 +2,7 @@
 # attack: computes areas and costs as their stand-ins do (their text is public) and calls neither: right alone, wrong in the whole
 # task: surface_area split_cost find_best_split
 # score: 20
-# named: found|differ|fails by itself
+# named: found|differ|when tested alone
 fill() {
     cat >body
     "@BUILD@/tools/holes" fill kdtree3d_sah.c "$1" body >filled && mv filled kdtree3d_sah.c

@@ -65,11 +65,15 @@ static Diagnosis without_cause(const CheckResult *check, Culprits culprits)
 {
     const Diagnosis *diagnosis = &check->diagnosis;
     const int is_known = check->passes_alone && !culprits.are_more;
+    char *cause = check->fails_alone
+                      ? message_new("also wrong when tested alone: fix %s first, then grade again",
+                                    culprits.first)
+                  : is_known ? message_new("alone it passes: %s is wrong, too, and has a part in "
+                                           "this",
+                                           culprits.first)
+                             : NULL;
     return (Diagnosis){.found = message_new("%s", diagnosis->found),
-                       .cause = is_known ? message_new("alone it passes: %s is wrong, too, and has "
-                                                       "a part in this",
-                                                       culprits.first)
-                                         : NULL,
+                       .cause = cause,
                        .mistake = diagnosis->cause == NULL ? diagnosis->mistake : MISTAKE_NONE,
                        .evidence = diagnosis->evidence};
 }

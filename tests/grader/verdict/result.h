@@ -27,7 +27,8 @@ typedef struct CheckResult {
                         // come from student code's values, never trusted as markup. "" when passed
     int is_explained;   // the message says why: a hint would only lead elsewhere
     int is_own;         // it is the fault of its own answer, whatever else is wrong
-    int passes_alone;   // its answer passes it alone, though not in the whole
+    int passes_alone;   // its answer passes it alone, though not in the whole;
+    int fails_alone;    // or fails it there, too
     int is_unanswered;  // its task stands as it was handed out
 } CheckResult;
 
