@@ -7,7 +7,7 @@
 # variable is taken as it is written, before anything reads it. Recipes get it from the environment, as
 # "$$NAME"; a makefile only asks whether it is set, $(if $(NAME),...), or picks a name of ours with it,
 # $(filter $(NAME),...). The suite static looks for a variable that is missing here.
-FROM_OUTSIDE := LAB SUBMISSION SEED DEVICE TIME_LIMIT FORMAT AT OPTIONS SOLUTION SUBMISSIONS OUTPUT ENGINE ONLY JOBS \
+FROM_OUTSIDE := LAB SUBMISSION TASK ALL SEED DEVICE TIME_LIMIT FORMAT AT OPTIONS SOLUTION SUBMISSIONS OUTPUT ENGINE ONLY JOBS \
     AGAIN MOODLE AGAINST NOTHING ROUNDS N ORDER TARGET SECONDS V SANITIZE BUILD
 # Whoever sets these names commands: they are the only ones that become text of a recipe.
 FROM_OUTSIDE += CLANG LDFLAGS FUZZ_OPTIONS

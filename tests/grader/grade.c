@@ -183,12 +183,30 @@ static int run_whole(Grading *grading, int is_staged)
     return n_runs > 1 ? session_run_apart(session, variants, n_runs) : 0;
 }
 
+// Is the task that is to be told one of the lab's? Returns 0, or -1 after one message.
+static int check_task(const Manifest *manifest, const char *task)
+{
+    char ids[1024] = "";
+    size_t length = 0;
+    if (task == NULL || manifest_task(manifest, task) != NULL) {
+        return 0;
+    }
+    for (int t = 0; t < manifest->n_tasks && length < sizeof ids; t++) {
+        length += (size_t)snprintf(ids + length, sizeof ids - length, "%s%s", t > 0 ? ", " : "",
+                                   manifest->tasks[t].id);
+    }
+    complain("grade: --task: found \"%s\", expected a task of lab %s: %s", task, manifest->lab,
+             ids);
+    return -1;
+}
+
 // Stage, run, judge. Returns 0 when there is a result, or -1 after one message.
 static int grade(Grading *grading, const Settings *settings)
 {
     Session *session = &grading->session;
     char folder[PATH_MAX];
-    if (session_open(session, settings) != 0 || find_device(session) != 0 ||
+    if (session_open(session, settings) != 0 ||
+        check_task(&session->manifest, settings->task) != 0 || find_device(session) != 0 ||
         variant_open(&session->workshop, "whole", &grading->whole, folder) != 0) {
         return -1;
     }
@@ -290,7 +308,10 @@ int main(int argc, char **argv)
     int result = grade(&grading, &settings);
     grading.result.seconds = (stats_clock_ms() - start) / 1000;
     if (result == 0) {
-        result = grading_write(&grading, settings.output);
+        result =
+            grading_write(&grading, settings.output,
+                          (ReportTold){.is_all = settings.task == NULL && !settings.tells_first,
+                                       .task = settings.task});
     }
     const int full_marks = has_full_marks(&grading);
     grading_free(&grading);

@@ -45,7 +45,7 @@ $(OUT)/probes/%: $(OUT)/probes/%.o
 	$(call link,-lOpenCL -lm)
 
 # What a student's kernel has made a macro is none in a probe.
-$(OUT)/no_macros.h: tests/probes/no_macros.sh tests/probes/probe_stack.h $(wildcard tests/probes/*/probe.cl) $(wildcard kernels/*.h labs/*/*.h tests/probes/*.h)
+$(OUT)/no_macros.h: tests/probes/no_macros.sh tests/probes/probe_stack.h $(wildcard tests/probes/*/probe.cl) $(wildcard kernels/*.h labs/*/*.h solutions/*/*.h tests/probes/*.h)
 	@mkdir -p $(@D)
 	$(call say,make    $@)sh $< >$@
 
@@ -80,9 +80,10 @@ lab-grader: $(patsubst %,$(OUT)/earlier/%.a,$(graded_lab))
 verdict_is_no_fault = || test $$? -eq 1
 
 # Where make can also write for other systems, through_formats is the command that does (tests/tests.mk).
-grade: grader  ## grade LAB=03 [SUBMISSION=folder, archive or file] [SEED=n] [DEVICE=d] [TIME_LIMIT=seconds]
+grade: grader  ## grade LAB=03 [SUBMISSION=folder, archive or file] [SEED=n] [DEVICE=d] [TIME_LIMIT=seconds] [TASK=name | ALL=1]
 	@$(say_which_lab)
 	$(if $(and $(FORMAT),$(graded_lab)),$(if $(through_formats),,@echo "make grade: a handout has no FORMAT: build/grade/ holds what it writes" >&2; exit 2))
 	@$(through_formats) $(OUT)/tools/grade --build $(OUT) --lab "$$LAB" $(if $(SUBMISSION),--submission "$$SUBMISSION") \
 	    $(if $(SEED),--seed "$$SEED") $(if $(DEVICE),--device "$$DEVICE") \
-	    $(if $(TIME_LIMIT),--time-limit "$$TIME_LIMIT") $(verdict_is_no_fault)
+	    $(if $(TIME_LIMIT),--time-limit "$$TIME_LIMIT") \
+	    $(if $(TASK),--task "$$TASK",$(if $(ALL),,--first)) $(verdict_is_no_fault)

@@ -2,6 +2,7 @@
 #ifndef GRADER_GRADING_H
 #define GRADER_GRADING_H
 
+#include "report.h"
 #include "result.h"
 #include "session.h"
 
@@ -52,7 +53,7 @@ int grading_try_alone(Grading *grading);
 char *grading_answer(const Grading *grading, const Task *task);
 
 // Write results.json, report.html and pictures into a folder, which is made, and the summary to
-// stdout. Returns 0, or -1 after one message.
-int grading_write(const Grading *grading, const char *output);
+// stdout, which tells of what `told` says. Returns 0, or -1 after one message.
+int grading_write(const Grading *grading, const char *output, ReportTold told);
 
 #endif

@@ -66,7 +66,7 @@ static int write_picture(const Result *result, const char *output)
     return output_file_commit(&file);
 }
 
-int grading_write(const Grading *grading, const char *output)
+int grading_write(const Grading *grading, const char *output, ReportTold told)
 {
     char path[PATH_MAX];
     const Manifest *manifest = &grading->session.manifest;
@@ -84,7 +84,7 @@ int grading_write(const Grading *grading, const char *output)
     path_make(path, "%s/report.html", output);
     if (report_html(path, manifest, &grading->result) != 0 ||
         write_picture(&grading->result, output) != 0 ||
-        report_text(stdout, manifest, &grading->result, isatty(STDOUT_FILENO)) != 0) {
+        report_text(stdout, manifest, &grading->result, told, isatty(STDOUT_FILENO)) != 0) {
         return -1;
     }
     printf("Report: %s\n", path);

@@ -29,7 +29,7 @@ typedef struct GivenSettings {
     int help;
 } GivenSettings;
 
-enum { SEED_ROW = 4 };
+enum { SEED_ROW = 6 };
 static const OptionRow ROWS[] = {
     {"lab", "NN", OPTION_TEXT, PLACE(lab), .meaning = "which lab: its number or its name"},
     {"submission", "PATH", OPTION_TEXT, PLACE(submission),
@@ -40,6 +40,10 @@ static const OptionRow ROWS[] = {
                 "of one from the root its last part)"},
     {"output", "FOLDER", OPTION_TEXT, PLACE(output),
      .meaning = "where the reports go (default: grade/NN in the build folder)"},
+    {"task", "NAME", OPTION_TEXT, PLACE(settings.task),
+     .meaning = "tell all of this task, and of the others a line each"},
+    {"first", NULL, OPTION_FLAG, PLACE(settings.tells_first),
+     .meaning = "the same of the first task that failed"},
     [SEED_ROW] = {"seed", "N", OPTION_SEED, PLACE(settings.seed),
                   .meaning = "the hidden scenes' seed (default: a new one)"},
     {"read-seed", NULL, OPTION_FLAG, PLACE(reads_seed),

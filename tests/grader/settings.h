@@ -12,6 +12,8 @@ typedef struct Settings {
     char submission[PATH_MAX];  // a folder or an archive
     char output[PATH_MAX];      // a folder for the reports
     const char *student;        // whose it is, for the reports; NULL: they name the submission
+    const char *task;           // the one that stdout tells of; NULL: see tells_first
+    int tells_first;            // stdout tells of the first task that failed, else of all
     const char *build;          // where the probes are
     const char *device;         // "" for the first
     const char *kept_answers;   // see kept_answers.h; NULL: the solution is run

@@ -29,7 +29,7 @@ static inline char *stream_text(FILE *file)
 static inline char *text_report(const Result *result, int colours)
 {
     FILE *file = tmpfile();
-    cr_assert_eq(report_text(file, &manifest, result, colours), 0);
+    cr_assert_eq(report_text(file, &manifest, result, (ReportTold){.is_all = 1}, colours), 0);
     return stream_text(file);
 }
 

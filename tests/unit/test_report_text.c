@@ -36,6 +36,37 @@ Test(report_text, is_laid_out_by_task)
     result_free(&result);
 }
 
+static char *told_report(const Result *result, const char *task)
+{
+    FILE *file = tmpfile();
+    cr_assert_eq(report_text(file, &manifest, result, (ReportTold){.task = task}, 0), 0);
+    return stream_text(file);
+}
+
+// The first that failed, or the one that is asked for; of the others a line each.
+Test(report_text, tells_one_task_at_a_time)
+{
+    Result result = result_make("found 0, expected 1");
+    check_fail(&result.checks[2], diagnosis_new("found black, expected red"));
+    char *text = told_report(&result, NULL);
+    expect_part(text, "   FAIL  overlaps_N_Nearer     25/40  Does a circle cover the pixel?\n"
+                      "   FAIL  implicit2DRenderer     0/60  The nearest of all\n"
+                      "\n"
+                      " Task overlaps_N_Nearer in ");
+    expect_part(text, "found 0, expected 1");
+    expect_no_part(text, "found black");
+    expect_part(text, "\n 1 more task fails; TASK=implicit2DRenderer shows it, ALL=1 everything\n"
+                      "\n Score 25/100\n");
+    free(text);
+    text = told_report(&result, "implicit2DRenderer");
+    expect_part(text, "found black, expected red");
+    expect_no_part(text, "found 0");
+    expect_no_part(text, "Next:");
+    expect_part(text, " 1 more task fails; TASK=overlaps_N_Nearer shows it");
+    free(text);
+    result_free(&result);
+}
+
 Test(report_text, ends_with_the_figure_of_a_race_where_there_is_one)
 {
     Result result = full_result_make(12.34);
@@ -75,7 +106,7 @@ Test(report_text, puts_a_title_below_that_does_not_fit)
     Manifest long_titles = manifest;
     long_titles.tasks[0].title = "Does a circle cover the pixel, and is it nearer?";
     FILE *file = tmpfile();
-    cr_assert_eq(report_text(file, &long_titles, &result, 0), 0);
+    cr_assert_eq(report_text(file, &long_titles, &result, (ReportTold){.is_all = 1}, 0), 0);
     char *text = stream_text(file);
     expect_part(text, "\n Task overlaps_N_Nearer in overlaps_N_Nearer.cl:\n"
                       "   Does a circle cover the pixel, and is it nearer?       ");

@@ -11,9 +11,17 @@
 // What reports for people say behind the figure of a race and what it counts.
 #define REPORT_RACE_NOTE " on this device, in this run; gives and costs no points"
 
+// What the report for the terminal tells of the tasks: everything, or one task and of the others a
+// line each.
+typedef struct ReportTold {
+    int is_all;
+    const char *task;  // this one; NULL: the first that failed, in the order of work
+} ReportTold;
+
 // For the terminal: a line a check, grouped by task, messages and hints under the failed ones, the
 // score last. Colours only when `colours` is set.
-int report_text(FILE *out, const Manifest *manifest, const Result *result, int colours);
+int report_text(FILE *out, const Manifest *manifest, const Result *result, ReportTold told,
+                int colours);
 
 // results.json; the schema is tests/results.schema.json.
 int report_json(const char *path, const Manifest *manifest, const Result *result);

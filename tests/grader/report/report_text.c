@@ -200,18 +200,89 @@ static void task_print(const TextReport *report, const Manifest *manifest, const
     hint_print(report, task_hint(manifest, result, task));
 }
 
-int report_text(FILE *out, const Manifest *manifest, const Result *result, int colours)
+// ---- One task at a time -------------------------------------------------------------------------
+
+// The worst of what its checks show: failed, not run, passed.
+static CheckStatus task_status(const Result *result, const Task *task)
+{
+    CheckStatus worst = CHECK_PASSED;
+    for (int i = 0; i < result->n_checks; i++) {
+        const CheckResult *check = &result->checks[i];
+        const CheckStatus status = check_status_shown(check);
+        if (strcmp(check->task, task->id) == 0 && status != CHECK_PASSED && worst != CHECK_FAILED) {
+            worst = status;
+        }
+    }
+    return worst;
+}
+
+// The task that is told whole, or NULL.
+static const Task *task_told(const Manifest *manifest, const Result *result, ReportTold told)
+{
+    for (int i = 0; i < manifest->n_tasks; i++) {
+        const Task *task = &manifest->tasks[i];
+        if (told.task != NULL ? strcmp(task->id, told.task) == 0
+                              : task_status(result, task) == CHECK_FAILED) {
+            return task;
+        }
+    }
+    return NULL;
+}
+
+// A line a task in the order of work, and all of one.
+static void tasks_print(TextReport *report, const Manifest *manifest, const Result *result,
+                        ReportTold told)
+{
+    const Task *whole = task_told(manifest, result, told), *next = NULL, *open = NULL;
+    int n_more = 0;
+    fputc('\n', report->out);
+    for (int i = 0; i < manifest->n_tasks; i++) {
+        const Task *task = &manifest->tasks[i];
+        const CheckStatus status = task_status(result, task);
+        const TaskPoints sum = result_task_points(result, task->id);
+        char points[32];
+        snprintf(points, sizeof points, "%d/%d", sum.points, sum.max_points);
+        fprintf(report->out, "   %s%-4s%s  %-*s  %7s  %s\n", colour(report, status_colour(status)),
+                status_mark(status), colour(report, PLAIN), report->id_columns, task->id, points,
+                task->title);
+        if (task != whole && status == CHECK_FAILED) {
+            next = next != NULL ? next : task;
+            n_more++;
+        }
+        open = open == NULL && status == CHECK_NOT_RUN ? task : open;
+    }
+    if (whole != NULL) {
+        task_print(report, manifest, whole, result);
+    }
+    if (whole == NULL && open != NULL) {
+        fprintf(report->out, "\n Next: %s in %s\n", open->id, open->file);
+    }
+    if (n_more > 0) {
+        fprintf(report->out, "\n %d more task%s; TASK=%s shows %s, ALL=1 everything\n", n_more,
+                n_more == 1 ? " fails" : "s fail", next->id, n_more == 1 ? "it" : "one");
+    }
+}
+
+int report_text(FILE *out, const Manifest *manifest, const Result *result, ReportTold told,
+                int colours)
 {
     TextReport report = {.out = out, .colours = colours};
     for (int i = 0; i < result->n_checks; i++) {
         int length = (int)strlen(result->checks[i].id);
         report.id_columns = length > report.id_columns ? length : report.id_columns;
     }
+    for (int i = 0; !told.is_all && i < manifest->n_tasks; i++) {
+        int length = (int)strlen(manifest->tasks[i].id);
+        report.id_columns = length > report.id_columns ? length : report.id_columns;
+    }
     head_print(&report, result);
     for (int i = 0; i < result->n_stages; i++) {
         stage_print(&report, &result->stages[i]);
     }
-    for (int i = 0; i < manifest->n_tasks; i++) {
+    if (!told.is_all) {
+        tasks_print(&report, manifest, result, told);
+    }
+    for (int i = 0; told.is_all && i < manifest->n_tasks; i++) {
         task_print(&report, manifest, &manifest->tasks[i], result);
     }
     fprintf(out, "\n %sScore %d/%d%s\n", colour(&report, BOLD), result->score, result->max_score,
