@@ -29,15 +29,41 @@ static int diagnostic_read(const char *line, Diagnostic *diagnostic)
         size_t length = strlen(severity);
         int n_read = 0;
         if (strncmp(line, severity, length) == 0 &&
-            sscanf(line + length, ": %1023[^:]:%d:%d: %n", diagnostic->file, &diagnostic->line,
+            sscanf(line + length, ": %1023[^:]:%d:%d%n", diagnostic->file, &diagnostic->line,
                    &diagnostic->column, &n_read) == 3 &&
             n_read > 0) {
+            const char *text = line + length + n_read;
+            // PoCL's functions are macros: " <Spelling=...>" is their place, not the student's.
+            const char *end = strncmp(text, " <Spelling=", 11) == 0 ? strchr(text, '>') : NULL;
+            text = end != NULL ? end + 1 : text;
             strcpy(diagnostic->severity, severity);
-            diagnostic->text = line + length + n_read;
-            return 1;
+            diagnostic->text = text + 2;
+            return strncmp(text, ": ", 2) == 0;
         }
     }
     return 0;
+}
+
+// PoCL calls max() _cl_max inside: print a text with the functions' own names.
+static void text_print(FILE *out, const char *text)
+{
+    static const char inner[] = "'_cl_";
+    for (const char *found; (found = strstr(text, inner)) != NULL;) {
+        fprintf(out, "%.*s'", (int)(found - text), text);
+        text = found + sizeof inner - 1;
+    }
+    fprintf(out, "%s\n", text);
+}
+
+// What to write instead, for two mistakes with OpenCL's functions whose messages do not say so.
+static void advice_print(FILE *out, const char *text)
+{
+    if (strncmp(text, "call to '", 9) == 0 && strstr(text, "' is ambiguous") != NULL) {
+        fprintf(out, "note: its arguments are of different types: for a float write 0.0f, not 0\n");
+    } else if (strncmp(text, "no matching function for call to '", 34) == 0) {
+        fprintf(out, "note: count its arguments, and look at their types: max() has two, so that "
+                     "the largest of three is max(a, max(b, c))\n");
+    }
 }
 
 // Does the driver draw carets itself? Then its log is left as it is.
@@ -157,9 +183,11 @@ int build_log_print(FILE *out, const char *log, const char *path, const char *al
             // Nothing to tell the author.
         } else if (diagnostic_read(line, &diagnostic)) {
             file_rename(diagnostic.file, alias, folder);
-            fprintf(out, "%s:%d:%d: %s: %s\n", diagnostic.file, diagnostic.line, diagnostic.column,
-                    diagnostic.severity, diagnostic.text);
+            fprintf(out, "%s:%d:%d: %s: ", diagnostic.file, diagnostic.line, diagnostic.column,
+                    diagnostic.severity);
+            text_print(out, diagnostic.text);
             source_line_print(out, diagnostic.file, diagnostic.line, diagnostic.column);
+            advice_print(out, diagnostic.text);
             n_messages++;
         } else if (!line_is_noise(line)) {
             fprintf(out, "%s: %s\n", path, line);

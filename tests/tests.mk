@@ -83,8 +83,9 @@ figures: all views pixels $(FIGURES)  ## draw the pictures of the READMEs and no
 
 # Texts of answers are as somebody wrote them.
 NOT_OURS = -e ^labs/ -e ^tests/stand_ins/ -e ^tests/mutants/ -e ^tests/right/ -e ^tests/memcheck/.*\\.cl -e ^tests/attacks/
+# Older ones, that editors may have, know no InsertBraces: it is not in .clang-format.
 format:  ## put every source into the one format
-	clang-format-19 -i $$(git ls-files -- '*.c' '*.h' '*.cpp' '*.cl' | grep -v $(NOT_OURS))
+	clang-format-19 --style='{BasedOnStyle: InheritParentConfig, InsertBraces: true}' -i $$(git ls-files -- '*.c' '*.h' '*.cpp' '*.cl' | grep -v $(NOT_OURS))
 
 # ---- Tests ----------------------------------------------------------------------------------
 

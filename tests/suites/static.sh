@@ -7,7 +7,8 @@ sources=$(git ls-files -- '*.c' '*.h' '*.cpp' '*.cl' 2>/dev/null)
 written=$(echo "$sources" | grep -v -e '^labs/' -e '^tests/stand_ins/' -e '^tests/mutants/' -e '^tests/right/' -e '^tests/memcheck/.*\.cl' -e '^tests/attacks/')
 
 # shellcheck disable=SC2086 # lists of names without spaces
-check "clang-format (make format mends it)" clang-format-19 --dry-run -Werror $written
+check "clang-format (make format mends it)" clang-format-19 --dry-run -Werror \
+    --style='{BasedOnStyle: InheritParentConfig, InsertBraces: true}' $written
 
 # shellcheck disable=SC2046,SC2086
 check "cppcheck" cppcheck --quiet --error-exitcode=1 --inline-suppr --std=c11 --language=c \

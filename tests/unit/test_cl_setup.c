@@ -342,6 +342,22 @@ Test(cl_setup, a_place_that_is_not_in_the_file_is_told_without_a_line)
     cr_expect_str_eq(print_log("error: k.cl:1:9: no"), "k.cl:1:9: error: no\none\n   ^\n");
 }
 
+// PoCL's functions are macros: what it says names where they stand, and what they are inside.
+Test(cl_setup, functions_have_their_own_names_and_the_line_that_calls_them)
+{
+    file_write("k.cl", "max(0, x)\n", 10);
+    cr_expect_str_eq(print_log("error: k.cl:1:1 <Spelling=/usr/share/pocl/renames.h:138:24>: call "
+                               "to '_cl_max' is ambiguous\n"),
+                     "k.cl:1:1: error: call to 'max' is ambiguous\nmax(0, x)\n^\n"
+                     "note: its arguments are of different types: for a float write 0.0f, not 0\n");
+    cr_expect_str_eq(print_log("error: k.cl:1:1: no matching function for call to '_cl_max'\n"),
+                     "k.cl:1:1: error: no matching function for call to 'max'\nmax(0, x)\n^\n"
+                     "note: count its arguments, and look at their types: max() has two, so that "
+                     "the largest of three is max(a, max(b, c))\n");
+    cr_expect_str_eq(print_log("error: k.cl:1:1 <Spelling=unfinished\n"),
+                     "k.cl: error: k.cl:1:1 <Spelling=unfinished\n");
+}
+
 // ---- Errors by name -----------------------------------------------------------------------------
 
 Test(cl_setup, errors_have_names)
