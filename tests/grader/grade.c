@@ -219,7 +219,7 @@ static int grade(Grading *grading, const Settings *settings)
         return -1;
     }
     session->allowance.is_for_one = 1;
-    session_device_name(session->has_solution ? &session->solution : &grading->whole,
+    session_device_name(session, session->has_solution ? &session->solution : &grading->whole,
                         grading->result.device, sizeof grading->result.device);
     if (!is_staged) {
         return 0;

@@ -270,12 +270,15 @@ int session_trust_solution(Session *session)
                              &solution->answers, &session->allowance);
 }
 
-void session_device_name(const Variant *variant, char *name, size_t n_bytes)
+void session_device_name(const Session *session, const Variant *variant, char *name, size_t n_bytes)
 {
     size_t length;
     const char *device = sections_find_any(&variant->answers, "device", &length);
-    snprintf(name, n_bytes, "%.*s", device ? (int)strnlen(device, length) : 4,
-             device ? device : "host");
+    if (device != NULL) {
+        snprintf(name, n_bytes, "%.*s", (int)strnlen(device, length), device);
+    } else {
+        snprintf(name, n_bytes, "%s", manifest_has_kernels(&session->manifest) ? "none" : "host");
+    }
 }
 
 char *session_find_line(Session *session, const Variant *variant, const char **task)

@@ -52,8 +52,10 @@ int session_run_apart(Session *session, Variant *const variants[], int n);
 // the solution's. Returns 0, or -1 after one message; 0 where there is no solution.
 int session_trust_solution(Session *session);
 
-// The device's name as a variant's probe saw it, "host" for labs that use none.
-void session_device_name(const Variant *variant, char *name, size_t n_bytes);
+// The device's name as a variant's probe saw it: "none" where it never came so far, "host" for labs
+// that use none.
+void session_device_name(const Session *session, const Variant *variant, char *name,
+                         size_t n_bytes);
 
 // What goes into the hole of one of the lab's tasks.
 typedef struct HoleAnswer {

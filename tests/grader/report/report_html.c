@@ -107,10 +107,11 @@ static void stages_write(FILE *page, const Result *result)
         }
         fprintf(page,
                 "<div class=\"check %s\"><span class=\"mark\">%s</span><div><span class=\"name\">",
-                check_status_name(stage->status), status_mark(stage->status));
+                check_status_name(stage->status),
+                stage->status == CHECK_PASSED ? "•" : status_mark(stage->status));
         html_line(page, stage->title);
         fprintf(page, "</span></div><span class=\"number\">%s</span>\n",
-                stage->status == CHECK_PASSED   ? "with remarks"
+                stage->status == CHECK_PASSED   ? "a remark"
                 : stage->status == CHECK_FAILED ? "failed"
                                                 : "not run");
         html_message(page, stage->message);

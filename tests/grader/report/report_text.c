@@ -140,8 +140,11 @@ static void stage_print(const TextReport *report, const StageResult *stage)
     if (stage->status == CHECK_PASSED && !has_message) {
         return;
     }
-    fprintf(report->out, "   %s%-4s%s  %s\n", colour(report, status_colour(stage->status)),
-            status_mark(stage->status), colour(report, PLAIN), stage->title);
+    // What passed and has something to say is a remark.
+    const int is_remark = stage->status == CHECK_PASSED;
+    fprintf(report->out, "   %s%-4s%s  %s\n",
+            is_remark ? "" : colour(report, status_colour(stage->status)),
+            is_remark ? "note" : status_mark(stage->status), colour(report, PLAIN), stage->title);
     int is_log = has_message && strchr(stage->message, '\n') != NULL;
     message_print(report->out, stage->message, is_log ? MESSAGE_LOG : MESSAGE_PROSE);
 }
