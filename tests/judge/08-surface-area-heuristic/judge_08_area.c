@@ -7,212 +7,83 @@
 #include <float.h>
 #include <math.h>
 
+#define GIVEN                                                                                      \
+    const BBox3D in = ((const Job08 *)job)->areas[i];                                              \
+    const double found = ((const double *)answers)[i]
+// NaN is not near to anything.
+#define IS_FOUND(area) (fabs(found - (area)) <= SAH_AREA_TOLERANCE * fabs(area))
+
+// ---- Right --------------------------------------------------------------------------------------
+
+static double area_of(double x, double y, double z)
+{
+    return 2 * (x * y + y * z + z * x);
+}
+
+#define FROM(axis, other) ((double)in.max[axis] - (double)in.min[other])
+#define X FROM(0, 0)
+#define Y FROM(1, 1)
+#define Z FROM(2, 2)
+#define AREA area_of(X, Y, Z)
+
+RIGHT(is_area, IS_FOUND(AREA))
+
 // ---- Mistakes -----------------------------------------------------------------------------------
 
-// A box's three lengths.
-typedef struct Lengths {
-    double of[3];
-} Lengths;
+ANSWERS(one_side, AREA / 2, "that is half of the faces: each has its like on the other side")
+ANSWERS(without_x, AREA - 2 * Y * Z, "the two faces at right angles to x are missing")
+ANSWERS(without_y, AREA - 2 * Z * X, "the two faces at right angles to y are missing")
+ANSWERS(without_z, AREA - 2 * X * Y, "the two faces at right angles to z are missing")
+EACH(one_twice,
+     IS_FOUND(4 * Y * Z + 2 * Z * X) || IS_FOUND(4 * Y * Z + 2 * X * Y) ||
+         IS_FOUND(4 * Z * X + 2 * X * Y) || IS_FOUND(4 * Z * X + 2 * Y * Z) ||
+         IS_FOUND(4 * X * Y + 2 * Y * Z) || IS_FOUND(4 * X * Y + 2 * Z * X),
+     "one pair of faces counts twice, and another one is missing")
+EACH(cube, IS_FOUND(6 * Y * Z) || IS_FOUND(6 * Z * X) || IS_FOUND(6 * X * Y),
+     "that is six times one of the faces: the sides may differ")
+ANSWERS(edges, 4 * (X + Y + Z), "that is the length of the twelve edges")
+ANSWERS(lengths, X + Y + Z, "that is the sum of the three lengths")
+ANSWERS(volume, X *Y *Z, "that is the volume")
+ANSWERS(flat_is_nothing, X *Y *Z == 0 ? 0 : AREA, "a flat box has no volume, and still two faces")
+ANSWERS(flat_has_one_side, X *Y *Z == 0 ? AREA / 2 : AREA,
+        "a flat box has two faces, too: both count")
+ANSWERS(whole_lengths, area_of(trunc(X), trunc(Y), trunc(Z)),
+        "the lengths were cut to whole numbers")
+ANSWERS(whole_area, trunc(AREA), "the area was cut to a whole number")
+ANSWERS(from_zero, area_of(in.max[0], in.max[1], in.max[2]),
+        "that is as if every box began at 0: a length is max - min")
+EACH(other_min,
+     IS_FOUND(area_of(FROM(0, 1), Y, Z)) || IS_FOUND(area_of(FROM(0, 2), Y, Z)) ||
+         IS_FOUND(area_of(X, FROM(1, 0), Z)) || IS_FOUND(area_of(X, FROM(1, 2), Z)) ||
+         IS_FOUND(area_of(X, Y, FROM(2, 0))) || IS_FOUND(area_of(X, Y, FROM(2, 1))),
+     "one length goes from the lowest coordinate of another axis")
 
-// Each from the lowest coordinate of an axis: its own in "xyz".
-static Lengths lengths_from(BBox3D box, const char *from)
-{
-    Lengths lengths;
-    for (int axis = 0; axis < 3; axis++) {
-        lengths.of[axis] = (double)box.max[axis] - box.min[from[axis] - 'x'];
-    }
-    return lengths;
-}
-
-static Lengths lengths_of(BBox3D box)
-{
-    return lengths_from(box, "xyz");
-}
-
-// The sum of the faces at right angles to x, y and z, each with how often it counts.
-static double faces_of(Lengths lengths, const double counts[3])
-{
-    const double x = lengths.of[0], y = lengths.of[1], z = lengths.of[2];
-    return counts[0] * (y * z) + counts[1] * (z * x) + counts[2] * (x * y);
-}
-
-static double area_of(Lengths lengths)
-{
-    static const double both_sides[3] = {2, 2, 2};
-    return faces_of(lengths, both_sides);
-}
-
-// A known mistake, and what is said about it; number 0 is none.
-typedef struct AreaMistake {
-    Cause cause;
-    double (*area)(BBox3D box);  // what comes of it, or NULL:
-    double faces[3];             // how often each face counts, where this is not 0
-    const char *from;   // where each length begins: "yyz" is x from the lowest y, else NULL
-    int is_lost_small;  // the smallest box has no area, and all else is right
-    int is_lost_large;  // the largest ones have no number for it
-} AreaMistake;
-
-static double edges(BBox3D box)
-{
-    return sah_size(box, SAH_EDGES);
-}
-
-static double volume(BBox3D box)
-{
-    return sah_size(box, SAH_VOLUME);
-}
-
-static double sum_of_lengths(BBox3D box)
-{
-    return sah_size(box, SAH_EDGES) / 4;
-}
-
-static int is_flat(BBox3D box)
-{
-    return sah_size(box, SAH_VOLUME) == 0;
-}
-
-static double flat_is_nothing(BBox3D box)
-{
-    return is_flat(box) ? 0 : area_of(lengths_of(box));
-}
-
-static double flat_has_one_side(BBox3D box)
-{
-    return area_of(lengths_of(box)) / (is_flat(box) ? 2 : 1);
-}
-
-static double in_whole_lengths(BBox3D box)
-{
-    Lengths lengths = lengths_of(box);
-    for (int axis = 0; axis < 3; axis++) {
-        lengths.of[axis] = trunc(lengths.of[axis]);
-    }
-    return area_of(lengths);
-}
-
-static double in_whole_numbers(BBox3D box)
-{
-    return trunc(area_of(lengths_of(box)));
-}
-
-static double from_zero(BBox3D box)
-{
-    Lengths lengths;
-    for (int axis = 0; axis < 3; axis++) {
-        lengths.of[axis] = box.max[axis];
-    }
-    return area_of(lengths);
-}
-
-static Lengths lengths_without_signs(BBox3D box)
-{
-    Lengths lengths;
-    for (int axis = 0; axis < 3; axis++) {
-        lengths.of[axis] = fabs((double)box.max[axis]) - fabs((double)box.min[axis]);
-    }
-    return lengths;
-}
-
-static double without_signs(BBox3D box)
-{
-    return area_of(lengths_without_signs(box));
-}
-
-static double without_any_sign(BBox3D box)
-{
-    Lengths lengths = lengths_without_signs(box);
-    for (int axis = 0; axis < 3; axis++) {
-        lengths.of[axis] = fabs(lengths.of[axis]);
-    }
-    return area_of(lengths);
-}
-
-#define ONE_TWICE "one pair of faces counts twice, and another one is missing"
-#define OTHER_MIN "one length goes from the lowest coordinate of another axis"
-#define SIGNS "coordinates may be negative: a length is max - min, with their signs"
-#define CUBE "that is six times one of the faces: the sides may differ"
-
-static const AreaMistake area_mistakes[] = {
-    {.cause = {0}},
-    {{.says = "that is half of the faces: each has its like on the other side"},
-     .faces = {1, 1, 1}},
-    {{.says = "the two faces at right angles to x are missing"}, .faces = {0, 2, 2}},
-    {{.says = "the two faces at right angles to y are missing"}, .faces = {2, 0, 2}},
-    {{.says = "the two faces at right angles to z are missing"}, .faces = {2, 2, 0}},
-    {{.says = ONE_TWICE}, .faces = {0, 2, 4}},
-    {{.says = ONE_TWICE}, .faces = {0, 4, 2}},
-    {{.says = ONE_TWICE}, .faces = {2, 0, 4}},
-    {{.says = ONE_TWICE}, .faces = {4, 0, 2}},
-    {{.says = ONE_TWICE}, .faces = {2, 4, 0}},
-    {{.says = ONE_TWICE}, .faces = {4, 2, 0}},
-    {{.says = CUBE}, .faces = {6, 0, 0}},
-    {{.says = CUBE}, .faces = {0, 6, 0}},
-    {{.says = CUBE}, .faces = {0, 0, 6}},
-    {{.says = "that is the length of the twelve edges"}, .area = edges},
-    {{.says = "that is the sum of the three lengths"}, .area = sum_of_lengths},
-    {{.says = "that is the volume"}, .area = volume},
-    {{.says = "a flat box has no volume, and still two faces"}, .area = flat_is_nothing},
-    {{.says = "a flat box has two faces, too: both count"}, .area = flat_has_one_side},
-    {{.says = "the lengths were cut to whole numbers"}, .area = in_whole_lengths},
-    {{.says = "the area was cut to a whole number"}, .area = in_whole_numbers},
-    {{.says = "that is as if every box began at 0: a length is max - min"}, .area = from_zero},
-    {{.says = SIGNS}, .area = without_signs},
-    {{.says = SIGNS}, .area = without_any_sign},
-    {{.says = OTHER_MIN}, .from = "yyz"},
-    {{.says = OTHER_MIN}, .from = "zyz"},
-    {{.says = OTHER_MIN}, .from = "xxz"},
-    {{.says = OTHER_MIN}, .from = "xzz"},
-    {{.says = OTHER_MIN}, .from = "xyx"},
-    {{.says = OTHER_MIN}, .from = "xyy"},
-    {{.says = "however small a box is, it has an area: no epsilon"}, .is_lost_small = 1},
-    {{.says = "in float a large box overflows: lengths and area are to be double"},
-     .is_lost_large = 1},
-};
-
-// ---- Judging ------------------------------------------------------------------------------------
+#define UNSIGNED(axis) (fabs((double)in.max[axis]) - fabs((double)in.min[axis]))
+EACH(signs,
+     IS_FOUND(area_of(UNSIGNED(0), UNSIGNED(1), UNSIGNED(2))) ||
+         IS_FOUND(area_of(fabs(UNSIGNED(0)), fabs(UNSIGNED(1)), fabs(UNSIGNED(2)))),
+     "coordinates may be negative: a length is max - min, with their signs")
 
 // Only the tiny box is smaller, and only those that overflow in float are larger.
-#define SMALL 0x1p-16
-#define LARGE 0x1p60
+#define LONGEST fmax(fmax(X, Y), Z)
+ONLY(small_lost, LONGEST < 0x1p-16 && found == 0,
+     "however small a box is, it has an area: no epsilon")
+ONLY(large_lost, LONGEST > 0x1p60 && !isfinite(found),
+     "in float a large box overflows: lengths and area are to be double")
 
-static double longest_of(BBox3D box)
+static const Known *const known[] = {
+    &one_side,   &without_x, &without_y, &without_z,       &one_twice,         &cube,
+    &edges,      &lengths,   &volume,    &flat_is_nothing, &flat_has_one_side, &whole_lengths,
+    &whole_area, &from_zero, &other_min, &signs,           &small_lost,        &large_lost,
+};
+
+// ---- Answers ------------------------------------------------------------------------------------
+
+static char *describe(const void *job, int i, const void *answers)
 {
-    const Lengths lengths = lengths_of(box);
-    return fmax(fmax(lengths.of[0], lengths.of[1]), lengths.of[2]);
+    GIVEN;
+    return message_new("box %s: found %.9g, expected %.9g", words_box3d(in).text, found, AREA);
 }
 
-static double expected_area(BBox3D box, const AreaMistake *mistake)
-{
-    const double *faces = mistake->faces;
-    const int counts_faces = faces[0] + faces[1] + faces[2] > 0;
-    return mistake->area != NULL   ? mistake->area(box)
-           : mistake->from != NULL ? area_of(lengths_from(box, mistake->from))
-           : counts_faces          ? faces_of(lengths_of(box), faces)
-                                   : area_of(lengths_of(box));
-}
-
-static int area_agrees(const void *pointer, int i, const void *answers, int number)
-{
-    const BBox3D box = ((const Job08 *)pointer)->areas[i];
-    const AreaMistake *mistake = &area_mistakes[number];
-    const double found = ((const double *)answers)[i], expected = expected_area(box, mistake);
-    if (mistake->is_lost_large && longest_of(box) > LARGE && !isfinite(found)) {
-        return 1;
-    }
-    if (mistake->is_lost_small && longest_of(box) < SMALL && found == 0) {
-        return 1;
-    }
-    // NaN is not near to anything.
-    return fabs(found - expected) <= SAH_AREA_TOLERANCE * fabs(expected);
-}
-
-static char *describe_area(const void *pointer, int i, const void *answers)
-{
-    const BBox3D box = ((const Job08 *)pointer)->areas[i];
-    return message_new("box %s: found %.9g, expected %.9g", words_box3d(box).text,
-                       ((const double *)answers)[i], sah_size(box, SAH_AREA));
-}
-
-const Function area_08 = {"areas", N_AREAS, sizeof(double),
-                          COMPARED(area_agrees, describe_area, area_mistakes), .counted = "boxes"};
+const Function area_08 = {"areas", N_AREAS, sizeof(double), KNOWING(is_area, describe, known),
+                          .counted = "boxes"};
