@@ -43,9 +43,10 @@ EACH(cube, IS_FOUND(6 * Y * Z) || IS_FOUND(6 * Z * X) || IS_FOUND(6 * X * Y),
      "that is six times one of the faces: the sides may differ")
 ANSWERS(edges, 4 * (X + Y + Z), "that is the length of the twelve edges")
 ANSWERS(lengths, X + Y + Z, "that is the sum of the three lengths")
-ANSWERS(volume, X *Y *Z, "that is the volume")
-ANSWERS(flat_is_nothing, X *Y *Z == 0 ? 0 : AREA, "a flat box has no volume, and still two faces")
-ANSWERS(flat_has_one_side, X *Y *Z == 0 ? AREA / 2 : AREA,
+ANSWERS(volume, (X * Y * Z), "that is the volume")
+ANSWERS(flat_is_nothing, (X * Y * Z) == 0 ? 0 : AREA,
+        "a flat box has no volume, and still two faces")
+ANSWERS(flat_has_one_side, (X * Y * Z) == 0 ? AREA / 2 : AREA,
         "a flat box has two faces, too: both count")
 ANSWERS(whole_lengths, area_of(trunc(X), trunc(Y), trunc(Z)),
         "the lengths were cut to whole numbers")
@@ -74,8 +75,7 @@ ONLY(large_lost, LONGEST > 0x1p60 && !isfinite(found),
 static const Known *const known[] = {
     &one_side,   &without_x, &without_y, &without_z,       &one_twice,         &cube,
     &edges,      &lengths,   &volume,    &flat_is_nothing, &flat_has_one_side, &whole_lengths,
-    &whole_area, &from_zero, &other_min, &signs,           &small_lost,        &large_lost,
-};
+    &whole_area, &from_zero, &other_min, &signs,           &small_lost,        &large_lost};
 
 // ---- Answers ------------------------------------------------------------------------------------
 

@@ -7,98 +7,114 @@
 #include <float.h>
 #include <math.h>
 
-// A known mistake, and what is said about it; number 0 is none.
-typedef struct BestMistake {
-    Cause cause;
-    SahRules rules;
-    int is_lost_many;  // of the node with the most spheres anything, and all else is right
-} BestMistake;
+// ---- A search -----------------------------------------------------------------------------------
 
-#define EPSILON {.says = "a plane that is cheaper by however little is the better one: no epsilon"}
+// Where a sphere is: in the lower child of planes number `from` and up, in the higher child of
+// those up to `to`.
+typedef struct Span {
+    int from, to;
+} Span;
+enum { NEVER = SAH_BINS + 1 };
 
-#define BY_CENTRE {.says = "a sphere counts by its range, not by its centre"}
+// A plane, with the spheres of its children.
+typedef struct Plane {
+    CostJob split;
+    double cost;
+} Plane;
 
-static const BestMistake best_mistakes[] = {
-    {.cause = {0}},
-    {{.says = "of equal costs the first plane counts: x before y before z, and the lower one first",
-      .mistake = MISTAKE_LATER_OF_EQUALS},
-     .rules = {.last_of_equals = 1}},
-    {{.says = "only the longest side is searched, not all three"}, .rules = {.longest_only = 1}},
-    {{.says = "planes across z are not searched"}, .rules = {.no_z = 1}},
-    {{.says = "planes across y are not searched"}, .rules = {.no_y = 1}},
-    {{.says = "only planes across x are searched"}, .rules = {.no_y = 1, .no_z = 1}},
-    {{.says = "that is the plane with the highest cost"}, .rules = {.highest_cost = 1}},
-    {BY_CENTRE, .rules = {.by_centre = 1}},
-    {BY_CENTRE, .rules = {.by_centre = 1, .end_below = 1}},
-    {BY_CENTRE, .rules = {.by_centre = 1, .begin_above = 1}},
-    {{.says = "a range that begins at the plane counts in the lower child, too",
-      .mistake = MISTAKE_STRICT_BOUNDARY},
-     .rules = {.begin_above = 1}},
-    {{.says = "a range that ends at the plane counts in the higher child, too",
-      .mistake = MISTAKE_STRICT_BOUNDARY},
-     .rules = {.end_below = 1}},
-    {{.says = "a range that only touches the plane counts in both children",
-      .mistake = MISTAKE_STRICT_BOUNDARY},
-     .rules = {.begin_above = 1, .end_below = 1}},
-    {{.says = "a negative radius counts as its absolute value"}, .rules = {.signed_radius = 1}},
-    {{.says = "the first plane is not asked"}, .rules = {.without_first = 1}},
-    {{.says = "the last plane is not asked"}, .rules = {.without_last = 1}},
-    {{.says = "the border of the cell is asked, too: only planes within the cell are candidates"},
-     .rules = {.to_border = 1}},
-    {{.says = "the border of the cell is asked, too: only planes within the cell are candidates"},
-     .rules = {.from_border = 1}},
-    {{.says = "the border of the cell is asked, too: only planes within the cell are candidates"},
-     .rules = {.from_border = 1, .to_border = 1}},
-    {{.says = "of equal costs on several axes x counts before y, and y before z"},
-     .rules = {.later_axis = 1}},
-    {{.says = "of equal costs on an axis the lower plane counts"}, .rules = {.later_plane = 1}},
-    {{.says = "behind a plane that costs more than the one before a cheaper one may come: all are "
-              "asked"},
-     .rules = {.stops_rising = 1}},
-    {{.says = "a plane that leaves a child empty is a candidate, too"}, .rules = {.no_empty = 1}},
-    {{.says = "the cheapest plane is searched, also where a leaf is cheaper: that is asked later"},
-     .rules = {.below_leaf = 1}},
-    {{.says = "a sphere that begins before the cell is in its lower child, too"},
-     .rules = {.begin_in_cell = 1}},
-    {{.says = "a sphere that ends in the bin before a plane is not in its higher child any more"},
-     .rules = {.ends_late = 1}},
-    {{.says = "the ends are off by one bin: who ends in the bin behind a plane is in its higher "
-              "child still"},
-     .rules = {.ends_early = 1}},
-    {{.says = "the begins are off by one bin: who begins in the bin before a plane is in its lower "
-              "child"},
-     .rules = {.begins_late = 1}},
-    {{.says = "the begins are off by one bin: who begins in the bin behind a plane is not yet in "
-              "its lower child"},
-     .rules = {.begins_early = 1}},
-    {{.says = "all bins are off by one: at a plane only those before it are counted, up to bin "
-              "plane - 1"},
-     .rules = {.begins_early = 1, .ends_early = 1}},
-    {{.says = "all bins are off by one: at a plane the bin just before it, plane - 1, is counted, "
-              "too"},
-     .rules = {.begins_late = 1, .ends_late = 1}},
-    {{.says = "the higher child keeps all spheres: those that end before the plane leave it"},
-     .rules = {.higher_keeps = 1}},
-    {{.says = "the bins of an axis begin with what those of the axis before hold, not with 0"},
-     .rules = {.carried_over = 1}},
-    {{.says = "the cheapest of all three axes counts, not of the last one"},
-     .rules = {.last_axis = 1}},
-    {{.says = "a sphere over the plane is in both children: the higher one has more than the rest"},
-     .rules = {.rest_is_higher = 1}},
-    {{.says = "the node's spheres are those that its ids name"}, .rules = {.all_spheres_id = 1}},
-    {EPSILON, .rules = {.least_gain = 1e-2}},
-    {EPSILON, .rules = {.least_gain = 1e-3}},
-    {EPSILON, .rules = {.least_gain = 1e-4}},
-    {EPSILON, .rules = {.least_gain = 1e-5}},
-    {EPSILON, .rules = {.least_share = 1e-2}},
-    {EPSILON, .rules = {.least_share = 1e-3}},
-    {EPSILON, .rules = {.least_share = 1e-4}},
-    {{.says = "in a cell without area each cost is NaN, and is taken: only a lower cost may be"},
-     .rules = {.nan_is_taken = 1}},
-    {{.says = "only the node with the most spheres is wrong: a bin holds more of them than 16 bits "
-              "count"},
-     .is_lost_many = 1},
-};
+// A way of searching. All zeros is the right one.
+typedef struct Way {
+    Span (*span)(const SahNode *node, u32 j, u32 axis);            // of sphere j of the node
+    int (*asks)(const SahNode *node, const Plane *planes, int i);  // plane number i of an axis
+    int from_border, to_border;  // the cell's borders are asked, too
+    int (*takes)(const SahNode *node, const Plane *plane, const Plane *best);
+    int carries;      // the bins of an axis begin with what those of the axis before hold
+    int is_stand_in;  // split_cost is that of tests/stand_ins
+} Way;
+
+static double stand_in_cost(BBox3D box, CostJob split, u32 n_lower, u32 n_higher, u32 LOT)
+{
+#include "08-surface-area-heuristic/split_cost.c"
+}
+
+static int from_of(const SahNode *node, f32 begin, u32 axis)
+{
+    int from = 1;
+    while (from < SAH_BINS && begin > sah_plane_at(node->box, axis, from)) {
+        from++;
+    }
+    return from;
+}
+
+static int to_of(const SahNode *node, f32 end, u32 axis)
+{
+    int to = SAH_BINS - 1;
+    while (to > 0 && end < sah_plane_at(node->box, axis, to)) {
+        to--;
+    }
+    return to;
+}
+
+static Span right_span(const SahNode *node, u32 j, u32 axis)
+{
+    const Sphere sphere = node->spheres[node->ids[j]];
+    const f32 centre = sah_centre(sphere, axis), radius = fabsf(sphere.radius);
+    return (Span){from_of(node, centre - radius, axis), to_of(node, centre + radius, axis)};
+}
+
+// The planes of all axes, by their numbers, those on the borders too.
+typedef struct Planes {
+    Plane of[3][SAH_BINS + 1];
+} Planes;
+
+static Planes weighed(const SahNode *node, u32 lot, Way way)
+{
+    Planes planes;
+    for (u32 axis = 0; axis < 3; axis++) {
+        Plane *of = planes.of[axis];
+        for (int i = 0; i <= SAH_BINS; i++) {
+            of[i].split = (CostJob){node->box, axis, sah_plane_at(node->box, axis, i), 0, 0};
+        }
+        for (u32 j = 0; j < node->n_ids; j++) {
+            const Span span = (way.span != NULL ? way.span : right_span)(node, j, axis);
+            for (int i = 1; i < SAH_BINS; i++) {
+                of[i].split.n_lower += i >= span.from;
+                of[i].split.n_higher += i <= span.to;
+            }
+        }
+        of[0].split.n_higher = of[SAH_BINS].split.n_lower = node->n_ids;
+        for (int i = 0; i <= SAH_BINS; i++) {
+            CostJob *split = &of[i].split;
+            if (way.carries && axis > 0) {  // fewer than none, perhaps
+                split->n_lower += planes.of[axis - 1][i].split.n_lower;
+                split->n_higher += planes.of[axis - 1][i].split.n_higher - node->n_ids;
+            }
+            of[i].cost = way.is_stand_in ? stand_in_cost(node->box, *split, split->n_lower,
+                                                         split->n_higher, lot)
+                                         : sah_cost(*split);
+        }
+    }
+    return planes;
+}
+
+static Plane best_of(const SahNode *node, const Planes *planes, Way way)
+{
+    Plane best = {.cost = INFINITY};
+    for (u32 axis = 0; axis < 3 && sah_area(node->box) > 0; axis++) {
+        for (int i = 1 - way.from_border; i < SAH_BINS + way.to_border; i++) {
+            const Plane *plane = &planes->of[axis][i];
+            if ((way.asks == NULL || way.asks(node, planes->of[axis], i)) &&
+                (way.takes != NULL ? way.takes(node, plane, &best) : plane->cost < best.cost)) {
+                best = *plane;
+            }
+        }
+    }
+    return best;
+}
+
+#define GIVEN                                                                                      \
+    const BestJob in = ((const Job08 *)job)->bests[i];                                             \
+    const BestAnswer found = ((const BestAnswer *)answers)[i]
 
 // The input number i as a node.
 static SahNode node_of(const Job08 *job, int i)
@@ -107,50 +123,193 @@ static SahNode node_of(const Job08 *job, int i)
     return (SahNode){in.box, job->best_spheres, job->best_ids + in.first_id, NULL, in.n_ids};
 }
 
-// Of exact ties only the first is right; elsewhere the costs of two planes may be so near that
-// float takes one for the other.
-static int is_tie(int i)
-{
-    return i >= N_CELLS && i < N_CELLS + N_TIES;
-}
-
-// Is this an answer that follows from the rules?
-static int follows(const Job08 *job, int i, BestAnswer found, const SahRules *rules)
+// Is this an answer of the search? Of exact ties only the first plane is right; elsewhere the costs
+// of two planes may be so near that float takes one for the other.
+static int follows(const Job08 *job, int i, BestAnswer found, Way way)
 {
     const SahNode node = node_of(job, i);
-    const SahPlane best = sah_best(&node, rules);
+    const Planes planes = weighed(&node, job->job.lot, way);
+    const Plane best = best_of(&node, &planes, way);
     if (best.cost == INFINITY) {
-        return rules->nan_is_taken ? isnan(found.cost) : found.cost == INFINITY;
+        return found.cost == INFINITY;
     }
+    const int is_tie = i >= N_CELLS && i < N_CELLS + N_TIES;
     const int number = found.axis < 3 ? sah_plane_number(node.box, found.axis, found.pos) : 0;
-    const int is_best = found.axis == best.axis && found.pos == best.pos;
-    if (!(fabs(found.cost - best.cost) <= SAH_COST_TOLERANCE * best.cost)) {
-        return 0;
-    }
-    if (is_tie(i) || rules->last_of_equals || number == 0) {
-        return is_best;
-    }
-    const double cost = sah_weigh(&node, found.axis, number, rules).cost;
-    return cost <= best.cost * (1 + 2 * SAH_COST_TOLERANCE) || rules->highest_cost;
+    const int is_best = found.axis == best.split.axis && found.pos == best.split.pos;
+    const double tolerance = SAH_COST_TOLERANCE * best.cost;
+    return fabs(found.cost - best.cost) <= tolerance &&
+           (is_best || (!is_tie && number > 0 &&
+                        planes.of[found.axis][number].cost <= best.cost + 2 * tolerance));
 }
 
-static int best_agrees(const void *job, int i, const void *answers, int mistake)
+RIGHT(is_best, follows(job, i, found, (Way){0}))
+
+// ---- Mistakes -----------------------------------------------------------------------------------
+
+// Which planes are asked.
+#define ASKS(name, expression, ...)                                                                \
+    static int name##_asks(const SahNode *node, const Plane *planes, int i)                        \
+    {                                                                                              \
+        const u32 axis = planes->split.axis;                                                       \
+        (void)node, (void)axis, (void)i;                                                           \
+        return expression;                                                                         \
+    }                                                                                              \
+    EACH(name, follows(job, i, found, (Way){.asks = name##_asks}), __VA_ARGS__)
+
+static u32 longest_axis(BBox3D box)
 {
-    return (best_mistakes[mistake].is_lost_many && i == MANY_NODE) ||
-           follows(job, i, ((const BestAnswer *)answers)[i], &best_mistakes[mistake].rules);
+    u32 longest = 0;
+    for (u32 axis = 1; axis < 3; axis++) {
+        if (box.max[axis] - box.min[axis] > box.max[longest] - box.min[longest]) {
+            longest = axis;
+        }
+    }
+    return longest;
 }
 
-// A mistake explains all inputs, not only those of the check: where costs are equal by design, many
-// choose the same plane.
-static int best_shows(const void *job, Range range, const void *answers, int mistake)
+static int rises_before(const Plane *planes, int i)
 {
-    int i = 0;
-    (void)range;
-    while (i < N_BESTS && best_agrees(job, i, answers, mistake)) {
-        i++;
+    int k = 2;
+    while (k < i && planes[k].cost <= planes[k - 1].cost) {
+        k++;
     }
-    return i == N_BESTS;
+    return k < i;
 }
+
+ASKS(longest_only, axis == longest_axis(node->box),
+     "only the longest side is searched, not all three")
+ASKS(no_z, axis != 2, "planes across z are not searched")
+ASKS(no_y, axis != 1, "planes across y are not searched")
+ASKS(only_x, axis == 0, "only planes across x are searched")
+ASKS(no_first, i != 1, "the first plane is not asked")
+ASKS(no_last, i != SAH_BINS - 1, "the last plane is not asked")
+ASKS(stops_rising, !rises_before(planes, i),
+     "behind a plane that costs more than the one before a cheaper one may come: all are asked")
+ASKS(no_empty, planes[i].split.n_lower > 0 && planes[i].split.n_higher > 0,
+     "a plane that leaves a child empty is a candidate, too")
+ASKS(below_leaf, planes[i].cost < SAH_TEST * node->n_ids,
+     "the cheapest plane is searched, also where a leaf is cheaper: that is asked later")
+
+// Which of them is taken in the place of the best one so far.
+#define TAKES(name, expression, ...)                                                               \
+    static int name##_takes(const SahNode *node, const Plane *plane, const Plane *best)            \
+    {                                                                                              \
+        (void)node;                                                                                \
+        return expression;                                                                         \
+    }                                                                                              \
+    EACH(name, follows(job, i, found, (Way){.takes = name##_takes}), __VA_ARGS__)
+#define IS_OTHER_AXIS (plane->split.axis != best->split.axis)
+#define IS_EQUAL (plane->cost == best->cost)
+#define IS_LESS (plane->cost < best->cost)
+
+#define EPSILON "a plane that is cheaper by however little is the better one: no epsilon"
+TAKES(last_of_equals, IS_LESS || IS_EQUAL,
+      "of equal costs the first plane counts: x before y before z, and the lower one first",
+      MISTAKE_LATER_OF_EQUALS)
+TAKES(later_axis, IS_LESS || (IS_EQUAL && IS_OTHER_AXIS),
+      "of equal costs on several axes x counts before y, and y before z")
+TAKES(later_plane, IS_LESS || (IS_EQUAL && !IS_OTHER_AXIS),
+      "of equal costs on an axis the lower plane counts")
+TAKES(last_axis, IS_LESS || IS_OTHER_AXIS,
+      "the cheapest of all three axes counts, not of the last one")
+TAKES(dearest, isinf(best->cost) || plane->cost > best->cost,
+      "that is the plane with the highest cost")
+TAKES(gain_2, plane->cost < best->cost - 1e-2, EPSILON)
+TAKES(gain_3, plane->cost < best->cost - 1e-3, EPSILON)
+TAKES(gain_4, plane->cost < best->cost - 1e-4, EPSILON)
+TAKES(gain_5, plane->cost < best->cost - 1e-5, EPSILON)
+TAKES(share_2, plane->cost < best->cost * (1 - 1e-2), EPSILON)
+TAKES(share_3, plane->cost < best->cost * (1 - 1e-3), EPSILON)
+TAKES(share_4, plane->cost < best->cost * (1 - 1e-4), EPSILON)
+
+// Which spheres are counted on either side.
+#define COUNTS(name, from_plane, to_plane, ...)                                                    \
+    static Span name##_span(const SahNode *node, u32 j, u32 axis)                                  \
+    {                                                                                              \
+        const Sphere sphere = node->spheres[node->ids[j]];                                         \
+        const f32 centre = sah_centre(sphere, axis), radius = fabsf(sphere.radius);                \
+        const f32 begin = centre - radius, end = centre + radius;                                  \
+        const int from = from_of(node, begin, axis), to = to_of(node, end, axis);                  \
+        (void)from, (void)to;                                                                      \
+        return (Span){from_plane, to_plane};                                                       \
+    }                                                                                              \
+    EACH(name, follows(job, i, found, (Way){.span = name##_span}), __VA_ARGS__)
+#define FROM(begin) from_of(node, begin, axis)
+#define TO(end) to_of(node, end, axis)
+#define ABOVE(begin) from_of(node, nextafterf(begin, INFINITY), axis)
+#define BELOW(end) to_of(node, nextafterf(end, -INFINITY), axis)
+
+// In bins, of which the first is never read where all are looked up one behind.
+#define FROM_EARLY (from > 1 ? from - 1 : NEVER)
+#define TO_EARLY (to > 0 ? to - 1 : NEVER)
+
+#define BY_CENTRE "a sphere counts by its range, not by its centre"
+COUNTS(by_centre, FROM(centre), TO(centre), BY_CENTRE)
+COUNTS(by_centre_lower, FROM(centre), BELOW(centre), BY_CENTRE)
+COUNTS(by_centre_higher, ABOVE(centre), TO(centre), BY_CENTRE)
+COUNTS(begin_above, ABOVE(begin), to,
+       "a range that begins at the plane counts in the lower child, too", MISTAKE_STRICT_BOUNDARY)
+COUNTS(end_below, from, BELOW(end),
+       "a range that ends at the plane counts in the higher child, too", MISTAKE_STRICT_BOUNDARY)
+COUNTS(both_strict, ABOVE(begin), BELOW(end),
+       "a range that only touches the plane counts in both children", MISTAKE_STRICT_BOUNDARY)
+COUNTS(signed_radius, FROM(centre - sphere.radius), TO(centre + sphere.radius),
+       "a negative radius counts as its absolute value")
+COUNTS(begin_in_cell, begin >= node->box.min[axis] ? from : NEVER, to,
+       "a sphere that begins before the cell is in its lower child, too")
+COUNTS(ends_late, from, to + 1,
+       "a sphere that ends in the bin before a plane is not in its higher child any more")
+COUNTS(ends_early, from, TO_EARLY,
+       "the ends are off by one bin: who ends in the bin behind a plane is in its higher child "
+       "still")
+COUNTS(begins_late, from + 1, to,
+       "the begins are off by one bin: who begins in the bin before a plane is in its lower child")
+COUNTS(begins_early, FROM_EARLY, to,
+       "the begins are off by one bin: who begins in the bin behind a plane is not yet in its "
+       "lower child")
+COUNTS(all_early, FROM_EARLY, TO_EARLY,
+       "all bins are off by one: at a plane only those before it are counted, up to bin plane - 1")
+COUNTS(all_late, from + 1, to + 1,
+       "all bins are off by one: at a plane the bin just before it, plane - 1, is counted, too")
+COUNTS(higher_keeps, from, NEVER,
+       "the higher child keeps all spheres: those that end before the plane leave it")
+COUNTS(rest_is_higher, from, from - 1,
+       "a sphere over the plane is in both children: the higher one has more than the rest")
+
+static Span unnamed_span(const SahNode *node, u32 j, u32 axis)
+{
+    SahNode all = *node;
+    all.ids = &j;
+    return right_span(&all, 0, axis);
+}
+
+EACH(unnamed, follows(job, i, found, (Way){.span = unnamed_span}),
+     "the node's spheres are those that its ids name")
+EACH(border,
+     follows(job, i, found, (Way){.to_border = 1}) ||
+         follows(job, i, found, (Way){.from_border = 1}) ||
+         follows(job, i, found, (Way){.from_border = 1, .to_border = 1}),
+     "the border of the cell is asked, too: only planes within the cell are candidates")
+EACH(carried_over, follows(job, i, found, (Way){.carries = 1}),
+     "the bins of an axis begin with what those of the axis before hold, not with 0")
+
+EACH(nan_is_taken, sah_area(in.box) > 0 ? is_best(job, i, answers) : isnan(found.cost),
+     "in a cell without area each cost is NaN, and is taken: only a lower cost may be")
+ONLY(many_lost, i == MANY_NODE,
+     "only the node with the most spheres is wrong: a bin holds more of them than 16 bits count")
+
+static const Known *const known[] = {
+    &longest_only,   &no_z,         &no_y,           &only_x,          &no_first,
+    &no_last,        &border,       &stops_rising,   &no_empty,        &below_leaf,
+    &last_of_equals, &later_axis,   &later_plane,    &last_axis,       &dearest,
+    &gain_2,         &gain_3,       &gain_4,         &gain_5,          &share_2,
+    &share_3,        &share_4,      &by_centre,      &by_centre_lower, &by_centre_higher,
+    &begin_above,    &end_below,    &both_strict,    &signed_radius,   &begin_in_cell,
+    &ends_late,      &ends_early,   &begins_late,    &begins_early,    &all_early,
+    &all_late,       &higher_keeps, &rest_is_higher, &unnamed,         &carried_over,
+    &nan_is_taken,   &many_lost};
+
+// ---- Answers ------------------------------------------------------------------------------------
 
 static Words words_plane(u32 axis, f32 pos)
 {
@@ -161,63 +320,50 @@ static Words words_plane(u32 axis, f32 pos)
 // What a plane of the student's costs, where it is a candidate and the cost is wrong.
 static Words words_cost(const SahNode *node, BestAnswer found)
 {
-    static const SahRules right = {0};
     const int number = found.axis < 3 ? sah_plane_number(node->box, found.axis, found.pos) : 0;
     if (number == 0) {
         return words(", but that is no candidate plane;");
     }
-    const double cost = sah_weigh(node, found.axis, number, &right).cost;
+    const double cost = sah_weigh(node, found.axis, number).cost;
     return fabs(found.cost - cost) <= SAH_COST_TOLERANCE * cost
                ? words(",")
                : words(", but that plane costs %.6g;", cost);
 }
 
-static char *describe_best(const void *pointer, int i, const void *answers)
+static char *describe(const void *job, int i, const void *answers)
 {
-    static const SahRules right = {0};
-    const SahNode node = node_of(pointer, i);
-    const BestAnswer found = ((const BestAnswer *)answers)[i];
-    const SahPlane best = sah_best(&node, &right);
+    GIVEN;
+    const SahNode node = node_of(job, i);
+    const SahPlane best = sah_best(&node);
     if (best.cost == INFINITY) {
         return message_new("cell %s with %u sphere%s, which has no area: found the cost %g, "
                            "expected INFINITY",
-                           words_box3d(node.box).text, node.n_ids, plural(node.n_ids), found.cost);
+                           words_box3d(in.box).text, in.n_ids, plural(in.n_ids), found.cost);
     }
     return message_new("cell %s with %u sphere%s: found %s with cost %.6g%s expected %s with cost "
                        "%.6g",
-                       words_box3d(node.box).text, node.n_ids, plural(node.n_ids),
+                       words_box3d(in.box).text, in.n_ids, plural(in.n_ids),
                        words_plane(found.axis, found.pos).text, found.cost,
                        words_cost(&node, found).text, words_plane(best.axis, best.pos).text,
                        best.cost);
 }
 
-const Function best_08 = {"bests",
-                          N_BESTS,
-                          sizeof(BestAnswer),
-                          COMPARED(best_agrees, describe_best, best_mistakes),
-                          .shows = best_shows,
+const Function best_08 = {"bests", N_BESTS, sizeof(BestAnswer), KNOWING(is_best, describe, known),
                           .counted = "cells"};
 
 // Nobody has to call split_cost: the best plane by true costs is right, too. Where the cell has no
 // area, the one says that there is none, and the other need not.
-static int stands_alone(const Job08 *job, Range range, const BestAnswer *found)
-{
-    static const SahRules right = {0};
-    const SahRules stand_in = {.is_stand_in = 1, .lot = job->job.lot};
-    int n_right = 0, n_following = 0;
-    for (int i = 0; i < range.n; i++) {
-        const int input = range_at(range, i);
-        const int is_free = sah_size(job->bests[input].box, SAH_AREA) == 0;
-        n_right += is_free || follows(job, input, found[input], &right);
-        n_following += is_free || follows(job, input, found[input], &stand_in);
-    }
-    return n_right == range.n || n_following == range.n;
-}
-
 int bests_alone_08(const void *job, const JudgeCheck *check, const Sections *answers)
 {
     const BestAnswer *found = function_answers(&best_08, answers);
     // In the place of whole trees: all inputs.
     const Range range = check->function != NULL ? check->range : (Range){0, N_BESTS, 1};
-    return found != NULL && stands_alone(job, range, found);
+    int n_right = 0, n_following = 0;
+    for (int k = 0; found != NULL && k < range.n; k++) {
+        const int i = range_at(range, k);
+        const int is_free = sah_area(((const Job08 *)job)->bests[i].box) == 0;
+        n_right += is_free || follows(job, i, found[i], (Way){0});
+        n_following += is_free || follows(job, i, found[i], (Way){.is_stand_in = 1});
+    }
+    return n_right == range.n || n_following == range.n;
 }

@@ -8,220 +8,235 @@
 #include <float.h>
 #include <math.h>
 
-// ---- split_cost ---------------------------------------------------------------------------------
+// ---- split_cost: right --------------------------------------------------------------------------
 
-// A known mistake, and what is said about it; number 0 is none.
-typedef struct CostMistake {
-    Cause cause;
-    SahRules rules;
-    u32 most_counted;  // with more spheres in a child than that anything, and all else is right
-} CostMistake;
+#define GIVEN                                                                                      \
+    const CostJob in = ((const Job08 *)job)->costs[i];                                             \
+    const double found = ((const double *)answers)[i]
+// NaN is not near to anything.
+#define IS_FOUND(cost) (fabs(found - (cost)) <= SAH_COST_TOLERANCE * fabs(cost))
 
-#define NO_BONUS                                                                                   \
-    {.says = "that a child is empty makes a split no cheaper: the formula has no bonus for it"}
+RIGHT(is_cost, IS_FOUND(sah_cost(in)))
 
-static const CostMistake cost_mistakes[] = {
-    {.cause = {0}},
-    {{.says = "that weighs by the lengths of edges: a ray in space meets a box by its surface"},
-     .rules = {.measure = SAH_EDGES}},
-    {{.says = "that weighs by volume: so a point meets a box, and not a ray"},
-     .rules = {.measure = SAH_VOLUME}},
-    {{.says = "both children count in full, as if every ray met both"},
-     .rules = {.measure = SAH_SAME}},
-    {{.says = "the step at the node itself is missing: KD_COST_TRAVERSAL"},
-     .rules = {.no_traversal = 1}},
-    {{.says = "a test costs KD_COST_TEST, not 1"}, .rules = {.no_test = 1}},
-    {{.says = "the two constants stand in each other's place"}, .rules = {.constants_swapped = 1}},
-    {{.says = "that is not divided by the area of the cell itself"}, .rules = {.no_division = 1}},
-    {{.says = "each child's area goes with the other one's spheres"},
-     .rules = {.counts_swapped = 1}},
-    {{.says = "the two probabilities do not add up to 1: a ray may meet both children"},
-     .rules = {.shares_of_sum = 1}},
-    {{.says = "a ray that meets both children pays for both: nothing is taken off"},
-     .rules = {.no_both = 1}},
-    {{.says = "that is as if a ray met one child alone: the second probability is not 1 minus the "
-              "first"},
-     .rules = {.higher_is_rest = 1}},
-    {NO_BONUS, .rules = {.bonus = 0.2}},
-    {NO_BONUS, .rules = {.bonus = 0.5}},
-    {NO_BONUS, .rules = {.bonus = 0.2, .bonus_of_tests = 1}},
-    {NO_BONUS, .rules = {.bonus = 0.5, .bonus_of_tests = 1}},
-    {{.says = "the step is paid where a child is empty, too"}, .rules = {.empty_saves_step = 1}},
-    {{.says = "the step is paid where both children are empty, too"},
-     .rules = {.none_saves_step = 1}},
-    {{.says = "a child that the plane leaves flat still has a surface, and rays meet it"},
-     .rules = {.flat_is_missed = 1}},
-    {{.says = "the lower child's box is not cut at the plane"}, .rules = {.lower_uncut = 1}},
-    {{.says = "the higher child's box is not cut at the plane"}, .rules = {.higher_uncut = 1}},
-    {{.says = "the children are cut across x, whatever the split's axis is"},
-     .rules = {.cut_across_x = 1}},
-    {{.says = "a child without spheres costs no test"}, .rules = {.one_at_least = 1}},
-    {{.says = "the expected number of tests was cut to a whole number"},
-     .rules = {.whole_tests = 1}},
-    {{.says = "KD_COST_TRAVERSAL is added: what is expected multiplies KD_COST_TEST alone"},
-     .rules = {.all_multiplied = 1}},
-    {{.says = "KD_COST_TEST multiplies the tests of both children, not of the lower one alone"},
-     .rules = {.lower_tests = 1}},
-    {{.says = "the higher child is missing"}, .rules = {.lower_only = 1}},
-    {{.says = "the lower child is missing"}, .rules = {.higher_only = 1}},
-    {{.says = "only splits of very many spheres are wrong: 32 bits with a sign do not hold their "
-              "count"},
-     .most_counted = INT32_MAX},
-    {{.says = "only splits of many spheres are wrong: 16 bits do not hold their count"},
-     .most_counted = UINT16_MAX},
-};
+// ---- split_cost: mistakes -----------------------------------------------------------------------
 
-// Is a number right up to rounding? NaN is not.
-static int is_near(double found, double expected, double tolerance)
+// The areas of the lower child, of the higher one, and of the cell; and their spheres.
+#define L sah_area(sah_lower(in))
+#define H sah_area(sah_higher(in))
+#define A sah_area(in.box)
+#define N_L ((double)in.n_lower)
+#define N_H ((double)in.n_higher)
+#define TESTS ((L * N_L + H * N_H) / A)
+
+static double with_tests(double n_expected)
 {
-    return fabs(found - expected) <= tolerance * fabs(expected);
+    return SAH_TRAVERSAL + SAH_TEST * n_expected;
 }
 
-static int cost_agrees(const void *pointer, int i, const void *answers, int number)
+// The expected number of tests, with another measure than the area.
+static double tests_by(double (*size)(BBox3D box), CostJob in)
 {
-    const CostJob split = ((const Job08 *)pointer)->costs[i];
-    const CostMistake *mistake = &cost_mistakes[number];
-    const u32 most = split.n_lower > split.n_higher ? split.n_lower : split.n_higher;
-    return (mistake->most_counted > 0 && most > mistake->most_counted) ||
-           is_near(((const double *)answers)[i], sah_cost(split, &mistake->rules),
-                   SAH_COST_TOLERANCE);
+    return (size(sah_lower(in)) * N_L + size(sah_higher(in)) * N_H) / size(in.box);
 }
 
-static char *describe_cost(const void *pointer, int i, const void *answers)
+#define SIDE(axis) ((double)box.max[axis] - (double)box.min[axis])
+
+static double edges(BBox3D box)
 {
-    static const SahRules right = {0};
-    const CostJob split = ((const Job08 *)pointer)->costs[i];
+    return SIDE(0) + SIDE(1) + SIDE(2);
+}
+
+static double volume(BBox3D box)
+{
+    return SIDE(0) * SIDE(1) * SIDE(2);
+}
+
+static CostJob across_x(CostJob in)
+{
+    in.axis = 0;
+    return in;
+}
+
+ANSWERS(by_edges, with_tests(tests_by(edges, in)),
+        "that weighs by the lengths of edges: a ray in space meets a box by its surface")
+ANSWERS(by_volume, with_tests(tests_by(volume, in)),
+        "that weighs by volume: so a point meets a box, and not a ray")
+ANSWERS(both_in_full, with_tests(N_L + N_H),
+        "both children count in full, as if every ray met both")
+ANSWERS(no_traversal, (SAH_TEST * TESTS),
+        "the step at the node itself is missing: KD_COST_TRAVERSAL")
+ANSWERS(no_test, SAH_TRAVERSAL + TESTS, "a test costs KD_COST_TEST, not 1")
+ANSWERS(constants_swapped, SAH_TEST + SAH_TRAVERSAL * TESTS,
+        "the two constants stand in each other's place")
+ANSWERS(no_division, with_tests((TESTS * A)), "that is not divided by the area of the cell itself")
+ANSWERS(counts_swapped, with_tests((L * N_H + H * N_L) / A),
+        "each child's area goes with the other one's spheres")
+ANSWERS(shares_of_sum, with_tests((L * N_L + H * N_H) / (L + H)),
+        "the two probabilities do not add up to 1: a ray may meet both children")
+ANSWERS(no_both, with_tests(((A - H) * N_L + H * N_H) / A),
+        "a ray that meets both children pays for both: nothing is taken off")
+ANSWERS(higher_is_rest, with_tests((L * N_L + (A - L) * N_H) / A),
+        "that is as if a ray met one child alone: the second probability is not 1 minus the first")
+ANSWERS(lower_uncut, with_tests((A * N_L + H * N_H) / A),
+        "the lower child's box is not cut at the plane")
+ANSWERS(higher_uncut, with_tests((L * N_L + A * N_H) / A),
+        "the higher child's box is not cut at the plane")
+ANSWERS(cut_across_x, sah_cost(across_x(in)),
+        "the children are cut across x, whatever the split's axis is")
+ANSWERS(one_at_least, with_tests((L * fmax(N_L, 1) + H * fmax(N_H, 1)) / A),
+        "a child without spheres costs no test")
+ANSWERS(whole_tests, with_tests(trunc(TESTS)),
+        "the expected number of tests was cut to a whole number")
+ANSWERS(all_multiplied, (SAH_TRAVERSAL + SAH_TEST) * TESTS,
+        "KD_COST_TRAVERSAL is added: what is expected multiplies KD_COST_TEST alone")
+ANSWERS(lower_tests, SAH_TRAVERSAL + (SAH_TEST * L * N_L + H * N_H) / A,
+        "KD_COST_TEST multiplies the tests of both children, not of the lower one alone")
+ANSWERS(lower_only, with_tests((L * N_L) / A), "the higher child is missing")
+ANSWERS(higher_only, with_tests((H * N_H) / A), "the lower child is missing")
+ANSWERS(flat_is_missed,
+        with_tests(((in.pos > in.box.min[in.axis]) * L * N_L +
+                    (in.pos < in.box.max[in.axis]) * H * N_H) /
+                   A),
+        "a child that the plane leaves flat still has a surface, and rays meet it")
+
+// With an empty child all of it is cheaper, or the tests are.
+static double with_bonus(CostJob in, double of_step, double of_tests)
+{
+    return in.n_lower == 0 || in.n_higher == 0
+               ? of_step * SAH_TRAVERSAL + of_tests * SAH_TEST * TESTS
+               : sah_cost(in);
+}
+
+EACH(bonus,
+     IS_FOUND(with_bonus(in, 0.8, 0.8)) || IS_FOUND(with_bonus(in, 0.5, 0.5)) ||
+         IS_FOUND(with_bonus(in, 1, 0.8)) || IS_FOUND(with_bonus(in, 1, 0.5)),
+     "that a child is empty makes a split no cheaper: the formula has no bonus for it")
+ANSWERS(empty_saves_step, with_bonus(in, 0, 1), "the step is paid where a child is empty, too")
+ANSWERS(none_saves_step, N_L + N_H == 0 ? 0 : sah_cost(in),
+        "the step is paid where both children are empty, too")
+
+// All with more spheres in a child than that are wrong, and no others.
+#define IS_LOST_ABOVE(count)                                                                       \
+    ((in.n_lower > (count) || in.n_higher > (count)) != is_cost(job, i, answers))
+EACH(lost_signed, IS_LOST_ABOVE(INT32_MAX),
+     "only splits of very many spheres are wrong: 32 bits with a sign do not hold their count")
+EACH(lost_short, IS_LOST_ABOVE(UINT16_MAX),
+     "only splits of many spheres are wrong: 16 bits do not hold their count")
+
+static const Known *const cost_known[] = {
+    &by_edges,          &by_volume,      &both_in_full,     &no_traversal,    &no_test,
+    &constants_swapped, &no_division,    &counts_swapped,   &shares_of_sum,   &no_both,
+    &higher_is_rest,    &lower_uncut,    &higher_uncut,     &cut_across_x,    &one_at_least,
+    &whole_tests,       &all_multiplied, &lower_tests,      &lower_only,      &higher_only,
+    &flat_is_missed,    &bonus,          &empty_saves_step, &none_saves_step, &lost_signed,
+    &lost_short};
+
+// ---- split_cost: answers ------------------------------------------------------------------------
+
+static char *describe_cost(const void *job, int i, const void *answers)
+{
+    GIVEN;
     return message_new("cell %s split at %c = %s, %u sphere%s below and %u above: found %.9g, "
                        "expected %.9g",
-                       words_box3d(split.box).text, "xyz"[split.axis], words_float(split.pos).text,
-                       split.n_lower, plural(split.n_lower), split.n_higher,
-                       ((const double *)answers)[i], sah_cost(split, &right));
+                       words_box3d(in.box).text, "xyz"[in.axis], words_float(in.pos).text,
+                       in.n_lower, plural(in.n_lower), in.n_higher, found, sah_cost(in));
 }
 
 const Function cost_08 = {"costs", N_COSTS, sizeof(double),
-                          COMPARED(cost_agrees, describe_cost, cost_mistakes), .counted = "splits"};
+                          KNOWING(is_cost, describe_cost, cost_known), .counted = "splits"};
+
+static double stand_in_area(BBox3D box, u32 LOT)
+{
+#include "08-surface-area-heuristic/surface_area.c"
+}
 
 // Nobody has to call surface_area: costs by the true areas are right, too.
-int costs_alone_08(const void *pointer, const JudgeCheck *check, const Sections *answers)
+int costs_alone_08(const void *job, const JudgeCheck *check, const Sections *answers_section)
 {
-    const Job08 *job = pointer;
-    const SahRules stand_in = {.measure = SAH_STAND_IN, .lot = job->job.lot};
-    const double *found = function_answers(check->function, answers);
-    if (found == NULL) {
-        return 0;
-    }
+    const u32 lot = ((const Job08 *)job)->job.lot;
+    const double *answers = function_answers(check->function, answers_section);
     int n_right = 0, n_following = 0;
-    for (int i = 0; i < check->range.n; i++) {
-        const int input = range_at(check->range, i);
-        n_right += cost_agrees(job, input, found, 0);
-        n_following +=
-            is_near(found[input], sah_cost(job->costs[input], &stand_in), SAH_COST_TOLERANCE);
+    for (int k = 0; answers != NULL && k < check->range.n; k++) {
+        const int i = range_at(check->range, k);
+        GIVEN;
+        const double tests =
+            (stand_in_area(sah_lower(in), lot) * N_L + stand_in_area(sah_higher(in), lot) * N_H) /
+            stand_in_area(in.box, lot);
+        n_right += is_cost(job, i, answers);
+        n_following += IS_FOUND(with_tests(tests));
     }
     return n_right == check->range.n || n_following == check->range.n;
 }
+#undef GIVEN
+#undef IS_FOUND
 
-// ---- is_leaf_by_cost ----------------------------------------------------------------------------
+// ---- is_leaf_by_cost: right ---------------------------------------------------------------------
 
-// A way of deciding.
-typedef struct LeafMistake {
-    Cause cause;
-    int one_level_more;  // level maxDepth is split, too
-    int one_level_less;  // the level before it stays a leaf
-    int fewer_than;      // targetElementsPerNode itself is split, too
-    int equal_is_split;  // so is a node whose split costs as much as the leaf
-    int no_depth;        // a limit is not looked at
-    int no_target;
-    int no_cost;
-    int leaf_steps;  // a leaf costs KD_COST_TRAVERSAL, too
-    int no_test;     // its tests cost 1
-    int cuts_leaf;   // what it costs is cut to a whole number
-    int cuts_split;  // so is what the split costs
-    int is_signed;   // the number of spheres is an int
-    int is_reversed;
-    int both_limits;  // both limits must be reached
-} LeafMistake;
+#define GIVEN                                                                                      \
+    const LeafCostJob in = ((const Job08 *)job)->decisions[i];                                     \
+    const i32 found = ((const i32 *)answers)[i]
+#define IS_FOUND(expected) ((found != 0) == (expected))
 
-#define COST_CUT {.says = "a cost was cut to a whole number: half a step makes a difference, too"}
+#define LEAF_COST (SAH_TEST * in.n_spheres)
+#define IS_DEEP (in.level >= in.maxDepth)
+#define IS_SMALL ((int64_t)in.n_spheres <= in.targetElementsPerNode)
+#define IS_DEAR (in.best_cost >= LEAF_COST)
+#define IS_LEAF (IS_DEEP || IS_SMALL || IS_DEAR)
 
-static const LeafMistake leaf_mistakes[] = {
-    {.cause = {0}},
-    {{.says = "on level maxDepth itself a node stays a leaf"}, .one_level_more = 1},
-    {{.says = "a node on the level before maxDepth may be split"}, .one_level_less = 1},
-    {{.says = "with just targetElementsPerNode spheres it stays a leaf"}, .fewer_than = 1},
-    {{.says = "a split that costs as much as the leaf gains nothing"}, .equal_is_split = 1},
-    {{.says = "maxDepth is not looked at"}, .no_depth = 1},
-    {{.says = "targetElementsPerNode is not looked at"}, .no_target = 1},
-    {{.says = "the cost does not end the splitting by itself, as it should"}, .no_cost = 1},
-    {{.says = "a leaf chooses no child: KD_COST_TRAVERSAL is in the split's cost alone, and stays "
-              "there"},
-     .leaf_steps = 1},
-    {{.says = "a test costs KD_COST_TEST, not 1"}, .no_test = 1},
-    {{.says = "the other way round: the cheaper of the two is right"}, .is_reversed = 1},
-    {{.says = "each limit ends the splitting by itself, not only both together"}, .both_limits = 1},
-    {COST_CUT, .cuts_leaf = 1},
-    {COST_CUT, .cuts_split = 1},
-    {COST_CUT, .cuts_leaf = 1, .cuts_split = 1},
-    {{.says = "as an int the number of very many spheres is negative: the limit is to be unsigned, "
-              "not the number signed"},
-     .is_signed = 1},
-};
+RIGHT(is_decision, IS_FOUND(IS_LEAF))
 
-static double cut_where(int is_cut, double cost)
+// ---- is_leaf_by_cost: mistakes ------------------------------------------------------------------
+
+ANSWERS(level_more, in.level > in.maxDepth || IS_SMALL || IS_DEAR,
+        "on level maxDepth itself a node stays a leaf")
+ANSWERS(level_less, in.level + 1 >= in.maxDepth || IS_SMALL || IS_DEAR,
+        "a node on the level before maxDepth may be split")
+ANSWERS(fewer, IS_DEEP || (int64_t)in.n_spheres < in.targetElementsPerNode || IS_DEAR,
+        "with just targetElementsPerNode spheres it stays a leaf")
+ANSWERS(equal_is_split, IS_DEEP || IS_SMALL || in.best_cost > LEAF_COST,
+        "a split that costs as much as the leaf gains nothing")
+ANSWERS(no_depth, IS_SMALL || IS_DEAR, "maxDepth is not looked at")
+ANSWERS(no_target, IS_DEEP || IS_DEAR, "targetElementsPerNode is not looked at")
+ANSWERS(no_cost, IS_DEEP || IS_SMALL, "the cost does not end the splitting by itself, as it should")
+ANSWERS(leaf_steps, IS_DEEP || IS_SMALL || in.best_cost >= LEAF_COST + SAH_TRAVERSAL,
+        "a leaf chooses no child: KD_COST_TRAVERSAL is in the split's cost alone, and stays there")
+ANSWERS(tests_cost_1, IS_DEEP || IS_SMALL || in.best_cost >= in.n_spheres,
+        "a test costs KD_COST_TEST, not 1")
+ANSWERS(reversed, IS_DEEP || IS_SMALL || in.best_cost < LEAF_COST,
+        "the other way round: the cheaper of the two is right")
+ANSWERS(both_limits, (IS_DEEP && IS_SMALL) || IS_DEAR,
+        "each limit ends the splitting by itself, not only both together")
+ANSWERS(is_signed, IS_DEEP || (i32)in.n_spheres <= in.targetElementsPerNode || IS_DEAR,
+        "as an int the number of very many spheres is negative: the limit is to be unsigned, not "
+        "the number signed")
+
+#define COST_CUT "a cost was cut to a whole number: half a step makes a difference, too"
+ANSWERS(leaf_cut, IS_DEEP || IS_SMALL || in.best_cost >= trunc(LEAF_COST), COST_CUT)
+// What INFINITY is as a whole number, C leaves open.
+EACH(split_cut,
+     isinf(in.best_cost) || IS_FOUND(IS_DEEP || IS_SMALL || trunc(in.best_cost) >= LEAF_COST),
+     COST_CUT)
+EACH(both_cut,
+     isinf(in.best_cost) ||
+         IS_FOUND(IS_DEEP || IS_SMALL || trunc(in.best_cost) >= trunc(LEAF_COST)),
+     COST_CUT)
+
+static const Known *const leaf_known[] = {&level_more,   &level_less, &fewer,       &equal_is_split,
+                                          &no_depth,     &no_target,  &no_cost,     &leaf_steps,
+                                          &tests_cost_1, &reversed,   &both_limits, &is_signed,
+                                          &leaf_cut,     &split_cut,  &both_cut};
+
+// ---- is_leaf_by_cost: answers -------------------------------------------------------------------
+
+static char *describe_decision(const void *job, int i, const void *answers)
 {
-    return is_cut ? trunc(cost) : cost;
-}
-
-static int expected_decision(LeafCostJob in, const LeafMistake *mistake)
-{
-    const double leaf_cost =
-        cut_where(mistake->cuts_leaf, (mistake->no_test ? 1 : SAH_TEST) * in.n_spheres +
-                                          (mistake->leaf_steps ? SAH_TRAVERSAL : 0));
-    const double cost = cut_where(mistake->cuts_split, in.best_cost);
-    const int64_t n_spheres = mistake->is_signed ? (i32)in.n_spheres : (int64_t)in.n_spheres;
-    const int is_deep = !mistake->no_depth &&
-                        in.level >= in.maxDepth + mistake->one_level_more - mistake->one_level_less;
-    const int is_small =
-        !mistake->no_target && n_spheres <= in.targetElementsPerNode - mistake->fewer_than;
-    const int is_dear = mistake->no_cost          ? 0
-                        : mistake->is_reversed    ? cost < leaf_cost
-                        : mistake->equal_is_split ? cost > leaf_cost
-                                                  : cost >= leaf_cost;
-    return (mistake->both_limits ? is_deep && is_small : is_deep || is_small) || is_dear;
-}
-
-static int decision_agrees(const void *pointer, int i, const void *answers, int mistake)
-{
-    const LeafCostJob in = ((const Job08 *)pointer)->decisions[i];
-    // What INFINITY is as a whole number, C leaves open.
-    return (leaf_mistakes[mistake].cuts_split && isinf(in.best_cost)) ||
-           (((const i32 *)answers)[i] != 0) == expected_decision(in, &leaf_mistakes[mistake]);
-}
-
-// A mistake explains all inputs, not only those of the check: one limit is often forgotten as the
-// other one is.
-static int decision_shows(const void *job, Range range, const void *answers, int mistake)
-{
-    int i = 0;
-    (void)range;
-    while (i < N_DECISIONS && decision_agrees(job, i, answers, mistake)) {
-        i++;
-    }
-    return i == N_DECISIONS;
-}
-
-static char *describe_decision(const void *pointer, int i, const void *answers)
-{
-    const LeafCostJob in = ((const Job08 *)pointer)->decisions[i];
+    GIVEN;
     return message_new("level %d of at most %d, %u sphere%s where %d make a leaf, a leaf costs %g "
                        "and the best split %g: found %d, expected %d",
                        in.level, in.maxDepth, in.n_spheres, plural(in.n_spheres),
-                       in.targetElementsPerNode, SAH_TEST * in.n_spheres, in.best_cost,
-                       ((const i32 *)answers)[i], expected_decision(in, &leaf_mistakes[0]));
+                       in.targetElementsPerNode, LEAF_COST, in.best_cost, found, IS_LEAF);
 }
 
-const Function decision_08 = {"decisions",
-                              N_DECISIONS,
-                              sizeof(i32),
-                              COMPARED(decision_agrees, describe_decision, leaf_mistakes),
-                              .shows = decision_shows,
+const Function decision_08 = {"decisions", N_DECISIONS, sizeof(i32),
+                              KNOWING(is_decision, describe_decision, leaf_known),
                               .counted = "nodes"};

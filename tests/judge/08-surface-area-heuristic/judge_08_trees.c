@@ -16,8 +16,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const SahRules right = {0};
-
 // ---- The expected tree --------------------------------------------------------------------------
 
 static int choose_expected(const void *pointer, const KdOpenNode *node, KdSplit *split)
@@ -28,7 +26,7 @@ static int choose_expected(const void *pointer, const KdOpenNode *node, KdSplit 
         node->n_ids <= (u32)scene->limits.targetElementsPerNode) {
         return 0;
     }
-    const SahPlane best = sah_best(&weighed, &right);
+    const SahPlane best = sah_best(&weighed);
     *split = (KdSplit){best.axis, best.pos};
     return best.cost < SAH_TEST * node->n_ids;
 }
@@ -116,7 +114,7 @@ static Choice choice_at(const TreeScene3D *scene, const SahNode *node, int level
     for (u32 i = 0; i < node->n_ids; i++) {
         n_least += !node->may_lack[i];
     }
-    const SahPlane best = sah_best(node, &right);
+    const SahPlane best = sah_best(node);
     return (Choice){level >= limits.maxDepth || n_least <= target ||
                         best.most * (1 + SAH_COST_TOLERANCE) >= SAH_TEST * n_least,
                     level < limits.maxDepth && node->n_ids > target &&
@@ -173,8 +171,8 @@ static Diagnosis judge_plane(const char *where, const SahNode *node, KdNode3 fou
                              "planes of an axis",
                              where, words_box3d(node->box).text, plane.text, SAH_BINS - 1);
     }
-    const SahPlane own = sah_weigh(node, found.split_axis, number, &right);
-    const SahPlane best = sah_best(node, &right);
+    const SahPlane own = sah_weigh(node, found.split_axis, number);
+    const SahPlane best = sah_best(node);
     // All planes of a cell without area are as good.
     if (best.cost == INFINITY || own.least <= best.most * (1 + 2 * SAH_COST_TOLERANCE)) {
         return NOTHING_WRONG;
