@@ -51,67 +51,17 @@ void roll_child_inputs_07(Random *random, Inputs07 *inputs)
     }
 }
 
-// ---- Judging ----------------------------------------------------------------------------------
+#define GIVEN                                                                                      \
+    const NextChildJob *in = &((const Job07 *)job)->inputs.children[i];                            \
+    const NextChildAnswer *found = (const NextChildAnswer *)answers + i
+#define IS_FOUND(expected) same_child(*found, expected)
 
-static void push(StackState *todo, TodoEntry entry)
+static int same_child(NextChildAnswer found, NextChildAnswer expected)
 {
-    todo->upper[todo->n++ - todo->n_lower] = entry;
+    return same_entry(found.next, expected.next) && same_stack(&found.todo, &expected.todo);
 }
 
-enum {
-    CHILD_SWAPPED = 1,
-    CHILD_FAR_IS_NEAR,
-    CHILD_FAR_DROPPED,
-    CHILD_NEAR_WAITS,
-    CHILD_NEAR_KEEPS_T_MAX,
-    CHILD_FAR_KEEPS_T_MIN,
-    CHILD_FAR_ALWAYS_WAITS,
-    CHILD_NEAR_NEVER_SKIPPED,
-    CHILD_IS_SIDE,
-    CHILD_BY_DIRECTION,
-    CHILD_LOWER_IS_NEAR,
-    CHILD_XOR,
-    CHILD_ONLY_NEAR_CUT,
-    CHILD_ONLY_FAR_CUT,
-    CHILD_NO_POINTS,
-    CHILD_LAST_PLACE,
-    CHILD_HAIR,
-};
-static const Cause child_mistakes[] = {
-    [CHILD_SWAPPED] = {.says = "that is as if near and far child were swapped"},
-    [CHILD_FAR_IS_NEAR] =
-        {.says = "that is as if the search went to the near child where only the far one is met"},
-    [CHILD_FAR_DROPPED] =
-        {"that is as if the far child were never visited where both are met: it does not wait",
-         MISTAKE_FAR_CHILD},
-    [CHILD_NEAR_WAITS] = {.says = "the near child waits, and the far one is visited first"},
-    [CHILD_NEAR_KEEPS_T_MAX] =
-        {.says = "that is as if t_max did not become t_split for the near child"},
-    [CHILD_FAR_KEEPS_T_MIN] = {.says = "that is as if t_min did not become t_split for the far "
-                                       "child, which begins at t_split"},
-    [CHILD_FAR_ALWAYS_WAITS] =
-        {.says = "that is as if the far child waited also where only the near one is met"},
-    [CHILD_NEAR_NEVER_SKIPPED] =
-        {.says = "that is as if the near child were visited also where only the far one is met"},
-    [CHILD_IS_SIDE] =
-        {.says = "0 and 1 are sides: the children's ids are node.first and node.first + 1"},
-    [CHILD_BY_DIRECTION] = {.says = "that is as if the direction decided which child is near: the "
-                                    "eye's side does, which near_side() tells"},
-    [CHILD_LOWER_IS_NEAR] = {.says = "the lower child was taken for the near one, wherever the eye "
-                                     "is"},
-    [CHILD_XOR] = {.says = "the other child's id is not the near one's with its lowest bit turned: "
-                           "node.first may be odd"},
-    [CHILD_ONLY_NEAR_CUT] =
-        {.says = "where only the near child is met the part stays as it is: t_split is not in it"},
-    [CHILD_ONLY_FAR_CUT] =
-        {.says = "where only the far child is met the part stays as it is: t_split is before it"},
-    [CHILD_NO_POINTS] = {.says = "a part that is a point was left out: BOTH is both, and hits on "
-                                 "the plane are in either"},
-    [CHILD_LAST_PLACE] = {.says = "only where one place is left on the stack is it wrong: that is "
-                                  "enough, as the near child takes none"},
-    [CHILD_HAIR] = {.says =
-                        "only the ends of the parts are wrong, by a hair: no epsilon is needed"},
-};
+// ---- Right --------------------------------------------------------------------------------------
 
 // What near_side and children_on_ray say.
 typedef struct Met {
@@ -120,108 +70,192 @@ typedef struct Met {
     float t_split;
 } Met;
 
-static Met met_by_ray(const NextChildJob *job)
+// The children, and where the ray is in them.
+typedef struct Parts {
+    TodoEntry near, far;
+} Parts;
+
+static Met met_by_ray(const NextChildJob *in)
 {
-    const float t_split = (job->node.split_pos - job->origin) * job->inverse;
-    const int is_ahead = t_split > 0 && t_split <= job->t_max;
-    return (Met){job->origin > job->node.split_pos,
-                 !is_ahead              ? PLANE_ONLY_NEAR
-                 : t_split < job->t_min ? PLANE_ONLY_FAR
-                                        : PLANE_BOTH,
+    const float t_split = (in->node.split_pos - in->origin) * in->inverse;
+    const int is_ahead = t_split > 0 && t_split <= in->t_max;
+    return (Met){in->origin > in->node.split_pos,
+                 !is_ahead             ? PLANE_ONLY_NEAR
+                 : t_split < in->t_min ? PLANE_ONLY_FAR
+                                       : PLANE_BOTH,
                  t_split};
 }
 
-static NextChildAnswer expected_child(const NextChildJob *job, Met met, int mistake)
+static Parts parts_of(const NextChildJob *in, Met met)
 {
-    const u32 first = mistake == CHILD_IS_SIDE ? 0 : job->node.first;
-    const u32 side = mistake == CHILD_SWAPPED         ? !met.side
-                     : mistake == CHILD_BY_DIRECTION  ? job->inverse < 0
-                     : mistake == CHILD_LOWER_IS_NEAR ? 0
-                                                      : met.side;
-    TodoEntry near = {first + side, job->t_min, job->t_max};
-    TodoEntry far = {first + !side, job->t_min, job->t_max};
-    far.node = mistake == CHILD_XOR ? near.node ^ 1 : far.node;
-    near.t_max = mistake == CHILD_ONLY_NEAR_CUT && met.children == PLANE_ONLY_NEAR
-                     ? fminf(near.t_max, met.t_split)
-                     : near.t_max;
-    far.t_min = mistake == CHILD_ONLY_FAR_CUT ? met.t_split : far.t_min;
-    NextChildAnswer answer = {near, job->todo};
-    const int skips_near = met.children == PLANE_ONLY_FAR && mistake != CHILD_NEAR_NEVER_SKIPPED;
-    if (met.children == PLANE_ONLY_NEAR) {
-        if (mistake == CHILD_FAR_ALWAYS_WAITS) {
-            push(&answer.todo, far);
-        }
-        return answer;
-    }
-    if (skips_near) {
-        answer.next = mistake == CHILD_FAR_IS_NEAR ? near : far;
-        return answer;
-    }
-    if (mistake == CHILD_NO_POINTS &&
-        met.t_split == (met.t_split <= job->t_min ? job->t_min : job->t_max)) {
-        answer.next = met.t_split <= job->t_min ? far : near;
-        return answer;
-    }
-    near.t_max = mistake == CHILD_NEAR_KEEPS_T_MAX ? near.t_max : met.t_split;
-    far.t_min = mistake == CHILD_FAR_KEEPS_T_MIN ? far.t_min : met.t_split;
-    answer.next = mistake == CHILD_NEAR_WAITS ? far : near;
-    if (mistake != CHILD_FAR_DROPPED) {
-        push(&answer.todo, mistake == CHILD_NEAR_WAITS ? near : far);
+    const int is_cut = met.children == PLANE_BOTH;
+    const u32 first = in->node.first;
+    return (Parts){{first + met.side, in->t_min, is_cut ? met.t_split : in->t_max},
+                   {first + !met.side, is_cut ? met.t_split : in->t_min, in->t_max}};
+}
+
+static NextChildAnswer visited(const NextChildJob *in, Met met, Parts parts)
+{
+    NextChildAnswer answer = {met.children == PLANE_ONLY_FAR ? parts.far : parts.near, in->todo};
+    if (met.children == PLANE_BOTH) {
+        answer.todo.upper[answer.todo.n++ - answer.todo.n_lower] = parts.far;
     }
     return answer;
 }
 
-static int same_child(const NextChildAnswer *found, const NextChildAnswer *expected)
+static NextChildAnswer child(const NextChildJob *in, Met met)
 {
-    return same_entry(found->next, expected->next) && same_stack(&found->todo, &expected->todo);
+    return visited(in, met, parts_of(in, met));
 }
+
+#define MET met_by_ray(in)
+#define PARTS parts_of(in, MET)
+
+RIGHT(is_right, IS_FOUND(child(in, MET)))
+
+// ---- Mistakes -----------------------------------------------------------------------------------
+
+// By which child is near, and which of them are met.
+static Met with_other(Met met, int children, int other)
+{
+    met.children = met.children == children ? other : met.children;
+    return met;
+}
+
+// Parts that are points are left out.
+static Met without_points(const NextChildJob *in, Met met)
+{
+    return met.t_split <= in->t_min   ? with_other(met, PLANE_BOTH, PLANE_ONLY_FAR)
+           : met.t_split == in->t_max ? with_other(met, PLANE_BOTH, PLANE_ONLY_NEAR)
+                                      : met;
+}
+
+static NextChildAnswer from_side(const NextChildJob *in, u32 side)
+{
+    return child(in, (Met){side, MET.children, MET.t_split});
+}
+
+ANSWERS(swapped, from_side(in, !MET.side), "that is as if near and far child were swapped")
+ANSWERS(by_direction, from_side(in, in->inverse < 0),
+        "that is as if the direction decided which child is near: the eye's side does, which "
+        "near_side() tells")
+ANSWERS(lower_is_near, from_side(in, 0),
+        "the lower child was taken for the near one, wherever the eye is")
+ANSWERS(far_is_near, child(in, with_other(MET, PLANE_ONLY_FAR, PLANE_ONLY_NEAR)),
+        "that is as if the search went to the near child where only the far one is met")
+ANSWERS(near_never_skipped, child(in, with_other(MET, PLANE_ONLY_FAR, PLANE_BOTH)),
+        "that is as if the near child were visited also where only the far one is met")
+ANSWERS(no_points, child(in, without_points(in, MET)),
+        "a part that is a point was left out: BOTH is both, and hits on the plane are in either")
+
+// By what waits, and which parts they have.
+static Parts swapped_if_both(Met met, Parts parts)
+{
+    return met.children == PLANE_BOTH ? (Parts){parts.far, parts.near} : parts;
+}
+
+static Parts with_ids(Parts parts, u32 near, u32 far)
+{
+    parts.near.node = near;
+    parts.far.node = far;
+    return parts;
+}
+
+static Parts with_ends(Parts parts, float near_t_max, float far_t_min)
+{
+    parts.near.t_max = near_t_max;
+    parts.far.t_min = far_t_min;
+    return parts;
+}
+
+// In which part it waits, or where the near one's ends, has many ways to be wrong.
+static int waits_always(const NextChildJob *in, const NextChildAnswer *found)
+{
+    const u32 top = in->todo.n - in->todo.n_lower;
+    return MET.children == PLANE_ONLY_NEAR
+               ? found->todo.n == in->todo.n + 1 && found->next.node == PARTS.near.node &&
+                     found->todo.upper[top].node == PARTS.far.node
+               : IS_FOUND(child(in, MET));
+}
+
+ANSWERS(far_dropped, ((NextChildAnswer){child(in, MET).next, in->todo}),
+        "that is as if the far child were never visited where both are met: it does not wait",
+        MISTAKE_FAR_CHILD)
+ANSWERS(near_waits, visited(in, MET, swapped_if_both(MET, PARTS)),
+        "the near child waits, and the far one is visited first")
+ANSWERS(near_keeps_t_max, visited(in, MET, with_ends(PARTS, in->t_max, PARTS.far.t_min)),
+        "that is as if t_max did not become t_split for the near child")
+ANSWERS(far_keeps_t_min, visited(in, MET, with_ends(PARTS, PARTS.near.t_max, in->t_min)),
+        "that is as if t_min did not become t_split for the far child, which begins at t_split")
+EACH(far_always_waits, waits_always(in, found),
+     "that is as if the far child waited also where only the near one is met")
+ANSWERS(is_side, visited(in, MET, with_ids(PARTS, MET.side, !MET.side)),
+        "0 and 1 are sides: the children's ids are node.first and node.first + 1")
+ANSWERS(by_bit, visited(in, MET, with_ids(PARTS, PARTS.near.node, PARTS.near.node ^ 1)),
+        "the other child's id is not the near one's with its lowest bit turned: node.first may be "
+        "odd")
+ANSWERS(near_cut,
+        visited(in, MET, with_ends(PARTS, fminf(PARTS.near.t_max, MET.t_split), PARTS.far.t_min)),
+        "where only the near child is met the part stays as it is: t_split is not in it")
+ANSWERS(far_cut, visited(in, MET, with_ends(PARTS, PARTS.near.t_max, MET.t_split)),
+        "where only the far child is met the part stays as it is: t_split is before it")
 
 // Take the expected number for one a hair beside it.
-static void drop_hair(float *found, float expected)
+static TodoEntry without_hair(TodoEntry found, TodoEntry expected)
 {
-    *found = fabsf(*found - expected) < (float)HAIR ? expected : *found;
+    found.t_min = fabsf(found.t_min - expected.t_min) < (float)HAIR ? expected.t_min : found.t_min;
+    found.t_max = fabsf(found.t_max - expected.t_max) < (float)HAIR ? expected.t_max : found.t_max;
+    return found;
 }
 
-static int child_agrees(const void *pointer, int i, const void *answers, int mistake)
+static int is_hair_beside(NextChildAnswer found, NextChildAnswer expected)
 {
-    const NextChildJob *job = &((const Job07 *)pointer)->inputs.children[i];
-    const NextChildAnswer expected = expected_child(job, met_by_ray(job), mistake);
-    NextChildAnswer found = ((const NextChildAnswer *)answers)[i];
-    // In which part it waits, or where the near one's ends, has many ways to be wrong.
-    if (mistake == CHILD_FAR_ALWAYS_WAITS && found.todo.n == expected.todo.n &&
-        met_by_ray(job).children == PLANE_ONLY_NEAR) {
-        const u32 top = expected.todo.n - expected.todo.n_lower - 1;
-        return found.next.node == expected.next.node &&
-               found.todo.upper[top].node == expected.todo.upper[top].node;
+    found.next = without_hair(found.next, expected.next);
+    for (int k = 0; k < STACK_ENTRIES; k++) {
+        found.todo.upper[k] = without_hair(found.todo.upper[k], expected.todo.upper[k]);
     }
-    if (mistake == CHILD_LAST_PLACE && job->todo.n + 1 == TODO_SIZE) {
-        return 1;
-    }
-    if (mistake == CHILD_HAIR) {
-        drop_hair(&found.next.t_min, expected.next.t_min);
-        drop_hair(&found.next.t_max, expected.next.t_max);
-        for (int k = 0; k < STACK_ENTRIES; k++) {
-            drop_hair(&found.todo.upper[k].t_min, expected.todo.upper[k].t_min);
-            drop_hair(&found.todo.upper[k].t_max, expected.todo.upper[k].t_max);
-        }
-    }
-    return same_child(&found, &expected);
+    return same_child(found, expected);
 }
 
-static char *describe_child(const void *pointer, int i, const void *answers)
+ONLY(hair, is_hair_beside(*found, child(in, MET)),
+     "only the ends of the parts are wrong, by a hair: no epsilon is needed")
+ONLY(last_place, in->todo.n + 1 == TODO_SIZE && !is_hair_beside(*found, child(in, MET)),
+     "only where one place is left on the stack is it wrong: that is enough, as the near child "
+     "takes none")
+
+static const Known *const known[] = {&swapped,
+                                     &by_direction,
+                                     &lower_is_near,
+                                     &far_is_near,
+                                     &near_never_skipped,
+                                     &no_points,
+                                     &far_dropped,
+                                     &near_waits,
+                                     &near_keeps_t_max,
+                                     &far_keeps_t_min,
+                                     &far_always_waits,
+                                     &is_side,
+                                     &by_bit,
+                                     &near_cut,
+                                     &far_cut,
+                                     &hair,
+                                     &last_place};
+
+// ---- Answers ------------------------------------------------------------------------------------
+
+static char *describe(const void *job, int i, const void *answers)
 {
-    const NextChildJob *job = &((const Job07 *)pointer)->inputs.children[i];
-    const NextChildAnswer expected = expected_child(job, met_by_ray(job), 0);
+    GIVEN;
+    const NextChildAnswer expected = child(in, MET);
     return message_new("children %u and %u, plane at %g, eye at %g, 1 / direction %g, part [%g, "
                        "%g]: found %s, expected %s",
-                       job->node.first, job->node.first + 1, job->node.split_pos, job->origin,
-                       job->inverse, job->t_min, job->t_max,
-                       next_child_words(&job->todo, (const NextChildAnswer *)answers + i).text,
-                       next_child_words(&job->todo, &expected).text);
+                       in->node.first, in->node.first + 1, in->node.split_pos, in->origin,
+                       in->inverse, in->t_min, in->t_max, next_child_words(&in->todo, found).text,
+                       next_child_words(&in->todo, &expected).text);
 }
 
 const Function child_07 = {"next_child", 2 * N_CHILD_INPUTS, sizeof(NextChildAnswer),
-                           COMPARED(child_agrees, describe_child, child_mistakes)};
+                           KNOWING(is_right, describe, known)};
 
 // ---- Alone --------------------------------------------------------------------------------------
 
@@ -253,9 +287,8 @@ static int pass_children(const Job07 *job, int met, const Sections *answers)
         Met said = {.side = stand_in_side(in->node, in->origin, in->inverse, lot)};
         said.children = stand_in_children(in->node, in->origin, in->inverse, in->t_min, in->t_max,
                                           lot, &said.t_split);
-        const NextChildAnswer expected = expected_child(in, said, 0);
         const int is_asked = met & (said.children == BOTH ? BOTH_MET : ONE_MET);
-        passes = !is_asked || same_child(&found[i], &expected);
+        passes = !is_asked || same_child(found[i], child(in, said));
     }
     return passes;
 }

@@ -6,81 +6,46 @@
 
 #include <math.h>
 
-enum {
-    CLIP_LOW_IS_ENTRY = 1,
-    CLIP_T_MIN_IGNORED,
-    CLIP_T_MAX_IGNORED,
-    CLIP_FIRST_ENTRY,
-    CLIP_LAST_EXIT,
-    CLIP_PART_IGNORED,
-    CLIP_POINT_MISSED,
-    CLIP_ALONG_IGNORED,
-    CLIP_ALONG_MISSED,
-    CLIP_ALWAYS_MET,
-    CLIP_BORDER_DIVIDED,
-    CLIP_BORDER_OUTSIDE,
-    CLIP_NOT_STORED,
-    CLIP_FROM_0,
-    CLIP_EXIT_AHEAD,
-    CLIP_ENTRY_BEHIND,
-    CLIP_FIRST_ALONG,
-    // Of an epsilon, whose size is not known: the answer is right, or what comes of a large one.
-    CLIP_SMALL_IS_ALONG,
-    CLIP_HAIR_MET,
-    CLIP_HAIR_MISSED,
-};
-static const Cause clip_mistakes[] = {
-    [CLIP_LOW_IS_ENTRY] = {.says = "that is as if every ray entered at the lower plane: with a "
-                                   "negative direction it enters at the upper one"},
-    [CLIP_T_MIN_IGNORED] = {.says = "that is as if t_min did not count: it only grows"},
-    [CLIP_T_MAX_IGNORED] = {.says = "that is as if t_max did not count: it only shrinks"},
-    [CLIP_FIRST_ENTRY] =
-        {.says = "that is as if the first entry counted: the ray is inside from the last"},
-    [CLIP_LAST_EXIT] =
-        {.says = "that is as if the last exit counted: the ray is inside up to the first"},
-    [CLIP_PART_IGNORED] = {.says = "that is as if neither t_min nor t_max counted: t_min only "
-                                   "grows, and t_max only shrinks"},
-    [CLIP_POINT_MISSED] = {.says = "where t_min and t_max are equal a point is left: that is 1"},
-    [CLIP_ALONG_IGNORED] =
-        {.says =
-             "a ray along the planes of an axis is between them, or never: then it misses the box"},
-    [CLIP_ALONG_MISSED] = {.says =
-                               "a ray along the planes of an axis may be between them all the way"},
-    [CLIP_BORDER_DIVIDED] = {.says = "0 / 0 is not a number: for a ray in the plane of a side "
-                                     "nothing is to be divided by the direction, it is inside"},
-    [CLIP_BORDER_OUTSIDE] =
-        {"strict where it should not be: a ray in the plane of a side is inside",
-         MISTAKE_STRICT_BOUNDARY},
-    [CLIP_NOT_STORED] = {.says = "what is left of the ray was not stored: *t_min and *t_max are as "
-                                 "they came"},
-    [CLIP_FROM_0] = {.says = "that is as if the part went from 0 to INFINITY: it comes in *t_min "
-                             "and *t_max"},
-    [CLIP_EXIT_AHEAD] = {.says = "that is as if it were enough that the exit is ahead: where t_min "
-                                 "is beyond t_max nothing is left"},
-    [CLIP_ENTRY_BEHIND] = {.says = "that is as if an entry behind the eye made a miss: the eye may "
-                                   "be between the planes, or in the box"},
-    [CLIP_FIRST_ALONG] = {.says = "that is as if an axis whose planes the ray goes along decided "
-                                  "for the whole box: the others are to be asked, too"},
-    [CLIP_ALWAYS_MET] = {.says = "when t_min is beyond t_max nothing is left: that is 0"},
-    [CLIP_SMALL_IS_ALONG] = {.says = "that is as if a small direction were 0: a ray is along the "
-                                     "planes only where it is exactly 0, without an epsilon"},
-    [CLIP_HAIR_MET] =
-        {.says =
-             "that is as if a box that is missed by a hair were met: compare without an epsilon"},
-    [CLIP_HAIR_MISSED] =
-        {.says = "that is as if a part that is short were none: compare without an epsilon"},
-};
-
 // What may come out.
 typedef struct Clip {
     int may_meet, may_miss;
     Span t_min, t_max;
 } Clip;
 
-static Span clip_plane(const ClipJob *job, u32 axis, double plane)
+static int is_clip(ClipAnswer found, Clip clip)
 {
-    const double origin = vector_component(vector_of(job->origin), axis),
-                 direction = vector_component(vector_of(job->direction), axis);
+    return !found.is_met ? clip.may_miss
+                         : clip.may_meet && is_within(found.t_min, clip.t_min) &&
+                               is_within(found.t_max, clip.t_max);
+}
+
+#define GIVEN                                                                                      \
+    const ClipJob *in = &((const Job07 *)job)->inputs.clips[i];                                    \
+    const ClipAnswer found = ((const ClipAnswer *)answers)[i]
+#define IS_FOUND(clip) is_clip(found, clip)
+
+// ---- Right --------------------------------------------------------------------------------------
+
+// A way of clipping. All zeros is the right one.
+typedef struct Way {
+    int low_is_entry;             // the lower plane, whatever the direction
+    int first_entry, last_exit;   // count
+    int along_ignored;            // whether a ray along an axis is between its planes
+    int along_missed, along_met;  // such a ray misses; or its first axis decides
+    int border_outside;           // a ray in the plane of a side misses
+    int entry_behind;             // an entry behind the eye is a miss
+    int exit_ahead;               // an exit ahead is enough,
+    int always_met;               // or nothing is needed
+    int point_missed;             // nothing is left where t_min and t_max are equal
+    double small;                 // directions below that are 0
+    double beside;                // so far beside the box, or so short in it,
+    double shorter;               // is met, or missed
+} Way;
+
+static Span clip_plane(const ClipJob *in, u32 axis, double plane)
+{
+    const double origin = vector_component(vector_of(in->origin), axis),
+                 direction = vector_component(vector_of(in->direction), axis);
     const double t = (plane - origin) / direction;
     const int is_exact = fabs(direction) == 1;
     const double error =
@@ -88,82 +53,73 @@ static Span clip_plane(const ClipJob *job, u32 axis, double plane)
     return (Span){t - error, t + error};
 }
 
-// Is the ray taken for one along the planes of an axis?
-static int is_along(double direction, int mistake)
+static Clip clipped(const ClipJob *in, Way way)
 {
-    return direction == 0 || (mistake == CLIP_SMALL_IS_ALONG && fabs(direction) < HAIR);
-}
-
-static Clip expected_clip(const ClipJob *job, int mistake)
-{
-    const int part_counts = mistake != CLIP_PART_IGNORED;
-    const double from = mistake == CLIP_FROM_0                         ? 0
-                        : part_counts && mistake != CLIP_T_MIN_IGNORED ? (double)job->t_min
-                                                                       : -(double)INFINITY;
-    const double to = part_counts && mistake != CLIP_T_MAX_IGNORED && mistake != CLIP_FROM_0
-                          ? (double)job->t_max
-                          : (double)INFINITY;
-    const double beside = mistake == CLIP_HAIR_MET ? HAIR : 0;
     Span entry = {-INFINITY, -INFINITY}, exit = {INFINITY, INFINITY};
     int n_axes = 0, is_outside = 0, is_decided = 0;
-    for (u32 axis = 0; axis < 3; axis++) {
-        const double min = job->box.min[axis], max = job->box.max[axis];
-        if (is_along(vector_component(vector_of(job->direction), axis), mistake)) {
-            const double origin = vector_component(vector_of(job->origin), axis);
-            const int is_border = origin == min || origin == max;
-            is_outside |= mistake == CLIP_ALONG_MISSED || origin < min - beside ||
-                          origin > max + beside || (mistake == CLIP_BORDER_OUTSIDE && is_border);
-            is_decided = mistake == CLIP_FIRST_ALONG;
-            if (is_decided) {
-                break;
-            }
+    for (u32 axis = 0; axis < 3 && !is_decided; axis++) {
+        const double min = in->box.min[axis], max = in->box.max[axis];
+        const double direction = vector_component(vector_of(in->direction), axis);
+        if (direction == 0 || fabs(direction) < way.small) {
+            const double origin = vector_component(vector_of(in->origin), axis);
+            is_outside |= way.along_missed || origin < min - way.beside ||
+                          origin > max + way.beside ||
+                          (way.border_outside && (origin == min || origin == max));
+            is_decided = way.along_met;
             continue;
         }
-        const Span low = clip_plane(job, axis, min), high = clip_plane(job, axis, max);
-        const Span in = mistake == CLIP_LOW_IS_ENTRY ? low : span_min(low, high);
-        const Span out = mistake == CLIP_LOW_IS_ENTRY ? high : span_max(low, high);
-        is_outside |= mistake == CLIP_ENTRY_BEHIND && in.high < 0;
-        if (n_axes++ == 0) {
-            entry = in;
-            exit = out;
-        }
-        entry = mistake == CLIP_FIRST_ENTRY ? span_min(entry, in) : span_max(entry, in);
-        exit = mistake == CLIP_LAST_EXIT ? span_max(exit, out) : span_min(exit, out);
+        const Span low = clip_plane(in, axis, min), high = clip_plane(in, axis, max);
+        const Span into = way.low_is_entry ? low : span_min(low, high);
+        const Span out = way.low_is_entry ? high : span_max(low, high);
+        is_outside |= way.entry_behind && into.high < 0;
+        const int is_first = n_axes++ == 0;
+        entry = is_first ? into : way.first_entry ? span_min(entry, into) : span_max(entry, into);
+        exit = is_first ? out : way.last_exit ? span_max(exit, out) : span_min(exit, out);
     }
-    Clip clip = {.t_min = span_max(entry, (Span){from, from}),
-                 .t_max = span_min(exit, (Span){to, to})};
-    const int point_counts = mistake != CLIP_POINT_MISSED;
-    clip.may_meet = point_counts ? clip.t_min.low <= clip.t_max.high + beside
-                                 : clip.t_min.low < clip.t_max.high;
-    const double short_part = mistake == CLIP_HAIR_MISSED ? HAIR : 0;
-    clip.may_miss = point_counts ? clip.t_min.high > clip.t_max.low - short_part
-                                 : clip.t_min.high >= clip.t_max.low;
-    if (mistake == CLIP_EXIT_AHEAD) {
-        clip.may_meet = clip.t_max.high >= 0;
-        clip.may_miss = clip.t_max.low < 0;
+    const Span t_min = span_max(entry, (Span){in->t_min, in->t_min});
+    const Span t_max = span_min(exit, (Span){in->t_max, in->t_max});
+    if (is_outside && !way.along_ignored) {
+        return (Clip){0, 1, t_min, t_max};
     }
-    if (mistake == CLIP_NOT_STORED) {
-        clip.t_min = (Span){job->t_min, job->t_min};
-        clip.t_max = (Span){job->t_max, job->t_max};
+    if (is_decided || way.always_met) {
+        return (Clip){1, 0, t_min, t_max};
     }
-    if (mistake == CLIP_ALWAYS_MET || is_decided) {
-        clip.may_meet = 1;
-        clip.may_miss = 0;
+    if (way.exit_ahead) {
+        return (Clip){t_max.high >= 0, t_max.low < 0, t_min, t_max};
     }
-    if (is_outside && mistake != CLIP_ALONG_IGNORED) {
-        clip.may_meet = 0;
-        clip.may_miss = 1;
+    if (way.point_missed) {
+        return (Clip){t_min.low < t_max.high, t_min.high >= t_max.low, t_min, t_max};
     }
-    return clip;
+    return (Clip){t_min.low <= t_max.high + way.beside, t_min.high > t_max.low - way.shorter, t_min,
+                  t_max};
+}
+
+#define CLIP clipped(in, (Way){0})
+
+RIGHT(is_right, IS_FOUND(CLIP))
+
+// ---- Mistakes -----------------------------------------------------------------------------------
+
+static Clip with_part(ClipJob in, float t_min, float t_max)
+{
+    in.t_min = t_min;
+    in.t_max = t_max;
+    return clipped(&in, (Way){0});
+}
+
+static Clip not_stored(const ClipJob *in)
+{
+    const Clip clip = CLIP;
+    return (Clip){clip.may_meet, clip.may_miss, {in->t_min, in->t_min}, {in->t_max, in->t_max}};
 }
 
 // Is the ray in the plane of a side?
-static int is_in_side(const ClipJob *job)
+static int is_in_side(const ClipJob *in)
 {
     for (u32 axis = 0; axis < 3; axis++) {
-        const float origin = (float)vector_component(vector_of(job->origin), axis);
-        if (vector_component(vector_of(job->direction), axis) == 0 &&
-            (origin == job->box.min[axis] || origin == job->box.max[axis])) {
+        const float origin = (float)vector_component(vector_of(in->origin), axis);
+        if (vector_component(vector_of(in->direction), axis) == 0 &&
+            (origin == in->box.min[axis] || origin == in->box.max[axis])) {
             return 1;
         }
     }
@@ -177,23 +133,64 @@ static int is_divided_by_0(ClipAnswer found)
     return found.t_min == INFINITY || found.t_max == -INFINITY;
 }
 
-static int clip_agrees(const void *job, int i, const void *answers, int mistake)
-{
-    const Inputs07 *inputs = &((const Job07 *)job)->inputs;
-    const ClipAnswer found = ((const ClipAnswer *)answers)[i];
-    if (mistake >= CLIP_SMALL_IS_ALONG && clip_agrees(job, i, answers, 0)) {
-        return 1;
-    }
-    if (mistake == CLIP_BORDER_DIVIDED && !found.is_met && is_in_side(&inputs->clips[i])) {
-        return is_divided_by_0(found);
-    }
-    const Clip clip = expected_clip(&inputs->clips[i], mistake);
-    if (!found.is_met) {
-        return clip.may_miss;
-    }
-    return clip.may_meet && is_within(found.t_min, clip.t_min) &&
-           is_within(found.t_max, clip.t_max);
-}
+ANSWERS(low_is_entry, clipped(in, (Way){.low_is_entry = 1}),
+        "that is as if every ray entered at the lower plane: with a negative direction it enters "
+        "at the upper one")
+ANSWERS(no_t_min, with_part(*in, -INFINITY, in->t_max),
+        "that is as if t_min did not count: it only grows")
+ANSWERS(no_t_max, with_part(*in, in->t_min, INFINITY),
+        "that is as if t_max did not count: it only shrinks")
+ANSWERS(no_part, with_part(*in, -INFINITY, INFINITY),
+        "that is as if neither t_min nor t_max counted: t_min only grows, and t_max only shrinks")
+ANSWERS(from_0, with_part(*in, 0, INFINITY),
+        "that is as if the part went from 0 to INFINITY: it comes in *t_min and *t_max")
+ANSWERS(first_entry, clipped(in, (Way){.first_entry = 1}),
+        "that is as if the first entry counted: the ray is inside from the last")
+ANSWERS(last_exit, clipped(in, (Way){.last_exit = 1}),
+        "that is as if the last exit counted: the ray is inside up to the first")
+ANSWERS(point_missed, clipped(in, (Way){.point_missed = 1}),
+        "where t_min and t_max are equal a point is left: that is 1")
+ANSWERS(along_ignored, clipped(in, (Way){.along_ignored = 1}),
+        "a ray along the planes of an axis is between them, or never: then it misses the box")
+ANSWERS(along_missed, clipped(in, (Way){.along_missed = 1}),
+        "a ray along the planes of an axis may be between them all the way")
+ANSWERS(along_met, clipped(in, (Way){.along_met = 1}),
+        "that is as if an axis whose planes the ray goes along decided for the whole box: the "
+        "others are to be asked, too")
+ANSWERS(always_met, clipped(in, (Way){.always_met = 1}),
+        "when t_min is beyond t_max nothing is left: that is 0")
+EACH(border_divided,
+     !found.is_met && is_in_side(in) ? is_divided_by_0(found) : is_right(job, i, answers),
+     "0 / 0 is not a number: for a ray in the plane of a side nothing is to be divided by the "
+     "direction, it is inside")
+EACH(border_outside, IS_FOUND(clipped(in, (Way){.border_outside = 1})) && !is_divided_by_0(found),
+     "strict where it should not be: a ray in the plane of a side is inside",
+     MISTAKE_STRICT_BOUNDARY)
+ANSWERS(unstored, not_stored(in),
+        "what is left of the ray was not stored: *t_min and *t_max are as they came")
+ANSWERS(exit_ahead, clipped(in, (Way){.exit_ahead = 1}),
+        "that is as if it were enough that the exit is ahead: where t_min is beyond t_max nothing "
+        "is left")
+ANSWERS(entry_behind, clipped(in, (Way){.entry_behind = 1}),
+        "that is as if an entry behind the eye made a miss: the eye may be between the planes, or "
+        "in the box")
+
+// Of an epsilon, whose size is not known: what comes of a large one.
+ONLY(small_is_along, IS_FOUND(clipped(in, (Way){.small = HAIR})),
+     "that is as if a small direction were 0: a ray is along the planes only where it is exactly "
+     "0, without an epsilon")
+ONLY(hair_met, IS_FOUND(clipped(in, (Way){.beside = HAIR})),
+     "that is as if a box that is missed by a hair were met: compare without an epsilon")
+ONLY(hair_missed, IS_FOUND(clipped(in, (Way){.shorter = HAIR})),
+     "that is as if a part that is short were none: compare without an epsilon")
+
+static const Known *const known[] = {&low_is_entry,   &no_t_min,       &no_t_max,  &no_part,
+                                     &from_0,         &first_entry,    &last_exit, &point_missed,
+                                     &along_ignored,  &along_missed,   &along_met, &always_met,
+                                     &border_divided, &border_outside, &unstored,  &exit_ahead,
+                                     &entry_behind,   &small_is_along, &hair_met,  &hair_missed};
+
+// ---- Answers ------------------------------------------------------------------------------------
 
 // "0", or "1 and [1.5, 3.25]".
 static Words clip_words(int is_met, double t_min, double t_max)
@@ -201,22 +198,21 @@ static Words clip_words(int is_met, double t_min, double t_max)
     return is_met ? words("%d and [%.9g, %.9g]", is_met, t_min, t_max) : words("0");
 }
 
-static char *describe_clip(const void *pointer, int i, const void *answers)
+static char *describe(const void *job, int i, const void *answers)
 {
-    const ClipJob *job = &((const Job07 *)pointer)->inputs.clips[i];
-    const BBox3D box = job->box;
-    const ClipAnswer own = ((const ClipAnswer *)answers)[i];
-    const Clip right = expected_clip(job, 0);
+    GIVEN;
+    const BBox3D box = in->box;
+    const Clip right = CLIP;
     return message_new(
         "box from %s to %s, ray from %s along %s, part [%.9g, %.9g]: found %s, expected %s",
         words_xyz(box.min[0], box.min[1], box.min[2], 6).text,
-        words_xyz(box.max[0], box.max[1], box.max[2], 6).text, words_vec3(job->origin, 9).text,
-        words_vec3(job->direction, 7).text, job->t_min, job->t_max,
-        clip_words(own.is_met, own.t_min, own.t_max).text,
+        words_xyz(box.max[0], box.max[1], box.max[2], 6).text, words_vec3(in->origin, 9).text,
+        words_vec3(in->direction, 7).text, in->t_min, in->t_max,
+        clip_words(found.is_met, found.t_min, found.t_max).text,
         clip_words(right.may_meet, (right.t_min.low + right.t_min.high) / 2,
                    (right.t_max.low + right.t_max.high) / 2)
             .text);
 }
 
 const Function clip_07 = {"clips", N_CLIP_RANGES *N_CLIP_INPUTS, sizeof(ClipAnswer),
-                          COMPARED(clip_agrees, describe_clip, clip_mistakes)};
+                          KNOWING(is_right, describe, known)};

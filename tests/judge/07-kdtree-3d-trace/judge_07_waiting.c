@@ -36,136 +36,121 @@ void roll_waiting_inputs_07(Random *random, Inputs07 *inputs)
     }
 }
 
-enum {
-    WAITING_ANY_HIT = 1,
-    WAITING_NEVER_ENDS,
-    WAITING_INVERTED,
-    WAITING_SWAPPED,
-    WAITING_AT_T_MAX,
-    WAITING_AT_T_MIN,
-    WAITING_BEFORE_T_MIN,
-    WAITING_HAIR,
-    WAITING_PART_KEPT,
-    WAITING_T_MAX_KEPT,
-    WAITING_T_MIN_KEPT,
-    WAITING_OLDEST,
-    WAITING_STAYS,
-    WAITING_ONE_LEFT,
-    WAITING_ABOVE_TOP,
-};
-static const Cause waiting_mistakes[] = {
-    [WAITING_ANY_HIT] = {.says = "that is as if the search ended at any hit, also at one beyond "
-                                 "t_max, which another sphere may hide"},
-    [WAITING_NEVER_ENDS] = {.says =
-                                "that is as if the search did not end before the stack is empty"},
-    [WAITING_INVERTED] = {.says = "that is as if the search went on where it has found a hit, and "
-                                  "ended where it has not: the comparison with t_max is inverted"},
-    [WAITING_SWAPPED] = {.says = "1 and 0 are swapped: 0 is the end"},
-    [WAITING_AT_T_MAX] = {.says = "a hit exactly at t_max must not end the search: a sphere that "
-                                  "only the next leaf lists may be just as far away"},
-    [WAITING_AT_T_MIN] =
-        {.says = "that is as if the hit were compared with the leaf's t_min: its t_max counts"},
-    [WAITING_BEFORE_T_MIN] = {.says = "a hit before t_min ends the search, too: it is in this leaf "
-                                      "or before it, and all that waits is farther away"},
-    [WAITING_HAIR] =
-        {.says = "only hits a hair before or beyond t_max are wrong: compare without an epsilon"},
-    [WAITING_PART_KEPT] =
-        {.says = "that is as if t_min and t_max were not taken from the stack with the node"},
-    [WAITING_T_MAX_KEPT] = {.says =
-                                "that is as if t_max were not taken from the stack with the node"},
-    [WAITING_T_MIN_KEPT] = {.says =
-                                "that is as if t_min were not taken from the stack with the node"},
-    [WAITING_OLDEST] = {.says =
-                            "that is as if the node that waits longest came from the stack first"},
-    [WAITING_STAYS] = {.says = "the node is not taken off the stack: it waits still"},
-    [WAITING_ONE_LEFT] = {.says = "the search ended while one node was still waiting"},
-    [WAITING_ABOVE_TOP] = {.says = "what was taken is none of the entries that wait: the top one "
-                                   "is todo->entries[todo->n - 1]"},
-};
+#define GIVEN                                                                                      \
+    const NextWaitingJob *in = &((const Job07 *)job)->inputs.waiting[i];                           \
+    const NextWaitingAnswer *found = (const NextWaitingAnswer *)answers + i
+#define IS_FOUND(expected) same_waiting(found, expected)
 
-static TodoEntry pop(StackState *todo, int mistake)
-{
-    const u32 last = todo->n - 1;
-    const TodoEntry next = todo->upper[mistake == WAITING_OLDEST ? 0 : last];
-    for (u32 i = 0; mistake == WAITING_OLDEST && i < last; i++) {
-        todo->upper[i] = todo->upper[i + 1];
-    }
-    todo->n -= mistake != WAITING_STAYS;
-    return next;
-}
+// ---- Right --------------------------------------------------------------------------------------
 
-static NextWaitingAnswer expected_waiting(const NextWaitingJob *job, int mistake)
+// The search goes on with entry number `at` of the stack, unless it is at its end.
+static NextWaitingAnswer taken(const NextWaitingJob *in, int is_end, u32 at)
 {
-    NextWaitingAnswer answer = {.at = job->at, .todo = job->todo};
-    const int is_in_part = job->t < job->at.t_max;
-    const int is_hit = mistake == WAITING_ANY_HIT        ? job->t < INFINITY
-                       : mistake == WAITING_AT_T_MAX     ? job->t <= job->at.t_max
-                       : mistake == WAITING_AT_T_MIN     ? job->t < job->at.t_min
-                       : mistake == WAITING_BEFORE_T_MIN ? job->t >= job->at.t_min && is_in_part
-                                                         : is_in_part;
-    const int is_end = mistake == WAITING_NEVER_ENDS ? 0
-                       : mistake == WAITING_INVERTED ? !is_hit
-                                                     : is_hit;
-    answer.goes_on = !is_end && job->todo.n > (mistake == WAITING_ONE_LEFT ? 1 : 0);
+    NextWaitingAnswer answer = {!is_end && in->todo.n > 0, in->at, in->todo};
     if (answer.goes_on) {
-        answer.at = pop(&answer.todo, mistake);
-        const int keeps_part = mistake == WAITING_PART_KEPT;
-        answer.at.t_min =
-            keeps_part || mistake == WAITING_T_MIN_KEPT ? job->at.t_min : answer.at.t_min;
-        answer.at.t_max =
-            keeps_part || mistake == WAITING_T_MAX_KEPT ? job->at.t_max : answer.at.t_max;
+        answer.at = in->todo.upper[at];
+        answer.todo.n--;
+        for (u32 i = at; i < answer.todo.n; i++) {
+            answer.todo.upper[i] = in->todo.upper[i + 1];
+        }
     }
-    answer.goes_on ^= mistake == WAITING_SWAPPED;
     return answer;
 }
 
-static int end_agrees(const void *job, int i, const void *answers, int mistake)
+static NextWaitingAnswer ended_if(const NextWaitingJob *in, int is_end)
 {
-    const NextWaitingJob *waiting = &((const Job07 *)job)->inputs.waiting[i];
-    const NextWaitingAnswer expected = expected_waiting(waiting, mistake);
-    const int is_hair = mistake == WAITING_HAIR && fabsf(waiting->t - waiting->at.t_max) < HAIR;
-    return is_hair || (((const NextWaitingAnswer *)answers)[i].goes_on != 0) == expected.goes_on;
+    return taken(in, is_end, in->todo.n - 1);
 }
 
-static int is_waiting(const StackState *todo, TodoEntry entry)
+#define IS_END (in->t < in->at.t_max)
+#define WAITING ended_if(in, IS_END)
+
+RIGHT(is_right_end, (found->goes_on != 0) == WAITING.goes_on)
+// Where the search is over, at and the stack do not matter.
+RIGHT(is_right_next, !WAITING.goes_on || IS_FOUND(WAITING))
+
+// ---- Mistakes -----------------------------------------------------------------------------------
+
+// By where the search ends.
+ANSWERS(any_hit, ended_if(in, in->t < INFINITY),
+        "that is as if the search ended at any hit, also at one beyond t_max, which another sphere "
+        "may hide")
+ANSWERS(never_ends, ended_if(in, 0),
+        "that is as if the search did not end before the stack is empty")
+ANSWERS(inverted, ended_if(in, !IS_END),
+        "that is as if the search went on where it has found a hit, and ended where it has not: "
+        "the comparison with t_max is inverted")
+ANSWERS(at_t_max, ended_if(in, in->t <= in->at.t_max),
+        "a hit exactly at t_max must not end the search: a sphere that only the next leaf lists "
+        "may be just as far away")
+ANSWERS(at_t_min, ended_if(in, in->t < in->at.t_min),
+        "that is as if the hit were compared with the leaf's t_min: its t_max counts")
+ANSWERS(before_t_min, ended_if(in, in->t >= in->at.t_min && IS_END),
+        "a hit before t_min ends the search, too: it is in this leaf or before it, and all that "
+        "waits is farther away")
+ANSWERS(one_left, ended_if(in, IS_END || in->todo.n == 1),
+        "the search ended while one node was still waiting")
+// Which node such an answer hands on is not defined.
+EACH(swapped, (found->goes_on != 0) != WAITING.goes_on, "1 and 0 are swapped: 0 is the end")
+ONLY(hair, fabsf(in->t - in->at.t_max) < HAIR,
+     "only hits a hair before or beyond t_max are wrong: compare without an epsilon")
+
+// By what is handed on.
+static NextWaitingAnswer with_part(NextWaitingAnswer answer, float t_min, float t_max)
+{
+    answer.at.t_min = t_min;
+    answer.at.t_max = t_max;
+    return answer;
+}
+
+static NextWaitingAnswer with_one_more(NextWaitingAnswer answer)
+{
+    answer.todo.n++;
+    return answer;
+}
+
+static int is_waiting(const StackState *todo, u32 node)
 {
     u32 i = 0;
-    while (i < todo->n && !same_entry(todo->upper[i], entry)) {
+    while (i < todo->n && todo->upper[i].node != node) {
         i++;
     }
     return i < todo->n;
 }
 
-// Where the search is over, at and the stack do not matter.
-static int next_agrees(const void *job, int i, const void *answers, int mistake)
-{
-    const NextWaitingAnswer *found = &((const NextWaitingAnswer *)answers)[i];
-    const NextWaitingAnswer expected =
-        expected_waiting(&((const Job07 *)job)->inputs.waiting[i], mistake);
-    if (mistake == WAITING_ABOVE_TOP && expected.goes_on) {
-        return found->goes_on && found->todo.n == expected.todo.n &&
-               !is_waiting(&((const Job07 *)job)->inputs.waiting[i].todo, found->at);
-    }
-    if (mistake != 0 && !expected.goes_on) {
-        return !found->goes_on;
-    }
-    return !expected.goes_on || (found->goes_on && same_entry(found->at, expected.at) &&
-                                 same_stack(&found->todo, &expected.todo));
-}
+ANSWERS(part_kept, with_part(WAITING, in->at.t_min, in->at.t_max),
+        "that is as if t_min and t_max were not taken from the stack with the node")
+ANSWERS(t_max_kept, with_part(WAITING, WAITING.at.t_min, in->at.t_max),
+        "that is as if t_max were not taken from the stack with the node")
+ANSWERS(t_min_kept, with_part(WAITING, in->at.t_min, WAITING.at.t_max),
+        "that is as if t_min were not taken from the stack with the node")
+ANSWERS(oldest, taken(in, IS_END, 0),
+        "that is as if the node that waits longest came from the stack first")
+ANSWERS(stays, with_one_more(WAITING), "the node is not taken off the stack: it waits still")
+EACH(above_top,
+     WAITING.goes_on ? found->goes_on && found->todo.n == WAITING.todo.n &&
+                           !is_waiting(&in->todo, found->at.node)
+                     : !found->goes_on,
+     "what was taken is none of the entries that wait: the top one is todo->entries[todo->n - 1]")
 
-static char *describe_waiting(const void *pointer, int i, const void *answers)
+static const Known *const known[] = {&any_hit,      &never_ends, &inverted, &at_t_max, &at_t_min,
+                                     &before_t_min, &one_left,   &swapped,  &hair,     &part_kept,
+                                     &t_max_kept,   &t_min_kept, &oldest,   &stays,    &above_top};
+
+// ---- Answers ------------------------------------------------------------------------------------
+
+static char *describe(const void *job, int i, const void *answers)
 {
-    const NextWaitingJob *job = &((const Job07 *)pointer)->inputs.waiting[i];
-    const NextWaitingAnswer expected = expected_waiting(job, 0);
+    GIVEN;
+    const NextWaitingAnswer expected = WAITING;
     return message_new("the nearest hit is at %.9g, the leaf's part [%g, %g], and %u node%s "
                        "waiting: found %s, expected %s",
-                       job->t, job->at.t_min, job->at.t_max, job->todo.n,
-                       job->todo.n == 1 ? " is" : "s are",
-                       next_waiting_words((const NextWaitingAnswer *)answers + i).text,
+                       in->t, in->at.t_min, in->at.t_max, in->todo.n,
+                       in->todo.n == 1 ? " is" : "s are", next_waiting_words(found).text,
                        next_waiting_words(&expected).text);
 }
 
 const Function waiting_end_07 = {"next_waiting", N_WAITING_INPUTS, sizeof(NextWaitingAnswer),
-                                 COMPARED(end_agrees, describe_waiting, waiting_mistakes)};
+                                 KNOWING(is_right_end, describe, known)};
 const Function waiting_next_07 = {"next_waiting", N_WAITING_INPUTS, sizeof(NextWaitingAnswer),
-                                  COMPARED(next_agrees, describe_waiting, waiting_mistakes)};
+                                  KNOWING(is_right_next, describe, known)};
