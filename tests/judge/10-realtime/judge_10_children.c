@@ -93,262 +93,262 @@ void roll_children_10(Random *random, Job10 *job)
     }
 }
 
-// ---- Judging ----------------------------------------------------------------------------------
+#define GIVEN                                                                                      \
+    const TileChildJob *in = &((const Job10 *)job)->children[i];                                   \
+    const NextChildAnswer *found = (const NextChildAnswer *)answers + i
+#define IS_FOUND(expected) is_same(found, expected)
 
-enum {
-    CHILD_SWAPPED = 1,
-    CHILD_LOWER_IS_NEAR,
-    CHILD_EYE_IS_UPPER,
-    CHILD_FAR_DROPPED,
-    CHILD_NEAR_WAITS,
-    CHILD_FAR_ALWAYS_WAITS,
-    CHILD_NEAR_NEVER_SKIPPED,
-    CHILD_FAR_IS_NEAR,
-    CHILD_NEAR_KEEPS_T_MAX,
-    CHILD_FAR_KEEPS_T_MIN,
-    CHILD_NEAR_CUT_AT_LOW,
-    CHILD_FAR_BEGINS_AT_HIGH,
-    CHILD_FAR_WIDENED,
-    CHILD_NEAR_WIDENED,
-    CHILD_ONE_AT_ENDS,
-    CHILD_OTHER_ENDS,
-    CHILD_NEAR_FOR_ANY,
-    CHILD_IS_SIDE,
-    CHILD_NEAR_AT_T_MAX,
-    CHILD_FAR_AT_T_MIN,
-    CHILD_EPSILON,
-    CHILD_SIBLING_BY_BIT,
-    CHILD_FAR_ENDS,
-    CHILD_FAR_FOR_ANY,
-    CHILD_FAR_ALONE_WIDENED,
-    CHILD_NEAR_ALONE_WIDENED,
-    CHILD_FAR_BEGINS_AT_END,
-    CHILD_NEVER_IS_NEAR,
-    CHILD_FAR_CUT_TOO,
-    CHILD_BOTH_WHOLE,
-    CHILD_AT_0_IS_FAR,
-    CHILD_POINT_IS_NEAR,
-    CHILD_POINT_IS_FAR,
-    CHILD_BOTH_WAIT,
-    CHILD_PARTS_SWAPPED,
-    CHILD_ENDS_CROSSED,
-    CHILD_BOTH_WIDENED,
-    CHILD_BOTH_ALWAYS,
-    CHILD_BOTH_ALWAYS_WHOLE,
-    CHILD_BOTH_ALWAYS_UNCUT,
-};
-#define ONE_IS_ENOUGH                                                                              \
-    "that is as if both children were always visited: where t_split is beyond the whole part, or " \
-    "before it, one of them is enough"
-
-#define POINT_MEETS_BOTH                                                                           \
-    "a part whose ends are equal counts, too: where t_split reaches over it both children are met"
-
-#define FAR_BEGINS_LATE                                                                            \
-    "the far child's part begins at the greatest t_split: rays that meet the plane earlier lose "  \
-    "some of it"
-
-static const Cause child_mistakes[] = {
-    [CHILD_SWAPPED] = {.says = "that is as if near and far child were swapped"},
-    [CHILD_LOWER_IS_NEAR] = {.says = "the near child is the one on the eye's side, not always the "
-                                     "lower one"},
-    [CHILD_EYE_IS_UPPER] = {.says = "an eye on the plane counts to the lower side"},
-    [CHILD_FAR_DROPPED] =
-        {"that is as if the far child were never visited where both are met: it does not wait",
-         MISTAKE_FAR_CHILD},
-    [CHILD_NEAR_WAITS] = {.says = "the near child waits, and the far one is visited first"},
-    [CHILD_FAR_ALWAYS_WAITS] =
-        {.says = "that is as if the far child waited also where every ray's part ends before the "
-                 "plane"},
-    [CHILD_NEAR_NEVER_SKIPPED] =
-        {.says = "that is as if the near child were visited also where every ray's part begins "
-                 "beyond the plane"},
-    [CHILD_FAR_IS_NEAR] =
-        {.says = "where every ray's part begins beyond the plane, the far child is left"},
-    [CHILD_NEAR_KEEPS_T_MAX] =
-        {.says = "the near child's part ends at the greatest t_split, where that is before t_max"},
-    [CHILD_FAR_KEEPS_T_MIN] =
-        {.says = "the far child's part begins at the least t_split, where that is beyond t_min"},
-    [CHILD_NEAR_CUT_AT_LOW] = {.says = "the near child's part ends at the least t_split: rays that "
-                                       "meet the plane later lose some of it"},
-    [CHILD_FAR_BEGINS_AT_HIGH] = {.says = FAR_BEGINS_LATE},
-    [CHILD_FAR_WIDENED] =
-        {.says = "the far child's part begins before t_min: a part never grows on the way down"},
-    [CHILD_NEAR_WIDENED] =
-        {.says = "the near child's part ends beyond t_max: a part never grows on the way down"},
-    [CHILD_ONE_AT_ENDS] = {.says = "where the plane is met exactly at t_min or t_max, both "
-                                   "children are met"},
-    [CHILD_NEAR_AT_T_MAX] = {.says = "where the first ray meets the plane exactly at t_max, both "
-                                     "children are met"},
-    [CHILD_FAR_AT_T_MIN] = {.says = "where the last ray meets the plane exactly at t_min, both "
-                                    "children are met"},
-    [CHILD_EPSILON] = {.says = "beyond t_max and before t_min one child is enough, however near: "
-                               "without an epsilon"},
-    [CHILD_SIBLING_BY_BIT] = {.says = "the two children are node.first and node.first + 1, where "
-                                      "node.first is odd, too"},
-    [CHILD_FAR_ENDS] = {.says = "the far child's part ends at t_max: behind the plane the rays are "
-                                "in it up to there"},
-    [CHILD_OTHER_ENDS] = {.says = "one child is enough only where that holds for every ray: the "
-                                  "other end of the interval decides"},
-    [CHILD_NEAR_FOR_ANY] = {.says = "where the interval reaches beyond t_max, some rays may still "
-                                    "meet the plane before it"},
-    [CHILD_FAR_FOR_ANY] = {.says = "where the interval begins before t_min, some rays may still "
-                                   "meet the plane behind it"},
-    [CHILD_FAR_ALONE_WIDENED] = {.says = "where the far child alone is met, the part stays as it "
-                                         "is: it does not begin at the least t_split"},
-    [CHILD_NEAR_ALONE_WIDENED] = {.says = "where the near child alone is met, the part stays as it "
-                                          "is: it does not end at the greatest t_split"},
-    [CHILD_FAR_BEGINS_AT_END] = {.says = FAR_BEGINS_LATE},
-    [CHILD_NEVER_IS_NEAR] = {.says = "where some rays never meet the plane, others do: an interval "
-                                     "that ends at INFINITY does not mean the near child alone"},
-    [CHILD_FAR_CUT_TOO] = {.says = "the far child's part ends where the near one's does: t_max was "
-                                   "changed before it was used again"},
-    [CHILD_BOTH_WHOLE] = {.says = "both children have the whole part: the near one's ends at the "
-                                  "greatest t_split, the far one's begins at the least"},
-    [CHILD_AT_0_IS_FAR] = {.says = "a plane that is met at 0 is met: where the part begins at 0, "
-                                   "so are both children"},
-    [CHILD_POINT_IS_NEAR] = {.says = POINT_MEETS_BOTH},
-    [CHILD_POINT_IS_FAR] = {.says = POINT_MEETS_BOTH},
-    [CHILD_BOTH_WAIT] = {.says = "the near child is visited next, and must not wait as well"},
-    [CHILD_PARTS_SWAPPED] = {.says = "the two parts are swapped: the near child has the one up to "
-                                     "the greatest t_split, the far child the one from the least"},
-    [CHILD_ENDS_CROSSED] = {.says = "t_min and t_max stand in each other's place in the two "
-                                    "comparisons"},
-    [CHILD_BOTH_WIDENED] = {.says = "the least and the greatest are swapped: a part never grows on "
-                                    "the way down"},
-    [CHILD_BOTH_ALWAYS] = {.says = ONE_IS_ENOUGH},
-    [CHILD_BOTH_ALWAYS_WHOLE] = {.says = ONE_IS_ENOUGH},
-    [CHILD_BOTH_ALWAYS_UNCUT] = {.says = ONE_IS_ENOUGH},
-    [CHILD_IS_SIDE] =
-        {.says = "0 and 1 are sides: the children's ids are node.first and node.first + 1"},
-};
-
-// A mistake may put two where there is room for one: the second is only counted.
-static void push(StackState *todo, u32 node, float t_min, float t_max)
+static int is_same(const NextChildAnswer *found, NextChildAnswer expected)
 {
-    const u32 at = todo->n++ - todo->n_lower;
-    if (at < STACK_ENTRIES) {
-        todo->upper[at] = (TodoEntry){node, t_min, t_max};
-    }
+    return same_entry(found->next, expected.next) && same_stack(&found->todo, &expected.todo);
 }
 
-// 0 for the lower child.
-static u32 side_of(const TileChildJob *job, int mistake)
-{
-    const u32 side = mistake == CHILD_EYE_IS_UPPER ? job->eye >= job->node.split_pos
-                                                   : job->eye > job->node.split_pos;
-    return mistake == CHILD_LOWER_IS_NEAR ? 0 : mistake == CHILD_SWAPPED ? !side : side;
-}
-
-// More than the hairs of the edges, less than what is rolled.
-#define LEAST_STEP 0x1p-10f
+// ---- Right --------------------------------------------------------------------------------------
 
 enum { NEAR_ONLY, FAR_ONLY, BOTH_CHILDREN };
-static int children_met(const TileChildJob *job, int mistake)
+
+static int met(int is_beyond, int is_before)
 {
-    const float t_min = job->at.t_min, t_max = job->at.t_max;
-    const int others = mistake == CHILD_OTHER_ENDS, ends = mistake == CHILD_ONE_AT_ENDS;
-    const float beyond = others || mistake == CHILD_NEAR_FOR_ANY ? job->split_high : job->split_low;
-    const float before = others || mistake == CHILD_FAR_FOR_ANY ? job->split_low : job->split_high;
-    const float hair = mistake == CHILD_EPSILON ? LEAST_STEP : 0;
-    const float end = mistake == CHILD_ENDS_CROSSED ? t_min : t_max;
-    const float begin = mistake == CHILD_ENDS_CROSSED ? t_max : t_min;
-    const int near_at_end = ends || mistake == CHILD_NEAR_AT_T_MAX;
-    const int far_at_end = ends || mistake == CHILD_FAR_AT_T_MIN;
-    if (mistake >= CHILD_BOTH_ALWAYS) {
-        return BOTH_CHILDREN;
-    }
-    if (mistake == CHILD_NEVER_IS_NEAR && isinf(job->split_high)) {
-        return NEAR_ONLY;
-    }
-    if (mistake == CHILD_AT_0_IS_FAR && job->split_high == 0) {
-        return FAR_ONLY;
-    }
-    if (mistake != CHILD_FAR_ALWAYS_WAITS &&
-        (beyond > end + hair || (near_at_end && beyond == end))) {
-        return NEAR_ONLY;
-    }
-    if (mistake != CHILD_NEAR_NEVER_SKIPPED &&
-        (before < begin - hair || (far_at_end && before == begin))) {
-        return mistake == CHILD_FAR_IS_NEAR ? NEAR_ONLY : FAR_ONLY;
-    }
-    if (t_min == t_max && (mistake == CHILD_POINT_IS_NEAR || mistake == CHILD_POINT_IS_FAR)) {
-        return mistake == CHILD_POINT_IS_NEAR ? NEAR_ONLY : FAR_ONLY;
-    }
-    return BOTH_CHILDREN;
+    return is_beyond ? NEAR_ONLY : is_before ? FAR_ONLY : BOTH_CHILDREN;
 }
 
-static NextChildAnswer expected_child(const TileChildJob *job, int mistake)
+// A mistake may put two where there is room for one: the second is only counted.
+static NextChildAnswer with_waiting(NextChildAnswer answer, TodoEntry waits)
 {
-    const u32 side = side_of(job, mistake), first = mistake == CHILD_IS_SIDE ? 0 : job->node.first;
-    const float t_min = job->at.t_min, t_max = job->at.t_max;
-    const float end = mistake == CHILD_NEAR_CUT_AT_LOW ? job->split_low : job->split_high;
-    const float begin = mistake == CHILD_FAR_BEGINS_AT_HIGH  ? job->split_high
-                        : mistake == CHILD_FAR_BEGINS_AT_END ? fminf(t_max, job->split_high)
-                                                             : job->split_low;
-    const int met = children_met(job, mistake);
-    const u32 far = mistake == CHILD_SIBLING_BY_BIT ? (first + side) ^ 1 : first + !side;
-    NextChildAnswer answer = {.todo = job->todo};
-    if (met != BOTH_CHILDREN) {
-        answer.next = (TodoEntry){met == NEAR_ONLY ? first + side : far, t_min, t_max};
-        if (met == FAR_ONLY && mistake == CHILD_FAR_ALONE_WIDENED) {
-            answer.next.t_min = job->split_low;
-        }
-        if (met == NEAR_ONLY && mistake == CHILD_NEAR_ALONE_WIDENED) {
-            answer.next.t_max = job->split_high;
-        }
-        return answer;
-    }
-    const int both_whole = mistake == CHILD_BOTH_WHOLE || mistake == CHILD_BOTH_ALWAYS_WHOLE;
-    const int both_uncut = mistake == CHILD_BOTH_ALWAYS_UNCUT;
-    TodoEntry near_child = {first + side, t_min,
-                            both_whole || mistake == CHILD_NEAR_KEEPS_T_MAX ? t_max
-                            : both_uncut || mistake == CHILD_NEAR_WIDENED   ? end
-                            : mistake == CHILD_BOTH_WIDENED                 ? fmaxf(t_max, end)
-                                                                            : fminf(t_max, end)};
-    TodoEntry far_child = {far,
-                           both_whole || mistake == CHILD_FAR_KEEPS_T_MIN ? t_min
-                           : both_uncut || mistake == CHILD_FAR_WIDENED   ? begin
-                           : mistake == CHILD_BOTH_WIDENED                ? fminf(t_min, begin)
-                                                                          : fmaxf(t_min, begin),
-                           mistake == CHILD_FAR_ENDS      ? end
-                           : mistake == CHILD_FAR_CUT_TOO ? near_child.t_max
-                                                          : t_max};
-    if (mistake == CHILD_PARTS_SWAPPED) {
-        near_child = (TodoEntry){first + side, far_child.t_min, far_child.t_max};
-        far_child = (TodoEntry){far, t_min, fminf(t_max, end)};
-    }
-    if (mistake == CHILD_BOTH_WAIT) {
-        push(&answer.todo, far_child.node, far_child.t_min, far_child.t_max);
-        far_child = near_child;
-    }
-    const int is_swapped = mistake == CHILD_NEAR_WAITS;
-    answer.next = is_swapped ? far_child : near_child;
-    if (mistake != CHILD_FAR_DROPPED) {
-        const TodoEntry waits = is_swapped ? near_child : far_child;
-        push(&answer.todo, waits.node, waits.t_min, waits.t_max);
+    const u32 at = answer.todo.n++ - answer.todo.n_lower;
+    if (at < STACK_ENTRIES) {
+        answer.todo.upper[at] = waits;
     }
     return answer;
 }
 
-static int child_agrees(const void *job, int i, const void *answers, int mistake)
+static NextChildAnswer visited(const TileChildJob *in, int children, TodoEntry near, TodoEntry far)
 {
-    const NextChildAnswer *found = (const NextChildAnswer *)answers + i;
-    const NextChildAnswer expected = expected_child(&((const Job10 *)job)->children[i], mistake);
-    return same_entry(found->next, expected.next) && same_stack(&found->todo, &expected.todo);
+    const NextChildAnswer answer = {children == FAR_ONLY ? far : near, in->todo};
+    return children == BOTH_CHILDREN ? with_waiting(answer, far) : answer;
 }
 
-static char *describe_child(const void *pointer, int i, const void *answers)
+#define T_MIN in->at.t_min
+#define T_MAX in->at.t_max
+#define LOW in->split_low
+#define HIGH in->split_high
+#define IS_BEYOND (LOW > T_MAX)
+#define IS_BEFORE (HIGH < T_MIN)
+#define MET met(IS_BEYOND, IS_BEFORE)
+
+// The near child lies to this side; these are met.
+static NextChildAnswer child(const TileChildJob *in, u32 side, int children)
 {
-    const TileChildJob *job = &((const Job10 *)pointer)->children[i];
-    const NextChildAnswer expected = expected_child(job, 0);
+    const int is_cut = children == BOTH_CHILDREN;
+    return visited(in, children,
+                   (TodoEntry){in->node.first + side, T_MIN, is_cut ? fminf(T_MAX, HIGH) : T_MAX},
+                   (TodoEntry){in->node.first + !side, is_cut ? fmaxf(T_MIN, LOW) : T_MIN, T_MAX});
+}
+
+#define SIDE (in->eye > in->node.split_pos)
+#define CHILD child(in, SIDE, MET)
+
+RIGHT(is_right, IS_FOUND(CHILD))
+
+// ---- Mistakes -----------------------------------------------------------------------------------
+
+// By which child is near, and their ids.
+static NextChildAnswer with_ids(const TileChildJob *in, u32 near, u32 far)
+{
+    NextChildAnswer answer = CHILD;
+    answer.next.node = MET == FAR_ONLY ? far : near;
+    if (MET == BOTH_CHILDREN) {
+        answer.todo.upper[in->todo.n - in->todo.n_lower].node = far;
+    }
+    return answer;
+}
+
+ANSWERS(swapped, child(in, !SIDE, MET), "that is as if near and far child were swapped")
+ANSWERS(lower_is_near, child(in, 0, MET),
+        "the near child is the one on the eye's side, not always the lower one")
+ANSWERS(eye_is_upper, child(in, in->eye >= in->node.split_pos, MET),
+        "an eye on the plane counts to the lower side")
+ANSWERS(is_side, with_ids(in, SIDE, !SIDE),
+        "0 and 1 are sides: the children's ids are node.first and node.first + 1")
+ANSWERS(by_bit, with_ids(in, in->node.first + SIDE, (in->node.first + SIDE) ^ 1),
+        "the two children are node.first and node.first + 1, where node.first is odd, too")
+
+// By which of them are met. A step is more than the hairs of the edges, less than what is rolled.
+#define LEAST_STEP 0x1p-10f
+#define MEETS(name, is_beyond, is_before, ...)                                                     \
+    ANSWERS(name, child(in, SIDE, met(is_beyond, is_before)), __VA_ARGS__)
+MEETS(far_always_waits, 0, IS_BEFORE,
+      "that is as if the far child waited also where every ray's part ends before the plane")
+MEETS(near_never_skipped, IS_BEYOND, 0,
+      "that is as if the near child were visited also where every ray's part begins beyond the "
+      "plane")
+MEETS(far_is_near, IS_BEYOND || IS_BEFORE, 0,
+      "where every ray's part begins beyond the plane, the far child is left")
+MEETS(one_at_ends, LOW >= T_MAX, HIGH <= T_MIN,
+      "where the plane is met exactly at t_min or t_max, both children are met")
+MEETS(near_at_t_max, LOW >= T_MAX, IS_BEFORE,
+      "where the first ray meets the plane exactly at t_max, both children are met")
+MEETS(far_at_t_min, IS_BEYOND, HIGH <= T_MIN,
+      "where the last ray meets the plane exactly at t_min, both children are met")
+MEETS(other_ends, HIGH > T_MAX, LOW < T_MIN,
+      "one child is enough only where that holds for every ray: the other end of the interval "
+      "decides")
+MEETS(near_for_any, HIGH > T_MAX, IS_BEFORE,
+      "where the interval reaches beyond t_max, some rays may still meet the plane before it")
+MEETS(far_for_any, IS_BEYOND, LOW < T_MIN,
+      "where the interval begins before t_min, some rays may still meet the plane behind it")
+MEETS(epsilon, LOW > T_MAX + LEAST_STEP, HIGH < T_MIN - LEAST_STEP,
+      "beyond t_max and before t_min one child is enough, however near: without an epsilon")
+MEETS(never_is_near, IS_BEYOND || isinf(HIGH), IS_BEFORE,
+      "where some rays never meet the plane, others do: an interval that ends at INFINITY does not "
+      "mean the near child alone")
+MEETS(at_0_is_far, IS_BEYOND, IS_BEFORE || HIGH == 0,
+      "a plane that is met at 0 is met: where the part begins at 0, so are both children")
+MEETS(ends_crossed, LOW > T_MIN, HIGH < T_MAX,
+      "t_min and t_max stand in each other's place in the two comparisons")
+
+#define POINT_MEETS_BOTH                                                                           \
+    "a part whose ends are equal counts, too: where t_split reaches over it both children are met"
+MEETS(point_is_near, IS_BEYOND || (T_MIN == T_MAX && !IS_BEFORE), IS_BEFORE, POINT_MEETS_BOTH)
+MEETS(point_is_far, IS_BEYOND, IS_BEFORE || T_MIN == T_MAX, POINT_MEETS_BOTH)
+
+// By their parts.
+static TodoEntry near_to(const TileChildJob *in, float t_max)
+{
+    return (TodoEntry){in->node.first + SIDE, T_MIN, t_max};
+}
+
+static TodoEntry far_from(const TileChildJob *in, float t_min)
+{
+    return (TodoEntry){in->node.first + !SIDE, t_min, T_MAX};
+}
+
+// Other parts where both are met.
+static NextChildAnswer parted(const TileChildJob *in, TodoEntry near, TodoEntry far)
+{
+    return MET == BOTH_CHILDREN ? visited(in, MET, near, far) : CHILD;
+}
+
+#define NEAR near_to(in, fminf(T_MAX, HIGH))
+#define FAR far_from(in, fmaxf(T_MIN, LOW))
+#define PARTS(name, near, far, ...) ANSWERS(name, parted(in, near, far), __VA_ARGS__)
+
+static TodoEntry with_ends(TodoEntry entry, float t_min, float t_max)
+{
+    return (TodoEntry){entry.node, t_min, t_max};
+}
+
+PARTS(near_waits, FAR, NEAR, "the near child waits, and the far one is visited first")
+PARTS(near_keeps_t_max, near_to(in, T_MAX), FAR,
+      "the near child's part ends at the greatest t_split, where that is before t_max")
+PARTS(far_keeps_t_min, NEAR, far_from(in, T_MIN),
+      "the far child's part begins at the least t_split, where that is beyond t_min")
+PARTS(near_cut_at_low, near_to(in, fminf(T_MAX, LOW)), FAR,
+      "the near child's part ends at the least t_split: rays that meet the plane later lose some "
+      "of it")
+PARTS(near_widened, near_to(in, HIGH), FAR,
+      "the near child's part ends beyond t_max: a part never grows on the way down")
+PARTS(far_widened, NEAR, far_from(in, LOW),
+      "the far child's part begins before t_min: a part never grows on the way down")
+PARTS(both_whole, near_to(in, T_MAX), far_from(in, T_MIN),
+      "both children have the whole part: the near one's ends at the greatest t_split, the far "
+      "one's begins at the least")
+PARTS(both_widened, near_to(in, fmaxf(T_MAX, HIGH)), far_from(in, fminf(T_MIN, LOW)),
+      "the least and the greatest are swapped: a part never grows on the way down")
+PARTS(far_ends, NEAR, with_ends(FAR, FAR.t_min, HIGH),
+      "the far child's part ends at t_max: behind the plane the rays are in it up to there")
+PARTS(far_cut_too, NEAR, with_ends(FAR, FAR.t_min, NEAR.t_max),
+      "the far child's part ends where the near one's does: t_max was changed before it was used "
+      "again")
+PARTS(parts_swapped, with_ends(NEAR, FAR.t_min, T_MAX), with_ends(FAR, T_MIN, NEAR.t_max),
+      "the two parts are swapped: the near child has the one up to the greatest t_split, the far "
+      "child the one from the least")
+
+#define FAR_BEGINS_LATE                                                                            \
+    "the far child's part begins at the greatest t_split: rays that meet the plane earlier lose "  \
+    "some of it"
+PARTS(far_from_high, NEAR, far_from(in, fmaxf(T_MIN, HIGH)), FAR_BEGINS_LATE)
+PARTS(far_from_end, NEAR, far_from(in, fmaxf(T_MIN, fminf(T_MAX, HIGH))), FAR_BEGINS_LATE)
+
+#define ONE_IS_ENOUGH                                                                              \
+    "that is as if both children were always visited: where t_split is beyond the whole part, or " \
+    "before it, one of them is enough"
+MEETS(both_always, 0, 0, ONE_IS_ENOUGH)
+// Where both are met, that is as both_whole.
+EACH(both_always_whole,
+     MET != BOTH_CHILDREN &&
+         IS_FOUND(visited(in, BOTH_CHILDREN, near_to(in, T_MAX), far_from(in, T_MIN))),
+     ONE_IS_ENOUGH)
+ANSWERS(both_always_uncut, visited(in, BOTH_CHILDREN, near_to(in, HIGH), far_from(in, LOW)),
+        ONE_IS_ENOUGH)
+
+ANSWERS(far_widened_alone, MET == FAR_ONLY ? visited(in, MET, NEAR, far_from(in, LOW)) : CHILD,
+        "where the far child alone is met, the part stays as it is: it does not begin at the least "
+        "t_split")
+ANSWERS(near_widened_alone, MET == NEAR_ONLY ? visited(in, MET, near_to(in, HIGH), FAR) : CHILD,
+        "where the near child alone is met, the part stays as it is: it does not end at the "
+        "greatest t_split")
+
+// By what waits.
+ANSWERS(far_dropped, ((NextChildAnswer){CHILD.next, in->todo}),
+        "that is as if the far child were never visited where both are met: it does not wait",
+        MISTAKE_FAR_CHILD)
+ANSWERS(both_wait, MET == BOTH_CHILDREN ? with_waiting(CHILD, NEAR) : CHILD,
+        "the near child is visited next, and must not wait as well")
+
+static const Known *const known[] = {&swapped,
+                                     &lower_is_near,
+                                     &eye_is_upper,
+                                     &is_side,
+                                     &by_bit,
+                                     &far_always_waits,
+                                     &near_never_skipped,
+                                     &far_is_near,
+                                     &one_at_ends,
+                                     &near_at_t_max,
+                                     &far_at_t_min,
+                                     &other_ends,
+                                     &near_for_any,
+                                     &far_for_any,
+                                     &epsilon,
+                                     &never_is_near,
+                                     &at_0_is_far,
+                                     &ends_crossed,
+                                     &point_is_near,
+                                     &point_is_far,
+                                     &near_waits,
+                                     &near_keeps_t_max,
+                                     &far_keeps_t_min,
+                                     &near_cut_at_low,
+                                     &near_widened,
+                                     &far_widened,
+                                     &both_whole,
+                                     &both_widened,
+                                     &far_ends,
+                                     &far_cut_too,
+                                     &parts_swapped,
+                                     &far_from_high,
+                                     &far_from_end,
+                                     &both_always,
+                                     &both_always_whole,
+                                     &both_always_uncut,
+                                     &far_widened_alone,
+                                     &near_widened_alone,
+                                     &far_dropped,
+                                     &both_wait};
+
+// ---- Answers ------------------------------------------------------------------------------------
+
+static char *describe(const void *job, int i, const void *answers)
+{
+    GIVEN;
+    const NextChildAnswer expected = CHILD;
     return message_new("children %u and %u, plane at %g, eye at %g, t_split [%.9g, %.9g], part "
                        "[%g, %g]: found %s, expected %s",
-                       job->node.first, job->node.first + 1, job->node.split_pos, job->eye,
-                       job->split_low, job->split_high, job->at.t_min, job->at.t_max,
-                       next_child_words(&job->todo, (const NextChildAnswer *)answers + i).text,
-                       next_child_words(&job->todo, &expected).text);
+                       in->node.first, in->node.first + 1, in->node.split_pos, in->eye, LOW, HIGH,
+                       T_MIN, T_MAX, next_child_words(&in->todo, found).text,
+                       next_child_words(&in->todo, &expected).text);
 }
 
 const Function tile_child_10 = {"tile_children", N_TILE_CHILDREN, sizeof(NextChildAnswer),
-                                COMPARED(child_agrees, describe_child, child_mistakes)};
+                                KNOWING(is_right, describe, known)};

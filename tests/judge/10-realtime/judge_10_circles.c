@@ -214,28 +214,43 @@ static int is_ambiguous(const CircleScene10 *scene, int x, int y)
     return i < scene->n_circles;
 }
 
-static Diagnosis pixels_fault(const void *pointer, int i, const void *answers)
+#define GIVEN                                                                                      \
+    const Job10 *in = job;                                                                         \
+    const CircleTileAnswer *found = (const CircleTileAnswer *)answers + i
+#define TILE in->circle_tiles[i]
+#define SCENE (&in->circle_scenes[in->scene_of_tile[i]])
+#define X_OF(pixel) (TILE.x + (pixel) % ROW_PIXELS)
+#define Y_OF(pixel) (TILE.y + (pixel) / ROW_PIXELS)
+
+// The first wrong pixel of a tile, or CIRCLE_TILE_PIXELS.
+static int wrong_pixel(const Job10 *in, int i, const CircleTileAnswer *found)
 {
-    const Job10 *job = pointer;
-    const CircleTileJob tile = job->circle_tiles[i];
-    const CircleTileAnswer *found = (const CircleTileAnswer *)answers + i;
-    const CircleScene10 *scene = &job->circle_scenes[job->scene_of_tile[i]];
-    for (int pixel = 0; pixel < CIRCLE_TILE_PIXELS; pixel++) {
-        const int x = tile.x + pixel % ROW_PIXELS, y = tile.y + pixel / ROW_PIXELS;
-        const u32 expected = expected_color(scene, x, y);
-        if (found->colors[pixel] != expected && !is_ambiguous(scene, x, y)) {
-            return diagnosis_of(message_new("a scene of %d circles, pixel (%d, %d), in the tile "
-                                            "from (%d, %d) on: found colour %08x, expected %08x",
-                                            scene->n_circles, x, y, tile.x, tile.y,
-                                            found->colors[pixel], expected),
-                                (Cause){0});
-        }
+    int k = 0;
+    while (k < CIRCLE_TILE_PIXELS && (found->colors[k] == expected_color(SCENE, X_OF(k), Y_OF(k)) ||
+                                      is_ambiguous(SCENE, X_OF(k), Y_OF(k)))) {
+        k++;
     }
-    return NOTHING_WRONG;
+    return k;
 }
 
-const Function circle_pixels_10 = {"circle_tiles", N_CIRCLE_TILES, sizeof(CircleTileAnswer),
-                                   .fault = pixels_fault};
+RIGHT(are_pixels, wrong_pixel(in, i, found) == CIRCLE_TILE_PIXELS)
+
+static char *describe_pixel(const void *job, int i, const void *answers)
+{
+    GIVEN;
+    const int k = wrong_pixel(in, i, found);
+    return message_new("a scene of %d circles, pixel (%d, %d), in the tile from (%d, %d) on: found "
+                       "colour %08x, expected %08x",
+                       SCENE->n_circles, X_OF(k), Y_OF(k), TILE.x, TILE.y, found->colors[k],
+                       expected_color(SCENE, X_OF(k), Y_OF(k)));
+}
+
+const Function circle_pixels_10 = {"circle_tiles",
+                                   N_CIRCLE_TILES,
+                                   sizeof(CircleTileAnswer),
+                                   .is_right = are_pixels,
+                                   .describe = describe_pixel,
+                                   .counted = "tiles"};
 
 // After how many circles of its list is a tile done? All of them where it never is.
 static u32 count_needed(const Job10 *job, int i)
@@ -257,36 +272,31 @@ static u32 count_needed(const Job10 *job, int i)
     return until_look < leaf.n_circles ? until_look : leaf.n_circles;
 }
 
-static int is_ambiguous_tile(const CircleScene10 *scene, CircleTileJob tile)
+static int is_ambiguous_tile(const Job10 *in, int i)
 {
-    int pixel = 0;
-    while (pixel < CIRCLE_TILE_PIXELS &&
-           !is_ambiguous(scene, tile.x + pixel % ROW_PIXELS, tile.y + pixel / ROW_PIXELS)) {
-        pixel++;
+    int k = 0;
+    while (k < CIRCLE_TILE_PIXELS && !is_ambiguous(SCENE, X_OF(k), Y_OF(k))) {
+        k++;
     }
-    return pixel < CIRCLE_TILE_PIXELS;
+    return k < CIRCLE_TILE_PIXELS;
 }
 
 // The loop is given, so the number is known: it says whether what is painted is closed, at once.
-static Diagnosis work_fault(const void *pointer, int i, const void *answers)
+RIGHT(is_work, found->n_tests == count_needed(in, i) || is_ambiguous_tile(in, i))
+ONLY(goes_on, found->n_tests > count_needed(in, i),
+     "the tile is done, and it goes on: what is covered is not closed")
+ONLY(given_up, found->n_tests < count_needed(in, i),
+     "the tile is given up before it is done: what is not covered is closed")
+
+static const Known *const known[] = {&goes_on, &given_up};
+
+static char *describe_work(const void *job, int i, const void *answers)
 {
-    const Job10 *job = pointer;
-    const CircleTileJob tile = job->circle_tiles[i];
-    const u32 found = ((const CircleTileAnswer *)answers)[i].n_tests;
-    const u32 expected = count_needed(job, i);
-    const CircleScene10 *scene = &job->circle_scenes[job->scene_of_tile[i]];
-    if (found == expected || is_ambiguous_tile(scene, tile)) {
-        return NOTHING_WRONG;
-    }
-    return diagnosis_of(
-        message_new("a scene of %d circles, the tile from (%d, %d) on: found %u circles asked, "
-                    "expected %u",
-                    scene->n_circles, tile.x, tile.y, found, expected),
-        (Cause){.says = found > expected ? "the tile is done, and it goes on: what is covered is "
-                                           "not closed"
-                                         : "the tile is given up before it is done: what is not "
-                                           "covered is closed"});
+    GIVEN;
+    return message_new("a scene of %d circles, the tile from (%d, %d) on: found %u circles asked, "
+                       "expected %u",
+                       SCENE->n_circles, TILE.x, TILE.y, found->n_tests, count_needed(in, i));
 }
 
 const Function circle_work_10 = {"circle_tiles", N_CIRCLE_TILES, sizeof(CircleTileAnswer),
-                                 .fault = work_fault};
+                                 KNOWING(is_work, describe_work, known), .counted = "tiles"};
