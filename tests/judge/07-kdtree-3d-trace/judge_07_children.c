@@ -143,7 +143,7 @@ ANSWERS(lower_is_near, from_side(in, 0),
         "the lower child was taken for the near one, wherever the eye is")
 ANSWERS(far_is_near, child(in, with_other(MET, PLANE_ONLY_FAR, PLANE_ONLY_NEAR)),
         "that is as if the search went to the near child where only the far one is met")
-ANSWERS(near_never_skipped, child(in, with_other(MET, PLANE_ONLY_FAR, PLANE_BOTH)),
+ANSWERS(never_skipped, child(in, with_other(MET, PLANE_ONLY_FAR, PLANE_BOTH)),
         "that is as if the near child were visited also where only the far one is met")
 ANSWERS(no_points, child(in, without_points(in, MET)),
         "a part that is a point was left out: BOTH is both, and hits on the plane are in either")
@@ -183,11 +183,11 @@ ANSWERS(far_dropped, ((NextChildAnswer){child(in, MET).next, in->todo}),
         MISTAKE_FAR_CHILD)
 ANSWERS(near_waits, visited(in, MET, swapped_if_both(MET, PARTS)),
         "the near child waits, and the far one is visited first")
-ANSWERS(near_keeps_t_max, visited(in, MET, with_ends(PARTS, in->t_max, PARTS.far.t_min)),
+ANSWERS(keeps_t_max, visited(in, MET, with_ends(PARTS, in->t_max, PARTS.far.t_min)),
         "that is as if t_max did not become t_split for the near child")
-ANSWERS(far_keeps_t_min, visited(in, MET, with_ends(PARTS, PARTS.near.t_max, in->t_min)),
+ANSWERS(keeps_t_min, visited(in, MET, with_ends(PARTS, PARTS.near.t_max, in->t_min)),
         "that is as if t_min did not become t_split for the far child, which begins at t_split")
-EACH(far_always_waits, waits_always(in, found),
+EACH(always_waits, waits_always(in, found),
      "that is as if the far child waited also where only the near one is met")
 ANSWERS(is_side, visited(in, MET, with_ids(PARTS, MET.side, !MET.side)),
         "0 and 1 are sides: the children's ids are node.first and node.first + 1")
@@ -223,23 +223,10 @@ ONLY(last_place, in->todo.n + 1 == TODO_SIZE && !is_hair_beside(*found, child(in
      "only where one place is left on the stack is it wrong: that is enough, as the near child "
      "takes none")
 
-static const Known *const known[] = {&swapped,
-                                     &by_direction,
-                                     &lower_is_near,
-                                     &far_is_near,
-                                     &near_never_skipped,
-                                     &no_points,
-                                     &far_dropped,
-                                     &near_waits,
-                                     &near_keeps_t_max,
-                                     &far_keeps_t_min,
-                                     &far_always_waits,
-                                     &is_side,
-                                     &by_bit,
-                                     &near_cut,
-                                     &far_cut,
-                                     &hair,
-                                     &last_place};
+static const Known *const known[] = {
+    &swapped,     &by_direction, &lower_is_near, &far_is_near, &never_skipped, &no_points,
+    &far_dropped, &near_waits,   &keeps_t_max,   &keeps_t_min, &always_waits,  &is_side,
+    &by_bit,      &near_cut,     &far_cut,       &hair,        &last_place};
 
 // ---- Answers ------------------------------------------------------------------------------------
 

@@ -177,9 +177,9 @@ ANSWERS(by_bit, with_ids(in, in->node.first + SIDE, (in->node.first + SIDE) ^ 1)
 #define LEAST_STEP 0x1p-10f
 #define MEETS(name, is_beyond, is_before, ...)                                                     \
     ANSWERS(name, child(in, SIDE, met(is_beyond, is_before)), __VA_ARGS__)
-MEETS(far_always_waits, 0, IS_BEFORE,
+MEETS(always_waits, 0, IS_BEFORE,
       "that is as if the far child waited also where every ray's part ends before the plane")
-MEETS(near_never_skipped, IS_BEYOND, 0,
+MEETS(never_skipped, IS_BEYOND, 0,
       "that is as if the near child were visited also where every ray's part begins beyond the "
       "plane")
 MEETS(far_is_near, IS_BEYOND || IS_BEFORE, 0,
@@ -275,17 +275,17 @@ PARTS(far_from_end, NEAR, far_from(in, fmaxf(T_MIN, fminf(T_MAX, HIGH))), FAR_BE
     "before it, one of them is enough"
 MEETS(both_always, 0, 0, ONE_IS_ENOUGH)
 // Where both are met, that is as both_whole.
-EACH(both_always_whole,
+EACH(always_whole,
      MET != BOTH_CHILDREN &&
          IS_FOUND(visited(in, BOTH_CHILDREN, near_to(in, T_MAX), far_from(in, T_MIN))),
      ONE_IS_ENOUGH)
-ANSWERS(both_always_uncut, visited(in, BOTH_CHILDREN, near_to(in, HIGH), far_from(in, LOW)),
+ANSWERS(always_uncut, visited(in, BOTH_CHILDREN, near_to(in, HIGH), far_from(in, LOW)),
         ONE_IS_ENOUGH)
 
-ANSWERS(far_widened_alone, MET == FAR_ONLY ? visited(in, MET, NEAR, far_from(in, LOW)) : CHILD,
+ANSWERS(far_alone, MET == FAR_ONLY ? visited(in, MET, NEAR, far_from(in, LOW)) : CHILD,
         "where the far child alone is met, the part stays as it is: it does not begin at the least "
         "t_split")
-ANSWERS(near_widened_alone, MET == NEAR_ONLY ? visited(in, MET, near_to(in, HIGH), FAR) : CHILD,
+ANSWERS(near_alone, MET == NEAR_ONLY ? visited(in, MET, near_to(in, HIGH), FAR) : CHILD,
         "where the near child alone is met, the part stays as it is: it does not end at the "
         "greatest t_split")
 
@@ -296,46 +296,15 @@ ANSWERS(far_dropped, ((NextChildAnswer){CHILD.next, in->todo}),
 ANSWERS(both_wait, MET == BOTH_CHILDREN ? with_waiting(CHILD, NEAR) : CHILD,
         "the near child is visited next, and must not wait as well")
 
-static const Known *const known[] = {&swapped,
-                                     &lower_is_near,
-                                     &eye_is_upper,
-                                     &is_side,
-                                     &by_bit,
-                                     &far_always_waits,
-                                     &near_never_skipped,
-                                     &far_is_near,
-                                     &one_at_ends,
-                                     &near_at_t_max,
-                                     &far_at_t_min,
-                                     &other_ends,
-                                     &near_for_any,
-                                     &far_for_any,
-                                     &epsilon,
-                                     &never_is_near,
-                                     &at_0_is_far,
-                                     &ends_crossed,
-                                     &point_is_near,
-                                     &point_is_far,
-                                     &near_waits,
-                                     &near_keeps_t_max,
-                                     &far_keeps_t_min,
-                                     &near_cut_at_low,
-                                     &near_widened,
-                                     &far_widened,
-                                     &both_whole,
-                                     &both_widened,
-                                     &far_ends,
-                                     &far_cut_too,
-                                     &parts_swapped,
-                                     &far_from_high,
-                                     &far_from_end,
-                                     &both_always,
-                                     &both_always_whole,
-                                     &both_always_uncut,
-                                     &far_widened_alone,
-                                     &near_widened_alone,
-                                     &far_dropped,
-                                     &both_wait};
+static const Known *const known[] = {
+    &swapped,       &lower_is_near,    &eye_is_upper,    &is_side,         &by_bit,
+    &always_waits,  &never_skipped,    &far_is_near,     &one_at_ends,     &near_at_t_max,
+    &far_at_t_min,  &other_ends,       &near_for_any,    &far_for_any,     &epsilon,
+    &never_is_near, &at_0_is_far,      &ends_crossed,    &point_is_near,   &point_is_far,
+    &near_waits,    &near_keeps_t_max, &far_keeps_t_min, &near_cut_at_low, &near_widened,
+    &far_widened,   &both_whole,       &both_widened,    &far_ends,        &far_cut_too,
+    &parts_swapped, &far_from_high,    &far_from_end,    &both_always,     &always_whole,
+    &always_uncut,  &far_alone,        &near_alone,      &far_dropped,     &both_wait};
 
 // ---- Answers ------------------------------------------------------------------------------------
 

@@ -219,17 +219,17 @@ COVERS(whole_dy, DX + trunc(DY) * trunc(DY) <= R, "dy was cut to a whole number"
 COVERS(radius_again, DX + DY * DY <= R * R,
        "that is as if the radius were squared twice: radius_squared is its square already, and "
        "compared with a square, not with a distance")
-COVERS(dx_again, DX *DX + DY * DY <= R, "dx is squared twice: dx_squared is its square already")
+COVERS(dx_again, (DX * DX + DY * DY <= R), "dx is squared twice: dx_squared is its square already")
 COVERS(subtracted, DX - DY * DY <= R, "the square of dy is taken off: the squares add up")
 COVERS(inverted, !IS_COVERED,
        "what the circle does not cover is painted, and what it covers is not")
 COVERS(all_or_none, n_covered(in) > 0,
        "that is as if one pixel decided for the whole row: each lane has an answer of its own")
-COVERS(without_first, IS_COVERED &&i > 0, "the row's first pixel is left out")
-COVERS(without_last, IS_COVERED &&i < ROW_PIXELS - 1, "the row's last pixel is left out")
+COVERS(without_first, i > 0 && IS_COVERED, "the row's first pixel is left out")
+COVERS(without_last, i < ROW_PIXELS - 1 && IS_COVERED, "the row's last pixel is left out")
 COVERS(point_left, IS_COVERED &&R > 0,
        "a circle of radius 0 is left out: it covers the pixel that it is exactly on")
-COVERS(part_left, IS_COVERED &&n_open(in) == ROW_PIXELS,
+COVERS(part_left, n_open(in) == ROW_PIXELS && IS_COVERED,
        "a row that is painted in part has open pixels, too")
 
 // By what is painted.
@@ -251,7 +251,7 @@ PIXELS(erases, ((Pixel){IS_COVERED && in->open[i] ? in->color : 0, right(in, i).
 #define STAYS(name, is_open, ...) PIXELS(name, ((Pixel){right(in, i).color, is_open}), __VA_ARGS__)
 STAYS(stays_open, in->open[i],
       "a pixel that is painted stays open: the next circle would paint it again")
-STAYS(touched_stays, IS_COVERED &&DY *DY != R ? 0 : in->open[i],
+STAYS(touched_stays, R != DY * DY && IS_COVERED ? 0 : in->open[i],
       "where the circle only touches the row, as far away as its radius, the pixel that it covers "
       "is closed, too")
 STAYS(closed_outside, IS_COVERED ? in->open[i] : 0,
