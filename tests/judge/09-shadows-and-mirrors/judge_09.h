@@ -1,9 +1,9 @@
 // What lab 09's judge asks of a submission: inputs of its functions, and scenes with their trees,
 // each with a number of mirrors that a ray meets at most. Starts of new rays are rolled and judged
 // in judge_09_starts.c, their directions in judge_09_rays.c, leaves in judge_09_leaves.c and
-// judge_09_leaf.c, lights in judge_09_lit.c, the scenes in judge_09_scenes.c, their pictures in
-// judge_09_pictures.c, the rays that are sent in judge_09_sent.c, one answer alone in
-// judge_09_alone.c.
+// judge_09_leaf.c, lights in judge_09_lit.c and judge_09_lights.c, the scenes in
+// judge_09_scenes.c, their pictures in judge_09_pictures.c, the rays that are sent in
+// judge_09_sent.c, one answer alone in judge_09_alone.c.
 #ifndef JUDGE_JUDGE_09_H
 #define JUDGE_JUDGE_09_H
 
@@ -50,6 +50,13 @@ float random_power_09(Random *random);
 // How dark a light is, or how little a surface scatters, where the other makes up for it: a power
 // of two, so that nothing is rounded.
 #define DIM 0x1p-20f
+
+// A vector of length |x| along axis 0, 1 or 2.
+Vec3 along_09(int axis, float x);
+
+// A colour for light number i. One in five is all red, green or blue, so that no colour by itself
+// says whether a light gives anything.
+Vec3 light_09_color(Random *random, int i);
 
 // Which input of lit_color is number k of those with a light that is placed?
 int lit_09_placed(int k);

@@ -6,7 +6,7 @@
 // farthest and a lot says what blocks it; ray_color on the scenes of the whole job, where mirrors
 // send every ray almost along the normal and surfaces shine by themselves. How exactly only who
 // calls the stand-ins is told.
-#include "judge_09_lights.h"
+#include "judge_09.h"
 
 #include "job_sections.h"
 #include "random3d.h"

@@ -1,7 +1,82 @@
-// Known mistakes of lit_color (see judge_09_lights.h).
-#include "judge_09_lights.h"
+// Lab 09: which lights arrive at a point, and how they add up. The points and lights are rolled in
+// judge_09_lit.c.
+#include "judge_09.h"
 
+#include "message.h"
 #include "oracle3d_rounding.h"
+#include "words.h"
+
+#include <math.h>
+
+#define GIVEN                                                                                      \
+    const LitJob *in = &((const Job09 *)job)->lits[i];                                             \
+    const LitAnswer *found = (const LitAnswer *)answers + i
+
+// ---- Right --------------------------------------------------------------------------------------
+
+static OracleNear right_light(const Job09 *job, int i)
+{
+    static const OracleMirrorRules right = {0};
+    const LitJob *in = &job->lits[i];
+    Scene3D scene = job->scenes[LIT_SCENE].base.scene;
+    scene.lights = (Light *)(job->lit_lights + in->first_light);
+    scene.n_lights = in->n_lights;
+    return oracle3d_lit(&scene, oracle3d_exactly(in->point), oracle3d_exactly(in->normal),
+                        &in->material, NULL, &right);
+}
+
+// How many of the lights may be before the surface: one ray for each is enough. The tree is that
+// of a scene whose rays are counted, one leaf: the leaves visited are the rays sent.
+static OracleSides light_sides(const Job09 *job, int i)
+{
+    const LitJob *in = &job->lits[i];
+    return oracle3d_sides(job->lit_lights + in->first_light, in->n_lights,
+                          oracle3d_exactly(in->point), oracle3d_exactly(in->normal));
+}
+
+static int is_light(int i, const LitAnswer *found, OracleNear expected)
+{
+    return lit_09_counts_only(i) || oracle3d_is_near(found->color, expected);
+}
+
+// No more rays than needed, which is judged in the second range. There some are sent where one is
+// certainly needed, as no light here is black. Where none is, lights that arrive are found in
+// another way, or `work` was not passed on.
+static int sends_right(const Job09 *job, int i, u32 n_rays)
+{
+    const OracleSides sides = light_sides(job, i);
+    return i / N_LIT_INPUTS != 1 ||
+           (n_rays <= sides.n_before && (n_rays > 0 || sides.n_before == sides.n_unsure));
+}
+
+RIGHT(is_right, is_light(i, found, right_light(job, i)) && sends_right(job, i, found->n_leaves))
+
+// ---- Mistakes of the rays alone -----------------------------------------------------------------
+
+#define N_RAYS found->n_leaves
+#define N_NEEDED light_sides(job, i).n_before
+#define SENDS(name, condition, ...)                                                                \
+    EACH(name, is_light(i, found, right_light(job, i)) && (condition), __VA_ARGS__)
+
+// Of some input more rays are sent than it has lights: then one light is asked twice.
+static int is_any_asked_twice(const Job09 *job, const LitAnswer *answers)
+{
+    int i = N_LIT_INPUTS;
+    while (i < 2 * N_LIT_INPUTS && answers[i].n_leaves <= (u32)job->lits[i].n_lights) {
+        i++;
+    }
+    return i < 2 * N_LIT_INPUTS;
+}
+
+SENDS(asks_all, N_RAYS == (u32)in->n_lights,
+      "a ray was sent to every light: on which side of the surface it is, is asked first")
+SENDS(asks_twice,
+      N_RAYS >= N_NEEDED && (N_RAYS == 0 || N_NEEDED > 0) && is_any_asked_twice(job, answers),
+      "a light is asked more than once: one ray says whether it arrives")
+SENDS(uncounted, N_RAYS == 0,
+      "no ray is counted: is_blocked is not asked, or `work` was not passed on to it")
+
+// ---- Mistakes of the sum ------------------------------------------------------------------------
 
 // A light as a point sees it.
 typedef struct SeenLight {
@@ -16,18 +91,11 @@ typedef struct SeenLight {
 } SeenLight;
 
 // A point's lights, and the one behind the end of the array.
-struct SeenLights {
+typedef struct SeenLights {
     SeenLight each[MOST_LIT_LIGHTS + 1];
     int n;
     int is_unsure;  // rounding decides whether one of them arrives
-};
-
-static int least(int a, int b)
-{
-    return a < b ? a : b;
-}
-
-// ---- Seeing lights ------------------------------------------------------------------------------
+} SeenLights;
 
 static SeenLight see(const Scene3D *scene, const LitJob *lit, const Light *light, int *is_unsure)
 {
@@ -62,29 +130,6 @@ static void see_all(const Job09 *job, const LitJob *lit, SeenLights *lights)
     }
 }
 
-OracleNear lights_09_mistaken(const Job09 *job, const LitJob *lit, const LitMistake *mistake)
-{
-    SeenLights lights;
-    see_all(job, lit, &lights);
-    lights.n = mistake->most_lights > 0 ? least(mistake->most_lights, lights.n) : lights.n;
-    for (int i = 0; i <= lights.n; i++) {
-        SeenLight *light = &lights.each[i];
-        light->is_free &= light->cosine >= mistake->least_cosine &&
-                          light->brightest >= mistake->least_light &&
-                          lit->material.kd >= mistake->least_kd;
-    }
-    OracleNear sum = mistake->sum(&lights);
-    const Vec3 c = mistake->color_again ? lit->material.color : (Vec3){1, 1, 1};
-    const double kd = mistake->kd_again ? (double)lit->material.kd : 1;
-    sum.value =
-        (OracleVector){kd * sum.value.x * c.x, kd * sum.value.y * c.y, kd * sum.value.z * c.z};
-    // Each sum rounds, twice where it is one of sums.
-    sum.error += 4 * ROUNDING * lights.n * vector_length(sum.value);
-    return lights.is_unsure ? (OracleNear){{0}, INFINITY} : sum;
-}
-
-// ---- Sums ---------------------------------------------------------------------------------------
-
 static int arrives(const SeenLight *light)
 {
     return light->is_before && light->is_free;
@@ -95,294 +140,195 @@ static int is_blocked(const SeenLight *light)
     return light->is_before && !light->is_free;
 }
 
-static void add(OracleNear *sum, double factor, OracleNear share)
+static int is_behind(const SeenLight *light)
 {
-    sum->value = vector_plus(sum->value, vector_scaled(factor, share.value));
-    sum->error += fabs(factor) * share.error;
+    return !light->is_before;
 }
 
-// What the lights from `first` on give before `end`, whatever stands between.
-static OracleNear shares_of(const SeenLights *lights, int first, int end)
+static int is_dark(const SeenLight *light)
 {
-    OracleNear sum = {{0}, 0};
-    for (int i = first; i < end; i++) {
-        add(&sum, 1, lights->each[i].share);
+    return !arrives(light);
+}
+
+// The first light of a kind, or n.
+static int first_of(const SeenLights *all, int (*is_kind)(const SeenLight *light))
+{
+    int k = 0;
+    while (k < all->n && !is_kind(&all->each[k])) {
+        k++;
     }
+    return k;
+}
+
+static int n_arriving(const SeenLights *all, int end)
+{
+    int n = 0;
+    for (int k = 0; k < end; k++) {
+        n += arrives(&all->each[k]);
+    }
+    return n;
+}
+
+// The lights' shares, each as often as a mistake counts light number k: of all of them and the one
+// behind their end.
+typedef double Weight(const SeenLights *all, int k, const LitJob *in);
+static OracleNear summed(const Job09 *job, const LitJob *in, Weight *weight)
+{
+    SeenLights all;
+    OracleNear sum = {{0}, 0};
+    see_all(job, in, &all);
+    for (int k = 0; k <= all.n; k++) {
+        const double factor = weight(&all, k, in);
+        const OracleNear share = all.each[k].share;
+        sum.value = vector_plus(sum.value, vector_scaled(factor, share.value));
+        sum.error += fabs(factor) * share.error;
+    }
+    // Each sum rounds, twice where it is one of sums.
+    sum.error += 4 * ROUNDING * all.n * vector_length(sum.value);
+    return all.is_unsure ? (OracleNear){{0}, INFINITY} : sum;
+}
+
+// By its colours a mistake of the sum is known, whether rays are sent or not; but where only the
+// rays are wrong, it is no cause.
+static int is_sum(const Job09 *job, int i, const LitAnswer *found, OracleNear expected)
+{
+    return is_light(i, found, expected) &&
+           (sends_right(job, i, found->n_leaves) || !is_light(i, found, right_light(job, i)));
+}
+
+#define WEIGHT(name, expression)                                                                   \
+    static double name##_weight(const SeenLights *all, int k, const LitJob *in)                    \
+    {                                                                                              \
+        const SeenLight *light = &all->each[k];                                                    \
+        (void)light, (void)in;                                                                     \
+        return expression;                                                                         \
+    }
+#define SUMS(name, expression, ...)                                                                \
+    WEIGHT(name, expression)                                                                       \
+    EACH(name, is_sum(job, i, found, summed(job, in, name##_weight)), __VA_ARGS__)
+#define IS_ONE (k < all->n)
+#define ARRIVES (k < all->n && arrives(light))
+#define N_ARRIVING n_arriving(all, all->n)
+
+// By which lights are asked.
+SUMS(first_only, k == 0 && ARRIVES, "that is the first light's share only")
+SUMS(last_only, k == all->n - 1 && ARRIVES, "that is the last light's share only")
+SUMS(without_first, k > 0 && ARRIVES, "the first light is not asked")
+SUMS(without_last, k < all->n - 1 && ARRIVES, "the last light is not asked")
+SUMS(one_more, arrives(light), "one light too many shines, the one behind the end of the array")
+SUMS(blocked_ends, k < first_of(all, is_blocked) && ARRIVES,
+     "after a light that is blocked no other one is asked")
+SUMS(behind_ends, k < first_of(all, is_behind) && ARRIVES,
+     "a light behind the surface ended the loop: the next one may be before it")
+SUMS(dark_ends, k < first_of(all, is_dark) && ARRIVES,
+     "a light that does not arrive ended the loop: the next one may arrive")
+SUMS(first_arriving, k == first_of(all, arrives) && ARRIVES,
+     "the first light that arrives ended the loop: the next one may arrive, too")
+
+#define NOT_ALL "where lights are many, not all of them are asked: n_lights says how many they are"
+SUMS(only_4, k < 4 && ARRIVES, NOT_ALL)
+SUMS(only_8, k < 8 && ARRIVES, NOT_ALL)
+SUMS(only_16, k < 16 && ARRIVES, NOT_ALL)
+SUMS(only_32, k < 32 && ARRIVES, NOT_ALL)
+SUMS(only_64, k < 64 && ARRIVES, NOT_ALL)
+SUMS(only_128, k < 128 && ARRIVES, NOT_ALL)
+SUMS(only_256, k < 256 && ARRIVES, NOT_ALL)
+
+// By which of them arrive.
+SUMS(without_shadows, IS_ONE, "light is added although something stands between")
+SUMS(only_blocked, is_blocked(light) && IS_ONE,
+     "light is added where something stands between, and not where nothing does")
+SUMS(blocked_beyond, IS_ONE && light->is_free_beyond,
+     "what stands behind the light casts a shadow, too")
+SUMS(all_or_none, first_of(all, is_blocked) == all->n && ARRIVES,
+     "one light that does not arrive takes the others with it")
+SUMS(all_by_first_ray, arrives(&all->each[0]) && IS_ONE,
+     "the first light's ray was asked for all of them: each needs one of its own")
+SUMS(side_by_position, IS_ONE && light->is_free && light->by_position > 0,
+     "before the surface or behind it is asked with the light's position: the way to it begins at "
+     "the point")
+SUMS(dark_left_out, ARRIVES && light->brightest >= 0x1p-10,
+     "a dark light is left out: where much of it is scattered, it shows")
+SUMS(little_kd_lost, ARRIVES && in->material.kd >= 0x1p-10f,
+     "a surface that scatters little is not lit: where a light is bright, it shows")
+
+#define GRAZING_LOST                                                                               \
+    "light that grazes the surface arrives, too: a cosine above 0 is enough, without an epsilon"
+SUMS(grazing_5, ARRIVES && light->cosine >= 0.05, GRAZING_LOST)
+SUMS(grazing_9, ARRIVES && light->cosine >= 0x1p-9, GRAZING_LOST)
+SUMS(grazing_15, ARRIVES && light->cosine >= 0x1p-15, GRAZING_LOST)
+
+// By how they are added.
+SUMS(mean, ARRIVES / fmax(all->n, 1),
+     "the lights' shares add up: they are not divided by how many there are")
+SUMS(falling, ARRIVES / (light->distance * light->distance),
+     "light does not fall with the distance here: shade knows all that counts")
+SUMS(cosine_twice, ARRIVES * light->cosine, "shade has the cosine already: it counts once")
+SUMS(kd_twice, ARRIVES ? (double)in->material.kd : 0, "shade has kd already: it counts once")
+SUMS(adds_all, IS_ONE ? N_ARRIVING : 0, "every light was added once for each light")
+SUMS(adds_rest, IS_ONE ? n_arriving(all, k + 1) : 0,
+     "with each light that arrives those behind it in the array were added again")
+SUMS(share_of_first, k == 0 ? N_ARRIVING : 0,
+     "each light that arrives added the first one's share, not its own")
+SUMS(last_arriving, n_arriving(all, k + 1) == N_ARRIVING && ARRIVES,
+     "the shares add up: each light that arrives took the place of the one before it")
+
+WEIGHT(right, ARRIVES)
+
+static OracleNear with_color_twice(const LitJob *in, OracleNear sum)
+{
+    const Vec3 c = in->material.color;
+    sum.value = (OracleVector){sum.value.x * c.x, sum.value.y * c.y, sum.value.z * c.z};
     return sum;
 }
 
-// What those of them give that arrive.
-static OracleNear arriving(const SeenLights *lights, int first, int end)
+static OracleNear cut_at_one(OracleNear sum)
 {
-    OracleNear sum = {{0}, 0};
-    for (int i = first; i < end; i++) {
-        add(&sum, arrives(&lights->each[i]), lights->each[i].share);
-    }
-    return sum;
-}
-
-static OracleNear all_arriving(const SeenLights *lights)
-{
-    return arriving(lights, 0, lights->n);
-}
-
-// ---- Which lights are asked ---------------------------------------------------------------------
-
-static OracleNear first_only(const SeenLights *lights)
-{
-    return arriving(lights, 0, least(1, lights->n));
-}
-
-static OracleNear last_only(const SeenLights *lights)
-{
-    return arriving(lights, lights->n > 0 ? lights->n - 1 : 0, lights->n);
-}
-
-static OracleNear without_first(const SeenLights *lights)
-{
-    return arriving(lights, 1, lights->n);
-}
-
-static OracleNear without_last(const SeenLights *lights)
-{
-    return arriving(lights, 0, lights->n - 1);
-}
-
-static OracleNear one_more(const SeenLights *lights)
-{
-    return arriving(lights, 0, lights->n + 1);
-}
-
-static OracleNear ended_by_blocked(const SeenLights *lights)
-{
-    int end = 0;
-    while (end < lights->n && !is_blocked(&lights->each[end])) {
-        end++;
-    }
-    return arriving(lights, 0, end);
-}
-
-static OracleNear ended_by_behind(const SeenLights *lights)
-{
-    int end = 0;
-    while (end < lights->n && lights->each[end].is_before) {
-        end++;
-    }
-    return arriving(lights, 0, end);
-}
-
-static OracleNear ended_by_either(const SeenLights *lights)
-{
-    int end = 0;
-    while (end < lights->n && arrives(&lights->each[end])) {
-        end++;
-    }
-    return arriving(lights, 0, end);
-}
-
-static OracleNear ended_by_arriving(const SeenLights *lights)
-{
-    int end = 0;
-    while (end < lights->n && !arrives(&lights->each[end])) {
-        end++;
-    }
-    return arriving(lights, end, least(end + 1, lights->n));
-}
-
-// ---- Which of them arrive -----------------------------------------------------------------------
-
-static OracleNear without_shadows(const SeenLights *lights)
-{
-    return shares_of(lights, 0, lights->n);
-}
-
-static OracleNear only_blocked(const SeenLights *lights)
-{
-    OracleNear sum = {{0}, 0};
-    for (int i = 0; i < lights->n; i++) {
-        add(&sum, is_blocked(&lights->each[i]), lights->each[i].share);
-    }
-    return sum;
-}
-
-static OracleNear blocked_from_behind(const SeenLights *lights)
-{
-    OracleNear sum = {{0}, 0};
-    for (int i = 0; i < lights->n; i++) {
-        add(&sum, lights->each[i].is_free_beyond, lights->each[i].share);
-    }
-    return sum;
-}
-
-static OracleNear all_or_none(const SeenLights *lights)
-{
-    int n_blocked = 0;
-    for (int i = 0; i < lights->n; i++) {
-        n_blocked += is_blocked(&lights->each[i]);
-    }
-    return arriving(lights, 0, n_blocked == 0 ? lights->n : 0);
-}
-
-static OracleNear all_by_first_ray(const SeenLights *lights)
-{
-    return shares_of(lights, 0, arrives(&lights->each[0]) ? lights->n : 0);
-}
-
-static OracleNear side_by_position(const SeenLights *lights)
-{
-    OracleNear sum = {{0}, 0};
-    for (int i = 0; i < lights->n; i++) {
-        const SeenLight *light = &lights->each[i];
-        add(&sum, light->is_free && light->by_position > 0, light->share);
-    }
-    return sum;
-}
-
-// ---- How they are added -------------------------------------------------------------------------
-
-static OracleNear mean(const SeenLights *lights)
-{
-    OracleNear sum = {{0}, 0};
-    add(&sum, lights->n > 0 ? 1.0 / lights->n : 1, all_arriving(lights));
-    return sum;
-}
-
-static OracleNear falling(const SeenLights *lights)
-{
-    OracleNear sum = {{0}, 0};
-    for (int i = 0; i < lights->n; i++) {
-        const SeenLight *light = &lights->each[i];
-        add(&sum, arrives(light) / (light->distance * light->distance), light->share);
-    }
-    return sum;
-}
-
-static OracleNear cosine_twice(const SeenLights *lights)
-{
-    OracleNear sum = {{0}, 0};
-    for (int i = 0; i < lights->n; i++) {
-        const SeenLight *light = &lights->each[i];
-        add(&sum, arrives(light) * light->cosine, light->share);
-    }
-    return sum;
-}
-
-// For each light that arrives all of them, or all from its own place on.
-static OracleNear all_for_each(const SeenLights *lights, int is_from_own)
-{
-    OracleNear sum = {{0}, 0};
-    for (int i = 0; i < lights->n; i++) {
-        add(&sum, arrives(&lights->each[i]), shares_of(lights, is_from_own ? i : 0, lights->n));
-    }
-    return sum;
-}
-
-static OracleNear each_adds_all(const SeenLights *lights)
-{
-    return all_for_each(lights, 0);
-}
-
-static OracleNear each_adds_rest(const SeenLights *lights)
-{
-    return all_for_each(lights, 1);
-}
-
-static OracleNear share_of_first(const SeenLights *lights)
-{
-    OracleNear sum = {{0}, 0};
-    for (int i = 0; i < lights->n; i++) {
-        add(&sum, arrives(&lights->each[i]), lights->each[0].share);
-    }
-    return sum;
-}
-
-static OracleNear last_arriving(const SeenLights *lights)
-{
-    int last = lights->n - 1;
-    while (last >= 0 && !arrives(&lights->each[last])) {
-        last--;
-    }
-    return last < 0 ? (OracleNear){{0}, 0} : lights->each[last].share;
-}
-
-static OracleNear cut_at_one(const SeenLights *lights)
-{
-    OracleNear sum = all_arriving(lights);
     sum.value = (OracleVector){fmin(sum.value.x, 1), fmin(sum.value.y, 1), fmin(sum.value.z, 1)};
     return sum;
 }
 
-// ---- All of them --------------------------------------------------------------------------------
+EACH(color_twice, is_sum(job, i, found, with_color_twice(in, summed(job, in, right_weight))),
+     "shade has the material's colour already: it counts once")
+EACH(cut, is_sum(job, i, found, cut_at_one(summed(job, in, right_weight))),
+     "the sum is cut at 1: light may be brighter than that")
 
-#define GRAZING_LOST                                                                               \
-    {.says = "light that grazes the surface arrives, too: a cosine above 0 is enough, without "    \
-             "an epsilon"}
-#define NOT_ALL_ASKED                                                                              \
-    {.says = "where lights are many, not all of them are asked: n_lights says how many they "      \
-             "are"}
+static const Known *const known[] = {
+    &asks_all,      &asks_twice,     &uncounted,     &first_only,       &last_only,
+    &without_first, &without_last,   &one_more,      &blocked_ends,     &behind_ends,
+    &dark_ends,     &first_arriving, &only_4,        &only_8,           &only_16,
+    &only_32,       &only_64,        &only_128,      &only_256,         &without_shadows,
+    &only_blocked,  &blocked_beyond, &all_or_none,   &all_by_first_ray, &side_by_position,
+    &dark_left_out, &little_kd_lost, &grazing_5,     &grazing_9,        &grazing_15,
+    &mean,          &falling,        &cosine_twice,  &kd_twice,         &adds_all,
+    &adds_rest,     &share_of_first, &last_arriving, &color_twice,      &cut};
 
-const LitMistake lit_mistakes_09[N_LIT_MISTAKES] = {
-    {.cause = {0}},
-    [LIT_ASKS_ALL] = {.cause = {.says = "a ray was sent to every light: on which side of the "
-                                        "surface it is, is asked first"}},
-    [LIT_ASKS_TWICE] = {.cause = {.says =
-                                      "a light is asked more than once: one ray says whether it "
-                                      "arrives"}},
-    [LIT_UNCOUNTED] = {.cause = {.says = "no ray is counted: is_blocked is not asked, or `work` "
-                                         "was not passed on to it"}},
-    {{.says = "light is added although something stands between"}, .sum = without_shadows},
-    {{.says = "light is added where something stands between, and not where nothing does"},
-     .sum = only_blocked},
-    {{.says = "what stands behind the light casts a shadow, too"}, .sum = blocked_from_behind},
-    {{.says = "that is the first light's share only"}, .sum = first_only},
-    {{.says = "that is the last light's share only"}, .sum = last_only},
-    {{.says = "the first light is not asked"}, .sum = without_first},
-    {{.says = "the last light is not asked"}, .sum = without_last},
-    {{.says = "one light too many shines, the one behind the end of the array"}, .sum = one_more},
-    {NOT_ALL_ASKED, .sum = all_arriving, .most_lights = 4},
-    {NOT_ALL_ASKED, .sum = all_arriving, .most_lights = 8},
-    {NOT_ALL_ASKED, .sum = all_arriving, .most_lights = 16},
-    {NOT_ALL_ASKED, .sum = all_arriving, .most_lights = 32},
-    {NOT_ALL_ASKED, .sum = all_arriving, .most_lights = 64},
-    {NOT_ALL_ASKED, .sum = all_arriving, .most_lights = 128},
-    {NOT_ALL_ASKED, .sum = all_arriving, .most_lights = 256},
-    {{.says = "after a light that is blocked no other one is asked"}, .sum = ended_by_blocked},
-    {{.says = "a light behind the surface ended the loop: the next one may be before it"},
-     .sum = ended_by_behind},
-    {{.says = "a light that does not arrive ended the loop: the next one may arrive"},
-     .sum = ended_by_either},
-    {{.says = "the first light that arrives ended the loop: the next one may arrive, too"},
-     .sum = ended_by_arriving},
-    {{.says = "one light that does not arrive takes the others with it"}, .sum = all_or_none},
-    {{.says = "the first light's ray was asked for all of them: each needs one of its own"},
-     .sum = all_by_first_ray},
-    {GRAZING_LOST, .sum = all_arriving, .least_cosine = 0.05},
-    {GRAZING_LOST, .sum = all_arriving, .least_cosine = 0x1p-9},
-    {GRAZING_LOST, .sum = all_arriving, .least_cosine = 0x1p-15},
-    {{.says = "a dark light is left out: where much of it is scattered, it shows"},
-     .sum = all_arriving,
-     .least_light = 0x1p-10},
-    {{.says = "a surface that scatters little is not lit: where a light is bright, it shows"},
-     .sum = all_arriving,
-     .least_kd = 0x1p-10},
-    {{.says = "before the surface or behind it is asked with the light's position: the way to it "
-              "begins at the point"},
-     .sum = side_by_position},
-    {{.says = "the lights' shares add up: they are not divided by how many there are"},
-     .sum = mean},
-    {{.says = "light does not fall with the distance here: shade knows all that counts"},
-     .sum = falling},
-    {{.says = "shade has the cosine already: it counts once"}, .sum = cosine_twice},
-    {{.says = "shade has kd already: it counts once"}, .sum = all_arriving, .kd_again = 1},
-    {{.says = "shade has the material's colour already: it counts once"},
-     .sum = all_arriving,
-     .color_again = 1},
-    {{.says = "every light was added once for each light"}, .sum = each_adds_all},
-    {{.says = "with each light that arrives those behind it in the array were added again"},
-     .sum = each_adds_rest},
-    {{.says = "each light that arrives added the first one's share, not its own"},
-     .sum = share_of_first},
-    {{.says = "the shares add up: each light that arrives took the place of the one before it"},
-     .sum = last_arriving},
-    {{.says = "the sum is cut at 1: light may be brighter than that"}, .sum = cut_at_one},
-};
+// ---- Answers ------------------------------------------------------------------------------------
+
+static char *describe(const void *pointer, int i, const void *answers)
+{
+    const Job09 *job = pointer;
+    const LitJob *in = &job->lits[i];
+    const LitAnswer *found = (const LitAnswer *)answers + i;
+    const OracleVector e = right_light(job, i).value;
+    const u32 n_needed = light_sides(job, i).n_before;
+    if (!sends_right(job, i, found->n_leaves)) {
+        return message_new("point %s, normal %s, %d light%s, %s before the surface: found %u ray%s "
+                           "sent to lights, expected %s: one for each light before the surface, "
+                           "and none for a light behind",
+                           words_vec3(in->point, 6).text, words_vec3(in->normal, 6).text,
+                           in->n_lights, plural((unsigned)in->n_lights),
+                           n_needed == 0 ? "none" : words("%u", n_needed).text, found->n_leaves,
+                           plural(found->n_leaves),
+                           n_needed == 0          ? "none"
+                           : found->n_leaves == 0 ? words("%u", n_needed).text
+                                                  : words("at most %u", n_needed).text);
+    }
+    return message_new("point %s, normal %s, %d light%s, the first at %s: found %s, expected %s",
+                       words_vec3(in->point, 6).text, words_vec3(in->normal, 6).text, in->n_lights,
+                       plural((unsigned)in->n_lights),
+                       words_vec3(job->lit_lights[in->first_light].position, 6).text,
+                       words_vec3(found->color, 5).text, words_xyz(e.x, e.y, e.z, 5).text);
+}
+
+const Function lit_09 = {"lits", N_LITS, sizeof(LitAnswer), KNOWING(is_right, describe, known)};

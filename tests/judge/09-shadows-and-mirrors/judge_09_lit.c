@@ -1,13 +1,9 @@
-// Lab 09: which lights arrive at a point: rolled and judged.
-#include "judge_09_lights.h"
+// Lab 09: points and lights for lit_color, which is judged in judge_09_lights.c.
+#include "judge_09.h"
 
-#include "message.h"
 #include "random3d.h"
-#include "words.h"
 
 #include <math.h>
-
-// ---- Rolling ------------------------------------------------------------------------------------
 
 Vec3 along_09(int axis, float x)
 {
@@ -140,118 +136,3 @@ void roll_lits_09(Random *random, Job09 *job)
         place_light(job, k);
     }
 }
-
-// ---- Judging ------------------------------------------------------------------------------------
-
-static OracleNear right_light(const Job09 *job, int i)
-{
-    static const OracleMirrorRules right = {0};
-    const LitJob *in = &job->lits[i];
-    Scene3D scene = job->scenes[LIT_SCENE].base.scene;
-    scene.lights = (Light *)(job->lit_lights + in->first_light);
-    scene.n_lights = in->n_lights;
-    return oracle3d_lit(&scene, oracle3d_exactly(in->point), oracle3d_exactly(in->normal),
-                        &in->material, NULL, &right);
-}
-
-// How many of the lights may be before the surface: one ray for each is enough. The tree is that
-// of a scene whose rays are counted, one leaf: the leaves visited are the rays sent.
-static OracleSides light_sides(const Job09 *job, int i)
-{
-    const LitJob *in = &job->lits[i];
-    return oracle3d_sides(job->lit_lights + in->first_light, in->n_lights,
-                          oracle3d_exactly(in->point), oracle3d_exactly(in->normal));
-}
-
-// Is any ray sent where one is certainly needed, as no light here is black? Where none is, lights
-// that arrive are found in another way, or `work` was not passed on.
-static int is_any_sent(const Job09 *job, int i, u32 n_rays)
-{
-    const OracleSides sides = light_sides(job, i);
-    return n_rays > 0 || sides.n_before == sides.n_unsure;
-}
-
-// Are as many rays sent as by a mistake with them alone, or as is right? That is judged in the
-// second range.
-static int sends_as(const Job09 *job, int i, u32 n_rays, int number)
-{
-    const u32 n_needed = light_sides(job, i).n_before;
-    switch (number) {
-    case LIT_ASKS_ALL:
-        return n_rays == (u32)job->lits[i].n_lights;
-    case LIT_ASKS_TWICE:
-        return n_rays >= n_needed && (n_rays == 0 || n_needed > 0);
-    case LIT_UNCOUNTED:
-        return n_rays == 0;
-    default:
-        return i / N_LIT_INPUTS != 1 || (n_rays <= n_needed && is_any_sent(job, i, n_rays));
-    }
-}
-
-static int lit_agrees(const void *pointer, int i, const void *answers, int number)
-{
-    const LitAnswer *found = (const LitAnswer *)answers + i;
-    const LitMistake *mistake = &lit_mistakes_09[number];
-    const LitJob *in = &((const Job09 *)pointer)->lits[i];
-    const OracleNear expected =
-        mistake->sum == NULL ? right_light(pointer, i) : lights_09_mistaken(pointer, in, mistake);
-    // A mistake of the sum is known by its colours: rays may be sent or not.
-    return (lit_09_counts_only(i) || oracle3d_is_near(found->color, expected)) &&
-           (mistake->sum != NULL || sends_as(pointer, i, found->n_leaves, number));
-}
-
-// Of some input more rays are sent than it has lights: then one light is asked twice.
-static int is_any_asked_twice(const Job09 *job, Range range, const LitAnswer *found)
-{
-    int i = 0;
-    while (i < range.n &&
-           found[range_at(range, i)].n_leaves <= (u32)job->lits[range_at(range, i)].n_lights) {
-        i++;
-    }
-    return i < range.n;
-}
-
-// A mistake of the sum is known by a wrong colour: where only the work is wrong, it is no cause.
-static int lit_shows(const void *job, Range range, const void *answers, int mistake)
-{
-    if (mistake == LIT_ASKS_TWICE) {
-        return is_any_asked_twice(job, range, answers);
-    }
-    int n_wrong = 0;
-    for (int i = 0; i < range.n; i++) {
-        const int input = range_at(range, i);
-        const LitAnswer *found = (const LitAnswer *)answers + input;
-        n_wrong +=
-            !lit_09_counts_only(input) && !oracle3d_is_near(found->color, right_light(job, input));
-    }
-    return lit_mistakes_09[mistake].sum == NULL || n_wrong > 0;
-}
-
-static char *describe_lit(const void *pointer, int i, const void *answers)
-{
-    const Job09 *job = pointer;
-    const LitJob *in = &job->lits[i];
-    const LitAnswer *found = (const LitAnswer *)answers + i;
-    const OracleVector e = right_light(job, i).value;
-    const u32 n_needed = light_sides(job, i).n_before;
-    if (!sends_as(job, i, found->n_leaves, 0)) {
-        return message_new("point %s, normal %s, %d light%s, %s before the surface: found %u ray%s "
-                           "sent to lights, expected %s: one for each light before the surface, "
-                           "and none for a light behind",
-                           words_vec3(in->point, 6).text, words_vec3(in->normal, 6).text,
-                           in->n_lights, plural((unsigned)in->n_lights),
-                           n_needed == 0 ? "none" : words("%u", n_needed).text, found->n_leaves,
-                           plural(found->n_leaves),
-                           n_needed == 0          ? "none"
-                           : found->n_leaves == 0 ? words("%u", n_needed).text
-                                                  : words("at most %u", n_needed).text);
-    }
-    return message_new("point %s, normal %s, %d light%s, the first at %s: found %s, expected %s",
-                       words_vec3(in->point, 6).text, words_vec3(in->normal, 6).text, in->n_lights,
-                       plural((unsigned)in->n_lights),
-                       words_vec3(job->lit_lights[in->first_light].position, 6).text,
-                       words_vec3(found->color, 5).text, words_xyz(e.x, e.y, e.z, 5).text);
-}
-
-const Function lit_09 = {"lits", N_LITS, sizeof(LitAnswer),
-                         COMPARED(lit_agrees, describe_lit, lit_mistakes_09), .shows = lit_shows};
