@@ -274,11 +274,8 @@ PARTS(far_from_end, NEAR, far_from(in, fmaxf(T_MIN, fminf(T_MAX, HIGH))), FAR_BE
     "that is as if both children were always visited: where t_split is beyond the whole part, or " \
     "before it, one of them is enough"
 MEETS(both_always, 0, 0, ONE_IS_ENOUGH)
-// Where both are met, that is as both_whole.
-EACH(always_whole,
-     MET != BOTH_CHILDREN &&
-         IS_FOUND(visited(in, BOTH_CHILDREN, near_to(in, T_MAX), far_from(in, T_MIN))),
-     ONE_IS_ENOUGH)
+ANSWERS(always_whole, visited(in, BOTH_CHILDREN, near_to(in, T_MAX), far_from(in, T_MIN)),
+        ONE_IS_ENOUGH)
 ANSWERS(always_uncut, visited(in, BOTH_CHILDREN, near_to(in, HIGH), far_from(in, LOW)),
         ONE_IS_ENOUGH)
 
