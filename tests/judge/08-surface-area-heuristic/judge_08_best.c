@@ -69,7 +69,7 @@ typedef struct Planes {
 
 static Planes weighed(const SahNode *node, u32 lot, Way way)
 {
-    Planes planes;
+    Planes planes = {0};
     for (u32 axis = 0; axis < 3; axis++) {
         Plane *of = planes.of[axis];
         for (int i = 0; i <= SAH_BINS; i++) {

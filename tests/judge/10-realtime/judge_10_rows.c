@@ -225,7 +225,7 @@ COVERS(inverted, !IS_COVERED,
        "what the circle does not cover is painted, and what it covers is not")
 COVERS(all_or_none, n_covered(in) > 0,
        "that is as if one pixel decided for the whole row: each lane has an answer of its own")
-COVERS(without_first, i > 0 && IS_COVERED, "the row's first pixel is left out")
+COVERS(without_first, IS_COVERED && 0 < i, "the row's first pixel is left out")
 COVERS(without_last, i < ROW_PIXELS - 1 && IS_COVERED, "the row's last pixel is left out")
 COVERS(point_left, IS_COVERED &&R > 0,
        "a circle of radius 0 is left out: it covers the pixel that it is exactly on")
