@@ -1,4 +1,4 @@
-// Lab 08: find_best_split on its inputs, by asking every sphere at every plane. See judge_08.h.
+// Lab 08: find_best_split on its inputs, and searches that err. See judge_08.h.
 #include "judge_08.h"
 
 #include "message.h"
@@ -11,9 +11,9 @@
 
 // Where a sphere is: in the lower child of planes number `from` and up, in the higher child of
 // those up to `to`.
-typedef struct Span {
+typedef struct Reach {
     int from, to;
-} Span;
+} Reach;
 enum { NEVER = SAH_BINS + 1 };
 
 // A plane, with the spheres of its children.
@@ -24,7 +24,7 @@ typedef struct Plane {
 
 // A way of searching. All zeros is the right one.
 typedef struct Way {
-    Span (*span)(const SahNode *node, u32 j, u32 axis);            // of sphere j of the node
+    Reach (*reach)(const SahNode *node, u32 j, u32 axis);          // of sphere j of the node
     int (*asks)(const SahNode *node, const Plane *planes, int i);  // plane number i of an axis
     int from_border, to_border;  // the cell's borders are asked, too
     int (*takes)(const SahNode *node, const Plane *plane, const Plane *best);
@@ -55,11 +55,11 @@ static int to_of(const SahNode *node, f32 end, u32 axis)
     return to;
 }
 
-static Span right_span(const SahNode *node, u32 j, u32 axis)
+static Reach right_reach(const SahNode *node, u32 j, u32 axis)
 {
     const Sphere sphere = node->spheres[node->ids[j]];
     const f32 centre = sah_centre(sphere, axis), radius = fabsf(sphere.radius);
-    return (Span){from_of(node, centre - radius, axis), to_of(node, centre + radius, axis)};
+    return (Reach){from_of(node, centre - radius, axis), to_of(node, centre + radius, axis)};
 }
 
 // The planes of all axes, by their numbers, those on the borders too.
@@ -76,10 +76,10 @@ static Planes weighed(const SahNode *node, u32 lot, Way way)
             of[i].split = (CostJob){node->box, axis, sah_plane_at(node->box, axis, i), 0, 0};
         }
         for (u32 j = 0; j < node->n_ids; j++) {
-            const Span span = (way.span != NULL ? way.span : right_span)(node, j, axis);
+            const Reach reach = (way.reach != NULL ? way.reach : right_reach)(node, j, axis);
             for (int i = 1; i < SAH_BINS; i++) {
-                of[i].split.n_lower += i >= span.from;
-                of[i].split.n_higher += i <= span.to;
+                of[i].split.n_lower += i >= reach.from;
+                of[i].split.n_higher += i <= reach.to;
             }
         }
         of[0].split.n_higher = of[SAH_BINS].split.n_lower = node->n_ids;
@@ -224,16 +224,16 @@ TAKES(share_4, plane->cost < best->cost * (1 - 1e-4), EPSILON)
 
 // Which spheres are counted on either side.
 #define COUNTS(name, from_plane, to_plane, ...)                                                    \
-    static Span name##_span(const SahNode *node, u32 j, u32 axis)                                  \
+    static Reach name##_reach(const SahNode *node, u32 j, u32 axis)                                \
     {                                                                                              \
         const Sphere sphere = node->spheres[node->ids[j]];                                         \
         const f32 centre = sah_centre(sphere, axis), radius = fabsf(sphere.radius);                \
         const f32 begin = centre - radius, end = centre + radius;                                  \
         const int from = from_of(node, begin, axis), to = to_of(node, end, axis);                  \
         (void)from, (void)to;                                                                      \
-        return (Span){from_plane, to_plane};                                                       \
+        return (Reach){from_plane, to_plane};                                                      \
     }                                                                                              \
-    EACH(name, follows(job, i, found, (Way){.span = name##_span}), __VA_ARGS__)
+    EACH(name, follows(job, i, found, (Way){.reach = name##_reach}), __VA_ARGS__)
 #define FROM(begin) from_of(node, begin, axis)
 #define TO(end) to_of(node, end, axis)
 #define ABOVE(begin) from_of(node, nextafterf(begin, INFINITY), axis)
@@ -276,14 +276,14 @@ COUNTS(higher_keeps, from, NEVER,
 COUNTS(rest_is_higher, from, from - 1,
        "a sphere over the plane is in both children: the higher one has more than the rest")
 
-static Span unnamed_span(const SahNode *node, u32 j, u32 axis)
+static Reach unnamed_reach(const SahNode *node, u32 j, u32 axis)
 {
     SahNode all = *node;
     all.ids = &j;
-    return right_span(&all, 0, axis);
+    return right_reach(&all, 0, axis);
 }
 
-EACH(unnamed, follows(job, i, found, (Way){.span = unnamed_span}),
+EACH(unnamed, follows(job, i, found, (Way){.reach = unnamed_reach}),
      "the node's spheres are those that its ids name")
 EACH(border,
      follows(job, i, found, (Way){.to_border = 1}) ||
