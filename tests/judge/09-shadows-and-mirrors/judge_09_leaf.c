@@ -122,9 +122,9 @@ ASKS(not_negative, sphere.radius < 0 ? NO : right(of, in, at),
 #define LARGEST_EPSILON fmax(0.01, 1.5 * HAIR * in->t_max)
 SPHERE(not_at_start, between(in, sphere, LARGEST_EPSILON, in->t_max))
 SPHERE(not_at_end, between(in, sphere, 0, in->t_max - LARGEST_EPSILON))
-ONLY(near_start, IS_FOUND(leaf_blocks(of, in, not_at_start)),
+ONLY(near_start, !found.is_blocked && IS_FOUND(leaf_blocks(of, in, not_at_start)),
      "hits very near to the start of the ray count, too, without an epsilon")
-ONLY(near_end, IS_FOUND(leaf_blocks(of, in, not_at_end)),
+ONLY(near_end, !found.is_blocked && IS_FOUND(leaf_blocks(of, in, not_at_end)),
      "hits very near to the end of the ray count, too, without an epsilon")
 
 // By which spheres are asked.
