@@ -35,6 +35,7 @@ static int is_fault(const Check *check, const CheckResult *found)
 // The tasks that a check needs and whose answers are wrong for certain.
 typedef struct Culprits {
     const char *first;  // NULL where there is none
+    int is_before;      // it comes before the check's own task in the order of work
     int are_more;
     int is_own;  // the check's own task is one, too
 } Culprits;
@@ -53,6 +54,7 @@ static Culprits culprits_of(const Check *checks, const Result *result, int i)
             is_fault(&checks[j], found) && !found->passes_alone) {
             culprits.are_more |=
                 culprits.first != NULL && strcmp(culprits.first, checks[j].task) != 0;
+            culprits.is_before |= j < i;
             culprits.first = culprits.first != NULL ? culprits.first : checks[j].task;
         }
     }
@@ -65,13 +67,15 @@ static Diagnosis without_cause(const CheckResult *check, Culprits culprits)
 {
     const Diagnosis *diagnosis = &check->diagnosis;
     const int is_known = check->passes_alone && !culprits.are_more;
-    char *cause = check->fails_alone
-                      ? message_new("also wrong when tested alone: fix %s first, then grade again",
-                                    culprits.first)
-                  : is_known ? message_new("alone it passes: %s is wrong, too, and has a part in "
-                                           "this",
-                                           culprits.first)
-                             : NULL;
+    char *cause =
+        check->fails_alone
+            ? message_new("also wrong when tested alone%s%s%s", culprits.is_before ? ": fix " : "",
+                          culprits.is_before ? culprits.first : "",
+                          culprits.is_before ? " first, then grade again" : "")
+        : is_known ? message_new("alone it passes: %s is wrong, too, and has a part in "
+                                 "this",
+                                 culprits.first)
+                   : NULL;
     return (Diagnosis){.found = message_new("%s", diagnosis->found),
                        .cause = cause,
                        .mistake = diagnosis->cause == NULL ? diagnosis->mistake : MISTAKE_NONE,
