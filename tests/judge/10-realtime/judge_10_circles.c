@@ -7,6 +7,7 @@
 #include "oracle2d.h"
 #include "random3d.h"
 #include "scene2d.h"
+#include "words.h"
 
 #include <string.h>
 
@@ -240,9 +241,10 @@ static char *describe_pixel(const void *job, int i, const void *answers)
     GIVEN;
     const int k = wrong_pixel(in, i, found);
     return message_new("a scene of %d circles, pixel (%d, %d), in the tile from (%d, %d) on: found "
-                       "colour %08x, expected %08x",
-                       SCENE->n_circles, X_OF(k), Y_OF(k), TILE.x, TILE.y, found->colors[k],
-                       expected_color(SCENE, X_OF(k), Y_OF(k)));
+                       "%s, expected %s",
+                       SCENE->n_circles, X_OF(k), Y_OF(k), TILE.x, TILE.y,
+                       words_rgba(found->colors[k]).text,
+                       words_rgba(expected_color(SCENE, X_OF(k), Y_OF(k))).text);
 }
 
 const Function circle_pixels_10 = {"circle_tiles",

@@ -5,6 +5,7 @@
 
 #include "message.h"
 #include "random3d.h"
+#include "words.h"
 
 #include <float.h>
 #include <math.h>
@@ -314,11 +315,11 @@ static char *describe(const void *job, int i, const void *answers)
     const int at = first_other(in, found, right);
     const Pixel expected = right(in, at);
     return message_new("pixel %d of a row, dx_squared %.9g, dy %.9g, radius_squared %.9g, open %d: "
-                       "found colour %08x and open %d, expected %08x and %d (before: %08x; the "
-                       "circle's: %08x)",
+                       "found %s, open %d, expected %s, open %d (before: %s; the circle: %s)",
                        at, in->dx_squared[at], in->dy, in->radius_squared, in->open[at],
-                       found->colors[at], found->open[at], expected.color, expected.open,
-                       in->colors[at], in->color);
+                       words_rgba(found->colors[at]).text, found->open[at],
+                       words_rgba(expected.color).text, expected.open,
+                       words_rgba(in->colors[at]).text, words_rgba(in->color).text);
 }
 
 const Function circle_row_10 = {"circle_rows", N_ROWS_10, sizeof(CircleRowAnswer),

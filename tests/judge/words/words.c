@@ -34,6 +34,12 @@ Words words_float(float value)
     return text;
 }
 
+Words words_rgba(u32 color)
+{
+    return words("red %u green %u blue %u alpha %u", color & 255, color >> 8 & 255,
+                 color >> 16 & 255, color >> 24);
+}
+
 Words words_circle(Circle circle)
 {
     return words("(%s, %s) radius %s", words_float(circle.x).text, words_float(circle.y).text,

@@ -21,6 +21,7 @@ Words words_vec3(Vec3 v, int digits);                       // the same
 // With as many digits as it takes to tell it from every other float: "0.1", "0.100000009".
 Words words_float(float value);
 
+Words words_rgba(u32 color);        // "red 158 green 55 blue 121 alpha 255"; red is lowest
 Words words_circle(Circle circle);  // "(1, 2) radius 3"
 Words words_sphere(Sphere sphere);  // "(1, 2, 3) radius 4"
 Words words_box2d(BBox2D box);      // "x [1, 2] y [3, 4]"

@@ -1,7 +1,7 @@
 // mutant: a row far from the centre is left as it is
 // task: paint_row
 // caught by: row-open
-// says: found colour
+// says: found red
     if (fabs(dy) > 40.0f) {
         return;
     }
