@@ -154,6 +154,7 @@ Verdict function_judge(const Function *function, const void *job, Range range,
     if (found == NULL) {
         return verdict_missing;
     }
+    job = (const char *)job + function->inputs;
     if (function->fault == NULL) {
         return verdict_of(judge_counting(function, job, range, found));
     }

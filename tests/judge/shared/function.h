@@ -29,6 +29,7 @@ typedef struct Function {
     const char *section;  // of the answers
     int n;                // how many there are in all ranges together
     size_t answer_bytes;  // of one
+    size_t inputs;        // what the functions below get for the job begins here in it
 
     // What is wrong with answer number i, or NOTHING_WRONG. Owned by the caller.
     Diagnosis (*fault)(const void *job, int i, const void *answers);
