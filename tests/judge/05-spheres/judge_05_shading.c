@@ -53,16 +53,11 @@ static OracleVector turned(int is_turned, OracleVector v)
     return is_turned ? vector_scaled(-1, v) : v;
 }
 
-// Seen from outside these look like others.
-#define IN_INSIDE_RANGE (i >= N_NORMALS)
-
 ANSWERS(long_normal, vector_scaled(DISTANCE, NORMAL), "it is not a unit vector")
-EACH(long_outwards, IN_INSIDE_RANGE &&IS_FOUND(outwards(in)),
-     "it is not a unit vector, and points away from the eye")
+ANSWERS(long_outwards, outwards(in), "it is not a unit vector, and points away from the eye")
 ANSWERS(not_turned, OUTWARDS, "seen from inside it must be turned, towards the eye")
 ANSWERS(inwards, turned(1, OUTWARDS), "it points to the centre, not away from it")
-EACH(turned_away, IN_INSIDE_RANGE &&IS_FOUND(turned(1, NORMAL)),
-     "it points away from where the ray comes from")
+ANSWERS(turned_away, turned(1, NORMAL), "it points away from where the ray comes from")
 
 // Turned from a cosine on that is not 0, but less than all rolled ones, or than all but the least.
 #define TURNED_BEYOND(cosine) turned(along_ray(in, OUTWARDS) > (cosine), OUTWARDS)
