@@ -93,6 +93,9 @@ static int count_answers(const Function *function, const void *job, Range range,
 static Cause name_known(const Function *function, const void *job, Range range, const void *answers)
 {
     const Range all = {.n = function->n};
+    if (function->is_known_by_all) {
+        range = all;
+    }
     Cause cause = {0};
     const int n = count_answers(function, job, range, answers, &cause);
     if (n > 0) {

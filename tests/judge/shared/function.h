@@ -42,6 +42,7 @@ typedef struct Function {
     const char *counted;  // "points"; NULL for "inputs"
     const Known *const *known;
     int n_known;
+    int is_known_by_all;  // and every answer of the other ranges, which share few of their mistakes
 
     // In the place of is_right and known: does answer number i agree with what comes of a mistake,
     // or of none, which is number 0?
