@@ -65,8 +65,7 @@ static const Known *const known_of_leaf[] = {
     &just_1_and_0,    &one_level_more,  &one_level_less,   &fewer,          &without_level,
     &without_count,   &level_and_count, &one_failed_more,  &without_failed, &one_failed,
     &two_failed,      &three_failed,    &failed_added,     &limits_16_8,    &limits_4_1,
-    &level_in_8_bits, &count_in_8_bits, &count_in_16_bits, &signed_count,
-};
+    &level_in_8_bits, &count_in_8_bits, &count_in_16_bits, &signed_count};
 
 static char *describe_leaf(const void *job, int i, const void *answers)
 {
@@ -139,10 +138,9 @@ ONLY(equal, side != SIDE_NONE && WIDTH == HEIGHT, "where both sides are equal, x
 ONLY(nearly_equal, side != SIDE_NONE && NEARLY_EQUAL, NOT_EQUAL)
 ONLY(some_shorter, side != SIDE_NONE && WIDTH != HEIGHT && !NEARLY_EQUAL, SHORTER)
 
-static const Known *const known_of_longer[] = {
-    &by_corners, &always_x, &always_y,     &whole_numbers, &shorter,
-    &none_split, &equal,    &nearly_equal, &some_shorter,
-};
+static const Known *const known_of_longer[] = {&by_corners,    &always_x,     &always_y,
+                                               &whole_numbers, &shorter,      &none_split,
+                                               &equal,         &nearly_equal, &some_shorter};
 
 // Where: along the side that the student has split, be it the right one or not.
 #define OWN_SIDE (side != SIDE_NONE ? side : WIDTH >= HEIGHT ? SIDE_X : SIDE_Y)
@@ -166,9 +164,8 @@ ONLY(swapped, IS_LOWER(1, MIDDLE) && IS_UPPER(0, MIDDLE), "left and right are sw
 ONLY(one_right, IS_LOWER(0, MIDDLE) || IS_UPPER(1, MIDDLE),
      "one half is right and the other is not: both have the border in the middle")
 
-static const Known *const known_of_middle[] = {
-    &half_the_width, &cut_to_whole, &rounded_down, &border_moved, &swapped, &one_right,
-};
+static const Known *const known_of_middle[] = {&half_the_width, &cut_to_whole, &rounded_down,
+                                               &border_moved,   &swapped,      &one_right};
 
 // Facts: with what is expected on the left, across the right side or across the student's.
 static char *describe_split(BBox2D box, const BBox2D found[2], BBox2D left)

@@ -224,14 +224,12 @@ static const Known *const known_of_root[] = {
     &touching_missed, &farther,      &any_distance,     &negative_missed, &inside_missed,
     &sign_ignored,    &t_min_is_0,   &behind_missed,    &negative_always, &t_min_counts,
     &entry_at_t_min,  &exit_unasked, &beyond_by_hair,   &entry_by_hair,   &part_begins,
-    &largest_float,   &zero,         &root_of_negative, &missed,
-};
+    &largest_float,   &zero,         &root_of_negative, &missed};
 static const Known *const known_of_sphere[] = {
     &touching_missed, &farther,       &any_distance,  &negative_missed, &inside_missed,
     &sign_ignored,    &t_min_is_0,    &behind_missed, &negative_always, &b_turned,
     &both_undivided,  &disc_halved,   &four_times_c,  &radius_as_it_is, &radius_less_way,
-    &disc_turned,     &textbook_form, &lost_afar,     &missed,
-};
+    &disc_turned,     &textbook_form, &lost_afar,     &missed};
 
 // ---- Answers ------------------------------------------------------------------------------------
 

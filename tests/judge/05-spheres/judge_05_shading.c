@@ -66,8 +66,8 @@ ANSWERS(turned_away, turned(1, NORMAL), "it points away from where the ray comes
 
 ANSWERS(turned_late, TURNED_BEYOND(0x1p-5), TURNED_LATE)
 ANSWERS(turned_early, TURNED_BEYOND(-0x1p-5), TURNED_EARLY)
-ANSWERS(turned_later_by_hair, TURNED_BEYOND(0x1p-30), TURNED_LATE)
-ANSWERS(turned_earlier_by_hair, TURNED_BEYOND(-0x1p-30), TURNED_EARLY)
+ANSWERS(late_by_hair, TURNED_BEYOND(0x1p-30), TURNED_LATE)
+ANSWERS(early_by_hair, TURNED_BEYOND(-0x1p-30), TURNED_EARLY)
 
 ANSWERS(turned_by_radius, turned(in->sphere.radius < 0, OUTWARDS),
         "the radius' sign turned it: the dot product with the direction decides")
@@ -82,21 +82,10 @@ ONLY(vanishes, along_ray(in, outwards(in)) == 0 && vec3_length(found) == 0,
      "other normals are right, but where the ray is a tangent the dot product is 0, and the normal "
      "was multiplied by it")
 
-static const Known *const known_of_normal[] = {
-    &long_normal,
-    &long_outwards,
-    &not_turned,
-    &inwards,
-    &turned_away,
-    &turned_late,
-    &turned_early,
-    &turned_later_by_hair,
-    &turned_earlier_by_hair,
-    &turned_by_radius,
-    &turned_by_place,
-    &by_radius,
-    &short_kept,
-    &vanishes,
+static const Known *const known_normals[] = {
+    &long_normal,     &long_outwards, &not_turned,   &inwards,       &turned_away,
+    &turned_late,     &turned_early,  &late_by_hair, &early_by_hair, &turned_by_radius,
+    &turned_by_place, &by_radius,     &short_kept,   &vanishes,
 };
 
 static char *describe_normal(const void *job, int i, const void *answers)
@@ -109,7 +98,7 @@ static char *describe_normal(const void *job, int i, const void *answers)
 }
 
 const Function normal_05 = {"normals", 2 * N_NORMALS, sizeof(Vec3),
-                            KNOWING(is_right_normal, describe_normal, known_of_normal)};
+                            KNOWING(is_right_normal, describe_normal, known_normals)};
 #undef GIVEN
 #undef IS_FOUND
 
@@ -150,9 +139,9 @@ static OracleNear not_below_0(OracleNear color)
     return (OracleNear){{fmax(c.x, 0), fmax(c.y, 0), fmax(c.z, 0)}, color.error};
 }
 
-ANSWERS(cosine_not_clamped, with_behind(in, lights, -1),
+ANSWERS(not_clamped, with_behind(in, lights, -1),
         "a light behind the surface takes light away: a negative cosine counts as 0")
-ANSWERS(cosine_absolute, with_behind(in, lights, 1),
+ANSWERS(lit_behind, with_behind(in, lights, 1),
         "a light behind the surface lights it: a negative cosine counts as 0")
 ANSWERS(sum_clamped, not_below_0(with_behind(in, lights, -1)),
         "a light behind the surface takes light away: each negative cosine counts as 0, not only a "
@@ -240,13 +229,13 @@ static OracleNear relit(const ShadeJob *in, const Light *lights, LightColor *col
 RELIT(way_not_unit, vec3_scaled(light.color, WAY), "the way to the light is not made a unit vector")
 RELIT(falls, vec3_scaled(light.color, 1 / (WAY * WAY)),
       "the light falls with the square of the distance, and must not")
-RELIT(light_color_missing, white, "the light's colour is missing")
+RELIT(no_light_color, white, "the light's colour is missing")
 RELIT(light_red_only, ((Vec3){light.color.x, light.color.x, light.color.x}),
       "the light's red was taken for its whole colour")
 RELIT(light_cut_at_1,
       ((Vec3){fminf(light.color.x, 1), fminf(light.color.y, 1), fminf(light.color.z, 1)}),
       "each light was cut at 1, but a light may be brighter")
-RELIT(kd_each_round, vec3_scaled(light.color, powf(in->material.kd, (float)(in->n_lights - 1 - i))),
+RELIT(kd_each_time, vec3_scaled(light.color, powf(in->material.kd, (float)(in->n_lights - 1 - i))),
       "the sum so far is multiplied by kd with each light")
 
 // Of the sum.
@@ -306,7 +295,7 @@ ANSWERS(cut_at_1, ((OracleNear){{fmin(SUM.x, 1), fmin(SUM.y, 1), fmin(SUM.z, 1)}
         "the sum was cut at 1, but many lights may be brighter")
 ANSWERS(highlight, highlighted(in, lights),
         "a highlight was added, with ks: Lambert's law has none")
-ANSWERS(red_blue_swapped, ((OracleNear){{SUM.z, SUM.y, SUM.x}, SHADED.error}),
+ANSWERS(swapped, ((OracleNear){{SUM.z, SUM.y, SUM.x}, SHADED.error}),
         "that is right with red and blue swapped", MISTAKE_CHANNELS_SWAPPED)
 ANSWERS(encoded, bent(SHADED, 1 / 2.2),
         "that is right but for gamma: the colour was raised to 1 / 2.2, but it is linear here",
@@ -315,37 +304,13 @@ ANSWERS(decoded, bent(SHADED, 2.2),
         "that is right but for gamma: the colour was raised to 2.2, but it is linear here",
         MISTAKE_GAMMA)
 
-static const Known *const known_of_shade[] = {
-    &cosine_not_clamped,
-    &cosine_absolute,
-    &sum_clamped,
-    &first_only,
-    &first_4,
-    &first_8,
-    &first_16,
-    &first_32,
-    &first_64,
-    &first_128,
-    &first_256,
-    &last_only,
-    &one_more,
-    &stops_behind,
-    &from_origin,
-    &kd_missing,
-    &color_missing,
-    &way_not_unit,
-    &falls,
-    &light_color_missing,
-    &light_red_only,
-    &light_cut_at_1,
-    &kd_each_round,
-    &brightest_only,
-    &mean,
-    &cut_at_1,
-    &highlight,
-    &red_blue_swapped,
-    &encoded,
-    &decoded,
+static const Known *const known_shades[] = {
+    &not_clamped,    &lit_behind,     &sum_clamped,  &first_only,     &first_4,
+    &first_8,        &first_16,       &first_32,     &first_64,       &first_128,
+    &first_256,      &last_only,      &one_more,     &stops_behind,   &from_origin,
+    &kd_missing,     &color_missing,  &way_not_unit, &falls,          &no_light_color,
+    &light_red_only, &light_cut_at_1, &kd_each_time, &brightest_only, &mean,
+    &cut_at_1,       &highlight,      &swapped,      &encoded,        &decoded,
 };
 
 static char *describe_shade(const void *job, int i, const void *answers)
@@ -360,4 +325,4 @@ static char *describe_shade(const void *job, int i, const void *answers)
 }
 
 const Function shade_05 = {"shades", 3 * N_SHADES, sizeof(Vec3),
-                           KNOWING(is_right_shade, describe_shade, known_of_shade)};
+                           KNOWING(is_right_shade, describe_shade, known_shades)};

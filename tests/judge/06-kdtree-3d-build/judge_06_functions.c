@@ -3,7 +3,7 @@
 #include "judge_06.h"
 
 #include "message.h"
-#include "overlap_cause.h"
+#include "overlap_reach.h"
 #include "words.h"
 
 #include <float.h>
@@ -155,14 +155,28 @@ const Function split_middle_06 = {"splits", N_SPLITS, sizeof(SplitAnswer3D),
 
 // ---- sphere_overlaps_box ------------------------------------------------------------------------
 
-// As overlap_cause.h has it.
-static Reach reach_of(const void *job, int i)
+static Reach reach_of(SphereBoxJob in)
 {
-    const SphereBoxJob in = ((const Job06 *)job)->overlaps[i];
     return (Reach){{outside_of(in.sphere.x, in.box.min[0], in.box.max[0]),
                     outside_of(in.sphere.y, in.box.min[1], in.box.max[1]),
                     outside_of(in.sphere.z, in.box.min[2], in.box.max[2])},
                    in.sphere.radius};
+}
+
+#define GIVEN                                                                                      \
+    const SphereBoxJob in = ((const Job06 *)job)->overlaps[i];                                     \
+    const Reach reach = reach_of(in);                                                              \
+    const int found = ((const i32 *)answers)[i];                                                   \
+    (void)reach
+#define IS_FOUND(expected) ((found != 0) == (expected))
+
+#include "overlap_known.h"
+
+static int is_right_overlap(const void *job, int i, const void *answers)
+{
+    GIVEN;
+    const SphereInCell is = tree3d_judge_sphere(in.sphere, in.box);
+    return is == SPHERE_EITHER || IS_FOUND(is == SPHERE_INSIDE);
 }
 
 // How far the cell's nearer, or farther, end lies from the centre on an axis.
@@ -177,83 +191,57 @@ static double to_end(SphereBoxJob in, int axis, int is_farther)
 // Does the sphere hold the cell's nearest corner, or its farthest, and so all of it?
 static int holds_corner(SphereBoxJob in, int is_farthest)
 {
-    double distance2 = 0;
-    for (int axis = 0; axis < 3; axis++) {
-        const double distance = to_end(in, axis, is_farthest);
-        distance2 += distance * distance;
-    }
-    return distance2 <= (double)in.sphere.radius * in.sphere.radius;
+    const double x = to_end(in, 0, is_farthest), y = to_end(in, 1, is_farthest),
+                 z = to_end(in, 2, is_farthest);
+    return x * x + y * y + z * z <= (double)in.sphere.radius * in.sphere.radius;
 }
 
-// What all wrong answers have in common that are "no", or NULL.
-static const char *misses_look(const Job06 *job, const i32 *found)
+ANSWERS(by_signed_root, sqrt(D2) <= RADIUS,
+        "a negative radius counts as its absolute value; and the root is rounded: compare squares")
+static double to_middle(double value, float min, float max)
 {
-    int n_held = 0, n_cornered = 0, n_centred = 0, n_wrong = 0;
-    for (int i = 0; i < N_OVERLAPS; i++) {
-        const SphereBoxJob in = job->overlaps[i];
-        const SphereInCell is = tree3d_judge_sphere(in.sphere, in.box);
-        if (is == SPHERE_EITHER || (found[i] != 0) == (is == SPHERE_INSIDE)) {
-            continue;
-        }
-        const Reach reach = reach_of(job, i);
-        n_wrong++;
-        n_held += !found[i] && holds_corner(in, 1);
-        n_cornered += !found[i] && !holds_corner(in, 0);
-        n_centred +=
-            !found[i] && reach.outside[0] == 0 && reach.outside[1] == 0 && reach.outside[2] == 0;
-    }
-    return n_held == n_wrong
-               ? "a cell that lies within the sphere overlaps it, too: both have their insides"
-           : n_centred == n_wrong ? "a sphere whose centre is in the cell overlaps it"
-           : n_cornered == n_wrong
-               ? "what is missed holds no corner of the cell: a sphere may come in through a side "
-                 "or over an edge"
-               : NULL;
+    return value - ((double)min + max) / 2;
 }
 
-// What a wrong answer looks like.
-//   remark   out: what joins the facts, "" for nothing
-static Cause explain_overlap(const Job06 *job, int i, const i32 *found, const char **remark)
+static int holds_middle(SphereBoxJob in)
 {
-    const Cause cause = overlap_cause(reach_of, job, N_OVERLAPS, found);
-    const Reach reach = reach_of(job, i);
-    *remark = "";
-    if (cause.says != NULL) {
-        return cause;
-    }
-    if (found[i]) {
-        return (Cause){.says = overlap_is_of_box(reach_of, job, N_OVERLAPS, found)
-                                   ? "the sphere's bounding cube overlaps, the sphere does not"
-                                   : NULL};
-    }
-    const char *looks = misses_look(job, found);
-    if (looks != NULL) {
-        return (Cause){.says = looks};
-    }
-    *remark = reach.outside[0] == 0 && reach.outside[1] == 0 && reach.outside[2] == 0
-                  ? ", even its centre is inside"
-                  : ", its centre is outside but the sphere reaches in";
-    return (Cause){0};
+    const double x = to_middle(in.sphere.x, in.box.min[0], in.box.max[0]),
+                 y = to_middle(in.sphere.y, in.box.min[1], in.box.max[1]),
+                 z = to_middle(in.sphere.z, in.box.min[2], in.box.max[2]);
+    return x * x + y * y + z * z <= (double)in.sphere.radius * in.sphere.radius;
 }
 
-static Diagnosis overlap_fault(const void *pointer, int i, const void *answers)
+ANSWERS(by_middle, holds_middle(in),
+        "your answers are those of the cell's middle, and another point may be nearer")
+EACH(cube, IS_OF_BOX, "the sphere's bounding cube overlaps, the sphere does not")
+ONLY(cell_within, !found && holds_corner(in, 1),
+     "a cell that lies within the sphere overlaps it, too: both have their insides")
+ONLY(centre_within, !found && reach_furthest(reach) == 0,
+     "a sphere whose centre is in the cell overlaps it")
+ONLY(no_corner, !found && !holds_corner(in, 0),
+     "what is missed holds no corner of the cell: a sphere may come in through a side or over an "
+     "edge")
+ONLY(reaches_in, !found && reach_furthest(reach) > 0,
+     "its centre is outside but the sphere reaches in")
+
+static const Known *const known_of_overlap[] = {&by_signed_root, &by_middle,   &cube,
+                                                OVERLAP_KNOWN,   &cell_within, &centre_within,
+                                                &no_corner,      &reaches_in};
+
+static char *describe_overlap(const void *job, int i, const void *answers)
 {
-    const Job06 *job = pointer;
-    const SphereBoxJob in = job->overlaps[i];
-    const i32 *found = answers;
-    const SphereInCell is = tree3d_judge_sphere(in.sphere, in.box);
-    if (is == SPHERE_EITHER || (found[i] != 0) == (is == SPHERE_INSIDE)) {
-        return NOTHING_WRONG;
-    }
-    const char *remark;
-    const Cause cause = explain_overlap(job, i, found, &remark);
-    return diagnosis_of(message_new("sphere at %s, box %s: found %d, expected %d%s",
-                                    words_sphere(in.sphere).text, words_box3d(in.box).text,
-                                    found[i], is == SPHERE_INSIDE, remark),
-                        cause);
+    GIVEN;
+    return message_new("sphere at %s, box %s: found %d, expected %d", words_sphere(in.sphere).text,
+                       words_box3d(in.box).text, found,
+                       tree3d_judge_sphere(in.sphere, in.box) == SPHERE_INSIDE);
 }
 
-const Function overlap_06 = {"overlaps", N_OVERLAPS, sizeof(i32), .fault = overlap_fault};
+const Function overlap_06 = {
+    "overlaps",           N_OVERLAPS,
+    sizeof(i32),          KNOWING(is_right_overlap, describe_overlap, known_of_overlap),
+    .is_known_by_all = 1, .knows_constant = 1};
+#undef GIVEN
+#undef IS_FOUND
 
 // ---- fits_todo ----------------------------------------------------------------------------------
 
