@@ -1,5 +1,5 @@
-// Known mistakes of "does a circle, or a sphere, overlap a cell?" (labs 02 and 06), for a file whose
-// GIVEN (known.h) also declares `reach`. Every input is such that double decides it exactly.
+// Known mistakes of "does a circle, or a sphere, overlap a cell?" (labs 02 and 06), for a file
+// whose GIVEN (known.h) also declares `reach`. Every input is such that double decides it exactly.
 #ifndef JUDGE_OVERLAP_KNOWN_H
 #define JUDGE_OVERLAP_KNOWN_H
 
@@ -40,8 +40,8 @@ ONLY(epsilon,
      "your answers are those with an epsilon: in double none is needed")
 
 #define OVERLAP_KNOWN                                                                              \
-    &by_sum, &radius_not_squared, &by_root, &distances_in_float, &squares_in_float, &root_in_float,    \
-        &radius_in_float, &radius_0, &negative_radius, &touching, &epsilon
+    &by_sum, &radius_not_squared, &by_root, &distances_in_float, &squares_in_float,                \
+        &root_in_float, &radius_in_float, &radius_0, &negative_radius, &touching, &epsilon
 
 // Does the square around the circle, or the cube around the sphere, overlap the cell? What misses
 // by little may be decided by how its sides were rounded.
